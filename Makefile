@@ -1,0 +1,141 @@
+# raypro: two commands make a picture and a green test run: script/setup.sh, then make test.
+#   make            the programs, under build/ (another place: make BUILD=elsewhere)
+#   make test       the layer check and all tests
+#   make check      the layer check alone: who may include whom
+#   make asan tsan  the tests again under the sanitizers
+#   make bench      the benchmark programs
+#   make install    PREFIX=/usr/local DESTDIR= bindir= datadir= mandir=
+# CXX, CXXFLAGS, CPPFLAGS and LDFLAGS given by the user come after ours and so win.
+
+ifeq ($(origin CXX),default)
+CXX := g++
+endif
+BUILD ?= build
+PREFIX ?= /usr/local
+bindir ?= $(PREFIX)/bin
+datadir ?= $(PREFIX)/share
+mandir ?= $(datadir)/man
+VERSION := 0.1.0
+
+# What is on this machine. The compiler itself is asked, on empty input: a shell test of the header's
+# name would have to know where compilers look.
+probe = $(shell $(CXX) $(CPPFLAGS) $(3) -std=c++20 -include $(2) -fsyntax-only -x c++ /dev/null >/dev/null 2>&1 && echo yes || echo no)
+pkg = $(shell pkg-config $(1) $(2) 2>/dev/null)
+
+EXR_CFLAGS := $(or $(call pkg,--cflags,OpenEXR),-isystem /usr/include/OpenEXR -isystem /usr/include/Imath)
+EXR_CFLAGS := $(patsubst -I%,-isystem%,$(EXR_CFLAGS))
+EXR_LIBS := $(or $(call pkg,--libs,OpenEXR),-lOpenEXR -lImath -lIex)
+
+NEEDS_COMPILER := $(if $(filter clean uninstall install-help check format,$(MAKECMDGOALS)),,yes)
+ifeq ($(NEEDS_COMPILER),yes)
+HAS_JPEG := $(call probe,jpeg,jpeglib.h,-include stdio.h)
+HAS_PNG := $(call probe,png,png.h,)
+HAS_TBB := $(call probe,tbb,tbb/parallel_for.h,)
+HAS_JSON := $(call probe,json,nlohmann/json.hpp,)
+HAS_EXR := $(call probe,exr,ImfOutputFile.h,$(EXR_CFLAGS))
+MISSING := $(if $(filter yes,$(HAS_JPEG)),,libjpeg-dev) $(if $(filter yes,$(HAS_PNG)),,libpng-dev) \
+           $(if $(filter yes,$(HAS_TBB)),,libtbb-dev) $(if $(filter yes,$(HAS_JSON)),,nlohmann-json3-dev)
+ifneq ($(strip $(MISSING)),)
+$(error These packages are missing: $(strip $(MISSING)). Run script/setup.sh, or install them and try again)
+endif
+FEATURES := jpeg=yes png=yes exr=$(if $(filter yes,$(HAS_EXR)),yes,no (install libopenexr-dev))
+$(info features: $(FEATURES))
+endif
+
+# -ffp-contract=off: a*b+c keeps its two roundings everywhere, so every build gives the same picture.
+# -fno-tree-slp-vectorize: g++ 12 otherwise drops the rounding in double(float(x)) of neighbouring members.
+NUMERIC := -ffp-contract=off $(shell $(CXX) --version 2>/dev/null | grep -q clang && echo -fno-slp-vectorize || echo -fno-tree-slp-vectorize)
+WARNINGS := -Wall -Wextra -Wpedantic -Wshadow -Wconversion
+OPTIMIZE ?= -O2
+OUR_CPPFLAGS := -I. -MMD -MP -DRAYPRO_VERSION='"$(VERSION)"' -DRAYPRO_FEATURES='"$(FEATURES)"'
+ifeq ($(HAS_EXR),yes)
+OUR_CPPFLAGS += -DRAYPRO_EXR $(EXR_CFLAGS)
+endif
+OUR_CXXFLAGS := -std=c++20 $(OPTIMIZE) -g1 $(NUMERIC) $(WARNINGS) $(SANITIZE)
+LIBS := -ljpeg -lpng -ltbb $(if $(filter yes,$(HAS_EXR)),$(EXR_LIBS)) -pthread
+
+PROGRAM_MAINS := source/app/raypro.cpp
+LIBRARY_SOURCES := $(filter-out $(PROGRAM_MAINS),$(wildcard R2/*.cpp R2/*/*.cpp R3/*.cpp R3/*/*.cpp source/*/*.cpp source/*/*/*.cpp))
+ifneq ($(HAS_EXR),yes)
+LIBRARY_SOURCES := $(filter-out R2/image_files/exr.cpp,$(LIBRARY_SOURCES))
+endif
+TEST_SOURCES := $(wildcard tests/*.cpp tests/R2/*.cpp tests/R3/*.cpp tests/source/*.cpp tests/source/*/*.cpp \
+                  $(foreach d,every agree extremes closed_form bad_scenes regressions images,tests/$(d)/*.cpp))
+BENCH_SOURCES := $(wildcard bench/*.cpp)
+objects = $(patsubst %.cpp,$(BUILD)/obj/%.o,$(1))
+
+.PHONY: all raypro test check asan tsan bench install uninstall clean compile_commands test-binary
+.SECONDARY:
+all: raypro $(BUILD)/compile_commands.json
+raypro: $(BUILD)/raypro
+
+# A change of compiler or flags rebuilds everything: the flags are kept in a file that objects depend on.
+FLAGS_LINE := $(CXX) $(OUR_CPPFLAGS) $(CPPFLAGS) $(OUR_CXXFLAGS) $(CXXFLAGS)
+$(BUILD)/flags: FORCE
+	@mkdir -p $(BUILD)
+	@printf '%s\n' '$(subst ','\'',$(FLAGS_LINE))' | cmp -s - $@ || printf '%s\n' '$(subst ','\'',$(FLAGS_LINE))' > $@
+FORCE:
+
+$(BUILD)/obj/%.o: %.cpp $(BUILD)/flags
+	@mkdir -p $(@D)
+	@echo "  c++   $<"
+	@$(CXX) $(OUR_CPPFLAGS) $(CPPFLAGS) $(OUR_CXXFLAGS) $(CXXFLAGS) -c $< -o $@
+	@printf '{"directory":"%s","file":"%s","command":"%s"},\n' '$(CURDIR)' '$<' \
+	  "$$(printf '%s' '$(subst ','\'',$(FLAGS_LINE)) -c $< -o $@' | sed 's/[\\"]/\\&/g')" > $(@:.o=.cmd)
+
+$(BUILD)/libray.a: $(call objects,$(LIBRARY_SOURCES))
+	@echo "  ar    $@"
+	@rm -f $@ && $(AR) rcs $@ $^
+
+$(BUILD)/raypro: $(BUILD)/obj/source/app/raypro.o $(BUILD)/libray.a
+	@echo "  link  $@"
+	@$(CXX) $(OUR_CXXFLAGS) $(CXXFLAGS) $^ $(LDFLAGS) $(LIBS) -o $@
+
+$(BUILD)/raytests: $(call objects,$(TEST_SOURCES)) $(BUILD)/libray.a
+	@echo "  link  $@"
+	@$(CXX) $(OUR_CXXFLAGS) $(CXXFLAGS) $^ $(LDFLAGS) -lgtest $(LIBS) -o $@
+
+$(BUILD)/bench/%: $(BUILD)/obj/bench/%.o $(BUILD)/libray.a
+	@mkdir -p $(@D)
+	@echo "  link  $@"
+	@$(CXX) $(OUR_CXXFLAGS) $(CXXFLAGS) $^ $(LDFLAGS) -lbenchmark $(LIBS) -o $@
+
+# Every object leaves a fragment; editors read the sum.
+$(BUILD)/compile_commands.json: $(BUILD)/raypro
+	@{ echo '['; find $(BUILD)/obj -name '*.cmd' -exec cat {} + | sed '$$ s/,$$//'; echo ']'; } > $@
+
+# Tests find the program and the project's files through these two.
+test: check test-binary raypro
+	RAYPRO=$(abspath $(BUILD))/raypro RAYPRO_ROOT=$(CURDIR) $(BUILD)/raytests $(GTEST)
+test-binary: $(BUILD)/raytests
+
+check:
+	@sh script/check_layers.sh
+
+asan:
+	$(MAKE) BUILD=$(BUILD)/asan OPTIMIZE=-O1 SANITIZE="-fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer" test
+tsan:
+	$(MAKE) BUILD=$(BUILD)/tsan OPTIMIZE=-O1 SANITIZE="-fsanitize=thread" test
+
+bench: $(patsubst bench/%.cpp,$(BUILD)/bench/%,$(BENCH_SOURCES)) raypro
+
+install: raypro
+	install -d $(DESTDIR)$(bindir) $(DESTDIR)$(mandir)/man1 $(DESTDIR)$(datadir)/raypro/scenes \
+	  $(DESTDIR)$(datadir)/bash-completion/completions $(DESTDIR)$(datadir)/zsh/site-functions \
+	  $(DESTDIR)$(datadir)/fish/vendor_completions.d
+	install -m 755 $(BUILD)/raypro $(DESTDIR)$(bindir)/raypro
+	$(BUILD)/raypro -man > $(DESTDIR)$(mandir)/man1/raypro.1
+	$(BUILD)/raypro -complete bash > $(DESTDIR)$(datadir)/bash-completion/completions/raypro
+	$(BUILD)/raypro -complete zsh > $(DESTDIR)$(datadir)/zsh/site-functions/_raypro
+	$(BUILD)/raypro -complete fish > $(DESTDIR)$(datadir)/fish/vendor_completions.d/raypro.fish
+	cp -R scenes/. $(DESTDIR)$(datadir)/raypro/scenes/
+uninstall:
+	rm -f $(DESTDIR)$(bindir)/raypro $(DESTDIR)$(mandir)/man1/raypro.1 \
+	  $(DESTDIR)$(datadir)/bash-completion/completions/raypro $(DESTDIR)$(datadir)/zsh/site-functions/_raypro \
+	  $(DESTDIR)$(datadir)/fish/vendor_completions.d/raypro.fish
+	rm -rf $(DESTDIR)$(datadir)/raypro
+
+clean:
+	rm -rf $(BUILD)
+
+-include $(shell find $(BUILD)/obj -name '*.d' 2>/dev/null)

@@ -1,0 +1,36 @@
+#pragma once
+
+namespace R2 {
+
+/// Linear red, green and blue, unbounded, in the scene's own light units.
+struct Color {
+  double r = 0, g = 0, b = 0;
+
+  Color& operator+=(const Color& o) {
+    r += o.r, g += o.g, b += o.b;
+    return *this;
+  }
+  friend bool operator==(const Color&, const Color&) = default;
+};
+
+inline Color operator+(Color a, const Color& b) { return a += b; }
+inline Color operator-(const Color& a, const Color& b) { return {a.r - b.r, a.g - b.g, a.b - b.b}; }
+inline Color operator*(const Color& a, const Color& b) { return {a.r * b.r, a.g * b.g, a.b * b.b}; }
+inline Color operator*(double s, const Color& c) { return {s * c.r, s * c.g, s * c.b}; }
+inline Color operator*(const Color& c, double s) { return s * c; }
+inline Color operator/(const Color& c, double s) { return {c.r / s, c.g / s, c.b / s}; }
+
+inline bool IsBlack(const Color& c) { return c.r == 0 && c.g == 0 && c.b == 0; }
+
+/// The course's luminance weights (specified with the .scn language; they sum to one).
+inline double Luminance(const Color& c) { return 0.30 * c.r + 0.59 * c.g + 0.11 * c.b; }
+
+/// The exact sRGB curve (IEC 61966-2-1) of one channel, linear to encoded; values below 0 stay linear.
+double EncodeSrgb(double linear);
+/// Its inverse.
+double DecodeSrgb(double encoded);
+
+Color EncodeSrgb(const Color& linear);
+Color DecodeSrgb(const Color& encoded);
+
+}  // namespace R2

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "R2/Color.h"
+
+namespace R2 {
+
+/// The most pixels an image may have, 2^28: a header that promises more is refused before memory is asked for.
+inline constexpr std::int64_t max_pixels = std::int64_t{1} << 28;
+
+/// A rectangle of colours. Row 0 is the bottom row, as the course stores pictures. Channels are kept as
+/// floats (24 bits, more than any file format here asks for); a value set and read back is rounded to float.
+class Image {
+ public:
+  Image() = default;
+  /// A black image; width and height at least 1, width * height at most max_pixels (asserted).
+  Image(int width, int height);
+
+  int Width() const { return width_; }
+  int Height() const { return height_; }
+
+  /// x from the left in [0, Width), y from the bottom in [0, Height).
+  Color At(int x, int y) const {
+    const float* p = &channels_[Index(x, y)];
+    return {p[0], p[1], p[2]};
+  }
+  void Set(int x, int y, const Color& c) {
+    float* p = &channels_[Index(x, y)];
+    p[0] = static_cast<float>(c.r);
+    p[1] = static_cast<float>(c.g);
+    p[2] = static_cast<float>(c.b);
+  }
+
+  /// All channels, r g b a pixel, rows from the bottom: for writers and for comparing pictures byte by byte.
+  const std::vector<float>& Channels() const { return channels_; }
+
+  friend bool operator==(const Image&, const Image&) = default;
+
+ private:
+  std::size_t Index(int x, int y) const {
+    return 3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x));
+  }
+
+  int width_ = 0, height_ = 0;
+  std::vector<float> channels_;
+};
+
+}  // namespace R2

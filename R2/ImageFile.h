@@ -1,0 +1,68 @@
+#pragma once
+
+#include <map>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "R2/Image.h"
+
+/// Image files. One kind a file in R2/image_files/, one line each in image_formats.def.
+namespace R2 {
+
+/// What was wrong with an image file, in words; names no file, the caller knows it.
+struct ImageError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// Words kept in the picture itself: program, command, seed... Written to JPEG, PNG and EXR.
+using ImageSettings = std::map<std::string, std::string>;
+
+/// How to write.
+struct ImageEncoding {
+  bool srgb = false;       // encode with the sRGB curve; otherwise the values are written straight (8 and 16 bit formats)
+  int bits = 8;            // 8 or 16, PNG only
+  int jpeg_quality = 95;   // 1..100; chroma is never subsampled
+};
+
+/// One line of image_formats.def.
+struct ImageFormat {
+  const char* name;                      // "png"
+  std::vector<const char*> extensions;   // lower case, without the dot
+  bool (*recognises)(std::span<const unsigned char> bytes);                     // by content, never by name
+  Image (*decode)(std::span<const unsigned char> bytes, ImageSettings* settings);   // throws ImageError; settings may be null
+  std::vector<unsigned char> (*encode)(const Image& image, const ImageEncoding& encoding, const ImageSettings& settings);
+  bool is_linear;                        // PFM, HDR, EXR hold linear light: never sRGB-decoded, never clamped
+};
+
+/// Every format this build can read and write, in the order of image_formats.def.
+std::span<const ImageFormat> ImageFormats();
+
+/// The format for an output name, by its extension in any letter case; null when there is none.
+const ImageFormat* FormatForName(const std::string& name);
+
+/// What an image decodes to.
+struct DecodedImage {
+  Image image;
+  const ImageFormat* format = nullptr;
+  ImageSettings settings;
+};
+
+/// Reads an image from the bytes of its file; the kind is decided by content. 8-bit kinds give value/255 (16-bit
+/// value/65535), without any curve. Throws ImageError on anything truncated, malformed or over max_pixels,
+/// before memory for the pixels is asked for.
+DecodedImage DecodeImage(std::span<const unsigned char> bytes);
+
+/// Width and height from the header alone, for a quick check. Throws ImageError.
+struct ImageSize {
+  int width = 0, height = 0;
+};
+ImageSize ReadImageSize(std::span<const unsigned char> bytes);
+
+/// 8-bit value of a channel: clamped to [0, 1], rounded to nearest; NaN gives 0.
+unsigned char ToByte(double channel);
+/// 16-bit likewise.
+unsigned short ToShort(double channel);
+
+}  // namespace R2

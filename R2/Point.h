@@ -1,0 +1,10 @@
+#pragma once
+
+namespace R2 {
+
+/// A place in the plane: a texture coordinate, a film position, or a pair of random numbers.
+struct Point {
+  double x = 0, y = 0;
+};
+
+}  // namespace R2
