@@ -1,0 +1,64 @@
+#pragma once
+
+#include <optional>
+
+#include "R3/Point.h"
+#include "R3/Ray.h"
+
+namespace R3 {
+
+/// An axis-aligned box, closed. A default one is empty and grows from nothing.
+struct Box {
+  Point low{infinity, infinity, infinity};
+  Point high{-infinity, -infinity, -infinity};
+
+  bool IsEmpty() const { return !(low.x <= high.x && low.y <= high.y && low.z <= high.z); }
+  Vector Size() const { return high - low; }
+  Point Center() const;
+  /// Half the diagonal; 0 when empty.
+  double Radius() const;
+  Point Corner(int i) const { return {i & 1 ? high.x : low.x, i & 2 ? high.y : low.y, i & 4 ? high.z : low.z}; }
+  bool Contains(const Point& p) const {
+    return low.x <= p.x && p.x <= high.x && low.y <= p.y && p.y <= high.y && low.z <= p.z && p.z <= high.z;
+  }
+
+  void Extend(const Point& p);
+  void Extend(const Box& b);
+
+  friend bool operator==(const Box&, const Box&) = default;
+};
+
+/// A ray made ready for many box tests.
+struct BoxRay {
+  explicit BoxRay(const Ray& ray);
+
+  Point origin;
+  Vector inverse;   // 1 / direction; infinite, with its sign, where a component is +-0
+  double t_min, t_max;
+};
+
+/// Where the ray enters the box widened by `pad` on every side, or nothing when it certainly misses it.
+///   accuracy   never misses a box that the exact ray touches in [t_min, t_max]: the far side is padded by two ulp;
+///              a ray lying in a face, an edge or a corner touches
+///   pad        absolute, >= 0, in the box's units
+///   source     Ize, Robust BVH ray traversal (2013), for the padding; Williams et al., An efficient and robust
+///              ray-box intersection algorithm (2005), for the choice of sides by sign. A product 0 * infinity
+///              is NaN when the ray lies in the plane of a face; the comparisons leave the interval as it was.
+inline std::optional<double> Entry(const Box& box, const BoxRay& ray, double pad) {
+  constexpr double far_padding = 1 + 2 * Gamma(3);
+  double enter = ray.t_min, leave = ray.t_max;
+  const auto clip = [&](double low, double high, double origin, double inverse) {
+    const bool backwards = std::signbit(inverse);
+    const double near_side = ((backwards ? high + pad : low - pad) - origin) * inverse;
+    const double far_side = ((backwards ? low - pad : high + pad) - origin) * inverse * far_padding;
+    enter = near_side > enter ? near_side : enter;
+    leave = far_side < leave ? far_side : leave;
+  };
+  clip(box.low.x, box.high.x, ray.origin.x, ray.inverse.x);
+  clip(box.low.y, box.high.y, ray.origin.y, ray.inverse.y);
+  clip(box.low.z, box.high.z, ray.origin.z, ray.inverse.z);
+  if (!(enter <= leave)) return {};
+  return enter;
+}
+
+}  // namespace R3

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "R2/Point.h"
+#include "R3/Shape.h"
+
+namespace R3 {
+
+/// What a mesh is made of, as a file brings it. Normals and texture coordinates are one per position or none at all.
+struct MeshData {
+  std::vector<Point> positions;                         // finite
+  std::vector<std::array<std::uint32_t, 3>> triangles;  // indices below positions.size()
+  std::vector<Normal> normals;                          // any length; a zero one means "use the face's"
+  std::vector<R2::Point> uvs;                           // finite
+};
+
+/// A triangle mesh, shaded flat as the course does unless asked to be smooth.
+/// Triangles without area (decided by an exactly vanishing cross product of their edges) are dropped at construction
+/// and counted: nothing could say which way they face.
+class Mesh : public Shape {
+ public:
+  /// Asserts what MeshData says. `smooth` asks for the normals that the data brings; without any it is flat.
+  explicit Mesh(MeshData data, bool smooth = false);
+
+  int Elements() const override { return static_cast<int>(data_.triangles.size()); }
+  Box Bounds(int element) const override;
+  std::optional<Hit> Intersect(const Ray& ray, int element) const override;
+  Intersection At(const Ray& ray, const Hit& hit, int element) const override;
+  bool IsSolid() const override { return false; }  // whether it is closed is not looked at
+  bool HasTextureCoordinates() const override { return !data_.uvs.empty(); }
+  bool IsDegenerate() const override { return data_.triangles.empty(); }
+
+  const MeshData& Data() const { return data_; }
+  /// How many triangles had no area.
+  int DroppedTriangles() const { return dropped_; }
+  std::array<Point, 3> Corners(int element) const;
+
+ private:
+  MeshData data_;
+  bool smooth_ = false;
+  int dropped_ = 0;
+};
+
+}  // namespace R3

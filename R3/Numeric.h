@@ -1,0 +1,46 @@
+#pragma once
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+/// Floating-point arithmetic with stated errors. u below is the unit roundoff of double.
+namespace R3 {
+
+inline constexpr double infinity = std::numeric_limits<double>::infinity();
+inline constexpr double unit_roundoff = 0x1p-53;
+
+/// Bound on the relative error of n roundings in a row: n u / (1 - n u).
+/// Source: Higham, Accuracy and Stability of Numerical Algorithms (2002), lemma 3.1.
+constexpr double Gamma(int n) { return n * unit_roundoff / (1 - n * unit_roundoff); }
+
+/// Compiles a function twice on x86-64, with and without the fused multiply-add instruction, and chooses at
+/// start-up; without it std::fma is a library call. Both give the same bits, because fma is exact by
+/// definition and contraction is off. Sanitizers cannot run the start-up choice.
+#if defined(__x86_64__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) && \
+    !defined(__FMA__) && defined(__GNUC__) && !defined(__clang__)
+#define R3_USES_FMA __attribute__((target_clones("default", "arch=haswell")))
+#else
+#define R3_USES_FMA
+#endif
+
+/// a b - c d with an error of at most 1.5 ulp and the exact sign, barring underflow.
+/// Source: Jeannerod, Louvet, Muller, Further analysis of Kahan's algorithm (2013), theorem 1.1.
+inline double DifferenceOfProducts(double a, double b, double c, double d) {
+  const double cd = c * d;
+  return std::fma(a, b, -cd) + std::fma(-c, d, cd);
+}
+
+/// The next double above x; infinity and NaN stay.
+inline double NextUp(double x) {
+  if (!(x < infinity)) return x;
+  if (x == 0) return std::numeric_limits<double>::denorm_min();
+  const auto bits = std::bit_cast<std::uint64_t>(x);
+  return std::bit_cast<double>(x > 0 ? bits + 1 : bits - 1);
+}
+
+/// The next double below x; minus infinity and NaN stay.
+inline double NextDown(double x) { return -NextUp(-x); }
+
+}  // namespace R3

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "R3/Point.h"
+
+namespace R3 {
+
+/// A half line, cut to the open interval (t_min, t_max). The direction may have any length: t counts in
+/// lengths of it, so a ray seen from another frame keeps its t.
+struct Ray {
+  Point origin;
+  Vector direction;
+  double t_min = 0, t_max = infinity;
+
+  Point At(double t) const { return origin + t * direction; }
+};
+
+}  // namespace R3

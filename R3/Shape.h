@@ -1,0 +1,65 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "R3/Argument.h"
+#include "R3/Box.h"
+#include "R3/Hit.h"
+#include "R3/Intersection.h"
+#include "R3/Ray.h"
+
+namespace R3 {
+
+/// Something a ray can hit, made of one or more elements (a mesh has one per triangle).
+class Shape {
+ public:
+  virtual ~Shape() = default;
+
+  virtual int Elements() const { return 1; }
+
+  /// A box that holds the element.
+  virtual Box Bounds(int element) const = 0;
+
+  /// Nearest crossing of `ray` with the element.
+  ///   ray       any direction length; t counts in lengths of ray.direction
+  ///   returns   t strictly inside (ray.t_min, ray.t_max); nothing on a miss, or if an input is NaN. t does not
+  ///             depend on t_min and t_max otherwise: narrowing them never changes a crossing, only drops it.
+  ///   accuracy  ray.At(t) lies within 32 u (D + size) of the surface, D the distance from ray.origin to it
+  virtual std::optional<Hit> Intersect(const Ray& ray, int element) const = 0;
+
+  /// The surface at a hit that Intersect returned for the same ray and element.
+  virtual Intersection At(const Ray& ray, const Hit& hit, int element) const = 0;
+
+  /// Whether the shape bounds a volume that a point can be inside of.
+  virtual bool IsSolid() const { return true; }
+  /// Whether texture coordinates vary over the surface.
+  virtual bool HasTextureCoordinates() const { return true; }
+  /// Whether nothing can ever hit it (zero radius or height).
+  virtual bool IsDegenerate() const { return false; }
+};
+
+/// One line of shapes.def: what the parser, the help and the tests over every shape know of a kind.
+struct ShapeKind {
+  const char* name;                          // the word in a scene file
+  const char* about;                         // one line for the help
+  std::vector<Argument> arguments;           // in file order
+  /// `arguments` are as many as above, finite, their signs checked; may throw ArgumentError.
+  std::unique_ptr<const Shape> (*make)(std::span<const double> arguments);
+  std::vector<double> example;               // a typical one: bounded, hit by a ray from afar to its middle
+};
+
+/// Every kind that numbers alone describe, in the order of shapes.def.
+std::span<const ShapeKind* const> ShapeKinds();
+/// Null when no kind has the name.
+const ShapeKind* FindShapeKind(const std::string& name);
+/// For tests and programs: asserts that the name exists and the count fits.
+std::unique_ptr<const Shape> MakeShape(const std::string& name, std::vector<double> arguments);
+
+/// Box around all elements.
+Box Bounds(const Shape& shape);
+
+}  // namespace R3

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "R3/Numeric.h"
+
+namespace R3 {
+
+/// A displacement: moves with the linear part of a transform only.
+struct Vector {
+  double x = 0, y = 0, z = 0;
+
+  double operator[](int axis) const { return axis == 0 ? x : axis == 1 ? y : z; }
+  friend bool operator==(const Vector&, const Vector&) = default;
+};
+
+inline Vector operator+(const Vector& a, const Vector& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+inline Vector operator-(const Vector& a, const Vector& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+inline Vector operator-(const Vector& v) { return {-v.x, -v.y, -v.z}; }
+inline Vector operator*(double s, const Vector& v) { return {s * v.x, s * v.y, s * v.z}; }
+inline Vector operator*(const Vector& v, double s) { return s * v; }
+inline Vector operator/(const Vector& v, double s) { return {v.x / s, v.y / s, v.z / s}; }
+
+inline double Dot(const Vector& a, const Vector& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+
+/// Each component within 1.5 ulp of the truth.
+inline Vector Cross(const Vector& a, const Vector& b) {
+  return {DifferenceOfProducts(a.y, b.z, a.z, b.y), DifferenceOfProducts(a.z, b.x, a.x, b.z),
+          DifferenceOfProducts(a.x, b.y, a.y, b.x)};
+}
+
+inline Vector Abs(const Vector& v) { return {std::abs(v.x), std::abs(v.y), std::abs(v.z)}; }
+inline double MaxComponent(const Vector& v) { return std::max({v.x, v.y, v.z}); }
+
+/// The axis of the largest component in magnitude; the lowest axis among equals.
+inline int MaxAxis(const Vector& v) {
+  const Vector a = Abs(v);
+  return a.x >= a.y ? (a.x >= a.z ? 0 : 2) : (a.y >= a.z ? 1 : 2);
+}
+
+/// Euclidean length within 3 u relative; scaled by a power of two first where squares would leave the range.
+double Length(const Vector& v);
+
+/// v / |v| within 4 u; the zero vector (and one with NaN or infinity) gives the zero vector.
+Vector Unit(const Vector& v);
+
+}  // namespace R3

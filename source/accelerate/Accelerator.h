@@ -1,0 +1,38 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "source/accelerate/AcceleratorSettings.h"
+#include "source/accelerate/Workspace.h"
+#include "source/accelerate/World.h"
+
+namespace ray {
+
+/// Decides which primitives a ray is tested against; never what a test answers. Every accelerator gives the same
+/// hits bit for bit: the nearest t, and among equal t the lowest primitive id.
+class Accelerator {
+ public:
+  virtual ~Accelerator() = default;
+
+  /// Nearest hit in (ray.t_min, ray.t_max).
+  virtual std::optional<WorldHit> Intersect(const R3::Ray& ray, Workspace& workspace) const = 0;
+
+  /// Whether anything lies in (ray.t_min, ray.t_max).
+  virtual bool IsOccluded(const R3::Ray& ray, Workspace& workspace) const = 0;
+};
+
+/// One line of accelerators.def.
+struct AcceleratorKind {
+  const char* name;
+  const char* about;
+  std::unique_ptr<const Accelerator> (*make)(const World& world, const AcceleratorSettings& settings);
+};
+
+/// Every kind, in the order of accelerators.def.
+std::span<const AcceleratorKind* const> AcceleratorKinds();
+const AcceleratorKind* FindAcceleratorKind(const std::string& name);
+
+}  // namespace ray

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "source/accelerate/Counts.h"
+
+namespace ray {
+
+/// What one thread keeps between rays: its counts, the places its last rays hit, memory for stacks. Reset at the start of
+/// a tile, so that counts do not depend on which thread takes which tile.
+struct Workspace {
+  struct Place {
+    std::uint32_t instance = 0;
+    int element = 0;
+  };
+  struct Waiting {
+    double entry = 0;        // t at which the ray enters the node's box
+    std::uint32_t node = 0;
+  };
+
+  Counts counts;
+  std::optional<Place> last_hit, last_occluder;
+  std::vector<Waiting> stack;
+
+  void ForgetPlaces() { last_hit.reset(), last_occluder.reset(); }
+};
+
+}  // namespace ray

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "source/parse/SceneError.h"
+#include "source/scene/Scene.h"
+
+namespace ray {
+
+/// How a scene is read.
+struct ParseOptions {
+  std::vector<std::filesystem::path> allowed_folders;  // where files named by a scene may also lie, beside its own folder
+                                                       // and the current one
+  bool decode_srgb = false;  // 8-bit textures are sRGB and become linear
+  int include_depth = 64;    // how deep includes may nest
+};
+
+/// A scene and what its author should know about it.
+struct ParsedScene {
+  Scene scene;
+  std::vector<std::string> warnings;  // "file:line:column: warning: ..." whole lines
+};
+
+/// Reads a scene file; its format is decided by extension (formats.def). Defaults for camera and lights are filled in.
+/// Throws SceneErrors, whose what() is the whole report.
+ParsedScene Parse(const std::filesystem::path& file, const ParseOptions& options);
+
+}  // namespace ray

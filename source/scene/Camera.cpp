@@ -1,0 +1,49 @@
+#include "source/scene/Camera.h"
+
+#include <cmath>
+
+namespace ray {
+namespace {
+
+// Below this angle the cross product of two unit vectors is mostly their rounding: 1e-9 rad leaves seven good digits.
+constexpr double parallel_angle = 1e-9;
+
+}  // namespace
+
+R3::Ray Camera::Through(double x, double y, int width, int height) const {
+  const double half_width = std::tan(xfov), half_height = half_width * height / width;
+  const double across = (2 * x / width - 1) * half_width, upward = (2 * y / height - 1) * half_height;
+  return {eye, towards + across * right + upward * up};
+}
+
+AimedCamera Aim(const R3::Point& eye, const R3::Vector& towards, const R3::Vector& up) {
+  AimedCamera aimed;
+  Camera& c = aimed.camera;
+  c.eye = eye;
+  c.towards = Unit(towards);
+  R3::Vector across = Cross(c.towards, Unit(up));
+  if (!(Length(across) > parallel_angle)) {
+    const R3::Vector a = Abs(c.towards);
+    const R3::Vector axis = a.y <= a.x && a.y <= a.z ? R3::Vector{0, 1, 0}
+                            : a.z <= a.x             ? R3::Vector{0, 0, 1}
+                                                     : R3::Vector{1, 0, 0};
+    across = Cross(c.towards, axis);
+    aimed.up_was_replaced = true;
+  }
+  c.right = Unit(across);
+  c.up = Unit(Cross(c.right, c.towards));
+  return aimed;
+}
+
+Camera DefaultCamera(const R3::Box& scene) {
+  const double half_diagonal = scene.Radius();
+  const double radius = half_diagonal > 0 ? half_diagonal : 1;
+  const R3::Point center = scene.IsEmpty() ? R3::Point{} : scene.Center();
+  Camera camera;
+  camera.eye = center + R3::Vector{0, 0, 3 * radius};
+  camera.near = 0.01 * radius;
+  camera.far = 100 * radius;
+  return camera;
+}
+
+}  // namespace ray

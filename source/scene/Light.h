@@ -1,0 +1,58 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "R2/Color.h"
+#include "R2/Point.h"
+#include "R3/Argument.h"
+#include "R3/Point.h"
+
+namespace ray {
+
+/// What reaches a point from one place on a light, if nothing is in between.
+struct Illumination {
+  R2::Color irradiance;      // before the surface's own cosine
+  R3::Vector to_light;       // from the point; reaches the light at t = 1 unless the light is infinitely far
+  bool is_infinite = false;  // the light has a direction but no place
+};
+
+/// A source of light, in world coordinates.
+class Light {
+ public:
+  virtual ~Light() = default;
+
+  /// Light arriving at `p` from the place on the light that `random`, in [0, 1)^2, picks evenly by area (point-like
+  /// lights ignore it). Nothing where the light does not shine, and where p lies on the very place picked.
+  virtual std::optional<Illumination> Illuminate(const R3::Point& p, const R2::Point& random) const = 0;
+
+  /// Whether it has an area, so that several samples are worth their rays.
+  virtual bool IsExtended() const { return false; }
+  /// Whether it gives no light at all; such a light still counts as a light of the scene.
+  virtual bool IsBlack() const = 0;
+  /// "point light at 0 3 0, colour 1 1 1"
+  virtual std::string Describe() const = 0;
+};
+
+/// One line of lights.def.
+struct LightKind {
+  const char* name;                     // the word in a scene file
+  const char* about;
+  std::vector<R3::Argument> arguments;  // in file order
+  /// `arguments` are as many as above, finite, their signs checked; may throw R3::ArgumentError.
+  std::unique_ptr<const Light> (*make)(std::span<const double> arguments);
+  std::vector<double> example;
+};
+
+/// Every kind, in the order of lights.def.
+std::span<const LightKind* const> LightKinds();
+/// Null when no kind has the name.
+const LightKind* FindLightKind(const std::string& name);
+
+/// The two directional lights of a scene that names none.
+std::vector<std::unique_ptr<const Light>> DefaultLights();
+
+}  // namespace ray

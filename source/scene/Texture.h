@@ -1,0 +1,17 @@
+#pragma once
+
+#include "R2/Color.h"
+#include "R2/Image.h"
+#include "R2/Point.h"
+
+namespace ray {
+
+/// An image spread over 0..1 x 0..1 and repeated beyond; u to the right, v up.
+struct Texture {
+  R2::Image image;
+
+  /// Bilinear between texel centres: texel k of n has its centre at (k + 0.5) / n. Finite for any finite uv.
+  R2::Color At(const R2::Point& uv) const;
+};
+
+}  // namespace ray
