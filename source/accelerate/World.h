@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "R3/Transform.h"
-#include "source/accelerate/Counts.h"
 #include "source/scene/Scene.h"
 
 namespace ray {
@@ -27,20 +26,30 @@ struct WorldHit {
   int element = 0;
 };
 
+/// A node of the scene graph in one array, parents before children, the children of a node side by side.
+struct FlatNode {
+  const Node* node = nullptr;
+  std::uint32_t frame = 0;                      // of the children; for a shape, of itself: its own transform is none
+  std::uint32_t first_child = 0, children = 0;  // skipped subtrees have none
+  std::int32_t instance = -1;                   // of a node with a shape
+};
+
 /// The scene flattened: every shape with the one transform that places it. Looks into the scene, which must outlive it.
 class World {
  public:
   explicit World(const Scene& scene);
+  World(const World&) = delete;
 
-  const Scene& GetScene() const { return scene_; }
+  const Scene& TheScene() const { return scene_; }
+  /// In the order of the scene file, which is the order of primitive ids.
   const std::vector<Instance>& Instances() const { return instances_; }
-  /// world_from_local of each group that holds shapes; shapes of one group share a frame. Frame 0 is the world's own.
+  /// The root first.
+  const std::vector<FlatNode>& Nodes() const { return nodes_; }
+  /// world_from_local of the groups; a group without a transform of its own shares its parent's. 0 is the world itself.
   const std::vector<R3::Transform>& Frames() const { return frames_; }
   std::int64_t Primitives() const { return primitives_; }
-  /// Lines for the scene's author: subtrees left out because their transform is singular.
+  /// Lines for the scene's author: groups left out because all transforms above them together cannot be inverted.
   const std::vector<std::string>& Warnings() const { return warnings_; }
-
-  R3::Ray LocalRay(std::uint32_t frame, const R3::Ray& ray) const { return frames_[frame].Back(ray); }
 
   std::int64_t PrimitiveId(const WorldHit& hit) const { return instances_[hit.instance].first_primitive + hit.element; }
   const Material& MaterialAt(const WorldHit& hit) const { return *instances_[hit.instance].material; }
@@ -50,8 +59,11 @@ class World {
   R3::Intersection At(const R3::Ray& ray, const WorldHit& hit) const;
 
  private:
-  friend class GraphAccelerator;
+  void Flatten();
+  void NumberInstances();
+
   const Scene& scene_;
+  std::vector<FlatNode> nodes_;
   std::vector<Instance> instances_;
   std::vector<R3::Transform> frames_;
   std::int64_t primitives_ = 0;

@@ -1,0 +1,73 @@
+#include "R3/Mesh.h"
+
+#include <cassert>
+
+#include "R3/Triangle.h"
+
+namespace R3 {
+namespace {
+
+Vector AreaVector(const std::array<Point, 3>& c) { return Cross(c[1] - c[0], c[2] - c[0]); }
+
+}  // namespace
+
+Mesh::Mesh(MeshData data, bool smooth) : data_(std::move(data)), smooth_(smooth && !data_.normals.empty()) {
+  assert(data_.normals.empty() || data_.normals.size() == data_.positions.size());
+  assert(data_.uvs.empty() || data_.uvs.size() == data_.positions.size());
+  const std::size_t before = data_.triangles.size();
+  std::erase_if(data_.triangles, [&](const auto& t) {
+    const std::array corners{data_.positions[t[0]], data_.positions[t[1]], data_.positions[t[2]]};
+    return Unit(AreaVector(corners)) == Vector{};
+  });
+  dropped_ = static_cast<int>(before - data_.triangles.size());
+}
+
+std::array<Point, 3> Mesh::Corners(int element) const {
+  const auto& t = data_.triangles[static_cast<std::size_t>(element)];
+  return {data_.positions[t[0]], data_.positions[t[1]], data_.positions[t[2]]};
+}
+
+Box Mesh::Bounds(int element) const {
+  Box box;
+  for (const Point& corner : Corners(element)) box.Extend(corner);
+  return box;
+}
+
+std::optional<Hit> Mesh::Intersect(const Ray& ray, int element) const {
+  return IntersectTriangle(ShearedRay(ray), Corners(element));
+}
+
+Intersection Mesh::At(const Ray&, const Hit& hit, int element) const {
+  const auto corners = Corners(element);
+  const auto& indices = data_.triangles[static_cast<std::size_t>(element)];
+  const std::array weights{1 - hit.u - hit.v, hit.u, hit.v};
+
+  Intersection at;
+  Vector position, magnitude;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vector share = weights[i] * FromOrigin(corners[i]);
+    position = position + share;
+    magnitude = magnitude + Abs(share);
+  }
+  at.position = Point{} + position;
+  // Physically Based Rendering (2023), section 6.8.5: gamma(7). The next test of the same triangle sees its corners
+  // from this point and errs by as much again, in their distances.
+  at.error = Gamma(16) * magnitude;
+  at.normal = at.shading_normal = AsNormal(Unit(AreaVector(corners)));
+
+  if (smooth_) {
+    Vector sum;
+    for (std::size_t i = 0; i < 3; ++i) sum = sum + weights[i] * Unit(AsVector(data_.normals[indices[i]]));
+    const Vector blended = Unit(sum);
+    // A blend of opposite or missing normals says nothing: the face's stays.
+    if (blended != Vector{}) at.shading_normal = AsNormal(blended);
+  }
+  if (!data_.uvs.empty())
+    for (std::size_t i = 0; i < 3; ++i) {
+      at.uv.x += weights[i] * data_.uvs[indices[i]].x;
+      at.uv.y += weights[i] * data_.uvs[indices[i]].y;
+    }
+  return at;
+}
+
+}  // namespace R3

@@ -1,0 +1,53 @@
+#include "R3/shapes/Round.h"
+
+#include <utility>
+
+#include "R3/Wide.h"
+
+namespace R3 {
+namespace {
+
+// Nearer to the surface than this share of the radius, (F - r)(F + r) has lost three bits and more.
+constexpr double near_share = 0x1p-3;
+
+/// |origin - center|^2 - radius^2 with a relative error of a few u however near the two are.
+double PowerOfPoint(const Point& origin, const Point& center, double radius) {
+  Wide sum = -ExactProduct(radius, radius);
+  const auto add = [&](double o, double c) {
+    const Wide f = ExactSum(o, -c);
+    sum = sum + f * f;
+  };
+  add(origin.x, center.x);
+  add(origin.y, center.y);
+  add(origin.z, center.z);
+  return static_cast<double>(sum);
+}
+
+}  // namespace
+
+R3_USES_FMA
+std::optional<Roots> RoundCrossings(const Point& origin, const Vector& direction, const Point& center, double radius) {
+  const Vector f = origin - center;
+  const double a = Dot(direction, direction), b = -Dot(f, direction);
+  const double distance = std::sqrt(Dot(f, f));
+
+  double c, discriminant;  // of a t^2 - 2 b t + c
+  if (std::abs(distance - radius) < near_share * radius) {
+    c = PowerOfPoint(origin, center, radius);
+    discriminant = DifferenceOfProducts(b, b, a, c);
+  } else {
+    c = (distance - radius) * (distance + radius);
+    const double s = b / a;  // to the line's point nearest to the center; fma keeps what is left of f after cancelling
+    const Vector miss{std::fma(s, direction.x, f.x), std::fma(s, direction.y, f.y), std::fma(s, direction.z, f.z)};
+    const double miss_distance = std::sqrt(Dot(miss, miss));
+    discriminant = a * ((radius - miss_distance) * (radius + miss_distance));
+  }
+  if (!(discriminant >= 0) || !(a > 0)) return {};
+  const double q = b + std::copysign(std::sqrt(discriminant), b);
+  if (q == 0) return Roots{0, 0};  // the origin is the point of a tangent
+  Roots roots{c / q, q / a};
+  if (roots.first > roots.second) std::swap(roots.first, roots.second);
+  return roots;
+}
+
+}  // namespace R3

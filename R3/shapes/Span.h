@@ -1,0 +1,40 @@
+#pragma once
+
+#include <optional>
+
+#include "R3/Hit.h"
+#include "R3/Ray.h"
+
+namespace R3 {
+
+/// The stretch of a line that lies inside a convex body, and which part of its surface bounds each end.
+struct Span {
+  double enter = -infinity, leave = infinity;
+  int enter_part = 0, leave_part = 0;
+
+  /// Keeps what also lies in [from, to]; NaN bounds (a ray lying in a bounding plane) keep everything.
+  void Clip(double from, double to, int from_part, int to_part) {
+    if (from > enter) enter = from, enter_part = from_part;
+    if (to < leave) leave = to, leave_part = to_part;
+  }
+
+  /// The first end strictly inside the ray's interval. A body touched in one point counts as hit.
+  std::optional<Hit> First(const Ray& ray) const {
+    if (!(enter <= leave)) return {};
+    if (enter > ray.t_min) return enter < ray.t_max ? std::optional(Hit{enter, 0, 0, enter_part}) : std::nullopt;
+    if (leave > ray.t_min && leave < ray.t_max) return Hit{leave, 0, 0, leave_part};
+    return {};
+  }
+};
+
+/// Clips to low <= coordinate <= high along one axis. Division, not a reciprocal: one rounding fewer in t.
+inline void ClipToSlab(Span& span, double low, double high, double origin, double direction, int low_part,
+                       int high_part) {
+  const double to_low = (low - origin) / direction, to_high = (high - origin) / direction;
+  if (std::signbit(direction))
+    span.Clip(to_high, to_low, high_part, low_part);
+  else
+    span.Clip(to_low, to_high, low_part, high_part);
+}
+
+}  // namespace R3

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cmath>
+#include <numbers>
+
+#include "R3/Intersection.h"
+#include "R3/Numeric.h"
+
+/// What cylinder and cone, both turned about a line parallel to y, have in common.
+namespace R3 {
+
+/// Share of a turn about +y: 0 at -z, 0.25 at +x, 0.5 at +z, 0.75 at -x; in [0, 1].
+inline double TurnAboutY(const Vector& outward) {
+  const double turn = std::atan2(outward.x, -outward.z) / (2 * std::numbers::pi);
+  return turn < 0 ? turn + 1 : turn;
+}
+
+/// The flat end at height y; `side` is +1 when it faces up, -1 when it faces down.
+inline Intersection AtCap(const Point& p, const Point& center, double radius, double y, double side) {
+  Intersection at;
+  at.position = {p.x, y, p.z};
+  at.error = Gamma(2) * Abs(FromOrigin(at.position));
+  at.normal = at.shading_normal = {0, side, 0};
+  at.uv = {0.5 + (p.x - center.x) / (2 * radius), 0.5 - (p.z - center.z) / (2 * radius)};
+  return at;
+}
+
+}  // namespace R3

@@ -1,0 +1,111 @@
+#include "R3/Shape.h"
+#include "R3/shapes/Span.h"
+#include "R3/shapes/Turned.h"
+
+namespace R3 {
+namespace {
+
+enum Part { side, base };
+
+// Axis parallel to y, apex up; the center is at mid-height, the base is closed.
+class Cone : public Shape {
+ public:
+  Cone(const Point& center, double radius, double height)
+      : center_(center),
+        radius_(radius),
+        height_(height),
+        slope_(radius / height),
+        low_(center.y - height / 2),
+        high_(center.y + height / 2) {}
+
+  Box Bounds(int) const override {
+    return {{center_.x - radius_, low_, center_.z - radius_}, {center_.x + radius_, high_, center_.z + radius_}};
+  }
+
+  std::optional<Hit> Intersect(const Ray& ray, int) const override {
+    if (IsDegenerate()) return {};
+    Span span;
+    // Between base and apex only one of the two mirror cones is left, and it is convex. The plane through the apex is no
+    // face of its own: it touches the solid in the apex alone.
+    ClipToSlab(span, low_, high_, ray.origin.y, ray.direction.y, base, side);
+    if (!ClipToSide(span, ray)) return {};
+    return span.First(ray);
+  }
+
+  Intersection At(const Ray& ray, const Hit& hit, int) const override {
+    const Point p = ray.At(hit.t);
+    if (hit.part == base) return AtCap(p, center_, radius_, low_, -1);
+    const Vector outward = Unit({p.x - center_.x, 0, p.z - center_.z});  // zero at the apex
+    const double y = std::clamp(p.y, low_, high_);
+    const double radius = slope_ * (high_ - y);
+    Intersection at;
+    at.position = {center_.x + radius * outward.x, y, center_.z + radius * outward.z};
+    // Unit 4 u, radius 3 u, product and the cone test's own radius and slope as much again.
+    at.error = Gamma(16) * radius * Abs(outward) + Gamma(4) * Abs(FromOrigin(at.position));
+    const bool is_apex = outward == Vector{};
+    at.normal = is_apex ? Normal{0, 1, 0} : AsNormal(Unit({outward.x, slope_, outward.z}));
+    at.shading_normal = at.normal;
+    at.uv = {is_apex ? 0 : TurnAboutY(outward), (y - low_) / height_};
+    return at;
+  }
+
+  bool IsDegenerate() const override { return !(radius_ > 0) || !(high_ > low_); }
+
+ private:
+  /// Clips the span, already between base and apex, to |horizontal part| <= slope (apex height - y). With g and e the
+  /// horizontal parts of origin (from the apex) and direction, and R0 + t R1 the cone's radius along the ray, that is
+  ///     A t^2 - 2 B t + C <= 0,   A = |e|^2 - R1^2,   B = R0 R1 - g.e,   C = |g|^2 - R0^2,
+  /// all factored so that nothing cancels, and B^2 - A C = |R0 e - R1 g|^2 - |g x e|^2 (Lagrange's identity for the
+  /// form x^2 + z^2 - r^2), the counterpart of the sphere's miss distance; factored likewise. Own derivation; oracle:
+  /// 113-bit arithmetic in tests/extremes/cone.cpp. Returns false on a certain miss.
+  R3_USES_FMA
+  bool ClipToSide(Span& span, const Ray& ray) const {
+    const double gx = ray.origin.x - center_.x, gz = ray.origin.z - center_.z;
+    const double ex = ray.direction.x, ez = ray.direction.z;
+    const double R0 = slope_ * (high_ - ray.origin.y), R1 = -slope_ * ray.direction.y;
+    const double g = std::sqrt(gx * gx + gz * gz), e = std::sqrt(ex * ex + ez * ez);
+
+    const double A = (e - R1) * (e + R1), B = R0 * R1 - (gx * ex + gz * ez), C = (g - R0) * (g + R0);
+    const double mx = DifferenceOfProducts(R0, ex, R1, gx), mz = DifferenceOfProducts(R0, ez, R1, gz);
+    const double m = std::sqrt(mx * mx + mz * mz), cross = std::abs(DifferenceOfProducts(gx, ez, gz, ex));
+    const double discriminant = (m - cross) * (m + cross);
+
+    if (A > 0) {  // flatter than the side: one stretch of the line is inside
+      if (!(discriminant >= 0)) return false;
+      const double q = B + std::copysign(std::sqrt(discriminant), B);
+      if (q == 0) return Keep(span, 0, 0);
+      const double one = C / q, other = q / A;
+      return Keep(span, std::min(one, other), std::max(one, other));
+    }
+    // Steeper than the side, or parallel to it: the line is inside this cone from one root on, to the base's end of it,
+    // and inside the mirror cone beyond the other root. Rounding alone could make the discriminant negative.
+    const double q = B + std::copysign(std::sqrt(std::max(discriminant, 0.0)), B);
+    if (q == 0) return C <= 0;
+    const double one = C / q, other = A < 0 ? q / A : -std::copysign(infinity, q);
+    if (R1 > 0) return Keep(span, std::max(one, other), infinity);
+    if (R1 < 0) return Keep(span, -infinity, std::min(one, other));
+    return false;  // no direction at all, or NaN
+  }
+
+  static bool Keep(Span& span, double from, double to) {
+    span.Clip(from, to, side, side);
+    return true;
+  }
+
+  Point center_;
+  double radius_, height_, slope_, low_, high_;
+};
+
+}  // namespace
+
+extern const ShapeKind cone_kind{
+    "cone",
+    "a closed cone about the y direction, apex up: center at mid-height, radius of the base, height",
+    {{"cx"}, {"cy"}, {"cz"}, {"radius", false}, {"height", false}},
+    [](std::span<const double> a) -> std::unique_ptr<const Shape> {
+      return std::make_unique<Cone>(Point{a[0], a[1], a[2]}, a[3], a[4]);
+    },
+    {0.5, -0.25, 1, 0.75, 2},
+};
+
+}  // namespace R3

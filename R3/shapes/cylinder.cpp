@@ -1,0 +1,68 @@
+#include "R3/Shape.h"
+#include "R3/shapes/Round.h"
+#include "R3/shapes/Span.h"
+#include "R3/shapes/Turned.h"
+
+namespace R3 {
+namespace {
+
+enum Part { side, bottom, top };
+
+// Axis parallel to y, the center at mid-height, both ends closed.
+class Cylinder : public Shape {
+ public:
+  Cylinder(const Point& center, double radius, double height)
+      : center_(center), radius_(radius), height_(height), low_(center.y - height / 2), high_(center.y + height / 2) {}
+
+  Box Bounds(int) const override {
+    return {{center_.x - radius_, low_, center_.z - radius_}, {center_.x + radius_, high_, center_.z + radius_}};
+  }
+
+  // A cylinder is convex, so the ray is inside it where it is inside both the round and the slab: no rim to leak through.
+  std::optional<Hit> Intersect(const Ray& ray, int) const override {
+    if (IsDegenerate()) return {};
+    Span span;
+    ClipToSlab(span, low_, high_, ray.origin.y, ray.direction.y, bottom, top);
+    if (ray.direction.x == 0 && ray.direction.z == 0) {
+      if (!(std::hypot(ray.origin.x - center_.x, ray.origin.z - center_.z) <= radius_)) return {};
+    } else {
+      const auto roots = RoundCrossings({ray.origin.x, 0, ray.origin.z}, {ray.direction.x, 0, ray.direction.z},
+                                        {center_.x, 0, center_.z}, radius_);
+      if (!roots) return {};
+      span.Clip(roots->first, roots->second, side, side);
+    }
+    return span.First(ray);
+  }
+
+  Intersection At(const Ray& ray, const Hit& hit, int) const override {
+    const Point p = ray.At(hit.t);
+    if (hit.part != side) return AtCap(p, center_, radius_, hit.part == top ? high_ : low_, hit.part == top ? 1 : -1);
+    const Vector outward = Unit({p.x - center_.x, 0, p.z - center_.z});
+    Intersection at;
+    at.position = {center_.x + radius_ * outward.x, std::clamp(p.y, low_, high_), center_.z + radius_ * outward.z};
+    at.error = Gamma(6) * radius_ * Abs(outward) + Gamma(2) * Abs(FromOrigin(at.position));
+    at.normal = at.shading_normal = AsNormal(outward);
+    at.uv = {TurnAboutY(outward), (at.position.y - low_) / height_};
+    return at;
+  }
+
+  bool IsDegenerate() const override { return !(radius_ > 0) || !(high_ > low_); }
+
+ private:
+  Point center_;
+  double radius_, height_, low_, high_;
+};
+
+}  // namespace
+
+extern const ShapeKind cylinder_kind{
+    "cylinder",
+    "a closed cylinder about the y direction: center at mid-height, radius, height",
+    {{"cx"}, {"cy"}, {"cz"}, {"radius", false}, {"height", false}},
+    [](std::span<const double> a) -> std::unique_ptr<const Shape> {
+      return std::make_unique<Cylinder>(Point{a[0], a[1], a[2]}, a[3], a[4]);
+    },
+    {0.5, -0.25, 1, 0.75, 2},
+};
+
+}  // namespace R3

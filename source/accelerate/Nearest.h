@@ -1,0 +1,58 @@
+#pragma once
+
+#include <algorithm>
+#include <optional>
+
+#include "source/accelerate/Workspace.h"
+#include "source/accelerate/World.h"
+
+namespace ray {
+
+/// The nearest hit so far, by the rule that makes all accelerators agree: smallest t, among equals lowest primitive id.
+class Nearest {
+ public:
+  Nearest(const World& world, const R3::Ray& ray) : world_(world), limit_(ray.t_max) {}
+
+  /// No hit at a larger t is wanted any more; one at exactly this t still is.
+  double Limit() const { return limit_; }
+  const std::optional<WorldHit>& Best() const { return best_; }
+
+  /// Asks one element, with the ray already in the instance's frame.
+  void Test(std::uint32_t instance, int element, R3::Ray local, Counts& counts) {
+    ++counts.primitive_tests;
+    if (best_) local.t_max = std::min(local.t_max, R3::NextUp(limit_));
+    const auto hit = world_.Instances()[instance].shape->Intersect(local, element);
+    if (!hit) return;
+    const WorldHit candidate{*hit, instance, element};
+    if (best_ && hit->t == best_->hit.t && world_.PrimitiveId(candidate) >= world_.PrimitiveId(*best_)) return;
+    best_ = candidate;
+    limit_ = hit->t;
+  }
+
+ private:
+  const World& world_;
+  std::optional<WorldHit> best_;
+  double limit_;
+};
+
+/// Sees a ray from one frame after the other, transforming it only when the frame changes.
+class LocalRays {
+ public:
+  LocalRays(const World& world, const R3::Ray& ray) : world_(world), ray_(ray), local_(world.Frames()[0].Back(ray)) {}
+
+  const R3::Ray& In(std::uint32_t frame) {
+    if (frame != frame_) {
+      frame_ = frame;
+      local_ = world_.Frames()[frame].Back(ray_);
+    }
+    return local_;
+  }
+
+ private:
+  const World& world_;
+  const R3::Ray& ray_;
+  std::uint32_t frame_ = 0;
+  R3::Ray local_;
+};
+
+}  // namespace ray

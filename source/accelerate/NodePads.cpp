@@ -1,0 +1,50 @@
+#include "source/accelerate/NodePads.h"
+
+namespace ray {
+namespace {
+
+constexpr double rounding = R3::Gamma(64);
+
+/// Largest magnitude of a coordinate in the box; 0 when empty.
+double Reach(const R3::Box& box) {
+  if (box.IsEmpty()) return 0;
+  return std::max(MaxComponent(Abs(FromOrigin(box.low))), MaxComponent(Abs(FromOrigin(box.high))));
+}
+
+/// The rounding of points up to distance + 2 reach from the world's origin when seen from `frame`.
+NodePad SeenFrom(const R3::Transform& frame, double reach) {
+  const double stretch = MaxRowSum(frame.Inverse());
+  return {2 * rounding * stretch, 2 * rounding * (stretch * 2 * reach + MaxTranslation(frame.Inverse()))};
+}
+
+}  // namespace
+
+std::vector<NodePad> NodePads(const World& world) {
+  const auto& nodes = world.Nodes();
+  std::vector<NodePad> pads(nodes.size());
+  std::vector<double> reaches(nodes.size(), 0);       // in the world
+  std::vector<std::uint32_t> parents(nodes.size(), 0);
+  for (std::uint32_t i = 0; i < nodes.size(); ++i)
+    for (std::uint32_t k = 0; k < nodes[i].children; ++k) parents[nodes[i].first_child + k] = i;
+
+  // Children come after their parents, so backwards every node is complete when its turn comes.
+  for (std::size_t i = nodes.size(); i-- > 0;) {
+    const FlatNode& flat = nodes[i];
+    NodePad pad = pads[i];  // the largest of the children's, in the node's own frame
+    if (flat.instance >= 0) {
+      reaches[i] = Reach(world.Frames()[flat.frame] * flat.node->bounds);
+      pad = SeenFrom(world.Frames()[flat.frame], reaches[i]);
+    } else if (!IsIdentity(flat.node->transform)) {
+      const NodePad own = SeenFrom(world.Frames()[nodes[parents[i]].frame], reaches[i]);
+      const double stretch = MaxRowSum(flat.node->transform);
+      pad = {own.per_distance + stretch * pad.per_distance, own.constant + stretch * pad.constant};
+    }
+    pads[i] = pad;
+    NodePad& above = pads[parents[i]];
+    above = {std::max(above.per_distance, pad.per_distance), std::max(above.constant, pad.constant)};
+    reaches[parents[i]] = std::max(reaches[parents[i]], reaches[i]);
+  }
+  return pads;
+}
+
+}  // namespace ray

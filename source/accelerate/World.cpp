@@ -1,0 +1,114 @@
+#include "source/accelerate/World.h"
+
+#include <cassert>
+
+#include "source/scene/Singular.h"
+
+namespace ray {
+namespace {
+
+/// A group's way from the world while the graph is being flattened.
+struct Path {
+  R3::Product world_from_node;
+  std::uint32_t frame = 0;
+};
+
+std::string Place(const Scene& scene, const Location& location) {
+  if (location.line == 0 || location.file >= scene.files.size()) return "the scene";
+  return scene.files[location.file] + ":" + std::to_string(location.line) + ":" + std::to_string(location.column);
+}
+
+}  // namespace
+
+World::World(const Scene& scene) : scene_(scene) {
+  Flatten();
+  NumberInstances();
+}
+
+// Breadth first, without recursion: the graph may be 100,000 levels deep.
+void World::Flatten() {
+  frames_.emplace_back();
+  nodes_.push_back({.node = &scene_.root});
+  std::vector<Path> paths{Path{}};  // of nodes_[i], freed in waves: see below
+  std::size_t first_path = 0;       // paths[0] belongs to nodes_[first_path]
+
+  for (std::size_t i = 0; i < nodes_.size(); ++i) {
+    // Paths are large and only those of waiting nodes are needed; dropping them by halves keeps the cost linear.
+    if (i - first_path > 1024 && i - first_path > paths.size() / 2) {
+      paths.erase(paths.begin(), paths.begin() + static_cast<std::ptrdiff_t>(i - first_path));
+      first_path = i;
+    }
+    const Node& node = *nodes_[i].node;
+    assert(!node.shape || IsIdentity(node.transform));  // a shape's box is in the frame the shape itself is in
+    Path path = paths[i - first_path];
+    if (!IsIdentity(node.transform)) {
+      if (IsSingular(node.transform)) continue;  // the reader has warned
+      path.world_from_node = path.world_from_node * node.transform;
+      const auto transform = R3::Transform::Of(path.world_from_node);
+      if (!transform) {
+        warnings_.push_back(Place(scene_, node.location) +
+                            ": warning: the transforms down to this group cannot be inverted in double precision; "
+                            "it is left out");
+        continue;
+      }
+      path.frame = static_cast<std::uint32_t>(frames_.size());
+      frames_.push_back(*transform);
+    }
+    nodes_[i].frame = path.frame;
+    nodes_[i].first_child = static_cast<std::uint32_t>(nodes_.size());
+    nodes_[i].children = static_cast<std::uint32_t>(node.children.size());
+    for (const Node& child : node.children) {
+      nodes_.push_back({.node = &child});
+      paths.push_back(path);
+    }
+  }
+}
+
+// Depth first, so that ids follow the order of the scene file; materials are inherited on the way.
+void World::NumberInstances() {
+  struct Waiting {
+    std::uint32_t node;
+    int material;
+  };
+  constexpr int default_material = 0;
+  std::vector<Waiting> stack{{0, default_material}};
+  while (!stack.empty()) {
+    const Waiting next = stack.back();
+    stack.pop_back();
+    FlatNode& flat = nodes_[next.node];
+    const Node& node = *flat.node;
+    const int material = node.material == Node::inherit ? next.material : node.material;
+    if (node.shape) {
+      flat.instance = static_cast<std::int32_t>(instances_.size());
+      instances_.push_back({node.shape.get(), &scene_.materials[static_cast<std::size_t>(material)], &node, flat.frame,
+                            primitives_});
+      primitives_ += node.shape->Elements();
+    }
+    for (std::uint32_t k = flat.children; k-- > 0;) stack.push_back({flat.first_child + k, material});
+  }
+}
+
+R3::Intersection World::At(const R3::Ray& ray, const WorldHit& hit) const {
+  const Instance& instance = instances_[hit.instance];
+  const R3::Transform& world_from_local = frames_[instance.frame];
+  R3::Intersection at = instance.shape->At(world_from_local.Back(ray), hit.hit, hit.element);
+  if (world_from_local.IsIdentity()) return at;
+
+  const R3::Matrix &forward = world_from_local.Forward(), &inverse = world_from_local.Inverse();
+  const R3::Vector local_error = at.error;
+  const R3::Vector local = Abs(FromOrigin(at.position));
+  at.position = forward * at.position;
+  // Rounding on the way out: entries, products and sums of forward * position ...
+  const R3::Vector out = AbsTimes(forward, local) + R3::Vector{std::abs(forward.m[0][3]), std::abs(forward.m[1][3]),
+                                                               std::abs(forward.m[2][3])};
+  // ... and on the way back, inverse * position, brought to world size.
+  const R3::Vector back =
+      AbsTimes(inverse, Abs(FromOrigin(at.position))) +
+      R3::Vector{std::abs(inverse.m[0][3]), std::abs(inverse.m[1][3]), std::abs(inverse.m[2][3])};
+  at.error = AbsTimes(forward, local_error + R3::Gamma(6) * back) + R3::Gamma(6) * out;
+  at.normal = world_from_local * at.normal;
+  at.shading_normal = world_from_local * at.shading_normal;
+  return at;
+}
+
+}  // namespace ray

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstdint>
+
+#include "R2/Point.h"
+
+namespace ray {
+
+/// Random numbers without state: a number is a function of where it is used. A key stands for a place (seed, pixel,
+/// sample, bounce, light ...) and is made from the key of the place around it.
+class RandomKey {
+ public:
+  explicit RandomKey(std::uint64_t seed) : bits_(Mix(seed + golden)) {}
+
+  /// The key of the place numbered `which` within this one.
+  RandomKey Child(std::uint64_t which) const { return RandomKey(Raw{}, Mix(bits_ ^ Mix(which + golden))); }
+
+  std::uint64_t Bits() const { return bits_; }
+  /// Uniform in [0, 1): 53 random bits.
+  double Number() const { return static_cast<double>(bits_ >> 11) * 0x1p-53; }
+
+ private:
+  struct Raw {};
+  RandomKey(Raw, std::uint64_t bits) : bits_(bits) {}
+
+  static constexpr std::uint64_t golden = 0x9e3779b97f4a7c15;  // 2^64 / the golden ratio
+
+  /// A bijection of 64 bits whose every output bit depends on every input bit.
+  /// Source: Stafford, Better bit mixing (2011), variant 13, as used by Steele, Lea, Flood, Fast splittable
+  /// pseudorandom number generators (2014).
+  static constexpr std::uint64_t Mix(std::uint64_t z) {
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111eb;
+    return z ^ (z >> 31);
+  }
+
+  std::uint64_t bits_;
+};
+
+/// Point `index` of `count` that share the unit square evenly, in [0, 1)^2: the square is cut into rows, as many as the
+/// root of `count`, each as high as its share of the points, each row into as many cells of equal width; every cell holds
+/// one point, placed at random. All cells have area 1 / count for any count, so averages are unbiased. The order of
+/// the cells is shuffled by the key, so that two sets with different keys are paired at random.
+///   source   Cook, Porter, Carpenter, Distributed ray tracing (1984), jittering
+R2::Point Stratified(std::uint32_t index, std::uint32_t count, const RandomKey& key);
+
+/// Where `index` goes in a shuffle of 0 ... count - 1 chosen by the key; index < count.
+///   source   Kensler, Correlated multi-jittered sampling (2013): a bijection of the next power of two, walked along its
+///            cycle until it lands inside the range
+std::uint32_t Shuffled(std::uint32_t index, std::uint32_t count, const RandomKey& key);
+
+}  // namespace ray
