@@ -26,11 +26,17 @@ struct ImageEncoding {
   int jpeg_quality = 95;   // 1..100; chroma is never subsampled
 };
 
+/// Width and height, both at least 1, their product at most max_pixels.
+struct ImageSize {
+  int width = 0, height = 0;
+};
+
 /// One line of image_formats.def.
 struct ImageFormat {
   const char* name;                      // "png"
   std::vector<const char*> extensions;   // lower case, without the dot
   bool (*recognises)(std::span<const unsigned char> bytes);                     // by content, never by name
+  ImageSize (*read_size)(std::span<const unsigned char> bytes);                 // from the header; throws ImageError
   Image (*decode)(std::span<const unsigned char> bytes, ImageSettings* settings);   // throws ImageError; settings may be null
   std::vector<unsigned char> (*encode)(const Image& image, const ImageEncoding& encoding, const ImageSettings& settings);
   bool is_linear;                        // PFM, HDR, EXR hold linear light: never sRGB-decoded, never clamped
@@ -55,9 +61,6 @@ struct DecodedImage {
 DecodedImage DecodeImage(std::span<const unsigned char> bytes);
 
 /// Width and height from the header alone, for a quick check. Throws ImageError.
-struct ImageSize {
-  int width = 0, height = 0;
-};
 ImageSize ReadImageSize(std::span<const unsigned char> bytes);
 
 /// 8-bit value of a channel: clamped to [0, 1], rounded to nearest; NaN gives 0.

@@ -1,0 +1,75 @@
+#include "R2/ImageFile.h"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <new>
+
+#include "R2/image_files/formats.h"
+
+namespace R2 {
+
+namespace {
+
+/// ASCII only: what the locale holds for a letter plays no part in what a name means.
+char LowerCase(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
+
+const ImageFormat& FormatOfContent(std::span<const unsigned char> bytes) {
+  std::string known;
+  for (const ImageFormat& format : ImageFormats()) {
+    if (format.recognises(bytes)) return format;
+    known += known.empty() ? "" : ", ";
+    known += format.name;
+  }
+  if (bytes.empty()) throw ImageError("the image file is empty");
+  throw ImageError("not an image of a known kind; kinds are " + known);
+}
+
+}  // namespace
+
+std::span<const ImageFormat> ImageFormats() {
+  static const std::array formats{
+#define IMAGE_FORMAT(name) name##_format,
+#include "R2/image_formats.def"
+#undef IMAGE_FORMAT
+  };
+  return formats;
+}
+
+const ImageFormat* FormatForName(const std::string& name) {
+  std::string extension = std::filesystem::path(name).extension().string();
+  if (extension.empty()) return nullptr;
+  extension.erase(0, 1);
+  std::transform(extension.begin(), extension.end(), extension.begin(), LowerCase);
+  for (const ImageFormat& format : ImageFormats())
+    for (const char* own : format.extensions)
+      if (extension == own) return &format;
+  return nullptr;
+}
+
+DecodedImage DecodeImage(std::span<const unsigned char> bytes) {
+  const ImageFormat& format = FormatOfContent(bytes);
+  DecodedImage decoded;
+  decoded.format = &format;
+  try {
+    decoded.image = format.decode(bytes, &decoded.settings);
+  } catch (const std::bad_alloc&) {
+    throw ImageError("not enough memory for the picture");
+  }
+  return decoded;
+}
+
+ImageSize ReadImageSize(std::span<const unsigned char> bytes) { return FormatOfContent(bytes).read_size(bytes); }
+
+// In both, NaN fails the first comparison.
+unsigned char ToByte(double channel) {
+  if (!(channel > 0)) return 0;
+  return static_cast<unsigned char>(std::min(channel, 1.0) * 255 + 0.5);
+}
+
+unsigned short ToShort(double channel) {
+  if (!(channel > 0)) return 0;
+  return static_cast<unsigned short>(std::min(channel, 1.0) * 65535 + 0.5);
+}
+
+}  // namespace R2

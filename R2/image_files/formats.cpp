@@ -1,0 +1,37 @@
+#include "R2/image_files/formats.h"
+
+#include <cassert>
+
+namespace R2 {
+
+ImageSize CheckedSize(const char* kind, std::int64_t width, std::int64_t height) {
+  const auto promise = [&] {
+    return std::string(kind) + " promises " + std::to_string(width) + " x " + std::to_string(height) + " pixels";
+  };
+  if (width < 1 || height < 1) throw ImageError(promise() + ", but has to have at least one");
+  // A quotient, because the product of two sides may overflow.
+  if (width > max_pixels / height) {
+    throw ImageError(promise() + ", more than the limit of " + std::to_string(max_pixels));
+  }
+  return {static_cast<int>(width), static_cast<int>(height)};
+}
+
+std::vector<unsigned char> ByteRow(const Image& image, int y, const ImageEncoding& encoding) {
+  std::vector<unsigned char> bytes;
+  bytes.reserve(3 * static_cast<std::size_t>(image.Width()));
+  for (int x = 0; x < image.Width(); ++x) {
+    const Color c = image.At(x, y);
+    for (double channel : {c.r, c.g, c.b}) bytes.push_back(ToByte(EncodedChannel(channel, encoding)));
+  }
+  return bytes;
+}
+
+void SetByteRow(Image& image, int y, std::span<const unsigned char> bytes) {
+  assert(bytes.size() == 3 * static_cast<std::size_t>(image.Width()));
+  for (int x = 0; x < image.Width(); ++x) {
+    const auto pixel = bytes.subspan(3 * static_cast<std::size_t>(x), 3);
+    image.Set(x, y, {pixel[0] / 255.0, pixel[1] / 255.0, pixel[2] / 255.0});
+  }
+}
+
+}  // namespace R2

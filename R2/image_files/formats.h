@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "R2/ImageFile.h"
+
+/// What the kinds of image file share: where they are listed, sizes checked in one way, rows of 8-bit channels.
+namespace R2 {
+
+#define IMAGE_FORMAT(name) extern const ImageFormat name##_format;
+#include "R2/image_formats.def"
+#undef IMAGE_FORMAT
+
+/// The size a header promises, once it is known to be at least 1 by 1 and at most max_pixels. Throws ImageError
+/// with the name of the kind otherwise.
+ImageSize CheckedSize(const char* kind, std::int64_t width, std::int64_t height);
+
+/// The value an 8 or 16 bit kind stores.
+inline double EncodedChannel(double channel, const ImageEncoding& encoding) {
+  return encoding.srgb ? EncodeSrgb(channel) : channel;
+}
+
+/// One row as bytes, r g b a pixel; y from the bottom.
+std::vector<unsigned char> ByteRow(const Image& image, int y, const ImageEncoding& encoding);
+
+/// The inverse, without any curve; `bytes` holds r g b for every pixel of the row.
+void SetByteRow(Image& image, int y, std::span<const unsigned char> bytes);
+
+}  // namespace R2

@@ -1,0 +1,333 @@
+#include <png.h>
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <new>
+#include <string_view>
+
+#include "R2/image_files/ByteReader.h"
+#include "R2/image_files/Jump.h"
+#include "R2/image_files/formats.h"
+
+// PNG through libpng: every colour type, depth and interlace is read, 8 and 16 bit colour written. Alpha is dropped,
+// since a picture here has none; nothing is put behind it. Settings live in text chunks, one a key.
+// source: W3C, Portable Network Graphics (PNG) Specification, 2nd ed. (2003); libpng-manual.txt
+namespace R2 {
+
+namespace {
+
+constexpr std::array<unsigned char, 8> signature{0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
+
+// A chunk other than pixels may unpack to this, and so many of them are kept: 512 MiB together.
+constexpr png_alloc_size_t most_chunk_bytes = png_alloc_size_t{8} << 20;
+constexpr png_uint_32 most_chunks = 64;
+
+// Deflate makes at most 258 bytes out of two bits.
+constexpr std::uint64_t most_deflate_ratio = 1032;
+
+bool Recognises(std::span<const unsigned char> bytes) {
+  return bytes.size() >= signature.size() && std::equal(signature.begin(), signature.end(), bytes.begin());
+}
+
+ImageSize ReadSize(std::span<const unsigned char> bytes) {
+  ByteReader reader("PNG", bytes);
+  reader.Take(signature.size(), "the signature");
+  reader.Take(4, "the length of the header");
+  const auto name = reader.Take(4, "the header");
+  if (std::memcmp(name.data(), "IHDR", 4) != 0) reader.Fail("does not start with its header");
+  const std::uint32_t width = reader.Big32("the width");
+  const std::uint32_t height = reader.Big32("the height");
+  return CheckedSize("PNG", width, height);
+}
+
+[[noreturn]] void OnError(png_structp png, png_const_charp message) {
+  static_cast<Jump*>(png_get_error_ptr(png))->Leave(message);
+}
+
+/// Warnings are about chunks that the picture does not need.
+void OnWarning(png_structp, png_const_charp) {}
+
+// --- settings ---
+
+/// Latin-1, which plain text chunks are in, as UTF-8.
+std::string FromLatin1(std::string_view text) {
+  std::string utf8;
+  for (char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte < 0x80) {
+      utf8 += c;
+    } else {
+      utf8 += {static_cast<char>(0xc0 | byte >> 6), static_cast<char>(0x80 | (byte & 0x3f))};
+    }
+  }
+  return utf8;
+}
+
+ImageSettings FromText(std::span<const png_text> texts) {
+  ImageSettings settings;
+  for (const png_text& text : texts) {
+    const bool is_utf8 = text.compression == PNG_ITXT_COMPRESSION_NONE || text.compression == PNG_ITXT_COMPRESSION_zTXt;
+    const std::string_view value(text.text, is_utf8 ? text.itxt_length : text.text_length);
+    settings.insert_or_assign(FromLatin1(text.key), is_utf8 ? std::string(value) : FromLatin1(value));
+  }
+  return settings;
+}
+
+bool IsAscii(const std::string& text) {
+  return std::all_of(text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 0x80; });
+}
+
+/// Keywords are 1 to 79 printable characters, with single spaces inside only.
+bool IsKeyword(const std::string& key) {
+  if (key.empty() || key.size() > 79 || key.front() == ' ' || key.back() == ' ') return false;
+  const auto is_printable = [](char c) { return c >= ' ' && c <= '~'; };
+  return std::all_of(key.begin(), key.end(), is_printable) && key.find("  ") == std::string::npos;
+}
+
+/// A zero byte would end the text.
+std::string WithoutZeros(std::string text) {
+  std::replace(text.begin(), text.end(), '\0', ' ');
+  return text;
+}
+
+/// As the file can hold them: a key that is no keyword stands before its value in a comment.
+ImageSettings Writable(const ImageSettings& settings) {
+  ImageSettings writable;
+  for (const auto& [key, value] : settings) {
+    std::string& text = writable[IsKeyword(key) ? key : "Comment"];
+    text += WithoutZeros(IsKeyword(key) ? value : key + ": " + value + "\n");
+  }
+  return writable;
+}
+
+// --- reading ---
+
+/// Owns the library's reader of one picture.
+class Reader {
+ public:
+  explicit Reader(std::span<const unsigned char> bytes) : rest_(bytes) {
+    png_ = png_create_read_struct(PNG_LIBPNG_VER_STRING, &jump_, OnError, OnWarning);
+    if (png_) info_ = png_create_info_struct(png_);
+    if (!info_) {
+      png_destroy_read_struct(&png_, nullptr, nullptr);
+      throw std::bad_alloc();
+    }
+    png_set_read_fn(png_, this, OnRead);
+    png_set_user_limits(png_, max_pixels, max_pixels);
+    png_set_chunk_malloc_max(png_, most_chunk_bytes);
+    png_set_chunk_cache_max(png_, most_chunks);
+  }
+  ~Reader() { png_destroy_read_struct(&png_, &info_, nullptr); }
+  Reader(const Reader&) = delete;
+  Reader& operator=(const Reader&) = delete;
+
+  /// Reads all that comes before the pixels and asks for r g b in 8 or 16 bits, whatever the file has.
+  void Start() {
+    Do([&] {
+      png_read_info(png_, info_);
+      png_set_expand(png_);  // palettes to colours, 1, 2 and 4 bits to 8
+      png_set_gray_to_rgb(png_);
+      png_set_strip_alpha(png_);
+      passes_ = png_set_interlace_handling(png_);
+      png_read_update_info(png_, info_);
+    });
+    height_ = png_get_image_height(png_, info_);
+  }
+
+  bool IsInterlaced() const { return passes_ > 1; }
+  bool Is16Bit() const { return png_get_bit_depth(png_, info_) == 16; }
+  std::size_t RowBytes() const { return png_get_rowbytes(png_, info_); }
+
+  void ReadRow(std::span<unsigned char> row) {
+    Do([&] { png_read_row(png_, row.data(), nullptr); });
+    ++rows_read_;
+  }
+
+  /// All rows, for a picture whose rows come in several passes.
+  std::vector<unsigned char> ReadInterlaced() {
+    std::vector<unsigned char> rows(RowBytes() * height_);
+    for (int pass = 0; pass < passes_; ++pass) {
+      rows_read_ = 0;
+      is_last_pass_ = pass == passes_ - 1;
+      for (std::size_t y = 0; y < height_; ++y) ReadRow(std::span(rows).subspan(y * RowBytes(), RowBytes()));
+    }
+    return rows;
+  }
+
+  /// Reads up to the end chunk, so that text behind the picture counts and a missing end is noticed.
+  ImageSettings Finish() {
+    png_textp texts = nullptr;
+    int count = 0;
+    Do([&] {
+      png_read_end(png_, info_);
+      png_get_text(png_, info_, &texts, &count);
+    });
+    return FromText({texts, static_cast<std::size_t>(count)});
+  }
+
+ private:
+  static void OnRead(png_structp png, png_bytep to, std::size_t count) {
+    auto& reader = *static_cast<Reader*>(png_get_io_ptr(png));
+    if (count > reader.rest_.size()) {
+      reader.is_truncated_ = true;
+      reader.jump_.Leave("truncated");
+    }
+    std::memcpy(to, reader.rest_.data(), count);
+    reader.rest_ = reader.rest_.subspan(count);
+  }
+
+  template <typename Call>
+  void Do(const Call& call) {
+    if (Completes(jump_, call)) return;
+    const std::size_t rows = is_last_pass_ || !IsInterlaced() ? rows_read_ : 0;
+    const std::string there = std::to_string(rows) + " of " + std::to_string(height_) + " rows";
+    if (is_truncated_) throw ImageError("PNG is truncated: " + (height_ ? there + " are there" : "it has no pixels"));
+    throw ImageError("PNG is damaged" + (height_ ? ", after " + there : "") + ": " + jump_.message);
+  }
+
+  std::span<const unsigned char> rest_;
+  Jump jump_;
+  png_structp png_ = nullptr;
+  png_infop info_ = nullptr;
+  int passes_ = 1;
+  std::size_t height_ = 0, rows_read_ = 0;
+  bool is_last_pass_ = false, is_truncated_ = false;
+};
+
+void SetRow(Image& image, int y, std::span<const unsigned char> row, bool is_16_bit) {
+  if (!is_16_bit) return SetByteRow(image, y, row);
+  for (int x = 0; x < image.Width(); ++x) {
+    const auto pixel = row.subspan(6 * static_cast<std::size_t>(x), 6);
+    const auto channel = [&](std::size_t i) { return (pixel[2 * i] << 8 | pixel[2 * i + 1]) / 65535.0; };
+    image.Set(x, y, {channel(0), channel(1), channel(2)});
+  }
+}
+
+Image Decode(std::span<const unsigned char> bytes, ImageSettings* settings) {
+  const ImageSize size = ReadSize(bytes);
+  Reader reader(bytes);
+  reader.Start();
+  // A palette's or gray picture's rows are packed, at worst 24 times tighter than the rows asked for.
+  const std::uint64_t least_packed = reader.RowBytes() / (reader.Is16Bit() ? 3 : 24);
+  if (least_packed * static_cast<unsigned>(size.height) > most_deflate_ratio * bytes.size()) {
+    throw ImageError("PNG is truncated: its " + std::to_string(size.width) + " x " + std::to_string(size.height) +
+                     " pixels cannot come out of " + std::to_string(bytes.size()) + " bytes");
+  }
+
+  const bool is_16_bit = reader.Is16Bit();
+  Image image(size.width, size.height);
+  if (reader.IsInterlaced()) {
+    const auto rows = reader.ReadInterlaced();
+    std::span<const unsigned char> rest = rows;
+    for (int y = size.height - 1; y >= 0; --y, rest = rest.subspan(reader.RowBytes())) {
+      SetRow(image, y, rest.first(reader.RowBytes()), is_16_bit);
+    }
+  } else {
+    std::vector<unsigned char> row(reader.RowBytes());
+    for (int y = size.height - 1; y >= 0; --y) {
+      reader.ReadRow(row);
+      SetRow(image, y, row, is_16_bit);
+    }
+  }
+  ImageSettings read = reader.Finish();
+  if (settings) *settings = std::move(read);
+  return image;
+}
+
+// --- writing ---
+
+/// Big-endian 16-bit channels, as the file holds them.
+std::vector<unsigned char> ShortRow(const Image& image, int y, const ImageEncoding& encoding) {
+  std::vector<unsigned char> row;
+  row.reserve(6 * static_cast<std::size_t>(image.Width()));
+  for (int x = 0; x < image.Width(); ++x) {
+    const Color c = image.At(x, y);
+    for (double channel : {c.r, c.g, c.b}) {
+      const unsigned short value = ToShort(EncodedChannel(channel, encoding));
+      row.push_back(static_cast<unsigned char>(value >> 8));
+      row.push_back(static_cast<unsigned char>(value & 255));
+    }
+  }
+  return row;
+}
+
+/// Owns the library's writer of one picture.
+class Writer {
+ public:
+  Writer() {
+    png_ = png_create_write_struct(PNG_LIBPNG_VER_STRING, &jump_, OnError, OnWarning);
+    if (png_) info_ = png_create_info_struct(png_);
+    if (!info_) {
+      png_destroy_write_struct(&png_, nullptr);
+      throw std::bad_alloc();
+    }
+    png_set_write_fn(png_, this, OnWrite, nullptr);
+    png_set_user_limits(png_, max_pixels, max_pixels);
+  }
+  ~Writer() { png_destroy_write_struct(&png_, &info_); }
+  Writer(const Writer&) = delete;
+  Writer& operator=(const Writer&) = delete;
+
+  void Start(ImageSize size, const ImageEncoding& encoding, const ImageSettings& settings) {
+    std::vector<png_text> texts;
+    for (const auto& [key, value] : settings) {
+      png_text text{};
+      text.compression = IsAscii(value) ? PNG_TEXT_COMPRESSION_NONE : PNG_ITXT_COMPRESSION_NONE;
+      // The library takes them as not const, yet only copies them.
+      text.key = const_cast<char*>(key.c_str());
+      text.text = const_cast<char*>(value.c_str());
+      texts.push_back(text);
+    }
+    Do([&] {
+      png_set_IHDR(png_, info_, static_cast<png_uint_32>(size.width), static_cast<png_uint_32>(size.height),
+                   encoding.bits == 16 ? 16 : 8, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
+                   PNG_FILTER_TYPE_DEFAULT);
+      // Values written straight get no gAMA 1.0 chunk: programs that heed it would show the picture brighter than
+      // the same one as JPEG or PPM, where straight values are meant to be shown as they are.
+      if (encoding.srgb) png_set_sRGB(png_, info_, PNG_sRGB_INTENT_PERCEPTUAL);
+      if (!texts.empty()) png_set_text(png_, info_, texts.data(), static_cast<int>(texts.size()));
+      png_write_info(png_, info_);
+    });
+  }
+
+  void WriteRow(std::span<const unsigned char> row) {
+    Do([&] { png_write_row(png_, row.data()); });
+  }
+
+  std::vector<unsigned char> Finish() {
+    Do([&] { png_write_end(png_, nullptr); });
+    return std::move(bytes_);
+  }
+
+ private:
+  static void OnWrite(png_structp png, png_bytep from, std::size_t count) {
+    auto& writer = *static_cast<Writer*>(png_get_io_ptr(png));
+    if (!Append(writer.bytes_, from, count)) writer.jump_.Leave("not enough memory");
+  }
+
+  template <typename Call>
+  void Do(const Call& call) {
+    if (!Completes(jump_, call)) throw ImageError(std::string("PNG cannot be written: ") + jump_.message);
+  }
+
+  Jump jump_;
+  std::vector<unsigned char> bytes_;
+  png_structp png_ = nullptr;
+  png_infop info_ = nullptr;
+};
+
+std::vector<unsigned char> Encode(const Image& image, const ImageEncoding& encoding, const ImageSettings& settings) {
+  Writer writer;
+  writer.Start({image.Width(), image.Height()}, encoding, Writable(settings));
+  for (int y = image.Height() - 1; y >= 0; --y) {
+    writer.WriteRow(encoding.bits == 16 ? ShortRow(image, y, encoding) : ByteRow(image, y, encoding));
+  }
+  return writer.Finish();
+}
+
+}  // namespace
+
+const ImageFormat png_format{"png", {"png"}, Recognises, ReadSize, Decode, Encode, false};
+
+}  // namespace R2

@@ -1,0 +1,175 @@
+#ifdef RAYPRO_EXR
+
+#include <ImfChannelList.h>
+#include <ImfFrameBuffer.h>
+#include <ImfHeader.h>
+#include <ImfIO.h>
+#include <ImfOutputFile.h>
+#include <ImfTiledOutputFile.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstring>
+
+#include "tests/R2/image_bytes.h"
+
+namespace R2 {
+
+namespace {
+
+class Stream : public Imf::OStream {
+ public:
+  Stream() : OStream("test") {}
+  void write(const char from[], int count) override {
+    const auto length = static_cast<std::size_t>(count);
+    bytes.resize(std::max(bytes.size(), position + length));
+    std::memcpy(bytes.data() + position, from, length);
+    position += length;
+  }
+  std::uint64_t tellp() override { return position; }
+  void seekp(std::uint64_t to) override { position = to; }
+
+  Bytes bytes;
+  std::size_t position = 0;
+};
+
+constexpr int width = 5, height = 3;
+
+/// A header for 5 by 3 pixels whose data window is not at the origin.
+Imf::Header OffsetHeader() {
+  const Imath::Box2i window({-2, 10}, {-2 + width - 1, 10 + height - 1});
+  return Imf::Header(Imath::Box2i({0, 0}, {99, 99}), window);
+}
+
+/// Value of the pixel `x` from the left and `y` from the top, exact as a half.
+half Value(int x, int y, int channel) { return half(static_cast<float>(100 * channel + 10 * y + x) - 7.5f); }
+
+struct Pixels {
+  explicit Pixels(const std::vector<std::string>& channels, Imf::Header& header) {
+    const int count = static_cast<int>(channels.size());
+    for (int y = 0; y < height; ++y)
+      for (int x = 0; x < width; ++x)
+        for (int c = 0; c < count; ++c) values.push_back(Value(x, y, c));
+    const std::size_t stride = sizeof(half) * channels.size();
+    for (std::size_t c = 0; c < channels.size(); ++c) {
+      header.channels().insert(channels[c], Imf::Channel(Imf::HALF));
+      frame.insert(channels[c],
+                   Imf::Slice::Make(Imf::HALF, values.data() + c, header.dataWindow(), stride, stride * width));
+    }
+  }
+  std::vector<half> values;
+  Imf::FrameBuffer frame;
+};
+
+Bytes ScanLines(const std::vector<std::string>& channels, Imf::Compression compression,
+                Imf::LineOrder order = Imf::INCREASING_Y) {
+  Imf::Header header = OffsetHeader();
+  header.compression() = compression;
+  header.lineOrder() = order;
+  const Pixels pixels(channels, header);
+  Stream stream;
+  {
+    Imf::OutputFile file(stream, header, 0);
+    file.setFrameBuffer(pixels.frame);
+    file.writePixels(height);
+  }
+  return stream.bytes;
+}
+
+Bytes Tiles(unsigned tile) {
+  Imf::Header header = OffsetHeader();
+  header.setTileDescription(Imf::TileDescription(tile, tile, Imf::ONE_LEVEL));
+  const Pixels pixels({"R", "G", "B"}, header);
+  Stream stream;
+  {
+    Imf::TiledOutputFile file(stream, header, 0);
+    file.setFrameBuffer(pixels.frame);
+    file.writeTiles(0, file.numXTiles() - 1, 0, file.numYTiles() - 1);
+  }
+  return stream.bytes;
+}
+
+void ExpectTheValues(const Bytes& bytes, bool is_gray = false) {
+  const Image image = DecodeImage(bytes).image;
+  ASSERT_EQ(image.Width(), width);
+  ASSERT_EQ(image.Height(), height);
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) {
+      const Color c = image.At(x, height - 1 - y);
+      EXPECT_EQ(c.r, float{Value(x, y, 0)});
+      EXPECT_EQ(c.g, float{Value(x, y, is_gray ? 0 : 1)});
+      EXPECT_EQ(c.b, float{Value(x, y, is_gray ? 0 : 2)});
+    }
+}
+
+/// Where the value of a header's attribute starts.
+std::size_t ValueOf(const Bytes& bytes, const std::string& name, const std::string& type) {
+  const std::string both = name + '\0' + type + '\0';
+  const auto found = std::search(bytes.begin(), bytes.end(), both.begin(), both.end());
+  return static_cast<std::size_t>(found - bytes.begin()) + both.size() + 4;
+}
+
+void SetLittle(Bytes& bytes, std::size_t at, std::uint32_t number) {
+  for (std::size_t i = 0; i < 4; ++i) bytes.at(at + i) = static_cast<unsigned char>(number >> 8 * i);
+}
+
+}  // namespace
+
+TEST(Exr, HalvesAreReadFromAnOffsetWindowInEveryLosslessCompressionAndOrder) {
+  for (const auto compression : {Imf::NO_COMPRESSION, Imf::RLE_COMPRESSION, Imf::ZIPS_COMPRESSION, Imf::ZIP_COMPRESSION,
+                                 Imf::PIZ_COMPRESSION, Imf::PXR24_COMPRESSION}) {
+    SCOPED_TRACE(compression);
+    ExpectTheValues(ScanLines({"R", "G", "B"}, compression));
+    ExpectTheValues(ScanLines({"R", "G", "B"}, compression, Imf::DECREASING_Y));
+  }
+}
+
+TEST(Exr, TilesAreReadWhetherTheyFitOrNot) {
+  for (const unsigned tile : {1u, 2u, 4u, 64u}) ExpectTheValues(Tiles(tile));
+}
+
+TEST(Exr, LuminanceAloneIsGrayAndOtherChannelsAreLeftOut) {
+  ExpectTheValues(ScanLines({"Y"}, Imf::ZIP_COMPRESSION), true);
+  ExpectTheValues(ScanLines({"R", "G", "B", "A", "Z"}, Imf::ZIP_COMPRESSION));
+  EXPECT_EQ(Complaint(ScanLines({"Z"}, Imf::ZIP_COMPRESSION)), "EXR has neither the channels R, G and B nor Y");
+}
+
+TEST(Exr, FloatsComeBackBitForBit) {
+  Image image(3, 1);
+  image.Set(0, 0, {1.0f / 3, -1e-42f, 3.4e38f});
+  EXPECT_EQ(DecodeImage(Format("exr").encode(image, {}, {})).image, image);
+}
+
+// K3, K5: sizes the library would believe.
+TEST(Exr, HeadersThatPromiseTooMuchAreRefused) {
+  const Bytes plain = Format("exr").encode(Gradient(9, 3), {}, {});
+  const std::size_t window = ValueOf(plain, "dataWindow", "box2i");
+  for (const std::uint32_t most : {0x7fffffffu, 65534u, 0x80000000u}) {
+    Bytes bytes = plain;
+    SetLittle(bytes, window + 8, most);
+    SetLittle(bytes, window + 12, most);
+    EXPECT_EQ(Complaint(bytes).substr(0, 13), "EXR promises ") << Complaint(bytes);
+  }
+  Bytes tall = plain;
+  SetLittle(tall, window + 8, 0);
+  SetLittle(tall, window + 12, (1u << 28) - 1);
+  EXPECT_NE(Complaint(tall).find("takes 268435456 bytes"), std::string::npos) << Complaint(tall);
+
+  Bytes attribute = plain;
+  SetLittle(attribute, ValueOf(plain, "compression", "compression") - 4, 0x7fffffff);
+  EXPECT_NE(Complaint(attribute).find("an attribute takes 2147483647 bytes"), std::string::npos);
+
+  Bytes tiled = Tiles(2);
+  SetLittle(tiled, ValueOf(tiled, "tiles", "tiledesc"), 0x7fffffff);
+  EXPECT_NE(Complaint(tiled).find("tiles much larger"), std::string::npos);
+}
+
+TEST(Exr, AMissingRowIsNotFilledUp) {
+  Bytes bytes = Format("exr").encode(Gradient(9, 40), {}, {});
+  bytes.resize(bytes.size() - 10);
+  EXPECT_NE(Complaint(bytes).find("32 of 40 rows are there"), std::string::npos) << Complaint(bytes);
+}
+
+}  // namespace R2
+
+#endif

@@ -1,0 +1,38 @@
+#include <gtest/gtest.h>
+
+#include "tests/R2/image_bytes.h"
+
+namespace R2 {
+
+namespace {
+
+// 1.0, -2.0 and 0.5, big-endian.
+const Bytes one{0x3f, 0x80, 0, 0}, minus_two{0xc0, 0, 0, 0}, half{0x3f, 0, 0, 0};
+
+}  // namespace
+
+TEST(Pfm, APositiveScaleMeansBigEndianAndTheFirstRowIsTheBottomOne) {
+  const Image image = DecodeImage(ToBytes("PF\n1 2\n1.0\n") + one + minus_two + half + half + half + one).image;
+  EXPECT_EQ(image.At(0, 0), (Color{1, -2, 0.5}));
+  EXPECT_EQ(image.At(0, 1), (Color{0.5, 0.5, 1}));
+}
+
+TEST(Pfm, GrayIsReadInBothByteOrders) {
+  EXPECT_EQ(DecodeImage(ToBytes("Pf 1 1 1\n") + minus_two).image.At(0, 0), (Color{-2, -2, -2}));
+  EXPECT_EQ(DecodeImage(ToBytes("Pf 1 1 -1\n") + Bytes{0, 0, 0, 0xc0}).image.At(0, 0), (Color{-2, -2, -2}));
+}
+
+TEST(Pfm, IsWrittenByteForByteAsTheFormatSays) {
+  Image image(1, 1);
+  image.Set(0, 0, {1, -2, 0.5});
+  const Bytes pixels{0, 0, 0x80, 0x3f, 0, 0, 0, 0xc0, 0, 0, 0, 0x3f};
+  EXPECT_EQ(Format("pfm").encode(image, {}, {}), ToBytes("PF\n1 1\n-1.0\n") + pixels);
+}
+
+TEST(Pfm, AScaleThatIsNoNumberOrZeroIsRefused) {
+  for (const char* scale : {"0", "-0.0", "nan", "inf", "1,5", "1e999", "x", "1x"}) {
+    EXPECT_NE(Complaint(ToBytes("Pf 1 1 " + std::string(scale) + "\n") + one), "") << scale;
+  }
+}
+
+}  // namespace R2
