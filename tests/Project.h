@@ -1,0 +1,63 @@
+#pragma once
+
+#include <cstdlib>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "source/accelerate/Accelerator.h"
+#include "source/accelerate/World.h"
+#include "source/parse/Parse.h"
+#include "source/render/Render.h"
+
+/// Where tests find things, and how they make pictures.
+namespace project {
+
+inline std::filesystem::path Root() {
+  const char* root = std::getenv("RAYPRO_ROOT");
+  return root ? root : ".";
+}
+
+/// Public scenes that some checkouts have beside them; they may be absent.
+inline std::filesystem::path Shared() { return Root() / ".." / "shared"; }
+
+/// All .scn files directly in a folder, in order of name.
+inline std::vector<std::filesystem::path> Scenes(const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> scenes;
+  for (const auto& entry : std::filesystem::directory_iterator(folder))
+    if (entry.path().extension() == ".scn") scenes.push_back(entry.path());
+  std::sort(scenes.begin(), scenes.end());
+  return scenes;
+}
+
+/// A scene ready to be traced.
+struct Stage {
+  explicit Stage(const std::filesystem::path& file) : Stage(ray::Parse(file, {}).scene) {}
+  explicit Stage(ray::Scene s) : scene(std::make_unique<ray::Scene>(std::move(s))), world(*scene) {}
+
+  std::unique_ptr<ray::Scene> scene;
+  ray::World world;
+};
+
+inline ray::RenderResult Render(const Stage& stage, const ray::RenderSettings& settings,
+                                const ray::AcceleratorSettings& how = {}) {
+  const auto accelerator = ray::FindAcceleratorKind(how.name)->make(stage.world, how);
+  return ray::Render(stage.world, *accelerator, settings);
+}
+
+/// A scene written in place, read as if it lay in scenes/.
+inline ray::Scene FromText(const std::string& text) {
+  std::string name = (std::filesystem::temp_directory_path() / "raypro-test-XXXXXX").string();
+  const std::filesystem::path folder = mkdtemp(name.data());
+  const auto file = folder / "scene.scn";
+  if (FILE* out = std::fopen(file.c_str(), "wb")) {
+    std::fwrite(text.data(), 1, text.size(), out);
+    std::fclose(out);
+  }
+  ray::ParsedScene parsed = ray::Parse(file, {});
+  std::filesystem::remove_all(folder);
+  return std::move(parsed.scene);
+}
+
+}  // namespace project

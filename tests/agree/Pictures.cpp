@@ -1,0 +1,123 @@
+// One picture, bit for bit, whatever makes it: accelerators, their switches, threads, tiles, crops.
+
+#include <gtest/gtest.h>
+
+#include "tests/Project.h"
+
+namespace {
+
+ray::RenderSettings Small() {
+  ray::RenderSettings settings;
+  settings.width = 24;
+  settings.height = 18;
+  settings.samples = 2;
+  settings.trace.shadow_samples = 3;
+  return settings;
+}
+
+std::vector<ray::AcceleratorSettings> EveryWay() {
+  std::vector<ray::AcceleratorSettings> ways;
+  for (const auto* kind : ray::AcceleratorKinds())
+    for (int switches = 0; switches < 8; ++switches) {
+      if (std::string(kind->name) != "graph" && switches > 0) break;  // the switches are graph's
+      ways.push_back({kind->name, (switches & 1) == 0, (switches & 2) == 0, (switches & 4) == 0});
+    }
+  return ways;
+}
+
+std::string Name(const ray::AcceleratorSettings& how) {
+  return how.name + (how.node_boxes ? " boxes" : "") + (how.front_to_back ? " sorted" : "") +
+         (how.last_hit ? " cached" : "");
+}
+
+TEST(Pictures, EveryAcceleratorAndEverySwitchGivesTheSameBits) {
+  for (const auto& file : project::Scenes(project::Root() / "scenes")) {
+    const project::Stage stage(file);
+    const auto expected = project::Render(stage, Small(), {"none"});
+    for (const auto& how : EveryWay())
+      EXPECT_TRUE(project::Render(stage, Small(), how).image == expected.image) << file << " by " << Name(how);
+  }
+}
+
+TEST(Extremes, J1_ThreadsAndTilesNeverChangeABit) {
+  int scenes = 0;
+  for (const auto& file : project::Scenes(project::Root() / "scenes")) {
+    const project::Stage stage(file);
+    ray::RenderSettings settings = Small();
+    settings.threads = 1;
+    const auto expected = project::Render(stage, settings);
+    ++scenes;
+    for (const int threads : {1, 2, 3, 7, 16})
+      for (const int tile : {1, 8, 64, 0}) {
+        settings.threads = threads;
+        settings.tile_size = tile;
+        EXPECT_TRUE(project::Render(stage, settings).image == expected.image)
+            << file << " on " << threads << " threads in tiles of " << tile;
+      }
+  }
+  EXPECT_GE(scenes, 20);
+}
+
+TEST(Pictures, CountsDependOnTheTilesButNotOnTheThreads) {
+  const project::Stage stage(project::Root() / "scenes" / "hello.scn");
+  ray::RenderSettings settings = Small();
+  settings.tile_size = 8;
+  settings.threads = 1;
+  const auto one = project::Render(stage, settings);
+  settings.threads = 7;
+  const auto seven = project::Render(stage, settings);
+  EXPECT_EQ(one.counts, seven.counts);
+  EXPECT_EQ(one.rays, seven.rays);
+}
+
+TEST(Pictures, ACropHoldsThePixelsOfTheWhole) {
+  const project::Stage stage(project::Root() / "scenes" / "hello.scn");
+  ray::RenderSettings settings = Small();
+  const auto whole = project::Render(stage, settings);
+  const ray::PixelRectangle crops[] = {{0, 0, 1, 1}, {23, 17, 24, 18}, {5, 3, 17, 12}, {0, 0, 24, 18}};
+  for (const auto& crop : crops) {
+    settings.crop = crop;
+    const auto part = project::Render(stage, settings);
+    ASSERT_EQ(part.image.Width(), crop.x1 - crop.x0);
+    ASSERT_EQ(part.image.Height(), crop.y1 - crop.y0);
+    for (int y = crop.y0; y < crop.y1; ++y)
+      for (int x = crop.x0; x < crop.x1; ++x)
+        EXPECT_EQ(part.image.At(x - crop.x0, y - crop.y0), whole.image.At(x, y)) << x << ' ' << y;
+  }
+}
+
+TEST(Pictures, AnotherSeedMovesTheNoiseOfASoftShadow) {
+  const project::Stage stage(project::Root() / "scenes" / "area_light.scn");
+  ray::RenderSettings settings = Small();
+  const auto first = project::Render(stage, settings);
+  settings.seed = 1;
+  EXPECT_FALSE(project::Render(stage, settings).image == first.image);
+}
+
+TEST(Pictures, StoppedBeforeTheFirstPixelIsBlackAndSaysSo) {
+  const project::Stage stage(project::Root() / "scenes" / "sphere.scn");
+  const auto accelerator = ray::FindAcceleratorKind("none")->make(stage.world, {});
+  const std::atomic<bool> stop = true;
+  ray::RenderMonitor monitor;
+  monitor.stop = &stop;
+  const auto result = ray::Render(stage.world, *accelerator, Small(), monitor);
+  EXPECT_FALSE(result.IsComplete());
+  EXPECT_EQ(result.pixels_done, 0);
+  EXPECT_EQ(result.image, R2::Image(24, 18));
+}
+
+TEST(Pictures, ThePublicCourseScenesAgreeToo) {
+  if (!std::filesystem::exists(project::Shared() / "scenes-cos426"))
+    GTEST_SKIP() << "the public course scenes are not beside this checkout; scenes/ covers the same ground";
+  ray::RenderSettings settings = Small();
+  settings.samples = 1;
+  for (const char* year : {"course-2007-08", "course-2011-12", "course-526"})
+    for (const auto& file : project::Scenes(project::Shared() / "scenes-cos426" / year)) {
+      const project::Stage stage(file);
+      EXPECT_TRUE(project::Render(stage, settings, {"graph"}).image ==
+                  project::Render(stage, settings, {"none"}).image)
+          << file;
+    }
+}
+
+}  // namespace
