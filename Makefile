@@ -52,7 +52,7 @@ ifeq ($(HAS_EXR),yes)
 OUR_CPPFLAGS += -DRAYPRO_EXR $(EXR_CFLAGS)
 endif
 OUR_CXXFLAGS := -std=c++20 $(OPTIMIZE) -g1 $(NUMERIC) $(WARNINGS) $(SANITIZE)
-LIBS := -ljpeg -lpng -ltbb $(if $(filter yes,$(HAS_EXR)),$(EXR_LIBS)) -pthread
+LIBS := -ljpeg -lpng -lz -ltbb $(if $(filter yes,$(HAS_EXR)),$(EXR_LIBS)) -pthread
 
 PROGRAM_MAINS := source/app/raypro.cpp
 LIBRARY_SOURCES := $(filter-out $(PROGRAM_MAINS),$(wildcard R2/*.cpp R2/*/*.cpp R3/*.cpp R3/*/*.cpp source/*/*.cpp source/*/*/*.cpp))

@@ -12,7 +12,7 @@
 #include <cstring>
 #include <string_view>
 
-#include "R2/image_files/ByteReader.h"
+#include "R2/image_files/ExrLayout.h"
 #include "R2/image_files/formats.h"
 
 // OpenEXR through its library: channels R G B, or Y for gray, of a single flat part, of any pixel type, in scan lines
@@ -27,85 +27,12 @@ namespace {
 constexpr std::string_view settings_prefix = "raypro:";
 constexpr std::size_t longest_name = 255;  // what the format allows
 
-/// What the checks before the library need to know. The library itself believes every size in the header.
-struct Header {
-  ImageSize size;
-  bool is_tiled = false;
-  std::uint64_t tile_width = 0, tile_height = 0;
-  int compression = 0;
-};
-
 bool Recognises(std::span<const unsigned char> bytes) {
   constexpr std::array<unsigned char, 4> magic{0x76, 0x2f, 0x31, 0x01};
   return bytes.size() >= magic.size() && std::equal(magic.begin(), magic.end(), bytes.begin());
 }
 
-ImageSize ReadDataWindow(ByteReader window) {
-  const std::int64_t x_min = window.LittleSigned32("the data window"), y_min = window.LittleSigned32("the data window");
-  const std::int64_t x_max = window.LittleSigned32("the data window"), y_max = window.LittleSigned32("the data window");
-  return CheckedSize("EXR", x_max - x_min + 1, y_max - y_min + 1);
-}
-
-/// Steps over the attributes (name, type, size, value) and checks that each lies within the file.
-Header ReadHeader(ByteReader& reader) {
-  constexpr std::uint32_t tiled_flag = 0x200, deep_flag = 0x800, multipart_flag = 0x1000;
-  reader.Take(4, "the magic number");
-  const std::uint32_t version = reader.Little32("the version");
-  if ((version & 0xff) != 2) reader.Fail("has a version other than 2");
-  if (version & (deep_flag | multipart_flag))
-    reader.Fail("has several parts or deep pixels; a single flat part is read");
-
-  Header header;
-  header.is_tiled = version & tiled_flag;
-  for (std::string_view name; !(name = reader.Until('\0', "the header")).empty();) {
-    reader.Until('\0', "the header");
-    const auto value = reader.Take(reader.Little32("the header"), "an attribute");
-    ByteReader value_reader("EXR", value);
-    if (name == "dataWindow") header.size = ReadDataWindow(value_reader);
-    if (name == "compression") header.compression = value_reader.Byte("the compression");
-    if (name == "tiles") {
-      header.tile_width = value_reader.Little32("the tile size");
-      header.tile_height = value_reader.Little32("the tile size");
-    }
-  }
-  if (header.size.width == 0) reader.Fail("has no data window");
-  return header;
-}
-
-ImageSize ReadSize(std::span<const unsigned char> bytes) {
-  ByteReader reader("EXR", bytes);
-  return ReadHeader(reader).size;
-}
-
-/// How many rows are compressed together, by the number of the compression; a number that is none is left to the
-/// library to refuse.
-std::uint64_t RowsTogether(int compression) {
-  constexpr std::array<std::uint64_t, 10> rows{1, 1, 1, 16, 32, 16, 32, 32, 32, 256};
-  return compression < static_cast<int>(rows.size()) ? rows[static_cast<std::size_t>(compression)] : 256;
-}
-
-std::uint64_t Quotient(std::uint64_t whole, std::uint64_t part) { return (whole + part - 1) / part; }
-
-/// Behind the header comes a table, 8 bytes for every block of rows or tile, and then the blocks, which have 8 bytes
-/// at least themselves: the library makes room for it all at once, so it had better be there.
-void CheckBlocks(const ByteReader& reader, const Header& header) {
-  const auto width = static_cast<std::uint64_t>(header.size.width);
-  const auto height = static_cast<std::uint64_t>(header.size.height);
-  std::uint64_t blocks = Quotient(height, RowsTogether(header.compression));
-  if (header.is_tiled) {
-    constexpr std::uint64_t usual_tile = 1024 * 1024;
-    const std::uint64_t most = std::max(width * height, usual_tile);
-    if (header.tile_width < 1 || header.tile_height < 1 || header.tile_width > most / header.tile_height) {
-      reader.Fail("has no tiles, or tiles much larger than the picture");
-    }
-    // The library keeps one row of tiles unpacked.
-    if (header.tile_height > static_cast<std::uint64_t>(max_pixels) / width) {
-      reader.Fail("has too many pixels in a row of tiles");
-    }
-    blocks = Quotient(width, header.tile_width) * Quotient(height, header.tile_height);
-  }
-  reader.Need(blocks * 16, "the picture");
-}
+ImageSize ReadSize(std::span<const unsigned char> bytes) { return ReadExrLayout(bytes).size; }
 
 /// The bytes of a file, for the library.
 class InputStream : public Imf::IStream {
@@ -212,14 +139,13 @@ Image ReadPixels(Imf::InputFile& file, ImageSize size) {
 }
 
 Image Decode(std::span<const unsigned char> bytes, ImageSettings* settings) {
-  ByteReader reader("EXR", bytes);
-  const Header header = ReadHeader(reader);
-  CheckBlocks(reader, header);
+  const ExrLayout layout = ReadExrLayout(bytes);
+  CheckExrBlocks(bytes, layout);
   try {
     InputStream stream(bytes);
     Imf::InputFile file(stream, 0);  // no threads of the library's own
     if (settings) *settings = SettingsOf(file.header());
-    return ReadPixels(file, header.size);
+    return ReadPixels(file, layout.size);
   } catch (const ImageError&) {
     throw;
   } catch (const std::bad_alloc&) {

@@ -41,6 +41,21 @@ ImageSize ReadSize(std::span<const unsigned char> bytes) {
   return CheckedSize("PNG", width, height);
 }
 
+/// The library makes room for a whole chunk before it reads any of it, so a length has to be within the file. Pixels
+/// are read piece by piece, and a file cut short among them is better told by its rows.
+void CheckChunks(std::span<const unsigned char> bytes) {
+  ByteReader reader("PNG", bytes);
+  reader.Take(signature.size(), "the signature");
+  while (reader.Left() > 0) {
+    const std::uint64_t length = reader.Big32("a chunk");
+    const auto name = reader.Take(4, "a chunk");
+    const std::uint64_t length_and_checksum = length + 4;
+    if (length_and_checksum > reader.Left() && std::memcmp(name.data(), "IDAT", 4) == 0) return;
+    reader.Take(length_and_checksum, "a chunk");
+    if (std::memcmp(name.data(), "IEND", 4) == 0) return;
+  }
+}
+
 [[noreturn]] void OnError(png_structp png, png_const_charp message) {
   static_cast<Jump*>(png_get_error_ptr(png))->Leave(message);
 }
@@ -206,6 +221,7 @@ void SetRow(Image& image, int y, std::span<const unsigned char> row, bool is_16_
 
 Image Decode(std::span<const unsigned char> bytes, ImageSettings* settings) {
   const ImageSize size = ReadSize(bytes);
+  CheckChunks(bytes);
   Reader reader(bytes);
   reader.Start();
   // A palette's or gray picture's rows are packed, at worst 24 times tighter than the rows asked for.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -15,6 +16,7 @@ struct ParseOptions {
                                                        // and the current one
   bool decode_srgb = false;  // 8-bit textures are sRGB and become linear
   int include_depth = 64;    // how deep includes may nest
+  std::size_t max_nodes = std::size_t{1} << 24;  // about 5 GB of them; includes that double would never end
 };
 
 /// A scene and what its author should know about it.

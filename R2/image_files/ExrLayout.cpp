@@ -1,0 +1,184 @@
+#include "R2/image_files/ExrLayout.h"
+
+#include <zlib.h>
+
+#include <algorithm>
+#include <array>
+#include <new>
+
+#include "R2/image_files/ByteReader.h"
+#include "R2/image_files/formats.h"
+
+namespace R2 {
+
+namespace {
+
+// The file's numbers for those compressions that are looked at here.
+constexpr int none = 0, run_length = 1, zip_of_one_row = 2, zip = 3;
+
+ImageSize ReadDataWindow(ByteReader& value) {
+  const std::int64_t x_min = value.LittleSigned32("the data window"), y_min = value.LittleSigned32("the data window");
+  const std::int64_t x_max = value.LittleSigned32("the data window"), y_max = value.LittleSigned32("the data window");
+  return CheckedSize("EXR", x_max - x_min + 1, y_max - y_min + 1);
+}
+
+std::vector<ExrChannel> ReadChannels(ByteReader& value) {
+  constexpr int half = 1;
+  std::vector<ExrChannel> channels;
+  while (!value.Until('\0', "the channels").empty()) {
+    ExrChannel channel;
+    channel.bytes = value.Little32("a channel") == half ? 2 : 4;
+    value.Take(4, "a channel");
+    channel.x_sampling = value.LittleSigned32("a channel");
+    channel.y_sampling = value.LittleSigned32("a channel");
+    if (channel.x_sampling < 1 || channel.y_sampling < 1) value.Fail("has a channel without samples");
+    channels.push_back(channel);
+  }
+  return channels;
+}
+
+/// How many rows are compressed together; a number that is no compression is left to the library to refuse.
+int RowsTogether(int compression) {
+  constexpr std::array rows{1, 1, 1, 16, 32, 16, 32, 32, 32, 256};
+  return compression < static_cast<int>(rows.size()) ? rows[static_cast<std::size_t>(compression)] : 256;
+}
+
+void CheckTiles(const ByteReader& reader, const ExrLayout& layout) {
+  const auto width = static_cast<std::uint64_t>(layout.size.width);
+  const auto height = static_cast<std::uint64_t>(layout.size.height);
+  constexpr std::uint64_t usual_tile = 1024 * 1024;
+  const std::uint64_t most = std::max(width * height, usual_tile);
+  if (layout.tile_width < 1 || layout.tile_height < 1 || layout.tile_width > most / layout.tile_height) {
+    reader.Fail("has no tiles, or tiles much larger than the picture");
+  }
+  // The library keeps one row of tiles unpacked.
+  if (layout.tile_height > static_cast<std::uint64_t>(max_pixels) / width) {
+    reader.Fail("has too many pixels in a row of tiles");
+  }
+}
+
+std::int64_t Quotient(std::int64_t whole, std::int64_t part) { return (whole + part - 1) / part; }
+
+/// Bytes of all samples in `width` columns of the rows [first, last) of the data window; the library makes sure that
+/// sampling steps divide the window.
+std::uint64_t PixelBytes(const ExrLayout& layout, int width, int first, int last) {
+  std::int64_t bytes = 0;
+  for (const ExrChannel& channel : layout.channels) {
+    const std::int64_t rows = Quotient(last, channel.y_sampling) - Quotient(first, channel.y_sampling);
+    bytes += rows * (width / channel.x_sampling) * channel.bytes;
+  }
+  return static_cast<std::uint64_t>(bytes);
+}
+
+/// Bytes that run-length encoding unpacks to: a count below zero is that many plain bytes, another a repeated one.
+std::uint64_t RunLengthUnpacked(std::span<const unsigned char> packed) {
+  std::uint64_t length = 0;
+  for (std::size_t i = 0; i < packed.size();) {
+    const int count = static_cast<signed char>(packed[i]);
+    length += static_cast<std::uint64_t>(count < 0 ? -count : count + 1);
+    i += static_cast<std::size_t>(count < 0 ? 1 - count : 2);
+  }
+  return length;
+}
+
+/// Bytes that a zlib stream unpacks to, no matter how many when they are more than `most`; 0 when it is damaged.
+std::uint64_t Inflated(std::span<const unsigned char> packed, std::uint64_t most) {
+  z_stream stream{};
+  if (inflateInit(&stream) != Z_OK) throw std::bad_alloc();
+  stream.next_in = const_cast<unsigned char*>(packed.data());  // only read
+  stream.avail_in = static_cast<unsigned>(packed.size());
+  std::array<unsigned char, 16384> unpacked;
+  int state = Z_OK;
+  while (state == Z_OK && stream.total_out <= most) {
+    stream.next_out = unpacked.data();
+    stream.avail_out = static_cast<unsigned>(unpacked.size());
+    state = inflate(&stream, Z_NO_FLUSH);
+  }
+  const std::uint64_t length = state == Z_STREAM_END || state == Z_OK ? stream.total_out : 0;
+  inflateEnd(&stream);
+  return length;
+}
+
+/// Whether a block holds `expected` bytes of pixels.
+bool Holds(std::span<const unsigned char> block, std::uint64_t expected, int compression) {
+  if (block.size() >= expected) return block.size() == expected;  // what would not shrink is stored as it is
+  if (compression == none) return false;
+  if (compression == run_length) return RunLengthUnpacked(block) == expected;
+  if (compression == zip || compression == zip_of_one_row) return Inflated(block, expected) == expected;
+  return true;  // for the others the library counts
+}
+
+/// The packed bytes of the block at `place`, which starts with its coordinates.
+std::span<const unsigned char> Block(std::span<const unsigned char> bytes, std::uint64_t place, int coordinates) {
+  ByteReader reader("EXR", bytes);
+  reader.Take(place, "what comes before a block");
+  reader.Take(std::uint64_t{4} * static_cast<unsigned>(coordinates), "a block");
+  return reader.Take(reader.Little32("a block"), "a block");
+}
+
+/// Whether the block at `place` is in the file and holds so many bytes of pixels.
+bool IsThere(std::span<const unsigned char> bytes, const ExrLayout& layout, std::uint64_t place,
+             std::uint64_t expected) {
+  try {
+    return Holds(Block(bytes, place, layout.is_tiled ? 4 : 1), expected, layout.compression);
+  } catch (const ImageError&) {
+    return false;  // beyond the end
+  }
+}
+
+}  // namespace
+
+/// Steps over the attributes: name, type, size, value.
+ExrLayout ReadExrLayout(std::span<const unsigned char> bytes) {
+  constexpr std::uint32_t tiled_flag = 0x200, deep_flag = 0x800, multipart_flag = 0x1000;
+  ByteReader reader("EXR", bytes);
+  reader.Take(4, "the magic number");
+  const std::uint32_t version = reader.Little32("the version");
+  if ((version & 0xff) != 2) reader.Fail("has a version other than 2");
+  if (version & (deep_flag | multipart_flag))
+    reader.Fail("has several parts or deep pixels; a single flat part is read");
+
+  ExrLayout layout;
+  layout.is_tiled = version & tiled_flag;
+  for (std::string_view name; !(name = reader.Until('\0', "the header")).empty();) {
+    reader.Until('\0', "the header");
+    ByteReader value("EXR", reader.Take(reader.Little32("the header"), "an attribute"));
+    if (name == "dataWindow") layout.size = ReadDataWindow(value);
+    if (name == "channels") layout.channels = ReadChannels(value);
+    if (name == "compression") layout.compression = value.Byte("the compression");
+    if (name == "tiles") {
+      layout.tile_width = value.Little32("the tile size");
+      layout.tile_height = value.Little32("the tile size");
+    }
+  }
+  if (layout.size.width == 0) reader.Fail("has no data window");
+  if (layout.channels.empty()) reader.Fail("has no channels");
+  if (layout.is_tiled) CheckTiles(reader, layout);
+  layout.table = bytes.size() - reader.Left();
+  return layout;
+}
+
+void CheckExrBlocks(std::span<const unsigned char> bytes, const ExrLayout& layout) {
+  ByteReader table("EXR", bytes);
+  table.Take(layout.table, "the header");
+  const auto [width, height] = layout.size;
+  // A tile may be wider than any picture.
+  const int tile_width = static_cast<int>(std::min<std::uint64_t>(layout.tile_width, max_pixels));
+  const int columns_together = layout.is_tiled ? tile_width : width;
+  const int rows_together = layout.is_tiled ? static_cast<int>(layout.tile_height) : RowsTogether(layout.compression);
+  const std::int64_t blocks = Quotient(width, columns_together) * Quotient(height, rows_together);
+  table.Need(8 * static_cast<std::uint64_t>(blocks), "the table of blocks");
+
+  // Of a file with smaller copies of the picture, the picture itself comes first.
+  for (int y = 0; y < height; y += rows_together) {
+    for (int x = 0; x < width; x += columns_together) {
+      const std::uint64_t low = table.Little32("the table of blocks"), high = table.Little32("the table of blocks");
+      const int block_width = std::min(columns_together, width - x);
+      const std::uint64_t expected = PixelBytes(layout, block_width, y, std::min(y + rows_together, height));
+      if (IsThere(bytes, layout, low | high << 32, expected)) continue;
+      table.Fail("is truncated or damaged: " + std::to_string(y) + " of " + std::to_string(height) + " rows are there");
+    }
+  }
+}
+
+}  // namespace R2

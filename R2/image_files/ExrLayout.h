@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "R2/ImageFile.h"
+
+namespace R2 {
+
+struct ExrChannel {
+  int bytes = 4;  // a sample
+  int x_sampling = 1, y_sampling = 1;
+};
+
+/// How an OpenEXR file of a single flat part is laid out, read without its library: that one believes every size in
+/// the header, and makes room for it.
+/// source: OpenEXR File Layout (2013)
+struct ExrLayout {
+  ImageSize size;  // of the data window
+  std::vector<ExrChannel> channels;
+  int compression = 0;  // by the number that the file has
+  bool is_tiled = false;
+  std::uint64_t tile_width = 0, tile_height = 0;
+  std::uint64_t table = 0;  // where the header ends and the table of the blocks' places starts
+};
+
+/// Throws ImageError, also when an attribute does not lie within the file.
+ExrLayout ReadExrLayout(std::span<const unsigned char> bytes);
+
+/// Throws ImageError unless every block of rows or tiles lies within the file and holds all its pixels. The library
+/// does not ask, and fills the rest with what its memory held before.
+void CheckExrBlocks(std::span<const unsigned char> bytes, const ExrLayout& layout);
+
+}  // namespace R2

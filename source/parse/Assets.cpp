@@ -1,0 +1,76 @@
+#include "source/parse/Assets.h"
+
+#include <span>
+
+#include "R2/ImageFile.h"
+#include "source/parse/Text.h"
+#include "source/parse/meshes/MeshFormat.h"
+
+namespace ray {
+namespace {
+
+std::span<const unsigned char> BytesOf(const std::string& text) {
+  return {reinterpret_cast<const unsigned char*>(text.data()), text.size()};
+}
+
+R2::Image Linear(R2::Image image) {
+  for (int y = 0; y < image.Height(); ++y)
+    for (int x = 0; x < image.Width(); ++x) image.Set(x, y, R2::DecodeSrgb(image.At(x, y)));
+  return image;
+}
+
+}  // namespace
+
+Assets::BoxedMesh Assets::Mesh(const std::string& name, const std::string& named_in, bool smooth) {
+  const FoundFile file = files_.Find(name, named_in);
+  const auto [place, is_new] = meshes_.try_emplace({file.canonical, smooth});
+  if (is_new) place->second = ReadMesh(file, smooth);
+  return place->second;
+}
+
+Assets::BoxedMesh Assets::ReadMesh(const FoundFile& file, bool smooth) {
+  const MeshFormat* format = MeshFormatForName(file.shown);
+  if (!format) throw FileError{Quoted(file.shown) + " is no mesh of a known kind", "kinds are " + MeshExtensions()};
+  R3::MeshData data;
+  {
+    const Text text{file.shown, files_.Read(file)};  // gone before the mesh is built from its data
+    data = format->read(text, report_);
+  }
+  const bool has_triangles = !data.triangles.empty(), has_normals = !data.normals.empty();
+  BoxedMesh boxed{std::make_shared<const R3::Mesh>(std::move(data), smooth), {}};
+  boxed.bounds = Bounds(*boxed.mesh);
+
+  const std::string place = Escaped(file.shown);
+  if (!has_triangles) report_.Warn(place, "this mesh has no faces");
+  if (const int dropped = boxed.mesh->DroppedTriangles(); dropped > 0)
+    report_.Warn(place, dropped == 1 ? "1 triangle has no area and is left out"
+                                     : std::to_string(dropped) + " triangles have no area and are left out");
+  if (smooth && !has_normals) report_.Warn(place, "this mesh brings no vertex normals: 'smooth' changes nothing");
+  return boxed;
+}
+
+std::shared_ptr<const Texture> Assets::Image(const std::string& name, const std::string& named_in) {
+  const FoundFile file = files_.Find(name, named_in);
+  const auto [place, is_new] = images_.try_emplace(file.canonical);
+  if (is_new) place->second = ReadImage(file);
+  return place->second;
+}
+
+std::shared_ptr<const Texture> Assets::ReadImage(const FoundFile& file) {
+  const std::string bytes = files_.Read(file);
+  try {
+    const R2::ImageSize size = R2::ReadImageSize(BytesOf(bytes));
+    texels_ += std::int64_t{size.width} * size.height;
+    // Asked before decoding: a small file can hold a large picture, and a scene can name many.
+    if (texels_ > R2::max_pixels)
+      throw FileError{"the scene's textures have more than " + std::to_string(R2::max_pixels) + " texels", {}};
+    R2::DecodedImage decoded = R2::DecodeImage(BytesOf(bytes));
+    const bool is_encoded = decode_srgb_ && !decoded.format->is_linear;
+    return std::make_shared<const Texture>(
+        Texture{is_encoded ? Linear(std::move(decoded.image)) : std::move(decoded.image)});
+  } catch (const R2::ImageError& error) {
+    throw FileError{"cannot read the image " + Quoted(file.shown) + ": " + error.what(), {}};
+  }
+}
+
+}  // namespace ray

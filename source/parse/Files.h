@@ -1,0 +1,46 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace ray {
+
+/// Why a file named by a scene cannot be read, in words; the reader adds the place that names it.
+struct FileError {
+  std::string message, hint;
+};
+
+/// A file that exists and may be read.
+struct FoundFile {
+  std::string shown;                // as messages call it: next to the file that names it
+  std::filesystem::path canonical;  // absolute and free of links: the same for every name of a file
+};
+
+/// Finds and opens the files of one scene. A scene may come from a stranger: it reads regular files below its own folder,
+/// the current folder and the folders that the user allows, and nothing else.
+class Files {
+ public:
+  /// Files longer than this are refused.
+  static constexpr std::size_t max_bytes = std::size_t{1} << 30;
+
+  /// Opens the top scene wherever it lies: the user named it.
+  Files(const std::filesystem::path& top_scene, const std::vector<std::filesystem::path>& allowed_folders);
+
+  std::string TopName() const { return top_.string(); }
+  /// The top scene; throws FileError.
+  FoundFile Top() const;
+  /// Looks in the folder of the file that names it, then in the current folder. Throws FileError.
+  FoundFile Find(const std::string& name, const std::string& named_in) const;
+  /// The whole file. Throws FileError, also when a link or another kind of file has taken its place since Find.
+  std::string Read(const FoundFile& file) const;
+
+ private:
+  bool IsAllowed(const std::filesystem::path& canonical) const;
+
+  std::filesystem::path top_;
+  std::vector<std::filesystem::path> roots_;  // canonical
+};
+
+}  // namespace ray

@@ -1,0 +1,45 @@
+#include "source/parse/Parse.h"
+
+#include <array>
+#include <new>
+
+#include "source/parse/Format.h"
+#include "source/parse/LowerCase.h"
+#include "source/parse/Text.h"
+
+namespace ray {
+namespace {
+
+const std::array formats{
+#define SCENE_FORMAT(name) &name##_scene_format,
+#include "source/parse/formats.def"
+#undef SCENE_FORMAT
+};
+
+const SceneFormat& FormatOf(const std::filesystem::path& file) {
+  const std::string extension = LowerCase(file.extension().string());
+  std::string known;
+  for (const SceneFormat* format : formats) {
+    if (extension == format->extension) return *format;
+    known += (known.empty() ? "" : ", ") + std::string(format->extension);
+  }
+  throw SceneErrors({ErrorIn(file.string(), "unknown kind of scene; kinds are " + known)});
+}
+
+}  // namespace
+
+ParsedScene Parse(const std::filesystem::path& file, const ParseOptions& options) {
+  const SceneFormat& format = FormatOf(file);
+  Report report;
+  try {
+    const Files files(file, options.allowed_folders);
+    ParsedScene parsed{format.read(files, options, report), {}};
+    report.ThrowErrors();
+    parsed.warnings = report.Warnings();
+    return parsed;
+  } catch (const std::bad_alloc&) {
+    throw SceneErrors({ErrorIn(file.string(), "there is not enough memory for this scene")});
+  }
+}
+
+}  // namespace ray

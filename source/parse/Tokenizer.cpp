@@ -1,0 +1,84 @@
+#include "source/parse/Tokenizer.h"
+
+#include <cstring>
+#include <utility>
+
+namespace ray {
+namespace {
+
+constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+
+bool EndsLine(char c) { return c == '\n' || c == '\r'; }
+bool IsSpace(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
+bool BeginsCharacter(char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }
+
+}  // namespace
+
+Tokenizer::Tokenizer(const Text& text, Comments comments)
+    : text_(text), comments_(comments), next_(text.bytes.data()), end_(next_ + text.bytes.size()) {
+  if (std::string_view(text.bytes).starts_with(byte_order_mark)) next_ += byte_order_mark.size();
+}
+
+std::optional<Token> Tokenizer::Next() {
+  if (!has_peeked_) return Scan();
+  has_peeked_ = false;
+  return std::exchange(peeked_, std::nullopt);
+}
+
+const std::optional<Token>& Tokenizer::Peek() {
+  if (!has_peeked_) peeked_ = Scan();
+  has_peeked_ = true;
+  return peeked_;
+}
+
+std::size_t Tokenizer::SkipLine(std::size_t line) {
+  std::size_t words = 0;
+  for (; Peek() && Peek()->line == line; ++words) Next();
+  return words;
+}
+
+std::optional<Token> Tokenizer::Scan() {
+  SkipWhiteSpace();
+  while (comments_ == Comments::hash && next_ != end_ && *next_ == '#') {
+    SkipToLineEnd();
+    SkipWhiteSpace();
+  }
+  if (next_ == end_) return {};
+  const char* const first = next_;
+  Token token{{}, line_, column_, std::exchange(at_line_start_, false)};
+  for (; next_ != end_ && !IsSpace(*next_); ++next_) column_ += BeginsCharacter(*next_);
+  token.text = {first, static_cast<std::size_t>(next_ - first)};
+  return token;
+}
+
+void Tokenizer::SkipWhiteSpace() {
+  for (; next_ != end_ && IsSpace(*next_); ++next_) {
+    ++column_;
+    if (!EndsLine(*next_)) continue;
+    if (*next_ == '\r' && next_ + 1 != end_ && next_[1] == '\n') ++next_;
+    ++line_;
+    column_ = 1;
+    at_line_start_ = true;
+  }
+}
+
+void Tokenizer::SkipToLineEnd() {
+  while (next_ != end_ && !EndsLine(*next_)) ++next_;
+}
+
+std::optional<SceneError> FindNul(const Text& text) {
+  const std::size_t nul = text.bytes.find('\0');
+  if (nul == std::string::npos) return {};
+  Token token{std::string_view(text.bytes).substr(nul, 1), 1, 1, false};
+  const std::string_view before = std::string_view(text.bytes).substr(0, nul);
+  std::size_t line_start = before.starts_with(byte_order_mark) ? byte_order_mark.size() : 0;
+  for (std::size_t i = 0; i < nul; ++i) {
+    if (!EndsLine(before[i])) continue;
+    line_start = i + 1;
+    if (before[i] == '\n' || i + 1 == nul || before[i + 1] != '\n') ++token.line;
+  }
+  token.column = 1 + CountCharacters(before.substr(line_start));
+  return ErrorAt(text, token, "a NUL byte: this is not a text file", "UTF-16 has to be saved as UTF-8 first");
+}
+
+}  // namespace ray

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <optional>
+
+#include "source/parse/Text.h"
+
+namespace ray {
+
+/// Cuts a text into words, separated by any white space; a line ends with LF, CR LF or CR. A byte order mark at the
+/// start is passed over.
+class Tokenizer {
+ public:
+  /// Whether a word that begins with # hides the rest of its line.
+  enum class Comments { none, hash };
+
+  /// `text` must outlive the tokenizer and its tokens.
+  Tokenizer(const Text& text, Comments comments);
+
+  /// Nothing at the end of the text.
+  std::optional<Token> Next();
+  const std::optional<Token>& Peek();
+  /// Passes over what is left of a line, and tells how many words that was.
+  std::size_t SkipLine(std::size_t line);
+
+  /// Bytes behind the last word that Next or Peek saw: no more than these can follow, whatever a header promises.
+  std::size_t BytesLeft() const { return static_cast<std::size_t>(end_ - next_); }
+  const Text& Source() const { return text_; }
+
+ private:
+  std::optional<Token> Scan();
+  void SkipWhiteSpace();
+  void SkipToLineEnd();
+
+  const Text& text_;
+  Comments comments_;
+  const char* next_;
+  const char* end_;
+  std::size_t line_ = 1, column_ = 1;
+  bool at_line_start_ = true;
+  bool has_peeked_ = false;
+  std::optional<Token> peeked_;
+};
+
+/// An error where the first NUL byte stands; nothing when there is none, as in any text.
+std::optional<SceneError> FindNul(const Text& text);
+
+}  // namespace ray

@@ -1,0 +1,38 @@
+#include "source/parse/meshes/Faces.h"
+
+#include "source/parse/meshes/Polygon.h"
+
+namespace ray {
+namespace {
+
+constexpr std::size_t max_triangles = std::size_t{1} << 28;  // 3 GB of indices, within what a mesh can count
+
+}  // namespace
+
+const char* Faces::Add(std::span<const std::uint32_t> places, std::span<const std::uint32_t> names) {
+  if (places.size() < 3) {
+    ++too_small_;
+    return nullptr;
+  }
+  if (places.size() > max_triangles - mesh_.triangles.size()) return "the mesh has more than 2^28 triangles";
+  if (places.size() == 3) {
+    mesh_.triangles.push_back({names[0], names[1], names[2]});
+    return nullptr;
+  }
+  polygon_.clear();
+  for (const std::uint32_t place : places) polygon_.push_back(mesh_.positions[place]);
+  const auto cuts = Triangulate(polygon_);
+  if (!cuts) return "a concave face of more than 512 corners is not read: cut it up first";
+  static_assert(max_concave_corners == 512);
+  for (const auto& cut : *cuts) mesh_.triangles.push_back({names[cut[0]], names[cut[1]], names[cut[2]]});
+  return nullptr;
+}
+
+void Faces::WarnOfSmall(const Text& file, Report& report) const {
+  if (too_small_ == 0) return;
+  report.Warn(Escaped(file.name), too_small_ == 1
+                                      ? "1 face has fewer than 3 corners and is left out"
+                                      : std::to_string(too_small_) + " faces have fewer than 3 corners and are left out");
+}
+
+}  // namespace ray

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "R3/Mesh.h"
+#include "source/parse/Report.h"
+#include "source/parse/Text.h"
+
+namespace ray {
+
+/// Turns the faces of a file into the triangles of a mesh.
+class Faces {
+ public:
+  explicit Faces(R3::MeshData& mesh) : mesh_(mesh) {}
+
+  /// Adds a face whose corners are at `places`, indices into the mesh's positions; the triangles are made of the
+  /// `names` that go with them. Gives what is wrong with the face, or null. A face of fewer than 3 corners, which
+  /// real files do hold, is counted and left out.
+  const char* Add(std::span<const std::uint32_t> places, std::span<const std::uint32_t> names);
+  const char* Add(std::span<const std::uint32_t> places) { return Add(places, places); }
+
+  void WarnOfSmall(const Text& file, Report& report) const;
+
+ private:
+  R3::MeshData& mesh_;
+  std::size_t too_small_ = 0;
+  std::vector<R3::Point> polygon_;
+};
+
+}  // namespace ray

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+
+#include "R3/Mesh.h"
+#include "source/parse/Report.h"
+#include "source/parse/Text.h"
+
+namespace ray {
+
+/// One line of mesh_formats.def.
+struct MeshFormat {
+  const char* extension;  // lower case, with the dot
+  /// Reads a mesh in time and memory linear in the file's length. Throws SceneError pointing into the file.
+  R3::MeshData (*read)(const Text& file, Report& report);
+};
+
+/// By extension, in any letter case; null when no format has it.
+const MeshFormat* MeshFormatForName(const std::string& name);
+/// ".off, .ray, ..."
+std::string MeshExtensions();
+
+}  // namespace ray

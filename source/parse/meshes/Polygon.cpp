@@ -1,0 +1,123 @@
+#include "source/parse/meshes/Polygon.h"
+
+#include <algorithm>
+
+#include "R2/Point.h"
+#include "R3/Vector.h"
+
+namespace ray {
+namespace {
+
+using Cuts = std::vector<std::array<std::uint32_t, 3>>;
+
+R3::Vector NewellNormal(std::span<const R3::Point> polygon) {
+  R3::Vector normal;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const R3::Vector a = polygon[i] - polygon[0], b = polygon[(i + 1) % polygon.size()] - polygon[0];
+    normal = normal + Cross(a, b);
+  }
+  return normal;
+}
+
+/// The polygon as seen along the axis of its normal's largest component, turning counter-clockwise.
+std::vector<R2::Point> Flattened(std::span<const R3::Point> polygon) {
+  const R3::Vector normal = NewellNormal(polygon);
+  const int axis = MaxAxis(normal);
+  int x = (axis + 1) % 3, y = (axis + 2) % 3;
+  if (normal[axis] < 0) std::swap(x, y);
+  std::vector<R2::Point> flat;
+  flat.reserve(polygon.size());
+  for (const R3::Point& p : polygon) flat.push_back({p[x], p[y]});
+  return flat;
+}
+
+/// Twice the area of a triangle, positive when it turns counter-clockwise.
+double Turn(const R2::Point& a, const R2::Point& b, const R2::Point& c) {
+  return R3::DifferenceOfProducts(b.x - a.x, c.y - a.y, c.x - a.x, b.y - a.y);
+}
+
+bool IsSamePlace(const R2::Point& a, const R2::Point& b) { return a.x == b.x && a.y == b.y; }
+
+bool IsConvex(std::span<const R2::Point> polygon) {
+  const std::size_t n = polygon.size();
+  for (std::size_t i = 0; i < n; ++i)
+    if (Turn(polygon[i], polygon[(i + 1) % n], polygon[(i + 2) % n]) < 0) return false;
+  return true;
+}
+
+Cuts Fan(std::size_t corners) {
+  Cuts fan;
+  fan.reserve(corners - 2);
+  for (std::uint32_t i = 2; i < corners; ++i) fan.push_back({0, i - 1, i});
+  return fan;
+}
+
+/// Cuts off one corner after the other. Which corners are ears is kept up to date: cutting changes it for the two
+/// neighbours only.
+class EarClipping {
+ public:
+  explicit EarClipping(std::span<const R2::Point> polygon) : polygon_(polygon) {
+    const auto n = static_cast<std::uint32_t>(polygon.size());
+    for (std::uint32_t i = 0; i < n; ++i) {
+      before_.push_back((i + n - 1) % n);
+      after_.push_back((i + 1) % n);
+    }
+    for (std::uint32_t i = 0; i < n; ++i) is_ear_.push_back(IsEar(i));
+  }
+
+  Cuts CutAll() {
+    Cuts cuts;
+    std::uint32_t corner = 0;
+    for (std::size_t left = polygon_.size(); left > 3; --left) {
+      corner = NextEar(corner, left);
+      cuts.push_back({before_[corner], corner, after_[corner]});
+      corner = Remove(corner);
+    }
+    cuts.push_back({before_[corner], corner, after_[corner]});
+    return cuts;
+  }
+
+ private:
+  /// The first ear from here on; the corner itself if none is left.
+  std::uint32_t NextEar(std::uint32_t corner, std::size_t left) const {
+    std::uint32_t ear = corner;
+    for (std::size_t i = 0; i < left && !is_ear_[ear]; ++i) ear = after_[ear];
+    return ear;
+  }
+
+  std::uint32_t Remove(std::uint32_t corner) {
+    const std::uint32_t previous = before_[corner], next = after_[corner];
+    after_[previous] = next;
+    before_[next] = previous;
+    is_ear_[previous] = IsEar(previous);
+    is_ear_[next] = IsEar(next);
+    return next;
+  }
+
+  bool IsEar(std::uint32_t corner) const {
+    const R2::Point &a = polygon_[before_[corner]], &b = polygon_[corner], &c = polygon_[after_[corner]];
+    if (!(Turn(a, b, c) > 0)) return false;
+    for (std::uint32_t i = after_[after_[corner]]; i != before_[corner]; i = after_[i]) {
+      const R2::Point& p = polygon_[i];
+      if (IsSamePlace(p, a) || IsSamePlace(p, b) || IsSamePlace(p, c)) continue;
+      if (Turn(a, b, p) >= 0 && Turn(b, c, p) >= 0 && Turn(c, a, p) >= 0) return false;
+    }
+    return true;
+  }
+
+  std::span<const R2::Point> polygon_;
+  std::vector<std::uint32_t> before_, after_;
+  std::vector<bool> is_ear_;
+};
+
+}  // namespace
+
+std::optional<Cuts> Triangulate(std::span<const R3::Point> polygon) {
+  if (polygon.size() == 3) return Fan(3);
+  const std::vector<R2::Point> flat = Flattened(polygon);
+  if (IsConvex(flat)) return Fan(polygon.size());
+  if (polygon.size() > max_concave_corners) return {};
+  return EarClipping(flat).CutAll();
+}
+
+}  // namespace ray

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "R3/Point.h"
+
+namespace ray {
+
+/// Concave faces with more corners are refused: cutting them takes quadratic time.
+inline constexpr std::size_t max_concave_corners = 512;
+
+/// Cuts a polygon into triangles of its own corners, given as indices into it, so that faces that met along an edge
+/// still do. A fan from the first corner, as the course has it, unless the polygon is concave: then ears are cut off.
+/// Convex is judged in the coordinate plane that the polygon faces most, so it need not be flat.
+///   returns   polygon.size() - 2 triangles turning the same way; nothing for a concave one beyond the limit
+///   source    Newell's normal: Sutherland, Sproull, Schumacker, A characterization of ten hidden-surface algorithms
+///             (1974); ears: Meisters, Polygons have ears (1975), with the bookkeeping of Eberly, Triangulation by ear
+///             clipping (2002). A polygon that crosses itself may run out of ears; any corner is cut off then.
+std::optional<std::vector<std::array<std::uint32_t, 3>>> Triangulate(std::span<const R3::Point> polygon);
+
+}  // namespace ray

@@ -1,0 +1,70 @@
+#include "source/parse/meshes/Faces.h"
+#include "source/parse/meshes/MeshFormat.h"
+#include "source/parse/meshes/MeshWords.h"
+
+namespace ray {
+namespace {
+
+// Commands begin with #, so there are no comments. Of all commands only vertices and faces matter here; the words of
+// the others are passed over one by one, as the course's reader does.
+class RayReader {
+ public:
+  explicit RayReader(const Text& file) : words_(file, Tokenizer::Comments::none) {}
+
+  R3::MeshData Read(Report& report) {
+    while (const auto word = words_.Next()) {
+      if (word->text == "#vertex") ReadVertex();
+      if (word->text == "#shape_triangle") ReadFace(3);
+      if (word->text == "#shape_polygon") ReadPolygon();
+    }
+    faces_.WarnOfSmall(words_.Source(), report);
+    return std::move(mesh_);
+  }
+
+ private:
+  void ReadVertex() {
+    const std::size_t i = mesh_.positions.size();
+    mesh_.positions.push_back(words_.Place("vertex", i));
+    mesh_.normals.push_back(AsNormal(words_.Place("the normal of vertex", i) - R3::Point{}));
+    const double s = words_.Coordinate({"s", "vertex", i});
+    mesh_.uvs.push_back({s, words_.Coordinate({"t", "vertex", i})});
+  }
+
+  void ReadFace(std::size_t corner_count) {
+    const Token command = words_.Last();
+    words_.Whole({"the material", "face", face_number_});
+    ReadCorners(command, corner_count);
+  }
+
+  void ReadPolygon() {
+    const Token command = words_.Last();
+    words_.Whole({"the material", "face", face_number_});
+    const std::int64_t count = words_.Whole({"number of corners", "face", face_number_});
+    if (count < 0 || static_cast<std::uint64_t>(count) > words_.BytesLeft() / 2 + 1)
+      words_.Fail(words_.Last(), "face " + std::to_string(face_number_) + " cannot have " +
+                                     Escaped(words_.Last().text) + " corners");
+    ReadCorners(command, static_cast<std::size_t>(count));
+  }
+
+  void ReadCorners(const Token& command, std::size_t count) {
+    corners_.clear();
+    for (std::size_t k = 0; k < count; ++k)
+      corners_.push_back(words_.Index({"a corner", "face", face_number_}, mesh_.positions.size()));
+    if (const char* problem = faces_.Add(corners_)) words_.Fail(command, problem);
+    ++face_number_;
+  }
+
+  MeshWords words_;
+  R3::MeshData mesh_;
+  Faces faces_{mesh_};
+  std::vector<std::uint32_t> corners_;
+  std::size_t face_number_ = 0;
+};
+
+R3::MeshData ReadRay(const Text& file, Report& report) { return RayReader(file).Read(report); }
+
+}  // namespace
+
+extern const MeshFormat ray_mesh_format{".ray", ReadRay};
+
+}  // namespace ray

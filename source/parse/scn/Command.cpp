@@ -1,0 +1,88 @@
+#include "source/parse/scn/Command.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <vector>
+
+namespace ray {
+
+#define COMMAND(name) extern const Command name##_command;
+#include "source/parse/scn/commands.def"
+#undef COMMAND
+
+namespace {
+
+std::vector<Command> AllCommands() {
+  std::vector<Command> all{
+#define COMMAND(name) name##_command,
+#include "source/parse/scn/commands.def"
+#undef COMMAND
+  };
+  for (const R3::ShapeKind* kind : R3::ShapeKinds()) all.push_back(ShapeCommand(*kind));
+  for (const LightKind* kind : LightKinds()) all.push_back(LightCommand(*kind));
+  return all;
+}
+
+std::map<std::string_view, const Command*> ByName() {
+  std::map<std::string_view, const Command*> by_name;
+  for (const Command& command : Commands()) by_name.emplace(command.name, &command);
+  return by_name;
+}
+
+struct Foreign {
+  std::string_view name, hint;
+};
+
+constexpr std::array foreign{
+    Foreign{"obb", "write a box inside 'begin ... end' with a rotation"},
+    Foreign{"group", "write 'begin mat_id', 16 matrix numbers, ..., 'end'"},
+    Foreign{"rect_light", "write an area_light, or two tri of an emissive material"},
+    Foreign{"particle", "particles are no part of this language"},
+    Foreign{"particle_source", "particles are no part of this language"},
+    Foreign{"particle_sink", "particles are no part of this language"},
+    Foreign{"particle_gravity", "particles are no part of this language"},
+    Foreign{"particle_spring", "particles are no part of this language"},
+};
+
+}  // namespace
+
+std::span<const Command> Commands() {
+  static const std::vector<Command> all = AllCommands();
+  return all;
+}
+
+const Command* FindCommand(std::string_view name) {
+  static const std::map<std::string_view, const Command*> by_name = ByName();
+  const auto found = by_name.find(name);
+  return found == by_name.end() ? nullptr : found->second;
+}
+
+std::span<const std::string_view> CommandNames() {
+  static const std::vector<std::string_view> names = [] {
+    std::vector<std::string_view> sorted;
+    for (const Command& command : Commands()) sorted.push_back(command.name);
+    std::sort(sorted.begin(), sorted.end());
+    return sorted;
+  }();
+  return names;
+}
+
+std::string_view ForeignHint(std::string_view name) {
+  const auto found = std::find_if(foreign.begin(), foreign.end(), [&](const Foreign& f) { return f.name == name; });
+  return found == foreign.end() ? std::string_view{} : found->hint;
+}
+
+std::string SurplusHint(const Command& command) {
+  // The form with an axis is a student's; see the manual's list of dialects.
+  const char* const axis = command.name == "cylinder" ? "; its axis is y: turn it with 'begin ... end'" : "";
+  return "before it: " + command.usage + axis;
+}
+
+std::string ArgumentNames(std::span<const R3::Argument> arguments) {
+  std::string names;
+  for (const R3::Argument& argument : arguments) names += std::string(" ") + argument.name;
+  return names;
+}
+
+}  // namespace ray

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "R3/Shape.h"
+#include "source/scene/Light.h"
+
+namespace ray {
+
+class ScnReader;
+class Statement;
+
+/// A word of the .scn language that begins a statement.
+struct Command {
+  std::string name;
+  std::string usage;  // "sphere mat_id cx cy cz radius"
+  std::function<void(ScnReader&, Statement&)> read;
+};
+
+/// One for each line of commands.def, of shapes.def and of lights.def.
+std::span<const Command> Commands();
+/// Null when there is none of that name; letter case counts.
+const Command* FindCommand(std::string_view name);
+/// Sorted.
+std::span<const std::string_view> CommandNames();
+/// What to say of numbers behind the last one that the command takes.
+std::string SurplusHint(const Command& command);
+/// What to write instead of a command of another dialect or a later assignment; empty for any other word.
+std::string_view ForeignHint(std::string_view name);
+
+Command ShapeCommand(const R3::ShapeKind& kind);
+Command LightCommand(const LightKind& kind);
+
+/// " cx cy cz radius"
+std::string ArgumentNames(std::span<const R3::Argument> arguments);
+
+}  // namespace ray

@@ -1,0 +1,219 @@
+#include "source/parse/scn/ScnReader.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <limits>
+#include <utility>
+
+#include "source/parse/Format.h"
+#include "source/parse/Number.h"
+#include "source/parse/Suggestion.h"
+
+namespace ray {
+namespace {
+
+// Files that include files twice over may read without end; whichever of these comes first ends it.
+constexpr std::size_t max_includes = 10'000;
+constexpr std::size_t max_bytes = Files::max_bytes;
+
+constexpr int default_material = 0;
+
+std::uint32_t Saturated(std::size_t n) {
+  return static_cast<std::uint32_t>(std::min<std::size_t>(n, std::numeric_limits<std::uint32_t>::max()));
+}
+
+Scene ReadScn(const Files& files, const ParseOptions& options, Report& report) {
+  return ScnReader(files, options, report).Read();
+}
+
+}  // namespace
+
+extern const SceneFormat scn_scene_format{".scn", ReadScn};
+
+ScnReader::ScnReader(const Files& files, const ParseOptions& options, Report& report)
+    : files_(files), options_(options), report_(report), assets_(files, report, options.decode_srgb) {}
+
+Scene ScnReader::Read() {
+  const std::string top = files_.TopName();
+  try {
+    Open(files_.Top());
+  } catch (const FileError& error) {
+    Stop(ErrorIn(top, error.message, error.hint));
+  } catch (SceneError& error) {
+    Stop(std::move(error));
+  }
+  while (!open_files_.empty()) {
+    if (const auto word = Current().tokens.Next())
+      ReadStatement(*word);
+    else
+      CloseFile();
+  }
+  return builder_.Finish();
+}
+
+void ScnReader::Open(const FoundFile& file) {
+  const auto [text, index] = TextOf(file);
+  bytes_ += text->bytes.size();
+  if (bytes_ > max_bytes) Stop(ErrorIn(text->name, "the scene's files together are longer than 1 GiB"));
+  open_files_.push_back(
+      {text, file.canonical, index, builder_.open_groups.size(), Tokenizer(*text, Tokenizer::Comments::hash)});
+}
+
+ScnReader::KnownText ScnReader::TextOf(const FoundFile& file) {
+  if (const auto known = texts_.find(file.canonical); known != texts_.end()) return known->second;
+  auto text = std::make_shared<const Text>(Text{file.shown, files_.Read(file)});
+  if (auto error = FindNul(*text)) throw std::move(*error);
+  const auto index = static_cast<std::uint32_t>(builder_.scene.files.size());
+  builder_.scene.files.push_back(file.shown);
+  return texts_.emplace(file.canonical, KnownText{std::move(text), index}).first->second;
+}
+
+void ScnReader::CloseFile() {
+  OpenFile& file = Current();
+  if (const std::size_t open = file.begins.size(); open > 0) {
+    const std::string around = open == 1 ? "" : ", nor have " + std::to_string(open - 1) + " groups around it";
+    Error(ErrorAt(*file.text, file.begins.back(), "begin without end", "this group has no end" + around));
+  }
+  while (builder_.open_groups.size() > file.outer_groups) builder_.CloseGroup();
+  open_files_.pop_back();
+}
+
+void ScnReader::ReadStatement(const Token& word) {
+  const Command* command = FindCommand(word.text);
+  if (!command) return UnknownCommand(word);
+  OpenFile& file = Current();
+  file.last_command = command;
+  file.statement = word;
+  Statement statement(*command, word, file.tokens);
+  try {
+    command->read(*this, statement);
+  } catch (const Statement::Incomplete&) {
+    // What it lacks is among its errors.
+  }
+  for (SceneError& error : std::move(statement).Errors()) Error(std::move(error));
+}
+
+// One mistake, one report: what follows on the line, and numbers on the next ones, belong to the unknown command.
+void ScnReader::UnknownCommand(const Token& word) {
+  OpenFile& file = Current();
+  const bool is_number = !ParseNumber(word.text).problem;
+  if (is_number && file.last_command)
+    Error(ErrorAt(*file.text, word, "a number too many: " + Quoted(word.text), SurplusHint(*file.last_command)));
+  else if (const auto hint = ForeignHint(word.text); !hint.empty())
+    Error(ErrorAt(*file.text, word, Quoted(word.text) + " is a command of another dialect", std::string(hint)));
+  else
+    Error(ErrorAt(*file.text, word, "unknown command " + Quoted(word.text),
+                  Suggestion(word.text, CommandNames(), "commands")));
+  while (file.tokens.Peek() && !BeginsStatement(*file.tokens.Peek())) file.tokens.Next();
+}
+
+int ScnReader::ReadMaterial(Statement& statement) {
+  const Token word = statement.Word("mat_id");
+  const auto [id, problem] = ParseWhole(word.text);
+  const std::vector<int>& known = Current().materials;
+  if (problem) {
+    statement.Error(word, std::string("mat_id ") + problem + ", got " + Quoted(word.text));
+    return default_material;
+  }
+  if (id < 0) {
+    const bool at_top_of_include = open_files_.size() > 1 && builder_.open_groups.size() == Current().outer_groups;
+    return at_top_of_include ? default_material : Node::inherit;
+  }
+  if (id >= static_cast<std::int64_t>(known.size())) {
+    const std::string hint = known.empty() ? "this file has defined none yet; -1 inherits"
+                                           : "this file has defined 0 to " + std::to_string(known.size() - 1);
+    statement.Error(word, "no material " + Escaped(word.text), hint);
+    return default_material;
+  }
+  return known[static_cast<std::size_t>(id)];
+}
+
+Material& ScnReader::NewMaterial() {
+  Current().materials.push_back(static_cast<int>(builder_.scene.materials.size()));
+  return builder_.scene.materials.emplace_back();
+}
+
+void ScnReader::AddNode(Statement& statement, Node node) {
+  CheckNodes(statement);
+  node.location = LocationOf(statement.CommandWord());
+  builder_.Add(std::move(node));
+}
+
+void ScnReader::OpenGroup(Statement& statement, Node group) {
+  CheckNodes(statement);
+  group.location = LocationOf(statement.CommandWord());
+  builder_.OpenGroup(std::move(group));
+  Current().begins.push_back(statement.CommandWord());
+}
+
+void ScnReader::CloseGroup(Statement& statement) {
+  OpenFile& file = Current();
+  if (file.begins.empty()) {
+    const bool is_included = open_files_.size() > 1;
+    statement.Error(statement.CommandWord(), "end without begin",
+                    is_included ? "an end closes only a begin of its own file" : "no group is open here");
+    return;
+  }
+  file.begins.pop_back();
+  builder_.CloseGroup();
+}
+
+void ScnReader::Include(Statement& statement, const Token& name) {
+  WithFile(statement, name, [&] {
+    const FoundFile file = files_.Find(std::string(name.text), CurrentFile());
+    const auto same = std::find_if(open_files_.begin(), open_files_.end(),
+                                   [&](const OpenFile& open) { return open.canonical == file.canonical; });
+    if (same != open_files_.end()) {
+      std::string ring;
+      for (auto open = same; open != open_files_.end(); ++open) ring += Escaped(open->text->name) + " -> ";
+      throw FileError{"files include each other without end", ring + Escaped(same->text->name)};
+    }
+    if (open_files_.size() > static_cast<std::size_t>(std::max(0, options_.include_depth)))
+      throw FileError{"includes nest deeper than " + std::to_string(options_.include_depth) + " files", {}};
+    if (++includes_ > max_includes)
+      Stop(ErrorAt(*Current().text, name, "more than " + std::to_string(max_includes) + " files are included"));
+    Open(file);
+  });
+}
+
+void ScnReader::WithFile(Statement& statement, const Token& name, const std::function<void()>& read) {
+  try {
+    read();
+  } catch (const FileError& error) {
+    statement.Error(name, error.message, error.hint);
+  } catch (SceneError& error) {
+    error.included_from.push_back(CurrentFile() + ":" + std::to_string(name.line));
+    Error(std::move(error));
+  }
+}
+
+void ScnReader::Warn(const Statement& statement, const std::string& message) {
+  const Token& word = statement.CommandWord();
+  report_.Warn(Place(CurrentFile(), word.line, word.column), message);
+}
+
+void ScnReader::CheckNodes(const Statement& statement) {
+  if (builder_.nodes < options_.max_nodes) return;
+  Stop(ErrorAt(*Current().text, statement.CommandWord(),
+               "the scene has more than " + std::to_string(options_.max_nodes) + " nodes"));
+}
+
+Location ScnReader::LocationOf(const Token& token) const {
+  return {open_files_.back().index, Saturated(token.line), Saturated(token.column)};
+}
+
+void ScnReader::Error(SceneError error) {
+  for (std::size_t i = open_files_.size(); i-- > 1;) {
+    const OpenFile& outer = open_files_[i - 1];
+    error.included_from.push_back(outer.text->name + ":" + std::to_string(outer.statement.line));
+  }
+  report_.Error(std::move(error));
+}
+
+void ScnReader::Stop(SceneError error) {
+  Error(std::move(error));
+  report_.ThrowErrors();
+  std::abort();  // an error has just been reported
+}
+
+}  // namespace ray

@@ -1,0 +1,91 @@
+#pragma once
+
+#include <deque>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "source/parse/Assets.h"
+#include "source/parse/Files.h"
+#include "source/parse/Parse.h"
+#include "source/parse/Report.h"
+#include "source/parse/SceneBuilder.h"
+#include "source/parse/Tokenizer.h"
+#include "source/parse/scn/Statement.h"
+
+namespace ray {
+
+/// Reads a scene in the course's .scn language (spring 2008 and 2011; see the manual). Its statements are the table in
+/// Command.h; this class keeps what they share: the files being read, innermost last, and the scene as it grows.
+class ScnReader {
+ public:
+  ScnReader(const Files& files, const ParseOptions& options, Report& report);
+
+  /// Reads the top scene to its end. Mistakes go to the report.
+  Scene Read();
+
+  // For commands, while their statement is read:
+
+  /// Reads a material id; gives an index into Scene::materials, or Node::inherit. At the top level of an included file,
+  /// inheriting means the default material and not the enclosing group's: so the course's reader has it.
+  int ReadMaterial(Statement& statement);
+  /// The material of the file's next id, to be filled in; valid until the next.
+  Material& NewMaterial();
+  void AddNode(Statement& statement, Node node);
+  void OpenGroup(Statement& statement, Node group);
+  void CloseGroup(Statement& statement);
+  /// Goes on with another file; the words behind this statement come after its end.
+  void Include(Statement& statement, const Token& name);
+  /// A remark about the statement.
+  void Warn(const Statement& statement, const std::string& message);
+  /// Calls `read`, a function that reads a file named by the word `name`, and turns its failure into the statement's.
+  void WithFile(Statement& statement, const Token& name, const std::function<void()>& read);
+
+  Assets& Library() { return assets_; }
+  SceneBuilder& Builder() { return builder_; }
+  const std::string& CurrentFile() const { return open_files_.back().text->name; }
+
+ private:
+  struct OpenFile {
+    std::shared_ptr<const Text> text;
+    std::filesystem::path canonical;
+    std::uint32_t index;            // into Scene::files
+    std::size_t outer_groups;       // how many open groups belong to the files around this one
+    Tokenizer tokens;
+    std::vector<int> materials{};   // own id -> index into Scene::materials
+    std::vector<Token> begins{};    // of the groups this file has open
+    Token statement{};              // the last; the include, while another file is open on top
+    const Command* last_command = nullptr;
+  };
+
+  struct KnownText {
+    std::shared_ptr<const Text> text;
+    std::uint32_t index;  // into Scene::files
+  };
+
+  void Open(const FoundFile& file);
+  KnownText TextOf(const FoundFile& file);
+  void CloseFile();
+  void ReadStatement(const Token& word);
+  void UnknownCommand(const Token& word);
+  void CheckNodes(const Statement& statement);
+  Location LocationOf(const Token& token) const;
+  void Error(SceneError error);
+  [[noreturn]] void Stop(SceneError error);
+  OpenFile& Current() { return open_files_.back(); }
+
+  const Files& files_;
+  const ParseOptions& options_;
+  Report& report_;
+  Assets assets_;
+  SceneBuilder builder_;
+  std::deque<OpenFile> open_files_;  // a deque: opening a file must not move the one whose statement asked for it
+  std::map<std::filesystem::path, KnownText> texts_;
+  std::size_t includes_ = 0;
+  std::size_t bytes_ = 0;  // of text read, an included file counted each time
+};
+
+}  // namespace ray

@@ -1,0 +1,62 @@
+#include "source/parse/scn/Statement.h"
+
+#include "source/parse/Number.h"
+
+namespace ray {
+namespace {
+
+bool IsLetter(char c) { return ((c | 0x20) >= 'a' && (c | 0x20) <= 'z') || c == '_'; }
+
+/// NaN and infinities are meant as numbers, though they look like words.
+bool LooksLikeNumber(std::string_view word) { return word.starts_with("nan") || word.starts_with("inf"); }
+
+}  // namespace
+
+bool BeginsStatement(const Token& token) {
+  if (!IsLetter(token.text[0])) return false;  // spares most words the search
+  return FindCommand(token.text) || (token.starts_line && !LooksLikeNumber(token.text));
+}
+
+Arguments Statement::Numbers(std::span<const R3::Argument> wanted) {
+  Arguments read;
+  read.values.reserve(wanted.size());
+  read.words.reserve(wanted.size());
+  for (const R3::Argument& argument : wanted) {
+    if (const auto& next = tokens_.Peek(); !next || BeginsStatement(*next)) {
+      Error(word_, command_.name + " lacks " + argument.name, command_.usage);
+      throw Incomplete{};
+    }
+    const Token word = *tokens_.Next();
+    const auto [value, problem] = ParseNumber(word.text);
+    if (problem)
+      Error(word, std::string(argument.name) + " " + problem + ", got " + Quoted(word.text));
+    else if (value < 0 && !argument.may_be_negative)
+      Error(word, std::string(argument.name) + " must not be negative, got " + Escaped(word.text));
+    read.values.push_back(value);
+    read.words.push_back(word);
+  }
+  return read;
+}
+
+// A file may be called like a command, but hardly at the start of a line.
+Token Statement::Word(const char* name) {
+  const auto& next = tokens_.Peek();
+  if (!next || (next->starts_line && FindCommand(next->text))) {
+    Error(word_, command_.name + " lacks " + name, command_.usage);
+    throw Incomplete{};
+  }
+  return *tokens_.Next();
+}
+
+bool Statement::Takes(std::string_view word) {
+  const auto& next = tokens_.Peek();
+  if (!next || next->text != word) return false;
+  tokens_.Next();
+  return true;
+}
+
+void Statement::Error(const Token& at, std::string message, std::string hint) {
+  errors_.push_back(ErrorAt(tokens_.Source(), at, std::move(message), std::move(hint)));
+}
+
+}  // namespace ray

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "R3/Argument.h"
+#include "source/parse/Tokenizer.h"
+#include "source/parse/scn/Command.h"
+
+namespace ray {
+
+/// Numbers and the words they were read from.
+struct Arguments {
+  std::vector<double> values;
+  std::vector<Token> words;
+};
+
+/// One command while its arguments are read. A wrong argument is noted and reading goes on, so that one run tells all
+/// that is wrong with a line; a missing one ends the command. A statement with errors must have no effect.
+class Statement {
+ public:
+  /// Thrown when the command ends before its arguments do; the error has been noted.
+  struct Incomplete {};
+
+  Statement(const Command& command, const Token& word, Tokenizer& tokens)
+      : command_(command), word_(word), tokens_(tokens) {}
+
+  Arguments Numbers(std::span<const R3::Argument> wanted);
+  /// The word of an argument that is no number: an id or a file's name.
+  Token Word(const char* name);
+  /// Whether the next word is this one, which is then taken.
+  bool Takes(std::string_view word);
+
+  void Error(const Token& at, std::string message, std::string hint = {});
+  const Command& What() const { return command_; }
+  const Token& CommandWord() const { return word_; }
+  bool IsGood() const { return errors_.empty(); }
+  std::vector<SceneError> Errors() && { return std::move(errors_); }
+
+ private:
+  const Command& command_;
+  const Token word_;
+  Tokenizer& tokens_;
+  std::vector<SceneError> errors_;
+};
+
+/// Whether a word can only be the beginning of the next statement: a command, or a word that starts a line like one.
+bool BeginsStatement(const Token& token);
+
+}  // namespace ray

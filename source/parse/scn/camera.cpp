@@ -1,0 +1,46 @@
+#include <array>
+#include <numbers>
+
+#include "source/parse/scn/ScnReader.h"
+
+namespace ray {
+namespace {
+
+const std::array<R3::Argument, 12> arguments{{
+    {"ex"}, {"ey"}, {"ez"},  //
+    {"tx"}, {"ty"}, {"tz"},  //
+    {"ux"}, {"uy"}, {"uz"},  //
+    {"xfov"}, {"near"}, {"far"},
+}};
+
+void CheckView(Statement& statement, const Arguments& read) {
+  constexpr std::size_t tx = 3, xfov = 9;
+  const auto& a = read.values;
+  if (a[tx] == 0 && a[tx + 1] == 0 && a[tx + 2] == 0)
+    statement.Error(read.words[tx], "the camera's direction must not be 0 0 0",
+                    "the second three numbers are a direction, not a place");
+  if (!(a[xfov] > 0 && a[xfov] < std::numbers::pi / 2))
+    statement.Error(read.words[xfov], "xfov must lie between 0 and pi/2, got " + Escaped(read.words[xfov].text),
+                    "half the angle of view, in radians");
+}
+
+void ReadCamera(ScnReader& reader, Statement& statement) {
+  reader.Builder().has_camera = true;
+  const Arguments read = statement.Numbers(arguments);
+  if (statement.IsGood()) CheckView(statement, read);
+  if (!statement.IsGood()) return;
+  const auto& a = read.values;
+  AimedCamera aimed = Aim({a[0], a[1], a[2]}, {a[3], a[4], a[5]}, {a[6], a[7], a[8]});
+  if (aimed.up_was_replaced)
+    reader.Warn(statement, "the camera's up is parallel to its direction; another up was chosen");
+  aimed.camera.xfov = a[9];
+  aimed.camera.near = a[10];
+  aimed.camera.far = a[11];
+  reader.Builder().scene.camera = aimed.camera;
+}
+
+}  // namespace
+
+extern const Command camera_command{"camera", "camera" + ArgumentNames(arguments), ReadCamera};
+
+}  // namespace ray

@@ -1,0 +1,63 @@
+#include <array>
+
+#include "source/parse/scn/ScnReader.h"
+#include "source/scene/Singular.h"
+
+namespace ray {
+namespace {
+
+const std::array<R3::Argument, 16> entries{{
+    {"m00"}, {"m01"}, {"m02"}, {"m03"},  //
+    {"m10"}, {"m11"}, {"m12"}, {"m13"},  //
+    {"m20"}, {"m21"}, {"m22"}, {"m23"},  //
+    {"m30"}, {"m31"}, {"m32"}, {"m33"},
+}};
+
+R3::Matrix MatrixOf(const std::vector<double>& entry) {
+  R3::Matrix matrix;
+  for (std::size_t row = 0; row < 3; ++row)
+    for (std::size_t column = 0; column < 4; ++column) matrix.m[row][column] = entry[4 * row + column];
+  return matrix;
+}
+
+void CheckLastRow(Statement& statement, const Arguments& read) {
+  constexpr std::array<double, 4> affine{0, 0, 0, 1};
+  for (std::size_t i = 0; i < affine.size(); ++i) {
+    if (read.values[12 + i] == affine[i]) continue;
+    statement.Error(read.words[12 + i], "the last row of a matrix must be 0 0 0 1",
+                    "only affine matrices can place a group");
+    return;
+  }
+}
+
+void WarnOfCondition(ScnReader& reader, const Statement& statement, const R3::Matrix& matrix) {
+  if (IsSingular(matrix))
+    reader.Warn(statement, "this group's matrix is singular: the group is left out of the picture");
+  else if (Condition(matrix) > nearly_singular_condition)
+    reader.Warn(statement, "this group's matrix is close to singular: the picture may lose digits");
+}
+
+// The group is opened whatever is wrong with its numbers, so that its end finds it.
+void ReadBegin(ScnReader& reader, Statement& statement) {
+  Node group;
+  try {
+    group.material = reader.ReadMaterial(statement);
+    const Arguments read = statement.Numbers(entries);
+    if (statement.IsGood()) CheckLastRow(statement, read);
+    group.transform = MatrixOf(read.values);
+    if (statement.IsGood()) WarnOfCondition(reader, statement, group.transform);
+  } catch (const Statement::Incomplete&) {
+    reader.OpenGroup(statement, std::move(group));
+    throw;
+  }
+  reader.OpenGroup(statement, std::move(group));
+}
+
+void ReadEnd(ScnReader& reader, Statement& statement) { reader.CloseGroup(statement); }
+
+}  // namespace
+
+extern const Command begin_command{"begin", "begin mat_id m00 m01 m02 m03 m10 ... m33", ReadBegin};
+extern const Command end_command{"end", "end", ReadEnd};
+
+}  // namespace ray

@@ -1,0 +1,12 @@
+#include "source/parse/scn/ScnReader.h"
+
+namespace ray {
+namespace {
+
+void ReadInclude(ScnReader& reader, Statement& statement) { reader.Include(statement, statement.Word("file")); }
+
+}  // namespace
+
+extern const Command include_command{"include", "include file", ReadInclude};
+
+}  // namespace ray

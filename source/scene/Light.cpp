@@ -1,0 +1,34 @@
+#include "source/scene/Light.h"
+
+#include <array>
+
+namespace ray {
+
+#define LIGHT(name) extern const LightKind name##_kind;
+#include "source/scene/lights.def"
+#undef LIGHT
+
+std::span<const LightKind* const> LightKinds() {
+  static const std::array kinds{
+#define LIGHT(name) &name##_kind,
+#include "source/scene/lights.def"
+#undef LIGHT
+  };
+  return kinds;
+}
+
+const LightKind* FindLightKind(const std::string& name) {
+  for (const LightKind* kind : LightKinds())
+    if (name == kind->name) return kind;
+  return nullptr;
+}
+
+std::vector<std::unique_ptr<const Light>> DefaultLights() {
+  const LightKind& directional = *FindLightKind("dir_light");
+  std::vector<std::unique_ptr<const Light>> lights;
+  lights.push_back(directional.make(std::array{1.0, 1.0, 1.0, -3.0, -4.0, -5.0}));
+  lights.push_back(directional.make(std::array{0.5, 0.5, 0.5, 3.0, 2.0, 3.0}));
+  return lights;
+}
+
+}  // namespace ray

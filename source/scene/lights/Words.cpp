@@ -1,0 +1,23 @@
+#include "source/scene/lights/Words.h"
+
+#include <array>
+#include <charconv>
+
+namespace ray {
+namespace {
+
+std::string Triple(double a, double b, double c) { return Words(a) + " " + Words(b) + " " + Words(c); }
+
+}  // namespace
+
+std::string Words(double number) {
+  std::array<char, 32> digits;  // 24 are enough for any double
+  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr;
+  return {digits.data(), end};
+}
+
+std::string Words(const R2::Color& color) { return Triple(color.r, color.g, color.b); }
+std::string Words(const R3::Point& place) { return Triple(place.x, place.y, place.z); }
+std::string Words(const R3::Vector& direction) { return Triple(direction.x, direction.y, direction.z); }
+
+}  // namespace ray

@@ -1,0 +1,39 @@
+#include "source/scene/Light.h"
+#include "source/scene/lights/Words.h"
+
+namespace ray {
+namespace {
+
+class DirLight : public Light {
+ public:
+  DirLight(const R2::Color& color, const R3::Vector& direction) : color_(color), direction_(Unit(direction)) {}
+
+  std::optional<Illumination> Illuminate(const R3::Point&, const R2::Point&) const override {
+    return Illumination{color_, -direction_, true};
+  }
+
+  bool IsBlack() const override { return R2::IsBlack(color_); }
+  std::string Describe() const override {
+    return "directional light along " + Words(direction_) + ", colour " + Words(color_);
+  }
+
+ private:
+  R2::Color color_;
+  R3::Vector direction_;  // the way the light travels; unit
+};
+
+}  // namespace
+
+extern const LightKind dir_light_kind{
+    "dir_light",
+    "light from infinitely far: colour and the direction it travels",
+    {{"r", false}, {"g", false}, {"b", false}, {"dx"}, {"dy"}, {"dz"}},
+    [](std::span<const double> a) -> std::unique_ptr<const Light> {
+      const R3::Vector direction{a[3], a[4], a[5]};
+      if (direction == R3::Vector{}) throw R3::ArgumentError(3, "the light's direction must not be 0 0 0");
+      return std::make_unique<DirLight>(R2::Color{a[0], a[1], a[2]}, direction);
+    },
+    {1, 0.9, 0.8, -3, -4, -5},
+};
+
+}  // namespace ray

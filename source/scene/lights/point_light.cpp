@@ -1,0 +1,50 @@
+#include "source/scene/Light.h"
+#include "source/scene/lights/Falloff.h"
+#include "source/scene/lights/Words.h"
+
+namespace ray {
+namespace {
+
+class PointLight : public Light {
+ public:
+  PointLight(const R2::Color& color, const R3::Point& place, const Falloff& falloff)
+      : color_(color), place_(place), falloff_(falloff) {}
+
+  std::optional<Illumination> Illuminate(const R3::Point& p, const R2::Point&) const override {
+    const R3::Vector to_light = place_ - p;
+    const double distance = Length(to_light);
+    if (!(distance > 0)) return {};
+    return Illumination{falloff_(color_, distance), to_light};
+  }
+
+  bool IsBlack() const override { return R2::IsBlack(color_); }
+  std::string Describe() const override { return "point light at " + Words(place_) + ", colour " + Words(color_); }
+
+ private:
+  R2::Color color_;
+  R3::Point place_;
+  Falloff falloff_;
+};
+
+}  // namespace
+
+extern const LightKind point_light_kind{
+    "point_light",
+    "light from a point: colour, place, constant, linear and quadratic attenuation",
+    {{"r", false},
+     {"g", false},
+     {"b", false},
+     {"px"},
+     {"py"},
+     {"pz"},
+     {"ca", false},
+     {"la", false},
+     {"qa", false}},
+    [](std::span<const double> a) -> std::unique_ptr<const Light> {
+      return std::make_unique<PointLight>(R2::Color{a[0], a[1], a[2]}, R3::Point{a[3], a[4], a[5]},
+                                          Falloff{a[6], a[7], a[8]});
+    },
+    {1, 0.5, 0.25, 0.5, 3, -1, 0.5, 0.25, 0.125},
+};
+
+}  // namespace ray

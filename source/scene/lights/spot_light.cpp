@@ -1,0 +1,77 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "source/scene/Light.h"
+#include "source/scene/lights/Falloff.h"
+#include "source/scene/lights/Words.h"
+
+namespace ray {
+namespace {
+
+class SpotLight : public Light {
+ public:
+  SpotLight(const R2::Color& color, const R3::Point& place, const R3::Vector& direction, const Falloff& falloff,
+            double cut_off, double exponent)
+      : color_(color),
+        place_(place),
+        direction_(Unit(direction)),
+        falloff_(falloff),
+        cut_off_cosine_(std::cos(cut_off)),
+        exponent_(exponent) {}
+
+  std::optional<Illumination> Illuminate(const R3::Point& p, const R2::Point&) const override {
+    const R3::Vector to_light = place_ - p;
+    const double distance = Length(to_light);
+    if (!(distance > 0)) return {};
+    // By rounding the cosine may pass 1, and so may that of a cut-off angle of 0, which lights the axis alone.
+    const double cosine = std::min(1.0, -Dot(direction_, Unit(to_light)));
+    if (!(cosine > 0 && cosine >= cut_off_cosine_)) return {};
+    return Illumination{std::pow(cosine, exponent_) * falloff_(color_, distance), to_light};
+  }
+
+  bool IsBlack() const override { return R2::IsBlack(color_); }
+  std::string Describe() const override {
+    return "spot light at " + Words(place_) + " along " + Words(direction_) + ", colour " + Words(color_);
+  }
+
+ private:
+  R2::Color color_;
+  R3::Point place_;
+  R3::Vector direction_;  // the middle of the cone; unit
+  Falloff falloff_;
+  double cut_off_cosine_;
+  double exponent_;
+};
+
+}  // namespace
+
+extern const LightKind spot_light_kind{
+    "spot_light",
+    "a cone of light: colour, place, direction, attenuation, half angle in radians, exponent of its fading",
+    {{"r", false},
+     {"g", false},
+     {"b", false},
+     {"px"},
+     {"py"},
+     {"pz"},
+     {"dx"},
+     {"dy"},
+     {"dz"},
+     {"ca", false},
+     {"la", false},
+     {"qa", false},
+     {"sc", false},
+     {"sd", false}},
+    [](std::span<const double> a) -> std::unique_ptr<const Light> {
+      const R3::Vector direction{a[6], a[7], a[8]};
+      if (direction == R3::Vector{}) throw R3::ArgumentError(6, "the light's direction must not be 0 0 0");
+      // Beyond pi/2 nothing changes, for the cosine law ends there; beyond pi it is no half angle, perhaps degrees.
+      if (!(a[12] <= std::numbers::pi)) throw R3::ArgumentError(12, "sc, an angle in radians, must not exceed pi");
+      return std::make_unique<SpotLight>(R2::Color{a[0], a[1], a[2]}, R3::Point{a[3], a[4], a[5]}, direction,
+                                         Falloff{a[9], a[10], a[11]}, a[12], a[13]);
+    },
+    {1, 0.5, 0.25, 0.5, 3, -1, 0, -1, 0.25, 0.5, 0.25, 0.125, 0.75, 2},
+};
+
+}  // namespace ray
