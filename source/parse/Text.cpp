@@ -72,7 +72,7 @@ SceneError ErrorAt(const Text& text, const Token& token, std::string message, st
   error.column = token.column;
   error.message = std::move(message);
   error.source_line = LineAround(text, token);
-  error.length = std::max<std::size_t>(1, CountCharacters(token.text.substr(0, max_line_shown)));
+  error.length = std::max<std::size_t>(1, CountCharacters(token.text.substr(0, max_quoted)));
   error.hint = std::move(hint);
   return error;
 }

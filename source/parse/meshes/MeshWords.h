@@ -9,13 +9,15 @@
 
 namespace ray {
 
-/// A part of a mesh, for messages: "x of vertex 12".
+/// A part of a mesh, for messages: "x of vertex 12", or the name alone.
 struct Part {
   const char* name;
-  const char* of;
-  std::size_t number;
+  const char* of = nullptr;
+  std::size_t number = 0;
 
-  std::string Words() const { return std::string(name) + " of " + of + " " + std::to_string(number); }
+  std::string Words() const {
+    return of ? std::string(name) + " of " + of + " " + std::to_string(number) : std::string(name);
+  }
 };
 
 /// The words of a mesh file in text form. Everything throws SceneError with the place in the file.

@@ -27,14 +27,14 @@ class HeaderReader {
   explicit HeaderReader(MeshWords& words) : words_(words) {}
 
   PlyHeader Read() {
-    if (Need("ply").text != "ply") words_.Fail(words_.Last(), "a .ply file begins with ply");
+    if (Need("the word ply").text != "ply") words_.Fail(words_.Last(), "a .ply file begins with ply");
     while (Need("end_header").text != "end_header") ReadLine();
     header_.data_offset = BehindLine();
     return std::move(header_);
   }
 
  private:
-  Token Need(const char* what) { return words_.Need({what, "header", 1}); }
+  Token Need(const char* what) { return words_.Need({what}); }
 
   void ReadLine() {
     const Token keyword = words_.Last();
@@ -51,7 +51,7 @@ class HeaderReader {
   }
 
   void ReadFormat() {
-    const Token word = Need("format");
+    const Token word = Need("the format");
     if (word.text == "ascii")
       header_.encoding = PlyEncoding::ascii;
     else if (word.text == "binary_little_endian")
@@ -61,14 +61,14 @@ class HeaderReader {
     else
       words_.Fail(word, "unknown format " + Quoted(word.text),
                   "formats are ascii, binary_little_endian, binary_big_endian");
-    const Token version = Need("version");
+    const Token version = Need("the version");
     if (version.text != "1.0") words_.Fail(version, "only version 1.0 is read, not " + Quoted(version.text));
   }
 
   void ReadElement() {
     PlyElement element;
-    element.name = Need("element").text;
-    const std::int64_t count = words_.Whole({"count", "element", header_.elements.size()});
+    element.name = Need("the name of an element").text;
+    const std::int64_t count = words_.Whole({"a count"});
     element.where = words_.Last();
     if (count < 0) words_.Fail(words_.Last(), "a count must not be negative");
     element.count = static_cast<std::size_t>(count);
@@ -78,15 +78,15 @@ class HeaderReader {
   void ReadProperty() {
     if (header_.elements.empty()) words_.Fail(words_.Last(), "a property before any element");
     PlyProperty property;
-    Token type = Need("property");
+    Token type = Need("the rest of a property");
     if (type.text == "list") {
-      property.count_type = TypeOf(Need("property"));
+      property.count_type = TypeOf(Need("the rest of a property"));
       if (*property.count_type == PlyType::float32 || *property.count_type == PlyType::float64)
         words_.Fail(words_.Last(), "the count of a list must be of an integer type");
-      type = Need("property");
+      type = Need("the rest of a property");
     }
     property.type = TypeOf(type);
-    property.name = Need("property").text;
+    property.name = Need("the rest of a property").text;
     if (++properties_ > max_properties) words_.Fail(words_.Last(), "more than 1000 properties");
     header_.elements.back().properties.push_back(std::move(property));
   }

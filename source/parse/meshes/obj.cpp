@@ -76,10 +76,10 @@ class ObjReader {
       return part;
     };
     const std::string_view place = next(), uv = next(), normal = next();
+    if (!rest.empty()) words_.Fail(word, "a corner is vertex/texture/normal, got " + Quoted(word.text));
     Corner corner{IndexOf(word, place, mesh_.positions.size(), "vertex")};
     if (!uv.empty()) corner.uv = IndexOf(word, uv, uvs_.size(), "texture vertex");
     if (!normal.empty()) corner.normal = IndexOf(word, normal, normals_.size(), "normal");
-    if (!rest.empty()) words_.Fail(word, "a corner is vertex/texture/normal, got " + Quoted(word.text));
     return corner;
   }
 

@@ -14,7 +14,7 @@ struct Header {
 };
 
 Header ReadHeader(MeshWords& words) {
-  const Token word = words.Need({"the word OFF", "the header", 1});
+  const Token word = words.Need({"the word OFF"});
   std::string_view rest = word.text;
   const auto takes = [&](std::string_view prefix) {
     const bool found = rest.starts_with(prefix) && rest != "OFF";
@@ -32,8 +32,8 @@ Header ReadHeader(MeshWords& words) {
 }
 
 std::size_t ReadCount(MeshWords& words, const char* what) {
-  const std::int64_t count = words.Whole({what, "header", 1});
-  if (count < 0) words.Fail(words.Last(), "the number of " + std::string(what) + " must not be negative");
+  const std::int64_t count = words.Whole({what});
+  if (count < 0) words.Fail(words.Last(), std::string(what) + " must not be negative");
   return static_cast<std::size_t>(count);
 }
 
@@ -49,9 +49,9 @@ class OffReader {
 
   R3::MeshData Read() {
     const Header header = ReadHeader(words_);
-    const std::size_t vertices = ReadCount(words_, "vertices");
+    const std::size_t vertices = ReadCount(words_, "the number of vertices");
     CheckPromise(words_, vertices, "vertices", 6);  // "0 0 0\n"
-    const std::size_t faces = ReadCount(words_, "faces");
+    const std::size_t faces = ReadCount(words_, "the number of faces");
     CheckPromise(words_, faces, "faces", 2);  // "0\n"
     words_.SkipLine();                        // the number of edges, which many files get wrong
     for (std::size_t i = 0; i < vertices; ++i) ReadVertex(header, i);

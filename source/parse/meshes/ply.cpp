@@ -1,4 +1,5 @@
 #include <array>
+#include <charconv>
 #include <cmath>
 
 #include "source/parse/Coordinate.h"
@@ -15,9 +16,9 @@ struct Row {
   std::vector<double> list;
 };
 
-std::string Number(double value) {
-  return value == std::floor(value) && std::abs(value) < 1e15 ? std::to_string(static_cast<std::int64_t>(value))
-                                                              : std::to_string(value);
+std::string Shortest(double value) {
+  std::array<char, 32> digits;  // 24 are enough for any double
+  return {digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr};
 }
 
 /// The vertices, faces and triangle strips of a file of any scalar types; all other elements and properties are passed
@@ -142,7 +143,8 @@ class PlyReader {
     const std::size_t least = values_.LeastBytes(property.type);
     const auto most = static_cast<double>((values_.BytesLeft() + 1) / least);
     if (!(count >= 0 && count <= most && count == std::floor(count)))
-      values_.Fail(place, "a list cannot have " + Number(count) + " numbers here");
+      values_.Fail(place, "a list of " + Shortest(count) + " numbers does not fit the " +
+                              std::to_string(values_.BytesLeft()) + " bytes left");
     for (auto left = static_cast<std::size_t>(count); left > 0; --left) {
       const double value = values_.Next(property.type, place);
       if (list) list->push_back(value);
@@ -152,7 +154,7 @@ class PlyReader {
   std::uint32_t IndexOf(double value, const PlyPlace& place) const {
     const std::size_t known = mesh_.positions.size();
     if (!(value >= 0 && value < static_cast<double>(known) && value == std::floor(value)))
-      values_.Fail(place, "a corner must be an index below " + std::to_string(known) + ", got " + Number(value));
+      values_.Fail(place, "a corner must be an index below " + std::to_string(known) + ", got " + Shortest(value));
     return static_cast<std::uint32_t>(value);
   }
 

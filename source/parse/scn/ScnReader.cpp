@@ -71,8 +71,8 @@ ScnReader::KnownText ScnReader::TextOf(const FoundFile& file) {
 void ScnReader::CloseFile() {
   OpenFile& file = Current();
   if (const std::size_t open = file.begins.size(); open > 0) {
-    const std::string around = open == 1 ? "" : ", nor have " + std::to_string(open - 1) + " groups around it";
-    Error(ErrorAt(*file.text, file.begins.back(), "begin without end", "this group has no end" + around));
+    const std::string count = open == 1 ? "" : "the innermost of " + std::to_string(open) + " groups without end";
+    Error(ErrorAt(*file.text, file.begins.back(), "begin without end", count));
   }
   while (builder_.open_groups.size() > file.outer_groups) builder_.CloseGroup();
   open_files_.pop_back();
@@ -99,9 +99,10 @@ void ScnReader::UnknownCommand(const Token& word) {
   const bool is_number = !ParseNumber(word.text).problem;
   if (is_number && file.last_command)
     Error(ErrorAt(*file.text, word, "a number too many: " + Quoted(word.text), SurplusHint(*file.last_command)));
-  else if (const auto hint = ForeignHint(word.text); !hint.empty())
+  else if (const auto hint = ForeignHint(word.text); !hint.empty()) {
     Error(ErrorAt(*file.text, word, Quoted(word.text) + " is a command of another dialect", std::string(hint)));
-  else
+    file.tokens.SkipLine(word.line);  // "particle_sink sphere ..." is no sphere
+  } else
     Error(ErrorAt(*file.text, word, "unknown command " + Quoted(word.text),
                   Suggestion(word.text, CommandNames(), "commands")));
   while (file.tokens.Peek() && !BeginsStatement(*file.tokens.Peek())) file.tokens.Next();

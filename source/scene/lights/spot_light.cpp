@@ -67,7 +67,8 @@ extern const LightKind spot_light_kind{
       const R3::Vector direction{a[6], a[7], a[8]};
       if (direction == R3::Vector{}) throw R3::ArgumentError(6, "the light's direction must not be 0 0 0");
       // Beyond pi/2 nothing changes, for the cosine law ends there; beyond pi it is no half angle, perhaps degrees.
-      if (!(a[12] <= std::numbers::pi)) throw R3::ArgumentError(12, "sc, an angle in radians, must not exceed pi");
+      if (!(a[12] <= std::numbers::pi))
+        throw R3::ArgumentError(12, "sc, half an angle in radians, must not exceed pi, got " + Words(a[12]));
       return std::make_unique<SpotLight>(R2::Color{a[0], a[1], a[2]}, R3::Point{a[3], a[4], a[5]}, direction,
                                          Falloff{a[9], a[10], a[11]}, a[12], a[13]);
     },

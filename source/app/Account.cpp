@@ -1,0 +1,115 @@
+#include "source/app/Account.h"
+
+#include <signal.h>
+
+#include <algorithm>
+#include <thread>
+
+#include "source/app/Interrupt.h"
+#include "source/app/Messages.h"
+#include "source/app/OutputFile.h"
+#include "source/app/SceneHash.h"
+#include "source/app/Status.h"
+#include "source/app/Words.h"
+
+namespace ray {
+namespace {
+
+int ThreadsOf(const RenderSettings& settings) {
+  if (settings.threads > 0) return settings.threads;
+  return static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+}
+
+/// Options that this picture, or this accelerator, makes no use of.
+std::vector<std::string> OptionsWithoutEffect(const Options& options) {
+  const Options defaults;
+  const R2::ImageFormat* format = R2::FormatForName(options.picture);
+  const std::string kind = format ? format->name : "";
+  const AcceleratorSettings& accelerator = options.accelerator;
+  const bool are_devices_default = accelerator.node_boxes && accelerator.front_to_back && accelerator.last_hit;
+  std::vector<std::string> names;
+  if (options.encoding.bits != defaults.encoding.bits && kind != "png") names.emplace_back("-bits");
+  if (options.encoding.jpeg_quality != defaults.encoding.jpeg_quality && kind != "jpeg")
+    names.emplace_back("-jpeg_quality");
+  if (!are_devices_default && accelerator.name != defaults.accelerator.name)
+    names.emplace_back("-node_boxes, -front_to_back or -last_hit");
+  return names;
+}
+
+}  // namespace
+
+Account::Account(const Options& options, std::span<const std::string> words) {
+  record_.options = options;
+  record_.command = CommandAsTyped(words);
+  record_.threads = ThreadsOf(options.render);
+  if (options.render.trace.max_depth > most_bounces)
+    Warn("raypro: warning: -max_depth " + std::to_string(options.render.trace.max_depth) + " is more than the " +
+         std::to_string(most_bounces) + " bounces that are followed at most");
+  for (const std::string& name : OptionsWithoutEffect(options)) Warn("raypro: warning: " + name + " has no effect here");
+}
+
+void Account::Loaded(const ParsedScene& parsed) {
+  record_.seconds.load = watch_.Lap();
+  for (const std::string& line : parsed.warnings) Warn(line);
+  record_.scene.hash = SceneHash(parsed.scene.files);
+  record_.scene.lights = static_cast<std::int64_t>(parsed.scene.lights.size());
+  TellStep("read " + Counted(parsed.scene.files.size(), "file"), record_.seconds.load);
+  watch_.Lap();
+}
+
+void Account::Built(const World& world) {
+  record_.seconds.build = watch_.Lap();
+  for (const std::string& line : world.Warnings()) Warn(line);
+  record_.scene.nodes = static_cast<std::int64_t>(world.Nodes().size());
+  record_.scene.instances = static_cast<std::int64_t>(world.Instances().size());
+  record_.scene.primitives = world.Primitives();
+  TellStep("put '" + record_.options.accelerator.name + "' over " +
+               Counted(static_cast<std::uint64_t>(world.Primitives()), "primitive"),
+           record_.seconds.build);
+}
+
+void Account::Rendered(const RenderResult& result) {
+  record_.seconds.render = watch_.Lap();
+  record_.seconds.wall = watch_.Total();
+  record_.width = result.image.Width();
+  record_.height = result.image.Height();
+  record_.pixels_done = result.pixels_done;
+  record_.pixels_total = result.pixels_total;
+  record_.rays = result.rays;
+  record_.counts = result.counts;
+  if (!result.IsComplete()) record_.stop = StopSignal() == SIGTERM ? "SIGTERM" : "SIGINT";
+  if (result.rays.cut > 0)
+    Warn("raypro: warning: " + Counted(result.rays.cut, "ray") + " were not followed; a camera ray may have at most " +
+         std::to_string(most_descendants) + " descendants");
+  TellStep("traced " + Counted(result.rays.Total(), "ray"), record_.seconds.render);
+}
+
+void Account::Written() {
+  record_.seconds.write = watch_.Lap();
+  record_.seconds.wall = watch_.Total();
+  record_.seconds.cpu = CpuSeconds();
+  record_.peak_memory = PeakMemory();
+  TellStep("wrote the picture", record_.seconds.write);
+  if (record_.pixels_done == 0) Tell("raypro: stopped before the first pixel; nothing is saved");
+}
+
+// Nothing here may fail the run: the picture is safe.
+void Account::Summarize() const {
+  try {
+    if (record_.options.stats) WriteStandardOutput(Statistics(record_));
+    if (!record_.options.quiet && record_.pixels_done > 0) WriteStandardOutput(FinalLine(record_));
+  } catch (const OutputError& error) {
+    Tell("raypro: " + std::string(error.what()));
+  }
+}
+
+void Account::Warn(const std::string& line) {
+  Tell(line);
+  record_.warnings.push_back(line);
+}
+
+void Account::TellStep(const std::string& step, double seconds) const {
+  if (record_.options.verbose) Tell(step + " in " + Fixed(seconds, 3) + " s");
+}
+
+}  // namespace ray

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "source/accelerate/World.h"
+#include "source/app/Record.h"
+#include "source/app/Resources.h"
+
+namespace ray {
+
+/// Keeps account of a run while it goes on, and says on standard error what its user should know at once: warnings
+/// always, steps with -verbose.
+class Account {
+ public:
+  Account(const Options& options, std::span<const std::string> words);
+
+  void Loaded(const ParsedScene& parsed);
+  void Built(const World& world);
+  void Rendered(const RenderResult& result);
+  void Written();
+  /// The results, on standard output, unless -quiet.
+  void Summarize() const;
+
+  const Record& TheRecord() const { return record_; }
+
+ private:
+  void Warn(const std::string& line);
+  void TellStep(const std::string& step, double seconds) const;
+
+  Stopwatch watch_;
+  Record record_;
+};
+
+}  // namespace ray

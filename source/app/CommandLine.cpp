@@ -1,0 +1,184 @@
+#include "source/app/CommandLine.h"
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "source/app/OptionTable.h"
+#include "source/app/Status.h"
+#include "source/app/Words.h"
+#include "source/parse/Suggestion.h"
+#include "source/parse/Text.h"
+
+namespace ray {
+namespace {
+
+/// A dash and a letter: an option. A dash and a digit or a point is a negative number, a dash alone a name.
+bool LooksLikeOption(const std::string& word) {
+  if (word.size() < 2 || word[0] != '-') return false;
+  return !(word[1] == '.' || (word[1] >= '0' && word[1] <= '9'));
+}
+
+/// An option as it was typed: "--width=512" is named "width" and brings "512" along.
+struct TypedOption {
+  std::string name;
+  std::optional<std::string> attached;
+};
+
+TypedOption Split(const std::string& word) {
+  const std::string text = word.substr(word.starts_with("--") ? 2 : 1);
+  const auto equals = text.find('=');
+  if (equals == std::string::npos) return {text, {}};
+  return {text.substr(0, equals), text.substr(equals + 1)};
+}
+
+const OptionKind& Known(const std::string& word) {
+  const std::string name = Split(word).name;
+  if (const OptionKind* option = FindOption(name)) return *option;
+  std::vector<std::string> names;
+  for (const OptionKind& option : OptionTable()) names.push_back("-" + std::string(option.name));
+  const std::vector<std::string_view> views(names.begin(), names.end());
+  const std::string hint = Suggestion("-" + name, views, "");
+  throw UsageError("unknown option " + Quoted(word) + (hint.starts_with("did") ? "; " + hint : "") +
+                   " (raypro -help lists them all)");
+}
+
+/// The arguments of the option at the front of `words`, and how many words they and the option take.
+struct Arguments {
+  std::vector<std::string> values;
+  std::size_t words_taken = 1;
+};
+
+Arguments TakeArguments(const OptionKind& option, std::span<const std::string> words) {
+  const std::string synopsis = Synopsis(option);
+  Arguments arguments;
+  if (const auto attached = Split(words[0]).attached) {
+    if (MostArguments(option) != 1)
+      throw UsageError(Quoted(words[0]) + ": '=' joins one argument only; type " + synopsis);
+    arguments.values.push_back(*attached);
+    return arguments;
+  }
+  while (arguments.values.size() < MostArguments(option) && arguments.words_taken < words.size() &&
+         !LooksLikeOption(words[arguments.words_taken]))
+    arguments.values.push_back(words[arguments.words_taken++]);
+  if (arguments.values.size() >= FewestArguments(option)) return arguments;
+  const bool at_end = arguments.words_taken == words.size();
+  const std::string where = at_end ? "" : " before " + Quoted(words[arguments.words_taken]);
+  throw UsageError("-" + std::string(option.name) + " needs " + Counted(MostArguments(option), "argument") + ", got " +
+                   std::to_string(arguments.values.size()) + where + "; type " + synopsis);
+}
+
+/// Which options came already, and how they were spelled.
+using Seen = std::map<const OptionKind*, std::string>;
+
+void RefuseRepetition(const OptionKind& option, const std::string& word, Seen& seen) {
+  const auto [first, is_new] = seen.emplace(&option, word);
+  if (is_new || MayBeRepeated(option)) return;
+  throw UsageError(Quoted(word) + " repeats " + Quoted(first->second) + "; an option may be given once");
+}
+
+void RefuseSecondTask(const OptionKind& option, const std::string& word, const Options& options) {
+  if (!IsSetting(option) && options.task != Task::render)
+    throw UsageError(Quoted(word) + " cannot be combined with another request");
+}
+
+void TakeName(const std::string& word, Options& options) {
+  if (word.empty()) throw UsageError("a file name is empty");
+  if (options.scene.empty())
+    options.scene = word;
+  else if (options.picture.empty())
+    options.picture = word;
+  else
+    throw UsageError(Quoted(word) + " is one name too many, after the scene " + Quoted(options.scene) +
+                     " and the picture " + Quoted(options.picture));
+}
+
+/// -help anywhere is answered, whatever else is wrong. (The course's program then exits with failure; we succeed, as
+/// users of other programs expect.)
+std::optional<Options> HelpAnywhere(std::span<const std::string> words) {
+  for (std::size_t i = 0; i < words.size() && words[i] != "--"; ++i) {
+    const OptionKind* option = LooksLikeOption(words[i]) ? FindOption(Split(words[i]).name) : nullptr;
+    const auto* request = option ? std::get_if<Request>(&option->value) : nullptr;
+    if (!request || request->task != Task::help) continue;
+    Options options;
+    options.task = Task::help;
+    // Among other words, what follows -help is as likely a file as a topic, and plain help is never wrong.
+    const bool has_topic = Split(words[i]).attached || (i == 0 && words.size() == 2);
+    if (has_topic) Store(*option, TakeArguments(*option, words.subspan(i)).values, options);
+    return options;
+  }
+  return {};
+}
+
+bool NeedsScene(Task task) { return task == Task::render || task == Task::check; }
+
+void CheckNames(const Options& options) {
+  const std::string usage = " (usage: raypro scene picture [options])";
+  if (!NeedsScene(options.task)) {
+    if (!options.scene.empty()) throw UsageError(Quoted(options.scene) + " is one name too many");
+    return;
+  }
+  if (options.scene.empty()) throw UsageError("no scene is named" + usage);
+  if (options.task == Task::check && !options.report.empty())
+    throw UsageError("-report needs a picture that is rendered; -check renders none");
+  if (options.task == Task::render && options.picture.empty()) throw UsageError("no picture is named" + usage);
+  if (options.task == Task::render && options.picture == options.report)
+    throw UsageError("the picture and the report are the same file, " + Quoted(options.report));
+}
+
+void CheckSize(const RenderSettings& render) {
+  const std::int64_t pixels = std::int64_t{render.width} * render.height;
+  if (pixels > R2::max_pixels)
+    throw UsageError("-width " + std::to_string(render.width) + " and -height " + std::to_string(render.height) +
+                     " make " + Counted(static_cast<std::uint64_t>(pixels), "pixel") + "; at most " +
+                     std::to_string(R2::max_pixels) + " are allowed");
+}
+
+void CheckCrop(const RenderSettings& render) {
+  if (!render.crop) return;
+  const PixelRectangle& c = *render.crop;
+  const bool is_inside = c.x0 >= 0 && c.y0 >= 0 && c.x1 <= render.width && c.y1 <= render.height;
+  if (is_inside && c.x0 < c.x1 && c.y0 < c.y1) return;
+  const OptionKind& option = *FindOption("crop");
+  Options given;
+  given.render = render;
+  throw UsageError("-crop " + Show(option, given) + ": it must be " + Range(option) + " of " +
+                   std::to_string(render.width) + " x " + std::to_string(render.height));
+}
+
+}  // namespace
+
+Options ReadCommandLine(std::span<const std::string> words) {
+  if (const auto help = HelpAnywhere(words)) return *help;
+
+  Options options;
+  Seen seen;
+  bool only_names = false;
+  for (std::size_t i = 0; i < words.size();) {
+    const std::string& word = words[i];
+    if (!only_names && word == "--") {
+      only_names = true;
+      ++i;
+    } else if (only_names || !LooksLikeOption(word)) {
+      TakeName(word, options);
+      ++i;
+    } else {
+      const OptionKind& option = Known(word);
+      RefuseRepetition(option, word, seen);
+      RefuseSecondTask(option, word, options);
+      const Arguments arguments = TakeArguments(option, words.subspan(i));
+      Store(option, arguments.values, options);
+      i += arguments.words_taken;
+    }
+  }
+
+  CheckNames(options);
+  CheckSize(options.render);
+  CheckCrop(options.render);
+  if (options.quiet && options.verbose) throw UsageError("-quiet and -verbose contradict each other");
+  options.parse.decode_srgb = options.encoding.srgb;  // a linear workflow is linear from end to end
+  return options;
+}
+
+}  // namespace ray

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "source/app/Options.h"
+
+namespace ray {
+
+/// What the words behind the program's name ask for. Names and options in any order; -width 512, --width 512 and
+/// -width=512 are the same; behind "--" everything is a name. Throws UsageError.
+Options ReadCommandLine(std::span<const std::string> words);
+
+}  // namespace ray

@@ -1,0 +1,85 @@
+#include "source/app/Completion.h"
+
+#include "source/app/OptionTable.h"
+
+namespace ray {
+namespace {
+
+std::string Joined(const std::vector<std::string>& words) {
+  std::string line;
+  for (const std::string& word : words) line += (line.empty() ? "" : " ") + word;
+  return line;
+}
+
+/// Within single quotes of any of the three shells; zsh's own marks within a specification are escaped as well.
+std::string Quotable(const std::string& text, const std::string& marks) {
+  std::string quotable;
+  for (const char c : text) {
+    if (c == '\'') continue;
+    if (marks.find(c) != std::string::npos) quotable += '\\';
+    quotable += c;
+  }
+  return quotable;
+}
+
+std::string Bash() {
+  std::string names, cases;
+  for (const OptionKind& option : OptionTable()) {
+    names += " -" + std::string(option.name);
+    const auto choices = Choices(option);
+    if (!choices.empty())
+      cases += "    -" + std::string(option.name) + ") COMPREPLY=($(compgen -W '" + Joined(choices) +
+               "' -- \"$word\")); return ;;\n";
+  }
+  return "_raypro() {\n"
+         "  local word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD-1]}\n"
+         "  case $before in\n" + cases +
+         "  esac\n"
+         "  if [[ $word == -* ]]; then\n"
+         "    COMPREPLY=($(compgen -W '" + names.substr(1) + "' -- \"$word\"))\n"
+         "  else\n"
+         "    COMPREPLY=($(compgen -f -- \"$word\"))\n"
+         "  fi\n"
+         "}\n"
+         "complete -o filenames -F _raypro raypro\n";
+}
+
+std::string ZshSpecification(const OptionKind& option) {
+  std::string text = "  '" + std::string(MayBeRepeated(option) ? "*" : "") + "-" + option.name + "[" +
+                     Quotable(option.help, "[]:") + "]";
+  const auto choices = Choices(option);
+  const std::string optional = FewestArguments(option) < MostArguments(option) ? ":" : "";
+  for (const char* argument : option.arguments) {
+    text += ":" + optional + Quotable(argument, ":") + ":";
+    text += choices.empty() ? "_files" : "(" + Joined(choices) + ")";
+  }
+  return text + "' \\\n";
+}
+
+std::string Zsh() {
+  std::string text = "#compdef raypro\n_arguments \\\n";
+  for (const OptionKind& option : OptionTable()) text += ZshSpecification(option);
+  return text + "  '1:scene:_files' \\\n  '2:picture:_files'\n";
+}
+
+std::string Fish() {
+  std::string text;
+  for (const OptionKind& option : OptionTable()) {
+    text += "complete -c raypro -o " + std::string(option.name) + " -d '" + Quotable(option.help, "\\") + "'";
+    const auto choices = Choices(option);
+    if (!choices.empty()) text += " -x -a '" + Joined(choices) + "'";
+    if (choices.empty() && !option.arguments.empty()) text += " -r";
+    text += "\n";
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string CompletionScript(const std::string& shell) {
+  if (shell == "zsh") return Zsh();
+  if (shell == "fish") return Fish();
+  return Bash();
+}
+
+}  // namespace ray

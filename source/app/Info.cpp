@@ -1,0 +1,40 @@
+#include "source/app/Info.h"
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <vector>
+
+#include "R2/ImageFile.h"
+#include "source/parse/SceneError.h"
+#include "source/parse/Text.h"
+
+namespace ray {
+namespace {
+
+[[noreturn]] void Refuse(const std::string& file, const std::string& reason) {
+  throw SceneErrors({ErrorIn(file, reason)});
+}
+
+std::vector<unsigned char> ReadBytes(const std::string& file) {
+  if (!std::filesystem::is_regular_file(file)) Refuse(file, "there is no such file");
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) Refuse(file, "the file cannot be read");
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+}  // namespace
+
+std::string PictureInfo(const std::string& file) {
+  try {
+    const R2::DecodedImage picture = R2::DecodeImage(ReadBytes(file));
+    std::string text = Escaped(file) + ": " + picture.format->name + ", " + std::to_string(picture.image.Width()) + "x" +
+                       std::to_string(picture.image.Height()) + "\n";
+    for (const auto& [key, value] : picture.settings) text += Escaped(key) + ": " + Escaped(value) + "\n";
+    return text;
+  } catch (const R2::ImageError& error) {
+    Refuse(file, error.what());
+  }
+}
+
+}  // namespace ray

@@ -1,0 +1,67 @@
+#include "source/app/Interrupt.h"
+
+#include <fcntl.h>
+#include <signal.h>
+#include <unistd.h>
+
+#include <cerrno>
+
+#include "source/app/Status.h"
+
+namespace ray {
+namespace {
+
+// A signal handler reaches nothing but statics, and of those only what is lock-free.
+std::atomic<bool> stop{false};
+std::atomic<int> stop_signal{0};
+std::atomic<const char*> doomed_file{nullptr};
+static_assert(std::atomic<const char*>::is_always_lock_free && std::atomic<int>::is_always_lock_free);
+
+void OnInterrupt(int signal) {
+  const int saved_errno = errno;
+  int none = 0;
+  stop_signal.compare_exchange_strong(none, signal);
+  if (stop.exchange(true)) {
+    if (const char* file = doomed_file.load()) unlink(file);
+    _exit(status::killed_by + signal);
+  }
+  errno = saved_errno;
+}
+
+void Catch(int signal) {
+  struct sigaction action = {};
+  sigaction(signal, nullptr, &action);
+  if (action.sa_handler == SIG_IGN) return;
+  action = {};
+  action.sa_handler = OnInterrupt;
+  action.sa_flags = SA_RESTART;  // a write in progress goes on
+  sigaction(signal, &action, nullptr);
+}
+
+void Ignore(int signal) {
+  struct sigaction action = {};
+  action.sa_handler = SIG_IGN;
+  sigaction(signal, &action, nullptr);
+}
+
+}  // namespace
+
+void GuardStandardStreams() {
+  Ignore(SIGPIPE);
+  Ignore(SIGXFSZ);
+  // open() gives the lowest free descriptor, so this fills every gap below 3.
+  int descriptor = open("/dev/null", O_RDWR);
+  while (descriptor >= 0 && descriptor <= STDERR_FILENO) descriptor = open("/dev/null", O_RDWR);
+  if (descriptor >= 0) close(descriptor);
+}
+
+void CatchInterrupts() {
+  Catch(SIGINT);
+  Catch(SIGTERM);
+}
+
+const std::atomic<bool>* StopRequested() { return &stop; }
+int StopSignal() { return stop_signal.load(); }
+void RemoveWhenKilled(const char* file) { doomed_file.store(file); }
+
+}  // namespace ray

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <atomic>
+
+/// Being told to stop.
+namespace ray {
+
+/// Makes the program outlive its terminal and its readers: writing to a closed pipe or beyond a file size limit is an
+/// error to be reported, not a signal; and descriptors 0, 1 and 2 are open, so that no picture is ever opened as one.
+void GuardStandardStreams();
+
+/// From now on the first SIGINT or SIGTERM sets *StopRequested(); a second one ends the program at once. A signal that
+/// is ignored already (nohup, a background job of a script) stays ignored.
+void CatchInterrupts();
+const std::atomic<bool>* StopRequested();
+/// The signal that asked to stop, 0 while none has.
+int StopSignal();
+
+/// The file a second signal removes before it ends the program; null for none. The text must outlive its turn.
+void RemoveWhenKilled(const char* file);
+
+}  // namespace ray

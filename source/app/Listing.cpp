@@ -1,0 +1,87 @@
+#include "source/app/Listing.h"
+
+#include "R2/ImageFile.h"
+#include "R3/Shape.h"
+#include "source/accelerate/Accelerator.h"
+#include "source/parse/Format.h"
+#include "source/scene/Light.h"
+
+namespace ray {
+namespace {
+
+constexpr std::size_t column_of_description = 14;
+
+std::string Line(std::string name, const std::string& about) {
+  name.resize(std::max(column_of_description, name.size() + 1), ' ');
+  return "  " + name + about + "\n";
+}
+
+/// "sphere x y z r" for a kind of shape or light.
+template <class Kind>
+std::string LineWithArguments(const Kind& kind) {
+  std::string about = kind.about;
+  about += " (";
+  for (const R3::Argument& argument : kind.arguments) about += std::string(about.back() == '(' ? "" : " ") + argument.name;
+  return Line(kind.name, about + ")");
+}
+
+std::string Shapes() {
+  std::string text;
+  for (const R3::ShapeKind* kind : R3::ShapeKinds()) text += LineWithArguments(*kind);
+  return text;
+}
+
+std::string Lights() {
+  std::string text;
+  for (const LightKind* kind : LightKinds()) text += LineWithArguments(*kind);
+  return text;
+}
+
+std::string Accelerators() {
+  std::string text;
+  for (const AcceleratorKind* kind : AcceleratorKinds()) text += Line(kind->name, kind->about);
+  return text;
+}
+
+std::string Images() {
+  std::string text;
+  for (const R2::ImageFormat& format : R2::ImageFormats()) {
+    std::string extensions;
+    for (const char* extension : format.extensions) extensions += (extensions.empty() ? "." : " .") + std::string(extension);
+    text += Line(format.name, extensions);
+  }
+  return text;
+}
+
+std::string Scenes() {
+  std::string text;
+#define SCENE_FORMAT(name) text += Line(#name, name##_scene_format.extension);
+#include "source/parse/formats.def"
+#undef SCENE_FORMAT
+  return text;
+}
+
+struct Subject {
+  const char* name;
+  std::string (*list)();
+};
+
+constexpr Subject subjects[] = {
+    {"shapes", Shapes}, {"lights", Lights}, {"accelerators", Accelerators}, {"images", Images}, {"scenes", Scenes}};
+
+}  // namespace
+
+std::vector<std::string> ListSubjects() {
+  std::vector<std::string> names;
+  for (const Subject& subject : subjects) names.emplace_back(subject.name);
+  return names;
+}
+
+std::string Listing(const std::string& wanted) {
+  std::string text;
+  for (const Subject& subject : subjects)
+    if (wanted.empty() || wanted == subject.name) text += subject.name + std::string(":\n") + subject.list();
+  return text;
+}
+
+}  // namespace ray

@@ -1,0 +1,126 @@
+#include "source/app/OptionTable.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "source/accelerate/Accelerator.h"
+#include "source/app/Listing.h"
+
+namespace ray {
+namespace {
+
+constexpr int most_pixels_a_side = 1 << 30;
+constexpr int most_threads = 4096;
+constexpr int deepest_include = 1'000'000;
+
+std::vector<std::string> AcceleratorNames() {
+  std::vector<std::string> names;
+  for (const AcceleratorKind* kind : AcceleratorKinds()) names.emplace_back(kind->name);
+  return names;
+}
+
+std::vector<std::string> Shells() { return {"bash", "zsh", "fish"}; }
+
+std::vector<std::string> HelpSubjects() {
+  std::vector<std::string> subjects = OptionTopics();
+  subjects.emplace_back("markdown");
+  return subjects;
+}
+
+template <class T>
+constexpr T highest = std::numeric_limits<T>::max();
+
+// One lambda that reads a const Options and writes another.
+#define AT(member) [](auto& o) -> auto& { return o.member; }
+
+std::vector<OptionKind> MakeTable() {
+  using Whole = Number<int>;
+  return {
+      {"width", {}, {"n"}, Whole{AT(render.width), 1, most_pixels_a_side}, "pixels", "picture",
+       "width of the whole picture"},
+      {"height", {}, {"n"}, Whole{AT(render.height), 1, most_pixels_a_side}, "pixels", "picture",
+       "height of the whole picture"},
+      {"samples", {}, {"n"}, Whole{AT(render.samples), 1, highest<int>}, "camera rays a pixel", "picture",
+       "more samples, smoother edges and shadows"},
+      {"crop", {}, {"x0", "y0", "x1", "y1"}, Rectangle{AT(render.crop)}, "pixels", "picture",
+       "only columns x0..x1-1 from the left, rows y0..y1-1 from the bottom (as the image is stored)"},
+      {"seed", {}, {"n"}, Number<std::uint64_t>{AT(render.seed), 0, highest<std::uint64_t>}, "", "picture",
+       "which random numbers; the same seed gives the same picture"},
+      {"srgb", {}, {}, Flag{AT(encoding.srgb)}, "", "picture",
+       "light is linear: decode 8-bit textures from sRGB, encode the picture to it"},
+      {"bits", {}, {"n"}, OneNumberOf{AT(encoding.bits), {8, 16}}, "bits a channel", "picture", "depth of a PNG"},
+      {"jpeg_quality", {}, {"n"}, Whole{AT(encoding.jpeg_quality), 1, 100}, "", "picture", "quality of a JPEG"},
+
+      {"max_depth", {"maxreflections", "max_reflections"}, {"n"},
+       Number<std::int64_t>{AT(render.trace.max_depth), 0, highest<std::int64_t>}, "bounces", "light",
+       "how many reflections and transmissions may follow one another"},
+      {"min_luminance", {"minluminance"}, {"x"},
+       Number<double>{AT(render.trace.min_luminance), 0, highest<double>}, "", "light",
+       "follow a ray only while its weight in the picture is at least this"},
+      {"shadow_samples", {}, {"n"}, Whole{AT(render.trace.shadow_samples), 1, highest<int>}, "shadow rays a light",
+       "light", "rays to each light that has an area"},
+      {"shadows", {}, {"on|off"}, OnOff{AT(render.trace.shadows)}, "", "light", "whether things cast shadows"},
+
+      {"accel", {}, {"name"}, OneNameOf{AT(accelerator.name), AcceleratorNames}, "", "speed",
+       "how rays find what they hit; never changes the picture"},
+      {"node_boxes", {}, {"on|off"}, OnOff{AT(accelerator.node_boxes)}, "", "speed",
+       "graph: skip nodes whose box the ray misses"},
+      {"front_to_back", {}, {"on|off"}, OnOff{AT(accelerator.front_to_back)}, "", "speed",
+       "graph: visit nearer nodes first"},
+      {"last_hit", {}, {"on|off"}, OnOff{AT(accelerator.last_hit)}, "", "speed",
+       "graph: ask first what the last ray hit"},
+      {"threads", {}, {"n"}, Whole{AT(render.threads), 0, most_threads}, "threads", "speed",
+       "how many work at once, 0 for as many as the machine has; never changes the picture"},
+      {"tile_size", {}, {"n"}, Whole{AT(render.tile_size), 0, most_pixels_a_side}, "pixels", "speed",
+       "side of the squares that threads take, 0 for the whole picture"},
+
+      {"include_depth", {}, {"n"}, Whole{AT(parse.include_depth), 1, deepest_include}, "files", "scene",
+       "how deep scene files may include one another"},
+      {"allow_path", {}, {"folder"}, FolderList{AT(parse.allowed_folders)}, "", "scene",
+       "let the scene also read files below this folder; may be repeated"},
+      {"check", {"dry-run"}, {}, Request{Task::check}, "", "scene",
+       "read the scene, describe it and point out likely mistakes; render nothing"},
+
+      {"quiet", {}, {}, Flag{AT(quiet)}, "", "messages", "print errors and warnings only"},
+      {"verbose", {}, {}, Flag{AT(verbose)}, "", "messages", "tell each step and how long it took"},
+      {"stats", {}, {}, Flag{AT(stats)}, "", "messages", "print what the picture cost"},
+      {"report", {}, {"file.json"}, FileName{AT(report)}, "", "messages", "write what the picture cost, for programs"},
+
+      {"help", {"h"}, {"topic"}, Request{Task::help, Request::perhaps, HelpSubjects}, "", "help",
+       "print this, or one topic of it"},
+      {"version", {}, {}, Request{Task::version}, "", "help", "print the version and what is built in"},
+      {"list", {}, {"what"}, Request{Task::list, Request::perhaps, ListSubjects}, "", "help",
+       "list what this program knows"},
+      {"info", {}, {"picture"}, Request{Task::info, Request::always}, "", "help",
+       "print how a picture was made, from the picture itself"},
+      {"complete", {}, {"shell"}, Request{Task::complete, Request::always, Shells}, "", "help",
+       "print the completion script of a shell"},
+      {"man", {}, {}, Request{Task::manual}, "", "help", "print the manual page"},
+  };
+}
+
+#undef AT
+
+}  // namespace
+
+std::span<const OptionKind> OptionTable() {
+  static const std::vector<OptionKind> table = MakeTable();
+  return table;
+}
+
+const OptionKind* FindOption(const std::string& name) {
+  for (const OptionKind& option : OptionTable()) {
+    const auto is_name = [&](const char* candidate) { return name == candidate; };
+    if (is_name(option.name) || std::ranges::any_of(option.aliases, is_name)) return &option;
+  }
+  return nullptr;
+}
+
+std::vector<std::string> OptionTopics() {
+  std::vector<std::string> topics;
+  for (const OptionKind& option : OptionTable())
+    if (topics.empty() || topics.back() != option.topic) topics.emplace_back(option.topic);
+  return topics;
+}
+
+}  // namespace ray

@@ -1,0 +1,74 @@
+#include "source/app/Outputs.h"
+
+#include "source/app/Messages.h"
+#include "source/app/ReportJson.h"
+#include "source/app/Status.h"
+#include "source/parse/Text.h"
+
+namespace ray {
+namespace {
+
+[[noreturn]] void RefuseExtension(const std::string& name) {
+  std::string known;
+  for (const R2::ImageFormat& format : R2::ImageFormats())
+    for (const char* extension : format.extensions) known += " ." + std::string(extension);
+  throw UsageError("no kind of picture has the extension of " + Quoted(name) + "; extensions are" + known);
+}
+
+/// Some formats hold no more than 65,535 pixels a side. They say so when asked to write a picture of one row or one
+/// column, and an hour of rendering is saved.
+void RefuseSize(const R2::ImageFormat& format, int width, int height) {
+  constexpr int every_format_holds = 32'767;
+  try {
+    if (width > every_format_holds) format.encode(R2::Image(width, 1), {}, {});
+    if (height > every_format_holds) format.encode(R2::Image(1, height), {}, {});
+  } catch (const R2::ImageError& error) {
+    throw UsageError("a picture of " + std::to_string(width) + "x" + std::to_string(height) + " cannot be kept as " +
+                     format.name + ": " + error.what());
+  }
+}
+
+std::span<const unsigned char> BytesOf(const std::string& text) {
+  return {reinterpret_cast<const unsigned char*>(text.data()), text.size()};
+}
+
+}  // namespace
+
+Outputs CheckOutputs(const Options& options) {
+  const std::string inputs[] = {options.scene};
+  Outputs outputs;
+  outputs.format = R2::FormatForName(options.picture);
+  // Something that exists already and cannot be a picture, a folder or a device, is refused as what it is.
+  if (!outputs.format && !std::filesystem::exists(options.picture)) RefuseExtension(options.picture);
+  outputs.picture = CheckOutput(options.picture, inputs);
+  if (!outputs.format) RefuseExtension(options.picture);
+
+  const PixelRectangle whole{0, 0, options.render.width, options.render.height};
+  const PixelRectangle part = options.render.crop.value_or(whole);
+  RefuseSize(*outputs.format, part.x1 - part.x0, part.y1 - part.y0);
+
+  if (options.report.empty()) return outputs;
+  outputs.report = CheckOutput(options.report, inputs);
+  if (outputs.report->target == outputs.picture.target)
+    throw UsageError("the picture and the report are the same file, " + Quoted(options.report));
+  return outputs;
+}
+
+void RefuseInputs(const Outputs& outputs, std::span<const std::string> inputs) {
+  RefuseInputs(outputs.picture, inputs);
+  if (outputs.report) RefuseInputs(*outputs.report, inputs);
+}
+
+void WritePicture(const Outputs& outputs, const RenderResult& result, const Record& record) {
+  if (result.pixels_done == 0) return;
+  if (outputs.picture.is_link)
+    Tell("raypro: " + Quoted(outputs.picture.name) + " is a link; the picture goes to " +
+         Quoted(outputs.picture.target.string()));
+  WriteWhole(outputs.picture, outputs.format->encode(result.image, record.options.encoding, SettingsInPicture(record)));
+}
+
+void WriteReport(const Outputs& outputs, const Record& record) {
+  if (outputs.report) WriteWhole(*outputs.report, BytesOf(ReportJson(record)));
+}
+
+}  // namespace ray

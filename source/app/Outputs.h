@@ -1,0 +1,29 @@
+#pragma once
+
+#include <optional>
+
+#include "source/app/Options.h"
+#include "source/app/OutputFile.h"
+#include "source/app/Record.h"
+
+namespace ray {
+
+/// Where the results of a run go.
+struct Outputs {
+  const R2::ImageFormat* format = nullptr;
+  OutputFile picture;
+  std::optional<OutputFile> report;
+};
+
+/// Before anything is read: the picture has a known kind, which can hold its size, and both files can be written.
+/// Throws UsageError and OutputError.
+Outputs CheckOutputs(const Options& options);
+
+/// Throws OutputError when one of them is a file the scene was read from.
+void RefuseInputs(const Outputs& outputs, std::span<const std::string> inputs);
+
+/// A picture with nothing rendered is not worth replacing an older one: it is not written.
+void WritePicture(const Outputs& outputs, const RenderResult& result, const Record& record);
+void WriteReport(const Outputs& outputs, const Record& record);
+
+}  // namespace ray

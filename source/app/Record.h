@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "R2/ImageFile.h"
+#include "source/accelerate/Counts.h"
+#include "source/app/Options.h"
+#include "source/integrate/RayCounts.h"
+
+namespace ray {
+
+/// What a run has to tell of itself once it is over: in the picture, in a report, on the terminal.
+struct Record {
+  Options options;
+  std::string command;  // as typed
+
+  struct {
+    std::string hash;
+    std::int64_t nodes = 0, instances = 0, primitives = 0, lights = 0;
+  } scene;
+
+  RayCounts rays;
+  Counts counts;
+  struct {
+    double load = 0, build = 0, render = 0, write = 0, wall = 0, cpu = 0;
+  } seconds;
+  std::int64_t peak_memory = 0;  // bytes
+  int threads = 1;
+  int width = 0, height = 0;     // of the picture that is written
+  std::int64_t pixels_done = 0, pixels_total = 0;
+  std::vector<std::string> warnings;
+  std::string stop = "complete";  // or the name of a signal
+
+  bool IsComplete() const { return pixels_done == pixels_total; }
+};
+
+/// "scene.scn picture.jpg -width 512" with the program's name before it. No path that the user did not type: of the
+/// program, which the shell may have found anywhere, the bare name.
+std::string CommandAsTyped(std::span<const std::string> words);
+
+/// What is kept in the picture itself.
+R2::ImageSettings SettingsInPicture(const Record& record);
+
+/// "out.jpg 512x512 16 spp 1.83 s 14.2 Mrays/s"
+std::string FinalLine(const Record& record);
+
+/// What -stats prints.
+std::string Statistics(const Record& record);
+
+}  // namespace ray

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+
+namespace ray {
+
+/// A file beside `target` that becomes it when it is whole, ".out.jpg.raypro-1234.tmp". While it is being written it is
+/// locked, so that another process can tell it from what a killed one left behind. Everything throws std::system_error.
+class TemporaryFile {
+ public:
+  /// Its mode bits are those of any new file: 666 less the umask.
+  explicit TemporaryFile(const std::filesystem::path& target);
+  ~TemporaryFile();  // removes the file, unless it has become the target
+  TemporaryFile(const TemporaryFile&) = delete;
+  TemporaryFile& operator=(const TemporaryFile&) = delete;
+
+  void Write(std::span<const unsigned char> bytes);
+  /// Flushes it to the disk and renames it; the target is at every moment its old self or the new one.
+  void Become();
+
+ private:
+  bool CreateAndLock();
+  void Close();
+
+  std::filesystem::path target_;
+  std::string name_;
+  int descriptor_ = -1;
+};
+
+/// Removes what killed processes left beside the target; never fails.
+void RemoveLeftOvers(const std::filesystem::path& target);
+
+}  // namespace ray

@@ -1,0 +1,41 @@
+#include "source/app/Words.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+
+namespace ray {
+namespace {
+
+bool IsPlain(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+         std::string("-_./=+,:@%").find(c) != std::string::npos;
+}
+
+std::string ShellWord(const std::string& word) {
+  if (!word.empty() && std::ranges::all_of(word, IsPlain)) return word;
+  std::string quoted = "'";
+  for (const char c : word) quoted += c == '\'' ? "'\\''" : std::string(1, c);
+  return quoted + "'";
+}
+
+}  // namespace
+
+std::string ShellLine(std::span<const std::string> words) {
+  std::string line;
+  for (const std::string& word : words) line += (line.empty() ? "" : " ") + ShellWord(word);
+  return line;
+}
+
+std::string Fixed(double number, int digits_behind_point) {
+  std::array<char, 400> text{};
+  const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), number, std::chars_format::fixed,
+                                          digits_behind_point);
+  return std::string(text.data(), end);
+}
+
+std::string Counted(std::uint64_t count, const std::string& noun) {
+  return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
+}
+
+}  // namespace ray

@@ -1,0 +1,306 @@
+#include "source/app/CommandLine.h"
+
+#include <gtest/gtest.h>
+
+#include <clocale>
+#include <sstream>
+
+#include "source/app/OptionTable.h"
+#include "source/app/Status.h"
+
+namespace ray {
+namespace {
+
+using Words = std::vector<std::string>;
+
+Options Parsed(const Words& words) { return ReadCommandLine(words); }
+
+/// The message of the error, or "" when there is none.
+std::string ErrorOf(const Words& words) {
+  try {
+    ReadCommandLine(words);
+  } catch (const UsageError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+/// Beside the names that a render needs.
+std::string ErrorBeside(Words words) {
+  words.insert(words.begin(), {"in.scn", "out.ppm"});
+  return ErrorOf(words);
+}
+
+Words Split(const std::string& text) {
+  std::istringstream stream(text);
+  return {std::istream_iterator<std::string>(stream), {}};
+}
+
+bool Contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+template <class T>
+const Number<T>* AsNumber(const OptionKind& option) {
+  return std::get_if<Number<T>>(&option.value);
+}
+
+bool IsNumber(const OptionKind& option) {
+  return AsNumber<int>(option) || AsNumber<std::int64_t>(option) || AsNumber<std::uint64_t>(option) ||
+         AsNumber<double>(option) || std::holds_alternative<OneNumberOf>(option.value);
+}
+
+TEST(CommandLine, NoTwoOptionsShareANameOrAnAlias) {
+  std::vector<std::string> names;
+  for (const OptionKind& option : OptionTable()) {
+    names.emplace_back(option.name);
+    names.insert(names.end(), option.aliases.begin(), option.aliases.end());
+  }
+  std::ranges::sort(names);
+  EXPECT_EQ(std::ranges::adjacent_find(names), names.end()) << *std::ranges::adjacent_find(names);
+}
+
+// A default that the option itself refuses, or reads as something else, would make the help lie.
+TEST(CommandLine, EveryOptionGivenItsDefaultChangesNothing) {
+  for (const OptionKind& option : OptionTable()) {
+    const Words value = Split(Show(option, Options{}));
+    if (value.empty()) continue;
+    Words words{"in.scn", "out.ppm", "-" + std::string(option.name)};
+    words.insert(words.end(), value.begin(), value.end());
+    const Options options = Parsed(words);
+    for (const OptionKind& other : OptionTable()) EXPECT_EQ(Show(other, options), Show(other, Options{})) << option.name;
+  }
+}
+
+TEST(CommandLine, EveryOptionOfAShortListTakesEachOfItsChoices) {
+  for (const OptionKind& option : OptionTable()) {
+    if (!IsSetting(option)) continue;
+    for (const std::string& choice : Choices(option))
+      EXPECT_EQ(Show(option, Parsed({"in.scn", "out.ppm", "-" + std::string(option.name), choice})), choice);
+  }
+}
+
+TEST(CommandLine, DefaultsAreTheCoursesAndTheSpecifications) {
+  const Options o = Parsed({"in.scn", "out.jpg"});
+  EXPECT_EQ(o.scene, "in.scn");
+  EXPECT_EQ(o.picture, "out.jpg");
+  EXPECT_EQ(o.task, Task::render);
+  EXPECT_EQ(o.render.width, 256);
+  EXPECT_EQ(o.render.height, 256);
+  EXPECT_EQ(o.render.samples, 1);
+  EXPECT_EQ(o.render.trace.max_depth, 3);
+  EXPECT_EQ(o.render.trace.min_luminance, 0.01);
+  EXPECT_EQ(o.render.trace.shadow_samples, 16);
+  EXPECT_TRUE(o.render.trace.shadows);
+  EXPECT_EQ(o.render.seed, 0u);
+  EXPECT_EQ(o.render.threads, 0);
+  EXPECT_EQ(o.render.tile_size, 32);
+  EXPECT_EQ(o.accelerator.name, "graph");
+  EXPECT_EQ(o.encoding.bits, 8);
+  EXPECT_EQ(o.encoding.jpeg_quality, 95);
+  EXPECT_EQ(o.parse.include_depth, 64);
+}
+
+TEST(CommandLine, OneDashTwoDashesAndAnEqualsSignMeanTheSame) {
+  for (const Words& spelling : {Words{"-width", "512"}, {"--width", "512"}, {"-width=512"}, {"--width=512"}}) {
+    Words words = spelling;
+    words.insert(words.end(), {"in.scn", "out.ppm"});
+    EXPECT_EQ(Parsed(words).render.width, 512) << spelling[0];
+  }
+}
+
+TEST(CommandLine, OptionsMayStandBeforeBetweenAndBehindTheNames) {
+  const Options o = Parsed({"-width", "5", "in.scn", "-srgb", "out.ppm", "-crop", "1", "2", "3", "4"});
+  EXPECT_EQ(o.scene, "in.scn");
+  EXPECT_EQ(o.picture, "out.ppm");
+  EXPECT_EQ(o.render.width, 5);
+  EXPECT_TRUE(o.encoding.srgb);
+  EXPECT_EQ(o.render.crop->x0, 1);
+  EXPECT_EQ(o.render.crop->y1, 4);
+}
+
+TEST(CommandLine, BehindTwoDashesEverythingIsAName) {
+  const Options o = Parsed({"--", "-in.scn", "-width.ppm"});
+  EXPECT_EQ(o.scene, "-in.scn");
+  EXPECT_EQ(o.picture, "-width.ppm");
+}
+
+TEST(CommandLine, SilentAliasesSetTheSameValue) {
+  EXPECT_EQ(Parsed({"a", "b", "-maxreflections", "7"}).render.trace.max_depth, 7);
+  EXPECT_EQ(Parsed({"a", "b", "-max_reflections", "7"}).render.trace.max_depth, 7);
+  EXPECT_EQ(Parsed({"a", "b", "-minluminance", "0.5"}).render.trace.min_luminance, 0.5);
+  EXPECT_EQ(Parsed({"a", "-dry-run"}).task, Task::check);
+}
+
+TEST(CommandLine, SrgbMakesTheWholeRoadLinear) {
+  const Options o = Parsed({"a", "b", "-srgb"});
+  EXPECT_TRUE(o.encoding.srgb);
+  EXPECT_TRUE(o.parse.decode_srgb);
+  EXPECT_FALSE(Parsed({"a", "b"}).parse.decode_srgb);
+}
+
+TEST(CommandLine, FoldersMayBeAllowedOneAfterTheOther) {
+  const Options o = Parsed({"a", "b", "-allow_path", "x", "-allow_path=y"});
+  ASSERT_EQ(o.parse.allowed_folders.size(), 2u);
+  EXPECT_EQ(o.parse.allowed_folders[1], "y");
+}
+
+TEST(CommandLine, SeedsUseAll64Bits) {
+  EXPECT_EQ(Parsed({"a", "b", "-seed", "18446744073709551615"}).render.seed, 18446744073709551615u);
+  EXPECT_TRUE(Contains(ErrorBeside({"-seed", "18446744073709551616"}), "-seed"));
+  EXPECT_TRUE(Contains(ErrorBeside({"-seed", "-1"}), "-seed"));
+}
+
+TEST(CommandLine, ALeadingPlusIsAllowed) { EXPECT_EQ(Parsed({"a", "b", "-width", "+5"}).render.width, 5); }
+
+TEST(Extremes, K6_EveryNumberIsReadWholeOrRefusedWithOptionValueAndRange) {
+  for (const OptionKind& option : OptionTable()) {
+    if (!IsNumber(option)) continue;
+    for (const char* word : {"12abc", "", "+", "+-1", "++1", "0x10", "1,5", "nan", "inf", "1e999", "1e99999999999", " 1", "1 "}) {
+      const std::string error = ErrorBeside({"-" + std::string(option.name), word});
+      EXPECT_TRUE(Contains(error, "-" + std::string(option.name) + " must be " + Range(option))) << word << ": " << error;
+      EXPECT_TRUE(Contains(error, "'" + std::string(word) + "'")) << word << ": " << error;
+    }
+  }
+}
+
+TEST(Extremes, K6_NumbersDoNotAskTheLocale) {
+  const std::string before = std::setlocale(LC_ALL, nullptr);
+  std::setlocale(LC_ALL, "de_DE.UTF-8");  // does no harm where it is not installed
+  EXPECT_EQ(Parsed({"a", "b", "-min_luminance", "0.5"}).render.trace.min_luminance, 0.5);
+  EXPECT_NE(ErrorBeside({"-min_luminance", "0,5"}), "");
+  std::setlocale(LC_ALL, before.c_str());
+}
+
+TEST(Extremes, K6_ANumberTooSmallForADoubleIsZeroAndOneTooLargeAnError) {
+  EXPECT_EQ(Parsed({"a", "b", "-min_luminance", "1e-999"}).render.trace.min_luminance, 0);
+  EXPECT_EQ(Parsed({"a", "b", "-min_luminance", "1e-310"}).render.trace.min_luminance, 1e-310);
+  EXPECT_NE(ErrorBeside({"-min_luminance", "1e999"}), "");
+  EXPECT_NE(ErrorBeside({"-min_luminance", std::string(400, '9')}), "");
+}
+
+TEST(CommandLine, EveryWholeNumberTakesItsLimitsAndNothingBeyond) {
+  for (const OptionKind& option : OptionTable()) {
+    const auto* number = AsNumber<int>(option);
+    if (!number) continue;
+    const auto is_stored = [&](std::int64_t value) {
+      Options options;
+      try {
+        Store(option, Words{std::to_string(value)}, options);
+      } catch (const UsageError&) {
+        return false;
+      }
+      return number->member.read(options) == value;
+    };
+    EXPECT_TRUE(is_stored(number->low)) << option.name;
+    EXPECT_TRUE(is_stored(number->high)) << option.name;
+    EXPECT_FALSE(is_stored(std::int64_t{number->low} - 1)) << option.name;
+    EXPECT_FALSE(is_stored(std::int64_t{number->high} + 1)) << option.name;
+  }
+}
+
+TEST(Extremes, F6_MaxDepthIsAnyNumberFromZeroOn) {
+  EXPECT_EQ(Parsed({"a", "b", "-max_depth", "0"}).render.trace.max_depth, 0);
+  EXPECT_EQ(Parsed({"a", "b", "-max_depth", "1000000000"}).render.trace.max_depth, 1'000'000'000);
+  EXPECT_TRUE(Contains(ErrorBeside({"-max_depth", "-1"}), "-max_depth must be a whole number, 0 to"));
+}
+
+TEST(Extremes, F7_MinLuminanceIsAnyNumberFromZeroOn) {
+  EXPECT_EQ(Parsed({"a", "b", "-min_luminance", "0"}).render.trace.min_luminance, 0);
+  EXPECT_EQ(Parsed({"a", "b", "-min_luminance", "2"}).render.trace.min_luminance, 2);
+  EXPECT_EQ(ErrorBeside({"-min_luminance", "-0.5"}), "-min_luminance must be a number, at least 0, got '-0.5'");
+  EXPECT_NE(ErrorBeside({"-min_luminance", "nan"}), "");
+}
+
+TEST(Extremes, G4_SizesOutsideTheLimitsAreRefused) {
+  for (const char* word : {"0", "-1", "2147483648", "1099511627776"}) {
+    EXPECT_TRUE(Contains(ErrorBeside({"-width", word}), "-width must be a whole number, 1 to 1073741824 pixels")) << word;
+    EXPECT_TRUE(Contains(ErrorBeside({"-height", word}), "-height must be")) << word;
+  }
+  EXPECT_EQ(ErrorBeside({"-width", "16384", "-height", "16385"}),
+            "-width 16384 and -height 16385 make 268451840 pixels; at most 268435456 are allowed");
+  EXPECT_EQ(ErrorBeside({"-width", "16384", "-height", "16384"}), "");
+}
+
+TEST(Extremes, G5_SamplesAreAtLeastOneAndFitAnInteger) {
+  EXPECT_NE(ErrorBeside({"-samples", "0"}), "");
+  EXPECT_NE(ErrorBeside({"-samples", "2147483648"}), "");
+  EXPECT_EQ(Parsed({"a", "b", "-samples", "2147483647"}).render.samples, 2147483647);
+}
+
+TEST(Extremes, G6_ACropIsInsideThePictureAndNotEmpty) {
+  const std::string rule = "whole numbers with x0 < x1 and y0 < y1, inside the picture of 256 x 256";
+  EXPECT_EQ(ErrorBeside({"-crop", "-1", "0", "4", "4"}), "-crop -1 0 4 4: it must be " + rule);
+  for (const char* outside : {"0 0 257 1", "0 0 1 257", "0 -1 1 1", "4 4 4 8", "4 4 8 4", "8 8 4 4"}) {
+    Words words = Split(outside);
+    words.insert(words.begin(), "-crop");
+    EXPECT_TRUE(Contains(ErrorBeside(words), rule)) << outside;
+  }
+  EXPECT_EQ(ErrorBeside({"-crop", "0", "0", "256", "256"}), "");
+  EXPECT_EQ(ErrorBeside({"-crop", "255", "255", "256", "256"}), "");
+}
+
+TEST(Extremes, G10_ThreadsAreZeroOrMore) {
+  for (const char* word : {"0", "1", "3", "1000"}) EXPECT_EQ(ErrorBeside({"-threads", word}), "") << word;
+  EXPECT_NE(ErrorBeside({"-threads", "-1"}), "");
+}
+
+TEST(CommandLine, AnUnknownOptionIsNamedWithTheNearestOne) {
+  EXPECT_EQ(ErrorBeside({"-widht", "3"}), "unknown option '-widht'; did you mean '-width'? (raypro -help lists them all)");
+  EXPECT_EQ(ErrorBeside({"--sample=3"}), "unknown option '--sample=3'; did you mean '-samples'? (raypro -help lists them all)");
+  EXPECT_EQ(ErrorBeside({"-xyzzy"}), "unknown option '-xyzzy' (raypro -help lists them all)");
+}
+
+TEST(CommandLine, AnUnknownChoiceIsNamedWithAllChoices) {
+  EXPECT_EQ(ErrorBeside({"-accel", "grpah"}), "-accel must be " + Range(*FindOption("accel")) + ", got 'grpah'; did you mean 'graph'?");
+  EXPECT_EQ(ErrorBeside({"-shadows", "yes"}), "-shadows must be on or off, got 'yes'");
+  EXPECT_EQ(ErrorBeside({"-bits", "12"}), "-bits must be 8 or 16 bits a channel, got '12'");
+}
+
+TEST(CommandLine, ARepeatedOptionIsRefusedWhateverItsSpelling) {
+  EXPECT_EQ(ErrorBeside({"-samples", "4", "--samples=4"}),
+            "'--samples=4' repeats '-samples'; an option may be given once");
+  EXPECT_EQ(ErrorBeside({"-max_depth", "4", "-maxreflections", "4"}),
+            "'-maxreflections' repeats '-max_depth'; an option may be given once");
+  EXPECT_NE(ErrorBeside({"-srgb", "-srgb"}), "");
+}
+
+TEST(CommandLine, TooFewArgumentsAreCounted) {
+  EXPECT_EQ(ErrorBeside({"-width"}), "-width needs 1 argument, got 0; type -width n");
+  EXPECT_EQ(ErrorBeside({"-crop", "1", "2", "-srgb"}),
+            "-crop needs 4 arguments, got 2 before '-srgb'; type -crop x0 y0 x1 y1");
+  EXPECT_EQ(ErrorBeside({"-crop=1", "2", "3", "4"}), "'-crop=1': '=' joins one argument only; type -crop x0 y0 x1 y1");
+  EXPECT_EQ(ErrorBeside({"-srgb=on"}), "'-srgb=on': '=' joins one argument only; type -srgb");
+}
+
+TEST(CommandLine, NamesAreTwoAndNotEmpty) {
+  EXPECT_TRUE(Contains(ErrorOf({}), "no scene is named"));
+  EXPECT_TRUE(Contains(ErrorOf({"in.scn"}), "no picture is named"));
+  EXPECT_EQ(ErrorOf({"a", "b", "c"}), "'c' is one name too many, after the scene 'a' and the picture 'b'");
+  EXPECT_EQ(ErrorOf({"a", ""}), "a file name is empty");
+  EXPECT_TRUE(Contains(ErrorOf({"a", "b", "-report", "b"}), "the same file"));
+  EXPECT_EQ(ErrorOf({"a", "-version"}), "'a' is one name too many");
+}
+
+TEST(CommandLine, ContradictionsAreRefused) {
+  EXPECT_NE(ErrorBeside({"-quiet", "-verbose"}), "");
+  EXPECT_EQ(ErrorOf({"-version", "-man"}), "'-man' cannot be combined with another request");
+  EXPECT_NE(ErrorOf({"in.scn", "-check", "-report", "r.json"}), "");
+}
+
+TEST(CommandLine, HelpAnywhereIsAnsweredWhateverElseIsWrong) {
+  for (const Words& words : {Words{"-help"}, {"--help"}, {"-h"}, {"in.scn", "out.jpg", "-help"}, {"-nonsense", "-help"},
+                             {"-width", "abc", "-help"}, {"-help", "in.scn", "out.jpg"}})
+    EXPECT_EQ(Parsed(words).task, Task::help) << words[0];
+  EXPECT_EQ(Parsed({"-help", "light"}).subject, "light");
+  EXPECT_EQ(Parsed({"-help=light"}).subject, "light");
+  EXPECT_EQ(Parsed({"-help", "max_depth"}).subject, "max_depth");
+  EXPECT_TRUE(Contains(ErrorOf({"-help", "lihgt"}), "did you mean 'light'?"));
+}
+
+TEST(Extremes, K8_ControlCharactersInWordsArePrintedEscaped) {
+  const std::string error = ErrorBeside({"-width", "\033[2Jx"});
+  EXPECT_FALSE(Contains(error, "\033")) << error;
+  EXPECT_FALSE(Contains(ErrorBeside({"-\033[2J"}), "\033"));
+}
+
+}  // namespace
+}  // namespace ray

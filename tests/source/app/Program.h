@@ -1,0 +1,82 @@
+#pragma once
+
+#include <sys/types.h>
+
+#include <chrono>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+/// Running the real program, which the environment variable RAYPRO names, and looking at what it leaves behind.
+namespace ray::testing {
+
+/// A folder of its own for a test; gone with it.
+class TemporaryFolder {
+ public:
+  TemporaryFolder();
+  ~TemporaryFolder();
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+  const std::filesystem::path& Path() const { return path_; }
+  std::string operator/(const std::string& name) const { return (path_ / name).string(); }
+  /// Names of everything in it that is not in `known`.
+  std::vector<std::string> Others(const std::vector<std::string>& known) const;
+
+ private:
+  std::filesystem::path path_;
+};
+
+std::string ReadFile(const std::string& file);
+/// Writes a file and returns its name.
+std::string WriteFile(const std::string& file, const std::string& content);
+
+/// What a program is started with besides its arguments.
+struct Surroundings {
+  std::string standard_output;                     // a file; empty: collected
+  std::string standard_error;                      // likewise
+  bool close_output = false, close_error = false;  // descriptors not open at all
+  bool break_output = false;                       // a pipe that nobody reads
+  long file_size_limit = -1;                       // bytes; -1 for none
+  std::map<std::string, std::string> environment;
+};
+
+struct Finished {
+  int status = -1;  // exit status; -1 when a signal ended it
+  int signal = 0;
+  std::string output, error;
+};
+
+/// A program that runs beside the test.
+class Running {
+ public:
+  Running(const std::vector<std::string>& words, const Surroundings& surroundings = {});
+  ~Running();  // kills it, if nobody has waited for it
+  Running(const Running&) = delete;
+  Running& operator=(const Running&) = delete;
+
+  void Send(int signal) const;
+  /// Kills it when it takes longer: `status` is then -1.
+  Finished Wait(std::chrono::milliseconds longest = std::chrono::minutes(2));
+  bool IsOver();
+
+ private:
+  TemporaryFolder collected_;
+  pid_t process_ = -1;
+  bool is_over_ = false;
+  int wait_status_ = 0;
+};
+
+/// Null unless the environment names the program.
+const char* ProgramName();
+Finished RunProgram(const std::vector<std::string>& words, const Surroundings& surroundings = {});
+
+/// A count of repetitions, from the environment if it is set there.
+int Rounds(const char* variable, int unless_set);
+
+}  // namespace ray::testing
+
+/// First line of every test that runs the program.
+#define NEEDS_THE_PROGRAM() \
+  if (!ray::testing::ProgramName()) GTEST_SKIP() << "the environment variable RAYPRO does not name the program"
