@@ -12,10 +12,10 @@ struct Span {
   double enter = -infinity, leave = infinity;
   int enter_part = 0, leave_part = 0;
 
-  /// Keeps what also lies in [from, to]; NaN bounds (a ray lying in a bounding plane) keep everything.
+  /// Keeps what also lies in [from, to]; a NaN bound stays and makes the span empty.
   void Clip(double from, double to, int from_part, int to_part) {
-    if (from > enter) enter = from, enter_part = from_part;
-    if (to < leave) leave = to, leave_part = to_part;
+    if (from > enter || std::isnan(from)) enter = from, enter_part = from_part;
+    if (to < leave || std::isnan(to)) leave = to, leave_part = to_part;
   }
 
   /// The first end strictly inside the ray's interval. A body touched in one point counts as hit.
@@ -30,8 +30,12 @@ struct Span {
 /// Clips to low <= coordinate <= high along one axis. Division, not a reciprocal: one rounding fewer in t.
 inline void ClipToSlab(Span& span, double low, double high, double origin, double direction, int low_part,
                        int high_part) {
+  if (direction == 0) {  // all of the line is between the planes, or nothing
+    if (!(low <= origin && origin <= high)) span.Clip(infinity, -infinity, low_part, high_part);
+    return;
+  }
   const double to_low = (low - origin) / direction, to_high = (high - origin) / direction;
-  if (std::signbit(direction))
+  if (direction < 0)
     span.Clip(to_high, to_low, high_part, low_part);
   else
     span.Clip(to_low, to_high, low_part, high_part);

@@ -53,8 +53,8 @@ Handle OpenCanonical(const fs::path& canonical) {
     folder = Handle(openat(folder.Number(), part.c_str(), folder_flags));
   }
   if (!folder.IsOpen()) return folder;
-  return Handle(openat(folder.Number(), canonical.filename().c_str(),
-                       O_RDONLY | O_NONBLOCK | O_NOFOLLOW | O_NOCTTY | O_CLOEXEC));
+  return Handle(
+      openat(folder.Number(), canonical.filename().c_str(), O_RDONLY | O_NONBLOCK | O_NOFOLLOW | O_NOCTTY | O_CLOEXEC));
 }
 
 /// Says what a path is when it is no regular file.

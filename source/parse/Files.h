@@ -18,8 +18,8 @@ struct FoundFile {
   std::filesystem::path canonical;  // absolute and free of links: the same for every name of a file
 };
 
-/// Finds and opens the files of one scene. A scene may come from a stranger: it reads regular files below its own folder,
-/// the current folder and the folders that the user allows, and nothing else.
+/// Finds and opens the files of one scene. A scene may come from a stranger: it reads regular files below its own
+/// folder, the current folder and the folders that the user allows, and nothing else.
 class Files {
  public:
   /// Files longer than this are refused.

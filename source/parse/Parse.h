@@ -12,8 +12,8 @@ namespace ray {
 
 /// How a scene is read.
 struct ParseOptions {
-  std::vector<std::filesystem::path> allowed_folders;  // where files named by a scene may also lie, beside its own folder
-                                                       // and the current one
+  // Where files named by a scene may lie, beside its own folder and the current one.
+  std::vector<std::filesystem::path> allowed_folders;
   bool decode_srgb = false;  // 8-bit textures are sRGB and become linear
   int include_depth = 64;    // how deep includes may nest
   std::size_t max_nodes = std::size_t{1} << 24;  // about 5 GB of them; includes that double would never end

@@ -45,8 +45,8 @@ std::string SceneError::Format() const {
     const std::size_t before = column - 1, characters = CountCharacters(shown);
     const std::size_t underlined = std::clamp<std::size_t>(length, 1, std::max(characters, before + 1) - before);
     text += "\n" + number + " | " + shown;
-    text += "\n" + std::string(number.size(), ' ') + " | " + Indent(shown, before) + "^" +
-            std::string(underlined - 1, '~');
+    text +=
+        "\n" + std::string(number.size(), ' ') + " | " + Indent(shown, before) + "^" + std::string(underlined - 1, '~');
     if (!hint.empty()) text += " " + hint;
   } else if (!hint.empty()) {
     text += "; " + hint;

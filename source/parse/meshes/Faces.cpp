@@ -21,18 +21,24 @@ const char* Faces::Add(std::span<const std::uint32_t> places, std::span<const st
   }
   polygon_.clear();
   for (const std::uint32_t place : places) polygon_.push_back(mesh_.positions[place]);
-  const auto cuts = Triangulate(polygon_);
-  if (!cuts) return "a concave face of more than 512 corners is not read: cut it up first";
-  static_assert(max_concave_corners == 512);
+  auto cuts = Triangulate(polygon_);
+  if (!cuts) {
+    // Mostly a disc that the rounding of its coordinates has dented, where a fan is as good as it gets.
+    ++fanned_;
+    cuts = Fan(places.size());
+  }
   for (const auto& cut : *cuts) mesh_.triangles.push_back({names[cut[0]], names[cut[1]], names[cut[2]]});
   return nullptr;
 }
 
-void Faces::WarnOfSmall(const Text& file, Report& report) const {
-  if (too_small_ == 0) return;
-  report.Warn(Escaped(file.name), too_small_ == 1
-                                      ? "1 face has fewer than 3 corners and is left out"
-                                      : std::to_string(too_small_) + " faces have fewer than 3 corners and are left out");
+void Faces::Warn(const Text& file, Report& report) const {
+  const std::string place = Escaped(file.name);
+  if (fanned_ > 0)
+    report.Warn(place, "concave faces of more than " + std::to_string(max_concave_corners) +
+                           " corners, cut as if they were convex: " + std::to_string(fanned_));
+  if (too_small_ == 1) report.Warn(place, "1 face has fewer than 3 corners and is left out");
+  if (too_small_ > 1)
+    report.Warn(place, std::to_string(too_small_) + " faces have fewer than 3 corners and are left out");
 }
 
 }  // namespace ray

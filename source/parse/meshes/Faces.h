@@ -21,11 +21,12 @@ class Faces {
   const char* Add(std::span<const std::uint32_t> places, std::span<const std::uint32_t> names);
   const char* Add(std::span<const std::uint32_t> places) { return Add(places, places); }
 
-  void WarnOfSmall(const Text& file, Report& report) const;
+  /// Of what could not be taken as it stands.
+  void Warn(const Text& file, Report& report) const;
 
  private:
   R3::MeshData& mesh_;
-  std::size_t too_small_ = 0;
+  std::size_t too_small_ = 0, fanned_ = 0;
   std::vector<R3::Point> polygon_;
 };
 

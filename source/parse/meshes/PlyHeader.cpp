@@ -94,7 +94,8 @@ class HeaderReader {
   PlyType TypeOf(const Token& word) const {
     for (const TypeName& type : type_names)
       if (word.text == type.name) return type.type;
-    words_.Fail(word, "unknown type " + Quoted(word.text), "types are char, uchar, short, ushort, int, uint, float, double");
+    words_.Fail(word, "unknown type " + Quoted(word.text),
+                "types are char, uchar, short, ushort, int, uint, float, double");
   }
 
   // In binary files the data may begin with a byte that looks like a line end, so exactly one is passed over, of the

@@ -8,8 +8,6 @@
 namespace ray {
 namespace {
 
-using Cuts = std::vector<std::array<std::uint32_t, 3>>;
-
 R3::Vector NewellNormal(std::span<const R3::Point> polygon) {
   R3::Vector normal;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -31,25 +29,19 @@ std::vector<R2::Point> Flattened(std::span<const R3::Point> polygon) {
   return flat;
 }
 
-/// Twice the area of a triangle, positive when it turns counter-clockwise.
+/// Twice the area of a triangle, positive when it turns counter-clockwise. Where rounding decides the sign, either cut
+/// of the polygon is as good.
 double Turn(const R2::Point& a, const R2::Point& b, const R2::Point& c) {
-  return R3::DifferenceOfProducts(b.x - a.x, c.y - a.y, c.x - a.x, b.y - a.y);
+  return (b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y);
 }
 
 bool IsSamePlace(const R2::Point& a, const R2::Point& b) { return a.x == b.x && a.y == b.y; }
 
-bool IsConvex(std::span<const R2::Point> polygon) {
-  const std::size_t n = polygon.size();
-  for (std::size_t i = 0; i < n; ++i)
-    if (Turn(polygon[i], polygon[(i + 1) % n], polygon[(i + 2) % n]) < 0) return false;
+/// Whether the whole polygon is seen from its first corner: no triangle of the fan is turned over.
+bool FanFits(std::span<const R2::Point> polygon) {
+  for (std::size_t i = 2; i < polygon.size(); ++i)
+    if (Turn(polygon[0], polygon[i - 1], polygon[i]) < 0) return false;
   return true;
-}
-
-Cuts Fan(std::size_t corners) {
-  Cuts fan;
-  fan.reserve(corners - 2);
-  for (std::uint32_t i = 2; i < corners; ++i) fan.push_back({0, i - 1, i});
-  return fan;
 }
 
 /// Cuts off one corner after the other. Which corners are ears is kept up to date: cutting changes it for the two
@@ -97,8 +89,10 @@ class EarClipping {
   bool IsEar(std::uint32_t corner) const {
     const R2::Point &a = polygon_[before_[corner]], &b = polygon_[corner], &c = polygon_[after_[corner]];
     if (!(Turn(a, b, c) > 0)) return false;
+    const auto [left, right] = std::minmax({a.x, b.x, c.x});
     for (std::uint32_t i = after_[after_[corner]]; i != before_[corner]; i = after_[i]) {
       const R2::Point& p = polygon_[i];
+      if (p.x < left || p.x > right) continue;  // most of them, and cheaply
       if (IsSamePlace(p, a) || IsSamePlace(p, b) || IsSamePlace(p, c)) continue;
       if (Turn(a, b, p) >= 0 && Turn(b, c, p) >= 0 && Turn(c, a, p) >= 0) return false;
     }
@@ -112,10 +106,17 @@ class EarClipping {
 
 }  // namespace
 
+Cuts Fan(std::size_t corners) {
+  Cuts fan;
+  fan.reserve(corners - 2);
+  for (std::uint32_t i = 2; i < corners; ++i) fan.push_back({0, i - 1, i});
+  return fan;
+}
+
 std::optional<Cuts> Triangulate(std::span<const R3::Point> polygon) {
   if (polygon.size() == 3) return Fan(3);
   const std::vector<R2::Point> flat = Flattened(polygon);
-  if (IsConvex(flat)) return Fan(polygon.size());
+  if (FanFits(flat)) return Fan(polygon.size());
   if (polygon.size() > max_concave_corners) return {};
   return EarClipping(flat).CutAll();
 }

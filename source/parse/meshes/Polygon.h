@@ -10,16 +10,22 @@
 
 namespace ray {
 
-/// Concave faces with more corners are refused: cutting them takes quadratic time.
-inline constexpr std::size_t max_concave_corners = 512;
+using Cuts = std::vector<std::array<std::uint32_t, 3>>;
+
+/// Ears are not cut off larger polygons: it takes quadratic time.
+inline constexpr std::size_t max_concave_corners = 256;
+
+/// Triangles from the first corner of a polygon, which has at least 3 corners.
+Cuts Fan(std::size_t corners);
 
 /// Cuts a polygon into triangles of its own corners, given as indices into it, so that faces that met along an edge
-/// still do. A fan from the first corner, as the course has it, unless the polygon is concave: then ears are cut off.
-/// Convex is judged in the coordinate plane that the polygon faces most, so it need not be flat.
-///   returns   polygon.size() - 2 triangles turning the same way; nothing for a concave one beyond the limit
+/// still do. A fan from the first corner, as the course has it, unless a triangle of it would be turned over, which
+/// happens in concave polygons only: then ears are cut off. Judged in the coordinate plane that the polygon faces most,
+/// so it need not be flat.
+///   returns   polygon.size() - 2 triangles; nothing where ears would have to be cut off more corners than the limit
 ///   source    Newell's normal: Sutherland, Sproull, Schumacker, A characterization of ten hidden-surface algorithms
 ///             (1974); ears: Meisters, Polygons have ears (1975), with the bookkeeping of Eberly, Triangulation by ear
 ///             clipping (2002). A polygon that crosses itself may run out of ears; any corner is cut off then.
-std::optional<std::vector<std::array<std::uint32_t, 3>>> Triangulate(std::span<const R3::Point> polygon);
+std::optional<Cuts> Triangulate(std::span<const R3::Point> polygon);
 
 }  // namespace ray

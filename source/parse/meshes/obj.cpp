@@ -32,7 +32,7 @@ class ObjReader {
       if (word->text == "f") ReadFace();
       SkipStatement();
     }
-    faces_.WarnOfSmall(words_.Source(), report);
+    faces_.Warn(words_.Source(), report);
     const auto is_plain = [](const Corner& c) { return c.uv == Corner::none && c.normal == Corner::none; };
     if (std::all_of(corners_.begin(), corners_.end(), is_plain))
       NameByPlace();
@@ -122,8 +122,8 @@ class ObjReader {
     different.erase(std::unique(different.begin(), different.end()), different.end());
     for (auto& triangle : mesh_.triangles)
       for (std::uint32_t& name : triangle)
-        name = static_cast<std::uint32_t>(
-            std::lower_bound(different.begin(), different.end(), corners_[name]) - different.begin());
+        name = static_cast<std::uint32_t>(std::lower_bound(different.begin(), different.end(), corners_[name]) -
+                                          different.begin());
 
     std::vector<R3::Point> positions;
     for (const Corner& corner : different) {

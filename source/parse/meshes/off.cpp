@@ -96,7 +96,7 @@ class OffReader {
       WarnOf("the header promises " + std::to_string(promised) + " faces, the file holds " + std::to_string(i));
     else if (!words_.AtEnd())
       WarnOf("the file goes on behind the last face that the header promises");
-    faces.WarnOfSmall(words_.Source(), report_);
+    faces.Warn(words_.Source(), report_);
   }
 
   void Warn() {

@@ -40,8 +40,9 @@ class PlyReader {
       else
         Skip(element);
     }
-    if (!values_.AtEnd()) report.Warn(Escaped(words_.Source().name), "the file goes on behind what the header promises");
-    faces_.WarnOfSmall(words_.Source(), report);
+    if (!values_.AtEnd())
+      report.Warn(Escaped(words_.Source().name), "the file goes on behind what the header promises");
+    faces_.Warn(words_.Source(), report);
     return std::move(mesh_);
   }
 

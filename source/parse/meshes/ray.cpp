@@ -17,7 +17,7 @@ class RayReader {
       if (word->text == "#shape_triangle") ReadFace(3);
       if (word->text == "#shape_polygon") ReadPolygon();
     }
-    faces_.WarnOfSmall(words_.Source(), report);
+    faces_.Warn(words_.Source(), report);
     return std::move(mesh_);
   }
 
@@ -41,8 +41,8 @@ class RayReader {
     words_.Whole({"the material", "face", face_number_});
     const std::int64_t count = words_.Whole({"number of corners", "face", face_number_});
     if (count < 0 || static_cast<std::uint64_t>(count) > words_.BytesLeft() / 2 + 1)
-      words_.Fail(words_.Last(), "face " + std::to_string(face_number_) + " cannot have " +
-                                     Escaped(words_.Last().text) + " corners");
+      words_.Fail(words_.Last(),
+                  "face " + std::to_string(face_number_) + " cannot have " + Escaped(words_.Last().text) + " corners");
     ReadCorners(command, static_cast<std::size_t>(count));
   }
 

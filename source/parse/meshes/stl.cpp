@@ -51,13 +51,16 @@ class AsciiReader {
 
   R3::MeshData Read() {
     while (words_.Next()) {
-      if (words_.Last().text == "solid" || words_.Last().text == "endsolid")
+      if (words_.Last().text == "solid" || words_.Last().text == "endsolid") {
+        is_open_ = words_.Last().text == "solid";
         words_.SkipLine();  // its name
-      else if (words_.Last().text == "facet")
+      } else if (words_.Last().text == "facet") {
         ReadFacet();
-      else
+      } else {
         words_.Fail(words_.Last(), "expected facet, solid or endsolid, got " + Quoted(words_.Last().text));
+      }
     }
+    if (is_open_) words_.Fail(words_.Last(), "the file ends before the word endsolid");
     return std::move(mesh_);
   }
 
@@ -84,6 +87,7 @@ class AsciiReader {
 
   MeshWords words_;
   R3::MeshData mesh_;
+  bool is_open_ = false;
 };
 
 // The two kinds do not say which they are: binary files, too, may begin with "solid". Only a binary one has exactly the

@@ -97,14 +97,15 @@ void ScnReader::ReadStatement(const Token& word) {
 void ScnReader::UnknownCommand(const Token& word) {
   OpenFile& file = Current();
   const bool is_number = !ParseNumber(word.text).problem;
-  if (is_number && file.last_command)
+  if (is_number && file.last_command) {
     Error(ErrorAt(*file.text, word, "a number too many: " + Quoted(word.text), SurplusHint(*file.last_command)));
-  else if (const auto hint = ForeignHint(word.text); !hint.empty()) {
+  } else if (const auto hint = ForeignHint(word.text); !hint.empty()) {
     Error(ErrorAt(*file.text, word, Quoted(word.text) + " is a command of another dialect", std::string(hint)));
     file.tokens.SkipLine(word.line);  // "particle_sink sphere ..." is no sphere
-  } else
+  } else {
     Error(ErrorAt(*file.text, word, "unknown command " + Quoted(word.text),
                   Suggestion(word.text, CommandNames(), "commands")));
+  }
   while (file.tokens.Peek() && !BeginsStatement(*file.tokens.Peek())) file.tokens.Next();
 }
 

@@ -52,12 +52,12 @@ class ScnReader {
   struct OpenFile {
     std::shared_ptr<const Text> text;
     std::filesystem::path canonical;
-    std::uint32_t index;            // into Scene::files
-    std::size_t outer_groups;       // how many open groups belong to the files around this one
+    std::uint32_t index;       // into Scene::files
+    std::size_t outer_groups;  // how many open groups belong to the files around this one
     Tokenizer tokens;
-    std::vector<int> materials{};   // own id -> index into Scene::materials
-    std::vector<Token> begins{};    // of the groups this file has open
-    Token statement{};              // the last; the include, while another file is open on top
+    std::vector<int> materials{};  // own id -> index into Scene::materials
+    std::vector<Token> begins{};   // of the groups this file has open
+    Token statement{};             // the last; the include, while another file is open on top
     const Command* last_command = nullptr;
   };
 

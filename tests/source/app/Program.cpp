@@ -125,7 +125,9 @@ Running::~Running() {
   waitpid(process_, &wait_status_, 0);
 }
 
-void Running::Send(int signal) const { kill(process_, signal); }
+void Running::Send(int signal) {
+  if (!IsOver()) kill(process_, signal);
+}
 
 bool Running::IsOver() {
   if (!is_over_) is_over_ = waitpid(process_, &wait_status_, WNOHANG) == process_;

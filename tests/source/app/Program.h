@@ -34,12 +34,12 @@ std::string WriteFile(const std::string& file, const std::string& content);
 
 /// What a program is started with besides its arguments.
 struct Surroundings {
-  std::string standard_output;                     // a file; empty: collected
-  std::string standard_error;                      // likewise
+  std::string standard_output{};                    // a file; empty: collected
+  std::string standard_error{};                     // likewise
   bool close_output = false, close_error = false;  // descriptors not open at all
   bool break_output = false;                       // a pipe that nobody reads
   long file_size_limit = -1;                       // bytes; -1 for none
-  std::map<std::string, std::string> environment;
+  std::map<std::string, std::string> environment{};
 };
 
 struct Finished {
@@ -56,7 +56,8 @@ class Running {
   Running(const Running&) = delete;
   Running& operator=(const Running&) = delete;
 
-  void Send(int signal) const;
+  /// Nothing, once it is over: its number may be another process by then.
+  void Send(int signal);
   /// Kills it when it takes longer: `status` is then -1.
   Finished Wait(std::chrono::milliseconds longest = std::chrono::minutes(2));
   bool IsOver();

@@ -1,0 +1,73 @@
+// Every file of this folder holds one mistake. The comment at its top is the report that its author must see, word for
+// word; only lists of everything that exists are written <every ...>, so that a new shape needs no change here.
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "R2/ImageFile.h"
+#include "source/parse/meshes/MeshFormat.h"
+#include "source/parse/scn/Command.h"
+#include "tests/source/parse/Folder.h"
+
+namespace ray {
+namespace {
+
+std::string Joined(std::span<const std::string_view> names) {
+  std::string joined;
+  for (const std::string_view name : names) joined += (joined.empty() ? "" : ", ") + std::string(name);
+  return joined;
+}
+
+std::string ImageKinds() {
+  std::vector<std::string_view> names;
+  for (const R2::ImageFormat& format : R2::ImageFormats()) names.push_back(format.name);
+  return Joined(names);
+}
+
+std::string Replaced(std::string text, const std::string& what, const std::string& by) {
+  for (std::size_t i = 0; (i = text.find(what, i)) != std::string::npos; i += by.size())
+    text.replace(i, what.size(), by);
+  return text;
+}
+
+std::string Expected(const std::filesystem::path& file) {
+  std::ifstream lines(file);
+  std::string expected, line;
+  while (std::getline(lines, line) && line.starts_with("# "))
+    expected += (expected.empty() ? "" : "\n") + line.substr(2);
+  expected = Replaced(expected, "<every command>", Joined(CommandNames()));
+  expected = Replaced(expected, "<every image kind>", ImageKinds());
+  return Replaced(expected, "<every mesh kind>", MeshExtensions());
+}
+
+TEST(BadScenes, EachIsReportedWordForWordAsItsFirstCommentSays) {
+  const std::filesystem::path folder = ProjectRoot() / "tests/bad_scenes";
+  std::size_t count = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    if (entry.path().extension() != ".scn") continue;
+    ++count;
+    std::string report = "(no error)";
+    try {
+      Parse(entry.path(), {});
+    } catch (const SceneErrors& errors) {
+      report = Replaced(errors.what(), folder.string() + "/", "");
+      report = Replaced(report, folder.lexically_normal().string() + "/", "");
+    }
+    EXPECT_EQ(report, Expected(entry.path())) << entry.path();
+  }
+  EXPECT_GE(count, 100u);
+}
+
+TEST(BadScenes, EveryCommandIsTheSubjectOfOne) {
+  std::string all;
+  for (const auto& entry : std::filesystem::directory_iterator(ProjectRoot() / "tests/bad_scenes"))
+    if (entry.path().extension() == ".scn") all += "\n" + entry.path().filename().string();
+  for (const std::string_view command :
+       {"material", "begin", "end", "include", "camera", "background", "ambient", "mesh", "line", "tri", "box",
+        "sphere", "cylinder", "cone", "dir_light", "point_light", "spot_light", "area_light"})
+    EXPECT_TRUE(Contains(all, "\n" + std::string(command) + "_")) << command;
+}
+
+}  // namespace
+}  // namespace ray

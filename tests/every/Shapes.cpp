@@ -1,0 +1,201 @@
+// What every shape promises, whatever it is: a new line in shapes.def is tested here the day it is written.
+
+#include <gtest/gtest.h>
+
+#include "R3/Shape.h"
+#include "tests/Draw.h"
+#include "tests/Quad.h"
+
+namespace {
+
+struct Subject {
+  const R3::ShapeKind* kind;
+  std::unique_ptr<const R3::Shape> shape;
+};
+
+std::vector<Subject> EveryShape() {
+  std::vector<Subject> subjects;
+  for (const auto* kind : R3::ShapeKinds()) subjects.push_back({kind, kind->make(kind->example)});
+  return subjects;
+}
+
+R3::Ray RayTowards(Draw& draw, const R3::Shape& shape) {
+  const R3::Box box = Bounds(shape);
+  const R3::Vector size = box.Size();
+  const R3::Point origin = box.Center() + draw.Scale(0, 3) * box.Radius() * draw.Direction();
+  const R3::Point target = box.low + R3::Vector{size.x * draw.Between(0, 1), size.y * draw.Between(0, 1),
+                                                size.z * draw.Between(0, 1)};
+  return {origin, draw.Scale(-3, 3) * (target - origin)};
+}
+
+/// Calls check(subject, ray, hit) for many hits of every shape.
+template <typename Check>
+void ForManyHits(std::uint64_t seed, const Check& check) {
+  for (const Subject& subject : EveryShape()) {
+    Draw draw(seed);
+    int hits = 0;
+    for (int i = 0; i < Count(10'000, 1'000'000); ++i) {
+      const R3::Ray ray = RayTowards(draw, *subject.shape);
+      if (const auto hit = subject.shape->Intersect(ray, 0)) {
+        ++hits;
+        check(subject, ray, *hit);
+      }
+    }
+    EXPECT_GT(hits, 1000) << subject.kind->name << ": its example is hardly ever hit";
+  }
+}
+
+TEST(EveryShape, IsNeverHitOutsideItsBounds) {
+  ForManyHits(701, [](const Subject& s, const R3::Ray& ray, const R3::Hit& hit) {
+    const R3::Box box = Bounds(*s.shape);
+    const auto at = s.shape->At(ray, hit, 0);
+    EXPECT_LE(box.low.x - at.error.x, at.position.x) << s.kind->name << ' ' << oracle::Hex(ray);
+    EXPECT_LE(box.low.y - at.error.y, at.position.y) << s.kind->name << ' ' << oracle::Hex(ray);
+    EXPECT_LE(box.low.z - at.error.z, at.position.z) << s.kind->name << ' ' << oracle::Hex(ray);
+    EXPECT_GE(box.high.x + at.error.x, at.position.x) << s.kind->name << ' ' << oracle::Hex(ray);
+    EXPECT_GE(box.high.y + at.error.y, at.position.y) << s.kind->name << ' ' << oracle::Hex(ray);
+    EXPECT_GE(box.high.z + at.error.z, at.position.z) << s.kind->name << ' ' << oracle::Hex(ray);
+  });
+}
+
+TEST(EveryShape, ReportsAPositionOnTheRayAsFarAsRoundingAllows) {
+  ForManyHits(702, [](const Subject& s, const R3::Ray& ray, const R3::Hit& hit) {
+    // 32 u (D + size) is what Shape::Intersect promises; the position is pushed at most that far back to the surface.
+    const R3::Box box = Bounds(*s.shape);
+    const double D = Length(ray.origin - box.Center()) + Length(FromOrigin(box.Center())) + 2 * box.Radius();
+    const auto p = oracle::Of(ray.origin) + Quad(hit.t) * oracle::Of(ray.direction);
+    const auto at = s.shape->At(ray, hit, 0);
+    EXPECT_LE(oracle::Double(oracle::Length(p - oracle::Of(at.position))), 40 * R3::unit_roundoff * D)
+        << s.kind->name << ' ' << oracle::Hex(ray);
+  });
+}
+
+TEST(EveryShape, HasUnitNormalsThatFaceOutwardOnTheWayInAndOnTheWayOut) {
+  ForManyHits(703, [](const Subject& s, const R3::Ray& ray, const R3::Hit& hit) {
+    const auto at = s.shape->At(ray, hit, 0);
+    EXPECT_NEAR(Length(AsVector(at.normal)), 1, 4 * R3::unit_roundoff) << s.kind->name;
+    if (!s.shape->IsSolid()) return;
+    const double d = Length(ray.direction);
+    // The origin is outside, so the first hit enters and the next one leaves.
+    EXPECT_LE(Dot(at.normal, ray.direction), 1e-6 * d) << s.kind->name << ' ' << oracle::Hex(ray);
+    const auto second = s.shape->Intersect({ray.origin, ray.direction, hit.t}, 0);
+    EXPECT_TRUE(!second || Dot(s.shape->At(ray, *second, 0).normal, ray.direction) >= -1e-6 * d) << s.kind->name;
+  });
+}
+
+TEST(EveryShape, HasNormalsPerpendicularToTheSurface) {
+  // Two neighbouring rays hit neighbouring points of the same part; the step between them lies in the tangent plane up to the
+  // curvature, so its share along the normal shrinks with the step. Steps of 1e-5 of the size leave less than 1e-4.
+  ForManyHits(704, [](const Subject& s, const R3::Ray& ray, const R3::Hit& hit) {
+    const auto at = s.shape->At(ray, hit, 0);
+    if (std::abs(Dot(at.normal, Unit(ray.direction))) < 0.2) return;
+    const R3::Vector n = AsVector(at.normal);
+    const R3::Vector across = Unit(Cross(n, std::abs(n.x) < 0.5 ? R3::Vector{1, 0, 0} : R3::Vector{0, 1, 0}));
+    const double step = 1e-5 * Bounds(*s.shape).Radius();
+    const R3::Ray beside{ray.origin, (at.position + step * across) - ray.origin};
+    const auto other = s.shape->Intersect(beside, 0);
+    if (!other || other->part != hit.part) return;
+    const R3::Vector moved = s.shape->At(beside, *other, 0).position - at.position;
+    if (Length(moved) > 20 * step || Length(moved) < step / 20) return;
+    EXPECT_LE(std::abs(Dot(n, moved)) / Length(moved), 3e-3) << s.kind->name << ' ' << oracle::Hex(ray);
+  });
+}
+
+TEST(EveryShape, NarrowingTheRayDropsCrossingsButNeverChangesThem) {
+  ForManyHits(705, [](const Subject& s, const R3::Ray& ray, const R3::Hit& hit) {
+    const auto same = s.shape->Intersect({ray.origin, ray.direction, hit.t / 2, R3::NextUp(hit.t)}, 0);
+    ASSERT_TRUE(same) << s.kind->name << ' ' << oracle::Hex(ray);
+    EXPECT_EQ(same->t, hit.t);
+    EXPECT_EQ(same->part, hit.part);
+    EXPECT_FALSE(s.shape->Intersect({ray.origin, ray.direction, 0, hit.t}, 0)) << s.kind->name;
+    const auto next = s.shape->Intersect({ray.origin, ray.direction, hit.t}, 0);
+    EXPECT_TRUE(!next || next->t > hit.t) << s.kind->name;
+  });
+}
+
+TEST(EveryShape, IsMissedByRaysThatAreNoRays) {
+  const double nan = std::nan("");
+  for (const Subject& s : EveryShape()) {
+    const R3::Point origin = Bounds(*s.shape).Center() + R3::Vector{0, 0, 10};
+    EXPECT_FALSE(s.shape->Intersect({origin, {0, 0, 0}}, 0)) << s.kind->name;
+    EXPECT_FALSE(s.shape->Intersect({origin, {nan, 0, -1}}, 0)) << s.kind->name;
+    EXPECT_FALSE(s.shape->Intersect({origin, {0, nan, -1}}, 0)) << s.kind->name;
+    EXPECT_FALSE(s.shape->Intersect({origin, {0, 0, nan}}, 0)) << s.kind->name;
+    EXPECT_FALSE(s.shape->Intersect({{nan, origin.y, origin.z}, {0, 0, -1}}, 0)) << s.kind->name;
+    EXPECT_FALSE(s.shape->Intersect({{origin.x, nan, origin.z}, {0, 0, -1}}, 0)) << s.kind->name;
+    EXPECT_FALSE(s.shape->Intersect({{origin.x, origin.y, nan}, {0, 0, -1}}, 0)) << s.kind->name;
+  }
+}
+
+TEST(EveryShape, HasTextureCoordinatesBetweenZeroAndOne) {
+  ForManyHits(706, [](const Subject& s, const R3::Ray& ray, const R3::Hit& hit) {
+    const R2::Point uv = s.shape->At(ray, hit, 0).uv;
+    constexpr double slack = 1e-12;  // clamped or wrapped when a texture is looked up
+    EXPECT_TRUE(uv.x >= -slack && uv.x <= 1 + slack && uv.y >= -slack && uv.y <= 1 + slack) << s.kind->name;
+  });
+}
+
+TEST(EveryShape, OfNoSizeIsNeverHit) {
+  for (const auto& [name, arguments] : std::vector<std::pair<const char*, std::vector<double>>>{
+           {"sphere", {0, 0, 0, 0}}, {"cylinder", {0, 0, 0, 0, 1}}, {"cylinder", {0, 0, 0, 1, 0}},
+           {"cone", {0, 0, 0, 0, 1}}, {"cone", {0, 0, 0, 1, 0}}}) {
+    const auto shape = R3::MakeShape(name, arguments);
+    EXPECT_TRUE(shape->IsDegenerate()) << name;
+    for (const R3::Vector d : {R3::Vector{0, 0, -1}, R3::Vector{0, -1, 0}, R3::Vector{-1, -1, -1}})
+      EXPECT_FALSE(shape->Intersect({R3::Point{} - 3 * d, d}, 0)) << name;
+  }
+}
+
+/// Texture coordinates where a ray straight at `p` from outside meets the shape.
+R2::Point At(const R3::Shape& shape, const R3::Point& p, const R3::Vector& from) {
+  const R3::Ray ray{p + from, -from};
+  const auto hit = shape.Intersect(ray, 0);
+  EXPECT_TRUE(hit);
+  return hit ? shape.At(ray, *hit, 0).uv : R2::Point{-1, -1};
+}
+
+void ExpectUv(const R2::Point& uv, double u, double v) {
+  EXPECT_NEAR(uv.x, u, 1e-12);
+  EXPECT_NEAR(uv.y, v, 1e-12);
+}
+
+TEST(TextureCoordinates, OfASphereHaveTheirPolesOnZ) {
+  const auto sphere = R3::MakeShape("sphere", {0, 0, 0, 1});
+  ExpectUv(At(*sphere, {0, 1, 0}, {0, 1, 0}), 0, 0.5);
+  ExpectUv(At(*sphere, {1, 0, 0}, {1, 0, 0}), 0.25, 0.5);
+  ExpectUv(At(*sphere, {0, -1, 0}, {0, -1, 0}), 0.5, 0.5);
+  ExpectUv(At(*sphere, {-1, 0, 0}, {-1, 0, 0}), 0.75, 0.5);
+  EXPECT_NEAR(At(*sphere, {0, 0, 1}, {0, 0, 1}).y, 1, 1e-7);
+  EXPECT_NEAR(At(*sphere, {0, 0, -1}, {0, 0, -1}).y, 0, 1e-7);
+}
+
+TEST(TextureCoordinates, OfCylinderAndConeRunUpTheSideAndAcrossTheEnds) {
+  const auto cylinder = R3::MakeShape("cylinder", {0, 0, 0, 1, 2}), cone = R3::MakeShape("cone", {0, 0, 0, 1, 2});
+  ExpectUv(At(*cylinder, {0, 0, -1}, {0, 0, -1}), 0, 0.5);
+  ExpectUv(At(*cylinder, {1, 0.5, 0}, {1, 0, 0}), 0.25, 0.75);
+  ExpectUv(At(*cylinder, {0, -0.5, 1}, {0, 0, 1}), 0.5, 0.25);
+  ExpectUv(At(*cylinder, {-1, 0, 0}, {-1, 0, 0}), 0.75, 0.5);
+  ExpectUv(At(*cylinder, {0.5, 1, 0.25}, {0, 1, 0}), 0.75, 0.375);
+  ExpectUv(At(*cylinder, {0.5, -1, 0.25}, {0, -1, 0}), 0.75, 0.375);
+  ExpectUv(At(*cone, {0.5, 0, 0}, {1, 0, 0}), 0.25, 0.5);
+  ExpectUv(At(*cone, {0.5, -1, 0.25}, {0, -1, 0}), 0.75, 0.375);
+}
+
+TEST(TextureCoordinates, OfABoxFollowTheFaceTable) {
+  const auto box = R3::MakeShape("box", {0, 0, 0, 1, 1, 1});
+  const double x = 0.25, y = 0.5, z = 0.875;
+  ExpectUv(At(*box, {0, y, z}, {-1, 0, 0}), 1 - y, z);
+  ExpectUv(At(*box, {1, y, z}, {1, 0, 0}), y, z);
+  ExpectUv(At(*box, {x, 0, z}, {0, -1, 0}), x, z);
+  ExpectUv(At(*box, {x, 1, z}, {0, 1, 0}), 1 - x, z);
+  ExpectUv(At(*box, {x, y, 0}, {0, 0, -1}), x, 1 - y);
+  ExpectUv(At(*box, {x, y, 1}, {0, 0, 1}), x, y);
+}
+
+TEST(TextureCoordinates, OfATriangleAreZeroOneAndOneAtItsCorners) {
+  const auto tri = R3::MakeShape("tri", {0, 0, 0, 4, 0, 0, 0, 2, 0});
+  ExpectUv(At(*tri, {1, 0.5, 0}, {0, 0, 1}), 0.25, 0.25);
+  ExpectUv(At(*tri, {2, 0.5, 0}, {0, 0, -1}), 0.5, 0.25);
+}
+
+}  // namespace

@@ -1,0 +1,79 @@
+#include "source/app/ReportJson.h"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "source/app/OptionTable.h"
+
+namespace ray {
+namespace {
+
+Record Example() {
+  Record record;
+  record.options.scene = "in.scn";
+  record.options.picture = "out.png";
+  record.options.render.crop = PixelRectangle{1, 2, 3, 4};
+  record.options.render.seed = 18446744073709551615u;
+  record.options.parse.allowed_folders = {"a", "b"};
+  record.command = CommandAsTyped(std::vector<std::string>{"in.scn", "out put.png"});
+  record.rays = {.camera = 1, .shadow = 2, .reflection = 3, .transmission = 4, .cut = 5};
+  record.pixels_done = 3;
+  record.pixels_total = 4;
+  record.width = record.height = 2;
+  record.stop = "SIGINT";
+  return record;
+}
+
+// A program that reads reports must be able to rely on the table in ReportJson.h.
+TEST(ReportJson, HasTheKeysThatItsHeaderPromises) {
+  const auto report = nlohmann::json::parse(ReportJson(Example()));
+  std::vector<std::string> keys;
+  for (const auto& [key, value] : report.items()) keys.push_back(key);
+  EXPECT_EQ(keys, (std::vector<std::string>{"command", "counts", "peak_memory_bytes", "pixels", "rays", "scene", "seconds",
+                                            "settings", "stop", "threads", "version", "warnings"}));
+  EXPECT_EQ(report["rays"]["total"], 10);
+  EXPECT_EQ(report["pixels"]["done"], 3);
+  EXPECT_EQ(report["stop"], "SIGINT");
+  EXPECT_EQ(report["command"], "raypro in.scn 'out put.png'");
+}
+
+TEST(ReportJson, HoldsEverySettingWithItsType) {
+  const auto settings = nlohmann::json::parse(ReportJson(Example()))["settings"];
+  std::size_t count = 0;
+  for (const OptionKind& option : OptionTable()) {
+    EXPECT_EQ(settings.contains(option.name), IsSetting(option)) << option.name;
+    count += IsSetting(option);
+  }
+  EXPECT_EQ(settings.size(), count);
+  EXPECT_EQ(settings["crop"], (nlohmann::json{1, 2, 3, 4}));
+  EXPECT_EQ(settings["seed"], 18446744073709551615u);
+  EXPECT_EQ(settings["shadows"], true);
+  EXPECT_EQ(settings["min_luminance"], 0.01);
+  EXPECT_EQ(settings["allow_path"], (nlohmann::json{"a", "b"}));
+}
+
+TEST(ReportJson, SurvivesNamesThatAreNotUtf8) {
+  Record record = Example();
+  record.options.scene = "\xff\xfe.scn";
+  EXPECT_TRUE(nlohmann::json::accept(ReportJson(record)));
+}
+
+TEST(Record, ThePictureKeepsHowItWasMade) {
+  auto settings = SettingsInPicture(Example());
+  EXPECT_EQ(settings["pixels"], "3 of 4 pixels done");
+  EXPECT_EQ(settings["seed"], "18446744073709551615");
+  EXPECT_EQ(settings["command"], "raypro in.scn 'out put.png'");
+}
+
+TEST(Record, TheLastLineOfARunSaysWhatItMade) {
+  Record record = Example();
+  record.seconds.wall = 2;
+  record.rays.camera = 28'399'991;
+  EXPECT_EQ(FinalLine(record), "out.png 2x2 1 spp 2.00 s 14.2 Mrays/s (stopped by SIGINT, 3 of 4 pixels done)\n");
+  record.pixels_done = 4;
+  EXPECT_EQ(FinalLine(record), "out.png 2x2 1 spp 2.00 s 14.2 Mrays/s\n");
+}
+
+}  // namespace
+}  // namespace ray

@@ -1,0 +1,407 @@
+// The program itself, from outside: exit statuses, and what is left behind when things go wrong.
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/mount.h>
+#include <unistd.h>
+
+#include <memory>
+#include <random>
+#include <thread>
+
+#include "R2/ImageFile.h"
+#include "tests/source/app/Program.h"
+
+namespace ray::testing {
+namespace {
+
+namespace fs = std::filesystem;
+using namespace std::chrono_literals;
+
+const std::string small_scene = "camera 0 0 6  0 0 -1  0 1 0  0.3  0.1 100\nsphere -1  0 0 0  1\n";
+const std::vector<std::string> nothing;
+
+bool Contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+/// A folder with a scene in it.
+struct Place : TemporaryFolder {
+  explicit Place(const std::string& text = small_scene) { WriteFile(*this / "in.scn", text); }
+  std::string Scene() const { return *this / "in.scn"; }
+};
+
+R2::DecodedImage Decode(const std::string& file) {
+  const std::string bytes = ReadFile(file);
+  return R2::DecodeImage({reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()});
+}
+
+TEST(Raypro, MakesAPictureAndSaysSoInOneLine) {
+  NEEDS_THE_PROGRAM();
+  const Place place;
+  const Finished done = RunProgram({place.Scene(), place / "out.png", "-width", "32", "-height=16"});
+  EXPECT_EQ(done.status, 0) << done.error;
+  EXPECT_TRUE(done.output.starts_with(place / "out.png" + " 32x16 1 spp ")) << done.output;
+  EXPECT_TRUE(done.output.ends_with(" Mrays/s\n")) << done.output;
+  EXPECT_EQ(done.error, "");
+  EXPECT_EQ(Decode(place / "out.png").image.Width(), 32);
+  EXPECT_EQ(place.Others({"in.scn", "out.png"}), nothing);
+}
+
+TEST(Raypro, QuietIsSilent) {
+  NEEDS_THE_PROGRAM();
+  const Place place;
+  const Finished done = RunProgram({place.Scene(), place / "out.ppm", "-quiet"});
+  EXPECT_EQ(done.status, 0);
+  EXPECT_EQ(done.output + done.error, "");
+}
+
+TEST(Raypro, ThePictureTellsHowItWasMade) {
+  NEEDS_THE_PROGRAM();
+  const Place place;
+  for (const char* name : {"out.png", "out.jpg"}) {
+    RunProgram({place.Scene(), place / name, "-width", "8", "-height", "8", "-seed", "7"});
+    auto settings = Decode(place / name).settings;
+    EXPECT_EQ(settings["seed"], "7") << name;
+    EXPECT_EQ(settings["pixels"], "complete") << name;
+    EXPECT_TRUE(Contains(settings["command"], "-seed 7")) << name;
+    const Finished info = RunProgram({"-info", place / name});
+    EXPECT_TRUE(Contains(info.output, "seed: 7\n")) << info.output;
+    EXPECT_TRUE(Contains(info.output, "8x8")) << info.output;
+  }
+}
+
+TEST(Raypro, ExitStatusSaysWhatWentWrongAndNoFileIsLeft) {
+  NEEDS_THE_PROGRAM();
+  const Place place;
+  WriteFile(place / "bad.scn", "spere 0 0 0 1\n");
+  const struct {
+    std::vector<std::string> words;
+    int status;
+    const char* message;
+  } cases[] = {
+      {{}, 2, "no scene is named"},
+      {{place.Scene()}, 2, "no picture is named"},
+      {{place.Scene(), place / "out.xyz"}, 2, ".png"},
+      {{place.Scene(), place / "out"}, 2, "extension"},
+      {{place.Scene(), place / "out.ppm", "-widht", "3"}, 2, "-width"},
+      {{place.Scene(), place / "out.ppm", "-samples", "0"}, 2, "-samples must be"},
+      {{place / "missing.scn", place / "out.ppm"}, 3, "missing.scn"},
+      {{place / "bad.scn", place / "out.ppm"}, 3, "bad.scn:1:1"},
+      {{place.Path().string(), place / "out.ppm"}, 3, ""},
+      {{"-info", place / "missing.png"}, 3, "missing.png"},
+      {{"-info", place.Scene()}, 3, "in.scn"},
+      {{place / "bad.scn", "-check"}, 3, "bad.scn:1:1"},
+      {{place.Scene(), place / "missing/out.ppm"}, 4, "does not exist"},
+      {{place.Scene(), place / "out.ppm", "-report", place / "missing/r.json"}, 4, "does not exist"},
+  };
+  for (const auto& [words, status, message] : cases) {
+    const Finished done = RunProgram(words);
+    EXPECT_EQ(done.status, status) << done.error;
+    EXPECT_TRUE(Contains(done.error, message)) << done.error;
+    EXPECT_EQ(done.output, "");
+    EXPECT_EQ(place.Others({"in.scn", "bad.scn"}), nothing) << done.error;
+  }
+}
+
+TEST(Raypro, RequestsPrintToStandardOutputAndSucceed) {
+  NEEDS_THE_PROGRAM();
+  const Place place;
+  for (const std::vector<std::string>& words :
+       {std::vector<std::string>{"-help"}, {"-help", "light"}, {"-version"}, {"-list"}, {"-list", "shapes"}, {"-man"},
+        {"-complete", "bash"}, {place.Scene(), "-check"}, {"nonsense", "-width", "abc", "-help"}}) {
+    const Finished done = RunProgram(words);
+    EXPECT_EQ(done.status, 0) << words[0] << done.error;
+    EXPECT_NE(done.output, "") << words[0];
+    EXPECT_EQ(done.error, "") << words[0];
+  }
+}
+
+// A package's build must not install half a manual page and call it done.
+TEST(Raypro, ARequestWhoseAnswerCannotBeWrittenFails) {
+  NEEDS_THE_PROGRAM();
+  EXPECT_EQ(RunProgram({"-man"}, {.standard_output = "/dev/full"}).status, 4);
+}
+
+TEST(Raypro, WarnsOfOptionsThatDoNothing) {
+  NEEDS_THE_PROGRAM();
+  const Place place;
+  const Finished done = RunProgram({place.Scene(), place / "out.ppm", "-bits", "16", "-max_depth", "1000000000"});
+  EXPECT_EQ(done.status, 0);
+  EXPECT_TRUE(Contains(done.error, "warning: -bits has no effect here")) << done.error;
+  EXPECT_TRUE(Contains(done.error, "warning: -max_depth 1000000000 is more than")) << done.error;
+}
+
+TEST(Raypro, ASizeThatTheFormatCannotHoldIsRefusedBeforeRendering) {
+  NEEDS_THE_PROGRAM();
+  const Place place;
+  const Finished done = RunProgram({place.Scene(), place / "out.jpg", "-width", "70000", "-height", "1"});
+  EXPECT_EQ(done.status, 2) << done.error;
+  EXPECT_TRUE(Contains(done.error, "jpeg")) << done.error;
+}
+
+TEST(Extremes, G4_ASizeOverTheLimitEndsBeforeMemoryIsAskedFor) {
+  NEEDS_THE_PROGRAM();
+  const Place place;
+  for (const char* width : {"0", "-1", "2147483648", "1099511627776", "1073741824"}) {
+    const Finished done = RunProgram({place.Scene(), place / "out.ppm", "-width", width});
+    EXPECT_EQ(done.status, 2) << width;
+    EXPECT_TRUE(Contains(done.error, "-width")) << done.error;
+    EXPECT_EQ(place.Others({"in.scn"}), nothing);
+  }
+}
+
+TEST(Extremes, G10_ManyThreadsMakeTheSamePicture) {
+  NEEDS_THE_PROGRAM();
+  const Place place;
+  std::string first;
+  for (const char* threads : {"1", "0", "3", "100"}) {
+    RunProgram({place.Scene(), place / "out.pfm", "-width", "5", "-height", "4", "-samples", "4", "-threads", threads});
+    const std::string picture = ReadFile(place / "out.pfm");
+    if (first.empty()) first = picture;
+    EXPECT_TRUE(!picture.empty() && picture == first) << threads;
+  }
+}
+
+TEST(Extremes, K11_OutputNamesThatAreNoFiles) {
+  NEEDS_THE_PROGRAM();
+  const Place place;
+  fs::create_directory(place / "folder.ppm");
+  fs::create_symlink("/dev/full", place / "full.ppm");
+  const std::pair<std::string, int> cases[] = {{place.Path().string(), 4}, {place / "folder.ppm", 4}, {"-", 2}, {"", 2},
+                                               {"/dev/full", 4},           {place / "full.ppm", 4},   {place.Scene(), 4}};
+  for (const auto& [name, status] : cases) {
+    const Finished done = RunProgram({place.Scene(), name});
+    EXPECT_EQ(done.status, status) << name << ": " << done.error;
+    EXPECT_NE(done.error, "") << name;
+  }
+  EXPECT_EQ(ReadFile(place.Scene()), small_scene);
+}
+
+TEST(Extremes, K11_ALinkIsFollowedButNotSilently) {
+  NEEDS_THE_PROGRAM();
+  const Place place;
+  fs::create_directory(place / "there");
+  fs::create_symlink("there/real.ppm", place / "link.ppm");
+  const Finished done = RunProgram({place.Scene(), place / "link.ppm", "-width", "8", "-height", "8"});
+  EXPECT_EQ(done.status, 0);
+  EXPECT_TRUE(Contains(done.error, "is a link; the picture goes to '" + place / "there/real.ppm" + "'")) << done.error;
+  EXPECT_TRUE(fs::is_symlink(place / "link.ppm"));
+  EXPECT_EQ(Decode(place / "there/real.ppm").image.Width(), 8);
+}
+
+TEST(Extremes, K11_AFileThatTheSceneIncludesIsAnInputToo) {
+  NEEDS_THE_PROGRAM();
+  const Place place("include part.ppm\n");
+  WriteFile(place / "part.ppm", small_scene);
+  const Finished done = RunProgram({place.Scene(), place / "part.ppm"});
+  EXPECT_EQ(done.status, 4) << done.error;
+  EXPECT_EQ(ReadFile(place / "part.ppm"), small_scene);
+}
+
+/// Whether something is being written beside the target.
+bool IsSaving(const TemporaryFolder& folder) {
+  std::error_code error;
+  for (const std::string& name : folder.Others({"in.scn", "out.ppm"}))
+    if (fs::file_size(folder / name, error) > 0 && !error) return true;
+  return false;
+}
+
+TEST(Extremes, L1_KilledAtAnyMomentTheOldPictureOrTheNewOneIsThere) {
+  NEEDS_THE_PROGRAM();
+  const Place place("");
+  const std::vector<std::string> words{place.Scene(), place / "out.ppm", "-width", "700", "-height", "700", "-quiet"};
+  ASSERT_EQ(RunProgram(words).status, 0);
+  const std::string whole = ReadFile(place / "out.ppm");  // a .ppm says nothing of when it was made
+  const auto start = std::chrono::steady_clock::now();
+  RunProgram(words);
+  const double whole_run = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+
+  std::mt19937 random(1);
+  int killed = 0, killed_while_saving = 0;
+  for (int round = 0; round < Rounds("RAYTESTS_KILLS", 100); ++round) {
+    const bool has_old = round % 2 == 0;
+    fs::remove(place / "out.ppm");
+    if (has_old) WriteFile(place / "out.ppm", "old");
+    Running running(words);
+    // Half of the rounds wait for the short time in which the picture is being saved.
+    while (round % 4 < 2 && !running.IsOver() && !IsSaving(place)) std::this_thread::sleep_for(50us);
+    const double longest = round % 4 < 2 ? 0.002 : whole_run;
+    std::this_thread::sleep_for(std::chrono::duration<double>(std::uniform_real_distribution(0.0, longest)(random)));
+    running.Send(SIGKILL);
+    const bool was_saving = IsSaving(place);
+    killed += running.Wait().signal == SIGKILL;
+    killed_while_saving += was_saving;
+    const std::string now = ReadFile(place / "out.ppm");
+    const bool is_old = has_old ? now == "old" : !fs::exists(place / "out.ppm");
+    EXPECT_TRUE(is_old || now == whole) << "round " << round << ": " << now.size() << " bytes";
+  }
+  EXPECT_GT(killed, 0);
+  RecordProperty("killed_while_saving", killed_while_saving);
+
+  ASSERT_EQ(RunProgram(words).status, 0);
+  EXPECT_EQ(place.Others({"in.scn", "out.ppm"}), nothing);
+}
+
+/// How much more than what is already there a picture of the small scene needs.
+constexpr long picture_bytes = 3 * 64 * 64 + 13;
+const std::vector<std::string> picture_size{"-width", "64", "-height", "64"};
+
+std::vector<std::string> With(std::vector<std::string> words, const std::vector<std::string>& more) {
+  words.insert(words.end(), more.begin(), more.end());
+  return words;
+}
+
+TEST(Extremes, L2_AFileSizeLimitAnywhereLeavesTheOldPictureWhole) {
+  NEEDS_THE_PROGRAM();
+  const Place place;
+  const auto words = With({place.Scene(), place / "out.ppm", "-quiet"}, picture_size);
+  ASSERT_EQ(RunProgram(words).status, 0);
+  const std::string whole = ReadFile(place / "out.ppm");
+  ASSERT_EQ(static_cast<long>(whole.size()), picture_bytes);
+  WriteFile(place / "out.ppm", "old");
+  for (int i = 0; i < 64; ++i) {
+    const long limit = i < 62 ? 512 + (picture_bytes - 512) * i / 62 : picture_bytes - 63 + i;  // the last: all but one, all
+    const Finished done = RunProgram(words, {.file_size_limit = limit, .environment = {{"TMPDIR", place.Path().string()}}});
+    const bool fits = limit >= picture_bytes;
+    EXPECT_EQ(done.status, fits ? 0 : 4) << limit << done.error;
+    EXPECT_EQ(ReadFile(place / "out.ppm"), fits ? whole : "old") << limit;
+    EXPECT_TRUE(fits || Contains(done.error, "File too large; nor can it be kept as")) << done.error;
+    EXPECT_EQ(place.Others({"in.scn", "out.ppm"}), nothing) << limit;
+  }
+}
+
+/// A file system of 1 MiB in memory.
+class SmallDisk {
+ public:
+  explicit SmallDisk(const std::string& at) : at_(at) {
+    fs::create_directory(at);
+    is_mounted_ = mount("raytests", at.c_str(), "tmpfs", 0, "size=1m") == 0;
+  }
+  ~SmallDisk() {
+    if (is_mounted_) umount(at_.c_str());
+  }
+  SmallDisk(const SmallDisk&) = delete;
+  SmallDisk& operator=(const SmallDisk&) = delete;
+  bool IsMounted() const { return is_mounted_; }
+  long BytesFree() const { return static_cast<long>(fs::space(at_).available); }
+
+ private:
+  std::string at_;
+  bool is_mounted_ = false;
+};
+
+TEST(Extremes, L2_AFullDiskLeavesTheOldPictureAndKeepsTheNewElsewhere) {
+  NEEDS_THE_PROGRAM();
+  const Place place;
+  const TemporaryFolder refuge;
+  const SmallDisk disk(place / "disk");
+  if (!disk.IsMounted()) GTEST_SKIP() << "a small file system can be mounted by root only; the file size limit was tried";
+  const auto words = With({place.Scene(), place / "disk/out.ppm", "-quiet"}, picture_size);
+  ASSERT_EQ(RunProgram(words).status, 0);
+  const std::string whole = ReadFile(place / "disk/out.ppm");
+  WriteFile(place / "disk/out.ppm", "old");
+  const long page = sysconf(_SC_PAGESIZE), pages_needed = (picture_bytes + page - 1) / page;
+  for (int i = 0; i < 64; ++i) {
+    const long pages_free = i % (2 * pages_needed);  // from none to twice what is needed
+    fs::remove(place / "disk/filler");
+    WriteFile(place / "disk/filler", std::string(static_cast<std::size_t>(disk.BytesFree() - pages_free * page), 'x'));
+    const Finished done = RunProgram(words, {.environment = {{"TMPDIR", refuge.Path().string()}}});
+    const bool fits = pages_free >= pages_needed;
+    EXPECT_EQ(done.status, fits ? 0 : 4) << pages_free << done.error;
+    EXPECT_EQ(ReadFile(place / "disk/out.ppm"), fits ? whole : "old") << pages_free;
+    const auto kept = refuge.Others({});
+    ASSERT_EQ(kept.size(), fits ? 0u : 1u) << done.error;
+    if (fits) {
+      WriteFile(place / "disk/out.ppm", "old");
+    } else {
+      EXPECT_EQ(ReadFile(refuge / kept[0]), whole);
+      fs::remove(refuge / kept[0]);
+    }
+  }
+}
+
+TEST(Extremes, L5_ASignalEndsTheRunWithinASecondAndSavesThePictureSoFar) {
+  NEEDS_THE_PROGRAM();
+  std::mt19937 random(2);
+  for (int round = 0; round < Rounds("RAYTESTS_SIGNALS", 6); ++round) {
+    const Place place;
+    const int signal = round % 2 ? SIGTERM : SIGINT;
+    Running running({place.Scene(), place / "out.png", "-width", "3000", "-height", "3000", "-samples", "64"});
+    std::this_thread::sleep_for(std::chrono::duration<double>(std::uniform_real_distribution(0.2, 0.6)(random)));
+    running.Send(signal);
+    const auto sent = std::chrono::steady_clock::now();
+    const Finished done = running.Wait();
+    // Encoding nine million pixels takes its time as well, and the machine may be busy or a sanitizer at work.
+    EXPECT_LT(std::chrono::steady_clock::now() - sent, 10s);
+    EXPECT_EQ(done.status, 128 + signal) << done.error;
+    ASSERT_TRUE(fs::exists(place / "out.png")) << done.error;
+    auto settings = Decode(place / "out.png").settings;
+    EXPECT_TRUE(Contains(settings["pixels"], " of 9000000 pixels done")) << settings["pixels"];
+    EXPECT_EQ(settings["samples"], "64");
+    EXPECT_TRUE(Contains(done.output, signal == SIGINT ? "stopped by SIGINT" : "stopped by SIGTERM")) << done.output;
+    EXPECT_EQ(place.Others({"in.scn", "out.png"}), nothing);
+  }
+}
+
+TEST(Extremes, L5_ASecondSignalEndsTheRunAtOnceAndLeavesTheOldPicture) {
+  NEEDS_THE_PROGRAM();
+  const Place place;
+  WriteFile(place / "out.ppm", "old");
+  // No pixel of this is ever done, so the first signal cannot end it.
+  Running running({place.Scene(), place / "out.ppm", "-width", "8", "-height", "8", "-samples", "2000000000"});
+  std::this_thread::sleep_for(500ms);
+  running.Send(SIGINT);
+  std::this_thread::sleep_for(200ms);
+  EXPECT_FALSE(running.IsOver());
+  running.Send(SIGINT);
+  EXPECT_EQ(running.Wait(5s).status, 130);
+  EXPECT_EQ(ReadFile(place / "out.ppm"), "old");
+  EXPECT_EQ(place.Others({"in.scn", "out.ppm"}), nothing);
+}
+
+TEST(Extremes, L6_NobodyListeningCostsNoPicture) {
+  NEEDS_THE_PROGRAM();
+  const Place place;
+  const Surroundings silences[] = {
+      {.close_output = true},
+      {.close_error = true},
+      {.close_output = true, .close_error = true},
+      {.break_output = true},
+      {.standard_output = "/dev/full", .standard_error = "/dev/full"},
+  };
+  const auto words = With({place.Scene(), place / "out.ppm", "-stats", "-verbose"}, picture_size);
+  std::string first;
+  for (const Surroundings& silence : silences) {
+    fs::remove(place / "out.ppm");
+    const Finished done = RunProgram(words, silence);
+    EXPECT_EQ(done.status, 0);
+    const std::string picture = ReadFile(place / "out.ppm");
+    if (first.empty()) first = picture;
+    EXPECT_EQ(static_cast<long>(picture.size()), picture_bytes);
+    EXPECT_TRUE(picture == first);  // not a word of the messages went into it
+  }
+}
+
+TEST(Extremes, L10_ManyRunsWithOneOutputLeaveOneWholePicture) {
+  NEEDS_THE_PROGRAM();
+  const Place place;
+  const auto words = With({place.Scene(), place / "out.ppm", "-quiet"}, picture_size);
+  RunProgram(words);
+  const std::string whole = ReadFile(place / "out.ppm");
+  std::vector<std::unique_ptr<Running>> all;
+  for (int i = 0; i < 10; ++i) all.push_back(std::make_unique<Running>(words));
+  for (const auto& running : all) EXPECT_EQ(running->Wait().status, 0);
+  EXPECT_TRUE(!whole.empty() && ReadFile(place / "out.ppm") == whole);
+  EXPECT_EQ(place.Others({"in.scn", "out.ppm"}), nothing);
+}
+
+TEST(Raypro, TheReportIsWrittenAndAddsUp) {
+  NEEDS_THE_PROGRAM();
+  const Place place;
+  RunProgram({place.Scene(), place / "out.ppm", "-report", place / "r.json", "-width", "10", "-height", "10"});
+  const std::string report = ReadFile(place / "r.json");
+  EXPECT_TRUE(Contains(report, "\"camera\": 100,")) << report;
+  EXPECT_TRUE(Contains(report, "\"stop\": \"complete\"")) << report;
+  EXPECT_EQ(place.Others({"in.scn", "out.ppm", "r.json"}), nothing);
+}
+
+}  // namespace
+}  // namespace ray::testing

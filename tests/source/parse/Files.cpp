@@ -1,0 +1,157 @@
+#include "source/parse/Files.h"
+
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <functional>
+
+#include "tests/source/parse/Folder.h"
+
+namespace ray {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string ErrorOf(const std::function<void()>& f) {
+  try {
+    f();
+    return "(none)";
+  } catch (const FileError& error) {
+    return error.message + (error.hint.empty() ? "" : "; " + error.hint);
+  }
+}
+
+std::string ReadNamed(const Files& files, const std::string& name, const fs::path& in) {
+  return files.Read(files.Find(name, in.string()));
+}
+
+class ScopedCurrentFolder {
+ public:
+  explicit ScopedCurrentFolder(const fs::path& path) : before_(fs::current_path()) { fs::current_path(path); }
+  ~ScopedCurrentFolder() { fs::current_path(before_); }
+
+ private:
+  fs::path before_;
+};
+
+TEST(Files, AreLookedForBesideTheFileThatNamesThem) {
+  const Folder folder;
+  folder.Write("sub/a.off", "sub");
+  folder.Write("a.off", "top");
+  const Files files(folder / "scene.scn", {});
+  EXPECT_EQ(ReadNamed(files, "a.off", folder / "scene.scn"), "top");
+  EXPECT_EQ(ReadNamed(files, "a.off", folder / "sub/inner.scn"), "sub");
+  EXPECT_EQ(ReadNamed(files, "../a.off", folder / "sub/inner.scn"), "top");
+  EXPECT_EQ(ReadNamed(files, (folder / "a.off").string(), folder / "sub/inner.scn"), "top");
+}
+
+TEST(Files, AreLookedForInTheCurrentFolderNext) {
+  const Folder folder, current;
+  current.Write("meshes/a.off", "current");
+  const ScopedCurrentFolder here(current.Path());
+  const Files files(folder / "scene.scn", {});
+  EXPECT_EQ(ReadNamed(files, "meshes/a.off", folder / "scene.scn"), "current");
+  folder.Write("meshes/a.off", "beside");
+  EXPECT_EQ(ReadNamed(files, "meshes/a.off", folder / "scene.scn"), "beside");
+}
+
+TEST(Files, ASceneWithoutFolderInItsNameLiesInTheCurrentOne) {
+  const Folder folder;
+  folder.Write("a.off", "x");
+  const ScopedCurrentFolder here(folder.Path());
+  EXPECT_EQ(ReadNamed(Files("scene.scn", {}), "a.off", "scene.scn"), "x");
+}
+
+TEST(Extremes, K1_FilesOutsideTheScenesFolderAreRefusedAndTheOptionIsNamed) {
+  const Folder folder, outside;
+  outside.Write("secret.off", "x");
+  const Files files(folder / "scene.scn", {});
+  const std::string name = (outside / "secret.off").string();
+  const std::string refusal = "'" + name + "' lies outside the scene's folder and the current one; -allow_path " +
+                              outside.Path().string() + " opens its folder";
+  EXPECT_EQ(ErrorOf([&] { files.Find(name, (folder / "scene.scn").string()); }), refusal);
+  const std::string upward = "../" + outside.Path().filename().string() + "/secret.off";
+  EXPECT_TRUE(Contains(ErrorOf([&] { files.Find(upward, (folder / "scene.scn").string()); }), "lies outside"));
+}
+
+TEST(Extremes, K1_AFolderThatIsAllowedIsOpenAndItsNeighboursAreNot) {
+  const Folder folder, outside;
+  outside.Write("open/a.off", "x");
+  outside.Write("opening/a.off", "x");
+  const Files files(folder / "scene.scn", {outside / "open/"});
+  EXPECT_EQ(ReadNamed(files, (outside / "open/a.off").string(), folder / "scene.scn"), "x");
+  EXPECT_TRUE(Contains(ErrorOf([&] { ReadNamed(files, (outside / "opening/a.off").string(), folder / "scene.scn"); }),
+                       "lies outside"));
+  EXPECT_EQ(ReadNamed(Files(folder / "scene.scn", {"/"}), (outside / "opening/a.off").string(), folder / "s"), "x");
+}
+
+TEST(Extremes, K1_OnlyRegularFilesAreRead) {
+  const Folder folder;
+  fs::create_directory(folder / "sub");
+  ASSERT_EQ(mkfifo((folder / "pipe").c_str(), 0600), 0);
+  const Files files(folder / "scene.scn", {"/dev"});
+  const auto error = [&](const std::string& name) {
+    return ErrorOf([&] { ReadNamed(files, name, folder / "scene.scn"); });
+  };
+  EXPECT_TRUE(Contains(error("sub"), "is a folder"));
+  EXPECT_TRUE(Contains(error("pipe"), "is a pipe"));  // and nobody waits for its other end
+  EXPECT_TRUE(Contains(error("/dev/zero"), "is a device"));
+  EXPECT_EQ(error("file:///etc/passwd"), "no such file: 'file:///etc/passwd'");
+}
+
+TEST(Extremes, K2_ALinkOutOfTheFolderIsRefusedAndOneWithinIsFollowed) {
+  const Folder folder, outside;
+  outside.Write("a.off", "outside");
+  folder.Write("b.off", "inside");
+  fs::create_symlink(outside / "a.off", folder / "out.off");
+  fs::create_symlink("b.off", folder / "in.off");
+  const Files files(folder / "scene.scn", {});
+  EXPECT_TRUE(Contains(ErrorOf([&] { files.Find("out.off", (folder / "s").string()); }), "lies outside"));
+  EXPECT_EQ(ReadNamed(files, "in.off", folder / "s"), "inside");
+}
+
+TEST(Extremes, K2_ALinkPutInPlaceBetweenCheckAndOpenIsNotFollowed) {
+  const Folder folder, outside;
+  outside.Write("a.off", "secret");
+  folder.Write("sub/a.off", "harmless");
+  const Files files(folder / "scene.scn", {});
+  const FoundFile found = files.Find("sub/a.off", (folder / "s").string());
+  fs::remove(folder / "sub/a.off");
+  fs::create_symlink(outside / "a.off", folder / "sub/a.off");
+  EXPECT_TRUE(Contains(ErrorOf([&] { files.Read(found); }), "cannot open"));
+  fs::remove_all(folder / "sub");
+  fs::create_directory_symlink(outside.Path(), folder / "sub");
+  EXPECT_TRUE(Contains(ErrorOf([&] { files.Read(found); }), "cannot open"));
+}
+
+TEST(Extremes, K8_NamesAreBytes) {
+  const Folder folder;
+  const std::string odd = "a\xFF\x1b.off";
+  folder.Write(odd, "x");
+  const Files files(folder / "scene.scn", {});
+  EXPECT_EQ(ReadNamed(files, odd, folder / "s"), "x");
+  EXPECT_EQ(ErrorOf([&] { files.Find("\x1b[31m", (folder / "s").string()); }), "no such file: '\\x1b[31m'");
+  EXPECT_TRUE(Contains(ErrorOf([&] { files.Find(std::string(10000, 'x'), (folder / "s").string()); }), "cannot open"));
+}
+
+TEST(Files, ATopSceneThatCannotBeReadIsAnErrorOfTheWholeFile) {
+  const Folder folder;
+  EXPECT_EQ(ReportOf(folder, "nowhere.scn"), "nowhere.scn: error: no such file");
+  fs::create_directory(folder / "folder.scn");
+  EXPECT_EQ(ReportOf(folder, "folder.scn"), "folder.scn: error: 'folder.scn' is a folder");
+  folder.Write("scene.foo", "");
+  EXPECT_EQ(ReportOf(folder, "scene.foo").substr(0, 53), "scene.foo: error: unknown kind of scene; kinds are .s");
+  folder.Write("LOUD.SCN", "");
+  EXPECT_EQ(ReportOf(folder, "LOUD.SCN"), "");
+}
+
+TEST(Files, AnUnreadableSceneIsAnError) {
+  const Folder folder;
+  folder.Write("scene.scn", "");
+  fs::permissions(folder / "scene.scn", fs::perms::none);
+  if (geteuid() == 0) GTEST_SKIP() << "the superuser reads everything";
+  EXPECT_TRUE(Contains(ReportOf(folder, "scene.scn"), "cannot open"));
+}
+
+}  // namespace
+}  // namespace ray

@@ -1,0 +1,471 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <bit>
+#include <chrono>
+#include <cmath>
+#include <cstring>
+#include <fstream>
+#include <map>
+#include <sstream>
+
+#include "source/parse/meshes/MeshFormat.h"
+#include "source/parse/meshes/Polygon.h"
+#include "tests/source/parse/Folder.h"
+
+namespace ray {
+namespace {
+
+using Triangles = std::vector<std::array<std::uint32_t, 3>>;
+
+struct ReadMesh {
+  R3::MeshData data;
+  std::vector<std::string> warnings;
+};
+
+ReadMesh Read(const std::string& name, std::string bytes) {
+  Report report;
+  const Text text{name, std::move(bytes)};
+  ReadMesh read{MeshFormatForName(name)->read(text, report), {}};
+  read.warnings = report.Warnings();
+  return read;
+}
+
+std::string ErrorOf(const std::string& name, std::string bytes) {
+  try {
+    Read(name, std::move(bytes));
+    return "(none)";
+  } catch (const SceneError& error) {
+    return error.Format().substr(0, error.Format().find('\n'));
+  }
+}
+
+/// What K9 asks of every prefix: a mesh whose triangles can be trusted, or a clean error.
+bool Reads(const std::string& name, std::string bytes) {
+  try {
+    const ReadMesh read = Read(name, std::move(bytes));
+    for (const auto& triangle : read.data.triangles)
+      for (const std::uint32_t corner : triangle) EXPECT_LT(corner, read.data.positions.size());
+    return true;
+  } catch (const SceneError&) {
+    return false;
+  }
+}
+
+template <class... Numbers>
+std::string Binary(std::endian order, Numbers... numbers) {
+  std::string bytes;
+  const auto append = [&](auto number) {
+    char raw[sizeof(number)];
+    std::memcpy(raw, &number, sizeof(number));
+    if (order != std::endian::native) std::reverse(raw, raw + sizeof(number));
+    bytes.append(raw, sizeof(number));
+  };
+  (append(numbers), ...);
+  return bytes;
+}
+
+const std::string square_off = "OFF\n4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n";
+const Triangles fan{{0, 1, 2}, {0, 2, 3}};
+
+TEST(Off, CountsMayStandOnTheHeadersLineOrTheNext) {
+  EXPECT_EQ(Read("a.off", square_off).data.triangles, fan);
+  EXPECT_EQ(Read("a.off", "OFF 4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3").data.triangles, fan);
+  EXPECT_EQ(
+      Read("a.off", "# c\n\nOFF # c\n\n4 1\n0 0 0\n#c\n1 0 0\n\n1 1 0\n0 1 0\n4 0 1 2 3 255 0 0\n").data.triangles,
+      fan);
+}
+
+TEST(Off, HeadersWithColoursNormalsAndTextureCoordinatesAreUnderstood) {
+  const auto colored = Read("a.off", "COFF 3 1 0\n0 0 0 1 0 0 1\n1 0 0 1 0 0 1\n0 1 0 1 0 0 1\n3 0 1 2\n");
+  EXPECT_EQ(colored.data.positions.at(1), (R3::Point{1, 0, 0}));
+  EXPECT_TRUE(colored.warnings.empty());
+  const auto all =
+      Read("a.off",
+           "STCNOFF 3 1 0\n0 0 0 0 0 1 9 9 9 9 .5 .25\n1 0 0 0 0 1 9 9 9 9 0 0\n0 1 0 0 0 1 9 9 9 9 0 0\n3 0 1 2\n");
+  EXPECT_EQ(all.data.normals.at(0), (R3::Normal{0, 0, 1}));
+  EXPECT_EQ(all.data.uvs.at(0).x, 0.5);
+  EXPECT_EQ(all.data.uvs.at(0).y, 0.25);
+  EXPECT_EQ(all.warnings.size(), 0u);
+}
+
+TEST(Off, NumbersThatTheHeaderDoesNotNameAreNotDroppedSilently) {
+  const auto read = Read("a.off", "OFF 3 1 0\n0 0 0 1\n1 0 0 1\n0 1 0 1\n3 0 1 2\n");
+  ASSERT_EQ(read.warnings.size(), 1u);
+  EXPECT_EQ(read.warnings[0], "a.off: warning: 3 vertices have more numbers than the header names; they are not used");
+}
+
+TEST(Off, FacesMissingOrToSpareAreAWarning) {
+  const auto few = Read("a.off", "OFF 3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+  EXPECT_EQ(few.data.triangles.size(), 1u);
+  EXPECT_EQ(few.warnings.at(0), "a.off: warning: the header promises 2 faces, the file holds 1");
+  const auto many = Read("a.off", "OFF 3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 0 1 2\n");
+  EXPECT_EQ(many.data.triangles.size(), 1u);
+  EXPECT_EQ(many.warnings.at(0), "a.off: warning: the file goes on behind the last face that the header promises");
+}
+
+TEST(Extremes, D8_FacesOfTooFewCornersAreCountedAndLeftOut) {
+  const auto read = Read("a.off", "OFF 3 4 0\n0 0 0\n1 0 0\n0 1 0\n2 0 1\n3 0 1 2\n1 0\n0\n");
+  EXPECT_EQ(read.data.triangles.size(), 1u);
+  EXPECT_EQ(read.warnings.at(0), "a.off: warning: 3 faces have fewer than 3 corners and are left out");
+}
+
+TEST(Extremes, D8_IndicesThatNameNoVertexAreErrorsWithTheirPlace) {
+  for (const char* index : {"3", "-1", "2147483648", "4294967296", "4294967297", "99999999999999999999", "1.5", "x"}) {
+    const std::string off = std::string("OFF 3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 ") + index;
+    EXPECT_TRUE(Contains(ErrorOf("a.off", off), "a.off:5:7: error: a corner of face 0 must be")) << index;
+    const std::string ray = std::string("#vertex 0 0 0 0 0 1 0 0\n#shape_triangle 0 0 0 ") + index;
+    EXPECT_TRUE(Contains(ErrorOf("a.ray", ray), "a.ray:2:23: error: a corner of face 0 must be")) << index;
+  }
+  for (const char* index : {"4", "-4", "0", "2147483648", "4294967297", "1.5", "x", "", "/1"})
+    EXPECT_TRUE(
+        Contains(ErrorOf("a.obj", std::string("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3/1/1") + index), "a.obj:4:7: error:"))
+        << index;
+}
+
+TEST(Extremes, D8_AFaceOf65536CornersIsCutUp) {
+  constexpr int n = 65'536;
+  std::string off = "OFF " + std::to_string(n) + " 1 0\n";
+  std::string face = std::to_string(n);
+  for (int i = 0; i < n; ++i) {
+    const double angle = 2 * 3.14159265358979 * i / n;
+    off += std::to_string(std::cos(angle) * 1e6) + " " + std::to_string(std::sin(angle) * 1e6) + " 0\n";
+    face += " " + std::to_string(i);
+  }
+  EXPECT_EQ(Read("a.off", off + face).data.triangles.size(), n - 2u);
+}
+
+TEST(Extremes, D8_AConcaveFaceOfMoreThan256CornersIsCutAsAFanWithAWarning) {
+  std::string off = "OFF 1026 1 0\n", face = "1026";
+  for (int i = 0; i < 1026; ++i) {
+    off += std::to_string(i) + " " + std::to_string(i % 2 ? 0 : i == 0 || i == 1025 ? 9 : 1) + " 0\n";
+    face += " " + std::to_string(i);
+  }
+  const auto read = Read("a.off", off + face);
+  EXPECT_EQ(read.data.triangles.size(), 1024u);
+  ASSERT_EQ(read.warnings.size(), 1u);
+  EXPECT_EQ(read.warnings[0],
+            "a.off: warning: concave faces of more than 256 corners, cut as if they were convex: 1");
+}
+
+double AreaOf(const Triangles& cuts, std::span<const R3::Point> polygon) {
+  double area = 0;
+  for (const auto& t : cuts) {
+    const double twice = Cross(polygon[t[1]] - polygon[t[0]], polygon[t[2]] - polygon[t[0]]).z;
+    EXPECT_GE(twice, 0);  // none is turned over
+    area += twice / 2;
+  }
+  return area;
+}
+
+TEST(Extremes, D9_AConcaveFaceIsCutIntoTrianglesThatCoverItOnce) {
+  // A fan from the first corner would cover ground outside of each.
+  const std::vector<R3::Point> arrow{{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {1.9, 0.1, 0}};
+  EXPECT_NEAR(AreaOf(*Triangulate(arrow), arrow), 0.2, 1e-12);
+  const std::vector<R3::Point> comb{{0, 0, 0}, {5, 0, 0}, {5, 2, 0}, {4, 2, 0}, {4, 1, 0}, {3, 1, 0},
+                                    {3, 2, 0}, {2, 2, 0}, {2, 1, 0}, {1, 1, 0}, {1, 2, 0}, {0, 2, 0}};
+  EXPECT_NEAR(AreaOf(*Triangulate(comb), comb), 8, 1e-12);
+  EXPECT_EQ(Triangulate(comb)->size(), comb.size() - 2);
+}
+
+TEST(Extremes, D9_EveryEdgeOfAFaceStaysAnEdgeOfItsTriangles) {
+  // So faces that met along an edge still do, and a closed mesh stays closed. The third polygon crosses itself, the
+  // fourth repeats a corner, the fifth is not flat, the last has no area at all.
+  const std::vector<std::vector<R3::Point>> polygons{
+      {{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {1.9, 0.1, 0}},
+      {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {2, 2, 0}, {1, 0.5, 0}, {0, 2, 0}},
+      {{0, 0, 0}, {2, 2, 0}, {2, 0, 0}, {0, 2, 0}, {-1, 1, 0}},
+      {{0, 0, 0}, {2, 0, 0}, {2, 0, 0}, {2, 2, 0}, {1, 0.5, 0}},
+      {{0, 0, 1}, {2, 0, -1}, {2, 2, 1}, {1, 0.5, -3}, {0, 2, 0}},
+      {{0, 0, 0}, {1, 1, 1}, {2, 2, 2}, {3, 3, 3}},
+  };
+  for (const auto& polygon : polygons) {
+    const auto n = static_cast<std::uint32_t>(polygon.size());
+    const auto cuts = Triangulate(polygon);
+    ASSERT_TRUE(cuts);
+    std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;  // directed; those inside cancel
+    for (const auto& t : *cuts)
+      for (std::size_t i = 0; i < 3; ++i) {
+        ++edges[{t[i], t[(i + 1) % 3]}];
+        --edges[{t[(i + 1) % 3], t[i]}];
+      }
+    for (const auto& [edge, count] : edges) {
+      const bool is_side = (edge.first + 1) % n == edge.second, is_side_back = (edge.second + 1) % n == edge.first;
+      EXPECT_EQ(count, is_side ? 1 : is_side_back ? -1 : 0);
+    }
+  }
+}
+
+TEST(Extremes, D9_AConvexFaceIsAFanFromItsFirstCornerWhereverItFaces) {
+  for (int axis = 0; axis < 3; ++axis)
+    for (const bool reversed : {false, true}) {
+      std::vector<R3::Point> square;
+      for (const auto& [a, b] : {std::pair{0, 0}, {1, 0}, {1, 1}, {0, 1}}) {
+        const double x = reversed ? b : a, y = reversed ? a : b;
+        square.push_back(axis == 0 ? R3::Point{5, x, y} : axis == 1 ? R3::Point{x, 5, y} : R3::Point{x, y, 5});
+      }
+      EXPECT_EQ(*Triangulate(square), fan);
+    }
+}
+
+TEST(Extremes, D5_TrianglesWithoutAreaAreCountedInAWarning) {
+  const Folder folder;
+  folder.Write("t.off", "OFF 4 4 0\n0 0 0\n1 0 0\n0 1 0\n2 0 0\n3 0 1 2\n3 0 0 1\n3 2 2 2\n3 0 1 3\n");
+  const ParsedScene parsed = Parse(folder.Write("scene.scn", "mesh -1 t.off"), {});
+  ASSERT_EQ(parsed.warnings.size(), 1u);
+  EXPECT_TRUE(Contains(parsed.warnings[0], "t.off: warning: 3 triangles have no area and are left out"));
+  EXPECT_EQ(parsed.scene.root.children.at(0).shape->Elements(), 1);
+}
+
+TEST(Extremes, C11_VerticesThatAreNotFiniteOrTooFarAreErrorsThatNameThem) {
+  for (const char* x : {"nan", "inf", "1e400", "1.1e150", "-1e151"}) {
+    const std::string number = x;
+    EXPECT_TRUE(
+        Contains(ErrorOf("a.off", "OFF 2 0 0\n0 0 0\n0 " + number + " 0\n"), "a.off:3:3: error: y of vertex 1 must"))
+        << x;
+    EXPECT_TRUE(Contains(ErrorOf("a.obj", "v 0 0 0\nv 0 " + number + " 0\n"), "a.obj:2:5: error: y of vertex 2 must"))
+        << x;
+    EXPECT_TRUE(Contains(ErrorOf("a.ray", "#vertex 0 " + number + " 0 0 0 1 0 0\n"), "error: y of vertex 0 must")) << x;
+    EXPECT_TRUE(Contains(ErrorOf("a.stl", "solid\nfacet normal 0 0 1 outer loop vertex 0 " + number + " 0"),
+                         "error: y of a corner of face 0 must"))
+        << x;
+  }
+}
+
+TEST(RayMesh, BothFaceCommandsAreReadAndOthersPassedOver) {
+  const auto read = Read("a.ray",
+                         "#material 1 0 0 \n#vertex 0 0 0  0 0 1  0 0\n#vertex 1 0 0  0 0 1  1 0\n"
+                         "#vertex 1 1 0  0 0 1  1 1\n#camera 0 0 1\n#vertex 0 1 0  0 0 1  0 1\n"
+                         "#shape_triangle 0  0 1 2\n#shape_polygon 7 4  0 1 2 3\n");
+  EXPECT_EQ(read.data.triangles, (Triangles{{0, 1, 2}, {0, 1, 2}, {0, 2, 3}}));
+  EXPECT_EQ(read.data.uvs.at(2).x, 1);
+  EXPECT_EQ(read.data.normals.at(0), (R3::Normal{0, 0, 1}));
+}
+
+TEST(Obj, CornersOfAllFormsAndNegativeIndicesAreRead) {
+  const std::string vertices = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt .5 .25\nvn 0 0 2\n";
+  for (const char* face : {"f 1 2 3 4", "f -4 -3 -2 -1", "f 1/1 2/1 3/1 4/1", "f 1//1 2//-1 3//1 4//1",
+                           "f 1/1/1 2/1/1 3/1/1 4/-1/-1", "f 1 2 \\\n 3 4", "f 1 2 3 4 # comment"}) {
+    const auto read = Read("a.obj", vertices + face + "\n");
+    EXPECT_EQ(read.data.triangles, fan) << face;
+    EXPECT_EQ(read.data.positions.size(), 4u) << face;
+  }
+}
+
+TEST(Obj, OtherStatementsArePassedOver) {
+  const auto read = Read(
+      "a.obj", "mtllib f v.mtl\no v f\ng f 1 2 3\nv 0 0 0 1\ns off\nv 1 0 0 1\nusemtl f\nv 0 1 0 1\nf 1 2 3\nl 1 2\n");
+  EXPECT_EQ(read.data.triangles, (Triangles{{0, 1, 2}}));
+}
+
+TEST(Obj, APlaceWithTwoTextureCoordinatesBecomesTwoVertices) {
+  const auto read = Read("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nvt 0 0\nvt 1 1\nf 1/1 2/1 3/1\nf 2/2 4/2 3/1\n");
+  EXPECT_EQ(read.data.positions.size(), 5u);
+  ASSERT_EQ(read.data.triangles.size(), 2u);
+  const auto second = read.data.triangles[1];
+  EXPECT_EQ(read.data.positions.at(second[0]), (R3::Point{1, 0, 0}));
+  EXPECT_EQ(read.data.uvs.at(second[0]).x, 1);
+  EXPECT_EQ(read.data.uvs.at(read.data.triangles[0][1]).x, 0);
+  EXPECT_EQ(read.data.triangles[0][2], second[2]);
+}
+
+TEST(Obj, ACornerWithoutANormalGetsNone) {
+  const auto read = Read("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\nf 1//1 2 3\n");
+  ASSERT_EQ(read.data.normals.size(), 3u);
+  EXPECT_EQ(read.data.normals[read.data.triangles.at(0)[0]], (R3::Normal{0, 0, 1}));
+  EXPECT_EQ(read.data.normals[read.data.triangles.at(0)[1]], (R3::Normal{}));
+}
+
+const std::string ply_header =
+    " 1.0\ncomment x\nobj_info y\nelement vertex 4\nproperty float x\nproperty double y\nproperty short z\n"
+    "property uchar red\nelement edge 1\nproperty list uchar int ends\nproperty char c\n"
+    "element face 2\nproperty int flags\nproperty list uchar ushort vertex_indices\nend_header\n";
+
+std::string BinaryPly(std::endian order) {
+  std::string bytes =
+      order == std::endian::little ? "ply\nformat binary_little_endian" : "ply\nformat binary_big_endian";
+  bytes += ply_header;
+  const auto vertex = [&](float x, double y) { bytes += Binary(order, x, y, std::int16_t{-2}, std::uint8_t{255}); };
+  vertex(0, 0), vertex(1, 0), vertex(1, 1), vertex(0, 1);
+  bytes += Binary(order, std::uint8_t{2}, 0, 1, std::int8_t{7});
+  bytes += Binary(order, 5, std::uint8_t{4}, std::uint16_t{0}, std::uint16_t{1}, std::uint16_t{2}, std::uint16_t{3});
+  return bytes + Binary(order, 5, std::uint8_t{3}, std::uint16_t{3}, std::uint16_t{2}, std::uint16_t{1});
+}
+
+const std::string ascii_ply = "ply\nformat ascii" + ply_header +
+                              "0 0 -2 255\n1 0 -2 255\n1 1 -2 255\n0 1 -2 255\n2 0 1 7\n5 4 0 1 2 3\n5 3 3 2 1\n";
+
+TEST(Ply, AllThreeEncodingsGiveTheSameMesh) {
+  for (const std::string& file : {ascii_ply, BinaryPly(std::endian::little), BinaryPly(std::endian::big)}) {
+    const auto read = Read("a.ply", file);
+    EXPECT_EQ(read.data.triangles, (Triangles{{0, 1, 2}, {0, 2, 3}, {3, 2, 1}}));
+    EXPECT_EQ(read.data.positions, (std::vector<R3::Point>{{0, 0, -2}, {1, 0, -2}, {1, 1, -2}, {0, 1, -2}}));
+    EXPECT_TRUE(read.warnings.empty());
+  }
+}
+
+TEST(Ply, TheDataBeginsRightBehindTheHeadersLineEndWhateverItIs) {
+  // 0x0a as the first byte of the data, behind line ends of one and of two bytes.
+  for (const std::string end : {"\n", "\r\n", "\r"}) {
+    std::string header;
+    for (const char* line : {"ply", "format binary_little_endian 1.0", "element vertex 1", "property char x",
+                             "property char y", "property char z", "end_header"})
+      header += line + end;
+    EXPECT_EQ(Read("a.ply", header + "\n\r\n").data.positions.at(0), (R3::Point{10, 13, 10})) << end.size();
+  }
+}
+
+TEST(Ply, NormalsAndTextureCoordinatesAreReadUnderTheirSeveralNames) {
+  for (const char* names : {"s t", "u v", "texture_u texture_v"}) {
+    const std::string both = names;
+    const std::string first = both.substr(0, both.find(' ')), second = both.substr(both.find(' ') + 1);
+    const auto read =
+        Read("a.ply",
+             "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\n"
+             "property float nx\nproperty float ny\nproperty float nz\nproperty float " +
+                 first + "\nproperty float " + second + "\nend_header\n1 2 3  0 0 1  0.5 0.25\n");
+    EXPECT_EQ(read.data.normals.at(0), (R3::Normal{0, 0, 1}));
+    EXPECT_EQ(read.data.uvs.at(0).x, 0.5);
+    EXPECT_EQ(read.data.uvs.at(0).y, 0.25);
+  }
+}
+
+TEST(Ply, StripsTurnEverySecondTriangleAndBeginAnewBehindMinusOne) {
+  const auto read =
+      Read("a.ply",
+           "ply\nformat ascii 1.0\nelement vertex 5\nproperty float x\nproperty float y\nproperty float z\n"
+           "element tristrips 1\nproperty list int int vertex_indices\nend_header\n"
+           "0 0 0\n1 0 0\n0 1 0\n1 1 0\n2 2 0\n11 0 1 2 3 -1 2 1 3 3 4 1\n");
+  // The second strip repeats vertex 3, so its second and third triangle are nothing; the fourth is turned.
+  EXPECT_EQ(read.data.triangles, (Triangles{{0, 1, 2}, {2, 1, 3}, {2, 1, 3}, {4, 3, 1}}));
+}
+
+TEST(Ply, AHeaderThatMakesNoSenseIsAnError) {
+  EXPECT_TRUE(Contains(ErrorOf("a.ply", "plu\n"), "a.ply:1:1: error: a .ply file begins with ply"));
+  EXPECT_TRUE(Contains(ErrorOf("a.ply", "ply\nformat ascii 2.0\n"), "only version 1.0"));
+  EXPECT_TRUE(Contains(ErrorOf("a.ply", "ply\nproperty float x\n"), "a property before any element"));
+  EXPECT_TRUE(Contains(ErrorOf("a.ply", "ply\nelement vertex -1\n"), "must not be negative"));
+  EXPECT_TRUE(
+      Contains(ErrorOf("a.ply", "ply\nelement face 1\nproperty list float int vertex_indices\n"), "integer type"));
+  EXPECT_TRUE(Contains(ErrorOf("a.ply", "ply\nelement vertex 1\nproperty float x\nend_header\n0\n"),
+                       "needs the properties x, y and z"));
+  EXPECT_TRUE(Contains(ErrorOf("a.ply", "ply\nelement vertex 1"), "the file ends before"));
+}
+
+TEST(Ply, ElementsWithoutPropertiesTakeNoTimeHoweverMany) {
+  EXPECT_EQ(ErrorOf("a.ply", "ply\nformat ascii 1.0\nelement nothing 9223372036854775807\nend_header\n"), "(none)");
+}
+
+std::string BinaryStl() {
+  const auto little = std::endian::little;
+  return "solid, though binary" + std::string(60, ' ') + Binary(little, std::uint32_t{1}) +
+         Binary(little, 0.f, 0.f, 1.f, 0.f, 0.f, 0.f, 1.f, 0.f, 0.f, 0.f, 1.f, 0.f, std::uint16_t{0});
+}
+
+const std::string ascii_stl =
+    "solid my cube\n facet normal 0 0 1\n  outer loop\n   vertex 0 0 0\n   vertex 1 0 0\n   vertex 0 1 0\n"
+    "  endloop\n endfacet\nendsolid my cube\n";
+
+TEST(Stl, BothKindsGiveTheSameMeshThoughBothBeginWithSolid) {
+  for (const std::string& file : {ascii_stl, BinaryStl()}) {
+    const auto read = Read("a.STL", file);
+    EXPECT_EQ(read.data.positions, (std::vector<R3::Point>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}));
+    EXPECT_EQ(read.data.triangles, (Triangles{{0, 1, 2}}));
+  }
+}
+
+TEST(Extremes, K3_HeadersThatPromiseMoreThanTheFileHoldsAreRefusedAtOnce) {
+  const std::string vertex = "property float x\nproperty float y\nproperty float z\n";
+  EXPECT_TRUE(Contains(ErrorOf("a.off", "OFF\n4000000000 4000000000 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"),
+                       "vertices are promised"));
+  EXPECT_TRUE(Contains(ErrorOf("a.off", "OFF\n1 4000000000 0\n0 0 0\n3 0 0 0\n"), "faces are promised"));
+  EXPECT_TRUE(Contains(ErrorOf("a.off", "OFF\n99999999999999999999 1 0\n"), "18 digits"));
+  EXPECT_TRUE(Contains(ErrorOf("a.off", "OFF\n1 1 0\n0 0 0\n4000000000 0\n"), "cannot have 4000000000 corners"));
+  EXPECT_TRUE(
+      Contains(ErrorOf("a.ray", "#vertex 0 0 0 0 0 1 0 0 #shape_polygon 0 4000000000 0"), "cannot have 4000000000"));
+  for (const char* format : {"ascii", "binary_little_endian", "binary_big_endian"}) {
+    const std::string start = "ply\nformat " + std::string(format) + " 1.0\nelement vertex ";
+    EXPECT_TRUE(
+        Contains(ErrorOf("a.ply", start + "9223372036854775807\n" + vertex + "end_header\n0 0 0\n"), "are promised"))
+        << format;
+    EXPECT_TRUE(Contains(ErrorOf("a.ply", start + "0\n" + vertex +
+                                              "element face 1\nproperty list uint int vertex_indices\n"
+                                              "end_header\n4294967295"),
+                         "does not fit the"))
+        << format;
+  }
+  EXPECT_TRUE(Contains(ErrorOf("a.stl", std::string(80, 'x') + "\xff\xff\xff\xff"), "4294967295 faces are promised"));
+}
+
+TEST(Extremes, K9_MeshesCutAnywhereAreErrorsOrMeshes) {
+  const std::vector<std::pair<std::string, std::string>> samples{
+      {"a.off", square_off},
+      {"a.ray",
+       "#vertex 0 0 0 0 0 1 0 0\n#vertex 1 0 0 0 0 1 0 0\n#vertex 0 1 0 0 0 1 0 0\n#shape_polygon 0 3 0 1 2\n"},
+      {"a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvn 0 0 1\nf 1/1/1 2/1/1 3/1/1\n"},
+      {"a.ply", ascii_ply},
+      {"b.ply", BinaryPly(std::endian::little)},
+      {"c.ply", BinaryPly(std::endian::big)},
+      {"a.stl", ascii_stl},
+      {"b.stl", BinaryStl()},
+  };
+  for (const auto& [name, bytes] : samples) {
+    ASSERT_TRUE(Reads(name, bytes)) << name;
+    for (std::size_t length = 0; length < bytes.size(); ++length) {
+      const bool reads = Reads(name, bytes.substr(0, length));
+      const bool is_binary = name[0] != 'a';
+      EXPECT_FALSE(reads && is_binary) << name << " cut to " << length;
+    }
+    int errors = 0;
+    for (std::size_t bit = 0; bit < 8 * bytes.size(); ++bit) {
+      std::string flipped = bytes;
+      flipped[bit / 8] = static_cast<char>(flipped[bit / 8] ^ (1 << bit % 8));
+      errors += !Reads(name, flipped);
+    }
+    EXPECT_GT(errors, 0) << name;
+  }
+}
+
+TEST(Extremes, K10_TenMebibytesOfAwkwardFacesTakeAtMostTenSeconds) {
+  const auto seconds = [](const std::string& name, const std::string& bytes) {
+    const auto start = std::chrono::steady_clock::now();
+    Reads(name, bytes);
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  };
+  // Combs of 256 corners: concave, and every second corner gets in the way of an ear.
+  std::string combs, one_place = "v 0 0 0\n", joined = "v 0 0 0\nf ";
+  for (int i = 0; i < 256; ++i)
+    combs += "v " + std::to_string(i == 255 ? 0 : i) + " " + std::to_string(i == 255 ? -9 : i % 2) + " 0\n";
+  std::string comb = "f";
+  for (int i = 256; i > 0; --i) comb += " " + std::to_string(i);
+  while (combs.size() < (10 << 20)) combs += comb + "\n";
+  EXPECT_LT(seconds("a.obj", combs), 10 * patience);
+  // One place with very many texture coordinates.
+  for (int i = 1; one_place.size() < (10 << 20); ++i)
+    one_place += "vt " + std::to_string(i) + " 0\nf 1/" + std::to_string(i) + " 1 1\n";
+  EXPECT_LT(seconds("a.obj", one_place), 10 * patience);
+  while (joined.size() < (10 << 20)) joined += "\\\n";
+  EXPECT_LT(seconds("a.obj", joined), 10 * patience);
+}
+
+TEST(Meshes, AQuarterMillionTrianglesAreReadInLessThanTwoSeconds) {
+  const std::filesystem::path file = ProjectRoot() / "../shared/meshes/igea.ply";
+  if (!std::filesystem::exists(file)) GTEST_SKIP() << "no mesh at " << file;
+  std::ostringstream bytes;
+  bytes << std::ifstream(file, std::ios::binary).rdbuf();
+  const auto start = std::chrono::steady_clock::now();
+  const auto read = Read("igea.ply", bytes.str());
+  EXPECT_LT(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(), 2 * patience);
+  EXPECT_EQ(read.data.positions.size(), 134345u);
+  EXPECT_EQ(read.data.triangles.size(), 268686u);
+}
+
+TEST(Meshes, ExtensionsAreKnownInAnyLetterCase) {
+  EXPECT_EQ(MeshFormatForName("A.OFF"), MeshFormatForName("b.off"));
+  EXPECT_TRUE(MeshFormatForName("x/y.Obj"));
+  EXPECT_FALSE(MeshFormatForName("off"));
+  EXPECT_FALSE(MeshFormatForName("a.offx"));
+}
+
+}  // namespace
+}  // namespace ray

@@ -1,0 +1,320 @@
+// What a .scn file means, once it is well formed. Numbers in names are those of the manual's list of traps.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "R3/Mesh.h"
+#include "tests/source/parse/Folder.h"
+
+namespace ray {
+namespace {
+
+TEST(Scn, Trap1_SignsAndPointsOfRealFilesAreRead) {
+  const Scene scene = ParseText("line -1  +20 .5 -.7071  01.57 5. 1e-3\n").scene;
+  ASSERT_EQ(scene.root.children.size(), 1u);
+  EXPECT_EQ(scene.root.children[0].line->start, (R3::Point{20, 0.5, -0.7071}));
+  EXPECT_EQ(scene.root.children[0].line->end, (R3::Point{1.57, 5, 0.001}));
+}
+
+TEST(Scn, AMaterialLandsFieldForField) {
+  const Material m = ParseText("material 1 2 3  4 5 6  7 8 9  10 11 12  13 14 15  16 1.7 0").scene.materials.at(1);
+  EXPECT_EQ(m.ka, (R2::Color{1, 2, 3}));
+  EXPECT_EQ(m.kd, (R2::Color{4, 5, 6}));
+  EXPECT_EQ(m.ks, (R2::Color{7, 8, 9}));
+  EXPECT_EQ(m.kt, (R2::Color{10, 11, 12}));
+  EXPECT_EQ(m.emission, (R2::Color{13, 14, 15}));
+  EXPECT_EQ(m.n, 16);
+  EXPECT_EQ(m.ir, 1.7);
+  EXPECT_FALSE(m.texture);
+}
+
+TEST(Extremes, F3_Trap2_AnIndexOfRefractionOfZeroMeansOneAndExtremeOnesStay) {
+  const auto index = [](const std::string& ir) {
+    return ParseText("material 0 0 0  0 0 0  0 0 0  1 1 1  0 0 0  10 " + ir + " 0").scene.materials.at(1).ir;
+  };
+  EXPECT_EQ(index("0"), 1);
+  EXPECT_EQ(index("1e-6"), 1e-6);
+  EXPECT_EQ(index("1e6"), 1e6);
+  for (const char* wrong : {"-1", "nan", "inf"})
+    EXPECT_TRUE(Contains(ReportOf("material 0 0 0  0 0 0  0 0 0  1 1 1  0 0 0  10 " + std::string(wrong) + " 0"),
+                         "error: ir must"));
+}
+
+TEST(Scn, Trap3_ABoxWithReversedCornersIsTheSameBox) {
+  const Scene scene = ParseText("box -1  1 -1 -1  3 -3 1\nbox -1  1 -3 -1  3 -1 1\n").scene;
+  EXPECT_EQ(scene.root.children.at(0).bounds, scene.root.children.at(1).bounds);
+  EXPECT_EQ(scene.root.children.at(0).bounds, (R3::Box{{1, -3, -1}, {3, -1, 1}}));
+}
+
+TEST(Scn, Trap4_AGroupWithoutMaterialPassesOnTheEnclosingOne) {
+  const Scene scene = ParseText(red + red + red + "begin 2" + identity + "begin -1" + identity +
+                                "sphere -1 0 0 0 1\nsphere 1 0 0 0 1 end end")
+                          .scene;
+  const Node& outer = scene.root.children.at(0);
+  EXPECT_EQ(outer.material, 3);  // 0 is the default
+  const Node& inner = outer.children.at(0);
+  EXPECT_EQ(inner.material, Node::inherit);
+  EXPECT_EQ(inner.children.at(0).material, Node::inherit);
+  EXPECT_EQ(inner.children.at(1).material, 2);
+}
+
+TEST(Scn, AnyNegativeIdInherits) {
+  EXPECT_EQ(ParseText("sphere -7 0 0 0 1").scene.root.children.at(0).material, Node::inherit);
+}
+
+TEST(Scn, Trap5_AtTheTopOfAnIncludedFileInheritingMeansTheDefault) {
+  const Folder folder;
+  folder.Write("inner.scn", "sphere -1 0 0 0 1 begin -1" + identity + "sphere -1 0 0 0 1 end sphere -1 0 0 0 1");
+  const Scene scene = Parse(folder.Write("scene.scn", red + "begin 0" + identity + "include inner.scn end"), {}).scene;
+  const Node& group = scene.root.children.at(0);
+  EXPECT_EQ(group.material, 1);
+  ASSERT_EQ(group.children.size(), 3u);
+  EXPECT_EQ(group.children[0].material, 0);
+  EXPECT_EQ(group.children[1].material, 0);
+  EXPECT_EQ(group.children[1].children.at(0).material, Node::inherit);
+  EXPECT_EQ(group.children[2].material, 0);
+}
+
+TEST(Scn, AnIncludedFileCountsItsOwnMaterials) {
+  const Folder folder;
+  folder.Write("inner.scn", "material 0 0 0  0 1 0  0 0 0  0 0 0  0 0 0  10 1 0\nsphere 0 0 0 0 1");
+  const Scene scene =
+      Parse(folder.Write("scene.scn", red + "include inner.scn\n" + red + "sphere 1 0 0 0 1"), {}).scene;
+  EXPECT_EQ(scene.materials.at(static_cast<std::size_t>(scene.root.children.at(0).material)).kd, (R2::Color{0, 1, 0}));
+  EXPECT_EQ(scene.root.children.at(1).material, 3);
+}
+
+TEST(Scn, Trap6_WithoutCameraAndLightsAUnitSphereFills77PercentOfTheWidth) {
+  const Scene scene = ParseText("sphere -1 0 0 0 1").scene;
+  const double distance = scene.camera.eye.z;
+  EXPECT_DOUBLE_EQ(distance, 3 * std::sqrt(3.0));
+  const double silhouette = std::tan(std::asin(1 / distance));
+  EXPECT_NEAR(silhouette / std::tan(scene.camera.xfov), 0.77, 0.005);
+  EXPECT_EQ(scene.lights.size(), 2u);
+}
+
+TEST(Scn, Trap7_ABlackLightSuppressesTheDefaultLights) {
+  const Scene scene = ParseText("point_light 0 0 0  0 3.5 1  0 0 1").scene;
+  ASSERT_EQ(scene.lights.size(), 1u);
+  EXPECT_TRUE(scene.lights[0]->IsBlack());
+}
+
+TEST(Scn, AnEmissiveTriangleAloneDoesNotSuppressThem) {
+  const Scene scene = ParseText("material 0 0 0  0 0 0  0 0 0  0 0 0  4 4 4  10 1 0\ntri 0  0 0 0  1 0 0  0 1 0").scene;
+  EXPECT_EQ(scene.lights.size(), 2u);
+}
+
+TEST(Scn, ALightInAnIncludedFileIsALightOfTheScene) {
+  const Folder folder;
+  folder.Write("inner.scn", "dir_light 1 1 1  0 0 -1");
+  folder.Write("none.scn", "");
+  EXPECT_EQ(Parse(folder.Write("a.scn", "include inner.scn"), {}).scene.lights.size(), 1u);
+  // The course's reader fills in default lights at the end of every file; here they come once.
+  EXPECT_EQ(Parse(folder.Write("b.scn", "include none.scn dir_light 1 1 1  0 0 -1"), {}).scene.lights.size(), 1u);
+}
+
+TEST(Scn, Trap8_ASpotLightSaysItsCutOffBeforeItsExponent) {
+  const Scene scene = ParseText("spot_light 1 1 1  0 0 0  0 0 -1  1 0 0  0.331 100").scene;
+  const auto at = [&](double angle) {
+    return scene.lights.at(0)->Illuminate({std::sin(angle), 0, -std::cos(angle)}, {}).has_value();
+  };
+  EXPECT_TRUE(at(0.32));
+  EXPECT_FALSE(at(0.34));
+}
+
+TEST(Scn, Trap11_WhatIsWrongIsAnErrorAndNoCrash) {
+  EXPECT_TRUE(Contains(ReportOf("It was a dark and stormy night"), "unknown command 'It'"));
+  EXPECT_TRUE(Contains(ReportOf("sphere -1 0 0 0"), "lacks radius"));
+  EXPECT_TRUE(Contains(ReportOf("sphere 3 0 0 0 1"), "no material 3"));
+  EXPECT_TRUE(Contains(ReportOf("mesh -1 nowhere.off"), "no such file"));
+  EXPECT_TRUE(Contains(ReportOf("end"), "end without begin"));
+  EXPECT_TRUE(Contains(ReportOf("include scene.scn"), "without end"));
+}
+
+TEST(Scn, TheMatrixIsReadByRowsForColumnVectors) {
+  const Scene scene = ParseText("begin -1  1 2 3 4  5 6 7 8  9 10 12 11  0 0 0 1\nsphere -1 0 0 0 1 end").scene;
+  EXPECT_EQ(scene.root.children.at(0).transform * R3::Point{}, (R3::Point{4, 8, 11}));
+  EXPECT_EQ(scene.root.children.at(0).transform * (R3::Vector{1, 0, 0}), (R3::Vector{1, 5, 9}));
+}
+
+TEST(Scn, AGroupsBoxIsInItsParentsCoordinates) {
+  const Scene scene =
+      ParseText("begin -1  2 0 0 10  0 1 0 0  0 0 1 0  0 0 0 1\nbox -1 0 0 0 1 1 1\nbegin -1" + identity + "end end")
+          .scene;
+  const Node& group = scene.root.children.at(0);
+  EXPECT_EQ(group.children.at(0).bounds, (R3::Box{{0, 0, 0}, {1, 1, 1}}));
+  EXPECT_EQ(group.bounds, (R3::Box{{10, 0, 0}, {12, 1, 1}}));
+  EXPECT_TRUE(group.children.at(1).bounds.IsEmpty());
+  EXPECT_EQ(scene.root.bounds, group.bounds);
+}
+
+TEST(Scn, TheLastCameraBackgroundAndAmbientWin) {
+  const Scene scene = ParseText(
+                          "camera 1 1 1  0 0 -1  0 1 0  0.5 1 2\ncamera 3 2 1  0 0 -2  0 3 0.1  0.75  0.5 50\n"
+                          "background 1 0 0 background 0 0.25 0 ambient 1 1 1 ambient 0 0 0.5")
+                          .scene;
+  EXPECT_EQ(scene.camera.eye, (R3::Point{3, 2, 1}));
+  EXPECT_EQ(scene.camera.xfov, 0.75);
+  EXPECT_EQ(scene.camera.near, 0.5);
+  EXPECT_EQ(scene.camera.far, 50);
+  EXPECT_EQ(scene.camera.towards, (R3::Vector{0, 0, -1}));
+  EXPECT_EQ(scene.camera.up, (R3::Vector{0, 1, 0}));
+  EXPECT_EQ(scene.background, (R2::Color{0, 0.25, 0}));
+  EXPECT_EQ(scene.ambient, (R2::Color{0, 0, 0.5}));
+}
+
+TEST(Scn, EveryShapeOfTheTableIsACommand) {
+  for (const R3::ShapeKind* kind : R3::ShapeKinds()) {
+    std::string command = std::string(kind->name) + " -1";
+    for (const double number : kind->example) command += " " + std::to_string(number);
+    const ParsedScene parsed = ParseText(command);
+    ASSERT_EQ(parsed.scene.root.children.size(), 1u) << command;
+    EXPECT_TRUE(parsed.scene.root.children[0].shape) << command;
+    EXPECT_TRUE(parsed.warnings.empty()) << command;
+    EXPECT_TRUE(Contains(ReportOf(kind->name), std::string(kind->name) + " lacks mat_id"));
+  }
+}
+
+TEST(Scn, EveryLightOfTheTableIsACommand) {
+  for (const LightKind* kind : LightKinds()) {
+    std::string command = kind->name;
+    for (const double number : kind->example) command += " " + std::to_string(number);
+    EXPECT_EQ(ParseText(command).scene.lights.size(), 1u) << command;
+    EXPECT_TRUE(Contains(ReportOf(kind->name), std::string(kind->name) + " lacks r"));
+  }
+}
+
+TEST(Scn, CommentsMayStandBetweenAnyTwoWords) {
+  const Scene scene = ParseText("#a\nsphere # b\n -1 0 #c\n#\n 0 0 1 #aqua").scene;
+  EXPECT_EQ(scene.root.children.size(), 1u);
+}
+
+TEST(Scn, ANodeKnowsWhereItStands) {
+  const Folder folder;
+  folder.Write("inner.scn", "\n\n  sphere -1 0 0 0 1");
+  const Scene scene = Parse(folder.Write("scene.scn", "include inner.scn"), {}).scene;
+  const Location at = scene.root.children.at(0).location;
+  EXPECT_EQ(at.line, 3u);
+  EXPECT_EQ(at.column, 3u);
+  EXPECT_EQ(scene.files.at(at.file), (folder / "inner.scn").string());
+  EXPECT_EQ(scene.files.at(0), (folder / "scene.scn").string());
+}
+
+const char* const triangle_off = "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+
+TEST(Scn, AMeshUsedTwiceIsOneMesh) {
+  const Folder folder;
+  folder.Write("sub/t.off", triangle_off);
+  const Scene scene = Parse(folder.Write("scene.scn", "mesh -1 sub/t.off\nmesh -1 ./sub/../sub/t.off"), {}).scene;
+  EXPECT_EQ(scene.root.children.at(0).shape, scene.root.children.at(1).shape);
+  EXPECT_EQ(scene.root.children.at(0).bounds, (R3::Box{{0, 0, 0}, {1, 1, 0}}));
+}
+
+TEST(Scn, TheWordSmoothBehindAMeshAsksForItsNormals) {
+  const Folder folder;
+  folder.Write("t.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 1 0 1\nf 1//1 2//1 3//1\n");
+  folder.Write("t.off", triangle_off);
+  const Scene scene = Parse(folder.Write("a.scn", "mesh -1 t.obj smooth mesh -1 t.obj"), {}).scene;
+  const auto normal = [&](std::size_t i) {
+    const R3::Ray ray{{0.25, 0.25, 1}, {0, 0, -1}};
+    const R3::Shape& mesh = *scene.root.children.at(i).shape;
+    const auto hit = mesh.Intersect(ray, 0);
+    return hit ? mesh.At(ray, *hit, 0).shading_normal : R3::Normal{};
+  };
+  EXPECT_NEAR(normal(0).x, std::sqrt(0.5), 1e-15);
+  EXPECT_EQ(normal(1), (R3::Normal{0, 0, 1}));
+  const ParsedScene flat = Parse(folder.Write("b.scn", "mesh -1 t.off smooth"), {});
+  ASSERT_EQ(flat.warnings.size(), 1u);
+  EXPECT_TRUE(Contains(flat.warnings[0], "'smooth' changes nothing"));
+}
+
+TEST(Scn, ATextureIsReadOnceAndDecodedWhenTheWorkflowIsLinear) {
+  const Folder folder;
+  folder.Write("t.ppm", std::string("P6 1 1 255\n") + "\x80\x80\x80");
+  const std::string material = "material 0 0 0  1 1 1  0 0 0  0 0 0  0 0 0  10 1 t.ppm\n";
+  folder.Write("scene.scn", material + material);
+  const Scene straight = Parse(folder / "scene.scn", {}).scene;
+  ASSERT_TRUE(straight.materials.at(1).texture);
+  EXPECT_EQ(straight.materials.at(1).texture, straight.materials.at(2).texture);
+  EXPECT_NEAR(straight.materials[1].texture->image.At(0, 0).r, 128 / 255.0, 1e-7);
+  ParseOptions options;
+  options.decode_srgb = true;
+  const Scene linear = Parse(folder / "scene.scn", options).scene;
+  EXPECT_NEAR(linear.materials.at(1).texture->image.At(0, 0).r, R2::DecodeSrgb(128 / 255.0), 1e-7);
+}
+
+TEST(Scn, WhatHasNoSizeIsKeptWithAWarning) {
+  const ParsedScene parsed = ParseText("sphere -1 1 2 3 0\ncone -1 0 0 0 1 0\ntri -1 0 0 0 1 1 1 2 2 2\n");
+  EXPECT_EQ(parsed.scene.root.children.size(), 3u);
+  ASSERT_EQ(parsed.warnings.size(), 3u);
+  EXPECT_TRUE(Contains(parsed.warnings[0], "scene.scn:1:1: warning: this sphere has no size: nothing ever hits it"));
+  EXPECT_TRUE(Contains(parsed.warnings[2], ":3:1: warning: this tri has no size"));
+}
+
+TEST(Scn, ASingularGroupIsKeptWithOneWarning) {
+  const auto warnings = [](const std::string& squeeze) {
+    return ParseText("\n begin -1  1 0 0 0  0 " + squeeze + " 0 0  0 0 1 0  0 0 0 1\nsphere -1 0 0 0 1 end").warnings;
+  };
+  EXPECT_TRUE(warnings("1").empty());
+  EXPECT_TRUE(warnings("1e-10").empty());
+  ASSERT_EQ(warnings("1e-11").size(), 1u);
+  EXPECT_TRUE(Contains(warnings("1e-11")[0], "scene.scn:2:2: warning: this group's matrix is close to singular"));
+  ASSERT_EQ(warnings("1e-15").size(), 1u);
+  EXPECT_TRUE(Contains(warnings("1e-15")[0], "is singular: the group is left out"));
+  ASSERT_EQ(warnings("0").size(), 1u);
+  EXPECT_TRUE(Contains(warnings("0")[0], "is singular"));
+}
+
+TEST(Scn, ThousandsOfWarningsAreCounted) {
+  std::string scene;
+  for (int i = 0; i < 5000; ++i) scene += "sphere -1 0 0 0 0\n";
+  const auto warnings = ParseText(scene).warnings;
+  ASSERT_EQ(warnings.size(), 101u);
+  EXPECT_EQ(warnings.back(), "and 4900 more warnings");
+}
+
+TEST(Scn, EnergyAboveOneIsNobodysBusinessButTheAuthors) {
+  EXPECT_TRUE(ParseText("material 10 10 10  10 10 10  10 10 10  10 10 10  4 4 4  10 1 0").warnings.empty());
+}
+
+TEST(Scn, TwoMisspelledCommandsAreTwoErrors) {
+  const std::string report = ReportOf("spere -1 0 0 0 1\nboks -1 0 0 0 1 1 1\nsphere -1 0 0 0 -1\n");
+  EXPECT_TRUE(Contains(report, ":1:1: error: unknown command 'spere'"));
+  EXPECT_TRUE(Contains(report, ":2:1: error: unknown command 'boks'"));
+  EXPECT_TRUE(Contains(report, ":3:17: error: radius must not be negative"));
+}
+
+TEST(Scn, AMaterialWithAMistakeKeepsItsIdSoThatItIsReportedOnce) {
+  const std::string report = ReportOf("material 0 0\nsphere 0 0 0 0 1\n");
+  EXPECT_TRUE(Contains(report, "material lacks ka_b"));
+  EXPECT_FALSE(Contains(report, "no material"));
+}
+
+TEST(Scn, AMeshThatFailsIsReportedOnce) {
+  const Folder folder;
+  folder.Write("t.off", "OFF\n1 0 0\nx\n");
+  folder.Write("scene.scn", "mesh -1 t.off\nmesh -1 t.off\n");
+  const std::string report = ReportOf(folder, "scene.scn");
+  EXPECT_EQ(report.find("error"), report.rfind("error"));
+}
+
+TEST(Scn, TheScenesOfTheCourseAreReadWithoutAnError) {
+  const std::filesystem::path scenes = ProjectRoot() / "../shared/scenes-cos426";
+  if (!std::filesystem::exists(scenes)) GTEST_SKIP() << "no course scenes at " << scenes;
+  int count = 0;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(scenes)) {
+    if (entry.path().extension() != ".scn") continue;
+    ++count;
+    try {
+      const ParsedScene parsed = Parse(entry.path(), {});
+      EXPECT_FALSE(parsed.scene.root.children.empty()) << entry.path();
+    } catch (const SceneErrors& errors) {
+      ADD_FAILURE() << errors.what();
+    }
+  }
+  EXPECT_GT(count, 40);
+}
+
+}  // namespace
+}  // namespace ray

@@ -1,0 +1,84 @@
+#include "source/parse/Tokenizer.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace ray {
+namespace {
+
+std::string Words(const std::string& bytes, Tokenizer::Comments comments = Tokenizer::Comments::hash) {
+  const Text text{"t", bytes};
+  Tokenizer tokens(text, comments);
+  std::string all;
+  while (const auto t = tokens.Next())
+    all += std::string(t->text) + "@" + std::to_string(t->line) + ":" + std::to_string(t->column) +
+           (t->starts_line ? "! " : " ");
+  return all;
+}
+
+TEST(Tokenizer, ErrorsPointAtTheRightLineAndColumn) { EXPECT_EQ(Words("a bc\n  d"), "a@1:1! bc@1:3 d@2:3! "); }
+
+TEST(Tokenizer, LineEndsOfEverySystemCountOnce) {
+  EXPECT_EQ(Words("a\nb"), "a@1:1! b@2:1! ");
+  EXPECT_EQ(Words("a\r\nb"), "a@1:1! b@2:1! ");
+  EXPECT_EQ(Words("a\rb"), "a@1:1! b@2:1! ");
+  EXPECT_EQ(Words("a\r\rb"), "a@1:1! b@3:1! ");
+  EXPECT_EQ(Words("a\n\rb"), "a@1:1! b@3:1! ");
+}
+
+TEST(Tokenizer, AllWhiteSpaceSeparatesAndATabIsOneColumn) {
+  EXPECT_EQ(Words("a\tb\vc\fd"), "a@1:1! b@1:3 c@1:5 d@1:7 ");
+}
+
+TEST(Tokenizer, ColumnsCountCharactersNotBytes) { EXPECT_EQ(Words("\xC3\xA4 b"), "\xC3\xA4@1:1! b@1:3 "); }
+
+TEST(Tokenizer, AByteOrderMarkIsNoPartOfTheFirstWord) {
+  EXPECT_EQ(Words("\xEF\xBB\xBF"
+                  "a"),
+            "a@1:1! ");
+}
+
+TEST(Tokenizer, ACommentBeginsOnlyAtTheStartOfAWord) {
+  EXPECT_EQ(Words("a # b c\nd"), "a@1:1! d@2:1! ");
+  EXPECT_EQ(Words("a#b #c"), "a#b@1:1! ");
+  EXPECT_EQ(Words("#\r#\r\n# x"), "");
+  EXPECT_EQ(Words("#vertex 1", Tokenizer::Comments::none), "#vertex@1:1! 1@1:9 ");
+}
+
+TEST(Tokenizer, AnEmptyTextHasNoWords) {
+  EXPECT_EQ(Words(""), "");
+  EXPECT_EQ(Words(" \n\t"), "");
+}
+
+TEST(Tokenizer, PeekingTakesNothing) {
+  const Text text{"t", "a b"};
+  Tokenizer tokens(text, Tokenizer::Comments::hash);
+  EXPECT_EQ(tokens.Peek()->text, "a");
+  EXPECT_EQ(tokens.Peek()->text, "a");
+  EXPECT_EQ(tokens.Next()->text, "a");
+  EXPECT_EQ(tokens.Next()->text, "b");
+  EXPECT_FALSE(tokens.Peek());
+  EXPECT_FALSE(tokens.Next());
+}
+
+TEST(Tokenizer, SkippingALineStopsAtTheNext) {
+  const Text text{"t", "a b c\nd"};
+  Tokenizer tokens(text, Tokenizer::Comments::hash);
+  tokens.Next();
+  EXPECT_EQ(tokens.SkipLine(1), 2u);
+  EXPECT_EQ(tokens.Next()->text, "d");
+}
+
+TEST(Tokenizer, ANulByteIsFoundWhereItStands) {
+  using namespace std::string_literals;
+  const Text text{"t", "a\r\nb\nab\0c"s};
+  const auto error = FindNul(text);
+  ASSERT_TRUE(error);
+  EXPECT_EQ(error->line, 3u);
+  EXPECT_EQ(error->column, 3u);
+  EXPECT_FALSE(FindNul(Text{"t", "abc"}));
+}
+
+}  // namespace
+}  // namespace ray

@@ -1,0 +1,168 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "source/scene/Light.h"
+
+namespace ray {
+namespace {
+
+std::unique_ptr<const Light> Make(const std::string& name, const std::vector<double>& arguments) {
+  return FindLightKind(name)->make(arguments);
+}
+
+TEST(Lights, EveryKindHasAnExampleThatFitsItsArguments) {
+  EXPECT_EQ(LightKinds().size(), 4u);
+  for (const LightKind* kind : LightKinds()) {
+    ASSERT_EQ(kind->example.size(), kind->arguments.size()) << kind->name;
+    const auto light = kind->make(kind->example);
+    EXPECT_FALSE(light->IsBlack()) << kind->name;
+    EXPECT_TRUE(light->Illuminate({0.5, -2, -1}, {0.3, 0.6})) << kind->name;
+    EXPECT_FALSE(light->Describe().empty());
+    EXPECT_EQ(FindLightKind(kind->name), kind);
+  }
+  EXPECT_EQ(FindLightKind("sun"), nullptr);
+}
+
+TEST(Lights, ABlackOneOfEveryKindKnowsThatItIs) {
+  for (const LightKind* kind : LightKinds()) {
+    std::vector<double> black = kind->example;
+    black[0] = black[1] = black[2] = 0;
+    EXPECT_TRUE(kind->make(black)->IsBlack()) << kind->name;
+  }
+}
+
+TEST(Lights, WhatArrivesIsFiniteFromFarAndNear) {
+  for (const LightKind* kind : LightKinds()) {
+    const auto light = kind->make(kind->example);
+    for (const double y : {2.999999999, 2.9, 0.0, -1e6, -1e12, -1e150}) {
+      const auto arriving = light->Illuminate({0.5, y, -1}, {0.25, 0.75});
+      if (!arriving) continue;
+      EXPECT_TRUE(std::isfinite(arriving->irradiance.r) && arriving->irradiance.r >= 0) << kind->name << y;
+      EXPECT_TRUE(std::isfinite(Length(arriving->to_light))) << kind->name << y;
+    }
+  }
+}
+
+TEST(Lights, TheDefaultsAreTheCourses) {
+  const auto lights = DefaultLights();
+  ASSERT_EQ(lights.size(), 2u);
+  const auto first = lights[0]->Illuminate({}, {}), second = lights[1]->Illuminate({}, {});
+  EXPECT_EQ(first->irradiance, (R2::Color{1, 1, 1}));
+  EXPECT_NEAR(first->to_light.x, 3 / std::sqrt(50.0), 1e-15);
+  EXPECT_NEAR(first->to_light.z, 5 / std::sqrt(50.0), 1e-15);
+  EXPECT_EQ(second->irradiance, (R2::Color{0.5, 0.5, 0.5}));
+  EXPECT_NEAR(second->to_light.y, -2 / std::sqrt(22.0), 1e-15);
+}
+
+TEST(DirLight, IsTheSameEverywhereAndHasNoPlace) {
+  const auto light = Make("dir_light", {1, 2, 3, 0, 0, -10});
+  for (const R3::Point& p : {R3::Point{}, R3::Point{1e9, -5, 2}}) {
+    const auto arriving = light->Illuminate(p, {});
+    EXPECT_EQ(arriving->irradiance, (R2::Color{1, 2, 3}));
+    EXPECT_EQ(arriving->to_light, (R3::Vector{0, 0, 1}));
+    EXPECT_TRUE(arriving->is_infinite);
+  }
+}
+
+TEST(PointLight, FadesByItsThreeNumbers) {
+  const auto light = Make("point_light", {1, 1, 1, 0, 0, 0, 2, 3, 5});
+  EXPECT_DOUBLE_EQ(light->Illuminate({3, 0, 4}, {})->irradiance.r, 1.0 / (2 + 3 * 5 + 5 * 25));
+  EXPECT_EQ(light->Illuminate({3, 0, 4}, {})->to_light, (R3::Vector{-3, 0, -4}));
+}
+
+TEST(Extremes, E4_APointWhereTheLightIsGetsNothingFromIt) {
+  EXPECT_FALSE(Make("point_light", {1, 1, 1, 1, 2, 3, 0, 0, 1})->Illuminate({1, 2, 3}, {}));
+  EXPECT_FALSE(Make("spot_light", {1, 1, 1, 1, 2, 3, 0, 0, -1, 0, 0, 1, 1, 1})->Illuminate({1, 2, 3}, {}));
+  EXPECT_FALSE(Make("area_light", {1, 1, 1, 1, 2, 3, 0, 0, -1, 0, 0, 0, 1})->Illuminate({1, 2, 3}, {}));
+}
+
+TEST(SpotLight, FadesWithTheCosineAndEndsAtItsCutOff) {
+  const auto light = Make("spot_light", {1, 1, 1, 0, 0, 0, 0, 0, -2, 0, 0, 1, 0.5, 3});
+  const auto at = [&](double angle) { return light->Illuminate({2 * std::sin(angle), 0, -2 * std::cos(angle)}, {}); };
+  EXPECT_DOUBLE_EQ(at(0)->irradiance.r, 0.25);
+  EXPECT_NEAR(at(0.4)->irradiance.r, std::pow(std::cos(0.4), 3) / 4, 1e-15);
+  EXPECT_TRUE(at(0.4999));
+  EXPECT_FALSE(at(0.5001));
+}
+
+TEST(SpotLight, NeverShinesBackwardsHoweverWide) {
+  const auto light = Make("spot_light", {1, 1, 1, 0, 0, 0, 0, 0, -1, 1, 0, 0, std::numbers::pi, 0});
+  EXPECT_TRUE(light->Illuminate({100, 0, -0.01}, {}));
+  EXPECT_FALSE(light->Illuminate({100, 0, 0}, {}));
+  EXPECT_FALSE(light->Illuminate({0, 0, 1}, {}));
+  EXPECT_THROW(Make("spot_light", {1, 1, 1, 0, 0, 0, 0, 0, -1, 1, 0, 0, 3.2, 0}), R3::ArgumentError);
+}
+
+/// Where on the light a sample went.
+R3::Point Place(const Light& light, const R3::Point& seen_from, const R2::Point& random) {
+  return seen_from + light.Illuminate(seen_from, random)->to_light;
+}
+
+TEST(AreaLight, SamplesLieOnItsDiscWhicheverWayItFaces) {
+  for (const R3::Vector& d : {R3::Vector{0, -1, 0}, {0, 0, 1}, {0, 0, -1}, {1, 2, -3}, {1e-9, 0, -1}}) {
+    const auto light = Make("area_light", {1, 1, 1, 1, 2, 3, d.x, d.y, d.z, 0.5, 1, 0, 0});
+    const R3::Point seen_from = R3::Point{1, 2, 3} + 4.0 * Unit(d);
+    for (double u = 0; u < 1; u += 0.09)
+      for (double v = 0; v < 1; v += 0.09) {
+        const R3::Vector from_center = Place(*light, seen_from, {u, v}) - R3::Point{1, 2, 3};
+        EXPECT_LE(Length(from_center), 0.5 + 1e-14);
+        EXPECT_NEAR(Dot(from_center, Unit(d)), 0, 1e-14);
+      }
+  }
+}
+
+TEST(AreaLight, SamplesFallEvenlyByArea) {
+  // A grid of n x n even samples: the share within radius r of a unit disc is r^2, and half lies on either side of any
+  // line through the centre. The discrepancy of the grid along a curve is of the order of 1/n.
+  const auto light = Make("area_light", {1, 1, 1, 0, 0, 0, 0, 0, -1, 1, 1, 0, 0});
+  constexpr int n = 200;
+  int within[4] = {}, right = 0, above = 0;
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j) {
+      const R3::Point p = Place(*light, {0, 0, -5}, {(i + 0.5) / n, (j + 0.5) / n});
+      for (int k = 0; k < 4; ++k) within[k] += std::hypot(p.x, p.y) <= 0.2 * (k + 1);
+      right += p.x > 0;
+      above += p.y > p.x;
+    }
+  for (int k = 0; k < 4; ++k) EXPECT_NEAR(within[k] / double(n * n), 0.04 * (k + 1) * (k + 1), 2.0 / n);
+  EXPECT_NEAR(right / double(n * n), 0.5, 2.0 / n);
+  EXPECT_NEAR(above / double(n * n), 0.5, 2.0 / n);
+}
+
+TEST(AreaLight, ShinesToOneSideWithTheCosine) {
+  const auto light = Make("area_light", {1, 1, 1, 0, 0, 0, 0, 0, -1, 0, 0, 0, 1});
+  const double angle = 0.7;
+  EXPECT_NEAR(light->Illuminate({2 * std::sin(angle), 0, -2 * std::cos(angle)}, {0.5, 0.5})->irradiance.r,
+              std::cos(angle) / 4, 1e-15);
+  EXPECT_FALSE(light->Illuminate({0, 0, 1}, {0.5, 0.5}));
+  EXPECT_FALSE(light->Illuminate({1, 0, 0}, {0.5, 0.5}));
+}
+
+TEST(Extremes, E6_ADiscOfNoSizeIsAPointAndOneSeenEdgeOnIsDark) {
+  const auto point = Make("area_light", {1, 1, 1, 0, 0, 0, 0, 0, -1, 0, 1, 0, 0});
+  EXPECT_FALSE(point->IsExtended());
+  EXPECT_EQ(Place(*point, {0, 0, -2}, {0.9, 0.1}), (R3::Point{0, 0, 0}));
+  const auto disc = Make("area_light", {1, 1, 1, 0, 0, 0, 0, 0, -1, 1, 1, 0, 0});
+  EXPECT_TRUE(disc->IsExtended());
+  EXPECT_FALSE(disc->Illuminate({3, 0, 0}, {0.9, 0.1}));
+}
+
+TEST(Lights, ADirectionOfZeroIsAnErrorThatPointsAtIt) {
+  const auto index = [](const std::string& name, const std::vector<double>& arguments) {
+    try {
+      Make(name, arguments);
+      return -1;
+    } catch (const R3::ArgumentError& error) {
+      return static_cast<int>(error.index);
+    }
+  };
+  EXPECT_EQ(index("dir_light", {1, 1, 1, 0, 0, 0}), 3);
+  EXPECT_EQ(index("spot_light", {1, 1, 1, 0, 0, 0, 0, 0, 0, 1, 0, 0, 1, 1}), 6);
+  EXPECT_EQ(index("area_light", {1, 1, 1, 0, 0, 0, 0, 0, 0, 1, 1, 0, 0}), 6);
+  EXPECT_EQ(index("spot_light", {1, 1, 1, 0, 0, 0, 0, 0, -1, 1, 0, 0, 4, 1}), 12);
+}
+
+}  // namespace
+}  // namespace ray
