@@ -85,11 +85,12 @@ bool EnvironmentIsFit() {
 /// Collects why tests were skipped.
 class SkipReasons : public testing::EmptyTestEventListener {
  public:
+  // Kept from here: while a result is told, the framework holds the lock that asking for the test would take.
+  void OnTestStart(const testing::TestInfo& test) override {
+    test_ = std::string(test.test_suite_name()) + "." + test.name();
+  }
   void OnTestPartResult(const testing::TestPartResult& result) override {
-    if (!result.skipped()) return;
-    const testing::TestInfo* test = testing::UnitTest::GetInstance()->current_test_info();
-    reasons_.push_back((test ? std::string(test->test_suite_name()) + "." + test->name() : "a suite") + ": " +
-                       result.message());
+    if (result.skipped()) reasons_.push_back(test_ + ": " + result.message());
   }
   void Print() const {
     if (!reasons_.empty()) std::printf("skipped:\n");
@@ -97,6 +98,7 @@ class SkipReasons : public testing::EmptyTestEventListener {
   }
 
  private:
+  std::string test_;
   std::vector<std::string> reasons_;
 };
 
