@@ -1,5 +1,5 @@
 #!/bin/sh
-# Who may include whom: every #include "..." goes down the layers, or stays in its own. Prints file:line for each breach.
+# Who may include whom: every #include "..." goes down the layers, or stays in its own. Prints each breach.
 #   usage: script/check_layers.sh [root of the tree]
 set -eu
 cd "${1:-$(dirname "$0")/..}"

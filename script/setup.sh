@@ -23,9 +23,13 @@ is_installed() { dpkg-query -W -f '${Status}' "$1" 2>/dev/null | grep -q '^insta
 compiler() { if [ -n "${CXX-}" ]; then echo "$CXX"; else echo g++; fi; }
 
 # Asks the compiler, which finds what was installed by other means than the package manager.
-has_header() { $(compiler) ${CPPFLAGS-} -std=c++20 -include stdio.h -include "$1" -fsyntax-only -x c++ /dev/null >/dev/null 2>&1; }
+has_header() {
+  $(compiler) ${CPPFLAGS-} -std=c++20 -include stdio.h -include "$1" -fsyntax-only -x c++ /dev/null >/dev/null 2>&1
+}
 
-exr_flags() { pkg-config --cflags OpenEXR 2>/dev/null || echo -isystem /usr/include/OpenEXR -isystem /usr/include/Imath; }
+exr_flags() {
+  pkg-config --cflags OpenEXR 2>/dev/null || echo "-isystem /usr/include/OpenEXR -isystem /usr/include/Imath"
+}
 
 has() {
   case "$1" in

@@ -45,7 +45,8 @@ Account::Account(const Options& options, std::span<const std::string> words) {
   if (options.render.trace.max_depth > most_bounces)
     Warn("raypro: warning: -max_depth " + std::to_string(options.render.trace.max_depth) + " is more than the " +
          std::to_string(most_bounces) + " bounces that are followed at most");
-  for (const std::string& name : OptionsWithoutEffect(options)) Warn("raypro: warning: " + name + " has no effect here");
+  for (const std::string& name : OptionsWithoutEffect(options))
+    Warn("raypro: warning: " + name + " has no effect here");
 }
 
 void Account::Loaded(const ParsedScene& parsed) {

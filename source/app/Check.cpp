@@ -100,18 +100,19 @@ std::vector<std::string> LikelyMistakes(const World& world, const RenderSettings
     mistakes.push_back(file + ": warning: no light shines" +
                        (scene.lights.empty() ? "" : "; every light of the scene is black"));
   if (const int solids = SolidsAround(world, scene.camera.eye); solids > 0)
-    mistakes.push_back(file + ": warning: the camera is inside " + Counted(static_cast<std::uint64_t>(solids), "shape"));
+    mistakes.push_back(file + ": warning: the camera is inside " +
+                       Counted(static_cast<std::uint64_t>(solids), "shape"));
 
-  Point(mistakes, world, "has no extent, nothing can hit it", [](const Instance& i) { return i.shape->IsDegenerate(); });
+  Point(mistakes, world, "has no extent, nothing can hit it",
+        [](const Instance& i) { return i.shape->IsDegenerate(); });
   Point(mistakes, world, "has a texture but no texture coordinates",
         [](const Instance& i) { return i.material->texture && !i.shape->HasTextureCoordinates(); });
 
   const auto inward = InwardSides(scene.camera, settings);
   Point(mistakes, world, "lies outside the view", [&](const Instance& i) {
     const R3::Box box = WorldBounds(world, i);
-    return !box.IsEmpty() && std::ranges::any_of(inward, [&](const R3::Vector& side) {
-      return IsOutside(box, scene.camera.eye, side);
-    });
+    return !box.IsEmpty() &&
+           std::ranges::any_of(inward, [&](const R3::Vector& side) { return IsOutside(box, scene.camera.eye, side); });
   });
   return mistakes;
 }

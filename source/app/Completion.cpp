@@ -33,10 +33,13 @@ std::string Bash() {
   }
   return "_raypro() {\n"
          "  local word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD-1]}\n"
-         "  case $before in\n" + cases +
+         "  case $before in\n" +
+         cases +
          "  esac\n"
          "  if [[ $word == -* ]]; then\n"
-         "    COMPREPLY=($(compgen -W '" + names.substr(1) + "' -- \"$word\"))\n"
+         "    COMPREPLY=($(compgen -W '" +
+         names.substr(1) +
+         "' -- \"$word\"))\n"
          "  else\n"
          "    COMPREPLY=($(compgen -f -- \"$word\"))\n"
          "  fi\n"

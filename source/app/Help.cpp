@@ -1,6 +1,7 @@
 #include "source/app/Help.h"
 
 #include "source/app/OptionTable.h"
+#include "source/app/Words.h"
 
 namespace ray {
 namespace {
@@ -38,7 +39,8 @@ std::string FullHelp() {
       "-width 512, --width 512 and -width=512 mean the same; options and names come in any order.\n\n";
   for (const std::string& topic : OptionTopics()) text += TopicHelp(topic) + "\n";
   return text + "examples:\n" + HelpExamples() +
-         "\nexit status: 0 done, 1 failed while rendering, 2 wrong arguments, 3 scene wrong or missing, 4 cannot write,\n"
+         "\nexit status: 0 done, 1 failed while rendering, 2 wrong arguments, 3 scene wrong or missing, 4 cannot "
+         "write,\n"
          "130 or 143 interrupted with the picture so far saved\n";
 }
 
@@ -70,7 +72,7 @@ std::string HelpExamples() {
 std::string Help(const std::string& subject) {
   if (subject.empty()) return FullHelp();
   if (subject == "markdown") return MarkdownTable();
-  if (const OptionKind* option = FindOption(subject.substr(subject.find_first_not_of('-')))) return HelpLine(*option);
+  if (const OptionKind* option = FindOption(WithoutDashes(subject))) return HelpLine(*option);
   return TopicHelp(subject);
 }
 

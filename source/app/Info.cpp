@@ -17,7 +17,8 @@ namespace {
 }
 
 std::vector<unsigned char> ReadBytes(const std::string& file) {
-  if (!std::filesystem::is_regular_file(file)) Refuse(file, "there is no such file");
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(file, ignored)) Refuse(file, "there is no such file");
   std::ifstream stream(file, std::ios::binary);
   if (!stream) Refuse(file, "the file cannot be read");
   return {std::istreambuf_iterator<char>(stream), {}};
@@ -28,8 +29,8 @@ std::vector<unsigned char> ReadBytes(const std::string& file) {
 std::string PictureInfo(const std::string& file) {
   try {
     const R2::DecodedImage picture = R2::DecodeImage(ReadBytes(file));
-    std::string text = Escaped(file) + ": " + picture.format->name + ", " + std::to_string(picture.image.Width()) + "x" +
-                       std::to_string(picture.image.Height()) + "\n";
+    std::string text = Escaped(file) + ": " + picture.format->name + ", " + std::to_string(picture.image.Width()) +
+                       "x" + std::to_string(picture.image.Height()) + "\n";
     for (const auto& [key, value] : picture.settings) text += Escaped(key) + ": " + Escaped(value) + "\n";
     return text;
   } catch (const R2::ImageError& error) {

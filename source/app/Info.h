@@ -4,8 +4,8 @@
 
 namespace ray {
 
-/// What -info prints: size and format of a picture and the settings kept in it. Throws SceneErrors when it is missing or
-/// no picture.
+/// What -info prints: size and format of a picture and the settings kept in it. Throws SceneErrors when it is missing
+/// or no picture.
 std::string PictureInfo(const std::string& file);
 
 }  // namespace ray

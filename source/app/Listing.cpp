@@ -21,7 +21,8 @@ template <class Kind>
 std::string LineWithArguments(const Kind& kind) {
   std::string about = kind.about;
   about += " (";
-  for (const R3::Argument& argument : kind.arguments) about += std::string(about.back() == '(' ? "" : " ") + argument.name;
+  for (const R3::Argument& argument : kind.arguments)
+    about += std::string(about.back() == '(' ? "" : " ") + argument.name;
   return Line(kind.name, about + ")");
 }
 
@@ -47,7 +48,8 @@ std::string Images() {
   std::string text;
   for (const R2::ImageFormat& format : R2::ImageFormats()) {
     std::string extensions;
-    for (const char* extension : format.extensions) extensions += (extensions.empty() ? "." : " .") + std::string(extension);
+    for (const char* extension : format.extensions)
+      extensions += (extensions.empty() ? "." : " .") + std::string(extension);
     text += Line(format.name, extensions);
   }
   return text;

@@ -48,14 +48,17 @@ std::string ManualPage() {
          "The extensions of the two names say their formats;\n.B raypro \\-list\nnames them.\n"
          "Options and names come in any order; \\-width 512, \\-\\-width 512 and \\-width=512 mean the same.\n"
          "The picture is written to a temporary file beside its name and renamed when it is whole.\n"
-         ".SH OPTIONS\n" + Entries() +
+         ".SH OPTIONS\n" +
+         Entries() +
          ".SH EXIT STATUS\n"
          ".TP\n.B 0\nDone.\n.TP\n.B 1\nFailed while rendering.\n.TP\n.B 2\nWrong arguments.\n"
-         ".TP\n.B 3\nThe scene, or a file that it names, is wrong or missing.\n.TP\n.B 4\nThe picture cannot be written.\n"
+         ".TP\n.B 3\nThe scene, or a file that it names, is wrong or missing.\n.TP\n.B 4\nThe picture cannot be "
+         "written.\n"
          ".TP\n.B 130, 143\nInterrupted by SIGINT or SIGTERM; the picture so far is saved.\n"
          ".SH ENVIRONMENT\n.TP\n.B NO_COLOR\nNo colour on the terminal.\n"
          ".TP\n.B TMPDIR\nWhere a picture is kept that cannot be written where it should be.\n"
-         ".SH EXAMPLES\n.nf\n" + Roff(HelpExamples()) + ".fi\n";
+         ".SH EXAMPLES\n.nf\n" +
+         Roff(HelpExamples()) + ".fi\n";
 }
 
 }  // namespace ray

@@ -30,6 +30,8 @@ std::vector<std::string> HelpSubjects() {
 template <class T>
 constexpr T highest = std::numeric_limits<T>::max();
 
+// One entry stays one thought.
+// clang-format off
 // One lambda that reads a const Options and writes another.
 #define AT(member) [](auto& o) -> auto& { return o.member; }
 
@@ -86,20 +88,21 @@ std::vector<OptionKind> MakeTable() {
       {"stats", {}, {}, Flag{AT(stats)}, "", "messages", "print what the picture cost"},
       {"report", {}, {"file.json"}, FileName{AT(report)}, "", "messages", "write what the picture cost, for programs"},
 
-      {"help", {"h"}, {"topic"}, Request{Task::help, Request::perhaps, HelpSubjects}, "", "help",
+      {"help", {"h"}, {"topic"}, Request{Task::help, Request::perhaps, HelpSubjects}, "", "about",
        "print this, or one topic of it"},
-      {"version", {}, {}, Request{Task::version}, "", "help", "print the version and what is built in"},
-      {"list", {}, {"what"}, Request{Task::list, Request::perhaps, ListSubjects}, "", "help",
+      {"version", {}, {}, Request{Task::version}, "", "about", "print the version and what is built in"},
+      {"list", {}, {"what"}, Request{Task::list, Request::perhaps, ListSubjects}, "", "about",
        "list what this program knows"},
-      {"info", {}, {"picture"}, Request{Task::info, Request::always}, "", "help",
+      {"info", {}, {"picture"}, Request{Task::info, Request::always}, "", "about",
        "print how a picture was made, from the picture itself"},
-      {"complete", {}, {"shell"}, Request{Task::complete, Request::always, Shells}, "", "help",
+      {"complete", {}, {"shell"}, Request{Task::complete, Request::always, Shells}, "", "about",
        "print the completion script of a shell"},
-      {"man", {}, {}, Request{Task::manual}, "", "help", "print the manual page"},
+      {"man", {}, {}, Request{Task::manual}, "", "about", "print the manual page"},
   };
 }
 
 #undef AT
+// clang-format on
 
 }  // namespace
 

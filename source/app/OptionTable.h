@@ -65,9 +65,9 @@ struct OptionKind {
   std::vector<const char*> aliases;    // understood everywhere, shown nowhere
   std::vector<const char*> arguments;  // their names
   OptionValue value;
-  const char* unit;                    // may be empty
-  const char* topic;                   // the heading in the help
-  const char* help;                    // one line
+  const char* unit;   // may be empty
+  const char* topic;  // the heading in the help
+  const char* help;   // one line
 };
 
 /// Every option, by topic.

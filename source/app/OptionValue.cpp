@@ -8,6 +8,7 @@
 
 #include "source/app/OptionTable.h"
 #include "source/app/Status.h"
+#include "source/app/Words.h"
 #include "source/parse/Number.h"
 #include "source/parse/Suggestion.h"
 #include "source/parse/Text.h"
@@ -106,8 +107,8 @@ const std::string& Choose(const OptionKind& option, const std::string& word, con
 }
 
 PixelRectangle ReadRectangle(const OptionKind& option, std::span<const std::string> words) {
-  return {ReadOrRefuse<int>(option, words[0]), ReadOrRefuse<int>(option, words[1]),
-          ReadOrRefuse<int>(option, words[2]), ReadOrRefuse<int>(option, words[3])};
+  return {ReadOrRefuse<int>(option, words[0]), ReadOrRefuse<int>(option, words[1]), ReadOrRefuse<int>(option, words[2]),
+          ReadOrRefuse<int>(option, words[3])};
 }
 
 void StoreRequest(const OptionKind& option, const Request& request, std::span<const std::string> words,
@@ -115,7 +116,7 @@ void StoreRequest(const OptionKind& option, const Request& request, std::span<co
   options.task = request.task;
   if (words.empty()) return;
   // -help also takes the name of an option.
-  const bool is_option = request.task == Task::help && FindOption(words[0].substr(words[0].find_first_not_of('-')));
+  const bool is_option = request.task == Task::help && FindOption(WithoutDashes(words[0]));
   options.subject = is_option || !request.subjects ? words[0] : Choose(option, words[0], request.subjects());
 }
 
@@ -133,9 +134,7 @@ void Store(const OptionKind& option, std::span<const std::string> words, Options
                    if (std::ranges::find(one.choices, value) == one.choices.end()) Refuse(option, words[0]);
                    one.member.write(options) = value;
                  },
-                 [&](const OneNameOf& one) {
-                   one.member.write(options) = Choose(option, words[0], one.choices());
-                 },
+                 [&](const OneNameOf& one) { one.member.write(options) = Choose(option, words[0], one.choices()); },
                  [&](const FileName& file) {
                    if (words[0].empty()) Refuse(option, words[0]);
                    file.member.write(options) = words[0];
@@ -162,53 +161,56 @@ bool MayBeRepeated(const OptionKind& option) { return std::holds_alternative<Fol
 bool IsSetting(const OptionKind& option) { return !std::holds_alternative<Request>(option.value); }
 
 std::string Show(const OptionKind& option, const Options& options) {
+  return std::visit(Overloaded{
+                        [&]<class T>(const Number<T>& number) { return ToText(number.member.read(options)); },
+                        [&](const Flag& flag) { return std::string(flag.member.read(options) ? "on" : ""); },
+                        [&](const OnOff& on_off) { return std::string(on_off.member.read(options) ? "on" : "off"); },
+                        [&](const OneNumberOf& one) { return ToText(one.member.read(options)); },
+                        [&](const OneNameOf& one) { return one.member.read(options); },
+                        [&](const FileName& file) { return file.member.read(options); },
+                        [&](const FolderList& list) {
+                          std::string text;
+                          for (const auto& folder : list.member.read(options))
+                            text += (text.empty() ? "" : " ") + folder.string();
+                          return text;
+                        },
+                        [&](const Rectangle& rectangle) {
+                          const auto& crop = rectangle.member.read(options);
+                          if (!crop) return std::string();
+                          return ToText(crop->x0) + " " + ToText(crop->y0) + " " + ToText(crop->x1) + " " +
+                                 ToText(crop->y1);
+                        },
+                        [&](const Request&) { return std::string(); },
+                    },
+                    option.value);
+}
+
+std::vector<std::string> Choices(const OptionKind& option) {
   return std::visit(
       Overloaded{
-          [&]<class T>(const Number<T>& number) { return ToText(number.member.read(options)); },
-          [&](const Flag& flag) { return std::string(flag.member.read(options) ? "on" : ""); },
-          [&](const OnOff& on_off) { return std::string(on_off.member.read(options) ? "on" : "off"); },
-          [&](const OneNumberOf& one) { return ToText(one.member.read(options)); },
-          [&](const OneNameOf& one) { return one.member.read(options); },
-          [&](const FileName& file) { return file.member.read(options); },
-          [&](const FolderList& list) {
-            std::string text;
-            for (const auto& folder : list.member.read(options)) text += (text.empty() ? "" : " ") + folder.string();
-            return text;
+          [](const OnOff&) {
+            return std::vector<std::string>{"on", "off"};
           },
-          [&](const Rectangle& rectangle) {
-            const auto& crop = rectangle.member.read(options);
-            if (!crop) return std::string();
-            return ToText(crop->x0) + " " + ToText(crop->y0) + " " + ToText(crop->x1) + " " + ToText(crop->y1);
-          },
-          [&](const Request&) { return std::string(); },
+          [](const OneNumberOf& one) { return ToTexts(one.choices); },
+          [](const OneNameOf& one) { return one.choices(); },
+          [](const Request& request) { return request.subjects ? request.subjects() : std::vector<std::string>{}; },
+          [](const auto&) { return std::vector<std::string>{}; },
       },
       option.value);
 }
 
-std::vector<std::string> Choices(const OptionKind& option) {
-  return std::visit(Overloaded{
-                        [](const OnOff&) { return std::vector<std::string>{"on", "off"}; },
-                        [](const OneNumberOf& one) { return ToTexts(one.choices); },
-                        [](const OneNameOf& one) { return one.choices(); },
-                        [](const Request& request) {
-                          return request.subjects ? request.subjects() : std::vector<std::string>{};
-                        },
-                        [](const auto&) { return std::vector<std::string>{}; },
-                    },
-                    option.value);
-}
-
 std::string Range(const OptionKind& option) {
   const std::string unit = *option.unit ? " " + std::string(option.unit) : "";
-  return std::visit(Overloaded{
-                        [&]<class T>(const Number<T>& number) { return Interval(number) + unit; },
-                        [&](const Rectangle&) { return std::string("whole numbers with x0 < x1 and y0 < y1, inside the picture"); },
-                        [&](const FileName&) { return std::string("the name of a file"); },
-                        [&](const FolderList&) { return std::string("the name of a folder"); },
-                        [&](const Flag&) { return std::string(); },
-                        [&](const auto&) { return OneOf(Choices(option)) + unit; },
-                    },
-                    option.value);
+  return std::visit(
+      Overloaded{
+          [&]<class T>(const Number<T>& number) { return Interval(number) + unit; },
+          [&](const Rectangle&) { return std::string("whole numbers with x0 < x1 and y0 < y1, inside the picture"); },
+          [&](const FileName&) { return std::string("the name of a file"); },
+          [&](const FolderList&) { return std::string("the name of a folder"); },
+          [&](const Flag&) { return std::string(); },
+          [&](const auto&) { return OneOf(Choices(option)) + unit; },
+      },
+      option.value);
 }
 
 std::string Synopsis(const OptionKind& option) {

@@ -22,10 +22,10 @@ struct Options {
   R2::ImageEncoding encoding;
 
   bool quiet = false, verbose = false, stats = false;
-  std::string report;          // file name; empty for no report
+  std::string report;  // file name; empty for no report
 
   Task task = Task::render;
-  std::string subject;         // of help, list, complete and info
+  std::string subject;  // of help, list, complete and info
 };
 
 }  // namespace ray

@@ -1,5 +1,6 @@
 #include "source/app/OutputFile.h"
 
+#include <fcntl.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -38,7 +39,9 @@ void RefuseUnfitTarget(const OutputFile& output) {
   if (error) Refuse(output.name, error.message());
   if (fs::is_directory(status)) Refuse(output.name, "it is a folder");
   if (!fs::is_regular_file(status)) Refuse(output.name, "it is not a regular file");
-  if (access(output.target.c_str(), W_OK) != 0) Refuse(output.name, std::generic_category().message(errno));
+  // The rename would succeed in a folder of ours; but who made the file read-only meant it.
+  if (faccessat(AT_FDCWD, output.target.c_str(), W_OK, AT_EACCESS) != 0)
+    Refuse(output.name, std::generic_category().message(errno));
 }
 
 void RefuseUnfitFolder(const OutputFile& output) {

@@ -9,8 +9,8 @@ namespace ray {
 
 /// A place for a file, found fit to be written before the work that fills it begins.
 struct OutputFile {
-  std::string name;               // as typed
-  std::filesystem::path target;   // the same, or what it leads to if it is a link
+  std::string name;              // as typed
+  std::filesystem::path target;  // the same, or what it leads to if it is a link
   bool is_link = false;
 };
 

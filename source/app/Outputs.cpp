@@ -39,7 +39,8 @@ Outputs CheckOutputs(const Options& options) {
   Outputs outputs;
   outputs.format = R2::FormatForName(options.picture);
   // Something that exists already and cannot be a picture, a folder or a device, is refused as what it is.
-  if (!outputs.format && !std::filesystem::exists(options.picture)) RefuseExtension(options.picture);
+  std::error_code ignored;
+  if (!outputs.format && !std::filesystem::exists(options.picture, ignored)) RefuseExtension(options.picture);
   outputs.picture = CheckOutput(options.picture, inputs);
   if (!outputs.format) RefuseExtension(options.picture);
 

@@ -63,9 +63,12 @@ bool Progress::IsDue(const RenderProgress& progress) const {
   using namespace std::chrono_literals;
   const auto pause = Clock::now() - last_;
   switch (style_) {
-    case ProgressStyle::none: return false;
-    case ProgressStyle::terminal: return pause >= 100ms;
-    case ProgressStyle::log: return pause >= 5s && progress.pixels_done * 10 / progress.pixels_total > tenths_told_;
+    case ProgressStyle::none:
+      return false;
+    case ProgressStyle::terminal:
+      return pause >= 100ms;
+    case ProgressStyle::log:
+      return pause >= 5s && progress.pixels_done * 10 / progress.pixels_total > tenths_told_;
   }
   return false;
 }

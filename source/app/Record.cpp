@@ -37,8 +37,8 @@ R2::ImageSettings SettingsInPicture(const Record& record) {
 }
 
 std::string FinalLine(const Record& record) {
-  return Escaped(record.options.picture) + " " + std::to_string(record.width) + "x" + std::to_string(record.height) + " " +
-         std::to_string(record.options.render.samples) + " spp " + Fixed(record.seconds.wall, 2) + " s " +
+  return Escaped(record.options.picture) + " " + std::to_string(record.width) + "x" + std::to_string(record.height) +
+         " " + std::to_string(record.options.render.samples) + " spp " + Fixed(record.seconds.wall, 2) + " s " +
          Fixed(MillionRaysASecond(record), 1) + " Mrays/s" +
          (record.IsComplete() ? "" : " (stopped by " + record.stop + ", " + PixelsText(record) + ")") + "\n";
 }
@@ -53,15 +53,15 @@ std::string Statistics(const Record& record) {
   const auto& [options, command, scene, rays, counts, seconds, peak_memory, threads, width, height, done, total,
                warnings, stop] = record;
   return "scene\n" + line("hash", scene.hash) + count("nodes", scene.nodes) + count("instances", scene.instances) +
-         count("primitives", scene.primitives) + count("lights", scene.lights) +
-         "rays\n" + count("camera", rays.camera) + count("shadow", rays.shadow) + count("reflection", rays.reflection) +
-         count("transmission", rays.transmission) + count("cut", rays.cut) + count("total", rays.Total()) +
-         "tests\n" + count("boxes", counts.box_tests) + count("primitives", counts.primitive_tests) +
-         count("last hits asked", counts.cache_tests) + count("last hits hit", counts.cache_hits) +
-         "time\n" + line("load", Seconds(seconds.load)) + line("build", Seconds(seconds.build)) +
+         count("primitives", scene.primitives) + count("lights", scene.lights) + "rays\n" +
+         count("camera", rays.camera) + count("shadow", rays.shadow) + count("reflection", rays.reflection) +
+         count("transmission", rays.transmission) + count("cut", rays.cut) + count("total", rays.Total()) + "tests\n" +
+         count("boxes", counts.box_tests) + count("primitives", counts.primitive_tests) +
+         count("last hits asked", counts.cache_tests) + count("last hits hit", counts.cache_hits) + "time\n" +
+         line("load", Seconds(seconds.load)) + line("build", Seconds(seconds.build)) +
          line("render", Seconds(seconds.render)) + line("write", Seconds(seconds.write)) +
-         line("wall", Seconds(seconds.wall)) + line("cpu", Seconds(seconds.cpu)) +
-         "run\n" + count("threads", threads) + line("peak memory", Fixed(1e-6 * static_cast<double>(peak_memory), 1) + " MB") +
+         line("wall", Seconds(seconds.wall)) + line("cpu", Seconds(seconds.cpu)) + "run\n" + count("threads", threads) +
+         line("peak memory", Fixed(1e-6 * static_cast<double>(peak_memory), 1) + " MB") +
          line("pixels", std::to_string(done) + " of " + std::to_string(total)) + line("stopped", stop);
 }
 

@@ -28,7 +28,7 @@ struct Record {
   } seconds;
   std::int64_t peak_memory = 0;  // bytes
   int threads = 1;
-  int width = 0, height = 0;     // of the picture that is written
+  int width = 0, height = 0;  // of the picture that is written
   std::int64_t pixels_done = 0, pixels_total = 0;
   std::vector<std::string> warnings;
   std::string stop = "complete";  // or the name of a signal

@@ -19,9 +19,7 @@ class Stopwatch {
 
  private:
   using Clock = std::chrono::steady_clock;
-  static double Seconds(Clock::time_point since) {
-    return std::chrono::duration<double>(Clock::now() - since).count();
-  }
+  static double Seconds(Clock::time_point since) { return std::chrono::duration<double>(Clock::now() - since).count(); }
   Clock::time_point start_ = Clock::now(), lap_ = start_;
 };
 

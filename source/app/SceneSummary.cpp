@@ -20,7 +20,9 @@ std::string Line(std::string name, Number number) {
 std::string Text(const R3::Point& p) { return Fixed(p.x, 3) + " " + Fixed(p.y, 3) + " " + Fixed(p.z, 3); }
 std::string Text(const R3::Vector& v) { return Fixed(v.x, 3) + " " + Fixed(v.y, 3) + " " + Fixed(v.z, 3); }
 
-std::string BoundsText(const R3::Box& box) { return box.IsEmpty() ? "empty" : Text(box.low) + "  to  " + Text(box.high); }
+std::string BoundsText(const R3::Box& box) {
+  return box.IsEmpty() ? "empty" : Text(box.low) + "  to  " + Text(box.high);
+}
 
 /// Meshes and textures may be used many times; each is there once.
 struct Shared {
@@ -64,15 +66,15 @@ std::size_t Memory(const World& world, const Shared& shared, const RenderSetting
 std::string SceneSummary(const World& world, const RenderSettings& settings) {
   const Scene& scene = world.TheScene();
   const Shared shared = FindShared(world);
-  std::string text = Line("files", scene.files.size()) + Line("nodes", world.Nodes().size()) +
-                     Line("shapes", world.Instances().size()) + Line("primitives", world.Primitives()) +
-                     Line("meshes", std::to_string(shared.meshes.size()) + " with " +
-                                        Counted(Triangles(shared), "triangle")) +
-                     Line("materials", scene.materials.size()) + Line("textures", shared.textures.size()) +
-                     Line("bounds", BoundsText(scene.root.bounds)) +
-                     Line("camera", "at " + Text(scene.camera.eye) + ", towards " + Text(scene.camera.towards) +
-                                        ", half angle " + Fixed(scene.camera.xfov, 3) + " rad") +
-                     Line("lights", scene.lights.size());
+  std::string text =
+      Line("files", scene.files.size()) + Line("nodes", world.Nodes().size()) +
+      Line("shapes", world.Instances().size()) + Line("primitives", world.Primitives()) +
+      Line("meshes", std::to_string(shared.meshes.size()) + " with " + Counted(Triangles(shared), "triangle")) +
+      Line("materials", scene.materials.size()) + Line("textures", shared.textures.size()) +
+      Line("bounds", BoundsText(scene.root.bounds)) +
+      Line("camera", "at " + Text(scene.camera.eye) + ", towards " + Text(scene.camera.towards) + ", half angle " +
+                         Fixed(scene.camera.xfov, 3) + " rad") +
+      Line("lights", scene.lights.size());
   for (const auto& light : scene.lights) text += "  " + light->Describe() + "\n";
   const double megabytes = 1e-6 * static_cast<double>(Memory(world, shared, settings));
   return text + Line("memory", "about " + Fixed(megabytes, 1) + " MB with the picture");

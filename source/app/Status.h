@@ -7,11 +7,11 @@ namespace ray {
 /// How the program ends, for scripts.
 namespace status {
 inline constexpr int done = 0;
-inline constexpr int failed = 1;           // while rendering
+inline constexpr int failed = 1;  // while rendering
 inline constexpr int wrong_arguments = 2;
-inline constexpr int bad_scene = 3;        // or a missing one
+inline constexpr int bad_scene = 3;  // or a missing one
 inline constexpr int cannot_write = 4;
-inline constexpr int killed_by = 128;      // plus the number of the signal: 130 and 143, the picture so far is saved
+inline constexpr int killed_by = 128;  // plus the number of the signal: 130 and 143, the picture so far is saved
 }  // namespace status
 
 /// A mistake on the command line; what() names the option, the value and the rule.

@@ -24,20 +24,28 @@ std::string CheckScene(const Options& options) {
   for (const std::string& mistake : LikelyMistakes(world, options.render)) warnings.push_back(mistake);
   TellAll(warnings);
   if (options.quiet) return {};
-  return SceneSummary(world, options.render) + (warnings.empty() ? "no warnings" : Counted(warnings.size(), "warning")) +
-         "\n";
+  return SceneSummary(world, options.render) +
+         (warnings.empty() ? "no warnings" : Counted(warnings.size(), "warning")) + "\n";
 }
 
 std::string ResultOf(const Options& options) {
   switch (options.task) {
-    case Task::render: break;  // not ours
-    case Task::check: return CheckScene(options);
-    case Task::info: return PictureInfo(options.subject);
-    case Task::help: return Help(options.subject);
-    case Task::version: return Version();
-    case Task::list: return Listing(options.subject);
-    case Task::complete: return CompletionScript(options.subject);
-    case Task::manual: return ManualPage();
+    case Task::render:
+      break;  // not ours
+    case Task::check:
+      return CheckScene(options);
+    case Task::info:
+      return PictureInfo(options.subject);
+    case Task::help:
+      return Help(options.subject);
+    case Task::version:
+      return Version();
+    case Task::list:
+      return Listing(options.subject);
+    case Task::complete:
+      return CompletionScript(options.subject);
+    case Task::manual:
+      return ManualPage();
   }
   return {};
 }

@@ -29,8 +29,8 @@ std::string Prefix(const fs::path& target) {
 
 constexpr const char* suffix = ".tmp";
 
-/// A rename outlives a failing computer only once its folder is on the disk too. Some file systems cannot sync a folder;
-/// the picture is in place by then, so that is no failure.
+/// A rename outlives a failing computer only once its folder is on the disk too. Some file systems cannot sync a
+/// folder; the picture is in place by then, so that is no failure.
 void SyncFolder(const fs::path& folder) {
   const int descriptor = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (descriptor < 0) return;
@@ -38,10 +38,19 @@ void SyncFolder(const fs::path& folder) {
   close(descriptor);
 }
 
+/// Whether the name still leads to the open file.
+bool IsNameOf(const fs::path& file, int descriptor) {
+  struct stat named = {}, opened = {};
+  return lstat(file.c_str(), &named) == 0 && fstat(descriptor, &opened) == 0 && named.st_dev == opened.st_dev &&
+         named.st_ino == opened.st_ino;
+}
+
+// Whoever writes a file holds its lock from before the first byte until the rename. So a file that can be locked, and
+// has its name still, is dead, or so new that its maker is waiting for the lock and will see that the name is gone.
 void RemoveIfDead(const fs::path& file) {
   const int descriptor = open(file.c_str(), O_RDWR | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
   if (descriptor < 0) return;
-  if (flock(descriptor, LOCK_EX | LOCK_NB) == 0) unlink(file.c_str());
+  if (flock(descriptor, LOCK_EX | LOCK_NB) == 0 && IsNameOf(file, descriptor)) unlink(file.c_str());
   close(descriptor);
 }
 
@@ -60,18 +69,16 @@ TemporaryFile::TemporaryFile(const fs::path& target) : target_(target) {
 
 // False when the name is taken. Where the file system has no locks nobody can remove the file as left over either.
 bool TemporaryFile::CreateAndLock() {
-  RemoveWhenKilled(name_.c_str());
   descriptor_ = open(name_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-  if (descriptor_ < 0) {
-    RemoveWhenKilled(nullptr);  // it is somebody else's
-    if (errno == EEXIST) return false;
-    ThrowErrno();
-  }
+  if (descriptor_ < 0 && errno == EEXIST) return false;
+  if (descriptor_ < 0) ThrowErrno();
   flock(descriptor_, LOCK_EX);
   // Between the two calls another process may have found it unlocked, and removed it.
-  struct stat now = {};
-  if (fstat(descriptor_, &now) == 0 && now.st_nlink > 0) return true;
-  Close();
+  if (IsNameOf(name_, descriptor_)) {
+    RemoveWhenKilled(name_.c_str());
+    return true;
+  }
+  Close(std::exchange(descriptor_, -1));
   errno = EEXIST;
   return false;
 }
@@ -94,7 +101,10 @@ void TemporaryFile::Write(std::span<const unsigned char> bytes) {
 void TemporaryFile::Become() {
   // EINVAL: this file system keeps nothing that could be flushed.
   if (fsync(descriptor_) != 0 && errno != EINVAL) ThrowErrno();
-  Close();
+  // Closing has to be checked before the rename, and would open the lock. A lock is shared by copies of a descriptor.
+  const int copy = dup(descriptor_);
+  if (copy < 0) ThrowErrno();
+  Close(std::exchange(descriptor_, copy));
   if (rename(name_.c_str(), target_.c_str()) != 0) ThrowErrno();
   RemoveWhenKilled(nullptr);
   name_.clear();
@@ -102,8 +112,7 @@ void TemporaryFile::Become() {
 }
 
 // Closing can report a write that failed late, on network file systems above all.
-void TemporaryFile::Close() {
-  const int descriptor = std::exchange(descriptor_, -1);
+void TemporaryFile::Close(int descriptor) {
   if (close(descriptor) != 0 && errno != EINTR) ThrowErrno();
 }
 

@@ -22,7 +22,7 @@ class TemporaryFile {
 
  private:
   bool CreateAndLock();
-  void Close();
+  static void Close(int descriptor);
 
   std::filesystem::path target_;
   std::string name_;

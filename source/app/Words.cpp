@@ -27,10 +27,15 @@ std::string ShellLine(std::span<const std::string> words) {
   return line;
 }
 
+std::string WithoutDashes(const std::string& word) {
+  const auto first = word.find_first_not_of('-');
+  return first == std::string::npos ? "" : word.substr(first);
+}
+
 std::string Fixed(double number, int digits_behind_point) {
   std::array<char, 400> text{};
-  const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), number, std::chars_format::fixed,
-                                          digits_behind_point);
+  const auto [end, error] =
+      std::to_chars(text.data(), text.data() + text.size(), number, std::chars_format::fixed, digits_behind_point);
   return std::string(text.data(), end);
 }
 

@@ -78,7 +78,8 @@ in_root chown -R user:user /home/user/tree
 
 say "5. make install, and the installed program elsewhere"
 as_user 'make install DESTDIR=/home/user/stage PREFIX=/opt'
-as_user 'cd / && /home/user/stage/opt/bin/raypro /home/user/stage/opt/share/raypro/scenes/hello.scn /home/user/hello.png'
+stage=/home/user/stage/opt
+as_user "cd / && $stage/bin/raypro $stage/share/raypro/scenes/hello.scn /home/user/hello.png"
 [ -s "$root/home/user/hello.png" ] || fail "the installed program made no picture"
 
 say "6. make uninstall"

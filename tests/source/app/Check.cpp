@@ -38,7 +38,8 @@ const std::string camera = "camera 0 0 9  0 0 -1  0 1 0  0.4  0.1 100\n";
 TEST(Check, AGoodSceneHasNoMistakes) { EXPECT_EQ(Example(camera + "sphere -1  0 0 0  1\n").Mistakes(), ""); }
 
 TEST(Check, ACameraInsideASolidIsPointedOut) {
-  for (const char* shape : {"sphere -1  0 0 9  1", "box -1  -5 -5 -5  5 5 10", "cylinder -1  0 0 9  1 4", "cone -1  0 0 9  3 8"})
+  for (const char* shape :
+       {"sphere -1  0 0 9  1", "box -1  -5 -5 -5  5 5 10", "cylinder -1  0 0 9  1 4", "cone -1  0 0 9  3 8"})
     EXPECT_TRUE(Contains(Example(camera + shape + "\n").Mistakes(), "the camera is inside 1 shape")) << shape;
   EXPECT_TRUE(Contains(Example(camera + "sphere -1  0 0 9  1\nsphere -1  0 0 8 3\n").Mistakes(), "inside 2 shapes"));
 }
@@ -59,7 +60,8 @@ TEST(Check, BeingInsideFollowsTheTransformsOfTheGraph) {
 TEST(Check, InsideASphereIsNearerThanItsRadius) {
   const Example example(camera + "sphere -1  0.25 -0.5 0.125  1\n");
   for (int i = 0; i < 1000; ++i) {
-    const R3::Point p{-1.3 + 0.26 * (i % 10) + 0.01, -1.3 + 0.26 * (i / 10 % 10) + 0.02, -1.3 + 0.26 * (i / 100) + 0.03};
+    const R3::Point p{-1.3 + 0.26 * (i % 10) + 0.01, -1.3 + 0.26 * (i / 10 % 10) + 0.02,
+                      -1.3 + 0.26 * (i / 100) + 0.03};
     const R3::Vector d = p - R3::Point{0.25, -0.5, 0.125};
     EXPECT_EQ(SolidsAround(example.TheWorld(), p), Dot(d, d) < 1 ? 1 : 0) << p.x << " " << p.y << " " << p.z;
   }
@@ -75,17 +77,21 @@ TEST(Check, ASceneInTheDarkIsPointedOut) {
 TEST(Check, AnEmptySceneIsPointedOut) { EXPECT_TRUE(Contains(Example("").Mistakes(), "nothing in the scene")); }
 
 TEST(Check, AShapeWithoutExtentIsPointedOutAtItsPlace) {
-  EXPECT_TRUE(Contains(Example(camera + "sphere -1  0 0 0  0\n").Mistakes(), "example.scn:2:1: warning: this shape has no extent"));
+  EXPECT_TRUE(Contains(Example(camera + "sphere -1  0 0 0  0\n").Mistakes(),
+                       "example.scn:2:1: warning: this shape has no extent"));
 }
 
 TEST(Check, ShapesOutsideTheViewAreCountedAtTheFirst) {
-  const std::string mistakes = Example(camera + "sphere -1  0 0 0  1\nsphere -1  0 0 20  1\nsphere -1  90 0 0  1\n").Mistakes();
-  EXPECT_TRUE(Contains(mistakes, "example.scn:3:1: warning: this shape lies outside the view, and so do 1 more")) << mistakes;
+  const std::string mistakes =
+      Example(camera + "sphere -1  0 0 0  1\nsphere -1  0 0 20  1\nsphere -1  90 0 0  1\n").Mistakes();
+  EXPECT_TRUE(Contains(mistakes, "example.scn:3:1: warning: this shape lies outside the view, and so do 1 more"))
+      << mistakes;
   EXPECT_FALSE(Contains(mistakes, "example.scn:2"));
 }
 
 TEST(Check, TheSummaryCountsWhatIsThere) {
-  const Example example(camera + "sphere -1  0 0 0  1\nbegin -1  1 0 0 0  0 1 0 0  0 0 1 0  0 0 0 1\nbox -1 0 0 0 1 1 1\nend\n");
+  const Example example(camera +
+                        "sphere -1  0 0 0  1\nbegin -1  1 0 0 0  0 1 0 0  0 0 1 0  0 0 0 1\nbox -1 0 0 0 1 1 1\nend\n");
   const std::string summary = SceneSummary(example.TheWorld(), {});
   EXPECT_TRUE(Contains(summary, "shapes        2\n")) << summary;
   EXPECT_TRUE(Contains(summary, "bounds        -1.000 -1.000 -1.000  to  1.000 1.000 1.000\n")) << summary;

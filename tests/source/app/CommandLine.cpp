@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <clocale>
 #include <iterator>
+#include <random>
 #include <sstream>
 
 #include "source/app/OptionTable.h"
@@ -68,7 +69,8 @@ TEST(CommandLine, EveryOptionGivenItsDefaultChangesNothing) {
     Words words{"in.scn", "out.ppm", "-" + std::string(option.name)};
     words.insert(words.end(), value.begin(), value.end());
     const Options options = Parsed(words);
-    for (const OptionKind& other : OptionTable()) EXPECT_EQ(Show(other, options), Show(other, Options{})) << option.name;
+    for (const OptionKind& other : OptionTable())
+      EXPECT_EQ(Show(other, options), Show(other, Options{})) << option.name;
   }
 }
 
@@ -156,9 +158,11 @@ TEST(CommandLine, ALeadingPlusIsAllowed) { EXPECT_EQ(Parsed({"a", "b", "-width",
 TEST(Extremes, K6_EveryNumberIsReadWholeOrRefusedWithOptionValueAndRange) {
   for (const OptionKind& option : OptionTable()) {
     if (!IsNumber(option)) continue;
-    for (const char* word : {"12abc", "", "+", "+-1", "++1", "0x10", "1,5", "nan", "inf", "1e999", "1e99999999999", " 1", "1 "}) {
+    for (const char* word :
+         {"12abc", "", "+", "+-1", "++1", "0x10", "1,5", "nan", "inf", "1e999", "1e99999999999", " 1", "1 "}) {
       const std::string error = ErrorBeside({"-" + std::string(option.name), word});
-      EXPECT_TRUE(Contains(error, "-" + std::string(option.name) + " must be " + Range(option))) << word << ": " << error;
+      EXPECT_TRUE(Contains(error, "-" + std::string(option.name) + " must be " + Range(option)))
+          << word << ": " << error;
       EXPECT_TRUE(Contains(error, "'" + std::string(word) + "'")) << word << ": " << error;
     }
   }
@@ -214,7 +218,8 @@ TEST(Extremes, F7_MinLuminanceIsAnyNumberFromZeroOn) {
 
 TEST(Extremes, G4_SizesOutsideTheLimitsAreRefused) {
   for (const char* word : {"0", "-1", "2147483648", "1099511627776"}) {
-    EXPECT_TRUE(Contains(ErrorBeside({"-width", word}), "-width must be a whole number, 1 to 1073741824 pixels")) << word;
+    EXPECT_TRUE(Contains(ErrorBeside({"-width", word}), "-width must be a whole number, 1 to 1073741824 pixels"))
+        << word;
     EXPECT_TRUE(Contains(ErrorBeside({"-height", word}), "-height must be")) << word;
   }
   EXPECT_EQ(ErrorBeside({"-width", "16384", "-height", "16385"}),
@@ -246,13 +251,16 @@ TEST(Extremes, G10_ThreadsAreZeroOrMore) {
 }
 
 TEST(CommandLine, AnUnknownOptionIsNamedWithTheNearestOne) {
-  EXPECT_EQ(ErrorBeside({"-widht", "3"}), "unknown option '-widht'; did you mean '-width'? (raypro -help lists them all)");
-  EXPECT_EQ(ErrorBeside({"--sample=3"}), "unknown option '--sample=3'; did you mean '-samples'? (raypro -help lists them all)");
+  EXPECT_EQ(ErrorBeside({"-widht", "3"}),
+            "unknown option '-widht'; did you mean '-width'? (raypro -help lists them all)");
+  EXPECT_EQ(ErrorBeside({"--sample=3"}),
+            "unknown option '--sample=3'; did you mean '-samples'? (raypro -help lists them all)");
   EXPECT_EQ(ErrorBeside({"-xyzzy"}), "unknown option '-xyzzy' (raypro -help lists them all)");
 }
 
 TEST(CommandLine, AnUnknownChoiceIsNamedWithAllChoices) {
-  EXPECT_EQ(ErrorBeside({"-accel", "grpah"}), "-accel must be " + Range(*FindOption("accel")) + ", got 'grpah'; did you mean 'graph'?");
+  EXPECT_EQ(ErrorBeside({"-accel", "grpah"}),
+            "-accel must be " + Range(*FindOption("accel")) + ", got 'grpah'; did you mean 'graph'?");
   EXPECT_EQ(ErrorBeside({"-shadows", "yes"}), "-shadows must be on or off, got 'yes'");
   EXPECT_EQ(ErrorBeside({"-bits", "12"}), "-bits must be 8 or 16 bits a channel, got '12'");
 }
@@ -289,13 +297,40 @@ TEST(CommandLine, ContradictionsAreRefused) {
 }
 
 TEST(CommandLine, HelpAnywhereIsAnsweredWhateverElseIsWrong) {
-  for (const Words& words : {Words{"-help"}, {"--help"}, {"-h"}, {"in.scn", "out.jpg", "-help"}, {"-nonsense", "-help"},
-                             {"-width", "abc", "-help"}, {"-help", "in.scn", "out.jpg"}})
+  for (const Words& words : {Words{"-help"},
+                             {"--help"},
+                             {"-h"},
+                             {"in.scn", "out.jpg", "-help"},
+                             {"-nonsense", "-help"},
+                             {"-width", "abc", "-help"},
+                             {"-help", "in.scn", "out.jpg"}})
     EXPECT_EQ(Parsed(words).task, Task::help) << words[0];
   EXPECT_EQ(Parsed({"-help", "light"}).subject, "light");
   EXPECT_EQ(Parsed({"-help=light"}).subject, "light");
   EXPECT_EQ(Parsed({"-help", "max_depth"}).subject, "max_depth");
   EXPECT_TRUE(Contains(ErrorOf({"-help", "lihgt"}), "did you mean 'light'?"));
+}
+
+TEST(CommandLine, TopicsMadeOfDashesOrNothingAreUnknown) {
+  EXPECT_TRUE(Contains(ErrorOf({"-help", "-"}), "-help must be"));
+  EXPECT_TRUE(Contains(ErrorOf({"-help="}), "-help must be"));
+}
+
+// Anything else thrown would end the program as if it had failed while rendering.
+TEST(CommandLine, AnyWordsAtAllAreReadOrRefusedAsWrongArguments) {
+  Words vocabulary{"", "-", "--", "---", "=", "-=", "--=x", "a", "1", "-1", "1e9", "on", "\xff\xfe", "-\n", "graph"};
+  for (const OptionKind& option : OptionTable())
+    for (const char* end : {"", "=", "=1", "=on"}) vocabulary.push_back("-" + std::string(option.name) + end);
+  std::mt19937 random(3);
+  for (int round = 0; round < 20'000; ++round) {
+    Words words(random() % 7);
+    for (std::string& word : words) word = vocabulary[random() % vocabulary.size()];
+    try {
+      ReadCommandLine(words);
+    } catch (const UsageError& error) {
+      EXPECT_STRNE(error.what(), "");
+    }
+  }
 }
 
 TEST(Extremes, K8_ControlCharactersInWordsArePrintedEscaped) {

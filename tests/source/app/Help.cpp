@@ -90,9 +90,11 @@ TEST(Manual, NamesEveryOptionAndNoLineStartsWithAStrayDot) {
 }
 
 TEST(Completion, EveryShellLearnsEveryOption) {
+  std::string bash_words = CompletionScript("bash");
+  std::ranges::replace(bash_words, '\'', ' ');
   for (const OptionKind& option : OptionTable()) {
     const std::string name = option.name;
-    EXPECT_TRUE(Contains(CompletionScript("bash"), " -" + name + " ") || Contains(CompletionScript("bash"), "-" + name + "'"));
+    EXPECT_TRUE(Contains(bash_words, " -" + name + " ")) << name;
     EXPECT_TRUE(Contains(CompletionScript("zsh"), "-" + name + "[")) << name;
     EXPECT_TRUE(Contains(CompletionScript("fish"), " -o " + name + " ")) << name;
   }

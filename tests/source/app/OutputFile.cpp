@@ -109,16 +109,38 @@ TEST(Extremes, K11_ALinkStaysALinkAndItsTargetIsReplaced) {
   EXPECT_TRUE(Contains(Refusal(folder / "ring.ppm"), "lead nowhere"));
 }
 
-TEST(Extremes, L3_AFolderThatTakesNoFilesIsFoundOutBeforeRendering) {
-  if (geteuid() == 0) GTEST_SKIP() << "root may write anywhere";
+/// Root may write anywhere; as long as this lives, we are nobody in particular.
+class WithoutRights {
+ public:
+  WithoutRights() { is_nobody_ = seteuid(geteuid() == 0 ? nobody : geteuid()) == 0; }
+  ~WithoutRights() {
+    if (seteuid(before_) != 0) ADD_FAILURE() << "the rights did not come back";
+  }
+  bool Hold() const { return is_nobody_; }
+
+ private:
+  static constexpr uid_t nobody = 65534;
+  uid_t before_ = geteuid();
+  bool is_nobody_ = false;
+};
+
+TEST(Extremes, L3_AFolderOrFileThatTakesNothingIsFoundOutBeforeRendering) {
   const TemporaryFolder folder;
   WriteFile(folder / "old.ppm", "old");
-  fs::permissions(folder.Path(), fs::perms::owner_read | fs::perms::owner_exec);
-  EXPECT_TRUE(Contains(Refusal(folder / "new.ppm"), "Permission denied"));
-  EXPECT_TRUE(Contains(Refusal(folder / "old.ppm"), "Permission denied"));
+  fs::create_directory(folder / "open");
+  WriteFile(folder / "open/old.ppm", "old");
+  fs::permissions(folder / "open", fs::perms::all);
+  fs::permissions(folder / "open/old.ppm", static_cast<fs::perms>(0444));
+  fs::permissions(folder.Path(), static_cast<fs::perms>(0555));
+  {
+    const WithoutRights rights;
+    ASSERT_TRUE(rights.Hold());
+    EXPECT_TRUE(Contains(Refusal(folder / "new.ppm"), "Permission denied"));
+    EXPECT_TRUE(Contains(Refusal(folder / "old.ppm"), "Permission denied"));
+    EXPECT_TRUE(Contains(Refusal(folder / "open/old.ppm"), "Permission denied"));
+    EXPECT_EQ(Refusal(folder / "open/new.ppm"), "");
+  }
   fs::permissions(folder.Path(), fs::perms::owner_all);
-  fs::permissions(folder / "old.ppm", fs::perms::owner_read);
-  EXPECT_TRUE(Contains(Refusal(folder / "old.ppm"), "Permission denied"));
 }
 
 TEST(Extremes, L3_APictureWhoseFolderWentAwayIsKeptElsewhere) {
@@ -153,7 +175,8 @@ TEST(OutputFile, WhatADeadProcessLeftIsRemovedAndWhatALiveOneWritesIsNot) {
   close(alive);
   auto left = folder.Others({});
   std::ranges::sort(left);
-  EXPECT_EQ(left, (std::vector<std::string>{".other.ppm.raypro-1.tmp", ".out.ppm.raypro-2.tmp", "out.ppm.raypro-1.tmp"}));
+  EXPECT_EQ(left,
+            (std::vector<std::string>{".other.ppm.raypro-1.tmp", ".out.ppm.raypro-2.tmp", "out.ppm.raypro-1.tmp"}));
 }
 
 TEST(TemporaryFile, TakesAnotherNameWhenItsOwnIsTaken) {

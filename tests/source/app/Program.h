@@ -34,8 +34,8 @@ std::string WriteFile(const std::string& file, const std::string& content);
 
 /// What a program is started with besides its arguments.
 struct Surroundings {
-  std::string standard_output{};                    // a file; empty: collected
-  std::string standard_error{};                     // likewise
+  std::string standard_output{};                   // a file; empty: collected
+  std::string standard_error{};                    // likewise
   bool close_output = false, close_error = false;  // descriptors not open at all
   bool break_output = false;                       // a pipe that nobody reads
   long file_size_limit = -1;                       // bytes; -1 for none

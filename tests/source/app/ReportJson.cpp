@@ -30,8 +30,8 @@ TEST(ReportJson, HasTheKeysThatItsHeaderPromises) {
   const auto report = nlohmann::json::parse(ReportJson(Example()));
   std::vector<std::string> keys;
   for (const auto& [key, value] : report.items()) keys.push_back(key);
-  EXPECT_EQ(keys, (std::vector<std::string>{"command", "counts", "peak_memory_bytes", "pixels", "rays", "scene", "seconds",
-                                            "settings", "stop", "threads", "version", "warnings"}));
+  EXPECT_EQ(keys, (std::vector<std::string>{"command", "counts", "peak_memory_bytes", "pixels", "rays", "scene",
+                                            "seconds", "settings", "stop", "threads", "version", "warnings"}));
   EXPECT_EQ(report["rays"]["total"], 10);
   EXPECT_EQ(report["pixels"]["done"], 3);
   EXPECT_EQ(report["stop"], "SIGINT");

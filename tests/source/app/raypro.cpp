@@ -104,9 +104,15 @@ TEST(Raypro, ExitStatusSaysWhatWentWrongAndNoFileIsLeft) {
 TEST(Raypro, RequestsPrintToStandardOutputAndSucceed) {
   NEEDS_THE_PROGRAM();
   const Place place;
-  for (const std::vector<std::string>& words :
-       {std::vector<std::string>{"-help"}, {"-help", "light"}, {"-version"}, {"-list"}, {"-list", "shapes"}, {"-man"},
-        {"-complete", "bash"}, {place.Scene(), "-check"}, {"nonsense", "-width", "abc", "-help"}}) {
+  for (const std::vector<std::string>& words : {std::vector<std::string>{"-help"},
+                                                {"-help", "light"},
+                                                {"-version"},
+                                                {"-list"},
+                                                {"-list", "shapes"},
+                                                {"-man"},
+                                                {"-complete", "bash"},
+                                                {place.Scene(), "-check"},
+                                                {"nonsense", "-width", "abc", "-help"}}) {
     const Finished done = RunProgram(words);
     EXPECT_EQ(done.status, 0) << words[0] << done.error;
     EXPECT_NE(done.output, "") << words[0];
@@ -165,8 +171,9 @@ TEST(Extremes, K11_OutputNamesThatAreNoFiles) {
   const Place place;
   fs::create_directory(place / "folder.ppm");
   fs::create_symlink("/dev/full", place / "full.ppm");
-  const std::pair<std::string, int> cases[] = {{place.Path().string(), 4}, {place / "folder.ppm", 4}, {"-", 2}, {"", 2},
-                                               {"/dev/full", 4},           {place / "full.ppm", 4},   {place.Scene(), 4}};
+  const std::pair<std::string, int> cases[] = {
+      {place.Path().string(), 4}, {place / "folder.ppm", 4}, {"-", 2},          {"", 2},
+      {"/dev/full", 4},           {place / "full.ppm", 4},   {place.Scene(), 4}};
   for (const auto& [name, status] : cases) {
     const Finished done = RunProgram({place.Scene(), name});
     EXPECT_EQ(done.status, status) << name << ": " << done.error;
@@ -196,10 +203,10 @@ TEST(Extremes, K11_AFileThatTheSceneIncludesIsAnInputToo) {
   EXPECT_EQ(ReadFile(place / "part.ppm"), small_scene);
 }
 
-/// Whether something is being written beside the target.
-bool IsSaving(const TemporaryFolder& folder) {
+/// Whether something new is being written beside the target.
+bool IsSaving(const TemporaryFolder& folder, const std::vector<std::string>& old) {
   std::error_code error;
-  for (const std::string& name : folder.Others({"in.scn", "out.ppm"}))
+  for (const std::string& name : folder.Others(old))
     if (fs::file_size(folder / name, error) > 0 && !error) return true;
   return false;
 }
@@ -220,13 +227,15 @@ TEST(Extremes, L1_KilledAtAnyMomentTheOldPictureOrTheNewOneIsThere) {
     const bool has_old = round % 2 == 0;
     fs::remove(place / "out.ppm");
     if (has_old) WriteFile(place / "out.ppm", "old");
+    std::vector<std::string> old = place.Others({"out.ppm"});  // with what the round before left
+    old.emplace_back("out.ppm");
     Running running(words);
     // Half of the rounds wait for the short time in which the picture is being saved.
-    while (round % 4 < 2 && !running.IsOver() && !IsSaving(place)) std::this_thread::sleep_for(50us);
+    while (round % 4 < 2 && !running.IsOver() && !IsSaving(place, old)) std::this_thread::sleep_for(50us);
     const double longest = round % 4 < 2 ? 0.002 : whole_run;
     std::this_thread::sleep_for(std::chrono::duration<double>(std::uniform_real_distribution(0.0, longest)(random)));
     running.Send(SIGKILL);
-    const bool was_saving = IsSaving(place);
+    const bool was_saving = IsSaving(place, old);
     killed += running.Wait().signal == SIGKILL;
     killed_while_saving += was_saving;
     const std::string now = ReadFile(place / "out.ppm");
@@ -258,8 +267,10 @@ TEST(Extremes, L2_AFileSizeLimitAnywhereLeavesTheOldPictureWhole) {
   ASSERT_EQ(static_cast<long>(whole.size()), picture_bytes);
   WriteFile(place / "out.ppm", "old");
   for (int i = 0; i < 64; ++i) {
-    const long limit = i < 62 ? 512 + (picture_bytes - 512) * i / 62 : picture_bytes - 63 + i;  // the last: all but one, all
-    const Finished done = RunProgram(words, {.file_size_limit = limit, .environment = {{"TMPDIR", place.Path().string()}}});
+    const long limit =
+        i < 62 ? 512 + (picture_bytes - 512) * i / 62 : picture_bytes - 63 + i;  // the last: all but one, all
+    const Finished done =
+        RunProgram(words, {.file_size_limit = limit, .environment = {{"TMPDIR", place.Path().string()}}});
     const bool fits = limit >= picture_bytes;
     EXPECT_EQ(done.status, fits ? 0 : 4) << limit << done.error;
     EXPECT_EQ(ReadFile(place / "out.ppm"), fits ? whole : "old") << limit;
@@ -293,7 +304,8 @@ TEST(Extremes, L2_AFullDiskLeavesTheOldPictureAndKeepsTheNewElsewhere) {
   const Place place;
   const TemporaryFolder refuge;
   const SmallDisk disk(place / "disk");
-  if (!disk.IsMounted()) GTEST_SKIP() << "a small file system can be mounted by root only; the file size limit was tried";
+  if (!disk.IsMounted())
+    GTEST_SKIP() << "a small file system can be mounted by root only; the file size limit was tried";
   const auto words = With({place.Scene(), place / "disk/out.ppm", "-quiet"}, picture_size);
   ASSERT_EQ(RunProgram(words).status, 0);
   const std::string whole = ReadFile(place / "disk/out.ppm");
