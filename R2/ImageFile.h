@@ -21,9 +21,9 @@ using ImageSettings = std::map<std::string, std::string>;
 
 /// How to write.
 struct ImageEncoding {
-  bool srgb = false;       // encode with the sRGB curve; otherwise the values are written straight (8 and 16 bit formats)
-  int bits = 8;            // 8 or 16, PNG only
-  int jpeg_quality = 95;   // 1..100; chroma is never subsampled
+  bool srgb = false;  // encode with the sRGB curve; otherwise the values are written straight (8 and 16 bit formats)
+  int bits = 8;       // 8 or 16, PNG only
+  int jpeg_quality = 95;  // 1..100; chroma is never subsampled
 };
 
 /// Width and height, both at least 1, their product at most max_pixels.
@@ -33,13 +33,15 @@ struct ImageSize {
 
 /// One line of image_formats.def.
 struct ImageFormat {
-  const char* name;                      // "png"
-  std::vector<const char*> extensions;   // lower case, without the dot
-  bool (*recognises)(std::span<const unsigned char> bytes);                     // by content, never by name
-  ImageSize (*read_size)(std::span<const unsigned char> bytes);                 // from the header; throws ImageError
-  Image (*decode)(std::span<const unsigned char> bytes, ImageSettings* settings);   // throws ImageError; settings may be null
-  std::vector<unsigned char> (*encode)(const Image& image, const ImageEncoding& encoding, const ImageSettings& settings);
-  bool is_linear;                        // PFM, HDR, EXR hold linear light: never sRGB-decoded, never clamped
+  const char* name;                                              // "png"
+  std::vector<const char*> extensions;                           // lower case, without the dot
+  bool (*recognises)(std::span<const unsigned char> bytes);      // by content, never by name
+  ImageSize (*read_size)(std::span<const unsigned char> bytes);  // from the header; throws ImageError
+  Image (*decode)(std::span<const unsigned char> bytes,
+                  ImageSettings* settings);  // throws ImageError; settings may be null
+  std::vector<unsigned char> (*encode)(const Image& image, const ImageEncoding& encoding,
+                                       const ImageSettings& settings);
+  bool is_linear;  // PFM, HDR, EXR hold linear light: never sRGB-decoded, never clamped
 };
 
 /// Every format this build can read and write, in the order of image_formats.def.

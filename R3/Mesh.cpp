@@ -52,8 +52,8 @@ Intersection Mesh::At(const Ray&, const Hit& hit, int element) const {
   }
   at.position = Point{} + position;
   // Physically Based Rendering (2023), section 6.8.5: gamma(7) for the sum. The next test of the same triangle sums its
-  // corners' distances, so its t errs by a share of the largest of them whichever way the triangle lies: a triangle in the
-  // plane z = 0 must not be left from z = 0 exactly.
+  // corners' distances, so its t errs by a share of the largest of them whichever way the triangle lies: a triangle in
+  // the plane z = 0 must not be left from z = 0 exactly.
   double farthest = 0;
   for (const Point& corner : corners) farthest = std::max(farthest, MaxComponent(Abs(corner - at.position)));
   at.error = Gamma(7) * magnitude + Gamma(16) * Vector{farthest, farthest, farthest};

@@ -1,5 +1,5 @@
-// Nanoseconds a ray of each shape's intersection, hits and misses in about equal parts. Every line of shapes.def has a row,
-// so a new shape is measured the day it is listed.
+// Nanoseconds a ray of each shape's intersection, hits and misses in about equal parts. Every line of shapes.def has a
+// row, so a new shape is measured the day it is listed.
 //
 //     make bench && build/bench/shapes
 

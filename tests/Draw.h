@@ -31,7 +31,8 @@ class Draw {
     return m;
   }
 
-  /// A rotation, a shear and a scale per axis of up to `powers` orders of magnitude (mirrored half of the time), a shift.
+  /// A rotation, a shear and a scale per axis of up to `powers` orders of magnitude (mirrored half of the time), a
+  /// shift.
   R3::Matrix Affine(double powers) {
     const R3::Matrix turn = Rotation();
     R3::Matrix m;

@@ -14,11 +14,12 @@ struct Roots {
 /// Where a line crosses a sphere, or, with all y set to 0, a circular cylinder about the y axis.
 ///   returns   nothing on a miss, for a zero direction, and if an input is NaN
 ///   accuracy  the points lie within 8 u (D + radius) of the surface, D the distance of origin from center; a root that
-///             is small because the origin lies just off the surface has a small RELATIVE error (tests/extremes/sphere.cpp)
+///             is small because the origin lies just off the surface has a small RELATIVE error
+///             (tests/extremes/sphere.cpp)
 ///   source    Haines, Guenther, Akenine-Moeller, Precision improvements for ray/sphere intersection, Ray Tracing Gems
-///             (2019), ch. 7: the discriminant from the miss distance, the small root as c / q. Their c cancels when the
-///             origin is near the surface; there it is summed exactly instead, and the plain discriminant is then the
-///             better one, since b^2 and a c no longer cancel except at a tangent.
+///             (2019), ch. 7: the discriminant from the miss distance, the small root as c / q. Their c cancels when
+///             the origin is near the surface; there it is summed exactly instead, and the plain discriminant is then
+///             the better one, since b^2 and a c no longer cancel except at a tangent.
 std::optional<Roots> RoundCrossings(const Point& origin, const Vector& direction, const Point& center, double radius);
 
 }  // namespace R3

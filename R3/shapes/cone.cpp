@@ -25,8 +25,8 @@ class Cone : public Shape {
   std::optional<Hit> Intersect(const Ray& ray, int) const override {
     if (IsDegenerate()) return {};
     Span span;
-    // Between base and apex only one of the two mirror cones is left, and it is convex. The plane through the apex is no
-    // face of its own: it touches the solid in the apex alone.
+    // Between base and apex only one of the two mirror cones is left, and it is convex. The plane through the apex is
+    // no face of its own: it touches the solid in the apex alone.
     ClipToSlab(span, low_, high_, ray.origin.y, ray.direction.y, base, side);
     if (!ClipToSide(span, ray)) return {};
     return span.First(ray);
@@ -56,10 +56,10 @@ class Cone : public Shape {
   /// horizontal parts of origin (from the apex) and direction, and R0 + t R1 the cone's radius along the ray, that is
   ///     A t^2 - 2 B t + C <= 0,   A = |e|^2 - R1^2,   B = R0 R1 - g.e,   C = |g|^2 - R0^2,
   /// all factored so that nothing cancels, and B^2 - A C = |R0 e - R1 g|^2 - |g x e|^2 (Lagrange's identity for the
-  /// form x^2 + z^2 - r^2), the counterpart of the sphere's miss distance; factored likewise. A steep ray from afar still
-  /// loses what A, B and C each lose against |g|^2, so one step of Newton's method from each root, with the form evaluated
-  /// at the point itself, ends it. Own derivation; oracle: 113-bit arithmetic in tests/extremes/cone.cpp. Returns false on a
-  /// certain miss.
+  /// form x^2 + z^2 - r^2), the counterpart of the sphere's miss distance; factored likewise. A steep ray from afar
+  /// still loses what A, B and C each lose against |g|^2, so one step of Newton's method from each root, with the form
+  /// evaluated at the point itself, ends it. Own derivation; oracle: 113-bit arithmetic in tests/extremes/cone.cpp.
+  /// Returns false on a certain miss.
   R3_USES_FMA
   bool ClipToSide(Span& span, const Ray& ray) const {
     const double gx = ray.origin.x - center_.x, gz = ray.origin.z - center_.z;

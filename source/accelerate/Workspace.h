@@ -8,15 +8,15 @@
 
 namespace ray {
 
-/// What one thread keeps between rays: its counts, the places its last rays hit, memory for stacks. Reset at the start of
-/// a tile, so that counts do not depend on which thread takes which tile.
+/// What one thread keeps between rays: its counts, the places its last rays hit, memory for stacks. Reset at the start
+/// of a tile, so that counts do not depend on which thread takes which tile.
 struct Workspace {
   struct Place {
     std::uint32_t instance = 0;
     int element = 0;
   };
   struct Waiting {
-    double entry = 0;        // t at which the ray enters the node's box
+    double entry = 0;  // t at which the ray enters the node's box
     std::uint32_t node = 0;
   };
 

@@ -7,8 +7,8 @@
 
 namespace ray {
 
-/// A triangle whose material emits, as a light (the 2008 course): from each of its points it shines like a point light of
-/// its emission without fall-off, to both sides, but not onto itself.
+/// A triangle whose material emits, as a light (the 2008 course): from each of its points it shines like a point light
+/// of its emission without fall-off, to both sides, but not onto itself.
 struct EmissiveTriangle {
   std::array<R3::Point, 3> corners;  // in the world
   R3::Vector corner_error;           // bound on what rounding moved them by, per axis
@@ -18,7 +18,8 @@ struct EmissiveTriangle {
 
   /// The point that `random`, in [0, 1)^2, picks evenly by area, moved off the triangle to the side of `seen_from`, so
   /// that a ray from there to it stops short of the triangle.
-  ///   source   Turk, Generating random points in triangles, Graphics Gems (1990), first method, which keeps strata whole
+  ///   source   Turk, Generating random points in triangles, Graphics Gems (1990), first method, which keeps strata
+  ///   whole
   R3::Point PointTowards(const R3::Point& seen_from, const R2::Point& random) const;
 };
 

@@ -38,14 +38,15 @@ class RandomKey {
 };
 
 /// Point `index` of `count` that share the unit square evenly, in [0, 1)^2: the square is cut into rows, as many as the
-/// root of `count`, each as high as its share of the points, each row into as many cells of equal width; every cell holds
-/// one point, placed at random. All cells have area 1 / count for any count, so averages are unbiased. The order of
-/// the cells is shuffled by the key, so that two sets with different keys are paired at random.
+/// root of `count`, each as high as its share of the points, each row into as many cells of equal width; every cell
+/// holds one point, placed at random. All cells have area 1 / count for any count, so averages are unbiased. The order
+/// of the cells is shuffled by the key, so that two sets with different keys are paired at random.
 ///   source   Cook, Porter, Carpenter, Distributed ray tracing (1984), jittering
 R2::Point Stratified(std::uint32_t index, std::uint32_t count, const RandomKey& key);
 
 /// Where `index` goes in a shuffle of 0 ... count - 1 chosen by the key; index < count.
-///   source   Kensler, Correlated multi-jittered sampling (2013): a bijection of the next power of two, walked along its
+///   source   Kensler, Correlated multi-jittered sampling (2013): a bijection of the next power of two, walked along
+///   its
 ///            cycle until it lands inside the range
 std::uint32_t Shuffled(std::uint32_t index, std::uint32_t count, const RandomKey& key);
 

@@ -21,6 +21,11 @@ R2::Image Linear(R2::Image image) {
 
 }  // namespace
 
+std::string Assets::Read(const FoundFile& file) {
+  files_read_.insert(file.shown);  // a mesh may be read twice, once for each way of shading it
+  return files_.Read(file);
+}
+
 Assets::BoxedMesh Assets::Mesh(const std::string& name, const std::string& named_in, bool smooth) {
   const FoundFile file = files_.Find(name, named_in);
   const auto [place, is_new] = meshes_.try_emplace({file.canonical, smooth});
@@ -33,7 +38,7 @@ Assets::BoxedMesh Assets::ReadMesh(const FoundFile& file, bool smooth) {
   if (!format) throw FileError{Quoted(file.shown) + " is no mesh of a known kind", "kinds are " + MeshExtensions()};
   R3::MeshData data;
   {
-    const Text text{file.shown, files_.Read(file)};  // gone before the mesh is built from its data
+    const Text text{file.shown, Read(file)};  // gone before the mesh is built from its data
     data = format->read(text, report_);
   }
   const bool has_triangles = !data.triangles.empty(), has_normals = !data.normals.empty();
@@ -57,7 +62,7 @@ std::shared_ptr<const Texture> Assets::Image(const std::string& name, const std:
 }
 
 std::shared_ptr<const Texture> Assets::ReadImage(const FoundFile& file) {
-  const std::string bytes = files_.Read(file);
+  const std::string bytes = Read(file);
   try {
     const R2::ImageSize size = R2::ReadImageSize(BytesOf(bytes));
     texels_ += std::int64_t{size.width} * size.height;

@@ -32,7 +32,11 @@ class Assets {
   /// Throws FileError; null when the file failed before.
   std::shared_ptr<const Texture> Image(const std::string& name, const std::string& named_in);
 
+  /// The files read so far, as they are shown to the user.
+  const std::set<std::string>& FilesRead() const { return files_read_; }
+
  private:
+  std::string Read(const FoundFile& file);
   BoxedMesh ReadMesh(const FoundFile& file, bool smooth);
   std::shared_ptr<const Texture> ReadImage(const FoundFile& file);
 
@@ -42,6 +46,7 @@ class Assets {
   std::map<std::pair<std::filesystem::path, bool>, BoxedMesh> meshes_;
   std::map<std::filesystem::path, std::shared_ptr<const Texture>> images_;
   std::int64_t texels_ = 0;
+  std::set<std::string> files_read_;
 };
 
 }  // namespace ray

@@ -28,8 +28,8 @@ struct RenderSettings {
   std::uint64_t seed = 0;
   TraceSettings trace;
 
-  int threads = 0;                     // 0: as many as the machine has
-  int tile_size = 32;                  // side of a work item in pixels, >= 1; 0: the whole picture is one
+  int threads = 0;     // 0: as many as the machine has
+  int tile_size = 32;  // side of a work item in pixels, >= 1; 0: the whole picture is one
 };
 
 /// How far a render has come.
@@ -40,13 +40,13 @@ struct RenderProgress {
 
 /// What a render needs from whoever asked for it.
 struct RenderMonitor {
-  const std::atomic<bool>* stop = nullptr;                      // looked at before each pixel; may be null
+  const std::atomic<bool>* stop = nullptr;               // looked at before each pixel; may be null
   std::function<void(const RenderProgress&)> tile_done;  // called from any thread, one at a time; may be empty
 };
 
 /// What a render gives.
 struct RenderResult {
-  R2::Image image;            // of the crop, or of the whole; black where nothing was rendered yet
+  R2::Image image;  // of the crop, or of the whole; black where nothing was rendered yet
   std::int64_t pixels_done = 0, pixels_total = 0;
   RayCounts rays;
   Counts counts;
@@ -54,7 +54,8 @@ struct RenderResult {
   bool IsComplete() const { return pixels_done == pixels_total; }
 };
 
-/// Renders the world through its scene's camera. The image is the same, bit for bit, for any thread count and tile size.
+/// Renders the world through its scene's camera. The image is the same, bit for bit, for any thread count and tile
+/// size.
 RenderResult Render(const World& world, const Accelerator& accelerator, const RenderSettings& settings,
                     const RenderMonitor& monitor = {});
 

@@ -9,8 +9,8 @@ namespace ray {
 struct Camera {
   R3::Point eye;
   R3::Vector towards{0, 0, -1}, up{0, 1, 0}, right{1, 0, 0};
-  double xfov = 0.25;            // HALF angle from the axis to the left or right edge, radians, in (0, pi/2)
-  double near = 0.01, far = 100; // kept for the viewer; rays are not clipped
+  double xfov = 0.25;             // HALF angle from the axis to the left or right edge, radians, in (0, pi/2)
+  double near = 0.01, far = 100;  // kept for the viewer; rays are not clipped
 
   /// The ray through a place of the picture: x, y in pixels from the lower left corner, not necessarily whole.
   /// Vertical: tan(yfov) = tan(xfov) height / width. The direction is not of unit length.
@@ -26,7 +26,8 @@ struct AimedCamera {
 };
 AimedCamera Aim(const R3::Point& eye, const R3::Vector& towards, const R3::Vector& up);
 
-/// The course's: looking down -z at the middle of `scene` from 3 radii away, xfov 0.25; radius 1 for an empty box or a point.
+/// The course's: looking down -z at the middle of `scene` from 3 radii away, xfov 0.25; radius 1 for an empty box or a
+/// point.
 Camera DefaultCamera(const R3::Box& scene);
 
 }  // namespace ray

@@ -14,12 +14,12 @@ namespace ray {
 
 /// What was asked for. Never changes after parsing.
 struct Scene {
-  Node root;                         // identity transform; its bounds are the scene's, in world coordinates
+  Node root;                                    // identity transform; its bounds are the scene's, in world coordinates
   std::vector<Material> materials{Material{}};  // 0 is the default, for nodes that inherit from nobody
   std::vector<std::unique_ptr<const Light>> lights;
   Camera camera;
   R2::Color background, ambient;
-  std::vector<std::string> files;    // what it was read from, the top file first
+  std::vector<std::string> files;  // what it was read from: scene files, the top one first, then meshes and textures
 };
 
 }  // namespace ray

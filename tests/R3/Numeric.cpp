@@ -15,7 +15,8 @@ TEST(DifferenceOfProducts, HasTheRightSignAndOneAndAHalfUlpsHoweverMuchCancels) 
     const double d = b * (1 + draw.Whole(-2, 2) * 0x1p-52);
     const Quad truth = Quad(a) * Quad(b) - Quad(c) * Quad(d);
     const double got = R3::DifferenceOfProducts(a, b, c, d);
-    EXPECT_LE(oracle::Double(oracle::Abs(Quad(got) - truth)), 3 * R3::unit_roundoff * oracle::Double(oracle::Abs(truth)));
+    EXPECT_LE(oracle::Double(oracle::Abs(Quad(got) - truth)),
+              3 * R3::unit_roundoff * oracle::Double(oracle::Abs(truth)));
     EXPECT_EQ(got > 0, truth > 0);
     EXPECT_EQ(got < 0, truth < 0);
   }
@@ -64,10 +65,10 @@ TEST(Extremes, J6_ProductsAndSumsAreRoundedSeparatelyAndDenormalsKept) {
   volatile double tiny = 0x1p-1060;
   EXPECT_NE(tiny / 4, 0);
   volatile double one = 1, ulp = 0x1p-53;
-  EXPECT_EQ(one + ulp, 1);                  // to nearest, ties to even
+  EXPECT_EQ(one + ulp, 1);  // to nearest, ties to even
   EXPECT_EQ((one + 0x1p-52) + ulp, 1 + 0x1p-51);
   volatile double nan = std::nan("");
-  EXPECT_NE(nan, nan);                      // no -ffast-math
+  EXPECT_NE(nan, nan);  // no -ffast-math
 }
 
 }  // namespace

@@ -14,11 +14,11 @@ TEST(Trap, A_UnitSphereSeenByTheDefaultCameraFillsSeventySevenPercentOfTheWidth)
   ray::RenderSettings settings;
   settings.width = 2000;
   settings.height = 1;
-  const auto result =
-      project::Render(project::Stage(project::FromText("ambient 1 1 1 sphere -1 0 0 0 1")), settings);
+  const auto result = project::Render(project::Stage(project::FromText("ambient 1 1 1 sphere -1 0 0 0 1")), settings);
   int lit = 0;
   for (int x = 0; x < settings.width; ++x) lit += IsLit(result.image.At(x, 0));
-  // The box of the unit sphere has radius sqrt 3, so the eye is 3 sqrt 3 away and sees the silhouette at asin(1/(3 sqrt 3)).
+  // The box of the unit sphere has radius sqrt 3, so the eye is 3 sqrt 3 away and sees the silhouette at asin(1/(3 sqrt
+  // 3)).
   const double share = std::tan(std::asin(1 / (3 * std::sqrt(3.0)))) / std::tan(0.25);
   EXPECT_NEAR(lit, share * settings.width, 1.0);
   EXPECT_NEAR(share, 0.77, 0.005);
@@ -60,15 +60,15 @@ TEST(Extremes, F2_AClearObjectOfIndexOneIsInvisible) {
 }
 
 TEST(Refraction, AWindowOutOfGlassEndsAtTheCriticalAngle) {
-  // From inside a block of index 1.5, 1 above its lower face, the background shows within asin(1/1.5) of the axis and is black
-  // beyond. Pixels whose border the circle crosses may be either.
+  // From inside a block of index 1.5, 1 above its lower face, the background shows within asin(1/1.5) of the axis and
+  // is black beyond. Pixels whose border the circle crosses may be either.
   ray::RenderSettings settings;
   settings.width = settings.height = 101;
   settings.trace.min_luminance = 0;
   settings.trace.max_depth = 1;
-  const project::Stage stage(project::FromText(
-      "camera 0 0 0 0 -1 0 0 0 -1 1.0 0.01 100 background 1 1 1 point_light 0 0 0 0 0 0 1 0 0 "
-      "material 0 0 0 0 0 0 0 0 0 1 1 1 0 0 0 10 1.5 0 box 0 -50 -1 -50 50 1 50"));
+  const project::Stage stage(
+      project::FromText("camera 0 0 0 0 -1 0 0 0 -1 1.0 0.01 100 background 1 1 1 point_light 0 0 0 0 0 0 1 0 0 "
+                        "material 0 0 0 0 0 0 0 0 0 1 1 1 0 0 0 10 1.5 0 box 0 -50 -1 -50 50 1 50"));
   const auto image = project::Render(stage, settings).image;
   const double critical = std::tan(std::asin(1 / 1.5)), pixel = 2 * std::tan(1.0) / 101;
   int inside = 0, outside = 0;
@@ -84,7 +84,8 @@ TEST(Refraction, AWindowOutOfGlassEndsAtTheCriticalAngle) {
 }
 
 TEST(Extremes, A3_RefractionEntersAndLeavesTheRightWayUnderEveryMirror) {
-  // A ball under any of the eight sign patterns is the same ball: the picture through it may not change by more than rounding.
+  // A ball under any of the eight sign patterns is the same ball: the picture through it may not change by more than
+  // rounding.
   ray::RenderSettings settings;
   settings.width = settings.height = 48;
   settings.trace.max_depth = 4;
@@ -115,12 +116,13 @@ TEST(Extremes, B3_AGroundSphereShowsNoRingsOfShadowOnItself) {
     for (const std::string eye : {"0.001", "1", "100"}) {
       ray::RenderSettings settings;
       settings.width = settings.height = 64;
-      const auto image =
-          project::Render(project::Stage(project::FromText("camera 0 " + eye + " 0  0 -0.5 -1  0 1 0  0.4 0.01 100 "
-                                                           "dir_light 1 1 1 -1 -0.3 -1 "
-                                                           "sphere -1 0 -" + radius + " 0 " + radius)),
-                          settings)
-              .image;
+      const auto image = project::Render(project::Stage(project::FromText("camera 0 " + eye +
+                                                                          " 0  0 -0.5 -1  0 1 0  0.4 0.01 100 "
+                                                                          "dir_light 1 1 1 -1 -0.3 -1 "
+                                                                          "sphere -1 0 -" +
+                                                                          radius + " 0 " + radius)),
+                                         settings)
+                             .image;
       for (int y = 0; y < 32; ++y)
         for (int x = 0; x < 64; ++x) EXPECT_TRUE(IsLit(image.At(x, y))) << radius << ' ' << eye << ' ' << x << ' ' << y;
     }
@@ -143,10 +145,11 @@ TEST(Extremes, F6_MirrorsThatSplitTheLightStopAtTheStatedNumberOfDescendants) {
   settings.width = settings.height = 1;
   settings.trace.max_depth = 1'000'000'000;
   settings.trace.min_luminance = 0;
-  const auto result = project::Render(
-      project::Stage(project::FromText("camera 0.1 0 0 0.2 0.1 -1 0 1 0 0.3 0.01 100 point_light 0 0 0 0 0 0 1 0 0 "
-                                       "material 0 0 0 0 0 0 1 1 1 1 1 1 0 0 0 10 1 0 sphere 0 0 0 0 1 sphere 0 0 0 0 2")),
-      settings);
+  const auto result =
+      project::Render(project::Stage(project::FromText(
+                          "camera 0.1 0 0 0.2 0.1 -1 0 1 0 0.3 0.01 100 point_light 0 0 0 0 0 0 1 0 0 "
+                          "material 0 0 0 0 0 0 1 1 1 1 1 1 0 0 0 10 1 0 sphere 0 0 0 0 1 sphere 0 0 0 0 2")),
+                      settings);
   EXPECT_GT(result.rays.cut, 0u);
   EXPECT_LE(result.rays.Total(), static_cast<std::uint64_t>(ray::most_descendants) + 3);
 }

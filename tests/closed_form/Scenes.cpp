@@ -1,5 +1,5 @@
-// Scenes whose answer is known on paper. Each file says how in its first comment, and what to expect of the one pixel around
-// the camera's axis; a new one is one more file.
+// Scenes whose answer is known on paper. Each file says how in its first comment, and what to expect of the one pixel
+// around the camera's axis; a new one is one more file.
 
 #include <gtest/gtest.h>
 

@@ -23,8 +23,8 @@ R3::Ray RayTowards(Draw& draw, const R3::Shape& shape) {
   const R3::Box box = Bounds(shape);
   const R3::Vector size = box.Size();
   const R3::Point origin = box.Center() + draw.Scale(0, 3) * box.Radius() * draw.Direction();
-  const R3::Point target = box.low + R3::Vector{size.x * draw.Between(0, 1), size.y * draw.Between(0, 1),
-                                                size.z * draw.Between(0, 1)};
+  const R3::Point target =
+      box.low + R3::Vector{size.x * draw.Between(0, 1), size.y * draw.Between(0, 1), size.z * draw.Between(0, 1)};
   return {origin, draw.Scale(-3, 3) * (target - origin)};
 }
 
@@ -84,8 +84,9 @@ TEST(EveryShape, HasUnitNormalsThatFaceOutwardOnTheWayInAndOnTheWayOut) {
 }
 
 TEST(EveryShape, HasNormalsPerpendicularToTheSurface) {
-  // Two neighbouring rays hit neighbouring points of the same part; the step between them lies in the tangent plane up to the
-  // curvature, so its share along the normal shrinks with the step. Steps of 1e-5 of the size leave less than 1e-4.
+  // Two neighbouring rays hit neighbouring points of the same part; the step between them lies in the tangent plane up
+  // to the curvature, so its share along the normal shrinks with the step. Steps of 1e-5 of the size leave less than
+  // 1e-4.
   ForManyHits(704, [](const Subject& s, const R3::Ray& ray, const R3::Hit& hit) {
     const auto at = s.shape->At(ray, hit, 0);
     if (std::abs(Dot(at.normal, Unit(ray.direction))) < 0.2) return;
@@ -136,9 +137,12 @@ TEST(EveryShape, HasTextureCoordinatesBetweenZeroAndOne) {
 }
 
 TEST(EveryShape, OfNoSizeIsNeverHit) {
-  for (const auto& [name, arguments] : std::vector<std::pair<const char*, std::vector<double>>>{
-           {"sphere", {0, 0, 0, 0}}, {"cylinder", {0, 0, 0, 0, 1}}, {"cylinder", {0, 0, 0, 1, 0}},
-           {"cone", {0, 0, 0, 0, 1}}, {"cone", {0, 0, 0, 1, 0}}}) {
+  for (const auto& [name, arguments] :
+       std::vector<std::pair<const char*, std::vector<double>>>{{"sphere", {0, 0, 0, 0}},
+                                                                {"cylinder", {0, 0, 0, 0, 1}},
+                                                                {"cylinder", {0, 0, 0, 1, 0}},
+                                                                {"cone", {0, 0, 0, 0, 1}},
+                                                                {"cone", {0, 0, 0, 1, 0}}}) {
     const auto shape = R3::MakeShape(name, arguments);
     EXPECT_TRUE(shape->IsDegenerate()) << name;
     for (const R3::Vector d : {R3::Vector{0, 0, -1}, R3::Vector{0, -1, 0}, R3::Vector{-1, -1, -1}})

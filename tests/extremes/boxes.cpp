@@ -52,7 +52,9 @@ void CompareOnTheLattice(Draw draw, int flat_axes, int count) {
   }
 }
 
-TEST(Extremes, C1_BoxesAndRaysOnTheLatticeAreNeverConfused) { CompareOnTheLattice(Draw(301), 0, Count(1'000'000, 100'000'000)); }
+TEST(Extremes, C1_BoxesAndRaysOnTheLatticeAreNeverConfused) {
+  CompareOnTheLattice(Draw(301), 0, Count(1'000'000, 100'000'000));
+}
 
 TEST(Extremes, C2_NorWhenABoxIsFlat) { CompareOnTheLattice(Draw(302), 1, Count(300'000, 100'000'000)); }
 
@@ -83,7 +85,8 @@ TEST(Extremes, B7_ABoxFlatAlongTwoOrThreeAxesIsNeverHitAndNeverCrashes) {
 }
 
 TEST(Extremes, B7_ReversedCornersAreSorted) {
-  const auto sorted = R3::MakeShape("box", {-1, -2, -3, 1, 2, 3}), reversed = R3::MakeShape("box", {1, -2, 3, -1, 2, -3});
+  const auto sorted = R3::MakeShape("box", {-1, -2, -3, 1, 2, 3}),
+             reversed = R3::MakeShape("box", {1, -2, 3, -1, 2, -3});
   EXPECT_EQ(sorted->Bounds(0), reversed->Bounds(0));
 }
 

@@ -11,8 +11,8 @@
 
 namespace {
 
-/// A bumpy ball of `around` x `rings` quads split in two, with poles of valence `around`, and on every tenth triangle a corner
-/// of valence 3 in its middle.
+/// A bumpy ball of `around` x `rings` quads split in two, with poles of valence `around`, and on every tenth triangle a
+/// corner of valence 3 in its middle.
 R3::MeshData BumpyBall(int around, int rings) {
   R3::MeshData data;
   const auto place = [&](double theta, double phi) {
@@ -32,7 +32,8 @@ R3::MeshData BumpyBall(int around, int rings) {
       return;
     }
     const auto middle = static_cast<std::uint32_t>(data.positions.size());
-    const R3::Vector sum = FromOrigin(data.positions[a]) + FromOrigin(data.positions[b]) + FromOrigin(data.positions[c]);
+    const R3::Vector sum =
+        FromOrigin(data.positions[a]) + FromOrigin(data.positions[b]) + FromOrigin(data.positions[c]);
     data.positions.push_back(R3::Point{} + sum / 3);
     data.triangles.push_back({a, b, middle});
     data.triangles.push_back({b, c, middle});
@@ -86,7 +87,7 @@ TEST(Extremes, D3_NorWhenTheMeshIsFarTinyHugeSqueezedOrSlanted) {
     m.m = {{{x, 0, 0, shift}, {0, y, 0, -shift}, {0, 0, z, shift}}};
     return m;
   };
-  std::vector<R3::Matrix> matrices{scaled(1, 1, 1, 1e5),       scaled(1e-3, 1e-3, 1e-3, 0), scaled(1e-3, 1e-3, 1e-3, 1e5),
+  std::vector<R3::Matrix> matrices{scaled(1, 1, 1, 1e5),     scaled(1e-3, 1e-3, 1e-3, 0), scaled(1e-3, 1e-3, 1e-3, 1e5),
                                    scaled(1e6, 1e6, 1e6, 0), scaled(1, 1e-4, 1, 0),       scaled(1e-4, 1, 1, 1e5)};
   for (int i = 0; i < 6; ++i) matrices.push_back(draw.Affine(4));
   for (const R3::Matrix& m : matrices) ExpectNoLeaks(Moved(BumpyBall(12, 8), m), m, draw, Count(4'000, 1'000'000));
@@ -100,7 +101,8 @@ TEST(Extremes, D5_TrianglesWithoutAreaAreDroppedAndTheirNeighboursStayClosed) {
   data.triangles.insert(data.triangles.begin() + 5, {first[0], first[1], first[1]});
   data.triangles.push_back({first[2], first[2], first[2]});
   const auto n = static_cast<std::uint32_t>(data.positions.size());
-  data.positions.insert(data.positions.end(), {R3::Point{0, 0, 0}, R3::Point{0.25, 0.5, 0.125}, R3::Point{0.75, 1.5, 0.375}});
+  data.positions.insert(data.positions.end(),
+                        {R3::Point{0, 0, 0}, R3::Point{0.25, 0.5, 0.125}, R3::Point{0.75, 1.5, 0.375}});
   data.triangles.push_back({n, n + 1, n + 2});
   const R3::Mesh mesh(std::move(data));
   EXPECT_EQ(mesh.DroppedTriangles(), 3);

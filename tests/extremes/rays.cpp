@@ -53,8 +53,8 @@ R3::Ray RayTowards(Draw& draw, const Single& single) {
   const R3::Box& box = single.scene.root.bounds;
   const R3::Vector size = box.Size();
   const R3::Point origin = box.Center() + 3 * box.Radius() * draw.Direction();
-  const R3::Point target = box.low + R3::Vector{size.x * draw.Between(0, 1), size.y * draw.Between(0, 1),
-                                                size.z * draw.Between(0, 1)};
+  const R3::Point target =
+      box.low + R3::Vector{size.x * draw.Between(0, 1), size.y * draw.Between(0, 1), size.z * draw.Between(0, 1)};
   return {origin, target - origin};
 }
 
@@ -114,7 +114,8 @@ TEST(Extremes, E2_AnOccluderAHundredThousandthAboveTheSurfaceIsNeverMissed) {
 
 TEST(Extremes, E3_AShellThinAsPaintIsEnteredAndLeft) {
   // From a hit on the outer sphere, straight on: the inner one, 4e-5 below, must be found whenever the ray meets it.
-  Single inner(R3::MakeShape("sphere", {0, 0, 0, 1}), Uniform(1)), outer(R3::MakeShape("sphere", {0, 0, 0, 1.00004}), Uniform(1));
+  Single inner(R3::MakeShape("sphere", {0, 0, 0, 1}), Uniform(1)),
+      outer(R3::MakeShape("sphere", {0, 0, 0, 1.00004}), Uniform(1));
   Draw draw(603);
   for (int i = 0; i < 20'000; ++i) {
     const R3::Ray ray = RayTowards(draw, outer);
@@ -130,7 +131,8 @@ TEST(Extremes, E3_AShellThinAsPaintIsEnteredAndLeft) {
 }
 
 TEST(Extremes, C4_FromAPointExactlyOnASurfaceTheLeavingSideIsNotHitAndTheFarSideIs) {
-  const auto check = [](const char* name, const std::vector<double>& arguments, const R3::Point& p, const R3::Vector& out) {
+  const auto check = [](const char* name, const std::vector<double>& arguments, const R3::Point& p,
+                        const R3::Vector& out) {
     const auto shape = R3::MakeShape(name, arguments);
     EXPECT_FALSE(shape->Intersect({p, out}, 0)) << name;
     const auto far_side = shape->Intersect({p, -out}, 0);
@@ -141,15 +143,15 @@ TEST(Extremes, C4_FromAPointExactlyOnASurfaceTheLeavingSideIsNotHitAndTheFarSide
   check("sphere", {0, 0, 0, 1}, {1, 0, 0}, {1, 0, 0});
   check("sphere", {0, 0, 0, 1}, {0, -1, 0}, {0.5, -1, 0.25});
   check("box", {-1, -1, -1, 1, 1, 1}, {1, 0.5, 0.25}, {1, 0, 0});
-  check("box", {-1, -1, -1, 1, 1, 1}, {1, 1, 0.25}, {1, 1, 0});   // on an edge
-  check("box", {-1, -1, -1, 1, 1, 1}, {1, 1, 1}, {1, 1, 1});      // on a corner
+  check("box", {-1, -1, -1, 1, 1, 1}, {1, 1, 0.25}, {1, 1, 0});  // on an edge
+  check("box", {-1, -1, -1, 1, 1, 1}, {1, 1, 1}, {1, 1, 1});     // on a corner
   check("box", {-1, -1, -1, 1, 1, 1}, {-1, 1, -1}, {-1, 2, -3});
   check("cylinder", {0, 0, 0, 1, 2}, {1, 0.5, 0}, {1, 0, 0});
   check("cylinder", {0, 0, 0, 1, 2}, {0.25, 1, 0}, {0, 1, 0});
-  check("cylinder", {0, 0, 0, 1, 2}, {1, 1, 0}, {1, 1, 0});       // on the rim
-  check("cone", {0, 0, 0, 1, 2}, {0, 1, 0}, {0, 1, 0});           // on the apex
+  check("cylinder", {0, 0, 0, 1, 2}, {1, 1, 0}, {1, 1, 0});  // on the rim
+  check("cone", {0, 0, 0, 1, 2}, {0, 1, 0}, {0, 1, 0});      // on the apex
   check("cone", {0, 0, 0, 1, 2}, {0.25, -1, 0}, {0, -1, 0});
-  check("cone", {0, 0, 0, 1, 2}, {0.5, 0, 0}, {1, 0.5, 0});       // half way up the side, exactly
+  check("cone", {0, 0, 0, 1, 2}, {0.5, 0, 0}, {1, 0.5, 0});  // half way up the side, exactly
 }
 
 TEST(Extremes, C4_FromInsideEverySolidIsLeftExactlyOnce) {
@@ -177,7 +179,8 @@ TEST(Extremes, C12_AHitAtTheEndOfTheRayIsAMissAndOneUlpBeyondItIsAHit) {
       const auto hit = single.Hit(ray);
       if (!hit) continue;
       const double t = hit->hit.t;
-      for (const auto& [end, expected] : {std::pair{R3::NextDown(t), false}, std::pair{t, false}, std::pair{R3::NextUp(t), true}}) {
+      for (const auto& [end, expected] :
+           {std::pair{R3::NextDown(t), false}, std::pair{t, false}, std::pair{R3::NextUp(t), true}}) {
         EXPECT_EQ(single.Hit({ray.origin, ray.direction, 0, end}).has_value(), expected);
         EXPECT_EQ(single.accelerator->IsOccluded({ray.origin, ray.direction, 0, end}, single.workspace), expected);
       }

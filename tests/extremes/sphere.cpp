@@ -57,7 +57,8 @@ TEST(Extremes, B2_RaysThatGrazeASphereAreDecidedWithinTheSameBand) {
   Draw draw(102);
   for (const double distance : {10.0, 1e4})
     for (int j = 2; j <= 15; ++j)
-      for (int i = 0; i < 500; ++i) CheckAgainstOracle(*sphere, RayPast(draw, distance, 1 - std::pow(10, -j)), distance);
+      for (int i = 0; i < 500; ++i)
+        CheckAgainstOracle(*sphere, RayPast(draw, distance, 1 - std::pow(10, -j)), distance);
 }
 
 TEST(Extremes, B2_AnExactTangentGetsTheSameAnswerEveryTime) {

@@ -23,8 +23,8 @@ R3::Ray RayTowards(Draw& draw, const R3::Shape& shape) {
   const R3::Box box = Bounds(shape);
   const R3::Point origin = box.Center() + 5 * box.Radius() * draw.Direction();
   const R3::Vector size = box.Size();
-  const R3::Point target = box.low + R3::Vector{size.x * draw.Between(0, 1), size.y * draw.Between(0, 1),
-                                                size.z * draw.Between(0, 1)};
+  const R3::Point target =
+      box.low + R3::Vector{size.x * draw.Between(0, 1), size.y * draw.Between(0, 1), size.z * draw.Between(0, 1)};
   return {origin, target - origin};
 }
 
@@ -117,14 +117,16 @@ TEST(Extremes, A3_EverySignPatternMirrorsHitsExactlyAndKeepsNormalsOutward) {
 }
 
 TEST(Extremes, A6_SingularMatricesAreRecognisedAndNothingElseIs) {
-  for (const auto& m : {Diagonal(0, 1, 1), Diagonal(1, 0, 1), Diagonal(1, 1, 0), Diagonal(0, 0, 0), Diagonal(1, 1e-16, 1)}) {
+  for (const auto& m :
+       {Diagonal(0, 1, 1), Diagonal(1, 0, 1), Diagonal(1, 1, 0), Diagonal(0, 0, 0), Diagonal(1, 1e-16, 1)}) {
     EXPECT_TRUE(ray::IsSingular(m));
     EXPECT_FALSE(ray::IsSingular(Diagonal(1e-30, 1e-30, 1e-30)));
   }
   R3::Matrix dependent = Diagonal(1, 1, 1);
   dependent.m[2] = {1, 1, 0, 0};  // the sum of the other two rows
   EXPECT_TRUE(ray::IsSingular(dependent));
-  for (int power = 1; power <= 14; ++power) EXPECT_FALSE(ray::IsSingular(Diagonal(1, std::pow(10, -power), 1))) << power;
+  for (int power = 1; power <= 14; ++power)
+    EXPECT_FALSE(ray::IsSingular(Diagonal(1, std::pow(10, -power), 1))) << power;
   for (const double huge : {1e120, 1e-120}) EXPECT_FALSE(ray::IsSingular(Diagonal(huge, huge, huge)));
   EXPECT_FALSE(R3::Transform::Of(Diagonal(R3::infinity, 1, 1)));
   EXPECT_FALSE(R3::Transform::Of(Diagonal(std::nan(""), 1, 1)));

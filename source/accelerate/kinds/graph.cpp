@@ -7,10 +7,10 @@
 namespace ray {
 namespace {
 
-// The scene graph itself, as the course builds it: a box around each node in its parent's coordinates (Rubin and Whitted,
-// A 3-dimensional representation for fast rendering of complex scenes, 1980), children visited from front to back (Kay
-// and Kajiya, Ray tracing complex scenes, 1986), and what the last ray hit asked first (Haines and Greenberg, The light
-// buffer, 1986, for shadow rays).
+// The scene graph itself, as the course builds it: a box around each node in its parent's coordinates (Rubin and
+// Whitted, A 3-dimensional representation for fast rendering of complex scenes, 1980), children visited from front to
+// back (Kay and Kajiya, Ray tracing complex scenes, 1986), and what the last ray hit asked first (Haines and Greenberg,
+// The light buffer, 1986, for shadow rays).
 class Graph : public Accelerator {
  public:
   Graph(const World& world, const AcceleratorSettings& settings)

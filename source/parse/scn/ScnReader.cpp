@@ -48,6 +48,9 @@ Scene ScnReader::Read() {
     else
       CloseFile();
   }
+  // Behind the scene files, so that the indices that locations hold stay right.
+  auto& files = builder_.scene.files;
+  files.insert(files.end(), assets_.FilesRead().begin(), assets_.FilesRead().end());
   return builder_.Finish();
 }
 

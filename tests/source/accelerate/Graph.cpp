@@ -53,7 +53,8 @@ void CompareInOneScene(const ray::Scene& scene, Draw& draw, int rays) {
   for (int i = 0; i < rays; ++i) {
     const R3::Vector size = box.Size();
     const auto inside = [&] {
-      return box.low + R3::Vector{size.x * draw.Between(0, 1), size.y * draw.Between(0, 1), size.z * draw.Between(0, 1)};
+      return box.low +
+             R3::Vector{size.x * draw.Between(0, 1), size.y * draw.Between(0, 1), size.z * draw.Between(0, 1)};
     };
     // Aimed at a shape's own box, which in scenes of many scales hardly any other ray would meet.
     const auto& instance =
@@ -64,11 +65,11 @@ void CompareInOneScene(const ray::Scene& scene, Draw& draw, int rays) {
     const R3::Point origin = draw.Whole(0, 1) ? target + 4 * own.Radius() * draw.Direction()
                                               : box.Center() + 2 * box.Radius() * draw.Direction();
     R3::Vector d = target - origin;
-    if (draw.Whole(0, 9) == 0) d = {d.x, 0, 0};                       // along an axis
+    if (draw.Whole(0, 9) == 0) d = {d.x, 0, 0};  // along an axis
     if (draw.Whole(0, 9) == 0) list.push_back({own.Corner(draw.Whole(0, 7)), inside() - origin});
     list.push_back({origin, d});
     ray::Workspace workspace;
-    if (const auto hit = none->Intersect(list.back(), workspace))     // and on from the surface found
+    if (const auto hit = none->Intersect(list.back(), workspace))  // and on from the surface found
       list.push_back({SpawnPoint(world.At(list.back(), *hit), -d), -d});
   }
   for (int switches = 0; switches < 8; ++switches) {
@@ -79,7 +80,8 @@ void CompareInOneScene(const ray::Scene& scene, Draw& draw, int rays) {
     for (const R3::Ray& ray : list) {
       ExpectSame(graph->Intersect(ray, for_graph), none->Intersect(ray, for_none), ray, name.c_str());
       const R3::Ray shadow{ray.origin, ray.direction, 0, 1};
-      EXPECT_EQ(graph->IsOccluded(shadow, for_graph), none->IsOccluded(shadow, for_none)) << name << ' ' << oracle::Hex(ray);
+      EXPECT_EQ(graph->IsOccluded(shadow, for_graph), none->IsOccluded(shadow, for_none))
+          << name << ' ' << oracle::Hex(ray);
     }
   }
 }
@@ -127,7 +129,8 @@ TEST(Graph, AmongEqualDistancesTheLowestPrimitiveWins) {
 }
 
 TEST(Graph, EachOfItsDevicesSavesTestsWhereItShould) {
-  // A row of groups of spheres seen end on: boxes skip whole groups, order skips what lies behind, the cache finds neighbours.
+  // A row of groups of spheres seen end on: boxes skip whole groups, order skips what lies behind, the cache finds
+  // neighbours.
   ray::Scene scene;
   for (int g = 0; g < 20; ++g) {
     ray::Node group;
@@ -145,7 +148,8 @@ TEST(Graph, EachOfItsDevicesSavesTestsWhereItShould) {
     return workspace.counts.primitive_tests;
   };
   const auto none = primitive_tests({"none"}), bare = primitive_tests({"graph", false, false, false});
-  const auto boxes = primitive_tests({"graph", true, false, false}), sorted = primitive_tests({"graph", true, true, false});
+  const auto boxes = primitive_tests({"graph", true, false, false}),
+             sorted = primitive_tests({"graph", true, true, false});
   const auto cached = primitive_tests({"graph", true, true, true});
   EXPECT_EQ(none, 100u * 400u);
   EXPECT_EQ(bare, none);
