@@ -30,6 +30,7 @@ struct Stretch {
 
 /// Keeps low <= o + t d <= high.
 void KeepSlab(Stretch& stretch, Quad low, Quad high, Quad o, Quad d) {
+  if (high < low) return stretch.KeepNothing();
   if (d == 0) {
     if (o < low || o > high) stretch.KeepNothing();
     return;
@@ -109,7 +110,6 @@ struct Solid {
       return stretch;
     }
     const Quad half = Quad(a[4]) / 2;
-    if (more < -half) stretch.KeepNothing();
     KeepSlab(stretch, -half - more, half + more, o.y, d.y);
     if (kind == "cylinder") {
       if (a[3] + more < 0) stretch.KeepNothing();
