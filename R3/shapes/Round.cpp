@@ -23,16 +23,34 @@ double PowerOfPoint(const Point& origin, const Point& center, double radius) {
   return static_cast<double>(sum);
 }
 
+/// (origin - center) . direction as if in twice the precision, then rounded.
+/// Source: Ogita, Rump, Oishi, Accurate sum and dot product (2005), algorithm 5.3.
+double AccurateDot(const Point& origin, const Point& center, const Vector& direction) {
+  double sum = 0, rest = 0;
+  const auto add = [&](double o, double c, double d) {
+    const Wide f = ExactSum(o, -c), product = ExactProduct(f.high, d), s = ExactSum(sum, product.high);
+    sum = s.high;
+    rest += s.low + (product.low + f.low * d);
+  };
+  add(origin.x, center.x, direction.x);
+  add(origin.y, center.y, direction.y);
+  add(origin.z, center.z, direction.z);
+  return sum + rest;
+}
+
 }  // namespace
 
 R3_USES_FMA
 std::optional<Roots> RoundCrossings(const Point& origin, const Vector& direction, const Point& center, double radius) {
   const Vector f = origin - center;
-  const double a = Dot(direction, direction), b = -Dot(f, direction);
+  double a = Dot(direction, direction), b = -Dot(f, direction);
   const double distance = std::sqrt(Dot(f, f));
 
   double c, discriminant;  // of a t^2 - 2 b t + c
   if (std::abs(distance - radius) < near_share * radius) {
+    // The chord to the far side is as long as the bar allows for least error: a and b must lose nothing either.
+    a = AccurateDot(Point{} + direction, {}, direction);
+    b = -AccurateDot(origin, center, direction);
     c = PowerOfPoint(origin, center, radius);
     discriminant = DifferenceOfProducts(b, b, a, c);
   } else {

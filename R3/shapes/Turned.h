@@ -5,6 +5,8 @@
 
 #include "R3/Intersection.h"
 #include "R3/Numeric.h"
+#include "R3/shapes/Round.h"
+#include "R3/shapes/Span.h"
 
 /// What cylinder and cone, both turned about a line parallel to y, have in common.
 namespace R3 {
@@ -13,6 +15,16 @@ namespace R3 {
 inline double TurnAboutY(const Vector& outward) {
   const double turn = std::atan2(outward.x, -outward.z) / (2 * std::numbers::pi);
   return turn < 0 ? turn + 1 : turn;
+}
+
+/// Clips to the endless cylinder of this radius about the line through `center`; false on a miss.
+inline bool ClipToRound(Span& span, const Ray& ray, const Point& center, double radius, int part) {
+  if (ray.direction.x == 0 && ray.direction.z == 0)
+    return std::hypot(ray.origin.x - center.x, ray.origin.z - center.z) <= radius;
+  const auto roots = RoundCrossings({ray.origin.x, 0, ray.origin.z}, {ray.direction.x, 0, ray.direction.z},
+                                    {center.x, 0, center.z}, radius);
+  if (roots) span.Clip(roots->first, roots->second, part, part);
+  return roots.has_value();
 }
 
 /// The flat end at height y; `side` is +1 when it faces up, -1 when it faces down.

@@ -1,4 +1,5 @@
 #include "R3/Shape.h"
+#include "R3/shapes/Round.h"
 #include "R3/shapes/Span.h"
 #include "R3/shapes/Turned.h"
 
@@ -29,6 +30,10 @@ class Cone : public Shape {
     // no face of its own: it touches the solid in the apex alone.
     ClipToSlab(span, low_, high_, ray.origin.y, ray.direction.y, base, side);
     if (!ClipToSide(span, ray)) return {};
+    // A flat cone's side and base meet so sharply that the rounding of either would move the rim outward by `slope`
+    // times as much; the cylinder around the rim says better where it ends.
+    constexpr double flat_slope = 4;
+    if (slope_ > flat_slope && !ClipToRound(span, ray, center_, radius_, side)) return {};
     return span.First(ray);
   }
 
@@ -75,7 +80,11 @@ class Cone : public Shape {
     const auto polished = [&](double t) {
       const double x = std::fma(t, ex, gx), z = std::fma(t, ez, gz), r = std::fma(t, R1, R0);
       const double rho = std::sqrt(x * x + z * z);
-      const double step = (rho - r) * (rho + r) / (2 * (x * ex + z * ez - r * R1));
+      const double slope = x * ex + z * ez - r * R1;  // half the form's
+      // Both may be nothing but rounding, as they are at the apex; then the root is as good as it gets.
+      const double noise = Gamma(4) * (g + std::abs(R0) + std::abs(t) * (e + std::abs(R1)));
+      if (!(std::abs(rho - r) > noise && std::abs(slope) > 4 * noise * (e + std::abs(R1)))) return t;
+      const double step = (rho - r) * (rho + r) / (2 * slope);
       // Near a tangent the slope says nothing; there t is not determined and the point is on the surface anyway.
       constexpr double small_share = 0x1p-20;
       return std::abs(step) < small_share * std::abs(t) ? t - step : t;

@@ -24,14 +24,7 @@ class Cylinder : public Shape {
     if (IsDegenerate()) return {};
     Span span;
     ClipToSlab(span, low_, high_, ray.origin.y, ray.direction.y, bottom, top);
-    if (ray.direction.x == 0 && ray.direction.z == 0) {
-      if (!(std::hypot(ray.origin.x - center_.x, ray.origin.z - center_.z) <= radius_)) return {};
-    } else {
-      const auto roots = RoundCrossings({ray.origin.x, 0, ray.origin.z}, {ray.direction.x, 0, ray.direction.z},
-                                        {center_.x, 0, center_.z}, radius_);
-      if (!roots) return {};
-      span.Clip(roots->first, roots->second, side, side);
-    }
+    if (!ClipToRound(span, ray, center_, radius_, side)) return {};
     return span.First(ray);
   }
 

@@ -6,7 +6,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 
 #include "R3/Shape.h"
 #include "tests/Draw.h"
@@ -117,6 +119,7 @@ struct Solid {
     } else {
       const Quad slope = Quad(a[3]) / Quad(a[4]);
       KeepRound(stretch, o, d, slope * (half - o.y) + more * oracle::Sqrt(1 + slope * slope), -slope * d.y);
+      if (more > 0) KeepRound(stretch, o, d, a[3] + more, 0);  // the flat cone's rim, where it would grow far outward
     }
     return stretch;
   }
@@ -172,13 +175,26 @@ R3::Ray RayNear(Draw& draw, const Solid& solid, double radius, double height) {
       draw.Whole(0, 2) == 0 ? around(2) : solid.Center() + draw.Scale(-1, 6) * solid.Size() * draw.Direction();
   R3::Vector d = target - origin;
   switch (draw.Whole(0, 9)) {
-    case 0: d.x = 0; break;
-    case 1: d.y = 0; break;
-    case 2: d.z = -0.0; break;
-    case 3: d = {0, d.y, 0}; break;
-    case 4: d = {d.x * 1e-9, d.y, d.z * 1e-9}; break;  // almost along the axis
-    case 5: d = {d.x, d.y * 1e-9, d.z}; break;         // almost across it
-    default: break;
+    case 0:
+      d.x = 0;
+      break;
+    case 1:
+      d.y = 0;
+      break;
+    case 2:
+      d.z = -0.0;
+      break;
+    case 3:
+      d = {0, d.y, 0};
+      break;
+    case 4:
+      d = {d.x * 1e-9, d.y, d.z * 1e-9};
+      break;  // almost along the axis
+    case 5:
+      d = {d.x, d.y * 1e-9, d.z};
+      break;  // almost across it
+    default:
+      break;
   }
   return {origin, draw.Scale(-3, 3) * d};
 }
@@ -195,6 +211,32 @@ TEST(Extremes, EverySolidOfAnyProportionsHasNeitherHolesNorHairs) {
     }
 }
 
+TEST(Extremes, C1_OnTheLatticeTheBoxShapeIsHitExactlyWhereWholeNumbersSay) {
+  Draw draw(805);
+  for (int i = 0; i < Count(300'000, 100'000'000); ++i) {
+    const auto whole = [&] { return static_cast<double>(draw.Whole(-5, 5)); };
+    Solid box{"box", {}};
+    for (int k = 0; k < 6; ++k) box.arguments.push_back(whole());
+    if (i % 4 == 0) box.arguments[3] = box.arguments[0];  // flat
+    for (std::size_t k = 0; k < 3; ++k)
+      if (box.arguments[k] > box.arguments[k + 3]) std::swap(box.arguments[k], box.arguments[k + 3]);
+    const auto shape = R3::MakeShape("box", box.arguments);
+    if (shape->IsDegenerate()) continue;
+    const auto component = [&] { return draw.Whole(0, 1) ? whole() : draw.Whole(0, 1) ? 0.0 : -0.0; };
+    const R3::Ray ray{{whole(), whole(), whole()}, {component(), component(), component()}};
+    if (ray.direction == R3::Vector{}) continue;
+    // Quotients of such small whole numbers are equal or far apart, so that 113 bits compare them exactly. A ray that
+    // starts on the box and leaves it at once does not hit it.
+    const Stretch truth = box.Inside(ray, 0);
+    const Quad t = truth.enter > 0 ? truth.enter : truth.leave;
+    const auto hit = shape->Intersect(ray, 0);
+    ASSERT_EQ(hit.has_value(), !truth.IsEmpty() && truth.leave > 0) << oracle::Hex(ray);
+    if (hit) {
+      ASSERT_EQ(hit->t, oracle::Double(t)) << oracle::Hex(ray);
+    }
+  }
+}
+
 TEST(Extremes, B4_AWireAndACoinAreHitAlongTheirAxisToo) {
   Draw draw(802);
   for (const auto& [radius, height] : {std::pair{1e-6, 1e6}, {1e6, 1e-6}, {1e-6, 1e-6}, {1e6, 1e6}, {1e-6, 1.0}}) {
@@ -206,7 +248,8 @@ TEST(Extremes, B4_AWireAndACoinAreHitAlongTheirAxisToo) {
         const double turn = draw.Between(0, 6.28), angle = std::pow(10, -power);
         const R3::Vector along{angle * std::cos(turn), draw.Whole(0, 1) ? 1.0 : -1.0, angle * std::sin(turn)};
         const double y = draw.Whole(0, 1) ? height * draw.Between(-0.6, 0.6) : height * draw.Scale(0, 3);
-        const R3::Point origin{radius * draw.Between(-1.1, 1.1), along.y > 0 ? -y : y, radius * draw.Between(-1.1, 1.1)};
+        const R3::Point origin{radius * draw.Between(-1.1, 1.1), along.y > 0 ? -y : y,
+                               radius * draw.Between(-1.1, 1.1)};
         solid.Check(*shape, {origin, along}, 32);
       }
   }
