@@ -28,7 +28,7 @@ seconds() {
   while [ "$i" -lt "$runs" ]; do
     "$raypro" "$1" "$work/out.png" -width "$size" -height "$size" -accel "$2" -quiet -report "$work/report.json" \
       -allow_path / 2> /dev/null || { echo failed; return; }
-    sed -n 's/.*"total": *\([0-9.e+-]*\).*/\1/p' "$work/report.json" | tail -1 >> "$work/times"
+    sed -n 's/.*"wall": *\([0-9.e+-]*\).*/\1/p' "$work/report.json" | tail -1 >> "$work/times"
     i=$((i + 1))
   done
   sort -n "$work/times" | sed -n "$(((runs + 1) / 2))p" | awk '{ printf "%.3f", $1 }'
