@@ -31,10 +31,11 @@ ifeq ($(NEEDS_COMPILER),yes)
 HAS_JPEG := $(call probe,jpeg,jpeglib.h,-include stdio.h)
 HAS_PNG := $(call probe,png,png.h,)
 HAS_TBB := $(call probe,tbb,tbb/parallel_for.h,)
+HAS_HWY := $(call probe,hwy,hwy/highway.h,)
 HAS_JSON := $(call probe,json,nlohmann/json.hpp,)
 HAS_EXR := $(call probe,exr,ImfOutputFile.h,$(EXR_CFLAGS))
 MISSING := $(if $(filter yes,$(HAS_JPEG)),,libjpeg-dev) $(if $(filter yes,$(HAS_PNG)),,libpng-dev) \
-           $(if $(filter yes,$(HAS_TBB)),,libtbb-dev) $(if $(filter yes,$(HAS_JSON)),,nlohmann-json3-dev)
+           $(if $(filter yes,$(HAS_TBB)),,libtbb-dev) $(if $(filter yes,$(HAS_HWY)),,libhwy-dev) $(if $(filter yes,$(HAS_JSON)),,nlohmann-json3-dev)
 ifneq ($(strip $(MISSING)),)
 $(error These packages are missing: $(strip $(MISSING)). Run script/setup.sh, or install them and try again)
 endif
@@ -52,7 +53,7 @@ ifeq ($(HAS_EXR),yes)
 OUR_CPPFLAGS += -DRAYPRO_EXR $(EXR_CFLAGS)
 endif
 OUR_CXXFLAGS := -std=c++20 $(OPTIMIZE) -g1 $(NUMERIC) $(WARNINGS) $(SANITIZE)
-LIBS := -ljpeg -lpng -lz -ltbb $(if $(filter yes,$(HAS_EXR)),$(EXR_LIBS)) -pthread
+LIBS := -ljpeg -lpng -lz -ltbb -lhwy $(if $(filter yes,$(HAS_EXR)),$(EXR_LIBS)) -pthread
 
 PROGRAM_MAINS := source/app/raypro.cpp
 LIBRARY_SOURCES := $(filter-out $(PROGRAM_MAINS),$(wildcard R2/*.cpp R2/*/*.cpp R3/*.cpp R3/*/*.cpp source/*/*.cpp source/*/*/*.cpp))

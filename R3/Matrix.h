@@ -32,6 +32,12 @@ inline Vector operator*(const Matrix& a, const Vector& v) {
   return {row(0), row(1), row(2)};
 }
 
+/// The transpose of the linear part times `v`: how gradients, and so normals, move by the inverse.
+inline Vector TransposeTimes(const Matrix& a, const Vector& v) {
+  const auto column = [&](std::size_t j) { return a.m[0][j] * v.x + a.m[1][j] * v.y + a.m[2][j] * v.z; };
+  return {column(0), column(1), column(2)};
+}
+
 /// Largest sum of magnitudes over a row of the linear part: how much the map can stretch a largest component.
 double MaxRowSum(const Matrix& a);
 /// Largest magnitude in the translation column.

@@ -21,11 +21,27 @@ Mesh::Mesh(MeshData data, bool smooth) : data_(std::move(data)), smooth_(smooth 
     return Unit(AreaVector(corners)) == Vector{};
   });
   dropped_ = static_cast<int>(before - data_.triangles.size());
+  for (Normal& normal : data_.normals) normal = AsNormal(Unit(AsVector(normal)));
 }
 
-std::array<Point, 3> Mesh::Corners(int element) const {
-  const auto& t = data_.triangles[static_cast<std::size_t>(element)];
-  return {data_.positions[t[0]], data_.positions[t[1]], data_.positions[t[2]]};
+std::unique_ptr<const Mesh> Mesh::Moved(const Transform& move) const {
+  std::unique_ptr<Mesh> moved(new Mesh);
+  moved->data_ = data_;
+  moved->smooth_ = smooth_;
+  moved->dropped_ = dropped_;
+  for (Point& p : moved->data_.positions) {
+    p = move * p;
+    if (!IsFinite(FromOrigin(p))) return nullptr;
+  }
+  // Not of unit length again: blends of them are then the same whether before or after the move.
+  for (Normal& normal : moved->data_.normals) normal = AsNormal(TransposeTimes(move.Inverse(), AsVector(normal)));
+  for (auto& triangle : moved->data_.triangles) {
+    if (move.Mirrors()) std::swap(triangle[1], triangle[2]);
+    const std::array corners{moved->data_.positions[triangle[0]], moved->data_.positions[triangle[1]],
+                             moved->data_.positions[triangle[2]]};
+    if (Unit(AreaVector(corners)) == Vector{}) return nullptr;
+  }
+  return moved;
 }
 
 Box Mesh::Bounds(int element) const {
@@ -61,7 +77,7 @@ Intersection Mesh::At(const Ray&, const Hit& hit, int element) const {
 
   if (smooth_) {
     Vector sum;
-    for (std::size_t i = 0; i < 3; ++i) sum = sum + weights[i] * Unit(AsVector(data_.normals[indices[i]]));
+    for (std::size_t i = 0; i < 3; ++i) sum = sum + weights[i] * AsVector(data_.normals[indices[i]]);
     const Vector blended = Unit(sum);
     // A blend of opposite or missing normals says nothing: the face's stays.
     if (blended != Vector{}) at.shading_normal = AsNormal(blended);

@@ -6,6 +6,7 @@
 
 #include "R2/Point.h"
 #include "R3/Shape.h"
+#include "R3/Transform.h"
 
 namespace R3 {
 
@@ -13,7 +14,7 @@ namespace R3 {
 struct MeshData {
   std::vector<Point> positions;                         // finite
   std::vector<std::array<std::uint32_t, 3>> triangles;  // indices below positions.size()
-  std::vector<Normal> normals;                          // any length; a zero one means "use the face's"
+  std::vector<Normal> normals;                          // any length; a zero one has no say in its blends
   std::vector<R2::Point> uvs;                           // finite
 };
 
@@ -33,12 +34,23 @@ class Mesh : public Shape {
   bool HasTextureCoordinates() const override { return !data_.uvs.empty(); }
   bool IsDegenerate() const override { return data_.triangles.empty(); }
 
+  /// The mesh with every corner moved by `move`, rounded once. Fronts stay fronts: a mirror swaps the second and third
+  /// corner of triangles, which keep their numbers. Null when something would be lost: a corner would not be finite, or
+  /// a triangle would be left without area.
+  std::unique_ptr<const Mesh> Moved(const Transform& move) const;
+
+  /// As given, but zero or (unless moved) unit normals.
   const MeshData& Data() const { return data_; }
   /// How many triangles had no area.
   int DroppedTriangles() const { return dropped_; }
-  std::array<Point, 3> Corners(int element) const;
+  std::array<Point, 3> Corners(int element) const {
+    const auto& t = data_.triangles[static_cast<std::size_t>(element)];
+    return {data_.positions[t[0]], data_.positions[t[1]], data_.positions[t[2]]};
+  }
 
  private:
+  Mesh() = default;
+
   MeshData data_;
   bool smooth_ = false;
   int dropped_ = 0;

@@ -67,10 +67,7 @@ std::optional<Transform> Transform::Of(const Product& product) {
 }
 
 Normal Transform::operator*(const Normal& n) const {
-  const auto column = [&](std::size_t j) {
-    return inverse_.m[0][j] * n.x + inverse_.m[1][j] * n.y + inverse_.m[2][j] * n.z;
-  };
-  return AsNormal(Unit({column(0), column(1), column(2)}));
+  return AsNormal(Unit(TransposeTimes(inverse_, AsVector(n))));
 }
 
 Box Transform::operator*(const Box& b) const {

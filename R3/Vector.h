@@ -31,6 +31,7 @@ inline Vector Cross(const Vector& a, const Vector& b) {
 }
 
 inline Vector Abs(const Vector& v) { return {std::abs(v.x), std::abs(v.y), std::abs(v.z)}; }
+inline bool IsFinite(const Vector& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 inline double MaxComponent(const Vector& v) { return std::max({v.x, v.y, v.z}); }
 
 /// The axis of the largest component in magnitude; the lowest axis among equals.

@@ -13,7 +13,7 @@ case "${1-}" in
   *) echo "usage: script/setup.sh [-n]" >&2; exit 2 ;;
 esac
 
-needed="g++ make libjpeg-dev libpng-dev libtbb-dev nlohmann-json3-dev libgtest-dev"
+needed="g++ make libjpeg-dev libpng-dev libtbb-dev libhwy-dev nlohmann-json3-dev libgtest-dev"
 optional="libopenexr-dev"  # without it everything works but .exr pictures
 
 is_debian() { command -v dpkg-query >/dev/null 2>&1 && command -v apt-get >/dev/null 2>&1; }
@@ -38,6 +38,7 @@ has() {
     libjpeg-dev) has_header jpeglib.h ;;
     libpng-dev) has_header png.h ;;
     libtbb-dev) has_header tbb/parallel_for.h ;;
+    libhwy-dev) has_header hwy/highway.h ;;
     nlohmann-json3-dev) has_header nlohmann/json.hpp ;;
     libgtest-dev) has_header gtest/gtest.h ;;
     libopenexr-dev) CPPFLAGS="${CPPFLAGS-} $(exr_flags)" has_header ImfOutputFile.h ;;
@@ -55,9 +56,9 @@ missing_of() {
 show_other_systems() {
   cat <<END
 This is not a Debian system. The packages are called:
-  Fedora    dnf install gcc-c++ make libjpeg-turbo-devel libpng-devel tbb-devel json-devel gtest-devel openexr-devel
-  Arch      pacman -S gcc make libjpeg-turbo libpng onetbb nlohmann-json gtest openexr
-  Homebrew  brew install jpeg-turbo libpng tbb nlohmann-json googletest openexr
+  Fedora    dnf install gcc-c++ make libjpeg-turbo-devel libpng-devel tbb-devel highway-devel json-devel gtest-devel openexr-devel
+  Arch      pacman -S gcc make libjpeg-turbo libpng onetbb highway nlohmann-json gtest openexr
+  Homebrew  brew install jpeg-turbo libpng tbb highway nlohmann-json googletest openexr
 Install them and run script/setup.sh again.
 END
 }

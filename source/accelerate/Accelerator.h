@@ -4,6 +4,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "source/accelerate/AcceleratorSettings.h"
 #include "source/accelerate/Workspace.h"
@@ -18,10 +19,32 @@ class Accelerator {
   virtual ~Accelerator() = default;
 
   /// Nearest hit in (ray.t_min, ray.t_max).
-  virtual std::optional<WorldHit> Intersect(const R3::Ray& ray, Workspace& workspace) const = 0;
+  std::optional<WorldHit> Intersect(const R3::Ray& ray, Workspace& workspace) const {
+    if (IsRay(ray)) return Nearest(ray, workspace);
+    ++workspace.counts.bad_rays;
+    return {};
+  }
 
   /// Whether anything lies in (ray.t_min, ray.t_max).
-  virtual bool IsOccluded(const R3::Ray& ray, Workspace& workspace) const = 0;
+  bool IsOccluded(const R3::Ray& ray, Workspace& workspace) const {
+    if (IsRay(ray)) return Any(ray, workspace);
+    ++workspace.counts.bad_rays;
+    return false;
+  }
+
+  /// For -explain and -stats: what was built and why, in lines; and its bytes besides the scene's.
+  virtual std::vector<std::string> Explain() const { return {}; }
+  virtual std::size_t Bytes() const { return 0; }
+
+ private:
+  /// Finite, and going somewhere; no other ray hits anything.
+  static bool IsRay(const R3::Ray& ray) {
+    return IsFinite(FromOrigin(ray.origin)) && IsFinite(ray.direction) && ray.direction != R3::Vector{} &&
+           ray.t_min < ray.t_max;
+  }
+
+  virtual std::optional<WorldHit> Nearest(const R3::Ray& ray, Workspace& workspace) const = 0;
+  virtual bool Any(const R3::Ray& ray, Workspace& workspace) const = 0;
 };
 
 /// One line of accelerators.def.

@@ -5,19 +5,30 @@ namespace {
 
 constexpr double rounding = R3::Gamma(64);
 
-/// Largest magnitude of a coordinate in the box; 0 when empty.
-double Reach(const R3::Box& box) {
-  if (box.IsEmpty()) return 0;
-  return std::max(MaxComponent(Abs(FromOrigin(box.low))), MaxComponent(Abs(FromOrigin(box.high))));
-}
-
 /// The rounding of points up to distance + 2 reach from the world's origin when seen from `frame`.
 NodePad SeenFrom(const R3::Transform& frame, double reach) {
   const double stretch = MaxRowSum(frame.Inverse());
   return {2 * rounding * stretch, 2 * rounding * (stretch * 2 * reach + MaxTranslation(frame.Inverse()))};
 }
 
+/// By how much baking may have moved a shape, in its own frame.
+double Baking(const R3::Transform& frame, double reach_within) {
+  return rounding * MaxRowSum(frame.Inverse()) *
+         (MaxRowSum(frame.Forward()) * reach_within + MaxTranslation(frame.Forward()));
+}
+
 }  // namespace
+
+double Reach(const R3::Box& box) {
+  if (box.IsEmpty()) return 0;
+  return std::max(MaxComponent(Abs(FromOrigin(box.low))), MaxComponent(Abs(FromOrigin(box.high))));
+}
+
+NodePad WorldPad(const R3::Transform& frame, double reach) {
+  const NodePad within = SeenFrom(frame, reach), own = SeenFrom({}, reach);
+  const double stretch = MaxRowSum(frame.Forward());
+  return {own.per_distance + stretch * within.per_distance, own.constant + stretch * within.constant};
+}
 
 std::vector<NodePad> NodePads(const World& world) {
   const auto& nodes = world.Nodes();
@@ -33,7 +44,10 @@ std::vector<NodePad> NodePads(const World& world) {
     NodePad pad = pads[i];  // the largest of the children's, in the node's own frame
     if (flat.instance >= 0) {
       reaches[i] = Reach(world.Frames()[flat.frame] * flat.node->bounds);
-      pad = SeenFrom(world.Frames()[flat.frame], reaches[i]);
+      const R3::Transform& frame = world.Frames()[flat.frame];
+      pad = SeenFrom(frame, reaches[i]);
+      if (world.Instances()[static_cast<std::size_t>(flat.instance)].frame != flat.frame)
+        pad.constant += Baking(frame, Reach(flat.node->bounds));
     } else if (!IsIdentity(flat.node->transform)) {
       const NodePad own = SeenFrom(world.Frames()[nodes[parents[i]].frame], reaches[i]);
       const double stretch = MaxRowSum(flat.node->transform);

@@ -1,6 +1,7 @@
 #include "source/accelerate/World.h"
 
 #include <cassert>
+#include <unordered_map>
 
 #include "source/scene/Singular.h"
 
@@ -23,6 +24,7 @@ std::string Place(const Scene& scene, const Location& location) {
 World::World(const Scene& scene) : scene_(scene) {
   Flatten();
   NumberInstances();
+  BakeOrShareMeshes();
 }
 
 // Breadth first, without recursion: the graph may be 100,000 levels deep.
@@ -80,11 +82,41 @@ void World::NumberInstances() {
     const int material = node.material == Node::inherit ? next.material : node.material;
     if (node.shape) {
       flat.instance = static_cast<std::int32_t>(instances_.size());
-      instances_.push_back({node.shape.get(), &scene_.materials[static_cast<std::size_t>(material)], &node, flat.frame,
-                            primitives_});
+      instances_.push_back({.shape = node.shape.get(),
+                            .mesh = dynamic_cast<const R3::Mesh*>(node.shape.get()),
+                            .material = &scene_.materials[static_cast<std::size_t>(material)],
+                            .node = &node,
+                            .frame = flat.frame,
+                            .first_primitive = primitives_});
       primitives_ += node.shape->Elements();
     }
     for (std::uint32_t k = flat.children; k-- > 0;) stack.push_back({flat.first_child + k, material});
+  }
+}
+
+void World::BakeOrShareMeshes() {
+  std::unordered_map<const R3::Mesh*, int> uses;
+  for (const Instance& instance : instances_)
+    if (instance.mesh) ++uses[instance.mesh];
+  std::unordered_map<const R3::Mesh*, std::int32_t> numbers;
+  for (Instance& instance : instances_) {
+    if (!instance.mesh || instance.mesh->Elements() == 0) continue;
+    if (uses[instance.mesh] > 1) {
+      const auto number = numbers.try_emplace(instance.mesh, static_cast<std::int32_t>(numbers.size()));
+      if (number.second) shared_meshes_.push_back(instance.mesh);
+      instance.shared = number.first->second;
+    } else if (instance.frame != 0) {
+      auto moved = instance.mesh->Moved(frames_[instance.frame]);
+      if (!moved) {  // as good as shared: it keeps its frame
+        instance.shared = static_cast<std::int32_t>(numbers.size());
+        numbers.emplace(instance.mesh, instance.shared);
+        shared_meshes_.push_back(instance.mesh);
+        continue;
+      }
+      instance.shape = instance.mesh = moved.get();
+      instance.frame = 0;
+      baked_meshes_.push_back(std::move(moved));
+    }
   }
 }
 

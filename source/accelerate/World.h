@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "R3/Mesh.h"
 #include "R3/Transform.h"
 #include "source/scene/Scene.h"
 
@@ -12,11 +13,15 @@ namespace ray {
 
 /// A shape placed in the world.
 struct Instance {
-  const R3::Shape* shape = nullptr;
+  static constexpr std::int32_t not_shared = -1;
+
+  const R3::Shape* shape = nullptr;    // the node's, or what it was baked into
+  const R3::Mesh* mesh = nullptr;      // the same, if it is one
   const Material* material = nullptr;
   const Node* node = nullptr;
-  std::uint32_t frame = 0;            // index into World::frames
-  std::int64_t first_primitive = 0;   // its elements are the primitives first_primitive, first_primitive + 1, ...
+  std::uint32_t frame = 0;             // index into World::frames; 0 when baked
+  std::int32_t shared = not_shared;    // index into World::SharedMeshes
+  std::int64_t first_primitive = 0;    // its elements are the primitives first_primitive, first_primitive + 1, ...
 };
 
 /// A crossing of a ray with one element of one instance.
@@ -29,12 +34,14 @@ struct WorldHit {
 /// A node of the scene graph in one array, parents before children, the children of a node side by side.
 struct FlatNode {
   const Node* node = nullptr;
-  std::uint32_t frame = 0;                      // of the children; for a shape, of itself: its own transform is none
+  std::uint32_t frame = 0;                      // of the children; of the node itself where it has a shape
   std::uint32_t first_child = 0, children = 0;  // skipped subtrees have none
   std::int32_t instance = -1;                   // of a node with a shape
 };
 
-/// The scene flattened: every shape with the one transform that places it. Looks into the scene, which must outlive it.
+/// The scene flattened: every shape with the one transform that places it. A mesh used once is baked: its corners are
+/// moved into the world, so that rays need not be moved to it. A mesh used several times is shared and stays where it
+/// is. All accelerators see the same elements in the same frames. Looks into the scene, which must outlive it.
 class World {
  public:
   explicit World(const Scene& scene);
@@ -48,6 +55,8 @@ class World {
   /// world_from_local of the groups; a group without a transform of its own shares its parent's. 0 is the world itself.
   const std::vector<R3::Transform>& Frames() const { return frames_; }
   std::int64_t Primitives() const { return primitives_; }
+  /// The meshes that several instances use, in the order of their first use.
+  const std::vector<const R3::Mesh*>& SharedMeshes() const { return shared_meshes_; }
   /// Lines for the scene's author: groups left out because all transforms above them together cannot be inverted.
   const std::vector<std::string>& Warnings() const { return warnings_; }
 
@@ -61,11 +70,14 @@ class World {
  private:
   void Flatten();
   void NumberInstances();
+  void BakeOrShareMeshes();
 
   const Scene& scene_;
   std::vector<FlatNode> nodes_;
   std::vector<Instance> instances_;
   std::vector<R3::Transform> frames_;
+  std::vector<const R3::Mesh*> shared_meshes_;
+  std::vector<std::unique_ptr<const R3::Mesh>> baked_meshes_;
   std::int64_t primitives_ = 0;
   std::vector<std::string> warnings_;
 };

@@ -1,7 +1,7 @@
 #include <algorithm>
 
 #include "source/accelerate/Accelerator.h"
-#include "source/accelerate/Nearest.h"
+#include "source/accelerate/NearestHit.h"
 #include "source/accelerate/NodePads.h"
 
 namespace ray {
@@ -16,8 +16,9 @@ class Graph : public Accelerator {
   Graph(const World& world, const AcceleratorSettings& settings)
       : world_(world), settings_(settings), pads_(NodePads(world)) {}
 
-  std::optional<WorldHit> Intersect(const R3::Ray& ray, Workspace& workspace) const override {
-    Nearest nearest(world_, ray);
+ private:
+  std::optional<WorldHit> Nearest(const R3::Ray& ray, Workspace& workspace) const override {
+    NearestHit nearest(world_, ray);
     LocalRays local(world_, ray);
     std::optional<Workspace::Place> asked;
     if (settings_.last_hit && workspace.last_hit) {
@@ -39,7 +40,7 @@ class Graph : public Accelerator {
     return nearest.Best();
   }
 
-  bool IsOccluded(const R3::Ray& ray, Workspace& workspace) const override {
+  bool Any(const R3::Ray& ray, Workspace& workspace) const override {
     LocalRays local(world_, ray);
     const auto blocks = [&](std::uint32_t instance, int element, const R3::Ray& seen) {
       ++workspace.counts.primitive_tests;
@@ -67,7 +68,6 @@ class Graph : public Accelerator {
     return occluded;
   }
 
- private:
   /// Walks the nodes whose boxes the ray may meet before `limit`, nearest first if so set, and calls
   /// shape_reached(instance, local ray, limit) at each shape until it returns true.
   template <typename ShapeReached>
@@ -83,7 +83,8 @@ class Graph : public Accelerator {
       if (next.entry > limit) continue;  // fell behind a hit found meanwhile
       const FlatNode& flat = world_.Nodes()[next.node];
       if (flat.instance >= 0) {
-        if (shape_reached(static_cast<std::uint32_t>(flat.instance), local.In(flat.frame), limit)) return;
+        const auto instance = static_cast<std::uint32_t>(flat.instance);
+        if (shape_reached(instance, local.In(world_.Instances()[instance].frame), limit)) return;
         continue;
       }
       if (flat.children == 0) continue;

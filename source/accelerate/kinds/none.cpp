@@ -1,5 +1,5 @@
 #include "source/accelerate/Accelerator.h"
-#include "source/accelerate/Nearest.h"
+#include "source/accelerate/NearestHit.h"
 
 namespace ray {
 namespace {
@@ -9,8 +9,9 @@ class BruteForce : public Accelerator {
  public:
   explicit BruteForce(const World& world) : world_(world) {}
 
-  std::optional<WorldHit> Intersect(const R3::Ray& ray, Workspace& workspace) const override {
-    Nearest nearest(world_, ray);
+ private:
+  std::optional<WorldHit> Nearest(const R3::Ray& ray, Workspace& workspace) const override {
+    NearestHit nearest(world_, ray);
     LocalRays local(world_, ray);
     for (std::uint32_t i = 0; i < world_.Instances().size(); ++i) {
       const Instance& instance = world_.Instances()[i];
@@ -20,7 +21,7 @@ class BruteForce : public Accelerator {
     return nearest.Best();
   }
 
-  bool IsOccluded(const R3::Ray& ray, Workspace& workspace) const override {
+  bool Any(const R3::Ray& ray, Workspace& workspace) const override {
     LocalRays local(world_, ray);
     for (const Instance& instance : world_.Instances()) {
       const int elements = instance.shape->Elements();
@@ -32,7 +33,6 @@ class BruteForce : public Accelerator {
     return false;
   }
 
- private:
   const World& world_;
 };
 

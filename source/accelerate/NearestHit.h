@@ -9,9 +9,9 @@
 namespace ray {
 
 /// The nearest hit so far, by the rule that makes all accelerators agree: smallest t, among equals lowest primitive id.
-class Nearest {
+class NearestHit {
  public:
-  Nearest(const World& world, const R3::Ray& ray) : world_(world), limit_(ray.t_max) {}
+  NearestHit(const World& world, const R3::Ray& ray) : world_(world), limit_(ray.t_max) {}
 
   /// No hit at a larger t is wanted any more; one at exactly this t still is.
   double Limit() const { return limit_; }
@@ -21,12 +21,15 @@ class Nearest {
   void Test(std::uint32_t instance, int element, R3::Ray local, Counts& counts) {
     ++counts.primitive_tests;
     if (best_) local.t_max = std::min(local.t_max, R3::NextUp(limit_));
-    const auto hit = world_.Instances()[instance].shape->Intersect(local, element);
-    if (!hit) return;
-    const WorldHit candidate{*hit, instance, element};
-    if (best_ && hit->t == best_->hit.t && world_.PrimitiveId(candidate) >= world_.PrimitiveId(*best_)) return;
+    if (const auto hit = world_.Instances()[instance].shape->Intersect(local, element))
+      Offer({*hit, instance, element});
+  }
+
+  /// Takes a hit that is no farther than Limit, unless it is as far and of a higher primitive.
+  void Offer(const WorldHit& candidate) {
+    if (best_ && candidate.hit.t == best_->hit.t && world_.PrimitiveId(candidate) >= world_.PrimitiveId(*best_)) return;
     best_ = candidate;
-    limit_ = hit->t;
+    limit_ = candidate.hit.t;
   }
 
  private:

@@ -1,0 +1,458 @@
+#include "source/accelerate/bvh/Build.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_reduce.h>
+#include <tbb/task_group.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <deque>
+#include <limits>
+#include <vector>
+
+#include "R3/Mesh.h"
+
+namespace ray::bvh {
+namespace {
+
+// Four floats at once, as both compilers know them; the fourth is padding.
+using Float4 = float __attribute__((vector_size(16)));
+
+Float4 Least(Float4 a, Float4 b) { return a < b ? a : b; }
+Float4 Most(Float4 a, Float4 b) { return a > b ? a : b; }
+
+constexpr float infinity = std::numeric_limits<float>::infinity();
+
+struct Extent {
+  Float4 low{infinity, infinity, infinity, infinity}, high = -low;
+
+  void Extend(const Extent& o) { low = Least(low, o.low), high = Most(high, o.high); }
+  void Extend(Float4 p) { low = Least(low, p), high = Most(high, p); }
+  float HalfArea() const {
+    const Float4 e = high - low;
+    return e[0] * e[1] + e[1] * e[2] + e[2] * e[0];
+  }
+};
+
+/// An item's box while the tree is being built. The fourth floats hold the item's number and kind, as floats of usual
+/// size so that sums of all four lanes cost nothing more.
+struct Reference {
+  Float4 low, high;
+
+  Extent Box() const { return {low, high}; }
+  Float4 Middle() const { return low + high; }  // twice it
+  static constexpr std::uint32_t usual = 0x40000000;
+  std::uint32_t Item() const { return std::bit_cast<std::uint32_t>(static_cast<float>(low[3])) ^ usual; }
+  bool IsTriangle() const { return high[3] != 0; }
+};
+
+/// A row of references that share a subtree.
+struct Range {
+  std::uint32_t begin = 0, end = 0, triangles = 0;
+  Extent box, middles;
+
+  std::uint32_t Size() const { return end - begin; }
+  std::uint32_t Others() const { return Size() - triangles; }
+};
+
+/// A node before its place in memory is known.
+struct Draft {
+  int children = 0;
+  std::array<Range, width> ranges;
+  std::array<Draft*, width> below{};  // null for leaves
+};
+
+constexpr int most_bins = 32;
+
+struct Bins {
+  std::array<std::array<Extent, most_bins>, 3> box;
+  std::array<std::array<std::uint32_t, most_bins>, 3> triangles{}, others{};
+
+  void Add(const Bins& o, int count) {
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
+        box[axis][i].Extend(o.box[axis][i]);
+        triangles[axis][i] += o.triangles[axis][i];
+        others[axis][i] += o.others[axis][i];
+      }
+  }
+};
+
+/// Which bin a middle falls into, the same for every instruction set: one subtraction, one product.
+struct Binning {
+  Float4 low, scale;
+  int count;
+
+  Binning(const Extent& middles, int bins) : low(middles.low), count(bins) {
+    const Float4 size = middles.high - middles.low;
+    for (int axis = 0; axis < 4; ++axis) {
+      const float per_bin = static_cast<float>(bins) * (1 - 0x1p-20f) / size[axis];
+      scale[axis] = size[axis] > 0 && per_bin < infinity ? per_bin : 0;
+    }
+  }
+  bool IsFlat(int axis) const { return scale[axis] == 0; }
+  std::array<int, 3> operator()(Float4 middle) const {
+    const Float4 place = (middle - low) * scale;
+    const auto bin = [&](int axis) { return std::min(static_cast<int>(place[axis]), count - 1); };
+    return {bin(0), bin(1), bin(2)};
+  }
+};
+
+struct Split {
+  float cost = infinity;  // area times tests, of both sides
+  int axis = -1, bin = 0;
+};
+
+class Builder {
+ public:
+  Builder(const World& world, Tree& tree, const BuildSettings& settings)
+      : world_(world), tree_(tree), leaf_(static_cast<std::uint32_t>(settings.leaf_size)) {}
+
+  void Run() {
+    const std::uint32_t items = tree_.space.Items();
+    if (items == 0) return;
+    FitCoordinates();
+    Range all = Collect();
+    if (IsLeaf(all)) {
+      // A root of its own keeps the walk to one case.
+      Draft root;
+      root.children = 1;
+      root.ranges[0] = all;
+      Lay(root);
+    } else {
+      Lay(*Divide(all, 1));
+    }
+    for (int axis = 0; axis < 3; ++axis) tree_.low[axis] = all.box.low[axis], tree_.high[axis] = all.box.high[axis];
+  }
+
+ private:
+  static constexpr std::uint32_t parallel_from = 4096;  // smaller ranges are one task
+
+  template <typename Body>
+  static void ForRange(std::uint32_t begin, std::uint32_t end, const Body& body) {
+    tbb::parallel_for(tbb::blocked_range<std::uint32_t>(begin, end, parallel_from), [&](const auto& r) {
+      for (std::uint32_t i = r.begin(); i != r.end(); ++i) body(i);
+    });
+  }
+
+  void FitCoordinates() {
+    const Space& space = tree_.space;
+    const R3::Box box = tbb::parallel_reduce(
+        tbb::blocked_range<std::uint32_t>(0, space.Items(), parallel_from), R3::Box(),
+        [&](const auto& r, R3::Box sum) {
+          for (std::uint32_t i = r.begin(); i != r.end(); ++i) sum.Extend(space.Bounds(i));
+          return sum;
+        },
+        [](R3::Box a, const R3::Box& b) {
+          a.Extend(b);
+          return a;
+        });
+    tree_.center = box.Center();
+    const double half = MaxComponent(Abs(box.Size())) / 2;
+    // A point has no size; any scale does, if the center itself is resolved.
+    const double size = std::max(half, 0x1p-40 * MaxComponent(Abs(FromOrigin(tree_.center))));
+    const int exponent = size > 0 ? std::ilogb(size) + 1 : 0;
+    tree_.scale = std::scalbn(1.0, std::clamp(-exponent, -1022, 1022));
+  }
+
+  Range Collect() {
+    references_ = HugeArray<Reference>(tree_.space.Items());
+    const auto add = [](Range a, const Range& b) {
+      a.triangles += b.triangles;
+      a.box.Extend(b.box);
+      a.middles.Extend(b.middles);
+      return a;
+    };
+    Range all = tbb::parallel_reduce(
+        tbb::blocked_range<std::uint32_t>(0, tree_.space.Items(), parallel_from), Range(),
+        [&](const auto& r, Range sum) {
+          for (std::uint32_t i = r.begin(); i != r.end(); ++i) sum = add(sum, Refer(i));
+          return sum;
+        },
+        add);
+    all.begin = 0, all.end = tree_.space.Items();
+    return all;
+  }
+
+  Range Refer(std::uint32_t item) {
+    const R3::Box bounds = tree_.space.Bounds(item);
+    const auto place = [&](const R3::Point& p) {
+      const R3::Vector v = tree_.scale * (p - tree_.center);
+      return Float4{static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z), 0};
+    };
+    const bool is_triangle = tree_.space.MeshOf(item) != nullptr;
+    Reference& reference = references_[item];
+    reference.low = place(bounds.low), reference.high = place(bounds.high);
+    Range one;
+    one.triangles = is_triangle ? 1 : 0;
+    one.box = reference.Box();
+    one.middles.Extend(reference.Middle());
+    reference.low[3] = std::bit_cast<float>(item ^ Reference::usual);
+    reference.high[3] = is_triangle ? 1 : 0;
+    return one;
+  }
+
+  bool IsLeaf(const Range& r) const {
+    return r.triangles == r.Size() ? r.Size() <= leaf_ : r.Size() == 1;
+  }
+
+  /// How much it costs to ask everything in a range, in block tests.
+  float Tests(std::uint32_t triangles, std::uint32_t others) const {
+    constexpr float price_of_other = 2;
+    return static_cast<float>((triangles + leaf_ - 1) / leaf_) + price_of_other * static_cast<float>(others);
+  }
+
+  Draft* Divide(const Range& whole, int depth) {
+    Draft* draft = &drafts_.local().emplace_back();
+    draft->children = 1;
+    draft->ranges[0] = whole;
+    while (draft->children < width) {
+      // The largest box is the one most rays would go through.
+      int next = -1;
+      float largest = -1;
+      for (int i = 0; i < draft->children; ++i) {
+        const Range& r = draft->ranges[static_cast<std::size_t>(i)];
+        if (!IsLeaf(r) && r.box.HalfArea() > largest) next = i, largest = r.box.HalfArea();
+      }
+      if (next < 0) break;
+      Range& left = draft->ranges[static_cast<std::size_t>(next)];
+      Range& right = draft->ranges[static_cast<std::size_t>(draft->children++)];
+      Halve(left, right, depth);
+    }
+    tbb::task_group tasks;
+    bool are_tasks = false;
+    for (int i = 0; i < draft->children; ++i) {
+      const Range& r = draft->ranges[static_cast<std::size_t>(i)];
+      Draft*& below = draft->below[static_cast<std::size_t>(i)];
+      if (IsLeaf(r)) continue;
+      if (r.Size() >= parallel_from) {
+        are_tasks = true;
+        tasks.run([this, &r, &below, depth] { below = Divide(r, depth + 1); });
+      } else {
+        below = Divide(r, depth + 1);
+      }
+    }
+    if (are_tasks) tasks.wait();
+    return draft;
+  }
+
+  /// Splits `whole` in two; it becomes the first of them.
+  void Halve(Range& whole, Range& second, int depth) {
+    const Binning binning(whole.middles, whole.Size() < 4 * most_bins ? most_bins / 2 : most_bins);
+    constexpr int sah_depth = 40;  // deeper down halves bound the depth, whatever the scene
+    Split split;
+    if (depth < sah_depth) split = BestSplit(whole, binning);
+    if (split.axis < 0 || !Partition(whole, second, binning, split)) HalveByNumber(whole, second);
+  }
+
+  void FillBins(Bins& bins, const Binning& binning, std::uint32_t begin, std::uint32_t end) const {
+    for (std::uint32_t i = begin; i != end; ++i) {
+      const Reference& reference = references_[i];
+      const auto at = binning(reference.Middle());
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        const auto b = static_cast<std::size_t>(at[axis]);
+        bins.box[axis][b].Extend(reference.Box());
+        ++(reference.IsTriangle() ? bins.triangles : bins.others)[axis][b];
+      }
+    }
+  }
+
+  Split BestSplit(const Range& whole, const Binning& binning) const {
+    Bins bins;
+    constexpr std::uint32_t chunk = 1 << 16;
+    if (whole.Size() < 4 * chunk) {
+      FillBins(bins, binning, whole.begin, whole.end);
+    } else {
+      // Minima and whole numbers: the sum does not depend on who adds what first.
+      bins = tbb::parallel_reduce(
+          tbb::blocked_range<std::uint32_t>(whole.begin, whole.end, chunk), Bins(),
+          [&](const auto& r, Bins sum) {
+            FillBins(sum, binning, r.begin(), r.end());
+            return sum;
+          },
+          [&](Bins a, const Bins& b) {
+            a.Add(b, binning.count);
+            return a;
+          });
+    }
+
+    Split best;
+    for (int axis = 0; axis < 3; ++axis) {
+      if (binning.IsFlat(axis)) continue;
+      const auto a = static_cast<std::size_t>(axis);
+      std::array<float, most_bins> behind{};  // cost of bins i and up
+      Extent box;
+      std::uint32_t triangles = 0, others = 0;
+      for (int i = binning.count - 1; i > 0; --i) {
+        const auto b = static_cast<std::size_t>(i);
+        box.Extend(bins.box[a][b]);
+        triangles += bins.triangles[a][b], others += bins.others[a][b];
+        behind[b] = triangles + others > 0 ? box.HalfArea() * Tests(triangles, others) : infinity;
+      }
+      box = {}, triangles = others = 0;
+      for (int i = 1; i < binning.count; ++i) {
+        const auto b = static_cast<std::size_t>(i);
+        box.Extend(bins.box[a][b - 1]);
+        triangles += bins.triangles[a][b - 1], others += bins.others[a][b - 1];
+        const float cost = triangles + others > 0 ? box.HalfArea() * Tests(triangles, others) + behind[b] : infinity;
+        if (cost < best.cost) best = {cost, axis, i};
+      }
+    }
+    return best;
+  }
+
+  /// The references whose middle falls below the split come first. False if that would leave a side empty.
+  bool Partition(Range& whole, Range& second, const Binning& binning, const Split& split) {
+    const std::uint32_t begin = whole.begin, end = whole.end;
+    Range first, rest;
+    const auto is_first = [&](const Reference& r) {
+      const float place = (r.Middle()[split.axis] - binning.low[split.axis]) * binning.scale[split.axis];
+      return std::min(static_cast<int>(place), binning.count - 1) < split.bin;
+    };
+    const auto take = [](Range& range, const Reference& r) {
+      range.box.Extend(r.Box());
+      range.middles.Extend(r.Middle());
+      range.triangles += r.IsTriangle() ? 1 : 0;
+    };
+    std::uint32_t i = begin, k = end;
+    while (true) {
+      while (i < k && is_first(references_[i])) take(first, references_[i++]);
+      while (i < k && !is_first(references_[k - 1])) take(rest, references_[--k]);
+      if (i == k) break;
+      std::swap(references_[i], references_[k - 1]);
+    }
+    first.begin = begin, first.end = rest.begin = i, rest.end = end;
+    if (first.Size() == 0 || rest.Size() == 0) return false;
+    whole = first, second = rest;
+    return true;
+  }
+
+  /// Middles that coincide, or a tree too deep: as many items here as there, triangles first.
+  void HalveByNumber(Range& whole, Range& second) {
+    const std::uint32_t begin = whole.begin, end = whole.end;
+    int axis = 0;
+    const Float4 size = whole.middles.high - whole.middles.low;
+    for (int a = 1; a < 3; ++a)
+      if (size[a] > size[axis]) axis = a;
+    std::uint32_t middle = begin + whole.Size() / 2;
+    const bool are_mixed = whole.triangles > 0 && whole.Others() > 0;
+    if (are_mixed) middle = begin + whole.triangles;
+    std::nth_element(references_.Data() + begin, references_.Data() + middle, references_.Data() + end,
+                     [&](const Reference& a, const Reference& b) {
+                       if (are_mixed && a.IsTriangle() != b.IsTriangle()) return a.IsTriangle();
+                       const float x = a.Middle()[axis], y = b.Middle()[axis];
+                       return x != y ? x < y : a.Item() < b.Item();
+                     });
+    whole = Gather(begin, middle);
+    second = Gather(middle, end);
+  }
+
+  Range Gather(std::uint32_t begin, std::uint32_t end) const {
+    Range range;
+    range.begin = begin, range.end = end;
+    for (std::uint32_t i = begin; i != end; ++i) {
+      range.box.Extend(references_[i].Box());
+      range.middles.Extend(references_[i].Middle());
+      range.triangles += references_[i].IsTriangle() ? 1 : 0;
+    }
+    return range;
+  }
+
+  /// Lays the drafts out depth first, so that a subtree lies together in memory, and fills the blocks.
+  void Lay(const Draft& root) {
+    struct Waiting {
+      const Draft* draft;
+      std::uint32_t parent;
+      int slot, depth;
+    };
+    std::vector<Node> nodes;
+    std::vector<const Range*> leaves;  // of blocks
+    std::vector<Waiting> stack{{&root, 0, -1, 1}};
+    while (!stack.empty()) {
+      const Waiting next = stack.back();
+      stack.pop_back();
+      tree_.depth = std::max(tree_.depth, next.depth);
+      const auto index = static_cast<std::uint32_t>(nodes.size());
+      const std::uint32_t self = Child::Make(Child::Kind::node, index);
+      if (next.slot < 0)
+        tree_.root = self;
+      else
+        nodes[next.parent].child[next.slot] = self;
+      Node& node = nodes.emplace_back();
+      for (int i = 0; i < width; ++i) {
+        const bool is_there = i < next.draft->children;
+        const Range& range = next.draft->ranges[static_cast<std::size_t>(i)];
+        constexpr float nowhere = std::numeric_limits<float>::max();
+        for (int axis = 0; axis < 3; ++axis) {
+          node.plane[2 * axis][i] = is_there ? static_cast<float>(range.box.low[axis]) : nowhere;
+          node.plane[2 * axis + 1][i] = is_there ? static_cast<float>(range.box.high[axis]) : -nowhere;
+        }
+        node.child[i] = Child::Make(Child::Kind::nothing, 0);
+        if (!is_there) continue;
+        if (next.draft->below[static_cast<std::size_t>(i)]) continue;  // set when its turn comes
+        if (range.triangles > 0) {
+          node.child[i] = Child::Make(Child::Kind::triangles, static_cast<std::uint32_t>(leaves.size()));
+          leaves.push_back(&range);
+        } else {
+          node.child[i] = Child::Make(Child::Kind::item, references_[range.begin].Item());
+        }
+      }
+      for (int i = next.draft->children; i-- > 0;)
+        if (const Draft* below = next.draft->below[static_cast<std::size_t>(i)])
+          stack.push_back({below, index, i, next.depth + 1});
+    }
+    tree_.nodes = HugeArray<Node>(nodes.size());
+    std::copy(nodes.begin(), nodes.end(), tree_.nodes.Data());
+    tree_.blocks = HugeArray<TriangleBlock>(leaves.size());
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, leaves.size(), 512), [&](const auto& r) {
+      for (std::size_t i = r.begin(); i != r.end(); ++i) Fill(tree_.blocks[i], *leaves[i]);
+    });
+    constexpr std::size_t own_cache = std::size_t{1} << 20;
+    tree_.is_large = tree_.Bytes() > own_cache;
+  }
+
+  void Fill(TriangleBlock& block, const Range& range) const {
+    constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+    for (std::uint32_t i = 0; i < width; ++i) {
+      const bool is_there = i < range.Size();
+      block.item[i] = is_there ? references_[range.begin + i].Item() : 0;
+      R3::Vector corner, edge1, edge2;
+      if (is_there) {
+        const auto corners = CornersOf(block.item[i]);
+        corner = tree_.scale * (corners[0] - tree_.center);
+        edge1 = tree_.scale * (corners[1] - corners[0]);
+        edge2 = tree_.scale * (corners[2] - corners[0]);
+      }
+      for (int axis = 0; axis < 3; ++axis) {
+        block.corner[axis][i] = is_there ? static_cast<float>(corner[axis]) : nan;
+        block.edge1[axis][i] = static_cast<float>(edge1[axis]);
+        block.edge2[axis][i] = static_cast<float>(edge2[axis]);
+      }
+    }
+  }
+
+  std::array<R3::Point, 3> CornersOf(std::uint32_t item) const {
+    const Item what = tree_.space[item];
+    return tree_.space.MeshOf(item)->Corners(what.element);
+  }
+
+  [[maybe_unused]] const World& world_;
+  Tree& tree_;
+  std::uint32_t leaf_;
+  HugeArray<Reference> references_;
+  tbb::enumerable_thread_specific<std::deque<Draft>> drafts_;  // a deque keeps its elements in place
+};
+
+}  // namespace
+
+Tree Build(const World& world, Space space, const BuildSettings& settings) {
+  Tree tree(std::move(space));
+  Builder(world, tree, settings).Run();
+  return tree;
+}
+
+}  // namespace ray::bvh

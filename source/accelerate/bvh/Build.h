@@ -1,0 +1,25 @@
+#pragma once
+
+#include "source/accelerate/bvh/Tree.h"
+
+namespace ray {
+class World;
+}
+
+namespace ray::bvh {
+
+struct BuildSettings {
+  int leaf_size = width;  // most triangles of a leaf, 1 to `width`
+};
+
+/// A tree over the space by the surface area heuristic, binned, split from the top; in parallel, and the same tree
+/// whatever the number of threads. At most `most_depth` deep.
+///   source  MacDonald, Booth, Heuristics for ray tracing using space subdivision (1990); Wald, On fast construction of
+///           SAH-based bounding volume hierarchies (2007); eight children a node: Wald, Benthin, Boulos, Getting rid of
+///           packets (2008)
+Tree Build(const World& world, Space space, const BuildSettings& settings);
+
+/// A node pushes at most `width` - 1 children, so a stack of most_depth * width always suffices.
+inline constexpr int most_depth = 64;
+
+}  // namespace ray::bvh

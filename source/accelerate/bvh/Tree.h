@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstdint>
+
+#include "R3/Point.h"
+#include "source/accelerate/HugeArray.h"
+#include "source/accelerate/Space.h"
+
+/// The wide tree of boxes as data. Everything in it is in single precision and only ever decides what not to ask.
+namespace ray::bvh {
+
+inline constexpr int width = 8;  // children of a node, and triangles of a block
+
+/// What a child is, in 32 bits.
+struct Child {
+  enum class Kind : std::uint32_t { node, triangles, item, nothing };
+  static constexpr int kind_shift = 30;
+
+  static constexpr std::uint32_t Make(Kind kind, std::uint32_t index) {
+    return static_cast<std::uint32_t>(kind) << kind_shift | index;
+  }
+  static Kind KindOf(std::uint32_t child) { return static_cast<Kind>(child >> kind_shift); }
+  static std::uint32_t Index(std::uint32_t child) { return child & ((std::uint32_t{1} << kind_shift) - 1); }
+};
+
+/// Eight boxes side by side. plane[2 axis] are the low sides, plane[2 axis + 1] the high ones, rounded to the nearest
+/// float: the padding of the ray covers it. Children that are missing have inside-out boxes.
+struct alignas(32) Node {
+  float plane[6][width];
+  std::uint32_t child[width];
+};
+
+/// Up to eight triangles side by side. Missing ones have NaN corners, which no test accepts.
+struct alignas(32) TriangleBlock {
+  float corner[3][width], edge1[3][width], edge2[3][width];  // corner 0, corner 1 - corner 0, corner 2 - corner 0
+  std::uint32_t item[width];
+};
+
+/// One structure over one space. Its coordinates are (p - center) * scale: all boxes lie in [-1, 1], so that floats
+/// resolve them equally well wherever and however large the space is.
+struct Tree {
+  explicit Tree(Space the_space) : space(std::move(the_space)) {}
+
+  Space space;
+  R3::Point center;
+  double scale = 1;            // a power of two
+  float low[3]{}, high[3]{};   // the box around everything
+  HugeArray<Node> nodes;
+  HugeArray<TriangleBlock> blocks;
+  std::uint32_t root = Child::Make(Child::Kind::nothing, 0);
+  bool is_large = false;       // larger than a core's own cache: children are worth fetching before they are needed
+  int depth = 0;
+
+  std::size_t Bytes() const { return nodes.Bytes() + blocks.Bytes() + space.Bytes(); }
+};
+
+}  // namespace ray::bvh
