@@ -11,7 +11,11 @@ struct AcceleratorSettings {
   bool node_boxes = true;      // skip nodes whose box the ray misses
   bool front_to_back = true;   // nearer children first, so that farther ones fall behind the hit
   bool last_hit = true;        // ask first what the last ray of the kind hit
-  std::string instruction_set = "best";  // of `bvh`: one of bvh::InstructionSets(). Never changes a picture either
+  // How fine a structure is: cells a primitive of `grid`, primitives a leaf of `octree`, triangles a leaf of `bvh`.
+  double resolution = 0;       // 0: what is best for most scenes
+  int depth = 0;               // most levels of `octree`; 0: what is best for most scenes
+  bool spatial_splits = false; // `bvh`: cut large slanted primitives before building
+  std::string instruction_set = "best";  // of `bvh`: one of bvh::InstructionSets()
 };
 
 }  // namespace ray
