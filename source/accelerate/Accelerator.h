@@ -20,20 +20,31 @@ class Accelerator {
 
   /// Nearest hit in (ray.t_min, ray.t_max).
   std::optional<WorldHit> Intersect(const R3::Ray& ray, Workspace& workspace) const {
-    if (IsRay(ray)) return Nearest(ray, workspace);
-    ++workspace.counts.bad_rays;
-    return {};
+    std::optional<WorldHit> hit;
+    if (IsRay(ray))
+      hit = Nearest(ray, workspace);
+    else
+      ++workspace.counts.bad_rays;
+    if (hit) ++workspace.counts.hits;
+    return hit;
   }
 
   /// Whether anything lies in (ray.t_min, ray.t_max).
   bool IsOccluded(const R3::Ray& ray, Workspace& workspace) const {
-    if (IsRay(ray)) return Any(ray, workspace);
-    ++workspace.counts.bad_rays;
-    return false;
+    bool is_occluded = false;
+    if (IsRay(ray))
+      is_occluded = Any(ray, workspace);
+    else
+      ++workspace.counts.bad_rays;
+    if (is_occluded) ++workspace.counts.hits;
+    return is_occluded;
   }
 
-  /// For -explain and -stats: what was built and why, in lines; and its bytes besides the scene's.
+  /// The one that does the work: an accelerator that only chose another says which, so that rays need no detour.
+  virtual const Accelerator& Worker() const { return *this; }
+  /// What was built, in lines for the reader of -explain.
   virtual std::vector<std::string> Explain() const { return {}; }
+  /// Of memory, besides the world's own.
   virtual std::size_t Bytes() const { return 0; }
 
  private:

@@ -1,12 +1,13 @@
 #pragma once
 
+#include <array>
 #include <string>
 
 namespace ray {
 
 /// Which accelerator, and how.
 struct AcceleratorSettings {
-  std::string name = "graph";  // a line of accelerators.def
+  std::string name = "auto";   // a line of accelerators.def
   // The three devices of `graph`, each with its own switch so that they can be compared. None changes a picture.
   bool node_boxes = true;      // skip nodes whose box the ray misses
   bool front_to_back = true;   // nearer children first, so that farther ones fall behind the hit
@@ -14,8 +15,14 @@ struct AcceleratorSettings {
   // How fine a structure is: cells a primitive of `grid`, primitives a leaf of `octree`, triangles a leaf of `bvh`.
   double resolution = 0;       // 0: what is best for most scenes
   int depth = 0;               // most levels of `octree`; 0: what is best for most scenes
-  bool spatial_splits = false; // `bvh`: cut large slanted primitives before building
+  std::string quality = "medium";  // of `bvh`, one of build_qualities
   std::string instruction_set = "best";  // of `bvh`: one of bvh::InstructionSets()
+
+  // What `auto` needs to know to weigh a build against what it saves.
+  double expected_rays = 1e6;
 };
+
+/// medium: boxes of whole primitives; high: large slanted triangles are cut into several boxes first.
+inline constexpr std::array build_qualities{"medium", "high"};
 
 }  // namespace ray

@@ -58,12 +58,15 @@ void Account::Loaded(const ParsedScene& parsed) {
   watch_.Lap();
 }
 
-void Account::Built(const World& world) {
+void Account::Built(const World& world, const Accelerator& accelerator) {
   record_.seconds.build = watch_.Lap();
   for (const std::string& line : world.Warnings()) Warn(line);
   record_.scene.nodes = static_cast<std::int64_t>(world.Nodes().size());
   record_.scene.instances = static_cast<std::int64_t>(world.Instances().size());
   record_.scene.primitives = world.Primitives();
+  record_.structure_bytes = accelerator.Bytes();
+  if (record_.options.explain)
+    for (const std::string& line : accelerator.Explain()) Tell("raypro: " + line);
   TellStep("put '" + record_.options.accelerator.name + "' over " +
                Counted(static_cast<std::uint64_t>(world.Primitives()), "primitive"),
            record_.seconds.build);
@@ -77,7 +80,6 @@ void Account::Rendered(const RenderResult& result) {
   record_.pixels_done = result.pixels_done;
   record_.pixels_total = result.pixels_total;
   record_.rays = result.rays;
-  record_.counts = result.counts;
   if (!result.IsComplete()) record_.stop = StopSignal() == SIGTERM ? "SIGTERM" : "SIGINT";
   if (result.rays.cut > 0)
     Warn("raypro: warning: " + Counted(result.rays.cut, "ray") + " were not followed; a camera ray may have at most " +

@@ -13,7 +13,7 @@ class Account {
   Account(const Options& options, std::span<const std::string> words);
 
   void Loaded(const ParsedScene& parsed);
-  void Built(const World& world);
+  void Built(const World& world, const Accelerator& accelerator);
   void Rendered(const RenderResult& result);
   void Written();
   /// The results, on standard output, unless -quiet.

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "source/accelerate/Accelerator.h"
+#include "source/accelerate/bvh/Kernels.h"
 #include "source/app/Listing.h"
 
 namespace ray {
@@ -11,6 +12,7 @@ namespace {
 
 constexpr int most_pixels_a_side = 1 << 30;
 constexpr int most_threads = 4096;
+constexpr int deepest_structure = 64;
 constexpr int deepest_include = 1'000'000;
 
 std::vector<std::string> AcceleratorNames() {
@@ -18,6 +20,16 @@ std::vector<std::string> AcceleratorNames() {
   for (const AcceleratorKind* kind : AcceleratorKinds()) names.emplace_back(kind->name);
   return names;
 }
+
+std::vector<std::string> Qualities() { return {build_qualities.begin(), build_qualities.end()}; }
+
+std::vector<std::string> InstructionSets() {
+  std::vector<std::string> names{"best"};
+  for (const std::string& name : bvh::InstructionSets()) names.push_back(name);
+  return names;
+}
+
+std::vector<std::string> RenderModes() { return {render_modes.begin(), render_modes.end()}; }
 
 std::vector<std::string> Shells() { return {"bash", "zsh", "fish"}; }
 
@@ -53,6 +65,8 @@ std::vector<OptionKind> MakeTable() {
       {"bits", {}, {"n"}, OneNumberOf{AT(encoding.bits), {8, 16}}, "bits a channel", "picture", "depth of a PNG"},
       {"jpeg_quality", {}, {"n"}, Whole{AT(encoding.jpeg_quality), 1, 100}, "", "picture", "quality of a JPEG"},
 
+      {"mode", {}, {"name"}, OneNameOf{AT(render.mode), RenderModes}, "", "light",
+       "whitted: the scene; heat: tests a pixel, black 1, blue 10, red 100, yellow 1000, white"},
       {"max_depth", {"maxreflections", "max_reflections"}, {"n"},
        Number<std::int64_t>{AT(render.trace.max_depth), 0, highest<std::int64_t>}, "bounces", "light",
        "how many reflections and transmissions may follow one another"},
@@ -65,6 +79,14 @@ std::vector<OptionKind> MakeTable() {
 
       {"accel", {}, {"name"}, OneNameOf{AT(accelerator.name), AcceleratorNames}, "", "speed",
        "how rays find what they hit; never changes the picture"},
+      {"accel_res", {"accelres"}, {"x"}, Number<double>{AT(accelerator.resolution), 0, 1e6}, "", "speed",
+       "grid: cells a primitive; octree, bvh: primitives a leaf (bvh up to 8); 0: the usual"},
+      {"accel_depth", {}, {"n"}, Whole{AT(accelerator.depth), 0, deepest_structure}, "levels", "speed",
+       "octree: most levels; 0 for the usual"},
+      {"accel_quality", {}, {"name"}, OneNameOf{AT(accelerator.quality), Qualities}, "", "speed",
+       "bvh: high cuts large slanted triangles first; builds longer"},
+      {"simd", {}, {"name"}, OneNameOf{AT(accelerator.instruction_set), InstructionSets}, "", "speed",
+       "bvh: the instruction set to use, of those that this machine has"},
       {"node_boxes", {}, {"on|off"}, OnOff{AT(accelerator.node_boxes)}, "", "speed",
        "graph: skip nodes whose box the ray misses"},
       {"front_to_back", {}, {"on|off"}, OnOff{AT(accelerator.front_to_back)}, "", "speed",
@@ -85,6 +107,7 @@ std::vector<OptionKind> MakeTable() {
 
       {"quiet", {}, {}, Flag{AT(quiet)}, "", "messages", "print errors and warnings only"},
       {"verbose", {}, {}, Flag{AT(verbose)}, "", "messages", "tell each step and how long it took"},
+      {"explain", {}, {}, Flag{AT(explain)}, "", "messages", "say which accelerator is used, why, and what was built"},
       {"stats", {}, {}, Flag{AT(stats)}, "", "messages", "print what the picture cost"},
       {"report", {}, {"file.json"}, FileName{AT(report)}, "", "messages", "write what the picture cost, for programs"},
 

@@ -21,7 +21,7 @@ struct Options {
   ParseOptions parse;
   R2::ImageEncoding encoding;
 
-  bool quiet = false, verbose = false, stats = false;
+  bool quiet = false, verbose = false, stats = false, explain = false;
   std::string report;  // file name; empty for no report
 
   Task task = Task::render;

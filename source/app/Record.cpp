@@ -17,6 +17,20 @@ double MillionRaysASecond(const Record& record) {
 
 std::string Seconds(double seconds) { return Fixed(seconds, 3) + " s"; }
 
+/// A row of the table under "tests a ray".
+std::string CostPerRay(const RayCounts::Kind& kind) {
+  std::string row;
+  const auto column = [&](std::uint64_t number, std::size_t width) {
+    const std::string text = Fixed(static_cast<double>(number) / static_cast<double>(kind.rays), 2);
+    row += std::string(text.size() < width ? width - text.size() : 1, ' ') + text;
+  };
+  column(kind.cost.node_visits, 7);
+  column(kind.cost.box_tests, 10);
+  column(kind.cost.primitive_tests, 12);
+  column(kind.cost.hits, 8);
+  return row;
+}
+
 }  // namespace
 
 std::string CommandAsTyped(std::span<const std::string> words) {
@@ -50,17 +64,26 @@ std::string Statistics(const Record& record) {
     return "  " + name + value + "\n";
   };
   const auto count = [&](const char* name, auto number) { return line(name, std::to_string(number)); };
-  const auto& [options, command, scene, rays, counts, seconds, peak_memory, threads, width, height, done, total,
-               warnings, stop] = record;
+  const auto& [options, command, scene, rays, structure_bytes, seconds, peak_memory, threads, width, height, done,
+               total, warnings, stop] = record;
+  std::string kinds, costs;
+  for (std::size_t i = 0; i < ray_kind_names.size(); ++i) {
+    const RayCounts::Kind& kind = rays.kinds[i];
+    kinds += count(ray_kind_names[i], kind.rays);
+    if (kind.rays > 0) costs += line(ray_kind_names[i], CostPerRay(kind));
+  }
+  const Counts cost = rays.Cost();
   return "scene\n" + line("hash", scene.hash) + count("nodes", scene.nodes) + count("instances", scene.instances) +
          count("primitives", scene.primitives) + count("lights", scene.lights) + "rays\n" +
-         count("camera", rays.camera) + count("shadow", rays.shadow) + count("reflection", rays.reflection) +
-         count("transmission", rays.transmission) + count("cut", rays.cut) + count("total", rays.Total()) + "tests\n" +
-         count("boxes", counts.box_tests) + count("primitives", counts.primitive_tests) +
-         count("last hits asked", counts.cache_tests) + count("last hits hit", counts.cache_hits) + "time\n" +
+         kinds + count("cut", rays.cut) + count("not finite", cost.bad_rays) + count("total", rays.Total()) +
+         "tests\n" + count("nodes", cost.node_visits) + count("boxes", cost.box_tests) +
+         count("primitives", cost.primitive_tests) + count("hits", cost.hits) +
+         count("last hits asked", cost.cache_tests) + count("last hits hit", cost.cache_hits) +
+         "tests a ray         nodes     boxes  primitives    hits\n" + costs + "time\n" +
          line("load", Seconds(seconds.load)) + line("build", Seconds(seconds.build)) +
          line("render", Seconds(seconds.render)) + line("write", Seconds(seconds.write)) +
          line("wall", Seconds(seconds.wall)) + line("cpu", Seconds(seconds.cpu)) + "run\n" + count("threads", threads) +
+         line("structure", Fixed(1e-6 * static_cast<double>(structure_bytes), 1) + " MB") +
          line("peak memory", Fixed(1e-6 * static_cast<double>(peak_memory), 1) + " MB") +
          line("pixels", std::to_string(done) + " of " + std::to_string(total)) + line("stopped", stop);
 }

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "R2/ImageFile.h"
-#include "source/accelerate/Counts.h"
 #include "source/app/Options.h"
 #include "source/integrate/RayCounts.h"
 
@@ -22,7 +21,7 @@ struct Record {
   } scene;
 
   RayCounts rays;
-  Counts counts;
+  std::size_t structure_bytes = 0;
   struct {
     double load = 0, build = 0, render = 0, write = 0, wall = 0, cpu = 0;
   } seconds;

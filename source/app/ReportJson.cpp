@@ -36,10 +36,28 @@ Json Settings(const Options& options) {
   return settings;
 }
 
+Json CostJson(const Counts& cost) {
+  return {{"node_visits", cost.node_visits}, {"box_tests", cost.box_tests},     {"primitive_tests", cost.primitive_tests},
+          {"hits", cost.hits},               {"cache_tests", cost.cache_tests}, {"cache_hits", cost.cache_hits},
+          {"bad_rays", cost.bad_rays}};
+}
+
+Json Rays(const RayCounts& rays) {
+  Json json, costs;
+  for (std::size_t i = 0; i < ray_kind_names.size(); ++i) {
+    json[ray_kind_names[i]] = rays.kinds[i].rays;
+    costs[ray_kind_names[i]] = CostJson(rays.kinds[i].cost);
+  }
+  json["cut"] = rays.cut;
+  json["total"] = rays.Total();
+  json["costs"] = costs;
+  return json;
+}
+
 }  // namespace
 
 std::string ReportJson(const Record& record) {
-  const auto& [scene, rays, counts, seconds] = std::tie(record.scene, record.rays, record.counts, record.seconds);
+  const auto& [scene, rays, seconds] = std::tie(record.scene, record.rays, record.seconds);
   const Json report = {
       {"version", RAYPRO_VERSION},
       {"command", record.command},
@@ -51,18 +69,9 @@ std::string ReportJson(const Record& record) {
         {"primitives", scene.primitives},
         {"lights", scene.lights}}},
       {"settings", Settings(record.options)},
-      {"rays",
-       {{"camera", rays.camera},
-        {"shadow", rays.shadow},
-        {"reflection", rays.reflection},
-        {"transmission", rays.transmission},
-        {"cut", rays.cut},
-        {"total", rays.Total()}}},
-      {"counts",
-       {{"box_tests", counts.box_tests},
-        {"primitive_tests", counts.primitive_tests},
-        {"cache_tests", counts.cache_tests},
-        {"cache_hits", counts.cache_hits}}},
+      {"rays", Rays(rays)},
+      {"counts", CostJson(rays.Cost())},
+      {"structure_bytes", record.structure_bytes},
       {"seconds",
        {{"load", seconds.load},
         {"build", seconds.build},

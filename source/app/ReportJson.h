@@ -17,8 +17,10 @@ namespace ray {
 ///   | settings           | every option in force by its name: numbers, true/false, names; crop is      |
 ///   |                    | [x0, y0, x1, y1] or null, allow_path a list                                 |
 ///   | rays               | camera, shadow, reflection, transmission, cut (wanted but beyond the limit  |
-///   |                    | of one camera ray), total (all but cut)                                     |
-///   | counts             | box_tests, primitive_tests, cache_tests, cache_hits                         |
+///   |                    | of one camera ray), total (all but cut), costs (the counts of each kind)    |
+///   | counts             | node_visits, box_tests, primitive_tests, hits, cache_tests, cache_hits,     |
+///   |                    | bad_rays                                                                    |
+///   | structure_bytes    | what the accelerator takes besides the scene                                |
 ///   | seconds            | load, build, render, write (the picture), wall (from the program's start to |
 ///   |                    | this report), cpu (all threads)                                             |
 ///   | peak_memory_bytes  | the most the process ever held                                              |

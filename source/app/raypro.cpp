@@ -23,6 +23,12 @@ RenderResult RenderAndTell(const World& world, const Accelerator& accelerator, c
   return Render(world, accelerator, options.render, {.stop = StopRequested(), .tile_done = tile_done});
 }
 
+std::unique_ptr<const Accelerator> Build(const World& world, const Options& options) {
+  AcceleratorSettings settings = options.accelerator;
+  settings.expected_rays = ExpectedRays(options.render);
+  return FindAcceleratorKind(settings.name)->make(world, settings);
+}
+
 int MakePicture(const Options& options, const Words& words) {
   Account account(options, words);
   const Outputs outputs = CheckOutputs(options);
@@ -31,8 +37,8 @@ int MakePicture(const Options& options, const Words& words) {
   account.Loaded(parsed);
 
   const World world(parsed.scene);
-  const auto accelerator = FindAcceleratorKind(options.accelerator.name)->make(world, options.accelerator);
-  account.Built(world);
+  const auto accelerator = Build(world, options);
+  account.Built(world, *accelerator);
 
   CatchInterrupts();
   const RenderResult result = RenderAndTell(world, *accelerator, options);

@@ -1,17 +1,43 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
+
+#include "source/accelerate/Counts.h"
 
 namespace ray {
 
-/// Rays by what they were for.
+/// What a ray is for. Transmission is straight or refracted.
+enum class RayKind { camera, shadow, reflection, transmission };
+inline constexpr std::array ray_kind_names{"camera", "shadow", "reflection", "transmission"};
+
+/// Rays by what they were for, and what tracing them cost.
 struct RayCounts {
-  std::uint64_t camera = 0, shadow = 0, reflection = 0, transmission = 0;  // transmission: straight and refracted
+  struct Kind {
+    std::uint64_t rays = 0;
+    Counts cost;
+    friend bool operator==(const Kind&, const Kind&) = default;
+  };
+  std::array<Kind, ray_kind_names.size()> kinds;
   std::uint64_t cut = 0;  // wanted, but a camera ray had reached its limit of descendants
 
-  std::uint64_t Total() const { return camera + shadow + reflection + transmission; }
+  Kind& operator[](RayKind kind) { return kinds[static_cast<std::size_t>(kind)]; }
+  const Kind& operator[](RayKind kind) const { return kinds[static_cast<std::size_t>(kind)]; }
+
+  std::uint64_t Total() const {
+    std::uint64_t sum = 0;
+    for (const Kind& kind : kinds) sum += kind.rays;
+    return sum;
+  }
+  Counts Cost() const {
+    Counts sum;
+    for (const Kind& kind : kinds) sum += kind.cost;
+    return sum;
+  }
   RayCounts& operator+=(const RayCounts& o) {
-    camera += o.camera, shadow += o.shadow, reflection += o.reflection, transmission += o.transmission, cut += o.cut;
+    for (std::size_t i = 0; i < kinds.size(); ++i) kinds[i].rays += o.kinds[i].rays, kinds[i].cost += o.kinds[i].cost;
+    cut += o.cut;
     return *this;
   }
   friend bool operator==(const RayCounts&, const RayCounts&) = default;

@@ -41,13 +41,13 @@ R2::Color Whitted::Radiance(const R3::Ray& camera_ray, const RandomKey& key, Tra
   const Scene& scene = world_.TheScene();
   R2::Color sum;
   int descendants = 0;
-  ++state.rays.camera;
   state.pending.clear();
-  state.pending.push_back({camera_ray, {1, 1, 1}, 0, key});
+  state.pending.push_back({camera_ray, {1, 1, 1}, 0, key, RayKind::camera});
   while (!state.pending.empty()) {
     const TraceState::Pending current = state.pending.back();
     state.pending.pop_back();
     const auto hit = accelerator_.Intersect(current.ray, state.workspace);
+    state.Book(current.kind);
     if (!hit) {
       sum += current.weight * scene.background;
       continue;
@@ -116,8 +116,9 @@ R2::Color Whitted::FromTriangle(const EmissiveTriangle& triangle, const Surface&
 
 bool Whitted::IsVisible(const R3::Ray& shadow_ray, TraceState& state) const {
   if (!settings_.shadows) return true;
-  ++state.rays.shadow;
-  return !accelerator_.IsOccluded(shadow_ray, state.workspace);
+  const bool is_occluded = accelerator_.IsOccluded(shadow_ray, state.workspace);
+  state.Book(RayKind::shadow);
+  return !is_occluded;
 }
 
 void Whitted::Spawn(const Surface& s, const TraceState::Pending& parent, TraceState& state) const {
@@ -135,19 +136,17 @@ void Whitted::Spawn(const Surface& s, const TraceState::Pending& parent, TraceSt
       // same answers, of which the first is now outside the interval: nothing moves, nothing is hit twice.
       R3::Ray onward = s.ray;
       onward.t_min = s.hit.hit.t;
-      state.pending.push_back({onward, transmitted, parent.depth + 1, key});
-      ++state.rays.transmission;
+      state.pending.push_back({onward, transmitted, parent.depth + 1, key, RayKind::transmission});
     } else if (const auto bent = Refracted(d, s.N, s.from_outside ? 1 / s.material->ir : s.material->ir)) {
-      state.pending.push_back({{SpawnPoint(s.at, *bent), *bent}, transmitted, parent.depth + 1, key});
-      ++state.rays.transmission;
+      state.pending.push_back(
+          {{SpawnPoint(s.at, *bent), *bent}, transmitted, parent.depth + 1, key, RayKind::transmission});
     }
   }
   const R2::Color reflected = parent.weight * s.material->ks;
   if (is_wanted(reflected)) {
     const R3::Vector mirrored = Unit(Reflected(d, s.N));
-    state.pending.push_back(
-        {{SpawnPoint(s.at, mirrored), mirrored}, reflected, parent.depth + 1, parent.key.Child(reflection_key)});
-    ++state.rays.reflection;
+    state.pending.push_back({{SpawnPoint(s.at, mirrored), mirrored}, reflected, parent.depth + 1,
+                             parent.key.Child(reflection_key), RayKind::reflection});
   }
 }
 

@@ -18,11 +18,20 @@ struct TraceState {
     R2::Color weight;
     std::int64_t depth = 0;
     RandomKey key{0};
+    RayKind kind = RayKind::camera;
   };
 
   Workspace workspace;
   RayCounts rays;
   std::vector<Pending> pending;
+
+  /// Books a ray and what the workspace has counted since the last.
+  void Book(RayKind kind) {
+    RayCounts::Kind& account = rays[kind];
+    ++account.rays;
+    account.cost += workspace.counts;
+    workspace.counts = {};
+  }
 };
 
 /// The course's ray tracer:

@@ -11,6 +11,7 @@
 #include <mutex>
 
 #include "source/film/PixelMean.h"
+#include "source/integrate/Heat.h"
 #include "source/integrate/Whitted.h"
 
 namespace ray {
@@ -39,6 +40,7 @@ class Tiles {
 
 R2::Color RenderPixel(int x, int y, const Whitted& tracer, const Camera& camera, const RenderSettings& settings,
                       TraceState& state) {
+  const double heat_before = settings.mode == "heat" ? Heat(state.rays.Cost()) : 0;
   const RandomKey pixel = RandomKey(settings.seed)
                               .Child(static_cast<std::uint64_t>(x))
                               .Child(static_cast<std::uint64_t>(y));
@@ -51,16 +53,24 @@ R2::Color RenderPixel(int x, int y, const Whitted& tracer, const Camera& camera,
     const R3::Ray ray = camera.Through(x + within.x, y + within.y, settings.width, settings.height);
     mean.Add(tracer.Radiance(ray, pixel.Child(1).Child(static_cast<std::uint64_t>(s)), state));
   }
+  if (settings.mode == "heat") return HeatColor((Heat(state.rays.Cost()) - heat_before) / settings.samples);
   return mean.Value();
 }
 
 }  // namespace
 
+double ExpectedRays(const RenderSettings& settings) {
+  constexpr double rays_of_a_camera_ray = 3;  // with shadows and reflections, in scenes of the course
+  const double pixels = settings.crop ? static_cast<double>(settings.crop->Area())
+                                      : static_cast<double>(settings.width) * settings.height;
+  return rays_of_a_camera_ray * pixels * settings.samples;
+}
+
 RenderResult Render(const World& world, const Accelerator& accelerator, const RenderSettings& settings,
                     const RenderMonitor& monitor) {
   const PixelRectangle whole = settings.crop.value_or(PixelRectangle{0, 0, settings.width, settings.height});
   const Tiles tiles(whole, settings.tile_size);
-  const Whitted tracer(world, accelerator, settings.trace);
+  const Whitted tracer(world, accelerator.Worker(), settings.trace);
   const Camera& camera = world.TheScene().camera;
 
   RenderResult result;
@@ -70,7 +80,6 @@ RenderResult Render(const World& world, const Accelerator& accelerator, const Re
 
   const auto render_tile = [&](const PixelRectangle& tile, TraceState& state) {
     state.workspace.ForgetPlaces();
-    state.workspace.counts = {};
     state.rays = {};
     std::int64_t pixels = 0;
     for (int y = tile.y0; y < tile.y1; ++y)
@@ -82,7 +91,6 @@ RenderResult Render(const World& world, const Accelerator& accelerator, const Re
     const std::lock_guard lock(sums);
     result.pixels_done += pixels;
     result.rays += state.rays;
-    result.counts += state.workspace.counts;
     if (monitor.tile_done) monitor.tile_done({result.pixels_done, result.pixels_total, result.rays.Total()});
   };
 

@@ -55,7 +55,7 @@ TEST(Extremes, F2_AClearObjectOfIndexOneIsInvisible) {
     for (const double x : kind->example) clear += " " + std::to_string(x);
     const auto with = project::Render(project::Stage(project::FromText(behind + clear)), settings);
     EXPECT_TRUE(with.image == without.image) << clear;
-    EXPECT_GT(with.rays.transmission, 0u) << clear;
+    EXPECT_GT(with.rays[ray::RayKind::transmission].rays, 0u) << clear;
   }
 }
 

@@ -20,7 +20,7 @@ TEST(Regression, ATriangleInACoordinatePlaneDoesNotSpeckleItself) {
     without.trace.shadows = false;
     const auto lit = project::Render(stage, with_shadows);
     EXPECT_TRUE(lit.image == project::Render(stage, without).image) << triangle;
-    EXPECT_GT(lit.rays.shadow, 1000u);
+    EXPECT_GT(lit.rays[ray::RayKind::shadow].rays, 1000u);
   }
 }
 

@@ -97,7 +97,7 @@ TEST(CommandLine, DefaultsAreTheCoursesAndTheSpecifications) {
   EXPECT_EQ(o.render.seed, 0u);
   EXPECT_EQ(o.render.threads, 0);
   EXPECT_EQ(o.render.tile_size, 32);
-  EXPECT_EQ(o.accelerator.name, "graph");
+  EXPECT_EQ(o.accelerator.name, "auto");
   EXPECT_EQ(o.encoding.bits, 8);
   EXPECT_EQ(o.encoding.jpeg_quality, 95);
   EXPECT_EQ(o.parse.include_depth, 64);

@@ -17,7 +17,8 @@ Record Example() {
   record.options.render.seed = 18446744073709551615u;
   record.options.parse.allowed_folders = {"a", "b"};
   record.command = CommandAsTyped(std::vector<std::string>{"in.scn", "out put.png"});
-  record.rays = {.camera = 1, .shadow = 2, .reflection = 3, .transmission = 4, .cut = 5};
+  for (std::size_t i = 0; i < record.rays.kinds.size(); ++i) record.rays.kinds[i].rays = i + 1;
+  record.rays.cut = 5;
   record.pixels_done = 3;
   record.pixels_total = 4;
   record.width = record.height = 2;
@@ -30,8 +31,9 @@ TEST(ReportJson, HasTheKeysThatItsHeaderPromises) {
   const auto report = nlohmann::json::parse(ReportJson(Example()));
   std::vector<std::string> keys;
   for (const auto& [key, value] : report.items()) keys.push_back(key);
-  EXPECT_EQ(keys, (std::vector<std::string>{"command", "counts", "peak_memory_bytes", "pixels", "rays", "scene",
-                                            "seconds", "settings", "stop", "threads", "version", "warnings"}));
+  EXPECT_EQ(keys,
+            (std::vector<std::string>{"command", "counts", "peak_memory_bytes", "pixels", "rays", "scene", "seconds",
+                                      "settings", "stop", "structure_bytes", "threads", "version", "warnings"}));
   EXPECT_EQ(report["rays"]["total"], 10);
   EXPECT_EQ(report["pixels"]["done"], 3);
   EXPECT_EQ(report["stop"], "SIGINT");
@@ -69,7 +71,7 @@ TEST(Record, ThePictureKeepsHowItWasMade) {
 TEST(Record, TheLastLineOfARunSaysWhatItMade) {
   Record record = Example();
   record.seconds.wall = 2;
-  record.rays.camera = 28'399'991;
+  record.rays[ray::RayKind::camera].rays = 28'399'991;
   EXPECT_EQ(FinalLine(record), "out.png 2x2 1 spp 2.00 s 14.2 Mrays/s (stopped by SIGINT, 3 of 4 pixels done)\n");
   record.pixels_done = 4;
   EXPECT_EQ(FinalLine(record), "out.png 2x2 1 spp 2.00 s 14.2 Mrays/s\n");

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "R2/Color.h"
+#include "source/accelerate/Counts.h"
+
+namespace ray {
+
+/// What a ray cost, in things looked at: nodes or cells gone through, boxes of the graph, primitives asked.
+double Heat(const Counts& cost);
+
+/// A cost as a colour on one scale for all pictures, so that they can be compared: black at 1 and below, then blue at
+/// 10, red at 100, yellow at 1,000, white at 10,000 and above, evenly in the logarithm between.
+R2::Color HeatColor(double heat);
+
+}  // namespace ray
