@@ -9,7 +9,8 @@ class World;
 namespace ray::bvh {
 
 struct BuildSettings {
-  int leaf_size = width;  // most triangles of a leaf, 1 to `width`
+  int leaf_size = width;              // most triangles of a leaf, 1 to `width`
+  bool cuts_large_triangles = false;  // before building, so that slanted ones have tight boxes
 };
 
 /// A tree over the space by the surface area heuristic, binned, split from the top; in parallel, and the same tree

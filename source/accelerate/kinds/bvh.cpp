@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "source/accelerate/Accelerator.h"
 #include "source/accelerate/bvh/Build.h"
 #include "source/accelerate/bvh/Kernels.h"
@@ -9,14 +11,29 @@ namespace {
 class WideBvh : public Accelerator {
  public:
   WideBvh(const World& world, const AcceleratorSettings& settings)
-      : world_(world), settings_(settings), kernels_(bvh::ChooseKernels(settings.instruction_set)) {
+      : world_(world), kernels_(bvh::ChooseKernels(settings.instruction_set)) {
     forest_.world = &world;
-    forest_.trees.push_back(bvh::Build(world, Space(world), {}));
+    bvh::BuildSettings build;
+    if (settings.resolution > 0) build.leaf_size = std::clamp(static_cast<int>(settings.resolution), 1, bvh::width);
+    build.cuts_large_triangles = settings.quality == "high";
+    forest_.trees.push_back(bvh::Build(world, Space(world), build));
     for (int i = 0; i < static_cast<int>(world.SharedMeshes().size()); ++i)
-      forest_.trees.push_back(bvh::Build(world, Space(world, i), {}));
+      forest_.trees.push_back(bvh::Build(world, Space(world, i), build));
   }
 
   std::size_t Bytes() const override { return forest_.Bytes(); }
+
+  std::vector<std::string> Explain() const override {
+    std::vector<std::string> lines{"bvh walks with " + std::string(kernels_.name)};
+    for (std::size_t i = 0; i < forest_.trees.size(); ++i) {
+      const bvh::Tree& tree = forest_.trees[i];
+      lines.push_back((i == 0 ? std::string("the world") : "shared mesh " + std::to_string(i)) + ": " +
+                      std::to_string(tree.space.Items()) + " items, " + std::to_string(tree.nodes.Size()) +
+                      " nodes in " + std::to_string(tree.depth) + " levels, " + std::to_string(tree.blocks.Size()) +
+                      " blocks of triangles, " + std::to_string(tree.Bytes()) + " bytes");
+    }
+    return lines;
+  }
 
  private:
   std::optional<WorldHit> Nearest(const R3::Ray& ray, Workspace& workspace) const override {
@@ -32,7 +49,6 @@ class WideBvh : public Accelerator {
   }
 
   const World& world_;
-  AcceleratorSettings settings_;
   const bvh::Kernels& kernels_;
   bvh::Forest forest_;
 };

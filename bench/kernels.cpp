@@ -1,0 +1,268 @@
+// Our accelerators beside Embree: the same scenes, the same rays, one process, one thread, taking turns; medians.
+//
+//     make bench && build/bench/kernels [scene=a,b] [accel=bvh,grid] [rays=N] [repeats=N] [quality=low|medium|high]
+//                                       [robust=1] [simd=AVX2] [build=1] [resolution=x]
+//
+// Columns are millions of rays a second and, after Embree's, the ratio to it. `wrong` counts rays that hit something
+// in one and nothing in the other, or over 1e-3 apart: single precision errs at edges, so a few in a million are
+// Embree's own.
+
+#include <tbb/global_control.h>
+#include <tbb/info.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <functional>
+#include <map>
+#include <random>
+#include <sstream>
+
+#include "bench/BenchScenes.h"
+#include "bench/Embree.h"
+#include "source/accelerate/Accelerator.h"
+#include "source/scene/Node.h"
+
+namespace {
+
+using Rays = std::vector<R3::Ray>;
+using Seconds = std::chrono::duration<double>;
+
+struct Kind {
+  std::string name;
+  Rays rays;
+  bool any = false;
+};
+
+double Median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  return values[values.size() / 2];
+}
+
+double Time(const std::function<void()>& work) {
+  const auto start = std::chrono::steady_clock::now();
+  work();
+  return Seconds(std::chrono::steady_clock::now() - start).count();
+}
+
+R3::Vector Float(const R3::Vector& v) {
+  return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
+}
+
+/// A mesh as a scene with nothing else.
+ray::Scene SceneOf(const R3::MeshData& data) {
+  ray::Scene scene;
+  ray::Node node;
+  node.shape = std::make_shared<R3::Mesh>(data);
+  SetBounds(node);
+  scene.root.children.push_back(std::move(node));
+  SetBounds(scene.root);
+  return scene;
+}
+
+/// Rays of all kinds, each from where the ones before have hit.
+std::vector<Kind> MakeRays(const bench::View& view, const ray::World& world, const ray::Accelerator& accelerator,
+                           std::size_t count) {
+  const auto side = static_cast<int>(std::sqrt(static_cast<double>(count)));
+  ray::Camera camera = ray::Aim(view.eye, view.target - view.eye, {0, 1, 0}).camera;
+  camera.xfov = 0.5;
+  std::mt19937_64 random(11);
+  std::uniform_real_distribution<double> number(0, 1);
+  ray::Workspace workspace;
+
+  // From each hit: where it is, off the surface by what single precision needs, and a cosine-distributed direction.
+  struct Onward {
+    R3::Point from;
+    R3::Vector bounce;
+  };
+  const R3::Box bounds = world.TheScene().root.bounds;
+  const double off = 1e-5 * bounds.Radius();
+  const auto onward = [&](const R3::Ray& ray) -> std::optional<Onward> {
+    const auto hit = accelerator.Intersect(ray, workspace);
+    if (!hit) return {};
+    R3::Vector n = AsVector(world.At(ray, *hit).normal);
+    if (Dot(n, ray.direction) > 0) n = -n;
+    const double z = 2 * number(random) - 1, turn = 2 * M_PI * number(random), out = std::sqrt(1 - z * z);
+    const R3::Vector bounce = Unit(n + 0.999 * R3::Vector{out * std::cos(turn), out * std::sin(turn), z});
+    return Onward{bench::Float(ray.At(hit->hit.t) + off * n), Float(bounce)};
+  };
+
+  Kind primary{"primary", {}}, shadow{"shadow", {}, true}, diffuse{"diffuse", {}}, third{"third", {}};
+  for (int ty = 0; ty < side; ty += 8)
+    for (int tx = 0; tx < side; tx += 8)
+      for (int y = ty; y < std::min(ty + 8, side); ++y)
+        for (int x = tx; x < std::min(tx + 8, side); ++x) {
+          R3::Ray ray = camera.Through(x + 0.5, y + 0.5, side, side);
+          ray.origin = bench::Float(ray.origin), ray.direction = Float(ray.direction);
+          primary.rays.push_back(ray);
+          const auto first = onward(ray);
+          if (!first) continue;
+          shadow.rays.push_back({first->from, Float(view.light - first->from), 0, 1});
+          diffuse.rays.push_back({first->from, first->bounce});
+          auto next = onward(diffuse.rays.back());
+          if (next) next = onward({next->from, next->bounce});
+          if (next) third.rays.push_back({next->from, next->bounce});
+        }
+  Kind shuffled{"shuffled", third.rays.empty() ? diffuse.rays : third.rays};
+  std::shuffle(shuffled.rays.begin(), shuffled.rays.end(), random);
+  std::vector<Kind> kinds{primary, shadow, diffuse, third, shuffled};
+  for (Kind& kind : kinds)  // as many of each, so that medians weigh alike
+    for (std::size_t i = 0; !kind.rays.empty() && kind.rays.size() < count / 4; ++i) kind.rays.push_back(kind.rays[i]);
+  return kinds;
+}
+
+struct Answers {
+  std::vector<double> t;  // infinity for a miss, 0 for an occluded ray
+};
+
+Answers Ask(const ray::Accelerator& accelerator, const Kind& kind) {
+  ray::Workspace workspace;
+  Answers answers;
+  answers.t.reserve(kind.rays.size());
+  for (const R3::Ray& ray : kind.rays) {
+    if (kind.any) {
+      answers.t.push_back(accelerator.IsOccluded(ray, workspace) ? 0 : R3::infinity);
+    } else {
+      const auto hit = accelerator.Intersect(ray, workspace);
+      answers.t.push_back(hit ? hit->hit.t : R3::infinity);
+    }
+  }
+  return answers;
+}
+
+Answers Ask(const embree::Scene& scene, const Kind& kind) {
+  Answers answers;
+  answers.t.reserve(kind.rays.size());
+  for (const R3::Ray& ray : kind.rays) {
+    embree::RayHit r{};
+    for (int axis = 0; axis < 3; ++axis) {
+      r.origin[axis] = static_cast<float>(ray.origin[axis]);
+      r.direction[axis] = static_cast<float>(ray.direction[axis]);
+    }
+    r.near = 0, r.far = static_cast<float>(ray.t_max), r.mask = ~0u;
+    if (kind.any)
+      answers.t.push_back(scene.IsOccluded(r) ? 0 : R3::infinity);
+    else
+      answers.t.push_back(scene.Intersect(r) ? r.far : R3::infinity);
+  }
+  return answers;
+}
+
+std::size_t Differences(const Answers& a, const Answers& b) {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < a.t.size(); ++i)
+    count += a.t[i] != b.t[i] && !(std::abs(a.t[i] - b.t[i]) <= 1e-3 * std::abs(a.t[i]));
+  return count;
+}
+
+std::vector<std::string> Split(const std::string& text) {
+  std::vector<std::string> parts;
+  std::stringstream in(text);
+  for (std::string part; std::getline(in, part, ',');) parts.push_back(part);
+  return parts;
+}
+
+/// Seconds of the build on `threads` threads, the least of some.
+template <typename Make>
+double BuildSeconds(int threads, int repeats, const Make& make) {
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
+  double least = R3::infinity;
+  for (int i = 0; i < repeats; ++i) least = std::min(least, Time(make));
+  return least;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  std::map<std::string, std::string> options{{"scene", ""},     {"accel", "bvh"}, {"rays", "1000000"},
+                                             {"repeats", "5"},  {"robust", "0"},  {"quality", "medium"},
+                                             {"simd", "best"},  {"build", "0"},   {"resolution", "0"},
+                                             {"ours", "medium"}};
+  for (int i = 1; i < argc; ++i) {
+    const std::string word = argv[i];
+    const auto sign = word.find('=');
+    if (sign == std::string::npos || !options.contains(word.substr(0, sign))) {
+      std::fprintf(stderr, "kernels: no option '%s'\n", argv[i]);
+      return 2;
+    }
+    options[word.substr(0, sign)] = word.substr(sign + 1);
+  }
+  const auto scenes = options["scene"].empty() ? bench::SceneNames() : Split(options["scene"]);
+  const auto accelerators = Split(options["accel"]);
+  const int repeats = std::stoi(options["repeats"]);
+  const auto quality = options["quality"] == "high" ? embree::high
+                       : options["quality"] == "low" ? embree::low
+                                                     : embree::medium;
+
+  const auto library = embree::Library::Find();
+  std::printf("%s; ours: %s\n", library ? library->name.c_str() : "Embree not found", options["simd"].c_str());
+  std::map<std::string, std::map<std::string, std::vector<double>>> ratios;  // accelerator, kind
+  for (const std::string& name : scenes) {
+    const auto view = bench::MakeView(name);
+    if (!view) {
+      std::printf("%s: not here\n", name.c_str());
+      continue;
+    }
+    const ray::Scene scene = SceneOf(view->mesh);
+    const ray::World world(scene);
+    std::vector<std::unique_ptr<const ray::Accelerator>> ours;
+    for (const std::string& a : accelerators) {
+      ray::AcceleratorSettings settings;
+      settings.name = a;
+      settings.instruction_set = options["simd"];
+      settings.resolution = std::stod(options["resolution"]);
+      settings.quality = options["ours"];
+      settings.expected_rays = 1e9;
+      const auto make = [&] { return ray::FindAcceleratorKind(a)->make(world, settings); };
+      ours.push_back(make());
+      const double triangles = static_cast<double>(view->mesh.triangles.size());
+      std::printf("%s: %.0f triangles, %s %.1f bytes a triangle", name.c_str(), triangles, a.c_str(),
+                  static_cast<double>(ours.back()->Bytes()) / triangles);
+      if (options["build"] != "0")
+        std::printf(", built in %.3f s on 1 thread, %.3f s on 2", BuildSeconds(1, repeats, make),
+                    BuildSeconds(2, repeats, make));
+      std::printf("\n");
+    }
+    std::unique_ptr<embree::Scene> theirs;
+    if (library) {
+      theirs = std::make_unique<embree::Scene>(*library, view->mesh, quality, options["robust"] == "1");
+      if (options["build"] != "0") {
+        const double seconds =
+            BuildSeconds(1, repeats, [&] { embree::Scene(*library, view->mesh, quality, options["robust"] == "1"); });
+        std::printf("%s: %s built in %.3f s (threads as EMBREE_CONFIG says)\n", name.c_str(), library->name.c_str(),
+                    seconds);
+      }
+    }
+    for (const Kind& kind : MakeRays(*view, world, *ours[0], std::stoul(options["rays"]))) {
+      if (kind.rays.empty()) continue;
+      std::vector<std::vector<double>> seconds(ours.size());
+      std::vector<double> their_seconds;
+      std::vector<Answers> answers(ours.size());
+      Answers their_answers;
+      for (int i = 0; i < repeats; ++i) {
+        if (theirs) their_seconds.push_back(Time([&] { their_answers = Ask(*theirs, kind); }));
+        for (std::size_t a = 0; a < ours.size(); ++a)
+          seconds[a].push_back(Time([&] { answers[a] = Ask(ours[a]->Worker(), kind); }));
+      }
+      const double million = 1e-6 * static_cast<double>(kind.rays.size());
+      std::printf("%-12s %-9s", name.c_str(), kind.name.c_str());
+      if (theirs) std::printf(" Embree %6.2f", million / Median(their_seconds));
+      for (std::size_t a = 0; a < ours.size(); ++a) {
+        std::printf("  %s %6.2f", accelerators[a].c_str(), million / Median(seconds[a]));
+        if (!theirs) continue;
+        const double ratio = Median(their_seconds) / Median(seconds[a]);
+        ratios[accelerators[a]][kind.name].push_back(ratio);
+        std::printf(" (%.2f, wrong %zu)", ratio, Differences(answers[a], their_answers));
+      }
+      std::printf("\n");
+      std::fflush(stdout);
+    }
+  }
+  for (const auto& [accelerator, kinds] : ratios)
+    for (const auto& [kind, all] : kinds) {
+      double sum = 0, least = R3::infinity;
+      for (const double r : all) sum += std::log(r), least = std::min(least, r);
+      std::printf("%s %-9s geometric mean %.2f, lowest %.2f\n", accelerator.c_str(), kind.c_str(),
+                  std::exp(sum / static_cast<double>(all.size())), least);
+    }
+}
