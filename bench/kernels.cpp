@@ -1,11 +1,10 @@
 // Our accelerators beside Embree: the same scenes, the same rays, one process, one thread, taking turns; medians.
 //
 //     make bench && build/bench/kernels [scene=a,b] [accel=bvh,grid] [rays=N] [repeats=N] [quality=low|medium|high]
-//                                       [robust=1] [simd=AVX2] [build=1] [resolution=x]
+//                                       [robust=1] [simd=AVX2] [build=1] [resolution=x] [counts=1]
 //
-// Columns are millions of rays a second and, after Embree's, the ratio to it. `wrong` counts rays that hit something
-// in one and nothing in the other, or over 1e-3 apart: single precision errs at edges, so a few in a million are
-// Embree's own.
+// Columns are millions of rays a second, the ratio to Embree's, and wrong answers, theirs + ours: where the two differ
+// (a hit against none, or over 1e-3 apart) every triangle is asked in double precision to decide who is wrong.
 
 #include <tbb/global_control.h>
 #include <tbb/info.h>
@@ -113,6 +112,7 @@ std::vector<Kind> MakeRays(const bench::View& view, const ray::World& world, con
 
 struct Answers {
   std::vector<double> t;  // infinity for a miss, 0 for an occluded ray
+  ray::Counts counts;
 };
 
 Answers Ask(const ray::Accelerator& accelerator, const Kind& kind) {
@@ -127,6 +127,7 @@ Answers Ask(const ray::Accelerator& accelerator, const Kind& kind) {
       answers.t.push_back(hit ? hit->hit.t : R3::infinity);
     }
   }
+  answers.counts = workspace.counts;
   return answers;
 }
 
@@ -148,11 +149,24 @@ Answers Ask(const embree::Scene& scene, const Kind& kind) {
   return answers;
 }
 
-std::size_t Differences(const Answers& a, const Answers& b) {
-  std::size_t count = 0;
-  for (std::size_t i = 0; i < a.t.size(); ++i)
-    count += a.t[i] != b.t[i] && !(std::abs(a.t[i] - b.t[i]) <= 1e-3 * std::abs(a.t[i]));
-  return count;
+struct Mistakes {
+  int theirs = 0, ours = 0;
+};
+
+Mistakes Judge(const Kind& kind, const Answers& ours, const Answers& theirs, const ray::Accelerator& all) {
+  const auto agree = [](double a, double b) { return a == b || std::abs(a - b) <= 1e-3 * std::abs(a); };
+  Mistakes mistakes;
+  for (std::size_t i = 0; i < ours.t.size(); ++i) {
+    if (agree(ours.t[i], theirs.t[i])) continue;
+    const double truth = Ask(all, {kind.name, {kind.rays[i]}, kind.any}).t[0];
+    if (!agree(truth, theirs.t[i])) ++mistakes.theirs;
+    if (truth == ours.t[i]) continue;
+    ++mistakes.ours;
+    const R3::Ray& r = kind.rays[i];
+    std::fprintf(stderr, "wrong: {{%a, %a, %a}, {%a, %a, %a}} hits at %a, not %a\n", r.origin.x, r.origin.y, r.origin.z,
+                 r.direction.x, r.direction.y, r.direction.z, truth, ours.t[i]);
+  }
+  return mistakes;
 }
 
 std::vector<std::string> Split(const std::string& text) {
@@ -177,7 +191,7 @@ int main(int argc, char** argv) {
   std::map<std::string, std::string> options{{"scene", ""},     {"accel", "bvh"}, {"rays", "1000000"},
                                              {"repeats", "5"},  {"robust", "0"},  {"quality", "medium"},
                                              {"simd", "best"},  {"build", "0"},   {"resolution", "0"},
-                                             {"ours", "medium"}};
+                                             {"ours", "medium"}, {"counts", "0"}};
   for (int i = 1; i < argc; ++i) {
     const std::string word = argv[i];
     const auto sign = word.find('=');
@@ -223,6 +237,7 @@ int main(int argc, char** argv) {
                     BuildSeconds(2, repeats, make));
       std::printf("\n");
     }
+    const auto all = ray::FindAcceleratorKind("none")->make(world, {});
     std::unique_ptr<embree::Scene> theirs;
     if (library) {
       theirs = std::make_unique<embree::Scene>(*library, view->mesh, quality, options["robust"] == "1");
@@ -249,10 +264,16 @@ int main(int argc, char** argv) {
       if (theirs) std::printf(" Embree %6.2f", million / Median(their_seconds));
       for (std::size_t a = 0; a < ours.size(); ++a) {
         std::printf("  %s %6.2f", accelerators[a].c_str(), million / Median(seconds[a]));
+        const auto per_ray = [&](std::uint64_t n) { return 1e-6 * static_cast<double>(n) / million; };
+        if (options["counts"] != "0")
+          std::printf(" [%.1f nodes, %.1f leaves, %.2f asked]", per_ray(answers[a].counts.box_tests) / 8,
+                      per_ray(answers[a].counts.node_visits) - per_ray(answers[a].counts.box_tests) / 8,
+                      per_ray(answers[a].counts.primitive_tests));
         if (!theirs) continue;
         const double ratio = Median(their_seconds) / Median(seconds[a]);
         ratios[accelerators[a]][kind.name].push_back(ratio);
-        std::printf(" (%.2f, wrong %zu)", ratio, Differences(answers[a], their_answers));
+        const Mistakes mistakes = Judge(kind, answers[a], their_answers, *all);
+        std::printf(" (%.2f, wrong %d + %d)", ratio, mistakes.theirs, mistakes.ours);
       }
       std::printf("\n");
       std::fflush(stdout);

@@ -48,19 +48,6 @@ void Space::Add(std::uint32_t instance, bool is_whole, std::uint32_t count) {
   items_ += count;
 }
 
-const Space::Run& Space::RunOf(std::uint32_t i) const {
-  if (runs_.size() == 1) return runs_[0];
-  if (!run_of_item_.empty()) return runs_[run_of_item_[i]];
-  return *(std::upper_bound(runs_.begin(), runs_.end(), i, [](std::uint32_t item, const Run& run) {
-             return item < run.first_item;
-           }) - 1);
-}
-
-Item Space::operator[](std::uint32_t i) const {
-  const Run& run = RunOf(i);
-  return {run.instance, run.is_whole ? Item::whole : static_cast<std::int32_t>(i - run.first_item)};
-}
-
 R3::Box Space::Bounds(std::uint32_t i) const {
   if (mesh_) return Widened(mesh_->Bounds(static_cast<int>(i)), 0);
   const Item item = (*this)[i];

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -26,7 +27,10 @@ class Space {
   Space(const World& world, int number);
 
   std::uint32_t Items() const { return items_; }
-  Item operator[](std::uint32_t i) const;
+  Item operator[](std::uint32_t i) const {
+    const Run& run = RunOf(i);
+    return {run.instance, run.is_whole ? Item::whole : static_cast<std::int32_t>(i - run.first_item)};
+  }
 
   /// A box around every hit of the item by rays whose origin is the world's; a ray from farther away finds hits up to
   /// PadPerDistance * (largest component of its origin in the world) outside. Finite.
@@ -46,7 +50,13 @@ class Space {
     bool is_whole = false;
   };
   void Add(std::uint32_t instance, bool is_whole, std::uint32_t count);
-  const Run& RunOf(std::uint32_t i) const;
+  const Run& RunOf(std::uint32_t i) const {
+    if (runs_.size() == 1) return runs_[0];
+    if (!run_of_item_.empty()) return runs_[run_of_item_[i]];
+    return *(std::upper_bound(runs_.begin(), runs_.end(), i,
+                              [](std::uint32_t item, const Run& run) { return item < run.first_item; }) -
+             1);
+  }
 
   const World& world_;
   const R3::Mesh* mesh_ = nullptr;  // of which this is the inside

@@ -12,6 +12,8 @@
 #include <cmath>
 #include <deque>
 #include <limits>
+#include <new>
+#include <stdexcept>
 #include <vector>
 
 #include "R3/Mesh.h"
@@ -67,6 +69,7 @@ struct Draft {
 };
 
 constexpr int most_bins = 32;
+constexpr std::uint32_t most_units = (std::uint32_t{1} << Child::kind_shift) - 64;
 
 struct Bins {
   std::array<std::array<Extent, most_bins>, 3> box;
@@ -362,57 +365,74 @@ class Builder {
     return range;
   }
 
-  /// Lays the drafts out depth first, so that a subtree lies together in memory, and fills the blocks.
+  /// Lays the drafts out depth first and fills the blocks.
   void Lay(const Draft& root) {
+    constexpr std::uint32_t units_of_node = sizeof(Node) / unit, units_of_block = sizeof(TriangleBlock) / unit;
+    struct Placed {
+      const Draft* draft;
+      std::uint32_t at;
+      std::array<std::uint32_t, width> child;
+    };
     struct Waiting {
       const Draft* draft;
-      std::uint32_t parent;
+      std::size_t parent;
       int slot, depth;
     };
-    std::vector<Node> nodes;
-    std::vector<const Range*> leaves;  // of blocks
+    std::vector<Placed> placed;
     std::vector<Waiting> stack{{&root, 0, -1, 1}};
+    std::uint32_t end = 0;
     while (!stack.empty()) {
       const Waiting next = stack.back();
       stack.pop_back();
       tree_.depth = std::max(tree_.depth, next.depth);
-      const auto index = static_cast<std::uint32_t>(nodes.size());
-      const std::uint32_t self = Child::Make(Child::Kind::node, index);
+      const std::uint32_t self = Child::Make(Child::Kind::node, end);
       if (next.slot < 0)
         tree_.root = self;
       else
-        nodes[next.parent].child[next.slot] = self;
-      Node& node = nodes.emplace_back();
-      for (int i = 0; i < width; ++i) {
-        const bool is_there = i < next.draft->children;
-        const Range& range = next.draft->ranges[static_cast<std::size_t>(i)];
-        constexpr float nowhere = std::numeric_limits<float>::max();
-        for (int axis = 0; axis < 3; ++axis) {
-          node.plane[2 * axis][i] = is_there ? static_cast<float>(range.box.low[axis]) : nowhere;
-          node.plane[2 * axis + 1][i] = is_there ? static_cast<float>(range.box.high[axis]) : -nowhere;
+        placed[next.parent].child[static_cast<std::size_t>(next.slot)] = self;
+      Placed& node = placed.emplace_back(Placed{next.draft, end, {}});
+      ++tree_.nodes;
+      end += units_of_node;
+      for (int i = 0; i < next.draft->children; ++i) {
+        const auto k = static_cast<std::size_t>(i);
+        const Range& range = next.draft->ranges[k];
+        if (next.draft->below[k]) continue;  // set when its turn comes
+        if (range.triangles == 0) {
+          node.child[k] = Child::Make(Child::Kind::item, references_[range.begin].Item());
+          continue;
         }
-        node.child[i] = Child::Make(Child::Kind::nothing, 0);
-        if (!is_there) continue;
-        if (next.draft->below[static_cast<std::size_t>(i)]) continue;  // set when its turn comes
-        if (range.triangles > 0) {
-          node.child[i] = Child::Make(Child::Kind::triangles, static_cast<std::uint32_t>(leaves.size()));
-          leaves.push_back(&range);
-        } else {
-          node.child[i] = Child::Make(Child::Kind::item, references_[range.begin].Item());
-        }
+        node.child[k] = Child::Make(Child::Kind::triangles, end);
+        ++tree_.blocks;
+        end += units_of_block;
       }
+      if (end > most_units) throw std::length_error("the scene is too large: its tree would take more than 32 GB");
       for (int i = next.draft->children; i-- > 0;)
         if (const Draft* below = next.draft->below[static_cast<std::size_t>(i)])
-          stack.push_back({below, index, i, next.depth + 1});
+          stack.push_back({below, placed.size() - 1, i, next.depth + 1});
     }
-    tree_.nodes = HugeArray<Node>(nodes.size());
-    std::copy(nodes.begin(), nodes.end(), tree_.nodes.Data());
-    tree_.blocks = HugeArray<TriangleBlock>(leaves.size());
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, leaves.size(), 512), [&](const auto& r) {
-      for (std::size_t i = r.begin(); i != r.end(); ++i) Fill(tree_.blocks[i], *leaves[i]);
+    tree_.memory = HugeArray<Tree::Unit>(end);
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, placed.size(), 64), [&](const auto& r) {
+      for (std::size_t i = r.begin(); i != r.end(); ++i) Fill(*placed[i].draft, placed[i].at, placed[i].child);
     });
-    constexpr std::size_t own_cache = std::size_t{1} << 20;
+    constexpr std::size_t own_cache = std::size_t{1} << 22;
     tree_.is_large = tree_.Bytes() > own_cache;
+  }
+
+  void Fill(const Draft& draft, std::uint32_t at, const std::array<std::uint32_t, width>& children) {
+    Node& node = *new (&tree_.memory[at]) Node;
+    for (int i = 0; i < width; ++i) {
+      const auto k = static_cast<std::size_t>(i);
+      const bool is_there = i < draft.children;
+      const Range& range = draft.ranges[k];
+      constexpr float nowhere = std::numeric_limits<float>::max();
+      for (int axis = 0; axis < 3; ++axis) {
+        node.plane[2 * axis][i] = is_there ? static_cast<float>(range.box.low[axis]) : nowhere;
+        node.plane[2 * axis + 1][i] = is_there ? static_cast<float>(range.box.high[axis]) : -nowhere;
+      }
+      node.child[i] = is_there ? children[k] : Child::Make(Child::Kind::nothing, 0);
+      if (is_there && Child::KindOf(children[k]) == Child::Kind::triangles)
+        Fill(*new (&tree_.memory[Child::Index(children[k])]) TriangleBlock, range);
+    }
   }
 
   void Fill(TriangleBlock& block, const Range& range) const {

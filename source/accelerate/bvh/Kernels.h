@@ -20,8 +20,8 @@ struct Forest {
 struct Kernels {
   const char* name;  // as -simd and -explain say it
   void (*nearest)(const Forest& forest, const R3::Ray& ray, NearestHit& nearest, Counts& counts);
-  /// Stops at the first hit that it accepts, which then is nearest.Best().
-  void (*any)(const Forest& forest, const R3::Ray& ray, NearestHit& nearest, Counts& counts);
+  /// Whether there is any hit.
+  bool (*any)(const Forest& forest, const R3::Ray& ray, Counts& counts);
 };
 
 /// Names of the instruction sets that this machine has and this program was compiled for, the best first.

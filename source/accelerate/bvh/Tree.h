@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 #include "R3/Point.h"
@@ -9,9 +10,10 @@
 /// The wide tree of boxes as data. Everything in it is in single precision and only ever decides what not to ask.
 namespace ray::bvh {
 
-inline constexpr int width = 8;  // children of a node, and triangles of a block
+inline constexpr int width = 8;          // children of a node, and triangles of a block
+inline constexpr std::size_t unit = 32;  // bytes in which places in memory are counted
 
-/// What a child is, in 32 bits.
+/// What a child is and where, in 32 bits: nodes and blocks by their place in Tree::memory, items by their number.
 struct Child {
   enum class Kind : std::uint32_t { node, triangles, item, nothing };
   static constexpr int kind_shift = 30;
@@ -25,13 +27,13 @@ struct Child {
 
 /// Eight boxes side by side. plane[2 axis] are the low sides, plane[2 axis + 1] the high ones, rounded to the nearest
 /// float: the padding of the ray covers it. Children that are missing have inside-out boxes.
-struct alignas(32) Node {
+struct alignas(unit) Node {
   float plane[6][width];
   std::uint32_t child[width];
 };
 
 /// Up to eight triangles side by side. Missing ones have NaN corners, which no test accepts.
-struct alignas(32) TriangleBlock {
+struct alignas(unit) TriangleBlock {
   float corner[3][width], edge1[3][width], edge2[3][width];  // corner 0, corner 1 - corner 0, corner 2 - corner 0
   std::uint32_t item[width];
 };
@@ -45,13 +47,21 @@ struct Tree {
   R3::Point center;
   double scale = 1;            // a power of two
   float low[3]{}, high[3]{};   // the box around everything
-  HugeArray<Node> nodes;
-  HugeArray<TriangleBlock> blocks;
+  /// Nodes, each followed by the blocks that are its children, depth first: what is visited together lies together.
+  struct alignas(unit) Unit {
+    std::byte bytes[unit];
+  };
+  HugeArray<Unit> memory;
+  std::size_t nodes = 0, blocks = 0;
   std::uint32_t root = Child::Make(Child::Kind::nothing, 0);
   bool is_large = false;       // larger than a core's own cache: children are worth fetching before they are needed
   int depth = 0;
 
-  std::size_t Bytes() const { return nodes.Bytes() + blocks.Bytes() + space.Bytes(); }
+  template <typename T>
+  const T& At(std::uint32_t child) const {
+    return *reinterpret_cast<const T*>(memory.Data() + Child::Index(child));
+  }
+  std::size_t Bytes() const { return memory.Bytes() + space.Bytes(); }
 };
 
 }  // namespace ray::bvh

@@ -28,8 +28,8 @@ class WideBvh : public Accelerator {
     for (std::size_t i = 0; i < forest_.trees.size(); ++i) {
       const bvh::Tree& tree = forest_.trees[i];
       lines.push_back((i == 0 ? std::string("the world") : "shared mesh " + std::to_string(i)) + ": " +
-                      std::to_string(tree.space.Items()) + " items, " + std::to_string(tree.nodes.Size()) +
-                      " nodes in " + std::to_string(tree.depth) + " levels, " + std::to_string(tree.blocks.Size()) +
+                      std::to_string(tree.space.Items()) + " items, " + std::to_string(tree.nodes) +
+                      " nodes in " + std::to_string(tree.depth) + " levels, " + std::to_string(tree.blocks) +
                       " blocks of triangles, " + std::to_string(tree.Bytes()) + " bytes");
     }
     return lines;
@@ -43,9 +43,7 @@ class WideBvh : public Accelerator {
   }
 
   bool Any(const R3::Ray& ray, Workspace& workspace) const override {
-    NearestHit nearest(world_, ray);
-    kernels_.any(forest_, ray, nearest, workspace.counts);
-    return nearest.Best().has_value();
+    return kernels_.any(forest_, ray, workspace.counts);
   }
 
   const World& world_;
