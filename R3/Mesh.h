@@ -50,6 +50,7 @@ class Mesh : public Shape {
 
  private:
   Mesh() = default;
+  void PreferHugePages() const;
 
   MeshData data_;
   bool smooth_ = false;
