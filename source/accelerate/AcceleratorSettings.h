@@ -16,7 +16,7 @@ struct AcceleratorSettings {
   double resolution = 0;       // 0: what is best for most scenes
   int depth = 0;               // most levels of `octree`; 0: what is best for most scenes
   std::string quality = "medium";  // of `bvh`, one of build_qualities
-  std::string instruction_set = "best";  // of `bvh`: one of bvh::InstructionSets()
+  std::string instruction_set = "best";  // of `bvh`: one of InstructionSets()
 
   // What `auto` needs to know to weigh a build against what it saves.
   double expected_rays = 1e6;

@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "source/accelerate/Accelerator.h"
-#include "source/accelerate/bvh/Kernels.h"
+#include "source/accelerate/Forest.h"
 #include "source/app/Listing.h"
 
 namespace ray {
@@ -23,9 +23,9 @@ std::vector<std::string> AcceleratorNames() {
 
 std::vector<std::string> Qualities() { return {build_qualities.begin(), build_qualities.end()}; }
 
-std::vector<std::string> InstructionSets() {
+std::vector<std::string> InstructionSetNames() {
   std::vector<std::string> names{"best"};
-  for (const std::string& name : bvh::InstructionSets()) names.push_back(name);
+  for (const std::string& name : ray::InstructionSets()) names.push_back(name);
   return names;
 }
 
@@ -85,7 +85,7 @@ std::vector<OptionKind> MakeTable() {
        "octree: most levels; 0 for the usual"},
       {"accel_quality", {}, {"name"}, OneNameOf{AT(accelerator.quality), Qualities}, "", "speed",
        "bvh: high cuts large slanted triangles first; builds longer"},
-      {"simd", {}, {"name"}, OneNameOf{AT(accelerator.instruction_set), InstructionSets}, "", "speed",
+      {"simd", {}, {"name"}, OneNameOf{AT(accelerator.instruction_set), InstructionSetNames}, "", "speed",
        "bvh: the instruction set to use, of those that this machine has"},
       {"node_boxes", {}, {"on|off"}, OnOff{AT(accelerator.node_boxes)}, "", "speed",
        "graph: skip nodes whose box the ray misses"},

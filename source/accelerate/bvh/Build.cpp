@@ -16,7 +16,6 @@
 #include <stdexcept>
 #include <vector>
 
-#include "R3/Mesh.h"
 
 namespace ray::bvh {
 namespace {
@@ -112,13 +111,13 @@ struct Split {
 
 class Builder {
  public:
-  Builder(const World& world, Tree& tree, const BuildSettings& settings)
-      : world_(world), tree_(tree), leaf_(static_cast<std::uint32_t>(settings.leaf_size)) {}
+  Builder(Tree& tree, const BuildSettings& settings)
+      : tree_(tree), leaf_(static_cast<std::uint32_t>(settings.leaf_size)) {}
 
   void Run() {
     const std::uint32_t items = tree_.space.Items();
     if (items == 0) return;
-    FitCoordinates();
+    tree_.coordinates = FitCoordinates(tree_.space);
     Range all = Collect();
     if (IsLeaf(all)) {
       // A root of its own keeps the walk to one case.
@@ -129,7 +128,6 @@ class Builder {
     } else {
       Lay(*Divide(all, 1));
     }
-    for (int axis = 0; axis < 3; ++axis) tree_.low[axis] = all.box.low[axis], tree_.high[axis] = all.box.high[axis];
   }
 
  private:
@@ -140,26 +138,6 @@ class Builder {
     tbb::parallel_for(tbb::blocked_range<std::uint32_t>(begin, end, parallel_from), [&](const auto& r) {
       for (std::uint32_t i = r.begin(); i != r.end(); ++i) body(i);
     });
-  }
-
-  void FitCoordinates() {
-    const Space& space = tree_.space;
-    const R3::Box box = tbb::parallel_reduce(
-        tbb::blocked_range<std::uint32_t>(0, space.Items(), parallel_from), R3::Box(),
-        [&](const auto& r, R3::Box sum) {
-          for (std::uint32_t i = r.begin(); i != r.end(); ++i) sum.Extend(space.Bounds(i));
-          return sum;
-        },
-        [](R3::Box a, const R3::Box& b) {
-          a.Extend(b);
-          return a;
-        });
-    tree_.center = box.Center();
-    const double half = MaxComponent(Abs(box.Size())) / 2;
-    // A point has no size; any scale does, if the center itself is resolved.
-    const double size = std::max(half, 0x1p-40 * MaxComponent(Abs(FromOrigin(tree_.center))));
-    const int exponent = size > 0 ? std::ilogb(size) + 1 : 0;
-    tree_.scale = std::scalbn(1.0, std::clamp(-exponent, -1022, 1022));
   }
 
   Range Collect() {
@@ -184,7 +162,7 @@ class Builder {
   Range Refer(std::uint32_t item) {
     const R3::Box bounds = tree_.space.Bounds(item);
     const auto place = [&](const R3::Point& p) {
-      const R3::Vector v = tree_.scale * (p - tree_.center);
+      const R3::Vector v = tree_.coordinates(p);
       return Float4{static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z), 0};
     };
     const bool is_triangle = tree_.space.MeshOf(item) != nullptr;
@@ -436,31 +414,11 @@ class Builder {
   }
 
   void Fill(TriangleBlock& block, const Range& range) const {
-    constexpr float nan = std::numeric_limits<float>::quiet_NaN();
-    for (std::uint32_t i = 0; i < width; ++i) {
-      const bool is_there = i < range.Size();
-      block.item[i] = is_there ? references_[range.begin + i].Item() : 0;
-      R3::Vector corner, edge1, edge2;
-      if (is_there) {
-        const auto corners = CornersOf(block.item[i]);
-        corner = tree_.scale * (corners[0] - tree_.center);
-        edge1 = tree_.scale * (corners[1] - corners[0]);
-        edge2 = tree_.scale * (corners[2] - corners[0]);
-      }
-      for (int axis = 0; axis < 3; ++axis) {
-        block.corner[axis][i] = is_there ? static_cast<float>(corner[axis]) : nan;
-        block.edge1[axis][i] = static_cast<float>(edge1[axis]);
-        block.edge2[axis][i] = static_cast<float>(edge2[axis]);
-      }
-    }
+    std::array<std::uint32_t, width> items{};
+    for (std::uint32_t i = 0; i < range.Size(); ++i) items[i] = references_[range.begin + i].Item();
+    FillBlock(block, tree_.space, tree_.coordinates, items.data(), static_cast<int>(range.Size()));
   }
 
-  std::array<R3::Point, 3> CornersOf(std::uint32_t item) const {
-    const Item what = tree_.space[item];
-    return tree_.space.MeshOf(item)->Corners(what.element);
-  }
-
-  [[maybe_unused]] const World& world_;
   Tree& tree_;
   std::uint32_t leaf_;
   HugeArray<Reference> references_;
@@ -469,9 +427,9 @@ class Builder {
 
 }  // namespace
 
-Tree Build(const World& world, Space space, const BuildSettings& settings) {
+Tree Build(Space space, const BuildSettings& settings) {
   Tree tree(std::move(space));
-  Builder(world, tree, settings).Run();
+  Builder(tree, settings).Run();
   return tree;
 }
 

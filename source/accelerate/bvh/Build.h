@@ -2,10 +2,6 @@
 
 #include "source/accelerate/bvh/Tree.h"
 
-namespace ray {
-class World;
-}
-
 namespace ray::bvh {
 
 struct BuildSettings {
@@ -18,7 +14,7 @@ struct BuildSettings {
 ///   source  MacDonald, Booth, Heuristics for ray tracing using space subdivision (1990); Wald, On fast construction of
 ///           SAH-based bounding volume hierarchies (2007); eight children a node: Wald, Benthin, Boulos, Getting rid of
 ///           packets (2008)
-Tree Build(const World& world, Space space, const BuildSettings& settings);
+Tree Build(Space space, const BuildSettings& settings);
 
 /// A node pushes at most `width` - 1 children, so a stack of most_depth * width always suffices.
 inline constexpr int most_depth = 64;

@@ -3,14 +3,12 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "R3/Point.h"
+#include "source/accelerate/Forest.h"
 #include "source/accelerate/HugeArray.h"
-#include "source/accelerate/Space.h"
 
 /// The wide tree of boxes as data. Everything in it is in single precision and only ever decides what not to ask.
 namespace ray::bvh {
 
-inline constexpr int width = 8;          // children of a node, and triangles of a block
 inline constexpr std::size_t unit = 32;  // bytes in which places in memory are counted
 
 /// What a child is and where, in 32 bits: nodes and blocks by their place in Tree::memory, items by their number.
@@ -32,21 +30,12 @@ struct alignas(unit) Node {
   std::uint32_t child[width];
 };
 
-/// Up to eight triangles side by side. Missing ones have NaN corners, which no test accepts.
-struct alignas(unit) TriangleBlock {
-  float corner[3][width], edge1[3][width], edge2[3][width];  // corner 0, corner 1 - corner 0, corner 2 - corner 0
-  std::uint32_t item[width];
-};
-
-/// One structure over one space. Its coordinates are (p - center) * scale: all boxes lie in [-1, 1], so that floats
-/// resolve them equally well wherever and however large the space is.
+/// One structure over one space.
 struct Tree {
   explicit Tree(Space the_space) : space(std::move(the_space)) {}
 
   Space space;
-  R3::Point center;
-  double scale = 1;            // a power of two
-  float low[3]{}, high[3]{};   // the box around everything
+  Coordinates coordinates;
   /// Nodes, each followed by the blocks that are its children, depth first: what is visited together lies together.
   struct alignas(unit) Unit {
     std::byte bytes[unit];
@@ -60,6 +49,10 @@ struct Tree {
   template <typename T>
   const T& At(std::uint32_t child) const {
     return *reinterpret_cast<const T*>(memory.Data() + Child::Index(child));
+  }
+  std::string Explain() const {
+    return std::to_string(nodes) + " nodes in " + std::to_string(depth) + " levels, " + std::to_string(blocks) +
+           " blocks of triangles";
   }
   std::size_t Bytes() const { return memory.Bytes() + space.Bytes(); }
 };

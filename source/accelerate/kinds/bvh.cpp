@@ -1,62 +1,186 @@
+// Highway compiles this file once for each instruction set.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "source/accelerate/kinds/bvh.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
 #include <algorithm>
 
-#include "source/accelerate/Accelerator.h"
+#include "source/accelerate/Search-inl.h"
 #include "source/accelerate/bvh/Build.h"
-#include "source/accelerate/bvh/Kernels.h"
 
+HWY_BEFORE_NAMESPACE();
+namespace ray {
+namespace HWY_NAMESPACE {
+
+using bvh::Child;
+using bvh::Node;
+using bvh::Tree;
+
+/// A probe ready for nodes: in registers while it walks.
+struct BoxProbe {
+  Floats inverse_x, inverse_y, inverse_z, near_x, near_y, near_z, far_x, far_y, far_z;
+  std::uint32_t x, y, z;  // the near planes in Node::plane, in floats
+
+  HWY_INLINE explicit BoxProbe(const Probe& p)
+      : inverse_x(hn::Set(Lanes(), p.inverse[0])),
+        inverse_y(hn::Set(Lanes(), p.inverse[1])),
+        inverse_z(hn::Set(Lanes(), p.inverse[2])),
+        near_x(hn::Set(Lanes(), p.near_shift[0])),
+        near_y(hn::Set(Lanes(), p.near_shift[1])),
+        near_z(hn::Set(Lanes(), p.near_shift[2])),
+        far_x(hn::Set(Lanes(), p.far_shift[0])),
+        far_y(hn::Set(Lanes(), p.far_shift[1])),
+        far_z(hn::Set(Lanes(), p.far_shift[2])),
+        x(p.signs[0] < 0 ? width : 0),
+        y(2 * width + (p.signs[1] < 0 ? width : 0)),
+        z(4 * width + (p.signs[2] < 0 ? width : 0)) {}
+
+  /// Which children of a node are entered before `limit`, as bits; and where.
+  HWY_INLINE std::uint32_t Test(const Node& node, float limit, float* HWY_RESTRICT entries) const {
+    const Lanes lanes;
+    const float* planes = node.plane[0];
+    constexpr std::uint32_t other = width;  // low and high planes alternate: the far one is next door
+    std::uint32_t reached = 0;
+    for (std::size_t i = 0; i < width; i += hn::Lanes(lanes)) {
+      const auto at = [&](std::uint32_t plane, Floats inverse, Floats shift) {
+        return hn::MulSub(hn::Load(lanes, planes + plane + i), inverse, shift);
+      };
+      const Floats entry = hn::Max(hn::Max(at(x, inverse_x, near_x), at(y, inverse_y, near_y)),
+                                   hn::Max(at(z, inverse_z, near_z), hn::Zero(lanes)));
+      const Floats exit = hn::Min(hn::Min(at(x ^ other, inverse_x, far_x), at(y ^ other, inverse_y, far_y)),
+                                  hn::Min(at(z ^ other, inverse_z, far_z), hn::Set(lanes, limit)));
+      hn::Store(entry, lanes, entries + i);
+      std::uint8_t bits[8] = {};
+      hn::StoreMaskBits(lanes, hn::Le(entry, exit), bits);
+      reached |= static_cast<std::uint32_t>(bits[0]) << i;
+    }
+    return reached;
+  }
+};
+
+/// Children that wait, the nearest on top: distance in the high half, so that whole numbers order them.
+HWY_INLINE std::uint64_t Wait(float entry, std::uint32_t child) {
+  return std::uint64_t{std::bit_cast<std::uint32_t>(entry)} << 32 | child;
+}
+HWY_INLINE float EntryOf(std::uint64_t waiting) {
+  return std::bit_cast<float>(static_cast<std::uint32_t>(waiting >> 32));
+}
+HWY_INLINE void Order(std::uint64_t& farther, std::uint64_t& nearer) {
+  const std::uint64_t a = farther, b = nearer;
+  farther = std::max(a, b), nearer = std::min(a, b);
+}
+
+HWY_INLINE void Fetch(const Tree& tree, std::uint32_t child) {
+  // Of an item this is some other place in memory or none: harmless.
+  const char* at = reinterpret_cast<const char*>(tree.memory.Data() + Child::Index(child));
+  for (int line = 0; line < 4; ++line) __builtin_prefetch(at + 64 * line);
+}
+
+template <bool any, typename Asker>
+HWY_INLINE void Walk(const Tree& tree, const Probe& probe, Asker& asker, Counts& counts) {
+  const BoxProbe boxes(probe);
+  std::uint64_t stack[bvh::most_depth * width];
+  std::uint64_t* top = stack;  // one past the last that waits
+  std::uint32_t child = tree.root;
+  std::uint64_t nodes = 0, leaves = 0;
+
+  while (true) {
+    const auto kind = Child::KindOf(child);
+    if (HWY_LIKELY(kind == Child::Kind::node)) {
+      ++nodes;
+      const Node& node = tree.At<Node>(child);
+      alignas(32) float entries[width];
+      std::uint32_t reached = boxes.Test(node, asker.limit, entries);
+      if (HWY_LIKELY(reached != 0)) {
+        if ((reached & (reached - 1)) == 0) {
+          child = node.child[std::countr_zero(reached)];
+          continue;
+        }
+        if constexpr (any) {  // whichever comes first
+          do {
+            const int i = std::countr_zero(reached);
+            if (tree.is_large) Fetch(tree, node.child[i]);
+            *top++ = Wait(entries[i], node.child[i]);
+            reached &= reached - 1;
+          } while (reached != 0);
+          child = static_cast<std::uint32_t>(*--top);
+          continue;
+        }
+        const auto take = [&] {
+          const int i = std::countr_zero(reached);
+          reached &= reached - 1;
+          return Wait(entries[i], node.child[i]);
+        };
+        std::uint64_t first = take(), second = take();
+        if (tree.is_large) {
+          Fetch(tree, static_cast<std::uint32_t>(first));
+          Fetch(tree, static_cast<std::uint32_t>(second));
+        }
+        Order(second, first);
+        if (reached != 0) {
+          std::uint64_t third = take();
+          if (tree.is_large) Fetch(tree, static_cast<std::uint32_t>(third));
+          Order(third, first), Order(third, second);
+          std::uint64_t* const base = top;
+          *top++ = third, *top++ = second;
+          while (reached != 0) {
+            std::uint64_t next = take();
+            if (tree.is_large) Fetch(tree, static_cast<std::uint32_t>(next));
+            Order(next, first);
+            std::uint64_t* at = top++;
+            while (at > base && at[-1] < next) *at = at[-1], --at;
+            *at = next;
+          }
+        } else {
+          *top++ = second;
+        }
+        child = static_cast<std::uint32_t>(first);
+        continue;
+      }
+    } else if (kind == Child::Kind::triangles) {
+      ++leaves;
+      if (asker.AskBlock(tree.At<TriangleBlock>(child))) break;
+    } else if (kind == Child::Kind::item) {
+      ++leaves;
+      if (asker.AskItem(Child::Index(child))) break;
+    }
+    do {
+      if (top == stack) goto done;
+      --top;
+    } while (EntryOf(*top) > asker.limit);
+    child = static_cast<std::uint32_t>(*top);
+  }
+done:
+  counts.node_visits += nodes + leaves;
+  counts.box_tests += nodes * width;
+}
+
+void ChooseBvh(Kernels<Tree>* kernels) { *kernels = CompiledKernels<Tree>(); }
+
+}  // namespace HWY_NAMESPACE
+}  // namespace ray
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
 namespace ray {
 namespace {
 
-// A wide tree of boxes, its nodes and triangles tested eight at a time: see bvh/.
-class WideBvh : public Accelerator {
- public:
-  WideBvh(const World& world, const AcceleratorSettings& settings)
-      : world_(world), kernels_(bvh::ChooseKernels(settings.instruction_set)) {
-    forest_.world = &world;
-    bvh::BuildSettings build;
-    if (settings.resolution > 0) build.leaf_size = std::clamp(static_cast<int>(settings.resolution), 1, bvh::width);
-    build.cuts_large_triangles = settings.quality == "high";
-    forest_.trees.push_back(bvh::Build(world, Space(world), build));
-    for (int i = 0; i < static_cast<int>(world.SharedMeshes().size()); ++i)
-      forest_.trees.push_back(bvh::Build(world, Space(world, i), build));
-  }
-
-  std::size_t Bytes() const override { return forest_.Bytes(); }
-
-  std::vector<std::string> Explain() const override {
-    std::vector<std::string> lines{"bvh walks with " + std::string(kernels_.name)};
-    for (std::size_t i = 0; i < forest_.trees.size(); ++i) {
-      const bvh::Tree& tree = forest_.trees[i];
-      lines.push_back((i == 0 ? std::string("the world") : "shared mesh " + std::to_string(i)) + ": " +
-                      std::to_string(tree.space.Items()) + " items, " + std::to_string(tree.nodes) +
-                      " nodes in " + std::to_string(tree.depth) + " levels, " + std::to_string(tree.blocks) +
-                      " blocks of triangles, " + std::to_string(tree.Bytes()) + " bytes");
-    }
-    return lines;
-  }
-
- private:
-  std::optional<WorldHit> Nearest(const R3::Ray& ray, Workspace& workspace) const override {
-    NearestHit nearest(world_, ray);
-    kernels_.nearest(forest_, ray, nearest, workspace.counts);
-    return nearest.Best();
-  }
-
-  bool Any(const R3::Ray& ray, Workspace& workspace) const override {
-    return kernels_.any(forest_, ray, workspace.counts);
-  }
-
-  const World& world_;
-  const bvh::Kernels& kernels_;
-  bvh::Forest forest_;
-};
+HWY_EXPORT(ChooseBvh);
 
 }  // namespace
 
 extern const AcceleratorKind bvh_kind{
     "bvh", "a wide tree of boxes, eight at a time: the fastest for most scenes",
     [](const World& world, const AcceleratorSettings& settings) -> std::unique_ptr<const Accelerator> {
-      return std::make_unique<WideBvh>(world, settings);
+      bvh::BuildSettings build;
+      if (settings.resolution > 0) build.leaf_size = std::clamp(static_cast<int>(settings.resolution), 1, width);
+      build.cuts_large_triangles = settings.quality == "high";
+      return std::make_unique<ForestAccelerator<bvh::Tree>>(
+          world, settings,
+          [](void* kernels) { HWY_DYNAMIC_DISPATCH(ChooseBvh)(static_cast<Kernels<bvh::Tree>*>(kernels)); },
+          [&](Space space) { return bvh::Build(std::move(space), build); });
     }};
 
 }  // namespace ray
+#endif

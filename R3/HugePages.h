@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#if defined(__linux__)
+#include <sys/mman.h>
+#endif
+
+namespace R3 {
+
+inline constexpr std::size_t huge_page = std::size_t{1} << 21;  // bytes
+
+/// Asks the system to keep what lies there on huge pages, if it is large: rays that jump around in 100 MB miss the
+/// translation buffer at every step otherwise, which costs a tenth to a quarter of their time. A wish: nothing but
+/// speed changes, and nothing happens where the system knows no such pages.
+inline void PreferHugePages(const void* data, std::size_t bytes) {
+#if defined(__linux__) && defined(MADV_HUGEPAGE)
+  const auto begin = (reinterpret_cast<std::uintptr_t>(data) + huge_page - 1) / huge_page * huge_page;
+  const auto end = (reinterpret_cast<std::uintptr_t>(data) + bytes) / huge_page * huge_page;
+  if (begin + huge_page > end) return;
+  constexpr int collapse = 25;  // MADV_COLLAPSE of Linux 6.1: what is there already moves
+  madvise(reinterpret_cast<void*>(begin), end - begin, MADV_HUGEPAGE);
+  madvise(reinterpret_cast<void*>(begin), end - begin, collapse);
+#else
+  static_cast<void>(data), static_cast<void>(bytes);
+#endif
+}
+
+}  // namespace R3

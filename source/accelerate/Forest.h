@@ -1,0 +1,106 @@
+#pragma once
+
+#include <hwy/targets.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "source/accelerate/Accelerator.h"
+#include "source/accelerate/NearestHit.h"
+#include "source/accelerate/Space.h"
+
+/// What structures that test eight triangles at a time have in common.
+namespace ray {
+
+inline constexpr int width = 8;  // triangles of a block, children of a wide node
+
+/// Where a structure computes in single precision: at (p - center) * scale, so that all its boxes lie in [-1, 1] and
+/// floats resolve them equally well wherever and however large the space is. The scale is a power of two.
+struct Coordinates {
+  R3::Point center;
+  double scale = 1;
+
+  R3::Vector operator()(const R3::Point& p) const { return scale * (p - center); }
+};
+Coordinates FitCoordinates(const Space& space);
+
+/// Up to eight triangles side by side. Missing ones have NaN corners, which no test accepts.
+struct alignas(32) TriangleBlock {
+  float corner[3][width], edge1[3][width], edge2[3][width];  // corner 0, corner 1 - corner 0, corner 2 - corner 0
+  std::uint32_t item[width];
+};
+/// `count` items of the space, all of them triangles of its own frame.
+void FillBlock(TriangleBlock& block, const Space& space, const Coordinates& coordinates, const std::uint32_t* items,
+               int count);
+
+/// One structure over the world, and one over the inside of each shared mesh. A Structure has the members
+///     Space space; Coordinates coordinates; std::size_t Bytes() const; std::string Explain() const;
+template <typename Structure>
+struct Forest {
+  const World* world = nullptr;
+  std::vector<Structure> structures;  // the world's first, then shared mesh i at i + 1
+};
+
+/// The search through a forest, compiled once for each instruction set; all find the same hits.
+template <typename Structure>
+struct Kernels {
+  const char* name;  // of the instruction set, as -simd and -explain say it
+  void (*nearest)(const Forest<Structure>& forest, const R3::Ray& ray, NearestHit& nearest, Counts& counts);
+  bool (*any)(const Forest<Structure>& forest, const R3::Ray& ray, Counts& counts);
+};
+
+/// Names of the instruction sets that this machine has and this program was compiled for, the best first.
+std::vector<std::string> InstructionSets();
+
+/// Runs `choose` for the instruction set of that name, or for the best with "best"; throws std::invalid_argument.
+/// `choose` is a dynamic dispatch of Highway, which looks at what is set meanwhile.
+void WithInstructionSet(const std::string& name, void (*choose)(void* result), void* result);
+
+/// An accelerator that is such a forest. `choose` as above stores a Kernels<Structure>.
+template <typename Structure>
+class ForestAccelerator : public Accelerator {
+ public:
+  template <typename Build>
+  ForestAccelerator(const World& world, const AcceleratorSettings& settings, void (*choose)(void*),
+                    const Build& build) {
+    WithInstructionSet(settings.instruction_set, choose, &kernels_);
+    forest_.world = &world;
+    forest_.structures.push_back(build(Space(world)));
+    for (int i = 0; i < static_cast<int>(world.SharedMeshes().size()); ++i)
+      forest_.structures.push_back(build(Space(world, i)));
+  }
+
+  std::size_t Bytes() const override {
+    std::size_t sum = 0;
+    for (const Structure& structure : forest_.structures) sum += structure.Bytes();
+    return sum;
+  }
+
+  std::vector<std::string> Explain() const override {
+    std::vector<std::string> lines{std::string("instruction set ") + kernels_.name};
+    for (std::size_t i = 0; i < forest_.structures.size(); ++i) {
+      const Structure& structure = forest_.structures[i];
+      lines.push_back((i == 0 ? std::string("the world") : "shared mesh " + std::to_string(i)) + ": " +
+                      std::to_string(structure.space.Items()) + " items, " + structure.Explain() + ", " +
+                      std::to_string(structure.Bytes()) + " bytes");
+    }
+    return lines;
+  }
+
+ private:
+  std::optional<WorldHit> Nearest(const R3::Ray& ray, Workspace& workspace) const override {
+    NearestHit nearest(*forest_.world, ray);
+    kernels_.nearest(forest_, ray, nearest, workspace.counts);
+    return nearest.Best();
+  }
+
+  bool Any(const R3::Ray& ray, Workspace& workspace) const override {
+    return kernels_.any(forest_, ray, workspace.counts);
+  }
+
+  Kernels<Structure> kernels_{};
+  Forest<Structure> forest_;
+};
+
+}  // namespace ray

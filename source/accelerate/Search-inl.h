@@ -1,0 +1,383 @@
+// What all structures do with what they find: included once for each instruction set.
+
+#if defined(RAY_ACCELERATE_SEARCH_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef RAY_ACCELERATE_SEARCH_INL_H_
+#undef RAY_ACCELERATE_SEARCH_INL_H_
+#else
+#define RAY_ACCELERATE_SEARCH_INL_H_
+#endif
+
+#include <hwy/highway.h>
+
+#include <bit>
+#include <cstring>
+#include <limits>
+#include <optional>
+
+#include "R3/Mesh.h"
+#include "R3/Triangle.h"
+#include "source/accelerate/Cells.h"
+#include "source/accelerate/Forest.h"
+#include "source/accelerate/NearestHit.h"
+
+// Where single precision may err, it errs on the side of asking. All coordinates are the structure's, so at most 1 in boxes
+// and triangles; directions are scaled so that their largest component lies in [1, 2); u is 2^-24. With r = 1 + the
+// largest coordinate of the ray's origin:
+//   - A plane rounded to float is off by u/2, the origin by u r, their product with 1/d by u r, 1/d itself (with d
+//     rounded before) by 2 u of the distance, at most 2 u r, the difference by u r: together less than 8 u r in terms of
+//     where the plane is. So each ray moves all planes outward by 8 u r: that is its slack.
+//   - With |e| the sum of magnitudes of an edge's components: corner - origin is off by 2 u r and at most r in each, so
+//     R = (corner - origin) x d, at most 4 r, is off by 20 u r in each, R . e by (20 + 12 + 4) u r |e|. The normal n is
+//     off by 5 u |e1| |e2| in each component, n . d by 32 u |e1| |e2|, n . (corner - origin) by 16 u r |e1| |e2|.
+//   - What doubles lose is 2^-50 of the origin's distance before it was moved near; 2^-20 u of it is in r.
+// So a triangle whose edge functions are all positive by more than their slack is hit for certain, by the doubles too;
+// its distance then is known between two bounds, of which the upper one already ends the search. Doubles decide about
+// the few that remain in the end.
+HWY_BEFORE_NAMESPACE();
+namespace ray {
+namespace HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+using Lanes = hn::CappedTag<float, width>;
+using Floats = hn::Vec<Lanes>;
+
+inline constexpr float u = 0x1p-24f;
+
+/// 2^-e for the x in [2^e, 2^(e+1)), which must be finite and not 0; exact but for subnormal x.
+HWY_INLINE double PowerOfTwoBelowInverse(double x) {
+  const std::uint64_t exponent = std::bit_cast<std::uint64_t>(x) >> 52 & 0x7ff;
+  return std::bit_cast<double>(std::clamp<std::uint64_t>(2046 - exponent, 1, 2045) << 52);
+}
+
+// Four numbers at once, as the compilers know them; the fourth is whatever lies behind the third in memory.
+using Double4 = double __attribute__((vector_size(32)));
+using Float4 = float __attribute__((vector_size(16)));
+using Whole4 = std::int32_t __attribute__((vector_size(16)));
+
+HWY_INLINE void Load(const double* xyz, Double4& v) { std::memcpy(&v, xyz, sizeof v); }
+template <typename V>
+HWY_INLINE auto Largest(const V& v) {
+  return std::max(std::max(std::abs(v[0]), std::abs(v[1])), std::abs(v[2]));
+}
+
+/// A ray in a structure's coordinates, begun where it enters the structure's box if it comes from afar.
+struct Probe {
+  Double4 start, along;          // where it begins, and its direction
+  Float4 origin, direction, inverse;
+  Float4 near_shift, far_shift;  // (origin +- slack) * inverse
+  Whole4 signs;                  // below 0 where the direction is
+  float slack;
+  float slack_of_edges;          // times |e1| + |e2|
+  float slack_of_height;         // times |e1| |e2|
+  double per_t, begin;           // distance along the probe = t * per_t - begin
+  bool is_lost = false;          // it misses the structure's box
+
+  /// An upper bound.
+  float Distance(double t) const { return static_cast<float>(t * per_t - begin) * (1 + 4 * u) + slack; }
+
+  HWY_INLINE Probe(const Coordinates& place, double pad_per_distance, const R3::Ray& ray, double distance_in_world) {
+    static_assert(sizeof(R3::Ray) == 8 * sizeof(double) && sizeof(R3::Point) == 3 * sizeof(double));
+    const Double4 center{place.center.x, place.center.y, place.center.z, 0};
+    Double4 eye, heading;
+    Load(&ray.origin.x, eye), Load(&ray.direction.x, heading);
+    const Double4 from = place.scale * (eye - center);
+    const double power = PowerOfTwoBelowInverse(Largest(heading));
+    along = power * heading;
+    per_t = place.scale / power;
+
+    // Enter the box, generously, so that the coordinates are no larger than they need be.
+    const double far = Largest(from);
+    const double more = pad_per_distance * distance_in_world * place.scale;
+    constexpr double near_enough = 6;
+    begin = ray.t_min * per_t;
+    if (HWY_UNLIKELY(far > near_enough + more)) {
+      const double reach = 1 + 0x1p-10 + 0x1p-40 * far + more;
+      double enter = begin, leave = ray.t_max * per_t;
+      for (int axis = 0; axis < 3; ++axis) {
+        const double a = (-reach - from[axis]) / along[axis], b = (reach - from[axis]) / along[axis];
+        enter = std::max(enter, std::min(a, b));  // a NaN, from a ray in the plane, leaves things as they were
+        leave = std::min(leave, std::max(a, b));
+      }
+      if (enter > leave * (1 + 0x1p-40) + 0x1p-40 * far) {
+        is_lost = true;
+        return;
+      }
+      begin = enter;
+    }
+    if (!(std::abs(begin) < 0x1p1000)) begin = 0;
+    start = from + begin * along;
+    const double origin_reach = 1 + Largest(start) + 0x1p-20 * (far + std::abs(begin)) + more * (1 / (8 * u));
+    const float r = static_cast<float>(origin_reach);
+    slack = 8 * u * r;
+    slack_of_edges = 40 * u * r;
+    slack_of_height = 16 * u * (r + 1);
+    origin = __builtin_convertvector(start, Float4);
+    direction = __builtin_convertvector(along, Float4);
+    signs = std::bit_cast<Whole4>(direction);
+    // Never quite along a plane: that moves the ray by less than the slack, and keeps all products finite.
+    const Whole4 sign = signs & std::bit_cast<std::int32_t>(-0.0f);
+    const Float4 steepness = std::bit_cast<Float4>(signs ^ sign), flat = Float4{} + 0x1p-40f;
+    const Float4 steep = std::bit_cast<Float4>(std::bit_cast<Whole4>(steepness > flat ? steepness : flat) | sign);
+    inverse = 1 / steep;
+    const Float4 outward = std::bit_cast<Float4>(std::bit_cast<Whole4>(Float4{} + slack) | sign);
+    near_shift = (origin + outward) * inverse;
+    far_shift = (origin - outward) * inverse;
+    if (HWY_UNLIKELY(!(origin_reach < 0x1p60))) AskEverything();
+  }
+
+ private:
+  /// Where single precision cannot tell one place from another.
+  void AskEverything() {
+    constexpr float infinity = std::numeric_limits<float>::infinity();
+    slack = slack_of_edges = slack_of_height = infinity;
+    origin = inverse = Float4{};
+    near_shift = Float4{} + infinity, far_shift = -near_shift;
+  }
+};
+
+/// What a block of triangles may have for a probe.
+struct Possible {
+  std::uint32_t maybe = 0, certain = 0;                 // bits; certain ones are in maybe too
+  alignas(32) float nearest[width], farthest[width];  // bounds on the distance of the certain; nearest also of others
+};
+
+/// Which triangles of a block are not certainly missed before `limit`.
+///   source  the edge functions of Moller, Trumbore, Fast, minimum storage ray/triangle intersection (1997), undivided
+HWY_INLINE void TestTriangles(const TriangleBlock& block, const Probe& probe, float limit, Possible& possible) {
+  const Lanes lanes;
+  possible.maybe = possible.certain = 0;
+  for (std::size_t i = 0; i < width; i += hn::Lanes(lanes)) {
+    const auto set = [&](float x) { return hn::Set(lanes, x); };
+    const auto load = [&](const float* from) { return hn::Load(lanes, from + i); };
+    const Floats dx = set(probe.direction[0]), dy = set(probe.direction[1]), dz = set(probe.direction[2]);
+    const Floats cx = hn::Sub(load(block.corner[0]), set(probe.origin[0]));
+    const Floats cy = hn::Sub(load(block.corner[1]), set(probe.origin[1]));
+    const Floats cz = hn::Sub(load(block.corner[2]), set(probe.origin[2]));
+    const Floats ax = load(block.edge1[0]), ay = load(block.edge1[1]), az = load(block.edge1[2]);
+    const Floats bx = load(block.edge2[0]), by = load(block.edge2[1]), bz = load(block.edge2[2]);
+    const auto minus = [](Floats p, Floats q, Floats r, Floats s) { return hn::MulSub(p, q, hn::Mul(r, s)); };
+    const auto dot = [](Floats px, Floats py, Floats pz, Floats qx, Floats qy, Floats qz) {
+      return hn::MulAdd(px, qx, hn::MulAdd(py, qy, hn::Mul(pz, qz)));
+    };
+    const Floats rx = minus(cy, dz, cz, dy), ry = minus(cz, dx, cx, dz), rz = minus(cx, dy, cy, dx);
+    const Floats nx = minus(ay, bz, az, by), ny = minus(az, bx, ax, bz), nz = minus(ax, by, ay, bx);
+    const Floats facing = dot(nx, ny, nz, dx, dy, dz);
+    const Floats v = dot(rx, ry, rz, bx, by, bz);
+    const Floats w = hn::Neg(dot(rx, ry, rz, ax, ay, az));
+    const Floats rest = hn::Sub(hn::Sub(facing, v), w);
+    const auto sum = [](Floats x, Floats y, Floats z) { return hn::Add(hn::Abs(x), hn::Add(hn::Abs(y), hn::Abs(z))); };
+    const Floats a = sum(ax, ay, az), b = sum(bx, by, bz), area = hn::Mul(a, b);
+    // The last term is for products below the range of floats.
+    const Floats slack_of_facing = hn::MulAdd(area, set(32 * u), set(1e-30f));
+    const Floats slack = hn::MulAdd(hn::Add(a, b), set(probe.slack_of_edges), slack_of_facing);
+    const Floats least = hn::Min(v, hn::Min(w, rest)), most = hn::Max(v, hn::Max(w, rest));
+    auto maybe = hn::Or(hn::Ge(least, hn::Neg(slack)), hn::Le(most, slack));
+    if (hn::AllFalse(lanes, maybe)) continue;
+
+    // Edge-on, nothing is known of distances.
+    const Floats height = dot(nx, ny, nz, cx, cy, cz), steep = hn::Abs(facing);
+    const Floats ahead = hn::Xor(height, hn::And(facing, hn::SignBit(lanes)));
+    const Floats slack_of_height = hn::MulAdd(area, set(probe.slack_of_height), set(1e-30f));
+    const auto is_clear = hn::Gt(steep, hn::Add(slack_of_facing, slack_of_facing));
+    const Floats low = hn::Sub(ahead, slack_of_height), high = hn::Add(ahead, slack_of_height);
+    const Floats wide = hn::Add(steep, slack_of_facing), narrow = hn::Sub(steep, slack_of_facing);
+    // Dividing may round by u; so may what follows.
+    const Floats nearest = hn::Mul(hn::Div(low, hn::IfThenElse(hn::Ge(low, hn::Zero(lanes)), wide, narrow)),
+                                   set(1 - 4 * u));
+    const Floats farthest = hn::Mul(hn::Div(high, narrow), set(1 + 4 * u));
+    const auto is_far = hn::Gt(nearest, set(limit)), is_behind = hn::Lt(high, hn::Zero(lanes));
+    maybe = hn::AndNot(hn::And(is_clear, hn::Or(is_far, is_behind)), maybe);
+    if (hn::AllFalse(lanes, maybe)) continue;
+    const auto is_inside = hn::Or(hn::Gt(least, slack), hn::Lt(most, hn::Neg(slack)));
+    const auto is_in_front = hn::Gt(nearest, set(probe.slack));
+    const auto certain = hn::And(maybe, hn::And(is_clear, hn::And(is_inside, is_in_front)));
+    hn::Store(hn::IfThenElseZero(is_clear, nearest), lanes, possible.nearest + i);
+    hn::Store(farthest, lanes, possible.farthest + i);
+    std::uint8_t bits[8] = {};
+    hn::StoreMaskBits(lanes, maybe, bits);
+    possible.maybe |= static_cast<std::uint32_t>(bits[0]) << i;
+    hn::StoreMaskBits(lanes, certain, bits);
+    possible.certain |= static_cast<std::uint32_t>(bits[0]) << i;
+  }
+}
+
+template <bool any, typename Structure>
+bool Search(const Forest<Structure>& forest, const Structure& structure, const R3::Ray& ray, double distance_in_world,
+            std::optional<std::uint32_t> instance, NearestHit& nearest, Counts& counts);
+
+/// Asks what a walk comes by. Triangles that doubles may have to decide about are kept until the end; where their
+/// corners are in memory is looked up in steps while the walk goes on, so that deciding need not wait for it.
+template <bool any, typename Structure>
+class Asker {
+ public:
+  HWY_INLINE Asker(const Forest<Structure>& forest, const Structure& structure, const R3::Ray& ray, const Probe& probe,
+                   double distance_in_world, std::optional<std::uint32_t> instance, NearestHit& nearest,
+                   Counts& counts)
+      : limit(probe.Distance(nearest.Limit())),
+        forest_(forest),
+        space_(structure.space),
+        ray_(ray),
+        probe_(probe),
+        distance_in_world_(distance_in_world),
+        instance_(instance),
+        nearest_(nearest),
+        counts_(counts),
+        limit_for_certain_(limit - 4 * probe.slack) {
+    if constexpr (!any) sheared_.emplace(ray);  // its division is over before it is needed
+  }
+
+  float limit;               // what is farther along the probe than this is not wanted any more
+  bool is_answered = false;  // of `any`: there is a hit
+
+  /// True when that ends the search.
+  HWY_INLINE bool AskBlock(const TriangleBlock& block) {
+    Possible possible;
+    TestTriangles(block, probe_, limit, possible);
+    for (std::uint32_t rest = possible.maybe; rest; rest &= rest - 1) {
+      const int i = std::countr_zero(rest);
+      const bool is_certain = possible.certain >> i & 1;
+      if constexpr (any) {
+        is_answered = (is_certain && possible.farthest[i] < limit_for_certain_) || Decide(Find(block.item[i]));
+        if (is_answered) return true;
+      } else {
+        constexpr float none = std::numeric_limits<float>::infinity();
+        Keep(block.item[i], possible.nearest[i], is_certain ? possible.farthest[i] : none);
+      }
+    }
+    return false;
+  }
+
+  /// The same for an item that is no triangle of the structure's frame.
+  bool AskItem(std::uint32_t item) {
+    Finish();
+    const Item what = space_[item];
+    const Instance& instance = forest_.world->Instances()[what.instance];
+    const R3::Transform& frame = forest_.world->Frames()[instance.frame];
+    const R3::Ray local = instance.frame == 0 ? ray_ : frame.Back(ray_);
+    if (what.element == Item::whole)
+      is_answered = Search<any>(forest_, forest_.structures[static_cast<std::size_t>(instance.shared) + 1], local,
+                                distance_in_world_, what.instance, nearest_, counts_);
+    else
+      nearest_.Test(what.instance, what.element, local, counts_);
+    if constexpr (any) {
+      is_answered = is_answered || nearest_.Best();
+      return is_answered;
+    }
+    limit = std::min(limit, probe_.Distance(nearest_.Limit()));
+    return false;
+  }
+
+  /// Decides about the triangles kept that may still be the nearest, last found first.
+  HWY_INLINE void Finish() {
+    for (int i = 0; i < count_; ++i)
+      for (const std::uint32_t corner : kept_[i].place.Indices())
+        __builtin_prefetch(&kept_[i].place.mesh->Data().positions[corner]);
+    while (count_ > 0) {
+      --count_;
+      if (kept_[count_].nearest <= limit && Decide(kept_[count_].place))
+        limit = std::min(limit, probe_.Distance(nearest_.Limit()));
+    }
+  }
+
+ private:
+  struct Place {
+    const R3::Mesh* mesh;
+    std::uint32_t instance;
+    std::int32_t element;
+
+    const std::array<std::uint32_t, 3>& Indices() const {
+      return mesh->Data().triangles[static_cast<std::size_t>(element)];
+    }
+  };
+  struct Kept {
+    std::uint32_t item;
+    float nearest;
+    Place place;
+  };
+  static constexpr int most = 16;
+
+  HWY_INLINE Place Find(std::uint32_t item) const {
+    const Item what = space_[item];
+    const std::uint32_t of = instance_.value_or(what.instance);
+    return {forest_.world->Instances()[of].mesh, of, what.element};
+  }
+
+  HWY_INLINE void Keep(std::uint32_t item, float nearest, float farthest) {
+    if (count_ > 0 && kept_[count_ - 1].item == item) return;  // met again in the next cell
+    if (count_ == most) Finish();
+    kept_[count_] = {item, nearest, Find(item)};
+    __builtin_prefetch(&kept_[count_].place.Indices());
+    ++count_;
+    limit = std::min(limit, farthest);
+  }
+
+  HWY_FLATTEN bool Decide(const Place& place) {
+    if (!sheared_) sheared_.emplace(ray_);
+    if (nearest_.Best()) sheared_->t_max = std::min(sheared_->t_max, R3::NextUp(nearest_.Limit()));
+    ++counts_.primitive_tests;
+    const auto hit = R3::IntersectTriangleInline(*sheared_, place.mesh->Corners(place.element));
+    if (!hit) return false;
+    nearest_.Offer({*hit, place.instance, place.element});
+    return true;
+  }
+
+  const Forest<Structure>& forest_;
+  const Space& space_;
+  const R3::Ray& ray_;
+  const Probe& probe_;
+  double distance_in_world_;
+  std::optional<std::uint32_t> instance_;
+  NearestHit& nearest_;
+  Counts& counts_;
+  float limit_for_certain_;
+  std::optional<R3::ShearedRay> sheared_;
+  int count_ = 0;
+  std::array<Kept, most> kept_;
+};
+
+/// What lies in a cell; true when that ends the search.
+template <typename Asker>
+bool AskContents(const CellContents& all, const Contents& some, Asker& asker) {
+  for (std::uint32_t i = 0; i < some.blocks; ++i)
+    if (asker.AskBlock(all.blocks[some.first_block + i])) return true;
+  for (std::uint32_t i = 0; i < some.items; ++i)
+    if (asker.AskItem(all.items[some.first_item + i])) return true;
+  return false;
+}
+
+/// Through one structure; `instance` is the shared mesh's whose inside it is. True when `any` is answered. Each
+/// structure brings a Walk of its own, which asks until Ask... returns true or nothing is left before the limit.
+template <bool any, typename Structure>
+bool Search(const Forest<Structure>& forest, const Structure& structure, const R3::Ray& ray, double distance_in_world,
+            std::optional<std::uint32_t> instance, NearestHit& nearest, Counts& counts) {
+  const Probe probe(structure.coordinates, structure.space.PadPerDistance(), ray, distance_in_world);
+  if (probe.is_lost) return false;
+  Asker<any, Structure> asker(forest, structure, ray, probe, distance_in_world, instance, nearest, counts);
+  Walk<any>(structure, probe, asker, counts);
+  asker.Finish();
+  return asker.is_answered;
+}
+
+template <typename Structure>
+void FindNearest(const Forest<Structure>& forest, const R3::Ray& ray, NearestHit& nearest, Counts& counts) {
+  Search<false>(forest, forest.structures[0], ray, MaxComponent(Abs(FromOrigin(ray.origin))), std::nullopt, nearest,
+                counts);
+}
+
+template <typename Structure>
+bool FindAny(const Forest<Structure>& forest, const R3::Ray& ray, Counts& counts) {
+  NearestHit nearest(*forest.world, ray);
+  return Search<true>(forest, forest.structures[0], ray, MaxComponent(Abs(FromOrigin(ray.origin))), std::nullopt,
+                      nearest, counts);
+}
+
+template <typename Structure>
+Kernels<Structure> CompiledKernels() {
+  return {hwy::TargetName(HWY_TARGET), &FindNearest<Structure>, &FindAny<Structure>};
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace ray
+HWY_AFTER_NAMESPACE();
+
+#endif
