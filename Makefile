@@ -1,6 +1,7 @@
 # raypro: two commands make a picture and a green test run: script/setup.sh, then make test.
 #   make            the programs, under build/ (another place: make BUILD=elsewhere)
 #   make test       the layer check and all tests
+#   make night      the tests with millions of cases; GTEST=--gtest_filter=... for some of them
 #   make check      the layer check alone: who may include whom
 #   make asan tsan  the tests again under the sanitizers
 #   make bench      the benchmark programs
@@ -65,7 +66,7 @@ TEST_SOURCES := $(wildcard tests/*.cpp tests/R2/*.cpp tests/R3/*.cpp tests/sourc
 BENCH_SOURCES := $(wildcard bench/*.cpp)
 objects = $(patsubst %.cpp,$(BUILD)/obj/%.o,$(1))
 
-.PHONY: all raypro test check asan tsan bench install uninstall clean compile_commands test-binary
+.PHONY: all raypro test night check asan tsan bench install uninstall clean compile_commands test-binary
 .SECONDARY:
 all: raypro $(BUILD)/compile_commands.json
 raypro: $(BUILD)/raypro
@@ -100,6 +101,10 @@ $(BUILD)/bench/%: $(BUILD)/obj/bench/%.o $(BUILD)/libray.a
 	@mkdir -p $(@D)
 	@echo "  link  $@"
 	@$(CXX) $(OUR_CXXFLAGS) $(CXXFLAGS) $^ $(LDFLAGS) -lbenchmark $(LIBS) -o $@
+
+# The same tests with millions of cases where a commit has thousands; hours.
+night: test-binary raypro
+	RAYPRO_NIGHT=1 RAYPRO=$(abspath $(BUILD))/raypro RAYPRO_ROOT=$(CURDIR) $(BUILD)/raytests $(GTEST)
 
 # Every object leaves a fragment; editors read the sum.
 $(BUILD)/compile_commands.json: $(BUILD)/raypro

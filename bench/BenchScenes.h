@@ -90,7 +90,8 @@ inline R3::MeshData Blob(std::size_t triangles) {
     for (std::uint32_t i = 0; i < sides; ++i) {
       const double a = M_PI * k / rings, b = 2 * M_PI * i / sides;
       const R3::Vector d{std::sin(a) * std::cos(b), std::cos(a), std::sin(a) * std::sin(b)};
-      const double r = 1 + 0.1 * std::sin(9 * d.x) * std::sin(7 * d.y + 1) + 0.05 * std::sin(31 * d.z) * std::sin(27 * d.x);
+      const double r =
+          1 + 0.1 * std::sin(9 * d.x) * std::sin(7 * d.y + 1) + 0.05 * std::sin(31 * d.z) * std::sin(27 * d.x);
       m.mesh.positions.push_back(Float(R3::Point{} + r * d));
     }
   for (std::uint32_t k = 0; k < rings; ++k)

@@ -188,9 +188,9 @@ double BuildSeconds(int threads, int repeats, const Make& make) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  std::map<std::string, std::string> options{{"scene", ""},     {"accel", "bvh"}, {"rays", "1000000"},
-                                             {"repeats", "5"},  {"robust", "0"},  {"quality", "medium"},
-                                             {"simd", "best"},  {"build", "0"},   {"resolution", "0"},
+  std::map<std::string, std::string> options{{"scene", ""},      {"accel", "bvh"}, {"rays", "1000000"},
+                                             {"repeats", "5"},   {"robust", "0"},  {"quality", "medium"},
+                                             {"simd", "best"},   {"build", "0"},   {"resolution", "0"},
                                              {"ours", "medium"}, {"counts", "0"}};
   for (int i = 1; i < argc; ++i) {
     const std::string word = argv[i];
@@ -204,7 +204,7 @@ int main(int argc, char** argv) {
   const auto scenes = options["scene"].empty() ? bench::SceneNames() : Split(options["scene"]);
   const auto accelerators = Split(options["accel"]);
   const int repeats = std::stoi(options["repeats"]);
-  const auto quality = options["quality"] == "high" ? embree::high
+  const auto quality = options["quality"] == "high"  ? embree::high
                        : options["quality"] == "low" ? embree::low
                                                      : embree::medium;
 

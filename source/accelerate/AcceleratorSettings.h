@@ -7,15 +7,15 @@ namespace ray {
 
 /// Which accelerator, and how.
 struct AcceleratorSettings {
-  std::string name = "auto";   // a line of accelerators.def
+  std::string name = "auto";  // a line of accelerators.def
   // The three devices of `graph`, each with its own switch so that they can be compared. None changes a picture.
-  bool node_boxes = true;      // skip nodes whose box the ray misses
-  bool front_to_back = true;   // nearer children first, so that farther ones fall behind the hit
-  bool last_hit = true;        // ask first what the last ray of the kind hit
+  bool node_boxes = true;     // skip nodes whose box the ray misses
+  bool front_to_back = true;  // nearer children first, so that farther ones fall behind the hit
+  bool last_hit = true;       // ask first what the last ray of the kind hit
   // How fine a structure is: cells a primitive of `grid`, primitives a leaf of `octree`, triangles a leaf of `bvh`.
-  double resolution = 0;       // 0: what is best for most scenes
-  int depth = 0;               // most levels of `octree`; 0: what is best for most scenes
-  std::string quality = "medium";  // of `bvh`, one of build_qualities
+  double resolution = 0;                 // 0: what is best for most scenes
+  int depth = 0;                         // most levels of `octree`; 0: what is best for most scenes
+  std::string quality = "medium";        // of `bvh`, one of build_qualities
   std::string instruction_set = "best";  // of `bvh`: one of InstructionSets()
 
   // What `auto` needs to know to weigh a build against what it saves.

@@ -33,7 +33,7 @@ NodePad WorldPad(const R3::Transform& frame, double reach) {
 std::vector<NodePad> NodePads(const World& world) {
   const auto& nodes = world.Nodes();
   std::vector<NodePad> pads(nodes.size());
-  std::vector<double> reaches(nodes.size(), 0);       // in the world
+  std::vector<double> reaches(nodes.size(), 0);  // in the world
   std::vector<std::uint32_t> parents(nodes.size(), 0);
   for (std::uint32_t i = 0; i < nodes.size(); ++i)
     for (std::uint32_t k = 0; k < nodes[i].children; ++k) parents[nodes[i].first_child + k] = i;

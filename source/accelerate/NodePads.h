@@ -17,8 +17,9 @@ struct NodePad {
 /// inverse A and translation a of the inverse, a point of the world no farther than M from the origin in any component
 /// is rounded by at most gamma(4) (|A| M + |a|) per axis when brought into the frame, and the hit of a shape errs by up
 /// to 32 u of the same size (R3/Shape.h). Their sum, rounded up to 64 u, is handed up the graph, stretched by each
-/// transform on the way, and every frame on the way adds its own; a baked shape adds the rounding of its corners. M is the distance of the ray's origin plus twice that
-/// of the node's farthest corner, since hits outside the node's true box do not exist.
+/// transform on the way, and every frame on the way adds its own; a baked shape adds the rounding of its corners. M is
+/// the distance of the ray's origin plus twice that of the node's farthest corner, since hits outside the node's true
+/// box do not exist.
 std::vector<NodePad> NodePads(const World& world);
 
 /// The same for the boxes, in the world, of shapes in a frame; `reach` is the largest coordinate of such a box.

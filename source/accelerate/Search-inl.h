@@ -20,12 +20,12 @@
 #include "source/accelerate/Forest.h"
 #include "source/accelerate/NearestHit.h"
 
-// Where single precision may err, it errs on the side of asking. All coordinates are the structure's, so at most 1 in boxes
-// and triangles; directions are scaled so that their largest component lies in [1, 2); u is 2^-24. With r = 1 + the
-// largest coordinate of the ray's origin:
+// Where single precision may err, it errs on the side of asking. All coordinates are the structure's, so at most 1 in
+// boxes and triangles; directions are scaled so that their largest component lies in [1, 2); u is 2^-24. With r = 1 +
+// the largest coordinate of the ray's origin:
 //   - A plane rounded to float is off by u/2, the origin by u r, their product with 1/d by u r, 1/d itself (with d
-//     rounded before) by 2 u of the distance, at most 2 u r, the difference by u r: together less than 8 u r in terms of
-//     where the plane is. So each ray moves all planes outward by 8 u r: that is its slack.
+//     rounded before) by 2 u of the distance, at most 2 u r, the difference by u r: together less than 8 u r in terms
+//     of where the plane is. So each ray moves all planes outward by 8 u r: that is its slack.
 //   - With |e| the sum of magnitudes of an edge's components: corner - origin is off by 2 u r and at most r in each, so
 //     R = (corner - origin) x d, at most 4 r, is off by 20 u r in each, R . e by (20 + 12 + 4) u r |e|. The normal n is
 //     off by 5 u |e1| |e2| in each component, n . d by 32 u |e1| |e2|, n . (corner - origin) by 16 u r |e1| |e2|.
@@ -62,15 +62,15 @@ HWY_INLINE auto Largest(const V& v) {
 
 /// A ray in a structure's coordinates, begun where it enters the structure's box if it comes from afar.
 struct Probe {
-  Double4 start, along;          // where it begins, and its direction
+  Double4 start, along;  // where it begins, and its direction
   Float4 origin, direction, inverse;
   Float4 near_shift, far_shift;  // (origin +- slack) * inverse
   Whole4 signs;                  // below 0 where the direction is
   float slack;
-  float slack_of_edges;          // times |e1| + |e2|
-  float slack_of_height;         // times |e1| |e2|
-  double per_t, begin;           // distance along the probe = t * per_t - begin
-  bool is_lost = false;          // it misses the structure's box
+  float slack_of_edges;   // times |e1| + |e2|
+  float slack_of_height;  // times |e1| |e2|
+  double per_t, begin;    // distance along the probe = t * per_t - begin
+  bool is_lost = false;   // it misses the structure's box
 
   /// An upper bound.
   float Distance(double t) const { return static_cast<float>(t * per_t - begin) * (1 + 4 * u) + slack; }
@@ -137,7 +137,7 @@ struct Probe {
 
 /// What a block of triangles may have for a probe.
 struct Possible {
-  std::uint32_t maybe = 0, certain = 0;                 // bits; certain ones are in maybe too
+  std::uint32_t maybe = 0, certain = 0;               // bits; certain ones are in maybe too
   alignas(32) float nearest[width], farthest[width];  // bounds on the distance of the certain; nearest also of others
 };
 
@@ -182,8 +182,8 @@ HWY_INLINE void TestTriangles(const TriangleBlock& block, const Probe& probe, fl
     const Floats low = hn::Sub(ahead, slack_of_height), high = hn::Add(ahead, slack_of_height);
     const Floats wide = hn::Add(steep, slack_of_facing), narrow = hn::Sub(steep, slack_of_facing);
     // Dividing may round by u; so may what follows.
-    const Floats nearest = hn::Mul(hn::Div(low, hn::IfThenElse(hn::Ge(low, hn::Zero(lanes)), wide, narrow)),
-                                   set(1 - 4 * u));
+    const Floats nearest =
+        hn::Mul(hn::Div(low, hn::IfThenElse(hn::Ge(low, hn::Zero(lanes)), wide, narrow)), set(1 - 4 * u));
     const Floats farthest = hn::Mul(hn::Div(high, narrow), set(1 + 4 * u));
     const auto is_far = hn::Gt(nearest, set(limit)), is_behind = hn::Lt(high, hn::Zero(lanes));
     maybe = hn::AndNot(hn::And(is_clear, hn::Or(is_far, is_behind)), maybe);
@@ -211,8 +211,7 @@ template <bool any, typename Structure>
 class Asker {
  public:
   HWY_INLINE Asker(const Forest<Structure>& forest, const Structure& structure, const R3::Ray& ray, const Probe& probe,
-                   double distance_in_world, std::optional<std::uint32_t> instance, NearestHit& nearest,
-                   Counts& counts)
+                   double distance_in_world, std::optional<std::uint32_t> instance, NearestHit& nearest, Counts& counts)
       : limit(probe.Distance(nearest.Limit())),
         forest_(forest),
         space_(structure.space),

@@ -13,7 +13,7 @@ constexpr std::uint32_t most_items = std::uint32_t{1} << 29;  // structures keep
 /// Widened, and cut to what leaves room for sums of two: beyond it there are no hits either.
 R3::Box Widened(const R3::Box& box, double pad) {
   constexpr double far = 0x1p1020;
-  const auto low = [&](double x) { return x - pad > -far ? std::min(x - pad, far) : -far; };   // also of NaN
+  const auto low = [&](double x) { return x - pad > -far ? std::min(x - pad, far) : -far; };  // also of NaN
   const auto high = [&](double x) { return x + pad < far ? std::max(x + pad, -far) : far; };
   return {{low(box.low.x), low(box.low.y), low(box.low.z)}, {high(box.high.x), high(box.high.y), high(box.high.z)}};
 }

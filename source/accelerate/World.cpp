@@ -131,12 +131,11 @@ R3::Intersection World::At(const R3::Ray& ray, const WorldHit& hit) const {
   const R3::Vector local = Abs(FromOrigin(at.position));
   at.position = forward * at.position;
   // Rounding on the way out: entries, products and sums of forward * position ...
-  const R3::Vector out = AbsTimes(forward, local) + R3::Vector{std::abs(forward.m[0][3]), std::abs(forward.m[1][3]),
-                                                               std::abs(forward.m[2][3])};
+  const R3::Vector out = AbsTimes(forward, local) +
+                         R3::Vector{std::abs(forward.m[0][3]), std::abs(forward.m[1][3]), std::abs(forward.m[2][3])};
   // ... and on the way back, inverse * position, brought to world size.
-  const R3::Vector back =
-      AbsTimes(inverse, Abs(FromOrigin(at.position))) +
-      R3::Vector{std::abs(inverse.m[0][3]), std::abs(inverse.m[1][3]), std::abs(inverse.m[2][3])};
+  const R3::Vector back = AbsTimes(inverse, Abs(FromOrigin(at.position))) +
+                          R3::Vector{std::abs(inverse.m[0][3]), std::abs(inverse.m[1][3]), std::abs(inverse.m[2][3])};
   at.error = AbsTimes(forward, local_error + R3::Gamma(6) * back) + R3::Gamma(6) * out;
   at.normal = world_from_local * at.normal;
   at.shading_normal = world_from_local * at.shading_normal;

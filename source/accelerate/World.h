@@ -15,13 +15,13 @@ namespace ray {
 struct Instance {
   static constexpr std::int32_t not_shared = -1;
 
-  const R3::Shape* shape = nullptr;    // the node's, or what it was baked into
-  const R3::Mesh* mesh = nullptr;      // the same, if it is one
+  const R3::Shape* shape = nullptr;  // the node's, or what it was baked into
+  const R3::Mesh* mesh = nullptr;    // the same, if it is one
   const Material* material = nullptr;
   const Node* node = nullptr;
-  std::uint32_t frame = 0;             // index into World::frames; 0 when baked
-  std::int32_t shared = not_shared;    // index into World::SharedMeshes
-  std::int64_t first_primitive = 0;    // its elements are the primitives first_primitive, first_primitive + 1, ...
+  std::uint32_t frame = 0;           // index into World::frames; 0 when baked
+  std::int32_t shared = not_shared;  // index into World::SharedMeshes
+  std::int64_t first_primitive = 0;  // its elements are the primitives first_primitive, first_primitive + 1, ...
 };
 
 /// A crossing of a ray with one element of one instance.

@@ -16,7 +16,6 @@
 #include <stdexcept>
 #include <vector>
 
-
 namespace ray::bvh {
 namespace {
 
@@ -177,9 +176,7 @@ class Builder {
     return one;
   }
 
-  bool IsLeaf(const Range& r) const {
-    return r.triangles == r.Size() ? r.Size() <= leaf_ : r.Size() == 1;
-  }
+  bool IsLeaf(const Range& r) const { return r.triangles == r.Size() ? r.Size() <= leaf_ : r.Size() == 1; }
 
   /// How much it costs to ask everything in a range, in block tests.
   float Tests(std::uint32_t triangles, std::uint32_t others) const {

@@ -43,7 +43,7 @@ struct Tree {
   HugeArray<Unit> memory;
   std::size_t nodes = 0, blocks = 0;
   std::uint32_t root = Child::Make(Child::Kind::nothing, 0);
-  bool is_large = false;       // larger than a core's own cache: children are worth fetching before they are needed
+  bool is_large = false;  // larger than a core's own cache: children are worth fetching before they are needed
   int depth = 0;
 
   template <typename T>

@@ -178,7 +178,8 @@ extern const AcceleratorKind bvh_kind{
       build.cuts_large_triangles = settings.quality == "high";
       return std::make_unique<ForestAccelerator<bvh::Tree>>(
           world, settings,
-          [](void* kernels) { HWY_DYNAMIC_DISPATCH(ChooseBvh)(static_cast<Kernels<bvh::Tree>*>(kernels)); },
+          [](void* kernels) { HWY_DYNAMIC_DISPATCH(ChooseBvh)
+                              (static_cast<Kernels<bvh::Tree>*>(kernels)); },
           [&](Space space) { return bvh::Build(std::move(space), build); });
     }};
 

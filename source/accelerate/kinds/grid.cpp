@@ -56,13 +56,14 @@ namespace HWY_NAMESPACE {
 /// From cell to cell in the order of the ray; true when the search is over.
 ///   source  Amanatides, Woo, A fast voxel traversal algorithm for ray tracing (1987)
 template <typename Asker>
-bool WalkLevel(const Grid& grid, const Grid::Level& level, const Probe& probe, double enter, double leave,
-               Asker& asker, std::uint64_t& visits) {
+bool WalkLevel(const Grid& grid, const Grid::Level& level, const Probe& probe, double enter, double leave, Asker& asker,
+               std::uint64_t& visits) {
   std::array<double, 3> next, step;
   std::array<int, 3> at, onward, end;
   for (int axis = 0; axis < 3; ++axis) {
     const auto a = static_cast<std::size_t>(axis);
-    const double d = std::abs(probe.along[axis]) < 0x1p-40 ? std::copysign(0x1p-40, probe.along[axis]) : probe.along[axis];
+    const double d =
+        std::abs(probe.along[axis]) < 0x1p-40 ? std::copysign(0x1p-40, probe.along[axis]) : probe.along[axis];
     const double low = FromOrigin(level.box.low)[axis], size = level.size[axis];
     const double place = (probe.start[axis] + enter * d - low) / size;
     at[a] = place > 0 ? std::min(static_cast<int>(std::min(place, 1e9)), level.count[a] - 1) : 0;
@@ -74,11 +75,11 @@ bool WalkLevel(const Grid& grid, const Grid::Level& level, const Probe& probe, d
   double entry = enter;
   while (true) {
     const std::size_t a = next[0] < next[1] ? (next[0] < next[2] ? 0 : 2) : (next[1] < next[2] ? 1 : 2);
-    const Contents& contents =
-        grid.cells[level.first + (static_cast<std::size_t>(at[2]) * static_cast<std::size_t>(level.count[1]) +
-                                  static_cast<std::size_t>(at[1])) *
-                                     static_cast<std::size_t>(level.count[0]) +
-                   static_cast<std::size_t>(at[0])];
+    const Contents& contents = grid.cells[level.first +
+                                          (static_cast<std::size_t>(at[2]) * static_cast<std::size_t>(level.count[1]) +
+                                           static_cast<std::size_t>(at[1])) *
+                                              static_cast<std::size_t>(level.count[0]) +
+                                          static_cast<std::size_t>(at[0])];
     ++visits;
     if (contents.blocks == Grid::is_level) {
       if (WalkLevel(grid, grid.levels[contents.first_block], probe, entry, std::min(next[a], leave), asker, visits))
@@ -106,7 +107,8 @@ void Walk(const Grid& grid, const Probe& probe, Asker& asker, Counts& counts) {
   const Grid::Level& level = grid.levels[0];
   double enter = 0, leave = asker.limit;
   for (int axis = 0; axis < 3; ++axis) {
-    const double d = std::abs(probe.along[axis]) < 0x1p-40 ? std::copysign(0x1p-40, probe.along[axis]) : probe.along[axis];
+    const double d =
+        std::abs(probe.along[axis]) < 0x1p-40 ? std::copysign(0x1p-40, probe.along[axis]) : probe.along[axis];
     const double a = (FromOrigin(level.box.low)[axis] - probe.start[axis]) / d;
     const double b = (FromOrigin(level.box.high)[axis] - probe.start[axis]) / d;
     enter = std::max(enter, std::min(a, b)), leave = std::min(leave, std::max(a, b));
@@ -129,9 +131,9 @@ namespace {
 
 HWY_EXPORT(ChooseGrid);
 
-constexpr double usual_density = 0.05;      // cells an item: blocks of eight want full cells (bench/kernels)
-constexpr std::size_t crowd = 64;           // items of a cell that are worth a grid of their own
-constexpr int most_levels = 3;              // one inside the other
+constexpr double usual_density = 0.05;  // cells an item: blocks of eight want full cells (bench/kernels)
+constexpr std::size_t crowd = 64;       // items of a cell that are worth a grid of their own
+constexpr int most_levels = 3;          // one inside the other
 constexpr double most_cells = 1 << 25;
 constexpr double most_on_an_axis = 1 << 14;
 
@@ -144,7 +146,8 @@ class GridBuilder {
     if (count == 0) return;
     grid_.coordinates = FitCoordinates(grid_.space);
     items_.reserve(count);
-    Cell box{R3::Point{R3::infinity, R3::infinity, R3::infinity}, R3::Point{-R3::infinity, -R3::infinity, -R3::infinity}};
+    Cell box{R3::Point{R3::infinity, R3::infinity, R3::infinity},
+             R3::Point{-R3::infinity, -R3::infinity, -R3::infinity}};
     for (std::uint32_t i = 0; i < count; ++i) {
       const Cell& of = items_.emplace_back(grid_.space, grid_.coordinates, i).Box();
       box.low = {std::min(box.low.x, of.low.x), std::min(box.low.y, of.low.y), std::min(box.low.z, of.low.z)};
@@ -181,7 +184,8 @@ class GridBuilder {
     for (std::size_t c = 0; c < count; ++c) {
       const std::span<const std::uint32_t> in_cell(references.data() + starts[c], starts[c + 1] - starts[c]);
       Contents contents;
-      if (in_cell.size() > crowd && in_cell.size() < items.size() + (count > 1 ? 1 : 0) && depth < most_levels) {
+      if (in_cell.size() > crowd && count > 1 && depth < most_levels &&
+          sorted_references_ + 2 * in_cell.size() < most_references_) {
         contents.first_block = Divide(BoxOf(level, c), List(in_cell.begin(), in_cell.end()), depth + 1);
         contents.blocks = Grid::is_level;
       } else {
@@ -226,7 +230,7 @@ class GridBuilder {
 
   /// The items of every cell, one cell after the other: those of cell c from starts[c] to starts[c + 1]. False when
   /// there are too many.
-  bool Sort(const Grid::Level& level, const List& items, std::vector<std::uint32_t>& starts, List& references) const {
+  bool Sort(const Grid::Level& level, const List& items, std::vector<std::uint32_t>& starts, List& references) {
     struct Reference {
       std::uint32_t cell, item;
     };
@@ -247,15 +251,16 @@ class GridBuilder {
       for (int z = low[2]; z <= high[2]; ++z)
         for (int y = low[1]; y <= high[1]; ++y)
           for (int x = low[0]; x <= high[0]; ++x) {
-            const std::size_t c = (static_cast<std::size_t>(z) * static_cast<std::size_t>(level.count[1]) +
-                                   static_cast<std::size_t>(y)) *
-                                      static_cast<std::size_t>(level.count[0]) +
-                                  static_cast<std::size_t>(x);
+            const std::size_t c =
+                (static_cast<std::size_t>(z) * static_cast<std::size_t>(level.count[1]) + static_cast<std::size_t>(y)) *
+                    static_cast<std::size_t>(level.count[0]) +
+                static_cast<std::size_t>(x);
             if (low != high && !of.MayTouch(BoxOf(level, c))) continue;
-            if (found.size() >= most_references_ && cells > 1) return false;
+            if (sorted_references_ + found.size() >= most_references_ && cells > 1) return false;
             found.push_back({static_cast<std::uint32_t>(c), item});
           }
     }
+    sorted_references_ += found.size();
     starts.assign(cells + 1, 0);
     for (const Reference& r : found) ++starts[r.cell + 1];
     for (std::size_t c = 0; c < cells; ++c) starts[c + 1] += starts[c];
@@ -267,7 +272,7 @@ class GridBuilder {
 
   Grid& grid_;
   double density_;
-  std::uint64_t most_references_ = 0;
+  std::uint64_t most_references_ = 0, sorted_references_ = 0;  // on all levels together
   std::vector<CellItem> items_;
 };
 
@@ -278,7 +283,9 @@ extern const AcceleratorKind grid_kind{
     [](const World& world, const AcceleratorSettings& settings) -> std::unique_ptr<const Accelerator> {
       const double density = settings.resolution > 0 ? settings.resolution : usual_density;
       return std::make_unique<ForestAccelerator<Grid>>(
-          world, settings, [](void* kernels) { HWY_DYNAMIC_DISPATCH(ChooseGrid)(static_cast<Kernels<Grid>*>(kernels)); },
+          world, settings,
+          [](void* kernels) { HWY_DYNAMIC_DISPATCH(ChooseGrid)
+                              (static_cast<Kernels<Grid>*>(kernels)); },
           [&](Space space) {
             Grid grid(std::move(space));
             GridBuilder(grid, density).Run();

@@ -21,8 +21,9 @@ struct Octree {
   struct Node {
     static constexpr std::uint32_t none = 0;  // the root is nobody's child
 
-    std::uint32_t first_child = none;  // of eight: bit 0 of a child's number is set on the far side in x, bit 1 in y, ...
-    Contents contents;                 // of a leaf
+    std::uint32_t first_child =
+        none;           // of eight: bit 0 of a child's number is set on the far side in x, bit 1 in y, ...
+    Contents contents;  // of a leaf
   };
   static constexpr double reach = 1 + 0x1p-10;  // of the cube, to either side
   static constexpr int most_depth = 40;
@@ -226,7 +227,8 @@ extern const AcceleratorKind octree_kind{
       const int depth = settings.depth > 0 ? settings.depth : usual_depth;
       return std::make_unique<ForestAccelerator<Octree>>(
           world, settings,
-          [](void* kernels) { HWY_DYNAMIC_DISPATCH(ChooseOctree)(static_cast<Kernels<Octree>*>(kernels)); },
+          [](void* kernels) { HWY_DYNAMIC_DISPATCH(ChooseOctree)
+                              (static_cast<Kernels<Octree>*>(kernels)); },
           [&](Space space) {
             Octree tree(std::move(space));
             OctreeBuilder(tree, leaf, depth).Run();

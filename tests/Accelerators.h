@@ -1,0 +1,187 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "R3/Mesh.h"
+#include "source/accelerate/Accelerator.h"
+#include "source/accelerate/Forest.h"
+#include "tests/Draw.h"
+#include "tests/Quad.h"
+
+/// Every way of accelerating, and scenes to try them on.
+namespace accelerators {
+
+struct Way {
+  std::string name;
+  ray::AcceleratorSettings settings;
+};
+
+/// Every kind with its defaults, then instruction sets and extremes of sizes.
+inline std::vector<Way> EveryWay() {
+  std::vector<Way> ways;
+  for (const auto* kind : ray::AcceleratorKinds()) ways.push_back({kind->name, {.name = kind->name}});
+  for (const std::string& set : ray::InstructionSets())
+    for (const char* kind : {"grid", "octree", "bvh"})
+      ways.push_back({kind + (", " + set), {.name = kind, .instruction_set = set}});
+  const auto add = [&](const char* kind, double resolution, int depth, const char* quality) {
+    ways.push_back({kind + (" of " + std::to_string(resolution) + ", " + std::to_string(depth) + ", " + quality),
+                    {.name = kind, .resolution = resolution, .depth = depth, .quality = quality}});
+  };
+  add("grid", 1e-6, 0, "medium");  // one cell
+  add("grid", 20, 0, "medium");
+  add("octree", 1, 40, "medium");
+  add("octree", 24, 1, "medium");
+  add("octree", 1e6, 0, "medium");  // one leaf
+  add("bvh", 1, 0, "medium");
+  add("bvh", 0, 0, "high");
+  return ways;
+}
+
+/// A mesh like a potato, closed; `rings` by `sides`.
+inline R3::MeshData BumpyBall(int sides, int rings) {
+  R3::MeshData data;
+  const auto corner = [&](int side, int ring) {
+    const double a = 3.141592653589793 * ring / rings, b = 2 * 3.141592653589793 * side / sides;
+    const double r = 1 + 0.2 * std::sin(3 * b) * std::sin(a) + 0.1 * std::cos(5 * a);
+    return R3::Point{r * std::sin(a) * std::cos(b), r * std::cos(a), r * std::sin(a) * std::sin(b)};
+  };
+  data.positions.push_back(corner(0, 0));
+  for (int ring = 1; ring < rings; ++ring)
+    for (int side = 0; side < sides; ++side) data.positions.push_back(corner(side, ring));
+  data.positions.push_back(corner(0, rings));
+  const auto last = static_cast<std::uint32_t>(data.positions.size()) - 1;
+  const auto at = [&](int side, int ring) { return static_cast<std::uint32_t>(1 + (ring - 1) * sides + side % sides); };
+  for (int side = 0; side < sides; ++side) {
+    data.triangles.push_back({0, at(side, 1), at(side + 1, 1)});
+    data.triangles.push_back({last, at(side + 1, rings - 1), at(side, rings - 1)});
+    for (int ring = 1; ring < rings - 1; ++ring) {
+      data.triangles.push_back({at(side, ring), at(side, ring + 1), at(side + 1, ring + 1)});
+      data.triangles.push_back({at(side, ring), at(side + 1, ring + 1), at(side + 1, ring)});
+    }
+  }
+  return data;
+}
+
+inline ray::Node Leaf(std::shared_ptr<const R3::Shape> shape) {
+  ray::Node node;
+  node.shape = std::move(shape);
+  SetBounds(node);
+  return node;
+}
+
+inline ray::Node Group(const R3::Matrix& transform) {
+  ray::Node node;
+  node.transform = transform;
+  return node;
+}
+
+/// Groups in groups, sheared, mirrored and scaled by up to `powers` orders of magnitude, with shapes on every level and
+/// now and then one of `meshes`, which so are used several times or once.
+inline ray::Node RandomGroup(Draw& draw, int levels, double powers,
+                             const std::vector<std::shared_ptr<const R3::Mesh>>& meshes) {
+  ray::Node group;
+  if (draw.Whole(0, 3) > 0) group.transform = draw.Affine(powers);
+  for (int i = draw.Whole(1, 4); i > 0; --i) {
+    if (levels > 0 && draw.Whole(0, 2) > 0) {
+      group.children.push_back(RandomGroup(draw, levels - 1, powers, meshes));
+    } else if (!meshes.empty() && draw.Whole(0, 3) == 0) {
+      group.children.push_back(
+          Leaf(meshes[static_cast<std::size_t>(draw.Whole(0, static_cast<int>(meshes.size()) - 1))]));
+    } else {
+      const auto kinds = R3::ShapeKinds();
+      const auto* kind = kinds[static_cast<std::size_t>(draw.Whole(0, static_cast<int>(kinds.size()) - 1))];
+      group.children.push_back(Leaf(kind->make(kind->example)));
+    }
+  }
+  SetBounds(group);
+  return group;
+}
+
+inline ray::Scene RandomScene(Draw& draw, double powers) {
+  std::vector<std::shared_ptr<const R3::Mesh>> meshes;
+  for (int i = 0; i < 3; ++i)
+    meshes.push_back(std::make_shared<R3::Mesh>(BumpyBall(draw.Whole(3, 12), draw.Whole(3, 8))));
+  ray::Scene scene;
+  scene.root = RandomGroup(draw, 3, powers, meshes);
+  scene.root.transform = {};
+  SetBounds(scene.root);
+  return scene;
+}
+
+inline void ExpectSame(const std::optional<ray::WorldHit>& a, const std::optional<ray::WorldHit>& b, const R3::Ray& ray,
+                       const std::string& how) {
+  ASSERT_EQ(a.has_value(), b.has_value()) << how << ' ' << oracle::Hex(ray);
+  if (!a) return;
+  EXPECT_EQ(a->hit.t, b->hit.t) << how << ' ' << oracle::Hex(ray);
+  EXPECT_EQ(a->hit.u, b->hit.u) << how << ' ' << oracle::Hex(ray);
+  EXPECT_EQ(a->hit.v, b->hit.v) << how << ' ' << oracle::Hex(ray);
+  EXPECT_EQ(a->hit.part, b->hit.part) << how << ' ' << oracle::Hex(ray);
+  EXPECT_EQ(a->instance, b->instance) << how << ' ' << oracle::Hex(ray);
+  EXPECT_EQ(a->element, b->element) << how << ' ' << oracle::Hex(ray);
+}
+
+/// That all the ways find what asking every primitive finds: the nearest, and whether there is anything within t = 1.
+inline void Compare(const ray::World& world, const std::vector<R3::Ray>& rays, const std::vector<Way>& ways) {
+  const auto none = ray::FindAcceleratorKind("none")->make(world, {});
+  ray::Workspace for_none;
+  std::vector<std::optional<ray::WorldHit>> hits;
+  std::vector<bool> occluded;
+  const auto shadow = [](const R3::Ray& ray) { return R3::Ray{ray.origin, ray.direction, ray.t_min, 1}; };
+  for (const R3::Ray& ray : rays) {
+    hits.push_back(none->Intersect(ray, for_none));
+    occluded.push_back(none->IsOccluded(shadow(ray), for_none));
+  }
+  for (const Way& way : ways) {
+    const auto accelerator = ray::FindAcceleratorKind(way.settings.name)->make(world, way.settings);
+    ray::Workspace workspace;
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+      ExpectSame(accelerator->Intersect(rays[i], workspace), hits[i], rays[i], way.name);
+      EXPECT_EQ(accelerator->IsOccluded(shadow(rays[i]), workspace), occluded[i])
+          << way.name << ' ' << oracle::Hex(rays[i]);
+    }
+  }
+}
+
+/// Rays at and around the instances of a world: from near and far, along axes, from corners of boxes, and on from
+/// where they hit.
+inline std::vector<R3::Ray> RaysAt(const ray::World& world, Draw& draw, int count) {
+  const auto none = ray::FindAcceleratorKind("none")->make(world, {});
+  const R3::Box& box = world.TheScene().root.bounds;
+  std::vector<R3::Ray> list;
+  for (int i = 0; i < count; ++i) {
+    const auto& instance =
+        world.Instances()[static_cast<std::size_t>(draw.Whole(0, static_cast<int>(world.Instances().size()) - 1))];
+    const R3::Box own = world.Frames()[instance.frame] * Bounds(*instance.shape);
+    const auto within = [&](const R3::Box& b) {
+      return b.low + R3::Vector{b.Size().x * draw.Between(0, 1), b.Size().y * draw.Between(0, 1),
+                                b.Size().z * draw.Between(0, 1)};
+    };
+    const R3::Point target = within(own);
+    R3::Point origin = box.Center() + 2 * box.Radius() * draw.Direction();
+    switch (draw.Whole(0, 5)) {
+      case 0:
+      case 1:
+        origin = target + 4 * own.Radius() * draw.Direction();
+        break;
+      case 2:
+        origin = target + draw.Scale(0, 9) * box.Radius() * draw.Direction();
+        break;
+      case 3:
+        origin = own.Corner(draw.Whole(0, 7));
+        break;
+      default:
+        break;
+    }
+    R3::Vector d = draw.Scale(-6, 6) * (target - origin);
+    if (draw.Whole(0, 9) == 0) d = {d.x, 0, 0};
+    if (draw.Whole(0, 9) == 0) d = {-0.0, d.y, d.z};
+    list.push_back({origin, d, draw.Whole(0, 3) ? 0.0 : draw.Between(0, 0.5)});
+    ray::Workspace workspace;
+    if (const auto hit = none->Intersect(list.back(), workspace))
+      list.push_back({SpawnPoint(world.At(list.back(), *hit), -d), -d});
+  }
+  return list;
+}
+
+}  // namespace accelerators
