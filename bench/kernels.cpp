@@ -1,7 +1,7 @@
 // Our accelerators beside Embree: the same scenes, the same rays, one process, one thread, taking turns; medians.
 //
 //     make bench && build/bench/kernels [scene=a,b] [accel=bvh,grid] [rays=N] [repeats=N] [quality=low|medium|high]
-//                                       [robust=1] [simd=AVX2] [build=1] [resolution=x] [counts=1]
+//                                       [robust=1] [simd=AVX2] [build=1] [resolution=x] [counts=1] [peer=0]
 //
 // Columns are millions of rays a second, the ratio to Embree's, and wrong answers, theirs + ours: where the two differ
 // (a hit against none, or over 1e-3 apart) every triangle is asked in double precision to decide who is wrong.
@@ -188,10 +188,10 @@ double BuildSeconds(int threads, int repeats, const Make& make) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  std::map<std::string, std::string> options{{"scene", ""},      {"accel", "bvh"}, {"rays", "1000000"},
-                                             {"repeats", "5"},   {"robust", "0"},  {"quality", "medium"},
-                                             {"simd", "best"},   {"build", "0"},   {"resolution", "0"},
-                                             {"ours", "medium"}, {"counts", "0"}};
+  std::map<std::string, std::string> options{{"scene", ""},    {"accel", "bvh"},   {"rays", "1000000"},
+                                             {"repeats", "5"}, {"robust", "0"},    {"quality", "medium"},
+                                             {"simd", "best"}, {"build", "0"},     {"resolution", "0"},
+                                             {"peer", "1"},    {"ours", "medium"}, {"counts", "0"}};
   for (int i = 1; i < argc; ++i) {
     const std::string word = argv[i];
     const auto sign = word.find('=');
@@ -208,7 +208,7 @@ int main(int argc, char** argv) {
                        : options["quality"] == "low" ? embree::low
                                                      : embree::medium;
 
-  const auto library = embree::Library::Find();
+  const auto library = options["peer"] == "0" ? nullptr : embree::Library::Find();
   std::printf("%s; ours: %s\n", library ? library->name.c_str() : "Embree not found", options["simd"].c_str());
   std::map<std::string, std::map<std::string, std::vector<double>>> ratios;  // accelerator, kind
   for (const std::string& name : scenes) {

@@ -43,6 +43,18 @@ using Floats = hn::Vec<Lanes>;
 
 inline constexpr float u = 0x1p-24f;
 
+// What exactness costs is measured by doing without (script/price_of_contract.sh); never built so otherwise.
+#if defined(RAYPRO_WITHOUT_DOUBLES)
+inline constexpr bool doubles_decide = false;
+#else
+inline constexpr bool doubles_decide = true;
+#endif
+#if defined(RAYPRO_WITHOUT_PADS)
+inline constexpr float pad_of_boxes = 0;
+#else
+inline constexpr float pad_of_boxes = 8 * u;
+#endif
+
 /// 2^-e for the x in [2^e, 2^(e+1)), which must be finite and not 0; exact but for subnormal x.
 HWY_INLINE double PowerOfTwoBelowInverse(double x) {
   const std::uint64_t exponent = std::bit_cast<std::uint64_t>(x) >> 52 & 0x7ff;
@@ -108,7 +120,7 @@ struct Probe {
     start = from + begin * along;
     const double origin_reach = 1 + Largest(start) + 0x1p-20 * (far + std::abs(begin)) + more * (1 / (8 * u));
     const float r = static_cast<float>(origin_reach);
-    slack = 8 * u * r;
+    slack = pad_of_boxes * r;
     slack_of_edges = 40 * u * r;
     slack_of_height = 16 * u * (r + 1);
     origin = __builtin_convertvector(start, Float4);
@@ -232,6 +244,7 @@ class Asker {
   HWY_INLINE bool AskBlock(const TriangleBlock& block) {
     Possible possible;
     TestTriangles(block, probe_, limit, possible);
+    if constexpr (!doubles_decide) possible.maybe = possible.certain;
     for (std::uint32_t rest = possible.maybe; rest; rest &= rest - 1) {
       const int i = std::countr_zero(rest);
       const bool is_certain = possible.certain >> i & 1;
@@ -273,7 +286,11 @@ class Asker {
         __builtin_prefetch(&kept_[i].place.mesh->Data().positions[corner]);
     while (count_ > 0) {
       --count_;
-      if (kept_[count_].nearest <= limit && Decide(kept_[count_].place))
+      if (!doubles_decide && kept_[count_].nearest <= limit) {
+        const double t = (static_cast<double>(kept_[count_].nearest) + probe_.begin) / probe_.per_t;
+        nearest_.Offer({{t, 0, 0, 0}, kept_[count_].place.instance, kept_[count_].place.element});
+        limit = kept_[count_].nearest;
+      } else if (kept_[count_].nearest <= limit && Decide(kept_[count_].place))
         limit = std::min(limit, probe_.Distance(nearest_.Limit()));
     }
   }

@@ -1,0 +1,36 @@
+#!/bin/sh
+# What the promise "boxes only cull, doubles decide" costs: the same bench with hits accepted in single precision, and
+# with boxes that are not padded. Prints rays a second with the promise over those without; answers without it may be
+# wrong and are not looked at.
+#
+#     script/price_of_contract.sh [rabbit,head,...]
+set -eu
+cd "$(dirname "$0")/.."
+scenes=${1:-rabbit,head,blob,soup,colonnade,city}
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+build() {
+  make -s BUILD="build/price/$1" CPPFLAGS="$2" "build/price/$1/bench/kernels" > /dev/null
+}
+build exact ""
+build floats "-DRAYPRO_WITHOUT_DOUBLES"
+build unpadded "-DRAYPRO_WITHOUT_PADS"
+for round in 1 2 3; do
+  for variant in exact floats unpadded; do
+    "build/price/$variant/bench/kernels" scene="$scenes" rays=250000 repeats=3 peer=0 2> /dev/null |
+      awk -v v=$variant '$3 == "bvh" && $2 ~ /primary|shadow|diffuse/ { print v, $1, $2, $4 }' >> "$work/$round"
+  done
+done
+awk '
+  { rate[$1, $2, $3, FILENAME] = $4; seen[$2 " " $3]; files[FILENAME] }
+  END {
+    for (key in seen) {
+      split(key, k, " ")
+      for (f in files) {
+        e = rate["exact", k[1], k[2], f]
+        floats += log(rate["floats", k[1], k[2], f] / e); unpadded += log(rate["unpadded", k[1], k[2], f] / e); n++
+      }
+    }
+    printf "hits accepted in single precision: %.2f times as fast\nboxes not padded: %.2f times as fast\n", \
+      exp(floats / n), exp(unpadded / n)
+  }' "$work"/?
