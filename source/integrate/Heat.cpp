@@ -7,7 +7,7 @@
 namespace ray {
 
 double Heat(const Counts& cost) {
-  return static_cast<double>(std::max(cost.node_visits, cost.box_tests) + cost.primitive_tests);
+  return static_cast<double>(cost.node_visits + cost.primitive_tests);
 }
 
 R2::Color HeatColor(double heat) {

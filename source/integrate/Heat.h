@@ -5,7 +5,7 @@
 
 namespace ray {
 
-/// What a ray cost, in things looked at: nodes or cells gone through, boxes of the graph, primitives asked.
+/// What a ray cost, in things looked at: nodes, cells or leaves gone through, and primitives asked.
 double Heat(const Counts& cost);
 
 /// A cost as a colour on one scale for all pictures, so that they can be compared: black at 1 and below, then blue at

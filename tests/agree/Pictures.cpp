@@ -66,6 +66,18 @@ TEST(Pictures, CountsDependOnTheTilesButNotOnTheThreads) {
   EXPECT_EQ(one.rays, seven.rays);
 }
 
+TEST(Pictures, OfHeatDependOnTheAcceleratorAndOnNothingElse) {
+  const project::Stage stage(project::Root() / "scenes" / "smooth.scn");
+  ray::RenderSettings settings = Small();
+  settings.mode = "heat";
+  settings.threads = 1;
+  const auto bvh = project::Render(stage, settings, {"bvh"});
+  settings.threads = 3;
+  settings.tile_size = 8;
+  EXPECT_TRUE(project::Render(stage, settings, {"bvh"}).image == bvh.image);
+  EXPECT_FALSE(project::Render(stage, settings, {"none"}).image == bvh.image);
+}
+
 TEST(Pictures, ACropHoldsThePixelsOfTheWhole) {
   const project::Stage stage(project::Root() / "scenes" / "hello.scn");
   ray::RenderSettings settings = Small();

@@ -81,6 +81,7 @@ class Graph : public Accelerator {
       const Workspace::Waiting next = stack.back();
       stack.pop_back();
       if (next.entry > limit) continue;  // fell behind a hit found meanwhile
+      ++workspace.counts.node_visits;
       const FlatNode& flat = world_.Nodes()[next.node];
       if (flat.instance >= 0) {
         const auto instance = static_cast<std::uint32_t>(flat.instance);

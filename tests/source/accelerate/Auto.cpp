@@ -1,0 +1,65 @@
+// What `auto` takes, and that it says why.
+
+#include <gtest/gtest.h>
+
+#include "tests/Accelerators.h"
+
+namespace {
+
+std::string Choice(const ray::Scene& scene, double expected_rays) {
+  const ray::World world(scene);
+  const auto chosen = ray::FindAcceleratorKind("auto")->make(world, {.name = "auto", .expected_rays = expected_rays});
+  std::string lines;
+  for (const std::string& line : chosen->Explain()) lines += line + "\n";
+  return lines;
+}
+
+ray::Scene Hairs(double width, int count) {
+  Draw draw(1100);
+  R3::MeshData data;
+  for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(count); ++i) {
+    const R3::Point p = R3::Point{} + draw.Direction();
+    const R3::Vector along = draw.Direction();
+    for (const R3::Point& corner : {p, p + along, p + 0.5 * along + width * draw.Direction()})
+      data.positions.push_back(corner);
+    data.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+  }
+  ray::Scene scene;
+  scene.root.children.push_back(accelerators::Leaf(std::make_shared<R3::Mesh>(std::move(data))));
+  SetBounds(scene.root);
+  scene.camera = ray::DefaultCamera(scene.root.bounds);
+  return scene;
+}
+
+TEST(Auto, AsksAHandfulOfPrimitivesDirectly) {
+  ray::Scene scene;
+  for (int i = 0; i < 3; ++i) scene.root.children.push_back(accelerators::Leaf(R3::MakeShape("sphere", {0, 0, 0, 1})));
+  SetBounds(scene.root);
+  EXPECT_EQ(Choice(scene, 1e6), "auto takes none: 3 primitives are asked faster than sorted\n");
+}
+
+TEST(Auto, PutsATreeOverCompactTriangles) {
+  const std::string lines = Choice(Hairs(0.5, 2000), 1e6);
+  EXPECT_TRUE(lines.starts_with("auto takes bvh: more than 8 primitives, and the boxes of its triangles have "))
+      << lines;
+}
+
+TEST(Auto, TakesAGridForHairAndTriesBothWhenThereIsTime) {
+  EXPECT_TRUE(Choice(Hairs(0.002, 2000), 100).starts_with("auto takes grid: the boxes of its triangles have "));
+  const std::string lines = Choice(Hairs(0.002, 2000), 1e7);
+  EXPECT_TRUE(lines.starts_with("auto tried ")) << lines;
+  EXPECT_NE(lines.find(": the faster one; it tried because the boxes"), std::string::npos) << lines;
+}
+
+TEST(Auto, CountsAHitOnce) {
+  const ray::Scene scene = Hairs(0.5, 200);
+  const ray::World world(scene);
+  const auto chosen = ray::FindAcceleratorKind("auto")->make(world, {.name = "auto"});
+  ray::Workspace through, straight;
+  const R3::Ray ray{{0, 0, 5}, {0, 0, -1}};
+  chosen->Intersect(ray, through), chosen->IsOccluded(ray, through);
+  chosen->Worker().Intersect(ray, straight), chosen->Worker().IsOccluded(ray, straight);
+  EXPECT_EQ(through.counts, straight.counts);
+}
+
+}  // namespace
