@@ -49,7 +49,7 @@ endif
 NUMERIC := -ffp-contract=off $(shell $(CXX) --version 2>/dev/null | grep -q clang && echo -fno-slp-vectorize || echo -fno-tree-slp-vectorize)
 WARNINGS := -Wall -Wextra -Wpedantic -Wshadow -Wconversion
 OPTIMIZE ?= -O2
-OUR_CPPFLAGS := -I. -MMD -MP -DRAYPRO_VERSION='"$(VERSION)"' -DRAYPRO_FEATURES='"$(FEATURES)"'
+OUR_CPPFLAGS := -I. -MD -MP -DRAYPRO_VERSION='"$(VERSION)"' -DRAYPRO_FEATURES='"$(FEATURES)"'
 ifeq ($(HAS_EXR),yes)
 OUR_CPPFLAGS += -DRAYPRO_EXR $(EXR_CFLAGS)
 endif

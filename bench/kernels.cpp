@@ -1,7 +1,7 @@
 // Our accelerators beside Embree: the same scenes, the same rays, one process, one thread, taking turns; medians.
 //
 //     make bench && build/bench/kernels [scene=a,b] [accel=bvh,grid] [rays=N] [repeats=N] [quality=low|medium|high]
-//                                       [robust=1] [simd=AVX2] [build=1] [resolution=x] [counts=1] [peer=0]
+//                                       [robust=1] [simd=avx2] [build=1] [resolution=x] [counts=1] [peer=0]
 //
 // Columns are millions of rays a second, the ratio to Embree's, and wrong answers, theirs + ours: where the two differ
 // (a hit against none, or over 1e-3 apart) every triangle is asked in double precision to decide who is wrong.

@@ -53,9 +53,16 @@ void FillBlock(TriangleBlock& block, const Space& space, const Coordinates& coor
   }
 }
 
+std::string InstructionSetName(std::int64_t instruction_set) {
+  std::string name = hwy::TargetName(instruction_set);
+  if (name == "AVX3") return "avx512";
+  for (char& c : name) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  return name;
+}
+
 std::vector<std::string> InstructionSets() {
   std::vector<std::string> names;
-  for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) names.emplace_back(hwy::TargetName(target));
+  for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) names.push_back(InstructionSetName(target));
   return names;
 }
 
@@ -63,7 +70,7 @@ void WithInstructionSet(const std::string& name, void (*choose)(void* result), v
   static std::mutex one_at_a_time;  // what Highway takes for supported is global
   const std::lock_guard lock(one_at_a_time);
   for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
-    if (name != "best" && name != hwy::TargetName(target)) continue;
+    if (name != "best" && name != InstructionSetName(target)) continue;
     hwy::SetSupportedTargetsForTest(target);
     hwy::GetChosenTarget().Update(hwy::SupportedTargets());
     choose(result);

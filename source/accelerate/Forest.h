@@ -2,6 +2,7 @@
 
 #include <hwy/targets.h>
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -45,13 +46,16 @@ struct Forest {
 /// The search through a forest, compiled once for each instruction set; all find the same hits.
 template <typename Structure>
 struct Kernels {
-  const char* name;  // of the instruction set, as -simd and -explain say it
+  std::int64_t instruction_set;  // as Highway numbers it
   void (*nearest)(const Forest<Structure>& forest, const R3::Ray& ray, NearestHit& nearest, Counts& counts);
   bool (*any)(const Forest<Structure>& forest, const R3::Ray& ray, Counts& counts);
 };
 
-/// Names of the instruction sets that this machine has and this program was compiled for, the best first.
+/// All the instruction sets that some machine may have, by name.
+inline constexpr std::array instruction_set_names{"avx512", "avx2", "sse4", "ssse3", "neon", "scalar"};
+/// Those of them that this machine has and this program was compiled for, the best first.
 std::vector<std::string> InstructionSets();
+std::string InstructionSetName(std::int64_t instruction_set);
 
 /// Runs `choose` for the instruction set of that name, or for the best with "best"; throws std::invalid_argument.
 /// `choose` is a dynamic dispatch of Highway, which looks at what is set meanwhile.
@@ -78,7 +82,7 @@ class ForestAccelerator : public Accelerator {
   }
 
   std::vector<std::string> Explain() const override {
-    std::vector<std::string> lines{std::string("instruction set ") + kernels_.name};
+    std::vector<std::string> lines{"instruction set " + InstructionSetName(kernels_.instruction_set)};
     for (std::size_t i = 0; i < forest_.structures.size(); ++i) {
       const Structure& structure = forest_.structures[i];
       lines.push_back((i == 0 ? std::string("the world") : "shared mesh " + std::to_string(i)) + ": " +

@@ -389,7 +389,7 @@ bool FindAny(const Forest<Structure>& forest, const R3::Ray& ray, Counts& counts
 
 template <typename Structure>
 Kernels<Structure> CompiledKernels() {
-  return {hwy::TargetName(HWY_TARGET), &FindNearest<Structure>, &FindAny<Structure>};
+  return {HWY_TARGET, &FindNearest<Structure>, &FindAny<Structure>};
 }
 
 }  // namespace HWY_NAMESPACE

@@ -1,10 +1,12 @@
 #include "source/app/CommandLine.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <map>
 #include <optional>
 #include <vector>
 
+#include "source/accelerate/Forest.h"
 #include "source/app/OptionTable.h"
 #include "source/app/Status.h"
 #include "source/app/Words.h"
@@ -179,6 +181,15 @@ Options ReadCommandLine(std::span<const std::string> words) {
   if (options.quiet && options.verbose) throw UsageError("-quiet and -verbose contradict each other");
   options.parse.decode_srgb = options.encoding.srgb;  // a linear workflow is linear from end to end
   return options;
+}
+
+void CheckMachine(const Options& options) {
+  const std::string& name = options.accelerator.instruction_set;
+  const std::vector<std::string> present = InstructionSets();
+  if (name == "best" || std::find(present.begin(), present.end(), name) != present.end()) return;
+  std::string list = "best";
+  for (const std::string& one : present) list += ", " + one;
+  throw UsageError("-simd " + name + ": this machine has " + list);
 }
 
 }  // namespace ray

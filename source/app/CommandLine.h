@@ -11,4 +11,7 @@ namespace ray {
 /// -width=512 are the same; behind "--" everything is a name. Throws UsageError.
 Options ReadCommandLine(std::span<const std::string> words);
 
+/// Throws UsageError when this machine lacks what the options ask for.
+void CheckMachine(const Options& options);
+
 }  // namespace ray

@@ -25,7 +25,7 @@ std::vector<std::string> Qualities() { return {build_qualities.begin(), build_qu
 
 std::vector<std::string> InstructionSetNames() {
   std::vector<std::string> names{"best"};
-  for (const std::string& name : ray::InstructionSets()) names.push_back(name);
+  names.insert(names.end(), instruction_set_names.begin(), instruction_set_names.end());
   return names;
 }
 
@@ -86,7 +86,7 @@ std::vector<OptionKind> MakeTable() {
       {"accel_quality", {}, {"name"}, OneNameOf{AT(accelerator.quality), Qualities}, "", "speed",
        "bvh: high cuts large slanted triangles first; builds longer"},
       {"simd", {}, {"name"}, OneNameOf{AT(accelerator.instruction_set), InstructionSetNames}, "", "speed",
-       "bvh: the instruction set to use, of those that this machine has"},
+       "the instruction set to use, if this machine has it; never changes the picture"},
       {"node_boxes", {}, {"on|off"}, OnOff{AT(accelerator.node_boxes)}, "", "speed",
        "graph: skip nodes whose box the ray misses"},
       {"front_to_back", {}, {"on|off"}, OnOff{AT(accelerator.front_to_back)}, "", "speed",

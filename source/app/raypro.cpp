@@ -30,6 +30,7 @@ std::unique_ptr<const Accelerator> Build(const World& world, const Options& opti
 }
 
 int MakePicture(const Options& options, const Words& words) {
+  CheckMachine(options);
   Account account(options, words);
   const Outputs outputs = CheckOutputs(options);
   const ParsedScene parsed = Parse(options.scene, options.parse);

@@ -1,13 +1,15 @@
-// Highway compiles this file once for each instruction set.
+#include <algorithm>
+
+#include "source/accelerate/Forest.h"
+#include "source/accelerate/bvh/Build.h"
+
+// Highway compiles this file once for each instruction set. What does not depend on that is included before.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "source/accelerate/kinds/bvh.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#include <algorithm>
-
 #include "source/accelerate/Search-inl.h"
-#include "source/accelerate/bvh/Build.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace ray {

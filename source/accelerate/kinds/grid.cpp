@@ -1,14 +1,15 @@
-// Highway compiles this file once for each instruction set.
-#undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "source/accelerate/kinds/grid.cpp"
-#include <hwy/foreach_target.h>
-#include <hwy/highway.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
 #include "source/accelerate/Cells.h"
+
+// Highway compiles this file once for each instruction set. What does not depend on that is included before.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "source/accelerate/kinds/grid.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
 #include "source/accelerate/Search-inl.h"
 
 #ifndef RAY_ACCELERATE_GRID
