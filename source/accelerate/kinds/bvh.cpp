@@ -73,6 +73,36 @@ HWY_INLINE void Order(std::uint64_t& farther, std::uint64_t& nearer) {
   farther = std::max(a, b), nearer = std::min(a, b);
 }
 
+/// Distances of the children reached, for ranking them; equal ones by their lane.
+struct Keys {
+  using Wholes = hn::CappedTag<std::int32_t, width>;
+  alignas(32) std::int32_t lanes[width];
+
+  HWY_INLINE int CountFarther(int i) const {
+    const Wholes d;
+    std::uint32_t farther = 0;
+    for (std::size_t k = 0; k < width; k += hn::Lanes(d)) {
+      std::uint8_t bits[8] = {};
+      hn::StoreMaskBits(d, hn::Gt(hn::Load(d, lanes + k), hn::Set(d, lanes[i])), bits);
+      farther |= static_cast<std::uint32_t>(bits[0]) << k;
+    }
+    return std::popcount(farther);
+  }
+};
+
+HWY_INLINE Keys KeysOf(const float* HWY_RESTRICT entries, std::uint32_t reached) {
+  const Keys::Wholes d;
+  Keys keys;
+  for (std::size_t k = 0; k < width; k += hn::Lanes(d)) {
+    const auto bit = hn::Shl(hn::Set(d, 1), hn::Iota(d, static_cast<std::int32_t>(k)));
+    const auto is_reached = hn::TestBit(hn::Set(d, static_cast<std::int32_t>(reached)), bit);
+    const auto entry = hn::BitCast(d, hn::Load(Lanes(), entries + k));
+    const auto key = hn::Or(hn::AndNot(hn::Set(d, width - 1), entry), hn::Iota(d, static_cast<std::int32_t>(k)));
+    hn::Store(hn::IfThenElse(is_reached, key, hn::Set(d, -1)), d, keys.lanes + k);
+  }
+  return keys;
+}
+
 HWY_INLINE void Fetch(const Tree& tree, std::uint32_t child) {
   // Of an item this is some other place in memory or none: harmless.
   const char* at = reinterpret_cast<const char*>(tree.memory.Data() + Child::Index(child));
@@ -109,6 +139,7 @@ HWY_INLINE void Walk(const Tree& tree, const Probe& probe, Asker& asker, Counts&
           child = static_cast<std::uint32_t>(*--top);
           continue;
         }
+        const std::uint32_t whole = reached;
         const auto take = [&] {
           const int i = std::countr_zero(reached);
           reached &= reached - 1;
@@ -121,19 +152,15 @@ HWY_INLINE void Walk(const Tree& tree, const Probe& probe, Asker& asker, Counts&
         }
         Order(second, first);
         if (reached != 0) {
-          std::uint64_t third = take();
-          if (tree.is_large) Fetch(tree, static_cast<std::uint32_t>(third));
-          Order(third, first), Order(third, second);
+          const Keys all = KeysOf(entries, whole);
           std::uint64_t* const base = top;
-          *top++ = third, *top++ = second;
-          while (reached != 0) {
-            std::uint64_t next = take();
-            if (tree.is_large) Fetch(tree, static_cast<std::uint32_t>(next));
-            Order(next, first);
-            std::uint64_t* at = top++;
-            while (at > base && at[-1] < next) *at = at[-1], --at;
-            *at = next;
+          top += std::popcount(whole);
+          for (std::uint32_t rest = whole; rest != 0; rest &= rest - 1) {
+            const int i = std::countr_zero(rest);
+            if (tree.is_large) Fetch(tree, node.child[i]);
+            base[all.CountFarther(i)] = Wait(entries[i], node.child[i]);
           }
+          first = *--top;
         } else {
           *top++ = second;
         }
@@ -180,8 +207,10 @@ extern const AcceleratorKind bvh_kind{
       build.cuts_large_triangles = settings.quality == "high";
       return std::make_unique<ForestAccelerator<bvh::Tree>>(
           world, settings,
-          [](void* kernels) { HWY_DYNAMIC_DISPATCH(ChooseBvh)
-                              (static_cast<Kernels<bvh::Tree>*>(kernels)); },
+          [](void* kernels) {
+            HWY_DYNAMIC_DISPATCH(ChooseBvh)
+            (static_cast<Kernels<bvh::Tree>*>(kernels));
+          },
           [&](Space space) { return bvh::Build(std::move(space), build); });
     }};
 
