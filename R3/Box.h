@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <optional>
 
 #include "R3/Point.h"
@@ -22,8 +23,15 @@ struct Box {
     return low.x <= p.x && p.x <= high.x && low.y <= p.y && p.y <= high.y && low.z <= p.z && p.z <= high.z;
   }
 
-  void Extend(const Point& p);
-  void Extend(const Box& b);
+  void Extend(const Point& p) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+  }
+  void Extend(const Box& b) {
+    if (b.IsEmpty()) return;
+    Extend(b.low);
+    Extend(b.high);
+  }
 
   friend bool operator==(const Box&, const Box&) = default;
 };

@@ -69,18 +69,32 @@ struct Draft {
 constexpr int most_bins = 32;
 constexpr std::uint32_t most_units = (std::uint32_t{1} << Child::kind_shift) - 64;
 
+/// Only the bins in use are set: most ranges are small and have few.
 struct Bins {
-  std::array<std::array<Extent, most_bins>, 3> box;
-  std::array<std::array<std::uint32_t, most_bins>, 3> triangles{}, others{};
+  int count;
+  Float4 low[3][most_bins], high[3][most_bins];
+  std::uint32_t triangles[3][most_bins], others[3][most_bins];
 
-  void Add(const Bins& o, int count) {
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
-        box[axis][i].Extend(o.box[axis][i]);
-        triangles[axis][i] += o.triangles[axis][i];
-        others[axis][i] += o.others[axis][i];
+  explicit Bins(int bins) : count(bins) {
+    const Extent nothing;
+    for (int axis = 0; axis < 3; ++axis)
+      for (int i = 0; i < count; ++i) {
+        low[axis][i] = nothing.low, high[axis][i] = nothing.high;
+        triangles[axis][i] = others[axis][i] = 0;
       }
   }
+  void Add(int axis, int i, const Reference& reference) {
+    low[axis][i] = Least(low[axis][i], reference.low), high[axis][i] = Most(high[axis][i], reference.high);
+    ++(reference.IsTriangle() ? triangles : others)[axis][i];
+  }
+  void Add(const Bins& o) {
+    for (int axis = 0; axis < 3; ++axis)
+      for (int i = 0; i < count; ++i) {
+        low[axis][i] = Least(low[axis][i], o.low[axis][i]), high[axis][i] = Most(high[axis][i], o.high[axis][i]);
+        triangles[axis][i] += o.triangles[axis][i], others[axis][i] += o.others[axis][i];
+      }
+  }
+  Extent Box(int axis, int i) const { return {low[axis][i], high[axis][i]}; }
 };
 
 /// Which bin a middle falls into, the same for every instruction set: one subtraction, one product.
@@ -293,7 +307,8 @@ class Builder {
 
   /// Splits `whole` in two; it becomes the first of them.
   void Halve(Range& whole, Range& second, int depth) {
-    const Binning binning(whole.middles, whole.Size() < 4 * most_bins ? most_bins / 2 : most_bins);
+    const std::uint32_t size = whole.Size();
+    const Binning binning(whole.middles, size < 128 ? most_bins / 2 : most_bins);
     constexpr int sah_depth = 40;  // deeper down halves bound the depth, whatever the scene
     Split split;
     if (depth < sah_depth) split = BestSplit(whole, binning);
@@ -304,29 +319,25 @@ class Builder {
     for (std::uint32_t i = begin; i != end; ++i) {
       const Reference& reference = references_[i];
       const auto at = binning(reference.Middle());
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        const auto b = static_cast<std::size_t>(at[axis]);
-        bins.box[axis][b].Extend(reference.Box());
-        ++(reference.IsTriangle() ? bins.triangles : bins.others)[axis][b];
-      }
+      for (int axis = 0; axis < 3; ++axis) bins.Add(axis, at[static_cast<std::size_t>(axis)], reference);
     }
   }
 
   Split BestSplit(const Range& whole, const Binning& binning) const {
-    Bins bins;
+    Bins bins(binning.count);
     constexpr std::uint32_t chunk = 1 << 16;
     if (whole.Size() < 4 * chunk) {
       FillBins(bins, binning, whole.begin, whole.end);
     } else {
       // Minima and whole numbers: the sum does not depend on who adds what first.
       bins = tbb::parallel_reduce(
-          tbb::blocked_range<std::uint32_t>(whole.begin, whole.end, chunk), Bins(),
+          tbb::blocked_range<std::uint32_t>(whole.begin, whole.end, chunk), Bins(binning.count),
           [&](const auto& r, Bins sum) {
             FillBins(sum, binning, r.begin(), r.end());
             return sum;
           },
           [&](Bins a, const Bins& b) {
-            a.Add(b, binning.count);
+            a.Add(b);
             return a;
           });
     }
@@ -334,22 +345,18 @@ class Builder {
     Split best;
     for (int axis = 0; axis < 3; ++axis) {
       if (binning.IsFlat(axis)) continue;
-      const auto a = static_cast<std::size_t>(axis);
-      std::array<float, most_bins> behind{};  // cost of bins i and up
+      std::array<float, most_bins> behind;  // cost of bins i and up
       Extent box;
       std::uint32_t triangles = 0, others = 0;
-      for (int i = binning.count - 1; i > 0; --i) {
-        const auto b = static_cast<std::size_t>(i);
-        box.Extend(bins.box[a][b]);
-        triangles += bins.triangles[a][b], others += bins.others[a][b];
-        behind[b] = triangles + others > 0 ? box.HalfArea() * Tests(triangles, others) : infinity;
-      }
+      const auto cost_with = [&](int i) {
+        box.Extend(bins.Box(axis, i));
+        triangles += bins.triangles[axis][i], others += bins.others[axis][i];
+        return triangles + others > 0 ? box.HalfArea() * Tests(triangles, others) : infinity;
+      };
+      for (int i = binning.count - 1; i > 0; --i) behind[static_cast<std::size_t>(i)] = cost_with(i);
       box = {}, triangles = others = 0;
       for (int i = 1; i < binning.count; ++i) {
-        const auto b = static_cast<std::size_t>(i);
-        box.Extend(bins.box[a][b - 1]);
-        triangles += bins.triangles[a][b - 1], others += bins.others[a][b - 1];
-        const float cost = triangles + others > 0 ? box.HalfArea() * Tests(triangles, others) + behind[b] : infinity;
+        const float cost = cost_with(i - 1) + behind[static_cast<std::size_t>(i)];
         if (cost < best.cost) best = {cost, axis, i};
       }
     }
