@@ -40,7 +40,7 @@ TEST(Auto, AsksAHandfulOfPrimitivesDirectly) {
 
 TEST(Auto, PutsATreeOverCompactTriangles) {
   const std::string lines = Choice(Hairs(0.5, 2000), 1e6);
-  EXPECT_TRUE(lines.starts_with("auto takes bvh: more than 8 primitives, and the boxes of its triangles have "))
+  EXPECT_TRUE(lines.starts_with("auto takes bvh: more than 3 primitives, and the boxes of its triangles have "))
       << lines;
 }
 
