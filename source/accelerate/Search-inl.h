@@ -116,7 +116,10 @@ struct Probe {
       }
       begin = enter;
     }
-    if (!(std::abs(begin) < 0x1p1000)) begin = 0;
+    // Beyond, products of doubles leave their range, and what is certain here need not be found there.
+    constexpr double far_per_t = 0x1p700, far_scale = 0x1p200;
+    const bool is_in_range = std::abs(begin) < 0x1p1000 && per_t < far_per_t && per_t > 1 / far_per_t &&
+                             place.scale <= far_scale && place.scale >= 1 / far_scale;
     start = from + begin * along;
     const double origin_reach = 1 + Largest(start) + 0x1p-20 * (far + std::abs(begin)) + more * (1 / (8 * u));
     const float r = static_cast<float>(origin_reach);
@@ -134,7 +137,7 @@ struct Probe {
     const Float4 outward = std::bit_cast<Float4>(std::bit_cast<Whole4>(Float4{} + slack) | sign);
     near_shift = (origin + outward) * inverse;
     far_shift = (origin - outward) * inverse;
-    if (HWY_UNLIKELY(!(origin_reach < 0x1p60))) AskEverything();
+    if (HWY_UNLIKELY(!is_in_range || !(origin_reach < 0x1p60))) AskEverything();
   }
 
  private:
@@ -142,6 +145,7 @@ struct Probe {
   void AskEverything() {
     constexpr float infinity = std::numeric_limits<float>::infinity();
     slack = slack_of_edges = slack_of_height = infinity;
+    per_t = 1, begin = 0;
     origin = inverse = Float4{};
     near_shift = Float4{} + infinity, far_shift = -near_shift;
   }

@@ -54,6 +54,31 @@ TEST(Accelerators, AgreeInRandomSoupsOfTriangles) {
   }
 }
 
+// Below 1e-140 and above 1e100 the products of a triangle test itself leave the range of doubles.
+TEST(Accelerators, AgreeAtTheEndsOfTheRangeOfNumbers) {
+  Draw draw(955);
+  for (const double size : {1e-100, 1e-30, 1.0, 1e30, 1e100}) {
+    R3::MeshData data = accelerators::BumpyBall(8, 6);
+    for (R3::Point& p : data.positions) p = R3::Point{size * p.x, size * p.y, size * p.z};
+    ray::Scene scene;
+    scene.root.children.push_back(Leaf(std::make_shared<R3::Mesh>(std::move(data))));
+    scene.root.children.push_back(Leaf(R3::MakeShape("box", {0, 0, 0, size, size, size})));
+    SetBounds(scene.root);
+    const ray::World world(scene);
+    std::vector<R3::Ray> rays;
+    for (int i = 0; i < 200; ++i) {
+      const R3::Vector from = draw.Between(0, 3) * draw.Direction(), to = draw.Direction();
+      const double length = draw.Scale(-300, 300), far = draw.Whole(0, 3) ? size : draw.Scale(-300, 300);
+      rays.push_back({R3::Point{} + far * from, length * (to - from)});
+      if (draw.Whole(0, 4) == 0) rays.back().t_min = -R3::infinity;
+      if (draw.Whole(0, 4) == 0) rays.back().t_min = draw.Between(-2, 1) * size / length;
+      if (draw.Whole(0, 4) == 0) rays.back().t_max = draw.Between(1, 2) * size / length;
+    }
+    SCOPED_TRACE("size " + std::to_string(std::log10(size)));
+    Compare(world, rays, EveryWay());
+  }
+}
+
 TEST(Extremes, C5_RaysInThePlanesWhereStructuresDivide) {
   // A lattice of unit boxes made of triangles and shapes: grids, octrees and boxes divide it along whole numbers.
   Draw draw(960);
