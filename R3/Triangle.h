@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <bit>
 #include <optional>
 
 #include "R3/Hit.h"
@@ -11,15 +13,26 @@ namespace R3 {
 /// A ray made ready for triangle tests: axes permuted so that the direction's largest component is the third, and the
 /// shear that turns the direction into that axis.
 struct ShearedRay {
-  explicit ShearedRay(const Ray& ray)
-      : origin(ray.origin), z_axis(MaxAxis(ray.direction)), t_min(ray.t_min), t_max(ray.t_max) {
-    z_scale = 1 / ray.direction[z_axis];
-    x_shear = ray.direction[(z_axis + 1) % 3] * z_scale;
-    y_shear = ray.direction[(z_axis + 2) % 3] * z_scale;
+  explicit ShearedRay(const Ray& ray) : z_axis(MaxAxis(ray.direction)), t_min(ray.t_min), t_max(ray.t_max) {
+    constexpr int next[3] = {1, 2, 0};
+    x_axis = next[z_axis];
+    y_axis = next[x_axis];
+    const auto direction = std::bit_cast<std::array<double, 3>>(ray.direction);
+    z_scale = 1 / direction[static_cast<std::size_t>(z_axis)];
+    x_shear = direction[static_cast<std::size_t>(x_axis)] * z_scale;
+    y_shear = direction[static_cast<std::size_t>(y_axis)] * z_scale;
+    origin = Permuted(ray.origin);
   }
 
-  Point origin;
-  int z_axis;
+  /// Which axis comes first is looked up rather than branched on: rays of all directions come in no order.
+  Vector Permuted(const Point& p) const {
+    const auto v = std::bit_cast<std::array<double, 3>>(p);
+    return {v[static_cast<std::size_t>(x_axis)], v[static_cast<std::size_t>(y_axis)],
+            v[static_cast<std::size_t>(z_axis)]};
+  }
+
+  int x_axis, y_axis, z_axis;
+  Vector origin;  // permuted
   double x_shear, y_shear, z_scale;
   double t_min, t_max;
 };
@@ -32,36 +45,25 @@ struct ShearedRay {
 std::optional<Hit> IntersectTriangle(const ShearedRay& ray, const std::array<Point, 3>& corners);
 
 /// The same, compiled into its caller: for batches whose caller is itself compiled for an instruction set.
-template <int z_axis>
-inline std::optional<Hit> IntersectTriangleAlong(const ShearedRay& ray, const std::array<Point, 3>& corners) {
-  constexpr int x_axis = (z_axis + 1) % 3, y_axis = (z_axis + 2) % 3;
+inline std::optional<Hit> IntersectTriangleInline(const ShearedRay& ray, const std::array<Point, 3>& corners) {
   double x[3], y[3], z[3];
+#pragma GCC unroll 3
   for (std::size_t i = 0; i < 3; ++i) {
-    const Vector v = corners[i] - ray.origin;
-    z[i] = v[z_axis];
-    x[i] = v[x_axis] - ray.x_shear * z[i];
-    y[i] = v[y_axis] - ray.y_shear * z[i];
+    const Vector v = ray.Permuted(corners[i]) - ray.origin;
+    z[i] = v.z;
+    x[i] = v.x - ray.x_shear * v.z;
+    y[i] = v.y - ray.y_shear * v.z;
   }
   const double u = DifferenceOfProducts(x[2], y[1], y[2], x[1]);
   const double v = DifferenceOfProducts(x[0], y[2], y[0], x[2]);
   const double w = DifferenceOfProducts(x[1], y[0], y[1], x[0]);
-  if ((u < 0 || v < 0 || w < 0) && (u > 0 || v > 0 || w > 0)) return {};
+  const double least = std::min(u, std::min(v, w)), most = std::max(u, std::max(v, w));
+  if (std::min(-least, most) > 0) return {};  // of both signs
   const double sum = u + v + w;
   if (sum == 0) return {};  // edge-on
   const double t = (u * z[0] + v * z[1] + w * z[2]) / sum * ray.z_scale;
   if (!(t > ray.t_min) || !(t < ray.t_max)) return {};  // NaN fails both
   return Hit{t, v / sum, w / sum, 0};
-}
-
-inline std::optional<Hit> IntersectTriangleInline(const ShearedRay& ray, const std::array<Point, 3>& corners) {
-  switch (ray.z_axis) {
-    case 0:
-      return IntersectTriangleAlong<0>(ray, corners);
-    case 1:
-      return IntersectTriangleAlong<1>(ray, corners);
-    default:
-      return IntersectTriangleAlong<2>(ray, corners);
-  }
 }
 
 }  // namespace R3

@@ -37,7 +37,9 @@ inline double MaxComponent(const Vector& v) { return std::max({v.x, v.y, v.z}); 
 /// The axis of the largest component in magnitude; the lowest axis among equals.
 inline int MaxAxis(const Vector& v) {
   const Vector a = Abs(v);
-  return a.x >= a.y ? (a.x >= a.z ? 0 : 2) : (a.y >= a.z ? 1 : 2);
+  // In sums, because branches on rays of all directions are guessed wrong.
+  const int x_or_y = a.y > a.x, is_z = (a.z > a.x) & (a.z > a.y);
+  return 2 * is_z + (1 - is_z) * x_or_y;
 }
 
 /// Euclidean length within 3 u relative; scaled by a power of two first where squares would leave the range.

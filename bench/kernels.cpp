@@ -2,6 +2,7 @@
 //
 //     make bench && build/bench/kernels [scene=a,b] [accel=bvh,grid] [rays=N] [repeats=N] [quality=low|medium|high]
 //                                       [robust=1] [simd=avx2] [build=1] [resolution=x] [counts=1] [peer=0]
+//                                       [together=16] [kind=primary,shadow]
 //
 // Columns are millions of rays a second, the ratio to Embree's, and wrong answers, theirs + ours: where the two differ
 // (a hit against none, or over 1e-3 apart) every triangle is asked in double precision to decide who is wrong.
@@ -30,8 +31,10 @@ using Seconds = std::chrono::duration<double>;
 struct Kind {
   std::string name;
   Rays rays;
-  bool any = false;
+  bool any = false, is_coherent = false;
 };
+
+constexpr std::size_t most_together = 256;
 
 double Median(std::vector<double> values) {
   std::sort(values.begin(), values.end());
@@ -86,11 +89,13 @@ std::vector<Kind> MakeRays(const bench::View& view, const ray::World& world, con
     return Onward{bench::Float(ray.At(hit->hit.t) + off * n), Float(bounce)};
   };
 
-  Kind primary{"primary", {}}, shadow{"shadow", {}, true}, diffuse{"diffuse", {}}, third{"third", {}};
-  for (int ty = 0; ty < side; ty += 8)
-    for (int tx = 0; tx < side; tx += 8)
-      for (int y = ty; y < std::min(ty + 8, side); ++y)
-        for (int x = tx; x < std::min(tx + 8, side); ++x) {
+  Kind primary{"primary", {}, false, true}, shadow{"shadow", {}, true, true}, diffuse{"diffuse", {}},
+      third{"third", {}};
+  constexpr int tile = 4;
+  for (int ty = 0; ty < side; ty += tile)
+    for (int tx = 0; tx < side; tx += tile)
+      for (int y = ty; y < std::min(ty + tile, side); ++y)
+        for (int x = tx; x < std::min(tx + tile, side); ++x) {
           R3::Ray ray = camera.Through(x + 0.5, y + 0.5, side, side);
           ray.origin = bench::Float(ray.origin), ray.direction = Float(ray.direction);
           primary.rays.push_back(ray);
@@ -115,10 +120,25 @@ struct Answers {
   ray::Counts counts;
 };
 
-Answers Ask(const ray::Accelerator& accelerator, const Kind& kind) {
+Answers Ask(const ray::Accelerator& accelerator, const Kind& kind, std::size_t together = 1) {
   ray::Workspace workspace;
   Answers answers;
   answers.t.reserve(kind.rays.size());
+  if (together > 1 && kind.is_coherent) {
+    std::optional<ray::WorldHit> hits[most_together];
+    bool are_occluded[most_together];
+    for (std::size_t first = 0; first < kind.rays.size(); first += together) {
+      const std::span rays(kind.rays.data() + first, std::min(together, kind.rays.size() - first));
+      if (kind.any)
+        accelerator.IsOccluded(rays, are_occluded, workspace);
+      else
+        accelerator.Intersect(rays, hits, workspace);
+      for (std::size_t i = 0; i < rays.size(); ++i)
+        answers.t.push_back(kind.any ? (are_occluded[i] ? 0 : R3::infinity) : hits[i] ? hits[i]->hit.t : R3::infinity);
+    }
+    answers.counts = workspace.counts;
+    return answers;
+  }
   for (const R3::Ray& ray : kind.rays) {
     if (kind.any) {
       answers.t.push_back(accelerator.IsOccluded(ray, workspace) ? 0 : R3::infinity);
@@ -188,10 +208,10 @@ double BuildSeconds(int threads, int repeats, const Make& make) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  std::map<std::string, std::string> options{{"scene", ""},    {"accel", "bvh"},   {"rays", "1000000"},
-                                             {"repeats", "5"}, {"robust", "0"},    {"quality", "medium"},
-                                             {"simd", "best"}, {"build", "0"},     {"resolution", "0"},
-                                             {"peer", "1"},    {"ours", "medium"}, {"counts", "0"}};
+  std::map<std::string, std::string> options{
+      {"scene", ""},         {"accel", "bvh"}, {"rays", "1000000"}, {"repeats", "5"},    {"robust", "0"},
+      {"quality", "medium"}, {"simd", "best"}, {"build", "0"},      {"resolution", "0"}, {"peer", "1"},
+      {"ours", "medium"},    {"counts", "0"},  {"together", "1"},   {"kind", ""}};
   for (int i = 1; i < argc; ++i) {
     const std::string word = argv[i];
     const auto sign = word.find('=');
@@ -202,7 +222,8 @@ int main(int argc, char** argv) {
     options[word.substr(0, sign)] = word.substr(sign + 1);
   }
   const auto scenes = options["scene"].empty() ? bench::SceneNames() : Split(options["scene"]);
-  const auto accelerators = Split(options["accel"]);
+  const auto accelerators = Split(options["accel"]), wanted = Split(options["kind"]);
+  const std::size_t together = std::clamp<std::size_t>(std::stoul(options["together"]), 1, most_together);
   const int repeats = std::stoi(options["repeats"]);
   const auto quality = options["quality"] == "high"  ? embree::high
                        : options["quality"] == "low" ? embree::low
@@ -249,7 +270,8 @@ int main(int argc, char** argv) {
       }
     }
     for (const Kind& kind : MakeRays(*view, world, *ours[0], std::stoul(options["rays"]))) {
-      if (kind.rays.empty()) continue;
+      if (kind.rays.empty() || (!wanted.empty() && std::find(wanted.begin(), wanted.end(), kind.name) == wanted.end()))
+        continue;
       std::vector<std::vector<double>> seconds(ours.size());
       std::vector<double> their_seconds;
       std::vector<Answers> answers(ours.size());
@@ -257,7 +279,7 @@ int main(int argc, char** argv) {
       for (int i = 0; i < repeats; ++i) {
         if (theirs) their_seconds.push_back(Time([&] { their_answers = Ask(*theirs, kind); }));
         for (std::size_t a = 0; a < ours.size(); ++a)
-          seconds[a].push_back(Time([&] { answers[a] = Ask(ours[a]->Worker(), kind); }));
+          seconds[a].push_back(Time([&] { answers[a] = Ask(ours[a]->Worker(), kind, together); }));
       }
       const double million = 1e-6 * static_cast<double>(kind.rays.size());
       std::printf("%-12s %-9s", name.c_str(), kind.name.c_str());

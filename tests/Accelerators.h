@@ -140,7 +140,35 @@ inline void Compare(const ray::World& world, const std::vector<R3::Ray>& rays, c
       EXPECT_EQ(accelerator->IsOccluded(shadow(rays[i]), workspace), occluded[i])
           << way.name << ' ' << oracle::Hex(rays[i]);
     }
+    // And when asked about some at a time.
+    std::vector<R3::Ray> shadows;
+    for (const R3::Ray& ray : rays) shadows.push_back(shadow(ray));
+    for (std::size_t first = 0, count = 1; first < rays.size(); first += count, count = count % 37 + 5) {
+      count = std::min(count, rays.size() - first);
+      std::vector<std::optional<ray::WorldHit>> hits_together(count);
+      const auto are_occluded = std::make_unique<bool[]>(count);
+      accelerator->Intersect(std::span(rays).subspan(first, count), hits_together.data(), workspace);
+      accelerator->IsOccluded(std::span(shadows).subspan(first, count), are_occluded.get(), workspace);
+      for (std::size_t i = 0; i < count; ++i) {
+        ExpectSame(hits_together[i], hits[first + i], rays[first + i], way.name + ", together");
+        EXPECT_EQ(are_occluded[i], occluded[first + i]) << way.name << ", together " << oracle::Hex(rays[first + i]);
+      }
+    }
   }
+}
+
+/// Rays that go nearly the way of one: from around its origin, in directions around its own, both `spread` times its
+/// length apart, of other lengths, now and then with an end.
+inline std::vector<R3::Ray> Bundle(Draw& draw, const R3::Ray& ray, int count, double spread_of_origins,
+                                   double spread_of_directions) {
+  const double length = MaxComponent(Abs(ray.direction));
+  std::vector<R3::Ray> list;
+  for (int i = 0; i < count; ++i) {
+    const double end = draw.Whole(0, 3) ? R3::infinity : draw.Scale(-2, 1);
+    list.push_back({ray.origin + spread_of_origins * length * draw.Direction(),
+                    draw.Scale(-1, 1) * (ray.direction + spread_of_directions * length * draw.Direction()), 0, end});
+  }
+  return list;
 }
 
 /// Rays at and around the instances of a world: from near and far, along axes, from corners of boxes, and on from

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -37,6 +38,7 @@ void FillBlock(TriangleBlock& block, const Space& space, const Coordinates& coor
 
 /// One structure over the world, and one over the inside of each shared mesh. A Structure has the members
 ///     Space space; Coordinates coordinates; std::size_t Bytes() const; std::string Explain() const;
+///     static constexpr bool meets_items_again;  // whether a ray often meets the same item twice in a row
 template <typename Structure>
 struct Forest {
   const World* world = nullptr;
@@ -49,6 +51,11 @@ struct Kernels {
   std::int64_t instruction_set;  // as Highway numbers it
   void (*nearest)(const Forest<Structure>& forest, const R3::Ray& ray, NearestHit& nearest, Counts& counts);
   bool (*any)(const Forest<Structure>& forest, const R3::Ray& ray, Counts& counts);
+  /// For many rays that go nearly the same way; null where they go one by one all the same.
+  void (*nearest_together)(const Forest<Structure>& forest, std::span<const R3::Ray> rays,
+                           std::optional<WorldHit>* hits, Counts& counts) = nullptr;
+  void (*any_together)(const Forest<Structure>& forest, std::span<const R3::Ray> rays, bool* are_occluded,
+                       Counts& counts) = nullptr;
 };
 
 /// All the instruction sets that some machine may have, by name.
@@ -101,6 +108,21 @@ class ForestAccelerator : public Accelerator {
 
   bool Any(const R3::Ray& ray, Workspace& workspace) const override {
     return kernels_.any(forest_, ray, workspace.counts);
+  }
+
+  void NearestOfEach(std::span<const R3::Ray> rays, std::optional<WorldHit>* hits,
+                     Workspace& workspace) const override {
+    if (kernels_.nearest_together)
+      kernels_.nearest_together(forest_, rays, hits, workspace.counts);
+    else
+      Accelerator::NearestOfEach(rays, hits, workspace);
+  }
+
+  void AnyOfEach(std::span<const R3::Ray> rays, bool* are_occluded, Workspace& workspace) const override {
+    if (kernels_.any_together)
+      kernels_.any_together(forest_, rays, are_occluded, workspace.counts);
+    else
+      Accelerator::AnyOfEach(rays, are_occluded, workspace);
   }
 
   Kernels<Structure> kernels_{};

@@ -55,10 +55,14 @@ inline constexpr float pad_of_boxes = 0;
 inline constexpr float pad_of_boxes = 8 * u;
 #endif
 
-/// 2^-e for the x in [2^e, 2^(e+1)), which must be finite and not 0; exact but for subnormal x.
+/// 2^-e for the x in [2^e, 2^(e+1)), which must be finite and not 0; at least 2^-1022 and at most 2^1022.
 HWY_INLINE double PowerOfTwoBelowInverse(double x) {
   const std::uint64_t exponent = std::bit_cast<std::uint64_t>(x) >> 52 & 0x7ff;
   return std::bit_cast<double>(std::clamp<std::uint64_t>(2046 - exponent, 1, 2045) << 52);
+}
+/// 1 / x of a power of two that the above gave.
+HWY_INLINE double InverseOfPowerOfTwo(double x) {
+  return std::bit_cast<double>((std::uint64_t{2046} << 52) - std::bit_cast<std::uint64_t>(x));
 }
 
 // Four numbers at once, as the compilers know them; the fourth is whatever lies behind the third in memory.
@@ -69,7 +73,10 @@ using Whole4 = std::int32_t __attribute__((vector_size(16)));
 HWY_INLINE void Load(const double* xyz, Double4& v) { std::memcpy(&v, xyz, sizeof v); }
 template <typename V>
 HWY_INLINE auto Largest(const V& v) {
-  return std::max(std::max(std::abs(v[0]), std::abs(v[1])), std::abs(v[2]));
+  const auto larger = [](auto a, auto b) {
+    return a > b ? a : b;
+  };  // values, so that it is an instruction, not a branch
+  return larger(larger(std::abs(v[0]), std::abs(v[1])), std::abs(v[2]));
 }
 
 /// A ray in a structure's coordinates, begun where it enters the structure's box if it comes from afar.
@@ -84,6 +91,8 @@ struct Probe {
   double per_t, begin;    // distance along the probe = t * per_t - begin
   bool is_lost = false;   // it misses the structure's box
 
+  Probe() = default;
+
   /// An upper bound.
   float Distance(double t) const { return static_cast<float>(t * per_t - begin) * (1 + 4 * u) + slack; }
 
@@ -95,13 +104,13 @@ struct Probe {
     const Double4 from = place.scale * (eye - center);
     const double power = PowerOfTwoBelowInverse(Largest(heading));
     along = power * heading;
-    per_t = place.scale / power;
+    per_t = place.scale * InverseOfPowerOfTwo(power);
 
     // Enter the box, generously, so that the coordinates are no larger than they need be.
     const double far = Largest(from);
     const double more = pad_per_distance * distance_in_world * place.scale;
     constexpr double near_enough = 6;
-    begin = ray.t_min * per_t;
+    begin = ray.t_min == 0 ? 0 : ray.t_min * per_t;
     if (HWY_UNLIKELY(far > near_enough + more)) {
       const double reach = 1 + 0x1p-10 + 0x1p-40 * far + more;
       double enter = begin, leave = ray.t_max * per_t;
@@ -120,7 +129,7 @@ struct Probe {
     constexpr double far_per_t = 0x1p700, far_scale = 0x1p200;
     const bool is_in_range = std::abs(begin) < 0x1p1000 && per_t < far_per_t && per_t > 1 / far_per_t &&
                              place.scale <= far_scale && place.scale >= 1 / far_scale;
-    start = from + begin * along;
+    start = begin == 0 ? from : from + begin * along;
     const double origin_reach = 1 + Largest(start) + 0x1p-20 * (far + std::abs(begin)) + more * (1 / (8 * u));
     const float r = static_cast<float>(origin_reach);
     slack = pad_of_boxes * r;
@@ -151,75 +160,192 @@ struct Probe {
   }
 };
 
-/// What a block of triangles may have for a probe.
-struct Possible {
-  std::uint32_t maybe = 0, certain = 0;               // bits; certain ones are in maybe too
-  alignas(32) float nearest[width], farthest[width];  // bounds on the distance of the certain; nearest also of others
+/// Triangles in lanes, one each or all the same.
+template <typename D>
+struct TriangleLanes {
+  using V = hn::Vec<D>;
+  V edge1_x, edge1_y, edge1_z, edge2_x, edge2_y, edge2_z, normal_x, normal_y, normal_z;
+  V edges, area;  // sum and product of the edges' magnitudes
 };
 
-/// Which triangles of a block are not certainly missed before `limit`.
-///   source  the edge functions of Moller, Trumbore, Fast, minimum storage ray/triangle intersection (1997), undivided
+/// From the edges of the block's triangles.
+template <typename D>
+HWY_INLINE TriangleLanes<D> LoadTriangles(D d, const TriangleBlock& block, std::size_t first) {
+  using V = hn::Vec<D>;
+  const V ax = hn::Load(d, block.edge1[0] + first), bx = hn::Load(d, block.edge2[0] + first);
+  const V ay = hn::Load(d, block.edge1[1] + first), by = hn::Load(d, block.edge2[1] + first);
+  const V az = hn::Load(d, block.edge1[2] + first), bz = hn::Load(d, block.edge2[2] + first);
+  const auto minus = [](V p, V q, V r, V s) { return hn::MulSub(p, q, hn::Mul(r, s)); };
+  const auto sum = [](V x, V y, V z) { return hn::Add(hn::Abs(x), hn::Add(hn::Abs(y), hn::Abs(z))); };
+  const V a = sum(ax, ay, az), b = sum(bx, by, bz);
+  return {ax,
+          ay,
+          az,
+          bx,
+          by,
+          bz,
+          minus(ay, bz, az, by),
+          minus(az, bx, ax, bz),
+          minus(ax, by, ay, bx),
+          hn::Add(a, b),
+          hn::Mul(a, b)};
+}
+
+/// Rays in lanes, one each or all the same.
+template <typename D>
+struct RayLanes {
+  using V = hn::Vec<D>;
+  V direction_x, direction_y, direction_z, slack, slack_of_edges, slack_of_height, limit;
+};
+
+/// What lanes may have of each other.
+template <typename D>
+struct Verdict {
+  hn::Mask<D> maybe, certain;  // the certain ones are in maybe too
+  hn::Vec<D> nearest;          // bounds on the distance; of those that are not clear 0
+  hn::Vec<D> farthest;         // of the certain
+};
+
+/// Which triangles are not certainly missed by their ray before its limit; false when none, and then no more is said.
+///   to_corner   from the ray's origin to the triangle's first corner
+///   source      the edge functions of Moller, Trumbore, Fast, minimum storage ray/triangle intersection (1997),
+///               undivided
+template <typename D, typename V = hn::Vec<D>>
+HWY_INLINE bool TestLanes(D d, const TriangleLanes<D>& triangle, V cx, V cy, V cz, const RayLanes<D>& ray,
+                          Verdict<D>& verdict) {
+  const auto set = [&](float x) { return hn::Set(d, x); };
+  const auto minus = [](V p, V q, V r, V s) { return hn::MulSub(p, q, hn::Mul(r, s)); };
+  const auto dot = [](V px, V py, V pz, V qx, V qy, V qz) {
+    return hn::MulAdd(px, qx, hn::MulAdd(py, qy, hn::Mul(pz, qz)));
+  };
+  const V dx = ray.direction_x, dy = ray.direction_y, dz = ray.direction_z;
+  const V rx = minus(cy, dz, cz, dy), ry = minus(cz, dx, cx, dz), rz = minus(cx, dy, cy, dx);
+  const V facing = dot(triangle.normal_x, triangle.normal_y, triangle.normal_z, dx, dy, dz);
+  const V v = dot(rx, ry, rz, triangle.edge2_x, triangle.edge2_y, triangle.edge2_z);
+  const V w = hn::Neg(dot(rx, ry, rz, triangle.edge1_x, triangle.edge1_y, triangle.edge1_z));
+  const V rest = hn::Sub(hn::Sub(facing, v), w);
+  // The last term is for products below the range of floats.
+  const V slack_of_facing = hn::MulAdd(triangle.area, set(32 * u), set(1e-30f));
+  const V slack = hn::MulAdd(triangle.edges, ray.slack_of_edges, slack_of_facing);
+  const V least = hn::Min(v, hn::Min(w, rest)), most = hn::Max(v, hn::Max(w, rest));
+  auto maybe = hn::Or(hn::Ge(least, hn::Neg(slack)), hn::Le(most, slack));
+  if (hn::AllFalse(d, maybe)) return false;
+
+  // Edge-on, nothing is known of distances.
+  const V height = dot(triangle.normal_x, triangle.normal_y, triangle.normal_z, cx, cy, cz), steep = hn::Abs(facing);
+  const V ahead = hn::Xor(height, hn::And(facing, hn::SignBit(d)));
+  const V slack_of_height = hn::MulAdd(triangle.area, ray.slack_of_height, set(1e-30f));
+  const auto is_clear = hn::Gt(steep, hn::Add(slack_of_facing, slack_of_facing));
+  const V low = hn::Sub(ahead, slack_of_height), high = hn::Add(ahead, slack_of_height);
+  const V wide = hn::Add(steep, slack_of_facing), narrow = hn::Sub(steep, slack_of_facing);
+  // Dividing may round by u; so may what follows.
+  const V nearest = hn::Mul(hn::Div(low, hn::IfThenElse(hn::Ge(low, hn::Zero(d)), wide, narrow)), set(1 - 4 * u));
+  const auto is_far = hn::Gt(nearest, ray.limit), is_behind = hn::Lt(high, hn::Zero(d));
+  maybe = hn::AndNot(hn::And(is_clear, hn::Or(is_far, is_behind)), maybe);
+  if (hn::AllFalse(d, maybe)) return false;
+  const auto is_inside = hn::Or(hn::Gt(least, slack), hn::Lt(most, hn::Neg(slack)));
+  const auto is_in_front = hn::Gt(nearest, ray.slack);
+  verdict.maybe = maybe;
+  verdict.certain = hn::And(maybe, hn::And(is_clear, hn::And(is_inside, is_in_front)));
+  verdict.nearest = hn::IfThenElseZero(is_clear, nearest);
+  verdict.farthest = hn::Mul(hn::Div(high, narrow), set(1 + 4 * u));
+  return true;
+}
+
+/// The lanes that are set, as bits.
+template <typename D, typename M>
+HWY_INLINE std::uint32_t Bits(D d, M mask) {
+  std::uint8_t bytes[8] = {};
+  hn::StoreMaskBits(d, mask, bytes);
+  return bytes[0] | static_cast<std::uint32_t>(bytes[1]) << 8;
+}
+
+/// What a block of triangles may have for a probe: Verdict, the lanes being bits and places in arrays.
+struct Possible {
+  std::uint32_t maybe = 0, certain = 0;
+  alignas(32) float nearest[width], farthest[width];
+};
+
 HWY_INLINE void TestTriangles(const TriangleBlock& block, const Probe& probe, float limit, Possible& possible) {
   const Lanes lanes;
+  const auto set = [&](float x) { return hn::Set(lanes, x); };
   possible.maybe = possible.certain = 0;
   for (std::size_t i = 0; i < width; i += hn::Lanes(lanes)) {
-    const auto set = [&](float x) { return hn::Set(lanes, x); };
-    const auto load = [&](const float* from) { return hn::Load(lanes, from + i); };
-    const Floats dx = set(probe.direction[0]), dy = set(probe.direction[1]), dz = set(probe.direction[2]);
-    const Floats cx = hn::Sub(load(block.corner[0]), set(probe.origin[0]));
-    const Floats cy = hn::Sub(load(block.corner[1]), set(probe.origin[1]));
-    const Floats cz = hn::Sub(load(block.corner[2]), set(probe.origin[2]));
-    const Floats ax = load(block.edge1[0]), ay = load(block.edge1[1]), az = load(block.edge1[2]);
-    const Floats bx = load(block.edge2[0]), by = load(block.edge2[1]), bz = load(block.edge2[2]);
-    const auto minus = [](Floats p, Floats q, Floats r, Floats s) { return hn::MulSub(p, q, hn::Mul(r, s)); };
-    const auto dot = [](Floats px, Floats py, Floats pz, Floats qx, Floats qy, Floats qz) {
-      return hn::MulAdd(px, qx, hn::MulAdd(py, qy, hn::Mul(pz, qz)));
+    const auto to_corner = [&](int axis) {
+      return hn::Sub(hn::Load(lanes, block.corner[axis] + i), set(probe.origin[axis]));
     };
-    const Floats rx = minus(cy, dz, cz, dy), ry = minus(cz, dx, cx, dz), rz = minus(cx, dy, cy, dx);
-    const Floats nx = minus(ay, bz, az, by), ny = minus(az, bx, ax, bz), nz = minus(ax, by, ay, bx);
-    const Floats facing = dot(nx, ny, nz, dx, dy, dz);
-    const Floats v = dot(rx, ry, rz, bx, by, bz);
-    const Floats w = hn::Neg(dot(rx, ry, rz, ax, ay, az));
-    const Floats rest = hn::Sub(hn::Sub(facing, v), w);
-    const auto sum = [](Floats x, Floats y, Floats z) { return hn::Add(hn::Abs(x), hn::Add(hn::Abs(y), hn::Abs(z))); };
-    const Floats a = sum(ax, ay, az), b = sum(bx, by, bz), area = hn::Mul(a, b);
-    // The last term is for products below the range of floats.
-    const Floats slack_of_facing = hn::MulAdd(area, set(32 * u), set(1e-30f));
-    const Floats slack = hn::MulAdd(hn::Add(a, b), set(probe.slack_of_edges), slack_of_facing);
-    const Floats least = hn::Min(v, hn::Min(w, rest)), most = hn::Max(v, hn::Max(w, rest));
-    auto maybe = hn::Or(hn::Ge(least, hn::Neg(slack)), hn::Le(most, slack));
-    if (hn::AllFalse(lanes, maybe)) continue;
-
-    // Edge-on, nothing is known of distances.
-    const Floats height = dot(nx, ny, nz, cx, cy, cz), steep = hn::Abs(facing);
-    const Floats ahead = hn::Xor(height, hn::And(facing, hn::SignBit(lanes)));
-    const Floats slack_of_height = hn::MulAdd(area, set(probe.slack_of_height), set(1e-30f));
-    const auto is_clear = hn::Gt(steep, hn::Add(slack_of_facing, slack_of_facing));
-    const Floats low = hn::Sub(ahead, slack_of_height), high = hn::Add(ahead, slack_of_height);
-    const Floats wide = hn::Add(steep, slack_of_facing), narrow = hn::Sub(steep, slack_of_facing);
-    // Dividing may round by u; so may what follows.
-    const Floats nearest =
-        hn::Mul(hn::Div(low, hn::IfThenElse(hn::Ge(low, hn::Zero(lanes)), wide, narrow)), set(1 - 4 * u));
-    const Floats farthest = hn::Mul(hn::Div(high, narrow), set(1 + 4 * u));
-    const auto is_far = hn::Gt(nearest, set(limit)), is_behind = hn::Lt(high, hn::Zero(lanes));
-    maybe = hn::AndNot(hn::And(is_clear, hn::Or(is_far, is_behind)), maybe);
-    if (hn::AllFalse(lanes, maybe)) continue;
-    const auto is_inside = hn::Or(hn::Gt(least, slack), hn::Lt(most, hn::Neg(slack)));
-    const auto is_in_front = hn::Gt(nearest, set(probe.slack));
-    const auto certain = hn::And(maybe, hn::And(is_clear, hn::And(is_inside, is_in_front)));
-    hn::Store(hn::IfThenElseZero(is_clear, nearest), lanes, possible.nearest + i);
-    hn::Store(farthest, lanes, possible.farthest + i);
-    std::uint8_t bits[8] = {};
-    hn::StoreMaskBits(lanes, maybe, bits);
-    possible.maybe |= static_cast<std::uint32_t>(bits[0]) << i;
-    hn::StoreMaskBits(lanes, certain, bits);
-    possible.certain |= static_cast<std::uint32_t>(bits[0]) << i;
+    const RayLanes<Lanes> ray{set(probe.direction[0]),
+                              set(probe.direction[1]),
+                              set(probe.direction[2]),
+                              set(probe.slack),
+                              set(probe.slack_of_edges),
+                              set(probe.slack_of_height),
+                              set(limit)};
+    Verdict<Lanes> verdict;
+    if (!TestLanes(lanes, LoadTriangles(lanes, block, i), to_corner(0), to_corner(1), to_corner(2), ray, verdict))
+      continue;
+    hn::Store(verdict.nearest, lanes, possible.nearest + i);
+    hn::Store(verdict.farthest, lanes, possible.farthest + i);
+    possible.maybe |= Bits(lanes, verdict.maybe) << i;
+    possible.certain |= Bits(lanes, verdict.certain) << i;
   }
 }
 
 template <bool any, typename Structure>
 bool Search(const Forest<Structure>& forest, const Structure& structure, const R3::Ray& ray, double distance_in_world,
             std::optional<std::uint32_t> instance, NearestHit& nearest, Counts& counts);
+
+/// Decides in doubles about triangles of one structure, for one ray.
+template <typename Structure>
+class Decider {
+ public:
+  struct Place {
+    const R3::Mesh* mesh;
+    std::uint32_t instance;
+    std::int32_t element;
+
+    const std::array<std::uint32_t, 3>& Indices() const {
+      return mesh->Data().triangles[static_cast<std::size_t>(element)];
+    }
+    void FetchIndices() const { __builtin_prefetch(&Indices()); }
+    /// Once the indices are there.
+    void FetchCorners() const {
+      for (const std::uint32_t corner : Indices()) __builtin_prefetch(&mesh->Data().positions[corner]);
+    }
+  };
+
+  HWY_INLINE Decider(const Forest<Structure>& forest, const Structure& structure, const R3::Ray& ray,
+                     std::optional<std::uint32_t> instance, NearestHit& nearest, Counts& counts)
+      : forest_(forest), space_(structure.space), instance_(instance), nearest_(nearest), counts_(counts), ray_(ray) {}
+
+  /// Makes the ray ready ahead of time, so that its division is over when it is needed.
+  HWY_INLINE void Prepare() { sheared_.emplace(ray_); }
+
+  HWY_INLINE Place Find(std::uint32_t item) const {
+    const Item what = space_[item];
+    const std::uint32_t of = instance_.value_or(what.instance);
+    return {forest_.world->Instances()[of].mesh, of, what.element};
+  }
+
+  HWY_FLATTEN bool Decide(const Place& place) {
+    if (!sheared_) Prepare();
+    if (nearest_.Best()) sheared_->t_max = std::min(sheared_->t_max, R3::NextUp(nearest_.Limit()));
+    ++counts_.primitive_tests;
+    const auto hit = R3::IntersectTriangleInline(*sheared_, place.mesh->Corners(place.element));
+    if (!hit) return false;
+    nearest_.Offer({*hit, place.instance, place.element});
+    return true;
+  }
+
+ private:
+  const Forest<Structure>& forest_;
+  const Space& space_;
+  std::optional<std::uint32_t> instance_;
+  NearestHit& nearest_;
+  Counts& counts_;
+  const R3::Ray& ray_;
+  std::optional<R3::ShearedRay> sheared_;
+};
 
 /// Asks what a walk comes by. Triangles that doubles may have to decide about are kept until the end; where their
 /// corners are in memory is looked up in steps while the walk goes on, so that deciding need not wait for it.
@@ -234,11 +360,11 @@ class Asker {
         ray_(ray),
         probe_(probe),
         distance_in_world_(distance_in_world),
-        instance_(instance),
         nearest_(nearest),
         counts_(counts),
-        limit_for_certain_(limit - 4 * probe.slack) {
-    if constexpr (!any) sheared_.emplace(ray);  // its division is over before it is needed
+        limit_for_certain_(limit - 4 * probe.slack),
+        decider_(forest, structure, ray, instance, nearest, counts) {
+    if constexpr (!any) decider_.Prepare();
   }
 
   float limit;               // what is farther along the probe than this is not wanted any more
@@ -253,7 +379,8 @@ class Asker {
       const int i = std::countr_zero(rest);
       const bool is_certain = possible.certain >> i & 1;
       if constexpr (any) {
-        is_answered = (is_certain && possible.farthest[i] < limit_for_certain_) || Decide(Find(block.item[i]));
+        is_answered =
+            (is_certain && possible.farthest[i] < limit_for_certain_) || decider_.Decide(decider_.Find(block.item[i]));
         if (is_answered) return true;
       } else {
         constexpr float none = std::numeric_limits<float>::infinity();
@@ -285,60 +412,35 @@ class Asker {
 
   /// Decides about the triangles kept that may still be the nearest, last found first.
   HWY_INLINE void Finish() {
-    for (int i = 0; i < count_; ++i)
-      for (const std::uint32_t corner : kept_[i].place.Indices())
-        __builtin_prefetch(&kept_[i].place.mesh->Data().positions[corner]);
+    if (count_ == 0) return;
+    for (int i = 0; i + 1 < count_; ++i) kept_[i].place.FetchCorners();
     while (count_ > 0) {
       --count_;
       if (!doubles_decide && kept_[count_].nearest <= limit) {
         const double t = (static_cast<double>(kept_[count_].nearest) + probe_.begin) / probe_.per_t;
         nearest_.Offer({{t, 0, 0, 0}, kept_[count_].place.instance, kept_[count_].place.element});
         limit = kept_[count_].nearest;
-      } else if (kept_[count_].nearest <= limit && Decide(kept_[count_].place))
+      } else if (kept_[count_].nearest <= limit && decider_.Decide(kept_[count_].place))
         limit = std::min(limit, probe_.Distance(nearest_.Limit()));
     }
   }
 
  private:
-  struct Place {
-    const R3::Mesh* mesh;
-    std::uint32_t instance;
-    std::int32_t element;
-
-    const std::array<std::uint32_t, 3>& Indices() const {
-      return mesh->Data().triangles[static_cast<std::size_t>(element)];
-    }
-  };
   struct Kept {
     std::uint32_t item;
     float nearest;
-    Place place;
+    typename Decider<Structure>::Place place;
   };
   static constexpr int most = 16;
 
-  HWY_INLINE Place Find(std::uint32_t item) const {
-    const Item what = space_[item];
-    const std::uint32_t of = instance_.value_or(what.instance);
-    return {forest_.world->Instances()[of].mesh, of, what.element};
-  }
-
   HWY_INLINE void Keep(std::uint32_t item, float nearest, float farthest) {
-    if (count_ > 0 && kept_[count_ - 1].item == item) return;  // met again in the next cell
+    if constexpr (Structure::meets_items_again)
+      if (count_ > 0 && kept_[count_ - 1].item == item) return;
     if (count_ == most) Finish();
-    kept_[count_] = {item, nearest, Find(item)};
-    __builtin_prefetch(&kept_[count_].place.Indices());
+    kept_[count_] = {item, nearest, decider_.Find(item)};
+    kept_[count_].place.FetchIndices();
     ++count_;
     limit = std::min(limit, farthest);
-  }
-
-  HWY_FLATTEN bool Decide(const Place& place) {
-    if (!sheared_) sheared_.emplace(ray_);
-    if (nearest_.Best()) sheared_->t_max = std::min(sheared_->t_max, R3::NextUp(nearest_.Limit()));
-    ++counts_.primitive_tests;
-    const auto hit = R3::IntersectTriangleInline(*sheared_, place.mesh->Corners(place.element));
-    if (!hit) return false;
-    nearest_.Offer({*hit, place.instance, place.element});
-    return true;
   }
 
   const Forest<Structure>& forest_;
@@ -346,11 +448,10 @@ class Asker {
   const R3::Ray& ray_;
   const Probe& probe_;
   double distance_in_world_;
-  std::optional<std::uint32_t> instance_;
   NearestHit& nearest_;
   Counts& counts_;
   float limit_for_certain_;
-  std::optional<R3::ShearedRay> sheared_;
+  Decider<Structure> decider_;
   int count_ = 0;
   std::array<Kept, most> kept_;
 };
@@ -393,7 +494,7 @@ bool FindAny(const Forest<Structure>& forest, const R3::Ray& ray, Counts& counts
 
 template <typename Structure>
 Kernels<Structure> CompiledKernels() {
-  return {HWY_TARGET, &FindNearest<Structure>, &FindAny<Structure>};
+  return {HWY_TARGET, &FindNearest<Structure>, &FindAny<Structure>, nullptr, nullptr};
 }
 
 }  // namespace HWY_NAMESPACE

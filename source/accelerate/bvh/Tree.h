@@ -32,6 +32,8 @@ struct alignas(unit) Node {
 
 /// One structure over one space.
 struct Tree {
+  static constexpr bool meets_items_again = false;
+
   explicit Tree(Space the_space) : space(std::move(the_space)) {}
 
   Space space;

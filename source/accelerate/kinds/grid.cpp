@@ -18,6 +18,8 @@ namespace ray {
 
 /// Equal cells in rows, columns and layers; cells that hold very many items have a grid of their own.
 struct Grid {
+  static constexpr bool meets_items_again = true;
+
   /// One grid: cell (x, y, z) is cells[first + (z rows + y) columns + x].
   struct Level {
     Cell box;

@@ -19,6 +19,8 @@ namespace ray {
 
 /// A cube halved along all three axes again and again, where that is worth it.
 struct Octree {
+  static constexpr bool meets_items_again = true;
+
   struct Node {
     static constexpr std::uint32_t none = 0;  // the root is nobody's child
 
