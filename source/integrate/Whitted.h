@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "source/accelerate/Accelerator.h"
@@ -21,14 +22,23 @@ struct TraceState {
     RayKind kind = RayKind::camera;
   };
 
+  /// A shadow ray still to be traced, and which of the surfaces being shaded reflects how much unless it is stopped.
+  struct Shadow {
+    std::size_t surface = 0;
+    R2::Color reflected;
+  };
+
   Workspace workspace;
   RayCounts rays;
   std::vector<Pending> pending;
+  std::vector<R3::Ray> shadow_rays;
+  std::vector<Shadow> shadows;     // one for each of them
+  std::vector<R2::Color> arrived;  // at each surface
 
-  /// Books a ray and what the workspace has counted since the last.
-  void Book(RayKind kind) {
+  /// Books rays of one kind and what the workspace has counted since the last.
+  void Book(RayKind kind, std::size_t count) {
     RayCounts::Kind& account = rays[kind];
-    ++account.rays;
+    account.rays += count;
     account.cost += workspace.counts;
     workspace.counts = {};
   }
@@ -41,18 +51,28 @@ class Whitted {
  public:
   Whitted(const World& world, const Accelerator& accelerator, const TraceSettings& settings);
 
-  /// Light coming back along a camera ray, per channel, linear. The key makes its random numbers its own.
-  R2::Color Radiance(const R3::Ray& camera_ray, const RandomKey& key, TraceState& state) const;
+  /// A camera ray, and the key that makes its random numbers its own.
+  struct Sample {
+    R3::Ray ray;
+    RandomKey key;
+  };
+
+  /// Light coming back along each of some camera rays, per channel, linear. Rays of neighbouring pixels are best given
+  /// together, since they and their shadow rays then are traced together; what each brings back is the same.
+  void Radiance(std::span<const Sample> samples, std::span<R2::Color> radiances, TraceState& state) const;
 
  private:
   struct Surface;
 
-  R2::Color Shade(const Surface& surface, const RandomKey& key, TraceState& state) const;
-  R2::Color FromLight(const Light& light, const Surface& surface, const RandomKey& key, TraceState& state) const;
-  R2::Color FromTriangle(const EmissiveTriangle& triangle, const Surface& surface, const RandomKey& key,
-                         TraceState& state) const;
-  bool IsVisible(const R3::Ray& shadow_ray, TraceState& state) const;
-  void Spawn(const Surface& surface, const TraceState::Pending& parent, TraceState& state) const;
+  R2::Color Follow(const Surface& first, TraceState& state) const;
+  Surface SurfaceAt(const TraceState::Pending& ray, const WorldHit& hit) const;
+  /// Adds to each surface's radiance what it shines and scatters by itself.
+  void Shade(std::span<Surface> surfaces, TraceState& state) const;
+  /// One light's share of that; `which` is its number among random keys.
+  template <typename AnyLight>
+  void AddLight(const AnyLight& light, std::uint64_t which, std::span<Surface> surfaces, TraceState& state) const;
+  void TraceShadowRays(TraceState& state) const;
+  void Spawn(const Surface& surface, TraceState& state) const;
 
   const World& world_;
   const Accelerator& accelerator_;

@@ -38,24 +38,65 @@ class Tiles {
   int side_, columns_, rows_;
 };
 
-R2::Color RenderPixel(int x, int y, const Whitted& tracer, const Camera& camera, const RenderSettings& settings,
-                      TraceState& state) {
-  const double heat_before = settings.mode == "heat" ? Heat(state.rays.Cost()) : 0;
-  const RandomKey pixel = RandomKey(settings.seed)
-                              .Child(static_cast<std::uint64_t>(x))
-                              .Child(static_cast<std::uint64_t>(y));
-  PixelMean mean;
-  for (int s = 0; s < settings.samples; ++s) {
-    const R2::Point within = settings.samples == 1
-                                 ? R2::Point{0.5, 0.5}
-                                 : Stratified(static_cast<std::uint32_t>(s),
-                                              static_cast<std::uint32_t>(settings.samples), pixel.Child(0));
-    const R3::Ray ray = camera.Through(x + within.x, y + within.y, settings.width, settings.height);
-    mean.Add(tracer.Radiance(ray, pixel.Child(1).Child(static_cast<std::uint64_t>(s)), state));
+/// Pixels whose camera rays are traced together, and as many rays as are given at once. Where costs are the picture,
+/// each ray is alone, so that each pixel pays for its own.
+struct Batch {
+  int side = 4;
+  std::size_t rays = 16;
+};
+Batch BatchFor(const std::string& mode) { return mode == "heat" ? Batch{1, 1} : Batch{}; }
+
+/// Renders the pixels of a block.
+class BlockRenderer {
+ public:
+  BlockRenderer(const Whitted& tracer, const Camera& camera, const RenderSettings& settings)
+      : tracer_(tracer), camera_(camera), settings_(settings), most_(BatchFor(settings.mode).rays) {}
+
+  template <typename Store>
+  void Render(const PixelRectangle& block, TraceState& state, const Store& store) {
+    const double heat_before = settings_.mode == "heat" ? Heat(state.rays.Cost()) : 0;
+    const auto count = static_cast<std::uint32_t>(settings_.samples);
+    means_.assign(static_cast<std::size_t>(block.Area()), {});
+    std::size_t place = 0;
+    for (int y = block.y0; y < block.y1; ++y)
+      for (int x = block.x0; x < block.x1; ++x, ++place) {
+        const RandomKey pixel =
+            RandomKey(settings_.seed).Child(static_cast<std::uint64_t>(x)).Child(static_cast<std::uint64_t>(y));
+        for (std::uint32_t s = 0; s < count; ++s) {
+          const R2::Point within = count == 1 ? R2::Point{0.5, 0.5} : Stratified(s, count, pixel.Child(0));
+          samples_.push_back({camera_.Through(x + within.x, y + within.y, settings_.width, settings_.height),
+                              pixel.Child(1).Child(s)});
+          places_.push_back(place);
+          if (samples_.size() == most_) Trace(state);
+        }
+      }
+    Trace(state);
+    place = 0;
+    for (int y = block.y0; y < block.y1; ++y)
+      for (int x = block.x0; x < block.x1; ++x, ++place)
+        store(x, y,
+              settings_.mode == "heat" ? HeatColor((Heat(state.rays.Cost()) - heat_before) / settings_.samples)
+                                       : means_[place].Value());
   }
-  if (settings.mode == "heat") return HeatColor((Heat(state.rays.Cost()) - heat_before) / settings.samples);
-  return mean.Value();
-}
+
+ private:
+  void Trace(TraceState& state) {
+    radiances_.resize(samples_.size());
+    tracer_.Radiance(samples_, radiances_, state);
+    for (std::size_t i = 0; i < samples_.size(); ++i) means_[places_[i]].Add(radiances_[i]);
+    samples_.clear();
+    places_.clear();
+  }
+
+  const Whitted& tracer_;
+  const Camera& camera_;
+  const RenderSettings& settings_;
+  std::size_t most_;
+  std::vector<PixelMean> means_;
+  std::vector<Whitted::Sample> samples_;
+  std::vector<std::size_t> places_;  // of each sample's pixel in the block
+  std::vector<R2::Color> radiances_;
+};
 
 }  // namespace
 
@@ -82,12 +123,15 @@ RenderResult Render(const World& world, const Accelerator& accelerator, const Re
     state.workspace.ForgetPlaces();
     state.rays = {};
     std::int64_t pixels = 0;
-    for (int y = tile.y0; y < tile.y1; ++y)
-      for (int x = tile.x0; x < tile.x1; ++x) {
-        if (monitor.stop && monitor.stop->load(std::memory_order_relaxed)) break;
-        result.image.Set(x - whole.x0, y - whole.y0, RenderPixel(x, y, tracer, camera, settings, state));
-        ++pixels;
-      }
+    BlockRenderer renderer(tracer, camera, settings);
+    const Tiles blocks(tile, BatchFor(settings.mode).side);
+    for (int i = 0; i < blocks.Count(); ++i) {
+      if (monitor.stop && monitor.stop->load(std::memory_order_relaxed)) break;
+      renderer.Render(blocks[i], state, [&](int x, int y, const R2::Color& color) {
+        result.image.Set(x - whole.x0, y - whole.y0, color);
+      });
+      pixels += blocks[i].Area();
+    }
     const std::lock_guard lock(sums);
     result.pixels_done += pixels;
     result.rays += state.rays;
