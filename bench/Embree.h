@@ -2,6 +2,7 @@
 
 #include <dlfcn.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
@@ -22,6 +23,16 @@ struct alignas(16) RayHit {
   std::uint32_t primitive, geometry, instance, instance_primitive;
 };
 inline constexpr std::uint32_t nothing = ~0u;
+
+/// The same for `size` rays side by side, 8 or 16.
+template <int size>
+struct alignas(64) RayHits {
+  float origin_x[size], origin_y[size], origin_z[size], near[size], direction_x[size], direction_y[size],
+      direction_z[size], time[size], far[size];
+  std::uint32_t mask[size], id[size], flags[size];
+  float normal_x[size], normal_y[size], normal_z[size], u[size], v[size];
+  std::uint32_t primitive[size], geometry[size], instance[size], instance_primitive[size];
+};
 
 enum Quality { low = 0, medium = 1, high = 2 };
 
@@ -82,6 +93,8 @@ class Scene {
     call.Call<void(void*)>("rtcReleaseGeometry")(geometry);
     intersect_ = call.Call<void(void*, void*, void*)>("rtcIntersect1");
     occluded_ = call.Call<void(void*, void*, void*)>("rtcOccluded1");
+    intersect_8_ = call.Call<Together>("rtcIntersect8"), occluded_8_ = call.Call<Together>("rtcOccluded8");
+    intersect_16_ = call.Call<Together>("rtcIntersect16"), occluded_16_ = call.Call<Together>("rtcOccluded16");
     Commit();
   }
   Scene(const Scene&) = delete;
@@ -110,7 +123,34 @@ class Scene {
     return ray.far < 0;
   }
 
+  /// Rays are said to be coherent.
+  template <int size>
+  void Intersect(RayHits<size>& rays, const int* valid) const {
+    std::fill_n(rays.geometry, size, nothing);
+    Ask(size == 8 ? intersect_8_ : intersect_16_, &rays, valid);
+  }
+  template <int size>
+  void IsOccluded(RayHits<size>& rays, const int* valid) const {
+    Ask(size == 8 ? occluded_8_ : occluded_16_, &rays, valid);
+  }
+
  private:
+  using Together = void(const int*, void*, void*, void*);
+
+  void Ask(Together* ask, void* rays, const int* valid) const {
+    if (library_.major >= 4) {
+      struct {
+        std::uint32_t flags = 1u << 16;  // coherent
+        std::uint32_t features = ~0u;
+        void *context = nullptr, *filter = nullptr, *intersect = nullptr;
+      } arguments;
+      ask(valid, scene_, rays, &arguments);
+    } else {
+      Context context{1};  // coherent
+      ask(valid, scene_, &context, rays);
+    }
+  }
+
   struct Context {
     std::uint32_t flags = 0;  // incoherent
     void* filter = nullptr;
@@ -122,6 +162,7 @@ class Scene {
   void* scene_ = nullptr;
   void (*intersect_)(void*, void*, void*) = nullptr;
   void (*occluded_)(void*, void*, void*) = nullptr;
+  Together *intersect_8_ = nullptr, *occluded_8_ = nullptr, *intersect_16_ = nullptr, *occluded_16_ = nullptr;
 };
 
 }  // namespace embree

@@ -2,7 +2,7 @@
 //
 //     make bench && build/bench/kernels [scene=a,b] [accel=bvh,grid] [rays=N] [repeats=N] [quality=low|medium|high]
 //                                       [robust=1] [simd=avx2] [build=1] [resolution=x] [counts=1] [peer=0]
-//                                       [together=16] [kind=primary,shadow]
+//                                       [together=16] [peer_together=8|16] [kind=primary,shadow]
 //
 // Columns are millions of rays a second, the ratio to Embree's, and wrong answers, theirs + ours: where the two differ
 // (a hit against none, or over 1e-3 apart) every triangle is asked in double precision to decide who is wrong.
@@ -169,6 +169,36 @@ Answers Ask(const embree::Scene& scene, const Kind& kind) {
   return answers;
 }
 
+/// In packets of Embree's own.
+template <int size>
+Answers AskTogether(const embree::Scene& scene, const Kind& kind) {
+  Answers answers;
+  answers.t.reserve(kind.rays.size());
+  for (std::size_t first = 0; first < kind.rays.size(); first += size) {
+    const std::size_t count = std::min<std::size_t>(size, kind.rays.size() - first);
+    embree::RayHits<size> r;
+    alignas(64) int valid[size];
+    for (std::size_t i = 0; i < size; ++i) {
+      valid[i] = i < count ? -1 : 0;
+      const R3::Ray& ray = kind.rays[first + std::min(i, count - 1)];
+      r.origin_x[i] = static_cast<float>(ray.origin.x), r.direction_x[i] = static_cast<float>(ray.direction.x);
+      r.origin_y[i] = static_cast<float>(ray.origin.y), r.direction_y[i] = static_cast<float>(ray.direction.y);
+      r.origin_z[i] = static_cast<float>(ray.origin.z), r.direction_z[i] = static_cast<float>(ray.direction.z);
+      r.near[i] = 0, r.far[i] = static_cast<float>(ray.t_max), r.time[i] = 0;
+      r.mask[i] = ~0u, r.id[i] = r.flags[i] = 0;
+    }
+    if (kind.any)
+      scene.IsOccluded(r, valid);
+    else
+      scene.Intersect(r, valid);
+    for (std::size_t i = 0; i < count; ++i)
+      answers.t.push_back(kind.any                           ? (r.far[i] < 0 ? 0 : R3::infinity)
+                          : r.geometry[i] == embree::nothing ? R3::infinity
+                                                             : r.far[i]);
+  }
+  return answers;
+}
+
 struct Mistakes {
   int theirs = 0, ours = 0;
 };
@@ -209,9 +239,9 @@ double BuildSeconds(int threads, int repeats, const Make& make) {
 
 int main(int argc, char** argv) {
   std::map<std::string, std::string> options{
-      {"scene", ""},         {"accel", "bvh"}, {"rays", "1000000"}, {"repeats", "5"},    {"robust", "0"},
-      {"quality", "medium"}, {"simd", "best"}, {"build", "0"},      {"resolution", "0"}, {"peer", "1"},
-      {"ours", "medium"},    {"counts", "0"},  {"together", "1"},   {"kind", ""}};
+      {"scene", ""},         {"accel", "bvh"}, {"rays", "1000000"}, {"repeats", "5"},       {"robust", "0"},
+      {"quality", "medium"}, {"simd", "best"}, {"build", "0"},      {"resolution", "0"},    {"peer", "1"},
+      {"ours", "medium"},    {"counts", "0"},  {"together", "1"},   {"peer_together", "1"}, {"kind", ""}};
   for (int i = 1; i < argc; ++i) {
     const std::string word = argv[i];
     const auto sign = word.find('=');
@@ -223,6 +253,7 @@ int main(int argc, char** argv) {
   }
   const auto scenes = options["scene"].empty() ? bench::SceneNames() : Split(options["scene"]);
   const auto accelerators = Split(options["accel"]), wanted = Split(options["kind"]);
+  const std::string peer_together = options["peer_together"];
   const std::size_t together = std::clamp<std::size_t>(std::stoul(options["together"]), 1, most_together);
   const int repeats = std::stoi(options["repeats"]);
   const auto quality = options["quality"] == "high"  ? embree::high
@@ -277,7 +308,12 @@ int main(int argc, char** argv) {
       std::vector<Answers> answers(ours.size());
       Answers their_answers;
       for (int i = 0; i < repeats; ++i) {
-        if (theirs) their_seconds.push_back(Time([&] { their_answers = Ask(*theirs, kind); }));
+        if (theirs)
+          their_seconds.push_back(Time([&] {
+            their_answers = peer_together == "16"  ? AskTogether<16>(*theirs, kind)
+                            : peer_together == "8" ? AskTogether<8>(*theirs, kind)
+                                                   : Ask(*theirs, kind);
+          }));
         for (std::size_t a = 0; a < ours.size(); ++a)
           seconds[a].push_back(Time([&] { answers[a] = Ask(ours[a]->Worker(), kind, together); }));
       }
