@@ -12,31 +12,12 @@
 #include <cmath>
 #include <deque>
 #include <limits>
-#include <new>
-#include <stdexcept>
 #include <vector>
+
+#include "source/accelerate/bvh/Layout.h"
 
 namespace ray::bvh {
 namespace {
-
-// Four floats at once, as both compilers know them; the fourth is padding.
-using Float4 = float __attribute__((vector_size(16)));
-
-Float4 Least(Float4 a, Float4 b) { return a < b ? a : b; }
-Float4 Most(Float4 a, Float4 b) { return a > b ? a : b; }
-
-constexpr float infinity = std::numeric_limits<float>::infinity();
-
-struct Extent {
-  Float4 low{infinity, infinity, infinity, infinity}, high = -low;
-
-  void Extend(const Extent& o) { low = Least(low, o.low), high = Most(high, o.high); }
-  void Extend(Float4 p) { low = Least(low, p), high = Most(high, p); }
-  float HalfArea() const {
-    const Float4 e = high - low;
-    return e[0] * e[1] + e[1] * e[2] + e[2] * e[0];
-  }
-};
 
 /// An item's box while the tree is being built. The fourth floats hold the item's number and kind, as floats of usual
 /// size so that sums of all four lanes cost nothing more.
@@ -59,15 +40,7 @@ struct Range {
   std::uint32_t Others() const { return Size() - triangles; }
 };
 
-/// A node before its place in memory is known.
-struct Draft {
-  int children = 0;
-  std::array<Range, width> ranges;
-  std::array<Draft*, width> below{};  // null for leaves
-};
-
 constexpr int most_bins = 32;
-constexpr std::uint32_t most_units = (std::uint32_t{1} << Child::kind_shift) - 64;
 
 /// Only the bins in use are set: most ranges are small and have few.
 struct Bins {
@@ -135,11 +108,10 @@ class Builder {
     if (IsLeaf(all)) {
       // A root of its own keeps the walk to one case.
       Draft root;
-      root.children = 1;
-      root.ranges[0] = all;
-      Lay(root);
+      root.Add(Leaf(all));
+      Lay(root, tree_);
     } else {
-      Lay(*Divide(all, 1));
+      Lay(*Divide(all, 1), tree_);
     }
   }
 
@@ -272,28 +244,24 @@ class Builder {
   }
 
   Draft* Divide(const Range& whole, int depth) {
-    Draft* draft = &drafts_.local().emplace_back();
-    draft->children = 1;
-    draft->ranges[0] = whole;
-    while (draft->children < width) {
+    std::array<Range, width> ranges{whole};
+    std::size_t children = 1;
+    while (children < width) {
       // The largest box is the one most rays would go through.
-      int next = -1;
-      float largest = -1;
-      for (int i = 0; i < draft->children; ++i) {
-        const Range& r = draft->ranges[static_cast<std::size_t>(i)];
-        if (!IsLeaf(r) && r.box.HalfArea() > largest) next = i, largest = r.box.HalfArea();
-      }
-      if (next < 0) break;
-      Range& left = draft->ranges[static_cast<std::size_t>(next)];
-      Range& right = draft->ranges[static_cast<std::size_t>(draft->children++)];
-      Halve(left, right, depth);
+      Range* next = nullptr;
+      for (std::size_t i = 0; i < children; ++i)
+        if (!IsLeaf(ranges[i]) && (!next || ranges[i].box.HalfArea() > next->box.HalfArea())) next = &ranges[i];
+      if (!next) break;
+      Halve(*next, ranges[children++], depth);
     }
+    Draft* draft = &drafts_.local().emplace_back();
     tbb::task_group tasks;
     bool are_tasks = false;
-    for (int i = 0; i < draft->children; ++i) {
-      const Range& r = draft->ranges[static_cast<std::size_t>(i)];
-      Draft*& below = draft->below[static_cast<std::size_t>(i)];
+    for (std::size_t i = 0; i < children; ++i) {
+      const Range& r = ranges[i];
+      draft->Add(IsLeaf(r) ? Leaf(r) : Slot{r.box, nullptr, 0, {}});
       if (IsLeaf(r)) continue;
+      const Draft*& below = draft->slots[i].below;
       if (r.Size() >= parallel_from) {
         are_tasks = true;
         tasks.run([this, &r, &below, depth] { below = Divide(r, depth + 1); });
@@ -303,6 +271,12 @@ class Builder {
     }
     if (are_tasks) tasks.wait();
     return draft;
+  }
+
+  Slot Leaf(const Range& range) const {
+    Slot leaf{range.box, nullptr, static_cast<int>(range.triangles), {}};
+    for (std::uint32_t i = 0; i < range.Size(); ++i) leaf.items[i] = references_[range.begin + i].Item();
+    return leaf;
   }
 
   /// Splits `whole` in two; it becomes the first of them.
@@ -418,82 +392,6 @@ class Builder {
       range.triangles += references_[i].IsTriangle() ? 1 : 0;
     }
     return range;
-  }
-
-  /// Lays the drafts out depth first and fills the blocks.
-  void Lay(const Draft& root) {
-    constexpr std::uint32_t units_of_node = sizeof(Node) / unit, units_of_block = sizeof(TriangleBlock) / unit;
-    struct Placed {
-      const Draft* draft;
-      std::uint32_t at;
-      std::array<std::uint32_t, width> child;
-    };
-    struct Waiting {
-      const Draft* draft;
-      std::size_t parent;
-      int slot, depth;
-    };
-    std::vector<Placed> placed;
-    std::vector<Waiting> stack{{&root, 0, -1, 1}};
-    std::uint32_t end = 0;
-    while (!stack.empty()) {
-      const Waiting next = stack.back();
-      stack.pop_back();
-      tree_.depth = std::max(tree_.depth, next.depth);
-      const std::uint32_t self = Child::Make(Child::Kind::node, end);
-      if (next.slot < 0)
-        tree_.root = self;
-      else
-        placed[next.parent].child[static_cast<std::size_t>(next.slot)] = self;
-      Placed& node = placed.emplace_back(Placed{next.draft, end, {}});
-      ++tree_.nodes;
-      end += units_of_node;
-      for (int i = 0; i < next.draft->children; ++i) {
-        const auto k = static_cast<std::size_t>(i);
-        const Range& range = next.draft->ranges[k];
-        if (next.draft->below[k]) continue;  // set when its turn comes
-        if (range.triangles == 0) {
-          node.child[k] = Child::Make(Child::Kind::item, references_[range.begin].Item());
-          continue;
-        }
-        node.child[k] = Child::Make(Child::Kind::triangles, end);
-        ++tree_.blocks;
-        end += units_of_block;
-      }
-      if (end > most_units) throw std::length_error("the scene is too large: its tree would take more than 32 GB");
-      for (int i = next.draft->children; i-- > 0;)
-        if (const Draft* below = next.draft->below[static_cast<std::size_t>(i)])
-          stack.push_back({below, placed.size() - 1, i, next.depth + 1});
-    }
-    tree_.memory = HugeArray<Tree::Unit>(end);
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, placed.size(), 64), [&](const auto& r) {
-      for (std::size_t i = r.begin(); i != r.end(); ++i) Fill(*placed[i].draft, placed[i].at, placed[i].child);
-    });
-    constexpr std::size_t own_cache = std::size_t{1} << 22;
-    tree_.is_large = tree_.Bytes() > own_cache;
-  }
-
-  void Fill(const Draft& draft, std::uint32_t at, const std::array<std::uint32_t, width>& children) {
-    Node& node = *new (&tree_.memory[at]) Node;
-    for (int i = 0; i < width; ++i) {
-      const auto k = static_cast<std::size_t>(i);
-      const bool is_there = i < draft.children;
-      const Range& range = draft.ranges[k];
-      constexpr float nowhere = std::numeric_limits<float>::max();
-      for (int axis = 0; axis < 3; ++axis) {
-        node.plane[2 * axis][i] = is_there ? static_cast<float>(range.box.low[axis]) : nowhere;
-        node.plane[2 * axis + 1][i] = is_there ? static_cast<float>(range.box.high[axis]) : -nowhere;
-      }
-      node.child[i] = is_there ? children[k] : Child::Make(Child::Kind::nothing, 0);
-      if (is_there && Child::KindOf(children[k]) == Child::Kind::triangles)
-        Fill(*new (&tree_.memory[Child::Index(children[k])]) TriangleBlock, range);
-    }
-  }
-
-  void Fill(TriangleBlock& block, const Range& range) const {
-    std::array<std::uint32_t, width> items{};
-    for (std::uint32_t i = 0; i < range.Size(); ++i) items[i] = references_[range.begin + i].Item();
-    FillBlock(block, tree_.space, tree_.coordinates, items.data(), static_cast<int>(range.Size()));
   }
 
   Tree& tree_;

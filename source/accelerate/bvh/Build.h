@@ -16,7 +16,4 @@ struct BuildSettings {
 ///           packets (2008)
 Tree Build(Space space, const BuildSettings& settings);
 
-/// A node pushes at most `width` - 1 children, so a stack of most_depth * width always suffices.
-inline constexpr int most_depth = 64;
-
 }  // namespace ray::bvh

@@ -30,6 +30,9 @@ struct alignas(unit) Node {
   std::uint32_t child[width];
 };
 
+/// A node pushes at most `width` - 1 children, so a stack of most_depth * width always suffices.
+inline constexpr int most_depth = 64;
+
 /// One structure over one space.
 struct Tree {
   static constexpr bool meets_items_again = false;

@@ -1,224 +1,230 @@
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_group.h>
+
 #include <algorithm>
-#include <cmath>
 #include <deque>
-#include <numeric>
+#include <vector>
 
-#include "source/accelerate/Cells.h"
+#include "source/accelerate/bvh/Kernels.h"
+#include "source/accelerate/bvh/Layout.h"
 
-// Highway compiles this file once for each instruction set. What does not depend on that is included before.
-#undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "source/accelerate/kinds/octree.cpp"
-#include <hwy/foreach_target.h>
-#include <hwy/highway.h>
-
-#include "source/accelerate/Search-inl.h"
-
-#ifndef RAY_ACCELERATE_OCTREE
-#define RAY_ACCELERATE_OCTREE
-namespace ray {
-
-/// A cube halved along all three axes again and again, where that is worth it.
-struct Octree {
-  static constexpr bool meets_items_again = true;
-
-  struct Node {
-    static constexpr std::uint32_t none = 0;  // the root is nobody's child
-
-    std::uint32_t first_child =
-        none;           // of eight: bit 0 of a child's number is set on the far side in x, bit 1 in y, ...
-    Contents contents;  // of a leaf
-  };
-  static constexpr double reach = 1 + 0x1p-10;  // of the cube, to either side
-  static constexpr int most_depth = 40;
-
-  explicit Octree(Space the_space) : space(std::move(the_space)) {}
-
-  Space space;
-  Coordinates coordinates;
-  std::vector<Node> nodes;  // the root first
-  CellContents contents;
-  std::uint64_t references = 0;
-  int depth = 0;
-
-  std::size_t Bytes() const { return space.Bytes() + contents.Bytes() + nodes.capacity() * sizeof(Node); }
-  std::string Explain() const {
-    return std::to_string(nodes.size()) + " nodes in " + std::to_string(depth) + " levels, " +
-           std::to_string(references) + " references";
-  }
-};
-
-}  // namespace ray
-#endif
-
-HWY_BEFORE_NAMESPACE();
-namespace ray {
-namespace HWY_NAMESPACE {
-
-/// A node that the ray is in: where it crosses the node's planes, and which child comes next.
-struct Crossing {
-  double enter[3], leave[3];
-  std::uint32_t node;
-  std::uint32_t child;
-};
-
-/// Children in the order of the ray, in space mirrored so that it goes up along all axes.
-///   source  Revelles, Urena, Lastra, An efficient parametric algorithm for octree traversal (2000)
-template <bool any, typename Asker>
-void Walk(const Octree& tree, const Probe& probe, Asker& asker, Counts& counts) {
-  if (tree.nodes.empty()) return;
-  if (!(static_cast<double>(probe.slack) <= cell_pad / 2)) {
-    AskContents(tree.contents, tree.contents.All(), asker);
-    return;
-  }
-  Crossing stack[Octree::most_depth + 1];
-  std::uint32_t mirror = 0;
-  for (int axis = 0; axis < 3; ++axis) {
-    const double steepness = std::max(std::abs(probe.along[axis]), 0x1p-40);
-    const bool is_mirrored = std::signbit(probe.along[axis]);
-    if (is_mirrored) mirror |= 1u << axis;
-    const double start = is_mirrored ? -probe.start[axis] : probe.start[axis];
-    stack[0].enter[axis] = (-Octree::reach - start) / steepness;
-    stack[0].leave[axis] = (Octree::reach - start) / steepness;
-  }
-  stack[0].node = 0;
-  std::uint64_t visits = 0;
-  int top = 0;
-  bool is_new = true;
-  while (top >= 0) {
-    Crossing& at = stack[top];
-    const Octree::Node& node = tree.nodes[at.node];
-    const auto middle = [&](int axis) { return 0.5 * (at.enter[axis] + at.leave[axis]); };
-    if (is_new) {
-      ++visits;
-      const double enter = std::max({at.enter[0], at.enter[1], at.enter[2]});
-      const double leave = std::min({at.leave[0], at.leave[1], at.leave[2]});
-      if (leave < 0 || enter > leave) {  // behind the start, or passed by
-        --top, is_new = false;
-        continue;
-      }
-      if (enter > static_cast<double>(asker.limit)) break;  // and so is all that follows
-      if (node.first_child == Octree::Node::none) {
-        if (AskContents(tree.contents, node.contents, asker)) break;
-        --top, is_new = false;
-        continue;
-      }
-      at.child = (middle(0) < enter ? 1u : 0u) | (middle(1) < enter ? 2u : 0u) | (middle(2) < enter ? 4u : 0u);
-    } else {
-      // Out of the last child by the plane that comes first: into its neighbour there, or out of the node.
-      int axis = 0;
-      double first = R3::infinity;
-      for (int a = 0; a < 3; ++a) {
-        const double out = at.child >> a & 1 ? at.leave[a] : middle(a);
-        if (out < first) first = out, axis = a;
-      }
-      if (first == R3::infinity || at.child >> axis & 1) {
-        --top;
-        continue;
-      }
-      at.child |= 1u << axis;
-    }
-    Crossing& next = stack[++top];
-    for (int axis = 0; axis < 3; ++axis) {
-      const bool is_far = at.child >> axis & 1;
-      next.enter[axis] = is_far ? middle(axis) : at.enter[axis];
-      next.leave[axis] = is_far ? at.leave[axis] : middle(axis);
-    }
-    next.node = node.first_child + (at.child ^ mirror);
-    is_new = true;
-  }
-  counts.node_visits += visits;
-}
-
-void ChooseOctree(Kernels<Octree>* kernels) { *kernels = CompiledKernels<Octree>(); }
-
-}  // namespace HWY_NAMESPACE
-}  // namespace ray
-HWY_AFTER_NAMESPACE();
-
-#if HWY_ONCE
 namespace ray {
 namespace {
 
-HWY_EXPORT(ChooseOctree);
+using bvh::Draft;
+using bvh::Extent;
+using bvh::Float4;
+using bvh::Least;
+using bvh::Most;
+using bvh::Slot;
 
-constexpr std::size_t usual_leaf = 24;  // bench/kernels: 16 to 32 are equally fast, 8 takes twice the memory
-constexpr int usual_depth = 20;
+constexpr std::size_t usual_leaf =
+    64;  // a node of full blocks; fewer are slower and take twice the memory (bench/kernels)
+constexpr int usual_depth = 20, most_depth = 40;
 
+/// Of one item, what lies in one octant.
+struct Part {
+  Extent box;
+  std::uint32_t item = 0;
+  bool is_triangle = false;
+};
+using Parts = std::vector<Part>;
+
+struct Cube {
+  R3::Point middle;
+  double half = 1;
+
+  Cube Octant(unsigned i) const {
+    const double h = half / 2;
+    return {middle + R3::Vector{i & 1 ? h : -h, i & 2 ? h : -h, i & 4 ? h : -h}, h};
+  }
+};
+
+Float4 Floats(const R3::Vector& v) {
+  return Float4{static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z), 0};
+}
+
+/// The box of what is left of a triangle inside the cube; false when nothing is.
+///   source  Sutherland, Hodgman, Reentrant polygon clipping (1974)
+bool BoxWithin(const Cube& cube, const std::array<R3::Vector, 3>& corners, Extent& box) {
+  std::array<R3::Vector, 9> polygon{corners[0], corners[1], corners[2]}, cut;
+  std::size_t count = 3;
+  for (int axis = 0; axis < 3; ++axis)
+    for (const double side : {-1.0, 1.0}) {
+      const auto inside = [&](const R3::Vector& p) {  // by how much
+        return cube.half - side * (p[axis] - FromOrigin(cube.middle)[axis]);
+      };
+      std::size_t kept = 0;
+      for (std::size_t i = 0; i < count; ++i) {
+        const R3::Vector &a = polygon[i], &b = polygon[(i + 1) % count];
+        const double at_a = inside(a), at_b = inside(b);
+        if (at_a >= 0) cut[kept++] = a;
+        if ((at_a < 0) != (at_b < 0)) cut[kept++] = a + at_a / (at_a - at_b) * (b - a);
+      }
+      polygon = cut, count = kept;
+    }
+  if (count == 0) return false;
+  box = {};
+  for (std::size_t i = 0; i < count; ++i) box.Extend(Floats(polygon[i]));
+  return true;
+}
+
+/// A cube halved along all three axes again and again, where that is worth it. An octant is known by the box of what
+/// lies in it, not by its own: boxes of octants do not overlap, and are visited from front to back, eight tested at a
+/// time by the walk that all trees of boxes share. Chains of nodes with a single octant are left out.
+///   source  Glassner, Space subdivision for fast ray tracing (1984)
 class OctreeBuilder {
  public:
-  OctreeBuilder(Octree& tree, std::size_t leaf, int depth)
-      : tree_(tree), leaf_(leaf), depth_(std::min(depth, Octree::most_depth)) {}
+  OctreeBuilder(bvh::Tree& tree, std::size_t leaf, int depth)
+      : tree_(tree), leaf_(leaf), depth_(std::min(depth, most_depth)) {}
 
   void Run() {
     const std::uint32_t count = tree_.space.Items();
     if (count == 0) return;
     tree_.coordinates = FitCoordinates(tree_.space);
-    items_.reserve(count);
-    for (std::uint32_t i = 0; i < count; ++i) items_.emplace_back(tree_.space, tree_.coordinates, i);
-    std::vector<std::uint32_t> all(count);
-    std::iota(all.begin(), all.end(), 0u);
-    most_references_ = 12 * static_cast<std::uint64_t>(count) + 4096;
-    open_references_ = count;
-    tree_.nodes.emplace_back();
-    constexpr double r = Octree::reach;
-    // Breadth first: where memory runs out, it runs out everywhere at about the same size of cells.
-    std::deque<Work> waiting;
-    waiting.push_back({0, {R3::Point{-r, -r, -r}, R3::Point{r, r, r}}, std::move(all), 0});
-    for (; !waiting.empty(); waiting.pop_front()) Divide(waiting.front(), waiting);
-    tree_.contents.Close();
+    Parts all(count);
+    tbb::parallel_for(std::uint32_t{0}, count, [&](std::uint32_t i) { all[i] = Whole(i); });
+    // Beyond 1, so that nothing is rounded out of it.
+    const Slot root = Divide(std::move(all), {R3::Point{}, 1 + 0x1p-10}, 0, most_growth);
+    Draft draft;
+    draft.Add(root);
+    bvh::Lay(root.below ? *root.below : draft, tree_);
   }
 
  private:
-  using List = std::vector<std::uint32_t>;
+  // Memory is bounded by how often items may be referred to: in all, and by one division.
+  static constexpr double most_growth = 8, most_growth_at_once = 3;
+  static constexpr std::size_t parallel_from = 4096;
+  /// Of boxes to floats, which are at most 1, twice over; cells need not be smaller.
+  static constexpr float rounding = 0x1p-22f;
 
-  struct Work {
-    std::uint32_t node;
-    Cell cell;
-    List items;
-    int depth;
-  };
+  Part Whole(std::uint32_t item) const {
+    const R3::Box bounds = tree_.space.Bounds(item);
+    return {{Floats(tree_.coordinates(bounds.low)), Floats(tree_.coordinates(bounds.high))},
+            item,
+            tree_.space.MeshOf(item) != nullptr};
+  }
 
-  void Divide(const Work& work, std::deque<Work>& waiting) {
-    tree_.depth = std::max(tree_.depth, work.depth);
-    std::array<List, 8> parts;
-    if (work.items.size() > leaf_ && work.depth < depth_ && Part(work.cell, work.items, parts)) {
-      const auto first = static_cast<std::uint32_t>(tree_.nodes.size());
-      tree_.nodes[work.node].first_child = first;
-      tree_.nodes.resize(first + 8);
-      for (std::uint32_t i = 0; i < 8; ++i)
-        waiting.push_back({first + i, Octant(work.cell, i), std::move(parts[i]), work.depth + 1});
-    } else {
-      tree_.references += work.items.size();
-      tree_.nodes[work.node].contents = tree_.contents.Add(tree_.space, tree_.coordinates, work.items);
+  /// `growth` is how many times as many references may be made of these.
+  Slot Divide(Parts parts, const Cube& cube, int depth, double growth) {
+    if (parts.size() <= leaf_ || depth >= depth_) return Group(parts);
+    std::array<Parts, 8> octants;
+    for (const Part& part : parts) Distribute(part, cube, octants);
+    std::size_t sum = 0, filled = 0, last = 0;
+    for (std::size_t i = 0; i < 8; ++i) {
+      sum += octants[i].size();
+      if (!octants[i].empty()) ++filled, last = i;
+    }
+    const double grown = static_cast<double>(sum) / static_cast<double>(parts.size());
+    if (grown > std::min(growth, most_growth_at_once)) return Group(parts);
+    parts = {};
+    if (filled == 1)
+      return Divide(std::move(octants[last]), cube.Octant(static_cast<unsigned>(last)), depth + 1, growth / grown);
+
+    std::array<Slot, 8> slots;
+    tbb::task_group tasks;
+    for (std::size_t i = 0; i < 8; ++i) {
+      if (octants[i].empty()) continue;
+      const auto divide = [&, i] {
+        slots[i] = Divide(std::move(octants[i]), cube.Octant(static_cast<unsigned>(i)), depth + 1, growth / grown);
+      };
+      if (octants[i].size() >= parallel_from)
+        tasks.run(divide);
+      else
+        divide();
+    }
+    tasks.wait();
+    Draft& draft = NewDraft();
+    for (const Slot& slot : slots)
+      if (slot.below || slot.triangles > 0 || !IsEmpty(slot)) draft.Add(slot);
+    return SlotOf(draft);
+  }
+
+  static bool IsEmpty(const Slot& slot) { return slot.box.low[0] > slot.box.high[0]; }
+
+  /// Into the octants that the part reaches, cut where it is a triangle.
+  void Distribute(const Part& part, const Cube& cube, std::array<Parts, 8>& octants) const {
+    unsigned below = 0, above = 0;  // axes, as bits, along which it reaches to either side of the middle
+    for (int axis = 0; axis < 3; ++axis) {
+      const double middle = FromOrigin(cube.middle)[axis];
+      if (part.box.low[axis] - rounding <= middle) below |= 1u << axis;
+      if (part.box.high[axis] + rounding >= middle) above |= 1u << axis;
+    }
+    for (unsigned i = 0; i < 8; ++i) {
+      if ((i & ~above) != 0 || (~i & 7 & ~below) != 0) continue;
+      const bool is_whole = (i & below) == 0 && (~i & 7 & above) == 0;
+      Part inside = part;
+      if (!is_whole && !Cut(inside, cube.Octant(i))) continue;
+      octants[i].push_back(inside);
     }
   }
 
-  /// The items of each octant. False when it is not worth it: most items go into most octants, or memory would run out.
-  bool Part(const Cell& cell, const List& items, std::array<List, 8>& parts) {
-    std::size_t sum = 0;
-    for (std::uint32_t i = 0; i < 8; ++i) {
-      const Cell octant = Octant(cell, i);
-      for (const std::uint32_t item : items)
-        if (items_[item].MayTouch(octant)) parts[i].push_back(item);
-      sum += parts[i].size();
+  /// False when nothing of it lies in the octant.
+  bool Cut(Part& part, const Cube& octant) const {
+    const R3::Vector half{octant.half, octant.half, octant.half};
+    Extent box{Floats(FromOrigin(octant.middle) - half), Floats(FromOrigin(octant.middle) + half)};
+    if (part.is_triangle) {
+      const auto corners = tree_.space.MeshOf(part.item)->Corners(tree_.space[part.item].element);
+      const std::array placed{tree_.coordinates(corners[0]), tree_.coordinates(corners[1]),
+                              tree_.coordinates(corners[2])};
+      if (!BoxWithin(octant, placed, box)) return false;
     }
-    constexpr std::size_t most_growth = 3;
-    if (sum > most_growth * items.size() || open_references_ + sum - items.size() > most_references_) return false;
-    open_references_ += sum - items.size();
+    part.box.low = Most(part.box.low, box.low - rounding), part.box.high = Least(part.box.high, box.high + rounding);
+    for (int axis = 0; axis < 3; ++axis)
+      if (part.box.low[axis] > part.box.high[axis]) return false;
     return true;
   }
 
-  static Cell Octant(const Cell& cell, std::uint32_t i) {
-    const R3::Vector half = 0.5 * (cell.high - cell.low);
-    const R3::Point low = cell.low + R3::Vector{i & 1 ? half.x : 0, i & 2 ? half.y : 0, i & 4 ? half.z : 0};
-    return {low, low + half};
+  /// A leaf: blocks of triangles that lie next to each other along its longest side, and other items by themselves.
+  Slot Group(Parts& parts) {
+    Extent box;
+    for (const Part& part : parts) box.Extend(part.box);
+    const Float4 size = box.high - box.low;
+    int axis = size[1] > size[0] ? 1 : 0;
+    if (size[2] > size[axis]) axis = 2;
+    std::sort(parts.begin(), parts.end(), [&](const Part& a, const Part& b) {
+      if (a.is_triangle != b.is_triangle) return a.is_triangle;
+      const float x = a.box.low[axis] + a.box.high[axis], y = b.box.low[axis] + b.box.high[axis];
+      return x != y ? x < y : a.item < b.item;
+    });
+    std::vector<Slot> slots;
+    for (std::size_t i = 0; i < parts.size();) {
+      Slot& slot = slots.emplace_back();
+      do {
+        slot.box.Extend(parts[i].box);
+        slot.items[static_cast<std::size_t>(slot.triangles)] = parts[i].item;
+        if (!parts[i].is_triangle) {
+          ++i;
+          break;
+        }
+        ++slot.triangles, ++i;
+      } while (slot.triangles < width && i < parts.size() && parts[i].is_triangle);
+    }
+    return Group(slots);
   }
 
-  Octree& tree_;
+  Slot Group(std::span<const Slot> slots) {
+    if (slots.size() == 1) return slots[0];
+    Draft& draft = NewDraft();
+    const std::size_t share = std::max<std::size_t>(1, (slots.size() + width - 1) / width);
+    for (std::size_t i = 0; i < slots.size(); i += share)
+      draft.Add(Group(slots.subspan(i, std::min(share, slots.size() - i))));
+    return SlotOf(draft);
+  }
+
+  Draft& NewDraft() { return drafts_.local().emplace_back(); }
+  static Slot SlotOf(const Draft& draft) {
+    Slot slot;
+    slot.below = &draft;
+    for (int i = 0; i < draft.children; ++i) slot.box.Extend(draft.slots[static_cast<std::size_t>(i)].box);
+    return slot;
+  }
+
+  bvh::Tree& tree_;
   std::size_t leaf_;
   int depth_;
-  std::uint64_t most_references_ = 0, open_references_ = 0;
-  std::vector<CellItem> items_;
+  tbb::enumerable_thread_specific<std::deque<Draft>> drafts_;  // a deque keeps its elements in place
 };
 
 }  // namespace
@@ -228,16 +234,11 @@ extern const AcceleratorKind octree_kind{
     [](const World& world, const AcceleratorSettings& settings) -> std::unique_ptr<const Accelerator> {
       const std::size_t leaf = settings.resolution >= 1 ? static_cast<std::size_t>(settings.resolution) : usual_leaf;
       const int depth = settings.depth > 0 ? settings.depth : usual_depth;
-      return std::make_unique<ForestAccelerator<Octree>>(
-          world, settings,
-          [](void* kernels) { HWY_DYNAMIC_DISPATCH(ChooseOctree)
-                              (static_cast<Kernels<Octree>*>(kernels)); },
-          [&](Space space) {
-            Octree tree(std::move(space));
-            OctreeBuilder(tree, leaf, depth).Run();
-            return tree;
-          });
+      return std::make_unique<ForestAccelerator<bvh::Tree>>(world, settings, bvh::ChooseKernels, [&](Space space) {
+        bvh::Tree tree(std::move(space));
+        OctreeBuilder(tree, leaf, depth).Run();
+        return tree;
+      });
     }};
 
 }  // namespace ray
-#endif
