@@ -16,7 +16,6 @@
 
 #include "R3/Mesh.h"
 #include "R3/Triangle.h"
-#include "source/accelerate/Cells.h"
 #include "source/accelerate/Forest.h"
 #include "source/accelerate/NearestHit.h"
 
@@ -455,16 +454,6 @@ class Asker {
   int count_ = 0;
   std::array<Kept, most> kept_;
 };
-
-/// What lies in a cell; true when that ends the search.
-template <typename Asker>
-bool AskContents(const CellContents& all, const Contents& some, Asker& asker) {
-  for (std::uint32_t i = 0; i < some.blocks; ++i)
-    if (asker.AskBlock(all.blocks[some.first_block + i])) return true;
-  for (std::uint32_t i = 0; i < some.items; ++i)
-    if (asker.AskItem(all.items[some.first_item + i])) return true;
-  return false;
-}
 
 /// Through one structure; `instance` is the shared mesh's whose inside it is. True when `any` is answered. Each
 /// structure brings a Walk of its own, which asks until Ask... returns true or nothing is left before the limit.

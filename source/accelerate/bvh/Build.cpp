@@ -105,14 +105,8 @@ class Builder {
     if (items == 0) return;
     tree_.coordinates = FitCoordinates(tree_.space);
     Range all = Collect();
-    if (IsLeaf(all)) {
-      // A root of its own keeps the walk to one case.
-      Draft root;
-      root.Add(Leaf(all));
-      Lay(root, tree_);
-    } else {
-      Lay(*Divide(all, 1), tree_);
-    }
+    Slot root = IsLeaf(all) ? Leaf(all) : Slot{all.box, Divide(all, 1), 0, {}};
+    tree_.root = Lay({&root, 1}, tree_)[0];
   }
 
  private:

@@ -20,43 +20,61 @@ struct Placed {
   std::uint32_t at;
   std::array<std::uint32_t, width> child;
 };
+struct Block {
+  const Slot* slot;
+  std::uint32_t at;
+};
 
-std::vector<Placed> Place(const Draft& root, Tree& tree, std::uint32_t& end) {
+/// Gives everything its place, one slot and what is below it after the other.
+class Placing {
+ public:
+  explicit Placing(Tree& tree) : tree_(tree) {}
+
+  std::uint32_t Place(const Slot& slot) {
+    if (slot.IsEmpty()) return Child::Make(Child::Kind::nothing, 0);
+    if (!slot.below) return PlaceLeaf(slot);
+    const std::uint32_t top = Child::Make(Child::Kind::node, end);
+    std::vector<Waiting> stack{{slot.below, 0, 0, 1}};
+    const std::size_t first = nodes.size();
+    while (!stack.empty()) {
+      const Waiting next = stack.back();
+      stack.pop_back();
+      tree_.depth = std::max(tree_.depth, next.depth);
+      if (nodes.size() > first) nodes[next.parent].child[next.slot] = Child::Make(Child::Kind::node, end);
+      const std::size_t self = nodes.size();
+      nodes.push_back({next.draft, end, {}});
+      end += units_of_node;
+      const auto children = static_cast<std::size_t>(next.draft->children);
+      for (std::size_t i = 0; i < children; ++i)
+        if (!next.draft->slots[i].below) nodes[self].child[i] = PlaceLeaf(next.draft->slots[i]);
+      if (end > most_units) throw std::length_error("the scene is too large: its tree would take more than 32 GB");
+      for (std::size_t i = children; i-- > 0;)
+        if (const Draft* below = next.draft->slots[i].below) stack.push_back({below, self, i, next.depth + 1});
+    }
+    return top;
+  }
+
+  std::vector<Placed> nodes;
+  std::vector<Block> blocks;
+  std::uint32_t end = 0;
+
+ private:
   struct Waiting {
     const Draft* draft;
     std::size_t parent, slot;
     int depth;
   };
-  std::vector<Placed> placed;
-  std::vector<Waiting> stack{{&root, 0, 0, 1}};
-  while (!stack.empty()) {
-    const Waiting next = stack.back();
-    stack.pop_back();
-    tree.depth = std::max(tree.depth, next.depth);
-    const std::uint32_t self = Child::Make(Child::Kind::node, end);
-    (placed.empty() ? tree.root : placed[next.parent].child[next.slot]) = self;
-    Placed& node = placed.emplace_back(Placed{next.draft, end, {}});
-    ++tree.nodes;
-    end += units_of_node;
-    const auto children = static_cast<std::size_t>(next.draft->children);
-    for (std::size_t i = 0; i < children; ++i) {
-      const Slot& slot = next.draft->slots[i];
-      if (slot.below) continue;  // set when its turn comes
-      if (slot.triangles == 0) {
-        node.child[i] = Child::Make(Child::Kind::item, slot.items[0]);
-        continue;
-      }
-      node.child[i] = Child::Make(Child::Kind::triangles, end);
-      ++tree.blocks;
-      end += units_of_block;
-    }
-    if (end > most_units) throw std::length_error("the scene is too large: its tree would take more than 32 GB");
-    for (std::size_t i = children; i-- > 0;)
-      if (const Draft* below = next.draft->slots[i].below)
-        stack.push_back({below, placed.size() - 1, i, next.depth + 1});
+
+  std::uint32_t PlaceLeaf(const Slot& slot) {
+    if (slot.triangles == 0) return Child::Make(Child::Kind::item, slot.items[0]);
+    const std::uint32_t self = Child::Make(Child::Kind::triangles, end);
+    blocks.push_back({&slot, end});
+    end += units_of_block;
+    return self;
   }
-  return placed;
-}
+
+  Tree& tree_;
+};
 
 void Fill(const Placed& placed, Tree& tree) {
   Node& node = *new (&tree.memory[placed.at]) Node;
@@ -70,22 +88,32 @@ void Fill(const Placed& placed, Tree& tree) {
       node.plane[2 * axis + 1][i] = is_there ? static_cast<float>(slot.box.high[axis]) : -nowhere;
     }
     node.child[i] = is_there ? placed.child[k] : Child::Make(Child::Kind::nothing, 0);
-    if (is_there && Child::KindOf(placed.child[k]) == Child::Kind::triangles)
-      FillBlock(*new (&tree.memory[Child::Index(placed.child[k])]) TriangleBlock, tree.space, tree.coordinates,
-                slot.items.data(), slot.triangles);
   }
+}
+
+template <typename Body>
+void ForAll(std::size_t count, const Body& body) {
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 64), [&](const auto& r) {
+    for (std::size_t i = r.begin(); i != r.end(); ++i) body(i);
+  });
 }
 
 }  // namespace
 
-void Lay(const Draft& root, Tree& tree) {
-  std::uint32_t end = 0;
-  const std::vector<Placed> placed = Place(root, tree, end);
-  tree.memory = HugeArray<Tree::Unit>(end);
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, placed.size(), 64), [&](const auto& r) {
-    for (std::size_t i = r.begin(); i != r.end(); ++i) Fill(placed[i], tree);
+std::vector<std::uint32_t> Lay(std::span<const Slot> slots, Tree& tree) {
+  Placing placing(tree);
+  std::vector<std::uint32_t> children;
+  children.reserve(slots.size());
+  for (const Slot& slot : slots) children.push_back(placing.Place(slot));
+  tree.memory = HugeArray<Tree::Unit>(placing.end);
+  tree.nodes = placing.nodes.size(), tree.blocks = placing.blocks.size();
+  ForAll(placing.nodes.size(), [&](std::size_t i) { Fill(placing.nodes[i], tree); });
+  ForAll(placing.blocks.size(), [&](std::size_t i) {
+    const auto& [slot, at] = placing.blocks[i];
+    FillBlock(*new (&tree.memory[at]) TriangleBlock, tree.space, tree.coordinates, slot->items.data(), slot->triangles);
   });
   tree.is_large = tree.Bytes() > own_cache;
+  return children;
 }
 
 }  // namespace ray::bvh

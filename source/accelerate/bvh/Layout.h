@@ -3,6 +3,8 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <span>
+#include <vector>
 
 #include "source/accelerate/bvh/Tree.h"
 
@@ -37,6 +39,8 @@ struct Slot {
   const Draft* below = nullptr;
   int triangles = 0;
   std::array<std::uint32_t, width> items{};
+
+  bool IsEmpty() const { return box.low[0] > box.high[0]; }
 };
 
 /// A node before its place in memory is known.
@@ -47,8 +51,16 @@ struct Draft {
   void Add(const Slot& slot) { slots[static_cast<std::size_t>(children++)] = slot; }
 };
 
-/// Fills the tree, which has its space and coordinates, from the drafts below `root`: depth first, each node followed
-/// by its blocks. Throws std::length_error when it would be too large.
-void Lay(const Draft& root, Tree& tree);
+inline Slot SlotOf(const Draft& draft) {
+  Slot slot;
+  slot.below = &draft;
+  for (int i = 0; i < draft.children; ++i) slot.box.Extend(draft.slots[static_cast<std::size_t>(i)].box);
+  return slot;
+}
+
+/// Fills the tree, which has its space and coordinates, from the slots and what is below them: depth first, each node
+/// followed by its blocks. Returns the child that each slot has become. Throws std::length_error when it would be too
+/// large.
+std::vector<std::uint32_t> Lay(std::span<const Slot> slots, Tree& tree);
 
 }  // namespace ray::bvh

@@ -292,7 +292,7 @@ class Convoy {
     const Probe probe = packet_.Alone(i);
     Asker<any, Tree> asker(forest_, tree_, Ray(i), probe, DistanceInWorld(i), std::nullopt, Nearest(i), counts_);
     asker.limit = std::min(asker.limit, packet_.limit[i]);
-    WalkFrom<any>(child, tree_, probe, asker, counts_);
+    WalkFrom<any>(child, tree_, BoxProbe(probe), asker, counts_);
     asker.Finish();
     packet_.limit[i] = asker.limit;
     if (asker.is_answered) Answer(i);

@@ -110,8 +110,7 @@ HWY_INLINE void Fetch(const Tree& tree, std::uint32_t child) {
 }
 
 template <bool any, typename Asker>
-HWY_INLINE void WalkFrom(std::uint32_t child, const Tree& tree, const Probe& probe, Asker& asker, Counts& counts) {
-  const BoxProbe boxes(probe);
+HWY_INLINE void WalkFrom(std::uint32_t child, const Tree& tree, const BoxProbe& boxes, Asker& asker, Counts& counts) {
   std::uint64_t stack[bvh::most_depth * width];
   std::uint64_t* top = stack;  // one past the last that waits
   std::uint64_t nodes = 0, leaves = 0;
@@ -186,7 +185,7 @@ done:
 
 template <bool any, typename Asker>
 HWY_INLINE void Walk(const Tree& tree, const Probe& probe, Asker& asker, Counts& counts) {
-  WalkFrom<any>(tree.root, tree, probe, asker, counts);
+  WalkFrom<any>(tree.root, tree, BoxProbe(probe), asker, counts);
 }
 
 }  // namespace HWY_NAMESPACE
