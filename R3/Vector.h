@@ -32,7 +32,10 @@ inline Vector Cross(const Vector& a, const Vector& b) {
 
 inline Vector Abs(const Vector& v) { return {std::abs(v.x), std::abs(v.y), std::abs(v.z)}; }
 inline bool IsFinite(const Vector& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
-inline double MaxComponent(const Vector& v) { return std::max({v.x, v.y, v.z}); }
+inline double MaxComponent(const Vector& v) {
+  const double of_two = v.x < v.y ? v.y : v.x;
+  return of_two < v.z ? v.z : of_two;
+}
 
 /// The axis of the largest component in magnitude; the lowest axis among equals.
 inline int MaxAxis(const Vector& v) {
@@ -42,10 +45,21 @@ inline int MaxAxis(const Vector& v) {
   return 2 * is_z + (1 - is_z) * x_or_y;
 }
 
+// Sums of squares in this range have neither overflowed nor lost bits.
+inline constexpr double smallest_safe_square = 0x1p-960, largest_safe_square = 0x1p960;
+double LengthOutOfRange(const Vector& v);
+Vector UnitOutOfRange(const Vector& v);
+
 /// Euclidean length within 3 u relative; scaled by a power of two first where squares would leave the range.
-double Length(const Vector& v);
+inline double Length(const Vector& v) {
+  const double square = Dot(v, v);
+  return square > smallest_safe_square && square < largest_safe_square ? std::sqrt(square) : LengthOutOfRange(v);
+}
 
 /// v / |v| within 4 u; the zero vector (and one with NaN or infinity) gives the zero vector.
-Vector Unit(const Vector& v);
+inline Vector Unit(const Vector& v) {
+  const double square = Dot(v, v);
+  return square > smallest_safe_square && square < largest_safe_square ? v / std::sqrt(square) : UnitOutOfRange(v);
+}
 
 }  // namespace R3

@@ -6,9 +6,7 @@
 
 namespace ray {
 
-double Heat(const Counts& cost) {
-  return static_cast<double>(cost.node_visits + cost.primitive_tests);
-}
+double Heat(const Counts& cost) { return static_cast<double>(cost.node_visits + cost.primitive_tests); }
 
 R2::Color HeatColor(double heat) {
   static const std::array<R2::Color, 5> scale{R2::Color{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {1, 1, 0}, {1, 1, 1}};

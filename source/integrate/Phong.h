@@ -18,7 +18,7 @@ inline R2::Color PhongReflection(const Material& material, const R2::Color& kd, 
   const double cosine = Dot(N, L);
   if (!(cosine > 0)) return {};
   const double lobe = Dot(V, 2 * cosine * N - L);
-  const double highlight = lobe > 0 ? std::pow(lobe, material.n) : 0;
+  const double highlight = lobe > 0 && !IsBlack(material.ks) ? std::pow(lobe, material.n) : 0;
   return (kd * cosine + material.ks * highlight) * irradiance;
 }
 

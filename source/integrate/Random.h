@@ -37,17 +37,39 @@ class RandomKey {
   std::uint64_t bits_;
 };
 
-/// Point `index` of `count` that share the unit square evenly, in [0, 1)^2: the square is cut into rows, as many as the
-/// root of `count`, each as high as its share of the points, each row into as many cells of equal width; every cell
-/// holds one point, placed at random. All cells have area 1 / count for any count, so averages are unbiased. The order
-/// of the cells is shuffled by the key, so that two sets with different keys are paired at random.
-///   source   Cook, Porter, Carpenter, Distributed ray tracing (1984), jittering
-R2::Point Stratified(std::uint32_t index, std::uint32_t count, const RandomKey& key);
-
-/// Where `index` goes in a shuffle of 0 ... count - 1 chosen by the key; index < count.
+/// A shuffle of 0 ... count - 1, chosen by the key.
 ///   source   Kensler, Correlated multi-jittered sampling (2013): a bijection of the next power of two, walked along
 ///   its
 ///            cycle until it lands inside the range
-std::uint32_t Shuffled(std::uint32_t index, std::uint32_t count, const RandomKey& key);
+class Shuffle {
+ public:
+  Shuffle(std::uint32_t count, const RandomKey& key);
+  /// Where `index` goes; index < count.
+  std::uint32_t operator()(std::uint32_t index) const;
+
+ private:
+  std::uint32_t count_, mask_;
+  int half_;
+  std::uint64_t salts_[2];
+};
+
+/// `count` points that share the unit square evenly, in [0, 1)^2: the square is cut into rows, as many as the root of
+/// `count`, each as high as its share of the points, each row into as many cells of equal width; every cell holds one
+/// point, placed at random. All cells have area 1 / count for any count, so averages are unbiased. The order of the
+/// cells is shuffled by the key, so that two sets with different keys are paired at random.
+///   source   Cook, Porter, Carpenter, Distributed ray tracing (1984), jittering
+class Stratified {
+ public:
+  Stratified(std::uint32_t count, const RandomKey& key);
+  R2::Point operator[](std::uint32_t index) const;
+
+ private:
+  template <typename Whole>
+  R2::Point InCell(Whole cell, std::uint32_t index) const;
+
+  std::uint32_t count_, rows_;
+  RandomKey jitter_;
+  Shuffle shuffle_;
+};
 
 }  // namespace ray

@@ -132,11 +132,9 @@ void Whitted::AddLight(const AnyLight& light, std::uint64_t which, std::span<Sur
   for (std::size_t i = 0; i < surfaces.size(); ++i) {
     const Surface& s = surfaces[i];
     if ((IsBlack(s.kd) && IsBlack(s.material->ks)) || s.IsOn(light, world_)) continue;
-    const RandomKey key = s.found_by.key.Child(which);
+    const Stratified places(static_cast<std::uint32_t>(samples), s.found_by.key.Child(which));
     for (int k = 0; k < samples; ++k) {
-      const R2::Point random = IsExtended(light)
-                                   ? Stratified(static_cast<std::uint32_t>(k), static_cast<std::uint32_t>(samples), key)
-                                   : R2::Point{};
+      const R2::Point random = IsExtended(light) ? places[static_cast<std::uint32_t>(k)] : R2::Point{};
       const auto lit = s.LitBy(light, random);
       if (!lit) continue;
       const R2::Color reflected =

@@ -62,8 +62,9 @@ class BlockRenderer {
       for (int x = block.x0; x < block.x1; ++x, ++place) {
         const RandomKey pixel =
             RandomKey(settings_.seed).Child(static_cast<std::uint64_t>(x)).Child(static_cast<std::uint64_t>(y));
+        const Stratified places(count, pixel.Child(0));
         for (std::uint32_t s = 0; s < count; ++s) {
-          const R2::Point within = count == 1 ? R2::Point{0.5, 0.5} : Stratified(s, count, pixel.Child(0));
+          const R2::Point within = count == 1 ? R2::Point{0.5, 0.5} : places[s];
           samples_.push_back({camera_.Through(x + within.x, y + within.y, settings_.width, settings_.height),
                               pixel.Child(1).Child(s)});
           places_.push_back(place);

@@ -12,7 +12,7 @@ TEST(Shuffled, IsAPermutationForEveryCount) {
   for (const std::uint32_t count : {1u, 2u, 3u, 5u, 16u, 17u, 100u, 255u, 256u, 1000u})
     for (std::uint64_t seed = 0; seed < 5; ++seed) {
       std::set<std::uint32_t> seen;
-      for (std::uint32_t i = 0; i < count; ++i) seen.insert(ray::Shuffled(i, count, ray::RandomKey(seed)));
+      for (std::uint32_t i = 0; i < count; ++i) seen.insert(ray::Shuffle(count, ray::RandomKey(seed))(i));
       EXPECT_EQ(seen.size(), count);
       EXPECT_LT(*seen.rbegin(), count);
     }
@@ -25,7 +25,7 @@ TEST(Shuffled, SendsEveryIndexEverywhereEquallyOften) {
   int table[count][count] = {};
   for (int seed = 0; seed < rounds; ++seed)
     for (std::uint32_t i = 0; i < count; ++i)
-      ++table[i][ray::Shuffled(i, count, ray::RandomKey(static_cast<std::uint64_t>(seed)))];
+      ++table[i][ray::Shuffle(count, ray::RandomKey(static_cast<std::uint64_t>(seed)))(i)];
   const double expected = static_cast<double>(rounds) / count;
   double chi_square = 0;
   for (const auto& row : table)
@@ -41,7 +41,7 @@ TEST(Stratified, PutsOnePointIntoEachCellForEveryCount) {
     std::vector<std::vector<int>> cells(rows);
     for (std::uint32_t r = 0; r < rows; ++r) cells[r].resize((r + 1) * count / rows - r * count / rows);
     for (std::uint32_t i = 0; i < count; ++i) {
-      const R2::Point p = ray::Stratified(i, count, key);
+      const R2::Point p = ray::Stratified(count, key)[i];
       ASSERT_GE(p.x, 0);
       ASSERT_LT(p.x, 1);
       ASSERT_GE(p.y, 0);
@@ -60,7 +60,7 @@ TEST(Stratified, IsUnbiasedForACountThatIsNoSquare) {
   double sum = 0;
   for (std::uint64_t seed = 0; seed < 4000; ++seed)
     for (std::uint32_t i = 0; i < 7; ++i) {
-      const R2::Point p = ray::Stratified(i, 7, ray::RandomKey(seed));
+      const R2::Point p = ray::Stratified(7, ray::RandomKey(seed))[i];
       sum += p.x + 2 * p.y;
     }
   EXPECT_NEAR(sum / 28'000, 1.5, 4 * 0.0016);
