@@ -17,6 +17,13 @@ bindir ?= $(PREFIX)/bin
 datadir ?= $(PREFIX)/share
 mandir ?= $(datadir)/man
 VERSION := 0.1.0
+OPTIMIZE ?= -O2
+# What a user adds may not change how numbers are rounded: rays would leak between triangles, or pictures differ.
+UNSAFE := $(filter -ffast-math -Ofast -ffp-contract=fast -ffp-contract=on -funsafe-math-optimizations -fassociative-math \
+                   -freciprocal-math -ffinite-math-only -fno-signed-zeros,$(CXXFLAGS) $(CPPFLAGS) $(OPTIMIZE))
+ifneq ($(strip $(UNSAFE)),)
+$(error $(strip $(UNSAFE)) changes how numbers are rounded, and with it what rays hit. Build without it)
+endif
 
 # What is on this machine. The compiler itself is asked, on empty input: a shell test of the header's
 # name would have to know where compilers look.
@@ -48,7 +55,6 @@ endif
 # -fno-tree-slp-vectorize: g++ 12 otherwise drops the rounding in double(float(x)) of neighbouring members.
 NUMERIC := -ffp-contract=off $(shell $(CXX) --version 2>/dev/null | grep -q clang && echo -fno-slp-vectorize || echo -fno-tree-slp-vectorize)
 WARNINGS := -Wall -Wextra -Wpedantic -Wshadow -Wconversion
-OPTIMIZE ?= -O2
 OUR_CPPFLAGS := -I. -MD -MP -DRAYPRO_VERSION='"$(VERSION)"' -DRAYPRO_FEATURES='"$(FEATURES)"'
 ifeq ($(HAS_EXR),yes)
 OUR_CPPFLAGS += -DRAYPRO_EXR $(EXR_CFLAGS)

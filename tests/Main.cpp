@@ -34,6 +34,17 @@ bool RoundsProductsBeforeAdding() {
   return a * a - b == 0;
 }
 
+// The same where the compiler may use an instruction that would do both at once, as in kernels for such machines.
+#if defined(__x86_64__)
+[[gnu::target("fma"), gnu::noinline]] bool RoundsProductsWhereItNeedNot() {
+  const double a = Opaque(1 + 0x1p-30), b = Opaque(1 + 0x1p-29);
+  return a * a - b == 0;
+}
+bool RoundsProductsEverywhere() { return !__builtin_cpu_supports("fma") || RoundsProductsWhereItNeedNot(); }
+#else
+bool RoundsProductsEverywhere() { return RoundsProductsBeforeAdding(); }
+#endif
+
 bool KnowsNanAndInfinity() {
 #ifdef __FAST_MATH__
   return false;
@@ -68,6 +79,8 @@ constexpr Fact facts[] = {
     {"numbers are rounded to nearest", RoundsToNearest},
     {"denormal numbers are kept", KeepsDenormals},
     {"products are rounded before they are added to (-ffp-contract=off)", RoundsProductsBeforeAdding},
+    {"products are rounded before they are added to even where one instruction could do both (-ffp-contract=off)",
+     RoundsProductsEverywhere},
     {"NaN and infinity are respected (no -ffast-math)", KnowsNanAndInfinity},
     {"double(float(x)) of neighbouring members is rounded (-fno-tree-slp-vectorize)", RoundsNeighboursToFloat},
 };

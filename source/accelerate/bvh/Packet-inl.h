@@ -147,12 +147,12 @@ struct Packet {
   /// Which rays enter a child of a node before their limits, as bits.
   HWY_INLINE std::uint32_t RaysThrough(const Node& node, int child) const {
     const Together f;
+    const float* const all = node.plane[0] + child;
     std::uint32_t through = 0;
     for (std::size_t i = 0; i < most_together; i += hn::Lanes(f)) {
       auto entry = hn::Zero(f), exit = hn::Load(f, limit + i);
       for (int axis = 0; axis < 3; ++axis) {
-        const auto near = hn::Set(f, node.plane[0][planes[axis] + static_cast<std::uint32_t>(child)]);
-        const auto far = hn::Set(f, node.plane[0][(planes[axis] ^ width) + static_cast<std::uint32_t>(child)]);
+        const auto near = hn::Set(f, all[planes[axis]]), far = hn::Set(f, all[planes[axis] ^ width]);
         const auto slope = hn::Load(f, inverse[axis] + i);
         entry = hn::Max(entry, hn::MulSub(near, slope, hn::Load(f, near_shift[axis] + i)));
         exit = hn::Min(exit, hn::MulSub(far, slope, hn::Load(f, far_shift[axis] + i)));
