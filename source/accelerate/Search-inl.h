@@ -346,6 +346,22 @@ class Decider {
   std::optional<R3::ShearedRay> sheared_;
 };
 
+/// Asks an item that is no triangle of the structure's frame; true when there is a hit of `any`.
+template <bool any, typename Structure>
+bool AskItem(const Forest<Structure>& forest, const Structure& structure, std::uint32_t item, const R3::Ray& ray,
+             double distance_in_world, NearestHit& nearest, Counts& counts) {
+  const Item what = structure.space[item];
+  const Instance& instance = forest.world->Instances()[what.instance];
+  const R3::Transform& frame = forest.world->Frames()[instance.frame];
+  const R3::Ray local = instance.frame == 0 ? ray : frame.Back(ray);
+  if (what.element == Item::whole)
+    return Search<any>(forest, forest.structures[static_cast<std::size_t>(instance.shared) + 1], local,
+                       distance_in_world, what.instance, nearest, counts) ||
+           (any && nearest.Best());
+  nearest.Test(what.instance, what.element, local, counts);
+  return any && nearest.Best();
+}
+
 /// Asks what a walk comes by. Triangles that doubles may have to decide about are kept until the end; where their
 /// corners are in memory is looked up in steps while the walk goes on, so that deciding need not wait for it.
 template <bool any, typename Structure>
@@ -355,7 +371,7 @@ class Asker {
                    double distance_in_world, std::optional<std::uint32_t> instance, NearestHit& nearest, Counts& counts)
       : limit(probe.Distance(nearest.Limit())),
         forest_(forest),
-        space_(structure.space),
+        structure_(structure),
         ray_(ray),
         probe_(probe),
         distance_in_world_(distance_in_world),
@@ -389,22 +405,11 @@ class Asker {
     return false;
   }
 
-  /// The same for an item that is no triangle of the structure's frame.
+  /// The same for an item of another kind.
   bool AskItem(std::uint32_t item) {
     Finish();
-    const Item what = space_[item];
-    const Instance& instance = forest_.world->Instances()[what.instance];
-    const R3::Transform& frame = forest_.world->Frames()[instance.frame];
-    const R3::Ray local = instance.frame == 0 ? ray_ : frame.Back(ray_);
-    if (what.element == Item::whole)
-      is_answered = Search<any>(forest_, forest_.structures[static_cast<std::size_t>(instance.shared) + 1], local,
-                                distance_in_world_, what.instance, nearest_, counts_);
-    else
-      nearest_.Test(what.instance, what.element, local, counts_);
-    if constexpr (any) {
-      is_answered = is_answered || nearest_.Best();
-      return is_answered;
-    }
+    is_answered = HWY_NAMESPACE::AskItem<any>(forest_, structure_, item, ray_, distance_in_world_, nearest_, counts_);
+    if constexpr (any) return is_answered;
     limit = std::min(limit, probe_.Distance(nearest_.Limit()));
     return false;
   }
@@ -443,7 +448,7 @@ class Asker {
   }
 
   const Forest<Structure>& forest_;
-  const Space& space_;
+  const Structure& structure_;
   const R3::Ray& ray_;
   const Probe& probe_;
   double distance_in_world_;

@@ -267,6 +267,8 @@ class Convoy {
         ++leaves;
         if (kind == Child::Kind::triangles && std::popcount(rays) > few)
           AskBlock(tree_.At<TriangleBlock>(child), rays);
+        else if (kind == Child::Kind::item)
+          ForEachBit(rays, [&](int i) HWY_ATTR { AskItem(i, Child::Index(child)); });
         else
           ForEachBit(rays, [&](int i) HWY_ATTR { GoAlone(i, child); });
         limit = packet_.LargestLimit();
@@ -296,6 +298,13 @@ class Convoy {
     asker.Finish();
     packet_.limit[i] = asker.limit;
     if (asker.is_answered) Answer(i);
+  }
+
+  void AskItem(int i, std::uint32_t item) {
+    if (HWY_NAMESPACE::AskItem<any>(forest_, tree_, item, Ray(i), DistanceInWorld(i), Nearest(i), counts_))
+      Answer(i);
+    else
+      packet_.limit[i] = std::min(packet_.limit[i], packet_.Distance(i, Nearest(i).Limit()));
   }
 
   void Answer(int i) {
