@@ -59,6 +59,41 @@ TEST(Extremes, D1_D2_NoAcceleratorLetsARayThroughAnEdgeOrACorner) {
   ExpectNoLeaks(accelerators::BumpyBall(3, 4), {}, 1003, Count(20'000, 10'000'000));    // and of 3
 }
 
+TEST(Extremes, D1_D2_NorDoesOneThatTracesRaysTogether) {
+  const R3::MeshData data = accelerators::BumpyBall(40, 30);
+  const ray::Scene scene = SceneOf(data);
+  const ray::World world(scene);
+  constexpr std::size_t together = 16;
+  for (const auto& way : Ways()) {
+    if (way.settings.name == "none" || way.settings.name == "graph") continue;  // they trace them one by one
+    Draw draw(1004);
+    const auto accelerator = ray::FindAcceleratorKind(way.settings.name)->make(world, way.settings);
+    ray::Workspace workspace;
+    int leaks = 0;
+    for (int i = 0; i < Count(2'000, 1'000'000); ++i) {
+      // From one eye at edges and corners that are near each other.
+      const R3::Point eye = R3::Point{} + 0.3 * draw.Between(0, 1) * draw.Direction();
+      auto which = static_cast<std::size_t>(draw.Whole(0, static_cast<int>(data.triangles.size()) - 1));
+      std::array<R3::Ray, together> rays;
+      for (R3::Ray& ray : rays) {
+        const auto& t = data.triangles[which];
+        which = (which + 1) % data.triangles.size();
+        const R3::Point a = data.positions[t[0]], b = data.positions[t[1]];
+        ray = {eye, (draw.Whole(0, 1) ? a : a + draw.Between(0, 1) * (b - a)) - eye};
+      }
+      std::array<std::optional<ray::WorldHit>, together> hits;
+      std::array<bool, together> are_occluded{};
+      accelerator->Intersect(rays, hits.data(), workspace);
+      accelerator->IsOccluded(rays, are_occluded.data(), workspace);
+      for (std::size_t k = 0; k < together; ++k) {
+        if (hits[k] && are_occluded[k]) continue;
+        if (++leaks <= 3) ADD_FAILURE() << way.name << " leaks: " << oracle::Hex(rays[k]);
+      }
+    }
+    EXPECT_EQ(leaks, 0) << way.name;
+  }
+}
+
 TEST(Extremes, D3_NorThroughAMeshFarTinyHugeSqueezedOrSlanted) {
   Draw draw(1010);
   const auto scaled = [](double x, double y, double z, double shift) {
