@@ -457,7 +457,7 @@ class Asker {
   float limit_for_certain_;
   Decider<Structure> decider_;
   int count_ = 0;
-  std::array<Kept, most> kept_;
+  Kept kept_[most];
 };
 
 /// Through one structure; `instance` is the shared mesh's whose inside it is. True when `any` is answered. Each

@@ -400,7 +400,7 @@ class Convoy {
   std::uint32_t answered_ = 0;  // rays of `any` that have hit something, as bits
   Packet packet_;
   alignas(64) FloatEach limit_for_certain_, nearest_now_;
-  std::array<std::uint8_t, most_together> kept_count_{};
+  std::uint8_t kept_count_[most_together] = {};
   Kept kept_[most_together][most_kept];
   static_assert(std::is_trivially_destructible_v<NearestHit>);
   alignas(NearestHit) std::byte nearest_[most_together * sizeof(NearestHit)];
