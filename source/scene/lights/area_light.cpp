@@ -1,36 +1,12 @@
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 
 #include "source/scene/Light.h"
+#include "source/scene/Warp.h"
 #include "source/scene/lights/Falloff.h"
 #include "source/scene/lights/Words.h"
 
 namespace ray {
 namespace {
-
-/// Two unit vectors that are perpendicular to a third and to each other.
-struct Tangents {
-  R3::Vector first, second;
-};
-
-/// Source: Duff, Burgess, Christensen, Hery, Kensler, Liani, Villemin, Building an orthonormal basis, revisited (2017).
-Tangents TangentsOf(const R3::Vector& n) {
-  const double sign = std::copysign(1.0, n.z);
-  const double a = -1 / (sign + n.z), b = n.x * n.y * a;
-  return {{1 + sign * n.x * n.x * a, sign * b, -sign * n.x}, {b, sign + n.y * n.y * a, -n.y}};
-}
-
-/// A point of the unit disc from one of the unit square, keeping shares of area.
-/// Source: Shirley, Chiu, A low distortion map between disk and square (1997).
-R2::Point OnDisc(const R2::Point& square) {
-  const double a = 2 * square.x - 1, b = 2 * square.y - 1;
-  if (a == 0 && b == 0) return {};
-  const bool is_wide = std::abs(a) > std::abs(b);
-  const double radius = is_wide ? a : b;
-  const double angle = is_wide ? std::numbers::pi / 4 * (b / a) : std::numbers::pi / 2 - std::numbers::pi / 4 * (a / b);
-  return {radius * std::cos(angle), radius * std::sin(angle)};
-}
 
 class AreaLight : public Light {
  public:
