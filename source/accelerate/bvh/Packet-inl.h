@@ -212,7 +212,7 @@ class Convoy {
   bool IsAnswered(int i) const { return answered_ >> i & 1; }
 
   HWY_INLINE void Search() {
-    if (packet_.Begin(tree_.coordinates, tree_.space.PadPerDistance(), rays_)) {
+    if (Size() > few && packet_.Begin(tree_.coordinates, tree_.space.PadPerDistance(), rays_)) {
       if constexpr (any) {
         for (int i = 0; i < most_together; ++i) limit_for_certain_[i] = packet_.limit[i] - 4 * packet_.slack[i];
       }
@@ -226,6 +226,7 @@ class Convoy {
   }
 
  private:
+  static constexpr int few = 2;  // rays that are faster alone than together
   static constexpr int most_kept = 8;
   struct Kept {
     std::uint32_t item;
@@ -238,7 +239,6 @@ class Convoy {
   Decider<Tree> DeciderOf(int i) { return {forest_, tree_, Ray(i), std::nullopt, Nearest(i), counts_}; }
 
   HWY_INLINE void Walk() {
-    constexpr int few = 2;
     struct Waiting {
       std::uint64_t entry_and_lane;
       const Node* parent;
