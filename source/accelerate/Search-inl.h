@@ -48,11 +48,29 @@ inline constexpr bool doubles_decide = false;
 #else
 inline constexpr bool doubles_decide = true;
 #endif
+// The slacks above: of planes, times r; of edge functions, times r (|e1| + |e2|), 36 u and something for the sums of
+// slacks themselves; of n . (corner - origin), times (r + 1) |e1| |e2|; of n . d, times |e1| |e2|.
+inline constexpr float plane_slack = 8 * u, edge_slack = 40 * u, height_slack = 16 * u, facing_slack = 32 * u;
+/// So much of the distance that a ray came from is added to r, for what doubles lose on the way.
+inline constexpr double slack_of_moving = 0x1p-20;
+/// Computed distances times these are bounds, where a division or a conversion rounds, and so does the product.
+inline constexpr float rounded_up = 1 + 4 * u, rounded_down = 1 - 4 * u;
 #if defined(RAYPRO_WITHOUT_PADS)
 inline constexpr float pad_of_boxes = 0;
 #else
-inline constexpr float pad_of_boxes = 8 * u;
+inline constexpr float pad_of_boxes = plane_slack;
 #endif
+
+/// Rays begin where they are when their origin is no farther, in half boxes: that makes r, and so the slack, at most 7
+/// times what it is inside, and saves finding where they enter.
+inline constexpr double near_enough = 6;
+/// Above these, and below 1 over them, products of doubles leave their range, and what is certain in a structure's
+/// coordinates need not be found in the scene's.
+inline constexpr double most_scale = 0x1p200, most_per_t = 0x1p700;
+/// No direction is nearer to being along a plane: that moves rays by less than their slack, and keeps products finite.
+inline constexpr float flattest = 0x1p-40f;
+/// Single precision cannot tell one place from another long before r is so large; and r / flattest is still finite.
+inline constexpr double most_reach = 0x1p60;
 
 /// 2^-e for the x in [2^e, 2^(e+1)), which must be finite and not 0; at least 2^-1022 and at most 2^1022.
 HWY_INLINE double PowerOfTwoBelowInverse(double x) {
@@ -93,7 +111,7 @@ struct Probe {
   Probe() = default;
 
   /// An upper bound.
-  float Distance(double t) const { return static_cast<float>(t * per_t - begin) * (1 + 4 * u) + slack; }
+  float Distance(double t) const { return static_cast<float>(t * per_t - begin) * rounded_up + slack; }
 
   HWY_INLINE Probe(const Coordinates& place, double pad_per_distance, const R3::Ray& ray, double distance_in_world) {
     static_assert(sizeof(R3::Ray) == 8 * sizeof(double) && sizeof(R3::Point) == 3 * sizeof(double));
@@ -108,7 +126,6 @@ struct Probe {
     // Enter the box, generously, so that the coordinates are no larger than they need be.
     const double far = Largest(from);
     const double more = pad_per_distance * distance_in_world * place.scale;
-    constexpr double near_enough = 6;
     begin = ray.t_min == 0 ? 0 : ray.t_min * per_t;
     if (HWY_UNLIKELY(far > near_enough + more)) {
       const double reach = 1 + 0x1p-10 + 0x1p-40 * far + more;
@@ -124,28 +141,26 @@ struct Probe {
       }
       begin = enter;
     }
-    // Beyond, products of doubles leave their range, and what is certain here need not be found there.
-    constexpr double far_per_t = 0x1p700, far_scale = 0x1p200;
-    const bool is_in_range = std::abs(begin) < 0x1p1000 && per_t < far_per_t && per_t > 1 / far_per_t &&
-                             place.scale <= far_scale && place.scale >= 1 / far_scale;
+    const bool is_in_range = std::abs(begin) < 0x1p1000 && per_t < most_per_t && per_t > 1 / most_per_t &&
+                             place.scale <= most_scale && place.scale >= 1 / most_scale;
     start = begin == 0 ? from : from + begin * along;
-    const double origin_reach = 1 + Largest(start) + 0x1p-20 * (far + std::abs(begin)) + more * (1 / (8 * u));
+    const double origin_reach =
+        1 + Largest(start) + slack_of_moving * (far + std::abs(begin)) + more * (1 / plane_slack);
     const float r = static_cast<float>(origin_reach);
     slack = pad_of_boxes * r;
-    slack_of_edges = 40 * u * r;
-    slack_of_height = 16 * u * (r + 1);
+    slack_of_edges = edge_slack * r;
+    slack_of_height = height_slack * (r + 1);
     origin = __builtin_convertvector(start, Float4);
     direction = __builtin_convertvector(along, Float4);
     signs = std::bit_cast<Whole4>(direction);
-    // Never quite along a plane: that moves the ray by less than the slack, and keeps all products finite.
     const Whole4 sign = signs & std::bit_cast<std::int32_t>(-0.0f);
-    const Float4 steepness = std::bit_cast<Float4>(signs ^ sign), flat = Float4{} + 0x1p-40f;
+    const Float4 steepness = std::bit_cast<Float4>(signs ^ sign), flat = Float4{} + flattest;
     const Float4 steep = std::bit_cast<Float4>(std::bit_cast<Whole4>(steepness > flat ? steepness : flat) | sign);
     inverse = 1 / steep;
     const Float4 outward = std::bit_cast<Float4>(std::bit_cast<Whole4>(Float4{} + slack) | sign);
     near_shift = (origin + outward) * inverse;
     far_shift = (origin - outward) * inverse;
-    if (HWY_UNLIKELY(!is_in_range || !(origin_reach < 0x1p60))) AskEverything();
+    if (HWY_UNLIKELY(!is_in_range || !(origin_reach < most_reach))) AskEverything();
   }
 
  private:
@@ -224,7 +239,7 @@ HWY_INLINE bool TestLanes(D d, const TriangleLanes<D>& triangle, V cx, V cy, V c
   const V w = hn::Neg(dot(rx, ry, rz, triangle.edge1_x, triangle.edge1_y, triangle.edge1_z));
   const V rest = hn::Sub(hn::Sub(facing, v), w);
   // The last term is for products below the range of floats.
-  const V slack_of_facing = hn::MulAdd(triangle.area, set(32 * u), set(1e-30f));
+  const V slack_of_facing = hn::MulAdd(triangle.area, set(facing_slack), set(1e-30f));
   const V slack = hn::MulAdd(triangle.edges, ray.slack_of_edges, slack_of_facing);
   const V least = hn::Min(v, hn::Min(w, rest)), most = hn::Max(v, hn::Max(w, rest));
   auto maybe = hn::Or(hn::Ge(least, hn::Neg(slack)), hn::Le(most, slack));
@@ -238,7 +253,7 @@ HWY_INLINE bool TestLanes(D d, const TriangleLanes<D>& triangle, V cx, V cy, V c
   const V low = hn::Sub(ahead, slack_of_height), high = hn::Add(ahead, slack_of_height);
   const V wide = hn::Add(steep, slack_of_facing), narrow = hn::Sub(steep, slack_of_facing);
   // Dividing may round by u; so may what follows.
-  const V nearest = hn::Mul(hn::Div(low, hn::IfThenElse(hn::Ge(low, hn::Zero(d)), wide, narrow)), set(1 - 4 * u));
+  const V nearest = hn::Mul(hn::Div(low, hn::IfThenElse(hn::Ge(low, hn::Zero(d)), wide, narrow)), set(rounded_down));
   const auto is_far = hn::Gt(nearest, ray.limit), is_behind = hn::Lt(high, hn::Zero(d));
   maybe = hn::AndNot(hn::And(is_clear, hn::Or(is_far, is_behind)), maybe);
   if (hn::AllFalse(d, maybe)) return false;
@@ -247,7 +262,7 @@ HWY_INLINE bool TestLanes(D d, const TriangleLanes<D>& triangle, V cx, V cy, V c
   verdict.maybe = maybe;
   verdict.certain = hn::And(maybe, hn::And(is_clear, hn::And(is_inside, is_in_front)));
   verdict.nearest = hn::IfThenElseZero(is_clear, nearest);
-  verdict.farthest = hn::Mul(hn::Div(high, narrow), set(1 + 4 * u));
+  verdict.farthest = hn::Mul(hn::Div(high, narrow), set(rounded_up));
   return true;
 }
 

@@ -37,12 +37,13 @@ struct Packet {
   float back[3], front[3], least_inverse[3], most_inverse[3];
   std::uint32_t planes[3];
 
-  float Distance(int i, double t) const { return static_cast<float>(t * per_t[i]) * (1 + 4 * u) + slack[i]; }
+  float Distance(int i, double t) const { return static_cast<float>(t * per_t[i]) * rounded_up + slack[i]; }
 
   /// Probe's computations, for all rays at once. False when one of them is out of the ordinary or looks into another
   /// octant than the rest: then they have to go alone.
   HWY_INLINE bool Begin(const Coordinates& place, double pad_per_distance, std::span<const R3::Ray> rays) {
-    constexpr double most_scale = 0x1p200, most_heading = 0x1p400, near_enough = 6, most_reach = 0x1p60;
+    constexpr double most_heading = 0x1p400;  // so that per_t is in range
+    static_assert(2 * most_heading * most_scale < most_per_t);
     alignas(64) DoubleEach from[3], heading[3], t_max;
     bool all_begin_at_0 = true;
     for (std::size_t i = 0; i < most_together; ++i) {
@@ -78,16 +79,16 @@ struct Packet {
                   direction[axis] + i);
       }
       const auto far = largest(from);
-      const auto reach = hn::Add(hn::MulAdd(hn::Set(d, 0x1p-20), far, hn::Add(hn::Set(d, 1), far)),
-                                 hn::Mul(more, hn::Set(d, 1 / (8 * static_cast<double>(u)))));
+      const auto reach = hn::Add(hn::MulAdd(hn::Set(d, slack_of_moving), far, hn::Add(hn::Set(d, 1), far)),
+                                 hn::Mul(more, hn::Set(d, 1 / static_cast<double>(plane_slack))));
       const auto along = hn::Mul(scale, inverse_power);
       hn::Store(along, d, per_t + i);
       const auto r = hn::DemoteTo(f, reach);
       const auto pad = hn::Mul(hn::Set(f, pad_of_boxes), r);
       hn::Store(pad, f, slack + i);
-      hn::Store(hn::Mul(hn::Set(f, 40 * u), r), f, slack_of_edges + i);
-      hn::Store(hn::Mul(hn::Set(f, 16 * u), hn::Add(r, hn::Set(f, 1))), f, slack_of_height + i);
-      hn::Store(hn::MulAdd(hn::DemoteTo(f, hn::Mul(hn::Load(d, t_max + i), along)), hn::Set(f, 1 + 4 * u), pad), f,
+      hn::Store(hn::Mul(hn::Set(f, edge_slack), r), f, slack_of_edges + i);
+      hn::Store(hn::Mul(hn::Set(f, height_slack), hn::Add(r, hn::Set(f, 1))), f, slack_of_height + i);
+      hn::Store(hn::MulAdd(hn::DemoteTo(f, hn::Mul(hn::Load(d, t_max + i), along)), hn::Set(f, rounded_up), pad), f,
                 limit + i);
       const auto is_fine =
           hn::And(hn::And(hn::Lt(steepest, hn::Set(d, most_heading)), hn::Gt(steepest, hn::Set(d, 1 / most_heading))),
@@ -170,7 +171,7 @@ struct Packet {
       auto low = hn::Set(f, std::numeric_limits<float>::infinity()), high = hn::Neg(low), least = low, most = high;
       for (std::size_t i = 0; i < most_together; i += hn::Lanes(f)) {
         const auto begin = load(origin[axis], i), pad = load(slack, i), along = load(direction[axis], i);
-        const auto steep = hn::CopySign(hn::Max(hn::Abs(along), hn::Set(f, 0x1p-40f)), along);
+        const auto steep = hn::CopySign(hn::Max(hn::Abs(along), hn::Set(f, flattest)), along);
         const auto slope = hn::Div(hn::Set(f, 1), steep), outward = hn::CopySign(pad, along);
         hn::Store(slope, f, inverse[axis] + i);
         hn::Store(hn::Mul(hn::Add(begin, outward), slope), f, near_shift[axis] + i);

@@ -90,7 +90,7 @@ class CellWalk {
       : grid_(grid), probe_(probe), asker_(asker), counts_(counts), boxes_(probe) {
     for (int axis = 0; axis < 3; ++axis) {
       const double d = probe.along[axis];
-      along_[axis] = std::abs(d) < 0x1p-40 ? std::copysign(0x1p-40, d) : d;
+      along_[axis] = std::abs(d) < flattest ? std::copysign(double{flattest}, d) : d;
     }
   }
 
@@ -160,7 +160,7 @@ class CellWalk {
   Asker& asker_;
   Counts& counts_;
   BoxProbe boxes_;
-  double along_[3];  // never quite along a plane
+  double along_[3];  // nowhere flatter than `flattest`
   std::uint64_t visits_ = 0;
 };
 
