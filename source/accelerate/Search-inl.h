@@ -51,6 +51,12 @@ inline constexpr bool doubles_decide = true;
 // The slacks above: of planes, times r; of edge functions, times r (|e1| + |e2|), 36 u and something for the sums of
 // slacks themselves; of n . (corner - origin), times (r + 1) |e1| |e2|; of n . d, times |e1| |e2|.
 inline constexpr float plane_slack = 8 * u, edge_slack = 40 * u, height_slack = 16 * u, facing_slack = 32 * u;
+/// What triangles' slacks have besides, for products below the normal range of floats, 2^-126. An edge function has
+/// some 30 terms, each off by at most 2^-126 if such products became 0, times at most 4 for what it is multiplied with
+/// later: together less than 2^-119. A height has the corner as a factor, which may be large; but heights count only
+/// where n . d is above twice this, and there |e1| |e2| is above 2^-101, so that what is lost, 2^-149 r at most for
+/// each component of n, is far less than the height's own slack.
+inline constexpr float underflow_slack = 0x1p-99f;
 /// So much of the distance that a ray came from is added to r, for what doubles lose on the way.
 inline constexpr double slack_of_moving = 0x1p-20;
 /// Computed distances times these are bounds, where a division or a conversion rounds, and so does the product.
@@ -238,8 +244,7 @@ HWY_INLINE bool TestLanes(D d, const TriangleLanes<D>& triangle, V cx, V cy, V c
   const V v = dot(rx, ry, rz, triangle.edge2_x, triangle.edge2_y, triangle.edge2_z);
   const V w = hn::Neg(dot(rx, ry, rz, triangle.edge1_x, triangle.edge1_y, triangle.edge1_z));
   const V rest = hn::Sub(hn::Sub(facing, v), w);
-  // The last term is for products below the range of floats.
-  const V slack_of_facing = hn::MulAdd(triangle.area, set(facing_slack), set(1e-30f));
+  const V slack_of_facing = hn::MulAdd(triangle.area, set(facing_slack), set(underflow_slack));
   const V slack = hn::MulAdd(triangle.edges, ray.slack_of_edges, slack_of_facing);
   const V least = hn::Min(v, hn::Min(w, rest)), most = hn::Max(v, hn::Max(w, rest));
   auto maybe = hn::Or(hn::Ge(least, hn::Neg(slack)), hn::Le(most, slack));
@@ -248,7 +253,7 @@ HWY_INLINE bool TestLanes(D d, const TriangleLanes<D>& triangle, V cx, V cy, V c
   // Edge-on, nothing is known of distances.
   const V height = dot(triangle.normal_x, triangle.normal_y, triangle.normal_z, cx, cy, cz), steep = hn::Abs(facing);
   const V ahead = hn::Xor(height, hn::And(facing, hn::SignBit(d)));
-  const V slack_of_height = hn::MulAdd(triangle.area, ray.slack_of_height, set(1e-30f));
+  const V slack_of_height = hn::MulAdd(triangle.area, ray.slack_of_height, set(underflow_slack));
   const auto is_clear = hn::Gt(steep, hn::Add(slack_of_facing, slack_of_facing));
   const V low = hn::Sub(ahead, slack_of_height), high = hn::Add(ahead, slack_of_height);
   const V wide = hn::Add(steep, slack_of_facing), narrow = hn::Sub(steep, slack_of_facing);
