@@ -12,7 +12,6 @@ namespace {
 
 constexpr int most_pixels_a_side = 1 << 30;
 constexpr int most_threads = 4096;
-constexpr int deepest_structure = 64;
 constexpr int deepest_include = 1'000'000;
 
 std::vector<std::string> AcceleratorNames() {
@@ -81,7 +80,7 @@ std::vector<OptionKind> MakeTable() {
        "how rays find what they hit; never changes the picture"},
       {"accel_res", {"accelres"}, {"x"}, Number<double>{AT(accelerator.resolution), 0, 1e6}, "", "speed",
        "grid: cells a primitive; octree, bvh: primitives a leaf (bvh up to 8); 0: the usual"},
-      {"accel_depth", {}, {"n"}, Whole{AT(accelerator.depth), 0, deepest_structure}, "levels", "speed",
+      {"accel_depth", {}, {"n"}, Whole{AT(accelerator.depth), 0, most_octree_levels}, "levels", "speed",
        "octree: most levels; 0 for the usual"},
       {"accel_quality", {}, {"name"}, OneNameOf{AT(accelerator.quality), Qualities}, "", "speed",
        "bvh: high cuts large slanted triangles first; builds longer"},

@@ -16,9 +16,9 @@ using bvh::Part;
 using bvh::Parts;
 using bvh::Slot;
 
-constexpr std::size_t usual_leaf =
-    64;  // a node of full blocks; fewer are slower and take twice the memory (bench/kernels)
-constexpr int usual_depth = 20, most_depth = 40;
+// A node of full blocks; fewer are slower and take twice the memory (bench/kernels).
+constexpr std::size_t usual_leaf = 64;
+constexpr int usual_depth = 20;
 
 struct Cube {
   R3::Point middle;
@@ -41,7 +41,7 @@ struct Cube {
 class OctreeBuilder {
  public:
   OctreeBuilder(bvh::Tree& tree, std::size_t leaf, int depth)
-      : tree_(tree), leaf_(leaf), depth_(std::min(depth, most_depth)) {}
+      : tree_(tree), leaf_(leaf), depth_(std::min(depth, most_octree_levels)) {}
 
   void Run() {
     const std::uint32_t count = tree_.space.Items();
