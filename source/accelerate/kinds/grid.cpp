@@ -269,11 +269,13 @@ class GridBuilder {
     std::sort(order.begin(), order.end(),
               [&](std::size_t a, std::size_t b) { return size[static_cast<int>(a)] < size[static_cast<int>(b)]; });
     double left = cells;
+    // No share of the longest side is 0: boxes are widened by cell_pad, and cells are hardly flatter than the box that
+    // they divide.
     double volume = 1;
-    for (int axis = 0; axis < 3; ++axis) volume *= std::max(size[axis] / longest, 1e-6);
+    for (int axis = 0; axis < 3; ++axis) volume *= size[axis] / longest;
     int axes = 3;
     for (const std::size_t a : order) {
-      const double share = std::max(size[static_cast<int>(a)] / longest, 1e-6);
+      const double share = size[static_cast<int>(a)] / longest;
       const double wanted = share * std::pow(left / volume, 1.0 / axes);
       level.count[a] = static_cast<int>(std::clamp(std::round(wanted), 1.0, most_on_an_axis));
       left = std::max(1.0, left / level.count[a]);
