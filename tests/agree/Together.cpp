@@ -11,7 +11,13 @@ namespace {
 using accelerators::Bundle;
 using accelerators::Compare;
 using accelerators::EveryWay;
-using accelerators::Leaf;
+
+ray::Scene SceneOf(const R3::MeshData& data) {
+  ray::Scene scene;
+  scene.root.children.push_back(accelerators::Leaf(std::make_shared<R3::Mesh>(data)));
+  SetBounds(scene.root);
+  return scene;
+}
 
 TEST(RaysTogether, AgreeInRandomScenesWhetherTheyGoTheSameWayOrNot) {
   const auto ways = EveryWay();
@@ -34,9 +40,7 @@ TEST(RaysTogether, AgreeInRandomScenesWhetherTheyGoTheSameWayOrNot) {
 
 TEST(RaysTogether, AgreeAtCornersAndEdgesOfAClosedMesh) {
   const R3::MeshData data = accelerators::BumpyBall(24, 16);
-  ray::Scene scene;
-  scene.root.children.push_back(Leaf(std::make_shared<R3::Mesh>(data)));
-  SetBounds(scene.root);
+  const ray::Scene scene = SceneOf(data);
   const ray::World world(scene);
   Draw draw(980);
   std::vector<R3::Ray> rays;
@@ -54,9 +58,7 @@ TEST(RaysTogether, AgreeAtCornersAndEdgesOfAClosedMesh) {
 }
 
 TEST(RaysTogether, AgreeWhenTheyEndOrBeginOrAreNoRays) {
-  ray::Scene scene;
-  scene.root.children.push_back(Leaf(std::make_shared<R3::Mesh>(accelerators::BumpyBall(24, 16))));
-  SetBounds(scene.root);
+  const ray::Scene scene = SceneOf(accelerators::BumpyBall(24, 16));
   const ray::World world(scene);
   Draw draw(990);
   const double nan = std::numeric_limits<double>::quiet_NaN();
@@ -93,9 +95,7 @@ TEST(RaysTogether, AgreeWhenTheyEndOrBeginOrAreNoRays) {
 }
 
 TEST(RaysTogether, AgreeWhenTheyEndWhereTheyHit) {
-  ray::Scene scene;
-  scene.root.children.push_back(Leaf(std::make_shared<R3::Mesh>(accelerators::BumpyBall(24, 16))));
-  SetBounds(scene.root);
+  const ray::Scene scene = SceneOf(accelerators::BumpyBall(24, 16));
   const ray::World world(scene);
   const auto none = ray::FindAcceleratorKind("none")->make(world, {});
   ray::Workspace workspace;
