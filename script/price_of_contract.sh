@@ -1,12 +1,15 @@
 #!/bin/sh
 # What the promise "boxes only cull, doubles decide" costs: the same bench with hits accepted in single precision, and
-# with boxes that are not padded. Prints rays a second with the promise over those without; answers without it may be
-# wrong and are not looked at.
+# with boxes that are not padded. Prints how many times as fast those are; their answers may be wrong and are not
+# looked at.
 #
-#     script/price_of_contract.sh [rabbit,head,...]
+#     script/price_of_contract.sh [rabbit,head,... [together=16 kind=primary,shadow]]
+#
+# What follows the scenes goes to the bench: so are packets of 16 measured, not single rays.
 set -eu
 cd "$(dirname "$0")/.."
 scenes=${1:-rabbit,head,blob,soup,colonnade,city}
+[ $# = 0 ] || shift
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 build() {
@@ -17,7 +20,7 @@ build floats "-DRAYPRO_WITHOUT_DOUBLES"
 build unpadded "-DRAYPRO_WITHOUT_PADS"
 for round in 1 2 3; do
   for variant in exact floats unpadded; do
-    "build/price/$variant/bench/kernels" scene="$scenes" rays=250000 repeats=3 peer=0 2> /dev/null |
+    "build/price/$variant/bench/kernels" scene="$scenes" rays=250000 repeats=3 peer=0 "$@" 2> /dev/null |
       awk -v v=$variant '$3 == "bvh" && $2 ~ /primary|shadow|diffuse/ { print v, $1, $2, $4 }' >> "$work/$round"
   done
 done
