@@ -1,0 +1,225 @@
+#include "source/scene/Environment.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+
+#include "source/scene/lights/Words.h"
+
+namespace ray {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+constexpr int fewest_rows = 128, most_rows = 8192;
+
+std::string Number(int n) { return Words(static_cast<double>(n)); }
+
+EnvironmentLayout LayoutOf(const R2::Image& image) {
+  const std::int64_t width = image.Width(), height = image.Height();
+  if (width > 0 && width == 2 * height) return EnvironmentLayout::latitude_longitude;
+  if (width > 0 && width == height) return EnvironmentLayout::angular_probe;
+  // Whole faces follow: 4 w = 3 h has whole solutions only in threes and fours.
+  if (width > 0 && (4 * width == 3 * height || 3 * width == 4 * height)) return EnvironmentLayout::cross;
+  throw std::invalid_argument(
+      "an environment's image is twice as wide as high (latitude and longitude), square (an angular probe), or 3:4 or "
+      "4:3 (a cross of six cube faces); this one is " +
+      Number(image.Width()) + " x " + Number(image.Height()));
+}
+
+void CheckValues(const R2::Image& image) {
+  const auto is_light = [](double channel) { return std::isfinite(channel) && channel >= 0; };
+  for (int y = 0; y < image.Height(); ++y)
+    for (int x = 0; x < image.Width(); ++x) {
+      const R2::Color c = image.At(x, y);
+      if (is_light(c.r) && is_light(c.g) && is_light(c.b)) continue;
+      throw std::invalid_argument("the light of an environment must be finite and not negative, but the pixel " +
+                                  Number(x) + " from the left and " + Number(y) + " from the bottom is " + Words(c));
+    }
+}
+
+int Nearest(double share, int count) { return std::clamp(static_cast<int>(share * count), 0, count - 1); }
+
+/// `d` is unit.
+R2::Color InProbe(const R2::Image& image, const R3::Vector& d) {
+  const double sine = std::sqrt(d.x * d.x + d.y * d.y), radius = std::atan2(sine, -d.z) / pi;
+  // Straight back every direction of the rim will do.
+  const double x = sine > 0 ? d.x / sine * radius : radius, y = sine > 0 ? d.y / sine * radius : 0;
+  return image.At(Nearest((x + 1) / 2, image.Width()), Nearest((y + 1) / 2, image.Height()));
+}
+
+/// Where a face of the cube is in the image, counted in faces from the lower left, and what its right and up are.
+struct Face {
+  int column, row;
+  R3::Vector right, up;
+};
+
+Face FaceTowards(const R3::Vector& d, bool is_upright) {
+  const int bottom = is_upright ? 1 : 0, middle = bottom + 1, top = bottom + 2;
+  switch (MaxAxis(d)) {
+    case 0:
+      return d.x > 0 ? Face{2, middle, {0, 0, 1}, {0, 1, 0}} : Face{0, middle, {0, 0, -1}, {0, 1, 0}};
+    case 1:
+      return d.y > 0 ? Face{1, top, {1, 0, 0}, {0, 0, 1}} : Face{1, bottom, {1, 0, 0}, {0, 0, -1}};
+    default:
+      if (d.z < 0) return {1, middle, {1, 0, 0}, {0, 1, 0}};
+      return is_upright ? Face{1, 0, {1, 0, 0}, {0, -1, 0}} : Face{3, middle, {-1, 0, 0}, {0, 1, 0}};
+  }
+}
+
+R2::Color InCross(const R2::Image& image, const R3::Vector& d) {
+  const bool is_upright = image.Width() < image.Height();
+  const int size = is_upright ? image.Width() / 3 : image.Width() / 4;
+  const Face face = FaceTowards(d, is_upright);
+  const double distance = MaxComponent(Abs(d));
+  return image.At(face.column * size + Nearest((Dot(d, face.right) / distance + 1) / 2, size),
+                  face.row * size + Nearest((Dot(d, face.up) / distance + 1) / 2, size));
+}
+
+/// The edge below row `row`, of latitude -pi/2 + pi row / rows.
+double SineOfEdge(int row, int rows) { return -std::cos(pi * row / rows); }
+
+/// Of one texel in the row: width in longitude times height in the sine of latitude, without the difference of sines.
+double SolidAngle(int row, int rows) {
+  const double longitudes = pi / rows, middle = pi * (row + 0.5) / rows;
+  return longitudes * 2 * std::sin(middle) * std::sin(pi / (2 * rows));
+}
+
+/// The sine of latitude at a share of a row's height in it.
+double SineOf(int row, double share, int rows) {
+  const double low = SineOfEdge(row, rows), high = SineOfEdge(row + 1, rows);
+  return low + share * (high - low);
+}
+
+/// From -z by +x, at a share of a column's width.
+double LongitudeOf(int column, double share, int rows) { return pi * (column + share) / rows - pi; }
+
+R3::Vector Towards(double sine_of_latitude, double sine_of_longitude, double cosine_of_longitude) {
+  const double radius = std::sqrt(std::max(0.0, (1 - sine_of_latitude) * (1 + sine_of_latitude)));
+  return {radius * sine_of_longitude, sine_of_latitude, -radius * cosine_of_longitude};
+}
+
+/// Each texel is the mean over the middles of its four quarters of equal solid angle.
+template <typename Lookup>
+R2::Image Resampled(int rows, const Lookup& lookup) {
+  constexpr double quarters[] = {0.25, 0.75};
+  struct Sines {
+    double sine, cosine;
+  };
+  std::vector<Sines> longitudes;  // two a column
+  for (int x = 0; x < 2 * rows; ++x)
+    for (const double share : quarters) {
+      const double longitude = LongitudeOf(x, share, rows);
+      longitudes.push_back({std::sin(longitude), std::cos(longitude)});
+    }
+  R2::Image map(2 * rows, rows);
+  for (int y = 0; y < rows; ++y) {
+    const double latitudes[] = {SineOf(y, quarters[0], rows), SineOf(y, quarters[1], rows)};
+    for (int x = 0; x < 2 * rows; ++x) {
+      const Sines* in_column = &longitudes[2 * static_cast<std::size_t>(x)];
+      R2::Color sum;
+      for (const double latitude : latitudes)
+        for (int i = 0; i < 2; ++i) sum += lookup(Towards(latitude, in_column[i].sine, in_column[i].cosine));
+      map.Set(x, y, sum / 4);
+    }
+  }
+  return map;
+}
+
+R2::Image Map(R2::Image image, EnvironmentLayout layout) {
+  CheckValues(image);
+  switch (layout) {
+    case EnvironmentLayout::latitude_longitude:
+      return image;
+    case EnvironmentLayout::angular_probe:
+      return Resampled(std::clamp(image.Height(), fewest_rows, most_rows),
+                       [&](const R3::Vector& d) { return InProbe(image, d); });
+    case EnvironmentLayout::cross:
+      return Resampled(std::clamp(2 * std::min(image.Width(), image.Height()) / 3, fewest_rows, most_rows),
+                       [&](const R3::Vector& d) { return InCross(image, d); });
+  }
+  return image;
+}
+
+bool IsAllBlack(const R2::Image& image) {
+  return std::all_of(image.Channels().begin(), image.Channels().end(), [](float c) { return c == 0; });
+}
+
+std::vector<double> Weights(const R2::Image& map, int row, bool is_black) {
+  std::vector<double> weights;
+  for (int x = 0; x < map.Width(); ++x) weights.push_back(is_black ? 1 : Luminance(map.At(x, row)));
+  return weights;
+}
+
+std::vector<Discrete> Columns(const R2::Image& map, bool is_black) {
+  std::vector<Discrete> columns;
+  for (int y = 0; y < map.Height(); ++y) columns.emplace_back(Weights(map, y, is_black));
+  return columns;
+}
+
+Discrete Rows(const R2::Image& map, bool is_black) {
+  std::vector<double> rows;
+  for (int y = 0; y < map.Height(); ++y) {
+    double sum = 0;
+    for (const double weight : Weights(map, y, is_black)) sum += weight;
+    rows.push_back(sum * SolidAngle(y, map.Height()));
+  }
+  return Discrete(rows);
+}
+
+}  // namespace
+
+std::string_view Name(EnvironmentLayout layout) {
+  switch (layout) {
+    case EnvironmentLayout::latitude_longitude:
+      return "latitude-longitude map";
+    case EnvironmentLayout::angular_probe:
+      return "angular probe";
+    case EnvironmentLayout::cross:
+      return "cross of six faces";
+  }
+  return "";
+}
+
+Environment::Environment(R2::Image image)
+    : layout_(LayoutOf(image)),
+      map_(Map(std::move(image), layout_)),
+      is_black_(IsAllBlack(map_)),
+      columns_(Columns(map_, is_black_)),
+      rows_(Rows(map_, is_black_)) {}
+
+Environment::Texel Environment::At(const R3::Vector& direction) const {
+  const R3::Vector d = Unit(direction);  // so that no component overflows; 0 for 0 and NaN, which is then some texel
+  const double u = std::atan2(d.x, -d.z) / (2 * pi) + 0.5, v = std::atan2(d.y, std::hypot(d.x, d.z)) / pi + 0.5;
+  return {Nearest(u, map_.Width()), Nearest(v, map_.Height())};
+}
+
+R3::Vector Environment::Inside(const Texel& texel, const R2::Point& shares) const {
+  const double longitude = LongitudeOf(texel.column, shares.x, map_.Height());
+  return Towards(SineOf(texel.row, shares.y, map_.Height()), std::sin(longitude), std::cos(longitude));
+}
+
+double Environment::Density(const Texel& texel) const {
+  const Discrete& columns = columns_[static_cast<std::size_t>(texel.row)];
+  return rows_.Probability(static_cast<std::size_t>(texel.row)) *
+         columns.Probability(static_cast<std::size_t>(texel.column)) / SolidAngle(texel.row, map_.Height());
+}
+
+R2::Color Environment::Radiance(const R3::Vector& direction) const {
+  const Texel texel = At(direction);
+  return map_.At(texel.column, texel.row);
+}
+
+Environment::Sample Environment::Draw(const R2::Point& u) const {
+  const Discrete::Drawn row = rows_.Draw(u.y), column = columns_[row.index].Draw(u.x);
+  const Texel texel{static_cast<int>(column.index), static_cast<int>(row.index)};
+  R3::Vector direction = Inside(texel, {column.rest, row.rest});
+  // A place at the very edge may round to the neighbour, which may be black; the middle then stands for it.
+  if (!(At(direction) == texel)) direction = Inside(texel, {0.5, 0.5});
+  return {direction, map_.At(texel.column, texel.row), Density(texel)};
+}
+
+double Environment::Density(const R3::Vector& direction) const { return Density(At(direction)); }
+
+}  // namespace ray

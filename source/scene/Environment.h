@@ -1,0 +1,100 @@
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "R2/Color.h"
+#include "R2/Image.h"
+#include "R2/Point.h"
+#include "R3/Vector.h"
+#include "source/scene/Discrete.h"
+
+namespace ray {
+
+/// How a picture of everything around is laid flat. In every layout it is seen from the inside with y up, and -z is
+/// ahead with +x to the right of it.
+enum class EnvironmentLayout {
+  /// 2:1. Of width and height 1 from the lower left, u = 1/2 + atan2(x, -z) / (2 pi) and
+  /// v = 1/2 + asin(y / length) / pi: -y is the lowest row, +y the highest, -z the middle, +z the left and right edge.
+  latitude_longitude,
+  /// 1:1. The middle looks along -z; a place at the share r of the way to the middle of an edge looks pi r away from
+  /// it, towards +x when to the right, +y when above. The circle's rim is +z; the corners beyond it are not used.
+  /// Source: Debevec, Light probe image gallery (1998), the angular map.
+  angular_probe,
+  /// 3:4 or 4:3, a cube of six square faces unfolded:
+  ///
+  ///        +y             +y
+  ///     -x -z +x       -x -z +x +z
+  ///        -y             -y
+  ///        +z
+  ///
+  /// +y has -z at its lower edge and -y at its upper. The lowest face of the upright cross hangs from -y, so it stands
+  /// on its head (-y above, +x to the right), as in Debevec's files. The places between the arms are not used.
+  cross
+};
+
+/// "latitude-longitude map", "angular probe", "cross of six faces".
+std::string_view Name(EnvironmentLayout layout);
+
+/// Light from all around at infinity, from a picture.
+///
+/// Radiance is constant on each texel of a latitude-longitude map: it is not blended between texels, so that drawing
+/// directions by texel is exact. An angular probe and a cross are turned into such a map once; that has as many rows as
+/// the probe, or twice as many as a face of the cross (at least 128, at most 8192), and each of its texels is the mean
+/// over four places. A single bright pixel counts for the places that fall on it: on every pixel of a cross, and of a
+/// probe on every one up to 0.8 of its radius (tested); beyond, where pixels are narrow, some are passed over.
+class Environment {
+ public:
+  /// The layout is known by the shape: see EnvironmentLayout. Throws std::invalid_argument, with a message for the
+  /// user, for an image of another shape, and for one that anywhere holds a value that is negative or not finite.
+  explicit Environment(R2::Image image);
+
+  EnvironmentLayout Layout() const { return layout_; }
+
+  /// What arrives from there. `direction` has any length but 0; at a pole or a seam it is one of the texels that meet
+  /// there.
+  R2::Color Radiance(const R3::Vector& direction) const;
+
+  struct Sample {
+    R3::Vector direction;  // unit, towards the light
+    R2::Color radiance;    // exactly Radiance(direction)
+    double density;        // exactly Density(direction), per solid angle; > 0
+  };
+
+  /// A direction with density proportional to the luminance that arrives from it: density = luminance / integral of
+  /// luminance over the sphere, within 2^-53 of a map's width and height times the largest density. Then luminance /
+  /// density is the same for all directions, and no channel over density exceeds that by more than 1 / 0.11, the
+  /// inverse of the least weight in luminance. From a black environment all directions are alike.
+  ///   u        in [0, 1]^2
+  ///   source   Pharr, Jakob, Humphreys, Physically Based Rendering (2023), section 12.5.2: first a row by the
+  ///   luminance
+  ///            of its texels times their solid angle, then a texel of the row, then, unlike there, a place evenly by
+  ///            solid angle in the texel: evenly in longitude and in the sine of latitude, as a sphere's zones have
+  ///            areas as their heights (Archimedes). With luminance L of the texel and its solid angle A, the density
+  ///            is (L A / sum of L A) / A, with no sine left in it.
+  Sample Draw(const R2::Point& u) const;
+
+  /// Of Draw giving `direction`, per solid angle; `direction` has any length but 0.
+  double Density(const R3::Vector& direction) const;
+
+  bool IsBlack() const { return is_black_; }
+
+ private:
+  struct Texel {
+    int column = 0, row = 0;
+    friend bool operator==(const Texel&, const Texel&) = default;
+  };
+
+  Texel At(const R3::Vector& direction) const;
+  double Density(const Texel& texel) const;
+  /// The direction at shares of the texel's longitude and of its sine of latitude.
+  R3::Vector Inside(const Texel& texel, const R2::Point& shares) const;
+
+  EnvironmentLayout layout_;
+  R2::Image map_;  // latitude-longitude
+  bool is_black_;
+  std::vector<Discrete> columns_;  // one for each row, by luminance
+  Discrete rows_;                  // by luminance times solid angle
+};
+
+}  // namespace ray
