@@ -29,8 +29,8 @@ struct LightBound {
 ///
 /// where d is the distance from p to the child's middle, at least its radius, and c the greatest cosine that a place in
 /// the child's sphere makes with N. Children none of whose lights reach above the plane through p with normal N are
-/// left out. The cosine is cut off at 0.1 because highlights need not fade with it: none is met with less than a tenth
-/// of the probability that distance alone would give. No child left in has a weight below 2^-24 of the largest, so
+/// left out. The cosine is cut off at 0.1 because highlights need not fade with it: no importance is below a tenth of
+/// what power and distance alone would give. No child left in has a weight below 2^-24 of the largest, so
 /// every light of positive power that is not wholly behind has a probability above 0. An infinite light's importance is
 /// its power, for all points alike.
 ///   source   Estevez, Kulla, Importance sampling of many lights with adaptive tree splitting (2018): the importance is

@@ -177,7 +177,7 @@ TEST(LightTree, UnderACeilingOfLightsOneChosenLightHasFarLessNoiseThanOneAtRando
     }
 }
 
-TEST(LightTree, AHighlightFromAGrazingLightIsMetWithATenthOfTheProbabilityOfItsDistanceAtLeast) {
+TEST(LightTree, ALightAtTheHorizonKeepsATenthOfItsImportanceForTheSakeOfHighlights) {
   // Two lights alike at one distance, one overhead and one at the horizon.
   const LightTree tree({{.center = {0, 1, 0}, .power = 1}, {.center = {1, 1e-9, 0}, .power = 1}});
   EXPECT_NEAR(tree.Probability({}, {0, 1, 0}, 1), 0.1 / 1.1, 1e-9);
