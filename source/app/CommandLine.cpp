@@ -10,40 +10,17 @@
 #include "source/app/OptionTable.h"
 #include "source/app/Status.h"
 #include "source/app/Words.h"
-#include "source/parse/Suggestion.h"
 #include "source/parse/Text.h"
 
 namespace ray {
 namespace {
 
-/// A dash and a letter: an option. A dash and a digit or a point is a negative number, a dash alone a name.
-bool LooksLikeOption(const std::string& word) {
-  if (word.size() < 2 || word[0] != '-') return false;
-  return !(word[1] == '.' || (word[1] >= '0' && word[1] <= '9'));
-}
-
-/// An option as it was typed: "--width=512" is named "width" and brings "512" along.
-struct TypedOption {
-  std::string name;
-  std::optional<std::string> attached;
-};
-
-TypedOption Split(const std::string& word) {
-  const std::string text = word.substr(word.starts_with("--") ? 2 : 1);
-  const auto equals = text.find('=');
-  if (equals == std::string::npos) return {text, {}};
-  return {text.substr(0, equals), text.substr(equals + 1)};
-}
-
 const OptionKind& Known(const std::string& word) {
-  const std::string name = Split(word).name;
+  const std::string name = SplitOption(word).name;
   if (const OptionKind* option = FindOption(name)) return *option;
   std::vector<std::string> names;
   for (const OptionKind& option : OptionTable()) names.push_back("-" + std::string(option.name));
-  const std::vector<std::string_view> views(names.begin(), names.end());
-  const std::string hint = Suggestion("-" + name, views, "");
-  throw UsageError("unknown option " + Quoted(word) + (hint.starts_with("did") ? "; " + hint : "") +
-                   " (raypro -help lists them all)");
+  throw UsageError("unknown option " + Quoted(word) + DidYouMean("-" + name, names) + " (raypro -help lists them all)");
 }
 
 /// The arguments of the option at the front of `words`, and how many words they and the option take.
@@ -55,7 +32,7 @@ struct Arguments {
 Arguments TakeArguments(const OptionKind& option, std::span<const std::string> words) {
   const std::string synopsis = Synopsis(option);
   Arguments arguments;
-  if (const auto attached = Split(words[0]).attached) {
+  if (const auto attached = SplitOption(words[0]).attached) {
     if (MostArguments(option) != 1)
       throw UsageError(Quoted(words[0]) + ": '=' joins one argument only; type " + synopsis);
     arguments.values.push_back(*attached);
@@ -100,13 +77,13 @@ void TakeName(const std::string& word, Options& options) {
 /// users of other programs expect.)
 std::optional<Options> HelpAnywhere(std::span<const std::string> words) {
   for (std::size_t i = 0; i < words.size() && words[i] != "--"; ++i) {
-    const OptionKind* option = LooksLikeOption(words[i]) ? FindOption(Split(words[i]).name) : nullptr;
+    const OptionKind* option = LooksLikeOption(words[i]) ? FindOption(SplitOption(words[i]).name) : nullptr;
     const auto* request = option ? std::get_if<Request>(&option->value) : nullptr;
     if (!request || request->task != Task::help) continue;
     Options options;
     options.task = Task::help;
     // Among other words, what follows -help is as likely a file as a topic, and plain help is never wrong.
-    const bool has_topic = Split(words[i]).attached || (i == 0 && words.size() == 2);
+    const bool has_topic = SplitOption(words[i]).attached || (i == 0 && words.size() == 2);
     if (has_topic) Store(*option, TakeArguments(*option, words.subspan(i)).values, options);
     return options;
   }

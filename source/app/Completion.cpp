@@ -3,7 +3,6 @@
 #include "source/app/OptionTable.h"
 
 namespace ray {
-namespace {
 
 std::string Joined(const std::vector<std::string>& words) {
   std::string line;
@@ -11,7 +10,6 @@ std::string Joined(const std::vector<std::string>& words) {
   return line;
 }
 
-/// Within single quotes of any of the three shells; zsh's own marks within a specification are escaped as well.
 std::string Quotable(const std::string& text, const std::string& marks) {
   std::string quotable;
   for (const char c : text) {
@@ -21,6 +19,8 @@ std::string Quotable(const std::string& text, const std::string& marks) {
   }
   return quotable;
 }
+
+namespace {
 
 std::string Bash() {
   std::string names, cases;

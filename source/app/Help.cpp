@@ -4,6 +4,15 @@
 #include "source/app/Words.h"
 
 namespace ray {
+
+std::string MarkdownCell(const std::string& text) {
+  std::string cell;
+  for (const char c : text) cell += c == '|' ? "\\|" : std::string(1, c);
+  return " " + cell + " |";
+}
+
+std::string MarkdownCode(const std::string& text) { return text.empty() ? "" : "`" + text + "`"; }
+
 namespace {
 
 constexpr std::size_t column_of_help = 26;
@@ -44,20 +53,11 @@ std::string FullHelp() {
          "130 or 143 interrupted with the picture so far saved\n";
 }
 
-/// A bar within a cell would end it.
-std::string Cell(const std::string& text) {
-  std::string cell;
-  for (const char c : text) cell += c == '|' ? "\\|" : std::string(1, c);
-  return " " + cell + " |";
-}
-
-std::string Code(const std::string& text) { return text.empty() ? "" : "`" + text + "`"; }
-
 std::string MarkdownTable() {
   std::string table = "| option | default | values | what it does |\n|---|---|---|---|\n";
   for (const OptionKind& option : OptionTable())
-    table += "|" + Cell(Code(Synopsis(option))) + Cell(Code(Show(option, Options{}))) + Cell(Range(option)) +
-             Cell(option.help) + "\n";
+    table += "|" + MarkdownCell(MarkdownCode(Synopsis(option))) + MarkdownCell(MarkdownCode(Show(option, Options{}))) +
+             MarkdownCell(Range(option)) + MarkdownCell(option.help) + "\n";
   return table;
 }
 

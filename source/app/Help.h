@@ -13,4 +13,9 @@ std::string Version();
 /// The examples of the help and the manual page.
 std::string HelpExamples();
 
+/// A cell of a table in Markdown, with its right border; a bar within the text is escaped, which would end it.
+std::string MarkdownCell(const std::string& text);
+/// The text as code; nothing for no text.
+std::string MarkdownCode(const std::string& text);
+
 }  // namespace ray

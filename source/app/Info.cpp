@@ -26,16 +26,21 @@ std::vector<unsigned char> ReadBytes(const std::string& file) {
 
 }  // namespace
 
-std::string PictureInfo(const std::string& file) {
+R2::DecodedImage ReadPicture(const std::string& file) {
   try {
-    const R2::DecodedImage picture = R2::DecodeImage(ReadBytes(file));
-    std::string text = Escaped(file) + ": " + picture.format->name + ", " + std::to_string(picture.image.Width()) +
-                       "x" + std::to_string(picture.image.Height()) + "\n";
-    for (const auto& [key, value] : picture.settings) text += Escaped(key) + ": " + Escaped(value) + "\n";
-    return text;
+    return R2::DecodeImage(ReadBytes(file));
   } catch (const R2::ImageError& error) {
     Refuse(file, error.what());
   }
 }
+
+std::string PictureText(const std::string& file, const R2::DecodedImage& picture) {
+  std::string text = Escaped(file) + ": " + picture.format->name + ", " + std::to_string(picture.image.Width()) + "x" +
+                     std::to_string(picture.image.Height()) + "\n";
+  for (const auto& [key, value] : picture.settings) text += Escaped(key) + ": " + Escaped(value) + "\n";
+  return text;
+}
+
+std::string PictureInfo(const std::string& file) { return PictureText(file, ReadPicture(file)); }
 
 }  // namespace ray

@@ -4,9 +4,7 @@
 #include "source/app/OptionTable.h"
 
 namespace ray {
-namespace {
 
-/// Text as roff takes it literally: a backslash and a dash are escaped, a line never starts with a control character.
 std::string Roff(const std::string& text) {
   std::string roff;
   for (const char c : text) {
@@ -19,6 +17,8 @@ std::string Roff(const std::string& text) {
   }
   return roff;
 }
+
+namespace {
 
 std::string Entry(const OptionKind& option) {
   std::string entry = ".TP\n.B " + Roff(Synopsis(option)) + "\n" + Roff(option.help) + ".\n";

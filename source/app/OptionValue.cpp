@@ -1,6 +1,5 @@
 // What each kind of option takes: how it is read, shown and described.
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <limits>
 #include <type_traits>
@@ -10,7 +9,6 @@
 #include "source/app/Status.h"
 #include "source/app/Words.h"
 #include "source/parse/Number.h"
-#include "source/parse/Suggestion.h"
 #include "source/parse/Text.h"
 
 namespace ray {
@@ -23,23 +21,6 @@ struct Overloaded : Lambda... {
 };
 template <class... Lambda>
 Overloaded(Lambda...) -> Overloaded<Lambda...>;
-
-/// The shortest text that reads back as the same number.
-template <class T>
-std::string ToText(T number) {
-  std::array<char, 64> text{};
-  const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), number);
-  return std::string(text.data(), end);
-}
-
-std::string OneOf(const std::vector<std::string>& choices) {
-  std::string text;
-  for (std::size_t i = 0; i < choices.size(); ++i) {
-    if (i > 0) text += i + 1 < choices.size() ? ", " : " or ";
-    text += choices[i];
-  }
-  return text;
-}
 
 std::vector<std::string> ToTexts(const std::vector<int>& numbers) {
   std::vector<std::string> texts;
@@ -100,10 +81,8 @@ void StoreNumber(const OptionKind& option, const Number<T>& number, const std::s
 /// The word, if it is one of the choices; otherwise an error that names them, or the one that was meant.
 const std::string& Choose(const OptionKind& option, const std::string& word, const std::vector<std::string>& choices) {
   if (std::ranges::find(choices, word) != choices.end()) return word;
-  const std::vector<std::string_view> views(choices.begin(), choices.end());
-  const std::string hint = Suggestion(word, views, "");
   throw UsageError("-" + std::string(option.name) + " must be " + OneOf(choices) + ", got " + Quoted(word) +
-                   (hint.starts_with("did") ? "; " + hint : ""));
+                   DidYouMean(word, choices));
 }
 
 PixelRectangle ReadRectangle(const OptionKind& option, std::span<const std::string> words) {

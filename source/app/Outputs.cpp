@@ -15,6 +15,12 @@ namespace {
   throw UsageError("no kind of picture has the extension of " + Quoted(name) + "; extensions are" + known);
 }
 
+std::span<const unsigned char> BytesOf(const std::string& text) {
+  return {reinterpret_cast<const unsigned char*>(text.data()), text.size()};
+}
+
+}  // namespace
+
 /// Some formats hold no more than 65,535 pixels a side. They say so when asked to write a picture of one row or one
 /// column, and an hour of rendering is saved.
 void RefuseSize(const R2::ImageFormat& format, int width, int height) {
@@ -28,21 +34,20 @@ void RefuseSize(const R2::ImageFormat& format, int width, int height) {
   }
 }
 
-std::span<const unsigned char> BytesOf(const std::string& text) {
-  return {reinterpret_cast<const unsigned char*>(text.data()), text.size()};
+PictureOutput CheckPictureOutput(const std::string& name, std::span<const std::string> inputs) {
+  const R2::ImageFormat* const format = R2::FormatForName(name);
+  // Something that exists already and cannot be a picture, a folder or a device, is refused as what it is.
+  std::error_code ignored;
+  if (!format && !std::filesystem::exists(name, ignored)) RefuseExtension(name);
+  const OutputFile file = CheckOutput(name, inputs);
+  if (!format) RefuseExtension(name);
+  return {format, file};
 }
-
-}  // namespace
 
 Outputs CheckOutputs(const Options& options) {
   const std::string inputs[] = {options.scene};
-  Outputs outputs;
-  outputs.format = R2::FormatForName(options.picture);
-  // Something that exists already and cannot be a picture, a folder or a device, is refused as what it is.
-  std::error_code ignored;
-  if (!outputs.format && !std::filesystem::exists(options.picture, ignored)) RefuseExtension(options.picture);
-  outputs.picture = CheckOutput(options.picture, inputs);
-  if (!outputs.format) RefuseExtension(options.picture);
+  const PictureOutput picture = CheckPictureOutput(options.picture, inputs);
+  Outputs outputs{.format = picture.format, .picture = picture.file, .report = {}};
 
   const PixelRectangle whole{0, 0, options.render.width, options.render.height};
   const PixelRectangle part = options.render.crop.value_or(whole);

@@ -8,6 +8,18 @@
 
 namespace ray {
 
+/// A place for a picture, and the kind that its name asks for.
+struct PictureOutput {
+  const R2::ImageFormat* format = nullptr;
+  OutputFile file;
+};
+
+/// Throws UsageError when no kind has the extension, and OutputError.
+PictureOutput CheckPictureOutput(const std::string& name, std::span<const std::string> inputs);
+
+/// Throws UsageError when the format cannot hold so many pixels a side.
+void RefuseSize(const R2::ImageFormat& format, int width, int height);
+
 /// Where the results of a run go.
 struct Outputs {
   const R2::ImageFormat* format = nullptr;

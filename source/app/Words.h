@@ -1,8 +1,12 @@
 #pragma once
 
+#include <array>
+#include <charconv>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 /// Words that users type and read.
 namespace ray {
@@ -16,7 +20,31 @@ std::string WithoutDashes(const std::string& word);
 /// With so many digits behind the point, whatever the locale.
 std::string Fixed(double number, int digits_behind_point);
 
+/// The shortest text that reads back as the same number.
+template <class T>
+std::string ToText(T number) {
+  std::array<char, 64> text{};
+  const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), number);
+  return std::string(text.data(), end);
+}
+
 /// "1 pixel", "2 pixels"
 std::string Counted(std::uint64_t count, const std::string& noun);
+
+/// "none, grid or octree"
+std::string OneOf(const std::vector<std::string>& choices);
+
+/// "; did you mean 'grid'?" when one of the choices is close to the word, otherwise nothing.
+std::string DidYouMean(const std::string& word, const std::vector<std::string>& choices);
+
+/// A dash and a letter: an option. A dash and a digit or a point is a negative number, a dash alone a name.
+bool LooksLikeOption(const std::string& word);
+
+/// An option as it was typed: "--width=512" is named "width" and brings "512" along.
+struct TypedOption {
+  std::string name;
+  std::optional<std::string> attached;
+};
+TypedOption SplitOption(const std::string& word);
 
 }  // namespace ray
