@@ -62,7 +62,8 @@ endif
 OUR_CXXFLAGS := -std=c++20 $(OPTIMIZE) -g1 $(NUMERIC) $(WARNINGS) $(SANITIZE)
 LIBS := -ljpeg -lpng -lz -ltbb -lhwy $(if $(filter yes,$(HAS_EXR)),$(EXR_LIBS)) -pthread
 
-PROGRAM_MAINS := source/app/raypro.cpp
+PROGRAMS := raypro rayimg
+PROGRAM_MAINS := $(PROGRAMS:%=source/app/%.cpp)
 LIBRARY_SOURCES := $(filter-out $(PROGRAM_MAINS),$(wildcard R2/*.cpp R2/*/*.cpp R3/*.cpp R3/*/*.cpp source/*/*.cpp source/*/*/*.cpp))
 ifneq ($(HAS_EXR),yes)
 LIBRARY_SOURCES := $(filter-out R2/image_files/exr.cpp,$(LIBRARY_SOURCES))
@@ -72,10 +73,10 @@ TEST_SOURCES := $(wildcard tests/*.cpp tests/R2/*.cpp tests/R3/*.cpp tests/sourc
 BENCH_SOURCES := $(wildcard bench/*.cpp)
 objects = $(patsubst %.cpp,$(BUILD)/obj/%.o,$(1))
 
-.PHONY: all raypro test night check asan tsan bench install uninstall clean compile_commands test-binary
+.PHONY: all $(PROGRAMS) test night check asan tsan bench install uninstall clean compile_commands test-binary
 .SECONDARY:
-all: raypro $(BUILD)/compile_commands.json
-raypro: $(BUILD)/raypro
+all: $(PROGRAMS) $(BUILD)/compile_commands.json
+$(PROGRAMS): %: $(BUILD)/%
 
 # A change of compiler or flags rebuilds everything: the flags are kept in a file that objects depend on.
 FLAGS_LINE := $(CXX) $(OUR_CPPFLAGS) $(CPPFLAGS) $(OUR_CXXFLAGS) $(CXXFLAGS)
@@ -95,7 +96,7 @@ $(BUILD)/libray.a: $(call objects,$(LIBRARY_SOURCES))
 	@echo "  ar    $@"
 	@rm -f $@ && $(AR) rcs $@ $^
 
-$(BUILD)/raypro: $(BUILD)/obj/source/app/raypro.o $(BUILD)/libray.a
+$(PROGRAMS:%=$(BUILD)/%): $(BUILD)/%: $(BUILD)/obj/source/app/%.o $(BUILD)/libray.a
 	@echo "  link  $@"
 	@$(CXX) $(OUR_CXXFLAGS) $(CXXFLAGS) $^ $(LDFLAGS) $(LIBS) -o $@
 
@@ -108,17 +109,19 @@ $(BUILD)/bench/%: $(BUILD)/obj/bench/%.o $(BUILD)/libray.a
 	@echo "  link  $@"
 	@$(CXX) $(OUR_CXXFLAGS) $(CXXFLAGS) $^ $(LDFLAGS) -lbenchmark $(LIBS) -o $@
 
+# Tests find the programs and the project's files through these.
+FOR_TESTS := RAYPRO=$(abspath $(BUILD))/raypro RAYIMG=$(abspath $(BUILD))/rayimg RAYPRO_ROOT=$(CURDIR)
+
 # The same tests with millions of cases where a commit has thousands; hours.
-night: test-binary raypro
-	RAYPRO_NIGHT=1 RAYPRO=$(abspath $(BUILD))/raypro RAYPRO_ROOT=$(CURDIR) $(BUILD)/raytests $(GTEST)
+night: test-binary $(PROGRAMS)
+	RAYPRO_NIGHT=1 $(FOR_TESTS) $(BUILD)/raytests $(GTEST)
 
 # Every object leaves a fragment; editors read the sum.
-$(BUILD)/compile_commands.json: $(BUILD)/raypro
+$(BUILD)/compile_commands.json: $(PROGRAMS:%=$(BUILD)/%)
 	@{ echo '['; find $(BUILD)/obj -name '*.cmd' -exec cat {} + | sed '$$ s/,$$//'; echo ']'; } > $@
 
-# Tests find the program and the project's files through these two.
-test: check test-binary raypro
-	RAYPRO=$(abspath $(BUILD))/raypro RAYPRO_ROOT=$(CURDIR) $(BUILD)/raytests $(GTEST)
+test: check test-binary $(PROGRAMS)
+	$(FOR_TESTS) $(BUILD)/raytests $(GTEST)
 test-binary: $(BUILD)/raytests
 
 check:
@@ -131,20 +134,25 @@ tsan:
 
 bench: $(patsubst bench/%.cpp,$(BUILD)/bench/%,$(BENCH_SOURCES)) raypro
 
-install: raypro
+install: $(PROGRAMS)
 	install -d $(DESTDIR)$(bindir) $(DESTDIR)$(mandir)/man1 $(DESTDIR)$(datadir)/raypro/scenes \
 	  $(DESTDIR)$(datadir)/bash-completion/completions $(DESTDIR)$(datadir)/zsh/site-functions \
 	  $(DESTDIR)$(datadir)/fish/vendor_completions.d
-	install -m 755 $(BUILD)/raypro $(DESTDIR)$(bindir)/raypro
-	$(BUILD)/raypro -man > $(DESTDIR)$(mandir)/man1/raypro.1
-	$(BUILD)/raypro -complete bash > $(DESTDIR)$(datadir)/bash-completion/completions/raypro
-	$(BUILD)/raypro -complete zsh > $(DESTDIR)$(datadir)/zsh/site-functions/_raypro
-	$(BUILD)/raypro -complete fish > $(DESTDIR)$(datadir)/fish/vendor_completions.d/raypro.fish
+	for program in $(PROGRAMS); do \
+	  install -m 755 $(BUILD)/$$program $(DESTDIR)$(bindir)/$$program && \
+	  $(BUILD)/$$program -man > $(DESTDIR)$(mandir)/man1/$$program.1 && \
+	  $(BUILD)/$$program -complete bash > $(DESTDIR)$(datadir)/bash-completion/completions/$$program && \
+	  $(BUILD)/$$program -complete zsh > $(DESTDIR)$(datadir)/zsh/site-functions/_$$program && \
+	  $(BUILD)/$$program -complete fish > $(DESTDIR)$(datadir)/fish/vendor_completions.d/$$program.fish || exit 1; \
+	done
 	cp -R scenes/. $(DESTDIR)$(datadir)/raypro/scenes/
 uninstall:
-	rm -f $(DESTDIR)$(bindir)/raypro $(DESTDIR)$(mandir)/man1/raypro.1 \
-	  $(DESTDIR)$(datadir)/bash-completion/completions/raypro $(DESTDIR)$(datadir)/zsh/site-functions/_raypro \
-	  $(DESTDIR)$(datadir)/fish/vendor_completions.d/raypro.fish
+	for program in $(PROGRAMS); do \
+	  rm -f $(DESTDIR)$(bindir)/$$program $(DESTDIR)$(mandir)/man1/$$program.1 \
+	    $(DESTDIR)$(datadir)/bash-completion/completions/$$program \
+	    $(DESTDIR)$(datadir)/zsh/site-functions/_$$program \
+	    $(DESTDIR)$(datadir)/fish/vendor_completions.d/$$program.fish; \
+	done
 	rm -rf $(DESTDIR)$(datadir)/raypro
 
 clean:

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+
+#include "source/app/rayimg/Options.h"
+
+/// The commands of rayimg. Each gives the exit status, and throws UsageError, SceneErrors (for files that are missing
+/// or no pictures) and OutputError. `command_line` is what was typed, to be kept in pictures that are written.
+namespace ray::rayimg {
+
+int Diff(const Options& options, const std::string& command_line);
+int Info(const Options& options, const std::string& command_line);
+int Convert(const Options& options, const std::string& command_line);
+int Merge(const Options& options, const std::string& command_line);
+
+}  // namespace ray::rayimg

@@ -1,0 +1,52 @@
+#include "source/app/rayimg/Pictures.h"
+
+#include <array>
+#include <charconv>
+
+#include "source/app/Info.h"
+#include "source/app/Messages.h"
+#include "source/app/Status.h"
+#include "source/parse/Text.h"
+
+namespace ray::rayimg {
+namespace {
+
+std::string SizeOf(const std::string& name, const R2::Image& image) {
+  return Quoted(name) + " has " + std::to_string(image.Width()) + "x" + std::to_string(image.Height()) + " pixels";
+}
+
+}  // namespace
+
+R2::DecodedImage ReadLight(const std::string& file, bool srgb) {
+  R2::DecodedImage picture = ReadPicture(file);
+  if (!srgb || picture.format->is_linear) return picture;
+  R2::Image& image = picture.image;
+  for (int y = 0; y < image.Height(); ++y)
+    for (int x = 0; x < image.Width(); ++x) image.Set(x, y, R2::DecodeSrgb(image.At(x, y)));
+  return picture;
+}
+
+void RefuseOtherSize(const std::string& a_name, const R2::Image& a, const std::string& b_name, const R2::Image& b) {
+  if (a.Width() == b.Width() && a.Height() == b.Height()) return;
+  throw UsageError("pictures must have one size, but " + SizeOf(a_name, a) + " and " + SizeOf(b_name, b));
+}
+
+void Write(const PictureOutput& output, const R2::Image& image, const R2::ImageEncoding& encoding,
+           const R2::ImageSettings& settings) {
+  RefuseSize(*output.format, image.Width(), image.Height());
+  if (output.file.is_link)
+    Tell("rayimg: " + Quoted(output.file.name) + " is a link; the picture goes to " +
+         Quoted(output.file.target.string()));
+  WriteWhole(output.file, output.format->encode(image, encoding, settings));
+}
+
+std::string ProgramAndVersion() { return "rayimg " RAYPRO_VERSION; }
+
+std::string Rounded(double number) {
+  std::array<char, 64> text{};
+  const auto [end, error] =
+      std::to_chars(text.data(), text.data() + text.size(), number, std::chars_format::general, 6);
+  return std::string(text.data(), end);
+}
+
+}  // namespace ray::rayimg

@@ -1,0 +1,135 @@
+#include <algorithm>
+#include <numeric>
+#include <optional>
+#include <vector>
+
+#include "source/app/Info.h"
+#include "source/app/Messages.h"
+#include "source/app/Status.h"
+#include "source/app/Words.h"
+#include "source/app/rayimg/Commands.h"
+#include "source/app/rayimg/Independence.h"
+#include "source/app/rayimg/Pictures.h"
+#include "source/parse/Number.h"
+#include "source/parse/Text.h"
+
+namespace ray::rayimg {
+namespace {
+
+using R2::ImageSettings;
+
+constexpr const char* unless_forced = "; -force merges them all the same";
+
+void RefuseDependent(const std::vector<std::string>& names, const std::vector<ImageSettings>& settings) {
+  for (std::size_t i = 0; i < names.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (const auto why = WhyDependent(names[j], settings[j], names[i], settings[i]))
+        throw UsageError(*why + unless_forced);
+}
+
+void RefuseInterrupted(const std::vector<std::string>& names, const std::vector<ImageSettings>& settings) {
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const std::string pixels = Setting(settings[i], "pixels");
+    if (!pixels.empty() && pixels != "complete")
+      throw UsageError(Quoted(names[i]) + " is not complete: " + Escaped(pixels) + unless_forced);
+  }
+}
+
+void WarnOfUnknownSeeds(const std::vector<std::string>& names, const std::vector<ImageSettings>& settings) {
+  for (std::size_t i = 0; i < names.size(); ++i)
+    if (Seeds(settings[i]).empty())
+      Tell("rayimg: warning: " + Quoted(names[i]) + " does not tell its seed, and is taken to be independent");
+}
+
+/// The first pass: what is said of the pictures, which decides whether and how they are merged.
+std::vector<ImageSettings> ReadSettings(const std::vector<std::string>& names) {
+  std::vector<ImageSettings> settings;
+  R2::Image first;
+  for (const std::string& name : names) {
+    const R2::DecodedImage picture = ReadPicture(name);
+    if (!picture.format->is_linear)
+      throw UsageError(Quoted(name) + " is a " + picture.format->name +
+                       ", whose values are rounded and clamped; merge takes pfm, hdr and exr");
+    if (settings.empty()) first = picture.image;
+    RefuseOtherSize(names[0], first, name, picture.image);
+    settings.push_back(picture.settings);
+  }
+  return settings;
+}
+
+/// Of all pictures, or nothing.
+std::optional<std::vector<double>> StoredSamples(const std::vector<ImageSettings>& settings) {
+  constexpr std::int64_t most = std::int64_t{1} << 53;  // beyond, sums would not be exact
+  std::vector<double> samples;
+  for (const ImageSettings& one : settings) {
+    const auto number = ParseWhole(Setting(one, "samples"));
+    if (number.problem || number.value < 1 || number.value > most) return {};
+    samples.push_back(static_cast<double>(number.value));
+  }
+  return samples;
+}
+
+/// The second pass: pictures are read again one by one, so that a hundred of them need no more memory than two.
+R2::Image WeightedMean(const std::vector<std::string>& names, const std::vector<double>& weights) {
+  R2::Image mean;
+  std::vector<double> sums;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const R2::Image image = ReadPicture(names[i]).image;
+    if (i == 0) {
+      mean = image;
+      sums.resize(image.Channels().size());
+    }
+    RefuseOtherSize(names[0], mean, names[i], image);
+    for (std::size_t k = 0; k < sums.size(); ++k) sums[k] += weights[i] * static_cast<double>(image.Channels()[k]);
+  }
+  const double total = std::accumulate(weights.begin(), weights.end(), 0.0);
+  for (int y = 0; y < mean.Height(); ++y)
+    for (int x = 0; x < mean.Width(); ++x) {
+      const std::size_t k =
+          3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(mean.Width()) + static_cast<std::size_t>(x));
+      mean.Set(x, y, R2::Color{sums[k], sums[k + 1], sums[k + 2]} / total);
+    }
+  return mean;
+}
+
+/// What all pictures agree on, all their seeds, and the sum of their samples where it has a meaning.
+ImageSettings MergedSettings(const std::vector<ImageSettings>& settings, bool by_samples, double samples,
+                             const std::string& command_line) {
+  ImageSettings merged = settings[0];
+  std::erase_if(merged, [&](const auto& entry) {
+    return std::ranges::any_of(settings,
+                               [&](const ImageSettings& one) { return !Agree(settings[0], one, entry.first); });
+  });
+  merged.erase("samples");
+  merged.erase("seconds");
+  if (by_samples) merged["samples"] = Fixed(samples, 0);
+  std::string seeds;
+  for (const ImageSettings& one : settings)
+    for (const std::string& seed : Seeds(one)) seeds += (seeds.empty() ? "" : " ") + seed;
+  if (!seeds.empty()) merged["seed"] = seeds;
+  merged["program"] = ProgramAndVersion();
+  merged["command"] = command_line;
+  return merged;
+}
+
+}  // namespace
+
+int Merge(const Options& options, const std::string& command_line) {
+  const std::vector<std::string>& names = options.names;
+  const PictureOutput output = CheckPictureOutput(options.out, names);
+  const std::vector<ImageSettings> settings = ReadSettings(names);
+  if (!options.force) {
+    RefuseDependent(names, settings);
+    RefuseInterrupted(names, settings);
+    WarnOfUnknownSeeds(names, settings);
+  }
+
+  const auto samples = options.weights.empty() ? StoredSamples(settings) : std::nullopt;
+  const std::vector<double> equal(names.size(), 1.0);
+  const std::vector<double>& weights = samples ? *samples : options.weights.empty() ? equal : options.weights;
+  const double total = std::accumulate(weights.begin(), weights.end(), 0.0);
+  Write(output, WeightedMean(names, weights), {}, MergedSettings(settings, samples.has_value(), total, command_line));
+  return status::done;
+}
+
+}  // namespace ray::rayimg
