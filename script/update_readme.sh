@@ -1,18 +1,26 @@
 #!/bin/sh
-# Writes the option table into README.md, between its two markers, from the program's own table of options.
+# Writes the tables of options into README.md, between their markers, from the programs' own tables.
 # With -check it changes nothing and fails when the README is out of date.
 set -eu
 here=$(cd "$(dirname "$0")/.." && pwd)
 raypro=${RAYPRO:-$here/build/raypro}
-work=$(mktemp)
-trap 'rm -f "$work"' EXIT
-{
-  sed '/<!-- options -->/q' "$here/README.md"
-  "$raypro" -help markdown
-  sed -n '/<!-- end of options -->/,$p' "$here/README.md"
-} > "$work"
+rayimg=${RAYIMG:-$here/build/rayimg}
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+
+cp "$here/README.md" "$work/new"
+replace() {  # name of the markers, program
+  "$2" -help markdown > "$work/table"
+  sed "/<!-- $1 -->/q" "$work/new" > "$work/next"
+  cat "$work/table" >> "$work/next"
+  sed -n "/<!-- end of $1 -->/,\$p" "$work/new" >> "$work/next"
+  mv "$work/next" "$work/new"
+}
+replace options "$raypro"
+replace "rayimg options" "$rayimg"
+
 if [ "${1:-}" = -check ]; then
-  cmp -s "$work" "$here/README.md" || { echo "README.md: the option table is out of date; run script/update_readme.sh" >&2; exit 1; }
+  cmp -s "$work/new" "$here/README.md" || { echo "README.md: a table of options is out of date; run script/update_readme.sh" >&2; exit 1; }
 else
-  cat "$work" > "$here/README.md"
+  cat "$work/new" > "$here/README.md"
 fi

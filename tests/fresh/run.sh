@@ -81,6 +81,7 @@ as_user 'make install DESTDIR=/home/user/stage PREFIX=/opt'
 stage=/home/user/stage/opt
 as_user "cd / && $stage/bin/raypro $stage/share/raypro/scenes/hello.scn /home/user/hello.png"
 [ -s "$root/home/user/hello.png" ] || fail "the installed program made no picture"
+as_user "cd / && $stage/bin/rayimg info /home/user/hello.png"
 
 say "6. make uninstall"
 as_user 'make uninstall DESTDIR=/home/user/stage PREFIX=/opt'

@@ -36,13 +36,14 @@ Means are over all channels of all pixels that are finite in both pictures; x is
   FLIP             mean of what an eye notices when the pictures alternate (Andersson et al. 2020), of the same values
   largest          the largest |x-r|, with its pixel (x from the left, y from the bottom) and its channel
   bias             mean x-r, channel by channel
-With -reference2 c, the same picture as r with other random numbers, also mean (x-r)(x-c) and its root: the error without
-the noise of the reference, which the linear RMSE takes for an error of x (Whittle et al. 2017 show how misleading that is).
+With -reference2 c, the same picture as r with other random numbers, also mean (x-r)(x-c) and its root: the error
+without the noise of the reference, which the linear RMSE takes for an error of x (how misleading that can be: Whittle
+et al. 2017).
 With thresholds the exit status is 1 when one is exceeded. Pixels that are not finite fail every threshold.
 )", Diff},
     CommandKind{"info", "picture...", 1, any_number, "print what is in pictures and how they were made", R"(
-Size and format, the settings kept in the picture, and of the values as stored, those that are finite: smallest, mean and
-largest of each channel, mean luminance (0.30 r + 0.59 g + 0.11 b); how many values are negative or not finite.
+Size and format, the settings kept in the picture, and of the values as stored, those that are finite: smallest, mean
+and largest of each channel, mean luminance (0.30 r + 0.59 g + 0.11 b); how many values are negative or not finite.
 )", Info},
     CommandKind{"convert", "in out", 2, 2, "write a picture in another format, brighter, tone-mapped or encoded", R"(
 Values are multiplied by 2^exposure, go through the tone curve, channel by channel, and are encoded. Pictures of floats

@@ -34,7 +34,7 @@ struct Prepared {
 Prepared Prepare(const std::vector<std::string>& words, const Surroundings& surroundings) {
   Prepared prepared;
   prepared.words = words;
-  prepared.words.insert(prepared.words.begin(), ProgramName());
+  prepared.words.insert(prepared.words.begin(), ProgramName(surroundings.program));
   for (char** variable = environ; *variable; ++variable) {
     const std::string text = *variable;
     if (!surroundings.environment.contains(text.substr(0, text.find('=')))) prepared.environment.push_back(text);
@@ -149,7 +149,7 @@ Finished Running::Wait(std::chrono::milliseconds longest) {
           .error = ReadFile(collected_ / "error")};
 }
 
-const char* ProgramName() { return std::getenv("RAYPRO"); }
+const char* ProgramName(const char* variable) { return std::getenv(variable); }
 
 Finished RunProgram(const std::vector<std::string>& words, const Surroundings& surroundings) {
   return Running(words, surroundings).Wait();

@@ -8,7 +8,8 @@
 #include <string>
 #include <vector>
 
-/// Running the real program, which the environment variable RAYPRO names, and looking at what it leaves behind.
+/// Running the real programs, which the environment variables RAYPRO and RAYIMG name, and looking at what it leaves
+/// behind.
 namespace ray::testing {
 
 /// A folder of its own for a test; gone with it.
@@ -34,6 +35,7 @@ std::string WriteFile(const std::string& file, const std::string& content);
 
 /// What a program is started with besides its arguments.
 struct Surroundings {
+  const char* program = "RAYPRO";                  // the variable that names it
   std::string standard_output{};                   // a file; empty: collected
   std::string standard_error{};                    // likewise
   bool close_output = false, close_error = false;  // descriptors not open at all
@@ -70,7 +72,7 @@ class Running {
 };
 
 /// Null unless the environment names the program.
-const char* ProgramName();
+const char* ProgramName(const char* variable = "RAYPRO");
 Finished RunProgram(const std::vector<std::string>& words, const Surroundings& surroundings = {});
 
 /// A count of repetitions, from the environment if it is set there.
@@ -78,6 +80,9 @@ int Rounds(const char* variable, int unless_set);
 
 }  // namespace ray::testing
 
-/// First line of every test that runs the program.
+/// First line of every test that runs a program.
 #define NEEDS_THE_PROGRAM() \
   if (!ray::testing::ProgramName()) GTEST_SKIP() << "the environment variable RAYPRO does not name the program"
+#define NEEDS_RAYIMG()                                                                                           \
+  if (!ray::testing::ProgramName("RAYIMG")) GTEST_SKIP() << "the environment variable RAYIMG does not name the " \
+                                                            "program"
