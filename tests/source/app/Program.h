@@ -83,6 +83,5 @@ int Rounds(const char* variable, int unless_set);
 /// First line of every test that runs a program.
 #define NEEDS_THE_PROGRAM() \
   if (!ray::testing::ProgramName()) GTEST_SKIP() << "the environment variable RAYPRO does not name the program"
-#define NEEDS_RAYIMG()                                                                                           \
-  if (!ray::testing::ProgramName("RAYIMG")) GTEST_SKIP() << "the environment variable RAYIMG does not name the " \
-                                                            "program"
+#define NEEDS_RAYIMG() \
+  if (!ray::testing::ProgramName("RAYIMG")) GTEST_SKIP() << "the environment variable RAYIMG does not name rayimg"
