@@ -26,6 +26,12 @@ struct ImageEncoding {
   int jpeg_quality = 95;  // 1..100; chroma is never subsampled
 };
 
+/// Further channels that a file can hold beside the picture, of the same size: up to three, each with its name.
+struct ImageLayer {
+  std::vector<std::string> channels;
+  Image image;  // the first of its channels are those named
+};
+
 /// Width and height, both at least 1, their product at most max_pixels.
 struct ImageSize {
   int width = 0, height = 0;
@@ -42,6 +48,9 @@ struct ImageFormat {
   std::vector<unsigned char> (*encode)(const Image& image, const ImageEncoding& encoding,
                                        const ImageSettings& settings);
   bool is_linear;  // PFM, HDR, EXR hold linear light: never sRGB-decoded, never clamped
+  /// With further channels; null for formats that hold none.
+  std::vector<unsigned char> (*encode_layers)(const Image& image, std::span<const ImageLayer> layers,
+                                              const ImageSettings& settings) = nullptr;
 };
 
 /// Every format this build can read and write, in the order of image_formats.def.

@@ -36,12 +36,20 @@ struct Box {
   friend bool operator==(const Box&, const Box&) = default;
 };
 
+/// A box that holds `box` on all of its way along `way`.
+inline Box Along(const Box& box, const Vector& way) {
+  if (box.IsEmpty() || way == Vector{}) return box;
+  Box all = box;
+  all.Extend(Box{box.low + way, box.high + way});
+  return all;
+}
+
 /// A ray made ready for many box tests.
 struct BoxRay {
   explicit BoxRay(const Ray& ray);
 
   Point origin;
-  Vector inverse;   // 1 / direction; infinite, with its sign, where a component is +-0
+  Vector inverse;  // 1 / direction; infinite, with its sign, where a component is +-0
   double t_min, t_max;
 };
 

@@ -10,6 +10,7 @@ struct Ray {
   Point origin;
   Vector direction;
   double t_min = 0, t_max = infinity;
+  double time = 0;  // when, of the time the shutter is open, in [0, 1)
 
   Point At(double t) const { return origin + t * direction; }
 };

@@ -77,18 +77,17 @@ class OutputStream : public Imf::OStream {
 constexpr std::array color_channels{"R", "G", "B"};
 constexpr std::array gray_channel{"Y"};
 
-/// Describes one row of r g b floats, whose first pixel is at x = `x_min`, as the library's frame for any y. One
-/// channel alone takes the place of r.
-Imf::FrameBuffer RowFrame(std::vector<float>& row, int x_min, std::span<const char* const> channels) {
+/// Adds one row of r g b floats, whose first pixel is at x = `x_min`, to the library's frame for any y. One channel
+/// alone takes the place of r.
+template <typename Names>
+void AddToFrame(Imf::FrameBuffer& frame, std::vector<float>& row, int x_min, const Names& channels) {
   constexpr std::size_t pixel_bytes = 3 * sizeof(float);
-  Imf::FrameBuffer frame;
   for (std::size_t i = 0; i < channels.size(); ++i) {
     // The library adds x * pixel_bytes again. As integers, because x_min pixels before the row there is no memory.
     const auto address = reinterpret_cast<std::intptr_t>(row.data() + i) -
                          static_cast<std::intptr_t>(x_min) * static_cast<std::intptr_t>(pixel_bytes);
     frame.insert(channels[i], Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(address), pixel_bytes, 0));
   }
-  return frame;
 }
 
 /// Attribute names in the library's messages come from the file, and may be anything.
@@ -117,8 +116,12 @@ Image ReadPixels(Imf::InputFile& file, ImageSize size) {
 
   const Imath::Box2i window = file.header().dataWindow();
   std::vector<float> row(3 * static_cast<std::size_t>(size.width));
-  file.setFrameBuffer(has_color ? RowFrame(row, window.min.x, color_channels)
-                                : RowFrame(row, window.min.x, gray_channel));
+  Imf::FrameBuffer frame;
+  if (has_color)
+    AddToFrame(frame, row, window.min.x, color_channels);
+  else
+    AddToFrame(frame, row, window.min.x, gray_channel);
+  file.setFrameBuffer(frame);
   // The picture is asked for only once its first row is there: the header alone may promise anything.
   Image image;
   for (int y = size.height - 1; y >= 0; --y) {
@@ -155,10 +158,13 @@ Image Decode(std::span<const unsigned char> bytes, ImageSettings* settings) {
   }
 }
 
-std::vector<unsigned char> Encode(const Image& image, const ImageEncoding&, const ImageSettings& settings) {
+std::vector<unsigned char> EncodeLayers(const Image& image, std::span<const ImageLayer> layers,
+                                        const ImageSettings& settings) {
   Imf::Header header(image.Width(), image.Height());
   header.compression() = Imf::ZIP_COMPRESSION;
   for (const char* channel : color_channels) header.channels().insert(channel, Imf::Channel(Imf::FLOAT));
+  for (const ImageLayer& layer : layers)
+    for (const std::string& channel : layer.channels) header.channels().insert(channel, Imf::Channel(Imf::FLOAT));
   for (const auto& [key, value] : settings) {
     const std::string name = std::string(settings_prefix) + key;
     header.insert(name.substr(0, longest_name), Imf::StringAttribute(value));
@@ -166,12 +172,19 @@ std::vector<unsigned char> Encode(const Image& image, const ImageEncoding&, cons
   OutputStream stream;
   try {
     Imf::OutputFile file(stream, header, 0);
-    std::vector<float> row(3 * static_cast<std::size_t>(image.Width()));
-    file.setFrameBuffer(RowFrame(row, 0, color_channels));
+    const std::size_t row_floats = 3 * static_cast<std::size_t>(image.Width());
+    std::vector<std::vector<float>> rows(1 + layers.size(), std::vector<float>(row_floats));
+    Imf::FrameBuffer frame;
+    AddToFrame(frame, rows[0], 0, color_channels);
+    for (std::size_t i = 0; i < layers.size(); ++i) AddToFrame(frame, rows[i + 1], 0, layers[i].channels);
+    file.setFrameBuffer(frame);
     for (int y = image.Height() - 1; y >= 0; --y) {
-      const auto first =
-          image.Channels().begin() + static_cast<std::ptrdiff_t>(static_cast<std::size_t>(y) * row.size());
-      std::copy_n(first, row.size(), row.begin());
+      for (std::size_t i = 0; i < rows.size(); ++i) {
+        const Image& source = i == 0 ? image : layers[i - 1].image;
+        const auto first =
+            source.Channels().begin() + static_cast<std::ptrdiff_t>(static_cast<std::size_t>(y) * row_floats);
+        std::copy_n(first, row_floats, rows[i].begin());
+      }
       file.writePixels(1);
     }
   } catch (const std::bad_alloc&) {
@@ -182,8 +195,12 @@ std::vector<unsigned char> Encode(const Image& image, const ImageEncoding&, cons
   return stream.Take();
 }
 
+std::vector<unsigned char> Encode(const Image& image, const ImageEncoding&, const ImageSettings& settings) {
+  return EncodeLayers(image, {}, settings);
+}
+
 }  // namespace
 
-const ImageFormat exr_format{"exr", {"exr"}, Recognises, ReadSize, Decode, Encode, true};
+const ImageFormat exr_format{"exr", {"exr"}, Recognises, ReadSize, Decode, Encode, true, EncodeLayers};
 
 }  // namespace R2

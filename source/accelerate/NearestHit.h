@@ -41,12 +41,12 @@ class NearestHit {
 /// Sees a ray from one frame after the other, transforming it only when the frame changes.
 class LocalRays {
  public:
-  LocalRays(const World& world, const R3::Ray& ray) : world_(world), ray_(ray), local_(world.Frames()[0].Back(ray)) {}
+  LocalRays(const World& world, const R3::Ray& ray) : world_(world), ray_(ray), local_(ray) {}
 
   const R3::Ray& In(std::uint32_t frame) {
     if (frame != frame_) {
       frame_ = frame;
-      local_ = world_.Frames()[frame].Back(ray_);
+      local_ = world_.Back(frame, ray_);
     }
     return local_;
   }

@@ -43,12 +43,12 @@ std::vector<NodePad> NodePads(const World& world) {
     const FlatNode& flat = nodes[i];
     NodePad pad = pads[i];  // the largest of the children's, in the node's own frame
     if (flat.instance >= 0) {
-      reaches[i] = Reach(world.Frames()[flat.frame] * flat.node->bounds);
+      reaches[i] = Reach(world.InWorld(flat.frame, flat.node->bounds));
       const R3::Transform& frame = world.Frames()[flat.frame];
       pad = SeenFrom(frame, reaches[i]);
       if (world.Instances()[static_cast<std::size_t>(flat.instance)].frame != flat.frame)
         pad.constant += Baking(frame, Reach(flat.node->bounds));
-    } else if (!IsIdentity(flat.node->transform)) {
+    } else if (!IsIdentity(flat.node->transform) || !(flat.node->motion == R3::Vector{})) {
       const NodePad own = SeenFrom(world.Frames()[nodes[parents[i]].frame], reaches[i]);
       const double stretch = MaxRowSum(flat.node->transform);
       pad = {own.per_distance + stretch * pad.per_distance, own.constant + stretch * pad.constant};

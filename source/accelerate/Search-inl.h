@@ -120,7 +120,7 @@ struct Probe {
   float Distance(double t) const { return static_cast<float>(t * per_t - begin) * rounded_up + slack; }
 
   HWY_INLINE Probe(const Coordinates& place, double pad_per_distance, const R3::Ray& ray, double distance_in_world) {
-    static_assert(sizeof(R3::Ray) == 8 * sizeof(double) && sizeof(R3::Point) == 3 * sizeof(double));
+    static_assert(sizeof(R3::Ray) >= 8 * sizeof(double) && sizeof(R3::Point) == 3 * sizeof(double));
     const Double4 center{place.center.x, place.center.y, place.center.z, 0};
     Double4 eye, heading;
     Load(&ray.origin.x, eye), Load(&ray.direction.x, heading);
@@ -372,8 +372,7 @@ bool AskItem(const Forest<Structure>& forest, const Structure& structure, std::u
              double distance_in_world, NearestHit& nearest, Counts& counts) {
   const Item what = structure.space[item];
   const Instance& instance = forest.world->Instances()[what.instance];
-  const R3::Transform& frame = forest.world->Frames()[instance.frame];
-  const R3::Ray local = instance.frame == 0 ? ray : frame.Back(ray);
+  const R3::Ray local = instance.frame == 0 ? ray : forest.world->Back(instance.frame, ray);
   if (what.element == Item::whole)
     return Search<any>(forest, forest.structures[static_cast<std::size_t>(instance.shared) + 1], local,
                        distance_in_world, what.instance, nearest, counts) ||

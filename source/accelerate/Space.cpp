@@ -59,7 +59,7 @@ R3::Box Space::Bounds(std::uint32_t i) const {
     box = instance.shape->Bounds(item.element);
   if (instance.frame == 0) return Widened(box, 0);
   const R3::Transform& frame = world_.Frames()[instance.frame];
-  box = frame * box;
+  box = world_.InWorld(instance.frame, box);
   return Widened(box, WorldPad(frame, Reach(box)).constant);
 }
 

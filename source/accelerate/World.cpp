@@ -11,6 +11,7 @@ namespace {
 /// A group's way from the world while the graph is being flattened.
 struct Path {
   R3::Product world_from_node;
+  R3::Vector motion;  // in the world
   std::uint32_t frame = 0;
 };
 
@@ -30,6 +31,7 @@ World::World(const Scene& scene) : scene_(scene) {
 // Breadth first, without recursion: the graph may be 100,000 levels deep.
 void World::Flatten() {
   frames_.emplace_back();
+  motions_.emplace_back();
   nodes_.push_back({.node = &scene_.root});
   std::vector<Path> paths{Path{}};  // of nodes_[i], freed in waves: see below
   std::size_t first_path = 0;       // paths[0] belongs to nodes_[first_path]
@@ -43,7 +45,10 @@ void World::Flatten() {
     const Node& node = *nodes_[i].node;
     assert(!node.shape || IsIdentity(node.transform));  // a shape's box is in the frame the shape itself is in
     Path path = paths[i - first_path];
-    if (!IsIdentity(node.transform)) {
+    const bool does_move = !(node.motion == R3::Vector{});
+    if (!IsIdentity(node.transform) || does_move) {
+      moves_ |= does_move;
+      path.motion = path.motion + frames_[path.frame] * node.motion;
       if (IsSingular(node.transform)) continue;  // the reader has warned
       path.world_from_node = path.world_from_node * node.transform;
       const auto transform = R3::Transform::Of(path.world_from_node);
@@ -55,6 +60,7 @@ void World::Flatten() {
       }
       path.frame = static_cast<std::uint32_t>(frames_.size());
       frames_.push_back(*transform);
+      motions_.push_back(path.motion);
     }
     nodes_[i].frame = path.frame;
     nodes_[i].first_child = static_cast<std::uint32_t>(nodes_.size());
@@ -106,8 +112,8 @@ void World::BakeOrShareMeshes() {
       if (number.second) shared_meshes_.push_back(instance.mesh);
       instance.shared = number.first->second;
     } else if (instance.frame != 0) {
-      auto moved = instance.mesh->Moved(frames_[instance.frame]);
-      if (!moved) {  // as good as shared: it keeps its frame
+      auto moved = motions_[instance.frame] == R3::Vector{} ? instance.mesh->Moved(frames_[instance.frame]) : nullptr;
+      if (!moved) {  // it moves in time, or too far: as good as shared, it keeps its frame
         instance.shared = static_cast<std::int32_t>(numbers.size());
         numbers.emplace(instance.mesh, instance.shared);
         shared_meshes_.push_back(instance.mesh);
@@ -123,9 +129,13 @@ void World::BakeOrShareMeshes() {
 R3::Intersection World::At(const R3::Ray& ray, const WorldHit& hit) const {
   const Instance& instance = instances_[hit.instance];
   const R3::Transform& world_from_local = frames_[instance.frame];
-  R3::Intersection at = instance.shape->At(world_from_local.Back(ray), hit.hit, hit.element);
-  if (world_from_local.IsIdentity()) return at;
+  R3::Intersection at = instance.shape->At(Back(instance.frame, ray), hit.hit, hit.element);
+  if (!world_from_local.IsIdentity()) BringToWorld(world_from_local, at);
+  if (moves_) Shift(ray.time * motions_[instance.frame], at);
+  return at;
+}
 
+void World::BringToWorld(const R3::Transform& world_from_local, R3::Intersection& at) {
   const R3::Matrix &forward = world_from_local.Forward(), &inverse = world_from_local.Inverse();
   const R3::Vector local_error = at.error;
   const R3::Vector local = Abs(FromOrigin(at.position));
@@ -139,7 +149,12 @@ R3::Intersection World::At(const R3::Ray& ray, const WorldHit& hit) const {
   at.error = AbsTimes(forward, local_error + R3::Gamma(6) * back) + R3::Gamma(6) * out;
   at.normal = world_from_local * at.normal;
   at.shading_normal = world_from_local * at.shading_normal;
-  return at;
+}
+
+void World::Shift(const R3::Vector& way, R3::Intersection& at) {
+  at.position = at.position + way;
+  // One sum here, one on the way back.
+  at.error = at.error + R3::Gamma(4) * (Abs(FromOrigin(at.position)) + Abs(way));
 }
 
 }  // namespace ray

@@ -55,6 +55,21 @@ class World {
   /// world_from_local of the groups; a group without a transform of its own shares its parent's. 0 is the world itself.
   const std::vector<R3::Transform>& Frames() const { return frames_; }
   std::int64_t Primitives() const { return primitives_; }
+  /// Whether any group moves while the shutter is open.
+  bool Moves() const { return moves_; }
+  /// How far the shapes of a frame go while the shutter is open, in the world.
+  const R3::Vector& MotionOf(std::uint32_t frame) const { return motions_[frame]; }
+  /// A ray seen from a frame at the ray's time.
+  R3::Ray Back(std::uint32_t frame, const R3::Ray& ray) const {
+    if (!moves_) return frames_[frame].Back(ray);
+    R3::Ray then = ray;
+    then.origin = ray.origin - ray.time * motions_[frame];
+    return frames_[frame].Back(then);
+  }
+  /// A box in a frame, in the world, wherever it goes while the shutter is open.
+  R3::Box InWorld(std::uint32_t frame, const R3::Box& box) const {
+    return Along(frames_[frame] * box, motions_[frame]);
+  }
   /// The meshes that several instances use, in the order of their first use.
   const std::vector<const R3::Mesh*>& SharedMeshes() const { return shared_meshes_; }
   /// Lines for the scene's author: groups left out because all transforms above them together cannot be inverted.
@@ -71,11 +86,15 @@ class World {
   void Flatten();
   void NumberInstances();
   void BakeOrShareMeshes();
+  static void BringToWorld(const R3::Transform& world_from_local, R3::Intersection& at);
+  static void Shift(const R3::Vector& way, R3::Intersection& at);
 
   const Scene& scene_;
   std::vector<FlatNode> nodes_;
   std::vector<Instance> instances_;
   std::vector<R3::Transform> frames_;
+  std::vector<R3::Vector> motions_;  // of frames_
+  bool moves_ = false;
   std::vector<const R3::Mesh*> shared_meshes_;
   std::vector<std::unique_ptr<const R3::Mesh>> baked_meshes_;
   std::int64_t primitives_ = 0;

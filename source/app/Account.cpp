@@ -7,10 +7,12 @@
 
 #include "source/app/Interrupt.h"
 #include "source/app/Messages.h"
+#include "source/app/OptionTable.h"
 #include "source/app/OutputFile.h"
 #include "source/app/SceneHash.h"
 #include "source/app/Status.h"
 #include "source/app/Words.h"
+#include "source/render/Needs.h"
 
 namespace ray {
 namespace {
@@ -31,9 +33,27 @@ std::vector<std::string> OptionsWithoutEffect(const Options& options) {
   if (options.encoding.bits != defaults.encoding.bits && kind != "png") names.emplace_back("-bits");
   if (options.encoding.jpeg_quality != defaults.encoding.jpeg_quality && kind != "jpeg")
     names.emplace_back("-jpeg_quality");
+  if (options.render.budget.adaptive == "tile" && !options.render.budget.error) names.emplace_back("-adaptive tile");
+  if (options.render.camera.focus > 0 && !options.render.camera.HasLens()) names.emplace_back("-focus");
   if (!are_devices_default && accelerator.name != defaults.accelerator.name)
     names.emplace_back("-node_boxes, -front_to_back or -last_hit");
   return names;
+}
+
+std::vector<std::string> ExplainRender(const Record& record) {
+  const auto listed = [](const std::vector<std::string>& words) {
+    std::string list;
+    for (const std::string& word : words) list += (list.empty() ? "" : ", ") + word;
+    return list.empty() ? std::string("nothing") : list;
+  };
+  std::vector<std::string> lines{"the scene needs " + listed(record.needs), "kernel: " + record.kernel,
+                                 "biased by " + listed(record.biased)};
+  std::string knobs;
+  for (const OptionKind& option : OptionTable())
+    if (IsSetting(option) && std::string(option.topic) != "messages" && !Show(option, record.options).empty())
+      knobs += " -" + std::string(option.name) + " " + Show(option, record.options);
+  lines.push_back("every knob:" + knobs);
+  return lines;
 }
 
 }  // namespace
@@ -65,12 +85,20 @@ void Account::Built(const World& world, const Accelerator& accelerator) {
   record_.scene.instances = static_cast<std::int64_t>(world.Instances().size());
   record_.scene.primitives = world.Primitives();
   record_.structure_bytes = accelerator.Bytes();
-  if (record_.options.explain)
+  const Needs needs = NeedsOf(world, record_.options.render);
+  record_.needs = needs.Names();
+  record_.kernel = KernelOf(needs, record_.options.render);
+  record_.biased = BiasedSettings(needs, record_.options.render);
+  if (record_.options.explain) {
     for (const std::string& line : accelerator.Explain()) Tell("raypro: " + line);
+    for (const std::string& line : ExplainRender(record_)) Tell("raypro: " + line);
+  }
   TellStep("put '" + record_.options.accelerator.name + "' over " +
                Counted(static_cast<std::uint64_t>(world.Primitives()), "primitive"),
            record_.seconds.build);
 }
+
+void Account::Compared(double true_error) { record_.true_error = true_error; }
 
 void Account::Rendered(const RenderResult& result) {
   record_.seconds.render = watch_.Lap();
@@ -80,7 +108,18 @@ void Account::Rendered(const RenderResult& result) {
   record_.pixels_done = result.pixels_done;
   record_.pixels_total = result.pixels_total;
   record_.rays = result.rays;
+  record_.stop = stop_names[static_cast<std::size_t>(result.stop)];
   if (!result.IsComplete()) record_.stop = StopSignal() == SIGTERM ? "SIGTERM" : "SIGINT";
+  record_.samples = result.samples;
+  record_.block_samples = result.block_samples;
+  record_.two_streams = result.two_streams;
+  record_.laid_out_for = result.laid_out_for;
+  record_.passes = result.passes;
+  record_.error = result.error;
+  if (result.has_hot_pixels)
+    Warn(
+        "raypro: warning: a thousandth of the pixels holds more than half of the squared error, so every pixel took as "
+        "many samples; fewer where the picture seems done would have removed light that is seldom found");
   if (result.rays.cut > 0)
     Warn("raypro: warning: " + Counted(result.rays.cut, "ray") + " were not followed; a camera ray may have at most " +
          std::to_string(most_descendants) + " descendants");
@@ -93,14 +132,16 @@ void Account::Written() {
   record_.seconds.cpu = CpuSeconds();
   record_.peak_memory = PeakMemory();
   TellStep("wrote the picture", record_.seconds.write);
-  if (record_.pixels_done == 0) Tell("raypro: stopped before the first pixel; nothing is saved");
+  if (record_.pixels_done == 0) Tell("raypro: stopped before the first pixel; there is no picture to save");
+  if (!record_.IsComplete()) Tell("raypro: what is done is kept beside the picture; -resume goes on from it");
 }
 
 // Nothing here may fail the run: the picture is safe.
 void Account::Summarize() const {
   try {
     if (record_.options.stats) WriteStandardOutput(Statistics(record_));
-    if (!record_.options.quiet && record_.pixels_done > 0) WriteStandardOutput(FinalLine(record_));
+    if (!record_.options.quiet && record_.pixels_done > 0)
+      WriteStandardOutput(FinalLine(record_) + TradeLines(record_));
   } catch (const OutputError& error) {
     Tell("raypro: " + std::string(error.what()));
   }

@@ -15,11 +15,14 @@ class Account {
   void Loaded(const ParsedScene& parsed);
   void Built(const World& world, const Accelerator& accelerator);
   void Rendered(const RenderResult& result);
+  /// With what -reference names, in the unit of the estimated error.
+  void Compared(double true_error);
   void Written();
   /// The results, on standard output, unless -quiet.
   void Summarize() const;
 
   const Record& TheRecord() const { return record_; }
+  double SecondsSoFar() const { return watch_.Total(); }
 
  private:
   void Warn(const std::string& line);

@@ -8,6 +8,7 @@
 
 #include "source/accelerate/Forest.h"
 #include "source/app/OptionTable.h"
+#include "source/app/Preset.h"
 #include "source/app/Status.h"
 #include "source/app/Words.h"
 #include "source/parse/Text.h"
@@ -126,6 +127,18 @@ void CheckCrop(const RenderSettings& render) {
                    std::to_string(render.width) + " x " + std::to_string(render.height));
 }
 
+void CheckEffects(const CameraEffects& camera) {
+  if (camera.HasLens() && !(camera.focus > 0)) throw UsageError("-aperture needs -focus, the distance that is sharp");
+}
+
+void CheckBudget(const Options& options) {
+  const Budget& budget = options.render.budget;
+  if (!options.replay.empty() && budget.IsOpen()) throw UsageError("-replay and -time or -error contradict each other");
+  if (!options.replay.empty() && options.resume) throw UsageError("-replay and -resume contradict each other");
+  if (options.render.mode == "heat" && budget.error)
+    throw UsageError("-error is an error of light; -mode heat shows costs");
+}
+
 }  // namespace
 
 Options ReadCommandLine(std::span<const std::string> words) {
@@ -152,10 +165,18 @@ Options ReadCommandLine(std::span<const std::string> words) {
     }
   }
 
+  std::vector<std::string> given;
+  for (const auto& [option, spelled] : seen) given.emplace_back(option->name);
+  ApplyPreset(options, given);
   CheckNames(options);
+  CheckEffects(options.render.camera);
+  CheckBudget(options);
   CheckSize(options.render);
   CheckCrop(options.render);
   if (options.quiet && options.verbose) throw UsageError("-quiet and -verbose contradict each other");
+  const R2::ImageFormat* format = R2::FormatForName(options.picture);
+  options.render.srgb = options.encoding.srgb && !(format && format->is_linear);
+  options.render.wants_passes = !options.report.empty() && options.render.samples > 1 && options.replay.empty();
   options.parse.decode_srgb = options.encoding.srgb;  // a linear workflow is linear from end to end
   return options;
 }

@@ -3,7 +3,9 @@
 #include "R2/ImageFile.h"
 #include "R3/Shape.h"
 #include "source/accelerate/Accelerator.h"
+#include "source/app/Preset.h"
 #include "source/parse/Format.h"
+#include "source/parse/scn/Command.h"
 #include "source/scene/Light.h"
 
 namespace ray {
@@ -63,13 +65,30 @@ std::string Scenes() {
   return text;
 }
 
+std::string SceneCommands() {
+  std::string text;
+  for (const std::string_view name : CommandNames()) text += "  " + FindCommand(name)->usage + "\n";
+  return text;
+}
+
+std::string Presets() {
+  std::string text;
+  for (const Preset& preset : ray::Presets()) {
+    std::string settings;
+    for (const auto& [option, value] : preset.settings) settings += " -" + std::string(option) + " " + value;
+    text += Line(preset.name, std::string(preset.about) + ":" + settings);
+  }
+  return text;
+}
+
 struct Subject {
   const char* name;
   std::string (*list)();
 };
 
-constexpr Subject subjects[] = {
-    {"shapes", Shapes}, {"lights", Lights}, {"accelerators", Accelerators}, {"images", Images}, {"scenes", Scenes}};
+constexpr Subject subjects[] = {{"shapes", Shapes},  {"lights", Lights}, {"accelerators", Accelerators},
+                                {"images", Images},  {"scenes", Scenes}, {"commands", SceneCommands},
+                                {"presets", Presets}};
 
 }  // namespace
 

@@ -1,6 +1,8 @@
 #include "source/app/Manual.h"
 
+#include <utility>
 #include "source/app/Help.h"
+
 #include "source/app/OptionTable.h"
 
 namespace ray {
@@ -37,6 +39,24 @@ std::string Entries() {
   return text;
 }
 
+/// What scene files may say that the course's language lacks.
+constexpr std::pair<const char*, const char*> extensions[] = {
+    {"mesh id file smooth", "A mesh with the vertex normals that its file brings."},
+    {"absorb id r g b",
+     "Solids of the material take exp(-r d), exp(-g d), exp(-b d) from light over a distance d inside."},
+    {"bump id file height", "Light sees a relief of the picture's luminance times the height."},
+    {"motion dx dy dz", "Between begin and end: the group goes this far while the shutter is open."},
+    {"environment file", "Light and view from all around: a latitude-longitude picture, an angular probe or a cross."},
+    {"sphere_light r g b px py pz radius ca la qa", "A lamp with a size, not itself seen."},
+};
+
+std::string Extensions() {
+  std::string text;
+  for (const auto& [statement, meaning] : extensions)
+    text += ".TP\n.B " + Roff(statement) + "\n" + Roff(meaning) + "\n";
+  return text;
+}
+
 }  // namespace
 
 std::string ManualPage() {
@@ -50,6 +70,9 @@ std::string ManualPage() {
          "The picture is written to a temporary file beside its name and renamed when it is whole.\n"
          ".SH OPTIONS\n" +
          Entries() +
+         ".SH SCENES\nScenes are in the language of the COS426 course. What that lacks is stated in words of our "
+         "own:\n" +
+         Extensions() +
          ".SH EXIT STATUS\n"
          ".TP\n.B 0\nDone.\n.TP\n.B 1\nFailed while rendering.\n.TP\n.B 2\nWrong arguments.\n"
          ".TP\n.B 3\nThe scene, or a file that it names, is wrong or missing.\n.TP\n.B 4\nThe picture cannot be "

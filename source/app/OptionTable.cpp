@@ -5,7 +5,10 @@
 
 #include "source/accelerate/Accelerator.h"
 #include "source/accelerate/Forest.h"
+#include "source/app/BudgetWords.h"
+#include "source/app/LayerPictures.h"
 #include "source/app/Listing.h"
+#include "source/app/Preset.h"
 
 namespace ray {
 namespace {
@@ -29,6 +32,11 @@ std::vector<std::string> InstructionSetNames() {
 }
 
 std::vector<std::string> RenderModes() { return {render_modes.begin(), render_modes.end()}; }
+
+template <const auto& names>
+std::vector<std::string> AllOf() {
+  return {names.begin(), names.end()};
+}
 
 std::vector<std::string> Shells() { return {"bash", "zsh", "fish"}; }
 
@@ -57,15 +65,31 @@ std::vector<OptionKind> MakeTable() {
        "more samples, smoother edges and shadows"},
       {"crop", {}, {"x0", "y0", "x1", "y1"}, Rectangle{AT(render.crop)}, "pixels", "picture",
        "only columns x0..x1-1 from the left, rows y0..y1-1 from the bottom (as the image is stored)"},
+      {"filter", {}, {"name"}, OneNameOf{AT(render.filter), AllOf<filter_names>, true}, "", "picture",
+       "what samples count for a pixel: up to .5, 2, 2 and 3 pixels away"},
+      {"sampler", {}, {"name"}, OneNameOf{AT(render.trace.sampler), AllOf<sampler_names>}, "", "picture",
+       "how the samples of a pixel are spread over all they choose"},
       {"seed", {}, {"n"}, Number<std::uint64_t>{AT(render.seed), 0, highest<std::uint64_t>}, "", "picture",
        "which random numbers; the same seed gives the same picture"},
+      {"motion", {}, {"dx", "dy", "dz"}, Triple{AT(render.camera.motion)}, "", "picture",
+       "how far the camera moves while the shutter is open"},
+      {"aperture", {}, {"r"}, Number<double>{AT(render.camera.aperture), 0, highest<double>}, "", "picture",
+       "radius of the lens; 0 is a pinhole"},
+      {"focus", {}, {"d"}, Number<double>{AT(render.camera.focus), 0, highest<double>}, "", "picture",
+       "distance of what a lens sees sharply, along the view"},
       {"srgb", {}, {}, Flag{AT(encoding.srgb)}, "", "picture",
        "light is linear: decode 8-bit textures from sRGB, encode the picture to it"},
+      {"layers", {}, {"list"},
+       Word<std::vector<std::string>>{AT(layers), ReadLayerList, ShowLayerList,
+        "some of depth, normal, uv, albedo and id, with commas between"}, "", "picture",
+       "what else to keep: channels of an EXR, or pictures beside, out.depth.png"},
       {"bits", {}, {"n"}, OneNumberOf{AT(encoding.bits), {8, 16}}, "bits a channel", "picture", "depth of a PNG"},
       {"jpeg_quality", {}, {"n"}, Whole{AT(encoding.jpeg_quality), 1, 100}, "", "picture", "quality of a JPEG"},
 
       {"mode", {}, {"name"}, OneNameOf{AT(render.mode), RenderModes}, "", "light",
-       "whitted: the scene; heat: tests a pixel, black 1, blue 10, red 100, yellow 1000, white"},
+       "whitted, path: the light; heat: tests a pixel, black 1 to white 10000; or a layer seen first"},
+      {"env", {}, {"file"}, FileName{AT(parse.environment)}, "", "light",
+       "light from all around: a latitude-longitude picture, an angular probe or a cross of six faces"},
       {"max_depth", {"maxreflections", "max_reflections"}, {"n"},
        Number<std::int64_t>{AT(render.trace.max_depth), 0, highest<std::int64_t>}, "bounces", "light",
        "how many reflections and transmissions may follow one another"},
@@ -74,7 +98,39 @@ std::vector<OptionKind> MakeTable() {
        "follow a ray only while its weight in the picture is at least this"},
       {"shadow_samples", {}, {"n"}, Whole{AT(render.trace.shadow_samples), 1, highest<int>}, "shadow rays a light",
        "light", "rays to each light that has an area"},
+      {"lights", {}, {"all|one|n"}, Word<int>{AT(render.trace.lights), ReadLightCount, ShowLightCount,
+        "all, one, auto or a whole number above 0"}, "", "light",
+       "lights chosen at each point, by importance (auto: whitted all, path one)"},
+      {"glossy", {}, {}, Flag{AT(render.trace.glossy)}, "", "light",
+       "reflections are spread over the Phong lobe"},
+      {"fresnel", {}, {}, Flag{AT(render.trace.fresnel)}, "", "light",
+       "what is clear and bends light reflects it as well, by Fresnel's equations"},
+      {"roulette", {}, {"name"}, OneNameOf{AT(render.trace.roulette), AllOf<roulette_names>}, "", "light",
+       "follow faint rays by chance, without bias (auto: path on; whitted off, cut at -min_luminance)"},
+      {"strategy", {}, {"name"}, OneNameOf{AT(render.trace.strategy), AllOf<strategy_names>}, "", "light",
+       "path: find light by both ways weighed, on lights, by scattering, or evenly (to compare)"},
       {"shadows", {}, {"on|off"}, OnOff{AT(render.trace.shadows)}, "", "light", "whether things cast shadows"},
+
+      {"quality", {}, {"name"}, OneNameOf{AT(quality), PresetNames}, "", "trade",
+       "a row of the table of presets; every option given besides overrides its part"},
+      {"time", {}, {"t"}, Word<double>{AT(render.budget.seconds), ReadDuration, ShowDuration, "a time such as 30s, 5m or 1h"},
+       "", "trade", "stop so that the picture is written this long after the start"},
+      {"error", {}, {"e"},
+       Word<std::optional<ErrorTarget>>{AT(render.budget.error), ReadErrorTarget, ShowErrorTarget,
+        "an error above 0: 2 (255ths of what is shown), 3% (of the mean), 40dB or 0.01lin"},
+       "", "trade", "stop when the picture's own estimate of its error is surely below"},
+      {"confidence", {}, {"c"}, Number<double>{AT(render.budget.confidence), 0.5, 0.9999}, "", "trade",
+       "how sure the interval around an estimated error is to hold the truth"},
+      {"adaptive", {}, {"name"}, OneNameOf{AT(render.budget.adaptive), AllOf<adaptive_names>}, "", "trade",
+       "tile: with -error, only blocks still above it go on (auto: tile with -error)"},
+      {"reference", {}, {"file[,file2]"}, FileList{AT(reference)}, "", "trade",
+       "tell the true error beside a picture, or two independent ones, of the same scene"},
+      {"replay", {}, {"file.json"}, FileName{AT(replay)}, "", "trade",
+       "share samples out as the render did that wrote this report: the same bits"},
+
+      {"checkpoint", {}, {"t"}, Word<double>{AT(checkpoint), ReadDuration, ShowDuration, "a time such as 30s, 5m or 1h"},
+       "", "trade", "keep what is done this often, beside the picture; a signal always keeps it"},
+      {"resume", {}, {}, Flag{AT(resume)}, "", "trade", "go on from what was kept, to the same picture bit for bit"},
 
       {"accel", {}, {"name"}, OneNameOf{AT(accelerator.name), AcceleratorNames}, "", "speed",
        "how rays find what they hit; never changes the picture"},

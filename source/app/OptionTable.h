@@ -40,12 +40,27 @@ struct OneNumberOf {
 struct OneNameOf {
   Member<std::string> member;
   std::vector<std::string> (*choices)();
+  bool by_number = false;  // the place in the list will do as well, from 0
 };
 struct FileName {
   Member<std::string> member;
 };
+struct FileList {  // one or two, separated by a comma
+  Member<std::vector<std::string>> member;
+};
 struct FolderList {  // the only kind that may be repeated
   Member<std::vector<std::filesystem::path>> member;
+};
+struct Triple {
+  Member<R3::Vector> member;
+};
+/// A word with a grammar of its own.
+template <class T>
+struct Word {
+  Member<T> member;
+  std::optional<T> (*read)(const std::string&);  // nothing when the word is none
+  std::string (*show)(const T&);
+  const char* range;  // in words
 };
 struct Rectangle {
   Member<std::optional<PixelRectangle>> member;
@@ -56,8 +71,10 @@ struct Request {  // a task other than rendering
   std::vector<std::string> (*subjects)() = nullptr;  // what the subject may be; null for a file name
 };
 
-using OptionValue = std::variant<Number<int>, Number<std::int64_t>, Number<std::uint64_t>, Number<double>, Flag, OnOff,
-                                 OneNumberOf, OneNameOf, FileName, FolderList, Rectangle, Request>;
+using OptionValue =
+    std::variant<Number<int>, Number<std::int64_t>, Number<std::uint64_t>, Number<double>, Flag, OnOff, OneNumberOf,
+                 OneNameOf, FileName, FolderList, FileList, Rectangle, Triple, Word<double>,
+                 Word<std::optional<ErrorTarget>>, Word<int>, Word<std::vector<std::string>>, Request>;
 
 /// One option. The parser, -help, the manual page, the completions, the report and the README all come from this table.
 struct OptionKind {

@@ -113,7 +113,31 @@ void Store(const OptionKind& option, std::span<const std::string> words, Options
                    if (std::ranges::find(one.choices, value) == one.choices.end()) Refuse(option, words[0]);
                    one.member.write(options) = value;
                  },
-                 [&](const OneNameOf& one) { one.member.write(options) = Choose(option, words[0], one.choices()); },
+                 [&](const OneNameOf& one) {
+                   const auto choices = one.choices();
+                   const auto place = one.by_number ? Read<int>(words[0]) : std::nullopt;
+                   const bool is_place = place && *place >= 0 && *place < static_cast<int>(choices.size());
+                   one.member.write(options) =
+                       is_place ? choices[static_cast<std::size_t>(*place)] : Choose(option, words[0], choices);
+                 },
+                 [&]<class T>(const Word<T>& word) {
+                   const auto value = word.read(words[0]);
+                   if (!value) Refuse(option, words[0]);
+                   word.member.write(options) = *value;
+                 },
+                 [&](const Triple& triple) {
+                   triple.member.write(options) = {ReadOrRefuse<double>(option, words[0]),
+                                                   ReadOrRefuse<double>(option, words[1]),
+                                                   ReadOrRefuse<double>(option, words[2])};
+                 },
+                 [&](const FileList& files) {
+                   const std::string& names = words[0];
+                   const std::size_t comma = names.find(',');
+                   if (names.empty() || comma == 0 || comma + 1 == names.size()) Refuse(option, names);
+                   auto& list = files.member.write(options);
+                   list = {names.substr(0, comma)};
+                   if (comma != std::string::npos) list.push_back(names.substr(comma + 1));
+                 },
                  [&](const FileName& file) {
                    if (words[0].empty()) Refuse(option, words[0]);
                    file.member.write(options) = words[0];
@@ -147,6 +171,15 @@ std::string Show(const OptionKind& option, const Options& options) {
                         [&](const OneNumberOf& one) { return ToText(one.member.read(options)); },
                         [&](const OneNameOf& one) { return one.member.read(options); },
                         [&](const FileName& file) { return file.member.read(options); },
+                        [&]<class T>(const Word<T>& word) { return word.show(word.member.read(options)); },
+                        [&](const Triple& triple) {
+                          const R3::Vector& v = triple.member.read(options);
+                          return ToText(v.x) + " " + ToText(v.y) + " " + ToText(v.z);
+                        },
+                        [&](const FileList& files) {
+                          const auto& list = files.member.read(options);
+                          return list.empty() ? std::string() : list.size() == 1 ? list[0] : list[0] + "," + list[1];
+                        },
                         [&](const FolderList& list) {
                           std::string text;
                           for (const auto& folder : list.member.read(options))
@@ -185,8 +218,14 @@ std::string Range(const OptionKind& option) {
           [&]<class T>(const Number<T>& number) { return Interval(number) + unit; },
           [&](const Rectangle&) { return std::string("whole numbers with x0 < x1 and y0 < y1, inside the picture"); },
           [&](const FileName&) { return std::string("the name of a file"); },
+          [&]<class T>(const Word<T>& word) { return std::string(word.range) + unit; },
+          [&](const Triple&) { return "three numbers" + unit; },
+          [&](const FileList&) { return std::string("the name of a file, or two with a comma between"); },
           [&](const FolderList&) { return std::string("the name of a folder"); },
           [&](const Flag&) { return std::string(); },
+          [&](const OneNameOf& one) {
+            return OneOf(Choices(option)) + (one.by_number ? ", or its number from 0" : "") + unit;
+          },
           [&](const auto&) { return OneOf(Choices(option)) + unit; },
       },
       option.value);

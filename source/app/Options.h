@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "R2/ImageFile.h"
 #include "source/accelerate/AcceleratorSettings.h"
@@ -23,6 +24,13 @@ struct Options {
 
   bool quiet = false, verbose = false, stats = false, explain = false;
   std::string report;  // file name; empty for no report
+
+  std::string quality = "custom";      // a row of the presets, or none of them
+  std::vector<std::string> reference;  // at most two files
+  std::vector<std::string> layers;     // of layer_names, beside the picture
+  double checkpoint = 0;               // seconds between two; 0: only when a signal ends the run
+  bool resume = false;
+  std::string replay;  // file name of a report; empty for none
 
   Task task = Task::render;
   std::string subject;  // of help, list, complete and info

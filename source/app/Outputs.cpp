@@ -1,5 +1,6 @@
 #include "source/app/Outputs.h"
 
+#include "source/app/LayerPictures.h"
 #include "source/app/Messages.h"
 #include "source/app/ReportJson.h"
 #include "source/app/Status.h"
@@ -47,11 +48,17 @@ PictureOutput CheckPictureOutput(const std::string& name, std::span<const std::s
 Outputs CheckOutputs(const Options& options) {
   const std::string inputs[] = {options.scene};
   const PictureOutput picture = CheckPictureOutput(options.picture, inputs);
-  Outputs outputs{.format = picture.format, .picture = picture.file, .report = {}};
+  Outputs outputs;
+  outputs.format = picture.format;
+  outputs.picture = picture.file;
 
   const PixelRectangle whole{0, 0, options.render.width, options.render.height};
   const PixelRectangle part = options.render.crop.value_or(whole);
   RefuseSize(*outputs.format, part.x1 - part.x0, part.y1 - part.y0);
+
+  if (!outputs.format->encode_layers)
+    for (const std::string& layer : options.layers)
+      outputs.layers.push_back(CheckOutput(LayerFileName(options.picture, layer), inputs));
 
   if (options.report.empty()) return outputs;
   outputs.report = CheckOutput(options.report, inputs);
@@ -62,15 +69,30 @@ Outputs CheckOutputs(const Options& options) {
 
 void RefuseInputs(const Outputs& outputs, std::span<const std::string> inputs) {
   RefuseInputs(outputs.picture, inputs);
+  for (const OutputFile& layer : outputs.layers) RefuseInputs(layer, inputs);
   if (outputs.report) RefuseInputs(*outputs.report, inputs);
 }
 
-void WritePicture(const Outputs& outputs, const RenderResult& result, const Record& record) {
+void WritePicture(const Outputs& outputs, const RenderResult& result, const std::vector<R2::Image>& layers,
+                  const Record& record) {
   if (result.pixels_done == 0) return;
   if (outputs.picture.is_link)
     Tell("raypro: " + Quoted(outputs.picture.name) + " is a link; the picture goes to " +
          Quoted(outputs.picture.target.string()));
-  WriteWhole(outputs.picture, outputs.format->encode(result.image, record.options.encoding, SettingsInPicture(record)));
+  const R2::ImageFormat& format = *outputs.format;
+  const R2::ImageSettings settings = SettingsInPicture(record);
+  const std::vector<std::string>& names = record.options.layers;
+  const auto encode = [&](const std::string& mode, const R2::Image& image) {
+    return format.encode(format.is_linear ? image : Shown(mode, image), record.options.encoding, settings);
+  };
+  if (format.encode_layers && !names.empty()) {
+    std::vector<R2::ImageLayer> channels;
+    for (std::size_t i = 0; i < layers.size(); ++i) channels.push_back(ChannelsOf(names[i], layers[i]));
+    WriteWhole(outputs.picture, format.encode_layers(result.image, channels, settings));
+    return;
+  }
+  WriteWhole(outputs.picture, encode(record.options.render.mode, result.image));
+  for (std::size_t i = 0; i < layers.size(); ++i) WriteWhole(outputs.layers[i], encode(names[i], layers[i]));
 }
 
 void WriteReport(const Outputs& outputs, const Record& record) {

@@ -25,6 +25,7 @@ struct Outputs {
   const R2::ImageFormat* format = nullptr;
   OutputFile picture;
   std::optional<OutputFile> report;
+  std::vector<OutputFile> layers;  // one for each of the options' layers, unless the picture holds them itself
 };
 
 /// Before anything is read: the picture has a known kind, which can hold its size, and both files can be written.
@@ -35,7 +36,9 @@ Outputs CheckOutputs(const Options& options);
 void RefuseInputs(const Outputs& outputs, std::span<const std::string> inputs);
 
 /// A picture with nothing rendered is not worth replacing an older one: it is not written.
-void WritePicture(const Outputs& outputs, const RenderResult& result, const Record& record);
+/// `layers`: one image for each of the options' layers.
+void WritePicture(const Outputs& outputs, const RenderResult& result, const std::vector<R2::Image>& layers,
+                  const Record& record);
 void WriteReport(const Outputs& outputs, const Record& record);
 
 }  // namespace ray

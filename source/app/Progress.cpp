@@ -44,12 +44,12 @@ std::string DurationText(double seconds) {
 }
 
 std::string ProgressText(const RenderProgress& progress, double seconds) {
-  const auto done = static_cast<double>(progress.pixels_done), total = static_cast<double>(progress.pixels_total);
-  const std::string percent = std::to_string(progress.pixels_done * 100 / progress.pixels_total) + " %";
+  const auto done = static_cast<double>(progress.done), total = static_cast<double>(progress.total);
+  const std::string percent = std::to_string(progress.done * 100 / progress.total) + " %";
   const double left = seconds * (total - done) / done;
   const double million_rays = static_cast<double>(progress.rays) * 1e-6;
   return std::string(5 - std::min<std::size_t>(5, percent.size()), ' ') + percent +
-         (progress.pixels_done > 0 ? "  " + DurationText(left) + " left" : "") +
+         (progress.done > 0 ? "  " + DurationText(left) + " left" : "") +
          (seconds > 0 ? "  " + Fixed(million_rays / seconds, 1) + " Mrays/s" : "");
 }
 
@@ -68,7 +68,7 @@ bool Progress::IsDue(const RenderProgress& progress) const {
     case ProgressStyle::terminal:
       return pause >= 100ms;
     case ProgressStyle::log:
-      return pause >= 5s && progress.pixels_done * 10 / progress.pixels_total > tenths_told_;
+      return pause >= 5s && progress.done * 10 / progress.total > tenths_told_;
   }
   return false;
 }
@@ -76,7 +76,7 @@ bool Progress::IsDue(const RenderProgress& progress) const {
 void Progress::Update(const RenderProgress& progress) {
   if (!IsDue(progress)) return;
   last_ = Clock::now();
-  tenths_told_ = progress.pixels_done * 10 / progress.pixels_total;
+  tenths_told_ = progress.done * 10 / progress.total;
   const std::string text = ProgressText(progress, std::chrono::duration<double>(last_ - start_).count());
   if (style_ == ProgressStyle::log) return Tell(text);
   has_line_ = true;

@@ -1,5 +1,8 @@
 #include "source/app/Record.h"
 
+#include <cmath>
+#include <tuple>
+
 #include "source/app/Words.h"
 #include "source/parse/Text.h"
 
@@ -9,6 +12,14 @@ namespace {
 std::string PixelsText(const Record& record) {
   if (record.IsComplete()) return "complete";
   return std::to_string(record.pixels_done) + " of " + std::to_string(record.pixels_total) + " pixels done";
+}
+
+/// As asked for, where that decided; as they became, where a clock or an error did.
+std::string SamplesText(const Record& record) {
+  const bool is_asked_for = !record.options.render.budget.IsOpen() && record.options.replay.empty();
+  if (is_asked_for) return std::to_string(record.options.render.samples);
+  const double mean = record.samples.mean;
+  return mean == std::floor(mean) ? std::to_string(static_cast<std::int64_t>(mean)) : Fixed(mean, 1);
 }
 
 double MillionRaysASecond(const Record& record) {
@@ -31,6 +42,27 @@ std::string CostPerRay(const RayCounts::Kind& kind) {
   return row;
 }
 
+std::string Listed(const std::vector<std::string>& words) {
+  std::string list;
+  for (const std::string& word : words) list += (list.empty() ? "" : ", ") + word;
+  return list.empty() ? "none" : list;
+}
+
+template <typename Line>
+std::string ErrorLines(const Record& record, const Line& line) {
+  if (!record.error) return {};
+  const ErrorEstimate& e = *record.error;
+  const PixelRectangle& w = e.worst_block_at;
+  std::string text =
+      line(record.two_streams ? "error" : "error, at most",
+           ErrorText(e.estimate, e.unit) + ", " + ErrorText(e.low, e.unit) + " to " + ErrorText(e.high, e.unit)) +
+      line("worst block", ErrorText(e.worst_block, e.unit) + " at " + std::to_string(w.x0) + " " +
+                              std::to_string(w.y0) + " " + std::to_string(w.x1) + " " + std::to_string(w.y1)) +
+      line("hot share", Fixed(100 * e.hot_share, 1) + " % of it in the worst thousandth of the pixels");
+  if (record.true_error) text += line("true error", ErrorText(*record.true_error, e.unit));
+  return text;
+}
+
 }  // namespace
 
 std::string CommandAsTyped(std::span<const std::string> words) {
@@ -39,22 +71,35 @@ std::string CommandAsTyped(std::span<const std::string> words) {
 
 R2::ImageSettings SettingsInPicture(const Record& record) {
   return {
-      {"program", "raypro " RAYPRO_VERSION},
-      {"command", record.command},
-      {"scene_hash", record.scene.hash},
-      {"seed", std::to_string(record.options.render.seed)},
-      {"samples", std::to_string(record.options.render.samples)},
-      {"accel", record.options.accelerator.name},
-      {"seconds", Fixed(record.seconds.wall, 3)},
-      {"pixels", PixelsText(record)},
+      {"program", "raypro " RAYPRO_VERSION},      {"command", record.command},
+      {"scene_hash", record.scene.hash},          {"seed", std::to_string(record.options.render.seed)},
+      {"samples", SamplesText(record)},           {"accel", record.options.accelerator.name},
+      {"seconds", Fixed(record.seconds.wall, 3)}, {"pixels", PixelsText(record)},
   };
 }
 
 std::string FinalLine(const Record& record) {
   return Escaped(record.options.picture) + " " + std::to_string(record.width) + "x" + std::to_string(record.height) +
-         " " + std::to_string(record.options.render.samples) + " spp " + Fixed(record.seconds.wall, 2) + " s " +
+         " " + SamplesText(record) + " spp " + Fixed(record.seconds.wall, 2) + " s " +
          Fixed(MillionRaysASecond(record), 1) + " Mrays/s" +
          (record.IsComplete() ? "" : " (stopped by " + record.stop + ", " + PixelsText(record) + ")") + "\n";
+}
+
+std::string TradeLines(const Record& record) {
+  const bool is_asked = record.options.render.budget.IsOpen() || record.true_error;
+  if (!is_asked) return {};
+  std::string text;
+  if (record.error) {
+    const ErrorEstimate& e = *record.error;
+    text = "error " + std::string(record.two_streams ? "about " : "at most about ") + ErrorText(e.estimate, e.unit) +
+           " (" + ErrorText(e.low, e.unit) + " to " + ErrorText(e.high, e.unit) + ")";
+    if (record.true_error) text += ", true " + ErrorText(*record.true_error, e.unit);
+    text += "; ";
+  } else if (record.true_error) {
+    text = "true error " + ErrorText(*record.true_error, ErrorUnit::display) + "; ";
+  }
+  return text + "stopped by " + record.stop + " at " + Fixed(record.samples.mean, 1) + " samples a pixel; biased by " +
+         Listed(record.biased) + "\n";
 }
 
 std::string Statistics(const Record& record) {
@@ -64,8 +109,7 @@ std::string Statistics(const Record& record) {
     return "  " + name + value + "\n";
   };
   const auto count = [&](const char* name, auto number) { return line(name, std::to_string(number)); };
-  const auto& [options, command, scene, rays, structure_bytes, seconds, peak_memory, threads, width, height, done,
-               total, warnings, stop] = record;
+  const auto& [scene, rays, seconds] = std::tie(record.scene, record.rays, record.seconds);
   std::string kinds, costs;
   for (std::size_t i = 0; i < ray_kind_names.size(); ++i) {
     const RayCounts::Kind& kind = rays.kinds[i];
@@ -74,18 +118,22 @@ std::string Statistics(const Record& record) {
   }
   const Counts cost = rays.Cost();
   return "scene\n" + line("hash", scene.hash) + count("nodes", scene.nodes) + count("instances", scene.instances) +
-         count("primitives", scene.primitives) + count("lights", scene.lights) + "rays\n" +
-         kinds + count("cut", rays.cut) + count("not finite", cost.bad_rays) + count("total", rays.Total()) +
-         "tests\n" + count("nodes", cost.node_visits) + count("boxes", cost.box_tests) +
-         count("primitives", cost.primitive_tests) + count("hits", cost.hits) +
-         count("last hits asked", cost.cache_tests) + count("last hits hit", cost.cache_hits) +
-         "tests a ray         nodes     boxes  primitives    hits\n" + costs + "time\n" +
-         line("load", Seconds(seconds.load)) + line("build", Seconds(seconds.build)) +
+         count("primitives", scene.primitives) + count("lights", scene.lights) + "rays\n" + kinds +
+         count("cut", rays.cut) + count("not finite", cost.bad_rays) + count("total", rays.Total()) + "tests\n" +
+         count("nodes", cost.node_visits) + count("boxes", cost.box_tests) + count("primitives", cost.primitive_tests) +
+         count("hits", cost.hits) + count("last hits asked", cost.cache_tests) +
+         count("last hits hit", cost.cache_hits) + "tests a ray         nodes     boxes  primitives    hits\n" + costs +
+         "time\n" + line("load", Seconds(seconds.load)) + line("build", Seconds(seconds.build)) +
          line("render", Seconds(seconds.render)) + line("write", Seconds(seconds.write)) +
-         line("wall", Seconds(seconds.wall)) + line("cpu", Seconds(seconds.cpu)) + "run\n" + count("threads", threads) +
-         line("structure", Fixed(1e-6 * static_cast<double>(structure_bytes), 1) + " MB") +
-         line("peak memory", Fixed(1e-6 * static_cast<double>(peak_memory), 1) + " MB") +
-         line("pixels", std::to_string(done) + " of " + std::to_string(total)) + line("stopped", stop);
+         line("wall", Seconds(seconds.wall)) + line("cpu", Seconds(seconds.cpu)) + "run\n" +
+         count("threads", record.threads) +
+         line("structure", Fixed(1e-6 * static_cast<double>(record.structure_bytes), 1) + " MB") +
+         line("peak memory", Fixed(1e-6 * static_cast<double>(record.peak_memory), 1) + " MB") +
+         line("pixels", std::to_string(record.pixels_done) + " of " + std::to_string(record.pixels_total)) +
+         line("kernel", record.kernel) + "picture\n" +
+         line("samples", std::to_string(record.samples.least) + " to " + std::to_string(record.samples.most) +
+                             " a pixel, mean " + Fixed(record.samples.mean, 2)) +
+         ErrorLines(record, line) + line("biased by", Listed(record.biased)) + line("stopped", record.stop);
 }
 
 }  // namespace ray

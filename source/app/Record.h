@@ -7,6 +7,7 @@
 #include "R2/ImageFile.h"
 #include "source/app/Options.h"
 #include "source/integrate/RayCounts.h"
+#include "source/render/Render.h"
 
 namespace ray {
 
@@ -30,9 +31,18 @@ struct Record {
   int width = 0, height = 0;  // of the picture that is written
   std::int64_t pixels_done = 0, pixels_total = 0;
   std::vector<std::string> warnings;
-  std::string stop = "complete";  // or the name of a signal
+  std::string stop = "samples";  // samples, time, error, or the name of a signal
+  SampleCounts samples;
+  std::vector<std::uint32_t> block_samples;  // a pixel and stream, by blocks of the film
+  bool two_streams = false;
+  std::uint32_t laid_out_for = 1;
+  std::vector<Pass> passes;
+  std::optional<ErrorEstimate> error;
+  std::optional<double> true_error;  // in the unit of `error`, beside -reference
+  std::vector<std::string> needs, biased;
+  std::string kernel;
 
-  bool IsComplete() const { return pixels_done == pixels_total; }
+  bool IsComplete() const { return stop == "samples" || stop == "time" || stop == "error"; }
 };
 
 /// "scene.scn picture.jpg -width 512" with the program's name before it. No path that the user did not type: of the
@@ -44,6 +54,10 @@ R2::ImageSettings SettingsInPicture(const Record& record);
 
 /// "out.jpg 512x512 16 spp 1.83 s 14.2 Mrays/s"
 std::string FinalLine(const Record& record);
+
+/// What is known of the picture's error and why the render ended, where a budget or a reference asks for it; else
+/// empty. One line, or two.
+std::string TradeLines(const Record& record);
 
 /// What -stats prints.
 std::string Statistics(const Record& record);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 
 #include "source/app/Record.h"
@@ -16,8 +17,8 @@ namespace ray {
 ///   |                    | primitives, lights                                                          |
 ///   | settings           | every option in force by its name: numbers, true/false, names; crop is      |
 ///   |                    | [x0, y0, x1, y1] or null, allow_path a list                                 |
-///   | rays               | camera, shadow, reflection, transmission, cut (wanted but beyond the limit  |
-///   |                    | of one camera ray), total (all but cut), costs (the counts of each kind)    |
+///   | rays               | camera, shadow, reflection, transmission, scattering, cut (wanted but over  |
+///   |                    | a camera ray's limit), total (all but cut), costs (the counts of each kind)    |
 ///   | counts             | node_visits, box_tests, primitive_tests, hits, cache_tests, cache_hits,     |
 ///   |                    | bad_rays                                                                    |
 ///   | structure_bytes    | what the accelerator takes besides the scene                                |
@@ -27,7 +28,23 @@ namespace ray {
 ///   | threads            | how many worked                                                             |
 ///   | pixels             | done, total                                                                 |
 ///   | warnings           | the lines that went to standard error                                       |
-///   | stop               | "complete", "SIGINT" or "SIGTERM"                                           |
+///   | stop               | reason ("samples", "time", "error", "SIGINT", "SIGTERM"), confidence,       |
+///   |                    | seconds and error (target, unit) asked for, or null                         |
+///   | features_required  | what the scene and the settings ask for, in words                           |
+///   | kernel             | what ran in the innermost loops                                             |
+///   | quality            | the preset, or "custom"                                                     |
+///   | biased             | settings in force that move the mean of the picture                         |
+///   | samples            | least, most, mean (a pixel), two_streams, laid_out_for (how many strata     |
+///   |                    | and camera rays were told to expect), of_blocks (a pixel and stream of each |
+///   |                    | block of 8x8 pixels, in rows from the bottom; empty when all are alike)     |
+///   | error              | estimate, low, high, unit, method ("two streams": true on average;          |
+///   |                    | "halves": at most about), worst_block (error, at), hot_share, and           |
+///   |                    | true_error beside a reference; null below two samples                       |
+///   | passes             | of each: end (samples a pixel and stream), samples (mean a pixel), seconds  |
+///   |                    | (since the first ray), error (or null): the render's own convergence        |
 std::string ReportJson(const Record& record);
+
+/// The part of it called settings.
+nlohmann::ordered_json SettingsJson(const Options& options);
 
 }  // namespace ray

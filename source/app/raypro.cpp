@@ -4,11 +4,14 @@
 
 #include "source/accelerate/Accelerator.h"
 #include "source/app/Account.h"
+#include "source/app/Checkpoint.h"
 #include "source/app/CommandLine.h"
 #include "source/app/Interrupt.h"
+#include "source/app/LayerPictures.h"
 #include "source/app/Messages.h"
 #include "source/app/Outputs.h"
 #include "source/app/Progress.h"
+#include "source/app/ReadInputs.h"
 #include "source/app/Status.h"
 #include "source/app/Tasks.h"
 
@@ -17,10 +20,37 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-RenderResult RenderAndTell(const World& world, const Accelerator& accelerator, const Options& options) {
+RenderResult RenderAndTell(const World& world, const Accelerator& accelerator, const Options& options,
+                           const Account& account, const Checkpoint& checkpoint) {
+  const std::string& hash = account.TheRecord().scene.hash;
+  RenderSettings settings = options.render;
+  settings.replay = ReadReplay(options, hash);
   Progress progress(ChooseProgressStyle(options.quiet));
   const auto tile_done = [&](const RenderProgress& now) { progress.Update(now); };
-  return Render(world, accelerator, options.render, {.stop = StopRequested(), .tile_done = tile_done});
+  RenderMonitor monitor;
+  monitor.stop = StopRequested();
+  monitor.tile_done = tile_done;
+  monitor.seconds_before = account.SecondsSoFar();
+  monitor.save = [&](const RenderState& state) { checkpoint.Save(state, hash); };
+  monitor.save_every = options.checkpoint;
+  if (options.resume) monitor.resume = [&](const Film& film) { return checkpoint.Load(film, hash); };
+  return Render(world, accelerator, settings, monitor);
+}
+
+std::vector<R2::Image> RenderLayers(const World& world, const Accelerator& accelerator, const Options& options) {
+  std::vector<R2::Image> layers;
+  for (const std::string& layer : options.layers)
+    layers.push_back(Render(world, accelerator, SettingsForLayer(options.render, layer)).image);
+  return layers;
+}
+
+/// The true error, where there is something to tell it by.
+void Compare(const RenderResult& result, const std::vector<R2::Image>& references, const Options& options,
+             Account& account) {
+  if (references.empty()) return;
+  const ErrorMeasure measure{.unit = result.error ? result.error->unit : ErrorUnit::display,
+                             .srgb = options.render.srgb};
+  account.Compared(TrueError(result.image, references[0], references.size() > 1 ? &references[1] : nullptr, measure));
 }
 
 std::unique_ptr<const Accelerator> Build(const World& world, const Options& options) {
@@ -33,6 +63,8 @@ int MakePicture(const Options& options, const Words& words) {
   CheckMachine(options);
   Account account(options, words);
   const Outputs outputs = CheckOutputs(options);
+  const Checkpoint checkpoint(options);
+  const std::vector<R2::Image> references = ReadReferences(options);
   const ParsedScene parsed = Parse(options.scene, options.parse);
   RefuseInputs(outputs, parsed.scene.files);
   account.Loaded(parsed);
@@ -42,11 +74,15 @@ int MakePicture(const Options& options, const Words& words) {
   account.Built(world, *accelerator);
 
   CatchInterrupts();
-  const RenderResult result = RenderAndTell(world, *accelerator, options);
+  const RenderResult result = RenderAndTell(world, *accelerator, options, account, checkpoint);
   account.Rendered(result);
+  Compare(result, references, options, account);
 
-  WritePicture(outputs, result, account.TheRecord());
+  WritePicture(outputs, result,
+               result.IsComplete() ? RenderLayers(world, *accelerator, options) : std::vector<R2::Image>{},
+               account.TheRecord());
   account.Written();
+  if (result.IsComplete()) checkpoint.Remove();
   WriteReport(outputs, account.TheRecord());
   account.Summarize();
   return result.IsComplete() ? status::done : status::killed_by + StopSignal();

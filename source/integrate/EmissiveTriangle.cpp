@@ -22,14 +22,25 @@ R3::Vector Largest(const R3::Vector& a, const R3::Vector& b) {
 
 }  // namespace
 
-R3::Point EmissiveTriangle::PointTowards(const R3::Point& seen_from, const R2::Point& random) const {
+R3::Point EmissiveTriangle::PointTowards(const R3::Point& seen_from, const R2::Point& random, double time) const {
   const double root = std::sqrt(random.x);
   const double a = 1 - root, b = root * (1 - random.y), c = root * random.y;
   R3::Intersection at;
-  at.position = R3::Point{} + (a * FromOrigin(corners[0]) + b * FromOrigin(corners[1]) + c * FromOrigin(corners[2]));
+  at.position = R3::Point{} +
+                (a * FromOrigin(corners[0]) + b * FromOrigin(corners[1]) + c * FromOrigin(corners[2]) + time * motion);
   at.error = corner_error;
   at.normal = normal;
   return SpawnPoint(at, seen_from - at.position);
+}
+
+double EmissiveTriangle::Area() const { return Length(Cross(corners[1] - corners[0], corners[2] - corners[0])) / 2; }
+
+LightBound EmissiveTriangle::Bound() const {
+  R3::Box box;
+  for (const R3::Point& corner : corners) box.Extend(corner);
+  box = Along(box, motion);
+  const double rounding_of_box = 1 + 0x1p-40;
+  return {box.Center(), rounding_of_box * box.Radius(), Luminance(emission), 1, 0, 0, false};
 }
 
 std::vector<EmissiveTriangle> EmissiveTriangles(const World& world) {
@@ -46,6 +57,8 @@ std::vector<EmissiveTriangle> EmissiveTriangles(const World& world) {
         t.corners[k] = world_from_local * local[k];
         t.corner_error = Largest(t.corner_error, rounding * Magnitude(world_from_local, local[k]));
       }
+      t.motion = world.MotionOf(instance.frame);
+      t.corner_error = t.corner_error + rounding * Abs(t.motion);
       t.normal = world_from_local * R3::AsNormal(Unit(Cross(local[1] - local[0], local[2] - local[0])));
       t.emission = instance.material->emission;
       t.primitive = instance.first_primitive + i;

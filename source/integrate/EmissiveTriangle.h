@@ -4,6 +4,7 @@
 
 #include "R3/Intersection.h"
 #include "source/accelerate/World.h"
+#include "source/scene/LightBound.h"
 
 namespace ray {
 
@@ -12,15 +13,20 @@ namespace ray {
 struct EmissiveTriangle {
   std::array<R3::Point, 3> corners;  // in the world
   R3::Vector corner_error;           // bound on what rounding moved them by, per axis
+  R3::Vector motion;                 // while the shutter is open
   R3::Normal normal;
   R2::Color emission;
   std::int64_t primitive = 0;
 
-  /// The point that `random`, in [0, 1)^2, picks evenly by area, moved off the triangle to the side of `seen_from`, so
-  /// that a ray from there to it stops short of the triangle.
+  /// The point that `random`, in [0, 1)^2, picks evenly by area at a time in [0, 1), moved off the triangle to the side
+  /// of `seen_from`, so that a ray from there to it stops short of the triangle.
   ///   source   Turk, Generating random points in triangles, Graphics Gems (1990), first method, which keeps strata
   ///   whole
-  R3::Point PointTowards(const R3::Point& seen_from, const R2::Point& random) const;
+  R3::Point PointTowards(const R3::Point& seen_from, const R2::Point& random, double time) const;
+
+  double Area() const;
+  /// What choosing among lights goes by, without fall-off as the course has it.
+  LightBound Bound() const;
 };
 
 /// Every triangle of every mesh (a `tri` is one) that emits.

@@ -5,19 +5,10 @@
 #include <vector>
 
 #include "R3/Box.h"
-#include "R3/Point.h"
 #include "source/scene/Discrete.h"
+#include "source/scene/LightBound.h"
 
 namespace ray {
-
-/// What is known of a light before a place on it is chosen.
-struct LightBound {
-  R3::Point center{};  // of a sphere that holds the light; finite
-  double radius = 0;
-  double power = 0;               // luminance before fall-off, finite, >= 0; the light is never chosen at 0
-  double ca = 0, la = 0, qa = 1;  // it falls off by 1 / (ca + la d + qa d^2), each finite and >= 0; not at all where 0
-  bool is_infinite = false;       // then `power` is what arrives everywhere, and place and fall-off do not count
-};
 
 /// Chooses one of many lights for a point, those that matter there more often: so that one shadow ray may stand for
 /// all of them.

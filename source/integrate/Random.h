@@ -10,7 +10,8 @@ namespace ray {
 /// sample, bounce, light ...) and is made from the key of the place around it.
 class RandomKey {
  public:
-  explicit RandomKey(std::uint64_t seed) : bits_(Mix(seed + golden)) {}
+  // Mixed twice: after one time, child b of seed a would be child a of seed b, and child a of seed a the same for all.
+  explicit RandomKey(std::uint64_t seed) : bits_(Mix(Mix(seed + golden) + golden)) {}
 
   /// The key of the place numbered `which` within this one.
   RandomKey Child(std::uint64_t which) const { return RandomKey(Raw{}, Mix(bits_ ^ Mix(which + golden))); }

@@ -8,9 +8,9 @@
 
 namespace ray {
 
-/// What a ray is for. Transmission is straight or refracted.
-enum class RayKind { camera, shadow, reflection, transmission };
-inline constexpr std::array ray_kind_names{"camera", "shadow", "reflection", "transmission"};
+/// What a ray is for. Transmission is straight or refracted; scattering is off matte surfaces.
+enum class RayKind { camera, shadow, reflection, transmission, scattering };
+inline constexpr std::array ray_kind_names{"camera", "shadow", "reflection", "transmission", "scattering"};
 
 /// Rays by what they were for, and what tracing them cost.
 struct RayCounts {

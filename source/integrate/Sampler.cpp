@@ -12,15 +12,15 @@ std::uint32_t Low(const RandomKey& key) { return static_cast<std::uint32_t>(key.
 
 }  // namespace
 
-Points::Points(SamplerKind kind, const RandomKey& key, std::uint32_t count)
-    : kind_(kind), key_(key), count_(std::max(count, 1u)) {}
+Points::Points(SamplerKind kind, const RandomKey& key, std::uint32_t count, const RandomKey& first, int dimension)
+    : kind_(kind), key_(key), count_(std::max(count, 1u)), order_(High(first)), dimension_(dimension) {}
 
 R2::Point Points::Plane(std::uint32_t index) const {
   switch (kind_) {
     case SamplerKind::sobol: {
       const RandomKey seeds = key_.Child(0);
-      const Sobol point(index, High(key_));
-      return {point.Coordinate(0, High(seeds)), point.Coordinate(1, Low(seeds))};
+      const Sobol point(index, order_);
+      return {point.Coordinate(dimension_, High(seeds)), point.Coordinate(dimension_ + 1, Low(seeds))};
     }
     case SamplerKind::random: {
       const RandomKey own = key_.Child(index);
@@ -35,10 +35,10 @@ R2::Point Points::Plane(std::uint32_t index) const {
 void Points::Fill(std::uint32_t index, double* coordinates, std::size_t size) const {
   switch (kind_) {
     case SamplerKind::sobol: {
-      const Sobol point(index, High(key_));
+      const Sobol point(index, order_);
       for (std::size_t i = 0; i < size; ++i) {
         const RandomKey seeds = key_.Child(i / 2);
-        coordinates[i] = point.Coordinate(static_cast<int>(i), i % 2 == 0 ? High(seeds) : Low(seeds));
+        coordinates[i] = point.Coordinate(dimension_ + static_cast<int>(i), i % 2 == 0 ? High(seeds) : Low(seeds));
       }
       return;
     }

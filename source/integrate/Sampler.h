@@ -18,7 +18,10 @@ inline constexpr std::array sampler_names{"sobol", "random", "stratified"};
 class Points {
  public:
   /// `count`: how many there will be; beyond it stratified points begin anew with other strata.
-  Points(SamplerKind kind, const RandomKey& key, std::uint32_t count);
+  Points(SamplerKind kind, const RandomKey& key, std::uint32_t count) : Points(kind, key, count, key, 0) {}
+  /// More coordinates of the points that `first` has the first ones of, even together with them: from number
+  /// `dimension` on, so that with `size` at most Sobol::dimensions. Only Sobol's points have anything in common.
+  Points(SamplerKind kind, const RandomKey& key, std::uint32_t count, const RandomKey& first, int dimension);
 
   /// The first two coordinates, in [0, 1)^2.
   R2::Point Plane(std::uint32_t index) const;
@@ -37,17 +40,28 @@ class Points {
 
   SamplerKind kind_;
   RandomKey key_;
-  std::uint32_t count_;
+  std::uint32_t count_, order_;
+  int dimension_;
 };
+
+/// The child of a place that a camera ray's own choices come from; no surface has as many lights.
+inline constexpr std::uint64_t camera_key = ~std::uint64_t{0};
 
 /// Which sample of which pixel something belongs to, and where in that sample's tree of rays: what all its random
 /// choices are made from.
 struct SamplePlace {
-  RandomKey key{0};         // of the pixel and the place in the tree, the same for all samples of the pixel
-  std::uint32_t index = 0;  // of the sample in its pixel
+  RandomKey key{0};           // of the pixel and the place in the tree, the same for all samples of the pixel
+  std::uint32_t index = 0;    // of the sample in its pixel
+  int camera_dimensions = 0;  // at the first surface, that light's choices should be even together with; 0 for none
 
   /// The place numbered `which` beneath.
   SamplePlace Child(std::uint64_t which) const { return {key.Child(which), index}; }
+  /// The points for choices numbered `which` here; `each` of them a sample, of which this has the numbers index * each
+  /// and on.
+  Points PointsFor(std::uint64_t which, SamplerKind kind, std::uint32_t samples, std::uint32_t each = 1) const {
+    if (camera_dimensions == 0 || each > 1) return Points(kind, key.Child(which), samples * each);
+    return Points(kind, key.Child(which), samples, key.Child(camera_key), camera_dimensions);
+  }
 };
 
 }  // namespace ray

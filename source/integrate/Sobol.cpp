@@ -7,13 +7,17 @@ namespace {
 struct Polynomial {
   int degree;
   std::uint32_t inner;  // the coefficients between the first and the last, which are 1
-  std::array<std::uint32_t, 4> m;
+  std::array<std::uint32_t, 5> m;
 };
 
-// Dimensions 0 and 1 need no table. These are 2 to 5.
+// Dimensions 0 and 1 need no table. These are 2 to 7.
 constexpr int first_in_table = 2;
-constexpr std::array<Polynomial, Sobol::dimensions - first_in_table> polynomials{
-    {{2, 1, {1, 3}}, {3, 1, {1, 3, 1}}, {3, 2, {1, 1, 1}}, {4, 1, {1, 1, 3, 3}}}};
+constexpr std::array<Polynomial, Sobol::dimensions - first_in_table> polynomials{{{2, 1, {1, 3}},
+                                                                                  {3, 1, {1, 3, 1}},
+                                                                                  {3, 2, {1, 1, 1}},
+                                                                                  {4, 1, {1, 1, 3, 3}},
+                                                                                  {4, 4, {1, 3, 5, 13}},
+                                                                                  {5, 2, {1, 1, 5, 5, 17}}}};
 
 constexpr std::array<std::uint32_t, 32> Directions(const Polynomial& p) {
   std::array<std::uint32_t, 32> v{};
@@ -47,7 +51,8 @@ constexpr ByteTable TableOf(const Polynomial& p) {
 }
 
 constexpr std::array<ByteTable, polynomials.size()> tables{TableOf(polynomials[0]), TableOf(polynomials[1]),
-                                                           TableOf(polynomials[2]), TableOf(polynomials[3])};
+                                                           TableOf(polynomials[2]), TableOf(polynomials[3]),
+                                                           TableOf(polynomials[4]), TableOf(polynomials[5])};
 
 /// Dimension 1 is Pascal's triangle modulo 2, the Kronecker power of (1 1; 0 1): one step a factor.
 constexpr std::uint32_t PascalOf(std::uint32_t bits) {

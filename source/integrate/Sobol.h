@@ -15,7 +15,7 @@ namespace ray {
 ///              stochastic transparency (2011), and Burley, Practical hash-based Owen scrambling (2020)
 class Sobol {
  public:
-  static constexpr int dimensions = 6;
+  static constexpr int dimensions = 8;
 
   /// The point `index` of the sequence whose order `order` shuffles; one seed a coordinate scrambles that.
   Sobol(std::uint32_t index, std::uint32_t order);

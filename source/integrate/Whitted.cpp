@@ -2,81 +2,106 @@
 
 #include <algorithm>
 #include <array>
+#include <numbers>
 
 #include "source/integrate/Bend.h"
+#include "source/integrate/Features.h"
 #include "source/integrate/Phong.h"
+#include "source/scene/Warp.h"
 
 namespace ray {
 namespace {
 
-// What the children of a random key are for. Lights follow, one each.
-enum KeyUse : std::uint64_t { reflection_key, transmission_key, first_light_key };
+// What the places beneath a surface are for. Lights follow, one each.
+enum KeyUse : std::uint64_t {
+  reflection_key,
+  transmission_key,
+  choice_key,
+  roulette_key,
+  environment_key,
+  first_light_key
+};
 
 constexpr std::size_t most_shadow_rays = 64;  // traced at once
 
 bool IsExtended(const Light& light) { return light.IsExtended(); }
 bool IsExtended(const EmissiveTriangle&) { return true; }
+bool IsExtended(const Environment&) { return true; }
 
-R3::Vector Facing(const R3::Normal& n, bool from_outside) { return from_outside ? AsVector(n) : -AsVector(n); }
+/// Whether a surface is itself the light.
+bool IsOn(const Surface& s, const EmissiveTriangle& triangle, const World& world) {
+  return triangle.primitive == world.PrimitiveId(s.hit);
+}
+template <typename Other>
+bool IsOn(const Surface&, const Other&, const World&) {
+  return false;
+}
+
+/// What arrives from a random place on the light, if nothing is in between.
+std::optional<Illumination> LitBy(const Surface& s, const Light& light, const R2::Point& random) {
+  return light.Illuminate(s.lit_from, random);
+}
+std::optional<Illumination> LitBy(const Surface& s, const EmissiveTriangle& triangle, const R2::Point& random) {
+  return Illumination{triangle.emission, triangle.PointTowards(s.lit_from, random, s.found_by.ray.time) - s.lit_from};
+}
+std::optional<Illumination> LitBy(const Surface&, const Environment& environment, const R2::Point& random) {
+  const Environment::Sample drawn = environment.Draw(random);
+  return Illumination{drawn.radiance / (std::numbers::pi * drawn.density), drawn.direction, true};
+}
+
+/// What the surface makes of it.
+template <typename AnyLight>
+R2::Color Reflection(const AnyLight&, const Surface& s, const Illumination& lit) {
+  return PhongReflection(*s.material, s.kd, s.N, Unit(lit.to_light), s.towards_viewer, lit.irradiance);
+}
+R2::Color Reflection(const Environment&, const Surface& s, const Illumination& lit) {
+  return std::max(0.0, Dot(s.N, lit.to_light)) * s.kd * lit.irradiance;
+}
+
+bool Scatters(const Surface& s) { return !IsBlack(s.kd) || !IsBlack(s.material->ks); }
 
 }  // namespace
 
-/// A point being shaded.
-struct Whitted::Surface {
-  TraceState::Pending found_by;
-  WorldHit hit;
-  R3::Intersection at;
-  const Material* material;
-  R2::Color kd;               // the material's, times its texture
-  R3::Vector towards_viewer;  // unit
-  bool from_outside;          // whether the ray came from the side of the outward normal
-  R3::Vector N;               // unit shading normal on the viewer's side
-  R3::Point lit_from;         // where shadow rays and reflections start: off the surface, on the viewer's side
-  R2::Color radiance;         // back along the ray, as far as it is known
-
-  /// Whether it is itself the light.
-  static bool IsOn(const Light&, const World&) { return false; }
-  bool IsOn(const EmissiveTriangle& triangle, const World& world) const {
-    return triangle.primitive == world.PrimitiveId(hit);
-  }
-
-  /// What arrives from a random place on the light, if nothing is in between.
-  std::optional<Illumination> LitBy(const Light& light, const R2::Point& random) const {
-    return light.Illuminate(lit_from, random);
-  }
-  std::optional<Illumination> LitBy(const EmissiveTriangle& triangle, const R2::Point& random) const {
-    return Illumination{triangle.emission, triangle.PointTowards(lit_from, random) - lit_from};
-  }
-};
-
 Whitted::Whitted(const World& world, const Accelerator& accelerator, const TraceSettings& settings)
-    : world_(world), accelerator_(accelerator), settings_(settings), triangles_(EmissiveTriangles(world)) {
+    : world_(world),
+      accelerator_(accelerator),
+      settings_(settings),
+      sampler_(SamplerNamed(settings.sampler)),
+      has_roulette_(features::roulette && settings.roulette == "on"),
+      triangles_(EmissiveTriangles(world)) {
   settings_.max_depth = std::min<std::int64_t>(settings_.max_depth, most_bounces);
-  for (const auto& light : world.TheScene().lights)
+  const Scene& scene = world.TheScene();
+  for (const auto& light : scene.lights)
     if (!light->IsBlack()) lights_.push_back(light.get());
+  if (scene.environment && !scene.environment->IsBlack()) environment_ = scene.environment.get();
+  if (settings_.lights <= 0) return;
+  std::vector<LightBound> bounds;
+  for (const Light* light : lights_) bounds.push_back(light->Bound());
+  for (const EmissiveTriangle& triangle : triangles_) bounds.push_back(triangle.Bound());
+  tree_.emplace(std::move(bounds));
 }
 
-void Whitted::Radiance(std::span<const Sample> samples, std::span<R2::Color> radiances, TraceState& state) const {
-  std::vector<R3::Ray> rays;
-  for (const Sample& sample : samples) rays.push_back(sample.ray);
-  std::vector<std::optional<WorldHit>> hits(rays.size());
-  accelerator_.Intersect(rays, hits.data(), state.workspace);
-  state.Book(RayKind::camera, rays.size());
+void Whitted::Radiance(std::span<const CameraSample> samples, std::span<R2::Color> radiances, TraceState& state) const {
+  state.batch.clear();
+  for (const CameraSample& sample : samples) state.batch.push_back(sample.ray);
+  state.hits.assign(samples.size(), {});
+  accelerator_.Intersect(state.batch, state.hits.data(), state.workspace);
+  state.Book(RayKind::camera, samples.size());
 
   std::vector<Surface> surfaces;
   for (std::size_t i = 0; i < samples.size(); ++i)
-    if (hits[i])
-      surfaces.push_back(SurfaceAt({samples[i].ray, {1, 1, 1}, 0, samples[i].key, RayKind::camera}, *hits[i]));
+    if (state.hits[i])
+      surfaces.push_back(SurfaceAt(world_, {.ray = samples[i].ray, .place = samples[i].place}, *state.hits[i]));
   Shade(surfaces, state);
   auto surface = surfaces.begin();
   for (std::size_t i = 0; i < samples.size(); ++i)
-    radiances[i] = hits[i] ? Follow(*surface++, state) : world_.TheScene().background;
+    radiances[i] = state.hits[i] ? Follow(*surface++, state) : Background(world_.TheScene(), samples[i].ray.direction);
 }
 
 // The recursion is unrolled onto a stack of rays that carry the product of the weights above them: depth first, the
 // mirrored ray before the transmitted one.
 R2::Color Whitted::Follow(const Surface& first, TraceState& state) const {
-  R2::Color sum = first.radiance;
+  R2::Color sum = first.found_by.weight * first.radiance;
   int descendants = 0;
   state.pending.clear();
   const auto spawn = [&](const Surface& surface) {
@@ -91,62 +116,90 @@ R2::Color Whitted::Follow(const Surface& first, TraceState& state) const {
   };
   spawn(first);
   while (!state.pending.empty()) {
-    const TraceState::Pending current = state.pending.back();
+    const TracedRay current = state.pending.back();
     state.pending.pop_back();
     const auto hit = accelerator_.Intersect(current.ray, state.workspace);
     state.Book(current.kind, 1);
     if (!hit) {
-      sum += current.weight * world_.TheScene().background;
+      sum += current.weight * Background(world_.TheScene(), current.ray.direction);
       continue;
     }
-    Surface surface = SurfaceAt(current, *hit);
+    Surface surface = SurfaceAt(world_, current, *hit);
     Shade({&surface, 1}, state);
-    sum += current.weight * surface.radiance;
+    sum += surface.found_by.weight * surface.radiance;
     spawn(surface);
   }
   return sum;
 }
 
-Whitted::Surface Whitted::SurfaceAt(const TraceState::Pending& ray, const WorldHit& hit) const {
-  Surface s{ray, hit, world_.At(ray.ray, hit), &world_.MaterialAt(hit), {}, {}, true, {}, {}, {}};
-  s.kd = s.material->texture ? s.material->kd * s.material->texture->At(s.at.uv) : s.material->kd;
-  s.towards_viewer = -Unit(ray.ray.direction);
-  s.from_outside = Dot(s.at.normal, ray.ray.direction) <= 0;
-  s.N = Facing(s.at.shading_normal, s.from_outside);
-  s.lit_from = SpawnPoint(s.at, s.towards_viewer);
-  return s;
-}
-
 void Whitted::Shade(std::span<Surface> surfaces, TraceState& state) const {
   for (Surface& s : surfaces) s.radiance = s.material->emission + s.material->ka * world_.TheScene().ambient;
-  std::uint64_t which = first_light_key;
-  for (const Light* light : lights_) AddLight(*light, which++, surfaces, state);
-  for (const EmissiveTriangle& triangle : triangles_) AddLight(triangle, which++, surfaces, state);
+  if (features::choice_of_lights && tree_) {
+    AddChosenLights(surfaces, state);
+  } else {
+    std::uint64_t which = first_light_key;
+    for (const Light* light : lights_) AddLight(*light, which++, surfaces, state);
+    for (const EmissiveTriangle& triangle : triangles_) AddLight(triangle, which++, surfaces, state);
+  }
+  if (features::environment && environment_) AddLight(*environment_, environment_key, surfaces, state);
 }
 
 template <typename AnyLight>
 void Whitted::AddLight(const AnyLight& light, std::uint64_t which, std::span<Surface> surfaces,
                        TraceState& state) const {
-  const int samples = IsExtended(light) ? settings_.shadow_samples : 1;
+  const auto count = static_cast<std::uint32_t>(IsExtended(light) ? settings_.shadow_samples : 1);
   state.arrived.assign(surfaces.size(), {});
   for (std::size_t i = 0; i < surfaces.size(); ++i) {
     const Surface& s = surfaces[i];
-    if ((IsBlack(s.kd) && IsBlack(s.material->ks)) || s.IsOn(light, world_)) continue;
-    const Stratified places(static_cast<std::uint32_t>(samples), s.found_by.key.Child(which));
-    for (int k = 0; k < samples; ++k) {
-      const R2::Point random = IsExtended(light) ? places[static_cast<std::uint32_t>(k)] : R2::Point{};
-      const auto lit = s.LitBy(light, random);
-      if (!lit) continue;
-      const R2::Color reflected =
-          PhongReflection(*s.material, s.kd, s.N, Unit(lit->to_light), s.towards_viewer, lit->irradiance);
-      if (IsBlack(reflected)) continue;
-      state.shadow_rays.push_back({s.lit_from, lit->to_light, 0, lit->is_infinite ? R3::infinity : 1});
-      state.shadows.push_back({i, reflected});
-      if (state.shadows.size() == most_shadow_rays) TraceShadowRays(state);
+    if (!Scatters(s) || IsOn(s, light, world_)) continue;
+    // One light's samples from all of a pixel's camera rays are one set of points.
+    std::optional<Points> places;
+    if (IsExtended(light)) places.emplace(s.found_by.place.PointsFor(which, sampler_, settings_.samples, count));
+    for (std::uint32_t k = 0; k < count; ++k)
+      AddSample(light, s, i, places ? places->Plane(s.found_by.place.index * count + k) : R2::Point{}, 1.0 / count,
+                state);
+  }
+  AddArrived(surfaces, state);
+}
+
+void Whitted::AddChosenLights(std::span<Surface> surfaces, TraceState& state) const {
+  const auto count = static_cast<std::uint32_t>(settings_.lights);
+  state.arrived.assign(surfaces.size(), {});
+  for (std::size_t i = 0; i < surfaces.size(); ++i) {
+    const Surface& s = surfaces[i];
+    if (!Scatters(s)) continue;
+    const Points places = s.found_by.place.PointsFor(choice_key, sampler_, settings_.samples, count);
+    for (std::uint32_t k = 0; k < count; ++k) {
+      const auto random = places.Cube<3>(s.found_by.place.index * count + k);
+      const auto choice = tree_->Choose(s.lit_from, s.N, random[2]);
+      if (!choice) continue;
+      const auto which = static_cast<std::size_t>(choice->light);
+      const double weight = 1 / (choice->probability * count);
+      const R2::Point place{random[0], random[1]};
+      if (which < lights_.size())
+        AddSample(*lights_[which], s, i, place, weight, state);
+      else if (!IsOn(s, triangles_[which - lights_.size()], world_))
+        AddSample(triangles_[which - lights_.size()], s, i, place, weight, state);
     }
   }
+  AddArrived(surfaces, state);
+}
+
+template <typename AnyLight>
+void Whitted::AddSample(const AnyLight& light, const Surface& s, std::size_t index, const R2::Point& random,
+                        double weight, TraceState& state) const {
+  const auto lit = LitBy(s, light, random);
+  if (!lit) return;
+  const R2::Color reflected = Reflection(light, s, *lit);
+  if (IsBlack(reflected)) return;
+  state.shadow_rays.push_back(ShadowRay(s, lit->to_light, lit->is_infinite));
+  state.shadows.push_back({index, weight * reflected});
+  if (state.shadows.size() == most_shadow_rays) TraceShadowRays(state);
+}
+
+void Whitted::AddArrived(std::span<Surface> surfaces, TraceState& state) const {
   TraceShadowRays(state);
-  for (std::size_t i = 0; i < surfaces.size(); ++i) surfaces[i].radiance += state.arrived[i] / samples;
+  for (std::size_t i = 0; i < surfaces.size(); ++i) surfaces[i].radiance += state.arrived[i];
 }
 
 void Whitted::TraceShadowRays(TraceState& state) const {
@@ -161,36 +214,54 @@ void Whitted::TraceShadowRays(TraceState& state) const {
   state.shadows.clear();
 }
 
+inline std::optional<R2::Color> Whitted::Wanted(const R2::Color& weight, const SamplePlace& parent,
+                                                std::uint64_t which) const {
+  const double luminance = Luminance(weight);
+  if (!(luminance > 0)) return {};
+  if (luminance >= settings_.min_luminance) return weight;
+  if (!features::roulette || !has_roulette_) return {};
+  return Spared(weight, luminance, parent, which);
+}
+
+std::optional<R2::Color> Whitted::Spared(const R2::Color& weight, double luminance, const SamplePlace& parent,
+                                         std::uint64_t which) const {
+  const SamplePlace place = parent.Child(which);
+  const double chance = luminance / settings_.min_luminance;
+  const Points points(sampler_, place.key.Child(roulette_key), settings_.samples);
+  if (!(points.Plane(place.index).x < chance)) return {};
+  return weight / chance;
+}
+
+std::optional<R3::Vector> Whitted::ReflectionOf(const Surface& s, const SamplePlace& place) const {
+  const R3::Vector mirrored = Unit(Reflected(-s.towards_viewer, s.N));
+  if (!features::glossy || !settings_.glossy) return mirrored;
+  const Points points(sampler_, place.key.Child(choice_key), settings_.samples);
+  const R3::Vector direction = FromTangents(AroundByPower(points.Plane(place.index), s.material->n), mirrored);
+  if (!(Dot(direction, s.N) > 0)) return {};  // that part of the lobe is lost in the surface
+  return direction;
+}
+
 void Whitted::Spawn(const Surface& s, TraceState& state) const {
-  const TraceState::Pending& parent = s.found_by;
-  const auto is_wanted = [&](const R2::Color& weight) {
-    const double luminance = Luminance(weight);
-    return luminance >= settings_.min_luminance && luminance > 0;
-  };
-  const R3::Vector d = -s.towards_viewer;
+  const TracedRay& parent = s.found_by;
+  const SpecularWeights weights = SpecularWeightsOf(s, settings_.fresnel);
   // Pushed first, traced last.
-  const R2::Color transmitted = parent.weight * s.material->kt;
-  if (is_wanted(transmitted)) {
-    const RandomKey key = parent.key.Child(transmission_key);
+  if (const auto weight = Wanted(parent.weight * weights.transmitted, parent.place, transmission_key)) {
+    const SamplePlace through = parent.place.Child(transmission_key);
     if (s.material->ir == 1) {
       // Not bent: the same ray goes on beyond its hit. It asks every shape the same question as before and so gets the
       // same answers, of which the first is now outside the interval: nothing moves, nothing is hit twice.
       R3::Ray onward = parent.ray;
       onward.t_min = s.hit.hit.t;
-      state.pending.push_back({onward, transmitted, parent.depth + 1, key, RayKind::transmission});
-    } else if (const auto bent = Refracted(d, s.N, s.from_outside ? 1 / s.material->ir : s.material->ir)) {
-      state.pending.push_back(
-          {{SpawnPoint(s.at, *bent), *bent}, transmitted, parent.depth + 1, key, RayKind::transmission});
+      state.pending.push_back({onward, *weight, parent.depth + 1, through, RayKind::transmission});
+    } else if (const auto bent =
+                   Refracted(-s.towards_viewer, s.N, s.from_outside ? 1 / s.material->ir : s.material->ir)) {
+      state.pending.push_back({Onward(s, *bent), *weight, parent.depth + 1, through, RayKind::transmission});
     }
   }
-  const R2::Color reflected = parent.weight * s.material->ks;
-  if (is_wanted(reflected)) {
-    const R3::Vector mirrored = Unit(Reflected(d, s.N));
-    state.pending.push_back({{SpawnPoint(s.at, mirrored), mirrored},
-                             reflected,
-                             parent.depth + 1,
-                             parent.key.Child(reflection_key),
-                             RayKind::reflection});
+  if (const auto weight = Wanted(parent.weight * weights.reflected, parent.place, reflection_key)) {
+    const SamplePlace back = parent.place.Child(reflection_key);
+    if (const auto direction = ReflectionOf(s, back))
+      state.pending.push_back({Onward(s, *direction), *weight, parent.depth + 1, back, RayKind::reflection});
   }
 }
 

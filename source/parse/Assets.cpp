@@ -1,6 +1,7 @@
 #include "source/parse/Assets.h"
 
 #include <span>
+#include <stdexcept>
 
 #include "R2/ImageFile.h"
 #include "source/parse/Text.h"
@@ -54,14 +55,29 @@ Assets::BoxedMesh Assets::ReadMesh(const FoundFile& file, bool smooth) {
   return boxed;
 }
 
-std::shared_ptr<const Texture> Assets::Image(const std::string& name, const std::string& named_in) {
+std::shared_ptr<const Texture> Assets::Image(const std::string& name, const std::string& named_in, Use use) {
   const FoundFile file = files_.Find(name, named_in);
-  const auto [place, is_new] = images_.try_emplace(file.canonical);
-  if (is_new) place->second = ReadImage(file);
+  const auto [place, is_new] = images_.try_emplace({file.canonical, use});
+  if (is_new) place->second = std::make_shared<const Texture>(Texture{ReadImage(file, use)});
   return place->second;
 }
 
-std::shared_ptr<const Texture> Assets::ReadImage(const FoundFile& file) {
+std::shared_ptr<const Environment> Assets::EnvironmentNamed(const std::string& name, const std::string& named_in) {
+  const FoundFile file = files_.Find(name, named_in);
+  const auto [place, is_new] = environments_.try_emplace(file.canonical);
+  if (is_new) place->second = EnvironmentOf(file);
+  return place->second;
+}
+
+std::shared_ptr<const Environment> Assets::EnvironmentOf(const FoundFile& file) {
+  try {
+    return std::make_shared<const Environment>(ReadImage(file, Use::color));
+  } catch (const std::invalid_argument& error) {
+    throw FileError{"cannot light the scene by " + Quoted(file.shown) + ": " + error.what(), {}};
+  }
+}
+
+R2::Image Assets::ReadImage(const FoundFile& file, Use use) {
   const std::string bytes = Read(file);
   try {
     const R2::ImageSize size = R2::ReadImageSize(BytesOf(bytes));
@@ -70,9 +86,8 @@ std::shared_ptr<const Texture> Assets::ReadImage(const FoundFile& file) {
     if (texels_ > R2::max_pixels)
       throw FileError{"the scene's textures have more than " + std::to_string(R2::max_pixels) + " texels", {}};
     R2::DecodedImage decoded = R2::DecodeImage(BytesOf(bytes));
-    const bool is_encoded = decode_srgb_ && !decoded.format->is_linear;
-    return std::make_shared<const Texture>(
-        Texture{is_encoded ? Linear(std::move(decoded.image)) : std::move(decoded.image)});
+    const bool is_encoded = decode_srgb_ && use == Use::color && !decoded.format->is_linear;
+    return is_encoded ? Linear(std::move(decoded.image)) : std::move(decoded.image);
   } catch (const R2::ImageError& error) {
     throw FileError{"cannot read the image " + Quoted(file.shown) + ": " + error.what(), {}};
   }

@@ -10,6 +10,7 @@
 #include "R3/Mesh.h"
 #include "source/parse/Files.h"
 #include "source/parse/Report.h"
+#include "source/scene/Environment.h"
 #include "source/scene/Texture.h"
 
 namespace ray {
@@ -29,8 +30,14 @@ class Assets {
   /// Throws FileError when the naming word is to blame, SceneError for a place in the mesh file. A file that failed
   /// before gives a null mesh: once reported is enough.
   BoxedMesh Mesh(const std::string& name, const std::string& named_in, bool smooth);
+  /// What a picture's values are: colours, which a linear workflow decodes from 8 bits, or numbers, which it does not.
+  enum class Use { color, data };
   /// Throws FileError; null when the file failed before.
-  std::shared_ptr<const Texture> Image(const std::string& name, const std::string& named_in);
+  std::shared_ptr<const Texture> Image(const std::string& name, const std::string& named_in, Use use);
+
+  /// Light from all around. Throws FileError; null when the file failed before.
+  std::shared_ptr<const Environment> EnvironmentNamed(const std::string& name, const std::string& named_in);
+  std::shared_ptr<const Environment> EnvironmentOf(const FoundFile& file);
 
   /// The files read so far, as they are shown to the user.
   const std::set<std::string>& FilesRead() const { return files_read_; }
@@ -38,13 +45,14 @@ class Assets {
  private:
   std::string Read(const FoundFile& file);
   BoxedMesh ReadMesh(const FoundFile& file, bool smooth);
-  std::shared_ptr<const Texture> ReadImage(const FoundFile& file);
+  R2::Image ReadImage(const FoundFile& file, Use use);
 
   const Files& files_;
   Report& report_;
   bool decode_srgb_;
   std::map<std::pair<std::filesystem::path, bool>, BoxedMesh> meshes_;
-  std::map<std::filesystem::path, std::shared_ptr<const Texture>> images_;
+  std::map<std::pair<std::filesystem::path, Use>, std::shared_ptr<const Texture>> images_;
+  std::map<std::filesystem::path, std::shared_ptr<const Environment>> environments_;
   std::int64_t texels_ = 0;
   std::set<std::string> files_read_;
 };

@@ -3,6 +3,7 @@
 #include <array>
 #include <new>
 
+#include "source/parse/Assets.h"
 #include "source/parse/Format.h"
 #include "source/parse/LowerCase.h"
 #include "source/parse/Text.h"
@@ -26,6 +27,18 @@ const SceneFormat& FormatOf(const std::filesystem::path& file) {
   throw SceneErrors({ErrorIn(file.string(), "unknown kind of scene; kinds are " + known)});
 }
 
+/// The environment that the user names, wherever it lies.
+void SetEnvironment(const ParseOptions& options, Report& report, Scene& scene) {
+  const Files files(options.environment, {});
+  Assets assets(files, report, options.decode_srgb);
+  try {
+    scene.environment = assets.EnvironmentOf(files.Top());
+    scene.files.push_back(files.TopName());
+  } catch (const FileError& error) {
+    report.Error(ErrorIn(options.environment, error.message));
+  }
+}
+
 }  // namespace
 
 ParsedScene Parse(const std::filesystem::path& file, const ParseOptions& options) {
@@ -34,6 +47,7 @@ ParsedScene Parse(const std::filesystem::path& file, const ParseOptions& options
   try {
     const Files files(file, options.allowed_folders);
     ParsedScene parsed{format.read(files, options, report), {}};
+    if (!options.environment.empty()) SetEnvironment(options, report, parsed.scene);
     report.ThrowErrors();
     parsed.warnings = report.Warnings();
     return parsed;

@@ -14,8 +14,9 @@ namespace ray {
 struct ParseOptions {
   // Where files named by a scene may lie, beside its own folder and the current one.
   std::vector<std::filesystem::path> allowed_folders;
-  bool decode_srgb = false;  // 8-bit textures are sRGB and become linear
-  int include_depth = 64;    // how deep includes may nest
+  bool decode_srgb = false;                      // 8-bit textures are sRGB and become linear
+  std::string environment;                       // file that takes the place of the scene's own; empty for none
+  int include_depth = 64;                        // how deep includes may nest
   std::size_t max_nodes = std::size_t{1} << 24;  // about 5 GB of them; includes that double would never end
 };
 

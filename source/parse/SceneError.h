@@ -15,11 +15,11 @@ namespace ray {
 ///     included from scenes/main.scn:3
 struct SceneError {
   std::string file;
-  std::size_t line = 0, column = 0;    // from 1, in characters; 0 when the file as a whole is meant
-  std::string message;                 // "unknown command 'spere'"
-  std::string source_line;             // the text of that line, without its end
-  std::size_t length = 1;              // characters to underline
-  std::string hint;                    // behind the caret; may be empty
+  std::size_t line = 0, column = 0;        // from 1, in characters; 0 when the file as a whole is meant
+  std::string message;                     // "unknown command 'spere'"
+  std::string source_line;                 // the text of that line, without its end
+  std::size_t length = 1;                  // characters to underline
+  std::string hint;                        // behind the caret; may be empty
   std::vector<std::string> included_from;  // "scenes/main.scn:3", innermost first
 
   std::string Format() const;

@@ -1,61 +1,66 @@
 #pragma once
 
-#include <array>
 #include <atomic>
 #include <cstdint>
 #include <functional>
 #include <optional>
-#include <string>
+#include <vector>
 
 #include "R2/Image.h"
 #include "source/accelerate/Accelerator.h"
 #include "source/accelerate/World.h"
 #include "source/integrate/RayCounts.h"
-#include "source/integrate/TraceSettings.h"
+#include "source/render/Pass.h"
+#include "source/render/RenderSettings.h"
+#include "source/render/RenderState.h"
 
 namespace ray {
 
-/// A rectangle of pixels: columns x0 <= x < x1 from the left, rows y0 <= y < y1 from the BOTTOM.
-struct PixelRectangle {
-  int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
-  std::int64_t Area() const { return static_cast<std::int64_t>(x1 - x0) * (y1 - y0); }
-};
-
-/// whitted: what the camera sees. heat: what each pixel cost to trace, as HeatColor shows it.
-inline constexpr std::array render_modes{"whitted", "heat"};
-
-/// What picture to make of a scene, and how the work is spread; the latter never changes a bit of the former.
-struct RenderSettings {
-  int width = 256, height = 256;       // of the whole picture
-  std::optional<PixelRectangle> crop;  // the part that is rendered; its pixels equal those of the whole
-  int samples = 1;                     // camera rays a pixel, >= 1
-  std::uint64_t seed = 0;
-  std::string mode = "whitted";        // one of render_modes
-  TraceSettings trace;
-
-  int threads = 0;     // 0: as many as the machine has
-  int tile_size = 32;  // side of a work item in pixels, >= 1; 0: the whole picture is one
-};
-
 /// How far a render has come.
 struct RenderProgress {
-  std::int64_t pixels_done = 0, pixels_total = 0;
-  std::uint64_t rays = 0;  // of all kinds, so far
+  std::int64_t done = 0, total = 0;  // shares of the work: pixels, or milliseconds where the clock decides
+  std::uint64_t rays = 0;            // of all kinds, so far
 };
 
 /// What a render needs from whoever asked for it.
 struct RenderMonitor {
-  const std::atomic<bool>* stop = nullptr;               // looked at before each pixel; may be null
+  const std::atomic<bool>* stop = nullptr;               // looked at before each few rays; may be null
   std::function<void(const RenderProgress&)> tile_done;  // called from any thread, one at a time; may be empty
+  double seconds_before = 0;                             // that the program has run when the render begins
+  /// Keeps a state from which the render can go on; called by one thread at a time, every `save_every` seconds and when
+  /// the render is stopped. May be empty.
+  std::function<void(const RenderState&)> save;
+  double save_every = 0;  // 0: only when stopped
+  /// Gives a state to go on from, made for a film like this empty one; called once, before the first sample. May be
+  /// empty, and throw.
+  std::function<RenderState(const Film&)> resume;
+};
+
+/// Why a render ended.
+enum class Stop { samples, time, error, request };
+inline constexpr std::array stop_names{"samples", "time", "error", "request"};
+
+/// Samples a pixel over the picture.
+struct SampleCounts {
+  std::uint32_t least = 0, most = 0;
+  double mean = 0;
 };
 
 /// What a render gives.
 struct RenderResult {
-  R2::Image image;  // of the crop, or of the whole; black where nothing was rendered yet
-  std::int64_t pixels_done = 0, pixels_total = 0;
+  R2::Image image;                                 // of the crop, or of the whole; black where nothing was rendered yet
+  std::int64_t pixels_done = 0, pixels_total = 0;  // with at least one sample; in all
   RayCounts rays;
+  Stop stop = Stop::samples;
+  SampleCounts samples;
+  std::vector<std::uint32_t> block_samples;  // a pixel and stream, by blocks of the film
+  std::uint32_t laid_out_for = 1;            // samples a pixel, as strata and camera rays were told
+  bool two_streams = false;                  // half of the samples are another, independent set of points
+  std::vector<Pass> passes;
+  std::optional<ErrorEstimate> error;  // nothing below two samples
+  bool has_hot_pixels = false;         // so few pixels hold the error that no tile was stopped early
 
-  bool IsComplete() const { return pixels_done == pixels_total; }
+  bool IsComplete() const { return stop != Stop::request; }
 };
 
 /// About how many rays a render will trace: what is known before it.

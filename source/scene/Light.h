@@ -10,6 +10,7 @@
 #include "R2/Point.h"
 #include "R3/Argument.h"
 #include "R3/Point.h"
+#include "source/scene/LightBound.h"
 
 namespace ray {
 
@@ -31,6 +32,8 @@ class Light {
 
   /// Whether it has an area, so that several samples are worth their rays.
   virtual bool IsExtended() const { return false; }
+  /// What a choice among many lights goes by.
+  virtual LightBound Bound() const = 0;
   /// Whether it gives no light at all; such a light still counts as a light of the scene.
   virtual bool IsBlack() const = 0;
   /// "point light at 0 3 0, colour 1 1 1"
@@ -39,7 +42,7 @@ class Light {
 
 /// One line of lights.def.
 struct LightKind {
-  const char* name;                     // the word in a scene file
+  const char* name;  // the word in a scene file
   const char* about;
   std::vector<R3::Argument> arguments;  // in file order
   /// `arguments` are as many as above, finite, their signs checked; may throw R3::ArgumentError.

@@ -22,6 +22,7 @@ Node& Node::operator=(Node&& other) noexcept {
   if (this == &other) return *this;
   Node dying;  // takes what this node held, and lets it go without recursion
   dying.children = std::move(children);
+  motion = other.motion;
   transform = other.transform;
   shape = std::move(other.shape);
   line = std::move(other.line);
@@ -43,6 +44,7 @@ void SetBounds(Node& node) {
   node.bounds = {};
   if (box.IsEmpty()) return;
   for (int i = 0; i < 8; ++i) node.bounds.Extend(node.transform * box.Corner(i));
+  node.bounds = Along(node.bounds, node.motion);
 }
 
 }  // namespace ray

@@ -6,6 +6,7 @@
 
 #include "R2/Color.h"
 #include "source/scene/Camera.h"
+#include "source/scene/Environment.h"
 #include "source/scene/Light.h"
 #include "source/scene/Material.h"
 #include "source/scene/Node.h"
@@ -19,6 +20,7 @@ struct Scene {
   std::vector<std::unique_ptr<const Light>> lights;
   Camera camera;
   R2::Color background, ambient;
+  std::shared_ptr<const Environment> environment;  // seen instead of the background, and a light; null for none
   std::vector<std::string> files;  // what it was read from: scene files, the top one first, then meshes and textures
 };
 

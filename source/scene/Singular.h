@@ -5,7 +5,7 @@
 namespace ray {
 
 /// A group whose matrix squeezes space beyond this cannot be intersected: a double has no digits left for its inverse.
-inline constexpr double singular_condition = 3e14;         // about 10^14.5
+inline constexpr double singular_condition = 3e14;  // about 10^14.5
 /// Beyond this the author is told that digits are getting short.
 inline constexpr double nearly_singular_condition = 3e10;  // about 10^10.5
 

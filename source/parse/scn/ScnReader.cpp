@@ -133,6 +133,20 @@ int ScnReader::ReadMaterial(Statement& statement) {
   return known[static_cast<std::size_t>(id)];
 }
 
+Node* ScnReader::InnermostGroup() { return Current().begins.empty() ? nullptr : &builder_.open_groups.back(); }
+
+Material* ScnReader::ReadOwnMaterial(Statement& statement) {
+  const int index = ReadMaterial(statement);
+  if (!statement.IsGood()) return nullptr;
+  const std::vector<int>& own = Current().materials;
+  if (std::find(own.begin(), own.end(), index) == own.end()) {
+    statement.Error(statement.CommandWord(),
+                    statement.What().name + " needs a material of this file, not an inherited one");
+    return nullptr;
+  }
+  return &builder_.scene.materials[static_cast<std::size_t>(index)];
+}
+
 Material& ScnReader::NewMaterial() {
   Current().materials.push_back(static_cast<int>(builder_.scene.materials.size()));
   return builder_.scene.materials.emplace_back();

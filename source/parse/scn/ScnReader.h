@@ -32,11 +32,15 @@ class ScnReader {
   /// Reads a material id; gives an index into Scene::materials, or Node::inherit. At the top level of an included file,
   /// inheriting means the default material and not the enclosing group's: so the course's reader has it.
   int ReadMaterial(Statement& statement);
+  /// A material that the file itself has defined, to be added to; null after an error.
+  Material* ReadOwnMaterial(Statement& statement);
   /// The material of the file's next id, to be filled in; valid until the next.
   Material& NewMaterial();
   void AddNode(Statement& statement, Node node);
   void OpenGroup(Statement& statement, Node group);
   void CloseGroup(Statement& statement);
+  /// The one that this file opened last and has not closed; null at its top level.
+  Node* InnermostGroup();
   /// Goes on with another file; the words behind this statement come after its end.
   void Include(Statement& statement, const Token& name);
   /// A remark about the statement.

@@ -7,10 +7,18 @@ namespace ray {
 namespace {
 
 const std::array<R3::Argument, 12> arguments{{
-    {"ex"}, {"ey"}, {"ez"},  //
-    {"tx"}, {"ty"}, {"tz"},  //
-    {"ux"}, {"uy"}, {"uz"},  //
-    {"xfov"}, {"near"}, {"far"},
+    {"ex"},
+    {"ey"},
+    {"ez"},  //
+    {"tx"},
+    {"ty"},
+    {"tz"},  //
+    {"ux"},
+    {"uy"},
+    {"uz"},  //
+    {"xfov"},
+    {"near"},
+    {"far"},
 }};
 
 void CheckView(Statement& statement, const Arguments& read) {

@@ -7,10 +7,22 @@ namespace ray {
 namespace {
 
 const std::array<R3::Argument, 16> entries{{
-    {"m00"}, {"m01"}, {"m02"}, {"m03"},  //
-    {"m10"}, {"m11"}, {"m12"}, {"m13"},  //
-    {"m20"}, {"m21"}, {"m22"}, {"m23"},  //
-    {"m30"}, {"m31"}, {"m32"}, {"m33"},
+    {"m00"},
+    {"m01"},
+    {"m02"},
+    {"m03"},  //
+    {"m10"},
+    {"m11"},
+    {"m12"},
+    {"m13"},  //
+    {"m20"},
+    {"m21"},
+    {"m22"},
+    {"m23"},  //
+    {"m30"},
+    {"m31"},
+    {"m32"},
+    {"m33"},
 }};
 
 R3::Matrix MatrixOf(const std::vector<double>& entry) {
@@ -55,8 +67,19 @@ void ReadBegin(ScnReader& reader, Statement& statement) {
 
 void ReadEnd(ScnReader& reader, Statement& statement) { reader.CloseGroup(statement); }
 
+const std::array<R3::Argument, 3> way{{{"dx"}, {"dy"}, {"dz"}}};
+
+/// An extension: the group around it goes this far while the shutter is open, in the coordinates around the group.
+void ReadMotion(ScnReader& reader, Statement& statement) {
+  const Arguments read = statement.Numbers(way);
+  Node* group = reader.InnermostGroup();
+  if (!group) statement.Error(statement.CommandWord(), "motion belongs between begin and end: it is of a group");
+  if (group && statement.IsGood()) group->motion = {read.values[0], read.values[1], read.values[2]};
+}
+
 }  // namespace
 
+extern const Command motion_command{"motion", "motion dx dy dz", ReadMotion};
 extern const Command begin_command{"begin", "begin mat_id m00 m01 m02 m03 m10 ... m33", ReadBegin};
 extern const Command end_command{"end", "end", ReadEnd};
 

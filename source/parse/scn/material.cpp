@@ -8,12 +8,23 @@ namespace {
 constexpr bool not_negative = false;
 
 const std::array<R3::Argument, 17> arguments{{
-    {"ka_r", not_negative}, {"ka_g", not_negative}, {"ka_b", not_negative},  //
-    {"kd_r", not_negative}, {"kd_g", not_negative}, {"kd_b", not_negative},  //
-    {"ks_r", not_negative}, {"ks_g", not_negative}, {"ks_b", not_negative},  //
-    {"kt_r", not_negative}, {"kt_g", not_negative}, {"kt_b", not_negative},  //
-    {"e_r", not_negative},  {"e_g", not_negative},  {"e_b", not_negative},   //
-    {"n", not_negative},    {"ir", not_negative},
+    {"ka_r", not_negative},
+    {"ka_g", not_negative},
+    {"ka_b", not_negative},  //
+    {"kd_r", not_negative},
+    {"kd_g", not_negative},
+    {"kd_b", not_negative},  //
+    {"ks_r", not_negative},
+    {"ks_g", not_negative},
+    {"ks_b", not_negative},  //
+    {"kt_r", not_negative},
+    {"kt_g", not_negative},
+    {"kt_b", not_negative},  //
+    {"e_r", not_negative},
+    {"e_g", not_negative},
+    {"e_b", not_negative},  //
+    {"n", not_negative},
+    {"ir", not_negative},
 }};
 
 void SetNumbers(Material& material, const std::vector<double>& a) {
@@ -33,12 +44,38 @@ void ReadMaterial(ScnReader& reader, Statement& statement) {
   const Token texture = statement.Word("texture");
   if (texture.text == "0") return;
   reader.WithFile(statement, texture, [&] {
-    material.texture = reader.Library().Image(std::string(texture.text), reader.CurrentFile());
+    material.texture = reader.Library().Image(std::string(texture.text), reader.CurrentFile(), Assets::Use::color);
   });
+}
+
+const std::array<R3::Argument, 3> absorbed{{{"r", not_negative}, {"g", not_negative}, {"b", not_negative}}};
+
+/// An extension: what the inside of a clear solid takes from light, per unit of length.
+void ReadAbsorb(ScnReader& reader, Statement& statement) {
+  Material* material = reader.ReadOwnMaterial(statement);
+  const auto a = statement.Numbers(absorbed).values;
+  if (material && statement.IsGood()) material->absorb = {a[0], a[1], a[2]};
+}
+
+const std::array<R3::Argument, 1> height{{{"height"}}};
+
+/// An extension: the luminance of a picture, times a height, is how far the surface seems to rise.
+void ReadBump(ScnReader& reader, Statement& statement) {
+  Material* material = reader.ReadOwnMaterial(statement);
+  const Token file = statement.Word("file");
+  const double most = statement.Numbers(height).values[0];
+  if (!material) return;
+  reader.WithFile(statement, file, [&] {
+    material->bump = reader.Library().Image(std::string(file.text), reader.CurrentFile(), Assets::Use::data);
+  });
+  material->bump_height = most;
+  if (most == 0) material->bump = nullptr;  // flat
 }
 
 }  // namespace
 
+extern const Command bump_command{"bump", "bump mat_id file height", ReadBump};
+extern const Command absorb_command{"absorb", "absorb mat_id r g b", ReadAbsorb};
 extern const Command material_command{"material", "material" + ArgumentNames(arguments) + " texture", ReadMaterial};
 
 }  // namespace ray

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "R2/Color.h"
+#include "source/scene/LightBound.h"
 
 namespace ray {
 
@@ -12,6 +13,10 @@ struct Falloff {
   R2::Color operator()(const R2::Color& color, double distance) const {
     const double sum = constant + linear * distance + quadratic * distance * distance;
     return sum > 0 ? color / sum : color;
+  }
+
+  LightBound BoundOf(const R2::Color& color, const R3::Point& center, double radius) const {
+    return {center, radius, Luminance(color), constant, linear, quadratic, false};
   }
 };
 

@@ -31,6 +31,7 @@ class AreaLight : public Light {
   }
 
   bool IsExtended() const override { return radius_ > 0; }
+  LightBound Bound() const override { return falloff_.BoundOf(color_, center_, radius_); }
   bool IsBlack() const override { return R2::IsBlack(color_); }
   std::string Describe() const override {
     return "area light at " + Words(center_) + " along " + Words(direction_) + ", radius " + Words(radius_) +

@@ -12,6 +12,7 @@ class DirLight : public Light {
     return Illumination{color_, -direction_, true};
   }
 
+  LightBound Bound() const override { return {.power = Luminance(color_), .is_infinite = true}; }
   bool IsBlack() const override { return R2::IsBlack(color_); }
   std::string Describe() const override {
     return "directional light along " + Words(direction_) + ", colour " + Words(color_);

@@ -30,6 +30,7 @@ class SpotLight : public Light {
     return Illumination{std::pow(cosine, exponent_) * falloff_(color_, distance), to_light};
   }
 
+  LightBound Bound() const override { return falloff_.BoundOf(color_, place_, 0); }
   bool IsBlack() const override { return R2::IsBlack(color_); }
   std::string Describe() const override {
     return "spot light at " + Words(place_) + " along " + Words(direction_) + ", colour " + Words(color_);

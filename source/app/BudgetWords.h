@@ -1,0 +1,23 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "source/render/RenderSettings.h"
+
+namespace ray {
+
+/// "90", "90s", "5m", "1.5h": seconds, above 0; nothing for anything else.
+std::optional<double> ReadDuration(const std::string& word);
+/// "90s"; "" for 0, which stands for none.
+std::string ShowDuration(const double& seconds);
+
+/// "1.5", "3%", "40dB", "0.01lin": an error and its unit. Nothing for anything else, or for an error not above 0.
+std::optional<std::optional<ErrorTarget>> ReadErrorTarget(const std::string& word);
+std::string ShowErrorTarget(const std::optional<ErrorTarget>& target);
+
+/// "all" is 0, "one" is 1, or a whole number above 0; "auto" is -1.
+std::optional<int> ReadLightCount(const std::string& word);
+std::string ShowLightCount(const int& count);
+
+}  // namespace ray

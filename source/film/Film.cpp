@@ -1,0 +1,138 @@
+#include "source/film/Film.h"
+
+#include <tbb/parallel_for.h>
+
+#include <cmath>
+#include <limits>
+
+namespace ray {
+namespace {
+
+PixelRectangle Around(const PixelRectangle& r, int apron) {
+  return {r.x0 - apron, r.y0 - apron, r.x1 + apron, r.y1 + apron};
+}
+
+/// What goes into an image of floats: never infinite, never NaN. Values beyond the largest float become it; a channel
+/// that is no number (which would be a fault of ours) becomes 0.
+double Storable(double x) {
+  constexpr double largest = std::numeric_limits<float>::max();
+  return std::isnan(x) ? 0 : std::clamp(x, -largest, largest);
+}
+
+R2::Color Normalised(const WeightedSum& sum) {
+  // Weights of a filter with negative lobes may cancel where samples are few; such a pixel has nothing to show.
+  if (sum.weight == 0) return {};
+  const R2::Color mean = sum.color / sum.weight;
+  return {Storable(mean.r), Storable(mean.g), Storable(mean.b)};
+}
+
+}  // namespace
+
+BlockSums::BlockSums(const PixelRectangle& reach) : reach_(reach), sums_(static_cast<std::size_t>(reach.Area())) {}
+
+void BlockSums::Add(int column, int row, double x, double y, const R2::Color& sample, const Filter& filter) {
+  if (filter.IsBox()) {
+    sums_[Index(column, row)].Add(1, sample);
+    return;
+  }
+  const int apron = filter.Apron();
+  const PixelRectangle near = Common(reach_, Around({column, row, column + 1, row + 1}, apron));
+  double along_x[16];  // 2 apron + 1 of them
+  for (int i = near.x0; i < near.x1; ++i) along_x[i - near.x0] = filter(x - (i + 0.5));
+  for (int j = near.y0; j < near.y1; ++j) {
+    const double along_y = filter(y - (j + 0.5));
+    if (along_y == 0) continue;
+    WeightedSum* sums = &sums_[Index(near.x0, j)];
+    for (int i = 0; i < near.Width(); ++i) sums[i].Add(along_x[i] * along_y, sample);
+  }
+}
+
+BlockSums& BlockSums::operator+=(const BlockSums& o) {
+  if (sums_.empty()) return *this = o;
+  for (std::size_t i = 0; i < o.sums_.size(); ++i) sums_[i] += o.sums_[i];
+  return *this;
+}
+
+Film::Film(int width, int height, const PixelRectangle& region, FilterKind filter)
+    : filter_(filter),
+      region_(region),
+      sampled_(Common({0, 0, width, height}, Around(region, filter_.Apron()))),
+      first_column_(sampled_.x0 / block_side),
+      first_row_(sampled_.y0 / block_side),
+      columns_((sampled_.x1 + block_side - 1) / block_side - first_column_),
+      rows_((sampled_.y1 + block_side - 1) / block_side - first_row_),
+      blocks_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_)) {}
+
+PixelRectangle Film::PixelsOf(int block) const {
+  const int x = (first_column_ + block % columns_) * block_side, y = (first_row_ + block / columns_) * block_side;
+  return Common(sampled_, {x, y, x + block_side, y + block_side});
+}
+
+int Film::BlockOf(int x, int y) const {
+  return (y / block_side - first_row_) * columns_ + (x / block_side - first_column_);
+}
+
+bool Film::HasBothParts() const {
+  for (int i = 0; i < Blocks(); ++i)
+    if (Common(PixelsOf(i), region_).Area() > 0 && ((*this)[i].samples[0] == 0 || (*this)[i].samples[1] == 0))
+      return false;
+  return true;
+}
+
+BlockSums Film::EmptySums(int block) const {
+  return BlockSums(Common(region_, Around(PixelsOf(block), filter_.Apron())));
+}
+
+double Film::ShareOfDifference(int x, int y) const {
+  const Block& block = (*this)[BlockOf(x, y)];
+  const double a = block.samples[0], b = block.samples[1];
+  return a > 0 && b > 0 ? a * b / ((a + b) * (a + b)) : 0;
+}
+
+R2::Image Film::Picture() const {
+  return Composed([](const Block& block, int x, int y) {
+    WeightedSum sum;
+    for (int part = 0; part < parts; ++part)
+      if (block.samples[part] > 0) sum += block.sums[part].At(x, y);
+    const double n = block.Samples();
+    return WeightedSum{sum.color / n, sum.weight / n};
+  });
+}
+
+R2::Image Film::Part(int part) const {
+  return Composed([&](const Block& block, int x, int y) {
+    const double n = block.samples[part];
+    if (n == 0) return WeightedSum{};
+    const WeightedSum& sum = block.sums[part].At(x, y);
+    return WeightedSum{sum.color / n, sum.weight / n};
+  });
+}
+
+template <typename Blend>
+R2::Image Film::Composed(const Blend& blend) const {
+  R2::Image image(region_.Width(), region_.Height());
+  const int reach = (filter_.Apron() + block_side - 1) / block_side;  // in blocks
+  tbb::parallel_for(region_.y0, region_.y1, [&](int y) {
+    for (int x = region_.x0; x < region_.x1; ++x) {
+      const int column = x / block_side - first_column_, row = y / block_side - first_row_;
+      WeightedSum sum;
+      if (reach == 0) {  // one block alone, without looking around
+        const Block& own = (*this)[row * columns_ + column];
+        if (own.Samples() > 0) sum = blend(own, x, y);
+        image.Set(x - region_.x0, y - region_.y0, Normalised(sum));
+        continue;
+      }
+      for (int r = std::max(0, row - reach); r <= std::min(rows_ - 1, row + reach); ++r)
+        for (int c = std::max(0, column - reach); c <= std::min(columns_ - 1, column + reach); ++c) {
+          const Block& block = (*this)[r * columns_ + c];
+          if (block.Samples() == 0) continue;
+          const int part_with_sums = block.samples[0] > 0 ? 0 : 1;
+          if (block.sums[part_with_sums].Reach().Contains(x, y)) sum += blend(block, x, y);
+        }
+      image.Set(x - region_.x0, y - region_.y0, Normalised(sum));
+    }
+  });
+  return image;
+}
+
+}  // namespace ray

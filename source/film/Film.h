@@ -1,0 +1,113 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "R2/Color.h"
+#include "R2/Image.h"
+#include "source/film/Filter.h"
+#include "source/film/PixelRectangle.h"
+
+namespace ray {
+
+/// Weighted samples added up.
+struct WeightedSum {
+  R2::Color color;
+  double weight = 0;
+
+  void Add(double w, const R2::Color& sample) {
+    color += w * sample;
+    weight += w;
+  }
+  WeightedSum& operator+=(const WeightedSum& o) {
+    color += o.color;
+    weight += o.weight;
+    return *this;
+  }
+  friend bool operator==(const WeightedSum&, const WeightedSum&) = default;
+};
+
+/// What a number of samples from the pixels of one block add to these pixels and, through a filter wider than a pixel,
+/// to those around.
+class BlockSums {
+ public:
+  BlockSums() = default;
+  /// `reach`: the pixels that samples may count for.
+  explicit BlockSums(const PixelRectangle& reach);
+
+  /// A sample at x, y, in pixels from the lower left corner of the picture, taken in pixel (column, row).
+  void Add(int column, int row, double x, double y, const R2::Color& sample, const Filter& filter);
+
+  const PixelRectangle& Reach() const { return reach_; }
+  const WeightedSum& At(int x, int y) const { return sums_[Index(x, y)]; }
+  BlockSums& operator+=(const BlockSums& o);
+  bool IsEmpty() const { return sums_.empty(); }
+
+  /// For keeping in a file.
+  const std::vector<WeightedSum>& Sums() const { return sums_; }
+  std::vector<WeightedSum>& Sums() { return sums_; }
+
+ private:
+  std::size_t Index(int x, int y) const {
+    return static_cast<std::size_t>(y - reach_.y0) * static_cast<std::size_t>(reach_.Width()) +
+           static_cast<std::size_t>(x - reach_.x0);
+  }
+
+  PixelRectangle reach_;
+  std::vector<WeightedSum> sums_;
+};
+
+/// Collects samples of a picture in two parts, whose difference tells how far off their mean may be, and makes pixels
+/// of them. Work is shared out by blocks of 8x8 pixels, one thread at a time each: within a block samples are added in
+/// a fixed order, and a pixel adds up the blocks that reach it in a fixed order. So neither threads nor the size of
+/// tiles can change a bit.
+class Film {
+ public:
+  static constexpr int block_side = 8, parts = 2;
+
+  /// `region`: the part of the picture of `width` x `height` that is wanted. Samples from pixels around it that count
+  /// for it are taken too, so that it equals the same part of the whole.
+  Film(int width, int height, const PixelRectangle& region, FilterKind filter);
+
+  int Columns() const { return columns_; }
+  int Blocks() const { return columns_ * rows_; }
+  /// The pixels that a block takes samples of.
+  PixelRectangle PixelsOf(int block) const;
+  const Filter& TheFilter() const { return filter_; }
+  const PixelRectangle& Region() const { return region_; }
+
+  /// What one block has collected.
+  struct Block {
+    BlockSums sums[parts];
+    std::uint32_t samples[parts] = {0, 0};  // a pixel
+
+    std::uint32_t Samples() const { return samples[0] + samples[1]; }
+  };
+  const Block& operator[](int block) const { return blocks_[static_cast<std::size_t>(block)]; }
+  Block& operator[](int block) { return blocks_[static_cast<std::size_t>(block)]; }
+  BlockSums EmptySums(int block) const;
+
+  /// The picture so far; pixels without samples are black. With several sample counts, a block's samples count by their
+  /// mean.
+  R2::Image Picture() const;
+  /// The same from one part alone; black where it has no samples.
+  R2::Image Part(int part) const;
+  /// How much the variance of the mean of both parts is of the squared difference of their means, a b / (a + b)^2 for a
+  /// and b samples; 0 where a part has none.
+  double ShareOfDifference(int x, int y) const;
+  /// Whether every block of the region has samples of both parts, so that ShareOfDifference is nowhere 0.
+  bool HasBothParts() const;
+  /// The block of a pixel of the region.
+  int BlockOf(int x, int y) const;
+
+ private:
+  template <typename Blend>
+  R2::Image Composed(const Blend& blend) const;
+
+  Filter filter_;
+  PixelRectangle region_, sampled_;
+  int first_column_, first_row_, columns_, rows_;
+  std::vector<Block> blocks_;
+};
+
+}  // namespace ray

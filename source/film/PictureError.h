@@ -1,0 +1,75 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "R2/Image.h"
+#include "source/film/Film.h"
+
+namespace ray {
+
+/// How the error of a picture is counted; all are roots of a mean over pixels and channels.
+///   display    of the values a screen shows, clamped to 0..1 (and sRGB encoded where the picture is), in 255ths
+///   relative   of the light itself, in hundredths of its mean over the picture
+///   decibel    display, as peak signal to noise ratio: 20 log10(255 / display); MORE is better
+///   linear     of the light itself, in the scene's units
+enum class ErrorUnit { display, relative, decibel, linear };
+
+/// "1.25 255ths", "3.1 %", "42 dB", "0.002 lin".
+std::string ErrorText(double error, ErrorUnit unit);
+/// As ErrorText says it: "255ths", "%", "dB", "lin".
+const char* ErrorUnitName(ErrorUnit unit);
+
+/// A root mean square error as far as samples can tell, in its unit.
+struct ErrorEstimate {
+  ErrorUnit unit = ErrorUnit::display;
+  double estimate = 0;
+  double low = 0, high = 0;  // where the truth is with the confidence asked for; low is the better end in any unit
+  double worst_block = 0;    // the largest error of a block of 8x8 pixels
+  PixelRectangle worst_block_at;
+  double hot_share = 0;  // of the squared error, in the worst thousandth of the pixels
+};
+
+/// How errors are counted: the unit, the confidence of the interval in (0, 1), and whether the picture is sRGB encoded.
+struct ErrorMeasure {
+  ErrorUnit unit = ErrorUnit::display;
+  double confidence = 0.95;
+  bool srgb = false;
+};
+
+/// An error estimate and what it was made from. Squares are of display values in 0..1, or of light.
+struct MeasuredError {
+  ErrorEstimate estimate;
+  double square = 0, square_high = 0;    // of the estimate and of the worse end of its interval
+  double mean = 0;                       // of the picture
+  std::vector<double> square_of_blocks;  // in the order of the film's blocks; 0 outside the region
+};
+
+/// The error of the film's picture, from the difference of its two parts: true on average where they are independent,
+/// at most about true where they are the first and the last samples of one well spread sequence. The interval is that
+/// of the mean of the blocks' squared errors, by Student's t, and wider upwards where these are skewed, which is what
+/// puts the truth above a symmetric interval. Nothing while a block lacks a part.
+///   source   Hall, On the removal of skewness by transformation (1992), in the form of Chen, Testing the mean of
+///   skewed
+///            distributions (1995): s / sqrt(n) (t + g (1 + 2 t^2) / 6), g the skewness over sqrt(n)
+std::optional<MeasuredError> MeasureError(const Film& film, const ErrorMeasure& measure);
+
+/// What the mean square is at an error of `target` in the unit of `measure`. `mean` is of the picture.
+double SquaredTarget(double target, const ErrorMeasure& measure, double mean);
+/// Of all channels of all pixels.
+double MeanOf(const R2::Image& picture);
+
+/// The error of a picture beside a reference of the same size. With a second reference, independent of the first, the
+/// noise of both cancels on average:
+///   source   mean((x - r1)(x - r2)); the estimate may be negative below the references' noise and then is 0
+double TrueError(const R2::Image& picture, const R2::Image& reference, const R2::Image* second,
+                 const ErrorMeasure& measure);
+
+/// The value t with which a variable of Student's distribution is below with probability p, 0.5 <= p < 1.
+///   accuracy   1e-3 of the value from 3 degrees of freedom on, by the Cornish-Fisher expansion of Hill, Algorithm 396
+///              (1970); exact for 1 and 2
+double StudentQuantile(double p, double degrees_of_freedom);
+
+}  // namespace ray

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+
+namespace ray {
+
+/// A rectangle of pixels: columns x0 <= x < x1 from the left, rows y0 <= y < y1 from the BOTTOM.
+struct PixelRectangle {
+  int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+
+  int Width() const { return x1 - x0; }
+  int Height() const { return y1 - y0; }
+  std::int64_t Area() const { return static_cast<std::int64_t>(Width()) * Height(); }
+  bool Contains(int x, int y) const { return x >= x0 && x < x1 && y >= y0 && y < y1; }
+  friend bool operator==(const PixelRectangle&, const PixelRectangle&) = default;
+};
+
+/// What both hold; of no area when they do not meet.
+inline PixelRectangle Common(const PixelRectangle& a, const PixelRectangle& b) {
+  const int x0 = std::max(a.x0, b.x0), y0 = std::max(a.y0, b.y0);
+  return {x0, y0, std::max(x0, std::min(a.x1, b.x1)), std::max(y0, std::min(a.y1, b.y1))};
+}
+
+}  // namespace ray

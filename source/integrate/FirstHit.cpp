@@ -1,0 +1,40 @@
+#include "source/integrate/FirstHit.h"
+
+#include "source/integrate/Surface.h"
+
+namespace ray {
+
+void FirstHit::Radiance(std::span<const CameraSample> samples, std::span<R2::Color> radiances,
+                        TraceState& state) const {
+  state.batch.clear();
+  for (const CameraSample& sample : samples) state.batch.push_back(sample.ray);
+  state.hits.assign(samples.size(), {});
+  accelerator_.Intersect(state.batch, state.hits.data(), state.workspace);
+  state.Book(RayKind::camera, samples.size());
+  for (std::size_t i = 0; i < samples.size(); ++i) radiances[i] = Seen(samples[i], state.hits[i]);
+}
+
+R2::Color FirstHit::Seen(const CameraSample& sample, const std::optional<WorldHit>& hit) const {
+  if (!hit) {
+    if (layer_ == Layer::id) return {-1, -1, -1};
+    return layer_ == Layer::albedo ? Background(world_.TheScene(), sample.ray.direction) : R2::Color{};
+  }
+  const Surface s = SurfaceAt(world_, {.ray = sample.ray, .place = sample.place}, *hit);
+  const double distance = hit->hit.t * Length(sample.ray.direction);
+  const auto id = static_cast<double>(world_.PrimitiveId(*hit));
+  switch (layer_) {
+    case Layer::depth:
+      return {distance, distance, distance};
+    case Layer::normal:
+      return {s.N.x, s.N.y, s.N.z};
+    case Layer::uv:
+      return {s.at.uv.x, s.at.uv.y, 0};
+    case Layer::albedo:
+      return s.kd + s.material->ks + s.material->kt;
+    case Layer::id:
+      return {id, id, id};
+  }
+  return {};
+}
+
+}  // namespace ray

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <memory>
+#include <span>
+
+#include "source/accelerate/Accelerator.h"
+#include "source/integrate/TraceSettings.h"
+#include "source/integrate/TraceState.h"
+
+namespace ray {
+
+/// A camera ray, and where its random choices come from.
+struct CameraSample {
+  R3::Ray ray;
+  SamplePlace place;
+  double x = 0, y = 0;  // where it crosses the picture, in pixels from the lower left corner
+};
+
+/// What a picture shows of a ray.
+class Integrator {
+ public:
+  virtual ~Integrator() = default;
+
+  /// What comes back along each of some camera rays, per channel, linear. Rays of neighbouring pixels are best given
+  /// together, since they and their shadow rays then are traced together; what each brings back is the same.
+  virtual void Radiance(std::span<const CameraSample> samples, std::span<R2::Color> radiances,
+                        TraceState& state) const = 0;
+};
+
+}  // namespace ray

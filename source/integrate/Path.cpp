@@ -1,0 +1,285 @@
+#include "source/integrate/Path.h"
+
+#include <algorithm>
+#include <array>
+#include <numbers>
+
+#include "source/integrate/Bend.h"
+#include "source/integrate/Phong.h"
+#include "source/scene/Warp.h"
+
+namespace ray {
+namespace {
+
+// What the places beneath a surface are for.
+enum KeyUse : std::uint64_t { bounce_key, scatter_key, first_light_key };
+
+// Before so many bounces nothing is left to chance: what is saved there is not worth its noise.
+constexpr std::int64_t first_bounce_at_risk = 2;
+
+}  // namespace
+
+/// How a surface scatters, and with what probability each way is chosen.
+struct Path::Lobes {
+  SpecularWeights specular;
+  double matte = 0, reflection = 0, transmission = 0;  // probabilities; their sum is 1, or 0 where nothing scatters
+  bool is_glossy = false;
+  R3::Vector mirrored;  // unit; the middle of the lobe
+
+  /// Of a direction by the matte part and the lobe together, per solid angle.
+  double Density(const Surface& s, const R3::Vector& L) const {
+    const double by_lobe = is_glossy ? reflection * PowerDensity(Dot(L, mirrored), s.material->n) : 0;
+    return matte * CosineDensity(Dot(s.N, L)) + by_lobe;
+  }
+  /// Radiance scattered to the viewer per radiance from unit L, the cosine included.
+  R2::Color Scattered(const Surface& s, const R3::Vector& L) const {
+    const double cosine = Dot(s.N, L);
+    if (!(cosine > 0)) return {};
+    R2::Color sum = CosineDensity(cosine) * s.kd;
+    if (is_glossy) sum += PowerDensity(Dot(L, mirrored), s.material->n) * specular.reflected;
+    return sum;
+  }
+};
+
+/// A way that light may come from.
+struct Path::Bounce {
+  TracedRay next;
+  double density = 0;  // of its direction, per solid angle; 0 where there was no choice
+};
+
+Path::Path(const World& world, const Accelerator& accelerator, const TraceSettings& settings)
+    : world_(world),
+      accelerator_(accelerator),
+      settings_(settings),
+      sampler_(SamplerNamed(settings.sampler)),
+      lights_(world, settings),
+      has_roulette_(settings.roulette != "off"),
+      finds_lights_(settings.strategy != "surface"),
+      finds_by_scattering_(settings.strategy == "mis" || settings.strategy == "surface"),
+      lights_at_once_(settings.lights < 0 ? 1 : settings.lights) {
+  settings_.max_depth = std::min<std::int64_t>(settings_.max_depth, most_bounces);
+}
+
+void Path::Radiance(std::span<const CameraSample> samples, std::span<R2::Color> radiances, TraceState& state) const {
+  state.batch.clear();
+  for (const CameraSample& sample : samples) state.batch.push_back(sample.ray);
+  state.hits.assign(samples.size(), {});
+  accelerator_.Intersect(state.batch, state.hits.data(), state.workspace);
+  state.Book(RayKind::camera, samples.size());
+
+  std::vector<Surface> surfaces;
+  for (std::size_t i = 0; i < samples.size(); ++i)
+    if (state.hits[i])
+      surfaces.push_back(SurfaceAt(world_, {.ray = samples[i].ray, .place = samples[i].place}, *state.hits[i]));
+  state.arrived.assign(surfaces.size(), {});
+  for (std::size_t i = 0; i < surfaces.size(); ++i) AddLight(surfaces[i], i, state);
+  TraceShadowRays(state, true);
+  for (std::size_t i = 0; i < surfaces.size(); ++i) {
+    const Surface& s = surfaces[i];
+    surfaces[i].radiance =
+        s.found_by.weight * (s.material->emission + s.material->ka * world_.TheScene().ambient) + state.arrived[i];
+  }
+  auto surface = surfaces.begin();
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    if (state.hits[i]) {
+      radiances[i] = surface->radiance;
+      radiances[i] += Continue(*surface++, state);
+    } else {
+      radiances[i] = Background(world_.TheScene(), samples[i].ray.direction);
+    }
+  }
+}
+
+/// All that comes to a surface over further bounces, its weight included.
+R2::Color Path::Continue(Surface surface, TraceState& state) const {
+  R2::Color sum;
+  while (true) {
+    const auto bounce = Scatter(surface);
+    if (!bounce) return sum;
+    const auto hit = accelerator_.Intersect(bounce->next.ray, state.workspace);
+    state.Book(bounce->next.kind, 1);
+    if (!hit) return sum += EmittedByEnvironment(surface, *bounce);
+    const Surface next = SurfaceAt(world_, bounce->next, *hit);
+    sum += Emitted(surface, *bounce, next);
+    if (next.found_by.depth > settings_.max_depth) return sum;
+    sum += next.found_by.weight * next.material->ka * world_.TheScene().ambient;
+    state.arrived.assign(1, {});
+    AddLight(next, 0, state);
+    TraceShadowRays(state, false);
+    sum += state.arrived[0];
+    surface = next;
+  }
+}
+
+Path::Lobes Path::LobesOf(const Surface& s) const {
+  Lobes lobes;
+  lobes.specular = SpecularWeightsOf(s, settings_.fresnel);
+  const double d = Luminance(s.kd), r = Luminance(lobes.specular.reflected), t = Luminance(lobes.specular.transmitted);
+  const double sum = d + r + t;
+  if (sum > 0) {
+    lobes.matte = d / sum;
+    lobes.reflection = r / sum;
+    lobes.transmission = t / sum;
+  }
+  lobes.is_glossy = settings_.glossy && r > 0;
+  if (r > 0) lobes.mirrored = Unit(Reflected(-s.towards_viewer, s.N));
+  return lobes;
+}
+
+void Path::AddLight(const Surface& s, std::size_t index, TraceState& state) const {
+  if (lights_.IsEmpty() || (IsBlack(s.kd) && IsBlack(s.material->ks))) return;
+  const Lobes lobes = LobesOf(s);
+  const std::uint32_t i = s.found_by.place.index;
+  if (lights_at_once_ == 0) {
+    for (int light = 0; light < lights_.Count(); ++light) {
+      const std::uint64_t which = first_light_key + static_cast<std::uint64_t>(light);
+      const Points points = s.found_by.place.PointsFor(which, sampler_, settings_.samples);
+      if (const auto sample = lights_.Sample(s, light, points.Plane(i)))
+        AddLightSample(s, lobes, *sample, index, state);
+    }
+    return;
+  }
+  const auto count = static_cast<std::uint32_t>(lights_at_once_);
+  const Points points = s.found_by.place.PointsFor(first_light_key, sampler_, settings_.samples, count);
+  for (std::uint32_t k = 0; k < count; ++k) {
+    const auto random = points.Cube<3>(i * count + k);
+    auto sample = lights_.SampleOne(s, {random[0], random[1]}, random[2]);
+    if (!sample) continue;
+    sample->arriving = sample->arriving / count;
+    sample->density *= count;
+    AddLightSample(s, lobes, *sample, index, state);
+  }
+}
+
+void Path::AddLightSample(const Surface& s, const Lobes& lobes, const PathLightSample& light, std::size_t index,
+                          TraceState& state) const {
+  const R3::Vector L = Unit(light.to_light);
+  R2::Color reflected;
+  if (light.density == 0) {
+    reflected = PhongReflection(*s.material, s.kd, s.N, L, s.towards_viewer, light.arriving);
+  } else {
+    if (!finds_lights_) return;
+    const double share = 1 - ShareOfScattering(lobes.Density(s, L), light.density);
+    reflected = share * lobes.Scattered(s, L) * light.arriving;
+  }
+  if (IsBlack(reflected)) return;
+  state.shadow_rays.push_back(ShadowRay(s, light.to_light, light.is_infinite));
+  state.shadows.push_back({index, s.found_by.weight * reflected});
+}
+
+void Path::TraceShadowRays(TraceState& state, bool together) const {
+  const std::size_t count = state.shadow_rays.size();
+  state.are_occluded.assign(count, 0);
+  if (settings_.shadows && count > 0) {
+    if (together) {
+      constexpr std::size_t most = 64;
+      std::array<bool, most> are{};
+      for (std::size_t i = 0; i < count; i += most) {
+        const std::size_t n = std::min(most, count - i);
+        accelerator_.IsOccluded(std::span(state.shadow_rays).subspan(i, n), are.data(), state.workspace);
+        std::copy_n(are.begin(), n, state.are_occluded.begin() + static_cast<std::ptrdiff_t>(i));
+      }
+    } else {
+      for (std::size_t i = 0; i < count; ++i)
+        state.are_occluded[i] = accelerator_.IsOccluded(state.shadow_rays[i], state.workspace);
+    }
+    state.Book(RayKind::shadow, count);
+  }
+  for (std::size_t i = 0; i < count; ++i)
+    if (!state.are_occluded[i]) state.arrived[state.shadows[i].surface] += state.shadows[i].reflected;
+  state.shadow_rays.clear();
+  state.shadows.clear();
+}
+
+std::optional<Path::Bounce> Path::Scatter(const Surface& s) const {
+  // Beyond the last bounce a ray is still of use where it may find a light that scattering is to find.
+  const bool is_last = s.found_by.depth >= settings_.max_depth;
+  if (is_last && !lights_.CanBeHit()) return {};
+  const Lobes lobes = LobesOf(s);
+  const Points points(sampler_, s.found_by.place.key.Child(scatter_key), settings_.samples);
+  const auto random = points.Cube<4>(s.found_by.place.index);
+  const R2::Point place{random[0], random[1]};
+  const double way = random[2];
+  std::optional<Bounce> bounce;
+  if (way < lobes.matte) {
+    bounce = ScatterMatte(s, lobes, place, false);
+  } else if (way < lobes.matte + lobes.reflection && lobes.is_glossy) {
+    bounce = ScatterMatte(s, lobes, place, true);
+  } else if (is_last) {
+    return {};
+  } else if (way < lobes.matte + lobes.reflection) {
+    bounce.emplace();
+    bounce->next.ray = Onward(s, lobes.mirrored);
+    bounce->next.weight = s.found_by.weight * lobes.specular.reflected / lobes.reflection;
+    bounce->next.kind = RayKind::reflection;
+  } else if (lobes.transmission > 0) {
+    bounce.emplace();
+    bounce->next.weight = s.found_by.weight * lobes.specular.transmitted / lobes.transmission;
+    bounce->next.kind = RayKind::transmission;
+    if (s.material->ir == 1) {
+      bounce->next.ray = s.found_by.ray;
+      bounce->next.ray.t_min = s.hit.hit.t;
+    } else if (const auto bent =
+                   Refracted(-s.towards_viewer, s.N, s.from_outside ? 1 / s.material->ir : s.material->ir)) {
+      bounce->next.ray = Onward(s, *bent);
+    } else {
+      return {};
+    }
+  }
+  if (!bounce) return {};
+  bounce->next.depth = s.found_by.depth + 1;
+  bounce->next.place = s.found_by.place.Child(bounce_key);
+  if (!Survives(bounce->next, random[3])) return {};
+  return bounce;
+}
+
+std::optional<Path::Bounce> Path::ScatterMatte(const Surface& s, const Lobes& lobes, const R2::Point& random,
+                                               bool by_lobe) const {
+  const R3::Vector L = by_lobe ? FromTangents(AroundByPower(random, s.material->n), lobes.mirrored)
+                               : FromTangents(OnHemisphereByCosine(random), s.N);
+  const double density = lobes.Density(s, L);
+  const R3::Vector outward = s.from_outside ? AsVector(s.at.normal) : -AsVector(s.at.normal);
+  // What heads into the surface, by the lobe or by a smoothed normal, is lost there.
+  if (!(density > 0) || !(Dot(outward, L) > 0)) return {};
+  Bounce bounce;
+  bounce.density = density;
+  bounce.next.ray = Onward(s, L);
+  bounce.next.weight = s.found_by.weight * lobes.Scattered(s, L) / density;
+  bounce.next.kind = by_lobe ? RayKind::reflection : RayKind::scattering;
+  if (IsBlack(bounce.next.weight)) return {};
+  return bounce;
+}
+
+bool Path::Survives(TracedRay& ray, double random) const {
+  if (!has_roulette_ || ray.depth < first_bounce_at_risk) return true;
+  const double chance = std::min(1.0, std::max({ray.weight.r, ray.weight.g, ray.weight.b}));
+  if (!(random < chance)) return false;
+  ray.weight = ray.weight / chance;
+  return true;
+}
+
+double Path::ShareOfScattering(double density_of_scattering, double density_of_light) const {
+  if (!finds_by_scattering_) return 0;
+  if (!finds_lights_) return 1;
+  return density_of_scattering / (density_of_scattering + density_of_light);
+}
+
+R2::Color Path::Emitted(const Surface& from, const Bounce& bounce, const Surface& hit) const {
+  if (IsBlack(hit.material->emission)) return {};
+  const R2::Color seen = hit.found_by.weight * hit.material->emission;
+  if (bounce.density == 0) return seen;
+  const double by_light = lights_.DensityOfHit(from, bounce.next.ray, hit, world_, lights_at_once_ > 0);
+  if (by_light == 0) return {};  // it is seen but lights nothing
+  return ShareOfScattering(bounce.density, by_light * std::max(1, lights_at_once_)) * seen;
+}
+
+R2::Color Path::EmittedByEnvironment(const Surface& from, const Bounce& bounce) const {
+  const R3::Vector& direction = bounce.next.ray.direction;
+  const R2::Color seen = bounce.next.weight * Background(world_.TheScene(), direction);
+  if (bounce.density == 0) return seen;
+  const double by_light = lights_.DensityOfEnvironment(from, direction, lights_at_once_ > 0);
+  if (by_light == 0) return seen;  // a background is found by scattering alone
+  return ShareOfScattering(bounce.density, by_light * std::max(1, lights_at_once_)) * seen;
+}
+
+}  // namespace ray

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "R2/Color.h"
+#include "R3/Ray.h"
+#include "source/accelerate/Workspace.h"
+#include "source/accelerate/World.h"
+#include "source/integrate/RayCounts.h"
+#include "source/integrate/Sampler.h"
+
+namespace ray {
+
+/// A ray on its way, and how much of what it sees counts.
+struct TracedRay {
+  R3::Ray ray;
+  R2::Color weight{1, 1, 1};
+  std::int64_t depth = 0;  // bounces before it
+  SamplePlace place;
+  RayKind kind = RayKind::camera;
+};
+
+/// A shadow ray still to be traced, and which of the surfaces being shaded reflects how much unless it is stopped.
+struct Shadow {
+  std::size_t surface = 0;
+  R2::Color reflected;
+};
+
+/// What one thread needs while tracing.
+struct TraceState {
+  Workspace workspace;
+  RayCounts rays;
+  std::vector<R3::Ray> batch;  // camera rays
+  std::vector<std::optional<WorldHit>> hits;
+  std::vector<TracedRay> pending;
+  std::vector<R3::Ray> shadow_rays;
+  std::vector<Shadow> shadows;     // one for each of them
+  std::vector<R2::Color> arrived;  // at each surface
+  std::vector<char> are_occluded;  // of the shadow rays
+
+  /// Books rays of one kind and what the workspace has counted since the last.
+  void Book(RayKind kind, std::size_t count) {
+    RayCounts::Kind& account = rays[kind];
+    account.rays += count;
+    account.cost += workspace.counts;
+    workspace.counts = {};
+  }
+};
+
+}  // namespace ray

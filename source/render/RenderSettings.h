@@ -1,0 +1,66 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "source/film/PictureError.h"
+#include "source/film/PixelRectangle.h"
+#include "source/integrate/CameraRays.h"
+#include "source/integrate/Modes.h"
+#include "source/integrate/TraceSettings.h"
+
+namespace ray {
+
+/// An error that a picture is to stay below.
+struct ErrorTarget {
+  double value = 0;
+  ErrorUnit unit = ErrorUnit::display;
+  friend bool operator==(const ErrorTarget&, const ErrorTarget&) = default;
+};
+
+/// When to stop. Whatever is reached first ends the render.
+struct Budget {
+  double seconds = 0;                // from the start of the program to the picture written; 0: no limit
+  std::optional<ErrorTarget> error;  // stop when the upper end of the error's interval is below
+  double confidence = 0.95;          // of that interval, in (0, 1)
+  std::string adaptive = "auto";     // one of adaptive_names
+
+  bool IsOpen() const { return seconds > 0 || error; }
+};
+
+/// off: every pixel takes as many samples. tile: only blocks of 8x8 pixels whose error, or a neighbour's, is above the
+/// target go on. auto: tile where there is a target.
+inline constexpr std::array adaptive_names{"auto", "off", "tile"};
+
+/// How the samples of an earlier render were shared out, so that it can be made again to the bit though it was stopped
+/// by a clock or by its error.
+struct Replay {
+  bool two_streams = false;
+  std::uint32_t laid_out_for = 1;      // see RenderResult
+  std::vector<std::uint32_t> ends;     // samples a pixel and stream at which passes ended, ascending
+  std::vector<std::uint32_t> samples;  // a pixel and stream of each block; empty when all have the last of `ends`
+};
+
+/// What picture to make of a scene, and how the work is spread; the latter never changes a bit of the former.
+struct RenderSettings {
+  int width = 256, height = 256;       // of the whole picture
+  std::optional<PixelRectangle> crop;  // the part that is rendered; its pixels equal those of the whole
+  int samples = 1;                     // camera rays a pixel, >= 1; a ceiling where there is a budget, unless it is 1
+  std::uint64_t seed = 0;
+  std::string mode = "whitted";  // one of render_modes
+  std::string filter = "box";    // one of filter_names
+  CameraEffects camera;
+  TraceSettings trace;
+  Budget budget;
+  std::optional<Replay> replay;
+  bool srgb = false;          // the picture will be sRGB encoded, so display errors are counted after that
+  bool wants_passes = false;  // double the samples pass by pass even without a budget, to see the error fall
+
+  int threads = 0;     // 0: as many as the machine has
+  int tile_size = 32;  // side of a work item in pixels, rounded up to whole blocks of the film; 0: the whole picture
+};
+
+}  // namespace ray

@@ -1,0 +1,163 @@
+#include "source/render/RenderState.h"
+
+#include <cstring>
+#include <string_view>
+#include <type_traits>
+
+namespace ray {
+namespace {
+
+constexpr std::string_view magic = "raypro checkpoint 1\n";
+
+/// FNV-1a (Fowler, Noll, Vo, 1991) of 64 bits, which tells any single changed bit.
+std::uint64_t Checksum(std::span<const unsigned char> bytes) {
+  std::uint64_t hash = 0xcbf29ce484222325;
+  for (const unsigned char byte : bytes) hash = (hash ^ byte) * 0x100000001b3;
+  return hash;
+}
+
+class Writer {
+ public:
+  template <typename T>
+  void Put(const T& value) {
+    static_assert(std::is_trivially_copyable_v<T>);
+    const auto* first = reinterpret_cast<const unsigned char*>(&value);
+    bytes_.insert(bytes_.end(), first, first + sizeof(T));
+  }
+  template <typename T>
+  void PutAll(const std::vector<T>& values) {
+    static_assert(std::is_trivially_copyable_v<T>);
+    Put<std::uint64_t>(values.size());
+    const auto* first = reinterpret_cast<const unsigned char*>(values.data());
+    bytes_.insert(bytes_.end(), first, first + values.size() * sizeof(T));
+  }
+  void PutText(std::string_view text) { bytes_.insert(bytes_.end(), text.begin(), text.end()); }
+  std::vector<unsigned char> Take() { return std::move(bytes_); }
+  std::span<const unsigned char> Bytes() const { return bytes_; }
+
+ private:
+  std::vector<unsigned char> bytes_;
+};
+
+class Reader {
+ public:
+  explicit Reader(std::span<const unsigned char> bytes) : rest_(bytes) {}
+
+  template <typename T>
+  T Take() {
+    T value;
+    const auto taken = TakeBytes(sizeof(T));
+    std::memcpy(&value, taken.data(), sizeof(T));
+    return value;
+  }
+  /// Exactly as many as there are places in `values`.
+  template <typename T>
+  void TakeAll(std::vector<T>& values) {
+    if (Take<std::uint64_t>() != values.size()) throw CheckpointError("it is of a picture of another size");
+    const auto taken = TakeBytes(values.size() * sizeof(T));
+    std::memcpy(values.data(), taken.data(), taken.size());
+  }
+  std::string TakeText(std::size_t length) {
+    const auto taken = TakeBytes(length);
+    return {taken.begin(), taken.end()};
+  }
+  std::size_t Left() const { return rest_.size(); }
+
+ private:
+  std::span<const unsigned char> TakeBytes(std::size_t count) {
+    if (count > rest_.size()) throw CheckpointError("it is cut short");
+    const auto taken = rest_.first(count);
+    rest_ = rest_.subspan(count);
+    return taken;
+  }
+
+  std::span<const unsigned char> rest_;
+};
+
+/// The first line in which the two differ, as the first has it.
+std::string FirstDifference(std::string_view a, std::string_view b) {
+  while (!a.empty()) {
+    const std::string_view line_a = a.substr(0, a.find('\n')), line_b = b.substr(0, b.find('\n'));
+    if (line_a != line_b) return std::string(line_a);
+    a.remove_prefix(std::min(a.size(), line_a.size() + 1));
+    b.remove_prefix(std::min(b.size(), line_b.size() + 1));
+  }
+  return {};
+}
+
+}  // namespace
+
+std::vector<unsigned char> Encoded(const RenderState& state, const std::string& identity) {
+  Writer writer;
+  writer.PutText(magic);
+  writer.Put<std::uint64_t>(identity.size());
+  writer.PutText(identity);
+  writer.PutAll(state.targets);
+  writer.Put(!state.squares_before.empty());
+  if (!state.squares_before.empty()) writer.PutAll(state.squares_before);
+  writer.Put(state.end);
+  writer.Put(state.rays);
+  writer.Put<std::uint64_t>(state.passes.size());
+  for (const Pass& pass : state.passes) {
+    writer.Put(pass.end);
+    writer.Put(pass.samples);
+    writer.Put(pass.seconds);
+    writer.Put(pass.error.has_value());
+    writer.Put(pass.error.value_or(ErrorEstimate{}));
+  }
+  for (const Film::Block& block : state.blocks)
+    for (int part = 0; part < Film::parts; ++part) {
+      writer.Put(block.samples[part]);
+      if (block.samples[part] > 0) writer.PutAll(block.sums[part].Sums());
+    }
+  writer.Put(Checksum(writer.Bytes()));
+  return writer.Take();
+}
+
+RenderState DecodedState(std::span<const unsigned char> bytes, const std::string& identity, const Film& film) {
+  if (bytes.size() < magic.size() || !std::equal(magic.begin(), magic.end(), bytes.begin()))
+    throw CheckpointError("it is no checkpoint of this version");
+  if (bytes.size() < magic.size() + sizeof(std::uint64_t)) throw CheckpointError("it is cut short");
+  const auto body = bytes.first(bytes.size() - sizeof(std::uint64_t));
+  std::uint64_t checksum = 0;
+  std::memcpy(&checksum, body.data() + body.size(), sizeof checksum);
+  if (checksum != Checksum(body)) throw CheckpointError("it is cut short or damaged");
+
+  Reader reader(body.subspan(magic.size()));
+  const auto length = reader.Take<std::uint64_t>();
+  const std::string theirs = reader.TakeText(length);
+  if (theirs != identity)
+    throw CheckpointError("it is of another picture: there, " + FirstDifference(theirs, identity));
+  RenderState state;
+  state.targets.resize(static_cast<std::size_t>(film.Blocks()));
+  state.blocks.resize(state.targets.size());
+  reader.TakeAll(state.targets);
+  if (reader.Take<char>() != 0) {
+    state.squares_before.resize(state.targets.size());
+    reader.TakeAll(state.squares_before);
+  }
+  state.end = reader.Take<std::uint32_t>();
+  state.rays = reader.Take<RayCounts>();
+  for (auto passes = reader.Take<std::uint64_t>(); passes > 0; --passes) {
+    Pass& pass = state.passes.emplace_back();
+    pass.end = reader.Take<std::uint32_t>();
+    pass.samples = reader.Take<double>();
+    pass.seconds = reader.Take<double>();
+    const bool has_error = reader.Take<char>() != 0;
+    const auto error = reader.Take<ErrorEstimate>();
+    if (has_error) pass.error = error;
+  }
+  for (int i = 0; i < film.Blocks(); ++i) {
+    Film::Block& block = state.blocks[static_cast<std::size_t>(i)];
+    for (int part = 0; part < Film::parts; ++part) {
+      block.samples[part] = reader.Take<std::uint32_t>();
+      if (block.samples[part] == 0) continue;
+      block.sums[part] = film.EmptySums(i);
+      reader.TakeAll(block.sums[part].Sums());
+    }
+  }
+  if (reader.Left() > 0) throw CheckpointError("it is longer than it should be");
+  return state;
+}
+
+}  // namespace ray

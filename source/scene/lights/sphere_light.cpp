@@ -1,0 +1,73 @@
+#include <algorithm>
+#include <cmath>
+
+#include "source/scene/Light.h"
+#include "source/scene/Warp.h"
+#include "source/scene/lights/Falloff.h"
+#include "source/scene/lights/Words.h"
+
+namespace ray {
+namespace {
+
+/// A sphere that shines evenly to all sides and is not seen itself. From afar it equals a point light of its colour.
+class SphereLight : public Light {
+ public:
+  SphereLight(const R2::Color& color, const R3::Point& center, double radius, const Falloff& falloff)
+      : color_(color), center_(center), radius_(radius), falloff_(falloff) {}
+
+  /// A direction evenly in the cone of solid angle W that p sees the sphere in, S the place where it meets it. The
+  /// light I0 spread over the whole sphere, 4 I0 cos / falloff from each share of its area, becomes
+  ///     I0 W d^2 / (pi r^2 falloff(d)),   d the distance to S,
+  /// which hardly varies over the cone.
+  std::optional<Illumination> Illuminate(const R3::Point& p, const R2::Point& random) const override {
+    const R3::Vector to_center = center_ - p;
+    const double D = Length(to_center);
+    if (!(D > radius_)) return {};  // it shines outward only
+    const double sine_squared = radius_ / D * (radius_ / D);
+    if (sine_squared == 0) return Illumination{falloff_(color_, D), to_center};
+    const double one_minus_cosine = sine_squared / (1 + std::sqrt(1 - sine_squared));
+    const R3::Vector direction = FromTangents(InCone(random, one_minus_cosine), to_center / D);
+    const double aside = Length(Cross(to_center, direction)), ahead = Dot(to_center, direction);
+    const double distance = ahead - std::sqrt(std::max(0.0, (radius_ - aside) * (radius_ + aside)));
+    if (!(distance > 0)) return {};
+    const double relative = distance / radius_;
+    return Illumination{2 * one_minus_cosine * relative * relative * falloff_(color_, distance), distance * direction};
+  }
+
+  bool IsExtended() const override { return radius_ > 0; }
+  LightBound Bound() const override { return falloff_.BoundOf(color_, center_, radius_); }
+  bool IsBlack() const override { return R2::IsBlack(color_); }
+  std::string Describe() const override {
+    return "sphere light at " + Words(center_) + ", radius " + Words(radius_) + ", colour " + Words(color_);
+  }
+
+ private:
+  R2::Color color_;
+  R3::Point center_;
+  double radius_;
+  Falloff falloff_;
+};
+
+}  // namespace
+
+extern const LightKind sphere_light_kind{
+    "sphere_light",
+    "a sphere that shines to all sides: colour, centre, radius, attenuation (an extension of ours)",
+    {{"r", false},
+     {"g", false},
+     {"b", false},
+     {"px"},
+     {"py"},
+     {"pz"},
+     {"radius", false},
+     {"ca", false},
+     {"la", false},
+     {"qa", false}},
+    [](std::span<const double> a) -> std::unique_ptr<const Light> {
+      return std::make_unique<SphereLight>(R2::Color{a[0], a[1], a[2]}, R3::Point{a[3], a[4], a[5]}, a[6],
+                                           Falloff{a[7], a[8], a[9]});
+    },
+    {1, 0.5, 0.25, 0.5, 3, -1, 0.25, 0.75, 0.5, 0.25},
+};
+
+}  // namespace ray
