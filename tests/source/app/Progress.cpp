@@ -6,14 +6,13 @@ namespace ray {
 namespace {
 
 TEST(Progress, TellsPercentTimeLeftAndSpeed) {
-  EXPECT_EQ(ProgressText({.pixels_done = 42, .pixels_total = 100, .rays = 30'000'000}, 10),
-            " 42 %  0:14 left  3.0 Mrays/s");
-  EXPECT_EQ(ProgressText({.pixels_done = 0, .pixels_total = 7, .rays = 0}, 0), "  0 %");
-  EXPECT_EQ(ProgressText({.pixels_done = 7, .pixels_total = 7, .rays = 0}, 1), "100 %  0:00 left  0.0 Mrays/s");
+  EXPECT_EQ(ProgressText({.done = 42, .total = 100, .rays = 30'000'000}, 10), " 42 %  0:14 left  3.0 Mrays/s");
+  EXPECT_EQ(ProgressText({.done = 0, .total = 7, .rays = 0}, 0), "  0 %");
+  EXPECT_EQ(ProgressText({.done = 7, .total = 7, .rays = 0}, 1), "100 %  0:00 left  0.0 Mrays/s");
 }
 
 TEST(Progress, IsNeverTooSoonAHundred) {
-  EXPECT_TRUE(ProgressText({.pixels_done = 999'999, .pixels_total = 1'000'000, .rays = 0}, 1).starts_with(" 99 %"));
+  EXPECT_TRUE(ProgressText({.done = 999'999, .total = 1'000'000, .rays = 0}, 1).starts_with(" 99 %"));
 }
 
 TEST(Progress, DurationsReadLikeClocks) {

@@ -31,12 +31,29 @@ TEST(ReportJson, HasTheKeysThatItsHeaderPromises) {
   const auto report = nlohmann::json::parse(ReportJson(Example()));
   std::vector<std::string> keys;
   for (const auto& [key, value] : report.items()) keys.push_back(key);
-  EXPECT_EQ(keys,
-            (std::vector<std::string>{"command", "counts", "peak_memory_bytes", "pixels", "rays", "scene", "seconds",
-                                      "settings", "stop", "structure_bytes", "threads", "version", "warnings"}));
-  EXPECT_EQ(report["rays"]["total"], 10);
+  EXPECT_EQ(keys, (std::vector<std::string>{"biased",
+                                            "command",
+                                            "counts",
+                                            "error",
+                                            "features_required",
+                                            "kernel",
+                                            "passes",
+                                            "peak_memory_bytes",
+                                            "pixels",
+                                            "quality",
+                                            "rays",
+                                            "samples",
+                                            "scene",
+                                            "seconds",
+                                            "settings",
+                                            "stop",
+                                            "structure_bytes",
+                                            "threads",
+                                            "version",
+                                            "warnings"}));
+  EXPECT_EQ(report["rays"]["total"], 1 + 2 + 3 + 4 + 5);  // of every kind, without those that were cut
   EXPECT_EQ(report["pixels"]["done"], 3);
-  EXPECT_EQ(report["stop"], "SIGINT");
+  EXPECT_EQ(report["stop"]["reason"], "SIGINT");
   EXPECT_EQ(report["command"], "raypro in.scn 'out put.png'");
 }
 
@@ -73,8 +90,13 @@ TEST(Record, TheLastLineOfARunSaysWhatItMade) {
   record.seconds.wall = 2;
   record.rays[ray::RayKind::camera].rays = 28'399'991;
   EXPECT_EQ(FinalLine(record), "out.png 2x2 1 spp 2.00 s 14.2 Mrays/s (stopped by SIGINT, 3 of 4 pixels done)\n");
+  // A signal may come when every pixel has some of its samples.
   record.pixels_done = 4;
-  EXPECT_EQ(FinalLine(record), "out.png 2x2 1 spp 2.00 s 14.2 Mrays/s\n");
+  EXPECT_EQ(FinalLine(record), "out.png 2x2 1 spp 2.00 s 14.2 Mrays/s (stopped by SIGINT, 4 of 4 pixels done)\n");
+  for (const char* stop : {"samples", "time", "error"}) {
+    record.stop = stop;
+    EXPECT_EQ(FinalLine(record), "out.png 2x2 1 spp 2.00 s 14.2 Mrays/s\n");
+  }
 }
 
 }  // namespace

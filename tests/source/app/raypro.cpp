@@ -349,7 +349,7 @@ TEST(Extremes, L5_ASignalEndsTheRunWithinASecondAndSavesThePictureSoFar) {
     EXPECT_TRUE(Contains(settings["pixels"], " of 9000000 pixels done")) << settings["pixels"];
     EXPECT_EQ(settings["samples"], "64");
     EXPECT_TRUE(Contains(done.output, signal == SIGINT ? "stopped by SIGINT" : "stopped by SIGTERM")) << done.output;
-    EXPECT_EQ(place.Others({"in.scn", "out.png"}), nothing);
+    EXPECT_EQ(place.Others({"in.scn", "out.png", "out.png.checkpoint"}), nothing);
   }
 }
 
@@ -357,8 +357,9 @@ TEST(Extremes, L5_ASecondSignalEndsTheRunAtOnceAndLeavesTheOldPicture) {
   NEEDS_THE_PROGRAM();
   const Place place;
   WriteFile(place / "out.ppm", "old");
-  // No pixel of this is ever done, so the first signal cannot end it.
-  Running running({place.Scene(), place / "out.ppm", "-width", "8", "-height", "8", "-samples", "2000000000"});
+  // The first sample of this is never done, so the first signal cannot end it.
+  WriteFile(place / "in.scn", "area_light 1 1 1 0 3 0 0 -1 0 1 1 0 0 box -1 -1 -1 -1 1 1 1");
+  Running running({place.Scene(), place / "out.ppm", "-width", "8", "-height", "8", "-shadow_samples", "2000000000"});
   std::this_thread::sleep_for(500ms);
   running.Send(SIGINT);
   std::this_thread::sleep_for(200ms);
@@ -411,7 +412,7 @@ TEST(Raypro, TheReportIsWrittenAndAddsUp) {
   RunProgram({place.Scene(), place / "out.ppm", "-report", place / "r.json", "-width", "10", "-height", "10"});
   const std::string report = ReadFile(place / "r.json");
   EXPECT_TRUE(Contains(report, "\"camera\": 100,")) << report;
-  EXPECT_TRUE(Contains(report, "\"stop\": \"complete\"")) << report;
+  EXPECT_TRUE(Contains(report, "\"reason\": \"samples\"")) << report;
   EXPECT_EQ(place.Others({"in.scn", "out.ppm", "r.json"}), nothing);
 }
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 #include <vector>
@@ -74,6 +75,21 @@ TEST(RandomKey, NeighboursAreNotCorrelated) {
     sum += (row.Child(i / 1000).Number() - 0.5) * (row.Child(i / 1000 + 1).Number() - 0.5);
   }
   EXPECT_NEAR(sum / 1e6, 0, 4 * (1.0 / 12) / 1000);
+}
+
+// Two pixels that draw the same numbers share their noise. (Child b of seed a once was child a of seed b, so that
+// column 1 of seed 0 had the numbers of column 0 of seed 1, and column s those of seed s for every s.)
+TEST(Extremes, I6_NoPixelAndNoSeedRepeatsTheStreamOfAnother) {
+  std::vector<std::uint64_t> keys;
+  for (const std::uint64_t seed : {std::uint64_t{0}, std::uint64_t{1}, ~std::uint64_t{0}})
+    for (std::uint64_t x = 0; x < 600; ++x)
+      for (std::uint64_t y = 0; y < 600; ++y) {
+        const ray::RandomKey own = ray::RandomKey(seed).Child(x).Child(y);
+        keys.push_back(own.Bits());
+        keys.push_back(own.Child(2).Bits());  // the second stream
+      }
+  std::ranges::sort(keys);
+  EXPECT_EQ(std::ranges::adjacent_find(keys), keys.end());
 }
 
 }  // namespace

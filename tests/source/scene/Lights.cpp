@@ -13,7 +13,7 @@ std::unique_ptr<const Light> Make(const std::string& name, const std::vector<dou
 }
 
 TEST(Lights, EveryKindHasAnExampleThatFitsItsArguments) {
-  EXPECT_EQ(LightKinds().size(), 4u);
+  EXPECT_EQ(LightKinds().size(), 5u);
   for (const LightKind* kind : LightKinds()) {
     ASSERT_EQ(kind->example.size(), kind->arguments.size()) << kind->name;
     const auto light = kind->make(kind->example);

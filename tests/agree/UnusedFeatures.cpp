@@ -1,0 +1,133 @@
+// What is stated but has no effect costs nothing: the same needs, the same kernel and the same bits as without the
+// statement. Else a scene that says "aperture 0" would be slower, or noisier, for saying so.
+
+#include <gtest/gtest.h>
+
+#include "source/render/Needs.h"
+#include "tests/Project.h"
+
+namespace {
+
+ray::RenderSettings Small(const std::string& mode) {
+  ray::RenderSettings settings;
+  settings.width = 20;
+  settings.height = 16;
+  settings.samples = 4;
+  settings.mode = mode;
+  settings.trace.shadow_samples = 3;
+  return settings;
+}
+
+void ExpectAlike(const project::Stage& stated, const ray::RenderSettings& stated_settings, const project::Stage& plain,
+                 const ray::RenderSettings& plain_settings, const std::string& what) {
+  const ray::Needs needs = ray::NeedsOf(stated.world, stated_settings);
+  const ray::Needs plain_needs = ray::NeedsOf(plain.world, plain_settings);
+  EXPECT_EQ(needs.Names(), plain_needs.Names()) << what;
+  EXPECT_EQ(ray::KernelOf(needs, stated_settings), ray::KernelOf(plain_needs, plain_settings)) << what;
+  EXPECT_TRUE(project::Render(stated, stated_settings).image == project::Render(plain, plain_settings).image) << what;
+}
+
+// Two spheres and a floor. `ball`: the material of one of the spheres from its kd on; `more`: further lines.
+std::string Scene(const std::string& ball, const std::string& more, const std::string& light) {
+  return "camera 0 1 6  0 -0.15 -1  0 1 0  0.4  0.01 100\n"
+         "material 0 0 0  0.6 0.6 0.6  0 0 0  0 0 0  0 0 0  10 1 0\n"
+         "material 0.1 0.1 0.1  " +
+         ball + "\n" + light + "\n" + more +
+         "sphere 1  -0.7 0.5 0  0.6\n"
+         "sphere 0  0.8 0.4 0.3  0.5\n"
+         "box 0  -4 -0.3 -4  4 0 4\n";
+}
+
+const std::string matte = "0.7 0.4 0.3  0 0 0  0 0 0  0 0 0  10 1 0";
+const std::string area_light = "area_light 3 3 3  0 4 2  0 -1 -0.3  0.8  0 0 0.2";
+
+struct Statement {
+  const char* what;
+  std::string stated, plain;
+};
+
+TEST(UnusedFeatures, AScenesStatementsWithoutEffectChangeNoNeedNoKernelAndNoBit) {
+  const std::string plain = Scene(matte, "", area_light);
+  const std::string point = Scene(matte, "", "point_light 3 3 3  0 4 2  0 0 0.2");
+  const Statement statements[] = {
+      {"an index of refraction where nothing is clear",
+       Scene("0.7 0.4 0.3  0 0 0  0 0 0  0 0 0  10 1.5 0", "", area_light), plain},
+      {"an exponent where nothing is specular", Scene("0.7 0.4 0.3  0 0 0  0 0 0  0 0 0  80 1 0", "", area_light),
+       plain},
+      {"a glass that nothing is made of",
+       Scene(matte, "material 0 0 0  0 0 0  0.1 0.1 0.1  0.9 0.9 0.9  0 0 0  50 1.5 0\n", area_light), plain},
+      {"a black point light", Scene(matte, "point_light 0 0 0  1 5 1  1 0 0\n", area_light), plain},
+      {"a black area light", Scene(matte, "area_light 0 0 0  1 5 1  0 -1 0  2  1 0 0\n", area_light), plain},
+      {"a black background", Scene(matte, "background 0 0 0\n", area_light), plain},
+      {"a black area light beside a point light",
+       Scene(matte, "area_light 0 0 0  1 5 1  0 -1 0  2  1 0 0\n", "point_light 3 3 3  0 4 2  0 0 0.2"), point},
+      {"groups that turn nothing", Scene(matte, "begin -1  1 0 0 0  0 1 0 0  0 0 1 0  0 0 0 1\nend\n", area_light),
+       plain},
+  };
+  for (const Statement& s : statements) {
+    const project::Stage stated(project::FromText(s.stated)), without(project::FromText(s.plain));
+    for (const char* mode : {"whitted", "path"})
+      ExpectAlike(stated, Small(mode), without, Small(mode), std::string(s.what) + ", " + mode);
+  }
+}
+
+TEST(UnusedFeatures, AnAreaLightWithoutAreaIsSampledOnceHoweverManyShadowRaysAreAskedFor) {
+  const project::Stage stage(project::FromText(Scene(matte, "", "area_light 3 3 3  0 4 2  0 -1 -0.3  0  0 0 0.2")));
+  const auto needs = ray::NeedsOf(stage.world, Small("whitted"));
+  EXPECT_TRUE(needs.lights);
+  EXPECT_FALSE(needs.area_lights);
+  for (const char* mode : {"whitted", "path"}) {
+    ray::RenderSettings many = Small(mode);
+    many.trace.shadow_samples = 64;
+    ExpectAlike(stage, many, stage, Small(mode), mode);
+    EXPECT_EQ(project::Render(stage, many).rays, project::Render(stage, Small(mode)).rays) << mode;
+  }
+}
+
+TEST(UnusedFeatures, OptionsWithoutEffectChangeNoNeedNoKernelAndNoBit) {
+  struct Change {
+    const char* what;
+    void (*make)(ray::RenderSettings&);
+  };
+  const Change changes[] = {
+      {"aperture 0 with a focus",
+       [](ray::RenderSettings& s) {
+         s.camera.aperture = 0;
+         s.camera.focus = 5;
+       }},
+      {"motion 0 0 -0",
+       [](ray::RenderSettings& s) {
+         s.camera.motion = {0, 0, -0.0};
+       }},
+      {"fresnel where nothing is clear", [](ray::RenderSettings& s) { s.trace.fresnel = true; }},
+      {"glossy where nothing is specular", [](ray::RenderSettings& s) { s.trace.glossy = true; }},
+      {"a confidence without an error to stop at", [](ray::RenderSettings& s) { s.budget.confidence = 0.99; }},
+      {"adaptive without an error to stop at", [](ray::RenderSettings& s) { s.budget.adaptive = "tile"; }},
+  };
+  const project::Stage stage(project::FromText(Scene(matte, "", area_light)));
+  for (const Change& change : changes)
+    for (const char* mode : {"whitted", "path"}) {
+      ray::RenderSettings settings = Small(mode);
+      change.make(settings);
+      ExpectAlike(stage, settings, stage, Small(mode), std::string(change.what) + ", " + mode);
+    }
+}
+
+// The other way round, lest everything above hold because nothing is ever needed.
+TEST(UnusedFeatures, OnesThatHaveAnEffectAreNeededAndSeen) {
+  const project::Stage stage(project::FromText(Scene(matte, "", area_light)));
+  const ray::RenderSettings plain = Small("whitted");
+  ray::RenderSettings lens = plain, motion = plain;
+  lens.camera.aperture = 0.2;
+  lens.camera.focus = 5;
+  motion.camera.motion = {0.5, 0, 0};
+  EXPECT_TRUE(ray::NeedsOf(stage.world, lens).lens);
+  EXPECT_TRUE(ray::NeedsOf(stage.world, motion).motion);
+  for (const ray::RenderSettings& settings : {lens, motion}) {
+    EXPECT_NE(ray::KernelOf(ray::NeedsOf(stage.world, settings), settings),
+              ray::KernelOf(ray::NeedsOf(stage.world, plain), plain));
+    EXPECT_FALSE(project::Render(stage, settings).image == project::Render(stage, plain).image);
+  }
+}
+
+}  // namespace

@@ -1,0 +1,257 @@
+// The options that trade time for truth, as words and from outside.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+#include "R2/ImageFile.h"
+#include "source/app/BudgetWords.h"
+#include "source/app/CommandLine.h"
+#include "source/app/Preset.h"
+#include "source/app/Status.h"
+#include "tests/source/app/Program.h"
+
+namespace ray {
+namespace {
+
+using testing::Finished;
+using testing::ReadFile;
+using testing::RunProgram;
+using testing::TemporaryFolder;
+using testing::WriteFile;
+using List = std::vector<std::string>;
+
+bool Contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+List With(List words, const List& more) {
+  words.insert(words.end(), more.begin(), more.end());
+  return words;
+}
+
+Options Parsed(const List& more) { return ReadCommandLine(With({"in.scn", "out.ppm"}, more)); }
+
+std::string ErrorOf(const List& more) {
+  try {
+    Parsed(more);
+  } catch (const UsageError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(TradeWords, AFilterHasANameAndTheCoursesNumber) {
+  for (std::size_t i = 0; i < filter_names.size(); ++i) {
+    EXPECT_EQ(Parsed({"-filter", filter_names[i]}).render.filter, filter_names[i]);
+    EXPECT_EQ(Parsed({"-filter", std::to_string(i)}).render.filter, filter_names[i]);
+  }
+  for (const char* word : {"4", "-1", "1.5", "", "Mitchell", "mitchel", "box "})
+    EXPECT_TRUE(Contains(ErrorOf({"-filter", word}), "-filter")) << word;
+}
+
+TEST(TradeWords, AnErrorHasAUnitBehindItsNumber) {
+  const struct {
+    const char* word;
+    double value;
+    ErrorUnit unit;
+  } good[] = {{"2", 2, ErrorUnit::display},         {"0.25", 0.25, ErrorUnit::display},
+              {"3%", 3, ErrorUnit::relative},       {"40dB", 40, ErrorUnit::decibel},
+              {"0.01lin", 0.01, ErrorUnit::linear}, {"1e-3lin", 1e-3, ErrorUnit::linear}};
+  for (const auto& [word, value, unit] : good) {
+    const auto error = Parsed({"-error", word}).render.budget.error;
+    ASSERT_TRUE(error) << word;
+    EXPECT_EQ(error->value, value) << word;
+    EXPECT_EQ(error->unit, unit) << word;
+    EXPECT_EQ(ReadErrorTarget(ShowErrorTarget(error)), std::optional(error)) << word;
+  }
+  for (const char* word : {"0", "-1", "0%", "-40dB", "abc", "%", "dB", "lin", "3%%", "3 %", "40 dB", "40db", "1e999",
+                           "nan", "inf", "nandB", "0x2", "2,5", ""})
+    EXPECT_TRUE(Contains(ErrorOf({"-error", word}), "-error must be an error above 0")) << word;
+}
+
+TEST(TradeWords, ATimeHasAUnitBehindItsNumberOrIsInSeconds) {
+  const struct {
+    const char* word;
+    double seconds;
+  } good[] = {{"30s", 30}, {"5m", 300}, {"1h", 3600}, {"90", 90}, {"1.5h", 5400}, {"0.25s", 0.25}};
+  for (const auto& [word, seconds] : good) {
+    EXPECT_EQ(Parsed({"-time", word}).render.budget.seconds, seconds) << word;
+    EXPECT_EQ(ReadDuration(ShowDuration(seconds)), seconds) << word;
+  }
+  for (const char* word : {"0", "0s", "-3", "-3s", "5d", "s", "h", "1h30m", "5 m", "5ms", "nan", "inf", "1e999", ""})
+    EXPECT_TRUE(Contains(ErrorOf({"-time", word}), "-time must be a time")) << word;
+}
+
+TEST(TradeWords, SingleOptionsOverrideTheirPartOfAPresetInAnyOrder) {
+  ASSERT_GE(Presets().size(), 4u);
+  const Options draft = Parsed({"-quality", "draft"});
+  EXPECT_EQ(draft.render.samples, 4);
+  EXPECT_EQ(draft.render.trace.max_depth, 2);
+  for (const List& words : {List{"-quality", "draft", "-samples", "9"}, {"-samples", "9", "-quality", "draft"}}) {
+    EXPECT_EQ(Parsed(words).render.samples, 9);
+    EXPECT_EQ(Parsed(words).render.trace.max_depth, 2);
+  }
+  EXPECT_EQ(Parsed({"-quality", "draft", "-maxreflections", "7"}).render.trace.max_depth, 7);  // by an alias too
+  EXPECT_EQ(Parsed({"-quality", "preview"}).render.budget.error->value, 4);
+  const auto error = Parsed({"-quality", "preview", "-error", "30dB"}).render.budget.error;
+  EXPECT_EQ(error->value, 30);
+  EXPECT_EQ(error->unit, ErrorUnit::decibel);
+  // An option given its default counts as given.
+  EXPECT_EQ(Parsed({"-quality", "final", "-max_depth", "3"}).render.trace.max_depth, 3);
+  EXPECT_EQ(Parsed({"-quality", "final"}).render.trace.max_depth, 6);
+  EXPECT_EQ(Parsed({"-quality", "custom"}).render.samples, 1);
+  EXPECT_TRUE(Contains(ErrorOf({"-quality", "drafft"}), "did you mean 'draft'?"));
+}
+
+TEST(TradeWords, ContradictionsAreRefused) {
+  EXPECT_NE(ErrorOf({"-replay", "r.json", "-time", "3s"}), "");
+  EXPECT_NE(ErrorOf({"-replay", "r.json", "-error", "3"}), "");
+  EXPECT_NE(ErrorOf({"-mode", "heat", "-error", "3"}), "");
+  EXPECT_NE(ErrorOf({"-aperture", "0.1"}), "");
+  EXPECT_EQ(ErrorOf({"-aperture", "0.1", "-focus", "3"}), "");
+  for (const char* word : {"", ",", "a,", ",a"}) EXPECT_NE(ErrorOf({"-reference", word}), "") << word;
+  EXPECT_EQ(Parsed({"-reference", "a.exr,b.exr"}).reference, (List{"a.exr", "b.exr"}));
+  for (const char* word : {"0", "-1", "some", "1.5", ""}) EXPECT_NE(ErrorOf({"-lights", word}), "") << word;
+}
+
+// From outside.
+
+const std::string soft_scene =
+    "camera 0 1 6  0 0 -1  0 1 0  0.3  0.1 100\nbox -1  -4 -1 -4  4 0 4\nsphere -1  0 0.8 0  0.8\n"
+    "area_light 9 9 9  2 4 2  -1 -2 -1  1  0 0 1\n";
+
+struct Place : TemporaryFolder {
+  explicit Place(const std::string& text = soft_scene) { WriteFile(*this / "in.scn", text); }
+  /// Runs with small pictures and the words given.
+  Finished Run(const std::string& picture, const List& more) const {
+    return RunProgram(With({*this / "in.scn", *this / picture, "-width", "40", "-height", "30", "-quiet"}, more));
+  }
+};
+
+TEST(Replay, MakesARenderThatItsErrorOrTheClockEndedAgainToTheByte) {
+  NEEDS_THE_PROGRAM();
+  for (const List& budget : {List{"-error", "6"},
+                             {"-error", "30dB", "-mode", "path", "-filter", "mitchell"},
+                             {"-time", "0.3s"},
+                             {"-time", "0.3s", "-error", "0.1"},
+                             {"-time", "0.2s", "-sampler", "stratified", "-mode", "path"}}) {
+    const Place place;
+    const Finished first = place.Run("a.pfm", With({"-report", place / "r.json", "-shadow_samples", "1"}, budget));
+    ASSERT_EQ(first.status, 0) << first.error;
+    List same{"-replay", place / "r.json", "-shadow_samples", "1", "-threads", "3", "-tile_size", "8"};
+    for (std::size_t i = 0; i < budget.size(); i += 2)
+      if (budget[i] != "-error" && budget[i] != "-time") same.insert(same.end(), {budget[i], budget[i + 1]});
+    const Finished again = place.Run("b.pfm", same);
+    ASSERT_EQ(again.status, 0) << again.error;
+    EXPECT_TRUE(ReadFile(place / "a.pfm") == ReadFile(place / "b.pfm")) << budget[0] << ' ' << budget[1];
+    const std::string report = ReadFile(place / "r.json");
+    EXPECT_TRUE(Contains(report, "\"reason\": \"time\"") || Contains(report, "\"reason\": \"error\"")) << report;
+  }
+}
+
+TEST(Replay, RefusesAnotherSceneOtherSettingsAndWhatIsNoReport) {
+  NEEDS_THE_PROGRAM();
+  const Place place;
+  ASSERT_EQ(place.Run("a.ppm", {"-samples", "4", "-report", place / "r.json"}).status, 0);
+  EXPECT_EQ(place.Run("b.ppm", {"-replay", place / "r.json"}).status, 0);
+  EXPECT_EQ(ReadFile(place / "a.ppm"), ReadFile(place / "b.ppm"));
+  const struct {
+    List words;
+    const char* message;
+  } others[] = {{{"-seed", "1"}, "-seed"},
+                {{"-filter", "gaussian"}, "-filter"},
+                {{"-mode", "path"}, "-mode"},
+                {{"-max_depth", "4"}, "-max_depth"},
+                {{"-shadow_samples", "3"}, "-shadow_samples"},
+                {{"-crop", "0", "0", "4", "4"}, "-crop"}};
+  for (const auto& [words, message] : others) {
+    const Finished done = place.Run("c.ppm", With({"-replay", place / "r.json"}, words));
+    EXPECT_NE(done.status, 0) << message;
+    EXPECT_TRUE(Contains(done.error, message)) << done.error;
+  }
+  const std::string report = ReadFile(place / "r.json");
+  for (const std::string& bad : {std::string(""), std::string("{"), std::string("[]"), std::string("hello"),
+                                 report.substr(0, report.size() / 2)}) {
+    WriteFile(place / "bad.json", bad);
+    const Finished done = place.Run("c.ppm", {"-replay", place / "bad.json"});
+    EXPECT_EQ(done.status, 3) << bad;
+    EXPECT_TRUE(Contains(done.error, "cannot be replayed")) << done.error;
+  }
+  EXPECT_EQ(place.Run("c.ppm", {"-replay", place / "missing.json"}).status, 3);
+  WriteFile(place / "in.scn", soft_scene + "sphere -1  3 0 0  0.1\n");
+  const Finished other = place.Run("c.ppm", {"-replay", place / "r.json"});
+  EXPECT_NE(other.status, 0);
+  EXPECT_TRUE(Contains(other.error, "another scene")) << other.error;
+  EXPECT_EQ(place.Others({"in.scn", "a.ppm", "b.ppm", "r.json", "bad.json"}), List{});
+}
+
+// A report edited by hand once was read past the end of its list.
+TEST(Replay, RefusesAReportWhoseBlocksAreNotThoseOfThePicture) {
+  NEEDS_THE_PROGRAM();
+  const Place place;
+  ASSERT_EQ(place.Run("a.ppm", {"-samples", "4", "-report", place / "r.json"}).status, 0);
+  const std::string report = ReadFile(place / "r.json"), none = "\"of_blocks\": []";
+  ASSERT_TRUE(Contains(report, none));
+  for (const char* list : {"[1, 2]", "[-1, 2, 3]", "[1e12]", "[\"x\"]"}) {
+    std::string edited = report;
+    edited.replace(edited.find(none), none.size(), std::string("\"of_blocks\": ") + list);
+    WriteFile(place / "r.json", edited);
+    const Finished done = place.Run("b.ppm", {"-replay", place / "r.json"});
+    EXPECT_EQ(done.status, 3) << list << done.error;
+    EXPECT_TRUE(Contains(done.error, "cannot be replayed")) << done.error;
+  }
+}
+
+TEST(Reference, MustBeAPictureOfTheSameSize) {
+  NEEDS_THE_PROGRAM();
+  const Place place;
+  ASSERT_EQ(place.Run("a.exr", {"-samples", "4", "-crop", "1", "2", "9", "12"}).status, 0);
+  const Finished wrong = place.Run("b.ppm", {"-reference", place / "a.exr"});
+  EXPECT_EQ(wrong.status, 2);
+  EXPECT_TRUE(Contains(wrong.error, "is 8x10, the picture 40x30")) << wrong.error;
+  EXPECT_EQ(place.Run("b.ppm", {"-reference", place / "missing.exr"}).status, 3);
+  EXPECT_EQ(place.Run("b.ppm", {"-reference", place / "in.scn"}).status, 3);
+  EXPECT_EQ(place.Others({"in.scn", "a.exr"}), List{});
+  // The same crop is compared; the same samples are no error at all.
+  const Finished right = RunProgram({place / "in.scn", place / "b.exr", "-width", "40", "-height", "30", "-samples",
+                                     "4", "-crop", "1", "2", "9", "12", "-reference", place / "a.exr"});
+  EXPECT_EQ(right.status, 0) << right.error;
+  EXPECT_TRUE(Contains(right.output, "true 0 255ths") || Contains(right.output, "true error 0 255ths")) << right.output;
+}
+
+std::string Pfm(int width, int height, float value) {
+  std::string bytes = "PF\n" + std::to_string(width) + " " + std::to_string(height) + "\n-1.0\n";
+  for (int i = 0; i < 3 * width * height; ++i) {
+    char float_bytes[sizeof value];
+    std::memcpy(float_bytes, &value, sizeof value);
+    bytes.append(float_bytes, sizeof value);
+  }
+  return bytes;
+}
+
+TEST(Environment, ThatCannotBeALightIsAnErrorOfItsFile) {
+  NEEDS_THE_PROGRAM();
+  const Place place;
+  const Finished good = place.Run("a.ppm", {"-env", WriteFile(place / "good.pfm", Pfm(8, 4, 0.5f))});
+  EXPECT_EQ(good.status, 0) << good.error;
+  std::string one_nan = Pfm(8, 4, 0.5f);
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  std::memcpy(one_nan.data() + one_nan.size() - 4 * sizeof nan, &nan, sizeof nan);
+  WriteFile(place / "text.pfm", "there is no light in words\n");
+  WriteFile(place / "shape.pfm", Pfm(7, 3, 0.5f));
+  WriteFile(place / "nan.pfm", one_nan);
+  WriteFile(place / "negative.pfm", Pfm(8, 4, -0.5f));
+  WriteFile(place / "infinite.pfm", Pfm(8, 4, HUGE_VALF));
+  WriteFile(place / "short.pfm", Pfm(8, 4, 0.5f).substr(0, 60));
+  for (const std::string name :
+       {"missing.pfm", "text.pfm", "shape.pfm", "nan.pfm", "negative.pfm", "infinite.pfm", "short.pfm"}) {
+    const Finished done = place.Run("b.ppm", {"-env", place / name});
+    EXPECT_EQ(done.status, 3) << name << done.error;
+    EXPECT_TRUE(Contains(done.error, name)) << done.error;
+    EXPECT_FALSE(Contains(done.error, "terminate")) << done.error;
+  }
+  EXPECT_EQ(place.Run("b.ppm", {"-env", place.Path().string()}).status, 3);
+}
+
+}  // namespace
+}  // namespace ray

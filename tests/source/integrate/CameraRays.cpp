@@ -1,0 +1,149 @@
+#include "source/integrate/CameraRays.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ray {
+namespace {
+
+constexpr int width = 40, height = 30;
+constexpr std::uint32_t samples = 64;
+
+Camera Slanted() {
+  Camera camera = Aim({1, 2, 3}, {-0.3, -0.4, -1}, {0.1, 1, 0}).camera;
+  camera.xfov = 0.4;
+  return camera;
+}
+
+CameraRays Make(const CameraEffects& effects, SamplerKind sampler = SamplerKind::sobol, std::uint32_t count = samples,
+                bool things_move = false) {
+  return {Slanted(), effects, things_move, width, height, sampler, count};
+}
+
+/// Where a ray crosses the plane at a distance along the axis from the camera at rest.
+R3::Point OnPlane(const R3::Ray& ray, double distance) {
+  const Camera camera = Slanted();
+  const double t = (distance - Dot(ray.origin - camera.eye, camera.towards)) / Dot(ray.direction, camera.towards);
+  return ray.At(t);
+}
+
+TEST(CameraRays, WhatLiesInFocusIsSharpFromEveryPlaceOfTheLens) {
+  for (const double focus : {0.5, 5.0, 1e3}) {
+    const CameraRays rays = Make({.motion = {}, .aperture = 0.3, .focus = focus});
+    for (int pixel = 0; pixel < width; pixel += 13)
+      for (std::uint32_t i = 0; i < samples; ++i) {
+        const CameraSample sample = rays(pixel, pixel / 2, RandomKey(3), i);
+        // The pinhole's ray through the same place of the picture.
+        const R3::Point sharp = OnPlane(Slanted().Through(sample.x, sample.y, width, height), focus);
+        EXPECT_LT(Length(OnPlane(sample.ray, focus) - sharp), 1e-12 * (focus + 5)) << focus;
+        EXPECT_LE(Length(sample.ray.origin - Slanted().eye), 0.3 * (1 + 1e-12));
+        EXPECT_NEAR(Dot(sample.ray.origin - Slanted().eye, Slanted().towards), 0, 1e-14);
+      }
+  }
+}
+
+TEST(CameraRays, WhatLiesElsewhereIsBlurredByTheThinLensEquation) {
+  // A point at the distance d is spread over a circle of radius aperture |d - focus| / focus on the plane through it.
+  const CameraRays rays = Make({.motion = {}, .aperture = 0.3, .focus = 4}, SamplerKind::sobol, 4096);
+  for (const double distance : {2.0, 6.0, 12.0}) {
+    double widest = 0;
+    for (std::uint32_t i = 0; i < 4096; ++i) {
+      const CameraSample sample = rays(7, 9, RandomKey(3), i);
+      const R3::Point middle = OnPlane(Slanted().Through(sample.x, sample.y, width, height), distance);
+      widest = std::max(widest, Length(OnPlane(sample.ray, distance) - middle));
+    }
+    const double truth = 0.3 * std::abs(distance - 4) / 4;
+    EXPECT_LE(widest, truth * (1 + 1e-12));
+    EXPECT_GT(widest, truth * 0.99);
+  }
+}
+
+TEST(CameraRays, LensSamplesFillTheLensEvenly) {
+  for (const SamplerKind sampler : {SamplerKind::sobol, SamplerKind::random, SamplerKind::stratified}) {
+    constexpr std::uint32_t many = 4096;
+    const CameraRays rays = Make({.motion = {}, .aperture = 2, .focus = 4}, sampler, many);
+    int within_half_radius = 0, right = 0;
+    for (std::uint32_t i = 0; i < many; ++i) {
+      const R3::Vector aside = rays(7, 9, RandomKey(3), i).ray.origin - Slanted().eye;
+      within_half_radius += Length(aside) <= 1;
+      right += Dot(aside, Slanted().right) > 0;
+    }
+    const double deviation = std::sqrt(0.25 / many);
+    EXPECT_NEAR(within_half_radius / double(many), 0.25, 4 * deviation);
+    EXPECT_NEAR(right / double(many), 0.5, 4 * deviation);
+  }
+}
+
+// What is stated without effect must not cost a bit of the picture.
+TEST(CameraRays, ALensOfNoSizeAndAMotionOfNothingAreThePinholeToTheBit) {
+  const CameraRays pinhole = Make({}), none = Make({.motion = {0, 0, 0}, .aperture = 0, .focus = 7});
+  EXPECT_STREQ(none.Kernel(), "pinhole");
+  for (std::uint32_t i = 0; i < samples; ++i) {
+    const CameraSample a = pinhole(5, 6, RandomKey(1), i), b = none(5, 6, RandomKey(1), i);
+    EXPECT_EQ(a.ray.origin, b.ray.origin);
+    EXPECT_EQ(a.ray.direction, b.ray.direction);
+    EXPECT_EQ(a.ray.time, b.ray.time);
+    EXPECT_EQ(a.x, b.x);
+    EXPECT_EQ(a.y, b.y);
+    EXPECT_EQ(a.place.key.Bits(), b.place.key.Bits());
+  }
+}
+
+TEST(CameraRays, KernelsAreNamedAfterWhatTheyDo) {
+  const CameraEffects lens{.motion = {}, .aperture = 1, .focus = 1},
+      motion{.motion = {1, 0, 0}, .aperture = 0, .focus = 0};
+  CameraEffects both = lens;
+  both.motion = motion.motion;
+  EXPECT_STREQ(Make({}).Kernel(), "pinhole");
+  EXPECT_STREQ(Make(lens).Kernel(), "lens");
+  EXPECT_STREQ(Make(motion).Kernel(), "moving pinhole");
+  EXPECT_STREQ(Make(both).Kernel(), "moving lens");
+  EXPECT_STREQ(Make({}, SamplerKind::sobol, 4, true).Kernel(), "moving pinhole");
+}
+
+TEST(CameraRays, TheEyeMovesEvenlyWhileTheShutterIsOpen) {
+  const R3::Vector motion{0.5, -0.25, 2};
+  const CameraRays rays = Make({.motion = motion}), at_rest = Make({}, SamplerKind::sobol, samples, true);
+  std::vector<double> times;
+  for (std::uint32_t i = 0; i < samples; ++i) {
+    const CameraSample sample = rays(5, 6, RandomKey(1), i);
+    times.push_back(sample.ray.time);
+    EXPECT_GE(sample.ray.time, 0);
+    EXPECT_LT(sample.ray.time, 1);
+    EXPECT_LT(Length(sample.ray.origin - (Slanted().eye + sample.ray.time * motion)), 1e-14);
+    // The view does not turn: the direction is that of the camera at rest, in the same moment.
+    const CameraSample rest = at_rest(5, 6, RandomKey(1), i);
+    EXPECT_EQ(sample.ray.direction, rest.ray.direction);
+    EXPECT_EQ(sample.ray.time, rest.ray.time);
+    EXPECT_EQ(rest.ray.origin, Slanted().eye);
+  }
+  // 64 points of Sobol's: one in each 64th of the time.
+  std::sort(times.begin(), times.end());
+  for (std::size_t i = 0; i < times.size(); ++i) EXPECT_EQ(static_cast<std::size_t>(times[i] * samples), i);
+}
+
+TEST(CameraRays, OneSampleGoesThroughTheMiddleAndManyFillThePixel) {
+  const CameraSample middle = Make({}, SamplerKind::sobol, 1)(5, 6, RandomKey(1), 0);
+  EXPECT_EQ(middle.x, 5.5);
+  EXPECT_EQ(middle.y, 6.5);
+  const CameraSample with_lens =
+      Make({.motion = {}, .aperture = 1, .focus = 2}, SamplerKind::sobol, 1)(5, 6, RandomKey(1), 0);
+  EXPECT_EQ(with_lens.x, 5.5);
+  EXPECT_EQ(with_lens.y, 6.5);
+  for (const SamplerKind sampler : {SamplerKind::sobol, SamplerKind::random, SamplerKind::stratified}) {
+    const CameraRays rays = Make({}, sampler);
+    double x = 0, y = 0;
+    for (std::uint32_t i = 0; i < samples; ++i) {
+      const CameraSample sample = rays(5, 6, RandomKey(1), i);
+      EXPECT_TRUE(sample.x >= 5 && sample.x < 6 && sample.y >= 6 && sample.y < 7);
+      x += sample.x / samples, y += sample.y / samples;
+    }
+    EXPECT_NEAR(x, 5.5, 4 * std::sqrt(1.0 / 12 / samples));
+    EXPECT_NEAR(y, 6.5, 4 * std::sqrt(1.0 / 12 / samples));
+  }
+}
+
+}  // namespace
+}  // namespace ray

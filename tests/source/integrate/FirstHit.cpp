@@ -1,0 +1,112 @@
+#include "source/integrate/FirstHit.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/Project.h"
+
+namespace ray {
+namespace {
+
+/// A ball of radius 1 in the middle, another material's far away on the right, seen from 5 away.
+project::Stage Balls() {
+  return project::Stage(
+      project::FromText("camera 0 0 5  0 0 -1  0 1 0  0.5  0.01 100 background 0.25 0.5 0.75 "
+                        "material 0.9 0.9 0.9  0.1 0.2 0.3  0.2 0.2 0.2  0.4 0.3 0.2  9 9 9  10 1 0 "
+                        "sphere 0  0 0 0  1 sphere 0  100 0 0  1"));
+}
+
+R2::Image Shown(const project::Stage& stage, const char* mode, int side = 33) {
+  RenderSettings settings;
+  settings.width = settings.height = side;
+  settings.mode = mode;
+  return project::Render(stage, settings).image;
+}
+
+/// The unit direction of the ray through the middle of a pixel.
+R3::Vector Towards(int x, int y, int side) {
+  const double tangent = std::tan(0.5);
+  return R3::Unit({(2 * (x + 0.5) / side - 1) * tangent, (2 * (y + 0.5) / side - 1) * tangent, -1});
+}
+
+/// The distance along unit d from (0, 0, 5) to the unit ball; NaN beside it.
+double Distance(const R3::Vector& d) {
+  const double along = -5 * d.z, root = std::sqrt(along * along - 24);
+  return along - root;
+}
+
+TEST(FirstHit, ShowsWhatGeometrySaysOfABall) {
+  const project::Stage stage = Balls();
+  constexpr int side = 33;
+  const auto depth = Shown(stage, "depth"), normal = Shown(stage, "normal"), albedo = Shown(stage, "albedo"),
+             id = Shown(stage, "id"), uv = Shown(stage, "uv");
+  int on_ball = 0;
+  for (int y = 0; y < side; ++y)
+    for (int x = 0; x < side; ++x) {
+      const R3::Vector d = Towards(x, y, side);
+      const double t = Distance(d);
+      if (std::isnan(t)) {
+        EXPECT_EQ(depth.At(x, y), (R2::Color{}));
+        EXPECT_EQ(normal.At(x, y), (R2::Color{}));
+        EXPECT_EQ(uv.At(x, y), (R2::Color{}));
+        EXPECT_EQ(albedo.At(x, y), (R2::Color{0.25, 0.5, 0.75}));
+        EXPECT_EQ(id.At(x, y), (R2::Color{-1, -1, -1}));
+        continue;
+      }
+      ++on_ball;
+      const R3::Vector n{t * d.x, t * d.y, 5 + t * d.z};
+      EXPECT_NEAR(depth.At(x, y).r, t, 1e-6);
+      EXPECT_EQ(depth.At(x, y).g, depth.At(x, y).r);
+      EXPECT_NEAR(normal.At(x, y).r, n.x, 1e-6);
+      EXPECT_NEAR(normal.At(x, y).g, n.y, 1e-6);
+      EXPECT_NEAR(normal.At(x, y).b, n.z, 1e-6);
+      EXPECT_NEAR(albedo.At(x, y).r, 0.7, 1e-6);  // kd + ks + kt; what it shines is no albedo
+      EXPECT_NEAR(albedo.At(x, y).b, 0.7, 1e-6);
+      EXPECT_EQ(id.At(x, y), (R2::Color{0, 0, 0}));
+      EXPECT_TRUE(uv.At(x, y).r >= 0 && uv.At(x, y).r <= 1 && uv.At(x, y).g >= 0 && uv.At(x, y).g <= 1);
+      EXPECT_EQ(uv.At(x, y).b, 0);
+    }
+  EXPECT_GT(on_ball, 80);
+}
+
+TEST(FirstHit, NormalsLookBackFromTheInsideToo) {
+  const project::Stage stage(project::FromText("camera 0 0 0  0 0 -1  0 1 0  0.5  0.01 100 sphere -1  0 0 0  2"));
+  const auto normal = Shown(stage, "normal", 9), depth = Shown(stage, "depth", 9);
+  for (int y = 0; y < 9; ++y)
+    for (int x = 0; x < 9; ++x) {
+      const R3::Vector d = Towards(x, y, 9);
+      EXPECT_NEAR(normal.At(x, y).r, -d.x, 1e-6);
+      EXPECT_NEAR(normal.At(x, y).b, -d.z, 1e-6);
+      EXPECT_NEAR(depth.At(x, y).r, 2, 1e-6);
+    }
+}
+
+TEST(FirstHit, IdsNumberThePrimitivesInTheOrderOfTheFile) {
+  const project::Stage stage(
+      project::FromText("camera 0 0 9  0 0 -1  0 1 0  0.5  0.01 100 "
+                        "sphere -1  -3 0 0  0.5 box -1  -1 -0.5 -0.5  0 0.5 0.5 tri -1  1 -1 0  2 -1 0  1.5 1 0 "
+                        "sphere -1  3 0 0  0.5"));
+  const auto id = Shown(stage, "id", 101);
+  const auto at = [&](double x) { return id.At(static_cast<int>((x / (9 * std::tan(0.5)) + 1) / 2 * 101), 50).r; };
+  EXPECT_EQ(at(-3), 0);
+  EXPECT_EQ(at(-0.5), 1);
+  EXPECT_EQ(at(1.5), 2);
+  EXPECT_EQ(at(3), 3);
+  EXPECT_EQ(at(0.5), -1);
+}
+
+TEST(FirstHit, CostsOneRayAPixelAndNoOther) {
+  const project::Stage stage = Balls();
+  for (const char* mode : layer_names) {
+    RenderSettings settings;
+    settings.width = settings.height = 8;
+    settings.mode = mode;
+    const auto rays = project::Render(stage, settings).rays;
+    EXPECT_EQ(rays.Total(), 64u) << mode;
+    EXPECT_EQ(rays[RayKind::camera].rays, 64u) << mode;
+  }
+}
+
+}  // namespace
+}  // namespace ray

@@ -1,0 +1,105 @@
+#include "source/integrate/Path.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/Project.h"
+
+namespace ray {
+namespace {
+
+RenderSettings Settings(const char* mode = "path") {
+  RenderSettings settings;
+  settings.width = settings.height = 1;
+  settings.mode = mode;
+  settings.trace.min_luminance = 0;
+  return settings;
+}
+
+R2::Color Shown(const std::string& scene, const RenderSettings& settings) {
+  return project::Render(project::Stage(project::FromText(scene)), settings).image.At(0, 0);
+}
+
+TEST(Path, EqualsTheCoursesModeWhereNothingIsLeftToChance) {
+  // Lights of the language without size, one of them, seen directly or along mirrors: the same formula, the same ray.
+  const std::string floor = "camera 3 4 0  -3 -4 0  0 0 -1  0.1  0.01 100 ";
+  for (const std::string light : {"point_light 12 6 3  3 4 1  1 0.5 0.1 ", "dir_light 1 0.5 0.25  3 -4 0 ",
+                                  "spot_light 9 8 7  1 4 0  0 -1 0  0 0 1  0.7 3 "})
+    for (const std::string material : {"material 0.1 0.1 0.1  0.5 0.4 0.3  0 0 0  0 0 0  0.1 0.2 0.3  10 1 0 ",
+                                       "material 0 0 0  0 0 0  0.5 0.4 0.3  0 0 0  0 0 0  10 1 0 "}) {
+      const std::string scene = floor + "ambient 0.3 0.2 0.1 " + light + material + "box 0  -4 -1 -4  4 0 4";
+      RenderSettings path = Settings(), whitted = Settings("whitted");
+      path.trace.max_depth = whitted.trace.max_depth = 0;
+      EXPECT_EQ(Shown(scene, path), Shown(scene, whitted)) << scene;
+    }
+}
+
+TEST(Path, MirrorsBeyondMaxDepthAreNotFollowed) {
+  // Inside a mirror ball that shines 1 and keeps half: 1 + 1/2 + ... + 2^-depth.
+  for (int depth = 0; depth < 6; ++depth) {
+    RenderSettings settings = Settings();
+    settings.trace.max_depth = depth;
+    settings.trace.roulette = "off";
+    const R2::Color seen = Shown(
+        "camera 0.1 0.2 0.3  0.3 0.1 -1  0 1 0  0.3  0.01 100 point_light 0 0 0  0 0 0  1 0 0 "
+        "material 0 0 0  0 0 0  0.5 0.5 0.5  0 0 0  1 1 1  10 1 0 sphere 0  0 0 0  1",
+        settings);
+    EXPECT_NEAR(seen.r, 2 - std::ldexp(1, -depth), 1e-6) << depth;
+  }
+}
+
+TEST(Path, ShapesThatShineAreSeenButLightNothing) {
+  const std::string scene =
+      "camera 3 1 0  -3 -1 0  0 1 0  1e-7  0.01 100 point_light 0 0 0  0 9 0  1 0 0 "
+      "material 0 0 0  0.5 0.5 0.5  0 0 0  0 0 0  0 0 0  10 1 0 material 0 0 0  0 0 0  0 0 0  0 0 0  5 5 5  10 1 0 "
+      "box 0  -9 -1 -9  9 0 9 ";
+  RenderSettings settings = Settings();
+  settings.samples = 256;
+  EXPECT_EQ(Shown(scene + "sphere 1  0 3 0  1", settings), (R2::Color{}));
+  EXPECT_GT(Shown(scene + "tri 1  -1 3 -1  1 3 -1  0 3 1", settings).r, 0.1);
+}
+
+TEST(Path, ALightCostsNoRayWhereItCannotShine) {
+  // The floor faces away from the light, and black materials ask for none.
+  for (const std::string material : {"material 0 0 0  0.5 0.5 0.5  0 0 0  0 0 0  0 0 0  10 1 0 ",
+                                     "material 0 0 0  0 0 0  0 0 0  0 0 0  1 1 1  10 1 0 "}) {
+    const std::string below = material.find("1 1 1") == std::string::npos ? "-5" : "5";
+    const auto rays =
+        project::Render(
+            project::Stage(project::FromText("camera 0 5 0  0 -1 0  0 0 -1  0.1  0.01 100 point_light 1 1 1  0 " +
+                                             below + " 0  1 0 0 " + material + "box 0  -4 -1 -4  4 0 4")),
+            Settings())
+            .rays;
+    EXPECT_EQ(rays[RayKind::shadow].rays, 0u) << material;
+  }
+}
+
+TEST(Path, WithShadowsOffNothingBlocksALight) {
+  const std::string scene =
+      "camera 0 5 0  0 -1 0  0 0 -1  1e-7  0.01 100 point_light 8 8 8  3 4 0  0 0 1 "
+      "material 0 0 0  0.5 0.5 0.5  0 0 0  0 0 0  0 0 0  10 1 0 box 0  -4 -1 -4  4 0 4 sphere 0  1.5 2 0  0.4";
+  RenderSettings settings = Settings();
+  settings.trace.max_depth = 0;
+  EXPECT_EQ(Shown(scene, settings).r, 0);
+  settings.trace.shadows = false;
+  EXPECT_NEAR(Shown(scene, settings).r, 0.5 * 0.8 * 8 / 25, 1e-6);
+}
+
+TEST(Path, AllOfWhatGlassCannotLetOutIsReflectedWithFresnelAndLostWithout) {
+  // From inside a block of glass, 60 degrees off the normal of its face, beyond the critical angle of 41.8. What is
+  // reflected meets a face at the right, 30 degrees off, where most gets out.
+  const std::string scene = "camera 0 0 0  " + std::to_string(std::sin(1.0471975512)) + " " +
+                            std::to_string(std::cos(1.0471975512)) +
+                            " 0  0 0 1  1e-7  0.01 100 background 1 1 1 point_light 0 0 0  0 0 0  1 0 0 "
+                            "material 0 0 0  0 0 0  0 0 0  1 1 1  0 0 0  10 1.5 0 box 0  -9 -1 -9  9 1 9";
+  RenderSettings settings = Settings();
+  settings.trace.max_depth = 1000;
+  settings.samples = 16;
+  EXPECT_EQ(Shown(scene, settings), (R2::Color{}));
+  settings.trace.fresnel = true;
+  EXPECT_NEAR(Shown(scene, settings).r, 1, 1e-6);
+}
+
+}  // namespace
+}  // namespace ray
