@@ -5,6 +5,8 @@
 #   make check      the layer check alone: who may include whom
 #   make asan tsan  the tests again under the sanitizers
 #   make bench      the benchmark programs
+#   make tradeoff   error over seconds for every knob, as CSV and plots under build/tradeoff; FULL=1 for hours
+#   make price      what features cost scenes that do not use them
 #   make install    PREFIX=/usr/local DESTDIR= bindir= datadir= mandir=
 # CXX, CXXFLAGS, CPPFLAGS and LDFLAGS given by the user come after ours and so win.
 
@@ -73,7 +75,7 @@ TEST_SOURCES := $(wildcard tests/*.cpp tests/R2/*.cpp tests/R3/*.cpp tests/sourc
 BENCH_SOURCES := $(wildcard bench/*.cpp)
 objects = $(patsubst %.cpp,$(BUILD)/obj/%.o,$(1))
 
-.PHONY: all $(PROGRAMS) test night check asan tsan bench install uninstall clean compile_commands test-binary
+.PHONY: all $(PROGRAMS) test night check asan tsan bench tradeoff price link_with install uninstall clean compile_commands test-binary
 .SECONDARY:
 all: $(PROGRAMS) $(BUILD)/compile_commands.json
 $(PROGRAMS): %: $(BUILD)/%
@@ -133,6 +135,15 @@ tsan:
 	$(MAKE) BUILD=$(BUILD)/tsan OPTIMIZE=-O1 SANITIZE="-fsanitize=thread" test
 
 bench: $(patsubst bench/%.cpp,$(BUILD)/bench/%,$(BENCH_SOURCES)) raypro
+
+# The scripts say what they measure and which options they take: TRADEOFF="-search 50 hello lens".
+tradeoff: $(PROGRAMS)
+	RAYPRO=$(abspath $(BUILD))/raypro RAYIMG=$(abspath $(BUILD))/rayimg sh script/tradeoff.sh $(if $(FULL),-full) $(TRADEOFF)
+price: raypro
+	BUILD=$(BUILD) sh script/price_of_features.sh $(PRICE)
+# For that script: raypro from OBJECTS and, for the rest, the library, as the program TO.
+link_with: $(BUILD)/obj/source/app/raypro.o $(BUILD)/libray.a
+	@$(CXX) $(OUR_CXXFLAGS) $(CXXFLAGS) $< $(OBJECTS) $(BUILD)/libray.a $(LDFLAGS) $(LIBS) -o $(TO)
 
 install: $(PROGRAMS)
 	install -d $(DESTDIR)$(bindir) $(DESTDIR)$(mandir)/man1 $(DESTDIR)$(datadir)/raypro/scenes \
