@@ -118,8 +118,9 @@ void Account::Rendered(const RenderResult& result) {
   record_.error = result.error;
   if (result.has_hot_pixels)
     Warn(
-        "raypro: warning: a thousandth of the pixels holds more than half of the squared error, so every pixel took as "
-        "many samples; fewer where the picture seems done would have removed light that is seldom found");
+        "raypro: warning: a thousandth of the pixels holds more than half of the squared error; where light is found "
+        "so "
+        "seldom, the true error may be larger than it seems");
   if (result.rays.cut > 0)
     Warn("raypro: warning: " + Counted(result.rays.cut, "ray") + " were not followed; a camera ray may have at most " +
          std::to_string(most_descendants) + " descendants");

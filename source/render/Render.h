@@ -58,7 +58,7 @@ struct RenderResult {
   bool two_streams = false;                  // half of the samples are another, independent set of points
   std::vector<Pass> passes;
   std::optional<ErrorEstimate> error;  // nothing below two samples
-  bool has_hot_pixels = false;         // so few pixels hold the error that no tile was stopped early
+  bool has_hot_pixels = false;         // few pixels hold most of the error, and none was stopped early
 
   bool IsComplete() const { return stop != Stop::request; }
 };
