@@ -66,38 +66,12 @@ constexpr std::uint32_t PascalOf(std::uint32_t bits) {
 
 }  // namespace
 
-std::uint32_t ReversedBits(std::uint32_t bits) {
-  bits = __builtin_bswap32(bits);
-  bits = ((bits & 0x0f0f0f0f) << 4) | ((bits >> 4) & 0x0f0f0f0f);
-  bits = ((bits & 0x33333333) << 2) | ((bits >> 2) & 0x33333333);
-  return ((bits & 0x55555555) << 1) | ((bits >> 1) & 0x55555555);
-}
-
 std::uint32_t SobolBits(std::uint32_t index, std::uint32_t reversed, int dimension) {
   if (dimension == 0) return reversed;
   if (dimension == 1) return PascalOf(reversed);
   const ByteTable& table = tables[static_cast<std::size_t>(dimension - first_in_table)];
   return table[0][index & 0xff] ^ table[1][(index >> 8) & 0xff] ^ table[2][(index >> 16) & 0xff] ^
          table[3][index >> 24];
-}
-
-std::uint32_t OwenReversed(std::uint32_t reversed, std::uint32_t seed) {
-  std::uint32_t bits = reversed;
-  bits ^= bits * 0x3d20adea;
-  bits += seed;
-  bits *= (seed >> 16) | 1;
-  bits ^= bits * 0x05526c56;
-  bits ^= bits * 0x53a22864;
-  return bits;
-}
-
-Sobol::Sobol(std::uint32_t index, std::uint32_t order)
-    : index_(ReversedBits(OwenReversed(ReversedBits(index), order))), reversed_(ReversedBits(index_)) {}
-
-double Sobol::Coordinate(int dimension, std::uint32_t seed) const {
-  const std::uint32_t scrambled =
-      ReversedBits(OwenReversed(ReversedBits(SobolBits(index_, reversed_, dimension)), seed));
-  return scrambled * 0x1p-32;
 }
 
 }  // namespace ray
