@@ -16,7 +16,7 @@ find R2 R3 source -type f \( -name '*.h' -o -name '*.cpp' -o -name '*.def' \) | 
     below["film"] = "R2"
     below["render"] = "parse integrate film"
     below["view"] = "render"
-    below["app"] = "render"
+    below["app"] = "view"
     for (layer in below) allow(layer, layer)
   }
 

@@ -47,7 +47,7 @@ class Job {
         two_streams_(settings.replay ? settings.replay->two_streams : settings.budget.error.has_value()),
         ceiling_(Ceiling()),
         integrator_(MakeIntegrator(settings.mode, world, accelerator.Worker(), TraceSettingsFor(settings))),
-        camera_(world.TheScene().camera, settings.camera, world.Moves(), settings.width, settings.height,
+        camera_(settings.view.value_or(world.TheScene().camera), settings.camera, world.Moves(), settings.width, settings.height,
                 SamplerNamed(settings.trace.sampler), TraceSettingsFor(settings).samples),
         film_(settings.width, settings.height,
               settings.crop.value_or(PixelRectangle{0, 0, settings.width, settings.height}),

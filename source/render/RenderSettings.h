@@ -53,6 +53,7 @@ struct RenderSettings {
   std::string mode = "whitted";  // one of render_modes
   std::string filter = "box";    // one of filter_names
   CameraEffects camera;
+  std::optional<Camera> view;  // to look from instead of the scene's own camera
   TraceSettings trace;
   Budget budget;
   std::optional<Replay> replay;

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "R2/Color.h"
+#include "R3/Box.h"
+
+/// What is drawn, as lists without any word of OpenGL.
+namespace ray {
+
+/// Where drawings live: coordinates relative to the middle of a scene, in units of its radius, so that single precision
+/// shows scenes of any size anywhere.
+struct DrawingSpace {
+  R3::Point center;
+  double radius = 1;  // > 0
+
+  /// Of a scene with this box; radius 1 for an empty one or a point.
+  static DrawingSpace Of(const R3::Box& scene);
+  std::array<float, 3> At(const R3::Point& p) const {
+    return {static_cast<float>((p.x - center.x) / radius), static_cast<float>((p.y - center.y) / radius),
+            static_cast<float>((p.z - center.z) / radius)};
+  }
+};
+
+/// From a DrawingSpace to OpenGL's clip space, column by column.
+using ClipMatrix = std::array<double, 16>;
+
+/// 8 bits a channel: red, green, blue, and how much it covers.
+using Rgba = std::array<std::uint8_t, 4>;
+/// Clamped to what can be shown.
+Rgba Shown(const R2::Color& color, double alpha = 1);
+
+struct Vertex {
+  std::array<float, 3> at{};  // in a DrawingSpace
+  Rgba color{};
+};
+
+/// Two vertices a line.
+using Lines = std::vector<Vertex>;
+
+/// Three indices a triangle.
+struct Triangles {
+  std::vector<Vertex> vertices;
+  std::vector<std::uint32_t> opaque;  // indices
+  std::vector<std::uint32_t> clear;   // indices of triangles to be blended over the others
+};
+
+/// A line of text, its lower left corner in pixels from that of the drawing.
+struct Label {
+  double x = 0, y = 0;
+  std::string text;  // ASCII; anything else is shown as a box
+  Rgba color{255, 255, 255, 255};
+};
+
+}  // namespace ray

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "source/view/Event.h"
+
+namespace ray {
+
+/// Why there is nothing to draw on; one line, with what would help.
+struct ContextError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// Somewhere to draw with OpenGL 3.3 core: current on the thread that made it, until it is destroyed there.
+class Context {
+ public:
+  using Function = void (*)();
+
+  virtual ~Context() = default;
+  /// "egl", "osmesa", "glfw"; with what is behind it.
+  virtual std::string Name() const = 0;
+  /// A function of OpenGL by its name; null when there is none.
+  virtual Function Find(const char* name) const = 0;
+};
+
+/// A context with a place on a screen, which draws into framebuffer 0.
+class Window : public Context {
+ public:
+  virtual int Width() const = 0;  // of the framebuffer, in pixels
+  virtual int Height() const = 0;
+  virtual void Show() = 0;  // what was drawn
+  virtual void SetTitle(const std::string& title) = 0;
+  virtual void SetClipboard(const std::string& text) = 0;
+  /// What has happened since the last call, in order; waits for at most `seconds` while there is nothing. May be called
+  /// back early by Wake.
+  virtual std::vector<Event> Wait(double seconds) = 0;
+};
+
+/// Ends the Wait of any window early; from any thread.
+void WakeWindow();
+
+/// The kinds built in: "egl", "osmesa"; may be empty.
+std::vector<std::string> OffscreenContextKinds();
+/// A context that needs no display and draws into framebuffers of its own making. `kind`: one of those, or "auto" for
+/// the first that works. Throws ContextError.
+std::unique_ptr<Context> MakeOffscreenContext(const std::string& kind);
+
+/// Whether windows are built in.
+bool HasWindows();
+/// Throws ContextError, which says so when there is no display.
+std::unique_ptr<Window> MakeWindow(int width, int height, const std::string& title);
+
+}  // namespace ray

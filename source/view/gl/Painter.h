@@ -1,0 +1,71 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+
+#include "R2/Image.h"
+#include "source/view/Drawing.h"
+#include "source/view/contexts/Context.h"
+
+namespace ray {
+
+/// What a list is kept as by OpenGL; of the painter that made it.
+class KeptTriangles;
+class KeptLines;
+class KeptPicture;
+
+/// Draws lists with OpenGL 3.3 core. All calls on the thread of the context, which must outlive it.
+class Painter {
+ public:
+  /// Where the drawing goes: framebuffer 0 of a window, or one of its own. Throws ContextError when the context lacks a
+  /// function or refuses a shader.
+  enum class Target { window, own };
+  Painter(const Context& context, Target target);
+  ~Painter();
+  Painter(const Painter&) = delete;
+
+  /// Kept until the pointer goes.
+  std::shared_ptr<KeptTriangles> Keep(const Triangles& triangles);
+  std::shared_ptr<KeptLines> Keep(const Lines& lines);
+  /// An empty picture, of floats r g b.
+  std::shared_ptr<KeptPicture> KeepPicture(int width, int height);
+  /// Rows first .. first + count - 1 from the bottom; `rgb` holds those rows.
+  void Update(KeptPicture& picture, int first, int count, std::span<const float> rgb);
+  /// What is kept, for tests: rows from the bottom, r g b.
+  std::vector<float> ReadBack(const KeptPicture& picture);
+
+  /// A new drawing of this size.
+  void Begin(int width, int height, const R2::Color& background);
+  /// What follows goes to a part of the drawing, and is cut there.
+  void SetPart(int x, int y, int width, int height);
+  /// Opaque ones first, then clear ones without writing depth.
+  void Draw(const KeptTriangles& triangles, const ClipMatrix& clip_from_drawing);
+  /// Lines of `width` pixels; what is hidden by triangles is drawn with its cover times `hidden`, in [0, 1].
+  void Draw(const KeptLines& lines, const ClipMatrix& clip_from_drawing, double width = 1, double hidden = 0);
+  /// Edges of triangles in one colour.
+  void DrawEdges(const KeptTriangles& triangles, const ClipMatrix& clip_from_drawing, const Rgba& color);
+  /// The picture on a quad in space: its lower left, lower right, upper right and upper left corner. Each channel is
+  /// multiplied by `exposure`, then encoded as sRGB if asked for, then clamped. Rows at and above `rows` are left out.
+  struct PictureLook {
+    double exposure = 1;
+    bool srgb = false;
+    int rows = -1;  // -1: all
+    double alpha = 1;
+  };
+  void Draw(const KeptPicture& picture, const std::array<std::array<float, 3>, 4>& corners,
+            const ClipMatrix& clip_from_drawing, const PictureLook& look);
+  /// The picture over the current part, from corner to corner.
+  void Draw(const KeptPicture& picture, const PictureLook& look);
+  /// Text over all, on a dark ground so that it can be read on anything. 8 x 16 pixels a character.
+  void Draw(std::span<const Label> labels);
+
+  /// The drawing so far.
+  R2::Image Read();
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace ray
