@@ -35,13 +35,6 @@ std::string WithoutDashes(const std::string& word) {
   return first == std::string::npos ? "" : word.substr(first);
 }
 
-std::string Fixed(double number, int digits_behind_point) {
-  std::array<char, 400> text{};
-  const auto [end, error] =
-      std::to_chars(text.data(), text.data() + text.size(), number, std::chars_format::fixed, digits_behind_point);
-  return std::string(text.data(), end);
-}
-
 std::string Counted(std::uint64_t count, const std::string& noun) {
   return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
 }

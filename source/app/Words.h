@@ -1,12 +1,12 @@
 #pragma once
 
-#include <array>
-#include <charconv>
 #include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
+
+#include "source/scene/NumberText.h"
 
 /// Words that users type and read.
 namespace ray {
@@ -16,17 +16,6 @@ std::string ShellLine(std::span<const std::string> words);
 
 /// "width" for "--width"; empty when there are dashes only.
 std::string WithoutDashes(const std::string& word);
-
-/// With so many digits behind the point, whatever the locale.
-std::string Fixed(double number, int digits_behind_point);
-
-/// The shortest text that reads back as the same number.
-template <class T>
-std::string ToText(T number) {
-  std::array<char, 64> text{};
-  const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), number);
-  return std::string(text.data(), end);
-}
 
 /// "1 pixel", "2 pixels"
 std::string Counted(std::uint64_t count, const std::string& noun);

@@ -35,6 +35,10 @@ R3::Point EmissiveTriangle::PointTowards(const R3::Point& seen_from, const R2::P
 
 double EmissiveTriangle::Area() const { return Length(Cross(corners[1] - corners[0], corners[2] - corners[0])) / 2; }
 
+std::string EmissiveTriangle::Describe() const {
+  return "triangle that shines, primitive " + std::to_string(primitive);
+}
+
 LightBound EmissiveTriangle::Bound() const {
   R3::Box box;
   for (const R3::Point& corner : corners) box.Extend(corner);

@@ -25,6 +25,7 @@ struct EmissiveTriangle {
   R3::Point PointTowards(const R3::Point& seen_from, const R2::Point& random, double time) const;
 
   double Area() const;
+  std::string Describe() const;
   /// What choosing among lights goes by, without fall-off as the course has it.
   LightBound Bound() const;
 };

@@ -1,5 +1,6 @@
 #include "source/integrate/FirstHit.h"
 
+#include "source/integrate/RayRecorder.h"
 #include "source/integrate/Surface.h"
 
 namespace ray {
@@ -11,7 +12,20 @@ void FirstHit::Radiance(std::span<const CameraSample> samples, std::span<R2::Col
   state.hits.assign(samples.size(), {});
   accelerator_.Intersect(state.batch, state.hits.data(), state.workspace);
   state.Book(RayKind::camera, samples.size());
-  for (std::size_t i = 0; i < samples.size(); ++i) radiances[i] = Seen(samples[i], state.hits[i]);
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    radiances[i] = Seen(samples[i], state.hits[i]);
+    if (state.recorder) Record(samples[i], state.hits[i], radiances[i], *state.recorder);
+  }
+}
+
+void FirstHit::Record(const CameraSample& sample, const std::optional<WorldHit>& hit, const R2::Color& seen,
+                      RayRecorder& recorder) const {
+  TracedRay first{.ray = sample.ray, .place = sample.place};
+  first.record = recorder.Begin(first);
+  if (hit)
+    recorder.Hits(SurfaceAt(world_, first, *hit), seen);
+  else
+    recorder.Misses(first.record, seen);
 }
 
 R2::Color FirstHit::Seen(const CameraSample& sample, const std::optional<WorldHit>& hit) const {

@@ -23,6 +23,8 @@ class FirstHit : public Integrator {
                 TraceState& state) const override;
 
  private:
+  void Record(const CameraSample& sample, const std::optional<WorldHit>& hit, const R2::Color& seen,
+              RayRecorder& recorder) const;
   R2::Color Seen(const CameraSample& sample, const std::optional<WorldHit>& hit) const;
 
   const World& world_;

@@ -6,6 +6,7 @@
 
 #include "source/integrate/Bend.h"
 #include "source/integrate/Phong.h"
+#include "source/integrate/RayRecorder.h"
 #include "source/scene/Warp.h"
 
 namespace ray {
@@ -68,16 +69,22 @@ void Path::Radiance(std::span<const CameraSample> samples, std::span<R2::Color> 
   state.Book(RayKind::camera, samples.size());
 
   std::vector<Surface> surfaces;
-  for (std::size_t i = 0; i < samples.size(); ++i)
-    if (state.hits[i])
-      surfaces.push_back(SurfaceAt(world_, {.ray = samples[i].ray, .place = samples[i].place}, *state.hits[i]));
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    TracedRay first{.ray = samples[i].ray, .place = samples[i].place};
+    if (state.recorder) first.record = state.recorder->Begin(first);
+    if (state.hits[i]) {
+      surfaces.push_back(SurfaceAt(world_, first, *state.hits[i]));
+      if (state.recorder) state.recorder->Hits(surfaces.back(), Shining(surfaces.back()));
+    } else if (state.recorder) {
+      state.recorder->Misses(first.record, Background(world_.TheScene(), first.ray.direction));
+    }
+  }
   state.arrived.assign(surfaces.size(), {});
   for (std::size_t i = 0; i < surfaces.size(); ++i) AddLight(surfaces[i], i, state);
   TraceShadowRays(state, true);
   for (std::size_t i = 0; i < surfaces.size(); ++i) {
     const Surface& s = surfaces[i];
-    surfaces[i].radiance =
-        s.found_by.weight * (s.material->emission + s.material->ka * world_.TheScene().ambient) + state.arrived[i];
+    surfaces[i].radiance = Shining(s) + state.arrived[i];
   }
   auto surface = surfaces.begin();
   for (std::size_t i = 0; i < samples.size(); ++i) {
@@ -90,19 +97,33 @@ void Path::Radiance(std::span<const CameraSample> samples, std::span<R2::Color> 
   }
 }
 
+/// What a surface seen by a camera ray sends back by itself.
+R2::Color Path::Shining(const Surface& s) const {
+  return s.found_by.weight * (s.material->emission + s.material->ka * world_.TheScene().ambient);
+}
+
 /// All that comes to a surface over further bounces, its weight included.
 R2::Color Path::Continue(Surface surface, TraceState& state) const {
   R2::Color sum;
   while (true) {
-    const auto bounce = Scatter(surface);
+    auto bounce = Scatter(surface);
     if (!bounce) return sum;
+    if (state.recorder) bounce->next.record = state.recorder->Begin(bounce->next);
     const auto hit = accelerator_.Intersect(bounce->next.ray, state.workspace);
     state.Book(bounce->next.kind, 1);
-    if (!hit) return sum += EmittedByEnvironment(surface, *bounce);
+    if (!hit) {
+      const R2::Color seen = EmittedByEnvironment(surface, *bounce);
+      if (state.recorder) state.recorder->Misses(bounce->next.record, seen);
+      return sum += seen;
+    }
     const Surface next = SurfaceAt(world_, bounce->next, *hit);
-    sum += Emitted(surface, *bounce, next);
-    if (next.found_by.depth > settings_.max_depth) return sum;
-    sum += next.found_by.weight * next.material->ka * world_.TheScene().ambient;
+    const R2::Color emitted = Emitted(surface, *bounce, next);
+    sum += emitted;
+    const bool is_last = next.found_by.depth > settings_.max_depth;
+    const R2::Color ambient = next.found_by.weight * next.material->ka * world_.TheScene().ambient;
+    if (state.recorder) state.recorder->Hits(next, is_last ? emitted : emitted + ambient);
+    if (is_last) return sum;
+    sum += ambient;
     state.arrived.assign(1, {});
     AddLight(next, 0, state);
     TraceShadowRays(state, false);
@@ -165,6 +186,9 @@ void Path::AddLightSample(const Surface& s, const Lobes& lobes, const PathLightS
   if (IsBlack(reflected)) return;
   state.shadow_rays.push_back(ShadowRay(s, light.to_light, light.is_infinite));
   state.shadows.push_back({index, s.found_by.weight * reflected});
+  if (state.recorder)
+    state.shadows.back().record = state.recorder->BeginShadow(
+        s, state.shadow_rays.back(), state.shadows.back().reflected, lights_.Describe(light.light));
 }
 
 void Path::TraceShadowRays(TraceState& state, bool together) const {
@@ -185,6 +209,12 @@ void Path::TraceShadowRays(TraceState& state, bool together) const {
     }
     state.Book(RayKind::shadow, count);
   }
+  if (state.recorder)
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto blocker = state.are_occluded[i] ? accelerator_.Intersect(state.shadow_rays[i], state.workspace)
+                                                 : std::optional<WorldHit>{};
+      state.recorder->EndShadow(state.shadows[i].record, blocker, world_);
+    }
   for (std::size_t i = 0; i < count; ++i)
     if (!state.are_occluded[i]) state.arrived[state.shadows[i].surface] += state.shadows[i].reflected;
   state.shadow_rays.clear();
@@ -228,6 +258,7 @@ std::optional<Path::Bounce> Path::Scatter(const Surface& s) const {
   }
   if (!bounce) return {};
   bounce->next.depth = s.found_by.depth + 1;
+  bounce->next.record = s.found_by.record;
   bounce->next.place = s.found_by.place.Child(bounce_key);
   if (!Survives(bounce->next, random[3])) return {};
   return bounce;

@@ -28,6 +28,7 @@ class Path : public Integrator {
   struct Bounce;
   struct Lobes;
 
+  R2::Color Shining(const Surface& surface) const;
   R2::Color Continue(Surface surface, TraceState& state) const;
   /// Shadow rays to lights, with what they bring to `surface`, its weight included; `index` is where it arrives.
   void AddLight(const Surface& surface, std::size_t index, TraceState& state) const;

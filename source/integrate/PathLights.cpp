@@ -70,6 +70,12 @@ std::optional<PathLightSample> PathLights::SampleOne(const Surface& surface, con
   return sample;
 }
 
+std::string PathLights::Describe(int light) const {
+  const auto i = static_cast<std::size_t>(light);
+  if (i < lights_.size()) return lights_[i]->Describe();
+  return i - lights_.size() < triangles_.size() ? triangles_[i - lights_.size()].Describe() : "environment";
+}
+
 std::optional<LightTree::Choice> PathLights::Choose(const Surface& surface, double choice) const {
   if (draws_evenly_) return LightTree::Choice{std::min(count_ - 1, static_cast<int>(choice * count_)), 1.0 / count_};
   return tree_->Choose(surface.lit_from, surface.N, choice);
@@ -85,7 +91,7 @@ std::optional<PathLightSample> PathLights::Sample(const Surface& surface, int li
   if (i < lights_.size()) {
     const auto lit = lights_[i]->Illuminate(surface.lit_from, place);
     if (!lit) return {};
-    return PathLightSample{lit->irradiance, lit->to_light, lit->is_infinite, 0};
+    return PathLightSample{lit->irradiance, lit->to_light, lit->is_infinite, 0, light};
   }
   i -= lights_.size();
   if (i < triangles_.size()) {
@@ -94,15 +100,15 @@ std::optional<PathLightSample> PathLights::Sample(const Surface& surface, int li
         triangle.PointTowards(surface.lit_from, place, surface.found_by.ray.time) - surface.lit_from;
     const double density = SolidAngleDensity(triangle, towards, 1);
     if (!(density > 0)) return {};
-    return PathLightSample{triangle.emission / density, towards, false, density};
+    return PathLightSample{triangle.emission / density, towards, false, density, light};
   }
   if (!features::environment) return {};
   if (draws_evenly_) {
     const R3::Vector direction = OnSphere(place);
-    return PathLightSample{environment_->Radiance(direction) / sphere_density, direction, true, sphere_density};
+    return PathLightSample{environment_->Radiance(direction) / sphere_density, direction, true, sphere_density, light};
   }
   const Environment::Sample drawn = environment_->Draw(place);
-  return PathLightSample{drawn.radiance / drawn.density, drawn.direction, true, drawn.density};
+  return PathLightSample{drawn.radiance / drawn.density, drawn.direction, true, drawn.density, light};
 }
 
 double PathLights::DensityOfEnvironment(const Surface& from, const R3::Vector& direction, bool choosing) const {

@@ -20,6 +20,7 @@ struct PathLightSample {
   R3::Vector to_light;
   bool is_infinite = false;
   double density = 0;  // per solid angle, times the probability of choosing the light; 0 for lights no ray can hit
+  int light = 0;       // its number
 };
 
 /// All lights as path tracing sees them: those of the scene language, which no ray can hit; emissive triangles, whose
@@ -33,6 +34,9 @@ class PathLights {
   int Count() const { return count_; }
   /// Whether some light can be found by following scattered rays as well.
   bool CanBeHit() const { return environment_ || has_background_ || !triangles_.empty(); }
+
+  /// A light in words.
+  std::string Describe(int light) const;
 
   /// One light by chance, and a place on it.
   std::optional<PathLightSample> SampleOne(const Surface& surface, const R2::Point& place, double choice) const;

@@ -20,13 +20,17 @@ struct TracedRay {
   std::int64_t depth = 0;  // bounces before it
   SamplePlace place;
   RayKind kind = RayKind::camera;
+  int record = -1;  // where rays are recorded: its number; until it is traced that of the ray it comes from
 };
 
 /// A shadow ray still to be traced, and which of the surfaces being shaded reflects how much unless it is stopped.
 struct Shadow {
   std::size_t surface = 0;
   R2::Color reflected;
+  int record = -1;  // where rays are recorded: its number
 };
+
+class RayRecorder;
 
 /// What one thread needs while tracing.
 struct TraceState {
@@ -36,9 +40,10 @@ struct TraceState {
   std::vector<std::optional<WorldHit>> hits;
   std::vector<TracedRay> pending;
   std::vector<R3::Ray> shadow_rays;
-  std::vector<Shadow> shadows;     // one for each of them
-  std::vector<R2::Color> arrived;  // at each surface
-  std::vector<char> are_occluded;  // of the shadow rays
+  std::vector<Shadow> shadows;      // one for each of them
+  std::vector<R2::Color> arrived;   // at each surface
+  std::vector<char> are_occluded;   // of the shadow rays
+  RayRecorder* recorder = nullptr;  // told of every ray; null for none
 
   /// Books rays of one kind and what the workspace has counted since the last.
   void Book(RayKind kind, std::size_t count) {

@@ -7,6 +7,7 @@
 #include "source/integrate/Bend.h"
 #include "source/integrate/Features.h"
 #include "source/integrate/Phong.h"
+#include "source/integrate/RayRecorder.h"
 #include "source/scene/Warp.h"
 
 namespace ray {
@@ -58,6 +59,11 @@ R2::Color Reflection(const Environment&, const Surface& s, const Illumination& l
   return std::max(0.0, Dot(s.N, lit.to_light)) * s.kd * lit.irradiance;
 }
 
+/// What a recording calls it.
+std::string Described(const Light& light) { return light.Describe(); }
+std::string Described(const EmissiveTriangle& triangle) { return triangle.Describe(); }
+std::string Described(const Environment&) { return "environment"; }
+
 bool Scatters(const Surface& s) { return !IsBlack(s.kd) || !IsBlack(s.material->ks); }
 
 }  // namespace
@@ -89,9 +95,14 @@ void Whitted::Radiance(std::span<const CameraSample> samples, std::span<R2::Colo
   state.Book(RayKind::camera, samples.size());
 
   std::vector<Surface> surfaces;
-  for (std::size_t i = 0; i < samples.size(); ++i)
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    TracedRay first{.ray = samples[i].ray, .place = samples[i].place};
+    if (state.recorder) first.record = state.recorder->Begin(first);
     if (state.hits[i])
-      surfaces.push_back(SurfaceAt(world_, {.ray = samples[i].ray, .place = samples[i].place}, *state.hits[i]));
+      surfaces.push_back(SurfaceAt(world_, first, *state.hits[i]));
+    else if (state.recorder)
+      state.recorder->Misses(first.record, Background(world_.TheScene(), first.ray.direction));
+  }
   Shade(surfaces, state);
   auto surface = surfaces.begin();
   for (std::size_t i = 0; i < samples.size(); ++i)
@@ -116,12 +127,15 @@ R2::Color Whitted::Follow(const Surface& first, TraceState& state) const {
   };
   spawn(first);
   while (!state.pending.empty()) {
-    const TracedRay current = state.pending.back();
+    TracedRay current = state.pending.back();
     state.pending.pop_back();
+    if (state.recorder) current.record = state.recorder->Begin(current);
     const auto hit = accelerator_.Intersect(current.ray, state.workspace);
     state.Book(current.kind, 1);
     if (!hit) {
-      sum += current.weight * Background(world_.TheScene(), current.ray.direction);
+      const R2::Color seen = current.weight * Background(world_.TheScene(), current.ray.direction);
+      if (state.recorder) state.recorder->Misses(current.record, seen);
+      sum += seen;
       continue;
     }
     Surface surface = SurfaceAt(world_, current, *hit);
@@ -133,7 +147,10 @@ R2::Color Whitted::Follow(const Surface& first, TraceState& state) const {
 }
 
 void Whitted::Shade(std::span<Surface> surfaces, TraceState& state) const {
-  for (Surface& s : surfaces) s.radiance = s.material->emission + s.material->ka * world_.TheScene().ambient;
+  for (Surface& s : surfaces) {
+    s.radiance = s.material->emission + s.material->ka * world_.TheScene().ambient;
+    if (state.recorder) state.recorder->Hits(s, s.found_by.weight * s.radiance);
+  }
   if (features::choice_of_lights && tree_) {
     AddChosenLights(surfaces, state);
   } else {
@@ -194,6 +211,9 @@ void Whitted::AddSample(const AnyLight& light, const Surface& s, std::size_t ind
   if (IsBlack(reflected)) return;
   state.shadow_rays.push_back(ShadowRay(s, lit->to_light, lit->is_infinite));
   state.shadows.push_back({index, weight * reflected});
+  if (state.recorder)
+    state.shadows.back().record = state.recorder->BeginShadow(
+        s, state.shadow_rays.back(), s.found_by.weight * (weight * reflected), Described(light));
   if (state.shadows.size() == most_shadow_rays) TraceShadowRays(state);
 }
 
@@ -208,6 +228,12 @@ void Whitted::TraceShadowRays(TraceState& state) const {
     accelerator_.IsOccluded(state.shadow_rays, are_occluded.data(), state.workspace);
     state.Book(RayKind::shadow, state.shadow_rays.size());
   }
+  if (state.recorder)
+    for (std::size_t i = 0; i < state.shadows.size(); ++i) {
+      const auto blocker =
+          are_occluded[i] ? accelerator_.Intersect(state.shadow_rays[i], state.workspace) : std::optional<WorldHit>{};
+      state.recorder->EndShadow(state.shadows[i].record, blocker, world_);
+    }
   for (std::size_t i = 0; i < state.shadows.size(); ++i)
     if (!are_occluded[i]) state.arrived[state.shadows[i].surface] += state.shadows[i].reflected;
   state.shadow_rays.clear();
@@ -252,16 +278,18 @@ void Whitted::Spawn(const Surface& s, TraceState& state) const {
       // same answers, of which the first is now outside the interval: nothing moves, nothing is hit twice.
       R3::Ray onward = parent.ray;
       onward.t_min = s.hit.hit.t;
-      state.pending.push_back({onward, *weight, parent.depth + 1, through, RayKind::transmission});
+      state.pending.push_back({onward, *weight, parent.depth + 1, through, RayKind::transmission, parent.record});
     } else if (const auto bent =
                    Refracted(-s.towards_viewer, s.N, s.from_outside ? 1 / s.material->ir : s.material->ir)) {
-      state.pending.push_back({Onward(s, *bent), *weight, parent.depth + 1, through, RayKind::transmission});
+      state.pending.push_back(
+          {Onward(s, *bent), *weight, parent.depth + 1, through, RayKind::transmission, parent.record});
     }
   }
   if (const auto weight = Wanted(parent.weight * weights.reflected, parent.place, reflection_key)) {
     const SamplePlace back = parent.place.Child(reflection_key);
     if (const auto direction = ReflectionOf(s, back))
-      state.pending.push_back({Onward(s, *direction), *weight, parent.depth + 1, back, RayKind::reflection});
+      state.pending.push_back(
+          {Onward(s, *direction), *weight, parent.depth + 1, back, RayKind::reflection, parent.record});
   }
 }
 

@@ -1,0 +1,144 @@
+#include "source/render/PixelTrace.h"
+
+#include <array>
+#include <cmath>
+
+#include "source/scene/NumberText.h"
+
+namespace ray {
+namespace {
+
+constexpr int digits = 7;  // of numbers in a tree; all that a reader compares
+
+TraceSettings TraceSettingsOf(const RenderSettings& settings) {
+  TraceSettings trace = settings.trace;
+  trace.samples = static_cast<std::uint32_t>(settings.samples);
+  return trace;
+}
+
+std::string Text(double number) { return Rounded(number, digits); }
+std::string Text(double x, double y, double z) { return Text(x) + " " + Text(y) + " " + Text(z); }
+std::string Text(const R3::Point& p) { return Text(p.x, p.y, p.z); }
+std::string Text(const R3::Vector& v) { return Text(v.x, v.y, v.z); }
+std::string Text(const R2::Color& c) { return Text(c.r, c.g, c.b); }
+
+/// Writes the rays of one pixel, each below the one it came from.
+class TreeWriter {
+ public:
+  TreeWriter(const PixelTrace& trace, const World& world, std::size_t most_rays)
+      : trace_(trace), world_(world), left_(most_rays), children_(trace.rays.size()) {
+    for (std::size_t i = 0; i < trace.rays.size(); ++i)
+      if (trace.rays[i].parent != RecordedRay::none)
+        children_[static_cast<std::size_t>(trace.rays[i].parent)].push_back(i);
+  }
+
+  std::string Write() {
+    std::size_t sample = 0;
+    for (std::size_t i = 0; i < trace_.rays.size(); ++i) {
+      if (trace_.rays[i].parent != RecordedRay::none) continue;
+      const CameraSample& taken = trace_.samples[sample];
+      text_ += "sample " + std::to_string(sample + 1) + " at " + Text(taken.x) + " " + Text(taken.y) + ": " +
+               Text(trace_.radiances[sample]) + "\n";
+      ++sample;
+      WriteFrom(i);
+    }
+    if (cut_ > 0) text_ += std::to_string(cut_) + " more rays are not shown\n";
+    return std::move(text_);
+  }
+
+ private:
+  /// Depth first, on a stack: trees may be as deep as mirrors facing each other make them.
+  void WriteFrom(std::size_t root) {
+    std::vector<std::pair<std::size_t, int>> open{{root, 1}};
+    while (!open.empty()) {
+      const auto [i, indent] = open.back();
+      open.pop_back();
+      for (auto child = children_[i].rbegin(); child != children_[i].rend(); ++child)
+        open.emplace_back(*child, indent + 1);
+      if (left_ == 0) {
+        ++cut_;
+        continue;
+      }
+      --left_;
+      WriteRay(trace_.rays[i], indent);
+    }
+  }
+
+  void WriteRay(const RecordedRay& ray, int indent) {
+    constexpr int deepest_indent = 40;  // columns
+    const std::string margin(static_cast<std::size_t>(std::min(2 * indent, deepest_indent)), ' ');
+    text_ += margin + ray_kind_names[static_cast<std::size_t>(ray.kind)] + " ray";
+    if (!ray.towards.empty()) text_ += " to " + ray.towards;
+    text_ += "\n" + margin + "  from " + Text(ray.ray.origin) + " along " + Text(ray.ray.direction);
+    if (ray.is_inside) text_ += ", inside";
+    text_ += ", weight " + Text(ray.weight) + "\n";
+    text_ += margin + "  " + End(ray) + ", brings " + Text(ray.brings) + "\n";
+  }
+
+  std::string End(const RecordedRay& ray) const {
+    if (!ray.at) return ray.kind == RayKind::shadow ? "reaches it" : "meets nothing";
+    const Instance& instance = world_.Instances()[ray.hit->instance];
+    const Location& where = instance.node->location;
+    std::string text = ray.kind == RayKind::shadow ? "is stopped by " : "meets ";
+    text += "primitive " + std::to_string(world_.PrimitiveId(*ray.hit));
+    if (where.line > 0) text += " of " + world_.TheScene().files[where.file] + ":" + std::to_string(where.line);
+    text += " at t " + Text(ray.hit->hit.t) + ", " + Text(ray.at->position);
+    if (ray.kind == RayKind::shadow) return text;
+    text += ", normal " + Text(AsVector(ray.at->normal));
+    if (!(ray.at->shading_normal == ray.at->normal)) text += ", shaded as " + Text(AsVector(ray.at->shading_normal));
+    return text + ", uv " + Text(ray.at->uv.x) + " " + Text(ray.at->uv.y);
+  }
+
+  const PixelTrace& trace_;
+  const World& world_;
+  std::size_t left_, cut_ = 0;
+  std::vector<std::vector<std::size_t>> children_;
+  std::string text_;
+};
+
+}  // namespace
+
+R2::Color PixelTrace::Mean() const {
+  R2::Color sum;
+  for (const R2::Color& radiance : radiances) sum += radiance;
+  return radiances.empty() ? sum : sum / static_cast<double>(radiances.size());
+}
+
+PixelTracer::PixelTracer(const World& world, const Accelerator& accelerator, const RenderSettings& settings)
+    : settings_(settings),
+      integrator_(MakeIntegrator(settings.mode, world, accelerator.Worker(), TraceSettingsOf(settings))),
+      camera_(settings.view.value_or(world.TheScene().camera), settings.camera, world.Moves(), settings.width,
+              settings.height, SamplerNamed(settings.trace.sampler), TraceSettingsOf(settings).samples) {}
+
+PixelTrace PixelTracer::Trace(int column, int row, int samples) const {
+  PixelTrace trace{column, row, {}, {}, {}};
+  const RandomKey pixel =
+      RandomKey(settings_.seed).Child(static_cast<std::uint64_t>(column)).Child(static_cast<std::uint64_t>(row));
+  RayRecorder recorder;
+  TraceState state;
+  state.recorder = &recorder;
+  for (int i = 0; i < samples; ++i) {
+    trace.samples.push_back(camera_(column, row, pixel, static_cast<std::uint32_t>(i)));
+    R2::Color radiance;
+    integrator_->Radiance({&trace.samples.back(), 1}, {&radiance, 1}, state);
+    trace.radiances.push_back(radiance);
+  }
+  trace.rays = recorder.Rays();
+  return trace;
+}
+
+std::string RayTree(const PixelTrace& trace, const World& world, const RenderSettings& settings,
+                    std::size_t most_rays) {
+  return "pixel " + std::to_string(trace.column) + " " + std::to_string(trace.row) + " of " +
+         std::to_string(settings.width) + " x " + std::to_string(settings.height) + ", " + settings.mode + ": " +
+         Text(trace.Mean()) +
+         (trace.samples.size() > 1 ? ", the mean of " + std::to_string(trace.samples.size()) + " samples" : "") + "\n" +
+         TreeWriter(trace, world, most_rays).Write();
+}
+
+std::string DebugPixel(const World& world, const Accelerator& accelerator, const RenderSettings& settings, int column,
+                       int row) {
+  return RayTree(PixelTracer(world, accelerator, settings).Trace(column, row, settings.samples), world, settings);
+}
+
+}  // namespace ray

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "source/accelerate/Accelerator.h"
+#include "source/integrate/RayRecorder.h"
+#include "source/render/RenderSettings.h"
+
+namespace ray {
+
+/// The rays behind a pixel.
+struct PixelTrace {
+  int column = 0, row = 0;        // from the left, and from the bottom
+  std::vector<RecordedRay> rays;  // of all its samples; parents before children
+  std::vector<CameraSample> samples;
+  std::vector<R2::Color> radiances;  // what each sample saw
+
+  R2::Color Mean() const;
+};
+
+/// Traces pixels while keeping their rays: by the same integrator, from the same random choices as Render does, so
+/// these are the rays of the picture.
+class PixelTracer {
+ public:
+  /// All must outlive it.
+  PixelTracer(const World& world, const Accelerator& accelerator, const RenderSettings& settings);
+
+  /// The first `samples` samples of a pixel of the whole picture.
+  PixelTrace Trace(int column, int row, int samples) const;
+
+ private:
+  RenderSettings settings_;
+  std::unique_ptr<const Integrator> integrator_;
+  CameraRays camera_;
+};
+
+/// The tree of a pixel's rays in lines of text: kind, origin, direction, where each ends and on what, what it weighs
+/// and what it brings. At most `most_rays` of them, then a count of the rest.
+std::string RayTree(const PixelTrace& trace, const World& world, const RenderSettings& settings,
+                    std::size_t most_rays = 1000);
+
+/// For a program's user: all samples of one pixel.
+std::string DebugPixel(const World& world, const Accelerator& accelerator, const RenderSettings& settings, int column,
+                       int row);
+
+}  // namespace ray

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <array>
+#include <charconv>
+#include <string>
+
+/// Numbers as people and scene files read them, whatever the locale.
+namespace ray {
+
+/// With so many digits behind the point.
+std::string Fixed(double number, int digits_behind_point);
+
+/// The shortest text that reads back as the same number.
+template <class T>
+std::string ToText(T number) {
+  std::array<char, 64> text{};
+  const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), number);
+  return std::string(text.data(), end);
+}
+
+/// With at most `digits` digits that count.
+std::string Rounded(double number, int digits);
+
+}  // namespace ray
