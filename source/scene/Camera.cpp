@@ -5,6 +5,11 @@
 namespace ray {
 namespace {
 
+// Directions that are unit and perpendicular to within so much are so but for rounding.
+constexpr double rounding = 8 * 0x1p-53;
+
+bool IsUnit(const R3::Vector& v) { return std::abs(Dot(v, v) - 1) <= rounding; }
+
 // Below this angle the cross product of two unit vectors is mostly their rounding: 1e-9 rad leaves seven good digits.
 constexpr double parallel_angle = 1e-9;
 
@@ -20,7 +25,7 @@ AimedCamera Aim(const R3::Point& eye, const R3::Vector& towards, const R3::Vecto
   AimedCamera aimed;
   Camera& c = aimed.camera;
   c.eye = eye;
-  c.towards = Unit(towards);
+  c.towards = IsUnit(towards) ? towards : Unit(towards);
   R3::Vector across = Cross(c.towards, Unit(up));
   if (!(Length(across) > parallel_angle)) {
     const R3::Vector a = Abs(c.towards);
@@ -30,8 +35,9 @@ AimedCamera Aim(const R3::Point& eye, const R3::Vector& towards, const R3::Vecto
     across = Cross(c.towards, axis);
     aimed.up_was_replaced = true;
   }
-  c.right = Unit(across);
-  c.up = Unit(Cross(c.right, c.towards));
+  const bool is_straight = IsUnit(up) && std::abs(Dot(up, c.towards)) <= rounding;
+  c.up = is_straight ? up : Unit(Cross(Unit(across), c.towards));
+  c.right = Unit(Cross(c.towards, c.up));
   return aimed;
 }
 

@@ -19,7 +19,7 @@ struct Camera {
 
 /// A camera looking along `towards` (not zero) with `up` straightened: right = unit(towards x up),
 /// up = unit(right x towards). If the two are parallel within 1e-9 rad, or up is zero, the coordinate axis least along
-/// `towards` replaces up, and `up_was_replaced` is set.
+/// `towards` replaces up, and `up_was_replaced` is set. Aimed again, a camera stays as it is to the bit.
 struct AimedCamera {
   Camera camera;
   bool up_was_replaced = false;

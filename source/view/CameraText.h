@@ -1,0 +1,33 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+
+#include "source/scene/Camera.h"
+
+namespace ray {
+
+/// The camera as a line of a .scn file that reads back as the same camera to the bit:
+///     camera ex ey ez  tx ty tz  ux uy uz  xfov  near far
+std::string CameraLine(const Camera& camera);
+/// Nothing when it is no such line.
+std::optional<Camera> ReadCameraLine(const std::string& line);
+
+/// Cameras under the digits 1 to 9, kept in a file beside the scene: lines of a digit and a camera line.
+class Bookmarks {
+ public:
+  explicit Bookmarks(const std::filesystem::path& scene);
+
+  std::optional<Camera> Find(int digit) const;
+  /// Also into the file; false when it cannot be written, and the bookmark lasts as long as the program.
+  bool Keep(int digit, const Camera& camera);
+  const std::filesystem::path& File() const { return file_; }
+
+ private:
+  std::filesystem::path file_;
+  std::map<int, Camera> cameras_;
+};
+
+}  // namespace ray

@@ -1,0 +1,221 @@
+#include "source/view/EventScript.h"
+
+#include <array>
+#include <functional>
+#include <string_view>
+
+#include "source/parse/Number.h"
+#include "source/parse/Suggestion.h"
+#include "source/parse/Tokenizer.h"
+#include "source/scene/NumberText.h"
+
+namespace ray {
+namespace {
+
+constexpr std::array button_names{"left", "middle", "right"};
+constexpr std::array<std::string_view, 16> step_names{"screenshot", "print", "key",   "press", "release", "down",
+                                                      "up",         "move",  "click", "drag",  "scroll",  "resize",
+                                                      "drop",       "tick",  "close", "wait"};
+constexpr int drag_moves = 8;
+
+std::string Named(Button button) { return button_names[static_cast<std::size_t>(button)]; }
+
+std::string WithModifiers(const Modifiers& modifiers) {
+  return std::string(modifiers.control ? " Control" : "") + (modifiers.shift ? " Shift" : "");
+}
+
+/// Reads one script; every mistake is kept, and its line left out.
+class Reader {
+ public:
+  explicit Reader(const Text& text) : text_(text), tokens_(text, Tokenizer::Comments::hash) {}
+
+  std::vector<ScriptStep> Read() {
+    while (const auto word = tokens_.Next()) {
+      try {
+        ReadStep(*word);
+      } catch (const SceneError& error) {
+        errors_.push_back(error);
+        tokens_.SkipLine(word->line);
+      }
+    }
+    if (!errors_.empty()) throw SceneErrors(errors_);
+    return std::move(steps_);
+  }
+
+ private:
+  void ReadStep(const Token& word) {
+    line_ = word;
+    const std::string_view name = word.text;
+    if (name == "key" || name == "press" || name == "release") {
+      const auto [key, modifiers] = KeyWithModifiers();
+      if (name != "release") Add(KeyEvent{key, modifiers, true});
+      if (name != "press") Add(KeyEvent{key, modifiers, false});
+    } else if (name == "down" || name == "up") {
+      const Button button = AButton();
+      const double x = Number("x"), y = Number("y");
+      Add(ButtonEvent{button, name == "down", x, y, ModifiersAtEnd()});
+    } else if (name == "move") {
+      const double x = Number("x"), y = Number("y");
+      Add(MoveEvent{x, y});
+    } else if (name == "click") {
+      const Button button = AButton();
+      const double x = Number("x"), y = Number("y");
+      const Modifiers modifiers = ModifiersAtEnd();
+      Add(ButtonEvent{button, true, x, y, modifiers});
+      Add(ButtonEvent{button, false, x, y, modifiers});
+    } else if (name == "drag") {
+      const Button button = AButton();
+      const double x0 = Number("x0"), y0 = Number("y0"), x1 = Number("x1"), y1 = Number("y1");
+      const Modifiers modifiers = ModifiersAtEnd();
+      Add(ButtonEvent{button, true, x0, y0, modifiers});
+      for (int i = 1; i <= drag_moves; ++i)
+        Add(MoveEvent{x0 + (x1 - x0) * i / drag_moves, y0 + (y1 - y0) * i / drag_moves});
+      Add(ButtonEvent{button, false, x1, y1, modifiers});
+    } else if (name == "scroll") {
+      const double steps = Number("steps"), x = Number("x"), y = Number("y");
+      Add(ScrollEvent{steps, x, y});
+    } else if (name == "resize") {
+      const int width = Whole("width"), height = Whole("height");
+      Add(ResizeEvent{width, height});
+    } else if (name == "drop") {
+      Add(DropEvent{RestOfLine("the name of a file")});
+    } else if (name == "tick") {
+      Add(TickEvent{Seconds()});
+    } else if (name == "close") {
+      Add(CloseEvent{});
+    } else if (name == "wait") {
+      const auto what = tokens_.Peek();
+      if (what && what->line == word.line && what->text == "trace") {
+        tokens_.Next();
+        steps_.emplace_back(WaitForTrace{});
+      } else {
+        steps_.emplace_back(WaitSeconds{Seconds()});
+      }
+    } else if (name == "screenshot") {
+      steps_.emplace_back(Screenshot{RestOfLine("the name of a picture")});
+    } else if (name == "print") {
+      steps_.emplace_back(PrintState{});
+    } else {
+      throw ErrorAt(text_, word, "unknown step " + Quoted(name), Suggestion(name, step_names, "steps"));
+    }
+    const auto& next = tokens_.Peek();
+    if (next && next->line == word.line) throw ErrorAt(text_, *next, "a word too many behind " + Quoted(name));
+  }
+
+  void Add(Event event) { steps_.emplace_back(std::move(event)); }
+
+  Token Word(const std::string& what) {
+    const auto& next = tokens_.Peek();
+    if (!next || next->line != line_.line) throw ErrorAt(text_, line_, what + " is missing");
+    return *tokens_.Next();
+  }
+
+  double Number(const std::string& what) {
+    const Token word = Word(what);
+    const auto number = ParseNumber(word.text);
+    if (number.problem) throw ErrorAt(text_, word, what + " " + number.problem);
+    return number.value;
+  }
+
+  int Whole(const std::string& what) {
+    const Token word = Word(what);
+    const auto number = ParseWhole(word.text);
+    constexpr std::int64_t most = 1 << 14;
+    if (number.problem) throw ErrorAt(text_, word, what + " " + number.problem);
+    if (number.value < 1 || number.value > most)
+      throw ErrorAt(text_, word, what + " must be 1 to " + std::to_string(most));
+    return static_cast<int>(number.value);
+  }
+
+  double Seconds() {
+    const Token word = Word("a number of seconds");
+    const auto number = ParseNumber(word.text);
+    constexpr double most = 3600;
+    if (number.problem || number.value < 0 || number.value > most)
+      throw ErrorAt(text_, word, "seconds must be a number from 0 to 3600");
+    return number.value;
+  }
+
+  Button AButton() {
+    const Token word = Word("a button");
+    for (std::size_t i = 0; i < button_names.size(); ++i)
+      if (word.text == button_names[i]) return static_cast<Button>(i);
+    throw ErrorAt(text_, word, "the button must be left, middle or right");
+  }
+
+  Modifiers ModifiersAtEnd() {
+    Modifiers modifiers;
+    while (tokens_.Peek() && tokens_.Peek()->line == line_.line) Take(*tokens_.Next(), modifiers);
+    return modifiers;
+  }
+
+  void Take(const Token& word, Modifiers& modifiers) const { Take(word, word.text, modifiers); }
+  void Take(const Token& word, std::string_view name, Modifiers& modifiers) const {
+    if (name == "Shift")
+      modifiers.shift = true;
+    else if (name == "Control")
+      modifiers.control = true;
+    else
+      throw ErrorAt(text_, word, "a modifier must be Shift or Control");
+  }
+
+  std::pair<Key, Modifiers> KeyWithModifiers() {
+    const Token word = Word("a key");
+    Modifiers modifiers;
+    std::string_view name = word.text;
+    for (std::size_t plus = name.find('+'); plus != std::string_view::npos && plus + 1 < name.size();
+         plus = name.find('+')) {
+      Take(word, name.substr(0, plus), modifiers);
+      name.remove_prefix(plus + 1);
+    }
+    const auto key = KeyNamed(std::string(name));
+    if (!key) throw ErrorAt(text_, word, "no key is called " + Quoted(name));
+    return {*key, modifiers};
+  }
+
+  /// With the blanks inside.
+  std::string RestOfLine(const std::string& what) {
+    const Token first = Word(what);
+    const char* const end_of_text = text_.bytes.data() + text_.bytes.size();
+    const char* end = first.text.data();
+    while (end != end_of_text && *end != '\n' && *end != '\r') ++end;
+    std::string rest(first.text.data(), end);
+    while (!rest.empty() && (rest.back() == ' ' || rest.back() == '\t')) rest.pop_back();
+    tokens_.SkipLine(first.line);
+    return rest;
+  }
+
+  const Text& text_;
+  Tokenizer tokens_;
+  Token line_;  // the first word of it
+  std::vector<ScriptStep> steps_;
+  std::vector<SceneError> errors_;
+};
+
+}  // namespace
+
+std::vector<ScriptStep> ReadEventScript(const Text& text) { return Reader(text).Read(); }
+
+std::string ScriptLine(const Event& event) {
+  const auto place = [](double x, double y) { return " " + ToText(x) + " " + ToText(y); };
+  struct Writer {
+    decltype(place)& at;
+    std::string operator()(const KeyEvent& e) const {
+      return (e.is_pressed ? "press " : "release ") + NameOf(e.key, e.modifiers);
+    }
+    std::string operator()(const ButtonEvent& e) const {
+      return (e.is_pressed ? "down " : "up ") + Named(e.button) + at(e.x, e.y) + WithModifiers(e.modifiers);
+    }
+    std::string operator()(const MoveEvent& e) const { return "move" + at(e.x, e.y); }
+    std::string operator()(const ScrollEvent& e) const { return "scroll " + ToText(e.steps) + at(e.x, e.y); }
+    std::string operator()(const ResizeEvent& e) const {
+      return "resize " + std::to_string(e.width) + " " + std::to_string(e.height);
+    }
+    std::string operator()(const DropEvent& e) const { return "drop " + e.file; }
+    std::string operator()(const TickEvent& e) const { return "tick " + ToText(e.seconds); }
+    std::string operator()(const CloseEvent&) const { return "close"; }
+  };
+  return std::visit(Writer{place}, event) + "\n";
+}
+
+}  // namespace ray

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "source/parse/Text.h"
+#include "source/view/Event.h"
+
+/// What happens to a viewer, as text that people write and programs keep. One step a line; # begins a comment.
+///
+///     key Control+S              pressed and released
+///     press W / release W
+///     down left 100 200 Shift    a button, at a place in pixels from the lower left corner, with modifiers held
+///     up left 100 200
+///     move 120 210               the pointer
+///     click right 75 50          down and up
+///     drag left 10 10 90 40      down, eight moves, up
+///     scroll -1 100 100          towards the user
+///     resize 640 480
+///     drop other.scn             the rest of the line is the name of a file
+///     tick 0.1                   so many seconds pass
+///     close
+///     wait trace                 until the trace, or the live picture, has come to its end; or: wait 0.5 seconds
+///     screenshot out.png
+///     print                      what the viewer shows, in words
+namespace ray {
+
+struct WaitForTrace {};
+struct WaitSeconds {
+  double seconds = 0;
+};
+struct Screenshot {
+  std::string file;
+};
+struct PrintState {};
+
+using ScriptStep = std::variant<Event, WaitForTrace, WaitSeconds, Screenshot, PrintState>;
+
+/// Throws SceneErrors that point at each mistake.
+std::vector<ScriptStep> ReadEventScript(const Text& text);
+
+/// An event as lines of a script, with an end of line.
+std::string ScriptLine(const Event& event);
+
+}  // namespace ray
