@@ -3,12 +3,9 @@
 #include <atomic>
 #include <chrono>
 #include <optional>
-#include <vector>
 
 #include "source/film/Film.h"
-#include "source/integrate/CameraRays.h"
-#include "source/integrate/Integrator.h"
-#include "source/render/RenderSettings.h"
+#include "source/render/SampleTracer.h"
 
 namespace ray {
 
@@ -34,21 +31,11 @@ class BlockRenderer {
               BlockSums& sums);
 
  private:
-  /// Which pixel a sample was taken of.
-  struct Place {
-    int column, row;
-  };
   void Trace(TraceState& state, BlockSums& sums);
 
-  const Integrator& integrator_;
-  const CameraRays& camera_;
+  SampleTracer tracer_;
   const Filter& filter_;
-  const RandomKey seed_;
-  const bool is_heat_;
   const Halt halt_;
-  std::vector<CameraSample> samples_;
-  std::vector<Place> places_;
-  std::vector<R2::Color> radiances_;
 };
 
 }  // namespace ray

@@ -38,20 +38,32 @@ FilterKind FilterNamed(const std::string& name) {
   return static_cast<FilterKind>(std::find(filter_names.begin(), filter_names.end(), name) - filter_names.begin());
 }
 
+bool IsCeilingGiven(const RenderSettings& settings) { return !settings.budget.IsOpen() || settings.samples > 1; }
+
+TraceSettings TraceSettingsFor(const RenderSettings& settings) {
+  TraceSettings trace = settings.trace;
+  trace.samples = settings.replay            ? settings.replay->laid_out_for
+                  : IsCeilingGiven(settings) ? static_cast<std::uint32_t>(settings.samples)
+                                             : stratified_unknown;
+  return trace;
+}
+
 /// One render from its first sample to its picture.
 class Job {
  public:
-  Job(const World& world, const Accelerator& accelerator, const RenderSettings& settings, const RenderMonitor& monitor)
-      : settings_(settings),
+  using Clock = std::chrono::steady_clock;
+
+  /// `start`: when the render began, by the clock that budgets count.
+  Job(const World& world, const Integrator& integrator, const RenderSettings& settings, const RenderMonitor& monitor,
+      Clock::time_point start)
+      : start_(start),
+        settings_(settings),
         monitor_(monitor),
         two_streams_(settings.replay ? settings.replay->two_streams : settings.budget.error.has_value()),
         ceiling_(Ceiling()),
-        integrator_(MakeIntegrator(settings.mode, world, accelerator.Worker(), TraceSettingsFor(settings))),
-        camera_(settings.view.value_or(world.TheScene().camera), settings.camera, world.Moves(), settings.width, settings.height,
-                SamplerNamed(settings.trace.sampler), TraceSettingsFor(settings).samples),
-        film_(settings.width, settings.height,
-              settings.crop.value_or(PixelRectangle{0, 0, settings.width, settings.height}),
-              FilterNamed(settings.filter)),
+        integrator_(integrator),
+        camera_(CameraRaysOf(world, settings)),
+        film_(EmptyFilmOf(settings)),
         tiles_(film_, settings.tile_size),
         targets_(static_cast<std::size_t>(film_.Blocks()), 0) {
     result_.two_streams = two_streams_;
@@ -67,7 +79,7 @@ class Job {
     if (monitor_.resume) Resume(monitor_.resume(film_));
     if (settings_.replay)
       RunReplay();
-    else if (settings_.budget.IsOpen() || settings_.wants_passes)
+    else if (settings_.budget.IsOpen() || settings_.wants_passes || monitor_.pass_done)
       RunPasses();
     else
       RunTo(ceiling_);
@@ -76,23 +88,11 @@ class Job {
   }
 
  private:
-  static bool IsCeilingGiven(const RenderSettings& settings) {
-    return !settings.budget.IsOpen() || settings.samples > 1;
-  }
-
   /// Samples a pixel and stream.
   std::uint32_t Ceiling() const {
     if (!IsCeilingGiven(settings_)) return most_samples;
     const auto samples = static_cast<std::uint32_t>(settings_.samples);
     return two_streams_ ? std::max(1u, samples / 2) : samples;
-  }
-
-  static TraceSettings TraceSettingsFor(const RenderSettings& settings) {
-    TraceSettings trace = settings.trace;
-    trace.samples = settings.replay            ? settings.replay->laid_out_for
-                    : IsCeilingGiven(settings) ? static_cast<std::uint32_t>(settings.samples)
-                                               : stratified_unknown;
-    return trace;
   }
 
   double Seconds() const {
@@ -132,6 +132,7 @@ class Job {
       for (std::size_t i = 0; i < targets_.size(); ++i)
         targets_[i] = settings_.replay->samples.empty() ? end : std::min(end, settings_.replay->samples[i]);
       if (!RunPass(end)) return;
+      if (end != settings_.replay->ends.back()) ShowPass();
     }
   }
 
@@ -155,6 +156,7 @@ class Job {
       if (end < first_decision) error.reset();  // too few samples to decide anything by it
       if (IsGoodEnough(error)) return End(Stop::error);
       if (end >= ceiling_) return End(Stop::samples);
+      ShowPass();
       const std::uint32_t next = std::min(ceiling_, NextEnd(end, error));
       ChooseBlocks(next, error);
       const std::uint32_t begin = end;
@@ -287,7 +289,7 @@ class Job {
   bool RunTile(int tile) {
     TraceState& state = states_.local();
     state.rays = {};
-    BlockRenderer renderer(*integrator_, camera_, film_.TheFilter(), settings_, halt_);
+    BlockRenderer renderer(integrator_, camera_, film_.TheFilter(), settings_, halt_);
     std::int64_t pixels = 0;
     bool is_whole = true;
     if (halt_.IsAsked() || (has_progressed_ && halt_.IsPauseDue())) return false;
@@ -370,11 +372,22 @@ class Job {
            MeanOverPixels([&](int i) { return static_cast<double>(targets_[static_cast<std::size_t>(i)]); });
   }
 
+  void ShowPass() const {
+    if (monitor_.pass_done) monitor_.pass_done(Picture(), end_);
+  }
+
+  /// So far.
+  R2::Image Picture() const {
+    R2::Image image = film_.Picture();
+    if (settings_.mode == "heat") ColorHeat(image);
+    return image;
+  }
+
   void End(Stop stop) { result_.stop = stop; }
 
   RenderResult Finish() {
     RenderResult& r = result_;
-    r.image = film_.Picture();
+    r.image = Picture();
     r.samples = {~0u, 0, MeanSamples()};
     for (int i = 0; i < film_.Blocks(); ++i) {
       r.block_samples.push_back(SamplesOf(i));
@@ -385,9 +398,9 @@ class Job {
       r.samples.most = std::max(r.samples.most, samples);
       if (samples > 0) r.pixels_done += area;
     }
-    if (settings_.mode == "heat") {
-      ColorHeat(r.image);
-    } else if (const auto error = MeasureError(film_, measure_)) {
+    // Of heat no error is known: its sums are costs, not the colours shown.
+    const auto error = settings_.mode == "heat" ? std::nullopt : MeasureError(film_, measure_);
+    if (error) {
       r.error = error->estimate;
       r.has_hot_pixels = two_streams_ && r.error->hot_share > too_hot && r.samples.least == r.samples.most;
       if (!passes_.empty()) passes_.back().error = r.error;
@@ -401,13 +414,12 @@ class Job {
       for (int x = 0; x < image.Width(); ++x) image.Set(x, y, HeatColor(image.At(x, y).r));
   }
 
-  using Clock = std::chrono::steady_clock;
-  const Clock::time_point start_ = Clock::now();
+  const Clock::time_point start_;
   const RenderSettings& settings_;
   const RenderMonitor& monitor_;
   bool two_streams_;
   std::uint32_t ceiling_;
-  std::unique_ptr<const Integrator> integrator_;
+  const Integrator& integrator_;
   CameraRays camera_;
   Film film_;
   Tiles tiles_;
@@ -437,9 +449,32 @@ double ExpectedRays(const RenderSettings& settings) {
   return rays_of_a_camera_ray * pixels * settings.samples;
 }
 
+std::unique_ptr<const Integrator> IntegratorOf(const World& world, const Accelerator& accelerator,
+                                               const RenderSettings& settings) {
+  return MakeIntegrator(settings.mode, world, accelerator.Worker(), TraceSettingsFor(settings));
+}
+
+CameraRays CameraRaysOf(const World& world, const RenderSettings& settings) {
+  return CameraRays(settings.view.value_or(world.TheScene().camera), settings.camera, world.Moves(), settings.width,
+                    settings.height, SamplerNamed(settings.trace.sampler), TraceSettingsFor(settings).samples);
+}
+
+Film EmptyFilmOf(const RenderSettings& settings) {
+  return Film(settings.width, settings.height,
+              settings.crop.value_or(PixelRectangle{0, 0, settings.width, settings.height}),
+              FilterNamed(settings.filter));
+}
+
 RenderResult Render(const World& world, const Accelerator& accelerator, const RenderSettings& settings,
                     const RenderMonitor& monitor) {
-  return Job(world, accelerator, settings, monitor).Run();
+  const auto start = Job::Clock::now();
+  const auto integrator = IntegratorOf(world, accelerator, settings);
+  return Job(world, *integrator, settings, monitor, start).Run();
+}
+
+RenderResult Render(const World& world, const Integrator& integrator, const RenderSettings& settings,
+                    const RenderMonitor& monitor) {
+  return Job(world, integrator, settings, monitor, Job::Clock::now()).Run();
 }
 
 }  // namespace ray

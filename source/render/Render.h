@@ -3,12 +3,16 @@
 #include <atomic>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "R2/Image.h"
 #include "source/accelerate/Accelerator.h"
 #include "source/accelerate/World.h"
+#include "source/film/Film.h"
+#include "source/integrate/CameraRays.h"
+#include "source/integrate/Integrator.h"
 #include "source/integrate/RayCounts.h"
 #include "source/render/Pass.h"
 #include "source/render/RenderSettings.h"
@@ -34,6 +38,9 @@ struct RenderMonitor {
   /// Gives a state to go on from, made for a film like this empty one; called once, before the first sample. May be
   /// empty, and throw.
   std::function<RenderState(const Film&)> resume;
+  /// Sees the picture between two passes, and the samples a pixel and stream it has; called by the thread that renders,
+  /// while no other does. May be empty; else samples are doubled pass by pass, which changes no bit of the result.
+  std::function<void(const R2::Image&, std::uint32_t)> pass_done;
 };
 
 /// Why a render ended.
@@ -66,9 +73,19 @@ struct RenderResult {
 /// About how many rays a render will trace: what is known before it.
 double ExpectedRays(const RenderSettings& settings);
 
-/// Renders the world through its scene's camera. The image is the same, bit for bit, for any thread count and tile
-/// size.
+/// Renders the world through its scene's camera, or the view of the settings. The image is the same, bit for bit, for
+/// any thread count and tile size.
 RenderResult Render(const World& world, const Accelerator& accelerator, const RenderSettings& settings,
                     const RenderMonitor& monitor = {});
+/// The same with an integrator made before, so that many small parts of a picture need not each make their own.
+RenderResult Render(const World& world, const Integrator& integrator, const RenderSettings& settings,
+                    const RenderMonitor& monitor = {});
+
+/// What Render works with, for whoever takes some of the samples in another order. None depends on which part of the
+/// picture is wanted but the film.
+std::unique_ptr<const Integrator> IntegratorOf(const World& world, const Accelerator& accelerator,
+                                               const RenderSettings& settings);
+CameraRays CameraRaysOf(const World& world, const RenderSettings& settings);
+Film EmptyFilmOf(const RenderSettings& settings);
 
 }  // namespace ray
