@@ -20,7 +20,7 @@ class Context {
   using Function = void (*)();
 
   virtual ~Context() = default;
-  /// "egl", "osmesa", "glfw"; with what is behind it.
+  /// "egl: llvmpipe (LLVM 15.0.6, 256 bits), OpenGL 4.5": the kind, with what is behind it.
   virtual std::string Name() const = 0;
   /// A function of OpenGL by its name; null when there is none.
   virtual Function Find(const char* name) const = 0;
@@ -34,12 +34,13 @@ class Window : public Context {
   virtual void Show() = 0;  // what was drawn
   virtual void SetTitle(const std::string& title) = 0;
   virtual void SetClipboard(const std::string& text) = 0;
-  /// What has happened since the last call, in order; waits for at most `seconds` while there is nothing. May be called
-  /// back early by Wake.
+  /// What has happened since the last call, in order; waits for at most `seconds` while there is nothing. May return
+  /// early with nothing, as WakeWindow makes it. Keys held are told once, those that step (arrows, signs) again and
+  /// again; what has to be drawn anew is told as a ResizeEvent, of whatever size.
   virtual std::vector<Event> Wait(double seconds) = 0;
 };
 
-/// Ends the Wait of any window early; from any thread.
+/// Ends the Wait of the window early; from any thread, while there is the window.
 void WakeWindow();
 
 /// The kinds built in: "egl", "osmesa"; may be empty.
@@ -50,7 +51,7 @@ std::unique_ptr<Context> MakeOffscreenContext(const std::string& kind);
 
 /// Whether windows are built in.
 bool HasWindows();
-/// Throws ContextError, which says so when there is no display.
+/// One at a time, on the main thread. Throws ContextError, which says so when there is no display.
 std::unique_ptr<Window> MakeWindow(int width, int height, const std::string& title);
 
 }  // namespace ray
