@@ -1,0 +1,30 @@
+#pragma once
+
+#include <memory>
+
+#include "source/view/gl/Kept.h"
+#include "source/view/gl/Program.h"
+
+namespace ray {
+
+/// Triangles and lines in the colours of their vertices. What it draws with stands in Painter.h.
+class ListDrawer {
+ public:
+  explicit ListDrawer(std::shared_ptr<const Functions> gl);
+
+  std::shared_ptr<KeptTriangles> Keep(const Triangles& triangles) const;
+  std::shared_ptr<KeptLines> Keep(const Lines& lines) const;
+
+  void Draw(const KeptTriangles& triangles, const ClipMatrix& clip_from_drawing) const;
+  void Draw(const KeptLines& lines, const ClipMatrix& clip_from_drawing, double width, double hidden) const;
+  void DrawEdges(const KeptTriangles& triangles, const ClipMatrix& clip_from_drawing, const Rgba& color) const;
+
+ private:
+  void Start(const ClipMatrix& clip_from_drawing, double cover) const;
+
+  std::shared_ptr<const Functions> gl_;
+  Program program_;
+  float widest_ = 1;  // line, in pixels
+};
+
+}  // namespace ray

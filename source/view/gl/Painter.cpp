@@ -1,0 +1,72 @@
+#include "source/view/gl/Painter.h"
+
+#include "source/view/gl/Canvas.h"
+#include "source/view/gl/ListDrawer.h"
+#include "source/view/gl/PictureDrawer.h"
+#include "source/view/gl/TextDrawer.h"
+
+namespace ray {
+
+struct Painter::Parts {
+  Parts(const Context& context, Target target)
+      : gl(std::make_shared<const Functions>(context)), canvas(gl, target), lists(gl), pictures(gl), text(gl) {}
+
+  std::shared_ptr<const Functions> gl;
+  Canvas canvas;
+  ListDrawer lists;
+  PictureDrawer pictures;
+  TextDrawer text;
+};
+
+Painter::Painter(const Context& context, Target target) : parts_(std::make_unique<Parts>(context, target)) {}
+
+Painter::~Painter() = default;
+
+std::shared_ptr<KeptTriangles> Painter::Keep(const Triangles& triangles) { return parts_->lists.Keep(triangles); }
+
+std::shared_ptr<KeptLines> Painter::Keep(const Lines& lines) { return parts_->lists.Keep(lines); }
+
+std::shared_ptr<KeptPicture> Painter::KeepPicture(int width, int height) {
+  return parts_->pictures.Keep(width, height);
+}
+
+void Painter::Update(KeptPicture& picture, int first, int count, std::span<const float> rgb) {
+  parts_->pictures.Update(picture, first, count, rgb);
+}
+
+std::vector<float> Painter::ReadBack(const KeptPicture& picture) { return parts_->pictures.ReadBack(picture); }
+
+void Painter::Begin(int width, int height, const R2::Color& background) {
+  parts_->canvas.Begin(width, height, background);
+}
+
+void Painter::SetPart(int x, int y, int width, int height) { parts_->canvas.SetPart(x, y, width, height); }
+
+void Painter::Draw(const KeptTriangles& triangles, const ClipMatrix& clip_from_drawing) {
+  parts_->lists.Draw(triangles, clip_from_drawing);
+}
+
+void Painter::Draw(const KeptLines& lines, const ClipMatrix& clip_from_drawing, double width, double hidden) {
+  parts_->lists.Draw(lines, clip_from_drawing, width, hidden);
+}
+
+void Painter::DrawEdges(const KeptTriangles& triangles, const ClipMatrix& clip_from_drawing, const Rgba& color) {
+  parts_->lists.DrawEdges(triangles, clip_from_drawing, color);
+}
+
+void Painter::Draw(const KeptPicture& picture, const std::array<std::array<float, 3>, 4>& corners,
+                   const ClipMatrix& clip_from_drawing, const PictureLook& look) {
+  parts_->pictures.Draw(picture, corners, clip_from_drawing, look);
+}
+
+void Painter::Draw(const KeptPicture& picture, const PictureLook& look) { parts_->pictures.Draw(picture, look); }
+
+void Painter::Draw(std::span<const Label> labels) {
+  parts_->canvas.LeavePart();
+  parts_->text.Draw(labels, parts_->canvas.Width(), parts_->canvas.Height());
+  parts_->canvas.ReturnToPart();
+}
+
+R2::Image Painter::Read() { return parts_->canvas.Read(); }
+
+}  // namespace ray

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <array>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "source/view/gl/Kept.h"
+#include "source/view/gl/Painter.h"
+#include "source/view/gl/Program.h"
+
+namespace ray {
+
+/// Pictures of floats on quads. What it draws with stands in Painter.h.
+class PictureDrawer {
+ public:
+  explicit PictureDrawer(std::shared_ptr<const Functions> gl);
+
+  std::shared_ptr<KeptPicture> Keep(int width, int height) const;
+  void Update(KeptPicture& picture, int first, int count, std::span<const float> rgb) const;
+  std::vector<float> ReadBack(const KeptPicture& picture) const;
+
+  void Draw(const KeptPicture& picture, const std::array<std::array<float, 3>, 4>& corners,
+            const ClipMatrix& clip_from_drawing, const Painter::PictureLook& look) const;
+  void Draw(const KeptPicture& picture, const Painter::PictureLook& look) const;
+
+ private:
+  std::shared_ptr<const Functions> gl_;
+  Program program_;
+  VertexArray nothing_;  // the corners come as uniforms
+  Texture2D steps_;      // where bytes begin; row 0 linear, row 1 sRGB
+};
+
+}  // namespace ray

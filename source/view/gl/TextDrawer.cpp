@@ -1,0 +1,121 @@
+#include "source/view/gl/TextDrawer.h"
+
+#include <cmath>
+#include <cstddef>
+
+#include "source/view/gl/Font.h"
+
+namespace ray {
+
+namespace {
+
+constexpr const char* vertex_shader = R"(#version 330 core
+layout(location = 0) in vec2 at;      // pixels
+layout(location = 1) in vec2 in_sheet;  // pixels
+layout(location = 2) in vec4 color;
+uniform vec2 size;
+out vec2 glyph_place;
+out vec4 ink;
+void main() {
+  gl_Position = vec4(2.0 * at / size - 1.0, 0, 1);
+  glyph_place = in_sheet;
+  ink = color;
+}
+)";
+
+constexpr const char* fragment_shader = R"(#version 330 core
+in vec2 glyph_place;
+in vec4 ink;
+uniform sampler2D sheet;
+out vec4 color;
+void main() {
+  // Left of the sheet is the ground.
+  if (glyph_place.x >= 0.0 && texelFetch(sheet, ivec2(glyph_place), 0).r < 0.5) discard;
+  color = ink;
+}
+)";
+
+constexpr Rgba ground{0, 0, 0, 170};
+constexpr float ground_margin = 2;  // pixels
+
+struct TextVertex {
+  float x, y;
+  float sheet_x, sheet_y;
+  Rgba color;
+};
+
+struct Rectangle {
+  float x, y, width, height;
+};
+
+void Add(std::vector<TextVertex>& vertices, const Rectangle& at, const Rectangle& in_sheet, const Rgba& color) {
+  const auto corner = [&](float i, float j) {
+    return TextVertex{at.x + i * at.width, at.y + j * at.height, in_sheet.x + i * in_sheet.width,
+                      in_sheet.y + j * in_sheet.height, color};
+  };
+  for (const TextVertex& v : {corner(0, 0), corner(1, 0), corner(1, 1), corner(0, 0), corner(1, 1), corner(0, 1)})
+    vertices.push_back(v);
+}
+
+void Add(std::vector<TextVertex>& vertices, const Label& label) {
+  // Whole pixels, so that a pixel of the font is one of the drawing.
+  const auto left = static_cast<float>(std::floor(label.x + 0.5)),
+             bottom = static_cast<float>(std::floor(label.y + 0.5));
+  std::vector<int> glyphs;
+  for (char byte : label.text)
+    if (const int glyph = GlyphOf(byte); glyph >= 0) glyphs.push_back(glyph);
+  if (glyphs.empty()) return;
+  const auto width = static_cast<float>(glyphs.size()) * glyph_width;
+  Add(vertices, {left - ground_margin, bottom, width + 2 * ground_margin, glyph_height}, {-2, 0, 1, 1}, ground);
+  float x = left;
+  for (int glyph : glyphs) {
+    Add(vertices, {x, bottom, glyph_width, glyph_height},
+        {static_cast<float>(glyph * glyph_width), 0, glyph_width, glyph_height}, label.color);
+    x += glyph_width;
+  }
+}
+
+}  // namespace
+
+TextDrawer::TextDrawer(std::shared_ptr<const Functions> gl)
+    : gl_(std::move(gl)),
+      program_(gl_, "text", vertex_shader, fragment_shader),
+      vertex_array_(gl_),
+      vertices_(gl_),
+      sheet_(gl_) {
+  gl_->BindVertexArray(vertex_array_.Name());
+  gl_->BindBuffer(GL_ARRAY_BUFFER, vertices_.Name());
+  const auto describe = [this](GLuint location, GLint count, GLenum type, std::size_t offset) {
+    gl_->EnableVertexAttribArray(location);
+    gl_->VertexAttribPointer(location, count, type, type == GL_UNSIGNED_BYTE, sizeof(TextVertex),
+                             reinterpret_cast<const void*>(offset));
+  };
+  describe(0, 2, GL_FLOAT, offsetof(TextVertex, x));
+  describe(1, 2, GL_FLOAT, offsetof(TextVertex, sheet_x));
+  describe(2, 4, GL_UNSIGNED_BYTE, offsetof(TextVertex, color));
+  gl_->BindTexture(GL_TEXTURE_2D, sheet_.Name());
+  gl_->TexImage2D(GL_TEXTURE_2D, 0, GL_R8, glyph_count * glyph_width, glyph_height, 0, GL_RED, GL_UNSIGNED_BYTE,
+                  GlyphSheet().data());
+  for (GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
+    gl_->TexParameteri(GL_TEXTURE_2D, filter, GL_NEAREST);
+  gl_->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+}
+
+void TextDrawer::Draw(std::span<const Label> labels, int width, int height) const {
+  std::vector<TextVertex> vertices;
+  for (const Label& label : labels) Add(vertices, label);
+  if (vertices.empty()) return;
+  program_.Use();
+  gl_->Uniform2f(program_["size"], static_cast<float>(width), static_cast<float>(height));
+  gl_->Uniform1i(program_["sheet"], 0);
+  gl_->BindTexture(GL_TEXTURE_2D, sheet_.Name());
+  gl_->BindVertexArray(vertex_array_.Name());
+  gl_->BindBuffer(GL_ARRAY_BUFFER, vertices_.Name());
+  gl_->BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(vertices.size() * sizeof(TextVertex)), vertices.data(),
+                  GL_STREAM_DRAW);
+  gl_->Disable(GL_DEPTH_TEST);
+  gl_->DrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(vertices.size()));
+  gl_->Enable(GL_DEPTH_TEST);
+}
+
+}  // namespace ray
