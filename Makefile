@@ -49,7 +49,18 @@ MISSING := $(if $(filter yes,$(HAS_JPEG)),,libjpeg-dev) $(if $(filter yes,$(HAS_
 ifneq ($(strip $(MISSING)),)
 $(error These packages are missing: $(strip $(MISSING)). Run script/setup.sh, or install them and try again)
 endif
-FEATURES := jpeg=yes png=yes exr=$(if $(filter yes,$(HAS_EXR)),yes,no (install libopenexr-dev))
+# The viewer wants OpenGL's header and at least one way to draw.
+HAS_GL := $(call probe,gl,GL/glcorearb.h,)
+ifeq ($(HAS_GL),yes)
+HAS_GLFW := $(call probe,glfw,GLFW/glfw3.h,-DGLFW_INCLUDE_NONE)
+HAS_EGL := $(call probe,egl,EGL/eglext.h,-include EGL/egl.h)
+HAS_OSMESA := $(call probe,osmesa,GL/osmesa.h,)
+endif
+CONTEXTS := $(if $(filter yes,$(HAS_GLFW)),glfw) $(if $(filter yes,$(HAS_EGL)),egl) $(if $(filter yes,$(HAS_OSMESA)),osmesa)
+CONTEXTS := $(strip $(CONTEXTS))
+empty :=
+VIEWER := $(or $(subst $(empty) ,+,$(CONTEXTS)),no (install libgl-dev and one of libglfw3-dev libegl-dev libosmesa6-dev))
+FEATURES := jpeg=yes png=yes exr=$(if $(filter yes,$(HAS_EXR)),yes,no (install libopenexr-dev)) rayview=$(VIEWER)
 $(info features: $(FEATURES))
 endif
 
@@ -61,17 +72,27 @@ OUR_CPPFLAGS := -I. -MD -MP -DRAYPRO_VERSION='"$(VERSION)"' -DRAYPRO_FEATURES='"
 ifeq ($(HAS_EXR),yes)
 OUR_CPPFLAGS += -DRAYPRO_EXR $(EXR_CFLAGS)
 endif
+OUR_CPPFLAGS += $(if $(filter glfw,$(CONTEXTS)),-DRAYVIEW_GLFW) $(if $(filter egl,$(CONTEXTS)),-DRAYVIEW_EGL) \
+                $(if $(filter osmesa,$(CONTEXTS)),-DRAYVIEW_OSMESA)
 OUR_CXXFLAGS := -std=c++20 $(OPTIMIZE) -g1 $(NUMERIC) $(WARNINGS) $(SANITIZE)
 LIBS := -ljpeg -lpng -lz -ltbb -lhwy $(if $(filter yes,$(HAS_EXR)),$(EXR_LIBS)) -pthread
+# For those that draw. OSMesa is loaded only when it is asked for: it brings a whole compiler along.
+VIEWER_LIBS := $(if $(filter glfw,$(CONTEXTS)),-lglfw) $(if $(filter egl,$(CONTEXTS)),-lEGL) $(if $(filter osmesa,$(CONTEXTS)),-ldl)
 
-PROGRAMS := raypro rayimg
-PROGRAM_MAINS := $(PROGRAMS:%=source/app/%.cpp)
+ALL_PROGRAMS := raypro rayimg rayview
+PROGRAMS := raypro rayimg $(if $(CONTEXTS),$(patsubst source/app/%.cpp,%,$(wildcard source/app/rayview.cpp)))
+PROGRAM_MAINS := $(ALL_PROGRAMS:%=source/app/%.cpp)
 LIBRARY_SOURCES := $(filter-out $(PROGRAM_MAINS),$(wildcard R2/*.cpp R2/*/*.cpp R3/*.cpp R3/*/*.cpp source/*/*.cpp source/*/*/*.cpp))
 ifneq ($(HAS_EXR),yes)
 LIBRARY_SOURCES := $(filter-out R2/image_files/exr.cpp,$(LIBRARY_SOURCES))
 endif
-TEST_SOURCES := $(wildcard tests/*.cpp tests/R2/*.cpp tests/R3/*.cpp tests/source/*.cpp tests/source/*/*.cpp \
+TEST_SOURCES := $(wildcard tests/*.cpp tests/R2/*.cpp tests/R3/*.cpp tests/source/*.cpp tests/source/*/*.cpp tests/source/*/*/*.cpp \
                   $(foreach d,every agree extremes closed_form bad_scenes regressions images,tests/$(d)/*.cpp))
+LIBRARY_SOURCES := $(filter-out $(patsubst %,source/view/contexts/%.cpp,$(filter-out $(CONTEXTS),glfw egl osmesa)),$(LIBRARY_SOURCES))
+ifeq ($(CONTEXTS),)
+LIBRARY_SOURCES := $(filter-out source/view/gl/% source/view/contexts/%,$(LIBRARY_SOURCES))
+TEST_SOURCES := $(filter-out tests/source/view/gl/% tests/source/view/contexts/%,$(TEST_SOURCES))
+endif
 BENCH_SOURCES := $(wildcard bench/*.cpp)
 objects = $(patsubst %.cpp,$(BUILD)/obj/%.o,$(1))
 
@@ -97,6 +118,8 @@ $(BUILD)/obj/%.o: %.cpp $(BUILD)/flags
 $(BUILD)/libray.a: $(call objects,$(LIBRARY_SOURCES))
 	@echo "  ar    $@"
 	@rm -f $@ && $(AR) rcs $@ $^
+
+$(BUILD)/rayview $(BUILD)/raytests: LIBS += $(VIEWER_LIBS)
 
 $(PROGRAMS:%=$(BUILD)/%): $(BUILD)/%: $(BUILD)/obj/source/app/%.o $(BUILD)/libray.a
 	@echo "  link  $@"
@@ -158,7 +181,7 @@ install: $(PROGRAMS)
 	done
 	cp -R scenes/. $(DESTDIR)$(datadir)/raypro/scenes/
 uninstall:
-	for program in $(PROGRAMS); do \
+	for program in $(ALL_PROGRAMS); do \
 	  rm -f $(DESTDIR)$(bindir)/$$program $(DESTDIR)$(mandir)/man1/$$program.1 \
 	    $(DESTDIR)$(datadir)/bash-completion/completions/$$program \
 	    $(DESTDIR)$(datadir)/zsh/site-functions/_$$program \
