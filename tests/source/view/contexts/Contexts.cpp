@@ -1,0 +1,78 @@
+#include <gtest/gtest.h>
+
+#include "source/view/contexts/Context.h"
+#include "tests/source/view/contexts/Usable.h"
+
+namespace {
+
+using ray::ContextError;
+
+std::string Complaint(const std::string& kind) {
+  try {
+    ray::MakeOffscreenContext(kind);
+  } catch (const ContextError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Contexts, AnUnknownKindIsToldTheKindsThereAre) {
+  EXPECT_EQ(Complaint("vulkan"), "unknown kind of context \"vulkan\"; kinds are auto, egl, osmesa");
+}
+
+TEST(Contexts, AKindNotBuiltInNamesThePackageThatBringsIt) {
+  const std::string again = " and build again";
+#ifdef RAYVIEW_EGL
+  EXPECT_EQ(Complaint("egl").find("not built in"), std::string::npos);
+#else
+  EXPECT_EQ(Complaint("egl"), "egl is not built in; install libegl-dev" + again);
+#endif
+#ifdef RAYVIEW_OSMESA
+  EXPECT_EQ(Complaint("osmesa").find("not built in"), std::string::npos);
+#else
+  EXPECT_EQ(Complaint("osmesa"), "osmesa is not built in; install libosmesa6-dev" + again);
+#endif
+#ifdef RAYVIEW_GLFW
+  EXPECT_TRUE(ray::HasWindows());
+#else
+  EXPECT_FALSE(ray::HasWindows());
+  EXPECT_THROW(ray::MakeWindow(10, 10, ""), ContextError);
+#endif
+}
+
+// Who asks for nothing in particular gets a picture wherever there is any way to one.
+TEST(Contexts, AutoWorksWhereAnyKindDoes) {
+  std::string works;
+  for (const std::string& kind : ray::OffscreenContextKinds())
+    if (works.empty() && Complaint(kind).empty()) works = kind;
+  if (works.empty()) {
+    EXPECT_EQ(Complaint("auto").find('\n'), std::string::npos);
+    GTEST_SKIP() << "no kind of context works on this machine";
+  }
+  EXPECT_EQ(ray::MakeOffscreenContext("auto")->Name().substr(0, works.size() + 1), works + ":");
+}
+
+class ContextOfKind : public ray::testing::WithContext {};
+
+TEST_P(ContextOfKind, SaysWhatItIsAndWhatDrawsForIt) {
+  EXPECT_EQ(context->Name().substr(0, GetParam().size() + 2), GetParam() + ": ");
+  EXPECT_NE(context->Name().find("OpenGL "), std::string::npos) << context->Name();
+  EXPECT_EQ(context->Name().find("unknown"), std::string::npos) << context->Name();
+}
+
+TEST_P(ContextOfKind, CanBeMadeAgainAfterItsEndAndBesideAnother) {
+  context.reset();
+  context = ray::MakeOffscreenContext(GetParam());
+  {
+    const auto other = ray::MakeOffscreenContext(GetParam());
+    EXPECT_TRUE(other->Find("glClear"));
+  }
+  context.reset();
+  EXPECT_TRUE(ray::MakeOffscreenContext(GetParam())->Find("glClear"));
+}
+
+GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(ContextOfKind);
+INSTANTIATE_TEST_SUITE_P(EveryKind, ContextOfKind, ::testing::ValuesIn(ray::OffscreenContextKinds()),
+                         ray::testing::KindOf);
+
+}  // namespace

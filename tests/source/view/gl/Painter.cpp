@@ -1,0 +1,357 @@
+#include "source/view/gl/Painter.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <map>
+#include <random>
+
+#include "R2/ImageFile.h"
+#include "source/view/gl/Font.h"
+#include "tests/source/view/contexts/Usable.h"
+
+namespace {
+
+using ray::ClipMatrix;
+using ray::Rgba;
+using Look = ray::Painter::PictureLook;
+
+constexpr ClipMatrix as_it_is{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+constexpr Rgba white{255, 255, 255, 255}, red{255, 0, 0, 255}, green{0, 255, 0, 255};
+
+Rgba PixelOf(const R2::Image& image, int x, int y) {
+  const R2::Color c = image.At(x, y);
+  return {R2::ToByte(c.r), R2::ToByte(c.g), R2::ToByte(c.b), 255};
+}
+
+/// A rectangle over all that is seen, at a depth in [-1, 1], -1 in front.
+ray::Triangles Wall(float depth, const Rgba& color, bool is_clear = false) {
+  ray::Triangles wall;
+  for (const auto& [x, y] : {std::pair{-1.0F, -1.0F}, {1.0F, -1.0F}, {1.0F, 1.0F}, {-1.0F, 1.0F}})
+    wall.vertices.push_back({{x, y, depth}, color});
+  (is_clear ? wall.clear : wall.opaque) = {0, 1, 2, 0, 2, 3};
+  return wall;
+}
+
+/// Through the middle, from left to right.
+ray::Lines Across(float depth, const Rgba& color) { return {{{-1, 0, depth}, color}, {{1, 0, depth}, color}}; }
+
+/// Thousands of triangles and lines through each other.
+R2::Image Thicket(const ray::Context& context) {
+  std::mt19937 random(1);
+  const auto number = [&random] { return static_cast<float>(random()) / 2147483648.0F - 1; };
+  const auto vertex = [&](const std::array<float, 3>& around, float size) {
+    const auto byte = [&random] { return static_cast<std::uint8_t>(random() >> 24); };
+    return ray::Vertex{{around[0] + size * number(), around[1] + size * number(), around[2] + size * number()},
+                       {byte(), byte(), byte(), byte()}};
+  };
+  ray::Triangles triangles;
+  for (std::uint32_t i = 0; i < 6000; ++i) {
+    const std::array<float, 3> middle{number(), number(), number()};
+    for (int k = 0; k < 3; ++k) triangles.vertices.push_back(vertex(middle, 0.15F));
+    for (std::uint32_t k = 0; k < 3; ++k) (i % 4 ? triangles.opaque : triangles.clear).push_back(3 * i + k);
+  }
+  ray::Lines lines;
+  for (int i = 0; i < 4000; ++i) lines.push_back(vertex({0, 0, 0}, 1));
+  ray::Painter painter(context, ray::Painter::Target::own);
+  painter.Begin(200, 150, {0.1, 0.2, 0.3});
+  painter.Draw(*painter.Keep(triangles), as_it_is);
+  painter.Draw(*painter.Keep(lines), as_it_is, 2, 0.3);
+  painter.DrawEdges(*painter.Keep(triangles), as_it_is, {0, 0, 0, 40});
+  return painter.Read();
+}
+
+// Else a picture that a test expects would have to be kept once for each kind.
+TEST(Drawings, AreTheSameBytesInEveryKindOfContextWithTheSameRenderer) {
+  std::map<std::string, std::vector<R2::Image>> pictures;  // by renderer
+  for (const std::string& kind : ray::OffscreenContextKinds()) try {
+      const auto context = ray::MakeOffscreenContext(kind);
+      pictures[context->Name().substr(kind.size())].push_back(Thicket(*context));
+    } catch (const ray::ContextError&) {
+    }
+  bool were_compared = false;
+  for (const auto& [renderer, same] : pictures)
+    for (std::size_t i = 1; i < same.size(); ++i) {
+      were_compared = true;
+      EXPECT_TRUE(same[i] == same[0]) << renderer;
+    }
+  if (!were_compared) GTEST_SKIP() << "no two kinds of context here have the same renderer";
+}
+
+class Painter : public ray::testing::WithContext {
+ protected:
+  void SetUp() override {
+    WithContext::SetUp();
+    if (context) painter = std::make_unique<ray::Painter>(*context, ray::Painter::Target::own);
+  }
+
+  // In reverse order of construction.
+  void TearDown() override { painter.reset(); }
+
+  std::unique_ptr<ray::Painter> painter;
+};
+
+TEST_P(Painter, BeginsWithTheBackgroundAtWhateverSizeIsAskedFor) {
+  for (const auto& [width, height] : {std::pair{30, 20}, {7, 50}, {0, 0}, {30, 20}}) {
+    painter->Begin(width, height, {1.0 / 3, 2, -1});
+    if (width == 0) continue;  // a window shrunk to nothing
+    const R2::Image image = painter->Read();
+    ASSERT_EQ(image.Width(), width);
+    ASSERT_EQ(image.Height(), height);
+    EXPECT_EQ(PixelOf(image, width - 1, height - 1), (Rgba{85, 255, 0, 255}));
+  }
+}
+
+TEST_P(Painter, ReadsRowsFromTheBottom) {
+  painter->Begin(8, 8, {});
+  painter->SetPart(0, 0, 8, 4);
+  painter->Draw(*painter->Keep(Wall(0, red)), as_it_is);
+  const R2::Image image = painter->Read();
+  EXPECT_EQ(PixelOf(image, 3, 0), red);
+  EXPECT_EQ(PixelOf(image, 3, 7), (Rgba{0, 0, 0, 255}));
+}
+
+TEST_P(Painter, KeepsToThePart) {
+  painter->Begin(20, 20, {});
+  painter->SetPart(5, 6, 7, 8);
+  ClipMatrix doubled = as_it_is;
+  doubled[0] = doubled[5] = 2;
+  painter->Draw(*painter->Keep(Wall(0, red)), doubled);
+  const R2::Image image = painter->Read();
+  for (int y = 0; y < 20; ++y)
+    for (int x = 0; x < 20; ++x) {
+      const bool is_inside = x >= 5 && x < 12 && y >= 6 && y < 14;
+      EXPECT_EQ(PixelOf(image, x, y), is_inside ? red : (Rgba{0, 0, 0, 255})) << x << ' ' << y;
+    }
+}
+
+TEST_P(Painter, ShowsWhatIsInFrontWhateverTheOrder) {
+  const auto front = painter->Keep(Wall(-0.5F, red)), back = painter->Keep(Wall(0.5F, green));
+  for (bool is_front_first : {true, false}) {
+    painter->Begin(4, 4, {});
+    painter->Draw(is_front_first ? *front : *back, as_it_is);
+    painter->Draw(is_front_first ? *back : *front, as_it_is);
+    EXPECT_EQ(PixelOf(painter->Read(), 1, 2), red);
+  }
+}
+
+TEST_P(Painter, BlendsClearTrianglesOverOthersAndLetsLaterOnesBeSeenBehind) {
+  painter->Begin(4, 4, {});
+  painter->Draw(*painter->Keep(Wall(-0.5F, {255, 0, 0, 51}, true)), as_it_is);
+  EXPECT_EQ(PixelOf(painter->Read(), 1, 2), (Rgba{51, 0, 0, 255}));
+  painter->Draw(*painter->Keep(Wall(0.5F, green)), as_it_is);
+  EXPECT_EQ(PixelOf(painter->Read(), 1, 2), green);
+}
+
+// The rays behind a thing are what one looks for; those in front must stay apart from them.
+TEST_P(Painter, DimsHiddenLinesAndLeavesThemOutWhenAskedTo) {
+  const auto wall = painter->Keep(Wall(0, {0, 0, 255, 255}));
+  const auto front = painter->Keep(Across(-0.5F, white)), behind = painter->Keep(Across(0.5F, white));
+  const auto at_middle = [&](const ray::KeptLines& lines, double hidden) {
+    painter->Begin(9, 9, {});
+    painter->Draw(*wall, as_it_is);
+    painter->Draw(lines, as_it_is, 1, hidden);
+    return PixelOf(painter->Read(), 4, 4);
+  };
+  EXPECT_EQ(at_middle(*front, 0), white);
+  EXPECT_EQ(at_middle(*front, 0.2), white);
+  EXPECT_EQ(at_middle(*behind, 0), (Rgba{0, 0, 255, 255}));
+  EXPECT_EQ(at_middle(*behind, 0.2), (Rgba{51, 51, 255, 255}));
+  EXPECT_EQ(at_middle(*behind, 1), white);
+}
+
+TEST_P(Painter, ShowsLinesThatLieOnTriangles) {
+  painter->Begin(9, 9, {});
+  painter->Draw(*painter->Keep(Wall(0, red)), as_it_is);
+  painter->Draw(*painter->Keep(Across(0, white)), as_it_is);
+  EXPECT_EQ(PixelOf(painter->Read(), 4, 4), white);
+}
+
+TEST_P(Painter, DrawsLinesOfTheWidthAskedFor) {
+  for (int width : {1, 3, 5}) {
+    painter->Begin(21, 21, {});
+    painter->Draw(*painter->Keep(Across(0, white)), as_it_is, width);
+    const R2::Image image = painter->Read();
+    int count = 0;
+    for (int y = 0; y < 21; ++y) count += PixelOf(image, 10, y) == white;
+    EXPECT_EQ(count, width);
+  }
+}
+
+TEST_P(Painter, DrawsTheEdgesOfTrianglesInOneColour) {
+  const auto wall = painter->Keep(Wall(0, red));
+  painter->Begin(21, 21, {});
+  painter->Draw(*wall, as_it_is);
+  ClipMatrix smaller = as_it_is;
+  smaller[0] = smaller[5] = 0.5;
+  painter->DrawEdges(*wall, smaller, green);
+  const R2::Image image = painter->Read();
+  EXPECT_EQ(PixelOf(image, 10, 10), green) << "the diagonal";
+  EXPECT_EQ(PixelOf(image, 8, 12), red) << "between";
+  int greens = 0;
+  for (int y = 0; y < 21; ++y)
+    for (int x = 0; x < 21; ++x) greens += PixelOf(image, x, y) == green;
+  EXPECT_GE(greens, 45);  // four sides of 11 pixels less corners, and a diagonal
+  EXPECT_LE(greens, 60);
+}
+
+// What is shown is then sure to be what was traced.
+TEST_P(Painter, KeepsEveryBitOfAPicture) {
+  std::mt19937 random(2);
+  std::vector<float> rgb(3 * 13 * 7);
+  for (float& channel : rgb)
+    channel = std::ldexp(static_cast<float>(random() >> 8), static_cast<int>(random() % 60) - 50);
+  const auto picture = painter->KeepPicture(13, 7);
+  EXPECT_EQ(painter->ReadBack(*picture), std::vector<float>(rgb.size()));
+  painter->Update(*picture, 0, 7, rgb);
+  EXPECT_EQ(painter->ReadBack(*picture), rgb);
+}
+
+TEST_P(Painter, UpdatesTheRowsItIsGivenAndNoOthers) {
+  const auto picture = painter->KeepPicture(5, 6);
+  std::vector<float> expected(3 * 5 * 6, 0.25F);
+  painter->Update(*picture, 0, 6, expected);
+  const std::vector<float> rows(3 * 5 * 2, 0.75F);
+  painter->Update(*picture, 3, 2, rows);
+  std::copy(rows.begin(), rows.end(), expected.begin() + 3 * 5 * 3);
+  EXPECT_EQ(painter->ReadBack(*picture), expected);
+}
+
+/// Around every place where a byte gives way to the next, linear or sRGB; and what is no number to be shown.
+std::vector<float> HardChannels() {
+  const float infinity = std::numeric_limits<float>::infinity();
+  std::vector<float> channels{
+      0, -0.0F, -1, 1, 2, 1e30F, infinity, -infinity, std::numeric_limits<float>::quiet_NaN(), 1e-30F, 0.0031308F};
+  for (int byte = 0; byte <= 255; ++byte)
+    for (double edge : {(byte + 0.5) / 255, byte / 255.0, R2::DecodeSrgb((byte + 0.5) / 255)}) {
+      float channel = std::nextafter(std::nextafter(static_cast<float>(edge), 0.0F), 0.0F);
+      for (int i = 0; i < 5; ++i, channel = std::nextafter(channel, 2.0F)) channels.push_back(channel);
+    }
+  return channels;
+}
+
+TEST_P(Painter, ShowsAPictureAsTheBytesThatAnImageFileWouldHold) {
+  const std::vector<float> channels = HardChannels();
+  const int width = 64, height = static_cast<int>((channels.size() + 63) / 64);
+  const auto picture = painter->KeepPicture(width, height);
+  std::vector<float> rgb(3 * static_cast<std::size_t>(width * height));
+  for (std::size_t i = 0; i < rgb.size(); ++i) rgb[i] = channels[(i / 3 + i % 3 * 5) % channels.size()];
+  painter->Update(*picture, 0, height, rgb);
+  for (bool srgb : {false, true}) {
+    painter->Begin(width + 5, height + 5, {});
+    painter->SetPart(3, 2, width, height);
+    painter->Draw(*picture, Look{.srgb = srgb});
+    const R2::Image image = painter->Read();
+    for (int y = 0; y < height; ++y)
+      for (int x = 0; x < width; ++x) {
+        const float* c = &rgb[3 * static_cast<std::size_t>(y * width + x)];
+        const auto byte = [srgb](float v) { return R2::ToByte(srgb ? R2::EncodeSrgb(double{v}) : double{v}); };
+        ASSERT_EQ(PixelOf(image, x + 3, y + 2), (Rgba{byte(c[0]), byte(c[1]), byte(c[2]), 255}))
+            << c[0] << ' ' << c[1] << ' ' << c[2] << (srgb ? " in sRGB" : "");
+      }
+  }
+}
+
+TEST_P(Painter, MultipliesAPictureByItsExposure) {
+  const auto picture = painter->KeepPicture(1, 1);
+  painter->Update(*picture, 0, 1, std::array{0.125F, 0.25F, 0.75F});
+  painter->Begin(2, 2, {});
+  painter->Draw(*picture, Look{.exposure = 2});
+  EXPECT_EQ(PixelOf(painter->Read(), 0, 0), (Rgba{R2::ToByte(0.25), R2::ToByte(0.5), 255, 255}));
+}
+
+TEST_P(Painter, LeavesOutRowsThatAreNotTracedYet) {
+  const auto picture = painter->KeepPicture(4, 4);
+  painter->Update(*picture, 0, 4, std::vector<float>(48, 1.0F));
+  for (int rows : {0, 1, 3, 4}) {
+    painter->Begin(4, 4, {});
+    painter->Draw(*picture, Look{.rows = rows});
+    const R2::Image image = painter->Read();
+    for (int y = 0; y < 4; ++y) EXPECT_EQ(PixelOf(image, 2, y) == white, y < rows) << rows << ' ' << y;
+  }
+}
+
+TEST_P(Painter, PutsAPictureOnAQuadInSpaceUprightAndBehindWhatIsInFront) {
+  const auto picture = painter->KeepPicture(2, 2);
+  painter->Update(*picture, 0, 2, std::array{1.F, 0.F, 0.F, 0.F, 1.F, 0.F, 0.F, 0.F, 1.F, 1.F, 1.F, 1.F});
+  const std::array<std::array<float, 3>, 4> corners{{{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}}};
+  painter->Begin(10, 10, {});
+  painter->Draw(*picture, corners, as_it_is, Look{});
+  const R2::Image image = painter->Read();
+  EXPECT_EQ(PixelOf(image, 1, 1), red);
+  EXPECT_EQ(PixelOf(image, 8, 1), green);
+  EXPECT_EQ(PixelOf(image, 1, 8), (Rgba{0, 0, 255, 255}));
+  EXPECT_EQ(PixelOf(image, 8, 8), white);
+  painter->Draw(*painter->Keep(Wall(0.5F, red)), as_it_is);
+  EXPECT_EQ(PixelOf(painter->Read(), 8, 8), white);
+  painter->Draw(*painter->Keep(Wall(-0.5F, red)), as_it_is);
+  EXPECT_EQ(PixelOf(painter->Read(), 8, 8), red);
+}
+
+TEST_P(Painter, BlendsAPictureAndShowsWhatComesLaterBehindIt) {
+  const auto picture = painter->KeepPicture(1, 1);
+  painter->Update(*picture, 0, 1, std::array{1.F, 1.F, 1.F});
+  const std::array<std::array<float, 3>, 4> corners{{{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}}};
+  painter->Begin(4, 4, {});
+  painter->Draw(*picture, corners, as_it_is, Look{.alpha = 0.2});
+  EXPECT_EQ(PixelOf(painter->Read(), 1, 1), (Rgba{51, 51, 51, 255}));
+  painter->Draw(*painter->Keep(Wall(0.5F, red)), as_it_is);
+  EXPECT_EQ(PixelOf(painter->Read(), 1, 1), red);
+}
+
+TEST_P(Painter, WritesEveryCharacterWhereItIsAskedToPixelByPixel) {
+  const auto sheet = ray::GlyphSheet();
+  std::string text;
+  for (char c = ' '; c < '~'; ++c) text += c;
+  text += "~\x01";
+  constexpr int left = 6, bottom = 3, width = ray::glyph_count * ray::glyph_width;
+  painter->Begin(width + 12, 24, {1, 1, 1});
+  painter->SetPart(0, 0, 1, 1);  // which text does not keep to
+  painter->Draw(*painter->Keep(Wall(-1, white)), as_it_is);
+  const std::vector<ray::Label> labels{{left + 0.3, bottom - 0.3, text, green}};
+  painter->Draw(labels);
+  const R2::Image image = painter->Read();
+  for (int y = 0; y < 24; ++y)
+    for (int x = 0; x < width + 12; ++x) {
+      const int i = x - left, j = y - bottom;
+      const bool in_row = j >= 0 && j < ray::glyph_height, in_cell = in_row && i >= 0 && i < width;
+      const bool is_ground = in_row && i >= -2 && i < width + 2;
+      const Rgba pixel = PixelOf(image, x, y);
+      if (in_cell && sheet[static_cast<std::size_t>(j * width + i)] != 0)
+        ASSERT_EQ(pixel, green) << x << ' ' << y;
+      else if (is_ground)
+        ASSERT_EQ(pixel, (Rgba{85, 85, 85, 255})) << x << ' ' << y;
+      else
+        ASSERT_EQ(pixel, white) << x << ' ' << y;
+    }
+}
+
+TEST_P(Painter, DrawsEmptyListsAsNothing) {
+  painter->Begin(4, 4, {1, 1, 1});
+  const auto triangles = painter->Keep(ray::Triangles{});
+  painter->Draw(*triangles, as_it_is);
+  painter->DrawEdges(*triangles, as_it_is, red);
+  painter->Draw(*painter->Keep(ray::Lines{}), as_it_is, 1, 0.5);
+  painter->Draw(std::vector<ray::Label>{{0, 0, "", red}});
+  EXPECT_EQ(PixelOf(painter->Read(), 0, 0), white);
+}
+
+TEST_P(Painter, RefusesPicturesTooLargeToBeShown) {
+  EXPECT_THROW(painter->KeepPicture(1 << 20, 1), ray::ContextError);
+  EXPECT_THROW(painter->Begin(1, 1 << 20, {}), ray::ContextError);
+  painter->Begin(2, 2, {1, 1, 1});
+  EXPECT_EQ(PixelOf(painter->Read(), 0, 0), white);
+}
+
+// A scene may go after the painter that drew it.
+TEST_P(Painter, MayGoBeforeWhatItKeeps) {
+  const auto triangles = painter->Keep(Wall(0, red));
+  const auto picture = painter->KeepPicture(2, 2);
+  painter.reset();
+}
+
+GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(Painter);
+INSTANTIATE_TEST_SUITE_P(EveryKind, Painter, ::testing::ValuesIn(ray::OffscreenContextKinds()), ray::testing::KindOf);
+
+}  // namespace
