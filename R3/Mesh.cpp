@@ -98,4 +98,42 @@ Intersection Mesh::At(const Ray&, const Hit& hit, int element) const {
   return at;
 }
 
+MeshData Mesh::Approximation(int fineness) const {
+  const double shares = fineness / (4 * std::sqrt(std::max(1.0, static_cast<double>(Elements()))));
+  const auto pieces = static_cast<std::uint32_t>(std::max(1.0, shares));  // of each side of a triangle
+  MeshData cut;
+  if (pieces == 1) {
+    cut = data_;
+    if (!smooth_) cut.normals.clear();
+    return cut;
+  }
+  for (const auto& triangle : data_.triangles) {
+    // Row r, from corner 0 to the side opposite, has r + 1 places.
+    const auto first = static_cast<std::uint32_t>(cut.positions.size());
+    const auto at = [&](std::uint32_t row, std::uint32_t i) { return first + row * (row + 1) / 2 + i; };
+    for (std::uint32_t row = 0; row <= pieces; ++row)
+      for (std::uint32_t i = 0; i <= row; ++i) {
+        const std::array weights{static_cast<double>(pieces - row) / pieces, static_cast<double>(row - i) / pieces,
+                                 static_cast<double>(i) / pieces};
+        Vector position, normal;
+        R2::Point uv;
+        for (std::size_t k = 0; k < 3; ++k) {
+          position = position + weights[k] * FromOrigin(data_.positions[triangle[k]]);
+          if (smooth_) normal = normal + weights[k] * AsVector(data_.normals[triangle[k]]);
+          if (!data_.uvs.empty()) uv.x += weights[k] * data_.uvs[triangle[k]].x;
+          if (!data_.uvs.empty()) uv.y += weights[k] * data_.uvs[triangle[k]].y;
+        }
+        cut.positions.push_back(Point{} + position);
+        if (smooth_) cut.normals.push_back(AsNormal(Unit(normal)));
+        if (!data_.uvs.empty()) cut.uvs.push_back(uv);
+      }
+    for (std::uint32_t row = 0; row < pieces; ++row)
+      for (std::uint32_t i = 0; i <= row; ++i) {
+        cut.triangles.push_back({at(row, i), at(row + 1, i), at(row + 1, i + 1)});
+        if (i < row) cut.triangles.push_back({at(row, i), at(row + 1, i + 1), at(row, i + 1)});
+      }
+  }
+  return cut;
+}
+
 }  // namespace R3

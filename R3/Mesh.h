@@ -1,22 +1,12 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
-#include <vector>
 
-#include "R2/Point.h"
+#include "R3/MeshData.h"
 #include "R3/Shape.h"
 #include "R3/Transform.h"
 
 namespace R3 {
-
-/// What a mesh is made of, as a file brings it. Normals and texture coordinates are one per position or none at all.
-struct MeshData {
-  std::vector<Point> positions;                         // finite
-  std::vector<std::array<std::uint32_t, 3>> triangles;  // indices below positions.size()
-  std::vector<Normal> normals;                          // any length; a zero one has no say in its blends
-  std::vector<R2::Point> uvs;                           // finite
-};
 
 /// A triangle mesh, shaded flat as the course does unless asked to be smooth.
 /// Triangles without area (decided by an exactly vanishing cross product of their edges) are dropped at construction
@@ -30,6 +20,9 @@ class Mesh : public Shape {
   Box Bounds(int element) const override;
   std::optional<Hit> Intersect(const Ray& ray, int element) const override;
   Intersection At(const Ray& ray, const Hit& hit, int element) const override;
+  /// Its own triangles; those of a mesh of few cut into equal smaller ones, so that what is shown at corners alone,
+  /// such as a texture or the light of a lamp nearby, is seen between them too.
+  MeshData Approximation(int fineness) const override;
   bool IsSolid() const override { return false; }  // whether it is closed is not looked at
   bool HasTextureCoordinates() const override { return !data_.uvs.empty(); }
   bool IsDegenerate() const override { return data_.triangles.empty(); }

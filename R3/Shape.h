@@ -10,6 +10,7 @@
 #include "R3/Box.h"
 #include "R3/Hit.h"
 #include "R3/Intersection.h"
+#include "R3/MeshData.h"
 #include "R3/Ray.h"
 
 namespace R3 {
@@ -34,6 +35,13 @@ class Shape {
   /// The surface at a hit that Intersect returned for the same ray and element.
   virtual Intersection At(const Ray& ray, const Hit& hit, int element) const = 0;
 
+  /// Triangles near the surface, to be looked at and never traced: corners on the surface, fronts outward, a solid
+  /// closed where corners in the same place are taken for one. Normals where the surface is smooth or has faces of its
+  /// own; none where each triangle is flat. Nothing of a degenerate shape.
+  ///   fineness  >= 3: into how many pieces a full turn is cut, or about four times a straight side. About its square
+  ///             of triangles or fewer, but 12 at least, and a mesh never fewer than its own
+  virtual MeshData Approximation(int fineness) const = 0;
+
   /// Whether the shape bounds a volume that a point can be inside of.
   virtual bool IsSolid() const { return true; }
   /// Whether texture coordinates vary over the surface.
@@ -44,12 +52,12 @@ class Shape {
 
 /// One line of shapes.def: what the parser, the help and the tests over every shape know of a kind.
 struct ShapeKind {
-  const char* name;                          // the word in a scene file
-  const char* about;                         // one line for the help
-  std::vector<Argument> arguments;           // in file order
+  const char* name;                 // the word in a scene file
+  const char* about;                // one line for the help
+  std::vector<Argument> arguments;  // in file order
   /// `arguments` are as many as above, finite, their signs checked; may throw ArgumentError.
   std::unique_ptr<const Shape> (*make)(std::span<const double> arguments);
-  std::vector<double> example;               // a typical one: bounded, hit by a ray from afar to its middle
+  std::vector<double> example;  // a typical one: bounded, hit by a ray from afar to its middle
 };
 
 /// Every kind that numbers alone describe, in the order of shapes.def.

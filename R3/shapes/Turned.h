@@ -5,6 +5,7 @@
 
 #include "R3/Intersection.h"
 #include "R3/Numeric.h"
+#include "R3/Sheet.h"
 #include "R3/shapes/Round.h"
 #include "R3/shapes/Span.h"
 
@@ -35,6 +36,25 @@ inline Intersection AtCap(const Point& p, const Point& center, double radius, do
   at.normal = at.shading_normal = {0, side, 0};
   at.uv = {0.5 + (p.x - center.x) / (2 * radius), 0.5 - (p.z - center.z) / (2 * radius)};
   return at;
+}
+
+/// For drawing: outward after `column` of `columns` steps of a turn against TurnAboutY, as fronts ask for when columns
+/// run to the right and +y is up. The last column is the first again, to the bit.
+inline Vector ColumnOutward(int column, int columns) {
+  const double turn = -2 * std::numbers::pi * (column % columns) / columns;
+  return {std::sin(turn), 0, -std::cos(turn)};
+}
+inline double ColumnTurn(int column, int columns) { return 1 - static_cast<double>(column) / columns; }
+
+/// Adds a flat end for drawing, with the meanings of AtCap.
+inline void AddCap(MeshData& data, int columns, const Point& center, double radius, double y, double side) {
+  const int rows = std::max(1, columns / 8);
+  AddSheet(data, columns, rows, [&](int column, int row) {
+    const double share = static_cast<double>(side > 0 ? rows - row : row) / rows;
+    const Vector outward = ColumnOutward(column, columns);
+    const Point p{center.x + share * radius * outward.x, y, center.z + share * radius * outward.z};
+    return SheetCorner{p, {0, side, 0}, AtCap(p, center, radius, y, side).uv};
+  });
 }
 
 }  // namespace R3

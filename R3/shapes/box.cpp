@@ -1,6 +1,7 @@
 #include <utility>
 
 #include "R3/Shape.h"
+#include "R3/Sheet.h"
 #include "R3/shapes/Span.h"
 
 namespace R3 {
@@ -35,6 +36,29 @@ class BoxShape : public Shape {
     at.shading_normal = at.normal;
     at.uv = TextureCoordinates(at.position, hit.part);
     return at;
+  }
+
+  MeshData Approximation(int fineness) const override {
+    MeshData data;
+    if (IsDegenerate()) return data;
+    const int pieces = std::max(1, fineness / 4);
+    for (int part = 0; part < 6; ++part) {
+      const int axis = part / 2;
+      const bool is_high = part % 2 == 1;
+      const double outward = is_high ? 1 : -1;
+      // Which of the other two axes runs to the right decides where the front is.
+      const int right = (axis + (is_high ? 1 : 2)) % 3;
+      AddSheet(data, pieces, pieces, [&](int column, int row) {
+        const auto along = [&](int a) {
+          const double share = static_cast<double>(a == right ? column : row) / pieces;
+          return a == axis ? (is_high ? box_.high[a] : box_.low[a]) : std::lerp(box_.low[a], box_.high[a], share);
+        };
+        const Point p{along(0), along(1), along(2)};
+        const Normal normal{axis == 0 ? outward : 0, axis == 1 ? outward : 0, axis == 2 ? outward : 0};
+        return SheetCorner{p, normal, TextureCoordinates(p, part)};
+      });
+    }
+    return data;
   }
 
   /// A box flat along one axis is a rectangle; flat along two it is a line, which nothing hits.

@@ -54,6 +54,20 @@ class Cone : public Shape {
     return at;
   }
 
+  MeshData Approximation(int fineness) const override {
+    MeshData data;
+    if (IsDegenerate()) return data;
+    const int rows = std::max(1, fineness / 4);
+    AddSheet(data, fineness, rows, [&](int column, int row) {
+      const Vector outward = ColumnOutward(column, fineness);
+      const double share = static_cast<double>(row) / rows, radius = (1 - share) * radius_;
+      const Point p{center_.x + radius * outward.x, std::lerp(low_, high_, share), center_.z + radius * outward.z};
+      return SheetCorner{p, AsNormal(Unit({outward.x, slope_, outward.z})), {ColumnTurn(column, fineness), share}};
+    });
+    AddCap(data, fineness, center_, radius_, low_, -1);
+    return data;
+  }
+
   bool IsDegenerate() const override { return !(radius_ > 0) || !(high_ > low_); }
 
  private:

@@ -40,6 +40,21 @@ class Cylinder : public Shape {
     return at;
   }
 
+  MeshData Approximation(int fineness) const override {
+    MeshData data;
+    if (IsDegenerate()) return data;
+    const int rows = std::max(1, fineness / 8);
+    AddSheet(data, fineness, rows, [&](int column, int row) {
+      const Vector outward = ColumnOutward(column, fineness);
+      const double share = static_cast<double>(row) / rows;
+      const Point p{center_.x + radius_ * outward.x, std::lerp(low_, high_, share), center_.z + radius_ * outward.z};
+      return SheetCorner{p, AsNormal(outward), {ColumnTurn(column, fineness), share}};
+    });
+    AddCap(data, fineness, center_, radius_, low_, -1);
+    AddCap(data, fineness, center_, radius_, high_, 1);
+    return data;
+  }
+
   bool IsDegenerate() const override { return !(radius_ > 0) || !(high_ > low_); }
 
  private:

@@ -1,6 +1,7 @@
 #include <numbers>
 
 #include "R3/Shape.h"
+#include "R3/Sheet.h"
 #include "R3/shapes/Round.h"
 #include "R3/shapes/Span.h"
 
@@ -32,6 +33,23 @@ class Sphere : public Shape {
     at.normal = at.shading_normal = AsNormal(outward);
     at.uv = TextureCoordinates(outward);
     return at;
+  }
+
+  MeshData Approximation(int fineness) const override {
+    MeshData data;
+    if (IsDegenerate()) return data;
+    const int rows = std::max(2, fineness / 2);
+    AddSheet(data, fineness, rows, [&](int column, int row) {
+      // Against the sense of u, so that fronts are outside with +z up; the poles and the seam meet to the bit.
+      const double turn = -2 * std::numbers::pi * (column % fineness) / fineness;
+      const double tilt = std::numbers::pi * row / rows;
+      const double across = row == 0 || row == rows ? 0 : std::sin(tilt);
+      const Vector outward{across * std::sin(turn), across * std::cos(turn), -std::cos(tilt)};
+      return SheetCorner{center_ + radius_ * outward,
+                         AsNormal(outward),
+                         {1 - static_cast<double>(column) / fineness, static_cast<double>(row) / rows}};
+    });
+    return data;
   }
 
   bool IsDegenerate() const override { return !(radius_ > 0); }

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
+
 #include "R3/Shape.h"
 #include "tests/Draw.h"
 #include "tests/Quad.h"
@@ -148,6 +150,126 @@ TEST(EveryShape, OfNoSizeIsNeverHit) {
     for (const R3::Vector d : {R3::Vector{0, 0, -1}, R3::Vector{0, -1, 0}, R3::Vector{-1, -1, -1}})
       EXPECT_FALSE(shape->Intersect({R3::Point{} - 3 * d, d}, 0)) << name;
   }
+}
+
+using Corners = std::array<R3::Point, 3>;
+
+/// The triangles that a shape is drawn with, and the normal that is meant at each corner.
+struct Facet {
+  Corners corners;
+  std::array<R3::Vector, 3> normals;
+  R3::Vector front;  // unit
+};
+
+std::vector<Facet> Facets(const R3::MeshData& data) {
+  std::vector<Facet> facets;
+  for (const auto& t : data.triangles) {
+    Facet facet{{data.positions[t[0]], data.positions[t[1]], data.positions[t[2]]}, {}, {}};
+    const auto& c = facet.corners;
+    facet.front = Unit(Cross(c[1] - c[0], c[2] - c[0]));
+    for (std::size_t i = 0; i < 3; ++i)
+      facet.normals[i] = data.normals.empty() ? facet.front : AsVector(data.normals[t[i]]);
+    facets.push_back(facet);
+  }
+  return facets;
+}
+
+R3::Point Middle(const Corners& c) {
+  return R3::Point{} + (FromOrigin(c[0]) + FromOrigin(c[1]) + FromOrigin(c[2])) / 3;
+}
+
+constexpr int finenesses[] = {3, 4, 7, 12, 40};
+
+TEST(EveryShape, IsDrawnWithCornersOnItsSurface) {
+  // Else the picture that one walks through, and the rays drawn into it, would not be of the same scene. Seen from just
+  // beside the corner, because a ray at a rim itself may miss.
+  for (const Subject& s : EveryShape())
+    for (const int fineness : finenesses) {
+      const double size = Bounds(*s.shape).Radius();
+      for (const Facet& facet : Facets(s.shape->Approximation(fineness)))
+        for (std::size_t i = 0; i < 3; ++i) {
+          EXPECT_NEAR(Length(facet.normals[i]), 1, 1e-12) << s.kind->name;
+          const R3::Point corner = facet.corners[i], beside = corner + 1e-6 * (Middle(facet.corners) - corner);
+          const R3::Ray ray{beside + size * facet.normals[i], -facet.normals[i]};
+          const auto hit = s.shape->Intersect(ray, 0);
+          ASSERT_TRUE(hit) << s.kind->name << ' ' << oracle::Hex(ray);
+          EXPECT_LE(Length(s.shape->At(ray, *hit, 0).position - corner), 4e-6 * size) << s.kind->name;
+          // The normal is the surface's; at a cone's apex it is meant for a column of triangles, half of one away.
+          const double same = Dot(s.shape->At(ray, *hit, 0).normal, facet.normals[i]);
+          EXPECT_TRUE(fineness < 40 || same > 0.99) << s.kind->name;
+        }
+    }
+}
+
+TEST(EveryShape, IsDrawnWithFrontsOutside) {
+  for (const Subject& s : EveryShape())
+    for (const int fineness : finenesses) {
+      const double size = Bounds(*s.shape).Radius();
+      const std::vector<Facet> facets = Facets(s.shape->Approximation(fineness));
+      EXPECT_FALSE(facets.empty()) << s.kind->name;
+      for (const Facet& facet : facets) {
+        const R3::Ray ray{Middle(facet.corners) + 2 * size * facet.front, -facet.front};
+        const auto hit = s.shape->Intersect(ray, 0);
+        ASSERT_TRUE(hit) << s.kind->name;
+        EXPECT_GT(Dot(s.shape->At(ray, *hit, 0).normal, facet.front), 0.4) << s.kind->name;
+        for (const R3::Vector& normal : facet.normals) EXPECT_GT(Dot(normal, facet.front), 0.4) << s.kind->name;
+      }
+    }
+}
+
+TEST(EveryShape, ThatIsSolidIsDrawnWithoutHoles) {
+  for (const Subject& s : EveryShape())
+    for (const int fineness : finenesses) {
+      if (!s.shape->IsSolid()) continue;
+      using Place = std::array<double, 3>;
+      std::map<std::pair<Place, Place>, int> edges;
+      const auto place = [](const R3::Point& p) { return Place{p.x, p.y, p.z}; };
+      for (const Facet& facet : Facets(s.shape->Approximation(fineness)))
+        for (std::size_t i = 0; i < 3; ++i) ++edges[{place(facet.corners[i]), place(facet.corners[(i + 1) % 3])}];
+      for (const auto& [edge, count] : edges) {
+        EXPECT_EQ(count, 1) << s.kind->name << ' ' << fineness;
+        EXPECT_EQ(edges.count({edge.second, edge.first}), 1u) << s.kind->name << ' ' << fineness;
+      }
+    }
+}
+
+TEST(EveryShape, IsDrawnWithNoMoreTrianglesThanAskedFor) {
+  for (const Subject& s : EveryShape())
+    for (const int fineness : finenesses)
+      EXPECT_LE(s.shape->Approximation(fineness).triangles.size(),
+                std::max<std::size_t>(12, static_cast<std::size_t>(fineness * fineness)))
+          << s.kind->name << ' ' << fineness;
+}
+
+TEST(EveryShape, IsDrawnWithTheTextureCoordinatesOfItsHits) {
+  for (const Subject& s : EveryShape()) {
+    const R3::MeshData data = s.shape->Approximation(40);
+    ASSERT_EQ(data.uvs.size(), data.positions.size()) << s.kind->name;
+    const std::vector<Facet> facets = Facets(data);
+    // In the middle of a triangle, where its corners' mean is near enough: a step of 1/40, less bending.
+    for (std::size_t i = 0; i < data.triangles.size(); ++i) {
+      const auto& t = data.triangles[i];
+      const Facet facet = facets[i];
+      const R3::Ray ray{Middle(facet.corners) + Bounds(*s.shape).Radius() * facet.front, -facet.front};
+      const auto hit = s.shape->Intersect(ray, 0);
+      ASSERT_TRUE(hit);
+      const R2::Point uv = s.shape->At(ray, *hit, 0).uv;
+      EXPECT_NEAR(uv.x, (data.uvs[t[0]].x + data.uvs[t[1]].x + data.uvs[t[2]].x) / 3, 0.02) << s.kind->name;
+      EXPECT_NEAR(uv.y, (data.uvs[t[0]].y + data.uvs[t[1]].y + data.uvs[t[2]].y) / 3, 0.02) << s.kind->name;
+    }
+  }
+}
+
+TEST(EveryShape, OfNoSizeIsDrawnWithNothing) {
+  for (const R3::ShapeKind* kind : R3::ShapeKinds())
+    EXPECT_TRUE(kind->make(std::vector<double>(kind->arguments.size()))->Approximation(12).triangles.empty())
+        << kind->name;
+}
+
+TEST(EveryShape, ThatIsABoxWithoutHeightIsDrawnAsItsTwoFaces) {
+  const auto sheet = R3::MakeShape("box", {0, 1, 0, 2, 1, 3});
+  for (const Facet& facet : Facets(sheet->Approximation(8))) EXPECT_EQ(std::abs(facet.front.y), 1);
+  EXPECT_EQ(sheet->Approximation(8).triangles.size(), 2u * 2 * 2 * 2);
 }
 
 /// Texture coordinates where a ray straight at `p` from outside meets the shape.

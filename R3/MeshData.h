@@ -1,0 +1,21 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "R2/Point.h"
+#include "R3/Normal.h"
+#include "R3/Point.h"
+
+namespace R3 {
+
+/// What a mesh is made of, as a file brings it. Normals and texture coordinates are one per position or none at all.
+struct MeshData {
+  std::vector<Point> positions;                         // finite
+  std::vector<std::array<std::uint32_t, 3>> triangles;  // indices below positions.size()
+  std::vector<Normal> normals;                          // any length; a zero one has no say in its blends
+  std::vector<R2::Point> uvs;                           // finite
+};
+
+}  // namespace R3
