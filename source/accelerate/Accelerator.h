@@ -66,6 +66,11 @@ class Accelerator {
   virtual const Accelerator& Worker() const { return *this; }
   /// What was built, in lines for the reader of -explain.
   virtual std::vector<std::string> Explain() const { return {}; }
+  /// How many levels of boxes within boxes it has to show, and the boxes of one of them, the outermost level 0; in the
+  /// world, for the viewer. Of structures over the insides of shared meshes only the box around each is told. None
+  /// where it has no boxes of its own.
+  virtual int BoxLevels() const { return 0; }
+  virtual std::vector<R3::Box> BoxesAt(int /*level*/) const { return {}; }
   /// Of memory, besides the world's own.
   virtual std::size_t Bytes() const { return 0; }
 

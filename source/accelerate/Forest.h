@@ -24,6 +24,7 @@ struct Coordinates {
   double scale = 1;
 
   R3::Vector operator()(const R3::Point& p) const { return scale * (p - center); }
+  R3::Point Back(const R3::Vector& v) const { return center + v / scale; }
 };
 Coordinates FitCoordinates(const Space& space);
 
@@ -38,6 +39,7 @@ void FillBlock(TriangleBlock& block, const Space& space, const Coordinates& coor
 
 /// One structure over the world, and one over the inside of each shared mesh. A Structure has the members
 ///     Space space; Coordinates coordinates; std::size_t Bytes() const; std::string Explain() const;
+///     int BoxLevels() const; std::vector<R3::Box> BoxesAt(int level) const;
 ///     static constexpr bool meets_items_again;  // whether a ray often meets the same item twice in a row
 template <typename Structure>
 struct Forest {
@@ -87,6 +89,9 @@ class ForestAccelerator : public Accelerator {
     for (const Structure& structure : forest_.structures) sum += structure.Bytes();
     return sum;
   }
+
+  int BoxLevels() const override { return forest_.structures[0].BoxLevels(); }
+  std::vector<R3::Box> BoxesAt(int level) const override { return forest_.structures[0].BoxesAt(level); }
 
   std::vector<std::string> Explain() const override {
     std::vector<std::string> lines{"instruction set " + InstructionSetName(kernels_.instruction_set)};

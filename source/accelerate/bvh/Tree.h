@@ -59,6 +59,10 @@ struct Tree {
     return std::to_string(nodes) + " nodes in " + std::to_string(depth) + " levels, " + std::to_string(blocks) +
            " blocks of triangles";
   }
+  /// Levels of boxes: the root's, then those of its children, and so on.
+  int BoxLevels() const { return Child::KindOf(root) == Child::Kind::nothing ? 0 : depth + 1; }
+  /// In the space, rounded to single precision as the walk uses them.
+  std::vector<R3::Box> BoxesAt(int level) const;
   std::size_t Bytes() const { return memory.Bytes() + space.Bytes(); }
 };
 

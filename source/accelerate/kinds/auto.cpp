@@ -87,6 +87,8 @@ class Chosen : public Accelerator {
   }
 
   const Accelerator& Worker() const override { return *worker_; }
+  int BoxLevels() const override { return worker_->BoxLevels(); }
+  std::vector<R3::Box> BoxesAt(int level) const override { return worker_->BoxesAt(level); }
   std::size_t Bytes() const override { return worker_->Bytes(); }
   Lines Explain() const override {
     Lines lines = reasons_;

@@ -63,6 +63,10 @@ struct Grid : bvh::Tree {
   }
   static std::uint32_t CellWithLevel(std::uint32_t level) { return bvh::Child::Make(bvh::Child::Kind::nothing, level); }
 
+  /// Cells are no boxes within boxes.
+  int BoxLevels() const { return 0; }
+  std::vector<R3::Box> BoxesAt(int) const { return {}; }
+
   std::size_t Bytes() const {
     return Tree::Bytes() + cells.capacity() * sizeof(std::uint32_t) + levels.capacity() * sizeof(Level);
   }
