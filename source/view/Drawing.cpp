@@ -1,0 +1,29 @@
+#include "source/view/Drawing.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace ray {
+namespace {
+
+std::uint8_t Byte(double value) {
+  return value > 0 ? static_cast<std::uint8_t>(std::lround(255 * std::min(value, 1.0))) : std::uint8_t{0};  // also NaN
+}
+
+}  // namespace
+
+DrawingSpace DrawingSpace::Of(const R3::Box& scene) {
+  DrawingSpace space;
+  if (scene.IsEmpty()) return space;
+  space.center = scene.Center();
+  // Halved before they are subtracted: boxes may be as wide as doubles go.
+  const double radius = Length(R3::Vector{scene.high.x / 2 - scene.low.x / 2, scene.high.y / 2 - scene.low.y / 2,
+                                          scene.high.z / 2 - scene.low.z / 2});
+  if (radius > 0) space.radius = std::min(radius, std::numeric_limits<double>::max());
+  return space;
+}
+
+Rgba Shown(const R2::Color& color, double alpha) { return {Byte(color.r), Byte(color.g), Byte(color.b), Byte(alpha)}; }
+
+}  // namespace ray

@@ -1,0 +1,173 @@
+// The scene as triangles: all of it, where it is, in single precision however large or far away.
+
+#include "source/view/ScenePicture.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "tests/Accelerators.h"
+#include "tests/Draw.h"
+#include "tests/Project.h"
+
+namespace {
+
+ray::ScenePicture PictureOf(const project::Stage& stage, const ray::PictureBudget& budget = {}) {
+  return ray::PictureOf(stage.world, ray::DrawingSpace::Of(stage.scene->root.bounds), budget);
+}
+
+void ExpectWithin(const ray::Triangles& triangles, double most) {
+  for (const ray::Vertex& vertex : triangles.vertices)
+    for (const float x : vertex.at) EXPECT_LE(std::abs(x), most);
+  for (const auto& indices : {triangles.opaque, triangles.clear}) {
+    EXPECT_EQ(indices.size() % 3, 0u);
+    for (const std::uint32_t i : indices) EXPECT_LT(i, triangles.vertices.size());
+  }
+}
+
+std::size_t Count(const ray::Triangles& triangles) { return (triangles.opaque.size() + triangles.clear.size()) / 3; }
+
+TEST(ScenePicture, LiesWithinTheSceneOfAnySizeAnywhere) {
+  for (const char* text : {"sphere -1  0 0 0  1e12\n", "sphere -1  3e12 0 -4e12  1\n", "sphere -1  1 1 1  1e-12\n",
+                           "box -1  -1e150 0 0  1e150 1 1\n", "sphere -1  0 0 0  1e-150\n",
+                           "box -1  -1e150 -1e150 -1e150  1e150 1e150 1e150\n"}) {
+    const project::Stage stage(project::FromText(text));
+    const ray::ScenePicture picture = PictureOf(stage);
+    EXPECT_GT(Count(picture.triangles), 0u) << text;
+    ExpectWithin(picture.triangles, 1.001);
+  }
+}
+
+TEST(ScenePicture, LiesWithinTheBoxOfEveryRandomScene) {
+  Draw draw(921);
+  for (int i = 0; i < 20; ++i) {
+    const project::Stage stage(accelerators::RandomScene(draw, 2));
+    const ray::ScenePicture picture = PictureOf(stage);
+    EXPECT_EQ(picture.left_out + picture.as_boxes, 0);
+    EXPECT_EQ(picture.primitives, stage.world.Primitives());
+    ExpectWithin(picture.triangles, 1.001);
+  }
+}
+
+TEST(ScenePicture, HasItsFrontsOutsideMirroredOrNot) {
+  for (const char* matrix : {"1 0 0 0", "-1 0 0 0"})
+    for (const char* shape : {"sphere -1 0 0 0 1", "tri -1 0 0 1  1 0 1  0 1 1"}) {
+      const project::Stage stage(
+          project::FromText(std::string("begin -1 ") + matrix + "  0 1 0 0  0 0 1 0  0 0 0 1\n" + shape + "\nend\n"));
+      const ray::Triangles triangles = ray::PictureOf(stage.world, {}).triangles;
+      for (std::size_t t = 0; t < triangles.opaque.size(); t += 3) {
+        const auto corner = [&](std::size_t k) {
+          const auto& at = triangles.vertices[triangles.opaque[t + k]].at;
+          return R3::Point{at[0], at[1], at[2]};
+        };
+        // Both are seen from outside by whom the origin is behind.
+        EXPECT_GT(Dot(Cross(corner(1) - corner(0), corner(2) - corner(0)), FromOrigin(corner(0))), 0) << shape;
+      }
+    }
+}
+
+TEST(ScenePicture, ShowsLightTextureAmbientAndEmissionAtItsCorners) {
+  const project::Stage lit(
+      project::FromText("ambient 0.5 0.5 0.5\ndir_light 0.4 0.2 0.1  0 0 -1\n"
+                        "material  0.2 0.2 0.2  1 1 1  0 0 0  0 0 0  0 0 0.3  1 1 0\ntri 0  0 0 0  1 0 0  0 1 0\n"));
+  for (const ray::Vertex& v : PictureOf(lit).triangles.vertices)
+    EXPECT_EQ(v.color, ray::Shown({0.5, 0.3, 0.5}));  // 0.2 * 0.5 + light, and what it sends out
+  // From behind as from before.
+  const project::Stage behind(
+      project::FromText("dir_light 0.4 0.2 0.1  0 0 1\n"
+                        "material  0 0 0  1 1 1  0 0 0  0 0 0  0 0 0  1 1 0\n"
+                        "tri 0  0 0 0  1 0 0  0 1 0\n"));
+  for (const ray::Vertex& v : PictureOf(behind).triangles.vertices) EXPECT_EQ(v.color, ray::Shown({0.4, 0.2, 0.1}));
+  const project::Stage textured(project::Root() / "scenes/texture.scn");
+  std::set<ray::Rgba> colors;
+  for (const ray::Vertex& v : PictureOf(textured).triangles.vertices) colors.insert(v.color);
+  EXPECT_GT(colors.size(), 20u);
+}
+
+TEST(ScenePicture, PutsClearThingsApart) {
+  const project::Stage stage(
+      project::FromText("material  0 0 0  1 1 1  0 0 0  0.5 0.5 0.5  0 0 0  1 1 0\nsphere 0  0 0 0  1\n"
+                        "sphere -1  3 0 0  1\n"));
+  const ray::Triangles triangles = PictureOf(stage).triangles;
+  EXPECT_EQ(triangles.clear.size(), triangles.opaque.size());
+  for (const std::uint32_t i : triangles.clear) EXPECT_EQ(triangles.vertices[i].color[3], 128);
+  for (const std::uint32_t i : triangles.opaque) EXPECT_EQ(triangles.vertices[i].color[3], 255);
+}
+
+TEST(ScenePicture, StaysWithinItsBudgetAndSaysWhatIsMissing) {
+  ray::Scene scene;
+  for (int i = 0; i < 10'000; ++i)
+    scene.root.children.push_back(
+        accelerators::Leaf(R3::MakeShape("sphere", {1.0 * (i % 100), 1.0 * (i / 100), 0, 0.4})));
+  SetBounds(scene.root);
+  const project::Stage stage(std::move(scene));
+  const ray::ScenePicture usual = PictureOf(stage);
+  EXPECT_LE(Count(usual.triangles), 2'000'000u);
+  EXPECT_GT(Count(usual.triangles), 500'000u);
+  EXPECT_EQ(usual.as_boxes + usual.left_out, 0);
+
+  const ray::ScenePicture boxes = PictureOf(stage, {.usual_triangles = 100'000});
+  EXPECT_EQ(boxes.as_boxes, 10'000);
+  EXPECT_EQ(boxes.left_out, 0);
+  EXPECT_EQ(Count(boxes.triangles), 120'000u);
+
+  const ray::ScenePicture part = PictureOf(stage, {.usual_triangles = 100'000, .most_vertices = 20'000});
+  EXPECT_EQ(part.as_boxes, 2'500);
+  EXPECT_EQ(part.left_out, 7'500);
+  EXPECT_LE(part.triangles.vertices.size(), 20'000u);
+  ExpectWithin(part.triangles, 1.001);
+}
+
+TEST(ScenePicture, OfAHugeMeshIsAnEvenPartBesideWhatIsSmall) {
+  ray::Scene scene;
+  const auto data = accelerators::BumpyBall(100, 100);
+  scene.root.children.push_back(accelerators::Leaf(std::make_shared<R3::Mesh>(data)));
+  scene.root.children.push_back(accelerators::Leaf(R3::MakeShape("sphere", {3, 0, 0, 1})));
+  scene.root.children.push_back(accelerators::Leaf(R3::MakeShape("tri", {0, 0, 0, 1, 0, 0, 0, 1, 0})));
+  SetBounds(scene.root);
+  const project::Stage stage(std::move(scene));
+  const auto of_mesh = static_cast<std::int64_t>(data.triangles.size());
+  EXPECT_EQ(PictureOf(stage).left_out, 0);
+  const ray::ScenePicture part = PictureOf(stage, {.usual_triangles = 3'000, .most_vertices = 30'000});
+  EXPECT_NEAR(static_cast<double>(part.left_out), static_cast<double>(of_mesh) - 10'000, 20);
+  EXPECT_EQ(part.as_boxes, 0);  // the sphere is round
+  // Triangles of both ends of the mesh, which are those of its poles, are there.
+  float lowest = 0, highest = 0;
+  for (const ray::Vertex& v : part.triangles.vertices)
+    lowest = std::min(lowest, v.at[1]), highest = std::max(highest, v.at[1]);
+  const auto whole = ray::DrawingSpace::Of(stage.scene->root.bounds);
+  EXPECT_NEAR(highest, whole.At(stage.scene->root.bounds.high)[1], 0.05);
+  EXPECT_NEAR(lowest, whole.At(stage.scene->root.bounds.low)[1], 0.05);
+}
+
+TEST(ScenePicture, ShowsWhatMovesWhereItIsWhenTheShutterOpens) {
+  ray::Scene scene;
+  ray::Node group;
+  group.motion = {10, 0, 0};
+  group.children.push_back(accelerators::Leaf(R3::MakeShape("sphere", {0, 0, 0, 1})));
+  SetBounds(group);
+  scene.root.children.push_back(std::move(group));
+  SetBounds(scene.root);
+  const project::Stage stage(std::move(scene));
+  ExpectWithin(ray::PictureOf(stage.world, {}).triangles, 1.001);
+}
+
+TEST(ScenePicture, OfNothingIsNothing) {
+  const project::Stage stage(project::FromText("\n"));
+  EXPECT_EQ(Count(PictureOf(stage).triangles), 0u);
+  EXPECT_EQ(PictureOf(stage).left_out, 0);
+}
+
+TEST(DrawingSpace, HasARadiusForEverythingAndNothing) {
+  EXPECT_EQ(ray::DrawingSpace::Of({}).radius, 1);
+  EXPECT_EQ(ray::DrawingSpace::Of({{1, 2, 3}, {1, 2, 3}}).radius, 1);
+  EXPECT_EQ(ray::DrawingSpace::Of({{1, 2, 3}, {1, 2, 3}}).center, (R3::Point{1, 2, 3}));
+  EXPECT_NEAR(ray::DrawingSpace::Of({{0, 0, 0}, {2, 4, 4}}).radius, 3, 1e-15);
+}
+
+TEST(Shown, IsClampedAndNeverStrange) {
+  EXPECT_EQ(ray::Shown({-1, 0.5, 7}, 2), (ray::Rgba{0, 128, 255, 255}));
+  EXPECT_EQ(ray::Shown({std::nan(""), R3::infinity, -R3::infinity}, 0), (ray::Rgba{0, 255, 0, 0}));
+}
+
+}  // namespace
