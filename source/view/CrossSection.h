@@ -1,0 +1,83 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "R2/Point.h"
+#include "R2/Vector.h"
+#include "R3/Segment.h"
+#include "source/accelerate/Accelerator.h"
+#include "source/scene/Camera.h"
+#include "source/view/Drawing.h"
+
+/// A scene cut by a plane, drawn in that plane.
+namespace ray {
+
+/// Which plane: two axes of the world, or all camera rays of one row of the picture.
+enum class SlicePlane { xz, yz, xy, camera_row };
+
+/// The part of a plane that is looked at: a square about `center` whose sides are along u and v.
+struct Slice {
+  R3::Point center;
+  R3::Vector u{1, 0, 0}, v{0, 1, 0};  // unit, perpendicular: to the right and upward
+  double extent = 1;                  // half a side, > 0
+
+  /// Where p lies when it is dropped onto the plane.
+  R2::Point Project(const R3::Point& p) const { return {Dot(p - center, u), Dot(p - center, v)}; }
+  R2::Vector Project(const R3::Vector& d) const { return {Dot(d, u), Dot(d, v)}; }
+  R3::Point InWorld(const R2::Point& place) const { return center + place.x * u + place.y * v; }
+  /// Places for drawing: the square from -1 to 1, z = 0.
+  std::array<float, 3> At(const R2::Point& place) const {
+    return {static_cast<float>(place.x / extent), static_cast<float>(place.y / extent), 0};
+  }
+};
+
+/// The plane with those two axes through a point (`plane` is not camera_row), seen so that its first axis runs to the
+/// right and its second upward. The square is around the middle of the scene and holds all of its cut.
+Slice AxisSlice(SlicePlane plane, const R3::Point& through, const R3::Box& scene);
+/// The plane through the eye, camera.right and the directions of view through row `y` of a picture (in pixels from its
+/// lower edge; y + 0.5 is the middle of row y): it holds every ray through that row. The direction of view is up. The
+/// square holds all of the scene's cut; the eye may lie outside it.
+Slice CameraSlice(const Camera& camera, double y, int width, int height, const R3::Box& scene);
+
+/// Where the surface of an instance crosses a line of the grid that a slice is searched by.
+struct Crossing {
+  R2::Point place;     // in the slice
+  R3::Point position;  // in the world; within its Intersection's error of the surface
+  R2::Vector normal;   // outward, dropped onto the plane: shorter than 1 where the surface is not met straight
+  std::uint32_t instance = 0;
+  bool enters = false;  // going along the grid line in the direction of u or v
+};
+
+/// What joins two crossings of an instance within one cell of the grid. Straight; or over a corner, where the tangents
+/// at both ends meet in the cell at an angle.
+struct CutPiece {
+  std::uint32_t from = 0, to = 0;  // indices of crossings
+  std::optional<R2::Point> corner;
+};
+
+struct SceneCut {
+  Slice slice;
+  std::vector<Crossing> crossings;
+  std::vector<CutPiece> pieces;
+  int lines_given_up = 0;  // grid lines with more than most_crossings; the rest of these is not known
+};
+
+inline constexpr int most_crossings = 4096;  // of one grid line
+
+/// All surfaces that the slice cuts, found by asking the shapes themselves: by rays in the plane, `lines` (at least 2)
+/// of them along u and as many along v, each from crossing to crossing.
+///
+/// Crossings are as exact as any hit. Pieces are not: they say that a surface goes on from one crossing to the next,
+/// which what is smaller than a cell (2 extent / lines) may belie. What lies between two neighbouring grid lines both
+/// ways is not found. Of surfaces in the very same place only one is. Surfaces that lie in the plane itself are there
+/// as their shapes answer to rays in them: a box by its outline, a triangle not at all.
+SceneCut CutOf(const World& world, const Accelerator& accelerator, const Slice& slice, int lines);
+
+/// The pieces, each in the colour of its instance's material, made bright enough for a dark ground.
+Lines CutLines(const SceneCut& cut, const World& world);
+/// A line of the world dropped onto the slice.
+void AddProjected(Lines& lines, const Slice& slice, const R3::Segment& segment, const Rgba& color);
+
+}  // namespace ray
