@@ -5,6 +5,7 @@ set -eu
 here=$(cd "$(dirname "$0")/.." && pwd)
 raypro=${RAYPRO:-$here/build/raypro}
 rayimg=${RAYIMG:-$here/build/rayimg}
+rayview=${RAYVIEW:-$here/build/rayview}
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
@@ -18,6 +19,9 @@ replace() {  # name of the markers, program
 }
 replace options "$raypro"
 replace "rayimg options" "$rayimg"
+if [ -x "$rayview" ]; then  # not every machine builds it
+  replace "rayview options" "$rayview"
+fi
 
 if [ "${1:-}" = -check ]; then
   cmp -s "$work/new" "$here/README.md" || { echo "README.md: a table of options is out of date; run script/update_readme.sh" >&2; exit 1; }

@@ -49,7 +49,7 @@ std::vector<std::string> ExplainRender(const Record& record) {
   std::vector<std::string> lines{"the scene needs " + listed(record.needs), "kernel: " + record.kernel,
                                  "biased by " + listed(record.biased)};
   std::string knobs;
-  for (const OptionKind& option : OptionTable())
+  for (const OptionKind& option : OptionTable(record.options.program))
     if (IsSetting(option) && std::string(option.topic) != "messages" && !Show(option, record.options).empty())
       knobs += " -" + std::string(option.name) + " " + Show(option, record.options);
   lines.push_back("every knob:" + knobs);

@@ -13,7 +13,7 @@ namespace {
 /// Everything that a bit of the picture depends on: version, scene, and the options that choose it.
 std::string Identity(const Options& options, const std::string& scene_hash) {
   std::string text = "version " RAYPRO_VERSION "\nscene " + scene_hash + "\n";
-  for (const OptionKind& option : OptionTable()) {
+  for (const OptionKind& option : OptionTable(options.program)) {
     const std::string topic = option.topic, name = option.name;
     if (!IsSetting(option) || (topic != "picture" && topic != "light" && topic != "trade")) continue;
     if (name == "checkpoint" || name == "resume" || name == "reference" || name == "time") continue;

@@ -4,9 +4,11 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <tuple>
 #include <vector>
 
 #include "source/accelerate/Forest.h"
+#include "source/app/Help.h"
 #include "source/app/OptionTable.h"
 #include "source/app/Preset.h"
 #include "source/app/Status.h"
@@ -16,12 +18,18 @@
 namespace ray {
 namespace {
 
-const OptionKind& Known(const std::string& word) {
+const OptionKind& Known(Program program, const std::string& word) {
   const std::string name = SplitOption(word).name;
-  if (const OptionKind* option = FindOption(name)) return *option;
-  std::vector<std::string> names;
-  for (const OptionKind& option : OptionTable()) names.push_back("-" + std::string(option.name));
-  throw UsageError("unknown option " + Quoted(word) + DidYouMean("-" + name, names) + " (raypro -help lists them all)");
+  if (const OptionKind* option = FindOption(program, name)) return *option;
+  std::string hint;
+  if (const OptionKind* option = FindOption(TheOther(program), name)) {
+    hint = "; -" + std::string(option->name) + " is an option of " + NameOf(TheOther(program));
+  } else {
+    std::vector<std::string> names;
+    for (const OptionKind& known : OptionTable(program)) names.push_back("-" + std::string(known.name));
+    hint = DidYouMean("-" + name, names);
+  }
+  throw UsageError("unknown option " + Quoted(word) + hint + " (" + NameOf(program) + " -help lists them all)");
 }
 
 /// The arguments of the option at the front of `words`, and how many words they and the option take.
@@ -59,29 +67,30 @@ void RefuseRepetition(const OptionKind& option, const std::string& word, Seen& s
 }
 
 void RefuseSecondTask(const OptionKind& option, const std::string& word, const Options& options) {
-  if (!IsSetting(option) && options.task != Task::render)
+  if (!IsSetting(option) && options.task != Defaults(options.program).task)
     throw UsageError(Quoted(word) + " cannot be combined with another request");
 }
 
 void TakeName(const std::string& word, Options& options) {
   if (word.empty()) throw UsageError("a file name is empty");
+  const bool takes_picture = options.program == Program::raypro;
   if (options.scene.empty())
     options.scene = word;
-  else if (options.picture.empty())
+  else if (takes_picture && options.picture.empty())
     options.picture = word;
   else
     throw UsageError(Quoted(word) + " is one name too many, after the scene " + Quoted(options.scene) +
-                     " and the picture " + Quoted(options.picture));
+                     (takes_picture ? " and the picture " + Quoted(options.picture) : ""));
 }
 
 /// -help anywhere is answered, whatever else is wrong. (The course's program then exits with failure; we succeed, as
 /// users of other programs expect.)
-std::optional<Options> HelpAnywhere(std::span<const std::string> words) {
+std::optional<Options> HelpAnywhere(Program program, std::span<const std::string> words) {
   for (std::size_t i = 0; i < words.size() && words[i] != "--"; ++i) {
-    const OptionKind* option = LooksLikeOption(words[i]) ? FindOption(SplitOption(words[i]).name) : nullptr;
+    const OptionKind* option = LooksLikeOption(words[i]) ? FindOption(program, SplitOption(words[i]).name) : nullptr;
     const auto* request = option ? std::get_if<Request>(&option->value) : nullptr;
     if (!request || request->task != Task::help) continue;
-    Options options;
+    Options options = Defaults(program);
     options.task = Task::help;
     // Among other words, what follows -help is as likely a file as a topic, and plain help is never wrong.
     const bool has_topic = SplitOption(words[i]).attached || (i == 0 && words.size() == 2);
@@ -91,20 +100,45 @@ std::optional<Options> HelpAnywhere(std::span<const std::string> words) {
   return {};
 }
 
-bool NeedsScene(Task task) { return task == Task::render || task == Task::check; }
+bool NeedsScene(Task task) {
+  return task == Task::render || task == Task::view || task == Task::check || task == Task::debug_pixel;
+}
 
 void CheckNames(const Options& options) {
-  const std::string usage = " (usage: raypro scene picture [options])";
   if (!NeedsScene(options.task)) {
     if (!options.scene.empty()) throw UsageError(Quoted(options.scene) + " is one name too many");
     return;
   }
+  const std::string usage = " (usage: " + Usage(options.program) + ")";
   if (options.scene.empty()) throw UsageError("no scene is named" + usage);
   if (options.task == Task::check && !options.report.empty())
     throw UsageError("-report needs a picture that is rendered; -check renders none");
   if (options.task == Task::render && options.picture.empty()) throw UsageError("no picture is named" + usage);
   if (options.task == Task::render && options.picture == options.report)
     throw UsageError("the picture and the report are the same file, " + Quoted(options.report));
+}
+
+/// A single pixel has no picture, no cost worth a table and no error.
+void CheckPixel(const Options& options, const std::vector<std::string>& given) {
+  if (options.task != Task::debug_pixel) return;
+  if (!options.picture.empty())
+    throw UsageError(Quoted(options.picture) + " is one name too many; -debugpixel makes no picture");
+  for (const char* name : {"layers", "time", "error", "reference", "replay", "checkpoint", "resume", "stats", "report"})
+    if (std::ranges::find(given, name) != given.end())
+      throw UsageError("-" + std::string(name) + " needs a picture that is rendered; -debugpixel renders none");
+  const auto& [x, y] = *options.pixel;
+  const auto& [width, height] = std::tie(options.render.width, options.render.height);
+  if (x >= 0 && x < width && y >= 0 && y < height) return;
+  throw UsageError("-debugpixel " + std::to_string(x) + " " + std::to_string(y) + ": a picture of " +
+                   std::to_string(width) + " x " + std::to_string(height) + " has columns 0 to " +
+                   std::to_string(width - 1) + " and rows 0 to " + std::to_string(height - 1));
+}
+
+void CheckView(const ViewOptions& view) {
+  if (view.context != ViewOptions().context && !view.headless)
+    throw UsageError("-context needs -headless; a window brings its own");
+  if (view.exit_immediately && !view.events.empty())
+    throw UsageError("-exit_immediately and -events contradict each other");
 }
 
 void CheckSize(const RenderSettings& render) {
@@ -120,7 +154,7 @@ void CheckCrop(const RenderSettings& render) {
   const PixelRectangle& c = *render.crop;
   const bool is_inside = c.x0 >= 0 && c.y0 >= 0 && c.x1 <= render.width && c.y1 <= render.height;
   if (is_inside && c.x0 < c.x1 && c.y0 < c.y1) return;
-  const OptionKind& option = *FindOption("crop");
+  const OptionKind& option = *FindOption(Program::raypro, "crop");
   Options given;
   given.render = render;
   throw UsageError("-crop " + Show(option, given) + ": it must be " + Range(option) + " of " +
@@ -141,10 +175,10 @@ void CheckBudget(const Options& options) {
 
 }  // namespace
 
-Options ReadCommandLine(std::span<const std::string> words) {
-  if (const auto help = HelpAnywhere(words)) return *help;
+Options ReadCommandLine(Program program, std::span<const std::string> words) {
+  if (const auto help = HelpAnywhere(program, words)) return *help;
 
-  Options options;
+  Options options = Defaults(program);
   Seen seen;
   bool only_names = false;
   for (std::size_t i = 0; i < words.size();) {
@@ -156,7 +190,7 @@ Options ReadCommandLine(std::span<const std::string> words) {
       TakeName(word, options);
       ++i;
     } else {
-      const OptionKind& option = Known(word);
+      const OptionKind& option = Known(program, word);
       RefuseRepetition(option, word, seen);
       RefuseSecondTask(option, word, options);
       const Arguments arguments = TakeArguments(option, words.subspan(i));
@@ -173,6 +207,8 @@ Options ReadCommandLine(std::span<const std::string> words) {
   CheckBudget(options);
   CheckSize(options.render);
   CheckCrop(options.render);
+  CheckPixel(options, given);
+  CheckView(options.view);
   if (options.quiet && options.verbose) throw UsageError("-quiet and -verbose contradict each other");
   const R2::ImageFormat* format = R2::FormatForName(options.picture);
   options.render.srgb = options.encoding.srgb && !(format && format->is_linear);

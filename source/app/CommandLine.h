@@ -7,9 +7,9 @@
 
 namespace ray {
 
-/// What the words behind the program's name ask for. Names and options in any order; -width 512, --width 512 and
+/// What the words behind a program's name ask for. Names and options in any order; -width 512, --width 512 and
 /// -width=512 are the same; behind "--" everything is a name. Throws UsageError.
-Options ReadCommandLine(std::span<const std::string> words);
+Options ReadCommandLine(Program program, std::span<const std::string> words);
 
 /// Throws UsageError when this machine lacks what the options ask for.
 void CheckMachine(const Options& options);

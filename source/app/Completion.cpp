@@ -22,16 +22,18 @@ std::string Quotable(const std::string& text, const std::string& marks) {
 
 namespace {
 
-std::string Bash() {
+std::string Bash(Program program) {
+  const std::string name = NameOf(program);
   std::string names, cases;
-  for (const OptionKind& option : OptionTable()) {
+  for (const OptionKind& option : OptionTable(program)) {
     names += " -" + std::string(option.name);
     const auto choices = Choices(option);
     if (!choices.empty())
       cases += "    -" + std::string(option.name) + ") COMPREPLY=($(compgen -W '" + Joined(choices) +
                "' -- \"$word\")); return ;;\n";
   }
-  return "_raypro() {\n"
+  return "_" + name +
+         "() {\n"
          "  local word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD-1]}\n"
          "  case $before in\n" +
          cases +
@@ -44,7 +46,8 @@ std::string Bash() {
          "    COMPREPLY=($(compgen -f -- \"$word\"))\n"
          "  fi\n"
          "}\n"
-         "complete -o filenames -F _raypro raypro\n";
+         "complete -o filenames -F _" +
+         name + " " + name + "\n";
 }
 
 std::string ZshSpecification(const OptionKind& option) {
@@ -59,16 +62,17 @@ std::string ZshSpecification(const OptionKind& option) {
   return text + "' \\\n";
 }
 
-std::string Zsh() {
-  std::string text = "#compdef raypro\n_arguments \\\n";
-  for (const OptionKind& option : OptionTable()) text += ZshSpecification(option);
-  return text + "  '1:scene:_files' \\\n  '2:picture:_files'\n";
+std::string Zsh(Program program) {
+  std::string text = "#compdef " + NameOf(program) + "\n_arguments \\\n";
+  for (const OptionKind& option : OptionTable(program)) text += ZshSpecification(option);
+  return text + "  '1:scene:_files'" + (program == Program::raypro ? " \\\n  '2:picture:_files'\n" : "\n");
 }
 
-std::string Fish() {
+std::string Fish(Program program) {
   std::string text;
-  for (const OptionKind& option : OptionTable()) {
-    text += "complete -c raypro -o " + std::string(option.name) + " -d '" + Quotable(option.help, "\\") + "'";
+  for (const OptionKind& option : OptionTable(program)) {
+    text += "complete -c " + NameOf(program) + " -o " + std::string(option.name) + " -d '" +
+            Quotable(option.help, "\\") + "'";
     const auto choices = Choices(option);
     if (!choices.empty()) text += " -x -a '" + Joined(choices) + "'";
     if (choices.empty() && !option.arguments.empty()) text += " -r";
@@ -79,10 +83,10 @@ std::string Fish() {
 
 }  // namespace
 
-std::string CompletionScript(const std::string& shell) {
-  if (shell == "zsh") return Zsh();
-  if (shell == "fish") return Fish();
-  return Bash();
+std::string CompletionScript(Program program, const std::string& shell) {
+  if (shell == "zsh") return Zsh(program);
+  if (shell == "fish") return Fish(program);
+  return Bash(program);
 }
 
 }  // namespace ray

@@ -3,10 +3,12 @@
 #include <string>
 #include <vector>
 
+#include "source/app/Program.h"
+
 namespace ray {
 
-/// The script that teaches a shell ("bash", "zsh" or "fish") our options.
-std::string CompletionScript(const std::string& shell);
+/// The script that teaches a shell ("bash", "zsh" or "fish") the program's options.
+std::string CompletionScript(Program program, const std::string& shell);
 
 /// The words with blanks between them.
 std::string Joined(const std::vector<std::string>& words);

@@ -90,18 +90,23 @@ constexpr Subject subjects[] = {{"shapes", Shapes},  {"lights", Lights}, {"accel
                                 {"images", Images},  {"scenes", Scenes}, {"commands", SceneCommands},
                                 {"presets", Presets}};
 
+/// Presets are values of an option that only raypro has.
+bool Knows(Program program, const Subject& subject) { return program == Program::raypro || subject.list != Presets; }
+
 }  // namespace
 
-std::vector<std::string> ListSubjects() {
+std::vector<std::string> ListSubjects(Program program) {
   std::vector<std::string> names;
-  for (const Subject& subject : subjects) names.emplace_back(subject.name);
+  for (const Subject& subject : subjects)
+    if (Knows(program, subject)) names.emplace_back(subject.name);
   return names;
 }
 
-std::string Listing(const std::string& wanted) {
+std::string Listing(Program program, const std::string& wanted) {
   std::string text;
   for (const Subject& subject : subjects)
-    if (wanted.empty() || wanted == subject.name) text += subject.name + std::string(":\n") + subject.list();
+    if (Knows(program, subject) && (wanted.empty() || wanted == subject.name))
+      text += subject.name + std::string(":\n") + subject.list();
   return text;
 }
 

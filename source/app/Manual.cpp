@@ -1,8 +1,9 @@
 #include "source/app/Manual.h"
 
+#include <algorithm>
 #include <utility>
-#include "source/app/Help.h"
 
+#include "source/app/Help.h"
 #include "source/app/OptionTable.h"
 
 namespace ray {
@@ -22,19 +23,19 @@ std::string Roff(const std::string& text) {
 
 namespace {
 
-std::string Entry(const OptionKind& option) {
+std::string Entry(const OptionKind& option, const Options& defaults) {
   std::string entry = ".TP\n.B " + Roff(Synopsis(option)) + "\n" + Roff(option.help) + ".\n";
-  const std::string range = Range(option), value = Show(option, Options{});
+  const std::string range = Range(option), value = Show(option, defaults);
   if (!range.empty()) entry += "Values: " + Roff(range) + ".\n";
   if (!value.empty()) entry += "Default: " + Roff(value) + ".\n";
   return entry;
 }
 
-std::string Entries() {
+std::string Entries(Program program) {
   std::string text, topic;
-  for (const OptionKind& option : OptionTable()) {
+  for (const OptionKind& option : OptionTable(program)) {
     if (topic != option.topic) text += ".SS " + Roff(topic = option.topic) + "\n";
-    text += Entry(option);
+    text += Entry(option, Defaults(program));
   }
   return text;
 }
@@ -50,38 +51,45 @@ constexpr std::pair<const char*, const char*> extensions[] = {
     {"sphere_light r g b px py pz radius ca la qa", "A lamp with a size, not itself seen."},
 };
 
-std::string Extensions() {
+/// Paragraphs, each with a bold word or two before it.
+template <class List>
+std::string Tagged(const List& list) {
   std::string text;
-  for (const auto& [statement, meaning] : extensions)
-    text += ".TP\n.B " + Roff(statement) + "\n" + Roff(meaning) + "\n";
+  for (const auto& [tag, meaning] : list) text += ".TP\n.B " + Roff(tag) + "\n" + Roff(meaning) + "\n";
   return text;
 }
 
+std::string UpperCase(std::string text) {
+  std::ranges::transform(text, text.begin(), [](char c) { return c >= 'a' && c <= 'z' ? c - 'a' + 'A' : c; });
+  return text;
+}
+
+constexpr std::pair<const char*, const char*> environment[] = {
+    {"NO_COLOR", "No colour on the terminal."},
+    {"TMPDIR", "Where a picture is kept that cannot be written where it should be."},
+};
+
 }  // namespace
 
-std::string ManualPage() {
-  return ".TH RAYPRO 1 \"\" \"raypro " + Roff(RAYPRO_VERSION) +
+std::string ManualPage(Program program) {
+  const ProgramText& about = TextOf(program);
+  const std::string name = NameOf(program);
+  return ".TH " + UpperCase(name) + " 1 \"\" \"" + Roff(NameAndVersion(program)) +
          "\" \"User Commands\"\n"
-         ".SH NAME\nraypro \\- render a scene file into a picture by tracing rays\n"
-         ".SH SYNOPSIS\n.B raypro\n.I scene picture\n.RI [ options ]\n"
-         ".SH DESCRIPTION\n"
-         "The extensions of the two names say their formats;\n.B raypro \\-list\nnames them.\n"
+         ".SH NAME\n" +
+         name + " \\- " + Roff(about.summary) + "\n.SH SYNOPSIS\n.B " + name + "\n.I " + about.names +
+         "\n.RI [ options ]\n"
+         ".SH DESCRIPTION\n" +
+         Roff(about.description) + "The extensions of names say their formats;\n.B " + name +
+         " \\-list\nnames them.\n"
          "Options and names come in any order; \\-width 512, \\-\\-width 512 and \\-width=512 mean the same.\n"
-         "The picture is written to a temporary file beside its name and renamed when it is whole.\n"
+         "A picture is written to a temporary file beside its name and renamed when it is whole.\n"
          ".SH OPTIONS\n" +
-         Entries() +
+         Entries(program) +
          ".SH SCENES\nScenes are in the language of the COS426 course. What that lacks is stated in words of our "
          "own:\n" +
-         Extensions() +
-         ".SH EXIT STATUS\n"
-         ".TP\n.B 0\nDone.\n.TP\n.B 1\nFailed while rendering.\n.TP\n.B 2\nWrong arguments.\n"
-         ".TP\n.B 3\nThe scene, or a file that it names, is wrong or missing.\n.TP\n.B 4\nThe picture cannot be "
-         "written.\n"
-         ".TP\n.B 130, 143\nInterrupted by SIGINT or SIGTERM; the picture so far is saved.\n"
-         ".SH ENVIRONMENT\n.TP\n.B NO_COLOR\nNo colour on the terminal.\n"
-         ".TP\n.B TMPDIR\nWhere a picture is kept that cannot be written where it should be.\n"
-         ".SH EXAMPLES\n.nf\n" +
-         Roff(HelpExamples()) + ".fi\n";
+         Tagged(extensions) + ".SH EXIT STATUS\n" + Tagged(about.statuses) + ".SH ENVIRONMENT\n" + Tagged(environment) +
+         ".SH EXAMPLES\n.nf\n" + Roff(about.examples) + ".fi\n";
 }
 
 }  // namespace ray

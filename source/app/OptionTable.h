@@ -65,7 +65,11 @@ struct Word {
 struct Rectangle {
   Member<std::optional<PixelRectangle>> member;
 };
-struct Request {  // a task other than rendering
+struct PixelRequest {  // a task for one pixel
+  Member<std::optional<Pixel>> member;
+  Task task;
+};
+struct Request {  // a task other than the program's own
   Task task;
   enum { nothing, perhaps, always } takes_subject = nothing;
   std::vector<std::string> (*subjects)() = nullptr;  // what the subject may be; null for a file name
@@ -74,11 +78,15 @@ struct Request {  // a task other than rendering
 using OptionValue =
     std::variant<Number<int>, Number<std::int64_t>, Number<std::uint64_t>, Number<double>, Flag, OnOff, OneNumberOf,
                  OneNameOf, FileName, FolderList, FileList, Rectangle, Triple, Word<double>,
-                 Word<std::optional<ErrorTarget>>, Word<int>, Word<std::vector<std::string>>, Request>;
+                 Word<std::optional<ErrorTarget>>, Word<int>, Word<std::vector<std::string>>, PixelRequest, Request>;
+
+/// Whose option it is.
+enum class KnownTo { raypro, rayview, both };
 
 /// One option. The parser, -help, the manual page, the completions, the report and the README all come from this table.
 struct OptionKind {
   const char* name;                    // without the dash
+  KnownTo known_to;                    // two programs may each have an option of the same name
   std::vector<const char*> aliases;    // understood everywhere, shown nowhere
   std::vector<const char*> arguments;  // their names
   OptionValue value;
@@ -87,12 +95,12 @@ struct OptionKind {
   const char* help;   // one line
 };
 
-/// Every option, by topic.
-std::span<const OptionKind> OptionTable();
-/// By name or alias, without dashes; null when there is none.
-const OptionKind* FindOption(const std::string& name);
+/// Every option of the program, by topic.
+std::span<const OptionKind> OptionTable(Program program);
+/// By name or alias, without dashes; null when the program has none.
+const OptionKind* FindOption(Program program, const std::string& name);
 /// The headings of the help, in order.
-std::vector<std::string> OptionTopics();
+std::vector<std::string> OptionTopics(Program program);
 
 /// Stores what was typed behind an option, as many words as it takes arguments (none or one where that is open).
 /// Throws UsageError that names option, value and range.
@@ -105,6 +113,8 @@ bool MayBeRepeated(const OptionKind& option);
 
 /// The value in force, as it would be typed; empty when there is none.
 std::string Show(const OptionKind& option, const Options& options);
+/// The words that lead from the defaults to the value in force: "-motion", "0", "1", "0"; none when they are the same.
+std::vector<std::string> Typed(const OptionKind& option, const Options& options, const Options& defaults);
 /// What may be typed: "1..1073741824 pixels", "on or off"; empty when anything may, or nothing.
 std::string Range(const OptionKind& option);
 /// The words an argument can be, for completion; empty when they are not a short list.

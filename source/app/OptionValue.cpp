@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <charconv>
 #include <limits>
+#include <sstream>
 #include <type_traits>
 #include <utility>
 
@@ -95,8 +96,14 @@ void StoreRequest(const OptionKind& option, const Request& request, std::span<co
   options.task = request.task;
   if (words.empty()) return;
   // -help also takes the name of an option.
-  const bool is_option = request.task == Task::help && FindOption(WithoutDashes(words[0]));
+  const bool is_option = request.task == Task::help && FindOption(options.program, WithoutDashes(words[0]));
   options.subject = is_option || !request.subjects ? words[0] : Choose(option, words[0], request.subjects());
+}
+
+void StorePixel(const OptionKind& option, const PixelRequest& request, std::span<const std::string> words,
+                Options& options) {
+  options.task = request.task;
+  request.member.write(options) = {ReadOrRefuse<int>(option, words[0]), ReadOrRefuse<int>(option, words[1])};
 }
 
 }  // namespace
@@ -147,6 +154,7 @@ void Store(const OptionKind& option, std::span<const std::string> words, Options
                    list.member.write(options).emplace_back(words[0]);
                  },
                  [&](const Rectangle& rectangle) { rectangle.member.write(options) = ReadRectangle(option, words); },
+                 [&](const PixelRequest& request) { StorePixel(option, request, words, options); },
                  [&](const Request& request) { StoreRequest(option, request, words, options); },
              },
              option.value);
@@ -161,7 +169,9 @@ std::size_t FewestArguments(const OptionKind& option) {
 
 bool MayBeRepeated(const OptionKind& option) { return std::holds_alternative<FolderList>(option.value); }
 
-bool IsSetting(const OptionKind& option) { return !std::holds_alternative<Request>(option.value); }
+bool IsSetting(const OptionKind& option) {
+  return !std::holds_alternative<Request>(option.value) && !std::holds_alternative<PixelRequest>(option.value);
+}
 
 std::string Show(const OptionKind& option, const Options& options) {
   return std::visit(Overloaded{
@@ -192,9 +202,31 @@ std::string Show(const OptionKind& option, const Options& options) {
                           return ToText(crop->x0) + " " + ToText(crop->y0) + " " + ToText(crop->x1) + " " +
                                  ToText(crop->y1);
                         },
+                        [&](const PixelRequest&) { return std::string(); },
                         [&](const Request&) { return std::string(); },
                     },
                     option.value);
+}
+
+std::vector<std::string> Typed(const OptionKind& option, const Options& options, const Options& defaults) {
+  const std::string name = "-" + std::string(option.name), value = Show(option, options);
+  if (value.empty() || value == Show(option, defaults)) return {};
+  if (std::holds_alternative<Flag>(option.value)) return {name};
+  std::vector<std::string> words;
+  if (const auto* list = std::get_if<FolderList>(&option.value)) {
+    for (const auto& folder : list->member.read(options)) words.push_back(name + "=" + folder.string());
+    return words;
+  }
+  // Only "=" lets a value begin like an option.
+  if (MostArguments(option) == 1 && LooksLikeOption(value)) return {name + "=" + value};
+  words.push_back(name);
+  if (MostArguments(option) == 1) {
+    words.push_back(value);
+    return words;
+  }
+  std::istringstream parts(value);
+  for (std::string part; parts >> part;) words.push_back(part);
+  return words;
 }
 
 std::vector<std::string> Choices(const OptionKind& option) {
@@ -217,6 +249,7 @@ std::string Range(const OptionKind& option) {
       Overloaded{
           [&]<class T>(const Number<T>& number) { return Interval(number) + unit; },
           [&](const Rectangle&) { return std::string("whole numbers with x0 < x1 and y0 < y1, inside the picture"); },
+          [&](const PixelRequest&) { return std::string("whole numbers, a column and a row of the picture from 0"); },
           [&](const FileName&) { return std::string("the name of a file"); },
           [&]<class T>(const Word<T>& word) { return std::string(word.range) + unit; },
           [&](const Triple&) { return "three numbers" + unit; },

@@ -29,7 +29,7 @@ void ApplyPreset(Options& options, const std::vector<std::string>& given) {
     if (preset.name != options.quality) continue;
     for (const auto& [name, value] : preset.settings)
       if (std::find(given.begin(), given.end(), name) == given.end())
-        Store(*FindOption(name), std::vector<std::string>{value}, options);
+        Store(*FindOption(options.program, name), std::vector<std::string>{value}, options);
   }
 }
 

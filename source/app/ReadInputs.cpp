@@ -81,7 +81,7 @@ std::optional<Replay> ReadReplay(const Options& options, const std::string& scen
     const Json report = Json::parse(text);
     if (report.at("scene").at("hash") != scene_hash) throw UsageError("the report tells of another scene than this");
     const Json ours = SettingsJson(options);
-    for (const OptionKind& option : OptionTable()) {
+    for (const OptionKind& option : OptionTable(options.program)) {
       const std::string name = option.name;
       if (!ChoosesThePicture(option) || name == "samples") continue;
       const Json& then = report.at("settings").at(name);

@@ -36,6 +36,7 @@ struct ValueIn {
   Json operator()(const Word<T>& word) const {
     return word.show(word.member.read(options));
   }
+  Json operator()(const PixelRequest&) const { return {}; }
   Json operator()(const Request&) const { return {}; }
 };
 
@@ -43,7 +44,7 @@ struct ValueIn {
 
 nlohmann::ordered_json SettingsJson(const Options& options) {
   Json settings;
-  for (const OptionKind& option : OptionTable())
+  for (const OptionKind& option : OptionTable(options.program))
     if (IsSetting(option)) settings[option.name] = std::visit(ValueIn{options}, option.value);
   return settings;
 }

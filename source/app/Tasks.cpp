@@ -1,6 +1,8 @@
 #include "source/app/Tasks.h"
 
+#include "source/accelerate/Accelerator.h"
 #include "source/app/Check.h"
+#include "source/app/CommandLine.h"
 #include "source/app/Completion.h"
 #include "source/app/Help.h"
 #include "source/app/Info.h"
@@ -10,6 +12,7 @@
 #include "source/app/OutputFile.h"
 #include "source/app/Outputs.h"
 #include "source/app/Words.h"
+#include "source/render/PixelTrace.h"
 
 namespace ray {
 namespace {
@@ -28,24 +31,37 @@ std::string CheckScene(const Options& options) {
          (warnings.empty() ? "no warnings" : Counted(warnings.size(), "warning")) + "\n";
 }
 
+std::string RaysOfPixel(const Options& options) {
+  CheckMachine(options);
+  const ParsedScene parsed = Parse(options.scene, options.parse);
+  const World world(parsed.scene);
+  TellAll(parsed.warnings);
+  TellAll(world.Warnings());
+  const auto accelerator = FindAcceleratorKind(options.accelerator.name)->make(world, options.accelerator);
+  return DebugPixel(world, *accelerator, options.render, options.pixel->x, options.pixel->y);
+}
+
 std::string ResultOf(const Options& options) {
   switch (options.task) {
     case Task::render:
+    case Task::view:
       break;  // not ours
     case Task::check:
       return CheckScene(options);
+    case Task::debug_pixel:
+      return RaysOfPixel(options);
     case Task::info:
       return PictureInfo(options.subject);
     case Task::help:
-      return Help(options.subject);
+      return Help(options.program, options.subject);
     case Task::version:
-      return Version();
+      return Version(options.program);
     case Task::list:
-      return Listing(options.subject);
+      return Listing(options.program, options.subject);
     case Task::complete:
-      return CompletionScript(options.subject);
+      return CompletionScript(options.program, options.subject);
     case Task::manual:
-      return ManualPage();
+      return ManualPage(options.program);
   }
   return {};
 }

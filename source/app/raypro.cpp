@@ -89,7 +89,7 @@ int MakePicture(const Options& options, const Words& words) {
 }
 
 int Run(const Words& words) {
-  const Options options = ReadCommandLine(words);
+  const Options options = ReadCommandLine(Program::raypro, words);
   if (options.task == Task::render) return MakePicture(options, words);
   DoTask(options);
   return status::done;

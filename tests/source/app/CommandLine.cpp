@@ -16,12 +16,21 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-Options Parsed(const Words& words) { return ReadCommandLine(words); }
+Options Parsed(const Words& words) { return ReadCommandLine(Program::raypro, words); }
+
+/// The names that a program needs, with more words behind them.
+Words Beside(Program program, const Words& more) {
+  Words words{"in.scn"};
+  if (program == Program::raypro) words.emplace_back("out.ppm");
+  words.insert(words.end(), more.begin(), more.end());
+  return words;
+}
+Options ViewParsed(const Words& more) { return ReadCommandLine(Program::rayview, Beside(Program::rayview, more)); }
 
 /// The message of the error, or "" when there is none.
-std::string ErrorOf(const Words& words) {
+std::string ErrorOf(const Words& words, Program program = Program::raypro) {
   try {
-    ReadCommandLine(words);
+    ReadCommandLine(program, words);
   } catch (const UsageError& error) {
     return error.what();
   }
@@ -29,9 +38,8 @@ std::string ErrorOf(const Words& words) {
 }
 
 /// Beside the names that a render needs.
-std::string ErrorBeside(Words words) {
-  words.insert(words.begin(), {"in.scn", "out.ppm"});
-  return ErrorOf(words);
+std::string ErrorBeside(const Words& words, Program program = Program::raypro) {
+  return ErrorOf(Beside(program, words), program);
 }
 
 Words Split(const std::string& text) {
@@ -51,35 +59,43 @@ bool IsNumber(const OptionKind& option) {
          AsNumber<double>(option) || std::holds_alternative<OneNumberOf>(option.value);
 }
 
-TEST(CommandLine, NoTwoOptionsShareANameOrAnAlias) {
-  std::vector<std::string> names;
-  for (const OptionKind& option : OptionTable()) {
-    names.emplace_back(option.name);
-    names.insert(names.end(), option.aliases.begin(), option.aliases.end());
+TEST(CommandLine, NoTwoOptionsOfAProgramShareANameOrAnAlias) {
+  for (const Program program : programs) {
+    std::vector<std::string> names;
+    for (const OptionKind& option : OptionTable(program)) {
+      names.emplace_back(option.name);
+      names.insert(names.end(), option.aliases.begin(), option.aliases.end());
+    }
+    std::ranges::sort(names);
+    EXPECT_EQ(std::ranges::adjacent_find(names), names.end()) << *std::ranges::adjacent_find(names);
   }
-  std::ranges::sort(names);
-  EXPECT_EQ(std::ranges::adjacent_find(names), names.end()) << *std::ranges::adjacent_find(names);
 }
 
 // A default that the option itself refuses, or reads as something else, would make the help lie.
 TEST(CommandLine, EveryOptionGivenItsDefaultChangesNothing) {
-  for (const OptionKind& option : OptionTable()) {
-    const Words value = Split(Show(option, Options{}));
-    if (value.empty()) continue;
-    Words words{"in.scn", "out.ppm", "-" + std::string(option.name)};
-    words.insert(words.end(), value.begin(), value.end());
-    const Options options = Parsed(words);
-    for (const OptionKind& other : OptionTable())
-      EXPECT_EQ(Show(other, options), Show(other, Options{})) << option.name;
+  for (const Program program : programs) {
+    const Options defaults = Defaults(program);
+    for (const OptionKind& option : OptionTable(program)) {
+      Words words = Split(Show(option, defaults));
+      if (words.empty()) continue;
+      words.insert(words.begin(), "-" + std::string(option.name));
+      const Options options = ReadCommandLine(program, Beside(program, words));
+      for (const OptionKind& other : OptionTable(program))
+        EXPECT_EQ(Show(other, options), Show(other, defaults)) << option.name;
+    }
   }
 }
 
 TEST(CommandLine, EveryOptionOfAShortListTakesEachOfItsChoices) {
-  for (const OptionKind& option : OptionTable()) {
-    if (!IsSetting(option)) continue;
-    for (const std::string& choice : Choices(option))
-      EXPECT_EQ(Show(option, Parsed({"in.scn", "out.ppm", "-" + std::string(option.name), choice})), choice);
-  }
+  for (const Program program : programs)
+    for (const OptionKind& option : OptionTable(program)) {
+      if (!IsSetting(option)) continue;
+      for (const std::string& choice : Choices(option)) {
+        Words words{"-" + std::string(option.name), choice};
+        if (words[0] == "-context") words.emplace_back("-headless");
+        EXPECT_EQ(Show(option, ReadCommandLine(program, Beside(program, words))), choice);
+      }
+    }
 }
 
 TEST(CommandLine, DefaultsAreTheCoursesAndTheSpecifications) {
@@ -156,7 +172,7 @@ TEST(CommandLine, SeedsUseAll64Bits) {
 TEST(CommandLine, ALeadingPlusIsAllowed) { EXPECT_EQ(Parsed({"a", "b", "-width", "+5"}).render.width, 5); }
 
 TEST(Extremes, K6_EveryNumberIsReadWholeOrRefusedWithOptionValueAndRange) {
-  for (const OptionKind& option : OptionTable()) {
+  for (const OptionKind& option : OptionTable(Program::raypro)) {
     if (!IsNumber(option)) continue;
     for (const char* word :
          {"12abc", "", "+", "+-1", "++1", "0x10", "1,5", "nan", "inf", "1e999", "1e99999999999", " 1", "1 "}) {
@@ -184,7 +200,7 @@ TEST(Extremes, K6_ANumberTooSmallForADoubleIsZeroAndOneTooLargeAnError) {
 }
 
 TEST(CommandLine, EveryWholeNumberTakesItsLimitsAndNothingBeyond) {
-  for (const OptionKind& option : OptionTable()) {
+  for (const OptionKind& option : OptionTable(Program::raypro)) {
     const auto* number = AsNumber<int>(option);
     if (!number) continue;
     const auto is_stored = [&](std::int64_t value) {
@@ -260,7 +276,7 @@ TEST(CommandLine, AnUnknownOptionIsNamedWithTheNearestOne) {
 
 TEST(CommandLine, AnUnknownChoiceIsNamedWithAllChoices) {
   EXPECT_EQ(ErrorBeside({"-accel", "grpah"}),
-            "-accel must be " + Range(*FindOption("accel")) + ", got 'grpah'; did you mean 'graph'?");
+            "-accel must be " + Range(*FindOption(Program::raypro, "accel")) + ", got 'grpah'; did you mean 'graph'?");
   EXPECT_EQ(ErrorBeside({"-shadows", "yes"}), "-shadows must be on or off, got 'yes'");
   EXPECT_EQ(ErrorBeside({"-bits", "12"}), "-bits must be 8 or 16 bits a channel, got '12'");
 }
@@ -319,14 +335,15 @@ TEST(CommandLine, TopicsMadeOfDashesOrNothingAreUnknown) {
 // Anything else thrown would end the program as if it had failed while rendering.
 TEST(CommandLine, AnyWordsAtAllAreReadOrRefusedAsWrongArguments) {
   Words vocabulary{"", "-", "--", "---", "=", "-=", "--=x", "a", "1", "-1", "1e9", "on", "\xff\xfe", "-\n", "graph"};
-  for (const OptionKind& option : OptionTable())
-    for (const char* end : {"", "=", "=1", "=on"}) vocabulary.push_back("-" + std::string(option.name) + end);
+  for (const Program program : programs)
+    for (const OptionKind& option : OptionTable(program))
+      for (const char* end : {"", "=", "=1", "=on"}) vocabulary.push_back("-" + std::string(option.name) + end);
   std::mt19937 random(3);
   for (int round = 0; round < 20'000; ++round) {
     Words words(random() % 7);
     for (std::string& word : words) word = vocabulary[random() % vocabulary.size()];
     try {
-      ReadCommandLine(words);
+      ReadCommandLine(programs[random() % programs.size()], words);
     } catch (const UsageError& error) {
       EXPECT_STRNE(error.what(), "");
     }
@@ -337,6 +354,128 @@ TEST(Extremes, K8_ControlCharactersInWordsArePrintedEscaped) {
   const std::string error = ErrorBeside({"-width", "\033[2Jx"});
   EXPECT_FALSE(Contains(error, "\033")) << error;
   EXPECT_FALSE(Contains(ErrorBeside({"-\033[2J"}), "\033"));
+}
+
+TEST(CommandLine, AnOptionOfTheOtherProgramIsCalledThat) {
+  EXPECT_EQ(ErrorBeside({"-crop", "0", "0", "1", "1"}, Program::rayview),
+            "unknown option '-crop'; -crop is an option of raypro (rayview -help lists them all)");
+  EXPECT_EQ(ErrorBeside({"--headless"}),
+            "unknown option '--headless'; -headless is an option of rayview (raypro -help lists them all)");
+  for (const Program program : programs)
+    for (const OptionKind& option : OptionTable(TheOther(program))) {
+      const std::string name = option.name;
+      if (FindOption(program, name)) continue;
+      const std::string hint = "-" + name + " is an option of " + NameOf(TheOther(program));
+      EXPECT_TRUE(Contains(ErrorBeside({"-" + name}, program), hint)) << name;
+    }
+}
+
+// What a table says of both programs must come out the same in both, or a picture traced in the window is another.
+TEST(CommandLine, OptionsOfBothProgramsHaveOneDefaultButForTheSize) {
+  for (const OptionKind& option : OptionTable(Program::rayview))
+    EXPECT_TRUE(option.known_to != KnownTo::both ||
+                Show(option, Defaults(Program::rayview)) == Show(option, Defaults(Program::raypro)))
+        << option.name;
+  EXPECT_EQ(Defaults(Program::rayview).render.width, 512);
+  EXPECT_EQ(Defaults(Program::rayview).render.height, 512);
+}
+
+TEST(CommandLine, RayviewTakesOneNameAndItsOwnOptions) {
+  const Options o = ViewParsed({"-image", "s.png", "-output_image=w.png", "-headless", "-context", "egl", "-events",
+                                "-", "-screenshot", "e.png", "-record", "r.txt", "-reference", "a.pfm", "-samples", "4",
+                                "-width", "640", "-v"});
+  EXPECT_EQ(o.program, Program::rayview);
+  EXPECT_EQ(o.task, Task::view);
+  EXPECT_EQ(o.scene, "in.scn");
+  EXPECT_EQ(o.picture, "s.png");
+  EXPECT_EQ(o.view.output_image, "w.png");
+  EXPECT_TRUE(o.view.headless);
+  EXPECT_FALSE(o.view.exit_immediately);
+  EXPECT_EQ(o.view.context, "egl");
+  EXPECT_EQ(o.view.events, "-");
+  EXPECT_EQ(o.view.screenshot, "e.png");
+  EXPECT_EQ(o.view.record, "r.txt");
+  EXPECT_EQ(o.view.reference, "a.pfm");
+  EXPECT_EQ(o.render.samples, 4);
+  EXPECT_EQ(o.render.width, 640);
+  EXPECT_EQ(o.render.height, 512);
+  EXPECT_TRUE(o.verbose);
+  EXPECT_TRUE(ViewParsed({"-exit_immediately"}).view.exit_immediately);
+  EXPECT_EQ(ViewParsed({}).picture, "");
+}
+
+TEST(CommandLine, RayviewRefusesWhatCannotBeMeant) {
+  const Program rayview = Program::rayview;
+  EXPECT_EQ(ErrorOf({}, rayview), "no scene is named (usage: rayview scene [options])");
+  EXPECT_EQ(ErrorOf({"a", "b"}, rayview), "'b' is one name too many, after the scene 'a'");
+  EXPECT_EQ(ErrorOf({"a", "-version"}, rayview), "'a' is one name too many");
+  EXPECT_EQ(ErrorBeside({"-context", "egl"}, rayview), "-context needs -headless; a window brings its own");
+  EXPECT_EQ(ErrorBeside({"-headless", "-context", "glx"}, rayview), "-context must be auto, egl or osmesa, got 'glx'");
+  EXPECT_NE(ErrorBeside({"-exit_immediately", "-events", "e.txt"}, rayview), "");
+  EXPECT_NE(ErrorBeside({"-image", ""}, rayview), "");
+  EXPECT_TRUE(Contains(ErrorOf({"-help", "trade"}, rayview), "-help must be"));
+  EXPECT_TRUE(Contains(ErrorOf({"-list", "presets"}, rayview), "-list must be"));
+  EXPECT_EQ(ReadCommandLine(rayview, Words{"-help", "viewer"}).subject, "viewer");
+}
+
+TEST(CommandLine, DebugpixelNamesAPixelAndNeedsNoPicture) {
+  const Options o = Parsed({"in.scn", "-debugpixel", "255", "0", "-samples", "4"});
+  EXPECT_EQ(o.task, Task::debug_pixel);
+  EXPECT_EQ(o.pixel->x, 255);
+  EXPECT_EQ(o.pixel->y, 0);
+  EXPECT_EQ(o.render.samples, 4);
+  EXPECT_EQ(ErrorOf({"in.scn", "out.png", "-debugpixel", "10", "20"}),
+            "'out.png' is one name too many; -debugpixel makes no picture");
+  EXPECT_TRUE(Contains(ErrorOf({"-debugpixel", "10", "20"}), "no scene is named"));
+}
+
+TEST(CommandLine, DebugpixelTakesPixelsOfThePictureAndNoOthers) {
+  const auto error = [](Words words) {
+    words.insert(words.begin(), {"in.scn", "-width", "20", "-height", "10", "-debugpixel"});
+    return ErrorOf(words);
+  };
+  EXPECT_EQ(error({"19", "9"}), "");
+  EXPECT_EQ(error({"20", "9"}), "-debugpixel 20 9: a picture of 20 x 10 has columns 0 to 19 and rows 0 to 9");
+  EXPECT_TRUE(Contains(error({"9", "10"}), "columns 0 to 19 and rows 0 to 9"));
+  EXPECT_TRUE(Contains(error({"-1", "3"}), "columns 0 to 19 and rows 0 to 9"));
+  EXPECT_EQ(error({"1.5", "3"}),
+            "-debugpixel must be whole numbers, a column and a row of the picture from 0, got '1.5'");
+  EXPECT_EQ(error({"1"}), "-debugpixel needs 2 arguments, got 1; type -debugpixel x y");
+  EXPECT_EQ(error({"1", "2", "-stats"}), "-stats needs a picture that is rendered; -debugpixel renders none");
+  EXPECT_NE(error({"1", "2", "-check"}), "");
+  EXPECT_NE(error({"1", "2", "-error", "2"}), "");
+}
+
+/// A value for the option that is not its default.
+Words SomeValue(const OptionKind& option, const Options& defaults) {
+  for (const std::string& choice : Choices(option))
+    if (choice != Show(option, defaults)) return {choice};
+  if (std::holds_alternative<Flag>(option.value)) return {};
+  if (std::holds_alternative<Triple>(option.value)) return {"1", "-0.5", "1e-30"};
+  if (std::holds_alternative<Rectangle>(option.value)) return {"0", "1", "5", "6"};
+  if (std::holds_alternative<Word<std::vector<std::string>>>(option.value)) return {"depth,id"};
+  if (std::holds_alternative<FileName>(option.value) || std::holds_alternative<FolderList>(option.value))
+    return {"a 'name'"};
+  return {"7"};
+}
+
+TEST(CommandLine, WordsTypedForAValueLeadToIt) {
+  for (const Program program : programs)
+    for (const OptionKind& option : OptionTable(program)) {
+      if (!IsSetting(option)) continue;
+      const Options defaults = Defaults(program);
+      EXPECT_EQ(Typed(option, defaults, defaults), Words{}) << option.name;
+      Options given = defaults;
+      Store(option, std::string(option.name) == "confidence" ? Words{"0.5"} : SomeValue(option, defaults), given);
+      const Words words = Typed(option, given, defaults);
+      ASSERT_FALSE(words.empty()) << option.name;
+      Options read = defaults;
+      const auto equals = words[0].find('=');
+      Store(option,
+            equals == std::string::npos ? Words(words.begin() + 1, words.end()) : Words{words[0].substr(equals + 1)},
+            read);
+      EXPECT_EQ(Show(option, read), Show(option, given)) << option.name;
+    }
 }
 
 }  // namespace

@@ -60,7 +60,7 @@ TEST(ReportJson, HasTheKeysThatItsHeaderPromises) {
 TEST(ReportJson, HoldsEverySettingWithItsType) {
   const auto settings = nlohmann::json::parse(ReportJson(Example()))["settings"];
   std::size_t count = 0;
-  for (const OptionKind& option : OptionTable()) {
+  for (const OptionKind& option : OptionTable(Program::raypro)) {
     EXPECT_EQ(settings.contains(option.name), IsSetting(option)) << option.name;
     count += IsSetting(option);
   }

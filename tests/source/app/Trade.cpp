@@ -29,7 +29,7 @@ List With(List words, const List& more) {
   return words;
 }
 
-Options Parsed(const List& more) { return ReadCommandLine(With({"in.scn", "out.ppm"}, more)); }
+Options Parsed(const List& more) { return ReadCommandLine(Program::raypro, With({"in.scn", "out.ppm"}, more)); }
 
 std::string ErrorOf(const List& more) {
   try {

@@ -89,6 +89,9 @@ TEST(Raypro, ExitStatusSaysWhatWentWrongAndNoFileIsLeft) {
       {{"-info", place / "missing.png"}, 3, "missing.png"},
       {{"-info", place.Scene()}, 3, "in.scn"},
       {{place / "bad.scn", "-check"}, 3, "bad.scn:1:1"},
+      {{place / "bad.scn", "-debugpixel", "1", "2"}, 3, "bad.scn:1:1"},
+      {{place.Scene(), "-debugpixel", "256", "2"}, 2, "columns 0 to 255"},
+      {{place.Scene(), place / "out.ppm", "-debugpixel", "1", "2"}, 2, "one name too many"},
       {{place.Scene(), place / "missing/out.ppm"}, 4, "does not exist"},
       {{place.Scene(), place / "out.ppm", "-report", place / "missing/r.json"}, 4, "does not exist"},
   };
@@ -99,6 +102,15 @@ TEST(Raypro, ExitStatusSaysWhatWentWrongAndNoFileIsLeft) {
     EXPECT_EQ(done.output, "");
     EXPECT_EQ(place.Others({"in.scn", "bad.scn"}), nothing) << done.error;
   }
+}
+
+TEST(Raypro, DebugpixelWritesNoFile) {
+  NEEDS_THE_PROGRAM();
+  const Place place;
+  const Finished done = RunProgram({place.Scene(), "-debugpixel", "128", "128"});
+  EXPECT_EQ(done.status, 0) << done.error;
+  EXPECT_EQ(done.error, "");
+  EXPECT_EQ(place.Others({"in.scn"}), nothing);
 }
 
 TEST(Raypro, RequestsPrintToStandardOutputAndSucceed) {
