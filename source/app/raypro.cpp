@@ -1,4 +1,3 @@
-#include <new>
 #include <string>
 #include <vector>
 
@@ -6,9 +5,9 @@
 #include "source/app/Account.h"
 #include "source/app/Checkpoint.h"
 #include "source/app/CommandLine.h"
+#include "source/app/GuardedMain.h"
 #include "source/app/Interrupt.h"
 #include "source/app/LayerPictures.h"
-#include "source/app/Messages.h"
 #include "source/app/Outputs.h"
 #include "source/app/Progress.h"
 #include "source/app/ReadInputs.h"
@@ -95,28 +94,7 @@ int Run(const Words& words) {
   return status::done;
 }
 
-int Fail(int exit_status, const std::string& message) {
-  Tell(message);
-  return exit_status;
-}
-
 }  // namespace
 }  // namespace ray
 
-int main(int argc, char** argv) {
-  using namespace ray;
-  GuardStandardStreams();
-  try {
-    return Run(Words(argv + (argc > 0 ? 1 : 0), argv + argc));
-  } catch (const UsageError& error) {
-    return Fail(status::wrong_arguments, "raypro: " + std::string(error.what()));
-  } catch (const SceneErrors& errors) {
-    return Fail(status::bad_scene, errors.what());
-  } catch (const OutputError& error) {
-    return Fail(status::cannot_write, "raypro: " + std::string(error.what()));
-  } catch (const std::bad_alloc&) {
-    return Fail(status::failed, "raypro: there is not enough memory");
-  } catch (const std::exception& error) {
-    return Fail(status::failed, "raypro: " + std::string(error.what()));
-  }
-}
+int main(int argc, char** argv) { return ray::GuardedMain(ray::Program::raypro, argc, argv, ray::Run); }
