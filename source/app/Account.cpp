@@ -103,19 +103,8 @@ void Account::Compared(double true_error) { record_.true_error = true_error; }
 void Account::Rendered(const RenderResult& result) {
   record_.seconds.render = watch_.Lap();
   record_.seconds.wall = watch_.Total();
-  record_.width = result.image.Width();
-  record_.height = result.image.Height();
-  record_.pixels_done = result.pixels_done;
-  record_.pixels_total = result.pixels_total;
-  record_.rays = result.rays;
-  record_.stop = stop_names[static_cast<std::size_t>(result.stop)];
+  record_.Take(result);
   if (!result.IsComplete()) record_.stop = StopSignal() == SIGTERM ? "SIGTERM" : "SIGINT";
-  record_.samples = result.samples;
-  record_.block_samples = result.block_samples;
-  record_.two_streams = result.two_streams;
-  record_.laid_out_for = result.laid_out_for;
-  record_.passes = result.passes;
-  record_.error = result.error;
   if (result.has_hot_pixels)
     Warn(
         "raypro: warning: a thousandth of the pixels holds more than half of the squared error; where light is found "

@@ -45,6 +45,12 @@ PictureOutput CheckPictureOutput(const std::string& name, std::span<const std::s
   return {format, file};
 }
 
+void TellOfLink(Program program, const OutputFile& picture) {
+  if (picture.is_link)
+    Tell(NameOf(program) + ": " + Quoted(picture.name) + " is a link; the picture goes to " +
+         Quoted(picture.target.string()));
+}
+
 Outputs CheckOutputs(const Options& options) {
   const std::string inputs[] = {options.scene};
   const PictureOutput picture = CheckPictureOutput(options.picture, inputs);
@@ -76,9 +82,7 @@ void RefuseInputs(const Outputs& outputs, std::span<const std::string> inputs) {
 void WritePicture(const Outputs& outputs, const RenderResult& result, const std::vector<R2::Image>& layers,
                   const Record& record) {
   if (result.pixels_done == 0) return;
-  if (outputs.picture.is_link)
-    Tell("raypro: " + Quoted(outputs.picture.name) + " is a link; the picture goes to " +
-         Quoted(outputs.picture.target.string()));
+  TellOfLink(record.options.program, outputs.picture);
   const R2::ImageFormat& format = *outputs.format;
   const R2::ImageSettings settings = SettingsInPicture(record);
   const std::vector<std::string>& names = record.options.layers;

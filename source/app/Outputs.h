@@ -20,6 +20,9 @@ PictureOutput CheckPictureOutput(const std::string& name, std::span<const std::s
 /// Throws UsageError when the format cannot hold so many pixels a side.
 void RefuseSize(const R2::ImageFormat& format, int width, int height);
 
+/// Says so when the name is a link, for the picture goes elsewhere then.
+void TellOfLink(Program program, const OutputFile& picture);
+
 /// Where the results of a run go.
 struct Outputs {
   const R2::ImageFormat* format = nullptr;

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "source/app/CameraLine.h"
 #include "source/app/Words.h"
 #include "source/parse/Text.h"
 
@@ -65,17 +66,34 @@ std::string ErrorLines(const Record& record, const Line& line) {
 
 }  // namespace
 
+void Record::Take(const RenderResult& result) {
+  width = result.image.Width();
+  height = result.image.Height();
+  pixels_done = result.pixels_done;
+  pixels_total = result.pixels_total;
+  rays = result.rays;
+  stop = stop_names[static_cast<std::size_t>(result.stop)];
+  samples = result.samples;
+  block_samples = result.block_samples;
+  two_streams = result.two_streams;
+  laid_out_for = result.laid_out_for;
+  passes = result.passes;
+  error = result.error;
+}
+
 std::string CommandAsTyped(std::span<const std::string> words) {
   return words.empty() ? "raypro" : "raypro " + ShellLine(words);
 }
 
 R2::ImageSettings SettingsInPicture(const Record& record) {
-  return {
+  R2::ImageSettings settings{
       {"program", "raypro " RAYPRO_VERSION},      {"command", record.command},
       {"scene_hash", record.scene.hash},          {"seed", std::to_string(record.options.render.seed)},
       {"samples", SamplesText(record)},           {"accel", record.options.accelerator.name},
       {"seconds", Fixed(record.seconds.wall, 3)}, {"pixels", PixelsText(record)},
   };
+  if (const auto& view = record.options.render.view) settings["camera"] = CameraLine(*view);
+  return settings;
 }
 
 std::string FinalLine(const Record& record) {

@@ -42,6 +42,8 @@ struct Record {
   std::vector<std::string> needs, biased;
   std::string kernel;
 
+  /// What a render gave.
+  void Take(const RenderResult& result);
   bool IsComplete() const { return stop == "samples" || stop == "time" || stop == "error"; }
 };
 
