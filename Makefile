@@ -80,7 +80,8 @@ LIBS := -ljpeg -lpng -lz -ltbb -lhwy $(if $(filter yes,$(HAS_EXR)),$(EXR_LIBS)) 
 VIEWER_LIBS := $(if $(filter glfw,$(CONTEXTS)),-lglfw) $(if $(filter egl,$(CONTEXTS)),-lEGL) $(if $(filter osmesa,$(CONTEXTS)),-ldl)
 
 ALL_PROGRAMS := raypro rayimg rayview
-PROGRAMS := raypro rayimg $(if $(CONTEXTS),$(patsubst source/app/%.cpp,%,$(wildcard source/app/rayview.cpp)))
+# rayview is built where there is something to draw with.
+PROGRAMS := raypro rayimg $(if $(CONTEXTS),rayview)
 PROGRAM_MAINS := $(ALL_PROGRAMS:%=source/app/%.cpp)
 LIBRARY_SOURCES := $(filter-out $(PROGRAM_MAINS),$(wildcard R2/*.cpp R2/*/*.cpp R3/*.cpp R3/*/*.cpp source/*/*.cpp source/*/*/*.cpp))
 ifneq ($(HAS_EXR),yes)
@@ -135,7 +136,8 @@ $(BUILD)/bench/%: $(BUILD)/obj/bench/%.o $(BUILD)/libray.a
 	@$(CXX) $(OUR_CXXFLAGS) $(CXXFLAGS) $^ $(LDFLAGS) -lbenchmark $(LIBS) -o $@
 
 # Tests find the programs and the project's files through these.
-FOR_TESTS := RAYPRO=$(abspath $(BUILD))/raypro RAYIMG=$(abspath $(BUILD))/rayimg RAYPRO_ROOT=$(CURDIR)
+FOR_TESTS := RAYPRO=$(abspath $(BUILD))/raypro RAYIMG=$(abspath $(BUILD))/rayimg RAYPRO_ROOT=$(CURDIR) \
+             $(if $(filter rayview,$(PROGRAMS)),RAYVIEW=$(abspath $(BUILD))/rayview)
 
 # The same tests with millions of cases where a commit has thousands; hours.
 night: test-binary $(PROGRAMS)

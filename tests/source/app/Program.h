@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-/// Running the real programs, which the environment variables RAYPRO and RAYIMG name, and looking at what it leaves
-/// behind.
+/// Running the real programs, which the environment variables RAYPRO, RAYIMG and RAYVIEW name, and looking at what it
+/// leaves behind.
 namespace ray::testing {
 
 /// A folder of its own for a test; gone with it.
@@ -85,3 +85,5 @@ int Rounds(const char* variable, int unless_set);
   if (!ray::testing::ProgramName()) GTEST_SKIP() << "the environment variable RAYPRO does not name the program"
 #define NEEDS_RAYIMG() \
   if (!ray::testing::ProgramName("RAYIMG")) GTEST_SKIP() << "the environment variable RAYIMG does not name rayimg"
+#define NEEDS_RAYVIEW() \
+  if (!ray::testing::ProgramName("RAYVIEW")) GTEST_SKIP() << "the environment variable RAYVIEW does not name rayview"

@@ -1,0 +1,38 @@
+// rayview shows a scene and traces what is seen. Its options are in OptionTable.cpp, beside raypro's.
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "source/app/CommandLine.h"
+#include "source/app/GuardedMain.h"
+#include "source/app/Messages.h"
+#include "source/app/Status.h"
+#include "source/app/Tasks.h"
+#include "source/app/ViewOutputs.h"
+#include "source/app/ViewSession.h"
+#include "source/view/LoadedScene.h"
+
+namespace ray {
+namespace {
+
+int ViewScene(const Options& options) {
+  CheckMachine(options);
+  const ViewOutputs outputs = CheckViewOutputs(options);
+  const auto scene = std::make_shared<const LoadedScene>(options.scene, options.parse, options.accelerator);
+  RefuseInputs(outputs, scene->parsed.scene.files);
+  TellAll(scene->parsed.warnings);
+  TellAll(scene->world.Warnings());
+  return View(options, outputs, scene);
+}
+
+int Run(const std::vector<std::string>& words) {
+  const Options options = ReadCommandLine(Program::rayview, words);
+  if (options.task == Task::view) return ViewScene(options);
+  DoTask(options);
+  return status::done;
+}
+
+}  // namespace
+}  // namespace ray
+
+int main(int argc, char** argv) { return ray::GuardedMain(ray::Program::rayview, argc, argv, ray::Run); }
