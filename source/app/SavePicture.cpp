@@ -1,6 +1,10 @@
 #include "source/app/SavePicture.h"
 
 #include <cassert>
+#include <filesystem>
+#include <optional>
+#include <system_error>
+#include <vector>
 
 #include "source/app/CameraLine.h"
 #include "source/app/Help.h"

@@ -4,7 +4,10 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <filesystem>
 #include <system_error>
+#include <tuple>
+#include <vector>
 
 #include "source/app/Status.h"
 #include "source/parse/Text.h"
