@@ -14,7 +14,9 @@ case "${1-}" in
 esac
 
 needed="g++ make libjpeg-dev libpng-dev libtbb-dev libhwy-dev nlohmann-json3-dev libgtest-dev"
-optional="libopenexr-dev"  # without it everything works but .exr pictures
+# Without them everything works but .exr pictures, and but the viewer: that draws through one of GLFW (windows), EGL and
+# OSMesa (pictures without a display), and the last two packages are what draws where no graphics card does.
+optional="libopenexr-dev libgl-dev libglfw3-dev libegl-dev libosmesa6-dev libegl-mesa0 libgl1-mesa-dri"
 
 is_debian() { command -v dpkg-query >/dev/null 2>&1 && command -v apt-get >/dev/null 2>&1; }
 
@@ -31,6 +33,9 @@ exr_flags() {
   pkg-config --cflags OpenEXR 2>/dev/null || echo "-isystem /usr/include/OpenEXR -isystem /usr/include/Imath"
 }
 
+# Any maker's driver for EGL will do.
+has_driver() { ls /usr/share/glvnd/egl_vendor.d/*.json /etc/glvnd/egl_vendor.d/*.json 2>/dev/null | grep -q .; }
+
 has() {
   case "$1" in
     g++) command -v "$(compiler)" >/dev/null 2>&1 ;;
@@ -41,6 +46,11 @@ has() {
     libhwy-dev) has_header hwy/highway.h ;;
     nlohmann-json3-dev) has_header nlohmann/json.hpp ;;
     libgtest-dev) has_header gtest/gtest.h ;;
+    libgl-dev) has_header GL/glcorearb.h ;;
+    libglfw3-dev) (CPPFLAGS="${CPPFLAGS-} -DGLFW_INCLUDE_NONE"; has_header GLFW/glfw3.h) ;;
+    libegl-dev) (CPPFLAGS="${CPPFLAGS-} -include EGL/egl.h"; has_header EGL/eglext.h) ;;
+    libosmesa6-dev) has_header GL/osmesa.h ;;
+    libegl-mesa0|libgl1-mesa-dri) has_driver ;;
     libopenexr-dev) CPPFLAGS="${CPPFLAGS-} $(exr_flags)" has_header ImfOutputFile.h ;;
     *) return 1 ;;
   esac
@@ -56,19 +66,34 @@ missing_of() {
 show_other_systems() {
   cat <<END
 This is not a Debian system. The packages are called:
-  Fedora    dnf install gcc-c++ make libjpeg-turbo-devel libpng-devel tbb-devel highway-devel json-devel gtest-devel openexr-devel
-  Arch      pacman -S gcc make libjpeg-turbo libpng onetbb highway nlohmann-json gtest openexr
-  Homebrew  brew install jpeg-turbo libpng tbb highway nlohmann-json googletest openexr
+  Fedora    dnf install gcc-c++ make libjpeg-turbo-devel libpng-devel tbb-devel highway-devel json-devel gtest-devel openexr-devel \\
+              mesa-libGL-devel glfw-devel mesa-libEGL-devel mesa-compat-libOSMesa-devel mesa-dri-drivers
+  Arch      pacman -S gcc make libjpeg-turbo libpng onetbb highway nlohmann-json gtest openexr glfw mesa
+  Homebrew  brew install jpeg-turbo libpng tbb highway nlohmann-json googletest openexr glfw mesa
 Install them and run script/setup.sh again.
 END
 }
 
 run_shown() { echo "+ $*"; [ "$only_show" = yes ] || "$@"; }
 
+# Those of the packages that can be had: one name unknown to apt would stop all others, and Mesa has dropped OSMesa. Of
+# the needed ones none may be left out.
+available() {
+  for package in "$@"; do
+    case " $needed " in
+      *" $package "*) ;;
+      *) apt-cache show "$package" >/dev/null 2>&1 || { echo "$package is not to be had here" >&2; continue; } ;;
+    esac
+    printf ' %s' "$package"
+  done
+}
+
 # Fresh systems have no package lists, and old ones name versions that are gone.
 install_packages() {
   as_root=$1; shift
   run_shown $as_root apt-get update || echo "the package lists could not be fetched; trying with those at hand"
+  [ "$only_show" = yes ] || set -- $(available "$@")
+  [ $# -gt 0 ] || return 0
   run_shown $as_root apt-get install -y --no-install-recommends "$@"
 }
 

@@ -96,8 +96,8 @@ TextDrawer::TextDrawer(std::shared_ptr<const Functions> gl)
   gl_->BindTexture(GL_TEXTURE_2D, sheet_.Name());
   gl_->TexImage2D(GL_TEXTURE_2D, 0, GL_R8, glyph_count * glyph_width, glyph_height, 0, GL_RED, GL_UNSIGNED_BYTE,
                   GlyphSheet().data());
-  for (GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
-    gl_->TexParameteri(GL_TEXTURE_2D, filter, GL_NEAREST);
+  gl_->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  gl_->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
   gl_->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
 }
 
