@@ -97,7 +97,7 @@ endif
 BENCH_SOURCES := $(wildcard bench/*.cpp)
 objects = $(patsubst %.cpp,$(BUILD)/obj/%.o,$(1))
 
-.PHONY: all $(PROGRAMS) test night check asan tsan bench tradeoff price link_with install uninstall clean compile_commands test-binary
+.PHONY: all $(PROGRAMS) test night check asan tsan bench tradeoff price link_with install uninstall clean compile_commands test-binary FORCE
 .PRECIOUS: $(BUILD)/obj/%.o
 all: $(PROGRAMS) $(BUILD)/compile_commands.json
 $(PROGRAMS): %: $(BUILD)/%
