@@ -270,7 +270,10 @@ class Job {
 
   bool RunUntilHalt() {
     const int threads = settings_.threads > 0 ? settings_.threads : tbb::info::default_concurrency();
-    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
+    // The arena bounds this render alone, others may run beside it; only for more threads than usual is leave needed.
+    std::optional<tbb::global_control> leave;
+    if (threads > tbb::info::default_concurrency())
+      leave.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
     tbb::task_arena arena(threads);
     std::atomic<bool> is_whole = true;
     has_progressed_ = false;

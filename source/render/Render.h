@@ -39,7 +39,8 @@ struct RenderMonitor {
   /// empty, and throw.
   std::function<RenderState(const Film&)> resume;
   /// Sees the picture between two passes, and the samples a pixel and stream it has; called by the thread that renders,
-  /// while no other does. May be empty; else samples are doubled pass by pass, which changes no bit of the result.
+  /// while no other does. May be empty; else samples are doubled pass by pass, which changes no bit of the result (but
+  /// of heat, where an accelerator remembers the last hit: each pass begins without).
   std::function<void(const R2::Image&, std::uint32_t)> pass_done;
 };
 

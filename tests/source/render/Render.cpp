@@ -1,0 +1,96 @@
+#include "source/render/Render.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/Project.h"
+
+namespace ray {
+namespace {
+
+RenderSettings Small() {
+  RenderSettings settings;
+  settings.width = 45;
+  settings.height = 31;
+  settings.samples = 6;
+  settings.threads = 2;
+  return settings;
+}
+
+// A viewer renders a picture row by row with one integrator; it must not show another picture than raypro's.
+TEST(Render, PartsWithOneIntegratorMadeBeforeEqualTheWhole) {
+  const project::Stage stage(project::Root() / "scenes" / "many_lights.scn");
+  const auto accelerator = FindAcceleratorKind("auto")->make(stage.world, {});
+  RenderSettings settings = Small();
+  settings.mode = "path";
+  const auto integrator = IntegratorOf(stage.world, *accelerator, settings);
+  const R2::Image whole = Render(stage.world, *accelerator, settings).image;
+  int wrong = 0;
+  for (int bottom = 0; bottom < settings.height; bottom += 5) {
+    settings.crop = {3, bottom, 40, std::min(settings.height, bottom + 5)};
+    const R2::Image part = Render(stage.world, *integrator, settings).image;
+    for (int y = 0; y < part.Height(); ++y)
+      for (int x = 0; x < part.Width(); ++x) wrong += !(part.At(x, y) == whole.At(3 + x, bottom + y));
+  }
+  EXPECT_EQ(wrong, 0);
+}
+
+TEST(Render, PassesThatAreSeenChangeNoBit) {
+  const project::Stage stage(project::Root() / "scenes" / "area_light.scn");
+  const auto accelerator = FindAcceleratorKind("auto")->make(stage.world, {});
+  for (const std::string filter : {"box", "gaussian"}) {
+    RenderSettings settings = Small();
+    settings.filter = filter;
+    RenderMonitor monitor;
+    std::vector<std::uint32_t> samples;
+    std::vector<R2::Image> images;
+    monitor.pass_done = [&](const R2::Image& image, std::uint32_t count) {
+      samples.push_back(count);
+      images.push_back(image);
+    };
+    const RenderResult seen = Render(stage.world, *accelerator, settings, monitor);
+    EXPECT_EQ(samples, (std::vector<std::uint32_t>{1, 2, 4}));
+    EXPECT_TRUE(seen.image == Render(stage.world, *accelerator, settings).image) << filter;
+    ASSERT_EQ(images.size(), 3u);
+    EXPECT_FALSE(images[0] == images[1]);
+    EXPECT_EQ(images[2].Width(), settings.width);
+    // A render that stopped after the pass would have given the same.
+    settings.replay = Replay{false, 6, {4}, {}};
+    EXPECT_TRUE(images[2] == Render(stage.world, *accelerator, settings).image) << filter;
+  }
+}
+
+/// Asks for a stop when it is asked for its `last` radiances.
+class Stopper : public Integrator {
+ public:
+  Stopper(int last, std::atomic<bool>& stop) : last_(last), stop_(stop) {}
+  int Asked() const { return asked_; }
+
+ private:
+  void Radiance(std::span<const CameraSample>, std::span<R2::Color>, TraceState&) const override {
+    if (++asked_ == last_) stop_ = true;
+  }
+  const int last_;
+  std::atomic<bool>& stop_;
+  mutable std::atomic<int> asked_ = 0;
+};
+
+TEST(Render, BeginsNoRaysAfterAStopWasAskedFor) {
+  const project::Stage stage(project::Root() / "scenes" / "hello.scn");
+  for (const int threads : {1, 3}) {
+    for (const int last : {1, 5, 40}) {
+      RenderSettings settings = Small();
+      settings.threads = threads;
+      std::atomic<bool> stop = false;
+      const Stopper stopper(last, stop);
+      RenderMonitor monitor;
+      monitor.stop = &stop;
+      EXPECT_EQ(Render(stage.world, stopper, settings, monitor).stop, Stop::request);
+      EXPECT_GE(stopper.Asked(), last);
+      // The other threads may each have looked just before.
+      EXPECT_LE(stopper.Asked(), last + threads - 1);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace ray
