@@ -13,11 +13,12 @@ namespace ray {
 /// it was written.
 class Frame {
  public:
+  /// Black; every version 0.
   Frame(int width, int height);
 
   int Width() const { return width_; }
   int Height() const { return height_; }
-  /// Row 0 is the bottom row.
+  /// Row 0 is the bottom row. What no float can hold is shown as the film would: NaN as 0.
   void Set(int x, int y, const R2::Color& color);
   R2::Color At(int x, int y) const;
   /// To be called once what a row was to show has been set; makes it seen by who reads the version.
@@ -27,6 +28,10 @@ class Frame {
   void Copy(int first, int count, std::vector<float>& rgb) const;
 
  private:
+  std::size_t Index(int x, int y) const {
+    return 3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x));
+  }
+
   int width_, height_;
   std::vector<std::atomic<float>> channels_;
   std::vector<std::atomic<std::uint32_t>> versions_;
