@@ -13,10 +13,6 @@ namespace ray {
 std::optional<std::vector<std::string>> ReadLayerList(const std::string& word);
 std::string ShowLayerList(const std::vector<std::string>& layers);
 
-/// A layer as a screen of 0..1 can show it: depth from white, the nearest, to black; normals as (N + 1) / 2; a colour
-/// of its own for each id. Others as they are.
-R2::Image Shown(const std::string& layer, const R2::Image& image);
-
 /// The layer as channels of a file that holds several.
 R2::ImageLayer ChannelsOf(const std::string& layer, R2::Image image);
 

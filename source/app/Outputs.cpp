@@ -5,6 +5,7 @@
 #include "source/app/ReportJson.h"
 #include "source/app/Status.h"
 #include "source/parse/Text.h"
+#include "source/render/LayerColors.h"
 
 namespace ray {
 namespace {
@@ -87,7 +88,7 @@ void WritePicture(const Outputs& outputs, const RenderResult& result, const std:
   const R2::ImageSettings settings = SettingsInPicture(record);
   const std::vector<std::string>& names = record.options.layers;
   const auto encode = [&](const std::string& mode, const R2::Image& image) {
-    return format.encode(format.is_linear ? image : Shown(mode, image), record.options.encoding, settings);
+    return format.encode(format.is_linear ? image : LayerAsShown(mode, image), record.options.encoding, settings);
   };
   if (format.encode_layers && !names.empty()) {
     std::vector<R2::ImageLayer> channels;

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <tuple>
 
-#include "source/app/CameraLine.h"
+#include "source/view/CameraText.h"
 #include "source/app/Words.h"
 #include "source/parse/Text.h"
 

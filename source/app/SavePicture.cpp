@@ -6,7 +6,7 @@
 #include <system_error>
 #include <vector>
 
-#include "source/app/CameraLine.h"
+#include "source/view/CameraText.h"
 #include "source/app/Help.h"
 #include "source/app/OptionTable.h"
 #include "source/app/SceneHash.h"

@@ -1,11 +1,265 @@
 #include "source/app/ViewSession.h"
 
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+#include <thread>
+
+#include "source/app/Interrupt.h"
+#include "source/app/Messages.h"
+#include "source/app/SavePicture.h"
+#include "source/app/Status.h"
+#include "source/parse/Text.h"
+#include "source/view/EventScript.h"
+#include "source/view/Viewer.h"
 #include "source/view/contexts/Context.h"
+#include "source/view/gl/Drawer.h"
 
 namespace ray {
+namespace {
 
-int View(const Options&, const ViewOutputs&, std::shared_ptr<const LoadedScene>) {
-  throw ContextError("this build has nothing to draw with");
+using Clock = std::chrono::steady_clock;
+
+constexpr double seconds_while_busy = 1.0 / 60, seconds_while_idle = 0.25;  // between two looks
+constexpr const char* default_title = "OpenGL Viewer";                      // the course's
+
+double SecondsSince(Clock::time_point then) { return std::chrono::duration<double>(Clock::now() - then).count(); }
+
+std::string AllOf(std::istream& in) { return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()}; }
+
+std::vector<ScriptStep> ReadScript(const std::string& name) {
+  if (name == "-") return ReadEventScript({"standard input", AllOf(std::cin)});
+  std::ifstream in(name, std::ios::binary);
+  if (!std::filesystem::is_regular_file(name) || !in) throw SceneErrors({ErrorIn(name, "the file cannot be read")});
+  return ReadEventScript({name, AllOf(in)});
+}
+
+/// Nothing when it is no picture.
+std::shared_ptr<const R2::Image> ReadPictureFile(const std::string& name) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(name, error)) return nullptr;
+  std::ifstream in(name, std::ios::binary);
+  const std::string bytes = AllOf(in);
+  try {
+    return std::make_shared<const R2::Image>(
+        R2::DecodeImage({reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()}).image);
+  } catch (const R2::ImageError&) {
+    return nullptr;
+  }
+}
+
+/// "rays1.obj" and so on: the first that is not there.
+std::string FreeRaysName() {
+  for (int i = 1;; ++i) {
+    std::string name = "rays" + std::to_string(i) + ".obj";
+    std::error_code error;
+    if (!std::filesystem::exists(name, error)) return name;
+  }
+}
+
+ViewerSettings SettingsFor(const Options& options) {
+  ViewerSettings settings{options.scene, options.parse, options.accelerator, options.render, nullptr};
+  const std::string& reference = options.view.reference;
+  if (reference.empty()) return settings;
+  settings.reference = ReadPictureFile(reference);
+  if (!settings.reference) throw SceneErrors({ErrorIn(reference, "the file cannot be read as a picture")});
+  return settings;
+}
+
+/// Events as a script that makes them happen again. Times between events are added up.
+class Recorder {
+ public:
+  explicit Recorder(const std::optional<OutputFile>& file) : file_(file) {}
+
+  void Keep(const Event& event) {
+    if (!file_) return;
+    if (const auto* tick = std::get_if<TickEvent>(&event)) {
+      passed_ += tick->seconds;
+      return;
+    }
+    if (passed_ > 0) text_ += ScriptLine(TickEvent{passed_});
+    passed_ = 0;
+    text_ += ScriptLine(event);
+  }
+  void Write() const {
+    if (file_) WriteWhole(*file_, {reinterpret_cast<const unsigned char*>(text_.data()), text_.size()});
+  }
+
+ private:
+  const std::optional<OutputFile>& file_;
+  std::string text_;
+  double passed_ = 0;
+};
+
+/// A viewer, something to draw on, and the files around them.
+class Session : public ViewerHost {
+ public:
+  Session(const Options& options, const ViewOutputs& outputs, std::shared_ptr<const LoadedScene> scene)
+      : options_(options),
+        outputs_(outputs),
+        window_(options.view.headless ? nullptr
+                                      : MakeWindow(options.render.width, options.render.height, default_title)),
+        offscreen_(options.view.headless ? MakeOffscreenContext(options.view.context) : nullptr),
+        painter_(window_ ? static_cast<const Context&>(*window_) : *offscreen_,
+                 window_ ? Painter::Target::window : Painter::Target::own),
+        drawer_(painter_),
+        viewer_(SettingsFor(options), std::move(scene), *this),
+        recorder_(outputs_.record) {}
+
+  int Run() {
+    if (window_) Happen(ResizeEvent{window_->Width(), window_->Height()});
+    if (!options_.view.events.empty())
+      Follow(ReadScript(options_.view.events));
+    else if (window_ && !options_.view.exit_immediately)
+      Interact();
+    Draw();
+    for (const auto& output : {outputs_.output_image, outputs_.screenshot})
+      if (output) ray::SaveDrawing(*output, painter_.Read(), options_);
+    recorder_.Write();
+    return StopSignal() != 0 ? status::killed_by + StopSignal() : status_;
+  }
+
+  std::string SaveTraced(const RenderJob& job) override {
+    Options options = options_;
+    options.render = job.Settings();
+    return Attempt([&] {
+      std::string line = ray::SaveTraced(outputs_.image ? &*outputs_.image : nullptr, options, job.TheScene(),
+                                         *job.Result(), job.Seconds());
+      if (!line.empty() && line.back() == '\n') line.pop_back();
+      if (!options_.quiet) Print(line);
+      return line;
+    });
+  }
+  void SaveDrawing() override { wants_drawing_ = true; }
+  std::string SaveRays(const std::string& obj) override {
+    return Attempt([&] {
+      const std::string name = FreeRaysName();
+      WriteWhole(CheckOutput(name, {}), {reinterpret_cast<const unsigned char*>(obj.data()), obj.size()});
+      return "rays written to " + name;
+    });
+  }
+  std::shared_ptr<const R2::Image> ReadPicture(const std::string& file) override { return ReadPictureFile(file); }
+  void SetClipboard(const std::string& text) override {
+    if (window_) window_->SetClipboard(text);
+  }
+  void Print(const std::string& line) override {
+    WriteStandardOutput(!line.empty() && line.back() == '\n' ? line : line + "\n");
+  }
+
+ private:
+  /// What it says, or why it could not; then the program ends with that status.
+  template <typename Save>
+  std::string Attempt(const Save& save) {
+    try {
+      return save();
+    } catch (const std::exception& error) {
+      status_ = status::cannot_write;
+      Tell("rayview: " + std::string(error.what()));
+      return error.what();
+    }
+  }
+
+  void Happen(const Event& event) {
+    recorder_.Keep(event);
+    viewer_.Handle(event);
+    if (!wants_drawing_) return;
+    wants_drawing_ = false;
+    Draw();
+    Attempt([&] {
+      const PictureOutput place = ClaimImageName();
+      ray::SaveDrawing(place, painter_.Read(), options_);
+      Print("the drawing is in " + place.file.name);
+      return std::string();
+    });
+  }
+
+  void Draw() {
+    viewer_.Update();
+    drawer_.Draw(viewer_.Show());
+    if (!window_) return;
+    window_->Show();
+    ShowTitle();
+  }
+  void DrawNews() {
+    if (viewer_.Update()) {
+      drawer_.Draw(viewer_.Show());
+      if (window_) window_->Show();
+    }
+    if (window_) ShowTitle();
+  }
+  void ShowTitle() {
+    const std::string title = viewer_.Title() + " " + window_->Name();
+    if (title != title_) window_->SetTitle(title);
+    title_ = title;
+  }
+
+  void Interact() {
+    auto last = Clock::now();
+    Draw();
+    while (!viewer_.IsClosed() && StopSignal() == 0) {
+      const bool is_busy = viewer_.IsBusy() || viewer_.TheNavigator().IsFlying();
+      const std::vector<Event> events = window_->Wait(is_busy ? seconds_while_busy : seconds_while_idle);
+      Happen(TickEvent{SecondsSince(last)});
+      last = Clock::now();
+      for (const Event& event : events) Happen(event);
+      DrawNews();
+    }
+  }
+
+  void Follow(const std::vector<ScriptStep>& steps) {
+    for (const ScriptStep& step : steps) {
+      if (viewer_.IsClosed() || StopSignal() != 0) return;
+      if (const auto* event = std::get_if<Event>(&step)) {
+        Happen(*event);
+        DrawNewsInWindow();
+      } else if (std::holds_alternative<WaitForTrace>(step)) {
+        viewer_.Update();
+        while (viewer_.IsBusy() && StopSignal() == 0) Pause();
+      } else if (const auto* wait = std::get_if<WaitSeconds>(&step)) {
+        for (const auto start = Clock::now(); SecondsSince(start) < wait->seconds && StopSignal() == 0;) Pause();
+      } else if (const auto* screenshot = std::get_if<Screenshot>(&step)) {
+        Draw();
+        ray::SaveDrawing(CheckPictureOutput(screenshot->file, {}), painter_.Read(), options_);
+      } else {
+        viewer_.Update();
+        Print(viewer_.State());
+      }
+    }
+  }
+  void DrawNewsInWindow() {
+    if (window_)
+      DrawNews();
+    else
+      viewer_.Update();
+  }
+  /// A moment passes, as it does for a user who looks on.
+  void Pause() {
+    const auto before = Clock::now();
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    Happen(TickEvent{SecondsSince(before)});
+    DrawNewsInWindow();
+  }
+
+  const Options options_;
+  const ViewOutputs outputs_;
+  const std::unique_ptr<Window> window_;
+  const std::unique_ptr<Context> offscreen_;
+  Painter painter_;
+  Drawer drawer_;
+  Viewer viewer_;
+  Recorder recorder_;
+  std::string title_;
+  bool wants_drawing_ = false;
+  int status_ = status::done;
+};
+
+}  // namespace
+
+int View(const Options& options, const ViewOutputs& outputs, std::shared_ptr<const LoadedScene> scene) {
+  CatchInterrupts();
+  return Session(options, outputs, std::move(scene)).Run();
 }
 
 }  // namespace ray

@@ -47,6 +47,7 @@ class RenderJob {
   /// Of the crop, or of the whole.
   const Frame& TheFrame() const { return frame_; }
   const RenderSettings& Settings() const { return settings_; }
+  const LoadedScene& TheScene() const { return *scene_; }
   /// Rows from the bottom that will not change any more (order rows).
   int RowsDone() const { return rows_done_.load(std::memory_order_acquire); }
   /// Pixels apart of the last pass that is whole; 0 before the first.

@@ -28,8 +28,12 @@ void Canvas::Begin(int width, int height, const R2::Color& background) {
   gl_->Enable(GL_BLEND);
   gl_->BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   SetPart(0, 0, width, height);
+  Fill(background);
+}
+
+void Canvas::Fill(const R2::Color& color) const {
   const auto channel = [](double c) { return static_cast<float>(R2::ToByte(c)) / 255.0F; };
-  gl_->ClearColor(channel(background.r), channel(background.g), channel(background.b), 1);
+  gl_->ClearColor(channel(color.r), channel(color.g), channel(color.b), 1);
   gl_->Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 }
 

@@ -16,6 +16,7 @@ class Canvas {
 
   /// Throws ContextError when one of its own cannot be that large.
   void Begin(int width, int height, const R2::Color& background);
+  void Fill(const R2::Color& color) const;
   void SetPart(int x, int y, int width, int height);
   /// From here on, and back: the whole of it instead of the part.
   void LeavePart() const { Apply({0, 0, width_, height_}); }

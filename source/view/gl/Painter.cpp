@@ -42,6 +42,8 @@ void Painter::Begin(int width, int height, const R2::Color& background) {
 
 void Painter::SetPart(int x, int y, int width, int height) { parts_->canvas.SetPart(x, y, width, height); }
 
+void Painter::Fill(const R2::Color& color) { parts_->canvas.Fill(color); }
+
 void Painter::Draw(const KeptTriangles& triangles, const ClipMatrix& clip_from_drawing) {
   parts_->lists.Draw(triangles, clip_from_drawing);
 }

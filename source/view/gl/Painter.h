@@ -42,6 +42,8 @@ class Painter {
   void Begin(int width, int height, const R2::Color& background);
   /// What follows goes to a part of the drawing, and is cut there.
   void SetPart(int x, int y, int width, int height);
+  /// All of the part in one colour, with nothing in it any more.
+  void Fill(const R2::Color& color);
   /// Opaque ones first, then clear ones without writing depth.
   void Draw(const KeptTriangles& triangles, const ClipMatrix& clip_from_drawing);
   /// Lines of `width` pixels, or as wide as the graphics allow; what is hidden by what was drawn before, triangles

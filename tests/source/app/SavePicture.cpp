@@ -6,7 +6,7 @@
 #include <iterator>
 #include <sstream>
 
-#include "source/app/CameraLine.h"
+#include "source/view/CameraText.h"
 #include "source/app/CommandLine.h"
 #include "source/app/Status.h"
 #include "tests/Project.h"

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "source/render/PixelTrace.h"
+#include "source/view/Drawing.h"
+
+/// Rays of the tracer, to be looked at in space.
+namespace ray {
+
+/// Kinds that are shown or hidden together.
+enum class ShownRays { camera, shadow, reflection, transmission };
+inline constexpr std::size_t shown_ray_kinds = 4;
+
+struct RayLook {
+  std::array<bool, shown_ray_kinds> shows{true, true, true, true};
+  bool normals = false;  // where rays end
+  int deepest = -1;      // bounces; -1: all
+};
+
+inline constexpr int debug_ray_spacing = 25;  // pixels whose column and row are multiples of it
+
+/// The rays of the first sample of the pixels whose column and row are multiples of `spacing`.
+std::vector<PixelTrace> TraceGrid(const World& world, const Accelerator& accelerator, const RenderSettings& settings,
+                                  int spacing = debug_ray_spacing);
+
+/// As lines, a colour for each kind. A shadow ray that is stopped is dark beyond what stops it; a ray that meets
+/// nothing goes on for two radii of the scene.
+Lines RayLines(const std::vector<PixelTrace>& traces, const DrawingSpace& space, const RayLook& look);
+
+/// The same rays as an .obj file of lines, grouped by kind, in the world.
+std::string RaysAsObj(const std::vector<PixelTrace>& traces, double scene_radius);
+
+}  // namespace ray

@@ -1,0 +1,343 @@
+#include "source/view/Viewer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+
+#include "source/scene/NumberText.h"
+#include "source/view/SceneLines.h"
+#include "source/view/ScenePicture.h"
+
+namespace ray {
+namespace {
+
+constexpr double click_reach = 4;               // pixels that a click may move
+constexpr double double_click_time = 0.4;       // seconds
+constexpr double seconds_between_looks = 0.25;  // at the scene's files
+
+std::shared_ptr<const LoadedScene> Load(const std::filesystem::path& file, const ViewerSettings& settings) {
+  return std::make_shared<LoadedScene>(file, settings.parse, settings.accelerator);
+}
+
+std::string FirstLine(const std::string& text) { return text.substr(0, text.find('\n')); }
+
+}  // namespace
+
+Viewer::Viewer(ViewerSettings settings, std::shared_ptr<const LoadedScene> scene, ViewerHost& host)
+    : settings_(std::move(settings)),
+      host_(host),
+      scene_(std::move(scene)),
+      bookmarks_(settings_.scene),
+      navigator_(scene_->parsed.scene.camera, scene_->parsed.scene.root.bounds,
+                 {settings_.render.width, settings_.render.height}),
+      size_{settings_.render.width, settings_.render.height},
+      box_level_(all_levels) {
+  pictures_.SetReference(settings_.reference);
+  TakeScene(scene_);
+}
+
+void Viewer::TakeScene(std::shared_ptr<const LoadedScene> scene) {
+  scene_ = std::move(scene);
+  const R3::Box& box = scene_->parsed.scene.root.bounds;
+  space_ = DrawingSpace::Of(box);
+  navigator_.SetBox(box);
+  ScenePicture picture = PictureOf(scene_->world, space_);
+  notes_.clear();
+  if (picture.as_boxes > 0) notes_ += std::to_string(picture.as_boxes) + " primitives are shown as boxes";
+  if (picture.left_out > 0)
+    notes_ += (notes_.empty() ? "" : ", ") + std::to_string(picture.left_out) + " are not shown";
+  faces_ = std::make_shared<const Triangles>(std::move(picture.triangles));
+  watch_.Watch(scene_->parsed.scene.files);
+  rays_.ForgetAll();
+  pick_.reset();
+  section_lines_.reset();
+  pictures_.Touch();
+  LinesHaveChanged();
+}
+
+RenderSettings Viewer::SettingsOfView() const {
+  RenderSettings settings = settings_.render;
+  settings.width = size_.width;
+  settings.height = size_.height;
+  const Camera &own = scene_->parsed.scene.camera, &now = navigator_.TheCamera();
+  // The scene's own view is left unsaid, so that the same command as without a viewer makes the same picture.
+  const bool is_own = now.eye == own.eye && now.towards == own.towards && now.up == own.up && now.right == own.right &&
+                      now.xfov == own.xfov;
+  if (!is_own) settings.view = now;
+  return settings;
+}
+
+void Viewer::Tell(const std::string& message) {
+  message_ = message;
+  has_news_ = true;
+}
+
+void Viewer::Handle(const Event& event) {
+  std::visit([this](const auto& e) { On(e); }, event);
+}
+
+void Viewer::On(const KeyEvent& event) {
+  if (navigator_.HoldKey(event) || !event.is_pressed) return;
+  for (const Binding& binding : Bindings())
+    if (binding.key == event.key && binding.modifiers == event.modifiers) {
+      binding.act(*this);
+      has_news_ = true;
+      return;
+    }
+}
+
+void Viewer::On(const ButtonEvent& event) {
+  if (event.is_pressed) {
+    if (press_) return;  // a second button while one is held
+    press_ = Press{event.button, {event.x, event.y}};
+    navigator_.BeginDrag(event, PointFinder());
+    return;
+  }
+  if (!press_ || press_->button != event.button) return;
+  const bool is_click = press_->is_click;
+  press_.reset();
+  navigator_.EndDrag();
+  if (is_click) OnClick(event);
+}
+
+void Viewer::On(const MoveEvent& event) {
+  if (!press_) return;
+  const bool has_gone = std::hypot(event.x - press_->at.x, event.y - press_->at.y) > click_reach;
+  press_->is_click = press_->is_click && !has_gone;
+  if (!press_->is_click) navigator_.DragTo({event.x, event.y});
+}
+
+void Viewer::OnClick(const ButtonEvent& event) {
+  const R2::Point place{event.x, event.y};
+  if (event.button == Button::right) return DebugPixelAt(place);
+  if (event.button != Button::left || event.modifiers != Modifiers{}) return;
+  const bool is_near = std::hypot(place.x - last_click_at_.x, place.y - last_click_at_.y) <= click_reach;
+  const bool is_second = last_click_ >= 0 && now_ - last_click_ <= double_click_time && is_near;
+  last_click_ = is_second ? -1 : now_;
+  last_click_at_ = place;
+  if (is_second) {
+    navigator_.SetPivot(PointAt(place));
+    Tell(navigator_.Pivot() ? "pivot set" : "pivot in the middle of the scene");
+    return LinesHaveChanged();
+  }
+  const RenderSettings settings = SettingsOfView();
+  if (place.x < 0 || place.y < 0 || place.x >= settings.width || place.y >= settings.height) return;
+  pick_ =
+      PickPixel(scene_->world, *scene_->accelerator, settings, static_cast<int>(place.x), static_cast<int>(place.y));
+  for (const std::string& line : pick_->text) host_.Print(line);
+  LinesHaveChanged();
+}
+
+void Viewer::On(const ScrollEvent& event) { navigator_.Scroll(event, PointFinder()); }
+
+void Viewer::On(const ResizeEvent& event) {
+  const DrawingSize size{std::max(1, event.width), std::max(1, event.height)};
+  if (size == size_) return;
+  size_ = size;
+  navigator_.SetSize(size_);
+  pictures_.Touch();
+  section_lines_.reset();
+  LinesHaveChanged();
+}
+
+void Viewer::On(const DropEvent& event) { Open(event.file); }
+
+void Viewer::On(const TickEvent& event) {
+  now_ += event.seconds;
+  navigator_.Advance(event.seconds);
+  if (now_ - last_look_at_files_ < seconds_between_looks) return;
+  last_look_at_files_ = now_;
+  if (watch_.HasChanged()) Reload();
+}
+
+bool Viewer::Update() {
+  if (navigator_.Changes() != changes_seen_) {
+    changes_seen_ = navigator_.Changes();
+    pictures_.Touch();
+    if (section_.Plane() == SlicePlane::camera_row) section_lines_.reset();
+    LinesHaveChanged();
+  }
+  pictures_.Update(scene_, SettingsOfView());
+  if (const RenderJob* job = pictures_.TakeEnded()) SaveEnded(*job);
+
+  // Rows that were written since the last look.
+  std::vector<std::uint32_t> versions;
+  for (const RenderJob* job : {pictures_.Trace(), pictures_.Live()})
+    for (int row = 0; job && row < job->TheFrame().Height(); ++row) versions.push_back(job->TheFrame().Version(row));
+  if (versions != versions_) {
+    versions_ = std::move(versions);
+    has_news_ = true;
+  }
+  return std::exchange(has_news_, false);
+}
+
+void Viewer::SaveEnded(const RenderJob& job) {
+  if (!job.Failure().empty()) return Tell("tracing failed: " + job.Failure());
+  if (!job.IsComplete()) return Tell("stopped; nothing was written");
+  Tell(host_.SaveTraced(job));
+}
+
+void Viewer::StartTrace() {
+  pictures_.StartTrace(scene_, SettingsOfView());
+  pictures_.HideLive();
+  shows_quad_ = true;
+  Tell("tracing");
+  LinesHaveChanged();
+}
+
+void Viewer::StopOrQuit() {
+  if (!pictures_.StopTrace()) is_closed_ = true;
+}
+
+void Viewer::PrintCamera() {
+  const std::string line = CameraLine(navigator_.TheCamera());
+  host_.Print(line);
+  host_.SetClipboard(line + "\n");
+  Tell("camera printed");
+}
+
+void Viewer::CycleBoxes() {
+  boxes_ = boxes_ == Boxes::none ? Boxes::nodes : boxes_ == Boxes::nodes ? Boxes::accelerator : Boxes::none;
+  LinesHaveChanged();
+  Tell(BoxesInWords());
+}
+
+void Viewer::ChangeBoxLevel(int by) {
+  if (boxes_ == Boxes::none) boxes_ = Boxes::nodes;
+  constexpr int deepest = 1 << 20;
+  box_level_ = std::clamp(box_level_ + by, all_levels, deepest);
+  LinesHaveChanged();
+  Tell(BoxesInWords());
+}
+
+void Viewer::FramePicked() {
+  if (!pick_ || !pick_->point) return Tell("nothing is picked: click on something first");
+  const Instance& instance = scene_->world.Instances()[pick_->instance];
+  const R3::Box box = scene_->world.InWorld(instance.frame, R3::Bounds(*instance.shape));
+  navigator_.SetPivot(pick_->point);
+  navigator_.Frame(box);
+}
+
+void Viewer::KeepBookmark(int digit) {
+  const bool is_kept = bookmarks_.Keep(digit, navigator_.TheCamera());
+  Tell("bookmark " + std::to_string(digit) +
+       (is_kept ? "" : ", until the program ends: " + bookmarks_.File().string() + " cannot be written"));
+}
+
+void Viewer::RecallBookmark(int digit) {
+  if (const auto camera = bookmarks_.Find(digit)) return navigator_.Go(*camera);
+  Tell("there is no bookmark " + std::to_string(digit));
+}
+
+void Viewer::ToggleGrid() {
+  if (rays_.ShowsGrid())
+    rays_.ToggleGrid();
+  else
+    rays_.TraceGrid(*scene_, pictures_.Trace() ? pictures_.Trace()->Settings() : SettingsOfView());
+  LinesHaveChanged();
+}
+
+void Viewer::DebugPixelAt(const R2::Point& place) {
+  if (const auto pixel = PixelOnQuad(place)) {
+    rays_.TracePixel(*scene_, pictures_.Trace()->Settings(), pixel->first, pixel->second);
+  } else {
+    if (place.x < 0 || place.y < 0 || place.x >= size_.width || place.y >= size_.height) return;
+    rays_.TracePixel(*scene_, SettingsOfView(), static_cast<int>(place.x), static_cast<int>(place.y));
+  }
+  TellPixel();
+}
+
+void Viewer::TellPixel() {
+  arrows_move_section_ = false;
+  const PixelTrace& pixel = *rays_.Pixel();
+  host_.Print(RayTree(pixel, scene_->world, rays_.PixelSettings()));
+  Tell("pixel " + std::to_string(pixel.column) + " " + std::to_string(pixel.row) + ", " +
+       std::to_string(pixel.rays.size()) + " rays");
+  LinesHaveChanged();
+}
+
+void Viewer::MoveByArrow(int right, int up) {
+  if (arrows_move_section_) {
+    section_.Move(up);
+    section_lines_.reset();
+    has_news_ = true;
+  } else if (rays_.StepPixel(*scene_, right, up)) {
+    TellPixel();
+  }
+}
+
+void Viewer::SaveRays() {
+  const auto shown = rays_.Shown();
+  if (shown.empty()) return Tell("no rays are shown: G or a right click shows some");
+  Tell(host_.SaveRays(RaysAsObj(shown, space_.radius)));
+}
+
+void Viewer::ToggleLive(const std::string& mode) {
+  if (pictures_.IsLive() && pictures_.LiveMode() == mode)
+    pictures_.HideLive();
+  else
+    pictures_.ShowLive(mode);
+}
+
+void Viewer::KeepReference() {
+  const auto current = pictures_.Current();
+  if (!current) return Tell("there is no traced picture to keep: S or P traces one");
+  pictures_.SetReference(current);
+  Tell("kept as the reference");
+}
+
+void Viewer::Compare(TracedPictures::Comparing how) {
+  pictures_.Compare(pictures_.HowCompared() == how ? TracedPictures::Comparing::no : how);
+  Tell(pictures_.Comparison());
+}
+
+void Viewer::ChangeExposure(double steps) {
+  exposure_steps_ = steps == 0 ? 0 : exposure_steps_ + steps;
+  Tell("exposure " + ToText(exposure_steps_) + " stops");
+}
+
+void Viewer::Reload() {
+  try {
+    TakeScene(Load(settings_.scene, settings_));
+    Tell("read again");
+  } catch (const std::exception& error) {
+    // The scene that is shown stays until the new one can be read.
+    host_.Print(error.what());
+    Tell(FirstLine(error.what()));
+  }
+}
+
+void Viewer::Open(const std::string& file) {
+  if (auto picture = host_.ReadPicture(file)) {
+    pictures_.SetReference(std::move(picture));
+    return Tell("reference " + file);
+  }
+  try {
+    auto scene = Load(file, settings_);
+    settings_.scene = file;
+    bookmarks_ = Bookmarks(file);
+    pictures_.ForgetTrace();
+    TakeScene(std::move(scene));
+    navigator_.SetPivot({});
+    navigator_.Go(scene_->parsed.scene.camera);
+    Tell("opened " + file);
+  } catch (const std::exception& error) {
+    host_.Print(error.what());
+    Tell(FirstLine(error.what()));
+  }
+}
+
+std::optional<R3::Point> Viewer::PointAt(const R2::Point& place) const {
+  const R3::Ray ray = navigator_.TheCamera().Through(place.x, place.y, size_.width, size_.height);
+  Workspace workspace;
+  const auto hit = scene_->accelerator->Intersect(ray, workspace);
+  if (!hit) return {};
+  return scene_->world.At(ray, *hit).position;
+}
+
+Navigator::PointAt Viewer::PointFinder() const {
+  return [this](const R2::Point& place) { return PointAt(place); };
+}
+
+}  // namespace ray

@@ -1,0 +1,174 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "source/view/CameraText.h"
+#include "source/view/Event.h"
+#include "source/view/FileWatch.h"
+#include "source/view/Navigator.h"
+#include "source/view/Pick.h"
+#include "source/view/Presentation.h"
+#include "source/view/RayInspector.h"
+#include "source/view/SectionView.h"
+#include "source/view/TracedPictures.h"
+
+namespace ray {
+
+/// What a viewer begins with.
+struct ViewerSettings {
+  std::filesystem::path scene;
+  ParseOptions parse;
+  AcceleratorSettings accelerator;
+  RenderSettings render;  // of traced pictures; their size is that of the drawing
+  std::shared_ptr<const R2::Image> reference;
+};
+
+/// What a viewer asks of the program around it. Answers are lines for its user.
+class ViewerHost {
+ public:
+  virtual ~ViewerHost() = default;
+  /// Key S has traced a picture: write it.
+  virtual std::string SaveTraced(const RenderJob& complete) = 0;
+  /// Write what is drawn, once the event that asked for it is handled.
+  virtual void SaveDrawing() = 0;
+  /// Write rays as an .obj file.
+  virtual std::string SaveRays(const std::string& obj) = 0;
+  /// Nothing when it is no picture that can be read.
+  virtual std::shared_ptr<const R2::Image> ReadPicture(const std::string& file) = 0;
+  virtual void SetClipboard(const std::string& text) = 0;
+  /// To standard output.
+  virtual void Print(const std::string& line) = 0;
+};
+
+/// A scene being looked at: what the user's events do to it, and what is to be drawn. Knows no window and no OpenGL;
+/// for one thread.
+class Viewer {
+ public:
+  /// `scene`: read from the settings' file. The host must outlive it.
+  Viewer(ViewerSettings settings, std::shared_ptr<const LoadedScene> scene, ViewerHost& host);
+
+  void Handle(const Event& event);
+  /// Starts and ends what is due. Whether Show would give something else than the last time.
+  bool Update();
+  /// Valid until the next call of Handle or Update.
+  Presentation Show();
+  /// Whether a picture is being traced, so that Update is soon worth a call.
+  bool IsBusy() const { return pictures_.IsBusy(); }
+  bool IsClosed() const { return is_closed_; }
+  /// "hello.scn 512x512 1 sample 0.5 Mrays/s"
+  std::string Title() const;
+  /// What it shows, in lines of words, for scripts.
+  std::string State() const;
+
+  /// A key and what it does. All keys are in this table, and the help is made of it.
+  struct Binding {
+    Key key;
+    Modifiers modifiers;
+    const char* help;  // empty: as the line before
+    std::function<void(Viewer&)> act;
+  };
+  static const std::vector<Binding>& Bindings();
+  /// Keys and gestures, a line each.
+  static std::vector<std::string> Help();
+
+  const LoadedScene& TheScene() const { return *scene_; }
+  const Navigator& TheNavigator() const { return navigator_; }
+  const TracedPictures& Pictures() const { return pictures_; }
+  const RayInspector& Rays() const { return rays_; }
+  const SectionView& Section() const { return section_; }
+  const std::optional<Pick>& Picked() const { return pick_; }
+  const std::string& Message() const { return message_; }
+  /// What tracing the present view would use.
+  RenderSettings SettingsOfView() const;
+
+ private:
+  enum class Boxes { none, nodes, accelerator };
+  struct Press {
+    Button button;
+    R2::Point at;
+    bool is_click = true;  // until it has gone too far
+  };
+
+  void On(const KeyEvent& event);
+  void On(const ButtonEvent& event);
+  void On(const MoveEvent& event);
+  void On(const ScrollEvent& event);
+  void On(const ResizeEvent& event);
+  void On(const DropEvent& event);
+  void On(const TickEvent& event);
+  void On(const CloseEvent&) { is_closed_ = true; }
+  void OnClick(const ButtonEvent& event);
+
+  static std::vector<Binding> MakeBindings();
+  void StartTrace();
+  void StopOrQuit();
+  void PrintCamera();
+  void CycleBoxes();
+  void ChangeBoxLevel(int by);
+  void FramePicked();
+  void KeepBookmark(int digit);
+  void RecallBookmark(int digit);
+  void ToggleGrid();
+  void MoveByArrow(int right, int up);
+  void SaveRays();
+  void ToggleLive(const std::string& mode);
+  void KeepReference();
+  void Compare(TracedPictures::Comparing how);
+  void ChangeExposure(double steps);
+  void Reload();
+  void Open(const std::string& file);
+
+  void TakeScene(std::shared_ptr<const LoadedScene> scene);
+  void DebugPixelAt(const R2::Point& place);
+  void TellPixel();
+  void SaveEnded(const RenderJob& job);
+  void Tell(const std::string& message);
+  void LinesHaveChanged() { lines_.reset(), has_news_ = true; }
+  std::optional<R3::Point> PointAt(const R2::Point& place) const;
+  Navigator::PointAt PointFinder() const;
+  std::array<R3::Point, 4> QuadCorners() const;
+  /// The pixel of the traced picture that is seen there on its quad.
+  std::optional<std::pair<int, int>> PixelOnQuad(const R2::Point& place) const;
+  bool ShowsQuad() const { return shows_quad_ && pictures_.Trace() && !pictures_.IsLive(); }
+  Lines MakeLines() const;
+  std::vector<Label> MakeLabels() const;
+  std::string BoxesInWords() const;
+  std::optional<Presentation::Picture> CoveringPicture() const;
+
+  ViewerSettings settings_;
+  ViewerHost& host_;
+  std::shared_ptr<const LoadedScene> scene_;
+  DrawingSpace space_;
+  std::shared_ptr<const Triangles> faces_;
+  FileWatch watch_;
+  Bookmarks bookmarks_;
+  Navigator navigator_;
+  TracedPictures pictures_;
+  RayInspector rays_;
+  SectionView section_;
+  std::optional<Pick> pick_;
+
+  DrawingSize size_;
+  bool shows_faces_ = true, shows_edges_ = false, shows_camera_ = false, shows_lights_ = false, shows_help_ = false;
+  bool shows_quad_ = true;
+  Boxes boxes_ = Boxes::none;
+  int box_level_;
+  double exposure_steps_ = 0;         // each doubles the light
+  bool arrows_move_section_ = false;  // else the pixel
+  std::string message_, notes_;
+
+  std::optional<Press> press_;
+  double now_ = 0, last_look_at_files_ = 0, last_click_ = -1;  // seconds of ticks
+  R2::Point last_click_at_;
+  std::uint64_t changes_seen_ = 0;
+  std::shared_ptr<const Lines> lines_, section_lines_;  // null when they must be made anew
+  std::vector<std::uint32_t> versions_;                 // of the rows of frames when last seen
+  bool has_news_ = true, is_closed_ = false;
+};
+
+}  // namespace ray

@@ -1,0 +1,215 @@
+#include <algorithm>
+#include <cmath>
+
+#include "source/render/LayerColors.h"
+#include "source/scene/NumberText.h"
+#include "source/view/SceneLines.h"
+#include "source/view/Viewer.h"
+
+/// What a viewer shows of what it knows.
+namespace ray {
+namespace {
+
+constexpr double quad_share_of_distance = 0.25;  // how far the traced picture hangs before its camera
+constexpr Rgba frustum_color{255, 255, 120, 255}, picked_color{255, 90, 90, 255}, text_color{255, 255, 255, 255};
+constexpr double cross_share = 0.03;  // of the scene's radius
+
+void Append(Lines& lines, const Lines& more) { lines.insert(lines.end(), more.begin(), more.end()); }
+
+R2::Color InverseOf(const R2::Color& c) { return {1 - c.r, 1 - c.g, 1 - c.b}; }
+
+bool IsLight(const std::string& mode) { return mode == "whitted" || mode == "path" || mode == "albedo"; }
+
+}  // namespace
+
+Presentation Viewer::Show() {
+  if (!lines_) lines_ = std::make_shared<const Lines>(MakeLines());
+  if (section_.IsShown() && !section_lines_) {
+    section_.Cut(*scene_, SettingsOfView(), navigator_.Center());
+    section_lines_ = std::make_shared<const Lines>(section_.Drawing(*scene_, rays_.Look()));
+  }
+  Presentation shown;
+  shown.size = shown.view = size_;
+  if (section_.IsShown()) {
+    shown.view.width = std::max(1, size_.width / 2);
+    shown.section = section_lines_;
+  }
+  shown.background = scene_->parsed.scene.background;
+  shown.clip_from_drawing =
+      ClipFromDrawing(navigator_.TheCamera(), space_, scene_->parsed.scene.root.bounds, shown.view);
+  shown.faces = faces_;
+  shown.shows_faces = shows_faces_;
+  shown.shows_edges = shows_edges_;
+  shown.edge_color = ray::Shown(InverseOf(shown.background));
+  shown.lines = lines_;
+  const Exposure exposure{std::exp2(exposure_steps_), settings_.render.srgb};
+  if (ShowsQuad()) {
+    Presentation::Picture quad;
+    quad.frame = &pictures_.Trace()->TheFrame();
+    quad.number = pictures_.TraceNumber();
+    quad.rows = pictures_.Trace()->RowsDone();
+    quad.exposure = exposure;
+    quad.corners.emplace();
+    const auto corners = QuadCorners();
+    for (std::size_t i = 0; i < corners.size(); ++i) (*quad.corners)[i] = space_.At(corners[i]);
+    shown.quad = quad;
+  }
+  shown.picture = CoveringPicture();
+  shown.labels = MakeLabels();
+  return shown;
+}
+
+std::optional<Presentation::Picture> Viewer::CoveringPicture() const {
+  Presentation::Picture picture;
+  picture.exposure = {std::exp2(exposure_steps_), settings_.render.srgb};
+  if (auto compared = pictures_.Compared()) {
+    picture.image = std::move(compared);
+    return picture;
+  }
+  if (!pictures_.IsLive() || !pictures_.Live() || pictures_.Live()->Stride() == 0) return {};
+  const RenderJob& job = *pictures_.Live();
+  const std::string& mode = job.Settings().mode;
+  if (IsLight(mode)) {
+    picture.frame = &job.TheFrame();
+    picture.number = pictures_.LiveNumber();
+  } else {
+    // Colours that stand for something else than light: as image files show them.
+    picture.image = std::make_shared<const R2::Image>(LayerAsShown(mode, *TracedPictures::ImageOf(job.TheFrame())));
+    picture.exposure = {};
+  }
+  return picture;
+}
+
+std::array<R3::Point, 4> Viewer::QuadCorners() const {
+  const RenderSettings& traced = pictures_.Trace()->Settings();
+  const Camera camera = traced.view.value_or(scene_->parsed.scene.camera);
+  const double to_middle = DepthOf(camera, navigator_.Center());
+  const double distance = quad_share_of_distance * (to_middle > 0 ? to_middle : space_.radius);
+  const auto corner = [&](double x, double y) {
+    return camera.Through(x, y, traced.width, traced.height).At(distance);
+  };
+  const double w = traced.width, h = traced.height;
+  return {corner(0, 0), corner(w, 0), corner(w, h), corner(0, h)};
+}
+
+std::optional<std::pair<int, int>> Viewer::PixelOnQuad(const R2::Point& place) const {
+  if (!ShowsQuad()) return {};
+  const auto corners = QuadCorners();
+  const R3::Vector across = corners[1] - corners[0], upward = corners[3] - corners[0], normal = Cross(across, upward);
+  const R3::Ray ray = navigator_.TheCamera().Through(place.x, place.y, size_.width, size_.height);
+  const double t = Dot(corners[0] - ray.origin, normal) / Dot(ray.direction, normal);
+  if (!(t > 0)) return {};
+  const R3::Vector way = ray.At(t) - corners[0];
+  const RenderSettings& traced = pictures_.Trace()->Settings();
+  const double x = Dot(way, across) / Dot(across, across) * traced.width;
+  const double y = Dot(way, upward) / Dot(upward, upward) * traced.height;
+  if (!(x >= 0 && y >= 0 && x < traced.width && y < traced.height)) return {};
+  // What stands before the quad is meant rather than it.
+  const auto nearer = PointAt(place);
+  if (nearer && Length(*nearer - ray.origin) < Length(ray.At(t) - ray.origin)) return {};
+  return std::pair{static_cast<int>(x), static_cast<int>(y)};
+}
+
+Lines Viewer::MakeLines() const {
+  Lines lines = SceneLineLines(scene_->world, space_);
+  if (boxes_ == Boxes::nodes) Append(lines, NodeBoxLines(scene_->world, space_, box_level_).lines);
+  if (boxes_ == Boxes::accelerator) Append(lines, AcceleratorBoxLines(*scene_->accelerator, space_, box_level_).lines);
+  if (shows_lights_) Append(lines, LightLines(scene_->parsed.scene, space_));
+  if (shows_camera_) {
+    const Camera& own = scene_->parsed.scene.camera;
+    Append(lines,
+           CameraLines(own, size_.width, size_.height, space_.radius * quad_share_of_distance, space_, frustum_color));
+  }
+  if (ShowsQuad()) {
+    const RenderSettings& traced = pictures_.Trace()->Settings();
+    const Camera camera = traced.view.value_or(scene_->parsed.scene.camera);
+    const double distance = Length(QuadCorners()[0] - camera.eye) > 0 ? DepthOf(camera, QuadCorners()[0]) : 0;
+    Append(lines, CameraLines(camera, traced.width, traced.height, distance, space_, frustum_color));
+  }
+  Append(lines, RayLines(rays_.Shown(), space_, rays_.Look()));
+  if (navigator_.Pivot()) Append(lines, AxesAt(*navigator_.Pivot(), cross_share * space_.radius, space_));
+  if (pick_ && pick_->point) Append(lines, CrossAt(*pick_->point, cross_share * space_.radius, space_, picked_color));
+  return lines;
+}
+
+std::vector<Label> Viewer::MakeLabels() const {
+  constexpr double line_height = 17, margin = 6;
+  std::vector<Label> labels;
+  if (!message_.empty()) labels.push_back({margin, margin, message_, text_color});
+  std::vector<std::string> upper;
+  if (shows_help_)
+    upper = Help();
+  else if (pick_)
+    upper = pick_->text;
+  if (section_.IsShown()) upper.insert(upper.begin(), "cut: " + section_.Describe(size_.height));
+  double y = size_.height - line_height - margin;
+  for (const std::string& line : upper) {
+    labels.push_back({margin, y, line, text_color});
+    y -= line_height;
+  }
+  return labels;
+}
+
+std::string Viewer::BoxesInWords() const {
+  if (boxes_ == Boxes::none) return "no boxes";
+  const std::string level = box_level_ == all_levels ? "of all levels" : "of level " + std::to_string(box_level_);
+  const BoxLines boxes = boxes_ == Boxes::nodes ? NodeBoxLines(scene_->world, space_, box_level_)
+                                                : AcceleratorBoxLines(*scene_->accelerator, space_, box_level_);
+  return std::to_string(boxes.boxes) + (boxes_ == Boxes::nodes ? " boxes of nodes " : " boxes of the accelerator ") +
+         level + (boxes.left_out > 0 ? ", " + std::to_string(boxes.left_out) + " left out" : "");
+}
+
+std::string Viewer::Title() const {
+  const RenderJob* job = pictures_.IsLive() ? pictures_.Live() : pictures_.Trace();
+  std::string title =
+      settings_.scene.filename().string() + " " + std::to_string(size_.width) + "x" + std::to_string(size_.height);
+  if (job) {
+    const int samples = job->Samples();
+    title += " " + std::to_string(samples) + (samples == 1 ? " sample" : " samples");
+    const double seconds = job->Seconds();
+    if (seconds > 0) title += " " + Fixed(1e-6 * static_cast<double>(job->Rays()) / seconds, 1) + " Mrays/s";
+    if (pictures_.IsTracing())
+      title += " row " + std::to_string(pictures_.Trace()->RowsDone()) + " of " +
+               std::to_string(pictures_.Trace()->Settings().height);
+  }
+  return title + (notes_.empty() ? "" : " (" + notes_ + ")");
+}
+
+std::string Viewer::State() const {
+  std::string text;
+  const auto line = [&](const std::string& name, const std::string& value) { text += name + " " + value + "\n"; };
+  const auto yes_or_no = [](bool is) { return is ? "yes" : "no"; };
+  line("scene", settings_.scene.string());
+  line("size", std::to_string(size_.width) + " " + std::to_string(size_.height));
+  text += CameraLine(navigator_.TheCamera()) + "\n";
+  line("faces", yes_or_no(shows_faces_));
+  line("edges", yes_or_no(shows_edges_));
+  line("lights", yes_or_no(shows_lights_));
+  line("frustum", yes_or_no(shows_camera_));
+  line("quad", yes_or_no(ShowsQuad()));
+  line("boxes", BoxesInWords());
+  line("turntable", yes_or_no(navigator_.IsTurntable()));
+  line("pivot", yes_or_no(navigator_.Pivot().has_value()));
+  line("live",
+       pictures_.IsLive() ? (pictures_.LiveMode().empty() ? settings_.render.mode : pictures_.LiveMode()) : "no");
+  line("trace", !pictures_.Trace()                ? "none"
+                : pictures_.IsTracing()           ? "running"
+                : pictures_.Trace()->IsComplete() ? "complete"
+                                                  : "stopped");
+  line("grid", std::to_string(rays_.ShowsGrid() ? rays_.Grid().size() : 0));
+  line("pixel",
+       rays_.Pixel() ? std::to_string(rays_.Pixel()->column) + " " + std::to_string(rays_.Pixel()->row) : "none");
+  const RayLook& look = rays_.Look();
+  std::string kinds;
+  for (const bool shows : look.shows) kinds += shows ? '1' : '0';
+  line("rays", kinds + (look.normals ? "1" : "0") + " deepest " + std::to_string(look.deepest));
+  line("cut", section_.IsShown() ? section_.Describe(size_.height) : "no");
+  line("exposure", ToText(exposure_steps_));
+  line("comparing", std::to_string(static_cast<int>(pictures_.HowCompared())));
+  line("reference", yes_or_no(pictures_.Reference() != nullptr));
+  line("help", yes_or_no(shows_help_));
+  line("message", message_);
+  return text;
+}
+
+}  // namespace ray

@@ -1,0 +1,460 @@
+#include "source/view/Viewer.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cmath>
+#include <fstream>
+#include <set>
+#include <thread>
+
+#include "R2/Difference.h"
+#include "source/view/EventScript.h"
+#include "source/view/SceneLines.h"
+#include "tests/Project.h"
+
+namespace ray {
+namespace {
+
+/// Keeps what a viewer asks for.
+class Witness : public ViewerHost {
+ public:
+  std::string SaveTraced(const RenderJob& job) override {
+    traced.push_back(job.Result()->image);
+    traced_settings.push_back(job.Settings());
+    return "saved";
+  }
+  void SaveDrawing() override { ++drawings; }
+  std::string SaveRays(const std::string& obj) override {
+    rays = obj;
+    return "rays";
+  }
+  std::shared_ptr<const R2::Image> ReadPicture(const std::string& file) override {
+    return file == "picture" ? std::make_shared<const R2::Image>(8, 8) : nullptr;
+  }
+  void SetClipboard(const std::string& text) override { clipboard = text; }
+  void Print(const std::string& line) override { printed += line + "\n"; }
+
+  std::vector<R2::Image> traced;
+  std::vector<RenderSettings> traced_settings;
+  int drawings = 0;
+  std::string rays, clipboard, printed;
+};
+
+/// A viewer whose user types.
+class ViewerTest : public testing::Test {
+ protected:
+  static constexpr int width = 64, height = 48;
+
+  void Open(const std::filesystem::path& scene, const RenderSettings& render = {}) {
+    ViewerSettings settings;
+    settings.scene = scene;
+    settings.render = render;
+    settings.render.width = width;
+    settings.render.height = height;
+    viewer_ = std::make_unique<Viewer>(
+        settings, std::make_shared<const LoadedScene>(scene, settings.parse, settings.accelerator), host_);
+  }
+  void SetUp() override { Open(project::Root() / "scenes/hello.scn"); }
+
+  /// Steps of a script, but for pictures and prints.
+  void Do(const std::string& script) {
+    for (const ScriptStep& step : ReadEventScript({"test", script})) {
+      if (const auto* event = std::get_if<Event>(&step)) viewer_->Handle(*event);
+      viewer_->Update();
+      if (std::holds_alternative<WaitForTrace>(step)) WaitUntilIdle();
+    }
+  }
+  void WaitUntilIdle() {
+    while (viewer_->IsBusy()) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      viewer_->Update();
+    }
+    viewer_->Update();
+  }
+  const Camera& TheCamera() const { return viewer_->TheNavigator().TheCamera(); }
+  bool IsCameraOf(const Camera& c) const { return CameraLine(TheCamera()) == CameraLine(c); }
+  R2::Image Rendered(const RenderSettings& settings) const {
+    const LoadedScene& scene = viewer_->TheScene();
+    return Render(scene.world, *scene.accelerator, settings).image;
+  }
+  std::string StateLine(const std::string& name) const {
+    std::istringstream in(viewer_->State());
+    for (std::string line; std::getline(in, line);)
+      if (line.compare(0, name.size() + 1, name + " ") == 0) return line.substr(name.size() + 1);
+    return "no such line";
+  }
+
+  Witness host_;
+  std::unique_ptr<Viewer> viewer_;
+};
+
+TEST_F(ViewerTest, KeySTracesThePictureThatRayproMakes) {
+  Do("key S\nwait trace");
+  ASSERT_EQ(host_.traced.size(), 1u);
+  EXPECT_FALSE(host_.traced_settings[0].view) << "the scene's own view needs no mention";
+  EXPECT_EQ(host_.traced[0], Rendered(host_.traced_settings[0]));
+  EXPECT_EQ(viewer_->Message(), "saved");
+  EXPECT_EQ(StateLine("quad"), "yes");
+}
+
+TEST_F(ViewerTest, AMovedViewTracesAsTheSceneWithThePrintedCamera) {
+  Do("drag left 10 10 25 17\nscroll 2 30 20\ndrag middle 5 5 9 9\nkey ]\nkey C\nkey S\nwait trace");
+  ASSERT_EQ(host_.traced.size(), 1u);
+  const std::string line = host_.printed.substr(0, host_.printed.find('\n'));
+  EXPECT_EQ(host_.clipboard, line + "\n");
+  // The printed line at the end of a scene that includes the old one.
+  const std::filesystem::path hello = std::filesystem::canonical(project::Root() / "scenes/hello.scn");
+  std::ifstream in(hello);
+  const std::string text((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
+  std::string without_camera;
+  std::istringstream lines(text);
+  for (std::string l; std::getline(lines, l);)
+    if (l.compare(0, 6, "camera") != 0) without_camera += l + "\n";
+  const project::Stage stage(project::FromText(without_camera + line + "\n"));
+  RenderSettings settings;
+  settings.width = width;
+  settings.height = height;
+  EXPECT_EQ(host_.traced[0], project::Render(stage, settings).image);
+}
+
+TEST_F(ViewerTest, EveryKeyIsInTheHelpAndDoesSomething) {
+  const auto help = Viewer::Help();
+  std::set<std::string> names;
+  for (const Viewer::Binding& binding : Viewer::Bindings()) {
+    const std::string name = NameOf(binding.key, binding.modifiers);
+    EXPECT_TRUE(names.insert(name).second) << name << " is bound twice";
+    const bool is_told = std::any_of(help.begin(), help.end(), [&](const std::string& line) {
+      return (" " + line).find(" " + name + " ") != std::string::npos;
+    });
+    EXPECT_TRUE(is_told) << name;
+  }
+  // What each needs before it can do anything, and then something that can be told from outside must have changed.
+  const std::map<std::string, std::string> before{
+      {"Escape", "key S"},
+      {"Shift+F", "click left 32 24\ntick 1"},
+      {"Z", "key ["},
+      {"Shift+Z", "key [\nkey Z"},
+      {"Pad1", "key Pad3"},
+      {"Pad0", "key Pad3"},
+      {"N", "click right 32 24"},
+      {"Shift+N", "click right 32 24"},
+      {"O", "click right 32 24"},
+      {"Backspace", "click right 32 24"},
+      {"Left", "click right 32 24"},
+      {"Right", "click right 32 24"},
+      {"Up", "click right 32 24"},
+      {"Down", "click right 32 24"},
+      {"Control+0", "key Control+Up"},
+      {"R", "key P\nwait trace"},
+      {"Tab", "key P\nwait trace\nkey R"},
+      {"Shift+Tab", "key P\nwait trace\nkey R"},
+  };
+  std::string folder_name = (std::filesystem::temp_directory_path() / "rayview-test-XXXXXX").string();
+  const std::filesystem::path folder = mkdtemp(folder_name.data());
+  std::filesystem::copy(project::Root() / "scenes/hello.scn", folder / "hello.scn");
+  for (const Viewer::Binding& binding : Viewer::Bindings()) {
+    const std::string name = NameOf(binding.key, binding.modifiers);
+    host_ = {};
+    Open(folder / "hello.scn");
+    if (const auto found = before.find(name); found != before.end()) Do(found->second);
+    const auto seen = [&] {
+      const Presentation shown = viewer_->Show();
+      return viewer_->State() + std::to_string(host_.drawings) + host_.printed + host_.rays + host_.clipboard +
+             std::to_string(shown.lines->size()) + std::to_string(viewer_->IsClosed());
+    };
+    const std::string without = seen();
+    Do("key " + name);
+    EXPECT_NE(seen(), without) << name << " does nothing";
+  }
+  std::filesystem::remove_all(folder);
+}
+
+TEST_F(ViewerTest, EscapeStopsATraceAndThenQuits) {
+  RenderSettings slow;
+  slow.samples = 100'000;
+  Open(project::Root() / "scenes/hello.scn", slow);
+  Do("key S");
+  EXPECT_EQ(StateLine("trace"), "running");
+  Do("key Escape\nwait trace");
+  EXPECT_EQ(StateLine("trace"), "stopped");
+  EXPECT_TRUE(host_.traced.empty());
+  EXPECT_FALSE(viewer_->IsClosed());
+  Do("key Escape");
+  EXPECT_TRUE(viewer_->IsClosed());
+}
+
+TEST_F(ViewerTest, TheLivePictureEndsAsRayproMakesIt) {
+  RenderSettings four;
+  four.samples = 4;
+  Open(project::Root() / "scenes/hello.scn", four);
+  Do("key P\nwait trace");
+  ASSERT_TRUE(viewer_->Pictures().Live());
+  ASSERT_TRUE(viewer_->Pictures().Live()->IsComplete());
+  EXPECT_EQ(viewer_->Pictures().Live()->Result()->image, Rendered(viewer_->SettingsOfView()));
+  const std::uint64_t number = viewer_->Pictures().LiveNumber();
+  Do("key Control+Up");
+  EXPECT_EQ(viewer_->Pictures().LiveNumber(), number) << "exposure does not begin the picture anew";
+  Do("key [");
+  EXPECT_EQ(viewer_->Pictures().LiveNumber(), number + 1) << "a move does, once";
+  Do("wait trace");
+  EXPECT_EQ(viewer_->Pictures().Live()->Result()->image, Rendered(viewer_->SettingsOfView()));
+}
+
+TEST_F(ViewerTest, GridRaysAreThoseOfEvery25thPixelAndStayWhenTheCameraMoves) {
+  Do("resize 512 512\nkey G");
+  ASSERT_EQ(viewer_->Rays().Grid().size(), 441u);
+  const LoadedScene& scene = viewer_->TheScene();
+  const auto none = FindAcceleratorKind("none")->make(scene.world, {});
+  Workspace workspace;
+  for (const PixelTrace& trace : viewer_->Rays().Grid()) {
+    EXPECT_EQ(trace.column % 25, 0);
+    EXPECT_EQ(trace.row % 25, 0);
+    int roots = 0;
+    for (const RecordedRay& ray : trace.rays) {
+      roots += ray.parent == RecordedRay::none;
+      EXPECT_LT(ray.parent, &ray - trace.rays.data());
+      const auto hit = none->Intersect(ray.ray, workspace);
+      ASSERT_EQ(hit.has_value(), ray.at.has_value());
+      if (hit) EXPECT_EQ(scene.world.At(ray.ray, *hit).position, ray.at->position);
+    }
+    EXPECT_EQ(roots, 1);
+  }
+  const auto before = viewer_->Show().lines;
+  Do("drag left 100 100 200 150");
+  EXPECT_EQ(viewer_->Rays().Grid().size(), 441u);
+  const auto after = viewer_->Show().lines;
+  ASSERT_EQ(before->size(), after->size());
+  for (std::size_t i = 0; i < before->size(); ++i) ASSERT_EQ((*before)[i].at, (*after)[i].at);
+}
+
+TEST_F(ViewerTest, KindsOfRaysAreShownAndHidden) {
+  Do("resize 200 200\nkey G");
+  const std::size_t all = viewer_->Show().lines->size();
+  std::size_t hidden = 0;
+  for (const char* key : {"F2", "F3", "F4", "F5"}) {
+    const std::size_t before = viewer_->Show().lines->size();
+    Do(std::string("key ") + key);
+    hidden += before - viewer_->Show().lines->size();
+  }
+  Do("key G");
+  const std::size_t others = viewer_->Show().lines->size();
+  EXPECT_EQ(all - hidden, others) << "all kinds hidden is the same as no rays";
+  EXPECT_GT(hidden, 0u);
+}
+
+TEST_F(ViewerTest, APixelsRaysArePrintedAsRayproPrintsThem) {
+  Do("click right 30 20");
+  const LoadedScene& scene = viewer_->TheScene();
+  EXPECT_NE(host_.printed.find(DebugPixel(scene.world, *scene.accelerator, viewer_->SettingsOfView(), 30, 20)),
+            std::string::npos);
+  Do("key Right\nkey Up");
+  EXPECT_EQ(StateLine("pixel"), "31 21");
+  Do("key O");
+  EXPECT_EQ(std::count(host_.rays.begin(), host_.rays.end(), 'l') > 0, true);
+  EXPECT_EQ(host_.rays.find("nan"), std::string::npos);
+}
+
+TEST_F(ViewerTest, AClickTellsWhatTheTracerHits) {
+  Do("click left 32 24");
+  ASSERT_TRUE(viewer_->Picked() && viewer_->Picked()->point);
+  const R3::Ray ray = TheCamera().Through(32.5, 24.5, width, height);
+  Workspace workspace;
+  const auto hit = viewer_->TheScene().accelerator->Intersect(ray, workspace);
+  ASSERT_TRUE(hit);
+  EXPECT_EQ(viewer_->TheScene().world.At(ray, *hit).position, *viewer_->Picked()->point);
+  EXPECT_NE(host_.printed.find("hello.scn:"), std::string::npos) << host_.printed;
+}
+
+TEST_F(ViewerTest, ADoubleClickSetsThePivotToThePointUnderIt) {
+  Do("click left 32 24\ntick 0.1\nclick left 32 24");
+  ASSERT_TRUE(viewer_->TheNavigator().Pivot());
+  const R3::Ray ray = TheCamera().Through(32, 24, width, height);
+  const R3::Point pivot = *viewer_->TheNavigator().Pivot();
+  EXPECT_LT(Length(Cross(pivot - ray.origin, Unit(ray.direction))), 1e-6) << "on the line of sight";
+  const auto before = PixelOf(TheCamera(), pivot, {width, height});
+  Do("drag left 5 5 40 30");
+  const auto after = PixelOf(TheCamera(), pivot, {width, height});
+  ASSERT_TRUE(before && after);
+  EXPECT_NEAR(before->x, after->x, 0.5);
+  EXPECT_NEAR(before->y, after->y, 0.5);
+}
+
+TEST_F(ViewerTest, ClicksThatAreFarApartInTimeAreNotDouble) {
+  Do("click left 32 24\ntick 1\nclick left 32 24");
+  EXPECT_FALSE(viewer_->TheNavigator().Pivot());
+}
+
+TEST_F(ViewerTest, FlyingNeedsTheRightButtonAndGoesAsFastAsTime) {
+  const R3::Point start = TheCamera().eye;
+  Do("press W\ntick 1\nrelease W");
+  EXPECT_EQ(TheCamera().eye, start) << "W alone hides faces";
+  Do("key W\ndown right 30 20\npress W\ntick 0.25\ntick 0.25\nrelease W\ntick 5\nup right 30 20");
+  const double radius = viewer_->TheScene().parsed.scene.root.bounds.Radius();
+  const R3::Vector way = TheCamera().eye - start;
+  EXPECT_NEAR(Length(way), 0.5 * viewer_->TheNavigator().FlySpeed() * radius, 1e-9 * radius);
+  EXPECT_NEAR(Dot(Unit(way), TheCamera().towards), 1, 1e-12);
+  EXPECT_FALSE(viewer_->Rays().Pixel()) << "no click for the pixel debugger";
+}
+
+TEST_F(ViewerTest, ViewsGoBackAndForth) {
+  const Camera first = TheCamera();
+  Do("drag left 10 10 30 30");
+  const Camera second = TheCamera();
+  Do("key Pad7");
+  const Camera third = TheCamera();
+  Do("key Z");
+  EXPECT_TRUE(IsCameraOf(second));
+  Do("key Z");
+  EXPECT_TRUE(IsCameraOf(first)) << "a drag is one step";
+  Do("key Z");
+  EXPECT_TRUE(IsCameraOf(first)) << "there is nothing before";
+  Do("key Shift+Z\nkey Shift+Z");
+  EXPECT_TRUE(IsCameraOf(third));
+}
+
+TEST_F(ViewerTest, BoxesAreAsManyAsNodesAtThatDepth) {
+  const std::size_t without = viewer_->Show().lines->size();
+  Do("key B");
+  const LoadedScene& scene = viewer_->TheScene();
+  EXPECT_EQ(viewer_->Show().lines->size() - without,
+            2 * 12 * static_cast<std::size_t>(CountNodeBoxes(scene.world, all_levels)));
+  Do("key .\nkey .");
+  EXPECT_EQ(viewer_->Show().lines->size() - without, 2 * 12 * static_cast<std::size_t>(CountNodeBoxes(scene.world, 1)));
+  Do("key ,\nkey ,\nkey B");
+  EXPECT_GT(viewer_->Show().lines->size(), without) << "the accelerator's";
+  Do("key B");
+  EXPECT_EQ(viewer_->Show().lines->size(), without);
+}
+
+TEST_F(ViewerTest, TheCutFollowsItsRowAndPlanes) {
+  Do("key X");
+  Presentation shown = viewer_->Show();
+  ASSERT_TRUE(shown.section);
+  EXPECT_GT(shown.section->size(), 0u);
+  EXPECT_EQ(shown.view.width, width / 2);
+  EXPECT_EQ(StateLine("cut"), "row 24");
+  Do("key Up\nkey Up");
+  EXPECT_EQ(StateLine("cut"), "row 26");
+  const auto first = shown.section;
+  EXPECT_NE(viewer_->Show().section, first);
+  for (const char* plane : {"xz", "yz", "xy", "row"}) {
+    Do("key Shift+X");
+    viewer_->Show();
+    EXPECT_EQ(StateLine("cut").find(plane), 0u) << StateLine("cut");
+  }
+}
+
+TEST_F(ViewerTest, ASceneThatIsEditedIsReadAgainAndABrokenOneIsNot) {
+  std::string name = (std::filesystem::temp_directory_path() / "rayview-test-XXXXXX").string();
+  const std::filesystem::path folder = mkdtemp(name.data());
+  const auto scene = folder / "scene.scn";
+  const auto write = [&](const std::string& text) { std::ofstream(scene) << text; };
+  write("sphere -1  0 0 0  1\n");
+  Open(scene);
+  Do("drag left 10 10 30 30");
+  const Camera moved = TheCamera();
+  write("sphere -1  0 0 0  1\nbox -1  2 2 2  3 3 3\n");
+  Do("tick 1");
+  EXPECT_EQ(viewer_->TheScene().world.Instances().size(), 2u);
+  EXPECT_TRUE(IsCameraOf(moved)) << "the camera stays";
+  write("sphere -1  0 0 0  1\n\n  spere -1  0 0 0  1 1 1\n");
+  Do("tick 1");
+  EXPECT_EQ(viewer_->TheScene().world.Instances().size(), 2u) << "the old scene stays";
+  EXPECT_NE(viewer_->Message().find("scene.scn:3:3: error: unknown command 'spere'"), std::string::npos)
+      << viewer_->Message();
+  write("sphere -1  0 0 0  2\n");
+  Do("tick 1");
+  EXPECT_EQ(viewer_->TheScene().world.Instances().size(), 1u);
+  std::filesystem::remove_all(folder);
+}
+
+TEST_F(ViewerTest, DroppedFilesAreScenesOrReferences) {
+  Do("drop " + (project::Root() / "scenes/glass.scn").string());
+  EXPECT_NE(StateLine("scene").find("glass.scn"), std::string::npos);
+  EXPECT_TRUE(IsCameraOf(viewer_->TheScene().parsed.scene.camera));
+  Do("drop picture");
+  EXPECT_EQ(StateLine("reference"), "yes");
+  Do("drop no/such/file");
+  EXPECT_NE(StateLine("scene").find("glass.scn"), std::string::npos);
+  EXPECT_NE(viewer_->Message().find("no/such/file"), std::string::npos) << viewer_->Message();
+}
+
+TEST_F(ViewerTest, ComparingTellsTheDifferenceOfThePictures) {
+  Do("key P\nwait trace\nkey R\nkey [\nwait trace\nkey Shift+Tab");
+  const auto current = viewer_->Pictures().Current();
+  const R2::Difference difference = R2::Compare(*current, *viewer_->Pictures().Reference(), R2::Display::straight);
+  EXPECT_GT(difference.rmse, 0);
+  EXPECT_NE(viewer_->Message().find("display RMSE"), std::string::npos);
+  const Presentation shown = viewer_->Show();
+  ASSERT_TRUE(shown.picture && shown.picture->image);
+  EXPECT_NEAR(shown.picture->image->At(10, 10).r,
+              std::abs(current->At(10, 10).r - viewer_->Pictures().Reference()->At(10, 10).r), 1e-6);
+}
+
+TEST_F(ViewerTest, RowsOfTheQuadAreThoseOfTheRender) {
+  RenderSettings slow;
+  slow.samples = 64;
+  Open(project::Root() / "scenes/hello.scn", slow);
+  Do("key S");
+  const RenderJob& job = *viewer_->Pictures().Trace();
+  const R2::Image whole = Rendered(job.Settings());
+  while (!job.HasEnded()) {
+    const Presentation shown = viewer_->Show();
+    ASSERT_TRUE(shown.quad);
+    for (int y = 0; y < shown.quad->rows; ++y)
+      for (int x = 0; x < width; x += 7) {
+        const R2::Color seen = shown.quad->frame->At(x, y), right = whole.At(x, y);
+        ASSERT_EQ(seen, right) << x << " " << y;
+      }
+  }
+}
+
+TEST_F(ViewerTest, AClickOnTheTracedQuadDebugsItsPixel) {
+  Do("key S\nwait trace\nclick right 40 10");
+  // From the traced camera itself, the quad covers the picture pixel by pixel, unless something is before it.
+  EXPECT_EQ(StateLine("pixel"), "40 10");
+  EXPECT_FALSE(viewer_->Rays().PixelSettings().view);
+}
+
+TEST_F(ViewerTest, ResizingTracesTheNewSize) {
+  Do("resize 33 71\nkey S\nwait trace");
+  ASSERT_EQ(host_.traced.size(), 1u);
+  EXPECT_EQ(host_.traced[0].Width(), 33);
+  EXPECT_EQ(host_.traced[0].Height(), 71);
+  EXPECT_EQ(host_.traced[0], Rendered(host_.traced_settings[0]));
+}
+
+TEST_F(ViewerTest, AnEmptySceneCanBeLookedAt) {
+  Open(project::Root() / "scenes/empty.scn");
+  Do("key F\nkey B\nkey G\nkey X\nkey L\nkey Shift+C\nclick left 5 5\nclick right 5 5\ndrag left 1 1 30 30\nkey S\n"
+     "wait trace\nkey P\nwait trace");
+  EXPECT_EQ(host_.traced.size(), 1u);
+  viewer_->Show();
+}
+
+TEST_F(ViewerTest, BookmarksOutliveTheProgram) {
+  std::string name = (std::filesystem::temp_directory_path() / "rayview-test-XXXXXX").string();
+  const std::filesystem::path folder = mkdtemp(name.data());
+  std::filesystem::copy(project::Root() / "scenes/hello.scn", folder / "hello.scn");
+  Open(folder / "hello.scn");
+  Do("drag left 10 10 30 30\nkey Control+3");
+  const Camera kept = TheCamera();
+  Open(folder / "hello.scn");
+  EXPECT_FALSE(IsCameraOf(kept));
+  Do("key 3");
+  EXPECT_TRUE(IsCameraOf(kept));
+  std::filesystem::remove_all(folder);
+}
+
+TEST_F(ViewerTest, NonsenseIsBorne) {
+  Do("up left 5 5\nmove 1 1\nmove -1e9 1e9\ndown left 5 5\ndown right 6 6\nup right 6 6\nmove 1e300 1e300\nup left 5 "
+     "5\n"
+     "scroll 1e6 10 10\nscroll -1e6 10 10\nresize 1 1\nkey S\nwait trace\nresize 50 40\nkey Z\ntick 0");
+  const Camera& camera = TheCamera();
+  EXPECT_TRUE(std::isfinite(camera.eye.x) && std::isfinite(camera.towards.x));
+  viewer_->Show();
+}
+
+}  // namespace
+}  // namespace ray
