@@ -91,10 +91,10 @@ TEST_SOURCES := $(wildcard tests/*.cpp tests/R2/*.cpp tests/R3/*.cpp tests/sourc
                   $(foreach d,every agree extremes closed_form bad_scenes regressions images,tests/$(d)/*.cpp))
 LIBRARY_SOURCES := $(filter-out $(patsubst %,source/view/contexts/%.cpp,$(filter-out $(CONTEXTS),glfw egl osmesa)),$(LIBRARY_SOURCES))
 ifeq ($(CONTEXTS),)
-LIBRARY_SOURCES := $(filter-out source/view/gl/% source/view/contexts/%,$(LIBRARY_SOURCES))
+LIBRARY_SOURCES := $(filter-out source/view/gl/% source/view/contexts/% source/app/ViewSession.cpp,$(LIBRARY_SOURCES))
 TEST_SOURCES := $(filter-out tests/source/view/gl/% tests/source/view/contexts/%,$(TEST_SOURCES))
 endif
-BENCH_SOURCES := $(wildcard bench/*.cpp)
+BENCH_SOURCES := $(filter-out $(if $(CONTEXTS),,bench/view.cpp),$(wildcard bench/*.cpp))
 objects = $(patsubst %.cpp,$(BUILD)/obj/%.o,$(1))
 
 .PHONY: all $(PROGRAMS) test night check asan tsan bench tradeoff price link_with install uninstall clean compile_commands test-binary FORCE
@@ -120,7 +120,7 @@ $(BUILD)/libray.a: $(call objects,$(LIBRARY_SOURCES))
 	@echo "  ar    $@"
 	@rm -f $@ && $(AR) rcs $@ $^
 
-$(BUILD)/rayview $(BUILD)/raytests: LIBS += $(VIEWER_LIBS)
+$(BUILD)/rayview $(BUILD)/raytests $(BUILD)/bench/view: LIBS += $(VIEWER_LIBS)
 
 $(PROGRAMS:%=$(BUILD)/%): $(BUILD)/%: $(BUILD)/obj/source/app/%.o $(BUILD)/libray.a
 	@echo "  link  $@"

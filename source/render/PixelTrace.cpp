@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include "source/render/SampleTracer.h"
 #include "source/scene/NumberText.h"
 
 namespace ray {
@@ -112,16 +113,17 @@ PixelTracer::PixelTracer(const World& world, const Accelerator& accelerator, con
 
 PixelTrace PixelTracer::Trace(int column, int row, int samples) const {
   PixelTrace trace{column, row, {}, {}, {}};
-  const RandomKey pixel =
-      RandomKey(settings_.seed).Child(static_cast<std::uint64_t>(column)).Child(static_cast<std::uint64_t>(row));
+  SampleTracer tracer(*integrator_, camera_, settings_);
+  const RandomKey pixel = tracer.KeyOf(column, row, 0);
   RayRecorder recorder;
   TraceState state;
   state.recorder = &recorder;
   for (int i = 0; i < samples; ++i) {
-    trace.samples.push_back(camera_(column, row, pixel, static_cast<std::uint32_t>(i)));
-    R2::Color radiance;
-    integrator_->Radiance({&trace.samples.back(), 1}, {&radiance, 1}, state);
-    trace.radiances.push_back(radiance);
+    tracer.Add(column, row, pixel, static_cast<std::uint32_t>(i));
+    tracer.Trace(state, [&](int, int, const CameraSample& sample, const R2::Color& radiance) {
+      trace.samples.push_back(sample);
+      trace.radiances.push_back(radiance);
+    });
   }
   trace.rays = recorder.Rays();
   return trace;

@@ -78,7 +78,11 @@ void Viewer::Handle(const Event& event) {
 }
 
 void Viewer::On(const KeyEvent& event) {
-  if (navigator_.HoldKey(event) || !event.is_pressed) return;
+  if (navigator_.HoldKey(event)) {
+    if (press_) press_->is_click = false;
+    return;
+  }
+  if (!event.is_pressed) return;
   for (const Binding& binding : Bindings())
     if (binding.key == event.key && binding.modifiers == event.modifiers) {
       binding.act(*this);
@@ -306,6 +310,11 @@ void Viewer::Reload() {
     host_.Print(error.what());
     Tell(FirstLine(error.what()));
   }
+}
+
+void Viewer::TurnHelpPage() {
+  const int pages = (static_cast<int>(Help().size()) + LinesOfText() - 1) / LinesOfText();
+  help_page_ = help_page_ >= pages ? 0 : help_page_ + 1;
 }
 
 void Viewer::Open(const std::string& file) {

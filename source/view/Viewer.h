@@ -121,6 +121,7 @@ class Viewer {
   void Compare(TracedPictures::Comparing how);
   void ChangeExposure(double steps);
   void Reload();
+  void TurnHelpPage();
   void Open(const std::string& file);
 
   void TakeScene(std::shared_ptr<const LoadedScene> scene);
@@ -136,6 +137,8 @@ class Viewer {
   std::optional<std::pair<int, int>> PixelOnQuad(const R2::Point& place) const;
   bool ShowsQuad() const { return shows_quad_ && pictures_.Trace() && !pictures_.IsLive(); }
   Lines MakeLines() const;
+  /// How many lines of text have room above one another, at least 1.
+  int LinesOfText() const;
   std::vector<Label> MakeLabels() const;
   std::string BoxesInWords() const;
   std::optional<Presentation::Picture> CoveringPicture() const;
@@ -154,8 +157,9 @@ class Viewer {
   std::optional<Pick> pick_;
 
   DrawingSize size_;
-  bool shows_faces_ = true, shows_edges_ = false, shows_camera_ = false, shows_lights_ = false, shows_help_ = false;
+  bool shows_faces_ = true, shows_edges_ = false, shows_camera_ = false, shows_lights_ = false;
   bool shows_quad_ = true;
+  int help_page_ = 0;  // from 1; 0 for none
   Boxes boxes_ = Boxes::none;
   int box_level_;
   double exposure_steps_ = 0;         // each doubles the light

@@ -131,9 +131,9 @@ std::vector<Viewer::Binding> Viewer::MakeBindings() {
       {Key::digit_0, control, "show the light as it is", [](Viewer& v) { v.ChangeExposure(0); }},
       {Key::f1, plain, "write what is drawn", [](Viewer& v) { v.host_.SaveDrawing(); }},
       {Key::r, control, "read the scene again", [](Viewer& v) { v.Reload(); }},
-      {Key::h, plain, "this help on and off", toggle(&Viewer::shows_help_)},
-      {Key::slash, plain, "", toggle(&Viewer::shows_help_)},
-      {Key::slash, shift, "", toggle(&Viewer::shows_help_)},
+      {Key::h, plain, "this help, page by page", [](Viewer& v) { v.TurnHelpPage(); }},
+      {Key::slash, plain, "", [](Viewer& v) { v.TurnHelpPage(); }},
+      {Key::slash, shift, "", [](Viewer& v) { v.TurnHelpPage(); }},
   };
   for (int digit = 1; digit <= 9; ++digit) {
     const Key key = static_cast<Key>(static_cast<int>(Key::digit_0) + digit);
@@ -164,7 +164,7 @@ std::vector<std::string> Viewer::Help() {
   }
   for (const auto& [gesture, help] : gestures) rows.emplace_back(gesture, help);
   std::vector<std::string> lines;
-  constexpr std::size_t column = 28;
+  constexpr std::size_t column = 26;
   for (auto& [keys, help] : rows) {
     if (keys.size() + 1 < column)
       keys.resize(column, ' ');

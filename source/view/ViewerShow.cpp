@@ -12,7 +12,8 @@ namespace {
 
 constexpr double quad_share_of_distance = 0.25;  // how far the traced picture hangs before its camera
 constexpr Rgba frustum_color{255, 255, 120, 255}, picked_color{255, 90, 90, 255}, text_color{255, 255, 255, 255};
-constexpr double cross_share = 0.03;  // of the scene's radius
+constexpr double line_height = 17, margin = 6;  // of text, in pixels
+constexpr double cross_share = 0.03;            // of the scene's radius
 
 void Append(Lines& lines, const Lines& more) { lines.insert(lines.end(), more.begin(), more.end()); }
 
@@ -132,15 +133,23 @@ Lines Viewer::MakeLines() const {
   return lines;
 }
 
+int Viewer::LinesOfText() const {
+  const double room = size_.height - 2 * line_height - 2 * margin;  // above the message
+  return std::max(1, static_cast<int>(room / line_height));
+}
+
 std::vector<Label> Viewer::MakeLabels() const {
-  constexpr double line_height = 17, margin = 6;
   std::vector<Label> labels;
   if (!message_.empty()) labels.push_back({margin, margin, message_, text_color});
   std::vector<std::string> upper;
-  if (shows_help_)
-    upper = Help();
-  else if (pick_)
+  if (help_page_ > 0) {
+    const std::vector<std::string> help = Help();
+    const auto begin = std::min(help.size(), static_cast<std::size_t>((help_page_ - 1) * LinesOfText()));
+    const auto end = std::min(help.size(), begin + static_cast<std::size_t>(LinesOfText()));
+    upper.assign(help.begin() + static_cast<std::ptrdiff_t>(begin), help.begin() + static_cast<std::ptrdiff_t>(end));
+  } else if (pick_) {
     upper = pick_->text;
+  }
   if (section_.IsShown()) upper.insert(upper.begin(), "cut: " + section_.Describe(size_.height));
   double y = size_.height - line_height - margin;
   for (const std::string& line : upper) {
@@ -207,7 +216,7 @@ std::string Viewer::State() const {
   line("exposure", ToText(exposure_steps_));
   line("comparing", std::to_string(static_cast<int>(pictures_.HowCompared())));
   line("reference", yes_or_no(pictures_.Reference() != nullptr));
-  line("help", yes_or_no(shows_help_));
+  line("help", std::to_string(help_page_));
   line("message", message_);
   return text;
 }

@@ -69,6 +69,8 @@ void Painter::Draw(std::span<const Label> labels) {
   parts_->canvas.ReturnToPart();
 }
 
+void Painter::Finish() { parts_->gl->Finish(); }
+
 R2::Image Painter::Read() { return parts_->canvas.Read(); }
 
 }  // namespace ray

@@ -67,6 +67,8 @@ class Painter {
   /// Text over all, on a dark ground so that it can be read on anything. 8 x 16 pixels a character.
   void Draw(std::span<const Label> labels);
 
+  /// Waits until all of the drawing is done, for those who measure.
+  void Finish();
   /// The drawing so far, at least one pixel of it; each channel a byte / 255. In a window before it is shown.
   R2::Image Read();
 

@@ -1,87 +1,253 @@
-// rayview from outside, as far as it goes without anything to draw with.
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <cstdlib>
+#include <filesystem>
+#include <thread>
+
+#include "R2/ImageFile.h"
+#include "tests/Display.h"
+#include "tests/Project.h"
 #include "tests/source/app/Program.h"
 
-namespace ray::testing {
+// The real program, drawing without a window wherever one is not what is tried.
+namespace ray {
 namespace {
 
-const std::string small_scene = "camera 0 0 6  0 0 -1  0 1 0  0.3  0.1 100\nsphere -1  0 0 0  1\n";
-const std::vector<std::string> nothing;
+using testing::Finished;
+using testing::ReadFile;
+using testing::TemporaryFolder;
+using testing::WriteFile;
 
-bool Contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
-
-Finished Rayview(const std::vector<std::string>& words) {
-  return RunProgram(words, {.program = "RAYVIEW", .environment = {{"DISPLAY", ""}, {"WAYLAND_DISPLAY", ""}}});
+std::string Scene(const std::string& name) {
+  return std::filesystem::canonical(project::Root() / "scenes" / name).string();
 }
 
-/// A folder with a good scene and a bad one in it.
-struct Place : TemporaryFolder {
-  Place() {
-    WriteFile(*this / "in.scn", small_scene);
-    WriteFile(*this / "bad.scn", "spere 0 0 0 1\n");
+R2::Image Picture(const std::string& file) {
+  const std::string bytes = ReadFile(file);
+  return R2::DecodeImage({reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()}).image;
+}
+
+class Rayview : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    if (!testing::ProgramName("RAYVIEW")) GTEST_SKIP() << "rayview is not built here: nothing to draw with";
+    const Finished trial = Run({Scene("empty.scn"), "-headless"});
+    if (trial.status == 1) GTEST_SKIP() << "this machine cannot draw: " << trial.error;
   }
-  std::string Scene() const { return *this / "in.scn"; }
+  Finished Run(const std::vector<std::string>& words) const {
+    return testing::RunProgram(words, {.program = "RAYVIEW", .environment = environment});
+  }
+  /// Without a window, doing what a script says.
+  Finished Follow(const std::string& scene, const std::string& script, std::vector<std::string> more = {}) const {
+    more.insert(more.begin(), {scene, "-headless", "-events", WriteFile(folder / "script.events", script), "-width",
+                               "96", "-height", "64"});
+    return Run(more);
+  }
+
+  TemporaryFolder folder;
+  std::map<std::string, std::string> environment;
 };
 
-TEST(Rayview, ExitStatusSaysWhatWentWrongAndNoFileIsLeft) {
-  NEEDS_RAYVIEW();
-  const Place place;
-  const std::string scene = place.Scene();
-  const struct {
-    std::vector<std::string> words;
-    int status;
-    const char* message;
-  } cases[] = {
-      {{}, 2, "rayview: no scene is named"},
-      {{scene, place / "out.png"}, 2, "one name too many"},
-      {{scene, "-widht", "3"}, 2, "-width"},
-      {{scene, "-crop", "0", "0", "1", "1"}, 2, "-crop is an option of raypro"},
-      {{scene, "-image", place / "out.xyz"}, 2, ".png"},
-      {{scene, "-output_image", place / "out"}, 2, "extension"},
-      {{scene, "-screenshot", place / "out.scn"}, 2, "extension"},
-      {{scene, "-image", place / "a.png", "-screenshot", place / "a.png"}, 2, "-image and -screenshot are the same"},
-      {{place / "bad.scn", "-image", place / "missing/out.ppm"}, 4, "does not exist"},
-      {{scene, "-output_image", place / "missing/out.ppm"}, 4, "does not exist"},
-      {{scene, "-screenshot", place / "missing/out.ppm"}, 4, "does not exist"},
-      {{scene, "-record", place / "missing/events"}, 4, "does not exist"},
-      {{scene, "-record", scene}, 4, "itself"},
-      {{place / "missing.scn"}, 3, "missing.scn"},
-      {{place / "bad.scn", "-headless"}, 3, "bad.scn:1:1"},
-  };
-  for (const auto& [words, status, message] : cases) {
-    const Finished done = Rayview(words);
-    EXPECT_EQ(done.status, status) << message << ": " << done.error;
-    EXPECT_TRUE(Contains(done.error, message)) << done.error;
-    EXPECT_EQ(done.output, "");
-    EXPECT_EQ(place.Others({"in.scn", "bad.scn"}), nothing) << done.error;
+TEST_F(Rayview, KeySWritesTheBytesThatRayproWrites) {
+  for (const char* scene : {"hello.scn", "area_light.scn", "glass.scn", "texture.scn"}) {
+    const Finished viewed = Follow(Scene(scene), "key S\nwait trace\n", {"-image", folder / "view.ppm"});
+    ASSERT_EQ(viewed.status, 0) << viewed.error;
+    const Finished rendered =
+        testing::RunProgram({Scene(scene), folder / "pro.ppm", "-width", "96", "-height", "64", "-quiet"});
+    ASSERT_EQ(rendered.status, 0) << rendered.error;
+    EXPECT_EQ(ReadFile(folder / "view.ppm"), ReadFile(folder / "pro.ppm")) << scene;
   }
 }
 
-TEST(Rayview, WithoutADisplayItSaysSoInOneLine) {
-  NEEDS_RAYVIEW();
-  const Place place;
-  const Finished done = Rayview({place.Scene()});
-  EXPECT_EQ(done.status, 1);
-  EXPECT_TRUE(done.error.starts_with("rayview: ")) << done.error;
-  EXPECT_EQ(done.error.find('\n'), done.error.size() - 1) << done.error;
+TEST_F(Rayview, OptionsOfRayproMakeThePictureOfRaypro) {
+  const std::vector<std::string> options{"-mode",    "path",  "-samples", "3",     "-filter",
+                                         "mitchell", "-seed", "7",        "-quiet"};
+  std::vector<std::string> view = options, pro = options;
+  view.insert(view.begin(), {"-image", folder / "view.ppm"});
+  pro.insert(pro.begin(), {Scene("indirect.scn"), folder / "pro.ppm", "-width", "96", "-height", "64"});
+  EXPECT_EQ(Follow(Scene("indirect.scn"), "key S\nwait trace\n", view).status, 0);
+  EXPECT_EQ(testing::RunProgram(pro).status, 0);
+  EXPECT_EQ(ReadFile(folder / "view.ppm"), ReadFile(folder / "pro.ppm"));
 }
 
-TEST(Rayview, RequestsPrintToStandardOutputAndNeedNoDisplay) {
-  NEEDS_RAYVIEW();
-  for (const std::vector<std::string>& words : {std::vector<std::string>{"-help"},
-                                                {"-help", "viewer"},
-                                                {"-version"},
-                                                {"-list"},
-                                                {"-man"},
-                                                {"-complete", "fish"},
-                                                {"nonsense", "-width", "abc", "-help"}}) {
-    const Finished done = Rayview(words);
-    EXPECT_EQ(done.status, 0) << words[0] << done.error;
-    EXPECT_NE(done.output, "") << words[0];
-    EXPECT_EQ(done.error, "") << words[0];
+TEST_F(Rayview, ThePrintedCameraReloadsToThePicture) {
+  const Finished moved =
+      Follow(Scene("hello.scn"), "drag left 20 20 60 33\nscroll 3 40 30\nkey [\nkey Space\nkey S\nwait trace\n",
+             {"-image", folder / "moved.ppm", "-quiet"});
+  ASSERT_EQ(moved.status, 0) << moved.error;
+  const std::string line = moved.output.substr(0, moved.output.find('\n'));
+  ASSERT_EQ(line.find("camera "), 0u) << moved.output;
+  std::string text = ReadFile(Scene("hello.scn"));
+  const std::size_t own = text.find("\ncamera ");
+  ASSERT_NE(own, std::string::npos);
+  text.replace(own + 1, text.find('\n', own + 1) - own - 1, line);
+  std::filesystem::copy(std::filesystem::path(Scene("hello.scn")).parent_path(), folder.Path(),
+                        std::filesystem::copy_options::recursive | std::filesystem::copy_options::overwrite_existing);
+  const std::string scene = WriteFile(folder / "again.scn", text);
+  const Finished again = testing::RunProgram({scene, folder / "again.ppm", "-width", "96", "-height", "64", "-quiet"});
+  ASSERT_EQ(again.status, 0) << again.error;
+  EXPECT_EQ(ReadFile(folder / "moved.ppm"), ReadFile(folder / "again.ppm"));
+}
+
+TEST_F(Rayview, WithoutAnImageNameNothingIsOverwritten) {
+  const auto here = std::filesystem::current_path();
+  std::filesystem::current_path(folder.Path());
+  EXPECT_EQ(Follow(Scene("hello.scn"), "key S\nwait trace\nkey S\nwait trace\nkey F1\n").status, 0);
+  std::filesystem::current_path(here);
+  EXPECT_TRUE(std::filesystem::file_size(folder / "image1.jpg") > 0);
+  EXPECT_TRUE(std::filesystem::file_size(folder / "image2.jpg") > 0);
+  EXPECT_TRUE(std::filesystem::file_size(folder / "image3.jpg") > 0);
+}
+
+TEST_F(Rayview, EveryContextDrawsTheSameBytes) {
+  const std::string script =
+      "key B\nkey G\nkey L\nkey E\ndrag left 10 10 40 30\nkey S\nwait trace\nkey Shift+C\n"
+      "drag left 10 10 40 30\nkey X\n";
+  std::vector<std::string> drawn;
+  for (const char* context : {"egl", "osmesa"}) {
+    const std::string file = folder / (std::string(context) + ".ppm");
+    const Finished run = Follow(Scene("hello.scn"), script,
+                                {"-context", context, "-screenshot", file, "-image", folder / "x.ppm", "-quiet"});
+    if (run.status == 0) drawn.push_back(ReadFile(file));
   }
+  if (drawn.size() < 2) GTEST_SKIP() << "this machine has one kind of context only";
+  // The last line tells seconds; it is in the lower left corner.
+  const R2::Image a = Picture(folder / "egl.ppm"), b = Picture(folder / "osmesa.ppm");
+  for (int y = 24; y < a.Height(); ++y)
+    for (int x = 0; x < a.Width(); ++x) ASSERT_EQ(a.At(x, y), b.At(x, y)) << x << " " << y;
+}
+
+TEST_F(Rayview, ARecordingDoesTheSameAgain) {
+  const std::string script =
+      "drag left 10 10 50 20\nkey B\ndown right 5 5\npress W\ntick 0.5\nrelease W\nup right 5 5\n"
+      "click left 40 30\nscroll 1 30 30\n";
+  ASSERT_EQ(
+      Follow(Scene("hello.scn"), script, {"-record", folder / "again.events", "-screenshot", folder / "a.ppm"}).status,
+      0);
+  const Finished again = Run({Scene("hello.scn"), "-headless", "-events", folder / "again.events", "-width", "96",
+                              "-height", "64", "-screenshot", folder / "b.ppm"});
+  ASSERT_EQ(again.status, 0) << again.error;
+  EXPECT_EQ(ReadFile(folder / "a.ppm"), ReadFile(folder / "b.ppm"));
+}
+
+TEST_F(Rayview, ThePrintedRaysAreThoseOfDebugpixel) {
+  const Finished viewed = Follow(Scene("glass.scn"), "click right 40 30\n");
+  const Finished told =
+      testing::RunProgram({Scene("glass.scn"), "-debugpixel", "40", "30", "-width", "96", "-height", "64"});
+  ASSERT_EQ(told.status, 0) << told.error;
+  EXPECT_EQ(told.output.find("pixel 40 30 of 96 x 64"), 0u) << told.output;
+  EXPECT_NE(viewed.output.find(told.output), std::string::npos) << viewed.output;
+}
+
+TEST_F(Rayview, ExitImmediatelyDrawsOnce) {
+  const Finished run = Run({Scene("hello.scn"), "-headless", "-exit_immediately", "-output_image", folder / "o.png"});
+  EXPECT_EQ(run.status, 0) << run.error;
+  EXPECT_EQ(Picture(folder / "o.png").Width(), 512);
+}
+
+/// A line, no more, that holds each of some words.
+void ExpectOneLine(const Finished& run, int status, const std::vector<std::string>& words) {
+  EXPECT_EQ(run.status, status) << run.error;
+  EXPECT_EQ(std::count(run.error.begin(), run.error.end(), '\n'), 1) << run.error;
+  for (const std::string& word : words) EXPECT_NE(run.error.find(word), std::string::npos) << run.error;
+}
+
+TEST_F(Rayview, MistakesAreTold) {
+  environment = {{"DISPLAY", ""}, {"WAYLAND_DISPLAY", ""}};
+#ifdef RAYVIEW_GLFW
+  ExpectOneLine(Run({Scene("hello.scn")}), 1, {"rayview: ", "display", "-headless"});
+#endif
+  ExpectOneLine(Run({Scene("hello.scn"), "-headless", "-image", folder / "a.xyz"}), 2, {"a.xyz"});
+  ExpectOneLine(Run({Scene("hello.scn"), "-headless", "-image", "/no/such/folder/a.jpg"}), 4, {"/no/such/folder"});
+  ExpectOneLine(Run({Scene("hello.scn"), "-headless", "-context", "glx"}), 2, {"glx", "osmesa"});
+  EXPECT_EQ(Run({folder / "none.scn", "-headless"}).status, 3);
+  const Finished broken = Run({WriteFile(folder / "broken.scn", "spere 1\n"), "-headless"});
+  EXPECT_EQ(broken.status, 3);
+  EXPECT_NE(broken.error.find("broken.scn:1:1: error: unknown command 'spere'"), std::string::npos) << broken.error;
+  const Finished script = Follow(Scene("hello.scn"), "key S\nkee Q\n");
+  EXPECT_EQ(script.status, 3);
+  EXPECT_NE(script.error.find("script.events:2:1"), std::string::npos) << script.error;
+  EXPECT_EQ(Run({Scene("hello.scn"), "-headless", "-events", folder / "none.events"}).status, 3);
+  EXPECT_EQ(Run({Scene("hello.scn"), "-headless", "-reference", WriteFile(folder / "x.png", "no picture")}).status, 3);
+}
+
+/// The window itself: what no script of events can try.
+class RayviewWindow : public Rayview {
+ protected:
+  void SetUp() override {
+#ifndef RAYVIEW_GLFW
+    GTEST_SKIP() << "windows are not built in";
+#endif
+    Rayview::SetUp();
+    if (IsSkipped()) return;
+    if (std::system("command -v Xvfb xdotool >/dev/null 2>&1") != 0) GTEST_SKIP() << "needs Xvfb and xdotool";
+    server.emplace();
+    if (server->Display().empty()) GTEST_SKIP() << "Xvfb does not start here";
+    display.emplace("DISPLAY", server->Display().c_str());
+    environment["DISPLAY"] = server->Display();
+  }
+  /// Has xdotool do something to the window; tries until the window is there.
+  static bool Do(const std::string& actions) {
+    const std::string line =
+        "timeout 20 xdotool search --onlyvisible --name 'hello.scn' windowfocus " + actions + " >/dev/null 2>&1";
+    for (int i = 0; i < 100; ++i) {
+      if (std::system(line.c_str()) == 0) return true;
+      std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    }
+    return false;
+  }
+  static void WaitForFile(const std::string& file) {
+    for (int i = 0; i < 200 && !(std::filesystem::exists(file) && std::filesystem::file_size(file) > 0); ++i)
+      std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  }
+
+  std::optional<testing::Server> server;
+  std::optional<testing::Variable> display;
+};
+
+TEST_F(RayviewWindow, KeysAndPointerArriveAndTheScreenShowsWhatIsReadBack) {
+  if (std::system("command -v import >/dev/null 2>&1") != 0) GTEST_SKIP() << "needs import, of ImageMagick";
+  testing::Running view({Scene("hello.scn"), "-width", "160", "-height", "120", "-image", folder / "traced.ppm",
+                         "-output_image", folder / "end.png", "-record", folder / "what.events", "-quiet"},
+                        {.program = "RAYVIEW", .environment = environment});
+  ASSERT_TRUE(Do("key s")) << "there is no window";
+  WaitForFile(folder / "traced.ppm");
+  Do("mousemove --window %1 40 40 mousedown 1 mousemove --window %1 60 50 mousemove --window %1 80 60 mouseup 1");
+  Do("mousemove --window %1 80 60 click 4");
+  Do("windowsize --sync %1 200 150");
+  Do("key b key g");
+  std::this_thread::sleep_for(std::chrono::milliseconds(700));
+  const std::string shot =
+      "xdotool search --onlyvisible --name hello.scn | head -1 | xargs -I{} import -window {} " + (folder / "shot.png");
+  EXPECT_EQ(std::system(shot.c_str()), 0);
+  Do("key q");
+  const Finished end = view.Wait(std::chrono::seconds(20));
+  ASSERT_EQ(end.status, 0) << end.error;
+
+  const Finished rendered =
+      testing::RunProgram({Scene("hello.scn"), folder / "pro.ppm", "-width", "160", "-height", "120", "-quiet"});
+  ASSERT_EQ(rendered.status, 0);
+  EXPECT_EQ(ReadFile(folder / "traced.ppm"), ReadFile(folder / "pro.ppm"));
+  const R2::Image read = Picture(folder / "end.png"), seen = Picture(folder / "shot.png");
+  ASSERT_EQ(read.Width(), 200);
+  ASSERT_EQ(read.Height(), 150);
+  EXPECT_EQ(read, seen);
+  const std::string events = ReadFile(folder / "what.events");
+  for (const char* step : {"press S", "down left", "up left", "scroll 1", "resize 200 150", "press G", "press Q"})
+    EXPECT_NE(events.find(step), std::string::npos) << step << "\n" << events;
+}
+
+TEST_F(RayviewWindow, DrawsTheBytesOfOtherContexts) {
+  const std::string script = WriteFile(folder / "s.events", "key B\nkey G\ndrag left 10 10 40 30\nkey L\n");
+  const std::vector<std::string> common{Scene("hello.scn"), "-width", "160", "-height", "120", "-events", script};
+  std::vector<std::string> window = common, none = common;
+  window.insert(window.end(), {"-screenshot", folder / "w.ppm"});
+  none.insert(none.end(), {"-headless", "-screenshot", folder / "n.ppm"});
+  ASSERT_EQ(Run(window).status, 0);
+  ASSERT_EQ(Run(none).status, 0);
+  EXPECT_EQ(ReadFile(folder / "w.ppm"), ReadFile(folder / "n.ppm"));
 }
 
 }  // namespace
-}  // namespace ray::testing
+}  // namespace ray

@@ -79,7 +79,7 @@ TEST(PixelTrace, SamplesAreThoseOfThePicture) {
 TEST(PixelTrace, RaysStartWhereTheirParentsEnd) {
   const Traced traced("glass.scn", Settings("whitted", 100));
   std::size_t children = 0;
-  for (int at = 0; at < 100; at += 5)
+  for (int at = 0; at < 100; ++at)
     for (const PixelTrace trace = traced.Pixel(at, at); const RecordedRay& ray : trace.rays) {
       if (ray.parent == RecordedRay::none) continue;
       const RecordedRay& parent = trace.rays[static_cast<std::size_t>(ray.parent)];

@@ -1,0 +1,82 @@
+// How soon the viewer answers, drawing without a window.
+//   build/bench/view [scene]     scenes/hello.scn unless named; run where scenes/ is
+// Figures: start to the first drawing; from an event to its drawing while a live picture and a trace run beside; what
+// an idle viewer asks of the processor is told by the window itself: /proc/PID/stat.
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <memory>
+#include <vector>
+
+#include "source/view/Viewer.h"
+#include "source/view/contexts/Context.h"
+#include "source/view/gl/Drawer.h"
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using namespace ray;
+
+class Nobody : public ViewerHost {
+  std::string SaveTraced(const RenderJob&) override { return {}; }
+  void SaveDrawing() override {}
+  std::string SaveRays(const std::string&) override { return {}; }
+  std::shared_ptr<const R2::Image> ReadPicture(const std::string&) override { return nullptr; }
+  void SetClipboard(const std::string&) override {}
+  void Print(const std::string&) override {}
+};
+
+double MillisecondsSince(Clock::time_point then) {
+  return std::chrono::duration<double, std::milli>(Clock::now() - then).count();
+}
+
+void Tell(const char* what, std::vector<double> times) {
+  std::sort(times.begin(), times.end());
+  const auto at = [&](double share) { return times[static_cast<std::size_t>(share * double(times.size() - 1))]; };
+  std::printf("%-44s p50 %7.2f ms   p99 %7.2f ms   of %zu\n", what, at(0.5), at(0.99), times.size());
+}
+
+/// Times of many small drags, each from the event until all of its drawing is done.
+std::vector<double> Answers(Viewer& viewer, Drawer& drawer, Painter& painter) {
+  std::vector<double> times;
+  for (int i = 0; i < 200; ++i) {
+    const auto start = Clock::now();
+    const double x = 100 + 10 * (i % 20);
+    viewer.Handle(ButtonEvent{Button::left, true, x, 200, {}});
+    viewer.Handle(MoveEvent{x + 8, 203});
+    viewer.Handle(ButtonEvent{Button::left, false, x + 8, 203, {}});
+    viewer.Update();
+    drawer.Draw(viewer.Show());
+    painter.Finish();
+    times.push_back(MillisecondsSince(start));
+  }
+  return times;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const auto start = Clock::now();
+  ViewerSettings settings;
+  settings.scene = argc > 1 ? argv[1] : "scenes/hello.scn";
+  settings.render.width = settings.render.height = 512;
+  settings.render.samples = 1 << 20;  // so that pictures are never done
+  Nobody host;
+  const auto scene = std::make_shared<const LoadedScene>(settings.scene, settings.parse, settings.accelerator);
+  const auto context = MakeOffscreenContext("auto");
+  Painter painter(*context, Painter::Target::own);
+  Drawer drawer(painter);
+  Viewer viewer(settings, scene, host);
+  drawer.Draw(viewer.Show());
+  painter.Finish();
+  std::printf("%s, %s\n", settings.scene.c_str(), context->Name().c_str());
+  std::printf("%-44s %7.2f ms\n", "start to first drawing", MillisecondsSince(start));
+  Tell("event to drawing, nothing traced", Answers(viewer, drawer, painter));
+  viewer.Handle(KeyEvent{Key::s, {}, true});
+  viewer.Update();
+  Tell("event to drawing, while S traces", Answers(viewer, drawer, painter));
+  viewer.Handle(KeyEvent{Key::escape, {}, true});
+  viewer.Handle(KeyEvent{Key::p, {}, true});
+  viewer.Update();
+  Tell("event to drawing, live picture", Answers(viewer, drawer, painter));
+}
