@@ -3,7 +3,6 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <vector>
 
 #include "R2/ImageFile.h"
 #include "source/parse/SceneError.h"
@@ -16,6 +15,8 @@ namespace {
   throw SceneErrors({ErrorIn(file, reason)});
 }
 
+}  // namespace
+
 std::vector<unsigned char> ReadBytes(const std::string& file) {
   std::error_code ignored;
   if (!std::filesystem::is_regular_file(file, ignored)) Refuse(file, "there is no such file");
@@ -24,15 +25,15 @@ std::vector<unsigned char> ReadBytes(const std::string& file) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-}  // namespace
-
-R2::DecodedImage ReadPicture(const std::string& file) {
+R2::DecodedImage DecodePicture(const std::string& file, std::span<const unsigned char> bytes) {
   try {
-    return R2::DecodeImage(ReadBytes(file));
+    return R2::DecodeImage(bytes);
   } catch (const R2::ImageError& error) {
     Refuse(file, error.what());
   }
 }
+
+R2::DecodedImage ReadPicture(const std::string& file) { return DecodePicture(file, ReadBytes(file)); }
 
 std::string PictureText(const std::string& file, const R2::DecodedImage& picture) {
   std::string text = Escaped(file) + ": " + picture.format->name + ", " + std::to_string(picture.image.Width()) + "x" +

@@ -1,12 +1,18 @@
 #pragma once
 
+#include <span>
 #include <string>
+#include <vector>
 
 #include "R2/ImageFile.h"
 
 namespace ray {
 
-/// Throws SceneErrors when it is missing or no picture.
+/// Throws SceneErrors when it is missing.
+std::vector<unsigned char> ReadBytes(const std::string& file);
+/// Throws SceneErrors, which name the file, when the bytes are no picture.
+R2::DecodedImage DecodePicture(const std::string& file, std::span<const unsigned char> bytes);
+/// Both.
 R2::DecodedImage ReadPicture(const std::string& file);
 
 /// "out.png: png, 512x512" and a line for each setting kept in the picture.

@@ -1,4 +1,5 @@
-// rayimg compares, describes, converts and merges pictures. Its commands and options are in rayimg/Table.cpp.
+// rayimg compares, describes, converts and merges pictures, and makes movies of them. Its commands and options are in
+// rayimg/Table.cpp.
 #include <new>
 #include <string>
 #include <vector>

@@ -12,5 +12,6 @@ int Diff(const Options& options, const std::string& command_line);
 int Info(const Options& options, const std::string& command_line);
 int Convert(const Options& options, const std::string& command_line);
 int Merge(const Options& options, const std::string& command_line);
+int Movie(const Options& options, const std::string& command_line);
 
 }  // namespace ray::rayimg

@@ -17,7 +17,8 @@ constexpr const char* exit_status =
 constexpr const char* examples =
     "  rayimg diff noisy.exr clean.exr -map where.png -fail_flip 0.05\n"
     "  rayimg convert out.exr out.jpg -exposure 1 -tonemap filmic -srgb\n"
-    "  rayimg merge seed1.exr seed2.exr seed3.exr -out mean.exr\n";
+    "  rayimg merge seed1.exr seed2.exr seed3.exr -out mean.exr\n"
+    "  rayimg movie turn.avi -fps 25 turn01.jpg turn02.jpg turn03.jpg\n";
 
 std::string CommandSynopsis(const CommandKind& command) {
   return "rayimg " + std::string(command.name) + " " + command.files;
@@ -57,9 +58,8 @@ std::string CommandHelp(const CommandKind& command) {
 std::string FullHelp() {
   std::string text =
       "usage: rayimg command pictures [options]\n\n"
-      "Compares, describes, converts and merges pictures; extensions say the formats of those written, contents of "
-      "those "
-      "read.\n\n"
+      "Compares, describes, converts and merges pictures, and makes movies of them; extensions say the formats of\n"
+      "those written, contents of those read.\n\n"
       "commands:\n";
   for (const CommandKind& command : Commands())
     text += HelpLine(std::string(command.name) + " " + command.files, command.help);
@@ -109,7 +109,7 @@ std::string Version() { return ProgramAndVersion() + "\nbuilt with: " RAYPRO_FEA
 std::string ManualPage() {
   std::string text = ".TH RAYIMG 1 \"\" \"" + Roff(ProgramAndVersion()) +
                      "\" \"User Commands\"\n"
-                     ".SH NAME\nrayimg \\- compare, describe, convert and merge pictures\n"
+                     ".SH NAME\nrayimg \\- compare, describe, convert and merge pictures, make movies of them\n"
                      ".SH SYNOPSIS\n.B rayimg\n.I command pictures\n.RI [ options ]\n.SH COMMANDS\n";
   for (const CommandKind& command : Commands()) text += ManualSection(command);
   text += ".SH REQUESTS\n";

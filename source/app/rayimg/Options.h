@@ -29,6 +29,9 @@ struct Options {
   // merging
   std::vector<double> weights;
   bool force = false;
+
+  // movies
+  double fps = 25;
 };
 
 }  // namespace ray::rayimg

@@ -53,6 +53,10 @@ Values are multiplied by 2^exposure, go through the tone curve, channel by chann
 Writes the weighted mean of pictures of floats (pfm, hdr, exr) of one size to the file that -out names. Refuses those
 that are not independent, of one scene or command with a seed in common, and those that were interrupted.
 )", Merge},
+    CommandKind{"movie", "out.avi frame.jpg...", 2, any_number, "make a movie of JPEG pictures", R"(
+Writes an AVI file of motion JPEG: the frames as they are, in the order named, and an index. Nothing is encoded again,
+so the quality is that of the pictures. They must be JPEG and of one size; one may be named more often.
+)", Movie},
 };
 
 constexpr std::array requests{
@@ -64,6 +68,7 @@ constexpr std::array requests{
 
 std::vector<OptionKind> MakeTable() {
   constexpr double most_stops = 64;
+  constexpr double slowest_movie = 0.1, fastest_movie = 1000;
   return {
       {"srgb", "", Flag{&Options::srgb}, {"diff", "convert"},
        "light is linear: decode 8 and 16 bit pictures from sRGB, encode what is shown or written to it"},
@@ -93,6 +98,8 @@ std::vector<OptionKind> MakeTable() {
       {"weights", "w1,w2,...", Weights{&Options::weights}, {"merge"},
        "one a picture; else the samples kept in the pictures, if all have them, else equal ones"},
       {"force", "", Flag{&Options::force}, {"merge"}, "merge also what is not independent or was interrupted"},
+
+      {"fps", "n", Number{&Options::fps, slowest_movie, fastest_movie}, {"movie"}, "frames a second"},
   };
 }
 // clang-format on
