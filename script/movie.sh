@@ -1,0 +1,108 @@
+#!/bin/sh
+# Makes a movie of any scene: the camera goes around it, or to another place, or an option of raypro changes from frame to frame.
+#
+#     script/movie.sh -turntable art/flake.scn art/movie.avi -frames 72 -samples 16 -srgb
+#     script/movie.sh -to "0 1 3  0 0 -1  0 1 0  0.4" scenes/hello.scn build/closer.avi
+#     script/movie.sh -sweep focus 3 9 scenes/lens.scn build/focus.avi -aperture 0.12 -samples 64
+#
+#   -turntable         once around the vertical line through the middle of what is looked at
+#   -turns x           so often around, with -turntable; negative: the other way (default 1)
+#   -to "camera"       from the scene's camera to this one: eye, direction, up, half angle, as in a scene; slow at both ends
+#   -sweep name a b    raypro's option -name goes from a to b; may stand beside the others
+#   -frames n          (default 48)       -fps n   frames a second (default 25)
+#   -width n -height n (default 320 240)  -keep    keep the frames, in the folder that is told
+#
+# Whatever else stands behind is passed to raypro. Each frame is a scene of two lines, the scene itself and a camera, of which
+# the last one counts. Beside out.avi there will be out.mp4 where ffmpeg is installed.
+# RAYPRO and RAYIMG name the programs. Files without spaces in their names, please: the scene language has none.
+set -eu
+here=$(cd "$(dirname "$0")/.." && pwd)
+raypro=${RAYPRO:-$here/build/raypro}
+rayimg=${RAYIMG:-$here/build/rayimg}
+usage() { echo "movie.sh: $1; the top of $0 tells how it is used" >&2; exit 2; }
+
+way='' turns=1 to='' sweep='' low=0 high=0 frames=48 fps=25 width=320 height=240 keep='' scene='' out=''
+while [ $# -gt 0 ]; do
+  case $1 in
+    -turntable) way=turn; shift; continue ;;
+    -keep) keep=yes; shift; continue ;;
+    -sweep)
+      [ $# -ge 4 ] || usage "-sweep needs a name and two numbers"
+      sweep=$2 low=$3 high=$4
+      shift 4
+      continue ;;
+    -turns | -to | -frames | -fps | -width | -height)
+      [ $# -ge 2 ] || usage "$1 needs a value"
+      case $1 in
+        -turns) turns=$2 ;; -to) way=go to=$2 ;; -frames) frames=$2 ;; -fps) fps=$2 ;; -width) width=$2 ;; -height) height=$2 ;;
+      esac
+      shift 2
+      continue ;;
+    -*) break ;;
+  esac
+  if [ -z "$scene" ]; then scene=$1; elif [ -z "$out" ]; then out=$1; else break; fi
+  shift
+done
+[ "$out" ] || usage "a scene and a movie must be named"
+[ "$way$sweep" ] || usage "-turntable, -to or -sweep must say what changes"
+case $frames in '' | *[!0-9]* | 0) usage "-frames must be a whole number above 0, got '$frames'" ;; esac
+[ -f "$scene" ] || { echo "movie.sh: there is no scene '$scene'" >&2; exit 3; }
+
+# Frames keep the command that made them, so the folder is a relative one where that is possible.
+mkdir -p build 2> /dev/null && [ -w build ] && base=build || base=${TMPDIR:-/tmp}
+work=$(mktemp -d "$base/movie.XXXXXX")
+trap '[ "$keep" ] || rm -rf "$work"' EXIT
+
+# The scene's own camera and its box, whichever file they come from. Its up is taken to be +y.
+"$raypro" "$scene" -check -allow_path "$(dirname "$scene")" > "$work/check"
+awk -v way="$way" -v to="$to" -v turns="$turns" -v frames="$frames" -v low="$low" -v high="$high" -v scene="$scene" \
+    -v work="$work" '
+  function mix(a, b, t) { return a + (b - a) * t }
+  { gsub(/,/, "") }
+  $1 == "bounds" { middle_x = ($2 + $6) / 2; middle_z = ($4 + $8) / 2 }
+  $1 == "camera" { split($3 " " $4 " " $5 " " $7 " " $8 " " $9 " 0 1 0 " $12, from, " ") }
+  END {
+    pi = atan2(0, -1)
+    if (way == "go" && split(to, goal, " ") < 10) { print "movie.sh: -to needs ten numbers" > "/dev/stderr"; exit 2 }
+    # Around the place where the view comes nearest to the vertical line through the middle of the box.
+    flat = from[4] * from[4] + from[6] * from[6]
+    t = flat > 0 ? ((middle_x - from[1]) * from[4] + (middle_z - from[3]) * from[6]) / flat : 0
+    if (!(t > 0)) t = 1
+    px = from[1] + t * from[4]; pz = from[3] + t * from[6]
+    for (i = 0; i < frames; ++i) {
+      share = frames > 1 ? i / (frames - 1) : 0
+      for (k = 1; k <= 10; ++k) c[k] = from[k]
+      if (way == "go") {
+        eased = share * share * (3 - 2 * share)
+        for (k = 1; k <= 10; ++k) c[k] = mix(from[k], goal[k], eased)
+      }
+      if (way == "turn") {  # the frame after the last would be the first again
+        a = 2 * pi * turns * i / frames; ca = cos(a); sa = sin(a)
+        c[1] = px + ca * (from[1] - px) + sa * (from[3] - pz); c[3] = pz - sa * (from[1] - px) + ca * (from[3] - pz)
+        c[4] = ca * from[4] + sa * from[6]; c[6] = -sa * from[4] + ca * from[6]
+      }
+      file = sprintf("%s/frame%05d.scn", work, i)
+      print "include " scene > file
+      printf "camera " > file
+      for (k = 1; k <= 10; ++k) printf " %.9g", c[k] > file
+      print "  0.01 1000" > file
+      close(file)
+      print mix(low, high, share) > (work "/sweep")
+    }
+  }' "$work/check"
+
+i=0
+while read -r value; do
+  name=$(printf '%s/frame%05d' "$work" "$i")
+  "$raypro" "$name.scn" "$name.jpg" -width "$width" -height "$height" -quiet \
+    -allow_path "$(dirname "$scene")" ${sweep:+"-$sweep" "$value"} "$@" < /dev/null
+  i=$((i + 1))
+  [ ! -t 2 ] || printf '\rframe %d of %d' "$i" "$frames" >&2
+done < "$work/sweep"
+[ ! -t 2 ] || echo >&2
+
+"$rayimg" movie "$out" -fps "$fps" "$work"/frame*.jpg
+if command -v ffmpeg > /dev/null 2>&1; then
+  ffmpeg -v error -y -i "$out" -pix_fmt yuv420p "${out%.avi}.mp4" < /dev/null
+fi
+[ -z "$keep" ] || echo "the frames are in $work"
