@@ -1,5 +1,5 @@
 #!/bin/sh
-# Makes a movie of any scene: the camera goes around it, or to another place, or an option of raypro changes from frame to frame.
+# Makes a movie of any scene: the camera goes around it or elsewhere, or an option of raypro changes with the frames.
 #
 #     script/movie.sh -turntable art/flake.scn art/movie.avi -frames 72 -samples 16 -srgb
 #     script/movie.sh -to "0 1 3  0 0 -1  0 1 0  0.4" scenes/hello.scn build/closer.avi
@@ -7,13 +7,13 @@
 #
 #   -turntable         once around the vertical line through the middle of what is looked at
 #   -turns x           so often around, with -turntable; negative: the other way (default 1)
-#   -to "camera"       from the scene's camera to this one: eye, direction, up, half angle, as in a scene; slow at both ends
+#   -to "camera"       from the scene's camera to this one: eye, direction, up, half angle; slow at both ends
 #   -sweep name a b    raypro's option -name goes from a to b; may stand beside the others
 #   -frames n          (default 48)       -fps n   frames a second (default 25)
 #   -width n -height n (default 320 240)  -keep    keep the frames, in the folder that is told
 #
-# Whatever else stands behind is passed to raypro. Each frame is a scene of two lines, the scene itself and a camera, of which
-# the last one counts. Beside out.avi there will be out.mp4 where ffmpeg is installed.
+# What stands behind all these is passed to raypro. Each frame is a scene of two lines, the scene itself and a camera,
+# of which the last one counts. Beside out.avi there will be out.mp4 where ffmpeg is installed.
 # RAYPRO and RAYIMG name the programs. Files without spaces in their names, please: the scene language has none.
 set -eu
 here=$(cd "$(dirname "$0")/.." && pwd)
@@ -34,7 +34,8 @@ while [ $# -gt 0 ]; do
     -turns | -to | -frames | -fps | -width | -height)
       [ $# -ge 2 ] || usage "$1 needs a value"
       case $1 in
-        -turns) turns=$2 ;; -to) way=go to=$2 ;; -frames) frames=$2 ;; -fps) fps=$2 ;; -width) width=$2 ;; -height) height=$2 ;;
+        -turns) turns=$2 ;; -to) way=go to=$2 ;; -frames) frames=$2 ;;
+        -fps) fps=$2 ;; -width) width=$2 ;; -height) height=$2 ;;
       esac
       shift 2
       continue ;;

@@ -1,0 +1,56 @@
+#!/bin/sh
+# Renders every scene of scenes/ into scenes/thumbnails/NAME.jpg and writes scenes/README.md, a table of names, pictures
+# and the scenes' first comments. A picture is made again only when its scene, a mesh or a texture is newer.
+#
+#     script/thumbnails.sh [-all | -check]
+#
+# -all renders them all anew. -check changes nothing and fails when the table is out of date or a picture is missing.
+# RAYPRO names the program. Options of raypro that a scene is best seen with are read from that comment: the words
+# behind "Seen with", up to a full stop, a comma or a semicolon.
+set -eu
+cd "$(dirname "$0")/.."
+raypro=${RAYPRO:-build/raypro}
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+
+# The comment that a file begins with: all of its lines up to the first that is none.
+comment() { sed -n '/^#/!q; s/^# *//p' "$1" | tr '\n' ' ' | sed 's/ *$//'; }
+options() { comment "$1" | sed -n "s/.*Seen with -/-/p" | sed "s/[;,].*//; s/[.] .*//; s/[.]\$//"; }
+
+render() {  # scene, picture
+  # shellcheck disable=SC2046  # the options are words
+  "$raypro" "$1" "$2" -width 128 -height 128 -samples "${SAMPLES:-64}" -filter mitchell -jpeg_quality 80 -quiet \
+    $(options "$1")
+}
+
+mkdir -p scenes/thumbnails
+{
+  echo "<!-- Written by script/thumbnails.sh from the first comment of each scene. -->"
+  echo "# Scenes, one idea a file"
+  echo
+  echo "| scene | picture | what it shows |"
+  echo "|---|---|---|"
+  for scene in scenes/*.scn; do
+    name=$(basename "$scene" .scn)
+    echo "| [$name]($name.scn) | ![$name](thumbnails/$name.jpg) | $(comment "$scene" | sed 's/|/\\|/g') |"
+  done
+} > "$work/README.md"
+
+if [ "${1:-}" = -check ]; then
+  cmp -s "$work/README.md" scenes/README.md ||
+    { echo "scenes/README.md is out of date; run script/thumbnails.sh" >&2; exit 1; }
+  for scene in scenes/*.scn; do
+    name=$(basename "$scene" .scn)
+    [ -f "scenes/thumbnails/$name.jpg" ] || { echo "scenes/thumbnails/$name.jpg is missing" >&2; exit 1; }
+  done
+  exit 0
+fi
+for scene in scenes/*.scn; do
+  picture=scenes/thumbnails/$(basename "$scene" .scn).jpg
+  if [ "${1:-}" = -all ] || [ ! -f "$picture" ] || [ "$scene" -nt "$picture" ] ||
+     [ "$(find scenes/meshes scenes/textures -newer "$picture" -type f | head -1)" ]; then
+    echo "$picture"
+    render "$scene" "$picture"
+  fi
+done
+cp "$work/README.md" scenes/README.md
