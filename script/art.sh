@@ -1,0 +1,38 @@
+#!/bin/sh
+# Renders the pictures of art/ anew: makes what their scenes include, then art/NAME.jpg. A minute or three each on two
+# cores.
+#
+#     script/art.sh [-small] [name ...]
+#
+# Without names all. -small writes 240x160 with a sixteenth of the samples, to build/art instead, for a look before
+# one waits. RAYPRO and RAYIMG name the programs. What each picture was made with is kept in it:
+# raypro -info art/glass.jpg.
+set -eu
+cd "$(dirname "$0")/.."
+raypro=${RAYPRO:-build/raypro}
+export RAYIMG="${RAYIMG:-$PWD/build/rayimg}"
+small=
+if [ "${1:-}" = -small ]; then small=yes; shift; fi
+[ $# -gt 0 ] || set -- glass flake stairs cradle city sponge
+
+sh script/art/light.sh
+for name in "$@"; do
+  case $name in
+    glass) samples=192 options="-fresnel -max_depth 12 -aperture 0.12 -focus 10.2" parts=glass ;;
+    flake) samples=64 options="-max_depth 8" parts=flake ;;
+    stairs) samples=72 options="-max_depth 6" parts=stairs ;;
+    cradle) samples=112 options="-max_depth 8 -aperture 0.06 -focus 11.5" parts="glass cradle" ;;
+    city) samples=64 options="-max_depth 4" parts=city ;;
+    sponge) samples=48 options="-max_depth 5" parts=sponge ;;
+    *) echo "there is no picture '$name'; there are city, cradle, flake, glass, sponge and stairs" >&2; exit 2 ;;
+  esac
+  for part in $parts; do sh "script/art/$part.sh"; done
+  size="-width 864 -height 576" out=art/$name.jpg
+  if [ "$small" ]; then
+    mkdir -p build/art
+    size="-width 240 -height 160" out=build/art/$name.jpg samples=$((samples / 16))
+  fi
+  # shellcheck disable=SC2086  # the options are words
+  "$raypro" "art/$name.scn" "$out" $size -samples "$samples" -mode path -glossy $options -filter gaussian -srgb \
+    -jpeg_quality 88
+done
