@@ -7,6 +7,7 @@
 #include "source/parse/Format.h"
 #include "source/parse/scn/Command.h"
 #include "source/scene/Light.h"
+#include "source/view/Viewer.h"
 
 namespace ray {
 namespace {
@@ -81,17 +82,25 @@ std::string Presets() {
   return text;
 }
 
+std::string Keys() {
+  std::string text;
+  for (const std::string& line : Viewer::Help()) text += "  " + line + "\n";
+  return text;
+}
+
 struct Subject {
   const char* name;
   std::string (*list)();
 };
 
-constexpr Subject subjects[] = {{"shapes", Shapes},  {"lights", Lights}, {"accelerators", Accelerators},
-                                {"images", Images},  {"scenes", Scenes}, {"commands", SceneCommands},
-                                {"presets", Presets}};
+constexpr Subject subjects[] = {{"shapes", Shapes},   {"lights", Lights}, {"accelerators", Accelerators},
+                                {"images", Images},   {"scenes", Scenes}, {"commands", SceneCommands},
+                                {"presets", Presets}, {"keys", Keys}};
 
-/// Presets are values of an option that only raypro has.
-bool Knows(Program program, const Subject& subject) { return program == Program::raypro || subject.list != Presets; }
+/// Presets are values of an option that only raypro has; keys are pressed in a window.
+bool Knows(Program program, const Subject& subject) {
+  return program == Program::raypro ? subject.list != Keys : subject.list != Presets;
+}
 
 }  // namespace
 

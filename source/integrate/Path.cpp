@@ -186,9 +186,9 @@ void Path::AddLightSample(const Surface& s, const Lobes& lobes, const PathLightS
   if (IsBlack(reflected)) return;
   state.shadow_rays.push_back(ShadowRay(s, light.to_light, light.is_infinite));
   state.shadows.push_back({index, s.found_by.weight * reflected});
-  if (state.recorder)
-    state.shadows.back().record = state.recorder->BeginShadow(
-        s, state.shadow_rays.back(), state.shadows.back().reflected, lights_.Describe(light.light));
+  if (state.recorder) [[unlikely]]
+    state.recorder->BeginShadow(s, state.shadow_rays.back(), state.shadows.back().reflected,
+                                lights_.Describe(light.light));
 }
 
 void Path::TraceShadowRays(TraceState& state, bool together) const {
@@ -209,12 +209,9 @@ void Path::TraceShadowRays(TraceState& state, bool together) const {
     }
     state.Book(RayKind::shadow, count);
   }
-  if (state.recorder)
-    for (std::size_t i = 0; i < count; ++i) {
-      const auto blocker = state.are_occluded[i] ? accelerator_.Intersect(state.shadow_rays[i], state.workspace)
-                                                 : std::optional<WorldHit>{};
-      state.recorder->EndShadow(state.shadows[i].record, blocker, world_);
-    }
+  if (state.recorder) [[unlikely]]
+    state.recorder->EndShadows([&](std::size_t i) { return state.are_occluded[i] != 0; }, world_, accelerator_,
+                               state.workspace);
   for (std::size_t i = 0; i < count; ++i)
     if (!state.are_occluded[i]) state.arrived[state.shadows[i].surface] += state.shadows[i].reflected;
   state.shadow_rays.clear();

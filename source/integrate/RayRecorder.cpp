@@ -19,23 +19,26 @@ void RayRecorder::Hits(const Surface& surface, const R2::Color& brings) {
   ray.brings = brings;
 }
 
-int RayRecorder::BeginShadow(const Surface& surface, const R3::Ray& ray, const R2::Color& reflected,
-                             std::string towards) {
-  return Keep({.kind = RayKind::shadow,
-               .parent = surface.found_by.record,
-               .depth = static_cast<int>(surface.found_by.depth),
-               .ray = ray,
-               .weight = reflected,
-               .towards = std::move(towards)});
+void RayRecorder::BeginShadow(const Surface& surface, const R3::Ray& ray, const R2::Color& reflected,
+                              std::string towards) {
+  const int number = Keep({.kind = RayKind::shadow,
+                           .parent = surface.found_by.record,
+                           .depth = static_cast<int>(surface.found_by.depth),
+                           .ray = ray,
+                           .weight = reflected,
+                           .towards = std::move(towards)});
+  shadows_.push_back(number);
 }
 
-void RayRecorder::EndShadow(int number, const std::optional<WorldHit>& blocker, const World& world) {
+void RayRecorder::EndShadow(int number, bool is_occluded, const World& world, const Accelerator& accelerator,
+                            Workspace& workspace) {
   RecordedRay& ray = (*this)[number];
-  ray.hit = blocker;
-  if (blocker)
-    ray.at = world.At(ray.ray, *blocker);
-  else
+  if (!is_occluded) {
     ray.brings = ray.weight;
+    return;
+  }
+  ray.hit = accelerator.Intersect(ray.ray, workspace);
+  if (ray.hit) ray.at = world.At(ray.ray, *ray.hit);
 }
 
 int RayRecorder::Keep(RecordedRay ray) {

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "source/accelerate/Accelerator.h"
 #include "source/integrate/Surface.h"
 
 namespace ray {
@@ -41,18 +42,28 @@ class RayRecorder {
   void Hits(const Surface& surface, const R2::Color& brings);
   void Misses(int number, const R2::Color& brings) { (*this)[number].brings = brings; }
 
-  /// A shadow ray of a surface; its number. `reflected`: what arrives if nothing is in between, weight included.
-  int BeginShadow(const Surface& surface, const R3::Ray& ray, const R2::Color& reflected, std::string towards);
-  /// What was in its way, if anything.
-  void EndShadow(int number, const std::optional<WorldHit>& blocker, const World& world);
+  /// A shadow ray of a surface. `reflected`: what arrives if nothing is in between, weight included.
+  void BeginShadow(const Surface& surface, const R3::Ray& ray, const R2::Color& reflected, std::string towards);
+  /// The shadow rays begun since the last call were traced: those for which `is_occluded(i)`, i from 0 in the order
+  /// they began, found something in their way. What that was is asked now.
+  template <typename IsOccluded>
+  void EndShadows(const IsOccluded& is_occluded, const World& world, const Accelerator& accelerator,
+                  Workspace& workspace) {
+    for (std::size_t i = 0; i < shadows_.size(); ++i)
+      EndShadow(shadows_[i], is_occluded(i), world, accelerator, workspace);
+    shadows_.clear();
+  }
 
   const std::vector<RecordedRay>& Rays() const { return rays_; }
 
  private:
   RecordedRay& operator[](int number) { return rays_[static_cast<std::size_t>(number)]; }
   int Keep(RecordedRay ray);
+  void EndShadow(int number, bool is_occluded, const World& world, const Accelerator& accelerator,
+                 Workspace& workspace);
 
   std::vector<RecordedRay> rays_;
+  std::vector<int> shadows_;  // begun and not ended
 };
 
 }  // namespace ray

@@ -27,7 +27,6 @@ struct TracedRay {
 struct Shadow {
   std::size_t surface = 0;
   R2::Color reflected;
-  int record = -1;  // where rays are recorded: its number
 };
 
 class RayRecorder;

@@ -211,9 +211,9 @@ void Whitted::AddSample(const AnyLight& light, const Surface& s, std::size_t ind
   if (IsBlack(reflected)) return;
   state.shadow_rays.push_back(ShadowRay(s, lit->to_light, lit->is_infinite));
   state.shadows.push_back({index, weight * reflected});
-  if (state.recorder)
-    state.shadows.back().record = state.recorder->BeginShadow(
-        s, state.shadow_rays.back(), s.found_by.weight * (weight * reflected), Described(light));
+  if (state.recorder) [[unlikely]]
+    state.recorder->BeginShadow(s, state.shadow_rays.back(), s.found_by.weight * (weight * reflected),
+                                Described(light));
   if (state.shadows.size() == most_shadow_rays) TraceShadowRays(state);
 }
 
@@ -228,12 +228,8 @@ void Whitted::TraceShadowRays(TraceState& state) const {
     accelerator_.IsOccluded(state.shadow_rays, are_occluded.data(), state.workspace);
     state.Book(RayKind::shadow, state.shadow_rays.size());
   }
-  if (state.recorder)
-    for (std::size_t i = 0; i < state.shadows.size(); ++i) {
-      const auto blocker =
-          are_occluded[i] ? accelerator_.Intersect(state.shadow_rays[i], state.workspace) : std::optional<WorldHit>{};
-      state.recorder->EndShadow(state.shadows[i].record, blocker, world_);
-    }
+  if (state.recorder) [[unlikely]]
+    state.recorder->EndShadows([&](std::size_t i) { return are_occluded[i]; }, world_, accelerator_, state.workspace);
   for (std::size_t i = 0; i < state.shadows.size(); ++i)
     if (!are_occluded[i]) state.arrived[state.shadows[i].surface] += state.shadows[i].reflected;
   state.shadow_rays.clear();

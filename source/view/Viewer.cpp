@@ -160,7 +160,7 @@ bool Viewer::Update() {
     changes_seen_ = navigator_.Changes();
     pictures_.Touch();
     if (section_.Plane() == SlicePlane::camera_row) section_lines_.reset();
-    LinesHaveChanged();
+    has_news_ = true;
   }
   pictures_.Update(scene_, SettingsOfView());
   if (const RenderJob* job = pictures_.TakeEnded()) SaveEnded(*job);
@@ -282,6 +282,7 @@ void Viewer::ToggleLive(const std::string& mode) {
     pictures_.HideLive();
   else
     pictures_.ShowLive(mode);
+  LinesHaveChanged();
 }
 
 void Viewer::KeepReference() {

@@ -133,6 +133,8 @@ class Viewer {
   std::optional<R3::Point> PointAt(const R2::Point& place) const;
   Navigator::PointAt PointFinder() const;
   std::array<R3::Point, 4> QuadCorners() const;
+  /// Around all that is drawn in space.
+  R3::Box BoxOfDrawing() const;
   /// The pixel of the traced picture that is seen there on its quad.
   std::optional<std::pair<int, int>> PixelOnQuad(const R2::Point& place) const;
   bool ShowsQuad() const { return shows_quad_ && pictures_.Trace() && !pictures_.IsLive(); }

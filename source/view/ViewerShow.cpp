@@ -36,8 +36,7 @@ Presentation Viewer::Show() {
     shown.section = section_lines_;
   }
   shown.background = scene_->parsed.scene.background;
-  shown.clip_from_drawing =
-      ClipFromDrawing(navigator_.TheCamera(), space_, scene_->parsed.scene.root.bounds, shown.view);
+  shown.clip_from_drawing = ClipFromDrawing(navigator_.TheCamera(), space_, BoxOfDrawing(), shown.view);
   shown.faces = faces_;
   shown.shows_faces = shows_faces_;
   shown.shows_edges = shows_edges_;
@@ -58,6 +57,19 @@ Presentation Viewer::Show() {
   shown.picture = CoveringPicture();
   shown.labels = MakeLabels();
   return shown;
+}
+
+R3::Box Viewer::BoxOfDrawing() const {
+  R3::Box box = scene_->parsed.scene.root.bounds;
+  const bool has_rays = rays_.ShowsGrid() || rays_.Pixel();
+  if (has_rays && !box.IsEmpty()) {  // they go beyond the scene
+    const double reach = 2 * box.Radius();
+    box = {box.low - R3::Vector{reach, reach, reach}, box.high + R3::Vector{reach, reach, reach}};
+  }
+  if (!ShowsQuad()) return box;
+  box.Extend(pictures_.Trace()->Settings().view.value_or(scene_->parsed.scene.camera).eye);
+  for (const R3::Point& corner : QuadCorners()) box.Extend(corner);
+  return box;
 }
 
 std::optional<Presentation::Picture> Viewer::CoveringPicture() const {
