@@ -35,9 +35,10 @@ double Quantile(std::vector<double> values, double share) {
   return values[static_cast<std::size_t>(share * last + 0.5)];
 }
 
+/// Looks every `pause`, and seldom where looking would slow down what is measured.
 template <typename Condition>
-void WaitFor(const Condition& holds) {
-  while (!holds()) std::this_thread::sleep_for(std::chrono::microseconds(50));
+void WaitFor(const Condition& holds, std::chrono::microseconds pause = std::chrono::microseconds(50)) {
+  while (!holds()) std::this_thread::sleep_for(pause);
 }
 
 void Tell(const char* what, const std::vector<double>& seconds) {
@@ -76,11 +77,11 @@ void Measure(const std::string& name, const ray::RenderSettings& settings, int t
   double rate = 0;
   for (int i = 0; i < 9; ++i) {
     const RenderJob job(scene, settings, RenderJob::Order::coarse_first);
-    WaitFor([&] { return job.HasEnded(); });
+    WaitFor([&] { return job.HasEnded(); }, std::chrono::milliseconds(5));
     jobs.push_back(job.Seconds());
     rate = job.PixelsPerSecond();
     const RenderJob by_rows(scene, settings, RenderJob::Order::rows);
-    WaitFor([&] { return by_rows.HasEnded(); });
+    WaitFor([&] { return by_rows.HasEnded(); }, std::chrono::milliseconds(5));
     rows.push_back(by_rows.Seconds());
     const auto start = Clock::now();
     ray::Render(scene->world, *scene->accelerator, settings);

@@ -85,7 +85,9 @@ TEST(CoarsePasses, MayBeWatchedAndStoppedWhileTheyRun) {
     viewer.join();
     EXPECT_EQ(bench.begun_late, 0);
     EXPECT_TRUE(is_whole || bench.stop);
-    EXPECT_EQ(is_whole, passes.PixelsTraced() == 48 * 48);
+    if (is_whole) {
+      EXPECT_EQ(passes.PixelsTraced(), 48 * 48);
+    }
   }
 }
 
