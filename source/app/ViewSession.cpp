@@ -124,6 +124,7 @@ class Session : public ViewerHost {
   std::string SaveTraced(const RenderJob& job) override {
     Options options = options_;
     options.render = job.Settings();
+    options.render.threads = options_.render.threads;  // a job fills in how many it took
     return Attempt([&] {
       std::string line = ray::SaveTraced(outputs_.image ? &*outputs_.image : nullptr, options, job.TheScene(),
                                          *job.Result(), job.Seconds());
