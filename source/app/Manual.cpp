@@ -5,6 +5,7 @@
 
 #include "source/app/Help.h"
 #include "source/app/OptionTable.h"
+#include "source/app/SceneManual.h"
 
 namespace ray {
 
@@ -15,6 +16,8 @@ std::string Roff(const std::string& text) {
     if (starts_line && (c == '.' || c == '\'')) roff += "\\&";
     if (c == '\\')
       roff += "\\e";
+    else if (c == '^')
+      roff += "\\(ha";  // an accent otherwise
     else
       roff += c == '-' ? "\\-" : std::string(1, c);
   }
@@ -40,25 +43,6 @@ std::string Entries(Program program) {
   return text;
 }
 
-/// What scene files may say that the course's language lacks.
-constexpr std::pair<const char*, const char*> extensions[] = {
-    {"mesh id file smooth", "A mesh with the vertex normals that its file brings."},
-    {"absorb id r g b",
-     "Solids of the material take exp(-r d), exp(-g d), exp(-b d) from light over a distance d inside."},
-    {"bump id file height", "Light sees a relief of the picture's luminance times the height."},
-    {"motion dx dy dz", "Between begin and end: the group goes this far while the shutter is open."},
-    {"environment file", "Light and view from all around: a latitude-longitude picture, an angular probe or a cross."},
-    {"sphere_light r g b px py pz radius ca la qa", "A lamp with a size, not itself seen."},
-};
-
-/// Paragraphs, each with a bold word or two before it.
-template <class List>
-std::string Tagged(const List& list) {
-  std::string text;
-  for (const auto& [tag, meaning] : list) text += ".TP\n.B " + Roff(tag) + "\n" + Roff(meaning) + "\n";
-  return text;
-}
-
 std::string UpperCase(std::string text) {
   std::ranges::transform(text, text.begin(), [](char c) { return c >= 'a' && c <= 'z' ? c - 'a' + 'A' : c; });
   return text;
@@ -70,6 +54,12 @@ constexpr std::pair<const char*, const char*> environment[] = {
 };
 
 }  // namespace
+
+std::vector<std::string> ManualPages() { return {"scn"}; }
+
+std::string ManualPage(const std::string& name, Program program) {
+  return name == "scn" ? SceneManualPage() : ManualPage(program);
+}
 
 std::string ManualPage(Program program) {
   const ProgramText& about = TextOf(program);
@@ -85,11 +75,10 @@ std::string ManualPage(Program program) {
          "Options and names come in any order; \\-width 512, \\-\\-width 512 and \\-width=512 mean the same.\n"
          "A picture is written to a temporary file beside its name and renamed when it is whole.\n"
          ".SH OPTIONS\n" +
-         Entries(program) +
-         ".SH SCENES\nScenes are in the language of the COS426 course. What that lacks is stated in words of our "
-         "own:\n" +
-         Tagged(extensions) + ".SH EXIT STATUS\n" + Tagged(about.statuses) + ".SH ENVIRONMENT\n" + Tagged(environment) +
-         ".SH EXAMPLES\n.nf\n" + Roff(about.examples) + ".fi\n";
+         Entries(program) + ".SH SCENES\nScenes are in the language that\n.BR scn (5)\nexplains.\n" +
+         ".SH EXIT STATUS\n" + Tagged(about.statuses) + ".SH ENVIRONMENT\n" + Tagged(environment) +
+         ".SH EXAMPLES\n.nf\n" + Roff(about.examples) + ".fi\n.SH SEE ALSO\n.BR " + NameOf(TheOther(program)) +
+         " (1),\n.BR rayimg (1),\n.BR scn (5)\n";
 }
 
 }  // namespace ray

@@ -8,6 +8,7 @@
 #include "source/app/BudgetWords.h"
 #include "source/app/LayerPictures.h"
 #include "source/app/Listing.h"
+#include "source/app/Manual.h"
 #include "source/app/Preset.h"
 
 namespace ray {
@@ -213,7 +214,8 @@ std::vector<OptionKind> MakeTable() {
        "print how a picture was made, from the picture itself"},
       {"complete", both, {}, {"shell"}, Request{Task::complete, Request::always, Shells}, "", "about",
        "print the completion script of a shell"},
-      {"man", both, {}, {}, Request{Task::manual}, "", "about", "print the manual page"},
+      {"man", both, {}, {"page"}, Request{Task::manual, Request::perhaps, ManualPages}, "", "about",
+       "print the manual page, or that of the scene language"},
   };
 }
 

@@ -55,7 +55,7 @@ struct Options {
   std::string replay;  // file name of a report; empty for none
 
   Task task = Task::render;
-  std::string subject;         // of help, list, complete and info
+  std::string subject;         // of help, list, complete, info and manual
   std::optional<Pixel> pixel;  // of debug_pixel
 };
 

@@ -61,7 +61,7 @@ std::string ResultOf(const Options& options) {
     case Task::complete:
       return CompletionScript(options.program, options.subject);
     case Task::manual:
-      return ManualPage(options.program);
+      return ManualPage(options.subject, options.program);
   }
   return {};
 }

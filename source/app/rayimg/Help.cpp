@@ -115,7 +115,8 @@ std::string ManualPage() {
   text += ".SH REQUESTS\n";
   for (const RequestKind& request : Requests())
     text += ".TP\n.B " + Roff(Synopsis(request.name, request.argument)) + "\n" + Roff(request.help) + ".\n";
-  return text + ".SH EXIT STATUS\n" + Roff(exit_status) + ".\n.SH EXAMPLES\n.nf\n" + Roff(examples) + ".fi\n";
+  return text + ".SH EXIT STATUS\n" + Roff(exit_status) + ".\n.SH EXAMPLES\n.nf\n" + Roff(examples) +
+         ".fi\n.SH SEE ALSO\n.BR raypro (1)\n";
 }
 
 }  // namespace ray::rayimg

@@ -17,6 +17,7 @@ class Statement;
 struct Command {
   std::string name;
   std::string usage;  // "sphere mat_id cx cy cz radius"
+  std::string about;  // one line for the manual
   std::function<void(ScnReader&, Statement&)> read;
 };
 

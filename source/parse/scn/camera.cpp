@@ -49,6 +49,8 @@ void ReadCamera(ScnReader& reader, Statement& statement) {
 
 }  // namespace
 
-extern const Command camera_command{"camera", "camera" + ArgumentNames(arguments), ReadCamera};
+extern const Command camera_command{
+    "camera", "camera" + ArgumentNames(arguments),
+    "eye, direction of view, up, half the horizontal angle of view, two distances for the viewer", ReadCamera};
 
 }  // namespace ray

@@ -79,8 +79,10 @@ void ReadMotion(ScnReader& reader, Statement& statement) {
 
 }  // namespace
 
-extern const Command motion_command{"motion", "motion dx dy dz", ReadMotion};
-extern const Command begin_command{"begin", "begin mat_id m00 m01 m02 m03 m10 ... m33", ReadBegin};
-extern const Command end_command{"end", "end", ReadEnd};
+extern const Command motion_command{"motion", "motion dx dy dz",
+                                    "the group around it goes this far while the shutter is open", ReadMotion};
+extern const Command begin_command{"begin", "begin mat_id m00 m01 m02 m03 m10 ... m33",
+                                   "opens a group that a matrix, row by row, places in what is around it", ReadBegin};
+extern const Command end_command{"end", "end", "closes the innermost group of its file", ReadEnd};
 
 }  // namespace ray

@@ -7,6 +7,7 @@ void ReadInclude(ScnReader& reader, Statement& statement) { reader.Include(state
 
 }  // namespace
 
-extern const Command include_command{"include", "include file", ReadInclude};
+extern const Command include_command{"include", "include file", "what another file states, as if it stood here",
+                                     ReadInclude};
 
 }  // namespace ray

@@ -17,7 +17,7 @@ void ReadLight(const LightKind& kind, ScnReader& reader, Statement& statement) {
 }  // namespace
 
 Command LightCommand(const LightKind& kind) {
-  return {kind.name, kind.name + ArgumentNames(kind.arguments),
+  return {kind.name, kind.name + ArgumentNames(kind.arguments), kind.about,
           [&kind](ScnReader& reader, Statement& statement) { ReadLight(kind, reader, statement); }};
 }
 

@@ -74,8 +74,13 @@ void ReadBump(ScnReader& reader, Statement& statement) {
 
 }  // namespace
 
-extern const Command bump_command{"bump", "bump mat_id file height", ReadBump};
-extern const Command absorb_command{"absorb", "absorb mat_id r g b", ReadAbsorb};
-extern const Command material_command{"material", "material" + ArgumentNames(arguments) + " texture", ReadMaterial};
+extern const Command bump_command{"bump", "bump mat_id file height",
+                                  "light sees a relief: a picture's luminance times the height", ReadBump};
+extern const Command absorb_command{
+    "absorb", "absorb mat_id r g b",
+    "over a distance d the inside of solids takes exp(-r d), exp(-g d), exp(-b d) from light", ReadAbsorb};
+extern const Command material_command{"material", "material" + ArgumentNames(arguments) + " texture",
+                                      "what surfaces are made of; the next number from 0 in this file is its mat_id",
+                                      ReadMaterial};
 
 }  // namespace ray

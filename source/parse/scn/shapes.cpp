@@ -60,11 +60,14 @@ void ReadLine(ScnReader& reader, Statement& statement) {
 }  // namespace
 
 Command ShapeCommand(const R3::ShapeKind& kind) {
-  return {kind.name, std::string(kind.name) + " mat_id" + ArgumentNames(kind.arguments),
+  return {kind.name, std::string(kind.name) + " mat_id" + ArgumentNames(kind.arguments), kind.about,
           [&kind](ScnReader& reader, Statement& statement) { ReadShape(kind, reader, statement); }};
 }
 
-extern const Command mesh_command{"mesh", "mesh mat_id file [smooth]", ReadMesh};
-extern const Command line_command{"line", "line mat_id" + ArgumentNames(line_arguments), ReadLine};
+extern const Command mesh_command{"mesh", "mesh mat_id file [smooth]",
+                                  "the triangles of a file, flat, or with the vertex normals that the file brings",
+                                  ReadMesh};
+extern const Command line_command{"line", "line mat_id" + ArgumentNames(line_arguments),
+                                  "a segment that the viewer draws and no ray hits", ReadLine};
 
 }  // namespace ray

@@ -26,8 +26,12 @@ void ReadEnvironment(ScnReader& reader, Statement& statement) {
 
 }  // namespace
 
-extern const Command background_command{"background", "background r g b", ReadBackground};
-extern const Command ambient_command{"ambient", "ambient r g b", ReadAmbient};
-extern const Command environment_command{"environment", "environment file", ReadEnvironment};
+extern const Command background_command{"background", "background r g b",
+                                        "what rays see that hit nothing; black unless stated", ReadBackground};
+extern const Command ambient_command{"ambient", "ambient r g b",
+                                     "light that is everywhere, for ka; black unless stated", ReadAmbient};
+extern const Command environment_command{"environment", "environment file",
+                                         "a picture of what is infinitely far on all sides, seen and shining",
+                                         ReadEnvironment};
 
 }  // namespace ray

@@ -10,6 +10,7 @@
 #include "source/app/Listing.h"
 #include "source/app/Manual.h"
 #include "source/app/OptionTable.h"
+#include "source/parse/scn/Command.h"
 #include "tests/source/app/Program.h"
 
 namespace ray {
@@ -125,9 +126,46 @@ TEST(Manual, NamesEveryOptionAndNoLineStartsWithAStrayDot) {
     for (const std::string& line : Lines(page)) {
       if (!line.starts_with('.')) continue;
       const std::string macro = line.substr(0, line.find(' '));
-      EXPECT_TRUE(Contains(" .TH .SH .SS .TP .B .I .RI .nf .fi ", " " + macro + " ")) << line;
+      EXPECT_TRUE(Contains(" .TH .SH .SS .TP .B .I .BR .RI .nf .fi ", " " + macro + " ")) << line;
     }
   }
+}
+
+// A command that the manual forgets is one that nobody finds.
+TEST(Manual, OfScenesHasEveryCommandThatTheLanguageHasAndThatIsListed) {
+  const std::string page = ManualPage("scn", Program::raypro);
+  for (const Command& command : Commands()) {
+    EXPECT_EQ(Count(page, "\n.B " + WithRoffDashes(command.usage) + "\n"), 1u) << command.name;
+    EXPECT_FALSE(command.about.empty()) << command.name;
+  }
+  const std::vector<std::string> listed = Lines(Listing(Program::raypro, "commands"));
+  EXPECT_EQ(listed.size(), Commands().size() + 1);  // and a heading
+  for (std::size_t i = 1; i < listed.size(); ++i)
+    EXPECT_TRUE(Contains(page, "\n.B " + WithRoffDashes(listed[i].substr(2)) + "\n")) << listed[i];
+}
+
+TEST(Manual, OfScenesShowsAnExampleThatIsOne) {
+  const std::string page = ManualPage("scn", Program::raypro), heading = ".SH EXAMPLE\n.nf\n";
+  ASSERT_TRUE(Contains(page, heading));
+  const std::size_t start = page.find(heading) + heading.size();
+  std::string scene = page.substr(start, page.find(".fi\n", start) - start);
+  std::erase(scene, '\\');
+  const ray::testing::TemporaryFolder folder;
+  ray::testing::WriteFile(folder / "example.scn", scene);
+  const ParsedScene parsed = Parse(folder / "example.scn", {});
+  EXPECT_TRUE(parsed.warnings.empty());
+  EXPECT_EQ(parsed.scene.lights.size(), 1u);
+}
+
+TEST(Manual, FormatsWithoutAWordFromRoff) {
+  if (std::system("command -v groff >/dev/null 2>&1") != 0) GTEST_SKIP() << "groff is not installed";
+  const ray::testing::TemporaryFolder folder;
+  for (const Program program : programs)
+    for (const std::string& name : {std::string(), std::string("scn")}) {
+      ray::testing::WriteFile(folder / "page", ManualPage(name, program));
+      std::system(("groff -man -Tutf8 -ww '" + folder / "page" + "' 2>'" + folder / "words" + "' >/dev/null").c_str());
+      EXPECT_EQ(ray::testing::ReadFile(folder / "words"), "") << NameOf(program) << name;
+    }
 }
 
 TEST(Completion, EveryShellLearnsEveryOption) {
