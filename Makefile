@@ -7,17 +7,24 @@
 #   make bench      the benchmark programs
 #   make tradeoff   error over seconds for every knob, as CSV and plots under build/tradeoff; FULL=1 for hours
 #   make price      what features cost scenes that do not use them
-#   make install    PREFIX=/usr/local DESTDIR= bindir= datadir= mandir=
+#   make install    PREFIX=/usr/local DESTDIR= bindir= datadir= mandir= docdir=; make uninstall undoes it
+#   make installcheck  both of them, tried in a folder for it
+#   make dist       what is committed, as build/raypro-VERSION.tar.gz
+# HAS_EXR=no and CONTEXTS= (or CONTEXTS="egl osmesa") leave out what could be built here.
 # CXX, CXXFLAGS, CPPFLAGS and LDFLAGS given by the user come after ours and so win.
 
 ifeq ($(origin CXX),default)
 CXX := g++
 endif
 BUILD ?= build
+ifneq ($(words $(BUILD)),1)
+$(error BUILD must be one word, without blanks, not "$(BUILD)"; the folder of the sources may have some)
+endif
 PREFIX ?= /usr/local
 bindir ?= $(PREFIX)/bin
 datadir ?= $(PREFIX)/share
 mandir ?= $(datadir)/man
+docdir ?= $(datadir)/doc/raypro
 VERSION := 0.1.0
 OPTIMIZE ?= -O2
 # What a user adds may not change how numbers are rounded: rays would leak between triangles, or pictures differ.
@@ -36,7 +43,7 @@ EXR_CFLAGS := $(or $(call pkg,--cflags,OpenEXR),-isystem /usr/include/OpenEXR -i
 EXR_CFLAGS := $(patsubst -I%,-isystem%,$(EXR_CFLAGS))
 EXR_LIBS := $(or $(call pkg,--libs,OpenEXR),-lOpenEXR -lImath -lIex)
 
-NEEDS_COMPILER := $(if $(filter clean uninstall install-help check format,$(MAKECMDGOALS)),,yes)
+NEEDS_COMPILER := $(if $(filter clean uninstall check dist,$(MAKECMDGOALS)),,yes)
 ifeq ($(NEEDS_COMPILER),yes)
 HAS_JPEG := $(call probe,jpeg,jpeglib.h,-include stdio.h)
 HAS_PNG := $(call probe,png,png.h,)
@@ -97,7 +104,8 @@ endif
 BENCH_SOURCES := $(filter-out $(if $(CONTEXTS),,bench/view.cpp),$(wildcard bench/*.cpp))
 objects = $(patsubst %.cpp,$(BUILD)/obj/%.o,$(1))
 
-.PHONY: all $(PROGRAMS) test night check asan tsan bench tradeoff price link_with install uninstall clean compile_commands test-binary FORCE
+.PHONY: all $(PROGRAMS) test night check asan tsan bench tradeoff price link_with install uninstall installcheck dist \
+        clean compile_commands test-binary FORCE
 .PRECIOUS: $(BUILD)/obj/%.o
 all: $(PROGRAMS) $(BUILD)/compile_commands.json
 $(PROGRAMS): %: $(BUILD)/%
@@ -113,7 +121,7 @@ $(BUILD)/obj/%.o: %.cpp $(BUILD)/flags
 	@mkdir -p $(@D)
 	@echo "  c++   $<"
 	@$(CXX) $(OUR_CPPFLAGS) $(CPPFLAGS) $(OUR_CXXFLAGS) $(CXXFLAGS) -c $< -o $@
-	@printf '{"directory":"%s","file":"%s","command":"%s"},\n' '$(CURDIR)' '$<' \
+	@printf '{"directory":"%s","file":"%s","command":"%s"},\n' "$$(pwd)" '$<' \
 	  "$$(printf '%s' '$(subst ','\'',$(FLAGS_LINE)) -c $< -o $@' | sed 's/[\\"]/\\&/g')" > $(@:.o=.cmd)
 
 $(BUILD)/libray.a: $(call objects,$(LIBRARY_SOURCES))
@@ -135,9 +143,10 @@ $(BUILD)/bench/%: $(BUILD)/obj/bench/%.o $(BUILD)/libray.a
 	@echo "  link  $@"
 	@$(CXX) $(OUR_CXXFLAGS) $(CXXFLAGS) $^ $(LDFLAGS) -lbenchmark $(LIBS) -o $@
 
-# Tests find the programs and the project's files through these.
-FOR_TESTS := RAYPRO=$(abspath $(BUILD))/raypro RAYIMG=$(abspath $(BUILD))/rayimg RAYPRO_ROOT=$(CURDIR) \
-             $(if $(filter rayview,$(PROGRAMS)),RAYVIEW=$(abspath $(BUILD))/rayview)
+# Tests find the programs and the project's files through these. The shell names the folders: make takes blanks in
+# their names for ends of words.
+FOR_TESTS := build=$$(cd $(BUILD) && pwd) && RAYPRO="$$build/raypro" RAYIMG="$$build/rayimg" RAYPRO_ROOT="$$(pwd)" \
+             $(if $(filter rayview,$(PROGRAMS)),RAYVIEW="$$build/rayview")
 
 # The same tests with millions of cases where a commit has thousands; hours.
 night: test-binary $(PROGRAMS)
@@ -163,33 +172,32 @@ bench: $(patsubst bench/%.cpp,$(BUILD)/bench/%,$(BENCH_SOURCES)) raypro
 
 # The scripts say what they measure and which options they take: TRADEOFF="-search 50 hello lens".
 tradeoff: $(PROGRAMS)
-	RAYPRO=$(abspath $(BUILD))/raypro RAYIMG=$(abspath $(BUILD))/rayimg sh script/tradeoff.sh $(if $(FULL),-full) $(TRADEOFF)
+	$(FOR_TESTS) sh script/tradeoff.sh $(if $(FULL),-full) $(TRADEOFF)
 price: raypro
 	BUILD=$(BUILD) sh script/price_of_features.sh $(PRICE)
 # For that script: raypro from OBJECTS and, for the rest, the library, as the program TO.
 link_with: $(BUILD)/obj/source/app/raypro.o $(BUILD)/libray.a
 	@$(CXX) $(OUR_CXXFLAGS) $(CXXFLAGS) $< $(OBJECTS) $(BUILD)/libray.a $(LDFLAGS) $(LIBS) -o $(TO)
 
+# The shell's quotes around anything.
+quoted = '$(subst ','\'',$(1))'
+INTO = DESTDIR=$(call quoted,$(DESTDIR)) bindir=$(call quoted,$(bindir)) datadir=$(call quoted,$(datadir)) \
+       mandir=$(call quoted,$(mandir)) docdir=$(call quoted,$(docdir))
 install: $(PROGRAMS)
-	install -d $(DESTDIR)$(bindir) $(DESTDIR)$(mandir)/man1 $(DESTDIR)$(datadir)/raypro/scenes \
-	  $(DESTDIR)$(datadir)/bash-completion/completions $(DESTDIR)$(datadir)/zsh/site-functions \
-	  $(DESTDIR)$(datadir)/fish/vendor_completions.d
-	for program in $(PROGRAMS); do \
-	  install -m 755 $(BUILD)/$$program $(DESTDIR)$(bindir)/$$program && \
-	  $(BUILD)/$$program -man > $(DESTDIR)$(mandir)/man1/$$program.1 && \
-	  $(BUILD)/$$program -complete bash > $(DESTDIR)$(datadir)/bash-completion/completions/$$program && \
-	  $(BUILD)/$$program -complete zsh > $(DESTDIR)$(datadir)/zsh/site-functions/_$$program && \
-	  $(BUILD)/$$program -complete fish > $(DESTDIR)$(datadir)/fish/vendor_completions.d/$$program.fish || exit 1; \
-	done
-	cp -R scenes/. $(DESTDIR)$(datadir)/raypro/scenes/
+	@$(INTO) sh script/install.sh $(BUILD) $(PROGRAMS)
 uninstall:
-	for program in $(ALL_PROGRAMS); do \
-	  rm -f $(DESTDIR)$(bindir)/$$program $(DESTDIR)$(mandir)/man1/$$program.1 \
-	    $(DESTDIR)$(datadir)/bash-completion/completions/$$program \
-	    $(DESTDIR)$(datadir)/zsh/site-functions/_$$program \
-	    $(DESTDIR)$(datadir)/fish/vendor_completions.d/$$program.fish; \
-	done
-	rm -rf $(DESTDIR)$(datadir)/raypro
+	@$(INTO) sh script/uninstall.sh
+installcheck: $(PROGRAMS)
+	@sh tests/fresh/install.sh $(BUILD)
+
+# Of what is committed, with the time of the commit, nobody's name and no time in the compressed file: the same bytes
+# wherever it is made.
+dist:
+	@git rev-parse --git-dir >/dev/null || { echo "make dist packs what is committed; this is no checkout" >&2; exit 1; }
+	@mkdir -p $(BUILD)
+	@git -c tar.umask=0022 archive --format=tar --prefix=raypro-$(VERSION)/ HEAD > $(BUILD)/dist.tar
+	@gzip -n -9 < $(BUILD)/dist.tar > $(BUILD)/raypro-$(VERSION).tar.gz && rm -f $(BUILD)/dist.tar
+	@echo $(BUILD)/raypro-$(VERSION).tar.gz
 
 clean:
 	rm -rf $(BUILD)

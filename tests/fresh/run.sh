@@ -85,7 +85,8 @@ as_user "cd / && $stage/bin/rayimg info /home/user/hello.png"
 
 say "6. make uninstall"
 as_user 'make uninstall DESTDIR=/home/user/stage PREFIX=/opt'
-left=$(find "$root/home/user/stage" ! -type d)
+left=$(find "$root/home/user/stage" -mindepth 1)
 [ -z "$left" ] || fail "left behind: $left"
+as_user 'make installcheck'
 
 say "all is well"

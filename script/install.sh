@@ -1,0 +1,64 @@
+#!/bin/sh
+# Puts what was built where it belongs; make install calls it. Every file, and every folder that was not there before,
+# is written down in share/raypro/installed.txt: script/uninstall.sh removes these and nothing else.
+#   usage: DESTDIR= bindir= datadir= mandir= docdir= script/install.sh BUILD PROGRAM...
+set -eu
+cd "$(dirname "$0")/.."
+build=$1; shift
+. script/install_names.sh
+
+umask 022  # whatever the user's, what is installed is for everybody
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+list=$work/list
+
+folder() {
+  [ ! -d "$DESTDIR$1/" ] || return 0
+  folder "${1%/*}"
+  mkdir "$DESTDIR$1"
+  echo "folder $1" >> "$list"
+}
+
+put() {  # mode, file, to be called
+  folder "${3%/*}"
+  install -m "$1" "$2" "$DESTDIR$3"
+  echo "file $3" >> "$list"
+}
+
+put_output() {  # to be called, command...
+  name=$1; shift
+  "$@" > "$work/output"
+  put 644 "$work/output" "$name"
+}
+
+[ -z "$DESTDIR" ] || mkdir -p "$DESTDIR"
+for program in "$@"; do
+  put 755 "$build/$program" "$bindir/$program"
+  put_output "$mandir/man1/$program.1" "$build/$program" -man
+  put_output "$datadir/bash-completion/completions/$program" "$build/$program" -complete bash
+  put_output "$datadir/zsh/site-functions/_$program" "$build/$program" -complete zsh
+  put_output "$datadir/fish/vendor_completions.d/$program.fish" "$build/$program" -complete fish
+  case "$program" in
+    raypro) put_output "$mandir/man5/scn.5" "$build/$program" -man scn ;;
+    rayview) put 644 share/applications/rayview.desktop "$datadir/applications/rayview.desktop" ;;
+  esac
+done
+put 644 share/mime/packages/raypro.xml "$datadir/mime/packages/raypro.xml"
+for file in README.md LICENSE CHANGELOG.md CITATION.cff art/hello.png; do  # the README shows that picture
+  put 644 "$file" "$docdir/$file"
+done
+# A loop behind a pipe would not stop the script when it fails.
+find scenes -type f ! -name '.*' > "$work/scenes"
+while IFS= read -r file; do
+  put 644 "$file" "$datadir/raypro/$file"
+done < "$work/scenes"
+
+# What an earlier installation put there, or made room for, is still ours.
+folder "${installed%/*}"
+echo "file $installed" >> "$list"
+[ ! -f "$DESTDIR$installed" ] || cat "$DESTDIR$installed" >> "$list"
+LC_ALL=C sort -u "$list" > "$work/sorted"
+install -m 644 "$work/sorted" "$DESTDIR$installed"
+
+echo "installed; that file managers know .scn files is left to you or your packager:"
+echo "  update-mime-database $datadir/mime; update-desktop-database $datadir/applications"
