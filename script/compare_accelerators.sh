@@ -6,6 +6,7 @@
 #
 # RAYPRO names the program (default build/raypro).
 set -eu
+export LC_ALL=C  # numbers have a point
 here=$(cd "$(dirname "$0")/.." && pwd)
 raypro=${RAYPRO:-$here/build/raypro}
 [ $# -gt 0 ] || set -- "$here"/scenes/hello.scn "$here"/scenes/hierarchy.scn "$here"/scenes/smooth.scn

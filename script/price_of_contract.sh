@@ -7,6 +7,7 @@
 #
 # What follows the scenes goes to the bench: so are packets of 16 measured, not single rays.
 set -eu
+export LC_ALL=C  # numbers have a point
 cd "$(dirname "$0")/.."
 scenes=${1:-rabbit,head,blob,soup,colonnade,city}
 [ $# = 0 ] || shift

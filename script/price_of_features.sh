@@ -13,6 +13,7 @@
 # Exit status 1: a picture differs, or an aim is missed. The table goes to build/price/features.csv as well (OUT names
 # another folder), where script/tradeoff_plots.sh looks for it. BUILD names the build to start from (default build).
 set -eu
+export LC_ALL=C  # numbers have a point
 cd "$(dirname "$0")/.."
 build=${BUILD:-build}
 out=${OUT:-$build/price}

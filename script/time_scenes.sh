@@ -6,6 +6,7 @@
 #
 # RAYPRO names the program (default build/raypro), RUNS how often each is run (default 3; the median is printed).
 set -eu
+export LC_ALL=C  # numbers have a point
 here=$(cd "$(dirname "$0")/.." && pwd)
 raypro=${RAYPRO:-$here/build/raypro}
 runs=${RUNS:-3}

@@ -20,6 +20,7 @@
 # a row by hand. Everything runs on one thread. The references cut nothing off; filters have references of their own,
 # because they do not ask for the same picture.
 set -eu
+export LC_ALL=C  # numbers have a point
 here=$(cd "$(dirname "$0")/.." && pwd)
 raypro=${RAYPRO:-$here/build/raypro}
 rayimg=${RAYIMG:-$here/build/rayimg}

@@ -10,6 +10,7 @@
 #   accelerators  seconds to build and to trace, one thread
 #   features      what features cost a scene that does not use them, from script/price_of_features.sh
 set -eu
+export LC_ALL=C  # numbers have a point
 here=$(cd "$(dirname "$0")/.." && pwd)
 csv=${1:-$here/build/tradeoff/small/tradeoff.csv}
 features=${2:-$here/build/price/features.csv}
