@@ -19,9 +19,10 @@ try_make() {
 }
 
 # Folders and files of others, which must outlive us.
-mkdir -p "$share/man/man1" "$share/raypro/scenes" "$share/applications"
-echo mine > "$share/raypro/scenes/mine.scn"
-echo other > "$share/man/man1/other.1"
+( umask 022
+  mkdir -p "$share/man/man1" "$share/raypro/scenes" "$share/applications"
+  echo mine > "$share/raypro/scenes/mine.scn"
+  echo other > "$share/man/man1/other.1" )
 listing > "$work/before"
 
 try_make install
@@ -47,7 +48,7 @@ done
 case "$programs" in *rayview*) [ -s "$share/applications/rayview.desktop" ] || fail "rayview.desktop is missing" ;; esac
 
 # Whatever the umask, everybody may read it.
-unreadable=$(cd "$stage/opt/ray" && find . -type f ! -perm -444; find "$stage/opt/ray/bin" -type f ! -perm -555)
+unreadable=$(cd "$stage/opt/ray" && find . ! -perm -444; find . -type d ! -perm -555; find bin -type f ! -perm -555)
 [ -z "$unreadable" ] || fail "not for everybody: $unreadable"
 
 if command -v groff >/dev/null 2>&1; then
