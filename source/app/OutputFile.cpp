@@ -74,7 +74,7 @@ std::string KeepElsewhere(const OutputFile& output, std::span<const unsigned cha
     WriteAt(refuge, bytes);
     return "; it is kept as '" + Escaped(refuge.string()) + "'";
   } catch (const std::system_error& failure) {
-    return "; nor can it be kept as " + Quoted(refuge.string()) + ": " + failure.code().message();
+    return "; nor can it be kept as " + QuotedPath(refuge.string()) + ": " + failure.code().message();
   }
 }
 

@@ -49,7 +49,7 @@ PictureOutput CheckPictureOutput(const std::string& name, std::span<const std::s
 void TellOfLink(Program program, const OutputFile& picture) {
   if (picture.is_link)
     Tell(NameOf(program) + ": " + Quoted(picture.name) + " is a link; the picture goes to " +
-         Quoted(picture.target.string()));
+         QuotedPath(picture.target.string()));
 }
 
 Outputs CheckOutputs(const Options& options) {

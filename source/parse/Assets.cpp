@@ -36,7 +36,7 @@ Assets::BoxedMesh Assets::Mesh(const std::string& name, const std::string& named
 
 Assets::BoxedMesh Assets::ReadMesh(const FoundFile& file, bool smooth) {
   const MeshFormat* format = MeshFormatForName(file.shown);
-  if (!format) throw FileError{Quoted(file.shown) + " is no mesh of a known kind", "kinds are " + MeshExtensions()};
+  if (!format) throw FileError{QuotedPath(file.shown) + " is no mesh of a known kind", "kinds are " + MeshExtensions()};
   R3::MeshData data;
   {
     const Text text{file.shown, Read(file)};  // gone before the mesh is built from its data
@@ -73,7 +73,7 @@ std::shared_ptr<const Environment> Assets::EnvironmentOf(const FoundFile& file) 
   try {
     return std::make_shared<const Environment>(ReadImage(file, Use::color));
   } catch (const std::invalid_argument& error) {
-    throw FileError{"cannot light the scene by " + Quoted(file.shown) + ": " + error.what(), {}};
+    throw FileError{"cannot light the scene by " + QuotedPath(file.shown) + ": " + error.what(), {}};
   }
 }
 
@@ -89,7 +89,7 @@ R2::Image Assets::ReadImage(const FoundFile& file, Use use) {
     const bool is_encoded = decode_srgb_ && use == Use::color && !decoded.format->is_linear;
     return is_encoded ? Linear(std::move(decoded.image)) : std::move(decoded.image);
   } catch (const R2::ImageError& error) {
-    throw FileError{"cannot read the image " + Quoted(file.shown) + ": " + error.what(), {}};
+    throw FileError{"cannot read the image " + QuotedPath(file.shown) + ": " + error.what(), {}};
   }
 }
 

@@ -66,7 +66,7 @@ std::optional<std::string> WhyNotRegular(mode_t mode) {
 }
 
 void CheckRegular(const struct stat& status, const std::string& shown) {
-  if (const auto why = WhyNotRegular(status.st_mode)) throw FileError{Quoted(shown) + " " + *why, {}};
+  if (const auto why = WhyNotRegular(status.st_mode)) throw FileError{QuotedPath(shown) + " " + *why, {}};
 }
 
 bool IsBelow(const fs::path& path, const fs::path& folder) {
@@ -89,10 +89,10 @@ std::string ReadAll(const Handle& handle, const struct stat& status, const std::
   for (;;) {
     const ssize_t count = read(handle.Number(), bytes.data() + filled, bytes.size() - filled);
     if (count < 0 && errno == EINTR) continue;
-    if (count < 0) throw FileError{"cannot read " + Quoted(shown) + ": " + Reason(errno), {}};
+    if (count < 0) throw FileError{"cannot read " + QuotedPath(shown) + ": " + Reason(errno), {}};
     if (count == 0) break;
     filled += static_cast<std::size_t>(count);
-    if (filled > Files::max_bytes) throw FileError{Quoted(shown) + " is longer than the limit of 1 GiB", {}};
+    if (filled > Files::max_bytes) throw FileError{QuotedPath(shown) + " is longer than the limit of 1 GiB", {}};
     if (filled == bytes.size()) bytes.resize(std::min(2 * bytes.size(), Files::max_bytes + 1));
   }
   bytes.resize(filled);

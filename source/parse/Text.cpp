@@ -109,6 +109,8 @@ std::string Quoted(std::string_view bytes) {
   return "'" + Escaped(bytes.substr(0, kept)) + "...' (" + std::to_string(bytes.size()) + " bytes)";
 }
 
+std::string QuotedPath(std::string_view bytes) { return "'" + Escaped(bytes) + "'"; }
+
 std::string ShownLine(std::string_view line) {
   std::string shown;
   while (!line.empty()) {

@@ -33,6 +33,8 @@ std::size_t CountCharacters(std::string_view bytes);
 std::string Escaped(std::string_view bytes);
 /// The same in quotes, and shortened if long: 'spere'.
 std::string Quoted(std::string_view bytes);
+/// The same for the path of a file that is there, and so not endless: whole, since its end says most.
+std::string QuotedPath(std::string_view bytes);
 /// A line to be shown above a caret: as many characters as before, those that Escaped() would change as '?'.
 std::string ShownLine(std::string_view line);
 

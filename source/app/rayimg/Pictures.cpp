@@ -36,7 +36,7 @@ void Write(const PictureOutput& output, const R2::Image& image, const R2::ImageE
   RefuseSize(*output.format, image.Width(), image.Height());
   if (output.file.is_link)
     Tell("rayimg: " + Quoted(output.file.name) + " is a link; the picture goes to " +
-         Quoted(output.file.target.string()));
+         QuotedPath(output.file.target.string()));
   WriteWhole(output.file, output.format->encode(image, encoding, settings));
 }
 

@@ -153,5 +153,15 @@ TEST(Files, AnUnreadableSceneIsAnError) {
   EXPECT_TRUE(Contains(ReportOf(folder, "scene.scn"), "cannot open"));
 }
 
+// In a deep folder, what was cut off was the very name that the author looks for.
+TEST(Files, AFileWithAMistakeIsNamedWholeHoweverLongItsPath) {
+  const Folder folder;
+  const std::string deep(100, 'd'), scene = deep + "/scene.scn";
+  folder.Write(deep + "/mesh.xyz", "");
+  folder.Write(scene, "mesh -1 mesh.xyz");
+  EXPECT_TRUE(Contains(ReportOf(folder, scene), "error: '" + deep + "/mesh.xyz' is no mesh"))
+      << ReportOf(folder, scene);
+}
+
 }  // namespace
 }  // namespace ray
