@@ -181,7 +181,7 @@ TEST(ViewOutputs, AreCheckedBeforeAnythingIsDone) {
   const ViewOutputs none = check({});
   EXPECT_FALSE(none.image || none.output_image || none.screenshot || none.record);
   const ViewOutputs all = check({"-image", folder / "a.png", "-output_image", folder / "b.jpg", "-screenshot",
-                                 folder / "c.exr", "-record", folder / "events"});
+                                 folder / "c.hdr", "-record", folder / "events"});
   EXPECT_EQ(all.image->file.name, folder / "a.png");
   EXPECT_STREQ(all.output_image->format->name, "jpeg");
   EXPECT_TRUE(all.screenshot && all.record);

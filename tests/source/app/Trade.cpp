@@ -205,16 +205,16 @@ TEST(Replay, RefusesAReportWhoseBlocksAreNotThoseOfThePicture) {
 TEST(Reference, MustBeAPictureOfTheSameSize) {
   NEEDS_THE_PROGRAM();
   const Place place;
-  ASSERT_EQ(place.Run("a.exr", {"-samples", "4", "-crop", "1", "2", "9", "12"}).status, 0);
-  const Finished wrong = place.Run("b.ppm", {"-reference", place / "a.exr"});
+  ASSERT_EQ(place.Run("a.pfm", {"-samples", "4", "-crop", "1", "2", "9", "12"}).status, 0);
+  const Finished wrong = place.Run("b.ppm", {"-reference", place / "a.pfm"});
   EXPECT_EQ(wrong.status, 2);
   EXPECT_TRUE(Contains(wrong.error, "is 8x10, the picture 40x30")) << wrong.error;
-  EXPECT_EQ(place.Run("b.ppm", {"-reference", place / "missing.exr"}).status, 3);
+  EXPECT_EQ(place.Run("b.ppm", {"-reference", place / "missing.pfm"}).status, 3);
   EXPECT_EQ(place.Run("b.ppm", {"-reference", place / "in.scn"}).status, 3);
-  EXPECT_EQ(place.Others({"in.scn", "a.exr"}), List{});
+  EXPECT_EQ(place.Others({"in.scn", "a.pfm"}), List{});
   // The same crop is compared; the same samples are no error at all.
-  const Finished right = RunProgram({place / "in.scn", place / "b.exr", "-width", "40", "-height", "30", "-samples",
-                                     "4", "-crop", "1", "2", "9", "12", "-reference", place / "a.exr"});
+  const Finished right = RunProgram({place / "in.scn", place / "b.pfm", "-width", "40", "-height", "30", "-samples",
+                                     "4", "-crop", "1", "2", "9", "12", "-reference", place / "a.pfm"});
   EXPECT_EQ(right.status, 0) << right.error;
   EXPECT_TRUE(Contains(right.output, "true 0 255ths") || Contains(right.output, "true error 0 255ths")) << right.output;
 }
