@@ -172,7 +172,8 @@ install_and_uninstall() {
 
 # In a copy, over the objects of the build before.
 contributing() {
-  unpack "$folder/disc"
+  # With its times, by which make knows what is built already.
+  if [ -d "$core" ]; then cp -pR "$core" "$folder/disc"; else unpack "$folder/disc"; fi
   cd "$folder/disc"
   sed -n '/^```cpp$/,/^```$/p' CONTRIBUTING.md | sed '1d;$d' > R3/shapes/disc.cpp
   echo 'SHAPE(disc)' >> R3/shapes.def
@@ -191,7 +192,7 @@ core_from_read_only_source() {
   before=$(cd "$core" && find . | LC_ALL=C sort | cksum)
   if [ "$(id -u)" = 0 ]; then
     if mount --bind "$core" "$core" 2>/dev/null && mount -o remount,bind,ro "$core"; then
-      trap 'umount "$core"' EXIT
+      trap 'cd /; umount "$core"' EXIT
     else
       remark "root may write anywhere and cannot mount here: what was written is looked for instead"
     fi
