@@ -1,5 +1,5 @@
-# A ball squeezed to a third of its height, as an .obj with normals: right ones (the inverse transpose of the squeeze), with
-# normals=wrong those that the squeeze itself makes of the ball's, and with normals=inward right ones turned inside.
+# A ball squeezed to a third of its height, as an .obj with normals: right ones (the inverse transpose of the squeeze),
+# with normals=wrong those that the squeeze itself makes of the ball's, and with normals=inward right ones turned inside.
 #   awk -v normals=right -f writeup/scenes/squeezed.awk > writeup/scenes/squeezed_right.obj
 BEGIN {
   rows = 20; columns = 40; s = 1 / 3; pi = atan2(0, -1)

@@ -1,0 +1,121 @@
+#include <gtest/gtest.h>
+
+#include <cctype>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "R2/ImageFile.h"
+#include "tests/Project.h"
+
+namespace {
+
+using Attributes = std::map<std::string, std::string>;
+
+struct Tag {
+  std::string name;
+  Attributes attributes;
+};
+
+std::string TextOf(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::ostringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
+
+/// The opening tags of a page as our own generator writes them: values in double quotes, no > within them.
+std::vector<Tag> TagsOf(const std::string& page) {
+  std::vector<Tag> tags;
+  for (std::size_t at = page.find('<'); at != std::string::npos; at = page.find('<', at + 1)) {
+    if (!std::isalpha(static_cast<unsigned char>(page[at + 1]))) continue;
+    const std::size_t end = page.find('>', at);
+    std::size_t i = page.find_first_of(" >", at);
+    Tag tag{page.substr(at + 1, i - at - 1), {}};
+    while (i < end) {
+      i = page.find_first_not_of(" \n", i);
+      const std::size_t stop = page.find_first_of("= >", i);
+      if (stop >= end || page[stop] != '=') break;  // what is left is a word without a value
+      const std::size_t close = page.find('"', stop + 2);
+      tag.attributes[page.substr(i, stop - i)] = page.substr(stop + 2, close - stop - 2);
+      i = close + 1;
+    }
+    tags.push_back(std::move(tag));
+  }
+  return tags;
+}
+
+std::filesystem::path Writeup() { return project::Root() / "writeup"; }
+
+constexpr const char* pages[] = {"assignment3.html", "troubleshooting.html"};
+
+/// What other pages are linked to may come with another change of the project; all else must be there.
+bool IsKnownElsewhere(const std::string& link) {
+  return link == "../scenes/README.md" || link == "../art/README.md";
+}
+
+TEST(Writeup, EveryLinkAndPictureOfThePagesExists) {
+  for (const std::string page : pages) {
+    const std::string text = TextOf(Writeup() / page);
+    ASSERT_FALSE(text.empty()) << page;
+    std::set<std::string> ids;
+    const auto tags = TagsOf(text);
+    for (const Tag& tag : tags)
+      if (tag.attributes.contains("id")) ids.insert(tag.attributes.at("id"));
+    int links = 0;
+    for (const Tag& tag : tags)
+      for (const char* name : {"href", "src"}) {
+        if (!tag.attributes.contains(name)) continue;
+        const std::string& link = tag.attributes.at(name);
+        ++links;
+        EXPECT_EQ(link.find("//"), std::string::npos) << page << " would ask a network for " << link;
+        if (link.starts_with("data:") || IsKnownElsewhere(link)) continue;
+        const bool is_there =
+            link.starts_with("#") ? ids.contains(link.substr(1)) : std::filesystem::is_regular_file(Writeup() / link);
+        EXPECT_TRUE(is_there) << page << " links to " << link;
+      }
+    EXPECT_GT(links, 20) << page;
+  }
+}
+
+TEST(Writeup, IdsAreUniqueAndEveryPictureSaysWhatItShowsAndHowLargeItIs) {
+  for (const std::string page : pages) {
+    std::set<std::string> ids;
+    int images = 0;
+    for (const Tag& tag : TagsOf(TextOf(Writeup() / page))) {
+      if (tag.attributes.contains("id")) {
+        EXPECT_TRUE(ids.insert(tag.attributes.at("id")).second) << page << ": " << tag.attributes.at("id");
+      }
+      if (tag.name != "img") continue;
+      ++images;
+      const std::string src = tag.attributes.contains("src") ? tag.attributes.at("src") : "";
+      EXPECT_TRUE(tag.attributes.contains("alt") && !tag.attributes.at("alt").empty()) << page << ": " << src;
+      ASSERT_TRUE(tag.attributes.contains("width") && tag.attributes.contains("height")) << page << ": " << src;
+      if (src.ends_with(".svg")) continue;
+      // A browser keeps the room that the page says; a wrong proportion would squeeze the picture.
+      const std::string bytes = TextOf(Writeup() / src);
+      const auto size = R2::ReadImageSize({reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()});
+      const int width = std::stoi(tag.attributes.at("width")), height = std::stoi(tag.attributes.at("height"));
+      EXPECT_EQ(width * size.height, height * size.width) << page << ": " << src;
+    }
+    EXPECT_GT(images, 10) << page;
+  }
+}
+
+TEST(Writeup, EveryStoredPictureIsInTheTableAndAllTogetherAreSmall) {
+  const std::string table = TextOf(project::Root() / "script" / "pictures.txt");
+  std::uintmax_t bytes = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(Writeup() / "pictures")) {
+    bytes += entry.file_size();
+    const std::string id = entry.path().stem();
+    if (entry.path().extension() == ".svg") continue;
+    EXPECT_NE(table.find("\n" + id + " | "), std::string::npos) << entry.path() << " is made by nothing";
+  }
+  EXPECT_LT(bytes, 6'000'000u);
+}
+
+}  // namespace
