@@ -152,15 +152,15 @@ function show(id,   a, b, labels) {
   if (program[id] == "compare") {
     split(scene[id], labels, " "); a = labels[1]; b = labels[2]
     split(options[id], labels, " / ")
-    put("<figure id=\"" id "\" class=\"compare\">\n<div class=\"pair\">")
+    put("<figure id=\"picture-" id "\" class=\"compare\">\n<div class=\"pair\">")
     put("<div class=\"one\">" image(a) "<span class=\"label\">" words(labels[1]) "</span></div>")
     put("<div class=\"two\">" image(b) "<span class=\"label\">" words(labels[2]) "</span></div>\n</div>")
     put("<figcaption>" words(caption[id]) how(a) how(b) "</figcaption>\n</figure>")
   } else if (program[id] == "text") {
-    put("<figure id=\"" id "\" class=\"said\"><pre tabindex=\"0\">" html(file_text(measured "/" id ".txt")) "</pre>")
+    put("<figure id=\"picture-" id "\" class=\"said\"><pre tabindex=\"0\">" html(file_text(measured "/" id ".txt")) "</pre>")
     put("<figcaption>" words(caption[id]) how(id) "</figcaption></figure>")
   } else {
-    put("<figure id=\"" id "\">" image(id) "\n<figcaption>" words(caption[id]) how(id) "</figcaption></figure>")
+    put("<figure id=\"picture-" id "\">" image(id) "\n<figcaption>" words(caption[id]) how(id) "</figcaption></figure>")
   }
 }
 
