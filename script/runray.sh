@@ -256,7 +256,11 @@ while [ $# -gt 0 ]; do
     -all) all=yes ;;
     -accept) accept=yes ;;
     -fast) fast=yes all=yes ;;
-    -one) [ "$fast" = no ] || build=$build/fast; make_one "$2"; exit ;;
+    -one)
+      [ $# = 2 ] || exit 0  # xargs without words
+      [ "$fast" = no ] || build=$build/fast
+      make_one "$2"
+      exit ;;
     -*) echo "runray.sh: unknown option $1; see the top of the script" >&2; exit 2 ;;
     *) break ;;
   esac
