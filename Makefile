@@ -1,6 +1,6 @@
 # raypro: two commands make a picture and a green test run: script/setup.sh, then make test.
 #   make            the programs, under build/ (another place: make BUILD=elsewhere)
-#   make test       the layer check and all tests
+#   make test       the layer check, all tests, and a few pictures of the writeup
 #   make night      the tests with millions of cases; GTEST=--gtest_filter=... for some of them
 #   make check      the layer check alone: who may include whom
 #   make asan tsan  the tests again under the sanitizers
@@ -158,6 +158,7 @@ $(BUILD)/compile_commands.json: $(PROGRAMS:%=$(BUILD)/%)
 
 test: check test-binary $(PROGRAMS)
 	$(FOR_TESTS) $(BUILD)/raytests $(GTEST)
+	$(FOR_TESTS) sh script/runray.sh -fast
 test-binary: $(BUILD)/raytests
 
 check:

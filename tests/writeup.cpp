@@ -53,11 +53,6 @@ std::filesystem::path Writeup() { return project::Root() / "writeup"; }
 
 constexpr const char* pages[] = {"assignment3.html", "troubleshooting.html"};
 
-/// What other pages are linked to may come with another change of the project; all else must be there.
-bool IsKnownElsewhere(const std::string& link) {
-  return link == "../scenes/README.md" || link == "../art/README.md";
-}
-
 TEST(Writeup, EveryLinkAndPictureOfThePagesExists) {
   for (const std::string page : pages) {
     const std::string text = TextOf(Writeup() / page);
@@ -73,7 +68,7 @@ TEST(Writeup, EveryLinkAndPictureOfThePagesExists) {
         const std::string& link = tag.attributes.at(name);
         ++links;
         EXPECT_EQ(link.find("//"), std::string::npos) << page << " would ask a network for " << link;
-        if (link.starts_with("data:") || IsKnownElsewhere(link)) continue;
+        if (link.starts_with("data:")) continue;
         const bool is_there =
             link.starts_with("#") ? ids.contains(link.substr(1)) : std::filesystem::is_regular_file(Writeup() / link);
         EXPECT_TRUE(is_there) << page << " links to " << link;

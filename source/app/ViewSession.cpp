@@ -218,6 +218,10 @@ class Session : public ViewerHost {
       } else if (std::holds_alternative<WaitForTrace>(step)) {
         viewer_.Update();
         while (viewer_.IsBusy() && StopSignal() == 0) Pause();
+      } else if (const auto* rows = std::get_if<WaitForRows>(&step)) {
+        while (viewer_.Pictures().IsTracing() && viewer_.Pictures().Trace()->RowsDone() < rows->rows &&
+               StopSignal() == 0)
+          Pause();
       } else if (const auto* wait = std::get_if<WaitSeconds>(&step)) {
         for (const auto start = Clock::now(); SecondsSince(start) < wait->seconds && StopSignal() == 0;) Pause();
       } else if (const auto* screenshot = std::get_if<Screenshot>(&step)) {

@@ -88,6 +88,9 @@ class Reader {
       if (what && what->line == word.line && what->text == "trace") {
         tokens_.Next();
         steps_.emplace_back(WaitForTrace{});
+      } else if (what && what->line == word.line && what->text == "rows") {
+        tokens_.Next();
+        steps_.emplace_back(WaitForRows{Whole("rows")});
       } else {
         steps_.emplace_back(WaitSeconds{Seconds()});
       }

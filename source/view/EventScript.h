@@ -21,12 +21,17 @@
 ///     drop other.scn             the rest of the line is the name of a file
 ///     tick 0.1                   so many seconds pass
 ///     close
-///     wait trace                 until the trace, or the live picture, has come to its end; or: wait 0.5 seconds
+///     wait trace                 until the trace, or the live picture, has come to its end
+///     wait rows 100              until so many rows of the trace are done
+///     wait 0.5                   seconds
 ///     screenshot out.png
 ///     print                      what the viewer shows, in words
 namespace ray {
 
 struct WaitForTrace {};
+struct WaitForRows {
+  int rows = 0;
+};
 struct WaitSeconds {
   double seconds = 0;
 };
@@ -35,7 +40,7 @@ struct Screenshot {
 };
 struct PrintState {};
 
-using ScriptStep = std::variant<Event, WaitForTrace, WaitSeconds, Screenshot, PrintState>;
+using ScriptStep = std::variant<Event, WaitForTrace, WaitForRows, WaitSeconds, Screenshot, PrintState>;
 
 /// Throws SceneErrors that point at each mistake.
 std::vector<ScriptStep> ReadEventScript(const Text& text);

@@ -52,8 +52,9 @@ TEST(EventScript, ShortStepsStandForSeveralEvents) {
 }
 
 TEST(EventScript, WaitsAndPicturesAreSteps) {
-  const auto steps = Read("wait trace  # until it is there\nwait 0.5\nscreenshot my picture.png\nprint\n");
-  ASSERT_EQ(steps.size(), 4u);
+  const auto steps = Read("wait trace  # until it is there\nwait 0.5\nscreenshot my picture.png\nprint\nwait rows 7");
+  ASSERT_EQ(steps.size(), 5u);
+  EXPECT_EQ(std::get<WaitForRows>(steps[4]).rows, 7);
   EXPECT_TRUE(std::holds_alternative<WaitForTrace>(steps[0]));
   EXPECT_EQ(std::get<WaitSeconds>(steps[1]).seconds, 0.5);
   EXPECT_EQ(std::get<Screenshot>(steps[2]).file, "my picture.png");
