@@ -169,8 +169,8 @@ void CheckBudget(const Options& options) {
   const Budget& budget = options.render.budget;
   if (!options.replay.empty() && budget.IsOpen()) throw UsageError("-replay and -time or -error contradict each other");
   if (!options.replay.empty() && options.resume) throw UsageError("-replay and -resume contradict each other");
-  if (options.render.mode == "heat" && budget.error)
-    throw UsageError("-error is an error of light; -mode heat shows costs");
+  if (ShowsCosts(options.render.mode) && budget.error)
+    throw UsageError("-error is an error of light; -mode " + options.render.mode + " shows costs");
 }
 
 }  // namespace

@@ -119,7 +119,7 @@ std::vector<OptionKind> MakeTable() {
        "a picture of the same scene to compare with"},
 
       {"mode", both, {}, {"name"}, OneNameOf{AT(render.mode), RenderModes}, "", "light",
-       "whitted, path: the light; heat: tests a pixel, black 1 to white 10000; or a layer seen first"},
+       "whitted, path: light; heat, rays: costs a pixel, black 1 to white 10000; or a layer seen first"},
       {"env", both, {}, {"file"}, FileName{AT(parse.environment)}, "", "light",
        "light from all around: a latitude-longitude picture, an angular probe or a cross of six faces"},
       {"max_depth", both, {"maxreflections", "max_reflections"}, {"n"},

@@ -14,7 +14,7 @@ std::string Text(double number) {
   return std::string(text.data(), end);
 }
 
-bool IsTraced(const std::string& mode) { return mode == "whitted" || mode == "path" || mode == "heat"; }
+bool IsTraced(const std::string& mode) { return mode == "whitted" || mode == "path" || ShowsCosts(mode); }
 
 }  // namespace
 

@@ -382,7 +382,7 @@ class Job {
   /// So far.
   R2::Image Picture() const {
     R2::Image image = film_.Picture();
-    if (settings_.mode == "heat") ColorHeat(image);
+    if (ShowsCosts(settings_.mode)) ColorHeat(image);
     return image;
   }
 
@@ -402,7 +402,7 @@ class Job {
       if (samples > 0) r.pixels_done += area;
     }
     // Of heat no error is known: its sums are costs, not the colours shown.
-    const auto error = settings_.mode == "heat" ? std::nullopt : MeasureError(film_, measure_);
+    const auto error = ShowsCosts(settings_.mode) ? std::nullopt : MeasureError(film_, measure_);
     if (error) {
       r.error = error->estimate;
       r.has_hot_pixels = two_streams_ && r.error->hot_share > too_hot && r.samples.least == r.samples.most;

@@ -14,16 +14,21 @@ SampleTracer::SampleTracer(const Integrator& integrator, const CameraRays& camer
     : integrator_(integrator),
       camera_(camera),
       seed_(settings.seed),
-      is_heat_(settings.mode == "heat"),
-      together_(is_heat_ ? 1 : most_together) {}
+      shows_costs_(ShowsCosts(settings.mode)),
+      counts_rays_(settings.mode == "rays"),
+      together_(shows_costs_ ? 1 : most_together) {}
+
+double SampleTracer::CostSoFar(const TraceState& state) const {
+  return counts_rays_ ? static_cast<double>(state.rays.Total()) : Heat(state.rays.Cost());
+}
 
 void SampleTracer::FindRadiances(TraceState& state) {
   radiances_.resize(samples_.size());
-  const double heat_before = is_heat_ ? Heat(state.rays.Cost()) : 0;
+  const double before = shows_costs_ ? CostSoFar(state) : 0;
   integrator_.Radiance(samples_, radiances_, state);
-  if (!is_heat_ || samples_.empty()) return;
-  const double heat = Heat(state.rays.Cost()) - heat_before;
-  radiances_[0] = {heat, heat, heat};
+  if (!shows_costs_ || samples_.empty()) return;
+  const double cost = CostSoFar(state) - before;
+  radiances_[0] = {cost, cost, cost};
 }
 
 }  // namespace ray

@@ -49,11 +49,12 @@ class SampleTracer {
     int column, row;
   };
   void FindRadiances(TraceState& state);
+  double CostSoFar(const TraceState& state) const;
 
   const Integrator& integrator_;
   const CameraRays& camera_;
   const RandomKey seed_;
-  const bool is_heat_;
+  const bool shows_costs_, counts_rays_;
   const std::size_t together_;
   std::vector<CameraSample> samples_;
   std::vector<Place> places_;

@@ -22,7 +22,7 @@ CoarsePasses::CoarsePasses(const Integrator& integrator, const CameraRays& camer
                            const RenderSettings& settings, const Watch& watch)
     : film_(film),
       watch_(watch),
-      is_heat_(settings.mode == "heat"),
+      is_heat_(ShowsCosts(settings.mode)),
       sampled_{film.PixelsOf(0).x0, film.PixelsOf(0).y0, film.PixelsOf(film.Blocks() - 1).x1,
                film.PixelsOf(film.Blocks() - 1).y1},
       samples_(static_cast<std::size_t>(sampled_.Area())) {

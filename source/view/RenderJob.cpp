@@ -30,7 +30,7 @@ PixelRectangle RegionOf(const RenderSettings& settings) {
 /// Rows that are rendered together. What a pixel costs may depend on those before it in its block of the film, so heat
 /// needs whole blocks, which a wide filter's apron does not give.
 int BandHeight(const RenderSettings& settings) {
-  const bool is_heat = settings.mode == "heat", is_wide = settings.filter != "box";
+  const bool is_heat = ShowsCosts(settings.mode), is_wide = settings.filter != "box";
   if (is_heat) return is_wide ? settings.height : Film::block_side;
   return is_wide ? band_height : 1;
 }
@@ -82,7 +82,7 @@ std::optional<RenderResult> RenderJob::RenderCoarseFirst(const Integrator& integ
   CoarsePasses passes(integrator, camera, film, settings_, {frame_, stop_, rays_, begun_late_});
   // What a pixel costs may depend on those before it, so heat's last pass and all its samples are left to Render, in
   // one go.
-  const bool is_kept = settings_.mode != "heat";
+  const bool is_kept = !ShowsCosts(settings_.mode);
   const int last_stride = is_kept ? 1 : 2;
   const auto begin = Clock::now();
   for (int stride = std::max(last_stride, first_stride_), traced = 0; stride >= last_stride; stride /= 2) {

@@ -82,7 +82,12 @@ void Viewer::On(const KeyEvent& event) {
     if (press_) press_->is_click = false;
     return;
   }
-  if (!event.is_pressed) return;
+  if (!event.is_pressed) {
+    // Whatever other keys are held by now.
+    for (const Binding& binding : Bindings())
+      if (binding.key == event.key && binding.release) binding.release(*this);
+    return;
+  }
   for (const Binding& binding : Bindings())
     if (binding.key == event.key && binding.modifiers == event.modifiers) {
       binding.act(*this);

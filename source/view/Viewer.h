@@ -71,6 +71,7 @@ class Viewer {
     Modifiers modifiers;
     const char* help;  // empty: as the line before
     std::function<void(Viewer&)> act;
+    std::function<void(Viewer&)> release = nullptr;  // where it lasts as long as the key is held
   };
   static const std::vector<Binding>& Bindings();
   /// Keys and gestures, a line each.

@@ -119,11 +119,15 @@ std::vector<Viewer::Binding> Viewer::MakeBindings() {
       {Key::f8, plain, "normals, live", live("normal")},
       {Key::f9, plain, "texture coordinates, live", live("uv")},
       {Key::f10, plain, "primitives, live", live("id")},
-      {Key::f11, plain, "colours of surfaces, live", live("albedo")},
+      {Key::f11, plain, "how many rays pixels take, live", live("rays")},
       {Key::f12, plain, "what pixels cost, live", live("heat")},
 
       {Key::r, plain, "keep the traced picture as the reference", [](Viewer& v) { v.KeepReference(); }},
-      {Key::tab, plain, "show the reference", [](Viewer& v) { v.Compare(TracedPictures::Comparing::reference); }},
+      {Key::tab, plain, "held: show the reference", [](Viewer& v) { v.Compare(TracedPictures::Comparing::reference); },
+       [](Viewer& v) {
+         if (v.pictures_.HowCompared() == TracedPictures::Comparing::reference)
+           v.Compare(TracedPictures::Comparing::no);
+       }},
       {Key::tab, shift, "show the difference from it",
        [](Viewer& v) { v.Compare(TracedPictures::Comparing::difference); }},
       {Key::up, control, "show twice the light", [](Viewer& v) { v.ChangeExposure(1); }},

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "source/integrate/Heat.h"
 #include "tests/Accelerators.h"
 #include "tests/Project.h"
 
@@ -76,6 +77,20 @@ TEST(Pictures, OfHeatDependOnTheAcceleratorAndOnNothingElse) {
   settings.tile_size = 8;
   EXPECT_TRUE(project::Render(stage, settings, {"bvh"}).image == bvh.image);
   EXPECT_FALSE(project::Render(stage, settings, {"none"}).image == bvh.image);
+}
+
+TEST(Pictures, OfRayCountsAreTheSameForAllAcceleratorsAndShowWhatThePixelTook) {
+  // One light without size: a pixel of the sphere takes its own ray and a shadow ray, one beside it only its own.
+  const project::Stage stage(
+      project::FromText("camera 0 0 5  0 0 -1  0 1 0  0.3  0.01 100\npoint_light 1 1 1  0 0 5  1 0 0\n"
+                        "material 0 0 0  1 1 1  0 0 0  0 0 0  0 0 0  1 1 0\nsphere 0  0 0 0  1\n"));
+  ray::RenderSettings settings;
+  settings.width = settings.height = 9;
+  settings.mode = "rays";
+  const auto image = project::Render(stage, settings, {"bvh"}).image;
+  EXPECT_NEAR(image.At(4, 4).b, ray::HeatColor(2).b, 1e-6);
+  EXPECT_EQ(image.At(0, 0), ray::HeatColor(1));
+  EXPECT_EQ(project::Render(stage, settings, {"none"}).image, image);
 }
 
 TEST(Pictures, ACropHoldsThePixelsOfTheWhole) {

@@ -107,6 +107,7 @@ TEST(TradeWords, ContradictionsAreRefused) {
   EXPECT_NE(ErrorOf({"-replay", "r.json", "-time", "3s"}), "");
   EXPECT_NE(ErrorOf({"-replay", "r.json", "-error", "3"}), "");
   EXPECT_NE(ErrorOf({"-mode", "heat", "-error", "3"}), "");
+  EXPECT_NE(ErrorOf({"-mode", "rays", "-error", "3"}), "");
   EXPECT_NE(ErrorOf({"-aperture", "0.1"}), "");
   EXPECT_EQ(ErrorOf({"-aperture", "0.1", "-focus", "3"}), "");
   for (const char* word : {"", ",", "a,", ",a"}) EXPECT_NE(ErrorOf({"-reference", word}), "") << word;

@@ -79,7 +79,7 @@ std::vector<Case> Cases() {
     for (const int samples : {1, 3, 16})
       for (const std::string filter : {"box", "gaussian"}) cases.push_back({scene, "whitted", samples, filter});
   for (const int samples : {1, 3, 16}) cases.push_back({"glass", "path", samples, "box"});
-  for (const std::string mode : {"heat", "depth"})
+  for (const std::string mode : {"heat", "rays", "depth"})
     for (const int samples : {1, 3})
       for (const std::string filter : {"box", "gaussian"}) cases.push_back({"hello", mode, samples, filter});
   // Of all accelerators this one remembers most, so that what a pixel costs depends on those before it.

@@ -181,8 +181,9 @@ TEST_F(ViewerTest, EveryKeyIsInTheHelpAndDoesSomething) {
              std::to_string(shown.lines->size()) + std::to_string(viewer_->IsClosed());
     };
     const std::string without = seen();
-    Do("key " + name);
+    Do("press " + name);
     EXPECT_NE(seen(), without) << name << " does nothing";
+    Do("release " + name);
   }
 }
 
@@ -408,6 +409,13 @@ TEST_F(ViewerTest, ComparingTellsTheDifferenceOfThePictures) {
   ASSERT_TRUE(shown.picture && shown.picture->image);
   EXPECT_NEAR(shown.picture->image->At(10, 10).r,
               std::abs(current->At(10, 10).r - viewer_->Pictures().Reference()->At(10, 10).r), 1e-6);
+}
+
+TEST_F(ViewerTest, TabShowsTheReferenceWhileItIsHeld) {
+  Do("key P\nwait trace\nkey R\nkey [\nwait trace\npress Tab");
+  EXPECT_EQ(viewer_->Show().picture->image, viewer_->Pictures().Reference());
+  Do("release Tab");
+  EXPECT_FALSE(viewer_->Show().picture->image);
 }
 
 TEST_F(ViewerTest, RowsOfTheQuadAreThoseOfTheRender) {
