@@ -30,6 +30,8 @@ class Assets {
   /// Throws FileError when the naming word is to blame, SceneError for a place in the mesh file. A file that failed
   /// before gives a null mesh: once reported is enough.
   BoxedMesh Mesh(const std::string& name, const std::string& named_in, bool smooth);
+  /// The same of a file that is found already, smooth where it can be.
+  BoxedMesh MeshOf(const FoundFile& file) { return ReadMesh(file, true); }
   /// What a picture's values are: colours, which a linear workflow decodes from 8 bits, or numbers, which it does not.
   enum class Use { color, data };
   /// Throws FileError; null when the file failed before.

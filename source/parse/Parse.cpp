@@ -6,7 +6,9 @@
 #include "source/parse/Assets.h"
 #include "source/parse/Format.h"
 #include "source/parse/LowerCase.h"
+#include "source/parse/MeshScene.h"
 #include "source/parse/Text.h"
+#include "source/parse/meshes/MeshFormat.h"
 
 namespace ray {
 namespace {
@@ -17,14 +19,18 @@ const std::array formats{
 #undef SCENE_FORMAT
 };
 
-const SceneFormat& FormatOf(const std::filesystem::path& file) {
+using ReadScene = Scene (*)(const Files& files, const ParseOptions& options, Report& report);
+
+ReadScene ReaderOf(const std::filesystem::path& file) {
   const std::string extension = LowerCase(file.extension().string());
   std::string known;
   for (const SceneFormat* format : formats) {
-    if (extension == format->extension) return *format;
+    if (extension == format->extension) return format->read;
     known += (known.empty() ? "" : ", ") + std::string(format->extension);
   }
-  throw SceneErrors({ErrorIn(file.string(), "unknown kind of scene; kinds are " + known)});
+  if (MeshFormatForName(file.string())) return ReadMeshScene;
+  throw SceneErrors(
+      {ErrorIn(file.string(), "unknown kind of scene; kinds are " + known + ", and of meshes " + MeshExtensions())});
 }
 
 /// The environment that the user names, wherever it lies.
@@ -42,11 +48,11 @@ void SetEnvironment(const ParseOptions& options, Report& report, Scene& scene) {
 }  // namespace
 
 ParsedScene Parse(const std::filesystem::path& file, const ParseOptions& options) {
-  const SceneFormat& format = FormatOf(file);
+  const ReadScene read = ReaderOf(file);
   Report report;
   try {
     const Files files(file, options.allowed_folders);
-    ParsedScene parsed{format.read(files, options, report), {}};
+    ParsedScene parsed{read(files, options, report), {}};
     if (!options.environment.empty()) SetEnvironment(options, report, parsed.scene);
     report.ThrowErrors();
     parsed.warnings = report.Warnings();

@@ -26,8 +26,8 @@ struct ParsedScene {
   std::vector<std::string> warnings;  // "file:line:column: warning: ..." whole lines
 };
 
-/// Reads a scene file; its format is decided by extension (formats.def). Defaults for camera and lights are filled in.
-/// Throws SceneErrors, whose what() is the whole report.
+/// Reads a scene file; its format is decided by extension (formats.def). A file of a mesh is a scene of that mesh
+/// alone. Defaults for camera and lights are filled in. Throws SceneErrors, whose what() is the whole report.
 ParsedScene Parse(const std::filesystem::path& file, const ParseOptions& options);
 
 }  // namespace ray

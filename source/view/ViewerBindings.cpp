@@ -19,7 +19,7 @@ constexpr std::array gestures{
     std::array{"double click", "put the pivot there"},
     std::array{"right click", "trace this pixel and show its rays; arrows go to the next one"},
     std::array{"right held", "look around; W A S D Q E fly, Shift faster, Control slower, wheel sets the speed"},
-    std::array{"drop", "open a scene, or take a picture as the reference"},
+    std::array{"drop", "open a scene or a mesh, or take a picture as the reference"},
 };
 
 }  // namespace

@@ -11,6 +11,7 @@
 
 #include "source/parse/meshes/MeshFormat.h"
 #include "source/parse/meshes/Polygon.h"
+#include "tests/Project.h"
 #include "tests/source/parse/Folder.h"
 
 namespace ray {
@@ -144,8 +145,7 @@ TEST(Extremes, D8_AConcaveFaceOfMoreThan256CornersIsCutAsAFanWithAWarning) {
   const auto read = Read("a.off", off + face);
   EXPECT_EQ(read.data.triangles.size(), 1024u);
   ASSERT_EQ(read.warnings.size(), 1u);
-  EXPECT_EQ(read.warnings[0],
-            "a.off: warning: concave faces of more than 256 corners, cut as if they were convex: 1");
+  EXPECT_EQ(read.warnings[0], "a.off: warning: concave faces of more than 256 corners, cut as if they were convex: 1");
 }
 
 double AreaOf(const Triangles& cuts, std::span<const R3::Point> polygon) {
@@ -465,6 +465,19 @@ TEST(Meshes, ExtensionsAreKnownInAnyLetterCase) {
   EXPECT_TRUE(MeshFormatForName("x/y.Obj"));
   EXPECT_FALSE(MeshFormatForName("off"));
   EXPECT_FALSE(MeshFormatForName("a.offx"));
+}
+
+TEST(Meshes, AFileOfAMeshIsASceneOfItsOwn) {
+  const auto file = project::Root() / "scenes/meshes/icosahedron.off";
+  const Scene scene = Parse(file, {}).scene;
+  ASSERT_EQ(scene.root.children.size(), 1u);
+  EXPECT_EQ(scene.root.children[0].shape->Elements(), 20);
+  EXPECT_EQ(scene.files, std::vector<std::string>{file.string()});
+  EXPECT_FALSE(scene.lights.empty());
+  const project::Stage stage(file);
+  RenderSettings settings;
+  settings.width = settings.height = 9;
+  EXPECT_GT(project::Render(stage, settings).image.At(4, 4).r, 0) << "the default camera sees it";
 }
 
 }  // namespace

@@ -392,7 +392,9 @@ TEST_F(ViewerTest, DroppedFilesAreScenesOrReferences) {
   Do("drop " + (project::Root() / "scenes/glass.scn").string());
   EXPECT_NE(StateLine("scene").find("glass.scn"), std::string::npos);
   EXPECT_TRUE(IsCameraOf(viewer_->TheScene().parsed.scene.camera));
-  Do("drop picture");
+  Do("drop " + (project::Root() / "scenes/meshes/icosahedron.off").string());
+  EXPECT_EQ(viewer_->TheScene().world.Primitives(), 20);
+  Do("drop " + (project::Root() / "scenes/glass.scn").string() + "\ndrop picture");
   EXPECT_EQ(StateLine("reference"), "yes");
   Do("drop no/such/file");
   EXPECT_NE(StateLine("scene").find("glass.scn"), std::string::npos);
