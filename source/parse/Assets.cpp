@@ -30,11 +30,11 @@ std::string Assets::Read(const FoundFile& file) {
 Assets::BoxedMesh Assets::Mesh(const std::string& name, const std::string& named_in, bool smooth) {
   const FoundFile file = files_.Find(name, named_in);
   const auto [place, is_new] = meshes_.try_emplace({file.canonical, smooth});
-  if (is_new) place->second = ReadMesh(file, smooth);
+  if (is_new) place->second = ReadMesh(file, smooth ? Normals::wanted : Normals::unused);
   return place->second;
 }
 
-Assets::BoxedMesh Assets::ReadMesh(const FoundFile& file, bool smooth) {
+Assets::BoxedMesh Assets::ReadMesh(const FoundFile& file, Normals use) {
   const MeshFormat* format = MeshFormatForName(file.shown);
   if (!format) throw FileError{QuotedPath(file.shown) + " is no mesh of a known kind", "kinds are " + MeshExtensions()};
   R3::MeshData data;
@@ -43,7 +43,7 @@ Assets::BoxedMesh Assets::ReadMesh(const FoundFile& file, bool smooth) {
     data = format->read(text, report_);
   }
   const bool has_triangles = !data.triangles.empty(), has_normals = !data.normals.empty();
-  BoxedMesh boxed{std::make_shared<const R3::Mesh>(std::move(data), smooth), {}};
+  BoxedMesh boxed{std::make_shared<const R3::Mesh>(std::move(data), use != Normals::unused), {}};
   boxed.bounds = Bounds(*boxed.mesh);
 
   const std::string place = Escaped(file.shown);
@@ -51,7 +51,8 @@ Assets::BoxedMesh Assets::ReadMesh(const FoundFile& file, bool smooth) {
   if (const int dropped = boxed.mesh->DroppedTriangles(); dropped > 0)
     report_.Warn(place, dropped == 1 ? "1 triangle has no area and is left out"
                                      : std::to_string(dropped) + " triangles have no area and are left out");
-  if (smooth && !has_normals) report_.Warn(place, "this mesh brings no vertex normals: 'smooth' changes nothing");
+  if (use == Normals::wanted && !has_normals)
+    report_.Warn(place, "this mesh brings no vertex normals: 'smooth' changes nothing");
   return boxed;
 }
 

@@ -31,7 +31,7 @@ class Assets {
   /// before gives a null mesh: once reported is enough.
   BoxedMesh Mesh(const std::string& name, const std::string& named_in, bool smooth);
   /// The same of a file that is found already, smooth where it can be.
-  BoxedMesh MeshOf(const FoundFile& file) { return ReadMesh(file, true); }
+  BoxedMesh MeshOf(const FoundFile& file) { return ReadMesh(file, Normals::if_any); }
   /// What a picture's values are: colours, which a linear workflow decodes from 8 bits, or numbers, which it does not.
   enum class Use { color, data };
   /// Throws FileError; null when the file failed before.
@@ -46,7 +46,9 @@ class Assets {
 
  private:
   std::string Read(const FoundFile& file);
-  BoxedMesh ReadMesh(const FoundFile& file, bool smooth);
+  /// Whether the normals that a file brings are to be used, and their absence is worth a warning.
+  enum class Normals { unused, if_any, wanted };
+  BoxedMesh ReadMesh(const FoundFile& file, Normals use);
   R2::Image ReadImage(const FoundFile& file, Use use);
 
   const Files& files_;

@@ -469,7 +469,9 @@ TEST(Meshes, ExtensionsAreKnownInAnyLetterCase) {
 
 TEST(Meshes, AFileOfAMeshIsASceneOfItsOwn) {
   const auto file = project::Root() / "scenes/meshes/icosahedron.off";
-  const Scene scene = Parse(file, {}).scene;
+  const ParsedScene parsed = Parse(file, {});
+  EXPECT_EQ(parsed.warnings, std::vector<std::string>{}) << "nobody asked for normals";
+  const Scene& scene = parsed.scene;
   ASSERT_EQ(scene.root.children.size(), 1u);
   EXPECT_EQ(scene.root.children[0].shape->Elements(), 20);
   EXPECT_EQ(scene.files, std::vector<std::string>{file.string()});
