@@ -94,7 +94,7 @@ LIBRARY_SOURCES := $(filter-out $(PROGRAM_MAINS),$(wildcard R2/*.cpp R2/*/*.cpp 
 ifneq ($(HAS_EXR),yes)
 LIBRARY_SOURCES := $(filter-out R2/image_files/exr.cpp,$(LIBRARY_SOURCES))
 endif
-TEST_SOURCES := $(wildcard tests/*.cpp tests/R2/*.cpp tests/R3/*.cpp tests/source/*.cpp tests/source/*/*.cpp tests/source/*/*/*.cpp \
+TEST_SOURCES := $(wildcard tests/*.cpp tests/R2/*.cpp tests/R2/*/*.cpp tests/R3/*.cpp tests/source/*.cpp tests/source/*/*.cpp tests/source/*/*/*.cpp \
                   $(foreach d,every agree extremes closed_form bad_scenes regressions images,tests/$(d)/*.cpp))
 LIBRARY_SOURCES := $(filter-out $(patsubst %,source/view/contexts/%.cpp,$(filter-out $(CONTEXTS),glfw egl osmesa)),$(LIBRARY_SOURCES))
 ifeq ($(CONTEXTS),)

@@ -10,8 +10,8 @@ namespace R3 {
 /// All that shading needs to know of a point on a surface; made once per ray, for the nearest hit.
 struct Intersection {
   Point position;
-  Vector error;    // bound on the distance of `position` from the true surface, per axis
-  Normal normal;   // geometric, unit, outward: away from the inside of a solid, by the right-hand rule for a triangle
+  Vector error;   // bound on the distance of `position` from the true surface, per axis
+  Normal normal;  // geometric, unit, outward: away from the inside of a solid, by the right-hand rule for a triangle
   Normal shading_normal;  // what light sees; the geometric one unless a mesh brings smooth normals and the scene asks
   R2::Point uv;
 };

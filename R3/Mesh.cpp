@@ -98,7 +98,7 @@ Intersection Mesh::At(const Ray&, const Hit& hit, int element) const {
   return at;
 }
 
-MeshData Mesh::Approximation(int fineness) const {
+MeshData Mesh::Tessellate(int fineness) const {
   const double shares = fineness / (4 * std::sqrt(std::max(1.0, static_cast<double>(Elements()))));
   const auto pieces = static_cast<std::uint32_t>(std::max(1.0, shares));  // of each side of a triangle
   MeshData cut;

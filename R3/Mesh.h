@@ -22,7 +22,7 @@ class Mesh : public Shape {
   Intersection At(const Ray& ray, const Hit& hit, int element) const override;
   /// Its own triangles; those of a mesh of few cut into equal smaller ones, so that what is shown at corners alone,
   /// such as a texture or the light of a lamp nearby, is seen between them too.
-  MeshData Approximation(int fineness) const override;
+  MeshData Tessellate(int fineness) const override;
   bool IsSolid() const override { return false; }  // whether it is closed is not looked at
   bool HasTextureCoordinates() const override { return !data_.uvs.empty(); }
   bool IsDegenerate() const override { return data_.triangles.empty(); }

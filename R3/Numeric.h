@@ -18,8 +18,8 @@ constexpr double Gamma(int n) { return n * unit_roundoff / (1 - n * unit_roundof
 /// Compiles a function twice on x86-64, with and without the fused multiply-add instruction, and chooses at
 /// start-up; without it std::fma is a library call. Both give the same bits, because fma is exact by
 /// definition and contraction is off. Sanitizers cannot run the start-up choice.
-#if defined(__x86_64__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) && \
-    !defined(__FMA__) && defined(__GNUC__) && !defined(__clang__)
+#if defined(__x86_64__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) && !defined(__FMA__) && \
+    defined(__GNUC__) && !defined(__clang__)
 #define R3_USES_FMA __attribute__((target_clones("default", "arch=haswell")))
 #else
 #define R3_USES_FMA

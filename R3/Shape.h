@@ -40,7 +40,7 @@ class Shape {
   /// own; none where each triangle is flat. Nothing of a degenerate shape.
   ///   fineness  >= 3: into how many pieces a full turn is cut, or about four times a straight side. About its square
   ///             of triangles or fewer, but 12 at least, and a mesh never fewer than its own
-  virtual MeshData Approximation(int fineness) const = 0;
+  virtual MeshData Tessellate(int fineness) const = 0;
 
   /// Whether the shape bounds a volume that a point can be inside of.
   virtual bool IsSolid() const { return true; }

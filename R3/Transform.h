@@ -4,10 +4,10 @@
 #include <optional>
 
 #include "R3/Box.h"
+#include "R3/DoubleDouble.h"
 #include "R3/Matrix.h"
 #include "R3/Normal.h"
 #include "R3/Ray.h"
-#include "R3/Wide.h"
 
 namespace R3 {
 
@@ -19,7 +19,7 @@ class Product {
 
  private:
   friend class Transform;
-  std::array<std::array<Wide, 4>, 3> m_;
+  std::array<std::array<DoubleDouble, 4>, 3> m_;
 };
 
 /// An affine map and its inverse together; a name says where it goes (`world_from_node`).

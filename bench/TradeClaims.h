@@ -33,7 +33,7 @@ inline double Share(int part, int all) {
 
 /// Claimed errors of single pictures beside their true ones.
 inline void Claims(Lab& lab, Table& table) {
-  const bool quick = lab.TheWishes().quick;
+  const bool quick = lab.wishes().quick;
   const std::vector<std::string> scenes =
       lab.Scenes({"box1", "box5", "dof", "pixel", "disc", "sky", "flat", "depth", "lights64"});
   const std::vector<int> counts = quick ? std::vector<int>{16, 64} : std::vector<int>{16, 32, 64, 256};
@@ -62,13 +62,13 @@ inline void Claims(Lab& lab, Table& table) {
           close += ratio >= 0.9 && ratio <= 1.1;
           inside += truth >= e.low && truth <= e.high;
         }
-      table.Tell(in + ", " + scene + ": claimed / true, median", Median(of_scene));
-      table.Tell(in + ", " + scene + ": claimed / true, least", Quantile(of_scene, 0));
-      table.Tell(in + ", " + scene + ": claimed / true, most", Quantile(of_scene, 1));
+      table.PrintError(in + ", " + scene + ": claimed / true, median", Median(of_scene));
+      table.PrintError(in + ", " + scene + ": claimed / true, least", Quantile(of_scene, 0));
+      table.PrintError(in + ", " + scene + ": claimed / true, most", Quantile(of_scene, 1));
       ratios.insert(ratios.end(), of_scene.begin(), of_scene.end());
     }
-    table.Tell(in + ": renders", all);
-    table.Tell(in + ": claimed / true, median", Median(ratios));
+    table.PrintError(in + ": renders", all);
+    table.PrintError(in + ": claimed / true, median", Median(ratios));
     table.Add(in + ": share with claimed / true in 0.9 .. 1.1", Share(close, all), AtLeast(0.9));
     table.Add(in + ": share with the truth in the 99 % interval", Share(inside, all), AtLeast(0.95));
   }
@@ -105,11 +105,11 @@ inline void Targets(Lab& lab, Table& table) {
           shares.push_back(truth / target);
         }
     const std::string what = std::string("adaptive ") + adaptive;
-    table.Tell(what + ": renders", all);
+    table.PrintError(what + ": renders", all);
     table.Add(what + ": share with true error <= target", Share(reached, all), AtLeast(0.95));
-    table.Tell(what + ": renders that went beyond the first pass", beyond_first);
-    table.Tell(what + ": their true error / target, median", Median(shares));
-    table.Tell(what + ": their true error / target, tenth from below", Quantile(shares, 0.1));
+    table.PrintError(what + ": renders that went beyond the first pass", beyond_first);
+    table.PrintError(what + ": their true error / target, median", Median(shares));
+    table.PrintError(what + ": their true error / target, tenth from below", Quantile(shares, 0.1));
     table.Add(what + ": share of them with true error >= target / 1.6", Share(thrifty, beyond_first), AtLeast(0.95));
   }
   table.Add("share with true error above the claimed upper bound", Share(broken, bounds), AtMost(0.02));
@@ -153,13 +153,13 @@ inline void AdaptiveTiles(Lab& lab, Table& table) {
       const double target = TrueError(lab, scene, Lab::Take(lab.At(scene), even).result.image, unit);
       const Adaptive a = TakeAdaptive(lab, scene, {target, unit}, lab.Seeds(12));
       const std::string what = scene + ", target " + ray::ErrorText(target, unit) + ": ";
-      table.Tell(what + "samples a pixel", a.samples);
+      table.PrintError(what + "samples a pixel", a.samples);
       table.Add(what + "error / uniform's", Root(Mean(a.squares)) / Root(Mean(a.squares_of_uniform)),
                 AtMost(scene == "box1" ? 0.5 : 1.05));
       const References& r = lab.ReferencesOf(scene);
       const double truth = (ray::MeanOf(r[0]) + ray::MeanOf(r[1])) / 2, bias = Mean(a.means) - truth;
-      table.Tell(what + "bias of the mean, %", 100 * bias / truth);
-      table.Tell(what + "the same in standard errors", bias / StandardError(a.means));
+      table.PrintError(what + "bias of the mean, %", 100 * bias / truth);
+      table.PrintError(what + "the same in standard errors", bias / StandardError(a.means));
       table.Add(what + "bias / the larger of 0.1 % and 3 standard errors",
                 std::abs(bias) / std::max(0.001 * truth, 3 * StandardError(a.means)), AtMost(1));
     }
@@ -187,7 +187,7 @@ inline double SecondsToMeasure(int width, int height) {
       const ray::PixelRectangle p = film.PixelsOf(i);
       for (int y = p.y0; y < p.y1; ++y)
         for (int x = p.x0; x < p.x1; ++x)
-          film[i].sums[part].Add(x, y, x + 0.5, y + 0.5, {0.1 * part, 0.2, 0.3}, film.TheFilter());
+          film[i].sums[part].Add(x, y, x + 0.5, y + 0.5, {0.1 * part, 0.2, 0.3}, film.filter());
     }
   std::vector<double> seconds;
   for (int i = 0; i < 11; ++i) {
@@ -199,7 +199,7 @@ inline double SecondsToMeasure(int width, int height) {
 }
 
 inline void CostOfClaims(Lab& lab, Table& table) {
-  const bool quick = lab.TheWishes().quick;
+  const bool quick = lab.wishes().quick;
   constexpr int samples = 64, large = 192;
   for (const char* scene : {"box1", "dof"}) {
     ray::RenderSettings plain = lab.At(scene).subject.settings;
@@ -209,7 +209,7 @@ inline void CostOfClaims(Lab& lab, Table& table) {
     passes.wants_passes = true;
     const std::string what = std::string(scene) + ", 64 samples: ";
     const auto one = SecondsInTurns(lab.At(scene), {plain, passes}, quick ? 3 : 9);
-    table.Tell(what + "time in passes / at one go, one stream", one[1] / one[0]);
+    table.PrintError(what + "time in passes / at one go, one stream", one[1] / one[0]);
     const auto two = SecondsInTurns(lab.At(scene), {plain, InTwoStreams(plain, samples)}, quick ? 3 : 9);
     table.Add(what + "time with an error target / without", two[1] / two[0], AtMost(1.02));
     table.Add(what + "one look at the error / time of the render", SecondsToMeasure(large, large) / one[0],

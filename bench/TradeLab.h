@@ -17,8 +17,8 @@
 #include <utility>
 #include <vector>
 
-#include "R2/Difference.h"
 #include "R2/ImageFile.h"
+#include "R2/compare/Difference.h"
 #include "bench/TradeScenes.h"
 #include "source/render/Render.h"
 
@@ -102,7 +102,7 @@ class Lab {
     if (!wishes_.out.empty()) std::filesystem::create_directories(wishes_.out);
   }
 
-  const Wishes& TheWishes() const { return wishes_; }
+  const Wishes& wishes() const { return wishes_; }
   /// `usual`, less when in a hurry, or what was asked for.
   int Seeds(int usual) const {
     if (wishes_.seeds > 0) return wishes_.seeds;
@@ -133,7 +133,7 @@ class Lab {
     return shot;
   }
 
-  /// Two pictures of the subject with independent noise, less of it than in what is measured. Kept in files
+  /// Two pictures of the subject with independent noise, less of it than in what is measured. GpuCache in files
   /// between runs: delete them when the renderer has changed. Many lights are all asked, not chosen among.
   const References& ReferencesOf(const std::string& name, const std::string& filter = "box") {
     auto& pair = references_[name + "-" + filter];
@@ -152,7 +152,7 @@ class Lab {
           wishes_.out / ("reference-" + name + "-" + filter + "-" +
                          std::to_string(std::max(settings.samples, settings.trace.shadow_samples)) + "-" +
                          std::to_string(i) + ".pfm");
-      (*pair)[i] = Kept(file, [&] { return Take(site, settings).result.image; });
+      (*pair)[i] = GpuCache(file, [&] { return Take(site, settings).result.image; });
     }
     return *pair;
   }
@@ -187,7 +187,7 @@ class Lab {
 
  private:
   template <typename Make>
-  R2::Image Kept(const std::filesystem::path& file, const Make& make) const {
+  R2::Image GpuCache(const std::filesystem::path& file, const Make& make) const {
     if (wishes_.out.empty()) return make();
     if (std::filesystem::exists(file)) return ReadPicture(file);
     const R2::Image image = make();
@@ -206,7 +206,7 @@ class Lab {
 /// Figures of one goal, printed as they come and written as trade-<letter>.csv. A figure that is not finite is missed.
 class Table {
  public:
-  Table(const Lab& lab, char letter, const std::string& title) : letter_(letter), out_(lab.TheWishes().out) {
+  Table(const Lab& lab, char letter, const std::string& title) : letter_(letter), out_(lab.wishes().out) {
     std::printf("\n%c. %s\n", letter, title.c_str());
     if (out_.empty()) return;
     csv_.open(out_ / (std::string("trade-") + letter + ".csv"));
@@ -214,7 +214,7 @@ class Table {
   }
 
   /// Something to know, no goal.
-  void Tell(const std::string& what, double figure) { Row(what, figure, {}, "", ""); }
+  void PrintError(const std::string& what, double figure) { Row(what, figure, {}, "", ""); }
   void Add(const std::string& what, double figure, const Limits& limits) {
     const bool is_met = figure >= limits.least && figure <= limits.most;
     missed_ += !is_met;

@@ -29,7 +29,7 @@ inline void Time(Lab& lab, Table& table) {
       for (int i = 0; i < lab.Seeds(4); ++i) {
         std::string arguments = c.arguments;
         arguments.replace(arguments.find("OUT"), 3, folder + "/picture");
-        const std::string command = "'" + lab.TheWishes().raypro.string() + "' " + arguments + " -time " +
+        const std::string command = "'" + lab.wishes().raypro.string() + "' " + arguments + " -time " +
                                     std::to_string(seconds) + "s -quiet -report " + folder + "/report.json -seed " +
                                     std::to_string(i);
         if (std::system(command.c_str()) != 0) throw std::runtime_error("this failed: " + command);
@@ -66,7 +66,8 @@ inline Subject Everything() {
 }
 
 inline ray::Replay ReplayOf(const ray::RenderResult& result) {
-  ray::Replay replay{.two_streams = result.two_streams, .laid_out_for = result.laid_out_for, .ends = {}, .samples = {}};
+  ray::Replay replay{
+      .two_streams = result.two_streams, .planned_samples = result.planned_samples, .ends = {}, .samples = {}};
   for (const ray::Pass& pass : result.passes) replay.ends.push_back(pass.end);
   replay.samples = result.block_samples;
   return replay;
@@ -118,7 +119,7 @@ inline void Determinism(Lab&, Table& table) {
         again.budget = {};
         again.threads = 2;
         again.replay = ReplayOf(first);
-        table.Tell(name + what + ": samples", first.samples.mean);
+        table.PrintError(name + what + ": samples", first.samples.mean);
         table.Add(name + what + ": replayed", PixelsApart(first.image, image(again)), AtMost(0));
       };
       replayed("error target", to_error);

@@ -32,9 +32,9 @@ inline void ErrorAtEqualTime(Lab& lab, Table& table) {
       std::array<ray::RenderSettings, 2> both{site.subject.settings, site.subject.settings};
       for (ray::RenderSettings& s : both) SetSamples(s, site.subject, samples);
       both[1].trace.sampler = "random";
-      const auto seconds = SecondsInTurns(site, both, lab.TheWishes().quick ? 3 : 7);
+      const auto seconds = SecondsInTurns(site, both, lab.wishes().quick ? 3 : 7);
       const std::string what = std::string(aim.scene) + ", " + std::to_string(samples) + " samples: ";
-      table.Tell(what + "time of sobol / time of random", seconds[0] / seconds[1]);
+      table.PrintError(what + "time of sobol / time of random", seconds[0] / seconds[1]);
       table.Add(what + "error / error of random in equal time", sobol / (random * std::sqrt(seconds[1] / seconds[0])),
                 AtMost(samples == 64 ? aim.at_64 : aim.at_256));
     }
@@ -120,9 +120,9 @@ inline void Sky(Lab& lab, Table& table) {
   };
   for (const char* strategy : {"surface", "light"})
     for (const char* sampler : {"random", "sobol"})
-      table.Tell(std::string(strategy) + ", " + sampler + ": gain over uniform random", gain(strategy, sampler));
+      table.PrintError(std::string(strategy) + ", " + sampler + ": gain over uniform random", gain(strategy, sampler));
   table.Add("mis, random: gain over uniform random", gain("mis", "random"), AtLeast(25));
-  table.Tell("mis, stratified: gain over uniform random", gain("mis", "stratified"));
+  table.PrintError("mis, stratified: gain over uniform random", gain("mis", "stratified"));
   table.Add("mis, sobol: gain over uniform random", gain("mis", "sobol"), AtLeast(60));
 }
 
@@ -143,7 +143,7 @@ inline void Filters(Lab& lab, Table& table) {
   for (const char* scene : {"box1", "dof", "pixel", "flat"}) {
     const int seeds = lab.Seeds(6);
     const double box = Root(Mean(lab.SquaredErrors(scene, "sobol", 64, seeds)));
-    table.Tell(std::string(scene) + ", box: error", box);
+    table.PrintError(std::string(scene) + ", box: error", box);
     for (const char* filter : {"gaussian", "mitchell", "lanczos"})
       table.Add(std::string(scene) + ", " + filter + ": error / error with box",
                 Root(Mean(lab.SquaredErrors(scene, "sobol", 64, seeds, filter))) / box, AtMost(1.1));

@@ -73,20 +73,20 @@ std::vector<Kind> MakeRays(const bench::View& view, const ray::World& world, con
   ray::Workspace workspace;
 
   // From each hit: where it is, off the surface by what single precision needs, and a cosine-distributed direction.
-  struct Onward {
+  struct SpawnRay {
     R3::Point from;
     R3::Vector bounce;
   };
-  const R3::Box bounds = world.TheScene().root.bounds;
+  const R3::Box bounds = world.scene().root.bounds;
   const double off = 1e-5 * bounds.Radius();
-  const auto onward = [&](const R3::Ray& ray) -> std::optional<Onward> {
+  const auto onward = [&](const R3::Ray& ray) -> std::optional<SpawnRay> {
     const auto hit = accelerator.Intersect(ray, workspace);
     if (!hit) return {};
     R3::Vector n = AsVector(world.At(ray, *hit).normal);
     if (Dot(n, ray.direction) > 0) n = -n;
     const double z = 2 * number(random) - 1, turn = 2 * M_PI * number(random), out = std::sqrt(1 - z * z);
     const R3::Vector bounce = Unit(n + 0.999 * R3::Vector{out * std::cos(turn), out * std::sin(turn), z});
-    return Onward{bench::Float(ray.At(hit->hit.t) + off * n), Float(bounce)};
+    return SpawnRay{bench::Float(ray.At(hit->hit.t) + off * n), Float(bounce)};
   };
 
   Kind primary{"primary", {}, false, true}, shadow{"shadow", {}, true, true}, diffuse{"diffuse", {}},

@@ -30,7 +30,7 @@ double MillisecondsSince(Clock::time_point then) {
   return std::chrono::duration<double, std::milli>(Clock::now() - then).count();
 }
 
-void Tell(const char* what, std::vector<double> times) {
+void PrintError(const char* what, std::vector<double> times) {
   std::sort(times.begin(), times.end());
   const auto at = [&](double share) { return times[static_cast<std::size_t>(share * double(times.size() - 1))]; };
   std::printf("%-44s p50 %7.2f ms   p99 %7.2f ms   of %zu\n", what, at(0.5), at(0.99), times.size());
@@ -71,12 +71,12 @@ int main(int argc, char** argv) {
   painter.Finish();
   std::printf("%s, %s\n", settings.scene.c_str(), context->Name().c_str());
   std::printf("%-44s %7.2f ms\n", "start to first drawing", MillisecondsSince(start));
-  Tell("event to drawing, nothing traced", Answers(viewer, drawer, painter));
+  PrintError("event to drawing, nothing traced", Answers(viewer, drawer, painter));
   viewer.Handle(KeyEvent{Key::s, {}, true});
   viewer.Update();
-  Tell("event to drawing, while S traces", Answers(viewer, drawer, painter));
+  PrintError("event to drawing, while S traces", Answers(viewer, drawer, painter));
   viewer.Handle(KeyEvent{Key::escape, {}, true});
   viewer.Handle(KeyEvent{Key::p, {}, true});
   viewer.Update();
-  Tell("event to drawing, live picture", Answers(viewer, drawer, painter));
+  PrintError("event to drawing, live picture", Answers(viewer, drawer, painter));
 }

@@ -9,7 +9,9 @@ find R2 R3 source -type f \( -name '*.h' -o -name '*.cpp' -o -name '*.def' \) | 
     # A layer and those right below it; what is below them is allowed as well.
     below["R2"] = ""
     below["R3"] = "R2"
-    below["scene"] = "R3"
+    below["text"] = ""
+    below["sample"] = "R3"
+    below["scene"] = "text sample"
     below["parse"] = "scene"
     below["accelerate"] = "scene"
     below["integrate"] = "accelerate"

@@ -5,7 +5,7 @@
 
 #include "R3/Mesh.h"
 #include "source/accelerate/Accelerator.h"
-#include "source/accelerate/Forest.h"
+#include "source/accelerate/twolevel/TwoLevel.h"
 #include "tests/Draw.h"
 #include "tests/Quad.h"
 
@@ -175,7 +175,7 @@ inline std::vector<R3::Ray> Bundle(Draw& draw, const R3::Ray& ray, int count, do
 /// where they hit.
 inline std::vector<R3::Ray> RaysAt(const ray::World& world, Draw& draw, int count) {
   const auto none = ray::FindAcceleratorKind("none")->make(world, {});
-  const R3::Box& box = world.TheScene().root.bounds;
+  const R3::Box& box = world.scene().root.bounds;
   std::vector<R3::Ray> list;
   for (int i = 0; i < count; ++i) {
     const auto& instance =

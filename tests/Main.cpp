@@ -98,7 +98,7 @@ bool EnvironmentIsFit() {
 /// Collects why tests were skipped.
 class SkipReasons : public testing::EmptyTestEventListener {
  public:
-  // Kept from here: while a result is told, the framework holds the lock that asking for the test would take.
+  // GpuCache from here: while a result is told, the framework holds the lock that asking for the test would take.
   void OnTestStart(const testing::TestInfo& test) override {
     test_ = std::string(test.test_suite_name()) + "." + test.name();
   }

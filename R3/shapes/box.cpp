@@ -1,7 +1,7 @@
 #include <utility>
 
+#include "R3/GridMesh.h"
 #include "R3/Shape.h"
-#include "R3/Sheet.h"
 #include "R3/shapes/Span.h"
 
 namespace R3 {
@@ -38,7 +38,7 @@ class BoxShape : public Shape {
     return at;
   }
 
-  MeshData Approximation(int fineness) const override {
+  MeshData Tessellate(int fineness) const override {
     MeshData data;
     if (IsDegenerate()) return data;
     const int pieces = std::max(1, fineness / 4);
@@ -68,9 +68,7 @@ class BoxShape : public Shape {
   }
 
  private:
-  double Within(double coordinate, int axis) const {
-    return std::clamp(coordinate, box_.low[axis], box_.high[axis]);
-  }
+  double Within(double coordinate, int axis) const { return std::clamp(coordinate, box_.low[axis], box_.high[axis]); }
 
   R2::Point TextureCoordinates(const Point& p, int part) const {
     const auto share = [&](int axis) {
@@ -79,12 +77,18 @@ class BoxShape : public Shape {
     };
     const double x = share(0), y = share(1), z = share(2);
     switch (part) {
-      case 0: return {1 - y, z};
-      case 1: return {y, z};
-      case 2: return {x, z};
-      case 3: return {1 - x, z};
-      case 4: return {x, 1 - y};
-      default: return {x, y};
+      case 0:
+        return {1 - y, z};
+      case 1:
+        return {y, z};
+      case 2:
+        return {x, z};
+      case 3:
+        return {1 - x, z};
+      case 4:
+        return {x, 1 - y};
+      default:
+        return {x, y};
     }
   }
 

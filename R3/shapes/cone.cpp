@@ -1,7 +1,7 @@
 #include "R3/Shape.h"
-#include "R3/shapes/Round.h"
+#include "R3/shapes/Quadric.h"
+#include "R3/shapes/Revolution.h"
 #include "R3/shapes/Span.h"
-#include "R3/shapes/Turned.h"
 
 namespace R3 {
 namespace {
@@ -54,7 +54,7 @@ class Cone : public Shape {
     return at;
   }
 
-  MeshData Approximation(int fineness) const override {
+  MeshData Tessellate(int fineness) const override {
     MeshData data;
     if (IsDegenerate()) return data;
     const int rows = std::max(1, fineness / 4);

@@ -1,8 +1,8 @@
 #include <numbers>
 
+#include "R3/GridMesh.h"
 #include "R3/Shape.h"
-#include "R3/Sheet.h"
-#include "R3/shapes/Round.h"
+#include "R3/shapes/Quadric.h"
 #include "R3/shapes/Span.h"
 
 namespace R3 {
@@ -35,7 +35,7 @@ class Sphere : public Shape {
     return at;
   }
 
-  MeshData Approximation(int fineness) const override {
+  MeshData Tessellate(int fineness) const override {
     MeshData data;
     if (IsDegenerate()) return data;
     const int rows = std::max(2, fineness / 2);

@@ -47,7 +47,7 @@ class World {
   explicit World(const Scene& scene);
   World(const World&) = delete;
 
-  const Scene& TheScene() const { return scene_; }
+  const Scene& scene() const { return scene_; }
   /// In the order of the scene file, which is the order of primitive ids.
   const std::vector<Instance>& Instances() const { return instances_; }
   /// The root first.

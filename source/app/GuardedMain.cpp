@@ -3,15 +3,15 @@
 #include <new>
 
 #include "source/app/Interrupt.h"
-#include "source/app/Messages.h"
 #include "source/app/Status.h"
+#include "source/app/report/Messages.h"
 #include "source/parse/SceneError.h"
 
 namespace ray {
 namespace {
 
 int Fail(int exit_status, const std::string& message) {
-  Tell(message);
+  PrintError(message);
   return exit_status;
 }
 

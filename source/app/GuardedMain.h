@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "source/app/Program.h"
+#include "source/app/options/Program.h"
 
 namespace ray {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "source/app/Options.h"
+#include "source/app/options/Options.h"
 
 namespace ray {
 

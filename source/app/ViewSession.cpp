@@ -8,9 +8,9 @@
 #include <thread>
 
 #include "source/app/Interrupt.h"
-#include "source/app/Messages.h"
-#include "source/app/SavePicture.h"
 #include "source/app/Status.h"
+#include "source/app/files/SavePicture.h"
+#include "source/app/report/Messages.h"
 #include "source/parse/Text.h"
 #include "source/view/EventScript.h"
 #include "source/view/Viewer.h"
@@ -126,7 +126,7 @@ class Session : public ViewerHost {
     options.render = job.Settings();
     options.render.threads = options_.render.threads;  // a job fills in how many it took
     return Attempt([&] {
-      std::string line = ray::SaveTraced(outputs_.image ? &*outputs_.image : nullptr, options, job.TheScene(),
+      std::string line = ray::SaveTraced(outputs_.image ? &*outputs_.image : nullptr, options, job.scene(),
                                          *job.Result(), job.Seconds());
       if (!line.empty() && line.back() == '\n') line.pop_back();
       if (!options_.quiet) Print(line);
@@ -157,7 +157,7 @@ class Session : public ViewerHost {
       return save();
     } catch (const std::exception& error) {
       status_ = status::cannot_write;
-      Tell("rayview: " + std::string(error.what()));
+      PrintError("rayview: " + std::string(error.what()));
       return error.what();
     }
   }

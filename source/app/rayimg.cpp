@@ -5,13 +5,13 @@
 #include <vector>
 
 #include "source/app/Interrupt.h"
-#include "source/app/Messages.h"
-#include "source/app/OutputFile.h"
 #include "source/app/Status.h"
-#include "source/app/Words.h"
+#include "source/app/files/OutputFile.h"
 #include "source/app/rayimg/CommandLine.h"
 #include "source/app/rayimg/Help.h"
+#include "source/app/report/Messages.h"
 #include "source/parse/SceneError.h"
+#include "source/text/Words.h"
 
 namespace ray::rayimg {
 namespace {
@@ -33,7 +33,7 @@ int Run(const Words& words) {
 }
 
 int Fail(int exit_status, const std::string& message) {
-  Tell(message);
+  PrintError(message);
   return exit_status;
 }
 

@@ -2,17 +2,17 @@
 #include <vector>
 
 #include "source/accelerate/Accelerator.h"
-#include "source/app/Account.h"
-#include "source/app/Checkpoint.h"
-#include "source/app/CommandLine.h"
 #include "source/app/GuardedMain.h"
 #include "source/app/Interrupt.h"
-#include "source/app/LayerPictures.h"
-#include "source/app/Outputs.h"
-#include "source/app/Progress.h"
-#include "source/app/ReadInputs.h"
 #include "source/app/Status.h"
 #include "source/app/Tasks.h"
+#include "source/app/files/Checkpoint.h"
+#include "source/app/files/LayerPictures.h"
+#include "source/app/files/Outputs.h"
+#include "source/app/files/ReadInputs.h"
+#include "source/app/options/CommandLine.h"
+#include "source/app/report/Progress.h"
+#include "source/app/report/RunLog.h"
 
 namespace ray {
 namespace {
@@ -20,8 +20,8 @@ namespace {
 using Words = std::vector<std::string>;
 
 RenderResult RenderAndTell(const World& world, const Accelerator& accelerator, const Options& options,
-                           const Account& account, const Checkpoint& checkpoint) {
-  const std::string& hash = account.TheRecord().scene.hash;
+                           const RunLog& account, const Checkpoint& checkpoint) {
+  const std::string& hash = account.stats().scene.hash;
   RenderSettings settings = options.render;
   settings.replay = ReadReplay(options, hash);
   Progress progress(ChooseProgressStyle(options.quiet));
@@ -45,7 +45,7 @@ std::vector<R2::Image> RenderLayers(const World& world, const Accelerator& accel
 
 /// The true error, where there is something to tell it by.
 void Compare(const RenderResult& result, const std::vector<R2::Image>& references, const Options& options,
-             Account& account) {
+             RunLog& account) {
   if (references.empty()) return;
   const ErrorMeasure measure{.unit = result.error ? result.error->unit : ErrorUnit::display,
                              .srgb = options.render.srgb};
@@ -60,7 +60,7 @@ std::unique_ptr<const Accelerator> Build(const World& world, const Options& opti
 
 int MakePicture(const Options& options, const Words& words) {
   CheckMachine(options);
-  Account account(options, words);
+  RunLog account(options, words);
   const Outputs outputs = CheckOutputs(options);
   const Checkpoint checkpoint(options);
   const std::vector<R2::Image> references = ReadReferences(options);
@@ -79,10 +79,10 @@ int MakePicture(const Options& options, const Words& words) {
 
   WritePicture(outputs, result,
                result.IsComplete() ? RenderLayers(world, *accelerator, options) : std::vector<R2::Image>{},
-               account.TheRecord());
+               account.stats());
   account.Written();
   if (result.IsComplete()) checkpoint.Remove();
-  WriteReport(outputs, account.TheRecord());
+  WriteReport(outputs, account.stats());
   account.Summarize();
   return result.IsComplete() ? status::done : status::killed_by + StopSignal();
 }

@@ -3,13 +3,13 @@
 #include <string>
 #include <vector>
 
-#include "source/app/CommandLine.h"
 #include "source/app/GuardedMain.h"
-#include "source/app/Messages.h"
 #include "source/app/Status.h"
 #include "source/app/Tasks.h"
-#include "source/app/ViewOutputs.h"
 #include "source/app/ViewSession.h"
+#include "source/app/files/ViewOutputs.h"
+#include "source/app/options/CommandLine.h"
+#include "source/app/report/Messages.h"
 #include "source/view/LoadedScene.h"
 
 namespace ray {

@@ -73,7 +73,7 @@ class Film {
   int Blocks() const { return columns_ * rows_; }
   /// The pixels that a block takes samples of.
   PixelRectangle PixelsOf(int block) const;
-  const Filter& TheFilter() const { return filter_; }
+  const Filter& filter() const { return filter_; }
   const PixelRectangle& Region() const { return region_; }
 
   /// What one block has collected.

@@ -182,7 +182,7 @@ std::optional<MeasuredError> MeasureError(const Film& film, const ErrorMeasure& 
   double in_hot = 0, in_all = 0;
   for (const float square : errors.squares) in_all += square;
   for (auto i = sorted.begin(); i != hot; ++i) in_hot += *i;
-  e.hot_share = in_all > 0 ? in_hot / in_all : 0;
+  e.outlier_share = in_all > 0 ? in_hot / in_all : 0;
   return MeasuredError{e, mean, mean + above, mean_of_picture, std::move(blocks)};
 }
 

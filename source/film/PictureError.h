@@ -29,7 +29,7 @@ struct ErrorEstimate {
   double low = 0, high = 0;  // where the truth is with the confidence asked for; low is the better end in any unit
   double worst_block = 0;    // the largest error of a block of 8x8 pixels
   PixelRectangle worst_block_at;
-  double hot_share = 0;  // of the squared error, in the worst thousandth of the pixels
+  double outlier_share = 0;  // of the squared error, in the worst thousandth of the pixels
 };
 
 /// How errors are counted: the unit, the confidence of the interval in (0, 1), and whether the picture is sRGB encoded.

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "source/scene/Warp.h"
+#include "source/sample/Warp.h"
 
 namespace ray {
 namespace {
@@ -24,7 +24,7 @@ double Wrapped(double difference) { return difference - std::round(difference); 
 }  // namespace
 
 R3::Vector Bumped(const World& world, const R3::Ray& ray, const WorldHit& hit, const R3::Intersection& at,
-                  const Material& material, const R3::Vector& N, bool from_outside) {
+                  const Material& material, const R3::Vector& N, bool entering) {
   const Instance& instance = world.Instances()[hit.instance];
   const double size = world.InWorld(instance.frame, instance.shape->Bounds(hit.element)).Radius();
   const double step = step_aside * size;
@@ -48,7 +48,7 @@ R3::Vector Bumped(const World& world, const R3::Ray& ray, const WorldHit& hit, c
   };
   const Tangents tangents = TangentsOf(n);
   const R3::Vector rise = rise_along(tangents.first) * tangents.first + rise_along(tangents.second) * tangents.second;
-  const double side = from_outside ? 1 : -1;
+  const double side = entering ? 1 : -1;
   const R3::Vector bumped = N - side * material.bump_height * rise;
   return Length(bumped) > 0 ? Unit(bumped) : N;
 }

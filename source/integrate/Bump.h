@@ -11,6 +11,6 @@ namespace ray {
 ///   source    Blinn, Simulation of wrinkled surfaces (1978), eq. 6 to first order in h. How texture coordinates run
 ///             over the surface is found by asking the shape for them a little to each side, so no shape need tell
 R3::Vector Bumped(const World& world, const R3::Ray& ray, const WorldHit& hit, const R3::Intersection& at,
-                  const Material& material, const R3::Vector& N, bool from_outside);
+                  const Material& material, const R3::Vector& N, bool entering);
 
 }  // namespace ray

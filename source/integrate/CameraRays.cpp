@@ -1,6 +1,6 @@
 #include "source/integrate/CameraRays.h"
 
-#include "source/scene/Warp.h"
+#include "source/sample/Warp.h"
 
 namespace ray {
 namespace {
@@ -35,7 +35,7 @@ CameraSample CameraRays::At(int column, int row, const RandomKey& pixel, std::ui
   const Points points(sampler_, sample.place.key.Child(camera_key), samples_);
   std::array<double, dimensions> random{0.5, 0.5};
   if (samples_ > 1 || dimensions > 2) {
-    random = points.Cube<dimensions>(index);
+    random = points.Get<dimensions>(index);
     if (samples_ == 1) random[0] = random[1] = 0.5;
   }
   sample.x = column + random[0];

@@ -1,7 +1,7 @@
 #include "source/integrate/FirstHit.h"
 
-#include "source/integrate/RayRecorder.h"
-#include "source/integrate/Surface.h"
+#include "source/integrate/ShadingPoint.h"
+#include "source/integrate/debug/RayRecorder.h"
 
 namespace ray {
 
@@ -23,7 +23,7 @@ void FirstHit::Record(const CameraSample& sample, const std::optional<WorldHit>&
   TracedRay first{.ray = sample.ray, .place = sample.place};
   first.record = recorder.Begin(first);
   if (hit)
-    recorder.Hits(SurfaceAt(world_, first, *hit), seen);
+    recorder.Hits(ShadingPointAt(world_, first, *hit), seen);
   else
     recorder.Misses(first.record, seen);
 }
@@ -31,9 +31,9 @@ void FirstHit::Record(const CameraSample& sample, const std::optional<WorldHit>&
 R2::Color FirstHit::Seen(const CameraSample& sample, const std::optional<WorldHit>& hit) const {
   if (!hit) {
     if (layer_ == Layer::id) return {-1, -1, -1};
-    return layer_ == Layer::albedo ? Background(world_.TheScene(), sample.ray.direction) : R2::Color{};
+    return layer_ == Layer::albedo ? Background(world_.scene(), sample.ray.direction) : R2::Color{};
   }
-  const Surface s = SurfaceAt(world_, {.ray = sample.ray, .place = sample.place}, *hit);
+  const ShadingPoint s = ShadingPointAt(world_, {.ray = sample.ray, .place = sample.place}, *hit);
   const double distance = hit->hit.t * Length(sample.ray.direction);
   const auto id = static_cast<double>(world_.PrimitiveId(*hit));
   switch (layer_) {

@@ -12,7 +12,7 @@ namespace ray {
 /// A camera ray, and where its random choices come from.
 struct CameraSample {
   R3::Ray ray;
-  SamplePlace place;
+  SampleIndex place;
   double x = 0, y = 0;  // where it crosses the picture, in pixels from the lower left corner
 };
 

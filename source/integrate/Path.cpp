@@ -4,10 +4,10 @@
 #include <array>
 #include <numbers>
 
-#include "source/integrate/Bend.h"
 #include "source/integrate/Phong.h"
-#include "source/integrate/RayRecorder.h"
-#include "source/scene/Warp.h"
+#include "source/integrate/Refract.h"
+#include "source/integrate/debug/RayRecorder.h"
+#include "source/sample/Warp.h"
 
 namespace ray {
 namespace {
@@ -28,16 +28,16 @@ struct Path::Lobes {
   R3::Vector mirrored;  // unit; the middle of the lobe
 
   /// Of a direction by the matte part and the lobe together, per solid angle.
-  double Density(const Surface& s, const R3::Vector& L) const {
-    const double by_lobe = is_glossy ? reflection * PowerDensity(Dot(L, mirrored), s.material->n) : 0;
-    return matte * CosineDensity(Dot(s.N, L)) + by_lobe;
+  double Pdf(const ShadingPoint& s, const R3::Vector& L) const {
+    const double by_lobe = is_glossy ? reflection * PowerPdf(Dot(L, mirrored), s.material->n) : 0;
+    return matte * CosinePdf(Dot(s.N, L)) + by_lobe;
   }
   /// Radiance scattered to the viewer per radiance from unit L, the cosine included.
-  R2::Color Scattered(const Surface& s, const R3::Vector& L) const {
+  R2::Color Scattered(const ShadingPoint& s, const R3::Vector& L) const {
     const double cosine = Dot(s.N, L);
     if (!(cosine > 0)) return {};
-    R2::Color sum = CosineDensity(cosine) * s.kd;
-    if (is_glossy) sum += PowerDensity(Dot(L, mirrored), s.material->n) * specular.reflected;
+    R2::Color sum = CosinePdf(cosine) * s.kd;
+    if (is_glossy) sum += PowerPdf(Dot(L, mirrored), s.material->n) * specular.reflected;
     return sum;
   }
 };
@@ -45,7 +45,7 @@ struct Path::Lobes {
 /// A way that light may come from.
 struct Path::Bounce {
   TracedRay next;
-  double density = 0;  // of its direction, per solid angle; 0 where there was no choice
+  double pdf = 0;  // of its direction, per solid angle; 0 where there was no choice
 };
 
 Path::Path(const World& world, const Accelerator& accelerator, const TraceSettings& settings)
@@ -68,22 +68,22 @@ void Path::Radiance(std::span<const CameraSample> samples, std::span<R2::Color> 
   accelerator_.Intersect(state.batch, state.hits.data(), state.workspace);
   state.Book(RayKind::camera, samples.size());
 
-  std::vector<Surface> surfaces;
+  std::vector<ShadingPoint> surfaces;
   for (std::size_t i = 0; i < samples.size(); ++i) {
     TracedRay first{.ray = samples[i].ray, .place = samples[i].place};
     if (state.recorder) first.record = state.recorder->Begin(first);
     if (state.hits[i]) {
-      surfaces.push_back(SurfaceAt(world_, first, *state.hits[i]));
+      surfaces.push_back(ShadingPointAt(world_, first, *state.hits[i]));
       if (state.recorder) state.recorder->Hits(surfaces.back(), Shining(surfaces.back()));
     } else if (state.recorder) {
-      state.recorder->Misses(first.record, Background(world_.TheScene(), first.ray.direction));
+      state.recorder->Misses(first.record, Background(world_.scene(), first.ray.direction));
     }
   }
   state.arrived.assign(surfaces.size(), {});
   for (std::size_t i = 0; i < surfaces.size(); ++i) AddLight(surfaces[i], i, state);
   TraceShadowRays(state, true);
   for (std::size_t i = 0; i < surfaces.size(); ++i) {
-    const Surface& s = surfaces[i];
+    const ShadingPoint& s = surfaces[i];
     surfaces[i].radiance = Shining(s) + state.arrived[i];
   }
   auto surface = surfaces.begin();
@@ -92,18 +92,18 @@ void Path::Radiance(std::span<const CameraSample> samples, std::span<R2::Color> 
       radiances[i] = surface->radiance;
       radiances[i] += Continue(*surface++, state);
     } else {
-      radiances[i] = Background(world_.TheScene(), samples[i].ray.direction);
+      radiances[i] = Background(world_.scene(), samples[i].ray.direction);
     }
   }
 }
 
 /// What a surface seen by a camera ray sends back by itself.
-R2::Color Path::Shining(const Surface& s) const {
-  return s.found_by.weight * (s.material->emission + s.material->ka * world_.TheScene().ambient);
+R2::Color Path::Shining(const ShadingPoint& s) const {
+  return s.found_by.weight * (s.material->emission + s.material->ka * world_.scene().ambient);
 }
 
 /// All that comes to a surface over further bounces, its weight included.
-R2::Color Path::Continue(Surface surface, TraceState& state) const {
+R2::Color Path::Continue(ShadingPoint surface, TraceState& state) const {
   R2::Color sum;
   while (true) {
     auto bounce = Scatter(surface);
@@ -116,11 +116,11 @@ R2::Color Path::Continue(Surface surface, TraceState& state) const {
       if (state.recorder) state.recorder->Misses(bounce->next.record, seen);
       return sum += seen;
     }
-    const Surface next = SurfaceAt(world_, bounce->next, *hit);
+    const ShadingPoint next = ShadingPointAt(world_, bounce->next, *hit);
     const R2::Color emitted = Emitted(surface, *bounce, next);
     sum += emitted;
     const bool is_last = next.found_by.depth > settings_.max_depth;
-    const R2::Color ambient = next.found_by.weight * next.material->ka * world_.TheScene().ambient;
+    const R2::Color ambient = next.found_by.weight * next.material->ka * world_.scene().ambient;
     if (state.recorder) state.recorder->Hits(next, is_last ? emitted : emitted + ambient);
     if (is_last) return sum;
     sum += ambient;
@@ -132,7 +132,7 @@ R2::Color Path::Continue(Surface surface, TraceState& state) const {
   }
 }
 
-Path::Lobes Path::LobesOf(const Surface& s) const {
+Path::Lobes Path::LobesOf(const ShadingPoint& s) const {
   Lobes lobes;
   lobes.specular = SpecularWeightsOf(s, settings_.fresnel);
   const double d = Luminance(s.kd), r = Luminance(lobes.specular.reflected), t = Luminance(lobes.specular.transmitted);
@@ -143,11 +143,11 @@ Path::Lobes Path::LobesOf(const Surface& s) const {
     lobes.transmission = t / sum;
   }
   lobes.is_glossy = settings_.glossy && r > 0;
-  if (r > 0) lobes.mirrored = Unit(Reflected(-s.towards_viewer, s.N));
+  if (r > 0) lobes.mirrored = Unit(Reflect(-s.wo, s.N));
   return lobes;
 }
 
-void Path::AddLight(const Surface& s, std::size_t index, TraceState& state) const {
+void Path::AddLight(const ShadingPoint& s, std::size_t index, TraceState& state) const {
   if (lights_.IsEmpty() || (IsBlack(s.kd) && IsBlack(s.material->ks))) return;
   const Lobes lobes = LobesOf(s);
   const std::uint32_t i = s.found_by.place.index;
@@ -155,7 +155,7 @@ void Path::AddLight(const Surface& s, std::size_t index, TraceState& state) cons
     for (int light = 0; light < lights_.Count(); ++light) {
       const std::uint64_t which = first_light_key + static_cast<std::uint64_t>(light);
       const Points points = s.found_by.place.PointsFor(which, sampler_, settings_.samples);
-      if (const auto sample = lights_.Sample(s, light, points.Plane(i)))
+      if (const auto sample = lights_.Sample(s, light, points.Get2D(i)))
         AddLightSample(s, lobes, *sample, index, state);
     }
     return;
@@ -163,24 +163,24 @@ void Path::AddLight(const Surface& s, std::size_t index, TraceState& state) cons
   const auto count = static_cast<std::uint32_t>(lights_at_once_);
   const Points points = s.found_by.place.PointsFor(first_light_key, sampler_, settings_.samples, count);
   for (std::uint32_t k = 0; k < count; ++k) {
-    const auto random = points.Cube<3>(i * count + k);
+    const auto random = points.Get<3>(i * count + k);
     auto sample = lights_.SampleOne(s, {random[0], random[1]}, random[2]);
     if (!sample) continue;
     sample->arriving = sample->arriving / count;
-    sample->density *= count;
+    sample->pdf *= count;
     AddLightSample(s, lobes, *sample, index, state);
   }
 }
 
-void Path::AddLightSample(const Surface& s, const Lobes& lobes, const PathLightSample& light, std::size_t index,
+void Path::AddLightSample(const ShadingPoint& s, const Lobes& lobes, const PathLightSample& light, std::size_t index,
                           TraceState& state) const {
   const R3::Vector L = Unit(light.to_light);
   R2::Color reflected;
-  if (light.density == 0) {
-    reflected = PhongReflection(*s.material, s.kd, s.N, L, s.towards_viewer, light.arriving);
+  if (light.pdf == 0) {
+    reflected = PhongReflection(*s.material, s.kd, s.N, L, s.wo, light.arriving);
   } else {
     if (!finds_lights_) return;
-    const double share = 1 - ShareOfScattering(lobes.Density(s, L), light.density);
+    const double share = 1 - MisWeight(lobes.Pdf(s, L), light.pdf);
     reflected = share * lobes.Scattered(s, L) * light.arriving;
   }
   if (IsBlack(reflected)) return;
@@ -218,13 +218,13 @@ void Path::TraceShadowRays(TraceState& state, bool together) const {
   state.shadows.clear();
 }
 
-std::optional<Path::Bounce> Path::Scatter(const Surface& s) const {
+std::optional<Path::Bounce> Path::Scatter(const ShadingPoint& s) const {
   // Beyond the last bounce a ray is still of use where it may find a light that scattering is to find.
   const bool is_last = s.found_by.depth >= settings_.max_depth;
   if (is_last && !lights_.CanBeHit()) return {};
   const Lobes lobes = LobesOf(s);
   const Points points(sampler_, s.found_by.place.key.Child(scatter_key), settings_.samples);
-  const auto random = points.Cube<4>(s.found_by.place.index);
+  const auto random = points.Get<4>(s.found_by.place.index);
   const R2::Point place{random[0], random[1]};
   const double way = random[2];
   std::optional<Bounce> bounce;
@@ -236,7 +236,7 @@ std::optional<Path::Bounce> Path::Scatter(const Surface& s) const {
     return {};
   } else if (way < lobes.matte + lobes.reflection) {
     bounce.emplace();
-    bounce->next.ray = Onward(s, lobes.mirrored);
+    bounce->next.ray = SpawnRay(s, lobes.mirrored);
     bounce->next.weight = s.found_by.weight * lobes.specular.reflected / lobes.reflection;
     bounce->next.kind = RayKind::reflection;
   } else if (lobes.transmission > 0) {
@@ -246,9 +246,8 @@ std::optional<Path::Bounce> Path::Scatter(const Surface& s) const {
     if (s.material->ir == 1) {
       bounce->next.ray = s.found_by.ray;
       bounce->next.ray.t_min = s.hit.hit.t;
-    } else if (const auto bent =
-                   Refracted(-s.towards_viewer, s.N, s.from_outside ? 1 / s.material->ir : s.material->ir)) {
-      bounce->next.ray = Onward(s, *bent);
+    } else if (const auto bent = Refract(-s.wo, s.N, s.entering ? 1 / s.material->ir : s.material->ir)) {
+      bounce->next.ray = SpawnRay(s, *bent);
     } else {
       return {};
     }
@@ -261,18 +260,18 @@ std::optional<Path::Bounce> Path::Scatter(const Surface& s) const {
   return bounce;
 }
 
-std::optional<Path::Bounce> Path::ScatterMatte(const Surface& s, const Lobes& lobes, const R2::Point& random,
+std::optional<Path::Bounce> Path::ScatterMatte(const ShadingPoint& s, const Lobes& lobes, const R2::Point& random,
                                                bool by_lobe) const {
   const R3::Vector L = by_lobe ? FromTangents(AroundByPower(random, s.material->n), lobes.mirrored)
                                : FromTangents(OnHemisphereByCosine(random), s.N);
-  const double density = lobes.Density(s, L);
-  const R3::Vector outward = s.from_outside ? AsVector(s.at.normal) : -AsVector(s.at.normal);
+  const double pdf = lobes.Pdf(s, L);
+  const R3::Vector outward = s.entering ? AsVector(s.at.normal) : -AsVector(s.at.normal);
   // What heads into the surface, by the lobe or by a smoothed normal, is lost there.
-  if (!(density > 0) || !(Dot(outward, L) > 0)) return {};
+  if (!(pdf > 0) || !(Dot(outward, L) > 0)) return {};
   Bounce bounce;
-  bounce.density = density;
-  bounce.next.ray = Onward(s, L);
-  bounce.next.weight = s.found_by.weight * lobes.Scattered(s, L) / density;
+  bounce.pdf = pdf;
+  bounce.next.ray = SpawnRay(s, L);
+  bounce.next.weight = s.found_by.weight * lobes.Scattered(s, L) / pdf;
   bounce.next.kind = by_lobe ? RayKind::reflection : RayKind::scattering;
   if (IsBlack(bounce.next.weight)) return {};
   return bounce;
@@ -286,28 +285,28 @@ bool Path::Survives(TracedRay& ray, double random) const {
   return true;
 }
 
-double Path::ShareOfScattering(double density_of_scattering, double density_of_light) const {
+double Path::MisWeight(double density_of_scattering, double density_of_light) const {
   if (!finds_by_scattering_) return 0;
   if (!finds_lights_) return 1;
   return density_of_scattering / (density_of_scattering + density_of_light);
 }
 
-R2::Color Path::Emitted(const Surface& from, const Bounce& bounce, const Surface& hit) const {
+R2::Color Path::Emitted(const ShadingPoint& from, const Bounce& bounce, const ShadingPoint& hit) const {
   if (IsBlack(hit.material->emission)) return {};
   const R2::Color seen = hit.found_by.weight * hit.material->emission;
-  if (bounce.density == 0) return seen;
+  if (bounce.pdf == 0) return seen;
   const double by_light = lights_.DensityOfHit(from, bounce.next.ray, hit, world_, lights_at_once_ > 0);
   if (by_light == 0) return {};  // it is seen but lights nothing
-  return ShareOfScattering(bounce.density, by_light * std::max(1, lights_at_once_)) * seen;
+  return MisWeight(bounce.pdf, by_light * std::max(1, lights_at_once_)) * seen;
 }
 
-R2::Color Path::EmittedByEnvironment(const Surface& from, const Bounce& bounce) const {
+R2::Color Path::EmittedByEnvironment(const ShadingPoint& from, const Bounce& bounce) const {
   const R3::Vector& direction = bounce.next.ray.direction;
-  const R2::Color seen = bounce.next.weight * Background(world_.TheScene(), direction);
-  if (bounce.density == 0) return seen;
+  const R2::Color seen = bounce.next.weight * Background(world_.scene(), direction);
+  if (bounce.pdf == 0) return seen;
   const double by_light = lights_.DensityOfEnvironment(from, direction, lights_at_once_ > 0);
   if (by_light == 0) return seen;  // a background is found by scattering alone
-  return ShareOfScattering(bounce.density, by_light * std::max(1, lights_at_once_)) * seen;
+  return MisWeight(bounce.pdf, by_light * std::max(1, lights_at_once_)) * seen;
 }
 
 }  // namespace ray

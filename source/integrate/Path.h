@@ -1,7 +1,7 @@
 #pragma once
 
 #include "source/integrate/Integrator.h"
-#include "source/integrate/PathLights.h"
+#include "source/integrate/lights/PathLights.h"
 
 namespace ray {
 
@@ -28,21 +28,21 @@ class Path : public Integrator {
   struct Bounce;
   struct Lobes;
 
-  R2::Color Shining(const Surface& surface) const;
-  R2::Color Continue(Surface surface, TraceState& state) const;
+  R2::Color Shining(const ShadingPoint& surface) const;
+  R2::Color Continue(ShadingPoint surface, TraceState& state) const;
   /// Shadow rays to lights, with what they bring to `surface`, its weight included; `index` is where it arrives.
-  void AddLight(const Surface& surface, std::size_t index, TraceState& state) const;
-  void AddLightSample(const Surface& surface, const Lobes& lobes, const PathLightSample& light, std::size_t index,
+  void AddLight(const ShadingPoint& surface, std::size_t index, TraceState& state) const;
+  void AddLightSample(const ShadingPoint& surface, const Lobes& lobes, const PathLightSample& light, std::size_t index,
                       TraceState& state) const;
   void TraceShadowRays(TraceState& state, bool together) const;
-  std::optional<Bounce> Scatter(const Surface& surface) const;
-  std::optional<Bounce> ScatterMatte(const Surface& surface, const Lobes& lobes, const R2::Point& random,
+  std::optional<Bounce> Scatter(const ShadingPoint& surface) const;
+  std::optional<Bounce> ScatterMatte(const ShadingPoint& surface, const Lobes& lobes, const R2::Point& random,
                                      bool by_lobe) const;
   bool Survives(TracedRay& ray, double random) const;
-  R2::Color Emitted(const Surface& from, const Bounce& bounce, const Surface& hit) const;
-  R2::Color EmittedByEnvironment(const Surface& from, const Bounce& bounce) const;
-  Lobes LobesOf(const Surface& surface) const;
-  double ShareOfScattering(double density_of_scattering, double density_of_light) const;
+  R2::Color Emitted(const ShadingPoint& from, const Bounce& bounce, const ShadingPoint& hit) const;
+  R2::Color EmittedByEnvironment(const ShadingPoint& from, const Bounce& bounce) const;
+  Lobes LobesOf(const ShadingPoint& surface) const;
+  double MisWeight(double density_of_scattering, double density_of_light) const;
 
   const World& world_;
   const Accelerator& accelerator_;

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 
-#include "source/integrate/Sampler.h"
+#include "source/sample/Sampler.h"
 
 namespace ray {
 

@@ -9,7 +9,7 @@
 #include "source/accelerate/Workspace.h"
 #include "source/accelerate/World.h"
 #include "source/integrate/RayCounts.h"
-#include "source/integrate/Sampler.h"
+#include "source/sample/Sampler.h"
 
 namespace ray {
 
@@ -18,7 +18,7 @@ struct TracedRay {
   R3::Ray ray;
   R2::Color weight{1, 1, 1};
   std::int64_t depth = 0;  // bounces before it
-  SamplePlace place;
+  SampleIndex place;
   RayKind kind = RayKind::camera;
   int record = -1;  // where rays are recorded: its number; until it is traced that of the ray it comes from
 };

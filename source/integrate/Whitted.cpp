@@ -4,11 +4,11 @@
 #include <array>
 #include <numbers>
 
-#include "source/integrate/Bend.h"
 #include "source/integrate/Features.h"
 #include "source/integrate/Phong.h"
-#include "source/integrate/RayRecorder.h"
-#include "source/scene/Warp.h"
+#include "source/integrate/Refract.h"
+#include "source/integrate/debug/RayRecorder.h"
+#include "source/sample/Warp.h"
 
 namespace ray {
 namespace {
@@ -30,32 +30,33 @@ bool IsExtended(const EmissiveTriangle&) { return true; }
 bool IsExtended(const Environment&) { return true; }
 
 /// Whether a surface is itself the light.
-bool IsOn(const Surface& s, const EmissiveTriangle& triangle, const World& world) {
+bool IsOn(const ShadingPoint& s, const EmissiveTriangle& triangle, const World& world) {
   return triangle.primitive == world.PrimitiveId(s.hit);
 }
 template <typename Other>
-bool IsOn(const Surface&, const Other&, const World&) {
+bool IsOn(const ShadingPoint&, const Other&, const World&) {
   return false;
 }
 
 /// What arrives from a random place on the light, if nothing is in between.
-std::optional<Illumination> LitBy(const Surface& s, const Light& light, const R2::Point& random) {
-  return light.Illuminate(s.lit_from, random);
+std::optional<Illumination> LitBy(const ShadingPoint& s, const Light& light, const R2::Point& random) {
+  return light.Illuminate(s.shadow_origin, random);
 }
-std::optional<Illumination> LitBy(const Surface& s, const EmissiveTriangle& triangle, const R2::Point& random) {
-  return Illumination{triangle.emission, triangle.PointTowards(s.lit_from, random, s.found_by.ray.time) - s.lit_from};
+std::optional<Illumination> LitBy(const ShadingPoint& s, const EmissiveTriangle& triangle, const R2::Point& random) {
+  return Illumination{triangle.emission,
+                      triangle.PointTowards(s.shadow_origin, random, s.found_by.ray.time) - s.shadow_origin};
 }
-std::optional<Illumination> LitBy(const Surface&, const Environment& environment, const R2::Point& random) {
+std::optional<Illumination> LitBy(const ShadingPoint&, const Environment& environment, const R2::Point& random) {
   const Environment::Sample drawn = environment.Draw(random);
-  return Illumination{drawn.radiance / (std::numbers::pi * drawn.density), drawn.direction, true};
+  return Illumination{drawn.radiance / (std::numbers::pi * drawn.pdf), drawn.direction, true};
 }
 
 /// What the surface makes of it.
 template <typename AnyLight>
-R2::Color Reflection(const AnyLight&, const Surface& s, const Illumination& lit) {
-  return PhongReflection(*s.material, s.kd, s.N, Unit(lit.to_light), s.towards_viewer, lit.irradiance);
+R2::Color Reflection(const AnyLight&, const ShadingPoint& s, const Illumination& lit) {
+  return PhongReflection(*s.material, s.kd, s.N, Unit(lit.to_light), s.wo, lit.irradiance);
 }
-R2::Color Reflection(const Environment&, const Surface& s, const Illumination& lit) {
+R2::Color Reflection(const Environment&, const ShadingPoint& s, const Illumination& lit) {
   return std::max(0.0, Dot(s.N, lit.to_light)) * s.kd * lit.irradiance;
 }
 
@@ -64,7 +65,7 @@ std::string Described(const Light& light) { return light.Describe(); }
 std::string Described(const EmissiveTriangle& triangle) { return triangle.Describe(); }
 std::string Described(const Environment&) { return "environment"; }
 
-bool Scatters(const Surface& s) { return !IsBlack(s.kd) || !IsBlack(s.material->ks); }
+bool Scatters(const ShadingPoint& s) { return !IsBlack(s.kd) || !IsBlack(s.material->ks); }
 
 }  // namespace
 
@@ -76,7 +77,7 @@ Whitted::Whitted(const World& world, const Accelerator& accelerator, const Trace
       has_roulette_(features::roulette && settings.roulette == "on"),
       triangles_(EmissiveTriangles(world)) {
   settings_.max_depth = std::min<std::int64_t>(settings_.max_depth, most_bounces);
-  const Scene& scene = world.TheScene();
+  const Scene& scene = world.scene();
   for (const auto& light : scene.lights)
     if (!light->IsBlack()) lights_.push_back(light.get());
   if (scene.environment && !scene.environment->IsBlack()) environment_ = scene.environment.get();
@@ -94,28 +95,28 @@ void Whitted::Radiance(std::span<const CameraSample> samples, std::span<R2::Colo
   accelerator_.Intersect(state.batch, state.hits.data(), state.workspace);
   state.Book(RayKind::camera, samples.size());
 
-  std::vector<Surface> surfaces;
+  std::vector<ShadingPoint> surfaces;
   for (std::size_t i = 0; i < samples.size(); ++i) {
     TracedRay first{.ray = samples[i].ray, .place = samples[i].place};
     if (state.recorder) first.record = state.recorder->Begin(first);
     if (state.hits[i])
-      surfaces.push_back(SurfaceAt(world_, first, *state.hits[i]));
+      surfaces.push_back(ShadingPointAt(world_, first, *state.hits[i]));
     else if (state.recorder)
-      state.recorder->Misses(first.record, Background(world_.TheScene(), first.ray.direction));
+      state.recorder->Misses(first.record, Background(world_.scene(), first.ray.direction));
   }
   Shade(surfaces, state);
   auto surface = surfaces.begin();
   for (std::size_t i = 0; i < samples.size(); ++i)
-    radiances[i] = state.hits[i] ? Follow(*surface++, state) : Background(world_.TheScene(), samples[i].ray.direction);
+    radiances[i] = state.hits[i] ? Follow(*surface++, state) : Background(world_.scene(), samples[i].ray.direction);
 }
 
 // The recursion is unrolled onto a stack of rays that carry the product of the weights above them: depth first, the
 // mirrored ray before the transmitted one.
-R2::Color Whitted::Follow(const Surface& first, TraceState& state) const {
+R2::Color Whitted::Follow(const ShadingPoint& first, TraceState& state) const {
   R2::Color sum = first.found_by.weight * first.radiance;
   int descendants = 0;
   state.pending.clear();
-  const auto spawn = [&](const Surface& surface) {
+  const auto spawn = [&](const ShadingPoint& surface) {
     if (surface.found_by.depth >= settings_.max_depth) return;
     if (descendants >= most_descendants) {
       ++state.rays.cut;
@@ -133,12 +134,12 @@ R2::Color Whitted::Follow(const Surface& first, TraceState& state) const {
     const auto hit = accelerator_.Intersect(current.ray, state.workspace);
     state.Book(current.kind, 1);
     if (!hit) {
-      const R2::Color seen = current.weight * Background(world_.TheScene(), current.ray.direction);
+      const R2::Color seen = current.weight * Background(world_.scene(), current.ray.direction);
       if (state.recorder) state.recorder->Misses(current.record, seen);
       sum += seen;
       continue;
     }
-    Surface surface = SurfaceAt(world_, current, *hit);
+    ShadingPoint surface = ShadingPointAt(world_, current, *hit);
     Shade({&surface, 1}, state);
     sum += surface.found_by.weight * surface.radiance;
     spawn(surface);
@@ -146,9 +147,9 @@ R2::Color Whitted::Follow(const Surface& first, TraceState& state) const {
   return sum;
 }
 
-void Whitted::Shade(std::span<Surface> surfaces, TraceState& state) const {
-  for (Surface& s : surfaces) {
-    s.radiance = s.material->emission + s.material->ka * world_.TheScene().ambient;
+void Whitted::Shade(std::span<ShadingPoint> surfaces, TraceState& state) const {
+  for (ShadingPoint& s : surfaces) {
+    s.radiance = s.material->emission + s.material->ka * world_.scene().ambient;
     if (state.recorder) state.recorder->Hits(s, s.found_by.weight * s.radiance);
   }
   if (features::choice_of_lights && tree_) {
@@ -162,33 +163,33 @@ void Whitted::Shade(std::span<Surface> surfaces, TraceState& state) const {
 }
 
 template <typename AnyLight>
-void Whitted::AddLight(const AnyLight& light, std::uint64_t which, std::span<Surface> surfaces,
+void Whitted::AddLight(const AnyLight& light, std::uint64_t which, std::span<ShadingPoint> surfaces,
                        TraceState& state) const {
   const auto count = static_cast<std::uint32_t>(IsExtended(light) ? settings_.shadow_samples : 1);
   state.arrived.assign(surfaces.size(), {});
   for (std::size_t i = 0; i < surfaces.size(); ++i) {
-    const Surface& s = surfaces[i];
+    const ShadingPoint& s = surfaces[i];
     if (!Scatters(s) || IsOn(s, light, world_)) continue;
     // One light's samples from all of a pixel's camera rays are one set of points.
     std::optional<Points> places;
     if (IsExtended(light)) places.emplace(s.found_by.place.PointsFor(which, sampler_, settings_.samples, count));
     for (std::uint32_t k = 0; k < count; ++k)
-      AddSample(light, s, i, places ? places->Plane(s.found_by.place.index * count + k) : R2::Point{}, 1.0 / count,
+      AddSample(light, s, i, places ? places->Get2D(s.found_by.place.index * count + k) : R2::Point{}, 1.0 / count,
                 state);
   }
   AddArrived(surfaces, state);
 }
 
-void Whitted::AddChosenLights(std::span<Surface> surfaces, TraceState& state) const {
+void Whitted::AddChosenLights(std::span<ShadingPoint> surfaces, TraceState& state) const {
   const auto count = static_cast<std::uint32_t>(settings_.lights);
   state.arrived.assign(surfaces.size(), {});
   for (std::size_t i = 0; i < surfaces.size(); ++i) {
-    const Surface& s = surfaces[i];
+    const ShadingPoint& s = surfaces[i];
     if (!Scatters(s)) continue;
     const Points places = s.found_by.place.PointsFor(choice_key, sampler_, settings_.samples, count);
     for (std::uint32_t k = 0; k < count; ++k) {
-      const auto random = places.Cube<3>(s.found_by.place.index * count + k);
-      const auto choice = tree_->Choose(s.lit_from, s.N, random[2]);
+      const auto random = places.Get<3>(s.found_by.place.index * count + k);
+      const auto choice = tree_->Choose(s.shadow_origin, s.N, random[2]);
       if (!choice) continue;
       const auto which = static_cast<std::size_t>(choice->light);
       const double weight = 1 / (choice->probability * count);
@@ -203,7 +204,7 @@ void Whitted::AddChosenLights(std::span<Surface> surfaces, TraceState& state) co
 }
 
 template <typename AnyLight>
-void Whitted::AddSample(const AnyLight& light, const Surface& s, std::size_t index, const R2::Point& random,
+void Whitted::AddSample(const AnyLight& light, const ShadingPoint& s, std::size_t index, const R2::Point& random,
                         double weight, TraceState& state) const {
   const auto lit = LitBy(s, light, random);
   if (!lit) return;
@@ -217,7 +218,7 @@ void Whitted::AddSample(const AnyLight& light, const Surface& s, std::size_t ind
   if (state.shadows.size() == most_shadow_rays) TraceShadowRays(state);
 }
 
-void Whitted::AddArrived(std::span<Surface> surfaces, TraceState& state) const {
+void Whitted::AddArrived(std::span<ShadingPoint> surfaces, TraceState& state) const {
   TraceShadowRays(state);
   for (std::size_t i = 0; i < surfaces.size(); ++i) surfaces[i].radiance += state.arrived[i];
 }
@@ -236,7 +237,7 @@ void Whitted::TraceShadowRays(TraceState& state) const {
   state.shadows.clear();
 }
 
-inline std::optional<R2::Color> Whitted::Wanted(const R2::Color& weight, const SamplePlace& parent,
+inline std::optional<R2::Color> Whitted::Wanted(const R2::Color& weight, const SampleIndex& parent,
                                                 std::uint64_t which) const {
   const double luminance = Luminance(weight);
   if (!(luminance > 0)) return {};
@@ -245,47 +246,46 @@ inline std::optional<R2::Color> Whitted::Wanted(const R2::Color& weight, const S
   return Spared(weight, luminance, parent, which);
 }
 
-std::optional<R2::Color> Whitted::Spared(const R2::Color& weight, double luminance, const SamplePlace& parent,
+std::optional<R2::Color> Whitted::Spared(const R2::Color& weight, double luminance, const SampleIndex& parent,
                                          std::uint64_t which) const {
-  const SamplePlace place = parent.Child(which);
+  const SampleIndex place = parent.Child(which);
   const double chance = luminance / settings_.min_luminance;
   const Points points(sampler_, place.key.Child(roulette_key), settings_.samples);
-  if (!(points.Plane(place.index).x < chance)) return {};
+  if (!(points.Get2D(place.index).x < chance)) return {};
   return weight / chance;
 }
 
-std::optional<R3::Vector> Whitted::ReflectionOf(const Surface& s, const SamplePlace& place) const {
-  const R3::Vector mirrored = Unit(Reflected(-s.towards_viewer, s.N));
+std::optional<R3::Vector> Whitted::ReflectionOf(const ShadingPoint& s, const SampleIndex& place) const {
+  const R3::Vector mirrored = Unit(Reflect(-s.wo, s.N));
   if (!features::glossy || !settings_.glossy) return mirrored;
   const Points points(sampler_, place.key.Child(choice_key), settings_.samples);
-  const R3::Vector direction = FromTangents(AroundByPower(points.Plane(place.index), s.material->n), mirrored);
+  const R3::Vector direction = FromTangents(AroundByPower(points.Get2D(place.index), s.material->n), mirrored);
   if (!(Dot(direction, s.N) > 0)) return {};  // that part of the lobe is lost in the surface
   return direction;
 }
 
-void Whitted::Spawn(const Surface& s, TraceState& state) const {
+void Whitted::Spawn(const ShadingPoint& s, TraceState& state) const {
   const TracedRay& parent = s.found_by;
   const SpecularWeights weights = SpecularWeightsOf(s, settings_.fresnel);
   // Pushed first, traced last.
   if (const auto weight = Wanted(parent.weight * weights.transmitted, parent.place, transmission_key)) {
-    const SamplePlace through = parent.place.Child(transmission_key);
+    const SampleIndex through = parent.place.Child(transmission_key);
     if (s.material->ir == 1) {
       // Not bent: the same ray goes on beyond its hit. It asks every shape the same question as before and so gets the
       // same answers, of which the first is now outside the interval: nothing moves, nothing is hit twice.
       R3::Ray onward = parent.ray;
       onward.t_min = s.hit.hit.t;
       state.pending.push_back({onward, *weight, parent.depth + 1, through, RayKind::transmission, parent.record});
-    } else if (const auto bent =
-                   Refracted(-s.towards_viewer, s.N, s.from_outside ? 1 / s.material->ir : s.material->ir)) {
+    } else if (const auto bent = Refract(-s.wo, s.N, s.entering ? 1 / s.material->ir : s.material->ir)) {
       state.pending.push_back(
-          {Onward(s, *bent), *weight, parent.depth + 1, through, RayKind::transmission, parent.record});
+          {SpawnRay(s, *bent), *weight, parent.depth + 1, through, RayKind::transmission, parent.record});
     }
   }
   if (const auto weight = Wanted(parent.weight * weights.reflected, parent.place, reflection_key)) {
-    const SamplePlace back = parent.place.Child(reflection_key);
+    const SampleIndex back = parent.place.Child(reflection_key);
     if (const auto direction = ReflectionOf(s, back))
       state.pending.push_back(
-          {Onward(s, *direction), *weight, parent.depth + 1, back, RayKind::reflection, parent.record});
+          {SpawnRay(s, *direction), *weight, parent.depth + 1, back, RayKind::reflection, parent.record});
   }
 }
 

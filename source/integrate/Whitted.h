@@ -4,10 +4,10 @@
 #include <span>
 #include <vector>
 
-#include "source/integrate/EmissiveTriangle.h"
 #include "source/integrate/Integrator.h"
-#include "source/integrate/LightTree.h"
-#include "source/integrate/Surface.h"
+#include "source/integrate/ShadingPoint.h"
+#include "source/integrate/lights/EmissiveTriangle.h"
+#include "source/integrate/lights/LightTree.h"
 
 namespace ray {
 
@@ -25,25 +25,25 @@ class Whitted : public Integrator {
                 TraceState& state) const override;
 
  private:
-  R2::Color Follow(const Surface& first, TraceState& state) const;
+  R2::Color Follow(const ShadingPoint& first, TraceState& state) const;
   /// Adds to each surface's radiance what it shines and scatters by itself.
-  void Shade(std::span<Surface> surfaces, TraceState& state) const;
+  void Shade(std::span<ShadingPoint> surfaces, TraceState& state) const;
   /// One light's share of that; `which` is its number among places beneath a surface.
   template <typename AnyLight>
-  void AddLight(const AnyLight& light, std::uint64_t which, std::span<Surface> surfaces, TraceState& state) const;
+  void AddLight(const AnyLight& light, std::uint64_t which, std::span<ShadingPoint> surfaces, TraceState& state) const;
   /// The share of a few lights, chosen by importance, that stand for all.
-  void AddChosenLights(std::span<Surface> surfaces, TraceState& state) const;
+  void AddChosenLights(std::span<ShadingPoint> surfaces, TraceState& state) const;
   template <typename AnyLight>
-  void AddSample(const AnyLight& light, const Surface& surface, std::size_t index, const R2::Point& random,
+  void AddSample(const AnyLight& light, const ShadingPoint& surface, std::size_t index, const R2::Point& random,
                  double weight, TraceState& state) const;
-  void AddArrived(std::span<Surface> surfaces, TraceState& state) const;
+  void AddArrived(std::span<ShadingPoint> surfaces, TraceState& state) const;
   void TraceShadowRays(TraceState& state) const;
-  void Spawn(const Surface& surface, TraceState& state) const;
-  std::optional<R3::Vector> ReflectionOf(const Surface& surface, const SamplePlace& place) const;
+  void Spawn(const ShadingPoint& surface, TraceState& state) const;
+  std::optional<R3::Vector> ReflectionOf(const ShadingPoint& surface, const SampleIndex& place) const;
   /// The weight of a child ray, if it is followed. `which`: its key beneath its parent's place.
-  std::optional<R2::Color> Wanted(const R2::Color& weight, const SamplePlace& parent, std::uint64_t which) const;
+  std::optional<R2::Color> Wanted(const R2::Color& weight, const SampleIndex& parent, std::uint64_t which) const;
   /// The weight of a faint one, if chance lets it live.
-  std::optional<R2::Color> Spared(const R2::Color& weight, double luminance, const SamplePlace& parent,
+  std::optional<R2::Color> Spared(const R2::Color& weight, double luminance, const SampleIndex& parent,
                                   std::uint64_t which) const;
 
   const World& world_;

@@ -5,10 +5,10 @@
 
 #include "source/parse/Assets.h"
 #include "source/parse/Format.h"
-#include "source/parse/LowerCase.h"
 #include "source/parse/MeshScene.h"
 #include "source/parse/Text.h"
 #include "source/parse/meshes/MeshFormat.h"
+#include "source/text/LowerCase.h"
 
 namespace ray {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "source/integrate/Random.h"
+#include "source/sample/Random.h"
 
 namespace ray {
 namespace {

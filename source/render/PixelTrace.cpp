@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "source/render/SampleTracer.h"
-#include "source/scene/NumberText.h"
+#include "source/text/NumberText.h"
 
 namespace ray {
 namespace {
@@ -82,7 +82,7 @@ class TreeWriter {
     const Location& where = instance.node->location;
     std::string text = ray.kind == RayKind::shadow ? "is stopped by " : "meets ";
     text += "primitive " + std::to_string(world_.PrimitiveId(*ray.hit));
-    if (where.line > 0) text += " of " + world_.TheScene().files[where.file] + ":" + std::to_string(where.line);
+    if (where.line > 0) text += " of " + world_.scene().files[where.file] + ":" + std::to_string(where.line);
     text += " at t " + Text(ray.hit->hit.t) + ", " + Text(ray.at->position);
     if (ray.kind == RayKind::shadow) return text;
     text += ", normal " + Text(AsVector(ray.at->normal));
@@ -108,7 +108,7 @@ R2::Color PixelTrace::Mean() const {
 PixelTracer::PixelTracer(const World& world, const Accelerator& accelerator, const RenderSettings& settings)
     : settings_(settings),
       integrator_(MakeIntegrator(settings.mode, world, accelerator.Worker(), TraceSettingsOf(settings))),
-      camera_(settings.view.value_or(world.TheScene().camera), settings.camera, world.Moves(), settings.width,
+      camera_(settings.view.value_or(world.scene().camera), settings.camera, world.Moves(), settings.width,
               settings.height, SamplerNamed(settings.trace.sampler), TraceSettingsOf(settings).samples) {}
 
 PixelTrace PixelTracer::Trace(int column, int row, int samples) const {

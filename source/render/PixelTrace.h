@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "source/accelerate/Accelerator.h"
-#include "source/integrate/RayRecorder.h"
+#include "source/integrate/debug/RayRecorder.h"
 #include "source/render/RenderSettings.h"
 
 namespace ray {

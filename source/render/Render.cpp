@@ -13,7 +13,7 @@
 #include <cmath>
 #include <mutex>
 
-#include "source/integrate/Heat.h"
+#include "source/integrate/debug/Heat.h"
 #include "source/render/BlockRenderer.h"
 #include "source/render/Tiles.h"
 
@@ -42,7 +42,7 @@ bool IsCeilingGiven(const RenderSettings& settings) { return !settings.budget.Is
 
 TraceSettings TraceSettingsFor(const RenderSettings& settings) {
   TraceSettings trace = settings.trace;
-  trace.samples = settings.replay            ? settings.replay->laid_out_for
+  trace.samples = settings.replay            ? settings.replay->planned_samples
                   : IsCeilingGiven(settings) ? static_cast<std::uint32_t>(settings.samples)
                                              : stratified_unknown;
   return trace;
@@ -67,7 +67,7 @@ class Job {
         tiles_(film_, settings.tile_size),
         targets_(static_cast<std::size_t>(film_.Blocks()), 0) {
     result_.two_streams = two_streams_;
-    result_.laid_out_for = TraceSettingsFor(settings).samples;
+    result_.planned_samples = TraceSettingsFor(settings).samples;
     result_.pixels_total = film_.Region().Area();
     measure_.unit = settings.budget.error ? settings.budget.error->unit : ErrorUnit::display;
     measure_.confidence = settings.budget.confidence;
@@ -210,7 +210,7 @@ class Job {
     const double target = SquaredTarget(settings_.budget.error->value, measure_, error->mean);
     const std::vector<double>& squares = error->square_of_blocks;
     const bool is_first = squares_before_.empty();
-    const bool is_risky = error->estimate.hot_share > too_hot && ShareOfSurprise(squares, target) > too_surprising;
+    const bool is_risky = error->estimate.outlier_share > too_hot && ShareOfSurprise(squares, target) > too_surprising;
     std::vector<double> worse = squares;
     constexpr double fall = 0.5;  // of a squared error, at least, when the samples are doubled
     if (!is_first)
@@ -292,7 +292,7 @@ class Job {
   bool RunTile(int tile) {
     TraceState& state = states_.local();
     state.rays = {};
-    BlockRenderer renderer(integrator_, camera_, film_.TheFilter(), settings_, halt_);
+    BlockRenderer renderer(integrator_, camera_, film_.filter(), settings_, halt_);
     std::int64_t pixels = 0;
     bool is_whole = true;
     if (halt_.IsAsked() || (has_progressed_ && halt_.IsPauseDue())) return false;
@@ -405,7 +405,7 @@ class Job {
     const auto error = ShowsCosts(settings_.mode) ? std::nullopt : MeasureError(film_, measure_);
     if (error) {
       r.error = error->estimate;
-      r.has_hot_pixels = two_streams_ && r.error->hot_share > too_hot && r.samples.least == r.samples.most;
+      r.has_hot_pixels = two_streams_ && r.error->outlier_share > too_hot && r.samples.least == r.samples.most;
       if (!passes_.empty()) passes_.back().error = r.error;
     }
     r.passes = std::move(passes_);
@@ -458,7 +458,7 @@ std::unique_ptr<const Integrator> IntegratorOf(const World& world, const Acceler
 }
 
 CameraRays CameraRaysOf(const World& world, const RenderSettings& settings) {
-  return CameraRays(settings.view.value_or(world.TheScene().camera), settings.camera, world.Moves(), settings.width,
+  return CameraRays(settings.view.value_or(world.scene().camera), settings.camera, world.Moves(), settings.width,
                     settings.height, SamplerNamed(settings.trace.sampler), TraceSettingsFor(settings).samples);
 }
 

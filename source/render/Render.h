@@ -62,7 +62,7 @@ struct RenderResult {
   Stop stop = Stop::samples;
   SampleCounts samples;
   std::vector<std::uint32_t> block_samples;  // a pixel and stream, by blocks of the film
-  std::uint32_t laid_out_for = 1;            // samples a pixel, as strata and camera rays were told
+  std::uint32_t planned_samples = 1;         // samples a pixel, as strata and camera rays were told
   bool two_streams = false;                  // half of the samples are another, independent set of points
   std::vector<Pass> passes;
   std::optional<ErrorEstimate> error;  // nothing below two samples

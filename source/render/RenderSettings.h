@@ -39,7 +39,7 @@ inline constexpr std::array adaptive_names{"auto", "off", "tile"};
 /// by a clock or by its error.
 struct Replay {
   bool two_streams = false;
-  std::uint32_t laid_out_for = 1;      // see RenderResult
+  std::uint32_t planned_samples = 1;   // see RenderResult
   std::vector<std::uint32_t> ends;     // samples a pixel and stream at which passes ended, ascending
   std::vector<std::uint32_t> samples;  // a pixel and stream of each block; empty when all have the last of `ends`
 };

@@ -1,6 +1,6 @@
 #include "source/render/SampleTracer.h"
 
-#include "source/integrate/Heat.h"
+#include "source/integrate/debug/Heat.h"
 
 namespace ray {
 namespace {

@@ -152,20 +152,20 @@ std::vector<double> Weights(const R2::Image& map, int row, bool is_black) {
   return weights;
 }
 
-std::vector<Discrete> Columns(const R2::Image& map, bool is_black) {
-  std::vector<Discrete> columns;
+std::vector<DiscreteDistribution> Columns(const R2::Image& map, bool is_black) {
+  std::vector<DiscreteDistribution> columns;
   for (int y = 0; y < map.Height(); ++y) columns.emplace_back(Weights(map, y, is_black));
   return columns;
 }
 
-Discrete Rows(const R2::Image& map, bool is_black) {
+DiscreteDistribution Rows(const R2::Image& map, bool is_black) {
   std::vector<double> rows;
   for (int y = 0; y < map.Height(); ++y) {
     double sum = 0;
     for (const double weight : Weights(map, y, is_black)) sum += weight;
     rows.push_back(sum * SolidAngle(y, map.Height()));
   }
-  return Discrete(rows);
+  return DiscreteDistribution(rows);
 }
 
 }  // namespace
@@ -200,8 +200,8 @@ R3::Vector Environment::Inside(const Texel& texel, const R2::Point& shares) cons
   return Towards(SineOf(texel.row, shares.y, map_.Height()), std::sin(longitude), std::cos(longitude));
 }
 
-double Environment::Density(const Texel& texel) const {
-  const Discrete& columns = columns_[static_cast<std::size_t>(texel.row)];
+double Environment::Pdf(const Texel& texel) const {
+  const DiscreteDistribution& columns = columns_[static_cast<std::size_t>(texel.row)];
   return rows_.Probability(static_cast<std::size_t>(texel.row)) *
          columns.Probability(static_cast<std::size_t>(texel.column)) / SolidAngle(texel.row, map_.Height());
 }
@@ -212,14 +212,14 @@ R2::Color Environment::Radiance(const R3::Vector& direction) const {
 }
 
 Environment::Sample Environment::Draw(const R2::Point& u) const {
-  const Discrete::Drawn row = rows_.Draw(u.y), column = columns_[row.index].Draw(u.x);
+  const DiscreteDistribution::Drawn row = rows_.Draw(u.y), column = columns_[row.index].Draw(u.x);
   const Texel texel{static_cast<int>(column.index), static_cast<int>(row.index)};
   R3::Vector direction = Inside(texel, {column.rest, row.rest});
   // A place at the very edge may round to the neighbour, which may be black; the middle then stands for it.
   if (!(At(direction) == texel)) direction = Inside(texel, {0.5, 0.5});
-  return {direction, map_.At(texel.column, texel.row), Density(texel)};
+  return {direction, map_.At(texel.column, texel.row), Pdf(texel)};
 }
 
-double Environment::Density(const R3::Vector& direction) const { return Density(At(direction)); }
+double Environment::Pdf(const R3::Vector& direction) const { return Pdf(At(direction)); }
 
 }  // namespace ray

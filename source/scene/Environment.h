@@ -7,7 +7,7 @@
 #include "R2/Image.h"
 #include "R2/Point.h"
 #include "R3/Vector.h"
-#include "source/scene/Discrete.h"
+#include "source/sample/DiscreteDistribution.h"
 
 namespace ray {
 
@@ -58,24 +58,24 @@ class Environment {
   struct Sample {
     R3::Vector direction;  // unit, towards the light
     R2::Color radiance;    // exactly Radiance(direction)
-    double density;        // exactly Density(direction), per solid angle; > 0
+    double pdf;            // exactly Pdf(direction), per solid angle; > 0
   };
 
-  /// A direction with density proportional to the luminance that arrives from it: density = luminance / integral of
-  /// luminance over the sphere, within 2^-53 of a map's width and height times the largest density. Then luminance /
-  /// density is the same for all directions, and no channel over density exceeds that by more than 1 / 0.11, the
+  /// A direction with pdf proportional to the luminance that arrives from it: pdf = luminance / integral of
+  /// luminance over the sphere, within 2^-53 of a map's width and height times the largest pdf. Then luminance /
+  /// pdf is the same for all directions, and no channel over pdf exceeds that by more than 1 / 0.11, the
   /// inverse of the least weight in luminance. From a black environment all directions are alike.
   ///   u        in [0, 1]^2
   ///   source   Pharr, Jakob, Humphreys, Physically Based Rendering (2023), section 12.5.2: first a row by the
   ///   luminance
   ///            of its texels times their solid angle, then a texel of the row, then, unlike there, a place evenly by
   ///            solid angle in the texel: evenly in longitude and in the sine of latitude, as a sphere's zones have
-  ///            areas as their heights (Archimedes). With luminance L of the texel and its solid angle A, the density
+  ///            areas as their heights (Archimedes). With luminance L of the texel and its solid angle A, the pdf
   ///            is (L A / sum of L A) / A, with no sine left in it.
   Sample Draw(const R2::Point& u) const;
 
   /// Of Draw giving `direction`, per solid angle; `direction` has any length but 0.
-  double Density(const R3::Vector& direction) const;
+  double Pdf(const R3::Vector& direction) const;
 
   bool IsBlack() const { return is_black_; }
 
@@ -86,15 +86,15 @@ class Environment {
   };
 
   Texel At(const R3::Vector& direction) const;
-  double Density(const Texel& texel) const;
+  double Pdf(const Texel& texel) const;
   /// The direction at shares of the texel's longitude and of its sine of latitude.
   R3::Vector Inside(const Texel& texel, const R2::Point& shares) const;
 
   EnvironmentLayout layout_;
   R2::Image map_;  // latitude-longitude
   bool is_black_;
-  std::vector<Discrete> columns_;  // one for each row, by luminance
-  Discrete rows_;                  // by luminance times solid angle
+  std::vector<DiscreteDistribution> columns_;  // one for each row, by luminance
+  DiscreteDistribution rows_;                  // by luminance times solid angle
 };
 
 }  // namespace ray

@@ -4,10 +4,10 @@
 #include <functional>
 #include <string_view>
 
-#include "source/parse/Number.h"
-#include "source/parse/Suggestion.h"
 #include "source/parse/Tokenizer.h"
-#include "source/scene/NumberText.h"
+#include "source/text/Number.h"
+#include "source/text/NumberText.h"
+#include "source/text/Suggestion.h"
 
 namespace ray {
 namespace {

@@ -130,7 +130,7 @@ class Drawer {
         space_(space),
         budget_(budget),
         plan_(PlanFor(world, budget)),
-        lamps_(world.TheScene(), plan_.vertices) {}
+        lamps_(world.scene(), plan_.vertices) {}
 
   ScenePicture Run() {
     picture_.primitives = world_.Primitives();
@@ -148,7 +148,7 @@ class Drawer {
         last = nullptr;
         continue;
       }
-      if (instance.shape != last) data_ = instance.shape->Approximation(std::max(plan_.fineness, 3));
+      if (instance.shape != last) data_ = instance.shape->Tessellate(std::max(plan_.fineness, 3));
       last = instance.shape;
       if (instance.mesh && plan_.share < 1 && !IsSmall(instance, world_, budget_)) {
         picture_.left_out +=
@@ -198,7 +198,7 @@ class Drawer {
 
   Rgba ColorAt(const Material& m, const R3::Point& p, const R3::Vector& N, const R2::Point& uv) const {
     const R2::Color kd = m.texture ? m.kd * m.texture->At(uv) : m.kd;
-    const R2::Color color = m.emission + m.ka * world_.TheScene().ambient + kd * lamps_.At(p, N);
+    const R2::Color color = m.emission + m.ka * world_.scene().ambient + kd * lamps_.At(p, N);
     return Shown(color, std::clamp(1 - Luminance(m.kt), 0.0, 1.0));
   }
 

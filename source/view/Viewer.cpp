@@ -5,9 +5,9 @@
 #include <cstdlib>
 #include <fstream>
 
-#include "source/scene/NumberText.h"
-#include "source/view/SceneLines.h"
+#include "source/text/NumberText.h"
 #include "source/view/ScenePicture.h"
+#include "source/view/overlay/SceneLines.h"
 
 namespace ray {
 namespace {
@@ -68,7 +68,7 @@ RenderSettings Viewer::SettingsOfView() const {
   return settings;
 }
 
-void Viewer::Tell(const std::string& message) {
+void Viewer::PrintError(const std::string& message) {
   message_ = message;
   has_news_ = true;
 }
@@ -127,7 +127,7 @@ void Viewer::OnClick(const ButtonEvent& event) {
   last_click_at_ = place;
   if (is_second) {
     navigator_.SetPivot(PointAt(place));
-    Tell(navigator_.Pivot() ? "pivot set" : "pivot in the middle of the scene");
+    PrintError(navigator_.Pivot() ? "pivot set" : "pivot in the middle of the scene");
     return LinesHaveChanged();
   }
   const RenderSettings settings = SettingsOfView();
@@ -182,16 +182,16 @@ bool Viewer::Update() {
 }
 
 void Viewer::SaveEnded(const RenderJob& job) {
-  if (!job.Failure().empty()) return Tell("tracing failed: " + job.Failure());
-  if (!job.IsComplete()) return Tell("stopped; nothing was written");
-  Tell(host_.SaveTraced(job));
+  if (!job.Failure().empty()) return PrintError("tracing failed: " + job.Failure());
+  if (!job.IsComplete()) return PrintError("stopped; nothing was written");
+  PrintError(host_.SaveTraced(job));
 }
 
 void Viewer::StartTrace() {
   pictures_.StartTrace(scene_, SettingsOfView());
   pictures_.HideLive();
   shows_quad_ = true;
-  Tell("tracing");
+  PrintError("tracing");
   LinesHaveChanged();
 }
 
@@ -203,13 +203,13 @@ void Viewer::PrintCamera() {
   const std::string line = CameraLine(navigator_.TheCamera());
   host_.Print(line);
   host_.SetClipboard(line + "\n");
-  Tell("camera printed");
+  PrintError("camera printed");
 }
 
 void Viewer::CycleBoxes() {
   boxes_ = boxes_ == Boxes::none ? Boxes::nodes : boxes_ == Boxes::nodes ? Boxes::accelerator : Boxes::none;
   LinesHaveChanged();
-  Tell(BoxesInWords());
+  PrintError(BoxesInWords());
 }
 
 void Viewer::ChangeBoxLevel(int by) {
@@ -217,11 +217,11 @@ void Viewer::ChangeBoxLevel(int by) {
   constexpr int deepest = 1 << 20;
   box_level_ = std::clamp(box_level_ + by, all_levels, deepest);
   LinesHaveChanged();
-  Tell(BoxesInWords());
+  PrintError(BoxesInWords());
 }
 
 void Viewer::FramePicked() {
-  if (!pick_ || !pick_->point) return Tell("nothing is picked: click on something first");
+  if (!pick_ || !pick_->point) return PrintError("nothing is picked: click on something first");
   const Instance& instance = scene_->world.Instances()[pick_->instance];
   const R3::Box box = scene_->world.InWorld(instance.frame, R3::Bounds(*instance.shape));
   navigator_.SetPivot(pick_->point);
@@ -230,13 +230,13 @@ void Viewer::FramePicked() {
 
 void Viewer::KeepBookmark(int digit) {
   const bool is_kept = bookmarks_.Keep(digit, navigator_.TheCamera());
-  Tell("bookmark " + std::to_string(digit) +
-       (is_kept ? "" : ", until the program ends: " + bookmarks_.File().string() + " cannot be written"));
+  PrintError("bookmark " + std::to_string(digit) +
+             (is_kept ? "" : ", until the program ends: " + bookmarks_.File().string() + " cannot be written"));
 }
 
 void Viewer::RecallBookmark(int digit) {
   if (const auto camera = bookmarks_.Find(digit)) return navigator_.Go(*camera);
-  Tell("there is no bookmark " + std::to_string(digit));
+  PrintError("there is no bookmark " + std::to_string(digit));
 }
 
 void Viewer::ToggleGrid() {
@@ -261,8 +261,8 @@ void Viewer::TellPixel() {
   arrows_move_section_ = false;
   const PixelTrace& pixel = *rays_.Pixel();
   host_.Print(RayTree(pixel, scene_->world, rays_.PixelSettings()));
-  Tell("pixel " + std::to_string(pixel.column) + " " + std::to_string(pixel.row) + ", " +
-       std::to_string(pixel.rays.size()) + " rays");
+  PrintError("pixel " + std::to_string(pixel.column) + " " + std::to_string(pixel.row) + ", " +
+             std::to_string(pixel.rays.size()) + " rays");
   LinesHaveChanged();
 }
 
@@ -278,8 +278,8 @@ void Viewer::MoveByArrow(int right, int up) {
 
 void Viewer::SaveRays() {
   const auto shown = rays_.Shown();
-  if (shown.empty()) return Tell("no rays are shown: G or a right click shows some");
-  Tell(host_.SaveRays(RaysAsObj(shown, space_.radius)));
+  if (shown.empty()) return PrintError("no rays are shown: G or a right click shows some");
+  PrintError(host_.SaveRays(RaysAsObj(shown, space_.radius)));
 }
 
 void Viewer::ToggleLive(const std::string& mode) {
@@ -292,29 +292,29 @@ void Viewer::ToggleLive(const std::string& mode) {
 
 void Viewer::KeepReference() {
   const auto current = pictures_.Current();
-  if (!current) return Tell("there is no traced picture to keep: S or P traces one");
+  if (!current) return PrintError("there is no traced picture to keep: S or P traces one");
   pictures_.SetReference(current);
-  Tell("kept as the reference");
+  PrintError("kept as the reference");
 }
 
 void Viewer::Compare(TracedPictures::Comparing how) {
   pictures_.Compare(pictures_.HowCompared() == how ? TracedPictures::Comparing::no : how);
-  Tell(pictures_.Comparison());
+  PrintError(pictures_.Comparison());
 }
 
 void Viewer::ChangeExposure(double steps) {
   exposure_steps_ = steps == 0 ? 0 : exposure_steps_ + steps;
-  Tell("exposure " + ToText(exposure_steps_) + " stops");
+  PrintError("exposure " + ToText(exposure_steps_) + " stops");
 }
 
 void Viewer::Reload() {
   try {
     TakeScene(Load(settings_.scene, settings_));
-    Tell("read again");
+    PrintError("read again");
   } catch (const std::exception& error) {
     // The scene that is shown stays until the new one can be read.
     host_.Print(error.what());
-    Tell(FirstLine(error.what()));
+    PrintError(FirstLine(error.what()));
   }
 }
 
@@ -326,7 +326,7 @@ void Viewer::TurnHelpPage() {
 void Viewer::Open(const std::string& file) {
   if (auto picture = host_.ReadPicture(file)) {
     pictures_.SetReference(std::move(picture));
-    return Tell("reference " + file);
+    return PrintError("reference " + file);
   }
   try {
     auto scene = Load(file, settings_);
@@ -336,10 +336,10 @@ void Viewer::Open(const std::string& file) {
     TakeScene(std::move(scene));
     navigator_.SetPivot({});
     navigator_.Go(scene_->parsed.scene.camera);
-    Tell("opened " + file);
+    PrintError("opened " + file);
   } catch (const std::exception& error) {
     host_.Print(error.what());
-    Tell(FirstLine(error.what()));
+    PrintError(FirstLine(error.what()));
   }
 }
 

@@ -7,15 +7,15 @@
 #include <string>
 #include <vector>
 
-#include "source/view/CameraText.h"
 #include "source/view/Event.h"
 #include "source/view/FileWatch.h"
-#include "source/view/Navigator.h"
-#include "source/view/Pick.h"
-#include "source/view/Presentation.h"
-#include "source/view/RayInspector.h"
-#include "source/view/SectionView.h"
-#include "source/view/TracedPictures.h"
+#include "source/view/FrameState.h"
+#include "source/view/camera/CameraText.h"
+#include "source/view/camera/Navigator.h"
+#include "source/view/live/TracedPictures.h"
+#include "source/view/overlay/Pick.h"
+#include "source/view/overlay/RayInspector.h"
+#include "source/view/overlay/SectionView.h"
 
 namespace ray {
 
@@ -56,7 +56,7 @@ class Viewer {
   /// Starts and ends what is due. Whether Show would give something else than the last time.
   bool Update();
   /// Valid until the next call of Handle or Update.
-  Presentation Show();
+  FrameState Show();
   /// Whether a picture is being traced, so that Update is soon worth a call.
   bool IsBusy() const { return pictures_.IsBusy(); }
   bool IsClosed() const { return is_closed_; }
@@ -77,7 +77,7 @@ class Viewer {
   /// Keys and gestures, a line each.
   static std::vector<std::string> Help();
 
-  const LoadedScene& TheScene() const { return *scene_; }
+  const LoadedScene& scene() const { return *scene_; }
   const Navigator& TheNavigator() const { return navigator_; }
   const TracedPictures& Pictures() const { return pictures_; }
   const RayInspector& Rays() const { return rays_; }
@@ -129,7 +129,7 @@ class Viewer {
   void DebugPixelAt(const R2::Point& place);
   void TellPixel();
   void SaveEnded(const RenderJob& job);
-  void Tell(const std::string& message);
+  void PrintError(const std::string& message);
   void LinesHaveChanged() { lines_.reset(), has_news_ = true; }
   std::optional<R3::Point> PointAt(const R2::Point& place) const;
   Navigator::PointAt PointFinder() const;
@@ -144,7 +144,7 @@ class Viewer {
   int LinesOfText() const;
   std::vector<Label> MakeLabels() const;
   std::string BoxesInWords() const;
-  std::optional<Presentation::Picture> CoveringPicture() const;
+  std::optional<FrameState::Picture> CoveringPicture() const;
 
   ViewerSettings settings_;
   ViewerHost& host_;

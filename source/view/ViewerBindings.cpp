@@ -1,7 +1,7 @@
 #include <array>
 
-#include "source/view/SceneLines.h"
 #include "source/view/Viewer.h"
+#include "source/view/overlay/SceneLines.h"
 
 namespace ray {
 namespace {

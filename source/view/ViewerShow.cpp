@@ -2,9 +2,9 @@
 #include <cmath>
 
 #include "source/render/LayerColors.h"
-#include "source/scene/NumberText.h"
-#include "source/view/SceneLines.h"
+#include "source/text/NumberText.h"
 #include "source/view/Viewer.h"
+#include "source/view/overlay/SceneLines.h"
 
 /// What a viewer shows of what it knows.
 namespace ray {
@@ -23,13 +23,13 @@ bool IsLight(const std::string& mode) { return mode == "whitted" || mode == "pat
 
 }  // namespace
 
-Presentation Viewer::Show() {
+FrameState Viewer::Show() {
   if (!lines_) lines_ = std::make_shared<const Lines>(MakeLines());
   if (section_.IsShown() && !section_lines_) {
     section_.Cut(*scene_, SettingsOfView(), navigator_.Center());
     section_lines_ = std::make_shared<const Lines>(section_.Drawing(*scene_, rays_.Look()));
   }
-  Presentation shown;
+  FrameState shown;
   shown.size = shown.view = size_;
   if (section_.IsShown()) {
     shown.view.width = std::max(1, size_.width / 2);
@@ -44,7 +44,7 @@ Presentation Viewer::Show() {
   shown.lines = lines_;
   const Exposure exposure{std::exp2(exposure_steps_), settings_.render.srgb};
   if (ShowsQuad()) {
-    Presentation::Picture quad;
+    FrameState::Picture quad;
     quad.frame = &pictures_.Trace()->TheFrame();
     quad.number = pictures_.TraceNumber();
     quad.rows = pictures_.Trace()->RowsDone();
@@ -72,8 +72,8 @@ R3::Box Viewer::BoxOfDrawing() const {
   return box;
 }
 
-std::optional<Presentation::Picture> Viewer::CoveringPicture() const {
-  Presentation::Picture picture;
+std::optional<FrameState::Picture> Viewer::CoveringPicture() const {
+  FrameState::Picture picture;
   picture.exposure = {std::exp2(exposure_steps_), settings_.render.srgb};
   if (auto compared = pictures_.Compared()) {
     picture.image = std::move(compared);

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "R3/Wide.h"
+#include "R3/DoubleDouble.h"
 #include "tests/Draw.h"
 #include "tests/Quad.h"
 
@@ -31,13 +31,15 @@ TEST(NextUpAndNextDown, AgreeWithTheLibrary) {
   EXPECT_TRUE(std::isnan(R3::NextUp(std::nan(""))));
 }
 
-TEST(Wide, SumsProductsAndQuotientsCarryAHundredBits) {
+TEST(DoubleDouble, SumsProductsAndQuotientsCarryAHundredBits) {
   Draw draw(902);
-  const auto quad = [](const R3::Wide& w) { return Quad(w.high) + Quad(w.low); };
-  const auto random = [&] { return R3::Wide(draw.Between(-1, 1)) + R3::Wide(draw.Between(-1, 1) * 0x1p-60); };
+  const auto quad = [](const R3::DoubleDouble& w) { return Quad(w.high) + Quad(w.low); };
+  const auto random = [&] {
+    return R3::DoubleDouble(draw.Between(-1, 1)) + R3::DoubleDouble(draw.Between(-1, 1) * 0x1p-60);
+  };
   for (int i = 0; i < 100'000; ++i) {
-    const R3::Wide a = random(), b = random();
-    const auto expect = [&](const R3::Wide& got, Quad truth, Quad magnitude) {
+    const R3::DoubleDouble a = random(), b = random();
+    const auto expect = [&](const R3::DoubleDouble& got, Quad truth, Quad magnitude) {
       EXPECT_LE(oracle::Double(oracle::Abs(quad(got) - truth) / magnitude), 0x1p-100);
     };
     expect(a + b, quad(a) + quad(b), oracle::Abs(quad(a)) + oracle::Abs(quad(b)));

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "source/integrate/Heat.h"
+#include "source/integrate/debug/Heat.h"
 #include "tests/Accelerators.h"
 #include "tests/Project.h"
 

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "source/render/Needs.h"
+#include "source/render/SceneFeatures.h"
 #include "tests/Project.h"
 
 namespace {
@@ -20,8 +20,8 @@ ray::RenderSettings Small(const std::string& mode) {
 
 void ExpectAlike(const project::Stage& stated, const ray::RenderSettings& stated_settings, const project::Stage& plain,
                  const ray::RenderSettings& plain_settings, const std::string& what) {
-  const ray::Needs needs = ray::NeedsOf(stated.world, stated_settings);
-  const ray::Needs plain_needs = ray::NeedsOf(plain.world, plain_settings);
+  const ray::SceneFeatures needs = ray::FeaturesOf(stated.world, stated_settings);
+  const ray::SceneFeatures plain_needs = ray::FeaturesOf(plain.world, plain_settings);
   EXPECT_EQ(needs.Names(), plain_needs.Names()) << what;
   EXPECT_EQ(ray::KernelOf(needs, stated_settings), ray::KernelOf(plain_needs, plain_settings)) << what;
   EXPECT_TRUE(project::Render(stated, stated_settings).image == project::Render(plain, plain_settings).image) << what;
@@ -73,7 +73,7 @@ TEST(UnusedFeatures, AScenesStatementsWithoutEffectChangeNoNeedNoKernelAndNoBit)
 
 TEST(UnusedFeatures, AnAreaLightWithoutAreaIsSampledOnceHoweverManyShadowRaysAreAskedFor) {
   const project::Stage stage(project::FromText(Scene(matte, "", "area_light 3 3 3  0 4 2  0 -1 -0.3  0  0 0 0.2")));
-  const auto needs = ray::NeedsOf(stage.world, Small("whitted"));
+  const auto needs = ray::FeaturesOf(stage.world, Small("whitted"));
   EXPECT_TRUE(needs.lights);
   EXPECT_FALSE(needs.area_lights);
   for (const char* mode : {"whitted", "path"}) {
@@ -121,11 +121,11 @@ TEST(UnusedFeatures, OnesThatHaveAnEffectAreNeededAndSeen) {
   lens.camera.aperture = 0.2;
   lens.camera.focus = 5;
   motion.camera.motion = {0.5, 0, 0};
-  EXPECT_TRUE(ray::NeedsOf(stage.world, lens).lens);
-  EXPECT_TRUE(ray::NeedsOf(stage.world, motion).motion);
+  EXPECT_TRUE(ray::FeaturesOf(stage.world, lens).lens);
+  EXPECT_TRUE(ray::FeaturesOf(stage.world, motion).motion);
   for (const ray::RenderSettings& settings : {lens, motion}) {
-    EXPECT_NE(ray::KernelOf(ray::NeedsOf(stage.world, settings), settings),
-              ray::KernelOf(ray::NeedsOf(stage.world, plain), plain));
+    EXPECT_NE(ray::KernelOf(ray::FeaturesOf(stage.world, settings), settings),
+              ray::KernelOf(ray::FeaturesOf(stage.world, plain), plain));
     EXPECT_FALSE(project::Render(stage, settings).image == project::Render(stage, plain).image);
   }
 }

@@ -186,7 +186,7 @@ TEST(EveryShape, IsDrawnWithCornersOnItsSurface) {
   for (const Subject& s : EveryShape())
     for (const int fineness : finenesses) {
       const double size = Bounds(*s.shape).Radius();
-      for (const Facet& facet : Facets(s.shape->Approximation(fineness)))
+      for (const Facet& facet : Facets(s.shape->Tessellate(fineness)))
         for (std::size_t i = 0; i < 3; ++i) {
           EXPECT_NEAR(Length(facet.normals[i]), 1, 1e-12) << s.kind->name;
           const R3::Point corner = facet.corners[i], beside = corner + 1e-6 * (Middle(facet.corners) - corner);
@@ -205,7 +205,7 @@ TEST(EveryShape, IsDrawnWithFrontsOutside) {
   for (const Subject& s : EveryShape())
     for (const int fineness : finenesses) {
       const double size = Bounds(*s.shape).Radius();
-      const std::vector<Facet> facets = Facets(s.shape->Approximation(fineness));
+      const std::vector<Facet> facets = Facets(s.shape->Tessellate(fineness));
       EXPECT_FALSE(facets.empty()) << s.kind->name;
       for (const Facet& facet : facets) {
         const R3::Ray ray{Middle(facet.corners) + 2 * size * facet.front, -facet.front};
@@ -224,7 +224,7 @@ TEST(EveryShape, ThatIsSolidIsDrawnWithoutHoles) {
       using Place = std::array<double, 3>;
       std::map<std::pair<Place, Place>, int> edges;
       const auto place = [](const R3::Point& p) { return Place{p.x, p.y, p.z}; };
-      for (const Facet& facet : Facets(s.shape->Approximation(fineness)))
+      for (const Facet& facet : Facets(s.shape->Tessellate(fineness)))
         for (std::size_t i = 0; i < 3; ++i) ++edges[{place(facet.corners[i]), place(facet.corners[(i + 1) % 3])}];
       for (const auto& [edge, count] : edges) {
         EXPECT_EQ(count, 1) << s.kind->name << ' ' << fineness;
@@ -236,14 +236,14 @@ TEST(EveryShape, ThatIsSolidIsDrawnWithoutHoles) {
 TEST(EveryShape, IsDrawnWithNoMoreTrianglesThanAskedFor) {
   for (const Subject& s : EveryShape())
     for (const int fineness : finenesses)
-      EXPECT_LE(s.shape->Approximation(fineness).triangles.size(),
+      EXPECT_LE(s.shape->Tessellate(fineness).triangles.size(),
                 std::max<std::size_t>(12, static_cast<std::size_t>(fineness * fineness)))
           << s.kind->name << ' ' << fineness;
 }
 
 TEST(EveryShape, IsDrawnWithTheTextureCoordinatesOfItsHits) {
   for (const Subject& s : EveryShape()) {
-    const R3::MeshData data = s.shape->Approximation(40);
+    const R3::MeshData data = s.shape->Tessellate(40);
     ASSERT_EQ(data.uvs.size(), data.positions.size()) << s.kind->name;
     const std::vector<Facet> facets = Facets(data);
     // In the middle of a triangle, where its corners' mean is near enough: a step of 1/40, less bending.
@@ -262,14 +262,14 @@ TEST(EveryShape, IsDrawnWithTheTextureCoordinatesOfItsHits) {
 
 TEST(EveryShape, OfNoSizeIsDrawnWithNothing) {
   for (const R3::ShapeKind* kind : R3::ShapeKinds())
-    EXPECT_TRUE(kind->make(std::vector<double>(kind->arguments.size()))->Approximation(12).triangles.empty())
+    EXPECT_TRUE(kind->make(std::vector<double>(kind->arguments.size()))->Tessellate(12).triangles.empty())
         << kind->name;
 }
 
 TEST(EveryShape, ThatIsABoxWithoutHeightIsDrawnAsItsTwoFaces) {
   const auto sheet = R3::MakeShape("box", {0, 1, 0, 2, 1, 3});
-  for (const Facet& facet : Facets(sheet->Approximation(8))) EXPECT_EQ(std::abs(facet.front.y), 1);
-  EXPECT_EQ(sheet->Approximation(8).triangles.size(), 2u * 2 * 2 * 2);
+  for (const Facet& facet : Facets(sheet->Tessellate(8))) EXPECT_EQ(std::abs(facet.front.y), 1);
+  EXPECT_EQ(sheet->Tessellate(8).triangles.size(), 2u * 2 * 2 * 2);
 }
 
 /// Texture coordinates where a ray straight at `p` from outside meets the shape.

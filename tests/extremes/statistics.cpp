@@ -197,7 +197,7 @@ std::string Square(int material, double half, double y) {
 }
 
 /// A closed cube of side 2 about the origin, of triangles, which light as well as they are seen.
-std::string Cube() {
+std::string Get() {
   std::string text;
   for (int axis = 0; axis < 3; ++axis)
     for (const int side : {-1, 1}) {
@@ -255,11 +255,11 @@ std::vector<Known> KnownScenes() {
        0.5 * 4 * FormFactorOfCorner(1, 1, 1.5), with(depth(path, 0), [](auto& t) { t.strategy = "light"; })},
       {"square on a floor, scattered rays only", floor + no_light + Material(0, 0, 0, 1) + Square(1, 1, 1.5),
        0.5 * 4 * FormFactorOfCorner(1, 1, 1.5), with(depth(path, 0), [](auto& t) { t.strategy = "surface"; })},
-      {"closed box that shines: E / (1 - p), with roulette", inside + no_light + Material(0.5, 0, 0, 1) + Cube(),
+      {"closed box that shines: E / (1 - p), with roulette", inside + no_light + Material(0.5, 0, 0, 1) + Get(),
        1 / (1 - 0.5), path},
-      {"closed box that shines, half of it as a mirror does", inside + no_light + Material(0.25, 0.25, 0, 1) + Cube(),
+      {"closed box that shines, half of it as a mirror does", inside + no_light + Material(0.25, 0.25, 0, 1) + Get(),
        1 / (1 - 0.5), path},
-      {"closed box that shines, cut after two bounces", inside + no_light + Material(0.5, 0, 0, 1) + Cube(),
+      {"closed box that shines, cut after two bounces", inside + no_light + Material(0.5, 0, 0, 1) + Get(),
        Series(0.5, 3), depth(path, 2)},  // the light of the last bounce's surroundings still counts
       {"lamp in the middle of a hollow ball: B / (1 - p)",
        inside + Material(0.6, 0, 0, 0) + "sphere 0 0 0 0 2 point_light 4 4 4  0 0 0  0 0 1", 0.6 / (1 - 0.6), path},

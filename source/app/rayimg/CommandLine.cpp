@@ -5,8 +5,8 @@
 #include <set>
 
 #include "source/app/Status.h"
-#include "source/app/Words.h"
-#include "source/parse/Text.h"
+#include "source/text/Quoting.h"
+#include "source/text/Words.h"
 
 namespace ray::rayimg {
 namespace {

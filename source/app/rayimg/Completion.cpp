@@ -1,4 +1,4 @@
-#include "source/app/Completion.h"
+#include "source/app/options/Completion.h"
 
 #include "source/app/rayimg/Help.h"
 #include "source/app/rayimg/Table.h"

@@ -1,7 +1,7 @@
 #include "source/app/rayimg/Help.h"
 
-#include "source/app/Help.h"
-#include "source/app/Manual.h"
+#include "source/app/options/Help.h"
+#include "source/app/options/Manual.h"
 #include "source/app/rayimg/Pictures.h"
 #include "source/app/rayimg/Table.h"
 

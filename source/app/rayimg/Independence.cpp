@@ -4,7 +4,7 @@
 #include <iterator>
 #include <sstream>
 
-#include "source/parse/Text.h"
+#include "source/text/Quoting.h"
 
 namespace ray::rayimg {
 

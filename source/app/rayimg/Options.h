@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "R2/Flip.h"
+#include "R2/compare/Flip.h"
 
 namespace ray::rayimg {
 

@@ -3,10 +3,10 @@
 #include <array>
 #include <charconv>
 
-#include "source/app/Info.h"
-#include "source/app/Messages.h"
 #include "source/app/Status.h"
-#include "source/parse/Text.h"
+#include "source/app/report/Info.h"
+#include "source/app/report/Messages.h"
+#include "source/text/Quoting.h"
 
 namespace ray::rayimg {
 namespace {
@@ -35,8 +35,8 @@ void Write(const PictureOutput& output, const R2::Image& image, const R2::ImageE
            const R2::ImageSettings& settings) {
   RefuseSize(*output.format, image.Width(), image.Height());
   if (output.file.is_link)
-    Tell("rayimg: " + Quoted(output.file.name) + " is a link; the picture goes to " +
-         QuotedPath(output.file.target.string()));
+    PrintError("rayimg: " + Quoted(output.file.name) + " is a link; the picture goes to " +
+               QuotedPath(output.file.target.string()));
   WriteWhole(output.file, output.format->encode(image, encoding, settings));
 }
 

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "R2/ImageFile.h"
-#include "source/app/Outputs.h"
+#include "source/app/files/Outputs.h"
 
 namespace ray::rayimg {
 

@@ -6,10 +6,10 @@
 
 #include "R2/ToneCurve.h"
 #include "source/app/Status.h"
-#include "source/app/Words.h"
 #include "source/app/rayimg/Commands.h"
-#include "source/parse/Number.h"
-#include "source/parse/Text.h"
+#include "source/text/Number.h"
+#include "source/text/Quoting.h"
+#include "source/text/Words.h"
 
 namespace ray::rayimg {
 namespace {

@@ -9,8 +9,8 @@
 #include "source/app/rayimg/Options.h"
 
 /// What rayimg understands, in one place: the parser, -help, the manual page, the completions and the README come from
-/// these tables. raypro's table (source/app/OptionTable.h) is of one command and of its own options; this one says of
-/// each option which commands take it.
+/// these tables. raypro's table (source/app/options/OptionTable.h) is of one command and of its own options; this one
+/// says of each option which commands take it.
 namespace ray::rayimg {
 
 // What an option takes, and where its value is kept.

@@ -3,17 +3,17 @@
 #include <optional>
 #include <vector>
 
-#include "R2/Difference.h"
-#include "R2/Flip.h"
 #include "R2/Ramp.h"
-#include "source/app/Messages.h"
-#include "source/app/OutputFile.h"
+#include "R2/compare/Difference.h"
+#include "R2/compare/Flip.h"
 #include "source/app/Status.h"
-#include "source/app/Words.h"
+#include "source/app/files/OutputFile.h"
 #include "source/app/rayimg/Commands.h"
 #include "source/app/rayimg/Independence.h"
 #include "source/app/rayimg/Pictures.h"
-#include "source/parse/Text.h"
+#include "source/app/report/Messages.h"
+#include "source/text/Quoting.h"
+#include "source/text/Words.h"
 
 namespace ray::rayimg {
 namespace {
@@ -127,7 +127,7 @@ std::string JsonOf(const Findings& found, const Options& options) {
 void WarnOfSharedNoise(const std::vector<std::string>& names, const R2::ImageSettings& x, const R2::ImageSettings& r) {
   if (Setting(x, "samples") == Setting(r, "samples")) return;
   if (const auto why = WhyDependent(names[0], x, names[1], r))
-    Tell("rayimg: warning: " + *why + "; the true error may be larger");
+    PrintError("rayimg: warning: " + *why + "; the true error may be larger");
 }
 
 void RefuseDependent(const std::string& a_name, const R2::DecodedImage& a, const std::string& b_name,

@@ -1,15 +1,15 @@
-#include "source/app/Info.h"
+#include "source/app/report/Info.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 
-#include "source/app/Messages.h"
-#include "source/app/OutputFile.h"
 #include "source/app/Status.h"
+#include "source/app/files/OutputFile.h"
 #include "source/app/rayimg/Commands.h"
 #include "source/app/rayimg/Pictures.h"
+#include "source/app/report/Messages.h"
 #include "source/parse/SceneError.h"
 
 namespace ray::rayimg {
@@ -61,7 +61,7 @@ int Info(const Options& options, const std::string&) {
       WriteStandardOutput(gap + PictureText(name, picture) + StatisticsText(picture.image));
       gap = "\n";
     } catch (const SceneErrors& errors) {
-      Tell(errors.what());
+      PrintError(errors.what());
       exit_status = status::bad_scene;
     }
   }

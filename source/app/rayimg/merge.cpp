@@ -3,15 +3,15 @@
 #include <optional>
 #include <vector>
 
-#include "source/app/Info.h"
-#include "source/app/Messages.h"
 #include "source/app/Status.h"
-#include "source/app/Words.h"
 #include "source/app/rayimg/Commands.h"
 #include "source/app/rayimg/Independence.h"
 #include "source/app/rayimg/Pictures.h"
-#include "source/parse/Number.h"
-#include "source/parse/Text.h"
+#include "source/app/report/Info.h"
+#include "source/app/report/Messages.h"
+#include "source/text/Number.h"
+#include "source/text/Quoting.h"
+#include "source/text/Words.h"
 
 namespace ray::rayimg {
 namespace {
@@ -38,7 +38,7 @@ void RefuseInterrupted(const std::vector<std::string>& names, const std::vector<
 void WarnOfUnknownSeeds(const std::vector<std::string>& names, const std::vector<ImageSettings>& settings) {
   for (std::size_t i = 0; i < names.size(); ++i)
     if (Seeds(settings[i]).empty())
-      Tell("rayimg: warning: " + Quoted(names[i]) + " does not tell its seed, and is taken to be independent");
+      PrintError("rayimg: warning: " + Quoted(names[i]) + " does not tell its seed, and is taken to be independent");
 }
 
 /// The first pass: what is said of the pictures, which decides whether and how they are merged.

@@ -4,13 +4,13 @@
 #include <string_view>
 #include <utility>
 
-#include "source/app/Info.h"
-#include "source/app/Messages.h"
 #include "source/app/Status.h"
 #include "source/app/rayimg/Commands.h"
 #include "source/app/rayimg/Pictures.h"
-#include "source/parse/LowerCase.h"
-#include "source/parse/Text.h"
+#include "source/app/report/Info.h"
+#include "source/app/report/Messages.h"
+#include "source/text/LowerCase.h"
+#include "source/text/Quoting.h"
 
 // AVI is RIFF: chunks of four letters, a size and as many bytes; a LIST's first four letters say what it holds.
 //   RIFF 'AVI '
@@ -174,7 +174,7 @@ int Movie(const Options& options, const std::string&) {
   const OutputFile output = CheckMovie(options.names[0], names);
   const Frames frames = ReadFrames(names);
   if (output.is_link)
-    Tell("rayimg: " + Quoted(output.name) + " is a link; the movie goes to " + Quoted(output.target.string()));
+    PrintError("rayimg: " + Quoted(output.name) + " is a link; the movie goes to " + Quoted(output.target.string()));
   WriteWhole(output, Avi(frames, options.fps));
   return status::done;
 }

@@ -3,7 +3,7 @@
 #include <array>
 #include <filesystem>
 
-#include "source/parse/LowerCase.h"
+#include "source/text/LowerCase.h"
 
 namespace ray {
 

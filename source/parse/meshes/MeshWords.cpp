@@ -1,7 +1,7 @@
 #include "source/parse/meshes/MeshWords.h"
 
 #include "source/parse/Coordinate.h"
-#include "source/parse/Number.h"
+#include "source/text/Number.h"
 
 namespace ray {
 

@@ -14,11 +14,11 @@ struct TypeName {
 
 // The first eight are Turk's, the others came with later libraries.
 constexpr std::array type_names{
-    TypeName{"char", PlyType::int8},     TypeName{"uchar", PlyType::uint8},     TypeName{"short", PlyType::int16},
-    TypeName{"ushort", PlyType::uint16}, TypeName{"int", PlyType::int32},       TypeName{"uint", PlyType::uint32},
-    TypeName{"float", PlyType::float32}, TypeName{"double", PlyType::float64},  TypeName{"int8", PlyType::int8},
-    TypeName{"uint8", PlyType::uint8},   TypeName{"int16", PlyType::int16},     TypeName{"uint16", PlyType::uint16},
-    TypeName{"int32", PlyType::int32},   TypeName{"uint32", PlyType::uint32},   TypeName{"float32", PlyType::float32},
+    TypeName{"char", PlyType::int8},       TypeName{"uchar", PlyType::uint8},    TypeName{"short", PlyType::int16},
+    TypeName{"ushort", PlyType::uint16},   TypeName{"int", PlyType::int32},      TypeName{"uint", PlyType::uint32},
+    TypeName{"float", PlyType::float32},   TypeName{"double", PlyType::float64}, TypeName{"int8", PlyType::int8},
+    TypeName{"uint8", PlyType::uint8},     TypeName{"int16", PlyType::int16},    TypeName{"uint16", PlyType::uint16},
+    TypeName{"int32", PlyType::int32},     TypeName{"uint32", PlyType::uint32},  TypeName{"float32", PlyType::float32},
     TypeName{"float64", PlyType::float64},
 };
 
@@ -119,13 +119,17 @@ class HeaderReader {
 std::size_t SizeOf(PlyType type) {
   switch (type) {
     case PlyType::int8:
-    case PlyType::uint8: return 1;
+    case PlyType::uint8:
+      return 1;
     case PlyType::int16:
-    case PlyType::uint16: return 2;
+    case PlyType::uint16:
+      return 2;
     case PlyType::int32:
     case PlyType::uint32:
-    case PlyType::float32: return 4;
-    case PlyType::float64: return 8;
+    case PlyType::float32:
+      return 4;
+    case PlyType::float64:
+      return 8;
   }
   return 0;
 }

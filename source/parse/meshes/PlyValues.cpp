@@ -25,14 +25,22 @@ void PlyValues::Fail(const PlyPlace& place, const std::string& message) const {
 
 double PlyValues::NextBinary(PlyType type) {
   switch (type) {
-    case PlyType::int8: return bytes_.Next<std::int8_t>();
-    case PlyType::uint8: return bytes_.Next<std::uint8_t>();
-    case PlyType::int16: return bytes_.Next<std::int16_t>();
-    case PlyType::uint16: return bytes_.Next<std::uint16_t>();
-    case PlyType::int32: return bytes_.Next<std::int32_t>();
-    case PlyType::uint32: return bytes_.Next<std::uint32_t>();
-    case PlyType::float32: return bytes_.Next<float>();
-    case PlyType::float64: return bytes_.Next<double>();
+    case PlyType::int8:
+      return bytes_.Next<std::int8_t>();
+    case PlyType::uint8:
+      return bytes_.Next<std::uint8_t>();
+    case PlyType::int16:
+      return bytes_.Next<std::int16_t>();
+    case PlyType::uint16:
+      return bytes_.Next<std::uint16_t>();
+    case PlyType::int32:
+      return bytes_.Next<std::int32_t>();
+    case PlyType::uint32:
+      return bytes_.Next<std::uint32_t>();
+    case PlyType::float32:
+      return bytes_.Next<float>();
+    case PlyType::float64:
+      return bytes_.Next<double>();
   }
   return 0;
 }

@@ -2,10 +2,10 @@
 #include <array>
 #include <numeric>
 
-#include "source/parse/Number.h"
 #include "source/parse/meshes/Faces.h"
 #include "source/parse/meshes/MeshFormat.h"
 #include "source/parse/meshes/MeshWords.h"
+#include "source/text/Number.h"
 
 namespace ray {
 namespace {

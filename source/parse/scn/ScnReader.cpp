@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "source/parse/Format.h"
-#include "source/parse/Number.h"
-#include "source/parse/Suggestion.h"
+#include "source/text/Number.h"
+#include "source/text/Suggestion.h"
 
 namespace ray {
 namespace {

@@ -1,6 +1,6 @@
 #include "source/parse/scn/Statement.h"
 
-#include "source/parse/Number.h"
+#include "source/text/Number.h"
 
 namespace ray {
 namespace {

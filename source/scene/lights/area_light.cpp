@@ -1,7 +1,7 @@
 #include <algorithm>
 
+#include "source/sample/Warp.h"
 #include "source/scene/Light.h"
-#include "source/scene/Warp.h"
 #include "source/scene/lights/Falloff.h"
 #include "source/scene/lights/Words.h"
 

@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "source/sample/Warp.h"
 #include "source/scene/Light.h"
-#include "source/scene/Warp.h"
 #include "source/scene/lights/Falloff.h"
 #include "source/scene/lights/Words.h"
 

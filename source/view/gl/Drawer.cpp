@@ -7,7 +7,7 @@ constexpr double hidden_lines = 0.3;  // of their cover is left where things are
 constexpr R2::Color section_ground{0.08, 0.08, 0.1};
 constexpr double section_margin = 1.05;
 
-Painter::PictureLook LookOf(const Presentation::Picture& picture) {
+Painter::PictureLook LookOf(const FrameState::Picture& picture) {
   Painter::PictureLook look;
   look.exposure = picture.exposure.factor;
   look.srgb = picture.exposure.srgb;
@@ -27,8 +27,8 @@ ClipMatrix SectionMatrix(const DrawingSize& part) {
 
 }  // namespace
 
-template <typename List, typename Kept>
-const Kept& Drawer::Keep(Slot<List, Kept>& slot, const std::shared_ptr<const List>& list) {
+template <typename List, typename GpuCache>
+const GpuCache& Drawer::Keep(Slot<List, GpuCache>& slot, const std::shared_ptr<const List>& list) {
   if (slot.list != list) {
     slot.kept.reset();  // first, so that both are never there at once
     slot.kept = painter_.Keep(*list);
@@ -45,7 +45,7 @@ void Drawer::Fit(PictureSlot& slot, int width, int height) {
   slot.height = height;
 }
 
-const KeptPicture& Drawer::Keep(PictureSlot& slot, const Presentation::Picture& picture) {
+const GpuPicture& Drawer::Keep(PictureSlot& slot, const FrameState::Picture& picture) {
   if (picture.image) {
     const R2::Image& image = *picture.image;
     if (slot.image != picture.image) {
@@ -83,7 +83,7 @@ const KeptPicture& Drawer::Keep(PictureSlot& slot, const Presentation::Picture& 
   return *slot.kept;
 }
 
-void Drawer::Draw(const Presentation& shown) {
+void Drawer::Draw(const FrameState& shown) {
   painter_.Begin(shown.size.width, shown.size.height, shown.background);
   painter_.SetPart(0, 0, shown.view.width, shown.view.height);
   const ClipMatrix& clip = shown.clip_from_drawing;

@@ -2,7 +2,7 @@
 
 #include <map>
 
-#include "source/view/Presentation.h"
+#include "source/view/FrameState.h"
 #include "source/view/gl/Painter.h"
 
 namespace ray {
@@ -12,19 +12,19 @@ class Drawer {
  public:
   explicit Drawer(Painter& painter) : painter_(painter) {}
 
-  void Draw(const Presentation& shown);
+  void Draw(const FrameState& shown);
   /// The picture of a job or an image as it was last drawn, for tests: rows from the bottom, r g b.
   std::vector<float> ReadBackQuad();
 
  private:
   /// A list that was shown, and what became of it.
-  template <typename List, typename Kept>
+  template <typename List, typename GpuCache>
   struct Slot {
     std::shared_ptr<const List> list;
-    std::shared_ptr<Kept> kept;
+    std::shared_ptr<GpuCache> kept;
   };
-  template <typename List, typename Kept>
-  const Kept& Keep(Slot<List, Kept>& slot, const std::shared_ptr<const List>& list);
+  template <typename List, typename GpuCache>
+  const GpuCache& Keep(Slot<List, GpuCache>& slot, const std::shared_ptr<const List>& list);
 
   /// A picture, and which rows of which frame it has.
   struct PictureSlot {
@@ -32,14 +32,14 @@ class Drawer {
     std::shared_ptr<const R2::Image> image;
     int width = 0, height = 0;
     std::vector<std::uint32_t> versions;
-    std::shared_ptr<KeptPicture> kept;
+    std::shared_ptr<GpuPicture> kept;
   };
-  const KeptPicture& Keep(PictureSlot& slot, const Presentation::Picture& picture);
+  const GpuPicture& Keep(PictureSlot& slot, const FrameState::Picture& picture);
   void Fit(PictureSlot& slot, int width, int height);
 
   Painter& painter_;
-  Slot<Triangles, KeptTriangles> faces_;
-  Slot<Lines, KeptLines> lines_, section_;
+  Slot<Triangles, GpuTriangles> faces_;
+  Slot<Lines, GpuLines> lines_, section_;
   PictureSlot quad_, picture_;
   std::vector<float> rows_;
 };

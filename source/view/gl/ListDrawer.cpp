@@ -56,8 +56,8 @@ ListDrawer::ListDrawer(std::shared_ptr<const Functions> gl)
   widest_ = range[1];
 }
 
-std::shared_ptr<KeptTriangles> ListDrawer::Keep(const Triangles& triangles) const {
-  auto kept = std::make_shared<KeptTriangles>(gl_);
+std::shared_ptr<GpuTriangles> ListDrawer::Keep(const Triangles& triangles) const {
+  auto kept = std::make_shared<GpuTriangles>(gl_);
   kept->opaque = static_cast<GLsizei>(triangles.opaque.size());
   kept->clear = static_cast<GLsizei>(triangles.clear.size());
   std::vector<std::uint32_t> indices = triangles.opaque;
@@ -76,8 +76,8 @@ std::shared_ptr<KeptTriangles> ListDrawer::Keep(const Triangles& triangles) cons
   return kept;
 }
 
-std::shared_ptr<KeptLines> ListDrawer::Keep(const Lines& lines) const {
-  auto kept = std::make_shared<KeptLines>(gl_);
+std::shared_ptr<GpuLines> ListDrawer::Keep(const Lines& lines) const {
+  auto kept = std::make_shared<GpuLines>(gl_);
   kept->count = static_cast<GLsizei>(lines.size());
   gl_->BindVertexArray(kept->colored.Name());
   gl_->BindBuffer(GL_ARRAY_BUFFER, kept->vertices.Name());
@@ -93,7 +93,7 @@ void ListDrawer::Start(const ClipMatrix& clip_from_drawing, double cover) const 
   gl_->Uniform1f(program_["cover"], static_cast<float>(cover));
 }
 
-void ListDrawer::Draw(const KeptTriangles& triangles, const ClipMatrix& clip_from_drawing) const {
+void ListDrawer::Draw(const GpuTriangles& triangles, const ClipMatrix& clip_from_drawing) const {
   Start(clip_from_drawing, 1);
   gl_->BindVertexArray(triangles.colored.Name());
   // Moved back a little, by their slope and the smallest step of depth, so that lines on them are seen.
@@ -113,7 +113,7 @@ void ListDrawer::Draw(const KeptTriangles& triangles, const ClipMatrix& clip_fro
   gl_->Disable(GL_POLYGON_OFFSET_FILL);
 }
 
-void ListDrawer::Draw(const KeptLines& lines, const ClipMatrix& clip_from_drawing, double width, double hidden) const {
+void ListDrawer::Draw(const GpuLines& lines, const ClipMatrix& clip_from_drawing, double width, double hidden) const {
   if (lines.count == 0) return;
   gl_->BindVertexArray(lines.colored.Name());
   gl_->LineWidth(std::clamp(static_cast<float>(width), 1.0F, widest_));
@@ -131,7 +131,7 @@ void ListDrawer::Draw(const KeptLines& lines, const ClipMatrix& clip_from_drawin
   gl_->LineWidth(1);
 }
 
-void ListDrawer::DrawEdges(const KeptTriangles& triangles, const ClipMatrix& clip_from_drawing,
+void ListDrawer::DrawEdges(const GpuTriangles& triangles, const ClipMatrix& clip_from_drawing,
                            const Rgba& color) const {
   const GLsizei count = triangles.opaque + triangles.clear;
   if (count == 0) return;

@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "source/view/gl/Kept.h"
+#include "source/view/gl/Gpu.h"
 #include "source/view/gl/Program.h"
 
 namespace ray {
@@ -12,12 +12,12 @@ class ListDrawer {
  public:
   explicit ListDrawer(std::shared_ptr<const Functions> gl);
 
-  std::shared_ptr<KeptTriangles> Keep(const Triangles& triangles) const;
-  std::shared_ptr<KeptLines> Keep(const Lines& lines) const;
+  std::shared_ptr<GpuTriangles> Keep(const Triangles& triangles) const;
+  std::shared_ptr<GpuLines> Keep(const Lines& lines) const;
 
-  void Draw(const KeptTriangles& triangles, const ClipMatrix& clip_from_drawing) const;
-  void Draw(const KeptLines& lines, const ClipMatrix& clip_from_drawing, double width, double hidden) const;
-  void DrawEdges(const KeptTriangles& triangles, const ClipMatrix& clip_from_drawing, const Rgba& color) const;
+  void Draw(const GpuTriangles& triangles, const ClipMatrix& clip_from_drawing) const;
+  void Draw(const GpuLines& lines, const ClipMatrix& clip_from_drawing, double width, double hidden) const;
+  void DrawEdges(const GpuTriangles& triangles, const ClipMatrix& clip_from_drawing, const Rgba& color) const;
 
  private:
   void Start(const ClipMatrix& clip_from_drawing, double cover) const;

@@ -11,9 +11,9 @@
 namespace ray {
 
 /// What a list is kept as by OpenGL; of the painter that made it.
-class KeptTriangles;
-class KeptLines;
-class KeptPicture;
+class GpuTriangles;
+class GpuLines;
+class GpuPicture;
 
 /// Draws lists with OpenGL 3.3 core. All calls on the thread of the context, which must be current and outlive the
 /// painter and all that it keeps.
@@ -26,16 +26,16 @@ class Painter {
   ~Painter();
   Painter(const Painter&) = delete;
 
-  /// Kept until the pointer goes. Throws ContextError when the graphics have no memory left.
-  std::shared_ptr<KeptTriangles> Keep(const Triangles& triangles);
-  std::shared_ptr<KeptLines> Keep(const Lines& lines);
+  /// GpuCache until the pointer goes. Throws ContextError when the graphics have no memory left.
+  std::shared_ptr<GpuTriangles> Keep(const Triangles& triangles);
+  std::shared_ptr<GpuLines> Keep(const Lines& lines);
   /// A black picture, of floats r g b; width and height at least 1. Throws ContextError when the graphics cannot keep
   /// one so large.
-  std::shared_ptr<KeptPicture> KeepPicture(int width, int height);
+  std::shared_ptr<GpuPicture> KeepPicture(int width, int height);
   /// Rows first .. first + count - 1 from the bottom; `rgb` holds those rows.
-  void Update(KeptPicture& picture, int first, int count, std::span<const float> rgb);
+  void Update(GpuPicture& picture, int first, int count, std::span<const float> rgb);
   /// What is kept, for tests: rows from the bottom, r g b.
-  std::vector<float> ReadBack(const KeptPicture& picture);
+  std::vector<float> ReadBack(const GpuPicture& picture);
 
   /// A new drawing of this size, at least 0 each; its part is the whole. To be called before anything else draws.
   /// Throws ContextError when a framebuffer cannot be so large.
@@ -45,12 +45,12 @@ class Painter {
   /// All of the part in one colour, with nothing in it any more.
   void Fill(const R2::Color& color);
   /// Opaque ones first, then clear ones without writing depth.
-  void Draw(const KeptTriangles& triangles, const ClipMatrix& clip_from_drawing);
+  void Draw(const GpuTriangles& triangles, const ClipMatrix& clip_from_drawing);
   /// Lines of `width` pixels, or as wide as the graphics allow; what is hidden by what was drawn before, triangles
   /// above all, is drawn with its cover times `hidden`, in [0, 1].
-  void Draw(const KeptLines& lines, const ClipMatrix& clip_from_drawing, double width = 1, double hidden = 0);
+  void Draw(const GpuLines& lines, const ClipMatrix& clip_from_drawing, double width = 1, double hidden = 0);
   /// Edges of triangles in one colour.
-  void DrawEdges(const KeptTriangles& triangles, const ClipMatrix& clip_from_drawing, const Rgba& color);
+  void DrawEdges(const GpuTriangles& triangles, const ClipMatrix& clip_from_drawing, const Rgba& color);
   /// The picture on a quad in space: its lower left, lower right, upper right and upper left corner. Each channel is
   /// multiplied by `exposure`, then clamped, encoded as sRGB if asked for, and made the byte an image file would hold.
   /// Rows at and above `rows` are left out. One with alpha below 1 hides nothing drawn later.
@@ -60,10 +60,10 @@ class Painter {
     int rows = -1;  // -1: all
     double alpha = 1;
   };
-  void Draw(const KeptPicture& picture, const std::array<std::array<float, 3>, 4>& corners,
+  void Draw(const GpuPicture& picture, const std::array<std::array<float, 3>, 4>& corners,
             const ClipMatrix& clip_from_drawing, const PictureLook& look);
   /// The picture over the current part, from corner to corner.
-  void Draw(const KeptPicture& picture, const PictureLook& look);
+  void Draw(const GpuPicture& picture, const PictureLook& look);
   /// Text over all, on a dark ground so that it can be read on anything. 8 x 16 pixels a character.
   void Draw(std::span<const Label> labels);
 

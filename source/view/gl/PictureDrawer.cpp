@@ -90,14 +90,14 @@ PictureDrawer::PictureDrawer(std::shared_ptr<const Functions> gl)
   UseNearest(*gl_);
 }
 
-std::shared_ptr<KeptPicture> PictureDrawer::Keep(int width, int height) const {
+std::shared_ptr<GpuPicture> PictureDrawer::Keep(int width, int height) const {
   assert(width >= 1 && height >= 1);
   GLint most = 0;
   gl_->GetIntegerv(GL_MAX_TEXTURE_SIZE, &most);
   if (width > most || height > most)
     throw ContextError("a picture of " + std::to_string(width) + " x " + std::to_string(height) +
                        " pixels cannot be shown; the graphics allow " + std::to_string(most) + " a side");
-  auto kept = std::make_shared<KeptPicture>(gl_);
+  auto kept = std::make_shared<GpuPicture>(gl_);
   kept->width = width, kept->height = height;
   gl_->BindTexture(GL_TEXTURE_2D, kept->texture.Name());
   const std::vector<float> black(3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
@@ -107,7 +107,7 @@ std::shared_ptr<KeptPicture> PictureDrawer::Keep(int width, int height) const {
   return kept;
 }
 
-void PictureDrawer::Update(KeptPicture& picture, int first, int count, std::span<const float> rgb) const {
+void PictureDrawer::Update(GpuPicture& picture, int first, int count, std::span<const float> rgb) const {
   if (count == 0) return;
   assert(first >= 0 && count > 0 && first + count <= picture.height);
   assert(rgb.size() == 3 * static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(count));
@@ -115,14 +115,14 @@ void PictureDrawer::Update(KeptPicture& picture, int first, int count, std::span
   gl_->TexSubImage2D(GL_TEXTURE_2D, 0, 0, first, picture.width, count, GL_RGB, GL_FLOAT, rgb.data());
 }
 
-std::vector<float> PictureDrawer::ReadBack(const KeptPicture& picture) const {
+std::vector<float> PictureDrawer::ReadBack(const GpuPicture& picture) const {
   std::vector<float> rgb(3 * static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height));
   gl_->BindTexture(GL_TEXTURE_2D, picture.texture.Name());
   gl_->GetTexImage(GL_TEXTURE_2D, 0, GL_RGB, GL_FLOAT, rgb.data());
   return rgb;
 }
 
-void PictureDrawer::Draw(const KeptPicture& picture, const std::array<std::array<float, 3>, 4>& corners,
+void PictureDrawer::Draw(const GpuPicture& picture, const std::array<std::array<float, 3>, 4>& corners,
                          const ClipMatrix& clip_from_drawing, const Painter::PictureLook& look) const {
   program_.Use();
   SetMatrix(*gl_, program_["clip_from_drawing"], clip_from_drawing);
@@ -143,7 +143,7 @@ void PictureDrawer::Draw(const KeptPicture& picture, const std::array<std::array
   gl_->DepthMask(GL_TRUE);
 }
 
-void PictureDrawer::Draw(const KeptPicture& picture, const Painter::PictureLook& look) const {
+void PictureDrawer::Draw(const GpuPicture& picture, const Painter::PictureLook& look) const {
   constexpr std::array<std::array<float, 3>, 4> corners{{{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}}};
   constexpr ClipMatrix as_it_is{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
   gl_->Disable(GL_DEPTH_TEST);  // which leaves depth unwritten as well

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "source/view/gl/Kept.h"
+#include "source/view/gl/Gpu.h"
 #include "source/view/gl/Painter.h"
 #include "source/view/gl/Program.h"
 
@@ -16,13 +16,13 @@ class PictureDrawer {
  public:
   explicit PictureDrawer(std::shared_ptr<const Functions> gl);
 
-  std::shared_ptr<KeptPicture> Keep(int width, int height) const;
-  void Update(KeptPicture& picture, int first, int count, std::span<const float> rgb) const;
-  std::vector<float> ReadBack(const KeptPicture& picture) const;
+  std::shared_ptr<GpuPicture> Keep(int width, int height) const;
+  void Update(GpuPicture& picture, int first, int count, std::span<const float> rgb) const;
+  std::vector<float> ReadBack(const GpuPicture& picture) const;
 
-  void Draw(const KeptPicture& picture, const std::array<std::array<float, 3>, 4>& corners,
+  void Draw(const GpuPicture& picture, const std::array<std::array<float, 3>, 4>& corners,
             const ClipMatrix& clip_from_drawing, const Painter::PictureLook& look) const;
-  void Draw(const KeptPicture& picture, const Painter::PictureLook& look) const;
+  void Draw(const GpuPicture& picture, const Painter::PictureLook& look) const;
 
  private:
   std::shared_ptr<const Functions> gl_;

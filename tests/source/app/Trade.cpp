@@ -6,11 +6,11 @@
 #include <limits>
 
 #include "R2/ImageFile.h"
-#include "source/app/BudgetWords.h"
-#include "source/app/CommandLine.h"
-#include "source/app/Preset.h"
 #include "source/app/Status.h"
-#include "tests/source/app/Program.h"
+#include "source/app/options/BudgetWords.h"
+#include "source/app/options/CommandLine.h"
+#include "source/app/options/Preset.h"
+#include "tests/source/app/options/Program.h"
 
 namespace ray {
 namespace {

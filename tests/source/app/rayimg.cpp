@@ -15,7 +15,7 @@
 #include "R2/ImageFile.h"
 #include "source/app/rayimg/Help.h"
 #include "source/app/rayimg/Table.h"
-#include "tests/source/app/Program.h"
+#include "tests/source/app/options/Program.h"
 
 namespace ray::rayimg {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "source/integrate/Random.h"
+#include "source/sample/Random.h"
 #include "tests/Project.h"
 
 namespace ray {
@@ -27,7 +27,7 @@ void Expose(Film& film, int part, std::uint32_t first, std::uint32_t last, const
           const RandomKey key =
               RandomKey(7).Child(static_cast<std::uint64_t>(x)).Child(static_cast<std::uint64_t>(y)).Child(k);
           const double at_x = x + key.Child(1).Number(), at_y = y + key.Child(2).Number();
-          block.sums[part].Add(x, y, at_x, at_y, color(at_x, at_y, key), film.TheFilter());
+          block.sums[part].Add(x, y, at_x, at_y, color(at_x, at_y, key), film.filter());
         }
     block.samples[part] += last - first;
   }
@@ -130,7 +130,7 @@ TEST(Film, PixelsWithoutSamplesAreBlackAndNoneIsEverNotFinite) {
   Film film(16, 8, {0, 0, 16, 8}, FilterKind::lanczos);
   EXPECT_EQ(film.Picture(), R2::Image(16, 8));
   film[0].sums[0] = film.EmptySums(0);
-  film[0].sums[0].Add(2, 2, 2.5, 2.5, {HUGE_VAL, std::nan(""), 1e300}, film.TheFilter());
+  film[0].sums[0].Add(2, 2, 2.5, 2.5, {HUGE_VAL, std::nan(""), 1e300}, film.filter());
   film[0].samples[0] = 1;
   const R2::Image image = film.Picture();
   for (const float channel : image.Channels()) EXPECT_TRUE(std::isfinite(channel));

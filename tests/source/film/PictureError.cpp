@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "source/integrate/Random.h"
+#include "source/sample/Random.h"
 #include "tests/Draw.h"
 
 namespace ray {
@@ -34,7 +34,7 @@ Film Noisy(int side, std::uint32_t a, std::uint32_t b, double deviation, std::ui
               return 0.5 + std::sqrt(12.0) * deviation * (key.Child(which).Number() - 0.5);
             };
             film[i].sums[part].Add(x, y, x + key.Child(5).Number(), y + key.Child(6).Number(),
-                                   {channel(1), channel(2), channel(3)}, film.TheFilter());
+                                   {channel(1), channel(2), channel(3)}, film.filter());
           }
     }
   return film;
@@ -138,12 +138,12 @@ TEST(PictureError, ASingleBlockHasNoInterval) {
 TEST(PictureError, TheWorstBlockAndTheHotPixelsAreFound) {
   Film film = Noisy(32, 2, 2, 0.01, 5);
   const int worst = film.BlockOf(20, 12);
-  film[worst].sums[0].Add(20, 12, 20.5, 12.5, {100, 100, 100}, film.TheFilter());
+  film[worst].sums[0].Add(20, 12, 20.5, 12.5, {100, 100, 100}, film.filter());
   const auto e = MeasureError(film, {.unit = ErrorUnit::linear})->estimate;
   EXPECT_EQ(e.worst_block_at, (PixelRectangle{16, 8, 24, 16}));
   EXPECT_GT(e.worst_block, e.estimate);
-  EXPECT_GT(e.hot_share, 0.99);  // two of 1024 pixels are the worst thousandth
-  EXPECT_LT(MeasureError(Noisy(32, 2, 2, 0.01, 5), {.unit = ErrorUnit::linear})->estimate.hot_share, 0.02);
+  EXPECT_GT(e.outlier_share, 0.99);  // two of 1024 pixels are the worst thousandth
+  EXPECT_LT(MeasureError(Noisy(32, 2, 2, 0.01, 5), {.unit = ErrorUnit::linear})->estimate.outlier_share, 0.02);
 }
 
 TEST(StudentQuantile, EqualsThePublishedTable) {

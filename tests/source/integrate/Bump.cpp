@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "source/integrate/Surface.h"
+#include "source/integrate/ShadingPoint.h"
 #include "tests/Project.h"
 
 namespace ray {
@@ -22,7 +22,7 @@ std::shared_ptr<const Texture> Ramp(int steps) {
 }
 
 /// What a ray from straight above sees at (x, 1, z) of a box from -2 to 2, 1 high.
-Surface SeenFromAbove(double height, double x, double z) {
+ShadingPoint SeenFromAbove(double height, double x, double z) {
   Scene scene = project::FromText("material 0 0 0 1 1 1 0 0 0 0 0 0 0 0 0 1 1 0 box 0 -2 0 -2 2 1 2");
   scene.materials.back().bump = Ramp(64);
   scene.materials.back().bump_height = height;
@@ -31,7 +31,7 @@ Surface SeenFromAbove(double height, double x, double z) {
   Workspace workspace;
   const R3::Ray ray{{x, 5, z}, {0, -1, 0}};
   const auto hit = accelerator->Intersect(ray, workspace);
-  Surface surface = SurfaceAt(stage.world, {.ray = ray, .place = {}}, *hit);
+  ShadingPoint surface = ShadingPointAt(stage.world, {.ray = ray, .place = {}}, *hit);
   surface.material = nullptr;  // it goes with the scene
   return surface;
 }
@@ -40,7 +40,7 @@ Surface SeenFromAbove(double height, double x, double z) {
 TEST(Bump, AnEvenSlopeTiltsTheNormalByItsGradient) {
   for (const double height : {0.5, -0.5, 0.01, 20.0})
     for (const double x : {-1.3, 0.2, 0.9}) {
-      const Surface surface = SeenFromAbove(height, x, 0.4);
+      const ShadingPoint surface = SeenFromAbove(height, x, 0.4);
       const R3::Vector expected = Unit(R3::Vector{height / 4, 1, 0});
       EXPECT_LT(Length(surface.N - expected), 1e-5) << height << " at " << x;
     }
@@ -51,7 +51,7 @@ TEST(Bump, TheSurfaceItselfStaysWhereItIs) {
 }
 
 TEST(Bump, NearAnEdgeThereIsStillANormal) {
-  const Surface surface = SeenFromAbove(0.5, 2 - 1e-9, 0.4);
+  const ShadingPoint surface = SeenFromAbove(0.5, 2 - 1e-9, 0.4);
   EXPECT_NEAR(Length(surface.N), 1, 1e-12);
 }
 

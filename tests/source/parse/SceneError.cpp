@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "source/parse/Suggestion.h"
 #include "source/parse/Text.h"
+#include "source/text/Suggestion.h"
 
 namespace ray {
 namespace {

@@ -25,8 +25,8 @@ TEST(Camera, TheEdgesOfThePictureAreXfovFromTheAxis) {
   EXPECT_NEAR(angle(0, 50), 0.3, 1e-12);
   EXPECT_NEAR(angle(200, 50), 0.3, 1e-12);
   EXPECT_NEAR(std::tan(angle(100, 100)), std::tan(0.3) / 2, 1e-12);  // yfov = atan(tan(xfov) height / width)
-  EXPECT_LT(c.Through(0, 50, 200, 100).direction.x, 0);               // x from the left
-  EXPECT_LT(c.Through(100, 0, 200, 100).direction.y, 0);              // y from the bottom
+  EXPECT_LT(c.Through(0, 50, 200, 100).direction.x, 0);              // x from the left
+  EXPECT_LT(c.Through(100, 0, 200, 100).direction.y, 0);             // y from the bottom
 }
 
 TEST(Camera, StraightensUpThatIsNotPerpendicular) {

@@ -8,8 +8,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "source/integrate/Random.h"
-#include "source/scene/Warp.h"
+#include "source/sample/Random.h"
+#include "source/sample/Warp.h"
 #include "tests/ChiSquare.h"
 
 namespace {
@@ -190,9 +190,8 @@ TEST(Environment, DrawsDirectionsByTheirDensity) {
     for (int part = 0; part < parts; ++part) {
       const double height = (sine(y + 1) - sine(y)) / parts, middle = sine(y) + (part + 0.5) * height;
       for (int x = 0; x < columns * parts; ++x) {
-        const double share =
-            environment.Density(Direction((x + 0.5) / (columns * parts), std::asin(middle) / pi + 0.5)) * height * 2 *
-            pi / (columns * parts);
+        const double share = environment.Pdf(Direction((x + 0.5) / (columns * parts), std::asin(middle) / pi + 0.5)) *
+                             height * 2 * pi / (columns * parts);
         shares[static_cast<std::size_t>((y * parts + part) * columns * parts + x)] = share;
         all += share;
       }
@@ -214,18 +213,18 @@ TEST(Environment, TheDensityIsLuminanceOverItsIntegralInEveryLayout) {
        {RandomImage(32, 16), RandomImage(40, 40), RandomImage(9, 12), RandomImage(12, 9), RandomImage(2, 1)}) {
     const Environment environment(image);
     // Both integrals by the midpoint rule on the finest map of these, 256 x 128, or a multiple of its texels.
-    double density = 0, luminance = 0;
+    double pdf = 0, luminance = 0;
     for (int y = 0; y < 128; ++y)
       for (int x = 0; x < 256; ++x) {
         const R3::Vector d = Direction((x + 0.5) / 256, (y + 0.5) / 128);
         const double solid_angle = 2 * pi / 256 * (std::cos(pi * y / 128) - std::cos(pi * (y + 1) / 128));
-        density += solid_angle * environment.Density(d);
+        pdf += solid_angle * environment.Pdf(d);
         luminance += solid_angle * Luminance(environment.Radiance(d));
       }
-    EXPECT_NEAR(density, 1, 1e-9);
+    EXPECT_NEAR(pdf, 1, 1e-9);
     for (std::uint64_t i = 0; i < 1000; ++i) {
       const R3::Vector d = ray::OnSphere(Random(i));
-      EXPECT_NEAR(environment.Density(d), Luminance(environment.Radiance(d)) / luminance, 1e-12);
+      EXPECT_NEAR(environment.Pdf(d), Luminance(environment.Radiance(d)) / luminance, 1e-12);
     }
   }
 }
@@ -237,8 +236,8 @@ TEST(Environment, ADrawnDirectionTellsWhatArrivesFromIt) {
       const Environment::Sample sample = environment.Draw(u);
       ASSERT_NEAR(Length(sample.direction), 1, 1e-14);
       ASSERT_EQ(environment.Radiance(sample.direction), sample.radiance) << u.x << " " << u.y;
-      ASSERT_EQ(environment.Density(sample.direction), sample.density) << u.x << " " << u.y;
-      ASSERT_GT(sample.density, 0);
+      ASSERT_EQ(environment.Pdf(sample.direction), sample.pdf) << u.x << " " << u.y;
+      ASSERT_GT(sample.pdf, 0);
       ASSERT_GT(Luminance(sample.radiance), 0);
     };
     for (std::uint64_t i = 0; i < 100'000; ++i) expect_agreement(Random(i));
@@ -253,7 +252,7 @@ TEST(Environment, AnEvenMapIsIntegratedWithoutAnyError) {
     const Environment environment(image);
     for (std::uint64_t i = 0; i < 1000; ++i) {
       const Environment::Sample sample = environment.Draw(Random(i));
-      EXPECT_NEAR(sample.radiance.g / sample.density, 4 * pi * 2, 1e-10);
+      EXPECT_NEAR(sample.radiance.g / sample.pdf, 4 * pi * 2, 1e-10);
     }
   }
 }
@@ -272,7 +271,7 @@ TEST(Environment, AverageOverDrawsIsTheIntegralOfEachChannel) {
   constexpr int count = 200'000;
   for (std::uint64_t i = 0; i < count; ++i) {
     const Environment::Sample sample = environment.Draw(Random(i));
-    const R2::Color estimate = std::max(0.0, sample.direction.y) / sample.density * sample.radiance;
+    const R2::Color estimate = std::max(0.0, sample.direction.y) / sample.pdf * sample.radiance;
     sum += estimate, squares += estimate * estimate;
   }
   for (const auto channel : {&R2::Color::r, &R2::Color::g, &R2::Color::b}) {
@@ -296,8 +295,7 @@ TEST(Environment, ABlackOneIsDrawnEvenlyAndSaysSo) {
   for (const R2::Image& image : {R2::Image(8, 4), R2::Image(4, 4)}) {
     const Environment environment(image);
     EXPECT_TRUE(environment.IsBlack());
-    for (std::uint64_t i = 0; i < 100; ++i)
-      EXPECT_NEAR(environment.Draw(Random(i)).density, ray::sphere_density, 1e-12);
+    for (std::uint64_t i = 0; i < 100; ++i) EXPECT_NEAR(environment.Draw(Random(i)).pdf, ray::sphere_density, 1e-12);
   }
   EXPECT_FALSE(Environment(RandomImage(8, 4)).IsBlack());
 }
@@ -309,7 +307,7 @@ TEST(Environment, HugeAndTinyValuesNeitherOverflowNorVanish) {
       const Environment environment(image);
       const Environment::Sample sample = environment.Draw({0.3, 0.6});
       EXPECT_EQ(sample.radiance.g, value);
-      EXPECT_NEAR(sample.density, ray::sphere_density, 1e-12);
+      EXPECT_NEAR(sample.pdf, ray::sphere_density, 1e-12);
     }
 }
 

@@ -8,9 +8,9 @@
 #include <set>
 #include <thread>
 
-#include "R2/Difference.h"
+#include "R2/compare/Difference.h"
 #include "source/view/EventScript.h"
-#include "source/view/SceneLines.h"
+#include "source/view/overlay/SceneLines.h"
 #include "tests/Project.h"
 
 namespace ray {
@@ -93,7 +93,7 @@ class ViewerTest : public testing::Test {
   const Camera& TheCamera() const { return viewer_->TheNavigator().TheCamera(); }
   bool IsCameraOf(const Camera& c) const { return CameraLine(TheCamera()) == CameraLine(c); }
   R2::Image Rendered(const RenderSettings& settings) const {
-    const LoadedScene& scene = viewer_->TheScene();
+    const LoadedScene& scene = viewer_->scene();
     return Render(scene.world, *scene.accelerator, settings).image;
   }
   std::string StateLine(const std::string& name) const {
@@ -176,7 +176,7 @@ TEST_F(ViewerTest, EveryKeyIsInTheHelpAndDoesSomething) {
     Open(folder / "hello.scn");
     if (const auto found = before.find(name); found != before.end()) Do(found->second);
     const auto seen = [&] {
-      const Presentation shown = viewer_->Show();
+      const FrameState shown = viewer_->Show();
       return viewer_->State() + std::to_string(host_.drawings) + host_.printed + host_.rays + host_.clipboard +
              std::to_string(shown.lines->size()) + std::to_string(viewer_->IsClosed());
     };
@@ -221,7 +221,7 @@ TEST_F(ViewerTest, TheLivePictureEndsAsRayproMakesIt) {
 TEST_F(ViewerTest, GridRaysAreThoseOfEvery25thPixelAndStayWhenTheCameraMoves) {
   Do("resize 512 512\nkey G");
   ASSERT_EQ(viewer_->Rays().Grid().size(), 441u);
-  const LoadedScene& scene = viewer_->TheScene();
+  const LoadedScene& scene = viewer_->scene();
   const auto none = FindAcceleratorKind("none")->make(scene.world, {});
   Workspace workspace;
   for (const PixelTrace& trace : viewer_->Rays().Grid()) {
@@ -264,7 +264,7 @@ TEST_F(ViewerTest, KindsOfRaysAreShownAndHidden) {
 
 TEST_F(ViewerTest, APixelsRaysArePrintedAsRayproPrintsThem) {
   Do("click right 30 20");
-  const LoadedScene& scene = viewer_->TheScene();
+  const LoadedScene& scene = viewer_->scene();
   EXPECT_NE(host_.printed.find(DebugPixel(scene.world, *scene.accelerator, viewer_->SettingsOfView(), 30, 20)),
             std::string::npos);
   Do("key Right\nkey Up");
@@ -279,9 +279,9 @@ TEST_F(ViewerTest, AClickTellsWhatTheTracerHits) {
   ASSERT_TRUE(viewer_->Picked() && viewer_->Picked()->point);
   const R3::Ray ray = TheCamera().Through(32.5, 24.5, width, height);
   Workspace workspace;
-  const auto hit = viewer_->TheScene().accelerator->Intersect(ray, workspace);
+  const auto hit = viewer_->scene().accelerator->Intersect(ray, workspace);
   ASSERT_TRUE(hit);
-  EXPECT_EQ(viewer_->TheScene().world.At(ray, *hit).position, *viewer_->Picked()->point);
+  EXPECT_EQ(viewer_->scene().world.At(ray, *hit).position, *viewer_->Picked()->point);
   EXPECT_NE(host_.printed.find("hello.scn:"), std::string::npos) << host_.printed;
 }
 
@@ -309,7 +309,7 @@ TEST_F(ViewerTest, FlyingNeedsTheRightButtonAndGoesAsFastAsTime) {
   Do("press W\ntick 1\nrelease W");
   EXPECT_EQ(TheCamera().eye, start) << "W alone hides faces";
   Do("key W\ndown right 30 20\npress W\ntick 0.25\ntick 0.25\nrelease W\ntick 5\nup right 30 20");
-  const double radius = viewer_->TheScene().parsed.scene.root.bounds.Radius();
+  const double radius = viewer_->scene().parsed.scene.root.bounds.Radius();
   const R3::Vector way = TheCamera().eye - start;
   EXPECT_NEAR(Length(way), 0.5 * viewer_->TheNavigator().FlySpeed() * radius, 1e-9 * radius);
   EXPECT_NEAR(Dot(Unit(way), TheCamera().towards), 1, 1e-12);
@@ -335,7 +335,7 @@ TEST_F(ViewerTest, ViewsGoBackAndForth) {
 TEST_F(ViewerTest, BoxesAreAsManyAsNodesAtThatDepth) {
   const std::size_t without = viewer_->Show().lines->size();
   Do("key B");
-  const LoadedScene& scene = viewer_->TheScene();
+  const LoadedScene& scene = viewer_->scene();
   EXPECT_EQ(viewer_->Show().lines->size() - without,
             2 * 12 * static_cast<std::size_t>(CountNodeBoxes(scene.world, all_levels)));
   Do("key .\nkey .");
@@ -348,7 +348,7 @@ TEST_F(ViewerTest, BoxesAreAsManyAsNodesAtThatDepth) {
 
 TEST_F(ViewerTest, TheCutFollowsItsRowAndPlanes) {
   Do("key X");
-  Presentation shown = viewer_->Show();
+  FrameState shown = viewer_->Show();
   ASSERT_TRUE(shown.section);
   EXPECT_GT(shown.section->size(), 0u);
   EXPECT_EQ(shown.view.width, width / 2);
@@ -375,25 +375,25 @@ TEST_F(ViewerTest, ASceneThatIsEditedIsReadAgainAndABrokenOneIsNot) {
   const Camera moved = TheCamera();
   write("sphere -1  0 0 0  1\nbox -1  2 2 2  3 3 3\n");
   Do("tick 1");
-  EXPECT_EQ(viewer_->TheScene().world.Instances().size(), 2u);
+  EXPECT_EQ(viewer_->scene().world.Instances().size(), 2u);
   EXPECT_TRUE(IsCameraOf(moved)) << "the camera stays";
   write("sphere -1  0 0 0  1\n\n  spere -1  0 0 0  1 1 1\n");
   Do("tick 1");
-  EXPECT_EQ(viewer_->TheScene().world.Instances().size(), 2u) << "the old scene stays";
+  EXPECT_EQ(viewer_->scene().world.Instances().size(), 2u) << "the old scene stays";
   EXPECT_NE(viewer_->Message().find("scene.scn:3:3: error: unknown command 'spere'"), std::string::npos)
       << viewer_->Message();
   write("sphere -1  0 0 0  2\n");
   Do("tick 1");
-  EXPECT_EQ(viewer_->TheScene().world.Instances().size(), 1u);
+  EXPECT_EQ(viewer_->scene().world.Instances().size(), 1u);
   std::filesystem::remove_all(folder);
 }
 
 TEST_F(ViewerTest, DroppedFilesAreScenesOrReferences) {
   Do("drop " + (project::Root() / "scenes/glass.scn").string());
   EXPECT_NE(StateLine("scene").find("glass.scn"), std::string::npos);
-  EXPECT_TRUE(IsCameraOf(viewer_->TheScene().parsed.scene.camera));
+  EXPECT_TRUE(IsCameraOf(viewer_->scene().parsed.scene.camera));
   Do("drop " + (project::Root() / "scenes/meshes/icosahedron.off").string());
-  EXPECT_EQ(viewer_->TheScene().world.Primitives(), 20);
+  EXPECT_EQ(viewer_->scene().world.Primitives(), 20);
   Do("drop " + (project::Root() / "scenes/glass.scn").string() + "\ndrop picture");
   EXPECT_EQ(StateLine("reference"), "yes");
   Do("drop no/such/file");
@@ -407,7 +407,7 @@ TEST_F(ViewerTest, ComparingTellsTheDifferenceOfThePictures) {
   const R2::Difference difference = R2::Compare(*current, *viewer_->Pictures().Reference(), R2::Display::straight);
   EXPECT_GT(difference.rmse, 0);
   EXPECT_NE(viewer_->Message().find("display RMSE"), std::string::npos);
-  const Presentation shown = viewer_->Show();
+  const FrameState shown = viewer_->Show();
   ASSERT_TRUE(shown.picture && shown.picture->image);
   EXPECT_NEAR(shown.picture->image->At(10, 10).r,
               std::abs(current->At(10, 10).r - viewer_->Pictures().Reference()->At(10, 10).r), 1e-6);
@@ -428,7 +428,7 @@ TEST_F(ViewerTest, RowsOfTheQuadAreThoseOfTheRender) {
   const RenderJob& job = *viewer_->Pictures().Trace();
   const R2::Image whole = Rendered(job.Settings());
   while (!job.HasEnded()) {
-    const Presentation shown = viewer_->Show();
+    const FrameState shown = viewer_->Show();
     ASSERT_TRUE(shown.quad);
     for (int y = 0; y < shown.quad->rows; ++y)
       for (int x = 0; x < width; x += 7) {

@@ -148,7 +148,7 @@ TEST_P(Painter, BlendsClearTrianglesOverOthersAndLetsLaterOnesBeSeenBehind) {
 TEST_P(Painter, DimsHiddenLinesAndLeavesThemOutWhenAskedTo) {
   const auto wall = painter->Keep(Wall(0, {0, 0, 255, 255}));
   const auto front = painter->Keep(Across(-0.5F, white)), behind = painter->Keep(Across(0.5F, white));
-  const auto at_middle = [&](const ray::KeptLines& lines, double hidden) {
+  const auto at_middle = [&](const ray::GpuLines& lines, double hidden) {
     painter->Begin(9, 9, {});
     painter->Draw(*wall, as_it_is);
     painter->Draw(lines, as_it_is, 1, hidden);

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <cmath>
+#include <numbers>
+
+#include "R3/GridMesh.h"
+#include "R3/Intersection.h"
+#include "R3/Numeric.h"
+#include "R3/shapes/Quadric.h"
+#include "R3/shapes/Span.h"
+
+/// What cylinder and cone, both turned about a line parallel to y, have in common.
+namespace R3 {
+
+/// Share of a turn about +y: 0 at -z, 0.25 at +x, 0.5 at +z, 0.75 at -x; in [0, 1].
+inline double TurnAboutY(const Vector& outward) {
+  const double turn = std::atan2(outward.x, -outward.z) / (2 * std::numbers::pi);
+  return turn < 0 ? turn + 1 : turn;
+}
+
+/// Clips to the endless cylinder of this radius about the line through `center`; false on a miss.
+inline bool ClipToRound(Span& span, const Ray& ray, const Point& center, double radius, int part) {
+  if (ray.direction.x == 0 && ray.direction.z == 0)
+    return std::hypot(ray.origin.x - center.x, ray.origin.z - center.z) <= radius;
+  const auto roots = RoundCrossings({ray.origin.x, 0, ray.origin.z}, {ray.direction.x, 0, ray.direction.z},
+                                    {center.x, 0, center.z}, radius);
+  if (roots) span.Clip(roots->first, roots->second, part, part);
+  return roots.has_value();
+}
+
+/// The flat end at height y; `side` is +1 when it faces up, -1 when it faces down.
+inline Intersection AtCap(const Point& p, const Point& center, double radius, double y, double side) {
+  Intersection at;
+  at.position = {p.x, y, p.z};
+  at.error = Gamma(2) * Abs(FromOrigin(at.position));
+  at.normal = at.shading_normal = {0, side, 0};
+  at.uv = {0.5 + (p.x - center.x) / (2 * radius), 0.5 - (p.z - center.z) / (2 * radius)};
+  return at;
+}
+
+/// For drawing: outward after `column` of `columns` steps of a turn against TurnAboutY, as fronts ask for when columns
+/// run to the right and +y is up. The last column is the first again, to the bit.
+inline Vector ColumnOutward(int column, int columns) {
+  const double turn = -2 * std::numbers::pi * (column % columns) / columns;
+  return {std::sin(turn), 0, -std::cos(turn)};
+}
+inline double ColumnTurn(int column, int columns) { return 1 - static_cast<double>(column) / columns; }
+
+/// Adds a flat end for drawing, with the meanings of AtCap.
+inline void AddCap(MeshData& data, int columns, const Point& center, double radius, double y, double side) {
+  const int rows = std::max(1, columns / 8);
+  AddSheet(data, columns, rows, [&](int column, int row) {
+    const double share = static_cast<double>(side > 0 ? rows - row : row) / rows;
+    const Vector outward = ColumnOutward(column, columns);
+    const Point p{center.x + share * radius * outward.x, y, center.z + share * radius * outward.z};
+    return SheetCorner{p, {0, side, 0}, AtCap(p, center, radius, y, side).uv};
+  });
+}
+
+}  // namespace R3

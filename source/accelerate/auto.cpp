@@ -1,0 +1,151 @@
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "source/accelerate/Accelerator.h"
+#include "source/accelerate/twolevel/PrimitiveSet.h"
+
+namespace ray {
+namespace {
+
+using Lines = std::vector<std::string>;
+
+constexpr std::int64_t few_primitives = 3;  // asked in the time that it takes to find out which to ask
+constexpr double thin_from = 12;            // box over triangle area from which a grid is worth a try; 3 is compact
+constexpr double pays_from = 20;            // rays a primitive from which building a second structure is forgotten
+
+std::string Rounded(double x, int digits = 1) {
+  const double scale = std::pow(10, digits);
+  std::string text = std::to_string(std::round(x * scale) / scale);
+  text.erase(text.find('.') + 1 + static_cast<std::size_t>(digits));
+  return text;
+}
+
+/// Area of the boxes of triangles over that of the triangles themselves, both sides: what a ray that enters a box
+/// has against it. About 3 for compact triangles in any position, over 100 for slanted hairs.
+double Thinness(const PrimitiveSet& space) {
+  constexpr std::uint32_t sample = 4096;
+  const std::uint32_t step = std::max(1u, space.Items() / sample);
+  double boxes = 0, triangles = 0;
+  for (std::uint32_t i = 0; i < space.Items(); i += step) {
+    const R3::Mesh* mesh = space.MeshOf(i);
+    if (!mesh) continue;
+    const auto corners = mesh->Corners(space[i].element);
+    const R3::Vector size = mesh->Bounds(space[i].element).Size();
+    boxes += size.x * size.y + size.y * size.z + size.z * size.x;
+    triangles += Length(Cross(corners[1] - corners[0], corners[2] - corners[0])) / 2;
+  }
+  return triangles > 0 && std::isfinite(boxes) ? boxes / triangles : 0;
+}
+
+/// A few hundred of the rays that the render will trace: through the camera, and on from where those hit.
+std::vector<R3::Ray> RaysOf(const World& world, const Accelerator& accelerator) {
+  constexpr int side = 20;
+  std::vector<R3::Ray> rays;
+  Workspace workspace;
+  for (int y = 0; y < side; ++y)
+    for (int x = 0; x < side; ++x) {
+      const R3::Ray ray = world.scene().camera.Through(x + 0.5, y + 0.5, side, side);
+      rays.push_back(ray);
+      const auto hit = accelerator.Intersect(ray, workspace);
+      if (!hit) continue;
+      // Directions all around, turned by the golden angle from one to the next.
+      const double turn = 2.399963229728653 * static_cast<double>(rays.size());
+      const double up = 1 - 2 * std::fmod(0.618033988749895 * static_cast<double>(rays.size()), 1.0);
+      const double out = std::sqrt(std::max(0.0, 1 - up * up));
+      const R3::Vector direction{out * std::cos(turn), up, out * std::sin(turn)};
+      rays.push_back({SpawnPoint(world.At(ray, *hit), direction), direction});
+    }
+  return rays;
+}
+
+double SecondsFor(const Accelerator& accelerator, const std::vector<R3::Ray>& rays) {
+  Workspace workspace;
+  const auto start = std::chrono::steady_clock::now();
+  for (const R3::Ray& ray : rays) accelerator.Intersect(ray, workspace);
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+// Chooses by what the scene is made of, and between two that may both be right by trying them.
+class Chosen : public Accelerator {
+ public:
+  Chosen(const World& world, const AcceleratorSettings& settings) : world_(world), settings_(settings) {
+    if (world.Primitives() <= few_primitives) {
+      Take("none", std::to_string(world.Primitives()) + " primitives are asked faster than sorted");
+      return;
+    }
+    const PrimitiveSet space(world);
+    const double thinness = Thinness(space);
+    const std::string shown = "the boxes of its triangles have " + Rounded(thinness) + " times their area";
+    if (thinness < thin_from)
+      Take("bvh", "more than " + std::to_string(few_primitives) + " primitives, and " +
+                      (thinness > 0 ? shown + " (thin from " + Rounded(thin_from) + ")" : "no triangles in the world"));
+    else if (settings.expected_rays < pays_from * static_cast<double>(space.Items()))
+      Take("grid", shown + ": too thin for boxes; too few rays to try others");
+    else
+      Try(shown);
+  }
+
+  const Accelerator& Worker() const override { return *worker_; }
+  int BoxLevels() const override { return worker_->BoxLevels(); }
+  std::vector<R3::Box> BoxesAt(int level) const override { return worker_->BoxesAt(level); }
+  std::size_t Bytes() const override { return worker_->Bytes(); }
+  Lines Explain() const override {
+    Lines lines = reasons_;
+    for (const std::string& line : worker_->Explain()) lines.push_back(line);
+    return lines;
+  }
+
+ private:
+  std::unique_ptr<const Accelerator> Make(const std::string& name) const {
+    return FindAcceleratorKind(name)->make(world_, settings_);
+  }
+
+  void Take(const std::string& name, const std::string& reason) {
+    worker_ = Make(name);
+    reasons_.push_back("auto takes " + name + ": " + reason);
+  }
+
+  void Try(const std::string& shown) {
+    auto bvh = Make("bvh"), grid = Make("grid");
+    const std::vector<R3::Ray> rays = RaysOf(world_, *bvh);
+    double bvh_seconds = R3::infinity, grid_seconds = R3::infinity;
+    constexpr int rounds = 5;  // the least of them is the least disturbed
+    for (int i = 0; i < rounds; ++i) {
+      bvh_seconds = std::min(bvh_seconds, SecondsFor(*bvh, rays));
+      grid_seconds = std::min(grid_seconds, SecondsFor(*grid, rays));
+    }
+    const double a_ray = 1e9 / static_cast<double>(rays.size());
+    reasons_.push_back("auto tried " + std::to_string(rays.size()) + " rays: bvh " + Rounded(bvh_seconds * a_ray, 0) +
+                       " ns, grid " + Rounded(grid_seconds * a_ray, 0) + " ns a ray");
+    worker_ = std::move(grid_seconds < bvh_seconds ? grid : bvh);
+    reasons_.push_back(std::string("auto takes ") + (grid_seconds < bvh_seconds ? "grid" : "bvh") +
+                       ": the faster one; it tried because " + shown);
+  }
+
+  std::optional<WorldHit> Nearest(const R3::Ray& ray, Workspace& workspace) const override {
+    const auto hit = worker_->Intersect(ray, workspace);
+    if (hit) --workspace.counts.hits;  // counted twice otherwise
+    return hit;
+  }
+  bool Any(const R3::Ray& ray, Workspace& workspace) const override {
+    const bool is_occluded = worker_->IsOccluded(ray, workspace);
+    if (is_occluded) --workspace.counts.hits;
+    return is_occluded;
+  }
+
+  const World& world_;
+  AcceleratorSettings settings_;
+  std::unique_ptr<const Accelerator> worker_;
+  Lines reasons_;
+};
+
+}  // namespace
+
+extern const AcceleratorKind auto_kind{
+    "auto", "the one that suits the scene; -explain says which and why",
+    [](const World& world, const AcceleratorSettings& settings) -> std::unique_ptr<const Accelerator> {
+      return std::make_unique<Chosen>(world, settings);
+    }};
+
+}  // namespace ray

@@ -1,0 +1,358 @@
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "source/accelerate/wide/Parts.h"
+
+// Highway compiles this file once for each instruction set. What does not depend on that is included before.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "source/accelerate/grid.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include "source/accelerate/wide/Walk-inl.h"
+
+#ifndef RAY_ACCELERATE_GRID
+#define RAY_ACCELERATE_GRID
+namespace ray {
+
+/// Parts go into every cell that they touch when both are widened by this, in the structure's coordinates. It covers
+/// the slack of every ray whose slack is at most half of it; others ask everything.
+inline constexpr double cell_pad = 0x1p-17;
+
+/// Equal cells in rows, columns and layers; cells that hold very many items have a grid of their own. What lies in a
+/// cell is a child of a tree of boxes.
+struct Grid : bvh::Tree {
+  static constexpr bool meets_items_again = true;
+
+  /// One grid: cell (x, y, z) is cells[first + (z rows + y) columns + x].
+  struct Level {
+    R3::Box box;
+    R3::Vector size;  // of a cell
+    std::array<int, 3> count{1, 1, 1};
+    std::size_t first = 0;
+
+    std::size_t Cells() const {
+      return static_cast<std::size_t>(count[0]) * static_cast<std::size_t>(count[1]) *
+             static_cast<std::size_t>(count[2]);
+    }
+    std::size_t Cell(const std::array<int, 3>& at) const {
+      return (static_cast<std::size_t>(at[2]) * static_cast<std::size_t>(count[1]) + static_cast<std::size_t>(at[1])) *
+                 static_cast<std::size_t>(count[0]) +
+             static_cast<std::size_t>(at[0]);
+    }
+    R3::Box BoxOf(std::size_t cell) const {
+      const auto columns = static_cast<std::size_t>(count[0]), rows = static_cast<std::size_t>(count[1]);
+      const auto x = static_cast<double>(cell % columns), y = static_cast<double>(cell / columns % rows),
+                 z = static_cast<double>(cell / columns / rows);
+      const R3::Point low = box.low + R3::Vector{x * size.x, y * size.y, z * size.z};
+      return {low, low + size};
+    }
+  };
+
+  using Tree::Tree;
+
+  std::vector<Level> levels;  // the outermost first
+  /// Children of the tree; one that is nothing, but has an index, has the level of that number inside.
+  std::vector<std::uint32_t> cells;
+
+  /// 0, which is inside no cell, where there is none.
+  static std::uint32_t LevelInside(std::uint32_t cell) {
+    return bvh::Child::KindOf(cell) == bvh::Child::Kind::nothing ? bvh::Child::Index(cell) : 0;
+  }
+  static std::uint32_t CellWithLevel(std::uint32_t level) { return bvh::Child::Make(bvh::Child::Kind::nothing, level); }
+
+  /// Cells are no boxes within boxes.
+  int BoxLevels() const { return 0; }
+  std::vector<R3::Box> BoxesAt(int) const { return {}; }
+
+  std::size_t Bytes() const {
+    return Tree::Bytes() + cells.capacity() * sizeof(std::uint32_t) + levels.capacity() * sizeof(Level);
+  }
+  std::string Explain() const {
+    if (levels.empty()) return "no cells";
+    const auto& count = levels[0].count;
+    return std::to_string(count[0]) + " x " + std::to_string(count[1]) + " x " + std::to_string(count[2]) +
+           " cells and " + std::to_string(levels.size() - 1) + " grids inside them, " + std::to_string(blocks) +
+           " blocks of triangles";
+  }
+};
+
+}  // namespace ray
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace ray {
+namespace HWY_NAMESPACE {
+
+/// A walk through the cells of all levels.
+template <bool any, typename LeafVisitor>
+class CellWalk {
+ public:
+  HWY_INLINE CellWalk(const Grid& grid, const TraversalRay& probe, LeafVisitor& asker, Counts& counts)
+      : grid_(grid), probe_(probe), asker_(asker), counts_(counts), boxes_(probe) {
+    for (int axis = 0; axis < 3; ++axis) {
+      const double d = probe.along[axis];
+      along_[axis] = std::abs(d) < flattest ? std::copysign(double{flattest}, d) : d;
+    }
+  }
+
+  void Run() {
+    if (!(static_cast<double>(probe_.slack) <= cell_pad / 2)) {
+      for (const std::uint32_t cell : grid_.cells)
+        if (Ask(cell)) return;
+      return;
+    }
+    const Grid::Level& level = grid_.levels[0];
+    double enter = 0, leave = asker_.limit;
+    for (int axis = 0; axis < 3; ++axis) {
+      const double a = (FromOrigin(level.box.low)[axis] - probe_.start[axis]) / along_[axis];
+      const double b = (FromOrigin(level.box.high)[axis] - probe_.start[axis]) / along_[axis];
+      enter = std::max(enter, std::min(a, b)), leave = std::min(leave, std::max(a, b));
+    }
+    if (enter <= leave) Through(level, enter, leave);
+    counts_.node_visits += visits_;
+  }
+
+ private:
+  /// What lies in a cell; true when that ends the search.
+  HWY_INLINE bool Ask(std::uint32_t cell) {
+    if (bvh::Child::KindOf(cell) == bvh::Child::Kind::triangles) return asker_.AskBlock(grid_.At<TriangleBlock>(cell));
+    if (bvh::Child::KindOf(cell) == bvh::Child::Kind::nothing) return false;
+    WalkFrom<any>(cell, grid_, boxes_, asker_, counts_);
+    return asker_.is_answered;
+  }
+
+  /// From cell to cell in the order of the ray; true when the search is over.
+  ///   source  Amanatides, Woo, A fast voxel traversal algorithm for ray tracing (1987)
+  bool Through(const Grid::Level& level, double enter, double leave) {
+    std::array<double, 3> next, step;
+    std::array<int, 3> at, onward, end;
+    for (int axis = 0; axis < 3; ++axis) {
+      const auto a = static_cast<std::size_t>(axis);
+      const double d = along_[axis], low = FromOrigin(level.box.low)[axis], size = level.size[axis];
+      const double place = (probe_.start[axis] + enter * d - low) / size;
+      at[a] = place > 0 ? std::min(static_cast<int>(std::min(place, 1e9)), level.count[a] - 1) : 0;
+      onward[a] = d > 0 ? 1 : -1;
+      end[a] = d > 0 ? level.count[a] : -1;
+      next[a] = (low + (at[a] + (d > 0 ? 1 : 0)) * size - probe_.start[axis]) / d;
+      step[a] = size / std::abs(d);
+    }
+    double entry = enter;
+    while (true) {
+      const std::size_t a = next[0] < next[1] ? (next[0] < next[2] ? 0 : 2) : (next[1] < next[2] ? 1 : 2);
+      const std::uint32_t cell = grid_.cells[level.first + level.Cell(at)];
+      ++visits_;
+      if (const std::uint32_t inside = Grid::LevelInside(cell)) {
+        if (Through(grid_.levels[inside], entry, std::min(next[a], leave))) return true;
+      } else if (Ask(cell)) {
+        return true;
+      }
+      // What is nearer than the way out has been met: it lies, widened, in the cells up to here.
+      if (static_cast<double>(asker_.limit) < next[a]) return true;
+      if (next[a] > leave) return false;
+      at[a] += onward[a];
+      if (at[a] == end[a]) return false;
+      entry = next[a];
+      next[a] += step[a];
+    }
+  }
+
+  const Grid& grid_;
+  const TraversalRay& probe_;
+  LeafVisitor& asker_;
+  Counts& counts_;
+  BoxProbe boxes_;
+  double along_[3];  // nowhere flatter than `flattest`
+  std::uint64_t visits_ = 0;
+};
+
+template <bool any, typename LeafVisitor>
+void Walk(const Grid& grid, const TraversalRay& probe, LeafVisitor& asker, Counts& counts) {
+  if (!grid.levels.empty()) CellWalk<any, LeafVisitor>(grid, probe, asker, counts).Run();
+}
+
+void ChooseGrid(Kernels<Grid>* kernels) { *kernels = CompiledKernels<Grid>(); }
+
+}  // namespace HWY_NAMESPACE
+}  // namespace ray
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace ray {
+namespace {
+
+using bvh::Part;
+using bvh::Parts;
+
+HWY_EXPORT(ChooseGrid);
+
+constexpr double usual_density = 0.03;  // cells an item: nodes of full blocks want full cells (bench/kernels)
+// Items that are so many times in cells of that size are long: they are better told apart in finer ones.
+constexpr double long_from = 3, finer = 10;
+constexpr std::size_t crowd = 64;   // items of a cell that are worth a grid of their own
+constexpr int most_levels = 3;      // one inside the other
+constexpr double most_growth = 12;  // references of an item, on all levels together
+constexpr double most_cells = 1 << 25;
+constexpr double most_on_an_axis = 1 << 14;
+
+class GridBuilder {
+ public:
+  GridBuilder(Grid& grid, double density) : grid_(grid), density_(density) {}
+
+  void Run() {
+    const std::uint32_t count = grid_.space.Items();
+    if (count == 0) return;
+    grid_.coordinates = FitCoordinates(grid_.space);
+    Parts all(count);
+    tbb::parallel_for(std::uint32_t{0}, count, [&](std::uint32_t i) { all[i] = WholePart(grid_, i); });
+    R3::Box box;
+    for (const Part& part : all) box.Extend(Widened(part.box));
+    Divide(box, all, 1, most_growth);
+    const std::vector<std::uint32_t> children = bvh::Flatten(slots_, grid_);
+    for (std::size_t c = 0; c < grid_.cells.size(); ++c)
+      if (!slots_[c].IsEmpty()) grid_.cells[c] = children[c];
+  }
+
+ private:
+  static R3::Box Widened(const bvh::Extent& box) {
+    const auto point = [](bvh::Float4 p, double pad) { return R3::Point{p[0] + pad, p[1] + pad, p[2] + pad}; };
+    return {point(box.low, -cell_pad), point(box.high, cell_pad)};
+  }
+
+  /// Returns the level's number. `growth` is how many times as many references may be made of these.
+  std::uint32_t Divide(const R3::Box& box, const Parts& parts, int depth, double growth) {
+    const auto number = static_cast<std::uint32_t>(grid_.levels.size());
+    Grid::Level level;
+    level.box = box;
+    std::vector<std::uint32_t> starts;
+    Parts sorted;
+    const double count = static_cast<double>(parts.size());
+    double cells = std::clamp(density_ * count, 1.0, most_cells);
+    bool is_finer = false;
+    while (true) {  // until what is long and slanted does not fill the memory
+      SetCounts(level, cells);
+      const bool fits = Sort(level, parts, growth * count, starts, sorted);
+      const auto all_everywhere = count * static_cast<double>(level.Cells());
+      if (!fits) {
+        cells /= 4;
+      } else if (level.Cells() > 1 && static_cast<double>(sorted.size()) > all_everywhere / 2) {
+        cells = 1;  // they tell nothing apart
+      } else if (depth == 1 && density_ == usual_density && !is_finer &&
+                 static_cast<double>(sorted.size()) > long_from * count) {
+        is_finer = true;
+        cells = std::min(cells * finer, most_cells);
+      } else {
+        break;
+      }
+    }
+    level.first = grid_.cells.size();
+    grid_.levels.push_back(level);
+    grid_.cells.resize(level.first + level.Cells(), Grid::CellWithLevel(0));
+    slots_.resize(grid_.cells.size());
+    const double left = growth * count / std::max(1.0, static_cast<double>(sorted.size()));
+    for (std::size_t c = 0; c < level.Cells(); ++c) {
+      const std::span<Part> inside(sorted.data() + starts[c], starts[c + 1] - starts[c]);
+      if (inside.size() > crowd && level.Cells() > 1 && depth < most_levels && left > 1.5) {
+        const std::uint32_t below = Divide(level.BoxOf(c), {inside.begin(), inside.end()}, depth + 1, left);
+        grid_.cells[level.first + c] = Grid::CellWithLevel(below);
+      } else {
+        slots_[level.first + c] = group_(inside);
+      }
+    }
+    return number;
+  }
+
+  /// About so many cells, as near to cubes as can be.
+  static void SetCounts(Grid::Level& level, double cells) {
+    const R3::Vector size = level.box.high - level.box.low;
+    const double longest = MaxComponent(size);
+    // Flat axes first: what they cannot take is left to the others.
+    std::array<std::size_t, 3> order{0, 1, 2};
+    std::sort(order.begin(), order.end(),
+              [&](std::size_t a, std::size_t b) { return size[static_cast<int>(a)] < size[static_cast<int>(b)]; });
+    double left = cells;
+    // No share of the longest side is 0: boxes are widened by cell_pad, and cells are hardly flatter than the box that
+    // they divide.
+    double volume = 1;
+    for (int axis = 0; axis < 3; ++axis) volume *= size[axis] / longest;
+    int axes = 3;
+    for (const std::size_t a : order) {
+      const double share = size[static_cast<int>(a)] / longest;
+      const double wanted = share * std::pow(left / volume, 1.0 / axes);
+      level.count[a] = static_cast<int>(std::clamp(std::round(wanted), 1.0, most_on_an_axis));
+      left = std::max(1.0, left / level.count[a]);
+      volume /= share;
+      --axes;
+    }
+    level.size = {size.x / level.count[0], size.y / level.count[1], size.z / level.count[2]};
+  }
+
+  /// The parts of every cell, one cell after the other: those of cell c from starts[c] to starts[c + 1]. False when
+  /// there are more than `most`.
+  bool Sort(const Grid::Level& level, const Parts& parts, double most, std::vector<std::uint32_t>& starts,
+            Parts& sorted) {
+    std::vector<std::pair<std::size_t, Part>> found;  // with their cells
+    for (const Part& part : parts) {
+      const R3::Box widened = Widened(part.box);
+      std::array<int, 3> low, high, at;
+      for (int axis = 0; axis < 3; ++axis) {
+        const auto a = static_cast<std::size_t>(axis);
+        const auto place = [&](const R3::Point& p) {
+          const double cell = (FromOrigin(p)[axis] - FromOrigin(level.box.low)[axis]) / level.size[axis];
+          return static_cast<int>(std::clamp(std::floor(cell), 0.0, static_cast<double>(level.count[a] - 1)));
+        };
+        low[a] = place(widened.low), high[a] = place(widened.high);
+      }
+      for (at[2] = low[2]; at[2] <= high[2]; ++at[2])
+        for (at[1] = low[1]; at[1] <= high[1]; ++at[1])
+          for (at[0] = low[0]; at[0] <= high[0]; ++at[0]) {
+            const std::size_t cell = level.Cell(at);
+            Part inside = part;
+            if (low != high && !CutTo(Padded(level.BoxOf(cell)), grid_, inside)) continue;
+            found.emplace_back(cell, inside);
+            if (static_cast<double>(found.size()) > most && level.Cells() > 1) return false;
+          }
+    }
+    starts.assign(level.Cells() + 1, 0);
+    for (const auto& [cell, part] : found) ++starts[cell + 1];
+    for (std::size_t c = 0; c < level.Cells(); ++c) starts[c + 1] += starts[c];
+    sorted.resize(found.size());
+    std::vector<std::uint32_t> ends(starts.begin(), starts.end() - 1);
+    for (const auto& [cell, part] : found) sorted[ends[cell]++] = part;
+    return true;
+  }
+
+  static R3::Box Padded(const R3::Box& cell) {
+    const R3::Vector pad{cell_pad, cell_pad, cell_pad};
+    return {cell.low - pad, cell.high + pad};
+  }
+
+  Grid& grid_;
+  double density_;
+  std::vector<bvh::BuildChild> slots_;  // of every cell
+  bvh::Grouping group_;
+};
+
+}  // namespace
+
+extern const AcceleratorKind grid_kind{
+    "grid", "equal cells, crowded ones divided again: for hair, thin and slanted things",
+    [](const World& world, const AcceleratorSettings& settings) -> std::unique_ptr<const Accelerator> {
+      const double density = settings.resolution > 0 ? settings.resolution : usual_density;
+      return std::make_unique<TwoLevelAccelerator<Grid>>(
+          world, settings,
+          [](void* kernels) {
+            HWY_DYNAMIC_DISPATCH(ChooseGrid)
+            (static_cast<Kernels<Grid>*>(kernels));
+          },
+          [&](PrimitiveSet space) {
+            Grid grid(std::move(space));
+            GridBuilder(grid, density).Run();
+            return grid;
+          });
+    }};
+
+}  // namespace ray
+#endif

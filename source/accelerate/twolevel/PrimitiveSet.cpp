@@ -1,0 +1,73 @@
+#include "source/accelerate/twolevel/PrimitiveSet.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "source/accelerate/BoundsPadding.h"
+
+namespace ray {
+namespace {
+
+constexpr std::uint32_t most_items = std::uint32_t{1} << 29;  // structures keep three bits of a number for themselves
+
+/// Widened, and cut to what leaves room for sums of two: beyond it there are no hits either.
+R3::Box Widened(const R3::Box& box, double pad) {
+  constexpr double far = 0x1p1020;
+  const auto low = [&](double x) { return x - pad > -far ? std::min(x - pad, far) : -far; };  // also of NaN
+  const auto high = [&](double x) { return x + pad < far ? std::max(x + pad, -far) : far; };
+  return {{low(box.low.x), low(box.low.y), low(box.low.z)}, {high(box.high.x), high(box.high.y), high(box.high.z)}};
+}
+
+}  // namespace
+
+PrimitiveSet::PrimitiveSet(const World& world) : world_(world) {
+  for (std::uint32_t i = 0; i < world.Instances().size(); ++i) {
+    const Instance& instance = world.Instances()[i];
+    if (instance.shape->IsDegenerate()) continue;  // nothing hits it
+    const bool is_whole = instance.shared != Instance::not_shared;
+    Add(i, is_whole, is_whole ? 1 : static_cast<std::uint32_t>(instance.shape->Elements()));
+    if (instance.frame != 0)
+      pad_per_distance_ =
+          std::max(pad_per_distance_, WorldBoundsPadding(world.Frames()[instance.frame], 0).per_distance);
+  }
+  constexpr std::size_t short_run = 8;
+  if (runs_.size() * short_run > items_ && runs_.size() > 1) {
+    run_of_item_.reserve(items_);
+    for (std::uint32_t r = 0; r < runs_.size(); ++r)
+      run_of_item_.resize(r + 1 < runs_.size() ? runs_[r + 1].first_item : items_, r);
+  }
+}
+
+PrimitiveSet::PrimitiveSet(const World& world, int number)
+    : world_(world), mesh_(world.SharedMeshes()[static_cast<std::size_t>(number)]) {
+  Add(0, false, static_cast<std::uint32_t>(mesh_->Elements()));
+}
+
+void PrimitiveSet::Add(std::uint32_t instance, bool is_whole, std::uint32_t count) {
+  if (count > most_items - items_) throw std::length_error("the scene has more than 2^29 primitives");
+  runs_.push_back({items_, instance, is_whole});
+  items_ += count;
+}
+
+R3::Box PrimitiveSet::Bounds(std::uint32_t i) const {
+  if (mesh_) return Widened(mesh_->Bounds(static_cast<int>(i)), 0);
+  const PrimRef item = (*this)[i];
+  const Instance& instance = world_.Instances()[item.instance];
+  R3::Box box;
+  if (item.element == PrimRef::whole)
+    box = instance.node->bounds;  // a shared shape is the node's own, and a primitive's node has no transform
+  else
+    box = instance.shape->Bounds(item.element);
+  if (instance.frame == 0) return Widened(box, 0);
+  const R3::Transform& frame = world_.Frames()[instance.frame];
+  box = world_.InWorld(instance.frame, box);
+  return Widened(box, WorldBoundsPadding(frame, Reach(box)).constant);
+}
+
+const R3::Mesh* PrimitiveSet::MeshOf(std::uint32_t i) const {
+  if (mesh_) return mesh_;
+  const Run& run = RunOf(i);
+  return run.is_whole ? nullptr : world_.Instances()[run.instance].mesh;
+}
+
+}  // namespace ray

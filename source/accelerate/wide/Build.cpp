@@ -1,0 +1,406 @@
+#include "source/accelerate/wide/Build.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_reduce.h>
+#include <tbb/task_group.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <deque>
+#include <limits>
+#include <vector>
+
+#include "source/accelerate/wide/Layout.h"
+
+namespace ray::bvh {
+namespace {
+
+/// An item's box while the tree is being built. The fourth floats hold the item's number and kind, as floats of usual
+/// size so that sums of all four lanes cost nothing more.
+struct Reference {
+  Float4 low, high;
+
+  Extent Box() const { return {low, high}; }
+  Float4 Middle() const { return low + high; }  // twice it
+  static constexpr std::uint32_t usual = 0x40000000;
+  std::uint32_t PrimRef() const { return std::bit_cast<std::uint32_t>(static_cast<float>(low[3])) ^ usual; }
+  bool IsTriangle() const { return high[3] != 0; }
+};
+
+/// A row of references that share a subtree.
+struct Range {
+  std::uint32_t begin = 0, end = 0, triangles = 0;
+  Extent box, middles;
+
+  std::uint32_t Size() const { return end - begin; }
+  std::uint32_t Others() const { return Size() - triangles; }
+};
+
+constexpr int most_bins = 32;
+
+/// Only the bins in use are set: most ranges are small and have few.
+struct Bins {
+  int count;
+  Float4 low[3][most_bins], high[3][most_bins];
+  std::uint32_t triangles[3][most_bins], others[3][most_bins];
+
+  explicit Bins(int bins) : count(bins) {
+    const Extent nothing;
+    for (int axis = 0; axis < 3; ++axis)
+      for (int i = 0; i < count; ++i) {
+        low[axis][i] = nothing.low, high[axis][i] = nothing.high;
+        triangles[axis][i] = others[axis][i] = 0;
+      }
+  }
+  void Add(int axis, int i, const Reference& reference) {
+    low[axis][i] = Least(low[axis][i], reference.low), high[axis][i] = Most(high[axis][i], reference.high);
+    ++(reference.IsTriangle() ? triangles : others)[axis][i];
+  }
+  void Add(const Bins& o) {
+    for (int axis = 0; axis < 3; ++axis)
+      for (int i = 0; i < count; ++i) {
+        low[axis][i] = Least(low[axis][i], o.low[axis][i]), high[axis][i] = Most(high[axis][i], o.high[axis][i]);
+        triangles[axis][i] += o.triangles[axis][i], others[axis][i] += o.others[axis][i];
+      }
+  }
+  Extent Box(int axis, int i) const { return {low[axis][i], high[axis][i]}; }
+};
+
+/// Which bin a middle falls into, the same for every instruction set: one subtraction, one product.
+struct Binning {
+  Float4 low, scale;
+  int count;
+
+  Binning(const Extent& middles, int bins) : low(middles.low), count(bins) {
+    const Float4 size = middles.high - middles.low;
+    for (int axis = 0; axis < 4; ++axis) {
+      const float per_bin = static_cast<float>(bins) * (1 - 0x1p-20f) / size[axis];
+      scale[axis] = size[axis] > 0 && per_bin < infinity ? per_bin : 0;
+    }
+  }
+  bool IsFlat(int axis) const { return scale[axis] == 0; }
+  std::array<int, 3> operator()(Float4 middle) const {
+    const Float4 place = (middle - low) * scale;
+    const auto bin = [&](int axis) { return std::min(static_cast<int>(place[axis]), count - 1); };
+    return {bin(0), bin(1), bin(2)};
+  }
+};
+
+struct Split {
+  float cost = infinity;  // area times tests, of both sides
+  int axis = -1, bin = 0;
+};
+
+class Builder {
+ public:
+  Builder(Tree& tree, const BuildSettings& settings)
+      : tree_(tree), cuts_(settings.cuts_large_triangles), leaf_(static_cast<std::uint32_t>(settings.leaf_size)) {}
+
+  void Run() {
+    const std::uint32_t items = tree_.space.Items();
+    if (items == 0) return;
+    tree_.coordinates = FitCoordinates(tree_.space);
+    Range all = Collect();
+    BuildChild root = IsLeaf(all) ? Leaf(all) : BuildChild{all.box, Divide(all, 1), 0, {}};
+    tree_.root = Flatten({&root, 1}, tree_)[0];
+  }
+
+ private:
+  static constexpr std::uint32_t parallel_from = 4096;  // smaller ranges are one task
+
+  template <typename Body>
+  static void ForRange(std::uint32_t begin, std::uint32_t end, const Body& body) {
+    tbb::parallel_for(tbb::blocked_range<std::uint32_t>(begin, end, parallel_from), [&](const auto& r) {
+      for (std::uint32_t i = r.begin(); i != r.end(); ++i) body(i);
+    });
+  }
+
+  Range Collect() {
+    const std::uint32_t items = tree_.space.Items();
+    references_ = HugeArray<Reference>(items + (cuts_ ? items / 2 : 0));
+    const auto add = [](Range a, const Range& b) {
+      a.triangles += b.triangles;
+      a.box.Extend(b.box);
+      a.middles.Extend(b.middles);
+      return a;
+    };
+    Range all = tbb::parallel_reduce(
+        tbb::blocked_range<std::uint32_t>(0, tree_.space.Items(), parallel_from), Range(),
+        [&](const auto& r, Range sum) {
+          for (std::uint32_t i = r.begin(); i != r.end(); ++i) sum = add(sum, Refer(i));
+          return sum;
+        },
+        add);
+    all.begin = 0, all.end = items;
+    if (cuts_) Cut(all, items + items / 2);
+    return all;
+  }
+
+  /// Cuts triangles whose boxes are much larger than they are into several references with tighter boxes, the worst
+  /// first, until there are `most`.
+  ///   source  Ernst, Greiner, Early split clipping for bounding volume hierarchies (2007)
+  void Cut(Range& all, std::uint32_t most) {
+    using Worst = std::pair<float, std::uint32_t>;  // what cutting may save, which reference
+    std::vector<Worst> heap;
+    const float small = 0x1p-20f * all.box.HalfArea();
+    const auto consider = [&](std::uint32_t i) {
+      if (!references_[i].IsTriangle()) return;
+      const float saving = references_[i].Box().HalfArea() - TriangleArea(references_[i].PrimRef());
+      if (saving > small) heap.emplace_back(saving, i);
+    };
+    for (std::uint32_t i = 0; i < all.end; ++i) consider(i);
+    std::make_heap(heap.begin(), heap.end());
+    while (!heap.empty() && all.end < most) {
+      const std::uint32_t i = heap.front().second;
+      std::pop_heap(heap.begin(), heap.end());
+      heap.pop_back();
+      Reference& first = references_[i];
+      Reference second = first;
+      const Float4 size = first.high - first.low;
+      int axis = size[1] > size[0] ? 1 : 0;
+      if (size[2] > size[axis]) axis = 2;
+      const float at = first.low[axis] + size[axis] / 2;
+      const std::uint32_t item = first.PrimRef();
+      if (!Clip(first, item, axis, -infinity, at) || !Clip(second, item, axis, at, infinity)) continue;
+      references_[all.end] = second;
+      for (const std::uint32_t k : {i, all.end}) {
+        const std::size_t before = heap.size();
+        consider(k);
+        if (heap.size() > before) std::push_heap(heap.begin(), heap.end());
+      }
+      ++all.end;
+    }
+    all = Gather(0, all.end);
+  }
+
+  std::array<R3::Vector, 3> PlacedCorners(std::uint32_t item) const {
+    const auto corners = tree_.space.MeshOf(item)->Corners(tree_.space[item].element);
+    return {tree_.coordinates(corners[0]), tree_.coordinates(corners[1]), tree_.coordinates(corners[2])};
+  }
+
+  float TriangleArea(std::uint32_t item) const {
+    const auto c = PlacedCorners(item);
+    return static_cast<float>(Length(Cross(c[1] - c[0], c[2] - c[0])) / 2);
+  }
+
+  /// Shrinks the reference's box to the part of its triangle between two planes; false when nothing is there.
+  bool Clip(Reference& reference, std::uint32_t item, int axis, float low, float high) const {
+    const auto corners = PlacedCorners(item);
+    R3::Box part;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const R3::Vector a = corners[k], b = corners[(k + 1) % 3];
+      if (a[axis] >= low && a[axis] <= high) part.Extend(R3::Point{} + a);
+      for (const double plane : {static_cast<double>(low), static_cast<double>(high)}) {
+        if ((a[axis] < plane) == (b[axis] < plane) || std::isinf(plane)) continue;
+        part.Extend(R3::Point{} + (a + (plane - a[axis]) / (b[axis] - a[axis]) * (b - a)));
+      }
+    }
+    if (part.IsEmpty()) return false;
+    // The box was cut before on other axes: both hold, and the rounding of the crossings is covered twice over.
+    constexpr double rounding = 0x1p-22;
+    const R3::Vector lows = FromOrigin(part.low), highs = FromOrigin(part.high);
+    for (int k = 0; k < 3; ++k) {
+      reference.low[k] = std::max<float>(reference.low[k], static_cast<float>(lows[k] - rounding));
+      reference.high[k] = std::min<float>(reference.high[k], static_cast<float>(highs[k] + rounding));
+      if (reference.low[k] > reference.high[k]) return false;
+    }
+    return true;
+  }
+
+  Range Refer(std::uint32_t item) {
+    const R3::Box bounds = tree_.space.Bounds(item);
+    const auto place = [&](const R3::Point& p) {
+      const R3::Vector v = tree_.coordinates(p);
+      return Float4{static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z), 0};
+    };
+    const bool is_triangle = tree_.space.MeshOf(item) != nullptr;
+    Reference& reference = references_[item];
+    reference.low = place(bounds.low), reference.high = place(bounds.high);
+    Range one;
+    one.triangles = is_triangle ? 1 : 0;
+    one.box = reference.Box();
+    one.middles.Extend(reference.Middle());
+    reference.low[3] = std::bit_cast<float>(item ^ Reference::usual);
+    reference.high[3] = is_triangle ? 1 : 0;
+    return one;
+  }
+
+  bool IsLeaf(const Range& r) const { return r.triangles == r.Size() ? r.Size() <= leaf_ : r.Size() == 1; }
+
+  /// How much it costs to ask everything in a range, in block tests.
+  float Tests(std::uint32_t triangles, std::uint32_t others) const {
+    constexpr float price_of_other = 2;
+    return static_cast<float>((triangles + leaf_ - 1) / leaf_) + price_of_other * static_cast<float>(others);
+  }
+
+  BuildNode* Divide(const Range& whole, int depth) {
+    std::array<Range, width> ranges{whole};
+    std::size_t children = 1;
+    while (children < width) {
+      // The largest box is the one most rays would go through.
+      Range* next = nullptr;
+      for (std::size_t i = 0; i < children; ++i)
+        if (!IsLeaf(ranges[i]) && (!next || ranges[i].box.HalfArea() > next->box.HalfArea())) next = &ranges[i];
+      if (!next) break;
+      Halve(*next, ranges[children++], depth);
+    }
+    BuildNode* draft = &drafts_.local().emplace_back();
+    tbb::task_group tasks;
+    bool are_tasks = false;
+    for (std::size_t i = 0; i < children; ++i) {
+      const Range& r = ranges[i];
+      draft->Add(IsLeaf(r) ? Leaf(r) : BuildChild{r.box, nullptr, 0, {}});
+      if (IsLeaf(r)) continue;
+      const BuildNode*& below = draft->slots[i].below;
+      if (r.Size() >= parallel_from) {
+        are_tasks = true;
+        tasks.run([this, &r, &below, depth] { below = Divide(r, depth + 1); });
+      } else {
+        below = Divide(r, depth + 1);
+      }
+    }
+    if (are_tasks) tasks.wait();
+    return draft;
+  }
+
+  BuildChild Leaf(const Range& range) const {
+    BuildChild leaf{range.box, nullptr, static_cast<int>(range.triangles), {}};
+    for (std::uint32_t i = 0; i < range.Size(); ++i) leaf.items[i] = references_[range.begin + i].PrimRef();
+    return leaf;
+  }
+
+  /// Splits `whole` in two; it becomes the first of them.
+  void Halve(Range& whole, Range& second, int depth) {
+    const std::uint32_t size = whole.Size();
+    const Binning binning(whole.middles, size < 128 ? most_bins / 2 : most_bins);
+    constexpr int sah_depth = 40;  // deeper down halves bound the depth, whatever the scene
+    Split split;
+    if (depth < sah_depth) split = BestSplit(whole, binning);
+    if (split.axis < 0 || !Partition(whole, second, binning, split)) HalveByNumber(whole, second);
+  }
+
+  void FillBins(Bins& bins, const Binning& binning, std::uint32_t begin, std::uint32_t end) const {
+    for (std::uint32_t i = begin; i != end; ++i) {
+      const Reference& reference = references_[i];
+      const auto at = binning(reference.Middle());
+      for (int axis = 0; axis < 3; ++axis) bins.Add(axis, at[static_cast<std::size_t>(axis)], reference);
+    }
+  }
+
+  Split BestSplit(const Range& whole, const Binning& binning) const {
+    Bins bins(binning.count);
+    constexpr std::uint32_t chunk = 1 << 16;
+    if (whole.Size() < 4 * chunk) {
+      FillBins(bins, binning, whole.begin, whole.end);
+    } else {
+      // Minima and whole numbers: the sum does not depend on who adds what first.
+      bins = tbb::parallel_reduce(
+          tbb::blocked_range<std::uint32_t>(whole.begin, whole.end, chunk), Bins(binning.count),
+          [&](const auto& r, Bins sum) {
+            FillBins(sum, binning, r.begin(), r.end());
+            return sum;
+          },
+          [&](Bins a, const Bins& b) {
+            a.Add(b);
+            return a;
+          });
+    }
+
+    Split best;
+    for (int axis = 0; axis < 3; ++axis) {
+      if (binning.IsFlat(axis)) continue;
+      std::array<float, most_bins> behind;  // cost of bins i and up
+      Extent box;
+      std::uint32_t triangles = 0, others = 0;
+      const auto cost_with = [&](int i) {
+        box.Extend(bins.Box(axis, i));
+        triangles += bins.triangles[axis][i], others += bins.others[axis][i];
+        return triangles + others > 0 ? box.HalfArea() * Tests(triangles, others) : infinity;
+      };
+      for (int i = binning.count - 1; i > 0; --i) behind[static_cast<std::size_t>(i)] = cost_with(i);
+      box = {}, triangles = others = 0;
+      for (int i = 1; i < binning.count; ++i) {
+        const float cost = cost_with(i - 1) + behind[static_cast<std::size_t>(i)];
+        if (cost < best.cost) best = {cost, axis, i};
+      }
+    }
+    return best;
+  }
+
+  /// The references whose middle falls below the split come first. False if that would leave a side empty.
+  bool Partition(Range& whole, Range& second, const Binning& binning, const Split& split) {
+    const std::uint32_t begin = whole.begin, end = whole.end;
+    Range first, rest;
+    const auto is_first = [&](const Reference& r) {
+      const float place = (r.Middle()[split.axis] - binning.low[split.axis]) * binning.scale[split.axis];
+      return std::min(static_cast<int>(place), binning.count - 1) < split.bin;
+    };
+    const auto take = [](Range& range, const Reference& r) {
+      range.box.Extend(r.Box());
+      range.middles.Extend(r.Middle());
+      range.triangles += r.IsTriangle() ? 1 : 0;
+    };
+    std::uint32_t i = begin, k = end;
+    while (true) {
+      while (i < k && is_first(references_[i])) take(first, references_[i++]);
+      while (i < k && !is_first(references_[k - 1])) take(rest, references_[--k]);
+      if (i == k) break;
+      std::swap(references_[i], references_[k - 1]);
+    }
+    first.begin = begin, first.end = rest.begin = i, rest.end = end;
+    if (first.Size() == 0 || rest.Size() == 0) return false;
+    whole = first, second = rest;
+    return true;
+  }
+
+  /// Middles that coincide, or a tree too deep: as many items here as there, triangles first.
+  void HalveByNumber(Range& whole, Range& second) {
+    const std::uint32_t begin = whole.begin, end = whole.end;
+    int axis = 0;
+    const Float4 size = whole.middles.high - whole.middles.low;
+    for (int a = 1; a < 3; ++a)
+      if (size[a] > size[axis]) axis = a;
+    std::uint32_t middle = begin + whole.Size() / 2;
+    const bool are_mixed = whole.triangles > 0 && whole.Others() > 0;
+    if (are_mixed) middle = begin + whole.triangles;
+    std::nth_element(references_.Data() + begin, references_.Data() + middle, references_.Data() + end,
+                     [&](const Reference& a, const Reference& b) {
+                       if (are_mixed && a.IsTriangle() != b.IsTriangle()) return a.IsTriangle();
+                       const float x = a.Middle()[axis], y = b.Middle()[axis];
+                       return x != y ? x < y : a.PrimRef() < b.PrimRef();
+                     });
+    whole = Gather(begin, middle);
+    second = Gather(middle, end);
+  }
+
+  Range Gather(std::uint32_t begin, std::uint32_t end) const {
+    Range range;
+    range.begin = begin, range.end = end;
+    for (std::uint32_t i = begin; i != end; ++i) {
+      range.box.Extend(references_[i].Box());
+      range.middles.Extend(references_[i].Middle());
+      range.triangles += references_[i].IsTriangle() ? 1 : 0;
+    }
+    return range;
+  }
+
+  Tree& tree_;
+  bool cuts_;
+  std::uint32_t leaf_;
+  HugeArray<Reference> references_;
+  tbb::enumerable_thread_specific<std::deque<BuildNode>> drafts_;  // a deque keeps its elements in place
+};
+
+}  // namespace
+
+Tree Build(PrimitiveSet space, const BuildSettings& settings) {
+  Tree tree(std::move(space));
+  Builder(tree, settings).Run();
+  return tree;
+}
+
+}  // namespace ray::bvh

@@ -1,0 +1,39 @@
+#include "source/accelerate/wide/Kernels.h"
+
+// Highway compiles this file once for each instruction set. What does not depend on that is included before.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "source/accelerate/wide/Kernels.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include "source/accelerate/wide/Packet-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace ray {
+namespace HWY_NAMESPACE {
+
+void ChooseWalk(Kernels<bvh::Tree>* kernels) {
+  *kernels = CompiledKernels<bvh::Tree>();
+  kernels->nearest_together = &FindTogether<false>;
+  kernels->any_together = &FindTogether<true>;
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace ray
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace ray {
+namespace {
+
+HWY_EXPORT(ChooseWalk);
+
+}  // namespace
+
+void bvh::ChooseKernels(void* kernels) {
+  HWY_DYNAMIC_DISPATCH(ChooseWalk)
+  (static_cast<Kernels<Tree>*>(kernels));
+}
+
+}  // namespace ray
+#endif

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "source/accelerate/wide/Tree.h"
+
+/// A tree while it is being built, and how it is laid out in memory.
+namespace ray::bvh {
+
+// Four floats at once, as both compilers know them; the fourth is padding.
+using Float4 = float __attribute__((vector_size(16)));
+
+inline Float4 Least(Float4 a, Float4 b) { return a < b ? a : b; }
+inline Float4 Most(Float4 a, Float4 b) { return a > b ? a : b; }
+
+inline constexpr float infinity = std::numeric_limits<float>::infinity();
+
+/// A box in a structure's coordinates.
+struct Extent {
+  Float4 low{infinity, infinity, infinity, infinity}, high = -low;
+
+  void Extend(const Extent& o) { low = Least(low, o.low), high = Most(high, o.high); }
+  void Extend(Float4 p) { low = Least(low, p), high = Most(high, p); }
+  float HalfArea() const {
+    const Float4 e = high - low;
+    return e[0] * e[1] + e[1] * e[2] + e[2] * e[0];
+  }
+};
+
+struct BuildNode;
+
+/// A child: a node below, or up to eight triangles, or one item of another kind.
+struct BuildChild {
+  Extent box;
+  const BuildNode* below = nullptr;
+  int triangles = 0;
+  std::array<std::uint32_t, width> items{};
+
+  bool IsEmpty() const { return box.low[0] > box.high[0]; }
+};
+
+/// A node before its place in memory is known.
+struct BuildNode {
+  int children = 0;
+  std::array<BuildChild, width> slots;
+
+  void Add(const BuildChild& slot) { slots[static_cast<std::size_t>(children++)] = slot; }
+};
+
+inline BuildChild BuildChildOf(const BuildNode& draft) {
+  BuildChild slot;
+  slot.below = &draft;
+  for (int i = 0; i < draft.children; ++i) slot.box.Extend(draft.slots[static_cast<std::size_t>(i)].box);
+  return slot;
+}
+
+/// Fills the tree, which has its space and coordinates, from the slots and what is below them: depth first, each node
+/// followed by its blocks. Returns the child that each slot has become. Throws std::length_error when it would be too
+/// large.
+std::vector<std::uint32_t> Flatten(std::span<const BuildChild> slots, Tree& tree);
+
+}  // namespace ray::bvh

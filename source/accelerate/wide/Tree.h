@@ -1,0 +1,69 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "source/accelerate/HugeArray.h"
+#include "source/accelerate/twolevel/TwoLevel.h"
+
+/// The wide tree of boxes as data. Everything in it is in single precision and only ever decides what not to ask.
+namespace ray::bvh {
+
+inline constexpr std::size_t unit = 32;  // bytes in which places in memory are counted
+
+/// What a child is and where, in 32 bits: nodes and blocks by their place in Tree::memory, items by their number.
+struct Child {
+  enum class Kind : std::uint32_t { node, triangles, item, nothing };
+  static constexpr int kind_shift = 30;
+
+  static constexpr std::uint32_t Make(Kind kind, std::uint32_t index) {
+    return static_cast<std::uint32_t>(kind) << kind_shift | index;
+  }
+  static Kind KindOf(std::uint32_t child) { return static_cast<Kind>(child >> kind_shift); }
+  static std::uint32_t Index(std::uint32_t child) { return child & ((std::uint32_t{1} << kind_shift) - 1); }
+};
+
+/// Eight boxes side by side. plane[2 axis] are the low sides, plane[2 axis + 1] the high ones, rounded to the nearest
+/// float: the padding of the ray covers it. Children that are missing have inside-out boxes.
+struct alignas(unit) Node {
+  float plane[6][width];
+  std::uint32_t child[width];
+};
+
+/// A node pushes at most `width` - 1 children, so a stack of most_depth * width always suffices.
+inline constexpr int most_depth = 64;
+
+/// One structure over one space.
+struct Tree {
+  static constexpr bool meets_items_again = false;
+
+  explicit Tree(PrimitiveSet the_space) : space(std::move(the_space)) {}
+
+  PrimitiveSet space;
+  Coordinates coordinates;
+  /// Nodes, each followed by the blocks that are its children, depth first: what is visited together lies together.
+  struct alignas(unit) Unit {
+    std::byte bytes[unit];
+  };
+  HugeArray<Unit> memory;
+  std::size_t nodes = 0, blocks = 0;
+  std::uint32_t root = Child::Make(Child::Kind::nothing, 0);
+  bool is_large = false;  // larger than a core's own cache: children are worth fetching before they are needed
+  int depth = 0;
+
+  template <typename T>
+  const T& At(std::uint32_t child) const {
+    return *reinterpret_cast<const T*>(memory.Data() + Child::Index(child));
+  }
+  std::string Explain() const {
+    return std::to_string(nodes) + " nodes in " + std::to_string(depth) + " levels, " + std::to_string(blocks) +
+           " blocks of triangles";
+  }
+  /// Levels of boxes: the root's, then those of its children, and so on.
+  int BoxLevels() const { return Child::KindOf(root) == Child::Kind::nothing ? 0 : depth + 1; }
+  /// In the space, rounded to single precision as the walk uses them.
+  std::vector<R3::Box> BoxesAt(int level) const;
+  std::size_t Bytes() const { return memory.Bytes() + space.Bytes(); }
+};
+
+}  // namespace ray::bvh

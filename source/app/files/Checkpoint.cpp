@@ -1,0 +1,56 @@
+#include "source/app/files/Checkpoint.h"
+
+#include "source/app/Status.h"
+#include "source/app/options/OptionTable.h"
+#include "source/app/report/Messages.h"
+#include "source/parse/Files.h"
+#include "source/parse/SceneError.h"
+#include "source/parse/Text.h"
+
+namespace ray {
+namespace {
+
+/// Everything that a bit of the picture depends on: version, scene, and the options that choose it.
+std::string Identity(const Options& options, const std::string& scene_hash) {
+  std::string text = "version " RAYPRO_VERSION "\nscene " + scene_hash + "\n";
+  for (const OptionKind& option : OptionTable(options.program)) {
+    const std::string topic = option.topic, name = option.name;
+    if (!IsSetting(option) || (topic != "picture" && topic != "light" && topic != "trade")) continue;
+    if (name == "checkpoint" || name == "resume" || name == "reference" || name == "time") continue;
+    text += "-" + name + " " + Show(option, options) + "\n";
+  }
+  return text;
+}
+
+}  // namespace
+
+Checkpoint::Checkpoint(const Options& options)
+    : options_(options), file_(CheckOutput(options.picture + ".checkpoint", std::vector<std::string>{options.scene})) {}
+
+void Checkpoint::Save(const RenderState& state, const std::string& scene_hash) const {
+  try {
+    WriteWhole(file_, Encoded(state, Identity(options_, scene_hash)));
+  } catch (const OutputError& error) {
+    PrintError("raypro: warning: " + std::string(error.what()));
+  }
+}
+
+RenderState Checkpoint::Load(const Film& film, const std::string& scene_hash) const {
+  try {
+    const Files files(file_.name, {});
+    const std::string bytes = files.Read(files.Top());
+    return DecodedState({reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()},
+                        Identity(options_, scene_hash), film);
+  } catch (const FileError& error) {
+    throw SceneErrors({ErrorIn(file_.name, "cannot resume: " + error.message)});
+  } catch (const CheckpointError& error) {
+    throw SceneErrors({ErrorIn(file_.name, "cannot resume: " + std::string(error.what()))});
+  }
+}
+
+void Checkpoint::Remove() const {
+  std::error_code ignored;
+  std::filesystem::remove(file_.target, ignored);
+}
+
+}  // namespace ray

@@ -1,0 +1,120 @@
+#include "source/app/files/OutputFile.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <system_error>
+
+#include "source/app/Status.h"
+#include "source/app/files/TemporaryFile.h"
+#include "source/text/Quoting.h"
+
+namespace ray {
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void Refuse(const std::string& name, const std::string& reason) {
+  throw OutputError("cannot write " + Quoted(name) + ": " + reason);
+}
+
+/// Where a chain of links ends; the end need not exist.
+fs::path FollowLinks(const std::string& name) {
+  constexpr int most_links = 40;  // as the system itself allows
+  fs::path path = name;
+  std::error_code error;
+  for (int i = 0; fs::is_symlink(fs::symlink_status(path, error)); ++i) {
+    if (i == most_links) Refuse(name, "its links lead nowhere");
+    path = path.parent_path() / fs::read_symlink(path, error);
+    if (error) Refuse(name, error.message());
+  }
+  return path;
+}
+
+void RefuseUnfitTarget(const OutputFile& output) {
+  std::error_code error;
+  const fs::file_status status = fs::status(output.target, error);
+  if (status.type() == fs::file_type::not_found) return;
+  if (error) Refuse(output.name, error.message());
+  if (fs::is_directory(status)) Refuse(output.name, "it is a folder");
+  if (!fs::is_regular_file(status)) Refuse(output.name, "it is not a regular file");
+  // The rename would succeed in a folder of ours; but who made the file read-only meant it.
+  if (faccessat(AT_FDCWD, output.target.c_str(), W_OK, AT_EACCESS) != 0)
+    Refuse(output.name, std::generic_category().message(errno));
+}
+
+void RefuseUnfitFolder(const OutputFile& output) {
+  const fs::path folder = output.target.parent_path();
+  std::error_code error;
+  if (!folder.empty() && !fs::is_directory(folder, error))
+    Refuse(output.name, "the folder " + Quoted(folder.string()) + " does not exist");
+  if (output.target.filename().empty()) Refuse(output.name, "it names no file");
+  // The honest way to learn whether a folder takes files is to make one.
+  try {
+    const TemporaryFile probe(output.target);
+  } catch (const std::system_error& failure) {
+    Refuse(output.name, failure.code().message());
+  }
+}
+
+void WriteAt(const fs::path& target, std::span<const unsigned char> bytes) {
+  TemporaryFile file(target);
+  file.Write(bytes);
+  file.Become();
+}
+
+/// Says where the bytes are now, or why they are nowhere.
+std::string KeepElsewhere(const OutputFile& output, std::span<const unsigned char> bytes) {
+  std::error_code error;
+  const fs::path folder = fs::temp_directory_path(error);
+  if (error) return "; there is no temporary folder to keep it in";
+  const fs::path refuge = folder / ("raypro-" + std::to_string(getpid()) + "-" + output.target.filename().string());
+  try {
+    WriteAt(refuge, bytes);
+    return "; it is kept as '" + Escaped(refuge.string()) + "'";
+  } catch (const std::system_error& failure) {
+    return "; nor can it be kept as " + QuotedPath(refuge.string()) + ": " + failure.code().message();
+  }
+}
+
+}  // namespace
+
+void RefuseInputs(const OutputFile& output, std::span<const std::string> inputs) {
+  for (const std::string& input : inputs) {
+    std::error_code error;
+    if (fs::equivalent(output.target, input, error) && !error)
+      Refuse(output.name, "it is the input " + Quoted(input) + " itself");
+  }
+}
+
+OutputFile CheckOutput(const std::string& name, std::span<const std::string> inputs) {
+  OutputFile output{.name = name, .target = FollowLinks(name)};
+  output.is_link = output.target != fs::path(name);
+  RefuseUnfitTarget(output);
+  RefuseInputs(output, inputs);
+  RefuseUnfitFolder(output);
+  RemoveLeftOvers(output.target);
+  return output;
+}
+
+void WriteWhole(const OutputFile& output, std::span<const unsigned char> bytes) {
+  try {
+    WriteAt(output.target, bytes);
+  } catch (const std::system_error& failure) {
+    Refuse(output.name, failure.code().message() + KeepElsewhere(output, bytes));
+  }
+}
+
+void WriteStandardOutput(const std::string& text) {
+  std::span<const char> rest = text;
+  while (!rest.empty()) {
+    const ssize_t written = write(STDOUT_FILENO, rest.data(), rest.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0 && errno == EPIPE) return;
+    if (written < 0) Refuse("standard output", std::generic_category().message(errno));
+    rest = rest.subspan(static_cast<std::size_t>(written));
+  }
+}
+
+}  // namespace ray

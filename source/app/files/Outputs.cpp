@@ -1,0 +1,107 @@
+#include "source/app/files/Outputs.h"
+
+#include "source/app/Status.h"
+#include "source/app/files/LayerPictures.h"
+#include "source/app/report/Messages.h"
+#include "source/app/report/ReportJson.h"
+#include "source/render/LayerColors.h"
+#include "source/text/Quoting.h"
+
+namespace ray {
+namespace {
+
+[[noreturn]] void RefuseExtension(const std::string& name) {
+  std::string known;
+  for (const R2::ImageFormat& format : R2::ImageFormats())
+    for (const char* extension : format.extensions) known += " ." + std::string(extension);
+  throw UsageError("no kind of picture has the extension of " + Quoted(name) + "; extensions are" + known);
+}
+
+std::span<const unsigned char> BytesOf(const std::string& text) {
+  return {reinterpret_cast<const unsigned char*>(text.data()), text.size()};
+}
+
+}  // namespace
+
+/// Some formats hold no more than 65,535 pixels a side. They say so when asked to write a picture of one row or one
+/// column, and an hour of rendering is saved.
+void RefuseSize(const R2::ImageFormat& format, int width, int height) {
+  constexpr int every_format_holds = 32'767;
+  try {
+    if (width > every_format_holds) format.encode(R2::Image(width, 1), {}, {});
+    if (height > every_format_holds) format.encode(R2::Image(1, height), {}, {});
+  } catch (const R2::ImageError& error) {
+    throw UsageError("a picture of " + std::to_string(width) + "x" + std::to_string(height) + " cannot be kept as " +
+                     format.name + ": " + error.what());
+  }
+}
+
+PictureOutput CheckPictureOutput(const std::string& name, std::span<const std::string> inputs) {
+  const R2::ImageFormat* const format = R2::FormatForName(name);
+  // Something that exists already and cannot be a picture, a folder or a device, is refused as what it is.
+  std::error_code ignored;
+  if (!format && !std::filesystem::exists(name, ignored)) RefuseExtension(name);
+  const OutputFile file = CheckOutput(name, inputs);
+  if (!format) RefuseExtension(name);
+  return {format, file};
+}
+
+void TellOfLink(Program program, const OutputFile& picture) {
+  if (picture.is_link)
+    PrintError(NameOf(program) + ": " + Quoted(picture.name) + " is a link; the picture goes to " +
+               QuotedPath(picture.target.string()));
+}
+
+Outputs CheckOutputs(const Options& options) {
+  const std::string inputs[] = {options.scene};
+  const PictureOutput picture = CheckPictureOutput(options.picture, inputs);
+  Outputs outputs;
+  outputs.format = picture.format;
+  outputs.picture = picture.file;
+
+  const PixelRectangle whole{0, 0, options.render.width, options.render.height};
+  const PixelRectangle part = options.render.crop.value_or(whole);
+  RefuseSize(*outputs.format, part.x1 - part.x0, part.y1 - part.y0);
+
+  if (!outputs.format->encode_layers)
+    for (const std::string& layer : options.layers)
+      outputs.layers.push_back(CheckOutput(LayerFileName(options.picture, layer), inputs));
+
+  if (options.report.empty()) return outputs;
+  outputs.report = CheckOutput(options.report, inputs);
+  if (outputs.report->target == outputs.picture.target)
+    throw UsageError("the picture and the report are the same file, " + Quoted(options.report));
+  return outputs;
+}
+
+void RefuseInputs(const Outputs& outputs, std::span<const std::string> inputs) {
+  RefuseInputs(outputs.picture, inputs);
+  for (const OutputFile& layer : outputs.layers) RefuseInputs(layer, inputs);
+  if (outputs.report) RefuseInputs(*outputs.report, inputs);
+}
+
+void WritePicture(const Outputs& outputs, const RenderResult& result, const std::vector<R2::Image>& layers,
+                  const RunStats& record) {
+  if (result.pixels_done == 0) return;
+  TellOfLink(record.options.program, outputs.picture);
+  const R2::ImageFormat& format = *outputs.format;
+  const R2::ImageSettings settings = SettingsInPicture(record);
+  const std::vector<std::string>& names = record.options.layers;
+  const auto encode = [&](const std::string& mode, const R2::Image& image) {
+    return format.encode(format.is_linear ? image : LayerAsShown(mode, image), record.options.encoding, settings);
+  };
+  if (format.encode_layers && !names.empty()) {
+    std::vector<R2::ImageLayer> channels;
+    for (std::size_t i = 0; i < layers.size(); ++i) channels.push_back(ChannelsOf(names[i], layers[i]));
+    WriteWhole(outputs.picture, format.encode_layers(result.image, channels, settings));
+    return;
+  }
+  WriteWhole(outputs.picture, encode(record.options.render.mode, result.image));
+  for (std::size_t i = 0; i < layers.size(); ++i) WriteWhole(outputs.layers[i], encode(names[i], layers[i]));
+}
+
+void WriteReport(const Outputs& outputs, const RunStats& record) {
+  if (outputs.report) WriteWhole(*outputs.report, BytesOf(ReportJson(record)));
+}
+
+}  // namespace ray

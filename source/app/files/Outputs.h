@@ -1,0 +1,47 @@
+#pragma once
+
+#include <optional>
+
+#include "source/app/files/OutputFile.h"
+#include "source/app/options/Options.h"
+#include "source/app/report/RunStats.h"
+
+namespace ray {
+
+/// A place for a picture, and the kind that its name asks for.
+struct PictureOutput {
+  const R2::ImageFormat* format = nullptr;
+  OutputFile file;
+};
+
+/// Throws UsageError when no kind has the extension, and OutputError.
+PictureOutput CheckPictureOutput(const std::string& name, std::span<const std::string> inputs);
+
+/// Throws UsageError when the format cannot hold so many pixels a side.
+void RefuseSize(const R2::ImageFormat& format, int width, int height);
+
+/// Says so when the name is a link, for the picture goes elsewhere then.
+void TellOfLink(Program program, const OutputFile& picture);
+
+/// Where the results of a run go.
+struct Outputs {
+  const R2::ImageFormat* format = nullptr;
+  OutputFile picture;
+  std::optional<OutputFile> report;
+  std::vector<OutputFile> layers;  // one for each of the options' layers, unless the picture holds them itself
+};
+
+/// Before anything is read: the picture has a known kind, which can hold its size, and both files can be written.
+/// Throws UsageError and OutputError.
+Outputs CheckOutputs(const Options& options);
+
+/// Throws OutputError when one of them is a file the scene was read from.
+void RefuseInputs(const Outputs& outputs, std::span<const std::string> inputs);
+
+/// A picture with nothing rendered is not worth replacing an older one: it is not written.
+/// `layers`: one image for each of the options' layers.
+void WritePicture(const Outputs& outputs, const RenderResult& result, const std::vector<R2::Image>& layers,
+                  const RunStats& record);
+void WriteReport(const Outputs& outputs, const RunStats& record);
+
+}  // namespace ray

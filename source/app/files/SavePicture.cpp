@@ -1,0 +1,68 @@
+#include "source/app/files/SavePicture.h"
+
+#include <cassert>
+#include <filesystem>
+#include <optional>
+#include <system_error>
+#include <vector>
+
+#include "source/app/files/SceneHash.h"
+#include "source/app/options/Help.h"
+#include "source/app/options/OptionTable.h"
+#include "source/text/Words.h"
+#include "source/view/camera/CameraText.h"
+
+namespace ray {
+namespace {
+
+/// A file's name that is not taken for an option.
+std::string AsName(const std::string& name) { return LooksLikeOption(name) ? "./" + name : name; }
+
+RunStats RecordOf(const Options& options, const LoadedScene& scene, const RenderResult& result, double seconds) {
+  RunStats record;
+  record.options = options;
+  record.command = RayproCommand(options);
+  record.scene.hash = SceneHash(scene.parsed.scene.files);
+  record.seconds.wall = seconds;
+  record.Take(result);
+  return record;
+}
+
+}  // namespace
+
+std::string RayproCommand(const Options& options) {
+  std::vector<std::string> words{AsName(options.scene), AsName(options.picture)};
+  for (const OptionKind& option : OptionTable(Program::raypro)) {
+    if (!IsSetting(option) || std::string(option.topic) == "messages") continue;
+    const auto typed = Typed(option, options, Defaults(Program::raypro));
+    words.insert(words.end(), typed.begin(), typed.end());
+  }
+  return CommandAsTyped(words);
+}
+
+std::string SaveTraced(const PictureOutput* output, Options options, const LoadedScene& scene,
+                       const RenderResult& result, double seconds) {
+  assert(result.IsComplete());
+  std::optional<Camera>& view = options.render.view;
+  if (view && CameraLine(*view) == CameraLine(scene.parsed.scene.camera)) view.reset();
+  const PictureOutput place = output ? *output : ClaimImageName();
+  options.picture = place.file.name;
+  const RunStats record = RecordOf(options, scene, result, seconds);
+  try {
+    WritePicture({place.format, place.file, {}, {}}, result, {}, record);
+  } catch (...) {
+    std::error_code ignored;
+    if (!output) std::filesystem::remove(place.file.target, ignored);  // claimed, and still empty
+    throw;
+  }
+  return FinalLine(record);
+}
+
+void SaveDrawing(const PictureOutput& output, const R2::Image& drawing, const Options& options) {
+  R2::ImageEncoding encoding = options.encoding;
+  encoding.srgb = false;
+  TellOfLink(options.program, output.file);
+  WriteWhole(output.file, output.format->encode(drawing, encoding, {{"program", NameAndVersion(options.program)}}));
+}
+
+}  // namespace ray

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+
+#include "source/app/files/ViewOutputs.h"
+#include "source/view/LoadedScene.h"
+
+namespace ray {
+
+/// The raypro command that makes the picture which rayview traces, but for the camera: scene, picture, and every option
+/// that is not raypro's default.
+std::string RayproCommand(const Options& options);
+
+/// Writes what was traced as raypro would, byte for byte but for the words in it: those add the camera when it is not
+/// the scene's own.
+///   output    null: the next free name, see ClaimImageName
+///   options   with `render` as it was traced
+///   result    complete
+///   seconds   that it took
+///   returns   the line that raypro would print
+/// Throws OutputError, and R2::ImageError when the format cannot hold the size.
+std::string SaveTraced(const PictureOutput* output, Options options, const LoadedScene& scene,
+                       const RenderResult& result, double seconds);
+
+/// Writes what was drawn, whose values are as they are shown. Throws likewise.
+void SaveDrawing(const PictureOutput& output, const R2::Image& drawing, const Options& options);
+
+}  // namespace ray

@@ -1,0 +1,128 @@
+#include "source/app/files/TemporaryFile.h"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <system_error>
+#include <utility>
+
+#include "source/app/Interrupt.h"
+
+namespace ray {
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void ThrowErrno() { throw std::system_error(errno, std::generic_category()); }
+
+fs::path Folder(const fs::path& target) { return target.has_parent_path() ? target.parent_path() : fs::path("."); }
+
+/// ".out.jpg.raypro-": what the temporaries of a target have in common. Very long names are cut, for the rest to fit;
+/// two targets that then share their temporaries' names lose nothing, for only dead files are removed.
+std::string Prefix(const fs::path& target) {
+  constexpr std::size_t longest = 200;  // of the 255 bytes that file systems give
+  return "." + target.filename().string().substr(0, longest) + ".raypro-";
+}
+
+constexpr const char* suffix = ".tmp";
+
+/// A rename outlives a failing computer only once its folder is on the disk too. Some file systems cannot sync a
+/// folder; the picture is in place by then, so that is no failure.
+void SyncFolder(const fs::path& folder) {
+  const int descriptor = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor < 0) return;
+  fsync(descriptor);
+  close(descriptor);
+}
+
+/// Whether the name still leads to the open file.
+bool IsNameOf(const fs::path& file, int descriptor) {
+  struct stat named = {}, opened = {};
+  return lstat(file.c_str(), &named) == 0 && fstat(descriptor, &opened) == 0 && named.st_dev == opened.st_dev &&
+         named.st_ino == opened.st_ino;
+}
+
+// Whoever writes a file holds its lock from before the first byte until the rename. So a file that can be locked, and
+// has its name still, is dead, or so new that its maker is waiting for the lock and will see that the name is gone.
+void RemoveIfDead(const fs::path& file) {
+  const int descriptor = open(file.c_str(), O_RDWR | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+  if (descriptor < 0) return;
+  if (flock(descriptor, LOCK_EX | LOCK_NB) == 0 && IsNameOf(file, descriptor)) unlink(file.c_str());
+  close(descriptor);
+}
+
+}  // namespace
+
+TemporaryFile::TemporaryFile(const fs::path& target) : target_(target) {
+  const std::string start = (Folder(target) / Prefix(target)).string() + std::to_string(getpid());
+  name_ = start + suffix;
+  // The name is taken when a process of the same number works on the same folder from another container.
+  constexpr int most_attempts = 100;
+  for (int attempt = 2; !CreateAndLock(); ++attempt) {
+    if (attempt > most_attempts) ThrowErrno();
+    name_ = start + "-" + std::to_string(attempt) + suffix;
+  }
+}
+
+// False when the name is taken. Where the file system has no locks nobody can remove the file as left over either.
+bool TemporaryFile::CreateAndLock() {
+  descriptor_ = open(name_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+  if (descriptor_ < 0 && errno == EEXIST) return false;
+  if (descriptor_ < 0) ThrowErrno();
+  flock(descriptor_, LOCK_EX);
+  // Between the two calls another process may have found it unlocked, and removed it.
+  if (IsNameOf(name_, descriptor_)) {
+    RemoveWhenKilled(name_.c_str());
+    return true;
+  }
+  Close(std::exchange(descriptor_, -1));
+  errno = EEXIST;
+  return false;
+}
+
+TemporaryFile::~TemporaryFile() {
+  if (!name_.empty()) unlink(name_.c_str());
+  RemoveWhenKilled(nullptr);
+  if (descriptor_ >= 0) close(descriptor_);
+}
+
+void TemporaryFile::Write(std::span<const unsigned char> bytes) {
+  while (!bytes.empty()) {
+    const ssize_t written = write(descriptor_, bytes.data(), bytes.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) ThrowErrno();
+    bytes = bytes.subspan(static_cast<std::size_t>(written));
+  }
+}
+
+void TemporaryFile::Become() {
+  // EINVAL: this file system keeps nothing that could be flushed.
+  if (fsync(descriptor_) != 0 && errno != EINVAL) ThrowErrno();
+  // Closing has to be checked before the rename, and would open the lock. A lock is shared by copies of a descriptor.
+  const int copy = dup(descriptor_);
+  if (copy < 0) ThrowErrno();
+  Close(std::exchange(descriptor_, copy));
+  if (rename(name_.c_str(), target_.c_str()) != 0) ThrowErrno();
+  RemoveWhenKilled(nullptr);
+  name_.clear();
+  SyncFolder(Folder(target_));
+}
+
+// Closing can report a write that failed late, on network file systems above all.
+void TemporaryFile::Close(int descriptor) {
+  if (close(descriptor) != 0 && errno != EINTR) ThrowErrno();
+}
+
+void RemoveLeftOvers(const fs::path& target) {
+  const std::string prefix = Prefix(target);
+  std::error_code error;
+  for (fs::directory_iterator file(Folder(target), error), end; !error && file != end; file.increment(error)) {
+    const std::string name = file->path().filename().string();
+    if (name.starts_with(prefix) && name.ends_with(suffix)) RemoveIfDead(file->path());
+  }
+}
+
+}  // namespace ray

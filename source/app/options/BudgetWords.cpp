@@ -1,0 +1,68 @@
+#include "source/app/options/BudgetWords.h"
+
+#include <array>
+#include <charconv>
+#include <limits>
+#include <utility>
+
+#include "source/text/Number.h"
+
+namespace ray {
+namespace {
+
+/// The number before a suffix of `word`, if it is one; at least above 0.
+std::optional<double> Before(const std::string& suffix, const std::string& word) {
+  if (!word.ends_with(suffix)) return {};
+  const auto number = ParseNumber(word.substr(0, word.size() - suffix.size()));
+  if (number.problem || !(number.value > 0)) return {};
+  return number.value;
+}
+
+std::string ToText(double number) {
+  std::array<char, 64> text{};
+  const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), number);
+  return std::string(text.data(), end);
+}
+
+constexpr std::array<std::pair<const char*, double>, 4> duration_units{
+    {{"s", 1.0}, {"m", 60.0}, {"h", 3600.0}, {"", 1.0}}};
+constexpr std::array<std::pair<const char*, ErrorUnit>, 4> error_units{
+    {{"%", ErrorUnit::relative}, {"dB", ErrorUnit::decibel}, {"lin", ErrorUnit::linear}, {"", ErrorUnit::display}}};
+
+}  // namespace
+
+std::optional<double> ReadDuration(const std::string& word) {
+  for (const auto& [suffix, seconds] : duration_units)
+    if (const auto number = Before(suffix, word)) return *number * seconds;
+  return {};
+}
+
+std::string ShowDuration(const double& seconds) { return seconds > 0 ? ToText(seconds) + "s" : ""; }
+
+std::optional<std::optional<ErrorTarget>> ReadErrorTarget(const std::string& word) {
+  for (const auto& [suffix, unit] : error_units)
+    if (const auto number = Before(suffix, word)) return ErrorTarget{*number, unit};
+  return {};
+}
+
+std::string ShowErrorTarget(const std::optional<ErrorTarget>& target) {
+  if (!target) return "";
+  for (const auto& [suffix, unit] : error_units)
+    if (unit == target->unit) return ToText(target->value) + suffix;
+  return "";
+}
+
+std::optional<int> ReadLightCount(const std::string& word) {
+  if (word == "auto") return -1;
+  if (word == "all") return 0;
+  if (word == "one") return 1;
+  const auto whole = ParseWhole(word);
+  if (whole.problem || whole.value < 1 || !std::in_range<int>(whole.value)) return {};
+  return static_cast<int>(whole.value);
+}
+
+std::string ShowLightCount(const int& count) {
+  return count < 0 ? "auto" : count == 0 ? "all" : count == 1 ? "one" : std::to_string(count);
+}
+
+}  // namespace ray

@@ -1,0 +1,122 @@
+#include "source/app/options/Listing.h"
+
+#include "R2/ImageFile.h"
+#include "R3/Shape.h"
+#include "source/accelerate/Accelerator.h"
+#include "source/app/options/Preset.h"
+#include "source/parse/Format.h"
+#include "source/parse/scn/Command.h"
+#include "source/scene/Light.h"
+#include "source/view/Viewer.h"
+
+namespace ray {
+namespace {
+
+constexpr std::size_t column_of_description = 14;
+
+std::string Line(std::string name, const std::string& about) {
+  name.resize(std::max(column_of_description, name.size() + 1), ' ');
+  return "  " + name + about + "\n";
+}
+
+/// "sphere x y z r" for a kind of shape or light.
+template <class Kind>
+std::string LineWithArguments(const Kind& kind) {
+  std::string about = kind.about;
+  about += " (";
+  for (const R3::Argument& argument : kind.arguments)
+    about += std::string(about.back() == '(' ? "" : " ") + argument.name;
+  return Line(kind.name, about + ")");
+}
+
+std::string Shapes() {
+  std::string text;
+  for (const R3::ShapeKind* kind : R3::ShapeKinds()) text += LineWithArguments(*kind);
+  return text;
+}
+
+std::string Lights() {
+  std::string text;
+  for (const LightKind* kind : LightKinds()) text += LineWithArguments(*kind);
+  return text;
+}
+
+std::string Accelerators() {
+  std::string text;
+  for (const AcceleratorKind* kind : AcceleratorKinds()) text += Line(kind->name, kind->about);
+  return text;
+}
+
+std::string Images() {
+  std::string text;
+  for (const R2::ImageFormat& format : R2::ImageFormats()) {
+    std::string extensions;
+    for (const char* extension : format.extensions)
+      extensions += (extensions.empty() ? "." : " .") + std::string(extension);
+    text += Line(format.name, extensions);
+  }
+  return text;
+}
+
+std::string Scenes() {
+  std::string text;
+#define SCENE_FORMAT(name) text += Line(#name, name##_scene_format.extension);
+#include "source/parse/formats.def"
+#undef SCENE_FORMAT
+  return text;
+}
+
+std::string SceneCommands() {
+  std::string text;
+  for (const std::string_view name : CommandNames()) text += "  " + FindCommand(name)->usage + "\n";
+  return text;
+}
+
+std::string Presets() {
+  std::string text;
+  for (const Preset& preset : ray::Presets()) {
+    std::string settings;
+    for (const auto& [option, value] : preset.settings) settings += " -" + std::string(option) + " " + value;
+    text += Line(preset.name, std::string(preset.about) + ":" + settings);
+  }
+  return text;
+}
+
+std::string Keys() {
+  std::string text;
+  for (const std::string& line : Viewer::Help()) text += "  " + line + "\n";
+  return text;
+}
+
+struct Subject {
+  const char* name;
+  std::string (*list)();
+};
+
+constexpr Subject subjects[] = {{"shapes", Shapes},   {"lights", Lights}, {"accelerators", Accelerators},
+                                {"images", Images},   {"scenes", Scenes}, {"commands", SceneCommands},
+                                {"presets", Presets}, {"keys", Keys}};
+
+/// Presets are values of an option that only raypro has; keys are pressed in a window.
+bool Knows(Program program, const Subject& subject) {
+  return program == Program::raypro ? subject.list != Keys : subject.list != Presets;
+}
+
+}  // namespace
+
+std::vector<std::string> ListSubjects(Program program) {
+  std::vector<std::string> names;
+  for (const Subject& subject : subjects)
+    if (Knows(program, subject)) names.emplace_back(subject.name);
+  return names;
+}
+
+std::string Listing(Program program, const std::string& wanted) {
+  std::string text;
+  for (const Subject& subject : subjects)
+    if (Knows(program, subject) && (wanted.empty() || wanted == subject.name))
+      text += subject.name + std::string(":\n") + subject.list();
+  return text;
+}
+
+}  // namespace ray

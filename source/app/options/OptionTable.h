@@ -1,0 +1,127 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "source/app/options/Options.h"
+
+namespace ray {
+
+/// Where in Options a value is kept. Made from one generic lambda, for reading and for writing.
+template <class T>
+struct Member {
+  template <class Lambda>
+  Member(Lambda)
+      : write([](Options& options) -> T& { return Lambda{}(options); }),
+        read([](const Options& options) -> const T& { return Lambda{}(options); }) {}
+  T& (*write)(Options&);
+  const T& (*read)(const Options&);
+};
+
+/// What an option takes, from where, into what.
+template <class T>
+struct Number {
+  Member<T> member;
+  T low, high;  // both allowed
+};
+struct Flag {  // given or not
+  Member<bool> member;
+};
+struct OnOff {
+  Member<bool> member;
+};
+struct OneNumberOf {
+  Member<int> member;
+  std::vector<int> choices;
+};
+struct OneNameOf {
+  Member<std::string> member;
+  std::vector<std::string> (*choices)();
+  bool by_number = false;  // the place in the list will do as well, from 0
+};
+struct FileName {
+  Member<std::string> member;
+};
+struct FileList {  // one or two, separated by a comma
+  Member<std::vector<std::string>> member;
+};
+struct FolderList {  // the only kind that may be repeated
+  Member<std::vector<std::filesystem::path>> member;
+};
+struct Triple {
+  Member<R3::Vector> member;
+};
+/// A word with a grammar of its own.
+template <class T>
+struct Word {
+  Member<T> member;
+  std::optional<T> (*read)(const std::string&);  // nothing when the word is none
+  std::string (*show)(const T&);
+  const char* range;  // in words
+};
+struct Rectangle {
+  Member<std::optional<PixelRectangle>> member;
+};
+struct PixelRequest {  // a task for one pixel
+  Member<std::optional<Pixel>> member;
+  Task task;
+};
+struct Request {  // a task other than the program's own
+  Task task;
+  enum { nothing, perhaps, always } takes_subject = nothing;
+  std::vector<std::string> (*subjects)() = nullptr;  // what the subject may be; null for a file name
+};
+
+using OptionValue =
+    std::variant<Number<int>, Number<std::int64_t>, Number<std::uint64_t>, Number<double>, Flag, OnOff, OneNumberOf,
+                 OneNameOf, FileName, FolderList, FileList, Rectangle, Triple, Word<double>,
+                 Word<std::optional<ErrorTarget>>, Word<int>, Word<std::vector<std::string>>, PixelRequest, Request>;
+
+/// Whose option it is.
+enum class KnownTo { raypro, rayview, both };
+
+/// One option. The parser, -help, the manual page, the completions, the report and the README all come from this table.
+struct OptionKind {
+  const char* name;                    // without the dash
+  KnownTo known_to;                    // two programs may each have an option of the same name
+  std::vector<const char*> aliases;    // understood everywhere, shown nowhere
+  std::vector<const char*> arguments;  // their names
+  OptionValue value;
+  const char* unit;   // may be empty
+  const char* topic;  // the heading in the help
+  const char* help;   // one line
+};
+
+/// Every option of the program, by topic.
+std::span<const OptionKind> OptionTable(Program program);
+/// By name or alias, without dashes; null when the program has none.
+const OptionKind* FindOption(Program program, const std::string& name);
+/// The headings of the help, in order.
+std::vector<std::string> OptionTopics(Program program);
+
+/// Stores what was typed behind an option, as many words as it takes arguments (none or one where that is open).
+/// Throws UsageError that names option, value and range.
+void Store(const OptionKind& option, std::span<const std::string> words, Options& options);
+
+/// How many words must and may follow the option.
+std::size_t FewestArguments(const OptionKind& option);
+std::size_t MostArguments(const OptionKind& option);
+bool MayBeRepeated(const OptionKind& option);
+
+/// The value in force, as it would be typed; empty when there is none.
+std::string Show(const OptionKind& option, const Options& options);
+/// The words that lead from the defaults to the value in force: "-motion", "0", "1", "0"; none when they are the same.
+std::vector<std::string> Typed(const OptionKind& option, const Options& options, const Options& defaults);
+/// What may be typed: "1..1073741824 pixels", "on or off"; empty when anything may, or nothing.
+std::string Range(const OptionKind& option);
+/// The words an argument can be, for completion; empty when they are not a short list.
+std::vector<std::string> Choices(const OptionKind& option);
+/// "-crop x0 y0 x1 y1"
+std::string Synopsis(const OptionKind& option);
+/// Whether it chooses how a picture is made, rather than what the program does.
+bool IsSetting(const OptionKind& option);
+
+}  // namespace ray

@@ -1,0 +1,275 @@
+// What each kind of option takes: how it is read, shown and described.
+#include <algorithm>
+#include <charconv>
+#include <limits>
+#include <sstream>
+#include <type_traits>
+#include <utility>
+
+#include "source/app/Status.h"
+#include "source/app/options/OptionTable.h"
+#include "source/text/Number.h"
+#include "source/text/Quoting.h"
+#include "source/text/Words.h"
+
+namespace ray {
+namespace {
+
+/// One function a kind of option, put together for std::visit.
+template <class... Lambda>
+struct Overloaded : Lambda... {
+  using Lambda::operator()...;
+};
+template <class... Lambda>
+Overloaded(Lambda...) -> Overloaded<Lambda...>;
+
+std::vector<std::string> ToTexts(const std::vector<int>& numbers) {
+  std::vector<std::string> texts;
+  for (const int number : numbers) texts.push_back(ToText(number));
+  return texts;
+}
+
+template <class T>
+std::string Interval(const Number<T>& number) {
+  // No one needs the largest double spelled out; the largest integers are where counting ends.
+  if constexpr (std::is_floating_point_v<T>)
+    if (number.high == std::numeric_limits<T>::max()) return "a number, at least " + ToText(number.low);
+  return (std::is_floating_point_v<T> ? "a number, " : "a whole number, ") + ToText(number.low) + " to " +
+         ToText(number.high);
+}
+
+[[noreturn]] void Refuse(const OptionKind& option, const std::string& word) {
+  throw UsageError("-" + std::string(option.name) + " must be " + Range(option) + ", got " + Quoted(word));
+}
+
+/// The whole word as a number of the type, or nothing.
+template <class T>
+std::optional<T> Read(const std::string& word) {
+  const auto whole = ParseWhole(word);
+  if (whole.problem || !std::in_range<T>(whole.value)) return {};
+  return static_cast<T>(whole.value);
+}
+
+template <>
+std::optional<double> Read<double>(const std::string& word) {
+  const auto number = ParseNumber(word);
+  return number.problem ? std::nullopt : std::optional(number.value);
+}
+
+template <>
+std::optional<std::uint64_t> Read<std::uint64_t>(const std::string& word) {
+  const char* const first = word.data() + (word.starts_with('+') ? 1 : 0);
+  const char* const end = word.data() + word.size();
+  std::uint64_t value = 0;
+  const auto [stop, error] = std::from_chars(first, end, value);
+  if (stop != end || error != std::errc()) return {};
+  return value;
+}
+
+template <class T>
+T ReadOrRefuse(const OptionKind& option, const std::string& word) {
+  if (const auto value = Read<T>(word)) return *value;
+  Refuse(option, word);
+}
+
+template <class T>
+void StoreNumber(const OptionKind& option, const Number<T>& number, const std::string& word, Options& options) {
+  const T value = ReadOrRefuse<T>(option, word);
+  if (!(value >= number.low && value <= number.high)) Refuse(option, word);
+  number.member.write(options) = value;
+}
+
+/// The word, if it is one of the choices; otherwise an error that names them, or the one that was meant.
+const std::string& Choose(const OptionKind& option, const std::string& word, const std::vector<std::string>& choices) {
+  if (std::ranges::find(choices, word) != choices.end()) return word;
+  throw UsageError("-" + std::string(option.name) + " must be " + OneOf(choices) + ", got " + Quoted(word) +
+                   DidYouMean(word, choices));
+}
+
+PixelRectangle ReadRectangle(const OptionKind& option, std::span<const std::string> words) {
+  return {ReadOrRefuse<int>(option, words[0]), ReadOrRefuse<int>(option, words[1]), ReadOrRefuse<int>(option, words[2]),
+          ReadOrRefuse<int>(option, words[3])};
+}
+
+void StoreRequest(const OptionKind& option, const Request& request, std::span<const std::string> words,
+                  Options& options) {
+  options.task = request.task;
+  if (words.empty()) return;
+  // -help also takes the name of an option.
+  const bool is_option = request.task == Task::help && FindOption(options.program, WithoutDashes(words[0]));
+  options.subject = is_option || !request.subjects ? words[0] : Choose(option, words[0], request.subjects());
+}
+
+void StorePixel(const OptionKind& option, const PixelRequest& request, std::span<const std::string> words,
+                Options& options) {
+  options.task = request.task;
+  request.member.write(options) = {ReadOrRefuse<int>(option, words[0]), ReadOrRefuse<int>(option, words[1])};
+}
+
+}  // namespace
+
+void Store(const OptionKind& option, std::span<const std::string> words, Options& options) {
+  std::visit(Overloaded{
+                 [&]<class T>(const Number<T>& number) { StoreNumber(option, number, words[0], options); },
+                 [&](const Flag& flag) { flag.member.write(options) = true; },
+                 [&](const OnOff& on_off) {
+                   on_off.member.write(options) = Choose(option, words[0], {"on", "off"}) == "on";
+                 },
+                 [&](const OneNumberOf& one) {
+                   const int value = ReadOrRefuse<int>(option, words[0]);
+                   if (std::ranges::find(one.choices, value) == one.choices.end()) Refuse(option, words[0]);
+                   one.member.write(options) = value;
+                 },
+                 [&](const OneNameOf& one) {
+                   const auto choices = one.choices();
+                   const auto place = one.by_number ? Read<int>(words[0]) : std::nullopt;
+                   const bool is_place = place && *place >= 0 && *place < static_cast<int>(choices.size());
+                   one.member.write(options) =
+                       is_place ? choices[static_cast<std::size_t>(*place)] : Choose(option, words[0], choices);
+                 },
+                 [&]<class T>(const Word<T>& word) {
+                   const auto value = word.read(words[0]);
+                   if (!value) Refuse(option, words[0]);
+                   word.member.write(options) = *value;
+                 },
+                 [&](const Triple& triple) {
+                   triple.member.write(options) = {ReadOrRefuse<double>(option, words[0]),
+                                                   ReadOrRefuse<double>(option, words[1]),
+                                                   ReadOrRefuse<double>(option, words[2])};
+                 },
+                 [&](const FileList& files) {
+                   const std::string& names = words[0];
+                   const std::size_t comma = names.find(',');
+                   if (names.empty() || comma == 0 || comma + 1 == names.size()) Refuse(option, names);
+                   auto& list = files.member.write(options);
+                   list = {names.substr(0, comma)};
+                   if (comma != std::string::npos) list.push_back(names.substr(comma + 1));
+                 },
+                 [&](const FileName& file) {
+                   if (words[0].empty()) Refuse(option, words[0]);
+                   file.member.write(options) = words[0];
+                 },
+                 [&](const FolderList& list) {
+                   if (words[0].empty()) Refuse(option, words[0]);
+                   list.member.write(options).emplace_back(words[0]);
+                 },
+                 [&](const Rectangle& rectangle) { rectangle.member.write(options) = ReadRectangle(option, words); },
+                 [&](const PixelRequest& request) { StorePixel(option, request, words, options); },
+                 [&](const Request& request) { StoreRequest(option, request, words, options); },
+             },
+             option.value);
+}
+
+std::size_t MostArguments(const OptionKind& option) { return option.arguments.size(); }
+
+std::size_t FewestArguments(const OptionKind& option) {
+  const auto* request = std::get_if<Request>(&option.value);
+  return request && request->takes_subject == Request::perhaps ? 0 : option.arguments.size();
+}
+
+bool MayBeRepeated(const OptionKind& option) { return std::holds_alternative<FolderList>(option.value); }
+
+bool IsSetting(const OptionKind& option) {
+  return !std::holds_alternative<Request>(option.value) && !std::holds_alternative<PixelRequest>(option.value);
+}
+
+std::string Show(const OptionKind& option, const Options& options) {
+  return std::visit(Overloaded{
+                        [&]<class T>(const Number<T>& number) { return ToText(number.member.read(options)); },
+                        [&](const Flag& flag) { return std::string(flag.member.read(options) ? "on" : ""); },
+                        [&](const OnOff& on_off) { return std::string(on_off.member.read(options) ? "on" : "off"); },
+                        [&](const OneNumberOf& one) { return ToText(one.member.read(options)); },
+                        [&](const OneNameOf& one) { return one.member.read(options); },
+                        [&](const FileName& file) { return file.member.read(options); },
+                        [&]<class T>(const Word<T>& word) { return word.show(word.member.read(options)); },
+                        [&](const Triple& triple) {
+                          const R3::Vector& v = triple.member.read(options);
+                          return ToText(v.x) + " " + ToText(v.y) + " " + ToText(v.z);
+                        },
+                        [&](const FileList& files) {
+                          const auto& list = files.member.read(options);
+                          return list.empty() ? std::string() : list.size() == 1 ? list[0] : list[0] + "," + list[1];
+                        },
+                        [&](const FolderList& list) {
+                          std::string text;
+                          for (const auto& folder : list.member.read(options))
+                            text += (text.empty() ? "" : " ") + folder.string();
+                          return text;
+                        },
+                        [&](const Rectangle& rectangle) {
+                          const auto& crop = rectangle.member.read(options);
+                          if (!crop) return std::string();
+                          return ToText(crop->x0) + " " + ToText(crop->y0) + " " + ToText(crop->x1) + " " +
+                                 ToText(crop->y1);
+                        },
+                        [&](const PixelRequest&) { return std::string(); },
+                        [&](const Request&) { return std::string(); },
+                    },
+                    option.value);
+}
+
+std::vector<std::string> Typed(const OptionKind& option, const Options& options, const Options& defaults) {
+  const std::string name = "-" + std::string(option.name), value = Show(option, options);
+  if (value.empty() || value == Show(option, defaults)) return {};
+  if (std::holds_alternative<Flag>(option.value)) return {name};
+  std::vector<std::string> words;
+  if (const auto* list = std::get_if<FolderList>(&option.value)) {
+    for (const auto& folder : list->member.read(options)) words.push_back(name + "=" + folder.string());
+    return words;
+  }
+  // Only "=" lets a value begin like an option.
+  if (MostArguments(option) == 1 && LooksLikeOption(value)) return {name + "=" + value};
+  words.push_back(name);
+  if (MostArguments(option) == 1) {
+    words.push_back(value);
+    return words;
+  }
+  std::istringstream parts(value);
+  for (std::string part; parts >> part;) words.push_back(part);
+  return words;
+}
+
+std::vector<std::string> Choices(const OptionKind& option) {
+  return std::visit(
+      Overloaded{
+          [](const OnOff&) {
+            return std::vector<std::string>{"on", "off"};
+          },
+          [](const OneNumberOf& one) { return ToTexts(one.choices); },
+          [](const OneNameOf& one) { return one.choices(); },
+          [](const Request& request) { return request.subjects ? request.subjects() : std::vector<std::string>{}; },
+          [](const auto&) { return std::vector<std::string>{}; },
+      },
+      option.value);
+}
+
+std::string Range(const OptionKind& option) {
+  const std::string unit = *option.unit ? " " + std::string(option.unit) : "";
+  return std::visit(
+      Overloaded{
+          [&]<class T>(const Number<T>& number) { return Interval(number) + unit; },
+          [&](const Rectangle&) { return std::string("whole numbers with x0 < x1 and y0 < y1, inside the picture"); },
+          [&](const PixelRequest&) { return std::string("whole numbers, a column and a row of the picture from 0"); },
+          [&](const FileName&) { return std::string("the name of a file"); },
+          [&]<class T>(const Word<T>& word) { return std::string(word.range) + unit; },
+          [&](const Triple&) { return "three numbers" + unit; },
+          [&](const FileList&) { return std::string("the name of a file, or two with a comma between"); },
+          [&](const FolderList&) { return std::string("the name of a folder"); },
+          [&](const Flag&) { return std::string(); },
+          [&](const OneNameOf& one) {
+            return OneOf(Choices(option)) + (one.by_number ? ", or its number from 0" : "") + unit;
+          },
+          [&](const auto&) { return OneOf(Choices(option)) + unit; },
+      },
+      option.value);
+}
+
+std::string Synopsis(const OptionKind& option) {
+  std::string text = "-" + std::string(option.name);
+  const bool is_optional = FewestArguments(option) < MostArguments(option);
+  for (const char* argument : option.arguments)
+    text += is_optional ? " [" + std::string(argument) + "]" : " " + std::string(argument);
+  return text;
+}
+
+}  // namespace ray

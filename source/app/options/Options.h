@@ -1,0 +1,65 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "R2/ImageFile.h"
+#include "source/accelerate/AcceleratorSettings.h"
+#include "source/app/options/Program.h"
+#include "source/parse/Parse.h"
+#include "source/render/Render.h"
+
+namespace ray {
+
+/// What the program is asked to do; `render` is what raypro is for, `view` what rayview is for.
+enum class Task { render, view, check, debug_pixel, info, help, version, list, complete, manual };
+
+/// A place in a picture.
+struct Pixel {
+  int x = 0, y = 0;  // column from the left, row from the bottom
+};
+
+/// What only rayview is asked. Names of files are as typed; empty for none.
+struct ViewOptions {
+  std::string output_image;  // gets what the window shows when the program ends
+  bool exit_immediately = false;
+  bool headless = false;
+  std::string context = "auto";  // what headless draws with, one of context_names
+  std::string events;            // a script; "-" is standard input
+  std::string screenshot;        // gets the drawing after the last event
+  std::string record;            // gets what happens, as a script
+  std::string reference;         // picture to compare with
+};
+inline constexpr std::array context_names{"auto", "egl", "osmesa"};
+
+/// Everything the command line decides. Ranges, units and help are in the option table; the defaults are here.
+struct Options {
+  Program program = Program::raypro;
+  std::string scene, picture;  // as typed; empty where the task needs none, or where rayview is to choose a name
+
+  RenderSettings render;
+  AcceleratorSettings accelerator;
+  ParseOptions parse;
+  R2::ImageEncoding encoding;
+  ViewOptions view;
+
+  bool quiet = false, verbose = false, stats = false, explain = false;
+  std::string report;  // file name; empty for no report
+
+  std::string quality = "custom";      // a row of the presets, or none of them
+  std::vector<std::string> reference;  // at most two files
+  std::vector<std::string> layers;     // of layer_names, beside the picture
+  double checkpoint = 0;               // seconds between two; 0: only when a signal ends the run
+  bool resume = false;
+  std::string replay;  // file name of a report; empty for none
+
+  Task task = Task::render;
+  std::string subject;         // of help, list, complete, info and manual
+  std::optional<Pixel> pixel;  // of debug_pixel
+};
+
+/// What a program does unless told otherwise.
+Options Defaults(Program program);
+
+}  // namespace ray

@@ -1,0 +1,36 @@
+#include "source/app/options/Preset.h"
+
+#include <algorithm>
+
+#include "source/app/options/OptionTable.h"
+
+namespace ray {
+
+std::span<const Preset> Presets() {
+  static const std::vector<Preset> table{
+      {"draft", "a first look", {{"samples", "4"}, {"max_depth", "2"}, {"shadow_samples", "1"}}},
+      {"preview", "noise that is easy to see past", {{"error", "4"}, {"shadow_samples", "1"}}},
+      {"final", "noise that is hard to see", {{"error", "1"}, {"shadow_samples", "1"}, {"max_depth", "6"}}},
+      {"reference",
+       "to compare others with; nothing cut off",
+       {{"error", "0.25"}, {"shadow_samples", "1"}, {"max_depth", "100"}, {"min_luminance", "0"}}},
+  };
+  return table;
+}
+
+std::vector<std::string> PresetNames() {
+  std::vector<std::string> names{"custom"};
+  for (const Preset& preset : Presets()) names.emplace_back(preset.name);
+  return names;
+}
+
+void ApplyPreset(Options& options, const std::vector<std::string>& given) {
+  for (const Preset& preset : Presets()) {
+    if (preset.name != options.quality) continue;
+    for (const auto& [name, value] : preset.settings)
+      if (std::find(given.begin(), given.end(), name) == given.end())
+        Store(*FindOption(options.program, name), std::vector<std::string>{value}, options);
+  }
+}
+
+}  // namespace ray

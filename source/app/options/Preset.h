@@ -1,0 +1,26 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "source/app/options/Options.h"
+
+namespace ray {
+
+/// A named setting of the knobs that trade speed for accuracy. All values are as they would be typed behind options.
+struct Preset {
+  const char* name;
+  const char* about;
+  std::vector<std::pair<const char*, const char*>> settings;  // option, value
+};
+
+/// The presets, from fast to right.
+std::span<const Preset> Presets();
+/// "custom", which sets nothing, and the presets.
+std::vector<std::string> PresetNames();
+
+/// Applies the preset that options.quality names, except for options in `given`.
+void ApplyPreset(Options& options, const std::vector<std::string>& given);
+
+}  // namespace ray

@@ -1,0 +1,123 @@
+#include "source/app/options/SceneManual.h"
+
+#include <utility>
+
+#include "R2/ImageFile.h"
+#include "R3/Shape.h"
+#include "source/app/options/Manual.h"
+#include "source/parse/meshes/MeshFormat.h"
+#include "source/parse/scn/Command.h"
+#include "source/scene/Light.h"
+
+namespace ray {
+namespace {
+
+/// Paragraphs, one a line of the text.
+std::string Paragraphs(const std::string& text) {
+  std::string roff;
+  for (const char c : Roff(text)) roff += c == '\n' ? std::string("\n.PP\n") : std::string(1, c);
+  const std::string after_last = ".PP\n";
+  return roff.substr(0, roff.size() - after_last.size());
+}
+
+enum class Family { statement, shape, light };
+
+Family FamilyOf(const Command& command) {
+  if (R3::FindShapeKind(command.name)) return Family::shape;
+  return FindLightKind(command.name) ? Family::light : Family::statement;
+}
+
+std::string Entries(Family family) {
+  std::string text;
+  for (const Command& command : Commands())
+    if (FamilyOf(command) == family) text += ".TP\n.B " + Roff(command.usage) + "\n" + Roff(command.about) + ".\n";
+  return text;
+}
+
+std::string ImageExtensions() {
+  std::string text;
+  for (const R2::ImageFormat& format : R2::ImageFormats())
+    for (const char* extension : format.extensions) text += (text.empty() ? "." : ", .") + std::string(extension);
+  return text;
+}
+
+constexpr const char* lexical =
+    "A file is a row of words with white space between them; line ends mean nothing. A statement is a command and as "
+    "many numbers and names as it takes.\n"
+    "A word that begins with # starts a comment, which goes on to the end of the line.\n"
+    "Commands are in lower case. Numbers are decimal, such as 2, -.5, +20 or 1e-3; angles are in radians. Colours are "
+    "three numbers, red, green and blue, that may exceed 1. Names of files hold no white space.\n"
+    "The order of statements is free but that a material stands before its first use. Of several cameras, backgrounds, "
+    "ambients or environments the last one counts.\n";
+
+constexpr const char* placing =
+    "A matrix is of 16 numbers, row by row, and moves points written as columns: the fourth number of each row is a "
+    "shift. Its last row is 0 0 0 1. Groups may hold groups; what is inside is placed by the inner matrix first.\n"
+    "Cameras, lights and what surrounds the scene are never moved by a group.\n"
+    "The camera's view is a direction, not a place to look at. Its angle is half of the horizontal view; the height of "
+    "the picture decides the vertical one.\n"
+    "A light's direction is the way the light travels. Its attenuation ca la qa divides it by ca + la d + qa d^2 at a "
+    "distance d. Of the two numbers behind a spot_light the cut-off angle is the first, the exponent the second.\n"
+    "Without any camera the scene is looked at along -z from three times the radius of its box; without any light two "
+    "dir_light shine, of colour 1 along -3 -4 -5 and of colour .5 along 3 2 3. A black light keeps them away.\n";
+
+constexpr std::pair<const char*, const char*> material_words[] = {
+    {"ka", "Weight of the ambient light, added once."},
+    {"kd", "Diffuse weight, multiplied by the cosine and by the texture, where there is one."},
+    {"ks", "Weight of the highlights of lights and of the mirrored ray."},
+    {"kt", "Weight of what is seen through the surface, at each surface crossed."},
+    {"e", "Emission: always added. A triangle that emits is a lamp as well."},
+    {"n", "Phong's exponent of the highlight, at least 0."},
+    {"ir", "Index of refraction against 1 outside; 0 means 1."},
+    {"texture", "The name of a picture, or 0 for none."},
+};
+
+constexpr const char* about_ids =
+    "Materials are numbered from 0 as they appear, anew in each file. Any negative mat_id inherits that of the group "
+    "around; at the top level of a file, an included one too, it means a gray: ka .2, kd .5, ks .5, n 10.\n"
+    "kd (N.L) + ks (V.R)^n of each light that is not in shadow is added, with neither 1/pi nor a norm; then ks times "
+    "what the mirrored ray sees and kt times what the refracted ray sees.\n";
+
+constexpr const char* about_files =
+    "Files that a scene names are looked for in the folder of the file that names them, then in the current folder, "
+    "and must lie below the top scene's folder or the current one, unless -allow_path opens another.\n";
+
+constexpr std::pair<const char*, const char*> extensions[] = {
+    {"mesh id file smooth", "Without the word smooth a mesh is flat, as in the course."},
+    {"absorb, bump", "Of a material of the same file, stated before."},
+    {"motion", "Between begin and end."},
+    {"environment", "A latitude-longitude picture, an angular probe or a cross; -env takes its place."},
+    {"sphere_light", "A lamp with a size, not itself seen; from afar a point_light of that colour."},
+};
+
+constexpr const char* example =
+    "# A red ball on a gray floor.\n"
+    "camera       0 2 6   0 -.3 -1   0 1 0   .4   .01 100\n"
+    "background   .5 .6 .8\n"
+    "point_light  1 1 1   4 6 5   1 0 0\n"
+    "material     0 0 0  .6 .6 .6  0 0 0     0 0 0  0 0 0  1 1 0    # 0\n"
+    "material     0 0 0  .8 .1 .1  .2 .2 .2  0 0 0  0 0 0  40 1 0   # 1\n"
+    "box 0   -4 -.2 -4  4 0 4\n"
+    "begin 1   1 0 0 0   0 1 0 1   0 0 1 0   0 0 0 1\n"
+    "  sphere -1   0 0 0 1\n"
+    "end\n";
+
+}  // namespace
+
+std::string SceneManualPage() {
+  return ".TH SCN 5 \"\" \"raypro " RAYPRO_VERSION
+         "\" \"File Formats\"\n"
+         ".SH NAME\nscn \\- scenes of the COS426 course, as raypro and rayview read them\n"
+         ".SH DESCRIPTION\n" +
+         Paragraphs(lexical) + ".SH COMMANDS\n" + Entries(Family::statement) + ".SS shapes\n" + Entries(Family::shape) +
+         ".SS lights\n" + Entries(Family::light) + ".SH PLACES AND DIRECTIONS\n" + Paragraphs(placing) +
+         ".SH MATERIALS\n" + Tagged(material_words) + ".PP\n" + Paragraphs(about_ids) + ".SH FILES\n" +
+         Paragraphs(about_files) + ".TP\n.B meshes\n" + Roff(MeshExtensions()) + "\n.TP\n.B pictures\n" +
+         Roff(ImageExtensions()) +
+         "\n.SH EXTENSIONS\nWhat the course's language lacks is stated in words of its own:\n" + Tagged(extensions) +
+         ".SH MISTAKES\n" +
+         Roff("Each is reported with file, line and column; raypro -check looks for them without rendering.\n") +
+         ".SH EXAMPLE\n.nf\n" + Roff(example) + ".fi\n.SH SEE ALSO\n.BR raypro (1),\n.BR rayview (1)\n";
+}
+
+}  // namespace ray

@@ -1,0 +1,120 @@
+#include "source/app/report/Check.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+
+#include "source/text/Quoting.h"
+#include "source/text/Words.h"
+
+namespace ray {
+namespace {
+
+std::string PlaceOf(const World& world, const Instance& instance) {
+  const Scene& scene = world.scene();
+  const Location& location = instance.node->location;
+  if (location.line == 0 || location.file >= scene.files.size()) return "scene";
+  return Place(scene.files[location.file], location.line, location.column);
+}
+
+// A shape's own transform is the identity, so its node's box is the shape's, in the frame of the instance.
+R3::Box WorldBounds(const World& world, const Instance& instance) {
+  const R3::Box& local = instance.node->bounds;
+  return local.IsEmpty() ? local : world.Frames()[instance.frame] * local;
+}
+
+// Rational directions meet edges and vertices of what people model; these do not.
+const std::array<R3::Vector, 3> odd_directions{R3::Vector{0.5772156649, 0.6931471806, 0.4342944819},
+                                               R3::Vector{-0.3678794412, 0.8346268417, 0.2614972128},
+                                               R3::Vector{0.1234987610, -0.4812118251, 0.9159655942}};
+
+int Crossings(const R3::Shape& shape, const R3::Ray& ray) {
+  int crossings = 0;
+  for (int element = 0; element < shape.Elements(); ++element) {
+    R3::Ray rest = ray;  // behind the last crossing
+    while (const auto hit = shape.Intersect(rest, element)) {
+      rest.t_min = hit->t;
+      ++crossings;
+    }
+  }
+  return crossings;
+}
+
+bool IsInside(const World& world, const Instance& instance, const R3::Point& point) {
+  const auto is_odd = [&](const R3::Vector& direction) {
+    const R3::Ray local = world.Frames()[instance.frame].Back(R3::Ray{point, direction});
+    return Crossings(*instance.shape, local) % 2 == 1;
+  };
+  const std::size_t rays = instance.shape->IsSolid() ? 1 : odd_directions.size();
+  return std::all_of(odd_directions.begin(), odd_directions.begin() + static_cast<std::ptrdiff_t>(rays), is_odd);
+}
+
+/// Planes through the eye; a box that lies on the outer side of one of them is not seen.
+std::vector<R3::Vector> InwardSides(const Camera& camera, const RenderSettings& settings) {
+  const double x = std::tan(camera.xfov), y = x * settings.height / settings.width;
+  return {camera.towards, x * camera.towards - camera.right, x * camera.towards + camera.right,
+          y * camera.towards - camera.up, y * camera.towards + camera.up};
+}
+
+bool IsOutside(const R3::Box& box, const R3::Point& eye, const R3::Vector& inward) {
+  for (int i = 0; i < 8; ++i)
+    if (Dot(box.Corner(i) - eye, inward) >= 0) return false;
+  return true;
+}
+
+/// One line for all instances that have the fault, with the place of the first.
+void Point(std::vector<std::string>& mistakes, const World& world, const std::string& fault,
+           const std::function<bool(const Instance&)>& has_fault) {
+  const Instance* first = nullptr;
+  std::uint64_t count = 0;
+  for (const Instance& instance : world.Instances()) {
+    if (!has_fault(instance)) continue;
+    if (!first) first = &instance;
+    ++count;
+  }
+  if (!first) return;
+  mistakes.push_back(PlaceOf(world, *first) + ": warning: this shape " + fault +
+                     (count > 1 ? ", and so do " + std::to_string(count - 1) + " more" : ""));
+}
+
+bool ShinesItself(const World& world) {
+  return std::ranges::any_of(world.Instances(), [](const Instance& i) { return !IsBlack(i.material->emission); });
+}
+
+}  // namespace
+
+int SolidsAround(const World& world, const R3::Point& point) {
+  return static_cast<int>(std::ranges::count_if(world.Instances(), [&](const Instance& instance) {
+    return WorldBounds(world, instance).Contains(point) && IsInside(world, instance, point);
+  }));
+}
+
+std::vector<std::string> LikelyMistakes(const World& world, const RenderSettings& settings) {
+  const Scene& scene = world.scene();
+  const std::string file = scene.files.empty() ? "scene" : Escaped(scene.files[0]);
+  std::vector<std::string> mistakes;
+
+  if (world.Instances().empty()) mistakes.push_back(file + ": warning: nothing in the scene can be seen");
+  if (std::ranges::all_of(scene.lights, [](const auto& light) { return light->IsBlack(); }) && !ShinesItself(world))
+    mistakes.push_back(file + ": warning: no light shines" +
+                       (scene.lights.empty() ? "" : "; every light of the scene is black"));
+  if (const int solids = SolidsAround(world, scene.camera.eye); solids > 0)
+    mistakes.push_back(file + ": warning: the camera is inside " +
+                       Counted(static_cast<std::uint64_t>(solids), "shape"));
+
+  Point(mistakes, world, "has no extent, nothing can hit it",
+        [](const Instance& i) { return i.shape->IsDegenerate(); });
+  Point(mistakes, world, "has a texture but no texture coordinates",
+        [](const Instance& i) { return i.material->texture && !i.shape->HasTextureCoordinates(); });
+
+  const auto inward = InwardSides(scene.camera, settings);
+  Point(mistakes, world, "lies outside the view", [&](const Instance& i) {
+    const R3::Box box = WorldBounds(world, i);
+    return !box.IsEmpty() &&
+           std::ranges::any_of(inward, [&](const R3::Vector& side) { return IsOutside(box, scene.camera.eye, side); });
+  });
+  return mistakes;
+}
+
+}  // namespace ray

@@ -1,0 +1,18 @@
+#include "source/app/report/Messages.h"
+
+#include <unistd.h>
+
+namespace ray {
+
+void TellPart(const std::string& text) {
+  [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, text.data(), text.size());
+}
+
+// One write a line: lines of several processes do not mix.
+void PrintError(const std::string& line) { TellPart(line + "\n"); }
+
+void TellAll(std::span<const std::string> lines) {
+  for (const std::string& line : lines) PrintError(line);
+}
+
+}  // namespace ray

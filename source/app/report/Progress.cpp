@@ -1,0 +1,87 @@
+#include "source/app/report/Progress.h"
+
+#include <unistd.h>
+
+#include <cmath>
+#include <cstdlib>
+
+#include "source/app/report/Messages.h"
+#include "source/text/Words.h"
+
+namespace ray {
+namespace {
+
+constexpr const char* to_line_start_and_clear = "\r\033[K";
+
+bool IsSet(const char* variable) {
+  const char* value = std::getenv(variable);
+  return value && *value;
+}
+
+bool IsDumbTerminal() {
+  const char* terminal = std::getenv("TERM");
+  return !terminal || !*terminal || std::string(terminal) == "dumb";
+}
+
+std::string Bold(const std::string& text) { return IsSet("NO_COLOR") ? text : "\033[1m" + text + "\033[0m"; }
+
+std::string TwoDigits(std::int64_t n) { return (n < 10 ? "0" : "") + std::to_string(n); }
+
+}  // namespace
+
+ProgressStyle ChooseProgressStyle(bool quiet) {
+  if (quiet) return ProgressStyle::none;
+  return isatty(STDERR_FILENO) && !IsDumbTerminal() ? ProgressStyle::terminal : ProgressStyle::log;
+}
+
+std::string DurationText(double seconds) {
+  constexpr double longest = 3600.0 * 24 * 365 * 1000;  // and no render will be waited for longer
+  if (!(seconds < longest)) return "ages";
+  const auto whole = static_cast<std::int64_t>(std::ceil(seconds));
+  const std::int64_t hours = whole / 3600, minutes = whole / 60 % 60;
+  return (hours > 0 ? std::to_string(hours) + ":" + TwoDigits(minutes) : std::to_string(minutes)) + ":" +
+         TwoDigits(whole % 60);
+}
+
+std::string ProgressText(const RenderProgress& progress, double seconds) {
+  const auto done = static_cast<double>(progress.done), total = static_cast<double>(progress.total);
+  const std::string percent = std::to_string(progress.done * 100 / progress.total) + " %";
+  const double left = seconds * (total - done) / done;
+  const double million_rays = static_cast<double>(progress.rays) * 1e-6;
+  return std::string(5 - std::min<std::size_t>(5, percent.size()), ' ') + percent +
+         (progress.done > 0 ? "  " + DurationText(left) + " left" : "") +
+         (seconds > 0 ? "  " + Fixed(million_rays / seconds, 1) + " Mrays/s" : "");
+}
+
+Progress::Progress(ProgressStyle style) : style_(style) {}
+
+Progress::~Progress() {
+  if (has_line_) TellPart(to_line_start_and_clear);
+}
+
+bool Progress::IsDue(const RenderProgress& progress) const {
+  using namespace std::chrono_literals;
+  const auto pause = Clock::now() - last_;
+  switch (style_) {
+    case ProgressStyle::none:
+      return false;
+    case ProgressStyle::terminal:
+      return pause >= 100ms;
+    case ProgressStyle::log:
+      return pause >= 5s && progress.done * 10 / progress.total > tenths_told_;
+  }
+  return false;
+}
+
+void Progress::Update(const RenderProgress& progress) {
+  if (!IsDue(progress)) return;
+  last_ = Clock::now();
+  tenths_told_ = progress.done * 10 / progress.total;
+  const std::string text = ProgressText(progress, std::chrono::duration<double>(last_ - start_).count());
+  if (style_ == ProgressStyle::log) return PrintError(text);
+  has_line_ = true;
+  constexpr std::size_t percent_letters = 5;
+  TellPart(to_line_start_and_clear + Bold(text.substr(0, percent_letters)) + text.substr(percent_letters));
+}
+
+}  // namespace ray

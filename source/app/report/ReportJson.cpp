@@ -1,0 +1,163 @@
+#include "source/app/report/ReportJson.h"
+
+#include <algorithm>
+#include <functional>
+#include <nlohmann/json.hpp>
+
+#include "source/app/options/OptionTable.h"
+
+namespace ray {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// The value of an option, as JSON.
+struct ValueIn {
+  const Options& options;
+
+  template <class Plain>
+  Json operator()(const Plain& plain) const {
+    return plain.member.read(options);
+  }
+  Json operator()(const FolderList& list) const {
+    Json folders = Json::array();
+    for (const auto& folder : list.member.read(options)) folders.push_back(folder.string());
+    return folders;
+  }
+  Json operator()(const Rectangle& rectangle) const {
+    const auto& crop = rectangle.member.read(options);
+    return crop ? Json{crop->x0, crop->y0, crop->x1, crop->y1} : Json();
+  }
+  Json operator()(const Triple& triple) const {
+    const R3::Vector& v = triple.member.read(options);
+    return {v.x, v.y, v.z};
+  }
+  template <class T>
+  Json operator()(const Word<T>& word) const {
+    return word.show(word.member.read(options));
+  }
+  Json operator()(const PixelRequest&) const { return {}; }
+  Json operator()(const Request&) const { return {}; }
+};
+
+}  // namespace
+
+nlohmann::ordered_json SettingsJson(const Options& options) {
+  Json settings;
+  for (const OptionKind& option : OptionTable(options.program))
+    if (IsSetting(option)) settings[option.name] = std::visit(ValueIn{options}, option.value);
+  return settings;
+}
+
+namespace {
+
+Json CostJson(const Counts& cost) {
+  return {{"node_visits", cost.node_visits},
+          {"box_tests", cost.box_tests},
+          {"primitive_tests", cost.primitive_tests},
+          {"hits", cost.hits},
+          {"cache_tests", cost.cache_tests},
+          {"cache_hits", cost.cache_hits},
+          {"bad_rays", cost.bad_rays}};
+}
+
+Json Rays(const RayCounts& rays) {
+  Json json, costs;
+  for (std::size_t i = 0; i < ray_kind_names.size(); ++i) {
+    json[ray_kind_names[i]] = rays.kinds[i].rays;
+    costs[ray_kind_names[i]] = CostJson(rays.kinds[i].cost);
+  }
+  json["cut"] = rays.cut;
+  json["total"] = rays.Total();
+  json["costs"] = costs;
+  return json;
+}
+
+Json ErrorJson(const ErrorEstimate& e, bool two_streams, const std::optional<double>& true_error) {
+  const PixelRectangle& w = e.worst_block_at;
+  Json json = {{"estimate", e.estimate},
+               {"low", e.low},
+               {"high", e.high},
+               {"unit", ErrorUnitName(e.unit)},
+               {"method", two_streams ? "two streams" : "halves"},
+               {"worst_block", {{"error", e.worst_block}, {"at", {w.x0, w.y0, w.x1, w.y1}}}},
+               {"hot_share", e.outlier_share}};
+  if (true_error) json["true_error"] = *true_error;
+  return json;
+}
+
+Json StopJson(const RunStats& record) {
+  const Budget& budget = record.options.render.budget;
+  Json json = {{"reason", record.stop}, {"confidence", budget.confidence}};
+  json["seconds"] = budget.seconds > 0 ? Json(budget.seconds) : Json();
+  json["error"] =
+      budget.error ? Json{{"target", budget.error->value}, {"unit", ErrorUnitName(budget.error->unit)}} : Json();
+  return json;
+}
+
+/// What -replay needs: how many samples each block took, or the one number of all.
+Json SamplesJson(const RunStats& record) {
+  Json json = {{"least", record.samples.least},
+               {"most", record.samples.most},
+               {"mean", record.samples.mean},
+               {"two_streams", record.two_streams},
+               {"laid_out_for", record.planned_samples}};
+  const auto& blocks = record.block_samples;
+  const bool are_alike = std::adjacent_find(blocks.begin(), blocks.end(), std::not_equal_to<>()) == blocks.end();
+  json["of_blocks"] = are_alike ? Json::array() : Json(blocks);
+  return json;
+}
+
+Json Passes(const RunStats& record) {
+  Json passes = Json::array();
+  for (const Pass& pass : record.passes) {
+    Json json = {{"end", pass.end}, {"samples", pass.samples}, {"seconds", pass.seconds}};
+    json["error"] = pass.error ? Json(pass.error->estimate) : Json();
+    passes.push_back(json);
+  }
+  return passes;
+}
+
+}  // namespace
+
+std::string ReportJson(const RunStats& record) {
+  const auto& [scene, rays, seconds] = std::tie(record.scene, record.rays, record.seconds);
+  const Json report = {
+      {"version", RAYPRO_VERSION},
+      {"command", record.command},
+      {"scene",
+       {{"file", record.options.scene},
+        {"hash", scene.hash},
+        {"nodes", scene.nodes},
+        {"instances", scene.instances},
+        {"primitives", scene.primitives},
+        {"lights", scene.lights}}},
+      {"settings", SettingsJson(record.options)},
+      {"rays", Rays(rays)},
+      {"counts", CostJson(rays.Cost())},
+      {"structure_bytes", record.structure_bytes},
+      {"seconds",
+       {{"load", seconds.load},
+        {"build", seconds.build},
+        {"render", seconds.render},
+        {"write", seconds.write},
+        {"wall", seconds.wall},
+        {"cpu", seconds.cpu}}},
+      {"peak_memory_bytes", record.peak_memory},
+      {"threads", record.threads},
+      {"pixels", {{"done", record.pixels_done}, {"total", record.pixels_total}}},
+      {"warnings", record.warnings},
+      {"stop", StopJson(record)},
+      {"features_required", record.needs},
+      {"kernel", record.kernel},
+      {"quality", record.options.quality},
+      {"biased", record.biased},
+      {"samples", SamplesJson(record)},
+      {"error", record.error ? ErrorJson(*record.error, record.two_streams, record.true_error) : Json()},
+      {"passes", Passes(record)},
+  };
+  // File names are bytes and need not be UTF-8, which JSON must be.
+  return report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace ray

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "source/app/report/RunStats.h"
+
+namespace ray {
+
+/// What -report writes, one JSON object:
+///
+///   | key                | value                                                                       |
+///   |--------------------|-----------------------------------------------------------------------------|
+///   | version            | of the program, "0.1.0"                                                     |
+///   | command            | as typed                                                                    |
+///   | scene              | file (as typed), hash (of the files it was read from), nodes, instances,    |
+///   |                    | primitives, lights                                                          |
+///   | settings           | every option in force by its name: numbers, true/false, names; crop is      |
+///   |                    | [x0, y0, x1, y1] or null, allow_path a list                                 |
+///   | rays               | camera, shadow, reflection, transmission, scattering, cut (wanted but over  |
+///   |                    | a camera ray's limit), total (all but cut), costs (the counts of each kind)    |
+///   | counts             | node_visits, box_tests, primitive_tests, hits, cache_tests, cache_hits,     |
+///   |                    | bad_rays                                                                    |
+///   | structure_bytes    | what the accelerator takes besides the scene                                |
+///   | seconds            | load, build, render, write (the picture), wall (from the program's start to |
+///   |                    | this report), cpu (all threads)                                             |
+///   | peak_memory_bytes  | the most the process ever held                                              |
+///   | threads            | how many worked                                                             |
+///   | pixels             | done, total                                                                 |
+///   | warnings           | the lines that went to standard error                                       |
+///   | stop               | reason ("samples", "time", "error", "SIGINT", "SIGTERM"), confidence,       |
+///   |                    | seconds and error (target, unit) asked for, or null                         |
+///   | features_required  | what the scene and the settings ask for, in words                           |
+///   | kernel             | what ran in the innermost loops                                             |
+///   | quality            | the preset, or "custom"                                                     |
+///   | biased             | settings in force that move the mean of the picture                         |
+///   | samples            | least, most, mean (a pixel), two_streams, planned_samples (how many strata     |
+///   |                    | and camera rays were told to expect), of_blocks (a pixel and stream of each |
+///   |                    | block of 8x8 pixels, in rows from the bottom; empty when all are alike)     |
+///   | error              | estimate, low, high, unit, method ("two streams": true on average;          |
+///   |                    | "halves": at most about), worst_block (error, at), outlier_share, and           |
+///   |                    | true_error beside a reference; null below two samples                       |
+///   | passes             | of each: end (samples a pixel and stream), samples (mean a pixel), seconds  |
+///   |                    | (since the first ray), error (or null): the render's own convergence        |
+std::string ReportJson(const RunStats& record);
+
+/// The part of it called settings.
+nlohmann::ordered_json SettingsJson(const Options& options);
+
+}  // namespace ray

@@ -1,0 +1,34 @@
+#include "source/app/report/Resources.h"
+
+#include <sys/resource.h>
+
+namespace ray {
+namespace {
+
+rusage Usage() {
+  rusage usage = {};
+  getrusage(RUSAGE_SELF, &usage);
+  return usage;
+}
+
+double Seconds(const timeval& time) {
+  return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+}
+
+}  // namespace
+
+double CpuSeconds() {
+  const rusage usage = Usage();
+  return Seconds(usage.ru_utime) + Seconds(usage.ru_stime);
+}
+
+std::int64_t PeakMemory() {
+#ifdef __APPLE__
+  constexpr std::int64_t unit = 1;
+#else
+  constexpr std::int64_t unit = 1024;
+#endif
+  return unit * Usage().ru_maxrss;
+}
+
+}  // namespace ray

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "source/accelerate/World.h"
+#include "source/app/report/Resources.h"
+#include "source/app/report/RunStats.h"
+
+namespace ray {
+
+/// Keeps account of a run while it goes on, and says on standard error what its user should know at once: warnings
+/// always, steps with -verbose.
+class RunLog {
+ public:
+  RunLog(const Options& options, std::span<const std::string> words);
+
+  void Loaded(const ParsedScene& parsed);
+  void Built(const World& world, const Accelerator& accelerator);
+  void Rendered(const RenderResult& result);
+  /// With what -reference names, in the unit of the estimated error.
+  void Compared(double true_error);
+  void Written();
+  /// The results, on standard output, unless -quiet.
+  void Summarize() const;
+
+  const RunStats& stats() const { return record_; }
+  double SecondsSoFar() const { return watch_.Total(); }
+
+ private:
+  void Warn(const std::string& line);
+  void TellStep(const std::string& step, double seconds) const;
+
+  Stopwatch watch_;
+  RunStats record_;
+};
+
+}  // namespace ray

@@ -1,0 +1,157 @@
+#include "source/app/report/RunStats.h"
+
+#include <cmath>
+#include <tuple>
+
+#include "source/text/Quoting.h"
+#include "source/text/Words.h"
+#include "source/view/camera/CameraText.h"
+
+namespace ray {
+namespace {
+
+std::string PixelsText(const RunStats& record) {
+  if (record.IsComplete()) return "complete";
+  return std::to_string(record.pixels_done) + " of " + std::to_string(record.pixels_total) + " pixels done";
+}
+
+/// As asked for, where that decided; as they became, where a clock or an error did.
+std::string SamplesText(const RunStats& record) {
+  const bool is_asked_for = !record.options.render.budget.IsOpen() && record.options.replay.empty();
+  if (is_asked_for) return std::to_string(record.options.render.samples);
+  const double mean = record.samples.mean;
+  return mean == std::floor(mean) ? std::to_string(static_cast<std::int64_t>(mean)) : Fixed(mean, 1);
+}
+
+double MillionRaysASecond(const RunStats& record) {
+  return record.seconds.wall > 0 ? 1e-6 * static_cast<double>(record.rays.Total()) / record.seconds.wall : 0;
+}
+
+std::string Seconds(double seconds) { return Fixed(seconds, 3) + " s"; }
+
+/// A row of the table under "tests a ray".
+std::string CostPerRay(const RayCounts::Kind& kind) {
+  std::string row;
+  const auto column = [&](std::uint64_t number, std::size_t width) {
+    const std::string text = Fixed(static_cast<double>(number) / static_cast<double>(kind.rays), 2);
+    row += std::string(text.size() < width ? width - text.size() : 1, ' ') + text;
+  };
+  column(kind.cost.node_visits, 7);
+  column(kind.cost.box_tests, 10);
+  column(kind.cost.primitive_tests, 12);
+  column(kind.cost.hits, 8);
+  return row;
+}
+
+std::string Listed(const std::vector<std::string>& words) {
+  std::string list;
+  for (const std::string& word : words) list += (list.empty() ? "" : ", ") + word;
+  return list.empty() ? "none" : list;
+}
+
+template <typename Line>
+std::string ErrorLines(const RunStats& record, const Line& line) {
+  if (!record.error) return {};
+  const ErrorEstimate& e = *record.error;
+  const PixelRectangle& w = e.worst_block_at;
+  std::string text =
+      line(record.two_streams ? "error" : "error, at most",
+           ErrorText(e.estimate, e.unit) + ", " + ErrorText(e.low, e.unit) + " to " + ErrorText(e.high, e.unit)) +
+      line("worst block", ErrorText(e.worst_block, e.unit) + " at " + std::to_string(w.x0) + " " +
+                              std::to_string(w.y0) + " " + std::to_string(w.x1) + " " + std::to_string(w.y1)) +
+      line("hot share", Fixed(100 * e.outlier_share, 1) + " % of it in the worst thousandth of the pixels");
+  if (record.true_error) text += line("true error", ErrorText(*record.true_error, e.unit));
+  return text;
+}
+
+}  // namespace
+
+void RunStats::Take(const RenderResult& result) {
+  width = result.image.Width();
+  height = result.image.Height();
+  pixels_done = result.pixels_done;
+  pixels_total = result.pixels_total;
+  rays = result.rays;
+  stop = stop_names[static_cast<std::size_t>(result.stop)];
+  samples = result.samples;
+  block_samples = result.block_samples;
+  two_streams = result.two_streams;
+  planned_samples = result.planned_samples;
+  passes = result.passes;
+  error = result.error;
+}
+
+std::string CommandAsTyped(std::span<const std::string> words) {
+  return words.empty() ? "raypro" : "raypro " + ShellLine(words);
+}
+
+R2::ImageSettings SettingsInPicture(const RunStats& record) {
+  R2::ImageSettings settings{
+      {"program", "raypro " RAYPRO_VERSION},      {"command", record.command},
+      {"scene_hash", record.scene.hash},          {"seed", std::to_string(record.options.render.seed)},
+      {"samples", SamplesText(record)},           {"accel", record.options.accelerator.name},
+      {"seconds", Fixed(record.seconds.wall, 3)}, {"pixels", PixelsText(record)},
+  };
+  if (const auto& view = record.options.render.view) settings["camera"] = CameraLine(*view);
+  return settings;
+}
+
+std::string FinalLine(const RunStats& record) {
+  return Escaped(record.options.picture) + " " + std::to_string(record.width) + "x" + std::to_string(record.height) +
+         " " + SamplesText(record) + " spp " + Fixed(record.seconds.wall, 2) + " s " +
+         Fixed(MillionRaysASecond(record), 1) + " Mrays/s" +
+         (record.IsComplete() ? "" : " (stopped by " + record.stop + ", " + PixelsText(record) + ")") + "\n";
+}
+
+std::string TradeLines(const RunStats& record) {
+  const bool is_asked = record.options.render.budget.IsOpen() || record.true_error;
+  if (!is_asked) return {};
+  std::string text;
+  if (record.error) {
+    const ErrorEstimate& e = *record.error;
+    text = "error " + std::string(record.two_streams ? "about " : "at most about ") + ErrorText(e.estimate, e.unit) +
+           " (" + ErrorText(e.low, e.unit) + " to " + ErrorText(e.high, e.unit) + ")";
+    if (record.true_error) text += ", true " + ErrorText(*record.true_error, e.unit);
+    text += "; ";
+  } else if (record.true_error) {
+    text = "true error " + ErrorText(*record.true_error, ErrorUnit::display) + "; ";
+  }
+  return text + "stopped by " + record.stop + " at " + Fixed(record.samples.mean, 1) + " samples a pixel; biased by " +
+         Listed(record.biased) + "\n";
+}
+
+std::string Statistics(const RunStats& record) {
+  const auto line = [](std::string name, const std::string& value) {
+    constexpr std::size_t column_of_values = 18;
+    name.resize(column_of_values, ' ');
+    return "  " + name + value + "\n";
+  };
+  const auto count = [&](const char* name, auto number) { return line(name, std::to_string(number)); };
+  const auto& [scene, rays, seconds] = std::tie(record.scene, record.rays, record.seconds);
+  std::string kinds, costs;
+  for (std::size_t i = 0; i < ray_kind_names.size(); ++i) {
+    const RayCounts::Kind& kind = rays.kinds[i];
+    kinds += count(ray_kind_names[i], kind.rays);
+    if (kind.rays > 0) costs += line(ray_kind_names[i], CostPerRay(kind));
+  }
+  const Counts cost = rays.Cost();
+  return "scene\n" + line("hash", scene.hash) + count("nodes", scene.nodes) + count("instances", scene.instances) +
+         count("primitives", scene.primitives) + count("lights", scene.lights) + "rays\n" + kinds +
+         count("cut", rays.cut) + count("not finite", cost.bad_rays) + count("total", rays.Total()) + "tests\n" +
+         count("nodes", cost.node_visits) + count("boxes", cost.box_tests) + count("primitives", cost.primitive_tests) +
+         count("hits", cost.hits) + count("last hits asked", cost.cache_tests) +
+         count("last hits hit", cost.cache_hits) + "tests a ray         nodes     boxes  primitives    hits\n" + costs +
+         "time\n" + line("load", Seconds(seconds.load)) + line("build", Seconds(seconds.build)) +
+         line("render", Seconds(seconds.render)) + line("write", Seconds(seconds.write)) +
+         line("wall", Seconds(seconds.wall)) + line("cpu", Seconds(seconds.cpu)) + "run\n" +
+         count("threads", record.threads) +
+         line("structure", Fixed(1e-6 * static_cast<double>(record.structure_bytes), 1) + " MB") +
+         line("peak memory", Fixed(1e-6 * static_cast<double>(record.peak_memory), 1) + " MB") +
+         line("pixels", std::to_string(record.pixels_done) + " of " + std::to_string(record.pixels_total)) +
+         line("kernel", record.kernel) + "picture\n" +
+         line("samples", std::to_string(record.samples.least) + " to " + std::to_string(record.samples.most) +
+                             " a pixel, mean " + Fixed(record.samples.mean, 2)) +
+         ErrorLines(record, line) + line("biased by", Listed(record.biased)) + line("stopped", record.stop);
+}
+
+}  // namespace ray

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "R2/ImageFile.h"
+#include "source/app/options/Options.h"
+#include "source/integrate/RayCounts.h"
+#include "source/render/Render.h"
+
+namespace ray {
+
+/// What a run has to tell of itself once it is over: in the picture, in a report, on the terminal.
+struct RunStats {
+  Options options;
+  std::string command;  // as typed
+
+  struct {
+    std::string hash;
+    std::int64_t nodes = 0, instances = 0, primitives = 0, lights = 0;
+  } scene;
+
+  RayCounts rays;
+  std::size_t structure_bytes = 0;
+  struct {
+    double load = 0, build = 0, render = 0, write = 0, wall = 0, cpu = 0;
+  } seconds;
+  std::int64_t peak_memory = 0;  // bytes
+  int threads = 1;
+  int width = 0, height = 0;  // of the picture that is written
+  std::int64_t pixels_done = 0, pixels_total = 0;
+  std::vector<std::string> warnings;
+  std::string stop = "samples";  // samples, time, error, or the name of a signal
+  SampleCounts samples;
+  std::vector<std::uint32_t> block_samples;  // a pixel and stream, by blocks of the film
+  bool two_streams = false;
+  std::uint32_t planned_samples = 1;
+  std::vector<Pass> passes;
+  std::optional<ErrorEstimate> error;
+  std::optional<double> true_error;  // in the unit of `error`, beside -reference
+  std::vector<std::string> needs, biased;
+  std::string kernel;
+
+  /// What a render gave.
+  void Take(const RenderResult& result);
+  bool IsComplete() const { return stop == "samples" || stop == "time" || stop == "error"; }
+};
+
+/// "scene.scn picture.jpg -width 512" with the program's name before it. No path that the user did not type: of the
+/// program, which the shell may have found anywhere, the bare name.
+std::string CommandAsTyped(std::span<const std::string> words);
+
+/// What is kept in the picture itself.
+R2::ImageSettings SettingsInPicture(const RunStats& record);
+
+/// "out.jpg 512x512 16 spp 1.83 s 14.2 Mrays/s"
+std::string FinalLine(const RunStats& record);
+
+/// What is known of the picture's error and why the render ended, where a budget or a reference asks for it; else
+/// empty. One line, or two.
+std::string TradeLines(const RunStats& record);
+
+/// What -stats prints.
+std::string Statistics(const RunStats& record);
+
+}  // namespace ray

@@ -1,0 +1,83 @@
+#include <set>
+
+#include "R3/Mesh.h"
+#include "source/app/report/Check.h"
+#include "source/text/Words.h"
+
+namespace ray {
+namespace {
+
+template <class Number>
+std::string Line(std::string name, Number number) {
+  constexpr std::size_t column_of_values = 14;
+  name.resize(column_of_values, ' ');
+  if constexpr (std::is_convertible_v<Number, std::string>)
+    return name + number + "\n";
+  else
+    return name + std::to_string(number) + "\n";
+}
+
+std::string Text(const R3::Point& p) { return Fixed(p.x, 3) + " " + Fixed(p.y, 3) + " " + Fixed(p.z, 3); }
+std::string Text(const R3::Vector& v) { return Fixed(v.x, 3) + " " + Fixed(v.y, 3) + " " + Fixed(v.z, 3); }
+
+std::string BoundsText(const R3::Box& box) {
+  return box.IsEmpty() ? "empty" : Text(box.low) + "  to  " + Text(box.high);
+}
+
+/// Meshes and textures may be used many times; each is there once.
+struct Shared {
+  std::set<const R3::Mesh*> meshes;
+  std::set<const Texture*> textures;
+};
+
+Shared FindShared(const World& world) {
+  Shared shared;
+  for (const Instance& instance : world.Instances())
+    if (const auto* mesh = dynamic_cast<const R3::Mesh*>(instance.shape)) shared.meshes.insert(mesh);
+  for (const Material& material : world.scene().materials)
+    if (material.texture) shared.textures.insert(material.texture.get());
+  return shared;
+}
+
+std::size_t Bytes(const R3::MeshData& data) {
+  return data.positions.size() * sizeof(data.positions[0]) + data.triangles.size() * sizeof(data.triangles[0]) +
+         data.normals.size() * sizeof(data.normals[0]) + data.uvs.size() * sizeof(data.uvs[0]);
+}
+
+std::size_t Triangles(const Shared& shared) {
+  std::size_t triangles = 0;
+  for (const R3::Mesh* mesh : shared.meshes) triangles += mesh->Data().triangles.size();
+  return triangles;
+}
+
+/// The scene, its flattened form and the picture; what an accelerator adds depends on which.
+std::size_t Memory(const World& world, const Shared& shared, const RenderSettings& settings) {
+  const PixelRectangle part = settings.crop.value_or(PixelRectangle{0, 0, settings.width, settings.height});
+  std::size_t bytes = world.Nodes().size() * (sizeof(Node) + sizeof(FlatNode)) +
+                      world.Instances().size() * sizeof(Instance) + world.Frames().size() * sizeof(R3::Transform) +
+                      static_cast<std::size_t>(part.Area()) * 3 * sizeof(float);
+  for (const R3::Mesh* mesh : shared.meshes) bytes += Bytes(mesh->Data());
+  for (const Texture* texture : shared.textures) bytes += texture->image.Channels().size() * sizeof(float);
+  return bytes;
+}
+
+}  // namespace
+
+std::string SceneSummary(const World& world, const RenderSettings& settings) {
+  const Scene& scene = world.scene();
+  const Shared shared = FindShared(world);
+  std::string text =
+      Line("files", scene.files.size()) + Line("nodes", world.Nodes().size()) +
+      Line("shapes", world.Instances().size()) + Line("primitives", world.Primitives()) +
+      Line("meshes", std::to_string(shared.meshes.size()) + " with " + Counted(Triangles(shared), "triangle")) +
+      Line("materials", scene.materials.size()) + Line("textures", shared.textures.size()) +
+      Line("bounds", BoundsText(scene.root.bounds)) +
+      Line("camera", "at " + Text(scene.camera.eye) + ", towards " + Text(scene.camera.towards) + ", half angle " +
+                         Fixed(scene.camera.xfov, 3) + " rad") +
+      Line("lights", scene.lights.size());
+  for (const auto& light : scene.lights) text += "  " + light->Describe() + "\n";
+  const double megabytes = 1e-6 * static_cast<double>(Memory(world, shared, settings));
+  return text + Line("memory", "about " + Fixed(megabytes, 1) + " MB with the picture");
+}
+
+}  // namespace ray

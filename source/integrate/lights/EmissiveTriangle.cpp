@@ -1,0 +1,75 @@
+#include "source/integrate/lights/EmissiveTriangle.h"
+
+#include <cmath>
+
+#include "R3/Mesh.h"
+
+namespace ray {
+namespace {
+
+// Corners are rounded once on the way to the world (4 u of the terms summed), points between them a few times more.
+constexpr double rounding = R3::Gamma(16);
+
+R3::Vector Magnitude(const R3::Transform& world_from_local, const R3::Point& local) {
+  const R3::Matrix& forward = world_from_local.Forward();
+  return AbsTimes(forward, Abs(FromOrigin(local))) +
+         R3::Vector{std::abs(forward.m[0][3]), std::abs(forward.m[1][3]), std::abs(forward.m[2][3])};
+}
+
+R3::Vector Largest(const R3::Vector& a, const R3::Vector& b) {
+  return {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)};
+}
+
+}  // namespace
+
+R3::Point EmissiveTriangle::PointTowards(const R3::Point& seen_from, const R2::Point& random, double time) const {
+  const double root = std::sqrt(random.x);
+  const double a = 1 - root, b = root * (1 - random.y), c = root * random.y;
+  R3::Intersection at;
+  at.position = R3::Point{} +
+                (a * FromOrigin(corners[0]) + b * FromOrigin(corners[1]) + c * FromOrigin(corners[2]) + time * motion);
+  at.error = corner_error;
+  at.normal = normal;
+  return SpawnPoint(at, seen_from - at.position);
+}
+
+double EmissiveTriangle::Area() const { return Length(Cross(corners[1] - corners[0], corners[2] - corners[0])) / 2; }
+
+std::string EmissiveTriangle::Describe() const {
+  return "triangle that shines, primitive " + std::to_string(primitive);
+}
+
+LightBound EmissiveTriangle::Bound() const {
+  R3::Box box;
+  for (const R3::Point& corner : corners) box.Extend(corner);
+  box = Along(box, motion);
+  const double rounding_of_box = 1 + 0x1p-40;
+  return {box.Center(), rounding_of_box * box.Radius(), Luminance(emission), 1, 0, 0, false};
+}
+
+std::vector<EmissiveTriangle> EmissiveTriangles(const World& world) {
+  std::vector<EmissiveTriangle> triangles;
+  for (const Instance& instance : world.Instances()) {
+    if (IsBlack(instance.material->emission)) continue;
+    const auto* mesh = dynamic_cast<const R3::Mesh*>(instance.shape);
+    if (!mesh) continue;  // other shapes are seen to emit but light nothing
+    const R3::Transform& world_from_local = world.Frames()[instance.frame];
+    for (int i = 0; i < mesh->Elements(); ++i) {
+      const auto local = mesh->Corners(i);
+      EmissiveTriangle t;
+      for (std::size_t k = 0; k < 3; ++k) {
+        t.corners[k] = world_from_local * local[k];
+        t.corner_error = Largest(t.corner_error, rounding * Magnitude(world_from_local, local[k]));
+      }
+      t.motion = world.MotionOf(instance.frame);
+      t.corner_error = t.corner_error + rounding * Abs(t.motion);
+      t.normal = world_from_local * R3::AsNormal(Unit(Cross(local[1] - local[0], local[2] - local[0])));
+      t.emission = instance.material->emission;
+      t.primitive = instance.first_primitive + i;
+      triangles.push_back(t);
+    }
+  }
+  return triangles;
+}
+
+}  // namespace ray

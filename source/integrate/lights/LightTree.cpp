@@ -1,0 +1,280 @@
+#include "source/integrate/lights/LightTree.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "R3/Numeric.h"
+
+namespace ray {
+namespace {
+
+constexpr double below_one = 1 - 0x1p-53;
+constexpr double least_weight = 0x1p-24, least_cosine = 0.1;
+// Numbers are kept between these, so that sums and quotients of them are finite and above 0.
+constexpr double tiny = 1e-300, huge = 1e300;
+constexpr double farthest = 1e150;  // its square is finite
+
+/// What lies behind by rounding alone may be in front. Sides are decided light by light, by the sign of a sum of four
+/// terms; what is said of a whole box must hold for its lights so decided, so it leaves room for the rounding of both.
+constexpr double side_error = R3::Gamma(20);
+
+double Bounded(double x) { return x > tiny ? std::min(x, huge) : tiny; }
+
+R3::Box BoxOf(const LightBound& light) {
+  const R3::Point& c = light.center;
+  const double r = light.radius;
+  if (r == 0) return {c, c};
+  return {{R3::NextDown(c.x - r), R3::NextDown(c.y - r), R3::NextDown(c.z - r)},
+          {R3::NextUp(c.x + r), R3::NextUp(c.y + r), R3::NextUp(c.z + r)}};
+}
+
+/// Heights of a box above the plane through p with normal N.
+struct Heights {
+  double least = 0, greatest = 0;
+  double magnitude = 0;  // of what was added up
+};
+
+Heights HeightsOf(const R3::Box& box, const R3::Point& p, const R3::Vector& N) {
+  Heights heights;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double a = N[axis] * (box.low[axis] - p[axis]), b = N[axis] * (box.high[axis] - p[axis]);
+    heights.least += std::min(a, b);
+    heights.greatest += std::max(a, b);
+    heights.magnitude += std::max(std::abs(a), std::abs(b));
+  }
+  return heights;
+}
+
+/// The greatest cosine with N of a direction from p into a sphere that p is not in.
+///   cosine   of the direction to its middle
+///   sine     of the angle that its radius is seen under, in [0, 1]
+///   source   Estevez, Kulla (2018), section 3, theta_i less theta_u, without angles
+double GreatestCosine(double cosine, double sine) {
+  if (sine == 0) return cosine;
+  const double sphere_cosine = std::sqrt((1 - sine) * (1 + sine));
+  if (cosine >= sphere_cosine) return 1;
+  return cosine * sphere_cosine + std::sqrt(std::max(0.0, 1 - cosine * cosine)) * sine;
+}
+
+struct Range {
+  std::vector<int>::iterator begin, end;
+};
+
+/// In two halves by the middle of the longest side of the box of the centres; lights at one place by their number.
+std::array<Range, 2> Halves(const Range& range, const std::vector<LightBound>& lights) {
+  const auto center = [&](int light) { return lights[static_cast<std::size_t>(light)].center; };
+  R3::Box box;
+  for (auto i = range.begin; i != range.end; ++i) box.Extend(center(*i));
+  const int axis = MaxAxis(box.Size());
+  const auto middle = range.begin + (range.end - range.begin) / 2;
+  std::nth_element(range.begin, middle, range.end, [&](int a, int b) {
+    const double at_a = center(a)[axis], at_b = center(b)[axis];
+    return at_a < at_b || (at_a == at_b && a < b);
+  });
+  return {Range{range.begin, middle}, Range{middle, range.end}};
+}
+
+std::vector<Range> Sixteenths(const Range& range, const std::vector<LightBound>& lights) {
+  std::vector<Range> parts{range};
+  for (int round = 0; round < 4; ++round) {
+    std::vector<Range> halves;
+    for (const Range& part : parts) {
+      if (part.end - part.begin == 1) {
+        halves.push_back(part);
+      } else {
+        for (const Range& half : Halves(part, lights)) halves.push_back(half);
+      }
+    }
+    parts = std::move(halves);
+  }
+  return parts;
+}
+
+}  // namespace
+
+LightTree::LightTree(std::vector<LightBound> lights) : places_(lights.size()) {
+  std::vector<int> finite;
+  std::vector<double> powers;
+  for (int i = 0; i < static_cast<int>(lights.size()); ++i) {
+    const LightBound& light = lights[static_cast<std::size_t>(i)];
+    assert(std::isfinite(light.power) && light.power >= 0);
+    if (light.power == 0) continue;
+    if (light.is_infinite) {
+      places_[static_cast<std::size_t>(i)].infinite = static_cast<int>(infinite_.size());
+      infinite_.push_back(i);
+      powers.push_back(Bounded(light.power));
+      infinite_power_ = Bounded(infinite_power_ + powers.back());
+    } else {
+      assert(IsFinite(FromOrigin(light.center)) && std::isfinite(light.radius) && light.radius >= 0);
+      finite.push_back(i);
+    }
+  }
+  if (!powers.empty()) {
+    const double largest = *std::max_element(powers.begin(), powers.end());
+    for (double& power : powers) power = std::max(power, least_weight * largest);
+    among_infinite_.emplace(powers);
+  }
+  if (finite.empty()) return;
+  AddLeaves(lights, std::move(finite));
+  Summarize();
+}
+
+void LightTree::AddLeaves(const std::vector<LightBound>& lights, std::vector<int> finite) {
+  std::vector<Range> ranges{{finite.begin(), finite.end()}};  // of the nodes
+  nodes_.emplace_back();
+  for (std::size_t i = 0; i < nodes_.size(); ++i) {
+    const Range range = ranges[i];
+    if (range.end - range.begin == 1) {
+      const LightBound& light = lights[static_cast<std::size_t>(*range.begin)];
+      Node& leaf = nodes_[i];
+      leaf.box = BoxOf(light);
+      leaf.center = light.center;
+      leaf.radius = light.radius;
+      leaf.power = Bounded(light.power);
+      leaf.ca = light.ca, leaf.la = light.la, leaf.qa = light.qa;
+      leaf.light = *range.begin;
+      places_[static_cast<std::size_t>(leaf.light)].node = static_cast<int>(i);
+      continue;
+    }
+    nodes_[i].first_child = static_cast<int>(nodes_.size());
+    for (const Range& part : Sixteenths(range, lights)) {
+      ++nodes_[i].children;
+      nodes_.emplace_back().parent = static_cast<int>(i);
+      ranges.push_back(part);
+    }
+  }
+}
+
+void LightTree::Summarize() {
+  for (std::size_t i = nodes_.size(); i-- > 0;) {  // children before their parents
+    Node& node = nodes_[i];
+    if (node.children == 0) continue;
+    const auto first = static_cast<std::size_t>(node.first_child),
+               end = first + static_cast<std::size_t>(node.children);
+    for (std::size_t k = first; k < end; ++k) {
+      node.box.Extend(nodes_[k].box);
+      node.power = Bounded(node.power + nodes_[k].power);
+    }
+    for (std::size_t k = first; k < end; ++k) {
+      const double share = nodes_[k].power / node.power;
+      node.ca += share * nodes_[k].ca;
+      node.la += share * nodes_[k].la;
+      node.qa += share * nodes_[k].qa;
+    }
+    // Halves first, since sums of coordinates may overflow.
+    const R3::Vector low = 0.5 * FromOrigin(node.box.low), high = 0.5 * FromOrigin(node.box.high);
+    node.center = R3::Point{} + (low + high);
+    node.radius = Length(high - low);
+  }
+}
+
+// In few divisions and roots, since sixteen of these are done where one shadow ray follows.
+double LightTree::Importance(const Node& node, const R3::Vector& to_center, double height) {
+  const double distance = Length(to_center), farther = std::max(distance, node.radius);
+  const double d = farther < farthest ? farther : farthest;
+  const double divisor = node.ca + node.la * d + node.qa * d * d;
+  double cosine = 1;
+  if (distance > node.radius) {
+    const double inverse = 1 / distance;
+    cosine = GreatestCosine(height * inverse, node.radius * inverse);
+  }
+  const double unshaded = node.power * (cosine > least_cosine ? cosine : least_cosine);
+  return Bounded(divisor > 0 ? unshaded / divisor : unshaded);
+}
+
+bool LightTree::IsLit(const Node& node, const R3::Point& p, const R3::Vector& N, double height) const {
+  if (node.children == 0) return !(height + node.radius <= 0);
+  const Heights heights = HeightsOf(node.box, p, N);
+  const double error = side_error * heights.magnitude;
+  if (heights.greatest + error <= 0) return false;
+  if (heights.least > error) return true;
+  const auto first = nodes_.begin() + node.first_child;
+  return std::any_of(first, first + node.children,
+                     [&](const Node& child) { return IsLit(child, p, N, Dot(child.center - p, N)); });
+}
+
+double LightTree::ImportanceIfLit(const Node& node, const R3::Point& p, const R3::Vector& N) const {
+  const R3::Vector to_center = node.center - p;
+  const double height = Dot(to_center, N);
+  return IsLit(node, p, N, height) ? Importance(node, to_center, height) : 0;
+}
+
+LightTree::Weights LightTree::FromImportance(const std::array<double, most_children>& importance, int count) {
+  const auto end = importance.begin() + count;
+  const double inverse = 1 / *std::max_element(importance.begin(), end);
+  Weights weights;
+  weights.count = static_cast<std::size_t>(count);
+  for (std::size_t i = 0; i < weights.count; ++i) {
+    weights.of[i] = importance[i] > 0 ? std::max(importance[i] * inverse, least_weight) : 0;
+    weights.sum += weights.of[i];
+  }
+  return weights;
+}
+
+LightTree::Weights LightTree::OfTreeAndInfinite(const R3::Point& p, const R3::Vector& N) const {
+  return FromImportance({nodes_.empty() ? 0 : ImportanceIfLit(nodes_.front(), p, N), infinite_power_}, 2);
+}
+
+LightTree::Weights LightTree::OfChildren(const Node& node, const R3::Point& p, const R3::Vector& N) const {
+  std::array<double, most_children> importance;
+  for (int i = 0; i < node.children; ++i)
+    importance[static_cast<std::size_t>(i)] =
+        ImportanceIfLit(nodes_[static_cast<std::size_t>(node.first_child + i)], p, N);
+  return FromImportance(importance, node.children);
+}
+
+std::optional<LightTree::Choice> LightTree::Choose(const R3::Point& p, const R3::Vector& N, double u) const {
+  double probability = 1;
+  // One of the weights by u, which becomes an even number again.
+  const auto choose = [&](const Weights& weights) {
+    const double target = std::min(u, below_one) * weights.sum;
+    std::size_t chosen = 0;
+    double before = 0, after = 0;
+    for (std::size_t i = 0; i < weights.count; ++i) {
+      if (weights.of[i] == 0) continue;
+      chosen = i;
+      before = after;
+      after += weights.of[i];
+      if (target < after) break;
+    }
+    probability *= weights.of[chosen] / weights.sum;
+    u = std::clamp((target - before) / weights.of[chosen], 0.0, below_one);
+    return chosen;
+  };
+
+  const Weights top = OfTreeAndInfinite(p, N);
+  if (!(top.sum > 0)) return {};
+  if (choose(top) == 1) {
+    const DiscreteDistribution::Drawn drawn = among_infinite_->Draw(u);
+    return Choice{infinite_[drawn.index], probability * drawn.probability};
+  }
+  const Node* node = &nodes_.front();
+  while (node->children > 0)
+    node = &nodes_[static_cast<std::size_t>(node->first_child) + choose(OfChildren(*node, p, N))];
+  return Choice{node->light, probability};
+}
+
+double LightTree::ProbabilityOfNode(const R3::Point& p, const R3::Vector& N, int node) const {
+  const int parent = nodes_[static_cast<std::size_t>(node)].parent;
+  if (parent < 0) {
+    const Weights top = OfTreeAndInfinite(p, N);
+    return top.sum > 0 ? top.of[0] / top.sum : 0;
+  }
+  const double of_parent = ProbabilityOfNode(p, N, parent);  // no deeper than the tree, eight levels
+  if (of_parent == 0) return 0;
+  const Node& above = nodes_[static_cast<std::size_t>(parent)];
+  const Weights weights = OfChildren(above, p, N);
+  return weights.sum > 0 ? of_parent * (weights.of[static_cast<std::size_t>(node - above.first_child)] / weights.sum)
+                         : 0;
+}
+
+double LightTree::Probability(const R3::Point& p, const R3::Vector& N, int light) const {
+  const Place place = places_[static_cast<std::size_t>(light)];
+  if (place.node >= 0) return ProbabilityOfNode(p, N, place.node);
+  if (place.infinite < 0) return 0;
+  const Weights top = OfTreeAndInfinite(p, N);
+  return top.of[1] / top.sum * among_infinite_->Probability(static_cast<std::size_t>(place.infinite));
+}
+
+}  // namespace ray

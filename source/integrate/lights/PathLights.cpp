@@ -1,0 +1,132 @@
+#include "source/integrate/lights/PathLights.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "source/integrate/Features.h"
+#include "source/sample/Warp.h"
+
+namespace ray {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+/// As path tracing weighs it: radiance times area, falling off with the square of the distance.
+LightBound RadiantBound(const EmissiveTriangle& triangle) {
+  LightBound bound = triangle.Bound();
+  bound.power *= triangle.Area() / pi;
+  bound.ca = 0;
+  bound.qa = 1;
+  return bound;
+}
+
+LightBound RadiantBound(const Environment& environment) {
+  const Environment::Sample any = environment.Draw({0.5, 0.5});  // luminance over pdf is alike for all
+  return {.power = Luminance(any.radiance) / any.pdf / pi, .is_infinite = true};
+}
+
+/// Per solid angle, of the place on a triangle that is `t` lengths of `towards` away, drawn evenly by area.
+double SolidAngleDensity(const EmissiveTriangle& triangle, const R3::Vector& towards, double t) {
+  const double distance = t * Length(towards);
+  const double cosine = std::abs(Dot(triangle.normal, towards)) / Length(towards);
+  const double area = triangle.Area();
+  return cosine > 0 && area > 0 ? distance * distance / (cosine * area) : 0;
+}
+
+}  // namespace
+
+PathLights::PathLights(const World& world, const TraceSettings& settings)
+    : triangles_(EmissiveTriangles(world)), draws_evenly_(settings.strategy == "uniform") {
+  const Scene& scene = world.scene();
+  std::vector<LightBound> bounds;
+  for (const auto& light : scene.lights)
+    if (!light->IsBlack()) {
+      lights_.push_back(light.get());
+      bounds.push_back(light->Bound());
+    }
+  for (const EmissiveTriangle& triangle : triangles_) {
+    triangle_of_primitive_.emplace(triangle.primitive, static_cast<int>(&triangle - triangles_.data()));
+    bounds.push_back(RadiantBound(triangle));
+  }
+  if (scene.environment && !scene.environment->IsBlack()) {
+    environment_ = scene.environment.get();
+    bounds.push_back(RadiantBound(*environment_));
+  }
+  has_background_ = !scene.environment && !IsBlack(scene.background);
+  count_ = static_cast<int>(bounds.size());
+  if (count_ > 1 && !draws_evenly_) tree_.emplace(std::move(bounds));
+}
+
+std::optional<PathLightSample> PathLights::SampleOne(const ShadingPoint& surface, const R2::Point& place,
+                                                     double choice) const {
+  if (count_ == 1) return Sample(surface, 0, place);
+  const auto chosen = Choose(surface, choice);
+  if (!chosen) return {};
+  auto sample = Sample(surface, chosen->light, place);
+  if (!sample) return {};
+  sample->arriving = sample->arriving / chosen->probability;
+  sample->pdf *= chosen->probability;
+  return sample;
+}
+
+std::string PathLights::Describe(int light) const {
+  const auto i = static_cast<std::size_t>(light);
+  if (i < lights_.size()) return lights_[i]->Describe();
+  return i - lights_.size() < triangles_.size() ? triangles_[i - lights_.size()].Describe() : "environment";
+}
+
+std::optional<LightTree::Choice> PathLights::Choose(const ShadingPoint& surface, double choice) const {
+  if (draws_evenly_) return LightTree::Choice{std::min(count_ - 1, static_cast<int>(choice * count_)), 1.0 / count_};
+  return tree_->Choose(surface.shadow_origin, surface.N, choice);
+}
+
+double PathLights::ProbabilityOf(const ShadingPoint& surface, int light) const {
+  if (count_ == 1) return 1;
+  return draws_evenly_ ? 1.0 / count_ : tree_->Probability(surface.shadow_origin, surface.N, light);
+}
+
+std::optional<PathLightSample> PathLights::Sample(const ShadingPoint& surface, int light,
+                                                  const R2::Point& place) const {
+  auto i = static_cast<std::size_t>(light);
+  if (i < lights_.size()) {
+    const auto lit = lights_[i]->Illuminate(surface.shadow_origin, place);
+    if (!lit) return {};
+    return PathLightSample{lit->irradiance, lit->to_light, lit->is_infinite, 0, light};
+  }
+  i -= lights_.size();
+  if (i < triangles_.size()) {
+    const EmissiveTriangle& triangle = triangles_[i];
+    const R3::Vector towards =
+        triangle.PointTowards(surface.shadow_origin, place, surface.found_by.ray.time) - surface.shadow_origin;
+    const double pdf = SolidAngleDensity(triangle, towards, 1);
+    if (!(pdf > 0)) return {};
+    return PathLightSample{triangle.emission / pdf, towards, false, pdf, light};
+  }
+  if (!features::environment) return {};
+  if (draws_evenly_) {
+    const R3::Vector direction = OnSphere(place);
+    return PathLightSample{environment_->Radiance(direction) / sphere_density, direction, true, sphere_density, light};
+  }
+  const Environment::Sample drawn = environment_->Draw(place);
+  return PathLightSample{drawn.radiance / drawn.pdf, drawn.direction, true, drawn.pdf, light};
+}
+
+double PathLights::DensityOfEnvironment(const ShadingPoint& from, const R3::Vector& direction, bool choosing) const {
+  if (!features::environment || !environment_) return 0;
+  const double pdf = draws_evenly_ ? sphere_density : environment_->Pdf(direction);
+  return choosing ? pdf * ProbabilityOf(from, count_ - 1) : pdf;
+}
+
+double PathLights::DensityOfHit(const ShadingPoint& from, const R3::Ray& ray, const ShadingPoint& hit,
+                                const World& world, bool choosing) const {
+  if (triangles_.empty()) return 0;
+  const auto found = triangle_of_primitive_.find(world.PrimitiveId(hit.hit));
+  if (found == triangle_of_primitive_.end()) return 0;
+  const double pdf =
+      SolidAngleDensity(triangles_[static_cast<std::size_t>(found->second)], ray.direction, hit.hit.hit.t);
+  const int light = static_cast<int>(lights_.size()) + found->second;
+  return choosing ? pdf * ProbabilityOf(from, light) : pdf;
+}
+
+}  // namespace ray

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace ray {
+
+/// Draws indices with probabilities proportional to given weights.
+///   source   inversion of the running sums, as in Pharr, Jakob, Humphreys, Physically Based Rendering (2023), A.1
+class DiscreteDistribution {
+ public:
+  struct Drawn {
+    std::size_t index = 0;
+    double probability = 0;  // > 0
+    double rest = 0;         // in [0, 1): u spread anew over what led to this index, for use as another number
+  };
+
+  /// At least one weight; each finite and >= 0 (asserted), however large or small. All 0 count as all equal.
+  explicit DiscreteDistribution(std::span<const double> weights);
+
+  /// In O(log Size()).
+  ///   u   in [0, 1]; of its 53 bits about log2(1 / probability) are used up, the others are left in `rest`
+  Drawn Draw(double u) const;
+
+  /// Of Draw giving `index` by an even u: weight / sum of weights, within Size() 2^-53. Exactly what Draw does rather
+  /// than what the weight says, so a weight lost in the rounding of the sum has probability 0 and is never drawn.
+  double Probability(std::size_t index) const;
+
+  std::size_t Size() const { return sums_.size() - 1; }
+
+ private:
+  std::vector<double> sums_;  // of the weights before each index, and of all, in units of the largest weight
+};
+
+}  // namespace ray

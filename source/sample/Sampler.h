@@ -1,0 +1,67 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "R2/Point.h"
+#include "source/sample/Random.h"
+
+namespace ray {
+
+/// How the random choices of a pixel's samples are spread. sobol: evenly in all choices that belong together. random:
+/// independently. stratified: evenly in pairs, for a number of samples known beforehand.
+enum class SamplerKind { sobol, random, stratified };
+inline constexpr std::array sampler_names{"sobol", "random", "stratified"};
+
+/// The places in the unit square, or cube, that one kind of choice at one place of the tree of rays takes in the
+/// samples of one pixel. Point `index` is a function of (kind, key, index), and of `count` for stratified points.
+class Points {
+ public:
+  /// `count`: how many there will be; beyond it stratified points begin anew with other strata.
+  Points(SamplerKind kind, const RandomKey& key, std::uint32_t count) : Points(kind, key, count, key, 0) {}
+  /// More coordinates of the points that `first` has the first ones of, even together with them: from number
+  /// `dimension` on, so that with `size` at most Sobol::dimensions. Only Sobol's points have anything in common.
+  Points(SamplerKind kind, const RandomKey& key, std::uint32_t count, const RandomKey& first, int dimension);
+
+  /// The first two coordinates, in [0, 1)^2.
+  R2::Point Get2D(std::uint32_t index) const;
+
+  /// As many coordinates as `size`, at most Sobol::dimensions, each in [0, 1).
+  template <std::size_t size>
+  std::array<double, size> Get(std::uint32_t index) const {
+    std::array<double, size> coordinates;
+    Fill(index, coordinates.data(), size);
+    return coordinates;
+  }
+
+ private:
+  void Fill(std::uint32_t index, double* coordinates, std::size_t size) const;
+  Stratified PairOf(std::uint32_t index, std::uint64_t pair) const;
+
+  SamplerKind kind_;
+  RandomKey key_;
+  std::uint32_t count_, order_;
+  int dimension_;
+};
+
+/// The child of a place that a camera ray's own choices come from; no surface has as many lights.
+inline constexpr std::uint64_t camera_key = ~std::uint64_t{0};
+
+/// Which sample of which pixel something belongs to, and where in that sample's tree of rays: what all its random
+/// choices are made from.
+struct SampleIndex {
+  RandomKey key{0};           // of the pixel and the place in the tree, the same for all samples of the pixel
+  std::uint32_t index = 0;    // of the sample in its pixel
+  int camera_dimensions = 0;  // at the first surface, that light's choices should be even together with; 0 for none
+
+  /// The place numbered `which` beneath.
+  SampleIndex Child(std::uint64_t which) const { return {key.Child(which), index}; }
+  /// The points for choices numbered `which` here; `each` of them a sample, of which this has the numbers index * each
+  /// and on.
+  Points PointsFor(std::uint64_t which, SamplerKind kind, std::uint32_t samples, std::uint32_t each = 1) const {
+    if (camera_dimensions == 0 || each > 1) return Points(kind, key.Child(which), samples * each);
+    return Points(kind, key.Child(which), samples, key.Child(camera_key), camera_dimensions);
+  }
+};
+
+}  // namespace ray

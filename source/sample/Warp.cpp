@@ -1,0 +1,71 @@
+#include "source/sample/Warp.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ray {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+R3::Vector FromPolar(double sine, double cosine, double turns) {
+  const double angle = 2 * pi * turns;
+  return {sine * std::cos(angle), sine * std::sin(angle), cosine};
+}
+
+}  // namespace
+
+Tangents TangentsOf(const R3::Vector& n) {
+  const double sign = std::copysign(1.0, n.z);
+  const double a = -1 / (sign + n.z), b = n.x * n.y * a;
+  return {{1 + sign * n.x * n.x * a, sign * b, -sign * n.x}, {b, sign + n.y * n.y * a, -n.y}};
+}
+
+R3::Vector FromTangents(const R3::Vector& local, const R3::Vector& about) {
+  const Tangents tangents = TangentsOf(about);
+  return local.x * tangents.first + local.y * tangents.second + local.z * about;
+}
+
+R2::Point OnDisc(const R2::Point& square) {
+  const double a = 2 * square.x - 1, b = 2 * square.y - 1;
+  if (a == 0 && b == 0) return {};
+  const bool is_wide = std::abs(a) > std::abs(b);
+  const double radius = is_wide ? a : b;
+  const double angle = is_wide ? pi / 4 * (b / a) : pi / 2 - pi / 4 * (a / b);
+  return {radius * std::cos(angle), radius * std::sin(angle)};
+}
+
+R2::Point OnTriangle(const R2::Point& u) {
+  const double root = std::sqrt(u.x);
+  return {root * (1 - u.y), root * u.y};
+}
+
+R3::Vector OnHemisphereByCosine(const R2::Point& u) {
+  const R2::Point p = OnDisc(u);
+  return {p.x, p.y, std::sqrt(std::max(0.0, 1 - p.x * p.x - p.y * p.y))};
+}
+
+double CosinePdf(double cosine) { return std::max(0.0, cosine) / pi; }
+
+R3::Vector AroundByPower(const R2::Point& u, double n) {
+  // The cosine to the power n + 1 is even in [0, 1]; at 0, which only u = 1 gives, its logarithm is still taken as
+  // finite, so that a huge n makes no NaN of it.
+  const double logarithm = std::log1p(-std::min(u.x, 1 - 0x1p-53)) / (n + 1);
+  return FromPolar(std::sqrt(-std::expm1(2 * logarithm)), std::exp(logarithm), u.y);
+}
+
+double PowerPdf(double cosine, double n) {
+  if (!(cosine >= 0)) return 0;
+  return (n + 1) / (2 * pi) * std::pow(cosine, n);
+}
+
+R3::Vector OnSphere(const R2::Point& u) { return InCone(u, 2); }
+
+R3::Vector InCone(const R2::Point& u, double one_minus_cosine) {
+  const double height = u.x * one_minus_cosine;  // down from the top of the sphere
+  return FromPolar(std::sqrt(height * (2 - height)), 1 - height, u.y);
+}
+
+double ConeDensity(double one_minus_cosine) { return 1 / (2 * pi * one_minus_cosine); }
+
+}  // namespace ray

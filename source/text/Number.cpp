@@ -1,0 +1,85 @@
+#include "source/text/Number.h"
+
+#include <algorithm>
+#include <charconv>
+
+namespace ray {
+namespace {
+
+bool IsDigit(char c) { return c >= '0' && c <= '9'; }
+
+/// from_chars knows no plus sign; behind one there must be no other.
+std::string_view WithoutPlus(std::string_view word) {
+  if (word.size() > 1 && word[0] == '+' && word[1] != '-' && word[1] != '+') word.remove_prefix(1);
+  return word;
+}
+
+bool SaysNanOrInfinity(std::string_view word) {
+  std::string_view rest = word;
+  if (!rest.empty() && (rest[0] == '-' || rest[0] == '+')) rest.remove_prefix(1);
+  const auto says = [&](std::string_view lower) {
+    return rest.size() >= lower.size() &&
+           std::equal(lower.begin(), lower.end(), rest.begin(), [](char a, char b) { return a == (b | 0x20); });
+  };
+  return says("nan") || says("inf");
+}
+
+bool SaysHexadecimal(std::string_view word) {
+  if (!word.empty() && (word[0] == '-' || word[0] == '+')) word.remove_prefix(1);
+  return word.size() > 2 && word[0] == '0' && (word[1] | 0x20) == 'x';
+}
+
+const char* WhyNoNumber(std::string_view word) {
+  if (SaysNanOrInfinity(word)) return "must be a finite number";
+  if (SaysHexadecimal(word)) return "must be a decimal number";
+  if (word.find(',') != std::string_view::npos) return "must be a number, with a point and no comma";
+  return "must be a number";
+}
+
+/// Whether a well-formed decimal number, known to be outside the range of double, is so because it is tiny:
+/// whether it is below 1. Zeros and digits may be thousands, so the exponent alone does not tell.
+bool IsBelowOne(std::string_view number) {
+  if (number[0] == '-') number.remove_prefix(1);
+  const std::size_t e = std::min(number.find_first_of("eE"), number.size());
+  const std::string_view mantissa = number.substr(0, e);
+  const auto point = static_cast<std::int64_t>(std::min(mantissa.find('.'), mantissa.size()));
+  const auto first = static_cast<std::int64_t>(std::min(mantissa.find_first_not_of("0."), mantissa.size()));
+  // Digits before the point counted from the first that is not zero; negative: zeros behind the point.
+  const std::int64_t magnitude = first < point ? point - first : point - first + 1;
+  std::int64_t exponent = 0;
+  if (e < number.size()) {
+    const std::string_view digits = WithoutPlus(number.substr(e + 1));
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), exponent);
+    if (error == std::errc::result_out_of_range) return digits[0] == '-';
+  }
+  return exponent <= -magnitude;
+}
+
+}  // namespace
+
+ReadNumber<double> ParseNumber(std::string_view word) {
+  const std::string_view number = WithoutPlus(word);
+  const char* const end = number.data() + number.size();
+  const std::size_t digit = number.starts_with('-') ? 1 : 0;
+  if (digit >= number.size() || !(IsDigit(number[digit]) || number[digit] == '.')) return {0, WhyNoNumber(word)};
+  double value = 0;
+  const auto [stop, error] = std::from_chars(number.data(), end, value);
+  if (stop != end || error == std::errc::invalid_argument) return {0, WhyNoNumber(word)};
+  if (error == std::errc::result_out_of_range) {
+    if (!IsBelowOne(number)) return {0, "must fit a double, whose largest is 1.8e308"};
+    return {0, nullptr};
+  }
+  return {value, nullptr};
+}
+
+ReadNumber<std::int64_t> ParseWhole(std::string_view word) {
+  const std::string_view number = WithoutPlus(word);
+  const char* const end = number.data() + number.size();
+  std::int64_t value = 0;
+  const auto [stop, error] = std::from_chars(number.data(), end, value);
+  if (stop != end || error == std::errc::invalid_argument) return {0, "must be a whole number"};
+  if (error == std::errc::result_out_of_range) return {0, "must be a whole number of at most 18 digits"};
+  return {value, nullptr};
+}
+
+}  // namespace ray

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace ray {
+
+inline constexpr std::size_t most_quoted = 60;  // bytes of a word that a message repeats
+
+/// How many characters a line of UTF-8 has: every byte that does not continue a character begins one.
+std::size_t CountCharacters(std::string_view bytes);
+
+/// Bytes from a stranger made fit for a terminal: control characters and what is not UTF-8 as \xNN.
+std::string Escaped(std::string_view bytes);
+/// The same in quotes, and shortened if long: 'spere'.
+std::string Quoted(std::string_view bytes);
+/// The same for the path of a file that is there, and so not endless: whole, since its end says most.
+std::string QuotedPath(std::string_view bytes);
+/// A line to be shown above a caret: as many characters as before, those that Escaped() would change as '?'.
+std::string ShownLine(std::string_view line);
+
+/// "file:line:column", escaped; the file alone when line is 0.
+std::string Place(const std::string& file, std::size_t line, std::size_t column);
+
+}  // namespace ray

@@ -1,0 +1,53 @@
+#include "source/text/Suggestion.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace ray {
+namespace {
+
+// Longer words are no slips of the keyboard; the bound keeps the quadratic comparison small.
+constexpr std::size_t max_word = 40;
+
+char Lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
+
+/// Insertions, deletions, changes and swaps of neighbours that lead from one word to the other, letter case apart.
+/// Source: Damerau, A technique for computer detection and correction of spelling errors (1964), as the restricted
+/// distance computed by dynamic programming over three rows.
+std::size_t Distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> before_last(b.size() + 1), last(b.size() + 1), row(b.size() + 1);
+  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    before_last.swap(last);
+    last.swap(row);
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const bool same = Lower(a[i - 1]) == Lower(b[j - 1]);
+      row[j] = std::min({last[j] + 1, row[j - 1] + 1, last[j - 1] + (same ? 0 : 1)});
+      if (i > 1 && j > 1 && Lower(a[i - 1]) == Lower(b[j - 2]) && Lower(a[i - 2]) == Lower(b[j - 1]))
+        row[j] = std::min(row[j], before_last[j - 2] + 1);
+    }
+  }
+  return row[b.size()];
+}
+
+}  // namespace
+
+std::string Suggestion(std::string_view word, std::span<const std::string_view> choices, const std::string& plural) {
+  // A third of the letters may be wrong: 'spere', 'poinlight', but not 'cat' for 'box'.
+  std::size_t nearest = word.size() / 3 + 1;
+  std::string_view best;
+  if (word.size() <= max_word)
+    for (const std::string_view choice : choices) {
+      const std::size_t distance = Distance(word, choice);
+      if (distance >= nearest) continue;
+      nearest = distance;
+      best = choice;
+    }
+  if (!best.empty()) return "did you mean '" + std::string(best) + "'?";
+  std::string all;
+  for (const std::string_view choice : choices) all += (all.empty() ? "" : ", ") + std::string(choice);
+  return plural + " are " + all;
+}
+
+}  // namespace ray

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "R2/Image.h"
+#include "source/view/Drawing.h"
+#include "source/view/camera/CameraMoves.h"
+#include "source/view/live/Frame.h"
+
+namespace ray {
+
+/// How light becomes what a screen is given.
+struct Exposure {
+  double factor = 1;
+  bool srgb = false;
+};
+
+/// All that a viewer shows at a moment, without a word of OpenGL. Lists are shared and never changed once they are
+/// shown: the same pointer is the same list.
+struct FrameState {
+  /// A picture that is being traced, or is whole. One of frame and image.
+  struct Picture {
+    const Frame* frame = nullptr;  // lives until the viewer handles its next event
+    std::uint64_t number = 0;      // of the job that owns the frame
+    std::shared_ptr<const R2::Image> image;
+    std::optional<std::array<std::array<float, 3>, 4>> corners;  // in the drawing space; else it covers the view
+    int rows = -1;                                               // shown, from the bottom; -1: all
+    Exposure exposure;
+  };
+
+  DrawingSize size;  // of the whole
+  DrawingSize view;  // of the part, at the left, that shows the scene
+  R2::Color background;
+  ClipMatrix clip_from_drawing{};
+  std::shared_ptr<const Triangles> faces;
+  bool shows_faces = true, shows_edges = false;
+  Rgba edge_color{};
+  std::shared_ptr<const Lines> lines;
+  std::optional<Picture> quad, picture;
+  std::shared_ptr<const Lines> section;  // in the square from -1 to 1, at the right; null for none
+  std::vector<Label> labels;
+};
+
+}  // namespace ray

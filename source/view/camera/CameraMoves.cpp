@@ -1,0 +1,145 @@
+#include "source/view/camera/CameraMoves.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ray {
+namespace {
+
+constexpr double radians_across = 4;  // of a drag over the whole drawing
+constexpr double filled = 0.9;        // of the picture, by what is framed
+constexpr double narrowest = 0.005, widest = 1.5;
+
+/// The same camera in another pose.
+Camera Posed(const Camera& like, const R3::Point& eye, const R3::Vector& towards, const R3::Vector& up) {
+  Camera camera = Aim(eye, towards, up).camera;
+  camera.xfov = like.xfov;
+  camera.near = like.near;
+  camera.far = like.far;
+  return camera;
+}
+
+/// Rodrigues' formula (1840); `axis` is unit.
+R3::Vector Turned(const R3::Vector& v, const R3::Vector& axis, double angle) {
+  return std::cos(angle) * v + std::sin(angle) * Cross(axis, v) + (1 - std::cos(angle)) * Dot(axis, v) * axis;
+}
+
+double HalfHeight(const Camera& camera, const DrawingSize& size) {
+  return std::tan(camera.xfov) * size.height / size.width;
+}
+
+/// How far the view may still be tilted before it looks along the vertical.
+double AllowedTilt(const Camera& camera, const R3::Vector& vertical, double tilt) {
+  constexpr double closest = 0.01;  // radians to a pole
+  const double elevation = std::asin(std::clamp(Dot(camera.towards, Unit(vertical)), -1.0, 1.0));
+  const double most = std::acos(0.0) - closest;
+  return std::clamp(tilt, std::min(0.0, -most - elevation), std::max(0.0, most - elevation));
+}
+
+}  // namespace
+
+Camera Turned(const Camera& camera, const R3::Point& center, const R3::Vector& axis, double angle) {
+  const R3::Vector unit = Unit(axis);
+  return Posed(camera, center + Turned(camera.eye - center, unit, angle), Turned(camera.towards, unit, angle),
+               Turned(camera.up, unit, angle));
+}
+
+Camera Rotated(const Camera& camera, const R3::Point& center, const R2::Point& drag) {
+  const R3::Vector axis = Cross(camera.towards, drag.x * camera.right + drag.y * camera.up);
+  if (axis == R3::Vector{}) return camera;
+  return Turned(camera, center, axis, radians_across * (std::abs(drag.x) + std::abs(drag.y)));
+}
+
+Camera RotatedUpright(const Camera& camera, const R3::Point& center, const R3::Vector& vertical,
+                      const R2::Point& drag) {
+  const Camera around = Turned(camera, center, vertical, -radians_across * drag.x);
+  // Dragging upward sinks the eye, and so lifts the view.
+  const double tilt = AllowedTilt(around, vertical, radians_across * drag.y);
+  const Camera tilted = Turned(around, center, around.right, tilt);
+  return Posed(camera, tilted.eye, tilted.towards, vertical);
+}
+
+Camera Zoomed(const Camera& camera, const R3::Point& center, const R2::Point& drag) {
+  const double factor = std::exp(2 * (drag.x + drag.y));
+  return Posed(camera, camera.eye + (factor - 1) / factor * (center - camera.eye), camera.towards, camera.up);
+}
+
+Camera Panned(const Camera& camera, double depth, const R2::Point& drag, const DrawingSize& size) {
+  const double across = 2 * std::tan(camera.xfov) * depth * drag.x,
+               upward = 2 * HalfHeight(camera, size) * depth * drag.y;
+  return Posed(camera, camera.eye - across * camera.right - upward * camera.up, camera.towards, camera.up);
+}
+
+Camera Moved(const Camera& camera, const R3::Vector& way) {
+  return Posed(camera, camera.eye + way.x * camera.right + way.y * camera.up + way.z * camera.towards, camera.towards,
+               camera.up);
+}
+
+Camera Looking(const Camera& camera, const R3::Vector& vertical, const R2::Point& drag) {
+  const Camera around = Turned(camera, camera.eye, vertical, -radians_across * drag.x);
+  const double tilt = AllowedTilt(around, vertical, radians_across * drag.y);
+  const Camera tilted = Turned(around, camera.eye, around.right, tilt);
+  return Posed(camera, camera.eye, tilted.towards, vertical);
+}
+
+Camera Framed(const Camera& camera, const R3::Box& box, const DrawingSize& size) {
+  if (box.IsEmpty()) return camera;
+  const R3::Point center = box.Center();
+  const double half_width = filled * std::tan(camera.xfov), half_height = filled * HalfHeight(camera, size);
+  double back = 0;
+  for (int i = 0; i < 8; ++i) {
+    const R3::Vector corner = box.Corner(i) - center;
+    const double depth = Dot(corner, camera.towards);
+    back = std::max({back, std::abs(Dot(corner, camera.right)) / half_width - depth,
+                     std::abs(Dot(corner, camera.up)) / half_height - depth});
+  }
+  if (!(back > 0)) return camera;  // a point is seen from anywhere
+  return Posed(camera, center - back * camera.towards, camera.towards, camera.up);
+}
+
+Camera FromAxis(const Camera& camera, const R3::Point& center, const R3::Vector& towards, const R3::Vector& up) {
+  const double distance = Length(center - camera.eye);
+  return Posed(camera, center - distance * towards, towards, up);
+}
+
+Camera WithAngle(const Camera& camera, double factor) {
+  Camera other = camera;
+  other.xfov = std::clamp(camera.xfov * factor, std::min(camera.xfov, narrowest), std::max(camera.xfov, widest));
+  return other;
+}
+
+std::optional<R2::Point> PixelOf(const Camera& camera, const R3::Point& p, const DrawingSize& size) {
+  const R3::Vector way = p - camera.eye;
+  const double depth = Dot(way, camera.towards);
+  if (!(depth > 0)) return {};
+  const double across = Dot(way, camera.right) / (depth * std::tan(camera.xfov));
+  const double upward = Dot(way, camera.up) / (depth * HalfHeight(camera, size));
+  return R2::Point{(across + 1) / 2 * size.width, (upward + 1) / 2 * size.height};
+}
+
+double DepthOf(const Camera& camera, const R3::Point& p) { return Dot(p - camera.eye, camera.towards); }
+
+ClipMatrix ClipFromDrawing(const Camera& camera, const DrawingSpace& space, const R3::Box& box,
+                           const DrawingSize& size) {
+  // All in units of the drawing space.
+  double nearest = 1, farthest = 2;
+  if (!box.IsEmpty()) {
+    const double middle = DepthOf(camera, box.Center()) / space.radius, radius = box.Radius() / space.radius;
+    constexpr double widened = 1.01;
+    farthest = std::max(middle + widened * radius, 1e-3);
+    nearest = std::max(middle - widened * radius, 1e-3 * farthest);
+  }
+  const double sx = 1 / std::tan(camera.xfov), sy = 1 / HalfHeight(camera, size);
+  const double a = (farthest + nearest) / (farthest - nearest), b = -2 * farthest * nearest / (farthest - nearest);
+  const R3::Vector eye = (camera.eye - space.center) / space.radius;
+  const auto row = [](const R3::Vector& v, double last) { return std::array{v.x, v.y, v.z, last}; };
+  const std::array rows{
+      row(sx * camera.right, -sx * Dot(camera.right, eye)), row(sy * camera.up, -sy * Dot(camera.up, eye)),
+      row(a * camera.towards, b - a * Dot(camera.towards, eye)), row(camera.towards, -Dot(camera.towards, eye))};
+  ClipMatrix matrix{};
+  for (std::size_t r = 0; r < 4; ++r)
+    for (std::size_t c = 0; c < 4; ++c) matrix[4 * c + r] = rows[r][c];
+  return matrix;
+}
+
+}  // namespace ray

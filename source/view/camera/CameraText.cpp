@@ -1,0 +1,80 @@
+#include "source/view/camera/CameraText.h"
+
+#include <charconv>
+#include <cmath>
+#include <fstream>
+#include <numbers>
+#include <vector>
+
+#include "source/text/NumberText.h"
+
+namespace ray {
+
+std::string CameraLine(const Camera& camera) {
+  std::string line = "camera";
+  const auto triple = [&](double x, double y, double z) {
+    line += " " + ToText(x) + " " + ToText(y) + " " + ToText(z) + " ";
+  };
+  triple(camera.eye.x, camera.eye.y, camera.eye.z);
+  triple(camera.towards.x, camera.towards.y, camera.towards.z);
+  triple(camera.up.x, camera.up.y, camera.up.z);
+  return line + " " + ToText(camera.xfov) + "  " + ToText(camera.near) + " " + ToText(camera.far);
+}
+
+std::optional<Camera> ReadCameraLine(const std::string& line) {
+  constexpr std::size_t numbers_in_a_line = 12;
+  const std::string word = "camera";
+  if (line.compare(0, word.size(), word) != 0) return {};
+  std::vector<double> n;
+  const char* at = line.data() + word.size();
+  const char* const end = line.data() + line.size();
+  while (at != end) {
+    if (*at == ' ' || *at == '\r') {
+      ++at;
+      continue;
+    }
+    double number = 0;
+    const auto [rest, error] = std::from_chars(at, end, number);
+    if (error != std::errc{} || !std::isfinite(number)) return {};
+    n.push_back(number);
+    at = rest;
+  }
+  if (n.size() != numbers_in_a_line) return {};
+  const R3::Vector towards{n[3], n[4], n[5]}, up{n[6], n[7], n[8]};
+  const bool is_angle = n[9] > 0 && n[9] < std::numbers::pi / 2;
+  if (towards == R3::Vector{} || !is_angle) return {};
+  Camera camera = Aim({n[0], n[1], n[2]}, towards, up).camera;
+  camera.xfov = n[9];
+  camera.near = n[10];
+  camera.far = n[11];
+  return camera;
+}
+
+Bookmarks::Bookmarks(const std::filesystem::path& scene) : file_(scene) {
+  file_ += ".views";
+  std::ifstream in(file_);
+  for (std::string line; std::getline(in, line);) {
+    if (line.size() < 2 || line[0] < '1' || line[0] > '9' || line[1] != ' ') continue;
+    if (const auto camera = ReadCameraLine(line.substr(2))) cameras_.insert_or_assign(line[0] - '0', *camera);
+  }
+}
+
+std::optional<Camera> Bookmarks::Find(int digit) const {
+  const auto found = cameras_.find(digit);
+  return found == cameras_.end() ? std::nullopt : std::optional(found->second);
+}
+
+bool Bookmarks::Keep(int digit, const Camera& camera) {
+  cameras_.insert_or_assign(digit, camera);
+  const std::filesystem::path fresh = file_.string() + ".new";
+  {
+    std::ofstream out(fresh);
+    for (const auto& [number, kept] : cameras_) out << number << " " << CameraLine(kept) << "\n";
+    if (!out.flush()) return false;
+  }
+  std::error_code error;
+  std::filesystem::rename(fresh, file_, error);
+  return !error;
+}
+
+}  // namespace ray

@@ -1,0 +1,87 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <set>
+#include <vector>
+
+#include "source/view/Event.h"
+#include "source/view/camera/CameraMoves.h"
+
+namespace ray {
+
+/// Moves the camera as pointer, wheel and keys ask, and remembers where it was.
+class Navigator {
+ public:
+  /// The point of the scene under a place of the drawing; nothing where there is only background.
+  using PointAt = std::function<std::optional<R3::Point>(const R2::Point& place)>;
+
+  Navigator(const Camera& camera, const R3::Box& scene, const DrawingSize& size);
+
+  const Camera& TheCamera() const { return camera_; }
+  /// Grows with every change of the camera.
+  std::uint64_t Changes() const { return changes_; }
+  const R3::Box& TheBox() const { return box_; }
+
+  /// Another scene, or another size; the camera stays.
+  void SetBox(const R3::Box& scene) { box_ = scene; }
+  void SetSize(const DrawingSize& size) { size_ = size; }
+
+  /// To another view, from which Back leads home.
+  void Go(const Camera& camera);
+  void Back();
+  void Forward();
+
+  /// What rotation and zoom are about: the pivot, or the middle of the scene.
+  R3::Point Center() const { return pivot_ ? *pivot_ : box_.IsEmpty() ? R3::Point{} : box_.Center(); }
+  const std::optional<R3::Point>& Pivot() const { return pivot_; }
+  void SetPivot(const std::optional<R3::Point>& pivot) { pivot_ = pivot; }
+  /// With a turntable the vertical stays upright on the picture.
+  void ToggleTurntable();
+  bool IsTurntable() const { return is_turntable_; }
+
+  void Frame(const R3::Box& box) { Go(Framed(camera_, box, size_)); }
+  void LookAlong(const R3::Vector& towards, const R3::Vector& up) { Go(FromAxis(camera_, Center(), towards, up)); }
+  void Widen(double factor) { Go(WithAngle(camera_, factor)); }
+
+  void BeginDrag(const ButtonEvent& event, const PointAt& point_at);
+  void DragTo(const R2::Point& place);
+  void EndDrag() { drag_.reset(); }
+  bool IsDragging() const { return drag_.has_value(); }
+  void Scroll(const ScrollEvent& event, const PointAt& point_at);
+
+  /// While the right button is held, keys move the camera. Whether this one does.
+  bool IsFlying() const { return drag_ && drag_->button == Button::right; }
+  bool HoldKey(const KeyEvent& event);
+  /// Time passes: moves on as long as keys are held.
+  void Advance(double seconds);
+  /// In units of the scene's radius a second.
+  double FlySpeed() const { return fly_speed_; }
+
+ private:
+  struct Dragging {
+    Button button;
+    Modifiers modifiers;
+    R2::Point at;
+    double depth;  // of the point that was grabbed
+    bool has_moved = false;
+  };
+  void Set(const Camera& camera);
+  double Radius() const { return box_.Radius() > 0 ? box_.Radius() : 1; }
+  void Remember();
+
+  Camera camera_;
+  R3::Box box_;
+  DrawingSize size_;
+  std::uint64_t changes_ = 0;
+  std::optional<R3::Point> pivot_;
+  bool is_turntable_ = false;
+  R3::Vector vertical_;
+  std::optional<Dragging> drag_;
+  std::set<Key> held_;
+  bool is_fast_ = false, is_slow_ = false;
+  double fly_speed_ = 0.5;
+  std::vector<Camera> behind_, ahead_;
+};
+
+}  // namespace ray

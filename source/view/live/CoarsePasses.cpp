@@ -1,0 +1,142 @@
+#include "source/view/live/CoarsePasses.h"
+
+#include <algorithm>
+#include <exception>
+#include <mutex>
+#include <thread>
+
+#include "source/integrate/debug/Heat.h"
+
+namespace ray {
+namespace {
+
+// Of an item, in pixels of its pass. Wide enough for full batches; the first pass has so few that their rows are shared
+// out finely.
+constexpr int item_width = 8, item_height = 8, first_item_height = 2;
+
+int Quotient(int pixels, int side) { return (pixels + side - 1) / side; }  // rounded up
+
+}  // namespace
+
+CoarsePasses::CoarsePasses(const Integrator& integrator, const CameraRays& camera, const Film& film,
+                           const RenderSettings& settings, const Watch& watch)
+    : film_(film),
+      watch_(watch),
+      is_heat_(ShowsCosts(settings.mode)),
+      sampled_{film.PixelsOf(0).x0, film.PixelsOf(0).y0, film.PixelsOf(film.Blocks() - 1).x1,
+               film.PixelsOf(film.Blocks() - 1).y1},
+      samples_(static_cast<std::size_t>(sampled_.Area())) {
+  workers_.reserve(static_cast<std::size_t>(settings.threads));
+  for (int i = 0; i < settings.threads; ++i)
+    workers_.push_back(Worker{SampleTracer(integrator, camera, settings), TraceState{}});
+}
+
+bool CoarsePasses::Trace(int stride, int traced_stride) {
+  const int width = item_width * stride, height = (traced_stride > 0 ? item_height : first_item_height) * stride;
+  const int columns = Quotient(sampled_.Width(), width), rows = Quotient(sampled_.Height(), height);
+  return ForEach(columns * rows, [&](int i, Worker& worker) {
+    const int x = sampled_.x0 + i % columns * width, y = sampled_.y0 + i / columns * height;
+    return TraceItem({Common(sampled_, {x, y, x + width, y + height}), stride, traced_stride}, worker);
+  });
+}
+
+bool CoarsePasses::TraceItem(const Item& item, Worker& worker) {
+  const PixelRectangle& pixels = item.pixels;
+  const auto is_traced = [&](int column, int row) {
+    return item.traced_stride > 0 && (column - sampled_.x0) % item.traced_stride == 0 &&
+           (row - sampled_.y0) % item.traced_stride == 0;
+  };
+  worker.state.workspace.ForgetPlaces();
+  bool was_stopped = watch_.stop.load();
+  for (int row = pixels.y0; row < pixels.y1; row += item.stride)
+    for (int column = pixels.x0; column < pixels.x1; column += item.stride) {
+      if (is_traced(column, row)) continue;
+      worker.tracer.Add(column, row, worker.tracer.KeyOf(column, row, 0), 0);
+      if (!worker.tracer.IsFull()) continue;
+      if (!TraceBatch(item.stride, was_stopped, worker)) return false;
+      was_stopped = watch_.stop.load();
+    }
+  if (!TraceBatch(item.stride, was_stopped, worker)) return false;
+  const int bottom = film_.Region().y0;
+  for (int row = std::max(pixels.y0, bottom); row < std::min(pixels.y1, film_.Region().y1); ++row)
+    watch_.frame.Touch(row - bottom);
+  return true;
+}
+
+/// `was_stopped_before`: whether stop was asked for before the batch was laid together. Whether it was not since.
+bool CoarsePasses::TraceBatch(int stride, bool was_stopped_before, Worker& worker) {
+  if (watch_.stop.load()) return false;
+  const int size = worker.tracer.Size();
+  worker.tracer.Trace(worker.state, [&](int column, int row, const CameraSample& sample, const R2::Color& radiance) {
+    samples_[Index(column, row)] = {{sample.x, sample.y}, radiance};
+    Show(column, row, stride, radiance);
+  });
+  // Asked of the look before the one above, so that the count tells if that one were missing.
+  if (was_stopped_before) watch_.begun_late += size;
+  pixels_traced_ += size;
+  const std::uint64_t rays = worker.state.rays.Total();
+  watch_.rays += rays - worker.rays_told;
+  worker.rays_told = rays;
+  return true;
+}
+
+void CoarsePasses::Show(int column, int row, int stride, const R2::Color& radiance) {
+  const PixelRectangle& region = film_.Region();
+  const R2::Color color = is_heat_ ? HeatColor(radiance.r) : radiance;
+  const PixelRectangle square = Common(region, {column, row, column + stride, row + stride});
+  for (int y = square.y0; y < square.y1; ++y)
+    for (int x = square.x0; x < square.x1; ++x) watch_.frame.Set(x - region.x0, y - region.y0, color);
+}
+
+RenderState CoarsePasses::TakeState() {
+  const auto blocks = static_cast<std::size_t>(film_.Blocks());
+  RenderState state;
+  state.blocks.resize(blocks);
+  state.targets.assign(blocks, 1);
+  state.end = 1;
+  ForEach(film_.Blocks(), [&](int i, Worker&) {
+    Film::Block& block = state.blocks[static_cast<std::size_t>(i)];
+    block.sums[0] = film_.EmptySums(i);
+    block.samples[0] = 1;
+    const PixelRectangle pixels = film_.PixelsOf(i);
+    for (int row = pixels.y0; row < pixels.y1; ++row)
+      for (int column = pixels.x0; column < pixels.x1; ++column) {
+        const Sample& sample = samples_[Index(column, row)];
+        block.sums[0].Add(column, row, sample.at.x, sample.at.y, sample.radiance, film_.filter());
+      }
+    return !watch_.stop.load();
+  });
+  samples_ = {};
+  for (const Worker& worker : workers_) state.rays += worker.state.rays;
+  return state;
+}
+
+bool CoarsePasses::ForEach(int count, const std::function<bool(int, Worker&)>& work) {
+  std::atomic<int> next = 0;
+  std::atomic<bool> goes_on = true;
+  std::mutex guard;
+  std::exception_ptr thrown;
+  const auto run = [&](Worker& worker) {
+    try {
+      while (goes_on) {
+        const int i = next.fetch_add(1);
+        if (i >= count) return;
+        if (!work(i, worker)) goes_on = false;
+      }
+    } catch (...) {
+      const std::lock_guard lock(guard);
+      thrown = std::current_exception();
+      goes_on = false;
+    }
+  };
+  {
+    std::vector<std::jthread> others;
+    for (std::size_t i = 1; i < std::min(workers_.size(), static_cast<std::size_t>(count)); ++i)
+      others.emplace_back(run, std::ref(workers_[i]));
+    run(workers_.front());
+  }
+  if (thrown) std::rethrow_exception(thrown);
+  return goes_on;
+}
+
+}  // namespace ray

@@ -1,0 +1,77 @@
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "R2/Point.h"
+#include "source/render/Render.h"
+#include "source/render/SampleTracer.h"
+#include "source/view/live/Frame.h"
+
+namespace ray {
+
+/// The first sample of every pixel of a picture, in an order that soon shows something everywhere: pixels some stride
+/// apart, then half of it, down to 1. Each pixel is traced once, and fills the square of the frame up to its neighbours
+/// of that pass until these squares are refined.
+class CoarsePasses {
+ public:
+  /// Where it tells how far it is; all outlive it, and any thread may look.
+  struct Watch {
+    Frame& frame;                           // of the part of the picture that is wanted
+    const std::atomic<bool>& stop;          // looked at before each few pixels
+    std::atomic<std::uint64_t>& rays;       // traced, of all kinds
+    std::atomic<std::int64_t>& begun_late;  // pixels traced in spite of `stop`, which are none; see RenderJob
+  };
+
+  /// `film`: an empty one of the settings. `settings.threads` at least 1.
+  CoarsePasses(const Integrator& integrator, const CameraRays& camera, const Film& film, const RenderSettings& settings,
+               const Watch& watch);
+
+  /// Traces the pixels `stride` apart except those `traced_stride` apart, a multiple or 0, which have been. Whether
+  /// nobody asked to stop; throws what a thread threw.
+  bool Trace(int stride, int traced_stride);
+  std::int64_t PixelsTraced() const { return pixels_traced_.load(); }
+
+  /// All samples as Render would have them after its first pass, given away; once all are traced. Of no use when stop
+  /// was asked for.
+  RenderState TakeState();
+
+ private:
+  struct Sample {
+    R2::Point at;  // in pixels of the picture
+    R2::Color radiance;
+  };
+  struct alignas(64) Worker {  // a cache line of its own, since each is written for every ray
+    SampleTracer tracer;
+    TraceState state;
+    std::uint64_t rays_told = 0;
+  };
+  /// Pixels traced one after another by one thread: a rectangle of them `stride` apart.
+  struct Item {
+    PixelRectangle pixels;
+    int stride, traced_stride;
+  };
+
+  bool TraceItem(const Item& item, Worker& worker);
+  bool TraceBatch(int stride, bool was_stopped_before, Worker& worker);
+  void Show(int column, int row, int stride, const R2::Color& radiance);
+  std::size_t Index(int column, int row) const {
+    return static_cast<std::size_t>(row - sampled_.y0) * static_cast<std::size_t>(sampled_.Width()) +
+           static_cast<std::size_t>(column - sampled_.x0);
+  }
+  /// work(i, worker) for i in 0 .. count - 1, each once, by all threads, until one answers false or throws. Whether
+  /// none did; throws what was thrown.
+  bool ForEach(int count, const std::function<bool(int, Worker&)>& work);
+
+  const Film& film_;
+  const Watch watch_;
+  const bool is_heat_;
+  PixelRectangle sampled_;  // the pixels of the film
+  std::vector<Sample> samples_;
+  std::vector<Worker> workers_;
+  std::atomic<std::int64_t> pixels_traced_ = 0;
+};
+
+}  // namespace ray

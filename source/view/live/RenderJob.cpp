@@ -1,0 +1,164 @@
+#include "source/view/live/RenderJob.h"
+
+#include <tbb/info.h>
+
+#include <algorithm>
+#include <bit>
+#include <exception>
+#include <new>
+
+#include "source/view/live/CoarsePasses.h"
+
+namespace ray {
+namespace {
+
+constexpr int most_apart = 64;     // pixels of a first pass
+constexpr int band_height = 32;    // rows, where a filter is wider than a pixel and so rows share samples
+constexpr int unknown_stride = 8;  // before any rate was measured
+
+RenderSettings ForJob(RenderSettings settings) {
+  if (settings.threads <= 0) settings.threads = std::max(1, tbb::info::default_concurrency() - 1);
+  settings.budget = {};
+  settings.replay.reset();
+  return settings;
+}
+
+PixelRectangle RegionOf(const RenderSettings& settings) {
+  return settings.crop.value_or(PixelRectangle{0, 0, settings.width, settings.height});
+}
+
+/// Rows that are rendered together. What a pixel costs may depend on those before it in its block of the film, so heat
+/// needs whole blocks, which a wide filter's apron does not give.
+int BandHeight(const RenderSettings& settings) {
+  const bool is_heat = ShowsCosts(settings.mode), is_wide = settings.filter != "box";
+  if (is_heat) return is_wide ? settings.height : Film::block_side;
+  return is_wide ? band_height : 1;
+}
+
+}  // namespace
+
+RenderJob::RenderJob(std::shared_ptr<const LoadedScene> scene, const RenderSettings& settings, Order order,
+                     int first_stride)
+    : scene_(std::move(scene)),
+      settings_(ForJob(settings)),
+      order_(order),
+      first_stride_(static_cast<int>(std::bit_floor(static_cast<unsigned>(std::max(1, first_stride))))),
+      frame_(RegionOf(settings).Width(), RegionOf(settings).Height()),
+      thread_([this] { Run(); }) {}
+
+RenderJob::~RenderJob() {
+  Cancel();
+  thread_.join();
+}
+
+bool RenderJob::IsComplete() const { return HasEnded() && result_.has_value(); }
+
+std::string RenderJob::Failure() const { return HasEnded() ? failure_ : std::string(); }
+
+const RenderResult* RenderJob::Result() const { return IsComplete() ? &*result_ : nullptr; }
+
+double RenderJob::Seconds() const {
+  return HasEnded() ? seconds_ : std::chrono::duration<double>(Clock::now() - start_).count();
+}
+
+void RenderJob::Run() {
+  try {
+    const auto integrator = IntegratorOf(scene_->world, *scene_->accelerator, settings_);
+    result_ = order_ == Order::rows ? RenderRows(*integrator) : RenderCoarseFirst(*integrator);
+  } catch (const std::bad_alloc&) {
+    failure_ = "there is not enough memory";
+  } catch (const std::exception& problem) {
+    failure_ = problem.what();
+  } catch (...) {
+    failure_ = "of no known kind";
+  }
+  seconds_ = Seconds();
+  has_ended_.store(true, std::memory_order_release);
+}
+
+std::optional<RenderResult> RenderJob::RenderCoarseFirst(const Integrator& integrator) {
+  const Film film = EmptyFilmOf(settings_);
+  const CameraRays camera = CameraRaysOf(scene_->world, settings_);
+  CoarsePasses passes(integrator, camera, film, settings_, {frame_, stop_, rays_, begun_late_});
+  // What a pixel costs may depend on those before it, so heat's last pass and all its samples are left to Render, in
+  // one go.
+  const bool is_kept = !ShowsCosts(settings_.mode);
+  const int last_stride = is_kept ? 1 : 2;
+  const auto begin = Clock::now();
+  for (int stride = std::max(last_stride, first_stride_), traced = 0; stride >= last_stride; stride /= 2) {
+    if (!passes.Trace(stride, traced)) return {};
+    traced = stride;
+    const double seconds = std::chrono::duration<double>(Clock::now() - begin).count();
+    pixels_per_second_ = static_cast<double>(passes.PixelsTraced()) / std::max(1e-9, seconds);
+    stride_.store(stride, std::memory_order_release);
+  }
+  if (is_kept) samples_.store(1, std::memory_order_release);
+
+  const std::uint64_t rays_not_kept = is_kept ? 0 : rays_.load();
+  RenderMonitor monitor;
+  monitor.stop = &stop_;
+  monitor.tile_done = [&](const RenderProgress& progress) { rays_ = rays_not_kept + progress.rays; };
+  if (is_kept) {
+    monitor.resume = [&](const Film&) { return passes.TakeState(); };
+    monitor.pass_done = [&](const R2::Image& image, std::uint32_t samples) {
+      Show(image, 0);
+      samples_.store(static_cast<int>(samples), std::memory_order_release);
+    };
+  }
+  RenderResult result = Render(scene_->world, integrator, settings_, monitor);
+  if (!result.IsComplete()) return {};
+  // Passes were made to be seen; Render has one unless it was asked for more.
+  if (!settings_.wants_passes) result.passes.erase(result.passes.begin(), result.passes.end() - 1);
+  Show(result.image, 0);
+  stride_.store(1, std::memory_order_release);
+  samples_.store(settings_.samples, std::memory_order_release);
+  return result;
+}
+
+std::optional<RenderResult> RenderJob::RenderRows(const Integrator& integrator) {
+  const PixelRectangle region = RegionOf(settings_);
+  const auto samples = static_cast<std::uint32_t>(settings_.samples);
+  const int band = BandHeight(settings_);
+  RenderSettings part_settings = settings_;
+  part_settings.tile_size = Film::block_side;  // a band has few blocks, and all threads are to have some
+  part_settings.wants_passes = false;
+  RenderResult result;
+  result.image = R2::Image(region.Width(), region.Height());
+  RenderMonitor monitor;
+  monitor.stop = &stop_;
+  monitor.tile_done = [&](const RenderProgress& progress) { rays_ = result.rays.Total() + progress.rays; };
+  for (int bottom = region.y0, top; bottom < region.y1; bottom = top) {
+    top = std::min(region.y1, (bottom / band + 1) * band);
+    part_settings.crop = {region.x0, bottom, region.x1, top};
+    const RenderResult part = Render(scene_->world, integrator, part_settings, monitor);
+    if (!part.IsComplete()) return {};
+    result.rays += part.rays;
+    result.planned_samples = part.planned_samples;
+    for (int y = 0; y < part.image.Height(); ++y)
+      for (int x = 0; x < part.image.Width(); ++x) result.image.Set(x, bottom - region.y0 + y, part.image.At(x, y));
+    Show(part.image, bottom - region.y0);
+    rows_done_.store(top - region.y0, std::memory_order_release);
+  }
+  result.pixels_done = result.pixels_total = region.Area();
+  result.samples = {samples, samples, static_cast<double>(samples)};
+  result.block_samples.assign(static_cast<std::size_t>(EmptyFilmOf(settings_).Blocks()), samples);
+  result.passes = {{samples, static_cast<double>(samples), Seconds(), {}}};
+  samples_.store(settings_.samples, std::memory_order_release);
+  return result;
+}
+
+void RenderJob::Show(const R2::Image& image, int first) {
+  for (int y = 0; y < image.Height(); ++y) {
+    for (int x = 0; x < image.Width(); ++x) frame_.Set(x, first + y, image.At(x, y));
+    frame_.Touch(first + y);
+  }
+}
+
+int FirstStride(std::int64_t pixels, double pixels_per_second, double seconds) {
+  if (!(pixels_per_second > 0)) return unknown_stride;
+  int stride = 1;
+  while (stride<most_apart&& static_cast<double>(pixels)> seconds * pixels_per_second * stride * stride) stride *= 2;
+  return stride;
+}
+
+}  // namespace ray

@@ -1,0 +1,98 @@
+#include "source/view/live/TracedPictures.h"
+
+#include <cmath>
+
+#include "R2/compare/Difference.h"
+#include "source/text/NumberText.h"
+
+namespace ray {
+namespace {
+
+constexpr double seconds_of_first_pass = 0.03;  // so that a move is answered within 40 ms
+
+}  // namespace
+
+void TracedPictures::StartTrace(std::shared_ptr<const LoadedScene> scene, const RenderSettings& settings) {
+  trace_.Start(std::move(scene), settings, RenderJob::Order::rows);
+  trace_number_ = ++jobs_;
+  has_ended_been_told_ = false;
+}
+
+bool TracedPictures::StopTrace() {
+  if (!IsTracing()) return false;
+  trace_.Current()->Cancel();
+  return true;
+}
+
+const RenderJob* TracedPictures::TakeEnded() {
+  trace_.Tidy();
+  live_.Tidy();
+  if (has_ended_been_told_ || !Trace() || !Trace()->HasEnded()) return nullptr;
+  has_ended_been_told_ = true;
+  return Trace();
+}
+
+void TracedPictures::ShowLive(const std::string& mode) {
+  is_live_ = is_due_ = true;
+  mode_ = mode;
+}
+
+void TracedPictures::HideLive() {
+  is_live_ = is_due_ = false;
+  mode_.clear();
+  live_.GiveUp();
+}
+
+void TracedPictures::Update(const std::shared_ptr<const LoadedScene>& scene, RenderSettings settings) {
+  if (Live() && Live()->PixelsPerSecond() > 0) pixels_per_second_ = Live()->PixelsPerSecond();
+  if (!is_live_ || !is_due_) return;
+  is_due_ = false;
+  if (!mode_.empty()) settings.mode = mode_;
+  if (mode_ == "depth" || mode_ == "id") settings.samples = 1;  // means over an edge would be of nothing that is there
+  const auto pixels = static_cast<std::int64_t>(settings.width) * settings.height;
+  live_.Start(scene, settings, RenderJob::Order::coarse_first,
+              FirstStride(pixels, pixels_per_second_, seconds_of_first_pass));
+  live_number_ = ++jobs_;
+}
+
+bool TracedPictures::IsBusy() const { return IsTracing() || is_due_ || (Live() && !Live()->HasEnded()); }
+
+std::shared_ptr<const R2::Image> TracedPictures::ImageOf(const Frame& frame) {
+  auto image = std::make_shared<R2::Image>(frame.Width(), frame.Height());
+  for (int y = 0; y < frame.Height(); ++y)
+    for (int x = 0; x < frame.Width(); ++x) image->Set(x, y, frame.At(x, y));
+  return image;
+}
+
+std::shared_ptr<const R2::Image> TracedPictures::Current() const {
+  const RenderJob* job = is_live_ && Live() ? Live() : Trace();
+  return job ? ImageOf(job->TheFrame()) : nullptr;
+}
+
+std::string TracedPictures::Comparison() const {
+  const auto current = Current();
+  if (!reference_) return "there is no reference: R keeps the picture that is shown as one";
+  if (!current) return "there is no traced picture to compare";
+  if (current->Width() != reference_->Width() || current->Height() != reference_->Height())
+    return "the reference is " + std::to_string(reference_->Width()) + "x" + std::to_string(reference_->Height()) +
+           ", the picture " + std::to_string(current->Width()) + "x" + std::to_string(current->Height());
+  const R2::Difference difference = R2::Compare(*current, *reference_, R2::Display::straight);
+  return "linear RMSE " + Rounded(difference.rmse, 4) + ", display RMSE " + Rounded(difference.display_rmse, 4) +
+         " / 255";
+}
+
+std::shared_ptr<const R2::Image> TracedPictures::Compared() const {
+  if (comparing_ == Comparing::no || !reference_) return nullptr;
+  if (comparing_ == Comparing::reference) return reference_;
+  const auto current = Current();
+  if (!current || current->Width() != reference_->Width() || current->Height() != reference_->Height()) return nullptr;
+  auto difference = std::make_shared<R2::Image>(current->Width(), current->Height());
+  for (int y = 0; y < current->Height(); ++y)
+    for (int x = 0; x < current->Width(); ++x) {
+      const R2::Color d = current->At(x, y) - reference_->At(x, y);
+      difference->Set(x, y, {std::abs(d.r), std::abs(d.g), std::abs(d.b)});
+    }
+  return difference;
+}
+
+}  // namespace ray

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "source/view/FrameState.h"
+#include "source/view/live/JobQueue.h"
+
+namespace ray {
+
+/// The pictures a viewer traces: the one of key S, row by row; and the live one, which begins anew with every move.
+/// One of them may be compared with a reference.
+class TracedPictures {
+ public:
+  enum class Comparing { no, reference, difference };
+
+  // The picture of key S.
+  void StartTrace(std::shared_ptr<const LoadedScene> scene, const RenderSettings& settings);
+  /// Whether one was running. What it has so far stays.
+  bool StopTrace();
+  const RenderJob* Trace() const { return trace_.Current(); }
+  bool IsTracing() const { return Trace() && !Trace()->HasEnded(); }
+  /// The trace, once, when it has ended since the last call.
+  const RenderJob* TakeEnded();
+  void ForgetTrace() { trace_.GiveUp(); }
+
+  // The live picture.
+  /// `mode`: one of render_modes to show instead of the settings' own; empty for that.
+  void ShowLive(const std::string& mode);
+  void HideLive();
+  bool IsLive() const { return is_live_; }
+  const std::string& LiveMode() const { return mode_; }
+  /// Something has changed that the live picture shows: it begins anew with the next Update.
+  void Touch() { is_due_ = true; }
+  /// Begins the live picture anew if it is due.
+  void Update(const std::shared_ptr<const LoadedScene>& scene, RenderSettings settings);
+  const RenderJob* Live() const { return live_.Current(); }
+  bool IsBusy() const;
+  /// Of the jobs ever begun; no two have the same.
+  std::uint64_t TraceNumber() const { return trace_number_; }
+  std::uint64_t LiveNumber() const { return live_number_; }
+
+  // Comparing.
+  void SetReference(std::shared_ptr<const R2::Image> image) { reference_ = std::move(image); }
+  const std::shared_ptr<const R2::Image>& Reference() const { return reference_; }
+  /// What is compared: the live picture where it is shown, else the trace, as far as they are; null without one.
+  std::shared_ptr<const R2::Image> Current() const;
+  void Compare(Comparing how) { comparing_ = how; }
+  Comparing HowCompared() const { return comparing_; }
+  /// The RMSE against the reference in words; empty when they cannot be compared.
+  std::string Comparison() const;
+  /// The image shown instead of the current picture while comparing; null when none is.
+  std::shared_ptr<const R2::Image> Compared() const;
+
+  /// Of the pixels of the frame of a job, as they are.
+  static std::shared_ptr<const R2::Image> ImageOf(const Frame& frame);
+
+ private:
+  JobQueue trace_, live_;
+  bool has_ended_been_told_ = true;
+  bool is_live_ = false, is_due_ = false;
+  std::string mode_;
+  std::uint64_t jobs_ = 0, trace_number_ = 0, live_number_ = 0;
+  double pixels_per_second_ = 0;  // of the live picture's last pass
+  std::shared_ptr<const R2::Image> reference_;
+  Comparing comparing_ = Comparing::no;
+};
+
+}  // namespace ray

@@ -1,0 +1,106 @@
+#include "source/view/overlay/DebugRays.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "source/text/NumberText.h"
+
+namespace ray {
+namespace {
+
+constexpr double ray_to_nowhere = 2;    // radii of the scene
+constexpr double normal_length = 0.04;  // likewise
+
+ShownRays ShownAs(RayKind kind) {
+  switch (kind) {
+    case RayKind::camera:
+      return ShownRays::camera;
+    case RayKind::shadow:
+      return ShownRays::shadow;
+    case RayKind::reflection:
+    case RayKind::scattering:
+      return ShownRays::reflection;
+    case RayKind::transmission:
+      return ShownRays::transmission;
+  }
+  return ShownRays::camera;
+}
+
+constexpr Rgba stopped{150, 30, 30, 255};  // a shadow ray beyond what stops it
+constexpr Rgba normal_color{255, 120, 220, 255};
+
+Rgba ColorOf(RayKind kind) {
+  switch (kind) {
+    case RayKind::camera:
+      return {240, 240, 240, 255};
+    case RayKind::shadow:
+      return {255, 220, 60, 255};
+    case RayKind::reflection:
+      return {80, 180, 255, 255};
+    case RayKind::transmission:
+      return {90, 230, 120, 255};
+    case RayKind::scattering:
+      return {255, 150, 60, 255};
+  }
+  return {};
+}
+
+R3::Point StartOf(const RecordedRay& ray) { return ray.ray.At(ray.ray.t_min); }
+
+R3::Point EndOf(const RecordedRay& ray, double scene_radius) {
+  if (const auto end = ray.End()) return *end;
+  return StartOf(ray) + ray_to_nowhere * scene_radius * Unit(ray.ray.direction);
+}
+
+}  // namespace
+
+std::vector<PixelTrace> TraceGrid(const World& world, const Accelerator& accelerator, const RenderSettings& settings,
+                                  int spacing) {
+  const PixelTracer tracer(world, accelerator, settings);
+  std::vector<PixelTrace> traces;
+  for (int row = 0; row < settings.height; row += spacing)
+    for (int column = 0; column < settings.width; column += spacing) traces.push_back(tracer.Trace(column, row, 1));
+  return traces;
+}
+
+Lines RayLines(const std::vector<PixelTrace>& traces, const DrawingSpace& space, const RayLook& look) {
+  Lines lines;
+  const auto add = [&](const R3::Point& from, const R3::Point& to, const Rgba& color) {
+    lines.push_back({space.At(from), color});
+    lines.push_back({space.At(to), color});
+  };
+  for (const PixelTrace& trace : traces)
+    for (const RecordedRay& ray : trace.rays) {
+      if (!look.shows[static_cast<std::size_t>(ShownAs(ray.kind))]) continue;
+      if (look.deepest >= 0 && ray.depth > look.deepest) continue;
+      const R3::Point end = EndOf(ray, space.radius);
+      add(StartOf(ray), end, ColorOf(ray.kind));
+      if (ray.kind == RayKind::shadow && ray.at)
+        add(end, ray.ray.t_max == 1 ? ray.ray.At(1) : end + 0.2 * space.radius * Unit(ray.ray.direction), stopped);
+      if (look.normals && ray.at && ray.kind != RayKind::shadow)
+        add(end, end + normal_length * space.radius * AsVector(ray.at->shading_normal), normal_color);
+    }
+  return lines;
+}
+
+std::string RaysAsObj(const std::vector<PixelTrace>& traces, double scene_radius) {
+  std::string text;
+  std::size_t vertices = 0;
+  const auto vertex = [&](const R3::Point& p) {
+    text += "v " + ToText(p.x) + " " + ToText(p.y) + " " + ToText(p.z) + "\n";
+    ++vertices;
+  };
+  for (std::size_t kind = 0; kind < ray_kind_names.size(); ++kind) {
+    text += std::string("g ") + ray_kind_names[kind] + "\n";
+    for (const PixelTrace& trace : traces)
+      for (const RecordedRay& ray : trace.rays) {
+        if (static_cast<std::size_t>(ray.kind) != kind) continue;
+        vertex(StartOf(ray));
+        vertex(EndOf(ray, scene_radius));
+        text += "l " + std::to_string(vertices - 1) + " " + std::to_string(vertices) + "\n";
+      }
+  }
+  return text;
+}
+
+}  // namespace ray

@@ -1,0 +1,78 @@
+#include "source/view/overlay/Pick.h"
+
+#include <array>
+
+#include "source/text/NumberText.h"
+
+namespace ray {
+namespace {
+
+constexpr int digits = 7;
+
+std::string Text(double number) { return Rounded(number, digits); }
+std::string Text(double x, double y, double z) { return Text(x) + " " + Text(y) + " " + Text(z); }
+std::string Text(const R2::Color& c) { return Text(c.r, c.g, c.b); }
+
+std::string PlaceOf(const Node& node, const Scene& scene) {
+  if (node.location.line == 0) return "(made by the program)";
+  return scene.files[node.location.file] + ":" + std::to_string(node.location.line);
+}
+
+/// The groups above a node, the nearest first. The flat nodes have their parents before them.
+std::vector<const Node*> GroupsAbove(const World& world, std::uint32_t instance) {
+  const auto& nodes = world.Nodes();
+  std::vector<std::size_t> parent_of(nodes.size(), nodes.size());
+  std::size_t own = nodes.size();
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    for (std::uint32_t c = 0; c < nodes[i].children; ++c) parent_of[nodes[i].first_child + c] = i;
+    if (nodes[i].instance == static_cast<std::int32_t>(instance)) own = i;
+  }
+  std::vector<const Node*> above;
+  if (own == nodes.size()) return above;
+  for (std::size_t i = parent_of[own]; i != nodes.size(); i = parent_of[i]) above.push_back(nodes[i].node);
+  return above;
+}
+
+std::string RaysOf(const PixelTrace& trace) {
+  std::array<int, ray_kind_names.size()> counts{};
+  for (const RecordedRay& ray : trace.rays) ++counts[static_cast<std::size_t>(ray.kind)];
+  std::string text = "rays " + std::to_string(trace.rays.size());
+  for (std::size_t k = 0; k < counts.size(); ++k)
+    if (counts[k] > 0) text += ", " + std::string(ray_kind_names[k]) + " " + std::to_string(counts[k]);
+  return text;
+}
+
+}  // namespace
+
+Pick PickPixel(const World& world, const Accelerator& accelerator, const RenderSettings& settings, int column,
+               int row) {
+  Pick pick{PixelTracer(world, accelerator, settings).Trace(column, row, 1), {}, 0, {}};
+  const RecordedRay& ray = pick.trace.rays.front();
+  pick.text.push_back("pixel " + std::to_string(column) + " " + std::to_string(row) + ": " + Text(pick.trace.Mean()));
+  if (!ray.hit) {
+    pick.text.emplace_back("meets nothing");
+    return pick;
+  }
+  pick.point = ray.at->position;
+  pick.instance = ray.hit->instance;
+  const Instance& instance = world.Instances()[pick.instance];
+  const Scene& scene = world.scene();
+  std::string path = PlaceOf(*instance.node, scene);
+  for (const Node* group : GroupsAbove(world, pick.instance))
+    if (group->location.line > 0) path += " < " + PlaceOf(*group, scene);
+  const R3::Intersection& at = *ray.at;
+  const Material& m = *instance.material;
+  pick.text.push_back("node " + path);
+  pick.text.push_back("primitive " + std::to_string(world.PrimitiveId(*ray.hit)) + ", t " + Text(ray.hit->hit.t) +
+                      ", distance " + Text(ray.hit->hit.t * Length(ray.ray.direction)) + ", at " +
+                      Text(at.position.x, at.position.y, at.position.z));
+  pick.text.push_back("normal " + Text(at.normal.x, at.normal.y, at.normal.z) + ", uv " + Text(at.uv.x) + " " +
+                      Text(at.uv.y));
+  pick.text.push_back("ka " + Text(m.ka) + ", kd " + Text(m.kd) + ", ks " + Text(m.ks) + ", kt " + Text(m.kt));
+  pick.text.push_back("emission " + Text(m.emission) + ", n " + Text(m.n) + ", ir " + Text(m.ir) +
+                      (m.texture ? ", texture" : "") + (m.bump ? ", bump" : ""));
+  pick.text.push_back(RaysOf(pick.trace));
+  return pick;
+}
+
+}  // namespace ray

@@ -1,0 +1,47 @@
+#include "source/view/overlay/RayInspector.h"
+
+#include <algorithm>
+
+namespace ray {
+
+void RayInspector::TraceGrid(const LoadedScene& scene, const RenderSettings& settings) {
+  grid_ = ray::TraceGrid(scene.world, *scene.accelerator, settings);
+  shows_grid_ = true;
+}
+
+void RayInspector::TracePixel(const LoadedScene& scene, const RenderSettings& settings, int column, int row) {
+  pixel_settings_ = settings;
+  pixel_ = PixelTracer(scene.world, *scene.accelerator, settings).Trace(column, row, settings.samples);
+}
+
+bool RayInspector::StepPixel(const LoadedScene& scene, int right, int up) {
+  if (!pixel_) return false;
+  const int column = pixel_->column + right, row = pixel_->row + up;
+  if (column < 0 || row < 0 || column >= pixel_settings_.width || row >= pixel_settings_.height) return false;
+  TracePixel(scene, pixel_settings_, column, row);
+  return true;
+}
+
+void RayInspector::StepBounce(int by) {
+  int deepest = 0;
+  for (const PixelTrace& trace : Shown())
+    for (const RecordedRay& ray : trace.rays) deepest = std::max(deepest, ray.depth);
+  // Round and round: all bounces, then none, one, two...
+  look_.deepest += by;
+  if (look_.deepest >= deepest) look_.deepest = -1;
+  if (look_.deepest < -1) look_.deepest = deepest - 1;
+}
+
+void RayInspector::ForgetAll() {
+  grid_.clear();
+  pixel_.reset();
+}
+
+std::vector<PixelTrace> RayInspector::Shown() const {
+  std::vector<PixelTrace> shown;
+  if (shows_grid_) shown = grid_;
+  if (pixel_) shown.push_back(*pixel_);
+  return shown;
+}
+
+}  // namespace ray

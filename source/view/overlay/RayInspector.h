@@ -1,0 +1,48 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "source/view/LoadedScene.h"
+#include "source/view/overlay/DebugRays.h"
+
+namespace ray {
+
+/// The rays a user looks at: those of a grid of pixels, and those of one pixel. They stay where they are while the
+/// camera moves on.
+class RayInspector {
+ public:
+  /// The grid of a picture; its settings say from where.
+  void TraceGrid(const LoadedScene& scene, const RenderSettings& settings);
+  /// One pixel, inside of the picture, with all its samples.
+  void TracePixel(const LoadedScene& scene, const RenderSettings& settings, int column, int row);
+  /// The pixel next to it, in the same picture; false at the border, or when there is none.
+  bool StepPixel(const LoadedScene& scene, int right, int up);
+  /// Shows more or fewer bounces.
+  void StepBounce(int by);
+  void Toggle(ShownRays kind) { look_.shows[static_cast<std::size_t>(kind)] ^= true; }
+  void ToggleNormals() { look_.normals = !look_.normals; }
+  void ToggleGrid() { shows_grid_ = !shows_grid_; }
+  void ForgetPixel() { pixel_.reset(); }
+  /// Of another scene.
+  void ForgetAll();
+
+  bool ShowsGrid() const { return shows_grid_; }
+  const RayLook& Look() const { return look_; }
+  const std::vector<PixelTrace>& Grid() const { return grid_; }
+  const std::optional<PixelTrace>& Pixel() const { return pixel_; }
+  /// The camera of the pixel's picture.
+  const RenderSettings& PixelSettings() const { return pixel_settings_; }
+  /// All that are shown.
+  std::vector<PixelTrace> Shown() const;
+
+ private:
+  bool shows_grid_ = false;
+  RayLook look_;
+  std::vector<PixelTrace> grid_;
+  std::optional<PixelTrace> pixel_;
+  RenderSettings pixel_settings_;
+};
+
+}  // namespace ray

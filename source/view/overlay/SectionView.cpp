@@ -1,0 +1,113 @@
+#include "source/view/overlay/SectionView.h"
+
+#include <algorithm>
+#include <string>
+
+#include "source/text/NumberText.h"
+
+namespace ray {
+namespace {
+
+constexpr int cut_lines = 512;     // of the grid that searches, each way
+constexpr int rays_of_a_row = 20;  // so many pixels of it are traced, evenly spread
+constexpr double step = 0.02;      // of the axis planes, in radii of the scene
+constexpr double normal_length = 0.03;
+constexpr Rgba normal_color{255, 120, 220, 160};
+constexpr int normal_every = 16;  // crossings
+
+R3::Vector NormalOf(SlicePlane plane) {
+  switch (plane) {
+    case SlicePlane::xz:
+      return {0, 1, 0};
+    case SlicePlane::yz:
+      return {1, 0, 0};
+    case SlicePlane::xy:
+      return {0, 0, 1};
+    case SlicePlane::camera_row:
+      break;
+  }
+  return {};
+}
+
+}  // namespace
+
+void SectionView::NextPlane() {
+  switch (plane_) {
+    case SlicePlane::camera_row:
+      plane_ = SlicePlane::xz;
+      break;
+    case SlicePlane::xz:
+      plane_ = SlicePlane::yz;
+      break;
+    case SlicePlane::yz:
+      plane_ = SlicePlane::xy;
+      break;
+    case SlicePlane::xy:
+      plane_ = SlicePlane::camera_row;
+      break;
+  }
+}
+
+void SectionView::Move(int by) {
+  if (plane_ == SlicePlane::camera_row)
+    row_ = std::clamp(Row(last_height_) + by, 0, last_height_ - 1);
+  else
+    offset_ += step * by;
+}
+
+void SectionView::Cut(const LoadedScene& scene, const RenderSettings& settings, const R3::Point& center) {
+  last_height_ = settings.height;
+  rays_.clear();
+  const R3::Box& box = scene.parsed.scene.root.bounds;
+  Slice slice;
+  if (plane_ == SlicePlane::camera_row) {
+    constexpr double middle = 0.5;  // of the row
+    const Camera camera = settings.view.value_or(scene.parsed.scene.camera);
+    slice = CameraSlice(camera, Row(settings.height) + middle, settings.width, settings.height, box);
+    const PixelTracer tracer(scene.world, *scene.accelerator, settings);
+    const int spacing = std::max(1, settings.width / rays_of_a_row);
+    for (int column = 0; column < settings.width; column += spacing)
+      rays_.push_back(tracer.Trace(column, Row(settings.height), 1));
+  } else {
+    const double radius = box.Radius() > 0 ? box.Radius() : 1;
+    slice = AxisSlice(plane_, center + offset_ * radius * NormalOf(plane_), box);
+  }
+  cut_ = CutOf(scene.world, *scene.accelerator, slice, cut_lines);
+}
+
+Lines SectionView::Drawing(const LoadedScene& scene, const RayLook& look) const {
+  if (!cut_) return {};
+  Lines lines = CutLines(*cut_, scene.world);
+  const Slice& slice = cut_->slice;
+  for (std::size_t i = 0; i < cut_->crossings.size(); i += normal_every) {
+    const Crossing& crossing = cut_->crossings[i];
+    const R2::Point tip{crossing.place.x + normal_length * slice.extent * crossing.normal.x,
+                        crossing.place.y + normal_length * slice.extent * crossing.normal.y};
+    lines.push_back({slice.At(crossing.place), normal_color});
+    lines.push_back({slice.At(tip), normal_color});
+  }
+  // Rays are drawn in a space of their own and dropped onto the plane from there.
+  const Lines in_space = RayLines(rays_, DrawingSpace{slice.center, slice.extent}, look);
+  for (const Vertex& v : in_space) {
+    const R3::Vector way{slice.extent * static_cast<double>(v.at[0]), slice.extent * static_cast<double>(v.at[1]),
+                         slice.extent * static_cast<double>(v.at[2])};
+    lines.push_back({slice.At(slice.Project(slice.center + way)), v.color});
+  }
+  return lines;
+}
+
+std::string SectionView::Describe(int height) const {
+  switch (plane_) {
+    case SlicePlane::camera_row:
+      return "row " + std::to_string(Row(height));
+    case SlicePlane::xz:
+      return "xz at y " + Rounded(cut_ ? cut_->slice.center.y : 0, 4);
+    case SlicePlane::yz:
+      return "yz at x " + Rounded(cut_ ? cut_->slice.center.x : 0, 4);
+    case SlicePlane::xy:
+      return "xy at z " + Rounded(cut_ ? cut_->slice.center.z : 0, 4);
+  }
+  return {};
+}
+
+}  // namespace ray

@@ -1,0 +1,201 @@
+#include "source/app/files/SavePicture.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <iterator>
+#include <sstream>
+
+#include "source/app/Status.h"
+#include "source/app/options/CommandLine.h"
+#include "source/view/camera/CameraText.h"
+#include "tests/Project.h"
+#include "tests/source/app/options/Program.h"
+
+namespace ray {
+namespace {
+
+using testing::ReadFile;
+using testing::RunProgram;
+using testing::TemporaryFolder;
+using testing::WriteFile;
+using Words = std::vector<std::string>;
+
+const std::string small_scene =
+    "camera 0 0 6  0 0 -1  0 1 0  0.3  0.1 100\nmaterial .2 .1 0  .8 .5 .3  .5 .5 .5  0 0 0  0 0 0  20 1  0\n"
+    "sphere 0  0 0 0  1\nbox 0  -1 -2 -1  1 -1.5 1\n";
+
+/// As long as this lives, the current folder is another.
+class Inside {
+ public:
+  explicit Inside(const std::filesystem::path& folder) { std::filesystem::current_path(folder); }
+  ~Inside() { std::filesystem::current_path(before_); }
+  Inside(const Inside&) = delete;
+
+ private:
+  std::filesystem::path before_ = std::filesystem::current_path();
+};
+
+Options ViewOf(const std::string& scene, const Words& more) {
+  Words words{scene, "-width", "24", "-height", "16"};
+  words.insert(words.end(), more.begin(), more.end());
+  return ReadCommandLine(Program::rayview, words);
+}
+
+/// Traces and saves as rayview does at S; returns the settings that the picture holds.
+R2::ImageSettings TraceAndSave(const Options& options, const std::string& name) {
+  const LoadedScene scene(options.scene, options.parse, options.accelerator);
+  const PictureOutput output = CheckPictureOutput(name, {});
+  SaveTraced(&output, options, scene, Render(scene.world, *scene.accelerator, options.render), 1.5);
+  const std::string bytes = ReadFile(name);
+  return R2::DecodeImage({reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()}).settings;
+}
+
+/// The words of a line without quotes in it.
+Words Split(const std::string& line) {
+  std::istringstream stream(line);
+  return {std::istream_iterator<std::string>(stream), {}};
+}
+
+TEST(SavePicture, NamesTheRayproCommandThatMakesTheSamePicture) {
+  Options options = ReadCommandLine(Program::rayview, Words{"room.scn", "-image", "a.png"});
+  EXPECT_EQ(RayproCommand(options), "raypro room.scn a.png -width 512 -height 512");
+  options = ReadCommandLine(
+      Program::rayview,
+      Words{"my room.scn", "-image",   "a.png",       "-width", "256",         "-height", "300",
+            "-samples",    "16",       "-motion",     "0",      "-1",          ".5",      "-srgb",
+            "-shadows",    "off",      "-allow_path", "x",      "-allow_path", "y",       "-env=-sky.hdr",
+            "-verbose",    "-headless"});
+  EXPECT_EQ(RayproCommand(options),
+            "raypro 'my room.scn' a.png -height 300 -samples 16 -motion 0 -1 0.5 -srgb -env=-sky.hdr -shadows off "
+            "-allow_path=x -allow_path=y");
+  options = ReadCommandLine(Program::rayview, Words{"-image=-a.png", "--", "-room.scn"});
+  EXPECT_EQ(RayproCommand(options), "raypro ./-room.scn ./-a.png -width 512 -height 512");
+}
+
+// What S saves is worth as much as raypro's picture only if it is that picture.
+TEST(SavePicture, EveryFormatWithoutWordsIsRayprosFileByteForByte) {
+  NEEDS_THE_PROGRAM();
+  const TemporaryFolder folder;
+  const Inside inside(folder.Path());
+  WriteFile("in.scn", small_scene);
+  for (const Words& more : {Words{}, {"-samples", "4", "-filter", "mitchell"}, {"-mode", "path", "-srgb"}})
+    for (const std::string extension : {"ppm", "bmp", "pfm", "hdr"}) {
+      const Options options = ViewOf("in.scn", more);
+      TraceAndSave(options, "view." + extension);
+      Options as_raypro = options;
+      as_raypro.picture = "pro." + extension;
+      Words words = Split(RayproCommand(as_raypro));
+      words.erase(words.begin());
+      ASSERT_EQ(RunProgram(words).status, 0);
+      EXPECT_TRUE(ReadFile("view." + extension) == ReadFile("pro." + extension)) << extension;
+      EXPECT_FALSE(ReadFile("pro." + extension).empty());
+    }
+}
+
+TEST(SavePicture, TellsInThePictureWhatRayproWouldTell) {
+  NEEDS_THE_PROGRAM();
+  const TemporaryFolder folder;
+  const Inside inside(folder.Path());
+  WriteFile("in.scn", small_scene);
+  auto ours = TraceAndSave(ViewOf("in.scn", {"-seed", "7"}), "out.png");
+  EXPECT_EQ(ours["command"], "raypro in.scn out.png -width 24 -height 16 -seed 7");
+  EXPECT_EQ(ours["seconds"], "1.500");
+  ASSERT_EQ(RunProgram({"in.scn", "out.png", "-width", "24", "-height", "16", "-seed", "7"}).status, 0);
+  const std::string bytes = ReadFile("out.png");
+  auto theirs = R2::DecodeImage({reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()}).settings;
+  theirs["seconds"] = ours["seconds"];
+  EXPECT_EQ(ours, theirs);
+}
+
+TEST(SavePicture, TellsTheCameraWhenItIsNotTheScenes) {
+  const TemporaryFolder folder;
+  const Inside inside(folder.Path());
+  WriteFile("in.scn", small_scene);
+  Options options = ViewOf("in.scn", {});
+  options.render.view = LoadedScene("in.scn", {}, {}).parsed.scene.camera;
+  EXPECT_FALSE(TraceAndSave(options, "out.png").contains("camera"));
+  options.render.view->eye.x = 0.1;
+  options.render.view->xfov = 1. / 3;
+  EXPECT_EQ(TraceAndSave(options, "out.png")["camera"], "camera 0.1 0 6  0 0 -1  0 1 0  0.3333333333333333  0.1 100");
+}
+
+TEST(SavePicture, TheLineOfACameraIsACommandOfAScene) {
+  Camera camera = Aim({1, 2e-300, -3.1}, {1, 2, 3}, {0.3, 1, 0}).camera;
+  camera.xfov = 0.7;
+  camera.near = 1e-5;
+  const Camera read = project::FromText(CameraLine(camera) + "\n").camera;
+  EXPECT_EQ(read.eye.y, camera.eye.y);
+  EXPECT_EQ(read.xfov, camera.xfov);
+  EXPECT_EQ(read.near, camera.near);
+  EXPECT_NEAR(Dot(read.towards, camera.towards), 1, 1e-15);
+}
+
+TEST(SavePicture, WithoutANameItTakesTheFirstThatIsFree) {
+  const TemporaryFolder folder;
+  const Inside inside(folder.Path());
+  WriteFile("in.scn", small_scene);
+  WriteFile("image1.jpg", "mine");
+  std::filesystem::create_symlink("nowhere", "image3.jpg");
+  const Options options = ViewOf("in.scn", {});
+  const LoadedScene scene(options.scene, options.parse, options.accelerator);
+  const RenderResult result = Render(scene.world, *scene.accelerator, options.render);
+  EXPECT_TRUE(SaveTraced(nullptr, options, scene, result, 1).starts_with("image2.jpg 24x16 1 spp 1.00 s "));
+  EXPECT_TRUE(SaveTraced(nullptr, options, scene, result, 1).starts_with("image4.jpg "));
+  EXPECT_EQ(ReadFile("image1.jpg"), "mine");
+  EXPECT_FALSE(std::filesystem::exists("nowhere"));
+  EXPECT_GT(ReadFile("image2.jpg").size(), 100u);
+}
+
+TEST(SavePicture, ANameThatWasClaimedInVainIsFreeAgain) {
+  const TemporaryFolder folder;
+  const Inside inside(folder.Path());
+  WriteFile("in.scn", "");
+  const Options options = ViewOf("in.scn", {});
+  const LoadedScene scene(options.scene, options.parse, options.accelerator);
+  RenderResult result;
+  result.image = R2::Image(70'000, 1);  // more than a JPEG holds
+  result.pixels_done = result.pixels_total = 70'000;
+  EXPECT_THROW(SaveTraced(nullptr, options, scene, result, 1), R2::ImageError);
+  EXPECT_EQ(folder.Others({"in.scn"}), Words{});
+}
+
+TEST(SavePicture, ADrawingKeepsTheValuesThatAreShown) {
+  const TemporaryFolder folder;
+  R2::Image drawing(2, 1);
+  drawing.Set(0, 0, {128 / 255., 1, 0});
+  for (const char* name : {"a.png", "a.ppm", "a.bmp"}) {
+    SaveDrawing(CheckPictureOutput(folder / name, {}), drawing, ViewOf("in.scn", {"-srgb"}));
+    const std::string bytes = ReadFile(folder / name);
+    const auto read = R2::DecodeImage({reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()});
+    EXPECT_NEAR(read.image.At(0, 0).r, 128 / 255., 1e-6) << name;
+    const auto program = read.settings.find("program");
+    EXPECT_TRUE(program == read.settings.end() || program->second.starts_with("rayview ")) << name;
+  }
+}
+
+TEST(ViewOutputs, AreCheckedBeforeAnythingIsDone) {
+  const TemporaryFolder folder;
+  const std::string scene = WriteFile(folder / "in.scn", "");
+  const auto check = [&](const Words& more) { return CheckViewOutputs(ViewOf(scene, more)); };
+  const ViewOutputs none = check({});
+  EXPECT_FALSE(none.image || none.output_image || none.screenshot || none.record);
+  const ViewOutputs all = check({"-image", folder / "a.png", "-output_image", folder / "b.jpg", "-screenshot",
+                                 folder / "c.hdr", "-record", folder / "events"});
+  EXPECT_EQ(all.image->file.name, folder / "a.png");
+  EXPECT_STREQ(all.output_image->format->name, "jpeg");
+  EXPECT_TRUE(all.screenshot && all.record);
+  EXPECT_EQ(folder.Others({"in.scn"}), Words{});
+
+  EXPECT_THROW(check({"-image", folder / "a.xyz"}), UsageError);
+  EXPECT_THROW(check({"-image", folder / "a.png", "-output_image", folder / "a.png"}), UsageError);
+  EXPECT_THROW(check({"-screenshot", folder / "a.png", "-record", folder / "a.png"}), UsageError);
+  EXPECT_THROW(check({"-record", folder / "missing/events"}), OutputError);
+  EXPECT_THROW(check({"-events", scene, "-record", scene}), OutputError);
+  WriteFile(folder / "ref.png", "");
+  EXPECT_THROW(check({"-reference", folder / "ref.png", "-image", folder / "ref.png"}), OutputError);
+  EXPECT_THROW(RefuseInputs(check({"-image", folder / "ref.png"}), Words{folder / "ref.png"}), OutputError);
+}
+
+}  // namespace
+}  // namespace ray

@@ -1,0 +1,482 @@
+#include "source/app/options/CommandLine.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <clocale>
+#include <iterator>
+#include <random>
+#include <sstream>
+
+#include "source/app/Status.h"
+#include "source/app/options/OptionTable.h"
+
+namespace ray {
+namespace {
+
+using Words = std::vector<std::string>;
+
+Options Parsed(const Words& words) { return ReadCommandLine(Program::raypro, words); }
+
+/// The names that a program needs, with more words behind them.
+Words Beside(Program program, const Words& more) {
+  Words words{"in.scn"};
+  if (program == Program::raypro) words.emplace_back("out.ppm");
+  words.insert(words.end(), more.begin(), more.end());
+  return words;
+}
+Options ViewParsed(const Words& more) { return ReadCommandLine(Program::rayview, Beside(Program::rayview, more)); }
+
+/// The message of the error, or "" when there is none.
+std::string ErrorOf(const Words& words, Program program = Program::raypro) {
+  try {
+    ReadCommandLine(program, words);
+  } catch (const UsageError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+/// Beside the names that a render needs.
+std::string ErrorBeside(const Words& words, Program program = Program::raypro) {
+  return ErrorOf(Beside(program, words), program);
+}
+
+Words Split(const std::string& text) {
+  std::istringstream stream(text);
+  return {std::istream_iterator<std::string>(stream), {}};
+}
+
+bool Contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+template <class T>
+const Number<T>* AsNumber(const OptionKind& option) {
+  return std::get_if<Number<T>>(&option.value);
+}
+
+bool IsNumber(const OptionKind& option) {
+  return AsNumber<int>(option) || AsNumber<std::int64_t>(option) || AsNumber<std::uint64_t>(option) ||
+         AsNumber<double>(option) || std::holds_alternative<OneNumberOf>(option.value);
+}
+
+TEST(CommandLine, NoTwoOptionsOfAProgramShareANameOrAnAlias) {
+  for (const Program program : programs) {
+    std::vector<std::string> names;
+    for (const OptionKind& option : OptionTable(program)) {
+      names.emplace_back(option.name);
+      names.insert(names.end(), option.aliases.begin(), option.aliases.end());
+    }
+    std::ranges::sort(names);
+    EXPECT_EQ(std::ranges::adjacent_find(names), names.end()) << *std::ranges::adjacent_find(names);
+  }
+}
+
+// A default that the option itself refuses, or reads as something else, would make the help lie.
+TEST(CommandLine, EveryOptionGivenItsDefaultChangesNothing) {
+  for (const Program program : programs) {
+    const Options defaults = Defaults(program);
+    for (const OptionKind& option : OptionTable(program)) {
+      Words words = Split(Show(option, defaults));
+      if (words.empty()) continue;
+      words.insert(words.begin(), "-" + std::string(option.name));
+      const Options options = ReadCommandLine(program, Beside(program, words));
+      for (const OptionKind& other : OptionTable(program))
+        EXPECT_EQ(Show(other, options), Show(other, defaults)) << option.name;
+    }
+  }
+}
+
+TEST(CommandLine, EveryOptionOfAShortListTakesEachOfItsChoices) {
+  for (const Program program : programs)
+    for (const OptionKind& option : OptionTable(program)) {
+      if (!IsSetting(option)) continue;
+      for (const std::string& choice : Choices(option)) {
+        Words words{"-" + std::string(option.name), choice};
+        if (words[0] == "-context") words.emplace_back("-headless");
+        EXPECT_EQ(Show(option, ReadCommandLine(program, Beside(program, words))), choice);
+      }
+    }
+}
+
+TEST(CommandLine, DefaultsAreTheCoursesAndTheSpecifications) {
+  const Options o = Parsed({"in.scn", "out.jpg"});
+  EXPECT_EQ(o.scene, "in.scn");
+  EXPECT_EQ(o.picture, "out.jpg");
+  EXPECT_EQ(o.task, Task::render);
+  EXPECT_EQ(o.render.width, 256);
+  EXPECT_EQ(o.render.height, 256);
+  EXPECT_EQ(o.render.samples, 1);
+  EXPECT_EQ(o.render.trace.max_depth, 3);
+  EXPECT_EQ(o.render.trace.min_luminance, 0.01);
+  EXPECT_EQ(o.render.trace.shadow_samples, 16);
+  EXPECT_TRUE(o.render.trace.shadows);
+  EXPECT_EQ(o.render.seed, 0u);
+  EXPECT_EQ(o.render.threads, 0);
+  EXPECT_EQ(o.render.tile_size, 32);
+  EXPECT_EQ(o.accelerator.name, "auto");
+  EXPECT_EQ(o.encoding.bits, 8);
+  EXPECT_EQ(o.encoding.jpeg_quality, 95);
+  EXPECT_EQ(o.parse.include_depth, 64);
+}
+
+TEST(CommandLine, OneDashTwoDashesAndAnEqualsSignMeanTheSame) {
+  for (const Words& spelling : {Words{"-width", "512"}, {"--width", "512"}, {"-width=512"}, {"--width=512"}}) {
+    Words words = spelling;
+    words.insert(words.end(), {"in.scn", "out.ppm"});
+    EXPECT_EQ(Parsed(words).render.width, 512) << spelling[0];
+  }
+}
+
+TEST(CommandLine, OptionsMayStandBeforeBetweenAndBehindTheNames) {
+  const Options o = Parsed({"-width", "5", "in.scn", "-srgb", "out.ppm", "-crop", "1", "2", "3", "4"});
+  EXPECT_EQ(o.scene, "in.scn");
+  EXPECT_EQ(o.picture, "out.ppm");
+  EXPECT_EQ(o.render.width, 5);
+  EXPECT_TRUE(o.encoding.srgb);
+  EXPECT_EQ(o.render.crop->x0, 1);
+  EXPECT_EQ(o.render.crop->y1, 4);
+}
+
+TEST(CommandLine, BehindTwoDashesEverythingIsAName) {
+  const Options o = Parsed({"--", "-in.scn", "-width.ppm"});
+  EXPECT_EQ(o.scene, "-in.scn");
+  EXPECT_EQ(o.picture, "-width.ppm");
+}
+
+TEST(CommandLine, SilentAliasesSetTheSameValue) {
+  EXPECT_EQ(Parsed({"a", "b", "-maxreflections", "7"}).render.trace.max_depth, 7);
+  EXPECT_EQ(Parsed({"a", "b", "-max_reflections", "7"}).render.trace.max_depth, 7);
+  EXPECT_EQ(Parsed({"a", "b", "-minluminance", "0.5"}).render.trace.min_luminance, 0.5);
+  EXPECT_EQ(Parsed({"a", "-dry-run"}).task, Task::check);
+}
+
+TEST(CommandLine, SrgbMakesTheWholeRoadLinear) {
+  const Options o = Parsed({"a", "b", "-srgb"});
+  EXPECT_TRUE(o.encoding.srgb);
+  EXPECT_TRUE(o.parse.decode_srgb);
+  EXPECT_FALSE(Parsed({"a", "b"}).parse.decode_srgb);
+}
+
+TEST(CommandLine, FoldersMayBeAllowedOneAfterTheOther) {
+  const Options o = Parsed({"a", "b", "-allow_path", "x", "-allow_path=y"});
+  ASSERT_EQ(o.parse.allowed_folders.size(), 2u);
+  EXPECT_EQ(o.parse.allowed_folders[1], "y");
+}
+
+TEST(CommandLine, SeedsUseAll64Bits) {
+  EXPECT_EQ(Parsed({"a", "b", "-seed", "18446744073709551615"}).render.seed, 18446744073709551615u);
+  EXPECT_TRUE(Contains(ErrorBeside({"-seed", "18446744073709551616"}), "-seed"));
+  EXPECT_TRUE(Contains(ErrorBeside({"-seed", "-1"}), "-seed"));
+}
+
+TEST(CommandLine, ALeadingPlusIsAllowed) { EXPECT_EQ(Parsed({"a", "b", "-width", "+5"}).render.width, 5); }
+
+TEST(Extremes, K6_EveryNumberIsReadWholeOrRefusedWithOptionValueAndRange) {
+  for (const OptionKind& option : OptionTable(Program::raypro)) {
+    if (!IsNumber(option)) continue;
+    for (const char* word :
+         {"12abc", "", "+", "+-1", "++1", "0x10", "1,5", "nan", "inf", "1e999", "1e99999999999", " 1", "1 "}) {
+      const std::string error = ErrorBeside({"-" + std::string(option.name), word});
+      EXPECT_TRUE(Contains(error, "-" + std::string(option.name) + " must be " + Range(option)))
+          << word << ": " << error;
+      EXPECT_TRUE(Contains(error, "'" + std::string(word) + "'")) << word << ": " << error;
+    }
+  }
+}
+
+TEST(Extremes, K6_NumbersDoNotAskTheLocale) {
+  const std::string before = std::setlocale(LC_ALL, nullptr);
+  std::setlocale(LC_ALL, "de_DE.UTF-8");  // does no harm where it is not installed
+  EXPECT_EQ(Parsed({"a", "b", "-min_luminance", "0.5"}).render.trace.min_luminance, 0.5);
+  EXPECT_NE(ErrorBeside({"-min_luminance", "0,5"}), "");
+  std::setlocale(LC_ALL, before.c_str());
+}
+
+TEST(Extremes, K6_ANumberTooSmallForADoubleIsZeroAndOneTooLargeAnError) {
+  EXPECT_EQ(Parsed({"a", "b", "-min_luminance", "1e-999"}).render.trace.min_luminance, 0);
+  EXPECT_EQ(Parsed({"a", "b", "-min_luminance", "1e-310"}).render.trace.min_luminance, 1e-310);
+  EXPECT_NE(ErrorBeside({"-min_luminance", "1e999"}), "");
+  EXPECT_NE(ErrorBeside({"-min_luminance", std::string(400, '9')}), "");
+}
+
+TEST(CommandLine, EveryWholeNumberTakesItsLimitsAndNothingBeyond) {
+  for (const OptionKind& option : OptionTable(Program::raypro)) {
+    const auto* number = AsNumber<int>(option);
+    if (!number) continue;
+    const auto is_stored = [&](std::int64_t value) {
+      Options options;
+      try {
+        Store(option, Words{std::to_string(value)}, options);
+      } catch (const UsageError&) {
+        return false;
+      }
+      return number->member.read(options) == value;
+    };
+    EXPECT_TRUE(is_stored(number->low)) << option.name;
+    EXPECT_TRUE(is_stored(number->high)) << option.name;
+    EXPECT_FALSE(is_stored(std::int64_t{number->low} - 1)) << option.name;
+    EXPECT_FALSE(is_stored(std::int64_t{number->high} + 1)) << option.name;
+  }
+}
+
+TEST(Extremes, F6_MaxDepthIsAnyNumberFromZeroOn) {
+  EXPECT_EQ(Parsed({"a", "b", "-max_depth", "0"}).render.trace.max_depth, 0);
+  EXPECT_EQ(Parsed({"a", "b", "-max_depth", "1000000000"}).render.trace.max_depth, 1'000'000'000);
+  EXPECT_TRUE(Contains(ErrorBeside({"-max_depth", "-1"}), "-max_depth must be a whole number, 0 to"));
+}
+
+TEST(Extremes, F7_MinLuminanceIsAnyNumberFromZeroOn) {
+  EXPECT_EQ(Parsed({"a", "b", "-min_luminance", "0"}).render.trace.min_luminance, 0);
+  EXPECT_EQ(Parsed({"a", "b", "-min_luminance", "2"}).render.trace.min_luminance, 2);
+  EXPECT_EQ(ErrorBeside({"-min_luminance", "-0.5"}), "-min_luminance must be a number, at least 0, got '-0.5'");
+  EXPECT_NE(ErrorBeside({"-min_luminance", "nan"}), "");
+}
+
+TEST(Extremes, G4_SizesOutsideTheLimitsAreRefused) {
+  for (const char* word : {"0", "-1", "2147483648", "1099511627776"}) {
+    EXPECT_TRUE(Contains(ErrorBeside({"-width", word}), "-width must be a whole number, 1 to 1073741824 pixels"))
+        << word;
+    EXPECT_TRUE(Contains(ErrorBeside({"-height", word}), "-height must be")) << word;
+  }
+  EXPECT_EQ(ErrorBeside({"-width", "16384", "-height", "16385"}),
+            "-width 16384 and -height 16385 make 268451840 pixels; at most 268435456 are allowed");
+  EXPECT_EQ(ErrorBeside({"-width", "16384", "-height", "16384"}), "");
+}
+
+TEST(Extremes, G5_SamplesAreAtLeastOneAndFitAnInteger) {
+  EXPECT_NE(ErrorBeside({"-samples", "0"}), "");
+  EXPECT_NE(ErrorBeside({"-samples", "2147483648"}), "");
+  EXPECT_EQ(Parsed({"a", "b", "-samples", "2147483647"}).render.samples, 2147483647);
+}
+
+TEST(Extremes, G6_ACropIsInsideThePictureAndNotEmpty) {
+  const std::string rule = "whole numbers with x0 < x1 and y0 < y1, inside the picture of 256 x 256";
+  EXPECT_EQ(ErrorBeside({"-crop", "-1", "0", "4", "4"}), "-crop -1 0 4 4: it must be " + rule);
+  for (const char* outside : {"0 0 257 1", "0 0 1 257", "0 -1 1 1", "4 4 4 8", "4 4 8 4", "8 8 4 4"}) {
+    Words words = Split(outside);
+    words.insert(words.begin(), "-crop");
+    EXPECT_TRUE(Contains(ErrorBeside(words), rule)) << outside;
+  }
+  EXPECT_EQ(ErrorBeside({"-crop", "0", "0", "256", "256"}), "");
+  EXPECT_EQ(ErrorBeside({"-crop", "255", "255", "256", "256"}), "");
+}
+
+TEST(Extremes, G10_ThreadsAreZeroOrMore) {
+  for (const char* word : {"0", "1", "3", "1000"}) EXPECT_EQ(ErrorBeside({"-threads", word}), "") << word;
+  EXPECT_NE(ErrorBeside({"-threads", "-1"}), "");
+}
+
+TEST(CommandLine, AnUnknownOptionIsNamedWithTheNearestOne) {
+  EXPECT_EQ(ErrorBeside({"-widht", "3"}),
+            "unknown option '-widht'; did you mean '-width'? (raypro -help lists them all)");
+  EXPECT_EQ(ErrorBeside({"--sample=3"}),
+            "unknown option '--sample=3'; did you mean '-samples'? (raypro -help lists them all)");
+  EXPECT_EQ(ErrorBeside({"-xyzzy"}), "unknown option '-xyzzy' (raypro -help lists them all)");
+}
+
+TEST(CommandLine, AnUnknownChoiceIsNamedWithAllChoices) {
+  EXPECT_EQ(ErrorBeside({"-accel", "grpah"}),
+            "-accel must be " + Range(*FindOption(Program::raypro, "accel")) + ", got 'grpah'; did you mean 'graph'?");
+  EXPECT_EQ(ErrorBeside({"-shadows", "yes"}), "-shadows must be on or off, got 'yes'");
+  EXPECT_EQ(ErrorBeside({"-bits", "12"}), "-bits must be 8 or 16 bits a channel, got '12'");
+}
+
+TEST(CommandLine, ARepeatedOptionIsRefusedWhateverItsSpelling) {
+  EXPECT_EQ(ErrorBeside({"-samples", "4", "--samples=4"}),
+            "'--samples=4' repeats '-samples'; an option may be given once");
+  EXPECT_EQ(ErrorBeside({"-max_depth", "4", "-maxreflections", "4"}),
+            "'-maxreflections' repeats '-max_depth'; an option may be given once");
+  EXPECT_NE(ErrorBeside({"-srgb", "-srgb"}), "");
+}
+
+TEST(CommandLine, TooFewArgumentsAreCounted) {
+  EXPECT_EQ(ErrorBeside({"-width"}), "-width needs 1 argument, got 0; type -width n");
+  EXPECT_EQ(ErrorBeside({"-crop", "1", "2", "-srgb"}),
+            "-crop needs 4 arguments, got 2 before '-srgb'; type -crop x0 y0 x1 y1");
+  EXPECT_EQ(ErrorBeside({"-crop=1", "2", "3", "4"}), "'-crop=1': '=' joins one argument only; type -crop x0 y0 x1 y1");
+  EXPECT_EQ(ErrorBeside({"-srgb=on"}), "'-srgb=on': '=' joins one argument only; type -srgb");
+}
+
+TEST(CommandLine, NamesAreTwoAndNotEmpty) {
+  EXPECT_TRUE(Contains(ErrorOf({}), "no scene is named"));
+  EXPECT_TRUE(Contains(ErrorOf({"in.scn"}), "no picture is named"));
+  EXPECT_EQ(ErrorOf({"a", "b", "c"}), "'c' is one name too many, after the scene 'a' and the picture 'b'");
+  EXPECT_EQ(ErrorOf({"a", ""}), "a file name is empty");
+  EXPECT_TRUE(Contains(ErrorOf({"a", "b", "-report", "b"}), "the same file"));
+  EXPECT_EQ(ErrorOf({"a", "-version"}), "'a' is one name too many");
+}
+
+TEST(CommandLine, ContradictionsAreRefused) {
+  EXPECT_NE(ErrorBeside({"-quiet", "-verbose"}), "");
+  EXPECT_EQ(ErrorOf({"-version", "-man"}), "'-man' cannot be combined with another request");
+  EXPECT_NE(ErrorOf({"in.scn", "-check", "-report", "r.json"}), "");
+}
+
+TEST(CommandLine, HelpAnywhereIsAnsweredWhateverElseIsWrong) {
+  for (const Words& words : {Words{"-help"},
+                             {"--help"},
+                             {"-h"},
+                             {"in.scn", "out.jpg", "-help"},
+                             {"-nonsense", "-help"},
+                             {"-width", "abc", "-help"},
+                             {"-help", "in.scn", "out.jpg"}})
+    EXPECT_EQ(Parsed(words).task, Task::help) << words[0];
+  EXPECT_EQ(Parsed({"-help", "light"}).subject, "light");
+  EXPECT_EQ(Parsed({"-help=light"}).subject, "light");
+  EXPECT_EQ(Parsed({"-help", "max_depth"}).subject, "max_depth");
+  EXPECT_TRUE(Contains(ErrorOf({"-help", "lihgt"}), "did you mean 'light'?"));
+}
+
+TEST(CommandLine, TopicsMadeOfDashesOrNothingAreUnknown) {
+  EXPECT_TRUE(Contains(ErrorOf({"-help", "-"}), "-help must be"));
+  EXPECT_TRUE(Contains(ErrorOf({"-help="}), "-help must be"));
+}
+
+// Anything else thrown would end the program as if it had failed while rendering.
+TEST(CommandLine, AnyWordsAtAllAreReadOrRefusedAsWrongArguments) {
+  Words vocabulary{"", "-", "--", "---", "=", "-=", "--=x", "a", "1", "-1", "1e9", "on", "\xff\xfe", "-\n", "graph"};
+  for (const Program program : programs)
+    for (const OptionKind& option : OptionTable(program))
+      for (const char* end : {"", "=", "=1", "=on"}) vocabulary.push_back("-" + std::string(option.name) + end);
+  std::mt19937 random(3);
+  for (int round = 0; round < 20'000; ++round) {
+    Words words(random() % 7);
+    for (std::string& word : words) word = vocabulary[random() % vocabulary.size()];
+    try {
+      ReadCommandLine(programs[random() % programs.size()], words);
+    } catch (const UsageError& error) {
+      EXPECT_STRNE(error.what(), "");
+    }
+  }
+}
+
+TEST(Extremes, K8_ControlCharactersInWordsArePrintedEscaped) {
+  const std::string error = ErrorBeside({"-width", "\033[2Jx"});
+  EXPECT_FALSE(Contains(error, "\033")) << error;
+  EXPECT_FALSE(Contains(ErrorBeside({"-\033[2J"}), "\033"));
+}
+
+TEST(CommandLine, AnOptionOfTheOtherProgramIsCalledThat) {
+  EXPECT_EQ(ErrorBeside({"-crop", "0", "0", "1", "1"}, Program::rayview),
+            "unknown option '-crop'; -crop is an option of raypro (rayview -help lists them all)");
+  EXPECT_EQ(ErrorBeside({"--headless"}),
+            "unknown option '--headless'; -headless is an option of rayview (raypro -help lists them all)");
+  for (const Program program : programs)
+    for (const OptionKind& option : OptionTable(TheOther(program))) {
+      const std::string name = option.name;
+      if (FindOption(program, name)) continue;
+      const std::string hint = "-" + name + " is an option of " + NameOf(TheOther(program));
+      EXPECT_TRUE(Contains(ErrorBeside({"-" + name}, program), hint)) << name;
+    }
+}
+
+// What a table says of both programs must come out the same in both, or a picture traced in the window is another.
+TEST(CommandLine, OptionsOfBothProgramsHaveOneDefaultButForTheSize) {
+  for (const OptionKind& option : OptionTable(Program::rayview))
+    EXPECT_TRUE(option.known_to != KnownTo::both ||
+                Show(option, Defaults(Program::rayview)) == Show(option, Defaults(Program::raypro)))
+        << option.name;
+  EXPECT_EQ(Defaults(Program::rayview).render.width, 512);
+  EXPECT_EQ(Defaults(Program::rayview).render.height, 512);
+}
+
+TEST(CommandLine, RayviewTakesOneNameAndItsOwnOptions) {
+  const Options o = ViewParsed({"-image", "s.png", "-output_image=w.png", "-headless", "-context", "egl", "-events",
+                                "-", "-screenshot", "e.png", "-record", "r.txt", "-reference", "a.pfm", "-samples", "4",
+                                "-width", "640", "-v"});
+  EXPECT_EQ(o.program, Program::rayview);
+  EXPECT_EQ(o.task, Task::view);
+  EXPECT_EQ(o.scene, "in.scn");
+  EXPECT_EQ(o.picture, "s.png");
+  EXPECT_EQ(o.view.output_image, "w.png");
+  EXPECT_TRUE(o.view.headless);
+  EXPECT_FALSE(o.view.exit_immediately);
+  EXPECT_EQ(o.view.context, "egl");
+  EXPECT_EQ(o.view.events, "-");
+  EXPECT_EQ(o.view.screenshot, "e.png");
+  EXPECT_EQ(o.view.record, "r.txt");
+  EXPECT_EQ(o.view.reference, "a.pfm");
+  EXPECT_EQ(o.render.samples, 4);
+  EXPECT_EQ(o.render.width, 640);
+  EXPECT_EQ(o.render.height, 512);
+  EXPECT_TRUE(o.verbose);
+  EXPECT_TRUE(ViewParsed({"-exit_immediately"}).view.exit_immediately);
+  EXPECT_EQ(ViewParsed({}).picture, "");
+}
+
+TEST(CommandLine, RayviewRefusesWhatCannotBeMeant) {
+  const Program rayview = Program::rayview;
+  EXPECT_EQ(ErrorOf({}, rayview), "no scene is named (usage: rayview scene [options])");
+  EXPECT_EQ(ErrorOf({"a", "b"}, rayview), "'b' is one name too many, after the scene 'a'");
+  EXPECT_EQ(ErrorOf({"a", "-version"}, rayview), "'a' is one name too many");
+  EXPECT_EQ(ErrorBeside({"-context", "egl"}, rayview), "-context needs -headless; a window brings its own");
+  EXPECT_EQ(ErrorBeside({"-headless", "-context", "glx"}, rayview), "-context must be auto, egl or osmesa, got 'glx'");
+  EXPECT_NE(ErrorBeside({"-exit_immediately", "-events", "e.txt"}, rayview), "");
+  EXPECT_NE(ErrorBeside({"-image", ""}, rayview), "");
+  EXPECT_TRUE(Contains(ErrorOf({"-help", "trade"}, rayview), "-help must be"));
+  EXPECT_TRUE(Contains(ErrorOf({"-list", "presets"}, rayview), "-list must be"));
+  EXPECT_EQ(ReadCommandLine(rayview, Words{"-help", "viewer"}).subject, "viewer");
+}
+
+TEST(CommandLine, DebugpixelNamesAPixelAndNeedsNoPicture) {
+  const Options o = Parsed({"in.scn", "-debugpixel", "255", "0", "-samples", "4"});
+  EXPECT_EQ(o.task, Task::debug_pixel);
+  EXPECT_EQ(o.pixel->x, 255);
+  EXPECT_EQ(o.pixel->y, 0);
+  EXPECT_EQ(o.render.samples, 4);
+  EXPECT_EQ(ErrorOf({"in.scn", "out.png", "-debugpixel", "10", "20"}),
+            "'out.png' is one name too many; -debugpixel makes no picture");
+  EXPECT_TRUE(Contains(ErrorOf({"-debugpixel", "10", "20"}), "no scene is named"));
+}
+
+TEST(CommandLine, DebugpixelTakesPixelsOfThePictureAndNoOthers) {
+  const auto error = [](Words words) {
+    words.insert(words.begin(), {"in.scn", "-width", "20", "-height", "10", "-debugpixel"});
+    return ErrorOf(words);
+  };
+  EXPECT_EQ(error({"19", "9"}), "");
+  EXPECT_EQ(error({"20", "9"}), "-debugpixel 20 9: a picture of 20 x 10 has columns 0 to 19 and rows 0 to 9");
+  EXPECT_TRUE(Contains(error({"9", "10"}), "columns 0 to 19 and rows 0 to 9"));
+  EXPECT_TRUE(Contains(error({"-1", "3"}), "columns 0 to 19 and rows 0 to 9"));
+  EXPECT_EQ(error({"1.5", "3"}),
+            "-debugpixel must be whole numbers, a column and a row of the picture from 0, got '1.5'");
+  EXPECT_EQ(error({"1"}), "-debugpixel needs 2 arguments, got 1; type -debugpixel x y");
+  EXPECT_EQ(error({"1", "2", "-stats"}), "-stats needs a picture that is rendered; -debugpixel renders none");
+  EXPECT_NE(error({"1", "2", "-check"}), "");
+  EXPECT_NE(error({"1", "2", "-error", "2"}), "");
+}
+
+/// A value for the option that is not its default.
+Words SomeValue(const OptionKind& option, const Options& defaults) {
+  for (const std::string& choice : Choices(option))
+    if (choice != Show(option, defaults)) return {choice};
+  if (std::holds_alternative<Flag>(option.value)) return {};
+  if (std::holds_alternative<Triple>(option.value)) return {"1", "-0.5", "1e-30"};
+  if (std::holds_alternative<Rectangle>(option.value)) return {"0", "1", "5", "6"};
+  if (std::holds_alternative<Word<std::vector<std::string>>>(option.value)) return {"depth,id"};
+  if (std::holds_alternative<FileName>(option.value) || std::holds_alternative<FolderList>(option.value))
+    return {"a 'name'"};
+  return {"7"};
+}
+
+TEST(CommandLine, WordsTypedForAValueLeadToIt) {
+  for (const Program program : programs)
+    for (const OptionKind& option : OptionTable(program)) {
+      if (!IsSetting(option)) continue;
+      const Options defaults = Defaults(program);
+      EXPECT_EQ(Typed(option, defaults, defaults), Words{}) << option.name;
+      Options given = defaults;
+      Store(option, std::string(option.name) == "confidence" ? Words{"0.5"} : SomeValue(option, defaults), given);
+      const Words words = Typed(option, given, defaults);
+      ASSERT_FALSE(words.empty()) << option.name;
+      Options read = defaults;
+      const auto equals = words[0].find('=');
+      Store(option,
+            equals == std::string::npos ? Words(words.begin() + 1, words.end()) : Words{words[0].substr(equals + 1)},
+            read);
+      EXPECT_EQ(Show(option, read), Show(option, given)) << option.name;
+    }
+}
+
+}  // namespace
+}  // namespace ray

@@ -1,0 +1,229 @@
+#include "source/app/options/Help.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <sstream>
+
+#include "source/app/options/Completion.h"
+#include "source/app/options/Listing.h"
+#include "source/app/options/Manual.h"
+#include "source/app/options/OptionTable.h"
+#include "source/parse/scn/Command.h"
+#include "tests/source/app/options/Program.h"
+
+namespace ray {
+namespace {
+
+bool Contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+std::size_t Count(const std::string& text, const std::string& part) {
+  std::size_t count = 0;
+  for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
+  return count;
+}
+
+std::vector<std::string> Lines(const std::string& text) {
+  std::istringstream stream(text);
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+
+/// The manual page writes every dash with a backslash.
+std::string WithRoffDashes(const std::string& text) {
+  std::string roff;
+  for (const char c : text) roff += c == '-' ? "\\-" : std::string(1, c);
+  return roff;
+}
+
+/// How the help begins the lines on an option.
+std::string Entry(const OptionKind& option) {
+  return "\n  " + Synopsis(option) + (Synopsis(option).size() < 23 ? " " : "\n");
+}
+
+TEST(Help, NamesEveryOptionOnceWithItsDefaultAndFitsTheScreen) {
+  for (const Program program : programs) {
+    const std::string help = Help(program, "");
+    for (const OptionKind& option : OptionTable(program)) {
+      EXPECT_EQ(Count(help, Entry(option)), 1u) << option.name;
+      const std::string value = Show(option, Defaults(program));
+      EXPECT_TRUE(value.empty() || Contains(Help(program, option.name), "default " + value + ")")) << option.name;
+    }
+    for (const std::string& line : Lines(help)) EXPECT_LE(line.size(), 120u) << line;
+  }
+}
+
+// Every text that a program prints of itself speaks of its options and of no other program's.
+TEST(Help, OptionsOfTheOtherProgramAreInNoTextOfThis) {
+  for (const Program program : programs)
+    for (const OptionKind& option : OptionTable(TheOther(program))) {
+      if (FindOption(program, option.name)) continue;
+      const std::string name = option.name;
+      EXPECT_FALSE(Contains(Help(program, ""), Entry(option))) << name;
+      EXPECT_FALSE(Contains(Help(program, "markdown"), "`-" + name)) << name;
+      EXPECT_FALSE(Contains(ManualPage(program), ".B " + WithRoffDashes(Synopsis(option)) + "\n")) << name;
+      EXPECT_FALSE(Contains(CompletionScript(program, "bash"), "-" + name + " ")) << name;
+      EXPECT_FALSE(Contains(CompletionScript(program, "zsh"), "-" + name + "[")) << name;
+      EXPECT_FALSE(Contains(CompletionScript(program, "fish"), " -o " + name + " ")) << name;
+    }
+}
+
+TEST(Help, ATopicHoldsItsOptionsAndNoOthers) {
+  for (const Program program : programs)
+    for (const std::string& topic : OptionTopics(program))
+      for (const OptionKind& option : OptionTable(program))
+        EXPECT_EQ(Contains(Help(program, topic), Entry(option)), topic == option.topic) << topic << " " << option.name;
+}
+
+TEST(Help, TopicsAreTogetherInTheTable) {
+  for (const Program program : programs) {
+    std::vector<std::string> topics = OptionTopics(program);
+    std::ranges::sort(topics);
+    EXPECT_EQ(std::ranges::adjacent_find(topics), topics.end());
+  }
+}
+
+TEST(Help, ShowsNoAlias) {
+  for (const Program program : programs)
+    for (const OptionKind& option : OptionTable(program))
+      for (const char* alias : option.aliases)
+        EXPECT_FALSE(Contains(Help(program, ""), "-" + std::string(alias) + " ")) << alias;
+}
+
+TEST(Help, TheMarkdownTableHasARowForEveryOptionWithFourCells) {
+  const auto lines = Lines(Help(Program::raypro, "markdown"));
+  ASSERT_EQ(lines.size(), OptionTable(Program::raypro).size() + 2);
+  for (const std::string& line : lines) EXPECT_EQ(Count(line, "|") - Count(line, "\\|"), 5u) << line;
+}
+
+TEST(Help, RayviewsMarkdownNamesWhatItSharesAndHasRowsForTheRest) {
+  const std::string text = Help(Program::rayview, "markdown");
+  for (const OptionKind& option : OptionTable(Program::rayview)) {
+    const bool is_shared = option.known_to == KnownTo::both;
+    EXPECT_EQ(Contains(text, "\n| `" + Synopsis(option) + "` |"), !is_shared) << option.name;
+    const std::string name = " `-" + std::string(option.name) + "`";
+    EXPECT_EQ(Contains(text, name + ",") || Contains(text, name + "\n"), is_shared) << option.name;
+  }
+}
+
+// A reader of the README must not meet an option that is gone, or miss one.
+TEST(Help, TheReadmesOptionTableIsOurs) {
+  const char* root = std::getenv("RAYPRO_ROOT");
+  const std::string readme = ray::testing::ReadFile(std::string(root ? root : ".") + "/README.md");
+  if (!Contains(readme, "| option | default |")) GTEST_SKIP() << "README.md has no option table yet";
+  for (const Program program : programs)
+    EXPECT_TRUE(Contains(readme, Help(program, "markdown"))) << "script/update_readme.sh brings it up to date";
+}
+
+TEST(Manual, NamesEveryOptionAndNoLineStartsWithAStrayDot) {
+  for (const Program program : programs) {
+    const std::string page = ManualPage(program);
+    EXPECT_TRUE(Contains(page, ".SH NAME\n" + NameOf(program) + " \\- "));
+    for (const OptionKind& option : OptionTable(program))
+      EXPECT_EQ(Count(page, ".B " + WithRoffDashes(Synopsis(option)) + "\n"), 1u) << option.name;
+    for (const std::string& line : Lines(page)) {
+      if (!line.starts_with('.')) continue;
+      const std::string macro = line.substr(0, line.find(' '));
+      EXPECT_TRUE(Contains(" .TH .SH .SS .TP .B .I .BR .RI .nf .fi ", " " + macro + " ")) << line;
+    }
+  }
+}
+
+// A command that the manual forgets is one that nobody finds.
+TEST(Manual, OfScenesHasEveryCommandThatTheLanguageHasAndThatIsListed) {
+  const std::string page = ManualPage("scn", Program::raypro);
+  for (const Command& command : Commands()) {
+    EXPECT_EQ(Count(page, "\n.B " + WithRoffDashes(command.usage) + "\n"), 1u) << command.name;
+    EXPECT_FALSE(command.about.empty()) << command.name;
+  }
+  const std::vector<std::string> listed = Lines(Listing(Program::raypro, "commands"));
+  EXPECT_EQ(listed.size(), Commands().size() + 1);  // and a heading
+  for (std::size_t i = 1; i < listed.size(); ++i)
+    EXPECT_TRUE(Contains(page, "\n.B " + WithRoffDashes(listed[i].substr(2)) + "\n")) << listed[i];
+}
+
+TEST(Manual, OfScenesShowsAnExampleThatIsOne) {
+  const std::string page = ManualPage("scn", Program::raypro), heading = ".SH EXAMPLE\n.nf\n";
+  ASSERT_TRUE(Contains(page, heading));
+  const std::size_t start = page.find(heading) + heading.size();
+  std::string scene = page.substr(start, page.find(".fi\n", start) - start);
+  std::erase(scene, '\\');
+  const ray::testing::TemporaryFolder folder;
+  ray::testing::WriteFile(folder / "example.scn", scene);
+  const ParsedScene parsed = Parse(folder / "example.scn", {});
+  EXPECT_TRUE(parsed.warnings.empty());
+  EXPECT_EQ(parsed.scene.lights.size(), 1u);
+}
+
+TEST(Manual, FormatsWithoutAWordFromRoff) {
+  if (std::system("command -v groff >/dev/null 2>&1") != 0) GTEST_SKIP() << "groff is not installed";
+  const ray::testing::TemporaryFolder folder;
+  for (const Program program : programs)
+    for (const std::string& name : {std::string(), std::string("scn")}) {
+      ray::testing::WriteFile(folder / "page", ManualPage(name, program));
+      std::system(("groff -man -Tutf8 -ww '" + folder / "page" + "' 2>'" + folder / "words" + "' >/dev/null").c_str());
+      EXPECT_EQ(ray::testing::ReadFile(folder / "words"), "") << NameOf(program) << name;
+    }
+}
+
+TEST(Completion, EveryShellLearnsEveryOption) {
+  for (const Program program : programs) {
+    std::string bash_words = CompletionScript(program, "bash");
+    std::ranges::replace(bash_words, '\'', ' ');
+    for (const OptionKind& option : OptionTable(program)) {
+      const std::string name = option.name;
+      EXPECT_TRUE(Contains(bash_words, " -" + name + " ")) << name;
+      EXPECT_TRUE(Contains(CompletionScript(program, "zsh"), "-" + name + "[")) << name;
+      EXPECT_TRUE(Contains(CompletionScript(program, "fish"), "-c " + NameOf(program) + " -o " + name + " ")) << name;
+    }
+  }
+}
+
+/// What bash offers for the last of the words.
+std::string BashOffers(Program program, const std::string& words) {
+  const ray::testing::TemporaryFolder folder;
+  ray::testing::WriteFile(folder / "complete", CompletionScript(program, "bash"));
+  const std::string command = "bash -c '. " + folder / "complete" + "; COMP_WORDS=(" + words +
+                              "); COMP_CWORD=$((${#COMP_WORDS[@]} - 1)); _" + NameOf(program) +
+                              "; echo \"${COMPREPLY[@]}\"'";
+  FILE* pipe = popen(command.c_str(), "r");
+  char line[4096] = "";
+  if (pipe && !std::fgets(line, sizeof line, pipe)) line[0] = 0;
+  if (pipe) pclose(pipe);
+  return line;
+}
+
+TEST(Completion, BashFindsOptionsAndTheirChoices) {
+  if (std::system("command -v bash >/dev/null 2>&1") != 0) GTEST_SKIP() << "bash is not installed";
+  EXPECT_EQ(BashOffers(Program::raypro, "raypro -wid"), "-width\n");
+  EXPECT_EQ(BashOffers(Program::raypro, "raypro in.scn out.jpg -shadows o"), "on off\n");
+  EXPECT_EQ(BashOffers(Program::raypro, "raypro -complete z"), "zsh\n");
+  EXPECT_EQ(BashOffers(Program::rayview, "rayview in.scn -headl"), "-headless\n");
+  EXPECT_EQ(BashOffers(Program::rayview, "rayview in.scn -context o"), "osmesa\n");
+}
+
+TEST(Listing, EverySubjectListsSomethingAndAllTogetherListEverything) {
+  for (const Program program : programs) {
+    for (const std::string& subject : ListSubjects(program)) {
+      const std::string list = Listing(program, subject);
+      EXPECT_TRUE(list.starts_with(subject + ":\n  ")) << list;
+      EXPECT_TRUE(Contains(Listing(program, ""), list)) << subject;
+    }
+    EXPECT_TRUE(Contains(Listing(program, "shapes"), "\n  sphere "));
+    EXPECT_TRUE(Contains(Listing(program, "accelerators"), "\n  none "));
+    EXPECT_TRUE(Contains(Listing(program, "scenes"), ".scn"));
+  }
+  EXPECT_FALSE(Contains(Listing(Program::rayview, ""), "presets"));
+}
+
+TEST(Version, NamesTheProgramAndItsFeatures) {
+  for (const Program program : programs) {
+    EXPECT_TRUE(Version(program).starts_with(NameOf(program) + " "));
+    EXPECT_TRUE(Contains(Version(program), "jpeg="));
+  }
+}
+
+}  // namespace
+}  // namespace ray

@@ -1,0 +1,120 @@
+#include "source/app/report/Check.h"
+
+#include <gtest/gtest.h>
+
+#include "source/app/files/SceneHash.h"
+#include "tests/source/app/options/Program.h"
+
+namespace ray {
+namespace {
+
+using testing::TemporaryFolder;
+using testing::WriteFile;
+
+/// A scene from its text, flattened.
+class Example {
+ public:
+  explicit Example(const std::string& text)
+      : parsed_(Parse(WriteFile(folder_ / "example.scn", text), {})), world_(parsed_.scene) {}
+
+  const World& TheWorld() const { return world_; }
+  /// The likely mistakes, one a line.
+  std::string Mistakes() const {
+    std::string all;
+    for (const std::string& mistake : LikelyMistakes(world_, {})) all += mistake + "\n";
+    return all;
+  }
+
+ private:
+  TemporaryFolder folder_;
+  ParsedScene parsed_;
+  World world_;
+};
+
+bool Contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+const std::string camera = "camera 0 0 9  0 0 -1  0 1 0  0.4  0.1 100\n";
+
+TEST(Check, AGoodSceneHasNoMistakes) { EXPECT_EQ(Example(camera + "sphere -1  0 0 0  1\n").Mistakes(), ""); }
+
+TEST(Check, ACameraInsideASolidIsPointedOut) {
+  for (const char* shape :
+       {"sphere -1  0 0 9  1", "box -1  -5 -5 -5  5 5 10", "cylinder -1  0 0 9  1 4", "cone -1  0 0 9  3 8"})
+    EXPECT_TRUE(Contains(Example(camera + shape + "\n").Mistakes(), "the camera is inside 1 shape")) << shape;
+  EXPECT_TRUE(Contains(Example(camera + "sphere -1  0 0 9  1\nsphere -1  0 0 8 3\n").Mistakes(), "inside 2 shapes"));
+}
+
+TEST(Check, InsideTheBoxAroundASolidIsNotInsideTheSolid) {
+  const Example example(camera + "sphere -1  0.9 0.9 9.9  1.5\n");  // its corner reaches over the camera
+  EXPECT_EQ(SolidsAround(example.TheWorld(), {0, 0, 9}), 0);
+  EXPECT_EQ(SolidsAround(example.TheWorld(), {0.9, 0.9, 9.9}), 1);
+}
+
+TEST(Check, BeingInsideFollowsTheTransformsOfTheGraph) {
+  const Example example(camera + "begin -1  2 0 0 5  0 2 0 0  0 0 2 0  0 0 0 1\nsphere -1  0 0 0  1\nend\n");
+  EXPECT_EQ(SolidsAround(example.TheWorld(), {6.5, 0, 0}), 1);
+  EXPECT_EQ(SolidsAround(example.TheWorld(), {0.5, 0, 0}), 0);
+}
+
+// Which places are inside a sphere is known without rays.
+TEST(Check, InsideASphereIsNearerThanItsRadius) {
+  const Example example(camera + "sphere -1  0.25 -0.5 0.125  1\n");
+  for (int i = 0; i < 1000; ++i) {
+    const R3::Point p{-1.3 + 0.26 * (i % 10) + 0.01, -1.3 + 0.26 * (i / 10 % 10) + 0.02,
+                      -1.3 + 0.26 * (i / 100) + 0.03};
+    const R3::Vector d = p - R3::Point{0.25, -0.5, 0.125};
+    EXPECT_EQ(SolidsAround(example.TheWorld(), p), Dot(d, d) < 1 ? 1 : 0) << p.x << " " << p.y << " " << p.z;
+  }
+}
+
+TEST(Check, ASceneInTheDarkIsPointedOut) {
+  const std::string black = camera + "sphere -1  0 0 0  1\npoint_light 0 0 0  0 5 0  1 0 0\n";
+  EXPECT_TRUE(Contains(Example(black).Mistakes(), "no light shines; every light of the scene is black"));
+  const std::string glowing = "material 0 0 0  1 1 1  0 0 0  0 0 0  1 1 1  1 1 0\n";
+  EXPECT_FALSE(Contains(Example(glowing + black + "sphere 0  1 0 0  1\n").Mistakes(), "no light"));
+}
+
+TEST(Check, AnEmptySceneIsPointedOut) { EXPECT_TRUE(Contains(Example("").Mistakes(), "nothing in the scene")); }
+
+TEST(Check, AShapeWithoutExtentIsPointedOutAtItsPlace) {
+  EXPECT_TRUE(Contains(Example(camera + "sphere -1  0 0 0  0\n").Mistakes(),
+                       "example.scn:2:1: warning: this shape has no extent"));
+}
+
+TEST(Check, ShapesOutsideTheViewAreCountedAtTheFirst) {
+  const std::string mistakes =
+      Example(camera + "sphere -1  0 0 0  1\nsphere -1  0 0 20  1\nsphere -1  90 0 0  1\n").Mistakes();
+  EXPECT_TRUE(Contains(mistakes, "example.scn:3:1: warning: this shape lies outside the view, and so do 1 more"))
+      << mistakes;
+  EXPECT_FALSE(Contains(mistakes, "example.scn:2"));
+}
+
+TEST(Check, TheSummaryCountsWhatIsThere) {
+  const Example example(camera +
+                        "sphere -1  0 0 0  1\nbegin -1  1 0 0 0  0 1 0 0  0 0 1 0  0 0 0 1\nbox -1 0 0 0 1 1 1\nend\n");
+  const std::string summary = SceneSummary(example.TheWorld(), {});
+  EXPECT_TRUE(Contains(summary, "shapes        2\n")) << summary;
+  EXPECT_TRUE(Contains(summary, "bounds        -1.000 -1.000 -1.000  to  1.000 1.000 1.000\n")) << summary;
+  EXPECT_TRUE(Contains(summary, "camera        at 0.000 0.000 9.000")) << summary;
+}
+
+// The published test vectors of the hash, so that another program can check a picture's scene.
+TEST(SceneHash, IsFnv1a64) {
+  const TemporaryFolder folder;
+  EXPECT_EQ(SceneHash(std::vector{WriteFile(folder / "empty", "")}), "cbf29ce484222325");
+  EXPECT_EQ(SceneHash(std::vector{WriteFile(folder / "a", "a")}), "af63dc4c8601ec8c");
+  EXPECT_EQ(SceneHash(std::vector{WriteFile(folder / "foobar", "foobar")}), "85944171f73967e8");
+}
+
+TEST(SceneHash, GoesOverAllFilesAndEveryByte) {
+  const TemporaryFolder folder;
+  const std::string foo = WriteFile(folder / "foo", "foo"), bar = WriteFile(folder / "bar", "bar");
+  EXPECT_EQ(SceneHash(std::vector{foo, bar}), "85944171f73967e8");
+  WriteFile(folder / "long", std::string(65536, 'x'));
+  const std::string before = SceneHash(std::vector{folder / "long"});
+  WriteFile(folder / "long", std::string(65535, 'x') + "y");
+  EXPECT_NE(SceneHash(std::vector{folder / "long"}), before);
+}
+
+}  // namespace
+}  // namespace ray

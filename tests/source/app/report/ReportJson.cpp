@@ -1,0 +1,103 @@
+#include "source/app/report/ReportJson.h"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "source/app/options/OptionTable.h"
+
+namespace ray {
+namespace {
+
+RunStats Example() {
+  RunStats record;
+  record.options.scene = "in.scn";
+  record.options.picture = "out.png";
+  record.options.render.crop = PixelRectangle{1, 2, 3, 4};
+  record.options.render.seed = 18446744073709551615u;
+  record.options.parse.allowed_folders = {"a", "b"};
+  record.command = CommandAsTyped(std::vector<std::string>{"in.scn", "out put.png"});
+  for (std::size_t i = 0; i < record.rays.kinds.size(); ++i) record.rays.kinds[i].rays = i + 1;
+  record.rays.cut = 5;
+  record.pixels_done = 3;
+  record.pixels_total = 4;
+  record.width = record.height = 2;
+  record.stop = "SIGINT";
+  return record;
+}
+
+// A program that reads reports must be able to rely on the table in ReportJson.h.
+TEST(ReportJson, HasTheKeysThatItsHeaderPromises) {
+  const auto report = nlohmann::json::parse(ReportJson(Example()));
+  std::vector<std::string> keys;
+  for (const auto& [key, value] : report.items()) keys.push_back(key);
+  EXPECT_EQ(keys, (std::vector<std::string>{"biased",
+                                            "command",
+                                            "counts",
+                                            "error",
+                                            "features_required",
+                                            "kernel",
+                                            "passes",
+                                            "peak_memory_bytes",
+                                            "pixels",
+                                            "quality",
+                                            "rays",
+                                            "samples",
+                                            "scene",
+                                            "seconds",
+                                            "settings",
+                                            "stop",
+                                            "structure_bytes",
+                                            "threads",
+                                            "version",
+                                            "warnings"}));
+  EXPECT_EQ(report["rays"]["total"], 1 + 2 + 3 + 4 + 5);  // of every kind, without those that were cut
+  EXPECT_EQ(report["pixels"]["done"], 3);
+  EXPECT_EQ(report["stop"]["reason"], "SIGINT");
+  EXPECT_EQ(report["command"], "raypro in.scn 'out put.png'");
+}
+
+TEST(ReportJson, HoldsEverySettingWithItsType) {
+  const auto settings = nlohmann::json::parse(ReportJson(Example()))["settings"];
+  std::size_t count = 0;
+  for (const OptionKind& option : OptionTable(Program::raypro)) {
+    EXPECT_EQ(settings.contains(option.name), IsSetting(option)) << option.name;
+    count += IsSetting(option);
+  }
+  EXPECT_EQ(settings.size(), count);
+  EXPECT_EQ(settings["crop"], (nlohmann::json{1, 2, 3, 4}));
+  EXPECT_EQ(settings["seed"], 18446744073709551615u);
+  EXPECT_EQ(settings["shadows"], true);
+  EXPECT_EQ(settings["min_luminance"], 0.01);
+  EXPECT_EQ(settings["allow_path"], (nlohmann::json{"a", "b"}));
+}
+
+TEST(ReportJson, SurvivesNamesThatAreNotUtf8) {
+  RunStats record = Example();
+  record.options.scene = "\xff\xfe.scn";
+  EXPECT_TRUE(nlohmann::json::accept(ReportJson(record)));
+}
+
+TEST(RunStats, ThePictureKeepsHowItWasMade) {
+  auto settings = SettingsInPicture(Example());
+  EXPECT_EQ(settings["pixels"], "3 of 4 pixels done");
+  EXPECT_EQ(settings["seed"], "18446744073709551615");
+  EXPECT_EQ(settings["command"], "raypro in.scn 'out put.png'");
+}
+
+TEST(RunStats, TheLastLineOfARunSaysWhatItMade) {
+  RunStats record = Example();
+  record.seconds.wall = 2;
+  record.rays[ray::RayKind::camera].rays = 28'399'991;
+  EXPECT_EQ(FinalLine(record), "out.png 2x2 1 spp 2.00 s 14.2 Mrays/s (stopped by SIGINT, 3 of 4 pixels done)\n");
+  // A signal may come when every pixel has some of its samples.
+  record.pixels_done = 4;
+  EXPECT_EQ(FinalLine(record), "out.png 2x2 1 spp 2.00 s 14.2 Mrays/s (stopped by SIGINT, 4 of 4 pixels done)\n");
+  for (const char* stop : {"samples", "time", "error"}) {
+    record.stop = stop;
+    EXPECT_EQ(FinalLine(record), "out.png 2x2 1 spp 2.00 s 14.2 Mrays/s\n");
+  }
+}
+
+}  // namespace
+}  // namespace ray

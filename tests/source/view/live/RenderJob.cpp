@@ -1,0 +1,471 @@
+#include "source/view/live/RenderJob.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <new>
+#include <random>
+#include <thread>
+
+#include "source/view/live/JobQueue.h"
+#include "tests/Project.h"
+
+namespace ray {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using Order = RenderJob::Order;
+
+double SecondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+std::shared_ptr<LoadedScene> Loaded(const std::string& name, const AcceleratorSettings& how = {}) {
+  return std::make_shared<LoadedScene>(project::Root() / "scenes" / (name + ".scn"), ParseOptions{}, how);
+}
+
+RenderSettings Sized(int width, int height) {
+  RenderSettings settings;
+  settings.width = width;
+  settings.height = height;
+  settings.threads = 2;
+  return settings;
+}
+
+/// Whether it ended before the clock did: a job that hangs fails its test and not the whole suite.
+bool Ends(const RenderJob& job) {
+  const auto start = Clock::now();
+  while (!job.HasEnded() && SecondsSince(start) < 120) std::this_thread::sleep_for(std::chrono::microseconds(100));
+  return job.HasEnded();
+}
+
+bool Shows(const Frame& frame, const R2::Image& image) {
+  std::vector<float> shown;
+  frame.Copy(0, frame.Height(), shown);
+  return shown == image.Channels();
+}
+
+std::array<std::uint64_t, ray_kind_names.size()> RaysByKind(const RayCounts& counts) {
+  std::array<std::uint64_t, ray_kind_names.size()> rays{};
+  for (std::size_t i = 0; i < rays.size(); ++i) rays[i] = counts.kinds[i].rays;
+  return rays;
+}
+
+struct Case {
+  std::string scene, mode = "whitted";
+  int samples = 1;
+  std::string filter = "box";
+  int width = 37, height = 23, first_stride = 8;
+  std::string accelerator = "auto";
+
+  RenderSettings Settings() const {
+    RenderSettings settings = Sized(width, height);
+    settings.mode = mode;
+    settings.samples = samples;
+    settings.filter = filter;
+    settings.seed = 5;
+    return settings;
+  }
+  std::string Name() const {
+    return scene + " " + mode + " " + std::to_string(samples) + " " + filter + " " + std::to_string(width) + "x" +
+           std::to_string(height) + " stride " + std::to_string(first_stride) + " " + accelerator;
+  }
+};
+
+std::vector<Case> Cases() {
+  std::vector<Case> cases;
+  for (const std::string scene : {"hello", "area_light", "texture"})
+    for (const int samples : {1, 3, 16})
+      for (const std::string filter : {"box", "gaussian"}) cases.push_back({scene, "whitted", samples, filter});
+  for (const int samples : {1, 3, 16}) cases.push_back({"glass", "path", samples, "box"});
+  for (const std::string mode : {"heat", "rays", "depth"})
+    for (const int samples : {1, 3})
+      for (const std::string filter : {"box", "gaussian"}) cases.push_back({"hello", mode, samples, filter});
+  // Of all accelerators this one remembers most, so that what a pixel costs depends on those before it.
+  cases.push_back({"hello", "heat", 2, "box", 37, 23, 8, "graph"});
+  cases.push_back({"hello", "heat", 1, "lanczos", 37, 23, 8, "graph"});
+  // Nothing moves in pictures of one sample, but lenses and motion take other kernels.
+  cases.push_back({"lens", "whitted", 2, "box"});
+  cases.push_back({"motion", "path", 2, "mitchell"});
+  cases.push_back({"empty", "whitted", 2, "gaussian"});
+  for (const int stride : {1, 2, 5, 64, 1 << 20})
+    for (const int height : {1, 40}) cases.push_back({"hello", "whitted", 1, "box", 9, height, stride});
+  return cases;
+}
+
+// The picture that was watched while it grew is the one that is saved; it must be the one that raypro makes.
+TEST(RenderJob, GivesTheSameBitsAsRenderWhateverTheOrder) {
+  for (const Case& c : Cases()) {
+    AcceleratorSettings how;
+    how.name = c.accelerator;
+    const auto scene = Loaded(c.scene, how);
+    const RenderResult whole = Render(scene->world, *scene->accelerator, c.Settings());
+    for (const Order order : {Order::coarse_first, Order::rows}) {
+      SCOPED_TRACE(c.Name() + (order == Order::rows ? " rows" : " coarse first"));
+      const RenderJob job(scene, c.Settings(), order, c.first_stride);
+      ASSERT_TRUE(Ends(job));
+      ASSERT_TRUE(job.IsComplete()) << job.Failure();
+      const RenderResult& result = *job.Result();
+      EXPECT_TRUE(result.image == whole.image);
+      EXPECT_TRUE(Shows(job.TheFrame(), result.image));
+      EXPECT_EQ(job.Samples(), c.samples);
+      EXPECT_EQ(job.PixelsBegunAfterCancel(), 0);
+      EXPECT_EQ(result.pixels_done, whole.pixels_done);
+      EXPECT_EQ(result.pixels_total, whole.pixels_total);
+      EXPECT_EQ(result.samples.least, whole.samples.least);
+      EXPECT_EQ(result.samples.most, whole.samples.most);
+      EXPECT_EQ(result.samples.mean, whole.samples.mean);
+      EXPECT_EQ(result.block_samples, whole.block_samples);
+      EXPECT_EQ(result.planned_samples, whole.planned_samples);
+      EXPECT_EQ(result.passes.size(), whole.passes.size());
+      if (order == Order::coarse_first || c.filter == "box") {
+        EXPECT_EQ(RaysByKind(result.rays), RaysByKind(whole.rays));
+      }
+      if (order == Order::rows) {
+        EXPECT_EQ(job.RowsDone(), c.height);
+        continue;
+      }
+      EXPECT_EQ(job.Stride(), 1);
+      EXPECT_EQ(result.error.has_value(), whole.error.has_value());
+      if (result.error && whole.error) {
+        EXPECT_EQ(result.error->estimate, whole.error->estimate);
+        EXPECT_EQ(result.error->worst_block, whole.error->worst_block);
+      }
+    }
+  }
+}
+
+TEST(RenderJob, OfACropEqualsThatPartOfRenders) {
+  const auto scene = Loaded("hello");
+  for (const std::string filter : {"box", "gaussian"})
+    for (const Order order : {Order::coarse_first, Order::rows}) {
+      RenderSettings settings = Sized(50, 41);
+      settings.filter = filter;
+      settings.samples = 3;
+      settings.crop = {7, 5, 30, 40};
+      const RenderJob job(scene, settings, order);
+      ASSERT_TRUE(Ends(job));
+      ASSERT_TRUE(job.IsComplete()) << job.Failure();
+      EXPECT_TRUE(job.Result()->image == Render(scene->world, *scene->accelerator, settings).image) << filter;
+      EXPECT_TRUE(Shows(job.TheFrame(), job.Result()->image)) << filter;
+    }
+}
+
+TEST(RenderJob, PassesAskedForAreToldOf) {
+  const auto scene = Loaded("hello");
+  RenderSettings settings = Sized(20, 20);
+  settings.samples = 8;
+  settings.wants_passes = true;
+  const RenderJob job(scene, settings, Order::coarse_first);
+  ASSERT_TRUE(Ends(job));
+  ASSERT_TRUE(job.IsComplete());
+  EXPECT_EQ(job.Result()->passes.size(), 4u);  // to 1, 2, 4 and 8 samples
+}
+
+// Passes apart are worth having only if they are the picture's own rays.
+TEST(RenderJob, TracesEachPixelOfOneSampleOnce) {
+  const auto scene = Loaded("hello");
+  for (const int width : {1, 37, 64})
+    for (const int stride : {1, 8, 64}) {
+      const RenderJob job(scene, Sized(width, 23), Order::coarse_first, stride);
+      ASSERT_TRUE(Ends(job));
+      ASSERT_TRUE(job.IsComplete());
+      EXPECT_EQ(job.Result()->rays[RayKind::camera].rays, static_cast<std::uint64_t>(23 * width));
+      EXPECT_EQ(job.Rays(), job.Result()->rays.Total());
+    }
+}
+
+/// An accelerator that does as another does, once it may.
+class Gate : public Accelerator {
+ public:
+  explicit Gate(std::unique_ptr<const Accelerator> inner, std::int64_t open_for = 0)
+      : inner_(std::move(inner)), left_(open_for) {}
+  void Open(std::int64_t rays) const { left_ += rays; }
+  bool IsShut() const { return left_ <= 0; }
+  std::int64_t Waiting() const { return waiting_; }
+
+ private:
+  void Pass() const {
+    ++waiting_;
+    while (left_.fetch_sub(1) <= 0) {
+      ++left_;
+      std::this_thread::sleep_for(std::chrono::microseconds(50));
+    }
+    --waiting_;
+  }
+  std::optional<WorldHit> Nearest(const R3::Ray& ray, Workspace& workspace) const override {
+    Pass();
+    return inner_->Intersect(ray, workspace);
+  }
+  bool Any(const R3::Ray& ray, Workspace& workspace) const override { return inner_->IsOccluded(ray, workspace); }
+
+  std::unique_ptr<const Accelerator> inner_;
+  mutable std::atomic<std::int64_t> left_, waiting_ = 0;
+};
+
+/// A scene without mirrors, whose camera rays wait at a gate.
+struct Gated {
+  explicit Gated(std::int64_t open_for) : scene(Loaded("area_light")) {
+    auto held = std::make_unique<Gate>(std::move(scene->accelerator), open_for);
+    gate = held.get();
+    scene->accelerator = std::move(held);
+  }
+  std::shared_ptr<LoadedScene> scene;
+  const Gate* gate;
+};
+
+// Without it the preview would be full of holes: each pixel shows the nearest traced one to its lower left.
+TEST(RenderJob, APassThatIsWholeFillsThePictureWithSquares) {
+  const int width = 37, height = 23;
+  RenderSettings settings = Sized(width, height);
+  settings.threads = 1;
+  settings.mode = "depth";
+  const R2::Image whole = [&] {
+    const auto scene = Loaded("area_light");
+    return Render(scene->world, *scene->accelerator, settings).image;
+  }();
+  for (const int stride : {8, 4, 2}) {
+    const std::int64_t pixels =
+        static_cast<std::int64_t>((width + stride - 1) / stride) * ((height + stride - 1) / stride);
+    const Gated gated(pixels);
+    RenderJob job(gated.scene, settings, Order::coarse_first, 8);
+    while (job.Stride() != stride || gated.gate->Waiting() == 0) std::this_thread::yield();
+    int wrong = 0;
+    for (int y = 0; y < height; ++y)
+      for (int x = 0; x < width; ++x)
+        wrong += !(job.TheFrame().At(x, y) == whole.At(x / stride * stride, y / stride * stride));
+    EXPECT_EQ(wrong, 0) << stride;
+    job.Cancel();
+    gated.gate->Open(1 << 20);
+  }
+}
+
+// What is drawn of a picture under way is the picture, not a guess at it; and what is not yet traced is black.
+TEST(RenderJob, RowsBelowRowsDoneAreFinalAndThoseAboveUntouched) {
+  const auto scene = Loaded("area_light");
+  for (const std::string filter : {"box", "gaussian"}) {
+    RenderSettings settings = Sized(48, 150);
+    settings.filter = filter;
+    settings.samples = 2;
+    // In this mode nothing is black, so that black is proof.
+    settings.mode = "id";
+    const R2::Image whole = Render(scene->world, *scene->accelerator, settings).image;
+    const Gated gated(0);
+    const RenderJob job(gated.scene, settings, Order::rows);
+    const int band = filter == "box" ? 1 : 32;
+    int looks = 0, last = -1;
+    while (!job.HasEnded()) {
+      if (gated.gate->IsShut()) gated.gate->Open(500);
+      const int done_before = job.RowsDone();
+      std::vector<float> shown;
+      job.TheFrame().Copy(0, settings.height, shown);
+      const int done_after = job.RowsDone();
+      const auto channels = [&](int rows) { return static_cast<std::ptrdiff_t>(3 * settings.width * rows); };
+      ASSERT_TRUE(std::equal(shown.begin(), shown.begin() + channels(done_before), whole.Channels().begin()))
+          << done_before;
+      // The rows next to be done become so from one moment to the next, so they may have been seen half written.
+      const int untouched = std::min(settings.height, (done_after / band + 1) * band);
+      ASSERT_EQ(std::count(shown.begin() + channels(untouched), shown.end(), 0.0f),
+                channels(settings.height - untouched))
+          << done_after;
+      looks += done_before != last;
+      last = done_before;
+    }
+    EXPECT_GE(looks, 4);
+    EXPECT_TRUE(job.IsComplete());
+  }
+}
+
+// A job that was stopped at a row shows that row and nothing of those above.
+TEST(RenderJob, RowsNotReachedStayBlack) {
+  for (const std::int64_t rays : {48 * 5, 48 * 5 + 20}) {
+    RenderSettings settings = Sized(48, 40);
+    settings.mode = "id";
+    const Gated gated(rays);
+    RenderJob job(gated.scene, settings, Order::rows);
+    while (job.RowsDone() < 5 || gated.gate->Waiting() == 0) std::this_thread::yield();
+    std::vector<float> rest;
+    job.TheFrame().Copy(5, 35, rest);
+    EXPECT_EQ(rest, std::vector<float>(rest.size(), 0.0f));
+    job.Cancel();
+    gated.gate->Open(1 << 20);
+    ASSERT_TRUE(Ends(job));
+    rest.clear();
+    job.TheFrame().Copy(5, 35, rest);
+    EXPECT_EQ(rest, std::vector<float>(rest.size(), 0.0f));
+    EXPECT_EQ(job.RowsDone(), 5);
+    EXPECT_FALSE(job.IsComplete());
+    EXPECT_EQ(job.Result(), nullptr);
+  }
+}
+
+// The viewer cancels while the user drags; a wait would be felt.
+TEST(RenderJob, CancelReturnsWhilePixelsAreStillBegun) {
+  for (const Order order : {Order::coarse_first, Order::rows}) {
+    const Gated gated(100);
+    RenderJob job(gated.scene, Sized(64, 64), order);
+    while (gated.gate->Waiting() == 0) std::this_thread::yield();
+    job.Cancel();  // would never return if it waited, for the gate is shut
+    EXPECT_FALSE(job.HasEnded());
+    gated.gate->Open(1 << 20);
+    ASSERT_TRUE(Ends(job));
+    EXPECT_FALSE(job.IsComplete());
+    EXPECT_EQ(job.Failure(), "");
+    EXPECT_EQ(job.PixelsBegunAfterCancel(), 0);
+    // Each of two threads may finish the batch it had begun.
+    EXPECT_LE(job.Rays(), 100u + 64 * 64);
+  }
+}
+
+TEST(RenderJob, LeavesNoPixelBegunAfterCancelToTheThreads) {
+  for (const int threads : {1, 2, 4}) {
+    const Gated gated(100);
+    RenderSettings settings = Sized(64, 64);
+    settings.threads = threads;
+    settings.mode = "depth";  // one ray a pixel
+    RenderJob job(gated.scene, settings, Order::coarse_first, 1);
+    while (gated.gate->Waiting() < threads) std::this_thread::yield();
+    job.Cancel();
+    gated.gate->Open(1 << 20);
+    ASSERT_TRUE(Ends(job));
+    // 100 went through, and each thread had begun a batch of 16.
+    EXPECT_LE(job.Rays(), 100u + 16u * static_cast<unsigned>(threads));
+    EXPECT_EQ(job.PixelsBegunAfterCancel(), 0);
+  }
+}
+
+/// Runs out of memory at some ray.
+class Exhausted : public Accelerator {
+ public:
+  explicit Exhausted(std::int64_t rays) : left_(rays) {}
+
+ private:
+  std::optional<WorldHit> Nearest(const R3::Ray&, Workspace&) const override {
+    if (left_.fetch_sub(1) <= 0) throw std::bad_alloc();
+    return {};
+  }
+  bool Any(const R3::Ray&, Workspace&) const override { return false; }
+
+  mutable std::atomic<std::int64_t> left_;
+};
+
+TEST(RenderJob, AThreadThatFailsEndsTheJobAndSaysWhy) {
+  for (const Order order : {Order::coarse_first, Order::rows})
+    for (const std::int64_t rays : {0, 100, 1024 + 700}) {
+      const auto scene = Loaded("hello");
+      scene->accelerator = std::make_unique<Exhausted>(rays);
+      RenderSettings settings = Sized(32, 32);
+      settings.samples = 4;
+      const RenderJob job(scene, settings, order);
+      ASSERT_TRUE(Ends(job));
+      EXPECT_FALSE(job.IsComplete());
+      EXPECT_EQ(job.Result(), nullptr);
+      EXPECT_EQ(job.Failure(), "there is not enough memory");
+    }
+}
+
+TEST(RenderJob, OutlivesWhoeverLoadedItsScene) {
+  for (const Order order : {Order::coarse_first, Order::rows}) {
+    auto scene = Loaded("texture");
+    const R2::Image whole = Render(scene->world, *scene->accelerator, Sized(64, 64)).image;
+    const std::weak_ptr<LoadedScene> seen = scene;
+    {
+      const RenderJob job(std::move(scene), Sized(64, 64), order);
+      scene.reset();
+      ASSERT_TRUE(Ends(job));
+      ASSERT_TRUE(job.IsComplete());
+      EXPECT_TRUE(job.Result()->image == whole);
+      EXPECT_FALSE(seen.expired());
+    }
+    EXPECT_TRUE(seen.expired());
+  }
+}
+
+Camera Moved(Camera camera, std::mt19937& random) {
+  std::uniform_real_distribution<double> step(-0.3, 0.3);
+  camera.eye = camera.eye + R3::Vector{step(random), step(random), step(random)};
+  return camera;
+}
+
+/// Jobs started one after another while the last still runs, as when a user drags. `seconds_apart`: at most.
+void Restart(int times, double seconds_apart, bool has_more_than_coarse_passes) {
+  std::mt19937 random(7);
+  const std::vector<std::shared_ptr<LoadedScene>> scenes{Loaded("hello"), Loaded("area_light"), Loaded("texture")};
+  const auto below = [&](int n) { return static_cast<int>(random() % static_cast<unsigned>(n)); };
+  JobQueue shelf;
+  int finished = 0, wrong = 0;
+  for (int i = 0; i < times; ++i) {
+    const auto& scene = scenes[static_cast<std::size_t>(below(3))];
+    RenderSettings settings = Sized(24 + below(41), 24 + below(41));
+    settings.view = Moved(scene->parsed.scene.camera, random);
+    settings.threads = 1 + below(3);
+    if (has_more_than_coarse_passes) settings.samples = 1 + below(3);
+    const Order order = has_more_than_coarse_passes && below(4) == 0 ? Order::rows : Order::coarse_first;
+    const RenderJob& job = shelf.Start(scene, settings, order, 1 << below(6));
+    if (below(3) == 0) {
+      ASSERT_TRUE(Ends(job));
+    } else {
+      std::this_thread::sleep_for(std::chrono::duration<double>(seconds_apart * below(100) / 100));
+    }
+    if (job.IsComplete()) {
+      ++finished;
+      const R2::Image fresh = Render(scene->world, *scene->accelerator, settings).image;
+      wrong += !(job.Result()->image == fresh) || !Shows(job.TheFrame(), fresh);
+    }
+    ASSERT_EQ(job.Failure(), "");
+    ASSERT_EQ(job.PixelsBegunAfterCancel(), 0);
+  }
+  EXPECT_EQ(wrong, 0) << "of " << finished;
+  EXPECT_GE(finished, times / 4);
+  shelf.GiveUp();
+  const auto start = Clock::now();
+  while (shelf.Tidy() > 0 && SecondsSince(start) < 60) std::this_thread::yield();
+  EXPECT_EQ(shelf.Tidy(), 0);
+}
+
+// A frame shared by two jobs showed pixels of the old view in the new picture now and then.
+TEST(RenderJob, AThousandRestartsAtRandomTimesLeaveEveryFinishedPictureRight) { Restart(1000, 0.004, true); }
+
+TEST(JobQueue, ANewJobDoesNotWaitForOldOnes) {
+  JobQueue shelf;
+  EXPECT_EQ(shelf.Current(), nullptr);
+  std::vector<Gated> stuck;
+  for (int i = 0; i < 3; ++i) {
+    const Gated& one = stuck.emplace_back(0);
+    shelf.Start(one.scene, Sized(32, 32), Order::coarse_first);
+    while (one.gate->Waiting() == 0) std::this_thread::yield();
+  }
+  const RenderJob& job = shelf.Start(Loaded("hello"), Sized(32, 32), Order::coarse_first);
+  ASSERT_TRUE(Ends(job));
+  EXPECT_TRUE(job.IsComplete());
+  EXPECT_EQ(shelf.Current(), &job);
+  EXPECT_EQ(shelf.Tidy(), 3);
+  for (const Gated& one : stuck) one.gate->Open(1 << 20);
+  const auto start = Clock::now();
+  while (shelf.Tidy() > 0 && SecondsSince(start) < 60) std::this_thread::yield();
+  EXPECT_EQ(shelf.Tidy(), 0);
+  EXPECT_EQ(shelf.Current(), &job);
+  shelf.GiveUp();
+  EXPECT_EQ(shelf.Current(), nullptr);
+}
+
+TEST(RenderJob, TheFirstPassIsAsFineAsFitsItsTime) {
+  EXPECT_EQ(FirstStride(512 * 512, 0, 0.04), 8);
+  EXPECT_EQ(FirstStride(512 * 512, std::nan(""), 0.04), 8);
+  EXPECT_EQ(FirstStride(512 * 512, 1e9, 0.04), 1);
+  EXPECT_EQ(FirstStride(512 * 512, 1, 0.04), 64);
+  for (double rate = 3e3; rate < 1e8; rate *= 1.7) {
+    const int stride = FirstStride(512 * 512, rate, 0.04);
+    const auto pixels = [](int s) { return 512.0 * 512 / (s * s); };
+    if (stride < 64) {
+      EXPECT_LE(pixels(stride), 0.04 * rate) << rate;
+    }
+    if (stride > 1) {
+      EXPECT_GT(pixels(stride / 2), 0.04 * rate) << rate;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace ray
