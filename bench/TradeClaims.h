@@ -3,6 +3,7 @@
 #include "bench/TradeSampling.h"
 #include "source/film/Film.h"
 #include "source/film/PictureError.h"
+#include "tests/Named.h"
 
 /// What a picture says of its own error, what it does about it, and what that costs.
 namespace trade {
@@ -23,7 +24,7 @@ inline ray::RenderSettings InTwoStreams(ray::RenderSettings settings, int sample
                                         ray::ErrorUnit unit = ray::ErrorUnit::linear) {
   settings.samples = samples;
   settings.budget.error = ray::ErrorTarget{unreachable, unit};
-  settings.budget.adaptive = "off";
+  settings.budget.adaptive = ray::Adaptive::off;
   return settings;
 }
 
@@ -48,7 +49,7 @@ inline void Claims(Lab& lab, Table& table) {
       for (const char* sampler : ray::sampler_names)
         for (const int samples : counts) {
           ray::RenderSettings settings = InTwoStreams(lab.At(scene).subject.settings, samples, unit);
-          settings.trace.sampler = sampler;
+          settings.trace.sampler = project::Named{sampler};
           settings.seed = static_cast<std::uint64_t>(7000 + all);
           settings.budget.confidence = 0.99;
           const ray::RenderResult result = Lab::Take(lab.At(scene), settings).result;
@@ -89,7 +90,7 @@ inline void Targets(Lab& lab, Table& table) {
           const std::string scene = name + larger;
           ray::RenderSettings settings = lab.At(scene).subject.settings;
           settings.budget.error = ray::ErrorTarget{target, ray::ErrorUnit::display};
-          settings.budget.adaptive = adaptive;
+          settings.budget.adaptive = project::Named{adaptive};
           settings.seed = static_cast<std::uint64_t>(8000 + all);
           const ray::RenderResult result = Lab::Take(lab.At(scene), settings).result;
           const double truth = TrueError(lab, scene, result.image, ray::ErrorUnit::display);
@@ -133,7 +134,7 @@ inline Adaptive TakeAdaptive(Lab& lab, const std::string& scene, const ray::Erro
     ray::RenderSettings settings = lab.At(scene).subject.settings;
     settings.seed = static_cast<std::uint64_t>(6000 + seed);
     settings.budget.error = target;
-    settings.budget.adaptive = "tile";
+    settings.budget.adaptive = ray::Adaptive::tile;
     const ray::RenderResult tiles = Lab::Take(lab.At(scene), settings).result;
     a.squares.push_back(square(tiles.image));
     a.means.push_back(ray::MeanOf(tiles.image));
@@ -167,11 +168,11 @@ inline void AdaptiveTiles(Lab& lab, Table& table) {
   const int seeds = lab.Seeds(8);
   for (int seed = 0; seed < seeds; ++seed) {
     ray::RenderSettings settings = lab.At("sky").subject.settings;
-    settings.trace.strategy = "surface";
+    settings.trace.strategy = ray::LightStrategy::bsdf;
     settings.samples = 512;
     settings.seed = static_cast<std::uint64_t>(seed);
     settings.budget.error = ray::ErrorTarget{0.02, ray::ErrorUnit::linear};
-    settings.budget.adaptive = "tile";
+    settings.budget.adaptive = ray::Adaptive::tile;
     warned += Lab::Take(lab.At("sky"), settings).result.has_hot_pixels;
   }
   table.Add("sky by scattering alone: share of renders that warn", Share(warned, seeds), AtLeast(1));

@@ -21,6 +21,7 @@
 #include "R2/compare/Difference.h"
 #include "bench/TradeScenes.h"
 #include "source/render/Render.h"
+#include "tests/Named.h"
 
 /// Rendering and measuring for the goals of the trade of time for accuracy.
 namespace trade {
@@ -145,7 +146,7 @@ class Lab {
       const auto lights = static_cast<int>(site.subject.scene.lights.size());
       const int samples = wishes_.quick ? 512 : 1024;
       SetSamples(settings, site.subject, settings.trace.lights > 0 ? std::max(8, 2 * samples / lights) : samples);
-      settings.filter = filter;
+      settings.filter = project::Named{filter};
       settings.seed = 900'001 + i;
       if (settings.trace.lights > 0) settings.trace.lights = 0;
       const std::filesystem::path file =
@@ -169,8 +170,8 @@ class Lab {
     auto& errors = errors_[name + " " + sampler + " " + filter + " " + std::to_string(samples)];
     while (static_cast<int>(errors.size()) < seeds) {
       ray::RenderSettings settings = At(name).subject.settings;
-      settings.trace.sampler = sampler;
-      settings.filter = filter;
+      settings.trace.sampler = project::Named{sampler};
+      settings.filter = project::Named{filter};
       settings.seed = static_cast<std::uint64_t>(1000 * samples) + errors.size();
       SetSamples(settings, At(name).subject, samples);
       errors.push_back(SquaredError(name, Take(At(name), settings).result.image, filter));

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "bench/TradeLab.h"
+#include "tests/Named.h"
 
 /// What holds of the program as a whole: it ends in time, and its pictures can be made again.
 namespace trade {
@@ -55,11 +56,11 @@ inline Subject Everything() {
   s.scene.environment = std::make_shared<ray::Environment>(SkyWithSun());
   s.settings.width = 37;
   s.settings.height = 27;
-  s.settings.filter = "mitchell";
+  s.settings.filter = ray::FilterKind::mitchell;
   s.settings.camera = {.motion = {0.1, 0.02, 0}, .aperture = 0.05, .focus = 5};
   s.settings.trace.glossy = s.settings.trace.fresnel = true;
   s.settings.trace.max_depth = 4;
-  s.settings.trace.roulette = "on";
+  s.settings.trace.roulette = ray::Roulette::on;
   s.settings.trace.shadow_samples = 2;
   s.settings.seed = 77;
   return s;
@@ -86,8 +87,8 @@ inline void Determinism(Lab&, Table& table) {
   for (const char* mode : {"whitted", "path"})
     for (const char* sampler : ray::sampler_names) {
       ray::RenderSettings settings = site.subject.settings;
-      settings.mode = mode;
-      settings.trace.sampler = sampler;
+      settings.mode = project::Named{mode};
+      settings.trace.sampler = project::Named{sampler};
       const std::string name = std::string(mode) + ", " + sampler + ", ";
       const auto image = [&](const ray::RenderSettings& s) { return Lab::Take(site, s).result.image; };
       const auto by_samples = [&](const std::string& what, ray::RenderSettings s) {

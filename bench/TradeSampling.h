@@ -1,6 +1,7 @@
 #pragma once
 
 #include "bench/TradeLab.h"
+#include "tests/Named.h"
 
 /// How fast the error falls: with samples, with the choice of directions and of lights, through filters.
 namespace trade {
@@ -31,7 +32,7 @@ inline void ErrorAtEqualTime(Lab& lab, Table& table) {
       const Site& site = lab.At(aim.scene);
       std::array<ray::RenderSettings, 2> both{site.subject.settings, site.subject.settings};
       for (ray::RenderSettings& s : both) SetSamples(s, site.subject, samples);
-      both[1].trace.sampler = "random";
+      both[1].trace.sampler = ray::SamplerKind::random;
       const auto seconds = SecondsInTurns(site, both, lab.wishes().quick ? 3 : 7);
       const std::string what = std::string(aim.scene) + ", " + std::to_string(samples) + " samples: ";
       table.PrintError(what + "time of sobol / time of random", seconds[0] / seconds[1]);
@@ -110,15 +111,15 @@ inline double GainAtEqualRays(Lab& lab, const std::string& scene, const ray::Ren
 inline void Sky(Lab& lab, Table& table) {
   ray::RenderSettings uniform = lab.At("sky").subject.settings;
   uniform.samples = 64;
-  uniform.trace.strategy = "uniform";
-  uniform.trace.sampler = "random";
+  uniform.trace.strategy = ray::LightStrategy::uniform;
+  uniform.trace.sampler = ray::SamplerKind::random;
   const auto gain = [&](const char* strategy, const char* sampler) {
     ray::RenderSettings better = uniform;
-    better.trace.strategy = strategy;
-    better.trace.sampler = sampler;
+    better.trace.strategy = project::Named{strategy};
+    better.trace.sampler = project::Named{sampler};
     return GainAtEqualRays(lab, "sky", uniform, better, lab.Seeds(12));
   };
-  for (const char* strategy : {"surface", "light"})
+  for (const char* strategy : {"bsdf", "light"})
     for (const char* sampler : {"random", "sobol"})
       table.PrintError(std::string(strategy) + ", " + sampler + ": gain over uniform random", gain(strategy, sampler));
   table.Add("mis, random: gain over uniform random", gain("mis", "random"), AtLeast(25));
@@ -131,9 +132,9 @@ inline void ManyLights(Lab& lab, Table& table) {
     for (const char* sampler : {"random", "sobol"}) {
       ray::RenderSettings uniform = lab.At(scene).subject.settings;
       uniform.samples = 64;
-      uniform.trace.sampler = sampler;
+      uniform.trace.sampler = project::Named{sampler};
       ray::RenderSettings by_importance = uniform;
-      uniform.trace.strategy = "uniform";
+      uniform.trace.strategy = ray::LightStrategy::uniform;
       table.Add(std::string(scene) + ", " + sampler + ": error, evenly / by importance",
                 GainAtEqualRays(lab, scene, uniform, by_importance, lab.Seeds(6)), AtLeast(3.5));
     }

@@ -133,7 +133,7 @@ inline Subject MakeSubject(const std::string& name_and_side) {
     s.settings.trace.shadow_samples = shadow_samples;
   };
   const auto path = [&](int max_depth) {
-    s.settings.mode = "path";
+    s.settings.mode = ray::RenderMode::path;
     s.settings.trace.max_depth = max_depth;
   };
   if (name == "box1" || name == "light") {
@@ -142,7 +142,7 @@ inline Subject MakeSubject(const std::string& name_and_side) {
     straight(1);
   } else if (name == "box5") {
     s.scene = read("indirect.scn");
-    s.settings.trace.roulette = "off";
+    s.settings.trace.roulette = ray::Roulette::off;
     path(4);
   } else if (name == "dof") {
     s.scene = read("lens.scn");

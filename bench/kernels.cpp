@@ -22,6 +22,7 @@
 #include "bench/Embree.h"
 #include "source/accelerate/Accelerator.h"
 #include "source/scene/Node.h"
+#include "tests/Named.h"
 
 namespace {
 
@@ -277,7 +278,7 @@ int main(int argc, char** argv) {
       settings.name = a;
       settings.instruction_set = options["simd"];
       settings.resolution = std::stod(options["resolution"]);
-      settings.quality = options["ours"];
+      settings.quality = project::Named{options["ours"]};
       settings.expected_rays = 1e9;
       const auto make = [&] { return ray::FindAcceleratorKind(a)->make(world, settings); };
       ours.push_back(make());

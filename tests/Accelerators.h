@@ -7,6 +7,7 @@
 #include "source/accelerate/Accelerator.h"
 #include "source/accelerate/twolevel/TwoLevel.h"
 #include "tests/Draw.h"
+#include "tests/Named.h"
 #include "tests/Quad.h"
 
 /// Every way of accelerating, and scenes to try them on.
@@ -26,7 +27,7 @@ inline std::vector<Way> EveryWay() {
       ways.push_back({kind + (", " + set), {.name = kind, .instruction_set = set}});
   const auto add = [&](const char* kind, double resolution, int depth, const char* quality) {
     ways.push_back({kind + (" of " + std::to_string(resolution) + ", " + std::to_string(depth) + ", " + quality),
-                    {.name = kind, .resolution = resolution, .depth = depth, .quality = quality}});
+                    {.name = kind, .resolution = resolution, .depth = depth, .quality = project::Named{quality}}});
   };
   add("grid", 1e-6, 0, "medium");  // one cell
   add("grid", 20, 0, "medium");

@@ -5,6 +5,12 @@
 
 namespace ray {
 
+/// What boxes a bvh is built over. medium: those of whole primitives; high: large slanted triangles are split into
+/// several boxes first.
+enum class BvhQuality { medium, high };
+inline constexpr std::array bvh_qualities{"medium", "high"};
+constexpr const auto& NamesOf(BvhQuality) { return bvh_qualities; }
+
 /// Which accelerator, and how.
 struct AcceleratorSettings {
   std::string name = "auto";  // a line of accelerators.def
@@ -13,9 +19,9 @@ struct AcceleratorSettings {
   bool front_to_back = true;  // nearer children first, so that farther ones fall behind the hit
   bool last_hit = true;       // ask first what the last ray of the kind hit
   // How fine a structure is: cells a primitive of `grid`, primitives a leaf of `octree`, triangles a leaf of `bvh`.
-  double resolution = 0;           // 0: what is best for most scenes
-  int depth = 0;                   // levels of `octree`, at most most_octree_levels; 0: what is best for most scenes
-  std::string quality = "medium";  // of `bvh`, one of build_qualities
+  double resolution = 0;  // 0: what is best for most scenes
+  int depth = 0;          // levels of `octree`, at most most_octree_levels; 0: what is best for most scenes
+  BvhQuality quality = BvhQuality::medium;
   std::string instruction_set = "best";  // of `bvh`: one of InstructionSets()
 
   // What `auto` needs to know to weigh a build against what it saves.
@@ -24,8 +30,5 @@ struct AcceleratorSettings {
 
 /// Cubes are then far smaller than what boxes in single precision resolve, and walks still have stack enough.
 inline constexpr int most_octree_levels = 40;
-
-/// medium: boxes of whole primitives; high: large slanted triangles are cut into several boxes first.
-inline constexpr std::array build_qualities{"medium", "high"};
 
 }  // namespace ray

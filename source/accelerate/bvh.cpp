@@ -10,7 +10,7 @@ extern const AcceleratorKind bvh_kind{
     [](const World& world, const AcceleratorSettings& settings) -> std::unique_ptr<const Accelerator> {
       bvh::BuildSettings build;
       if (settings.resolution > 0) build.leaf_size = std::clamp(static_cast<int>(settings.resolution), 1, width);
-      build.cuts_large_triangles = settings.quality == "high";
+      build.cuts_large_triangles = settings.quality == BvhQuality::high;
       return std::make_unique<TwoLevelAccelerator<bvh::Tree>>(
           world, settings, bvh::ChooseKernels, [&](PrimitiveSet space) { return bvh::Build(std::move(space), build); });
     }};

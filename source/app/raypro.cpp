@@ -38,7 +38,7 @@ RenderResult RenderAndTell(const World& world, const Accelerator& accelerator, c
 
 std::vector<R2::Image> RenderLayers(const World& world, const Accelerator& accelerator, const Options& options) {
   std::vector<R2::Image> layers;
-  for (const std::string& layer : options.layers)
+  for (const Layer layer : options.layers)
     layers.push_back(Render(world, accelerator, SettingsForLayer(options.render, layer)).image);
   return layers;
 }

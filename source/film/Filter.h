@@ -14,6 +14,7 @@ namespace ray {
 ///   lanczos   sinc(x) sinc(x / 3) up to 3 pixels: Duchon, Lanczos filtering in one and two dimensions (1979)
 enum class FilterKind { box, gaussian, mitchell, lanczos };
 inline constexpr std::array filter_names{"box", "gaussian", "mitchell", "lanczos"};
+constexpr const auto& NamesOf(FilterKind) { return filter_names; }
 
 /// False where a build leaves wide filters out to measure what they cost; see source/integrate/Features.h.
 #ifdef RAYPRO_WITHOUT_WIDE_FILTER

@@ -12,6 +12,7 @@ namespace ray {
 ///   id       the number of its primitive in the scene, from 0; -1 where there is none
 enum class Layer { depth, normal, uv, albedo, id };
 inline constexpr std::array layer_names{"depth", "normal", "uv", "albedo", "id"};
+constexpr const auto& NamesOf(Layer) { return layer_names; }
 
 /// Shows one layer.
 class FirstHit : public Integrator {

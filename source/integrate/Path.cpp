@@ -52,11 +52,11 @@ Path::Path(const World& world, const Accelerator& accelerator, const TraceSettin
     : world_(world),
       accelerator_(accelerator),
       settings_(settings),
-      sampler_(SamplerNamed(settings.sampler)),
+      sampler_(settings.sampler),
       lights_(world, settings),
-      has_roulette_(settings.roulette != "off"),
-      finds_lights_(settings.strategy != "surface"),
-      finds_by_scattering_(settings.strategy == "mis" || settings.strategy == "surface"),
+      has_roulette_(settings.roulette != Roulette::off),
+      finds_lights_(settings.strategy != LightStrategy::bsdf),
+      finds_by_scattering_(settings.strategy == LightStrategy::mis || settings.strategy == LightStrategy::bsdf),
       lights_at_once_(settings.lights < 0 ? 1 : settings.lights) {
   settings_.max_depth = std::min<std::int64_t>(settings_.max_depth, most_bounces);
 }

@@ -2,11 +2,22 @@
 
 #include <array>
 #include <cstdint>
-#include <string>
 
 #include "source/sample/Sampler.h"
 
 namespace ray {
+
+/// Russian roulette: faint rays end at random, and those that survive count for more, without bias. Off, they are cut
+/// at min_luminance, or never. automatic: on for path, off for whitted.
+enum class Roulette { automatic, on, off };
+inline constexpr std::array roulette_names{"auto", "on", "off"};
+constexpr const auto& NamesOf(Roulette) { return roulette_names; }
+
+/// How path finds light that rays can hit: by the next two, combined by multiple importance sampling; by sampling the
+/// lights; by sampling the BSDF; or by choosing lights, and directions to an environment, uniformly (to compare with).
+enum class LightStrategy { mis, light, bsdf, uniform };
+inline constexpr std::array strategy_names{"mis", "light", "bsdf", "uniform"};
+constexpr const auto& NamesOf(LightStrategy) { return strategy_names; }
 
 /// The course's recursion, and where it ends.
 struct TraceSettings {
@@ -17,21 +28,11 @@ struct TraceSettings {
   bool glossy = false;   // reflections are spread over the Phong lobe, not only along its axis
   bool fresnel = false;  // clear surfaces reflect by Fresnel's equations, and all of what they cannot let through
   int lights = -1;       // chosen at each point by importance; 0: every light; -1: whitted all, path one
-  std::string roulette = "auto";  // one of roulette_names
-  std::string strategy = "mis";   // one of strategy_names
-  std::string sampler = "sobol";  // one of sampler_names
-  std::uint32_t samples = 1;      // camera rays a pixel, as far as known; stratified points are laid out for it
+  Roulette roulette = Roulette::automatic;
+  LightStrategy strategy = LightStrategy::mis;
+  SamplerKind sampler = SamplerKind::sobol;
+  std::uint32_t samples = 1;  // camera rays per pixel, as far as known; stratified points are laid out for it
 };
-
-/// Whether faint rays are followed by chance, at no cost in truth: on, off (they are cut at min_luminance, or never),
-/// or auto, which is on for path and off for whitted.
-inline constexpr std::array roulette_names{"auto", "on", "off"};
-
-/// How path finds light that rays can hit: by both of the next and weighing them, by choosing places on lights, by
-/// following scattered rays, or by choosing lights, and directions to an environment, evenly (to compare with).
-inline constexpr std::array strategy_names{"mis", "light", "surface", "uniform"};
-
-SamplerKind SamplerNamed(const std::string& name);
 
 /// Hard limits that keep mirrors facing each other, at any max_depth, from running forever. Rays beyond are counted as
 /// cut.

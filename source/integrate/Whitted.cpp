@@ -73,8 +73,8 @@ Whitted::Whitted(const World& world, const Accelerator& accelerator, const Trace
     : world_(world),
       accelerator_(accelerator),
       settings_(settings),
-      sampler_(SamplerNamed(settings.sampler)),
-      has_roulette_(features::roulette && settings.roulette == "on"),
+      sampler_(settings.sampler),
+      has_roulette_(features::roulette && settings.roulette == Roulette::on),
       triangles_(EmissiveTriangles(world)) {
   settings_.max_depth = std::min<std::int64_t>(settings_.max_depth, most_bounces);
   const Scene& scene = world.scene();

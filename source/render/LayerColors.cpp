@@ -38,10 +38,10 @@ R2::Color ColorOfId(const R2::Color& id) {
 
 }  // namespace
 
-R2::Image LayerAsShown(const std::string& layer, const R2::Image& image) {
-  if (layer == "depth") return ShownDepth(image);
-  if (layer == "id") return Changed(image, ColorOfId);
-  if (layer == "normal")
+R2::Image LayerAsShown(RenderMode mode, const R2::Image& image) {
+  if (mode == RenderMode::depth) return ShownDepth(image);
+  if (mode == RenderMode::id) return Changed(image, ColorOfId);
+  if (mode == RenderMode::normal)
     return Changed(image, [](const R2::Color& n) { return R2::Color{(n.r + 1) / 2, (n.g + 1) / 2, (n.b + 1) / 2}; });
   return image;
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "source/render/SampleTracer.h"
+#include "source/text/EnumNames.h"
 #include "source/text/NumberText.h"
 
 namespace ray {
@@ -109,7 +110,7 @@ PixelTracer::PixelTracer(const World& world, const Accelerator& accelerator, con
     : settings_(settings),
       integrator_(MakeIntegrator(settings.mode, world, accelerator.Worker(), TraceSettingsOf(settings))),
       camera_(settings.view.value_or(world.scene().camera), settings.camera, world.Moves(), settings.width,
-              settings.height, SamplerNamed(settings.trace.sampler), TraceSettingsOf(settings).samples) {}
+              settings.height, settings.trace.sampler, TraceSettingsOf(settings).samples) {}
 
 PixelTrace PixelTracer::Trace(int column, int row, int samples) const {
   PixelTrace trace{column, row, {}, {}, {}};
@@ -132,8 +133,8 @@ PixelTrace PixelTracer::Trace(int column, int row, int samples) const {
 std::string RayTree(const PixelTrace& trace, const World& world, const RenderSettings& settings,
                     std::size_t most_rays) {
   return "pixel " + std::to_string(trace.column) + " " + std::to_string(trace.row) + " of " +
-         std::to_string(settings.width) + " x " + std::to_string(settings.height) + ", " + settings.mode + ": " +
-         Text(trace.Mean()) +
+         std::to_string(settings.width) + " x " + std::to_string(settings.height) + ", " + NameOf(settings.mode) +
+         ": " + Text(trace.Mean()) +
          (trace.samples.size() > 1 ? ", the mean of " + std::to_string(trace.samples.size()) + " samples" : "") + "\n" +
          TreeWriter(trace, world, most_rays).Write();
 }

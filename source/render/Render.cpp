@@ -34,10 +34,6 @@ constexpr double fall_of_error = 0.75;                // error ~ samples^-this, 
 // few.)
 constexpr double too_hot = 0.5, too_surprising = 0.05;
 
-FilterKind FilterNamed(const std::string& name) {
-  return static_cast<FilterKind>(std::find(filter_names.begin(), filter_names.end(), name) - filter_names.begin());
-}
-
 bool IsCeilingGiven(const RenderSettings& settings) { return !settings.budget.IsOpen() || settings.samples > 1; }
 
 TraceSettings TraceSettingsFor(const RenderSettings& settings) {
@@ -206,7 +202,7 @@ class Job {
   /// see a small error by luck, so it takes two in a row to stop.
   void ChooseBlocks(std::uint32_t next, const std::optional<MeasuredError>& error) {
     std::fill(targets_.begin(), targets_.end(), next);
-    if (settings_.budget.adaptive == "off" || !settings_.budget.error || !error) return;
+    if (settings_.budget.adaptive == Adaptive::off || !settings_.budget.error || !error) return;
     const double target = SquaredTarget(settings_.budget.error->value, measure_, error->mean);
     const std::vector<double>& squares = error->square_of_blocks;
     const bool is_first = squares_before_.empty();
@@ -459,13 +455,12 @@ std::unique_ptr<const Integrator> IntegratorOf(const World& world, const Acceler
 
 CameraRays CameraRaysOf(const World& world, const RenderSettings& settings) {
   return CameraRays(settings.view.value_or(world.scene().camera), settings.camera, world.Moves(), settings.width,
-                    settings.height, SamplerNamed(settings.trace.sampler), TraceSettingsFor(settings).samples);
+                    settings.height, settings.trace.sampler, TraceSettingsFor(settings).samples);
 }
 
 Film EmptyFilmOf(const RenderSettings& settings) {
   return Film(settings.width, settings.height,
-              settings.crop.value_or(PixelRectangle{0, 0, settings.width, settings.height}),
-              FilterNamed(settings.filter));
+              settings.crop.value_or(PixelRectangle{0, 0, settings.width, settings.height}), settings.filter);
 }
 
 RenderResult Render(const World& world, const Accelerator& accelerator, const RenderSettings& settings,

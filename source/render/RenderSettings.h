@@ -3,9 +3,9 @@
 #include <array>
 #include <cstdint>
 #include <optional>
-#include <string>
 #include <vector>
 
+#include "source/film/Filter.h"
 #include "source/film/PictureError.h"
 #include "source/film/PixelRectangle.h"
 #include "source/integrate/CameraRays.h"
@@ -21,19 +21,21 @@ struct ErrorTarget {
   friend bool operator==(const ErrorTarget&, const ErrorTarget&) = default;
 };
 
+/// off: every pixel takes as many samples. tile: only blocks of 8x8 pixels whose error, or a neighbour's, is above the
+/// target go on. automatic: tile where there is a target.
+enum class Adaptive { automatic, off, tile };
+inline constexpr std::array adaptive_names{"auto", "off", "tile"};
+constexpr const auto& NamesOf(Adaptive) { return adaptive_names; }
+
 /// When to stop. Whatever is reached first ends the render.
 struct Budget {
   double seconds = 0;                // from the start of the program to the picture written; 0: no limit
   std::optional<ErrorTarget> error;  // stop when the upper end of the error's interval is below
   double confidence = 0.95;          // of that interval, in (0, 1)
-  std::string adaptive = "auto";     // one of adaptive_names
+  Adaptive adaptive = Adaptive::automatic;
 
   bool IsOpen() const { return seconds > 0 || error; }
 };
-
-/// off: every pixel takes as many samples. tile: only blocks of 8x8 pixels whose error, or a neighbour's, is above the
-/// target go on. auto: tile where there is a target.
-inline constexpr std::array adaptive_names{"auto", "off", "tile"};
 
 /// How the samples of an earlier render were shared out, so that it can be made again to the bit though it was stopped
 /// by a clock or by its error.
@@ -50,8 +52,8 @@ struct RenderSettings {
   std::optional<PixelRectangle> crop;  // the part that is rendered; its pixels equal those of the whole
   int samples = 1;                     // camera rays a pixel, >= 1; a ceiling where there is a budget, unless it is 1
   std::uint64_t seed = 0;
-  std::string mode = "whitted";  // one of render_modes
-  std::string filter = "box";    // one of filter_names
+  RenderMode mode = RenderMode::whitted;
+  FilterKind filter = FilterKind::box;
   CameraEffects camera;
   std::optional<Camera> view;  // to look from instead of the scene's own camera
   TraceSettings trace;

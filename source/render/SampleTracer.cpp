@@ -15,7 +15,7 @@ SampleTracer::SampleTracer(const Integrator& integrator, const CameraRays& camer
       camera_(camera),
       seed_(settings.seed),
       shows_costs_(ShowsCosts(settings.mode)),
-      counts_rays_(settings.mode == "rays"),
+      counts_rays_(settings.mode == RenderMode::rays),
       together_(shows_costs_ ? 1 : most_together) {}
 
 double SampleTracer::CostSoFar(const TraceState& state) const {

@@ -1,4 +1,5 @@
 #include "source/render/SceneFeatures.h"
+#include "source/text/EnumNames.h"
 
 #include <algorithm>
 #include <array>
@@ -14,7 +15,7 @@ std::string Text(double number) {
   return std::string(text.data(), end);
 }
 
-bool IsTraced(const std::string& mode) { return mode == "whitted" || mode == "path" || ShowsCosts(mode); }
+bool IsTraced(RenderMode mode) { return mode == RenderMode::whitted || mode == RenderMode::path || ShowsCosts(mode); }
 
 }  // namespace
 
@@ -23,7 +24,7 @@ SceneFeatures FeaturesOf(const World& world, const RenderSettings& settings) {
   SceneFeatures n;
   n.motion = settings.camera.HasMotion() || world.Moves();
   n.lens = settings.camera.HasLens();
-  n.wide_filter = settings.filter != "box";
+  n.wide_filter = settings.filter != FilterKind::box;
   n.two_streams = settings.budget.error.has_value();
   if (!IsTraced(settings.mode)) return n;
 
@@ -48,7 +49,7 @@ SceneFeatures FeaturesOf(const World& world, const RenderSettings& settings) {
     n.textures |= m.texture != nullptr;
   }
   n.choice_of_lights =
-      lights > 1 && (settings.trace.lights > 0 || (settings.mode == "path" && settings.trace.lights < 0));
+      lights > 1 && (settings.trace.lights > 0 || (settings.mode == RenderMode::path && settings.trace.lights < 0));
   return n;
 }
 
@@ -74,21 +75,21 @@ std::vector<std::string> SceneFeatures::Names() const {
 }
 
 std::string KernelOf(const SceneFeatures& needs, const RenderSettings& settings) {
-  return settings.mode + ", " + (needs.motion ? "moving " : "") + (needs.lens ? "lens" : "pinhole") + ", " +
-         settings.filter + " filter";
+  return std::string(NameOf(settings.mode)) + ", " + (needs.motion ? "moving " : "") +
+         (needs.lens ? "lens" : "pinhole") + ", " + NameOf(settings.filter) + " filter";
 }
 
 std::vector<std::string> BiasedSettings(const SceneFeatures& needs, const RenderSettings& settings) {
   std::vector<std::string> biased;
   if (!IsTraced(settings.mode)) return biased;
   const TraceSettings& trace = settings.trace;
-  const bool is_path = settings.mode == "path";
+  const bool is_path = settings.mode == RenderMode::path;
   const bool may_bounce = is_path || needs.mirrors || needs.clear;
   if (may_bounce || trace.max_depth == 0) biased.push_back("max_depth " + std::to_string(trace.max_depth));
-  if (!is_path && may_bounce && trace.roulette != "on" && trace.min_luminance > 0)
+  if (!is_path && may_bounce && trace.roulette != Roulette::on && trace.min_luminance > 0)
     biased.push_back("min_luminance " + Text(trace.min_luminance));
   if (!trace.shadows) biased.emplace_back("shadows off");
-  if (settings.budget.error && settings.budget.adaptive != "off") biased.emplace_back("adaptive tile");
+  if (settings.budget.error && settings.budget.adaptive != Adaptive::off) biased.emplace_back("adaptive tile");
   return biased;
 }
 

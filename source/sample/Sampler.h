@@ -12,6 +12,7 @@ namespace ray {
 /// independently. stratified: evenly in pairs, for a number of samples known beforehand.
 enum class SamplerKind { sobol, random, stratified };
 inline constexpr std::array sampler_names{"sobol", "random", "stratified"};
+constexpr const auto& NamesOf(SamplerKind) { return sampler_names; }
 
 /// The places in the unit square, or cube, that one kind of choice at one place of the tree of rays takes in the
 /// samples of one pixel. Point `index` is a function of (kind, key, index), and of `count` for stratified points.

@@ -282,7 +282,7 @@ void Viewer::SaveRays() {
   PrintError(host_.SaveRays(RaysAsObj(shown, space_.radius)));
 }
 
-void Viewer::ToggleLive(const std::string& mode) {
+void Viewer::ToggleLive(std::optional<RenderMode> mode) {
   if (pictures_.IsLive() && pictures_.LiveMode() == mode)
     pictures_.HideLive();
   else

@@ -117,7 +117,7 @@ class Viewer {
   void ToggleGrid();
   void MoveByArrow(int right, int up);
   void SaveRays();
-  void ToggleLive(const std::string& mode);
+  void ToggleLive(std::optional<RenderMode> mode);
   void KeepReference();
   void Compare(TracedPictures::Comparing how);
   void ChangeExposure(double steps);

@@ -38,7 +38,7 @@ std::vector<Viewer::Binding> Viewer::MakeBindings() {
       v.LinesHaveChanged();
     };
   };
-  const auto live = [](const char* mode) { return [mode](Viewer& v) { v.ToggleLive(mode); }; };
+  const auto live = [](std::optional<RenderMode> mode = {}) { return [mode](Viewer& v) { v.ToggleLive(mode); }; };
   const auto arrow = [](int right, int up) { return [right, up](Viewer& v) { v.MoveByArrow(right, up); }; };
   const auto step_bounce = [](int by) {
     return [by](Viewer& v) {
@@ -54,7 +54,7 @@ std::vector<Viewer::Binding> Viewer::MakeBindings() {
       {Key::s, plain, "trace the view and write the picture", [](Viewer& v) { v.StartTrace(); }},
       {Key::escape, plain, "stop the trace; without one, quit", [](Viewer& v) { v.StopOrQuit(); }},
       {Key::q, plain, "quit", [](Viewer& v) { v.is_closed_ = true; }},
-      {Key::p, plain, "live picture on and off", live("")},
+      {Key::p, plain, "live picture on and off", live()},
       {Key::v, plain, "the traced picture in space on and off", toggle(&Viewer::shows_quad_)},
       {Key::c, plain, "print the camera as a line of a scene", [](Viewer& v) { v.PrintCamera(); }},
       {Key::space, plain, "", [](Viewer& v) { v.PrintCamera(); }},
@@ -115,12 +115,12 @@ std::vector<Viewer::Binding> Viewer::MakeBindings() {
          v.section_lines_.reset();
        }},
 
-      {Key::f7, plain, "depths, live", live("depth")},
-      {Key::f8, plain, "normals, live", live("normal")},
-      {Key::f9, plain, "texture coordinates, live", live("uv")},
-      {Key::f10, plain, "primitives, live", live("id")},
-      {Key::f11, plain, "how many rays pixels take, live", live("rays")},
-      {Key::f12, plain, "what pixels cost, live", live("heat")},
+      {Key::f7, plain, "depths, live", live(RenderMode::depth)},
+      {Key::f8, plain, "normals, live", live(RenderMode::normal)},
+      {Key::f9, plain, "texture coordinates, live", live(RenderMode::uv)},
+      {Key::f10, plain, "primitives, live", live(RenderMode::id)},
+      {Key::f11, plain, "how many rays pixels take, live", live(RenderMode::rays)},
+      {Key::f12, plain, "what pixels cost, live", live(RenderMode::heat)},
 
       {Key::r, plain, "keep the traced picture as the reference", [](Viewer& v) { v.KeepReference(); }},
       {Key::tab, plain, "held: show the reference", [](Viewer& v) { v.Compare(TracedPictures::Comparing::reference); },

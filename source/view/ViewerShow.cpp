@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "source/render/LayerColors.h"
+#include "source/text/EnumNames.h"
 #include "source/text/NumberText.h"
 #include "source/view/Viewer.h"
 #include "source/view/overlay/SceneLines.h"
@@ -19,7 +20,9 @@ void Append(Lines& lines, const Lines& more) { lines.insert(lines.end(), more.be
 
 R2::Color InverseOf(const R2::Color& c) { return {1 - c.r, 1 - c.g, 1 - c.b}; }
 
-bool IsLight(const std::string& mode) { return mode == "whitted" || mode == "path" || mode == "albedo"; }
+bool IsLight(RenderMode mode) {
+  return mode == RenderMode::whitted || mode == RenderMode::path || mode == RenderMode::albedo;
+}
 
 }  // namespace
 
@@ -81,7 +84,7 @@ std::optional<FrameState::Picture> Viewer::CoveringPicture() const {
   }
   if (!pictures_.IsLive() || !pictures_.Live() || pictures_.Live()->Stride() == 0) return {};
   const RenderJob& job = *pictures_.Live();
-  const std::string& mode = job.Settings().mode;
+  const RenderMode mode = job.Settings().mode;
   if (IsLight(mode)) {
     picture.frame = &job.TheFrame();
     picture.number = pictures_.LiveNumber();
@@ -211,8 +214,7 @@ std::string Viewer::State() const {
   line("boxes", BoxesInWords());
   line("turntable", yes_or_no(navigator_.IsTurntable()));
   line("pivot", yes_or_no(navigator_.Pivot().has_value()));
-  line("live",
-       pictures_.IsLive() ? (pictures_.LiveMode().empty() ? settings_.render.mode : pictures_.LiveMode()) : "no");
+  line("live", pictures_.IsLive() ? NameOf(pictures_.LiveMode().value_or(settings_.render.mode)) : "no");
   line("trace", !pictures_.Trace()                ? "none"
                 : pictures_.IsTracing()           ? "running"
                 : pictures_.Trace()->IsComplete() ? "complete"

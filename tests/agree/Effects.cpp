@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/Accelerators.h"
+#include "tests/Named.h"
 #include "tests/Project.h"
 
 namespace {
@@ -39,13 +40,13 @@ RenderSettings Everything(const char* mode, const char* filter) {
   s.height = 29;
   s.samples = 3;
   s.seed = 5;
-  s.mode = mode;
-  s.filter = filter;
+  s.mode = project::Named{mode};
+  s.filter = project::Named{filter};
   s.camera = {.motion = {0.2, 0.1, -0.3}, .aperture = 0.1, .focus = 5};
   s.trace.max_depth = 5;
   s.trace.glossy = s.trace.fresnel = true;
   s.trace.shadow_samples = 2;
-  s.trace.roulette = "on";
+  s.trace.roulette = ray::Roulette::on;
   return s;
 }
 
@@ -66,7 +67,7 @@ TEST(Extremes, J1_ThreadsAndTilesNeverChangeABitWithEverythingOn) {
   for (const char* mode : {"path", "whitted"})
     for (const char* sampler : ray::sampler_names) {
       RenderSettings settings = Everything(mode, "lanczos");
-      settings.trace.sampler = sampler;
+      settings.trace.sampler = project::Named{sampler};
       settings.threads = 1;
       const auto expected = project::Render(stage, settings);
       for (const int threads : {1, 2, 7})
@@ -173,7 +174,7 @@ TEST(Effects, StatedWithoutEffectTheyChangeNoBit) {
   RenderSettings stated = plain;
   stated.camera = {.motion = {0, 0, 0}, .aperture = 0, .focus = 3};
   stated.trace.fresnel = true;  // nothing is clear
-  stated.trace.strategy = "light";
+  stated.trace.strategy = ray::LightStrategy::light;
   EXPECT_TRUE(picture(scene + "absorb 0  1 1 1 point_light 0 0 0  0 3 3  1 0 0", stated) == expected);
 }
 

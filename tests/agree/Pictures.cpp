@@ -70,7 +70,7 @@ TEST(Pictures, CountsDependOnTheTilesButNotOnTheThreads) {
 TEST(Pictures, OfHeatDependOnTheAcceleratorAndOnNothingElse) {
   const project::Stage stage(project::Root() / "scenes" / "smooth.scn");
   ray::RenderSettings settings = Small();
-  settings.mode = "heat";
+  settings.mode = ray::RenderMode::heat;
   settings.threads = 1;
   const auto bvh = project::Render(stage, settings, {"bvh"});
   settings.threads = 3;
@@ -86,7 +86,7 @@ TEST(Pictures, OfRayCountsAreTheSameForAllAcceleratorsAndShowWhatThePixelTook) {
                         "material 0 0 0  1 1 1  0 0 0  0 0 0  0 0 0  1 1 0\nsphere 0  0 0 0  1\n"));
   ray::RenderSettings settings;
   settings.width = settings.height = 9;
-  settings.mode = "rays";
+  settings.mode = ray::RenderMode::rays;
   const auto image = project::Render(stage, settings, {"bvh"}).image;
   EXPECT_NEAR(image.At(4, 4).b, ray::HeatColor(2).b, 1e-6);
   EXPECT_EQ(image.At(0, 0), ray::HeatColor(1));

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "source/render/SceneFeatures.h"
+#include "tests/Named.h"
 #include "tests/Project.h"
 
 namespace {
@@ -13,7 +14,7 @@ ray::RenderSettings Small(const std::string& mode) {
   settings.width = 20;
   settings.height = 16;
   settings.samples = 4;
-  settings.mode = mode;
+  settings.mode = project::Named{mode};
   settings.trace.shadow_samples = 3;
   return settings;
 }
@@ -102,7 +103,7 @@ TEST(UnusedFeatures, OptionsWithoutEffectChangeNoNeedNoKernelAndNoBit) {
       {"fresnel where nothing is clear", [](ray::RenderSettings& s) { s.trace.fresnel = true; }},
       {"glossy where nothing is specular", [](ray::RenderSettings& s) { s.trace.glossy = true; }},
       {"a confidence without an error to stop at", [](ray::RenderSettings& s) { s.budget.confidence = 0.99; }},
-      {"adaptive without an error to stop at", [](ray::RenderSettings& s) { s.budget.adaptive = "tile"; }},
+      {"adaptive without an error to stop at", [](ray::RenderSettings& s) { s.budget.adaptive = ray::Adaptive::tile; }},
   };
   const project::Stage stage(project::FromText(Scene(matte, "", area_light)));
   for (const Change& change : changes)

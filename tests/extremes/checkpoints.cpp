@@ -17,8 +17,8 @@ ray::RenderSettings Everything() {
   settings.width = 40;
   settings.height = 27;
   settings.samples = 24;
-  settings.mode = "path";
-  settings.filter = "mitchell";
+  settings.mode = ray::RenderMode::path;
+  settings.filter = ray::FilterKind::mitchell;
   settings.camera.aperture = 0.05;
   settings.camera.focus = 4;
   settings.camera.motion = {0.05, 0, 0};

@@ -8,6 +8,7 @@
 #include "R3/Shape.h"
 #include "source/film/PictureError.h"
 #include "tests/Draw.h"
+#include "tests/Named.h"
 #include "tests/Statistics.h"
 
 namespace {
@@ -60,14 +61,14 @@ RenderSettings Path(int side, int samples) {
   RenderSettings s;
   s.width = s.height = side;
   s.samples = samples;
-  s.mode = "path";
+  s.mode = ray::RenderMode::path;
   s.trace.max_depth = 1000;
   return s;
 }
 
 RenderSettings Whitted(int side, int samples) {
   RenderSettings s = Path(side, samples);
-  s.mode = "whitted";
+  s.mode = ray::RenderMode::whitted;
   s.trace.min_luminance = 0;
   s.trace.shadow_samples = 1;
   return s;
@@ -104,12 +105,12 @@ TEST(Extremes, I1_EveryShapeThatLosesNothingVanishesInAWhiteFurnace) {
 
 TEST(Extremes, I1_AFurnaceThatIsAlsoALightIsAsWhite) {
   for (const double kd : {1.0, 0.5})
-    for (const char* strategy : {"mis", "light", "surface", "uniform"}) {
+    for (const char* strategy : {"mis", "light", "bsdf", "uniform"}) {
       const project::Stage stage =
           StageOf(no_light + "camera 0 0 6 0 0 -1 0 1 0 0.1 0.01 100" + Material(kd, 1 - kd, 0, 0) + "sphere 0 0 0 0 1",
                   Uniform(1));
       RenderSettings settings = Path(16, 256);
-      settings.trace.strategy = strategy;
+      settings.trace.strategy = project::Named{strategy};
       const Mean m = statistics::MeanOverPixels(project::Render(stage, settings).image);
       EXPECT_LT(std::abs(Deviations(m, 1, 1e-6)), 4) << strategy << ' ' << kd;
       EXPECT_NEAR(m.mean, 1, 1e-3) << strategy << ' ' << kd;
@@ -161,7 +162,7 @@ TEST(Extremes, I1_AGlossyPlaneKeepsThePartOfItsLobeThatIsAboveIt) {
         const project::Stage stage = StageOf(no_light + "background 1 1 1 camera " + eye + towards +
                                              "0 0 -1 1e-7 0.01 100" + Material(0, 1, 0, 0, n) + "box 0 -4 -1 -4 4 0 4");
         RenderSettings settings = Whitted(16, Count(256, 16384));
-        settings.mode = mode;
+        settings.mode = project::Named{mode};
         settings.trace.glossy = true;
         const Mean m = statistics::MeanOverPixels(project::Render(stage, settings).image);
         const double truth = angle == 0 ? 1 : LobeAboveSurface(n, angle);
@@ -252,9 +253,11 @@ std::vector<Known> KnownScenes() {
       {"square on a floor, by its form factor", floor + no_light + Material(0, 0, 0, 1) + Square(1, 1, 1.5),
        0.5 * 4 * FormFactorOfCorner(1, 1, 1.5), depth(path, 0)},
       {"square on a floor, chosen places only", floor + no_light + Material(0, 0, 0, 1) + Square(1, 1, 1.5),
-       0.5 * 4 * FormFactorOfCorner(1, 1, 1.5), with(depth(path, 0), [](auto& t) { t.strategy = "light"; })},
+       0.5 * 4 * FormFactorOfCorner(1, 1, 1.5),
+       with(depth(path, 0), [](auto& t) { t.strategy = ray::LightStrategy::light; })},
       {"square on a floor, scattered rays only", floor + no_light + Material(0, 0, 0, 1) + Square(1, 1, 1.5),
-       0.5 * 4 * FormFactorOfCorner(1, 1, 1.5), with(depth(path, 0), [](auto& t) { t.strategy = "surface"; })},
+       0.5 * 4 * FormFactorOfCorner(1, 1, 1.5),
+       with(depth(path, 0), [](auto& t) { t.strategy = ray::LightStrategy::bsdf; })},
       {"closed box that shines: E / (1 - p), with roulette", inside + no_light + Material(0.5, 0, 0, 1) + Get(),
        1 / (1 - 0.5), path},
       {"closed box that shines, half of it as a mirror does", inside + no_light + Material(0.25, 0.25, 0, 1) + Get(),
@@ -267,8 +270,8 @@ std::vector<Known> KnownScenes() {
        inside + Material(0.6, 0, 0, 0) + "sphere 0 0 0 0 2 point_light 4 4 4  0 0 0  0 0 1", 0.6 * Series(0.6, 3),
        depth(path, 3)},
       {"uniform sky over a plane", floor + no_light, 0.5, whitted, Uniform(1)},
-      {"uniform sky over a plane, path", floor + no_light, 0.5, with(path, [](auto& t) { t.strategy = "light"; }),
-       Uniform(1)},
+      {"uniform sky over a plane, path", floor + no_light, 0.5,
+       with(path, [](auto& t) { t.strategy = ray::LightStrategy::light; }), Uniform(1)},
       {"cap of 45 degrees of sky: half of what counts", floor + no_light, 0.25, whitted, Cap(pi / 4)},
       {"cap of 45 degrees of sky, path", floor + no_light, 0.25, path, Cap(pi / 4)},
       {"ambient light",
@@ -282,7 +285,7 @@ std::vector<Known> KnownScenes() {
       {"five clear sheets: kt^5",
        "camera 0 5 0  0 -1 0  0 0 -1  1e-7 0.01 100 background 1 1 1" + no_light + Material(0, 0, 0.8, 0) +
            Square(0, 9, 0) + Square(0, 9, 1) + Square(0, 9, 2) + Square(0, 9, 3) + Square(0, 9, 4),
-       std::pow(0.8, 5), with(path, [](auto& t) { t.roulette = "off"; })},
+       std::pow(0.8, 5), with(path, [](auto& t) { t.roulette = ray::Roulette::off; })},
       {"pane of glass that reflects to and fro: 2 R / (1 + R)",
        "camera 0.3 5 0.4  0 -1 0  0 0 -1  1e-7 0.01 100" + no_light + Material(0, 0, 1, 0, 10, 1.5) +
            "box 0 -9 -1 -9 9 0 9",
@@ -305,7 +308,7 @@ const std::vector<std::vector<Mean>>& MeansOfKnownScenes() {
       means.emplace_back();
       for (std::uint64_t seed = 0; seed < 10; ++seed) {
         settings.seed = seed;
-        settings.trace.sampler = ray::sampler_names[seed % ray::sampler_names.size()];
+        settings.trace.sampler = static_cast<ray::SamplerKind>(seed % ray::sampler_names.size());
         means.back().push_back(statistics::MeanOverPixels(project::Render(stage, settings).image));
       }
     }
@@ -366,7 +369,7 @@ std::vector<double> ErrorsAfter(const std::vector<double>& counts, const char* s
     for (std::uint64_t seed = 0; seed < static_cast<std::uint64_t>(Count(2, 4)); ++seed) {
       RenderSettings settings = Whitted(16, static_cast<int>(count));
       settings.seed = seed;
-      settings.trace.sampler = sampler;
+      settings.trace.sampler = project::Named{sampler};
       const auto image = project::Render(stage, settings).image;
       for (const float channel : image.Channels()) {
         squares += (channel - truth) * (channel - truth);
@@ -433,7 +436,7 @@ constexpr int few = 20;  // pictures of each kind
 
 RenderSettings Compared(const char* mode, int samples) {
   RenderSettings settings = Path(8, Count(samples, 64 * samples));
-  settings.mode = mode;
+  settings.mode = project::Named{mode};
   settings.trace.max_depth = 3;
   settings.trace.min_luminance = 0;
   settings.trace.shadow_samples = 1;
@@ -456,10 +459,10 @@ TEST(Extremes, I5_LightIsFoundAlikeOnLightsByScatteringAndByBoth) {
           sky ? StageOf(room + no_light, SunnySky())
               : StageOf(room + no_light + Material(0, 0, 0, 5) + "tri 2 -3 2.5 0  1 3 0  -1 2.5 3 ");
       std::vector<std::pair<std::string, RenderSettings>> ways;
-      for (const char* strategy : {"mis", "light", "surface", "uniform"}) {
+      for (const char* strategy : {"mis", "light", "bsdf", "uniform"}) {
         if (!sky && strategy == std::string("uniform")) continue;
         ways.emplace_back(strategy, Compared("path", 256));
-        ways.back().second.trace.strategy = strategy;
+        ways.back().second.trace.strategy = project::Named{strategy};
         ways.back().second.trace.glossy = glossy;
       }
       SCOPED_TRACE(std::string(sky ? "sky" : "triangle") + (glossy ? ", glossy" : ""));
@@ -497,7 +500,7 @@ TEST(Extremes, I5_EverySamplerGivesTheSameMean) {
     std::vector<std::pair<std::string, RenderSettings>> ways;
     for (const char* sampler : ray::sampler_names) {
       ways.emplace_back(std::string(sampler) + " in " + mode, Compared(mode, 40));  // no square and no power of two
-      ways.back().second.trace.sampler = sampler;
+      ways.back().second.trace.sampler = project::Named{sampler};
       ways.back().second.trace.glossy = true;
       ways.back().second.camera = {.motion = {0.1, 0, 0}, .aperture = 0.05, .focus = 6};
     }
@@ -513,9 +516,9 @@ TEST(Extremes, G5_StrataOfAnyNumberOfSamplesHaveTheRightMean) {
   for (const char* mode : {"whitted", "path"})
     for (const int samples : {1, 2, 3, 5, 7, 13, 50}) {
       RenderSettings settings = Whitted(64, samples);
-      settings.mode = mode;
+      settings.mode = project::Named{mode};
       settings.trace.max_depth = 0;
-      settings.trace.sampler = "stratified";
+      settings.trace.sampler = ray::SamplerKind::stratified;
       const Mean m = statistics::MeanOverPixels(project::Render(stage, settings).image);
       EXPECT_LT(std::abs(Deviations(m, truth, 1e-6)), 4) << samples << " samples in " << mode;
       EXPECT_LT(m.deviation, 0.02 * truth) << samples << " samples in " << mode;
@@ -528,15 +531,15 @@ TEST(Extremes, I7_RouletteCostsNoTruthAndPaysForItself) {
                                       "sphere 0 0 0 0 2 point_light 4 4 4  0 1 0  0 0 1");
   RenderSettings on = Compared("path", 32), off = on;
   on.trace.max_depth = off.trace.max_depth = 16;
-  on.trace.roulette = "on";
-  off.trace.roulette = "off";
+  on.trace.roulette = ray::Roulette::on;
+  off.trace.roulette = ray::Roulette::off;
   ExpectAllAlike(ball, {{"path, roulette", on}, {"none", off}});
 
   // What each ray is worth: variance times rays, in a room with many lamps.
   const project::Stage lamps = StageOf(room + Lamps(true));
   const auto cost = [&](RenderSettings settings) {
     settings.width = settings.height = 24;
-    settings.trace.sampler = "random";
+    settings.trace.sampler = ray::SamplerKind::random;
     settings.samples = 16;
     const auto pictures = Pictures(lamps, settings, 8, 500);
     double variance = 0;
@@ -562,11 +565,11 @@ TEST(Extremes, I7_TheCoursesModeMayFollowFaintMirrorsByChance) {
   RenderSettings exact = Compared("whitted", 8), by_chance = exact;
   exact.trace.max_depth = by_chance.trace.max_depth = 200;
   by_chance.trace.min_luminance = 0.3;
-  by_chance.trace.roulette = "on";
+  by_chance.trace.roulette = ray::Roulette::on;
   const project::Stage stage = StageOf(mirrors);
   ExpectAllAlike(stage, {{"every ray", exact}, {"roulette", by_chance}});
   RenderSettings cut = by_chance;
-  cut.trace.roulette = "off";
+  cut.trace.roulette = ray::Roulette::off;
   EXPECT_GT(std::abs(Compare(Pictures(stage, exact, few, 0), Pictures(stage, cut, few, 99)).whole), 4)
       << "cutting faint rays off loses light that this test should see";
   EXPECT_LT(project::Render(stage, by_chance).rays.Total(), project::Render(stage, exact).rays.Total());
@@ -596,7 +599,7 @@ TEST(Extremes, E6_AFloorSeesNothingOfADiscEdgeOn) {
                                        "box 0 -9 -1 -9  9 0 9 area_light 9 9 9  20 0 0  0 1 0  1  1 0 0");
   for (const char* mode : {"whitted", "path"}) {
     RenderSettings settings = Whitted(16, 16);
-    settings.mode = mode;
+    settings.mode = project::Named{mode};
     const auto image = project::Render(stage, settings).image;
     for (const float channel : image.Channels()) EXPECT_EQ(channel, 0) << mode;
   }

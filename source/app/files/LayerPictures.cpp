@@ -3,57 +3,60 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "source/integrate/FirstHit.h"
+#include "source/text/EnumNames.h"
 
 namespace ray {
-namespace {
 
-bool IsLayer(const std::string& name) {
-  return std::find(layer_names.begin(), layer_names.end(), name) != layer_names.end();
-}
-
-}  // namespace
-
-std::optional<std::vector<std::string>> ReadLayerList(const std::string& word) {
-  std::vector<std::string> layers;
+std::optional<std::vector<Layer>> ReadLayerList(const std::string& word) {
+  std::vector<Layer> layers;
   for (std::size_t begin = 0; begin <= word.size();) {
     const std::size_t end = std::min(word.find(',', begin), word.size());
-    const std::string name = word.substr(begin, end - begin);
-    if (!IsLayer(name) || std::find(layers.begin(), layers.end(), name) != layers.end()) return {};
-    layers.push_back(name);
+    const auto layer = Named<Layer>(word.substr(begin, end - begin));
+    if (!layer || std::find(layers.begin(), layers.end(), *layer) != layers.end()) return {};
+    layers.push_back(*layer);
     begin = end + 1;
   }
   return layers;
 }
 
-std::string ShowLayerList(const std::vector<std::string>& layers) {
+std::string ShowLayerList(const std::vector<Layer>& layers) {
   std::string text;
-  for (const std::string& layer : layers) text += (text.empty() ? "" : ",") + layer;
+  for (const Layer layer : layers) text += std::string(text.empty() ? "" : ",") + NameOf(layer);
   return text;
 }
 
-R2::ImageLayer ChannelsOf(const std::string& layer, R2::Image image) {
-  if (layer == "depth") return {{"Z"}, std::move(image)};
-  if (layer == "normal") return {{"N.X", "N.Y", "N.Z"}, std::move(image)};
-  if (layer == "uv") return {{"uv.U", "uv.V"}, std::move(image)};
-  if (layer == "id") return {{"id"}, std::move(image)};
-  return {{layer + ".R", layer + ".G", layer + ".B"}, std::move(image)};
+R2::ImageLayer ChannelsOf(Layer layer, R2::Image image) {
+  switch (layer) {
+    case Layer::depth:
+      return {{"Z"}, std::move(image)};
+    case Layer::normal:
+      return {{"N.X", "N.Y", "N.Z"}, std::move(image)};
+    case Layer::uv:
+      return {{"uv.U", "uv.V"}, std::move(image)};
+    case Layer::albedo:
+      return {{"albedo.R", "albedo.G", "albedo.B"}, std::move(image)};
+    case Layer::id:
+      return {{"id"}, std::move(image)};
+  }
+  return {};
 }
 
-std::string LayerFileName(const std::string& picture, const std::string& layer) {
+std::string LayerFileName(const std::string& picture, Layer layer) {
   const std::filesystem::path path(picture);
-  return (path.parent_path() / (path.stem().string() + "." + layer + path.extension().string())).string();
+  return (path.parent_path() / (path.stem().string() + "." + NameOf(layer) + path.extension().string())).string();
 }
 
-RenderSettings SettingsForLayer(const RenderSettings& picture, const std::string& layer) {
+RenderMode ModeOf(Layer layer) { return *Named<RenderMode>(NameOf(layer)); }
+
+RenderSettings SettingsForLayer(const RenderSettings& picture, Layer layer) {
   RenderSettings settings = picture;
-  settings.mode = layer;
+  settings.mode = ModeOf(layer);
   settings.budget = {};
   settings.replay.reset();
   settings.wants_passes = false;
-  if (layer == "id" || layer == "depth") {
+  if (layer == Layer::id || layer == Layer::depth) {
     settings.samples = 1;
-    settings.filter = "box";
+    settings.filter = FilterKind::box;
   }
   return settings;
 }

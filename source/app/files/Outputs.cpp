@@ -64,7 +64,7 @@ Outputs CheckOutputs(const Options& options) {
   RefuseSize(*outputs.format, part.x1 - part.x0, part.y1 - part.y0);
 
   if (!outputs.format->encode_layers)
-    for (const std::string& layer : options.layers)
+    for (const Layer layer : options.layers)
       outputs.layers.push_back(CheckOutput(LayerFileName(options.picture, layer), inputs));
 
   if (options.report.empty()) return outputs;
@@ -86,18 +86,18 @@ void WritePicture(const Outputs& outputs, const RenderResult& result, const std:
   TellOfLink(record.options.program, outputs.picture);
   const R2::ImageFormat& format = *outputs.format;
   const R2::ImageSettings settings = SettingsInPicture(record);
-  const std::vector<std::string>& names = record.options.layers;
-  const auto encode = [&](const std::string& mode, const R2::Image& image) {
+  const std::vector<Layer>& kinds = record.options.layers;
+  const auto encode = [&](RenderMode mode, const R2::Image& image) {
     return format.encode(format.is_linear ? image : LayerAsShown(mode, image), record.options.encoding, settings);
   };
-  if (format.encode_layers && !names.empty()) {
+  if (format.encode_layers && !kinds.empty()) {
     std::vector<R2::ImageLayer> channels;
-    for (std::size_t i = 0; i < layers.size(); ++i) channels.push_back(ChannelsOf(names[i], layers[i]));
+    for (std::size_t i = 0; i < layers.size(); ++i) channels.push_back(ChannelsOf(kinds[i], layers[i]));
     WriteWhole(outputs.picture, format.encode_layers(result.image, channels, settings));
     return;
   }
   WriteWhole(outputs.picture, encode(record.options.render.mode, result.image));
-  for (std::size_t i = 0; i < layers.size(); ++i) WriteWhole(outputs.layers[i], encode(names[i], layers[i]));
+  for (std::size_t i = 0; i < layers.size(); ++i) WriteWhole(outputs.layers[i], encode(ModeOf(kinds[i]), layers[i]));
 }
 
 void WriteReport(const Outputs& outputs, const RunStats& record) {

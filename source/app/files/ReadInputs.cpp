@@ -39,8 +39,7 @@ PixelRectangle PartOf(const RenderSettings& render) {
 
 /// How many blocks of samples the picture has.
 std::size_t BlocksOf(const RenderSettings& render) {
-  const auto filter = std::find(filter_names.begin(), filter_names.end(), render.filter) - filter_names.begin();
-  const Film film(render.width, render.height, PartOf(render), static_cast<FilterKind>(filter));
+  const Film film(render.width, render.height, PartOf(render), render.filter);
   return static_cast<std::size_t>(film.Blocks());
 }
 

@@ -12,6 +12,7 @@
 #include "source/app/options/Help.h"
 #include "source/app/options/OptionTable.h"
 #include "source/app/options/Preset.h"
+#include "source/text/EnumNames.h"
 #include "source/text/Quoting.h"
 #include "source/text/Words.h"
 
@@ -170,7 +171,7 @@ void CheckBudget(const Options& options) {
   if (!options.replay.empty() && budget.IsOpen()) throw UsageError("-replay and -time or -error contradict each other");
   if (!options.replay.empty() && options.resume) throw UsageError("-replay and -resume contradict each other");
   if (ShowsCosts(options.render.mode) && budget.error)
-    throw UsageError("-error is an error of light; -mode " + options.render.mode + " shows costs");
+    throw UsageError(std::string("-error is an error of light; -mode ") + NameOf(options.render.mode) + " shows costs");
 }
 
 }  // namespace

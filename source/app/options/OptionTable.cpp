@@ -10,6 +10,7 @@
 #include "source/app/options/Listing.h"
 #include "source/app/options/Manual.h"
 #include "source/app/options/Preset.h"
+#include "source/text/EnumNames.h"
 
 namespace ray {
 namespace {
@@ -24,19 +25,27 @@ std::vector<std::string> AcceleratorNames() {
   return names;
 }
 
-std::vector<std::string> Qualities() { return {build_qualities.begin(), build_qualities.end()}; }
-
 std::vector<std::string> InstructionSetNames() {
   std::vector<std::string> names{"best"};
   names.insert(names.end(), instruction_set_names.begin(), instruction_set_names.end());
   return names;
 }
 
-std::vector<std::string> RenderModes() { return {render_modes.begin(), render_modes.end()}; }
+std::vector<std::string> ContextNames() { return {context_names.begin(), context_names.end()}; }
 
-template <const auto& names>
-std::vector<std::string> AllOf() {
-  return {names.begin(), names.end()};
+/// A word of a closed set, kept as the enumerator it names.
+template <class Enum, class Lambda>
+OneNameOf OneOfEnum(Lambda, bool by_number = false) {
+  return {[] { return std::vector<std::string>(NamesOf(Enum{}).begin(), NamesOf(Enum{}).end()); },
+          [](const Options& options) { return std::string(NameOf(Lambda{}(options))); },
+          [](Options& options, const std::string& name) { Lambda{}(options) = *Named<Enum>(name); }, by_number};
+}
+
+/// A word of an open set, kept as it is.
+template <class Lambda>
+OneNameOf OneOfNames(Lambda, std::vector<std::string> (*choices)()) {
+  return {choices, [](const Options& options) { return Lambda{}(options); },
+          [](Options& options, const std::string& name) { Lambda{}(options) = name; }};
 }
 
 std::vector<std::string> Shells() { return {"bash", "zsh", "fish"}; }
@@ -79,9 +88,9 @@ std::vector<OptionKind> MakeTable() {
        "more samples, smoother edges and shadows"},
       {"crop", raypro, {}, {"x0", "y0", "x1", "y1"}, Rectangle{AT(render.crop)}, "pixels", "picture",
        "only columns x0..x1-1 from the left, rows y0..y1-1 from the bottom (as the image is stored)"},
-      {"filter", both, {}, {"name"}, OneNameOf{AT(render.filter), AllOf<filter_names>, true}, "", "picture",
+      {"filter", both, {}, {"name"}, OneOfEnum<FilterKind>(AT(render.filter), true), "", "picture",
        "what samples count for a pixel: up to .5, 2, 2 and 3 pixels away"},
-      {"sampler", both, {}, {"name"}, OneNameOf{AT(render.trace.sampler), AllOf<sampler_names>}, "", "picture",
+      {"sampler", both, {}, {"name"}, OneOfEnum<SamplerKind>(AT(render.trace.sampler)), "", "picture",
        "how the samples of a pixel are spread over all they choose"},
       {"seed", both, {}, {"n"}, Number<std::uint64_t>{AT(render.seed), 0, highest<std::uint64_t>}, "", "picture",
        "which random numbers; the same seed gives the same picture"},
@@ -94,7 +103,7 @@ std::vector<OptionKind> MakeTable() {
       {"srgb", both, {}, {}, Flag{AT(encoding.srgb)}, "", "picture",
        "light is linear: decode 8-bit textures from sRGB, encode the picture to it"},
       {"layers", raypro, {}, {"list"},
-       Word<std::vector<std::string>>{AT(layers), ReadLayerList, ShowLayerList,
+       Word<std::vector<Layer>>{AT(layers), ReadLayerList, ShowLayerList,
         "some of depth, normal, uv, albedo and id, with commas between"}, "", "picture",
        "what else to keep: channels of an EXR, or pictures beside, out.depth.png"},
       {"bits", both, {}, {"n"}, OneNumberOf{AT(encoding.bits), {8, 16}}, "bits a channel", "picture", "depth of a PNG"},
@@ -107,7 +116,7 @@ std::vector<OptionKind> MakeTable() {
       {"exit_immediately", rayview, {}, {}, Flag{AT(view.exit_immediately)}, "", "viewer", "draw once, save, end"},
       {"headless", rayview, {}, {}, Flag{AT(view.headless)}, "", "viewer",
        "draw without a window: what -events says, or once"},
-      {"context", rayview, {}, {"name"}, OneNameOf{AT(view.context), AllOf<context_names>}, "", "viewer",
+      {"context", rayview, {}, {"name"}, OneOfNames(AT(view.context), ContextNames), "", "viewer",
        "what -headless draws with (auto: the first that works)"},
       {"events", rayview, {}, {"file"}, FileName{AT(view.events)}, "", "viewer",
        "do what a script says, then end; - reads standard input"},
@@ -118,7 +127,7 @@ std::vector<OptionKind> MakeTable() {
       {"reference", rayview, {}, {"file"}, FileName{AT(view.reference)}, "", "viewer",
        "a picture of the same scene to compare with"},
 
-      {"mode", both, {}, {"name"}, OneNameOf{AT(render.mode), RenderModes}, "", "light",
+      {"mode", both, {}, {"name"}, OneOfEnum<RenderMode>(AT(render.mode)), "", "light",
        "whitted, path: light; heat, rays: costs a pixel, black 1 to white 10000; or a layer seen first"},
       {"env", both, {}, {"file"}, FileName{AT(parse.environment)}, "", "light",
        "light from all around: a latitude-longitude picture, an angular probe or a cross of six faces"},
@@ -137,13 +146,13 @@ std::vector<OptionKind> MakeTable() {
        "reflections are spread over the Phong lobe"},
       {"fresnel", both, {}, {}, Flag{AT(render.trace.fresnel)}, "", "light",
        "what is clear and bends light reflects it as well, by Fresnel's equations"},
-      {"roulette", both, {}, {"name"}, OneNameOf{AT(render.trace.roulette), AllOf<roulette_names>}, "", "light",
+      {"roulette", both, {}, {"name"}, OneOfEnum<Roulette>(AT(render.trace.roulette)), "", "light",
        "follow faint rays by chance, without bias (auto: path on; whitted off, cut at -min_luminance)"},
-      {"strategy", both, {}, {"name"}, OneNameOf{AT(render.trace.strategy), AllOf<strategy_names>}, "", "light",
-       "path: find light by both ways weighed, on lights, by scattering, or evenly (to compare)"},
+      {"strategy", both, {}, {"name"}, OneOfEnum<LightStrategy>(AT(render.trace.strategy)), "", "light",
+       "path: mis, light sampling, BSDF sampling, or uniform for comparison"},
       {"shadows", both, {}, {"on|off"}, OnOff{AT(render.trace.shadows)}, "", "light", "whether things cast shadows"},
 
-      {"quality", raypro, {}, {"name"}, OneNameOf{AT(quality), PresetNames}, "", "trade",
+      {"quality", raypro, {}, {"name"}, OneOfNames(AT(quality), PresetNames), "", "trade",
        "a row of the table of presets; every option given besides overrides its part"},
       {"time", raypro, {}, {"t"},
        Word<double>{AT(render.budget.seconds), ReadDuration, ShowDuration, "a time such as 30s, 5m or 1h"},
@@ -154,7 +163,7 @@ std::vector<OptionKind> MakeTable() {
        "", "trade", "stop when the picture's own estimate of its error is surely below"},
       {"confidence", raypro, {}, {"c"}, Number<double>{AT(render.budget.confidence), 0.5, 0.9999}, "", "trade",
        "how sure the interval around an estimated error is to hold the truth"},
-      {"adaptive", raypro, {}, {"name"}, OneNameOf{AT(render.budget.adaptive), AllOf<adaptive_names>}, "", "trade",
+      {"adaptive", raypro, {}, {"name"}, OneOfEnum<Adaptive>(AT(render.budget.adaptive)), "", "trade",
        "tile: with -error, only blocks still above it go on (auto: tile with -error)"},
       {"reference", raypro, {}, {"file[,file2]"}, FileList{AT(reference)}, "", "trade",
        "tell the true error beside a picture, or two independent ones, of the same scene"},
@@ -167,15 +176,15 @@ std::vector<OptionKind> MakeTable() {
       {"resume", raypro, {}, {}, Flag{AT(resume)}, "", "trade",
        "go on from what was kept, to the same picture bit for bit"},
 
-      {"accel", both, {}, {"name"}, OneNameOf{AT(accelerator.name), AcceleratorNames}, "", "speed",
+      {"accel", both, {}, {"name"}, OneOfNames(AT(accelerator.name), AcceleratorNames), "", "speed",
        "how rays find what they hit; never changes the picture"},
       {"accel_res", both, {"accelres"}, {"x"}, Number<double>{AT(accelerator.resolution), 0, 1e6}, "", "speed",
        "grid: cells a primitive; octree, bvh: primitives a leaf (bvh up to 8); 0: the usual"},
       {"accel_depth", both, {}, {"n"}, Whole{AT(accelerator.depth), 0, most_octree_levels}, "levels", "speed",
        "octree: most levels; 0 for the usual"},
-      {"accel_quality", both, {}, {"name"}, OneNameOf{AT(accelerator.quality), Qualities}, "", "speed",
+      {"accel_quality", both, {}, {"name"}, OneOfEnum<BvhQuality>(AT(accelerator.quality)), "", "speed",
        "bvh: high cuts large slanted triangles first; builds longer"},
-      {"simd", both, {}, {"name"}, OneNameOf{AT(accelerator.instruction_set), InstructionSetNames}, "", "speed",
+      {"simd", both, {}, {"name"}, OneOfNames(AT(accelerator.instruction_set), InstructionSetNames), "", "speed",
        "the instruction set to use, if this machine has it; never changes the picture"},
       {"node_boxes", both, {}, {"on|off"}, OnOff{AT(accelerator.node_boxes)}, "", "speed",
        "graph: skip nodes whose box the ray misses"},

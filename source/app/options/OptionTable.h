@@ -38,9 +38,10 @@ struct OneNumberOf {
   std::vector<int> choices;
 };
 struct OneNameOf {
-  Member<std::string> member;
   std::vector<std::string> (*choices)();
-  bool by_number = false;  // the place in the list will do as well, from 0
+  std::string (*read)(const Options&);
+  void (*write)(Options&, const std::string& name);  // one of the choices
+  bool by_number = false;                            // the place in the list will do as well, from 0
 };
 struct FileName {
   Member<std::string> member;
@@ -78,7 +79,7 @@ struct Request {  // a task other than the program's own
 using OptionValue =
     std::variant<Number<int>, Number<std::int64_t>, Number<std::uint64_t>, Number<double>, Flag, OnOff, OneNumberOf,
                  OneNameOf, FileName, FolderList, FileList, Rectangle, Triple, Word<double>,
-                 Word<std::optional<ErrorTarget>>, Word<int>, Word<std::vector<std::string>>, PixelRequest, Request>;
+                 Word<std::optional<ErrorTarget>>, Word<int>, Word<std::vector<Layer>>, PixelRequest, Request>;
 
 /// Whose option it is.
 enum class KnownTo { raypro, rayview, both };

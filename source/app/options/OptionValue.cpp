@@ -124,8 +124,8 @@ void Store(const OptionKind& option, std::span<const std::string> words, Options
                    const auto choices = one.choices();
                    const auto place = one.by_number ? Read<int>(words[0]) : std::nullopt;
                    const bool is_place = place && *place >= 0 && *place < static_cast<int>(choices.size());
-                   one.member.write(options) =
-                       is_place ? choices[static_cast<std::size_t>(*place)] : Choose(option, words[0], choices);
+                   one.write(options,
+                             is_place ? choices[static_cast<std::size_t>(*place)] : Choose(option, words[0], choices));
                  },
                  [&]<class T>(const Word<T>& word) {
                    const auto value = word.read(words[0]);
@@ -179,7 +179,7 @@ std::string Show(const OptionKind& option, const Options& options) {
                         [&](const Flag& flag) { return std::string(flag.member.read(options) ? "on" : ""); },
                         [&](const OnOff& on_off) { return std::string(on_off.member.read(options) ? "on" : "off"); },
                         [&](const OneNumberOf& one) { return ToText(one.member.read(options)); },
-                        [&](const OneNameOf& one) { return one.member.read(options); },
+                        [&](const OneNameOf& one) { return one.read(options); },
                         [&](const FileName& file) { return file.member.read(options); },
                         [&]<class T>(const Word<T>& word) { return word.show(word.member.read(options)); },
                         [&](const Triple& triple) {

@@ -7,6 +7,7 @@
 #include "R2/ImageFile.h"
 #include "source/accelerate/AcceleratorSettings.h"
 #include "source/app/options/Program.h"
+#include "source/integrate/FirstHit.h"
 #include "source/parse/Parse.h"
 #include "source/render/Render.h"
 
@@ -49,7 +50,7 @@ struct Options {
 
   std::string quality = "custom";      // a row of the presets, or none of them
   std::vector<std::string> reference;  // at most two files
-  std::vector<std::string> layers;     // of layer_names, beside the picture
+  std::vector<Layer> layers;           // beside the picture
   double checkpoint = 0;               // seconds between two; 0: only when a signal ends the run
   bool resume = false;
   std::string replay;  // file name of a report; empty for none

@@ -19,6 +19,7 @@ struct ValueIn {
   Json operator()(const Plain& plain) const {
     return plain.member.read(options);
   }
+  Json operator()(const OneNameOf& one) const { return one.read(options); }
   Json operator()(const FolderList& list) const {
     Json folders = Json::array();
     for (const auto& folder : list.member.read(options)) folders.push_back(folder.string());

@@ -33,7 +33,8 @@ std::vector<std::string> OptionsWithoutEffect(const Options& options) {
   if (options.encoding.bits != defaults.encoding.bits && kind != "png") names.emplace_back("-bits");
   if (options.encoding.jpeg_quality != defaults.encoding.jpeg_quality && kind != "jpeg")
     names.emplace_back("-jpeg_quality");
-  if (options.render.budget.adaptive == "tile" && !options.render.budget.error) names.emplace_back("-adaptive tile");
+  if (options.render.budget.adaptive == Adaptive::tile && !options.render.budget.error)
+    names.emplace_back("-adaptive tile");
   if (options.render.camera.focus > 0 && !options.render.camera.HasLens()) names.emplace_back("-focus");
   if (!are_devices_default && accelerator.name != defaults.accelerator.name)
     names.emplace_back("-node_boxes, -front_to_back or -last_hit");

@@ -37,7 +37,7 @@ double SolidAngleDensity(const EmissiveTriangle& triangle, const R3::Vector& tow
 }  // namespace
 
 PathLights::PathLights(const World& world, const TraceSettings& settings)
-    : triangles_(EmissiveTriangles(world)), draws_evenly_(settings.strategy == "uniform") {
+    : triangles_(EmissiveTriangles(world)), draws_evenly_(settings.strategy == LightStrategy::uniform) {
   const Scene& scene = world.scene();
   std::vector<LightBound> bounds;
   for (const auto& light : scene.lights)

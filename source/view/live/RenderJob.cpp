@@ -30,7 +30,7 @@ PixelRectangle RegionOf(const RenderSettings& settings) {
 /// Rows that are rendered together. What a pixel costs may depend on those before it in its block of the film, so heat
 /// needs whole blocks, which a wide filter's apron does not give.
 int BandHeight(const RenderSettings& settings) {
-  const bool is_heat = ShowsCosts(settings.mode), is_wide = settings.filter != "box";
+  const bool is_heat = ShowsCosts(settings.mode), is_wide = settings.filter != FilterKind::box;
   if (is_heat) return is_wide ? settings.height : Film::block_side;
   return is_wide ? band_height : 1;
 }

@@ -32,14 +32,14 @@ const RenderJob* TracedPictures::TakeEnded() {
   return Trace();
 }
 
-void TracedPictures::ShowLive(const std::string& mode) {
+void TracedPictures::ShowLive(std::optional<RenderMode> mode) {
   is_live_ = is_due_ = true;
   mode_ = mode;
 }
 
 void TracedPictures::HideLive() {
   is_live_ = is_due_ = false;
-  mode_.clear();
+  mode_.reset();
   live_.GiveUp();
 }
 
@@ -47,8 +47,9 @@ void TracedPictures::Update(const std::shared_ptr<const LoadedScene>& scene, Ren
   if (Live() && Live()->PixelsPerSecond() > 0) pixels_per_second_ = Live()->PixelsPerSecond();
   if (!is_live_ || !is_due_) return;
   is_due_ = false;
-  if (!mode_.empty()) settings.mode = mode_;
-  if (mode_ == "depth" || mode_ == "id") settings.samples = 1;  // means over an edge would be of nothing that is there
+  settings.mode = mode_.value_or(settings.mode);
+  if (mode_ == RenderMode::depth || mode_ == RenderMode::id)
+    settings.samples = 1;  // means over an edge would be of nothing that is there
   const auto pixels = static_cast<std::int64_t>(settings.width) * settings.height;
   live_.Start(scene, settings, RenderJob::Order::coarse_first,
               FirstStride(pixels, pixels_per_second_, seconds_of_first_pass));

@@ -26,11 +26,11 @@ class TracedPictures {
   void ForgetTrace() { trace_.GiveUp(); }
 
   // The live picture.
-  /// `mode`: one of render_modes to show instead of the settings' own; empty for that.
-  void ShowLive(const std::string& mode);
+  /// `mode`: what to show instead of the settings' own; nothing for that.
+  void ShowLive(std::optional<RenderMode> mode);
   void HideLive();
   bool IsLive() const { return is_live_; }
-  const std::string& LiveMode() const { return mode_; }
+  std::optional<RenderMode> LiveMode() const { return mode_; }
   /// Something has changed that the live picture shows: it begins anew with the next Update.
   void Touch() { is_due_ = true; }
   /// Begins the live picture anew if it is due.
@@ -60,7 +60,7 @@ class TracedPictures {
   JobQueue trace_, live_;
   bool has_ended_been_told_ = true;
   bool is_live_ = false, is_due_ = false;
-  std::string mode_;
+  std::optional<RenderMode> mode_;
   std::uint64_t jobs_ = 0, trace_number_ = 0, live_number_ = 0;
   double pixels_per_second_ = 0;  // of the live picture's last pass
   std::shared_ptr<const R2::Image> reference_;

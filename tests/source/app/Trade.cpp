@@ -42,8 +42,8 @@ std::string ErrorOf(const List& more) {
 
 TEST(TradeWords, AFilterHasANameAndTheCoursesNumber) {
   for (std::size_t i = 0; i < filter_names.size(); ++i) {
-    EXPECT_EQ(Parsed({"-filter", filter_names[i]}).render.filter, filter_names[i]);
-    EXPECT_EQ(Parsed({"-filter", std::to_string(i)}).render.filter, filter_names[i]);
+    EXPECT_EQ(Parsed({"-filter", filter_names[i]}).render.filter, static_cast<FilterKind>(i));
+    EXPECT_EQ(Parsed({"-filter", std::to_string(i)}).render.filter, static_cast<FilterKind>(i));
   }
   for (const char* word : {"4", "-1", "1.5", "", "Mitchell", "mitchel", "box "})
     EXPECT_TRUE(Contains(ErrorOf({"-filter", word}), "-filter")) << word;

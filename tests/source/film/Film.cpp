@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "source/sample/Random.h"
+#include "tests/Named.h"
 #include "tests/Project.h"
 
 namespace ray {
@@ -143,7 +144,7 @@ TEST(Film, WideFiltersGiveTheSameBitsOnAnyThreadsAndTiles) {
     settings.width = 45;
     settings.height = 37;
     settings.samples = 2;
-    settings.filter = filter;
+    settings.filter = project::Named{filter};
     settings.trace.shadow_samples = 1;
     settings.threads = 1;
     const auto expected = project::Render(stage, settings);

@@ -1,4 +1,5 @@
 #include "source/integrate/FirstHit.h"
+#include "tests/Named.h"
 
 #include <gtest/gtest.h>
 
@@ -20,7 +21,7 @@ project::Stage Balls() {
 R2::Image Shown(const project::Stage& stage, const char* mode, int side = 33) {
   RenderSettings settings;
   settings.width = settings.height = side;
-  settings.mode = mode;
+  settings.mode = project::Named{mode};
   return project::Render(stage, settings).image;
 }
 
@@ -101,7 +102,7 @@ TEST(FirstHit, CostsOneRayAPixelAndNoOther) {
   for (const char* mode : layer_names) {
     RenderSettings settings;
     settings.width = settings.height = 8;
-    settings.mode = mode;
+    settings.mode = project::Named{mode};
     const auto rays = project::Render(stage, settings).rays;
     EXPECT_EQ(rays.Total(), 64u) << mode;
     EXPECT_EQ(rays[RayKind::camera].rays, 64u) << mode;

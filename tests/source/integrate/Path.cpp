@@ -1,4 +1,5 @@
 #include "source/integrate/Path.h"
+#include "tests/Named.h"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +13,7 @@ namespace {
 RenderSettings Settings(const char* mode = "path") {
   RenderSettings settings;
   settings.width = settings.height = 1;
-  settings.mode = mode;
+  settings.mode = project::Named{mode};
   settings.trace.min_luminance = 0;
   return settings;
 }
@@ -40,7 +41,7 @@ TEST(Path, MirrorsBeyondMaxDepthAreNotFollowed) {
   for (int depth = 0; depth < 6; ++depth) {
     RenderSettings settings = Settings();
     settings.trace.max_depth = depth;
-    settings.trace.roulette = "off";
+    settings.trace.roulette = Roulette::off;
     const R2::Color seen = Shown(
         "camera 0.1 0.2 0.3  0.3 0.1 -1  0 1 0  0.3  0.01 100 point_light 0 0 0  0 0 0  1 0 0 "
         "material 0 0 0  0 0 0  0.5 0.5 0.5  0 0 0  1 1 1  10 1 0 sphere 0  0 0 0  1",

@@ -1,4 +1,5 @@
 #include "source/integrate/ShadingPoint.h"
+#include "tests/Named.h"
 
 #include <gtest/gtest.h>
 
@@ -98,9 +99,9 @@ TEST(Absorption, ThroughABallAlongItsDiameterIsTheExponentialOfIt) {
     for (const char* mode : {"whitted", "path"}) {
       RenderSettings settings;
       settings.width = settings.height = 1;
-      settings.mode = mode;
+      settings.mode = project::Named{mode};
       settings.trace.min_luminance = 0;
-      settings.trace.roulette = "off";
+      settings.trace.roulette = Roulette::off;
       const R2::Color seen = project::Render(stage, settings).image.At(0, 0);
       EXPECT_NEAR(seen.r, std::exp(-0.1 * 2 * radius), 1e-7) << mode;
       EXPECT_NEAR(seen.g, std::exp(-0.5 * 2 * radius), 1e-7) << mode;

@@ -1,4 +1,5 @@
 #include "source/render/PixelTrace.h"
+#include "tests/Named.h"
 
 #include <gtest/gtest.h>
 
@@ -26,7 +27,7 @@ struct Traced {
 
 RenderSettings Settings(const std::string& mode, int side, int samples = 1) {
   RenderSettings settings;
-  settings.mode = mode;
+  settings.mode = project::Named{mode};
   settings.width = settings.height = side;
   settings.samples = samples;
   return settings;

@@ -1,4 +1,5 @@
 #include "source/render/Render.h"
+#include "tests/Named.h"
 
 #include <gtest/gtest.h>
 
@@ -21,7 +22,7 @@ TEST(Render, PartsWithOneIntegratorMadeBeforeEqualTheWhole) {
   const project::Stage stage(project::Root() / "scenes" / "many_lights.scn");
   const auto accelerator = FindAcceleratorKind("auto")->make(stage.world, {});
   RenderSettings settings = Small();
-  settings.mode = "path";
+  settings.mode = RenderMode::path;
   const auto integrator = IntegratorOf(stage.world, *accelerator, settings);
   const R2::Image whole = Render(stage.world, *accelerator, settings).image;
   int wrong = 0;
@@ -39,7 +40,7 @@ TEST(Render, PassesThatAreSeenChangeNoBit) {
   const auto accelerator = FindAcceleratorKind("auto")->make(stage.world, {});
   for (const std::string filter : {"box", "gaussian"}) {
     RenderSettings settings = Small();
-    settings.filter = filter;
+    settings.filter = project::Named{filter};
     RenderMonitor monitor;
     std::vector<std::uint32_t> samples;
     std::vector<R2::Image> images;

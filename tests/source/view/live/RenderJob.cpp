@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "source/view/live/JobQueue.h"
+#include "tests/Named.h"
 #include "tests/Project.h"
 
 namespace ray {
@@ -61,9 +62,9 @@ struct Case {
 
   RenderSettings Settings() const {
     RenderSettings settings = Sized(width, height);
-    settings.mode = mode;
+    settings.mode = project::Named{mode};
     settings.samples = samples;
-    settings.filter = filter;
+    settings.filter = project::Named{filter};
     settings.seed = 5;
     return settings;
   }
@@ -141,7 +142,7 @@ TEST(RenderJob, OfACropEqualsThatPartOfRenders) {
   for (const std::string filter : {"box", "gaussian"})
     for (const Order order : {Order::coarse_first, Order::rows}) {
       RenderSettings settings = Sized(50, 41);
-      settings.filter = filter;
+      settings.filter = project::Named{filter};
       settings.samples = 3;
       settings.crop = {7, 5, 30, 40};
       const RenderJob job(scene, settings, order);
@@ -220,7 +221,7 @@ TEST(RenderJob, APassThatIsWholeFillsThePictureWithSquares) {
   const int width = 37, height = 23;
   RenderSettings settings = Sized(width, height);
   settings.threads = 1;
-  settings.mode = "depth";
+  settings.mode = RenderMode::depth;
   const R2::Image whole = [&] {
     const auto scene = Loaded("area_light");
     return Render(scene->world, *scene->accelerator, settings).image;
@@ -246,10 +247,10 @@ TEST(RenderJob, RowsBelowRowsDoneAreFinalAndThoseAboveUntouched) {
   const auto scene = Loaded("area_light");
   for (const std::string filter : {"box", "gaussian"}) {
     RenderSettings settings = Sized(48, 150);
-    settings.filter = filter;
+    settings.filter = project::Named{filter};
     settings.samples = 2;
     // In this mode nothing is black, so that black is proof.
-    settings.mode = "id";
+    settings.mode = RenderMode::id;
     const R2::Image whole = Render(scene->world, *scene->accelerator, settings).image;
     const Gated gated(0);
     const RenderJob job(gated.scene, settings, Order::rows);
@@ -281,7 +282,7 @@ TEST(RenderJob, RowsBelowRowsDoneAreFinalAndThoseAboveUntouched) {
 TEST(RenderJob, RowsNotReachedStayBlack) {
   for (const std::int64_t rays : {48 * 5, 48 * 5 + 20}) {
     RenderSettings settings = Sized(48, 40);
-    settings.mode = "id";
+    settings.mode = RenderMode::id;
     const Gated gated(rays);
     RenderJob job(gated.scene, settings, Order::rows);
     while (job.RowsDone() < 5 || gated.gate->Waiting() == 0) std::this_thread::yield();
@@ -323,7 +324,7 @@ TEST(RenderJob, LeavesNoPixelBegunAfterCancelToTheThreads) {
     const Gated gated(100);
     RenderSettings settings = Sized(64, 64);
     settings.threads = threads;
-    settings.mode = "depth";  // one ray a pixel
+    settings.mode = RenderMode::depth;  // one ray a pixel
     RenderJob job(gated.scene, settings, Order::coarse_first, 1);
     while (gated.gate->Waiting() < threads) std::this_thread::yield();
     job.Cancel();
