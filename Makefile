@@ -56,17 +56,17 @@ MISSING := $(if $(filter yes,$(HAS_JPEG)),,libjpeg-dev) $(if $(filter yes,$(HAS_
 ifneq ($(strip $(MISSING)),)
 $(error These packages are missing: $(strip $(MISSING)). Run script/setup.sh, or install them and try again)
 endif
-# The viewer wants OpenGL's header and at least one way to draw.
-HAS_GL := $(call probe,gl,GL/glcorearb.h,)
-ifeq ($(HAS_GL),yes)
+# The viewer needs libepoxy, which finds OpenGL, and at least one way to draw.
+HAS_EPOXY := $(call probe,epoxy,epoxy/gl.h,)
+ifeq ($(HAS_EPOXY),yes)
 HAS_GLFW := $(call probe,glfw,GLFW/glfw3.h,-DGLFW_INCLUDE_NONE)
-HAS_EGL := $(call probe,egl,EGL/eglext.h,-include EGL/egl.h)
+HAS_EGL := $(call probe,egl,epoxy/egl.h,)
 HAS_OSMESA := $(call probe,osmesa,GL/osmesa.h,)
 endif
 CONTEXTS := $(if $(filter yes,$(HAS_GLFW)),glfw) $(if $(filter yes,$(HAS_EGL)),egl) $(if $(filter yes,$(HAS_OSMESA)),osmesa)
 CONTEXTS := $(strip $(CONTEXTS))
 empty :=
-VIEWER := $(or $(subst $(empty) ,+,$(CONTEXTS)),no (install libgl-dev and one of libglfw3-dev libegl-dev libosmesa6-dev))
+VIEWER := $(or $(subst $(empty) ,+,$(CONTEXTS)),no (install libepoxy-dev and, for windows, libglfw3-dev))
 FEATURES := jpeg=yes png=yes exr=$(if $(filter yes,$(HAS_EXR)),yes,no (install libopenexr-dev)) rayview=$(VIEWER)
 $(info features: $(FEATURES))
 endif
@@ -84,7 +84,7 @@ OUR_CPPFLAGS += $(if $(filter glfw,$(CONTEXTS)),-DRAYVIEW_GLFW) $(if $(filter eg
 OUR_CXXFLAGS := -std=c++20 $(OPTIMIZE) -g1 $(NUMERIC) $(WARNINGS) $(SANITIZE)
 LIBS := -ljpeg -lpng -lz -ltbb -lhwy $(if $(filter yes,$(HAS_EXR)),$(EXR_LIBS)) -pthread
 # For those that draw. OSMesa is loaded only when it is asked for: it brings a whole compiler along.
-VIEWER_LIBS := $(if $(filter glfw,$(CONTEXTS)),-lglfw) $(if $(filter egl,$(CONTEXTS)),-lEGL) $(if $(filter osmesa,$(CONTEXTS)),-ldl)
+VIEWER_LIBS := $(if $(CONTEXTS),-lepoxy) $(if $(filter glfw,$(CONTEXTS)),-lglfw) $(if $(filter osmesa,$(CONTEXTS)),-ldl)
 
 ALL_PROGRAMS := raypro rayimg rayview
 # rayview is built where there is something to draw with.

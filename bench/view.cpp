@@ -64,7 +64,7 @@ int main(int argc, char** argv) {
   Nobody host;
   const auto scene = std::make_shared<const LoadedScene>(settings.scene, settings.parse, settings.accelerator);
   const auto context = MakeOffscreenContext("auto");
-  Painter painter(*context, Painter::Target::own);
+  Painter painter(Painter::Target::own);
   Drawer drawer(painter);
   Viewer viewer(settings, scene, host);
   drawer.Draw(viewer.Show());

@@ -14,9 +14,9 @@ case "${1-}" in
 esac
 
 needed="g++ make libjpeg-dev libpng-dev libtbb-dev libhwy-dev nlohmann-json3-dev libgtest-dev"
-# Without them everything works but .exr pictures, and but the viewer: that draws through one of GLFW (windows), EGL and
-# OSMesa (pictures without a display), and the last two packages are what draws where no graphics card does.
-optional="libopenexr-dev libgl-dev libglfw3-dev libegl-dev libosmesa6-dev libegl-mesa0 libgl1-mesa-dri"
+# Without them everything works but .exr images and the viewer. That needs libepoxy, which brings EGL; GLFW opens windows,
+# OSMesa is another way to draw without a display, and the last two packages are Mesa's software renderer.
+optional="libopenexr-dev libepoxy-dev libglfw3-dev libosmesa6-dev libegl-mesa0 libgl1-mesa-dri"
 
 is_debian() { command -v dpkg-query >/dev/null 2>&1 && command -v apt-get >/dev/null 2>&1; }
 
@@ -46,9 +46,8 @@ has() {
     libhwy-dev) has_header hwy/highway.h ;;
     nlohmann-json3-dev) has_header nlohmann/json.hpp ;;
     libgtest-dev) has_header gtest/gtest.h ;;
-    libgl-dev) has_header GL/glcorearb.h ;;
+    libepoxy-dev) has_header epoxy/egl.h ;;
     libglfw3-dev) (CPPFLAGS="${CPPFLAGS-} -DGLFW_INCLUDE_NONE"; has_header GLFW/glfw3.h) ;;
-    libegl-dev) (CPPFLAGS="${CPPFLAGS-} -include EGL/egl.h"; has_header EGL/eglext.h) ;;
     libosmesa6-dev) has_header GL/osmesa.h ;;
     libegl-mesa0|libgl1-mesa-dri) has_driver ;;
     libopenexr-dev) CPPFLAGS="${CPPFLAGS-} $(exr_flags)" has_header ImfOutputFile.h ;;
@@ -67,9 +66,9 @@ show_other_systems() {
   cat <<END
 This is not a Debian system. The packages are called:
   Fedora    dnf install gcc-c++ make libjpeg-turbo-devel libpng-devel tbb-devel highway-devel json-devel gtest-devel openexr-devel \\
-              mesa-libGL-devel glfw-devel mesa-libEGL-devel mesa-compat-libOSMesa-devel mesa-dri-drivers
-  Arch      pacman -S gcc make libjpeg-turbo libpng onetbb highway nlohmann-json gtest openexr glfw mesa
-  Homebrew  brew install jpeg-turbo libpng tbb highway nlohmann-json googletest openexr glfw mesa
+              libepoxy-devel glfw-devel mesa-compat-libOSMesa-devel mesa-dri-drivers
+  Arch      pacman -S gcc make libjpeg-turbo libpng onetbb highway nlohmann-json gtest openexr libepoxy glfw mesa
+  Homebrew  brew install jpeg-turbo libpng tbb highway nlohmann-json googletest openexr libepoxy glfw mesa
 Install them and run script/setup.sh again.
 END
 }

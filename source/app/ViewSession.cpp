@@ -102,8 +102,7 @@ class Session : public ViewerHost {
         window_(options.view.headless ? nullptr
                                       : MakeWindow(options.render.width, options.render.height, default_title)),
         offscreen_(options.view.headless ? MakeOffscreenContext(options.view.context) : nullptr),
-        painter_(window_ ? static_cast<const Context&>(*window_) : *offscreen_,
-                 window_ ? Painter::Target::window : Painter::Target::own),
+        painter_(window_ ? Painter::Target::window : Painter::Target::own),
         drawer_(painter_),
         viewer_(SettingsFor(options), std::move(scene), *this),
         recorder_(outputs_.record) {}

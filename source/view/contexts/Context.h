@@ -17,13 +17,9 @@ struct ContextError : std::runtime_error {
 /// Somewhere to draw with OpenGL 3.3 core: current on the thread that made it, until it is destroyed there.
 class Context {
  public:
-  using Function = void (*)();
-
   virtual ~Context() = default;
   /// "egl: llvmpipe (LLVM 15.0.6, 256 bits), OpenGL 4.5": the kind, with what is behind it.
   virtual std::string Name() const = 0;
-  /// A function of OpenGL by its name; null when there is none.
-  virtual Function Find(const char* name) const = 0;
 };
 
 /// A context with a place on a screen, which draws into framebuffer 0.

@@ -20,8 +20,7 @@ extern const ContextKind egl_context;
 extern const ContextKind osmesa_context;
 #endif
 
-/// "llvmpipe (LLVM 15.0.6, 256 bits), OpenGL 4.5": what draws for the context, which must be current and whose
-/// functions `find` finds.
-std::string RendererOf(Context::Function (*find)(const char* name));
+/// "llvmpipe (LLVM 15.0.6, 256 bits), OpenGL 4.5": what draws for the current context.
+std::string CurrentRenderer();
 
 }  // namespace ray

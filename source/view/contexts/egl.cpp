@@ -1,10 +1,8 @@
-#include <EGL/egl.h>
-#include <EGL/eglext.h>
+#include <epoxy/egl.h>
 
-#include <algorithm>
 #include <array>
-#include <iterator>
 #include <sstream>
+#include <vector>
 
 #include "source/view/contexts/ContextKind.h"
 
@@ -15,18 +13,6 @@
 namespace ray {
 
 namespace {
-
-bool HasWord(const char* words, const std::string& word) {
-  std::istringstream stream(words ? words : "");
-  return std::any_of(std::istream_iterator<std::string>(stream), {}, [&](const std::string& w) { return w == word; });
-}
-
-template <typename Type>
-Type Find(const char* name) {
-  return reinterpret_cast<Type>(eglGetProcAddress(name));
-}
-
-Context::Function FindInGl(const char* name) { return eglGetProcAddress(name); }
 
 std::string LastError() {
   std::ostringstream text;
@@ -40,15 +26,14 @@ struct Devices {
 
 Devices AllDevices() {
   Devices devices;
-  const auto enumerate = Find<PFNEGLQUERYDEVICESEXTPROC>("eglQueryDevicesEXT");
-  const auto describe = Find<PFNEGLQUERYDEVICESTRINGEXTPROC>("eglQueryDeviceStringEXT");
   EGLint count = 0;
-  if (!enumerate || !describe || !enumerate(0, nullptr, &count) || count <= 0) return devices;
+  if (!eglQueryDevicesEXT(0, nullptr, &count) || count <= 0) return devices;
   std::vector<EGLDeviceEXT> all(static_cast<std::size_t>(count));
-  if (!enumerate(count, all.data(), &count)) return devices;
+  if (!eglQueryDevicesEXT(count, all.data(), &count)) return devices;
   all.resize(static_cast<std::size_t>(count));
   for (EGLDeviceEXT device : all) {
-    const bool is_software = HasWord(describe(device, EGL_EXTENSIONS), "EGL_MESA_device_software");
+    const bool is_software =
+        epoxy_extension_in_string(eglQueryDeviceStringEXT(device, EGL_EXTENSIONS), "EGL_MESA_device_software");
     (is_software ? devices.software : devices.cards).push_back(device);
   }
   return devices;
@@ -57,17 +42,16 @@ Devices AllDevices() {
 /// Where a context may be made, the best first. Nothing is opened yet.
 std::vector<EGLDisplay> Displays() {
   const char* extensions = eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
-  const auto display_of = Find<PFNEGLGETPLATFORMDISPLAYEXTPROC>("eglGetPlatformDisplayEXT");
-  if (!display_of) return {};
-  const bool has_devices = HasWord(extensions, "EGL_EXT_platform_device");
-  const Devices devices = has_devices ? AllDevices() : Devices{};
+  const auto has = [extensions](const char* name) { return epoxy_extension_in_string(extensions, name); };
+  if (!has("EGL_EXT_platform_base")) return {};
+  const Devices devices = has("EGL_EXT_platform_device") && has("EGL_EXT_device_base") ? AllDevices() : Devices{};
   std::vector<EGLDisplay> displays;
   const auto add = [&](EGLenum platform, void* what) {
-    const EGLDisplay display = display_of(platform, what, nullptr);
+    const EGLDisplay display = eglGetPlatformDisplayEXT(platform, what, nullptr);
     if (display != EGL_NO_DISPLAY) displays.push_back(display);
   };
   for (EGLDeviceEXT device : devices.cards) add(EGL_PLATFORM_DEVICE_EXT, device);
-  if (HasWord(extensions, "EGL_MESA_platform_surfaceless")) add(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY);
+  if (has("EGL_MESA_platform_surfaceless")) add(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY);
   for (EGLDeviceEXT device : devices.software) add(EGL_PLATFORM_DEVICE_EXT, device);
   return displays;
 }
@@ -75,7 +59,7 @@ std::vector<EGLDisplay> Displays() {
 /// What the context is to be able to draw into. We draw into framebuffers of our own, so any that knows OpenGL does,
 /// and none is best.
 EGLConfig Config(EGLDisplay display) {
-  if (HasWord(eglQueryString(display, EGL_EXTENSIONS), "EGL_KHR_no_config_context")) return EGL_NO_CONFIG_KHR;
+  if (epoxy_has_egl_extension(display, "EGL_KHR_no_config_context")) return EGL_NO_CONFIG_KHR;
   constexpr std::array<EGLint, 5> wanted{EGL_SURFACE_TYPE, EGL_DONT_CARE, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT,
                                          EGL_NONE};
   EGLConfig config = nullptr;
@@ -90,7 +74,7 @@ class EglContext : public Context {
   /// Throws ContextError when the display has no OpenGL 3.3.
   explicit EglContext(EGLDisplay display) : display_(display) {
     if (!eglInitialize(display, nullptr, nullptr)) throw ContextError("a device does not open, " + LastError());
-    if (!HasWord(eglQueryString(display, EGL_EXTENSIONS), "EGL_KHR_surfaceless_context"))
+    if (!epoxy_has_egl_extension(display, "EGL_KHR_surfaceless_context"))
       throw ContextError("the driver lacks EGL_KHR_surfaceless_context");
     if (!eglBindAPI(EGL_OPENGL_API)) throw ContextError("the driver has no OpenGL, " + LastError());
     constexpr std::array<EGLint, 7> wanted{
@@ -103,7 +87,7 @@ class EglContext : public Context {
       eglDestroyContext(display, context_);
       throw ContextError("the context cannot be used on this thread, " + why);
     }
-    name_ = "egl: " + RendererOf(FindInGl);
+    name_ = "egl: " + CurrentRenderer();
   }
 
   // The display stays open: the library has one for the whole process, and other contexts may stand on it.
@@ -113,7 +97,6 @@ class EglContext : public Context {
   }
 
   std::string Name() const override { return name_; }
-  Function Find(const char* name) const override { return FindInGl(name); }
 
  private:
   EGLDisplay display_;
@@ -122,6 +105,7 @@ class EglContext : public Context {
 };
 
 std::unique_ptr<Context> Make() {
+  if (!epoxy_has_egl()) throw ContextError("libEGL cannot be loaded; libegl1 brings it");
   std::string why;
   for (EGLDisplay display : Displays()) try {
       return std::make_unique<EglContext>(display);

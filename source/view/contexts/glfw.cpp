@@ -105,7 +105,7 @@ class GlfwWindow : public Window {
     glfwMakeContextCurrent(window_);
     glfwSwapInterval(1);
     glfwGetFramebufferSize(window_, &width_, &height_);
-    name_ = "glfw: " + RendererOf(glfwGetProcAddress);
+    name_ = "glfw: " + CurrentRenderer();
     Listen();
   }
 
@@ -115,7 +115,6 @@ class GlfwWindow : public Window {
   }
 
   std::string Name() const override { return name_; }
-  Function Find(const char* name) const override { return glfwGetProcAddress(name); }
   int Width() const override { return width_; }
   int Height() const override { return height_; }
   void Show() override { glfwSwapBuffers(window_); }

@@ -1,7 +1,12 @@
-#include <GL/osmesa.h>
 #include <dlfcn.h>
+#include <epoxy/gl.h>
+
+// After libepoxy, which must be the first to declare OpenGL.
+#include <GL/osmesa.h>
 
 #include <array>
+#include <functional>
+#include <optional>
 
 #include "source/view/contexts/ContextKind.h"
 
@@ -28,9 +33,44 @@ Type FindInLibrary(const char* name) {
   return function;
 }
 
-Context::Function FindInGl(const char* name) {
-  return FindInLibrary<decltype(&OSMesaGetProcAddress)>("OSMesaGetProcAddress")(name);
-}
+/// Every function of OpenGL that we call, in OSMesa. libepoxy looks them up through GLX and EGL, which know nothing of
+/// it, so they take the place of what its pointers hold until the end of this.
+class Functions {
+ public:
+  // clang-format off
+  Functions() {
+#define USE(name) Use(epoxy_gl##name, "gl" #name);
+    USE(ActiveTexture) USE(AttachShader) USE(BindBuffer) USE(BindFramebuffer) USE(BindRenderbuffer) USE(BindTexture)
+    USE(BindVertexArray) USE(BlendFuncSeparate) USE(BufferData) USE(CheckFramebufferStatus) USE(Clear) USE(ClearColor)
+    USE(CompileShader) USE(CreateProgram) USE(CreateShader) USE(DeleteBuffers) USE(DeleteFramebuffers)
+    USE(DeleteProgram) USE(DeleteRenderbuffers) USE(DeleteShader) USE(DeleteTextures) USE(DeleteVertexArrays)
+    USE(DepthFunc) USE(DepthMask) USE(Disable) USE(DrawArrays) USE(DrawElements) USE(Enable)
+    USE(EnableVertexAttribArray) USE(Finish) USE(FramebufferRenderbuffer) USE(GenBuffers) USE(GenFramebuffers)
+    USE(GenRenderbuffers) USE(GenTextures) USE(GenVertexArrays) USE(GetError) USE(GetFloatv) USE(GetIntegerv)
+    USE(GetProgramInfoLog) USE(GetProgramiv) USE(GetShaderInfoLog) USE(GetShaderiv) USE(GetString) USE(GetTexImage)
+    USE(GetUniformLocation) USE(LineWidth) USE(LinkProgram) USE(PixelStorei) USE(PolygonMode) USE(PolygonOffset)
+    USE(ReadPixels) USE(RenderbufferStorage) USE(Scissor) USE(ShaderSource) USE(TexImage2D) USE(TexParameteri)
+    USE(TexSubImage2D) USE(Uniform1f) USE(Uniform1i) USE(Uniform2f) USE(Uniform3fv) USE(UniformMatrix4fv)
+    USE(UseProgram) USE(VertexAttrib4f) USE(VertexAttribPointer) USE(Viewport)
+#undef USE
+  }
+  // clang-format on
+  ~Functions() {
+    for (const auto& restore : restore_) restore();
+  }
+  Functions(const Functions&) = delete;
+  Functions& operator=(const Functions&) = delete;
+
+ private:
+  template <typename Type>
+  void Use(Type& pointer, const char* name) {
+    restore_.push_back([&pointer, before = pointer] { pointer = before; });
+    pointer = reinterpret_cast<Type>(find_(name));
+  }
+
+  decltype(&OSMesaGetProcAddress) find_ = FindInLibrary<decltype(&OSMesaGetProcAddress)>("OSMesaGetProcAddress");
+  std::vector<std::function<void()>> restore_;
+};
 
 class OsMesaContext : public Context {
  public:
@@ -56,19 +96,20 @@ class OsMesaContext : public Context {
       destroy_(context_);
       throw ContextError("the context cannot be used on this thread");
     }
-    name_ = "osmesa: " + RendererOf(FindInGl);
+    functions_.emplace();
+    name_ = "osmesa: " + CurrentRenderer();
   }
 
   // Takes it from the thread as well.
   ~OsMesaContext() override { destroy_(context_); }
 
   std::string Name() const override { return name_; }
-  Function Find(const char* name) const override { return FindInGl(name); }
 
  private:
   std::array<unsigned char, 4> pixel_{};  // a context wants something to draw into, though we never do
   decltype(&OSMesaDestroyContext) destroy_ = nullptr;
   OSMesaContext context_ = nullptr;
+  std::optional<Functions> functions_;
   std::string name_;
 };
 

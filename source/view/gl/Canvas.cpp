@@ -10,56 +10,56 @@
 
 namespace ray {
 
-Canvas::Canvas(std::shared_ptr<const Functions> gl, Painter::Target target) : gl_(std::move(gl)) {
-  if (target == Painter::Target::own) own_.emplace(gl_);
+Canvas::Canvas(Painter::Target target) {
+  if (target == Painter::Target::own) own_.emplace();
 }
 
 void Canvas::Begin(int width, int height, const R2::Color& background) {
   assert(width >= 0 && height >= 0);
   width_ = width, height_ = height;
-  gl_->BindFramebuffer(GL_FRAMEBUFFER, own_ ? own_->framebuffer.Name() : 0);
+  glBindFramebuffer(GL_FRAMEBUFFER, own_ ? own_->framebuffer.Name() : 0);
   if (own_ && (own_->width != width || own_->height != height)) Resize(*own_, width, height);
-  gl_->PixelStorei(GL_PACK_ALIGNMENT, 1);
-  gl_->PixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  gl_->Enable(GL_SCISSOR_TEST);
-  gl_->Enable(GL_DEPTH_TEST);
-  gl_->DepthFunc(GL_LEQUAL);
-  gl_->DepthMask(GL_TRUE);
-  gl_->Enable(GL_BLEND);
-  gl_->BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  glPixelStorei(GL_PACK_ALIGNMENT, 1);
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  glEnable(GL_SCISSOR_TEST);
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_LEQUAL);
+  glDepthMask(GL_TRUE);
+  glEnable(GL_BLEND);
+  glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   SetPart(0, 0, width, height);
   Fill(background);
 }
 
 void Canvas::Fill(const R2::Color& color) const {
   const auto channel = [](double c) { return static_cast<float>(R2::ToByte(c)) / 255.0F; };
-  gl_->ClearColor(channel(color.r), channel(color.g), channel(color.b), 1);
-  gl_->Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  glClearColor(channel(color.r), channel(color.g), channel(color.b), 1);
+  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 }
 
 void Canvas::Resize(Own& own, int width, int height) const {
   GLint most = 0;
-  gl_->GetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &most);
+  glGetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &most);
   const std::string size = std::to_string(width) + " x " + std::to_string(height) + " pixels";
   if (width > most || height > most)
     throw ContextError("a drawing of " + size + " cannot be made; the graphics allow " + std::to_string(most) +
                        " a side");
   // A window can shrink to nothing, a framebuffer cannot.
   const GLsizei columns = std::max(width, 1), rows = std::max(height, 1);
-  gl_->BindRenderbuffer(GL_RENDERBUFFER, own.color.Name());
-  gl_->RenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, columns, rows);
-  gl_->BindRenderbuffer(GL_RENDERBUFFER, own.depth.Name());
-  gl_->RenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT24, columns, rows);
-  gl_->FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, own.color.Name());
-  gl_->FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, own.depth.Name());
-  if (gl_->CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+  glBindRenderbuffer(GL_RENDERBUFFER, own.color.Name());
+  glRenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, columns, rows);
+  glBindRenderbuffer(GL_RENDERBUFFER, own.depth.Name());
+  glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT24, columns, rows);
+  glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, own.color.Name());
+  glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, own.depth.Name());
+  if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
     throw ContextError("a drawing of " + size + " cannot be made: the graphics refuse its framebuffer");
   own.width = width, own.height = height;
 }
 
 void Canvas::Apply(const Part& part) const {
-  gl_->Viewport(part.x, part.y, part.width, part.height);
-  gl_->Scissor(part.x, part.y, part.width, part.height);
+  glViewport(part.x, part.y, part.width, part.height);
+  glScissor(part.x, part.y, part.width, part.height);
 }
 
 void Canvas::SetPart(int x, int y, int width, int height) {
@@ -70,8 +70,8 @@ void Canvas::SetPart(int x, int y, int width, int height) {
 R2::Image Canvas::Read() const {
   assert(width_ >= 1 && height_ >= 1);
   std::vector<std::uint8_t> rgba(4 * static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_));
-  gl_->ReadPixels(0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE, rgba.data());
-  assert(gl_->GetError() == GL_NO_ERROR);
+  glReadPixels(0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE, rgba.data());
+  assert(glGetError() == GL_NO_ERROR);
   R2::Image image(width_, height_);
   const std::uint8_t* pixel = rgba.data();
   for (int y = 0; y < height_; ++y)

@@ -12,7 +12,7 @@ namespace ray {
 /// What is drawn into: framebuffer 0, or one of its own of whatever size is asked for.
 class Canvas {
  public:
-  Canvas(std::shared_ptr<const Functions> gl, Painter::Target target);
+  explicit Canvas(Painter::Target target);
 
   /// Throws ContextError when one of its own cannot be that large.
   void Begin(int width, int height, const R2::Color& background);
@@ -28,7 +28,6 @@ class Canvas {
 
  private:
   struct Own {
-    explicit Own(const std::shared_ptr<const Functions>& gl) : framebuffer(gl), color(gl), depth(gl) {}
     Framebuffer framebuffer;
     Renderbuffer color, depth;
     int width = 0, height = 0;
@@ -40,7 +39,6 @@ class Canvas {
   void Resize(Own& own, int width, int height) const;
   void Apply(const Part& part) const;
 
-  std::shared_ptr<const Functions> gl_;
   std::optional<Own> own_;
   int width_ = 0, height_ = 0;
   Part part_;

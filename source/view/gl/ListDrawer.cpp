@@ -5,6 +5,8 @@
 #include <cassert>
 #include <cstddef>
 
+#include "source/view/contexts/Context.h"
+
 namespace ray {
 
 namespace {
@@ -34,101 +36,100 @@ const void* Offset(std::size_t bytes) { return reinterpret_cast<const void*>(byt
 GLsizeiptr Bytes(const auto& list) { return static_cast<GLsizeiptr>(list.size() * sizeof(list[0])); }
 
 /// Describes the vertices in the buffer bound, for the array bound.
-void Describe(const Functions& gl, bool with_colors) {
+void Describe(bool with_colors) {
   constexpr GLsizei stride = sizeof(Vertex);
-  gl.EnableVertexAttribArray(at_location);
-  gl.VertexAttribPointer(at_location, 3, GL_FLOAT, GL_FALSE, stride, Offset(offsetof(Vertex, at)));
+  glEnableVertexAttribArray(at_location);
+  glVertexAttribPointer(at_location, 3, GL_FLOAT, GL_FALSE, stride, Offset(offsetof(Vertex, at)));
   if (!with_colors) return;
-  gl.EnableVertexAttribArray(color_location);
-  gl.VertexAttribPointer(color_location, 4, GL_UNSIGNED_BYTE, GL_TRUE, stride, Offset(offsetof(Vertex, color)));
+  glEnableVertexAttribArray(color_location);
+  glVertexAttribPointer(color_location, 4, GL_UNSIGNED_BYTE, GL_TRUE, stride, Offset(offsetof(Vertex, color)));
 }
 
-void CheckMemory(const Functions& gl) {
-  if (gl.GetError() == GL_OUT_OF_MEMORY) throw ContextError("the memory of the graphics is full");
+void CheckMemory() {
+  if (glGetError() == GL_OUT_OF_MEMORY) throw ContextError("the memory of the graphics is full");
 }
 
 }  // namespace
 
-ListDrawer::ListDrawer(std::shared_ptr<const Functions> gl)
-    : gl_(std::move(gl)), program_(gl_, "lists", vertex_shader, fragment_shader) {
+ListDrawer::ListDrawer() : program_("lists", vertex_shader, fragment_shader) {
   std::array<GLfloat, 2> range{1, 1};
-  gl_->GetFloatv(GL_ALIASED_LINE_WIDTH_RANGE, range.data());
+  glGetFloatv(GL_ALIASED_LINE_WIDTH_RANGE, range.data());
   widest_ = range[1];
 }
 
 std::shared_ptr<GpuTriangles> ListDrawer::Keep(const Triangles& triangles) const {
-  auto kept = std::make_shared<GpuTriangles>(gl_);
+  auto kept = std::make_shared<GpuTriangles>();
   kept->opaque = static_cast<GLsizei>(triangles.opaque.size());
   kept->clear = static_cast<GLsizei>(triangles.clear.size());
   std::vector<std::uint32_t> indices = triangles.opaque;
   indices.insert(indices.end(), triangles.clear.begin(), triangles.clear.end());
   assert(std::all_of(indices.begin(), indices.end(), [&](auto i) { return i < triangles.vertices.size(); }));
-  gl_->BindVertexArray(kept->colored.Name());  // indices belong to the array bound when they come
-  gl_->BindBuffer(GL_ARRAY_BUFFER, kept->vertices.Name());
-  gl_->BufferData(GL_ARRAY_BUFFER, Bytes(triangles.vertices), triangles.vertices.data(), GL_STATIC_DRAW);
-  gl_->BindBuffer(GL_ELEMENT_ARRAY_BUFFER, kept->indices.Name());
-  gl_->BufferData(GL_ELEMENT_ARRAY_BUFFER, Bytes(indices), indices.data(), GL_STATIC_DRAW);
-  Describe(*gl_, true);
-  gl_->BindVertexArray(kept->plain.Name());
-  gl_->BindBuffer(GL_ELEMENT_ARRAY_BUFFER, kept->indices.Name());
-  Describe(*gl_, false);
-  CheckMemory(*gl_);
+  glBindVertexArray(kept->colored.Name());  // indices belong to the array bound when they come
+  glBindBuffer(GL_ARRAY_BUFFER, kept->vertices.Name());
+  glBufferData(GL_ARRAY_BUFFER, Bytes(triangles.vertices), triangles.vertices.data(), GL_STATIC_DRAW);
+  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, kept->indices.Name());
+  glBufferData(GL_ELEMENT_ARRAY_BUFFER, Bytes(indices), indices.data(), GL_STATIC_DRAW);
+  Describe(true);
+  glBindVertexArray(kept->plain.Name());
+  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, kept->indices.Name());
+  Describe(false);
+  CheckMemory();
   return kept;
 }
 
 std::shared_ptr<GpuLines> ListDrawer::Keep(const Lines& lines) const {
-  auto kept = std::make_shared<GpuLines>(gl_);
+  auto kept = std::make_shared<GpuLines>();
   kept->count = static_cast<GLsizei>(lines.size());
-  gl_->BindVertexArray(kept->colored.Name());
-  gl_->BindBuffer(GL_ARRAY_BUFFER, kept->vertices.Name());
-  gl_->BufferData(GL_ARRAY_BUFFER, Bytes(lines), lines.data(), GL_STATIC_DRAW);
-  Describe(*gl_, true);
-  CheckMemory(*gl_);
+  glBindVertexArray(kept->colored.Name());
+  glBindBuffer(GL_ARRAY_BUFFER, kept->vertices.Name());
+  glBufferData(GL_ARRAY_BUFFER, Bytes(lines), lines.data(), GL_STATIC_DRAW);
+  Describe(true);
+  CheckMemory();
   return kept;
 }
 
 void ListDrawer::Start(const ClipMatrix& clip_from_drawing, double cover) const {
   program_.Use();
-  SetMatrix(*gl_, program_["clip_from_drawing"], clip_from_drawing);
-  gl_->Uniform1f(program_["cover"], static_cast<float>(cover));
+  SetMatrix(program_["clip_from_drawing"], clip_from_drawing);
+  glUniform1f(program_["cover"], static_cast<float>(cover));
 }
 
 void ListDrawer::Draw(const GpuTriangles& triangles, const ClipMatrix& clip_from_drawing) const {
   Start(clip_from_drawing, 1);
-  gl_->BindVertexArray(triangles.colored.Name());
+  glBindVertexArray(triangles.colored.Name());
   // Moved back a little, by their slope and the smallest step of depth, so that lines on them are seen.
-  gl_->Enable(GL_POLYGON_OFFSET_FILL);
-  gl_->PolygonOffset(1, 1);
+  glEnable(GL_POLYGON_OFFSET_FILL);
+  glPolygonOffset(1, 1);
   if (triangles.opaque > 0) {
-    gl_->Disable(GL_BLEND);
-    gl_->DrawElements(GL_TRIANGLES, triangles.opaque, GL_UNSIGNED_INT, Offset(0));
-    gl_->Enable(GL_BLEND);
+    glDisable(GL_BLEND);
+    glDrawElements(GL_TRIANGLES, triangles.opaque, GL_UNSIGNED_INT, Offset(0));
+    glEnable(GL_BLEND);
   }
   if (triangles.clear > 0) {
-    gl_->DepthMask(GL_FALSE);
-    gl_->DrawElements(GL_TRIANGLES, triangles.clear, GL_UNSIGNED_INT,
-                      Offset(static_cast<std::size_t>(triangles.opaque) * sizeof(std::uint32_t)));
-    gl_->DepthMask(GL_TRUE);
+    glDepthMask(GL_FALSE);
+    glDrawElements(GL_TRIANGLES, triangles.clear, GL_UNSIGNED_INT,
+                   Offset(static_cast<std::size_t>(triangles.opaque) * sizeof(std::uint32_t)));
+    glDepthMask(GL_TRUE);
   }
-  gl_->Disable(GL_POLYGON_OFFSET_FILL);
+  glDisable(GL_POLYGON_OFFSET_FILL);
 }
 
 void ListDrawer::Draw(const GpuLines& lines, const ClipMatrix& clip_from_drawing, double width, double hidden) const {
   if (lines.count == 0) return;
-  gl_->BindVertexArray(lines.colored.Name());
-  gl_->LineWidth(std::clamp(static_cast<float>(width), 1.0F, widest_));
+  glBindVertexArray(lines.colored.Name());
+  glLineWidth(std::clamp(static_cast<float>(width), 1.0F, widest_));
   // What is hidden comes first: the lines that are seen would hide others of the list.
   if (hidden > 0) {
     Start(clip_from_drawing, hidden);
-    gl_->DepthFunc(GL_GREATER);
-    gl_->DepthMask(GL_FALSE);
-    gl_->DrawArrays(GL_LINES, 0, lines.count);
-    gl_->DepthMask(GL_TRUE);
-    gl_->DepthFunc(GL_LEQUAL);
+    glDepthFunc(GL_GREATER);
+    glDepthMask(GL_FALSE);
+    glDrawArrays(GL_LINES, 0, lines.count);
+    glDepthMask(GL_TRUE);
+    glDepthFunc(GL_LEQUAL);
   }
   Start(clip_from_drawing, 1);
-  gl_->DrawArrays(GL_LINES, 0, lines.count);
-  gl_->LineWidth(1);
+  glDrawArrays(GL_LINES, 0, lines.count);
+  glLineWidth(1);
 }
 
 void ListDrawer::DrawEdges(const GpuTriangles& triangles, const ClipMatrix& clip_from_drawing,
@@ -136,12 +137,12 @@ void ListDrawer::DrawEdges(const GpuTriangles& triangles, const ClipMatrix& clip
   const GLsizei count = triangles.opaque + triangles.clear;
   if (count == 0) return;
   Start(clip_from_drawing, 1);
-  gl_->BindVertexArray(triangles.plain.Name());
+  glBindVertexArray(triangles.plain.Name());
   const auto channel = [&](std::size_t i) { return static_cast<float>(color[i]) / 255.0F; };
-  gl_->VertexAttrib4f(color_location, channel(0), channel(1), channel(2), channel(3));
-  gl_->PolygonMode(GL_FRONT_AND_BACK, GL_LINE);
-  gl_->DrawElements(GL_TRIANGLES, count, GL_UNSIGNED_INT, Offset(0));
-  gl_->PolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+  glVertexAttrib4f(color_location, channel(0), channel(1), channel(2), channel(3));
+  glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
+  glDrawElements(GL_TRIANGLES, count, GL_UNSIGNED_INT, Offset(0));
+  glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
 }
 
 }  // namespace ray

@@ -7,10 +7,10 @@
 
 namespace ray {
 
-/// Triangles and lines in the colours of their vertices. What it draws with stands in Painter.h.
+/// Triangles and lines in the colors of their vertices. What it draws with stands in Painter.h.
 class ListDrawer {
  public:
-  explicit ListDrawer(std::shared_ptr<const Functions> gl);
+  ListDrawer();
 
   std::shared_ptr<GpuTriangles> Keep(const Triangles& triangles) const;
   std::shared_ptr<GpuLines> Keep(const Lines& lines) const;
@@ -22,7 +22,6 @@ class ListDrawer {
  private:
   void Start(const ClipMatrix& clip_from_drawing, double cover) const;
 
-  std::shared_ptr<const Functions> gl_;
   Program program_;
   float widest_ = 1;  // line, in pixels
 };

@@ -1,36 +1,33 @@
 #pragma once
 
-#include <memory>
-#include <utility>
+#include <epoxy/gl.h>
 
-#include "source/view/gl/Functions.h"
+#include <utility>
 
 namespace ray {
 
-/// An object of OpenGL, deleted with its owner. It holds on to the functions, so it may outlive the painter; the
-/// context has to be current then.
-template <auto generate, auto remove>
+/// An object of OpenGL, deleted with its owner; the context has to be current then.
+template <PFNGLGENBUFFERSPROC& generate, PFNGLDELETEBUFFERSPROC& remove>
 class Object {
  public:
-  explicit Object(std::shared_ptr<const Functions> gl) : gl_(std::move(gl)) { ((*gl_).*generate)(1, &name_); }
+  Object() { generate(1, &name_); }
   ~Object() {
-    if (name_) ((*gl_).*remove)(1, &name_);
+    if (name_) remove(1, &name_);
   }
-  Object(Object&& other) noexcept : gl_(std::move(other.gl_)), name_(std::exchange(other.name_, 0)) {}
+  Object(Object&& other) noexcept : name_(std::exchange(other.name_, 0)) {}
   Object(const Object&) = delete;
   Object& operator=(const Object&) = delete;
 
   GLuint Name() const { return name_; }
 
  private:
-  std::shared_ptr<const Functions> gl_;
   GLuint name_ = 0;
 };
 
-using Buffer = Object<&Functions::GenBuffers, &Functions::DeleteBuffers>;
-using VertexArray = Object<&Functions::GenVertexArrays, &Functions::DeleteVertexArrays>;
-using Texture2D = Object<&Functions::GenTextures, &Functions::DeleteTextures>;
-using Framebuffer = Object<&Functions::GenFramebuffers, &Functions::DeleteFramebuffers>;
-using Renderbuffer = Object<&Functions::GenRenderbuffers, &Functions::DeleteRenderbuffers>;
+using Buffer = Object<glGenBuffers, glDeleteBuffers>;
+using VertexArray = Object<glGenVertexArrays, glDeleteVertexArrays>;
+using Texture2D = Object<glGenTextures, glDeleteTextures>;
+using Framebuffer = Object<glGenFramebuffers, glDeleteFramebuffers>;
+using Renderbuffer = Object<glGenRenderbuffers, glDeleteRenderbuffers>;
 
 }  // namespace ray

@@ -8,17 +8,15 @@
 namespace ray {
 
 struct Painter::Parts {
-  Parts(const Context& context, Target target)
-      : gl(std::make_shared<const Functions>(context)), canvas(gl, target), lists(gl), pictures(gl), text(gl) {}
+  explicit Parts(Target target) : canvas(target) {}
 
-  std::shared_ptr<const Functions> gl;
   Canvas canvas;
   ListDrawer lists;
   PictureDrawer pictures;
   TextDrawer text;
 };
 
-Painter::Painter(const Context& context, Target target) : parts_(std::make_unique<Parts>(context, target)) {}
+Painter::Painter(Target target) : parts_(std::make_unique<Parts>(target)) {}
 
 Painter::~Painter() = default;
 
@@ -67,7 +65,7 @@ void Painter::Draw(std::span<const Label> labels) {
   parts_->canvas.ReturnToPart();
 }
 
-void Painter::Finish() { parts_->gl->Finish(); }
+void Painter::Finish() { glFinish(); }
 
 R2::Image Painter::Read() { return parts_->canvas.Read(); }
 

@@ -11,18 +11,18 @@
 namespace ray {
 
 /// What a list is kept as by OpenGL; of the painter that made it.
-class GpuTriangles;
-class GpuLines;
-class GpuPicture;
+struct GpuTriangles;
+struct GpuLines;
+struct GpuPicture;
 
 /// Draws lists with OpenGL 3.3 core. All calls on the thread of the context, which must be current and outlive the
 /// painter and all that it keeps.
 class Painter {
  public:
-  /// Where the drawing goes: framebuffer 0 of a window, or one of its own. Throws ContextError when the context lacks a
-  /// function or refuses a shader.
+  /// Where the drawing goes: framebuffer 0 of a window, or one of its own. Throws ContextError when the driver refuses
+  /// a shader.
   enum class Target { window, own };
-  Painter(const Context& context, Target target);
+  explicit Painter(Target target);
   ~Painter();
   Painter(const Painter&) = delete;
 

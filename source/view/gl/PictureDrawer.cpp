@@ -72,38 +72,37 @@ float FirstOf(int byte, bool srgb) {
   return std::bit_cast<float>(reached);
 }
 
-void UseNearest(const Functions& gl) {
-  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+void UseNearest() {
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
 }
 
 }  // namespace
 
-PictureDrawer::PictureDrawer(std::shared_ptr<const Functions> gl)
-    : gl_(std::move(gl)), program_(gl_, "pictures", vertex_shader, fragment_shader), nothing_(gl_), steps_(gl_) {
+PictureDrawer::PictureDrawer() : program_("pictures", vertex_shader, fragment_shader) {
   std::array<float, 512> steps{};
   for (int byte = 0; byte < 256; ++byte)
     for (int srgb : {0, 1}) steps[static_cast<std::size_t>(srgb * 256 + byte)] = FirstOf(byte, srgb == 1);
-  gl_->BindTexture(GL_TEXTURE_2D, steps_.Name());
-  gl_->TexImage2D(GL_TEXTURE_2D, 0, GL_R32F, 256, 2, 0, GL_RED, GL_FLOAT, steps.data());
-  UseNearest(*gl_);
+  glBindTexture(GL_TEXTURE_2D, steps_.Name());
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_R32F, 256, 2, 0, GL_RED, GL_FLOAT, steps.data());
+  UseNearest();
 }
 
 std::shared_ptr<GpuPicture> PictureDrawer::Keep(int width, int height) const {
   assert(width >= 1 && height >= 1);
   GLint most = 0;
-  gl_->GetIntegerv(GL_MAX_TEXTURE_SIZE, &most);
+  glGetIntegerv(GL_MAX_TEXTURE_SIZE, &most);
   if (width > most || height > most)
     throw ContextError("a picture of " + std::to_string(width) + " x " + std::to_string(height) +
                        " pixels cannot be shown; the graphics allow " + std::to_string(most) + " a side");
-  auto kept = std::make_shared<GpuPicture>(gl_);
+  auto kept = std::make_shared<GpuPicture>();
   kept->width = width, kept->height = height;
-  gl_->BindTexture(GL_TEXTURE_2D, kept->texture.Name());
+  glBindTexture(GL_TEXTURE_2D, kept->texture.Name());
   const std::vector<float> black(3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
-  gl_->TexImage2D(GL_TEXTURE_2D, 0, GL_RGB32F, width, height, 0, GL_RGB, GL_FLOAT, black.data());
-  UseNearest(*gl_);
-  if (gl_->GetError() == GL_OUT_OF_MEMORY) throw ContextError("the memory of the graphics is full");
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB32F, width, height, 0, GL_RGB, GL_FLOAT, black.data());
+  UseNearest();
+  if (glGetError() == GL_OUT_OF_MEMORY) throw ContextError("the memory of the graphics is full");
   return kept;
 }
 
@@ -111,44 +110,44 @@ void PictureDrawer::Update(GpuPicture& picture, int first, int count, std::span<
   if (count == 0) return;
   assert(first >= 0 && count > 0 && first + count <= picture.height);
   assert(rgb.size() == 3 * static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(count));
-  gl_->BindTexture(GL_TEXTURE_2D, picture.texture.Name());
-  gl_->TexSubImage2D(GL_TEXTURE_2D, 0, 0, first, picture.width, count, GL_RGB, GL_FLOAT, rgb.data());
+  glBindTexture(GL_TEXTURE_2D, picture.texture.Name());
+  glTexSubImage2D(GL_TEXTURE_2D, 0, 0, first, picture.width, count, GL_RGB, GL_FLOAT, rgb.data());
 }
 
 std::vector<float> PictureDrawer::ReadBack(const GpuPicture& picture) const {
   std::vector<float> rgb(3 * static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height));
-  gl_->BindTexture(GL_TEXTURE_2D, picture.texture.Name());
-  gl_->GetTexImage(GL_TEXTURE_2D, 0, GL_RGB, GL_FLOAT, rgb.data());
+  glBindTexture(GL_TEXTURE_2D, picture.texture.Name());
+  glGetTexImage(GL_TEXTURE_2D, 0, GL_RGB, GL_FLOAT, rgb.data());
   return rgb;
 }
 
 void PictureDrawer::Draw(const GpuPicture& picture, const std::array<std::array<float, 3>, 4>& corners,
                          const ClipMatrix& clip_from_drawing, const Painter::PictureLook& look) const {
   program_.Use();
-  SetMatrix(*gl_, program_["clip_from_drawing"], clip_from_drawing);
-  gl_->Uniform3fv(program_["corners"], 4, corners[0].data());
-  gl_->Uniform1f(program_["exposure"], static_cast<float>(look.exposure));
-  gl_->Uniform1f(program_["alpha"], static_cast<float>(look.alpha));
-  gl_->Uniform1i(program_["srgb"], look.srgb ? 1 : 0);
-  gl_->Uniform1i(program_["rows"], look.rows < 0 ? std::numeric_limits<GLint>::max() : look.rows);
-  gl_->Uniform1i(program_["picture"], picture_unit);
-  gl_->Uniform1i(program_["steps"], steps_unit);
-  gl_->ActiveTexture(GL_TEXTURE0 + steps_unit);
-  gl_->BindTexture(GL_TEXTURE_2D, steps_.Name());
-  gl_->ActiveTexture(GL_TEXTURE0 + picture_unit);
-  gl_->BindTexture(GL_TEXTURE_2D, picture.texture.Name());
-  gl_->BindVertexArray(nothing_.Name());
-  gl_->DepthMask(look.alpha >= 1);  // what is behind it is seen through it, whenever it is drawn
-  gl_->DrawArrays(GL_TRIANGLE_STRIP, 0, 4);
-  gl_->DepthMask(GL_TRUE);
+  SetMatrix(program_["clip_from_drawing"], clip_from_drawing);
+  glUniform3fv(program_["corners"], 4, corners[0].data());
+  glUniform1f(program_["exposure"], static_cast<float>(look.exposure));
+  glUniform1f(program_["alpha"], static_cast<float>(look.alpha));
+  glUniform1i(program_["srgb"], look.srgb ? 1 : 0);
+  glUniform1i(program_["rows"], look.rows < 0 ? std::numeric_limits<GLint>::max() : look.rows);
+  glUniform1i(program_["picture"], picture_unit);
+  glUniform1i(program_["steps"], steps_unit);
+  glActiveTexture(GL_TEXTURE0 + steps_unit);
+  glBindTexture(GL_TEXTURE_2D, steps_.Name());
+  glActiveTexture(GL_TEXTURE0 + picture_unit);
+  glBindTexture(GL_TEXTURE_2D, picture.texture.Name());
+  glBindVertexArray(nothing_.Name());
+  glDepthMask(look.alpha >= 1);  // what is behind it is seen through it, whenever it is drawn
+  glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+  glDepthMask(GL_TRUE);
 }
 
 void PictureDrawer::Draw(const GpuPicture& picture, const Painter::PictureLook& look) const {
   constexpr std::array<std::array<float, 3>, 4> corners{{{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}}};
   constexpr ClipMatrix as_it_is{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
-  gl_->Disable(GL_DEPTH_TEST);  // which leaves depth unwritten as well
+  glDisable(GL_DEPTH_TEST);  // which leaves depth unwritten as well
   Draw(picture, corners, as_it_is, look);
-  gl_->Enable(GL_DEPTH_TEST);
+  glEnable(GL_DEPTH_TEST);
 }
 
 }  // namespace ray

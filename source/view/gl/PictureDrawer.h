@@ -14,7 +14,7 @@ namespace ray {
 /// Pictures of floats on quads. What it draws with stands in Painter.h.
 class PictureDrawer {
  public:
-  explicit PictureDrawer(std::shared_ptr<const Functions> gl);
+  PictureDrawer();
 
   std::shared_ptr<GpuPicture> Keep(int width, int height) const;
   void Update(GpuPicture& picture, int first, int count, std::span<const float> rgb) const;
@@ -25,7 +25,6 @@ class PictureDrawer {
   void Draw(const GpuPicture& picture, const Painter::PictureLook& look) const;
 
  private:
-  std::shared_ptr<const Functions> gl_;
   Program program_;
   VertexArray nothing_;  // the corners come as uniforms
   Texture2D steps_;      // where bytes begin; row 0 linear, row 1 sRGB

@@ -4,6 +4,8 @@
 #include <array>
 #include <string>
 
+#include "source/view/contexts/Context.h"
+
 namespace ray {
 
 namespace {
@@ -11,23 +13,22 @@ namespace {
 /// A shader that is needed only until the program is linked.
 class Shader {
  public:
-  Shader(const Functions& gl, GLenum type, const char* text) : gl_(gl), shader_(gl.CreateShader(type)) {
-    gl.ShaderSource(shader_, 1, &text, nullptr);
-    gl.CompileShader(shader_);
+  Shader(GLenum type, const char* text) : shader_(glCreateShader(type)) {
+    glShaderSource(shader_, 1, &text, nullptr);
+    glCompileShader(shader_);
   }
-  ~Shader() { gl_.DeleteShader(shader_); }
+  ~Shader() { glDeleteShader(shader_); }
   Shader(const Shader&) = delete;
   Shader& operator=(const Shader&) = delete;
 
   GLuint Name() const { return shader_; }
   bool IsCompiled() const {
     GLint status = 0;
-    gl_.GetShaderiv(shader_, GL_COMPILE_STATUS, &status);
+    glGetShaderiv(shader_, GL_COMPILE_STATUS, &status);
     return status != 0;
   }
 
  private:
-  const Functions& gl_;
   GLuint shader_;
 };
 
@@ -41,32 +42,30 @@ std::string FirstLine(GetLog get_log, GLuint object) {
 
 }  // namespace
 
-Program::Program(std::shared_ptr<const Functions> gl, const char* name, const char* vertex_shader,
-                 const char* fragment_shader)
-    : gl_(std::move(gl)) {
-  const Shader vertex(*gl_, GL_VERTEX_SHADER, vertex_shader), fragment(*gl_, GL_FRAGMENT_SHADER, fragment_shader);
+Program::Program(const char* name, const char* vertex_shader, const char* fragment_shader) {
+  const Shader vertex(GL_VERTEX_SHADER, vertex_shader), fragment(GL_FRAGMENT_SHADER, fragment_shader);
   for (const Shader* shader : {&vertex, &fragment})
     if (!shader->IsCompiled())
       throw ContextError(std::string("OpenGL refuses the shader that draws ") + name + ": " +
-                         FirstLine(gl_->GetShaderInfoLog, shader->Name()));
-  program_ = gl_->CreateProgram();
-  gl_->AttachShader(program_, vertex.Name());
-  gl_->AttachShader(program_, fragment.Name());
-  gl_->LinkProgram(program_);
+                         FirstLine(glGetShaderInfoLog, shader->Name()));
+  program_ = glCreateProgram();
+  glAttachShader(program_, vertex.Name());
+  glAttachShader(program_, fragment.Name());
+  glLinkProgram(program_);
   GLint status = 0;
-  gl_->GetProgramiv(program_, GL_LINK_STATUS, &status);
+  glGetProgramiv(program_, GL_LINK_STATUS, &status);
   if (status) return;
-  const std::string why = FirstLine(gl_->GetProgramInfoLog, program_);
-  gl_->DeleteProgram(program_);
+  const std::string why = FirstLine(glGetProgramInfoLog, program_);
+  glDeleteProgram(program_);
   throw ContextError(std::string("OpenGL refuses the program that draws ") + name + ": " + why);
 }
 
-Program::~Program() { gl_->DeleteProgram(program_); }
+Program::~Program() { glDeleteProgram(program_); }
 
-void SetMatrix(const Functions& gl, GLint uniform, const ClipMatrix& matrix) {
+void SetMatrix(GLint uniform, const ClipMatrix& matrix) {
   std::array<float, 16> single{};
   std::transform(matrix.begin(), matrix.end(), single.begin(), [](double x) { return static_cast<float>(x); });
-  gl.UniformMatrix4fv(uniform, 1, GL_FALSE, single.data());
+  glUniformMatrix4fv(uniform, 1, GL_FALSE, single.data());
 }
 
 }  // namespace ray

@@ -77,28 +77,23 @@ void Add(std::vector<TextVertex>& vertices, const Label& label) {
 
 }  // namespace
 
-TextDrawer::TextDrawer(std::shared_ptr<const Functions> gl)
-    : gl_(std::move(gl)),
-      program_(gl_, "text", vertex_shader, fragment_shader),
-      vertex_array_(gl_),
-      vertices_(gl_),
-      sheet_(gl_) {
-  gl_->BindVertexArray(vertex_array_.Name());
-  gl_->BindBuffer(GL_ARRAY_BUFFER, vertices_.Name());
-  const auto describe = [this](GLuint location, GLint count, GLenum type, std::size_t offset) {
-    gl_->EnableVertexAttribArray(location);
-    gl_->VertexAttribPointer(location, count, type, type == GL_UNSIGNED_BYTE, sizeof(TextVertex),
-                             reinterpret_cast<const void*>(offset));
+TextDrawer::TextDrawer() : program_("text", vertex_shader, fragment_shader) {
+  glBindVertexArray(vertex_array_.Name());
+  glBindBuffer(GL_ARRAY_BUFFER, vertices_.Name());
+  const auto describe = [](GLuint location, GLint count, GLenum type, std::size_t offset) {
+    glEnableVertexAttribArray(location);
+    glVertexAttribPointer(location, count, type, type == GL_UNSIGNED_BYTE, sizeof(TextVertex),
+                          reinterpret_cast<const void*>(offset));
   };
   describe(0, 2, GL_FLOAT, offsetof(TextVertex, x));
   describe(1, 2, GL_FLOAT, offsetof(TextVertex, sheet_x));
   describe(2, 4, GL_UNSIGNED_BYTE, offsetof(TextVertex, color));
-  gl_->BindTexture(GL_TEXTURE_2D, sheet_.Name());
-  gl_->TexImage2D(GL_TEXTURE_2D, 0, GL_R8, glyph_count * glyph_width, glyph_height, 0, GL_RED, GL_UNSIGNED_BYTE,
-                  GlyphSheet().data());
-  gl_->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-  gl_->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-  gl_->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+  glBindTexture(GL_TEXTURE_2D, sheet_.Name());
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_R8, glyph_count * glyph_width, glyph_height, 0, GL_RED, GL_UNSIGNED_BYTE,
+               GlyphSheet().data());
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
 }
 
 void TextDrawer::Draw(std::span<const Label> labels, int width, int height) const {
@@ -106,16 +101,16 @@ void TextDrawer::Draw(std::span<const Label> labels, int width, int height) cons
   for (const Label& label : labels) Add(vertices, label);
   if (vertices.empty()) return;
   program_.Use();
-  gl_->Uniform2f(program_["size"], static_cast<float>(width), static_cast<float>(height));
-  gl_->Uniform1i(program_["sheet"], 0);
-  gl_->BindTexture(GL_TEXTURE_2D, sheet_.Name());
-  gl_->BindVertexArray(vertex_array_.Name());
-  gl_->BindBuffer(GL_ARRAY_BUFFER, vertices_.Name());
-  gl_->BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(vertices.size() * sizeof(TextVertex)), vertices.data(),
-                  GL_STREAM_DRAW);
-  gl_->Disable(GL_DEPTH_TEST);
-  gl_->DrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(vertices.size()));
-  gl_->Enable(GL_DEPTH_TEST);
+  glUniform2f(program_["size"], static_cast<float>(width), static_cast<float>(height));
+  glUniform1i(program_["sheet"], 0);
+  glBindTexture(GL_TEXTURE_2D, sheet_.Name());
+  glBindVertexArray(vertex_array_.Name());
+  glBindBuffer(GL_ARRAY_BUFFER, vertices_.Name());
+  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(vertices.size() * sizeof(TextVertex)), vertices.data(),
+               GL_STREAM_DRAW);
+  glDisable(GL_DEPTH_TEST);
+  glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(vertices.size()));
+  glEnable(GL_DEPTH_TEST);
 }
 
 }  // namespace ray

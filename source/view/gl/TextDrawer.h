@@ -11,13 +11,12 @@ namespace ray {
 /// Labels in our own font. What it draws with stands in Painter.h.
 class TextDrawer {
  public:
-  explicit TextDrawer(std::shared_ptr<const Functions> gl);
+  TextDrawer();
 
   /// Into the viewport, which is of this size.
   void Draw(std::span<const Label> labels, int width, int height) const;
 
  private:
-  std::shared_ptr<const Functions> gl_;
   Program program_;
   VertexArray vertex_array_;
   Buffer vertices_;

@@ -185,7 +185,8 @@ class RayviewWindow : public Rayview {
 #endif
     Rayview::SetUp();
     if (IsSkipped()) return;
-    if (std::system("command -v Xvfb xdotool >/dev/null 2>&1") != 0) GTEST_SKIP() << "needs Xvfb and xdotool";
+    if (std::system("command -v Xvfb >/dev/null && command -v xdotool >/dev/null") != 0)
+      GTEST_SKIP() << "Xvfb or xdotool is not installed";
     server.emplace();
     if (server->Display().empty()) GTEST_SKIP() << "Xvfb does not start here";
     display.emplace("DISPLAY", server->Display().c_str());

@@ -30,7 +30,7 @@ TEST(Contexts, AKindNotBuiltInNamesThePackageThatBringsIt) {
 #ifdef RAYVIEW_EGL
   EXPECT_EQ(Complaint("egl").find("not built in"), std::string::npos);
 #else
-  EXPECT_EQ(Complaint("egl"), "egl is not built in; install libegl-dev" + again);
+  EXPECT_EQ(Complaint("egl"), "egl is not built in; install libepoxy-dev" + again);
 #endif
 #ifdef RAYVIEW_OSMESA
   EXPECT_EQ(Complaint("osmesa").find("not built in"), std::string::npos);
@@ -66,14 +66,15 @@ TEST_P(ContextOfKind, SaysWhatItIsAndWhatDrawsForIt) {
 }
 
 TEST_P(ContextOfKind, CanBeMadeAgainAfterItsEndAndBesideAnother) {
+  const std::string name = context->Name();
   context.reset();
   context = ray::MakeOffscreenContext(GetParam());
   {
     const auto other = ray::MakeOffscreenContext(GetParam());
-    EXPECT_TRUE(other->Find("glClear"));
+    EXPECT_EQ(other->Name(), name);
   }
   context.reset();
-  EXPECT_TRUE(ray::MakeOffscreenContext(GetParam())->Find("glClear"));
+  EXPECT_EQ(ray::MakeOffscreenContext(GetParam())->Name(), name);
 }
 
 GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(ContextOfKind);

@@ -35,7 +35,8 @@ TEST(WindowWithoutADisplay, SaysSoInALineThatTellsWhatNeedsNone) {
 class WindowOnADisplay : public ::testing::Test {
  protected:
   void SetUp() override {
-    if (std::system("command -v Xvfb xdotool >/dev/null 2>&1") != 0) GTEST_SKIP() << "needs Xvfb and xdotool";
+    if (std::system("command -v Xvfb >/dev/null && command -v xdotool >/dev/null") != 0)
+      GTEST_SKIP() << "Xvfb or xdotool is not installed";
     server.emplace();
     if (server->Display().empty()) GTEST_SKIP() << "Xvfb does not start here";
     display.emplace("DISPLAY", server->Display().c_str());
@@ -150,7 +151,7 @@ TEST_F(WindowOnADisplay, WaitsUntilItIsWokenFromAnotherThread) {
 TEST_F(WindowOnADisplay, DrawsTheSameAsAFramebufferOfItsOwn) {
   std::vector<R2::Image> images;
   for (const auto target : {Painter::Target::window, Painter::Target::own}) {
-    Painter painter(*window, target);
+    Painter painter(target);
     painter.Begin(window->Width(), window->Height(), {0.2, 0.3, 0.4});
     const Lines lines{{{-1, -0.7F, 0}, {255, 0, 0, 255}}, {{1, 0.8F, 0}, {0, 255, 0, 255}}};
     painter.Draw(*painter.Keep(lines), {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}, 3);

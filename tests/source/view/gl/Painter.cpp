@@ -38,7 +38,7 @@ ray::Triangles Wall(float depth, const Rgba& color, bool is_clear = false) {
 ray::Lines Across(float depth, const Rgba& color) { return {{{-1, 0, depth}, color}, {{1, 0, depth}, color}}; }
 
 /// Thousands of triangles and lines through each other.
-R2::Image Thicket(const ray::Context& context) {
+R2::Image Thicket() {
   std::mt19937 random(1);
   const auto number = [&random] { return static_cast<float>(random()) / 2147483648.0F - 1; };
   const auto vertex = [&](const std::array<float, 3>& around, float size) {
@@ -54,7 +54,7 @@ R2::Image Thicket(const ray::Context& context) {
   }
   ray::Lines lines;
   for (int i = 0; i < 4000; ++i) lines.push_back(vertex({0, 0, 0}, 1));
-  ray::Painter painter(context, ray::Painter::Target::own);
+  ray::Painter painter(ray::Painter::Target::own);
   painter.Begin(200, 150, {0.1, 0.2, 0.3});
   painter.Draw(*painter.Keep(triangles), as_it_is);
   painter.Draw(*painter.Keep(lines), as_it_is, 2, 0.3);
@@ -67,7 +67,7 @@ TEST(Drawings, AreTheSameBytesInEveryKindOfContextWithTheSameRenderer) {
   std::map<std::string, std::vector<R2::Image>> pictures;  // by renderer
   for (const std::string& kind : ray::OffscreenContextKinds()) try {
       const auto context = ray::MakeOffscreenContext(kind);
-      pictures[context->Name().substr(kind.size())].push_back(Thicket(*context));
+      pictures[context->Name().substr(kind.size())].push_back(Thicket());
     } catch (const ray::ContextError&) {
     }
   bool were_compared = false;
@@ -83,7 +83,7 @@ class Painter : public ray::testing::WithContext {
  protected:
   void SetUp() override {
     WithContext::SetUp();
-    if (context) painter = std::make_unique<ray::Painter>(*context, ray::Painter::Target::own);
+    if (context) painter = std::make_unique<ray::Painter>(ray::Painter::Target::own);
   }
 
   // In reverse order of construction.
