@@ -87,7 +87,7 @@ std::vector<Kind> MakeRays(const bench::View& view, const ray::World& world, con
     if (Dot(n, ray.direction) > 0) n = -n;
     const double z = 2 * number(random) - 1, turn = 2 * M_PI * number(random), out = std::sqrt(1 - z * z);
     const R3::Vector bounce = Unit(n + 0.999 * R3::Vector{out * std::cos(turn), out * std::sin(turn), z});
-    return SpawnRay{bench::Float(ray.At(hit->hit.t) + off * n), Float(bounce)};
+    return SpawnRay{bench::Float(ray.At(hit->t) + off * n), Float(bounce)};
   };
 
   Kind primary{"primary", {}, false, true}, shadow{"shadow", {}, true, true}, diffuse{"diffuse", {}},
@@ -135,7 +135,7 @@ Answers Ask(const ray::Accelerator& accelerator, const Kind& kind, std::size_t t
       else
         accelerator.Intersect(rays, hits, workspace);
       for (std::size_t i = 0; i < rays.size(); ++i)
-        answers.t.push_back(kind.any ? (are_occluded[i] ? 0 : R3::infinity) : hits[i] ? hits[i]->hit.t : R3::infinity);
+        answers.t.push_back(kind.any ? (are_occluded[i] ? 0 : R3::infinity) : hits[i] ? hits[i]->t : R3::infinity);
     }
     answers.counts = workspace.counts;
     return answers;
@@ -145,7 +145,7 @@ Answers Ask(const ray::Accelerator& accelerator, const Kind& kind, std::size_t t
       answers.t.push_back(accelerator.IsOccluded(ray, workspace) ? 0 : R3::infinity);
     } else {
       const auto hit = accelerator.Intersect(ray, workspace);
-      answers.t.push_back(hit ? hit->hit.t : R3::infinity);
+      answers.t.push_back(hit ? hit->t : R3::infinity);
     }
   }
   answers.counts = workspace.counts;

@@ -114,10 +114,10 @@ inline void ExpectSame(const std::optional<ray::WorldHit>& a, const std::optiona
                        const std::string& how) {
   ASSERT_EQ(a.has_value(), b.has_value()) << how << ' ' << oracle::Hex(ray);
   if (!a) return;
-  EXPECT_EQ(a->hit.t, b->hit.t) << how << ' ' << oracle::Hex(ray);
-  EXPECT_EQ(a->hit.u, b->hit.u) << how << ' ' << oracle::Hex(ray);
-  EXPECT_EQ(a->hit.v, b->hit.v) << how << ' ' << oracle::Hex(ray);
-  EXPECT_EQ(a->hit.part, b->hit.part) << how << ' ' << oracle::Hex(ray);
+  EXPECT_EQ(a->t, b->t) << how << ' ' << oracle::Hex(ray);
+  EXPECT_EQ(a->u, b->u) << how << ' ' << oracle::Hex(ray);
+  EXPECT_EQ(a->v, b->v) << how << ' ' << oracle::Hex(ray);
+  EXPECT_EQ(a->part, b->part) << how << ' ' << oracle::Hex(ray);
   EXPECT_EQ(a->instance, b->instance) << how << ' ' << oracle::Hex(ray);
   EXPECT_EQ(a->element, b->element) << how << ' ' << oracle::Hex(ray);
 }

@@ -27,9 +27,9 @@ class NearestHit {
 
   /// Takes a hit that is no farther than Limit, unless it is as far and of a higher primitive.
   void Offer(const WorldHit& candidate) {
-    if (best_ && candidate.hit.t == best_->hit.t && world_.PrimitiveId(candidate) >= world_.PrimitiveId(*best_)) return;
+    if (best_ && candidate.t == best_->t && world_.PrimitiveId(candidate) >= world_.PrimitiveId(*best_)) return;
     best_ = candidate;
-    limit_ = candidate.hit.t;
+    limit_ = candidate.t;
   }
 
  private:

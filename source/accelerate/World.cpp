@@ -129,7 +129,7 @@ void World::BakeOrShareMeshes() {
 R3::Intersection World::At(const R3::Ray& ray, const WorldHit& hit) const {
   const Instance& instance = instances_[hit.instance];
   const R3::Transform& world_from_local = frames_[instance.frame];
-  R3::Intersection at = instance.shape->At(Back(instance.frame, ray), hit.hit, hit.element);
+  R3::Intersection at = instance.shape->At(Back(instance.frame, ray), hit, hit.element);
   if (!world_from_local.IsIdentity()) BringToWorld(world_from_local, at);
   if (moves_) Shift(ray.time * motions_[instance.frame], at);
   return at;

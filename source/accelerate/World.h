@@ -25,8 +25,7 @@ struct Instance {
 };
 
 /// A crossing of a ray with one element of one instance.
-struct WorldHit {
-  R3::Hit hit;
+struct WorldHit : R3::Hit {
   std::uint32_t instance = 0;
   int element = 0;
 };

@@ -31,8 +31,8 @@ template <bool has_lens, bool has_time>
 CameraSample CameraRays::At(int column, int row, const RandomKey& pixel, std::uint32_t index) const {
   constexpr std::size_t dimensions = 2 + (has_lens ? 2 : 0) + (has_time ? 1 : 0);
   CameraSample sample;
-  sample.place = {pixel.Child(tree_key), index, has_lens || has_time ? static_cast<int>(dimensions) : 0};
-  const Points points(sampler_, sample.place.key.Child(camera_key), samples_);
+  sample.index = {pixel.Child(tree_key), index, has_lens || has_time ? static_cast<int>(dimensions) : 0};
+  const Points points(sampler_, sample.index.key.Child(camera_key), samples_);
   std::array<double, dimensions> random{0.5, 0.5};
   if (samples_ > 1 || dimensions > 2) {
     random = points.Get<dimensions>(index);

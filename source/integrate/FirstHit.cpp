@@ -5,8 +5,7 @@
 
 namespace ray {
 
-void FirstHit::Radiance(std::span<const CameraSample> samples, std::span<R2::Color> radiances,
-                        TraceState& state) const {
+void FirstHit::Li(std::span<const CameraSample> samples, std::span<R2::Color> radiances, TraceState& state) const {
   state.batch.clear();
   for (const CameraSample& sample : samples) state.batch.push_back(sample.ray);
   state.hits.assign(samples.size(), {});
@@ -20,7 +19,7 @@ void FirstHit::Radiance(std::span<const CameraSample> samples, std::span<R2::Col
 
 void FirstHit::Record(const CameraSample& sample, const std::optional<WorldHit>& hit, const R2::Color& seen,
                       RayRecorder& recorder) const {
-  TracedRay first{.ray = sample.ray, .place = sample.place};
+  PathState first{.ray = sample.ray, .index = sample.index};
   first.record = recorder.Begin(first);
   if (hit)
     recorder.Hits(ShadingPointAt(world_, first, *hit), seen);
@@ -33,8 +32,8 @@ R2::Color FirstHit::Seen(const CameraSample& sample, const std::optional<WorldHi
     if (layer_ == Layer::id) return {-1, -1, -1};
     return layer_ == Layer::albedo ? Background(world_.scene(), sample.ray.direction) : R2::Color{};
   }
-  const ShadingPoint s = ShadingPointAt(world_, {.ray = sample.ray, .place = sample.place}, *hit);
-  const double distance = hit->hit.t * Length(sample.ray.direction);
+  const ShadingPoint s = ShadingPointAt(world_, {.ray = sample.ray, .index = sample.index}, *hit);
+  const double distance = hit->t * Length(sample.ray.direction);
   const auto id = static_cast<double>(world_.PrimitiveId(*hit));
   switch (layer_) {
     case Layer::depth:

@@ -20,8 +20,7 @@ class FirstHit : public Integrator {
   FirstHit(const World& world, const Accelerator& accelerator, Layer layer)
       : world_(world), accelerator_(accelerator), layer_(layer) {}
 
-  void Radiance(std::span<const CameraSample> samples, std::span<R2::Color> radiances,
-                TraceState& state) const override;
+  void Li(std::span<const CameraSample> samples, std::span<R2::Color> radiances, TraceState& state) const override;
 
  private:
   void Record(const CameraSample& sample, const std::optional<WorldHit>& hit, const R2::Color& seen,

@@ -12,7 +12,7 @@ namespace ray {
 /// A camera ray, and where its random choices come from.
 struct CameraSample {
   R3::Ray ray;
-  SampleIndex place;
+  SampleIndex index;
   double x = 0, y = 0;  // where it crosses the picture, in pixels from the lower left corner
 };
 
@@ -21,10 +21,9 @@ class Integrator {
  public:
   virtual ~Integrator() = default;
 
-  /// What comes back along each of some camera rays, per channel, linear. Rays of neighbouring pixels are best given
+  /// What comes back along each of some camera rays, per channel, linear. Rays of neighboring pixels are best given
   /// together, since they and their shadow rays then are traced together; what each brings back is the same.
-  virtual void Radiance(std::span<const CameraSample> samples, std::span<R2::Color> radiances,
-                        TraceState& state) const = 0;
+  virtual void Li(std::span<const CameraSample> samples, std::span<R2::Color> radiances, TraceState& state) const = 0;
 };
 
 }  // namespace ray

@@ -17,7 +17,7 @@ enum class RenderMode { whitted, path, heat, rays, depth, normal, uv, albedo, id
 inline constexpr std::array render_modes{"whitted", "path", "heat", "rays", "depth", "normal", "uv", "albedo", "id"};
 constexpr const auto& NamesOf(RenderMode) { return render_modes; }
 
-/// Whether a mode shows costs, in the colours of HeatColor, rather than light or surfaces.
+/// Whether a mode shows costs, in the colors of HeatColor, rather than light or surfaces.
 inline bool ShowsCosts(RenderMode mode) { return mode == RenderMode::heat || mode == RenderMode::rays; }
 
 /// The integrator of a mode.

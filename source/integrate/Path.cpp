@@ -44,7 +44,7 @@ struct Path::Lobes {
 
 /// A way that light may come from.
 struct Path::Bounce {
-  TracedRay next;
+  PathState next;
   double pdf = 0;  // of its direction, per solid angle; 0 where there was no choice
 };
 
@@ -61,7 +61,7 @@ Path::Path(const World& world, const Accelerator& accelerator, const TraceSettin
   settings_.max_depth = std::min<std::int64_t>(settings_.max_depth, most_bounces);
 }
 
-void Path::Radiance(std::span<const CameraSample> samples, std::span<R2::Color> radiances, TraceState& state) const {
+void Path::Li(std::span<const CameraSample> samples, std::span<R2::Color> radiances, TraceState& state) const {
   state.batch.clear();
   for (const CameraSample& sample : samples) state.batch.push_back(sample.ray);
   state.hits.assign(samples.size(), {});
@@ -70,7 +70,7 @@ void Path::Radiance(std::span<const CameraSample> samples, std::span<R2::Color> 
 
   std::vector<ShadingPoint> surfaces;
   for (std::size_t i = 0; i < samples.size(); ++i) {
-    TracedRay first{.ray = samples[i].ray, .place = samples[i].place};
+    PathState first{.ray = samples[i].ray, .index = samples[i].index};
     if (state.recorder) first.record = state.recorder->Begin(first);
     if (state.hits[i]) {
       surfaces.push_back(ShadingPointAt(world_, first, *state.hits[i]));
@@ -99,7 +99,7 @@ void Path::Radiance(std::span<const CameraSample> samples, std::span<R2::Color> 
 
 /// What a surface seen by a camera ray sends back by itself.
 R2::Color Path::Shining(const ShadingPoint& s) const {
-  return s.found_by.weight * (s.material->emission + s.material->ka * world_.scene().ambient);
+  return s.path.throughput * (s.material->emission + s.material->ka * world_.scene().ambient);
 }
 
 /// All that comes to a surface over further bounces, its weight included.
@@ -119,8 +119,8 @@ R2::Color Path::Continue(ShadingPoint surface, TraceState& state) const {
     const ShadingPoint next = ShadingPointAt(world_, bounce->next, *hit);
     const R2::Color emitted = Emitted(surface, *bounce, next);
     sum += emitted;
-    const bool is_last = next.found_by.depth > settings_.max_depth;
-    const R2::Color ambient = next.found_by.weight * next.material->ka * world_.scene().ambient;
+    const bool is_last = next.path.depth > settings_.max_depth;
+    const R2::Color ambient = next.path.throughput * next.material->ka * world_.scene().ambient;
     if (state.recorder) state.recorder->Hits(next, is_last ? emitted : emitted + ambient);
     if (is_last) return sum;
     sum += ambient;
@@ -150,18 +150,18 @@ Path::Lobes Path::LobesOf(const ShadingPoint& s) const {
 void Path::AddLight(const ShadingPoint& s, std::size_t index, TraceState& state) const {
   if (lights_.IsEmpty() || (IsBlack(s.kd) && IsBlack(s.material->ks))) return;
   const Lobes lobes = LobesOf(s);
-  const std::uint32_t i = s.found_by.place.index;
+  const std::uint32_t i = s.path.index.sample;
   if (lights_at_once_ == 0) {
     for (int light = 0; light < lights_.Count(); ++light) {
       const std::uint64_t which = first_light_key + static_cast<std::uint64_t>(light);
-      const Points points = s.found_by.place.PointsFor(which, sampler_, settings_.samples);
+      const Points points = s.path.index.PointsFor(which, sampler_, settings_.samples);
       if (const auto sample = lights_.Sample(s, light, points.Get2D(i)))
         AddLightSample(s, lobes, *sample, index, state);
     }
     return;
   }
   const auto count = static_cast<std::uint32_t>(lights_at_once_);
-  const Points points = s.found_by.place.PointsFor(first_light_key, sampler_, settings_.samples, count);
+  const Points points = s.path.index.PointsFor(first_light_key, sampler_, settings_.samples, count);
   for (std::uint32_t k = 0; k < count; ++k) {
     const auto random = points.Get<3>(i * count + k);
     auto sample = lights_.SampleOne(s, {random[0], random[1]}, random[2]);
@@ -185,7 +185,7 @@ void Path::AddLightSample(const ShadingPoint& s, const Lobes& lobes, const PathL
   }
   if (IsBlack(reflected)) return;
   state.shadow_rays.push_back(ShadowRay(s, light.to_light, light.is_infinite));
-  state.shadows.push_back({index, s.found_by.weight * reflected});
+  state.shadows.push_back({index, s.path.throughput * reflected});
   if (state.recorder) [[unlikely]]
     state.recorder->BeginShadow(s, state.shadow_rays.back(), state.shadows.back().reflected,
                                 lights_.Describe(light.light));
@@ -220,11 +220,11 @@ void Path::TraceShadowRays(TraceState& state, bool together) const {
 
 std::optional<Path::Bounce> Path::Scatter(const ShadingPoint& s) const {
   // Beyond the last bounce a ray is still of use where it may find a light that scattering is to find.
-  const bool is_last = s.found_by.depth >= settings_.max_depth;
+  const bool is_last = s.path.depth >= settings_.max_depth;
   if (is_last && !lights_.CanBeHit()) return {};
   const Lobes lobes = LobesOf(s);
-  const Points points(sampler_, s.found_by.place.key.Child(scatter_key), settings_.samples);
-  const auto random = points.Get<4>(s.found_by.place.index);
+  const Points points(sampler_, s.path.index.key.Child(scatter_key), settings_.samples);
+  const auto random = points.Get<4>(s.path.index.sample);
   const R2::Point place{random[0], random[1]};
   const double way = random[2];
   std::optional<Bounce> bounce;
@@ -237,15 +237,15 @@ std::optional<Path::Bounce> Path::Scatter(const ShadingPoint& s) const {
   } else if (way < lobes.matte + lobes.reflection) {
     bounce.emplace();
     bounce->next.ray = SpawnRay(s, lobes.mirrored);
-    bounce->next.weight = s.found_by.weight * lobes.specular.reflected / lobes.reflection;
+    bounce->next.throughput = s.path.throughput * lobes.specular.reflected / lobes.reflection;
     bounce->next.kind = RayKind::reflection;
   } else if (lobes.transmission > 0) {
     bounce.emplace();
-    bounce->next.weight = s.found_by.weight * lobes.specular.transmitted / lobes.transmission;
+    bounce->next.throughput = s.path.throughput * lobes.specular.transmitted / lobes.transmission;
     bounce->next.kind = RayKind::transmission;
     if (s.material->ir == 1) {
-      bounce->next.ray = s.found_by.ray;
-      bounce->next.ray.t_min = s.hit.hit.t;
+      bounce->next.ray = s.path.ray;
+      bounce->next.ray.t_min = s.hit.t;
     } else if (const auto bent = Refract(-s.wo, s.N, s.entering ? 1 / s.material->ir : s.material->ir)) {
       bounce->next.ray = SpawnRay(s, *bent);
     } else {
@@ -253,17 +253,17 @@ std::optional<Path::Bounce> Path::Scatter(const ShadingPoint& s) const {
     }
   }
   if (!bounce) return {};
-  bounce->next.depth = s.found_by.depth + 1;
-  bounce->next.record = s.found_by.record;
-  bounce->next.place = s.found_by.place.Child(bounce_key);
+  bounce->next.depth = s.path.depth + 1;
+  bounce->next.record = s.path.record;
+  bounce->next.index = s.path.index.Child(bounce_key);
   if (!Survives(bounce->next, random[3])) return {};
   return bounce;
 }
 
 std::optional<Path::Bounce> Path::ScatterMatte(const ShadingPoint& s, const Lobes& lobes, const R2::Point& random,
                                                bool by_lobe) const {
-  const R3::Vector L = by_lobe ? FromTangents(AroundByPower(random, s.material->n), lobes.mirrored)
-                               : FromTangents(OnHemisphereByCosine(random), s.N);
+  const R3::Vector L = by_lobe ? FromTangents(OnPowerLobe(random, s.material->n), lobes.mirrored)
+                               : FromTangents(OnCosineHemisphere(random), s.N);
   const double pdf = lobes.Pdf(s, L);
   const R3::Vector outward = s.entering ? AsVector(s.at.normal) : -AsVector(s.at.normal);
   // What heads into the surface, by the lobe or by a smoothed normal, is lost there.
@@ -271,17 +271,17 @@ std::optional<Path::Bounce> Path::ScatterMatte(const ShadingPoint& s, const Lobe
   Bounce bounce;
   bounce.pdf = pdf;
   bounce.next.ray = SpawnRay(s, L);
-  bounce.next.weight = s.found_by.weight * lobes.Scattered(s, L) / pdf;
+  bounce.next.throughput = s.path.throughput * lobes.Scattered(s, L) / pdf;
   bounce.next.kind = by_lobe ? RayKind::reflection : RayKind::scattering;
-  if (IsBlack(bounce.next.weight)) return {};
+  if (IsBlack(bounce.next.throughput)) return {};
   return bounce;
 }
 
-bool Path::Survives(TracedRay& ray, double random) const {
+bool Path::Survives(PathState& ray, double random) const {
   if (!has_roulette_ || ray.depth < first_bounce_at_risk) return true;
-  const double chance = std::min(1.0, std::max({ray.weight.r, ray.weight.g, ray.weight.b}));
+  const double chance = std::min(1.0, std::max({ray.throughput.r, ray.throughput.g, ray.throughput.b}));
   if (!(random < chance)) return false;
-  ray.weight = ray.weight / chance;
+  ray.throughput = ray.throughput / chance;
   return true;
 }
 
@@ -293,18 +293,18 @@ double Path::MisWeight(double density_of_scattering, double density_of_light) co
 
 R2::Color Path::Emitted(const ShadingPoint& from, const Bounce& bounce, const ShadingPoint& hit) const {
   if (IsBlack(hit.material->emission)) return {};
-  const R2::Color seen = hit.found_by.weight * hit.material->emission;
+  const R2::Color seen = hit.path.throughput * hit.material->emission;
   if (bounce.pdf == 0) return seen;
-  const double by_light = lights_.DensityOfHit(from, bounce.next.ray, hit, world_, lights_at_once_ > 0);
+  const double by_light = lights_.PdfOfHit(from, bounce.next.ray, hit, world_, lights_at_once_ > 0);
   if (by_light == 0) return {};  // it is seen but lights nothing
   return MisWeight(bounce.pdf, by_light * std::max(1, lights_at_once_)) * seen;
 }
 
 R2::Color Path::EmittedByEnvironment(const ShadingPoint& from, const Bounce& bounce) const {
   const R3::Vector& direction = bounce.next.ray.direction;
-  const R2::Color seen = bounce.next.weight * Background(world_.scene(), direction);
+  const R2::Color seen = bounce.next.throughput * Background(world_.scene(), direction);
   if (bounce.pdf == 0) return seen;
-  const double by_light = lights_.DensityOfEnvironment(from, direction, lights_at_once_ > 0);
+  const double by_light = lights_.PdfOfEnvironment(from, direction, lights_at_once_ > 0);
   if (by_light == 0) return seen;  // a background is found by scattering alone
   return MisWeight(bounce.pdf, by_light * std::max(1, lights_at_once_)) * seen;
 }

@@ -21,8 +21,7 @@ class Path : public Integrator {
  public:
   Path(const World& world, const Accelerator& accelerator, const TraceSettings& settings);
 
-  void Radiance(std::span<const CameraSample> samples, std::span<R2::Color> radiances,
-                TraceState& state) const override;
+  void Li(std::span<const CameraSample> samples, std::span<R2::Color> radiances, TraceState& state) const override;
 
  private:
   struct Bounce;
@@ -38,7 +37,7 @@ class Path : public Integrator {
   std::optional<Bounce> Scatter(const ShadingPoint& surface) const;
   std::optional<Bounce> ScatterMatte(const ShadingPoint& surface, const Lobes& lobes, const R2::Point& random,
                                      bool by_lobe) const;
-  bool Survives(TracedRay& ray, double random) const;
+  bool Survives(PathState& ray, double random) const;
   R2::Color Emitted(const ShadingPoint& from, const Bounce& bounce, const ShadingPoint& hit) const;
   R2::Color EmittedByEnvironment(const ShadingPoint& from, const Bounce& bounce) const;
   Lobes LobesOf(const ShadingPoint& surface) const;

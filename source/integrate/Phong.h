@@ -8,7 +8,7 @@
 
 namespace ray {
 
-/// What one light adds at a surface, in the course's units (no 1/pi, no normalised lobe):
+/// What one light adds at a surface, in the course's units (no 1/pi, no normalized lobe):
 ///     (kd (N.L) + ks (V.R)^n) I_L,   nothing when N.L <= 0, no lobe when V.R <= 0
 ///   N, L, V   unit: normal on the viewer's side, towards the light, towards the viewer
 ///   kd        the material's, times its texture

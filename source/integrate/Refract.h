@@ -13,8 +13,7 @@ inline R3::Vector Reflect(const R3::Vector& d, const R3::Vector& N) { return d -
 /// law; `eta` is the index on this side over the index on the other. Unit within 8 u.
 ///   returns   nothing on total internal reflection; at the critical angle itself the ray leaves along the surface
 ///   source    Heckbert, in: Glassner (ed.), An introduction to ray tracing (1989), ch. 7. The sine squared is taken
-///   from
-///             the cross product: 1 - cos^2 has no digits left near the normal.
+///             from the cross product: 1 - cos^2 has no digits left near the normal.
 std::optional<R3::Vector> Refract(const R3::Vector& d, const R3::Vector& N, double eta);
 
 }  // namespace ray

@@ -17,7 +17,7 @@ R2::Color LeftAfter(const R2::Color& absorb, double distance) {
 
 }  // namespace
 
-ShadingPoint ShadingPointAt(const World& world, const TracedRay& ray, const WorldHit& hit) {
+ShadingPoint ShadingPointAt(const World& world, const PathState& ray, const WorldHit& hit) {
   ShadingPoint s{ray, hit, world.At(ray.ray, hit), &world.MaterialAt(hit), {}, {}, true, {}, {}, {}};
   s.kd = features::textures && s.material->texture ? s.material->kd * s.material->texture->At(s.at.uv) : s.material->kd;
   s.wo = -Unit(ray.ray.direction);
@@ -26,8 +26,8 @@ ShadingPoint ShadingPointAt(const World& world, const TracedRay& ray, const Worl
   if (features::bump && s.material->bump) s.N = Bumped(world, ray.ray, hit, s.at, *s.material, s.N, s.entering);
   s.shadow_origin = SpawnPoint(s.at, s.wo);
   if (features::absorption && !s.entering && !IsBlack(s.material->absorb)) {
-    const double distance = (hit.hit.t - ray.ray.t_min) * Length(ray.ray.direction);
-    s.found_by.weight = s.found_by.weight * LeftAfter(s.material->absorb, distance);
+    const double distance = (hit.t - ray.ray.t_min) * Length(ray.ray.direction);
+    s.path.throughput = s.path.throughput * LeftAfter(s.material->absorb, distance);
   }
   return s;
 }
@@ -37,11 +37,11 @@ R2::Color Background(const Scene& scene, const R3::Vector& direction) {
 }
 
 R3::Ray SpawnRay(const ShadingPoint& surface, const R3::Vector& direction) {
-  return {SpawnPoint(surface.at, direction), direction, 0, R3::infinity, surface.found_by.ray.time};
+  return {SpawnPoint(surface.at, direction), direction, 0, R3::infinity, surface.path.ray.time};
 }
 
 R3::Ray ShadowRay(const ShadingPoint& surface, const R3::Vector& to_light, bool is_infinite) {
-  return {surface.shadow_origin, to_light, 0, is_infinite ? R3::infinity : 1, surface.found_by.ray.time};
+  return {surface.shadow_origin, to_light, 0, is_infinite ? R3::infinity : 1, surface.path.ray.time};
 }
 
 double FresnelReflectance(double cosine, double eta) {

@@ -7,7 +7,7 @@ namespace ray {
 
 /// A point being shaded.
 struct ShadingPoint {
-  TracedRay found_by;  // its weight is what is left of it after the way there
+  PathState path;  // its weight is what is left of it after the way there
   WorldHit hit;
   R3::Intersection at;
   const Material* material;
@@ -21,7 +21,7 @@ struct ShadingPoint {
 
 /// The surface where a ray was found to hit. What the inside of a solid absorbed on the way is taken from the ray's
 /// weight: exp(-absorb * distance), by the law of Bouguer, Lambert and Beer (1729-1852).
-ShadingPoint ShadingPointAt(const World& world, const TracedRay& ray, const WorldHit& hit);
+ShadingPoint ShadingPointAt(const World& world, const PathState& ray, const WorldHit& hit);
 
 /// What a ray that hits nothing sees.
 R2::Color Background(const Scene& scene, const R3::Vector& direction);
@@ -31,7 +31,7 @@ R3::Ray SpawnRay(const ShadingPoint& surface, const R3::Vector& direction);
 /// Towards a light from the viewer's side.
 R3::Ray ShadowRay(const ShadingPoint& surface, const R3::Vector& to_light, bool is_infinite);
 
-/// How much light a clear surface between two indices of refraction reflects, of both polarisations alike.
+/// How much light a clear surface between two indices of refraction reflects, of both polarizations alike.
 ///   cosine    of the angle to the normal on the side the light comes from, in [0, 1]
 ///   eta       index on that side over the index on the other; > 0
 ///   returns   in [0, 1]; 1 on total internal reflection

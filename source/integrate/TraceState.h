@@ -14,11 +14,11 @@
 namespace ray {
 
 /// A ray on its way, and how much of what it sees counts.
-struct TracedRay {
+struct PathState {
   R3::Ray ray;
-  R2::Color weight{1, 1, 1};
+  R2::Color throughput{1, 1, 1};
   std::int64_t depth = 0;  // bounces before it
-  SampleIndex place;
+  SampleIndex index;
   RayKind kind = RayKind::camera;
   int record = -1;  // where rays are recorded: its number; until it is traced that of the ray it comes from
 };
@@ -37,7 +37,7 @@ struct TraceState {
   RayCounts rays;
   std::vector<R3::Ray> batch;  // camera rays
   std::vector<std::optional<WorldHit>> hits;
-  std::vector<TracedRay> pending;
+  std::vector<PathState> pending;
   std::vector<R3::Ray> shadow_rays;
   std::vector<Shadow> shadows;      // one for each of them
   std::vector<R2::Color> arrived;   // at each surface

@@ -44,7 +44,7 @@ std::optional<Illumination> LitBy(const ShadingPoint& s, const Light& light, con
 }
 std::optional<Illumination> LitBy(const ShadingPoint& s, const EmissiveTriangle& triangle, const R2::Point& random) {
   return Illumination{triangle.emission,
-                      triangle.PointTowards(s.shadow_origin, random, s.found_by.ray.time) - s.shadow_origin};
+                      triangle.PointTowards(s.shadow_origin, random, s.path.ray.time) - s.shadow_origin};
 }
 std::optional<Illumination> LitBy(const ShadingPoint&, const Environment& environment, const R2::Point& random) {
   const Environment::Sample drawn = environment.Draw(random);
@@ -88,7 +88,7 @@ Whitted::Whitted(const World& world, const Accelerator& accelerator, const Trace
   tree_.emplace(std::move(bounds));
 }
 
-void Whitted::Radiance(std::span<const CameraSample> samples, std::span<R2::Color> radiances, TraceState& state) const {
+void Whitted::Li(std::span<const CameraSample> samples, std::span<R2::Color> radiances, TraceState& state) const {
   state.batch.clear();
   for (const CameraSample& sample : samples) state.batch.push_back(sample.ray);
   state.hits.assign(samples.size(), {});
@@ -97,7 +97,7 @@ void Whitted::Radiance(std::span<const CameraSample> samples, std::span<R2::Colo
 
   std::vector<ShadingPoint> surfaces;
   for (std::size_t i = 0; i < samples.size(); ++i) {
-    TracedRay first{.ray = samples[i].ray, .place = samples[i].place};
+    PathState first{.ray = samples[i].ray, .index = samples[i].index};
     if (state.recorder) first.record = state.recorder->Begin(first);
     if (state.hits[i])
       surfaces.push_back(ShadingPointAt(world_, first, *state.hits[i]));
@@ -113,11 +113,11 @@ void Whitted::Radiance(std::span<const CameraSample> samples, std::span<R2::Colo
 // The recursion is unrolled onto a stack of rays that carry the product of the weights above them: depth first, the
 // mirrored ray before the transmitted one.
 R2::Color Whitted::Follow(const ShadingPoint& first, TraceState& state) const {
-  R2::Color sum = first.found_by.weight * first.radiance;
+  R2::Color sum = first.path.throughput * first.radiance;
   int descendants = 0;
   state.pending.clear();
   const auto spawn = [&](const ShadingPoint& surface) {
-    if (surface.found_by.depth >= settings_.max_depth) return;
+    if (surface.path.depth >= settings_.max_depth) return;
     if (descendants >= most_descendants) {
       ++state.rays.cut;
       return;
@@ -128,20 +128,20 @@ R2::Color Whitted::Follow(const ShadingPoint& first, TraceState& state) const {
   };
   spawn(first);
   while (!state.pending.empty()) {
-    TracedRay current = state.pending.back();
+    PathState current = state.pending.back();
     state.pending.pop_back();
     if (state.recorder) current.record = state.recorder->Begin(current);
     const auto hit = accelerator_.Intersect(current.ray, state.workspace);
     state.Book(current.kind, 1);
     if (!hit) {
-      const R2::Color seen = current.weight * Background(world_.scene(), current.ray.direction);
+      const R2::Color seen = current.throughput * Background(world_.scene(), current.ray.direction);
       if (state.recorder) state.recorder->Misses(current.record, seen);
       sum += seen;
       continue;
     }
     ShadingPoint surface = ShadingPointAt(world_, current, *hit);
     Shade({&surface, 1}, state);
-    sum += surface.found_by.weight * surface.radiance;
+    sum += surface.path.throughput * surface.radiance;
     spawn(surface);
   }
   return sum;
@@ -150,7 +150,7 @@ R2::Color Whitted::Follow(const ShadingPoint& first, TraceState& state) const {
 void Whitted::Shade(std::span<ShadingPoint> surfaces, TraceState& state) const {
   for (ShadingPoint& s : surfaces) {
     s.radiance = s.material->emission + s.material->ka * world_.scene().ambient;
-    if (state.recorder) state.recorder->Hits(s, s.found_by.weight * s.radiance);
+    if (state.recorder) state.recorder->Hits(s, s.path.throughput * s.radiance);
   }
   if (features::choice_of_lights && tree_) {
     AddChosenLights(surfaces, state);
@@ -172,10 +172,9 @@ void Whitted::AddLight(const AnyLight& light, std::uint64_t which, std::span<Sha
     if (!Scatters(s) || IsOn(s, light, world_)) continue;
     // One light's samples from all of a pixel's camera rays are one set of points.
     std::optional<Points> places;
-    if (IsExtended(light)) places.emplace(s.found_by.place.PointsFor(which, sampler_, settings_.samples, count));
+    if (IsExtended(light)) places.emplace(s.path.index.PointsFor(which, sampler_, settings_.samples, count));
     for (std::uint32_t k = 0; k < count; ++k)
-      AddSample(light, s, i, places ? places->Get2D(s.found_by.place.index * count + k) : R2::Point{}, 1.0 / count,
-                state);
+      AddSample(light, s, i, places ? places->Get2D(s.path.index.sample * count + k) : R2::Point{}, 1.0 / count, state);
   }
   AddArrived(surfaces, state);
 }
@@ -186,9 +185,9 @@ void Whitted::AddChosenLights(std::span<ShadingPoint> surfaces, TraceState& stat
   for (std::size_t i = 0; i < surfaces.size(); ++i) {
     const ShadingPoint& s = surfaces[i];
     if (!Scatters(s)) continue;
-    const Points places = s.found_by.place.PointsFor(choice_key, sampler_, settings_.samples, count);
+    const Points places = s.path.index.PointsFor(choice_key, sampler_, settings_.samples, count);
     for (std::uint32_t k = 0; k < count; ++k) {
-      const auto random = places.Get<3>(s.found_by.place.index * count + k);
+      const auto random = places.Get<3>(s.path.index.sample * count + k);
       const auto choice = tree_->Choose(s.shadow_origin, s.N, random[2]);
       if (!choice) continue;
       const auto which = static_cast<std::size_t>(choice->light);
@@ -213,7 +212,7 @@ void Whitted::AddSample(const AnyLight& light, const ShadingPoint& s, std::size_
   state.shadow_rays.push_back(ShadowRay(s, lit->to_light, lit->is_infinite));
   state.shadows.push_back({index, weight * reflected});
   if (state.recorder) [[unlikely]]
-    state.recorder->BeginShadow(s, state.shadow_rays.back(), s.found_by.weight * (weight * reflected),
+    state.recorder->BeginShadow(s, state.shadow_rays.back(), s.path.throughput * (weight * reflected),
                                 Described(light));
   if (state.shadows.size() == most_shadow_rays) TraceShadowRays(state);
 }
@@ -248,41 +247,41 @@ inline std::optional<R2::Color> Whitted::Wanted(const R2::Color& weight, const S
 
 std::optional<R2::Color> Whitted::Spared(const R2::Color& weight, double luminance, const SampleIndex& parent,
                                          std::uint64_t which) const {
-  const SampleIndex place = parent.Child(which);
+  const SampleIndex index = parent.Child(which);
   const double chance = luminance / settings_.min_luminance;
-  const Points points(sampler_, place.key.Child(roulette_key), settings_.samples);
-  if (!(points.Get2D(place.index).x < chance)) return {};
+  const Points points(sampler_, index.key.Child(roulette_key), settings_.samples);
+  if (!(points.Get2D(index.sample).x < chance)) return {};
   return weight / chance;
 }
 
-std::optional<R3::Vector> Whitted::ReflectionOf(const ShadingPoint& s, const SampleIndex& place) const {
+std::optional<R3::Vector> Whitted::ReflectionOf(const ShadingPoint& s, const SampleIndex& index) const {
   const R3::Vector mirrored = Unit(Reflect(-s.wo, s.N));
   if (!features::glossy || !settings_.glossy) return mirrored;
-  const Points points(sampler_, place.key.Child(choice_key), settings_.samples);
-  const R3::Vector direction = FromTangents(AroundByPower(points.Get2D(place.index), s.material->n), mirrored);
+  const Points points(sampler_, index.key.Child(choice_key), settings_.samples);
+  const R3::Vector direction = FromTangents(OnPowerLobe(points.Get2D(index.sample), s.material->n), mirrored);
   if (!(Dot(direction, s.N) > 0)) return {};  // that part of the lobe is lost in the surface
   return direction;
 }
 
 void Whitted::Spawn(const ShadingPoint& s, TraceState& state) const {
-  const TracedRay& parent = s.found_by;
+  const PathState& parent = s.path;
   const SpecularWeights weights = SpecularWeightsOf(s, settings_.fresnel);
   // Pushed first, traced last.
-  if (const auto weight = Wanted(parent.weight * weights.transmitted, parent.place, transmission_key)) {
-    const SampleIndex through = parent.place.Child(transmission_key);
+  if (const auto weight = Wanted(parent.throughput * weights.transmitted, parent.index, transmission_key)) {
+    const SampleIndex through = parent.index.Child(transmission_key);
     if (s.material->ir == 1) {
       // Not bent: the same ray goes on beyond its hit. It asks every shape the same question as before and so gets the
       // same answers, of which the first is now outside the interval: nothing moves, nothing is hit twice.
       R3::Ray onward = parent.ray;
-      onward.t_min = s.hit.hit.t;
+      onward.t_min = s.hit.t;
       state.pending.push_back({onward, *weight, parent.depth + 1, through, RayKind::transmission, parent.record});
     } else if (const auto bent = Refract(-s.wo, s.N, s.entering ? 1 / s.material->ir : s.material->ir)) {
       state.pending.push_back(
           {SpawnRay(s, *bent), *weight, parent.depth + 1, through, RayKind::transmission, parent.record});
     }
   }
-  if (const auto weight = Wanted(parent.weight * weights.reflected, parent.place, reflection_key)) {
-    const SampleIndex back = parent.place.Child(reflection_key);
+  if (const auto weight = Wanted(parent.throughput * weights.reflected, parent.index, reflection_key)) {
+    const SampleIndex back = parent.index.Child(reflection_key);
     if (const auto direction = ReflectionOf(s, back))
       state.pending.push_back(
           {SpawnRay(s, *direction), *weight, parent.depth + 1, back, RayKind::reflection, parent.record});

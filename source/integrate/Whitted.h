@@ -21,8 +21,7 @@ class Whitted : public Integrator {
  public:
   Whitted(const World& world, const Accelerator& accelerator, const TraceSettings& settings);
 
-  void Radiance(std::span<const CameraSample> samples, std::span<R2::Color> radiances,
-                TraceState& state) const override;
+  void Li(std::span<const CameraSample> samples, std::span<R2::Color> radiances, TraceState& state) const override;
 
  private:
   R2::Color Follow(const ShadingPoint& first, TraceState& state) const;
@@ -39,7 +38,7 @@ class Whitted : public Integrator {
   void AddArrived(std::span<ShadingPoint> surfaces, TraceState& state) const;
   void TraceShadowRays(TraceState& state) const;
   void Spawn(const ShadingPoint& surface, TraceState& state) const;
-  std::optional<R3::Vector> ReflectionOf(const ShadingPoint& surface, const SampleIndex& place) const;
+  std::optional<R3::Vector> ReflectionOf(const ShadingPoint& surface, const SampleIndex& index) const;
   /// The weight of a child ray, if it is followed. `which`: its key beneath its parent's place.
   std::optional<R2::Color> Wanted(const R2::Color& weight, const SampleIndex& parent, std::uint64_t which) const;
   /// The weight of a faint one, if chance lets it live.

@@ -73,8 +73,8 @@ class TreeWriter {
     if (!ray.towards.empty()) text_ += " to " + ray.towards;
     text_ += "\n" + margin + "  from " + Text(ray.ray.origin) + " along " + Text(ray.ray.direction);
     if (ray.is_inside) text_ += ", inside";
-    text_ += ", weight " + Text(ray.weight) + "\n";
-    text_ += margin + "  " + End(ray) + ", brings " + Text(ray.brings) + "\n";
+    text_ += ", throughput " + Text(ray.throughput) + "\n";
+    text_ += margin + "  " + End(ray) + ", contributes " + Text(ray.contribution) + "\n";
   }
 
   std::string End(const RecordedRay& ray) const {
@@ -84,7 +84,7 @@ class TreeWriter {
     std::string text = ray.kind == RayKind::shadow ? "is stopped by " : "meets ";
     text += "primitive " + std::to_string(world_.PrimitiveId(*ray.hit));
     if (where.line > 0) text += " of " + world_.scene().files[where.file] + ":" + std::to_string(where.line);
-    text += " at t " + Text(ray.hit->hit.t) + ", " + Text(ray.at->position);
+    text += " at t " + Text(ray.hit->t) + ", " + Text(ray.at->position);
     if (ray.kind == RayKind::shadow) return text;
     text += ", normal " + Text(AsVector(ray.at->normal));
     if (!(ray.at->shading_normal == ray.at->normal)) text += ", shaded as " + Text(AsVector(ray.at->shading_normal));

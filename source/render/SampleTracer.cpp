@@ -25,7 +25,7 @@ double SampleTracer::CostSoFar(const TraceState& state) const {
 void SampleTracer::FindRadiances(TraceState& state) {
   radiances_.resize(samples_.size());
   const double before = shows_costs_ ? CostSoFar(state) : 0;
-  integrator_.Radiance(samples_, radiances_, state);
+  integrator_.Li(samples_, radiances_, state);
   if (!shows_costs_ || samples_.empty()) return;
   const double cost = CostSoFar(state) - before;
   radiances_[0] = {cost, cost, cost};

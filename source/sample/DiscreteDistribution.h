@@ -6,7 +6,7 @@
 
 namespace ray {
 
-/// Draws indices with probabilities proportional to given weights.
+/// Importance sampling of indices: draws them with probabilities proportional to given weights.
 ///   source   inversion of the running sums, as in Pharr, Jakob, Humphreys, Physically Based Rendering (2023), A.1
 class DiscreteDistribution {
  public:

@@ -6,14 +6,14 @@
 
 namespace ray {
 
-/// Random numbers without state: a number is a function of where it is used. A key stands for a place (seed, pixel,
-/// sample, bounce, light ...) and is made from the key of the place around it.
+/// Random numbers without state: a number is a function of where it is used. A key stands for one use (seed, pixel,
+/// sample, bounce, light ...) and is hashed from the key of the one around it.
 class RandomKey {
  public:
   // Mixed twice: after one time, child b of seed a would be child a of seed b, and child a of seed a the same for all.
   explicit RandomKey(std::uint64_t seed) : bits_(Mix(Mix(seed + golden) + golden)) {}
 
-  /// The key of the place numbered `which` within this one.
+  /// The key numbered `which` beneath this one.
   RandomKey Child(std::uint64_t which) const { return RandomKey(Raw{}, Mix(bits_ ^ Mix(which + golden))); }
 
   std::uint64_t Bits() const { return bits_; }
@@ -40,8 +40,7 @@ class RandomKey {
 
 /// A shuffle of 0 ... count - 1, chosen by the key.
 ///   source   Kensler, Correlated multi-jittered sampling (2013): a bijection of the next power of two, walked along
-///   its
-///            cycle until it lands inside the range
+///            its cycle until it lands inside the range
 class Shuffle {
  public:
   Shuffle(std::uint32_t count, const RandomKey& key);

@@ -8,14 +8,15 @@
 
 namespace ray {
 
-/// How the random choices of a pixel's samples are spread. sobol: evenly in all choices that belong together. random:
-/// independently. stratified: evenly in pairs, for a number of samples known beforehand.
+/// The sample sequence of a pixel. sobol: Owen-scrambled, evenly distributed in all dimensions that belong together.
+/// random: independent. stratified: jittered in pairs of dimensions, for a number of samples known beforehand.
 enum class SamplerKind { sobol, random, stratified };
 inline constexpr std::array sampler_names{"sobol", "random", "stratified"};
 constexpr const auto& NamesOf(SamplerKind) { return sampler_names; }
 
-/// The places in the unit square, or cube, that one kind of choice at one place of the tree of rays takes in the
-/// samples of one pixel. Point `index` is a function of (kind, key, index), and of `count` for stratified points.
+/// The points of the unit square, or hypercube, that one kind of random choice at one vertex of the tree of rays uses
+/// in the samples of one pixel. Point `index` is a function of (kind, key, index), and of `count` for stratified
+/// points.
 class Points {
  public:
   /// `count`: how many there will be; beyond it stratified points begin anew with other strata.
@@ -45,20 +46,20 @@ class Points {
   int dimension_;
 };
 
-/// The child of a place that a camera ray's own choices come from; no surface has as many lights.
+/// The child of a key that a camera ray's own choices come from; no surface has as many lights.
 inline constexpr std::uint64_t camera_key = ~std::uint64_t{0};
 
 /// Which sample of which pixel something belongs to, and where in that sample's tree of rays: what all its random
-/// choices are made from.
+/// numbers are a function of.
 struct SampleIndex {
-  RandomKey key{0};           // of the pixel and the place in the tree, the same for all samples of the pixel
-  std::uint32_t index = 0;    // of the sample in its pixel
+  RandomKey key{0};           // of the pixel and the vertex of the tree, the same for all samples of the pixel
+  std::uint32_t sample = 0;   // its number in the pixel
   int camera_dimensions = 0;  // at the first surface, that light's choices should be even together with; 0 for none
 
-  /// The place numbered `which` beneath.
-  SampleIndex Child(std::uint64_t which) const { return {key.Child(which), index}; }
-  /// The points for choices numbered `which` here; `each` of them a sample, of which this has the numbers index * each
-  /// and on.
+  /// Of the vertex numbered `which` beneath.
+  SampleIndex Child(std::uint64_t which) const { return {key.Child(which), sample}; }
+  /// The points for choices numbered `which` here; `each` of them a sample, of which this has the numbers
+  /// sample * each and on.
   Points PointsFor(std::uint64_t which, SamplerKind kind, std::uint32_t samples, std::uint32_t each = 1) const {
     if (camera_dimensions == 0 || each > 1) return Points(kind, key.Child(which), samples * each);
     return Points(kind, key.Child(which), samples, key.Child(camera_key), camera_dimensions);

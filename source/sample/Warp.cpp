@@ -40,14 +40,14 @@ R2::Point OnTriangle(const R2::Point& u) {
   return {root * (1 - u.y), root * u.y};
 }
 
-R3::Vector OnHemisphereByCosine(const R2::Point& u) {
+R3::Vector OnCosineHemisphere(const R2::Point& u) {
   const R2::Point p = OnDisc(u);
   return {p.x, p.y, std::sqrt(std::max(0.0, 1 - p.x * p.x - p.y * p.y))};
 }
 
 double CosinePdf(double cosine) { return std::max(0.0, cosine) / pi; }
 
-R3::Vector AroundByPower(const R2::Point& u, double n) {
+R3::Vector OnPowerLobe(const R2::Point& u, double n) {
   // The cosine to the power n + 1 is even in [0, 1]; at 0, which only u = 1 gives, its logarithm is still taken as
   // finite, so that a huge n makes no NaN of it.
   const double logarithm = std::log1p(-std::min(u.x, 1 - 0x1p-53)) / (n + 1);
@@ -66,6 +66,6 @@ R3::Vector InCone(const R2::Point& u, double one_minus_cosine) {
   return FromPolar(std::sqrt(height * (2 - height)), 1 - height, u.y);
 }
 
-double ConeDensity(double one_minus_cosine) { return 1 / (2 * pi * one_minus_cosine); }
+double ConePdf(double one_minus_cosine) { return 1 / (2 * pi * one_minus_cosine); }
 
 }  // namespace ray

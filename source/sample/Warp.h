@@ -5,12 +5,12 @@
 #include "R2/Point.h"
 #include "R3/Vector.h"
 
-/// Maps from the unit square to discs, triangles and directions, and how densely they cover them: what turns even
-/// random numbers into places on lights and directions of light.
+/// Importance sampling by inversion: maps from the unit square to disks, triangles and directions, and their pdfs. They
+/// turn uniform random numbers into points on lights and directions to follow.
 ///
-/// Every map takes `u` in [0, 1]^2, finite, and keeps neighbours together, so that strata of the square stay strata of
+/// Every map takes `u` in [0, 1]^2, finite, and keeps neighbors together, so that strata of the square stay strata of
 /// what it covers. Directions are about +z; FromTangents turns them to be about another vector. They are unit within
-/// 1e-14, finite for every u. Densities are per solid angle and hold for directions made by the map of that name.
+/// 1e-14, finite for every u. Pdfs are per solid angle and hold for directions made by the map of that name.
 namespace ray {
 
 /// Two unit vectors that are perpendicular to a third and to each other.
@@ -38,7 +38,7 @@ R2::Point OnTriangle(const R2::Point& u);
 /// A direction above the plane, its pdf proportional to its cosine with +z: a point of the disc lifted onto the
 /// hemisphere. z may be 0, where the pdf is 0 too.
 /// Source: Malley's method, in Pharr, Jakob, Humphreys, Physically Based Rendering (2023), section A.5.3.
-R3::Vector OnHemisphereByCosine(const R2::Point& u);
+R3::Vector OnCosineHemisphere(const R2::Point& u);
 /// cosine / pi; 0 below the plane.
 double CosinePdf(double cosine);
 
@@ -46,14 +46,14 @@ double CosinePdf(double cosine);
 ///   n        >= 0 and finite; tested from 0, which is even over the hemisphere, to 1e6
 ///   source   Lafortune, Willems, Using the modified Phong reflectance model for physically based rendering (1994),
 ///            eq. 10; through logarithms, since for large n the cosine alone would round the angle away
-R3::Vector AroundByPower(const R2::Point& u, double n);
+R3::Vector OnPowerLobe(const R2::Point& u, double n);
 /// (n + 1) / (2 pi) cosine^n; 0 below the plane. Relative error n 2^-53 from that of the cosine.
 double PowerPdf(double cosine, double n);
 
 /// A direction, all alike.
 /// Source: Archimedes' theorem that a sphere's zones have areas as their heights.
 R3::Vector OnSphere(const R2::Point& u);
-inline constexpr double sphere_density = 1 / (4 * std::numbers::pi);
+inline constexpr double sphere_pdf = 1 / (4 * std::numbers::pi);
 
 /// A direction in the cone about +z, all alike.
 ///   one_minus_cosine   of the cone's half angle, in [0, 2]: 1 is the hemisphere, 2 the sphere, 0 only +z. Not the
@@ -62,6 +62,6 @@ inline constexpr double sphere_density = 1 / (4 * std::numbers::pi);
 ///   source             Pharr, Jakob, Humphreys, Physically Based Rendering (2023), section A.5.4
 R3::Vector InCone(const R2::Point& u, double one_minus_cosine);
 /// 1 over the cone's solid angle; infinite for the cone of only +z.
-double ConeDensity(double one_minus_cosine);
+double ConePdf(double one_minus_cosine);
 
 }  // namespace ray

@@ -61,17 +61,16 @@ class Environment {
     double pdf;            // exactly Pdf(direction), per solid angle; > 0
   };
 
-  /// A direction with pdf proportional to the luminance that arrives from it: pdf = luminance / integral of
-  /// luminance over the sphere, within 2^-53 of a map's width and height times the largest pdf. Then luminance /
-  /// pdf is the same for all directions, and no channel over pdf exceeds that by more than 1 / 0.11, the
+  /// Importance sampling: a direction with pdf proportional to the luminance that arrives from it: pdf = luminance /
+  /// integral of luminance over the sphere, within 2^-53 of a map's width and height times the largest pdf. Then
+  /// luminance / pdf is the same for all directions, and no channel over pdf exceeds that by more than 1 / 0.11, the
   /// inverse of the least weight in luminance. From a black environment all directions are alike.
   ///   u        in [0, 1]^2
   ///   source   Pharr, Jakob, Humphreys, Physically Based Rendering (2023), section 12.5.2: first a row by the
-  ///   luminance
-  ///            of its texels times their solid angle, then a texel of the row, then, unlike there, a place evenly by
-  ///            solid angle in the texel: evenly in longitude and in the sine of latitude, as a sphere's zones have
-  ///            areas as their heights (Archimedes). With luminance L of the texel and its solid angle A, the pdf
-  ///            is (L A / sum of L A) / A, with no sine left in it.
+  ///            luminance of its texels times their solid angle, then a texel of the row, then, unlike there, a point
+  ///            of the texel evenly by solid angle: evenly in longitude and in the sine of latitude, as a sphere's
+  ///            zones have areas as their heights (Archimedes). With luminance L of the texel and its solid angle A,
+  ///            the pdf is (L A / sum of L A) / A, with no sine left in it.
   Sample Draw(const R2::Point& u) const;
 
   /// Of Draw giving `direction`, per solid angle; `direction` has any length but 0.

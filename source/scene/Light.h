@@ -36,7 +36,7 @@ class Light {
   virtual LightBound Bound() const = 0;
   /// Whether it gives no light at all; such a light still counts as a light of the scene.
   virtual bool IsBlack() const = 0;
-  /// "point light at 0 3 0, colour 1 1 1"
+  /// "point light at 0 3 0, color 1 1 1"
   virtual std::string Describe() const = 0;
 };
 

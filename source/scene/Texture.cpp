@@ -5,13 +5,13 @@
 namespace ray {
 namespace {
 
-// Two neighbouring texels along one axis and how far to go from the first to the second.
-struct Neighbours {
+// Two neighboring texels along one axis and how far to go from the first to the second.
+struct Neighbors {
   int first, second;
   double share;
 };
 
-Neighbours Around(double coordinate, int texels) {
+Neighbors Around(double coordinate, int texels) {
   const double wrapped = coordinate - std::floor(coordinate);  // in [0, 1]; 1 only by rounding
   const double position = wrapped * texels - 0.5;
   const double floor = std::floor(position);
@@ -25,7 +25,7 @@ R2::Color Between(const R2::Color& a, const R2::Color& b, double share) { return
 }  // namespace
 
 R2::Color Texture::At(const R2::Point& uv) const {
-  const Neighbours x = Around(uv.x, image.Width()), y = Around(uv.y, image.Height());
+  const Neighbors x = Around(uv.x, image.Width()), y = Around(uv.y, image.Height());
   const R2::Color below = Between(image.At(x.first, y.first), image.At(x.second, y.first), x.share);
   const R2::Color above = Between(image.At(x.first, y.second), image.At(x.second, y.second), x.share);
   return Between(below, above, y.share);

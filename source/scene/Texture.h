@@ -10,7 +10,7 @@ namespace ray {
 struct Texture {
   R2::Image image;
 
-  /// Bilinear between texel centres: texel k of n has its centre at (k + 0.5) / n. Finite for any finite uv.
+  /// Bilinear between texel centers: texel k of n has its center at (k + 0.5) / n. Finite for any finite uv.
   R2::Color At(const R2::Point& uv) const;
 };
 

@@ -210,7 +210,7 @@ TEST(Extremes, A11_TheSameMeshManyTimesEqualsItsCopiesAndIsStoredOnce) {
     const auto one = a->Intersect(ray, w), other = b->Intersect(ray, w);
     if (!one || !other) continue;
     ++hits;
-    same += std::abs(one->hit.t - other->hit.t) <= 1e-9 * one->hit.t;
+    same += std::abs(one->t - other->t) <= 1e-9 * one->t;
   }
   EXPECT_GT(hits, 100);
   EXPECT_GE(same, hits - 3);  // at an outline the last digit decides

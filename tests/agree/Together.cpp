@@ -106,7 +106,7 @@ TEST(RaysTogether, AgreeWhenTheyEndWhereTheyHit) {
     for (R3::Ray ray : Bundle(draw, {eye, draw.Direction()}, 16, 0, 0.2))
       if (const auto hit = none->Intersect({ray.origin, ray.direction}, workspace)) {
         const double short_of = draw.Whole(-2, 2) * 0x1p-52;
-        rays.push_back({ray.origin, (1 + short_of) * hit->hit.t * ray.direction});  // as shadow rays they end at 1
+        rays.push_back({ray.origin, (1 + short_of) * hit->t * ray.direction});  // as shadow rays they end at 1
       }
   }
   Compare(world, rays, EveryWay());

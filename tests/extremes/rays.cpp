@@ -178,7 +178,7 @@ TEST(Extremes, C12_AHitAtTheEndOfTheRayIsAMissAndOneUlpBeyondItIsAHit) {
       const R3::Ray ray = RayTowards(draw, single);
       const auto hit = single.Hit(ray);
       if (!hit) continue;
-      const double t = hit->hit.t;
+      const double t = hit->t;
       for (const auto& [end, expected] :
            {std::pair{R3::NextDown(t), false}, std::pair{t, false}, std::pair{R3::NextUp(t), true}}) {
         EXPECT_EQ(single.Hit({ray.origin, ray.direction, 0, end}).has_value(), expected);

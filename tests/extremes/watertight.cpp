@@ -122,7 +122,7 @@ TEST(Extremes, D12_ARayFromOutsideToOutsideCrossesAClosedMeshAnEvenNumberOfTimes
                       target = R3::Point{} + draw.Between(0, 1) * draw.Direction();
       R3::Ray ray{origin, target - origin};
       int crossings = 0;
-      while (const auto hit = accelerator->Intersect(ray, workspace)) ray.t_min = hit->hit.t, ++crossings;
+      while (const auto hit = accelerator->Intersect(ray, workspace)) ray.t_min = hit->t, ++crossings;
       odd += crossings % 2;
     }
     EXPECT_EQ(odd, 0) << way.name;

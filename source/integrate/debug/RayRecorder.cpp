@@ -4,28 +4,28 @@
 
 namespace ray {
 
-int RayRecorder::Begin(const TracedRay& ray) {
+int RayRecorder::Begin(const PathState& ray) {
   return Keep({.kind = ray.kind,
                .parent = ray.record,
                .depth = static_cast<int>(ray.depth),
                .ray = ray.ray,
-               .weight = ray.weight});
+               .throughput = ray.throughput});
 }
 
-void RayRecorder::Hits(const ShadingPoint& surface, const R2::Color& brings) {
-  RecordedRay& ray = (*this)[surface.found_by.record];
+void RayRecorder::Hits(const ShadingPoint& surface, const R2::Color& contribution) {
+  RecordedRay& ray = (*this)[surface.path.record];
   ray.hit = surface.hit;
   ray.at = surface.at;
-  ray.brings = brings;
+  ray.contribution = contribution;
 }
 
 void RayRecorder::BeginShadow(const ShadingPoint& surface, const R3::Ray& ray, const R2::Color& reflected,
                               std::string towards) {
   const int number = Keep({.kind = RayKind::shadow,
-                           .parent = surface.found_by.record,
-                           .depth = static_cast<int>(surface.found_by.depth),
+                           .parent = surface.path.record,
+                           .depth = static_cast<int>(surface.path.depth),
                            .ray = ray,
-                           .weight = reflected,
+                           .throughput = reflected,
                            .towards = std::move(towards)});
   shadows_.push_back(number);
 }
@@ -34,7 +34,7 @@ void RayRecorder::EndShadow(int number, bool is_occluded, const World& world, co
                             Workspace& workspace) {
   RecordedRay& ray = (*this)[number];
   if (!is_occluded) {
-    ray.brings = ray.weight;
+    ray.contribution = ray.throughput;
     return;
   }
   ray.hit = accelerator.Intersect(ray.ray, workspace);

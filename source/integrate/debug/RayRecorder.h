@@ -17,12 +17,13 @@ struct RecordedRay {
   int parent = none;       // the ray whose end this one started from, by its number; a camera ray has none
   int depth = 0;           // bounces before it
   R3::Ray ray;             // a shadow ray's t_max is 1 at its light, unless that is infinitely far
-  R2::Color weight;        // of what it sees, in its sample; of a shadow ray: what arrives if nothing is in between
+  R2::Color throughput;    // of what it sees, in its sample; of a shadow ray: what arrives if nothing is in between
   bool is_inside = false;  // whether it starts on the inside of the surface it comes from
   std::string towards{};   // the light of a shadow ray, in words
   std::optional<WorldHit> hit{};         // where it ends; the nearest thing in the way of a shadow ray
   std::optional<R3::Intersection> at{};  // the same, in the world
-  R2::Color brings{};  // to its sample, weight included, besides what its children bring: all of them sum to the sample
+  R2::Color contribution{};  // to its sample, throughput included, besides what its children bring: all of them sum to
+                             // the sample
 
   /// Where it ends, if it does.
   std::optional<R3::Point> End() const {
@@ -37,12 +38,12 @@ struct RecordedRay {
 class RayRecorder {
  public:
   /// A ray begins that comes from the end of ray `record`, if any; its own number.
-  int Begin(const TracedRay& ray);
-  /// It ends on a surface, or nowhere; `brings` as above.
-  void Hits(const ShadingPoint& surface, const R2::Color& brings);
-  void Misses(int number, const R2::Color& brings) { (*this)[number].brings = brings; }
+  int Begin(const PathState& ray);
+  /// It ends on a surface, or nowhere; `contribution` as above.
+  void Hits(const ShadingPoint& surface, const R2::Color& contribution);
+  void Misses(int number, const R2::Color& contribution) { (*this)[number].contribution = contribution; }
 
-  /// A shadow ray of a surface. `reflected`: what arrives if nothing is in between, weight included.
+  /// A shadow ray of a surface. `reflected`: what arrives if nothing is in between, throughput included.
   void BeginShadow(const ShadingPoint& surface, const R3::Ray& ray, const R2::Color& reflected, std::string towards);
   /// The shadow rays begun since the last call were traced: those for which `is_occluded(i)`, i from 0 in the order
   /// they began, found something in their way. What that was is asked now.

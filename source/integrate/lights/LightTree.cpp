@@ -61,7 +61,7 @@ struct Range {
   std::vector<int>::iterator begin, end;
 };
 
-/// In two halves by the middle of the longest side of the box of the centres; lights at one place by their number.
+/// In two halves by the middle of the longest side of the box of the centers; lights at one place by their number.
 std::array<Range, 2> Halves(const Range& range, const std::vector<LightBound>& lights) {
   const auto center = [&](int light) { return lights[static_cast<std::size_t>(light)].center; };
   R3::Box box;

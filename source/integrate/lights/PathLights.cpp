@@ -27,7 +27,7 @@ LightBound RadiantBound(const Environment& environment) {
 }
 
 /// Per solid angle, of the place on a triangle that is `t` lengths of `towards` away, drawn evenly by area.
-double SolidAngleDensity(const EmissiveTriangle& triangle, const R3::Vector& towards, double t) {
+double SolidAnglePdf(const EmissiveTriangle& triangle, const R3::Vector& towards, double t) {
   const double distance = t * Length(towards);
   const double cosine = std::abs(Dot(triangle.normal, towards)) / Length(towards);
   const double area = triangle.Area();
@@ -98,33 +98,32 @@ std::optional<PathLightSample> PathLights::Sample(const ShadingPoint& surface, i
   if (i < triangles_.size()) {
     const EmissiveTriangle& triangle = triangles_[i];
     const R3::Vector towards =
-        triangle.PointTowards(surface.shadow_origin, place, surface.found_by.ray.time) - surface.shadow_origin;
-    const double pdf = SolidAngleDensity(triangle, towards, 1);
+        triangle.PointTowards(surface.shadow_origin, place, surface.path.ray.time) - surface.shadow_origin;
+    const double pdf = SolidAnglePdf(triangle, towards, 1);
     if (!(pdf > 0)) return {};
     return PathLightSample{triangle.emission / pdf, towards, false, pdf, light};
   }
   if (!features::environment) return {};
   if (draws_evenly_) {
     const R3::Vector direction = OnSphere(place);
-    return PathLightSample{environment_->Radiance(direction) / sphere_density, direction, true, sphere_density, light};
+    return PathLightSample{environment_->Radiance(direction) / sphere_pdf, direction, true, sphere_pdf, light};
   }
   const Environment::Sample drawn = environment_->Draw(place);
   return PathLightSample{drawn.radiance / drawn.pdf, drawn.direction, true, drawn.pdf, light};
 }
 
-double PathLights::DensityOfEnvironment(const ShadingPoint& from, const R3::Vector& direction, bool choosing) const {
+double PathLights::PdfOfEnvironment(const ShadingPoint& from, const R3::Vector& direction, bool choosing) const {
   if (!features::environment || !environment_) return 0;
-  const double pdf = draws_evenly_ ? sphere_density : environment_->Pdf(direction);
+  const double pdf = draws_evenly_ ? sphere_pdf : environment_->Pdf(direction);
   return choosing ? pdf * ProbabilityOf(from, count_ - 1) : pdf;
 }
 
-double PathLights::DensityOfHit(const ShadingPoint& from, const R3::Ray& ray, const ShadingPoint& hit,
-                                const World& world, bool choosing) const {
+double PathLights::PdfOfHit(const ShadingPoint& from, const R3::Ray& ray, const ShadingPoint& hit, const World& world,
+                            bool choosing) const {
   if (triangles_.empty()) return 0;
   const auto found = triangle_of_primitive_.find(world.PrimitiveId(hit.hit));
   if (found == triangle_of_primitive_.end()) return 0;
-  const double pdf =
-      SolidAngleDensity(triangles_[static_cast<std::size_t>(found->second)], ray.direction, hit.hit.hit.t);
+  const double pdf = SolidAnglePdf(triangles_[static_cast<std::size_t>(found->second)], ray.direction, hit.hit.t);
   const int light = static_cast<int>(lights_.size()) + found->second;
   return choosing ? pdf * ProbabilityOf(from, light) : pdf;
 }

@@ -45,9 +45,9 @@ class PathLights {
 
   /// The pdf with which a point would have chosen this direction to the environment, or to the emissive triangle
   /// that a ray from it hit; 0 for things that are no light. `choosing`: by SampleOne, else by Sample.
-  double DensityOfEnvironment(const ShadingPoint& from, const R3::Vector& direction, bool choosing) const;
-  double DensityOfHit(const ShadingPoint& from, const R3::Ray& ray, const ShadingPoint& hit, const World& world,
-                      bool choosing) const;
+  double PdfOfEnvironment(const ShadingPoint& from, const R3::Vector& direction, bool choosing) const;
+  double PdfOfHit(const ShadingPoint& from, const R3::Ray& ray, const ShadingPoint& hit, const World& world,
+                  bool choosing) const;
 
  private:
   /// One of several lights, and with what probability.

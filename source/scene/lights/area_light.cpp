@@ -35,7 +35,7 @@ class AreaLight : public Light {
   bool IsBlack() const override { return R2::IsBlack(color_); }
   std::string Describe() const override {
     return "area light at " + Words(center_) + " along " + Words(direction_) + ", radius " + Words(radius_) +
-           ", colour " + Words(color_);
+           ", color " + Words(color_);
   }
 
  private:
@@ -51,7 +51,7 @@ class AreaLight : public Light {
 
 extern const LightKind area_light_kind{
     "area_light",
-    "a disc that shines to one side: colour, centre, direction, radius, attenuation",
+    "a disc that shines to one side: color, center, direction, radius, attenuation",
     {{"r", false},
      {"g", false},
      {"b", false},

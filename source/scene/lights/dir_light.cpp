@@ -15,7 +15,7 @@ class DirLight : public Light {
   LightBound Bound() const override { return {.power = Luminance(color_), .is_infinite = true}; }
   bool IsBlack() const override { return R2::IsBlack(color_); }
   std::string Describe() const override {
-    return "directional light along " + Words(direction_) + ", colour " + Words(color_);
+    return "directional light along " + Words(direction_) + ", color " + Words(color_);
   }
 
  private:
@@ -27,7 +27,7 @@ class DirLight : public Light {
 
 extern const LightKind dir_light_kind{
     "dir_light",
-    "light from infinitely far: colour and the direction it travels",
+    "light from infinitely far: color and the direction it travels",
     {{"r", false}, {"g", false}, {"b", false}, {"dx"}, {"dy"}, {"dz"}},
     [](std::span<const double> a) -> std::unique_ptr<const Light> {
       const R3::Vector direction{a[3], a[4], a[5]};

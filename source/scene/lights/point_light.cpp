@@ -19,7 +19,7 @@ class PointLight : public Light {
 
   LightBound Bound() const override { return falloff_.BoundOf(color_, place_, 0); }
   bool IsBlack() const override { return R2::IsBlack(color_); }
-  std::string Describe() const override { return "point light at " + Words(place_) + ", colour " + Words(color_); }
+  std::string Describe() const override { return "point light at " + Words(place_) + ", color " + Words(color_); }
 
  private:
   R2::Color color_;
@@ -31,7 +31,7 @@ class PointLight : public Light {
 
 extern const LightKind point_light_kind{
     "point_light",
-    "light from a point: colour, place, constant, linear and quadratic attenuation",
+    "light from a point: color, place, constant, linear and quadratic attenuation",
     {{"r", false}, {"g", false}, {"b", false}, {"px"}, {"py"}, {"pz"}, {"ca", false}, {"la", false}, {"qa", false}},
     [](std::span<const double> a) -> std::unique_ptr<const Light> {
       return std::make_unique<PointLight>(R2::Color{a[0], a[1], a[2]}, R3::Point{a[3], a[4], a[5]},

@@ -9,7 +9,7 @@
 namespace ray {
 namespace {
 
-/// A sphere that shines evenly to all sides and is not seen itself. From afar it equals a point light of its colour.
+/// A sphere that shines evenly to all sides and is not seen itself. From afar it equals a point light of its color.
 class SphereLight : public Light {
  public:
   SphereLight(const R2::Color& color, const R3::Point& center, double radius, const Falloff& falloff)
@@ -38,7 +38,7 @@ class SphereLight : public Light {
   LightBound Bound() const override { return falloff_.BoundOf(color_, center_, radius_); }
   bool IsBlack() const override { return R2::IsBlack(color_); }
   std::string Describe() const override {
-    return "sphere light at " + Words(center_) + ", radius " + Words(radius_) + ", colour " + Words(color_);
+    return "sphere light at " + Words(center_) + ", radius " + Words(radius_) + ", color " + Words(color_);
   }
 
  private:
@@ -52,7 +52,7 @@ class SphereLight : public Light {
 
 extern const LightKind sphere_light_kind{
     "sphere_light",
-    "a sphere that shines to all sides: colour, centre, radius, attenuation (an extension of ours)",
+    "a sphere that shines to all sides: color, center, radius, attenuation (an extension of ours)",
     {{"r", false},
      {"g", false},
      {"b", false},

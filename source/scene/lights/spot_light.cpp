@@ -33,7 +33,7 @@ class SpotLight : public Light {
   LightBound Bound() const override { return falloff_.BoundOf(color_, place_, 0); }
   bool IsBlack() const override { return R2::IsBlack(color_); }
   std::string Describe() const override {
-    return "spot light at " + Words(place_) + " along " + Words(direction_) + ", colour " + Words(color_);
+    return "spot light at " + Words(place_) + " along " + Words(direction_) + ", color " + Words(color_);
   }
 
  private:
@@ -49,7 +49,7 @@ class SpotLight : public Light {
 
 extern const LightKind spot_light_kind{
     "spot_light",
-    "a cone of light: colour, place, direction, attenuation, half angle in radians, exponent of its fading",
+    "a cone of light: color, place, direction, attenuation, half angle in radians, exponent of its fading",
     {{"r", false},
      {"g", false},
      {"b", false},

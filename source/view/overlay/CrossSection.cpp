@@ -55,7 +55,7 @@ class Search {
       // Where two triangles meet, both may be hit, one after the other.
       if (!(last && IsSame(*last, found))) Add(found);
       last = found;
-      ray.t_min = hit->hit.t;  // t strictly grows, so this ends
+      ray.t_min = hit->t;  // t strictly grows, so this ends
     }
     ++cut_.lines_given_up;
   }

@@ -37,10 +37,10 @@ void ExpectSame(const std::optional<ray::WorldHit>& a, const std::optional<ray::
                 const char* how) {
   ASSERT_EQ(a.has_value(), b.has_value()) << how << ' ' << oracle::Hex(ray);
   if (!a) return;
-  EXPECT_EQ(a->hit.t, b->hit.t) << how << ' ' << oracle::Hex(ray);
-  EXPECT_EQ(a->hit.u, b->hit.u);
-  EXPECT_EQ(a->hit.v, b->hit.v);
-  EXPECT_EQ(a->hit.part, b->hit.part);
+  EXPECT_EQ(a->t, b->t) << how << ' ' << oracle::Hex(ray);
+  EXPECT_EQ(a->u, b->u);
+  EXPECT_EQ(a->v, b->v);
+  EXPECT_EQ(a->part, b->part);
   EXPECT_EQ(a->instance, b->instance) << how << ' ' << oracle::Hex(ray);
   EXPECT_EQ(a->element, b->element);
 }
@@ -233,7 +233,7 @@ TEST(Extremes, H1_AHundredThousandLevelsAreTracedByEveryAccelerator) {
     ray::Workspace workspace;
     const auto hit = kind->make(world, {})->Intersect({{0, 0, 5}, {0, 0, -1}}, workspace);
     ASSERT_TRUE(hit) << kind->name;
-    EXPECT_NEAR(hit->hit.t, 4, 1e-12) << kind->name;
+    EXPECT_NEAR(hit->t, 4, 1e-12) << kind->name;
   }
 }
 

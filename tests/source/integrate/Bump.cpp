@@ -31,7 +31,7 @@ ShadingPoint SeenFromAbove(double height, double x, double z) {
   Workspace workspace;
   const R3::Ray ray{{x, 5, z}, {0, -1, 0}};
   const auto hit = accelerator->Intersect(ray, workspace);
-  ShadingPoint surface = ShadingPointAt(stage.world, {.ray = ray, .place = {}}, *hit);
+  ShadingPoint surface = ShadingPointAt(stage.world, {.ray = ray, .index = {}}, *hit);
   surface.material = nullptr;  // it goes with the scene
   return surface;
 }

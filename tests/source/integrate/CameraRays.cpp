@@ -87,7 +87,7 @@ TEST(CameraRays, ALensOfNoSizeAndAMotionOfNothingAreThePinholeToTheBit) {
     EXPECT_EQ(a.ray.time, b.ray.time);
     EXPECT_EQ(a.x, b.x);
     EXPECT_EQ(a.y, b.y);
-    EXPECT_EQ(a.place.key.Bits(), b.place.key.Bits());
+    EXPECT_EQ(a.index.key.Bits(), b.index.key.Bits());
   }
 }
 

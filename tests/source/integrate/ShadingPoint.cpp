@@ -70,7 +70,7 @@ ShadingPoint Seen(const project::Stage& stage, const R3::Ray& ray) {
   Workspace workspace;
   const auto hit = accelerator->Intersect(ray, workspace);
   EXPECT_TRUE(hit);
-  return ShadingPointAt(stage.world, {.ray = ray, .place = {}}, *hit);
+  return ShadingPointAt(stage.world, {.ray = ray, .index = {}}, *hit);
 }
 
 TEST(SpecularWeights, SplitWhatIsClearByFresnelAndKeepItsSum) {
@@ -116,11 +116,11 @@ TEST(Absorption, IsOfTheInsideAloneHoweverLongTheDirection) {
                         "sphere 0  0 0 0  1"));
   const ShadingPoint outside = Seen(stage, {{0, 0, 5}, {0, 0, -0.25}});
   EXPECT_TRUE(outside.entering);
-  EXPECT_EQ(outside.found_by.weight, (R2::Color{1, 1, 1}));
+  EXPECT_EQ(outside.path.throughput, (R2::Color{1, 1, 1}));
   for (const double length : {0.25, 1.0, 1e3}) {
     const ShadingPoint inside = Seen(stage, {{0, 0, 0.5}, {0, 0, -length}});
     EXPECT_FALSE(inside.entering);
-    EXPECT_NEAR(inside.found_by.weight.g, std::exp(-1.5), 1e-14) << length;
+    EXPECT_NEAR(inside.path.throughput.g, std::exp(-1.5), 1e-14) << length;
   }
 }
 

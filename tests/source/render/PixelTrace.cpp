@@ -55,7 +55,7 @@ TEST(PixelTrace, EverySampleIsTheSumOfWhatItsRaysBring) {
             if (ray.parent == RecordedRay::none) sums.emplace_back();
             sample_of.push_back(ray.parent == RecordedRay::none ? sums.size() - 1
                                                                 : sample_of[static_cast<std::size_t>(ray.parent)]);
-            sums[sample_of.back()] += ray.brings;
+            sums[sample_of.back()] += ray.contribution;
           }
           ASSERT_EQ(sums.size(), trace.radiances.size());
           for (std::size_t i = 0; i < sums.size(); ++i)
@@ -104,7 +104,7 @@ TEST(PixelTrace, HitsAreThoseOfTheAccelerator) {
       const auto hit = none->Intersect(ray.ray, workspace);
       ASSERT_EQ(hit.has_value(), ray.hit.has_value());
       if (!hit) continue;
-      EXPECT_EQ(hit->hit.t, ray.hit->hit.t);
+      EXPECT_EQ(hit->t, ray.hit->t);
       EXPECT_EQ(hit->instance, ray.hit->instance);
       stopped += ray.kind == RayKind::shadow;
     }
@@ -124,11 +124,11 @@ TEST(PixelTrace, TheTreeTellsEveryRayAndWhereItEnds) {
   EXPECT_EQ(middle.find("pixel 1 1 of 3 x 3, whitted: "), 0u) << middle;
   // Straight on: the light is at the eye, so kd + ks arrive, and ks of the background in the mirror.
   EXPECT_NE(middle.find("at t 4, 0 0 1, normal 0 0 1"), std::string::npos) << middle;
-  EXPECT_NE(middle.find("  shadow ray to point light at 0 0 5, colour 1 1 1\n"), std::string::npos) << middle;
-  EXPECT_NE(middle.find("reaches it, brings 0.75 0.75 0.75\n"), std::string::npos) << middle;
-  EXPECT_NE(middle.find("meets nothing, brings 0.125 0.0625 0.03125\n"), std::string::npos) << middle;
+  EXPECT_NE(middle.find("  shadow ray to point light at 0 0 5, color 1 1 1\n"), std::string::npos) << middle;
+  EXPECT_NE(middle.find("reaches it, contributes 0.75 0.75 0.75\n"), std::string::npos) << middle;
+  EXPECT_NE(middle.find("meets nothing, contributes 0.125 0.0625 0.03125\n"), std::string::npos) << middle;
   const std::string corner = DebugPixel(stage.world, *accelerator, settings, 0, 0);
-  EXPECT_NE(corner.find("meets nothing, brings 0.5 0.25 0.125\n"), std::string::npos) << corner;
+  EXPECT_NE(corner.find("meets nothing, contributes 0.5 0.25 0.125\n"), std::string::npos) << corner;
 }
 
 TEST(PixelTrace, ALongTreeIsCutAndSaysSo) {

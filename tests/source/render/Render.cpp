@@ -67,7 +67,7 @@ class Stopper : public Integrator {
   int Asked() const { return asked_; }
 
  private:
-  void Radiance(std::span<const CameraSample>, std::span<R2::Color>, TraceState&) const override {
+  void Li(std::span<const CameraSample>, std::span<R2::Color>, TraceState&) const override {
     if (++asked_ == last_) stop_ = true;
   }
   const int last_;

@@ -82,7 +82,7 @@ TEST(Warp, TheTriangleIsCoveredEvenly) {
 
 TEST(Warp, TheHemisphereIsCoveredByTheCosine) {
   EXPECT_LT(OverQuantile([](const R2::Point& u) {
-              const R3::Vector d = ray::OnHemisphereByCosine(u);
+              const R3::Vector d = ray::OnCosineHemisphere(u);
               return R2::Point{1 - d.z * d.z, Turns(d.x, d.y)};
             }),
             1);
@@ -96,7 +96,7 @@ TEST(Warp, PhongsLobeIsCoveredByThePowerOfTheCosine) {
   for (const double n : exponents) {
     EXPECT_LT(
         OverQuantile([&](const R2::Point& u) {
-          const R3::Vector d = ray::AroundByPower(u, n);
+          const R3::Vector d = ray::OnPowerLobe(u, n);
           const double square_of_sine = d.x * d.x + d.y * d.y;
           return R2::Point{std::exp(0.5 * (n + 1) * std::log1p(-std::min(square_of_sine, last))), Turns(d.x, d.y)};
         }),
@@ -121,7 +121,7 @@ TEST(Warp, TheSphereIsCoveredEvenly) {
               return R2::Point{(1 - d.z) / 2, Turns(d.x, d.y)};
             }),
             1);
-  EXPECT_NEAR(Share([](double) { return ray::sphere_density; }, -1, 1), 1, 1e-12);
+  EXPECT_NEAR(Share([](double) { return ray::sphere_pdf; }, -1, 1), 1, 1e-12);
 }
 
 TEST(Warp, ConesAreCoveredEvenlyHoweverNarrow) {
@@ -135,15 +135,15 @@ TEST(Warp, ConesAreCoveredEvenlyHoweverNarrow) {
               }),
               1)
         << c;
-    EXPECT_NEAR(2 * pi * c * ray::ConeDensity(c), 1, 1e-14) << c;
+    EXPECT_NEAR(2 * pi * c * ray::ConePdf(c), 1, 1e-14) << c;
   }
 }
 
 TEST(Warp, DirectionsAreUnitAndFiniteAlsoAtTheEdgesOfTheSquare) {
   const R3::Vector abouts[] = {{0, 0, 1}, {0, 0, -1}, {0, 0.6, -0.8}, {1, 0, -0.0}, Unit(R3::Vector{1e-9, 2e-9, -1})};
   for (const R2::Point& u : Extremes()) {
-    std::vector<R3::Vector> directions{ray::OnHemisphereByCosine(u), ray::OnSphere(u)};
-    for (const double n : exponents) directions.push_back(ray::AroundByPower(u, n));
+    std::vector<R3::Vector> directions{ray::OnCosineHemisphere(u), ray::OnSphere(u)};
+    for (const double n : exponents) directions.push_back(ray::OnPowerLobe(u, n));
     for (const double c : cones) directions.push_back(ray::InCone(u, c));
     directions.push_back(ray::InCone(u, 0));
     for (const R3::Vector& d : directions) {
@@ -155,11 +155,11 @@ TEST(Warp, DirectionsAreUnitAndFiniteAlsoAtTheEdgesOfTheSquare) {
       }
     }
     for (const double n : exponents) {
-      const R3::Vector d = ray::AroundByPower(u, n);
+      const R3::Vector d = ray::OnPowerLobe(u, n);
       ASSERT_GE(d.z, 0);
       ASSERT_TRUE(std::isfinite(ray::PowerPdf(d.z, n))) << n;
     }
-    ASSERT_GE(ray::OnHemisphereByCosine(u).z, 0);
+    ASSERT_GE(ray::OnCosineHemisphere(u).z, 0);
     const R2::Point disc = ray::OnDisc(u), triangle = ray::OnTriangle(u);
     ASSERT_LE(std::hypot(disc.x, disc.y), 1 + 1e-15);
     ASSERT_GE(triangle.x, 0);

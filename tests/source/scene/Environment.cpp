@@ -295,7 +295,7 @@ TEST(Environment, ABlackOneIsDrawnEvenlyAndSaysSo) {
   for (const R2::Image& image : {R2::Image(8, 4), R2::Image(4, 4)}) {
     const Environment environment(image);
     EXPECT_TRUE(environment.IsBlack());
-    for (std::uint64_t i = 0; i < 100; ++i) EXPECT_NEAR(environment.Draw(Random(i)).pdf, ray::sphere_density, 1e-12);
+    for (std::uint64_t i = 0; i < 100; ++i) EXPECT_NEAR(environment.Draw(Random(i)).pdf, ray::sphere_pdf, 1e-12);
   }
   EXPECT_FALSE(Environment(RandomImage(8, 4)).IsBlack());
 }
@@ -307,7 +307,7 @@ TEST(Environment, HugeAndTinyValuesNeitherOverflowNorVanish) {
       const Environment environment(image);
       const Environment::Sample sample = environment.Draw({0.3, 0.6});
       EXPECT_EQ(sample.radiance.g, value);
-      EXPECT_NEAR(sample.pdf, ray::sphere_density, 1e-12);
+      EXPECT_NEAR(sample.pdf, ray::sphere_pdf, 1e-12);
     }
 }
 

@@ -321,7 +321,7 @@ TEST(CrossSection, AlongARowOfThePictureHoldsAllItsRaysAndTheirHits) {
     const auto hit = model.accelerator->Intersect(ray, workspace);
     if (!hit) continue;
     ++hits;
-    EXPECT_NEAR(Distance(slice.Project(ray.At(hit->hit.t)), middle), radius, exact);
+    EXPECT_NEAR(Distance(slice.Project(ray.At(hit->t)), middle), radius, exact);
   }
   EXPECT_GT(hits, 20);
 }
