@@ -77,7 +77,7 @@ struct Site {
   explicit Site(Subject s) : subject(std::move(s)), world(subject.scene) {
     ray::AcceleratorSettings how;
     how.expected_rays = 1e8;
-    accelerator = ray::FindAcceleratorKind(how.name)->make(world, how);
+    accelerator = ray::FindAcceleratorKind(how.name)->Make(world, how);
   }
 
   Subject subject;

@@ -280,7 +280,7 @@ int main(int argc, char** argv) {
       settings.resolution = std::stod(options["resolution"]);
       settings.quality = project::Named{options["ours"]};
       settings.expected_rays = 1e9;
-      const auto make = [&] { return ray::FindAcceleratorKind(a)->make(world, settings); };
+      const auto make = [&] { return ray::FindAcceleratorKind(a)->Make(world, settings); };
       ours.push_back(make());
       const double triangles = static_cast<double>(view->mesh.triangles.size());
       std::printf("%s: %.0f triangles, %s %.1f bytes a triangle", name.c_str(), triangles, a.c_str(),
@@ -290,7 +290,7 @@ int main(int argc, char** argv) {
                     BuildSeconds(2, repeats, make));
       std::printf("\n");
     }
-    const auto all = ray::FindAcceleratorKind("none")->make(world, {});
+    const auto all = ray::FindAcceleratorKind("none")->Make(world, {});
     std::unique_ptr<embree::Scene> theirs;
     if (library) {
       theirs = std::make_unique<embree::Scene>(*library, view->mesh, quality, options["robust"] == "1");
@@ -316,7 +316,7 @@ int main(int argc, char** argv) {
                                                    : Ask(*theirs, kind);
           }));
         for (std::size_t a = 0; a < ours.size(); ++a)
-          seconds[a].push_back(Time([&] { answers[a] = Ask(ours[a]->Worker(), kind, together); }));
+          seconds[a].push_back(Time([&] { answers[a] = Ask(*ours[a], kind, together); }));
       }
       const double million = 1e-6 * static_cast<double>(kind.rays.size());
       std::printf("%-12s %-9s", name.c_str(), kind.name.c_str());

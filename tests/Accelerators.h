@@ -124,7 +124,7 @@ inline void ExpectSame(const std::optional<ray::WorldHit>& a, const std::optiona
 
 /// That all the ways find what asking every primitive finds: the nearest, and whether there is anything within t = 1.
 inline void Compare(const ray::World& world, const std::vector<R3::Ray>& rays, const std::vector<Way>& ways) {
-  const auto none = ray::FindAcceleratorKind("none")->make(world, {});
+  const auto none = ray::FindAcceleratorKind("none")->Make(world, {});
   ray::Workspace for_none;
   std::vector<std::optional<ray::WorldHit>> hits;
   std::vector<bool> occluded;
@@ -134,7 +134,7 @@ inline void Compare(const ray::World& world, const std::vector<R3::Ray>& rays, c
     occluded.push_back(none->IsOccluded(shadow(ray), for_none));
   }
   for (const Way& way : ways) {
-    const auto accelerator = ray::FindAcceleratorKind(way.settings.name)->make(world, way.settings);
+    const auto accelerator = ray::FindAcceleratorKind(way.settings.name)->Make(world, way.settings);
     ray::Workspace workspace;
     for (std::size_t i = 0; i < rays.size(); ++i) {
       ExpectSame(accelerator->Intersect(rays[i], workspace), hits[i], rays[i], way.name);
@@ -175,7 +175,7 @@ inline std::vector<R3::Ray> Bundle(Draw& draw, const R3::Ray& ray, int count, do
 /// Rays at and around the instances of a world: from near and far, along axes, from corners of boxes, and on from
 /// where they hit.
 inline std::vector<R3::Ray> RaysAt(const ray::World& world, Draw& draw, int count) {
-  const auto none = ray::FindAcceleratorKind("none")->make(world, {});
+  const auto none = ray::FindAcceleratorKind("none")->Make(world, {});
   const R3::Box& box = world.scene().root.bounds;
   std::vector<R3::Ray> list;
   for (int i = 0; i < count; ++i) {

@@ -42,7 +42,7 @@ struct Stage {
 
 inline ray::RenderResult Render(const Stage& stage, const ray::RenderSettings& settings,
                                 const ray::AcceleratorSettings& how = {}) {
-  const auto accelerator = ray::FindAcceleratorKind(how.name)->make(stage.world, how);
+  const auto accelerator = ray::FindAcceleratorKind(how.name)->Make(stage.world, how);
   return ray::Render(stage.world, *accelerator, settings);
 }
 

@@ -17,6 +17,12 @@ std::span<const AcceleratorKind* const> AcceleratorKinds() {
   return kinds;
 }
 
+std::unique_ptr<Accelerator> AcceleratorKind::Make(const World& world, const AcceleratorSettings& settings) const {
+  auto accelerator = build(world, settings);
+  if (accelerator->kind.empty()) accelerator->kind = name;  // `auto` gives back one of another kind
+  return accelerator;
+}
+
 const AcceleratorKind* FindAcceleratorKind(const std::string& name) {
   for (const AcceleratorKind* kind : AcceleratorKinds())
     if (name == kind->name) return kind;

@@ -41,8 +41,8 @@ class Accelerator {
     return is_occluded;
   }
 
-  /// The same for each of some rays that go nearly the same way, such as those of neighbouring pixels: faster where an
-  /// accelerator can take them together. Answers go to hits[0], hits[1], ..., or are_occluded.
+  /// The same for each ray of a packet: faster for coherent rays, such as those of neighboring pixels, where an
+  /// accelerator can trace packets. Answers go to hits[0], hits[1], ..., or are_occluded.
   void Intersect(std::span<const R3::Ray> rays, std::optional<WorldHit>* hits, Workspace& workspace) const {
     if (AreRays(rays)) {
       NearestOfEach(rays, hits, workspace);
@@ -62,8 +62,8 @@ class Accelerator {
     }
   }
 
-  /// The one that does the work: an accelerator that only chose another says which, so that rays need no detour.
-  virtual const Accelerator& Worker() const { return *this; }
+  std::string kind;                  // a line of accelerators.def; where `auto` was asked for, what it chose
+  std::vector<std::string> reasons;  // why `auto` chose it
   /// What was built, in lines for the reader of -explain.
   virtual std::vector<std::string> Explain() const { return {}; }
   /// How many levels of boxes within boxes it has to show, and the boxes of one of them, the outermost level 0; in the
@@ -106,7 +106,9 @@ class Accelerator {
 struct AcceleratorKind {
   const char* name;
   const char* about;
-  std::unique_ptr<const Accelerator> (*make)(const World& world, const AcceleratorSettings& settings);
+  std::unique_ptr<Accelerator> (*build)(const World& world, const AcceleratorSettings& settings);
+
+  std::unique_ptr<Accelerator> Make(const World& world, const AcceleratorSettings& settings) const;
 };
 
 /// Every kind, in the order of accelerators.def.

@@ -30,9 +30,9 @@ NodeBoundsPadding WorldBoundsPadding(const R3::Transform& frame, double reach) {
   return {own.per_distance + stretch * within.per_distance, own.constant + stretch * within.constant};
 }
 
-std::vector<NodeBoundsPadding> NodePads(const World& world) {
+std::vector<NodeBoundsPadding> PaddingOfNodes(const World& world) {
   const auto& nodes = world.Nodes();
-  std::vector<NodeBoundsPadding> pads(nodes.size());
+  std::vector<NodeBoundsPadding> paddings(nodes.size());
   std::vector<double> reaches(nodes.size(), 0);  // in the world
   std::vector<std::uint32_t> parents(nodes.size(), 0);
   for (std::uint32_t i = 0; i < nodes.size(); ++i)
@@ -41,24 +41,24 @@ std::vector<NodeBoundsPadding> NodePads(const World& world) {
   // Children come after their parents, so backwards every node is complete when its turn comes.
   for (std::size_t i = nodes.size(); i-- > 0;) {
     const FlatNode& flat = nodes[i];
-    NodeBoundsPadding pad = pads[i];  // the largest of the children's, in the node's own frame
+    NodeBoundsPadding padding = paddings[i];  // the largest of the children's, in the node's own frame
     if (flat.instance >= 0) {
       reaches[i] = Reach(world.InWorld(flat.frame, flat.node->bounds));
       const R3::Transform& frame = world.Frames()[flat.frame];
-      pad = SeenFrom(frame, reaches[i]);
+      padding = SeenFrom(frame, reaches[i]);
       if (world.Instances()[static_cast<std::size_t>(flat.instance)].frame != flat.frame)
-        pad.constant += Baking(frame, Reach(flat.node->bounds));
+        padding.constant += Baking(frame, Reach(flat.node->bounds));
     } else if (!IsIdentity(flat.node->transform) || !(flat.node->motion == R3::Vector{})) {
       const NodeBoundsPadding own = SeenFrom(world.Frames()[nodes[parents[i]].frame], reaches[i]);
       const double stretch = MaxRowSum(flat.node->transform);
-      pad = {own.per_distance + stretch * pad.per_distance, own.constant + stretch * pad.constant};
+      padding = {own.per_distance + stretch * padding.per_distance, own.constant + stretch * padding.constant};
     }
-    pads[i] = pad;
-    NodeBoundsPadding& above = pads[parents[i]];
-    above = {std::max(above.per_distance, pad.per_distance), std::max(above.constant, pad.constant)};
+    paddings[i] = padding;
+    NodeBoundsPadding& above = paddings[parents[i]];
+    above = {std::max(above.per_distance, padding.per_distance), std::max(above.constant, padding.constant)};
     reaches[parents[i]] = std::max(reaches[parents[i]], reaches[i]);
   }
-  return pads;
+  return paddings;
 }
 
 }  // namespace ray

@@ -17,7 +17,7 @@ class NearestHit {
   double Limit() const { return limit_; }
   const std::optional<WorldHit>& Best() const { return best_; }
 
-  /// Asks one element, with the ray already in the instance's frame.
+  /// Tests one element, with the ray already in the instance's frame.
   void Test(std::uint32_t instance, int element, R3::Ray local, Counts& counts) {
     ++counts.primitive_tests;
     if (best_) local.t_max = std::min(local.t_max, R3::NextUp(limit_));

@@ -11,20 +11,20 @@ namespace ray {
 /// What one thread keeps between rays: its counts, the places its last rays hit, memory for stacks. Reset at the start
 /// of a tile, so that counts do not depend on which thread takes which tile.
 struct Workspace {
-  struct Place {
+  struct LastHit {
     std::uint32_t instance = 0;
     int element = 0;
   };
-  struct Waiting {
+  struct StackEntry {
     double entry = 0;  // t at which the ray enters the node's box
     std::uint32_t node = 0;
   };
 
   Counts counts;
-  std::optional<Place> last_hit, last_occluder;
-  std::vector<Waiting> stack;
+  std::optional<LastHit> last_hit, last_occluder;
+  std::vector<StackEntry> stack;
 
-  void ForgetPlaces() { last_hit.reset(), last_occluder.reset(); }
+  void ForgetLastHits() { last_hit.reset(), last_occluder.reset(); }
 };
 
 }  // namespace ray

@@ -9,13 +9,13 @@ namespace ray {
 namespace {
 
 /// A group's way from the world while the graph is being flattened.
-struct Path {
+struct GroupFrame {
   R3::Product world_from_node;
   R3::Vector motion;  // in the world
   std::uint32_t frame = 0;
 };
 
-std::string Place(const Scene& scene, const Location& location) {
+std::string LocationText(const Scene& scene, const Location& location) {
   if (location.line == 0 || location.file >= scene.files.size()) return "the scene";
   return scene.files[location.file] + ":" + std::to_string(location.line) + ":" + std::to_string(location.column);
 }
@@ -23,65 +23,65 @@ std::string Place(const Scene& scene, const Location& location) {
 }  // namespace
 
 World::World(const Scene& scene) : scene_(scene) {
-  Flatten();
+  FlattenGraph();
   NumberInstances();
   BakeOrShareMeshes();
 }
 
 // Breadth first, without recursion: the graph may be 100,000 levels deep.
-void World::Flatten() {
+void World::FlattenGraph() {
   frames_.emplace_back();
   motions_.emplace_back();
   nodes_.push_back({.node = &scene_.root});
-  std::vector<Path> paths{Path{}};  // of nodes_[i], freed in waves: see below
-  std::size_t first_path = 0;       // paths[0] belongs to nodes_[first_path]
+  std::vector<GroupFrame> group_frames{GroupFrame{}};  // of nodes_[i], freed in waves: see below
+  std::size_t first_frame = 0;                         // group_frames[0] belongs to nodes_[first_frame]
 
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
     // Paths are large and only those of waiting nodes are needed; dropping them by halves keeps the cost linear.
-    if (i - first_path > 1024 && i - first_path > paths.size() / 2) {
-      paths.erase(paths.begin(), paths.begin() + static_cast<std::ptrdiff_t>(i - first_path));
-      first_path = i;
+    if (i - first_frame > 1024 && i - first_frame > group_frames.size() / 2) {
+      group_frames.erase(group_frames.begin(), group_frames.begin() + static_cast<std::ptrdiff_t>(i - first_frame));
+      first_frame = i;
     }
     const Node& node = *nodes_[i].node;
     assert(!node.shape || IsIdentity(node.transform));  // a shape's box is in the frame the shape itself is in
-    Path path = paths[i - first_path];
+    GroupFrame group_frame = group_frames[i - first_frame];
     const bool does_move = !(node.motion == R3::Vector{});
     if (!IsIdentity(node.transform) || does_move) {
       moves_ |= does_move;
-      path.motion = path.motion + frames_[path.frame] * node.motion;
+      group_frame.motion = group_frame.motion + frames_[group_frame.frame] * node.motion;
       if (IsSingular(node.transform)) continue;  // the reader has warned
-      path.world_from_node = path.world_from_node * node.transform;
-      const auto transform = R3::Transform::Of(path.world_from_node);
+      group_frame.world_from_node = group_frame.world_from_node * node.transform;
+      const auto transform = R3::Transform::Of(group_frame.world_from_node);
       if (!transform) {
-        warnings_.push_back(Place(scene_, node.location) +
+        warnings_.push_back(LocationText(scene_, node.location) +
                             ": warning: the transforms down to this group cannot be inverted in double precision; "
                             "it is left out");
         continue;
       }
-      path.frame = static_cast<std::uint32_t>(frames_.size());
+      group_frame.frame = static_cast<std::uint32_t>(frames_.size());
       frames_.push_back(*transform);
-      motions_.push_back(path.motion);
+      motions_.push_back(group_frame.motion);
     }
-    nodes_[i].frame = path.frame;
+    nodes_[i].frame = group_frame.frame;
     nodes_[i].first_child = static_cast<std::uint32_t>(nodes_.size());
     nodes_[i].children = static_cast<std::uint32_t>(node.children.size());
     for (const Node& child : node.children) {
       nodes_.push_back({.node = &child});
-      paths.push_back(path);
+      group_frames.push_back(group_frame);
     }
   }
 }
 
 // Depth first, so that ids follow the order of the scene file; materials are inherited on the way.
 void World::NumberInstances() {
-  struct Waiting {
+  struct StackEntry {
     std::uint32_t node;
     int material;
   };
   constexpr int default_material = 0;
-  std::vector<Waiting> stack{{0, default_material}};
+  std::vector<StackEntry> stack{{0, default_material}};
   while (!stack.empty()) {
-    const Waiting next = stack.back();
+    const StackEntry next = stack.back();
     stack.pop_back();
     FlatNode& flat = nodes_[next.node];
     const Node& node = *flat.node;

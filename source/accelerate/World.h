@@ -82,7 +82,7 @@ class World {
   R3::Intersection At(const R3::Ray& ray, const WorldHit& hit) const;
 
  private:
-  void Flatten();
+  void FlattenGraph();
   void NumberInstances();
   void BakeOrShareMeshes();
   static void BringToWorld(const R3::Transform& world_from_local, R3::Intersection& at);

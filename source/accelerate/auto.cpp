@@ -8,11 +8,9 @@
 namespace ray {
 namespace {
 
-using Lines = std::vector<std::string>;
-
-constexpr std::int64_t few_primitives = 3;  // asked in the time that it takes to find out which to ask
+constexpr std::int64_t few_primitives = 3;  // tested in the time that it takes to find out which to test
 constexpr double thin_from = 12;            // box over triangle area from which a grid is worth a try; 3 is compact
-constexpr double pays_from = 20;            // rays a primitive from which building a second structure is forgotten
+constexpr double pays_from = 20;            // rays per primitive from which building a second structure is forgotten
 
 std::string Rounded(double x, int digits = 1) {
   const double scale = std::pow(10, digits);
@@ -23,15 +21,15 @@ std::string Rounded(double x, int digits = 1) {
 
 /// Area of the boxes of triangles over that of the triangles themselves, both sides: what a ray that enters a box
 /// has against it. About 3 for compact triangles in any position, over 100 for slanted hairs.
-double Thinness(const PrimitiveSet& space) {
+double Thinness(const PrimitiveSet& primitives) {
   constexpr std::uint32_t sample = 4096;
-  const std::uint32_t step = std::max(1u, space.Items() / sample);
+  const std::uint32_t step = std::max(1u, primitives.Size() / sample);
   double boxes = 0, triangles = 0;
-  for (std::uint32_t i = 0; i < space.Items(); i += step) {
-    const R3::Mesh* mesh = space.MeshOf(i);
+  for (std::uint32_t i = 0; i < primitives.Size(); i += step) {
+    const R3::Mesh* mesh = primitives.MeshOf(i);
     if (!mesh) continue;
-    const auto corners = mesh->Corners(space[i].element);
-    const R3::Vector size = mesh->Bounds(space[i].element).Size();
+    const auto corners = mesh->Corners(primitives[i].element);
+    const R3::Vector size = mesh->Bounds(primitives[i].element).Size();
     boxes += size.x * size.y + size.y * size.z + size.z * size.x;
     triangles += Length(Cross(corners[1] - corners[0], corners[2] - corners[0])) / 2;
   }
@@ -66,86 +64,52 @@ double SecondsFor(const Accelerator& accelerator, const std::vector<R3::Ray>& ra
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-// Chooses by what the scene is made of, and between two that may both be right by trying them.
-class Chosen : public Accelerator {
- public:
-  Chosen(const World& world, const AcceleratorSettings& settings) : world_(world), settings_(settings) {
-    if (world.Primitives() <= few_primitives) {
-      Take("none", std::to_string(world.Primitives()) + " primitives are asked faster than sorted");
-      return;
-    }
-    const PrimitiveSet space(world);
-    const double thinness = Thinness(space);
-    const std::string shown = "the boxes of its triangles have " + Rounded(thinness) + " times their area";
-    if (thinness < thin_from)
-      Take("bvh", "more than " + std::to_string(few_primitives) + " primitives, and " +
-                      (thinness > 0 ? shown + " (thin from " + Rounded(thin_from) + ")" : "no triangles in the world"));
-    else if (settings.expected_rays < pays_from * static_cast<double>(space.Items()))
-      Take("grid", shown + ": too thin for boxes; too few rays to try others");
-    else
-      Try(shown);
-  }
+/// By name, and why.
+std::unique_ptr<Accelerator> Take(const std::string& name, const std::string& reason, const World& world,
+                                  const AcceleratorSettings& settings) {
+  auto accelerator = FindAcceleratorKind(name)->Make(world, settings);
+  accelerator->reasons.push_back("auto takes " + name + ": " + reason);
+  return accelerator;
+}
 
-  const Accelerator& Worker() const override { return *worker_; }
-  int BoxLevels() const override { return worker_->BoxLevels(); }
-  std::vector<R3::Box> BoxesAt(int level) const override { return worker_->BoxesAt(level); }
-  std::size_t Bytes() const override { return worker_->Bytes(); }
-  Lines Explain() const override {
-    Lines lines = reasons_;
-    for (const std::string& line : worker_->Explain()) lines.push_back(line);
-    return lines;
+/// The faster of a tree and a grid.
+std::unique_ptr<Accelerator> Try(const std::string& shown, const World& world, const AcceleratorSettings& settings) {
+  auto bvh = FindAcceleratorKind("bvh")->Make(world, settings),
+       grid = FindAcceleratorKind("grid")->Make(world, settings);
+  const std::vector<R3::Ray> rays = RaysOf(world, *bvh);
+  double bvh_seconds = R3::infinity, grid_seconds = R3::infinity;
+  constexpr int rounds = 5;  // the least of them is the least disturbed
+  for (int i = 0; i < rounds; ++i) {
+    bvh_seconds = std::min(bvh_seconds, SecondsFor(*bvh, rays));
+    grid_seconds = std::min(grid_seconds, SecondsFor(*grid, rays));
   }
+  const double per_ray = 1e9 / static_cast<double>(rays.size());
+  auto faster = std::move(grid_seconds < bvh_seconds ? grid : bvh);
+  faster->reasons = {"auto tried " + std::to_string(rays.size()) + " rays: bvh " + Rounded(bvh_seconds * per_ray, 0) +
+                         " ns, grid " + Rounded(grid_seconds * per_ray, 0) + " ns per ray",
+                     "auto takes " + faster->kind + ": the faster one; it tried because " + shown};
+  return faster;
+}
 
- private:
-  std::unique_ptr<const Accelerator> Make(const std::string& name) const {
-    return FindAcceleratorKind(name)->make(world_, settings_);
-  }
-
-  void Take(const std::string& name, const std::string& reason) {
-    worker_ = Make(name);
-    reasons_.push_back("auto takes " + name + ": " + reason);
-  }
-
-  void Try(const std::string& shown) {
-    auto bvh = Make("bvh"), grid = Make("grid");
-    const std::vector<R3::Ray> rays = RaysOf(world_, *bvh);
-    double bvh_seconds = R3::infinity, grid_seconds = R3::infinity;
-    constexpr int rounds = 5;  // the least of them is the least disturbed
-    for (int i = 0; i < rounds; ++i) {
-      bvh_seconds = std::min(bvh_seconds, SecondsFor(*bvh, rays));
-      grid_seconds = std::min(grid_seconds, SecondsFor(*grid, rays));
-    }
-    const double a_ray = 1e9 / static_cast<double>(rays.size());
-    reasons_.push_back("auto tried " + std::to_string(rays.size()) + " rays: bvh " + Rounded(bvh_seconds * a_ray, 0) +
-                       " ns, grid " + Rounded(grid_seconds * a_ray, 0) + " ns a ray");
-    worker_ = std::move(grid_seconds < bvh_seconds ? grid : bvh);
-    reasons_.push_back(std::string("auto takes ") + (grid_seconds < bvh_seconds ? "grid" : "bvh") +
-                       ": the faster one; it tried because " + shown);
-  }
-
-  std::optional<WorldHit> Nearest(const R3::Ray& ray, Workspace& workspace) const override {
-    const auto hit = worker_->Intersect(ray, workspace);
-    if (hit) --workspace.counts.hits;  // counted twice otherwise
-    return hit;
-  }
-  bool Any(const R3::Ray& ray, Workspace& workspace) const override {
-    const bool is_occluded = worker_->IsOccluded(ray, workspace);
-    if (is_occluded) --workspace.counts.hits;
-    return is_occluded;
-  }
-
-  const World& world_;
-  AcceleratorSettings settings_;
-  std::unique_ptr<const Accelerator> worker_;
-  Lines reasons_;
-};
+/// By what the scene is made of, and between two that may both be right by trying them.
+std::unique_ptr<Accelerator> Choose(const World& world, const AcceleratorSettings& settings) {
+  const auto take = [&](const char* name, const std::string& reason) { return Take(name, reason, world, settings); };
+  if (world.Primitives() <= few_primitives)
+    return take("none", std::to_string(world.Primitives()) + " primitives are tested faster than sorted");
+  const PrimitiveSet primitives(world);
+  const double thinness = Thinness(primitives);
+  const std::string shown = "the boxes of its triangles have " + Rounded(thinness) + " times their area";
+  if (thinness < thin_from)
+    return take("bvh",
+                "more than " + std::to_string(few_primitives) + " primitives, and " +
+                    (thinness > 0 ? shown + " (thin from " + Rounded(thin_from) + ")" : "no triangles in the world"));
+  if (settings.expected_rays < pays_from * static_cast<double>(primitives.Size()))
+    return take("grid", shown + ": too thin for boxes; too few rays to try others");
+  return Try(shown, world, settings);
+}
 
 }  // namespace
 
-extern const AcceleratorKind auto_kind{
-    "auto", "the one that suits the scene; -explain says which and why",
-    [](const World& world, const AcceleratorSettings& settings) -> std::unique_ptr<const Accelerator> {
-      return std::make_unique<Chosen>(world, settings);
-    }};
+extern const AcceleratorKind auto_kind{"auto", "the one that suits the scene; -explain says which and why", Choose};
 
 }  // namespace ray

@@ -7,12 +7,13 @@ namespace ray {
 
 extern const AcceleratorKind bvh_kind{
     "bvh", "a wide tree of boxes, eight at a time: the fastest for most scenes",
-    [](const World& world, const AcceleratorSettings& settings) -> std::unique_ptr<const Accelerator> {
-      bvh::BuildSettings build;
+    [](const World& world, const AcceleratorSettings& settings) -> std::unique_ptr<Accelerator> {
+      wide::BuildSettings build;
       if (settings.resolution > 0) build.leaf_size = std::clamp(static_cast<int>(settings.resolution), 1, width);
-      build.cuts_large_triangles = settings.quality == BvhQuality::high;
-      return std::make_unique<TwoLevelAccelerator<bvh::Tree>>(
-          world, settings, bvh::ChooseKernels, [&](PrimitiveSet space) { return bvh::Build(std::move(space), build); });
+      build.pre_splits_triangles = settings.quality == BvhQuality::high;
+      return std::make_unique<TwoLevelAccelerator<wide::Tree>>(
+          world, settings, wide::ChooseKernels,
+          [&](PrimitiveSet primitives) { return wide::Build(std::move(primitives), build); });
     }};
 
 }  // namespace ray

@@ -9,29 +9,29 @@ namespace {
 
 // The scene graph itself, as the course builds it: a box around each node in its parent's coordinates (Rubin and
 // Whitted, A 3-dimensional representation for fast rendering of complex scenes, 1980), children visited from front to
-// back (Kay and Kajiya, Ray tracing complex scenes, 1986), and what the last ray hit asked first (Haines and Greenberg,
-// The light buffer, 1986, for shadow rays).
+// back (Kay and Kajiya, Ray tracing complex scenes, 1986), and what the last ray hit tested first (Haines and
+// Greenberg, The light buffer, 1986, for shadow rays).
 class Graph : public Accelerator {
  public:
   Graph(const World& world, const AcceleratorSettings& settings)
-      : world_(world), settings_(settings), pads_(NodePads(world)) {}
+      : world_(world), settings_(settings), paddings_(PaddingOfNodes(world)) {}
 
  private:
   std::optional<WorldHit> Nearest(const R3::Ray& ray, Workspace& workspace) const override {
     NearestHit nearest(world_, ray);
     LocalRays local(world_, ray);
-    std::optional<Workspace::Place> asked;
+    std::optional<Workspace::LastHit> cached;
     if (settings_.last_hit && workspace.last_hit) {
-      asked = workspace.last_hit;
+      cached = workspace.last_hit;
       ++workspace.counts.cache_tests;
-      nearest.Test(asked->instance, asked->element, local.In(world_.Instances()[asked->instance].frame),
+      nearest.Test(cached->instance, cached->element, local.In(world_.Instances()[cached->instance].frame),
                    workspace.counts);
       if (nearest.Best()) ++workspace.counts.cache_hits;
     }
     Visit(ray, local, workspace, nearest.Limit(), [&](std::uint32_t instance, const R3::Ray& seen, double& limit) {
       const int elements = world_.Instances()[instance].shape->Elements();
       for (int e = 0; e < elements; ++e)
-        if (!(asked && asked->instance == instance && asked->element == e))
+        if (!(cached && cached->instance == instance && cached->element == e))
           nearest.Test(instance, e, seen, workspace.counts);
       limit = nearest.Limit();
       return false;
@@ -46,11 +46,11 @@ class Graph : public Accelerator {
       ++workspace.counts.primitive_tests;
       return world_.Instances()[instance].shape->Intersect(seen, element).has_value();
     };
-    std::optional<Workspace::Place> asked;
+    std::optional<Workspace::LastHit> cached;
     if (settings_.last_hit && workspace.last_occluder) {
-      asked = workspace.last_occluder;
+      cached = workspace.last_occluder;
       ++workspace.counts.cache_tests;
-      if (blocks(asked->instance, asked->element, local.In(world_.Instances()[asked->instance].frame))) {
+      if (blocks(cached->instance, cached->element, local.In(world_.Instances()[cached->instance].frame))) {
         ++workspace.counts.cache_hits;
         return true;
       }
@@ -59,7 +59,7 @@ class Graph : public Accelerator {
     Visit(ray, local, workspace, ray.t_max, [&](std::uint32_t instance, const R3::Ray& seen, double&) {
       const int elements = world_.Instances()[instance].shape->Elements();
       for (int e = 0; e < elements && !occluded; ++e) {
-        if (asked && asked->instance == instance && asked->element == e) continue;
+        if (cached && cached->instance == instance && cached->element == e) continue;
         occluded = blocks(instance, e, seen);
         if (occluded) workspace.last_occluder = {instance, e};
       }
@@ -68,7 +68,7 @@ class Graph : public Accelerator {
     return occluded;
   }
 
-  /// Walks the nodes whose boxes the ray may meet before `limit`, nearest first if so set, and calls
+  /// Traverses the nodes whose boxes the ray may meet before `limit`, nearest first if so set, and calls
   /// shape_reached(instance, local ray, limit) at each shape until it returns true.
   template <typename ShapeReached>
   void Visit(const R3::Ray& ray, LocalRays& local, Workspace& workspace, double limit,
@@ -78,7 +78,7 @@ class Graph : public Accelerator {
     stack.clear();
     PushIfReached(0, R3::BoxRay(ray), distance, limit, workspace);
     while (!stack.empty()) {
-      const Workspace::Waiting next = stack.back();
+      const Workspace::StackEntry next = stack.back();
       stack.pop_back();
       if (next.entry > limit) continue;  // fell behind a hit found meanwhile
       ++workspace.counts.node_visits;
@@ -109,8 +109,9 @@ class Graph : public Accelerator {
     }
     ++workspace.counts.box_tests;
     seen.t_max = std::min(seen.t_max, limit);
-    const NodeBoundsPadding& pad = pads_[node];
-    const auto entry = R3::Entry(world_.Nodes()[node].node->bounds, seen, pad.per_distance * distance + pad.constant);
+    const NodeBoundsPadding& padding = paddings_[node];
+    const auto entry =
+        R3::Entry(world_.Nodes()[node].node->bounds, seen, padding.per_distance * distance + padding.constant);
     if (entry)
       workspace.stack.push_back({*entry, node});
     else if (!settings_.node_boxes)  // the box only says when, not whether
@@ -119,14 +120,14 @@ class Graph : public Accelerator {
 
   const World& world_;
   AcceleratorSettings settings_;
-  std::vector<NodeBoundsPadding> pads_;
+  std::vector<NodeBoundsPadding> paddings_;
 };
 
 }  // namespace
 
 extern const AcceleratorKind graph_kind{
     "graph", "the scene graph itself: node boxes, front-to-back order, last-hit cache",
-    [](const World& world, const AcceleratorSettings& settings) -> std::unique_ptr<const Accelerator> {
+    [](const World& world, const AcceleratorSettings& settings) -> std::unique_ptr<Accelerator> {
       return std::make_unique<Graph>(world, settings);
     }};
 

@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "source/accelerate/wide/Parts.h"
+#include "source/accelerate/twolevel/Targets.h"
+#include "source/accelerate/wide/ClippedPrimitive.h"
 
 // Highway compiles this file once for each instruction set. What does not depend on that is included before.
 #undef HWY_TARGET_INCLUDE
@@ -11,20 +12,20 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#include "source/accelerate/wide/Walk-inl.h"
+#include "source/accelerate/wide/Traverse-inl.h"
 
 #ifndef RAY_ACCELERATE_GRID
 #define RAY_ACCELERATE_GRID
 namespace ray {
 
-/// Parts go into every cell that they touch when both are widened by this, in the structure's coordinates. It covers
-/// the slack of every ray whose slack is at most half of it; others ask everything.
-inline constexpr double cell_pad = 0x1p-17;
+/// ClippedPrimitives go into every cell that they touch when both are widened by this, in the structure's coordinates.
+/// It covers the plane error of every ray for which that is at most half of it; other rays test everything.
+inline constexpr double cell_padding = 0x1p-17;
 
-/// Equal cells in rows, columns and layers; cells that hold very many items have a grid of their own. What lies in a
-/// cell is a child of a tree of boxes.
-struct Grid : bvh::Tree {
-  static constexpr bool meets_items_again = true;
+/// Equal cells in rows, columns and layers; cells that hold very many primitives have a grid of their own. What lies in
+/// a cell is a child of a tree of boxes.
+struct Grid : wide::Tree {
+  static constexpr bool meets_primitives_again = true;
 
   /// One grid: cell (x, y, z) is cells[first + (z rows + y) columns + x].
   struct Level {
@@ -59,9 +60,11 @@ struct Grid : bvh::Tree {
 
   /// 0, which is inside no cell, where there is none.
   static std::uint32_t LevelInside(std::uint32_t cell) {
-    return bvh::Child::KindOf(cell) == bvh::Child::Kind::nothing ? bvh::Child::Index(cell) : 0;
+    return wide::Child::KindOf(cell) == wide::Child::Kind::nothing ? wide::Child::Index(cell) : 0;
   }
-  static std::uint32_t CellWithLevel(std::uint32_t level) { return bvh::Child::Make(bvh::Child::Kind::nothing, level); }
+  static std::uint32_t CellWithLevel(std::uint32_t level) {
+    return wide::Child::Make(wide::Child::Kind::nothing, level);
+  }
 
   /// Cells are no boxes within boxes.
   int BoxLevels() const { return 0; }
@@ -86,29 +89,29 @@ HWY_BEFORE_NAMESPACE();
 namespace ray {
 namespace HWY_NAMESPACE {
 
-/// A walk through the cells of all levels.
+/// Traversal of the cells of all levels.
 template <bool any, typename LeafVisitor>
-class CellWalk {
+class GridTraversal {
  public:
-  HWY_INLINE CellWalk(const Grid& grid, const TraversalRay& probe, LeafVisitor& asker, Counts& counts)
-      : grid_(grid), probe_(probe), asker_(asker), counts_(counts), boxes_(probe) {
+  HWY_INLINE GridTraversal(const Grid& grid, const TraversalRay& ray, LeafVisitor& visitor, Counts& counts)
+      : grid_(grid), ray_(ray), visitor_(visitor), counts_(counts), node_ray_(ray) {
     for (int axis = 0; axis < 3; ++axis) {
-      const double d = probe.along[axis];
+      const double d = ray.along[axis];
       along_[axis] = std::abs(d) < flattest ? std::copysign(double{flattest}, d) : d;
     }
   }
 
   void Run() {
-    if (!(static_cast<double>(probe_.slack) <= cell_pad / 2)) {
+    if (!(static_cast<double>(ray_.plane_error) <= cell_padding / 2)) {
       for (const std::uint32_t cell : grid_.cells)
-        if (Ask(cell)) return;
+        if (Visit(cell)) return;
       return;
     }
     const Grid::Level& level = grid_.levels[0];
-    double enter = 0, leave = asker_.limit;
+    double enter = 0, leave = visitor_.limit;
     for (int axis = 0; axis < 3; ++axis) {
-      const double a = (FromOrigin(level.box.low)[axis] - probe_.start[axis]) / along_[axis];
-      const double b = (FromOrigin(level.box.high)[axis] - probe_.start[axis]) / along_[axis];
+      const double a = (FromOrigin(level.box.low)[axis] - ray_.start[axis]) / along_[axis];
+      const double b = (FromOrigin(level.box.high)[axis] - ray_.start[axis]) / along_[axis];
       enter = std::max(enter, std::min(a, b)), leave = std::min(leave, std::max(a, b));
     }
     if (enter <= leave) Through(level, enter, leave);
@@ -117,14 +120,17 @@ class CellWalk {
 
  private:
   /// What lies in a cell; true when that ends the search.
-  HWY_INLINE bool Ask(std::uint32_t cell) {
-    if (bvh::Child::KindOf(cell) == bvh::Child::Kind::triangles) return asker_.AskBlock(grid_.At<TriangleBlock>(cell));
-    if (bvh::Child::KindOf(cell) == bvh::Child::Kind::nothing) return false;
-    WalkFrom<any>(cell, grid_, boxes_, asker_, counts_);
-    return asker_.is_answered;
+  HWY_INLINE bool Visit(std::uint32_t cell) {
+    if (wide::Child::KindOf(cell) == wide::Child::Kind::triangles)
+      return visitor_.VisitTriangles(grid_.At<TriangleBlock>(cell));
+    return wide::Child::KindOf(cell) != wide::Child::Kind::nothing && VisitSubtree(cell);
+  }
+  HWY_NOINLINE bool VisitSubtree(std::uint32_t cell) {
+    TraverseFrom<any>(cell, grid_, node_ray_, visitor_, counts_);
+    return visitor_.is_answered;
   }
 
-  /// From cell to cell in the order of the ray; true when the search is over.
+  /// 3D-DDA: from cell to cell in the order of the ray; true when the search is over.
   ///   source  Amanatides, Woo, A fast voxel traversal algorithm for ray tracing (1987)
   bool Through(const Grid::Level& level, double enter, double leave) {
     std::array<double, 3> next, step;
@@ -132,11 +138,11 @@ class CellWalk {
     for (int axis = 0; axis < 3; ++axis) {
       const auto a = static_cast<std::size_t>(axis);
       const double d = along_[axis], low = FromOrigin(level.box.low)[axis], size = level.size[axis];
-      const double place = (probe_.start[axis] + enter * d - low) / size;
-      at[a] = place > 0 ? std::min(static_cast<int>(std::min(place, 1e9)), level.count[a] - 1) : 0;
+      const double cell = (ray_.start[axis] + enter * d - low) / size;
+      at[a] = cell > 0 ? std::min(static_cast<int>(std::min(cell, 1e9)), level.count[a] - 1) : 0;
       onward[a] = d > 0 ? 1 : -1;
       end[a] = d > 0 ? level.count[a] : -1;
-      next[a] = (low + (at[a] + (d > 0 ? 1 : 0)) * size - probe_.start[axis]) / d;
+      next[a] = (low + (at[a] + (d > 0 ? 1 : 0)) * size - ray_.start[axis]) / d;
       step[a] = size / std::abs(d);
     }
     double entry = enter;
@@ -146,11 +152,11 @@ class CellWalk {
       ++visits_;
       if (const std::uint32_t inside = Grid::LevelInside(cell)) {
         if (Through(grid_.levels[inside], entry, std::min(next[a], leave))) return true;
-      } else if (Ask(cell)) {
+      } else if (Visit(cell)) {
         return true;
       }
       // What is nearer than the way out has been met: it lies, widened, in the cells up to here.
-      if (static_cast<double>(asker_.limit) < next[a]) return true;
+      if (static_cast<double>(visitor_.limit) < next[a]) return true;
       if (next[a] > leave) return false;
       at[a] += onward[a];
       if (at[a] == end[a]) return false;
@@ -160,17 +166,17 @@ class CellWalk {
   }
 
   const Grid& grid_;
-  const TraversalRay& probe_;
-  LeafVisitor& asker_;
+  const TraversalRay& ray_;
+  LeafVisitor& visitor_;
   Counts& counts_;
-  BoxProbe boxes_;
+  NodeRay node_ray_;
   double along_[3];  // nowhere flatter than `flattest`
   std::uint64_t visits_ = 0;
 };
 
 template <bool any, typename LeafVisitor>
-void Walk(const Grid& grid, const TraversalRay& probe, LeafVisitor& asker, Counts& counts) {
-  if (!grid.levels.empty()) CellWalk<any, LeafVisitor>(grid, probe, asker, counts).Run();
+void Traverse(const Grid& grid, const TraversalRay& ray, LeafVisitor& visitor, Counts& counts) {
+  if (!grid.levels.empty()) GridTraversal<any, LeafVisitor>(grid, ray, visitor, counts).Run();
 }
 
 void ChooseGrid(Kernels<Grid>* kernels) { *kernels = CompiledKernels<Grid>(); }
@@ -183,17 +189,17 @@ HWY_AFTER_NAMESPACE();
 namespace ray {
 namespace {
 
-using bvh::Part;
-using bvh::Parts;
+using wide::ClippedPrimitive;
+using wide::ClippedPrimitives;
 
 HWY_EXPORT(ChooseGrid);
 
-constexpr double usual_density = 0.03;  // cells an item: nodes of full blocks want full cells (bench/kernels)
+constexpr double usual_density = 0.03;  // cells an primitive: nodes of full blocks want full cells (bench/kernels)
 // Items that are so many times in cells of that size are long: they are better told apart in finer ones.
 constexpr double long_from = 3, finer = 10;
-constexpr std::size_t crowd = 64;   // items of a cell that are worth a grid of their own
+constexpr std::size_t crowd = 64;   // primitives of a cell that are worth a grid of their own
 constexpr int most_levels = 3;      // one inside the other
-constexpr double most_growth = 12;  // references of an item, on all levels together
+constexpr double most_growth = 12;  // references of an primitive, on all levels together
 constexpr double most_cells = 1 << 25;
 constexpr double most_on_an_axis = 1 << 14;
 
@@ -202,38 +208,40 @@ class GridBuilder {
   GridBuilder(Grid& grid, double density) : grid_(grid), density_(density) {}
 
   void Run() {
-    const std::uint32_t count = grid_.space.Items();
+    const std::uint32_t count = grid_.primitives.Size();
     if (count == 0) return;
-    grid_.coordinates = FitCoordinates(grid_.space);
-    Parts all(count);
-    tbb::parallel_for(std::uint32_t{0}, count, [&](std::uint32_t i) { all[i] = WholePart(grid_, i); });
+    grid_.coordinates = FitCoordinates(grid_.primitives);
+    ClippedPrimitives all(count);
+    tbb::parallel_for(std::uint32_t{0}, count, [&](std::uint32_t i) { all[i] = Unclipped(grid_, i); });
     R3::Box box;
-    for (const Part& part : all) box.Extend(Widened(part.box));
+    for (const ClippedPrimitive& primitive : all) box.Extend(Widened(primitive.box));
     Divide(box, all, 1, most_growth);
-    const std::vector<std::uint32_t> children = bvh::Flatten(slots_, grid_);
+    const std::vector<std::uint32_t> children = wide::Flatten(children_, grid_);
     for (std::size_t c = 0; c < grid_.cells.size(); ++c)
-      if (!slots_[c].IsEmpty()) grid_.cells[c] = children[c];
+      if (!children_[c].IsEmpty()) grid_.cells[c] = children[c];
   }
 
  private:
-  static R3::Box Widened(const bvh::Extent& box) {
-    const auto point = [](bvh::Float4 p, double pad) { return R3::Point{p[0] + pad, p[1] + pad, p[2] + pad}; };
-    return {point(box.low, -cell_pad), point(box.high, cell_pad)};
+  static R3::Box Widened(const wide::Extent& box) {
+    const auto point = [](wide::Float4 p, double padding) {
+      return R3::Point{p[0] + padding, p[1] + padding, p[2] + padding};
+    };
+    return {point(box.low, -cell_padding), point(box.high, cell_padding)};
   }
 
   /// Returns the level's number. `growth` is how many times as many references may be made of these.
-  std::uint32_t Divide(const R3::Box& box, const Parts& parts, int depth, double growth) {
+  std::uint32_t Divide(const R3::Box& box, const ClippedPrimitives& primitives, int depth, double growth) {
     const auto number = static_cast<std::uint32_t>(grid_.levels.size());
     Grid::Level level;
     level.box = box;
     std::vector<std::uint32_t> starts;
-    Parts sorted;
-    const double count = static_cast<double>(parts.size());
+    ClippedPrimitives sorted;
+    const double count = static_cast<double>(primitives.size());
     double cells = std::clamp(density_ * count, 1.0, most_cells);
     bool is_finer = false;
     while (true) {  // until what is long and slanted does not fill the memory
       SetCounts(level, cells);
-      const bool fits = Sort(level, parts, growth * count, starts, sorted);
+      const bool fits = Sort(level, primitives, growth * count, starts, sorted);
       const auto all_everywhere = count * static_cast<double>(level.Cells());
       if (!fits) {
         cells /= 4;
@@ -250,15 +258,15 @@ class GridBuilder {
     level.first = grid_.cells.size();
     grid_.levels.push_back(level);
     grid_.cells.resize(level.first + level.Cells(), Grid::CellWithLevel(0));
-    slots_.resize(grid_.cells.size());
+    children_.resize(grid_.cells.size());
     const double left = growth * count / std::max(1.0, static_cast<double>(sorted.size()));
     for (std::size_t c = 0; c < level.Cells(); ++c) {
-      const std::span<Part> inside(sorted.data() + starts[c], starts[c + 1] - starts[c]);
+      const std::span<ClippedPrimitive> inside(sorted.data() + starts[c], starts[c + 1] - starts[c]);
       if (inside.size() > crowd && level.Cells() > 1 && depth < most_levels && left > 1.5) {
         const std::uint32_t below = Divide(level.BoxOf(c), {inside.begin(), inside.end()}, depth + 1, left);
         grid_.cells[level.first + c] = Grid::CellWithLevel(below);
       } else {
-        slots_[level.first + c] = group_(inside);
+        children_[level.first + c] = subtrees_.Build(inside);
       }
     }
     return number;
@@ -273,8 +281,8 @@ class GridBuilder {
     std::sort(order.begin(), order.end(),
               [&](std::size_t a, std::size_t b) { return size[static_cast<int>(a)] < size[static_cast<int>(b)]; });
     double left = cells;
-    // No share of the longest side is 0: boxes are widened by cell_pad, and cells are hardly flatter than the box that
-    // they divide.
+    // No share of the longest side is 0: boxes are widened by cell_padding, and cells are hardly flatter than the box
+    // that they divide.
     double volume = 1;
     for (int axis = 0; axis < 3; ++axis) volume *= size[axis] / longest;
     int axes = 3;
@@ -289,57 +297,57 @@ class GridBuilder {
     level.size = {size.x / level.count[0], size.y / level.count[1], size.z / level.count[2]};
   }
 
-  /// The parts of every cell, one cell after the other: those of cell c from starts[c] to starts[c + 1]. False when
-  /// there are more than `most`.
-  bool Sort(const Grid::Level& level, const Parts& parts, double most, std::vector<std::uint32_t>& starts,
-            Parts& sorted) {
-    std::vector<std::pair<std::size_t, Part>> found;  // with their cells
-    for (const Part& part : parts) {
-      const R3::Box widened = Widened(part.box);
+  /// The primitives of every cell, one cell after the other: those of cell c from starts[c] to starts[c + 1]. False
+  /// when there are more than `most`.
+  bool Sort(const Grid::Level& level, const ClippedPrimitives& primitives, double most,
+            std::vector<std::uint32_t>& starts, ClippedPrimitives& sorted) {
+    std::vector<std::pair<std::size_t, ClippedPrimitive>> found;  // with their cells
+    for (const ClippedPrimitive& primitive : primitives) {
+      const R3::Box widened = Widened(primitive.box);
       std::array<int, 3> low, high, at;
       for (int axis = 0; axis < 3; ++axis) {
         const auto a = static_cast<std::size_t>(axis);
-        const auto place = [&](const R3::Point& p) {
+        const auto cell_of = [&](const R3::Point& p) {
           const double cell = (FromOrigin(p)[axis] - FromOrigin(level.box.low)[axis]) / level.size[axis];
           return static_cast<int>(std::clamp(std::floor(cell), 0.0, static_cast<double>(level.count[a] - 1)));
         };
-        low[a] = place(widened.low), high[a] = place(widened.high);
+        low[a] = cell_of(widened.low), high[a] = cell_of(widened.high);
       }
       for (at[2] = low[2]; at[2] <= high[2]; ++at[2])
         for (at[1] = low[1]; at[1] <= high[1]; ++at[1])
           for (at[0] = low[0]; at[0] <= high[0]; ++at[0]) {
             const std::size_t cell = level.Cell(at);
-            Part inside = part;
-            if (low != high && !CutTo(Padded(level.BoxOf(cell)), grid_, inside)) continue;
+            ClippedPrimitive inside = primitive;
+            if (low != high && !ClipTo(WithPadding(level.BoxOf(cell)), grid_, inside)) continue;
             found.emplace_back(cell, inside);
             if (static_cast<double>(found.size()) > most && level.Cells() > 1) return false;
           }
     }
     starts.assign(level.Cells() + 1, 0);
-    for (const auto& [cell, part] : found) ++starts[cell + 1];
+    for (const auto& [cell, primitive] : found) ++starts[cell + 1];
     for (std::size_t c = 0; c < level.Cells(); ++c) starts[c + 1] += starts[c];
     sorted.resize(found.size());
     std::vector<std::uint32_t> ends(starts.begin(), starts.end() - 1);
-    for (const auto& [cell, part] : found) sorted[ends[cell]++] = part;
+    for (const auto& [cell, primitive] : found) sorted[ends[cell]++] = primitive;
     return true;
   }
 
-  static R3::Box Padded(const R3::Box& cell) {
-    const R3::Vector pad{cell_pad, cell_pad, cell_pad};
-    return {cell.low - pad, cell.high + pad};
+  static R3::Box WithPadding(const R3::Box& cell) {
+    const R3::Vector padding{cell_padding, cell_padding, cell_padding};
+    return {cell.low - padding, cell.high + padding};
   }
 
   Grid& grid_;
   double density_;
-  std::vector<bvh::BuildChild> slots_;  // of every cell
-  bvh::Grouping group_;
+  std::vector<wide::BuildChild> children_;  // of every cell
+  wide::SubtreeBuilder subtrees_;
 };
 
 }  // namespace
 
 extern const AcceleratorKind grid_kind{
     "grid", "equal cells, crowded ones divided again: for hair, thin and slanted things",
-    [](const World& world, const AcceleratorSettings& settings) -> std::unique_ptr<const Accelerator> {
+    [](const World& world, const AcceleratorSettings& settings) -> std::unique_ptr<Accelerator> {
       const double density = settings.resolution > 0 ? settings.resolution : usual_density;
       return std::make_unique<TwoLevelAccelerator<Grid>>(
           world, settings,
@@ -347,8 +355,8 @@ extern const AcceleratorKind grid_kind{
             HWY_DYNAMIC_DISPATCH(ChooseGrid)
             (static_cast<Kernels<Grid>*>(kernels));
           },
-          [&](PrimitiveSet space) {
-            Grid grid(std::move(space));
+          [&](PrimitiveSet primitives) {
+            Grid grid(std::move(primitives));
             GridBuilder(grid, density).Run();
             return grid;
           });

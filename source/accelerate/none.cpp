@@ -4,7 +4,7 @@
 namespace ray {
 namespace {
 
-// Asks every primitive: the oracle of all the others, and right for a handful of primitives.
+// Tests every primitive: the oracle of all the others, and right for a handful of primitives.
 class BruteForce : public Accelerator {
  public:
   explicit BruteForce(const World& world) : world_(world) {}
@@ -39,8 +39,8 @@ class BruteForce : public Accelerator {
 }  // namespace
 
 extern const AcceleratorKind none_kind{
-    "none", "every primitive is asked: the oracle of all the others",
-    [](const World& world, const AcceleratorSettings&) -> std::unique_ptr<const Accelerator> {
+    "none", "every primitive is tested: the oracle of all the others",
+    [](const World& world, const AcceleratorSettings&) -> std::unique_ptr<Accelerator> {
       return std::make_unique<BruteForce>(world);
     }};
 

@@ -37,7 +37,7 @@ std::string RaysOfPixel(const Options& options) {
   const World world(parsed.scene);
   TellAll(parsed.warnings);
   TellAll(world.Warnings());
-  const auto accelerator = FindAcceleratorKind(options.accelerator.name)->make(world, options.accelerator);
+  const auto accelerator = FindAcceleratorKind(options.accelerator.name)->Make(world, options.accelerator);
   return DebugPixel(world, *accelerator, options.render, options.pixel->x, options.pixel->y);
 }
 

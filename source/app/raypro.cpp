@@ -55,7 +55,7 @@ void Compare(const RenderResult& result, const std::vector<R2::Image>& reference
 std::unique_ptr<const Accelerator> Build(const World& world, const Options& options) {
   AcceleratorSettings settings = options.accelerator;
   settings.expected_rays = ExpectedRays(options.render);
-  return FindAcceleratorKind(settings.name)->make(world, settings);
+  return FindAcceleratorKind(settings.name)->Make(world, settings);
 }
 
 int MakePicture(const Options& options, const Words& words) {

@@ -23,14 +23,14 @@ constexpr std::int64_t first_bounce_at_risk = 2;
 /// How a surface scatters, and with what probability each way is chosen.
 struct Path::Lobes {
   SpecularWeights specular;
-  double matte = 0, reflection = 0, transmission = 0;  // probabilities; their sum is 1, or 0 where nothing scatters
+  double diffuse = 0, reflection = 0, transmission = 0;  // probabilities; their sum is 1, or 0 where nothing scatters
   bool is_glossy = false;
   R3::Vector mirrored;  // unit; the middle of the lobe
 
-  /// Of a direction by the matte part and the lobe together, per solid angle.
+  /// Of a direction by the diffuse part and the lobe together, per solid angle.
   double Pdf(const ShadingPoint& s, const R3::Vector& L) const {
     const double by_lobe = is_glossy ? reflection * PowerPdf(Dot(L, mirrored), s.material->n) : 0;
-    return matte * CosinePdf(Dot(s.N, L)) + by_lobe;
+    return diffuse * CosinePdf(Dot(s.N, L)) + by_lobe;
   }
   /// Radiance scattered to the viewer per radiance from unit L, the cosine included.
   R2::Color Scattered(const ShadingPoint& s, const R3::Vector& L) const {
@@ -138,7 +138,7 @@ Path::Lobes Path::LobesOf(const ShadingPoint& s) const {
   const double d = Luminance(s.kd), r = Luminance(lobes.specular.reflected), t = Luminance(lobes.specular.transmitted);
   const double sum = d + r + t;
   if (sum > 0) {
-    lobes.matte = d / sum;
+    lobes.diffuse = d / sum;
     lobes.reflection = r / sum;
     lobes.transmission = t / sum;
   }
@@ -228,13 +228,13 @@ std::optional<Path::Bounce> Path::Scatter(const ShadingPoint& s) const {
   const R2::Point place{random[0], random[1]};
   const double way = random[2];
   std::optional<Bounce> bounce;
-  if (way < lobes.matte) {
+  if (way < lobes.diffuse) {
     bounce = ScatterMatte(s, lobes, place, false);
-  } else if (way < lobes.matte + lobes.reflection && lobes.is_glossy) {
+  } else if (way < lobes.diffuse + lobes.reflection && lobes.is_glossy) {
     bounce = ScatterMatte(s, lobes, place, true);
   } else if (is_last) {
     return {};
-  } else if (way < lobes.matte + lobes.reflection) {
+  } else if (way < lobes.diffuse + lobes.reflection) {
     bounce.emplace();
     bounce->next.ray = SpawnRay(s, lobes.mirrored);
     bounce->next.throughput = s.path.throughput * lobes.specular.reflected / lobes.reflection;

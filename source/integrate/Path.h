@@ -6,7 +6,7 @@
 namespace ray {
 
 /// Distributed ray tracing: light arrives over every number of bounces up to max_depth, each bounce going one way,
-/// chosen at random among matte scattering, the reflection (a mirror's, or over Phong's lobe with `glossy`) and
+/// chosen at random among diffuse scattering, the reflection (a mirror's, or over Phong's lobe with `glossy`) and
 /// transmission. Units are the course's: kd and ks are the shares that are scattered, so an emission or an environment
 /// L is a radiance and is scattered as
 ///

@@ -8,7 +8,7 @@
 
 namespace ray {
 
-/// What a ray is for. Transmission is straight or refracted; scattering is off matte surfaces.
+/// What a ray is for. Transmission is straight or refracted; scattering is off diffuse surfaces.
 enum class RayKind { camera, shadow, reflection, transmission, scattering };
 inline constexpr std::array ray_kind_names{"camera", "shadow", "reflection", "transmission", "scattering"};
 

@@ -108,7 +108,7 @@ R2::Color PixelTrace::Mean() const {
 
 PixelTracer::PixelTracer(const World& world, const Accelerator& accelerator, const RenderSettings& settings)
     : settings_(settings),
-      integrator_(MakeIntegrator(settings.mode, world, accelerator.Worker(), TraceSettingsOf(settings))),
+      integrator_(MakeIntegrator(settings.mode, world, accelerator, TraceSettingsOf(settings))),
       camera_(settings.view.value_or(world.scene().camera), settings.camera, world.Moves(), settings.width,
               settings.height, settings.trace.sampler, TraceSettingsOf(settings).samples) {}
 

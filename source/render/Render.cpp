@@ -293,7 +293,7 @@ class Job {
     bool is_whole = true;
     if (halt_.IsAsked() || (has_progressed_ && halt_.IsPauseDue())) return false;
     for (const int block : tiles_.BlocksOf(tile)) {
-      state.workspace.ForgetPlaces();
+      state.workspace.ForgetLastHits();
       is_whole = Advance(block, state, renderer);
       if (!is_whole) break;
       pixels += film_.PixelsOf(block).Area();
@@ -450,7 +450,7 @@ double ExpectedRays(const RenderSettings& settings) {
 
 std::unique_ptr<const Integrator> IntegratorOf(const World& world, const Accelerator& accelerator,
                                                const RenderSettings& settings) {
-  return MakeIntegrator(settings.mode, world, accelerator.Worker(), TraceSettingsFor(settings));
+  return MakeIntegrator(settings.mode, world, accelerator, TraceSettingsFor(settings));
 }
 
 CameraRays CameraRaysOf(const World& world, const RenderSettings& settings) {

@@ -5,7 +5,7 @@
 namespace ray {
 namespace {
 
-constexpr std::size_t most_together = 16;  // camera rays
+constexpr std::size_t packet_size = 16;  // camera rays
 
 }  // namespace
 
@@ -16,7 +16,7 @@ SampleTracer::SampleTracer(const Integrator& integrator, const CameraRays& camer
       seed_(settings.seed),
       shows_costs_(ShowsCosts(settings.mode)),
       counts_rays_(settings.mode == RenderMode::rays),
-      together_(shows_costs_ ? 1 : most_together) {}
+      together_(shows_costs_ ? 1 : packet_size) {}
 
 double SampleTracer::CostSoFar(const TraceState& state) const {
   return counts_rays_ ? static_cast<double>(state.rays.Total()) : Heat(state.rays.Cost());

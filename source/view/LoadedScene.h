@@ -15,7 +15,7 @@ struct LoadedScene {
   LoadedScene(const std::filesystem::path& file, const ParseOptions& options, const AcceleratorSettings& how)
       : parsed(Parse(file, options)),
         world(parsed.scene),
-        accelerator(FindAcceleratorKind(how.name)->make(world, how)) {}
+        accelerator(FindAcceleratorKind(how.name)->Make(world, how)) {}
 
   ParsedScene parsed;
   World world;

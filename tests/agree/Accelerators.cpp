@@ -116,7 +116,7 @@ TEST(Extremes, C6_BadRaysHitNothingAndAreCounted) {
                                  {{0, 0, 5}, {0, 0, -inf}},     {{nan, 0, 5}, {0, 0, -1}},   {{0, inf, 5}, {0, 0, -1}},
                                  {{0, 0, 5}, {0, 0, -1}, 7, 3}, {{0, 0, 5}, {0, 0, -1}, nan}};
   for (const auto& way : EveryWay()) {
-    const auto accelerator = ray::FindAcceleratorKind(way.settings.name)->make(world, way.settings);
+    const auto accelerator = ray::FindAcceleratorKind(way.settings.name)->Make(world, way.settings);
     ray::Workspace workspace;
     for (const R3::Ray& ray : bad) {
       EXPECT_FALSE(accelerator->Intersect(ray, workspace)) << way.name << ' ' << oracle::Hex(ray);
@@ -169,7 +169,7 @@ TEST(Extremes, C8_C10_ATinyMeshInAHugeOne) {
   }
   Compare(world, rays, EveryWay());
   for (const auto& way : EveryWay()) {
-    const auto accelerator = ray::FindAcceleratorKind(way.settings.name)->make(world, way.settings);
+    const auto accelerator = ray::FindAcceleratorKind(way.settings.name)->Make(world, way.settings);
     EXPECT_LE(accelerator->Bytes(), 4000u * static_cast<std::size_t>(world.Primitives())) << way.name;
   }
 }
@@ -202,8 +202,8 @@ TEST(Extremes, A11_TheSameMeshManyTimesEqualsItsCopiesAndIsStoredOnce) {
   Compare(shared_world, rays, EveryWay());
   Compare(copied_world, rays, EveryWay());
   // The copies' corners are rounded once more, so the same hit may differ in its last digits, not in what it is.
-  const auto a = ray::FindAcceleratorKind("bvh")->make(shared_world, {}),
-             b = ray::FindAcceleratorKind("bvh")->make(copied_world, {});
+  const auto a = ray::FindAcceleratorKind("bvh")->Make(shared_world, {}),
+             b = ray::FindAcceleratorKind("bvh")->Make(copied_world, {});
   int same = 0, hits = 0;
   for (const R3::Ray& ray : rays) {
     ray::Workspace w;
@@ -217,7 +217,7 @@ TEST(Extremes, A11_TheSameMeshManyTimesEqualsItsCopiesAndIsStoredOnce) {
   const ray::Scene many = scene_of(true, 20'000);
   const ray::World many_world(many);
   for (const char* kind : {"bvh"})
-    EXPECT_LE(ray::FindAcceleratorKind(kind)->make(many_world, {})->Bytes(), 200u * 20'000u) << kind;
+    EXPECT_LE(ray::FindAcceleratorKind(kind)->Make(many_world, {})->Bytes(), 200u * 20'000u) << kind;
 }
 
 TEST(Extremes, D7_AmongThingsInTheSamePlaceTheFirstWins) {
@@ -245,7 +245,7 @@ TEST(Extremes, D7_H2_AMillionOfTheSameBuildInBoundedTimeAndMemory) {
   const ray::World world(scene);
   ASSERT_EQ(world.Primitives(), count);
   for (const char* kind : {"graph", "grid", "octree", "bvh", "auto"}) {
-    const auto accelerator = ray::FindAcceleratorKind(kind)->make(world, {.name = kind});
+    const auto accelerator = ray::FindAcceleratorKind(kind)->Make(world, {.name = kind});
     EXPECT_LE(accelerator->Bytes(), 200u * static_cast<std::size_t>(count)) << kind;
     ray::Workspace workspace;
     const auto hit = accelerator->Intersect({{0, 0, 5}, {0, 0, -1}}, workspace);

@@ -119,7 +119,7 @@ TEST(Pictures, AnotherSeedMovesTheNoiseOfASoftShadow) {
 
 TEST(Pictures, StoppedBeforeTheFirstPixelIsBlackAndSaysSo) {
   const project::Stage stage(project::Root() / "scenes" / "sphere.scn");
-  const auto accelerator = ray::FindAcceleratorKind("none")->make(stage.world, {});
+  const auto accelerator = ray::FindAcceleratorKind("none")->Make(stage.world, {});
   const std::atomic<bool> stop = true;
   ray::RenderMonitor monitor;
   monitor.stop = &stop;

@@ -39,7 +39,7 @@ std::string Scene(const std::string& ball, const std::string& more, const std::s
          "box 0  -4 -0.3 -4  4 0 4\n";
 }
 
-const std::string matte = "0.7 0.4 0.3  0 0 0  0 0 0  0 0 0  10 1 0";
+const std::string diffuse = "0.7 0.4 0.3  0 0 0  0 0 0  0 0 0  10 1 0";
 const std::string area_light = "area_light 3 3 3  0 4 2  0 -1 -0.3  0.8  0 0 0.2";
 
 struct Statement {
@@ -48,21 +48,21 @@ struct Statement {
 };
 
 TEST(UnusedFeatures, AScenesStatementsWithoutEffectChangeNoNeedNoKernelAndNoBit) {
-  const std::string plain = Scene(matte, "", area_light);
-  const std::string point = Scene(matte, "", "point_light 3 3 3  0 4 2  0 0 0.2");
+  const std::string plain = Scene(diffuse, "", area_light);
+  const std::string point = Scene(diffuse, "", "point_light 3 3 3  0 4 2  0 0 0.2");
   const Statement statements[] = {
       {"an index of refraction where nothing is clear",
        Scene("0.7 0.4 0.3  0 0 0  0 0 0  0 0 0  10 1.5 0", "", area_light), plain},
       {"an exponent where nothing is specular", Scene("0.7 0.4 0.3  0 0 0  0 0 0  0 0 0  80 1 0", "", area_light),
        plain},
       {"a glass that nothing is made of",
-       Scene(matte, "material 0 0 0  0 0 0  0.1 0.1 0.1  0.9 0.9 0.9  0 0 0  50 1.5 0\n", area_light), plain},
-      {"a black point light", Scene(matte, "point_light 0 0 0  1 5 1  1 0 0\n", area_light), plain},
-      {"a black area light", Scene(matte, "area_light 0 0 0  1 5 1  0 -1 0  2  1 0 0\n", area_light), plain},
-      {"a black background", Scene(matte, "background 0 0 0\n", area_light), plain},
+       Scene(diffuse, "material 0 0 0  0 0 0  0.1 0.1 0.1  0.9 0.9 0.9  0 0 0  50 1.5 0\n", area_light), plain},
+      {"a black point light", Scene(diffuse, "point_light 0 0 0  1 5 1  1 0 0\n", area_light), plain},
+      {"a black area light", Scene(diffuse, "area_light 0 0 0  1 5 1  0 -1 0  2  1 0 0\n", area_light), plain},
+      {"a black background", Scene(diffuse, "background 0 0 0\n", area_light), plain},
       {"a black area light beside a point light",
-       Scene(matte, "area_light 0 0 0  1 5 1  0 -1 0  2  1 0 0\n", "point_light 3 3 3  0 4 2  0 0 0.2"), point},
-      {"groups that turn nothing", Scene(matte, "begin -1  1 0 0 0  0 1 0 0  0 0 1 0  0 0 0 1\nend\n", area_light),
+       Scene(diffuse, "area_light 0 0 0  1 5 1  0 -1 0  2  1 0 0\n", "point_light 3 3 3  0 4 2  0 0 0.2"), point},
+      {"groups that turn nothing", Scene(diffuse, "begin -1  1 0 0 0  0 1 0 0  0 0 1 0  0 0 0 1\nend\n", area_light),
        plain},
   };
   for (const Statement& s : statements) {
@@ -73,7 +73,7 @@ TEST(UnusedFeatures, AScenesStatementsWithoutEffectChangeNoNeedNoKernelAndNoBit)
 }
 
 TEST(UnusedFeatures, AnAreaLightWithoutAreaIsSampledOnceHoweverManyShadowRaysAreAskedFor) {
-  const project::Stage stage(project::FromText(Scene(matte, "", "area_light 3 3 3  0 4 2  0 -1 -0.3  0  0 0 0.2")));
+  const project::Stage stage(project::FromText(Scene(diffuse, "", "area_light 3 3 3  0 4 2  0 -1 -0.3  0  0 0 0.2")));
   const auto needs = ray::FeaturesOf(stage.world, Small("whitted"));
   EXPECT_TRUE(needs.lights);
   EXPECT_FALSE(needs.area_lights);
@@ -105,7 +105,7 @@ TEST(UnusedFeatures, OptionsWithoutEffectChangeNoNeedNoKernelAndNoBit) {
       {"a confidence without an error to stop at", [](ray::RenderSettings& s) { s.budget.confidence = 0.99; }},
       {"adaptive without an error to stop at", [](ray::RenderSettings& s) { s.budget.adaptive = ray::Adaptive::tile; }},
   };
-  const project::Stage stage(project::FromText(Scene(matte, "", area_light)));
+  const project::Stage stage(project::FromText(Scene(diffuse, "", area_light)));
   for (const Change& change : changes)
     for (const char* mode : {"whitted", "path"}) {
       ray::RenderSettings settings = Small(mode);
@@ -116,7 +116,7 @@ TEST(UnusedFeatures, OptionsWithoutEffectChangeNoNeedNoKernelAndNoBit) {
 
 // The other way round, lest everything above hold because nothing is ever needed.
 TEST(UnusedFeatures, OnesThatHaveAnEffectAreNeededAndSeen) {
-  const project::Stage stage(project::FromText(Scene(matte, "", area_light)));
+  const project::Stage stage(project::FromText(Scene(diffuse, "", area_light)));
   const ray::RenderSettings plain = Small("whitted");
   ray::RenderSettings lens = plain, motion = plain;
   lens.camera.aperture = 0.2;

@@ -28,7 +28,7 @@ ray::RenderSettings Everything() {
 /// Breaks a render off when a number of tiles is done, then goes on from what it kept, again and again.
 ray::RenderResult InPieces(const project::Stage& stage, ray::RenderSettings settings, std::mt19937& random,
                            int& breaks) {
-  const auto accelerator = ray::FindAcceleratorKind("auto")->make(stage.world, {});
+  const auto accelerator = ray::FindAcceleratorKind("auto")->Make(stage.world, {});
   std::optional<ray::RenderState> kept;
   while (true) {
     std::atomic<bool> stop = false;
@@ -71,7 +71,7 @@ TEST(Extremes, J3_APictureMadeInPiecesIsThatOfOneRun) {
 
 TEST(Extremes, J3_KeepingStatesOnTheWayChangesNoBit) {
   const project::Stage stage(project::Root() / "scenes" / "area_light.scn");
-  const auto accelerator = ray::FindAcceleratorKind("auto")->make(stage.world, {});
+  const auto accelerator = ray::FindAcceleratorKind("auto")->Make(stage.world, {});
   const ray::RenderSettings settings = Everything();
   int kept = 0;
   ray::RenderMonitor monitor;
@@ -89,7 +89,7 @@ class Checkpoints : public testing::Test {
     settings.width = settings.height = 9;
     settings.samples = 3;
     const project::Stage stage(project::Root() / "scenes" / "sphere.scn");
-    const auto accelerator = ray::FindAcceleratorKind("auto")->make(stage.world, {});
+    const auto accelerator = ray::FindAcceleratorKind("auto")->Make(stage.world, {});
     std::atomic<bool> stop = false;
     ray::RenderMonitor monitor;
     monitor.stop = &stop;

@@ -21,7 +21,7 @@ struct Single {
     scene.root.children.push_back(std::move(group));
     SetBounds(scene.root);
     world = std::make_unique<ray::World>(scene);
-    accelerator = ray::FindAcceleratorKind("none")->make(*world, {});
+    accelerator = ray::FindAcceleratorKind("none")->Make(*world, {});
   }
 
   std::optional<ray::WorldHit> Hit(const R3::Ray& ray) { return accelerator->Intersect(ray, workspace); }

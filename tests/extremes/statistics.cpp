@@ -84,13 +84,13 @@ TEST(Extremes, I1_EveryShapeThatLosesNothingVanishesInAWhiteFurnace) {
       const char* name;
       std::string material;
       bool glossy, fresnel;
-    } cases[] = {{"matte", Material(1, 0, 0, 0), false, false},
+    } cases[] = {{"diffuse", Material(1, 0, 0, 0), false, false},
                  {"mirror", Material(0, 1, 0, 0), false, false},
-                 {"half matte, half mirror", Material(0.5, 0.5, 0, 0), false, false},
+                 {"half diffuse, half mirror", Material(0.5, 0.5, 0, 0), false, false},
                  {"glass by Fresnel", Material(0, 0, 1, 0, 10, 1.5), false, true},
                  {"dense glass by Fresnel", Material(0, 0, 1, 0, 10, 2.4), false, true},
                  {"thin glass by Fresnel", Material(0, 0, 1, 0, 10, 0.6), false, true},
-                 {"part clear, part matte", Material(0.25, 0.25, 0.5, 0, 10, 1), false, true}};
+                 {"part clear, part diffuse", Material(0.25, 0.25, 0.5, 0, 10, 1), false, true}};
     for (const auto& c : cases) {
       const project::Stage stage = StageOf(no_light + "background 1 1 1" + c.material + shape);
       RenderSettings settings = Path(16, 16);
@@ -121,11 +121,11 @@ TEST(Extremes, I1_TheCoursesModeIsWhiteOnAMatteBallAndInGlass) {
   const std::string camera = "camera 0 0 6 0 0 -1 0 1 0 0.1 0.01 100";
   RenderSettings settings = Whitted(32, 64);
   settings.trace.shadow_samples = 4;
-  const Mean matte = statistics::MeanOverPixels(
+  const Mean diffuse = statistics::MeanOverPixels(
       project::Render(StageOf(no_light + camera + Material(1, 0, 0, 0) + "sphere 0 0 0 0 1", Uniform(1)), settings)
           .image);
-  EXPECT_LT(std::abs(Deviations(matte, 1, 1e-6)), 4);
-  EXPECT_NEAR(matte.mean, 1, 1e-3);
+  EXPECT_LT(std::abs(Deviations(diffuse, 1, 1e-6)), 4);
+  EXPECT_NEAR(diffuse.mean, 1, 1e-3);
   for (const bool fresnel : {false, true}) {
     // Where each crossing splits the light, what is left in the glass after k bounces is below 0.2^k seen from afar.
     settings = Whitted(16, 1);
@@ -219,7 +219,7 @@ std::string Get() {
 double Series(double p, int last) { return (1 - std::pow(p, last + 1)) / (1 - p); }
 
 std::vector<Known> KnownScenes() {
-  // All look at the origin, on a matte floor of kd 0.5 unless said otherwise, from the side and below what shines.
+  // All look at the origin, on a diffuse floor of kd 0.5 unless said otherwise, from the side and below what shines.
   const std::string camera = "camera 3 1 0  -3 -1 0  0 1 0  1e-7  0.01 100 ";
   const std::string floor = camera + Material(0.5, 0, 0, 0) + "box 0 -40 -1 -40 40 0 40 ";
   const int n = Count(64, 4096);
@@ -399,7 +399,7 @@ TEST(Extremes, I4_ErrorsFallAsTheRootOfTheSamplesOrFaster) {
 
 // I5 and I7: other ways to the same picture.
 
-/// A floor, a wall and a ball, matte and glossy.
+/// A floor, a wall and a ball, diffuse and glossy.
 const std::string room =
     "camera 0 1.5 6  0 -0.2 -1  0 1 0  0.35  0.01 100" + Material(0.5, 0.3, 0, 0, 20) + Material(0.7, 0, 0, 0) +
     "tri 0 -9 0 -9  -9 0 9  9 0 9 tri 0 -9 0 -9  9 0 9  9 0 -9 tri 1 -9 0 -3  9 0 -3  0 12 -3 sphere 0 0.8 0.7 0 0.7 ";
@@ -484,15 +484,15 @@ TEST(Extremes, I5_OneLightOrAFewStandForAll) {
 
 TEST(Extremes, I5_TheCoursesModeAndPathsAgreeOnLightThatComesStraight) {
   // No mirrors, no bounces: both are the same integral over the sky and the lamps.
-  std::string matte = room;
+  std::string diffuse = room;
   const std::string glossy = Material(0.5, 0.3, 0, 0, 20);
-  matte.replace(matte.find(glossy), glossy.size(), Material(0.5, 0, 0, 0));
+  diffuse.replace(diffuse.find(glossy), glossy.size(), Material(0.5, 0, 0, 0));
   std::vector<std::pair<std::string, RenderSettings>> ways;
   for (const char* mode : {"whitted", "path"}) {
     ways.emplace_back(mode, Compared(mode, 64));
     ways.back().second.trace.max_depth = 0;
   }
-  ExpectAllAlike(StageOf(matte + Lamps(false), SunnySky()), ways);
+  ExpectAllAlike(StageOf(diffuse + Lamps(false), SunnySky()), ways);
 }
 
 TEST(Extremes, I5_EverySamplerGivesTheSameMean) {

@@ -35,7 +35,7 @@ void ExpectNoLeaks(const R3::MeshData& data, const R3::Matrix& matrix, std::uint
   const ray::World world(scene);
   for (const auto& way : Ways()) {
     Draw draw(seed);
-    const auto accelerator = ray::FindAcceleratorKind(way.settings.name)->make(world, way.settings);
+    const auto accelerator = ray::FindAcceleratorKind(way.settings.name)->Make(world, way.settings);
     const bool is_fewer = way.settings.name == "none" || way.settings.name == "graph" || way.name != way.settings.name;
     ray::Workspace workspace;
     int leaks = 0;
@@ -67,7 +67,7 @@ TEST(Extremes, D1_D2_NorDoesOneThatTracesRaysTogether) {
   for (const auto& way : Ways()) {
     if (way.settings.name == "none" || way.settings.name == "graph") continue;  // they trace them one by one
     Draw draw(1004);
-    const auto accelerator = ray::FindAcceleratorKind(way.settings.name)->make(world, way.settings);
+    const auto accelerator = ray::FindAcceleratorKind(way.settings.name)->Make(world, way.settings);
     ray::Workspace workspace;
     int leaks = 0;
     for (int i = 0; i < Count(2'000, 1'000'000); ++i) {
@@ -114,7 +114,7 @@ TEST(Extremes, D12_ARayFromOutsideToOutsideCrossesAClosedMeshAnEvenNumberOfTimes
   for (const auto& way : Ways()) {
     const bool asks_all = way.settings.name == "none" || way.settings.name == "graph";
     Draw draw(1020);
-    const auto accelerator = ray::FindAcceleratorKind(way.settings.name)->make(world, way.settings);
+    const auto accelerator = ray::FindAcceleratorKind(way.settings.name)->Make(world, way.settings);
     ray::Workspace workspace;
     int odd = 0;
     for (int i = 0; i < Count(asks_all ? 1'000 : 20'000, asks_all ? 50'000 : 1'000'000); ++i) {
@@ -136,7 +136,7 @@ TEST(Extremes, E9_NoLightComesThroughASharedEdge) {
   for (const auto& way : Ways()) {
     const bool asks_all = way.settings.name == "none" || way.settings.name == "graph";
     Draw draw(1030);
-    const auto accelerator = ray::FindAcceleratorKind(way.settings.name)->make(world, way.settings);
+    const auto accelerator = ray::FindAcceleratorKind(way.settings.name)->Make(world, way.settings);
     ray::Workspace workspace;
     int lit = 0;
     for (int i = 0; i < Count(asks_all ? 1'000 : 30'000, asks_all ? 100'000 : 10'000'000); ++i) {

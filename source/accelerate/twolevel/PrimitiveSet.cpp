@@ -8,13 +8,14 @@
 namespace ray {
 namespace {
 
-constexpr std::uint32_t most_items = std::uint32_t{1} << 29;  // structures keep three bits of a number for themselves
+// Structures keep three bits of a number for themselves.
+constexpr std::uint32_t most_primitives = std::uint32_t{1} << 29;
 
 /// Widened, and cut to what leaves room for sums of two: beyond it there are no hits either.
-R3::Box Widened(const R3::Box& box, double pad) {
+R3::Box Widened(const R3::Box& box, double padding) {
   constexpr double far = 0x1p1020;
-  const auto low = [&](double x) { return x - pad > -far ? std::min(x - pad, far) : -far; };  // also of NaN
-  const auto high = [&](double x) { return x + pad < far ? std::max(x + pad, -far) : far; };
+  const auto low = [&](double x) { return x - padding > -far ? std::min(x - padding, far) : -far; };  // also of NaN
+  const auto high = [&](double x) { return x + padding < far ? std::max(x + padding, -far) : far; };
   return {{low(box.low.x), low(box.low.y), low(box.low.z)}, {high(box.high.x), high(box.high.y), high(box.high.z)}};
 }
 
@@ -27,14 +28,14 @@ PrimitiveSet::PrimitiveSet(const World& world) : world_(world) {
     const bool is_whole = instance.shared != Instance::not_shared;
     Add(i, is_whole, is_whole ? 1 : static_cast<std::uint32_t>(instance.shape->Elements()));
     if (instance.frame != 0)
-      pad_per_distance_ =
-          std::max(pad_per_distance_, WorldBoundsPadding(world.Frames()[instance.frame], 0).per_distance);
+      padding_per_distance_ =
+          std::max(padding_per_distance_, WorldBoundsPadding(world.Frames()[instance.frame], 0).per_distance);
   }
   constexpr std::size_t short_run = 8;
-  if (runs_.size() * short_run > items_ && runs_.size() > 1) {
-    run_of_item_.reserve(items_);
+  if (runs_.size() * short_run > size_ && runs_.size() > 1) {
+    run_of_.reserve(size_);
     for (std::uint32_t r = 0; r < runs_.size(); ++r)
-      run_of_item_.resize(r + 1 < runs_.size() ? runs_[r + 1].first_item : items_, r);
+      run_of_.resize(r + 1 < runs_.size() ? runs_[r + 1].first : size_, r);
   }
 }
 
@@ -44,20 +45,20 @@ PrimitiveSet::PrimitiveSet(const World& world, int number)
 }
 
 void PrimitiveSet::Add(std::uint32_t instance, bool is_whole, std::uint32_t count) {
-  if (count > most_items - items_) throw std::length_error("the scene has more than 2^29 primitives");
-  runs_.push_back({items_, instance, is_whole});
-  items_ += count;
+  if (count > most_primitives - size_) throw std::length_error("the scene has more than 2^29 primitives");
+  runs_.push_back({size_, instance, is_whole});
+  size_ += count;
 }
 
 R3::Box PrimitiveSet::Bounds(std::uint32_t i) const {
   if (mesh_) return Widened(mesh_->Bounds(static_cast<int>(i)), 0);
-  const PrimRef item = (*this)[i];
-  const Instance& instance = world_.Instances()[item.instance];
+  const PrimRef primitive = (*this)[i];
+  const Instance& instance = world_.Instances()[primitive.instance];
   R3::Box box;
-  if (item.element == PrimRef::whole)
+  if (primitive.element == PrimRef::whole)
     box = instance.node->bounds;  // a shared shape is the node's own, and a primitive's node has no transform
   else
-    box = instance.shape->Bounds(item.element);
+    box = instance.shape->Bounds(primitive.element);
   if (instance.frame == 0) return Widened(box, 0);
   const R3::Transform& frame = world_.Frames()[instance.frame];
   box = world_.InWorld(instance.frame, box);

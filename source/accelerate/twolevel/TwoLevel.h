@@ -1,8 +1,5 @@
 #pragma once
 
-#include <hwy/targets.h>
-
-#include <array>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -10,6 +7,7 @@
 
 #include "source/accelerate/Accelerator.h"
 #include "source/accelerate/NearestHit.h"
+#include "source/accelerate/twolevel/InstructionSet.h"
 #include "source/accelerate/twolevel/PrimitiveSet.h"
 
 /// What structures that test eight triangles at a time have in common.
@@ -18,7 +16,7 @@ namespace ray {
 inline constexpr int width = 8;  // triangles of a block, children of a wide node
 
 /// Where a structure computes in single precision: at (p - center) * scale, so that all its boxes lie in [-1, 1] and
-/// floats resolve them equally well wherever and however large the space is. The scale is a power of two.
+/// floats resolve them equally well wherever and however large the scene is. The scale is a power of two.
 struct Coordinates {
   R3::Point center;
   double scale = 1;
@@ -26,51 +24,41 @@ struct Coordinates {
   R3::Vector operator()(const R3::Point& p) const { return scale * (p - center); }
   R3::Point Back(const R3::Vector& v) const { return center + v / scale; }
 };
-Coordinates FitCoordinates(const PrimitiveSet& space);
+Coordinates FitCoordinates(const PrimitiveSet& primitives);
 
 /// Up to eight triangles side by side. Missing ones have NaN corners, which no test accepts.
 struct alignas(32) TriangleBlock {
   float corner[3][width], edge1[3][width], edge2[3][width];  // corner 0, corner 1 - corner 0, corner 2 - corner 0
-  std::uint32_t item[width];
+  std::uint32_t primitive[width];
 };
-/// `count` items of the space, all of them triangles of its own frame.
-void FillBlock(TriangleBlock& block, const PrimitiveSet& space, const Coordinates& coordinates,
-               const std::uint32_t* items, int count);
+/// `count` of the primitives, all of them triangles in the set's own frame.
+void FillBlock(TriangleBlock& block, const PrimitiveSet& primitives, const Coordinates& coordinates,
+               const std::uint32_t* triangles, int count);
 
-/// One structure over the world, and one over the inside of each shared mesh. A Structure has the members
-///     PrimitiveSet space; Coordinates coordinates; std::size_t Bytes() const; std::string Explain() const;
+/// Instancing: one structure over the world, and one over the inside of each shared mesh. A Structure has the members
+///     PrimitiveSet primitives; Coordinates coordinates; std::size_t Bytes() const; std::string Explain() const;
 ///     int BoxLevels() const; std::vector<R3::Box> BoxesAt(int level) const;
-///     static constexpr bool meets_items_again;  // whether a ray often meets the same item twice in a row
+///     static constexpr bool meets_primitives_again;  // whether a ray often meets the same primitive twice in a row
 template <typename Structure>
 struct TwoLevel {
   const World* world = nullptr;
   std::vector<Structure> structures;  // the world's first, then shared mesh i at i + 1
 };
 
-/// The search through a forest, compiled once for each instruction set; all find the same hits.
+/// Traversal, compiled once for each instruction set; all find the same hits.
 template <typename Structure>
 struct Kernels {
   std::int64_t instruction_set;  // as Highway numbers it
-  void (*nearest)(const TwoLevel<Structure>& forest, const R3::Ray& ray, NearestHit& nearest, Counts& counts);
-  bool (*any)(const TwoLevel<Structure>& forest, const R3::Ray& ray, Counts& counts);
-  /// For many rays that go nearly the same way; null where they go one by one all the same.
-  void (*nearest_together)(const TwoLevel<Structure>& forest, std::span<const R3::Ray> rays,
-                           std::optional<WorldHit>* hits, Counts& counts) = nullptr;
-  void (*any_together)(const TwoLevel<Structure>& forest, std::span<const R3::Ray> rays, bool* are_occluded,
-                       Counts& counts) = nullptr;
+  void (*nearest)(const TwoLevel<Structure>& two_level, const R3::Ray& ray, NearestHit& nearest, Counts& counts);
+  bool (*any)(const TwoLevel<Structure>& two_level, const R3::Ray& ray, Counts& counts);
+  /// For packets of coherent rays; null where they go one by one all the same.
+  void (*nearest_packets)(const TwoLevel<Structure>& two_level, std::span<const R3::Ray> rays,
+                          std::optional<WorldHit>* hits, Counts& counts) = nullptr;
+  void (*any_packets)(const TwoLevel<Structure>& two_level, std::span<const R3::Ray> rays, bool* are_occluded,
+                      Counts& counts) = nullptr;
 };
 
-/// All the instruction sets that some machine may have, by name.
-inline constexpr std::array instruction_set_names{"avx512", "avx2", "sse4", "ssse3", "neon", "scalar"};
-/// Those of them that this machine has and this program was compiled for, the best first.
-std::vector<std::string> InstructionSets();
-std::string InstructionSetName(std::int64_t instruction_set);
-
-/// Runs `choose` for the instruction set of that name, or for the best with "best"; throws std::invalid_argument.
-/// `choose` is a dynamic dispatch of Highway, which looks at what is set meanwhile.
-void WithInstructionSet(const std::string& name, void (*choose)(void* result), void* result);
-
-/// An accelerator that is such a forest. `choose` as above stores a Kernels<Structure>.
+/// An accelerator of such structures. `choose` as above stores a Kernels<Structure>.
 template <typename Structure>
 class TwoLevelAccelerator : public Accelerator {
  public:
@@ -78,27 +66,27 @@ class TwoLevelAccelerator : public Accelerator {
   TwoLevelAccelerator(const World& world, const AcceleratorSettings& settings, void (*choose)(void*),
                       const Build& build) {
     WithInstructionSet(settings.instruction_set, choose, &kernels_);
-    forest_.world = &world;
-    forest_.structures.push_back(build(PrimitiveSet(world)));
+    two_level_.world = &world;
+    two_level_.structures.push_back(build(PrimitiveSet(world)));
     for (int i = 0; i < static_cast<int>(world.SharedMeshes().size()); ++i)
-      forest_.structures.push_back(build(PrimitiveSet(world, i)));
+      two_level_.structures.push_back(build(PrimitiveSet(world, i)));
   }
 
   std::size_t Bytes() const override {
     std::size_t sum = 0;
-    for (const Structure& structure : forest_.structures) sum += structure.Bytes();
+    for (const Structure& structure : two_level_.structures) sum += structure.Bytes();
     return sum;
   }
 
-  int BoxLevels() const override { return forest_.structures[0].BoxLevels(); }
-  std::vector<R3::Box> BoxesAt(int level) const override { return forest_.structures[0].BoxesAt(level); }
+  int BoxLevels() const override { return two_level_.structures[0].BoxLevels(); }
+  std::vector<R3::Box> BoxesAt(int level) const override { return two_level_.structures[0].BoxesAt(level); }
 
   std::vector<std::string> Explain() const override {
     std::vector<std::string> lines{"instruction set " + InstructionSetName(kernels_.instruction_set)};
-    for (std::size_t i = 0; i < forest_.structures.size(); ++i) {
-      const Structure& structure = forest_.structures[i];
+    for (std::size_t i = 0; i < two_level_.structures.size(); ++i) {
+      const Structure& structure = two_level_.structures[i];
       lines.push_back((i == 0 ? std::string("the world") : "shared mesh " + std::to_string(i)) + ": " +
-                      std::to_string(structure.space.Items()) + " items, " + structure.Explain() + ", " +
+                      std::to_string(structure.primitives.Size()) + " primitives, " + structure.Explain() + ", " +
                       std::to_string(structure.Bytes()) + " bytes");
     }
     return lines;
@@ -106,32 +94,32 @@ class TwoLevelAccelerator : public Accelerator {
 
  private:
   std::optional<WorldHit> Nearest(const R3::Ray& ray, Workspace& workspace) const override {
-    NearestHit nearest(*forest_.world, ray);
-    kernels_.nearest(forest_, ray, nearest, workspace.counts);
+    NearestHit nearest(*two_level_.world, ray);
+    kernels_.nearest(two_level_, ray, nearest, workspace.counts);
     return nearest.Best();
   }
 
   bool Any(const R3::Ray& ray, Workspace& workspace) const override {
-    return kernels_.any(forest_, ray, workspace.counts);
+    return kernels_.any(two_level_, ray, workspace.counts);
   }
 
   void NearestOfEach(std::span<const R3::Ray> rays, std::optional<WorldHit>* hits,
                      Workspace& workspace) const override {
-    if (kernels_.nearest_together)
-      kernels_.nearest_together(forest_, rays, hits, workspace.counts);
+    if (kernels_.nearest_packets)
+      kernels_.nearest_packets(two_level_, rays, hits, workspace.counts);
     else
       Accelerator::NearestOfEach(rays, hits, workspace);
   }
 
   void AnyOfEach(std::span<const R3::Ray> rays, bool* are_occluded, Workspace& workspace) const override {
-    if (kernels_.any_together)
-      kernels_.any_together(forest_, rays, are_occluded, workspace.counts);
+    if (kernels_.any_packets)
+      kernels_.any_packets(two_level_, rays, are_occluded, workspace.counts);
     else
       Accelerator::AnyOfEach(rays, are_occluded, workspace);
   }
 
   Kernels<Structure> kernels_{};
-  TwoLevel<Structure> forest_;
+  TwoLevel<Structure> two_level_;
 };
 
 }  // namespace ray

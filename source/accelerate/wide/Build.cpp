@@ -16,18 +16,18 @@
 
 #include "source/accelerate/wide/Layout.h"
 
-namespace ray::bvh {
+namespace ray::wide {
 namespace {
 
-/// An item's box while the tree is being built. The fourth floats hold the item's number and kind, as floats of usual
-/// size so that sums of all four lanes cost nothing more.
+/// A primitive's box while the tree is being built. The fourth floats hold the primitive's number and kind, as floats
+/// of usual size so that sums of all four lanes cost nothing more.
 struct Reference {
   Float4 low, high;
 
   Extent Box() const { return {low, high}; }
   Float4 Middle() const { return low + high; }  // twice it
   static constexpr std::uint32_t usual = 0x40000000;
-  std::uint32_t PrimRef() const { return std::bit_cast<std::uint32_t>(static_cast<float>(low[3])) ^ usual; }
+  std::uint32_t Primitive() const { return std::bit_cast<std::uint32_t>(static_cast<float>(low[3])) ^ usual; }
   bool IsTriangle() const { return high[3] != 0; }
 };
 
@@ -42,7 +42,7 @@ struct Range {
 
 constexpr int most_bins = 32;
 
-/// Only the bins in use are set: most ranges are small and have few.
+/// Only the bins in use are set: most ranges are small and have few_rays.
 struct Bins {
   int count;
   Float4 low[3][most_bins], high[3][most_bins];
@@ -84,8 +84,8 @@ struct Binning {
   }
   bool IsFlat(int axis) const { return scale[axis] == 0; }
   std::array<int, 3> operator()(Float4 middle) const {
-    const Float4 place = (middle - low) * scale;
-    const auto bin = [&](int axis) { return std::min(static_cast<int>(place[axis]), count - 1); };
+    const Float4 bins = (middle - low) * scale;
+    const auto bin = [&](int axis) { return std::min(static_cast<int>(bins[axis]), count - 1); };
     return {bin(0), bin(1), bin(2)};
   }
 };
@@ -98,30 +98,25 @@ struct Split {
 class Builder {
  public:
   Builder(Tree& tree, const BuildSettings& settings)
-      : tree_(tree), cuts_(settings.cuts_large_triangles), leaf_(static_cast<std::uint32_t>(settings.leaf_size)) {}
+      : tree_(tree),
+        pre_splits_(settings.pre_splits_triangles),
+        leaf_(static_cast<std::uint32_t>(settings.leaf_size)) {}
 
   void Run() {
-    const std::uint32_t items = tree_.space.Items();
-    if (items == 0) return;
-    tree_.coordinates = FitCoordinates(tree_.space);
+    const std::uint32_t count = tree_.primitives.Size();
+    if (count == 0) return;
+    tree_.coordinates = FitCoordinates(tree_.primitives);
     Range all = Collect();
-    BuildChild root = IsLeaf(all) ? Leaf(all) : BuildChild{all.box, Divide(all, 1), 0, {}};
+    BuildChild root = IsLeaf(all) ? Leaf(all) : BuildChild{all.box, BuildNodeOf(all, 1), 0, {}};
     tree_.root = Flatten({&root, 1}, tree_)[0];
   }
 
  private:
   static constexpr std::uint32_t parallel_from = 4096;  // smaller ranges are one task
 
-  template <typename Body>
-  static void ForRange(std::uint32_t begin, std::uint32_t end, const Body& body) {
-    tbb::parallel_for(tbb::blocked_range<std::uint32_t>(begin, end, parallel_from), [&](const auto& r) {
-      for (std::uint32_t i = r.begin(); i != r.end(); ++i) body(i);
-    });
-  }
-
   Range Collect() {
-    const std::uint32_t items = tree_.space.Items();
-    references_ = HugeArray<Reference>(items + (cuts_ ? items / 2 : 0));
+    const std::uint32_t count = tree_.primitives.Size();
+    references_ = HugeArray<Reference>(count + (pre_splits_ ? count / 2 : 0));
     const auto add = [](Range a, const Range& b) {
       a.triangles += b.triangles;
       a.box.Extend(b.box);
@@ -129,27 +124,27 @@ class Builder {
       return a;
     };
     Range all = tbb::parallel_reduce(
-        tbb::blocked_range<std::uint32_t>(0, tree_.space.Items(), parallel_from), Range(),
+        tbb::blocked_range<std::uint32_t>(0, tree_.primitives.Size(), parallel_from), Range(),
         [&](const auto& r, Range sum) {
-          for (std::uint32_t i = r.begin(); i != r.end(); ++i) sum = add(sum, Refer(i));
+          for (std::uint32_t i = r.begin(); i != r.end(); ++i) sum = add(sum, ReferTo(i));
           return sum;
         },
         add);
-    all.begin = 0, all.end = items;
-    if (cuts_) Cut(all, items + items / 2);
+    all.begin = 0, all.end = count;
+    if (pre_splits_) PreSplit(all, count + count / 2);
     return all;
   }
 
   /// Cuts triangles whose boxes are much larger than they are into several references with tighter boxes, the worst
   /// first, until there are `most`.
   ///   source  Ernst, Greiner, Early split clipping for bounding volume hierarchies (2007)
-  void Cut(Range& all, std::uint32_t most) {
+  void PreSplit(Range& all, std::uint32_t most) {
     using Worst = std::pair<float, std::uint32_t>;  // what cutting may save, which reference
     std::vector<Worst> heap;
     const float small = 0x1p-20f * all.box.HalfArea();
     const auto consider = [&](std::uint32_t i) {
       if (!references_[i].IsTriangle()) return;
-      const float saving = references_[i].Box().HalfArea() - TriangleArea(references_[i].PrimRef());
+      const float saving = references_[i].Box().HalfArea() - TriangleArea(references_[i].Primitive());
       if (saving > small) heap.emplace_back(saving, i);
     };
     for (std::uint32_t i = 0; i < all.end; ++i) consider(i);
@@ -164,8 +159,8 @@ class Builder {
       int axis = size[1] > size[0] ? 1 : 0;
       if (size[2] > size[axis]) axis = 2;
       const float at = first.low[axis] + size[axis] / 2;
-      const std::uint32_t item = first.PrimRef();
-      if (!Clip(first, item, axis, -infinity, at) || !Clip(second, item, axis, at, infinity)) continue;
+      const std::uint32_t primitive = first.Primitive();
+      if (!Clip(first, primitive, axis, -infinity, at) || !Clip(second, primitive, axis, at, infinity)) continue;
       references_[all.end] = second;
       for (const std::uint32_t k : {i, all.end}) {
         const std::size_t before = heap.size();
@@ -174,35 +169,35 @@ class Builder {
       }
       ++all.end;
     }
-    all = Gather(0, all.end);
+    all = RangeOf(0, all.end);
   }
 
-  std::array<R3::Vector, 3> PlacedCorners(std::uint32_t item) const {
-    const auto corners = tree_.space.MeshOf(item)->Corners(tree_.space[item].element);
+  std::array<R3::Vector, 3> Corners(std::uint32_t primitive) const {
+    const auto corners = tree_.primitives.MeshOf(primitive)->Corners(tree_.primitives[primitive].element);
     return {tree_.coordinates(corners[0]), tree_.coordinates(corners[1]), tree_.coordinates(corners[2])};
   }
 
-  float TriangleArea(std::uint32_t item) const {
-    const auto c = PlacedCorners(item);
+  float TriangleArea(std::uint32_t primitive) const {
+    const auto c = Corners(primitive);
     return static_cast<float>(Length(Cross(c[1] - c[0], c[2] - c[0])) / 2);
   }
 
   /// Shrinks the reference's box to the part of its triangle between two planes; false when nothing is there.
-  bool Clip(Reference& reference, std::uint32_t item, int axis, float low, float high) const {
-    const auto corners = PlacedCorners(item);
-    R3::Box part;
+  bool Clip(Reference& reference, std::uint32_t primitive, int axis, float low, float high) const {
+    const auto corners = Corners(primitive);
+    R3::Box clipped;
     for (std::size_t k = 0; k < 3; ++k) {
       const R3::Vector a = corners[k], b = corners[(k + 1) % 3];
-      if (a[axis] >= low && a[axis] <= high) part.Extend(R3::Point{} + a);
+      if (a[axis] >= low && a[axis] <= high) clipped.Extend(R3::Point{} + a);
       for (const double plane : {static_cast<double>(low), static_cast<double>(high)}) {
         if ((a[axis] < plane) == (b[axis] < plane) || std::isinf(plane)) continue;
-        part.Extend(R3::Point{} + (a + (plane - a[axis]) / (b[axis] - a[axis]) * (b - a)));
+        clipped.Extend(R3::Point{} + (a + (plane - a[axis]) / (b[axis] - a[axis]) * (b - a)));
       }
     }
-    if (part.IsEmpty()) return false;
+    if (clipped.IsEmpty()) return false;
     // The box was cut before on other axes: both hold, and the rounding of the crossings is covered twice over.
     constexpr double rounding = 0x1p-22;
-    const R3::Vector lows = FromOrigin(part.low), highs = FromOrigin(part.high);
+    const R3::Vector lows = FromOrigin(clipped.low), highs = FromOrigin(clipped.high);
     for (int k = 0; k < 3; ++k) {
       reference.low[k] = std::max<float>(reference.low[k], static_cast<float>(lows[k] - rounding));
       reference.high[k] = std::min<float>(reference.high[k], static_cast<float>(highs[k] + rounding));
@@ -211,33 +206,33 @@ class Builder {
     return true;
   }
 
-  Range Refer(std::uint32_t item) {
-    const R3::Box bounds = tree_.space.Bounds(item);
-    const auto place = [&](const R3::Point& p) {
+  Range ReferTo(std::uint32_t primitive) {
+    const R3::Box bounds = tree_.primitives.Bounds(primitive);
+    const auto rounded = [&](const R3::Point& p) {
       const R3::Vector v = tree_.coordinates(p);
       return Float4{static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z), 0};
     };
-    const bool is_triangle = tree_.space.MeshOf(item) != nullptr;
-    Reference& reference = references_[item];
-    reference.low = place(bounds.low), reference.high = place(bounds.high);
+    const bool is_triangle = tree_.primitives.MeshOf(primitive) != nullptr;
+    Reference& reference = references_[primitive];
+    reference.low = rounded(bounds.low), reference.high = rounded(bounds.high);
     Range one;
     one.triangles = is_triangle ? 1 : 0;
     one.box = reference.Box();
     one.middles.Extend(reference.Middle());
-    reference.low[3] = std::bit_cast<float>(item ^ Reference::usual);
+    reference.low[3] = std::bit_cast<float>(primitive ^ Reference::usual);
     reference.high[3] = is_triangle ? 1 : 0;
     return one;
   }
 
   bool IsLeaf(const Range& r) const { return r.triangles == r.Size() ? r.Size() <= leaf_ : r.Size() == 1; }
 
-  /// How much it costs to ask everything in a range, in block tests.
+  /// How much it costs to test everything in a range, in block tests.
   float Tests(std::uint32_t triangles, std::uint32_t others) const {
     constexpr float price_of_other = 2;
     return static_cast<float>((triangles + leaf_ - 1) / leaf_) + price_of_other * static_cast<float>(others);
   }
 
-  BuildNode* Divide(const Range& whole, int depth) {
+  BuildNode* BuildNodeOf(const Range& whole, int depth) {
     std::array<Range, width> ranges{whole};
     std::size_t children = 1;
     while (children < width) {
@@ -248,28 +243,28 @@ class Builder {
       if (!next) break;
       Halve(*next, ranges[children++], depth);
     }
-    BuildNode* draft = &drafts_.local().emplace_back();
+    BuildNode* node = &nodes_.local().emplace_back();
     tbb::task_group tasks;
     bool are_tasks = false;
     for (std::size_t i = 0; i < children; ++i) {
       const Range& r = ranges[i];
-      draft->Add(IsLeaf(r) ? Leaf(r) : BuildChild{r.box, nullptr, 0, {}});
+      node->Add(IsLeaf(r) ? Leaf(r) : BuildChild{r.box, nullptr, 0, {}});
       if (IsLeaf(r)) continue;
-      const BuildNode*& below = draft->slots[i].below;
+      const BuildNode*& below = node->children[i].below;
       if (r.Size() >= parallel_from) {
         are_tasks = true;
-        tasks.run([this, &r, &below, depth] { below = Divide(r, depth + 1); });
+        tasks.run([this, &r, &below, depth] { below = BuildNodeOf(r, depth + 1); });
       } else {
-        below = Divide(r, depth + 1);
+        below = BuildNodeOf(r, depth + 1);
       }
     }
     if (are_tasks) tasks.wait();
-    return draft;
+    return node;
   }
 
   BuildChild Leaf(const Range& range) const {
     BuildChild leaf{range.box, nullptr, static_cast<int>(range.triangles), {}};
-    for (std::uint32_t i = 0; i < range.Size(); ++i) leaf.items[i] = references_[range.begin + i].PrimRef();
+    for (std::uint32_t i = 0; i < range.Size(); ++i) leaf.primitives[i] = references_[range.begin + i].Primitive();
     return leaf;
   }
 
@@ -336,8 +331,8 @@ class Builder {
     const std::uint32_t begin = whole.begin, end = whole.end;
     Range first, rest;
     const auto is_first = [&](const Reference& r) {
-      const float place = (r.Middle()[split.axis] - binning.low[split.axis]) * binning.scale[split.axis];
-      return std::min(static_cast<int>(place), binning.count - 1) < split.bin;
+      const float bin = (r.Middle()[split.axis] - binning.low[split.axis]) * binning.scale[split.axis];
+      return std::min(static_cast<int>(bin), binning.count - 1) < split.bin;
     };
     const auto take = [](Range& range, const Reference& r) {
       range.box.Extend(r.Box());
@@ -357,7 +352,7 @@ class Builder {
     return true;
   }
 
-  /// Middles that coincide, or a tree too deep: as many items here as there, triangles first.
+  /// Middles that coincide, or a tree too deep: as many primitives here as there, triangles first.
   void HalveByNumber(Range& whole, Range& second) {
     const std::uint32_t begin = whole.begin, end = whole.end;
     int axis = 0;
@@ -371,13 +366,13 @@ class Builder {
                      [&](const Reference& a, const Reference& b) {
                        if (are_mixed && a.IsTriangle() != b.IsTriangle()) return a.IsTriangle();
                        const float x = a.Middle()[axis], y = b.Middle()[axis];
-                       return x != y ? x < y : a.PrimRef() < b.PrimRef();
+                       return x != y ? x < y : a.Primitive() < b.Primitive();
                      });
-    whole = Gather(begin, middle);
-    second = Gather(middle, end);
+    whole = RangeOf(begin, middle);
+    second = RangeOf(middle, end);
   }
 
-  Range Gather(std::uint32_t begin, std::uint32_t end) const {
+  Range RangeOf(std::uint32_t begin, std::uint32_t end) const {
     Range range;
     range.begin = begin, range.end = end;
     for (std::uint32_t i = begin; i != end; ++i) {
@@ -389,18 +384,18 @@ class Builder {
   }
 
   Tree& tree_;
-  bool cuts_;
+  bool pre_splits_;
   std::uint32_t leaf_;
   HugeArray<Reference> references_;
-  tbb::enumerable_thread_specific<std::deque<BuildNode>> drafts_;  // a deque keeps its elements in place
+  tbb::enumerable_thread_specific<std::deque<BuildNode>> nodes_;  // a deque keeps its elements in place
 };
 
 }  // namespace
 
-Tree Build(PrimitiveSet space, const BuildSettings& settings) {
-  Tree tree(std::move(space));
+Tree Build(PrimitiveSet primitives, const BuildSettings& settings) {
+  Tree tree(std::move(primitives));
   Builder(tree, settings).Run();
   return tree;
 }
 
-}  // namespace ray::bvh
+}  // namespace ray::wide

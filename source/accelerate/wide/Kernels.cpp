@@ -1,3 +1,4 @@
+#include "source/accelerate/twolevel/Targets.h"
 #include "source/accelerate/wide/Kernels.h"
 
 // Highway compiles this file once for each instruction set. What does not depend on that is included before.
@@ -12,10 +13,10 @@ HWY_BEFORE_NAMESPACE();
 namespace ray {
 namespace HWY_NAMESPACE {
 
-void ChooseWalk(Kernels<bvh::Tree>* kernels) {
-  *kernels = CompiledKernels<bvh::Tree>();
-  kernels->nearest_together = &FindTogether<false>;
-  kernels->any_together = &FindTogether<true>;
+void ChooseTraversal(Kernels<wide::Tree>* kernels) {
+  *kernels = CompiledKernels<wide::Tree>();
+  kernels->nearest_packets = &TracePackets<false>;
+  kernels->any_packets = &TracePackets<true>;
 }
 
 }  // namespace HWY_NAMESPACE
@@ -26,12 +27,12 @@ HWY_AFTER_NAMESPACE();
 namespace ray {
 namespace {
 
-HWY_EXPORT(ChooseWalk);
+HWY_EXPORT(ChooseTraversal);
 
 }  // namespace
 
-void bvh::ChooseKernels(void* kernels) {
-  HWY_DYNAMIC_DISPATCH(ChooseWalk)
+void wide::ChooseKernels(void* kernels) {
+  HWY_DYNAMIC_DISPATCH(ChooseTraversal)
   (static_cast<Kernels<Tree>*>(kernels));
 }
 

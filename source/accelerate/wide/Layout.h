@@ -9,7 +9,7 @@
 #include "source/accelerate/wide/Tree.h"
 
 /// A tree while it is being built, and how it is laid out in memory.
-namespace ray::bvh {
+namespace ray::wide {
 
 // Four floats at once, as both compilers know them; the fourth is padding.
 using Float4 = float __attribute__((vector_size(16)));
@@ -33,34 +33,33 @@ struct Extent {
 
 struct BuildNode;
 
-/// A child: a node below, or up to eight triangles, or one item of another kind.
+/// A child: a node below, or up to eight triangles, or one primitive of another kind.
 struct BuildChild {
   Extent box;
   const BuildNode* below = nullptr;
   int triangles = 0;
-  std::array<std::uint32_t, width> items{};
+  std::array<std::uint32_t, width> primitives{};
 
   bool IsEmpty() const { return box.low[0] > box.high[0]; }
 };
 
-/// A node before its place in memory is known.
+/// A node before it is laid out in memory.
 struct BuildNode {
-  int children = 0;
-  std::array<BuildChild, width> slots;
+  int count = 0;
+  std::array<BuildChild, width> children;
 
-  void Add(const BuildChild& slot) { slots[static_cast<std::size_t>(children++)] = slot; }
+  void Add(const BuildChild& child) { children[static_cast<std::size_t>(count++)] = child; }
 };
 
-inline BuildChild BuildChildOf(const BuildNode& draft) {
-  BuildChild slot;
-  slot.below = &draft;
-  for (int i = 0; i < draft.children; ++i) slot.box.Extend(draft.slots[static_cast<std::size_t>(i)].box);
-  return slot;
+inline BuildChild ChildOf(const BuildNode& node) {
+  BuildChild child;
+  child.below = &node;
+  for (int i = 0; i < node.count; ++i) child.box.Extend(node.children[static_cast<std::size_t>(i)].box);
+  return child;
 }
 
-/// Fills the tree, which has its space and coordinates, from the slots and what is below them: depth first, each node
-/// followed by its blocks. Returns the child that each slot has become. Throws std::length_error when it would be too
-/// large.
-std::vector<std::uint32_t> Flatten(std::span<const BuildChild> slots, Tree& tree);
+/// Fills the tree, which has its primitives and coordinates, from these children and what is below them: depth first,
+/// each node followed by its blocks. Returns what each has become. Throws std::length_error when it would be too large.
+std::vector<std::uint32_t> Flatten(std::span<const BuildChild> roots, Tree& tree);
 
-}  // namespace ray::bvh
+}  // namespace ray::wide

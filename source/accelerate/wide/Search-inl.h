@@ -1,10 +1,11 @@
-// What all structures do with what they find: included once for each instruction set.
+// Tests of triangles and of other primitives that a traversal comes by, and of rays against whole structures: included
+// once for each instruction set.
 
-#if defined(RAY_ACCELERATE_SEARCH_INL_H_) == defined(HWY_TARGET_TOGGLE)
-#ifdef RAY_ACCELERATE_SEARCH_INL_H_
-#undef RAY_ACCELERATE_SEARCH_INL_H_
+#if defined(RAY_ACCELERATE_WIDE_SEARCH_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef RAY_ACCELERATE_WIDE_SEARCH_INL_H_
+#undef RAY_ACCELERATE_WIDE_SEARCH_INL_H_
 #else
-#define RAY_ACCELERATE_SEARCH_INL_H_
+#define RAY_ACCELERATE_WIDE_SEARCH_INL_H_
 #endif
 
 #include <hwy/highway.h>
@@ -19,19 +20,20 @@
 #include "source/accelerate/NearestHit.h"
 #include "source/accelerate/twolevel/TwoLevel.h"
 
-// Where single precision may err, it errs on the side of asking. All coordinates are the structure's, so at most 1 in
+// Traversal is watertight and conservative: where single precision may err, it errs on the side of testing once more in
+// double precision. All coordinates are the structure's, so at most 1 in
 // boxes and triangles; directions are scaled so that their largest component lies in [1, 2); u is 2^-24. With r = 1 +
 // the largest coordinate of the ray's origin:
 //   - A plane rounded to float is off by u/2, the origin by u r, their product with 1/d by u r, 1/d itself (with d
 //     rounded before) by 2 u of the distance, at most 2 u r, the difference by u r: together less than 8 u r in terms
-//     of where the plane is. So each ray moves all planes outward by 8 u r: that is its slack.
+//     of where the plane is. So each ray moves all planes outward by 8 u r: its plane error bound.
 //   - With |e| the sum of magnitudes of an edge's components: corner - origin is off by 2 u r and at most r in each, so
 //     R = (corner - origin) x d, at most 4 r, is off by 20 u r in each, R . e by (20 + 12 + 4) u r |e|. The normal n is
 //     off by 5 u |e1| |e2| in each component, n . d by 32 u |e1| |e2|, n . (corner - origin) by 16 u r |e1| |e2|.
 //   - What doubles lose is 2^-50 of the origin's distance before it was moved near; 2^-20 u of it is in r.
-// So a triangle whose edge functions are all positive by more than their slack is hit for certain, by the doubles too;
-// its distance then is known between two bounds, of which the upper one already ends the search. Doubles decide about
-// the few that remain in the end.
+// So a triangle whose edge functions (its barycentric coordinates, undivided) all exceed their error bound is hit for
+// certain, by the exact test too; its distance then is known between two bounds, of which the upper one already ends
+// the search. The exact test in doubles decides about the few candidates that remain in the end.
 HWY_BEFORE_NAMESPACE();
 namespace ray {
 namespace HWY_NAMESPACE {
@@ -42,38 +44,29 @@ using Floats = hn::Vec<Lanes>;
 
 inline constexpr float u = 0x1p-24f;
 
-// What exactness costs is measured by doing without (script/price_of_contract.sh); never built so otherwise.
-#if defined(RAYPRO_WITHOUT_DOUBLES)
-inline constexpr bool doubles_decide = false;
-#else
-inline constexpr bool doubles_decide = true;
-#endif
-// The slacks above: of planes, times r; of edge functions, times r (|e1| + |e2|), 36 u and something for the sums of
-// slacks themselves; of n . (corner - origin), times (r + 1) |e1| |e2|; of n . d, times |e1| |e2|.
-inline constexpr float plane_slack = 8 * u, edge_slack = 40 * u, height_slack = 16 * u, facing_slack = 32 * u;
-/// What triangles' slacks have besides, for products below the normal range of floats, 2^-126. An edge function has
-/// some 30 terms, each off by at most 2^-126 if such products became 0, times at most 4 for what it is multiplied with
-/// later: together less than 2^-119. A height has the corner as a factor, which may be large; but heights count only
-/// where n . d is above twice this, and there |e1| |e2| is above 2^-101, so that what is lost, 2^-149 r at most for
-/// each component of n, is far less than the height's own slack.
-inline constexpr float underflow_slack = 0x1p-99f;
+// The bounds above: of planes, times r; of edge functions, times r (|e1| + |e2|), 36 u and something for sums of the
+// bounds themselves; of n . (corner - origin), times (r + 1) |e1| |e2|; of n . d, times |e1| |e2|.
+inline constexpr float relative_plane_error = 8 * u, relative_edge_error = 40 * u, relative_height_error = 16 * u,
+                       relative_facing_error = 32 * u;
+/// What the error bounds of triangles have besides, for products below the normal range of floats, 2^-126. An edge
+/// function has some 30 terms, each off by at most 2^-126 if such products became 0, times at most 4 for what it is
+/// multiplied with later: together less than 2^-119. A height has the corner as a factor, which may be large; but
+/// heights count only where n . d is above twice this, and there |e1| |e2| is above 2^-101, so that what is lost,
+/// 2^-149 r at most for each component of n, is far less than the height's own bound.
+inline constexpr float underflow_error = 0x1p-99f;
 /// So much of the distance that a ray came from is added to r, for what doubles lose on the way.
-inline constexpr double slack_of_moving = 0x1p-20;
+inline constexpr double translation_error = 0x1p-20;
 /// Computed distances times these are bounds, where a division or a conversion rounds, and so does the product.
 inline constexpr float rounded_up = 1 + 4 * u, rounded_down = 1 - 4 * u;
-#if defined(RAYPRO_WITHOUT_PADS)
-inline constexpr float pad_of_boxes = 0;
-#else
-inline constexpr float pad_of_boxes = plane_slack;
-#endif
 
-/// Rays begin where they are when their origin is no farther, in half boxes: that makes r, and so the slack, at most 7
-/// times what it is inside, and saves finding where they enter.
+/// Rays begin where they are when their origin is no farther, in half boxes: that makes r, and so the error bounds, at
+/// most 7 times what they are inside, and saves finding where they enter.
 inline constexpr double near_enough = 6;
 /// Above these, and below 1 over them, products of doubles leave their range, and what is certain in a structure's
 /// coordinates need not be found in the scene's.
 inline constexpr double most_scale = 0x1p200, most_per_t = 0x1p700;
-/// No direction is nearer to being along a plane: that moves rays by less than their slack, and keeps products finite.
+/// No direction is nearer to being along a plane: that moves rays by less than their error bound, and keeps products
+/// finite.
 inline constexpr float flattest = 0x1p-40f;
 /// Single precision cannot tell one place from another long before r is so large; and r / flattest is still finite.
 inline constexpr double most_reach = 0x1p60;
@@ -95,7 +88,7 @@ using Whole4 = std::int32_t __attribute__((vector_size(16)));
 
 HWY_INLINE void Load(const double* xyz, Double4& v) { std::memcpy(&v, xyz, sizeof v); }
 template <typename V>
-HWY_INLINE auto Largest(const V& v) {
+HWY_INLINE auto LargestOf(const V& v) {
   const auto larger = [](auto a, auto b) {
     return a > b ? a : b;
   };  // values, so that it is an instruction, not a branch
@@ -106,57 +99,71 @@ HWY_INLINE auto Largest(const V& v) {
 struct TraversalRay {
   Double4 start, along;  // where it begins, and its direction
   Float4 origin, direction, inverse;
-  Float4 near_shift, far_shift;  // (origin +- slack) * inverse
+  Float4 near_shift, far_shift;  // (origin +- plane_error) * inverse
   Whole4 signs;                  // below 0 where the direction is
-  float slack;
-  float slack_of_edges;   // times |e1| + |e2|
-  float slack_of_height;  // times |e1| |e2|
-  double per_t, begin;    // distance along the probe = t * per_t - begin
-  bool is_lost = false;   // it misses the structure's box
+  float plane_error;
+  float edge_error;      // times |e1| + |e2|
+  float height_error;    // times |e1| |e2|
+  double per_t, begin;   // distance along this ray = t * per_t - begin
+  bool is_lost = false;  // it misses the structure's box
 
   TraversalRay() = default;
 
   /// An upper bound.
-  float Distance(double t) const { return static_cast<float>(t * per_t - begin) * rounded_up + slack; }
+  float Distance(double t) const { return static_cast<float>(t * per_t - begin) * rounded_up + plane_error; }
 
-  HWY_INLINE TraversalRay(const Coordinates& place, double pad_per_distance, const R3::Ray& ray,
+  HWY_INLINE TraversalRay(const Coordinates& coordinates, double padding_per_distance, const R3::Ray& ray,
                           double distance_in_world) {
     static_assert(sizeof(R3::Ray) >= 8 * sizeof(double) && sizeof(R3::Point) == 3 * sizeof(double));
-    const Double4 center{place.center.x, place.center.y, place.center.z, 0};
+    const Double4 center{coordinates.center.x, coordinates.center.y, coordinates.center.z, 0};
     Double4 eye, heading;
     Load(&ray.origin.x, eye), Load(&ray.direction.x, heading);
-    const Double4 from = place.scale * (eye - center);
-    const double power = PowerOfTwoBelowInverse(Largest(heading));
+    const Double4 from = coordinates.scale * (eye - center);
+    const double power = PowerOfTwoBelowInverse(LargestOf(heading));
     along = power * heading;
-    per_t = place.scale * InverseOfPowerOfTwo(power);
+    per_t = coordinates.scale * InverseOfPowerOfTwo(power);
 
-    // Enter the box, generously, so that the coordinates are no larger than they need be.
-    const double far = Largest(from);
-    const double more = pad_per_distance * distance_in_world * place.scale;
+    const double far = LargestOf(from);
+    const double padding = padding_per_distance * distance_in_world * coordinates.scale;
     begin = ray.t_min == 0 ? 0 : ray.t_min * per_t;
-    if (HWY_UNLIKELY(far > near_enough + more)) {
-      const double reach = 1 + 0x1p-10 + 0x1p-40 * far + more;
-      double enter = begin, leave = ray.t_max * per_t;
-      for (int axis = 0; axis < 3; ++axis) {
-        const double a = (-reach - from[axis]) / along[axis], b = (reach - from[axis]) / along[axis];
-        enter = std::max(enter, std::min(a, b));  // a NaN, from a ray in the plane, leaves things as they were
-        leave = std::min(leave, std::max(a, b));
-      }
-      if (enter > leave * (1 + 0x1p-40) + 0x1p-40 * far) {
-        is_lost = true;
-        return;
-      }
-      begin = enter;
+    if (HWY_UNLIKELY(far > near_enough + padding) && !EnterBox(from, far, padding, ray.t_max * per_t)) {
+      is_lost = true;
+      return;
     }
     const bool is_in_range = std::abs(begin) < 0x1p1000 && per_t < most_per_t && per_t > 1 / most_per_t &&
-                             place.scale <= most_scale && place.scale >= 1 / most_scale;
+                             coordinates.scale <= most_scale && coordinates.scale >= 1 / most_scale;
     start = begin == 0 ? from : from + begin * along;
-    const double origin_reach =
-        1 + Largest(start) + slack_of_moving * (far + std::abs(begin)) + more * (1 / plane_slack);
-    const float r = static_cast<float>(origin_reach);
-    slack = pad_of_boxes * r;
-    slack_of_edges = edge_slack * r;
-    slack_of_height = height_slack * (r + 1);
+    const double reach =
+        1 + LargestOf(start) + translation_error * (far + std::abs(begin)) + padding * (1 / relative_plane_error);
+    SetErrorBounds(static_cast<float>(reach));
+    Round();
+    if (HWY_UNLIKELY(!is_in_range || !(reach < most_reach))) AcceptEverything();
+  }
+
+ private:
+  /// Begins where the ray enters the structure's box, generously widened, so that coordinates are no larger than they
+  /// need be; false when it misses the box.
+  HWY_INLINE bool EnterBox(const Double4& from, double far, double padding, double leave) {
+    const double reach = 1 + 0x1p-10 + 0x1p-40 * far + padding;
+    double enter = begin;
+    for (int axis = 0; axis < 3; ++axis) {
+      const double a = (-reach - from[axis]) / along[axis], b = (reach - from[axis]) / along[axis];
+      enter = std::max(enter, std::min(a, b));  // a NaN, from a ray in the plane, leaves things as they were
+      leave = std::min(leave, std::max(a, b));
+    }
+    if (enter > leave * (1 + 0x1p-40) + 0x1p-40 * far) return false;
+    begin = enter;
+    return true;
+  }
+
+  HWY_INLINE void SetErrorBounds(float r) {
+    plane_error = relative_plane_error * r;
+    edge_error = relative_edge_error * r;
+    height_error = relative_height_error * (r + 1);
+  }
+
+  /// To single precision, and what boxes are tested with.
+  HWY_INLINE void Round() {
     origin = __builtin_convertvector(start, Float4);
     direction = __builtin_convertvector(along, Float4);
     signs = std::bit_cast<Whole4>(direction);
@@ -164,17 +171,15 @@ struct TraversalRay {
     const Float4 steepness = std::bit_cast<Float4>(signs ^ sign), flat = Float4{} + flattest;
     const Float4 steep = std::bit_cast<Float4>(std::bit_cast<Whole4>(steepness > flat ? steepness : flat) | sign);
     inverse = 1 / steep;
-    const Float4 outward = std::bit_cast<Float4>(std::bit_cast<Whole4>(Float4{} + slack) | sign);
+    const Float4 outward = std::bit_cast<Float4>(std::bit_cast<Whole4>(Float4{} + plane_error) | sign);
     near_shift = (origin + outward) * inverse;
     far_shift = (origin - outward) * inverse;
-    if (HWY_UNLIKELY(!is_in_range || !(origin_reach < most_reach))) AskEverything();
   }
 
- private:
   /// Where single precision cannot tell one place from another.
-  void AskEverything() {
+  void AcceptEverything() {
     constexpr float infinity = std::numeric_limits<float>::infinity();
-    slack = slack_of_edges = slack_of_height = infinity;
+    plane_error = edge_error = height_error = infinity;
     per_t = 1, begin = 0;
     origin = inverse = Float4{};
     near_shift = Float4{} + infinity, far_shift = -near_shift;
@@ -216,10 +221,10 @@ HWY_INLINE TriangleLanes<D> LoadTriangles(D d, const TriangleBlock& block, std::
 template <typename D>
 struct RayLanes {
   using V = hn::Vec<D>;
-  V direction_x, direction_y, direction_z, slack, slack_of_edges, slack_of_height, limit;
+  V direction_x, direction_y, direction_z, plane_error, edge_error, height_error, limit;
 };
 
-/// What lanes may have of each other.
+/// Which lanes may hit, and where.
 template <typename D>
 struct TriangleMask {
   hn::Mask<D> maybe, certain;  // the certain ones are in maybe too
@@ -229,11 +234,12 @@ struct TriangleMask {
 
 /// Which triangles are not certainly missed by their ray before its limit; false when none, and then no more is said.
 ///   to_corner   from the ray's origin to the triangle's first corner
+///   v, w, rest  the hit's barycentric coordinates times n . d
 ///   source      the edge functions of Moller, Trumbore, Fast, minimum storage ray/triangle intersection (1997),
 ///               undivided
 template <typename D, typename V = hn::Vec<D>>
 HWY_INLINE bool TestLanes(D d, const TriangleLanes<D>& triangle, V cx, V cy, V cz, const RayLanes<D>& ray,
-                          TriangleMask<D>& verdict) {
+                          TriangleMask<D>& mask) {
   const auto set = [&](float x) { return hn::Set(d, x); };
   const auto minus = [](V p, V q, V r, V s) { return hn::MulSub(p, q, hn::Mul(r, s)); };
   const auto dot = [](V px, V py, V pz, V qx, V qy, V qz) {
@@ -245,30 +251,30 @@ HWY_INLINE bool TestLanes(D d, const TriangleLanes<D>& triangle, V cx, V cy, V c
   const V v = dot(rx, ry, rz, triangle.edge2_x, triangle.edge2_y, triangle.edge2_z);
   const V w = hn::Neg(dot(rx, ry, rz, triangle.edge1_x, triangle.edge1_y, triangle.edge1_z));
   const V rest = hn::Sub(hn::Sub(facing, v), w);
-  const V slack_of_facing = hn::MulAdd(triangle.area, set(facing_slack), set(underflow_slack));
-  const V slack = hn::MulAdd(triangle.edges, ray.slack_of_edges, slack_of_facing);
+  const V facing_error = hn::MulAdd(triangle.area, set(relative_facing_error), set(underflow_error));
+  const V edge_error = hn::MulAdd(triangle.edges, ray.edge_error, facing_error);
   const V least = hn::Min(v, hn::Min(w, rest)), most = hn::Max(v, hn::Max(w, rest));
-  auto maybe = hn::Or(hn::Ge(least, hn::Neg(slack)), hn::Le(most, slack));
+  auto maybe = hn::Or(hn::Ge(least, hn::Neg(edge_error)), hn::Le(most, edge_error));
   if (hn::AllFalse(d, maybe)) return false;
 
   // Edge-on, nothing is known of distances.
   const V height = dot(triangle.normal_x, triangle.normal_y, triangle.normal_z, cx, cy, cz), steep = hn::Abs(facing);
   const V ahead = hn::Xor(height, hn::And(facing, hn::SignBit(d)));
-  const V slack_of_height = hn::MulAdd(triangle.area, ray.slack_of_height, set(underflow_slack));
-  const auto is_clear = hn::Gt(steep, hn::Add(slack_of_facing, slack_of_facing));
-  const V low = hn::Sub(ahead, slack_of_height), high = hn::Add(ahead, slack_of_height);
-  const V wide = hn::Add(steep, slack_of_facing), narrow = hn::Sub(steep, slack_of_facing);
+  const V height_error = hn::MulAdd(triangle.area, ray.height_error, set(underflow_error));
+  const auto is_clear = hn::Gt(steep, hn::Add(facing_error, facing_error));
+  const V low = hn::Sub(ahead, height_error), high = hn::Add(ahead, height_error);
+  const V wide = hn::Add(steep, facing_error), narrow = hn::Sub(steep, facing_error);
   // Dividing may round by u; so may what follows.
   const V nearest = hn::Mul(hn::Div(low, hn::IfThenElse(hn::Ge(low, hn::Zero(d)), wide, narrow)), set(rounded_down));
   const auto is_far = hn::Gt(nearest, ray.limit), is_behind = hn::Lt(high, hn::Zero(d));
   maybe = hn::AndNot(hn::And(is_clear, hn::Or(is_far, is_behind)), maybe);
   if (hn::AllFalse(d, maybe)) return false;
-  const auto is_inside = hn::Or(hn::Gt(least, slack), hn::Lt(most, hn::Neg(slack)));
-  const auto is_in_front = hn::Gt(nearest, ray.slack);
-  verdict.maybe = maybe;
-  verdict.certain = hn::And(maybe, hn::And(is_clear, hn::And(is_inside, is_in_front)));
-  verdict.nearest = hn::IfThenElseZero(is_clear, nearest);
-  verdict.farthest = hn::Mul(hn::Div(high, narrow), set(rounded_up));
+  const auto is_inside = hn::Or(hn::Gt(least, edge_error), hn::Lt(most, hn::Neg(edge_error)));
+  const auto is_in_front = hn::Gt(nearest, ray.plane_error);
+  mask.maybe = maybe;
+  mask.certain = hn::And(maybe, hn::And(is_clear, hn::And(is_inside, is_in_front)));
+  mask.nearest = hn::IfThenElseZero(is_clear, nearest);
+  mask.farthest = hn::Mul(hn::Div(high, narrow), set(rounded_up));
   return true;
 }
 
@@ -280,46 +286,46 @@ HWY_INLINE std::uint32_t Bits(D d, M mask) {
   return bytes[0] | static_cast<std::uint32_t>(bytes[1]) << 8;
 }
 
-/// What a block of triangles may have for a probe: TriangleMask, the lanes being bits and places in arrays.
-struct Possible {
+/// The same for the triangles of a block: the lanes as bits and places in arrays.
+struct BlockMask {
   std::uint32_t maybe = 0, certain = 0;
   alignas(32) float nearest[width], farthest[width];
 };
 
-HWY_INLINE void TestTriangles(const TriangleBlock& block, const TraversalRay& probe, float limit, Possible& possible) {
-  const Lanes lanes;
-  const auto set = [&](float x) { return hn::Set(lanes, x); };
-  possible.maybe = possible.certain = 0;
-  for (std::size_t i = 0; i < width; i += hn::Lanes(lanes)) {
+/// One ray against the triangles of a block.
+HWY_INLINE void TestTriangles(const TriangleBlock& block, const TraversalRay& ray, float limit, BlockMask& mask) {
+  const Lanes d;
+  const auto set = [&](float x) { return hn::Set(d, x); };
+  mask.maybe = mask.certain = 0;
+  for (std::size_t i = 0; i < width; i += hn::Lanes(d)) {
     const auto to_corner = [&](int axis) {
-      return hn::Sub(hn::Load(lanes, block.corner[axis] + i), set(probe.origin[axis]));
+      return hn::Sub(hn::Load(d, block.corner[axis] + i), set(ray.origin[axis]));
     };
-    const RayLanes<Lanes> ray{set(probe.direction[0]),
-                              set(probe.direction[1]),
-                              set(probe.direction[2]),
-                              set(probe.slack),
-                              set(probe.slack_of_edges),
-                              set(probe.slack_of_height),
-                              set(limit)};
-    TriangleMask<Lanes> verdict;
-    if (!TestLanes(lanes, LoadTriangles(lanes, block, i), to_corner(0), to_corner(1), to_corner(2), ray, verdict))
-      continue;
-    hn::Store(verdict.nearest, lanes, possible.nearest + i);
-    hn::Store(verdict.farthest, lanes, possible.farthest + i);
-    possible.maybe |= Bits(lanes, verdict.maybe) << i;
-    possible.certain |= Bits(lanes, verdict.certain) << i;
+    const RayLanes<Lanes> rays{set(ray.direction[0]),
+                               set(ray.direction[1]),
+                               set(ray.direction[2]),
+                               set(ray.plane_error),
+                               set(ray.edge_error),
+                               set(ray.height_error),
+                               set(limit)};
+    TriangleMask<Lanes> lanes;
+    if (!TestLanes(d, LoadTriangles(d, block, i), to_corner(0), to_corner(1), to_corner(2), rays, lanes)) continue;
+    hn::Store(lanes.nearest, d, mask.nearest + i);
+    hn::Store(lanes.farthest, d, mask.farthest + i);
+    mask.maybe |= Bits(d, lanes.maybe) << i;
+    mask.certain |= Bits(d, lanes.certain) << i;
   }
 }
 
 template <bool any, typename Structure>
-bool Search(const TwoLevel<Structure>& forest, const Structure& structure, const R3::Ray& ray, double distance_in_world,
-            std::optional<std::uint32_t> instance, NearestHit& nearest, Counts& counts);
+bool Search(const TwoLevel<Structure>& two_level, const Structure& structure, const R3::Ray& ray,
+            double distance_in_world, std::optional<std::uint32_t> instance, NearestHit& nearest, Counts& counts);
 
-/// Decides in doubles about triangles of one structure, for one ray.
+/// The watertight ray/triangle test in double precision, for one ray and the triangles of one structure.
 template <typename Structure>
 class ExactTriangleTest {
  public:
-  struct Place {
+  struct TriangleRef {
     const R3::Mesh* mesh;
     std::uint32_t instance;
     std::int32_t element;
@@ -327,39 +333,44 @@ class ExactTriangleTest {
     const std::array<std::uint32_t, 3>& Indices() const {
       return mesh->Data().triangles[static_cast<std::size_t>(element)];
     }
-    void FetchIndices() const { __builtin_prefetch(&Indices()); }
+    void PrefetchIndices() const { __builtin_prefetch(&Indices()); }
     /// Once the indices are there.
-    void FetchCorners() const {
+    void PrefetchCorners() const {
       for (const std::uint32_t corner : Indices()) __builtin_prefetch(&mesh->Data().positions[corner]);
     }
   };
 
-  HWY_INLINE ExactTriangleTest(const TwoLevel<Structure>& forest, const Structure& structure, const R3::Ray& ray,
+  HWY_INLINE ExactTriangleTest(const TwoLevel<Structure>& two_level, const Structure& structure, const R3::Ray& ray,
                                std::optional<std::uint32_t> instance, NearestHit& nearest, Counts& counts)
-      : forest_(forest), space_(structure.space), instance_(instance), nearest_(nearest), counts_(counts), ray_(ray) {}
+      : two_level_(two_level),
+        primitives_(structure.primitives),
+        instance_(instance),
+        nearest_(nearest),
+        counts_(counts),
+        ray_(ray) {}
 
   /// Makes the ray ready ahead of time, so that its division is over when it is needed.
   HWY_INLINE void Prepare() { sheared_.emplace(ray_); }
 
-  HWY_INLINE Place Find(std::uint32_t item) const {
-    const PrimRef what = space_[item];
+  HWY_INLINE TriangleRef Locate(std::uint32_t primitive) const {
+    const PrimRef what = primitives_[primitive];
     const std::uint32_t of = instance_.value_or(what.instance);
-    return {forest_.world->Instances()[of].mesh, of, what.element};
+    return {two_level_.world->Instances()[of].mesh, of, what.element};
   }
 
-  HWY_FLATTEN bool Decide(const Place& place) {
+  HWY_FLATTEN bool Test(const TriangleRef& triangle) {
     if (!sheared_) Prepare();
     if (nearest_.Best()) sheared_->t_max = std::min(sheared_->t_max, R3::NextUp(nearest_.Limit()));
     ++counts_.primitive_tests;
-    const auto hit = R3::IntersectTriangleInline(*sheared_, place.mesh->Corners(place.element));
+    const auto hit = R3::IntersectTriangleInline(*sheared_, triangle.mesh->Corners(triangle.element));
     if (!hit) return false;
-    nearest_.Offer({*hit, place.instance, place.element});
+    nearest_.Offer({*hit, triangle.instance, triangle.element});
     return true;
   }
 
  private:
-  const TwoLevel<Structure>& forest_;
-  const PrimitiveSet& space_;
+  const TwoLevel<Structure>& two_level_;
+  const PrimitiveSet& primitives_;
   std::optional<std::uint32_t> instance_;
   NearestHit& nearest_;
   Counts& counts_;
@@ -367,143 +378,146 @@ class ExactTriangleTest {
   std::optional<R3::ShearedRay> sheared_;
 };
 
-/// Asks an item that is no triangle of the structure's frame; true when there is a hit of `any`.
+/// Tests a primitive that is no triangle of the structure's frame: any other shape, or a whole shared mesh. True when
+/// there is a hit of `any`.
 template <bool any, typename Structure>
-bool AskItem(const TwoLevel<Structure>& forest, const Structure& structure, std::uint32_t item, const R3::Ray& ray,
-             double distance_in_world, NearestHit& nearest, Counts& counts) {
-  const PrimRef what = structure.space[item];
-  const Instance& instance = forest.world->Instances()[what.instance];
-  const R3::Ray local = instance.frame == 0 ? ray : forest.world->Back(instance.frame, ray);
+bool TestPrimitive(const TwoLevel<Structure>& two_level, const Structure& structure, std::uint32_t primitive,
+                   const R3::Ray& ray, double distance_in_world, NearestHit& nearest, Counts& counts) {
+  const PrimRef what = structure.primitives[primitive];
+  const Instance& instance = two_level.world->Instances()[what.instance];
+  const R3::Ray local = instance.frame == 0 ? ray : two_level.world->Back(instance.frame, ray);
   if (what.element == PrimRef::whole)
-    return Search<any>(forest, forest.structures[static_cast<std::size_t>(instance.shared) + 1], local,
+    return Search<any>(two_level, two_level.structures[static_cast<std::size_t>(instance.shared) + 1], local,
                        distance_in_world, what.instance, nearest, counts) ||
            (any && nearest.Best());
   nearest.Test(what.instance, what.element, local, counts);
   return any && nearest.Best();
 }
 
-/// Asks what a walk comes by. Triangles that doubles may have to decide about are kept until the end; where their
-/// corners are in memory is looked up in steps while the walk goes on, so that deciding need not wait for it.
+/// Tests what a traversal comes by. With `any`, an occlusion ray's, the first hit answers. Otherwise triangles that the
+/// exact test may have to decide about are candidates until the end; where their corners are in memory is looked up in
+/// steps while the traversal goes on, so that the exact test need not wait for it.
 template <bool any, typename Structure>
 class LeafVisitor {
  public:
-  HWY_INLINE LeafVisitor(const TwoLevel<Structure>& forest, const Structure& structure, const R3::Ray& ray,
-                         const TraversalRay& probe, double distance_in_world, std::optional<std::uint32_t> instance,
-                         NearestHit& nearest, Counts& counts)
-      : limit(probe.Distance(nearest.Limit())),
-        forest_(forest),
+  HWY_INLINE LeafVisitor(const TwoLevel<Structure>& two_level, const Structure& structure, const R3::Ray& ray,
+                         const TraversalRay& traversal_ray, double distance_in_world,
+                         std::optional<std::uint32_t> instance, NearestHit& nearest, Counts& counts)
+      : limit(traversal_ray.Distance(nearest.Limit())),
+        two_level_(two_level),
         structure_(structure),
         ray_(ray),
-        probe_(probe),
+        traversal_ray_(traversal_ray),
         distance_in_world_(distance_in_world),
         nearest_(nearest),
         counts_(counts),
-        limit_for_certain_(limit - 4 * probe.slack),
-        decider_(forest, structure, ray, instance, nearest, counts) {
-    if constexpr (!any) decider_.Prepare();
+        limit_for_certain_(limit - 4 * traversal_ray.plane_error),
+        exact_test_(two_level, structure, ray, instance, nearest, counts) {
+    if constexpr (!any) exact_test_.Prepare();
   }
 
-  float limit;               // what is farther along the probe than this is not wanted any more
+  float limit;               // what is farther along the traversal ray than this is not wanted any more
   bool is_answered = false;  // of `any`: there is a hit
 
   /// True when that ends the search.
-  HWY_INLINE bool AskBlock(const TriangleBlock& block) {
-    Possible possible;
-    TestTriangles(block, probe_, limit, possible);
-    if constexpr (!doubles_decide) possible.maybe = possible.certain;
-    for (std::uint32_t rest = possible.maybe; rest; rest &= rest - 1) {
+  HWY_INLINE bool VisitTriangles(const TriangleBlock& block) {
+    BlockMask mask;
+    TestTriangles(block, traversal_ray_, limit, mask);
+    for (std::uint32_t rest = mask.maybe; rest; rest &= rest - 1) {
       const int i = std::countr_zero(rest);
-      const bool is_certain = possible.certain >> i & 1;
+      const bool is_certain = mask.certain >> i & 1;
       if constexpr (any) {
-        is_answered =
-            (is_certain && possible.farthest[i] < limit_for_certain_) || decider_.Decide(decider_.Find(block.item[i]));
+        is_answered = (is_certain && mask.farthest[i] < limit_for_certain_) ||
+                      exact_test_.Test(exact_test_.Locate(block.primitive[i]));
         if (is_answered) return true;
       } else {
         constexpr float none = std::numeric_limits<float>::infinity();
-        Keep(block.item[i], possible.nearest[i], is_certain ? possible.farthest[i] : none);
+        Keep(block.primitive[i], mask.nearest[i], is_certain ? mask.farthest[i] : none);
       }
     }
     return false;
   }
 
-  /// The same for an item of another kind.
-  bool AskItem(std::uint32_t item) {
-    Finish();
-    is_answered = HWY_NAMESPACE::AskItem<any>(forest_, structure_, item, ray_, distance_in_world_, nearest_, counts_);
+  /// The same for a primitive of another kind.
+  bool VisitPrimitive(std::uint32_t primitive) {
+    if constexpr (!any) TestCandidatesNow();
+    is_answered = TestPrimitive<any>(two_level_, structure_, primitive, ray_, distance_in_world_, nearest_, counts_);
     if constexpr (any) return is_answered;
-    limit = std::min(limit, probe_.Distance(nearest_.Limit()));
+    limit = std::min(limit, traversal_ray_.Distance(nearest_.Limit()));
     return false;
   }
 
-  /// Decides about the triangles kept that may still be the nearest, last found first.
-  HWY_INLINE void Finish() {
+  /// Decides about the candidates that may still be the nearest, last found first.
+  HWY_INLINE void TestCandidates() {
     if (count_ == 0) return;
-    for (int i = 0; i + 1 < count_; ++i) kept_[i].place.FetchCorners();
+    for (int i = 0; i + 1 < count_; ++i) candidates_[i].triangle.PrefetchCorners();
     while (count_ > 0) {
       --count_;
-      if (!doubles_decide && kept_[count_].nearest <= limit) {
-        const double t = (static_cast<double>(kept_[count_].nearest) + probe_.begin) / probe_.per_t;
-        nearest_.Offer({{t, 0, 0, 0}, kept_[count_].place.instance, kept_[count_].place.element});
-        limit = kept_[count_].nearest;
-      } else if (kept_[count_].nearest <= limit && decider_.Decide(kept_[count_].place))
-        limit = std::min(limit, probe_.Distance(nearest_.Limit()));
+      if (candidates_[count_].nearest <= limit && exact_test_.Test(candidates_[count_].triangle))
+        limit = std::min(limit, traversal_ray_.Distance(nearest_.Limit()));
     }
   }
 
  private:
-  struct GpuCache {
-    std::uint32_t item;
+  struct Candidate {
+    std::uint32_t primitive;
     float nearest;
-    typename ExactTriangleTest<Structure>::Place place;
+    typename ExactTriangleTest<Structure>::TriangleRef triangle;
   };
-  static constexpr int most = 16;
+  static constexpr int most_candidates = 16;
 
-  HWY_INLINE void Keep(std::uint32_t item, float nearest, float farthest) {
-    if constexpr (Structure::meets_items_again)
-      if (count_ > 0 && kept_[count_ - 1].item == item) return;
-    if (count_ == most) Finish();
-    kept_[count_] = {item, nearest, decider_.Find(item)};
-    kept_[count_].place.FetchIndices();
+  /// Out of line where it is rare: the kernels are compiled many times.
+  HWY_NOINLINE void TestCandidatesNow() { TestCandidates(); }
+
+  HWY_INLINE void Keep(std::uint32_t primitive, float nearest, float farthest) {
+    if constexpr (Structure::meets_primitives_again)
+      if (count_ > 0 && candidates_[count_ - 1].primitive == primitive) return;
+    if (count_ == most_candidates) TestCandidatesNow();
+    candidates_[count_] = {primitive, nearest, exact_test_.Locate(primitive)};
+    candidates_[count_].triangle.PrefetchIndices();
     ++count_;
     limit = std::min(limit, farthest);
   }
 
-  const TwoLevel<Structure>& forest_;
+  const TwoLevel<Structure>& two_level_;
   const Structure& structure_;
   const R3::Ray& ray_;
-  const TraversalRay& probe_;
+  const TraversalRay& traversal_ray_;
   double distance_in_world_;
   NearestHit& nearest_;
   Counts& counts_;
   float limit_for_certain_;
-  ExactTriangleTest<Structure> decider_;
+  ExactTriangleTest<Structure> exact_test_;
   int count_ = 0;
-  GpuCache kept_[most];
+  Candidate candidates_[most_candidates];
 };
 
 /// Through one structure; `instance` is the shared mesh's whose inside it is. True when `any` is answered. Each
-/// structure brings a Walk of its own, which asks until Ask... returns true or nothing is left before the limit.
+/// structure brings a Traverse of its own, which visits leaves until Visit... returns true or nothing is left before
+/// the limit.
 template <bool any, typename Structure>
-bool Search(const TwoLevel<Structure>& forest, const Structure& structure, const R3::Ray& ray, double distance_in_world,
-            std::optional<std::uint32_t> instance, NearestHit& nearest, Counts& counts) {
-  const TraversalRay probe(structure.coordinates, structure.space.PadPerDistance(), ray, distance_in_world);
-  if (probe.is_lost) return false;
-  LeafVisitor<any, Structure> asker(forest, structure, ray, probe, distance_in_world, instance, nearest, counts);
-  Walk<any>(structure, probe, asker, counts);
-  asker.Finish();
-  return asker.is_answered;
+bool Search(const TwoLevel<Structure>& two_level, const Structure& structure, const R3::Ray& ray,
+            double distance_in_world, std::optional<std::uint32_t> instance, NearestHit& nearest, Counts& counts) {
+  const TraversalRay traversal_ray(structure.coordinates, structure.primitives.PaddingPerDistance(), ray,
+                                   distance_in_world);
+  if (traversal_ray.is_lost) return false;
+  LeafVisitor<any, Structure> visitor(two_level, structure, ray, traversal_ray, distance_in_world, instance, nearest,
+                                      counts);
+  Traverse<any>(structure, traversal_ray, visitor, counts);
+  if constexpr (!any) visitor.TestCandidates();
+  return visitor.is_answered;
 }
 
 template <typename Structure>
-void FindNearest(const TwoLevel<Structure>& forest, const R3::Ray& ray, NearestHit& nearest, Counts& counts) {
-  Search<false>(forest, forest.structures[0], ray, MaxComponent(Abs(FromOrigin(ray.origin))), std::nullopt, nearest,
-                counts);
+void FindNearest(const TwoLevel<Structure>& two_level, const R3::Ray& ray, NearestHit& nearest, Counts& counts) {
+  Search<false>(two_level, two_level.structures[0], ray, MaxComponent(Abs(FromOrigin(ray.origin))), std::nullopt,
+                nearest, counts);
 }
 
 template <typename Structure>
-bool FindAny(const TwoLevel<Structure>& forest, const R3::Ray& ray, Counts& counts) {
-  NearestHit nearest(*forest.world, ray);
-  return Search<true>(forest, forest.structures[0], ray, MaxComponent(Abs(FromOrigin(ray.origin))), std::nullopt,
+bool FindAny(const TwoLevel<Structure>& two_level, const R3::Ray& ray, Counts& counts) {
+  NearestHit nearest(*two_level.world, ray);
+  return Search<true>(two_level, two_level.structures[0], ray, MaxComponent(Abs(FromOrigin(ray.origin))), std::nullopt,
                       nearest, counts);
 }
 

@@ -1,6 +1,6 @@
 #include "source/accelerate/wide/Tree.h"
 
-namespace ray::bvh {
+namespace ray::wide {
 
 std::vector<R3::Box> Tree::BoxesAt(int level) const {
   if (level < 0 || level >= BoxLevels()) return {};
@@ -10,18 +10,18 @@ std::vector<R3::Box> Tree::BoxesAt(int level) const {
     if (Child::KindOf(root) == Child::Kind::node)
       for (const R3::Box& box : BoxesAt(1)) all.Extend(box);
     else
-      for (std::uint32_t i = 0; i < space.Items(); ++i) all.Extend(space.Bounds(i));
+      for (std::uint32_t i = 0; i < primitives.Size(); ++i) all.Extend(primitives.Bounds(i));
     boxes.push_back(all);
     return boxes;
   }
-  struct Waiting {
+  struct StackEntry {
     std::uint32_t node;
     int level;  // of its children
   };
-  std::vector<Waiting> stack;
+  std::vector<StackEntry> stack;
   if (Child::KindOf(root) == Child::Kind::node) stack.push_back({root, 1});
   while (!stack.empty()) {
-    const Waiting next = stack.back();
+    const StackEntry next = stack.back();
     stack.pop_back();
     const Node& node = At<Node>(next.node);
     for (int i = width; i-- > 0;) {
@@ -38,4 +38,4 @@ std::vector<R3::Box> Tree::BoxesAt(int level) const {
   return boxes;
 }
 
-}  // namespace ray::bvh
+}  // namespace ray::wide

@@ -6,14 +6,16 @@
 #include "source/accelerate/HugeArray.h"
 #include "source/accelerate/twolevel/TwoLevel.h"
 
-/// The wide tree of boxes as data. Everything in it is in single precision and only ever decides what not to ask.
-namespace ray::bvh {
+/// The wide tree of boxes (as Embree's BVH8) as data. Everything in it is in single precision and only ever culls: it
+/// decides what not to test, never what is hit.
+namespace ray::wide {
 
-inline constexpr std::size_t unit = 32;  // bytes in which places in memory are counted
+inline constexpr std::size_t unit = 32;  // bytes in which memory is counted
 
-/// What a child is and where, in 32 bits: nodes and blocks by their place in Tree::memory, items by their number.
+/// What a child is and where, in 32 bits: nodes and blocks by their first unit of Tree::memory, primitives by their
+/// number.
 struct Child {
-  enum class Kind : std::uint32_t { node, triangles, item, nothing };
+  enum class Kind : std::uint32_t { node, triangles, primitive, nothing };
   static constexpr int kind_shift = 30;
 
   static constexpr std::uint32_t Make(Kind kind, std::uint32_t index) {
@@ -33,13 +35,13 @@ struct alignas(unit) Node {
 /// A node pushes at most `width` - 1 children, so a stack of most_depth * width always suffices.
 inline constexpr int most_depth = 64;
 
-/// One structure over one space.
+/// One structure over one set of primitives.
 struct Tree {
-  static constexpr bool meets_items_again = false;
+  static constexpr bool meets_primitives_again = false;
 
-  explicit Tree(PrimitiveSet the_space) : space(std::move(the_space)) {}
+  explicit Tree(PrimitiveSet the_primitives) : primitives(std::move(the_primitives)) {}
 
-  PrimitiveSet space;
+  PrimitiveSet primitives;
   Coordinates coordinates;
   /// Nodes, each followed by the blocks that are its children, depth first: what is visited together lies together.
   struct alignas(unit) Unit {
@@ -61,9 +63,9 @@ struct Tree {
   }
   /// Levels of boxes: the root's, then those of its children, and so on.
   int BoxLevels() const { return Child::KindOf(root) == Child::Kind::nothing ? 0 : depth + 1; }
-  /// In the space, rounded to single precision as the walk uses them.
+  /// In the frame of the primitives, rounded to single precision as traversal uses them.
   std::vector<R3::Box> BoxesAt(int level) const;
-  std::size_t Bytes() const { return memory.Bytes() + space.Bytes(); }
+  std::size_t Bytes() const { return memory.Bytes() + primitives.Bytes(); }
 };
 
-}  // namespace ray::bvh
+}  // namespace ray::wide

@@ -7,7 +7,7 @@
 #include <tuple>
 #include <vector>
 
-#include "source/accelerate/twolevel/TwoLevel.h"
+#include "source/accelerate/twolevel/InstructionSet.h"
 #include "source/app/Status.h"
 #include "source/app/options/Help.h"
 #include "source/app/options/OptionTable.h"

@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "source/accelerate/Accelerator.h"
-#include "source/accelerate/twolevel/TwoLevel.h"
+#include "source/accelerate/twolevel/InstructionSet.h"
 #include "source/app/files/LayerPictures.h"
 #include "source/app/options/BudgetWords.h"
 #include "source/app/options/Listing.h"

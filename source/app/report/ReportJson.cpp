@@ -136,6 +136,7 @@ std::string ReportJson(const RunStats& record) {
       {"settings", SettingsJson(record.options)},
       {"rays", Rays(rays)},
       {"counts", CostJson(rays.Cost())},
+      {"accelerator", record.accelerator},
       {"structure_bytes", record.structure_bytes},
       {"seconds",
        {{"load", seconds.load},

@@ -21,6 +21,7 @@ namespace ray {
 ///   |                    | a camera ray's limit), total (all but cut), costs (the counts of each kind)    |
 ///   | counts             | node_visits, box_tests, primitive_tests, hits, cache_tests, cache_hits,     |
 ///   |                    | bad_rays                                                                    |
+///   | accelerator        | the kind that was built; settings.accel says which was asked for            |
 ///   | structure_bytes    | what the accelerator takes besides the scene                                |
 ///   | seconds            | load, build, render, write (the picture), wall (from the program's start to |
 ///   |                    | this report), cpu (all threads)                                             |

@@ -85,18 +85,20 @@ void RunLog::Built(const World& world, const Accelerator& accelerator) {
   record_.scene.nodes = static_cast<std::int64_t>(world.Nodes().size());
   record_.scene.instances = static_cast<std::int64_t>(world.Instances().size());
   record_.scene.primitives = world.Primitives();
+  record_.accelerator = accelerator.kind;
   record_.structure_bytes = accelerator.Bytes();
   const SceneFeatures needs = FeaturesOf(world, record_.options.render);
   record_.needs = needs.Names();
   record_.kernel = KernelOf(needs, record_.options.render);
   record_.biased = BiasedSettings(needs, record_.options.render);
   if (record_.options.explain) {
+    for (const std::string& line : accelerator.reasons) PrintError("raypro: " + line);
     for (const std::string& line : accelerator.Explain()) PrintError("raypro: " + line);
     for (const std::string& line : ExplainRender(record_)) PrintError("raypro: " + line);
   }
-  TellStep("put '" + record_.options.accelerator.name + "' over " +
-               Counted(static_cast<std::uint64_t>(world.Primitives()), "primitive"),
-           record_.seconds.build);
+  TellStep(
+      "built " + accelerator.kind + " over " + Counted(static_cast<std::uint64_t>(world.Primitives()), "primitive"),
+      record_.seconds.build);
 }
 
 void RunLog::Compared(double true_error) { record_.true_error = true_error; }

@@ -145,6 +145,7 @@ std::string Statistics(const RunStats& record) {
          line("render", Seconds(seconds.render)) + line("write", Seconds(seconds.write)) +
          line("wall", Seconds(seconds.wall)) + line("cpu", Seconds(seconds.cpu)) + "run\n" +
          count("threads", record.threads) +
+         line("accelerator", record.accelerator + " (-accel " + record.options.accelerator.name + ")") +
          line("structure", Fixed(1e-6 * static_cast<double>(record.structure_bytes), 1) + " MB") +
          line("peak memory", Fixed(1e-6 * static_cast<double>(record.peak_memory), 1) + " MB") +
          line("pixels", std::to_string(record.pixels_done) + " of " + std::to_string(record.pixels_total)) +

@@ -22,6 +22,7 @@ struct RunStats {
   } scene;
 
   RayCounts rays;
+  std::string accelerator;  // the kind that was built
   std::size_t structure_bytes = 0;
   struct {
     double load = 0, build = 0, render = 0, write = 0, wall = 0, cpu = 0;

@@ -15,7 +15,7 @@ namespace ray {
 /// Light at a point from one place on a light, if nothing is in between.
 struct PathLightSample {
   /// Of lights that rays can hit: radiance, over the pdf of choosing the direction. Of others: what the scene
-  /// language says arrives, pi times smaller than the irradiance of a matte surface's theory.
+  /// language says arrives, pi times smaller than the irradiance of a diffuse surface's theory.
   R2::Color arriving;
   R3::Vector to_light;
   bool is_infinite = false;

@@ -46,7 +46,7 @@ bool CoarsePasses::TraceItem(const Item& item, Worker& worker) {
     return item.traced_stride > 0 && (column - sampled_.x0) % item.traced_stride == 0 &&
            (row - sampled_.y0) % item.traced_stride == 0;
   };
-  worker.state.workspace.ForgetPlaces();
+  worker.state.workspace.ForgetLastHits();
   bool was_stopped = watch_.stop.load();
   for (int row = pixels.y0; row < pixels.y1; row += item.stride)
     for (int column = pixels.x0; column < pixels.x1; column += item.stride) {

@@ -47,7 +47,7 @@ void ExpectSame(const std::optional<ray::WorldHit>& a, const std::optional<ray::
 
 void CompareInOneScene(const ray::Scene& scene, Draw& draw, int rays) {
   const ray::World world(scene);
-  const auto none = ray::FindAcceleratorKind("none")->make(world, {});
+  const auto none = ray::FindAcceleratorKind("none")->Make(world, {});
   const R3::Box& box = scene.root.bounds;
   std::vector<R3::Ray> list;
   for (int i = 0; i < rays; ++i) {
@@ -74,7 +74,7 @@ void CompareInOneScene(const ray::Scene& scene, Draw& draw, int rays) {
   }
   for (int switches = 0; switches < 8; ++switches) {
     const ray::AcceleratorSettings how{"graph", (switches & 1) == 0, (switches & 2) == 0, (switches & 4) == 0};
-    const auto graph = ray::FindAcceleratorKind("graph")->make(world, how);
+    const auto graph = ray::FindAcceleratorKind("graph")->Make(world, how);
     ray::Workspace for_none, for_graph;
     const std::string name = "switches " + std::to_string(switches);
     for (const R3::Ray& ray : list) {
@@ -122,7 +122,7 @@ TEST(Graph, AmongEqualDistancesTheLowestPrimitiveWins) {
   const ray::World world(scene);
   for (const auto* kind : ray::AcceleratorKinds()) {
     ray::Workspace workspace;
-    const auto hit = kind->make(world, {})->Intersect({{0, 0, 5}, {0, 0, -1}}, workspace);
+    const auto hit = kind->Make(world, {})->Intersect({{0, 0, 5}, {0, 0, -1}}, workspace);
     ASSERT_TRUE(hit);
     EXPECT_EQ(world.PrimitiveId(*hit), 0) << kind->name;
   }
@@ -142,7 +142,7 @@ TEST(Graph, EachOfItsDevicesSavesTestsWhereItShould) {
   SetBounds(scene.root);
   const ray::World world(scene);
   const auto primitive_tests = [&](const ray::AcceleratorSettings& how) {
-    const auto accelerator = ray::FindAcceleratorKind(how.name)->make(world, how);
+    const auto accelerator = ray::FindAcceleratorKind(how.name)->Make(world, how);
     ray::Workspace workspace;
     for (int i = 0; i < 100; ++i) accelerator->Intersect({{0.005 * i, 0.1, 10}, {0, 0, -1}}, workspace);
     return workspace.counts.primitive_tests;
@@ -196,7 +196,7 @@ TEST(Extremes, A6_ASingularGroupIsLeftOutAndTheRestStays) {
   SetBounds(scene.root);
   const ray::World world(scene);
   for (const auto* kind : ray::AcceleratorKinds()) {
-    const auto accelerator = kind->make(world, {});
+    const auto accelerator = kind->Make(world, {});
     ray::Workspace workspace;
     EXPECT_FALSE(accelerator->Intersect({{0, 0, 5}, {0, 0, -1}}, workspace));
     EXPECT_TRUE(accelerator->Intersect({{5, 0, 5}, {0, 0, -1}}, workspace));
@@ -231,7 +231,7 @@ TEST(Extremes, H1_AHundredThousandLevelsAreTracedByEveryAccelerator) {
   const ray::World world(scene);
   for (const auto* kind : ray::AcceleratorKinds()) {
     ray::Workspace workspace;
-    const auto hit = kind->make(world, {})->Intersect({{0, 0, 5}, {0, 0, -1}}, workspace);
+    const auto hit = kind->Make(world, {})->Intersect({{0, 0, 5}, {0, 0, -1}}, workspace);
     ASSERT_TRUE(hit) << kind->name;
     EXPECT_NEAR(hit->t, 4, 1e-12) << kind->name;
   }

@@ -27,7 +27,7 @@ ShadingPoint SeenFromAbove(double height, double x, double z) {
   scene.materials.back().bump = Ramp(64);
   scene.materials.back().bump_height = height;
   const project::Stage stage(std::move(scene));
-  const auto accelerator = FindAcceleratorKind("none")->make(stage.world, {});
+  const auto accelerator = FindAcceleratorKind("none")->Make(stage.world, {});
   Workspace workspace;
   const R3::Ray ray{{x, 5, z}, {0, -1, 0}};
   const auto hit = accelerator->Intersect(ray, workspace);

@@ -66,7 +66,7 @@ TEST(FresnelReflectance, IsASmoothShareAndTheSameFromBothSides) {
 }
 
 ShadingPoint Seen(const project::Stage& stage, const R3::Ray& ray) {
-  const auto accelerator = FindAcceleratorKind("none")->make(stage.world, {});
+  const auto accelerator = FindAcceleratorKind("none")->Make(stage.world, {});
   Workspace workspace;
   const auto hit = accelerator->Intersect(ray, workspace);
   EXPECT_TRUE(hit);

@@ -14,7 +14,7 @@ struct Traced {
   explicit Traced(const std::string& scene, RenderSettings chosen)
       : stage(project::Root() / "scenes" / scene),
         settings(std::move(chosen)),
-        accelerator(FindAcceleratorKind("bvh")->make(stage.world, {})) {}
+        accelerator(FindAcceleratorKind("bvh")->Make(stage.world, {})) {}
 
   project::Stage stage;
   RenderSettings settings;
@@ -96,7 +96,7 @@ TEST(PixelTrace, RaysStartWhereTheirParentsEnd) {
 
 TEST(PixelTrace, HitsAreThoseOfTheAccelerator) {
   const Traced traced("hello.scn", Settings("whitted", 60));
-  const auto none = FindAcceleratorKind("none")->make(traced.stage.world, {});
+  const auto none = FindAcceleratorKind("none")->Make(traced.stage.world, {});
   Workspace workspace;
   std::size_t stopped = 0;
   for (int at = 0; at < 60; at += 3)
@@ -119,7 +119,7 @@ TEST(PixelTrace, TheTreeTellsEveryRayAndWhereItEnds) {
                         "material 0 0 0  0.5 0.5 0.5  0.25 0.25 0.25  0 0 0  0 0 0  1 1 0\n"
                         "sphere 0  0 0 0  1\n"));
   RenderSettings settings = Settings("whitted", 3);
-  const auto accelerator = FindAcceleratorKind("bvh")->make(stage.world, {});
+  const auto accelerator = FindAcceleratorKind("bvh")->Make(stage.world, {});
   const std::string middle = DebugPixel(stage.world, *accelerator, settings, 1, 1);
   EXPECT_EQ(middle.find("pixel 1 1 of 3 x 3, whitted: "), 0u) << middle;
   // Straight on: the light is at the eye, so kd + ks arrive, and ks of the background in the mirror.

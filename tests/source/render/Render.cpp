@@ -20,7 +20,7 @@ RenderSettings Small() {
 // A viewer renders a picture row by row with one integrator; it must not show another picture than raypro's.
 TEST(Render, PartsWithOneIntegratorMadeBeforeEqualTheWhole) {
   const project::Stage stage(project::Root() / "scenes" / "many_lights.scn");
-  const auto accelerator = FindAcceleratorKind("auto")->make(stage.world, {});
+  const auto accelerator = FindAcceleratorKind("auto")->Make(stage.world, {});
   RenderSettings settings = Small();
   settings.mode = RenderMode::path;
   const auto integrator = IntegratorOf(stage.world, *accelerator, settings);
@@ -37,7 +37,7 @@ TEST(Render, PartsWithOneIntegratorMadeBeforeEqualTheWhole) {
 
 TEST(Render, PassesThatAreSeenChangeNoBit) {
   const project::Stage stage(project::Root() / "scenes" / "area_light.scn");
-  const auto accelerator = FindAcceleratorKind("auto")->make(stage.world, {});
+  const auto accelerator = FindAcceleratorKind("auto")->Make(stage.world, {});
   for (const std::string filter : {"box", "gaussian"}) {
     RenderSettings settings = Small();
     settings.filter = project::Named{filter};

@@ -222,7 +222,7 @@ TEST_F(ViewerTest, GridRaysAreThoseOfEvery25thPixelAndStayWhenTheCameraMoves) {
   Do("resize 512 512\nkey G");
   ASSERT_EQ(viewer_->Rays().Grid().size(), 441u);
   const LoadedScene& scene = viewer_->scene();
-  const auto none = FindAcceleratorKind("none")->make(scene.world, {});
+  const auto none = FindAcceleratorKind("none")->Make(scene.world, {});
   Workspace workspace;
   for (const PixelTrace& trace : viewer_->Rays().Grid()) {
     EXPECT_EQ(trace.column % 25, 0);

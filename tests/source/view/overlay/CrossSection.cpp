@@ -19,7 +19,7 @@ constexpr double exact = 1e-9;
 
 struct Model {
   explicit Model(ray::Scene scene, const std::string& kind = "bvh")
-      : stage(std::move(scene)), accelerator(ray::FindAcceleratorKind(kind)->make(stage.world, {})) {}
+      : stage(std::move(scene)), accelerator(ray::FindAcceleratorKind(kind)->Make(stage.world, {})) {}
 
   ray::SceneCut Cut(const ray::Slice& slice, int lines = 100) const {
     return ray::CutOf(stage.world, *accelerator, slice, lines);

@@ -98,7 +98,7 @@ TEST(AcceleratorBoxes, LieInTheSceneAndHoldAllItsHits) {
     const R3::Box padded{bounds.low - pads, bounds.high + pads};
     const auto rays = accelerators::RaysAt(stage.world, draw, 200);
     for (const auto* kind : ray::AcceleratorKinds()) {
-      const auto accelerator = kind->make(stage.world, {});
+      const auto accelerator = kind->Make(stage.world, {});
       const bool is_tree = accelerator->BoxLevels() > 0;
       EXPECT_TRUE(is_tree || (kind->name != std::string("bvh") && kind->name != std::string("octree")));
       EXPECT_EQ(accelerator->BoxesAt(0).size(), is_tree ? 1u : 0u) << kind->name;
@@ -132,8 +132,8 @@ TEST(AcceleratorBoxes, LieInTheSceneAndHoldAllItsHits) {
 TEST(AcceleratorBoxes, OfOneLeafAndOfNothing) {
   const project::Stage one(project::FromText("sphere -1  1 2 3  0.5\n")), nothing(project::FromText("\n"));
   for (const auto* kind : ray::AcceleratorKinds()) {
-    EXPECT_EQ(kind->make(nothing.world, {})->BoxLevels(), 0) << kind->name;
-    const auto accelerator = kind->make(one.world, {});
+    EXPECT_EQ(kind->Make(nothing.world, {})->BoxLevels(), 0) << kind->name;
+    const auto accelerator = kind->Make(one.world, {});
     if (accelerator->BoxLevels() == 0) continue;
     EXPECT_EQ(accelerator->BoxesAt(0)[0], one.scene->root.bounds) << kind->name;
   }

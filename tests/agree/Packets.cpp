@@ -19,7 +19,7 @@ ray::Scene SceneOf(const R3::MeshData& data) {
   return scene;
 }
 
-TEST(RaysTogether, AgreeInRandomScenesWhetherTheyGoTheSameWayOrNot) {
+TEST(Packets, AgreeInRandomScenesWhetherTheyGoTheSameWayOrNot) {
   const auto ways = EveryWay();
   for (const double powers : {0.0, 3.0})
     for (int seed = 0; seed < Count(6, 1000); ++seed) {
@@ -38,7 +38,7 @@ TEST(RaysTogether, AgreeInRandomScenesWhetherTheyGoTheSameWayOrNot) {
     }
 }
 
-TEST(RaysTogether, AgreeAtCornersAndEdgesOfAClosedMesh) {
+TEST(Packets, AgreeAtCornersAndEdgesOfAClosedMesh) {
   const R3::MeshData data = accelerators::BumpyBall(24, 16);
   const ray::Scene scene = SceneOf(data);
   const ray::World world(scene);
@@ -57,7 +57,7 @@ TEST(RaysTogether, AgreeAtCornersAndEdgesOfAClosedMesh) {
   Compare(world, rays, EveryWay());
 }
 
-TEST(RaysTogether, AgreeWhenTheyEndOrBeginOrAreNoRays) {
+TEST(Packets, AgreeWhenTheyEndOrBeginOrAreNoRays) {
   const ray::Scene scene = SceneOf(accelerators::BumpyBall(24, 16));
   const ray::World world(scene);
   Draw draw(990);
@@ -94,10 +94,10 @@ TEST(RaysTogether, AgreeWhenTheyEndOrBeginOrAreNoRays) {
   Compare(world, rays, EveryWay());
 }
 
-TEST(RaysTogether, AgreeWhenTheyEndWhereTheyHit) {
+TEST(Packets, AgreeWhenTheyEndWhereTheyHit) {
   const ray::Scene scene = SceneOf(accelerators::BumpyBall(24, 16));
   const ray::World world(scene);
-  const auto none = ray::FindAcceleratorKind("none")->make(world, {});
+  const auto none = ray::FindAcceleratorKind("none")->Make(world, {});
   ray::Workspace workspace;
   Draw draw(995);
   std::vector<R3::Ray> rays;

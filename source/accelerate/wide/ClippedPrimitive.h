@@ -1,0 +1,49 @@
+#pragma once
+
+#include <tbb/enumerable_thread_specific.h>
+
+#include <deque>
+#include <span>
+#include <vector>
+
+#include "source/accelerate/wide/Layout.h"
+
+/// What structures that cut space into cells have in common.
+namespace ray::wide {
+
+/// Of one primitive, what lies in one cell.
+struct ClippedPrimitive {
+  Extent box;  // within box_rounding
+  std::uint32_t primitive = 0;
+  bool is_triangle = false;
+};
+using ClippedPrimitives = std::vector<ClippedPrimitive>;
+
+/// Of coordinates, which are about 1 at most, to floats, and of cutting; several times over. Cells need not be smaller.
+inline constexpr float box_rounding = 0x1p-22f;
+
+/// All of a primitive.
+ClippedPrimitive Unclipped(const Tree& tree, std::uint32_t primitive);
+
+/// Clips it further to a cell, in the tree's coordinates: its box shrinks to what of it lies inside. False when nothing
+/// does.
+///   source  Sutherland, Hodgman, Reentrant polygon clipping (1974)
+bool ClipTo(const R3::Box& cell, const Tree& tree, ClippedPrimitive& clipped);
+
+/// Makes subtrees of what lies in cells, in parallel: where it fits, one block of triangles or one other primitive;
+/// otherwise nodes of blocks of triangles that lie next to each other along the longest side of it all, and of others.
+class SubtreeBuilder {
+ public:
+  /// Reorders the primitives. Of none it makes an empty child.
+  BuildChild Build(std::span<ClippedPrimitive> primitives);
+
+  /// For nodes; stays where it is.
+  BuildNode& NewNode() { return nodes_.local().emplace_back(); }
+
+ private:
+  BuildChild Group(std::span<const BuildChild> children);
+
+  tbb::enumerable_thread_specific<std::deque<BuildNode>> nodes_;
+};
+
+}  // namespace ray::wide

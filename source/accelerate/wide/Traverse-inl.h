@@ -1,0 +1,216 @@
+// One ray through a wide tree of boxes: included once for each instruction set.
+
+#if defined(RAY_ACCELERATE_WIDE_TRAVERSE_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef RAY_ACCELERATE_WIDE_TRAVERSE_INL_H_
+#undef RAY_ACCELERATE_WIDE_TRAVERSE_INL_H_
+#else
+#define RAY_ACCELERATE_WIDE_TRAVERSE_INL_H_
+#endif
+
+#include "source/accelerate/wide/Search-inl.h"
+#include "source/accelerate/wide/Tree.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace ray {
+namespace HWY_NAMESPACE {
+
+using wide::Child;
+using wide::Node;
+using wide::Tree;
+
+/// A traversal ray as the slab test of eight boxes wants it: in registers during traversal.
+struct NodeRay {
+  Floats inverse_x, inverse_y, inverse_z, near_x, near_y, near_z, far_x, far_y, far_z;
+  std::uint32_t x, y, z;  // the near planes in Node::plane, in floats
+
+  HWY_INLINE explicit NodeRay(const TraversalRay& p)
+      : inverse_x(hn::Set(Lanes(), p.inverse[0])),
+        inverse_y(hn::Set(Lanes(), p.inverse[1])),
+        inverse_z(hn::Set(Lanes(), p.inverse[2])),
+        near_x(hn::Set(Lanes(), p.near_shift[0])),
+        near_y(hn::Set(Lanes(), p.near_shift[1])),
+        near_z(hn::Set(Lanes(), p.near_shift[2])),
+        far_x(hn::Set(Lanes(), p.far_shift[0])),
+        far_y(hn::Set(Lanes(), p.far_shift[1])),
+        far_z(hn::Set(Lanes(), p.far_shift[2])),
+        x(p.signs[0] < 0 ? width : 0),
+        y(2 * width + (p.signs[1] < 0 ? width : 0)),
+        z(4 * width + (p.signs[2] < 0 ? width : 0)) {}
+
+  /// Which children of a node are entered before `limit`, as bits; and where.
+  HWY_INLINE std::uint32_t Test(const Node& node, float limit, float* HWY_RESTRICT entries) const {
+    const Lanes lanes;
+    const float* planes = node.plane[0];
+    constexpr std::uint32_t other = width;  // low and high planes alternate: the far one is next door
+    std::uint32_t reached = 0;
+    for (std::size_t i = 0; i < width; i += hn::Lanes(lanes)) {
+      const auto at = [&](std::uint32_t plane, Floats inverse, Floats shift) {
+        return hn::MulSub(hn::Load(lanes, planes + plane + i), inverse, shift);
+      };
+      const Floats entry = hn::Max(hn::Max(at(x, inverse_x, near_x), at(y, inverse_y, near_y)),
+                                   hn::Max(at(z, inverse_z, near_z), hn::Zero(lanes)));
+      const Floats exit = hn::Min(hn::Min(at(x ^ other, inverse_x, far_x), at(y ^ other, inverse_y, far_y)),
+                                  hn::Min(at(z ^ other, inverse_z, far_z), hn::Set(lanes, limit)));
+      hn::Store(entry, lanes, entries + i);
+      std::uint8_t bits[8] = {};
+      hn::StoreMaskBits(lanes, hn::Le(entry, exit), bits);
+      reached |= static_cast<std::uint32_t>(bits[0]) << i;
+    }
+    return reached;
+  }
+};
+
+/// An entry of the traversal stack: the distance at which a child is entered in the high half, so that whole numbers
+/// order entries, and the child.
+HWY_INLINE std::uint64_t PackEntry(float distance, std::uint32_t child) {
+  return std::uint64_t{std::bit_cast<std::uint32_t>(distance)} << 32 | child;
+}
+HWY_INLINE float DistanceOf(std::uint64_t entry) {
+  return std::bit_cast<float>(static_cast<std::uint32_t>(entry >> 32));
+}
+/// Without a branch: which of two is nearer is anyone's guess.
+HWY_INLINE void Order(std::uint64_t& farther, std::uint64_t& nearer) {
+  const std::uint64_t swap = -static_cast<std::uint64_t>(farther < nearer) & (farther ^ nearer);
+  farther ^= swap, nearer ^= swap;
+}
+
+/// Distances of the children reached, for ranking them; equal ones by their lane.
+class SortKeys {
+ public:
+  HWY_INLINE SortKeys(const float* HWY_RESTRICT distances, std::uint32_t reached) {
+    const Wholes d;
+    for (std::size_t k = 0; k < width; k += hn::Lanes(d)) {
+      const auto bit = hn::Shl(hn::Set(d, 1), hn::Iota(d, static_cast<std::int32_t>(k)));
+      const auto is_reached = hn::TestBit(hn::Set(d, static_cast<std::int32_t>(reached)), bit);
+      const auto distance = hn::BitCast(d, hn::Load(Lanes(), distances + k));
+      const auto key = hn::Or(hn::AndNot(hn::Set(d, width - 1), distance), hn::Iota(d, static_cast<std::int32_t>(k)));
+      hn::Store(hn::IfThenElse(is_reached, key, hn::Set(d, -1)), d, keys_ + k);
+    }
+  }
+
+  HWY_INLINE int CountFarther(int i) const {
+    const Wholes d;
+    std::uint32_t farther = 0;
+    for (std::size_t k = 0; k < width; k += hn::Lanes(d)) {
+      std::uint8_t bits[8] = {};
+      hn::StoreMaskBits(d, hn::Gt(hn::Load(d, keys_ + k), hn::Set(d, keys_[i])), bits);
+      farther |= static_cast<std::uint32_t>(bits[0]) << k;
+    }
+    return std::popcount(farther);
+  }
+
+ private:
+  using Wholes = hn::CappedTag<std::int32_t, width>;
+  alignas(32) std::int32_t keys_[width];
+};
+
+HWY_INLINE void Prefetch(const Tree& tree, std::uint32_t child) {
+  // Of a primitive this is some other place in memory or none: harmless.
+  const char* at = reinterpret_cast<const char*>(tree.memory.Data() + Child::Index(child));
+  for (int line = 0; line < 4; ++line) __builtin_prefetch(at + 64 * line);
+}
+
+/// What is visited next, and the new top of the stack.
+struct Pushed {
+  std::uint32_t next;
+  std::uint64_t* top;
+};
+
+/// For occlusion rays: the children reached, whichever comes first.
+HWY_INLINE Pushed PushUnsorted(const Tree& tree, const Node& node, const float* HWY_RESTRICT distances,
+                               std::uint32_t reached, std::uint64_t* top) {
+  do {
+    const int i = std::countr_zero(reached);
+    if (tree.is_large) Prefetch(tree, node.child[i]);
+    *top++ = PackEntry(distances[i], node.child[i]);
+    reached &= reached - 1;
+  } while (reached != 0);
+  --top;
+  return {static_cast<std::uint32_t>(*top), top};
+}
+
+/// For nearest hits: two or more children reached, the nearest first.
+HWY_INLINE Pushed PushSorted(const Tree& tree, const Node& node, const float* HWY_RESTRICT distances,
+                             const std::uint32_t reached, std::uint64_t* top) {
+  std::uint32_t rest = reached;
+  const auto take = [&] {
+    const int i = std::countr_zero(rest);
+    rest &= rest - 1;
+    return PackEntry(distances[i], node.child[i]);
+  };
+  std::uint64_t first = take(), second = take();
+  if (tree.is_large) {
+    Prefetch(tree, static_cast<std::uint32_t>(first));
+    Prefetch(tree, static_cast<std::uint32_t>(second));
+  }
+  Order(second, first);
+  if (rest == 0) {
+    *top++ = second;
+    return {static_cast<std::uint32_t>(first), top};
+  }
+  const SortKeys keys(distances, reached);
+  for (rest = reached; rest != 0; rest &= rest - 1) {
+    const int i = std::countr_zero(rest);
+    if (tree.is_large) Prefetch(tree, node.child[i]);
+    top[keys.CountFarther(i)] = PackEntry(distances[i], node.child[i]);
+  }
+  top += std::popcount(reached) - 1;
+  return {static_cast<std::uint32_t>(*top), top};
+}
+
+/// From a child of whatever kind, with a stack of what is still to be visited, nearest on top.
+template <bool any, typename LeafVisitor>
+HWY_INLINE void TraverseFrom(std::uint32_t child, const Tree& tree, const NodeRay& ray, LeafVisitor& visitor,
+                             Counts& counts) {
+  std::uint64_t stack[wide::most_depth * width];
+  std::uint64_t* top = stack;  // one past the last entry
+  std::uint64_t nodes = 0, leaves = 0;
+
+  while (true) {
+    const auto kind = Child::KindOf(child);
+    if (HWY_LIKELY(kind == Child::Kind::node)) {
+      ++nodes;
+      const Node& node = tree.At<Node>(child);
+      alignas(32) float distances[width];
+      const std::uint32_t reached = ray.Test(node, visitor.limit, distances);
+      if (HWY_LIKELY(reached != 0)) {
+        if ((reached & (reached - 1)) == 0) {
+          child = node.child[std::countr_zero(reached)];
+          continue;
+        }
+        Pushed pushed;
+        if constexpr (any)
+          pushed = PushUnsorted(tree, node, distances, reached, top);
+        else
+          pushed = PushSorted(tree, node, distances, reached, top);
+        child = pushed.next, top = pushed.top;
+        continue;
+      }
+    } else if (kind == Child::Kind::triangles) {
+      ++leaves;
+      if (visitor.VisitTriangles(tree.At<TriangleBlock>(child))) break;
+    } else if (kind == Child::Kind::primitive) {
+      ++leaves;
+      if (visitor.VisitPrimitive(Child::Index(child))) break;
+    }
+    do {
+      if (top == stack) goto done;
+      --top;
+    } while (DistanceOf(*top) > visitor.limit);
+    child = static_cast<std::uint32_t>(*top);
+  }
+done:
+  counts.node_visits += nodes + leaves;
+  counts.box_tests += nodes * width;
+}
+
+template <bool any, typename LeafVisitor>
+HWY_INLINE void Traverse(const Tree& tree, const TraversalRay& ray, LeafVisitor& visitor, Counts& counts) {
+  TraverseFrom<any>(tree.root, tree, NodeRay(ray), visitor, counts);
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace ray
+HWY_AFTER_NAMESPACE();
+
+#endif
