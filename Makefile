@@ -163,6 +163,7 @@ test-binary: $(BUILD)/raytests
 
 check:
 	@sh script/check_layers.sh
+	@sh script/check_patches.sh
 
 asan:
 	$(MAKE) BUILD=$(BUILD)/asan OPTIMIZE=-O1 SANITIZE="-fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer" test

@@ -93,8 +93,8 @@ class Scene {
     call.Call<void(void*)>("rtcReleaseGeometry")(geometry);
     intersect_ = call.Call<void(void*, void*, void*)>("rtcIntersect1");
     occluded_ = call.Call<void(void*, void*, void*)>("rtcOccluded1");
-    intersect_8_ = call.Call<Together>("rtcIntersect8"), occluded_8_ = call.Call<Together>("rtcOccluded8");
-    intersect_16_ = call.Call<Together>("rtcIntersect16"), occluded_16_ = call.Call<Together>("rtcOccluded16");
+    intersect_8_ = call.Call<PacketQuery>("rtcIntersect8"), occluded_8_ = call.Call<PacketQuery>("rtcOccluded8");
+    intersect_16_ = call.Call<PacketQuery>("rtcIntersect16"), occluded_16_ = call.Call<PacketQuery>("rtcOccluded16");
     Commit();
   }
   Scene(const Scene&) = delete;
@@ -135,9 +135,9 @@ class Scene {
   }
 
  private:
-  using Together = void(const int*, void*, void*, void*);
+  using PacketQuery = void(const int*, void*, void*, void*);
 
-  void Ask(Together* ask, void* rays, const int* valid) const {
+  void Ask(PacketQuery* ask, void* rays, const int* valid) const {
     if (library_.major >= 4) {
       struct {
         std::uint32_t flags = 1u << 16;  // coherent
@@ -162,7 +162,7 @@ class Scene {
   void* scene_ = nullptr;
   void (*intersect_)(void*, void*, void*) = nullptr;
   void (*occluded_)(void*, void*, void*) = nullptr;
-  Together *intersect_8_ = nullptr, *occluded_8_ = nullptr, *intersect_16_ = nullptr, *occluded_16_ = nullptr;
+  PacketQuery *intersect_8_ = nullptr, *occluded_8_ = nullptr, *intersect_16_ = nullptr, *occluded_16_ = nullptr;
 };
 
 }  // namespace embree

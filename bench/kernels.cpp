@@ -2,10 +2,10 @@
 //
 //     make bench && build/bench/kernels [scene=a,b] [accel=bvh,grid] [rays=N] [repeats=N] [quality=low|medium|high]
 //                                       [robust=1] [simd=avx2] [build=1] [resolution=x] [counts=1] [peer=0]
-//                                       [together=16] [peer_together=8|16] [kind=primary,shadow]
+//                                       [packet=16] [peer_packet=8|16] [kind=primary,shadow]
 //
 // Columns are millions of rays a second, the ratio to Embree's, and wrong answers, theirs + ours: where the two differ
-// (a hit against none, or over 1e-3 apart) every triangle is asked in double precision to decide who is wrong.
+// (a hit against none, or over 1e-3 apart) every triangle is tested in double precision to decide who is wrong.
 
 #include <tbb/global_control.h>
 #include <tbb/info.h>
@@ -35,7 +35,7 @@ struct Kind {
   bool any = false, is_coherent = false;
 };
 
-constexpr std::size_t most_together = 256;
+constexpr std::size_t most_rays_of_packet = 256;
 
 double Median(std::vector<double> values) {
   std::sort(values.begin(), values.end());
@@ -121,15 +121,15 @@ struct Answers {
   ray::Counts counts;
 };
 
-Answers Ask(const ray::Accelerator& accelerator, const Kind& kind, std::size_t together = 1) {
+Answers Trace(const ray::Accelerator& accelerator, const Kind& kind, std::size_t packet = 1) {
   ray::Workspace workspace;
   Answers answers;
   answers.t.reserve(kind.rays.size());
-  if (together > 1 && kind.is_coherent) {
-    std::optional<ray::WorldHit> hits[most_together];
-    bool are_occluded[most_together];
-    for (std::size_t first = 0; first < kind.rays.size(); first += together) {
-      const std::span rays(kind.rays.data() + first, std::min(together, kind.rays.size() - first));
+  if (packet > 1 && kind.is_coherent) {
+    std::optional<ray::WorldHit> hits[most_rays_of_packet];
+    bool are_occluded[most_rays_of_packet];
+    for (std::size_t first = 0; first < kind.rays.size(); first += packet) {
+      const std::span rays(kind.rays.data() + first, std::min(packet, kind.rays.size() - first));
       if (kind.any)
         accelerator.IsOccluded(rays, are_occluded, workspace);
       else
@@ -152,7 +152,7 @@ Answers Ask(const ray::Accelerator& accelerator, const Kind& kind, std::size_t t
   return answers;
 }
 
-Answers Ask(const embree::Scene& scene, const Kind& kind) {
+Answers Trace(const embree::Scene& scene, const Kind& kind) {
   Answers answers;
   answers.t.reserve(kind.rays.size());
   for (const R3::Ray& ray : kind.rays) {
@@ -172,7 +172,7 @@ Answers Ask(const embree::Scene& scene, const Kind& kind) {
 
 /// In packets of Embree's own.
 template <int size>
-Answers AskTogether(const embree::Scene& scene, const Kind& kind) {
+Answers TracePackets(const embree::Scene& scene, const Kind& kind) {
   Answers answers;
   answers.t.reserve(kind.rays.size());
   for (std::size_t first = 0; first < kind.rays.size(); first += size) {
@@ -209,7 +209,7 @@ Mistakes Judge(const Kind& kind, const Answers& ours, const Answers& theirs, con
   Mistakes mistakes;
   for (std::size_t i = 0; i < ours.t.size(); ++i) {
     if (agree(ours.t[i], theirs.t[i])) continue;
-    const double truth = Ask(all, {kind.name, {kind.rays[i]}, kind.any}).t[0];
+    const double truth = Trace(all, {kind.name, {kind.rays[i]}, kind.any}).t[0];
     if (!agree(truth, theirs.t[i])) ++mistakes.theirs;
     if (truth == ours.t[i]) continue;
     ++mistakes.ours;
@@ -240,9 +240,9 @@ double BuildSeconds(int threads, int repeats, const Make& make) {
 
 int main(int argc, char** argv) {
   std::map<std::string, std::string> options{
-      {"scene", ""},         {"accel", "bvh"}, {"rays", "1000000"}, {"repeats", "5"},       {"robust", "0"},
-      {"quality", "medium"}, {"simd", "best"}, {"build", "0"},      {"resolution", "0"},    {"peer", "1"},
-      {"ours", "medium"},    {"counts", "0"},  {"together", "1"},   {"peer_together", "1"}, {"kind", ""}};
+      {"scene", ""},         {"accel", "bvh"}, {"rays", "1000000"}, {"repeats", "5"},     {"robust", "0"},
+      {"quality", "medium"}, {"simd", "best"}, {"build", "0"},      {"resolution", "0"},  {"peer", "1"},
+      {"ours", "medium"},    {"counts", "0"},  {"packet", "1"},     {"peer_packet", "1"}, {"kind", ""}};
   for (int i = 1; i < argc; ++i) {
     const std::string word = argv[i];
     const auto sign = word.find('=');
@@ -254,8 +254,8 @@ int main(int argc, char** argv) {
   }
   const auto scenes = options["scene"].empty() ? bench::SceneNames() : Split(options["scene"]);
   const auto accelerators = Split(options["accel"]), wanted = Split(options["kind"]);
-  const std::string peer_together = options["peer_together"];
-  const std::size_t together = std::clamp<std::size_t>(std::stoul(options["together"]), 1, most_together);
+  const std::string peer_packet = options["peer_packet"];
+  const std::size_t packet = std::clamp<std::size_t>(std::stoul(options["packet"]), 1, most_rays_of_packet);
   const int repeats = std::stoi(options["repeats"]);
   const auto quality = options["quality"] == "high"  ? embree::high
                        : options["quality"] == "low" ? embree::low
@@ -311,12 +311,12 @@ int main(int argc, char** argv) {
       for (int i = 0; i < repeats; ++i) {
         if (theirs)
           their_seconds.push_back(Time([&] {
-            their_answers = peer_together == "16"  ? AskTogether<16>(*theirs, kind)
-                            : peer_together == "8" ? AskTogether<8>(*theirs, kind)
-                                                   : Ask(*theirs, kind);
+            their_answers = peer_packet == "16"  ? TracePackets<16>(*theirs, kind)
+                            : peer_packet == "8" ? TracePackets<8>(*theirs, kind)
+                                                 : Trace(*theirs, kind);
           }));
         for (std::size_t a = 0; a < ours.size(); ++a)
-          seconds[a].push_back(Time([&] { answers[a] = Ask(*ours[a], kind, together); }));
+          seconds[a].push_back(Time([&] { answers[a] = Trace(*ours[a], kind, packet); }));
       }
       const double million = 1e-6 * static_cast<double>(kind.rays.size());
       std::printf("%-12s %-9s", name.c_str(), kind.name.c_str());

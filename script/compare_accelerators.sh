@@ -1,5 +1,5 @@
 #!/bin/sh
-# What every accelerator looks at: boxes, nodes and primitives a ray, build and render seconds, bytes; `graph` also with each of
+# What every accelerator tests: boxes, nodes and primitives per ray, build and render seconds, bytes; `graph` also with each of
 # its devices off.
 #
 #     script/compare_accelerators.sh [scene.scn ...]        (default: some of scenes/)
@@ -30,7 +30,7 @@ row() {  # title, then options
 
 for scene; do
   echo "$(basename "$scene")"
-  printf '  %-22s%9s%9s%12s%10s%10s%12s\n' "a ray:" nodes boxes primitives "build s" "render s" bytes
+  printf '  %-22s%9s%9s%12s%10s%10s%12s\n' "per ray:" nodes boxes primitives "build s" "render s" bytes
   for a in $("$raypro" -list accelerators | awk '/^  / { print $1 }'); do
     row "$a" -accel "$a"
     [ "$a" = graph ] || continue

@@ -1,9 +1,9 @@
 #!/bin/sh
-# What the promise "boxes only cull, doubles decide" costs: the same bench with hits accepted in single precision, and
-# with boxes that are not padded. Prints how many times as fast those are; their answers may be wrong and are not
-# looked at.
+# What the promise "boxes only cull, doubles decide" costs: the same bench with hits accepted in single precision
+# (script/price/floats.patch), and with boxes that are not padded (script/price/unpadded.patch). Prints how many times
+# as fast those are; their answers may be wrong and are not looked at.
 #
-#     script/price_of_contract.sh [rabbit,head,... [together=16 kind=primary,shadow]]
+#     script/price_of_contract.sh [rabbit,head,... [packet=16 kind=primary,shadow]]
 #
 # What follows the scenes goes to the bench: so are packets of 16 measured, not single rays.
 set -eu
@@ -13,15 +13,22 @@ scenes=${1:-rabbit,head,blob,soup,colonnade,city}
 [ $# = 0 ] || shift
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-build() {
-  make -s BUILD="build/price/$1" CPPFLAGS="$2" "build/price/$1/bench/kernels" > /dev/null
+
+# The sources once more, beside the build, so that compiler caches know them; then patched and built.
+build() {  # variant, its patch if any
+  tree=build/price/$1
+  rm -rf "$tree/source" "$tree/R2" "$tree/R3" "$tree/bench"  # a file that is gone must be gone here too
+  mkdir -p "$tree"
+  cp -rp Makefile R2 R3 source bench "$tree"
+  [ -z "${2:-}" ] || patch -s -d "$tree" -p1 < "$2"
+  make -s -C "$tree" build/bench/kernels > /dev/null
 }
-build exact ""
-build floats "-DRAYPRO_WITHOUT_DOUBLES"
-build unpadded "-DRAYPRO_WITHOUT_PADS"
+build exact
+build floats script/price/floats.patch
+build unpadded script/price/unpadded.patch
 for round in 1 2 3; do
   for variant in exact floats unpadded; do
-    "build/price/$variant/bench/kernels" scene="$scenes" rays=250000 repeats=3 peer=0 "$@" 2> /dev/null |
+    "build/price/$variant/build/bench/kernels" scene="$scenes" rays=250000 repeats=3 peer=0 "$@" 2> /dev/null |
       awk -v v=$variant '$3 == "bvh" && $2 ~ /primary|shadow|diffuse/ { print v, $1, $2, $4 }' >> "$work/$round"
   done
 done

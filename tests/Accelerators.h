@@ -122,7 +122,7 @@ inline void ExpectSame(const std::optional<ray::WorldHit>& a, const std::optiona
   EXPECT_EQ(a->element, b->element) << how << ' ' << oracle::Hex(ray);
 }
 
-/// That all the ways find what asking every primitive finds: the nearest, and whether there is anything within t = 1.
+/// That all the ways find what testing every primitive finds: the nearest, and whether there is anything within t = 1.
 inline void Compare(const ray::World& world, const std::vector<R3::Ray>& rays, const std::vector<Way>& ways) {
   const auto none = ray::FindAcceleratorKind("none")->Make(world, {});
   ray::Workspace for_none;
@@ -141,17 +141,17 @@ inline void Compare(const ray::World& world, const std::vector<R3::Ray>& rays, c
       EXPECT_EQ(accelerator->IsOccluded(shadow(rays[i]), workspace), occluded[i])
           << way.name << ' ' << oracle::Hex(rays[i]);
     }
-    // And when asked about some at a time.
+    // And in packets.
     std::vector<R3::Ray> shadows;
     for (const R3::Ray& ray : rays) shadows.push_back(shadow(ray));
     for (std::size_t first = 0, count = 1; first < rays.size(); first += count, count = count % 37 + 5) {
       count = std::min(count, rays.size() - first);
-      std::vector<std::optional<ray::WorldHit>> hits_together(count);
+      std::vector<std::optional<ray::WorldHit>> hits_of_packet(count);
       const auto are_occluded = std::make_unique<bool[]>(count);
-      accelerator->Intersect(std::span(rays).subspan(first, count), hits_together.data(), workspace);
+      accelerator->Intersect(std::span(rays).subspan(first, count), hits_of_packet.data(), workspace);
       accelerator->IsOccluded(std::span(shadows).subspan(first, count), are_occluded.get(), workspace);
       for (std::size_t i = 0; i < count; ++i) {
-        ExpectSame(hits_together[i], hits[first + i], rays[first + i], way.name + ", together");
+        ExpectSame(hits_of_packet[i], hits[first + i], rays[first + i], way.name + ", in packets");
         EXPECT_EQ(are_occluded[i], occluded[first + i]) << way.name << ", together " << oracle::Hex(rays[first + i]);
       }
     }

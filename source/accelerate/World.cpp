@@ -8,16 +8,18 @@
 namespace ray {
 namespace {
 
-/// A group's way from the world while the graph is being flattened.
-struct GroupFrame {
+/// From the world to a node while the graph is being flattened.
+struct GroupTransform {
   R3::Product world_from_node;
   R3::Vector motion;  // in the world
   std::uint32_t frame = 0;
 };
 
-std::string LocationText(const Scene& scene, const Location& location) {
-  if (location.line == 0 || location.file >= scene.files.size()) return "the scene";
-  return scene.files[location.file] + ":" + std::to_string(location.line) + ":" + std::to_string(location.column);
+std::string LeftOut(const Scene& scene, const Location& location) {
+  std::string where = "the scene";
+  if (location.line != 0 && location.file < scene.files.size())
+    where = scene.files[location.file] + ":" + std::to_string(location.line) + ":" + std::to_string(location.column);
+  return where + ": warning: the transforms down to this group cannot be inverted in double precision; it is left out";
 }
 
 }  // namespace
@@ -33,41 +35,39 @@ void World::FlattenGraph() {
   frames_.emplace_back();
   motions_.emplace_back();
   nodes_.push_back({.node = &scene_.root});
-  std::vector<GroupFrame> group_frames{GroupFrame{}};  // of nodes_[i], freed in waves: see below
-  std::size_t first_frame = 0;                         // group_frames[0] belongs to nodes_[first_frame]
+  std::vector<GroupTransform> transforms{GroupTransform{}};  // of nodes_[i], freed in waves: see below
+  std::size_t first = 0;                                     // transforms[0] belongs to nodes_[first]
 
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
-    // Paths are large and only those of waiting nodes are needed; dropping them by halves keeps the cost linear.
-    if (i - first_frame > 1024 && i - first_frame > group_frames.size() / 2) {
-      group_frames.erase(group_frames.begin(), group_frames.begin() + static_cast<std::ptrdiff_t>(i - first_frame));
-      first_frame = i;
+    // Transforms are large and only those of pending nodes are needed; dropping them by halves keeps the cost linear.
+    if (i - first > 1024 && i - first > transforms.size() / 2) {
+      transforms.erase(transforms.begin(), transforms.begin() + static_cast<std::ptrdiff_t>(i - first));
+      first = i;
     }
     const Node& node = *nodes_[i].node;
     assert(!node.shape || IsIdentity(node.transform));  // a shape's box is in the frame the shape itself is in
-    GroupFrame group_frame = group_frames[i - first_frame];
+    GroupTransform group = transforms[i - first];
     const bool does_move = !(node.motion == R3::Vector{});
     if (!IsIdentity(node.transform) || does_move) {
       moves_ |= does_move;
-      group_frame.motion = group_frame.motion + frames_[group_frame.frame] * node.motion;
+      group.motion = group.motion + frames_[group.frame] * node.motion;
       if (IsSingular(node.transform)) continue;  // the reader has warned
-      group_frame.world_from_node = group_frame.world_from_node * node.transform;
-      const auto transform = R3::Transform::Of(group_frame.world_from_node);
+      group.world_from_node = group.world_from_node * node.transform;
+      const auto transform = R3::Transform::Of(group.world_from_node);
       if (!transform) {
-        warnings_.push_back(LocationText(scene_, node.location) +
-                            ": warning: the transforms down to this group cannot be inverted in double precision; "
-                            "it is left out");
+        warnings_.push_back(LeftOut(scene_, node.location));
         continue;
       }
-      group_frame.frame = static_cast<std::uint32_t>(frames_.size());
+      group.frame = static_cast<std::uint32_t>(frames_.size());
       frames_.push_back(*transform);
-      motions_.push_back(group_frame.motion);
+      motions_.push_back(group.motion);
     }
-    nodes_[i].frame = group_frame.frame;
+    nodes_[i].frame = group.frame;
     nodes_[i].first_child = static_cast<std::uint32_t>(nodes_.size());
     nodes_[i].children = static_cast<std::uint32_t>(node.children.size());
     for (const Node& child : node.children) {
       nodes_.push_back({.node = &child});
-      group_frames.push_back(group_frame);
+      transforms.push_back(group);
     }
   }
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "source/accelerate/twolevel/Targets.h"
 #include "source/accelerate/wide/ClippedPrimitive.h"
@@ -194,12 +195,12 @@ using wide::ClippedPrimitives;
 
 HWY_EXPORT(ChooseGrid);
 
-constexpr double usual_density = 0.03;  // cells an primitive: nodes of full blocks want full cells (bench/kernels)
-// Items that are so many times in cells of that size are long: they are better told apart in finer ones.
+constexpr double usual_density = 0.03;  // cells per primitive: nodes of full blocks want full cells (bench/kernels)
+// Primitives that are so many times in cells of that size are long: they are better told apart in finer ones.
 constexpr double long_from = 3, finer = 10;
 constexpr std::size_t crowd = 64;   // primitives of a cell that are worth a grid of their own
 constexpr int most_levels = 3;      // one inside the other
-constexpr double most_growth = 12;  // references of an primitive, on all levels together
+constexpr double most_growth = 12;  // references to a primitive, on all levels together
 constexpr double most_cells = 1 << 25;
 constexpr double most_on_an_axis = 1 << 14;
 
@@ -229,39 +230,27 @@ class GridBuilder {
     return {point(box.low, -cell_padding), point(box.high, cell_padding)};
   }
 
+  /// The primitives of every cell, one cell after the other: those of cell c from starts[c] to starts[c + 1].
+  struct Sorted {
+    std::vector<std::uint32_t> starts;
+    ClippedPrimitives primitives;
+  };
+
   /// Returns the level's number. `growth` is how many times as many references may be made of these.
   std::uint32_t Divide(const R3::Box& box, const ClippedPrimitives& primitives, int depth, double growth) {
     const auto number = static_cast<std::uint32_t>(grid_.levels.size());
     Grid::Level level;
     level.box = box;
-    std::vector<std::uint32_t> starts;
-    ClippedPrimitives sorted;
     const double count = static_cast<double>(primitives.size());
-    double cells = std::clamp(density_ * count, 1.0, most_cells);
-    bool is_finer = false;
-    while (true) {  // until what is long and slanted does not fill the memory
-      SetCounts(level, cells);
-      const bool fits = Sort(level, primitives, growth * count, starts, sorted);
-      const auto all_everywhere = count * static_cast<double>(level.Cells());
-      if (!fits) {
-        cells /= 4;
-      } else if (level.Cells() > 1 && static_cast<double>(sorted.size()) > all_everywhere / 2) {
-        cells = 1;  // they tell nothing apart
-      } else if (depth == 1 && density_ == usual_density && !is_finer &&
-                 static_cast<double>(sorted.size()) > long_from * count) {
-        is_finer = true;
-        cells = std::min(cells * finer, most_cells);
-      } else {
-        break;
-      }
-    }
+    Sorted sorted = ChooseCells(level, primitives, growth * count, depth == 1 && density_ == usual_density);
     level.first = grid_.cells.size();
     grid_.levels.push_back(level);
     grid_.cells.resize(level.first + level.Cells(), Grid::CellWithLevel(0));
     children_.resize(grid_.cells.size());
-    const double left = growth * count / std::max(1.0, static_cast<double>(sorted.size()));
+    const double left = growth * count / std::max(1.0, static_cast<double>(sorted.primitives.size()));
     for (std::size_t c = 0; c < level.Cells(); ++c) {
-      const std::span<ClippedPrimitive> inside(sorted.data() + starts[c], starts[c + 1] - starts[c]);
+      const std::span<ClippedPrimitive> inside(sorted.primitives.data() + sorted.starts[c],
+                                               sorted.starts[c + 1] - sorted.starts[c]);
       if (inside.size() > crowd && level.Cells() > 1 && depth < most_levels && left > 1.5) {
         const std::uint32_t below = Divide(level.BoxOf(c), {inside.begin(), inside.end()}, depth + 1, left);
         grid_.cells[level.first + c] = Grid::CellWithLevel(below);
@@ -270,6 +259,30 @@ class GridBuilder {
       }
     }
     return number;
+  }
+
+  /// Sets how many cells the level has: as the density says, fewer until what is long and slanted does not fill the
+  /// memory, and where `may_be_finer`, more for what is long.
+  Sorted ChooseCells(Grid::Level& level, const ClippedPrimitives& primitives, double most, bool may_be_finer) {
+    const double count = static_cast<double>(primitives.size());
+    double cells = std::clamp(density_ * count, 1.0, most_cells);
+    while (true) {
+      SetCounts(level, cells);
+      std::optional<Sorted> sorted = Sort(level, primitives, most);
+      if (!sorted) {
+        cells /= 4;
+        continue;
+      }
+      const auto references = static_cast<double>(sorted->primitives.size());
+      if (level.Cells() > 1 && references > count * static_cast<double>(level.Cells()) / 2) {
+        cells = 1;  // they tell nothing apart
+      } else if (may_be_finer && references > long_from * count) {
+        may_be_finer = false;
+        cells = std::min(cells * finer, most_cells);
+      } else {
+        return std::move(*sorted);
+      }
+    }
   }
 
   /// About so many cells, as near to cubes as can be.
@@ -297,10 +310,8 @@ class GridBuilder {
     level.size = {size.x / level.count[0], size.y / level.count[1], size.z / level.count[2]};
   }
 
-  /// The primitives of every cell, one cell after the other: those of cell c from starts[c] to starts[c + 1]. False
-  /// when there are more than `most`.
-  bool Sort(const Grid::Level& level, const ClippedPrimitives& primitives, double most,
-            std::vector<std::uint32_t>& starts, ClippedPrimitives& sorted) {
+  /// Nothing when there are more than `most`.
+  std::optional<Sorted> Sort(const Grid::Level& level, const ClippedPrimitives& primitives, double most) const {
     std::vector<std::pair<std::size_t, ClippedPrimitive>> found;  // with their cells
     for (const ClippedPrimitive& primitive : primitives) {
       const R3::Box widened = Widened(primitive.box);
@@ -320,16 +331,17 @@ class GridBuilder {
             ClippedPrimitive inside = primitive;
             if (low != high && !ClipTo(WithPadding(level.BoxOf(cell)), grid_, inside)) continue;
             found.emplace_back(cell, inside);
-            if (static_cast<double>(found.size()) > most && level.Cells() > 1) return false;
+            if (static_cast<double>(found.size()) > most && level.Cells() > 1) return {};
           }
     }
-    starts.assign(level.Cells() + 1, 0);
-    for (const auto& [cell, primitive] : found) ++starts[cell + 1];
-    for (std::size_t c = 0; c < level.Cells(); ++c) starts[c + 1] += starts[c];
-    sorted.resize(found.size());
-    std::vector<std::uint32_t> ends(starts.begin(), starts.end() - 1);
-    for (const auto& [cell, primitive] : found) sorted[ends[cell]++] = primitive;
-    return true;
+    Sorted sorted;
+    sorted.starts.assign(level.Cells() + 1, 0);
+    for (const auto& [cell, primitive] : found) ++sorted.starts[cell + 1];
+    for (std::size_t c = 0; c < level.Cells(); ++c) sorted.starts[c + 1] += sorted.starts[c];
+    sorted.primitives.resize(found.size());
+    std::vector<std::uint32_t> ends(sorted.starts.begin(), sorted.starts.end() - 1);
+    for (const auto& [cell, primitive] : found) sorted.primitives[ends[cell]++] = primitive;
+    return sorted;
   }
 
   static R3::Box WithPadding(const R3::Box& cell) {

@@ -1,4 +1,4 @@
-// Whatever the scene and the ray: every accelerator, in every variation and on every instruction set, finds what asking
+// Whatever the scene and the ray: every accelerator, in every variation and on every instruction set, finds what testing
 // every primitive finds.
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Rays that are asked about together get the answers that each gets alone, however alike they are.
+// Rays traced in packets get the answers that each gets alone, however coherent they are.
 
 #include <gtest/gtest.h>
 

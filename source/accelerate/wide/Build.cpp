@@ -42,7 +42,7 @@ struct Range {
 
 constexpr int most_bins = 32;
 
-/// Only the bins in use are set: most ranges are small and have few_rays.
+/// Only the bins in use are set: most ranges are small and have few.
 struct Bins {
   int count;
   Float4 low[3][most_bins], high[3][most_bins];
