@@ -41,7 +41,7 @@ void WaitFor(const Condition& holds, std::chrono::microseconds pause = std::chro
   while (!holds()) std::this_thread::sleep_for(pause);
 }
 
-void PrintError(const char* what, const std::vector<double>& seconds) {
+void PrintTimes(const char* what, const std::vector<double>& seconds) {
   std::printf("  %-34s p50 %8.2f   p99 %8.2f   most %8.2f ms\n", what, 1e3 * Quantile(seconds, 0.5),
               1e3 * Quantile(seconds, 0.99), 1e3 * Quantile(seconds, 1));
 }
@@ -100,14 +100,14 @@ void Measure(const std::string& name, const ray::RenderSettings& settings, int t
     first.push_back(SecondsSince(start));
     rate = job.PixelsPerSecond();
   }
-  PrintError("start to whole first pass", first);
-  PrintError("Cancel to end, passes",
+  PrintTimes("start to whole first pass", first);
+  PrintTimes("Cancel to end, passes",
              CancelTimes(scene, settings, RenderJob::Order::coarse_first, std::min(1.0, 0.9 * job_seconds), times));
   ray::RenderSettings more = settings;
   more.samples = 16;
-  PrintError("Cancel to end, 16 samples",
+  PrintTimes("Cancel to end, 16 samples",
              CancelTimes(scene, more, RenderJob::Order::coarse_first, std::min(1.5, 3 * job_seconds), times));
-  PrintError("Cancel to end, rows",
+  PrintTimes("Cancel to end, rows",
              CancelTimes(scene, settings, RenderJob::Order::rows, std::min(1.0, 0.9 * job_seconds), times));
   std::printf("  whole picture: job %.1f ms, rows %.1f ms, Render %.1f ms; speed of the job %.3f, of rows %.3f\n",
               1e3 * job_seconds, 1e3 * Quantile(rows, 0.5), 1e3 * render_seconds, render_seconds / job_seconds,

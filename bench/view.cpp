@@ -30,14 +30,14 @@ double MillisecondsSince(Clock::time_point then) {
   return std::chrono::duration<double, std::milli>(Clock::now() - then).count();
 }
 
-void PrintError(const char* what, std::vector<double> times) {
+void PrintTimes(const char* what, std::vector<double> times) {
   std::sort(times.begin(), times.end());
   const auto at = [&](double share) { return times[static_cast<std::size_t>(share * double(times.size() - 1))]; };
   std::printf("%-44s p50 %7.2f ms   p99 %7.2f ms   of %zu\n", what, at(0.5), at(0.99), times.size());
 }
 
 /// Times of many small drags, each from the event until all of its drawing is done.
-std::vector<double> Answers(Viewer& viewer, Drawer& drawer, Painter& painter) {
+std::vector<double> Answers(Viewer& viewer, Drawer& drawer) {
   std::vector<double> times;
   for (int i = 0; i < 200; ++i) {
     const auto start = Clock::now();
@@ -47,7 +47,7 @@ std::vector<double> Answers(Viewer& viewer, Drawer& drawer, Painter& painter) {
     viewer.Handle(ButtonEvent{Button::left, false, x + 8, 203, {}});
     viewer.Update();
     drawer.Draw(viewer.Show());
-    painter.Finish();
+    glFinish();
     times.push_back(MillisecondsSince(start));
   }
   return times;
@@ -64,19 +64,19 @@ int main(int argc, char** argv) {
   Nobody host;
   const auto scene = std::make_shared<const LoadedScene>(settings.scene, settings.parse, settings.accelerator);
   const auto context = MakeOffscreenContext("auto");
-  Painter painter(Painter::Target::own);
+  Painter painter(Canvas::Target::own);
   Drawer drawer(painter);
   Viewer viewer(settings, scene, host);
   drawer.Draw(viewer.Show());
-  painter.Finish();
+  glFinish();
   std::printf("%s, %s\n", settings.scene.c_str(), context->Name().c_str());
   std::printf("%-44s %7.2f ms\n", "start to first drawing", MillisecondsSince(start));
-  PrintError("event to drawing, nothing traced", Answers(viewer, drawer, painter));
+  PrintTimes("event to drawing, nothing traced", Answers(viewer, drawer));
   viewer.Handle(KeyEvent{Key::s, {}, true});
   viewer.Update();
-  PrintError("event to drawing, while S traces", Answers(viewer, drawer, painter));
+  PrintTimes("event to drawing, while S renders", Answers(viewer, drawer));
   viewer.Handle(KeyEvent{Key::escape, {}, true});
   viewer.Handle(KeyEvent{Key::p, {}, true});
   viewer.Update();
-  PrintError("event to drawing, live picture", Answers(viewer, drawer, painter));
+  PrintTimes("event to drawing, live picture", Answers(viewer, drawer));
 }

@@ -102,7 +102,7 @@ class Session : public ViewerHost {
         window_(options.view.headless ? nullptr
                                       : MakeWindow(options.render.width, options.render.height, default_title)),
         offscreen_(options.view.headless ? MakeOffscreenContext(options.view.context) : nullptr),
-        painter_(window_ ? Painter::Target::window : Painter::Target::own),
+        painter_(window_ ? Canvas::Target::window : Canvas::Target::own),
         drawer_(painter_),
         viewer_(SettingsFor(options), std::move(scene), *this),
         recorder_(outputs_.record) {}
@@ -115,7 +115,7 @@ class Session : public ViewerHost {
       Interact();
     Draw();
     for (const auto& output : {outputs_.output_image, outputs_.screenshot})
-      if (output) ray::SaveDrawing(*output, painter_.Read(), options_);
+      if (output) ray::SaveDrawing(*output, painter_.canvas.Read(), options_);
     recorder_.Write();
     return StopSignal() != 0 ? status::killed_by + StopSignal() : status_;
   }
@@ -137,7 +137,7 @@ class Session : public ViewerHost {
     return Attempt([&] {
       const std::string name = FreeRaysName();
       WriteWhole(CheckOutput(name, {}), {reinterpret_cast<const unsigned char*>(obj.data()), obj.size()});
-      return "rays written to " + name;
+      return "rays saved to " + name;
     });
   }
   std::shared_ptr<const R2::Image> ReadPicture(const std::string& file) override { return ReadPictureFile(file); }
@@ -169,8 +169,8 @@ class Session : public ViewerHost {
     Draw();
     Attempt([&] {
       const PictureOutput place = ClaimImageName();
-      ray::SaveDrawing(place, painter_.Read(), options_);
-      Print("the drawing is in " + place.file.name);
+      ray::SaveDrawing(place, painter_.canvas.Read(), options_);
+      Print("screenshot saved to " + place.file.name);
       return std::string();
     });
   }
@@ -199,7 +199,7 @@ class Session : public ViewerHost {
     auto last = Clock::now();
     Draw();
     while (!viewer_.IsClosed() && StopSignal() == 0) {
-      const bool is_busy = viewer_.IsBusy() || viewer_.TheNavigator().IsFlying();
+      const bool is_busy = viewer_.IsBusy() || viewer_.navigator().IsFlying();
       const std::vector<Event> events = window_->Wait(is_busy ? seconds_while_busy : seconds_while_idle);
       Happen(TickEvent{SecondsSince(last)});
       last = Clock::now();
@@ -225,7 +225,7 @@ class Session : public ViewerHost {
         for (const auto start = Clock::now(); SecondsSince(start) < wait->seconds && StopSignal() == 0;) Pause();
       } else if (const auto* screenshot = std::get_if<Screenshot>(&step)) {
         Draw();
-        ray::SaveDrawing(CheckPictureOutput(screenshot->file, {}), painter_.Read(), options_);
+        ray::SaveDrawing(CheckPictureOutput(screenshot->file, {}), painter_.canvas.Read(), options_);
       } else {
         viewer_.Update();
         Print(viewer_.State());

@@ -24,6 +24,13 @@ DrawingSpace DrawingSpace::Of(const R3::Box& scene) {
   return space;
 }
 
+void AddLine(Lines& lines, const std::array<float, 3>& from, const std::array<float, 3>& to, const Rgba& color) {
+  lines.push_back({from, color});
+  lines.push_back({to, color});
+}
+
+void Append(Lines& lines, const Lines& more) { lines.insert(lines.end(), more.begin(), more.end()); }
+
 Rgba Shown(const R2::Color& color, double alpha) { return {Byte(color.r), Byte(color.g), Byte(color.b), Byte(alpha)}; }
 
 }  // namespace ray

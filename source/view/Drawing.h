@@ -8,10 +8,10 @@
 #include "R2/Color.h"
 #include "R3/Box.h"
 
-/// What is drawn, as lists without any word of OpenGL.
+/// What is drawn, as lists that know nothing of OpenGL.
 namespace ray {
 
-/// Where drawings live: coordinates relative to the middle of a scene, in units of its radius, so that single precision
+/// The coordinates of drawings: relative to the center of a scene, in units of its radius, so that single precision
 /// shows scenes of any size anywhere.
 struct DrawingSpace {
   R3::Point center;
@@ -28,7 +28,7 @@ struct DrawingSpace {
 /// From a DrawingSpace to OpenGL's clip space, column by column.
 using ClipMatrix = std::array<double, 16>;
 
-/// 8 bits a channel: red, green, blue, and how much it covers.
+/// 8 bits per channel: red, green, blue, alpha.
 using Rgba = std::array<std::uint8_t, 4>;
 /// Clamped to what can be shown.
 Rgba Shown(const R2::Color& color, double alpha = 1);
@@ -38,10 +38,12 @@ struct Vertex {
   Rgba color{};
 };
 
-/// Two vertices a line.
+/// Two vertices per line.
 using Lines = std::vector<Vertex>;
+void AddLine(Lines& lines, const std::array<float, 3>& from, const std::array<float, 3>& to, const Rgba& color);
+void Append(Lines& lines, const Lines& more);
 
-/// Three indices a triangle.
+/// Three indices per triangle.
 struct Triangles {
   std::vector<Vertex> vertices;
   std::vector<std::uint32_t> opaque;  // indices

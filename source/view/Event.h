@@ -6,7 +6,7 @@
 
 namespace ray {
 
-/// A key by where it is, not by what it writes. Letters, digits and signs are their (upper-case) ASCII codes.
+/// A physical key, not the character it types. Letters, digits and signs are their (upper-case) ASCII codes.
 // clang-format off
 enum class Key : int {
   none = 0,
@@ -28,7 +28,7 @@ struct Modifiers {
 
 enum class Button { left, middle, right };
 
-// Places are in pixels of the drawing from its lower left corner.
+// Positions are in pixels of the drawing from its lower left corner.
 struct KeyEvent {
   Key key = Key::none;
   Modifiers modifiers;

@@ -1,7 +1,7 @@
 #include "source/view/EventScript.h"
 
+#include <algorithm>
 #include <array>
-#include <functional>
 #include <string_view>
 
 #include "source/parse/Tokenizer.h"
@@ -13,9 +13,6 @@ namespace ray {
 namespace {
 
 constexpr std::array button_names{"left", "middle", "right"};
-constexpr std::array<std::string_view, 16> step_names{"screenshot", "print", "key",   "press", "release", "down",
-                                                      "up",         "move",  "click", "drag",  "scroll",  "resize",
-                                                      "drop",       "tick",  "close", "wait"};
 constexpr int drag_moves = 8;
 
 std::string Named(Button button) { return button_names[static_cast<std::size_t>(button)]; }
@@ -43,67 +40,108 @@ class Reader {
   }
 
  private:
+  /// A step by its first word, and what reads the rest of its line.
+  struct Step {
+    std::string_view name;
+    void (Reader::*read)();
+  };
+
   void ReadStep(const Token& word) {
+    static constexpr std::array<Step, 16> steps{{{"screenshot", &Reader::ReadScreenshot},
+                                                 {"print", &Reader::ReadPrint},
+                                                 {"key", &Reader::ReadKey},
+                                                 {"press", &Reader::ReadPress},
+                                                 {"release", &Reader::ReadRelease},
+                                                 {"down", &Reader::ReadDown},
+                                                 {"up", &Reader::ReadUp},
+                                                 {"move", &Reader::ReadMove},
+                                                 {"click", &Reader::ReadClick},
+                                                 {"drag", &Reader::ReadDrag},
+                                                 {"scroll", &Reader::ReadScroll},
+                                                 {"resize", &Reader::ReadResize},
+                                                 {"drop", &Reader::ReadDrop},
+                                                 {"tick", &Reader::ReadTick},
+                                                 {"close", &Reader::ReadClose},
+                                                 {"wait", &Reader::ReadWait}}};
     line_ = word;
-    const std::string_view name = word.text;
-    if (name == "key" || name == "press" || name == "release") {
-      const auto [key, modifiers] = KeyWithModifiers();
-      if (name != "release") Add(KeyEvent{key, modifiers, true});
-      if (name != "press") Add(KeyEvent{key, modifiers, false});
-    } else if (name == "down" || name == "up") {
-      const Button button = AButton();
-      const double x = Number("x"), y = Number("y");
-      Add(ButtonEvent{button, name == "down", x, y, ModifiersAtEnd()});
-    } else if (name == "move") {
-      const double x = Number("x"), y = Number("y");
-      Add(MoveEvent{x, y});
-    } else if (name == "click") {
-      const Button button = AButton();
-      const double x = Number("x"), y = Number("y");
-      const Modifiers modifiers = ModifiersAtEnd();
-      Add(ButtonEvent{button, true, x, y, modifiers});
-      Add(ButtonEvent{button, false, x, y, modifiers});
-    } else if (name == "drag") {
-      const Button button = AButton();
-      const double x0 = Number("x0"), y0 = Number("y0"), x1 = Number("x1"), y1 = Number("y1");
-      const Modifiers modifiers = ModifiersAtEnd();
-      Add(ButtonEvent{button, true, x0, y0, modifiers});
-      for (int i = 1; i <= drag_moves; ++i)
-        Add(MoveEvent{x0 + (x1 - x0) * i / drag_moves, y0 + (y1 - y0) * i / drag_moves});
-      Add(ButtonEvent{button, false, x1, y1, modifiers});
-    } else if (name == "scroll") {
-      const double steps = Number("steps"), x = Number("x"), y = Number("y");
-      Add(ScrollEvent{steps, x, y});
-    } else if (name == "resize") {
-      const int width = Whole("width"), height = Whole("height");
-      Add(ResizeEvent{width, height});
-    } else if (name == "drop") {
-      Add(DropEvent{RestOfLine("the name of a file")});
-    } else if (name == "tick") {
-      Add(TickEvent{Seconds()});
-    } else if (name == "close") {
-      Add(CloseEvent{});
-    } else if (name == "wait") {
-      const auto what = tokens_.Peek();
-      if (what && what->line == word.line && what->text == "trace") {
-        tokens_.Next();
-        steps_.emplace_back(WaitForTrace{});
-      } else if (what && what->line == word.line && what->text == "rows") {
-        tokens_.Next();
-        steps_.emplace_back(WaitForRows{Whole("rows")});
-      } else {
-        steps_.emplace_back(WaitSeconds{Seconds()});
-      }
-    } else if (name == "screenshot") {
-      steps_.emplace_back(Screenshot{RestOfLine("the name of a picture")});
-    } else if (name == "print") {
-      steps_.emplace_back(PrintState{});
-    } else {
-      throw ErrorAt(text_, word, "unknown step " + Quoted(name), Suggestion(name, step_names, "steps"));
+    const auto step = std::ranges::find(steps, word.text, &Step::name);
+    if (step == steps.end()) {
+      std::array<std::string_view, steps.size()> names;
+      std::ranges::transform(steps, names.begin(), &Step::name);
+      throw ErrorAt(text_, word, "unknown step " + Quoted(word.text), Suggestion(word.text, names, "steps"));
     }
+    (this->*step->read)();
     const auto& next = tokens_.Peek();
-    if (next && next->line == word.line) throw ErrorAt(text_, *next, "a word too many behind " + Quoted(name));
+    if (next && next->line == word.line)
+      throw ErrorAt(text_, *next, "unexpected extra word after " + Quoted(word.text));
   }
+
+  void ReadKey() {
+    const auto [key, modifiers] = KeyWithModifiers();
+    Add(KeyEvent{key, modifiers, true});
+    Add(KeyEvent{key, modifiers, false});
+  }
+  void ReadPress() {
+    const auto [key, modifiers] = KeyWithModifiers();
+    Add(KeyEvent{key, modifiers, true});
+  }
+  void ReadRelease() {
+    const auto [key, modifiers] = KeyWithModifiers();
+    Add(KeyEvent{key, modifiers, false});
+  }
+  void ReadDown() { ReadButton(true); }
+  void ReadUp() { ReadButton(false); }
+  void ReadButton(bool is_pressed) {
+    const Button button = AButton();
+    const double x = Number("x"), y = Number("y");
+    Add(ButtonEvent{button, is_pressed, x, y, ModifiersAtEnd()});
+  }
+  void ReadMove() {
+    const double x = Number("x"), y = Number("y");
+    Add(MoveEvent{x, y});
+  }
+  void ReadClick() {
+    const Button button = AButton();
+    const double x = Number("x"), y = Number("y");
+    const Modifiers modifiers = ModifiersAtEnd();
+    Add(ButtonEvent{button, true, x, y, modifiers});
+    Add(ButtonEvent{button, false, x, y, modifiers});
+  }
+  void ReadDrag() {
+    const Button button = AButton();
+    const double x0 = Number("x0"), y0 = Number("y0"), x1 = Number("x1"), y1 = Number("y1");
+    const Modifiers modifiers = ModifiersAtEnd();
+    Add(ButtonEvent{button, true, x0, y0, modifiers});
+    for (int i = 1; i <= drag_moves; ++i)
+      Add(MoveEvent{x0 + (x1 - x0) * i / drag_moves, y0 + (y1 - y0) * i / drag_moves});
+    Add(ButtonEvent{button, false, x1, y1, modifiers});
+  }
+  void ReadScroll() {
+    const double steps = Number("steps"), x = Number("x"), y = Number("y");
+    Add(ScrollEvent{steps, x, y});
+  }
+  void ReadResize() {
+    const int width = Whole("width"), height = Whole("height");
+    Add(ResizeEvent{width, height});
+  }
+  void ReadDrop() { Add(DropEvent{RestOfLine("the name of a file")}); }
+  void ReadTick() { Add(TickEvent{Seconds()}); }
+  void ReadClose() { Add(CloseEvent{}); }
+  void ReadWait() {
+    const auto& next = tokens_.Peek();
+    const std::string_view what = next && next->line == line_.line ? next->text : std::string_view();
+    if (what == "trace") {
+      tokens_.Next();
+      steps_.emplace_back(WaitForTrace{});
+    } else if (what == "rows") {
+      tokens_.Next();
+      steps_.emplace_back(WaitForRows{Whole("rows")});
+    } else {
+      steps_.emplace_back(WaitSeconds{Seconds()});
+    }
+  }
+  void ReadScreenshot() { steps_.emplace_back(Screenshot{RestOfLine("the name of an image file")}); }
+  void ReadPrint() { steps_.emplace_back(PrintState{}); }
 
   void Add(Event event) { steps_.emplace_back(std::move(event)); }
 
@@ -172,7 +210,7 @@ class Reader {
       name.remove_prefix(plus + 1);
     }
     const auto key = KeyNamed(std::string(name));
-    if (!key) throw ErrorAt(text_, word, "no key is called " + Quoted(name));
+    if (!key) throw ErrorAt(text_, word, "unknown key " + Quoted(name));
     return {*key, modifiers};
   }
 

@@ -7,11 +7,11 @@
 #include "source/parse/Text.h"
 #include "source/view/Event.h"
 
-/// What happens to a viewer, as text that people write and programs keep. One step a line; # begins a comment.
+/// What happens to a viewer, as text written by people or recorded. One step per line; # starts a comment.
 ///
 ///     key Control+S              pressed and released
 ///     press W / release W
-///     down left 100 200 Shift    a button, at a place in pixels from the lower left corner, with modifiers held
+///     down left 100 200 Shift    a button, at a position in pixels from the lower left corner, with modifiers held
 ///     up left 100 200
 ///     move 120 210               the pointer
 ///     click right 75 50          down and up
@@ -21,8 +21,8 @@
 ///     drop other.scn             the rest of the line is the name of a file
 ///     tick 0.1                   so many seconds pass
 ///     close
-///     wait trace                 until the trace, or the live picture, has come to its end
-///     wait rows 100              until so many rows of the trace are done
+///     wait trace                 until the render, or the live picture, has ended
+///     wait rows 100              until so many rows of the render are done
 ///     wait 0.5                   seconds
 ///     screenshot out.png
 ///     print                      what the viewer shows, in words

@@ -1,13 +1,13 @@
 #include "source/view/FileWatch.h"
 
-#include <cstdint>
+#include <filesystem>
 
 namespace ray {
 
 FileWatch::State FileWatch::Of(const std::string& file) {
   std::error_code error;
   State state;
-  state.time = std::filesystem::last_write_time(file, error);
+  state.time = std::filesystem::last_write_time(file, error).time_since_epoch().count();
   if (!error) state.size = std::filesystem::file_size(file, error);
   return error ? State{} : state;
 }

@@ -1,13 +1,13 @@
 #pragma once
 
-#include <filesystem>
+#include <cstdint>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace ray {
 
-/// Notices that files were written. Looks at their times and sizes when asked to; no thread.
+/// Detects that files were written, by polling their times and sizes; no thread.
 class FileWatch {
  public:
   void Watch(const std::vector<std::string>& files);
@@ -16,7 +16,7 @@ class FileWatch {
 
  private:
   struct State {
-    std::filesystem::file_time_type time{};
+    std::int64_t time = 0;  // of the last write, in the file system's own unit
     std::uintmax_t size = 0;
     friend bool operator==(const State&, const State&) = default;
   };

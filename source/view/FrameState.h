@@ -11,22 +11,23 @@
 
 namespace ray {
 
-/// How light becomes what a screen is given.
+/// How radiance becomes what a screen is given.
 struct Exposure {
   double factor = 1;
   bool srgb = false;
 };
 
-/// All that a viewer shows at a moment, without a word of OpenGL. Lists are shared and never changed once they are
+/// All that a viewer shows at a moment; knows nothing of OpenGL. Lists are shared and never changed once they are
 /// shown: the same pointer is the same list.
 struct FrameState {
-  /// A picture that is being traced, or is whole. One of frame and image.
+  /// A picture that is being rendered, or a finished one: either a frame or an image.
   struct Picture {
     const Frame* frame = nullptr;  // lives until the viewer handles its next event
     std::uint64_t number = 0;      // of the job that owns the frame
     std::shared_ptr<const R2::Image> image;
-    std::optional<std::array<std::array<float, 3>, 4>> corners;  // in the drawing space; else it covers the view
-    int rows = -1;                                               // shown, from the bottom; -1: all
+    std::optional<std::array<std::array<float, 3>, 4>>
+        corners;    // in the drawing space; without them it covers the view
+    int rows = -1;  // shown, from the bottom; -1: all
     Exposure exposure;
   };
 

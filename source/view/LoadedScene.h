@@ -1,7 +1,7 @@
 #pragma once
 
-#include <filesystem>
 #include <memory>
+#include <string>
 
 #include "source/accelerate/Accelerator.h"
 #include "source/accelerate/World.h"
@@ -9,10 +9,10 @@
 
 namespace ray {
 
-/// A scene ready to be traced. Jobs share it, so that it lives until the last ray is back though the viewer has another
-/// by then.
+/// A scene ready to be rendered. Jobs share it, so that it lives until the last of them ends even if the viewer has
+/// another by then.
 struct LoadedScene {
-  LoadedScene(const std::filesystem::path& file, const ParseOptions& options, const AcceleratorSettings& how)
+  LoadedScene(const std::string& file, const ParseOptions& options, const AcceleratorSettings& how)
       : parsed(Parse(file, options)),
         world(parsed.scene),
         accelerator(FindAcceleratorKind(how.name)->Make(world, how)) {}

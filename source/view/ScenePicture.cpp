@@ -15,16 +15,16 @@ constexpr int usual_fineness = 40;
 constexpr int only_boxes = 0;  // a fineness
 constexpr std::int64_t box_triangles = 12, box_vertices = 8;
 
-/// The lights that shine in the drawing, fewer than there are when all would take too long.
-class Lamps {
+/// The lights that shade the drawing; fewer than there are when all would take too long.
+class DrawnLights {
  public:
-  Lamps(const Scene& scene, std::int64_t vertices) {
-    constexpr double most_questions = 2e8;  // some seconds
-    constexpr double least = 8;             // as many as the course's viewer has
+  DrawnLights(const Scene& scene, std::int64_t vertices) {
+    constexpr double most_evaluations = 2e8;  // some seconds
+    constexpr double least = 8;               // as many as the course's viewer has
     std::vector<const Light*> shining;
     for (const auto& light : scene.lights)
       if (!light->IsBlack()) shining.push_back(light.get());
-    const double wanted = std::max(least, most_questions / static_cast<double>(std::max<std::int64_t>(vertices, 1)));
+    const double wanted = std::max(least, most_evaluations / static_cast<double>(std::max<std::int64_t>(vertices, 1)));
     const double step = std::max(1.0, static_cast<double>(shining.size()) / wanted);
     for (double i = 0; i < static_cast<double>(shining.size()); i += step)
       lights_.push_back(shining[static_cast<std::size_t>(i)]);
@@ -54,7 +54,7 @@ struct Plan {
 
 bool IsDrawn(const Instance& instance) { return !instance.shape->IsDegenerate(); }
 
-/// Few enough that all such together do not count: of these nothing is left out.
+/// So few elements that all such meshes together do not count: of these nothing is left out.
 bool IsSmall(const Instance& instance, const World& world, const PictureBudget& budget) {
   const auto instances = static_cast<std::int64_t>(world.Instances().size());
   return instance.mesh && 24 * instances * instance.mesh->Elements() <= budget.most_vertices;
@@ -70,7 +70,7 @@ Plan PlanFor(const World& world, const PictureBudget& budget) {
     for (const Instance& instance : world.Instances())
       if (IsDrawn(instance))
         all += std::max<std::int64_t>(instance.mesh ? instance.mesh->Elements() : box_triangles, fineness * fineness);
-    // Beside a huge mesh, a few spheres are to be round all the same.
+    // Beside a huge mesh a few spheres still have to look round.
     const bool is_little = all - least <= budget.usual_triangles / 4;
     if (fineness > usual_fineness ? all > budget.quick_triangles : all > budget.usual_triangles && !is_little) continue;
     plan.fineness = fineness;
@@ -123,14 +123,14 @@ R3::MeshData CornersOf(const R3::Box& box) {
   return data;
 }
 
-class Drawer {
+class Builder {
  public:
-  Drawer(const World& world, const DrawingSpace& space, const PictureBudget& budget)
+  Builder(const World& world, const DrawingSpace& space, const PictureBudget& budget)
       : world_(world),
         space_(space),
         budget_(budget),
         plan_(PlanFor(world, budget)),
-        lamps_(world.scene(), plan_.vertices) {}
+        drawn_lights_(world.scene(), plan_.vertices) {}
 
   ScenePicture Run() {
     picture_.primitives = world_.Primitives();
@@ -198,7 +198,7 @@ class Drawer {
 
   Rgba ColorAt(const Material& m, const R3::Point& p, const R3::Vector& N, const R2::Point& uv) const {
     const R2::Color kd = m.texture ? m.kd * m.texture->At(uv) : m.kd;
-    const R2::Color color = m.emission + m.ka * world_.scene().ambient + kd * lamps_.At(p, N);
+    const R2::Color color = m.emission + m.ka * world_.scene().ambient + kd * drawn_lights_.At(p, N);
     return Shown(color, std::clamp(1 - Luminance(m.kt), 0.0, 1.0));
   }
 
@@ -213,7 +213,7 @@ class Drawer {
   const DrawingSpace& space_;
   const PictureBudget& budget_;
   Plan plan_;
-  Lamps lamps_;
+  DrawnLights drawn_lights_;
   R3::MeshData data_;
   ScenePicture picture_;
 };
@@ -221,7 +221,7 @@ class Drawer {
 }  // namespace
 
 ScenePicture PictureOf(const World& world, const DrawingSpace& space, const PictureBudget& budget) {
-  return Drawer(world, space, budget).Run();
+  return Builder(world, space, budget).Run();
 }
 
 }  // namespace ray

@@ -16,7 +16,7 @@ constexpr double click_reach = 4;               // pixels that a click may move
 constexpr double double_click_time = 0.4;       // seconds
 constexpr double seconds_between_looks = 0.25;  // at the scene's files
 
-std::shared_ptr<const LoadedScene> Load(const std::filesystem::path& file, const ViewerSettings& settings) {
+std::shared_ptr<const LoadedScene> Load(const std::string& file, const ViewerSettings& settings) {
   return std::make_shared<LoadedScene>(file, settings.parse, settings.accelerator);
 }
 
@@ -44,23 +44,22 @@ void Viewer::TakeScene(std::shared_ptr<const LoadedScene> scene) {
   navigator_.SetBox(box);
   ScenePicture picture = PictureOf(scene_->world, space_);
   notes_.clear();
-  if (picture.as_boxes > 0) notes_ += std::to_string(picture.as_boxes) + " primitives are shown as boxes";
-  if (picture.left_out > 0)
-    notes_ += (notes_.empty() ? "" : ", ") + std::to_string(picture.left_out) + " are not shown";
+  if (picture.as_boxes > 0) notes_ += std::to_string(picture.as_boxes) + " primitives shown as boxes";
+  if (picture.left_out > 0) notes_ += (notes_.empty() ? "" : ", ") + std::to_string(picture.left_out) + " not shown";
   faces_ = std::make_shared<const Triangles>(std::move(picture.triangles));
   watch_.Watch(scene_->parsed.scene.files);
   rays_.ForgetAll();
   pick_.reset();
   section_lines_.reset();
   pictures_.Touch();
-  LinesHaveChanged();
+  InvalidateLines();
 }
 
 RenderSettings Viewer::SettingsOfView() const {
   RenderSettings settings = settings_.render;
   settings.width = size_.width;
   settings.height = size_.height;
-  const Camera &own = scene_->parsed.scene.camera, &now = navigator_.TheCamera();
+  const Camera &own = scene_->parsed.scene.camera, &now = navigator_.camera();
   // The scene's own view is left unsaid, so that the same command as without a viewer makes the same picture.
   const bool is_own = now.eye == own.eye && now.towards == own.towards && now.up == own.up && now.right == own.right &&
                       now.xfov == own.xfov;
@@ -68,9 +67,9 @@ RenderSettings Viewer::SettingsOfView() const {
   return settings;
 }
 
-void Viewer::PrintError(const std::string& message) {
+void Viewer::ShowMessage(const std::string& message) {
   message_ = message;
-  has_news_ = true;
+  needs_redraw_ = true;
 }
 
 void Viewer::Handle(const Event& event) {
@@ -91,7 +90,7 @@ void Viewer::On(const KeyEvent& event) {
   for (const Binding& binding : Bindings())
     if (binding.key == event.key && binding.modifiers == event.modifiers) {
       binding.act(*this);
-      has_news_ = true;
+      needs_redraw_ = true;
       return;
     }
 }
@@ -118,24 +117,24 @@ void Viewer::On(const MoveEvent& event) {
 }
 
 void Viewer::OnClick(const ButtonEvent& event) {
-  const R2::Point place{event.x, event.y};
-  if (event.button == Button::right) return DebugPixelAt(place);
+  const R2::Point position{event.x, event.y};
+  if (event.button == Button::right) return DebugPixelAt(position);
   if (event.button != Button::left || event.modifiers != Modifiers{}) return;
-  const bool is_near = std::hypot(place.x - last_click_at_.x, place.y - last_click_at_.y) <= click_reach;
+  const bool is_near = std::hypot(position.x - last_click_at_.x, position.y - last_click_at_.y) <= click_reach;
   const bool is_second = last_click_ >= 0 && now_ - last_click_ <= double_click_time && is_near;
   last_click_ = is_second ? -1 : now_;
-  last_click_at_ = place;
+  last_click_at_ = position;
   if (is_second) {
-    navigator_.SetPivot(PointAt(place));
-    PrintError(navigator_.Pivot() ? "pivot set" : "pivot in the middle of the scene");
-    return LinesHaveChanged();
+    navigator_.SetPivot(PointAt(position));
+    ShowMessage(navigator_.Pivot() ? "pivot set" : "pivot reset to the center of the scene");
+    return InvalidateLines();
   }
   const RenderSettings settings = SettingsOfView();
-  if (place.x < 0 || place.y < 0 || place.x >= settings.width || place.y >= settings.height) return;
-  pick_ =
-      PickPixel(scene_->world, *scene_->accelerator, settings, static_cast<int>(place.x), static_cast<int>(place.y));
+  if (position.x < 0 || position.y < 0 || position.x >= settings.width || position.y >= settings.height) return;
+  pick_ = PickPixel(scene_->world, *scene_->accelerator, settings, static_cast<int>(position.x),
+                    static_cast<int>(position.y));
   for (const std::string& line : pick_->text) host_.Print(line);
-  LinesHaveChanged();
+  InvalidateLines();
 }
 
 void Viewer::On(const ScrollEvent& event) { navigator_.Scroll(event, PointFinder()); }
@@ -147,7 +146,7 @@ void Viewer::On(const ResizeEvent& event) {
   navigator_.SetSize(size_);
   pictures_.Touch();
   section_lines_.reset();
-  LinesHaveChanged();
+  InvalidateLines();
 }
 
 void Viewer::On(const DropEvent& event) { Open(event.file); }
@@ -165,7 +164,7 @@ bool Viewer::Update() {
     changes_seen_ = navigator_.Changes();
     pictures_.Touch();
     if (section_.Plane() == SlicePlane::camera_row) section_lines_.reset();
-    has_news_ = true;
+    needs_redraw_ = true;
   }
   pictures_.Update(scene_, SettingsOfView());
   if (const RenderJob* job = pictures_.TakeEnded()) SaveEnded(*job);
@@ -173,26 +172,26 @@ bool Viewer::Update() {
   // Rows that were written since the last look.
   std::vector<std::uint32_t> versions;
   for (const RenderJob* job : {pictures_.Trace(), pictures_.Live()})
-    for (int row = 0; job && row < job->TheFrame().Height(); ++row) versions.push_back(job->TheFrame().Version(row));
+    for (int row = 0; job && row < job->frame().Height(); ++row) versions.push_back(job->frame().Version(row));
   if (versions != versions_) {
     versions_ = std::move(versions);
-    has_news_ = true;
+    needs_redraw_ = true;
   }
-  return std::exchange(has_news_, false);
+  return std::exchange(needs_redraw_, false);
 }
 
 void Viewer::SaveEnded(const RenderJob& job) {
-  if (!job.Failure().empty()) return PrintError("tracing failed: " + job.Failure());
-  if (!job.IsComplete()) return PrintError("stopped; nothing was written");
-  PrintError(host_.SaveTraced(job));
+  if (!job.Failure().empty()) return ShowMessage("rendering failed: " + job.Failure());
+  if (!job.IsComplete()) return ShowMessage("rendering stopped; nothing was saved");
+  ShowMessage(host_.SaveTraced(job));
 }
 
 void Viewer::StartTrace() {
   pictures_.StartTrace(scene_, SettingsOfView());
   pictures_.HideLive();
   shows_quad_ = true;
-  PrintError("tracing");
-  LinesHaveChanged();
+  ShowMessage("rendering");
+  InvalidateLines();
 }
 
 void Viewer::StopOrQuit() {
@@ -200,28 +199,28 @@ void Viewer::StopOrQuit() {
 }
 
 void Viewer::PrintCamera() {
-  const std::string line = CameraLine(navigator_.TheCamera());
+  const std::string line = CameraLine(navigator_.camera());
   host_.Print(line);
   host_.SetClipboard(line + "\n");
-  PrintError("camera printed");
+  ShowMessage("camera printed and copied to the clipboard");
 }
 
 void Viewer::CycleBoxes() {
   boxes_ = boxes_ == Boxes::none ? Boxes::nodes : boxes_ == Boxes::nodes ? Boxes::accelerator : Boxes::none;
-  LinesHaveChanged();
-  PrintError(BoxesInWords());
+  InvalidateLines();
+  ShowMessage(BoxesInWords());
 }
 
 void Viewer::ChangeBoxLevel(int by) {
   if (boxes_ == Boxes::none) boxes_ = Boxes::nodes;
   constexpr int deepest = 1 << 20;
   box_level_ = std::clamp(box_level_ + by, all_levels, deepest);
-  LinesHaveChanged();
-  PrintError(BoxesInWords());
+  InvalidateLines();
+  ShowMessage(BoxesInWords());
 }
 
 void Viewer::FramePicked() {
-  if (!pick_ || !pick_->point) return PrintError("nothing is picked: click on something first");
+  if (!pick_ || !pick_->point) return ShowMessage("nothing is picked; click an object first");
   const Instance& instance = scene_->world.Instances()[pick_->instance];
   const R3::Box box = scene_->world.InWorld(instance.frame, R3::Bounds(*instance.shape));
   navigator_.SetPivot(pick_->point);
@@ -229,14 +228,14 @@ void Viewer::FramePicked() {
 }
 
 void Viewer::KeepBookmark(int digit) {
-  const bool is_kept = bookmarks_.Keep(digit, navigator_.TheCamera());
-  PrintError("bookmark " + std::to_string(digit) +
-             (is_kept ? "" : ", until the program ends: " + bookmarks_.File().string() + " cannot be written"));
+  const bool is_kept = bookmarks_.Keep(digit, navigator_.camera());
+  ShowMessage("bookmark " + std::to_string(digit) +
+              (is_kept ? " saved" : " lasts for this session only: cannot write " + bookmarks_.File()));
 }
 
 void Viewer::RecallBookmark(int digit) {
   if (const auto camera = bookmarks_.Find(digit)) return navigator_.Go(*camera);
-  PrintError("there is no bookmark " + std::to_string(digit));
+  ShowMessage("no bookmark " + std::to_string(digit));
 }
 
 void Viewer::ToggleGrid() {
@@ -244,42 +243,42 @@ void Viewer::ToggleGrid() {
     rays_.ToggleGrid();
   else
     rays_.TraceGrid(*scene_, pictures_.Trace() ? pictures_.Trace()->Settings() : SettingsOfView());
-  LinesHaveChanged();
+  InvalidateLines();
 }
 
-void Viewer::DebugPixelAt(const R2::Point& place) {
-  if (const auto pixel = PixelOnQuad(place)) {
+void Viewer::DebugPixelAt(const R2::Point& position) {
+  if (const auto pixel = PixelOnQuad(position)) {
     rays_.TracePixel(*scene_, pictures_.Trace()->Settings(), pixel->first, pixel->second);
   } else {
-    if (place.x < 0 || place.y < 0 || place.x >= size_.width || place.y >= size_.height) return;
-    rays_.TracePixel(*scene_, SettingsOfView(), static_cast<int>(place.x), static_cast<int>(place.y));
+    if (position.x < 0 || position.y < 0 || position.x >= size_.width || position.y >= size_.height) return;
+    rays_.TracePixel(*scene_, SettingsOfView(), static_cast<int>(position.x), static_cast<int>(position.y));
   }
-  TellPixel();
+  ReportPixel();
 }
 
-void Viewer::TellPixel() {
+void Viewer::ReportPixel() {
   arrows_move_section_ = false;
   const PixelTrace& pixel = *rays_.Pixel();
   host_.Print(RayTree(pixel, scene_->world, rays_.PixelSettings()));
-  PrintError("pixel " + std::to_string(pixel.column) + " " + std::to_string(pixel.row) + ", " +
-             std::to_string(pixel.rays.size()) + " rays");
-  LinesHaveChanged();
+  ShowMessage("pixel " + std::to_string(pixel.column) + " " + std::to_string(pixel.row) + ", " +
+              std::to_string(pixel.rays.size()) + " rays");
+  InvalidateLines();
 }
 
 void Viewer::MoveByArrow(int right, int up) {
   if (arrows_move_section_) {
     section_.Move(up);
     section_lines_.reset();
-    has_news_ = true;
+    needs_redraw_ = true;
   } else if (rays_.StepPixel(*scene_, right, up)) {
-    TellPixel();
+    ReportPixel();
   }
 }
 
 void Viewer::SaveRays() {
   const auto shown = rays_.Shown();
-  if (shown.empty()) return PrintError("no rays are shown: G or a right click shows some");
-  PrintError(host_.SaveRays(RaysAsObj(shown, space_.radius)));
+  if (shown.empty()) return ShowMessage("no rays are shown; press G or right-click a pixel first");
+  ShowMessage(host_.SaveRays(RaysAsObj(shown, space_.radius)));
 }
 
 void Viewer::ToggleLive(std::optional<RenderMode> mode) {
@@ -287,34 +286,34 @@ void Viewer::ToggleLive(std::optional<RenderMode> mode) {
     pictures_.HideLive();
   else
     pictures_.ShowLive(mode);
-  LinesHaveChanged();
+  InvalidateLines();
 }
 
 void Viewer::KeepReference() {
   const auto current = pictures_.Current();
-  if (!current) return PrintError("there is no traced picture to keep: S or P traces one");
+  if (!current) return ShowMessage("nothing is rendered yet; press S or P first");
   pictures_.SetReference(current);
-  PrintError("kept as the reference");
+  ShowMessage("image kept as the reference");
 }
 
 void Viewer::Compare(TracedPictures::Comparing how) {
   pictures_.Compare(pictures_.HowCompared() == how ? TracedPictures::Comparing::no : how);
-  PrintError(pictures_.Comparison());
+  ShowMessage(pictures_.Comparison());
 }
 
 void Viewer::ChangeExposure(double steps) {
   exposure_steps_ = steps == 0 ? 0 : exposure_steps_ + steps;
-  PrintError("exposure " + ToText(exposure_steps_) + " stops");
+  ShowMessage("exposure " + ToText(exposure_steps_) + (std::abs(exposure_steps_) == 1 ? " stop" : " stops"));
 }
 
 void Viewer::Reload() {
   try {
     TakeScene(Load(settings_.scene, settings_));
-    PrintError("read again");
+    ShowMessage("scene reloaded");
   } catch (const std::exception& error) {
     // The scene that is shown stays until the new one can be read.
     host_.Print(error.what());
-    PrintError(FirstLine(error.what()));
+    ShowMessage(FirstLine(error.what()));
   }
 }
 
@@ -326,7 +325,7 @@ void Viewer::TurnHelpPage() {
 void Viewer::Open(const std::string& file) {
   if (auto picture = host_.ReadPicture(file)) {
     pictures_.SetReference(std::move(picture));
-    return PrintError("reference " + file);
+    return ShowMessage("the reference is " + file);
   }
   try {
     auto scene = Load(file, settings_);
@@ -336,15 +335,15 @@ void Viewer::Open(const std::string& file) {
     TakeScene(std::move(scene));
     navigator_.SetPivot({});
     navigator_.Go(scene_->parsed.scene.camera);
-    PrintError("opened " + file);
+    ShowMessage("opened " + file);
   } catch (const std::exception& error) {
     host_.Print(error.what());
-    PrintError(FirstLine(error.what()));
+    ShowMessage(FirstLine(error.what()));
   }
 }
 
-std::optional<R3::Point> Viewer::PointAt(const R2::Point& place) const {
-  const R3::Ray ray = navigator_.TheCamera().Through(place.x, place.y, size_.width, size_.height);
+std::optional<R3::Point> Viewer::PointAt(const R2::Point& position) const {
+  const R3::Ray ray = navigator_.camera().Through(position.x, position.y, size_.width, size_.height);
   Workspace workspace;
   const auto hit = scene_->accelerator->Intersect(ray, workspace);
   if (!hit) return {};
@@ -352,7 +351,7 @@ std::optional<R3::Point> Viewer::PointAt(const R2::Point& place) const {
 }
 
 Navigator::PointAt Viewer::PointFinder() const {
-  return [this](const R2::Point& place) { return PointAt(place); };
+  return [this](const R2::Point& position) { return PointAt(position); };
 }
 
 }  // namespace ray

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <filesystem>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -21,39 +20,39 @@ namespace ray {
 
 /// What a viewer begins with.
 struct ViewerSettings {
-  std::filesystem::path scene;
+  std::string scene;  // its file
   ParseOptions parse;
   AcceleratorSettings accelerator;
   RenderSettings render;  // of traced pictures; their size is that of the drawing
   std::shared_ptr<const R2::Image> reference;
 };
 
-/// What a viewer asks of the program around it. Answers are lines for its user.
+/// What a viewer asks of the program around it. The strings returned are messages for the user.
 class ViewerHost {
  public:
   virtual ~ViewerHost() = default;
-  /// Key S has traced a picture: write it.
+  /// Writes the picture of key S.
   virtual std::string SaveTraced(const RenderJob& complete) = 0;
-  /// Write what is drawn, once the event that asked for it is handled.
+  /// Writes what is drawn, once the event that asked for it is handled.
   virtual void SaveDrawing() = 0;
-  /// Write rays as an .obj file.
+  /// Writes rays as an .obj file.
   virtual std::string SaveRays(const std::string& obj) = 0;
-  /// Nothing when it is no picture that can be read.
+  /// Null when it is no picture that can be read.
   virtual std::shared_ptr<const R2::Image> ReadPicture(const std::string& file) = 0;
   virtual void SetClipboard(const std::string& text) = 0;
   /// To standard output.
   virtual void Print(const std::string& line) = 0;
 };
 
-/// A scene being looked at: what the user's events do to it, and what is to be drawn. Knows no window and no OpenGL;
-/// for one thread.
+/// A scene being looked at: what the user's events do to it, and what is to be drawn. Knows nothing of windows and
+/// OpenGL; for one thread.
 class Viewer {
  public:
   /// `scene`: read from the settings' file. The host must outlive it.
   Viewer(ViewerSettings settings, std::shared_ptr<const LoadedScene> scene, ViewerHost& host);
 
   void Handle(const Event& event);
-  /// Starts and ends what is due. Whether Show would give something else than the last time.
+  /// Starts and ends what is due. Returns whether Show would return something else than the last time.
   bool Update();
   /// Valid until the next call of Handle or Update.
   FrameState Show();
@@ -65,7 +64,7 @@ class Viewer {
   /// What it shows, in lines of words, for scripts.
   std::string State() const;
 
-  /// A key and what it does. All keys are in this table, and the help is made of it.
+  /// A key and what it does. All keys are in one table, of which the help is made.
   struct Binding {
     Key key;
     Modifiers modifiers;
@@ -78,13 +77,13 @@ class Viewer {
   static std::vector<std::string> Help();
 
   const LoadedScene& scene() const { return *scene_; }
-  const Navigator& TheNavigator() const { return navigator_; }
+  const Navigator& navigator() const { return navigator_; }
   const TracedPictures& Pictures() const { return pictures_; }
   const RayInspector& Rays() const { return rays_; }
   const SectionView& Section() const { return section_; }
   const std::optional<Pick>& Picked() const { return pick_; }
   const std::string& Message() const { return message_; }
-  /// What tracing the present view would use.
+  /// The settings to render the present view with.
   RenderSettings SettingsOfView() const;
 
  private:
@@ -126,18 +125,18 @@ class Viewer {
   void Open(const std::string& file);
 
   void TakeScene(std::shared_ptr<const LoadedScene> scene);
-  void DebugPixelAt(const R2::Point& place);
-  void TellPixel();
+  void DebugPixelAt(const R2::Point& position);
+  void ReportPixel();
   void SaveEnded(const RenderJob& job);
-  void PrintError(const std::string& message);
-  void LinesHaveChanged() { lines_.reset(), has_news_ = true; }
-  std::optional<R3::Point> PointAt(const R2::Point& place) const;
+  void ShowMessage(const std::string& message);
+  void InvalidateLines() { lines_.reset(), needs_redraw_ = true; }
+  std::optional<R3::Point> PointAt(const R2::Point& position) const;
   Navigator::PointAt PointFinder() const;
   std::array<R3::Point, 4> QuadCorners() const;
   /// Around all that is drawn in space.
   R3::Box BoxOfDrawing() const;
   /// The pixel of the traced picture that is seen there on its quad.
-  std::optional<std::pair<int, int>> PixelOnQuad(const R2::Point& place) const;
+  std::optional<std::pair<int, int>> PixelOnQuad(const R2::Point& position) const;
   bool ShowsQuad() const { return shows_quad_ && pictures_.Trace() && !pictures_.IsLive(); }
   Lines MakeLines() const;
   /// How many lines of text have room above one another, at least 1.
@@ -175,7 +174,7 @@ class Viewer {
   std::uint64_t changes_seen_ = 0;
   std::shared_ptr<const Lines> lines_, section_lines_;  // null when they must be made anew
   std::vector<std::uint32_t> versions_;                 // of the rows of frames when last seen
-  bool has_news_ = true, is_closed_ = false;
+  bool needs_redraw_ = true, is_closed_ = false;
 };
 
 }  // namespace ray

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 #include "source/render/LayerColors.h"
 #include "source/text/EnumNames.h"
@@ -15,8 +16,6 @@ constexpr double quad_share_of_distance = 0.25;  // how far the traced picture h
 constexpr Rgba frustum_color{255, 255, 120, 255}, picked_color{255, 90, 90, 255}, text_color{255, 255, 255, 255};
 constexpr double line_height = 17, margin = 6;  // of text, in pixels
 constexpr double cross_share = 0.03;            // of the scene's radius
-
-void Append(Lines& lines, const Lines& more) { lines.insert(lines.end(), more.begin(), more.end()); }
 
 R2::Color InverseOf(const R2::Color& c) { return {1 - c.r, 1 - c.g, 1 - c.b}; }
 
@@ -39,7 +38,7 @@ FrameState Viewer::Show() {
     shown.section = section_lines_;
   }
   shown.background = scene_->parsed.scene.background;
-  shown.clip_from_drawing = ClipFromDrawing(navigator_.TheCamera(), space_, BoxOfDrawing(), shown.view);
+  shown.clip_from_drawing = ClipFromDrawing(navigator_.camera(), space_, BoxOfDrawing(), shown.view);
   shown.faces = faces_;
   shown.shows_faces = shows_faces_;
   shown.shows_edges = shows_edges_;
@@ -48,7 +47,7 @@ FrameState Viewer::Show() {
   const Exposure exposure{std::exp2(exposure_steps_), settings_.render.srgb};
   if (ShowsQuad()) {
     FrameState::Picture quad;
-    quad.frame = &pictures_.Trace()->TheFrame();
+    quad.frame = &pictures_.Trace()->frame();
     quad.number = pictures_.TraceNumber();
     quad.rows = pictures_.Trace()->RowsDone();
     quad.exposure = exposure;
@@ -86,11 +85,11 @@ std::optional<FrameState::Picture> Viewer::CoveringPicture() const {
   const RenderJob& job = *pictures_.Live();
   const RenderMode mode = job.Settings().mode;
   if (IsLight(mode)) {
-    picture.frame = &job.TheFrame();
+    picture.frame = &job.frame();
     picture.number = pictures_.LiveNumber();
   } else {
-    // Colours that stand for something else than light: as image files show them.
-    picture.image = std::make_shared<const R2::Image>(LayerAsShown(mode, *TracedPictures::ImageOf(job.TheFrame())));
+    // Colors that stand for something else than light: as image files show them.
+    picture.image = std::make_shared<const R2::Image>(LayerAsShown(mode, *TracedPictures::ImageOf(job.frame())));
     picture.exposure = {};
   }
   return picture;
@@ -108,11 +107,11 @@ std::array<R3::Point, 4> Viewer::QuadCorners() const {
   return {corner(0, 0), corner(w, 0), corner(w, h), corner(0, h)};
 }
 
-std::optional<std::pair<int, int>> Viewer::PixelOnQuad(const R2::Point& place) const {
+std::optional<std::pair<int, int>> Viewer::PixelOnQuad(const R2::Point& position) const {
   if (!ShowsQuad()) return {};
   const auto corners = QuadCorners();
   const R3::Vector across = corners[1] - corners[0], upward = corners[3] - corners[0], normal = Cross(across, upward);
-  const R3::Ray ray = navigator_.TheCamera().Through(place.x, place.y, size_.width, size_.height);
+  const R3::Ray ray = navigator_.camera().Through(position.x, position.y, size_.width, size_.height);
   const double t = Dot(corners[0] - ray.origin, normal) / Dot(ray.direction, normal);
   if (!(t > 0)) return {};
   const R3::Vector way = ray.At(t) - corners[0];
@@ -121,7 +120,7 @@ std::optional<std::pair<int, int>> Viewer::PixelOnQuad(const R2::Point& place) c
   const double y = Dot(way, upward) / Dot(upward, upward) * traced.height;
   if (!(x >= 0 && y >= 0 && x < traced.width && y < traced.height)) return {};
   // What stands before the quad is meant rather than it.
-  const auto nearer = PointAt(place);
+  const auto nearer = PointAt(position);
   if (nearer && Length(*nearer - ray.origin) < Length(ray.At(t) - ray.origin)) return {};
   return std::pair{static_cast<int>(x), static_cast<int>(y)};
 }
@@ -165,7 +164,7 @@ std::vector<Label> Viewer::MakeLabels() const {
   } else if (pick_) {
     upper = pick_->text;
   }
-  if (section_.IsShown()) upper.insert(upper.begin(), "cut: " + section_.Describe(size_.height));
+  if (section_.IsShown()) upper.insert(upper.begin(), "cross section: " + section_.Describe(size_.height));
   double y = size_.height - line_height - margin;
   for (const std::string& line : upper) {
     labels.push_back({margin, y, line, text_color});
@@ -185,8 +184,8 @@ std::string Viewer::BoxesInWords() const {
 
 std::string Viewer::Title() const {
   const RenderJob* job = pictures_.IsLive() ? pictures_.Live() : pictures_.Trace();
-  std::string title =
-      settings_.scene.filename().string() + " " + std::to_string(size_.width) + "x" + std::to_string(size_.height);
+  std::string title = std::filesystem::path(settings_.scene).filename().string() + " " + std::to_string(size_.width) +
+                      "x" + std::to_string(size_.height);
   if (job) {
     const int samples = job->Samples();
     title += " " + std::to_string(samples) + (samples == 1 ? " sample" : " samples");
@@ -203,9 +202,9 @@ std::string Viewer::State() const {
   std::string text;
   const auto line = [&](const std::string& name, const std::string& value) { text += name + " " + value + "\n"; };
   const auto yes_or_no = [](bool is) { return is ? "yes" : "no"; };
-  line("scene", settings_.scene.string());
+  line("scene", settings_.scene);
   line("size", std::to_string(size_.width) + " " + std::to_string(size_.height));
-  text += CameraLine(navigator_.TheCamera()) + "\n";
+  text += CameraLine(navigator_.camera()) + "\n";
   line("faces", yes_or_no(shows_faces_));
   line("edges", yes_or_no(shows_edges_));
   line("lights", yes_or_no(shows_lights_));

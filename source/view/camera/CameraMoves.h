@@ -7,7 +7,7 @@
 #include "source/scene/Camera.h"
 #include "source/view/Drawing.h"
 
-/// Ways to move a camera. Each gives a new one whose directions are unit and perpendicular and whose angle stays.
+/// Ways to move a camera. Each returns a new one with the same field of view and an orthonormal basis.
 /// Drags are fractions of the drawing's width (x) and height (y, upward positive), as the course counts them.
 namespace ray {
 
@@ -17,9 +17,9 @@ struct DrawingSize {
   friend bool operator==(const DrawingSize&, const DrawingSize&) = default;
 };
 
-/// Turned about an axis through `center`: eye and directions alike, so that the center keeps its pixel.
+/// Rotated about an axis through `center`, eye and directions alike, so that the center keeps its pixel.
 ///   axis    any length but 0
-///   angle   radians, by the right hand
+///   angle   radians, by the right-hand rule
 Camera Turned(const Camera& camera, const R3::Point& center, const R3::Vector& axis, double angle);
 /// The course's: about the axis towards x (right x + up y) by 4 (|x| + |y|) radians.
 Camera Rotated(const Camera& camera, const R3::Point& center, const R2::Point& drag);
@@ -28,17 +28,17 @@ Camera Rotated(const Camera& camera, const R3::Point& center, const R2::Point& d
 Camera RotatedUpright(const Camera& camera, const R3::Point& center, const R3::Vector& vertical, const R2::Point& drag);
 /// The course's: f = exp(2 (x + y)), eye += (center - eye) (f - 1) / f.
 Camera Zoomed(const Camera& camera, const R3::Point& center, const R2::Point& drag);
-/// Sideways, so that a point `depth` in front of the eye moves on the picture as far as the pointer.
+/// Moved sideways, so that a point `depth` in front of the eye moves on the picture as far as the pointer.
 Camera Panned(const Camera& camera, double depth, const R2::Point& drag, const DrawingSize& size);
-/// By a way along right, up and towards.
+/// Moved by an offset along right, up and towards.
 Camera Moved(const Camera& camera, const R3::Vector& way);
-/// Turned where it stands: to the side about `vertical`, then up or down.
+/// Turned where it stands: sideways about `vertical`, then up or down.
 Camera Looking(const Camera& camera, const R3::Vector& vertical, const R2::Point& drag);
 /// Set back along its axis so that the box fills 0.9 of the picture where it is widest.
 Camera Framed(const Camera& camera, const R3::Box& box, const DrawingSize& size);
 /// From the same distance to `center` along an axis: towards (a unit vector), with `up`.
 Camera FromAxis(const Camera& camera, const R3::Point& center, const R3::Vector& towards, const R3::Vector& up);
-/// With a wider or narrower angle; xfov stays within [0.005, 1.5].
+/// With a wider or narrower field of view; xfov stays within [0.005, 1.5].
 Camera WithAngle(const Camera& camera, double factor);
 
 /// Where a point appears, in pixels from the lower left corner; nothing for points that are not in front.
@@ -46,7 +46,7 @@ std::optional<R2::Point> PixelOf(const Camera& camera, const R3::Point& p, const
 /// How far in front of the eye a point is, along the axis.
 double DepthOf(const Camera& camera, const R3::Point& p);
 
-/// What the camera sees, for drawing. Planes near and far are set around the box, not where the scene file has them.
+/// The projection of the camera. Near and far planes are set around the box, not where the scene file has them.
 ClipMatrix ClipFromDrawing(const Camera& camera, const DrawingSpace& space, const R3::Box& box,
                            const DrawingSize& size);
 

@@ -2,6 +2,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <numbers>
 #include <vector>
@@ -50,8 +51,7 @@ std::optional<Camera> ReadCameraLine(const std::string& line) {
   return camera;
 }
 
-Bookmarks::Bookmarks(const std::filesystem::path& scene) : file_(scene) {
-  file_ += ".views";
+Bookmarks::Bookmarks(const std::string& scene) : file_(scene + ".views") {
   std::ifstream in(file_);
   for (std::string line; std::getline(in, line);) {
     if (line.size() < 2 || line[0] < '1' || line[0] > '9' || line[1] != ' ') continue;
@@ -66,7 +66,7 @@ std::optional<Camera> Bookmarks::Find(int digit) const {
 
 bool Bookmarks::Keep(int digit, const Camera& camera) {
   cameras_.insert_or_assign(digit, camera);
-  const std::filesystem::path fresh = file_.string() + ".new";
+  const std::string fresh = file_ + ".new";
   {
     std::ofstream out(fresh);
     for (const auto& [number, kept] : cameras_) out << number << " " << CameraLine(kept) << "\n";

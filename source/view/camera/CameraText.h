@@ -1,6 +1,5 @@
 #pragma once
 
-#include <filesystem>
 #include <map>
 #include <optional>
 #include <string>
@@ -18,15 +17,15 @@ std::optional<Camera> ReadCameraLine(const std::string& line);
 /// Cameras under the digits 1 to 9, kept in a file beside the scene: lines of a digit and a camera line.
 class Bookmarks {
  public:
-  explicit Bookmarks(const std::filesystem::path& scene);
+  explicit Bookmarks(const std::string& scene);
 
   std::optional<Camera> Find(int digit) const;
   /// Also into the file; false when it cannot be written, and the bookmark lasts as long as the program.
   bool Keep(int digit, const Camera& camera);
-  const std::filesystem::path& File() const { return file_; }
+  const std::string& File() const { return file_; }
 
  private:
-  std::filesystem::path file_;
+  std::string file_;
   std::map<int, Camera> cameras_;
 };
 

@@ -80,10 +80,10 @@ void Navigator::BeginDrag(const ButtonEvent& event, const PointAt& point_at) {
   held_.clear();
 }
 
-void Navigator::DragTo(const R2::Point& place) {
+void Navigator::DragTo(const R2::Point& position) {
   if (!drag_) return;
-  const R2::Point way{(place.x - drag_->at.x) / size_.width, (place.y - drag_->at.y) / size_.height};
-  drag_->at = place;
+  const R2::Point way{(position.x - drag_->at.x) / size_.width, (position.y - drag_->at.y) / size_.height};
+  drag_->at = position;
   if (way.x == 0 && way.y == 0) return;
   if (!drag_->has_moved) Remember();
   drag_->has_moved = true;

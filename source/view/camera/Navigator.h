@@ -10,29 +10,29 @@
 
 namespace ray {
 
-/// Moves the camera as pointer, wheel and keys ask, and remembers where it was.
+/// Moves the camera by pointer, wheel and keys, and remembers where it was.
 class Navigator {
  public:
-  /// The point of the scene under a place of the drawing; nothing where there is only background.
-  using PointAt = std::function<std::optional<R3::Point>(const R2::Point& place)>;
+  /// The point of the scene under a position of the drawing; nothing where there is only background.
+  using PointAt = std::function<std::optional<R3::Point>(const R2::Point& position)>;
 
   Navigator(const Camera& camera, const R3::Box& scene, const DrawingSize& size);
 
-  const Camera& TheCamera() const { return camera_; }
+  const Camera& camera() const { return camera_; }
   /// Grows with every change of the camera.
   std::uint64_t Changes() const { return changes_; }
-  const R3::Box& TheBox() const { return box_; }
+  const R3::Box& box() const { return box_; }
 
   /// Another scene, or another size; the camera stays.
   void SetBox(const R3::Box& scene) { box_ = scene; }
   void SetSize(const DrawingSize& size) { size_ = size; }
 
-  /// To another view, from which Back leads home.
+  /// To another view, from which Back returns.
   void Go(const Camera& camera);
   void Back();
   void Forward();
 
-  /// What rotation and zoom are about: the pivot, or the middle of the scene.
+  /// The center of rotation and zoom: the pivot, or the center of the scene.
   R3::Point Center() const { return pivot_ ? *pivot_ : box_.IsEmpty() ? R3::Point{} : box_.Center(); }
   const std::optional<R3::Point>& Pivot() const { return pivot_; }
   void SetPivot(const std::optional<R3::Point>& pivot) { pivot_ = pivot; }
@@ -45,7 +45,7 @@ class Navigator {
   void Widen(double factor) { Go(WithAngle(camera_, factor)); }
 
   void BeginDrag(const ButtonEvent& event, const PointAt& point_at);
-  void DragTo(const R2::Point& place);
+  void DragTo(const R2::Point& position);
   void EndDrag() { drag_.reset(); }
   bool IsDragging() const { return drag_.has_value(); }
   void Scroll(const ScrollEvent& event, const PointAt& point_at);
@@ -55,7 +55,7 @@ class Navigator {
   bool HoldKey(const KeyEvent& event);
   /// Time passes: moves on as long as keys are held.
   void Advance(double seconds);
-  /// In units of the scene's radius a second.
+  /// In radii of the scene per second.
   double FlySpeed() const { return fly_speed_; }
 
  private:

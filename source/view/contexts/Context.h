@@ -9,7 +9,7 @@
 
 namespace ray {
 
-/// Why there is nothing to draw on; one line, with what would help.
+/// Why there is nothing to draw with; one line, with what would help.
 struct ContextError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -18,11 +18,11 @@ struct ContextError : std::runtime_error {
 class Context {
  public:
   virtual ~Context() = default;
-  /// "egl: llvmpipe (LLVM 15.0.6, 256 bits), OpenGL 4.5": the kind, with what is behind it.
+  /// "egl: llvmpipe (LLVM 15.0.6, 256 bits), OpenGL 4.5": the kind and the renderer.
   virtual std::string Name() const = 0;
 };
 
-/// A context with a place on a screen, which draws into framebuffer 0.
+/// A context on a screen, which draws into framebuffer 0.
 class Window : public Context {
  public:
   virtual int Width() const = 0;  // of the framebuffer, in pixels
@@ -31,8 +31,8 @@ class Window : public Context {
   virtual void SetTitle(const std::string& title) = 0;
   virtual void SetClipboard(const std::string& text) = 0;
   /// What has happened since the last call, in order; waits for at most `seconds` while there is nothing. May return
-  /// early with nothing, as WakeWindow makes it. Keys held are told once, those that step (arrows, signs) again and
-  /// again; what has to be drawn anew is told as a ResizeEvent, of whatever size.
+  /// early with nothing, as WakeWindow makes it. A key held is reported once, one that steps (arrows, signs) again
+  /// and again; what has to be redrawn is reported as a ResizeEvent, of whatever size.
   virtual std::vector<Event> Wait(double seconds) = 0;
 };
 

@@ -40,9 +40,8 @@ std::unique_ptr<Context> MakeFirst() {
       why += std::string(why.empty() ? "" : "; ") + known.name + ": " + error.what();
     }
   }
-  if (why.empty())
-    throw ContextError("drawing without a window is not built in; install " + packages + " and build again");
-  throw ContextError("there is no way to draw without a window: " + why);
+  if (why.empty()) throw ContextError("drawing without a window is not built in; install " + packages + " and rebuild");
+  throw ContextError("cannot draw without a window: " + why);
 }
 
 }  // namespace
@@ -60,14 +59,14 @@ std::unique_ptr<Context> MakeOffscreenContext(const std::string& kind) {
   for (const KnownKind& known : known_kinds) {
     names += std::string(", ") + known.name;
     if (kind != known.name) continue;
-    if (!known.kind) throw ContextError(kind + " is not built in; install " + known.package + " and build again");
+    if (!known.kind) throw ContextError(kind + " is not built in; install " + known.package + " and rebuild");
     try {
       return known.kind->make();
     } catch (const ContextError& error) {
       throw ContextError(kind + ": " + error.what());
     }
   }
-  throw ContextError("unknown kind of context \"" + kind + "\"; kinds are " + names);
+  throw ContextError("unknown context '" + kind + "'; choose one of " + names);
 }
 
 #ifndef RAYVIEW_GLFW
@@ -76,7 +75,7 @@ void WakeWindow() {}
 bool HasWindows() { return false; }
 
 std::unique_ptr<Window> MakeWindow(int, int, const std::string&) {
-  throw ContextError("windows are not built in; install libglfw3-dev and build again, or use rayview -headless");
+  throw ContextError("windows are not built in; install libglfw3-dev and rebuild, or use rayview -headless");
 }
 #endif
 

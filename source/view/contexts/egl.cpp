@@ -65,7 +65,7 @@ EGLConfig Config(EGLDisplay display) {
   EGLConfig config = nullptr;
   EGLint count = 0;
   if (!eglChooseConfig(display, wanted.data(), &config, 1, &count) || count < 1)
-    throw ContextError("no configuration for OpenGL, " + LastError());
+    throw ContextError("the driver has no configuration for OpenGL, " + LastError());
   return config;
 }
 
@@ -73,7 +73,7 @@ class EglContext : public Context {
  public:
   /// Throws ContextError when the display has no OpenGL 3.3.
   explicit EglContext(EGLDisplay display) : display_(display) {
-    if (!eglInitialize(display, nullptr, nullptr)) throw ContextError("a device does not open, " + LastError());
+    if (!eglInitialize(display, nullptr, nullptr)) throw ContextError("a device cannot be opened, " + LastError());
     if (!epoxy_has_egl_extension(display, "EGL_KHR_surfaceless_context"))
       throw ContextError("the driver lacks EGL_KHR_surfaceless_context");
     if (!eglBindAPI(EGL_OPENGL_API)) throw ContextError("the driver has no OpenGL, " + LastError());
@@ -105,14 +105,14 @@ class EglContext : public Context {
 };
 
 std::unique_ptr<Context> Make() {
-  if (!epoxy_has_egl()) throw ContextError("libEGL cannot be loaded; libegl1 brings it");
+  if (!epoxy_has_egl()) throw ContextError("cannot load libEGL; install libegl1");
   std::string why;
   for (EGLDisplay display : Displays()) try {
       return std::make_unique<EglContext>(display);
     } catch (const ContextError& error) {
       if (why.find(error.what()) == std::string::npos) why += std::string(why.empty() ? "" : ", ") + error.what();
     }
-  throw ContextError(why.empty() ? "there is no driver; libegl-mesa0 and libgl1-mesa-dri bring one" : why);
+  throw ContextError(why.empty() ? "no driver found; install libegl-mesa0 and libgl1-mesa-dri" : why);
 }
 
 }  // namespace

@@ -82,7 +82,7 @@ Modifiers ModifiersOf(int theirs) {
 class Library {
  public:
   Library() {
-    if (!glfwInit()) throw ContextError("there is no display (" + LastError() + "); rayview -headless needs none");
+    if (!glfwInit()) throw ContextError("cannot open a display (" + LastError() + "); rayview -headless needs none");
   }
   ~Library() { glfwTerminate(); }
   Library(const Library&) = delete;
@@ -101,7 +101,7 @@ class GlfwWindow : public Window {
     glfwWindowHint(GLFW_DEPTH_BITS, 24);
     window_ = glfwCreateWindow(width, height, title.c_str(), nullptr, nullptr);
     if (!window_)
-      throw ContextError("no window with OpenGL 3.3 opens (" + LastError() + "); rayview -headless needs none");
+      throw ContextError("cannot open a window with OpenGL 3.3 (" + LastError() + "); rayview -headless needs none");
     glfwMakeContextCurrent(window_);
     glfwSwapInterval(1);
     glfwGetFramebufferSize(window_, &width_, &height_);

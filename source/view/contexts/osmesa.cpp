@@ -75,7 +75,7 @@ class Functions {
 class OsMesaContext : public Context {
  public:
   OsMesaContext() {
-    if (!Library()) throw ContextError("libOSMesa.so.8 cannot be loaded; libosmesa6 brings it");
+    if (!Library()) throw ContextError("cannot load libOSMesa.so.8; install libosmesa6");
     constexpr std::array<int, 11> wanted{OSMESA_FORMAT,
                                          OSMESA_RGBA,
                                          OSMESA_DEPTH_BITS,

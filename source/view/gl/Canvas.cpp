@@ -7,11 +7,12 @@
 #include <vector>
 
 #include "R2/ImageFile.h"
+#include "source/view/contexts/Context.h"
 
 namespace ray {
 
-Canvas::Canvas(Painter::Target target) {
-  if (target == Painter::Target::own) own_.emplace();
+Canvas::Canvas(Target target) {
+  if (target == Target::own) own_.emplace();
 }
 
 void Canvas::Begin(int width, int height, const R2::Color& background) {
@@ -27,7 +28,7 @@ void Canvas::Begin(int width, int height, const R2::Color& background) {
   glDepthMask(GL_TRUE);
   glEnable(GL_BLEND);
   glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-  SetPart(0, 0, width, height);
+  SetViewport(0, 0, width, height);
   Fill(background);
 }
 
@@ -42,8 +43,7 @@ void Canvas::Resize(Own& own, int width, int height) const {
   glGetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &most);
   const std::string size = std::to_string(width) + " x " + std::to_string(height) + " pixels";
   if (width > most || height > most)
-    throw ContextError("a drawing of " + size + " cannot be made; the graphics allow " + std::to_string(most) +
-                       " a side");
+    throw ContextError("cannot draw " + size + "; the GPU allows " + std::to_string(most) + " per side");
   // A window can shrink to nothing, a framebuffer cannot.
   const GLsizei columns = std::max(width, 1), rows = std::max(height, 1);
   glBindRenderbuffer(GL_RENDERBUFFER, own.color.Name());
@@ -53,18 +53,18 @@ void Canvas::Resize(Own& own, int width, int height) const {
   glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, own.color.Name());
   glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, own.depth.Name());
   if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
-    throw ContextError("a drawing of " + size + " cannot be made: the graphics refuse its framebuffer");
+    throw ContextError("cannot draw " + size + "; the driver rejects the framebuffer");
   own.width = width, own.height = height;
 }
 
-void Canvas::Apply(const Part& part) const {
-  glViewport(part.x, part.y, part.width, part.height);
-  glScissor(part.x, part.y, part.width, part.height);
+void Canvas::Apply(const Viewport& viewport) const {
+  glViewport(viewport.x, viewport.y, viewport.width, viewport.height);
+  glScissor(viewport.x, viewport.y, viewport.width, viewport.height);
 }
 
-void Canvas::SetPart(int x, int y, int width, int height) {
-  part_ = {x, y, width, height};
-  Apply(part_);
+void Canvas::SetViewport(int x, int y, int width, int height) {
+  viewport_ = {x, y, width, height};
+  Apply(viewport_);
 }
 
 R2::Image Canvas::Read() const {

@@ -1,26 +1,29 @@
 #pragma once
 
-#include <memory>
 #include <optional>
 
 #include "R2/Image.h"
 #include "source/view/gl/Objects.h"
-#include "source/view/gl/Painter.h"
 
 namespace ray {
 
-/// What is drawn into: framebuffer 0, or one of its own of whatever size is asked for.
+/// What is drawn into: framebuffer 0 of a window, or a framebuffer of its own, of whatever size is asked for.
 class Canvas {
  public:
-  explicit Canvas(Painter::Target target);
+  enum class Target { window, own };
+  explicit Canvas(Target target);
 
-  /// Throws ContextError when one of its own cannot be that large.
+  /// A new drawing of this size, at least 0 each; the viewport is all of it. To be called before anything is drawn.
+  /// Throws ContextError when a framebuffer cannot be so large.
   void Begin(int width, int height, const R2::Color& background);
+  /// The viewport in one color, with nothing in it any more.
   void Fill(const R2::Color& color) const;
-  void SetPart(int x, int y, int width, int height);
-  /// From here on, and back: the whole of it instead of the part.
-  void LeavePart() const { Apply({0, 0, width_, height_}); }
-  void ReturnToPart() const { Apply(part_); }
+  /// What follows is drawn there, and clipped to it.
+  void SetViewport(int x, int y, int width, int height);
+  /// From here on, and back: all of the drawing instead of the viewport.
+  void UseWhole() const { Apply({0, 0, width_, height_}); }
+  void UseViewport() const { Apply(viewport_); }
+  /// The drawing so far, at least one pixel of it; each channel a byte / 255. In a window before it is shown.
   R2::Image Read() const;
 
   int Width() const { return width_; }
@@ -32,16 +35,16 @@ class Canvas {
     Renderbuffer color, depth;
     int width = 0, height = 0;
   };
-  struct Part {
+  struct Viewport {
     int x = 0, y = 0, width = 0, height = 0;
   };
 
   void Resize(Own& own, int width, int height) const;
-  void Apply(const Part& part) const;
+  void Apply(const Viewport& viewport) const;
 
   std::optional<Own> own_;
   int width_ = 0, height_ = 0;
-  Part part_;
+  Viewport viewport_;
 };
 
 }  // namespace ray

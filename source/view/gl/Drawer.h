@@ -1,40 +1,43 @@
 #pragma once
 
-#include <map>
+#include <cstdint>
+#include <memory>
+#include <vector>
 
 #include "source/view/FrameState.h"
 #include "source/view/gl/Painter.h"
 
 namespace ray {
 
-/// Draws presentations, and keeps with OpenGL what does not change from one to the next.
+/// Draws FrameStates, and leaves on the GPU what does not change from one to the next.
 class Drawer {
  public:
   explicit Drawer(Painter& painter) : painter_(painter) {}
 
-  void Draw(const FrameState& shown);
-  /// The picture of a job or an image as it was last drawn, for tests: rows from the bottom, r g b.
+  void Draw(const FrameState& state);
+  /// The picture on the quad as it was last drawn, for tests: rows from the bottom, r g b.
   std::vector<float> ReadBackQuad();
 
  private:
-  /// A list that was shown, and what became of it.
-  template <typename List, typename GpuCache>
+  /// A list, and what it is on the GPU.
+  template <typename List, typename GpuList>
   struct Slot {
     std::shared_ptr<const List> list;
-    std::shared_ptr<GpuCache> kept;
+    std::shared_ptr<GpuList> uploaded;
   };
-  template <typename List, typename GpuCache>
-  const GpuCache& Keep(Slot<List, GpuCache>& slot, const std::shared_ptr<const List>& list);
+  template <typename List, typename GpuList>
+  const GpuList& Upload(Slot<List, GpuList>& slot, const std::shared_ptr<const List>& list);
 
   /// A picture, and which rows of which frame it has.
   struct PictureSlot {
     std::uint64_t number = 0;
     std::shared_ptr<const R2::Image> image;
-    int width = 0, height = 0;
     std::vector<std::uint32_t> versions;
-    std::shared_ptr<GpuPicture> kept;
+    std::shared_ptr<GpuPicture> uploaded;
   };
-  const GpuPicture& Keep(PictureSlot& slot, const FrameState::Picture& picture);
+  const GpuPicture& Upload(PictureSlot& slot, const FrameState::Picture& picture);
+  void UploadImage(PictureSlot& slot, const std::shared_ptr<const R2::Image>& image);
+  void UploadNewRows(PictureSlot& slot, const Frame& frame, int end);
   void Fit(PictureSlot& slot, int width, int height);
 
   Painter& painter_;

@@ -24,9 +24,9 @@ void main() {
 
 constexpr const char* fragment_shader = R"(#version 330 core
 in vec4 vertex_color;
-uniform float cover;
+uniform float alpha;
 out vec4 color;
-void main() { color = vec4(vertex_color.rgb, vertex_color.a * cover); }
+void main() { color = vec4(vertex_color.rgb, vertex_color.a * alpha); }
 )";
 
 constexpr GLuint at_location = 0, color_location = 1;
@@ -46,7 +46,7 @@ void Describe(bool with_colors) {
 }
 
 void CheckMemory() {
-  if (glGetError() == GL_OUT_OF_MEMORY) throw ContextError("the memory of the graphics is full");
+  if (glGetError() == GL_OUT_OF_MEMORY) throw ContextError("out of GPU memory");
 }
 
 }  // namespace
@@ -57,41 +57,41 @@ ListDrawer::ListDrawer() : program_("lists", vertex_shader, fragment_shader) {
   widest_ = range[1];
 }
 
-std::shared_ptr<GpuTriangles> ListDrawer::Keep(const Triangles& triangles) const {
-  auto kept = std::make_shared<GpuTriangles>();
-  kept->opaque = static_cast<GLsizei>(triangles.opaque.size());
-  kept->clear = static_cast<GLsizei>(triangles.clear.size());
+std::shared_ptr<GpuTriangles> ListDrawer::Upload(const Triangles& triangles) const {
+  auto uploaded = std::make_shared<GpuTriangles>();
+  uploaded->opaque = static_cast<GLsizei>(triangles.opaque.size());
+  uploaded->clear = static_cast<GLsizei>(triangles.clear.size());
   std::vector<std::uint32_t> indices = triangles.opaque;
   indices.insert(indices.end(), triangles.clear.begin(), triangles.clear.end());
   assert(std::all_of(indices.begin(), indices.end(), [&](auto i) { return i < triangles.vertices.size(); }));
-  glBindVertexArray(kept->colored.Name());  // indices belong to the array bound when they come
-  glBindBuffer(GL_ARRAY_BUFFER, kept->vertices.Name());
+  glBindVertexArray(uploaded->colored.Name());  // indices belong to the array bound when they come
+  glBindBuffer(GL_ARRAY_BUFFER, uploaded->vertices.Name());
   glBufferData(GL_ARRAY_BUFFER, Bytes(triangles.vertices), triangles.vertices.data(), GL_STATIC_DRAW);
-  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, kept->indices.Name());
+  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, uploaded->indices.Name());
   glBufferData(GL_ELEMENT_ARRAY_BUFFER, Bytes(indices), indices.data(), GL_STATIC_DRAW);
   Describe(true);
-  glBindVertexArray(kept->plain.Name());
-  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, kept->indices.Name());
+  glBindVertexArray(uploaded->plain.Name());
+  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, uploaded->indices.Name());
   Describe(false);
   CheckMemory();
-  return kept;
+  return uploaded;
 }
 
-std::shared_ptr<GpuLines> ListDrawer::Keep(const Lines& lines) const {
-  auto kept = std::make_shared<GpuLines>();
-  kept->count = static_cast<GLsizei>(lines.size());
-  glBindVertexArray(kept->colored.Name());
-  glBindBuffer(GL_ARRAY_BUFFER, kept->vertices.Name());
+std::shared_ptr<GpuLines> ListDrawer::Upload(const Lines& lines) const {
+  auto uploaded = std::make_shared<GpuLines>();
+  uploaded->count = static_cast<GLsizei>(lines.size());
+  glBindVertexArray(uploaded->colored.Name());
+  glBindBuffer(GL_ARRAY_BUFFER, uploaded->vertices.Name());
   glBufferData(GL_ARRAY_BUFFER, Bytes(lines), lines.data(), GL_STATIC_DRAW);
   Describe(true);
   CheckMemory();
-  return kept;
+  return uploaded;
 }
 
-void ListDrawer::Start(const ClipMatrix& clip_from_drawing, double cover) const {
+void ListDrawer::Start(const ClipMatrix& clip_from_drawing, double alpha) const {
   program_.Use();
   SetMatrix(program_["clip_from_drawing"], clip_from_drawing);
-  glUniform1f(program_["cover"], static_cast<float>(cover));
+  glUniform1f(program_["alpha"], static_cast<float>(alpha));
 }
 
 void ListDrawer::Draw(const GpuTriangles& triangles, const ClipMatrix& clip_from_drawing) const {

@@ -3,26 +3,31 @@
 #include <memory>
 
 #include "source/view/gl/Gpu.h"
-#include "source/view/gl/Program.h"
+#include "source/view/gl/ShaderProgram.h"
 
 namespace ray {
 
-/// Triangles and lines in the colors of their vertices. What it draws with stands in Painter.h.
+/// Triangles and lines in the colors of their vertices.
 class ListDrawer {
  public:
   ListDrawer();
 
-  std::shared_ptr<GpuTriangles> Keep(const Triangles& triangles) const;
-  std::shared_ptr<GpuLines> Keep(const Lines& lines) const;
+  /// On the GPU until the pointer goes. Throw ContextError when its memory is full.
+  std::shared_ptr<GpuTriangles> Upload(const Triangles& triangles) const;
+  std::shared_ptr<GpuLines> Upload(const Lines& lines) const;
 
+  /// Opaque ones first, then clear ones without writing depth.
   void Draw(const GpuTriangles& triangles, const ClipMatrix& clip_from_drawing) const;
-  void Draw(const GpuLines& lines, const ClipMatrix& clip_from_drawing, double width, double hidden) const;
+  /// Lines of `width` pixels, or as wide as the GPU allows. What is behind something drawn before, triangles above all,
+  /// is drawn with its alpha times `hidden`, in [0, 1].
+  void Draw(const GpuLines& lines, const ClipMatrix& clip_from_drawing, double width = 1, double hidden = 0) const;
+  /// Edges of triangles in one color.
   void DrawEdges(const GpuTriangles& triangles, const ClipMatrix& clip_from_drawing, const Rgba& color) const;
 
  private:
-  void Start(const ClipMatrix& clip_from_drawing, double cover) const;
+  void Start(const ClipMatrix& clip_from_drawing, double alpha) const;
 
-  Program program_;
+  ShaderProgram program_;
   float widest_ = 1;  // line, in pixels
 };
 

@@ -8,6 +8,7 @@
 
 #include "R2/Color.h"
 #include "R2/ImageFile.h"
+#include "source/view/contexts/Context.h"
 
 namespace ray {
 
@@ -89,21 +90,21 @@ PictureDrawer::PictureDrawer() : program_("pictures", vertex_shader, fragment_sh
   UseNearest();
 }
 
-std::shared_ptr<GpuPicture> PictureDrawer::Keep(int width, int height) const {
+std::shared_ptr<GpuPicture> PictureDrawer::Make(int width, int height) const {
   assert(width >= 1 && height >= 1);
   GLint most = 0;
   glGetIntegerv(GL_MAX_TEXTURE_SIZE, &most);
   if (width > most || height > most)
-    throw ContextError("a picture of " + std::to_string(width) + " x " + std::to_string(height) +
-                       " pixels cannot be shown; the graphics allow " + std::to_string(most) + " a side");
-  auto kept = std::make_shared<GpuPicture>();
-  kept->width = width, kept->height = height;
-  glBindTexture(GL_TEXTURE_2D, kept->texture.Name());
+    throw ContextError("cannot show an image of " + std::to_string(width) + " x " + std::to_string(height) +
+                       " pixels; the GPU allows " + std::to_string(most) + " per side");
+  auto picture = std::make_shared<GpuPicture>();
+  picture->width = width, picture->height = height;
+  glBindTexture(GL_TEXTURE_2D, picture->texture.Name());
   const std::vector<float> black(3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
   glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB32F, width, height, 0, GL_RGB, GL_FLOAT, black.data());
   UseNearest();
-  if (glGetError() == GL_OUT_OF_MEMORY) throw ContextError("the memory of the graphics is full");
-  return kept;
+  if (glGetError() == GL_OUT_OF_MEMORY) throw ContextError("out of GPU memory");
+  return picture;
 }
 
 void PictureDrawer::Update(GpuPicture& picture, int first, int count, std::span<const float> rgb) const {
@@ -122,7 +123,7 @@ std::vector<float> PictureDrawer::ReadBack(const GpuPicture& picture) const {
 }
 
 void PictureDrawer::Draw(const GpuPicture& picture, const std::array<std::array<float, 3>, 4>& corners,
-                         const ClipMatrix& clip_from_drawing, const Painter::PictureLook& look) const {
+                         const ClipMatrix& clip_from_drawing, const PictureLook& look) const {
   program_.Use();
   SetMatrix(program_["clip_from_drawing"], clip_from_drawing);
   glUniform3fv(program_["corners"], 4, corners[0].data());
@@ -142,7 +143,7 @@ void PictureDrawer::Draw(const GpuPicture& picture, const std::array<std::array<
   glDepthMask(GL_TRUE);
 }
 
-void PictureDrawer::Draw(const GpuPicture& picture, const Painter::PictureLook& look) const {
+void PictureDrawer::Draw(const GpuPicture& picture, const PictureLook& look) const {
   constexpr std::array<std::array<float, 3>, 4> corners{{{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}}};
   constexpr ClipMatrix as_it_is{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
   glDisable(GL_DEPTH_TEST);  // which leaves depth unwritten as well

@@ -6,26 +6,40 @@
 #include <vector>
 
 #include "source/view/gl/Gpu.h"
-#include "source/view/gl/Painter.h"
-#include "source/view/gl/Program.h"
+#include "source/view/gl/ShaderProgram.h"
 
 namespace ray {
 
-/// Pictures of floats on quads. What it draws with stands in Painter.h.
+/// Each channel is multiplied by `exposure`, then clamped, encoded as sRGB if asked for, and made the byte an image
+/// file would hold. Rows at and above `rows` are left out. With alpha below 1 it hides nothing drawn later.
+struct PictureLook {
+  double exposure = 1;
+  bool srgb = false;
+  int rows = -1;  // -1: all
+  double alpha = 1;
+};
+
+/// Pictures of floats on quads.
 class PictureDrawer {
  public:
   PictureDrawer();
 
-  std::shared_ptr<GpuPicture> Keep(int width, int height) const;
+  /// A black picture, of floats r g b; width and height at least 1. Throws ContextError when the GPU cannot hold one so
+  /// large.
+  std::shared_ptr<GpuPicture> Make(int width, int height) const;
+  /// Rows first .. first + count - 1 from the bottom; `rgb` holds those rows.
   void Update(GpuPicture& picture, int first, int count, std::span<const float> rgb) const;
+  /// What it holds, for tests: rows from the bottom, r g b.
   std::vector<float> ReadBack(const GpuPicture& picture) const;
 
+  /// On a quad in space: its lower left, lower right, upper right and upper left corner.
   void Draw(const GpuPicture& picture, const std::array<std::array<float, 3>, 4>& corners,
-            const ClipMatrix& clip_from_drawing, const Painter::PictureLook& look) const;
-  void Draw(const GpuPicture& picture, const Painter::PictureLook& look) const;
+            const ClipMatrix& clip_from_drawing, const PictureLook& look) const;
+  /// Over the viewport, from corner to corner.
+  void Draw(const GpuPicture& picture, const PictureLook& look) const;
 
  private:
-  Program program_;
+  ShaderProgram program_;
   VertexArray nothing_;  // the corners come as uniforms
   Texture2D steps_;      // where bytes begin; row 0 linear, row 1 sRGB
 };

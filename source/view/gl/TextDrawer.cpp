@@ -96,21 +96,23 @@ TextDrawer::TextDrawer() : program_("text", vertex_shader, fragment_shader) {
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
 }
 
-void TextDrawer::Draw(std::span<const Label> labels, int width, int height) const {
+void TextDrawer::Draw(std::span<const Label> labels, const Canvas& canvas) const {
   std::vector<TextVertex> vertices;
   for (const Label& label : labels) Add(vertices, label);
   if (vertices.empty()) return;
   program_.Use();
-  glUniform2f(program_["size"], static_cast<float>(width), static_cast<float>(height));
+  glUniform2f(program_["size"], static_cast<float>(canvas.Width()), static_cast<float>(canvas.Height()));
   glUniform1i(program_["sheet"], 0);
   glBindTexture(GL_TEXTURE_2D, sheet_.Name());
   glBindVertexArray(vertex_array_.Name());
   glBindBuffer(GL_ARRAY_BUFFER, vertices_.Name());
   glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(vertices.size() * sizeof(TextVertex)), vertices.data(),
                GL_STREAM_DRAW);
+  canvas.UseWhole();
   glDisable(GL_DEPTH_TEST);
   glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(vertices.size()));
   glEnable(GL_DEPTH_TEST);
+  canvas.UseViewport();
 }
 
 }  // namespace ray

@@ -1,23 +1,22 @@
 #pragma once
 
-#include <memory>
 #include <span>
 
-#include "source/view/gl/Objects.h"
-#include "source/view/gl/Program.h"
+#include "source/view/gl/Canvas.h"
+#include "source/view/gl/ShaderProgram.h"
 
 namespace ray {
 
-/// Labels in our own font. What it draws with stands in Painter.h.
+/// Labels in our own font, 8 x 16 pixels a character, on a dark ground so that they can be read on anything.
 class TextDrawer {
  public:
   TextDrawer();
 
-  /// Into the viewport, which is of this size.
-  void Draw(std::span<const Label> labels, int width, int height) const;
+  /// Over all of the canvas, whatever its viewport.
+  void Draw(std::span<const Label> labels, const Canvas& canvas) const;
 
  private:
-  Program program_;
+  ShaderProgram program_;
   VertexArray vertex_array_;
   Buffer vertices_;
   Texture2D sheet_;

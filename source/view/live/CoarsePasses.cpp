@@ -75,8 +75,8 @@ bool CoarsePasses::TraceBatch(int stride, bool was_stopped_before, Worker& worke
   if (was_stopped_before) watch_.begun_late += size;
   pixels_traced_ += size;
   const std::uint64_t rays = worker.state.rays.Total();
-  watch_.rays += rays - worker.rays_told;
-  worker.rays_told = rays;
+  watch_.rays += rays - worker.rays_reported;
+  worker.rays_reported = rays;
   return true;
 }
 

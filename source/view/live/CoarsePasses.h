@@ -13,14 +13,14 @@
 namespace ray {
 
 /// The first sample of every pixel of a picture, in an order that soon shows something everywhere: pixels some stride
-/// apart, then half of it, down to 1. Each pixel is traced once, and fills the square of the frame up to its neighbours
+/// apart, then half of it, down to 1. Each pixel is traced once, and fills the square of the frame up to its neighbors
 /// of that pass until these squares are refined.
 class CoarsePasses {
  public:
-  /// Where it tells how far it is; all outlive it, and any thread may look.
+  /// Where it reports its progress; all outlive it, and any thread may look.
   struct Watch {
     Frame& frame;                           // of the part of the picture that is wanted
-    const std::atomic<bool>& stop;          // looked at before each few pixels
+    const std::atomic<bool>& stop;          // checked before each batch of pixels
     std::atomic<std::uint64_t>& rays;       // traced, of all kinds
     std::atomic<std::int64_t>& begun_late;  // pixels traced in spite of `stop`, which are none; see RenderJob
   };
@@ -46,7 +46,7 @@ class CoarsePasses {
   struct alignas(64) Worker {  // a cache line of its own, since each is written for every ray
     SampleTracer tracer;
     TraceState state;
-    std::uint64_t rays_told = 0;
+    std::uint64_t rays_reported = 0;
   };
   /// Pixels traced one after another by one thread: a rectangle of them `stride` apart.
   struct Item {

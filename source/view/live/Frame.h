@@ -9,8 +9,8 @@
 
 namespace ray {
 
-/// A picture that some threads write while others read it: every channel is whole at any time, every row says how often
-/// it was written.
+/// A picture that some threads write while others read it: no channel is ever torn, and every row has a version that
+/// says how often it was written.
 class Frame {
  public:
   /// Black; every version 0.
@@ -21,7 +21,7 @@ class Frame {
   /// Row 0 is the bottom row. What no float can hold is shown as the film would: NaN as 0.
   void Set(int x, int y, const R2::Color& color);
   R2::Color At(int x, int y) const;
-  /// To be called once what a row was to show has been set; makes it seen by who reads the version.
+  /// To be called once a row is set: publishes it to whoever reads its version.
   void Touch(int row);
   std::uint32_t Version(int row) const;
   /// Rows first .. first + count - 1 as r g b, appended.

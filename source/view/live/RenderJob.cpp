@@ -66,11 +66,11 @@ void RenderJob::Run() {
     const auto integrator = IntegratorOf(scene_->world, *scene_->accelerator, settings_);
     result_ = order_ == Order::rows ? RenderRows(*integrator) : RenderCoarseFirst(*integrator);
   } catch (const std::bad_alloc&) {
-    failure_ = "there is not enough memory";
+    failure_ = "out of memory";
   } catch (const std::exception& problem) {
     failure_ = problem.what();
   } catch (...) {
-    failure_ = "of no known kind";
+    failure_ = "unknown error";
   }
   seconds_ = Seconds();
   has_ended_.store(true, std::memory_order_release);

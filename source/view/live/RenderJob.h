@@ -14,8 +14,8 @@
 
 namespace ray {
 
-/// A picture being traced beside the thread that shows it. Each job owns its frame, so that a job that was given up may
-/// end when it likes: nobody looks at what it still writes.
+/// A picture rendered in the background of the thread that shows it. Each job owns its frame, so that an abandoned job
+/// may end when it likes: nobody looks at what it still writes.
 class RenderJob {
  public:
   /// coarse_first   pixels 8 apart (or more, see first_stride), then 4, 2 and 1 apart, each traced once; then more
@@ -23,42 +23,42 @@ class RenderJob {
   /// rows           row by row from the bottom, each with all its samples; with a filter wider than a pixel in bands
   enum class Order { coarse_first, rows };
 
-  /// Starts at once. `settings.view` is the camera if it is not the scene's. With no `settings.threads`, one core is
-  /// left to whoever shows the picture; budgets and replays count for nothing. Strides are powers of two, others are
-  /// rounded down.
+  /// Starts at once. `settings.view` is the camera if it is not the scene's. Without `settings.threads` one core is
+  /// left to whoever shows the picture; budgets and replays are ignored. Strides are powers of two, others are rounded
+  /// down.
   RenderJob(std::shared_ptr<const LoadedScene> scene, const RenderSettings& settings, Order order,
             int first_stride = 8);
-  /// Cancels, and waits for the pixels that were begun.
+  /// Cancels, and waits for the pixels that were started.
   ~RenderJob();
   RenderJob(const RenderJob&) = delete;
 
-  /// From now on no pixel is begun. Returns at once.
+  /// From now on no pixel is started. Returns at once.
   void Cancel() { stop_.store(true); }
-  /// Whether nothing will change any more: it is complete, cancelled or failed.
+  /// Whether nothing will change any more: it is complete, canceled or failed.
   bool HasEnded() const { return has_ended_.load(std::memory_order_acquire); }
   /// Whether HasEnded with every sample taken.
   bool IsComplete() const;
   /// Why it failed; empty when it did not. Once it HasEnded.
   std::string Failure() const;
-  /// The finished picture, the same bit for bit as Render's; nothing unless IsComplete. In order rows it tells of no
-  /// error, and its rays are all that were traced, some twice where bands share a wide filter's samples.
+  /// The finished picture, the same bit for bit as Render's; null unless IsComplete. In order rows it has no
+  /// error estimate, and counts all rays traced, some twice where bands share a wide filter's samples.
   const RenderResult* Result() const;
 
   /// Of the crop, or of the whole.
-  const Frame& TheFrame() const { return frame_; }
+  const Frame& frame() const { return frame_; }
   const RenderSettings& Settings() const { return settings_; }
   const LoadedScene& scene() const { return *scene_; }
   /// Rows from the bottom that will not change any more (order rows).
   int RowsDone() const { return rows_done_.load(std::memory_order_acquire); }
   /// Pixels apart of the last pass that is whole; 0 before the first.
   int Stride() const { return stride_.load(std::memory_order_acquire); }
-  /// Samples a pixel that the frame shows, where it is whole.
+  /// Samples per pixel that the frame shows, where it is whole.
   int Samples() const { return samples_.load(std::memory_order_acquire); }
   std::uint64_t Rays() const { return rays_.load(std::memory_order_relaxed); }
   /// Since the start, until the end.
   double Seconds() const;
-  /// First samples traced a second, up to the last pass that is whole; 0 before the first. For FirstStride of the next
-  /// job.
+  /// First samples traced per second, up to the last pass that is whole; 0 before the first. For FirstStride of the
+  /// next job.
   double PixelsPerSecond() const { return pixels_per_second_.load(std::memory_order_relaxed); }
   /// Pixels handed to the tracer in passes apart though Cancel had been asked for before they were chosen: 0, always.
   /// For tests.
@@ -87,7 +87,7 @@ class RenderJob {
   std::optional<RenderResult> result_;
   std::string failure_;
   double seconds_ = 0;
-  std::thread thread_;  // the last, so that it finds the others made
+  std::thread thread_;  // the last, so that the other members exist when it starts
 };
 
 /// How far apart the pixels of a first pass may be as near as possible for it to take no longer than `seconds`: a power

@@ -15,7 +15,7 @@ constexpr double seconds_of_first_pass = 0.03;  // so that a move is answered wi
 void TracedPictures::StartTrace(std::shared_ptr<const LoadedScene> scene, const RenderSettings& settings) {
   trace_.Start(std::move(scene), settings, RenderJob::Order::rows);
   trace_number_ = ++jobs_;
-  has_ended_been_told_ = false;
+  has_reported_end_ = false;
 }
 
 bool TracedPictures::StopTrace() {
@@ -25,10 +25,10 @@ bool TracedPictures::StopTrace() {
 }
 
 const RenderJob* TracedPictures::TakeEnded() {
-  trace_.Tidy();
-  live_.Tidy();
-  if (has_ended_been_told_ || !Trace() || !Trace()->HasEnded()) return nullptr;
-  has_ended_been_told_ = true;
+  trace_.Collect();
+  live_.Collect();
+  if (has_reported_end_ || !Trace() || !Trace()->HasEnded()) return nullptr;
+  has_reported_end_ = true;
   return Trace();
 }
 
@@ -40,7 +40,7 @@ void TracedPictures::ShowLive(std::optional<RenderMode> mode) {
 void TracedPictures::HideLive() {
   is_live_ = is_due_ = false;
   mode_.reset();
-  live_.GiveUp();
+  live_.Abandon();
 }
 
 void TracedPictures::Update(const std::shared_ptr<const LoadedScene>& scene, RenderSettings settings) {
@@ -67,16 +67,16 @@ std::shared_ptr<const R2::Image> TracedPictures::ImageOf(const Frame& frame) {
 
 std::shared_ptr<const R2::Image> TracedPictures::Current() const {
   const RenderJob* job = is_live_ && Live() ? Live() : Trace();
-  return job ? ImageOf(job->TheFrame()) : nullptr;
+  return job ? ImageOf(job->frame()) : nullptr;
 }
 
 std::string TracedPictures::Comparison() const {
   const auto current = Current();
-  if (!reference_) return "there is no reference: R keeps the picture that is shown as one";
-  if (!current) return "there is no traced picture to compare";
+  if (!reference_) return "no reference yet; press R to keep the rendered image as one";
+  if (!current) return "nothing is rendered yet; press S or P first";
   if (current->Width() != reference_->Width() || current->Height() != reference_->Height())
     return "the reference is " + std::to_string(reference_->Width()) + "x" + std::to_string(reference_->Height()) +
-           ", the picture " + std::to_string(current->Width()) + "x" + std::to_string(current->Height());
+           " but the image is " + std::to_string(current->Width()) + "x" + std::to_string(current->Height());
   const R2::Difference difference = R2::Compare(*current, *reference_, R2::Display::straight);
   return "linear RMSE " + Rounded(difference.rmse, 4) + ", display RMSE " + Rounded(difference.display_rmse, 4) +
          " / 255";

@@ -9,8 +9,8 @@
 
 namespace ray {
 
-/// The pictures a viewer traces: the one of key S, row by row; and the live one, which begins anew with every move.
-/// One of them may be compared with a reference.
+/// The pictures a viewer renders: the one of key S, row by row; and the live one, which starts over with every move.
+/// Either may be compared with a reference.
 class TracedPictures {
  public:
   enum class Comparing { no, reference, difference };
@@ -23,7 +23,7 @@ class TracedPictures {
   bool IsTracing() const { return Trace() && !Trace()->HasEnded(); }
   /// The trace, once, when it has ended since the last call.
   const RenderJob* TakeEnded();
-  void ForgetTrace() { trace_.GiveUp(); }
+  void ForgetTrace() { trace_.Abandon(); }
 
   // The live picture.
   /// `mode`: what to show instead of the settings' own; nothing for that.
@@ -31,13 +31,13 @@ class TracedPictures {
   void HideLive();
   bool IsLive() const { return is_live_; }
   std::optional<RenderMode> LiveMode() const { return mode_; }
-  /// Something has changed that the live picture shows: it begins anew with the next Update.
+  /// Something has changed that the live picture shows: it starts over with the next Update.
   void Touch() { is_due_ = true; }
-  /// Begins the live picture anew if it is due.
+  /// Starts the live picture over if it is due.
   void Update(const std::shared_ptr<const LoadedScene>& scene, RenderSettings settings);
   const RenderJob* Live() const { return live_.Current(); }
   bool IsBusy() const;
-  /// Of the jobs ever begun; no two have the same.
+  /// Every job ever started has a number of its own.
   std::uint64_t TraceNumber() const { return trace_number_; }
   std::uint64_t LiveNumber() const { return live_number_; }
 
@@ -48,17 +48,17 @@ class TracedPictures {
   std::shared_ptr<const R2::Image> Current() const;
   void Compare(Comparing how) { comparing_ = how; }
   Comparing HowCompared() const { return comparing_; }
-  /// The RMSE against the reference in words; empty when they cannot be compared.
+  /// The RMSE against the reference, or why they cannot be compared, in words.
   std::string Comparison() const;
   /// The image shown instead of the current picture while comparing; null when none is.
   std::shared_ptr<const R2::Image> Compared() const;
 
-  /// Of the pixels of the frame of a job, as they are.
+  /// The pixels of a frame as they are now.
   static std::shared_ptr<const R2::Image> ImageOf(const Frame& frame);
 
  private:
   JobQueue trace_, live_;
-  bool has_ended_been_told_ = true;
+  bool has_reported_end_ = true;
   bool is_live_ = false, is_due_ = false;
   std::optional<RenderMode> mode_;
   std::uint64_t jobs_ = 0, trace_number_ = 0, live_number_ = 0;

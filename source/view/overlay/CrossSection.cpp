@@ -249,23 +249,11 @@ Lines CutLines(const SceneCut& cut, const World& world) {
     const double most = std::max({color.r, color.g, color.b});
     const Rgba shown = most > 0 && std::isfinite(most) ? Shown(0.35 * R2::Color{1, 1, 1} + 0.65 / most * color)
                                                        : Rgba{128, 128, 128, 255};
-    const auto add = [&](const R2::Point& a, const R2::Point& b) {
-      lines.push_back({cut.slice.At(a), shown});
-      lines.push_back({cut.slice.At(b), shown});
-    };
-    if (piece.corner) {
-      add(from.place, *piece.corner);
-      add(*piece.corner, to.place);
-    } else {
-      add(from.place, to.place);
-    }
+    const R2::Point corner = piece.corner.value_or(to.place);
+    AddLine(lines, cut.slice.At(from.place), cut.slice.At(corner), shown);
+    if (piece.corner) AddLine(lines, cut.slice.At(corner), cut.slice.At(to.place), shown);
   }
   return lines;
-}
-
-void AddProjected(Lines& lines, const Slice& slice, const R3::Segment& segment, const Rgba& color) {
-  lines.push_back({slice.At(slice.Project(segment.start)), color});
-  lines.push_back({slice.At(slice.Project(segment.end)), color});
 }
 
 }  // namespace ray

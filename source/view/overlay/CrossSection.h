@@ -6,7 +6,6 @@
 
 #include "R2/Point.h"
 #include "R2/Vector.h"
-#include "R3/Segment.h"
 #include "source/accelerate/Accelerator.h"
 #include "source/scene/Camera.h"
 #include "source/view/Drawing.h"
@@ -70,14 +69,12 @@ inline constexpr int most_crossings = 4096;  // of one grid line
 /// of them along u and as many along v, each from crossing to crossing.
 ///
 /// Crossings are as exact as any hit. Pieces are not: they say that a surface goes on from one crossing to the next,
-/// which what is smaller than a cell (2 extent / lines) may belie. What lies between two neighbouring grid lines both
+/// which what is smaller than a cell (2 extent / lines) may belie. What lies between two neighboring grid lines both
 /// ways is not found. Of surfaces in the very same place only one is. Surfaces that lie in the plane itself are there
 /// as their shapes answer to rays in them: a box by its outline, a triangle not at all.
 SceneCut CutOf(const World& world, const Accelerator& accelerator, const Slice& slice, int lines);
 
-/// The pieces, each in the colour of its instance's material, made bright enough for a dark ground.
+/// The pieces, each in the color of its instance's material, made bright enough for a dark ground.
 Lines CutLines(const SceneCut& cut, const World& world);
-/// A line of the world dropped onto the slice.
-void AddProjected(Lines& lines, const Slice& slice, const R3::Segment& segment, const Rgba& color);
 
 }  // namespace ray

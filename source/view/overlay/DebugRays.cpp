@@ -26,7 +26,7 @@ ShownRays ShownAs(RayKind kind) {
   return ShownRays::camera;
 }
 
-constexpr Rgba stopped{150, 30, 30, 255};  // a shadow ray beyond what stops it
+constexpr Rgba blocked{150, 30, 30, 255};  // a shadow ray beyond what blocks it
 constexpr Rgba normal_color{255, 120, 220, 255};
 
 Rgba ColorOf(RayKind kind) {
@@ -66,8 +66,7 @@ std::vector<PixelTrace> TraceGrid(const World& world, const Accelerator& acceler
 Lines RayLines(const std::vector<PixelTrace>& traces, const DrawingSpace& space, const RayLook& look) {
   Lines lines;
   const auto add = [&](const R3::Point& from, const R3::Point& to, const Rgba& color) {
-    lines.push_back({space.At(from), color});
-    lines.push_back({space.At(to), color});
+    AddLine(lines, space.At(from), space.At(to), color);
   };
   for (const PixelTrace& trace : traces)
     for (const RecordedRay& ray : trace.rays) {
@@ -76,7 +75,7 @@ Lines RayLines(const std::vector<PixelTrace>& traces, const DrawingSpace& space,
       const R3::Point end = EndOf(ray, space.radius);
       add(StartOf(ray), end, ColorOf(ray.kind));
       if (ray.kind == RayKind::shadow && ray.at)
-        add(end, ray.ray.t_max == 1 ? ray.ray.At(1) : end + 0.2 * space.radius * Unit(ray.ray.direction), stopped);
+        add(end, ray.ray.t_max == 1 ? ray.ray.At(1) : end + 0.2 * space.radius * Unit(ray.ray.direction), blocked);
       if (look.normals && ray.at && ray.kind != RayKind::shadow)
         add(end, end + normal_length * space.radius * AsVector(ray.at->shading_normal), normal_color);
     }

@@ -7,7 +7,7 @@
 #include "source/render/PixelTrace.h"
 #include "source/view/Drawing.h"
 
-/// Rays of the tracer, to be looked at in space.
+/// The renderer's rays, shown in space.
 namespace ray {
 
 /// Kinds that are shown or hidden together.
@@ -26,7 +26,7 @@ inline constexpr int debug_ray_spacing = 25;  // pixels whose column and row are
 std::vector<PixelTrace> TraceGrid(const World& world, const Accelerator& accelerator, const RenderSettings& settings,
                                   int spacing = debug_ray_spacing);
 
-/// As lines, a colour for each kind. A shadow ray that is stopped is dark beyond what stops it; a ray that meets
+/// As lines, a color for each kind. A blocked shadow ray is dark beyond what blocks it; a ray that hits
 /// nothing goes on for two radii of the scene.
 Lines RayLines(const std::vector<PixelTrace>& traces, const DrawingSpace& space, const RayLook& look);
 

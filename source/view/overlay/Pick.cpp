@@ -13,8 +13,8 @@ std::string Text(double number) { return Rounded(number, digits); }
 std::string Text(double x, double y, double z) { return Text(x) + " " + Text(y) + " " + Text(z); }
 std::string Text(const R2::Color& c) { return Text(c.r, c.g, c.b); }
 
-std::string PlaceOf(const Node& node, const Scene& scene) {
-  if (node.location.line == 0) return "(made by the program)";
+std::string LocationOf(const Node& node, const Scene& scene) {
+  if (node.location.line == 0) return "(built in)";
   return scene.files[node.location.file] + ":" + std::to_string(node.location.line);
 }
 
@@ -50,16 +50,16 @@ Pick PickPixel(const World& world, const Accelerator& accelerator, const RenderS
   const RecordedRay& ray = pick.trace.rays.front();
   pick.text.push_back("pixel " + std::to_string(column) + " " + std::to_string(row) + ": " + Text(pick.trace.Mean()));
   if (!ray.hit) {
-    pick.text.emplace_back("meets nothing");
+    pick.text.emplace_back("hits nothing");
     return pick;
   }
   pick.point = ray.at->position;
   pick.instance = ray.hit->instance;
   const Instance& instance = world.Instances()[pick.instance];
   const Scene& scene = world.scene();
-  std::string path = PlaceOf(*instance.node, scene);
+  std::string path = LocationOf(*instance.node, scene);
   for (const Node* group : GroupsAbove(world, pick.instance))
-    if (group->location.line > 0) path += " < " + PlaceOf(*group, scene);
+    if (group->location.line > 0) path += " < " + LocationOf(*group, scene);
   const R3::Intersection& at = *ray.at;
   const Material& m = *instance.material;
   pick.text.push_back("node " + path);

@@ -8,12 +8,12 @@
 
 namespace ray {
 
-/// What a pixel shows, as the tracer found it with the pixel's first sample.
+/// What a pixel shows, as its first sample found it.
 struct Pick {
   PixelTrace trace;
   std::optional<R3::Point> point;  // nothing where the background is seen
   std::uint32_t instance = 0;
-  std::vector<std::string> text;  // node path, place, surface, material, rays; lines for people
+  std::vector<std::string> text;  // node path, position, surface, material and rays, a line each
 };
 
 Pick PickPixel(const World& world, const Accelerator& accelerator, const RenderSettings& settings, int column, int row);

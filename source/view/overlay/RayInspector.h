@@ -25,16 +25,16 @@ class RayInspector {
   void ToggleNormals() { look_.normals = !look_.normals; }
   void ToggleGrid() { shows_grid_ = !shows_grid_; }
   void ForgetPixel() { pixel_.reset(); }
-  /// Of another scene.
+  /// To be called for another scene.
   void ForgetAll();
 
   bool ShowsGrid() const { return shows_grid_; }
   const RayLook& Look() const { return look_; }
   const std::vector<PixelTrace>& Grid() const { return grid_; }
   const std::optional<PixelTrace>& Pixel() const { return pixel_; }
-  /// The camera of the pixel's picture.
+  /// Those of the pixel's picture.
   const RenderSettings& PixelSettings() const { return pixel_settings_; }
-  /// All that are shown.
+  /// All rays that are shown.
   std::vector<PixelTrace> Shown() const;
 
  private:

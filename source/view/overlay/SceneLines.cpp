@@ -13,11 +13,8 @@ namespace {
 constexpr Rgba red{230, 60, 50, 255}, green{70, 190, 70, 255}, blue{70, 110, 240, 255};
 
 void Add(Lines& lines, const DrawingSpace& space, const R3::Point& a, const R3::Point& b, const Rgba& color) {
-  lines.push_back({space.At(a), color});
-  lines.push_back({space.At(b), color});
+  AddLine(lines, space.At(a), space.At(b), color);
 }
-
-void Append(Lines& lines, const Lines& more) { lines.insert(lines.end(), more.begin(), more.end()); }
 
 /// One bit apart in their number, two corners share an edge.
 void AddBox(Lines& lines, const DrawingSpace& space, const std::array<R3::Point, 8>& corners, const Rgba& color) {
@@ -40,16 +37,16 @@ void AddBox(BoxLines& boxes, const DrawingSpace& space, const R3::Transform& fra
 /// Calls visit(node, frame of its parent, level) for each node. They lie level after level, parents before children.
 template <typename Visit>
 void ForEachNode(const World& world, const Visit& visit) {
-  struct Place {
+  struct Above {
     std::uint32_t frame = 0;
     int level = 0;
   };
   const auto& nodes = world.Nodes();
-  std::vector<Place> places(nodes.size());
+  std::vector<Above> above(nodes.size());
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     for (std::uint32_t k = 0; k < nodes[i].children; ++k)
-      places[nodes[i].first_child + k] = {nodes[i].frame, places[i].level + 1};
-    visit(*nodes[i].node, places[i].frame, places[i].level);
+      above[nodes[i].first_child + k] = {nodes[i].frame, above[i].level + 1};
+    visit(*nodes[i].node, above[i].frame, above[i].level);
   }
 }
 
@@ -126,20 +123,6 @@ Lines LinesOf(const Light& light, const DrawingSpace& space) {
 
 }  // namespace
 
-int GraphLevels(const World& world) {
-  int levels = 0;
-  ForEachNode(world, [&](const Node&, std::uint32_t, int level) { levels = std::max(levels, level + 1); });
-  return levels;
-}
-
-std::int64_t CountNodeBoxes(const World& world, int level) {
-  std::int64_t count = 0;
-  ForEachNode(world, [&](const Node& node, std::uint32_t, int at) {
-    if ((level == all_levels || level == at) && !node.bounds.IsEmpty()) ++count;
-  });
-  return count;
-}
-
 BoxLines NodeBoxLines(const World& world, const DrawingSpace& space, int level) {
   BoxLines boxes;
   ForEachNode(world, [&](const Node& node, std::uint32_t frame, int at) {
@@ -158,7 +141,7 @@ BoxLines AcceleratorBoxLines(const Accelerator& accelerator, const DrawingSpace&
 }
 
 Rgba LevelColor(int level) {
-  // Hues turned by the golden section never come close to one of their last few; half as colourful as can be, so that
+  // Hues turned by the golden section never come close to one of their last few; half as colorful as can be, so that
   // all stand out from dark and bright grounds.
   const double hue = 6 * std::fmod(0.08 + level * (std::numbers::phi - 1), 1.0);
   const auto channel = [&](double middle) {

@@ -1,6 +1,7 @@
 #include "source/view/overlay/SectionView.h"
 
 #include <algorithm>
+#include <array>
 #include <string>
 
 #include "source/text/NumberText.h"
@@ -32,20 +33,9 @@ R3::Vector NormalOf(SlicePlane plane) {
 }  // namespace
 
 void SectionView::NextPlane() {
-  switch (plane_) {
-    case SlicePlane::camera_row:
-      plane_ = SlicePlane::xz;
-      break;
-    case SlicePlane::xz:
-      plane_ = SlicePlane::yz;
-      break;
-    case SlicePlane::yz:
-      plane_ = SlicePlane::xy;
-      break;
-    case SlicePlane::xy:
-      plane_ = SlicePlane::camera_row;
-      break;
-  }
+  constexpr std::array order{SlicePlane::camera_row, SlicePlane::xz, SlicePlane::yz, SlicePlane::xy};
+  const auto now = std::ranges::find(order, plane_);
+  plane_ = now + 1 == order.end() ? order.front() : now[1];
 }
 
 void SectionView::Move(int by) {
@@ -83,8 +73,7 @@ Lines SectionView::Drawing(const LoadedScene& scene, const RayLook& look) const 
     const Crossing& crossing = cut_->crossings[i];
     const R2::Point tip{crossing.place.x + normal_length * slice.extent * crossing.normal.x,
                         crossing.place.y + normal_length * slice.extent * crossing.normal.y};
-    lines.push_back({slice.At(crossing.place), normal_color});
-    lines.push_back({slice.At(tip), normal_color});
+    AddLine(lines, slice.At(crossing.place), slice.At(tip), normal_color);
   }
   // Rays are drawn in a space of their own and dropped onto the plane from there.
   const Lines in_space = RayLines(rays_, DrawingSpace{slice.center, slice.extent}, look);

@@ -9,7 +9,7 @@
 
 namespace ray {
 
-/// The scene cut by a plane that the user moves and turns, with the rays of the pixels near it.
+/// A cross section of the scene by a plane that the user moves, with the rays of the pixels near it.
 class SectionView {
  public:
   bool IsShown() const { return is_shown_; }
@@ -18,14 +18,14 @@ class SectionView {
   void NextPlane();
   /// A row up or down, or a hundredth of the scene along the plane's normal.
   void Move(int by);
-  /// Cuts the scene anew; for camera_row as seen by `settings`, for others through `center` of the scene.
+  /// Cuts the scene again; for camera_row as seen by `settings`, for others through `center` of the scene.
   void Cut(const LoadedScene& scene, const RenderSettings& settings, const R3::Point& center);
 
   SlicePlane Plane() const { return plane_; }
   /// The row of the picture that camera_row is, from the bottom.
   int Row(int height) const { return row_ < 0 ? height / 2 : std::min(row_, height - 1); }
   /// Once it was cut.
-  const std::optional<SceneCut>& TheCut() const { return cut_; }
+  const std::optional<SceneCut>& cut() const { return cut_; }
   /// The rays of every so many pixels of the row (camera_row), traced with the cut.
   const std::vector<PixelTrace>& Rays() const { return rays_; }
   /// All of it, in the square from -1 to 1.

@@ -64,10 +64,10 @@ TEST(EventScript, WaitsAndPicturesAreSteps) {
 TEST(EventScript, MistakesAreShownInTheirPlace) {
   EXPECT_NE(Complaint("key S\nkye Q\n").find("test.events:2:1: error: unknown step 'kye'"), std::string::npos);
   EXPECT_NE(Complaint("kye Q\n").find("did you mean 'key'?"), std::string::npos);
-  EXPECT_NE(Complaint("key Nonsense").find("test.events:1:5: error: no key is called 'Nonsense'"), std::string::npos);
+  EXPECT_NE(Complaint("key Nonsense").find("test.events:1:5: error: unknown key 'Nonsense'"), std::string::npos);
   EXPECT_NE(Complaint("move 1").find("y is missing"), std::string::npos);
   EXPECT_NE(Complaint("down left 1 2 Alt").find("a modifier must be Shift or Control"), std::string::npos);
-  EXPECT_NE(Complaint("move 1 2 3").find("a word too many"), std::string::npos);
+  EXPECT_NE(Complaint("move 1 2 3").find("unexpected extra word after 'move'"), std::string::npos);
   EXPECT_NE(Complaint("resize 0 5").find("width must be 1 to"), std::string::npos);
   EXPECT_NE(Complaint("tick -1").find("seconds must be"), std::string::npos);
   EXPECT_NE(Complaint("click top 1 2\nmove x 2").find("test.events:2:6"), std::string::npos) << "both are told";

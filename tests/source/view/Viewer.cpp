@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 #include <fstream>
+#include <numeric>
 #include <set>
 #include <thread>
 
@@ -12,6 +13,7 @@
 #include "source/view/EventScript.h"
 #include "source/view/overlay/SceneLines.h"
 #include "tests/Project.h"
+#include "tests/source/view/overlay/NodeCounts.h"
 
 namespace ray {
 namespace {
@@ -90,8 +92,8 @@ class ViewerTest : public testing::Test {
     }
     viewer_->Update();
   }
-  const Camera& TheCamera() const { return viewer_->TheNavigator().TheCamera(); }
-  bool IsCameraOf(const Camera& c) const { return CameraLine(TheCamera()) == CameraLine(c); }
+  const Camera& camera() const { return viewer_->navigator().camera(); }
+  bool IsCameraOf(const Camera& c) const { return CameraLine(camera()) == CameraLine(c); }
   R2::Image Rendered(const RenderSettings& settings) const {
     const LoadedScene& scene = viewer_->scene();
     return Render(scene.world, *scene.accelerator, settings).image;
@@ -277,7 +279,7 @@ TEST_F(ViewerTest, APixelsRaysArePrintedAsRayproPrintsThem) {
 TEST_F(ViewerTest, AClickTellsWhatTheTracerHits) {
   Do("click left 32 24");
   ASSERT_TRUE(viewer_->Picked() && viewer_->Picked()->point);
-  const R3::Ray ray = TheCamera().Through(32.5, 24.5, width, height);
+  const R3::Ray ray = camera().Through(32.5, 24.5, width, height);
   Workspace workspace;
   const auto hit = viewer_->scene().accelerator->Intersect(ray, workspace);
   ASSERT_TRUE(hit);
@@ -287,13 +289,13 @@ TEST_F(ViewerTest, AClickTellsWhatTheTracerHits) {
 
 TEST_F(ViewerTest, ADoubleClickSetsThePivotToThePointUnderIt) {
   Do("click left 32 24\ntick 0.1\nclick left 32 24");
-  ASSERT_TRUE(viewer_->TheNavigator().Pivot());
-  const R3::Ray ray = TheCamera().Through(32, 24, width, height);
-  const R3::Point pivot = *viewer_->TheNavigator().Pivot();
+  ASSERT_TRUE(viewer_->navigator().Pivot());
+  const R3::Ray ray = camera().Through(32, 24, width, height);
+  const R3::Point pivot = *viewer_->navigator().Pivot();
   EXPECT_LT(Length(Cross(pivot - ray.origin, Unit(ray.direction))), 1e-6) << "on the line of sight";
-  const auto before = PixelOf(TheCamera(), pivot, {width, height});
+  const auto before = PixelOf(camera(), pivot, {width, height});
   Do("drag left 5 5 40 30");
-  const auto after = PixelOf(TheCamera(), pivot, {width, height});
+  const auto after = PixelOf(camera(), pivot, {width, height});
   ASSERT_TRUE(before && after);
   EXPECT_NEAR(before->x, after->x, 0.5);
   EXPECT_NEAR(before->y, after->y, 0.5);
@@ -301,27 +303,27 @@ TEST_F(ViewerTest, ADoubleClickSetsThePivotToThePointUnderIt) {
 
 TEST_F(ViewerTest, ClicksThatAreFarApartInTimeAreNotDouble) {
   Do("click left 32 24\ntick 1\nclick left 32 24");
-  EXPECT_FALSE(viewer_->TheNavigator().Pivot());
+  EXPECT_FALSE(viewer_->navigator().Pivot());
 }
 
 TEST_F(ViewerTest, FlyingNeedsTheRightButtonAndGoesAsFastAsTime) {
-  const R3::Point start = TheCamera().eye;
+  const R3::Point start = camera().eye;
   Do("press W\ntick 1\nrelease W");
-  EXPECT_EQ(TheCamera().eye, start) << "W alone hides faces";
+  EXPECT_EQ(camera().eye, start) << "W alone hides faces";
   Do("key W\ndown right 30 20\npress W\ntick 0.25\ntick 0.25\nrelease W\ntick 5\nup right 30 20");
   const double radius = viewer_->scene().parsed.scene.root.bounds.Radius();
-  const R3::Vector way = TheCamera().eye - start;
-  EXPECT_NEAR(Length(way), 0.5 * viewer_->TheNavigator().FlySpeed() * radius, 1e-9 * radius);
-  EXPECT_NEAR(Dot(Unit(way), TheCamera().towards), 1, 1e-12);
+  const R3::Vector way = camera().eye - start;
+  EXPECT_NEAR(Length(way), 0.5 * viewer_->navigator().FlySpeed() * radius, 1e-9 * radius);
+  EXPECT_NEAR(Dot(Unit(way), camera().towards), 1, 1e-12);
   EXPECT_FALSE(viewer_->Rays().Pixel()) << "no click for the pixel debugger";
 }
 
 TEST_F(ViewerTest, ViewsGoBackAndForth) {
-  const Camera first = TheCamera();
+  const Camera first = camera();
   Do("drag left 10 10 30 30");
-  const Camera second = TheCamera();
+  const Camera second = camera();
   Do("key Pad7");
-  const Camera third = TheCamera();
+  const Camera third = camera();
   Do("key Z");
   EXPECT_TRUE(IsCameraOf(second));
   Do("key Z");
@@ -335,11 +337,12 @@ TEST_F(ViewerTest, ViewsGoBackAndForth) {
 TEST_F(ViewerTest, BoxesAreAsManyAsNodesAtThatDepth) {
   const std::size_t without = viewer_->Show().lines->size();
   Do("key B");
-  const LoadedScene& scene = viewer_->scene();
+  const auto counts = graph::NodesWithBoxes(viewer_->scene().parsed.scene.root);
+  const auto lines = [](std::int64_t boxes) { return 2 * 12 * static_cast<std::size_t>(boxes); };
   EXPECT_EQ(viewer_->Show().lines->size() - without,
-            2 * 12 * static_cast<std::size_t>(CountNodeBoxes(scene.world, all_levels)));
+            lines(std::accumulate(counts.begin(), counts.end(), std::int64_t{0})));
   Do("key .\nkey .");
-  EXPECT_EQ(viewer_->Show().lines->size() - without, 2 * 12 * static_cast<std::size_t>(CountNodeBoxes(scene.world, 1)));
+  EXPECT_EQ(viewer_->Show().lines->size() - without, lines(counts.at(1)));
   Do("key ,\nkey ,\nkey B");
   EXPECT_GT(viewer_->Show().lines->size(), without) << "the accelerator's";
   Do("key B");
@@ -372,7 +375,7 @@ TEST_F(ViewerTest, ASceneThatIsEditedIsReadAgainAndABrokenOneIsNot) {
   write("sphere -1  0 0 0  1\n");
   Open(scene);
   Do("drag left 10 10 30 30");
-  const Camera moved = TheCamera();
+  const Camera moved = camera();
   write("sphere -1  0 0 0  1\nbox -1  2 2 2  3 3 3\n");
   Do("tick 1");
   EXPECT_EQ(viewer_->scene().world.Instances().size(), 2u);
@@ -465,7 +468,7 @@ TEST_F(ViewerTest, BookmarksOutliveTheProgram) {
   const CopiedScenes folder;
   Open(folder / "hello.scn");
   Do("drag left 10 10 30 30\nkey Control+3");
-  const Camera kept = TheCamera();
+  const Camera kept = camera();
   Open(folder / "hello.scn");
   EXPECT_FALSE(IsCameraOf(kept));
   Do("key 3");
@@ -476,8 +479,8 @@ TEST_F(ViewerTest, NonsenseIsBorne) {
   Do("up left 5 5\nmove 1 1\nmove -1e9 1e9\ndown left 5 5\ndown right 6 6\nup right 6 6\nmove 1e300 1e300\nup left 5 "
      "5\n"
      "scroll 1e6 10 10\nscroll -1e6 10 10\nresize 1 1\nkey S\nwait trace\nresize 50 40\nkey Z\ntick 0");
-  const Camera& camera = TheCamera();
-  EXPECT_TRUE(std::isfinite(camera.eye.x) && std::isfinite(camera.towards.x));
+  const Camera& now = camera();
+  EXPECT_TRUE(std::isfinite(now.eye.x) && std::isfinite(now.towards.x));
   viewer_->Show();
 }
 

@@ -22,11 +22,11 @@ std::string Complaint(const std::string& kind) {
 }
 
 TEST(Contexts, AnUnknownKindIsToldTheKindsThereAre) {
-  EXPECT_EQ(Complaint("vulkan"), "unknown kind of context \"vulkan\"; kinds are auto, egl, osmesa");
+  EXPECT_EQ(Complaint("vulkan"), "unknown context 'vulkan'; choose one of auto, egl, osmesa");
 }
 
 TEST(Contexts, AKindNotBuiltInNamesThePackageThatBringsIt) {
-  const std::string again = " and build again";
+  const std::string again = " and rebuild";
 #ifdef RAYVIEW_EGL
   EXPECT_EQ(Complaint("egl").find("not built in"), std::string::npos);
 #else

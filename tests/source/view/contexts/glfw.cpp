@@ -8,6 +8,7 @@
 #include <optional>
 #include <thread>
 
+#include "source/view/contexts/Context.h"
 #include "source/view/gl/Painter.h"
 #include "tests/Display.h"
 
@@ -26,7 +27,7 @@ TEST(WindowWithoutADisplay, SaysSoInALineThatTellsWhatNeedsNone) {
     FAIL() << "a window on no display";
   } catch (const ContextError& error) {
     const std::string why = error.what();
-    EXPECT_EQ(why.substr(0, 19), "there is no display");
+    EXPECT_EQ(why.substr(0, 21), "cannot open a display");
     EXPECT_NE(why.find("rayview -headless needs none"), std::string::npos) << why;
     EXPECT_EQ(why.find('\n'), std::string::npos) << why;
   }
@@ -150,14 +151,14 @@ TEST_F(WindowOnADisplay, WaitsUntilItIsWokenFromAnotherThread) {
 
 TEST_F(WindowOnADisplay, DrawsTheSameAsAFramebufferOfItsOwn) {
   std::vector<R2::Image> images;
-  for (const auto target : {Painter::Target::window, Painter::Target::own}) {
+  for (const auto target : {Canvas::Target::window, Canvas::Target::own}) {
     Painter painter(target);
-    painter.Begin(window->Width(), window->Height(), {0.2, 0.3, 0.4});
+    painter.canvas.Begin(window->Width(), window->Height(), {0.2, 0.3, 0.4});
     const Lines lines{{{-1, -0.7F, 0}, {255, 0, 0, 255}}, {{1, 0.8F, 0}, {0, 255, 0, 255}}};
-    painter.Draw(*painter.Keep(lines), {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}, 3);
-    painter.Draw(std::vector<Label>{{10, 10, "a window", {255, 255, 255, 255}}});
-    images.push_back(painter.Read());
-    if (target == Painter::Target::window) window->Show();
+    painter.lists.Draw(*painter.lists.Upload(lines), {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}, 3);
+    painter.text.Draw(std::vector<Label>{{10, 10, "a window", {255, 255, 255, 255}}}, painter.canvas);
+    images.push_back(painter.canvas.Read());
+    if (target == Canvas::Target::window) window->Show();
   }
   EXPECT_TRUE(images[0] == images[1]);
 }

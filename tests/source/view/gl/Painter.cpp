@@ -15,7 +15,7 @@ namespace {
 
 using ray::ClipMatrix;
 using ray::Rgba;
-using Look = ray::Painter::PictureLook;
+using Look = ray::PictureLook;
 
 constexpr ClipMatrix as_it_is{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
 constexpr Rgba white{255, 255, 255, 255}, red{255, 0, 0, 255}, green{0, 255, 0, 255};
@@ -54,12 +54,12 @@ R2::Image Thicket() {
   }
   ray::Lines lines;
   for (int i = 0; i < 4000; ++i) lines.push_back(vertex({0, 0, 0}, 1));
-  ray::Painter painter(ray::Painter::Target::own);
-  painter.Begin(200, 150, {0.1, 0.2, 0.3});
-  painter.Draw(*painter.Keep(triangles), as_it_is);
-  painter.Draw(*painter.Keep(lines), as_it_is, 2, 0.3);
-  painter.DrawEdges(*painter.Keep(triangles), as_it_is, {0, 0, 0, 40});
-  return painter.Read();
+  ray::Painter painter(ray::Canvas::Target::own);
+  painter.canvas.Begin(200, 150, {0.1, 0.2, 0.3});
+  painter.lists.Draw(*painter.lists.Upload(triangles), as_it_is);
+  painter.lists.Draw(*painter.lists.Upload(lines), as_it_is, 2, 0.3);
+  painter.lists.DrawEdges(*painter.lists.Upload(triangles), as_it_is, {0, 0, 0, 40});
+  return painter.canvas.Read();
 }
 
 // Else a picture that a test expects would have to be kept once for each kind.
@@ -83,7 +83,7 @@ class Painter : public ray::testing::WithContext {
  protected:
   void SetUp() override {
     WithContext::SetUp();
-    if (context) painter = std::make_unique<ray::Painter>(ray::Painter::Target::own);
+    if (context) painter = std::make_unique<ray::Painter>(ray::Canvas::Target::own);
   }
 
   // In reverse order of construction.
@@ -94,9 +94,9 @@ class Painter : public ray::testing::WithContext {
 
 TEST_P(Painter, BeginsWithTheBackgroundAtWhateverSizeIsAskedFor) {
   for (const auto& [width, height] : {std::pair{30, 20}, {7, 50}, {0, 0}, {30, 20}}) {
-    painter->Begin(width, height, {1.0 / 3, 2, -1});
+    painter->canvas.Begin(width, height, {1.0 / 3, 2, -1});
     if (width == 0) continue;  // a window shrunk to nothing
-    const R2::Image image = painter->Read();
+    const R2::Image image = painter->canvas.Read();
     ASSERT_EQ(image.Width(), width);
     ASSERT_EQ(image.Height(), height);
     EXPECT_EQ(PixelOf(image, width - 1, height - 1), (Rgba{85, 255, 0, 255}));
@@ -104,21 +104,21 @@ TEST_P(Painter, BeginsWithTheBackgroundAtWhateverSizeIsAskedFor) {
 }
 
 TEST_P(Painter, ReadsRowsFromTheBottom) {
-  painter->Begin(8, 8, {});
-  painter->SetPart(0, 0, 8, 4);
-  painter->Draw(*painter->Keep(Wall(0, red)), as_it_is);
-  const R2::Image image = painter->Read();
+  painter->canvas.Begin(8, 8, {});
+  painter->canvas.SetViewport(0, 0, 8, 4);
+  painter->lists.Draw(*painter->lists.Upload(Wall(0, red)), as_it_is);
+  const R2::Image image = painter->canvas.Read();
   EXPECT_EQ(PixelOf(image, 3, 0), red);
   EXPECT_EQ(PixelOf(image, 3, 7), (Rgba{0, 0, 0, 255}));
 }
 
-TEST_P(Painter, KeepsToThePart) {
-  painter->Begin(20, 20, {});
-  painter->SetPart(5, 6, 7, 8);
+TEST_P(Painter, ClipsToTheViewport) {
+  painter->canvas.Begin(20, 20, {});
+  painter->canvas.SetViewport(5, 6, 7, 8);
   ClipMatrix doubled = as_it_is;
   doubled[0] = doubled[5] = 2;
-  painter->Draw(*painter->Keep(Wall(0, red)), doubled);
-  const R2::Image image = painter->Read();
+  painter->lists.Draw(*painter->lists.Upload(Wall(0, red)), doubled);
+  const R2::Image image = painter->canvas.Read();
   for (int y = 0; y < 20; ++y)
     for (int x = 0; x < 20; ++x) {
       const bool is_inside = x >= 5 && x < 12 && y >= 6 && y < 14;
@@ -127,32 +127,32 @@ TEST_P(Painter, KeepsToThePart) {
 }
 
 TEST_P(Painter, ShowsWhatIsInFrontWhateverTheOrder) {
-  const auto front = painter->Keep(Wall(-0.5F, red)), back = painter->Keep(Wall(0.5F, green));
+  const auto front = painter->lists.Upload(Wall(-0.5F, red)), back = painter->lists.Upload(Wall(0.5F, green));
   for (bool is_front_first : {true, false}) {
-    painter->Begin(4, 4, {});
-    painter->Draw(is_front_first ? *front : *back, as_it_is);
-    painter->Draw(is_front_first ? *back : *front, as_it_is);
-    EXPECT_EQ(PixelOf(painter->Read(), 1, 2), red);
+    painter->canvas.Begin(4, 4, {});
+    painter->lists.Draw(is_front_first ? *front : *back, as_it_is);
+    painter->lists.Draw(is_front_first ? *back : *front, as_it_is);
+    EXPECT_EQ(PixelOf(painter->canvas.Read(), 1, 2), red);
   }
 }
 
 TEST_P(Painter, BlendsClearTrianglesOverOthersAndLetsLaterOnesBeSeenBehind) {
-  painter->Begin(4, 4, {});
-  painter->Draw(*painter->Keep(Wall(-0.5F, {255, 0, 0, 51}, true)), as_it_is);
-  EXPECT_EQ(PixelOf(painter->Read(), 1, 2), (Rgba{51, 0, 0, 255}));
-  painter->Draw(*painter->Keep(Wall(0.5F, green)), as_it_is);
-  EXPECT_EQ(PixelOf(painter->Read(), 1, 2), green);
+  painter->canvas.Begin(4, 4, {});
+  painter->lists.Draw(*painter->lists.Upload(Wall(-0.5F, {255, 0, 0, 51}, true)), as_it_is);
+  EXPECT_EQ(PixelOf(painter->canvas.Read(), 1, 2), (Rgba{51, 0, 0, 255}));
+  painter->lists.Draw(*painter->lists.Upload(Wall(0.5F, green)), as_it_is);
+  EXPECT_EQ(PixelOf(painter->canvas.Read(), 1, 2), green);
 }
 
 // The rays behind a thing are what one looks for; those in front must stay apart from them.
 TEST_P(Painter, DimsHiddenLinesAndLeavesThemOutWhenAskedTo) {
-  const auto wall = painter->Keep(Wall(0, {0, 0, 255, 255}));
-  const auto front = painter->Keep(Across(-0.5F, white)), behind = painter->Keep(Across(0.5F, white));
+  const auto wall = painter->lists.Upload(Wall(0, {0, 0, 255, 255}));
+  const auto front = painter->lists.Upload(Across(-0.5F, white)), behind = painter->lists.Upload(Across(0.5F, white));
   const auto at_middle = [&](const ray::GpuLines& lines, double hidden) {
-    painter->Begin(9, 9, {});
-    painter->Draw(*wall, as_it_is);
-    painter->Draw(lines, as_it_is, 1, hidden);
-    return PixelOf(painter->Read(), 4, 4);
+    painter->canvas.Begin(9, 9, {});
+    painter->lists.Draw(*wall, as_it_is);
+    painter->lists.Draw(lines, as_it_is, 1, hidden);
+    return PixelOf(painter->canvas.Read(), 4, 4);
   };
   EXPECT_EQ(at_middle(*front, 0), white);
   EXPECT_EQ(at_middle(*front, 0.2), white);
@@ -162,31 +162,31 @@ TEST_P(Painter, DimsHiddenLinesAndLeavesThemOutWhenAskedTo) {
 }
 
 TEST_P(Painter, ShowsLinesThatLieOnTriangles) {
-  painter->Begin(9, 9, {});
-  painter->Draw(*painter->Keep(Wall(0, red)), as_it_is);
-  painter->Draw(*painter->Keep(Across(0, white)), as_it_is);
-  EXPECT_EQ(PixelOf(painter->Read(), 4, 4), white);
+  painter->canvas.Begin(9, 9, {});
+  painter->lists.Draw(*painter->lists.Upload(Wall(0, red)), as_it_is);
+  painter->lists.Draw(*painter->lists.Upload(Across(0, white)), as_it_is);
+  EXPECT_EQ(PixelOf(painter->canvas.Read(), 4, 4), white);
 }
 
 TEST_P(Painter, DrawsLinesOfTheWidthAskedFor) {
   for (int width : {1, 3, 5}) {
-    painter->Begin(21, 21, {});
-    painter->Draw(*painter->Keep(Across(0, white)), as_it_is, width);
-    const R2::Image image = painter->Read();
+    painter->canvas.Begin(21, 21, {});
+    painter->lists.Draw(*painter->lists.Upload(Across(0, white)), as_it_is, width);
+    const R2::Image image = painter->canvas.Read();
     int count = 0;
     for (int y = 0; y < 21; ++y) count += PixelOf(image, 10, y) == white;
     EXPECT_EQ(count, width);
   }
 }
 
-TEST_P(Painter, DrawsTheEdgesOfTrianglesInOneColour) {
-  const auto wall = painter->Keep(Wall(0, red));
-  painter->Begin(21, 21, {});
-  painter->Draw(*wall, as_it_is);
+TEST_P(Painter, DrawsTheEdgesOfTrianglesInOneColor) {
+  const auto wall = painter->lists.Upload(Wall(0, red));
+  painter->canvas.Begin(21, 21, {});
+  painter->lists.Draw(*wall, as_it_is);
   ClipMatrix smaller = as_it_is;
   smaller[0] = smaller[5] = 0.5;
-  painter->DrawEdges(*wall, smaller, green);
-  const R2::Image image = painter->Read();
+  painter->lists.DrawEdges(*wall, smaller, green);
+  const R2::Image image = painter->canvas.Read();
   EXPECT_EQ(PixelOf(image, 10, 10), green) << "the diagonal";
   EXPECT_EQ(PixelOf(image, 8, 12), red) << "between";
   int greens = 0;
@@ -202,20 +202,20 @@ TEST_P(Painter, KeepsEveryBitOfAPicture) {
   std::vector<float> rgb(3 * 13 * 7);
   for (float& channel : rgb)
     channel = std::ldexp(static_cast<float>(random() >> 8), static_cast<int>(random() % 60) - 50);
-  const auto picture = painter->KeepPicture(13, 7);
-  EXPECT_EQ(painter->ReadBack(*picture), std::vector<float>(rgb.size()));
-  painter->Update(*picture, 0, 7, rgb);
-  EXPECT_EQ(painter->ReadBack(*picture), rgb);
+  const auto picture = painter->pictures.Make(13, 7);
+  EXPECT_EQ(painter->pictures.ReadBack(*picture), std::vector<float>(rgb.size()));
+  painter->pictures.Update(*picture, 0, 7, rgb);
+  EXPECT_EQ(painter->pictures.ReadBack(*picture), rgb);
 }
 
 TEST_P(Painter, UpdatesTheRowsItIsGivenAndNoOthers) {
-  const auto picture = painter->KeepPicture(5, 6);
+  const auto picture = painter->pictures.Make(5, 6);
   std::vector<float> expected(3 * 5 * 6, 0.25F);
-  painter->Update(*picture, 0, 6, expected);
+  painter->pictures.Update(*picture, 0, 6, expected);
   const std::vector<float> rows(3 * 5 * 2, 0.75F);
-  painter->Update(*picture, 3, 2, rows);
+  painter->pictures.Update(*picture, 3, 2, rows);
   std::copy(rows.begin(), rows.end(), expected.begin() + 3 * 5 * 3);
-  EXPECT_EQ(painter->ReadBack(*picture), expected);
+  EXPECT_EQ(painter->pictures.ReadBack(*picture), expected);
 }
 
 /// Around every place where a byte gives way to the next, linear or sRGB; and what is no number to be shown.
@@ -234,15 +234,15 @@ std::vector<float> HardChannels() {
 TEST_P(Painter, ShowsAPictureAsTheBytesThatAnImageFileWouldHold) {
   const std::vector<float> channels = HardChannels();
   const int width = 64, height = static_cast<int>((channels.size() + 63) / 64);
-  const auto picture = painter->KeepPicture(width, height);
+  const auto picture = painter->pictures.Make(width, height);
   std::vector<float> rgb(3 * static_cast<std::size_t>(width * height));
   for (std::size_t i = 0; i < rgb.size(); ++i) rgb[i] = channels[(i / 3 + i % 3 * 5) % channels.size()];
-  painter->Update(*picture, 0, height, rgb);
+  painter->pictures.Update(*picture, 0, height, rgb);
   for (bool srgb : {false, true}) {
-    painter->Begin(width + 5, height + 5, {});
-    painter->SetPart(3, 2, width, height);
-    painter->Draw(*picture, Look{.srgb = srgb});
-    const R2::Image image = painter->Read();
+    painter->canvas.Begin(width + 5, height + 5, {});
+    painter->canvas.SetViewport(3, 2, width, height);
+    painter->pictures.Draw(*picture, Look{.srgb = srgb});
+    const R2::Image image = painter->canvas.Read();
     for (int y = 0; y < height; ++y)
       for (int x = 0; x < width; ++x) {
         const float* c = &rgb[3 * static_cast<std::size_t>(y * width + x)];
@@ -254,50 +254,50 @@ TEST_P(Painter, ShowsAPictureAsTheBytesThatAnImageFileWouldHold) {
 }
 
 TEST_P(Painter, MultipliesAPictureByItsExposure) {
-  const auto picture = painter->KeepPicture(1, 1);
-  painter->Update(*picture, 0, 1, std::array{0.125F, 0.25F, 0.75F});
-  painter->Begin(2, 2, {});
-  painter->Draw(*picture, Look{.exposure = 2});
-  EXPECT_EQ(PixelOf(painter->Read(), 0, 0), (Rgba{R2::ToByte(0.25), R2::ToByte(0.5), 255, 255}));
+  const auto picture = painter->pictures.Make(1, 1);
+  painter->pictures.Update(*picture, 0, 1, std::array{0.125F, 0.25F, 0.75F});
+  painter->canvas.Begin(2, 2, {});
+  painter->pictures.Draw(*picture, Look{.exposure = 2});
+  EXPECT_EQ(PixelOf(painter->canvas.Read(), 0, 0), (Rgba{R2::ToByte(0.25), R2::ToByte(0.5), 255, 255}));
 }
 
 TEST_P(Painter, LeavesOutRowsThatAreNotTracedYet) {
-  const auto picture = painter->KeepPicture(4, 4);
-  painter->Update(*picture, 0, 4, std::vector<float>(48, 1.0F));
+  const auto picture = painter->pictures.Make(4, 4);
+  painter->pictures.Update(*picture, 0, 4, std::vector<float>(48, 1.0F));
   for (int rows : {0, 1, 3, 4}) {
-    painter->Begin(4, 4, {});
-    painter->Draw(*picture, Look{.rows = rows});
-    const R2::Image image = painter->Read();
+    painter->canvas.Begin(4, 4, {});
+    painter->pictures.Draw(*picture, Look{.rows = rows});
+    const R2::Image image = painter->canvas.Read();
     for (int y = 0; y < 4; ++y) EXPECT_EQ(PixelOf(image, 2, y) == white, y < rows) << rows << ' ' << y;
   }
 }
 
 TEST_P(Painter, PutsAPictureOnAQuadInSpaceUprightAndBehindWhatIsInFront) {
-  const auto picture = painter->KeepPicture(2, 2);
-  painter->Update(*picture, 0, 2, std::array{1.F, 0.F, 0.F, 0.F, 1.F, 0.F, 0.F, 0.F, 1.F, 1.F, 1.F, 1.F});
+  const auto picture = painter->pictures.Make(2, 2);
+  painter->pictures.Update(*picture, 0, 2, std::array{1.F, 0.F, 0.F, 0.F, 1.F, 0.F, 0.F, 0.F, 1.F, 1.F, 1.F, 1.F});
   const std::array<std::array<float, 3>, 4> corners{{{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}}};
-  painter->Begin(10, 10, {});
-  painter->Draw(*picture, corners, as_it_is, Look{});
-  const R2::Image image = painter->Read();
+  painter->canvas.Begin(10, 10, {});
+  painter->pictures.Draw(*picture, corners, as_it_is, Look{});
+  const R2::Image image = painter->canvas.Read();
   EXPECT_EQ(PixelOf(image, 1, 1), red);
   EXPECT_EQ(PixelOf(image, 8, 1), green);
   EXPECT_EQ(PixelOf(image, 1, 8), (Rgba{0, 0, 255, 255}));
   EXPECT_EQ(PixelOf(image, 8, 8), white);
-  painter->Draw(*painter->Keep(Wall(0.5F, red)), as_it_is);
-  EXPECT_EQ(PixelOf(painter->Read(), 8, 8), white);
-  painter->Draw(*painter->Keep(Wall(-0.5F, red)), as_it_is);
-  EXPECT_EQ(PixelOf(painter->Read(), 8, 8), red);
+  painter->lists.Draw(*painter->lists.Upload(Wall(0.5F, red)), as_it_is);
+  EXPECT_EQ(PixelOf(painter->canvas.Read(), 8, 8), white);
+  painter->lists.Draw(*painter->lists.Upload(Wall(-0.5F, red)), as_it_is);
+  EXPECT_EQ(PixelOf(painter->canvas.Read(), 8, 8), red);
 }
 
 TEST_P(Painter, BlendsAPictureAndShowsWhatComesLaterBehindIt) {
-  const auto picture = painter->KeepPicture(1, 1);
-  painter->Update(*picture, 0, 1, std::array{1.F, 1.F, 1.F});
+  const auto picture = painter->pictures.Make(1, 1);
+  painter->pictures.Update(*picture, 0, 1, std::array{1.F, 1.F, 1.F});
   const std::array<std::array<float, 3>, 4> corners{{{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}}};
-  painter->Begin(4, 4, {});
-  painter->Draw(*picture, corners, as_it_is, Look{.alpha = 0.2});
-  EXPECT_EQ(PixelOf(painter->Read(), 1, 1), (Rgba{51, 51, 51, 255}));
-  painter->Draw(*painter->Keep(Wall(0.5F, red)), as_it_is);
-  EXPECT_EQ(PixelOf(painter->Read(), 1, 1), red);
+  painter->canvas.Begin(4, 4, {});
+  painter->pictures.Draw(*picture, corners, as_it_is, Look{.alpha = 0.2});
+  EXPECT_EQ(PixelOf(painter->canvas.Read(), 1, 1), (Rgba{51, 51, 51, 255}));
+  painter->lists.Draw(*painter->lists.Upload(Wall(0.5F, red)), as_it_is);
+  EXPECT_EQ(PixelOf(painter->canvas.Read(), 1, 1), red);
 }
 
 TEST_P(Painter, WritesEveryCharacterWhereItIsAskedToPixelByPixel) {
@@ -306,12 +306,12 @@ TEST_P(Painter, WritesEveryCharacterWhereItIsAskedToPixelByPixel) {
   for (char c = ' '; c < '~'; ++c) text += c;
   text += "~\x01";
   constexpr int left = 6, bottom = 3, width = ray::glyph_count * ray::glyph_width;
-  painter->Begin(width + 12, 24, {1, 1, 1});
-  painter->SetPart(0, 0, 1, 1);  // which text does not keep to
-  painter->Draw(*painter->Keep(Wall(-1, white)), as_it_is);
+  painter->canvas.Begin(width + 12, 24, {1, 1, 1});
+  painter->canvas.SetViewport(0, 0, 1, 1);  // which text does not keep to
+  painter->lists.Draw(*painter->lists.Upload(Wall(-1, white)), as_it_is);
   const std::vector<ray::Label> labels{{left + 0.3, bottom - 0.3, text, green}};
-  painter->Draw(labels);
-  const R2::Image image = painter->Read();
+  painter->text.Draw(labels, painter->canvas);
+  const R2::Image image = painter->canvas.Read();
   for (int y = 0; y < 24; ++y)
     for (int x = 0; x < width + 12; ++x) {
       const int i = x - left, j = y - bottom;
@@ -328,26 +328,26 @@ TEST_P(Painter, WritesEveryCharacterWhereItIsAskedToPixelByPixel) {
 }
 
 TEST_P(Painter, DrawsEmptyListsAsNothing) {
-  painter->Begin(4, 4, {1, 1, 1});
-  const auto triangles = painter->Keep(ray::Triangles{});
-  painter->Draw(*triangles, as_it_is);
-  painter->DrawEdges(*triangles, as_it_is, red);
-  painter->Draw(*painter->Keep(ray::Lines{}), as_it_is, 1, 0.5);
-  painter->Draw(std::vector<ray::Label>{{0, 0, "", red}});
-  EXPECT_EQ(PixelOf(painter->Read(), 0, 0), white);
+  painter->canvas.Begin(4, 4, {1, 1, 1});
+  const auto triangles = painter->lists.Upload(ray::Triangles{});
+  painter->lists.Draw(*triangles, as_it_is);
+  painter->lists.DrawEdges(*triangles, as_it_is, red);
+  painter->lists.Draw(*painter->lists.Upload(ray::Lines{}), as_it_is, 1, 0.5);
+  painter->text.Draw(std::vector<ray::Label>{{0, 0, "", red}}, painter->canvas);
+  EXPECT_EQ(PixelOf(painter->canvas.Read(), 0, 0), white);
 }
 
 TEST_P(Painter, RefusesPicturesTooLargeToBeShown) {
-  EXPECT_THROW(painter->KeepPicture(1 << 20, 1), ray::ContextError);
-  EXPECT_THROW(painter->Begin(1, 1 << 20, {}), ray::ContextError);
-  painter->Begin(2, 2, {1, 1, 1});
-  EXPECT_EQ(PixelOf(painter->Read(), 0, 0), white);
+  EXPECT_THROW(painter->pictures.Make(1 << 20, 1), ray::ContextError);
+  EXPECT_THROW(painter->canvas.Begin(1, 1 << 20, {}), ray::ContextError);
+  painter->canvas.Begin(2, 2, {1, 1, 1});
+  EXPECT_EQ(PixelOf(painter->canvas.Read(), 0, 0), white);
 }
 
 // A scene may go after the painter that drew it.
 TEST_P(Painter, MayGoBeforeWhatItKeeps) {
-  const auto triangles = painter->Keep(Wall(0, red));
-  const auto picture = painter->KeepPicture(2, 2);
+  const auto triangles = painter->lists.Upload(Wall(0, red));
+  const auto picture = painter->pictures.Make(2, 2);
   painter.reset();
 }
 

@@ -109,7 +109,7 @@ TEST(RenderJob, GivesTheSameBitsAsRenderWhateverTheOrder) {
       ASSERT_TRUE(job.IsComplete()) << job.Failure();
       const RenderResult& result = *job.Result();
       EXPECT_TRUE(result.image == whole.image);
-      EXPECT_TRUE(Shows(job.TheFrame(), result.image));
+      EXPECT_TRUE(Shows(job.frame(), result.image));
       EXPECT_EQ(job.Samples(), c.samples);
       EXPECT_EQ(job.PixelsBegunAfterCancel(), 0);
       EXPECT_EQ(result.pixels_done, whole.pixels_done);
@@ -149,7 +149,7 @@ TEST(RenderJob, OfACropEqualsThatPartOfRenders) {
       ASSERT_TRUE(Ends(job));
       ASSERT_TRUE(job.IsComplete()) << job.Failure();
       EXPECT_TRUE(job.Result()->image == Render(scene->world, *scene->accelerator, settings).image) << filter;
-      EXPECT_TRUE(Shows(job.TheFrame(), job.Result()->image)) << filter;
+      EXPECT_TRUE(Shows(job.frame(), job.Result()->image)) << filter;
     }
 }
 
@@ -235,7 +235,7 @@ TEST(RenderJob, APassThatIsWholeFillsThePictureWithSquares) {
     int wrong = 0;
     for (int y = 0; y < height; ++y)
       for (int x = 0; x < width; ++x)
-        wrong += !(job.TheFrame().At(x, y) == whole.At(x / stride * stride, y / stride * stride));
+        wrong += !(job.frame().At(x, y) == whole.At(x / stride * stride, y / stride * stride));
     EXPECT_EQ(wrong, 0) << stride;
     job.Cancel();
     gated.gate->Open(1 << 20);
@@ -260,7 +260,7 @@ TEST(RenderJob, RowsBelowRowsDoneAreFinalAndThoseAboveUntouched) {
       if (gated.gate->IsShut()) gated.gate->Open(500);
       const int done_before = job.RowsDone();
       std::vector<float> shown;
-      job.TheFrame().Copy(0, settings.height, shown);
+      job.frame().Copy(0, settings.height, shown);
       const int done_after = job.RowsDone();
       const auto channels = [&](int rows) { return static_cast<std::ptrdiff_t>(3 * settings.width * rows); };
       ASSERT_TRUE(std::equal(shown.begin(), shown.begin() + channels(done_before), whole.Channels().begin()))
@@ -287,13 +287,13 @@ TEST(RenderJob, RowsNotReachedStayBlack) {
     RenderJob job(gated.scene, settings, Order::rows);
     while (job.RowsDone() < 5 || gated.gate->Waiting() == 0) std::this_thread::yield();
     std::vector<float> rest;
-    job.TheFrame().Copy(5, 35, rest);
+    job.frame().Copy(5, 35, rest);
     EXPECT_EQ(rest, std::vector<float>(rest.size(), 0.0f));
     job.Cancel();
     gated.gate->Open(1 << 20);
     ASSERT_TRUE(Ends(job));
     rest.clear();
-    job.TheFrame().Copy(5, 35, rest);
+    job.frame().Copy(5, 35, rest);
     EXPECT_EQ(rest, std::vector<float>(rest.size(), 0.0f));
     EXPECT_EQ(job.RowsDone(), 5);
     EXPECT_FALSE(job.IsComplete());
@@ -362,7 +362,7 @@ TEST(RenderJob, AThreadThatFailsEndsTheJobAndSaysWhy) {
       ASSERT_TRUE(Ends(job));
       EXPECT_FALSE(job.IsComplete());
       EXPECT_EQ(job.Result(), nullptr);
-      EXPECT_EQ(job.Failure(), "there is not enough memory");
+      EXPECT_EQ(job.Failure(), "out of memory");
     }
 }
 
@@ -394,7 +394,7 @@ void Restart(int times, double seconds_apart, bool has_more_than_coarse_passes) 
   std::mt19937 random(7);
   const std::vector<std::shared_ptr<LoadedScene>> scenes{Loaded("hello"), Loaded("area_light"), Loaded("texture")};
   const auto below = [&](int n) { return static_cast<int>(random() % static_cast<unsigned>(n)); };
-  JobQueue shelf;
+  JobQueue jobs;
   int finished = 0, wrong = 0;
   for (int i = 0; i < times; ++i) {
     const auto& scene = scenes[static_cast<std::size_t>(below(3))];
@@ -403,7 +403,7 @@ void Restart(int times, double seconds_apart, bool has_more_than_coarse_passes) 
     settings.threads = 1 + below(3);
     if (has_more_than_coarse_passes) settings.samples = 1 + below(3);
     const Order order = has_more_than_coarse_passes && below(4) == 0 ? Order::rows : Order::coarse_first;
-    const RenderJob& job = shelf.Start(scene, settings, order, 1 << below(6));
+    const RenderJob& job = jobs.Start(scene, settings, order, 1 << below(6));
     if (below(3) == 0) {
       ASSERT_TRUE(Ends(job));
     } else {
@@ -412,43 +412,43 @@ void Restart(int times, double seconds_apart, bool has_more_than_coarse_passes) 
     if (job.IsComplete()) {
       ++finished;
       const R2::Image fresh = Render(scene->world, *scene->accelerator, settings).image;
-      wrong += !(job.Result()->image == fresh) || !Shows(job.TheFrame(), fresh);
+      wrong += !(job.Result()->image == fresh) || !Shows(job.frame(), fresh);
     }
     ASSERT_EQ(job.Failure(), "");
     ASSERT_EQ(job.PixelsBegunAfterCancel(), 0);
   }
   EXPECT_EQ(wrong, 0) << "of " << finished;
   EXPECT_GE(finished, times / 4);
-  shelf.GiveUp();
+  jobs.Abandon();
   const auto start = Clock::now();
-  while (shelf.Tidy() > 0 && SecondsSince(start) < 60) std::this_thread::yield();
-  EXPECT_EQ(shelf.Tidy(), 0);
+  while (jobs.Collect() > 0 && SecondsSince(start) < 60) std::this_thread::yield();
+  EXPECT_EQ(jobs.Collect(), 0);
 }
 
 // A frame shared by two jobs showed pixels of the old view in the new picture now and then.
 TEST(RenderJob, AThousandRestartsAtRandomTimesLeaveEveryFinishedPictureRight) { Restart(1000, 0.004, true); }
 
 TEST(JobQueue, ANewJobDoesNotWaitForOldOnes) {
-  JobQueue shelf;
-  EXPECT_EQ(shelf.Current(), nullptr);
+  JobQueue jobs;
+  EXPECT_EQ(jobs.Current(), nullptr);
   std::vector<Gated> stuck;
   for (int i = 0; i < 3; ++i) {
     const Gated& one = stuck.emplace_back(0);
-    shelf.Start(one.scene, Sized(32, 32), Order::coarse_first);
+    jobs.Start(one.scene, Sized(32, 32), Order::coarse_first);
     while (one.gate->Waiting() == 0) std::this_thread::yield();
   }
-  const RenderJob& job = shelf.Start(Loaded("hello"), Sized(32, 32), Order::coarse_first);
+  const RenderJob& job = jobs.Start(Loaded("hello"), Sized(32, 32), Order::coarse_first);
   ASSERT_TRUE(Ends(job));
   EXPECT_TRUE(job.IsComplete());
-  EXPECT_EQ(shelf.Current(), &job);
-  EXPECT_EQ(shelf.Tidy(), 3);
+  EXPECT_EQ(jobs.Current(), &job);
+  EXPECT_EQ(jobs.Collect(), 3);
   for (const Gated& one : stuck) one.gate->Open(1 << 20);
   const auto start = Clock::now();
-  while (shelf.Tidy() > 0 && SecondsSince(start) < 60) std::this_thread::yield();
-  EXPECT_EQ(shelf.Tidy(), 0);
-  EXPECT_EQ(shelf.Current(), &job);
-  shelf.GiveUp();
-  EXPECT_EQ(shelf.Current(), nullptr);
+  while (jobs.Collect() > 0 && SecondsSince(start) < 60) std::this_thread::yield();
+  EXPECT_EQ(jobs.Collect(), 0);
+  EXPECT_EQ(jobs.Current(), &job);
+  jobs.Abandon();
+  EXPECT_EQ(jobs.Current(), nullptr);
 }
 
 TEST(RenderJob, TheFirstPassIsAsFineAsFitsItsTime) {

@@ -42,7 +42,7 @@ ray::Scene SceneOf(std::vector<std::shared_ptr<const R3::Shape>> shapes, const R
   return scene;
 }
 
-/// How many rings the pieces form; nothing when some crossing does not have two neighbours.
+/// How many rings the pieces form; nothing when some crossing does not have two neighbors.
 std::optional<int> ClosedCurves(const ray::SceneCut& cut) {
   std::vector<std::uint32_t> root(cut.crossings.size());
   std::vector<int> ends(cut.crossings.size());
@@ -326,7 +326,7 @@ TEST(CrossSection, AlongARowOfThePictureHoldsAllItsRaysAndTheirHits) {
   EXPECT_GT(hits, 20);
 }
 
-TEST(CrossSection, IsDrawnWithinItsSquareAndInTheColourOfWhatIsCut) {
+TEST(CrossSection, IsDrawnWithinItsSquareAndInTheColorOfWhatIsCut) {
   ray::Scene scene = SceneOf({R3::MakeShape("sphere", {0, 0, 1e12, 1e3})});
   scene.materials[0].kd = scene.materials[0].ks = {1, 0, 0};
   const Model model(std::move(scene));
@@ -338,10 +338,9 @@ TEST(CrossSection, IsDrawnWithinItsSquareAndInTheColourOfWhatIsCut) {
     EXPECT_EQ(vertex.color[0], 255);
     EXPECT_LT(vertex.color[1], 128);
   }
-  ray::Lines projected;
-  ray::AddProjected(projected, cut.slice, {{0, 0, 1e12}, {5, 1e3, 1e12}}, {});
-  EXPECT_NEAR(projected[0].at[0], 0, 1e-6);
-  EXPECT_NEAR(projected[1].at[0], 1e3 / cut.slice.extent, 1e-6);
+  const auto projected = [&](const R3::Point& p) { return cut.slice.At(cut.slice.Project(p))[0]; };
+  EXPECT_NEAR(projected({0, 0, 1e12}), 0, 1e-6);
+  EXPECT_NEAR(projected({5, 1e3, 1e12}), 1e3 / cut.slice.extent, 1e-6);
 }
 
 }  // namespace

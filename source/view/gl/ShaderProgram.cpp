@@ -1,4 +1,4 @@
-#include "source/view/gl/Program.h"
+#include "source/view/gl/ShaderProgram.h"
 
 #include <algorithm>
 #include <array>
@@ -42,11 +42,11 @@ std::string FirstLine(GetLog get_log, GLuint object) {
 
 }  // namespace
 
-Program::Program(const char* name, const char* vertex_shader, const char* fragment_shader) {
+ShaderProgram::ShaderProgram(const char* name, const char* vertex_shader, const char* fragment_shader) {
   const Shader vertex(GL_VERTEX_SHADER, vertex_shader), fragment(GL_FRAGMENT_SHADER, fragment_shader);
   for (const Shader* shader : {&vertex, &fragment})
     if (!shader->IsCompiled())
-      throw ContextError(std::string("OpenGL refuses the shader that draws ") + name + ": " +
+      throw ContextError(std::string("the driver rejects the shader that draws ") + name + ": " +
                          FirstLine(glGetShaderInfoLog, shader->Name()));
   program_ = glCreateProgram();
   glAttachShader(program_, vertex.Name());
@@ -57,10 +57,10 @@ Program::Program(const char* name, const char* vertex_shader, const char* fragme
   if (status) return;
   const std::string why = FirstLine(glGetProgramInfoLog, program_);
   glDeleteProgram(program_);
-  throw ContextError(std::string("OpenGL refuses the program that draws ") + name + ": " + why);
+  throw ContextError(std::string("the driver rejects the program that draws ") + name + ": " + why);
 }
 
-Program::~Program() { glDeleteProgram(program_); }
+ShaderProgram::~ShaderProgram() { glDeleteProgram(program_); }
 
 void SetMatrix(GLint uniform, const ClipMatrix& matrix) {
   std::array<float, 16> single{};

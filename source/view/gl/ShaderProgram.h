@@ -7,14 +7,14 @@
 namespace ray {
 
 /// Two shaders in GLSL 330, compiled and linked; deleted with their owner.
-class Program {
+class ShaderProgram {
  public:
   /// Throws ContextError with the first line of what the compiler said.
   ///   name   what the program draws, for that message
-  Program(const char* name, const char* vertex_shader, const char* fragment_shader);
-  ~Program();
-  Program(const Program&) = delete;
-  Program& operator=(const Program&) = delete;
+  ShaderProgram(const char* name, const char* vertex_shader, const char* fragment_shader);
+  ~ShaderProgram();
+  ShaderProgram(const ShaderProgram&) = delete;
+  ShaderProgram& operator=(const ShaderProgram&) = delete;
 
   void Use() const { glUseProgram(program_); }
   /// Where a uniform is; -1, which OpenGL ignores, for one that no shader uses.
