@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cassert>
 
-#include "R3/HugePages.h"
 #include "R3/Triangle.h"
 
 namespace R3 {
@@ -23,12 +22,6 @@ Mesh::Mesh(MeshData data, bool smooth) : data_(std::move(data)), smooth_(smooth 
   });
   dropped_ = static_cast<int>(before - data_.triangles.size());
   for (Normal& normal : data_.normals) normal = AsNormal(Unit(AsVector(normal)));
-  PreferHugePages();
-}
-
-void Mesh::PreferHugePages() const {
-  R3::PreferHugePages(data_.positions.data(), data_.positions.size() * sizeof(Point));
-  R3::PreferHugePages(data_.triangles.data(), data_.triangles.size() * sizeof(data_.triangles[0]));
 }
 
 std::unique_ptr<const Mesh> Mesh::Moved(const Transform& move) const {
@@ -48,7 +41,6 @@ std::unique_ptr<const Mesh> Mesh::Moved(const Transform& move) const {
                              moved->data_.positions[triangle[2]]};
     if (Unit(AreaVector(corners)) == Vector{}) return nullptr;
   }
-  moved->PreferHugePages();
   return moved;
 }
 

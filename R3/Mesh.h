@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <memory>
 
 #include "R3/MeshData.h"
 #include "R3/Shape.h"
@@ -43,7 +44,6 @@ class Mesh : public Shape {
 
  private:
   Mesh() = default;
-  void PreferHugePages() const;
 
   MeshData data_;
   bool smooth_ = false;

@@ -1,12 +1,7 @@
 #pragma once
 
-#include <memory>
 #include <optional>
-#include <span>
-#include <string>
-#include <vector>
 
-#include "R3/Argument.h"
 #include "R3/Box.h"
 #include "R3/Hit.h"
 #include "R3/Intersection.h"
@@ -49,23 +44,6 @@ class Shape {
   /// Whether nothing can ever hit it (zero radius or height).
   virtual bool IsDegenerate() const { return false; }
 };
-
-/// One line of shapes.def: what the parser, the help and the tests over every shape know of a kind.
-struct ShapeKind {
-  const char* name;                 // the word in a scene file
-  const char* about;                // one line for the help
-  std::vector<Argument> arguments;  // in file order
-  /// `arguments` are as many as above, finite, their signs checked; may throw ArgumentError.
-  std::unique_ptr<const Shape> (*make)(std::span<const double> arguments);
-  std::vector<double> example;  // a typical one: bounded, hit by a ray from afar to its middle
-};
-
-/// Every kind that numbers alone describe, in the order of shapes.def.
-std::span<const ShapeKind* const> ShapeKinds();
-/// Null when no kind has the name.
-const ShapeKind* FindShapeKind(const std::string& name);
-/// For tests and programs: asserts that the name exists and the count fits.
-std::unique_ptr<const Shape> MakeShape(const std::string& name, std::vector<double> arguments);
 
 /// Box around all elements.
 Box Bounds(const Shape& shape);

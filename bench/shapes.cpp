@@ -9,7 +9,7 @@
 #include <string>
 
 #include "R3/Mesh.h"
-#include "R3/Shape.h"
+#include "R3/ShapeKind.h"
 
 namespace {
 

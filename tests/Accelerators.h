@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "R3/Mesh.h"
+#include "R3/ShapeKind.h"
 #include "source/accelerate/Accelerator.h"
 #include "source/accelerate/twolevel/TwoLevel.h"
 #include "tests/Draw.h"

@@ -1,7 +1,7 @@
 #include <utility>
 
 #include "R3/GridMesh.h"
-#include "R3/Shape.h"
+#include "R3/ShapeKind.h"
 #include "R3/shapes/Span.h"
 
 namespace R3 {

@@ -1,4 +1,4 @@
-#include "R3/Shape.h"
+#include "R3/ShapeKind.h"
 #include "R3/shapes/Quadric.h"
 #include "R3/shapes/Revolution.h"
 #include "R3/shapes/Span.h"

@@ -1,7 +1,7 @@
 #include <numbers>
 
 #include "R3/GridMesh.h"
-#include "R3/Shape.h"
+#include "R3/ShapeKind.h"
 #include "R3/shapes/Quadric.h"
 #include "R3/shapes/Span.h"
 

@@ -1,4 +1,5 @@
 #include "R3/Mesh.h"
+#include "R3/ShapeKind.h"
 
 namespace R3 {
 

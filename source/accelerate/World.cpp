@@ -3,6 +3,7 @@
 #include <cassert>
 #include <unordered_map>
 
+#include "source/accelerate/HugePages.h"
 #include "source/scene/Singular.h"
 
 namespace ray {
@@ -22,12 +23,22 @@ std::string LeftOut(const Scene& scene, const Location& location) {
   return where + ": warning: the transforms down to this group cannot be inverted in double precision; it is left out";
 }
 
+/// Rays jump around in a mesh's corners.
+void PutOnHugePages(const R3::Mesh& mesh) {
+  const R3::MeshData& data = mesh.Data();
+  PreferHugePages(data.positions.data(), data.positions.size() * sizeof(data.positions[0]));
+  PreferHugePages(data.triangles.data(), data.triangles.size() * sizeof(data.triangles[0]));
+}
+
 }  // namespace
 
 World::World(const Scene& scene) : scene_(scene) {
   FlattenGraph();
   NumberInstances();
   BakeOrShareMeshes();
+  for (const R3::Mesh* mesh : shared_meshes_) PutOnHugePages(*mesh);
+  for (const Instance& instance : instances_)
+    if (instance.mesh && instance.shared == Instance::not_shared) PutOnHugePages(*instance.mesh);
 }
 
 // Breadth first, without recursion: the graph may be 100,000 levels deep.

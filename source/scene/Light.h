@@ -8,8 +8,8 @@
 
 #include "R2/Color.h"
 #include "R2/Point.h"
-#include "R3/Argument.h"
 #include "R3/Point.h"
+#include "R3/ShapeKind.h"
 #include "source/scene/LightBound.h"
 
 namespace ray {

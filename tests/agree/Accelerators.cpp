@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "R3/ShapeKind.h"
 #include "tests/Accelerators.h"
 #include "tests/Project.h"
 

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "R3/ShapeKind.h"
 #include "tests/Project.h"
 
 namespace {

@@ -6,7 +6,7 @@
 #include <optional>
 #include <utility>
 
-#include "R3/Shape.h"
+#include "R3/ShapeKind.h"
 #include "tests/Draw.h"
 #include "tests/Quad.h"
 

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "R3/Shape.h"
+#include "R3/ShapeKind.h"
 #include "tests/Draw.h"
 #include "tests/Quad.h"
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "R3/Mesh.h"
+#include "R3/ShapeKind.h"
 #include "source/accelerate/Accelerator.h"
 #include "tests/Draw.h"
 #include "tests/Quad.h"

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <utility>
 
-#include "R3/Shape.h"
+#include "R3/ShapeKind.h"
 #include "tests/Draw.h"
 #include "tests/Quad.h"
 

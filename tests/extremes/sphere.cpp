@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "R3/Shape.h"
+#include "R3/ShapeKind.h"
 #include "tests/Draw.h"
 #include "tests/Quad.h"
 

@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include <charconv>
-#include "R3/Shape.h"
+#include "R3/ShapeKind.h"
 #include "source/film/PictureError.h"
 #include "tests/Draw.h"
 #include "tests/Named.h"

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "R3/Mesh.h"
-#include "R3/Shape.h"
+#include "R3/ShapeKind.h"
 #include "R3/Transform.h"
 #include "source/scene/Singular.h"
 #include "tests/Draw.h"

@@ -1,7 +1,7 @@
 #include "source/app/options/Listing.h"
 
 #include "R2/ImageFile.h"
-#include "R3/Shape.h"
+#include "R3/ShapeKind.h"
 #include "source/accelerate/Accelerator.h"
 #include "source/app/options/Preset.h"
 #include "source/parse/Format.h"

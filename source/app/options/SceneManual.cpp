@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "R2/ImageFile.h"
-#include "R3/Shape.h"
+#include "R3/ShapeKind.h"
 #include "source/app/options/Manual.h"
 #include "source/parse/meshes/MeshFormat.h"
 #include "source/parse/scn/Command.h"

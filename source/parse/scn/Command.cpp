@@ -1,4 +1,5 @@
 #include "source/parse/scn/Command.h"
+#include "R3/ShapeKind.h"
 
 #include <algorithm>
 #include <array>

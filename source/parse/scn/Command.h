@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "R3/Shape.h"
+#include "R3/ShapeKind.h"
 #include "source/scene/Light.h"
 
 namespace ray {

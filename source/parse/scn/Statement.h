@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "R3/Argument.h"
+#include "R3/ShapeKind.h"
 #include "source/parse/Tokenizer.h"
 #include "source/parse/scn/Command.h"
 

@@ -1,6 +1,7 @@
 #include <array>
 
 #include "R3/Segment.h"
+#include "R3/ShapeKind.h"
 #include "source/parse/Coordinate.h"
 #include "source/parse/scn/ScnReader.h"
 

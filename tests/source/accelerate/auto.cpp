@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "R3/ShapeKind.h"
 #include "tests/Accelerators.h"
 
 namespace {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "R3/Mesh.h"
+#include "R3/ShapeKind.h"
 #include "tests/source/parse/Folder.h"
 
 namespace ray {

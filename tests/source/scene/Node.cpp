@@ -1,4 +1,5 @@
 #include "source/scene/Node.h"
+#include "R3/ShapeKind.h"
 
 #include <gtest/gtest.h>
 #include <pthread.h>

@@ -1,6 +1,7 @@
 // The scene as triangles: all of it, where it is, in single precision however large or far away.
 
 #include "source/view/ScenePicture.h"
+#include "R3/ShapeKind.h"
 
 #include <gtest/gtest.h>
 

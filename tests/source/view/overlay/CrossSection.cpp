@@ -1,6 +1,7 @@
 // The cut of a scene by a plane must be where the surfaces are: rays are judged against it by eye.
 
 #include "source/view/overlay/CrossSection.h"
+#include "R3/ShapeKind.h"
 
 #include <gtest/gtest.h>
 

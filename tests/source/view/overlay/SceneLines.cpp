@@ -1,6 +1,7 @@
 // Lines over the scene: boxes where the tracer has them, and all of it near the scene, however large that is.
 
 #include "source/view/overlay/SceneLines.h"
+#include "R3/ShapeKind.h"
 
 #include <gtest/gtest.h>
 

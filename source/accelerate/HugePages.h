@@ -7,7 +7,7 @@
 #include <sys/mman.h>
 #endif
 
-namespace R3 {
+namespace ray {
 
 inline constexpr std::size_t huge_page = std::size_t{1} << 21;  // bytes
 
@@ -27,4 +27,4 @@ inline void PreferHugePages(const void* data, std::size_t bytes) {
 #endif
 }
 
-}  // namespace R3
+}  // namespace ray
