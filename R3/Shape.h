@@ -32,10 +32,10 @@ class Shape {
 
   /// Triangles near the surface, to be looked at and never traced: corners on the surface, fronts outward, a solid
   /// closed where corners in the same place are taken for one. Normals where the surface is smooth or has faces of its
-  /// own; none where each triangle is flat. Nothing of a degenerate shape.
+  /// own; none where each triangle is flat. Nothing of a degenerate shape. Unless a shape says how, rays find them.
   ///   fineness  >= 3: into how many pieces a full turn is cut, or about four times a straight side. About its square
-  ///             of triangles or fewer, but 12 at least, and a mesh never fewer than its own
-  virtual MeshData Tessellate(int fineness) const = 0;
+  ///             of triangles or fewer, but 12 at least, by rays some 600, and a mesh never fewer than its own
+  virtual MeshData Tessellate(int fineness) const;
 
   /// Whether the shape bounds a volume that a point can be inside of.
   virtual bool IsSolid() const { return true; }
