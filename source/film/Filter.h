@@ -16,19 +16,12 @@ enum class FilterKind { box, gaussian, mitchell, lanczos };
 inline constexpr std::array filter_names{"box", "gaussian", "mitchell", "lanczos"};
 constexpr const auto& NamesOf(FilterKind) { return filter_names; }
 
-/// False where a build leaves wide filters out to measure what they cost; see source/integrate/Features.h.
-#ifdef RAYPRO_WITHOUT_WIDE_FILTER
-inline constexpr bool has_wide_filters = false;
-#else
-inline constexpr bool has_wide_filters = true;
-#endif
-
 /// A filter along one axis, from a table: within 1e-6 of the formula.
 class Filter {
  public:
   explicit Filter(FilterKind kind);
 
-  bool IsBox() const { return !has_wide_filters || kind_ == FilterKind::box; }
+  bool IsBox() const { return kind_ == FilterKind::box; }
   /// In pixels; nothing farther from a pixel's centre counts for it.
   double Radius() const { return radius_; }
   /// How many pixels to each side a sample may count for, besides the one it is in.

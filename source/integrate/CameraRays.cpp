@@ -14,7 +14,7 @@ CameraRays::CameraRays(const Camera& camera, const CameraEffects& effects, bool 
                        SamplerKind sampler, std::uint32_t samples)
     : camera_(camera),
       effects_(effects),
-      has_time_(features::motion && (things_move || effects.HasMotion())),
+      has_time_(things_move || effects.HasMotion()),
       width_(width),
       height_(height),
       sampler_(sampler),

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "source/integrate/Features.h"
 #include "source/integrate/Integrator.h"
 #include "source/scene/Camera.h"
 
@@ -12,8 +11,8 @@ struct CameraEffects {
   double aperture = 0;  // radius of the lens, >= 0
   double focus = 0;     // distance along the axis of the plane that is sharp, > 0 where there is a lens
 
-  bool HasMotion() const { return features::motion && !(motion == R3::Vector{}); }
-  bool HasLens() const { return features::lens && aperture > 0; }
+  bool HasMotion() const { return !(motion == R3::Vector{}); }
+  bool HasLens() const { return aperture > 0; }
 };
 
 /// The random choices of a camera ray, all from one set of points so that they are even together: the place in the

@@ -32,22 +32,38 @@ R2::Color FirstHit::Seen(const CameraSample& sample, const std::optional<WorldHi
     if (layer_ == Layer::id) return {-1, -1, -1};
     return layer_ == Layer::albedo ? Background(world_.scene(), sample.ray.direction) : R2::Color{};
   }
-  const ShadingPoint s = ShadingPointAt(world_, {.ray = sample.ray, .index = sample.index}, *hit);
+  const ShadingPoint p = ShadingPointAt(world_, {.ray = sample.ray, .index = sample.index}, *hit);
   const double distance = hit->t * Length(sample.ray.direction);
   const auto id = static_cast<double>(world_.PrimitiveId(*hit));
   switch (layer_) {
     case Layer::depth:
       return {distance, distance, distance};
     case Layer::normal:
-      return {s.N.x, s.N.y, s.N.z};
+      return {p.N.x, p.N.y, p.N.z};
     case Layer::uv:
-      return {s.at.uv.x, s.at.uv.y, 0};
+      return {p.at.uv.x, p.at.uv.y, 0};
     case Layer::albedo:
-      return s.kd + s.material->ks + s.material->kt;
+      return p.kd + p.material->ks + p.material->kt;
     case Layer::id:
       return {id, id, id};
   }
   return {};
 }
+
+namespace {
+
+template <Layer layer>
+std::unique_ptr<const Integrator> MakeFirstHit(const World& world, const Accelerator& accelerator,
+                                               const TraceSettings&) {
+  return std::make_unique<FirstHit>(world, accelerator, layer);
+}
+
+}  // namespace
+
+extern const IntegratorKind depth_kind{"distance to the first surface", MakeFirstHit<Layer::depth>};
+extern const IntegratorKind normal_kind{"its shading normal on the viewer's side", MakeFirstHit<Layer::normal>};
+extern const IntegratorKind uv_kind{"its texture coordinates", MakeFirstHit<Layer::uv>};
+extern const IntegratorKind albedo_kind{"what it scatters: kd, ks and kt", MakeFirstHit<Layer::albedo>};
+extern const IntegratorKind id_kind{"the number of its primitive", MakeFirstHit<Layer::id>};
 
 }  // namespace ray

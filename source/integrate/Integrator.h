@@ -26,4 +26,13 @@ class Integrator {
   virtual void Li(std::span<const CameraSample> samples, std::span<R2::Color> radiances, TraceState& state) const = 0;
 };
 
+/// One line of integrators.def.
+struct IntegratorKind {
+  const char* about;
+  /// `world` and `accelerator` outlive what is made.
+  std::unique_ptr<const Integrator> (*make)(const World& world, const Accelerator& accelerator,
+                                            const TraceSettings& settings);
+  bool shows_costs = false;  // in the colors of HeatColor, rather than light or surfaces
+};
+
 }  // namespace ray

@@ -1,22 +1,24 @@
 #pragma once
 
+#include "source/integrate/Bsdf.h"
 #include "source/integrate/Integrator.h"
-#include "source/integrate/lights/PathLights.h"
+#include "source/integrate/Tracer.h"
+#include "source/integrate/lights/LightSampler.h"
 
 namespace ray {
 
-/// Distributed ray tracing: light arrives over every number of bounces up to max_depth, each bounce going one way,
-/// chosen at random among diffuse scattering, the reflection (a mirror's, or over Phong's lobe with `glossy`) and
-/// transmission. Units are the course's: kd and ks are the shares that are scattered, so an emission or an environment
-/// L is a radiance and is scattered as
+/// Path tracing with next-event estimation: light arrives over every number of bounces up to max_depth, each bounce
+/// going one way, chosen by the Bsdf. Units are the course's: kd and ks are the shares that are scattered, so an
+/// emission or an environment L is a radiance and is scattered as
 ///
 ///     kd / pi * cosine + ks (n + 1) / (2 pi) (V.R)^n      (the second term only with `glossy`)
 ///
 /// while lights of the scene language scatter by Phong's formula as they do in Whitted. Shapes that emit and are no
 /// triangles are seen, directly and in mirrors, and light nothing, as the language has it.
-///   source   Cook, Porter, Carpenter, Distributed ray tracing (1984); Kajiya, The rendering equation (1986); lights
-///            and scattering combined by the balance heuristic of Veach and Guibas, Optimally combining sampling
-///            techniques (1995); roulette of Arvo and Kirk, Particle transport and image synthesis (1990)
+///   source   Kajiya, The rendering equation (1986), eq. 6; Cook, Porter, Carpenter, Distributed ray tracing (1984);
+///            light and BSDF sampling combined by multiple importance sampling, the balance heuristic of Veach and
+///            Guibas, Optimally combining sampling techniques (1995), eq. 8; Russian roulette after Arvo and Kirk
+///            (1990)
 class Path : public Integrator {
  public:
   Path(const World& world, const Accelerator& accelerator, const TraceSettings& settings);
@@ -24,31 +26,25 @@ class Path : public Integrator {
   void Li(std::span<const CameraSample> samples, std::span<R2::Color> radiances, TraceState& state) const override;
 
  private:
-  struct Bounce;
-  struct Lobes;
-
-  R2::Color Shining(const ShadingPoint& surface) const;
-  R2::Color Continue(ShadingPoint surface, TraceState& state) const;
-  /// Shadow rays to lights, with what they bring to `surface`, its weight included; `index` is where it arrives.
-  void AddLight(const ShadingPoint& surface, std::size_t index, TraceState& state) const;
-  void AddLightSample(const ShadingPoint& surface, const Lobes& lobes, const PathLightSample& light, std::size_t index,
+  R2::Color IndirectLight(ShadingPoint p, TraceState& state) const;
+  /// Light that reaches p straight from lights, throughput included.
+  R2::Color DirectLight(const ShadingPoint& p, const Bsdf& bsdf, TraceState& state) const;
+  /// The same as shadow rays; `index` is where it arrives.
+  void SampleLights(const ShadingPoint& p, const Bsdf& bsdf, std::size_t index, TraceState& state) const;
+  void AddLightSample(const ShadingPoint& p, const Bsdf& bsdf, const LightSample& light, std::size_t index,
                       TraceState& state) const;
-  void TraceShadowRays(TraceState& state, bool together) const;
-  std::optional<Bounce> Scatter(const ShadingPoint& surface) const;
-  std::optional<Bounce> ScatterMatte(const ShadingPoint& surface, const Lobes& lobes, const R2::Point& random,
-                                     bool by_lobe) const;
-  bool Survives(PathState& ray, double random) const;
-  R2::Color Emitted(const ShadingPoint& from, const Bounce& bounce, const ShadingPoint& hit) const;
-  R2::Color EmittedByEnvironment(const ShadingPoint& from, const Bounce& bounce) const;
-  Lobes LobesOf(const ShadingPoint& surface) const;
-  double MisWeight(double density_of_scattering, double density_of_light) const;
+  double SurvivalProbability(const ShadingPoint& p, const R2::Color& throughput) const;
+  /// Emission of what a scattered ray hit, throughput included, weighted against SampleLights.
+  R2::Color Emitted(const ShadingPoint& from, const BsdfSample& scattered, const ShadingPoint& hit) const;
+  R2::Color EmittedByEnvironment(const ShadingPoint& from, const BsdfSample& scattered, const PathState& path) const;
+  /// Of BSDF sampling; light sampling has the rest.
+  double MisWeight(double bsdf_pdf, double light_pdf) const;
 
   const World& world_;
-  const Accelerator& accelerator_;
+  Tracer tracer_;
   TraceSettings settings_;
-  SamplerKind sampler_;
-  PathLights lights_;
-  bool has_roulette_, finds_lights_, finds_by_scattering_;
+  LightSampler lights_;
+  bool has_roulette_, samples_lights_, samples_bsdf_;
   int lights_at_once_;  // 0: all
 };
 

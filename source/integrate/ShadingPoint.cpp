@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "source/integrate/Bump.h"
-#include "source/integrate/Features.h"
 
 namespace ray {
 namespace {
@@ -19,13 +18,13 @@ R2::Color LeftAfter(const R2::Color& absorb, double distance) {
 
 ShadingPoint ShadingPointAt(const World& world, const PathState& ray, const WorldHit& hit) {
   ShadingPoint s{ray, hit, world.At(ray.ray, hit), &world.MaterialAt(hit), {}, {}, true, {}, {}, {}};
-  s.kd = features::textures && s.material->texture ? s.material->kd * s.material->texture->At(s.at.uv) : s.material->kd;
+  s.kd = s.material->texture ? s.material->kd * s.material->texture->At(s.at.uv) : s.material->kd;
   s.wo = -Unit(ray.ray.direction);
   s.entering = Dot(s.at.normal, ray.ray.direction) <= 0;
   s.N = Facing(s.at.shading_normal, s.entering);
-  if (features::bump && s.material->bump) s.N = Bumped(world, ray.ray, hit, s.at, *s.material, s.N, s.entering);
+  if (s.material->bump) s.N = Bumped(world, ray.ray, hit, s.at, *s.material, s.N, s.entering);
   s.shadow_origin = SpawnPoint(s.at, s.wo);
-  if (features::absorption && !s.entering && !IsBlack(s.material->absorb)) {
+  if (!s.entering && !IsBlack(s.material->absorb)) {
     const double distance = (hit.t - ray.ray.t_min) * Length(ray.ray.direction);
     s.path.throughput = s.path.throughput * LeftAfter(s.material->absorb, distance);
   }
@@ -33,7 +32,7 @@ ShadingPoint ShadingPointAt(const World& world, const PathState& ray, const Worl
 }
 
 R2::Color Background(const Scene& scene, const R3::Vector& direction) {
-  return features::environment && scene.environment ? scene.environment->Radiance(direction) : scene.background;
+  return scene.environment ? scene.environment->Radiance(direction) : scene.background;
 }
 
 R3::Ray SpawnRay(const ShadingPoint& surface, const R3::Vector& direction) {
@@ -42,23 +41,6 @@ R3::Ray SpawnRay(const ShadingPoint& surface, const R3::Vector& direction) {
 
 R3::Ray ShadowRay(const ShadingPoint& surface, const R3::Vector& to_light, bool is_infinite) {
   return {surface.shadow_origin, to_light, 0, is_infinite ? R3::infinity : 1, surface.path.ray.time};
-}
-
-double FresnelReflectance(double cosine, double eta) {
-  const double sine_squared = eta * eta * std::max(0.0, 1 - cosine * cosine);
-  if (!(sine_squared < 1)) return 1;
-  const double other = std::sqrt(1 - sine_squared);  // cosine behind the surface
-  const double across = (eta * cosine - other) / (eta * cosine + other);
-  const double along = (cosine - eta * other) / (cosine + eta * other);
-  return (across * across + along * along) / 2;
-}
-
-SpecularWeights SpecularWeightsOf(const ShadingPoint& s, bool fresnel) {
-  const Material& m = *s.material;
-  if (!features::fresnel || !fresnel || IsBlack(m.kt) || m.ir == 1) return {m.ks, m.kt};
-  const double cosine = std::clamp(Dot(s.N, s.wo), 0.0, 1.0);
-  const double share = FresnelReflectance(cosine, s.entering ? 1 / m.ir : m.ir);
-  return {m.ks + share * m.kt, (1 - share) * m.kt};
 }
 
 }  // namespace ray

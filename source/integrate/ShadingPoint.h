@@ -7,7 +7,7 @@ namespace ray {
 
 /// A point being shaded.
 struct ShadingPoint {
-  PathState path;  // its weight is what is left of it after the way there
+  PathState path;  // that led here; its throughput is what is left after the way
   WorldHit hit;
   R3::Intersection at;
   const Material* material;
@@ -17,10 +17,12 @@ struct ShadingPoint {
   R3::Vector N;             // unit shading normal on the viewer's side
   R3::Point shadow_origin;  // where shadow rays and reflections start: off the surface, on the viewer's side
   R2::Color radiance;       // back along the ray, as far as it is known
+
+  bool HasReflectance() const { return !IsBlack(kd) || !IsBlack(material->ks); }
 };
 
-/// The surface where a ray was found to hit. What the inside of a solid absorbed on the way is taken from the ray's
-/// weight: exp(-absorb * distance), by the law of Bouguer, Lambert and Beer (1729-1852).
+/// The surface where a ray was found to hit. What the inside of a solid absorbed on the way is taken from the path's
+/// throughput: exp(-absorb * distance), by the law of Bouguer, Lambert and Beer (1729-1852).
 ShadingPoint ShadingPointAt(const World& world, const PathState& ray, const WorldHit& hit);
 
 /// What a ray that hits nothing sees.
@@ -30,18 +32,5 @@ R2::Color Background(const Scene& scene, const R3::Vector& direction);
 R3::Ray SpawnRay(const ShadingPoint& surface, const R3::Vector& direction);
 /// Towards a light from the viewer's side.
 R3::Ray ShadowRay(const ShadingPoint& surface, const R3::Vector& to_light, bool is_infinite);
-
-/// How much light a clear surface between two indices of refraction reflects, of both polarizations alike.
-///   cosine    of the angle to the normal on the side the light comes from, in [0, 1]
-///   eta       index on that side over the index on the other; > 0
-///   returns   in [0, 1]; 1 on total internal reflection
-///   source    Fresnel (1823), in the form of Born and Wolf, Principles of optics (1959), section 1.5.2
-double FresnelReflectance(double cosine, double eta);
-
-/// The parts that a surface splits light into: weights of what is reflected and of what goes through.
-struct SpecularWeights {
-  R2::Color reflected, transmitted;
-};
-SpecularWeights SpecularWeightsOf(const ShadingPoint& surface, bool fresnel);
 
 }  // namespace ray

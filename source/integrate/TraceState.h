@@ -23,9 +23,9 @@ struct PathState {
   int record = -1;  // where rays are recorded: its number; until it is traced that of the ray it comes from
 };
 
-/// A shadow ray still to be traced, and which of the surfaces being shaded reflects how much unless it is stopped.
+/// A shadow ray still to be traced, and which of the points being shaded reflects how much unless it is stopped.
 struct Shadow {
-  std::size_t surface = 0;
+  std::size_t point = 0;
   R2::Color reflected;
 };
 

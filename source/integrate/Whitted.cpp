@@ -1,19 +1,15 @@
 #include "source/integrate/Whitted.h"
 
 #include <algorithm>
-#include <array>
 #include <numbers>
 
-#include "source/integrate/Features.h"
-#include "source/integrate/Phong.h"
-#include "source/integrate/Refract.h"
-#include "source/integrate/debug/RayRecorder.h"
-#include "source/sample/Warp.h"
+#include "source/integrate/Bsdf.h"
+#include "source/integrate/RussianRoulette.h"
 
 namespace ray {
 namespace {
 
-// What the places beneath a surface are for. Lights follow, one each.
+// What the keys beneath a surface are for. Lights follow, one each.
 enum KeyUse : std::uint64_t {
   reflection_key,
   transmission_key,
@@ -23,41 +19,38 @@ enum KeyUse : std::uint64_t {
   first_light_key
 };
 
-constexpr std::size_t most_shadow_rays = 64;  // traced at once
-
 bool IsExtended(const Light& light) { return light.IsExtended(); }
 bool IsExtended(const EmissiveTriangle&) { return true; }
 bool IsExtended(const Environment&) { return true; }
 
 /// Whether a surface is itself the light.
-bool IsOn(const ShadingPoint& s, const EmissiveTriangle& triangle, const World& world) {
-  return triangle.primitive == world.PrimitiveId(s.hit);
+bool IsOn(const ShadingPoint& p, const EmissiveTriangle& triangle, const World& world) {
+  return triangle.primitive == world.PrimitiveId(p.hit);
 }
 template <typename Other>
 bool IsOn(const ShadingPoint&, const Other&, const World&) {
   return false;
 }
 
-/// What arrives from a random place on the light, if nothing is in between.
-std::optional<Illumination> LitBy(const ShadingPoint& s, const Light& light, const R2::Point& random) {
-  return light.Illuminate(s.shadow_origin, random);
+/// A point on the light, picked by `u`.
+std::optional<LightSample> SampleLight(const ShadingPoint& p, const Light& light, const R2::Point& u) {
+  return light.Illuminate(p.shadow_origin, u);
 }
-std::optional<Illumination> LitBy(const ShadingPoint& s, const EmissiveTriangle& triangle, const R2::Point& random) {
-  return Illumination{triangle.emission,
-                      triangle.PointTowards(s.shadow_origin, random, s.path.ray.time) - s.shadow_origin};
+std::optional<LightSample> SampleLight(const ShadingPoint& p, const EmissiveTriangle& triangle, const R2::Point& u) {
+  return LightSample{triangle.emission, triangle.PointTowards(p.shadow_origin, u, p.path.ray.time) - p.shadow_origin};
 }
-std::optional<Illumination> LitBy(const ShadingPoint&, const Environment& environment, const R2::Point& random) {
-  const Environment::Sample drawn = environment.Draw(random);
-  return Illumination{drawn.radiance / (std::numbers::pi * drawn.pdf), drawn.direction, true};
+std::optional<LightSample> SampleLight(const ShadingPoint&, const Environment& environment, const R2::Point& u) {
+  const Environment::Sample drawn = environment.Draw(u);
+  return LightSample{drawn.radiance / (std::numbers::pi * drawn.pdf), drawn.direction, true, drawn.pdf};
 }
 
 /// What the surface makes of it.
 template <typename AnyLight>
-R2::Color Reflection(const AnyLight&, const ShadingPoint& s, const Illumination& lit) {
-  return PhongReflection(*s.material, s.kd, s.N, Unit(lit.to_light), s.wo, lit.irradiance);
+R2::Color Reflection(const AnyLight&, const ShadingPoint& p, const LightSample& light) {
+  return PhongReflection(p, Unit(light.to_light), light.irradiance);
 }
-R2::Color Reflection(const Environment&, const ShadingPoint& s, const Illumination& lit) {
-  return std::max(0.0, Dot(s.N, lit.to_light)) * s.kd * lit.irradiance;
+R2::Color Reflection(const Environment&, const ShadingPoint& p, const LightSample& light) {
+  return DiffuseReflection(p, light.to_light) * light.irradiance;
 }
 
 /// What a recording calls it.
@@ -65,16 +58,13 @@ std::string Described(const Light& light) { return light.Describe(); }
 std::string Described(const EmissiveTriangle& triangle) { return triangle.Describe(); }
 std::string Described(const Environment&) { return "environment"; }
 
-bool Scatters(const ShadingPoint& s) { return !IsBlack(s.kd) || !IsBlack(s.material->ks); }
-
 }  // namespace
 
 Whitted::Whitted(const World& world, const Accelerator& accelerator, const TraceSettings& settings)
     : world_(world),
-      accelerator_(accelerator),
+      tracer_(world, accelerator, settings.shadows),
       settings_(settings),
-      sampler_(settings.sampler),
-      has_roulette_(features::roulette && settings.roulette == Roulette::on),
+      has_roulette_(settings.roulette == Roulette::on),
       triangles_(EmissiveTriangles(world)) {
   settings_.max_depth = std::min<std::int64_t>(settings_.max_depth, most_bounces);
   const Scene& scene = world.scene();
@@ -89,203 +79,146 @@ Whitted::Whitted(const World& world, const Accelerator& accelerator, const Trace
 }
 
 void Whitted::Li(std::span<const CameraSample> samples, std::span<R2::Color> radiances, TraceState& state) const {
-  state.batch.clear();
-  for (const CameraSample& sample : samples) state.batch.push_back(sample.ray);
-  state.hits.assign(samples.size(), {});
-  accelerator_.Intersect(state.batch, state.hits.data(), state.workspace);
-  state.Book(RayKind::camera, samples.size());
-
-  std::vector<ShadingPoint> surfaces;
-  for (std::size_t i = 0; i < samples.size(); ++i) {
-    PathState first{.ray = samples[i].ray, .index = samples[i].index};
-    if (state.recorder) first.record = state.recorder->Begin(first);
-    if (state.hits[i])
-      surfaces.push_back(ShadingPointAt(world_, first, *state.hits[i]));
-    else if (state.recorder)
-      state.recorder->Misses(first.record, Background(world_.scene(), first.ray.direction));
-  }
-  Shade(surfaces, state);
-  auto surface = surfaces.begin();
+  std::vector<ShadingPoint> points = tracer_.CameraHits(samples, state);
+  Shade(points, state);
+  auto point = points.begin();
   for (std::size_t i = 0; i < samples.size(); ++i)
-    radiances[i] = state.hits[i] ? Follow(*surface++, state) : Background(world_.scene(), samples[i].ray.direction);
+    radiances[i] = state.hits[i] ? Follow(*point++, state) : Background(world_.scene(), samples[i].ray.direction);
 }
 
-// The recursion is unrolled onto a stack of rays that carry the product of the weights above them: depth first, the
-// mirrored ray before the transmitted one.
+// The recursion is unrolled onto a stack of paths that carry their throughput: depth first, the mirrored ray before the
+// transmitted one.
 R2::Color Whitted::Follow(const ShadingPoint& first, TraceState& state) const {
   R2::Color sum = first.path.throughput * first.radiance;
   int descendants = 0;
   state.pending.clear();
-  const auto spawn = [&](const ShadingPoint& surface) {
-    if (surface.path.depth >= settings_.max_depth) return;
+  const auto spawn = [&](const ShadingPoint& p) {
+    if (p.path.depth >= settings_.max_depth) return;
     if (descendants >= most_descendants) {
       ++state.rays.cut;
       return;
     }
     const std::size_t before = state.pending.size();
-    Spawn(surface, state);
+    Spawn(p, state.pending);
     descendants += static_cast<int>(state.pending.size() - before);
   };
   spawn(first);
   while (!state.pending.empty()) {
-    PathState current = state.pending.back();
+    PathState path = state.pending.back();
     state.pending.pop_back();
-    if (state.recorder) current.record = state.recorder->Begin(current);
-    const auto hit = accelerator_.Intersect(current.ray, state.workspace);
-    state.Book(current.kind, 1);
+    const auto hit = tracer_.Intersect(path, state);
     if (!hit) {
-      const R2::Color seen = current.throughput * Background(world_.scene(), current.ray.direction);
-      if (state.recorder) state.recorder->Misses(current.record, seen);
+      const R2::Color seen = path.throughput * Background(world_.scene(), path.ray.direction);
+      Tracer::RecordMiss(path, seen, state);
       sum += seen;
       continue;
     }
-    ShadingPoint surface = ShadingPointAt(world_, current, *hit);
-    Shade({&surface, 1}, state);
-    sum += surface.path.throughput * surface.radiance;
-    spawn(surface);
+    ShadingPoint p = ShadingPointAt(world_, path, *hit);
+    Shade({&p, 1}, state);
+    sum += p.path.throughput * p.radiance;
+    spawn(p);
   }
   return sum;
 }
 
-void Whitted::Shade(std::span<ShadingPoint> surfaces, TraceState& state) const {
-  for (ShadingPoint& s : surfaces) {
-    s.radiance = s.material->emission + s.material->ka * world_.scene().ambient;
-    if (state.recorder) state.recorder->Hits(s, s.path.throughput * s.radiance);
+void Whitted::Shade(std::span<ShadingPoint> points, TraceState& state) const {
+  for (ShadingPoint& p : points) {
+    p.radiance = p.material->emission + p.material->ka * world_.scene().ambient;
+    Tracer::RecordHit(p, p.path.throughput * p.radiance, state);
   }
-  if (features::choice_of_lights && tree_) {
-    AddChosenLights(surfaces, state);
+  if (tree_) {
+    AddChosenLights(points, state);
   } else {
     std::uint64_t which = first_light_key;
-    for (const Light* light : lights_) AddLight(*light, which++, surfaces, state);
-    for (const EmissiveTriangle& triangle : triangles_) AddLight(triangle, which++, surfaces, state);
+    for (const Light* light : lights_) AddLight(*light, which++, points, state);
+    for (const EmissiveTriangle& triangle : triangles_) AddLight(triangle, which++, points, state);
   }
-  if (features::environment && environment_) AddLight(*environment_, environment_key, surfaces, state);
+  if (environment_) AddLight(*environment_, environment_key, points, state);
 }
 
 template <typename AnyLight>
-void Whitted::AddLight(const AnyLight& light, std::uint64_t which, std::span<ShadingPoint> surfaces,
+void Whitted::AddLight(const AnyLight& light, std::uint64_t which, std::span<ShadingPoint> points,
                        TraceState& state) const {
   const auto count = static_cast<std::uint32_t>(IsExtended(light) ? settings_.shadow_samples : 1);
-  state.arrived.assign(surfaces.size(), {});
-  for (std::size_t i = 0; i < surfaces.size(); ++i) {
-    const ShadingPoint& s = surfaces[i];
-    if (!Scatters(s) || IsOn(s, light, world_)) continue;
+  state.arrived.assign(points.size(), {});
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const ShadingPoint& p = points[i];
+    if (!p.HasReflectance() || IsOn(p, light, world_)) continue;
     // One light's samples from all of a pixel's camera rays are one set of points.
-    std::optional<Points> places;
-    if (IsExtended(light)) places.emplace(s.path.index.PointsFor(which, sampler_, settings_.samples, count));
+    std::optional<Points> random;
+    if (IsExtended(light)) random.emplace(p.path.index.PointsFor(which, settings_.sampler, settings_.samples, count));
     for (std::uint32_t k = 0; k < count; ++k)
-      AddSample(light, s, i, places ? places->Get2D(s.path.index.sample * count + k) : R2::Point{}, 1.0 / count, state);
+      AddSample(light, p, i, random ? random->Get2D(p.path.index.sample * count + k) : R2::Point{}, 1.0 / count, state);
   }
-  AddArrived(surfaces, state);
+  AddArrived(points, state);
 }
 
-void Whitted::AddChosenLights(std::span<ShadingPoint> surfaces, TraceState& state) const {
+void Whitted::AddChosenLights(std::span<ShadingPoint> points, TraceState& state) const {
   const auto count = static_cast<std::uint32_t>(settings_.lights);
-  state.arrived.assign(surfaces.size(), {});
-  for (std::size_t i = 0; i < surfaces.size(); ++i) {
-    const ShadingPoint& s = surfaces[i];
-    if (!Scatters(s)) continue;
-    const Points places = s.path.index.PointsFor(choice_key, sampler_, settings_.samples, count);
+  state.arrived.assign(points.size(), {});
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const ShadingPoint& p = points[i];
+    if (!p.HasReflectance()) continue;
+    const Points random_points = p.path.index.PointsFor(choice_key, settings_.sampler, settings_.samples, count);
     for (std::uint32_t k = 0; k < count; ++k) {
-      const auto random = places.Get<3>(s.path.index.sample * count + k);
-      const auto choice = tree_->Choose(s.shadow_origin, s.N, random[2]);
+      const auto random = random_points.Get<3>(p.path.index.sample * count + k);
+      const auto choice = tree_->Choose(p.shadow_origin, p.N, random[2]);
       if (!choice) continue;
       const auto which = static_cast<std::size_t>(choice->light);
       const double weight = 1 / (choice->probability * count);
-      const R2::Point place{random[0], random[1]};
+      const R2::Point u{random[0], random[1]};
       if (which < lights_.size())
-        AddSample(*lights_[which], s, i, place, weight, state);
-      else if (!IsOn(s, triangles_[which - lights_.size()], world_))
-        AddSample(triangles_[which - lights_.size()], s, i, place, weight, state);
+        AddSample(*lights_[which], p, i, u, weight, state);
+      else if (!IsOn(p, triangles_[which - lights_.size()], world_))
+        AddSample(triangles_[which - lights_.size()], p, i, u, weight, state);
     }
   }
-  AddArrived(surfaces, state);
+  AddArrived(points, state);
 }
 
 template <typename AnyLight>
-void Whitted::AddSample(const AnyLight& light, const ShadingPoint& s, std::size_t index, const R2::Point& random,
+void Whitted::AddSample(const AnyLight& light, const ShadingPoint& p, std::size_t index, const R2::Point& u,
                         double weight, TraceState& state) const {
-  const auto lit = LitBy(s, light, random);
-  if (!lit) return;
-  const R2::Color reflected = Reflection(light, s, *lit);
-  if (IsBlack(reflected)) return;
-  state.shadow_rays.push_back(ShadowRay(s, lit->to_light, lit->is_infinite));
-  state.shadows.push_back({index, weight * reflected});
-  if (state.recorder) [[unlikely]]
-    state.recorder->BeginShadow(s, state.shadow_rays.back(), s.path.throughput * (weight * reflected),
-                                Described(light));
-  if (state.shadows.size() == most_shadow_rays) TraceShadowRays(state);
+  const auto sample = SampleLight(p, light, u);
+  if (!sample) return;
+  const R2::Color unweighted = Reflection(light, p, *sample);
+  if (IsBlack(unweighted)) return;
+  const R2::Color reflected = weight * unweighted;
+  tracer_.AddShadowRay(
+      p, index, *sample, reflected, p.path.throughput * reflected, [&] { return Described(light); }, state);
 }
 
-void Whitted::AddArrived(std::span<ShadingPoint> surfaces, TraceState& state) const {
-  TraceShadowRays(state);
-  for (std::size_t i = 0; i < surfaces.size(); ++i) surfaces[i].radiance += state.arrived[i];
+void Whitted::AddArrived(std::span<ShadingPoint> points, TraceState& state) const {
+  tracer_.TraceShadowRays(state);
+  for (std::size_t i = 0; i < points.size(); ++i) points[i].radiance += state.arrived[i];
 }
 
-void Whitted::TraceShadowRays(TraceState& state) const {
-  std::array<bool, most_shadow_rays> are_occluded{};
-  if (settings_.shadows && !state.shadow_rays.empty()) {
-    accelerator_.IsOccluded(state.shadow_rays, are_occluded.data(), state.workspace);
-    state.Book(RayKind::shadow, state.shadow_rays.size());
-  }
-  if (state.recorder) [[unlikely]]
-    state.recorder->EndShadows([&](std::size_t i) { return are_occluded[i]; }, world_, accelerator_, state.workspace);
-  for (std::size_t i = 0; i < state.shadows.size(); ++i)
-    if (!are_occluded[i]) state.arrived[state.shadows[i].surface] += state.shadows[i].reflected;
-  state.shadow_rays.clear();
-  state.shadows.clear();
-}
-
-inline std::optional<R2::Color> Whitted::Wanted(const R2::Color& weight, const SampleIndex& parent,
-                                                std::uint64_t which) const {
-  const double luminance = Luminance(weight);
-  if (!(luminance > 0)) return {};
-  if (luminance >= settings_.min_luminance) return weight;
-  if (!features::roulette || !has_roulette_) return {};
-  return Spared(weight, luminance, parent, which);
-}
-
-std::optional<R2::Color> Whitted::Spared(const R2::Color& weight, double luminance, const SampleIndex& parent,
-                                         std::uint64_t which) const {
-  const SampleIndex index = parent.Child(which);
-  const double chance = luminance / settings_.min_luminance;
-  const Points points(sampler_, index.key.Child(roulette_key), settings_.samples);
-  if (!(points.Get2D(index.sample).x < chance)) return {};
-  return weight / chance;
-}
-
-std::optional<R3::Vector> Whitted::ReflectionOf(const ShadingPoint& s, const SampleIndex& index) const {
-  const R3::Vector mirrored = Unit(Reflect(-s.wo, s.N));
-  if (!features::glossy || !settings_.glossy) return mirrored;
-  const Points points(sampler_, index.key.Child(choice_key), settings_.samples);
-  const R3::Vector direction = FromTangents(OnPowerLobe(points.Get2D(index.sample), s.material->n), mirrored);
-  if (!(Dot(direction, s.N) > 0)) return {};  // that part of the lobe is lost in the surface
-  return direction;
-}
-
-void Whitted::Spawn(const ShadingPoint& s, TraceState& state) const {
-  const PathState& parent = s.path;
-  const SpecularWeights weights = SpecularWeightsOf(s, settings_.fresnel);
+void Whitted::Spawn(const ShadingPoint& p, std::vector<PathState>& pending) const {
+  const Bsdf bsdf(p, settings_);
   // Pushed first, traced last.
-  if (const auto weight = Wanted(parent.throughput * weights.transmitted, parent.index, transmission_key)) {
-    const SampleIndex through = parent.index.Child(transmission_key);
-    if (s.material->ir == 1) {
-      // Not bent: the same ray goes on beyond its hit. It asks every shape the same question as before and so gets the
-      // same answers, of which the first is now outside the interval: nothing moves, nothing is hit twice.
-      R3::Ray onward = parent.ray;
-      onward.t_min = s.hit.t;
-      state.pending.push_back({onward, *weight, parent.depth + 1, through, RayKind::transmission, parent.record});
-    } else if (const auto bent = Refract(-s.wo, s.N, s.entering ? 1 / s.material->ir : s.material->ir)) {
-      state.pending.push_back(
-          {SpawnRay(s, *bent), *weight, parent.depth + 1, through, RayKind::transmission, parent.record});
-    }
-  }
-  if (const auto weight = Wanted(parent.throughput * weights.reflected, parent.index, reflection_key)) {
-    const SampleIndex back = parent.index.Child(reflection_key);
-    if (const auto direction = ReflectionOf(s, back))
-      state.pending.push_back(
-          {SpawnRay(s, *direction), *weight, parent.depth + 1, back, RayKind::reflection, parent.record});
+  const SampleIndex through = p.path.index.Child(transmission_key), back = p.path.index.Child(reflection_key);
+  if (const auto throughput = Continued(p.path.throughput * bsdf.Transmitted(), through))
+    if (const auto wi = bsdf.Refraction()) pending.push_back(Extend(p, *wi, Lobe::transmission, *throughput, through));
+  if (const auto throughput = Continued(p.path.throughput * bsdf.Reflected(), back)) {
+    const Points points(settings_.sampler, back.key.Child(choice_key), settings_.samples);
+    if (const auto wi = bsdf.SampleReflection(settings_.glossy ? points.Get2D(back.sample) : R2::Point{}))
+      pending.push_back(Extend(p, *wi, Lobe::mirror, *throughput, back));
   }
 }
+
+inline std::optional<R2::Color> Whitted::Continued(const R2::Color& throughput, const SampleIndex& index) const {
+  const double luminance = Luminance(throughput);
+  if (!(luminance > 0)) return {};
+  if (luminance >= settings_.min_luminance) return throughput;
+  if (!has_roulette_) return {};
+  const Points points(settings_.sampler, index.key.Child(roulette_key), settings_.samples);
+  return RussianRoulette(throughput, luminance / settings_.min_luminance, points.Get2D(index.sample).x);
+}
+
+extern const IntegratorKind whitted_kind{"the course's recursion: light from lights, mirrors, and what is clear",
+                                         [](const World& world, const Accelerator& accelerator,
+                                            const TraceSettings& settings) -> std::unique_ptr<const Integrator> {
+                                           return std::make_unique<Whitted>(world, accelerator, settings);
+                                         }};
 
 }  // namespace ray

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "source/integrate/Integrator.h"
-#include "source/integrate/ShadingPoint.h"
+#include "source/integrate/Tracer.h"
 #include "source/integrate/lights/EmissiveTriangle.h"
 #include "source/integrate/lights/LightTree.h"
 
@@ -25,30 +25,25 @@ class Whitted : public Integrator {
 
  private:
   R2::Color Follow(const ShadingPoint& first, TraceState& state) const;
-  /// Adds to each surface's radiance what it shines and scatters by itself.
-  void Shade(std::span<ShadingPoint> surfaces, TraceState& state) const;
-  /// One light's share of that; `which` is its number among places beneath a surface.
+  /// Adds to each point's radiance what its surface emits and reflects of the lights.
+  void Shade(std::span<ShadingPoint> points, TraceState& state) const;
+  /// One light's share of that; `which` is its key beneath a surface.
   template <typename AnyLight>
-  void AddLight(const AnyLight& light, std::uint64_t which, std::span<ShadingPoint> surfaces, TraceState& state) const;
-  /// The share of a few lights, chosen by importance, that stand for all.
-  void AddChosenLights(std::span<ShadingPoint> surfaces, TraceState& state) const;
+  void AddLight(const AnyLight& light, std::uint64_t which, std::span<ShadingPoint> points, TraceState& state) const;
+  /// The share of a few lights, chosen by importance sampling, that stand for all.
+  void AddChosenLights(std::span<ShadingPoint> points, TraceState& state) const;
   template <typename AnyLight>
-  void AddSample(const AnyLight& light, const ShadingPoint& surface, std::size_t index, const R2::Point& random,
-                 double weight, TraceState& state) const;
-  void AddArrived(std::span<ShadingPoint> surfaces, TraceState& state) const;
-  void TraceShadowRays(TraceState& state) const;
-  void Spawn(const ShadingPoint& surface, TraceState& state) const;
-  std::optional<R3::Vector> ReflectionOf(const ShadingPoint& surface, const SampleIndex& index) const;
-  /// The weight of a child ray, if it is followed. `which`: its key beneath its parent's place.
-  std::optional<R2::Color> Wanted(const R2::Color& weight, const SampleIndex& parent, std::uint64_t which) const;
-  /// The weight of a faint one, if chance lets it live.
-  std::optional<R2::Color> Spared(const R2::Color& weight, double luminance, const SampleIndex& parent,
-                                  std::uint64_t which) const;
+  void AddSample(const AnyLight& light, const ShadingPoint& p, std::size_t index, const R2::Point& u, double weight,
+                 TraceState& state) const;
+  void AddArrived(std::span<ShadingPoint> points, TraceState& state) const;
+  /// The rays that a surface reflects and transmits.
+  void Spawn(const ShadingPoint& p, std::vector<PathState>& pending) const;
+  /// The throughput of a child ray, if it is followed: not if it is faint and does not survive.
+  std::optional<R2::Color> Continued(const R2::Color& throughput, const SampleIndex& index) const;
 
   const World& world_;
-  const Accelerator& accelerator_;
+  Tracer tracer_;
   TraceSettings settings_;
-  SamplerKind sampler_;
   bool has_roulette_;
   std::vector<const Light*> lights_;  // those that are not black
   std::vector<EmissiveTriangle> triangles_;

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "R2/Image.h"
-#include "source/integrate/Modes.h"
+#include "source/integrate/Integrators.h"
 
 namespace ray {
 

@@ -9,7 +9,7 @@
 #include "source/film/PictureError.h"
 #include "source/film/PixelRectangle.h"
 #include "source/integrate/CameraRays.h"
-#include "source/integrate/Modes.h"
+#include "source/integrate/Integrators.h"
 #include "source/integrate/TraceSettings.h"
 
 namespace ray {

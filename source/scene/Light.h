@@ -14,11 +14,15 @@
 
 namespace ray {
 
-/// What reaches a point from one place on a light, if nothing is in between.
-struct Illumination {
-  R2::Color irradiance;      // before the surface's own cosine
+/// What reaches a point from one point on a light, if nothing is in between.
+struct LightSample {
+  /// Before the surface's own cosine. Of a light with a pdf: radiance over pdf. Of others: what the scene language says
+  /// arrives, pi times smaller than the irradiance in the theory of a diffuse surface.
+  R2::Color irradiance;
   R3::Vector to_light;       // from the point; reaches the light at t = 1 unless the light is infinitely far
   bool is_infinite = false;  // the light has a direction but no place
+  double pdf = 0;            // per solid angle, that of choosing the light included; 0 for lights that no ray can hit
+  int light = 0;             // its number, where one of several was chosen
 };
 
 /// A source of light, in world coordinates.
@@ -28,7 +32,7 @@ class Light {
 
   /// Light arriving at `p` from the place on the light that `random`, in [0, 1)^2, picks evenly by area (point-like
   /// lights ignore it). Nothing where the light does not shine, and where p lies on the very place picked.
-  virtual std::optional<Illumination> Illuminate(const R3::Point& p, const R2::Point& random) const = 0;
+  virtual std::optional<LightSample> Illuminate(const R3::Point& p, const R2::Point& random) const = 0;
 
   /// Whether it has an area, so that several samples are worth their rays.
   virtual bool IsExtended() const { return false; }

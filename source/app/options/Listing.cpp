@@ -4,6 +4,7 @@
 #include "R3/ShapeKind.h"
 #include "source/accelerate/Accelerator.h"
 #include "source/app/options/Preset.h"
+#include "source/integrate/Integrators.h"
 #include "source/parse/Format.h"
 #include "source/parse/scn/Command.h"
 #include "source/scene/Light.h"
@@ -44,6 +45,12 @@ std::string Lights() {
 std::string Accelerators() {
   std::string text;
   for (const AcceleratorKind* kind : AcceleratorKinds()) text += Line(kind->name, kind->about);
+  return text;
+}
+
+std::string Modes() {
+  std::string text;
+  for (std::size_t i = 0; i < render_modes.size(); ++i) text += Line(render_modes[i], IntegratorKinds()[i]->about);
   return text;
 }
 
@@ -93,9 +100,10 @@ struct Subject {
   std::string (*list)();
 };
 
-constexpr Subject subjects[] = {{"shapes", Shapes},   {"lights", Lights}, {"accelerators", Accelerators},
-                                {"images", Images},   {"scenes", Scenes}, {"commands", SceneCommands},
-                                {"presets", Presets}, {"keys", Keys}};
+constexpr Subject subjects[] = {
+    {"shapes", Shapes}, {"lights", Lights}, {"accelerators", Accelerators}, {"modes", Modes},
+    {"images", Images}, {"scenes", Scenes}, {"commands", SceneCommands},    {"presets", Presets},
+    {"keys", Keys}};
 
 /// Presets are values of an option that only raypro has; keys are pressed in a window.
 bool Knows(Program program, const Subject& subject) {

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "source/integrate/Whitted.h"
+
 namespace ray {
 
 double Heat(const Counts& cost) { return static_cast<double>(cost.node_visits + cost.primitive_tests); }
@@ -15,5 +17,18 @@ R2::Color HeatColor(double heat) {
   const double share = decades - static_cast<double>(below);
   return (1 - share) * scale[below] + share * scale[below + 1];
 }
+
+namespace {
+
+std::unique_ptr<const Integrator> MakeWhitted(const World& world, const Accelerator& accelerator,
+                                              const TraceSettings& settings) {
+  return std::make_unique<Whitted>(world, accelerator, settings);
+}
+
+}  // namespace
+
+extern const IntegratorKind heat_kind{"what each pixel cost in mode whitted: nodes and primitives looked at",
+                                      MakeWhitted, true};
+extern const IntegratorKind rays_kind{"how many rays each pixel took in mode whitted", MakeWhitted, true};
 
 }  // namespace ray

@@ -19,7 +19,7 @@ class AreaLight : public Light {
         radius_(radius),
         falloff_(falloff) {}
 
-  std::optional<Illumination> Illuminate(const R3::Point& p, const R2::Point& random) const override {
+  std::optional<LightSample> Illuminate(const R3::Point& p, const R2::Point& random) const override {
     const R2::Point on_disc = OnDisc(random);
     const R3::Vector from_center = radius_ * on_disc.x * tangents_.first + radius_ * on_disc.y * tangents_.second;
     const R3::Vector to_light = center_ + from_center - p;
@@ -27,7 +27,7 @@ class AreaLight : public Light {
     if (!(distance > 0)) return {};
     const double cosine = std::min(1.0, -Dot(direction_, Unit(to_light)));
     if (!(cosine > 0)) return {};  // it shines to one side only
-    return Illumination{cosine * falloff_(color_, distance), to_light};
+    return LightSample{cosine * falloff_(color_, distance), to_light};
   }
 
   bool IsExtended() const override { return radius_ > 0; }

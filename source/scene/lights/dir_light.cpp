@@ -8,8 +8,8 @@ class DirLight : public Light {
  public:
   DirLight(const R2::Color& color, const R3::Vector& direction) : color_(color), direction_(Unit(direction)) {}
 
-  std::optional<Illumination> Illuminate(const R3::Point&, const R2::Point&) const override {
-    return Illumination{color_, -direction_, true};
+  std::optional<LightSample> Illuminate(const R3::Point&, const R2::Point&) const override {
+    return LightSample{color_, -direction_, true};
   }
 
   LightBound Bound() const override { return {.power = Luminance(color_), .is_infinite = true}; }

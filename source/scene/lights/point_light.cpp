@@ -10,11 +10,11 @@ class PointLight : public Light {
   PointLight(const R2::Color& color, const R3::Point& place, const Falloff& falloff)
       : color_(color), place_(place), falloff_(falloff) {}
 
-  std::optional<Illumination> Illuminate(const R3::Point& p, const R2::Point&) const override {
+  std::optional<LightSample> Illuminate(const R3::Point& p, const R2::Point&) const override {
     const R3::Vector to_light = place_ - p;
     const double distance = Length(to_light);
     if (!(distance > 0)) return {};
-    return Illumination{falloff_(color_, distance), to_light};
+    return LightSample{falloff_(color_, distance), to_light};
   }
 
   LightBound Bound() const override { return falloff_.BoundOf(color_, place_, 0); }

@@ -19,19 +19,19 @@ class SphereLight : public Light {
   /// light I0 spread over the whole sphere, 4 I0 cos / falloff from each share of its area, becomes
   ///     I0 W d^2 / (pi r^2 falloff(d)),   d the distance to S,
   /// which hardly varies over the cone.
-  std::optional<Illumination> Illuminate(const R3::Point& p, const R2::Point& random) const override {
+  std::optional<LightSample> Illuminate(const R3::Point& p, const R2::Point& random) const override {
     const R3::Vector to_center = center_ - p;
     const double D = Length(to_center);
     if (!(D > radius_)) return {};  // it shines outward only
     const double sine_squared = radius_ / D * (radius_ / D);
-    if (sine_squared == 0) return Illumination{falloff_(color_, D), to_center};
+    if (sine_squared == 0) return LightSample{falloff_(color_, D), to_center};
     const double one_minus_cosine = sine_squared / (1 + std::sqrt(1 - sine_squared));
     const R3::Vector direction = FromTangents(InCone(random, one_minus_cosine), to_center / D);
     const double aside = Length(Cross(to_center, direction)), ahead = Dot(to_center, direction);
     const double distance = ahead - std::sqrt(std::max(0.0, (radius_ - aside) * (radius_ + aside)));
     if (!(distance > 0)) return {};
     const double relative = distance / radius_;
-    return Illumination{2 * one_minus_cosine * relative * relative * falloff_(color_, distance), distance * direction};
+    return LightSample{2 * one_minus_cosine * relative * relative * falloff_(color_, distance), distance * direction};
   }
 
   bool IsExtended() const override { return radius_ > 0; }

@@ -20,14 +20,14 @@ class SpotLight : public Light {
         cut_off_cosine_(std::cos(cut_off)),
         exponent_(exponent) {}
 
-  std::optional<Illumination> Illuminate(const R3::Point& p, const R2::Point&) const override {
+  std::optional<LightSample> Illuminate(const R3::Point& p, const R2::Point&) const override {
     const R3::Vector to_light = place_ - p;
     const double distance = Length(to_light);
     if (!(distance > 0)) return {};
     // By rounding the cosine may pass 1, and so may that of a cut-off angle of 0, which lights the axis alone.
     const double cosine = std::min(1.0, -Dot(direction_, Unit(to_light)));
     if (!(cosine > 0 && cosine >= cut_off_cosine_)) return {};
-    return Illumination{std::pow(cosine, exponent_) * falloff_(color_, distance), to_light};
+    return LightSample{std::pow(cosine, exponent_) * falloff_(color_, distance), to_light};
   }
 
   LightBound Bound() const override { return falloff_.BoundOf(color_, place_, 0); }

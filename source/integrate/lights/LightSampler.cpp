@@ -1,10 +1,9 @@
-#include "source/integrate/lights/PathLights.h"
+#include "source/integrate/lights/LightSampler.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "source/integrate/Features.h"
 #include "source/sample/Warp.h"
 
 namespace ray {
@@ -36,8 +35,8 @@ double SolidAnglePdf(const EmissiveTriangle& triangle, const R3::Vector& towards
 
 }  // namespace
 
-PathLights::PathLights(const World& world, const TraceSettings& settings)
-    : triangles_(EmissiveTriangles(world)), draws_evenly_(settings.strategy == LightStrategy::uniform) {
+LightSampler::LightSampler(const World& world, const TraceSettings& settings)
+    : triangles_(EmissiveTriangles(world)), is_uniform_(settings.strategy == LightStrategy::uniform) {
   const Scene& scene = world.scene();
   std::vector<LightBound> bounds;
   for (const auto& light : scene.lights)
@@ -55,71 +54,67 @@ PathLights::PathLights(const World& world, const TraceSettings& settings)
   }
   has_background_ = !scene.environment && !IsBlack(scene.background);
   count_ = static_cast<int>(bounds.size());
-  if (count_ > 1 && !draws_evenly_) tree_.emplace(std::move(bounds));
+  if (count_ > 1 && !is_uniform_) tree_.emplace(std::move(bounds));
 }
 
-std::optional<PathLightSample> PathLights::SampleOne(const ShadingPoint& surface, const R2::Point& place,
-                                                     double choice) const {
-  if (count_ == 1) return Sample(surface, 0, place);
-  const auto chosen = Choose(surface, choice);
+std::optional<LightSample> LightSampler::SampleOne(const ShadingPoint& p, const R2::Point& u, double choice) const {
+  if (count_ == 1) return Sample(p, 0, u);
+  const auto chosen = Choose(p, choice);
   if (!chosen) return {};
-  auto sample = Sample(surface, chosen->light, place);
+  auto sample = Sample(p, chosen->light, u);
   if (!sample) return {};
-  sample->arriving = sample->arriving / chosen->probability;
+  sample->irradiance = sample->irradiance / chosen->probability;
   sample->pdf *= chosen->probability;
   return sample;
 }
 
-std::string PathLights::Describe(int light) const {
+std::string LightSampler::Describe(int light) const {
   const auto i = static_cast<std::size_t>(light);
   if (i < lights_.size()) return lights_[i]->Describe();
   return i - lights_.size() < triangles_.size() ? triangles_[i - lights_.size()].Describe() : "environment";
 }
 
-std::optional<LightTree::Choice> PathLights::Choose(const ShadingPoint& surface, double choice) const {
-  if (draws_evenly_) return LightTree::Choice{std::min(count_ - 1, static_cast<int>(choice * count_)), 1.0 / count_};
-  return tree_->Choose(surface.shadow_origin, surface.N, choice);
+std::optional<LightTree::Choice> LightSampler::Choose(const ShadingPoint& p, double choice) const {
+  if (is_uniform_) return LightTree::Choice{std::min(count_ - 1, static_cast<int>(choice * count_)), 1.0 / count_};
+  return tree_->Choose(p.shadow_origin, p.N, choice);
 }
 
-double PathLights::ProbabilityOf(const ShadingPoint& surface, int light) const {
+double LightSampler::ProbabilityOf(const ShadingPoint& p, int light) const {
   if (count_ == 1) return 1;
-  return draws_evenly_ ? 1.0 / count_ : tree_->Probability(surface.shadow_origin, surface.N, light);
+  return is_uniform_ ? 1.0 / count_ : tree_->Probability(p.shadow_origin, p.N, light);
 }
 
-std::optional<PathLightSample> PathLights::Sample(const ShadingPoint& surface, int light,
-                                                  const R2::Point& place) const {
+std::optional<LightSample> LightSampler::Sample(const ShadingPoint& p, int light, const R2::Point& u) const {
   auto i = static_cast<std::size_t>(light);
   if (i < lights_.size()) {
-    const auto lit = lights_[i]->Illuminate(surface.shadow_origin, place);
-    if (!lit) return {};
-    return PathLightSample{lit->irradiance, lit->to_light, lit->is_infinite, 0, light};
+    auto sample = lights_[i]->Illuminate(p.shadow_origin, u);
+    if (sample) sample->light = light;
+    return sample;
   }
   i -= lights_.size();
   if (i < triangles_.size()) {
     const EmissiveTriangle& triangle = triangles_[i];
-    const R3::Vector towards =
-        triangle.PointTowards(surface.shadow_origin, place, surface.path.ray.time) - surface.shadow_origin;
+    const R3::Vector towards = triangle.PointTowards(p.shadow_origin, u, p.path.ray.time) - p.shadow_origin;
     const double pdf = SolidAnglePdf(triangle, towards, 1);
     if (!(pdf > 0)) return {};
-    return PathLightSample{triangle.emission / pdf, towards, false, pdf, light};
+    return LightSample{triangle.emission / pdf, towards, false, pdf, light};
   }
-  if (!features::environment) return {};
-  if (draws_evenly_) {
-    const R3::Vector direction = OnSphere(place);
-    return PathLightSample{environment_->Radiance(direction) / sphere_pdf, direction, true, sphere_pdf, light};
+  if (is_uniform_) {
+    const R3::Vector direction = OnSphere(u);
+    return LightSample{environment_->Radiance(direction) / sphere_pdf, direction, true, sphere_pdf, light};
   }
-  const Environment::Sample drawn = environment_->Draw(place);
-  return PathLightSample{drawn.radiance / drawn.pdf, drawn.direction, true, drawn.pdf, light};
+  const Environment::Sample drawn = environment_->Draw(u);
+  return LightSample{drawn.radiance / drawn.pdf, drawn.direction, true, drawn.pdf, light};
 }
 
-double PathLights::PdfOfEnvironment(const ShadingPoint& from, const R3::Vector& direction, bool choosing) const {
-  if (!features::environment || !environment_) return 0;
-  const double pdf = draws_evenly_ ? sphere_pdf : environment_->Pdf(direction);
+double LightSampler::PdfOfEnvironment(const ShadingPoint& from, const R3::Vector& direction, bool choosing) const {
+  if (!environment_) return 0;
+  const double pdf = is_uniform_ ? sphere_pdf : environment_->Pdf(direction);
   return choosing ? pdf * ProbabilityOf(from, count_ - 1) : pdf;
 }
 
-double PathLights::PdfOfHit(const ShadingPoint& from, const R3::Ray& ray, const ShadingPoint& hit, const World& world,
-                            bool choosing) const {
+double LightSampler::PdfOfHit(const ShadingPoint& from, const R3::Ray& ray, const ShadingPoint& hit, const World& world,
+                              bool choosing) const {
   if (triangles_.empty()) return 0;
   const auto found = triangle_of_primitive_.find(world.PrimitiveId(hit.hit));
   if (found == triangle_of_primitive_.end()) return 0;

@@ -1,0 +1,116 @@
+#include "source/integrate/Bsdf.h"
+
+#include "source/integrate/Refract.h"
+#include "source/sample/Warp.h"
+
+namespace ray {
+namespace {
+
+/// Index of refraction on the side of wo over that on the other.
+double RelativeIndex(const ShadingPoint& p) { return p.entering ? 1 / p.material->ir : p.material->ir; }
+
+RayKind KindOf(Lobe lobe) {
+  switch (lobe) {
+    case Lobe::diffuse:
+      return RayKind::scattering;
+    case Lobe::glossy:
+    case Lobe::mirror:
+      return RayKind::reflection;
+    case Lobe::transmission:
+      return RayKind::transmission;
+  }
+  return {};
+}
+
+/// The same ray beyond its hit. It asks every shape the same question as before and so gets the same answers, of which
+/// the first is now outside the interval: nothing moves, nothing is hit twice.
+R3::Ray StraightOn(const ShadingPoint& p) {
+  R3::Ray ray = p.path.ray;
+  ray.t_min = p.hit.t;
+  return ray;
+}
+
+}  // namespace
+
+double FresnelReflectance(double cosine, double eta) {
+  const double sine_squared = eta * eta * std::max(0.0, 1 - cosine * cosine);
+  if (!(sine_squared < 1)) return 1;
+  const double other = std::sqrt(1 - sine_squared);  // cosine behind the surface
+  const double across = (eta * cosine - other) / (eta * cosine + other);
+  const double along = (cosine - eta * other) / (cosine + eta * other);
+  return (across * across + along * along) / 2;
+}
+
+Bsdf::Bsdf(const ShadingPoint& p, const TraceSettings& settings)
+    : p_(p), reflected_(p.material->ks), transmitted_(p.material->kt) {
+  if (settings.fresnel && !IsBlack(p.material->kt) && p.material->ir != 1) {
+    const double share = FresnelReflectance(std::clamp(Dot(p.N, p.wo), 0.0, 1.0), RelativeIndex(p));
+    reflected_ = p.material->ks + share * p.material->kt;
+    transmitted_ = (1 - share) * p.material->kt;
+  }
+  const double d = Luminance(p.kd), r = Luminance(reflected_), t = Luminance(transmitted_);
+  const double sum = d + r + t;
+  if (sum > 0) {
+    diffuse_ = d / sum;
+    reflection_ = r / sum;
+    transmission_ = t / sum;
+  }
+  is_glossy_ = settings.glossy && r > 0;
+  if (r > 0) mirrored_ = Unit(Reflect(-p.wo, p.N));
+}
+
+R2::Color Bsdf::Eval(const R3::Vector& wi) const {
+  const double cosine = Dot(p_.N, wi);
+  if (!(cosine > 0)) return {};
+  R2::Color sum = CosinePdf(cosine) * p_.kd;
+  if (is_glossy_) sum += PowerPdf(Dot(wi, mirrored_), p_.material->n) * reflected_;
+  return sum;
+}
+
+double Bsdf::Pdf(const R3::Vector& wi) const {
+  const double by_glossy = is_glossy_ ? reflection_ * PowerPdf(Dot(wi, mirrored_), p_.material->n) : 0;
+  return diffuse_ * CosinePdf(Dot(p_.N, wi)) + by_glossy;
+}
+
+std::optional<BsdfSample> Bsdf::Sample(const R2::Point& u, double choice) const {
+  if (choice < diffuse_) return Scatter(FromTangents(OnCosineHemisphere(u), p_.N), Lobe::diffuse);
+  if (choice < diffuse_ + reflection_) {
+    const auto wi = SampleReflection(u);
+    if (!wi) return {};
+    if (is_glossy_) return Scatter(*wi, Lobe::glossy);
+    return BsdfSample{*wi, reflected_, reflection_, Lobe::mirror};
+  }
+  if (!(transmission_ > 0)) return {};
+  const auto wi = Refraction();
+  if (!wi) return {};
+  return BsdfSample{*wi, transmitted_, transmission_, Lobe::transmission};
+}
+
+/// What heads into the surface, by the glossy lobe or by a smoothed normal, is lost there.
+std::optional<BsdfSample> Bsdf::Scatter(const R3::Vector& wi, Lobe lobe) const {
+  const R3::Vector outward = p_.entering ? AsVector(p_.at.normal) : -AsVector(p_.at.normal);
+  const double pdf = Pdf(wi);
+  if (!(pdf > 0) || !(Dot(outward, wi) > 0)) return {};
+  return BsdfSample{wi, Eval(wi), pdf, lobe};
+}
+
+std::optional<R3::Vector> Bsdf::SampleReflection(const R2::Point& u) const {
+  if (!is_glossy_) return mirrored_;
+  const R3::Vector wi = FromTangents(OnPowerLobe(u, p_.material->n), mirrored_);
+  if (!(Dot(wi, p_.N) > 0)) return {};
+  return wi;
+}
+
+std::optional<R3::Vector> Bsdf::Refraction() const {
+  if (p_.material->ir == 1) return -p_.wo;
+  return Refract(-p_.wo, p_.N, RelativeIndex(p_));
+}
+
+PathState Extend(const ShadingPoint& p, const R3::Vector& wi, Lobe lobe, const R2::Color& throughput,
+                 const SampleIndex& index) {
+  const bool is_straight = lobe == Lobe::transmission && p.material->ir == 1;
+  return {
+      is_straight ? StraightOn(p) : SpawnRay(p, wi), throughput, p.path.depth + 1, index, KindOf(lobe), p.path.record};
+}
+
+}  // namespace ray

@@ -1,0 +1,96 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "R2/Color.h"
+#include "R2/Point.h"
+#include "R3/Vector.h"
+#include "source/integrate/ShadingPoint.h"
+#include "source/integrate/TraceSettings.h"
+
+namespace ray {
+
+/// How much light a clear surface between two indices of refraction reflects, of both polarizations alike.
+///   cosine    of the angle to the normal on the side the light comes from, in [0, 1]
+///   eta       index on that side over the index on the other; > 0
+///   returns   in [0, 1]; 1 on total internal reflection
+///   source    Fresnel (1823), in the form of Born and Wolf, Principles of optics (1959), section 1.5.2
+double FresnelReflectance(double cosine, double eta);
+
+/// The diffuse lobe in the units of the scene language: kd (N.L), nothing from below. Times 1 / pi it is the BRDF of
+/// Lambert, Photometria (1760), with its cosine.
+///   L   unit, towards the light
+inline R2::Color DiffuseReflection(const ShadingPoint& p, const R3::Vector& L) {
+  return std::max(0.0, Dot(p.N, L)) * p.kd;
+}
+
+/// What a surface reflects of a light of the scene language, in its units (no 1/pi, no normalized lobe):
+///     (kd (N.L) + ks (V.R)^n) I_L,   nothing when N.L <= 0, no lobe when V.R <= 0
+///   L        unit, towards the light; V is p.wo, R the mirror image of L about N
+///   source   Phong, Illumination for computer generated pictures (1975)
+inline R2::Color PhongReflection(const ShadingPoint& p, const R3::Vector& L, const R2::Color& irradiance) {
+  const double cosine = Dot(p.N, L);
+  if (!(cosine > 0)) return {};
+  const Material& m = *p.material;
+  const double lobe = Dot(p.wo, 2 * cosine * p.N - L);
+  const double highlight = lobe > 0 && !IsBlack(m.ks) ? std::pow(lobe, m.n) : 0;
+  return (DiffuseReflection(p, L) + m.ks * highlight) * irradiance;
+}
+
+/// The lobes of a BSDF. A specular one is a delta distribution: it scatters into one direction alone.
+enum class Lobe { diffuse, glossy, mirror, transmission };
+constexpr bool IsSpecular(Lobe lobe) { return lobe == Lobe::mirror || lobe == Lobe::transmission; }
+
+/// A direction that light may come from. value / pdf estimates the reflectance.
+struct BsdfSample {
+  R3::Vector wi;    // unit
+  R2::Color value;  // BSDF times cosine: Eval(wi); of a specular lobe its share of the radiance
+  double pdf = 0;   // Pdf(wi); of a specular lobe the probability of choosing it
+  Lobe lobe = Lobe::diffuse;
+};
+
+/// How the surface at a point scatters light towards wo: kd / pi, ks (n + 1) / (2 pi) (wi.R)^n or a mirror of weight
+/// ks, and kt straight on or refracted, R being wo mirrored about N. With Fresnel's equations what is clear reflects a
+/// part of kt as well, and all of it on total internal reflection.
+///
+/// wo is fixed when a Bsdf is made, because Fresnel's share and the middle of the lobe depend on it alone. The point
+/// must outlive it. Directions are unit and point away from the surface.
+///   source   Lafortune, Willems, Using the modified Phong reflectance model for physically based rendering (1994),
+///            eq. 4 for the glossy lobe, here without the cosine that dims it at grazing angles
+class Bsdf {
+ public:
+  Bsdf(const ShadingPoint& p, const TraceSettings& settings);
+
+  /// The non-specular lobes: radiance scattered to wo per radiance from wi and solid angle, the cosine included.
+  R2::Color Eval(const R3::Vector& wi) const;
+  /// Of Sample giving wi by a non-specular lobe, per solid angle.
+  double Pdf(const R3::Vector& wi) const;
+  /// Importance sampling: a lobe with a probability proportional to the luminance of its weight, then a direction by
+  /// that lobe. Nothing where no light is scattered, or it would have to come from inside the surface.
+  ///   u, choice   uniform in [0, 1)
+  std::optional<BsdfSample> Sample(const R2::Point& u, double choice) const;
+
+  /// For a tracer that follows every lobe: the weights of the mirror (or glossy) lobe and of transmission, and their
+  /// directions. Nothing when the sampled direction is below the surface, and on total internal reflection.
+  const R2::Color& Reflected() const { return reflected_; }
+  const R2::Color& Transmitted() const { return transmitted_; }
+  std::optional<R3::Vector> SampleReflection(const R2::Point& u) const;
+  std::optional<R3::Vector> Refraction() const;
+
+ private:
+  std::optional<BsdfSample> Scatter(const R3::Vector& wi, Lobe lobe) const;
+
+  const ShadingPoint& p_;
+  R2::Color reflected_, transmitted_;
+  double diffuse_ = 0, reflection_ = 0, transmission_ = 0;  // probabilities; their sum is 1, or 0 for a black surface
+  bool is_glossy_;
+  R3::Vector mirrored_;  // wo's mirror image, unit; where something is reflected
+};
+
+/// A path extended from p towards wi, which its lobe has given.
+PathState Extend(const ShadingPoint& p, const R3::Vector& wi, Lobe lobe, const R2::Color& throughput,
+                 const SampleIndex& index);
+
+}  // namespace ray

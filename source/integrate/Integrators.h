@@ -1,0 +1,36 @@
+#pragma once
+
+#include <array>
+#include <span>
+
+#include "source/integrate/Integrator.h"
+
+namespace ray {
+
+/// What a picture can show: the lines of integrators.def.
+enum class RenderMode {
+#define INTEGRATOR(name) name,
+#include "source/integrate/integrators.def"
+#undef INTEGRATOR
+};
+inline constexpr std::array render_modes{
+#define INTEGRATOR(name) #name,
+#include "source/integrate/integrators.def"
+#undef INTEGRATOR
+};
+constexpr const auto& NamesOf(RenderMode) { return render_modes; }
+
+/// Every kind, in the order of integrators.def.
+std::span<const IntegratorKind* const> IntegratorKinds();
+const IntegratorKind& KindOf(RenderMode mode);
+
+/// Whether a mode shows costs, in the colors of HeatColor, rather than light or surfaces.
+inline bool ShowsCosts(RenderMode mode) { return KindOf(mode).shows_costs; }
+
+/// The integrator of a mode.
+inline std::unique_ptr<const Integrator> MakeIntegrator(RenderMode mode, const World& world,
+                                                        const Accelerator& accelerator, const TraceSettings& settings) {
+  return KindOf(mode).make(world, accelerator, settings);
+}
+
+}  // namespace ray

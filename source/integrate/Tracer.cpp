@@ -1,0 +1,44 @@
+#include "source/integrate/Tracer.h"
+
+#include <array>
+
+namespace ray {
+
+std::vector<ShadingPoint> Tracer::CameraHits(std::span<const CameraSample> samples, TraceState& state) const {
+  state.batch.clear();
+  for (const CameraSample& sample : samples) state.batch.push_back(sample.ray);
+  state.hits.assign(samples.size(), {});
+  accelerator_.Intersect(state.batch, state.hits.data(), state.workspace);
+  state.Book(RayKind::camera, samples.size());
+
+  std::vector<ShadingPoint> points;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    PathState path{.ray = samples[i].ray, .index = samples[i].index};
+    if (state.recorder) path.record = state.recorder->Begin(path);
+    if (state.hits[i])
+      points.push_back(ShadingPointAt(world_, path, *state.hits[i]));
+    else
+      RecordMiss(path, Background(world_.scene(), path.ray.direction), state);
+  }
+  return points;
+}
+
+void Tracer::TraceShadowRays(TraceState& state) const {
+  const std::size_t count = state.shadow_rays.size();
+  std::array<bool, most_shadow_rays> are_occluded{};
+  if (shadows_ && count > 0) {
+    if (count == 1)
+      are_occluded[0] = accelerator_.IsOccluded(state.shadow_rays[0], state.workspace);
+    else
+      accelerator_.IsOccluded(state.shadow_rays, are_occluded.data(), state.workspace);
+    state.Book(RayKind::shadow, count);
+  }
+  if (state.recorder) [[unlikely]]
+    state.recorder->EndShadows([&](std::size_t i) { return are_occluded[i]; }, world_, accelerator_, state.workspace);
+  for (std::size_t i = 0; i < count; ++i)
+    if (!are_occluded[i]) state.arrived[state.shadows[i].point] += state.shadows[i].reflected;
+  state.shadow_rays.clear();
+  state.shadows.clear();
+}
+
+}  // namespace ray

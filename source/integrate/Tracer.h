@@ -1,0 +1,64 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "source/accelerate/Accelerator.h"
+#include "source/integrate/Integrator.h"
+#include "source/integrate/ShadingPoint.h"
+#include "source/integrate/debug/RayRecorder.h"
+#include "source/scene/Light.h"
+
+namespace ray {
+
+/// The rays of an integrator: traces them, together where they go nearly the same way, counts what they cost and tells
+/// the recorder, if there is one.
+class Tracer {
+ public:
+  Tracer(const World& world, const Accelerator& accelerator, bool shadows)
+      : world_(world), accelerator_(accelerator), shadows_(shadows) {}
+
+  /// Hits of camera rays go to state.hits.
+  ///   returns   the points of those that hit something, in order
+  std::vector<ShadingPoint> CameraHits(std::span<const CameraSample> samples, TraceState& state) const;
+
+  std::optional<WorldHit> Intersect(PathState& path, TraceState& state) const {
+    if (state.recorder) [[unlikely]]
+      path.record = state.recorder->Begin(path);
+    auto hit = accelerator_.Intersect(path.ray, state.workspace);
+    state.Book(path.kind, 1);
+    return hit;
+  }
+  static void RecordHit(const ShadingPoint& p, const R2::Color& contribution, TraceState& state) {
+    if (state.recorder) [[unlikely]]
+      state.recorder->Hits(p, contribution);
+  }
+  static void RecordMiss(const PathState& path, const R2::Color& contribution, TraceState& state) {
+    if (state.recorder) [[unlikely]]
+      state.recorder->Misses(path.record, contribution);
+  }
+
+  /// A shadow ray of point number `index`: what reaches it, if nothing is in between, is added to state.arrived[index],
+  /// at the latest by TraceShadowRays.
+  ///   contribution   the same with the path's throughput
+  ///   describe       names the light
+  template <typename Describe>
+  void AddShadowRay(const ShadingPoint& p, std::size_t index, const LightSample& light, const R2::Color& reflected,
+                    const R2::Color& contribution, const Describe& describe, TraceState& state) const {
+    state.shadow_rays.push_back(ShadowRay(p, light.to_light, light.is_infinite));
+    state.shadows.push_back({index, reflected});
+    if (state.recorder) [[unlikely]]
+      state.recorder->BeginShadow(p, state.shadow_rays.back(), contribution, describe());
+    if (state.shadows.size() == most_shadow_rays) TraceShadowRays(state);
+  }
+  void TraceShadowRays(TraceState& state) const;
+
+ private:
+  static constexpr std::size_t most_shadow_rays = 64;  // traced at once
+
+  const World& world_;
+  const Accelerator& accelerator_;
+  bool shadows_;
+};
+
+}  // namespace ray
