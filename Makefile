@@ -2,7 +2,7 @@
 #   make            the programs, under build/ (another place: make BUILD=elsewhere)
 #   make test       the layer check, all tests, and a few pictures of the writeup
 #   make night      the tests with millions of cases; GTEST=--gtest_filter=... for some of them
-#   make check      the layer check alone: who may include whom
+#   make check      the layer check alone: who may include whom; and that the patches of script/price apply
 #   make asan tsan  the tests again under the sanitizers
 #   make bench      the benchmark programs
 #   make tradeoff   error over seconds for every knob, as CSV and plots under build/tradeoff; FULL=1 for hours
@@ -104,7 +104,7 @@ endif
 BENCH_SOURCES := $(filter-out $(if $(CONTEXTS),,bench/view.cpp),$(wildcard bench/*.cpp))
 objects = $(patsubst %.cpp,$(BUILD)/obj/%.o,$(1))
 
-.PHONY: all $(PROGRAMS) test night check asan tsan bench tradeoff price link_with install uninstall installcheck dist \
+.PHONY: all $(PROGRAMS) test night check asan tsan bench tradeoff price install uninstall installcheck dist \
         clean compile_commands test-binary FORCE
 .PRECIOUS: $(BUILD)/obj/%.o
 all: $(PROGRAMS) $(BUILD)/compile_commands.json
@@ -177,9 +177,6 @@ tradeoff: $(PROGRAMS)
 	$(FOR_TESTS) sh script/tradeoff.sh $(if $(FULL),-full) $(TRADEOFF)
 price: raypro
 	BUILD=$(BUILD) sh script/price_of_features.sh $(PRICE)
-# For that script: raypro from OBJECTS and, for the rest, the library, as the program TO.
-link_with: $(BUILD)/obj/source/app/raypro.o $(BUILD)/libray.a
-	@$(CXX) $(OUR_CXXFLAGS) $(CXXFLAGS) $< $(OBJECTS) $(BUILD)/libray.a $(LDFLAGS) $(LIBS) -o $(TO)
 
 # The shell's quotes around anything.
 quoted = '$(subst ','\'',$(1))'

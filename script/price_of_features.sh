@@ -1,14 +1,14 @@
 #!/bin/sh
-# What features cost scenes that do not use them: for each feature the program is linked once more with it compiled out,
-# and both render scenes without it. Prints how many more instructions (valgrind) and CPU seconds (interleaved; the
+# What features cost scenes that do not use them: for each feature the program is built once more from sources that its
+# patch, script/price/FEATURE.patch, takes it out of, and both render scenes without it. Prints how many more instructions (valgrind) and CPU seconds (interleaved; the
 # median of the ratios) the whole program takes, and whether the pictures are the same bytes. The aim: 0.5 % of
 # instructions, 1 % of time, the same bytes.
 #
 #     script/price_of_features.sh [-repeats n] [-no_instructions] [feature ...]
 #
 #   -repeats n   how often each is timed (default 21)
-#   feature      lens, motion ...; all that source/integrate/Features.h and source/film/Filter.h can leave out, unless
-#                some are given
+#   feature      lens, motion ...; all of them unless some are given. A patched program takes any scene for one without
+#                the feature. script/check_patches.sh says whether the patches still apply
 #
 # Exit status 1: a picture differs, or an aim is missed. The table goes to build/price/features.csv as well (OUT names
 # another folder), where script/tradeoff_plots.sh looks for it. BUILD names the build to start from (default build).
@@ -28,10 +28,10 @@ while [ $# -gt 0 ]; do
   esac
   shift
 done
-known=$(sed -n 's/^#ifdef RAYPRO_WITHOUT_//p' source/integrate/Features.h source/film/Filter.h | tr '[:upper:]' '[:lower:]')
+known="lens motion environment textures bump absorption fresnel glossy roulette choice_of_lights wide_filter"
 [ $# -gt 0 ] || set -- $known  # words
 for feature; do
-  echo "$known" | grep -qx "$feature" || { echo "price_of_features.sh: no feature '$feature'; there are" $known >&2; exit 2; }
+  echo "$known" | tr ' ' '\n' | grep -qx "$feature" || { echo "price_of_features.sh: no feature '$feature'; there are" $known >&2; exit 2; }
 done
 if [ $instructions = yes ] && ! command -v valgrind > /dev/null; then
   echo "no valgrind here, so no instructions are counted"
@@ -45,23 +45,15 @@ mkdir -p "$out"
 make -s BUILD="$build" raypro > /dev/null
 whole=$build/raypro
 
-# Objects that know of the feature are compiled again, as the build did; the rest is its library's.
+# The sources and what was built of them once more; only what the patch touches is compiled again.
 build_without() {  # feature
-  macro=RAYPRO_WITHOUT_$(echo "$1" | tr '[:lower:]' '[:upper:]')
-  objects=
-  grep -rlE "features::$1\>|$macro" source | grep -v Features.h > "$work/users"
-  for d in $(grep -lF -f "$work/users" $(find "$build/obj/source" -name '*.d')); do
-    source=${d#"$build/obj/"}
-    source=${source%.d}.cpp
-    case $source in source/app/*) continue ;; esac
-    object=$work/$1/$(echo "$source" | tr / _).o
-    mkdir -p "$work/$1"
-    eval "$(cat "$build/flags") -D$macro -c $source -o $object"
-    objects="$objects $object"
-  done
-  # The objects come first, so that nothing of theirs is taken from the library.
-  # shellcheck disable=SC2086  # words
-  make -s --no-print-directory BUILD="$build" link_with OBJECTS="$objects" TO="$work/$1/raypro" > /dev/null
+  tree=$work/$1
+  mkdir -p "$tree/build/obj"
+  cp -rp Makefile R2 R3 source "$tree"
+  cp -rp "$build/flags" "$tree/build"
+  cp -rp "$build/obj/R2" "$build/obj/R3" "$build/obj/source" "$tree/build/obj"
+  patch -s -d "$tree" -p1 < "script/price/$1.patch"
+  make -s -C "$tree" BUILD=build raypro > /dev/null
 }
 
 render() {  # program, picture, options of the scene
@@ -100,7 +92,7 @@ while read -r name options; do
 done < "$work/scenes"
 for feature; do
   build_without "$feature"
-  without=$work/$feature/raypro
+  without=$work/$feature/build/raypro
   while read -r name options; do
     # shellcheck disable=SC2086
     {
