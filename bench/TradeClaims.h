@@ -173,7 +173,7 @@ inline void AdaptiveTiles(Lab& lab, Table& table) {
     settings.seed = static_cast<std::uint64_t>(seed);
     settings.budget.error = ray::ErrorTarget{0.02, ray::ErrorUnit::linear};
     settings.budget.adaptive = ray::Adaptive::tile;
-    warned += Lab::Take(lab.At("sky"), settings).result.has_hot_pixels;
+    warned += Lab::Take(lab.At("sky"), settings).result.has_outliers;
   }
   table.Add("sky by scattering alone: share of renders that warn", Share(warned, seeds), AtLeast(1));
 }

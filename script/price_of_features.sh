@@ -66,7 +66,7 @@ render() {  # program, picture, options of the scene
 count() {  # program, options of the scene: instructions
   program=$1
   shift
-  valgrind --tool=callgrind --callgrind-out-file=/dev/null --toggle-collect='ray::BlockRenderer::Render(*' "$program" \
+  valgrind --tool=callgrind --callgrind-out-file=/dev/null --toggle-collect='ray::RenderBlock(*' "$program" \
     "$@" "$work/counted.pfm" -width 64 -height 64 -samples 4 -shadow_samples 1 -threads 1 -simd avx2 -quiet 2>&1 |
     sed -n 's/.*Collected *: *\([0-9]*\).*/\1/p'
 }

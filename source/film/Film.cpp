@@ -19,7 +19,7 @@ double Storable(double x) {
   return std::isnan(x) ? 0 : std::clamp(x, -largest, largest);
 }
 
-R2::Color Normalised(const WeightedSum& sum) {
+R2::Color Normalized(const WeightedSum& sum) {
   // Weights of a filter with negative lobes may cancel where samples are few; such a pixel has nothing to show.
   if (sum.weight == 0) return {};
   const R2::Color mean = sum.color / sum.weight;
@@ -74,8 +74,7 @@ int Film::BlockOf(int x, int y) const {
 
 bool Film::HasBothParts() const {
   for (int i = 0; i < Blocks(); ++i)
-    if (Common(PixelsOf(i), region_).Area() > 0 && ((*this)[i].samples[0] == 0 || (*this)[i].samples[1] == 0))
-      return false;
+    if (PixelsInRegion(i).Area() > 0 && ((*this)[i].samples[0] == 0 || (*this)[i].samples[1] == 0)) return false;
   return true;
 }
 
@@ -119,7 +118,7 @@ R2::Image Film::Composed(const Blend& blend) const {
       if (reach == 0) {  // one block alone, without looking around
         const Block& own = (*this)[row * columns_ + column];
         if (own.Samples() > 0) sum = blend(own, x, y);
-        image.Set(x - region_.x0, y - region_.y0, Normalised(sum));
+        image.Set(x - region_.x0, y - region_.y0, Normalized(sum));
         continue;
       }
       for (int r = std::max(0, row - reach); r <= std::min(rows_ - 1, row + reach); ++r)
@@ -129,7 +128,7 @@ R2::Image Film::Composed(const Blend& blend) const {
           const int part_with_sums = block.samples[0] > 0 ? 0 : 1;
           if (block.sums[part_with_sums].Reach().Contains(x, y)) sum += blend(block, x, y);
         }
-      image.Set(x - region_.x0, y - region_.y0, Normalised(sum));
+      image.Set(x - region_.x0, y - region_.y0, Normalized(sum));
     }
   });
   return image;

@@ -35,7 +35,7 @@ class BlockSums {
   /// `reach`: the pixels that samples may count for.
   explicit BlockSums(const PixelRectangle& reach);
 
-  /// A sample at x, y, in pixels from the lower left corner of the picture, taken in pixel (column, row).
+  /// Splats a sample at x, y, in pixels from the lower left corner of the picture, taken in pixel (column, row).
   void Add(int column, int row, double x, double y, const R2::Color& sample, const Filter& filter);
 
   const PixelRectangle& Reach() const { return reach_; }
@@ -43,7 +43,7 @@ class BlockSums {
   BlockSums& operator+=(const BlockSums& o);
   bool IsEmpty() const { return sums_.empty(); }
 
-  /// For keeping in a file.
+  /// For checkpoints.
   const std::vector<WeightedSum>& Sums() const { return sums_; }
   std::vector<WeightedSum>& Sums() { return sums_; }
 
@@ -57,10 +57,10 @@ class BlockSums {
   std::vector<WeightedSum> sums_;
 };
 
-/// Collects samples of a picture in two parts, whose difference tells how far off their mean may be, and makes pixels
-/// of them. Work is shared out by blocks of 8x8 pixels, one thread at a time each: within a block samples are added in
-/// a fixed order, and a pixel adds up the blocks that reach it in a fixed order. So neither threads nor the size of
-/// tiles can change a bit.
+/// Collects samples of a picture in two parts, whose difference shows the error of their mean, and makes pixels of
+/// them. Work is shared out by blocks of 8x8 pixels, one thread at a time each: within a block samples are added in a
+/// fixed order, and a pixel adds up the blocks that reach it in a fixed order. So neither threads nor the size of tiles
+/// can change a bit.
 class Film {
  public:
   static constexpr int block_side = 8, parts = 2;
@@ -73,15 +73,21 @@ class Film {
   int Blocks() const { return columns_ * rows_; }
   /// The pixels that a block takes samples of.
   PixelRectangle PixelsOf(int block) const;
+  /// Those of them that are in the region.
+  PixelRectangle PixelsInRegion(int block) const { return Common(PixelsOf(block), region_); }
   const Filter& filter() const { return filter_; }
   const PixelRectangle& Region() const { return region_; }
+  /// The pixels that samples are taken of: the region, and those around it that a wide filter reaches it from.
+  const PixelRectangle& Sampled() const { return sampled_; }
 
   /// What one block has collected.
   struct Block {
     BlockSums sums[parts];
-    std::uint32_t samples[parts] = {0, 0};  // a pixel
+    std::uint32_t samples[parts] = {0, 0};  // per pixel
 
     std::uint32_t Samples() const { return samples[0] + samples[1]; }
+    /// Where the parts are two streams each has as many, else one stream is in both.
+    std::uint32_t SamplesPerStream(bool has_two_streams) const { return has_two_streams ? samples[0] : Samples(); }
   };
   const Block& operator[](int block) const { return blocks_[static_cast<std::size_t>(block)]; }
   Block& operator[](int block) { return blocks_[static_cast<std::size_t>(block)]; }

@@ -7,7 +7,7 @@ namespace ray {
 namespace {
 
 // Linear interpolation errs by at most f'' / 8 / steps^2, and no f'' here exceeds 6.
-constexpr int steps_a_pixel = 1024;
+constexpr int steps_per_pixel = 1024;
 
 double RadiusOf(FilterKind kind) {
   switch (kind) {
@@ -53,15 +53,15 @@ double FilterFormula(FilterKind kind, double distance) {
 
 Filter::Filter(FilterKind kind) : kind_(kind), radius_(RadiusOf(kind)) {
   if (IsBox()) return;
-  const int last = static_cast<int>(radius_) * steps_a_pixel;
-  for (int i = 0; i <= last; ++i) table_.push_back(FilterFormula(kind, static_cast<double>(i) / steps_a_pixel));
+  const int last = static_cast<int>(radius_) * steps_per_pixel;
+  for (int i = 0; i <= last; ++i) table_.push_back(FilterFormula(kind, static_cast<double>(i) / steps_per_pixel));
 }
 
 double Filter::operator()(double distance) const {
   const double x = std::abs(distance);
   if (!(x < radius_)) return 0;
   if (IsBox()) return 1;
-  const double step = x * steps_a_pixel;
+  const double step = x * steps_per_pixel;
   const auto below = static_cast<std::size_t>(step);
   const double share = step - static_cast<double>(below);
   return (1 - share) * table_[below] + share * table_[below + 1];

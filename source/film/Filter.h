@@ -6,8 +6,8 @@
 
 namespace ray {
 
-/// How much a sample counts for a pixel, by its distance from the pixel's centre along x times that along y. The course
-/// also numbers them in this order.
+/// Reconstruction filters: how much a sample counts for a pixel, by its distance from the pixel's center along x times
+/// that along y. The course also numbers them in this order.
 ///   box       1 up to half a pixel
 ///   gaussian  exp(-2 x^2) less its value at 2 pixels, up to 2 pixels: standard deviation half a pixel
 ///   mitchell  Mitchell and Netravali, Reconstruction filters in computer graphics (1988), B = C = 1/3, up to 2 pixels
@@ -22,7 +22,7 @@ class Filter {
   explicit Filter(FilterKind kind);
 
   bool IsBox() const { return kind_ == FilterKind::box; }
-  /// In pixels; nothing farther from a pixel's centre counts for it.
+  /// In pixels; nothing farther from a pixel's center counts for it.
   double Radius() const { return radius_; }
   /// How many pixels to each side a sample may count for, besides the one it is in.
   int Apron() const { return IsBox() ? 0 : static_cast<int>(radius_); }

@@ -9,6 +9,7 @@
 #include <functional>
 #include <limits>
 #include <numbers>
+#include <numeric>
 
 namespace ray {
 namespace {
@@ -89,6 +90,49 @@ double NormalQuantile(double p) {
   return (low + high) / 2;
 }
 
+struct Interval {
+  double mean, low, high;
+};
+
+/// The mean square of the pixels, from that of blocks, which at the rim of the picture may be narrower: each counts by
+/// its area.
+Interval MeanSquare(const std::vector<double>& blocks, const std::vector<double>& areas, double confidence) {
+  double total = 0, pixels = 0;
+  for (std::size_t i = 0; i < blocks.size(); ++i) {
+    total += blocks[i] * areas[i];
+    pixels += areas[i];
+  }
+  const double mean = total / pixels;
+  double variance = 0, third_moment = 0, blocks_with_area = 0;
+  for (std::size_t i = 0; i < blocks.size(); ++i) {
+    const double share = areas[i] / pixels;
+    const double away = share * (blocks[i] - mean);
+    variance += away * away;
+    third_moment += away * away * away;
+    if (areas[i] > 0) ++blocks_with_area;
+  }
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const double freedom = blocks_with_area - 1;
+  if (freedom < 1) return {mean, -infinity, infinity};
+  const double t = StudentQuantile((1 + confidence) / 2, freedom);
+  const double deviation = std::sqrt(variance * blocks_with_area / freedom);
+  const double skewness = variance > 0 ? third_moment / (variance * std::sqrt(variance)) : 0;
+  // Of few blocks the skewness is hardly known: it may widen the interval upwards, by no more than it was, and does not
+  // narrow it downwards.
+  const double shift = std::clamp(skewness * (1 + 2 * t * t) / 6, 0.0, t);
+  return {mean, mean - deviation * t, mean + deviation * (t + shift)};
+}
+
+/// How much of the sum of all squares is in the largest thousandth of them.
+double OutlierShare(const std::vector<float>& squares) {
+  std::vector<float> sorted = squares;
+  const auto outliers_end = sorted.begin() + static_cast<std::ptrdiff_t>((sorted.size() + 999) / 1000);
+  std::nth_element(sorted.begin(), outliers_end - 1, sorted.end(), std::greater<>());
+  const double in_all = std::accumulate(squares.begin(), squares.end(), 0.0);
+  const double in_outliers = std::accumulate(sorted.begin(), outliers_end, 0.0);
+  return in_all > 0 ? in_outliers / in_all : 0;
+}
+
 }  // namespace
 
 const char* ErrorUnitName(ErrorUnit unit) {
@@ -136,54 +180,23 @@ std::optional<MeasuredError> MeasureError(const Film& film, const ErrorMeasure& 
   const PixelErrors errors = SquaredErrors(film, measure);
   const double mean_of_picture = MeanOf(errors.picture);
   std::vector<double> blocks = MeansOfBlocks(film, errors.squares);
-
-  // Blocks at the rim of the region may be narrower; each counts by its pixels.
-  double total = 0, pixels = 0;
   std::vector<double> areas(blocks.size());
-  for (std::size_t i = 0; i < blocks.size(); ++i) {
-    areas[i] = static_cast<double>(Common(film.PixelsOf(static_cast<int>(i)), film.Region()).Area());
-    total += blocks[i] * areas[i];
-    pixels += areas[i];
-  }
-  const double mean = total / pixels;
-  double variance = 0, third_moment = 0, blocks_with_area = 0;
+  for (std::size_t i = 0; i < blocks.size(); ++i)
+    areas[i] = static_cast<double>(film.PixelsInRegion(static_cast<int>(i)).Area());
+  const Interval square = MeanSquare(blocks, areas, measure.confidence);
   std::size_t worst = 0;
-  for (std::size_t i = 0; i < blocks.size(); ++i) {
-    const double share = areas[i] / pixels;
-    const double away = share * (blocks[i] - mean);
-    variance += away * away;
-    third_moment += away * away * away;
-    if (areas[i] > 0) ++blocks_with_area;
+  for (std::size_t i = 0; i < blocks.size(); ++i)
     if (areas[i] > 0 && blocks[i] > blocks[worst]) worst = i;
-  }
-  const double freedom = blocks_with_area - 1;
-  double above = std::numeric_limits<double>::infinity(), below = above;  // the ends of the interval from the mean
-  if (freedom >= 1) {
-    const double t = StudentQuantile((1 + measure.confidence) / 2, freedom);
-    const double deviation = std::sqrt(variance * blocks_with_area / freedom);
-    const double skewness = variance > 0 ? third_moment / (variance * std::sqrt(variance)) : 0;
-    // Of few blocks the skewness is hardly known: it may widen the interval upwards, by no more than it was, and does
-    // not narrow it downwards.
-    const double shift = std::clamp(skewness * (1 + 2 * t * t) / 6, 0.0, t);
-    above = deviation * (t + shift);
-    below = deviation * t;
-  }
 
   ErrorEstimate e;
   e.unit = measure.unit;
-  e.estimate = InUnit(mean, measure, mean_of_picture);
-  e.low = InUnit(mean - below, measure, mean_of_picture);
-  e.high = InUnit(mean + above, measure, mean_of_picture);
+  e.estimate = InUnit(square.mean, measure, mean_of_picture);
+  e.low = InUnit(square.low, measure, mean_of_picture);
+  e.high = InUnit(square.high, measure, mean_of_picture);
   e.worst_block = InUnit(blocks[worst], measure, mean_of_picture);
-  e.worst_block_at = Common(film.PixelsOf(static_cast<int>(worst)), film.Region());
-  std::vector<float> sorted = errors.squares;
-  const auto hot = sorted.begin() + static_cast<std::ptrdiff_t>((sorted.size() + 999) / 1000);
-  std::nth_element(sorted.begin(), hot - 1, sorted.end(), std::greater<>());
-  double in_hot = 0, in_all = 0;
-  for (const float square : errors.squares) in_all += square;
-  for (auto i = sorted.begin(); i != hot; ++i) in_hot += *i;
-  e.outlier_share = in_all > 0 ? in_hot / in_all : 0;
-  return MeasuredError{e, mean, mean + above, mean_of_picture, std::move(blocks)};
+  e.worst_block_at = film.PixelsInRegion(static_cast<int>(worst));
+  e.outlier_share = OutlierShare(errors.squares);
+  return MeasuredError{e, square.mean, square.high, mean_of_picture, std::move(blocks)};
 }
 
 double TrueError(const R2::Image& picture, const R2::Image& reference, const R2::Image* second,

@@ -30,6 +30,8 @@ struct ErrorEstimate {
   double worst_block = 0;    // the largest error of a block of 8x8 pixels
   PixelRectangle worst_block_at;
   double outlier_share = 0;  // of the squared error, in the worst thousandth of the pixels
+
+  bool IsMostlyOutliers() const { return outlier_share > 0.5; }
 };
 
 /// How errors are counted: the unit, the confidence of the interval in (0, 1), and whether the picture is sRGB encoded.
@@ -48,12 +50,11 @@ struct MeasuredError {
 };
 
 /// The error of the film's picture, from the difference of its two parts: true on average where they are independent,
-/// at most about true where they are the first and the last samples of one well spread sequence. The interval is that
-/// of the mean of the blocks' squared errors, by Student's t, and wider upwards where these are skewed, which is what
-/// puts the truth above a symmetric interval. Nothing while a block lacks a part.
-///   source   Hall, On the removal of skewness by transformation (1992), in the form of Chen, Testing the mean of
-///   skewed
-///            distributions (1995): s / sqrt(n) (t + g (1 + 2 t^2) / 6), g the skewness over sqrt(n)
+/// at most about true where they are the first and the last samples of one well distributed sequence. Nothing while a
+/// block lacks a part. The interval is that of the mean of the blocks' squared errors, by Student's t; where these are
+/// skewed, which is what puts the truth above a symmetric interval, it is wider upwards.
+///   source   s / sqrt(n) (t + g (1 + 2 t^2) / 6), g the skewness over sqrt(n): Hall, On the removal of skewness by
+///            transformation (1992), in the form of Chen, Testing the mean of skewed distributions (1995)
 std::optional<MeasuredError> MeasureError(const Film& film, const ErrorMeasure& measure);
 
 /// What the mean square is at an error of `target` in the unit of `measure`. `mean` is of the picture.

@@ -3,7 +3,8 @@
 #include <array>
 #include <cmath>
 
-#include "source/render/SampleTracer.h"
+#include "source/render/Render.h"
+#include "source/render/RenderBlock.h"
 #include "source/text/EnumNames.h"
 #include "source/text/NumberText.h"
 
@@ -11,12 +12,6 @@ namespace ray {
 namespace {
 
 constexpr int digits = 7;  // of numbers in a tree; all that a reader compares
-
-TraceSettings TraceSettingsOf(const RenderSettings& settings) {
-  TraceSettings trace = settings.trace;
-  trace.samples = static_cast<std::uint32_t>(settings.samples);
-  return trace;
-}
 
 std::string Text(double number) { return Rounded(number, digits); }
 std::string Text(double x, double y, double z) { return Text(x) + " " + Text(y) + " " + Text(z); }
@@ -107,24 +102,19 @@ R2::Color PixelTrace::Mean() const {
 }
 
 PixelTracer::PixelTracer(const World& world, const Accelerator& accelerator, const RenderSettings& settings)
-    : settings_(settings),
-      integrator_(MakeIntegrator(settings.mode, world, accelerator, TraceSettingsOf(settings))),
-      camera_(settings.view.value_or(world.scene().camera), settings.camera, world.Moves(), settings.width,
-              settings.height, settings.trace.sampler, TraceSettingsOf(settings).samples) {}
+    : seed_(settings.seed),
+      integrator_(IntegratorOf(world, accelerator, settings)),
+      camera_(CameraRaysOf(world, settings)) {}
 
 PixelTrace PixelTracer::Trace(int column, int row, int samples) const {
   PixelTrace trace{column, row, {}, {}, {}};
-  SampleTracer tracer(*integrator_, camera_, settings_);
-  const RandomKey pixel = tracer.KeyOf(column, row, 0);
+  const RandomKey key = SampleSource{*integrator_, camera_, seed_}.PixelKey(column, row);
   RayRecorder recorder;
   TraceState state;
   state.recorder = &recorder;
   for (int i = 0; i < samples; ++i) {
-    tracer.Add(column, row, pixel, static_cast<std::uint32_t>(i));
-    tracer.Trace(state, [&](int, int, const CameraSample& sample, const R2::Color& radiance) {
-      trace.samples.push_back(sample);
-      trace.radiances.push_back(radiance);
-    });
+    const CameraSample& sample = trace.samples.emplace_back(camera_(column, row, key, static_cast<std::uint32_t>(i)));
+    integrator_->Li({&sample, 1}, {&trace.radiances.emplace_back(), 1}, state);
   }
   trace.rays = recorder.Rays();
   return trace;

@@ -31,13 +31,13 @@ class PixelTracer {
   PixelTrace Trace(int column, int row, int samples) const;
 
  private:
-  RenderSettings settings_;
+  RandomKey seed_;
   std::unique_ptr<const Integrator> integrator_;
   CameraRays camera_;
 };
 
-/// The tree of a pixel's rays in lines of text: kind, origin, direction, where each ends and on what, what it weighs
-/// and what it brings. At most `most_rays` of them, then a count of the rest.
+/// The tree of a pixel's rays in lines of text: kind, origin, direction, where each ends and on what, its
+/// throughput and what it contributes. At most `most_rays` of them, then a count of the rest.
 std::string RayTree(const PixelTrace& trace, const World& world, const RenderSettings& settings,
                     std::size_t most_rays = 1000);
 

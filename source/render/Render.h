@@ -14,7 +14,6 @@
 #include "source/integrate/CameraRays.h"
 #include "source/integrate/Integrator.h"
 #include "source/integrate/RayCounts.h"
-#include "source/render/Pass.h"
 #include "source/render/RenderSettings.h"
 #include "source/render/RenderState.h"
 
@@ -22,7 +21,7 @@ namespace ray {
 
 /// How far a render has come.
 struct RenderProgress {
-  std::int64_t done = 0, total = 0;  // shares of the work: pixels, or milliseconds where the clock decides
+  std::int64_t done = 0, total = 0;  // pixels of the pass that runs, or milliseconds where there is a time budget
   std::uint64_t rays = 0;            // of all kinds, so far
 };
 
@@ -31,24 +30,20 @@ struct RenderMonitor {
   const std::atomic<bool>* stop = nullptr;               // looked at before each few rays; may be null
   std::function<void(const RenderProgress&)> tile_done;  // called from any thread, one at a time; may be empty
   double seconds_before = 0;                             // that the program has run when the render begins
-  /// Keeps a state from which the render can go on; called by one thread at a time, every `save_every` seconds and when
-  /// the render is stopped. May be empty.
+  /// Keeps a state from which the render can resume; called by one thread at a time, every `save_every` seconds and
+  /// when the render is stopped. May be empty.
   std::function<void(const RenderState&)> save;
   double save_every = 0;  // 0: only when stopped
-  /// Gives a state to go on from, made for a film like this empty one; called once, before the first sample. May be
+  /// Gives the state to resume from, made for a film like this empty one; called once, before the first sample. May be
   /// empty, and throw.
   std::function<RenderState(const Film&)> resume;
-  /// Sees the picture between two passes, and the samples a pixel and stream it has; called by the thread that renders,
-  /// while no other does. May be empty; else samples are doubled pass by pass, which changes no bit of the result (but
-  /// of heat, where an accelerator remembers the last hit: each pass begins without).
+  /// Sees the picture between two passes, and the samples per pixel and stream it has; called by the thread that
+  /// renders, while no other does. May be empty; else samples are doubled pass by pass, which changes no bit of the
+  /// result (but of heat, where an accelerator remembers the last hit: each pass begins without).
   std::function<void(const R2::Image&, std::uint32_t)> pass_done;
 };
 
-/// Why a render ended.
-enum class Stop { samples, time, error, request };
-inline constexpr std::array stop_names{"samples", "time", "error", "request"};
-
-/// Samples a pixel over the picture.
+/// Samples per pixel over the picture.
 struct SampleCounts {
   std::uint32_t least = 0, most = 0;
   double mean = 0;
@@ -61,12 +56,12 @@ struct RenderResult {
   RayCounts rays;
   Stop stop = Stop::samples;
   SampleCounts samples;
-  std::vector<std::uint32_t> block_samples;  // a pixel and stream, by blocks of the film
-  std::uint32_t planned_samples = 1;         // samples a pixel, as strata and camera rays were told
-  bool two_streams = false;                  // half of the samples are another, independent set of points
+  std::vector<std::uint32_t> block_samples;  // per pixel and stream, by blocks of the film
+  std::uint32_t planned_samples = 1;         // samples per pixel that strata and camera rays were laid out for
+  bool two_streams = false;                  // half of the samples are another, independent sequence
   std::vector<Pass> passes;
   std::optional<ErrorEstimate> error;  // nothing below two samples
-  bool has_hot_pixels = false;         // few pixels hold most of the error, and none was stopped early
+  bool has_outliers = false;           // they hold most of the error, and no block was stopped early
 
   bool IsComplete() const { return stop != Stop::request; }
 };

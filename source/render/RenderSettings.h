@@ -21,7 +21,7 @@ struct ErrorTarget {
   friend bool operator==(const ErrorTarget&, const ErrorTarget&) = default;
 };
 
-/// off: every pixel takes as many samples. tile: only blocks of 8x8 pixels whose error, or a neighbour's, is above the
+/// off: every pixel takes as many samples. tile: only blocks of 8x8 pixels whose error, or a neighbor's, is above the
 /// target go on. automatic: tile where there is a target.
 enum class Adaptive { automatic, off, tile };
 inline constexpr std::array adaptive_names{"auto", "off", "tile"};
@@ -37,20 +37,20 @@ struct Budget {
   bool IsOpen() const { return seconds > 0 || error; }
 };
 
-/// How the samples of an earlier render were shared out, so that it can be made again to the bit though it was stopped
-/// by a clock or by its error.
+/// The sample allocation of an earlier render, so that it can be rendered again bit by bit though it was stopped by a
+/// clock or by its error.
 struct Replay {
   bool two_streams = false;
   std::uint32_t planned_samples = 1;   // see RenderResult
-  std::vector<std::uint32_t> ends;     // samples a pixel and stream at which passes ended, ascending
-  std::vector<std::uint32_t> samples;  // a pixel and stream of each block; empty when all have the last of `ends`
+  std::vector<std::uint32_t> ends;     // samples per pixel and stream at which passes ended, ascending
+  std::vector<std::uint32_t> samples;  // per pixel and stream of each block; empty when all have the last of `ends`
 };
 
 /// What picture to make of a scene, and how the work is spread; the latter never changes a bit of the former.
 struct RenderSettings {
   int width = 256, height = 256;       // of the whole picture
   std::optional<PixelRectangle> crop;  // the part that is rendered; its pixels equal those of the whole
-  int samples = 1;                     // camera rays a pixel, >= 1; a ceiling where there is a budget, unless it is 1
+  int samples = 1;                     // camera rays per pixel, >= 1; a ceiling where there is a budget, unless it is 1
   std::uint64_t seed = 0;
   RenderMode mode = RenderMode::whitted;
   FilterKind filter = FilterKind::box;

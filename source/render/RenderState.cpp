@@ -85,6 +85,74 @@ std::string FirstDifference(std::string_view a, std::string_view b) {
   return {};
 }
 
+void PutPass(Writer& writer, const Pass& pass) {
+  writer.Put(pass.end);
+  writer.Put(pass.samples);
+  writer.Put(pass.seconds);
+  writer.Put(pass.error.has_value());
+  writer.Put(pass.error.value_or(ErrorEstimate{}));
+}
+
+Pass TakePass(Reader& reader) {
+  Pass pass;
+  pass.end = reader.Take<std::uint32_t>();
+  pass.samples = reader.Take<double>();
+  pass.seconds = reader.Take<double>();
+  const bool has_error = reader.Take<char>() != 0;
+  const auto error = reader.Take<ErrorEstimate>();
+  if (has_error) pass.error = error;
+  return pass;
+}
+
+void PutSchedule(Writer& writer, const ScheduleState& schedule) {
+  writer.PutAll(schedule.targets);
+  writer.Put(!schedule.last_squared_errors.empty());
+  if (!schedule.last_squared_errors.empty()) writer.PutAll(schedule.last_squared_errors);
+  writer.Put(schedule.end);
+}
+
+ScheduleState TakeSchedule(Reader& reader, int blocks) {
+  ScheduleState schedule;
+  schedule.targets.resize(static_cast<std::size_t>(blocks));
+  reader.TakeAll(schedule.targets);
+  if (reader.Take<char>() != 0) {
+    schedule.last_squared_errors.resize(schedule.targets.size());
+    reader.TakeAll(schedule.last_squared_errors);
+  }
+  schedule.end = reader.Take<std::uint32_t>();
+  return schedule;
+}
+
+void PutBlock(Writer& writer, const Film::Block& block) {
+  for (int part = 0; part < Film::parts; ++part) {
+    writer.Put(block.samples[part]);
+    if (block.samples[part] > 0) writer.PutAll(block.sums[part].Sums());
+  }
+}
+
+Film::Block TakeBlock(Reader& reader, const BlockSums& empty) {
+  Film::Block block;
+  for (int part = 0; part < Film::parts; ++part) {
+    block.samples[part] = reader.Take<std::uint32_t>();
+    if (block.samples[part] == 0) continue;
+    block.sums[part] = empty;
+    reader.TakeAll(block.sums[part].Sums());
+  }
+  return block;
+}
+
+/// What is between the first line of a checkpoint and its checksum, once these are what they should be.
+std::span<const unsigned char> CheckedBody(std::span<const unsigned char> bytes) {
+  if (bytes.size() < magic.size() || !std::equal(magic.begin(), magic.end(), bytes.begin()))
+    throw CheckpointError("it is no checkpoint of this version");
+  std::uint64_t checksum = 0;
+  if (bytes.size() < magic.size() + sizeof checksum) throw CheckpointError("it is cut short");
+  const auto checked = bytes.first(bytes.size() - sizeof checksum);
+  std::memcpy(&checksum, checked.data() + checked.size(), sizeof checksum);
+  if (checksum != Checksum(checked)) throw CheckpointError("it is cut short or damaged");
+  return checked.subspan(magic.size());
+}
+
 }  // namespace
 
 std::vector<unsigned char> Encoded(const RenderState& state, const std::string& identity) {
@@ -92,70 +160,26 @@ std::vector<unsigned char> Encoded(const RenderState& state, const std::string& 
   writer.PutText(magic);
   writer.Put<std::uint64_t>(identity.size());
   writer.PutText(identity);
-  writer.PutAll(state.targets);
-  writer.Put(!state.squares_before.empty());
-  if (!state.squares_before.empty()) writer.PutAll(state.squares_before);
-  writer.Put(state.end);
+  PutSchedule(writer, state.schedule);
   writer.Put(state.rays);
   writer.Put<std::uint64_t>(state.passes.size());
-  for (const Pass& pass : state.passes) {
-    writer.Put(pass.end);
-    writer.Put(pass.samples);
-    writer.Put(pass.seconds);
-    writer.Put(pass.error.has_value());
-    writer.Put(pass.error.value_or(ErrorEstimate{}));
-  }
-  for (const Film::Block& block : state.blocks)
-    for (int part = 0; part < Film::parts; ++part) {
-      writer.Put(block.samples[part]);
-      if (block.samples[part] > 0) writer.PutAll(block.sums[part].Sums());
-    }
+  for (const Pass& pass : state.passes) PutPass(writer, pass);
+  for (const Film::Block& block : state.blocks) PutBlock(writer, block);
   writer.Put(Checksum(writer.Bytes()));
   return writer.Take();
 }
 
 RenderState DecodedState(std::span<const unsigned char> bytes, const std::string& identity, const Film& film) {
-  if (bytes.size() < magic.size() || !std::equal(magic.begin(), magic.end(), bytes.begin()))
-    throw CheckpointError("it is no checkpoint of this version");
-  if (bytes.size() < magic.size() + sizeof(std::uint64_t)) throw CheckpointError("it is cut short");
-  const auto body = bytes.first(bytes.size() - sizeof(std::uint64_t));
-  std::uint64_t checksum = 0;
-  std::memcpy(&checksum, body.data() + body.size(), sizeof checksum);
-  if (checksum != Checksum(body)) throw CheckpointError("it is cut short or damaged");
-
-  Reader reader(body.subspan(magic.size()));
+  Reader reader(CheckedBody(bytes));
   const auto length = reader.Take<std::uint64_t>();
   const std::string theirs = reader.TakeText(length);
   if (theirs != identity)
     throw CheckpointError("it is of another picture: there, " + FirstDifference(theirs, identity));
   RenderState state;
-  state.targets.resize(static_cast<std::size_t>(film.Blocks()));
-  state.blocks.resize(state.targets.size());
-  reader.TakeAll(state.targets);
-  if (reader.Take<char>() != 0) {
-    state.squares_before.resize(state.targets.size());
-    reader.TakeAll(state.squares_before);
-  }
-  state.end = reader.Take<std::uint32_t>();
+  state.schedule = TakeSchedule(reader, film.Blocks());
   state.rays = reader.Take<RayCounts>();
-  for (auto passes = reader.Take<std::uint64_t>(); passes > 0; --passes) {
-    Pass& pass = state.passes.emplace_back();
-    pass.end = reader.Take<std::uint32_t>();
-    pass.samples = reader.Take<double>();
-    pass.seconds = reader.Take<double>();
-    const bool has_error = reader.Take<char>() != 0;
-    const auto error = reader.Take<ErrorEstimate>();
-    if (has_error) pass.error = error;
-  }
-  for (int i = 0; i < film.Blocks(); ++i) {
-    Film::Block& block = state.blocks[static_cast<std::size_t>(i)];
-    for (int part = 0; part < Film::parts; ++part) {
-      block.samples[part] = reader.Take<std::uint32_t>();
-      if (block.samples[part] == 0) continue;
-      block.sums[part] = film.EmptySums(i);
-      reader.TakeAll(block.sums[part].Sums());
-    }
-  }
+  for (auto passes = reader.Take<std::uint64_t>(); passes > 0; --passes) state.passes.push_back(TakePass(reader));
+  for (int i = 0; i < film.Blocks(); ++i) state.blocks.push_back(TakeBlock(reader, film.EmptySums(i)));
   if (reader.Left() > 0) throw CheckpointError("it is longer than it should be");
   return state;
 }

@@ -8,21 +8,27 @@
 
 #include "source/film/Film.h"
 #include "source/integrate/RayCounts.h"
-#include "source/render/Pass.h"
+#include "source/render/Schedule.h"
 
 namespace ray {
+
+/// A pass over the picture that is over.
+struct Pass {
+  std::uint32_t end = 0;  // samples per pixel and stream, of the blocks that took part
+  double samples = 0;     // per pixel, on average over the picture
+  double seconds = 0;     // since the render began
+  std::optional<ErrorEstimate> error;
+};
 
 /// A render between two samples: all that is needed to go on to the same picture, bit for bit.
 struct RenderState {
   std::vector<Film::Block> blocks;
-  std::vector<std::uint32_t> targets;  // samples a pixel and stream that the blocks are on their way to
-  std::vector<double> squares_before;  // errors of the blocks when the last pass was decided on; empty before the first
-  std::uint32_t end = 0;               // of the pass they are in
-  std::vector<Pass> passes;            // that are over
+  ScheduleState schedule;
+  std::vector<Pass> passes;
   RayCounts rays;
 };
 
-/// Why a checkpoint cannot be gone on from, in words.
+/// Why a render cannot resume from a checkpoint, in words.
 struct CheckpointError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };

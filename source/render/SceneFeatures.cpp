@@ -1,10 +1,11 @@
 #include "source/render/SceneFeatures.h"
-#include "source/text/EnumNames.h"
 
 #include <algorithm>
 #include <array>
 #include <charconv>
 #include <utility>
+
+#include "source/text/EnumNames.h"
 
 namespace ray {
 namespace {
@@ -21,36 +22,36 @@ bool IsTraced(RenderMode mode) { return mode == RenderMode::whitted || mode == R
 
 SceneFeatures FeaturesOf(const World& world, const RenderSettings& settings) {
   const Scene& scene = world.scene();
-  SceneFeatures n;
-  n.motion = settings.camera.HasMotion() || world.Moves();
-  n.lens = settings.camera.HasLens();
-  n.wide_filter = settings.filter != FilterKind::box;
-  n.two_streams = settings.budget.error.has_value();
-  if (!IsTraced(settings.mode)) return n;
+  SceneFeatures features;
+  features.motion = settings.camera.HasMotion() || world.Moves();
+  features.lens = settings.camera.HasLens();
+  features.wide_filter = settings.filter != FilterKind::box;
+  features.two_streams = settings.budget.error.has_value();
+  if (!IsTraced(settings.mode)) return features;
 
   std::size_t lights = 0;
   for (const auto& light : scene.lights) {
     if (light->IsBlack()) continue;
     ++lights;
-    n.lights = true;
-    n.area_lights |= light->IsExtended();
+    features.lights = true;
+    features.area_lights |= light->IsExtended();
   }
-  n.environment = scene.environment && !scene.environment->IsBlack();
+  features.environment = scene.environment && !scene.environment->IsBlack();
   for (const Instance& instance : world.Instances()) {
     const Material& m = *instance.material;
     if (!IsBlack(m.emission) && instance.mesh) {
-      n.emissive_triangles = true;
+      features.emissive_triangles = true;
       lights += static_cast<std::size_t>(instance.mesh->Elements());
     }
-    n.mirrors |= !IsBlack(m.ks) && settings.trace.max_depth > 0;
-    n.clear |= !IsBlack(m.kt) && settings.trace.max_depth > 0;
-    n.bending |= !IsBlack(m.kt) && m.ir != 1 && settings.trace.max_depth > 0;
-    n.absorbing |= !IsBlack(m.absorb);
-    n.textures |= m.texture != nullptr;
+    features.mirrors |= !IsBlack(m.ks) && settings.trace.max_depth > 0;
+    features.clear |= !IsBlack(m.kt) && settings.trace.max_depth > 0;
+    features.bending |= !IsBlack(m.kt) && m.ir != 1 && settings.trace.max_depth > 0;
+    features.absorbing |= !IsBlack(m.absorb);
+    features.textures |= m.texture != nullptr;
   }
-  n.choice_of_lights =
+  features.choice_of_lights =
       lights > 1 && (settings.trace.lights > 0 || (settings.mode == RenderMode::path && settings.trace.lights < 0));
-  return n;
+  return features;
 }
 
 std::vector<std::string> SceneFeatures::Names() const {
@@ -69,28 +70,28 @@ std::vector<std::string> SceneFeatures::Names() const {
                                               {wide_filter, "wide filter"},
                                               {two_streams, "two streams"}};
   std::vector<std::string> names;
-  for (const auto& [is_needed, name] : all)
-    if (is_needed) names.emplace_back(name);
+  for (const auto& [is_on, name] : all)
+    if (is_on) names.emplace_back(name);
   return names;
 }
 
-std::string KernelOf(const SceneFeatures& needs, const RenderSettings& settings) {
-  return std::string(NameOf(settings.mode)) + ", " + (needs.motion ? "moving " : "") +
-         (needs.lens ? "lens" : "pinhole") + ", " + NameOf(settings.filter) + " filter";
+std::string KernelName(const SceneFeatures& features, const RenderSettings& settings) {
+  return std::string(NameOf(settings.mode)) + ", " + (features.motion ? "moving " : "") +
+         (features.lens ? "lens" : "pinhole") + ", " + NameOf(settings.filter) + " filter";
 }
 
-std::vector<std::string> BiasedSettings(const SceneFeatures& needs, const RenderSettings& settings) {
-  std::vector<std::string> biased;
-  if (!IsTraced(settings.mode)) return biased;
+std::vector<std::string> SourcesOfBias(const SceneFeatures& features, const RenderSettings& settings) {
+  std::vector<std::string> sources;
+  if (!IsTraced(settings.mode)) return sources;
   const TraceSettings& trace = settings.trace;
   const bool is_path = settings.mode == RenderMode::path;
-  const bool may_bounce = is_path || needs.mirrors || needs.clear;
-  if (may_bounce || trace.max_depth == 0) biased.push_back("max_depth " + std::to_string(trace.max_depth));
+  const bool may_bounce = is_path || features.mirrors || features.clear;
+  if (may_bounce || trace.max_depth == 0) sources.push_back("max_depth " + std::to_string(trace.max_depth));
   if (!is_path && may_bounce && trace.roulette != Roulette::on && trace.min_luminance > 0)
-    biased.push_back("min_luminance " + Text(trace.min_luminance));
-  if (!trace.shadows) biased.emplace_back("shadows off");
-  if (settings.budget.error && settings.budget.adaptive != Adaptive::off) biased.emplace_back("adaptive tile");
-  return biased;
+    sources.push_back("min_luminance " + Text(trace.min_luminance));
+  if (!trace.shadows) sources.emplace_back("shadows off");
+  if (settings.budget.error && settings.budget.adaptive != Adaptive::off) sources.emplace_back("adaptive tile");
+  return sources;
 }
 
 }  // namespace ray

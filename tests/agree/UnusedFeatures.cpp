@@ -24,7 +24,7 @@ void ExpectAlike(const project::Stage& stated, const ray::RenderSettings& stated
   const ray::SceneFeatures needs = ray::FeaturesOf(stated.world, stated_settings);
   const ray::SceneFeatures plain_needs = ray::FeaturesOf(plain.world, plain_settings);
   EXPECT_EQ(needs.Names(), plain_needs.Names()) << what;
-  EXPECT_EQ(ray::KernelOf(needs, stated_settings), ray::KernelOf(plain_needs, plain_settings)) << what;
+  EXPECT_EQ(ray::KernelName(needs, stated_settings), ray::KernelName(plain_needs, plain_settings)) << what;
   EXPECT_TRUE(project::Render(stated, stated_settings).image == project::Render(plain, plain_settings).image) << what;
 }
 
@@ -125,8 +125,8 @@ TEST(UnusedFeatures, OnesThatHaveAnEffectAreNeededAndSeen) {
   EXPECT_TRUE(ray::FeaturesOf(stage.world, lens).lens);
   EXPECT_TRUE(ray::FeaturesOf(stage.world, motion).motion);
   for (const ray::RenderSettings& settings : {lens, motion}) {
-    EXPECT_NE(ray::KernelOf(ray::FeaturesOf(stage.world, settings), settings),
-              ray::KernelOf(ray::FeaturesOf(stage.world, plain), plain));
+    EXPECT_NE(ray::KernelName(ray::FeaturesOf(stage.world, settings), settings),
+              ray::KernelName(ray::FeaturesOf(stage.world, plain), plain));
     EXPECT_FALSE(project::Render(stage, settings).image == project::Render(stage, plain).image);
   }
 }

@@ -89,8 +89,8 @@ void RunLog::Built(const World& world, const Accelerator& accelerator) {
   record_.structure_bytes = accelerator.Bytes();
   const SceneFeatures needs = FeaturesOf(world, record_.options.render);
   record_.needs = needs.Names();
-  record_.kernel = KernelOf(needs, record_.options.render);
-  record_.biased = BiasedSettings(needs, record_.options.render);
+  record_.kernel = KernelName(needs, record_.options.render);
+  record_.biased = SourcesOfBias(needs, record_.options.render);
   if (record_.options.explain) {
     for (const std::string& line : accelerator.reasons) PrintError("raypro: " + line);
     for (const std::string& line : accelerator.Explain()) PrintError("raypro: " + line);
@@ -108,7 +108,7 @@ void RunLog::Rendered(const RenderResult& result) {
   record_.seconds.wall = watch_.Total();
   record_.Take(result);
   if (!result.IsComplete()) record_.stop = StopSignal() == SIGTERM ? "SIGTERM" : "SIGINT";
-  if (result.has_hot_pixels)
+  if (result.has_outliers)
     Warn(
         "raypro: warning: a thousandth of the pixels holds more than half of the squared error; where light is found "
         "so "

@@ -20,16 +20,13 @@ int Quotient(int pixels, int side) { return (pixels + side - 1) / side; }  // ro
 
 CoarsePasses::CoarsePasses(const Integrator& integrator, const CameraRays& camera, const Film& film,
                            const RenderSettings& settings, const Watch& watch)
-    : film_(film),
+    : source_{integrator, camera, RandomKey(settings.seed)},
+      film_(film),
       watch_(watch),
       is_heat_(ShowsCosts(settings.mode)),
-      sampled_{film.PixelsOf(0).x0, film.PixelsOf(0).y0, film.PixelsOf(film.Blocks() - 1).x1,
-               film.PixelsOf(film.Blocks() - 1).y1},
-      samples_(static_cast<std::size_t>(sampled_.Area())) {
-  workers_.reserve(static_cast<std::size_t>(settings.threads));
-  for (int i = 0; i < settings.threads; ++i)
-    workers_.push_back(Worker{SampleTracer(integrator, camera, settings), TraceState{}});
-}
+      sampled_(film.Sampled()),
+      samples_(static_cast<std::size_t>(sampled_.Area())),
+      workers_(static_cast<std::size_t>(settings.threads)) {}
 
 bool CoarsePasses::Trace(int stride, int traced_stride) {
   const int width = item_width * stride, height = (traced_stride > 0 ? item_height : first_item_height) * stride;
@@ -51,8 +48,8 @@ bool CoarsePasses::TraceItem(const Item& item, Worker& worker) {
   for (int row = pixels.y0; row < pixels.y1; row += item.stride)
     for (int column = pixels.x0; column < pixels.x1; column += item.stride) {
       if (is_traced(column, row)) continue;
-      worker.tracer.Add(column, row, worker.tracer.KeyOf(column, row, 0), 0);
-      if (!worker.tracer.IsFull()) continue;
+      worker.batch.Add(column, row, source_.camera(column, row, source_.PixelKey(column, row), 0));
+      if (!worker.batch.IsFull()) continue;
       if (!TraceBatch(item.stride, was_stopped, worker)) return false;
       was_stopped = watch_.stop.load();
     }
@@ -66,11 +63,12 @@ bool CoarsePasses::TraceItem(const Item& item, Worker& worker) {
 /// `was_stopped_before`: whether stop was asked for before the batch was laid together. Whether it was not since.
 bool CoarsePasses::TraceBatch(int stride, bool was_stopped_before, Worker& worker) {
   if (watch_.stop.load()) return false;
-  const int size = worker.tracer.Size();
-  worker.tracer.Trace(worker.state, [&](int column, int row, const CameraSample& sample, const R2::Color& radiance) {
-    samples_[Index(column, row)] = {{sample.x, sample.y}, radiance};
-    Show(column, row, stride, radiance);
-  });
+  const int size = worker.batch.Size();
+  worker.batch.Trace(source_.integrator, worker.state,
+                     [&](int column, int row, const CameraSample& sample, const R2::Color& radiance) {
+                       samples_[Index(column, row)] = {{sample.x, sample.y}, radiance};
+                       Show(column, row, stride, radiance);
+                     });
   // Asked of the look before the one above, so that the count tells if that one were missing.
   if (was_stopped_before) watch_.begun_late += size;
   pixels_traced_ += size;
@@ -92,8 +90,7 @@ RenderState CoarsePasses::TakeState() {
   const auto blocks = static_cast<std::size_t>(film_.Blocks());
   RenderState state;
   state.blocks.resize(blocks);
-  state.targets.assign(blocks, 1);
-  state.end = 1;
+  state.schedule = {std::vector<std::uint32_t>(blocks, 1), {}, 1};
   ForEach(film_.Blocks(), [&](int i, Worker&) {
     Film::Block& block = state.blocks[static_cast<std::size_t>(i)];
     block.sums[0] = film_.EmptySums(i);

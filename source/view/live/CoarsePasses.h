@@ -7,7 +7,7 @@
 
 #include "R2/Point.h"
 #include "source/render/Render.h"
-#include "source/render/SampleTracer.h"
+#include "source/render/RenderBlock.h"
 #include "source/view/live/Frame.h"
 
 namespace ray {
@@ -44,7 +44,7 @@ class CoarsePasses {
     R2::Color radiance;
   };
   struct alignas(64) Worker {  // a cache line of its own, since each is written for every ray
-    SampleTracer tracer;
+    SampleBatch batch;
     TraceState state;
     std::uint64_t rays_reported = 0;
   };
@@ -65,10 +65,11 @@ class CoarsePasses {
   /// none did; throws what was thrown.
   bool ForEach(int count, const std::function<bool(int, Worker&)>& work);
 
+  const SampleSource source_;
   const Film& film_;
   const Watch watch_;
   const bool is_heat_;
-  PixelRectangle sampled_;  // the pixels of the film
+  const PixelRectangle sampled_;  // the pixels of the film
   std::vector<Sample> samples_;
   std::vector<Worker> workers_;
   std::atomic<std::int64_t> pixels_traced_ = 0;

@@ -15,7 +15,7 @@ constexpr std::array kinds{FilterKind::box, FilterKind::gaussian, FilterKind::mi
 
 const char* NameOf(FilterKind kind) { return filter_names[static_cast<std::size_t>(kind)]; }
 
-/// `samples` a pixel from first on at random places, each of a colour that `color` makes of its key.
+/// `samples` per pixel from first on at random places, each of a color that `color` makes of its key.
 template <typename Shade>
 void Expose(Film& film, int part, std::uint32_t first, std::uint32_t last, const Shade& color) {
   for (int i = 0; i < film.Blocks(); ++i) {
@@ -90,7 +90,7 @@ TEST(Film, TheSameSamplesInOneGoOrInSeveralGiveTheSameBits) {
 }
 
 // A pixel is put together from blocks; where their borders run may change the last digits of a double, not of a float
-// picture beyond rounding, and which of its neighbours are in the film changes nothing at all.
+// picture beyond rounding, and which of its neighbors are in the film changes nothing at all.
 TEST(Film, AWindowHoldsThePixelsOfTheWholeUnderEveryFilter) {
   for (const FilterKind kind : kinds) {
     Film whole(40, 33, {0, 0, 40, 33}, kind);

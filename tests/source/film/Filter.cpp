@@ -89,7 +89,7 @@ TEST(Filter, EverySampleCountsNearlyAlikeWhereverItFalls) {
   EXPECT_LT(Unevenness(FilterKind::mitchell), 1e-6);  // exactly 0 by the formula, whose weights sum to 1 for any B, C
   EXPECT_LT(Unevenness(FilterKind::gaussian), 0.03);  // 4 exp(-pi^2 / 2), by Poisson's sum
   EXPECT_LT(Unevenness(FilterKind::lanczos), 0.03);
-  EXPECT_GT(Unevenness(FilterKind::lanczos), 1e-3) << "a filter whose weights are not normalised is uneven";
+  EXPECT_GT(Unevenness(FilterKind::lanczos), 1e-3) << "a filter whose weights are not normalized is uneven";
 }
 
 }  // namespace

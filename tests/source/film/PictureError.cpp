@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::array units{ErrorUnit::display, ErrorUnit::relative, ErrorUnit::decibel, ErrorUnit::linear};
 
-/// A film whose samples are 0.5 plus noise of a known deviation, in two independent parts of a and b samples a pixel.
+/// A film whose samples are 0.5 plus noise of a known deviation, in two independent parts of a and b samples per pixel.
 Film Noisy(int side, std::uint32_t a, std::uint32_t b, double deviation, std::uint64_t seed,
            FilterKind filter = FilterKind::box) {
   Film film(side, side, {0, 0, side, side}, filter);
@@ -102,7 +102,7 @@ TEST(PictureError, TheIntervalHoldsTheTruthAsOftenAsItSays) {
 }
 
 TEST(PictureError, AWideFilterIsMeasuredToo) {
-  // Neighbours share samples then, and the picture is smoother; what is claimed must be what two pictures show.
+  // Neighbors share samples then, and the picture is smoother; what is claimed must be what two pictures show.
   for (const FilterKind filter : {FilterKind::gaussian, FilterKind::mitchell, FilterKind::lanczos}) {
     double claimed = 0, shown = 0;
     for (std::uint64_t i = 0; i < 20; ++i) {
@@ -135,7 +135,7 @@ TEST(PictureError, ASingleBlockHasNoInterval) {
   EXPECT_TRUE(std::isinf(measured->square_high)) << "one number tells nothing of its own spread";
 }
 
-TEST(PictureError, TheWorstBlockAndTheHotPixelsAreFound) {
+TEST(PictureError, TheWorstBlockAndTheOutliersAreFound) {
   Film film = Noisy(32, 2, 2, 0.01, 5);
   const int worst = film.BlockOf(20, 12);
   film[worst].sums[0].Add(20, 12, 20.5, 12.5, {100, 100, 100}, film.filter());

@@ -1,0 +1,91 @@
+#include "source/render/PassRunner.h"
+
+#include <tbb/global_control.h>
+#include <tbb/info.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <bit>
+
+namespace ray {
+namespace {
+
+constexpr std::uint32_t most_at_once = 64;  // samples per pixel between two states of a block that can be kept
+
+/// Where the step ends that begins with `done` samples. It depends on nothing else, so that a block is added up in the
+/// same order whether it got to its target in one pass or in several.
+std::uint32_t StepEnd(std::uint32_t done) {
+  return done < most_at_once ? std::bit_ceil(done + 1) : (done / most_at_once + 1) * most_at_once;
+}
+
+/// With one stream the second part of a block holds what came since the last power of two, so that both are about as
+/// large.
+void MergeParts(Film::Block& block) {
+  block.sums[0] += block.sums[1];
+  block.samples[0] += block.samples[1];
+  block.sums[1] = {};
+  block.samples[1] = 0;
+}
+
+}  // namespace
+
+PassRunner::End PassRunner::Run(const std::vector<std::uint32_t>& targets, std::optional<Clock::time_point> pause_at) {
+  targets_ = &targets;
+  pause_at_ = pause_at;
+  has_progressed_ = false;
+  pixels_done_ = 0;
+  for (int i = 0; i < work_.film.Blocks(); ++i)
+    if (IsAtTarget(i)) pixels_done_ += work_.film.PixelsOf(i).Area();
+  const int usual = tbb::info::default_concurrency(), threads = work_.threads > 0 ? work_.threads : usual;
+  // The arena bounds this render alone, others may run beside it; only more threads than usual need permission.
+  std::optional<tbb::global_control> permission;
+  if (threads > usual)
+    permission.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
+  tbb::task_arena arena(threads);
+  arena.execute([&] {
+    tbb::parallel_for(
+        0, tiles_.Count(), [&](int tile) { RunTile(tile); }, tbb::simple_partitioner());
+  });
+  if (pixels_done_ == work_.film.Sampled().Area()) return End::complete;
+  return IsStopped() ? End::stopped : End::paused;
+}
+
+void PassRunner::RunTile(int tile) {
+  if (IsStopped() || IsPauseDue()) return;
+  TraceState& state = states_.local();
+  state.rays = {};
+  std::int64_t pixels = 0;
+  for (const int block : tiles_.BlocksOf(tile)) {
+    if (IsAtTarget(block)) continue;
+    if (!Advance(block, state)) break;
+    pixels += work_.film.PixelsOf(block).Area();
+  }
+  const std::lock_guard lock(mutex_);
+  rays_ += state.rays;
+  pixels_done_ += pixels;
+  if (work_.tile_done) work_.tile_done(pixels_done_, rays_);
+}
+
+/// Takes a block to its target, in steps after which it can be kept. Whether it got there.
+bool PassRunner::Advance(int block, TraceState& state) {
+  state.workspace.ForgetLastHits();
+  while (!IsAtTarget(block)) {
+    if (IsPauseDue()) return false;
+    const std::uint32_t done = SamplesOf(block), end = std::min(TargetOf(block), StepEnd(done));
+    Film::Block next = work_.film[block];
+    if (!work_.has_two_streams && std::has_single_bit(done)) MergeParts(next);
+    for (int part = 0; part < Film::parts; ++part) {
+      if (!work_.has_two_streams && part != (done == 0 ? 0 : 1)) continue;
+      if (next.sums[part].IsEmpty()) next.sums[part] = work_.film.EmptySums(block);
+      const SamplesDue due{work_.film.PixelsOf(block), work_.has_two_streams ? part : 0, done, end};
+      if (!RenderBlock(work_.source, due, work_.film.filter(), work_.stop, state, next.sums[part])) return false;
+      next.samples[part] += end - done;
+    }
+    work_.film[block] = std::move(next);
+    has_progressed_ = true;
+  }
+  return true;
+}
+
+}  // namespace ray

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <tbb/enumerable_thread_specific.h>
+
+#include <atomic>
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <vector>
+
+#include "source/integrate/RayCounts.h"
+#include "source/render/RenderBlock.h"
+#include "source/render/Tiles.h"
+
+namespace ray {
+
+/// What passes take samples of, and whom they tell; all must outlive them.
+struct PassWork {
+  const SampleSource& source;
+  Film& film;
+  bool has_two_streams = false;
+  int threads = 0, tile_size = 0;           // as in RenderSettings
+  const std::atomic<bool>* stop = nullptr;  // looked at before each few rays; may be null
+  /// Told after each tile, by one thread at a time: pixels at their targets, and rays of all passes. May be empty.
+  std::function<void(std::int64_t pixels, const RayCounts& rays)> tile_done;
+};
+
+/// Takes the samples that the blocks of a film are due, in tiles shared out to threads. The film is the same, bit for
+/// bit, for any thread count and tile size, and however often a pass is broken off and run again.
+class PassRunner {
+ public:
+  using Clock = std::chrono::steady_clock;
+  enum class End { complete, paused, stopped };
+
+  explicit PassRunner(const PassWork& work) : work_(work), tiles_(work.film, work.tile_size) {}
+
+  /// Takes samples until each block has its target, per pixel and stream. Leaves off at once when asked to stop, or at
+  /// `pause_at` when it has got on at all; either way the film is left so that it can be kept and gone on with.
+  End Run(const std::vector<std::uint32_t>& targets, std::optional<Clock::time_point> pause_at);
+
+  /// Of all passes.
+  const RayCounts& Rays() const { return rays_; }
+  /// Counts rays that were traced before a break.
+  void AddRays(const RayCounts& rays) { rays_ += rays; }
+
+ private:
+  bool IsStopped() const { return work_.stop && work_.stop->load(std::memory_order_relaxed); }
+  bool IsPauseDue() const { return has_progressed_ && pause_at_ && Clock::now() >= *pause_at_; }
+  std::uint32_t TargetOf(int block) const { return (*targets_)[static_cast<std::size_t>(block)]; }
+  std::uint32_t SamplesOf(int block) const { return work_.film[block].SamplesPerStream(work_.has_two_streams); }
+  bool IsAtTarget(int block) const { return SamplesOf(block) >= TargetOf(block); }
+  void RunTile(int tile);
+  bool Advance(int block, TraceState& state);
+
+  const PassWork work_;
+  const Tiles tiles_;
+  const std::vector<std::uint32_t>* targets_ = nullptr;
+  std::optional<Clock::time_point> pause_at_;
+  std::atomic<bool> has_progressed_ = false;  // since Run began
+  tbb::enumerable_thread_specific<TraceState> states_;
+  std::mutex mutex_;  // guards the counts below and tile_done; a block belongs to one tile and needs no guard
+  std::int64_t pixels_done_ = 0;  // at their targets
+  RayCounts rays_;
+};
+
+}  // namespace ray

@@ -1,0 +1,72 @@
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <span>
+
+#include "source/film/Film.h"
+#include "source/integrate/CameraRays.h"
+#include "source/integrate/Integrator.h"
+
+namespace ray {
+
+/// What the samples of a picture are made with.
+struct SampleSource {
+  const Integrator& integrator;
+  const CameraRays& camera;
+  RandomKey seed;
+
+  /// The key of all random choices of a pixel. `stream`: 0 or 1, two independent sample sequences.
+  RandomKey PixelKey(int column, int row, int stream = 0) const {
+    constexpr std::uint64_t second_stream = 2;  // CameraRays uses the children below
+    const RandomKey key = seed.Child(static_cast<std::uint64_t>(column)).Child(static_cast<std::uint64_t>(row));
+    return stream == 0 ? key : key.Child(second_stream);
+  }
+};
+
+/// A few camera rays, which integrators trace faster together than one by one. What a ray brings back depends on its
+/// pixel, stream and index alone, never on which others are in its batch or came before it, but for the modes that show
+/// costs, where an accelerator remembers the last hit.
+class SampleBatch {
+ public:
+  void Add(int column, int row, const CameraSample& sample) {
+    samples_[size_] = sample;
+    pixels_[size_++] = {column, row};
+  }
+  bool IsFull() const { return size_ == capacity; }
+  int Size() const { return static_cast<int>(size_); }
+
+  /// Traces the rays, gives each to splat(column, row, sample, radiance) in the order they were added, and is empty.
+  template <typename Splat>
+  void Trace(const Integrator& integrator, TraceState& state, const Splat& splat) {
+    integrator.Li(std::span(samples_).first(size_), std::span(radiances_).first(size_), state);
+    for (std::size_t i = 0; i < size_; ++i) splat(pixels_[i].column, pixels_[i].row, samples_[i], radiances_[i]);
+    size_ = 0;
+  }
+
+ private:
+  static constexpr std::size_t capacity = 16;
+  struct Pixel {
+    int column, row;
+  };
+  std::size_t size_ = 0;
+  std::array<CameraSample, capacity> samples_;
+  std::array<Pixel, capacity> pixels_;
+  std::array<R2::Color, capacity> radiances_;
+};
+
+/// Which samples of a block are due: from `first` to `last` - 1 of each pixel, of one stream.
+struct SamplesDue {
+  PixelRectangle pixels;
+  int stream = 0;
+  std::uint32_t first = 0, last = 0;
+};
+
+/// The road of every sample: pixel, camera ray, integrator, film. Adds the samples that are due to `sums`.
+///   stop      looked at before each batch of rays; may be null
+///   returns   whether nobody asked to stop; else `sums` is of no use
+bool RenderBlock(const SampleSource& source, const SamplesDue& due, const Filter& filter, const std::atomic<bool>* stop,
+                 TraceState& state, BlockSums& sums);
+
+}  // namespace ray

@@ -1,0 +1,77 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "source/film/PictureError.h"
+#include "source/render/RenderSettings.h"
+
+namespace ray {
+
+/// Why a render ended.
+enum class Stop { samples, time, error, request };
+inline constexpr std::array stop_names{"samples", "time", "error", "request"};
+
+/// How many samples per pixel strata and camera rays are laid out for.
+std::uint32_t PlannedSamples(const RenderSettings& settings);
+/// Whether half of the samples come from a second, independent stream, so that their difference shows the error.
+bool HasTwoStreams(const RenderSettings& settings);
+
+/// The blocks of a film, in rows.
+struct BlockGrid {
+  int columns = 1;
+  std::vector<double> areas;  // of each block, in pixels of the picture
+};
+
+/// What a schedule is told of a pass that is over.
+struct PassOutcome {
+  double now = 0;            // seconds since the program began
+  double seconds_taken = 0;  // by the pass
+  double samples_taken = 0;  // by the pass, per pixel, on average; 0: it was over before a break
+  std::optional<MeasuredError> error;
+};
+
+/// Where a schedule stands; kept in checkpoints.
+struct ScheduleState {
+  std::vector<std::uint32_t> targets;       // of the pass that runs: samples per pixel and stream of each block
+  std::vector<double> last_squared_errors;  // of the blocks, when that pass was chosen; empty where none were measured
+  std::uint32_t end = 0;                    // the target of the blocks that take part in the pass
+};
+
+/// Decides between two passes over a picture which blocks go on, to how many samples, and when to stop. It traces
+/// nothing and reads no clock: what it knows it is told. A render without a budget is one pass; else each pass doubles
+/// the samples, or takes fewer where the error is nearly down to its target or the time is nearly over. A replay
+/// repeats the passes of an earlier render.
+class Schedule {
+ public:
+  /// `in_passes`: double the samples pass by pass even without a budget.
+  Schedule(const RenderSettings& settings, BlockGrid blocks, bool in_passes);
+
+  const ScheduleState& State() const { return state_; }
+  /// Goes on where another schedule of this picture stood.
+  void Resume(ScheduleState state);
+
+  /// Chooses the next pass, now that every block is at its target; or says why there is none.
+  std::optional<Stop> Next(const PassOutcome& pass);
+
+ private:
+  std::optional<Stop> NextOfReplay();
+  void ReplayTo(std::uint32_t end);
+  std::uint32_t NextEnd(const MeasuredError* error) const;
+  std::vector<std::uint32_t> ChooseBlocks(std::uint32_t end, const MeasuredError& error);
+  bool IsOpen(std::size_t block, const std::vector<double>& squares, double limit) const;
+  double ShareOfSurprise(const std::vector<double>& squares, double target) const;
+  std::uint32_t ShortenToTime(std::vector<std::uint32_t>& targets, std::uint32_t end, const PassOutcome& pass) const;
+  double SquaredTargetOf(const MeasuredError& error) const;
+
+  Budget budget_;
+  std::optional<Replay> replay_;
+  BlockGrid blocks_;
+  bool in_passes_, two_streams_;
+  std::uint32_t ceiling_, first_decision_;  // samples per pixel and stream
+  ScheduleState state_;
+};
+
+}  // namespace ray
