@@ -34,42 +34,7 @@ ifneq ($(strip $(UNSAFE)),)
 $(error $(strip $(UNSAFE)) changes how numbers are rounded, and with it what rays hit. Build without it)
 endif
 
-# What is on this machine. The compiler itself is asked, on empty input: a shell test of the header's
-# name would have to know where compilers look.
-probe = $(shell $(CXX) $(CPPFLAGS) $(3) -std=c++20 -include $(2) -fsyntax-only -x c++ /dev/null >/dev/null 2>&1 && echo yes || echo no)
-pkg = $(shell pkg-config $(1) $(2) 2>/dev/null)
-
-EXR_CFLAGS := $(or $(call pkg,--cflags,OpenEXR),-isystem /usr/include/OpenEXR -isystem /usr/include/Imath)
-EXR_CFLAGS := $(patsubst -I%,-isystem%,$(EXR_CFLAGS))
-EXR_LIBS := $(or $(call pkg,--libs,OpenEXR),-lOpenEXR -lImath -lIex)
-
-NEEDS_COMPILER := $(if $(filter clean uninstall check dist,$(MAKECMDGOALS)),,yes)
-ifeq ($(NEEDS_COMPILER),yes)
-HAS_JPEG := $(call probe,jpeg,jpeglib.h,-include stdio.h)
-HAS_PNG := $(call probe,png,png.h,)
-HAS_TBB := $(call probe,tbb,tbb/parallel_for.h,)
-HAS_HWY := $(call probe,hwy,hwy/highway.h,)
-HAS_JSON := $(call probe,json,nlohmann/json.hpp,)
-HAS_EXR := $(call probe,exr,ImfOutputFile.h,$(EXR_CFLAGS))
-MISSING := $(if $(filter yes,$(HAS_JPEG)),,libjpeg-dev) $(if $(filter yes,$(HAS_PNG)),,libpng-dev) \
-           $(if $(filter yes,$(HAS_TBB)),,libtbb-dev) $(if $(filter yes,$(HAS_HWY)),,libhwy-dev) $(if $(filter yes,$(HAS_JSON)),,nlohmann-json3-dev)
-ifneq ($(strip $(MISSING)),)
-$(error These packages are missing: $(strip $(MISSING)). Run script/setup.sh, or install them and try again)
-endif
-# The viewer needs libepoxy, which finds OpenGL, and at least one way to draw.
-HAS_EPOXY := $(call probe,epoxy,epoxy/gl.h,)
-ifeq ($(HAS_EPOXY),yes)
-HAS_GLFW := $(call probe,glfw,GLFW/glfw3.h,-DGLFW_INCLUDE_NONE)
-HAS_EGL := $(call probe,egl,epoxy/egl.h,)
-HAS_OSMESA := $(call probe,osmesa,GL/osmesa.h,)
-endif
-CONTEXTS := $(if $(filter yes,$(HAS_GLFW)),glfw) $(if $(filter yes,$(HAS_EGL)),egl) $(if $(filter yes,$(HAS_OSMESA)),osmesa)
-CONTEXTS := $(strip $(CONTEXTS))
-empty :=
-VIEWER := $(or $(subst $(empty) ,+,$(CONTEXTS)),no (install libepoxy-dev and, for windows, libglfw3-dev))
-FEATURES := jpeg=yes png=yes exr=$(if $(filter yes,$(HAS_EXR)),yes,no (install libopenexr-dev)) rayview=$(VIEWER)
-$(info features: $(FEATURES))
-endif
+include script/features.mk
 
 # -ffp-contract=off: a*b+c keeps its two roundings everywhere, so every build gives the same picture.
 # -fno-tree-slp-vectorize: g++ 12 otherwise drops the rounding in double(float(x)) of neighbouring members.
@@ -89,40 +54,50 @@ VIEWER_LIBS := $(if $(CONTEXTS),-lepoxy) $(if $(filter glfw,$(CONTEXTS)),-lglfw)
 ALL_PROGRAMS := raypro rayimg rayview
 # rayview is built where there is something to draw with.
 PROGRAMS := raypro rayimg $(if $(CONTEXTS),rayview)
-PROGRAM_MAINS := $(ALL_PROGRAMS:%=source/app/%.cpp)
-LIBRARY_SOURCES := $(filter-out $(PROGRAM_MAINS),$(wildcard R2/*.cpp R2/*/*.cpp R3/*.cpp R3/*/*.cpp source/*/*.cpp source/*/*/*.cpp))
-ifneq ($(HAS_EXR),yes)
-LIBRARY_SOURCES := $(filter-out R2/image_files/exr.cpp,$(LIBRARY_SOURCES))
-endif
-TEST_SOURCES := $(wildcard tests/*.cpp tests/R2/*.cpp tests/R2/*/*.cpp tests/R3/*.cpp tests/source/*.cpp tests/source/*/*.cpp tests/source/*/*/*.cpp \
+LIBRARY_SOURCES := $(filter-out $(ALL_PROGRAMS:%=source/app/%.cpp),$(wildcard R2/*.cpp R2/*/*.cpp R3/*.cpp R3/*/*.cpp source/*/*.cpp source/*/*/*.cpp))
+TEST_SOURCES := $(wildcard tests/*.cpp tests/R2/*.cpp tests/R2/*/*.cpp tests/R3/*.cpp tests/source/*/*.cpp tests/source/*/*/*.cpp \
                   $(foreach d,every agree extremes closed_form bad_scenes regressions images,tests/$(d)/*.cpp))
-LIBRARY_SOURCES := $(filter-out $(patsubst %,source/view/contexts/%.cpp,$(filter-out $(CONTEXTS),glfw egl osmesa)),$(LIBRARY_SOURCES))
-ifeq ($(CONTEXTS),)
-LIBRARY_SOURCES := $(filter-out source/view/gl/% source/view/contexts/% source/app/ViewSession.cpp,$(LIBRARY_SOURCES))
-TEST_SOURCES := $(filter-out tests/source/view/gl/% tests/source/view/contexts/%,$(TEST_SOURCES))
-endif
-BENCH_SOURCES := $(filter-out $(if $(CONTEXTS),,bench/view.cpp),$(wildcard bench/*.cpp))
-objects = $(patsubst %.cpp,$(BUILD)/obj/%.o,$(1))
+BENCH_SOURCES := $(wildcard bench/*.cpp)
+# What this machine lacks leaves these out.
+ABSENT := $(if $(filter yes,$(HAS_EXR)),,R2/image_files/exr.cpp) \
+          $(patsubst %,source/view/contexts/%.cpp,$(filter-out $(CONTEXTS),glfw egl osmesa)) \
+          $(if $(CONTEXTS),,source/view/gl/% source/view/contexts/% source/app/rayview/ViewSession.cpp tests/source/view/gl/% \
+                            tests/source/view/contexts/% bench/view.cpp)
+# The .cpp files of a folder are compiled as one, since most of what compiling takes is their headers. These are not:
+# files that use the same local names in the same folder, since they are variations of one thing, and files that
+# Highway includes once for each instruction set. JUMBO=no compiles each file by itself.
+JUMBO ?= yes
+ALONE := source/integrate/%.cpp source/render/%.cpp source/app/options/% source/app/report/% source/app/rayimg/% \
+         R2/image_files/% source/view/gl/% source/view/contexts/% source/accelerate/grid.cpp source/accelerate/wide/Kernels.cpp \
+         $(if $(filter file,$(origin TEST_SOURCES)),tests/Main.cpp,tests/%) $(if $(filter yes,$(JUMBO)),,%)
+present = $(filter-out $(ABSENT),$(1))
+alone = $(filter $(ALONE),$(call present,$(1)))
+together = $(filter-out $(ALONE),$(call present,$(1)))
+objects = $(patsubst %.cpp,$(BUILD)/obj/%.o,$(call alone,$(1))) \
+          $(patsubst %,$(BUILD)/obj/%all.o,$(sort $(dir $(call together,$(1)))))
 
-.PHONY: all $(PROGRAMS) test night check asan tsan bench tradeoff price install uninstall installcheck dist \
+.PHONY: all $(ALL_PROGRAMS) test night check asan tsan bench tradeoff price install uninstall installcheck dist \
         clean compile_commands test-binary FORCE
-.PRECIOUS: $(BUILD)/obj/%.o
+.PRECIOUS: $(BUILD)/obj/%.o $(BUILD)/jumbo/%/all.cpp
 all: $(PROGRAMS) $(BUILD)/compile_commands.json
 $(PROGRAMS): %: $(BUILD)/%
 
+# Written only when it says something else than before.
+write = @mkdir -p $(@D) && printf '%s\n' $(1) | cmp -s - $@ || printf '%s\n' $(1) > $@
 # A change of compiler or flags rebuilds everything: the flags are kept in a file that objects depend on.
 FLAGS_LINE := $(CXX) $(OUR_CPPFLAGS) $(CPPFLAGS) $(OUR_CXXFLAGS) $(CXXFLAGS)
 $(BUILD)/flags: FORCE
-	@mkdir -p $(BUILD)
-	@printf '%s\n' '$(subst ','\'',$(FLAGS_LINE))' | cmp -s - $@ || printf '%s\n' '$(subst ','\'',$(FLAGS_LINE))' > $@
+	$(call write,'$(subst ','\'',$(FLAGS_LINE))')
+$(BUILD)/jumbo/%/all.cpp: FORCE
+	$(call write,$(patsubst %,'#include "%"',$(call together,$(filter-out $(ALL_PROGRAMS:%=source/app/%.cpp),$(wildcard $*/*.cpp)))))
 FORCE:
 
+compile = @mkdir -p $(@D) && echo "  c++   $(1)" && \
+          $(CXX) $(OUR_CPPFLAGS) $(CPPFLAGS) $(OUR_CXXFLAGS) $(CXXFLAGS) -c $< -o $@
+$(BUILD)/obj/%/all.o: $(BUILD)/jumbo/%/all.cpp $(BUILD)/flags
+	$(call compile,$*/*.cpp)
 $(BUILD)/obj/%.o: %.cpp $(BUILD)/flags
-	@mkdir -p $(@D)
-	@echo "  c++   $<"
-	@$(CXX) $(OUR_CPPFLAGS) $(CPPFLAGS) $(OUR_CXXFLAGS) $(CXXFLAGS) -c $< -o $@
-	@printf '{"directory":"%s","file":"%s","command":"%s"},\n' "$$(pwd)" '$<' \
-	  "$$(printf '%s' '$(subst ','\'',$(FLAGS_LINE)) -c $< -o $@' | sed 's/[\\"]/\\&/g')" > $(@:.o=.cmd)
+	$(call compile,$<)
 
 $(BUILD)/libray.a: $(call objects,$(LIBRARY_SOURCES))
 	@echo "  ar    $@"
@@ -130,18 +105,13 @@ $(BUILD)/libray.a: $(call objects,$(LIBRARY_SOURCES))
 
 $(BUILD)/rayview $(BUILD)/raytests $(BUILD)/bench/view: LIBS += $(VIEWER_LIBS)
 
+link = @mkdir -p $(@D) && echo "  link  $@" && $(CXX) $(OUR_CXXFLAGS) $(CXXFLAGS) $^ $(LDFLAGS) $(1) $(LIBS) -o $@
 $(PROGRAMS:%=$(BUILD)/%): $(BUILD)/%: $(BUILD)/obj/source/app/%.o $(BUILD)/libray.a
-	@echo "  link  $@"
-	@$(CXX) $(OUR_CXXFLAGS) $(CXXFLAGS) $^ $(LDFLAGS) $(LIBS) -o $@
-
+	$(call link)
 $(BUILD)/raytests: $(call objects,$(TEST_SOURCES)) $(BUILD)/libray.a
-	@echo "  link  $@"
-	@$(CXX) $(OUR_CXXFLAGS) $(CXXFLAGS) $^ $(LDFLAGS) -lgtest $(LIBS) -o $@
-
+	$(call link,-lgtest)
 $(BUILD)/bench/%: $(BUILD)/obj/bench/%.o $(BUILD)/libray.a
-	@mkdir -p $(@D)
-	@echo "  link  $@"
-	@$(CXX) $(OUR_CXXFLAGS) $(CXXFLAGS) $^ $(LDFLAGS) -lbenchmark $(LIBS) -o $@
+	$(call link,-lbenchmark)
 
 # Tests find the programs and the project's files through these. The shell names the folders: make takes blanks in
 # their names for ends of words.
@@ -152,9 +122,11 @@ FOR_TESTS := build=$$(cd $(BUILD) && pwd) && RAYPRO="$$build/raypro" RAYIMG="$$b
 night: test-binary $(PROGRAMS)
 	RAYPRO_NIGHT=1 $(FOR_TESTS) $(BUILD)/raytests $(GTEST)
 
-# Every object leaves a fragment; editors read the sum.
-$(BUILD)/compile_commands.json: $(PROGRAMS:%=$(BUILD)/%)
-	@{ echo '['; find $(BUILD)/obj -name '*.cmd' -exec cat {} + | sed '$$ s/,$$//'; echo ']'; } > $@
+# For editors: every file by itself, as JUMBO=no compiles it.
+$(BUILD)/compile_commands.json: $(BUILD)/flags
+	@for file in $(call present,$(LIBRARY_SOURCES) $(TEST_SOURCES) $(BENCH_SOURCES) $(PROGRAMS:%=source/app/%.cpp)); do \
+	  printf ',\n{"directory":"%s","file":"%s","command":"%s -c %s"}' "$$PWD" $$file \
+	    "$$(sed 's/[\"]/\\&/g' $(BUILD)/flags)" $$file; done | sed '1s/,/[/; $$s/$$/\n]/' > $@
 
 test: check test-binary $(PROGRAMS)
 	$(FOR_TESTS) $(BUILD)/raytests $(GTEST)
@@ -170,7 +142,7 @@ asan:
 tsan:
 	$(MAKE) BUILD=$(BUILD)/tsan OPTIMIZE=-O1 SANITIZE="-fsanitize=thread" test
 
-bench: $(patsubst bench/%.cpp,$(BUILD)/bench/%,$(BENCH_SOURCES)) raypro
+bench: $(patsubst bench/%.cpp,$(BUILD)/bench/%,$(call present,$(BENCH_SOURCES))) raypro
 
 # The scripts say what they measure and which options they take: TRADEOFF="-search 50 hello lens".
 tradeoff: $(PROGRAMS)

@@ -17,9 +17,6 @@ bool IsFinite(const Color& c) { return std::isfinite(c.r) && std::isfinite(c.g) 
 
 double SquaredLength(const Color& c) { return c.r * c.r + c.g * c.g + c.b * c.b; }
 
-/// NaN fails the first comparison.
-double Clamped(double channel) { return channel > 0 ? std::min(channel, 1.0) : 0; }
-
 bool HaveOneSize(const Image& a, const Image& b) { return a.Width() == b.Width() && a.Height() == b.Height(); }
 
 double RelativeSquare(const Color& x, const Color& r) {

@@ -167,8 +167,6 @@ Plane Seen(const Plane& channel, const Sensitivity& s, double pixels_per_degree)
 
 using Planes = std::array<Plane, 3>;
 
-double Clamped(double channel) { return channel > 0 ? std::min(channel, 1.0) : 0; }
-
 void SetTriple(Planes& planes, std::size_t i, const Triple& t) {
   planes[0].values[i] = static_cast<float>(t.x);
   planes[1].values[i] = static_cast<float>(t.y);

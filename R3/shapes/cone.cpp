@@ -6,8 +6,6 @@
 namespace R3 {
 namespace {
 
-enum Part { side, base };
-
 // Axis parallel to y, apex up; the center is at mid-height, the base is closed.
 class Cone : public Shape {
  public:
@@ -71,6 +69,8 @@ class Cone : public Shape {
   bool IsDegenerate() const override { return !(radius_ > 0) || !(high_ > low_); }
 
  private:
+  enum Part { side, base };
+
   /// Clips the span, already between base and apex, to |horizontal part| <= slope (apex height - y). With g and e the
   /// horizontal parts of origin (from the apex) and direction, and R0 + t R1 the cone's radius along the ray, that is
   ///     A t^2 - 2 B t + C <= 0,   A = |e|^2 - R1^2,   B = R0 R1 - g.e,   C = |g|^2 - R0^2,

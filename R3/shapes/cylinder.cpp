@@ -6,8 +6,6 @@
 namespace R3 {
 namespace {
 
-enum Part { side, bottom, top };
-
 // Axis parallel to y, the center at mid-height, both ends closed.
 class Cylinder : public Shape {
  public:
@@ -58,6 +56,8 @@ class Cylinder : public Shape {
   bool IsDegenerate() const override { return !(radius_ > 0) || !(high_ > low_); }
 
  private:
+  enum Part { side, bottom, top };
+
   Point center_;
   double radius_, height_, low_, high_;
 };

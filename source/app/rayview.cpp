@@ -6,9 +6,9 @@
 #include "source/app/GuardedMain.h"
 #include "source/app/Status.h"
 #include "source/app/Tasks.h"
-#include "source/app/ViewSession.h"
-#include "source/app/files/ViewOutputs.h"
 #include "source/app/options/CommandLine.h"
+#include "source/app/rayview/ViewOutputs.h"
+#include "source/app/rayview/ViewSession.h"
 #include "source/app/report/Messages.h"
 #include "source/view/LoadedScene.h"
 

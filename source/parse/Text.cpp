@@ -7,8 +7,6 @@ namespace {
 
 constexpr std::size_t max_line_shown = 200;  // bytes of a line; a mistake further right is shown without its line
 
-bool EndsLine(char c) { return c == '\n' || c == '\r'; }
-
 // Looks no further than what would be shown: the line may be the whole of a large file.
 std::string LineAround(const Text& text, const Token& token) {
   const char* const begin = text.bytes.data();

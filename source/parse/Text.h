@@ -22,6 +22,8 @@ struct Token {
   bool starts_line = false;
 };
 
+inline bool EndsLine(char c) { return c == '\n' || c == '\r'; }
+
 /// A mistake at a word.
 SceneError ErrorAt(const Text& text, const Token& token, std::string message, std::string hint = {});
 /// A mistake of the file as a whole.

@@ -6,7 +6,7 @@
 namespace ray {
 namespace {
 
-const std::array<R3::Argument, 12> arguments{{
+const std::array<R3::Argument, 12> camera_arguments{{
     {"ex"},
     {"ey"},
     {"ez"},  //
@@ -34,7 +34,7 @@ void CheckView(Statement& statement, const Arguments& read) {
 
 void ReadCamera(ScnReader& reader, Statement& statement) {
   reader.Builder().has_camera = true;
-  const Arguments read = statement.Numbers(arguments);
+  const Arguments read = statement.Numbers(camera_arguments);
   if (statement.IsGood()) CheckView(statement, read);
   if (!statement.IsGood()) return;
   const auto& a = read.values;
@@ -50,7 +50,7 @@ void ReadCamera(ScnReader& reader, Statement& statement) {
 }  // namespace
 
 extern const Command camera_command{
-    "camera", "camera" + ArgumentNames(arguments),
+    "camera", "camera" + ArgumentNames(camera_arguments),
     "eye, direction of view, up, half the horizontal angle of view, two distances for the viewer", ReadCamera};
 
 }  // namespace ray

@@ -7,7 +7,7 @@ namespace {
 
 constexpr bool not_negative = false;
 
-const std::array<R3::Argument, 17> arguments{{
+const std::array<R3::Argument, 17> material_arguments{{
     {"ka_r", not_negative},
     {"ka_g", not_negative},
     {"ka_b", not_negative},  //
@@ -40,7 +40,7 @@ void SetNumbers(Material& material, const std::vector<double>& a) {
 void ReadMaterial(ScnReader& reader, Statement& statement) {
   // First of all, so that one with mistakes has its id too, and no error is reported again wherever the id is used.
   Material& material = reader.NewMaterial();
-  SetNumbers(material, statement.Numbers(arguments).values);
+  SetNumbers(material, statement.Numbers(material_arguments).values);
   const Token texture = statement.Word("texture");
   if (texture.text == "0") return;
   reader.WithFile(statement, texture, [&] {
@@ -79,7 +79,7 @@ extern const Command bump_command{"bump", "bump mat_id file height",
 extern const Command absorb_command{
     "absorb", "absorb mat_id r g b",
     "over a distance d the inside of solids takes exp(-r d), exp(-g d), exp(-b d) from light", ReadAbsorb};
-extern const Command material_command{"material", "material" + ArgumentNames(arguments) + " texture",
+extern const Command material_command{"material", "material" + ArgumentNames(material_arguments) + " texture",
                                       "what surfaces are made of; the next number from 0 in this file is its mat_id",
                                       ReadMaterial};
 

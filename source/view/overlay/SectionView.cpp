@@ -12,8 +12,8 @@ namespace {
 constexpr int cut_lines = 512;     // of the grid that searches, each way
 constexpr int rays_of_a_row = 20;  // so many pixels of it are traced, evenly spread
 constexpr double step = 0.02;      // of the axis planes, in radii of the scene
-constexpr double normal_length = 0.03;
-constexpr Rgba normal_color{255, 120, 220, 160};
+constexpr double crossing_normal_length = 0.03;
+constexpr Rgba crossing_normal_color{255, 120, 220, 160};
 constexpr int normal_every = 16;  // crossings
 
 R3::Vector NormalOf(SlicePlane plane) {
@@ -71,9 +71,9 @@ Lines SectionView::Drawing(const LoadedScene& scene, const RayLook& look) const 
   const Slice& slice = cut_->slice;
   for (std::size_t i = 0; i < cut_->crossings.size(); i += normal_every) {
     const Crossing& crossing = cut_->crossings[i];
-    const R2::Point tip{crossing.place.x + normal_length * slice.extent * crossing.normal.x,
-                        crossing.place.y + normal_length * slice.extent * crossing.normal.y};
-    AddLine(lines, slice.At(crossing.place), slice.At(tip), normal_color);
+    const R2::Point tip{crossing.place.x + crossing_normal_length * slice.extent * crossing.normal.x,
+                        crossing.place.y + crossing_normal_length * slice.extent * crossing.normal.y};
+    AddLine(lines, slice.At(crossing.place), slice.At(tip), crossing_normal_color);
   }
   // Rays are drawn in a space of their own and dropped onto the plane from there.
   const Lines in_space = RayLines(rays_, DrawingSpace{slice.center, slice.extent}, look);

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "source/app/files/ViewOutputs.h"
+#include "source/app/rayview/ViewOutputs.h"
 #include "source/view/LoadedScene.h"
 
 namespace ray {

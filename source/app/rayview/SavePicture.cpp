@@ -1,4 +1,4 @@
-#include "source/app/files/SavePicture.h"
+#include "source/app/rayview/SavePicture.h"
 
 #include <cassert>
 #include <filesystem>

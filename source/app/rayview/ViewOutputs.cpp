@@ -1,4 +1,4 @@
-#include "source/app/files/ViewOutputs.h"
+#include "source/app/rayview/ViewOutputs.h"
 
 #include <fcntl.h>
 #include <unistd.h>

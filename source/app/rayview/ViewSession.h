@@ -2,8 +2,8 @@
 
 #include <memory>
 
-#include "source/app/files/ViewOutputs.h"
 #include "source/app/options/Options.h"
+#include "source/app/rayview/ViewOutputs.h"
 #include "source/view/LoadedScene.h"
 
 namespace ray {

@@ -1,4 +1,4 @@
-#include "source/app/ViewSession.h"
+#include "source/app/rayview/ViewSession.h"
 
 #include <chrono>
 #include <filesystem>
@@ -9,7 +9,7 @@
 
 #include "source/app/Interrupt.h"
 #include "source/app/Status.h"
-#include "source/app/files/SavePicture.h"
+#include "source/app/rayview/SavePicture.h"
 #include "source/app/report/Messages.h"
 #include "source/parse/Text.h"
 #include "source/view/EventScript.h"

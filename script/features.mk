@@ -1,0 +1,39 @@
+# Which packages this machine has: sets HAS_..., CONTEXTS, FEATURES, EXR_CFLAGS and EXR_LIBS for the Makefile, which
+# includes it, and stops where a package that everything needs is missing.
+
+# What is on this machine. The compiler itself is asked, on empty input: a shell test of the header's
+# name would have to know where compilers look.
+probe = $(shell $(CXX) $(CPPFLAGS) $(3) -std=c++20 -include $(2) -fsyntax-only -x c++ /dev/null >/dev/null 2>&1 && echo yes || echo no)
+pkg = $(shell pkg-config $(1) $(2) 2>/dev/null)
+
+EXR_CFLAGS := $(or $(call pkg,--cflags,OpenEXR),-isystem /usr/include/OpenEXR -isystem /usr/include/Imath)
+EXR_CFLAGS := $(patsubst -I%,-isystem%,$(EXR_CFLAGS))
+EXR_LIBS := $(or $(call pkg,--libs,OpenEXR),-lOpenEXR -lImath -lIex)
+
+NEEDS_COMPILER := $(if $(filter clean uninstall check dist,$(MAKECMDGOALS)),,yes)
+ifeq ($(NEEDS_COMPILER),yes)
+HAS_JPEG := $(call probe,jpeg,jpeglib.h,-include stdio.h)
+HAS_PNG := $(call probe,png,png.h,)
+HAS_TBB := $(call probe,tbb,tbb/parallel_for.h,)
+HAS_HWY := $(call probe,hwy,hwy/highway.h,)
+HAS_JSON := $(call probe,json,nlohmann/json.hpp,)
+HAS_EXR := $(call probe,exr,ImfOutputFile.h,$(EXR_CFLAGS))
+MISSING := $(if $(filter yes,$(HAS_JPEG)),,libjpeg-dev) $(if $(filter yes,$(HAS_PNG)),,libpng-dev) \
+           $(if $(filter yes,$(HAS_TBB)),,libtbb-dev) $(if $(filter yes,$(HAS_HWY)),,libhwy-dev) $(if $(filter yes,$(HAS_JSON)),,nlohmann-json3-dev)
+ifneq ($(strip $(MISSING)),)
+$(error These packages are missing: $(strip $(MISSING)). Run script/setup.sh, or install them and try again)
+endif
+# The viewer needs libepoxy, which finds OpenGL, and at least one way to draw.
+HAS_EPOXY := $(call probe,epoxy,epoxy/gl.h,)
+ifeq ($(HAS_EPOXY),yes)
+HAS_GLFW := $(call probe,glfw,GLFW/glfw3.h,-DGLFW_INCLUDE_NONE)
+HAS_EGL := $(call probe,egl,epoxy/egl.h,)
+HAS_OSMESA := $(call probe,osmesa,GL/osmesa.h,)
+endif
+CONTEXTS := $(if $(filter yes,$(HAS_GLFW)),glfw) $(if $(filter yes,$(HAS_EGL)),egl) $(if $(filter yes,$(HAS_OSMESA)),osmesa)
+CONTEXTS := $(strip $(CONTEXTS))
+empty :=
+VIEWER := $(or $(subst $(empty) ,+,$(CONTEXTS)),no (install libepoxy-dev and, for windows, libglfw3-dev))
+FEATURES := jpeg=yes png=yes exr=$(if $(filter yes,$(HAS_EXR)),yes,no (install libopenexr-dev)) rayview=$(VIEWER)
+$(info features: $(FEATURES))
+endif
