@@ -10,8 +10,7 @@ EXR_CFLAGS := $(or $(call pkg,--cflags,OpenEXR),-isystem /usr/include/OpenEXR -i
 EXR_CFLAGS := $(patsubst -I%,-isystem%,$(EXR_CFLAGS))
 EXR_LIBS := $(or $(call pkg,--libs,OpenEXR),-lOpenEXR -lImath -lIex)
 
-NEEDS_COMPILER := $(if $(filter clean uninstall check dist,$(MAKECMDGOALS)),,yes)
-ifeq ($(NEEDS_COMPILER),yes)
+ifneq ($(filter-out clean uninstall check dist,$(or $(MAKECMDGOALS),all)),)
 HAS_JPEG := $(call probe,jpeg,jpeglib.h,-include stdio.h)
 HAS_PNG := $(call probe,png,png.h,)
 HAS_TBB := $(call probe,tbb,tbb/parallel_for.h,)
