@@ -20,6 +20,8 @@ int Fail(int exit_status, const std::string& message) {
 int GuardedMain(Program program, int argc, char** argv, int (*run)(const std::vector<std::string>& words)) {
   GuardStandardStreams();
   const std::string name = NameOf(program) + ": ";
+  // rayimg's 1 says that pictures differ, and nothing else: scripts rely on it.
+  const int failed = program == Program::rayimg ? status::bad_scene : status::failed;
   try {
     return run(std::vector<std::string>(argv + (argc > 0 ? 1 : 0), argv + argc));
   } catch (const UsageError& error) {
@@ -29,9 +31,9 @@ int GuardedMain(Program program, int argc, char** argv, int (*run)(const std::ve
   } catch (const OutputError& error) {
     return Fail(status::cannot_write, name + error.what());
   } catch (const std::bad_alloc&) {
-    return Fail(status::failed, name + "there is not enough memory");
+    return Fail(failed, name + "there is not enough memory");
   } catch (const std::exception& error) {
-    return Fail(status::failed, name + error.what());
+    return Fail(failed, name + error.what());
   }
 }
 

@@ -45,6 +45,7 @@ std::string ResultOf(const Options& options) {
   switch (options.task) {
     case Task::render:
     case Task::view:
+    case Task::command:
       break;  // not ours
     case Task::check:
       return CheckScene(options);

@@ -4,7 +4,7 @@
 
 namespace ray {
 
-/// Does everything a program does besides rendering and viewing: prints its result, and nothing else.
+/// Does everything a program does besides rendering, viewing and commands: prints its result, and nothing else.
 void DoTask(const Options& options);
 
 }  // namespace ray

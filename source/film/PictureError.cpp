@@ -152,7 +152,7 @@ const char* ErrorUnitName(ErrorUnit unit) {
 std::string ErrorText(double error, ErrorUnit unit) {
   std::array<char, 64> text{};
   const auto [end, fault] = std::to_chars(text.data(), text.data() + text.size(), error, std::chars_format::general, 3);
-  return std::string(text.data(), end) + " " + ErrorUnitName(unit);
+  return std::string(text.data(), end) + (unit == ErrorUnit::display ? "/255" : std::string(" ") + ErrorUnitName(unit));
 }
 
 double MeanOf(const R2::Image& picture) {

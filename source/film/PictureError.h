@@ -17,9 +17,9 @@ namespace ray {
 ///   linear     of the light itself, in the scene's units
 enum class ErrorUnit { display, relative, decibel, linear };
 
-/// "1.25 255ths", "3.1 %", "42 dB", "0.002 lin".
+/// "1.25/255", "3.1 %", "42 dB", "0.002 lin".
 std::string ErrorText(double error, ErrorUnit unit);
-/// As ErrorText says it: "255ths", "%", "dB", "lin".
+/// In reports: "255ths", "%", "dB", "lin".
 const char* ErrorUnitName(ErrorUnit unit);
 
 /// A root mean square error as far as samples can tell, in its unit.

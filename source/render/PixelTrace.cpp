@@ -1,5 +1,6 @@
 #include "source/render/PixelTrace.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -11,7 +12,7 @@
 namespace ray {
 namespace {
 
-constexpr int digits = 7;  // of numbers in a tree; all that a reader compares
+constexpr int digits = 5;  // of the numbers in a tree; all that a reader compares
 
 std::string Text(double number) { return Rounded(number, digits); }
 std::string Text(double x, double y, double z) { return Text(x) + " " + Text(y) + " " + Text(z); }
@@ -65,24 +66,34 @@ class TreeWriter {
     constexpr int deepest_indent = 40;  // columns
     const std::string margin(static_cast<std::size_t>(std::min(2 * indent, deepest_indent)), ' ');
     text_ += margin + ray_kind_names[static_cast<std::size_t>(ray.kind)] + " ray";
-    if (!ray.towards.empty()) text_ += " to " + ray.towards;
+    if (!ray.towards.empty()) text_ += " to " + LightText(ray.towards);
     text_ += "\n" + margin + "  from " + Text(ray.ray.origin) + " along " + Text(ray.ray.direction);
     if (ray.is_inside) text_ += ", inside";
     text_ += ", throughput " + Text(ray.throughput) + "\n";
     text_ += margin + "  " + End(ray) + ", contributes " + Text(ray.contribution) + "\n";
   }
 
+  /// A light in full where it comes first, then its number.
+  std::string LightText(const std::string& light) {
+    const auto known = std::ranges::find(lights_, light);
+    const std::string name = "light " + std::to_string(known - lights_.begin() + 1);
+    if (known != lights_.end()) return name;
+    lights_.push_back(light);
+    return name + ", " + light;
+  }
+
   std::string End(const RecordedRay& ray) const {
-    if (!ray.at) return ray.kind == RayKind::shadow ? "reaches it" : "meets nothing";
+    if (!ray.at) return ray.kind == RayKind::shadow ? "unoccluded" : "hits nothing";
     const Instance& instance = world_.Instances()[ray.hit->instance];
     const Location& where = instance.node->location;
-    std::string text = ray.kind == RayKind::shadow ? "is stopped by " : "meets ";
+    std::string text = ray.kind == RayKind::shadow ? "blocked by " : "hits ";
     text += "primitive " + std::to_string(world_.PrimitiveId(*ray.hit));
     if (where.line > 0) text += " of " + world_.scene().files[where.file] + ":" + std::to_string(where.line);
     text += " at t " + Text(ray.hit->t) + ", " + Text(ray.at->position);
     if (ray.kind == RayKind::shadow) return text;
     text += ", normal " + Text(AsVector(ray.at->normal));
-    if (!(ray.at->shading_normal == ray.at->normal)) text += ", shaded as " + Text(AsVector(ray.at->shading_normal));
+    if (!(ray.at->shading_normal == ray.at->normal))
+      text += ", shading normal " + Text(AsVector(ray.at->shading_normal));
     return text + ", uv " + Text(ray.at->uv.x) + " " + Text(ray.at->uv.y);
   }
 
@@ -90,6 +101,7 @@ class TreeWriter {
   const World& world_;
   std::size_t left_, cut_ = 0;
   std::vector<std::vector<std::size_t>> children_;
+  std::vector<std::string> lights_;  // mentioned so far
   std::string text_;
 };
 

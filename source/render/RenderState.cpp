@@ -65,7 +65,7 @@ class Reader {
 
  private:
   std::span<const unsigned char> TakeBytes(std::size_t count) {
-    if (count > rest_.size()) throw CheckpointError("it is cut short");
+    if (count > rest_.size()) throw CheckpointError("it is truncated");
     const auto taken = rest_.first(count);
     rest_ = rest_.subspan(count);
     return taken;
@@ -144,12 +144,12 @@ Film::Block TakeBlock(Reader& reader, const BlockSums& empty) {
 /// What is between the first line of a checkpoint and its checksum, once these are what they should be.
 std::span<const unsigned char> CheckedBody(std::span<const unsigned char> bytes) {
   if (bytes.size() < magic.size() || !std::equal(magic.begin(), magic.end(), bytes.begin()))
-    throw CheckpointError("it is no checkpoint of this version");
+    throw CheckpointError("it is not a checkpoint of this version");
   std::uint64_t checksum = 0;
-  if (bytes.size() < magic.size() + sizeof checksum) throw CheckpointError("it is cut short");
+  if (bytes.size() < magic.size() + sizeof checksum) throw CheckpointError("it is truncated");
   const auto checked = bytes.first(bytes.size() - sizeof checksum);
   std::memcpy(&checksum, checked.data() + checked.size(), sizeof checksum);
-  if (checksum != Checksum(checked)) throw CheckpointError("it is cut short or damaged");
+  if (checksum != Checksum(checked)) throw CheckpointError("it is truncated or damaged");
   return checked.subspan(magic.size());
 }
 
@@ -174,7 +174,7 @@ RenderState DecodedState(std::span<const unsigned char> bytes, const std::string
   const auto length = reader.Take<std::uint64_t>();
   const std::string theirs = reader.TakeText(length);
   if (theirs != identity)
-    throw CheckpointError("it is of another picture: there, " + FirstDifference(theirs, identity));
+    throw CheckpointError("the checkpoint was made with " + FirstDifference(theirs, identity));
   RenderState state;
   state.schedule = TakeSchedule(reader, film.Blocks());
   state.rays = reader.Take<RayCounts>();

@@ -135,7 +135,7 @@ TEST_F(Checkpoints, L9_OfAnotherPictureAreRefusedAndTheMessageSaysInWhat) {
     ray::DecodedState(bytes_, "version 1\nscene abc\n-seed 7\n", film_);
     FAIL();
   } catch (const ray::CheckpointError& error) {
-    EXPECT_STREQ(error.what(), "it is of another picture: there, -seed 0");
+    EXPECT_STREQ(error.what(), "the checkpoint was made with -seed 0");
   }
   const ray::Film larger(24, 9, {0, 0, 24, 9}, ray::FilterKind::mitchell);
   EXPECT_THROW(ray::DecodedState(bytes_, identity_, larger), ray::CheckpointError);

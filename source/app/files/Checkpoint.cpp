@@ -15,7 +15,7 @@ std::string Identity(const Options& options, const std::string& scene_hash) {
   std::string text = "version " RAYPRO_VERSION "\nscene " + scene_hash + "\n";
   for (const OptionKind& option : OptionTable(options.program)) {
     const std::string topic = option.topic, name = option.name;
-    if (!IsSetting(option) || (topic != "picture" && topic != "light" && topic != "trade")) continue;
+    if (!IsSetting(option) || (topic != "picture" && topic != "light" && topic != "quality")) continue;
     if (name == "checkpoint" || name == "resume" || name == "reference" || name == "time") continue;
     text += "-" + name + " " + Show(option, options) + "\n";
   }
@@ -36,6 +36,9 @@ void Checkpoint::Save(const RenderState& state, const std::string& scene_hash) c
 }
 
 RenderState Checkpoint::Load(const Film& film, const std::string& scene_hash) const {
+  std::error_code ignored;
+  if (!std::filesystem::exists(file_.target, ignored))
+    throw UsageError("nothing to resume: " + Quoted(file_.name) + " does not exist");
   try {
     const Files files(file_.name, {});
     const std::string bytes = files.Read(files.Top());

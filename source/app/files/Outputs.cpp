@@ -14,7 +14,9 @@ namespace {
   std::string known;
   for (const R2::ImageFormat& format : R2::ImageFormats())
     for (const char* extension : format.extensions) known += " ." + std::string(extension);
-  throw UsageError("no kind of picture has the extension of " + Quoted(name) + "; extensions are" + known);
+  const std::string extension = std::filesystem::path(name).extension().string();
+  throw UsageError((extension.empty() ? Quoted(name) + " has no extension" : "cannot write " + Quoted(extension)) +
+                   "; use" + known);
 }
 
 std::span<const unsigned char> BytesOf(const std::string& text) {
@@ -31,7 +33,7 @@ void RefuseSize(const R2::ImageFormat& format, int width, int height) {
     if (width > every_format_holds) format.encode(R2::Image(width, 1), {}, {});
     if (height > every_format_holds) format.encode(R2::Image(1, height), {}, {});
   } catch (const R2::ImageError& error) {
-    throw UsageError("a picture of " + std::to_string(width) + "x" + std::to_string(height) + " cannot be kept as " +
+    throw UsageError("a picture of " + std::to_string(width) + "x" + std::to_string(height) + " cannot be saved as " +
                      format.name + ": " + error.what());
   }
 }

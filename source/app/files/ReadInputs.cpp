@@ -47,7 +47,7 @@ std::string SizeText(int width, int height) { return std::to_string(width) + "x"
 
 using Json = nlohmann::json;
 
-constexpr std::uint32_t most_samples_told = 0x7fffffff;  // what -samples takes
+constexpr std::uint32_t most_samples = 0x7fffffff;  // what -samples takes
 
 /// Options that say what a picture shows; those of speed may differ.
 bool ChoosesThePicture(const OptionKind& option) {
@@ -78,28 +78,28 @@ std::optional<Replay> ReadReplay(const Options& options, const std::string& scen
   };
   try {
     const Json report = Json::parse(text);
-    if (report.at("scene").at("hash") != scene_hash) throw UsageError("the report tells of another scene than this");
+    if (report.at("scene").at("hash") != scene_hash) throw UsageError("the report is of another scene");
     const Json ours = SettingsJson(options);
     for (const OptionKind& option : OptionTable(options.program)) {
       const std::string name = option.name;
       if (!ChoosesThePicture(option) || name == "samples") continue;
       const Json& then = report.at("settings").at(name);
       if (then != ours.at(name))
-        throw UsageError("the report tells of -" + name + " " + then.dump() + "; here it is " + ours.at(name).dump());
+        throw UsageError("the report was made with -" + name + " " + then.dump() + ", not " + ours.at(name).dump());
     }
     const auto count = [&](const Json& number) {
-      if (!number.is_number_unsigned() || number > most_samples_told)
-        throw refuse(number.dump() + " is no number of samples");
+      if (!number.is_number_unsigned() || number > most_samples)
+        throw refuse(number.dump() + " is not a number of samples");
       return number.get<std::uint32_t>();
     };
     Replay replay;
     replay.two_streams = report.at("samples").at("two_streams");
-    replay.planned_samples = count(report.at("samples").at("laid_out_for"));
+    replay.planned_samples = count(report.at("samples").at("planned_samples"));
     for (const Json& pass : report.at("passes")) replay.ends.push_back(count(pass.at("end")));
     for (const Json& of_block : report.at("samples").at("of_blocks")) replay.samples.push_back(count(of_block));
-    if (replay.ends.empty()) throw refuse("it tells of no passes");
+    if (replay.ends.empty()) throw refuse("it has no passes");
     if (!replay.samples.empty() && replay.samples.size() != BlocksOf(options.render))
-      throw refuse("it tells of " + std::to_string(replay.samples.size()) + " blocks of pixels; the picture has " +
+      throw refuse("it has " + std::to_string(replay.samples.size()) + " blocks of pixels, the picture " +
                    std::to_string(BlocksOf(options.render)));
     return replay;
   } catch (const Json::exception& error) {

@@ -12,6 +12,7 @@
 #include "source/app/options/Help.h"
 #include "source/app/options/OptionTable.h"
 #include "source/app/options/Preset.h"
+#include "source/app/rayimg/Table.h"
 #include "source/text/EnumNames.h"
 #include "source/text/Quoting.h"
 #include "source/text/Words.h"
@@ -19,18 +20,21 @@
 namespace ray {
 namespace {
 
+/// "; -crop is an option of raypro", or the option that was meant.
+std::string HintAt(Program program, const std::string& name) {
+  for (const Program other : programs)
+    if (const OptionKind* option = FindOption(other, name))
+      return "; -" + std::string(option->name) + " is an option of " + NameOf(other);
+  std::vector<std::string> names;
+  for (const OptionKind& known : OptionTable(program)) names.push_back("-" + std::string(known.name));
+  return DidYouMean("-" + name, names);
+}
+
 const OptionKind& Known(Program program, const std::string& word) {
   const std::string name = SplitOption(word).name;
   if (const OptionKind* option = FindOption(program, name)) return *option;
-  std::string hint;
-  if (const OptionKind* option = FindOption(TheOther(program), name)) {
-    hint = "; -" + std::string(option->name) + " is an option of " + NameOf(TheOther(program));
-  } else {
-    std::vector<std::string> names;
-    for (const OptionKind& known : OptionTable(program)) names.push_back("-" + std::string(known.name));
-    hint = DidYouMean("-" + name, names);
-  }
-  throw UsageError("unknown option " + Quoted(word) + hint + " (" + NameOf(program) + " -help lists them all)");
+  throw UsageError("unknown option " + Quoted(word) + HintAt(program, name) + " (" + NameOf(program) +
+                   " -help lists them all)");
 }
 
 /// The arguments of the option at the front of `words`, and how many words they and the option take.
@@ -43,8 +47,8 @@ Arguments TakeArguments(const OptionKind& option, std::span<const std::string> w
   const std::string synopsis = Synopsis(option);
   Arguments arguments;
   if (const auto attached = SplitOption(words[0]).attached) {
-    if (MostArguments(option) != 1)
-      throw UsageError(Quoted(words[0]) + ": '=' joins one argument only; type " + synopsis);
+    if (MostArguments(option) == 0) throw UsageError(Quoted(words[0]) + ": " + Quoted(synopsis) + " takes no value");
+    if (MostArguments(option) != 1) throw UsageError(Quoted(words[0]) + ": '=' takes exactly one value: " + synopsis);
     arguments.values.push_back(*attached);
     return arguments;
   }
@@ -52,10 +56,11 @@ Arguments TakeArguments(const OptionKind& option, std::span<const std::string> w
          !LooksLikeOption(words[arguments.words_taken]))
     arguments.values.push_back(words[arguments.words_taken++]);
   if (arguments.values.size() >= FewestArguments(option)) return arguments;
-  const bool at_end = arguments.words_taken == words.size();
-  const std::string where = at_end ? "" : " before " + Quoted(words[arguments.words_taken]);
-  throw UsageError("-" + std::string(option.name) + " needs " + Counted(MostArguments(option), "argument") + ", got " +
-                   std::to_string(arguments.values.size()) + where + "; type " + synopsis);
+  if (arguments.values.empty())
+    throw UsageError("-" + std::string(option.name) +
+                     (MostArguments(option) == 1 ? " needs a value: " : " needs values: ") + synopsis);
+  throw UsageError("-" + std::string(option.name) + " needs " + Counted(MostArguments(option), "value") + ", got " +
+                   std::to_string(arguments.values.size()) + ": " + synopsis);
 }
 
 /// Which options came already, and how they were spelled.
@@ -72,16 +77,33 @@ void RefuseSecondTask(const OptionKind& option, const std::string& word, const O
     throw UsageError(Quoted(word) + " cannot be combined with another request");
 }
 
+std::string UsageOf(const Options& options) { return " (usage: " + Usage(options.program, options.command) + ")"; }
+
+[[noreturn]] void RefuseName(const std::string& word, const std::string& why) {
+  throw UsageError("unexpected extra argument " + Quoted(word) + why);
+}
+
+const CommandKind& KnownCommand(Program program, const std::string& word) {
+  if (const CommandKind* command = FindCommand(program, word)) return *command;
+  const std::vector<std::string> names = CommandNamesOf(program);
+  const std::string hint = DidYouMean(word, names);
+  throw UsageError("unknown command " + Quoted(word) + (hint.empty() ? "; it must be " + OneOf(names) : hint));
+}
+
 void TakeName(const std::string& word, Options& options) {
   if (word.empty()) throw UsageError("a file name is empty");
-  const bool takes_picture = options.program == Program::raypro;
-  if (options.scene.empty())
+  if (options.command) {
+    if (options.image.names.size() == options.command->most) RefuseName(word, UsageOf(options));
+    options.image.names.push_back(word);
+  } else if (!CommandsOf(options.program).empty()) {
+    options.command = &KnownCommand(options.program, word);
+  } else if (options.scene.empty()) {
     options.scene = word;
-  else if (takes_picture && options.picture.empty())
+  } else if (options.program == Program::raypro && options.picture.empty()) {
     options.picture = word;
-  else
-    throw UsageError(Quoted(word) + " is one name too many, after the scene " + Quoted(options.scene) +
-                     (takes_picture ? " and the picture " + Quoted(options.picture) : ""));
+  } else {
+    RefuseName(word, UsageOf(options));
+  }
 }
 
 /// -help anywhere is answered, whatever else is wrong. (The course's program then exits with failure; we succeed, as
@@ -95,7 +117,10 @@ std::optional<Options> HelpAnywhere(Program program, std::span<const std::string
     options.task = Task::help;
     // Among other words, what follows -help is as likely a file as a topic, and plain help is never wrong.
     const bool has_topic = SplitOption(words[i]).attached || (i == 0 && words.size() == 2);
-    if (has_topic) Store(*option, TakeArguments(*option, words.subspan(i)).values, options);
+    if (has_topic)
+      Store(*option, TakeArguments(*option, words.subspan(i)).values, options);
+    else if (FindCommand(program, words[0]))
+      options.subject = words[0];
     return options;
   }
   return {};
@@ -105,28 +130,45 @@ bool NeedsScene(Task task) {
   return task == Task::render || task == Task::view || task == Task::check || task == Task::debug_pixel;
 }
 
-void CheckNames(const Options& options) {
-  if (!NeedsScene(options.task)) {
-    if (!options.scene.empty()) throw UsageError(Quoted(options.scene) + " is one name too many");
+void CheckCommand(const Options& options, const std::vector<const OptionKind*>& given) {
+  if (options.task != Task::command) {
+    if (options.command) RefuseName(options.command->name, "");
     return;
   }
-  const std::string usage = " (usage: " + Usage(options.program) + ")";
-  if (options.scene.empty()) throw UsageError("no scene is named" + usage);
+  if (!options.command)
+    throw UsageError("no command is named; it must be " + OneOf(CommandNamesOf(options.program)) + UsageOf(options));
+  const CommandKind& command = *options.command;
+  for (const OptionKind* option : given)
+    if (!Takes(command, *option))
+      throw UsageError("-" + std::string(option->name) + " is an option of " + NameOf(options.program) + " " +
+                       OneOf({option->commands.begin(), option->commands.end()}) + ", not of " + command.name);
+  if (options.image.names.size() < command.fewest)
+    throw UsageError(std::string(command.name) + " needs " + Counted(command.fewest, "file name") + ", got " +
+                     std::to_string(options.image.names.size()) + UsageOf(options));
+  rayimg::CheckTogether(command, options.image);
+}
+
+void CheckNames(const Options& options) {
+  if (!NeedsScene(options.task)) {
+    if (!options.scene.empty()) RefuseName(options.scene, "");
+    return;
+  }
+  if (options.scene.empty()) throw UsageError("no scene is named" + UsageOf(options));
   if (options.task == Task::check && !options.report.empty())
-    throw UsageError("-report needs a picture that is rendered; -check renders none");
-  if (options.task == Task::render && options.picture.empty()) throw UsageError("no picture is named" + usage);
+    throw UsageError("-report has no effect with -check, which renders nothing");
+  if (options.task == Task::render && options.picture.empty())
+    throw UsageError("no picture is named" + UsageOf(options));
   if (options.task == Task::render && options.picture == options.report)
     throw UsageError("the picture and the report are the same file, " + Quoted(options.report));
 }
 
 /// A single pixel has no picture, no cost worth a table and no error.
-void CheckPixel(const Options& options, const std::vector<std::string>& given) {
+void CheckPixel(const Options& options, const std::vector<const OptionKind*>& given) {
   if (options.task != Task::debug_pixel) return;
-  if (!options.picture.empty())
-    throw UsageError(Quoted(options.picture) + " is one name too many; -debugpixel makes no picture");
+  if (!options.picture.empty()) RefuseName(options.picture, "; -debugpixel writes no picture");
   for (const char* name : {"layers", "time", "error", "reference", "replay", "checkpoint", "resume", "stats", "report"})
-    if (std::ranges::find(given, name) != given.end())
-      throw UsageError("-" + std::string(name) + " needs a picture that is rendered; -debugpixel renders none");
+    if (std::ranges::find(given, FindOption(options.program, name)) != given.end())
+      throw UsageError("-" + std::string(name) + " has no effect with -debugpixel, which renders nothing");
   const auto& [x, y] = *options.pixel;
   const auto& [width, height] = std::tie(options.render.width, options.render.height);
   if (x >= 0 && x < width && y >= 0 && y < height) return;
@@ -137,7 +179,7 @@ void CheckPixel(const Options& options, const std::vector<std::string>& given) {
 
 void CheckView(const ViewOptions& view) {
   if (view.context != ViewOptions().context && !view.headless)
-    throw UsageError("-context needs -headless; a window brings its own");
+    throw UsageError("-context has no effect without -headless; a window has its own");
   if (view.exit_immediately && !view.events.empty())
     throw UsageError("-exit_immediately and -events contradict each other");
 }
@@ -163,7 +205,7 @@ void CheckCrop(const RenderSettings& render) {
 }
 
 void CheckEffects(const CameraEffects& camera) {
-  if (camera.HasLens() && !(camera.focus > 0)) throw UsageError("-aperture needs -focus, the distance that is sharp");
+  if (camera.HasLens() && !(camera.focus > 0)) throw UsageError("-aperture needs -focus, the focus distance");
 }
 
 void CheckBudget(const Options& options) {
@@ -171,7 +213,29 @@ void CheckBudget(const Options& options) {
   if (!options.replay.empty() && budget.IsOpen()) throw UsageError("-replay and -time or -error contradict each other");
   if (!options.replay.empty() && options.resume) throw UsageError("-replay and -resume contradict each other");
   if (ShowsCosts(options.render.mode) && budget.error)
-    throw UsageError(std::string("-error is an error of light; -mode ") + NameOf(options.render.mode) + " shows costs");
+    throw UsageError(std::string("-error has no effect with -mode ") + NameOf(options.render.mode) +
+                     ", which shows costs");
+}
+
+/// Everything that is wrong together, though each word is right by itself.
+void CheckTogether(const Options& options, const std::vector<const OptionKind*>& given) {
+  CheckCommand(options, given);
+  CheckNames(options);
+  CheckEffects(options.render.camera);
+  CheckBudget(options);
+  CheckSize(options.render);
+  CheckCrop(options.render);
+  CheckPixel(options, given);
+  CheckView(options.view);
+  if (options.quiet && options.verbose) throw UsageError("-quiet and -verbose contradict each other");
+}
+
+/// What follows from other options.
+void Derive(Options& options) {
+  const R2::ImageFormat* format = R2::FormatForName(options.picture);
+  options.render.srgb = options.encoding.srgb && !(format && format->is_linear);
+  options.render.wants_passes = !options.report.empty() && options.render.samples > 1 && options.replay.empty();
+  options.parse.decode_srgb = options.encoding.srgb;  // a linear workflow is linear from end to end
 }
 
 }  // namespace
@@ -200,21 +264,11 @@ Options ReadCommandLine(Program program, std::span<const std::string> words) {
     }
   }
 
-  std::vector<std::string> given;
-  for (const auto& [option, spelled] : seen) given.emplace_back(option->name);
+  std::vector<const OptionKind*> given;
+  for (const auto& [option, spelled] : seen) given.push_back(option);
   ApplyPreset(options, given);
-  CheckNames(options);
-  CheckEffects(options.render.camera);
-  CheckBudget(options);
-  CheckSize(options.render);
-  CheckCrop(options.render);
-  CheckPixel(options, given);
-  CheckView(options.view);
-  if (options.quiet && options.verbose) throw UsageError("-quiet and -verbose contradict each other");
-  const R2::ImageFormat* format = R2::FormatForName(options.picture);
-  options.render.srgb = options.encoding.srgb && !(format && format->is_linear);
-  options.render.wants_passes = !options.report.empty() && options.render.samples > 1 && options.replay.empty();
-  options.parse.decode_srgb = options.encoding.srgb;  // a linear workflow is linear from end to end
+  CheckTogether(options, given);
+  Derive(options);
   return options;
 }
 

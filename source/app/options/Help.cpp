@@ -5,6 +5,9 @@
 
 namespace ray {
 
+namespace {
+
+/// A cell of a table in Markdown, with its right border; a bar within the text is escaped, which would end it.
 std::string MarkdownCell(const std::string& text) {
   std::string cell;
   for (const char c : text) cell += c == '|' ? "\\|" : std::string(1, c);
@@ -13,46 +16,64 @@ std::string MarkdownCell(const std::string& text) {
 
 std::string MarkdownCode(const std::string& text) { return text.empty() ? "" : "`" + text + "`"; }
 
-namespace {
-
 constexpr std::size_t column_of_help = 26;
 
-/// "at least 1 camera rays a pixel; 16 unless given"
+/// "a whole number, at least 1 pixels; default 256"
 std::string RangeAndDefault(const OptionKind& option, const Options& defaults) {
   const std::string range = Range(option), value = Show(option, defaults);
   if (range.empty() || value.empty()) return range + value;
   return range + "; default " + value;
 }
 
-std::string HelpLine(const OptionKind& option, const Options& defaults) {
-  std::string line = "  " + Synopsis(option);
-  line += line.size() + 2 > column_of_help ? "\n" + std::string(column_of_help, ' ')
-                                           : std::string(column_of_help - line.size(), ' ');
-  line += option.help;
-  const std::string details = RangeAndDefault(option, defaults);
-  if (!details.empty()) line += "\n" + std::string(column_of_help, ' ') + "(" + details + ")";
-  return line + "\n";
+/// The name, and in its column what it means.
+std::string Entry(const std::string& name, const std::string& help) {
+  const std::string line = "  " + name;
+  const bool fits = line.size() + 2 <= column_of_help;
+  return line + (fits ? std::string(column_of_help - line.size(), ' ') : "\n" + std::string(column_of_help, ' ')) +
+         help + "\n";
 }
 
-std::string TopicHelp(Program program, const std::string& topic) {
-  std::string text = topic + ":\n";
+std::string OptionHelp(const OptionKind& option, const Options& defaults) {
+  const std::string details = RangeAndDefault(option, defaults);
+  return Entry(Synopsis(option), option.help) +
+         (details.empty() ? "" : std::string(column_of_help, ' ') + "(" + details + ")\n");
+}
+
+std::string CommandHelp(Program program, const CommandKind& command) {
+  std::string options;
   for (const OptionKind& option : OptionTable(program))
-    if (topic == option.topic) text += HelpLine(option, Defaults(program));
-  return text;
+    if (Takes(command, option)) options += OptionHelp(option, Defaults(program));
+  return "usage: " + Usage(program, &command) + "\n\n" + command.help + "\n" + command.details +
+         (options.empty() ? "" : "\noptions:\n" + options);
+}
+
+std::string CommandList(Program program) {
+  std::string text;
+  for (const CommandKind& command : CommandsOf(program))
+    text += Entry(std::string(command.name) + " " + command.files, command.help);
+  return text.empty() ? "" : "commands:\n" + text + "\n";
+}
+
+/// Nothing when there is no such topic.
+std::string TopicHelp(Program program, const std::string& topic) {
+  std::string text;
+  for (const OptionKind& option : OptionTable(program))
+    if (topic == option.topic) text += OptionHelp(option, Defaults(program));
+  return text.empty() ? "" : topic + ":\n" + text;
 }
 
 std::string StatusLines(Program program) {
   std::string text = "exit status:\n";
-  for (const auto& [number, meaning] : TextOf(program).statuses)
-    text +=
-        "  " + std::string(number) + std::string(column_of_help - 2 - std::string(number).size(), ' ') + meaning + "\n";
+  for (const auto& [number, meaning] : TextOf(program).statuses) text += Entry(number, meaning);
   return text;
 }
 
 std::string FullHelp(Program program) {
   const ProgramText& about = TextOf(program);
-  std::string text = "usage: " + Usage(program) + "\n\n" + about.description +
-                     "-width 512, --width 512 and -width=512 mean the same; options and names come in any order.\n\n";
+  std::string text =
+      "usage: " + Usage(program) + "\n\n" + about.description +
+      "-name value, --name value and -name=value mean the same; options and names come in any order.\n\n";
+  text += CommandList(program);
   for (const std::string& topic : OptionTopics(program)) text += TopicHelp(program, topic) + "\n";
   return text + "examples:\n" + about.examples + "\n" + StatusLines(program);
 }
@@ -62,11 +83,13 @@ std::string MarkdownRow(const OptionKind& option, const Options& defaults) {
          MarkdownCell(Range(option)) + MarkdownCell(option.help) + "\n";
 }
 
-/// Names of the options that both programs have, a line a topic.
+bool IsRaypros(const OptionKind& option) { return option.known_to == KnownTo::both || option.known_to == KnownTo::all; }
+
+/// Names of the options that raypro has as well, a line per topic.
 std::string SharedOptions(Program program) {
   std::string text, topic;
   for (const OptionKind& option : OptionTable(program)) {
-    if (option.known_to != KnownTo::both) continue;
+    if (!IsRaypros(option)) continue;
     text += topic == option.topic ? "," : (topic.empty() ? "" : "\n") + ("- " + std::string(option.topic)) + ":";
     text += " `-" + std::string(option.name) + "`";
     topic = option.topic;
@@ -75,56 +98,87 @@ std::string SharedOptions(Program program) {
 }
 
 std::string MarkdownTable(Program program) {
-  const bool is_whole = program == Program::raypro;
-  std::string table = "| option | default | values | what it does |\n|---|---|---|---|\n";
+  const Options defaults = Defaults(program);
+  const bool has_commands = !CommandsOf(program).empty();
+  std::string table = std::string("| ") + (has_commands ? "command, " : "") +
+                      "option | default | values | what it does |\n|---|---|---|---|\n";
+  for (const CommandKind& command : CommandsOf(program)) {
+    const std::string synopsis = NameOf(program) + " " + command.name + " " + command.files;
+    table += "|" + MarkdownCell(MarkdownCode(synopsis)) + " | | " + command.help + " |\n";
+    for (const OptionKind& option : OptionTable(program))
+      if (Takes(command, option)) table += MarkdownRow(option, defaults);
+  }
   for (const OptionKind& option : OptionTable(program))
-    if (is_whole || option.known_to != KnownTo::both) table += MarkdownRow(option, Defaults(program));
-  return is_whole ? table : table + "\nThe rest is raypro's:\n\n" + SharedOptions(program);
+    if (option.commands.empty() && (program == Program::raypro || !IsRaypros(option)))
+      table += MarkdownRow(option, defaults);
+  return program == Program::raypro ? table
+                                    : table + "\nThe others are the same as raypro's:\n\n" + SharedOptions(program);
 }
 
 }  // namespace
 
 const ProgramText& TextOf(Program program) {
+  constexpr const char* bad_scene = "The scene, or a file that it names, is wrong or missing.";
   static const ProgramText of_raypro{
       .names = "scene picture",
-      .summary = "render a scene file into a picture by tracing rays",
-      .description = "Renders a scene file into a picture; the extensions say the formats (raypro -list).\n",
+      .summary = "render a scene by ray tracing",
+      .description = "Renders a scene file; the extensions choose the formats (raypro -list).\n",
       .examples =
           "  raypro scenes/hello.scn hello.jpg -width 512 -height 512 -samples 16\n"
           "  raypro scenes/hello.scn part.png -crop 100 100 160 140 -bits 16\n"
           "  raypro scenes/hello.scn -check\n"
           "  raypro scenes/hello.scn -debugpixel 128 100\n",
-      .statuses = {{"0", "Done."},
+      .statuses = {{"0", "Success."},
                    {"1", "Failed while rendering."},
                    {"2", "Wrong arguments."},
-                   {"3", "The scene, or a file that it names, is wrong or missing."},
+                   {"3", bad_scene},
                    {"4", "The picture cannot be written."},
                    {"130, 143", "Interrupted by SIGINT or SIGTERM; the picture so far is saved."}}};
   static const ProgramText of_rayview{
       .names = "scene",
-      .summary = "look at a scene file, and trace what is seen",
+      .summary = "view a scene, and ray trace the view",
       .description =
-          "Shows a scene file in a window; key H there lists what keys and mouse do. Key S traces the view.\n",
+          "Shows a scene file in a window; key H there lists the keys and what the mouse does. Key S traces the "
+          "view.\n",
       .examples =
           "  rayview scenes/hello.scn -image hello.png -samples 16\n"
           "  rayview scenes/hello.scn -headless -events tour.txt -screenshot end.png\n"
           "  rayview scenes/hello.scn -headless -exit_immediately -output_image first.png\n",
-      .statuses = {{"0", "Done."},
+      .statuses = {{"0", "Success."},
                    {"1", "There is nothing to draw with, or drawing failed."},
                    {"2", "Wrong arguments."},
-                   {"3", "The scene, or a file that it names, is wrong or missing."},
+                   {"3", bad_scene},
                    {"4", "A file cannot be written."}}};
-  return program == Program::raypro ? of_raypro : of_rayview;
+  static const ProgramText of_rayimg{
+      .names = "command pictures",
+      .summary = "compare, describe, convert and merge pictures, and make movies of them",
+      .description =
+          "Compares, describes, converts and merges pictures, and makes movies of them. Extensions choose the formats\n"
+          "of those written, contents tell those of those read. rayimg -help command lists the options of a command.\n",
+      .examples =
+          "  rayimg diff noisy.exr clean.exr -map where.png -fail_flip 0.05\n"
+          "  rayimg convert out.exr out.jpg -exposure 1 -tonemap filmic -srgb\n"
+          "  rayimg merge seed1.exr seed2.exr seed3.exr -out mean.exr\n"
+          "  rayimg movie turn.avi -fps 25 turn01.jpg turn02.jpg turn03.jpg\n",
+      .statuses = {{"0", "Success."},
+                   {"1", "diff: beyond a threshold."},
+                   {"2", "Wrong arguments."},
+                   {"3", "A picture is missing, damaged or too large."},
+                   {"4", "A file cannot be written."}}};
+  return program == Program::raypro ? of_raypro : program == Program::rayview ? of_rayview : of_rayimg;
 }
 
-std::string Usage(Program program) { return NameOf(program) + " " + TextOf(program).names + " [options]"; }
+std::string Usage(Program program, const CommandKind* command) {
+  return NameOf(program) + " " + (command ? std::string(command->name) + " " + command->files : TextOf(program).names) +
+         " [options]";
+}
 
 std::string Help(Program program, const std::string& subject) {
   if (subject.empty()) return FullHelp(program);
   if (subject == "markdown") return MarkdownTable(program);
-  if (const OptionKind* option = FindOption(program, WithoutDashes(subject)))
-    return HelpLine(*option, Defaults(program));
-  return TopicHelp(program, subject);
+  if (const CommandKind* command = FindCommand(program, subject)) return CommandHelp(program, *command);
+  const std::string topic = TopicHelp(program, subject);
+  return topic.empty() ? OptionHelp(*FindOption(program, WithoutDashes(subject)), Defaults(program)) : topic;
 }
 
 std::string NameAndVersion(Program program) { return NameOf(program) + " " RAYPRO_VERSION; }

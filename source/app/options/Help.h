@@ -8,12 +8,14 @@
 
 namespace ray {
 
-/// What -help prints: everything, one topic of the option table, one option, or ("markdown") the README's table. That
-/// of rayview leaves out what raypro's table has already, and names it.
+struct CommandKind;
+
+/// What -help prints: everything, one command, one topic of the option table, one option, or ("markdown") the README's
+/// table. That of rayview leaves out what raypro's table has already, and names it.
 std::string Help(Program program, const std::string& subject);
 
-/// "raypro scene picture [options]"
-std::string Usage(Program program);
+/// "raypro scene picture [options]", "rayimg convert in out [options]"
+std::string Usage(Program program, const CommandKind* command = nullptr);
 
 /// "raypro 0.1.0"
 std::string NameAndVersion(Program program);
@@ -29,10 +31,5 @@ struct ProgramText {
   std::vector<std::pair<const char*, const char*>> statuses;  // exit status, what it means
 };
 const ProgramText& TextOf(Program program);
-
-/// A cell of a table in Markdown, with its right border; a bar within the text is escaped, which would end it.
-std::string MarkdownCell(const std::string& text);
-/// The text as code; nothing for no text.
-std::string MarkdownCode(const std::string& text);
 
 }  // namespace ray

@@ -34,13 +34,32 @@ std::string Entry(const OptionKind& option, const Options& defaults) {
   return entry;
 }
 
+std::string CommandSections(Program program) {
+  std::string text;
+  for (const CommandKind& command : CommandsOf(program)) {
+    text += ".SS " + Roff(NameOf(program) + " " + command.name + " " + command.files) + "\n" + Roff(command.help) +
+            ".\n.nf\n" + Roff(std::string(command.details).substr(1)) + ".fi\n";
+    for (const OptionKind& option : OptionTable(program))
+      if (Takes(command, option)) text += Entry(option, Defaults(program));
+  }
+  return text.empty() ? "" : ".SH COMMANDS\n" + text;
+}
+
 std::string Entries(Program program) {
   std::string text, topic;
   for (const OptionKind& option : OptionTable(program)) {
+    if (!option.commands.empty()) continue;
     if (topic != option.topic) text += ".SS " + Roff(topic = option.topic) + "\n";
     text += Entry(option, Defaults(program));
   }
   return text;
+}
+
+std::string SeeAlso(Program program) {
+  std::string text;
+  for (const Program other : programs)
+    if (other != program) text += ".BR " + NameOf(other) + " (1),\n";
+  return ".SH SEE ALSO\n" + text + ".BR scn (5)\n";
 }
 
 std::string UpperCase(std::string text) {
@@ -49,8 +68,8 @@ std::string UpperCase(std::string text) {
 }
 
 constexpr std::pair<const char*, const char*> environment[] = {
-    {"NO_COLOR", "No colour on the terminal."},
-    {"TMPDIR", "Where a picture is kept that cannot be written where it should be."},
+    {"NO_COLOR", "No color on the terminal."},
+    {"TMPDIR", "Where a picture is saved that cannot be written where it should be."},
 };
 
 }  // namespace
@@ -64,21 +83,17 @@ std::string ManualPage(const std::string& name, Program program) {
 std::string ManualPage(Program program) {
   const ProgramText& about = TextOf(program);
   const std::string name = NameOf(program);
-  return ".TH " + UpperCase(name) + " 1 \"\" \"" + Roff(NameAndVersion(program)) +
-         "\" \"User Commands\"\n"
-         ".SH NAME\n" +
+  const bool takes_scene = CommandsOf(program).empty();
+  return ".TH " + UpperCase(name) + " 1 \"\" \"" + Roff(NameAndVersion(program)) + "\" \"User Commands\"\n.SH NAME\n" +
          name + " \\- " + Roff(about.summary) + "\n.SH SYNOPSIS\n.B " + name + "\n.I " + about.names +
-         "\n.RI [ options ]\n"
-         ".SH DESCRIPTION\n" +
-         Roff(about.description) + "The extensions of names say their formats;\n.B " + name +
-         " \\-list\nnames them.\n"
-         "Options and names come in any order; \\-width 512, \\-\\-width 512 and \\-width=512 mean the same.\n"
-         "A picture is written to a temporary file beside its name and renamed when it is whole.\n"
-         ".SH OPTIONS\n" +
-         Entries(program) + ".SH SCENES\nScenes are in the language that\n.BR scn (5)\nexplains.\n" +
+         "\n.RI [ options ]\n.SH DESCRIPTION\n" + Roff(about.description) +
+         (takes_scene ? "File name extensions choose the formats;\n.B " + name + " \\-list\nlists them.\n" : "") +
+         "Options and names come in any order; \\-name value, \\-\\-name value and \\-name=value mean the same.\n"
+         "A picture is written to a temporary file beside its name and renamed when it is complete.\n" +
+         CommandSections(program) + ".SH OPTIONS\n" + Entries(program) +
+         (takes_scene ? ".SH SCENES\nScenes are in the language described in\n.BR scn (5).\n" : "") +
          ".SH EXIT STATUS\n" + Tagged(about.statuses) + ".SH ENVIRONMENT\n" + Tagged(environment) +
-         ".SH EXAMPLES\n.nf\n" + Roff(about.examples) + ".fi\n.SH SEE ALSO\n.BR " + NameOf(TheOther(program)) +
-         " (1),\n.BR rayimg (1),\n.BR scn (5)\n";
+         ".SH EXAMPLES\n.nf\n" + Roff(about.examples) + ".fi\n" + SeeAlso(program);
 }
 
 }  // namespace ray

@@ -1,3 +1,4 @@
+// Every option of raypro and rayview; those of rayimg's commands are in rayimg/Table.cpp.
 #include "source/app/options/OptionTable.h"
 
 #include <algorithm>
@@ -9,8 +10,9 @@
 #include "source/app/options/BudgetWords.h"
 #include "source/app/options/Listing.h"
 #include "source/app/options/Manual.h"
+#include "source/app/options/OptionEntry.h"
 #include "source/app/options/Preset.h"
-#include "source/text/EnumNames.h"
+#include "source/app/rayimg/Table.h"
 
 namespace ray {
 namespace {
@@ -18,6 +20,7 @@ namespace {
 constexpr int most_pixels_a_side = 1 << 30;
 constexpr int most_threads = 4096;
 constexpr int deepest_include = 1'000'000;
+constexpr const char* duration_range = "a duration such as 30s, 5m or 1h";
 
 std::vector<std::string> AcceleratorNames() {
   std::vector<std::string> names;
@@ -33,26 +36,12 @@ std::vector<std::string> InstructionSetNames() {
 
 std::vector<std::string> ContextNames() { return {context_names.begin(), context_names.end()}; }
 
-/// A word of a closed set, kept as the enumerator it names.
-template <class Enum, class Lambda>
-OneNameOf OneOfEnum(Lambda, bool by_number = false) {
-  return {[] { return std::vector<std::string>(NamesOf(Enum{}).begin(), NamesOf(Enum{}).end()); },
-          [](const Options& options) { return std::string(NameOf(Lambda{}(options))); },
-          [](Options& options, const std::string& name) { Lambda{}(options) = *Named<Enum>(name); }, by_number};
-}
-
-/// A word of an open set, kept as it is.
-template <class Lambda>
-OneNameOf OneOfNames(Lambda, std::vector<std::string> (*choices)()) {
-  return {choices, [](const Options& options) { return Lambda{}(options); },
-          [](Options& options, const std::string& name) { Lambda{}(options) = name; }};
-}
-
 std::vector<std::string> Shells() { return {"bash", "zsh", "fish"}; }
 
 template <Program program>
 std::vector<std::string> HelpSubjects() {
-  std::vector<std::string> subjects = OptionTopics(program);
+  std::vector<std::string> subjects = CommandNamesOf(program);
+  for (const std::string& topic : OptionTopics(program)) subjects.push_back(topic);
   subjects.emplace_back("markdown");
   return subjects;
 }
@@ -67,175 +56,183 @@ constexpr T highest = std::numeric_limits<T>::max();
 
 // One entry stays one thought.
 // clang-format off
-// One lambda that reads a const Options and writes another.
-#define AT(member) [](auto& o) -> auto& { return o.member; }
-
-/// The one table. What is `raypro`'s alone makes no sense beside a picture that changes while it is looked at.
+/// What is `raypro`'s alone makes no sense beside a picture that changes while it is looked at.
 template <Program program>
 std::vector<OptionKind> MakeTable() {
   using Whole = Number<int>;
   using enum KnownTo;
   return {
       {"width", raypro, {}, {"n"}, Whole{AT(render.width), 1, most_pixels_a_side}, "pixels", "picture",
-       "width of the whole picture"},
+       "width of the whole image"},
       {"height", raypro, {}, {"n"}, Whole{AT(render.height), 1, most_pixels_a_side}, "pixels", "picture",
-       "height of the whole picture"},
+       "height of the whole image"},
       {"width", rayview, {}, {"n"}, Whole{AT(render.width), 1, most_pixels_a_side}, "pixels", "picture",
-       "width of the window at first, and so of what is traced"},
+       "initial width of the window, and so of the traced image"},
       {"height", rayview, {}, {"n"}, Whole{AT(render.height), 1, most_pixels_a_side}, "pixels", "picture",
-       "height of the window at first, and so of what is traced"},
-      {"samples", both, {}, {"n"}, Whole{AT(render.samples), 1, highest<int>}, "camera rays a pixel", "picture",
+       "initial height of the window, and so of the traced image"},
+      {"samples", both, {}, {"n"}, Whole{AT(render.samples), 1, highest<int>}, "camera rays per pixel", "picture",
        "more samples, smoother edges and shadows"},
       {"crop", raypro, {}, {"x0", "y0", "x1", "y1"}, Rectangle{AT(render.crop)}, "pixels", "picture",
        "only columns x0..x1-1 from the left, rows y0..y1-1 from the bottom (as the image is stored)"},
       {"filter", both, {}, {"name"}, OneOfEnum<FilterKind>(AT(render.filter), true), "", "picture",
-       "what samples count for a pixel: up to .5, 2, 2 and 3 pixels away"},
+       "reconstruction filter (radius .5, 2, 2, 3 pixels)"},
       {"sampler", both, {}, {"name"}, OneOfEnum<SamplerKind>(AT(render.trace.sampler)), "", "picture",
-       "how the samples of a pixel are spread over all they choose"},
+       "sample sequence"},
       {"seed", both, {}, {"n"}, Number<std::uint64_t>{AT(render.seed), 0, highest<std::uint64_t>}, "", "picture",
-       "which random numbers; the same seed gives the same picture"},
+       "random seed; the same seed gives a bit-identical image"},
       {"motion", both, {}, {"dx", "dy", "dz"}, Triple{AT(render.camera.motion)}, "", "picture",
        "how far the camera moves while the shutter is open"},
       {"aperture", both, {}, {"r"}, Number<double>{AT(render.camera.aperture), 0, highest<double>}, "", "picture",
-       "radius of the lens; 0 is a pinhole"},
+       "lens radius; 0 is a pinhole"},
       {"focus", both, {}, {"d"}, Number<double>{AT(render.camera.focus), 0, highest<double>}, "", "picture",
-       "distance of what a lens sees sharply, along the view"},
+       "focus distance, along the viewing direction"},
       {"srgb", both, {}, {}, Flag{AT(encoding.srgb)}, "", "picture",
-       "light is linear: decode 8-bit textures from sRGB, encode the picture to it"},
-      {"layers", raypro, {}, {"list"},
-       Word<std::vector<Layer>>{AT(layers), ReadLayerList, ShowLayerList,
-        "some of depth, normal, uv, albedo and id, with commas between"}, "", "picture",
-       "what else to keep: channels of an EXR, or pictures beside, out.depth.png"},
-      {"bits", both, {}, {"n"}, OneNumberOf{AT(encoding.bits), {8, 16}}, "bits a channel", "picture", "depth of a PNG"},
-      {"jpeg_quality", both, {}, {"n"}, Whole{AT(encoding.jpeg_quality), 1, 100}, "", "picture", "quality of a JPEG"},
+       "linear workflow: decode 8-bit textures from sRGB, encode the image in sRGB"},
+      {"layers", raypro, {}, {"list"}, WordOf<ReadLayerList, ShowLayerList>(AT(layers),
+        "some of depth, normal, uv, albedo and id, separated by commas"), "", "picture",
+       "extra output layers (AOVs): channels of an EXR, or files beside the image, out.depth.png"},
+      {"bits", both, {}, {"n"}, OneNumberOf{AT(encoding.bits), {8, 16}}, "bits per channel", "picture",
+       "bit depth of a PNG"},
+      {"jpeg_quality", both, {}, {"n"}, Whole{AT(encoding.jpeg_quality), 1, 100}, "", "picture", "JPEG quality"},
 
       {"image", rayview, {}, {"file"}, FileName{AT(picture)}, "", "viewer",
-       "what key S writes; image1.jpg, image2.jpg... unless given, whichever is not there yet"},
+       "what key S writes; by default the first of image1.jpg, image2.jpg... that does not exist"},
       {"output_image", rayview, {}, {"file"}, FileName{AT(view.output_image)}, "", "viewer",
-       "save what the window shows when the program ends"},
-      {"exit_immediately", rayview, {}, {}, Flag{AT(view.exit_immediately)}, "", "viewer", "draw once, save, end"},
+       "save what the window shows when the program exits"},
+      {"exit_immediately", rayview, {}, {}, Flag{AT(view.exit_immediately)}, "", "viewer", "draw once, save, exit"},
       {"headless", rayview, {}, {}, Flag{AT(view.headless)}, "", "viewer",
-       "draw without a window: what -events says, or once"},
+       "draw without a window: run the script of -events, or draw once"},
       {"context", rayview, {}, {"name"}, OneOfNames(AT(view.context), ContextNames), "", "viewer",
-       "what -headless draws with (auto: the first that works)"},
+       "OpenGL context of -headless (auto: the first that works)"},
       {"events", rayview, {}, {"file"}, FileName{AT(view.events)}, "", "viewer",
-       "do what a script says, then end; - reads standard input"},
+       "run a script of events, then exit; - reads standard input"},
       {"screenshot", rayview, {}, {"file"}, FileName{AT(view.screenshot)}, "", "viewer",
        "save the drawing after the last event"},
       {"record", rayview, {}, {"file"}, FileName{AT(view.record)}, "", "viewer",
-       "write what happens as a script for -events"},
+       "record events as a script for -events"},
       {"reference", rayview, {}, {"file"}, FileName{AT(view.reference)}, "", "viewer",
-       "a picture of the same scene to compare with"},
+       "an image of the same scene to compare with"},
 
       {"mode", both, {}, {"name"}, OneOfEnum<RenderMode>(AT(render.mode)), "", "light",
-       "whitted, path: light; heat, rays: costs a pixel, black 1 to white 10000; or a layer seen first"},
+       "whitted, path: light; heat, rays: cost per pixel, black = 1, white = 10,000; or a layer"},
       {"env", both, {}, {"file"}, FileName{AT(parse.environment)}, "", "light",
-       "light from all around: a latitude-longitude picture, an angular probe or a cross of six faces"},
+       "environment light: a latitude-longitude image, an angular probe or a cross of six faces"},
       {"max_depth", both, {"maxreflections", "max_reflections"}, {"n"},
        Number<std::int64_t>{AT(render.trace.max_depth), 0, highest<std::int64_t>}, "bounces", "light",
-       "how many reflections and transmissions may follow one another"},
+       "maximum number of successive reflections and transmissions"},
       {"min_luminance", both, {"minluminance"}, {"x"},
        Number<double>{AT(render.trace.min_luminance), 0, highest<double>}, "", "light",
-       "follow a ray only while its weight in the picture is at least this"},
+       "trace a secondary ray only if the luminance of its throughput is at least this"},
       {"shadow_samples", both, {}, {"n"}, Whole{AT(render.trace.shadow_samples), 1, highest<int>},
-       "shadow rays a light", "light", "rays to each light that has an area"},
-      {"lights", both, {}, {"all|one|n"}, Word<int>{AT(render.trace.lights), ReadLightCount, ShowLightCount,
-        "all, one, auto or a whole number above 0"}, "", "light",
-       "lights chosen at each point, by importance (auto: whitted all, path one)"},
+       "shadow rays per light", "light", "shadow rays to each light that has an area"},
+      {"lights", both, {}, {"all|one|n"}, WordOf<ReadLightCount, ShowLightCount>(AT(render.trace.lights),
+        "all, one, auto or a whole number above 0"), "", "light",
+       "lights sampled at each point, by importance (auto: whitted all, path one)"},
       {"glossy", both, {}, {}, Flag{AT(render.trace.glossy)}, "", "light",
-       "reflections are spread over the Phong lobe"},
+       "sample glossy reflections from the Phong lobe"},
       {"fresnel", both, {}, {}, Flag{AT(render.trace.fresnel)}, "", "light",
-       "what is clear and bends light reflects it as well, by Fresnel's equations"},
+       "Fresnel reflection on refractive surfaces"},
       {"roulette", both, {}, {"name"}, OneOfEnum<Roulette>(AT(render.trace.roulette)), "", "light",
-       "follow faint rays by chance, without bias (auto: path on; whitted off, cut at -min_luminance)"},
+       "Russian roulette, unbiased (auto: path on; whitted off, cut at -min_luminance)"},
       {"strategy", both, {}, {"name"}, OneOfEnum<LightStrategy>(AT(render.trace.strategy)), "", "light",
        "path: mis, light sampling, BSDF sampling, or uniform for comparison"},
-      {"shadows", both, {}, {"on|off"}, OnOff{AT(render.trace.shadows)}, "", "light", "whether things cast shadows"},
+      {"shadows", both, {}, {"on|off"}, OnOff{AT(render.trace.shadows)}, "", "light", "whether objects cast shadows"},
 
-      {"quality", raypro, {}, {"name"}, OneOfNames(AT(quality), PresetNames), "", "trade",
-       "a row of the table of presets; every option given besides overrides its part"},
-      {"time", raypro, {}, {"t"},
-       Word<double>{AT(render.budget.seconds), ReadDuration, ShowDuration, "a time such as 30s, 5m or 1h"},
-       "", "trade", "stop so that the picture is written this long after the start"},
-      {"error", raypro, {}, {"e"},
-       Word<std::optional<ErrorTarget>>{AT(render.budget.error), ReadErrorTarget, ShowErrorTarget,
-        "an error above 0: 2 (255ths of what is shown), 3% (of the mean), 40dB or 0.01lin"},
-       "", "trade", "stop when the picture's own estimate of its error is surely below"},
-      {"confidence", raypro, {}, {"c"}, Number<double>{AT(render.budget.confidence), 0.5, 0.9999}, "", "trade",
-       "how sure the interval around an estimated error is to hold the truth"},
-      {"adaptive", raypro, {}, {"name"}, OneOfEnum<Adaptive>(AT(render.budget.adaptive)), "", "trade",
-       "tile: with -error, only blocks still above it go on (auto: tile with -error)"},
-      {"reference", raypro, {}, {"file[,file2]"}, FileList{AT(reference)}, "", "trade",
-       "tell the true error beside a picture, or two independent ones, of the same scene"},
-      {"replay", raypro, {}, {"file.json"}, FileName{AT(replay)}, "", "trade",
-       "share samples out as the render did that wrote this report: the same bits"},
-
-      {"checkpoint", raypro, {}, {"t"},
-       Word<double>{AT(checkpoint), ReadDuration, ShowDuration, "a time such as 30s, 5m or 1h"},
-       "", "trade", "keep what is done this often, beside the picture; a signal always keeps it"},
-      {"resume", raypro, {}, {}, Flag{AT(resume)}, "", "trade",
-       "go on from what was kept, to the same picture bit for bit"},
+      {"quality", raypro, {}, {"name"}, OneOfNames(AT(quality), PresetNames), "", "quality",
+       "a preset (raypro -list presets); options given besides override its settings"},
+      {"time", raypro, {}, {"t"}, WordOf<ReadDuration, ShowDuration>(AT(render.budget.seconds), duration_range),
+       "", "quality", "time limit, from the start of the program to the image written"},
+      {"error", raypro, {}, {"e"}, WordOf<ReadErrorTarget, ShowErrorTarget>(AT(render.budget.error),
+        "an error above 0: 2 (255ths as displayed), 3% of the mean, 40dB or 0.01lin"), "", "quality",
+       "stop when the upper bound of the estimated error is below this"},
+      {"confidence", raypro, {}, {"c"}, Number<double>{AT(render.budget.confidence), 0.5, 0.9999}, "", "quality",
+       "confidence level of the interval around an estimated error"},
+      {"adaptive", raypro, {}, {"name"}, OneOfEnum<Adaptive>(AT(render.budget.adaptive)), "", "quality",
+       "tile: with -error, only blocks still above it get more samples (auto: tile with -error)"},
+      {"reference", raypro, {}, {"file[,file2]"}, FileList{AT(reference)}, "", "quality",
+       "print the true error against an image, or two independent ones, of the same scene"},
+      {"replay", raypro, {}, {"file.json"}, FileName{AT(replay)}, "", "quality",
+       "reuse the sample allocation of that report: a bit-identical image"},
+      {"checkpoint", raypro, {}, {"t"}, WordOf<ReadDuration, ShowDuration>(AT(checkpoint), duration_range),
+       "", "quality", "write a checkpoint this often, beside the image; a signal always writes one"},
+      {"resume", raypro, {}, {}, Flag{AT(resume)}, "", "quality",
+       "resume from the checkpoint, to a bit-identical image"},
 
       {"accel", both, {}, {"name"}, OneOfNames(AT(accelerator.name), AcceleratorNames), "", "speed",
-       "how rays find what they hit; never changes the picture"},
+       "acceleration structure; never changes the image"},
       {"accel_res", both, {"accelres"}, {"x"}, Number<double>{AT(accelerator.resolution), 0, 1e6}, "", "speed",
-       "grid: cells a primitive; octree, bvh: primitives a leaf (bvh up to 8); 0: the usual"},
+       "grid: cells per primitive; octree, bvh: primitives per leaf (bvh up to 8); 0: default"},
       {"accel_depth", both, {}, {"n"}, Whole{AT(accelerator.depth), 0, most_octree_levels}, "levels", "speed",
-       "octree: most levels; 0 for the usual"},
+       "octree: maximum depth; 0: default"},
       {"accel_quality", both, {}, {"name"}, OneOfEnum<BvhQuality>(AT(accelerator.quality)), "", "speed",
-       "bvh: high cuts large slanted triangles first; builds longer"},
+       "bvh: high adds spatial pre-splitting of large triangles; builds longer"},
       {"simd", both, {}, {"name"}, OneOfNames(AT(accelerator.instruction_set), InstructionSetNames), "", "speed",
-       "the instruction set to use, if this machine has it; never changes the picture"},
+       "instruction set, if this machine has it; never changes the image"},
       {"node_boxes", both, {}, {"on|off"}, OnOff{AT(accelerator.node_boxes)}, "", "speed",
-       "graph: skip nodes whose box the ray misses"},
+       "graph: skip nodes whose bounding box the ray misses"},
       {"front_to_back", both, {}, {"on|off"}, OnOff{AT(accelerator.front_to_back)}, "", "speed",
        "graph: visit nearer nodes first"},
       {"last_hit", both, {}, {"on|off"}, OnOff{AT(accelerator.last_hit)}, "", "speed",
-       "graph: ask first what the last ray hit"},
+       "graph: test the primitive that the last ray hit first"},
       {"threads", both, {}, {"n"}, Whole{AT(render.threads), 0, most_threads}, "threads", "speed",
-       "how many work at once, 0 for as many as the machine has; never changes the picture"},
+       "worker threads, 0 for as many as the machine has; never changes the image"},
       {"tile_size", raypro, {}, {"n"}, Whole{AT(render.tile_size), 0, most_pixels_a_side}, "pixels", "speed",
-       "side of the squares that threads take, 0 for the whole picture"},
+       "tile size, 0 for the whole image"},
 
       {"include_depth", both, {}, {"n"}, Whole{AT(parse.include_depth), 1, deepest_include}, "files", "scene",
        "how deep scene files may include one another"},
       {"allow_path", both, {}, {"folder"}, FolderList{AT(parse.allowed_folders)}, "", "scene",
        "let the scene also read files below this folder; may be repeated"},
       {"check", raypro, {"dry-run"}, {}, Request{Task::check}, "", "scene",
-       "read the scene, describe it and point out likely mistakes; render nothing"},
+       "describe the scene and point out likely mistakes, without rendering"},
 
       {"quiet", both, {}, {}, Flag{AT(quiet)}, "", "messages", "print errors and warnings only"},
-      {"verbose", both, {"v"}, {}, Flag{AT(verbose)}, "", "messages", "tell each step and how long it took"},
+      {"verbose", both, {"v"}, {}, Flag{AT(verbose)}, "", "messages", "report each step and how long it took"},
       {"explain", raypro, {}, {}, Flag{AT(explain)}, "", "messages",
-       "say which accelerator is used, why, and what was built"},
-      {"stats", raypro, {}, {}, Flag{AT(stats)}, "", "messages", "print what the picture cost"},
+       "report which acceleration structure is used, why, and what was built"},
+      {"stats", raypro, {}, {}, Flag{AT(stats)}, "", "messages", "print statistics of the render"},
       {"debugpixel", raypro, {}, {"x", "y"}, PixelRequest{AT(pixel), Task::debug_pixel}, "", "messages",
-       "print the tree of a pixel's rays (x from the left, y from the bottom); render nothing"},
+       "print the ray tree of a pixel (x from the left, y from the bottom), without rendering"},
       {"report", raypro, {}, {"file.json"}, FileName{AT(report)}, "", "messages",
-       "write what the picture cost, for programs"},
+       "write settings and statistics as JSON"},
 
-      {"help", both, {"h"}, {"topic"}, Request{Task::help, Request::perhaps, HelpSubjects<program>}, "", "about",
-       "print this, or one topic of it"},
-      {"version", both, {}, {}, Request{Task::version}, "", "about", "print the version and what is built in"},
+      {"help", all, {"h"}, {"topic"}, Request{Task::help, Request::perhaps, HelpSubjects<program>}, "", "about",
+       "print this help, or that on one topic, command or option"},
+      {"version", all, {}, {}, Request{Task::version}, "", "about", "print the version and what is built in"},
       {"list", both, {}, {"what"}, Request{Task::list, Request::perhaps, SubjectsOfList<program>}, "", "about",
        "list what this program knows"},
       {"info", raypro, {}, {"picture"}, Request{Task::info, Request::always}, "", "about",
-       "print how a picture was made, from the picture itself"},
-      {"complete", both, {}, {"shell"}, Request{Task::complete, Request::always, Shells}, "", "about",
-       "print the completion script of a shell"},
-      {"man", both, {}, {"page"}, Request{Task::manual, Request::perhaps, ManualPages}, "", "about",
+       "print how an image was made, from its own metadata"},
+      {"complete", all, {}, {"shell"}, Request{Task::complete, Request::always, Shells}, "", "about",
+       "print a shell's completion script"},
+      {"man", all, {}, {"page"}, Request{Task::manual, Request::perhaps, ManualPages}, "", "about",
        "print the manual page, or that of the scene language"},
   };
 }
-
-#undef AT
 // clang-format on
+
+bool IsKnown(KnownTo known_to, Program program) {
+  switch (known_to) {
+    case KnownTo::raypro:
+      return program == Program::raypro;
+    case KnownTo::rayview:
+      return program == Program::rayview;
+    case KnownTo::both:
+      return program != Program::rayimg;
+    case KnownTo::rayimg:
+      return program == Program::rayimg;
+    case KnownTo::all:
+      return true;
+  }
+  return false;
+}
 
 template <Program program>
 std::vector<OptionKind> OptionsOf() {
-  std::vector<OptionKind> table = MakeTable<program>();
-  const KnownTo other = program == Program::raypro ? KnownTo::rayview : KnownTo::raypro;
-  std::erase_if(table, [&](const OptionKind& option) { return option.known_to == other; });
+  std::vector<OptionKind> table;
+  if (program == Program::rayimg) table = rayimg::OptionsOfCommands();
+  for (const OptionKind& option : MakeTable<program>())
+    if (IsKnown(option.known_to, program)) table.push_back(option);
   return table;
 }
 
@@ -244,16 +241,17 @@ std::vector<OptionKind> OptionsOf() {
 Options Defaults(Program program) {
   Options options;
   options.program = program;
-  if (program == Program::raypro) return options;
+  if (program == Program::rayimg) options.task = Task::command;
+  if (program != Program::rayview) return options;
   options.task = Task::view;
   options.render.width = options.render.height = 512;  // the course's window
   return options;
 }
 
 std::span<const OptionKind> OptionTable(Program program) {
-  static const std::vector<OptionKind> of_raypro = OptionsOf<Program::raypro>();
-  static const std::vector<OptionKind> of_rayview = OptionsOf<Program::rayview>();
-  return program == Program::raypro ? of_raypro : of_rayview;
+  static const std::array tables{OptionsOf<Program::raypro>(), OptionsOf<Program::rayview>(),
+                                 OptionsOf<Program::rayimg>()};
+  return tables[static_cast<std::size_t>(program)];
 }
 
 const OptionKind* FindOption(Program program, const std::string& name) {
@@ -267,8 +265,28 @@ const OptionKind* FindOption(Program program, const std::string& name) {
 std::vector<std::string> OptionTopics(Program program) {
   std::vector<std::string> topics;
   for (const OptionKind& option : OptionTable(program))
-    if (topics.empty() || topics.back() != option.topic) topics.emplace_back(option.topic);
+    if (option.commands.empty() && (topics.empty() || topics.back() != option.topic)) topics.emplace_back(option.topic);
   return topics;
+}
+
+std::span<const CommandKind> CommandsOf(Program program) {
+  return program == Program::rayimg ? rayimg::Commands() : std::span<const CommandKind>();
+}
+
+std::vector<std::string> CommandNamesOf(Program program) {
+  std::vector<std::string> names;
+  for (const CommandKind& command : CommandsOf(program)) names.emplace_back(command.name);
+  return names;
+}
+
+const CommandKind* FindCommand(Program program, const std::string& name) {
+  for (const CommandKind& command : CommandsOf(program))
+    if (name == command.name) return &command;
+  return nullptr;
+}
+
+bool Takes(const CommandKind& command, const OptionKind& option) {
+  return std::ranges::any_of(option.commands, [&](const std::string& name) { return name == command.name; });
 }
 
 }  // namespace ray

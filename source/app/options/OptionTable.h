@@ -56,11 +56,9 @@ struct Triple {
   Member<R3::Vector> member;
 };
 /// A word with a grammar of its own.
-template <class T>
 struct Word {
-  Member<T> member;
-  std::optional<T> (*read)(const std::string&);  // nothing when the word is none
-  std::string (*show)(const T&);
+  bool (*store)(Options&, const std::string& word);  // false when it is none
+  std::string (*show)(const Options&);
   const char* range;  // in words
 };
 struct Rectangle {
@@ -78,11 +76,10 @@ struct Request {  // a task other than the program's own
 
 using OptionValue =
     std::variant<Number<int>, Number<std::int64_t>, Number<std::uint64_t>, Number<double>, Flag, OnOff, OneNumberOf,
-                 OneNameOf, FileName, FolderList, FileList, Rectangle, Triple, Word<double>,
-                 Word<std::optional<ErrorTarget>>, Word<int>, Word<std::vector<Layer>>, PixelRequest, Request>;
+                 OneNameOf, FileName, FolderList, FileList, Rectangle, Triple, Word, PixelRequest, Request>;
 
-/// Whose option it is.
-enum class KnownTo { raypro, rayview, both };
+/// Whose option it is; `both` are raypro and rayview, which render scenes.
+enum class KnownTo { raypro, rayview, both, rayimg, all };
 
 /// One option. The parser, -help, the manual page, the completions, the report and the README all come from this table.
 struct OptionKind {
@@ -91,16 +88,32 @@ struct OptionKind {
   std::vector<const char*> aliases;    // understood everywhere, shown nowhere
   std::vector<const char*> arguments;  // their names
   OptionValue value;
-  const char* unit;   // may be empty
-  const char* topic;  // the heading in the help
-  const char* help;   // one line
+  const char* unit;                     // may be empty
+  const char* topic;                    // the heading in the help
+  const char* help;                     // one line
+  std::vector<const char*> commands{};  // that take it, of a program that has commands; none for a request
 };
 
-/// Every option of the program, by topic.
+/// A command of a program that has several: its name comes first, then those of files.
+struct CommandKind {
+  const char* name;
+  const char* files;  // their names in the usage line
+  std::size_t fewest, most;
+  const char* help;     // one line
+  const char* details;  // of what it does and prints, in lines that fit a screen
+  int (*run)(const rayimg::Options& options, const std::string& command_line);  // the exit status
+};
+std::span<const CommandKind> CommandsOf(Program program);
+std::vector<std::string> CommandNamesOf(Program program);
+/// Null when the program has none of that name.
+const CommandKind* FindCommand(Program program, const std::string& name);
+bool Takes(const CommandKind& command, const OptionKind& option);
+
+/// Every option of the program, by command or by topic.
 std::span<const OptionKind> OptionTable(Program program);
 /// By name or alias, without dashes; null when the program has none.
 const OptionKind* FindOption(Program program, const std::string& name);
-/// The headings of the help, in order.
+/// The headings of the help, in order; options of commands are under these instead.
 std::vector<std::string> OptionTopics(Program program);
 
 /// Stores what was typed behind an option, as many words as it takes arguments (none or one where that is open).

@@ -91,6 +91,30 @@ PixelRectangle ReadRectangle(const OptionKind& option, std::span<const std::stri
           ReadOrRefuse<int>(option, words[3])};
 }
 
+R3::Vector ReadVector(const OptionKind& option, std::span<const std::string> words) {
+  return {ReadOrRefuse<double>(option, words[0]), ReadOrRefuse<double>(option, words[1]),
+          ReadOrRefuse<double>(option, words[2])};
+}
+
+std::vector<std::string> ReadFileList(const OptionKind& option, const std::string& word) {
+  const std::size_t comma = word.find(',');
+  if (word.empty() || comma == 0 || comma + 1 == word.size()) Refuse(option, word);
+  if (comma == std::string::npos) return {word};
+  return {word.substr(0, comma), word.substr(comma + 1)};
+}
+
+int ReadChoice(const OptionKind& option, const OneNumberOf& one, const std::string& word) {
+  const int value = ReadOrRefuse<int>(option, word);
+  if (std::ranges::find(one.choices, value) == one.choices.end()) Refuse(option, word);
+  return value;
+}
+
+std::string ChosenName(const OptionKind& option, const OneNameOf& one, const std::string& word) {
+  const auto choices = one.choices();
+  const auto place = one.by_number ? Read<std::uint64_t>(word) : std::nullopt;
+  return place && *place < choices.size() ? choices[*place] : Choose(option, word, choices);
+}
+
 void StoreRequest(const OptionKind& option, const Request& request, std::span<const std::string> words,
                   Options& options) {
   options.task = request.task;
@@ -115,36 +139,13 @@ void Store(const OptionKind& option, std::span<const std::string> words, Options
                  [&](const OnOff& on_off) {
                    on_off.member.write(options) = Choose(option, words[0], {"on", "off"}) == "on";
                  },
-                 [&](const OneNumberOf& one) {
-                   const int value = ReadOrRefuse<int>(option, words[0]);
-                   if (std::ranges::find(one.choices, value) == one.choices.end()) Refuse(option, words[0]);
-                   one.member.write(options) = value;
+                 [&](const OneNumberOf& one) { one.member.write(options) = ReadChoice(option, one, words[0]); },
+                 [&](const OneNameOf& one) { one.write(options, ChosenName(option, one, words[0])); },
+                 [&](const Word& word) {
+                   if (!word.store(options, words[0])) Refuse(option, words[0]);
                  },
-                 [&](const OneNameOf& one) {
-                   const auto choices = one.choices();
-                   const auto place = one.by_number ? Read<int>(words[0]) : std::nullopt;
-                   const bool is_place = place && *place >= 0 && *place < static_cast<int>(choices.size());
-                   one.write(options,
-                             is_place ? choices[static_cast<std::size_t>(*place)] : Choose(option, words[0], choices));
-                 },
-                 [&]<class T>(const Word<T>& word) {
-                   const auto value = word.read(words[0]);
-                   if (!value) Refuse(option, words[0]);
-                   word.member.write(options) = *value;
-                 },
-                 [&](const Triple& triple) {
-                   triple.member.write(options) = {ReadOrRefuse<double>(option, words[0]),
-                                                   ReadOrRefuse<double>(option, words[1]),
-                                                   ReadOrRefuse<double>(option, words[2])};
-                 },
-                 [&](const FileList& files) {
-                   const std::string& names = words[0];
-                   const std::size_t comma = names.find(',');
-                   if (names.empty() || comma == 0 || comma + 1 == names.size()) Refuse(option, names);
-                   auto& list = files.member.write(options);
-                   list = {names.substr(0, comma)};
-                   if (comma != std::string::npos) list.push_back(names.substr(comma + 1));
-                 },
+                 [&](const Triple& triple) { triple.member.write(options) = ReadVector(option, words); },
+                 [&](const FileList& files) { files.member.write(options) = ReadFileList(option, words[0]); },
                  [&](const FileName& file) {
                    if (words[0].empty()) Refuse(option, words[0]);
                    file.member.write(options) = words[0];
@@ -181,7 +182,7 @@ std::string Show(const OptionKind& option, const Options& options) {
                         [&](const OneNumberOf& one) { return ToText(one.member.read(options)); },
                         [&](const OneNameOf& one) { return one.read(options); },
                         [&](const FileName& file) { return file.member.read(options); },
-                        [&]<class T>(const Word<T>& word) { return word.show(word.member.read(options)); },
+                        [&](const Word& word) { return word.show(options); },
                         [&](const Triple& triple) {
                           const R3::Vector& v = triple.member.read(options);
                           return ToText(v.x) + " " + ToText(v.y) + " " + ToText(v.z);
@@ -250,11 +251,11 @@ std::string Range(const OptionKind& option) {
           [&]<class T>(const Number<T>& number) { return Interval(number) + unit; },
           [&](const Rectangle&) { return std::string("whole numbers with x0 < x1 and y0 < y1, inside the picture"); },
           [&](const PixelRequest&) { return std::string("whole numbers, a column and a row of the picture from 0"); },
-          [&](const FileName&) { return std::string("the name of a file"); },
-          [&]<class T>(const Word<T>& word) { return std::string(word.range) + unit; },
+          [&](const FileName&) { return std::string("a file name"); },
+          [&](const Word& word) { return std::string(word.range) + unit; },
           [&](const Triple&) { return "three numbers" + unit; },
-          [&](const FileList&) { return std::string("the name of a file, or two with a comma between"); },
-          [&](const FolderList&) { return std::string("the name of a folder"); },
+          [&](const FileList&) { return std::string("a file name, or two separated by a comma"); },
+          [&](const FolderList&) { return std::string("a folder name"); },
           [&](const Flag&) { return std::string(); },
           [&](const OneNameOf& one) {
             return OneOf(Choices(option)) + (one.by_number ? ", or its number from 0" : "") + unit;

@@ -7,14 +7,18 @@
 #include "R2/ImageFile.h"
 #include "source/accelerate/AcceleratorSettings.h"
 #include "source/app/options/Program.h"
+#include "source/app/rayimg/Options.h"
 #include "source/integrate/FirstHit.h"
 #include "source/parse/Parse.h"
 #include "source/render/Render.h"
 
 namespace ray {
 
-/// What the program is asked to do; `render` is what raypro is for, `view` what rayview is for.
-enum class Task { render, view, check, debug_pixel, info, help, version, list, complete, manual };
+struct CommandKind;
+
+/// What the program is asked to do; `render` is what raypro is for, `view` what rayview is for, `command` what rayimg
+/// is.
+enum class Task { render, view, command, check, debug_pixel, info, help, version, list, complete, manual };
 
 /// A place in a picture.
 struct Pixel {
@@ -44,6 +48,8 @@ struct Options {
   ParseOptions parse;
   R2::ImageEncoding encoding;
   ViewOptions view;
+  const CommandKind* command = nullptr;  // of a program that has commands
+  rayimg::Options image;
 
   bool quiet = false, verbose = false, stats = false, explain = false;
   std::string report;  // file name; empty for no report

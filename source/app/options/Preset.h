@@ -4,11 +4,11 @@
 #include <string>
 #include <vector>
 
-#include "source/app/options/Options.h"
+#include "source/app/options/OptionTable.h"
 
 namespace ray {
 
-/// A named setting of the knobs that trade speed for accuracy. All values are as they would be typed behind options.
+/// A named choice of the settings that trade speed for accuracy. All values are as they would be typed behind options.
 struct Preset {
   const char* name;
   const char* about;
@@ -21,6 +21,6 @@ std::span<const Preset> Presets();
 std::vector<std::string> PresetNames();
 
 /// Applies the preset that options.quality names, except for options in `given`.
-void ApplyPreset(Options& options, const std::vector<std::string>& given);
+void ApplyPreset(Options& options, const std::vector<const OptionKind*>& given);
 
 }  // namespace ray

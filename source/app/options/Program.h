@@ -5,11 +5,12 @@
 
 namespace ray {
 
-/// The programs whose options are in the one table.
-enum class Program { raypro, rayview };
-inline constexpr std::array programs{Program::raypro, Program::rayview};
+enum class Program { raypro, rayview, rayimg };
+inline constexpr std::array programs{Program::raypro, Program::rayview, Program::rayimg};
 
-inline std::string NameOf(Program program) { return program == Program::raypro ? "raypro" : "rayview"; }
-inline Program TheOther(Program program) { return program == Program::raypro ? Program::rayview : Program::raypro; }
+inline std::string NameOf(Program program) {
+  constexpr std::array names{"raypro", "rayview", "rayimg"};
+  return names[static_cast<std::size_t>(program)];
+}
 
 }  // namespace ray

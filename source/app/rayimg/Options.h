@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -8,7 +9,12 @@
 
 namespace ray::rayimg {
 
-/// Everything that the command line of rayimg decides. Names, ranges and help are in Table.cpp; the defaults are here.
+/// What a heat map of a difference shows.
+enum class MapOf { flip, display };
+inline constexpr std::array map_names{"flip", "display"};
+constexpr const auto& NamesOf(MapOf) { return map_names; }
+
+/// What the commands of rayimg are asked. Names, ranges and help are in Table.cpp; the defaults are here.
 struct Options {
   std::vector<std::string> names;  // of files, as typed
 
@@ -16,12 +22,13 @@ struct Options {
   bool srgb = false;
   double exposure = 0;  // stops
   std::string tonemap = "none";
-  std::string bits = "8";
+  int bits = 8;
   int jpeg_quality = 95;
   std::string out;
 
   // comparison
-  std::string reference2, map, map_of = "flip";
+  std::string reference2, map;
+  MapOf map_of = MapOf::flip;
   double pixels_per_degree = R2::flip_pixels_per_degree;
   std::optional<double> fail, fail_percent, fail_rmse, fail_flip;
   bool json = false;

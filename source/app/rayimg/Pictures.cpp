@@ -40,8 +40,6 @@ void Write(const PictureOutput& output, const R2::Image& image, const R2::ImageE
   WriteWhole(output.file, output.format->encode(image, encoding, settings));
 }
 
-std::string ProgramAndVersion() { return "rayimg " RAYPRO_VERSION; }
-
 std::string Rounded(double number) {
   std::array<char, 64> text{};
   const auto [end, error] =

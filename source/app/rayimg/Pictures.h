@@ -18,9 +18,6 @@ void RefuseOtherSize(const std::string& a_name, const R2::Image& a, const std::s
 void Write(const PictureOutput& output, const R2::Image& image, const R2::ImageEncoding& encoding,
            const R2::ImageSettings& settings);
 
-/// "rayimg 0.1.0"
-std::string ProgramAndVersion();
-
 /// Six digits, for people.
 std::string Rounded(double number);
 

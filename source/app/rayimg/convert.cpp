@@ -25,7 +25,7 @@ int Convert(const Options& options, const std::string& command_line) {
   const std::string& in = options.names[0];
   const std::string inputs[] = {in};
   const PictureOutput output = CheckPictureOutput(options.names[1], inputs);
-  if (options.bits == "16" && std::string(output.format->name) != "png")
+  if (options.bits == 16 && std::string(output.format->name) != "png")
     throw UsageError("-bits 16 needs a PNG, not " + std::string(output.format->name));
 
   R2::DecodedImage picture = ReadLight(in, options.srgb);
@@ -36,8 +36,7 @@ int Convert(const Options& options, const std::string& command_line) {
     for (int x = 0; x < image.Width(); ++x) image.Set(x, y, Apply(curve, factor * image.At(x, y)));
 
   AddTo(picture.settings, command_line);
-  Write(output, image,
-        {.srgb = options.srgb, .bits = options.bits == "16" ? 16 : 8, .jpeg_quality = options.jpeg_quality},
+  Write(output, image, {.srgb = options.srgb, .bits = options.bits, .jpeg_quality = options.jpeg_quality},
         picture.settings);
   return status::done;
 }

@@ -8,6 +8,7 @@
 #include "R2/compare/Flip.h"
 #include "source/app/Status.h"
 #include "source/app/files/OutputFile.h"
+#include "source/app/options/Help.h"
 #include "source/app/rayimg/Commands.h"
 #include "source/app/rayimg/Independence.h"
 #include "source/app/rayimg/Pictures.h"
@@ -165,8 +166,8 @@ int Diff(const Options& options, const std::string& command_line) {
   found.failures = Failures(found, options);
 
   if (map_output) {
-    const R2::Plane plane = options.map_of == "flip" ? flip : DisplayDifference(x, r, display);
-    Write(*map_output, RampImage(plane), {}, {{"program", ProgramAndVersion()}, {"command", command_line}});
+    const R2::Plane plane = options.map_of == MapOf::flip ? flip : DisplayDifference(x, r, display);
+    Write(*map_output, RampImage(plane), {}, {{"program", NameAndVersion(Program::rayimg)}, {"command", command_line}});
   }
   WriteStandardOutput(options.json ? JsonOf(found, options) : TextOf(found, options));
   return found.failures.empty() ? status::done : status::failed;

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "source/app/Status.h"
+#include "source/app/options/Help.h"
 #include "source/app/rayimg/Commands.h"
 #include "source/app/rayimg/Independence.h"
 #include "source/app/rayimg/Pictures.h"
@@ -107,7 +108,7 @@ ImageSettings MergedSettings(const std::vector<ImageSettings>& settings, bool by
   for (const ImageSettings& one : settings)
     for (const std::string& seed : Seeds(one)) seeds += (seeds.empty() ? "" : " ") + seed;
   if (!seeds.empty()) merged["seed"] = seeds;
-  merged["program"] = ProgramAndVersion();
+  merged["program"] = NameAndVersion(Program::rayimg);
   merged["command"] = command_line;
   return merged;
 }

@@ -75,7 +75,7 @@ void Point(std::vector<std::string>& mistakes, const World& world, const std::st
   }
   if (!first) return;
   mistakes.push_back(PlaceOf(world, *first) + ": warning: this shape " + fault +
-                     (count > 1 ? ", and so do " + std::to_string(count - 1) + " more" : ""));
+                     (count > 1 ? " (and " + std::to_string(count - 1) + " more)" : ""));
 }
 
 bool ShinesItself(const World& world) {
@@ -97,14 +97,12 @@ std::vector<std::string> LikelyMistakes(const World& world, const RenderSettings
 
   if (world.Instances().empty()) mistakes.push_back(file + ": warning: nothing in the scene can be seen");
   if (std::ranges::all_of(scene.lights, [](const auto& light) { return light->IsBlack(); }) && !ShinesItself(world))
-    mistakes.push_back(file + ": warning: no light shines" +
-                       (scene.lights.empty() ? "" : "; every light of the scene is black"));
+    mistakes.push_back(file + ": warning: the scene is unlit" + (scene.lights.empty() ? "" : "; every light is black"));
   if (const int solids = SolidsAround(world, scene.camera.eye); solids > 0)
     mistakes.push_back(file + ": warning: the camera is inside " +
                        Counted(static_cast<std::uint64_t>(solids), "shape"));
 
-  Point(mistakes, world, "has no extent, nothing can hit it",
-        [](const Instance& i) { return i.shape->IsDegenerate(); });
+  Point(mistakes, world, "is degenerate and cannot be hit", [](const Instance& i) { return i.shape->IsDegenerate(); });
   Point(mistakes, world, "has a texture but no texture coordinates",
         [](const Instance& i) { return i.material->texture && !i.shape->HasTextureCoordinates(); });
 

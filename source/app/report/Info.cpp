@@ -19,7 +19,7 @@ namespace {
 
 std::vector<unsigned char> ReadBytes(const std::string& file) {
   std::error_code ignored;
-  if (!std::filesystem::is_regular_file(file, ignored)) Refuse(file, "there is no such file");
+  if (!std::filesystem::is_regular_file(file, ignored)) Refuse(file, "no such file");
   std::ifstream stream(file, std::ios::binary);
   if (!stream) Refuse(file, "the file cannot be read");
   return {std::istreambuf_iterator<char>(stream), {}};

@@ -33,10 +33,7 @@ struct ValueIn {
     const R3::Vector& v = triple.member.read(options);
     return {v.x, v.y, v.z};
   }
-  template <class T>
-  Json operator()(const Word<T>& word) const {
-    return word.show(word.member.read(options));
-  }
+  Json operator()(const Word& word) const { return word.show(options); }
   Json operator()(const PixelRequest&) const { return {}; }
   Json operator()(const Request&) const { return {}; }
 };
@@ -102,7 +99,7 @@ Json SamplesJson(const RunStats& record) {
                {"most", record.samples.most},
                {"mean", record.samples.mean},
                {"two_streams", record.two_streams},
-               {"laid_out_for", record.planned_samples}};
+               {"planned_samples", record.planned_samples}};
   const auto& blocks = record.block_samples;
   const bool are_alike = std::adjacent_find(blocks.begin(), blocks.end(), std::not_equal_to<>()) == blocks.end();
   json["of_blocks"] = are_alike ? Json::array() : Json(blocks);

@@ -22,119 +22,118 @@ int ThreadsOf(const RenderSettings& settings) {
   return static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
 }
 
-/// Options that this picture, or this accelerator, makes no use of.
+/// "-focus has no effect without -aperture": options that this picture, or this accelerator, makes no use of.
 std::vector<std::string> OptionsWithoutEffect(const Options& options) {
   const Options defaults;
   const R2::ImageFormat* format = R2::FormatForName(options.picture);
   const std::string kind = format ? format->name : "";
   const AcceleratorSettings& accelerator = options.accelerator;
   const bool are_devices_default = accelerator.node_boxes && accelerator.front_to_back && accelerator.last_hit;
-  std::vector<std::string> names;
-  if (options.encoding.bits != defaults.encoding.bits && kind != "png") names.emplace_back("-bits");
+  std::vector<std::string> lines;
+  if (options.encoding.bits != defaults.encoding.bits && kind != "png")
+    lines.push_back("-bits has no effect on the format " + kind);
   if (options.encoding.jpeg_quality != defaults.encoding.jpeg_quality && kind != "jpeg")
-    names.emplace_back("-jpeg_quality");
+    lines.push_back("-jpeg_quality has no effect on the format " + kind);
   if (options.render.budget.adaptive == Adaptive::tile && !options.render.budget.error)
-    names.emplace_back("-adaptive tile");
-  if (options.render.camera.focus > 0 && !options.render.camera.HasLens()) names.emplace_back("-focus");
+    lines.emplace_back("-adaptive tile has no effect without -error");
+  if (options.render.camera.focus > 0 && !options.render.camera.HasLens())
+    lines.emplace_back("-focus has no effect without -aperture");
   if (!are_devices_default && accelerator.name != defaults.accelerator.name)
-    names.emplace_back("-node_boxes, -front_to_back or -last_hit");
-  return names;
+    lines.push_back("-node_boxes, -front_to_back and -last_hit have no effect with -accel " + accelerator.name);
+  return lines;
 }
 
-std::vector<std::string> ExplainRender(const RunStats& record) {
+std::vector<std::string> ExplainRender(const RunStats& stats) {
   const auto listed = [](const std::vector<std::string>& words) {
     std::string list;
     for (const std::string& word : words) list += (list.empty() ? "" : ", ") + word;
-    return list.empty() ? std::string("nothing") : list;
+    return list.empty() ? std::string("none") : list;
   };
-  std::vector<std::string> lines{"the scene needs " + listed(record.needs), "kernel: " + record.kernel,
-                                 "biased by " + listed(record.biased)};
-  std::string knobs;
-  for (const OptionKind& option : OptionTable(record.options.program))
-    if (IsSetting(option) && std::string(option.topic) != "messages" && !Show(option, record.options).empty())
-      knobs += " -" + std::string(option.name) + " " + Show(option, record.options);
-  lines.push_back("every knob:" + knobs);
+  std::vector<std::string> lines{"features: " + listed(stats.needs), "kernel: " + stats.kernel,
+                                 "sources of bias: " + listed(stats.biased)};
+  std::string settings;
+  for (const OptionKind& option : OptionTable(stats.options.program))
+    if (IsSetting(option) && std::string(option.topic) != "messages" && !Show(option, stats.options).empty())
+      settings += " -" + std::string(option.name) + " " + Show(option, stats.options);
+  lines.push_back("all settings:" + settings);
   return lines;
 }
 
 }  // namespace
 
 RunLog::RunLog(const Options& options, std::span<const std::string> words) {
-  record_.options = options;
-  record_.command = CommandAsTyped(words);
-  record_.threads = ThreadsOf(options.render);
+  stats_.options = options;
+  stats_.command = CommandAsTyped(words);
+  stats_.threads = ThreadsOf(options.render);
   if (options.render.trace.max_depth > most_bounces)
-    Warn("raypro: warning: -max_depth " + std::to_string(options.render.trace.max_depth) + " is more than the " +
-         std::to_string(most_bounces) + " bounces that are followed at most");
-  for (const std::string& name : OptionsWithoutEffect(options))
-    Warn("raypro: warning: " + name + " has no effect here");
+    Warn("raypro: warning: -max_depth " + std::to_string(options.render.trace.max_depth) +
+         " exceeds the hard limit of " + std::to_string(most_bounces) + " bounces");
+  for (const std::string& line : OptionsWithoutEffect(options)) Warn("raypro: warning: " + line);
 }
 
 void RunLog::Loaded(const ParsedScene& parsed) {
-  record_.seconds.load = watch_.Lap();
+  stats_.seconds.load = watch_.Lap();
   for (const std::string& line : parsed.warnings) Warn(line);
-  record_.scene.hash = SceneHash(parsed.scene.files);
-  record_.scene.lights = static_cast<std::int64_t>(parsed.scene.lights.size());
-  TellStep("read " + Counted(parsed.scene.files.size(), "file"), record_.seconds.load);
+  stats_.scene.hash = SceneHash(parsed.scene.files);
+  stats_.scene.lights = static_cast<std::int64_t>(parsed.scene.lights.size());
+  PrintStep("read " + Counted(parsed.scene.files.size(), "file"), stats_.seconds.load);
   watch_.Lap();
 }
 
 void RunLog::Built(const World& world, const Accelerator& accelerator) {
-  record_.seconds.build = watch_.Lap();
+  stats_.seconds.build = watch_.Lap();
   for (const std::string& line : world.Warnings()) Warn(line);
-  record_.scene.nodes = static_cast<std::int64_t>(world.Nodes().size());
-  record_.scene.instances = static_cast<std::int64_t>(world.Instances().size());
-  record_.scene.primitives = world.Primitives();
-  record_.accelerator = accelerator.kind;
-  record_.structure_bytes = accelerator.Bytes();
-  const SceneFeatures needs = FeaturesOf(world, record_.options.render);
-  record_.needs = needs.Names();
-  record_.kernel = KernelName(needs, record_.options.render);
-  record_.biased = SourcesOfBias(needs, record_.options.render);
-  if (record_.options.explain) {
+  stats_.scene.nodes = static_cast<std::int64_t>(world.Nodes().size());
+  stats_.scene.instances = static_cast<std::int64_t>(world.Instances().size());
+  stats_.scene.primitives = world.Primitives();
+  stats_.accelerator = accelerator.kind;
+  stats_.structure_bytes = accelerator.Bytes();
+  const SceneFeatures needs = FeaturesOf(world, stats_.options.render);
+  stats_.needs = needs.Names();
+  stats_.kernel = KernelName(needs, stats_.options.render);
+  stats_.biased = SourcesOfBias(needs, stats_.options.render);
+  if (stats_.options.explain) {
     for (const std::string& line : accelerator.reasons) PrintError("raypro: " + line);
     for (const std::string& line : accelerator.Explain()) PrintError("raypro: " + line);
-    for (const std::string& line : ExplainRender(record_)) PrintError("raypro: " + line);
+    for (const std::string& line : ExplainRender(stats_)) PrintError("raypro: " + line);
   }
-  TellStep(
+  PrintStep(
       "built " + accelerator.kind + " over " + Counted(static_cast<std::uint64_t>(world.Primitives()), "primitive"),
-      record_.seconds.build);
+      stats_.seconds.build);
 }
 
-void RunLog::Compared(double true_error) { record_.true_error = true_error; }
+void RunLog::Compared(double true_error) { stats_.true_error = true_error; }
 
 void RunLog::Rendered(const RenderResult& result) {
-  record_.seconds.render = watch_.Lap();
-  record_.seconds.wall = watch_.Total();
-  record_.Take(result);
-  if (!result.IsComplete()) record_.stop = StopSignal() == SIGTERM ? "SIGTERM" : "SIGINT";
+  stats_.seconds.render = watch_.Lap();
+  stats_.seconds.wall = watch_.Total();
+  stats_.Take(result);
+  if (!result.IsComplete()) stats_.stop = StopSignal() == SIGTERM ? "SIGTERM" : "SIGINT";
   if (result.has_outliers)
     Warn(
-        "raypro: warning: a thousandth of the pixels holds more than half of the squared error; where light is found "
-        "so "
-        "seldom, the true error may be larger than it seems");
+        "raypro: warning: 0.1 % of the pixels hold more than half of the squared error; where light is found so "
+        "rarely, the true error may be larger than estimated");
   if (result.rays.cut > 0)
-    Warn("raypro: warning: " + Counted(result.rays.cut, "ray") + " were not followed; a camera ray may have at most " +
+    Warn("raypro: warning: " + Counted(result.rays.cut, "ray") + " were terminated; a camera ray may have at most " +
          std::to_string(most_descendants) + " descendants");
-  TellStep("traced " + Counted(result.rays.Total(), "ray"), record_.seconds.render);
+  PrintStep("traced " + Counted(result.rays.Total(), "ray"), stats_.seconds.render);
 }
 
 void RunLog::Written() {
-  record_.seconds.write = watch_.Lap();
-  record_.seconds.wall = watch_.Total();
-  record_.seconds.cpu = CpuSeconds();
-  record_.peak_memory = PeakMemory();
-  TellStep("wrote the picture", record_.seconds.write);
-  if (record_.pixels_done == 0) PrintError("raypro: stopped before the first pixel; there is no picture to save");
-  if (!record_.IsComplete()) PrintError("raypro: what is done is kept beside the picture; -resume goes on from it");
+  stats_.seconds.write = watch_.Lap();
+  stats_.seconds.wall = watch_.Total();
+  stats_.seconds.cpu = CpuSeconds();
+  stats_.peak_memory = PeakMemory();
+  PrintStep("wrote the picture", stats_.seconds.write);
+  if (stats_.pixels_done == 0) PrintError("raypro: stopped before the first pixel; there is no picture to save");
+  if (!stats_.IsComplete()) PrintError("raypro: progress saved; -resume continues from it");
 }
 
 // Nothing here may fail the run: the picture is safe.
 void RunLog::Summarize() const {
   try {
-    if (record_.options.stats) WriteStandardOutput(Statistics(record_));
-    if (!record_.options.quiet && record_.pixels_done > 0)
-      WriteStandardOutput(FinalLine(record_) + TradeLines(record_));
+    if (stats_.options.stats) WriteStandardOutput(Statistics(stats_));
+    if (!stats_.options.quiet && stats_.pixels_done > 0) WriteStandardOutput(FinalLine(stats_) + QualityLines(stats_));
   } catch (const OutputError& error) {
     PrintError("raypro: " + std::string(error.what()));
   }
@@ -142,11 +141,11 @@ void RunLog::Summarize() const {
 
 void RunLog::Warn(const std::string& line) {
   PrintError(line);
-  record_.warnings.push_back(line);
+  stats_.warnings.push_back(line);
 }
 
-void RunLog::TellStep(const std::string& step, double seconds) const {
-  if (record_.options.verbose) PrintError(step + " in " + Fixed(seconds, 3) + " s");
+void RunLog::PrintStep(const std::string& step, double seconds) const {
+  if (stats_.options.verbose) PrintError(step + " in " + Fixed(seconds, 3) + " s");
 }
 
 }  // namespace ray

@@ -6,7 +6,7 @@
 
 namespace ray {
 
-/// Keeps account of a run while it goes on, and says on standard error what its user should know at once: warnings
+/// Collects what happens in a run, and says on standard error what its user should know at once: warnings
 /// always, steps with -verbose.
 class RunLog {
  public:
@@ -21,15 +21,15 @@ class RunLog {
   /// The results, on standard output, unless -quiet.
   void Summarize() const;
 
-  const RunStats& stats() const { return record_; }
+  const RunStats& stats() const { return stats_; }
   double SecondsSoFar() const { return watch_.Total(); }
 
  private:
   void Warn(const std::string& line);
-  void TellStep(const std::string& step, double seconds) const;
+  void PrintStep(const std::string& step, double seconds) const;
 
   Stopwatch watch_;
-  RunStats record_;
+  RunStats stats_;
 };
 
 }  // namespace ray

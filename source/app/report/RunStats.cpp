@@ -23,13 +23,13 @@ std::string SamplesText(const RunStats& record) {
   return mean == std::floor(mean) ? std::to_string(static_cast<std::int64_t>(mean)) : Fixed(mean, 1);
 }
 
-double MillionRaysASecond(const RunStats& record) {
+double MegaraysPerSecond(const RunStats& record) {
   return record.seconds.wall > 0 ? 1e-6 * static_cast<double>(record.rays.Total()) / record.seconds.wall : 0;
 }
 
 std::string Seconds(double seconds) { return Fixed(seconds, 3) + " s"; }
 
-/// A row of the table under "tests a ray".
+/// A row of the table under "tests per ray".
 std::string CostPerRay(const RayCounts::Kind& kind) {
   std::string row;
   const auto column = [&](std::uint64_t number, std::size_t width) {
@@ -41,6 +41,16 @@ std::string CostPerRay(const RayCounts::Kind& kind) {
   column(kind.cost.primitive_tests, 12);
   column(kind.cost.hits, 8);
   return row;
+}
+
+/// "; limited by -max_depth 3 (may be too dark)"; nothing for no limits.
+std::string LimitsText(const std::vector<std::string>& biased) {
+  std::string text;
+  for (const std::string& setting : biased) {
+    const bool cuts_light = setting.starts_with("max_depth") || setting.starts_with("min_luminance");
+    text += (text.empty() ? "; limited by -" : ", -") + setting + (cuts_light ? " (may be too dark)" : "");
+  }
+  return text;
 }
 
 std::string Listed(const std::vector<std::string>& words) {
@@ -59,7 +69,7 @@ std::string ErrorLines(const RunStats& record, const Line& line) {
            ErrorText(e.estimate, e.unit) + ", " + ErrorText(e.low, e.unit) + " to " + ErrorText(e.high, e.unit)) +
       line("worst block", ErrorText(e.worst_block, e.unit) + " at " + std::to_string(w.x0) + " " +
                               std::to_string(w.y0) + " " + std::to_string(w.x1) + " " + std::to_string(w.y1)) +
-      line("hot share", Fixed(100 * e.outlier_share, 1) + " % of it in the worst thousandth of the pixels");
+      line("outliers", Fixed(100 * e.outlier_share, 1) + " % of it in the worst 0.1 % of the pixels");
   if (record.true_error) text += line("true error", ErrorText(*record.true_error, e.unit));
   return text;
 }
@@ -99,25 +109,26 @@ R2::ImageSettings SettingsInPicture(const RunStats& record) {
 std::string FinalLine(const RunStats& record) {
   return Escaped(record.options.picture) + " " + std::to_string(record.width) + "x" + std::to_string(record.height) +
          " " + SamplesText(record) + " spp " + Fixed(record.seconds.wall, 2) + " s " +
-         Fixed(MillionRaysASecond(record), 1) + " Mrays/s" +
+         Fixed(MegaraysPerSecond(record), 1) + " Mrays/s" +
          (record.IsComplete() ? "" : " (stopped by " + record.stop + ", " + PixelsText(record) + ")") + "\n";
 }
 
-std::string TradeLines(const RunStats& record) {
+std::string QualityLines(const RunStats& record) {
   const bool is_asked = record.options.render.budget.IsOpen() || record.true_error;
   if (!is_asked) return {};
   std::string text;
   if (record.error) {
     const ErrorEstimate& e = *record.error;
-    text = "error " + std::string(record.two_streams ? "about " : "at most about ") + ErrorText(e.estimate, e.unit) +
-           " (" + ErrorText(e.low, e.unit) + " to " + ErrorText(e.high, e.unit) + ")";
-    if (record.true_error) text += ", true " + ErrorText(*record.true_error, e.unit);
+    text = std::string(record.two_streams ? "estimated error " : "estimated error at most ") +
+           ErrorText(e.estimate, e.unit) + " (" + Rounded(100 * record.options.render.budget.confidence, 6) +
+           " %: " + Rounded(e.low, 3) + " to " + Rounded(e.high, 3) + ")";
+    if (record.true_error) text += ", true error " + ErrorText(*record.true_error, e.unit);
     text += "; ";
   } else if (record.true_error) {
     text = "true error " + ErrorText(*record.true_error, ErrorUnit::display) + "; ";
   }
-  return text + "stopped by " + record.stop + " at " + Fixed(record.samples.mean, 1) + " samples a pixel; biased by " +
-         Listed(record.biased) + "\n";
+  return text + "stopped by " + record.stop + " at " + Fixed(record.samples.mean, 1) + " samples per pixel" +
+         LimitsText(record.biased) + "\n";
 }
 
 std::string Statistics(const RunStats& record) {
@@ -137,10 +148,10 @@ std::string Statistics(const RunStats& record) {
   const Counts cost = rays.Cost();
   return "scene\n" + line("hash", scene.hash) + count("nodes", scene.nodes) + count("instances", scene.instances) +
          count("primitives", scene.primitives) + count("lights", scene.lights) + "rays\n" + kinds +
-         count("cut", rays.cut) + count("not finite", cost.bad_rays) + count("total", rays.Total()) + "tests\n" +
+         count("terminated", rays.cut) + count("invalid", cost.bad_rays) + count("total", rays.Total()) + "tests\n" +
          count("nodes", cost.node_visits) + count("boxes", cost.box_tests) + count("primitives", cost.primitive_tests) +
-         count("hits", cost.hits) + count("last hits asked", cost.cache_tests) +
-         count("last hits hit", cost.cache_hits) + "tests a ray         nodes     boxes  primitives    hits\n" + costs +
+         count("hits", cost.hits) + count("last-hit lookups", cost.cache_tests) +
+         count("last-hit hits", cost.cache_hits) + "tests per ray       nodes     boxes  primitives    hits\n" + costs +
          "time\n" + line("load", Seconds(seconds.load)) + line("build", Seconds(seconds.build)) +
          line("render", Seconds(seconds.render)) + line("write", Seconds(seconds.write)) +
          line("wall", Seconds(seconds.wall)) + line("cpu", Seconds(seconds.cpu)) + "run\n" +
@@ -151,8 +162,8 @@ std::string Statistics(const RunStats& record) {
          line("pixels", std::to_string(record.pixels_done) + " of " + std::to_string(record.pixels_total)) +
          line("kernel", record.kernel) + "picture\n" +
          line("samples", std::to_string(record.samples.least) + " to " + std::to_string(record.samples.most) +
-                             " a pixel, mean " + Fixed(record.samples.mean, 2)) +
-         ErrorLines(record, line) + line("biased by", Listed(record.biased)) + line("stopped", record.stop);
+                             " per pixel, mean " + Fixed(record.samples.mean, 2)) +
+         ErrorLines(record, line) + line("bias from", Listed(record.biased)) + line("stopped", record.stop);
 }
 
 }  // namespace ray

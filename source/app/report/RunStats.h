@@ -11,7 +11,7 @@
 
 namespace ray {
 
-/// What a run has to tell of itself once it is over: in the picture, in a report, on the terminal.
+/// What a run leaves to say: in the picture, in a report, on the terminal.
 struct RunStats {
   Options options;
   std::string command;  // as typed
@@ -34,7 +34,7 @@ struct RunStats {
   std::vector<std::string> warnings;
   std::string stop = "samples";  // samples, time, error, or the name of a signal
   SampleCounts samples;
-  std::vector<std::uint32_t> block_samples;  // a pixel and stream, by blocks of the film
+  std::vector<std::uint32_t> block_samples;  // per pixel and stream, by blocks of the film
   bool two_streams = false;
   std::uint32_t planned_samples = 1;
   std::vector<Pass> passes;
@@ -53,16 +53,16 @@ struct RunStats {
 std::string CommandAsTyped(std::span<const std::string> words);
 
 /// What is kept in the picture itself.
-R2::ImageSettings SettingsInPicture(const RunStats& record);
+R2::ImageSettings SettingsInPicture(const RunStats& stats);
 
 /// "out.jpg 512x512 16 spp 1.83 s 14.2 Mrays/s"
-std::string FinalLine(const RunStats& record);
+std::string FinalLine(const RunStats& stats);
 
 /// What is known of the picture's error and why the render ended, where a budget or a reference asks for it; else
-/// empty. One line, or two.
-std::string TradeLines(const RunStats& record);
+/// empty.
+std::string QualityLines(const RunStats& stats);
 
 /// What -stats prints.
-std::string Statistics(const RunStats& record);
+std::string Statistics(const RunStats& stats);
 
 }  // namespace ray

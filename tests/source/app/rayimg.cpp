@@ -13,7 +13,9 @@
 
 #include "R2/Color.h"
 #include "R2/ImageFile.h"
-#include "source/app/rayimg/Help.h"
+#include "source/app/options/Completion.h"
+#include "source/app/options/Help.h"
+#include "source/app/options/Manual.h"
 #include "source/app/rayimg/Table.h"
 #include "tests/source/app/options/Program.h"
 
@@ -29,6 +31,7 @@ using Words = std::vector<std::string>;
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
 const Words nothing;
+constexpr Program program = Program::rayimg;
 
 bool Contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
@@ -541,22 +544,22 @@ TEST(Rayimg, WrongInputIsNamedInOneLineAndNothingIsWritten) {
       {{"dif", a, a}, 2, "unknown command 'dif'; did you mean 'diff'?"},
       {{"frobnicate"}, 2, "it must be diff, info, convert, merge or movie"},
       {{"-versoin"}, 2, "did you mean '-version'?"},
-      {{"-version", a}, 2, "-version needs 0 arguments, got 1"},
-      {{"-complete"}, 2, "-complete needs 1 argument"},
+      {{"-version", a}, 2, "unknown command"},
+      {{"-complete"}, 2, "-complete needs a value: -complete shell"},
       {{"-complete", "csh"}, 2, "bash, zsh or fish"},
-      {{"-help", "nothing"}, 2, "-help must be of diff, info, convert, merge, movie or markdown"},
-      {{"diff"}, 2, "needs 2 names, got 0; type rayimg diff picture reference"},
-      {{"diff", a, a, a}, 2, "one name too many"},
+      {{"-help", "nothing"}, 2, "-help must be diff, info, convert, merge, movie, about or markdown"},
+      {{"diff"}, 2, "needs 2 file names, got 0 (usage: rayimg diff picture reference [options])"},
+      {{"diff", a, a, a}, 2, "unexpected extra argument"},
       {{"diff", a, ""}, 2, "a file name is empty"},
       {{"diff", a, a, "-fial", "1"}, 2, "unknown option '-fial'; did you mean '-fail'?"},
-      {{"diff", a, a, "-exposure", "1"}, 2, "'-exposure' is no option of rayimg diff, but of convert"},
-      {{"diff", a, a, "-fail"}, 2, "-fail needs an argument; type -fail x"},
+      {{"diff", a, a, "-exposure", "1"}, 2, "-exposure is an option of rayimg convert, not of diff"},
+      {{"diff", a, a, "-fail"}, 2, "-fail needs a value: -fail x"},
       {{"diff", a, a, "-fail", "-1"}, 2, "-fail must be a number, at least 0, got '-1'"},
       {{"diff", a, a, "-fail", "nan"}, 2, "got 'nan'"},
-      {{"diff", a, a, "-fail", "1", "-fail=2"}, 2, "comes a second time"},
-      {{"diff", a, a, "-fail_percent", "1"}, 2, "-fail_percent needs -fail"},
+      {{"diff", a, a, "-fail", "1", "-fail=2"}, 2, "an option may be given once"},
+      {{"diff", a, a, "-fail_percent", "1"}, 2, "-fail_percent has no effect without -fail"},
       {{"diff", a, a, "-fail", "0", "-fail_percent", "101"}, 2, "0 to 100"},
-      {{"diff", a, a, "-json=yes"}, 2, "-json takes no argument"},
+      {{"diff", a, a, "-json=yes"}, 2, "'-json' takes no value"},
       {{"diff", a, a, "-map_of", "flop", "-map", out}, 2, "flip or display, got 'flop'; did you mean 'flip'?"},
       {{"diff", a, a, "-map", folder / "out.xyz"}, 2, ".png"},
       {{"diff", a, small}, 2, "pictures must have one size"},
@@ -569,28 +572,28 @@ TEST(Rayimg, WrongInputIsNamedInOneLineAndNothingIsWritten) {
       {{"diff", a, a, "-reference2", missing}, 3, "missing.png"},
       {{"diff", a, a, "-map", a}, 4, "it is the input"},
       {{"diff", a, a, "-map", folder / "none/out.png"}, 4, "does not exist"},
-      {{"info"}, 2, "needs 1 name"},
+      {{"info"}, 2, "needs 1 file name"},
       {{"info", text}, 3, "text.png"},
-      {{"convert", a}, 2, "needs 2 names, got 1"},
+      {{"convert", a}, 2, "needs 2 file names, got 1"},
       {{"convert", a, folder / "out"}, 2, "extension"},
       {{"convert", a, out, "-tonemap", "ases"}, 2, "did you mean 'aces'?"},
       {{"convert", a, out, "-exposure", "12abc"}, 2, "-exposure must be a number, -64 to 64, got '12abc'"},
-      {{"convert", a, out, "-bits", "12"}, 2, "-bits must be 8 or 16, got '12'"},
+      {{"convert", a, out, "-bits", "12"}, 2, "-bits must be 8 or 16 bits per channel, got '12'"},
       {{"convert", a, folder / "out.jpg", "-bits", "16"}, 2, "-bits 16 needs a PNG"},
       {{"convert", a, out, "-jpeg_quality", "0"}, 2, "a whole number, 1 to 100"},
       {{"convert", text, out}, 3, "text.png"},
       {{"convert", a, a}, 4, "it is the input"},
       {{"merge", light, cut}, 2, "needs -out"},
-      {{"merge", light, "-out", out}, 2, "needs 2 names"},
+      {{"merge", light, "-out", out}, 2, "needs 2 file names"},
       {{"merge", light, a, "-out", out}, 2, "rounded and clamped; merge takes pfm, hdr and exr"},
       {{"merge", light, light, "-out", out}, 2, "are the same file"},
       {{"merge", light, cut, "-out", out}, 3, "cut.pfm"},
-      {{"merge", light, light, "-out", out, "-weights", "1,,2"}, 2, "numbers above 0 with commas"},
-      {{"merge", light, light, "-out", out, "-weights", "1,0"}, 2, "numbers above 0 with commas"},
+      {{"merge", light, light, "-out", out, "-weights", "1,,2"}, 2, "numbers above 0, separated by commas"},
+      {{"merge", light, light, "-out", out, "-weights", "1,0"}, 2, "numbers above 0, separated by commas"},
       {{"merge", light, light, "-out", out, "-weights", "1"}, 2, "-weights has 1 number for 2 pictures"},
       {{"merge", light, light, "-out", light}, 4, "it is the input"},
-      {{"movie"}, 2, "needs 2 names, got 0; type rayimg movie out.avi frame.jpg..."},
-      {{"movie", avi}, 2, "needs 2 names, got 1"},
+      {{"movie"}, 2, "needs 2 file names, got 0 (usage: rayimg movie out.avi frame.jpg... [options])"},
+      {{"movie", avi}, 2, "needs 2 file names, got 1"},
       {{"movie", folder / "out.mp4", frame}, 2, "a movie's name ends in .avi, not"},
       {{"movie", frame, frame}, 2, "ends in .avi"},
       {{"movie", avi, frame, a}, 2, "is a png; the frames of a movie are jpeg"},
@@ -621,48 +624,49 @@ TEST(Rayimg, HelpIsAnsweredAnywhere) {
   for (const CommandKind& command : Commands()) {
     const Finished done = Rayimg({command.name, "no.png", "-nonsense", "-help"});
     EXPECT_EQ(done.status, 0);
-    EXPECT_EQ(done.output, Help(command.name));
-    EXPECT_EQ(Rayimg({"-help", command.name}).output, Help(command.name));
+    EXPECT_EQ(done.output, Help(program, command.name));
+    EXPECT_EQ(Rayimg({"-help", command.name}).output, Help(program, command.name));
   }
-  EXPECT_EQ(Rayimg({"--help"}).output, Help(""));
-  EXPECT_EQ(Rayimg({"-version"}).output, Version());
-  EXPECT_EQ(Rayimg({"-man"}).output, ManualPage());
-  EXPECT_EQ(Rayimg({"-complete", "fish"}).output, CompletionScript("fish"));
+  EXPECT_EQ(Rayimg({"--help"}).output, Help(program, ""));
+  EXPECT_EQ(Rayimg({"-version"}).output, Version(program));
+  EXPECT_EQ(Rayimg({"-man"}).output, ManualPage(program));
+  EXPECT_EQ(Rayimg({"-complete", "fish"}).output, CompletionScript(program, "fish"));
 }
 
 TEST(RayimgHelp, NamesEveryOptionWhereItBelongsAndFitsTheScreen) {
   for (const CommandKind& command : Commands()) {
-    EXPECT_TRUE(Contains(Help(""), "\n  " + std::string(command.name) + " ")) << command.name;
-    const std::string help = Help(command.name);
-    for (const OptionKind& option : OptionTable())
-      EXPECT_EQ(Contains(help, "\n  " + Synopsis(option.name, option.argument)), Takes(command, option))
+    EXPECT_TRUE(Contains(Help(program, ""), "\n  " + std::string(command.name) + " ")) << command.name;
+    const std::string help = Help(program, command.name);
+    for (const OptionKind& option : OptionTable(program))
+      EXPECT_EQ(Contains(help, "\n  " + Synopsis(option)), Takes(command, option))
           << command.name << " " << option.name;
-    std::istringstream lines(help + Help(""));
+    std::istringstream lines(help + Help(program, ""));
     for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 120u) << line;
   }
 }
 
 TEST(RayimgHelp, EveryOptionBelongsToACommandThatExists) {
-  for (const OptionKind& option : OptionTable()) {
-    EXPECT_FALSE(option.commands.empty()) << option.name;
-    for (const char* command : option.commands) EXPECT_TRUE(FindCommand(command)) << option.name << " " << command;
+  for (const OptionKind& option : OptionTable(program)) {
+    EXPECT_EQ(option.commands.empty(), !IsSetting(option)) << option.name;
+    for (const char* command : option.commands)
+      EXPECT_TRUE(FindCommand(program, command)) << option.name << " " << command;
   }
 }
 
 TEST(RayimgHelp, EveryShellAndTheManualLearnEveryOption) {
-  for (const OptionKind& option : OptionTable()) {
+  for (const OptionKind& option : OptionTable(program)) {
     const std::string name = option.name;
-    EXPECT_TRUE(Contains(CompletionScript("bash"), "-" + name)) << name;
-    EXPECT_TRUE(Contains(CompletionScript("zsh"), "'-" + name + "[")) << name;
-    EXPECT_TRUE(Contains(CompletionScript("fish"), " -o " + name + " ")) << name;
-    EXPECT_TRUE(Contains(ManualPage(), ".B \\-" + name)) << name;
+    EXPECT_TRUE(Contains(CompletionScript(program, "bash"), "-" + name)) << name;
+    EXPECT_TRUE(Contains(CompletionScript(program, "zsh"), "'-" + name + "[")) << name;
+    EXPECT_TRUE(Contains(CompletionScript(program, "fish"), " -o " + name + " ")) << name;
+    EXPECT_TRUE(Contains(ManualPage(program), ".B \\-" + name)) << name;
   }
 }
 
 /// What bash offers for the last of the words.
 std::string BashOffers(const std::string& words) {
   const TemporaryFolder folder;
-  WriteFile(folder / "complete", CompletionScript("bash"));
+  WriteFile(folder / "complete", CompletionScript(program, "bash"));
   const std::string command = "bash -c '. " + folder / "complete" + "; COMP_WORDS=(" + words +
                               "); COMP_CWORD=$((${#COMP_WORDS[@]} - 1)); _rayimg; echo \"${COMPREPLY[@]}\"'";
   FILE* pipe = popen(command.c_str(), "r");
@@ -685,7 +689,7 @@ TEST(RayimgHelp, BashOffersCommandsTheirOptionsAndChoices) {
 TEST(RayimgHelp, TheReadmesTableIsOurs) {
   const char* root = std::getenv("RAYPRO_ROOT");
   const std::string readme = ReadFile(std::string(root ? root : ".") + "/README.md");
-  EXPECT_TRUE(Contains(readme, Help("markdown"))) << "run script/update_readme.sh";
+  EXPECT_TRUE(Contains(readme, Help(program, "markdown"))) << "run script/update_readme.sh";
 }
 
 }  // namespace

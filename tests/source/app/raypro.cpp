@@ -91,7 +91,7 @@ TEST(Raypro, ExitStatusSaysWhatWentWrongAndNoFileIsLeft) {
       {{place / "bad.scn", "-check"}, 3, "bad.scn:1:1"},
       {{place / "bad.scn", "-debugpixel", "1", "2"}, 3, "bad.scn:1:1"},
       {{place.Scene(), "-debugpixel", "256", "2"}, 2, "columns 0 to 255"},
-      {{place.Scene(), place / "out.ppm", "-debugpixel", "1", "2"}, 2, "one name too many"},
+      {{place.Scene(), place / "out.ppm", "-debugpixel", "1", "2"}, 2, "unexpected extra argument"},
       {{place.Scene(), place / "missing/out.ppm"}, 4, "does not exist"},
       {{place.Scene(), place / "out.ppm", "-report", place / "missing/r.json"}, 4, "does not exist"},
   };
@@ -143,8 +143,9 @@ TEST(Raypro, WarnsOfOptionsThatDoNothing) {
   const Place place;
   const Finished done = RunProgram({place.Scene(), place / "out.ppm", "-bits", "16", "-max_depth", "1000000000"});
   EXPECT_EQ(done.status, 0);
-  EXPECT_TRUE(Contains(done.error, "warning: -bits has no effect here")) << done.error;
-  EXPECT_TRUE(Contains(done.error, "warning: -max_depth 1000000000 is more than")) << done.error;
+  EXPECT_TRUE(Contains(done.error, "warning: -bits has no effect on the format ppm")) << done.error;
+  EXPECT_TRUE(Contains(done.error, "warning: -max_depth 1000000000 exceeds the hard limit of 1000 bounces"))
+      << done.error;
 }
 
 TEST(Raypro, ASizeThatTheFormatCannotHoldIsRefusedBeforeRendering) {

@@ -124,11 +124,11 @@ TEST(PixelTrace, TheTreeTellsEveryRayAndWhereItEnds) {
   EXPECT_EQ(middle.find("pixel 1 1 of 3 x 3, whitted: "), 0u) << middle;
   // Straight on: the light is at the eye, so kd + ks arrive, and ks of the background in the mirror.
   EXPECT_NE(middle.find("at t 4, 0 0 1, normal 0 0 1"), std::string::npos) << middle;
-  EXPECT_NE(middle.find("  shadow ray to point light at 0 0 5, color 1 1 1\n"), std::string::npos) << middle;
-  EXPECT_NE(middle.find("reaches it, contributes 0.75 0.75 0.75\n"), std::string::npos) << middle;
-  EXPECT_NE(middle.find("meets nothing, contributes 0.125 0.0625 0.03125\n"), std::string::npos) << middle;
+  EXPECT_NE(middle.find("  shadow ray to light 1, point light at 0 0 5, color 1 1 1\n"), std::string::npos) << middle;
+  EXPECT_NE(middle.find("unoccluded, contributes 0.75 0.75 0.75\n"), std::string::npos) << middle;
+  EXPECT_NE(middle.find("hits nothing, contributes 0.125 0.0625 0.03125\n"), std::string::npos) << middle;
   const std::string corner = DebugPixel(stage.world, *accelerator, settings, 0, 0);
-  EXPECT_NE(corner.find("meets nothing, contributes 0.5 0.25 0.125\n"), std::string::npos) << corner;
+  EXPECT_NE(corner.find("hits nothing, contributes 0.5 0.25 0.125\n"), std::string::npos) << corner;
 }
 
 TEST(PixelTrace, ALongTreeIsCutAndSaysSo) {

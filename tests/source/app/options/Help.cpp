@@ -12,6 +12,7 @@
 #include "source/app/options/OptionTable.h"
 #include "source/parse/scn/Command.h"
 #include "tests/source/app/options/Program.h"
+#include "tests/source/app/options/ScenePrograms.h"
 
 namespace ray {
 namespace {
@@ -44,7 +45,7 @@ std::string Entry(const OptionKind& option) {
 }
 
 TEST(Help, NamesEveryOptionOnceWithItsDefaultAndFitsTheScreen) {
-  for (const Program program : programs) {
+  for (const Program program : scene_programs) {
     const std::string help = Help(program, "");
     for (const OptionKind& option : OptionTable(program)) {
       EXPECT_EQ(Count(help, Entry(option)), 1u) << option.name;
@@ -57,7 +58,7 @@ TEST(Help, NamesEveryOptionOnceWithItsDefaultAndFitsTheScreen) {
 
 // Every text that a program prints of itself speaks of its options and of no other program's.
 TEST(Help, OptionsOfTheOtherProgramAreInNoTextOfThis) {
-  for (const Program program : programs)
+  for (const Program program : scene_programs)
     for (const OptionKind& option : OptionTable(TheOther(program))) {
       if (FindOption(program, option.name)) continue;
       const std::string name = option.name;
@@ -71,14 +72,14 @@ TEST(Help, OptionsOfTheOtherProgramAreInNoTextOfThis) {
 }
 
 TEST(Help, ATopicHoldsItsOptionsAndNoOthers) {
-  for (const Program program : programs)
+  for (const Program program : scene_programs)
     for (const std::string& topic : OptionTopics(program))
       for (const OptionKind& option : OptionTable(program))
         EXPECT_EQ(Contains(Help(program, topic), Entry(option)), topic == option.topic) << topic << " " << option.name;
 }
 
 TEST(Help, TopicsAreTogetherInTheTable) {
-  for (const Program program : programs) {
+  for (const Program program : scene_programs) {
     std::vector<std::string> topics = OptionTopics(program);
     std::ranges::sort(topics);
     EXPECT_EQ(std::ranges::adjacent_find(topics), topics.end());
@@ -86,7 +87,7 @@ TEST(Help, TopicsAreTogetherInTheTable) {
 }
 
 TEST(Help, ShowsNoAlias) {
-  for (const Program program : programs)
+  for (const Program program : scene_programs)
     for (const OptionKind& option : OptionTable(program))
       for (const char* alias : option.aliases)
         EXPECT_FALSE(Contains(Help(program, ""), "-" + std::string(alias) + " ")) << alias;
@@ -101,7 +102,7 @@ TEST(Help, TheMarkdownTableHasARowForEveryOptionWithFourCells) {
 TEST(Help, RayviewsMarkdownNamesWhatItSharesAndHasRowsForTheRest) {
   const std::string text = Help(Program::rayview, "markdown");
   for (const OptionKind& option : OptionTable(Program::rayview)) {
-    const bool is_shared = option.known_to == KnownTo::both;
+    const bool is_shared = option.known_to != KnownTo::rayview;
     EXPECT_EQ(Contains(text, "\n| `" + Synopsis(option) + "` |"), !is_shared) << option.name;
     const std::string name = " `-" + std::string(option.name) + "`";
     EXPECT_EQ(Contains(text, name + ",") || Contains(text, name + "\n"), is_shared) << option.name;
@@ -113,12 +114,12 @@ TEST(Help, TheReadmesOptionTableIsOurs) {
   const char* root = std::getenv("RAYPRO_ROOT");
   const std::string readme = ray::testing::ReadFile(std::string(root ? root : ".") + "/README.md");
   if (!Contains(readme, "| option | default |")) GTEST_SKIP() << "README.md has no option table yet";
-  for (const Program program : programs)
+  for (const Program program : scene_programs)
     EXPECT_TRUE(Contains(readme, Help(program, "markdown"))) << "script/update_readme.sh brings it up to date";
 }
 
 TEST(Manual, NamesEveryOptionAndNoLineStartsWithAStrayDot) {
-  for (const Program program : programs) {
+  for (const Program program : scene_programs) {
     const std::string page = ManualPage(program);
     EXPECT_TRUE(Contains(page, ".SH NAME\n" + NameOf(program) + " \\- "));
     for (const OptionKind& option : OptionTable(program))
@@ -160,7 +161,7 @@ TEST(Manual, OfScenesShowsAnExampleThatIsOne) {
 TEST(Manual, FormatsWithoutAWordFromRoff) {
   if (std::system("command -v groff >/dev/null 2>&1") != 0) GTEST_SKIP() << "groff is not installed";
   const ray::testing::TemporaryFolder folder;
-  for (const Program program : programs)
+  for (const Program program : scene_programs)
     for (const std::string& name : {std::string(), std::string("scn")}) {
       ray::testing::WriteFile(folder / "page", ManualPage(name, program));
       std::system(("groff -man -Tutf8 -ww '" + folder / "page" + "' 2>'" + folder / "words" + "' >/dev/null").c_str());
@@ -169,7 +170,7 @@ TEST(Manual, FormatsWithoutAWordFromRoff) {
 }
 
 TEST(Completion, EveryShellLearnsEveryOption) {
-  for (const Program program : programs) {
+  for (const Program program : scene_programs) {
     std::string bash_words = CompletionScript(program, "bash");
     std::ranges::replace(bash_words, '\'', ' ');
     for (const OptionKind& option : OptionTable(program)) {
@@ -205,7 +206,7 @@ TEST(Completion, BashFindsOptionsAndTheirChoices) {
 }
 
 TEST(Listing, EverySubjectListsSomethingAndAllTogetherListEverything) {
-  for (const Program program : programs) {
+  for (const Program program : scene_programs) {
     for (const std::string& subject : ListSubjects(program)) {
       const std::string list = Listing(program, subject);
       EXPECT_TRUE(list.starts_with(subject + ":\n  ")) << list;
@@ -219,7 +220,7 @@ TEST(Listing, EverySubjectListsSomethingAndAllTogetherListEverything) {
 }
 
 TEST(Version, NamesTheProgramAndItsFeatures) {
-  for (const Program program : programs) {
+  for (const Program program : scene_programs) {
     EXPECT_TRUE(Version(program).starts_with(NameOf(program) + " "));
     EXPECT_TRUE(Contains(Version(program), "jpeg="));
   }

@@ -69,7 +69,7 @@ TEST(Check, InsideASphereIsNearerThanItsRadius) {
 
 TEST(Check, ASceneInTheDarkIsPointedOut) {
   const std::string black = camera + "sphere -1  0 0 0  1\npoint_light 0 0 0  0 5 0  1 0 0\n";
-  EXPECT_TRUE(Contains(Example(black).Mistakes(), "no light shines; every light of the scene is black"));
+  EXPECT_TRUE(Contains(Example(black).Mistakes(), "the scene is unlit; every light is black"));
   const std::string glowing = "material 0 0 0  1 1 1  0 0 0  0 0 0  1 1 1  1 1 0\n";
   EXPECT_FALSE(Contains(Example(glowing + black + "sphere 0  1 0 0  1\n").Mistakes(), "no light"));
 }
@@ -78,13 +78,13 @@ TEST(Check, AnEmptySceneIsPointedOut) { EXPECT_TRUE(Contains(Example("").Mistake
 
 TEST(Check, AShapeWithoutExtentIsPointedOutAtItsPlace) {
   EXPECT_TRUE(Contains(Example(camera + "sphere -1  0 0 0  0\n").Mistakes(),
-                       "example.scn:2:1: warning: this shape has no extent"));
+                       "example.scn:2:1: warning: this shape is degenerate"));
 }
 
 TEST(Check, ShapesOutsideTheViewAreCountedAtTheFirst) {
   const std::string mistakes =
       Example(camera + "sphere -1  0 0 0  1\nsphere -1  0 0 20  1\nsphere -1  90 0 0  1\n").Mistakes();
-  EXPECT_TRUE(Contains(mistakes, "example.scn:3:1: warning: this shape lies outside the view, and so do 1 more"))
+  EXPECT_TRUE(Contains(mistakes, "example.scn:3:1: warning: this shape lies outside the view (and 1 more)"))
       << mistakes;
   EXPECT_FALSE(Contains(mistakes, "example.scn:2"));
 }

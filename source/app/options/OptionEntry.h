@@ -1,0 +1,38 @@
+#pragma once
+
+#include "source/app/options/OptionTable.h"
+#include "source/text/EnumNames.h"
+
+/// Where an option keeps its value: one lambda that reads a const Options and writes another.
+#define AT(member) \
+  [](auto& o) -> auto& { return o.member; }
+
+namespace ray {
+
+/// A word of a closed set, kept as the enumerator it names.
+template <class Enum, class Lambda>
+OneNameOf OneOfEnum(Lambda, bool by_number = false) {
+  return {[] { return std::vector<std::string>(NamesOf(Enum{}).begin(), NamesOf(Enum{}).end()); },
+          [](const Options& options) { return std::string(NameOf(Lambda{}(options))); },
+          [](Options& options, const std::string& name) { Lambda{}(options) = *Named<Enum>(name); }, by_number};
+}
+
+/// A word of an open set, kept as it is.
+template <class Lambda>
+OneNameOf OneOfNames(Lambda, std::vector<std::string> (*choices)()) {
+  return {choices, [](const Options& options) { return Lambda{}(options); },
+          [](Options& options, const std::string& name) { Lambda{}(options) = name; }};
+}
+
+/// A word that `read` understands, or has nothing for, and `show` writes.
+template <auto read, auto show, class Lambda>
+Word WordOf(Lambda, const char* range) {
+  return {[](Options& options, const std::string& word) {
+            const auto value = read(word);
+            if (value) Lambda{}(options) = *value;
+            return value.has_value();
+          },
+          [](const Options& options) { return std::string(show(Lambda{}(options))); }, range};
+}
+
+}  // namespace ray
