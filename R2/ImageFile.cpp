@@ -22,7 +22,7 @@ const ImageFormat& FormatOfContent(std::span<const unsigned char> bytes) {
     known += format.name;
   }
   if (bytes.empty()) throw ImageError("the image file is empty");
-  throw ImageError("not an image of a known kind; kinds are " + known);
+  throw ImageError("unknown image format; supported: " + known);
 }
 
 }  // namespace

@@ -4,24 +4,24 @@
 
 #include "R3/MeshData.h"
 
-/// Building triangles to look at, for Shape::Tessellate.
+/// Grids of triangles, for Shape::Tessellate.
 namespace R3 {
 
-struct SheetCorner {
+struct GridCorner {
   Point position;
   Normal normal;  // unit, outward
   R2::Point uv;
 };
 
 /// Adds `columns` x `rows` squares, each of two triangles, their fronts where columns run to the right and rows upward.
-/// corner(column, row), from 0 to the number of each, gives a SheetCorner. Triangles with two corners in one place, as
-/// at a sphere's poles, are left out; so a surface of several sheets is closed where their rims agree to the bit.
+/// corner(column, row), from 0 to the number of each, gives a GridCorner. Triangles with two corners in one place, as
+/// at a sphere's poles, are left out; so a surface of several grids is closed where their rims agree to the bit.
 template <typename Corner>
-void AddSheet(MeshData& data, int columns, int rows, const Corner& corner) {
+void AddGrid(MeshData& data, int columns, int rows, const Corner& corner) {
   const auto first = static_cast<std::uint32_t>(data.positions.size());
   for (int row = 0; row <= rows; ++row)
     for (int column = 0; column <= columns; ++column) {
-      const SheetCorner made = corner(column, row);
+      const GridCorner made = corner(column, row);
       data.positions.push_back(made.position);
       data.normals.push_back(made.normal);
       data.uvs.push_back(made.uv);

@@ -3,8 +3,37 @@
 namespace R3 {
 namespace {
 
+using Rows = std::array<std::array<DoubleDouble, 4>, 3>;
+using LinearPart = std::array<std::array<DoubleDouble, 3>, 3>;
+
 DoubleDouble Scaled(const DoubleDouble& a, int exponent) {
   return {std::scalbn(a.high, exponent), std::scalbn(a.low, exponent)};
+}
+
+LinearPart ScaledLinearPart(const Rows& rows, int exponent) {
+  LinearPart scaled;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j) scaled[i][j] = Scaled(rows[i][j], exponent);
+  return scaled;
+}
+
+Matrix Rounded(const Rows& rows) {
+  Matrix rounded;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 4; ++j) rounded.m[i][j] = static_cast<double>(rows[i][j]);
+  return rounded;
+}
+
+bool IsFinite(const Matrix& matrix) {
+  for (const auto& row : matrix.m)
+    for (const double entry : row)
+      if (!std::isfinite(entry)) return false;
+  return true;
+}
+
+DoubleDouble Cofactor(const LinearPart& a, std::size_t i, std::size_t j) {
+  const std::size_t i1 = (i + 1) % 3, i2 = (i + 2) % 3, j1 = (j + 1) % 3, j2 = (j + 2) % 3;
+  return a[i1][j1] * a[i2][j2] - a[i1][j2] * a[i2][j1];
 }
 
 }  // namespace
@@ -26,45 +55,30 @@ Product Product::operator*(const Matrix& next) const {
 
 std::optional<Transform> Transform::Of(const Product& product) {
   Transform result;
+  result.forward_ = Rounded(product.m_);
+  if (!IsFinite(result.forward_)) return {};
   double largest = 0;
-  for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t j = 0; j < 4; ++j) {
-      const double entry = static_cast<double>(product.m_[i][j]);
-      if (!std::isfinite(entry)) return {};
-      result.forward_.m[i][j] = entry;
-      if (j < 3) largest = std::max(largest, std::abs(entry));
-    }
+  for (const auto& row : result.forward_.m)
+    for (std::size_t j = 0; j < 3; ++j) largest = std::max(largest, std::abs(row[j]));
   if (!(largest > 0)) return {};
 
   // A power of two brings the largest entry near 1, so that the cubic terms of the determinant stay in range.
   const int exponent = -std::ilogb(largest);
-  std::array<std::array<DoubleDouble, 3>, 3> a;
-  for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t j = 0; j < 3; ++j) a[i][j] = Scaled(product.m_[i][j], exponent);
-
-  // inverse = adjugate / determinant (Cramer's rule), in double-words, so that the condition costs only spare bits.
-  const auto cofactor = [&](std::size_t i, std::size_t j) {
-    const std::size_t i1 = (i + 1) % 3, i2 = (i + 2) % 3, j1 = (j + 1) % 3, j2 = (j + 2) % 3;
-    return a[i1][j1] * a[i2][j2] - a[i1][j2] * a[i2][j1];
-  };
-  const DoubleDouble determinant = a[0][0] * cofactor(0, 0) + a[0][1] * cofactor(0, 1) + a[0][2] * cofactor(0, 2);
+  const LinearPart a = ScaledLinearPart(product.m_, exponent);
+  const DoubleDouble determinant =
+      a[0][0] * Cofactor(a, 0, 0) + a[0][1] * Cofactor(a, 0, 1) + a[0][2] * Cofactor(a, 0, 2);
   if (!(determinant.high != 0)) return {};
   result.mirrors_ = determinant.high < 0;
 
-  std::array<std::array<DoubleDouble, 3>, 3> inverse;
+  // inverse = adjugate / determinant (Cramer's rule), in double-words, so that the condition costs only spare bits.
+  Rows inverse;
   for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t j = 0; j < 3; ++j) inverse[i][j] = Scaled(cofactor(j, i) / determinant, exponent);
-  for (std::size_t i = 0; i < 3; ++i) {
-    DoubleDouble shift = 0.0;
     for (std::size_t j = 0; j < 3; ++j) {
-      shift = shift - inverse[i][j] * product.m_[j][3];
-      result.inverse_.m[i][j] = static_cast<double>(inverse[i][j]);
+      inverse[i][j] = Scaled(Cofactor(a, j, i) / determinant, exponent);
+      inverse[i][3] = inverse[i][3] - inverse[i][j] * product.m_[j][3];
     }
-    result.inverse_.m[i][3] = static_cast<double>(shift);
-  }
-  for (const auto& row : result.inverse_.m)
-    for (const double entry : row)
-      if (!std::isfinite(entry)) return {};
+  result.inverse_ = Rounded(inverse);
+  if (!IsFinite(result.inverse_)) return {};
   return result;
 }
 

@@ -13,7 +13,7 @@ namespace R2 {
 
 namespace {
 
-// --- colour spaces ---
+// --- color spaces ---
 
 struct Triple {
   double x = 0, y = 0, z = 0;
@@ -52,7 +52,7 @@ double LabCurve(double t) {
   return t > delta * delta * delta ? std::cbrt(t) : t / (3 * delta * delta) + 4.0 / 29;
 }
 
-/// L*a*b* after the Hunt effect: colours look less colourful where they are dark (section 4.1.3).
+/// L*a*b* after the Hunt effect: colors look less colorful where they are dark (section 4.1.3).
 Triple HuntLab(const Color& linear) {
   const Triple t = RelativeXyz(linear);
   const double fx = LabCurve(t.x), fy = LabCurve(t.y), fz = LabCurve(t.z);
@@ -60,7 +60,7 @@ Triple HuntLab(const Color& linear) {
   return {lightness, 0.01 * lightness * 500 * (fx - fy), 0.01 * lightness * 200 * (fy - fz)};
 }
 
-/// Distance for large differences of colour: city block in lightness, Euclidean in the others (section 4.1.4).
+/// Distance for large differences of color: city block in lightness, Euclidean in the others (section 4.1.4).
 double HyAB(const Triple& a, const Triple& b) { return std::abs(a.x - b.x) + std::hypot(a.y - b.y, a.z - b.z); }
 
 // --- filters ---
@@ -188,7 +188,7 @@ Planes Opponents(const Image& image) {
   return opponents;
 }
 
-/// The colours that are left once the eye has blurred the picture, in Hunt-adjusted L*a*b*.
+/// The colors that are left once the eye has blurred the picture, in Hunt-adjusted L*a*b*.
 Planes SeenColors(const Planes& opponents, double pixels_per_degree) {
   Planes seen{Seen(opponents[0], achromatic, pixels_per_degree), Seen(opponents[1], red_green, pixels_per_degree),
               Seen(opponents[2], blue_yellow, pixels_per_degree)};
@@ -229,7 +229,7 @@ Features FindFeatures(const Plane& lightness, double pixels_per_degree) {
 
 constexpr double color_exponent = 0.7;  // q_c
 
-/// Differences of colour up to 0.4 of the largest possible take most of the range, to 0.95; the rest shares what is
+/// Differences of color up to 0.4 of the largest possible take most of the range, to 0.95; the rest shares what is
 /// left (section 4.1.5).
 double Remapped(double difference) {
   constexpr double knee = 0.4, value_at_knee = 0.95;  // p_c, p_t

@@ -25,7 +25,7 @@ struct Header {
   std::uint64_t RowStride() const { return (RowBytes() + 3) / 4 * 4; }
 };
 
-bool Recognises(std::span<const unsigned char> bytes) {
+bool Recognizes(std::span<const unsigned char> bytes) {
   return bytes.size() >= 2 && bytes[0] == 'B' && bytes[1] == 'M';
 }
 
@@ -61,7 +61,7 @@ Header ReadHeader(ByteReader& reader) {
   const bool has_bit_fields = compression == 3 && header.bits == 32;
   if (has_bit_fields) CheckBitFields(reader);
   if (compression != 0 && !has_bit_fields) reader.Fail("is compressed; only uncompressed ones are read");
-  if (header.palette_size > 256) reader.Fail("has a palette of more than 256 colours");
+  if (header.palette_size > 256) reader.Fail("has a palette of more than 256 colors");
   if (header.palette_size == 0) header.palette_size = 256;
   return header;
 }
@@ -71,7 +71,7 @@ ImageSize ReadSize(std::span<const unsigned char> bytes) {
   return ReadHeader(reader).size;
 }
 
-/// The palette, 4 bytes a colour, behind the headers.
+/// The palette, 4 bytes a color, behind the headers.
 std::span<const unsigned char> ReadPalette(std::span<const unsigned char> bytes, const Header& header) {
   ByteReader reader("BMP", bytes);
   reader.Take(std::uint64_t{file_header_size} + header.info_size, "the header");
@@ -137,7 +137,7 @@ std::vector<unsigned char> Encode(const Image& image, const ImageEncoding& encod
   AppendLittle(bytes, dots_per_metre, 4);
   AppendLittle(bytes, dots_per_metre, 4);
   AppendLittle(bytes, 0, 4);  // no palette
-  AppendLittle(bytes, 0, 4);  // every colour matters
+  AppendLittle(bytes, 0, 4);  // every color matters
 
   for (int y = 0; y < image.Height(); ++y) {
     const auto row = ByteRow(image, y, encoding);
@@ -149,6 +149,6 @@ std::vector<unsigned char> Encode(const Image& image, const ImageEncoding& encod
 
 }  // namespace
 
-const ImageFormat bmp_format{"bmp", {"bmp"}, Recognises, ReadSize, Decode, Encode, false};
+const ImageFormat bmp_format{"bmp", {"bmp"}, Recognizes, ReadSize, Decode, Encode, false};
 
 }  // namespace R2

@@ -27,7 +27,7 @@ namespace {
 constexpr std::string_view settings_prefix = "raypro:";
 constexpr std::size_t longest_name = 255;  // what the format allows
 
-bool Recognises(std::span<const unsigned char> bytes) {
+bool Recognizes(std::span<const unsigned char> bytes) {
   constexpr std::array<unsigned char, 4> magic{0x76, 0x2f, 0x31, 0x01};
   return bytes.size() >= magic.size() && std::equal(magic.begin(), magic.end(), bytes.begin());
 }
@@ -201,6 +201,6 @@ std::vector<unsigned char> Encode(const Image& image, const ImageEncoding&, cons
 
 }  // namespace
 
-const ImageFormat exr_format{"exr", {"exr"}, Recognises, ReadSize, Decode, Encode, true, EncodeLayers};
+const ImageFormat exr_format{"exr", {"exr"}, Recognizes, ReadSize, Decode, Encode, true, EncodeLayers};
 
 }  // namespace R2

@@ -48,7 +48,7 @@ Pixel ToPixel(const Color& color) {
   return {rounded(r), rounded(g), rounded(b), static_cast<unsigned char>(exponent + 128)};
 }
 
-bool Recognises(std::span<const unsigned char> bytes) {
+bool Recognizes(std::span<const unsigned char> bytes) {
   return bytes.size() >= 2 && bytes[0] == '#' && bytes[1] == '?';
 }
 
@@ -187,7 +187,7 @@ void AppendRuns(std::vector<unsigned char>& out, std::span<const unsigned char> 
 void AppendRow(std::vector<unsigned char>& out, const std::vector<Pixel>& row) {
   const int width = static_cast<int>(row.size());
   if (!CanBeEncoded(width)) {
-    // Plain pixels. None looks like a run: the largest mantissa of a colour is at least 128.
+    // Plain pixels. None looks like a run: the largest mantissa of a color is at least 128.
     for (const Pixel& pixel : row) out.insert(out.end(), pixel.begin(), pixel.end());
     return;
   }
@@ -215,6 +215,6 @@ std::vector<unsigned char> Encode(const Image& image, const ImageEncoding&, cons
 
 }  // namespace
 
-const ImageFormat hdr_format{"hdr", {"hdr", "rgbe", "pic"}, Recognises, ReadSize, Decode, Encode, true};
+const ImageFormat hdr_format{"hdr", {"hdr", "rgbe", "pic"}, Recognizes, ReadSize, Decode, Encode, true};
 
 }  // namespace R2

@@ -143,7 +143,7 @@ class Decoder {
     });
     if (codec_.num_components != 1 && codec_.num_components != 3) {
       throw ImageError("JPEG has " + std::to_string(codec_.num_components) +
-                       " components (CMYK?); gray and three colours are read");
+                       " components (CMYK?); only 1 (gray) and 3 (color) are supported");
     }
     return CheckedSize("JPEG", codec_.image_width, codec_.image_height);
   }
@@ -183,7 +183,7 @@ class Decoder {
   jpeg_decompress_struct codec_{};
 };
 
-bool Recognises(std::span<const unsigned char> bytes) {
+bool Recognizes(std::span<const unsigned char> bytes) {
   return bytes.size() >= 3 && bytes[0] == 0xff && bytes[1] == 0xd8 && bytes[2] == 0xff;
 }
 
@@ -264,7 +264,7 @@ class Encoder {
       codec_.in_color_space = JCS_RGB;
       jpeg_set_defaults(&codec_);
       jpeg_set_quality(&codec_, quality, TRUE);
-      // The default halves the resolution of colour, which rendered edges show.
+      // The default halves the resolution of color, which rendered edges show.
       codec_.comp_info[0].h_samp_factor = codec_.comp_info[0].v_samp_factor = 1;
       jpeg_start_compress(&codec_, TRUE);
       const auto* text = reinterpret_cast<const JOCTET*>(comment.data());
@@ -310,6 +310,6 @@ std::vector<unsigned char> Encode(const Image& image, const ImageEncoding& encod
 
 }  // namespace
 
-const ImageFormat jpeg_format{"jpeg", {"jpg", "jpeg", "jpe"}, Recognises, ReadSize, Decode, Encode, false};
+const ImageFormat jpeg_format{"jpeg", {"jpg", "jpeg", "jpe"}, Recognizes, ReadSize, Decode, Encode, false};
 
 }  // namespace R2

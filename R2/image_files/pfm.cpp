@@ -6,7 +6,7 @@
 #include "R2/image_files/ByteReader.h"
 #include "R2/image_files/formats.h"
 
-// Portable float maps: linear floats, bottom row first, colour (PF) or gray (Pf). Written as PF, little-endian.
+// Portable float maps: linear floats, bottom row first, color (PF) or gray (Pf). Written as PF, little-endian.
 // source: Debevec, "PFM Portable FloatMap Image Format", www.pauldebevec.com/Research/HDR/PFM
 namespace R2 {
 
@@ -18,7 +18,7 @@ struct Header {
   bool is_little_endian = true;
 };
 
-bool Recognises(std::span<const unsigned char> bytes) {
+bool Recognizes(std::span<const unsigned char> bytes) {
   return bytes.size() >= 2 && bytes[0] == 'P' && (bytes[1] == 'F' || bytes[1] == 'f');
 }
 
@@ -87,6 +87,6 @@ std::vector<unsigned char> Encode(const Image& image, const ImageEncoding&, cons
 
 }  // namespace
 
-const ImageFormat pfm_format{"pfm", {"pfm"}, Recognises, ReadSize, Decode, Encode, true};
+const ImageFormat pfm_format{"pfm", {"pfm"}, Recognizes, ReadSize, Decode, Encode, true};
 
 }  // namespace R2

@@ -10,7 +10,7 @@
 #include "R2/image_files/Jump.h"
 #include "R2/image_files/formats.h"
 
-// PNG through libpng: every colour type, depth and interlace is read, 8 and 16 bit colour written. Alpha is dropped,
+// PNG through libpng: every color type, depth and interlace is read, 8 and 16 bit color written. Alpha is dropped,
 // since a picture here has none; nothing is put behind it. Settings live in text chunks, one a key.
 // source: W3C, Portable Network Graphics (PNG) Specification, 2nd ed. (2003); libpng-manual.txt
 namespace R2 {
@@ -26,7 +26,7 @@ constexpr png_uint_32 most_chunks = 64;
 // Deflate makes at most 258 bytes out of two bits.
 constexpr std::uint64_t most_deflate_ratio = 1032;
 
-bool Recognises(std::span<const unsigned char> bytes) {
+bool Recognizes(std::span<const unsigned char> bytes) {
   return bytes.size() >= signature.size() && std::equal(signature.begin(), signature.end(), bytes.begin());
 }
 
@@ -141,7 +141,7 @@ class Reader {
   void Start() {
     Do([&] {
       png_read_info(png_, info_);
-      png_set_expand(png_);  // palettes to colours, 1, 2 and 4 bits to 8
+      png_set_expand(png_);  // palettes to colors, 1, 2 and 4 bits to 8
       png_set_gray_to_rgb(png_);
       png_set_strip_alpha(png_);
       passes_ = png_set_interlace_handling(png_);
@@ -344,6 +344,6 @@ std::vector<unsigned char> Encode(const Image& image, const ImageEncoding& encod
 
 }  // namespace
 
-const ImageFormat png_format{"png", {"png"}, Recognises, ReadSize, Decode, Encode, false};
+const ImageFormat png_format{"png", {"png"}, Recognizes, ReadSize, Decode, Encode, false};
 
 }  // namespace R2

@@ -3,7 +3,7 @@
 #include "R2/image_files/ByteReader.h"
 #include "R2/image_files/formats.h"
 
-// Netpbm's pixmaps: P3 and P6 in colour, P2 and P5 in gray; 3 and 2 are text, 6 and 5 binary. Written as P6.
+// Netpbm's pixmaps: P3 and P6 in color, P2 and P5 in gray; 3 and 2 are text, 6 and 5 binary. Written as P6.
 // source: Poskanzer, ppm(5) and pgm(5), netpbm.sourceforge.net/doc/ppm.html
 namespace R2 {
 
@@ -22,7 +22,7 @@ struct Header {
   }
 };
 
-bool Recognises(std::span<const unsigned char> bytes) {
+bool Recognizes(std::span<const unsigned char> bytes) {
   return bytes.size() >= 2 && bytes[0] == 'P' &&
          (bytes[1] == '2' || bytes[1] == '3' || bytes[1] == '5' || bytes[1] == '6');
 }
@@ -88,6 +88,6 @@ std::vector<unsigned char> Encode(const Image& image, const ImageEncoding& encod
 
 }  // namespace
 
-const ImageFormat ppm_format{"ppm", {"ppm", "pnm"}, Recognises, ReadSize, Decode, Encode, false};
+const ImageFormat ppm_format{"ppm", {"ppm", "pnm"}, Recognizes, ReadSize, Decode, Encode, false};
 
 }  // namespace R2

@@ -41,7 +41,7 @@ double AccurateDot(const Point& origin, const Point& center, const Vector& direc
 }  // namespace
 
 R3_USES_FMA
-std::optional<Roots> RoundCrossings(const Point& origin, const Vector& direction, const Point& center, double radius) {
+std::optional<Roots> QuadricRoots(const Point& origin, const Vector& direction, const Point& center, double radius) {
   const Vector f = origin - center;
   double a = Dot(direction, direction), b = -Dot(f, direction);
   const double distance = std::sqrt(Dot(f, f));

@@ -20,6 +20,6 @@ struct Roots {
 ///             (2019), ch. 7: the discriminant from the miss distance, the small root as c / q. Their c cancels when
 ///             the origin is near the surface; there it is summed exactly instead, and the plain discriminant is then
 ///             the better one, since b^2 and a c no longer cancel except at a tangent.
-std::optional<Roots> RoundCrossings(const Point& origin, const Vector& direction, const Point& center, double radius);
+std::optional<Roots> QuadricRoots(const Point& origin, const Vector& direction, const Point& center, double radius);
 
 }  // namespace R3

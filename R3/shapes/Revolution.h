@@ -19,11 +19,11 @@ inline double TurnAboutY(const Vector& outward) {
 }
 
 /// Clips to the endless cylinder of this radius about the line through `center`; false on a miss.
-inline bool ClipToRound(Span& span, const Ray& ray, const Point& center, double radius, int part) {
+inline bool ClipToCylinder(Span& span, const Ray& ray, const Point& center, double radius, int part) {
   if (ray.direction.x == 0 && ray.direction.z == 0)
     return std::hypot(ray.origin.x - center.x, ray.origin.z - center.z) <= radius;
-  const auto roots = RoundCrossings({ray.origin.x, 0, ray.origin.z}, {ray.direction.x, 0, ray.direction.z},
-                                    {center.x, 0, center.z}, radius);
+  const auto roots = QuadricRoots({ray.origin.x, 0, ray.origin.z}, {ray.direction.x, 0, ray.direction.z},
+                                  {center.x, 0, center.z}, radius);
   if (roots) span.Clip(roots->first, roots->second, part, part);
   return roots.has_value();
 }
@@ -49,11 +49,11 @@ inline double ColumnTurn(int column, int columns) { return 1 - static_cast<doubl
 /// Adds a flat end for drawing, with the meanings of AtCap.
 inline void AddCap(MeshData& data, int columns, const Point& center, double radius, double y, double side) {
   const int rows = std::max(1, columns / 8);
-  AddSheet(data, columns, rows, [&](int column, int row) {
+  AddGrid(data, columns, rows, [&](int column, int row) {
     const double share = static_cast<double>(side > 0 ? rows - row : row) / rows;
     const Vector outward = ColumnOutward(column, columns);
     const Point p{center.x + share * radius * outward.x, y, center.z + share * radius * outward.z};
-    return SheetCorner{p, {0, side, 0}, AtCap(p, center, radius, y, side).uv};
+    return GridCorner{p, {0, side, 0}, AtCap(p, center, radius, y, side).uv};
   });
 }
 

@@ -48,14 +48,14 @@ class BoxShape : public Shape {
       const double outward = is_high ? 1 : -1;
       // Which of the other two axes runs to the right decides where the front is.
       const int right = (axis + (is_high ? 1 : 2)) % 3;
-      AddSheet(data, pieces, pieces, [&](int column, int row) {
+      AddGrid(data, pieces, pieces, [&](int column, int row) {
         const auto along = [&](int a) {
           const double share = static_cast<double>(a == right ? column : row) / pieces;
           return a == axis ? (is_high ? box_.high[a] : box_.low[a]) : std::lerp(box_.low[a], box_.high[a], share);
         };
         const Point p{along(0), along(1), along(2)};
         const Normal normal{axis == 0 ? outward : 0, axis == 1 ? outward : 0, axis == 2 ? outward : 0};
-        return SheetCorner{p, normal, TextureCoordinates(p, part)};
+        return GridCorner{p, normal, TextureCoordinates(p, part)};
       });
     }
     return data;

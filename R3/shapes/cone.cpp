@@ -31,7 +31,7 @@ class Cone : public Shape {
     // A flat cone's side and base meet so sharply that the rounding of either would move the rim outward by `slope`
     // times as much; the cylinder around the rim says better where it ends.
     constexpr double flat_slope = 4;
-    if (slope_ > flat_slope && !ClipToRound(span, ray, center_, radius_, side)) return {};
+    if (slope_ > flat_slope && !ClipToCylinder(span, ray, center_, radius_, side)) return {};
     return span.First(ray);
   }
 
@@ -56,11 +56,11 @@ class Cone : public Shape {
     MeshData data;
     if (IsDegenerate()) return data;
     const int rows = std::max(1, fineness / 4);
-    AddSheet(data, fineness, rows, [&](int column, int row) {
+    AddGrid(data, fineness, rows, [&](int column, int row) {
       const Vector outward = ColumnOutward(column, fineness);
       const double share = static_cast<double>(row) / rows, radius = (1 - share) * radius_;
       const Point p{center_.x + radius * outward.x, std::lerp(low_, high_, share), center_.z + radius * outward.z};
-      return SheetCorner{p, AsNormal(Unit({outward.x, slope_, outward.z})), {ColumnTurn(column, fineness), share}};
+      return GridCorner{p, AsNormal(Unit({outward.x, slope_, outward.z})), {ColumnTurn(column, fineness), share}};
     });
     AddCap(data, fineness, center_, radius_, low_, -1);
     return data;

@@ -22,7 +22,7 @@ class Cylinder : public Shape {
     if (IsDegenerate()) return {};
     Span span;
     ClipToSlab(span, low_, high_, ray.origin.y, ray.direction.y, bottom, top);
-    if (!ClipToRound(span, ray, center_, radius_, side)) return {};
+    if (!ClipToCylinder(span, ray, center_, radius_, side)) return {};
     return span.First(ray);
   }
 
@@ -42,11 +42,11 @@ class Cylinder : public Shape {
     MeshData data;
     if (IsDegenerate()) return data;
     const int rows = std::max(1, fineness / 8);
-    AddSheet(data, fineness, rows, [&](int column, int row) {
+    AddGrid(data, fineness, rows, [&](int column, int row) {
       const Vector outward = ColumnOutward(column, fineness);
       const double share = static_cast<double>(row) / rows;
       const Point p{center_.x + radius_ * outward.x, std::lerp(low_, high_, share), center_.z + radius_ * outward.z};
-      return SheetCorner{p, AsNormal(outward), {ColumnTurn(column, fineness), share}};
+      return GridCorner{p, AsNormal(outward), {ColumnTurn(column, fineness), share}};
     });
     AddCap(data, fineness, center_, radius_, low_, -1);
     AddCap(data, fineness, center_, radius_, high_, 1);

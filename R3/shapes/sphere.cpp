@@ -19,7 +19,7 @@ class Sphere : public Shape {
 
   std::optional<Hit> Intersect(const Ray& ray, int) const override {
     if (IsDegenerate()) return {};
-    const auto roots = RoundCrossings(ray.origin, ray.direction, center_, radius_);
+    const auto roots = QuadricRoots(ray.origin, ray.direction, center_, radius_);
     if (!roots) return {};
     return Span{roots->first, roots->second, 0, 0}.First(ray);
   }
@@ -39,15 +39,15 @@ class Sphere : public Shape {
     MeshData data;
     if (IsDegenerate()) return data;
     const int rows = std::max(2, fineness / 2);
-    AddSheet(data, fineness, rows, [&](int column, int row) {
+    AddGrid(data, fineness, rows, [&](int column, int row) {
       // Against the sense of u, so that fronts are outside with +z up; the poles and the seam meet to the bit.
       const double turn = -2 * std::numbers::pi * (column % fineness) / fineness;
       const double tilt = std::numbers::pi * row / rows;
       const double across = row == 0 || row == rows ? 0 : std::sin(tilt);
       const Vector outward{across * std::sin(turn), across * std::cos(turn), -std::cos(tilt)};
-      return SheetCorner{center_ + radius_ * outward,
-                         AsNormal(outward),
-                         {1 - static_cast<double>(column) / fineness, static_cast<double>(row) / rows}};
+      return GridCorner{center_ + radius_ * outward,
+                        AsNormal(outward),
+                        {1 - static_cast<double>(column) / fineness, static_cast<double>(row) / rows}};
     });
     return data;
   }

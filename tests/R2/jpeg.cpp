@@ -53,7 +53,8 @@ TEST(Jpeg, GrayAndProgressivePicturesAreRead) {
 }
 
 TEST(Jpeg, InksAreRefusedByName) {
-  EXPECT_EQ(Complaint(Flat(9, 4, JCS_CMYK)), "JPEG has 4 components (CMYK?); gray and three colours are read");
+  EXPECT_EQ(Complaint(Flat(9, 4, JCS_CMYK)),
+            "JPEG has 4 components (CMYK?); only 1 (gray) and 3 (color) are supported");
 }
 
 // Half the colour resolution puts coloured fringes on rendered edges.
