@@ -238,9 +238,9 @@ class Reader {
 std::vector<ScriptStep> ReadEventScript(const Text& text) { return Reader(text).Read(); }
 
 std::string ScriptLine(const Event& event) {
-  const auto place = [](double x, double y) { return " " + ToText(x) + " " + ToText(y); };
+  const auto xy = [](double x, double y) { return " " + ToText(x) + " " + ToText(y); };
   struct Writer {
-    decltype(place)& at;
+    decltype(xy)& at;
     std::string operator()(const KeyEvent& e) const {
       return (e.is_pressed ? "press " : "release ") + NameOf(e.key, e.modifiers);
     }
@@ -256,7 +256,7 @@ std::string ScriptLine(const Event& event) {
     std::string operator()(const TickEvent& e) const { return "tick " + ToText(e.seconds); }
     std::string operator()(const CloseEvent&) const { return "close"; }
   };
-  return std::visit(Writer{place}, event) + "\n";
+  return std::visit(Writer{xy}, event) + "\n";
 }
 
 }  // namespace ray

@@ -164,7 +164,7 @@ class GlfwWindow : public Window {
     events_.emplace_back(KeyEvent{key, modifiers, action != GLFW_RELEASE});
   }
 
-  // The pointer's place is the last one told: asked for now, it would be where the pointer has gone since.
+  // The pointer is where its last event said: asked for now, it would be where it has gone since.
   void OnButton(int theirs, bool is_pressed, const Modifiers& modifiers) {
     if (theirs > GLFW_MOUSE_BUTTON_MIDDLE) return;
     const Button button = theirs == GLFW_MOUSE_BUTTON_LEFT    ? Button::left

@@ -34,7 +34,7 @@ Type FindInLibrary(const char* name) {
 }
 
 /// Every function of OpenGL that we call, in OSMesa. libepoxy looks them up through GLX and EGL, which know nothing of
-/// it, so they take the place of what its pointers hold until the end of this.
+/// it, so they replace what its pointers hold while this exists.
 class Functions {
  public:
   // clang-format off

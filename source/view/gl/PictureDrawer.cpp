@@ -17,11 +17,11 @@ namespace {
 constexpr const char* vertex_shader = R"(#version 330 core
 uniform vec3 corners[4];
 uniform mat4 clip_from_drawing;
-out vec2 place;
+out vec2 uv;
 void main() {
   // The corners go round, a strip goes to and fro.
   int corner = gl_VertexID < 2 ? gl_VertexID : 5 - gl_VertexID;
-  place = vec2(corner == 1 || corner == 2, corner >= 2);
+  uv = vec2(corner == 1 || corner == 2, corner >= 2);
   gl_Position = clip_from_drawing * vec4(corners[corner], 1);
 }
 )";
@@ -29,7 +29,7 @@ void main() {
 // The byte a channel is shown as is guessed with the curve, then set right by the table of where bytes begin: what is
 // seen is what an image file would hold, whatever the driver's pow() is worth.
 constexpr const char* fragment_shader = R"(#version 330 core
-in vec2 place;
+in vec2 uv;
 uniform sampler2D picture;
 uniform sampler2D steps;
 uniform float exposure;
@@ -50,7 +50,7 @@ float Shown(float linear) {
 
 void main() {
   ivec2 size = textureSize(picture, 0);
-  ivec2 texel = clamp(ivec2(floor(place * vec2(size))), ivec2(0), size - 1);
+  ivec2 texel = clamp(ivec2(floor(uv * vec2(size))), ivec2(0), size - 1);
   if (texel.y >= rows) discard;
   vec3 light = exposure * texelFetch(picture, texel, 0).rgb;
   color = vec4(Shown(light.r), Shown(light.g), Shown(light.b), alpha);

@@ -11,26 +11,26 @@ namespace {
 
 constexpr const char* vertex_shader = R"(#version 330 core
 layout(location = 0) in vec2 at;      // pixels
-layout(location = 1) in vec2 in_sheet;  // pixels
+layout(location = 1) in vec2 on_sheet;  // pixels
 layout(location = 2) in vec4 color;
 uniform vec2 size;
-out vec2 glyph_place;
+out vec2 texel;
 out vec4 ink;
 void main() {
   gl_Position = vec4(2.0 * at / size - 1.0, 0, 1);
-  glyph_place = in_sheet;
+  texel = on_sheet;
   ink = color;
 }
 )";
 
 constexpr const char* fragment_shader = R"(#version 330 core
-in vec2 glyph_place;
+in vec2 texel;
 in vec4 ink;
 uniform sampler2D sheet;
 out vec4 color;
 void main() {
   // Left of the sheet is the ground.
-  if (glyph_place.x >= 0.0 && texelFetch(sheet, ivec2(glyph_place), 0).r < 0.5) discard;
+  if (texel.x >= 0.0 && texelFetch(sheet, ivec2(texel), 0).r < 0.5) discard;
   color = ink;
 }
 )";
@@ -48,10 +48,10 @@ struct Rectangle {
   float x, y, width, height;
 };
 
-void Add(std::vector<TextVertex>& vertices, const Rectangle& at, const Rectangle& in_sheet, const Rgba& color) {
+void Add(std::vector<TextVertex>& vertices, const Rectangle& at, const Rectangle& on_sheet, const Rgba& color) {
   const auto corner = [&](float i, float j) {
-    return TextVertex{at.x + i * at.width, at.y + j * at.height, in_sheet.x + i * in_sheet.width,
-                      in_sheet.y + j * in_sheet.height, color};
+    return TextVertex{at.x + i * at.width, at.y + j * at.height, on_sheet.x + i * on_sheet.width,
+                      on_sheet.y + j * on_sheet.height, color};
   };
   for (const TextVertex& v : {corner(0, 0), corner(1, 0), corner(1, 1), corner(0, 0), corner(1, 1), corner(0, 1)})
     vertices.push_back(v);

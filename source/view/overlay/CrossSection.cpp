@@ -108,14 +108,14 @@ class Joining {
   /// the inside to its left, that is, where it leaves the shape.
   void VisitRow(std::uint32_t crossing, int row) {
     const Crossing& c = cut_.crossings[crossing];
-    const int column = grid_.ColumnBelow(c.place.x);
+    const int column = grid_.ColumnBelow(c.on_slice.x);
     visits_.push_back({CellAt(column, row), c.instance, crossing, Side::lower, !c.enters});
     visits_.push_back({CellAt(column, row - 1), c.instance, crossing, Side::upper, c.enters});
   }
   /// Of one on a column: cells to the right and to the left.
   void VisitColumn(std::uint32_t crossing, int column) {
     const Crossing& c = cut_.crossings[crossing];
-    const int row = grid_.RowBelow(c.place.y);
+    const int row = grid_.RowBelow(c.on_slice.y);
     visits_.push_back({CellAt(column, row), c.instance, crossing, Side::left, c.enters});
     visits_.push_back({CellAt(column - 1, row), c.instance, crossing, Side::right, !c.enters});
   }
@@ -164,7 +164,7 @@ class Joining {
   /// came from a curve goes back only if there is no better way.
   double Bend(const Visit& a, const Visit& b) const {
     const Crossing &p = cut_.crossings[a.crossing], &q = cut_.crossings[b.crossing];
-    const R2::Vector way = q.place - p.place;
+    const R2::Vector way = q.on_slice - p.on_slice;
     const double length = std::sqrt(Dot(way, way));
     const auto off = [&](const R2::Vector& normal) {
       const double both = length * std::sqrt(Dot(normal, normal));
@@ -183,12 +183,12 @@ class Joining {
     const double lengths = std::sqrt(Dot(p.normal, p.normal) * Dot(q.normal, q.normal));
     if (!(std::abs(turn) > least_sine * lengths)) return {};
     // p + x with normal_p . x = 0 and normal_q . x = normal_q . (q - p).
-    const double along = Dot(q.normal, q.place - p.place) / turn;
-    const R2::Point corner = p.place + along * R2::Vector{-p.normal.y, p.normal.x};
+    const double along = Dot(q.normal, q.on_slice - p.on_slice) / turn;
+    const R2::Point corner = p.on_slice + along * R2::Vector{-p.normal.y, p.normal.x};
     const auto is_near = [&](const R2::Point& a) {
       return std::max(std::abs(corner.x - a.x), std::abs(corner.y - a.y)) <= grid_.size;
     };
-    if (!is_near(p.place) || !is_near(q.place)) return {};
+    if (!is_near(p.on_slice) || !is_near(q.on_slice)) return {};
     return corner;
   }
 
@@ -249,9 +249,9 @@ Lines CutLines(const SceneCut& cut, const World& world) {
     const double most = std::max({color.r, color.g, color.b});
     const Rgba shown = most > 0 && std::isfinite(most) ? Shown(0.35 * R2::Color{1, 1, 1} + 0.65 / most * color)
                                                        : Rgba{128, 128, 128, 255};
-    const R2::Point corner = piece.corner.value_or(to.place);
-    AddLine(lines, cut.slice.At(from.place), cut.slice.At(corner), shown);
-    if (piece.corner) AddLine(lines, cut.slice.At(corner), cut.slice.At(to.place), shown);
+    const R2::Point corner = piece.corner.value_or(to.on_slice);
+    AddLine(lines, cut.slice.At(from.on_slice), cut.slice.At(corner), shown);
+    if (piece.corner) AddLine(lines, cut.slice.At(corner), cut.slice.At(to.on_slice), shown);
   }
   return lines;
 }

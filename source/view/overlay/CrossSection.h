@@ -10,7 +10,7 @@
 #include "source/scene/Camera.h"
 #include "source/view/Drawing.h"
 
-/// A scene cut by a plane, drawn in that plane.
+/// The cross section of a scene, drawn in its plane.
 namespace ray {
 
 /// Which plane: two axes of the world, or all camera rays of one row of the picture.
@@ -22,13 +22,13 @@ struct Slice {
   R3::Vector u{1, 0, 0}, v{0, 1, 0};  // unit, perpendicular: to the right and upward
   double extent = 1;                  // half a side, > 0
 
-  /// Where p lies when it is dropped onto the plane.
+  /// The orthogonal projection of p onto the plane.
   R2::Point Project(const R3::Point& p) const { return {Dot(p - center, u), Dot(p - center, v)}; }
   R2::Vector Project(const R3::Vector& d) const { return {Dot(d, u), Dot(d, v)}; }
-  R3::Point InWorld(const R2::Point& place) const { return center + place.x * u + place.y * v; }
-  /// Places for drawing: the square from -1 to 1, z = 0.
-  std::array<float, 3> At(const R2::Point& place) const {
-    return {static_cast<float>(place.x / extent), static_cast<float>(place.y / extent), 0};
+  R3::Point InWorld(const R2::Point& p) const { return center + p.x * u + p.y * v; }
+  /// For drawing: in the square from -1 to 1, z = 0.
+  std::array<float, 3> At(const R2::Point& p) const {
+    return {static_cast<float>(p.x / extent), static_cast<float>(p.y / extent), 0};
   }
 };
 
@@ -42,9 +42,9 @@ Slice CameraSlice(const Camera& camera, double y, int width, int height, const R
 
 /// Where the surface of an instance crosses a line of the grid that a slice is searched by.
 struct Crossing {
-  R2::Point place;     // in the slice
+  R2::Point on_slice;  // in its coordinates
   R3::Point position;  // in the world; within its Intersection's error of the surface
-  R2::Vector normal;   // outward, dropped onto the plane: shorter than 1 where the surface is not met straight
+  R2::Vector normal;   // outward, projected onto the plane: shorter than 1 unless the surface is perpendicular to it
   std::uint32_t instance = 0;
   bool enters = false;  // going along the grid line in the direction of u or v
 };
@@ -70,11 +70,11 @@ inline constexpr int most_crossings = 4096;  // of one grid line
 ///
 /// Crossings are as exact as any hit. Pieces are not: they say that a surface goes on from one crossing to the next,
 /// which what is smaller than a cell (2 extent / lines) may belie. What lies between two neighboring grid lines both
-/// ways is not found. Of surfaces in the very same place only one is. Surfaces that lie in the plane itself are there
+/// ways is not found. Of coinciding surfaces only one is found. Surfaces that lie in the plane itself are there
 /// as their shapes answer to rays in them: a box by its outline, a triangle not at all.
 SceneCut CutOf(const World& world, const Accelerator& accelerator, const Slice& slice, int lines);
 
-/// The pieces, each in the color of its instance's material, made bright enough for a dark ground.
+/// The pieces, each in the color of its instance's material, made bright enough for a dark background.
 Lines CutLines(const SceneCut& cut, const World& world);
 
 }  // namespace ray

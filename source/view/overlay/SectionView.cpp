@@ -71,9 +71,9 @@ Lines SectionView::Drawing(const LoadedScene& scene, const RayLook& look) const 
   const Slice& slice = cut_->slice;
   for (std::size_t i = 0; i < cut_->crossings.size(); i += normal_every) {
     const Crossing& crossing = cut_->crossings[i];
-    const R2::Point tip{crossing.place.x + crossing_normal_length * slice.extent * crossing.normal.x,
-                        crossing.place.y + crossing_normal_length * slice.extent * crossing.normal.y};
-    AddLine(lines, slice.At(crossing.place), slice.At(tip), crossing_normal_color);
+    const R2::Point tip{crossing.on_slice.x + crossing_normal_length * slice.extent * crossing.normal.x,
+                        crossing.on_slice.y + crossing_normal_length * slice.extent * crossing.normal.y};
+    AddLine(lines, slice.At(crossing.on_slice), slice.At(tip), crossing_normal_color);
   }
   // Rays are drawn in a space of their own and dropped onto the plane from there.
   const Lines in_space = RayLines(rays_, DrawingSpace{slice.center, slice.extent}, look);

@@ -68,7 +68,7 @@ double Distance(const R2::Point& a, const R2::Point& b) { return std::hypot(a.x 
 double LengthOf(const ray::SceneCut& cut) {
   double sum = 0;
   for (const ray::CutPiece& piece : cut.pieces) {
-    const R2::Point &a = cut.crossings[piece.from].place, &b = cut.crossings[piece.to].place;
+    const R2::Point &a = cut.crossings[piece.from].on_slice, &b = cut.crossings[piece.to].on_slice;
     sum += piece.corner ? Distance(a, *piece.corner) + Distance(*piece.corner, b) : Distance(a, b);
   }
   return sum;
@@ -88,12 +88,12 @@ TEST(CrossSection, OfASphereIsTheCircleThatGeometrySays) {
   const R2::Point middle = cut.slice.Project(R3::Point{1, 2.9, 3});
   EXPECT_GT(cut.crossings.size(), 150u);
   for (const ray::Crossing& c : cut.crossings) {
-    EXPECT_NEAR(Distance(c.place, middle), radius, exact);
+    EXPECT_NEAR(Distance(c.on_slice, middle), radius, exact);
     EXPECT_NEAR(c.position.y, 2.9, exact);
     EXPECT_NEAR(Length(c.position - R3::Point{1, 2, 3}), 1.5, exact);
     // Outward, and shortened as the plane is off the middle.
-    EXPECT_NEAR(c.normal.x, (c.place.x - middle.x) / 1.5, exact);
-    EXPECT_NEAR(c.normal.y, (c.place.y - middle.y) / 1.5, exact);
+    EXPECT_NEAR(c.normal.x, (c.on_slice.x - middle.x) / 1.5, exact);
+    EXPECT_NEAR(c.normal.y, (c.on_slice.y - middle.y) / 1.5, exact);
   }
   EXPECT_EQ(ClosedCurves(cut), 1);
   EXPECT_NEAR(LengthOf(cut), 2 * std::numbers::pi * radius, 1e-2);
@@ -135,7 +135,7 @@ TEST(CrossSection, OfACylinderAlongItsAxisIsARectangleAndAcrossItAnEllipse) {
   const ray::SceneCut across = model.Cut(slanted);
   EXPECT_EQ(ClosedCurves(across), 1);
   for (const ray::Crossing& c : across.crossings)
-    EXPECT_NEAR(c.place.x * c.place.x + std::pow(c.place.y * std::cos(tilt), 2), 0.25, exact);
+    EXPECT_NEAR(c.on_slice.x * c.on_slice.x + std::pow(c.on_slice.y * std::cos(tilt), 2), 0.25, exact);
 }
 
 TEST(CrossSection, OfAConeAreAllTheConics) {
@@ -146,7 +146,7 @@ TEST(CrossSection, OfAConeAreAllTheConics) {
     const ray::SceneCut cut = model.Cut(slice);
     EXPECT_EQ(ClosedCurves(cut), 1) << tilt;
     for (const ray::Crossing& c : cut.crossings) {
-      const R3::Point p = slice.InWorld(c.place);
+      const R3::Point p = slice.InWorld(c.on_slice);
       const double side = std::abs(std::hypot(p.x, p.z) - (1 - p.y) / 2), base = std::abs(p.y + 1);
       EXPECT_LE(std::min(side, base), exact) << tilt;
     }
@@ -195,9 +195,9 @@ TEST(CrossSection, IsExactForEverySolidTurnedMirroredAndStretched) {
       ++cuts;
       torn += ClosedCurves(cut) != 1;  // all are convex
       for (const ray::Crossing& c : cut.crossings) {
-        const R3::Point local = world_from_local.Inverse() * slice.InWorld(c.place);
+        const R3::Point local = world_from_local.Inverse() * slice.InWorld(c.on_slice);
         EXPECT_LE(off_surface.at(kind->name)(local), exact) << kind->name << ' ' << i;
-        EXPECT_LE(Length(slice.InWorld(c.place) - c.position), exact * bounds.Radius()) << kind->name << ' ' << i;
+        EXPECT_LE(Length(slice.InWorld(c.on_slice) - c.position), exact * bounds.Radius()) << kind->name << ' ' << i;
       }
     }
   }
@@ -232,7 +232,7 @@ TEST(CrossSection, InThePlaneOfAFaceEndsAndShowsItsOutline) {
   EXPECT_EQ(cut.lines_given_up, 0);
   EXPECT_EQ(ClosedCurves(cut), 1);
   for (const ray::Crossing& c : cut.crossings)
-    EXPECT_NEAR(std::max(std::abs(c.place.x), std::abs(c.place.y)), 1, exact);
+    EXPECT_NEAR(std::max(std::abs(c.on_slice.x), std::abs(c.on_slice.y)), 1, exact);
 }
 
 TEST(CrossSection, InThePlaneOfTrianglesEnds) {
@@ -241,7 +241,8 @@ TEST(CrossSection, InThePlaneOfTrianglesEnds) {
                              R3::MakeShape("tri", {-1, 1, -1, 1, 1, -1, 0, 1, 1})}));
   const ray::SceneCut cut = model.Cut(ray::SlicePlane::xz, {0, 1, 0});
   EXPECT_EQ(cut.lines_given_up, 0);
-  for (const ray::Crossing& c : cut.crossings) EXPECT_LE(std::max(std::abs(c.place.x), std::abs(c.place.y)), 1 + exact);
+  for (const ray::Crossing& c : cut.crossings)
+    EXPECT_LE(std::max(std::abs(c.on_slice.x), std::abs(c.on_slice.y)), 1 + exact);
 }
 
 TEST(CrossSection, OfThingsInTheSamePlaceEnds) {
@@ -312,7 +313,7 @@ TEST(CrossSection, AlongARowOfThePictureHoldsAllItsRaysAndTheirHits) {
   const ray::SceneCut cut = model.Cut(slice);
   EXPECT_EQ(ClosedCurves(cut), 1);
   const R2::Point middle = slice.Project(R3::Point{0.5, -0.25, 1});
-  const double radius = Distance(cut.crossings[0].place, middle);
+  const double radius = Distance(cut.crossings[0].on_slice, middle);
   int hits = 0;
   ray::Workspace workspace;
   for (int x = 0; x < 200; ++x) {
