@@ -172,7 +172,7 @@ class Viewer {
   double now_ = 0, last_look_at_files_ = 0, last_click_ = -1;  // seconds of ticks
   R2::Point last_click_at_;
   std::uint64_t changes_seen_ = 0;
-  std::shared_ptr<const Lines> lines_, section_lines_;  // null when they must be made anew
+  std::shared_ptr<const Lines> lines_, section_lines_;  // null when they must be rebuilt
   std::vector<std::uint32_t> versions_;                 // of the rows of frames when last seen
   bool needs_redraw_ = true, is_closed_ = false;
 };

@@ -26,7 +26,7 @@ constexpr const ContextKind* osmesa = &osmesa_context;
 constexpr const ContextKind* osmesa = nullptr;
 #endif
 
-// In the order in which they are tried: EGL finds a graphics card where there is one.
+// In the order in which they are tried: EGL finds a GPU where there is one.
 constexpr std::array known_kinds{KnownKind{"egl", "libepoxy-dev", egl}, KnownKind{"osmesa", "libosmesa6-dev", osmesa}};
 
 std::unique_ptr<Context> MakeFirst() {

@@ -6,8 +6,7 @@
 
 #include "source/view/contexts/ContextKind.h"
 
-// Without a window through EGL: on a graphics card where there is one, else through what the library draws with by
-// itself, which needs neither a card nor a display.
+// Without a window through EGL: on a GPU where there is one, else in Mesa's software renderer, which needs no display.
 //   source   Khronos, EGL 1.5; EGL_EXT_device_enumeration, EGL_EXT_platform_device, EGL_MESA_platform_surfaceless,
 //            EGL_KHR_surfaceless_context, EGL_KHR_no_config_context
 namespace ray {
@@ -21,7 +20,7 @@ std::string LastError() {
 }
 
 struct Devices {
-  std::vector<EGLDeviceEXT> cards, software;
+  std::vector<EGLDeviceEXT> gpus, software;
 };
 
 Devices AllDevices() {
@@ -34,7 +33,7 @@ Devices AllDevices() {
   for (EGLDeviceEXT device : all) {
     const bool is_software =
         epoxy_extension_in_string(eglQueryDeviceStringEXT(device, EGL_EXTENSIONS), "EGL_MESA_device_software");
-    (is_software ? devices.software : devices.cards).push_back(device);
+    (is_software ? devices.software : devices.gpus).push_back(device);
   }
   return devices;
 }
@@ -50,7 +49,7 @@ std::vector<EGLDisplay> Displays() {
     const EGLDisplay display = eglGetPlatformDisplayEXT(platform, what, nullptr);
     if (display != EGL_NO_DISPLAY) displays.push_back(display);
   };
-  for (EGLDeviceEXT device : devices.cards) add(EGL_PLATFORM_DEVICE_EXT, device);
+  for (EGLDeviceEXT device : devices.gpus) add(EGL_PLATFORM_DEVICE_EXT, device);
   if (has("EGL_MESA_platform_surfaceless")) add(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY);
   for (EGLDeviceEXT device : devices.software) add(EGL_PLATFORM_DEVICE_EXT, device);
   return displays;
