@@ -36,7 +36,8 @@ Assets::BoxedMesh Assets::Mesh(const std::string& name, const std::string& named
 
 Assets::BoxedMesh Assets::ReadMesh(const FoundFile& file, Normals use) {
   const MeshFormat* format = MeshFormatForName(file.shown);
-  if (!format) throw FileError{QuotedPath(file.shown) + " is no mesh of a known kind", "kinds are " + MeshExtensions()};
+  if (!format)
+    throw FileError{"cannot read " + QuotedPath(file.shown) + " as a mesh", "supported: " + MeshExtensions()};
   R3::MeshData data;
   {
     const Text text{file.shown, Read(file)};  // gone before the mesh is built from its data
@@ -47,12 +48,12 @@ Assets::BoxedMesh Assets::ReadMesh(const FoundFile& file, Normals use) {
   boxed.bounds = Bounds(*boxed.mesh);
 
   const std::string place = Escaped(file.shown);
-  if (!has_triangles) report_.Warn(place, "this mesh has no faces");
+  if (!has_triangles) report_.Warn(place, "the mesh has no faces");
   if (const int dropped = boxed.mesh->DroppedTriangles(); dropped > 0)
-    report_.Warn(place, dropped == 1 ? "1 triangle has no area and is left out"
-                                     : std::to_string(dropped) + " triangles have no area and are left out");
+    report_.Warn(place, dropped == 1 ? "1 degenerate triangle skipped"
+                                     : std::to_string(dropped) + " degenerate triangles skipped");
   if (use == Normals::wanted && !has_normals)
-    report_.Warn(place, "this mesh brings no vertex normals: 'smooth' changes nothing");
+    report_.Warn(place, "the mesh has no vertex normals: 'smooth' has no effect");
   return boxed;
 }
 
@@ -74,7 +75,7 @@ std::shared_ptr<const Environment> Assets::EnvironmentOf(const FoundFile& file) 
   try {
     return std::make_shared<const Environment>(ReadImage(file, Use::color));
   } catch (const std::invalid_argument& error) {
-    throw FileError{"cannot light the scene by " + QuotedPath(file.shown) + ": " + error.what(), {}};
+    throw FileError{"cannot use " + QuotedPath(file.shown) + " as an environment: " + error.what(), {}};
   }
 }
 
@@ -90,7 +91,7 @@ R2::Image Assets::ReadImage(const FoundFile& file, Use use) {
     const bool is_encoded = decode_srgb_ && use == Use::color && !decoded.format->is_linear;
     return is_encoded ? Linear(std::move(decoded.image)) : std::move(decoded.image);
   } catch (const R2::ImageError& error) {
-    throw FileError{"cannot read the image " + QuotedPath(file.shown) + ": " + error.what(), {}};
+    throw FileError{"cannot read image " + QuotedPath(file.shown) + ": " + error.what(), {}};
   }
 }
 

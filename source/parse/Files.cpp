@@ -92,7 +92,7 @@ std::string ReadAll(const Handle& handle, const struct stat& status, const std::
     if (count < 0) throw FileError{"cannot read " + QuotedPath(shown) + ": " + Reason(errno), {}};
     if (count == 0) break;
     filled += static_cast<std::size_t>(count);
-    if (filled > Files::max_bytes) throw FileError{QuotedPath(shown) + " is longer than the limit of 1 GiB", {}};
+    if (filled > Files::max_bytes) throw FileError{QuotedPath(shown) + " exceeds the limit of 1 GiB", {}};
     if (filled == bytes.size()) bytes.resize(std::min(2 * bytes.size(), Files::max_bytes + 1));
   }
   bytes.resize(filled);
@@ -127,8 +127,8 @@ FoundFile Files::Find(const std::string& name, const std::string& named_in) cons
     if (error) throw FileError{"cannot open " + Quoted(name) + ": " + error.message(), {}};
     if (!IsAllowed(canonical)) {
       const std::string folder = Escaped(canonical.parent_path().string());
-      throw FileError{Quoted(name) + " lies outside the scene's folder and the current one",
-                      "-allow_path " + folder + " opens its folder"};
+      throw FileError{Quoted(name) + " is outside the scene's folder and the current folder",
+                      "-allow_path " + folder + " allows it"};
     }
     return {candidate.lexically_normal().string(), std::move(canonical)};
   }

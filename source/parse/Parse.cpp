@@ -30,7 +30,8 @@ ReadScene ReaderOf(const std::filesystem::path& file) {
   }
   if (MeshFormatForName(file.string())) return ReadMeshScene;
   throw SceneErrors(
-      {ErrorIn(file.string(), "unknown kind of scene; kinds are " + known + ", and of meshes " + MeshExtensions())});
+      {ErrorIn(file.string(), extension.empty() ? "no file extension" : "cannot read " + Quoted(extension),
+               "supported: scenes " + known + "; meshes " + MeshExtensions())});
 }
 
 /// The environment that the user names, wherever it lies.
@@ -58,7 +59,7 @@ ParsedScene Parse(const std::filesystem::path& file, const ParseOptions& options
     parsed.warnings = report.Warnings();
     return parsed;
   } catch (const std::bad_alloc&) {
-    throw SceneErrors({ErrorIn(file.string(), "there is not enough memory for this scene")});
+    throw SceneErrors({ErrorIn(file.string(), "not enough memory for this scene")});
   }
 }
 

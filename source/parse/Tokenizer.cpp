@@ -77,7 +77,7 @@ std::optional<SceneError> FindNul(const Text& text) {
     if (before[i] == '\n' || i + 1 == nul || before[i + 1] != '\n') ++token.line;
   }
   token.column = 1 + CountCharacters(before.substr(line_start));
-  return ErrorAt(text, token, "a NUL byte: this is not a text file", "UTF-16 has to be saved as UTF-8 first");
+  return ErrorAt(text, token, "NUL byte: this is not a text file", "save UTF-16 as UTF-8");
 }
 
 }  // namespace ray

@@ -23,8 +23,8 @@ EnvironmentLayout LayoutOf(const R2::Image& image) {
   // Whole faces follow: 4 w = 3 h has whole solutions only in threes and fours.
   if (width > 0 && (4 * width == 3 * height || 3 * width == 4 * height)) return EnvironmentLayout::cross;
   throw std::invalid_argument(
-      "an environment's image is twice as wide as high (latitude and longitude), square (an angular probe), or 3:4 or "
-      "4:3 (a cross of six cube faces); this one is " +
+      "an environment map must be 2:1 (latitude-longitude), 1:1 (angular probe), or 3:4 or 4:3 (cross of six cube "
+      "faces), got " +
       Number(image.Width()) + " x " + Number(image.Height()));
 }
 
@@ -34,8 +34,8 @@ void CheckValues(const R2::Image& image) {
     for (int x = 0; x < image.Width(); ++x) {
       const R2::Color c = image.At(x, y);
       if (is_light(c.r) && is_light(c.g) && is_light(c.b)) continue;
-      throw std::invalid_argument("the light of an environment must be finite and not negative, but the pixel " +
-                                  Number(x) + " from the left and " + Number(y) + " from the bottom is " + Words(c));
+      throw std::invalid_argument("radiance must be finite and not negative, but pixel " + Number(x) + " " + Number(y) +
+                                  " (from the left, from the bottom) is " + Words(c));
     }
 }
 
@@ -215,7 +215,7 @@ Environment::Sample Environment::Draw(const R2::Point& u) const {
   const DiscreteDistribution::Drawn row = rows_.Draw(u.y), column = columns_[row.index].Draw(u.x);
   const Texel texel{static_cast<int>(column.index), static_cast<int>(row.index)};
   R3::Vector direction = Inside(texel, {column.rest, row.rest});
-  // A place at the very edge may round to the neighbour, which may be black; the middle then stands for it.
+  // A place at the very edge may round to the neighbor, which may be black; the middle then stands for it.
   if (!(At(direction) == texel)) direction = Inside(texel, {0.5, 0.5});
   return {direction, map_.At(texel.column, texel.row), Pdf(texel)};
 }

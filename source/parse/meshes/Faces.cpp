@@ -34,11 +34,10 @@ const char* Faces::Add(std::span<const std::uint32_t> places, std::span<const st
 void Faces::Warn(const Text& file, Report& report) const {
   const std::string place = Escaped(file.name);
   if (fanned_ > 0)
-    report.Warn(place, "concave faces of more than " + std::to_string(max_concave_corners) +
-                           " corners, cut as if they were convex: " + std::to_string(fanned_));
-  if (too_small_ == 1) report.Warn(place, "1 face has fewer than 3 corners and is left out");
-  if (too_small_ > 1)
-    report.Warn(place, std::to_string(too_small_) + " faces have fewer than 3 corners and are left out");
+    report.Warn(place, "concave faces with more than " + std::to_string(max_concave_corners) +
+                           " corners, triangulated as if convex: " + std::to_string(fanned_));
+  if (too_small_ == 1) report.Warn(place, "1 face with fewer than 3 corners skipped");
+  if (too_small_ > 1) report.Warn(place, std::to_string(too_small_) + " faces with fewer than 3 corners skipped");
 }
 
 }  // namespace ray

@@ -26,7 +26,8 @@ double MeshWords::Number(const Part& part) {
 
 double MeshWords::Coordinate(const Part& part) {
   const double value = Number(part);
-  if (!IsCoordinate(value)) Fail(last_, part.Words() + " must not exceed 1e150, got " + Escaped(last_.text));
+  if (!IsCoordinate(value))
+    Fail(last_, part.Words() + " must not exceed 1e150 in magnitude, got " + Escaped(last_.text));
   return value;
 }
 

@@ -27,7 +27,7 @@ class HeaderReader {
   explicit HeaderReader(MeshWords& words) : words_(words) {}
 
   PlyHeader Read() {
-    if (Need("the word ply").text != "ply") words_.Fail(words_.Last(), "a .ply file begins with ply");
+    if (Need("ply").text != "ply") words_.Fail(words_.Last(), "a .ply file must begin with 'ply'");
     while (Need("end_header").text != "end_header") ReadLine();
     header_.data_offset = BehindLine();
     return std::move(header_);
@@ -47,7 +47,7 @@ class HeaderReader {
     else if (keyword.text == "comment" || keyword.text == "obj_info")
       words_.SkipLine();
     else
-      words_.Fail(keyword, "unknown word in the header: " + Quoted(keyword.text));
+      words_.Fail(keyword, "unknown header keyword " + Quoted(keyword.text));
   }
 
   void ReadFormat() {
@@ -60,29 +60,29 @@ class HeaderReader {
       header_.encoding = PlyEncoding::big_endian;
     else
       words_.Fail(word, "unknown format " + Quoted(word.text),
-                  "formats are ascii, binary_little_endian, binary_big_endian");
+                  "supported: ascii, binary_little_endian, binary_big_endian");
     const Token version = Need("the version");
-    if (version.text != "1.0") words_.Fail(version, "only version 1.0 is read, not " + Quoted(version.text));
+    if (version.text != "1.0") words_.Fail(version, "the version must be 1.0, got " + Quoted(version.text));
   }
 
   void ReadElement() {
     PlyElement element;
     element.name = Need("the name of an element").text;
-    const std::int64_t count = words_.Whole({"a count"});
+    const std::int64_t count = words_.Whole({"the number of elements"});
     element.where = words_.Last();
-    if (count < 0) words_.Fail(words_.Last(), "a count must not be negative");
+    if (count < 0) words_.Fail(words_.Last(), "the number of elements must not be negative");
     element.count = static_cast<std::size_t>(count);
     header_.elements.push_back(std::move(element));
   }
 
   void ReadProperty() {
-    if (header_.elements.empty()) words_.Fail(words_.Last(), "a property before any element");
+    if (header_.elements.empty()) words_.Fail(words_.Last(), "property before any element");
     PlyProperty property;
     Token type = Need("the rest of a property");
     if (type.text == "list") {
       property.count_type = TypeOf(Need("the rest of a property"));
       if (*property.count_type == PlyType::float32 || *property.count_type == PlyType::float64)
-        words_.Fail(words_.Last(), "the count of a list must be of an integer type");
+        words_.Fail(words_.Last(), "the count of a list must have an integer type");
       type = Need("the rest of a property");
     }
     property.type = TypeOf(type);
@@ -95,7 +95,7 @@ class HeaderReader {
     for (const TypeName& type : type_names)
       if (word.text == type.name) return type.type;
     words_.Fail(word, "unknown type " + Quoted(word.text),
-                "types are char, uchar, short, ushort, int, uint, float, double");
+                "supported: char, uchar, short, ushort, int, uint, float, double");
   }
 
   // In binary files the data may begin with a byte that looks like a line end, so exactly one is passed over, of the

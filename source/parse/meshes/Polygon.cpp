@@ -45,7 +45,7 @@ bool FanFits(std::span<const R2::Point> polygon) {
 }
 
 /// Cuts off one corner after the other. Which corners are ears is kept up to date: cutting changes it for the two
-/// neighbours only.
+/// neighbors only.
 class EarClipping {
  public:
   explicit EarClipping(std::span<const R2::Point> polygon) : polygon_(polygon) {

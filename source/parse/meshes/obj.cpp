@@ -76,7 +76,7 @@ class ObjReader {
       return part;
     };
     const std::string_view place = next(), uv = next(), normal = next();
-    if (!rest.empty()) words_.Fail(word, "a corner is vertex/texture/normal, got " + Quoted(word.text));
+    if (!rest.empty()) words_.Fail(word, "a corner must be vertex/texture/normal, got " + Quoted(word.text));
     Corner corner{IndexOf(word, place, mesh_.positions.size(), "vertex")};
     if (!uv.empty()) corner.uv = IndexOf(word, uv, uvs_.size(), "texture vertex");
     if (!normal.empty()) corner.normal = IndexOf(word, normal, normals_.size(), "normal");
@@ -90,7 +90,7 @@ class ObjReader {
     const auto known = static_cast<std::int64_t>(count);
     if (number == 0 || number > known || number < -known)
       words_.Fail(word, std::string("no ") + what + " " + Escaped(text),
-                  "there are " + std::to_string(count) + " so far, counted from 1");
+                  std::to_string(count) + " defined before this line, numbered from 1");
     return static_cast<std::uint32_t>(number > 0 ? number - 1 : known + number);
   }
 

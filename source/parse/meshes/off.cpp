@@ -14,7 +14,7 @@ struct Header {
 };
 
 Header ReadHeader(MeshWords& words) {
-  const Token word = words.Need({"the word OFF"});
+  const Token word = words.Need({"OFF"});
   std::string_view rest = word.text;
   const auto takes = [&](std::string_view prefix) {
     const bool found = rest.starts_with(prefix) && rest != "OFF";
@@ -26,8 +26,8 @@ Header ReadHeader(MeshWords& words) {
   header.has_color = takes("C");
   header.has_normal = takes("N");
   if (rest == "4OFF" || rest == "nOFF" || rest == "4nOFF")
-    words.Fail(word, "vertices of four and more dimensions are not read");
-  if (rest != "OFF") words.Fail(word, "an .off file begins with OFF, not " + Quoted(word.text));
+    words.Fail(word, "vertices of four or more dimensions are not supported");
+  if (rest != "OFF") words.Fail(word, "an .off file must begin with 'OFF', got " + Quoted(word.text));
   return header;
 }
 
@@ -39,7 +39,7 @@ std::size_t ReadCount(MeshWords& words, const char* what) {
 
 void CheckPromise(const MeshWords& words, std::size_t count, const char* what, std::size_t least_bytes) {
   if (count <= words.BytesLeft() / least_bytes + 1) return;
-  words.Fail(words.Last(), std::to_string(count) + " " + what + " are promised, but only " +
+  words.Fail(words.Last(), "the header declares " + std::to_string(count) + " " + what + ", but only " +
                                std::to_string(words.BytesLeft()) + " bytes follow");
 }
 
@@ -73,7 +73,7 @@ class OffReader {
       const double u = words_.Coordinate({"s", "vertex", i});
       mesh_.uvs.push_back({u, words_.Coordinate({"t", "vertex", i})});
     }
-    // Colours; and in files whose header does not speak of them, anything.
+    // Colors; and in files whose header does not speak of them, anything.
     if (words_.SkipLine() > 0 && !header.has_color) ++long_vertices_;
   }
 
@@ -89,19 +89,20 @@ class OffReader {
       corners.clear();
       for (std::int64_t k = 0; k < count; ++k)
         corners.push_back(words_.Index({"a corner", "face", i}, mesh_.positions.size()));
-      words_.SkipLine();  // a colour
+      words_.SkipLine();  // a color
       if (const char* problem = faces.Add(corners)) words_.Fail(start, problem);
     }
     if (i < promised)
-      WarnOf("the header promises " + std::to_string(promised) + " faces, the file holds " + std::to_string(i));
+      WarnOf("the header declares " + std::to_string(promised) + " faces, but the file has " + std::to_string(i));
     else if (!words_.AtEnd())
-      WarnOf("the file goes on behind the last face that the header promises");
+      WarnOf("the file has more data than the header declares");
     faces.Warn(words_.Source(), report_);
   }
 
   void Warn() {
     if (long_vertices_ > 0)
-      WarnOf(std::to_string(long_vertices_) + " vertices have more numbers than the header names; they are not used");
+      WarnOf(std::to_string(long_vertices_) +
+             " vertices have more numbers than the header declares; the rest is ignored");
   }
   void WarnOf(const std::string& message) { report_.Warn(Escaped(words_.Source().name), message); }
 

@@ -40,8 +40,7 @@ class PlyReader {
       else
         Skip(element);
     }
-    if (!values_.AtEnd())
-      report.Warn(Escaped(words_.Source().name), "the file goes on behind what the header promises");
+    if (!values_.AtEnd()) report.Warn(Escaped(words_.Source().name), "the file has more data than the header declares");
     faces_.Warn(words_.Source(), report);
     return std::move(mesh_);
   }
@@ -52,14 +51,14 @@ class PlyReader {
     for (const PlyProperty& property : element.properties)
       least += values_.LeastBytes(property.count_type.value_or(property.type));
     if (least == 0 || element.count <= (values_.BytesLeft() + 1) / least) return;
-    words_.Fail(element.where, std::to_string(element.count) + " elements are promised, but only " +
-                                   std::to_string(values_.BytesLeft()) + " bytes are left for them");
+    words_.Fail(element.where, "the header declares " + std::to_string(element.count) + " elements, but only " +
+                                   std::to_string(values_.BytesLeft()) + " bytes follow");
   }
 
   void ReadVertices(const PlyElement& element) {
-    if (!mesh_.positions.empty()) words_.Fail(element.where, "only one list of vertices is read");
+    if (!mesh_.positions.empty()) words_.Fail(element.where, "only one vertex element is supported");
     const auto places = FindAll<3>(element, {"x", "y", "z"});
-    if (!places) words_.Fail(element.where, "a vertex needs the properties x, y and z");
+    if (!places) words_.Fail(element.where, "the element vertex needs the properties x, y and z");
     const auto normals = FindAll<3>(element, {"nx", "ny", "nz"});
     auto uvs = FindAll<2>(element, {"s", "t"});
     if (!uvs) uvs = FindAll<2>(element, {"u", "v"});
@@ -87,7 +86,7 @@ class PlyReader {
     }
   }
 
-  /// Every three neighbours of a strip are a triangle, every second one turned over; -1 begins another strip.
+  /// Every three neighbors of a strip are a triangle, every second one turned over; -1 begins another strip.
   void ReadStrips(const PlyElement& element) {
     const std::size_t list = FindIndices(element);
     Row row;
@@ -135,7 +134,7 @@ class PlyReader {
       }
       row.numbers[p] = values_.Next(property.type, place);
       if (!IsCoordinate(row.numbers[p]))
-        values_.Fail(place, Escaped(property.name) + " must be a finite number of at most 1e150");
+        values_.Fail(place, Escaped(property.name) + " must be finite and must not exceed 1e150 in magnitude");
     }
   }
 
@@ -144,8 +143,8 @@ class PlyReader {
     const std::size_t least = values_.LeastBytes(property.type);
     const auto most = static_cast<double>((values_.BytesLeft() + 1) / least);
     if (!(count >= 0 && count <= most && count == std::floor(count)))
-      values_.Fail(place, "a list of " + Shortest(count) + " numbers does not fit the " +
-                              std::to_string(values_.BytesLeft()) + " bytes left");
+      values_.Fail(place, "a list of " + Shortest(count) + " numbers does not fit in the remaining " +
+                              std::to_string(values_.BytesLeft()) + " bytes");
     for (auto left = static_cast<std::size_t>(count); left > 0; --left) {
       const double value = values_.Next(property.type, place);
       if (list) list->push_back(value);

@@ -60,7 +60,7 @@ class AsciiReader {
         words_.Fail(words_.Last(), "expected facet, solid or endsolid, got " + Quoted(words_.Last().text));
       }
     }
-    if (is_open_) words_.Fail(words_.Last(), "the file ends before the word endsolid");
+    if (is_open_) words_.Fail(words_.Last(), "the file ends before endsolid");
     return std::move(mesh_);
   }
 
@@ -98,15 +98,15 @@ R3::MeshData ReadStl(const Text& file, Report&) {
   const bool begins_with_solid = std::string_view(file.bytes).starts_with("solid");
   if (size < start) {
     if (begins_with_solid) return AsciiReader(file).Read();
-    Fail(file, "an .stl file begins with solid, or is binary and has 84 bytes at least; this one has " +
+    Fail(file, "an .stl file must begin with 'solid', or be binary and have at least 84 bytes; this one has " +
                    std::to_string(size));
   }
   const std::size_t triangles = Bytes(file.bytes, header_bytes, std::endian::little).Next<std::uint32_t>();
   const std::size_t wanted = start + triangle_bytes * triangles;
   if (size == wanted) return ReadBinary(file, triangles);
   if (begins_with_solid) return AsciiReader(file).Read();
-  Fail(file, std::to_string(triangles) + " faces are promised, which make " + std::to_string(wanted) +
-                 " bytes; the file has " + std::to_string(size));
+  Fail(file, "the header declares " + std::to_string(triangles) + " faces, which need " + std::to_string(wanted) +
+                 " bytes, but the file has " + std::to_string(size));
 }
 
 }  // namespace

@@ -36,14 +36,14 @@ struct Foreign {
 };
 
 constexpr std::array foreign{
-    Foreign{"obb", "write a box inside 'begin ... end' with a rotation"},
-    Foreign{"group", "write 'begin mat_id', 16 matrix numbers, ..., 'end'"},
-    Foreign{"rect_light", "write an area_light, or two tri of an emissive material"},
-    Foreign{"particle", "particles are no part of this language"},
-    Foreign{"particle_source", "particles are no part of this language"},
-    Foreign{"particle_sink", "particles are no part of this language"},
-    Foreign{"particle_gravity", "particles are no part of this language"},
-    Foreign{"particle_spring", "particles are no part of this language"},
+    Foreign{"obb", "use a box inside 'begin ... end' with a rotation"},
+    Foreign{"group", "use 'begin mat_id', 16 matrix entries, ..., 'end'"},
+    Foreign{"rect_light", "use an area_light, or two emissive triangles"},
+    Foreign{"particle", "particles are not supported"},
+    Foreign{"particle_source", "particles are not supported"},
+    Foreign{"particle_sink", "particles are not supported"},
+    Foreign{"particle_gravity", "particles are not supported"},
+    Foreign{"particle_spring", "particles are not supported"},
 };
 
 }  // namespace
@@ -76,8 +76,8 @@ std::string_view ForeignHint(std::string_view name) {
 
 std::string SurplusHint(const Command& command) {
   // The form with an axis is a student's; see the manual's list of dialects.
-  const char* const axis = command.name == "cylinder" ? "; its axis is y: turn it with 'begin ... end'" : "";
-  return "before it: " + command.usage + axis;
+  const char* const axis = command.name == "cylinder" ? "; the axis is y, rotate with 'begin ... end'" : "";
+  return "usage: " + command.usage + axis;
 }
 
 std::string ArgumentNames(std::span<const R3::Argument> arguments) {

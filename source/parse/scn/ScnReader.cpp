@@ -22,6 +22,12 @@ std::uint32_t Saturated(std::size_t n) {
   return static_cast<std::uint32_t>(std::min<std::size_t>(n, std::numeric_limits<std::uint32_t>::max()));
 }
 
+std::string KnownMaterials(std::size_t count) {
+  if (count == 0) return "no material is defined in this file before this line; -1 inherits";
+  if (count == 1) return "this file defines only material 0 before this line";
+  return "this file defines materials 0 to " + std::to_string(count - 1) + " before this line";
+}
+
 Scene ReadScn(const Files& files, const ParseOptions& options, Report& report) {
   return ScnReader(files, options, report).Read();
 }
@@ -57,7 +63,7 @@ Scene ScnReader::Read() {
 void ScnReader::Open(const FoundFile& file) {
   const auto [text, index] = TextOf(file);
   bytes_ += text->bytes.size();
-  if (bytes_ > max_bytes) Stop(ErrorIn(text->name, "the scene's files together are longer than 1 GiB"));
+  if (bytes_ > max_bytes) Stop(ErrorIn(text->name, "the scene's files together exceed 1 GiB"));
   open_files_.push_back(
       {text, file.canonical, index, builder_.open_groups.size(), Tokenizer(*text, Tokenizer::Comments::hash)});
 }
@@ -74,7 +80,7 @@ ScnReader::KnownText ScnReader::TextOf(const FoundFile& file) {
 void ScnReader::CloseFile() {
   OpenFile& file = Current();
   if (const std::size_t open = file.begins.size(); open > 0) {
-    const std::string count = open == 1 ? "" : "the innermost of " + std::to_string(open) + " groups without end";
+    const std::string count = open == 1 ? "" : "the innermost of " + std::to_string(open) + " unclosed groups";
     Error(ErrorAt(*file.text, file.begins.back(), "begin without end", count));
   }
   while (builder_.open_groups.size() > file.outer_groups) builder_.CloseGroup();
@@ -101,9 +107,9 @@ void ScnReader::UnknownCommand(const Token& word) {
   OpenFile& file = Current();
   const bool is_number = !ParseNumber(word.text).problem;
   if (is_number && file.last_command) {
-    Error(ErrorAt(*file.text, word, "a number too many: " + Quoted(word.text), SurplusHint(*file.last_command)));
+    Error(ErrorAt(*file.text, word, "unexpected number " + Quoted(word.text), SurplusHint(*file.last_command)));
   } else if (const auto hint = ForeignHint(word.text); !hint.empty()) {
-    Error(ErrorAt(*file.text, word, Quoted(word.text) + " is a command of another dialect", std::string(hint)));
+    Error(ErrorAt(*file.text, word, Quoted(word.text) + " is a command of another .scn dialect", std::string(hint)));
     file.tokens.SkipLine(word.line);  // "particle_sink sphere ..." is no sphere
   } else {
     Error(ErrorAt(*file.text, word, "unknown command " + Quoted(word.text),
@@ -125,9 +131,7 @@ int ScnReader::ReadMaterial(Statement& statement) {
     return at_top_of_include ? default_material : Node::inherit;
   }
   if (id >= static_cast<std::int64_t>(known.size())) {
-    const std::string hint = known.empty() ? "this file has defined none yet; -1 inherits"
-                                           : "this file has defined 0 to " + std::to_string(known.size() - 1);
-    statement.Error(word, "no material " + Escaped(word.text), hint);
+    statement.Error(word, "no material " + Escaped(word.text), KnownMaterials(known.size()));
     return default_material;
   }
   return known[static_cast<std::size_t>(id)];
@@ -141,7 +145,7 @@ Material* ScnReader::ReadOwnMaterial(Statement& statement) {
   const std::vector<int>& own = Current().materials;
   if (std::find(own.begin(), own.end(), index) == own.end()) {
     statement.Error(statement.CommandWord(),
-                    statement.What().name + " needs a material of this file, not an inherited one");
+                    statement.What().name + " needs a material defined in this file, not an inherited one");
     return nullptr;
   }
   return &builder_.scene.materials[static_cast<std::size_t>(index)];
@@ -170,7 +174,7 @@ void ScnReader::CloseGroup(Statement& statement) {
   if (file.begins.empty()) {
     const bool is_included = open_files_.size() > 1;
     statement.Error(statement.CommandWord(), "end without begin",
-                    is_included ? "an end closes only a begin of its own file" : "no group is open here");
+                    is_included ? "an end can only close a begin of the same file" : "no group is open here");
     return;
   }
   file.begins.pop_back();
@@ -185,12 +189,13 @@ void ScnReader::Include(Statement& statement, const Token& name) {
     if (same != open_files_.end()) {
       std::string ring;
       for (auto open = same; open != open_files_.end(); ++open) ring += Escaped(open->text->name) + " -> ";
-      throw FileError{"files include each other without end", ring + Escaped(same->text->name)};
+      throw FileError{"circular include", ring + Escaped(same->text->name)};
     }
     if (open_files_.size() > static_cast<std::size_t>(std::max(0, options_.include_depth)))
-      throw FileError{"includes nest deeper than " + std::to_string(options_.include_depth) + " files", {}};
+      throw FileError{"includes are nested deeper than " + std::to_string(options_.include_depth) + " files",
+                      "-include_depth n allows more"};
     if (++includes_ > max_includes)
-      Stop(ErrorAt(*Current().text, name, "more than " + std::to_string(max_includes) + " files are included"));
+      Stop(ErrorAt(*Current().text, name, "more than " + std::to_string(max_includes) + " includes"));
     Open(file);
   });
 }

@@ -23,7 +23,7 @@ Arguments Statement::Numbers(std::span<const R3::Argument> wanted) {
   read.words.reserve(wanted.size());
   for (const R3::Argument& argument : wanted) {
     if (const auto& next = tokens_.Peek(); !next || BeginsStatement(*next)) {
-      Error(word_, command_.name + " lacks " + argument.name, command_.usage);
+      Error(word_, command_.name + ": " + argument.name + " is missing", command_.usage);
       throw Incomplete{};
     }
     const Token word = *tokens_.Next();
@@ -42,7 +42,7 @@ Arguments Statement::Numbers(std::span<const R3::Argument> wanted) {
 Token Statement::Word(const char* name) {
   const auto& next = tokens_.Peek();
   if (!next || (next->starts_line && FindCommand(next->text))) {
-    Error(word_, command_.name + " lacks " + name, command_.usage);
+    Error(word_, command_.name + ": " + name + " is missing", command_.usage);
     throw Incomplete{};
   }
   return *tokens_.Next();

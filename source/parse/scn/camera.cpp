@@ -25,11 +25,10 @@ void CheckView(Statement& statement, const Arguments& read) {
   constexpr std::size_t tx = 3, xfov = 9;
   const auto& a = read.values;
   if (a[tx] == 0 && a[tx + 1] == 0 && a[tx + 2] == 0)
-    statement.Error(read.words[tx], "the camera's direction must not be 0 0 0",
-                    "the second three numbers are a direction, not a place");
+    statement.Error(read.words[tx], "the view direction must not be 0 0 0", "tx ty tz is a direction, not a point");
   if (!(a[xfov] > 0 && a[xfov] < std::numbers::pi / 2))
-    statement.Error(read.words[xfov], "xfov must lie between 0 and pi/2, got " + Escaped(read.words[xfov].text),
-                    "half the angle of view, in radians");
+    statement.Error(read.words[xfov], "xfov must be between 0 and pi/2, got " + Escaped(read.words[xfov].text),
+                    "half the horizontal field of view, in radians");
 }
 
 void ReadCamera(ScnReader& reader, Statement& statement) {
@@ -40,7 +39,7 @@ void ReadCamera(ScnReader& reader, Statement& statement) {
   const auto& a = read.values;
   AimedCamera aimed = Aim({a[0], a[1], a[2]}, {a[3], a[4], a[5]}, {a[6], a[7], a[8]});
   if (aimed.up_was_replaced)
-    reader.Warn(statement, "the camera's up is parallel to its direction; another up was chosen");
+    reader.Warn(statement, "the up vector is parallel to the view direction; another one is used");
   aimed.camera.xfov = a[9];
   aimed.camera.near = a[10];
   aimed.camera.far = a[11];
@@ -51,6 +50,6 @@ void ReadCamera(ScnReader& reader, Statement& statement) {
 
 extern const Command camera_command{
     "camera", "camera" + ArgumentNames(camera_arguments),
-    "eye, direction of view, up, half the horizontal angle of view, two distances for the viewer", ReadCamera};
+    "eye, view direction, up, half the horizontal field of view in radians, clipping planes of the viewer", ReadCamera};
 
 }  // namespace ray

@@ -37,16 +37,16 @@ void CheckLastRow(Statement& statement, const Arguments& read) {
   for (std::size_t i = 0; i < affine.size(); ++i) {
     if (read.values[12 + i] == affine[i]) continue;
     statement.Error(read.words[12 + i], "the last row of a matrix must be 0 0 0 1",
-                    "only affine matrices can place a group");
+                    "only affine transforms are supported");
     return;
   }
 }
 
 void WarnOfCondition(ScnReader& reader, const Statement& statement, const R3::Matrix& matrix) {
   if (IsSingular(matrix))
-    reader.Warn(statement, "this group's matrix is singular: the group is left out of the picture");
+    reader.Warn(statement, "singular matrix: the group is not rendered");
   else if (Condition(matrix) > nearly_singular_condition)
-    reader.Warn(statement, "this group's matrix is close to singular: the picture may lose digits");
+    reader.Warn(statement, "nearly singular matrix: precision may suffer");
 }
 
 // The group is opened whatever is wrong with its numbers, so that its end finds it.
@@ -69,20 +69,20 @@ void ReadEnd(ScnReader& reader, Statement& statement) { reader.CloseGroup(statem
 
 const std::array<R3::Argument, 3> way{{{"dx"}, {"dy"}, {"dz"}}};
 
-/// An extension: the group around it goes this far while the shutter is open, in the coordinates around the group.
+/// An extension: how far the enclosing group moves while the shutter is open, in its parent's coordinates.
 void ReadMotion(ScnReader& reader, Statement& statement) {
   const Arguments read = statement.Numbers(way);
   Node* group = reader.InnermostGroup();
-  if (!group) statement.Error(statement.CommandWord(), "motion belongs between begin and end: it is of a group");
+  if (!group) statement.Error(statement.CommandWord(), "motion is only allowed inside a group, between begin and end");
   if (group && statement.IsGood()) group->motion = {read.values[0], read.values[1], read.values[2]};
 }
 
 }  // namespace
 
 extern const Command motion_command{"motion", "motion dx dy dz",
-                                    "the group around it goes this far while the shutter is open", ReadMotion};
+                                    "how far the enclosing group moves while the shutter is open", ReadMotion};
 extern const Command begin_command{"begin", "begin mat_id m00 m01 m02 m03 m10 ... m33",
-                                   "opens a group that a matrix, row by row, places in what is around it", ReadBegin};
-extern const Command end_command{"end", "end", "closes the innermost group of its file", ReadEnd};
+                                   "opens a group with a material and a 4x4 matrix, row by row", ReadBegin};
+extern const Command end_command{"end", "end", "closes the innermost group of the file", ReadEnd};
 
 }  // namespace ray

@@ -3,11 +3,11 @@
 namespace ray {
 namespace {
 
-void ReadInclude(ScnReader& reader, Statement& statement) { reader.Include(statement, statement.Word("file")); }
+void ReadInclude(ScnReader& reader, Statement& statement) { reader.Include(statement, statement.Word("file name")); }
 
 }  // namespace
 
-extern const Command include_command{"include", "include file", "what another file states, as if it stood here",
-                                     ReadInclude};
+extern const Command include_command{"include", "include file",
+                                     "the contents of another file, which has material ids of its own", ReadInclude};
 
 }  // namespace ray

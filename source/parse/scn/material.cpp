@@ -62,7 +62,7 @@ const std::array<R3::Argument, 1> height{{{"height"}}};
 /// An extension: the luminance of a picture, times a height, is how far the surface seems to rise.
 void ReadBump(ScnReader& reader, Statement& statement) {
   Material* material = reader.ReadOwnMaterial(statement);
-  const Token file = statement.Word("file");
+  const Token file = statement.Word("file name");
   const double most = statement.Numbers(height).values[0];
   if (!material) return;
   reader.WithFile(statement, file, [&] {
@@ -74,13 +74,15 @@ void ReadBump(ScnReader& reader, Statement& statement) {
 
 }  // namespace
 
-extern const Command bump_command{"bump", "bump mat_id file height",
-                                  "light sees a relief: a picture's luminance times the height", ReadBump};
+extern const Command bump_command{"bump", "bump mat_id file height", "bump map: the luminance of an image times height",
+                                  ReadBump};
 extern const Command absorb_command{
     "absorb", "absorb mat_id r g b",
-    "over a distance d the inside of solids takes exp(-r d), exp(-g d), exp(-b d) from light", ReadAbsorb};
-extern const Command material_command{"material", "material" + ArgumentNames(material_arguments) + " texture",
-                                      "what surfaces are made of; the next number from 0 in this file is its mat_id",
-                                      ReadMaterial};
+    "absorption in clear solids: light is scaled by exp(-r d), exp(-g d), exp(-b d) over a distance d", ReadAbsorb};
+extern const Command material_command{
+    "material", "material" + ArgumentNames(material_arguments) + " texture",
+    "ambient, diffuse, specular, transmission, emission, Phong exponent, index of refraction, image file or 0; ids "
+    "count from 0 in each file",
+    ReadMaterial};
 
 }  // namespace ray

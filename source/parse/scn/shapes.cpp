@@ -8,17 +8,18 @@
 namespace ray {
 namespace {
 
-void CheckCoordinates(Statement& statement, const Arguments& read) {
+void CheckCoordinates(Statement& statement, std::span<const R3::Argument> arguments, const Arguments& read) {
   for (std::size_t i = 0; i < read.values.size(); ++i)
     if (!IsCoordinate(read.values[i]))
-      statement.Error(read.words[i], "lengths and places must not exceed 1e150, got " + Escaped(read.words[i].text));
+      statement.Error(read.words[i], std::string(arguments[i].name) + " must not exceed 1e150 in magnitude, got " +
+                                         Escaped(read.words[i].text));
 }
 
 void ReadShape(const R3::ShapeKind& kind, ScnReader& reader, Statement& statement) {
   Node node;
   node.material = reader.ReadMaterial(statement);
   const Arguments read = statement.Numbers(kind.arguments);
-  if (statement.IsGood()) CheckCoordinates(statement, read);
+  if (statement.IsGood()) CheckCoordinates(statement, kind.arguments, read);
   if (!statement.IsGood()) return;
   try {
     node.shape = kind.make(read.values);
@@ -26,7 +27,7 @@ void ReadShape(const R3::ShapeKind& kind, ScnReader& reader, Statement& statemen
     return statement.Error(read.words[error.index], error.what());
   }
   if (node.shape->IsDegenerate())
-    reader.Warn(statement, "this " + std::string(kind.name) + " has no size: nothing ever hits it");
+    reader.Warn(statement, "degenerate " + std::string(kind.name) + ": no ray can hit it");
   SetBounds(node);
   reader.AddNode(statement, std::move(node));
 }
@@ -34,7 +35,7 @@ void ReadShape(const R3::ShapeKind& kind, ScnReader& reader, Statement& statemen
 void ReadMesh(ScnReader& reader, Statement& statement) {
   Node node;
   node.material = reader.ReadMaterial(statement);
-  const Token name = statement.Word("file");
+  const Token name = statement.Word("file name");
   const bool smooth = statement.Takes("smooth");
   reader.WithFile(statement, name, [&] {
     const auto boxed = reader.Library().Mesh(std::string(name.text), reader.CurrentFile(), smooth);
@@ -50,7 +51,7 @@ void ReadLine(ScnReader& reader, Statement& statement) {
   Node node;
   node.material = reader.ReadMaterial(statement);
   const Arguments read = statement.Numbers(line_arguments);
-  if (statement.IsGood()) CheckCoordinates(statement, read);
+  if (statement.IsGood()) CheckCoordinates(statement, line_arguments, read);
   if (!statement.IsGood()) return;
   const auto& a = read.values;
   node.line = std::make_unique<const R3::Segment>(R3::Segment{{a[0], a[1], a[2]}, {a[3], a[4], a[5]}});
@@ -66,9 +67,9 @@ Command ShapeCommand(const R3::ShapeKind& kind) {
 }
 
 extern const Command mesh_command{"mesh", "mesh mat_id file [smooth]",
-                                  "the triangles of a file, flat, or with the vertex normals that the file brings",
+                                  "the triangles of a file, flat-shaded, or smooth with the vertex normals of the file",
                                   ReadMesh};
 extern const Command line_command{"line", "line mat_id" + ArgumentNames(line_arguments),
-                                  "a segment that the viewer draws and no ray hits", ReadLine};
+                                  "a line segment that the viewer draws and no ray hits", ReadLine};
 
 }  // namespace ray

@@ -17,7 +17,7 @@ void ReadAmbient(ScnReader& reader, Statement& statement) { ReadColor(reader, st
 
 /// An extension: the course names environments on the command line only.
 void ReadEnvironment(ScnReader& reader, Statement& statement) {
-  const Token name = statement.Word("file");
+  const Token name = statement.Word("file name");
   reader.WithFile(statement, name, [&] {
     reader.Builder().scene.environment =
         reader.Library().EnvironmentNamed(std::string(name.text), reader.CurrentFile());
@@ -27,11 +27,11 @@ void ReadEnvironment(ScnReader& reader, Statement& statement) {
 }  // namespace
 
 extern const Command background_command{"background", "background r g b",
-                                        "what rays see that hit nothing; black unless stated", ReadBackground};
-extern const Command ambient_command{"ambient", "ambient r g b",
-                                     "light that is everywhere, for ka; black unless stated", ReadAmbient};
-extern const Command environment_command{"environment", "environment file",
-                                         "a picture of what is infinitely far on all sides, seen and shining",
-                                         ReadEnvironment};
+                                        "color of rays that hit nothing (default black)", ReadBackground};
+extern const Command ambient_command{"ambient", "ambient r g b", "ambient light, multiplied by ka (default black)",
+                                     ReadAmbient};
+extern const Command environment_command{
+    "environment", "environment file",
+    "environment map: an image infinitely far away on all sides that is seen and lights the scene", ReadEnvironment};
 
 }  // namespace ray

@@ -67,21 +67,21 @@ TEST(Extremes, K1_FilesOutsideTheScenesFolderAreRefusedAndTheOptionIsNamed) {
   outside.Write("secret.off", "x");
   const Files files(folder / "scene.scn", {});
   const std::string name = (outside / "secret.off").string();
-  const std::string refusal = "'" + name + "' lies outside the scene's folder and the current one; -allow_path " +
-                              outside.Path().string() + " opens its folder";
+  const std::string refusal = "'" + name + "' is outside the scene's folder and the current folder; -allow_path " +
+                              outside.Path().string() + " allows it";
   EXPECT_EQ(ErrorOf([&] { files.Find(name, (folder / "scene.scn").string()); }), refusal);
   const std::string upward = "../" + outside.Path().filename().string() + "/secret.off";
-  EXPECT_TRUE(Contains(ErrorOf([&] { files.Find(upward, (folder / "scene.scn").string()); }), "lies outside"));
+  EXPECT_TRUE(Contains(ErrorOf([&] { files.Find(upward, (folder / "scene.scn").string()); }), "is outside"));
 }
 
-TEST(Extremes, K1_AFolderThatIsAllowedIsOpenAndItsNeighboursAreNot) {
+TEST(Extremes, K1_AFolderThatIsAllowedIsOpenAndItsNeighborsAreNot) {
   const Folder folder, outside;
   outside.Write("open/a.off", "x");
   outside.Write("opening/a.off", "x");
   const Files files(folder / "scene.scn", {outside / "open/"});
   EXPECT_EQ(ReadNamed(files, (outside / "open/a.off").string(), folder / "scene.scn"), "x");
   EXPECT_TRUE(Contains(ErrorOf([&] { ReadNamed(files, (outside / "opening/a.off").string(), folder / "scene.scn"); }),
-                       "lies outside"));
+                       "is outside"));
   EXPECT_EQ(ReadNamed(Files(folder / "scene.scn", {"/"}), (outside / "opening/a.off").string(), folder / "s"), "x");
 }
 
@@ -106,7 +106,7 @@ TEST(Extremes, K2_ALinkOutOfTheFolderIsRefusedAndOneWithinIsFollowed) {
   fs::create_symlink(outside / "a.off", folder / "out.off");
   fs::create_symlink("b.off", folder / "in.off");
   const Files files(folder / "scene.scn", {});
-  EXPECT_TRUE(Contains(ErrorOf([&] { files.Find("out.off", (folder / "s").string()); }), "lies outside"));
+  EXPECT_TRUE(Contains(ErrorOf([&] { files.Find("out.off", (folder / "s").string()); }), "is outside"));
   EXPECT_EQ(ReadNamed(files, "in.off", folder / "s"), "inside");
 }
 
@@ -140,7 +140,8 @@ TEST(Files, ATopSceneThatCannotBeReadIsAnErrorOfTheWholeFile) {
   fs::create_directory(folder / "folder.scn");
   EXPECT_EQ(ReportOf(folder, "folder.scn"), "folder.scn: error: 'folder.scn' is a folder");
   folder.Write("scene.foo", "");
-  EXPECT_EQ(ReportOf(folder, "scene.foo").substr(0, 53), "scene.foo: error: unknown kind of scene; kinds are .s");
+  EXPECT_EQ(ReportOf(folder, "scene.foo").substr(0, 68),
+            "scene.foo: error: cannot read '.foo'; supported: scenes .scn; meshes ");
   folder.Write("LOUD.SCN", "");
   EXPECT_EQ(ReportOf(folder, "LOUD.SCN"), "");
 }

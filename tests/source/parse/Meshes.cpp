@@ -77,7 +77,7 @@ TEST(Off, CountsMayStandOnTheHeadersLineOrTheNext) {
       fan);
 }
 
-TEST(Off, HeadersWithColoursNormalsAndTextureCoordinatesAreUnderstood) {
+TEST(Off, HeadersWithColorsNormalsAndTextureCoordinatesAreUnderstood) {
   const auto colored = Read("a.off", "COFF 3 1 0\n0 0 0 1 0 0 1\n1 0 0 1 0 0 1\n0 1 0 1 0 0 1\n3 0 1 2\n");
   EXPECT_EQ(colored.data.positions.at(1), (R3::Point{1, 0, 0}));
   EXPECT_TRUE(colored.warnings.empty());
@@ -93,22 +93,23 @@ TEST(Off, HeadersWithColoursNormalsAndTextureCoordinatesAreUnderstood) {
 TEST(Off, NumbersThatTheHeaderDoesNotNameAreNotDroppedSilently) {
   const auto read = Read("a.off", "OFF 3 1 0\n0 0 0 1\n1 0 0 1\n0 1 0 1\n3 0 1 2\n");
   ASSERT_EQ(read.warnings.size(), 1u);
-  EXPECT_EQ(read.warnings[0], "a.off: warning: 3 vertices have more numbers than the header names; they are not used");
+  EXPECT_EQ(read.warnings[0],
+            "a.off: warning: 3 vertices have more numbers than the header declares; the rest is ignored");
 }
 
 TEST(Off, FacesMissingOrToSpareAreAWarning) {
   const auto few = Read("a.off", "OFF 3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
   EXPECT_EQ(few.data.triangles.size(), 1u);
-  EXPECT_EQ(few.warnings.at(0), "a.off: warning: the header promises 2 faces, the file holds 1");
+  EXPECT_EQ(few.warnings.at(0), "a.off: warning: the header declares 2 faces, but the file has 1");
   const auto many = Read("a.off", "OFF 3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 0 1 2\n");
   EXPECT_EQ(many.data.triangles.size(), 1u);
-  EXPECT_EQ(many.warnings.at(0), "a.off: warning: the file goes on behind the last face that the header promises");
+  EXPECT_EQ(many.warnings.at(0), "a.off: warning: the file has more data than the header declares");
 }
 
 TEST(Extremes, D8_FacesOfTooFewCornersAreCountedAndLeftOut) {
   const auto read = Read("a.off", "OFF 3 4 0\n0 0 0\n1 0 0\n0 1 0\n2 0 1\n3 0 1 2\n1 0\n0\n");
   EXPECT_EQ(read.data.triangles.size(), 1u);
-  EXPECT_EQ(read.warnings.at(0), "a.off: warning: 3 faces have fewer than 3 corners and are left out");
+  EXPECT_EQ(read.warnings.at(0), "a.off: warning: 3 faces with fewer than 3 corners skipped");
 }
 
 TEST(Extremes, D8_IndicesThatNameNoVertexAreErrorsWithTheirPlace) {
@@ -145,7 +146,7 @@ TEST(Extremes, D8_AConcaveFaceOfMoreThan256CornersIsCutAsAFanWithAWarning) {
   const auto read = Read("a.off", off + face);
   EXPECT_EQ(read.data.triangles.size(), 1024u);
   ASSERT_EQ(read.warnings.size(), 1u);
-  EXPECT_EQ(read.warnings[0], "a.off: warning: concave faces of more than 256 corners, cut as if they were convex: 1");
+  EXPECT_EQ(read.warnings[0], "a.off: warning: concave faces with more than 256 corners, triangulated as if convex: 1");
 }
 
 double AreaOf(const Triangles& cuts, std::span<const R3::Point> polygon) {
@@ -213,7 +214,7 @@ TEST(Extremes, D5_TrianglesWithoutAreaAreCountedInAWarning) {
   folder.Write("t.off", "OFF 4 4 0\n0 0 0\n1 0 0\n0 1 0\n2 0 0\n3 0 1 2\n3 0 0 1\n3 2 2 2\n3 0 1 3\n");
   const ParsedScene parsed = Parse(folder.Write("scene.scn", "mesh -1 t.off"), {});
   ASSERT_EQ(parsed.warnings.size(), 1u);
-  EXPECT_TRUE(Contains(parsed.warnings[0], "t.off: warning: 3 triangles have no area and are left out"));
+  EXPECT_TRUE(Contains(parsed.warnings[0], "t.off: warning: 3 degenerate triangles skipped"));
   EXPECT_EQ(parsed.scene.root.children.at(0).shape->Elements(), 1);
 }
 
@@ -343,7 +344,7 @@ TEST(Ply, StripsTurnEverySecondTriangleAndBeginAnewBehindMinusOne) {
 TEST(Ply, AHeaderThatMakesNoSenseIsAnError) {
   EXPECT_TRUE(Contains(ErrorOf("a.ply", "plu\n"), "a.ply:1:1: error: a .ply file begins with ply"));
   EXPECT_TRUE(Contains(ErrorOf("a.ply", "ply\nformat ascii 2.0\n"), "only version 1.0"));
-  EXPECT_TRUE(Contains(ErrorOf("a.ply", "ply\nproperty float x\n"), "a property before any element"));
+  EXPECT_TRUE(Contains(ErrorOf("a.ply", "ply\nproperty float x\n"), "property before any element"));
   EXPECT_TRUE(Contains(ErrorOf("a.ply", "ply\nelement vertex -1\n"), "must not be negative"));
   EXPECT_TRUE(
       Contains(ErrorOf("a.ply", "ply\nelement face 1\nproperty list float int vertex_indices\n"), "integer type"));
@@ -377,24 +378,26 @@ TEST(Stl, BothKindsGiveTheSameMeshThoughBothBeginWithSolid) {
 TEST(Extremes, K3_HeadersThatPromiseMoreThanTheFileHoldsAreRefusedAtOnce) {
   const std::string vertex = "property float x\nproperty float y\nproperty float z\n";
   EXPECT_TRUE(Contains(ErrorOf("a.off", "OFF\n4000000000 4000000000 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"),
-                       "vertices are promised"));
-  EXPECT_TRUE(Contains(ErrorOf("a.off", "OFF\n1 4000000000 0\n0 0 0\n3 0 0 0\n"), "faces are promised"));
+                       "the header declares 4000000000 vertices, but"));
+  EXPECT_TRUE(
+      Contains(ErrorOf("a.off", "OFF\n1 4000000000 0\n0 0 0\n3 0 0 0\n"), "the header declares 4000000000 faces, but"));
   EXPECT_TRUE(Contains(ErrorOf("a.off", "OFF\n99999999999999999999 1 0\n"), "18 digits"));
   EXPECT_TRUE(Contains(ErrorOf("a.off", "OFF\n1 1 0\n0 0 0\n4000000000 0\n"), "cannot have 4000000000 corners"));
   EXPECT_TRUE(
       Contains(ErrorOf("a.ray", "#vertex 0 0 0 0 0 1 0 0 #shape_polygon 0 4000000000 0"), "cannot have 4000000000"));
   for (const char* format : {"ascii", "binary_little_endian", "binary_big_endian"}) {
     const std::string start = "ply\nformat " + std::string(format) + " 1.0\nelement vertex ";
-    EXPECT_TRUE(
-        Contains(ErrorOf("a.ply", start + "9223372036854775807\n" + vertex + "end_header\n0 0 0\n"), "are promised"))
+    EXPECT_TRUE(Contains(ErrorOf("a.ply", start + "9223372036854775807\n" + vertex + "end_header\n0 0 0\n"),
+                         "the header declares"))
         << format;
     EXPECT_TRUE(Contains(ErrorOf("a.ply", start + "0\n" + vertex +
                                               "element face 1\nproperty list uint int vertex_indices\n"
                                               "end_header\n4294967295"),
-                         "does not fit the"))
+                         "does not fit in the remaining"))
         << format;
   }
-  EXPECT_TRUE(Contains(ErrorOf("a.stl", std::string(80, 'x') + "\xff\xff\xff\xff"), "4294967295 faces are promised"));
+  EXPECT_TRUE(
+      Contains(ErrorOf("a.stl", std::string(80, 'x') + "\xff\xff\xff\xff"), "the header declares 4294967295 faces"));
 }
 
 TEST(Extremes, K9_MeshesCutAnywhereAreErrorsOrMeshes) {

@@ -62,7 +62,7 @@ void ExpectTheSixColors(const Environment& environment) {
   }
 }
 
-// Writes a name's worth of colour over a rectangle of pixels, in shares of the image.
+// Writes a name's worth of color over a rectangle of pixels, in shares of the image.
 void Fill(R2::Image& image, double x0, double y0, double x1, double y1, const R2::Color& color) {
   for (int y = 0; y < image.Height(); ++y)
     for (int x = 0; x < image.Width(); ++x) {
@@ -155,7 +155,7 @@ R2::Image DirectionsOnACross(bool is_upright, int size) {
         image.Set(column * size + x, row * size + y, {1 + d.x, 1 + d.y, 1 + d.z});
       }
   };
-  // Unfolded from -z ahead: each face turned about the edge it shares with its neighbour.
+  // Unfolded from -z ahead: each face turned about the edge it shares with its neighbor.
   paint(1, bottom + 1, [](double s, double t) { return R3::Vector{s, t, -1}; });
   paint(2, bottom + 1, [](double s, double t) { return R3::Vector{1, t, s}; });
   paint(0, bottom + 1, [](double s, double t) { return R3::Vector{-1, t, -s}; });
@@ -336,9 +336,10 @@ std::string ErrorOf(const R2::Image& image) {
 }
 
 TEST(Environment, OtherShapesAreRefusedWithTheShapesThereAre) {
-  EXPECT_EQ(ErrorOf(R2::Image(5, 7)),
-            "an environment's image is twice as wide as high (latitude and longitude), square (an angular probe), or "
-            "3:4 or 4:3 (a cross of six cube faces); this one is 5 x 7");
+  EXPECT_EQ(
+      ErrorOf(R2::Image(5, 7)),
+      "an environment map must be 2:1 (latitude-longitude), 1:1 (angular probe), or 3:4 or 4:3 (cross of six cube "
+      "faces), got 5 x 7");
   EXPECT_NE(ErrorOf(R2::Image()), "none");
 }
 
@@ -346,8 +347,7 @@ TEST(Environment, ValuesThatAreNoLightAreRefusedWithTheirPixel) {
   R2::Image image = Filled(8, 4, {1, 1, 1});
   image.Set(6, 1, {0.5, -2, 0});
   EXPECT_EQ(ErrorOf(image),
-            "the light of an environment must be finite and not negative, but the pixel 6 from the left and 1 from the "
-            "bottom is 0.5 -2 0");
+            "radiance must be finite and not negative, but pixel 6 1 (from the left, from the bottom) is 0.5 -2 0");
   for (const double bad : {std::numeric_limits<double>::infinity(), std::nan("")}) {
     R2::Image other = Filled(6, 8, {1, 1, 1});
     other.Set(0, 0, {1, 1, bad});  // also where a cross has no face
