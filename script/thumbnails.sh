@@ -1,19 +1,19 @@
 #!/bin/sh
 # Renders every scene of scenes/ into scenes/thumbnails/NAME.jpg and writes scenes/README.md, a table of names, pictures
-# and the scenes' first comments. A picture is made again only when its scene, a mesh or a texture is newer.
+# and the scenes' first comments. A picture is rendered again only if its scene, a mesh or a texture is newer.
 #
 #     script/thumbnails.sh [-all | -check]
 #
-# -all renders them all anew. -check changes nothing and fails when the table is out of date or a picture is missing.
-# RAYPRO names the program. Options of raypro that a scene is best seen with are read from that comment: the words
-# behind "Seen with", up to a full stop, a comma or a semicolon.
+# -all renders all of them. -check changes nothing and fails if the table is out of date or a picture is missing.
+# RAYPRO names the program. Options of raypro that a scene needs are read from that comment: the words
+# after "Seen with", up to a period, a comma or a semicolon.
 set -eu
 cd "$(dirname "$0")/.."
 raypro=${RAYPRO:-build/raypro}
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
-# The comment that a file begins with: all of its lines up to the first that is none.
+# The comment at the start of a file: all lines up to the first that is not one.
 comment() { sed -n '/^#/!q; s/^# *//p' "$1" | tr '\n' ' ' | sed 's/ *$//'; }
 options() { comment "$1" | sed -n "s/.*Seen with -/-/p" | sed "s/[;,].*//; s/[.] .*//; s/[.]\$//"; }
 
@@ -26,7 +26,7 @@ render() {  # scene, picture
 mkdir -p scenes/thumbnails
 {
   echo "<!-- Written by script/thumbnails.sh from the first comment of each scene. -->"
-  echo "# Scenes, one idea a file"
+  echo "# Scenes, one feature per file"
   echo
   echo "| scene | picture | what it shows |"
   echo "|---|---|---|"
