@@ -1,12 +1,11 @@
 #!/bin/sh
-# Renders the pictures of art/ anew: makes what their scenes include, then art/NAME.jpg. A minute or three each on two
-# cores.
+# Renders the pictures of art/: generates the files that their scenes include, then art/NAME.jpg. One to three minutes
+# each on two cores.
 #
 #     script/art.sh [-small] [name ...]
 #
-# Without names all. -small writes 240x160 with a sixteenth of the samples, to build/art instead, for a look before
-# one waits. RAYPRO and RAYIMG name the programs. What each picture was made with is kept in it:
-# raypro -info art/glass.jpg.
+# Without names, all of them. -small writes a preview of 240x160 with a sixteenth of the samples to build/art instead.
+# RAYPRO and RAYIMG name the programs. Each picture records the command that made it: raypro -info art/glass.jpg.
 set -eu
 cd "$(dirname "$0")/.."
 raypro=${RAYPRO:-build/raypro}
@@ -24,7 +23,7 @@ for name in "$@"; do
     cradle) samples=112 options="-max_depth 8 -aperture 0.06 -focus 11.5" parts="glass cradle" ;;
     city) samples=64 options="-max_depth 4" parts=city ;;
     sponge) samples=48 options="-max_depth 5" parts=sponge ;;
-    *) echo "there is no picture '$name'; there are city, cradle, flake, glass, sponge and stairs" >&2; exit 2 ;;
+    *) echo "unknown picture '$name'; pictures are city, cradle, flake, glass, sponge and stairs" >&2; exit 2 ;;
   esac
   for part in $parts; do sh "script/art/$part.sh"; done
   size="-width 864 -height 576" out=art/$name.jpg

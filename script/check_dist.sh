@@ -1,6 +1,6 @@
 #!/bin/sh
-# Whether make dist gives the same bytes in different folders, by different users' habits and at different times, and
-# whether what it packs builds where there is no git. Optimization is left out: nobody waits for pictures here.
+# Checks that make dist gives the same bytes in different folders, with different umasks and time zones and at different
+# times, and that the archive builds without git. It builds without optimization, since it renders next to nothing.
 #   usage: script/check_dist.sh [-pack]      -pack: compare the archives only, build nothing
 set -eu
 cd "$(dirname "$0")/.."
@@ -18,7 +18,7 @@ sleep 1
 pack "another one" 077 Asia/Tokyo
 archive=$(cd "$work/one/build" && echo raypro-*.tar.gz)
 cmp "$work/one/build/$archive" "$work/another one/build/$archive" || fail "two runs differ"
-echo "$archive: twice the same $(wc -c < "$work/one/build/$archive") bytes"
+echo "$archive: identical twice, $(wc -c < "$work/one/build/$archive") bytes"
 [ "${1-}" != -pack ] || exit 0
 
 mkdir "$work/unpacked" "$work/bin"
@@ -31,8 +31,8 @@ printf '#!/bin/sh\necho "git was called" >&2\nexit 1\n' > "$work/bin/git"
 chmod +x "$work/bin/git"
 PATH=$work/bin:$PATH make -s -j"$(getconf _NPROCESSORS_ONLN)" OPTIMIZE="${OPTIMIZE--O0}" \
   CXXFLAGS="${CXXFLAGS-} -Werror" raypro rayimg >"$work/log" 2>&1 ||
-  { cat "$work/log" >&2; fail "what is unpacked does not build"; }
+  { cat "$work/log" >&2; fail "the unpacked archive does not build"; }
 ! grep -q 'git was called' "$work/log" || fail "the build calls git"
 build/raypro scenes/hello.scn "$work/hello.ppm" -width 32 -height 32 -quiet
 build/rayimg info "$work/hello.ppm" >/dev/null
-echo "what is unpacked builds without git and renders"
+echo "the unpacked archive builds without git and renders"

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Who may include whom: every #include "..." goes down the layers, or stays in its own. Prints each breach.
+# Checks the layers: every #include "..." goes down, or stays in its own layer. Prints each violation.
 #   usage: script/check_layers.sh [root of the tree]
 set -eu
 cd "${1:-$(dirname "$0")/..}"
@@ -43,10 +43,10 @@ find R2 R3 source -type f \( -name '*.h' -o -name '*.cpp' -o -name '*.def' \) | 
     match($0, /"[^"]*"/)
     path = substr($0, RSTART + 1, RLENGTH - 2)
     to = layer_of(path)
-    if (!(from in below)) complain("the folder " from " is no layer; see the design, section 3")
+    if (!(from in below)) complain("the folder " from " is not a layer; see the README, Where to start reading")
     else if (!(to in below)) complain("\"" path "\" does not start at the root of the tree")
     else if (!((from, to) in allowed)) complain(from " must not include " to " (\"" path "\")")
   }
 
-  END { if (breaches) { printf "%d includes break the layers\n", breaches; exit 1 } }
+  END { if (breaches) { printf "%d includes violate the layers\n", breaches; exit 1 } }
 ' || exit 1  # xargs has a status of its own

@@ -1,6 +1,6 @@
 #!/bin/sh
-# What every accelerator tests: boxes, nodes and primitives per ray, build and render seconds, bytes; `graph` also with each of
-# its devices off.
+# What every accelerator tests: boxes, nodes and primitives per ray, build and render seconds, bytes; `graph` also with each
+# of its techniques off.
 #
 #     script/compare_accelerators.sh [scene.scn ...]        (default: some of scenes/)
 #

@@ -1,13 +1,13 @@
 #!/bin/sh
-# Puts what was built where it belongs; make install calls it. Every file, and every folder that was not there before,
-# is written down in share/raypro/installed.txt: script/uninstall.sh removes these and nothing else.
+# Installs what was built; make install calls it. Every file, and every folder created for it, is recorded in
+# share/raypro/installed.txt: script/uninstall.sh removes these and nothing else.
 #   usage: DESTDIR= bindir= datadir= mandir= docdir= script/install.sh BUILD PROGRAM...
 set -eu
 cd "$(dirname "$0")/.."
 build=$1; shift
 . script/install_names.sh
 
-umask 022  # whatever the user's, what is installed is for everybody
+umask 022  # whatever the user's: installed files are for everybody
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 list=$work/list
@@ -53,12 +53,12 @@ while IFS= read -r file; do
   put 644 "$file" "$datadir/raypro/$file"
 done < "$work/scenes"
 
-# What an earlier installation put there, or made room for, is still ours.
+# Files and folders of an earlier installation are still ours.
 folder "${installed%/*}"
 echo "file $installed" >> "$list"
 [ ! -f "$DESTDIR$installed" ] || cat "$DESTDIR$installed" >> "$list"
 LC_ALL=C sort -u "$list" > "$work/sorted"
 install -m 644 "$work/sorted" "$DESTDIR$installed"
 
-echo "installed; that file managers know .scn files is left to you or your packager:"
+echo "installed; for file managers to know .scn files, you or your packager may run:"
 echo "  update-mime-database $datadir/mime; update-desktop-database $datadir/applications"

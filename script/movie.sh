@@ -1,25 +1,25 @@
 #!/bin/sh
-# Makes a movie of any scene: the camera goes around it or elsewhere, or an option of raypro changes with the frames.
+# Makes a movie of any scene: the camera orbits it or moves elsewhere, or an option of raypro changes over the frames.
 #
 #     script/movie.sh -turntable art/flake.scn art/movie.avi -frames 72 -samples 16 -srgb
 #     script/movie.sh -to "0 1 3  0 0 -1  0 1 0  0.4" scenes/hello.scn build/closer.avi
 #     script/movie.sh -sweep focus 3 9 scenes/lens.scn build/focus.avi -aperture 0.12 -samples 64
 #
-#   -turntable         once around the vertical line through the middle of what is looked at
-#   -turns x           so often around, with -turntable; negative: the other way (default 1)
-#   -to "camera"       from the scene's camera to this one: eye, direction, up, half angle; slow at both ends
-#   -sweep name a b    raypro's option -name goes from a to b; may stand beside the others
-#   -frames n          (default 48)       -fps n   frames a second (default 25)
-#   -width n -height n (default 320 240)  -keep    keep the frames, in the folder that is told
+#   -turntable         one orbit around the vertical axis through the middle of the scene
+#   -turns x           number of orbits, with -turntable; negative: the other way (default 1)
+#   -to "camera"       from the scene's camera to this one: eye, direction, up, half angle; easing in and out
+#   -sweep name a b    raypro's option -name goes from a to b; may be combined with the others
+#   -frames n          (default 48)       -fps n   frames per second (default 25)
+#   -width n -height n (default 320 240)  -keep    keep the frames, in the folder that is printed
 #
-# What stands behind all these is passed to raypro. Each frame is a scene of two lines, the scene itself and a camera,
-# of which the last one counts. Beside out.avi there will be out.mp4 where ffmpeg is installed.
-# RAYPRO and RAYIMG name the programs. Files without spaces in their names, please: the scene language has none.
+# All further options are passed to raypro. Each frame is a scene of two lines, which includes the scene itself and sets a
+# camera; the last camera counts. If ffmpeg is installed, out.mp4 is written beside out.avi.
+# RAYPRO and RAYIMG name the programs. File names must not contain spaces: the scene language does not allow them.
 set -eu
 here=$(cd "$(dirname "$0")/.." && pwd)
 raypro=${RAYPRO:-$here/build/raypro}
 rayimg=${RAYIMG:-$here/build/rayimg}
-usage() { echo "movie.sh: $1; the top of $0 tells how it is used" >&2; exit 2; }
+usage() { echo "movie.sh: $1; see the top of $0" >&2; exit 2; }
 
 way='' turns=1 to='' sweep='' low=0 high=0 frames=48 fps=25 width=320 height=240 keep='' scene='' out=''
 while [ $# -gt 0 ]; do
@@ -44,10 +44,10 @@ while [ $# -gt 0 ]; do
   if [ -z "$scene" ]; then scene=$1; elif [ -z "$out" ]; then out=$1; else break; fi
   shift
 done
-[ "$out" ] || usage "a scene and a movie must be named"
-[ "$way$sweep" ] || usage "-turntable, -to or -sweep must say what changes"
+[ "$out" ] || usage "a scene and an output file are needed"
+[ "$way$sweep" ] || usage "one of -turntable, -to and -sweep is needed"
 case $frames in '' | *[!0-9]* | 0) usage "-frames must be a whole number above 0, got '$frames'" ;; esac
-[ -f "$scene" ] || { echo "movie.sh: there is no scene '$scene'" >&2; exit 3; }
+[ -f "$scene" ] || { echo "movie.sh: no such scene: '$scene'" >&2; exit 3; }
 
 # Frames keep the command that made them, so the folder is a relative one where that is possible.
 mkdir -p build 2> /dev/null && [ -w build ] && base=build || base=${TMPDIR:-/tmp}

@@ -6,11 +6,11 @@
 #     @title words               the page's name
 #     @section id words          a heading; the list at the top of the page is made of these
 #     @pictures section          all pictures of a section of the table
-#     @costs id id ... | words   what pictures cost, a row each; words say what the table shows
+#     @costs id id ... | words   what pictures cost, one row per picture; words say what the table shows
 #     @csv file | words          a file of writeup/measured as a table
 #     @goals file file ... | words   several of the same columns, one below the other
 #     @plot file width height | alt | words
-#     @tests | words             what the tests of extremes say
+#     @tests | words             the results of the tests of extremes
 #
 # In other lines {{id.column}} is a number of pictures.csv, and {{tests}}, {{passed}} count the tests of extremes.
 
@@ -194,8 +194,8 @@ function costs(line,   names, n, i, id, text, rays) {
   sub(/ *[|].*/, "", line)
   n = split(line, names, " ")
   table_start(text)
-  put("<thead><tr><th>rays find hits by</th><th>seconds</th><th>building</th><th>nodes a ray</th><th>boxes a ray</th>" \
-      "<th>primitives a ray</th><th>bytes</th></tr></thead><tbody>")
+  put("<thead><tr><th>acceleration structure</th><th>seconds</th><th>build</th><th>nodes per ray</th><th>boxes per ray</th>" \
+      "<th>primitives per ray</th><th>bytes</th></tr></thead><tbody>")
   for (i = 2; i <= n; ++i) {
     id = names[i]
     rays = cost[id, "rays"]

@@ -1,11 +1,11 @@
 #!/bin/sh
 # What the promise "boxes only cull, doubles decide" costs: the same bench with hits accepted in single precision
 # (script/price/floats.patch), and with boxes that are not padded (script/price/unpadded.patch). Prints how many times
-# as fast those are; their answers may be wrong and are not looked at.
+# as fast those are; their answers may be wrong and are ignored.
 #
 #     script/price_of_contract.sh [rabbit,head,... [packet=16 kind=primary,shadow]]
 #
-# What follows the scenes goes to the bench: so are packets of 16 measured, not single rays.
+# Arguments after the scenes are passed to the bench; those above measure packets of 16 instead of single rays.
 set -eu
 export LC_ALL=C  # numbers have a point
 cd "$(dirname "$0")/.."

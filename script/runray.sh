@@ -1,18 +1,18 @@
 #!/bin/sh
-# Makes the writeup again from what is in the repository: every picture, table and plot, and its two pages.
+# Regenerates the writeup from the repository: every picture, table and plot, and its two pages.
 #
 #     script/runray.sh [-accept] [-all] [ID ...]     everything, or the pictures named
-#     script/runray.sh -fast                         a proof: a few small pictures, and the pages, under build/ alone
+#     script/runray.sh -fast                         a check: a few small pictures and the pages, below build/ only
 #
-# script/pictures.txt lists the pictures, writeup/text/ holds the words, script/page.awk puts both together. A picture
-# is made again when its scene, what that includes, its options or the program changed since this machine made it last
-# (-all: anyway); what was made is noted under build/writeup. A picture whose scene and options are those of the stored
-# one must look like it: no more than PERCENT (1) of the pixels may be off by more than LARGEST (0.04). Otherwise it is
+# script/pictures.txt lists the pictures, writeup/text/ holds the text, script/page.awk combines both. A picture is
+# rendered again if its scene, what that includes, its options or the program changed since this machine last made it
+# (-all: always); build/writeup records what was made. A picture whose scene and options are those of the stored
+# one must match it: at most PERCENT (1) of the pixels may differ by more than LARGEST (0.04). Otherwise it is
 # listed, the stored one stays, and the exit status is 1; -accept takes the new ones. Pictures that cannot be made here,
 # because rayview, gnuplot or the bench is missing, stay as they are.
 #
-# RAYPRO, RAYIMG, RAYVIEW, KERNELS and TESTS name the programs, JOBS how many pictures are made at once (as many as the
-# machine has processors). Seconds are CPU seconds of one thread.
+# RAYPRO, RAYIMG, RAYVIEW, KERNELS and TESTS name the programs, JOBS how many pictures are made in parallel (default: the
+# number of processors). Seconds are CPU seconds of one thread.
 set -eu
 cd "$(dirname "$0")/.."
 export RAYPRO="${RAYPRO:-build/raypro}" RAYIMG="${RAYIMG:-build/rayimg}" RAYVIEW="${RAYVIEW:-build/rayview}"
@@ -110,7 +110,7 @@ make_one() {  # id
       # The same bits, so the same bytes but for what the file tells about its making.
       other=${program#same } extension=${file##*.}
       "$RAYIMG" diff "$new" "$build/$other.$extension" -fail 0 > /dev/null ||
-        { echo "  $id: NOT the picture of $other"; echo "$id differs from $other" >> $build/failures; return 1; }
+        { echo "  $id: DIFFERS from $other"; echo "$id differs from $other" >> $build/failures; return 1; }
       verdict="the same as $other" ;;
     *)
       old=$(awk -F, -v id="$id" '$1 == id { print $2 }' $measured/pictures.csv 2> /dev/null || true)
@@ -149,11 +149,11 @@ is_measured() {  # name, program
   [ "$all" = no ] && [ -f "$measured/$1.csv" ] && [ "$(cat "$build/$1.measured" 2> /dev/null)" = "$(cksum < "$2")" ]
 }
 
-# Presets and -error against two references with other random numbers: what is claimed, what is true.
+# Presets and -error against two references with other seeds: estimated and true errors.
 measure_claims() {
   is_measured claims "$RAYPRO" && return 0
-  echo "claimed and true errors"
-  echo "scene,setting,samples,cpu_s,claimed,low,high,true" > $build/claims.csv
+  echo "estimated and true errors"
+  echo "scene,setting,samples,cpu_s,estimated,low,high,true" > $build/claims.csv
   for scene in hello area_light lens; do
     extra=
     [ $scene != lens ] || extra="-aperture 0.12 -focus 5"
@@ -177,12 +177,12 @@ measure_claims() {
   cksum < "$RAYPRO" > $build/claims.measured
 }
 
-# Millions of rays a second beside Embree's, where the bench is built and finds it.
+# Mrays/s beside Embree's, if the bench is built and finds it.
 measure_peer() {
   kernels=${KERNELS:-build/bench/kernels}
   [ -x "$kernels" ] || { echo "no $kernels (make bench): $measured/peer.csv stays"; return 0; }
   is_measured peer "$kernels" && return 0
-  echo "rays a second, beside Embree where it is found"
+  echo "rays per second, beside Embree if found"
   "$kernels" scene=colonnade,city accel=bvh,octree,grid rays=50000 repeats=3 > $build/peer.txt 2>&1 ||
     { tail -3 $build/peer.txt; echo "the bench failed: $measured/peer.csv stays"; return 0; }
   grep -q '^Embree' $build/peer.txt || { echo "no Embree here: $measured/peer.csv stays"; return 0; }
@@ -204,7 +204,7 @@ measure_peer() {
   cksum < "$kernels" > $build/peer.measured
 }
 
-# The tests of extremes, but for the statistical ones, which take minutes: what each says, and what became of it.
+# The tests of extremes except the statistical ones, which take minutes: each claim and its result.
 measure_extremes() {
   tests=${TESTS:-build/raytests}
   [ -x "$tests" ] || { echo "no $tests (make test-binary): $measured/extremes.csv stays"; return 0; }
@@ -224,7 +224,7 @@ measure_extremes() {
   cksum < "$tests" > $build/extremes.measured
 }
 
-# Claimed over true errors; a dot a render.
+# Estimated over true errors; one dot per render.
 plot() {
   command -v gnuplot > /dev/null || { echo "no gnuplot: plots stay as they are"; return 0; }
   gnuplot 2> $build/gnuplot.said << END || { echo "gnuplot failed: plots stay as they are"; return 0; }
@@ -234,9 +234,9 @@ set datafile separator ","
 set logscale xy
 set key top left
 set grid
-set xlabel "true error, 255ths"
-set ylabel "claimed error, 255ths"
-plot [0.2:10] [0.2:10] x title "claimed = true" lc rgb "#555555", \
+set xlabel "true error, of 255"
+set ylabel "estimated error, of 255"
+plot [0.2:10] [0.2:10] x title "estimated = true" lc rgb "#555555", \
   for [s in "hello area_light lens"] "$measured/claims.csv" \
   using (stringcolumn(1) eq s ? column(8) : 1/0):5 with points pt 7 ps 0.8 title s noenhanced
 END
@@ -278,12 +278,12 @@ rows > $build/rows
 
 wanted=$(awk -F '\t' -v fast="$fast" '$3 != "compare" && (fast == "no" || $2 == "fast") { print $1 }' $build/rows)
 if [ $# -gt 0 ]; then
-  for id; do echo "$wanted" | grep -qx -- "$id" || { echo "runray.sh: no picture '$id' in $table" >&2; exit 2; }; done
+  for id; do echo "$wanted" | grep -qx -- "$id" || { echo "runray.sh: unknown picture '$id'; see $table" >&2; exit 2; }; done
   wanted=$(printf '%s\n' "$@")
 fi
 jobs=${JOBS:-$(getconf _NPROCESSORS_ONLN 2> /dev/null || echo 1)}
 echo "$(echo "$wanted" | wc -l) pictures, $jobs at a time"
-# Those that must be the same as another come after all others.
+# Those that must equal another come after all others.
 for pass in others same; do
   awk -F '\t' -v pass=$pass -v wanted="$wanted" '
     BEGIN { n = split(wanted, names, "\n"); for (i = 1; i <= n; ++i) is_wanted[names[i]] = 1 }
@@ -311,12 +311,12 @@ else
   pages $build/page
   for page in assignment3 troubleshooting; do
     cmp -s $build/page/$page.html writeup/$page.html ||
-      echo "writeup/$page.html is not what its sources make" >> $build/failures
+      echo "writeup/$page.html is out of date" >> $build/failures
   done
 fi
 echo "$(($(date +%s) - started)) seconds"
 if [ -s $build/failures ]; then
-  echo "not as they should be:"
+  echo "failures:"
   sed 's/^/  /' $build/failures
   exit 1
 fi

@@ -1,8 +1,8 @@
 #!/bin/sh
 # Command 1 of 2: installs what is missing, builds, and renders a first picture. A second run installs nothing.
-#   script/setup.sh      does it; prints every command that needs rights before running it
-#   script/setup.sh -n   prints what it would do, does nothing
-# Exit status 3: packages are missing and cannot be installed from here; the line that installs them is printed.
+#   script/setup.sh      prints every command that needs administrator rights before running it
+#   script/setup.sh -n   dry run: prints what it would do
+# Exit status 3: packages are missing and cannot be installed from here; the command that installs them is printed.
 set -eu
 cd "$(dirname "$0")/.."
 
@@ -14,7 +14,7 @@ case "${1-}" in
 esac
 
 needed="g++ make libjpeg-dev libpng-dev libtbb-dev libhwy-dev nlohmann-json3-dev libgtest-dev"
-# Without them everything works but .exr images and the viewer. That needs libepoxy, which brings EGL; GLFW opens windows,
+# Without them everything works but .exr pictures and the viewer. That needs libepoxy, which brings EGL; GLFW opens windows,
 # OSMesa is another way to draw without a display, and the last two packages are Mesa's software renderer.
 optional="libopenexr-dev libepoxy-dev libglfw3-dev libosmesa6-dev libegl-mesa0 libgl1-mesa-dri"
 
@@ -24,7 +24,7 @@ is_installed() { dpkg-query -W -f '${Status}' "$1" 2>/dev/null | grep -q '^insta
 
 compiler() { if [ -n "${CXX-}" ]; then echo "$CXX"; else echo g++; fi; }
 
-# Asks the compiler, which finds what was installed by other means than the package manager.
+# Asks the compiler, which also finds what was not installed by the package manager.
 has_header() {
   $(compiler) ${CPPFLAGS-} -std=c++20 -include stdio.h -include "$1" -fsyntax-only -x c++ /dev/null >/dev/null 2>&1
 }
@@ -33,7 +33,7 @@ exr_flags() {
   pkg-config --cflags OpenEXR 2>/dev/null || echo "-isystem /usr/include/OpenEXR -isystem /usr/include/Imath"
 }
 
-# Any maker's driver for EGL will do.
+# Any vendor's EGL driver will do.
 has_driver() { ls /usr/share/glvnd/egl_vendor.d/*.json /etc/glvnd/egl_vendor.d/*.json 2>/dev/null | grep -q .; }
 
 has() {
@@ -75,28 +75,28 @@ END
 
 run_shown() { echo "+ $*"; [ "$only_show" = yes ] || "$@"; }
 
-# Those of the packages that can be had: one name unknown to apt would stop all others, and Mesa has dropped OSMesa. Of
-# the needed ones none may be left out.
+# The packages that are available: one name unknown to apt would stop all others, and Mesa has dropped OSMesa. None of
+# the required ones may be skipped.
 available() {
   for package in "$@"; do
     case " $needed " in
       *" $package "*) ;;
-      *) apt-cache show "$package" >/dev/null 2>&1 || { echo "$package is not to be had here" >&2; continue; } ;;
+      *) apt-cache show "$package" >/dev/null 2>&1 || { echo "$package is not available" >&2; continue; } ;;
     esac
     printf ' %s' "$package"
   done
 }
 
-# Fresh systems have no package lists, and old ones name versions that are gone.
+# Fresh systems have no package lists, and old lists name versions that are gone.
 install_packages() {
   as_root=$1; shift
-  run_shown $as_root apt-get update || echo "the package lists could not be fetched; trying with those at hand"
+  run_shown $as_root apt-get update || echo "the package lists could not be updated; using the existing ones"
   [ "$only_show" = yes ] || set -- $(available "$@")
   [ $# -gt 0 ] || return 0
   run_shown $as_root apt-get install -y --no-install-recommends "$@"
 }
 
-# False when this system or this user cannot install packages; then it says who can, and how.
+# False when this system or this user cannot install packages; then it prints who can, and how.
 try_to_install() {
   if ! is_debian; then
     show_other_systems
@@ -107,7 +107,7 @@ try_to_install() {
   elif command -v sudo >/dev/null 2>&1 && { [ -t 0 ] || sudo -n true 2>/dev/null; }; then
     install_packages sudo "$@"
   else
-    echo "Installing them needs rights that you do not have here. An administrator runs:"
+    echo "Installing them needs administrator rights. Ask an administrator to run:"
     echo "  apt-get update && apt-get install -y --no-install-recommends $*"
     return 1
   fi
@@ -119,7 +119,7 @@ if [ -n "$missing" ]; then
   echo "missing:$missing"
   if ! try_to_install $missing; then
     [ -z "$missing_needed" ] || exit 3
-    echo "They are optional; going on without them."
+    echo "They are optional; continuing without them."
   fi
 fi
 
@@ -127,4 +127,4 @@ cores=$(getconf _NPROCESSORS_ONLN 2>/dev/null || echo 1)
 build=${BUILD:-build}
 run_shown make -j"$cores" BUILD="$build"
 run_shown "$build/raypro" scenes/hello.scn "$build/sample.jpg" -width 512 -height 512 -quiet
-[ "$only_show" = yes ] || echo "the first picture: $build/sample.jpg"
+[ "$only_show" = yes ] || echo "first picture: $build/sample.jpg"

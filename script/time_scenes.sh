@@ -1,10 +1,10 @@
 #!/bin/sh
-# A table of seconds: every scene given (default: those of scenes/, and the public course scenes where they lie beside the
-# checkout), rendered with every accelerator, start of the program to finished file.
+# A table of seconds: every scene given (default: those of scenes/), rendered with every accelerator, from the start of the
+# program to the finished file.
 #
 #     script/time_scenes.sh [-size N] [scene.scn ...]
 #
-# RAYPRO names the program (default build/raypro), RUNS how often each is run (default 3; the median is printed).
+# RAYPRO names the program (default build/raypro), RUNS how many runs each takes (default 3; the median is printed).
 set -eu
 export LC_ALL=C  # numbers have a point
 here=$(cd "$(dirname "$0")/.." && pwd)
@@ -12,13 +12,7 @@ raypro=${RAYPRO:-$here/build/raypro}
 runs=${RUNS:-3}
 size=512
 if [ "${1:-}" = -size ]; then size=$2; shift 2; fi
-if [ $# -eq 0 ]; then
-  set -- "$here"/scenes/*.scn
-  for year in 2007-08 2011-12; do
-    [ -d "$here/../shared/scenes-cos426/course-$year" ] && set -- "$@" "$here/../shared/scenes-cos426/course-$year"/*.scn
-  done
-  [ -d "$here/../shared/scenes-cos426/course-526" ] && set -- "$@" "$here"/../shared/scenes-cos426/course-526/*.scn
-fi
+[ $# -gt 0 ] || set -- "$here"/scenes/*.scn
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
@@ -40,8 +34,7 @@ printf '%-44s' "scene, ${size}x${size}, seconds"
 for a in $accelerators; do printf '%10s' "$a"; done
 echo
 for scene in "$@"; do
-  name=${scene#"$here"/}
-  printf '%-44s' "${name#../shared/scenes-cos426/}"
+  printf '%-44s' "${scene#"$here"/}"
   for a in $accelerators; do printf '%10s' "$(seconds "$scene" "$a")"; done
   echo
 done

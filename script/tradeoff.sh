@@ -1,24 +1,24 @@
 #!/bin/sh
-# What accuracy costs: renders a dozen scenes with one knob turned at a time, and with settings drawn at random, and
-# writes a row of CSV a render: seconds, true errors and claimed ones. Then draws them (script/tradeoff_plots.sh).
+# What accuracy costs: renders a dozen scenes with one setting varied at a time, and with random combinations of settings,
+# and writes one CSV row per render: seconds, true and estimated errors. Then plots them (script/tradeoff_plots.sh).
 #
 #     script/tradeoff.sh [-small | -full] [-instructions] [-no_plots] [-size n] [-seeds n] [-search n] [scene ...]
 #
-#   -small          64x64 pixels, 2 seeds, up to 64 samples, 12 random settings a scene: some minutes (the default)
+#   -small          64x64 pixels, 2 seeds, up to 64 samples, 12 random settings per scene: some minutes (the default)
 #   -full           128x128 pixels, 8 seeds, up to 1024 samples, 200 random settings, the preset `reference`: many hours
-#   -instructions   count each render's instructions as well, with valgrind; 50 times as slow
+#   -instructions   also count the instructions of each render, with valgrind; 50 times as slow
 #   scene           names of the table below; all, unless some are given
 #
-# It can be stopped and started again: a row that is there (the same scene, knob, value and seed) is not measured again.
-# Remove the folder after the program has changed. OUT names the folder (default build/tradeoff), RAYPRO and RAYIMG the
+# It can be interrupted and started again: an existing row (the same scene, knob, value and seed) is not measured again.
+# Remove the folder when the program has changed. OUT names the folder (default build/tradeoff), RAYPRO and RAYIMG the
 # programs, REFERENCE the samples of the references.
 #
 # Columns: rmse is linear and free of the references' noise, being the root of mean (x - r1)(x - r2) over two independent
 # references; negative where that mean is, when the picture is as good as they are. relmse, display (255ths), flip and
 # bias (mean difference over the channels) are against the mean of both. claimed, claimed_low and claimed_high are the
-# program's own estimate of `display`. build_s, render_s and primitives are for the accelerators, options for repeating
-# a row by hand. Everything runs on one thread. The references cut nothing off; filters have references of their own,
-# because they do not ask for the same picture.
+# program's estimate of `display` and its interval. build_s, render_s and primitives are for the accelerators, options for repeating
+# a row by hand. Everything runs on one thread. The references are not truncated; filters have references of their own,
+# because they converge to different pictures.
 set -eu
 export LC_ALL=C  # numbers have a point
 here=$(cd "$(dirname "$0")/.." && pwd)
@@ -62,7 +62,7 @@ header=$header,instructions,build_s,render_s,primitives,options
 echo "size $size, references of $REFERENCE samples" > "$out/settings.new"
 [ -f "$out/settings" ] || cp "$out/settings.new" "$out/settings"
 if ! cmp -s "$out/settings" "$out/settings.new"; then
-  echo "tradeoff.sh: $out has rows of another $(cat "$out/settings"); remove it, or name another with OUT" >&2
+  echo "tradeoff.sh: $out was made with other settings: $(cat "$out/settings"); remove it, or name another folder with OUT" >&2
   exit 1
 fi
 rm "$out/settings.new"
@@ -87,15 +87,15 @@ indirect|indirect.scn|-mode path
 END
 if [ -n "$wanted" ]; then
   for name in $wanted; do
-    grep "^$name|" "$work/scenes" >> "$work/chosen" || { echo "tradeoff.sh: no scene '$name' in the table" >&2; exit 2; }
+    grep "^$name|" "$work/scenes" >> "$work/chosen" || { echo "tradeoff.sh: unknown scene '$name'; see the table in the script" >&2; exit 2; }
   done
   mv "$work/chosen" "$work/scenes"
 fi
 
-# The plan, a line a render: key, file, reference (its filter), options. Seed by seed, so that what is compared is run
-# close together and a stop leaves whole rounds.
+# The plan, one line per render: key, file, reference (its filter), options. Seed by seed, so that what is compared runs
+# close together and an interruption leaves whole rounds.
 awk -F'|' -v kind="$kind" -v seeds="$seeds" -v search="$search" '
-  # What a knob is turned from: nothing is cut off, and faint rays are followed by chance.
+  # The base that a setting is varied from: nothing is truncated, faint rays are subject to Russian roulette.
   function reset() {
     delete o
     o["max_depth"] = 100; o["min_luminance"] = 0.01; o["roulette"] = "on"; o["shadow_samples"] = 1
@@ -112,7 +112,7 @@ awk -F'|' -v kind="$kind" -v seeds="$seeds" -v search="$search" '
   function run(knob, value) {
     printf "%s|%s|%s|%d|%s|%s|%s%s\n", scene, knob, value, seed, file, "filter" in o ? o["filter"] : "box", own, substr(words(), own == "" ? 2 : 1)
   }
-  # Turns one option of the base and runs it.
+  # Changes one option of the base and runs it.
   function turn(knob, value, name, setting) { reset(); o[name] = setting; run(knob, value) }
   # An even choice among the words of a list, from a generator that is the same with every awk.
   function pick(list,   n, parts) {
@@ -143,7 +143,7 @@ awk -F'|' -v kind="$kind" -v seeds="$seeds" -v search="$search" '
       for (i = 1; i <= each("2 4 16"); ++i) turn("shadow_samples", v[i], "shadow_samples", v[i])
       for (i = 1; i <= each("all one 4"); ++i) turn("lights", v[i], "lights", v[i])
       for (i = 1; i <= each("none graph grid octree bvh"); ++i) {
-        # Asking thousands of primitives in turn takes half a minute and is no news.
+        # Testing thousands of primitives one by one takes half a minute and tells nothing new.
         if (v[i] != "none" || scene !~ /^(smooth|mesh_formats)$/) turn("accel", v[i], "accel", v[i])
       }
       for (i = 1; i <= each("grid:0.5 grid:2 grid:8 octree:1 octree:4 octree:16 bvh:1 bvh:2 bvh:8"); ++i) {
@@ -179,7 +179,7 @@ awk -F'|' -v kind="$kind" -v seeds="$seeds" -v search="$search" '
 awk -F, 'FNR == NR { done[$1 "|" $2 "|" $3 "|" $4]; next }
   { split($0, f, "|") } !((f[1] "|" f[2] "|" f[3] "|" f[4]) in done)' "$csv" "$work/plan" > "$work/todo"
 total=$(wc -l < "$work/todo")
-echo "$total renders to do, $(($(wc -l < "$work/plan") - total)) are there; rows go to $csv"
+echo "$total renders to do, $(($(wc -l < "$work/plan") - total)) done before; writing to $csv"
 
 render() {  # picture, file, options
   picture=$1 file=$2
@@ -203,7 +203,7 @@ make_references() {  # scene, file, filter, options of the scene
   mv "$work/mean.pfm" "$to.mean.pfm"
 }
 
-# The program's JSON has a key a line, two spaces deeper a level. Prints one row from a report and two comparisons.
+# The program's JSON has one key per line, indented by two spaces per level. Prints one row from a report and two comparisons.
 row() {  # scene, knob, value, seed, instructions, options
   awk -v key="$1,$2,$3,$4" -v instructions="$5" -v options="$6" '
     FNR == 1 { ++file }

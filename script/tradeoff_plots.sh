@@ -1,14 +1,14 @@
 #!/bin/sh
-# Sums up what script/tradeoff.sh measured: prints which presets are beaten, and draws with gnuplot, beside the CSV, SVG
-# and PNG where gnuplot can.
+# Summarizes what script/tradeoff.sh measured: prints which presets are dominated, and plots with gnuplot, beside the CSV,
+# as SVG, and as PNG if gnuplot can.
 #
 #     script/tradeoff_plots.sh [tradeoff.csv [price_of_features.csv]]
 #
-#   samplers      RMSE over CPU seconds, a line a sampler; slopes are over the number of samples, from 4 up
-#   pareto        every setting tried; grey ones are beaten in time and error by another; presets have names
-#   claims        the error claimed over the true one, a dot a render, and what share is within 10 %
+#   samplers      RMSE over CPU seconds, one line per sampler; slopes are over the number of samples, from 4 up
+#   pareto        every setting tried; gray ones are dominated in time and error by another; presets have names
+#   claims        estimated over true error, one dot per render, and the fraction within 10 %
 #   accelerators  seconds to build and to trace, one thread
-#   features      what features cost a scene that does not use them, from script/price_of_features.sh
+#   features      the cost of features in scenes that do not use them, from script/price_of_features.sh
 set -eu
 export LC_ALL=C  # numbers have a point
 here=$(cd "$(dirname "$0")/.." && pwd)
@@ -46,8 +46,8 @@ awk -F, -v OFS='\t' '
     }
   }' "$csv" > "$work/settings.tsv"
 
-# A preset is beaten in a scene by a setting that is better by more than 10 % in time and in error. Rays stand for time
-# as well, because seconds of short renders on a busy machine are off by that much.
+# A preset is dominated in a scene by a setting that is better by more than 10 % in time and in error. Rays stand for
+# time as well, because seconds of short renders on a busy machine vary by that much.
 awk -F'\t' '
   $2 ~ /^(filter|accel|accel_res)$/ { next }
   { ++n; scene[n] = $1; knob[n] = $2; value[n] = $3; cpu[n] = $4; error[n] = $6; rays[n] = $11 }
@@ -65,14 +65,14 @@ awk -F'\t' '
     }
     for (i = 1; i <= presets; ++i) {
       p = order[i]
-      printf "preset %s is beaten in error and CPU seconds on %d of %d scenes%s%s, in error and rays on %d%s%s\n", p, \
+      printf "preset %s is dominated in error and CPU seconds in %d of %d scenes%s%s, in error and rays in %d%s%s\n", p, \
         split(in_cpu[p], unused, " "), scenes[p], in_cpu[p] ? ":" : "", in_cpu[p], split(in_rays[p], unused, " "), \
         in_rays[p] ? ":" : "", in_rays[p]
     }
   }' "$work/settings.tsv"
 
 if ! command -v gnuplot > /dev/null; then
-  echo "no gnuplot here, so no plots; the rows are in $csv"
+  echo "gnuplot is not installed: no plots; the rows are in $csv"
   exit 0
 fi
 scenes=$(cut -f1 "$work/settings.tsv" | awk '!seen[$0]++')
@@ -98,7 +98,7 @@ draw() {  # name, width, height; the commands come on standard input
   } | gnuplot
 }
 
-# 1: one block of data a scene and sampler, two empty lines between.
+# 1: one block of data per scene and sampler, two empty lines between.
 awk -F'\t' -v prefix="$work/sampler." '
   $2 == "samples" || $2 == "sampler" {
     name = $2 == "samples" ? "sobol" : $3
@@ -134,7 +134,7 @@ awk -F'\t' -v prefix="$work/sampler." '
   echo "unset multiplot"
 } | draw samplers "$width" "$height"
 
-# 2: filters ask for other pictures and accelerators for the same one, so neither is a setting of the trade.
+# 2: filters converge to other pictures and accelerators to the same one, so neither is part of the trade-off.
 sort -t'	' -k1,1 -k4,4g -k6,6g "$work/settings.tsv" | awk -F'\t' -v prefix="$work/pareto." '
   $2 ~ /^(filter|accel|accel_res)$/ { next }
   $2 == "quality" { print $4, $6, $3 > (prefix $1 ".presets") }
@@ -147,9 +147,9 @@ sort -t'	' -k1,1 -k4,4g -k6,6g "$work/settings.tsv" | awk -F'\t' -v prefix="$wor
   echo "set logscale xy; set grid; set format '%g'; set xlabel 'CPU seconds' offset 0,0.5"
   echo "set key bottom left samplen 1"
   for scene in $scenes; do
-    echo "set title '$(title "$scene")'; set ylabel 'displayed RMSE, 255ths' offset 1.5"
+    echo "set title '$(title "$scene")'; set ylabel 'displayed RMSE, of 255' offset 1.5"
     lines=
-    [ -f "$work/pareto.$scene.beaten" ] && lines=", '$work/pareto.$scene.beaten' pt 7 ps .35 lc rgb '#b0b0b0' title 'beaten'"
+    [ -f "$work/pareto.$scene.beaten" ] && lines=", '$work/pareto.$scene.beaten' pt 7 ps .35 lc rgb '#b0b0b0' title 'dominated'"
     lines="$lines, '$work/pareto.$scene.front' with steps lw 1.5 lc rgb '#2060c0' title 'front'"
     [ -f "$work/pareto.$scene.presets" ] && lines="$lines, '$work/pareto.$scene.presets' pt 9 ps 1.2 lc rgb '#d03020' title 'presets', '' using 1:2:3 with labels offset 0,1 textcolor rgb '#d03020' notitle"
     echo "plot ${lines#, }"
@@ -162,7 +162,7 @@ awk -F, -v prefix="$work/claims." '
   NR == 1 { for (i = 1; i <= NF; ++i) at[$i] = i; next }
   $at["claimed"] > 0 && $at["display"] > 0 {
     of_two = $at["knob"] ~ /^(error|adaptive)$/ || $at["options"] ~ /-error/ || $at["value"] ~ /^(preview|final|reference)$/
-    # A claim is about noise; what a cut takes away it cannot know.
+    # An estimate is about noise; it cannot know the bias of truncation.
     is_cut = $at["options"] ~ /roulette off/ || $at["options"] !~ /max_depth 100/ || $at["knob"] == "quality"
     method = is_cut ? "cut" : of_two ? "streams" : "halves"
     print $at["display"], $at["claimed"] > (prefix method)
@@ -173,13 +173,13 @@ awk -F, -v prefix="$work/claims." '
   END { for (m in n) print m, n[m], int(100 * near[m] / n[m] + 0.5) > (prefix "shares") }' "$csv"
 share() { sed -n "s/^$1 [0-9]* //p" "$work/claims.shares"; }
 {
-  echo "set title 'Claimed over true error, a dot a render'"
+  echo "set title 'Estimated over true error, one dot per render'"
   echo "set logscale xy; set grid; set key top left Left reverse; set size square"
-  echo "set xlabel 'true displayed RMSE, 255ths'; set ylabel 'claimed'; set xrange [0.1:100]; set yrange [0.1:100]"
+  echo "set xlabel 'true displayed RMSE, of 255'; set ylabel 'estimated'; set xrange [0.1:100]; set yrange [0.1:100]"
   echo "set style fill solid 0.25 noborder"
   lines="'+' using 1:(0.9*\$1):(1.1*\$1) with filledcurves lc rgb '#80a080' title 'within 10 %', x with lines lc rgb '#404040' notitle"
-  [ -f "$work/claims.cut" ] && lines="$lines, '$work/claims.cut' pt 7 ps .25 lc rgb '#c8c8c8' title 'with depth or weight cut off, which no claim knows'"
-  [ -f "$work/claims.halves" ] && lines="$lines, '$work/claims.halves' pt 7 ps .25 lc rgb '#c08030' title 'from halves (at most about): $(share halves) % within'"
+  [ -f "$work/claims.cut" ] && lines="$lines, '$work/claims.cut' pt 7 ps .25 lc rgb '#c8c8c8' title 'with depth or throughput truncated, which no estimate knows'"
+  [ -f "$work/claims.halves" ] && lines="$lines, '$work/claims.halves' pt 7 ps .25 lc rgb '#c08030' title 'from halves (conservative): $(share halves) % within'"
   [ -f "$work/claims.streams" ] && lines="$lines, '$work/claims.streams' pt 7 ps .4 lc rgb '#2060c0' title 'from two streams: $(share streams) % within'"
   echo "plot $lines"
 } | draw claims 760 760
@@ -188,10 +188,10 @@ share() { sed -n "s/^$1 [0-9]* //p" "$work/claims.shares"; }
 if [ -f "$features" ] && [ "$(wc -l < "$features")" -gt 1 ]; then
   bars=$(($(wc -l < "$features") - 2))
   {
-    echo "set multiplot layout 2,1 title 'What a feature costs a scene without it, over a program built without the feature'"
+    echo "set multiplot layout 2,1 title 'Cost of a feature in scenes that do not use it, against a program built without it'"
     echo "set datafile separator ','; set style fill solid 0.8 noborder; set boxwidth 0.7; set grid ytics;"
     echo "set key outside top right horizontal; set xtics rotate by -35 font ',8' noenhanced; set lmargin 8; set rmargin 8"
-    echo "set title 'instructions a sample, 0.5 % allowed'; set ylabel 'percent more'"
+    echo "set title 'instructions per sample, 0.5 % allowed'; set ylabel 'percent more'"
     echo "name(row) = stringcolumn(1).', '.stringcolumn(2)"
     echo "plot [-0.6:$bars.6][-0.5:2] '$features' using 0:5:xtic(name(0)) every ::1 with boxes lc rgb '#2060c0' notitle, 0.5 lc rgb '#d03020' dt 2 notitle"
     echo "set title 'CPU seconds, median of the ratios with the range from 10 to 90 %, 1 % allowed'"
@@ -199,7 +199,7 @@ if [ -f "$features" ] && [ "$(wc -l < "$features")" -gt 1 ]; then
     echo "unset multiplot"
   } | draw features 900 760
 else
-  echo "no $features, so no plot of unused features; script/price_of_features.sh measures it"
+  echo "$features does not exist: no plot of unused features; script/price_of_features.sh measures it"
 fi
 
 # 5

@@ -1,13 +1,13 @@
 #!/bin/sh
-# Removes the files that script/install.sh put there, then those folders that it made and that are empty now. make
-# uninstall calls it.
+# Removes the files that script/install.sh installed, then the folders that it created if they are empty. make uninstall
+# calls it.
 #   usage: DESTDIR= bindir= datadir= mandir= docdir= script/uninstall.sh
 set -eu
 cd "$(dirname "$0")/.."
 . script/install_names.sh
 
 if [ ! -f "$DESTDIR$installed" ]; then
-  echo "nothing is installed there: $DESTDIR$installed is missing"
+  echo "nothing to uninstall: $DESTDIR$installed does not exist"
   exit 0
 fi
 work=$(mktemp -d)

@@ -1,6 +1,6 @@
 #!/bin/sh
-# Writes the tables of options into README.md, between their markers, from the programs' own tables.
-# With -check it changes nothing and fails when the README is out of date.
+# Writes the option tables of README.md, between their markers, from the programs' own tables.
+# With -check it changes nothing and fails if the README is out of date.
 set -eu
 here=$(cd "$(dirname "$0")/.." && pwd)
 raypro=${RAYPRO:-$here/build/raypro}
@@ -24,7 +24,7 @@ if [ -x "$rayview" ]; then  # not every machine builds it
 fi
 
 if [ "${1:-}" = -check ]; then
-  cmp -s "$work/new" "$here/README.md" || { echo "README.md: a table of options is out of date; run script/update_readme.sh" >&2; exit 1; }
+  cmp -s "$work/new" "$here/README.md" || { echo "README.md: an option table is out of date; run script/update_readme.sh" >&2; exit 1; }
 else
   cat "$work/new" > "$here/README.md"
 fi

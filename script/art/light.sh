@@ -1,6 +1,6 @@
 #!/bin/sh
 # Makes the environments of the pictures in art/: art/light/*.hdr, latitude-longitude maps of light.
-# Rows are of one colour but for the lamps: such rows take few bytes in an .hdr, so the maps can be wide and sharp.
+# Rows are of one color but for the lamps: such rows take few bytes in an .hdr, so the maps can be wide and sharp.
 set -eu
 here=$(cd "$(dirname "$0")/../.." && pwd)
 rayimg=${RAYIMG:-$here/build/rayimg}
