@@ -141,7 +141,7 @@ TEST(Files, ATopSceneThatCannotBeReadIsAnErrorOfTheWholeFile) {
   EXPECT_EQ(ReportOf(folder, "folder.scn"), "folder.scn: error: 'folder.scn' is a folder");
   folder.Write("scene.foo", "");
   EXPECT_EQ(ReportOf(folder, "scene.foo").substr(0, 68),
-            "scene.foo: error: cannot read '.foo'; supported: scenes .scn; meshes ");
+            "scene.foo: error: cannot read '.foo'; supported: scenes .scn; meshes");
   folder.Write("LOUD.SCN", "");
   EXPECT_EQ(ReportOf(folder, "LOUD.SCN"), "");
 }
@@ -160,7 +160,7 @@ TEST(Files, AFileWithAMistakeIsNamedWholeHoweverLongItsPath) {
   const std::string deep(100, 'd'), scene = deep + "/scene.scn";
   folder.Write(deep + "/mesh.xyz", "");
   folder.Write(scene, "mesh -1 mesh.xyz");
-  EXPECT_TRUE(Contains(ReportOf(folder, scene), "error: '" + deep + "/mesh.xyz' is no mesh"))
+  EXPECT_TRUE(Contains(ReportOf(folder, scene), "error: cannot read '" + deep + "/mesh.xyz' as a mesh"))
       << ReportOf(folder, scene);
 }
 

@@ -342,8 +342,8 @@ TEST(Ply, StripsTurnEverySecondTriangleAndBeginAnewBehindMinusOne) {
 }
 
 TEST(Ply, AHeaderThatMakesNoSenseIsAnError) {
-  EXPECT_TRUE(Contains(ErrorOf("a.ply", "plu\n"), "a.ply:1:1: error: a .ply file begins with ply"));
-  EXPECT_TRUE(Contains(ErrorOf("a.ply", "ply\nformat ascii 2.0\n"), "only version 1.0"));
+  EXPECT_TRUE(Contains(ErrorOf("a.ply", "plu\n"), "a.ply:1:1: error: a .ply file must begin with 'ply'"));
+  EXPECT_TRUE(Contains(ErrorOf("a.ply", "ply\nformat ascii 2.0\n"), "the version must be 1.0, got '2.0'"));
   EXPECT_TRUE(Contains(ErrorOf("a.ply", "ply\nproperty float x\n"), "property before any element"));
   EXPECT_TRUE(Contains(ErrorOf("a.ply", "ply\nelement vertex -1\n"), "must not be negative"));
   EXPECT_TRUE(

@@ -227,7 +227,7 @@ TEST(Scn, TheWordSmoothBehindAMeshAsksForItsNormals) {
   EXPECT_EQ(normal(1), (R3::Normal{0, 0, 1}));
   const ParsedScene flat = Parse(folder.Write("b.scn", "mesh -1 t.off smooth"), {});
   ASSERT_EQ(flat.warnings.size(), 1u);
-  EXPECT_TRUE(Contains(flat.warnings[0], "'smooth' changes nothing"));
+  EXPECT_TRUE(Contains(flat.warnings[0], "'smooth' has no effect"));
 }
 
 TEST(Scn, ATextureIsReadOnceAndDecodedWhenTheWorkflowIsLinear) {
