@@ -9,6 +9,8 @@ namespace {
 /// Index of refraction on the side of wo over that on the other.
 double RelativeIndex(const ShadingPoint& p) { return p.entering ? 1 / p.material->ir : p.material->ir; }
 
+R3::Vector Mirrored(const ShadingPoint& p) { return Unit(Reflect(-p.wo, p.N)); }
+
 RayKind KindOf(Lobe lobe) {
   switch (lobe) {
     case Lobe::diffuse:
@@ -41,14 +43,29 @@ double FresnelReflectance(double cosine, double eta) {
   return (across * across + along * along) / 2;
 }
 
+SpecularWeights SpecularWeightsOf(const ShadingPoint& p, bool fresnel) {
+  const Material& m = *p.material;
+  if (!fresnel || IsBlack(m.kt) || m.ir == 1) return {m.ks, m.kt};
+  const double share = FresnelReflectance(std::clamp(Dot(p.N, p.wo), 0.0, 1.0), RelativeIndex(p));
+  return {m.ks + share * m.kt, (1 - share) * m.kt};
+}
+
+std::optional<R3::Vector> SampleReflection(const ShadingPoint& p, bool glossy, const R2::Point& u) {
+  const R3::Vector mirrored = Mirrored(p);
+  if (!glossy) return mirrored;
+  const R3::Vector wi = FromTangents(OnPowerLobe(u, p.material->n), mirrored);
+  if (!(Dot(wi, p.N) > 0)) return {};
+  return wi;
+}
+
+std::optional<R3::Vector> Refraction(const ShadingPoint& p) {
+  if (p.material->ir == 1) return -p.wo;
+  return Refract(-p.wo, p.N, RelativeIndex(p));
+}
+
 Bsdf::Bsdf(const ShadingPoint& p, const TraceSettings& settings)
-    : p_(p), reflected_(p.material->ks), transmitted_(p.material->kt) {
-  if (settings.fresnel && !IsBlack(p.material->kt) && p.material->ir != 1) {
-    const double share = FresnelReflectance(std::clamp(Dot(p.N, p.wo), 0.0, 1.0), RelativeIndex(p));
-    reflected_ = p.material->ks + share * p.material->kt;
-    transmitted_ = (1 - share) * p.material->kt;
-  }
-  const double d = Luminance(p.kd), r = Luminance(reflected_), t = Luminance(transmitted_);
+    : p_(p), specular_(SpecularWeightsOf(p, settings.fresnel)) {
+  const double d = Luminance(p.kd), r = Luminance(specular_.reflected), t = Luminance(specular_.transmitted);
   const double sum = d + r + t;
   if (sum > 0) {
     diffuse_ = d / sum;
@@ -56,14 +73,14 @@ Bsdf::Bsdf(const ShadingPoint& p, const TraceSettings& settings)
     transmission_ = t / sum;
   }
   is_glossy_ = settings.glossy && r > 0;
-  if (r > 0) mirrored_ = Unit(Reflect(-p.wo, p.N));
+  if (is_glossy_) mirrored_ = Mirrored(p);
 }
 
 R2::Color Bsdf::Eval(const R3::Vector& wi) const {
   const double cosine = Dot(p_.N, wi);
   if (!(cosine > 0)) return {};
   R2::Color sum = CosinePdf(cosine) * p_.kd;
-  if (is_glossy_) sum += PowerPdf(Dot(wi, mirrored_), p_.material->n) * reflected_;
+  if (is_glossy_) sum += PowerPdf(Dot(wi, mirrored_), p_.material->n) * specular_.reflected;
   return sum;
 }
 
@@ -75,15 +92,15 @@ double Bsdf::Pdf(const R3::Vector& wi) const {
 std::optional<BsdfSample> Bsdf::Sample(const R2::Point& u, double choice) const {
   if (choice < diffuse_) return Scatter(FromTangents(OnCosineHemisphere(u), p_.N), Lobe::diffuse);
   if (choice < diffuse_ + reflection_) {
-    const auto wi = SampleReflection(u);
+    const auto wi = SampleReflection(p_, is_glossy_, u);
     if (!wi) return {};
     if (is_glossy_) return Scatter(*wi, Lobe::glossy);
-    return BsdfSample{*wi, reflected_, reflection_, Lobe::mirror};
+    return BsdfSample{*wi, specular_.reflected, reflection_, Lobe::mirror};
   }
   if (!(transmission_ > 0)) return {};
-  const auto wi = Refraction();
+  const auto wi = Refraction(p_);
   if (!wi) return {};
-  return BsdfSample{*wi, transmitted_, transmission_, Lobe::transmission};
+  return BsdfSample{*wi, specular_.transmitted, transmission_, Lobe::transmission};
 }
 
 /// What heads into the surface, by the glossy lobe or by a smoothed normal, is lost there.
@@ -92,18 +109,6 @@ std::optional<BsdfSample> Bsdf::Scatter(const R3::Vector& wi, Lobe lobe) const {
   const double pdf = Pdf(wi);
   if (!(pdf > 0) || !(Dot(outward, wi) > 0)) return {};
   return BsdfSample{wi, Eval(wi), pdf, lobe};
-}
-
-std::optional<R3::Vector> Bsdf::SampleReflection(const R2::Point& u) const {
-  if (!is_glossy_) return mirrored_;
-  const R3::Vector wi = FromTangents(OnPowerLobe(u, p_.material->n), mirrored_);
-  if (!(Dot(wi, p_.N) > 0)) return {};
-  return wi;
-}
-
-std::optional<R3::Vector> Bsdf::Refraction() const {
-  if (p_.material->ir == 1) return -p_.wo;
-  return Refract(-p_.wo, p_.N, RelativeIndex(p_));
 }
 
 PathState Extend(const ShadingPoint& p, const R3::Vector& wi, Lobe lobe, const R2::Color& throughput,

@@ -39,6 +39,21 @@ inline R2::Color PhongReflection(const ShadingPoint& p, const R3::Vector& L, con
   return (DiffuseReflection(p, L) + m.ks * highlight) * irradiance;
 }
 
+/// What a surface reflects and what goes through it, as shares of the radiance: ks and kt, or with Fresnel's equations
+/// a part of kt moved from the one to the other, all of it on total internal reflection.
+struct SpecularWeights {
+  R2::Color reflected, transmitted;
+};
+SpecularWeights SpecularWeightsOf(const ShadingPoint& p, bool fresnel);
+
+/// wo mirrored about N, or with a glossy reflection a direction of Phong's lobe around that; unit.
+///   u         uniform in [0, 1)^2
+///   returns   nothing when the direction is below the surface
+std::optional<R3::Vector> SampleReflection(const ShadingPoint& p, bool glossy, const R2::Point& u);
+/// The direction on the other side: straight on for an index of 1, else refracted; unit. Nothing on total internal
+/// reflection.
+std::optional<R3::Vector> Refraction(const ShadingPoint& p);
+
 /// The lobes of a BSDF. A specular one is a delta distribution: it scatters into one direction alone.
 enum class Lobe { diffuse, glossy, mirror, transmission };
 constexpr bool IsSpecular(Lobe lobe) { return lobe == Lobe::mirror || lobe == Lobe::transmission; }
@@ -52,8 +67,7 @@ struct BsdfSample {
 };
 
 /// How the surface at a point scatters light towards wo: kd / pi, ks (n + 1) / (2 pi) (wi.R)^n or a mirror of weight
-/// ks, and kt straight on or refracted, R being wo mirrored about N. With Fresnel's equations what is clear reflects a
-/// part of kt as well, and all of it on total internal reflection.
+/// ks, and kt straight on or refracted, R being wo mirrored about N and ks and kt the SpecularWeights.
 ///
 /// wo is fixed when a Bsdf is made, because Fresnel's share and the middle of the lobe depend on it alone. The point
 /// must outlive it. Directions are unit and point away from the surface.
@@ -72,21 +86,14 @@ class Bsdf {
   ///   u, choice   uniform in [0, 1)
   std::optional<BsdfSample> Sample(const R2::Point& u, double choice) const;
 
-  /// For a tracer that follows every lobe: the weights of the mirror (or glossy) lobe and of transmission, and their
-  /// directions. Nothing when the sampled direction is below the surface, and on total internal reflection.
-  const R2::Color& Reflected() const { return reflected_; }
-  const R2::Color& Transmitted() const { return transmitted_; }
-  std::optional<R3::Vector> SampleReflection(const R2::Point& u) const;
-  std::optional<R3::Vector> Refraction() const;
-
  private:
   std::optional<BsdfSample> Scatter(const R3::Vector& wi, Lobe lobe) const;
 
   const ShadingPoint& p_;
-  R2::Color reflected_, transmitted_;
+  SpecularWeights specular_;
   double diffuse_ = 0, reflection_ = 0, transmission_ = 0;  // probabilities; their sum is 1, or 0 for a black surface
   bool is_glossy_;
-  R3::Vector mirrored_;  // wo's mirror image, unit; where something is reflected
+  R3::Vector mirrored_;  // the middle of the glossy lobe, where there is one
 };
 
 /// A path extended from p towards wi, which its lobe has given.

@@ -22,7 +22,7 @@ constexpr const auto& NamesOf(LightStrategy) { return strategy_names; }
 /// The course's recursion, and where it ends.
 struct TraceSettings {
   std::int64_t max_depth = 3;   // bounces after the camera ray, >= 0; beyond most_bounces it is most_bounces
-  double min_luminance = 0.01;  // a child ray is traced when its weight's luminance is at least this and above 0
+  double min_luminance = 0.01;  // a child ray is traced when its throughput's luminance is at least this, above 0
   int shadow_samples = 16;      // rays to each light that has an area, >= 1
   bool shadows = true;
   bool glossy = false;   // reflections are spread over the Phong lobe, not only along its axis

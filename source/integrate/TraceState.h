@@ -13,7 +13,7 @@
 
 namespace ray {
 
-/// A ray on its way, and how much of what it sees counts.
+/// A path as far as it is known: its last ray, and the throughput of what that sees.
 struct PathState {
   R3::Ray ray;
   R2::Color throughput{1, 1, 1};
@@ -40,8 +40,7 @@ struct TraceState {
   std::vector<PathState> pending;
   std::vector<R3::Ray> shadow_rays;
   std::vector<Shadow> shadows;      // one for each of them
-  std::vector<R2::Color> arrived;   // at each surface
-  std::vector<char> are_occluded;   // of the shadow rays
+  std::vector<R2::Color> arrived;   // at each point
   RayRecorder* recorder = nullptr;  // told of every ray; null for none
 
   /// Books rays of one kind and what the workspace has counted since the last.

@@ -194,14 +194,15 @@ void Whitted::AddArrived(std::span<ShadingPoint> points, TraceState& state) cons
 }
 
 void Whitted::Spawn(const ShadingPoint& p, std::vector<PathState>& pending) const {
-  const Bsdf bsdf(p, settings_);
+  const SpecularWeights weights = SpecularWeightsOf(p, settings_.fresnel);
   // Pushed first, traced last.
   const SampleIndex through = p.path.index.Child(transmission_key), back = p.path.index.Child(reflection_key);
-  if (const auto throughput = Continued(p.path.throughput * bsdf.Transmitted(), through))
-    if (const auto wi = bsdf.Refraction()) pending.push_back(Extend(p, *wi, Lobe::transmission, *throughput, through));
-  if (const auto throughput = Continued(p.path.throughput * bsdf.Reflected(), back)) {
+  if (const auto throughput = Continued(p.path.throughput * weights.transmitted, through))
+    if (const auto wi = Refraction(p)) pending.push_back(Extend(p, *wi, Lobe::transmission, *throughput, through));
+  if (const auto throughput = Continued(p.path.throughput * weights.reflected, back)) {
     const Points points(settings_.sampler, back.key.Child(choice_key), settings_.samples);
-    if (const auto wi = bsdf.SampleReflection(settings_.glossy ? points.Get2D(back.sample) : R2::Point{}))
+    if (const auto wi =
+            SampleReflection(p, settings_.glossy, settings_.glossy ? points.Get2D(back.sample) : R2::Point{}))
       pending.push_back(Extend(p, *wi, Lobe::mirror, *throughput, back));
   }
 }

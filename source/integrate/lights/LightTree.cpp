@@ -93,7 +93,7 @@ std::vector<Range> Sixteenths(const Range& range, const std::vector<LightBound>&
 
 }  // namespace
 
-LightTree::LightTree(std::vector<LightBound> lights) : places_(lights.size()) {
+LightTree::LightTree(std::vector<LightBound> lights) : slots_(lights.size()) {
   std::vector<int> finite;
   std::vector<double> powers;
   for (int i = 0; i < static_cast<int>(lights.size()); ++i) {
@@ -101,7 +101,7 @@ LightTree::LightTree(std::vector<LightBound> lights) : places_(lights.size()) {
     assert(std::isfinite(light.power) && light.power >= 0);
     if (light.power == 0) continue;
     if (light.is_infinite) {
-      places_[static_cast<std::size_t>(i)].infinite = static_cast<int>(infinite_.size());
+      slots_[static_cast<std::size_t>(i)].infinite = static_cast<int>(infinite_.size());
       infinite_.push_back(i);
       powers.push_back(Bounded(light.power));
       infinite_power_ = Bounded(infinite_power_ + powers.back());
@@ -134,7 +134,7 @@ void LightTree::AddLeaves(const std::vector<LightBound>& lights, std::vector<int
       leaf.power = Bounded(light.power);
       leaf.ca = light.ca, leaf.la = light.la, leaf.qa = light.qa;
       leaf.light = *range.begin;
-      places_[static_cast<std::size_t>(leaf.light)].node = static_cast<int>(i);
+      slots_[static_cast<std::size_t>(leaf.light)].node = static_cast<int>(i);
       continue;
     }
     nodes_[i].first_child = static_cast<int>(nodes_.size());
@@ -270,11 +270,11 @@ double LightTree::ProbabilityOfNode(const R3::Point& p, const R3::Vector& N, int
 }
 
 double LightTree::Probability(const R3::Point& p, const R3::Vector& N, int light) const {
-  const Place place = places_[static_cast<std::size_t>(light)];
-  if (place.node >= 0) return ProbabilityOfNode(p, N, place.node);
-  if (place.infinite < 0) return 0;
+  const Slot slot = slots_[static_cast<std::size_t>(light)];
+  if (slot.node >= 0) return ProbabilityOfNode(p, N, slot.node);
+  if (slot.infinite < 0) return 0;
   const Weights top = OfTreeAndInfinite(p, N);
-  return top.of[1] / top.sum * among_infinite_->Probability(static_cast<std::size_t>(place.infinite));
+  return top.of[1] / top.sum * among_infinite_->Probability(static_cast<std::size_t>(slot.infinite));
 }
 
 }  // namespace ray

@@ -10,8 +10,8 @@
 
 namespace ray {
 
-/// Chooses one of many lights for a point, those that matter there more often: so that one shadow ray may stand for
-/// all of them.
+/// Importance sampling of many lights: chooses one for a point, those that matter there more often, so that one shadow
+/// ray may stand for all of them.
 ///
 /// Lights at finite places are the leaves of a tree of boxes, each node cut up to four times in halves along the
 /// longest side. On the way from the root a child is chosen by its importance
@@ -85,11 +85,11 @@ class LightTree {
   std::optional<DiscreteDistribution> among_infinite_;
   double infinite_power_ = 0;
 
-  struct Place {
+  struct Slot {
     int node = -1;      // of a finite light
     int infinite = -1;  // of an infinite one
   };
-  std::vector<Place> places_;  // of each light; neither for one without power
+  std::vector<Slot> slots_;  // of each light; neither for one without power
 };
 
 }  // namespace ray

@@ -136,12 +136,12 @@ TEST(Bsdf, EvalIsLambertsAndPhongsNormalizedLobes) {
 TEST(Bsdf, RefractsBySnellsLawIntoGlassAndOutAgain) {
   const Material glass = MaterialOf({}, {}, {1, 1, 1});
   const ShadingPoint p = PointOf(glass, {0.6, 0.8, 0});
-  const auto into = Bsdf(p, SettingsOf(false)).Refraction();
+  const auto into = Refraction(p);
   ASSERT_TRUE(into);
   EXPECT_NEAR(into->x, -0.4, 1e-15);  // the sine 0.6 over 1.5
   EXPECT_NEAR(into->y, -std::sqrt(0.84), 1e-15);
   const ShadingPoint within = PointOf(glass, {-0.4, std::sqrt(0.84), 0}, false);
-  const auto out = Bsdf(within, SettingsOf(false)).Refraction();
+  const auto out = Refraction(within);
   ASSERT_TRUE(out);
   EXPECT_NEAR(out->x, 0.6, 1e-15);
   EXPECT_NEAR(out->y, -0.8, 1e-15);
@@ -151,9 +151,9 @@ TEST(Bsdf, BeyondTheCriticalAngleNothingIsTransmitted) {
   const Material glass = MaterialOf({}, {0.1, 0.1, 0.1}, {0.9, 0.9, 0.9});
   const ShadingPoint p = PointOf(glass, {0.8, 0.6, 0}, false);  // 1.5 * 0.8 > 1
   const Bsdf without(p, SettingsOf(false)), with(p, SettingsOf(false, true));
-  EXPECT_FALSE(without.Refraction());
-  EXPECT_EQ(with.Transmitted(), (R2::Color{}));
-  EXPECT_NEAR(with.Reflected().r, 1, 1e-15);
+  EXPECT_FALSE(Refraction(p));
+  EXPECT_EQ(SpecularWeightsOf(p, true).transmitted, (R2::Color{}));
+  EXPECT_NEAR(SpecularWeightsOf(p, true).reflected.r, 1, 1e-15);
   for (double choice = 0; choice < 1; choice += 0.01) {
     const auto lost = without.Sample({0.5, 0.5}, choice), kept = with.Sample({0.5, 0.5}, choice);
     EXPECT_TRUE(!lost || lost->lobe == Lobe::mirror);
@@ -186,13 +186,13 @@ TEST(Bsdf, FresnelSplitsWhatIsClearAndKeepsItsSum) {
   for (const double aside : {0.0, 0.5, 0.9, 0.999}) {
     const double cosine = std::sqrt(1 - aside * aside);
     const ShadingPoint p = PointOf(m, {aside, cosine, 0});
-    const Bsdf plain(p, SettingsOf(false)), split(p, SettingsOf(false, true));
-    EXPECT_EQ(plain.Reflected(), m.ks);
-    EXPECT_EQ(plain.Transmitted(), m.kt);
+    const SpecularWeights plain = SpecularWeightsOf(p, false), split = SpecularWeightsOf(p, true);
+    EXPECT_EQ(plain.reflected, m.ks);
+    EXPECT_EQ(plain.transmitted, m.kt);
     const double share = FresnelReflectance(cosine, 1 / 1.5);
-    EXPECT_NEAR(split.Reflected().r, 0.1 + share * 0.8, 1e-12);
-    EXPECT_NEAR(split.Reflected().g + split.Transmitted().g, 0.9, 1e-15);
-    EXPECT_NEAR(split.Transmitted().b, (1 - share) * 0.6, 1e-12);
+    EXPECT_NEAR(split.reflected.r, 0.1 + share * 0.8, 1e-12);
+    EXPECT_NEAR(split.reflected.g + split.transmitted.g, 0.9, 1e-15);
+    EXPECT_NEAR(split.transmitted.b, (1 - share) * 0.6, 1e-12);
   }
 }
 
