@@ -37,7 +37,7 @@ endif
 include script/features.mk
 
 # -ffp-contract=off: a*b+c keeps its two roundings everywhere, so every build gives the same picture.
-# -fno-tree-slp-vectorize: g++ 12 otherwise drops the rounding in double(float(x)) of neighbouring members.
+# -fno-tree-slp-vectorize: g++ 12 otherwise drops the rounding in double(float(x)) of neighboring members.
 NUMERIC := -ffp-contract=off $(shell $(CXX) --version 2>/dev/null | grep -q clang && echo -fno-slp-vectorize || echo -fno-tree-slp-vectorize)
 WARNINGS := -Wall -Wextra -Wpedantic -Wshadow -Wconversion
 OUR_CPPFLAGS := -I. -MD -MP -DRAYPRO_VERSION='"$(VERSION)"' -DRAYPRO_FEATURES='"$(FEATURES)"'

@@ -26,7 +26,7 @@ inline R3::Point Float(const R3::Point& p) {
   return {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)};
 }
 
-class Modeller {
+class Modeler {
  public:
   R3::MeshData mesh;
 
@@ -83,7 +83,7 @@ class Modeller {
 
 /// A bumpy sphere of about `triangles` triangles.
 inline R3::MeshData Blob(std::size_t triangles) {
-  Modeller m;
+  Modeler m;
   const auto rings = static_cast<std::uint32_t>(std::max(4.0, std::sqrt(static_cast<double>(triangles) / 4)));
   const std::uint32_t sides = 2 * rings;
   for (std::uint32_t k = 0; k <= rings; ++k)
@@ -105,7 +105,7 @@ inline R3::MeshData Blob(std::size_t triangles) {
 
 /// Triangles anywhere in a cube; `slim` < 1 makes them thin in proportion.
 inline R3::MeshData Soup(std::size_t triangles, double size, double slim) {
-  Modeller m;
+  Modeler m;
   std::mt19937_64 random(7);
   std::uniform_real_distribution<double> number(-1, 1);
   const auto vector = [&] { return R3::Vector{number(random), number(random), number(random)}; };
@@ -133,7 +133,7 @@ inline std::optional<R3::MeshData> Scan(const std::string& file) {
 
 /// The mesh scaled to height 2, standing on a floor; or in a room.
 inline View Placed(const R3::MeshData& mesh, bool in_room) {
-  Modeller m;
+  Modeler m;
   m.Add(mesh);
   const R3::Box box = m.Bounds();
   const double scale = 2 / MaxComponent(box.Size());
@@ -162,14 +162,14 @@ inline std::optional<View> MakeView(const std::string& name) {
   if (name == "soup") return View{Soup(1'000'000, 0.02, 0.7), {0, 0.5, 3}, {0, 0, 0}, {3, 4, 3}};
   if (name == "hairs") return View{Soup(100'000, 0.6, 0.004), {0, 0.5, 3}, {0, 0, 0}, {3, 4, 3}};
   if (name == "colonnade") {
-    Modeller m;
+    Modeler m;
     m.Box({-10, 0, -10}, {10, 6, 10}, 8);
     for (int i = -4; i <= 4; ++i)
       for (int k = -4; k <= 4; ++k) m.Column({2.0 * i, 0, 2.0 * k}, 0.4, 6, 32, 12);
     return View{std::move(m.mesh), {1, 2, 9}, {-1, 2, -3}, {1, 5.5, 1}};
   }
   if (name == "city") {
-    Modeller m;
+    Modeler m;
     std::mt19937_64 random(3);
     std::uniform_real_distribution<double> number(0, 1);
     m.Quad({-50, 0, -50}, {100, 0, 0}, {0, 0, 100}, 2);

@@ -21,7 +21,7 @@ struct Subject {
   std::string name;
   ray::Scene scene;
   ray::RenderSettings settings;
-  bool counts_shadow_rays = false;  // a number of samples is of shadow rays from the one point seen at pixels' centres
+  bool counts_shadow_rays = false;  // a number of samples is of shadow rays from the one point seen at pixels' centers
 };
 
 inline std::string Line(const char* format, auto... numbers) {
@@ -115,7 +115,7 @@ inline constexpr const char* glass_text =
 ///   box5       the same with light over up to four bounces
 ///   dof        a lens, a light with an area, edges out of focus
 ///   pixel      edges alone
-///   light      penumbras alone: box1 at the pixels' centres, samples are shadow rays
+///   light      penumbras alone: box1 at the pixels' centers, samples are shadow rays
 ///   disc       a light with an area alone, no shadow: smooth
 ///   sky        a hot sun in a sky, a glossy ball and a floor
 ///   lights64, lights1024   one of many lights a point, chosen by importance

@@ -46,7 +46,7 @@ void PrintTimes(const char* what, const std::vector<double>& seconds) {
               1e3 * Quantile(seconds, 0.99), 1e3 * Quantile(seconds, 1));
 }
 
-/// From Cancel to the end of jobs that last at least `seconds`, each cancelled at another moment.
+/// From Cancel to the end of jobs that last at least `seconds`, each canceled at another moment.
 std::vector<double> CancelTimes(const std::shared_ptr<const ray::LoadedScene>& scene,
                                 const ray::RenderSettings& settings, RenderJob::Order order, double seconds,
                                 int times) {

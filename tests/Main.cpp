@@ -64,7 +64,7 @@ struct Pair {
   return {static_cast<double>(static_cast<float>(p.a)), static_cast<double>(static_cast<float>(p.b))};
 }
 
-bool RoundsNeighboursToFloat() {
+bool RoundsNeighborsToFloat() {
   const Pair rounded = RoundBoth({Opaque(0.1), Opaque(0.7)});
   volatile float a = static_cast<float>(Opaque(0.1)), b = static_cast<float>(Opaque(0.7));
   return rounded.a == static_cast<double>(a) && rounded.b == static_cast<double>(b) && rounded.a != 0.1;
@@ -82,7 +82,7 @@ constexpr Fact facts[] = {
     {"products are rounded before they are added to even where one instruction could do both (-ffp-contract=off)",
      RoundsProductsEverywhere},
     {"NaN and infinity are respected (no -ffast-math)", KnowsNanAndInfinity},
-    {"double(float(x)) of neighbouring members is rounded (-fno-tree-slp-vectorize)", RoundsNeighboursToFloat},
+    {"double(float(x)) of neighboring members is rounded (-fno-tree-slp-vectorize)", RoundsNeighborsToFloat},
 };
 
 bool EnvironmentIsFit() {

@@ -32,7 +32,7 @@ class Assets {
   BoxedMesh Mesh(const std::string& name, const std::string& named_in, bool smooth);
   /// The same of a file that is found already, smooth where it can be.
   BoxedMesh MeshOf(const FoundFile& file) { return ReadMesh(file, Normals::if_any); }
-  /// What a picture's values are: colours, which a linear workflow decodes from 8 bits, or numbers, which it does not.
+  /// What a picture's values are: colors, which a linear workflow decodes from 8 bits, or numbers, which it does not.
   enum class Use { color, data };
   /// Throws FileError; null when the file failed before.
   std::shared_ptr<const Texture> Image(const std::string& name, const std::string& named_in, Use use);

@@ -11,7 +11,7 @@ constexpr std::size_t max_word = 40;
 
 char Lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
 
-/// Insertions, deletions, changes and swaps of neighbours that lead from one word to the other, letter case apart.
+/// Insertions, deletions, changes and swaps of neighbors that lead from one word to the other, letter case apart.
 /// Source: Damerau, A technique for computer detection and correction of spelling errors (1964), as the restricted
 /// distance computed by dynamic programming over three rows.
 std::size_t Distance(std::string_view a, std::string_view b) {

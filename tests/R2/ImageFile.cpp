@@ -13,9 +13,9 @@ namespace R2 {
 namespace {
 
 // How far a channel in [0, 1] may be off after writing and reading.
-double Quantisation(const ImageFormat& format, const ImageEncoding& encoding) {
+double Quantization(const ImageFormat& format, const ImageEncoding& encoding) {
   const std::string name = format.name;
-  if (name == "jpeg") return 6 / 255.0;  // quality 100 below: the rounding of colours and of coefficients
+  if (name == "jpeg") return 6 / 255.0;  // quality 100 below: the rounding of colors and of coefficients
   if (name == "hdr") return 0.5 / 128;   // half a step of the largest channel's mantissa
   if (format.is_linear) return 0;
   return name == "png" && encoding.bits == 16 ? 0.5 / 65535 + 1e-7 : 0.5 / 255 + 1e-7;  // and a float's rounding
@@ -48,7 +48,7 @@ TEST(ImageFile, EveryFormatGivesBackWhatItWrote) {
         EXPECT_EQ(decoded.format, &format);
         ASSERT_EQ(decoded.image.Width(), size.width);
         ASSERT_EQ(decoded.image.Height(), size.height);
-        EXPECT_LE(LargestDifference(decoded.image, image), Quantisation(format, encoding));
+        EXPECT_LE(LargestDifference(decoded.image, image), Quantization(format, encoding));
         EXPECT_EQ(ReadImageSize(bytes).width, size.width);
         EXPECT_EQ(ReadImageSize(bytes).height, size.height);
       }
@@ -174,10 +174,10 @@ TEST(ImageFile, ContentDecidesTheKindAndNotTheName) {
   EXPECT_EQ(Complaint(ToBytes("sphere 0  0 0 0 1\n")).substr(0, 33), "unknown image format; supported: ");
   EXPECT_EQ(Complaint({}), "the image file is empty");
   for (const ImageFormat& format : ImageFormats()) {
-    int recognised = 0;
+    int recognized = 0;
     const Bytes bytes = format.encode(Gradient(2, 2), {}, {});
-    for (const ImageFormat& other : ImageFormats()) recognised += other.recognises(bytes);
-    EXPECT_EQ(recognised, 1) << format.name;
+    for (const ImageFormat& other : ImageFormats()) recognized += other.recognises(bytes);
+    EXPECT_EQ(recognized, 1) << format.name;
   }
 }
 
@@ -228,7 +228,7 @@ TEST(ImageFile, ValuesThatAreNoNumbersCanBeWrittenInEveryFormat) {
     for (const bool srgb : {false, true}) {
       const Image decoded = DecodeImage(format.encode(image, {.srgb = srgb}, {})).image;
       const std::string name = format.name;
-      if (name == "jpeg") continue;  // neighbours bleed into each other
+      if (name == "jpeg") continue;  // neighbors bleed into each other
       if (name == "pfm" || name == "exr") {
         EXPECT_TRUE(std::isnan(decoded.At(0, 0).g)) << name;
         EXPECT_EQ(decoded.At(1, 0).g, inf) << name;

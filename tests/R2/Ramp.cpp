@@ -14,7 +14,7 @@ TEST(Ramp, LuminanceIsTheNumber) {
   for (int i = 0; i <= 1000; ++i) EXPECT_NEAR(Luminance(RampColor(i / 1000.0)), i / 1000.0, 0.001) << i;
 }
 
-TEST(Ramp, IsColouredBetweenItsEnds) {
+TEST(Ramp, IsColoredBetweenItsEnds) {
   for (const double t : {0.2, 0.4, 0.6, 0.8}) {
     const Color c = RampColor(t);
     EXPECT_GT(std::max({c.r, c.g, c.b}) - std::min({c.r, c.g, c.b}), 0.15) << t;

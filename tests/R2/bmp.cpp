@@ -44,7 +44,7 @@ TEST(Bmp, IsWrittenByteForByteAsTheFormatSays) {
   Bytes expected = plain;
   expected[2] = static_cast<unsigned char>(plain.size());
   expected[34] = 16;                   // bytes of the pixels
-  expected[38] = expected[42] = 0x13;  // 2835 dots per metre
+  expected[38] = expected[42] = 0x13;  // 2835 dots per meter
   expected[39] = expected[43] = 0x0b;
   EXPECT_EQ(Format("bmp").encode(DecodeImage(plain).image, {}, {}), expected);
 }

@@ -51,7 +51,7 @@ TEST(Hdr, DamagedRunsAreRefused) {
   EXPECT_NE(Complaint(Header("-Y 1 +X 8") + Bytes{2, 2, 0, 8} + Bytes{9} + Bytes(100)), "");
 }
 
-TEST(Hdr, OtherOrientationsAndColourSpacesAreNamed) {
+TEST(Hdr, OtherOrientationsAndColorSpacesAreNamed) {
   EXPECT_NE(Complaint(Header("+Y 1 +X 1") + white).find("orientation"), std::string::npos);
   EXPECT_NE(Complaint(Header("-Y 1 -X 1") + white).find("orientation"), std::string::npos);
   EXPECT_NE(Complaint(Header("+X 1 -Y 1") + white).find("orientation"), std::string::npos);

@@ -13,7 +13,7 @@ namespace R2 {
 
 namespace {
 
-/// One flat colour of `components` channels, as another program would write it.
+/// One flat color of `components` channels, as another program would write it.
 Bytes Flat(JDIMENSION size, int components, J_COLOR_SPACE space, bool is_progressive = false) {
   jpeg_error_mgr errors;
   jpeg_compress_struct codec;
@@ -57,8 +57,8 @@ TEST(Jpeg, InksAreRefusedByName) {
             "JPEG has 4 components (CMYK?); only 1 (gray) and 3 (color) are supported");
 }
 
-// Half the colour resolution puts coloured fringes on rendered edges.
-TEST(Jpeg, ColourIsNeverSubsampled) {
+// Half the color resolution puts colored fringes on rendered edges.
+TEST(Jpeg, ColorIsNeverSubsampled) {
   for (const int quality : {1, 50, 95, 100}) {
     const Bytes bytes = Format("jpeg").encode(Gradient(16, 16), {.jpeg_quality = quality}, {});
     const std::size_t frame = Frame(bytes, 0xc0);

@@ -89,7 +89,7 @@ TEST(Png, PalettesOfEveryDepthAreReadAndIndicesTakenFromThem) {
   }
 }
 
-TEST(Png, AlphaIsDroppedAndTheColourBehindItKept) {
+TEST(Png, AlphaIsDroppedAndTheColorBehindItKept) {
   EXPECT_EQ(DecodeImage(Start(1, 1, 8, rgb_alpha) + End({0, 255, 0, 255, 0})).image.At(0, 0), (Color{1, 0, 1}));
   EXPECT_EQ(DecodeImage(Start(1, 1, 8, gray_alpha) + End({0, 255, 0})).image.At(0, 0), (Color{1, 1, 1}));
   EXPECT_EQ(DecodeImage(Start(1, 1, 16, rgb_alpha) + End({0, 255, 255, 0, 0, 255, 255, 0, 0})).image.At(0, 0),

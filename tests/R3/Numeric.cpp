@@ -49,7 +49,7 @@ TEST(DoubleDouble, SumsProductsAndQuotientsCarryAHundredBits) {
   }
 }
 
-TEST(Extremes, J5_NeighbouringFloatsKeepTheRoundingOfTheirConversion) {
+TEST(Extremes, J5_NeighboringFloatsKeepTheRoundingOfTheirConversion) {
   struct Pair {
     float a, b;
   };

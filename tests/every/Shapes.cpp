@@ -88,7 +88,7 @@ TEST(EveryShape, HasUnitNormalsThatFaceOutwardOnTheWayInAndOnTheWayOut) {
 }
 
 TEST(EveryShape, HasNormalsPerpendicularToTheSurface) {
-  // Two neighbouring rays hit neighbouring points of the same part; the step between them lies in the tangent plane up
+  // Two neighboring rays hit neighboring points of the same part; the step between them lies in the tangent plane up
   // to the curvature, so its share along the normal shrinks with the step. Steps of 1e-7 of the size leave 1e-4 where
   // the curvature is 1e-3 of the size, as near as a million rays come to a cone's apex.
   ForManyHits(704, [](const Subject& s, const R3::Ray& ray, const R3::Hit& hit) {

@@ -93,7 +93,7 @@ TEST(Extremes, D3_NorWhenTheMeshIsFarTinyHugeSqueezedOrSlanted) {
   for (const R3::Matrix& m : matrices) ExpectNoLeaks(Moved(BumpyBall(12, 8), m), m, draw, Count(4'000, 1'000'000));
 }
 
-TEST(Extremes, D5_TrianglesWithoutAreaAreDroppedAndTheirNeighboursStayClosed) {
+TEST(Extremes, D5_TrianglesWithoutAreaAreDroppedAndTheirNeighborsStayClosed) {
   R3::MeshData data = BumpyBall(12, 8);
   const auto real = data.triangles.size();
   // Two equal corners, three equal, and three on a line that doubles can hold exactly.

@@ -164,7 +164,7 @@ Solid MakeSolid(Draw& draw, const std::string& kind, double radius, double heigh
   return {kind, {c.x, c.y, c.z, radius, height}};
 }
 
-/// From anywhere (inside, near, far) towards the neighbourhood of the solid; now and then in a plane or along an axis.
+/// From anywhere (inside, near, far) towards the neighborhood of the solid; now and then in a plane or along an axis.
 R3::Ray RayNear(Draw& draw, const Solid& solid, double radius, double height) {
   const auto around = [&](double share) {
     return solid.Center() + R3::Vector{radius * draw.Between(-share, share), height / 2 * draw.Between(-share, share),

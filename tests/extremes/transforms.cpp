@@ -116,7 +116,7 @@ TEST(Extremes, A3_EverySignPatternMirrorsHitsExactlyAndKeepsNormalsOutward) {
   }
 }
 
-TEST(Extremes, A6_SingularMatricesAreRecognisedAndNothingElseIs) {
+TEST(Extremes, A6_SingularMatricesAreRecognizedAndNothingElseIs) {
   for (const auto& m :
        {Diagonal(0, 1, 1), Diagonal(1, 0, 1), Diagonal(1, 1, 0), Diagonal(0, 0, 0), Diagonal(1, 1e-16, 1)}) {
     EXPECT_TRUE(ray::IsSingular(m));

@@ -131,7 +131,7 @@ TEST(Graph, AmongEqualDistancesTheLowestPrimitiveWins) {
 
 TEST(Graph, EachOfItsDevicesSavesTestsWhereItShould) {
   // A row of groups of spheres seen end on: boxes skip whole groups, order skips what lies behind, the cache finds
-  // neighbours.
+  // neighbors.
   ray::Scene scene;
   for (int g = 0; g < 20; ++g) {
     ray::Node group;

@@ -67,7 +67,7 @@ TEST(Stratified, IsUnbiasedForACountThatIsNoSquare) {
   EXPECT_NEAR(sum / 28'000, 1.5, 4 * 0.0016);
 }
 
-TEST(RandomKey, NeighboursAreNotCorrelated) {
+TEST(RandomKey, NeighborsAreNotCorrelated) {
   // Products of deviations of a million pairs have standard error 1/12 / 1000.
   double sum = 0;
   for (std::uint64_t i = 0; i < 1'000'000; ++i) {

@@ -103,7 +103,7 @@ void ExpectSlopeOfTheDefinition(double steepest_known) {
 TEST(Owen, ErrorsInFourDimensionsFallAsSteeplyAsByTheDefinition) { ExpectSlopeOfTheDefinition<4>(-1.2); }
 TEST(Owen, ErrorsInSixDimensionsFallAsSteeplyAsByTheDefinition) { ExpectSlopeOfTheDefinition<6>(-1.0); }
 
-TEST(Sampler, NumbersOfNeighbouringPixelsAndSeedsAreNotRelated) {
+TEST(Sampler, NumbersOfNeighboringPixelsAndSeedsAreNotRelated) {
   // Correlation of first coordinates over a million pairs: below 4 sigma = 4 / 1000.
   for (const std::uint64_t seed : {std::uint64_t{0}, std::uint64_t{1}, ~std::uint64_t{0}})
     for (std::size_t k = 0; k < sampler_names.size(); ++k) {

@@ -115,7 +115,7 @@ TEST(AreaLight, SamplesLieOnItsDiscWhicheverWayItFaces) {
 
 TEST(AreaLight, SamplesFallEvenlyByArea) {
   // A grid of n x n even samples: the share within radius r of a unit disc is r^2, and half lies on either side of any
-  // line through the centre. The discrepancy of the grid along a curve is of the order of 1/n.
+  // line through the center. The discrepancy of the grid along a curve is of the order of 1/n.
   const auto light = Make("area_light", {1, 1, 1, 0, 0, 0, 0, 0, -1, 1, 1, 0, 0});
   constexpr int n = 200;
   int within[4] = {}, right = 0, above = 0;

@@ -191,7 +191,7 @@ TEST(SceneLineLines, AreWhereTheirGroupsBringThem) {
   EXPECT_EQ(ray::SceneLineLines(project::Stage(project::Root() / "scenes/lines.scn").world, {}).size(), 24u);
 }
 
-TEST(LevelColors, OfNeighboursDiffer) {
+TEST(LevelColors, OfNeighborsDiffer) {
   for (int level = 0; level < 50; ++level)
     for (int other = level + 1; other < level + 4; ++other) {
       const ray::Rgba a = ray::LevelColor(level), b = ray::LevelColor(other);
