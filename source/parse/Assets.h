@@ -1,6 +1,5 @@
 #pragma once
 
-#include <filesystem>
 #include <map>
 #include <memory>
 #include <set>
@@ -15,7 +14,8 @@
 
 namespace ray {
 
-/// The meshes and textures that a scene names. Each file is read once, however often and by whatever name it is used.
+/// The meshes, textures and environments that a scene names. Each file is read once, however often and by whatever name
+/// it is used.
 class Assets {
  public:
   Assets(const Files& files, Report& report, bool decode_srgb)
@@ -54,9 +54,9 @@ class Assets {
   const Files& files_;
   Report& report_;
   bool decode_srgb_;
-  std::map<std::pair<std::filesystem::path, bool>, BoxedMesh> meshes_;
-  std::map<std::pair<std::filesystem::path, Use>, std::shared_ptr<const Texture>> images_;
-  std::map<std::filesystem::path, std::shared_ptr<const Environment>> environments_;
+  std::map<std::pair<std::string, bool>, BoxedMesh> meshes_;
+  std::map<std::pair<std::string, Use>, std::shared_ptr<const Texture>> images_;
+  std::map<std::string, std::shared_ptr<const Environment>> environments_;
   std::int64_t texels_ = 0;
   std::set<std::string> files_read_;
 };

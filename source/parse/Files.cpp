@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <filesystem>
 #include <optional>
 #include <system_error>
 #include <utility>
@@ -74,11 +75,11 @@ bool IsBelow(const fs::path& path, const fs::path& folder) {
 }
 
 /// Without the empty last part that a trailing slash leaves.
-std::optional<fs::path> CanonicalFolder(const fs::path& folder) {
+std::optional<std::string> CanonicalFolder(const fs::path& folder) {
   std::error_code error;
   fs::path canonical = fs::canonical(folder.empty() ? fs::path(".") : folder, error);
   if (error) return {};
-  return canonical;
+  return canonical.string();
 }
 
 std::string ReadAll(const Handle& handle, const struct stat& status, const std::string& shown) {
@@ -101,19 +102,19 @@ std::string ReadAll(const Handle& handle, const struct stat& status, const std::
 
 }  // namespace
 
-Files::Files(const fs::path& top_scene, const std::vector<fs::path>& allowed_folders) : top_(top_scene) {
-  for (const fs::path& folder : {top_scene.parent_path(), fs::path(".")})
+Files::Files(const std::string& top_scene, const std::vector<std::string>& allowed_folders) : top_(top_scene) {
+  for (const fs::path& folder : {fs::path(top_scene).parent_path(), fs::path(".")})
     if (auto root = CanonicalFolder(folder)) roots_.push_back(std::move(*root));
-  for (const fs::path& folder : allowed_folders)
+  for (const std::string& folder : allowed_folders)
     if (auto root = CanonicalFolder(folder)) roots_.push_back(std::move(*root));
 }
 
 FoundFile Files::Top() const {
   std::error_code error;
-  fs::path canonical = fs::canonical(top_, error);
+  const fs::path canonical = fs::canonical(top_, error);
   if (error == std::errc::no_such_file_or_directory) throw FileError{"no such file", {}};
   if (error) throw FileError{"cannot be opened: " + error.message(), {}};
-  return {top_.string(), std::move(canonical)};
+  return {top_, canonical.string()};
 }
 
 FoundFile Files::Find(const std::string& name, const std::string& named_in) const {
@@ -122,15 +123,15 @@ FoundFile Files::Find(const std::string& name, const std::string& named_in) cons
   if (given.is_relative()) candidates.push_back(given);
   for (const fs::path& candidate : candidates) {
     std::error_code error;
-    fs::path canonical = fs::canonical(candidate, error);
+    const fs::path canonical = fs::canonical(candidate, error);
     if (error == std::errc::no_such_file_or_directory) continue;
     if (error) throw FileError{"cannot open " + Quoted(name) + ": " + error.message(), {}};
-    if (!IsAllowed(canonical)) {
+    if (!IsAllowed(canonical.string())) {
       const std::string folder = Escaped(canonical.parent_path().string());
       throw FileError{Quoted(name) + " is outside the scene's folder and the current folder",
                       "-allow_path " + folder + " allows it"};
     }
-    return {candidate.lexically_normal().string(), std::move(canonical)};
+    return {candidate.lexically_normal().string(), canonical.string()};
   }
   throw FileError{"no such file: " + Quoted(name), {}};
 }
@@ -147,8 +148,8 @@ std::string Files::Read(const FoundFile& file) const {
   return ReadAll(handle, status, file.shown);
 }
 
-bool Files::IsAllowed(const fs::path& canonical) const {
-  return std::any_of(roots_.begin(), roots_.end(), [&](const fs::path& root) { return IsBelow(canonical, root); });
+bool Files::IsAllowed(const std::string& canonical) const {
+  return std::any_of(roots_.begin(), roots_.end(), [&](const std::string& root) { return IsBelow(canonical, root); });
 }
 
 }  // namespace ray

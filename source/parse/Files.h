@@ -1,7 +1,5 @@
 #pragma once
 
-#include <filesystem>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -14,8 +12,8 @@ struct FileError {
 
 /// A file that exists and may be read.
 struct FoundFile {
-  std::string shown;                // as messages call it: next to the file that names it
-  std::filesystem::path canonical;  // absolute and free of links: the same for every name of a file
+  std::string shown;      // as messages call it: next to the file that names it
+  std::string canonical;  // absolute and free of links: the same for every name of a file
 };
 
 /// Finds and opens the files of one scene. A scene may come from a stranger: it reads regular files below its own
@@ -26,9 +24,9 @@ class Files {
   static constexpr std::size_t max_bytes = std::size_t{1} << 30;
 
   /// Opens the top scene wherever it lies: the user named it.
-  Files(const std::filesystem::path& top_scene, const std::vector<std::filesystem::path>& allowed_folders);
+  Files(const std::string& top_scene, const std::vector<std::string>& allowed_folders);
 
-  std::string TopName() const { return top_.string(); }
+  const std::string& TopName() const { return top_; }
   /// The top scene; throws FileError.
   FoundFile Top() const;
   /// Looks in the folder of the file that names it, then in the current folder. Throws FileError.
@@ -37,10 +35,10 @@ class Files {
   std::string Read(const FoundFile& file) const;
 
  private:
-  bool IsAllowed(const std::filesystem::path& canonical) const;
+  bool IsAllowed(const std::string& canonical) const;
 
-  std::filesystem::path top_;
-  std::vector<std::filesystem::path> roots_;  // canonical
+  std::string top_;
+  std::vector<std::string> roots_;  // canonical
 };
 
 }  // namespace ray

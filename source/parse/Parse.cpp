@@ -1,6 +1,7 @@
 #include "source/parse/Parse.h"
 
 #include <array>
+#include <filesystem>
 #include <new>
 
 #include "source/parse/Assets.h"
@@ -21,17 +22,16 @@ const std::array formats{
 
 using ReadScene = Scene (*)(const Files& files, const ParseOptions& options, Report& report);
 
-ReadScene ReaderOf(const std::filesystem::path& file) {
-  const std::string extension = LowerCase(file.extension().string());
+ReadScene ReaderOf(const std::string& file) {
+  const std::string extension = LowerCase(std::filesystem::path(file).extension().string());
   std::string known;
   for (const SceneFormat* format : formats) {
     if (extension == format->extension) return format->read;
     known += (known.empty() ? "" : ", ") + std::string(format->extension);
   }
-  if (MeshFormatForName(file.string())) return ReadMeshScene;
-  throw SceneErrors(
-      {ErrorIn(file.string(), extension.empty() ? "no file extension" : "cannot read " + Quoted(extension),
-               "supported: scenes " + known + "; meshes " + MeshExtensions())});
+  if (MeshFormatForName(file)) return ReadMeshScene;
+  throw SceneErrors({ErrorIn(file, extension.empty() ? "no file extension" : "cannot read " + Quoted(extension),
+                             "supported: scenes " + known + "; meshes " + MeshExtensions())});
 }
 
 /// The environment that the user names, wherever it lies.
@@ -48,7 +48,7 @@ void SetEnvironment(const ParseOptions& options, Report& report, Scene& scene) {
 
 }  // namespace
 
-ParsedScene Parse(const std::filesystem::path& file, const ParseOptions& options) {
+ParsedScene Parse(const std::string& file, const ParseOptions& options) {
   const ReadScene read = ReaderOf(file);
   Report report;
   try {
@@ -59,7 +59,7 @@ ParsedScene Parse(const std::filesystem::path& file, const ParseOptions& options
     parsed.warnings = report.Warnings();
     return parsed;
   } catch (const std::bad_alloc&) {
-    throw SceneErrors({ErrorIn(file.string(), "not enough memory for this scene")});
+    throw SceneErrors({ErrorIn(file, "not enough memory for this scene")});
   }
 }
 

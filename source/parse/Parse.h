@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -13,7 +12,7 @@ namespace ray {
 /// How a scene is read.
 struct ParseOptions {
   // Where files named by a scene may lie, beside its own folder and the current one.
-  std::vector<std::filesystem::path> allowed_folders;
+  std::vector<std::string> allowed_folders;
   bool decode_srgb = false;                      // 8-bit textures are sRGB and become linear
   std::string environment;                       // file that takes the place of the scene's own; empty for none
   int include_depth = 64;                        // how deep includes may nest
@@ -28,6 +27,6 @@ struct ParsedScene {
 
 /// Reads a scene file; its format is decided by extension (formats.def). A file of a mesh is a scene of that mesh
 /// alone. Defaults for camera and lights are filled in. Throws SceneErrors, whose what() is the whole report.
-ParsedScene Parse(const std::filesystem::path& file, const ParseOptions& options);
+ParsedScene Parse(const std::string& file, const ParseOptions& options);
 
 }  // namespace ray

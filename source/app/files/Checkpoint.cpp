@@ -1,5 +1,7 @@
 #include "source/app/files/Checkpoint.h"
 
+#include <filesystem>
+
 #include "source/app/Status.h"
 #include "source/app/options/OptionTable.h"
 #include "source/app/report/Messages.h"

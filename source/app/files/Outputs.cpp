@@ -1,5 +1,7 @@
 #include "source/app/files/Outputs.h"
 
+#include <filesystem>
+
 #include "source/app/Status.h"
 #include "source/app/files/LayerPictures.h"
 #include "source/app/report/Messages.h"

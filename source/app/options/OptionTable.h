@@ -50,7 +50,7 @@ struct FileList {  // one or two, separated by a comma
   Member<std::vector<std::string>> member;
 };
 struct FolderList {  // the only kind that may be repeated
-  Member<std::vector<std::filesystem::path>> member;
+  Member<std::vector<std::string>> member;
 };
 struct Triple {
   Member<R3::Vector> member;

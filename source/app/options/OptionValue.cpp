@@ -194,7 +194,7 @@ std::string Show(const OptionKind& option, const Options& options) {
                         [&](const FolderList& list) {
                           std::string text;
                           for (const auto& folder : list.member.read(options))
-                            text += (text.empty() ? "" : " ") + folder.string();
+                            text += (text.empty() ? "" : " ") + folder;
                           return text;
                         },
                         [&](const Rectangle& rectangle) {
@@ -215,7 +215,7 @@ std::vector<std::string> Typed(const OptionKind& option, const Options& options,
   if (std::holds_alternative<Flag>(option.value)) return {name};
   std::vector<std::string> words;
   if (const auto* list = std::get_if<FolderList>(&option.value)) {
-    for (const auto& folder : list->member.read(options)) words.push_back(name + "=" + folder.string());
+    for (const auto& folder : list->member.read(options)) words.push_back(name + "=" + folder);
     return words;
   }
   // Only "=" lets a value begin like an option.

@@ -22,7 +22,7 @@ struct ValueIn {
   Json operator()(const OneNameOf& one) const { return one.read(options); }
   Json operator()(const FolderList& list) const {
     Json folders = Json::array();
-    for (const auto& folder : list.member.read(options)) folders.push_back(folder.string());
+    for (const auto& folder : list.member.read(options)) folders.push_back(folder);
     return folders;
   }
   Json operator()(const Rectangle& rectangle) const {

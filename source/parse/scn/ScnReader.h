@@ -1,7 +1,6 @@
 #pragma once
 
 #include <deque>
-#include <filesystem>
 #include <functional>
 #include <map>
 #include <memory>
@@ -55,7 +54,7 @@ class ScnReader {
  private:
   struct OpenFile {
     std::shared_ptr<const Text> text;
-    std::filesystem::path canonical;
+    std::string canonical;
     std::uint32_t index;       // into Scene::files
     std::size_t outer_groups;  // how many open groups belong to the files around this one
     Tokenizer tokens;
@@ -87,7 +86,7 @@ class ScnReader {
   Assets assets_;
   SceneBuilder builder_;
   std::deque<OpenFile> open_files_;  // a deque: opening a file must not move the one whose statement asked for it
-  std::map<std::filesystem::path, KnownText> texts_;
+  std::map<std::string, KnownText> texts_;
   std::size_t includes_ = 0;
   std::size_t bytes_ = 0;  // of text read, an included file counted each time
 };
