@@ -67,9 +67,9 @@ ABSENT := $(if $(filter yes,$(HAS_EXR)),,R2/image_files/exr.cpp) \
 # files that use the same local names in the same folder, since they are variations of one thing, and files that
 # Highway includes once for each instruction set. JUMBO=no compiles each file by itself.
 JUMBO ?= yes
-ALONE := source/integrate/%.cpp source/render/%.cpp source/app/options/% source/app/report/% source/app/rayimg/% \
+ALONE := \
          R2/image_files/% source/view/gl/% source/view/contexts/% source/accelerate/grid.cpp source/accelerate/wide/Kernels.cpp \
-         $(if $(filter file,$(origin TEST_SOURCES)),tests/Main.cpp,tests/%) $(if $(filter yes,$(JUMBO)),,%)
+         $(if $(filter file,$(origin TEST_SOURCES)),,tests/%) $(if $(filter yes,$(JUMBO)),,%)
 present = $(filter-out $(ABSENT),$(1))
 alone = $(filter $(ALONE),$(call present,$(1)))
 together = $(filter-out $(ALONE),$(call present,$(1)))

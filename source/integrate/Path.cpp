@@ -9,7 +9,7 @@ namespace ray {
 namespace {
 
 // What the keys beneath a surface are for. Lights follow, one each.
-enum KeyUse : std::uint64_t { bounce_key, scatter_key, first_light_key };
+enum PathKey : std::uint64_t { bounce_key, scatter_key, next_event_key };
 
 // Russian roulette begins after so many bounces: what it would save before is not worth its noise.
 constexpr std::int64_t first_bounce_at_risk = 2;
@@ -105,14 +105,14 @@ void Path::SampleLights(const ShadingPoint& p, const Bsdf& bsdf, std::size_t ind
   const std::uint32_t i = p.path.index.sample;
   if (lights_at_once_ == 0) {
     for (int light = 0; light < lights_.Count(); ++light) {
-      const std::uint64_t which = first_light_key + static_cast<std::uint64_t>(light);
+      const std::uint64_t which = next_event_key + static_cast<std::uint64_t>(light);
       const Points points = p.path.index.PointsFor(which, settings_.sampler, settings_.samples);
       if (const auto sample = lights_.Sample(p, light, points.Get2D(i))) AddLightSample(p, bsdf, *sample, index, state);
     }
     return;
   }
   const auto count = static_cast<std::uint32_t>(lights_at_once_);
-  const Points points = p.path.index.PointsFor(first_light_key, settings_.sampler, settings_.samples, count);
+  const Points points = p.path.index.PointsFor(next_event_key, settings_.sampler, settings_.samples, count);
   for (std::uint32_t k = 0; k < count; ++k) {
     const auto random = points.Get<3>(i * count + k);
     auto sample = lights_.SampleOne(p, {random[0], random[1]}, random[2]);

@@ -10,7 +10,7 @@ namespace ray {
 namespace {
 
 // What the keys beneath a surface are for. Lights follow, one each.
-enum KeyUse : std::uint64_t {
+enum WhittedKey : std::uint64_t {
   reflection_key,
   transmission_key,
   choice_key,

@@ -10,7 +10,7 @@
 namespace ray {
 namespace {
 
-std::string Text(double number) {
+std::string SettingText(double number) {
   std::array<char, 64> text{};
   const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), number);
   return std::string(text.data(), end);
@@ -88,7 +88,7 @@ std::vector<std::string> SourcesOfBias(const SceneFeatures& features, const Rend
   const bool may_bounce = is_path || features.mirrors || features.clear;
   if (may_bounce || trace.max_depth == 0) sources.push_back("max_depth " + std::to_string(trace.max_depth));
   if (!is_path && may_bounce && trace.roulette != Roulette::on && trace.min_luminance > 0)
-    sources.push_back("min_luminance " + Text(trace.min_luminance));
+    sources.push_back("min_luminance " + SettingText(trace.min_luminance));
   if (!trace.shadows) sources.emplace_back("shadows off");
   if (settings.budget.error && settings.budget.adaptive != Adaptive::off) sources.emplace_back("adaptive tile");
   return sources;

@@ -42,9 +42,9 @@ Bytes Stored(const Bytes& data) {
 
 enum ColorType : unsigned char { gray = 0, rgb = 2, palette = 3, gray_alpha = 4, rgb_alpha = 6 };
 
-Bytes Start(std::uint32_t width, std::uint32_t height, unsigned char depth, ColorType type, bool interlaced = false) {
+Bytes Start(std::uint32_t columns, std::uint32_t rows, unsigned char depth, ColorType type, bool interlaced = false) {
   const Bytes signature{0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
-  return signature + Chunk("IHDR", Big(width) + Big(height) + Bytes{depth, type, 0, 0, interlaced});
+  return signature + Chunk("IHDR", Big(columns) + Big(rows) + Bytes{depth, type, 0, 0, interlaced});
 }
 
 /// The scan lines, each after its filter byte.

@@ -48,7 +48,7 @@ TEST(Extremes, F2_AClearObjectOfIndexOneIsInvisible) {
       "sphere 0 0.4 0.1 -2 1 box 0 -2 -1.5 -2 -0.5 0.5 -1 ";
   ray::RenderSettings settings;
   settings.width = settings.height = 64;
-  settings.trace.max_depth = 8;
+  settings.trace.max_depth = 20;  // clear crossings count, up to four of a torus on each way
   settings.trace.shadows = false;  // a clear blocker still blocks, by rule
   const auto without = project::Render(project::Stage(project::FromText(behind)), settings);
   for (const auto* kind : R3::ShapeKinds()) {

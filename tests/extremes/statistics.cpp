@@ -7,6 +7,7 @@
 #include <charconv>
 #include "R3/ShapeKind.h"
 #include "source/film/PictureError.h"
+#include "tests/Crossings.h"
 #include "tests/Draw.h"
 #include "tests/Named.h"
 #include "tests/Statistics.h"
@@ -35,7 +36,7 @@ std::string Material(double kd, double ks, double kt, double emission, double n 
   return " material 0 0 0  " + gray(kd) + gray(ks) + gray(kt) + gray(emission) + Words(n) + " " + Words(ir) + " 0 ";
 }
 
-R2::Image Uniform(double light) {
+R2::Image UniformSky(double light) {
   R2::Image image(16, 8);
   for (int y = 0; y < 8; ++y)
     for (int x = 0; x < 16; ++x) image.Set(x, y, {light, light, light});
@@ -44,7 +45,7 @@ R2::Image Uniform(double light) {
 
 /// Light 1 from less than `angle` from straight up, a whole number of eighths of a half turn.
 R2::Image Cap(double angle) {
-  R2::Image image = Uniform(0);
+  R2::Image image = UniformSky(0);
   for (int y = 0; y < 8; ++y)
     for (int x = 0; x < 16; ++x)
       if ((7.5 - y) * pi / 8 < angle) image.Set(x, y, {1, 1, 1});
@@ -80,6 +81,7 @@ TEST(Extremes, I1_EveryShapeThatLosesNothingVanishesInAWhiteFurnace) {
   for (const R3::ShapeKind* kind : R3::ShapeKinds()) {
     std::string shape = std::string(kind->name) + " 0";
     for (const double x : kind->example) shape += " " + Words(x);
+    const bool is_curved_inward = !crossings::IsConvex(*kind->make(kind->example));
     const struct {
       const char* name;
       std::string material;
@@ -97,8 +99,15 @@ TEST(Extremes, I1_EveryShapeThatLosesNothingVanishesInAWhiteFurnace) {
       settings.trace.glossy = c.glossy;
       settings.trace.fresnel = c.fresnel;
       const auto image = project::Render(stage, settings).image;
-      // Nothing is left to chance but the way, so every pixel is 1 within rounding, not only on average.
-      for (const float channel : image.Channels()) ASSERT_NEAR(channel, 1, 1e-6) << kind->name << ", " << c.name;
+      // Nothing is left to chance but the way, so every pixel is 1 within rounding, not only on average. Only within
+      // glass that is not convex a path may circle, by total internal reflection, beyond any number of bounces: such a
+      // sample is lost whole, and none but such may be.
+      const bool may_circle = is_curved_inward && c.fresnel;
+      for (const float channel : image.Channels()) {
+        const double lost = may_circle ? std::round(16 * (1 - channel)) / 16 : 0;
+        ASSERT_NEAR(channel + lost, 1, 1e-6) << kind->name << ", " << c.name;
+      }
+      EXPECT_GT(statistics::MeanOverPixels(image).mean, 1 - 1e-3) << kind->name << ", " << c.name;
     }
   }
 }
@@ -108,7 +117,7 @@ TEST(Extremes, I1_AFurnaceThatIsAlsoALightIsAsWhite) {
     for (const char* strategy : {"mis", "light", "bsdf", "uniform"}) {
       const project::Stage stage =
           StageOf(no_light + "camera 0 0 6 0 0 -1 0 1 0 0.1 0.01 100" + Material(kd, 1 - kd, 0, 0) + "sphere 0 0 0 0 1",
-                  Uniform(1));
+                  UniformSky(1));
       RenderSettings settings = Path(16, 256);
       settings.trace.strategy = project::Named{strategy};
       const Mean m = statistics::MeanOverPixels(project::Render(stage, settings).image);
@@ -122,7 +131,7 @@ TEST(Extremes, I1_TheCoursesModeIsWhiteOnAMatteBallAndInGlass) {
   RenderSettings settings = Whitted(32, 64);
   settings.trace.shadow_samples = 4;
   const Mean diffuse = statistics::MeanOverPixels(
-      project::Render(StageOf(no_light + camera + Material(1, 0, 0, 0) + "sphere 0 0 0 0 1", Uniform(1)), settings)
+      project::Render(StageOf(no_light + camera + Material(1, 0, 0, 0) + "sphere 0 0 0 0 1", UniformSky(1)), settings)
           .image);
   EXPECT_LT(std::abs(Deviations(diffuse, 1, 1e-6)), 4);
   EXPECT_NEAR(diffuse.mean, 1, 1e-3);
@@ -269,9 +278,9 @@ std::vector<Known> KnownScenes() {
       {"lamp in a hollow ball, cut after three bounces",
        inside + Material(0.6, 0, 0, 0) + "sphere 0 0 0 0 2 point_light 4 4 4  0 0 0  0 0 1", 0.6 * Series(0.6, 3),
        depth(path, 3)},
-      {"uniform sky over a plane", floor + no_light, 0.5, whitted, Uniform(1)},
+      {"uniform sky over a plane", floor + no_light, 0.5, whitted, UniformSky(1)},
       {"uniform sky over a plane, path", floor + no_light, 0.5,
-       with(path, [](auto& t) { t.strategy = ray::LightStrategy::light; }), Uniform(1)},
+       with(path, [](auto& t) { t.strategy = ray::LightStrategy::light; }), UniformSky(1)},
       {"cap of 45 degrees of sky: half of what counts", floor + no_light, 0.25, whitted, Cap(pi / 4)},
       {"cap of 45 degrees of sky, path", floor + no_light, 0.25, path, Cap(pi / 4)},
       {"ambient light",
@@ -416,7 +425,7 @@ std::string Lamps(bool shining_triangles) {
 
 /// A dim sky with a sun, lighter towards the horizon.
 R2::Image SunnySky() {
-  R2::Image image = Uniform(0);
+  R2::Image image = UniformSky(0);
   for (int y = 0; y < 8; ++y)
     for (int x = 0; x < 16; ++x) image.Set(x, y, {0.3 + 0.02 * x, 0.4, 0.9 - 0.05 * y});
   for (const int y : {5, 6})

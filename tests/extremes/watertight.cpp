@@ -23,7 +23,7 @@ ray::Scene SceneOf(R3::MeshData data) {
   return scene;
 }
 
-R3::MeshData Moved(R3::MeshData data, const R3::Matrix& matrix) {
+R3::MeshData MovedData(R3::MeshData data, const R3::Matrix& matrix) {
   for (R3::Point& p : data.positions) p = matrix * p;
   return data;
 }
@@ -105,7 +105,7 @@ TEST(Extremes, D3_NorThroughAMeshFarTinyHugeSqueezedOrSlanted) {
                                    scaled(1e6, 1e6, 1e6, 0), scaled(1, 1e-4, 1, 0),       scaled(1e-4, 1, 1, 1e5)};
   for (int i = 0; i < 6; ++i) matrices.push_back(draw.Affine(4));
   for (const R3::Matrix& m : matrices)
-    ExpectNoLeaks(Moved(accelerators::BumpyBall(24, 16), m), m, 1011, Count(6'000, 1'000'000));
+    ExpectNoLeaks(MovedData(accelerators::BumpyBall(24, 16), m), m, 1011, Count(6'000, 1'000'000));
 }
 
 TEST(Extremes, D12_ARayFromOutsideToOutsideCrossesAClosedMeshAnEvenNumberOfTimes) {

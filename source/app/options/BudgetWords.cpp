@@ -18,7 +18,7 @@ std::optional<double> Before(const std::string& suffix, const std::string& word)
   return number.value;
 }
 
-std::string ToText(double number) {
+std::string ShortestText(double number) {
   std::array<char, 64> text{};
   const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), number);
   return std::string(text.data(), end);
@@ -37,7 +37,7 @@ std::optional<double> ReadDuration(const std::string& word) {
   return {};
 }
 
-std::string ShowDuration(const double& seconds) { return seconds > 0 ? ToText(seconds) + "s" : ""; }
+std::string ShowDuration(const double& seconds) { return seconds > 0 ? ShortestText(seconds) + "s" : ""; }
 
 std::optional<std::optional<ErrorTarget>> ReadErrorTarget(const std::string& word) {
   for (const auto& [suffix, unit] : error_units)
@@ -48,7 +48,7 @@ std::optional<std::optional<ErrorTarget>> ReadErrorTarget(const std::string& wor
 std::string ShowErrorTarget(const std::optional<ErrorTarget>& target) {
   if (!target) return "";
   for (const auto& [suffix, unit] : error_units)
-    if (unit == target->unit) return ToText(target->value) + suffix;
+    if (unit == target->unit) return ShortestText(target->value) + suffix;
   return "";
 }
 

@@ -79,9 +79,9 @@ std::string SceneCommands() {
   return text;
 }
 
-std::string Presets() {
+std::string PresetLines() {
   std::string text;
-  for (const Preset& preset : ray::Presets()) {
+  for (const Preset& preset : Presets()) {
     std::string settings;
     for (const auto& [option, value] : preset.settings) settings += " -" + std::string(option) + " " + value;
     text += Line(preset.name, std::string(preset.about) + ":" + settings);
@@ -100,28 +100,28 @@ struct Subject {
   std::string (*list)();
 };
 
-constexpr Subject subjects[] = {
+constexpr Subject list_subjects[] = {
     {"shapes", Shapes}, {"lights", Lights}, {"accelerators", Accelerators}, {"modes", Modes},
-    {"images", Images}, {"scenes", Scenes}, {"commands", SceneCommands},    {"presets", Presets},
+    {"images", Images}, {"scenes", Scenes}, {"commands", SceneCommands},    {"presets", PresetLines},
     {"keys", Keys}};
 
 /// Presets are values of an option that only raypro has; keys are pressed in a window.
 bool Knows(Program program, const Subject& subject) {
-  return program == Program::raypro ? subject.list != Keys : subject.list != Presets;
+  return program == Program::raypro ? subject.list != Keys : subject.list != PresetLines;
 }
 
 }  // namespace
 
 std::vector<std::string> ListSubjects(Program program) {
   std::vector<std::string> names;
-  for (const Subject& subject : subjects)
+  for (const Subject& subject : list_subjects)
     if (Knows(program, subject)) names.emplace_back(subject.name);
   return names;
 }
 
 std::string Listing(Program program, const std::string& wanted) {
   std::string text;
-  for (const Subject& subject : subjects)
+  for (const Subject& subject : list_subjects)
     if (Knows(program, subject) && (wanted.empty() || wanted == subject.name))
       text += subject.name + std::string(":\n") + subject.list();
   return text;

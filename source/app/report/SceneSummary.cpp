@@ -17,11 +17,11 @@ std::string Line(std::string name, Number number) {
     return name + std::to_string(number) + "\n";
 }
 
-std::string Text(const R3::Point& p) { return Fixed(p.x, 3) + " " + Fixed(p.y, 3) + " " + Fixed(p.z, 3); }
-std::string Text(const R3::Vector& v) { return Fixed(v.x, 3) + " " + Fixed(v.y, 3) + " " + Fixed(v.z, 3); }
+std::string ThreeDecimals(const R3::Point& p) { return Fixed(p.x, 3) + " " + Fixed(p.y, 3) + " " + Fixed(p.z, 3); }
+std::string ThreeDecimals(const R3::Vector& v) { return Fixed(v.x, 3) + " " + Fixed(v.y, 3) + " " + Fixed(v.z, 3); }
 
 std::string BoundsText(const R3::Box& box) {
-  return box.IsEmpty() ? "empty" : Text(box.low) + "  to  " + Text(box.high);
+  return box.IsEmpty() ? "empty" : ThreeDecimals(box.low) + "  to  " + ThreeDecimals(box.high);
 }
 
 /// Meshes and textures may be used many times; each is there once.
@@ -72,8 +72,8 @@ std::string SceneSummary(const World& world, const RenderSettings& settings) {
       Line("meshes", std::to_string(shared.meshes.size()) + " with " + Counted(Triangles(shared), "triangle")) +
       Line("materials", scene.materials.size()) + Line("textures", shared.textures.size()) +
       Line("bounds", BoundsText(scene.root.bounds)) +
-      Line("camera", "at " + Text(scene.camera.eye) + ", towards " + Text(scene.camera.towards) + ", half angle " +
-                         Fixed(scene.camera.xfov, 3) + " rad") +
+      Line("camera", "at " + ThreeDecimals(scene.camera.eye) + ", towards " + ThreeDecimals(scene.camera.towards) +
+                         ", half angle " + Fixed(scene.camera.xfov, 3) + " rad") +
       Line("lights", scene.lights.size());
   for (const auto& light : scene.lights) text += "  " + light->Describe() + "\n";
   const double megabytes = 1e-6 * static_cast<double>(Memory(world, shared, settings));

@@ -6,18 +6,13 @@
 #include <limits>
 #include <random>
 
+#include "tests/R2/Filled.h"
+
 namespace R2 {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-Image Filled(int width, int height, const Color& c) {
-  Image image(width, height);
-  for (int y = 0; y < height; ++y)
-    for (int x = 0; x < width; ++x) image.Set(x, y, c);
-  return image;
-}
 
 // Halves, quarters and eighths are exact in every step but the root.
 TEST(Difference, AConstantOffsetIsItsOwnRmseAndBias) {

@@ -4,15 +4,10 @@
 
 #include <limits>
 
+#include "tests/R2/Filled.h"
+
 namespace R2 {
 namespace {
-
-Image Filled(int width, int height, const Color& c) {
-  Image image(width, height);
-  for (int y = 0; y < height; ++y)
-    for (int x = 0; x < width; ++x) image.Set(x, y, c);
-  return image;
-}
 
 /// Steps of every size in every channel; rows counted from the top, as the figures below were measured.
 Image Pattern(int a, int b, int c) {
@@ -83,17 +78,17 @@ TEST(Flip, FineNoiseVanishesFromAfar) {
 }
 
 TEST(Flip, StaysWithinZeroAndOneWhateverThePicturesHold) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
   Image odd = Pattern(7, 13, 3);
-  odd.Set(3, 3, {nan, infinity, -infinity});
-  odd.Set(40, 3, {-5, 1e30, nan});
+  odd.Set(3, 3, {no_number, infinite, -infinite});
+  odd.Set(40, 3, {-5, 1e30, no_number});
   for (const double pixels_per_degree : {1.0, 3.0, 67.0, 1000.0})
     for (const float value : Flip(odd, Filled(64, 48, {0, 0, 1}), pixels_per_degree).values) {
       ASSERT_GE(value, 0);
       ASSERT_LE(value, 1.0001);
     }
-  EXPECT_EQ(Flip(Filled(1, 1, {nan, nan, nan}), Filled(1, 1, {})).values[0], 0) << "NaN is black";
+  EXPECT_EQ(Flip(Filled(1, 1, {no_number, no_number, no_number}), Filled(1, 1, {})).values[0], 0) << "NaN is black";
 }
 
 }  // namespace

@@ -162,7 +162,7 @@ TEST_F(Rayview, MistakesAreTold) {
 #ifdef RAYVIEW_GLFW
   ExpectOneLine(Run({Scene("hello.scn")}), 1, {"rayview: ", "display", "-headless"});
 #endif
-  ExpectOneLine(Run({Scene("hello.scn"), "-headless", "-image", folder / "a.xyz"}), 2, {"a.xyz"});
+  ExpectOneLine(Run({Scene("hello.scn"), "-headless", "-image", folder / "a.xyz"}), 2, {".xyz", ".png"});
   ExpectOneLine(Run({Scene("hello.scn"), "-headless", "-image", "/no/such/folder/a.jpg"}), 4, {"/no/such/folder"});
   ExpectOneLine(Run({Scene("hello.scn"), "-headless", "-context", "glx"}), 2, {"glx", "osmesa"});
   EXPECT_EQ(Run({folder / "none.scn", "-headless"}).status, 3);

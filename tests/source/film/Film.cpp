@@ -7,13 +7,10 @@
 #include "source/sample/Random.h"
 #include "tests/Named.h"
 #include "tests/Project.h"
+#include "tests/source/film/FilterKinds.h"
 
 namespace ray {
 namespace {
-
-constexpr std::array kinds{FilterKind::box, FilterKind::gaussian, FilterKind::mitchell, FilterKind::lanczos};
-
-const char* NameOf(FilterKind kind) { return filter_names[static_cast<std::size_t>(kind)]; }
 
 /// `samples` per pixel from first on at random places, each of a color that `color` makes of its key.
 template <typename Shade>

@@ -3,14 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+
 #include <numbers>
+#include "tests/source/film/FilterKinds.h"
 
 namespace ray {
 namespace {
-
-constexpr std::array kinds{FilterKind::box, FilterKind::gaussian, FilterKind::mitchell, FilterKind::lanczos};
-
-const char* NameOf(FilterKind kind) { return filter_names[static_cast<std::size_t>(kind)]; }
 
 /// The published formulas once more, from their other side: Mitchell and Netravali's by its factored halves for
 /// B = C = 1/3, sinc as a product of cosines (Viete).

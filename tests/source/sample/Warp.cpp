@@ -16,7 +16,7 @@ namespace {
 constexpr double pi = std::numbers::pi;
 constexpr int points = 1'000'000;
 constexpr int tests = 12;  // that share one chance of 1 % to fail although all is well
-constexpr double last = 1 - 0x1p-53;
+constexpr double largest_random = 1 - 0x1p-53;
 constexpr double exponents[] = {0, 1, 10, 1000, 1e6};
 constexpr double cones[] = {1e-12, 0.25, 2};  // one minus the cosine
 
@@ -52,8 +52,8 @@ double Share(const std::function<double(double)>& pdf, double low, double high) 
 
 std::vector<R2::Point> Extremes() {
   std::vector<R2::Point> extremes;
-  for (const double x : {0.0, 0x1p-53, 0.25, 0.5, 0.75, last, 1.0})
-    for (const double y : {0.0, 0x1p-53, 0.25, 0.5, 0.75, last, 1.0}) extremes.push_back({x, y});
+  for (const double x : {0.0, 0x1p-53, 0.25, 0.5, 0.75, largest_random, 1.0})
+    for (const double y : {0.0, 0x1p-53, 0.25, 0.5, 0.75, largest_random, 1.0}) extremes.push_back({x, y});
   for (int i = 0; i < 10'000; ++i) extremes.push_back(Random(i));
   return extremes;
 }
@@ -94,13 +94,13 @@ TEST(Warp, TheHemisphereIsCoveredByTheCosine) {
 
 TEST(Warp, PhongsLobeIsCoveredByThePowerOfTheCosine) {
   for (const double n : exponents) {
-    EXPECT_LT(
-        OverQuantile([&](const R2::Point& u) {
-          const R3::Vector d = ray::OnPowerLobe(u, n);
-          const double square_of_sine = d.x * d.x + d.y * d.y;
-          return R2::Point{std::exp(0.5 * (n + 1) * std::log1p(-std::min(square_of_sine, last))), Turns(d.x, d.y)};
-        }),
-        1)
+    EXPECT_LT(OverQuantile([&](const R2::Point& u) {
+                const R3::Vector d = ray::OnPowerLobe(u, n);
+                const double square_of_sine = d.x * d.x + d.y * d.y;
+                return R2::Point{std::exp(0.5 * (n + 1) * std::log1p(-std::min(square_of_sine, largest_random))),
+                                 Turns(d.x, d.y)};
+              }),
+              1)
         << n;
     const auto pdf = [&](double cosine) { return ray::PowerPdf(cosine, n); };
     const auto ring = [&](double share) { return std::pow(share, 1 / (n + 1)); };

@@ -17,7 +17,7 @@
 namespace ray {
 namespace {
 
-bool Contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+bool Mentions(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 std::size_t Count(const std::string& text, const std::string& part) {
   std::size_t count = 0;
@@ -50,7 +50,7 @@ TEST(Help, NamesEveryOptionOnceWithItsDefaultAndFitsTheScreen) {
     for (const OptionKind& option : OptionTable(program)) {
       EXPECT_EQ(Count(help, Entry(option)), 1u) << option.name;
       const std::string value = Show(option, Defaults(program));
-      EXPECT_TRUE(value.empty() || Contains(Help(program, option.name), "default " + value + ")")) << option.name;
+      EXPECT_TRUE(value.empty() || Mentions(Help(program, option.name), "default " + value + ")")) << option.name;
     }
     for (const std::string& line : Lines(help)) EXPECT_LE(line.size(), 120u) << line;
   }
@@ -62,12 +62,12 @@ TEST(Help, OptionsOfTheOtherProgramAreInNoTextOfThis) {
     for (const OptionKind& option : OptionTable(TheOther(program))) {
       if (FindOption(program, option.name)) continue;
       const std::string name = option.name;
-      EXPECT_FALSE(Contains(Help(program, ""), Entry(option))) << name;
-      EXPECT_FALSE(Contains(Help(program, "markdown"), "`-" + name)) << name;
-      EXPECT_FALSE(Contains(ManualPage(program), ".B " + WithRoffDashes(Synopsis(option)) + "\n")) << name;
-      EXPECT_FALSE(Contains(CompletionScript(program, "bash"), "-" + name + " ")) << name;
-      EXPECT_FALSE(Contains(CompletionScript(program, "zsh"), "-" + name + "[")) << name;
-      EXPECT_FALSE(Contains(CompletionScript(program, "fish"), " -o " + name + " ")) << name;
+      EXPECT_FALSE(Mentions(Help(program, ""), Entry(option))) << name;
+      EXPECT_FALSE(Mentions(Help(program, "markdown"), "`-" + name)) << name;
+      EXPECT_FALSE(Mentions(ManualPage(program), ".B " + WithRoffDashes(Synopsis(option)) + "\n")) << name;
+      EXPECT_FALSE(Mentions(CompletionScript(program, "bash"), "-" + name + " ")) << name;
+      EXPECT_FALSE(Mentions(CompletionScript(program, "zsh"), "-" + name + "[")) << name;
+      EXPECT_FALSE(Mentions(CompletionScript(program, "fish"), " -o " + name + " ")) << name;
     }
 }
 
@@ -75,7 +75,7 @@ TEST(Help, ATopicHoldsItsOptionsAndNoOthers) {
   for (const Program program : scene_programs)
     for (const std::string& topic : OptionTopics(program))
       for (const OptionKind& option : OptionTable(program))
-        EXPECT_EQ(Contains(Help(program, topic), Entry(option)), topic == option.topic) << topic << " " << option.name;
+        EXPECT_EQ(Mentions(Help(program, topic), Entry(option)), topic == option.topic) << topic << " " << option.name;
 }
 
 TEST(Help, TopicsAreTogetherInTheTable) {
@@ -90,7 +90,7 @@ TEST(Help, ShowsNoAlias) {
   for (const Program program : scene_programs)
     for (const OptionKind& option : OptionTable(program))
       for (const char* alias : option.aliases)
-        EXPECT_FALSE(Contains(Help(program, ""), "-" + std::string(alias) + " ")) << alias;
+        EXPECT_FALSE(Mentions(Help(program, ""), "-" + std::string(alias) + " ")) << alias;
 }
 
 TEST(Help, TheMarkdownTableHasARowForEveryOptionWithFourCells) {
@@ -103,9 +103,9 @@ TEST(Help, RayviewsMarkdownNamesWhatItSharesAndHasRowsForTheRest) {
   const std::string text = Help(Program::rayview, "markdown");
   for (const OptionKind& option : OptionTable(Program::rayview)) {
     const bool is_shared = option.known_to != KnownTo::rayview;
-    EXPECT_EQ(Contains(text, "\n| `" + Synopsis(option) + "` |"), !is_shared) << option.name;
+    EXPECT_EQ(Mentions(text, "\n| `" + Synopsis(option) + "` |"), !is_shared) << option.name;
     const std::string name = " `-" + std::string(option.name) + "`";
-    EXPECT_EQ(Contains(text, name + ",") || Contains(text, name + "\n"), is_shared) << option.name;
+    EXPECT_EQ(Mentions(text, name + ",") || Mentions(text, name + "\n"), is_shared) << option.name;
   }
 }
 
@@ -113,21 +113,21 @@ TEST(Help, RayviewsMarkdownNamesWhatItSharesAndHasRowsForTheRest) {
 TEST(Help, TheReadmesOptionTableIsOurs) {
   const char* root = std::getenv("RAYPRO_ROOT");
   const std::string readme = ray::testing::ReadFile(std::string(root ? root : ".") + "/README.md");
-  if (!Contains(readme, "| option | default |")) GTEST_SKIP() << "README.md has no option table yet";
+  if (!Mentions(readme, "| option | default |")) GTEST_SKIP() << "README.md has no option table yet";
   for (const Program program : scene_programs)
-    EXPECT_TRUE(Contains(readme, Help(program, "markdown"))) << "script/update_readme.sh brings it up to date";
+    EXPECT_TRUE(Mentions(readme, Help(program, "markdown"))) << "script/update_readme.sh brings it up to date";
 }
 
 TEST(Manual, NamesEveryOptionAndNoLineStartsWithAStrayDot) {
   for (const Program program : scene_programs) {
     const std::string page = ManualPage(program);
-    EXPECT_TRUE(Contains(page, ".SH NAME\n" + NameOf(program) + " \\- "));
+    EXPECT_TRUE(Mentions(page, ".SH NAME\n" + NameOf(program) + " \\- "));
     for (const OptionKind& option : OptionTable(program))
       EXPECT_EQ(Count(page, ".B " + WithRoffDashes(Synopsis(option)) + "\n"), 1u) << option.name;
     for (const std::string& line : Lines(page)) {
       if (!line.starts_with('.')) continue;
       const std::string macro = line.substr(0, line.find(' '));
-      EXPECT_TRUE(Contains(" .TH .SH .SS .TP .B .I .BR .RI .nf .fi ", " " + macro + " ")) << line;
+      EXPECT_TRUE(Mentions(" .TH .SH .SS .TP .B .I .BR .RI .nf .fi ", " " + macro + " ")) << line;
     }
   }
 }
@@ -142,12 +142,12 @@ TEST(Manual, OfScenesHasEveryCommandThatTheLanguageHasAndThatIsListed) {
   const std::vector<std::string> listed = Lines(Listing(Program::raypro, "commands"));
   EXPECT_EQ(listed.size(), Commands().size() + 1);  // and a heading
   for (std::size_t i = 1; i < listed.size(); ++i)
-    EXPECT_TRUE(Contains(page, "\n.B " + WithRoffDashes(listed[i].substr(2)) + "\n")) << listed[i];
+    EXPECT_TRUE(Mentions(page, "\n.B " + WithRoffDashes(listed[i].substr(2)) + "\n")) << listed[i];
 }
 
 TEST(Manual, OfScenesShowsAnExampleThatIsOne) {
   const std::string page = ManualPage("scn", Program::raypro), heading = ".SH EXAMPLE\n.nf\n";
-  ASSERT_TRUE(Contains(page, heading));
+  ASSERT_TRUE(Mentions(page, heading));
   const std::size_t start = page.find(heading) + heading.size();
   std::string scene = page.substr(start, page.find(".fi\n", start) - start);
   std::erase(scene, '\\');
@@ -175,9 +175,9 @@ TEST(Completion, EveryShellLearnsEveryOption) {
     std::ranges::replace(bash_words, '\'', ' ');
     for (const OptionKind& option : OptionTable(program)) {
       const std::string name = option.name;
-      EXPECT_TRUE(Contains(bash_words, " -" + name + " ")) << name;
-      EXPECT_TRUE(Contains(CompletionScript(program, "zsh"), "-" + name + "[")) << name;
-      EXPECT_TRUE(Contains(CompletionScript(program, "fish"), "-c " + NameOf(program) + " -o " + name + " ")) << name;
+      EXPECT_TRUE(Mentions(bash_words, " -" + name + " ")) << name;
+      EXPECT_TRUE(Mentions(CompletionScript(program, "zsh"), "-" + name + "[")) << name;
+      EXPECT_TRUE(Mentions(CompletionScript(program, "fish"), "-c " + NameOf(program) + " -o " + name + " ")) << name;
     }
   }
 }
@@ -210,19 +210,19 @@ TEST(Listing, EverySubjectListsSomethingAndAllTogetherListEverything) {
     for (const std::string& subject : ListSubjects(program)) {
       const std::string list = Listing(program, subject);
       EXPECT_TRUE(list.starts_with(subject + ":\n  ")) << list;
-      EXPECT_TRUE(Contains(Listing(program, ""), list)) << subject;
+      EXPECT_TRUE(Mentions(Listing(program, ""), list)) << subject;
     }
-    EXPECT_TRUE(Contains(Listing(program, "shapes"), "\n  sphere "));
-    EXPECT_TRUE(Contains(Listing(program, "accelerators"), "\n  none "));
-    EXPECT_TRUE(Contains(Listing(program, "scenes"), ".scn"));
+    EXPECT_TRUE(Mentions(Listing(program, "shapes"), "\n  sphere "));
+    EXPECT_TRUE(Mentions(Listing(program, "accelerators"), "\n  none "));
+    EXPECT_TRUE(Mentions(Listing(program, "scenes"), ".scn"));
   }
-  EXPECT_FALSE(Contains(Listing(Program::rayview, ""), "presets"));
+  EXPECT_FALSE(Mentions(Listing(Program::rayview, ""), "presets"));
 }
 
 TEST(Version, NamesTheProgramAndItsFeatures) {
   for (const Program program : scene_programs) {
     EXPECT_TRUE(Version(program).starts_with(NameOf(program) + " "));
-    EXPECT_TRUE(Contains(Version(program), "jpeg="));
+    EXPECT_TRUE(Mentions(Version(program), "jpeg="));
   }
 }
 

@@ -9,7 +9,7 @@
 namespace ray {
 namespace {
 
-RunStats Example() {
+RunStats ExampleStats() {
   RunStats record;
   record.options.scene = "in.scn";
   record.options.picture = "out.png";
@@ -28,7 +28,7 @@ RunStats Example() {
 
 // A program that reads reports must be able to rely on the table in ReportJson.h.
 TEST(ReportJson, HasTheKeysThatItsHeaderPromises) {
-  const auto report = nlohmann::json::parse(ReportJson(Example()));
+  const auto report = nlohmann::json::parse(ReportJson(ExampleStats()));
   std::vector<std::string> keys;
   for (const auto& [key, value] : report.items()) keys.push_back(key);
   EXPECT_EQ(keys, (std::vector<std::string>{
@@ -43,7 +43,7 @@ TEST(ReportJson, HasTheKeysThatItsHeaderPromises) {
 }
 
 TEST(ReportJson, HoldsEverySettingWithItsType) {
-  const auto settings = nlohmann::json::parse(ReportJson(Example()))["settings"];
+  const auto settings = nlohmann::json::parse(ReportJson(ExampleStats()))["settings"];
   std::size_t count = 0;
   for (const OptionKind& option : OptionTable(Program::raypro)) {
     EXPECT_EQ(settings.contains(option.name), IsSetting(option)) << option.name;
@@ -58,20 +58,20 @@ TEST(ReportJson, HoldsEverySettingWithItsType) {
 }
 
 TEST(ReportJson, SurvivesNamesThatAreNotUtf8) {
-  RunStats record = Example();
+  RunStats record = ExampleStats();
   record.options.scene = "\xff\xfe.scn";
   EXPECT_TRUE(nlohmann::json::accept(ReportJson(record)));
 }
 
 TEST(RunStats, ThePictureKeepsHowItWasMade) {
-  auto settings = SettingsInPicture(Example());
+  auto settings = SettingsInPicture(ExampleStats());
   EXPECT_EQ(settings["pixels"], "3 of 4 pixels done");
   EXPECT_EQ(settings["seed"], "18446744073709551615");
   EXPECT_EQ(settings["command"], "raypro in.scn 'out put.png'");
 }
 
 TEST(RunStats, TheLastLineOfARunSaysWhatItMade) {
-  RunStats record = Example();
+  RunStats record = ExampleStats();
   record.seconds.wall = 2;
   record.rays[ray::RayKind::camera].rays = 28'399'991;
   EXPECT_EQ(FinalLine(record), "out.png 2x2 1 spp 2.00 s 14.2 Mrays/s (stopped by SIGINT, 3 of 4 pixels done)\n");

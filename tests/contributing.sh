@@ -1,0 +1,47 @@
+#!/bin/sh
+# Does what CONTRIBUTING.md says, in a copy of the tree: its shape is built and rendered, and every command of the table
+# of checks is there to be run.
+#   usage: tests/contributing.sh BUILD   (the folder of a finished build, below the root of the tree)
+set -eu
+cd "$(dirname "$0")/.."
+build=$1
+copy=$(mktemp -d)
+trap 'rm -rf "$copy"' EXIT
+page=CONTRIBUTING.md
+
+fail() { echo "$page: $*" >&2; exit 1; }
+
+# The fenced block that follows the line with these words.
+block_after() {
+  awk -v words="$1" '
+    !seen && index($0, words) { seen = 1 }
+    seen && /^```/ { if (fenced) exit; fenced = 1; next }
+    fenced { print }
+  ' "$page"
+}
+
+# Commands of the first column: targets that make knows, scripts that can be run.
+sed -n '/^| command/,/^$/s/^| \(`.*`\) |.*/\1/p' "$page" | tr '`' '\n' | grep -E '^(make|script/|tests/|\.ci/)' > "$copy/commands"
+[ -s "$copy/commands" ] || fail "no table of commands"
+while read -r program rest; do
+  case $program in
+    make) make -n BUILD="$build" ${rest%% *} > /dev/null 2>&1 || fail "make $rest cannot be made" ;;
+    *) [ -x "$program" ] || fail "$program cannot be run" ;;
+  esac
+done < "$copy/commands"
+
+# What is built already is not built again: only what knows of shapes.
+mkdir -p "$copy/tree/$build"
+cp -a Makefile R2 R3 source script scenes "$copy/tree"
+cp -a "$build/obj" "$build/jumbo" "$build/flags" "$copy/tree/$build"
+block_after '`R3/shapes/disc.cpp`:' > "$copy/tree/R3/shapes/disc.cpp"
+sed -n 's/^    \(SHAPE(.*)\)$/\1/p' "$page" >> "$copy/tree/R3/shapes.def"
+block_after '`disc.scn`' > "$copy/tree/disc.scn"
+cd "$copy/tree"
+grep -q 'class Disc' R3/shapes/disc.cpp && grep -q 'SHAPE(disc)' R3/shapes.def || fail "the disc is not where it was"
+make -s BUILD="$build" raypro > "$copy/log" 2>&1 || { cat "$copy/log" >&2; fail "the disc does not compile"; }
+"$build/raypro" disc.scn disc.ppm -width 32 -height 24 -quiet || fail "the disc's scene does not render"
+sed '/^disc/d' disc.scn > none.scn
+"$build/raypro" none.scn none.ppm -width 32 -height 24 -quiet
+! cmp -s disc.ppm none.ppm || fail "the disc is not seen"
+echo "CONTRIBUTING.md does what it says"
