@@ -99,18 +99,27 @@ $(BUILD)/obj/%/all.o: $(BUILD)/jumbo/%/all.cpp $(BUILD)/flags
 $(BUILD)/obj/%.o: %.cpp $(BUILD)/flags
 	$(call compile,$<)
 
-$(BUILD)/libray.a: $(call objects,$(LIBRARY_SOURCES))
-	@echo "  ar    $@"
-	@rm -f $@ && $(AR) rcs $@ $^
+# What all programs share, and what is one program's own, so that raypro does not wait for the viewer.
+OF_RAYVIEW := $(filter-out source/view/camera/%,$(filter source/view/% source/app/rayview/%,$(LIBRARY_SOURCES)))
+OF_RAYIMG := $(filter source/app/rayimg/%,$(LIBRARY_SOURCES))
+archive = @echo "  ar    $@" && rm -f $@ && $(AR) rcs $@ $^
+$(BUILD)/libray.a: $(call objects,$(filter-out $(OF_RAYVIEW) $(OF_RAYIMG),$(LIBRARY_SOURCES)))
+	$(archive)
+$(BUILD)/librayview.a: $(call objects,$(OF_RAYVIEW))
+	$(archive)
 
 $(BUILD)/rayview $(BUILD)/raytests $(BUILD)/bench/view: LIBS += $(VIEWER_LIBS)
 
-link = @mkdir -p $(@D) && echo "  link  $@" && $(CXX) $(OUR_CXXFLAGS) $(CXXFLAGS) $^ $(LDFLAGS) $(1) $(LIBS) -o $@
+# What the archive of all holds is looked up last.
+link = @mkdir -p $(@D) && echo "  link  $@" && $(CXX) $(OUR_CXXFLAGS) $(CXXFLAGS) \
+       $(filter-out %/libray.a,$^) $(BUILD)/libray.a $(LDFLAGS) $(1) $(LIBS) -o $@
+$(BUILD)/rayview: $(BUILD)/librayview.a
+$(BUILD)/rayimg: $(call objects,$(OF_RAYIMG))
 $(PROGRAMS:%=$(BUILD)/%): $(BUILD)/%: $(BUILD)/obj/source/app/%.o $(BUILD)/libray.a
 	$(call link)
-$(BUILD)/raytests: $(call objects,$(TEST_SOURCES)) $(BUILD)/libray.a
+$(BUILD)/raytests: $(call objects,$(TEST_SOURCES) $(OF_RAYIMG)) $(BUILD)/librayview.a $(BUILD)/libray.a
 	$(call link,-lgtest)
-$(BUILD)/bench/%: $(BUILD)/obj/bench/%.o $(BUILD)/libray.a
+$(BUILD)/bench/%: $(BUILD)/obj/bench/%.o $(BUILD)/librayview.a $(BUILD)/libray.a
 	$(call link,-lbenchmark)
 
 # Tests find the programs and the project's files through these. The shell names the folders: make takes blanks in

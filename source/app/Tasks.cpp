@@ -41,7 +41,7 @@ std::string RaysOfPixel(const Options& options) {
   return DebugPixel(world, *accelerator, options.render, options.pixel->x, options.pixel->y);
 }
 
-std::string ResultOf(const Options& options) {
+std::string ResultOf(const Options& options, const std::vector<std::string>& keys) {
   switch (options.task) {
     case Task::render:
     case Task::view:
@@ -58,7 +58,7 @@ std::string ResultOf(const Options& options) {
     case Task::version:
       return Version(options.program);
     case Task::list:
-      return Listing(options.program, options.subject);
+      return Listing(options.program, options.subject, keys);
     case Task::complete:
       return CompletionScript(options.program, options.subject);
     case Task::manual:
@@ -69,6 +69,8 @@ std::string ResultOf(const Options& options) {
 
 }  // namespace
 
-void DoTask(const Options& options) { WriteStandardOutput(ResultOf(options)); }
+void DoTask(const Options& options, const std::vector<std::string>& keys) {
+  WriteStandardOutput(ResultOf(options, keys));
+}
 
 }  // namespace ray

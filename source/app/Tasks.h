@@ -5,6 +5,7 @@
 namespace ray {
 
 /// Does everything a program does besides rendering, viewing and commands: prints its result, and nothing else.
-void DoTask(const Options& options);
+/// `keys`: as for Listing.
+void DoTask(const Options& options, const std::vector<std::string>& keys = {});
 
 }  // namespace ray

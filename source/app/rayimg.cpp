@@ -1,5 +1,6 @@
 // rayimg compares, describes, converts and merges pictures, and makes movies of them. Its commands and their options
-// are in rayimg/Table.cpp.
+// are in options/RayimgTable.cpp.
+#include <map>
 #include <string>
 #include <vector>
 
@@ -8,14 +9,21 @@
 #include "source/app/Tasks.h"
 #include "source/app/options/CommandLine.h"
 #include "source/app/options/OptionTable.h"
+#include "source/app/rayimg/Commands.h"
 #include "source/text/Words.h"
 
 namespace ray {
 namespace {
 
+const std::map<std::string, int (*)(const rayimg::Options& options, const std::string& command_line)> commands{
+    {"diff", rayimg::Diff},   {"info", rayimg::Info},   {"convert", rayimg::Convert},
+    {"merge", rayimg::Merge}, {"movie", rayimg::Movie},
+};
+
 int Run(const std::vector<std::string>& words) {
   const Options options = ReadCommandLine(Program::rayimg, words);
-  if (options.task == Task::command) return options.command->run(options.image, "rayimg " + ShellLine(words));
+  if (options.task == Task::command)
+    return commands.at(options.command->name)(options.image, "rayimg " + ShellLine(words));
   DoTask(options);
   return status::done;
 }

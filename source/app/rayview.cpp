@@ -11,6 +11,7 @@
 #include "source/app/rayview/ViewSession.h"
 #include "source/app/report/Messages.h"
 #include "source/view/LoadedScene.h"
+#include "source/view/Viewer.h"
 
 namespace ray {
 namespace {
@@ -28,7 +29,7 @@ int ViewScene(const Options& options) {
 int Run(const std::vector<std::string>& words) {
   const Options options = ReadCommandLine(Program::rayview, words);
   if (options.task == Task::view) return ViewScene(options);
-  DoTask(options);
+  DoTask(options, Viewer::Help());
   return status::done;
 }
 

@@ -12,7 +12,7 @@
 #include "source/app/options/Help.h"
 #include "source/app/options/OptionTable.h"
 #include "source/app/options/Preset.h"
-#include "source/app/rayimg/Table.h"
+#include "source/app/options/RayimgTable.h"
 #include "source/text/EnumNames.h"
 #include "source/text/Quoting.h"
 #include "source/text/Words.h"

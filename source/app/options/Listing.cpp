@@ -8,7 +8,6 @@
 #include "source/parse/Format.h"
 #include "source/parse/scn/Command.h"
 #include "source/scene/Light.h"
-#include "source/view/Viewer.h"
 
 namespace ray {
 namespace {
@@ -89,25 +88,25 @@ std::string PresetLines() {
   return text;
 }
 
-std::string Keys() {
+std::string Indented(const std::vector<std::string>& lines) {
   std::string text;
-  for (const std::string& line : Viewer::Help()) text += "  " + line + "\n";
+  for (const std::string& line : lines) text += "  " + line + "\n";
   return text;
 }
 
 struct Subject {
   const char* name;
-  std::string (*list)();
+  std::string (*list)();  // null for the keys of the viewer, which only that knows
 };
 
 constexpr Subject list_subjects[] = {
     {"shapes", Shapes}, {"lights", Lights}, {"accelerators", Accelerators}, {"modes", Modes},
     {"images", Images}, {"scenes", Scenes}, {"commands", SceneCommands},    {"presets", PresetLines},
-    {"keys", Keys}};
+    {"keys", nullptr}};
 
 /// Presets are values of an option that only raypro has; keys are pressed in a window.
 bool Knows(Program program, const Subject& subject) {
-  return program == Program::raypro ? subject.list != Keys : subject.list != PresetLines;
+  return program == Program::raypro ? subject.list != nullptr : subject.list != PresetLines;
 }
 
 }  // namespace
@@ -119,11 +118,11 @@ std::vector<std::string> ListSubjects(Program program) {
   return names;
 }
 
-std::string Listing(Program program, const std::string& wanted) {
+std::string Listing(Program program, const std::string& wanted, const std::vector<std::string>& keys) {
   std::string text;
   for (const Subject& subject : list_subjects)
     if (Knows(program, subject) && (wanted.empty() || wanted == subject.name))
-      text += subject.name + std::string(":\n") + subject.list();
+      text += subject.name + std::string(":\n") + (subject.list ? subject.list() : Indented(keys));
   return text;
 }
 

@@ -10,7 +10,8 @@ namespace ray {
 /// What -list can list.
 std::vector<std::string> ListSubjects(Program program);
 
-/// The names of one subject with what they are, or of all of them when `subject` is empty.
-std::string Listing(Program program, const std::string& subject);
+/// The names of one subject with what they are, or of all of them when `subject` is empty. `keys`: what the keys of the
+/// viewer do, in lines; none for programs without a window.
+std::string Listing(Program program, const std::string& subject, const std::vector<std::string>& keys = {});
 
 }  // namespace ray

@@ -1,4 +1,4 @@
-// Every option of raypro and rayview; those of rayimg's commands are in rayimg/Table.cpp.
+// Every option of raypro and rayview; those of rayimg's commands are in options/RayimgTable.cpp.
 #include "source/app/options/OptionTable.h"
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 #include "source/app/options/Manual.h"
 #include "source/app/options/OptionEntry.h"
 #include "source/app/options/Preset.h"
-#include "source/app/rayimg/Table.h"
+#include "source/app/options/RayimgTable.h"
 
 namespace ray {
 namespace {

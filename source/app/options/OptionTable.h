@@ -101,7 +101,6 @@ struct CommandKind {
   std::size_t fewest, most;
   const char* help;     // one line
   const char* details;  // of what it does and prints, in lines that fit a screen
-  int (*run)(const rayimg::Options& options, const std::string& command_line);  // the exit status
 };
 std::span<const CommandKind> CommandsOf(Program program);
 std::vector<std::string> CommandNamesOf(Program program);

@@ -16,7 +16,7 @@
 #include "source/app/options/Completion.h"
 #include "source/app/options/Help.h"
 #include "source/app/options/Manual.h"
-#include "source/app/rayimg/Table.h"
+#include "source/app/options/RayimgTable.h"
 #include "tests/source/app/options/Program.h"
 
 namespace ray::rayimg {

@@ -208,9 +208,9 @@ TEST(Completion, BashFindsOptionsAndTheirChoices) {
 TEST(Listing, EverySubjectListsSomethingAndAllTogetherListEverything) {
   for (const Program program : scene_programs) {
     for (const std::string& subject : ListSubjects(program)) {
-      const std::string list = Listing(program, subject);
+      const std::string list = Listing(program, subject, {"H  this help"});
       EXPECT_TRUE(list.starts_with(subject + ":\n  ")) << list;
-      EXPECT_TRUE(Mentions(Listing(program, ""), list)) << subject;
+      EXPECT_TRUE(Mentions(Listing(program, "", {"H  this help"}), list)) << subject;
     }
     EXPECT_TRUE(Mentions(Listing(program, "shapes"), "\n  sphere "));
     EXPECT_TRUE(Mentions(Listing(program, "accelerators"), "\n  none "));

@@ -1,4 +1,4 @@
-#include "source/app/rayimg/Table.h"
+#include "source/app/options/RayimgTable.h"
 
 #include <array>
 #include <limits>
@@ -6,7 +6,6 @@
 #include "R2/ToneCurve.h"
 #include "source/app/Status.h"
 #include "source/app/options/OptionEntry.h"
-#include "source/app/rayimg/Commands.h"
 #include "source/text/Number.h"
 #include "source/text/Words.h"
 
@@ -70,23 +69,23 @@ With -reference2 c, the same picture as r from another random seed, also mean (x
 without the noise of the reference, which the linear RMSE counts as error of x (how misleading that can be: Whittle et
 al. 2017).
 With thresholds the exit status is 1 when one is exceeded. Pixels that are NaN or infinite fail every threshold.
-)", Diff},
+)"},
     CommandKind{"info", "picture...", 1, any_number, "print what is in pictures and how they were made", R"(
 Size, format and metadata; of the finite values as stored, the minimum, mean and maximum of each channel and the mean
 luminance (0.30 r + 0.59 g + 0.11 b); how many values are negative, and how many NaN or infinite.
-)", Info},
+)"},
     CommandKind{"convert", "in out", 2, 2, "write a picture in another format, brighter, tone-mapped or encoded", R"(
 Values are multiplied by 2^exposure, go through the tone curve, channel by channel, and are encoded. Pictures of floats
 (pfm, hdr, exr) are never encoded. The metadata is kept, and the conversion added to it.
-)", Convert},
+)"},
     CommandKind{"merge", "picture...", 2, any_number, "average float pictures of different seeds", R"(
 Writes the weighted mean of pictures of floats (pfm, hdr, exr) of one size to the file that -out names. Refuses those
 that are not independent (the same scene or command, and a seed in common) and those that were interrupted.
-)", Merge},
+)"},
     CommandKind{"movie", "out.avi frame.jpg...", 2, any_number, "make a movie from JPEG pictures", R"(
 Writes an AVI file of motion JPEG: the frames as they are, in the order named, and an index. Nothing is encoded again,
 so the quality is that of the pictures. They must be JPEG and of one size; one may be named more often.
-)", Movie},
+)"},
 };
 
 // clang-format on
