@@ -12,6 +12,7 @@
 #include "source/app/files/ReadInputs.h"
 #include "source/app/options/CommandLine.h"
 #include "source/app/report/Progress.h"
+#include "source/app/report/ReadReplay.h"
 #include "source/app/report/RunLog.h"
 
 namespace ray {

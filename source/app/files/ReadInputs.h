@@ -6,13 +6,11 @@
 
 namespace ray {
 
+/// The whole of a file that the user names; throws SceneErrors where it cannot be read.
+std::string Contents(const std::string& name);
+
 /// The pictures of -reference, none to two. Throws SceneErrors when one cannot be read, UsageError when its size is not
 /// that of the picture to be made.
 std::vector<R2::Image> ReadReferences(const Options& options);
-
-/// How the render that wrote the report shared its samples out; nothing without -replay. Throws SceneErrors when the
-/// file is no report of ours, UsageError when it tells of another picture: `scene_hash` or an option that chooses what
-/// the picture shows differs.
-std::optional<Replay> ReadReplay(const Options& options, const std::string& scene_hash);
 
 }  // namespace ray
