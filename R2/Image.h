@@ -11,7 +11,7 @@ namespace R2 {
 /// The most pixels an image may have, 2^28: a header that promises more is refused before memory is asked for.
 inline constexpr std::int64_t max_pixels = std::int64_t{1} << 28;
 
-/// A rectangle of colours. Row 0 is the bottom row, as the course stores pictures. Channels are kept as
+/// A rectangle of colors. Row 0 is the bottom row, as the course stores pictures. Channels are kept as
 /// floats (24 bits, more than any file format here asks for); a value set and read back is rounded to float.
 class Image {
  public:

@@ -17,7 +17,7 @@ char LowerCase(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A'
 const ImageFormat& FormatOfContent(std::span<const unsigned char> bytes) {
   std::string known;
   for (const ImageFormat& format : ImageFormats()) {
-    if (format.recognises(bytes)) return format;
+    if (format.recognizes(bytes)) return format;
     known += known.empty() ? "" : ", ";
     known += format.name;
   }

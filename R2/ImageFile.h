@@ -41,7 +41,7 @@ struct ImageSize {
 struct ImageFormat {
   const char* name;                                              // "png"
   std::vector<const char*> extensions;                           // lower case, without the dot
-  bool (*recognises)(std::span<const unsigned char> bytes);      // by content, never by name
+  bool (*recognizes)(std::span<const unsigned char> bytes);      // by content, never by name
   ImageSize (*read_size)(std::span<const unsigned char> bytes);  // from the header; throws ImageError
   Image (*decode)(std::span<const unsigned char> bytes,
                   ImageSettings* settings);  // throws ImageError; settings may be null

@@ -6,8 +6,8 @@
 
 namespace R2 {
 
-/// A colour for a number from 0 (black) to 1 (white), brighter with the number: its luminance, as the course weighs
-/// channels, is the number within 0.001, so that order survives a gray print and colour-blind eyes. Numbers outside,
+/// A color for a number from 0 (black) to 1 (white), brighter with the number: its luminance, as the course weighs
+/// channels, is the number within 0.001, so that order survives a gray print and color-blind eyes. Numbers outside,
 /// and NaN, take the nearest end, black for NaN.
 ///   source  Green, A colour scheme for the display of astronomical intensity images (2011): cubehelix, with start 0.5,
 ///           -1.5 rotations, hue 1, gamma 1

@@ -45,7 +45,7 @@ constexpr const char* lexical =
     "A file is a row of words with white space between them; line ends mean nothing. A statement is a command and as "
     "many numbers and names as it takes.\n"
     "A word that begins with # starts a comment, which goes on to the end of the line.\n"
-    "Commands are in lower case. Numbers are decimal, such as 2, -.5, +20 or 1e-3; angles are in radians. Colours are "
+    "Commands are in lower case. Numbers are decimal, such as 2, -.5, +20 or 1e-3; angles are in radians. Colors are "
     "three numbers, red, green and blue, that may exceed 1. Names of files hold no white space.\n"
     "The order of statements is free but that a material stands before its first use. Of several cameras, backgrounds, "
     "ambients or environments the last one counts.\n";
@@ -59,7 +59,7 @@ constexpr const char* placing =
     "A light's direction is the way the light travels. Its attenuation ca la qa divides it by ca + la d + qa d^2 at a "
     "distance d. Of the two numbers behind a spot_light the cut-off angle is the first, the exponent the second.\n"
     "Without any camera the scene is looked at along -z from three times the radius of its box; without any light two "
-    "dir_light shine, of colour 1 along -3 -4 -5 and of colour .5 along 3 2 3. A black light keeps them away.\n";
+    "dir_light shine, of color 1 along -3 -4 -5 and of color .5 along 3 2 3. A black light keeps them away.\n";
 
 constexpr std::pair<const char*, const char*> material_words[] = {
     {"ka", "Weight of the ambient light, added once."},
@@ -87,7 +87,7 @@ constexpr std::pair<const char*, const char*> extensions[] = {
     {"absorb, bump", "Of a material of the same file, stated before."},
     {"motion", "Between begin and end."},
     {"environment", "A latitude-longitude picture, an angular probe or a cross; -env takes its place."},
-    {"sphere_light", "A lamp with a size, not itself seen; from afar a point_light of that colour."},
+    {"sphere_light", "A lamp with a size, not itself seen; from afar a point_light of that color."},
 };
 
 constexpr const char* example =

@@ -110,7 +110,7 @@ Bytes StreamFormat(const R2::ImageSize& size) {
   Append16(format, 24);  // bits a pixel
   Append(format, "MJPG");
   Append32(format, std::min(3 * width * height, most_bytes));  // bytes of a picture; a player's hint
-  for (int i = 0; i < 4; ++i) Append32(format, 0);             // pixels a metre, twice; colours of a palette, twice
+  for (int i = 0; i < 4; ++i) Append32(format, 0);             // pixels per meter, twice; colors of a palette, twice
   return format;
 }
 
