@@ -176,7 +176,7 @@ TEST(ImageFile, ContentDecidesTheKindAndNotTheName) {
   for (const ImageFormat& format : ImageFormats()) {
     int recognized = 0;
     const Bytes bytes = format.encode(Gradient(2, 2), {}, {});
-    for (const ImageFormat& other : ImageFormats()) recognized += other.recognises(bytes);
+    for (const ImageFormat& other : ImageFormats()) recognized += other.recognizes(bytes);
     EXPECT_EQ(recognized, 1) << format.name;
   }
 }
