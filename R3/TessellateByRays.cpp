@@ -44,6 +44,8 @@ void AddTriangle(MeshData& data, const Shape& shape, const std::array<Point, 3>&
   Intersection flat = NearestFacing(shape, middle, reach * front).value_or(Intersection{});
   flat.shading_normal = AsNormal(front);
   const Intersection whole = beneath(middle, flat);
+  // A corner may lie on an edge between two faces, so the normal is asked for a millionth of the way inside: far more
+  // than rounding, far less than is seen.
   constexpr double beside = 1e-6;
   const auto first = static_cast<std::uint32_t>(data.positions.size());
   data.triangles.push_back({first, first + 1, first + 2});

@@ -1,4 +1,4 @@
-#include "tests/source/app/options/Program.h"
+#include "tests/source/app/Program.h"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>

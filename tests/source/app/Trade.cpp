@@ -10,7 +10,7 @@
 #include "source/app/options/BudgetWords.h"
 #include "source/app/options/CommandLine.h"
 #include "source/app/options/Preset.h"
-#include "tests/source/app/options/Program.h"
+#include "tests/source/app/Program.h"
 
 namespace ray {
 namespace {

@@ -17,7 +17,7 @@
 #include "source/app/options/Help.h"
 #include "source/app/options/Manual.h"
 #include "source/app/options/RayimgTable.h"
-#include "tests/source/app/options/Program.h"
+#include "tests/source/app/Program.h"
 
 namespace ray::rayimg {
 namespace {

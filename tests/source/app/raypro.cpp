@@ -9,7 +9,7 @@
 #include <thread>
 
 #include "R2/ImageFile.h"
-#include "tests/source/app/options/Program.h"
+#include "tests/source/app/Program.h"
 
 namespace ray::testing {
 namespace {

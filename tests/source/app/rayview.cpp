@@ -8,7 +8,7 @@
 #include "R2/ImageFile.h"
 #include "tests/Display.h"
 #include "tests/Project.h"
-#include "tests/source/app/options/Program.h"
+#include "tests/source/app/Program.h"
 
 // The real program, drawing without a window wherever one is not what is tried.
 namespace ray {

@@ -10,7 +10,7 @@
 
 #include "source/app/Status.h"
 #include "source/app/files/TemporaryFile.h"
-#include "tests/source/app/options/Program.h"
+#include "tests/source/app/Program.h"
 
 namespace ray {
 namespace {

@@ -11,7 +11,7 @@
 #include "source/app/options/Manual.h"
 #include "source/app/options/OptionTable.h"
 #include "source/parse/scn/Command.h"
-#include "tests/source/app/options/Program.h"
+#include "tests/source/app/Program.h"
 #include "tests/source/app/options/ScenePrograms.h"
 
 namespace ray {

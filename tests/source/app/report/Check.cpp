@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "source/app/files/SceneHash.h"
-#include "tests/source/app/options/Program.h"
+#include "tests/source/app/Program.h"
 
 namespace ray {
 namespace {
