@@ -8,6 +8,7 @@
 #include "source/app/options/Help.h"
 #include "source/app/options/Listing.h"
 #include "source/app/options/Manual.h"
+#include "source/app/options/SceneSettings.h"
 #include "source/app/report/Check.h"
 #include "source/app/report/Info.h"
 #include "source/app/report/Messages.h"
@@ -18,9 +19,10 @@ namespace ray {
 namespace {
 
 /// Everything that rendering would do short of the first ray, and a look for likely mistakes.
-std::string CheckScene(const Options& options) {
-  if (!options.picture.empty()) CheckOutputs(options);
-  const ParsedScene parsed = Parse(options.scene, options.parse);
+std::string CheckScene(const Options& asked) {
+  if (!asked.picture.empty()) CheckOutputs(asked);
+  const ParsedScene parsed = Parse(asked.scene, asked.parse);
+  const Options options = WithSettingsOf(parsed.scene, asked);
   const World world(parsed.scene);
   std::vector<std::string> warnings = parsed.warnings;
   for (const std::string& warning : world.Warnings()) warnings.push_back(warning);
@@ -31,9 +33,10 @@ std::string CheckScene(const Options& options) {
          (warnings.empty() ? "no warnings" : Counted(warnings.size(), "warning")) + "\n";
 }
 
-std::string RaysOfPixel(const Options& options) {
-  CheckMachine(options);
-  const ParsedScene parsed = Parse(options.scene, options.parse);
+std::string RaysOfPixel(const Options& asked) {
+  CheckMachine(asked);
+  const ParsedScene parsed = Parse(asked.scene, asked.parse);
+  const Options options = WithSettingsOf(parsed.scene, asked);
   const World world(parsed.scene);
   TellAll(parsed.warnings);
   TellAll(world.Warnings());

@@ -11,6 +11,7 @@
 #include "source/app/files/Outputs.h"
 #include "source/app/files/ReadInputs.h"
 #include "source/app/options/CommandLine.h"
+#include "source/app/options/SceneSettings.h"
 #include "source/app/report/Progress.h"
 #include "source/app/report/ReadReplay.h"
 #include "source/app/report/RunLog.h"
@@ -59,15 +60,17 @@ std::unique_ptr<const Accelerator> Build(const World& world, const Options& opti
   return FindAcceleratorKind(settings.name)->Make(world, settings);
 }
 
-int MakePicture(const Options& options, const Words& words) {
-  CheckMachine(options);
-  RunLog account(options, words);
-  const Outputs outputs = CheckOutputs(options);
+int MakePicture(const Options& asked, const Words& words) {
+  CheckMachine(asked);
+  RunLog account(asked, words);
+  const Outputs outputs = CheckOutputs(asked);
+  const ParsedScene parsed = Parse(asked.scene, asked.parse);
+  RefuseInputs(outputs, parsed.scene.files);
+  const Options options = WithSettingsOf(parsed.scene, asked);
+  RefuseSize(*outputs.format, options.render.width, options.render.height);
   const Checkpoint checkpoint(options);
   const std::vector<R2::Image> references = ReadReferences(options);
-  const ParsedScene parsed = Parse(options.scene, options.parse);
-  RefuseInputs(outputs, parsed.scene.files);
-  account.Loaded(parsed);
+  account.Loaded(parsed, options);
 
   const World world(parsed.scene);
   const auto accelerator = Build(world, options);

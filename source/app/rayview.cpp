@@ -7,6 +7,7 @@
 #include "source/app/Status.h"
 #include "source/app/Tasks.h"
 #include "source/app/options/CommandLine.h"
+#include "source/app/options/SceneSettings.h"
 #include "source/app/rayview/ViewOutputs.h"
 #include "source/app/rayview/ViewSession.h"
 #include "source/app/report/Messages.h"
@@ -16,10 +17,11 @@
 namespace ray {
 namespace {
 
-int ViewScene(const Options& options) {
-  CheckMachine(options);
-  const ViewOutputs outputs = CheckViewOutputs(options);
-  const auto scene = std::make_shared<const LoadedScene>(options.scene, options.parse, options.accelerator);
+int ViewScene(const Options& asked) {
+  CheckMachine(asked);
+  const ViewOutputs outputs = CheckViewOutputs(asked);
+  const auto scene = std::make_shared<const LoadedScene>(asked.scene, asked.parse, asked.accelerator);
+  const Options options = WithSettingsOf(scene->parsed.scene, asked);
   RefuseInputs(outputs, scene->parsed.scene.files);
   TellAll(scene->parsed.warnings);
   TellAll(scene->world.Warnings());

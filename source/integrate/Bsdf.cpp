@@ -45,9 +45,9 @@ double FresnelReflectance(double cosine, double eta) {
 
 SpecularWeights SpecularWeightsOf(const ShadingPoint& p, bool fresnel) {
   const Material& m = *p.material;
-  if (!fresnel || IsBlack(m.kt) || m.ir == 1) return {m.ks, m.kt};
+  if (!fresnel || IsBlack(m.kt) || m.ir == 1) return {m.kr, m.kt};
   const double share = FresnelReflectance(std::clamp(Dot(p.N, p.wo), 0.0, 1.0), RelativeIndex(p));
-  return {m.ks + share * m.kt, (1 - share) * m.kt};
+  return {m.kr + share * m.kt, (1 - share) * m.kt};
 }
 
 std::optional<R3::Vector> SampleReflection(const ShadingPoint& p, bool glossy, const R2::Point& u) {

@@ -43,7 +43,7 @@ R2::Color FirstHit::Seen(const CameraSample& sample, const std::optional<WorldHi
     case Layer::uv:
       return {p.at.uv.x, p.at.uv.y, 0};
     case Layer::albedo:
-      return p.kd + p.material->ks + p.material->kt;
+      return p.kd + p.material->kr + p.material->kt;
     case Layer::id:
       return {id, id, id};
   }
@@ -63,7 +63,7 @@ std::unique_ptr<const Integrator> MakeFirstHit(const World& world, const Acceler
 extern const IntegratorKind depth_kind{"distance to the first surface", MakeFirstHit<Layer::depth>};
 extern const IntegratorKind normal_kind{"its shading normal on the viewer's side", MakeFirstHit<Layer::normal>};
 extern const IntegratorKind uv_kind{"its texture coordinates", MakeFirstHit<Layer::uv>};
-extern const IntegratorKind albedo_kind{"what it scatters: kd, ks and kt", MakeFirstHit<Layer::albedo>};
+extern const IntegratorKind albedo_kind{"what it scatters: kd, kr and kt", MakeFirstHit<Layer::albedo>};
 extern const IntegratorKind id_kind{"the number of its primitive", MakeFirstHit<Layer::id>};
 
 }  // namespace ray

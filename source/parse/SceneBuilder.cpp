@@ -27,7 +27,12 @@ Scene SceneBuilder::Finish() {
   assert(open_groups.size() == 1);
   scene.root = std::move(open_groups.front());
   SetBounds(scene.root);
-  if (!has_camera) scene.camera = DefaultCamera(scene.root.bounds);
+  if (!has_camera) {
+    const Camera named = scene.camera;
+    scene.camera = DefaultCamera(scene.root.bounds);
+    scene.camera.aspect = named.aspect;
+    scene.camera.shift = named.shift;
+  }
   if (!has_light) scene.lights = DefaultLights();
   return std::move(scene);
 }

@@ -43,7 +43,7 @@ SceneFeatures FeaturesOf(const World& world, const RenderSettings& settings) {
       features.emissive_triangles = true;
       lights += static_cast<std::size_t>(instance.mesh->Elements());
     }
-    features.mirrors |= !IsBlack(m.ks) && settings.trace.max_depth > 0;
+    features.mirrors |= !IsBlack(m.kr) && settings.trace.max_depth > 0;
     features.clear |= !IsBlack(m.kt) && settings.trace.max_depth > 0;
     features.bending |= !IsBlack(m.kt) && m.ir != 1 && settings.trace.max_depth > 0;
     features.absorbing |= !IsBlack(m.absorb);

@@ -15,9 +15,15 @@ constexpr double parallel_angle = 1e-9;
 
 }  // namespace
 
+double Camera::HalfHeight(int width, int height) const {
+  const double half_width = std::tan(xfov);
+  return aspect > 0 ? half_width / aspect : half_width * height / width;
+}
+
 R3::Ray Camera::Through(double x, double y, int width, int height) const {
-  const double half_width = std::tan(xfov), half_height = half_width * height / width;
-  const double across = (2 * x / width - 1) * half_width, upward = (2 * y / height - 1) * half_height;
+  const double half_width = std::tan(xfov);
+  const double across = (2 * x / width - 1 + shift.x) * half_width,
+               upward = (2 * y / height - 1) * HalfHeight(width, height) + shift.y * half_width;
   return {eye, towards + across * right + upward * up};
 }
 

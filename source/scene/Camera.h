@@ -1,5 +1,6 @@
 #pragma once
 
+#include "R2/Vector.h"
 #include "R3/Box.h"
 #include "R3/Ray.h"
 
@@ -10,10 +11,15 @@ struct Camera {
   R3::Point eye;
   R3::Vector towards{0, 0, -1}, up{0, 1, 0}, right{1, 0, 0};
   double xfov = 0.25;             // HALF angle from the axis to the left or right edge, radians, in (0, pi/2)
+  double aspect = 0;              // width over height of what is seen, whatever the pixels; 0: that of the picture
+  R2::Vector shift{0, 0};         // of the picture's middle off the axis, to the right and up, in half widths
   double near = 0.01, far = 100;  // kept for the viewer; rays are not clipped
 
+  /// Half the height of a picture of width x height pixels, at distance 1 from the eye: tan(xfov) height / width, or
+  /// tan(xfov) / aspect where that is given.
+  double HalfHeight(int width, int height) const;
   /// The ray through a place of the picture: x, y in pixels from the lower left corner, not necessarily whole.
-  /// Vertical: tan(yfov) = tan(xfov) height / width. The direction is not of unit length.
+  /// The direction is not of unit length.
   R3::Ray Through(double x, double y, int width, int height) const;
 };
 

@@ -1,17 +1,19 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "R2/Color.h"
 #include "source/scene/Texture.h"
 
 namespace ray {
 
-/// A line of a .scn file, field for field. The defaults are the course's gray, used where nothing is inherited.
+/// How a surface looks. The defaults are the course's gray, used where nothing is inherited.
 struct Material {
   R2::Color ka{0.2, 0.2, 0.2};  // ambient reflectance
   R2::Color kd{0.5, 0.5, 0.5};  // diffuse reflectance; a texture multiplies it
-  R2::Color ks{0.5, 0.5, 0.5};  // weight of the Phong lobe and of the mirror direction
+  R2::Color ks{0.5, 0.5, 0.5};  // weight of the Phong lobe of lights
+  R2::Color kr{0.5, 0.5, 0.5};  // weight of the mirror direction; in a .scn file ks
   R2::Color kt{0, 0, 0};        // weight of what is seen through the surface
   R2::Color emission{0, 0, 0};
   double n = 10;  // Phong exponent, >= 0
@@ -20,6 +22,7 @@ struct Material {
   R2::Color absorb{0, 0, 0};  // what the inside takes from light, per unit of length; by the extension of that name
   std::shared_ptr<const Texture> bump;  // its luminance times bump_height is how far the surface seems to rise
   double bump_height = 0;
+  std::optional<R2::Color> color;  // what mode flat shows, where that is not kd + kr + kt
 };
 
 }  // namespace ray

@@ -13,6 +13,13 @@
 
 namespace ray {
 
+/// A setting that a scene file asks for: the name of the option that overrides it, without the dash, and what would be
+/// typed behind that. Words only, so that a scene needs to know nothing of what it sets.
+struct SceneSetting {
+  std::string option, value;  // "max_depth", "2"
+  std::string origin;         // who says so: "room.yaml:12", or a course whose rule it is
+};
+
 /// What was asked for. Never changes after parsing.
 struct Scene {
   Node root;                                    // identity transform; its bounds are the scene's, in world coordinates
@@ -21,6 +28,7 @@ struct Scene {
   Camera camera;
   R2::Color background, ambient;
   std::shared_ptr<const Environment> environment;  // seen instead of the background, and a light; null for none
+  std::vector<SceneSetting> settings;
   std::vector<std::string> files;  // what it was read from: scene files, the top one first, then meshes and textures
 };
 

@@ -7,6 +7,7 @@
 
 #include "source/text/NumberText.h"
 #include "source/view/ScenePicture.h"
+#include "source/view/camera/CameraText.h"
 #include "source/view/overlay/SceneLines.h"
 
 namespace ray {
@@ -61,9 +62,7 @@ RenderSettings Viewer::SettingsOfView() const {
   settings.height = size_.height;
   const Camera &own = scene_->parsed.scene.camera, &now = navigator_.camera();
   // The scene's own view is left unsaid, so that the same command as without a viewer makes the same picture.
-  const bool is_own = now.eye == own.eye && now.towards == own.towards && now.up == own.up && now.right == own.right &&
-                      now.xfov == own.xfov;
-  if (!is_own) settings.view = now;
+  if (CameraLine(now) != CameraLine(own)) settings.view = now;
   return settings;
 }
 

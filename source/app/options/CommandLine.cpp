@@ -130,7 +130,7 @@ bool NeedsScene(Task task) {
   return task == Task::render || task == Task::view || task == Task::check || task == Task::debug_pixel;
 }
 
-void CheckCommand(const Options& options, const std::vector<const OptionKind*>& given) {
+void CheckCommand(const Options& options) {
   if (options.task != Task::command) {
     if (options.command) RefuseName(options.command->name, "");
     return;
@@ -138,9 +138,9 @@ void CheckCommand(const Options& options, const std::vector<const OptionKind*>& 
   if (!options.command)
     throw UsageError("no command is named; it must be " + OneOf(CommandNamesOf(options.program)) + UsageOf(options));
   const CommandKind& command = *options.command;
-  for (const OptionKind* option : given)
-    if (!Takes(command, *option))
-      throw UsageError("-" + std::string(option->name) + " is an option of " + NameOf(options.program) + " " +
+  for (const std::string& name : options.given)
+    if (const OptionKind* option = FindOption(options.program, name); !Takes(command, *option))
+      throw UsageError("-" + name + " is an option of " + NameOf(options.program) + " " +
                        OneOf({option->commands.begin(), option->commands.end()}) + ", not of " + command.name);
   if (options.image.names.size() < command.fewest)
     throw UsageError(std::string(command.name) + " needs " + Counted(command.fewest, "file name") + ", got " +
@@ -163,12 +163,16 @@ void CheckNames(const Options& options) {
 }
 
 /// A single pixel has no picture, no cost worth a table and no error.
-void CheckPixel(const Options& options, const std::vector<const OptionKind*>& given) {
+void CheckPixel(const Options& options) {
   if (options.task != Task::debug_pixel) return;
   if (!options.picture.empty()) RefuseName(options.picture, "; -debugpixel writes no picture");
   for (const char* name : {"layers", "time", "error", "reference", "replay", "checkpoint", "resume", "stats", "report"})
-    if (std::ranges::find(given, FindOption(options.program, name)) != given.end())
+    if (options.IsGiven(name))
       throw UsageError("-" + std::string(name) + " has no effect with -debugpixel, which renders nothing");
+}
+
+void CheckPixelIsInPicture(const Options& options) {
+  if (!options.pixel) return;
   const auto& [x, y] = *options.pixel;
   const auto& [width, height] = std::tie(options.render.width, options.render.height);
   if (x >= 0 && x < width && y >= 0 && y < height) return;
@@ -218,14 +222,12 @@ void CheckBudget(const Options& options) {
 }
 
 /// Everything that is wrong together, though each word is right by itself.
-void CheckTogether(const Options& options, const std::vector<const OptionKind*>& given) {
-  CheckCommand(options, given);
+void CheckTogether(const Options& options) {
+  CheckCommand(options);
   CheckNames(options);
-  CheckEffects(options.render.camera);
   CheckBudget(options);
   CheckSize(options.render);
-  CheckCrop(options.render);
-  CheckPixel(options, given);
+  CheckPixel(options);
   CheckView(options.view);
   if (options.quiet && options.verbose) throw UsageError("-quiet and -verbose contradict each other");
 }
@@ -264,12 +266,19 @@ Options ReadCommandLine(Program program, std::span<const std::string> words) {
     }
   }
 
-  std::vector<const OptionKind*> given;
-  for (const auto& [option, spelled] : seen) given.push_back(option);
-  ApplyPreset(options, given);
-  CheckTogether(options, given);
+  for (const auto& [option, spelled] : seen) options.given.emplace_back(option->name);
+  ApplyPreset(options);
+  CheckTogether(options);
   Derive(options);
   return options;
+}
+
+void CompleteForScene(Options& options) {
+  CheckEffects(options.render.camera);
+  CheckSize(options.render);
+  CheckCrop(options.render);
+  CheckPixelIsInPicture(options);
+  Derive(options);
 }
 
 void CheckMachine(const Options& options) {

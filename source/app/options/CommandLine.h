@@ -11,6 +11,10 @@ namespace ray {
 /// -width=512 are the same; behind "--" everything is a name. Throws UsageError.
 Options ReadCommandLine(Program program, std::span<const std::string> words);
 
+/// Works out what follows from the options of a scene's picture once its own settings are among them, and throws
+/// UsageError for what contradicts them.
+void CompleteForScene(Options& options);
+
 /// Throws UsageError when this machine lacks what the options ask for.
 void CheckMachine(const Options& options);
 

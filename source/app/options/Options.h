@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <vector>
@@ -41,7 +42,8 @@ inline constexpr std::array context_names{"auto", "egl", "osmesa"};
 /// Everything the command line decides. Ranges, units and help are in the option table; the defaults are here.
 struct Options {
   Program program = Program::raypro;
-  std::string scene, picture;  // as typed; empty where the task needs none, or where rayview is to choose a name
+  std::vector<std::string> given;  // the options that were typed, by name and without the dash
+  std::string scene, picture;      // as typed; empty where the task needs none, or where rayview is to choose a name
 
   RenderSettings render;
   AcceleratorSettings accelerator;
@@ -64,6 +66,8 @@ struct Options {
   Task task = Task::render;
   std::string subject;         // of help, list, complete, info and manual
   std::optional<Pixel> pixel;  // of debug_pixel
+
+  bool IsGiven(const std::string& option) const { return std::ranges::find(given, option) != given.end(); }
 };
 
 /// What a program does unless told otherwise.

@@ -24,13 +24,18 @@ std::vector<std::string> PresetNames() {
   return names;
 }
 
-void ApplyPreset(Options& options, const std::vector<const OptionKind*>& given) {
+bool IsSetByPreset(const Options& options, const std::string& name) {
+  for (const Preset& preset : Presets())
+    if (preset.name == options.quality)
+      return std::ranges::any_of(preset.settings, [&](const auto& setting) { return name == setting.first; });
+  return false;
+}
+
+void ApplyPreset(Options& options) {
   for (const Preset& preset : Presets()) {
     if (preset.name != options.quality) continue;
-    for (const auto& [name, value] : preset.settings) {
-      const OptionKind* option = FindOption(options.program, name);
-      if (std::ranges::find(given, option) == given.end()) Store(*option, std::vector<std::string>{value}, options);
-    }
+    for (const auto& [name, value] : preset.settings)
+      if (!options.IsGiven(name)) Store(*FindOption(options.program, name), std::vector<std::string>{value}, options);
   }
 }
 

@@ -20,7 +20,9 @@ std::span<const Preset> Presets();
 /// "custom", which sets nothing, and the presets.
 std::vector<std::string> PresetNames();
 
-/// Applies the preset that options.quality names, except for options in `given`.
-void ApplyPreset(Options& options, const std::vector<const OptionKind*>& given);
+/// Whether the preset that options.quality names has a value for the option.
+bool IsSetByPreset(const Options& options, const std::string& option);
+/// Applies that preset, except for options that were given.
+void ApplyPreset(Options& options);
 
 }  // namespace ray

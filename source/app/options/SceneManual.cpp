@@ -84,7 +84,9 @@ constexpr const char* about_files =
 
 constexpr std::pair<const char*, const char*> extensions[] = {
     {"mesh id file smooth", "Without the word smooth a mesh is flat, as in the course."},
-    {"absorb, bump", "Of a material of the same file, stated before."},
+    {"mirror, absorb, bump", "Of a material of the same file, stated before."},
+    {"view", "Before or behind the camera."},
+    {"set", "What decides how the picture looks, such as max_depth 2; the command line and its presets override it."},
     {"motion", "Between begin and end."},
     {"environment", "A latitude-longitude picture, an angular probe or a cross; -env takes its place."},
     {"sphere_light", "A lamp with a size, not itself seen; from afar a point_light of that color."},

@@ -52,9 +52,11 @@ bool IsInside(const World& world, const Instance& instance, const R3::Point& poi
 
 /// Planes through the eye; a box that lies on the outer side of one of them is not seen.
 std::vector<R3::Vector> InwardSides(const Camera& camera, const RenderSettings& settings) {
-  const double x = std::tan(camera.xfov), y = x * settings.height / settings.width;
-  return {camera.towards, x * camera.towards - camera.right, x * camera.towards + camera.right,
-          y * camera.towards - camera.up, y * camera.towards + camera.up};
+  const double x = std::tan(camera.xfov), y = camera.HalfHeight(settings.width, settings.height);
+  const double left = x * (1 - camera.shift.x), right = x * (1 + camera.shift.x);
+  const double below = y - x * camera.shift.y, above = y + x * camera.shift.y;
+  return {camera.towards, right * camera.towards - camera.right, left * camera.towards + camera.right,
+          above * camera.towards - camera.up, below * camera.towards + camera.up};
 }
 
 bool IsOutside(const R3::Box& box, const R3::Point& eye, const R3::Vector& inward) {

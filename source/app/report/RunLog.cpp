@@ -10,6 +10,7 @@
 #include "source/app/files/OutputFile.h"
 #include "source/app/files/SceneHash.h"
 #include "source/app/options/OptionTable.h"
+#include "source/app/options/SceneSettings.h"
 #include "source/app/report/Messages.h"
 #include "source/render/SceneFeatures.h"
 #include "source/text/Words.h"
@@ -56,6 +57,7 @@ std::vector<std::string> ExplainRender(const RunStats& stats) {
     if (IsSetting(option) && std::string(option.topic) != "messages" && !Show(option, stats.options).empty())
       settings += " -" + std::string(option.name) + " " + Show(option, stats.options);
   lines.push_back("all settings:" + settings);
+  for (const std::string& line : stats.scene.settings) lines.push_back("set by the scene: " + line);
   return lines;
 }
 
@@ -65,14 +67,16 @@ RunLog::RunLog(const Options& options, std::span<const std::string> words) {
   stats_.options = options;
   stats_.command = CommandAsTyped(words);
   stats_.threads = ThreadsOf(options.render);
+}
+
+void RunLog::Loaded(const ParsedScene& parsed, const Options& options) {
+  stats_.options = options;
+  stats_.scene.settings = SettingsInForce(parsed.scene, options);
+  stats_.seconds.load = watch_.Lap();
   if (options.render.trace.max_depth > most_bounces)
     Warn("raypro: warning: -max_depth " + std::to_string(options.render.trace.max_depth) +
          " exceeds the hard limit of " + std::to_string(most_bounces) + " bounces");
   for (const std::string& line : OptionsWithoutEffect(options)) Warn("raypro: warning: " + line);
-}
-
-void RunLog::Loaded(const ParsedScene& parsed) {
-  stats_.seconds.load = watch_.Lap();
   for (const std::string& line : parsed.warnings) Warn(line);
   stats_.scene.hash = SceneHash(parsed.scene.files);
   stats_.scene.lights = static_cast<std::int64_t>(parsed.scene.lights.size());

@@ -12,7 +12,8 @@ class RunLog {
  public:
   RunLog(const Options& options, std::span<const std::string> words);
 
-  void Loaded(const ParsedScene& parsed);
+  /// `options`: with the scene's own settings.
+  void Loaded(const ParsedScene& parsed, const Options& options);
   void Built(const World& world, const Accelerator& accelerator);
   void Rendered(const RenderResult& result);
   /// With what -reference names, in the unit of the estimated error.

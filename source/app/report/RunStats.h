@@ -18,6 +18,7 @@ struct RunStats {
 
   struct {
     std::string hash;
+    std::vector<std::string> settings;  // its own, as far as they are in force: "-max_depth 2 (room.scn:12:3)"
     std::int64_t nodes = 0, instances = 0, primitives = 0, lights = 0;
   } scene;
 

@@ -42,6 +42,8 @@ class ScnReader {
   Node* InnermostGroup();
   /// Goes on with another file; the words behind this statement come after its end.
   void Include(Statement& statement, const Token& name);
+  /// "room.scn:12:3"
+  std::string PlaceOf(const Token& word) const { return Place(CurrentFile(), word.line, word.column); }
   /// A remark about the statement.
   void Warn(const Statement& statement, const std::string& message);
   /// Calls `read`, a function that reads a file named by the word `name`, and turns its failure into the statement's.

@@ -48,6 +48,12 @@ Token Statement::Word(const char* name) {
   return *tokens_.Next();
 }
 
+std::vector<Token> Statement::RestOfLine() {
+  std::vector<Token> words;
+  while (tokens_.Peek() && !tokens_.Peek()->starts_line) words.push_back(*tokens_.Next());
+  return words;
+}
+
 bool Statement::Takes(std::string_view word) {
   const auto& next = tokens_.Peek();
   if (!next || next->text != word) return false;

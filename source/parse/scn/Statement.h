@@ -31,6 +31,8 @@ class Statement {
   Arguments Numbers(std::span<const R3::Argument> wanted);
   /// The word of an argument that is no number: an id or a file's name.
   Token Word(const char* name);
+  /// The words that are left on the line.
+  std::vector<Token> RestOfLine();
   /// Whether the next word is this one, which is then taken.
   bool Takes(std::string_view word);
 

@@ -37,13 +37,26 @@ void ReadCamera(ScnReader& reader, Statement& statement) {
   if (statement.IsGood()) CheckView(statement, read);
   if (!statement.IsGood()) return;
   const auto& a = read.values;
+  const Camera before = reader.Builder().scene.camera;
   AimedCamera aimed = Aim({a[0], a[1], a[2]}, {a[3], a[4], a[5]}, {a[6], a[7], a[8]});
   if (aimed.up_was_replaced)
     reader.Warn(statement, "the up vector is parallel to the view direction; another one is used");
   aimed.camera.xfov = a[9];
   aimed.camera.near = a[10];
   aimed.camera.far = a[11];
+  aimed.camera.aspect = before.aspect;  // of a view line, which may come first
+  aimed.camera.shift = before.shift;
   reader.Builder().scene.camera = aimed.camera;
+}
+
+const std::array<R3::Argument, 3> view_arguments{{{"aspect", false}, {"shift_x"}, {"shift_y"}}};
+
+/// An extension: a picture that is not what square pixels around the axis make it.
+void ReadView(ScnReader& reader, Statement& statement) {
+  const auto a = statement.Numbers(view_arguments).values;
+  if (!statement.IsGood()) return;
+  reader.Builder().scene.camera.aspect = a[0];
+  reader.Builder().scene.camera.shift = {a[1], a[2]};
 }
 
 }  // namespace
@@ -51,5 +64,11 @@ void ReadCamera(ScnReader& reader, Statement& statement) {
 extern const Command camera_command{
     "camera", "camera" + ArgumentNames(camera_arguments),
     "eye, view direction, up, half the horizontal field of view in radians, clipping planes of the viewer", ReadCamera};
+
+extern const Command view_command{
+    "view", "view" + ArgumentNames(view_arguments),
+    "width over height of what the camera sees, 0 for that of the picture; how far the middle of the picture is off "
+    "the axis, to the right and up, in half widths",
+    ReadView};
 
 }  // namespace ray

@@ -30,7 +30,7 @@ const std::array<R3::Argument, 17> material_arguments{{
 void SetNumbers(Material& material, const std::vector<double>& a) {
   material.ka = {a[0], a[1], a[2]};
   material.kd = {a[3], a[4], a[5]};
-  material.ks = {a[6], a[7], a[8]};
+  material.ks = material.kr = {a[6], a[7], a[8]};
   material.kt = {a[9], a[10], a[11]};
   material.emission = {a[12], a[13], a[14]};
   material.n = a[15];
@@ -46,6 +46,15 @@ void ReadMaterial(ScnReader& reader, Statement& statement) {
   reader.WithFile(statement, texture, [&] {
     material.texture = reader.Library().Image(std::string(texture.text), reader.CurrentFile(), Assets::Use::color);
   });
+}
+
+const std::array<R3::Argument, 3> reflected{{{"r", not_negative}, {"g", not_negative}, {"b", not_negative}}};
+
+/// An extension: a mirror whose weight is not that of the highlights.
+void ReadMirror(ScnReader& reader, Statement& statement) {
+  Material* material = reader.ReadOwnMaterial(statement);
+  const auto a = statement.Numbers(reflected).values;
+  if (material && statement.IsGood()) material->kr = {a[0], a[1], a[2]};
 }
 
 const std::array<R3::Argument, 3> absorbed{{{"r", not_negative}, {"g", not_negative}, {"b", not_negative}}};
@@ -76,6 +85,8 @@ void ReadBump(ScnReader& reader, Statement& statement) {
 
 extern const Command bump_command{"bump", "bump mat_id file height", "bump map: the luminance of an image times height",
                                   ReadBump};
+extern const Command mirror_command{"mirror", "mirror mat_id r g b", "weight of the mirrored ray, where it is not ks",
+                                    ReadMirror};
 extern const Command absorb_command{
     "absorb", "absorb mat_id r g b",
     "absorption in clear solids: light is scaled by exp(-r d), exp(-g d), exp(-b d) over a distance d", ReadAbsorb};

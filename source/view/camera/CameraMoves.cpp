@@ -12,10 +12,12 @@ constexpr double narrowest = 0.005, widest = 1.5;
 
 /// The same camera in another pose.
 Camera Posed(const Camera& like, const R3::Point& eye, const R3::Vector& towards, const R3::Vector& up) {
-  Camera camera = Aim(eye, towards, up).camera;
-  camera.xfov = like.xfov;
-  camera.near = like.near;
-  camera.far = like.far;
+  const Camera aimed = Aim(eye, towards, up).camera;
+  Camera camera = like;
+  camera.eye = aimed.eye;
+  camera.towards = aimed.towards;
+  camera.up = aimed.up;
+  camera.right = aimed.right;
   return camera;
 }
 
@@ -24,8 +26,12 @@ R3::Vector Turned(const R3::Vector& v, const R3::Vector& axis, double angle) {
   return std::cos(angle) * v + std::sin(angle) * Cross(axis, v) + (1 - std::cos(angle)) * Dot(axis, v) * axis;
 }
 
-double HalfHeight(const Camera& camera, const DrawingSize& size) {
-  return std::tan(camera.xfov) * size.height / size.width;
+double HalfHeight(const Camera& camera, const DrawingSize& size) { return camera.HalfHeight(size.width, size.height); }
+
+/// The way from the eye to the middle of the picture, 1 along the axis.
+R3::Vector TowardsMiddle(const Camera& camera) {
+  const double half_width = std::tan(camera.xfov);
+  return camera.towards + camera.shift.x * half_width * camera.right + camera.shift.y * half_width * camera.up;
 }
 
 /// How far the view may still be tilted before it looks along the vertical.
@@ -90,11 +96,12 @@ Camera Framed(const Camera& camera, const R3::Box& box, const DrawingSize& size)
   for (int i = 0; i < 8; ++i) {
     const R3::Vector corner = box.Corner(i) - center;
     const double depth = Dot(corner, camera.towards);
-    back = std::max({back, std::abs(Dot(corner, camera.right)) / half_width - depth,
-                     std::abs(Dot(corner, camera.up)) / half_height - depth});
+    const R3::Vector off = corner - depth * TowardsMiddle(camera);
+    back = std::max({back, std::abs(Dot(off, camera.right)) / half_width - depth,
+                     std::abs(Dot(off, camera.up)) / half_height - depth});
   }
   if (!(back > 0)) return camera;  // a point is seen from anywhere
-  return Posed(camera, center - back * camera.towards, camera.towards, camera.up);
+  return Posed(camera, center - back * TowardsMiddle(camera), camera.towards, camera.up);
 }
 
 Camera FromAxis(const Camera& camera, const R3::Point& center, const R3::Vector& towards, const R3::Vector& up) {
@@ -112,8 +119,9 @@ std::optional<R2::Point> PixelOf(const Camera& camera, const R3::Point& p, const
   const R3::Vector way = p - camera.eye;
   const double depth = Dot(way, camera.towards);
   if (!(depth > 0)) return {};
-  const double across = Dot(way, camera.right) / (depth * std::tan(camera.xfov));
-  const double upward = Dot(way, camera.up) / (depth * HalfHeight(camera, size));
+  const R3::Vector off = way / depth - TowardsMiddle(camera);
+  const double across = Dot(off, camera.right) / std::tan(camera.xfov);
+  const double upward = Dot(off, camera.up) / HalfHeight(camera, size);
   return R2::Point{(across + 1) / 2 * size.width, (upward + 1) / 2 * size.height};
 }
 
@@ -131,11 +139,13 @@ ClipMatrix ClipFromDrawing(const Camera& camera, const DrawingSpace& space, cons
   }
   const double sx = 1 / std::tan(camera.xfov), sy = 1 / HalfHeight(camera, size);
   const double a = (farthest + nearest) / (farthest - nearest), b = -2 * farthest * nearest / (farthest - nearest);
-  const R3::Vector eye = (camera.eye - space.center) / space.radius;
+  const R3::Vector eye = (camera.eye - space.center) / space.radius, middle = TowardsMiddle(camera);
+  const R3::Vector x = sx * (camera.right - Dot(camera.right, middle) * camera.towards),
+                   y = sy * (camera.up - Dot(camera.up, middle) * camera.towards);
   const auto row = [](const R3::Vector& v, double last) { return std::array{v.x, v.y, v.z, last}; };
-  const std::array rows{
-      row(sx * camera.right, -sx * Dot(camera.right, eye)), row(sy * camera.up, -sy * Dot(camera.up, eye)),
-      row(a * camera.towards, b - a * Dot(camera.towards, eye)), row(camera.towards, -Dot(camera.towards, eye))};
+  const std::array rows{row(x, -Dot(x, eye)), row(y, -Dot(y, eye)),
+                        row(a * camera.towards, b - a * Dot(camera.towards, eye)),
+                        row(camera.towards, -Dot(camera.towards, eye))};
   ClipMatrix matrix{};
   for (std::size_t r = 0; r < 4; ++r)
     for (std::size_t c = 0; c < 4; ++c) matrix[4 * c + r] = rows[r][c];

@@ -1,15 +1,21 @@
 #include "source/view/camera/CameraText.h"
 
-#include <charconv>
-#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <numbers>
+#include <sstream>
 #include <vector>
 
+#include "source/text/Number.h"
 #include "source/text/NumberText.h"
 
 namespace ray {
+
+namespace {
+
+constexpr const char* view_word = "view";
+
+}  // namespace
 
 std::string CameraLine(const Camera& camera) {
   std::string line = "camera";
@@ -19,35 +25,35 @@ std::string CameraLine(const Camera& camera) {
   triple(camera.eye.x, camera.eye.y, camera.eye.z);
   triple(camera.towards.x, camera.towards.y, camera.towards.z);
   triple(camera.up.x, camera.up.y, camera.up.z);
-  return line + " " + ToText(camera.xfov) + "  " + ToText(camera.near) + " " + ToText(camera.far);
+  line += " " + ToText(camera.xfov) + "  " + ToText(camera.near) + " " + ToText(camera.far);
+  if (camera.aspect == 0 && camera.shift.x == 0 && camera.shift.y == 0) return line;
+  return line + " " + view_word + " " + ToText(camera.aspect) + " " + ToText(camera.shift.x) + " " +
+         ToText(camera.shift.y);
 }
 
 std::optional<Camera> ReadCameraLine(const std::string& line) {
-  constexpr std::size_t numbers_in_a_line = 12;
-  const std::string word = "camera";
-  if (line.compare(0, word.size(), word) != 0) return {};
+  constexpr std::size_t of_camera = 12, of_view = 3;
+  std::istringstream words(line);
+  std::string word;
+  if (!(words >> word) || word != "camera") return {};
   std::vector<double> n;
-  const char* at = line.data() + word.size();
-  const char* const end = line.data() + line.size();
-  while (at != end) {
-    if (*at == ' ' || *at == '\r') {
-      ++at;
-      continue;
-    }
-    double number = 0;
-    const auto [rest, error] = std::from_chars(at, end, number);
-    if (error != std::errc{} || !std::isfinite(number)) return {};
-    n.push_back(number);
-    at = rest;
+  while (words >> word) {
+    if (n.size() == of_camera && word == view_word) continue;
+    const auto [value, problem] = ParseNumber(word);
+    if (problem) return {};
+    n.push_back(value);
   }
-  if (n.size() != numbers_in_a_line) return {};
+  if (n.size() != of_camera && n.size() != of_camera + of_view) return {};
+  n.resize(of_camera + of_view);
   const R3::Vector towards{n[3], n[4], n[5]}, up{n[6], n[7], n[8]};
   const bool is_angle = n[9] > 0 && n[9] < std::numbers::pi / 2;
-  if (towards == R3::Vector{} || !is_angle) return {};
+  if (towards == R3::Vector{} || !is_angle || n[12] < 0) return {};
   Camera camera = Aim({n[0], n[1], n[2]}, towards, up).camera;
   camera.xfov = n[9];
   camera.near = n[10];
   camera.far = n[11];
+  camera.aspect = n[12];
+  camera.shift = {n[13], n[14]};
   return camera;
 }
 

@@ -245,7 +245,7 @@ Lines CutLines(const SceneCut& cut, const World& world) {
   for (const CutPiece& piece : cut.pieces) {
     const Crossing &from = cut.crossings[piece.from], &to = cut.crossings[piece.to];
     const Material& m = *world.Instances()[from.instance].material;
-    const R2::Color color = m.emission + m.kd + m.ks + m.kt;
+    const R2::Color color = m.emission + m.kd + m.kr + m.kt;
     const double most = std::max({color.r, color.g, color.b});
     const Rgba shown = most > 0 && std::isfinite(most) ? Shown(0.35 * R2::Color{1, 1, 1} + 0.65 / most * color)
                                                        : Rgba{128, 128, 128, 255};

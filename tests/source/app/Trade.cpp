@@ -33,7 +33,8 @@ Options Parsed(const List& more) { return ReadCommandLine(Program::raypro, With(
 
 std::string ErrorOf(const List& more) {
   try {
-    Parsed(more);
+    Options options = Parsed(more);
+    CompleteForScene(options);
   } catch (const UsageError& error) {
     return error.what();
   }

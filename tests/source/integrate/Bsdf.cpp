@@ -12,7 +12,7 @@ constexpr double pi = std::numbers::pi;
 
 Material MaterialOf(const R2::Color& kd, const R2::Color& ks, const R2::Color& kt, double n = 10, double ir = 1.5) {
   Material m;
-  m.kd = kd, m.ks = ks, m.kt = kt, m.n = n, m.ir = ir;
+  m.kd = kd, m.ks = m.kr = ks, m.kt = kt, m.n = n, m.ir = ir;
   return m;
 }
 

@@ -23,6 +23,7 @@ TEST(Scn, AMaterialLandsFieldForField) {
   EXPECT_EQ(m.ka, (R2::Color{1, 2, 3}));
   EXPECT_EQ(m.kd, (R2::Color{4, 5, 6}));
   EXPECT_EQ(m.ks, (R2::Color{7, 8, 9}));
+  EXPECT_EQ(m.kr, m.ks);
   EXPECT_EQ(m.kt, (R2::Color{10, 11, 12}));
   EXPECT_EQ(m.emission, (R2::Color{13, 14, 15}));
   EXPECT_EQ(m.n, 16);
@@ -40,6 +41,33 @@ TEST(Extremes, F3_Trap2_AnIndexOfRefractionOfZeroMeansOneAndExtremeOnesStay) {
   for (const char* wrong : {"-1", "nan", "inf"})
     EXPECT_TRUE(Contains(ReportOf("material 0 0 0  0 0 0  0 0 0  1 1 1  0 0 0  10 " + std::string(wrong) + " 0"),
                          "error: ir must"));
+}
+
+TEST(Scn, AMirrorHasAWeightOfItsOwn) {
+  const std::string material = "material 0 0 0  0 0 0  7 8 9  0 0 0  0 0 0  10 1 0\n";
+  const Material m = ParseText(material + "mirror 0 .1 .2 .3").scene.materials.at(1);
+  EXPECT_EQ(m.ks, (R2::Color{7, 8, 9}));
+  EXPECT_EQ(m.kr, (R2::Color{0.1, 0.2, 0.3}));
+}
+
+TEST(Scn, AViewStaysBesideTheCameraWhicheverComesFirst) {
+  const std::string camera = "camera 0 0 9  0 0 -1  0 1 0  .5 1 2\n", view = "view 2 .5 -1\n";
+  for (const std::string& text : {camera + view, view + camera, view}) {
+    const Camera c = ParseText(text).scene.camera;
+    EXPECT_EQ(c.aspect, 2) << text;
+    EXPECT_EQ(c.shift.x, 0.5) << text;
+    EXPECT_EQ(c.shift.y, -1) << text;
+  }
+}
+
+TEST(Scn, ASettingIsKeptInWordsWithItsPlace) {
+  const Scene scene = ParseText("set max_depth 2 # bounces\n\n  set motion 0 1\t2\nsphere -1 0 0 0 1").scene;
+  ASSERT_EQ(scene.settings.size(), 2u);
+  EXPECT_EQ(scene.settings[0].option, "max_depth");
+  EXPECT_EQ(scene.settings[0].value, "2");
+  EXPECT_EQ(scene.settings[1].value, "0 1 2");
+  EXPECT_TRUE(scene.settings[1].origin.ends_with(":3:7")) << scene.settings[1].origin;
+  EXPECT_EQ(scene.root.children.size(), 1u);
 }
 
 TEST(Scn, Trap3_ABoxWithReversedCornersIsTheSameBox) {

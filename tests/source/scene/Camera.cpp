@@ -29,6 +29,28 @@ TEST(Camera, TheEdgesOfThePictureAreXfovFromTheAxis) {
   EXPECT_LT(c.Through(100, 0, 200, 100).direction.y, 0);             // y from the bottom
 }
 
+TEST(Camera, AnAspectOfItsOwnIsKeptWhateverThePixels) {
+  ray::Camera c = ray::Aim({}, {0, 0, -1}, {0, 1, 0}).camera;
+  c.xfov = std::atan(2);
+  c.aspect = 4;
+  for (const int height : {1, 100, 900}) {
+    const R3::Vector d = c.Through(200, height, 200, height).direction;
+    EXPECT_NEAR(d.x, 2, 1e-15);
+    EXPECT_NEAR(d.y, 0.5, 1e-15);
+  }
+}
+
+TEST(Camera, AShiftMovesTheWholePictureByHalfWidths) {
+  ray::Camera c = ray::Aim({}, {0, 0, -1}, {0, 1, 0}).camera;
+  c.xfov = std::atan(2);
+  c.shift = {0.5, -1};
+  const R3::Vector middle = c.Through(100, 50, 200, 100).direction, corner = c.Through(200, 100, 200, 100).direction;
+  EXPECT_NEAR(middle.x, 1, 1e-15);
+  EXPECT_NEAR(middle.y, -2, 1e-15);
+  EXPECT_NEAR(corner.x, 3, 1e-15);
+  EXPECT_NEAR(corner.y, -1, 1e-15);
+}
+
 TEST(Camera, StraightensUpThatIsNotPerpendicular) {
   const ray::AimedCamera aimed = ray::Aim({1, 2, 3}, {1, -2, 0.5}, {0.3, 1, -0.2});
   EXPECT_FALSE(aimed.up_was_replaced);

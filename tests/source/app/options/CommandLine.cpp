@@ -31,7 +31,8 @@ Options ViewParsed(const Words& more) { return ReadCommandLine(Program::rayview,
 /// The message of the error, or "" when there is none.
 std::string ErrorOf(const Words& words, Program program = Program::raypro) {
   try {
-    ReadCommandLine(program, words);
+    Options options = ReadCommandLine(program, words);
+    if (!options.scene.empty()) CompleteForScene(options);
   } catch (const UsageError& error) {
     return error.what();
   }

@@ -23,6 +23,13 @@ class CameraMoves : public testing::Test {
     camera.xfov = Number(0.1, 1);
     return camera;
   }
+  /// One whose picture has its own aspect and is not around the axis.
+  Camera AnyShiftedCamera() {
+    Camera camera = AnyCamera();
+    camera.aspect = Number(0.5, 3);
+    camera.shift = {Number(-2, 2), Number(-2, 2)};
+    return camera;
+  }
   R3::Point InFrontOf(const Camera& camera) {
     const double depth = Number(1, 20), reach = 0.7 * depth * std::tan(camera.xfov);
     return camera.eye + depth * camera.towards + Number(-reach, reach) * camera.right +
@@ -34,7 +41,7 @@ class CameraMoves : public testing::Test {
 
 bool Equal(const Camera& a, const Camera& b) {
   return a.eye == b.eye && a.towards == b.towards && a.up == b.up && a.right == b.right && a.xfov == b.xfov &&
-         a.near == b.near && a.far == b.far;
+         a.near == b.near && a.far == b.far && a.aspect == b.aspect && a.shift.x == b.shift.x && a.shift.y == b.shift.y;
 }
 
 TEST_F(CameraMoves, AimedAgainACameraStaysAsItIs) {
@@ -47,17 +54,19 @@ TEST_F(CameraMoves, AimedAgainACameraStaysAsItIs) {
 
 TEST_F(CameraMoves, APrintedCameraReadsBackTheSameHereAndInAScene) {
   for (int i = 0; i < 200; ++i) {
-    Camera camera = Rotated(AnyCamera(), R3::Point{} + Vector(5), {Number(-1, 1), Number(-1, 1)});
+    Camera camera =
+        Rotated(i % 2 == 0 ? AnyCamera() : AnyShiftedCamera(), R3::Point{} + Vector(5), {Number(-1, 1), Number(-1, 1)});
     camera.near = Number(0.001, 1), camera.far = Number(10, 1e6);
     const auto read = ReadCameraLine(CameraLine(camera));
     ASSERT_TRUE(read && Equal(camera, *read)) << CameraLine(camera);
-    if (i % 20 == 0) {
+    if (i % 19 == 0) {
       EXPECT_TRUE(Equal(camera, project::FromText(CameraLine(camera) + "\n").camera)) << CameraLine(camera);
     }
   }
   for (const char* line : {"", "camera", "camera 1 2 3", "camera 0 0 0  0 0 0  0 1 0  1 1 1",
                            "camera 0 0 0  0 0 1  0 1 0  2 1 1", "camera 0 0 0  0 0 1  0 1 x  1 1 1",
-                           "camera 0 0 0  0 0 1  0 1 0  1 1 1 1", "camera 0 0 0  0 0 inf  0 1 0  1 1 1"})
+                           "camera 0 0 0  0 0 1  0 1 0  1 1 1 1", "camera 0 0 0  0 0 1  0 1 0  1 1 1 view 1 2",
+                           "camera 0 0 0  0 0 1  0 1 0  1 1 1 view -1 2 2", "camera 0 0 0  0 0 inf  0 1 0  1 1 1"})
     EXPECT_FALSE(ReadCameraLine(line)) << line;
 }
 
@@ -125,7 +134,7 @@ TEST_F(CameraMoves, AFramedBoxFillsMostOfThePictureAndLeavesNoneOutside) {
     R3::Box box;
     box.Extend(R3::Point{} + Vector(100));
     box.Extend(R3::Point{} + Vector(100));
-    const Camera camera = Framed(AnyCamera(), box, size);
+    const Camera camera = Framed(i % 2 == 0 ? AnyCamera() : AnyShiftedCamera(), box, size);
     double widest = 0;
     for (int c = 0; c < 8; ++c) {
       const auto pixel = PixelOf(camera, box.Corner(c), size);
@@ -150,7 +159,7 @@ TEST_F(CameraMoves, TheTurntableKeepsTheHorizon) {
 
 TEST_F(CameraMoves, PixelsAndRaysAgree) {
   for (int i = 0; i < 100; ++i) {
-    const Camera camera = AnyCamera();
+    const Camera camera = i % 2 == 0 ? AnyCamera() : AnyShiftedCamera();
     const R2::Point pixel{Number(0, size.width), Number(0, size.height)};
     const R3::Ray ray = camera.Through(pixel.x, pixel.y, size.width, size.height);
     const auto back = PixelOf(camera, ray.At(Number(0.1, 100)), size);
@@ -165,7 +174,7 @@ TEST_F(CameraMoves, DrawingAgreesWithRays) {
   const R3::Box box{{-20, -20, -20}, {20, 20, 20}};
   const DrawingSpace space = DrawingSpace::Of(box);
   for (int i = 0; i < 200; ++i) {
-    const Camera camera = AnyCamera();
+    const Camera camera = i % 2 == 0 ? AnyCamera() : AnyShiftedCamera();
     const R3::Point p = InFrontOf(camera);
     const ClipMatrix m = ClipFromDrawing(camera, space, box, size);
     const auto at = space.At(p);

@@ -334,7 +334,7 @@ TEST(CrossSection, AlongARowOfThePictureHoldsAllItsRaysAndTheirHits) {
 
 TEST(CrossSection, IsDrawnWithinItsSquareAndInTheColorOfWhatIsCut) {
   ray::Scene scene = SceneOf({R3::MakeShape("sphere", {0, 0, 1e12, 1e3})});
-  scene.materials[0].kd = scene.materials[0].ks = {1, 0, 0};
+  scene.materials[0].kd = scene.materials[0].ks = scene.materials[0].kr = {1, 0, 0};
   const Model model(std::move(scene));
   const ray::SceneCut cut = model.Cut(ray::SlicePlane::yz, {0, 0, 0});
   const ray::Lines lines = ray::CutLines(cut, model.stage.world);

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "source/app/options/Options.h"
+#include "source/scene/Scene.h"
+
+namespace ray {
+
+/// The options with the scene's own settings in force where neither the command line nor a preset that it asked for
+/// says otherwise. Throws SceneErrors for a setting that no scene may make, or that is not in its option's range.
+Options WithSettingsOf(const Scene& scene, const Options& options);
+
+/// "-max_depth 2 (room.scn:12:3)" for each setting of the scene that is in force.
+std::vector<std::string> SettingsInForce(const Scene& scene, const Options& options);
+
+}  // namespace ray

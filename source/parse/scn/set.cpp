@@ -1,0 +1,22 @@
+#include "source/parse/scn/ScnReader.h"
+
+namespace ray {
+namespace {
+
+/// An extension: a setting for this scene, which command lines override. What options there are the reader does not
+/// know; a wrong one is found where it would take effect.
+void ReadSet(ScnReader& reader, Statement& statement) {
+  const Token option = statement.Word("option");
+  std::string value;
+  for (const Token& word : statement.RestOfLine()) value += (value.empty() ? "" : " ") + std::string(word.text);
+  if (value.empty()) return statement.Error(option, "set: value is missing", statement.What().usage);
+  reader.Builder().scene.settings.push_back({std::string(option.text), value, reader.PlaceOf(option)});
+}
+
+}  // namespace
+
+extern const Command set_command{
+    "set", "set option value",
+    "a setting of this scene, by the name of the option that overrides it; the value ends with the line", ReadSet};
+
+}  // namespace ray

@@ -1,0 +1,73 @@
+#include "source/app/options/SceneSettings.h"
+
+#include <gtest/gtest.h>
+
+#include "source/app/options/CommandLine.h"
+#include "source/parse/SceneError.h"
+
+namespace ray {
+namespace {
+
+Scene With(std::vector<SceneSetting> settings) {
+  Scene scene;
+  scene.settings = std::move(settings);
+  return scene;
+}
+
+Options Typed(std::vector<std::string> words) {
+  words.insert(words.begin(), {"in.scn", "out.png"});
+  return ReadCommandLine(Program::raypro, words);
+}
+
+std::string RefusalOf(const SceneSetting& setting) {
+  try {
+    WithSettingsOf(With({setting}), Typed({}));
+  } catch (const SceneErrors& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(SceneSettings, AreInForceWhereTheCommandLineIsSilent) {
+  const Scene scene = With({{"max_depth", "7", "a.scn:1:5"}, {"width", "40", "a.scn:2:5"}, {"motion", "0 1 2", "x"}});
+  const Options silent = WithSettingsOf(scene, Typed({}));
+  EXPECT_EQ(silent.render.trace.max_depth, 7);
+  EXPECT_EQ(silent.render.width, 40);
+  EXPECT_EQ(silent.render.camera.motion, (R3::Vector{0, 1, 2}));
+  const Options typed = WithSettingsOf(scene, Typed({"-maxreflections", "3", "-width", "256"}));
+  EXPECT_EQ(typed.render.trace.max_depth, 3);
+  EXPECT_EQ(typed.render.width, 256);  // though it is the default
+}
+
+TEST(SceneSettings, APresetThatWasAskedForComesBeforeThem) {
+  const Scene scene = With({{"max_depth", "7", "a.scn:1:5"}});
+  EXPECT_EQ(WithSettingsOf(scene, Typed({"-quality", "draft"})).render.trace.max_depth, 2);
+  EXPECT_EQ(WithSettingsOf(scene, Typed({"-quality", "preview"})).render.trace.max_depth, 7);
+}
+
+TEST(SceneSettings, ThatAreInForceAreListedWithWhoSetThem) {
+  const Scene scene = With({{"max_depth", "7", "a.scn:1:5"}, {"width", "40", "COMP30019"}});
+  EXPECT_EQ(SettingsInForce(scene, Typed({"-width", "3"})), (std::vector<std::string>{"-max_depth 7 (a.scn:1:5)"}));
+}
+
+TEST(SceneSettings, WhatASceneMayNotSetIsRefusedAtItsPlace) {
+  EXPECT_EQ(RefusalOf({"max_dept", "2", "a.scn:1:5"}),
+            "a.scn:1:5: error: a scene cannot set 'max_dept'; did you mean 'max_depth'?");
+  for (const char* name : {"report", "threads", "allow_path", "time", "quality", "help", ""})
+    EXPECT_TRUE(RefusalOf({name, "2", "a.scn:1:5"}).starts_with("a.scn:1:5: error: a scene cannot set")) << name;
+}
+
+TEST(SceneSettings, ValuesOutOfRangeAreRefusedAtTheirPlace) {
+  EXPECT_EQ(RefusalOf({"max_depth", "-2", "a.scn:1:5"}),
+            "a.scn:1:5: error: set max_depth -2: -max_depth must be a whole number, 0 to 9223372036854775807 bounces, "
+            "got '-2'");
+  EXPECT_EQ(RefusalOf({"motion", "1 2", "a.scn:1:5"}), "a.scn:1:5: error: set motion 1 2: usage: -motion dx dy dz");
+}
+
+TEST(SceneSettings, ASceneMayNotAskForMorePixelsThanTheLimit) {
+  const Scene scene = With({{"width", "1000000", "a.scn:1:5"}, {"height", "1000000", "a.scn:2:5"}});
+  EXPECT_THROW(WithSettingsOf(scene, Typed({})), std::exception);
+}
+
+}  // namespace
+}  // namespace ray
