@@ -28,6 +28,8 @@ inline double Luminance(const Color& c) { return 0.30 * c.r + 0.59 * c.g + 0.11 
 /// A channel as a screen of 0 to 1 shows it; NaN is 0.
 inline double Clamped(double channel) { return channel > 0 ? (channel < 1 ? channel : 1) : 0; }
 
+inline Color Clamped(const Color& c) { return {Clamped(c.r), Clamped(c.g), Clamped(c.b)}; }
+
 /// The exact sRGB curve (IEC 61966-2-1) of one channel, linear to encoded; values below 0 stay linear.
 double EncodeSrgb(double linear);
 /// Its inverse.

@@ -61,15 +61,22 @@ DecodedImage DecodeImage(std::span<const unsigned char> bytes) {
 
 ImageSize ReadImageSize(std::span<const unsigned char> bytes) { return FormatOfContent(bytes).read_size(bytes); }
 
-// In both, NaN fails the first comparison.
-unsigned char ToByte(double channel) {
+namespace {
+
+// NaN fails the first comparison.
+double Quantized(double channel, double most, Quantization how) {
   if (!(channel > 0)) return 0;
-  return static_cast<unsigned char>(std::min(channel, 1.0) * 255 + 0.5);
+  return std::min(channel, 1.0) * most + (how == Quantization::rounded ? 0.5 : 0);
 }
 
-unsigned short ToShort(double channel) {
-  if (!(channel > 0)) return 0;
-  return static_cast<unsigned short>(std::min(channel, 1.0) * 65535 + 0.5);
+}  // namespace
+
+unsigned char ToByte(double channel, Quantization how) {
+  return static_cast<unsigned char>(Quantized(channel, 255, how));
+}
+
+unsigned short ToShort(double channel, Quantization how) {
+  return static_cast<unsigned short>(Quantized(channel, 65535, how));
 }
 
 }  // namespace R2

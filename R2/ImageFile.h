@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <map>
 #include <span>
 #include <stdexcept>
@@ -19,11 +20,17 @@ struct ImageError : std::runtime_error {
 /// Words kept in the picture itself: program, command, seed... Written to JPEG, PNG and EXR.
 using ImageSettings = std::map<std::string, std::string>;
 
+/// How a value in [0, 1] becomes a whole number of 8 or 16 bits: the nearest one to 255 v, or that number's whole part.
+enum class Quantization { rounded, truncated };
+inline constexpr std::array quantization_names{"rounded", "truncated"};
+constexpr const auto& NamesOf(Quantization) { return quantization_names; }
+
 /// How to write.
 struct ImageEncoding {
   bool srgb = false;  // encode with the sRGB curve; otherwise the values are written straight (8 and 16 bit formats)
   int bits = 8;       // 8 or 16, PNG only
   int jpeg_quality = 95;  // 1..100; chroma is never subsampled
+  Quantization quantization = Quantization::rounded;
 };
 
 /// Further channels that a file can hold beside the picture, of the same size: up to three, each with its name.
@@ -74,9 +81,9 @@ DecodedImage DecodeImage(std::span<const unsigned char> bytes);
 /// Width and height from the header alone, for a quick check. Throws ImageError.
 ImageSize ReadImageSize(std::span<const unsigned char> bytes);
 
-/// 8-bit value of a channel: clamped to [0, 1], rounded to nearest; NaN gives 0.
-unsigned char ToByte(double channel);
+/// 8-bit value of a channel, clamped to [0, 1]; NaN gives 0.
+unsigned char ToByte(double channel, Quantization how = Quantization::rounded);
 /// 16-bit likewise.
-unsigned short ToShort(double channel);
+unsigned short ToShort(double channel, Quantization how = Quantization::rounded);
 
 }  // namespace R2

@@ -21,7 +21,8 @@ std::vector<unsigned char> ByteRow(const Image& image, int y, const ImageEncodin
   bytes.reserve(3 * static_cast<std::size_t>(image.Width()));
   for (int x = 0; x < image.Width(); ++x) {
     const Color c = image.At(x, y);
-    for (double channel : {c.r, c.g, c.b}) bytes.push_back(ToByte(EncodedChannel(channel, encoding)));
+    for (double channel : {c.r, c.g, c.b})
+      bytes.push_back(ToByte(EncodedChannel(channel, encoding), encoding.quantization));
   }
   return bytes;
 }

@@ -260,7 +260,7 @@ std::vector<unsigned char> ShortRow(const Image& image, int y, const ImageEncodi
   for (int x = 0; x < image.Width(); ++x) {
     const Color c = image.At(x, y);
     for (double channel : {c.r, c.g, c.b}) {
-      const unsigned short value = ToShort(EncodedChannel(channel, encoding));
+      const unsigned short value = ToShort(EncodedChannel(channel, encoding), encoding.quantization);
       row.push_back(static_cast<unsigned char>(value >> 8));
       row.push_back(static_cast<unsigned char>(value & 255));
     }

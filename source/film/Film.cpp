@@ -19,11 +19,23 @@ double Storable(double x) {
   return std::isnan(x) ? 0 : std::clamp(x, -largest, largest);
 }
 
-R2::Color Normalized(const WeightedSum& sum) {
+/// The float next to x whose byte is that of x, where bytes are truncated: rounding to float must not lift a value over
+/// a whole number.
+double TruncatedAlike(double x) {
+  const auto byte = R2::ToByte(x, R2::Quantization::truncated);
+  const auto is_alike = [&](float f) { return R2::ToByte(f, R2::Quantization::truncated) == byte; };
+  const auto nearest = static_cast<float>(x);
+  if (is_alike(nearest)) return nearest;
+  return std::nextafter(nearest, x < nearest ? -std::numeric_limits<float>::max() : std::numeric_limits<float>::max());
+}
+
+R2::Color Normalized(const WeightedSum& sum, R2::Quantization quantization) {
   // Weights of a filter with negative lobes may cancel where samples are few; such a pixel has nothing to show.
   if (sum.weight == 0) return {};
   const R2::Color mean = sum.color / sum.weight;
-  return {Storable(mean.r), Storable(mean.g), Storable(mean.b)};
+  const R2::Color storable{Storable(mean.r), Storable(mean.g), Storable(mean.b)};
+  if (quantization == R2::Quantization::rounded) return storable;
+  return {TruncatedAlike(storable.r), TruncatedAlike(storable.g), TruncatedAlike(storable.b)};
 }
 
 }  // namespace
@@ -88,8 +100,8 @@ double Film::ShareOfDifference(int x, int y) const {
   return a > 0 && b > 0 ? a * b / ((a + b) * (a + b)) : 0;
 }
 
-R2::Image Film::Picture() const {
-  return Composed([](const Block& block, int x, int y) {
+R2::Image Film::Picture(R2::Quantization quantization) const {
+  return Composed(quantization, [](const Block& block, int x, int y) {
     WeightedSum sum;
     for (int part = 0; part < parts; ++part)
       if (block.samples[part] > 0) sum += block.sums[part].At(x, y);
@@ -99,7 +111,7 @@ R2::Image Film::Picture() const {
 }
 
 R2::Image Film::Part(int part) const {
-  return Composed([&](const Block& block, int x, int y) {
+  return Composed(R2::Quantization::rounded, [&](const Block& block, int x, int y) {
     const double n = block.samples[part];
     if (n == 0) return WeightedSum{};
     const WeightedSum& sum = block.sums[part].At(x, y);
@@ -108,7 +120,7 @@ R2::Image Film::Part(int part) const {
 }
 
 template <typename Blend>
-R2::Image Film::Composed(const Blend& blend) const {
+R2::Image Film::Composed(R2::Quantization quantization, const Blend& blend) const {
   R2::Image image(region_.Width(), region_.Height());
   const int reach = (filter_.Apron() + block_side - 1) / block_side;  // in blocks
   tbb::parallel_for(region_.y0, region_.y1, [&](int y) {
@@ -118,7 +130,7 @@ R2::Image Film::Composed(const Blend& blend) const {
       if (reach == 0) {  // one block alone, without looking around
         const Block& own = (*this)[row * columns_ + column];
         if (own.Samples() > 0) sum = blend(own, x, y);
-        image.Set(x - region_.x0, y - region_.y0, Normalized(sum));
+        image.Set(x - region_.x0, y - region_.y0, Normalized(sum, quantization));
         continue;
       }
       for (int r = std::max(0, row - reach); r <= std::min(rows_ - 1, row + reach); ++r)
@@ -128,7 +140,7 @@ R2::Image Film::Composed(const Blend& blend) const {
           const int part_with_sums = block.samples[0] > 0 ? 0 : 1;
           if (block.sums[part_with_sums].Reach().Contains(x, y)) sum += blend(block, x, y);
         }
-      image.Set(x - region_.x0, y - region_.y0, Normalized(sum));
+      image.Set(x - region_.x0, y - region_.y0, Normalized(sum, quantization));
     }
   });
   return image;

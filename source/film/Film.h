@@ -5,6 +5,7 @@
 
 #include "R2/Color.h"
 #include "R2/Image.h"
+#include "R2/ImageFile.h"
 #include "source/film/Filter.h"
 #include "source/film/PixelRectangle.h"
 
@@ -95,7 +96,9 @@ class Film {
 
   /// The picture so far; pixels without samples are black. With several sample counts, a block's samples count by their
   /// mean.
-  R2::Image Picture() const;
+  ///   quantization   how the picture will be made bytes; its floats are chosen so that theirs are those of the exact
+  ///   sums
+  R2::Image Picture(R2::Quantization quantization = R2::Quantization::rounded) const;
   /// The same from one part alone; black where it has no samples.
   R2::Image Part(int part) const;
   /// How much the variance of the mean of both parts is of the squared difference of their means, a b / (a + b)^2 for a
@@ -108,7 +111,7 @@ class Film {
 
  private:
   template <typename Blend>
-  R2::Image Composed(const Blend& blend) const;
+  R2::Image Composed(R2::Quantization quantization, const Blend& blend) const;
 
   Filter filter_;
   PixelRectangle region_, sampled_;

@@ -26,17 +26,20 @@ inline R2::Color DiffuseReflection(const ShadingPoint& p, const R3::Vector& L) {
   return std::max(0.0, Dot(p.N, L)) * p.kd;
 }
 
+/// Phong's highlight of a light towards L: ks (V.R)^n, nothing when V.R <= 0.
+inline R2::Color Highlight(const ShadingPoint& p, const R3::Vector& L) {
+  const double lobe = Dot(p.wo, 2 * Dot(p.N, L) * p.N - L);
+  const Material& m = *p.material;
+  return m.ks * (lobe > 0 && !IsBlack(m.ks) ? std::pow(lobe, m.n) : 0);
+}
+
 /// What a surface reflects of a light of the scene language, in its units (no 1/pi, no normalized lobe):
 ///     (kd (N.L) + ks (V.R)^n) I_L,   nothing when N.L <= 0, no lobe when V.R <= 0
 ///   L        unit, towards the light; V is p.wo, R the mirror image of L about N
 ///   source   Phong, Illumination for computer generated pictures (1975)
 inline R2::Color PhongReflection(const ShadingPoint& p, const R3::Vector& L, const R2::Color& irradiance) {
-  const double cosine = Dot(p.N, L);
-  if (!(cosine > 0)) return {};
-  const Material& m = *p.material;
-  const double lobe = Dot(p.wo, 2 * cosine * p.N - L);
-  const double highlight = lobe > 0 && !IsBlack(m.ks) ? std::pow(lobe, m.n) : 0;
-  return (DiffuseReflection(p, L) + m.ks * highlight) * irradiance;
+  if (!(Dot(p.N, L) > 0)) return {};
+  return (DiffuseReflection(p, L) + Highlight(p, L)) * irradiance;
 }
 
 /// What a surface reflects and what goes through it, as shares of the radiance: ks and kt, or with Fresnel's equations

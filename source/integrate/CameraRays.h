@@ -1,19 +1,41 @@
 #pragma once
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+
 #include "source/integrate/Integrator.h"
 #include "source/scene/Camera.h"
 
 namespace ray {
+
+/// Where on the lens camera rays start. random: as the sampler has it. spiral, with the sampler grid: at `lens_samples`
+/// places for each place in the pixel, on a spiral of Vogel that is turned and moved on from one place to the next.
+/// fixed_spiral: the same spiral everywhere, whose rings can be seen.
+enum class LensPattern { random, spiral, fixed_spiral };
+inline constexpr std::array lens_pattern_names{"random", "spiral", "fixed_spiral"};
+constexpr const auto& NamesOf(LensPattern) { return lens_pattern_names; }
 
 /// What makes a camera more than a pinhole that stands still.
 struct CameraEffects {
   R3::Vector motion;    // of the camera while the shutter is open
   double aperture = 0;  // radius of the lens, >= 0
   double focus = 0;     // distance along the axis of the plane that is sharp, > 0 where there is a lens
+  LensPattern lens = LensPattern::random;
+  int lens_samples = 1;  // of a spiral, >= 1
 
   bool HasMotion() const { return !(motion == R3::Vector{}); }
   bool HasLens() const { return aperture > 0; }
+  /// Of all camera rays of a pixel, how many go through the same place in it.
+  std::uint32_t SamplesOfOnePlace() const {
+    return HasLens() && lens != LensPattern::random ? static_cast<std::uint32_t>(lens_samples) : 1;
+  }
 };
+
+/// The side of the greatest n x n of at most `samples`; at least 1.
+inline std::uint32_t GridSide(std::uint32_t samples) {
+  return std::max(1u, static_cast<std::uint32_t>(std::sqrt(static_cast<double>(samples))));
+}
 
 /// The random choices of a camera ray, all from one set of points so that they are even together: the place in the
 /// pixel, then on the lens if there is one, then the time if anything moves. What a scene lacks takes no dimension.
@@ -33,6 +55,7 @@ class CameraRays {
   const char* Kernel() const;
 
  private:
+  R2::Point OnLens(int column, int row, std::uint32_t index, const R2::Point& random) const;
   template <bool has_lens, bool has_time>
   CameraSample At(int column, int row, const RandomKey& pixel, std::uint32_t index) const;
 
@@ -41,7 +64,7 @@ class CameraRays {
   bool has_time_;
   int width_, height_;
   SamplerKind sampler_;
-  std::uint32_t samples_;
+  std::uint32_t samples_, grid_side_;
   CameraSample (CameraRays::*kernel_)(int, int, const RandomKey&, std::uint32_t) const;
 };
 

@@ -17,7 +17,8 @@ R2::Color LeftAfter(const R2::Color& absorb, double distance) {
 }  // namespace
 
 ShadingPoint ShadingPointAt(const World& world, const PathState& ray, const WorldHit& hit) {
-  ShadingPoint s{ray, hit, world.At(ray.ray, hit), &world.MaterialAt(hit), {}, {}, true, {}, {}, {}};
+  ShadingPoint s{
+      ray, hit, world.At(ray.ray, hit), &world.MaterialAt(hit), {}, {}, true, {}, {}, world.scene().shadow_bias, {}};
   s.kd = s.material->texture ? s.material->kd * s.material->texture->At(s.at.uv) : s.material->kd;
   s.wo = -Unit(ray.ray.direction);
   s.entering = Dot(s.at.normal, ray.ray.direction) <= 0;
@@ -35,12 +36,23 @@ R2::Color Background(const Scene& scene, const R3::Vector& direction) {
   return scene.environment ? scene.environment->Radiance(direction) : scene.background;
 }
 
+namespace {
+
+/// As a share of the direction's length.
+double LeastT(const ShadingPoint& surface, const R3::Vector& direction) {
+  return surface.bias > 0 ? surface.bias / Length(direction) : 0;
+}
+
+}  // namespace
+
 R3::Ray SpawnRay(const ShadingPoint& surface, const R3::Vector& direction) {
-  return {SpawnPoint(surface.at, direction), direction, 0, R3::infinity, surface.path.ray.time};
+  return {SpawnPoint(surface.at, direction), direction, LeastT(surface, direction), R3::infinity,
+          surface.path.ray.time};
 }
 
 R3::Ray ShadowRay(const ShadingPoint& surface, const R3::Vector& to_light, bool is_infinite) {
-  return {surface.shadow_origin, to_light, 0, is_infinite ? R3::infinity : 1, surface.path.ray.time};
+  return {surface.shadow_origin, to_light, LeastT(surface, to_light), is_infinite ? R3::infinity : 1,
+          surface.path.ray.time};
 }
 
 }  // namespace ray

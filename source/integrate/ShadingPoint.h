@@ -16,6 +16,7 @@ struct ShadingPoint {
   bool entering;            // whether the ray came from the side of the outward normal
   R3::Vector N;             // unit shading normal on the viewer's side
   R3::Point shadow_origin;  // where shadow rays and reflections start: off the surface, on the viewer's side
+  double bias;              // where they may first hit something, in distance from there
   R2::Color radiance;       // back along the ray, as far as it is known
 
   bool HasReflectance() const { return !IsBlack(kd) || !IsBlack(material->ks); }

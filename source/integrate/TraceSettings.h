@@ -19,6 +19,18 @@ enum class LightStrategy { mis, light, bsdf, uniform };
 inline constexpr std::array strategy_names{"mis", "light", "bsdf", "uniform"};
 constexpr const auto& NamesOf(LightStrategy) { return strategy_names; }
 
+/// The distances that mode zbuffer shows as white and as black.
+struct ZBufferRange {
+  double near = 0, far = 0;  // both 0: those of the nearest and the farthest surface in the picture
+
+  bool IsOfPicture() const { return near == 0 && far == 0; }
+};
+
+/// The tones of mode gooch: b and y of the cool and the warm one, and how much of the surface's own color is in each.
+struct GoochTones {
+  double blue = 0.55, yellow = 0.3, alpha = 0.25, beta = 0.5;
+};
+
 /// The course's recursion, and where it ends.
 struct TraceSettings {
   std::int64_t max_depth = 3;   // bounces after the camera ray, >= 0; beyond most_bounces it is most_bounces
@@ -31,6 +43,8 @@ struct TraceSettings {
   Roulette roulette = Roulette::automatic;
   LightStrategy strategy = LightStrategy::mis;
   SamplerKind sampler = SamplerKind::sobol;
+  ZBufferRange zbuffer;
+  GoochTones gooch;
   std::uint32_t samples = 1;  // camera rays per pixel, as far as known; stratified points are laid out for it
 };
 

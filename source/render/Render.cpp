@@ -1,5 +1,8 @@
 #include "source/render/Render.h"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_reduce.h>
+
 #include <algorithm>
 #include <chrono>
 #include <functional>
@@ -48,6 +51,32 @@ void ColorCosts(R2::Image& image) {
     for (int x = 0; x < image.Width(); ++x) image.Set(x, y, HeatColor(image.At(x, y).r));
 }
 
+/// The distances of the nearest and the farthest surface seen through the middles of the whole picture's pixels.
+ZBufferRange RangeOfPicture(const World& world, const Accelerator& accelerator, const RenderSettings& settings) {
+  const Camera camera = settings.view.value_or(world.scene().camera);
+  const auto range_of_row = [&](int row, ZBufferRange so_far) {
+    Workspace workspace;
+    for (int column = 0; column < settings.width; ++column) {
+      const R3::Ray ray = camera.Through(column + 0.5, row + 0.5, settings.width, settings.height);
+      const auto hit = accelerator.Intersect(ray, workspace);
+      if (!hit) continue;
+      const double distance = hit->t * Length(ray.direction);
+      so_far = {std::min(so_far.near, distance), std::max(so_far.far, distance)};
+    }
+    return so_far;
+  };
+  const ZBufferRange range = tbb::parallel_reduce(
+      tbb::blocked_range(0, settings.height), ZBufferRange{R3::infinity, 0},
+      [&](const tbb::blocked_range<int>& rows, ZBufferRange so_far) {
+        for (int row = rows.begin(); row != rows.end(); ++row) so_far = range_of_row(row, so_far);
+        return so_far;
+      },
+      [](const ZBufferRange& a, const ZBufferRange& b) {
+        return ZBufferRange{std::min(a.near, b.near), std::max(a.far, b.far)};
+      });
+  return range.far > 0 ? range : ZBufferRange{0, 1};
+}
+
 /// One render from its first sample to its picture: runs the passes that its schedule chooses.
 class Job {
  public:
@@ -60,7 +89,7 @@ class Job {
         settings_(settings),
         monitor_(monitor),
         camera_(CameraRaysOf(world, settings)),
-        source_{integrator, camera_, RandomKey(settings.seed)},
+        source_{integrator, camera_, RandomKey(settings.seed), settings.clamp == Clamp::samples},
         film_(EmptyFilmOf(settings)),
         schedule_(settings, GridOf(film_), settings.wants_passes || monitor.pass_done),
         runner_({source_, film_, HasTwoStreams(settings), settings.threads, settings.tile_size, monitor.stop,
@@ -134,7 +163,7 @@ class Job {
 
   /// So far.
   R2::Image Picture() const {
-    R2::Image image = film_.Picture();
+    R2::Image image = film_.Picture(settings_.quantization);
     if (ShowsCosts(settings_.mode)) ColorCosts(image);
     return image;
   }
@@ -200,9 +229,12 @@ Film EmptyFilmOf(const RenderSettings& settings) {
               settings.crop.value_or(PixelRectangle{0, 0, settings.width, settings.height}), settings.filter);
 }
 
-RenderResult Render(const World& world, const Accelerator& accelerator, const RenderSettings& settings,
+RenderResult Render(const World& world, const Accelerator& accelerator, const RenderSettings& asked,
                     const RenderMonitor& monitor) {
   const auto start = Job::Clock::now();
+  RenderSettings settings = asked;
+  if (settings.mode == RenderMode::zbuffer && settings.trace.zbuffer.IsOfPicture())
+    settings.trace.zbuffer = RangeOfPicture(world, accelerator, settings);
   const auto integrator = IntegratorOf(world, accelerator, settings);
   return Job(world, *integrator, settings, monitor, start).Run();
 }

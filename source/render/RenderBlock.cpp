@@ -7,10 +7,10 @@ bool RenderBlock(const SampleSource& source, const SamplesDue& due, const Filter
   SampleBatch batch;
   const auto trace_and_splat = [&] {
     if (stop && stop->load(std::memory_order_relaxed)) return false;
-    batch.Trace(source.integrator, state,
-                [&](int column, int row, const CameraSample& sample, const R2::Color& radiance) {
-                  sums.Add(column, row, sample.x, sample.y, radiance, filter);
-                });
+    batch.Trace(
+        source.integrator, state, [&](int column, int row, const CameraSample& sample, const R2::Color& radiance) {
+          sums.Add(column, row, sample.x, sample.y, source.clamps_samples ? Clamped(radiance) : radiance, filter);
+        });
     return true;
   };
   for (int row = due.pixels.y0; row < due.pixels.y1; ++row)

@@ -16,6 +16,7 @@ struct SampleSource {
   const Integrator& integrator;
   const CameraRays& camera;
   RandomKey seed;
+  bool clamps_samples = false;
 
   /// The key of all random choices of a pixel. `stream`: 0 or 1, two independent sample sequences.
   RandomKey PixelKey(int column, int row, int stream = 0) const {

@@ -27,6 +27,12 @@ enum class Adaptive { automatic, off, tile };
 inline constexpr std::array adaptive_names{"auto", "off", "tile"};
 constexpr const auto& NamesOf(Adaptive) { return adaptive_names; }
 
+/// What is clamped to what a screen can show, [0, 1] in each channel: the picture when it is written, or each sample
+/// before it counts, which takes bright edges' stairs away and light with them.
+enum class Clamp { picture, samples };
+inline constexpr std::array clamp_names{"picture", "samples"};
+constexpr const auto& NamesOf(Clamp) { return clamp_names; }
+
 /// When to stop. Whatever is reached first ends the render.
 struct Budget {
   double seconds = 0;                // from the start of the program to the picture written; 0: no limit
@@ -54,6 +60,8 @@ struct RenderSettings {
   std::uint64_t seed = 0;
   RenderMode mode = RenderMode::whitted;
   FilterKind filter = FilterKind::box;
+  Clamp clamp = Clamp::picture;
+  R2::Quantization quantization = R2::Quantization::rounded;  // of the picture once it is written
   CameraEffects camera;
   std::optional<Camera> view;  // to look from instead of the scene's own camera
   TraceSettings trace;

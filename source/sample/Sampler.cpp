@@ -17,7 +17,8 @@ Points::Points(SamplerKind kind, const RandomKey& key, std::uint32_t count, cons
 
 R2::Point Points::Get2D(std::uint32_t index) const {
   switch (kind_) {
-    case SamplerKind::sobol: {
+    case SamplerKind::sobol:
+    case SamplerKind::grid: {
       const RandomKey seeds = key_.Child(0);
       const Sobol point(index, order_);
       return {point.Coordinate(dimension_, High(seeds)), point.Coordinate(dimension_ + 1, Low(seeds))};
@@ -34,7 +35,8 @@ R2::Point Points::Get2D(std::uint32_t index) const {
 
 void Points::Fill(std::uint32_t index, double* coordinates, std::size_t size) const {
   switch (kind_) {
-    case SamplerKind::sobol: {
+    case SamplerKind::sobol:
+    case SamplerKind::grid: {
       const Sobol point(index, order_);
       for (std::size_t i = 0; i < size; ++i) {
         const RandomKey seeds = key_.Child(i / 2);

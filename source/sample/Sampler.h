@@ -9,9 +9,10 @@
 namespace ray {
 
 /// The sample sequence of a pixel. sobol: Owen-scrambled, evenly distributed in all dimensions that belong together.
-/// random: independent. stratified: jittered in pairs of dimensions, for a number of samples known beforehand.
-enum class SamplerKind { sobol, random, stratified };
-inline constexpr std::array sampler_names{"sobol", "random", "stratified"};
+/// random: independent. stratified: jittered in pairs of dimensions, for a number of samples known beforehand. grid:
+/// camera rays through the middles of n x n equal parts of the pixel, everything else as by sobol.
+enum class SamplerKind { sobol, random, stratified, grid };
+inline constexpr std::array sampler_names{"sobol", "random", "stratified", "grid"};
 constexpr const auto& NamesOf(SamplerKind) { return sampler_names; }
 
 /// The points of the unit square, or hypercube, that one kind of random choice at one vertex of the tree of rays uses

@@ -13,7 +13,7 @@ namespace R2 {
 namespace {
 
 // How far a channel in [0, 1] may be off after writing and reading.
-double Quantization(const ImageFormat& format, const ImageEncoding& encoding) {
+double StepOf(const ImageFormat& format, const ImageEncoding& encoding) {
   const std::string name = format.name;
   if (name == "jpeg") return 6 / 255.0;  // quality 100 below: the rounding of colors and of coefficients
   if (name == "hdr") return 0.5 / 128;   // half a step of the largest channel's mantissa
@@ -48,7 +48,7 @@ TEST(ImageFile, EveryFormatGivesBackWhatItWrote) {
         EXPECT_EQ(decoded.format, &format);
         ASSERT_EQ(decoded.image.Width(), size.width);
         ASSERT_EQ(decoded.image.Height(), size.height);
-        EXPECT_LE(LargestDifference(decoded.image, image), Quantization(format, encoding));
+        EXPECT_LE(LargestDifference(decoded.image, image), StepOf(format, encoding));
         EXPECT_EQ(ReadImageSize(bytes).width, size.width);
         EXPECT_EQ(ReadImageSize(bytes).height, size.height);
       }

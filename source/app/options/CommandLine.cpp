@@ -212,6 +212,20 @@ void CheckEffects(const CameraEffects& camera) {
   if (camera.HasLens() && !(camera.focus > 0)) throw UsageError("-aperture needs -focus, the focus distance");
 }
 
+/// Square grids in pixels need square numbers of camera rays.
+void CheckGrid(const RenderSettings& render) {
+  if (render.trace.sampler != SamplerKind::grid) return;
+  if (render.budget.IsOpen())
+    throw UsageError("-sampler grid takes all its samples; it cannot be combined with -time or -error");
+  const auto samples = static_cast<std::uint32_t>(render.samples), each = render.camera.SamplesOfOnePlace();
+  const std::uint32_t side = GridSide(samples / each);
+  if (side * side * each == samples) return;
+  const std::string lens = each > 1 ? " times -lens_samples " + std::to_string(each) : "";
+  throw UsageError("-samples " + std::to_string(samples) + ": -sampler grid needs a square number" + lens +
+                   ", such as " + std::to_string(side * side * each) + " or " +
+                   std::to_string((side + 1) * (side + 1) * each));
+}
+
 void CheckBudget(const Options& options) {
   const Budget& budget = options.render.budget;
   if (!options.replay.empty() && budget.IsOpen()) throw UsageError("-replay and -time or -error contradict each other");
@@ -236,6 +250,7 @@ void CheckTogether(const Options& options) {
 void Derive(Options& options) {
   const R2::ImageFormat* format = R2::FormatForName(options.picture);
   options.render.srgb = options.encoding.srgb && !(format && format->is_linear);
+  options.render.quantization = options.encoding.quantization;
   options.render.wants_passes = !options.report.empty() && options.render.samples > 1 && options.replay.empty();
   options.parse.decode_srgb = options.encoding.srgb;  // a linear workflow is linear from end to end
 }
@@ -275,6 +290,7 @@ Options ReadCommandLine(Program program, std::span<const std::string> words) {
 
 void CompleteForScene(Options& options) {
   CheckEffects(options.render.camera);
+  CheckGrid(options.render);
   CheckSize(options.render);
   CheckCrop(options.render);
   CheckPixelIsInPicture(options);

@@ -1,5 +1,7 @@
 #include "source/app/options/Help.h"
 
+#include <sstream>
+
 #include "source/app/options/OptionTable.h"
 #include "source/text/Words.h"
 
@@ -33,10 +35,30 @@ std::string Entry(const std::string& name, const std::string& help) {
          help + "\n";
 }
 
+/// In lines that fit a screen, each but the first indented to the column.
+std::string Wrapped(const std::string& text) {
+  constexpr std::size_t screen = 120;
+  std::string lines;
+  std::size_t column = column_of_help;
+  std::istringstream words(text);
+  for (std::string word; words >> word;) {
+    if (!lines.empty() && column + 1 + word.size() > screen) {
+      lines += "\n" + std::string(column_of_help, ' ');
+      column = column_of_help;
+    } else if (!lines.empty()) {
+      lines += " ";
+      ++column;
+    }
+    lines += word;
+    column += word.size();
+  }
+  return lines;
+}
+
 std::string OptionHelp(const OptionKind& option, const Options& defaults) {
   const std::string details = RangeAndDefault(option, defaults);
   return Entry(Synopsis(option), option.help) +
-         (details.empty() ? "" : std::string(column_of_help, ' ') + "(" + details + ")\n");
+         (details.empty() ? "" : std::string(column_of_help, ' ') + Wrapped("(" + details + ")") + "\n");
 }
 
 std::string CommandHelp(Program program, const CommandKind& command) {

@@ -54,6 +54,36 @@ std::vector<std::string> SubjectsOfList() {
 template <class T>
 constexpr T highest = std::numeric_limits<T>::max();
 
+const NumberList motion_numbers{[](const Options& options) {
+                                  const R3::Vector& v = options.render.camera.motion;
+                                  return std::vector{v.x, v.y, v.z};
+                                },
+                                [](Options& options, std::span<const double> n) {
+                                  options.render.camera.motion = {n[0], n[1], n[2]};
+                                  return true;
+                                },
+                                "three numbers"};
+
+const NumberList zbuffer_numbers{[](const Options& options) {
+                                   const ZBufferRange& range = options.render.trace.zbuffer;
+                                   return std::vector{range.near, range.far};
+                                 },
+                                 [](Options& options, std::span<const double> n) {
+                                   options.render.trace.zbuffer = {n[0], n[1]};
+                                   return n[0] >= 0 && (n[0] < n[1] || n[1] == 0);
+                                 },
+                                 "two distances, near below far, or 0 0"};
+
+const NumberList gooch_numbers{[](const Options& options) {
+                                 const GoochTones& tones = options.render.trace.gooch;
+                                 return std::vector{tones.blue, tones.yellow, tones.alpha, tones.beta};
+                               },
+                               [](Options& options, std::span<const double> n) {
+                                 options.render.trace.gooch = {n[0], n[1], n[2], n[3]};
+                                 return true;
+                               },
+                               "four numbers"};
+
 // One entry stays one thought.
 // clang-format off
 /// What is `raypro`'s alone makes no sense beside a picture that changes while it is looked at.
@@ -80,12 +110,20 @@ std::vector<OptionKind> MakeTable() {
        "sample sequence"},
       {"seed", both, {}, {"n"}, Number<std::uint64_t>{AT(render.seed), 0, highest<std::uint64_t>}, "", "picture",
        "random seed; the same seed gives a bit-identical image"},
-      {"motion", both, {}, {"dx", "dy", "dz"}, Triple{AT(render.camera.motion)}, "", "picture",
+      {"motion", both, {}, {"dx", "dy", "dz"}, motion_numbers, "", "picture",
        "how far the camera moves while the shutter is open"},
       {"aperture", both, {}, {"r"}, Number<double>{AT(render.camera.aperture), 0, highest<double>}, "", "picture",
        "lens radius; 0 is a pinhole"},
       {"focus", both, {}, {"d"}, Number<double>{AT(render.camera.focus), 0, highest<double>}, "", "picture",
        "focus distance, along the viewing direction"},
+      {"lens", both, {}, {"name"}, OneOfEnum<LensPattern>(AT(render.camera.lens)), "", "picture",
+       "where on the lens rays start; spiral: at -lens_samples places for each of -sampler grid"},
+      {"lens_samples", both, {}, {"n"}, Whole{AT(render.camera.lens_samples), 1, highest<int>}, "places", "picture",
+       "of the camera rays per pixel, how many go through each place in it (-lens spiral)"},
+      {"clamp", both, {}, {"name"}, OneOfEnum<Clamp>(AT(render.clamp)), "", "picture",
+       "clamp to 0..1 the image, when written, or each sample, before it counts"},
+      {"bytes", both, {}, {"name"}, OneOfEnum<R2::Quantization>(AT(encoding.quantization)), "", "picture",
+       "how values become bytes: the nearest to 255 v, or its whole part"},
       {"srgb", both, {}, {}, Flag{AT(encoding.srgb)}, "", "picture",
        "linear workflow: decode 8-bit textures from sRGB, encode the image in sRGB"},
       {"layers", raypro, {}, {"list"}, WordOf<ReadLayerList, ShowLayerList>(AT(layers),
@@ -137,6 +175,11 @@ std::vector<OptionKind> MakeTable() {
       {"strategy", both, {}, {"name"}, OneOfEnum<LightStrategy>(AT(render.trace.strategy)), "", "light",
        "path: mis, light sampling, BSDF sampling, or uniform for comparison"},
       {"shadows", both, {}, {"on|off"}, OnOff{AT(render.trace.shadows)}, "", "light", "whether objects cast shadows"},
+
+      {"zbuffer_range", both, {}, {"near", "far"}, zbuffer_numbers, "", "light",
+       "what -mode zbuffer shows white and black (the image's own)"},
+      {"gooch", both, {}, {"b", "y", "alpha", "beta"}, gooch_numbers, "", "light",
+       "-mode gooch: blue and yellow tones, and the surface's share in each"},
 
       {"quality", raypro, {}, {"name"}, OneOfNames(AT(quality), PresetNames), "", "quality",
        "a preset (raypro -list presets); options given besides override its settings"},

@@ -52,8 +52,11 @@ struct FileList {  // one or two, separated by a comma
 struct FolderList {  // the only kind that may be repeated
   Member<std::vector<std::string>> member;
 };
-struct Triple {
-  Member<R3::Vector> member;
+/// As many as the option has arguments.
+struct NumberList {
+  std::vector<double> (*read)(const Options&);
+  bool (*write)(Options&, std::span<const double>);  // false when they are out of range
+  const char* range;                                 // in words
 };
 /// A word with a grammar of its own.
 struct Word {
@@ -76,7 +79,7 @@ struct Request {  // a task other than the program's own
 
 using OptionValue =
     std::variant<Number<int>, Number<std::int64_t>, Number<std::uint64_t>, Number<double>, Flag, OnOff, OneNumberOf,
-                 OneNameOf, FileName, FolderList, FileList, Rectangle, Triple, Word, PixelRequest, Request>;
+                 OneNameOf, FileName, FolderList, FileList, Rectangle, NumberList, Word, PixelRequest, Request>;
 
 /// Whose option it is; `both` are raypro and rayview, which render scenes.
 enum class KnownTo { raypro, rayview, both, rayimg, all };

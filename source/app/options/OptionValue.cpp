@@ -29,6 +29,12 @@ std::vector<std::string> ToTexts(const std::vector<int>& numbers) {
   return texts;
 }
 
+std::string Joined(std::span<const std::string> words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : " ") + word;
+  return text;
+}
+
 template <class T>
 std::string Interval(const Number<T>& number) {
   // No one needs the largest double spelled out; the largest integers are where counting ends.
@@ -91,9 +97,11 @@ PixelRectangle ReadRectangle(const OptionKind& option, std::span<const std::stri
           ReadOrRefuse<int>(option, words[3])};
 }
 
-R3::Vector ReadVector(const OptionKind& option, std::span<const std::string> words) {
-  return {ReadOrRefuse<double>(option, words[0]), ReadOrRefuse<double>(option, words[1]),
-          ReadOrRefuse<double>(option, words[2])};
+void StoreNumbers(const OptionKind& option, const NumberList& list, std::span<const std::string> words,
+                  Options& options) {
+  std::vector<double> numbers;
+  for (const std::string& word : words) numbers.push_back(ReadOrRefuse<double>(option, word));
+  if (!list.write(options, numbers)) Refuse(option, Joined(words));
 }
 
 std::vector<std::string> ReadFileList(const OptionKind& option, const std::string& word) {
@@ -144,7 +152,7 @@ void Store(const OptionKind& option, std::span<const std::string> words, Options
                  [&](const Word& word) {
                    if (!word.store(options, words[0])) Refuse(option, words[0]);
                  },
-                 [&](const Triple& triple) { triple.member.write(options) = ReadVector(option, words); },
+                 [&](const NumberList& list) { StoreNumbers(option, list, words, options); },
                  [&](const FileList& files) { files.member.write(options) = ReadFileList(option, words[0]); },
                  [&](const FileName& file) {
                    if (words[0].empty()) Refuse(option, words[0]);
@@ -183,20 +191,16 @@ std::string Show(const OptionKind& option, const Options& options) {
                         [&](const OneNameOf& one) { return one.read(options); },
                         [&](const FileName& file) { return file.member.read(options); },
                         [&](const Word& word) { return word.show(options); },
-                        [&](const Triple& triple) {
-                          const R3::Vector& v = triple.member.read(options);
-                          return ToText(v.x) + " " + ToText(v.y) + " " + ToText(v.z);
+                        [&](const NumberList& list) {
+                          std::vector<std::string> texts;
+                          for (const double number : list.read(options)) texts.push_back(ToText(number));
+                          return Joined(texts);
                         },
                         [&](const FileList& files) {
                           const auto& list = files.member.read(options);
                           return list.empty() ? std::string() : list.size() == 1 ? list[0] : list[0] + "," + list[1];
                         },
-                        [&](const FolderList& list) {
-                          std::string text;
-                          for (const auto& folder : list.member.read(options))
-                            text += (text.empty() ? "" : " ") + folder;
-                          return text;
-                        },
+                        [&](const FolderList& list) { return Joined(list.member.read(options)); },
                         [&](const Rectangle& rectangle) {
                           const auto& crop = rectangle.member.read(options);
                           if (!crop) return std::string();
@@ -253,7 +257,7 @@ std::string Range(const OptionKind& option) {
           [&](const PixelRequest&) { return std::string("whole numbers, a column and a row of the picture from 0"); },
           [&](const FileName&) { return std::string("a file name"); },
           [&](const Word& word) { return std::string(word.range) + unit; },
-          [&](const Triple&) { return "three numbers" + unit; },
+          [&](const NumberList& list) { return std::string(list.range) + unit; },
           [&](const FileList&) { return std::string("a file name, or two separated by a comma"); },
           [&](const FolderList&) { return std::string("a folder name"); },
           [&](const Flag&) { return std::string(); },

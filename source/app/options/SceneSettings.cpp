@@ -16,13 +16,15 @@ namespace {
 
 /// What decides how a picture looks. What decides how long it takes, or which files are read and written, is the
 /// user's alone: a scene may come from a stranger.
-constexpr std::array<std::string_view, 14> of_scenes{
-    "aperture",      "filter", "focus",  "fresnel", "glossy",  "height",  "max_depth",
-    "min_luminance", "mode",   "motion", "sampler", "samples", "shadows", "width",
-};
+constexpr std::array<std::string_view, 22> of_scenes{
+    "aperture", "bytes",   "clamp",          "filter",  "focus",     "fresnel",       "glossy", "gooch",
+    "height",   "lens",    "lens_samples",   "lights",  "max_depth", "min_luminance", "mode",   "motion",
+    "sampler",  "samples", "shadow_samples", "shadows", "width",     "zbuffer_range"};
 
 bool IsDecided(const Options& options, const std::string& option) {
-  return options.IsGiven(option) || IsSetByPreset(options, option);
+  // Samples on a grid cannot be had one pass after another, which budgets need.
+  const bool is_of_budget = options.render.budget.IsOpen() && (option == "sampler" || option == "samples");
+  return is_of_budget || options.IsGiven(option) || IsSetByPreset(options, option);
 }
 
 /// Null for what the program has no use for, such as a size of the picture in a window.
@@ -43,7 +45,11 @@ std::vector<std::string> WordsOf(const std::string& value) {
 
 void Apply(const OptionKind& option, const SceneSetting& setting, Options& options) {
   try {
-    const std::vector<std::string> words = WordsOf(setting.value);
+    std::vector<std::string> words = WordsOf(setting.value);
+    if (std::holds_alternative<Flag>(option.value)) {
+      if (setting.value == "off") return;
+      if (setting.value == "on") words.clear();
+    }
     if (words.size() < FewestArguments(option) || words.size() > MostArguments(option))
       throw UsageError("usage: " + Synopsis(option));
     Store(option, words, options);

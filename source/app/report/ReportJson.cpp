@@ -29,10 +29,7 @@ struct ValueIn {
     const auto& crop = rectangle.member.read(options);
     return crop ? Json{crop->x0, crop->y0, crop->x1, crop->y1} : Json();
   }
-  Json operator()(const Triple& triple) const {
-    const R3::Vector& v = triple.member.read(options);
-    return {v.x, v.y, v.z};
-  }
+  Json operator()(const NumberList& list) const { return list.read(options); }
   Json operator()(const Word& word) const { return word.show(options); }
   Json operator()(const PixelRequest&) const { return {}; }
   Json operator()(const Request&) const { return {}; }

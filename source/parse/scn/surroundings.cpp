@@ -15,6 +15,13 @@ void ReadColor(ScnReader& reader, Statement& statement, R2::Color Scene::*place)
 void ReadBackground(ScnReader& reader, Statement& statement) { ReadColor(reader, statement, &Scene::background); }
 void ReadAmbient(ScnReader& reader, Statement& statement) { ReadColor(reader, statement, &Scene::ambient); }
 
+const std::array<R3::Argument, 1> distance{{{"distance", false}}};
+
+/// An extension: some courses' pictures were made with one.
+void ReadShadowBias(ScnReader& reader, Statement& statement) {
+  reader.Builder().scene.shadow_bias = statement.Numbers(distance).values[0];
+}
+
 /// An extension: the course names environments on the command line only.
 void ReadEnvironment(ScnReader& reader, Statement& statement) {
   const Token name = statement.Word("file name");
@@ -30,6 +37,10 @@ extern const Command background_command{"background", "background r g b",
                                         "color of rays that hit nothing (default black)", ReadBackground};
 extern const Command ambient_command{"ambient", "ambient r g b", "ambient light, multiplied by ka (default black)",
                                      ReadAmbient};
+extern const Command shadow_bias_command{
+    "shadow_bias", "shadow_bias distance",
+    "the least distance of what shadow rays and reflections can hit (default 0: rays start off their surface anyway)",
+    ReadShadowBias};
 extern const Command environment_command{
     "environment", "environment file",
     "environment map: an image infinitely far away on all sides that is seen and lights the scene", ReadEnvironment};

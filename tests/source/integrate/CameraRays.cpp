@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <set>
 
 namespace ray {
 namespace {
@@ -58,6 +60,47 @@ TEST(CameraRays, WhatLiesElsewhereIsBlurredByTheThinLensEquation) {
     EXPECT_LE(widest, truth * (1 + 1e-12));
     EXPECT_GT(widest, truth * 0.99);
   }
+}
+
+TEST(CameraRays, AGridGoesThroughTheMiddlesOfEqualPartsOfThePixel) {
+  for (const std::uint32_t side : {1u, 2u, 3u, 7u}) {
+    const CameraRays rays = Make({}, SamplerKind::grid, side * side);
+    for (std::uint32_t i = 0; i < side * side; ++i) {
+      const CameraSample sample = rays(7, 9, RandomKey(3), i);
+      EXPECT_EQ(sample.x, 7 + (i % side + 0.5) / side);
+      EXPECT_EQ(sample.y, 9 + (i / side + 0.5) / side);
+    }
+  }
+}
+
+TEST(CameraRays, ASpiralStartsAtItsPlacesForEveryPlaceOfTheGrid) {
+  constexpr std::uint32_t places = 4, each = 16;
+  const double golden_angle = std::numbers::pi * (3 - std::sqrt(5.0));
+  const CameraRays rays =
+      Make({.motion = {}, .aperture = 2, .focus = 4, .lens = LensPattern::fixed_spiral, .lens_samples = each},
+           SamplerKind::grid, places * each);
+  for (std::uint32_t i = 0; i < places * each; ++i) {
+    const CameraSample sample = rays(7, 9, RandomKey(3), i);
+    const std::uint32_t place = i / each, n = i % each;
+    EXPECT_EQ(sample.x, 7 + (place % 2 + 0.5) / 2);
+    EXPECT_EQ(sample.y, 9 + (place / 2 + 0.5) / 2);
+    const R3::Vector aside = sample.ray.origin - Slanted().eye;
+    EXPECT_NEAR(Length(aside), 2 * std::sqrt(n / 16.0), 1e-12);
+    EXPECT_NEAR(Dot(aside, Slanted().right), 2 * std::sqrt(n / 16.0) * std::cos(n * golden_angle), 1e-12);
+  }
+}
+
+TEST(CameraRays, TurnedSpiralsStayOnTheLensAndDifferFromPixelToPixel) {
+  const CameraEffects spiral{.motion = {}, .aperture = 2, .focus = 4, .lens = LensPattern::spiral, .lens_samples = 8};
+  const CameraRays rays = Make(spiral, SamplerKind::grid, 8);
+  std::set<double> across;
+  for (int column = 0; column < width; ++column)
+    for (std::uint32_t i = 0; i < 8; ++i) {
+      const R3::Vector aside = rays(column, 9, RandomKey(3), i).ray.origin - Slanted().eye;
+      EXPECT_LE(Length(aside), 2 * (1 + 1e-12));
+      across.insert(Dot(aside, Slanted().right));
+    }
+  EXPECT_EQ(across.size(), static_cast<std::size_t>(8 * width));
 }
 
 TEST(CameraRays, LensSamplesFillTheLensEvenly) {

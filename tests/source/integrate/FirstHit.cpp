@@ -1,4 +1,5 @@
 #include "source/integrate/FirstHit.h"
+#include "source/integrate/Layer.h"
 #include "tests/Named.h"
 
 #include <gtest/gtest.h>
@@ -69,6 +70,56 @@ TEST(FirstHit, ShowsWhatGeometrySaysOfABall) {
       EXPECT_EQ(uv.At(x, y).b, 0);
     }
   EXPECT_GT(on_ball, 80);
+}
+
+TEST(FirstHit, ColorsForAScreenAreThoseOfTheLayers) {
+  const project::Stage stage = Balls();
+  constexpr int side = 33;
+  const auto depth = Shown(stage, "depth"), normal = Shown(stage, "normal"), flat = Shown(stage, "flat"),
+             normal_color = Shown(stage, "normal_color"), zbuffer = Shown(stage, "zbuffer");
+  double nearest = R3::infinity, farthest = 0;
+  for (const float d : depth.Channels())
+    if (d > 0) nearest = std::min<double>(nearest, d), farthest = std::max<double>(farthest, d);
+  for (int y = 0; y < side; ++y)
+    for (int x = 0; x < side; ++x) {
+      const R2::Color n = normal.At(x, y);
+      const bool is_ball = depth.At(x, y).r > 0;
+      EXPECT_NEAR(normal_color.At(x, y).g, is_ball ? (n.g + 1) / 2 : 0, 1e-6);
+      EXPECT_NEAR(zbuffer.At(x, y).r, is_ball ? (farthest - depth.At(x, y).r) / (farthest - nearest) : 0, 1e-5);
+      EXPECT_NEAR(flat.At(x, y).b, is_ball ? 0.7 : 0.75, 1e-6);  // kd + kr + kt, or the background
+    }
+}
+
+TEST(FirstHit, AZbufferShowsTheRangeItIsGiven) {
+  RenderSettings settings;
+  settings.width = settings.height = 33;
+  settings.mode = RenderMode::zbuffer;
+  settings.trace.zbuffer = {3, 13};
+  EXPECT_NEAR(project::Render(Balls(), settings).image.At(16, 16).r, 0.9, 1e-6);  // 4 away
+  settings.trace.zbuffer = {4.5, 5};
+  EXPECT_EQ(project::Render(Balls(), settings).image.At(16, 16).r, 1);
+  settings.trace.zbuffer = {1, 2};
+  EXPECT_EQ(project::Render(Balls(), settings).image.At(16, 16).r, 0);
+}
+
+// A light at the eye: N.L, N.V and V.R are all 1 in the middle of the ball.
+TEST(FirstHit, GoochGoesFromCoolToWarmTowardsTheLight) {
+  const std::string scene =
+      "camera 0 0 5  0 0 -1  0 1 0  0.5  0.01 100 material 0 0 0  .5 .25 0  .125 0 0  0 0 0  0 0 0  10 1 0 "
+      "sphere 0  0 0 0  1 ";
+  const auto seen = [&](const std::string& light) {
+    RenderSettings settings;
+    settings.width = settings.height = 1;
+    settings.mode = RenderMode::gooch;
+    settings.trace.gooch = {.blue = 0.4, .yellow = 0.3, .alpha = 0.25, .beta = 0.5};
+    return project::Render(project::Stage(project::FromText(scene + light)), settings).image.At(0, 0);
+  };
+  const R2::Color warm = seen("point_light 1 1 1  0 0 5  1 0 0"), cool = seen("point_light 1 1 1  0 0 -5  1 0 0");
+  EXPECT_NEAR(warm.r, 0.3 + 0.5 * 0.5 + 0.125, 1e-6);
+  EXPECT_NEAR(warm.g, 0.3 + 0.5 * 0.25, 1e-6);
+  EXPECT_NEAR(warm.b, 0, 1e-6);
+  EXPECT_NEAR(cool.g, 0.25 * 0.25, 1e-6);
+  EXPECT_NEAR(cool.b, 0.4, 1e-6);
 }
 
 TEST(FirstHit, NormalsLookBackFromTheInsideToo) {

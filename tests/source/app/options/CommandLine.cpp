@@ -454,7 +454,10 @@ Words SomeValue(const OptionKind& option, const Options& defaults) {
   for (const std::string& choice : Choices(option))
     if (choice != Show(option, defaults)) return {choice};
   if (std::holds_alternative<Flag>(option.value)) return {};
-  if (std::holds_alternative<Triple>(option.value)) return {"1", "-0.5", "1e-30"};
+  if (std::holds_alternative<NumberList>(option.value)) {
+    const Words numbers{"1", "4.5", "1e-30", "2"};
+    return {numbers.begin(), numbers.begin() + static_cast<std::ptrdiff_t>(option.arguments.size())};
+  }
   if (std::holds_alternative<Rectangle>(option.value)) return {"0", "1", "5", "6"};
   if (std::string(option.name) == "layers") return {"depth,id"};
   if (std::holds_alternative<FileName>(option.value) || std::holds_alternative<FolderList>(option.value))

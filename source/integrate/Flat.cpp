@@ -1,0 +1,27 @@
+// Modes that show a first surface in colors that a screen has.
+#include "source/integrate/FirstHit.h"
+
+namespace ray {
+namespace {
+
+/// The material's own color, unlit.
+class Flat : public FirstHit {
+  using FirstHit::FirstHit;
+  R2::Color Seen(const ShadingPoint& p) const override {
+    return p.material->color.value_or(p.kd + p.material->kr + p.material->kt);
+  }
+  R2::Color Missed(const R3::Vector& direction) const override { return Background(world().scene(), direction); }
+};
+
+/// (N + 1) / 2
+class NormalColor : public FirstHit {
+  using FirstHit::FirstHit;
+  R2::Color Seen(const ShadingPoint& p) const override { return {(p.N.x + 1) / 2, (p.N.y + 1) / 2, (p.N.z + 1) / 2}; }
+};
+
+}  // namespace
+
+extern const IntegratorKind flat_kind{"the color of the first surface, unlit", MakeFirstHit<Flat>};
+extern const IntegratorKind normal_color_kind{"its normal as a color, (N + 1) / 2", MakeFirstHit<NormalColor>};
+
+}  // namespace ray
