@@ -37,6 +37,8 @@ class Shape {
   ///             of triangles or fewer, but 12 at least, by rays some 600, and a mesh never fewer than its own
   virtual MeshData Tessellate(int fineness) const;
 
+  /// Whether it lies in a box. One that does not has empty Bounds, one element, and a Tessellate of some piece of it.
+  virtual bool IsBounded() const { return true; }
   /// Whether the shape bounds a volume that a point can be inside of.
   virtual bool IsSolid() const { return true; }
   /// Whether texture coordinates vary over the surface.

@@ -10,6 +10,7 @@
 
 #include "R3/Mesh.h"
 #include "R3/ShapeKind.h"
+#include "tests/BoundedShapes.h"
 
 namespace {
 
@@ -63,7 +64,7 @@ void BoxEntry(benchmark::State& state) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  for (const auto* kind : R3::ShapeKinds()) {
+  for (const auto* kind : BoundedShapeKinds()) {
     benchmark::RegisterBenchmark((std::string("Intersect/") + kind->name).c_str(), Intersect, *kind);
     benchmark::RegisterBenchmark((std::string("IntersectAndShade/") + kind->name).c_str(), IntersectAndShade, *kind);
   }

@@ -7,6 +7,7 @@
 #include "R3/ShapeKind.h"
 #include "source/accelerate/Accelerator.h"
 #include "source/accelerate/twolevel/TwoLevel.h"
+#include "tests/BoundedShapes.h"
 #include "tests/Draw.h"
 #include "tests/Named.h"
 #include "tests/Quad.h"
@@ -81,17 +82,17 @@ inline ray::Node Group(const R3::Matrix& transform) {
 /// Groups in groups, sheared, mirrored and scaled by up to `powers` orders of magnitude, with shapes on every level and
 /// now and then one of `meshes`, which so are used several times or once.
 inline ray::Node RandomGroup(Draw& draw, int levels, double powers,
-                             const std::vector<std::shared_ptr<const R3::Mesh>>& meshes) {
+                             const std::vector<std::shared_ptr<const R3::Mesh>>& meshes,
+                             const std::vector<const R3::ShapeKind*>& kinds) {
   ray::Node group;
   if (draw.Whole(0, 3) > 0) group.transform = draw.Affine(powers);
   for (int i = draw.Whole(1, 4); i > 0; --i) {
     if (levels > 0 && draw.Whole(0, 2) > 0) {
-      group.children.push_back(RandomGroup(draw, levels - 1, powers, meshes));
+      group.children.push_back(RandomGroup(draw, levels - 1, powers, meshes, kinds));
     } else if (!meshes.empty() && draw.Whole(0, 3) == 0) {
       group.children.push_back(
           Leaf(meshes[static_cast<std::size_t>(draw.Whole(0, static_cast<int>(meshes.size()) - 1))]));
     } else {
-      const auto kinds = R3::ShapeKinds();
       const auto* kind = kinds[static_cast<std::size_t>(draw.Whole(0, static_cast<int>(kinds.size()) - 1))];
       group.children.push_back(Leaf(kind->make(kind->example)));
     }
@@ -100,12 +101,13 @@ inline ray::Node RandomGroup(Draw& draw, int levels, double powers,
   return group;
 }
 
-inline ray::Scene RandomScene(Draw& draw, double powers) {
+inline ray::Scene RandomScene(Draw& draw, double powers,
+                              const std::vector<const R3::ShapeKind*>& kinds = BoundedShapeKinds()) {
   std::vector<std::shared_ptr<const R3::Mesh>> meshes;
   for (int i = 0; i < 3; ++i)
     meshes.push_back(std::make_shared<R3::Mesh>(BumpyBall(draw.Whole(3, 12), draw.Whole(3, 8))));
   ray::Scene scene;
-  scene.root = RandomGroup(draw, 3, powers, meshes);
+  scene.root = RandomGroup(draw, 3, powers, meshes, kinds);
   scene.root.transform = {};
   SetBounds(scene.root);
   return scene;

@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "source/accelerate/NearestHit.h"
+
 namespace ray {
 
 #define ACCELERATOR(name) extern const AcceleratorKind name##_kind;
@@ -17,8 +19,28 @@ std::span<const AcceleratorKind* const> AcceleratorKinds() {
   return kinds;
 }
 
+void Accelerator::OfferUnbounded(const R3::Ray& ray, std::optional<WorldHit>& hit, Workspace& workspace) const {
+  NearestHit nearest(*unbounded_, ray);
+  if (hit) nearest.Offer(*hit);
+  LocalRays local(*unbounded_, ray);
+  for (const std::uint32_t instance : unbounded_->Unbounded())
+    nearest.Test(instance, 0, local.In(unbounded_->Instances()[instance].frame), workspace.counts);
+  hit = nearest.Best();
+}
+
+bool Accelerator::IsBehindUnbounded(const R3::Ray& ray, Workspace& workspace) const {
+  LocalRays local(*unbounded_, ray);
+  for (const std::uint32_t index : unbounded_->Unbounded()) {
+    const Instance& instance = unbounded_->Instances()[index];
+    ++workspace.counts.primitive_tests;
+    if (instance.shape->Intersect(local.In(instance.frame), 0)) return true;
+  }
+  return false;
+}
+
 std::unique_ptr<Accelerator> AcceleratorKind::Make(const World& world, const AcceleratorSettings& settings) const {
   auto accelerator = build(world, settings);
+  if (!world.Unbounded().empty()) accelerator->unbounded_ = &world;
   if (accelerator->kind.empty()) accelerator->kind = name;  // `auto` gives back one of another kind
   return accelerator;
 }

@@ -26,6 +26,8 @@ class Accelerator {
       return {};
     }
     std::optional<WorldHit> hit = Nearest(ray, workspace);
+    if (unbounded_) [[unlikely]]
+      OfferUnbounded(ray, hit, workspace);
     workspace.counts.hits += hit.has_value();
     return hit;
   }
@@ -34,7 +36,7 @@ class Accelerator {
   bool IsOccluded(const R3::Ray& ray, Workspace& workspace) const {
     bool is_occluded = false;
     if (IsRay(ray))
-      is_occluded = Any(ray, workspace);
+      is_occluded = Any(ray, workspace) || (unbounded_ && IsBehindUnbounded(ray, workspace));
     else
       ++workspace.counts.bad_rays;
     if (is_occluded) ++workspace.counts.hits;
@@ -46,6 +48,8 @@ class Accelerator {
   void Intersect(std::span<const R3::Ray> rays, std::optional<WorldHit>* hits, Workspace& workspace) const {
     if (AreRays(rays)) {
       NearestOfEach(rays, hits, workspace);
+      if (unbounded_) [[unlikely]]
+        for (std::size_t i = 0; i < rays.size(); ++i) OfferUnbounded(rays[i], hits[i], workspace);
       for (std::size_t i = 0; i < rays.size(); ++i)
         if (hits[i]) ++workspace.counts.hits;
     } else {
@@ -55,6 +59,9 @@ class Accelerator {
   void IsOccluded(std::span<const R3::Ray> rays, bool* are_occluded, Workspace& workspace) const {
     if (AreRays(rays)) {
       AnyOfEach(rays, are_occluded, workspace);
+      if (unbounded_) [[unlikely]]
+        for (std::size_t i = 0; i < rays.size(); ++i)
+          are_occluded[i] = are_occluded[i] || IsBehindUnbounded(rays[i], workspace);
       for (std::size_t i = 0; i < rays.size(); ++i)
         if (are_occluded[i]) ++workspace.counts.hits;
     } else {
@@ -83,6 +90,13 @@ class Accelerator {
   }
 
  private:
+  friend struct AcceleratorKind;
+  /// Shapes that no box holds, and so no structure: every ray asks them.
+  void OfferUnbounded(const R3::Ray& ray, std::optional<WorldHit>& hit, Workspace& workspace) const;
+  bool IsBehindUnbounded(const R3::Ray& ray, Workspace& workspace) const;
+
+  const World* unbounded_ = nullptr;  // null where there are none
+
   /// Finite, and going somewhere; no other ray hits anything.
   static bool IsRay(const R3::Ray& ray) {
     const R3::Point& o = ray.origin;

@@ -49,6 +49,8 @@ class World {
   const Scene& scene() const { return scene_; }
   /// In the order of the scene file, which is the order of primitive ids.
   const std::vector<Instance>& Instances() const { return instances_; }
+  /// Those that lie in no box, into Instances: accelerators ask them beside their structure.
+  const std::vector<std::uint32_t>& Unbounded() const { return unbounded_; }
   /// The root first.
   const std::vector<FlatNode>& Nodes() const { return nodes_; }
   /// world_from_local of the groups; a group without a transform of its own shares its parent's. 0 is the world itself.
@@ -91,6 +93,7 @@ class World {
   const Scene& scene_;
   std::vector<FlatNode> nodes_;
   std::vector<Instance> instances_;
+  std::vector<std::uint32_t> unbounded_;
   std::vector<R3::Transform> frames_;
   std::vector<R3::Vector> motions_;  // of frames_
   bool moves_ = false;

@@ -29,7 +29,7 @@ class Graph : public Accelerator {
       if (nearest.Best()) ++workspace.counts.cache_hits;
     }
     Visit(ray, local, workspace, nearest.Limit(), [&](std::uint32_t instance, const R3::Ray& seen, double& limit) {
-      const int elements = world_.Instances()[instance].shape->Elements();
+      const int elements = Elements(instance);
       for (int e = 0; e < elements; ++e)
         if (!(cached && cached->instance == instance && cached->element == e))
           nearest.Test(instance, e, seen, workspace.counts);
@@ -57,7 +57,7 @@ class Graph : public Accelerator {
     }
     bool occluded = false;
     Visit(ray, local, workspace, ray.t_max, [&](std::uint32_t instance, const R3::Ray& seen, double&) {
-      const int elements = world_.Instances()[instance].shape->Elements();
+      const int elements = Elements(instance);
       for (int e = 0; e < elements && !occluded; ++e) {
         if (cached && cached->instance == instance && cached->element == e) continue;
         occluded = blocks(instance, e, seen);
@@ -66,6 +66,12 @@ class Graph : public Accelerator {
       return occluded;
     });
     return occluded;
+  }
+
+  /// Of an instance, but none of one that is asked beside.
+  int Elements(std::uint32_t instance) const {
+    const R3::Shape& shape = *world_.Instances()[instance].shape;
+    return shape.IsBounded() ? shape.Elements() : 0;
   }
 
   /// Traverses the nodes whose boxes the ray may meet before `limit`, nearest first if so set, and calls

@@ -1,5 +1,5 @@
-// Whatever the scene and the ray: every accelerator, in every variation and on every instruction set, finds what testing
-// every primitive finds.
+// Whatever the scene and the ray: every accelerator, in every variation and on every instruction set, finds what
+// testing every primitive finds.
 
 #include <gtest/gtest.h>
 
@@ -19,7 +19,7 @@ TEST(Accelerators, AgreeInRandomScenesOfEveryShapeAndScale) {
   for (const double powers : {0.0, 1.0, 3.0, 6.0})
     for (int seed = 0; seed < Count(12, 1000); ++seed) {
       Draw draw(static_cast<std::uint64_t>(seed) + 900);
-      const ray::Scene scene = accelerators::RandomScene(draw, powers);
+      const ray::Scene scene = accelerators::RandomScene(draw, powers, AllShapeKinds());
       const ray::World world(scene);
       SCOPED_TRACE("seed " + std::to_string(seed + 900) + " powers " + std::to_string(powers));
       Compare(world, accelerators::RaysAt(world, draw, 60), ways);

@@ -24,7 +24,7 @@ TEST(Packets, AgreeInRandomScenesWhetherTheyGoTheSameWayOrNot) {
   for (const double powers : {0.0, 3.0})
     for (int seed = 0; seed < Count(6, 1000); ++seed) {
       Draw draw(static_cast<std::uint64_t>(seed) + 970);
-      const ray::Scene scene = accelerators::RandomScene(draw, powers);
+      const ray::Scene scene = accelerators::RandomScene(draw, powers, AllShapeKinds());
       const ray::World world(scene);
       std::vector<R3::Ray> rays;
       for (R3::Ray ray : accelerators::RaysAt(world, draw, 6)) {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "R3/ShapeKind.h"
+#include "tests/BoundedShapes.h"
 #include "tests/Project.h"
 
 namespace {
@@ -48,10 +49,10 @@ TEST(Extremes, F2_AClearObjectOfIndexOneIsInvisible) {
       "sphere 0 0.4 0.1 -2 1 box 0 -2 -1.5 -2 -0.5 0.5 -1 ";
   ray::RenderSettings settings;
   settings.width = settings.height = 64;
-  settings.trace.max_depth = 20;  // clear crossings count, up to four of a torus on each way
+  settings.trace.max_depth = 20;   // clear crossings count, up to four of a torus on each way
   settings.trace.shadows = false;  // a clear blocker still blocks, by rule
   const auto without = project::Render(project::Stage(project::FromText(behind)), settings);
-  for (const auto* kind : R3::ShapeKinds()) {
+  for (const auto* kind : BoundedShapeKinds()) {
     std::string clear = std::string(kind->name) + " 1";
     for (const double x : kind->example) clear += " " + std::to_string(x);
     const auto with = project::Render(project::Stage(project::FromText(behind + clear)), settings);

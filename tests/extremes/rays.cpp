@@ -5,6 +5,7 @@
 #include "R3/Mesh.h"
 #include "R3/ShapeKind.h"
 #include "source/accelerate/Accelerator.h"
+#include "tests/BoundedShapes.h"
 #include "tests/Crossings.h"
 #include "tests/Draw.h"
 #include "tests/Quad.h"
@@ -36,7 +37,7 @@ struct Single {
 
 std::vector<std::shared_ptr<const R3::Shape>> ConvexShapes() {
   std::vector<std::shared_ptr<const R3::Shape>> shapes;
-  for (const auto* kind : R3::ShapeKinds()) {
+  for (const auto* kind : BoundedShapeKinds()) {
     auto shape = kind->make(kind->example);
     if (crossings::IsConvex(*shape)) shapes.push_back(std::move(shape));
   }
@@ -161,7 +162,7 @@ TEST(Extremes, C4_FromAPointExactlyOnASurfaceTheLeavingSideIsNotHitAndTheFarSide
 
 TEST(Extremes, C4_FromInsideEverySolidIsLeftOnceMoreThanEntered) {
   Draw draw(604);
-  for (const auto* kind : R3::ShapeKinds()) {
+  for (const auto* kind : BoundedShapeKinds()) {
     const auto shape = kind->make(kind->example);
     if (!shape->IsSolid()) continue;
     const R3::Point inside = crossings::PointInside(*shape);

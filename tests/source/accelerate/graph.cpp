@@ -5,13 +5,14 @@
 #include "R3/Mesh.h"
 #include "R3/ShapeKind.h"
 #include "source/accelerate/Accelerator.h"
+#include "tests/BoundedShapes.h"
 #include "tests/Draw.h"
 #include "tests/Quad.h"
 
 namespace {
 
 std::shared_ptr<const R3::Shape> RandomShape(Draw& draw) {
-  const auto kinds = R3::ShapeKinds();
+  const auto kinds = BoundedShapeKinds();
   const auto* kind = kinds[static_cast<std::size_t>(draw.Whole(0, static_cast<int>(kinds.size()) - 1))];
   return kind->make(kind->example);
 }

@@ -1,0 +1,88 @@
+#include <cmath>
+
+#include "R3/DoubleDouble.h"
+#include "R3/ShapeKind.h"
+
+namespace R3 {
+namespace {
+
+/// Everything on one side of it, without end. The normal is taken as it is given, whose rounding to unit length would
+/// tilt the plane far from its point.
+class Plane : public Shape {
+ public:
+  Plane(const Point& point, const Vector& normal)
+      : point_(point), normal_(normal), unit_(Unit(normal)), across_(AnyPerpendicular(unit_)) {}
+
+  Box Bounds(int) const override { return {}; }
+  bool IsBounded() const override { return false; }
+  bool IsSolid() const override { return false; }
+
+  // The distance is exact but for its last rounding, so t errs by a few u whatever is far away.
+  std::optional<Hit> Intersect(const Ray& ray, int) const override {
+    const double towards = -Dot(normal_, ray.direction);
+    const double t = DistanceTimesLength(ray.origin) / towards;
+    if (!(t > ray.t_min && t < ray.t_max)) return {};  // also when the ray is parallel: infinite, or NaN in the plane
+    return Hit{t};
+  }
+
+  Intersection At(const Ray& ray, const Hit& hit, int) const override {
+    Intersection at;
+    const Point near = ray.At(hit.t);
+    const Vector back = DistanceTimesLength(near) / Dot(normal_, normal_) * normal_;
+    at.position = near - back;
+    // The step back errs by a few u of itself, the difference by one of the result.
+    at.error = Gamma(8) * Abs(back) + Gamma(2) * Abs(FromOrigin(at.position));
+    at.normal = at.shading_normal = AsNormal(unit_);
+    const Vector off = at.position - point_;
+    at.uv = {Fraction(Dot(off, across_)), Fraction(Dot(off, Cross(unit_, across_)))};
+    return at;
+  }
+
+  /// The square within 1 of the point; the viewer makes it as large as it needs.
+  MeshData Tessellate(int) const override {
+    MeshData data;
+    const Vector upward = Cross(unit_, across_);
+    for (const auto& [x, y] : {std::pair{-1.0, -1.0}, {1.0, -1.0}, {1.0, 1.0}, {-1.0, 1.0}}) {
+      data.positions.push_back(point_ + x * across_ + y * upward);
+      data.normals.push_back(AsNormal(unit_));
+      data.uvs.push_back({(x + 1) / 2, (y + 1) / 2});
+    }
+    data.triangles = {{0, 1, 2}, {0, 2, 3}};
+    return data;
+  }
+
+ private:
+  static double Fraction(double x) { return x - std::floor(x); }
+  /// From the axis that the plane is least perpendicular to.
+  static Vector AnyPerpendicular(const Vector& n) {
+    const Vector a = Abs(n);
+    const Vector axis = a.x <= a.y && a.x <= a.z ? Vector{1, 0, 0} : a.y <= a.z ? Vector{0, 1, 0} : Vector{0, 0, 1};
+    return Unit(Cross(axis, n));
+  }
+  /// Of a place from the plane, along the normal.
+  double DistanceTimesLength(const Point& p) const {
+    DoubleDouble sum;
+    for (int i = 0; i < 3; ++i) sum = sum + ExactSum(p[i], -point_[i]) * DoubleDouble(normal_[i]);
+    return static_cast<double>(sum);
+  }
+
+  Point point_;
+  Vector normal_, unit_, across_;
+};
+
+}  // namespace
+
+extern const ShapeKind plane_kind{
+    "plane",
+    "a plane without end: a point of it and its normal, which needs no unit length",
+    {{"px"}, {"py"}, {"pz"}, {"nx"}, {"ny"}, {"nz"}},
+    [](std::span<const double> a) -> std::unique_ptr<const Shape> {
+      constexpr std::size_t of_normal = 3;
+      const Vector normal{a[3], a[4], a[5]};
+      if (normal == Vector{}) throw ArgumentError(of_normal, "the normal must not be 0 0 0");
+      return std::make_unique<Plane>(Point{a[0], a[1], a[2]}, normal);
+    },
+    {0.5, -0.25, 1, 1, 2, -0.5},
+};
+
+}  // namespace R3
