@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "R3/DoubleDouble.h"
+#include "R3/GridMesh.h"
 #include "R3/ShapeKind.h"
 
 namespace R3 {
@@ -38,16 +39,15 @@ class Plane : public Shape {
     return at;
   }
 
-  /// The square within 1 of the point; the viewer makes it as large as it needs.
-  MeshData Tessellate(int) const override {
+  /// The square within 1 of the point, the finer the nearer to that; the viewer makes it as large as it needs.
+  MeshData Tessellate(int fineness) const override {
     MeshData data;
     const Vector upward = Cross(unit_, across_);
-    for (const auto& [x, y] : {std::pair{-1.0, -1.0}, {1.0, -1.0}, {1.0, 1.0}, {-1.0, 1.0}}) {
-      data.positions.push_back(point_ + x * across_ + y * upward);
-      data.normals.push_back(AsNormal(unit_));
-      data.uvs.push_back({(x + 1) / 2, (y + 1) / 2});
-    }
-    data.triangles = {{0, 1, 2}, {0, 2, 3}};
+    AddGrid(data, fineness, fineness, [&](int column, int row) {
+      const double u = static_cast<double>(column) / fineness, v = static_cast<double>(row) / fineness;
+      const double x = std::pow(2 * u - 1, 3), y = std::pow(2 * v - 1, 3);
+      return GridCorner{point_ + x * across_ + y * upward, AsNormal(unit_), {u, v}};
+    });
     return data;
   }
 

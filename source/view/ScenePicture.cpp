@@ -139,7 +139,7 @@ class Builder {
     for (const Instance& instance : world_.Instances()) {
       if (!IsDrawn(instance)) continue;
       if (!instance.shape->IsBounded()) {
-        Add(instance, Spread(instance.shape->Tessellate(3), instance));
+        Add(instance, Spread(instance.shape->Tessellate(finenesses.front()), instance));
         continue;
       }
       if (!instance.mesh && plan_.fineness == only_boxes) {
@@ -167,12 +167,11 @@ class Builder {
  private:
   /// A piece of what has no end, made so large that the scene looks small on it.
   R3::MeshData Spread(R3::MeshData data, const Instance& instance) const {
-    constexpr double times_the_scene = 10;
     const R3::Transform& world_from_local = world_.Frames()[instance.frame];
-    const R3::Point middle = data.positions[0] + 0.5 * (data.positions[2] - data.positions[0]);
+    const R3::Point &first = data.positions.front(), middle = first + 0.5 * (data.positions.back() - first);
     const R3::Point center = world_from_local * middle;
     const double reach = times_the_scene * space_.radius + Length(center - space_.center);
-    const double factor = reach / Length(world_from_local * data.positions[0] - center);
+    const double factor = reach / Length(world_from_local * first - center);
     for (R3::Point& p : data.positions) p = middle + factor * (p - middle);
     return data;
   }

@@ -14,6 +14,9 @@ struct PictureBudget {
   std::int64_t most_vertices = 12'000'000;   // 4 million triangles of flat meshes, or 1.5 million boxes: some 300 MB
 };
 
+/// How far from the scene's middle what has no end is drawn, in radii of the scene.
+inline constexpr double times_the_scene = 10;
+
 /// A scene as lit triangles, and how much of it is missing.
 struct ScenePicture {
   Triangles triangles;

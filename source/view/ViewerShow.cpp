@@ -63,9 +63,9 @@ FrameState Viewer::Show() {
 
 R3::Box Viewer::BoxOfDrawing() const {
   R3::Box box = scene_->parsed.scene.root.bounds;
-  const bool has_rays = rays_.ShowsGrid() || rays_.Pixel();
-  if (has_rays && !box.IsEmpty()) {  // they go beyond the scene
-    const double reach = 2 * box.Radius();
+  const bool has_rays = rays_.ShowsGrid() || rays_.Pixel(), has_planes = !scene_->world.Unbounded().empty();
+  if ((has_rays || has_planes) && !box.IsEmpty()) {  // they go beyond the scene
+    const double reach = (has_planes ? times_the_scene : 2) * box.Radius();
     box = {box.low - R3::Vector{reach, reach, reach}, box.high + R3::Vector{reach, reach, reach}};
   }
   if (!ShowsQuad()) return box;
