@@ -10,6 +10,18 @@ MeshData Shape::Tessellate(int fineness) const {
   return TessellateByRays(*this, std::max(least, fineness * fineness));
 }
 
+std::optional<SurfaceSample> Shape::Sample(const Point& from, const R2::Point& u, int element) const {
+  const double area = SampledArea(from, element);
+  if (!(area > 0)) return {};
+  const Intersection at = DrawPlace(from, u, element);
+  const double pdf = SolidAnglePdf(at.normal, at.position - from, 1, area);
+  return pdf > 0 ? std::optional(SurfaceSample{at, pdf}) : std::nullopt;
+}
+
+double Shape::Pdf(const Point& from, const Vector& way, const Normal& normal, int element) const {
+  return SolidAnglePdf(normal, way, 1, SampledArea(from, element));
+}
+
 Box Bounds(const Shape& shape) {
   Box box;
   for (int i = 0; i < shape.Elements(); ++i) box.Extend(shape.Bounds(i));

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <cmath>
 #include <optional>
 
+#include "R2/Point.h"
 #include "R3/Box.h"
 #include "R3/Hit.h"
 #include "R3/Intersection.h"
@@ -9,6 +11,23 @@
 #include "R3/Ray.h"
 
 namespace R3 {
+
+/// A place on a surface drawn at random, as a point sees it.
+struct SurfaceSample {
+  Intersection at;  // without texture coordinates
+  double pdf = 0;   // per solid angle, > 0; may be infinite
+};
+
+/// Per solid angle, of a place drawn evenly by area: how many times farther than 1 it is, squared, over the area as it
+/// looks from there.
+///   towards, t   the place is t lengths of `towards` away
+///   normal       of the surface there, unit, on either side
+///   returns      0 where the area is seen edge on
+inline double SolidAnglePdf(const Normal& normal, const Vector& towards, double t, double area) {
+  const double distance = t * Length(towards);
+  const double cosine = std::abs(Dot(normal, towards)) / Length(towards);
+  return cosine > 0 && area > 0 ? distance * distance / (cosine * area) : 0;
+}
 
 /// Something a ray can hit, made of one or more elements (a mesh has one per triangle).
 class Shape {
@@ -39,6 +58,21 @@ class Shape {
 
   /// Whether it lies in a box. One that does not has empty Bounds, one element, and a Tessellate of some piece of it.
   virtual bool IsBounded() const { return true; }
+
+  /// Whether places on the surface can be drawn at random, so that the shape can be a lamp. Such a shape has its own
+  /// SampledArea and DrawPlace, or Sample and Pdf.
+  virtual bool CanBeSampled() const { return false; }
+  /// Draws one of the places of the element that `from` sees: each of them with a pdf above 0, hidden ones as well.
+  ///   u         in [0, 1)^2, uniform
+  ///   returns   nothing where no place can be seen
+  virtual std::optional<SurfaceSample> Sample(const Point& from, const R2::Point& u, int element) const;
+  /// The pdf with which Sample draws the place that is `way` away and has this normal, if `from` sees it.
+  virtual double Pdf(const Point& from, const Vector& way, const Normal& normal, int element) const;
+  /// The area that DrawPlace draws from: all that `from` sees of the element is in it.
+  virtual double SampledArea(const Point& /*from*/, int /*element*/) const { return 0; }
+  /// A place of that area, all alike.
+  virtual Intersection DrawPlace(const Point& /*from*/, const R2::Point& /*u*/, int /*element*/) const { return {}; }
+
   /// Whether the shape bounds a volume that a point can be inside of.
   virtual bool IsSolid() const { return true; }
   /// Whether texture coordinates vary over the surface.

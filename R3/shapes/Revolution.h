@@ -6,6 +6,7 @@
 #include "R3/GridMesh.h"
 #include "R3/Intersection.h"
 #include "R3/Numeric.h"
+#include "R3/Warp.h"
 #include "R3/shapes/Quadric.h"
 #include "R3/shapes/Span.h"
 
@@ -36,6 +37,20 @@ inline Intersection AtCap(const Point& p, const Point& center, double radius, do
   at.normal = at.shading_normal = {0, side, 0};
   at.uv = {0.5 + (p.x - center.x) / (2 * radius), 0.5 - (p.z - center.z) / (2 * radius)};
   return at;
+}
+
+/// A place on the flat end, all alike.
+inline Intersection DrawOnCap(const R2::Point& u, const Point& center, double radius, double y, double side) {
+  const R2::Point on_disc = OnDisc(u);
+  return AtCap({center.x + radius * on_disc.x, y, center.z + radius * on_disc.y}, center, radius, y, side);
+}
+
+/// The unit direction from the axis that is turned by `angle` from that of `from`; from +x where that has none.
+inline Vector OutwardBeside(const Vector& from, double angle) {
+  const Vector unit = Unit({from.x, 0, from.z});
+  const Vector towards = unit == Vector{} ? Vector{1, 0, 0} : unit;
+  const double cosine = std::cos(angle), sine = std::sin(angle);
+  return Unit({cosine * towards.x - sine * towards.z, 0, sine * towards.x + cosine * towards.z});
 }
 
 /// For drawing: outward after `column` of `columns` steps of a turn against TurnAboutY, as fronts ask for when columns

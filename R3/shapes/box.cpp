@@ -3,6 +3,7 @@
 #include "R3/GridMesh.h"
 #include "R3/ShapeKind.h"
 #include "R3/shapes/Span.h"
+#include "R3/shapes/SurfaceParts.h"
 
 namespace R3 {
 namespace {
@@ -23,17 +24,8 @@ class BoxShape : public Shape {
   }
 
   Intersection At(const Ray& ray, const Hit& hit, int) const override {
-    const int axis = hit.part / 2;
-    const bool is_high = hit.part % 2 == 1;
-    const double face = is_high ? box_.high[axis] : box_.low[axis];
-    const double outward = is_high ? 1 : -1;
-    Intersection at;
     const Point p = ray.At(hit.t);
-    at.position = {axis == 0 ? face : Within(p.x, 0), axis == 1 ? face : Within(p.y, 1),
-                   axis == 2 ? face : Within(p.z, 2)};
-    at.error = Gamma(2) * Abs(FromOrigin(at.position));
-    at.normal = {axis == 0 ? outward : 0, axis == 1 ? outward : 0, axis == 2 ? outward : 0};
-    at.shading_normal = at.normal;
+    Intersection at = OnFace(hit.part, [&](int axis) { return Within(p[axis], axis); });
     at.uv = TextureCoordinates(at.position, hit.part);
     return at;
   }
@@ -61,6 +53,18 @@ class BoxShape : public Shape {
     return data;
   }
 
+  bool CanBeSampled() const override { return !IsDegenerate(); }
+
+  double SampledArea(const Point& from, int) const override { return Sum(SeenAreas(from)); }
+
+  Intersection DrawPlace(const Point& from, const R2::Point& u, int) const override {
+    const auto [part, on_face] = DrawPart(SeenAreas(from), u);
+    const int right = (part / 2 + 1) % 3;
+    return OnFace(part, [&](int axis) {
+      return std::lerp(box_.low[axis], box_.high[axis], axis == right ? on_face.x : on_face.y);
+    });
+  }
+
   /// A box flat along one axis is a rectangle; flat along two it is a line, which nothing hits.
   bool IsDegenerate() const override {
     const Vector size = box_.Size();
@@ -68,6 +72,35 @@ class BoxShape : public Shape {
   }
 
  private:
+  /// The place on a face with these coordinates along the other axes.
+  template <typename Coordinate>
+  Intersection OnFace(int part, const Coordinate& along) const {
+    const int face_axis = part / 2;
+    const bool is_high = part % 2 == 1;
+    const double face = is_high ? box_.high[face_axis] : box_.low[face_axis], outward = is_high ? 1 : -1;
+    const auto coordinate = [&](int axis) { return axis == face_axis ? face : along(axis); };
+    const auto component = [&](int axis) { return axis == face_axis ? outward : 0; };
+    Intersection at;
+    at.position = {coordinate(0), coordinate(1), coordinate(2)};
+    at.error = Gamma(2) * Abs(FromOrigin(at.position));
+    at.normal = at.shading_normal = {component(0), component(1), component(2)};
+    return at;
+  }
+
+  /// Of the faces, 0 for those that turn their backs; all of them from inside.
+  std::array<double, 6> SeenAreas(const Point& from) const {
+    const Vector size = box_.Size();
+    const bool is_inside = box_.Contains(from);
+    std::array<double, 6> areas{};
+    for (int axis = 0; axis < 3; ++axis) {
+      const double area = size[(axis + 1) % 3] * size[(axis + 2) % 3];
+      const auto low = static_cast<std::size_t>(2 * axis);
+      if (is_inside || from[axis] < box_.low[axis]) areas[low] = area;
+      if (is_inside || from[axis] > box_.high[axis]) areas[low + 1] = area;
+    }
+    return areas;
+  }
+
   double Within(double coordinate, int axis) const { return std::clamp(coordinate, box_.low[axis], box_.high[axis]); }
 
   R2::Point TextureCoordinates(const Point& p, int part) const {

@@ -1,7 +1,12 @@
+#include <array>
+#include <cmath>
+#include <numbers>
+
 #include "R3/ShapeKind.h"
 #include "R3/shapes/Quadric.h"
 #include "R3/shapes/Revolution.h"
 #include "R3/shapes/Span.h"
+#include "R3/shapes/SurfaceParts.h"
 
 namespace R3 {
 namespace {
@@ -39,16 +44,8 @@ class Cone : public Shape {
     const Point p = ray.At(hit.t);
     if (hit.part == base) return AtCap(p, center_, radius_, low_, -1);
     const Vector outward = Unit({p.x - center_.x, 0, p.z - center_.z});  // zero at the apex
-    const double y = std::clamp(p.y, low_, high_);
-    const double radius = slope_ * (high_ - y);
-    Intersection at;
-    at.position = {center_.x + radius * outward.x, y, center_.z + radius * outward.z};
-    // Unit 4 u, radius 3 u, product and the cone test's own radius and slope as much again.
-    at.error = Gamma(16) * radius * Abs(outward) + Gamma(4) * Abs(FromOrigin(at.position));
-    const bool is_apex = outward == Vector{};
-    at.normal = is_apex ? Normal{0, 1, 0} : AsNormal(Unit({outward.x, slope_, outward.z}));
-    at.shading_normal = at.normal;
-    at.uv = {is_apex ? 0 : TurnAboutY(outward), (y - low_) / height_};
+    Intersection at = OnSide(outward, std::clamp(p.y, low_, high_));
+    at.uv = {outward == Vector{} ? 0 : TurnAboutY(outward), (at.position.y - low_) / height_};
     return at;
   }
 
@@ -66,10 +63,51 @@ class Cone : public Shape {
     return data;
   }
 
+  bool CanBeSampled() const override { return !IsDegenerate(); }
+
+  double SampledArea(const Point& from, int) const override { return Sum(SeenAreas(from)); }
+
+  Intersection DrawPlace(const Point& from, const R2::Point& u, int) const override {
+    const auto [part, on_part] = DrawPart(SeenAreas(from), u);
+    if (part == base) return DrawOnCap(on_part, center_, radius_, low_, -1);
+    const double half_angle = SeenHalfAngle(from) > 0 ? SeenHalfAngle(from) : std::numbers::pi;
+    // The area above a height is as the square of the distance from the apex.
+    return OnSide(OutwardBeside(from - center_, (2 * on_part.x - 1) * half_angle),
+                  std::lerp(high_, low_, std::sqrt(on_part.y)));
+  }
+
   bool IsDegenerate() const override { return !(radius_ > 0) || !(high_ > low_); }
 
  private:
   enum Part { side, base };
+
+  /// The outward direction is zero at the apex.
+  Intersection OnSide(const Vector& outward, double y) const {
+    const double radius = slope_ * (high_ - y);
+    Intersection at;
+    at.position = {center_.x + radius * outward.x, y, center_.z + radius * outward.z};
+    // Unit 4 u, radius 3 u, product and the cone test's own radius and slope as much again.
+    at.error = Gamma(16) * radius * Abs(outward) + Gamma(4) * Abs(FromOrigin(at.position));
+    at.normal = outward == Vector{} ? Normal{0, 1, 0} : AsNormal(Unit({outward.x, slope_, outward.z}));
+    at.shading_normal = at.normal;
+    return at;
+  }
+
+  /// Half the angle, about the axis, of the lines from the apex to the rim that show their outside; 0 for none. The
+  /// plane that touches the cone along such a line has `from` on its outer side.
+  double SeenHalfAngle(const Point& from) const {
+    const double distance = std::hypot(from.x - center_.x, from.z - center_.z), inside = slope_ * (high_ - from.y);
+    if (distance > std::abs(inside)) return std::acos(inside / distance);
+    return inside < 0 ? std::numbers::pi : 0;
+  }
+
+  /// Of side and base, 0 for what turns its back; all of both from inside.
+  std::array<double, 2> SeenAreas(const Point& from) const {
+    const double half_angle = SeenHalfAngle(from);
+    const bool is_below = from.y < low_, is_inside = !is_below && half_angle == 0;
+    return {(is_inside ? std::numbers::pi : half_angle) * radius_ * std::hypot(radius_, height_),
+            is_inside || is_below ? std::numbers::pi * radius_ * radius_ : 0};
+  }
 
   /// Clips the span, already between base and apex, to |horizontal part| <= slope (apex height - y). With g and e the
   /// horizontal parts of origin (from the apex) and direction, and R0 + t R1 the cone's radius along the ray, that is

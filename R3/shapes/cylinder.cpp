@@ -1,7 +1,12 @@
+#include <array>
+#include <cmath>
+#include <numbers>
+
 #include "R3/ShapeKind.h"
 #include "R3/shapes/Quadric.h"
 #include "R3/shapes/Revolution.h"
 #include "R3/shapes/Span.h"
+#include "R3/shapes/SurfaceParts.h"
 
 namespace R3 {
 namespace {
@@ -30,10 +35,7 @@ class Cylinder : public Shape {
     const Point p = ray.At(hit.t);
     if (hit.part != side) return AtCap(p, center_, radius_, hit.part == top ? high_ : low_, hit.part == top ? 1 : -1);
     const Vector outward = Unit({p.x - center_.x, 0, p.z - center_.z});
-    Intersection at;
-    at.position = {center_.x + radius_ * outward.x, std::clamp(p.y, low_, high_), center_.z + radius_ * outward.z};
-    at.error = Gamma(6) * radius_ * Abs(outward) + Gamma(2) * Abs(FromOrigin(at.position));
-    at.normal = at.shading_normal = AsNormal(outward);
+    Intersection at = OnSide(outward, std::clamp(p.y, low_, high_));
     at.uv = {TurnAboutY(outward), (at.position.y - low_) / height_};
     return at;
   }
@@ -53,10 +55,50 @@ class Cylinder : public Shape {
     return data;
   }
 
+  bool CanBeSampled() const override { return !IsDegenerate(); }
+
+  double SampledArea(const Point& from, int) const override { return Sum(SeenAreas(from)); }
+
+  Intersection DrawPlace(const Point& from, const R2::Point& u, int) const override {
+    const auto [part, on_part] = DrawPart(SeenAreas(from), u);
+    if (part != side) return DrawOnCap(on_part, center_, radius_, part == top ? high_ : low_, part == top ? 1 : -1);
+    const Vector from_axis = from - center_;
+    const double angle = (2 * on_part.x - 1) * SeenHalfAngle(from_axis);
+    return OnSide(OutwardBeside(from_axis, angle), std::lerp(low_, high_, on_part.y));
+  }
+
   bool IsDegenerate() const override { return !(radius_ > 0) || !(high_ > low_); }
 
  private:
   enum Part { side, bottom, top };
+
+  Intersection OnSide(const Vector& outward, double y) const {
+    Intersection at;
+    at.position = {center_.x + radius_ * outward.x, y, center_.z + radius_ * outward.z};
+    at.error = Gamma(6) * radius_ * Abs(outward) + Gamma(2) * Abs(FromOrigin(at.position));
+    at.normal = at.shading_normal = AsNormal(outward);
+    return at;
+  }
+
+  bool IsInside(const Point& p) const {
+    return low_ <= p.y && p.y <= high_ && std::hypot(p.x - center_.x, p.z - center_.z) <= radius_;
+  }
+
+  /// Of the side that is seen along all its height, half the angle about the axis.
+  double SeenHalfAngle(const Vector& from_axis) const {
+    const double distance = std::hypot(from_axis.x, from_axis.z);
+    return distance > radius_ ? std::acos(radius_ / distance) : std::numbers::pi;
+  }
+
+  /// Of the parts, 0 for those that turn their backs; all of them from inside.
+  std::array<double, 3> SeenAreas(const Point& from) const {
+    const Vector from_axis = from - center_;
+    const bool is_inside = IsInside(from);
+    const bool is_beside = std::hypot(from_axis.x, from_axis.z) > radius_;
+    const double cap = std::numbers::pi * radius_ * radius_;
+    return {is_inside || is_beside ? 2 * SeenHalfAngle(from_axis) * radius_ * height_ : 0,
+            is_inside || from.y < low_ ? cap : 0, is_inside || from.y > high_ ? cap : 0};
+  }
 
   Point center_;
   double radius_, height_, low_, high_;

@@ -2,6 +2,7 @@
 
 #include "R3/GridMesh.h"
 #include "R3/ShapeKind.h"
+#include "R3/Warp.h"
 #include "R3/shapes/Quadric.h"
 #include "R3/shapes/Span.h"
 
@@ -26,14 +27,40 @@ class Sphere : public Shape {
 
   Intersection At(const Ray& ray, const Hit& hit, int) const override {
     const Vector outward = Unit(ray.At(hit.t) - center_);
-    Intersection at;
-    at.position = center_ + radius_ * outward;  // pushed back onto the surface
-    // Unit errs by 4 u, the product by one more, the sum by one of the result.
-    at.error = Gamma(6) * radius_ * Abs(outward) + Gamma(2) * Abs(FromOrigin(at.position));
-    at.normal = at.shading_normal = AsNormal(outward);
+    Intersection at = OnSurface(outward);  // pushed back onto the surface
     at.uv = TextureCoordinates(outward);
     return at;
   }
+
+  bool CanBeSampled() const override { return !IsDegenerate(); }
+
+  /// From outside a direction is drawn evenly in the cone that the sphere subtends; from inside a place evenly by area.
+  ///   source   Shirley, Wang, Zimmerman, Monte Carlo techniques for direct lighting calculations (1996), section 3.2
+  std::optional<SurfaceSample> Sample(const Point& from, const R2::Point& u, int element) const override {
+    const Vector from_center = from - center_;
+    const double sine = SineOfCone(from_center);
+    if (!(sine < 1)) return Shape::Sample(from, u, element);
+    // At the place met, the angle s to the normal has sin s = sin a / sine, a being the angle off the cone's axis, and
+    // seen from the center the place is s - a off the axis.
+    const double one_minus_cosine = OneMinusCosine(from_center, sine);
+    if (one_minus_cosine == 0) return {};  // farther than doubles can tell
+    const Vector w = InCone(u, one_minus_cosine);
+    const double sine_squared = w.x * w.x + w.y * w.y;
+    const double cosine_of_s = std::sqrt(std::max(0.0, 1 - sine_squared / sine / sine));
+    const double aside = w.z / sine - cosine_of_s, ahead = w.z * cosine_of_s + sine_squared / sine;
+    const Vector outward = FromTangents({aside * w.x, aside * w.y, ahead}, Unit(from_center));
+    return SurfaceSample{OnSurface(Unit(outward)), ConePdf(one_minus_cosine)};
+  }
+
+  double Pdf(const Point& from, const Vector& way, const Normal& normal, int element) const override {
+    const Vector from_center = from - center_;
+    const double sine = SineOfCone(from_center);
+    if (!(sine < 1)) return Shape::Pdf(from, way, normal, element);
+    return ConePdf(OneMinusCosine(from_center, sine));
+  }
+
+  double SampledArea(const Point&, int) const override { return 4 * std::numbers::pi * radius_ * radius_; }
+  Intersection DrawPlace(const Point&, const R2::Point& u, int) const override { return OnSurface(OnSphere(u)); }
 
   MeshData Tessellate(int fineness) const override {
     MeshData data;
@@ -55,6 +82,24 @@ class Sphere : public Shape {
   bool IsDegenerate() const override { return !(radius_ > 0); }
 
  private:
+  /// The place in a unit direction from the center.
+  Intersection OnSurface(const Vector& outward) const {
+    Intersection at;
+    at.position = center_ + radius_ * outward;
+    // Unit errs by 4 u, the product by one more, the sum by one of the result.
+    at.error = Gamma(6) * radius_ * Abs(outward) + Gamma(2) * Abs(FromOrigin(at.position));
+    at.normal = at.shading_normal = AsNormal(outward);
+    return at;
+  }
+
+  /// Of half the angle that the sphere is seen under; 1 and more from inside.
+  double SineOfCone(const Vector& from_center) const { return radius_ / Length(from_center); }
+  /// The same, factored so that it is exact for narrow cones and beside the surface alike.
+  double OneMinusCosine(const Vector& from_center, double sine) const {
+    const double D = Length(from_center);
+    return sine * sine / (1 + std::sqrt((D - radius_) / D * (1 + sine)));
+  }
+
   // As the viewer's utility sphere draws it: poles on z, v from -z to +z, u = 0 at +y and 0.25 at +x.
   static R2::Point TextureCoordinates(const Vector& outward) {
     const double u = std::atan2(outward.x, outward.y) / (2 * std::numbers::pi);

@@ -94,6 +94,41 @@ class Torus : public Shape {
     const Vector p = ray.At(hit.t) - center_;
     const Vector outward = Unit({p.x, 0, p.z});  // from the axis
     const Vector from_tube = Unit({std::hypot(p.x, p.z) - major_, p.y, 0});
+    Intersection at = OnTube(outward, from_tube);
+    at.uv = {TurnAboutY(outward), 0.5 + std::atan2(from_tube.y, from_tube.x) / (2 * std::numbers::pi)};
+    return at;
+  }
+
+  bool CanBeSampled() const override { return !IsDegenerate(); }
+
+  /// Whichever side of the tube is not that of `from` hides itself.
+  std::optional<SurfaceSample> Sample(const Point& from, const R2::Point& u, int element) const override {
+    const auto sample = Shape::Sample(from, u, element);
+    if (!sample) return {};
+    const bool shows_outside = Dot(sample->at.normal, from - sample->at.position) > 0;
+    return shows_outside == IsInside(from) ? std::nullopt : sample;
+  }
+
+  double SampledArea(const Point&, int) const override {
+    return 4 * std::numbers::pi * std::numbers::pi * major_ * minor_;
+  }
+
+  /// Of two places of the tube at the same height, the outer one has more area in proportion to its radius about the
+  /// axis, and is chosen as much more often.
+  Intersection DrawPlace(const Point&, const R2::Point& u, int) const override {
+    const double angle = 2 * std::numbers::pi * u.x;
+    const double share = (1 + minor_ / major_ * std::cos(angle)) / 2;
+    const bool is_first = u.y < share;
+    const double turn = 2 * std::numbers::pi * (is_first ? u.y / share : (u.y - share) / (1 - share));
+    const Vector from_tube = Unit({is_first ? std::cos(angle) : -std::cos(angle), std::sin(angle), 0});
+    return OnTube(Unit({std::sin(turn), 0, -std::cos(turn)}), from_tube);
+  }
+
+  bool IsDegenerate() const override { return !(minor_ > 0); }
+
+ private:
+  /// `outward` from the axis and `from_tube`, in the plane of the axis with x across it, are unit.
+  Intersection OnTube(const Vector& outward, const Vector& from_tube) const {
     const double radius = major_ + minor_ * from_tube.x;  // about the axis
     Intersection at;
     at.position = center_ + Vector{radius * outward.x, minor_ * from_tube.y, radius * outward.z};
@@ -103,13 +138,14 @@ class Torus : public Shape {
                Gamma(2) * Abs(FromOrigin(at.position));
     at.normal = AsNormal(Unit({from_tube.x * outward.x, from_tube.y, from_tube.x * outward.z}));
     at.shading_normal = at.normal;
-    at.uv = {TurnAboutY(outward), 0.5 + std::atan2(from_tube.y, from_tube.x) / (2 * std::numbers::pi)};
     return at;
   }
 
-  bool IsDegenerate() const override { return !(minor_ > 0); }
+  bool IsInside(const Point& point) const {
+    const Vector p = point - center_;
+    return std::hypot(std::hypot(p.x, p.z) - major_, p.y) < minor_;
+  }
 
- private:
   /// All t at which the line crosses the surface, infinite where there are fewer than four. With R and r the radii and
   /// p + s v the ray from the center, in units of about R + r, that is where
   ///     (|p + s v|^2 + R^2 - r^2)^2 - 4 R^2 (its part across the axis)^2 = 0.

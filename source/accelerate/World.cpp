@@ -140,10 +140,13 @@ void World::BakeOrShareMeshes() {
 
 R3::Intersection World::At(const R3::Ray& ray, const WorldHit& hit) const {
   const Instance& instance = instances_[hit.instance];
-  const R3::Transform& world_from_local = frames_[instance.frame];
-  R3::Intersection at = instance.shape->At(Back(instance.frame, ray), hit, hit.element);
+  return InWorld(instance.frame, ray.time, instance.shape->At(Back(instance.frame, ray), hit, hit.element));
+}
+
+R3::Intersection World::InWorld(std::uint32_t frame, double time, R3::Intersection at) const {
+  const R3::Transform& world_from_local = frames_[frame];
   if (!world_from_local.IsIdentity()) BringToWorld(world_from_local, at);
-  if (moves_) Shift(ray.time * motions_[instance.frame], at);
+  if (moves_) Shift(time * motions_[frame], at);
   return at;
 }
 

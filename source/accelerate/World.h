@@ -71,6 +71,9 @@ class World {
   R3::Box InWorld(std::uint32_t frame, const R3::Box& box) const {
     return Along(frames_[frame] * box, motions_[frame]);
   }
+  /// A place of a frame's surface, in the world at a time. Its error also covers the rounding of seeing the point from
+  /// the frame again, so a ray that starts outside it starts outside the shape.
+  R3::Intersection InWorld(std::uint32_t frame, double time, R3::Intersection at) const;
   /// The meshes that several instances use, in the order of their first use.
   const std::vector<const R3::Mesh*>& SharedMeshes() const { return shared_meshes_; }
   /// Lines for the scene's author: groups left out because all transforms above them together cannot be inverted.
@@ -79,8 +82,7 @@ class World {
   std::int64_t PrimitiveId(const WorldHit& hit) const { return instances_[hit.instance].first_primitive + hit.element; }
   const Material& MaterialAt(const WorldHit& hit) const { return *instances_[hit.instance].material; }
 
-  /// The surface at a hit of `ray`, in world coordinates. Its error also covers the rounding of seeing the point from
-  /// the shape's own frame again, so a ray that starts outside it starts outside the shape.
+  /// The surface at a hit of `ray`, in world coordinates, as InWorld brings it there.
   R3::Intersection At(const R3::Ray& ray, const WorldHit& hit) const;
 
  private:

@@ -1,7 +1,7 @@
 #include "source/integrate/Bsdf.h"
 
+#include "R3/Warp.h"
 #include "source/integrate/Refract.h"
-#include "source/sample/Warp.h"
 
 namespace ray {
 namespace {
@@ -53,7 +53,7 @@ SpecularWeights SpecularWeightsOf(const ShadingPoint& p, bool fresnel) {
 std::optional<R3::Vector> SampleReflection(const ShadingPoint& p, bool glossy, const R2::Point& u) {
   const R3::Vector mirrored = Mirrored(p);
   if (!glossy) return mirrored;
-  const R3::Vector wi = FromTangents(OnPowerLobe(u, p.material->n), mirrored);
+  const R3::Vector wi = R3::FromTangents(R3::OnPowerLobe(u, p.material->n), mirrored);
   if (!(Dot(wi, p.N) > 0)) return {};
   return wi;
 }
@@ -79,18 +79,18 @@ Bsdf::Bsdf(const ShadingPoint& p, const TraceSettings& settings)
 R2::Color Bsdf::Eval(const R3::Vector& wi) const {
   const double cosine = Dot(p_.N, wi);
   if (!(cosine > 0)) return {};
-  R2::Color sum = CosinePdf(cosine) * p_.kd;
-  if (is_glossy_) sum += PowerPdf(Dot(wi, mirrored_), p_.material->n) * specular_.reflected;
+  R2::Color sum = R3::CosinePdf(cosine) * p_.kd;
+  if (is_glossy_) sum += R3::PowerPdf(Dot(wi, mirrored_), p_.material->n) * specular_.reflected;
   return sum;
 }
 
 double Bsdf::Pdf(const R3::Vector& wi) const {
-  const double by_glossy = is_glossy_ ? reflection_ * PowerPdf(Dot(wi, mirrored_), p_.material->n) : 0;
-  return diffuse_ * CosinePdf(Dot(p_.N, wi)) + by_glossy;
+  const double by_glossy = is_glossy_ ? reflection_ * R3::PowerPdf(Dot(wi, mirrored_), p_.material->n) : 0;
+  return diffuse_ * R3::CosinePdf(Dot(p_.N, wi)) + by_glossy;
 }
 
 std::optional<BsdfSample> Bsdf::Sample(const R2::Point& u, double choice) const {
-  if (choice < diffuse_) return Scatter(FromTangents(OnCosineHemisphere(u), p_.N), Lobe::diffuse);
+  if (choice < diffuse_) return Scatter(R3::FromTangents(R3::OnCosineHemisphere(u), p_.N), Lobe::diffuse);
   if (choice < diffuse_ + reflection_) {
     const auto wi = SampleReflection(p_, is_glossy_, u);
     if (!wi) return {};

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "source/sample/Warp.h"
+#include "R3/Warp.h"
 
 namespace ray {
 namespace {
@@ -47,7 +47,7 @@ R3::Vector Bumped(const World& world, const R3::Ray& ray, const WorldHit& hit, c
     const double way = ahead && behind ? 2 * step : step;
     return (slope.x * Wrapped(to.x - from.x) + slope.y * Wrapped(to.y - from.y)) / way;
   };
-  const Tangents tangents = TangentsOf(n);
+  const R3::Tangents tangents = R3::TangentsOf(n);
   const R3::Vector rise = rise_along(tangents.first) * tangents.first + rise_along(tangents.second) * tangents.second;
   const double side = entering ? 1 : -1;
   const R3::Vector bumped = N - side * material.bump_height * rise;

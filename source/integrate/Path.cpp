@@ -150,9 +150,9 @@ R2::Color Path::Emitted(const ShadingPoint& from, const BsdfSample& scattered, c
   if (IsBlack(hit.material->emission)) return {};
   const R2::Color seen = hit.path.throughput * hit.material->emission;
   if (IsSpecular(scattered.lobe)) return seen;
-  const double light_pdf = lights_.PdfOfHit(from, hit.path.ray, hit, world_, lights_at_once_ > 0);
-  if (light_pdf == 0) return {};  // it is seen but lights nothing
-  return MisWeight(scattered.pdf, light_pdf * std::max(1, lights_at_once_)) * seen;
+  const auto light_pdf = lights_.PdfOfHit(from, hit.path.ray, hit, world_, lights_at_once_ > 0);
+  if (!light_pdf) return seen;  // found by scattering alone
+  return MisWeight(scattered.pdf, *light_pdf * std::max(1, lights_at_once_)) * seen;
 }
 
 R2::Color Path::EmittedByEnvironment(const ShadingPoint& from, const BsdfSample& scattered,

@@ -13,8 +13,8 @@ namespace ray {
 ///
 ///     kd / pi * cosine + ks (n + 1) / (2 pi) (V.R)^n      (the second term only with `glossy`)
 ///
-/// while lights of the scene language scatter by Phong's formula as they do in Whitted. Shapes that emit and are no
-/// triangles are seen, directly and in mirrors, and light nothing, as the language has it.
+/// while lights of the scene language scatter by Phong's formula as they do in Whitted. Every shape that emits is a
+/// light, on both sides of its surface.
 ///   source   Kajiya, The rendering equation (1986), eq. 6; Cook, Porter, Carpenter, Distributed ray tracing (1984);
 ///            light and BSDF sampling combined by multiple importance sampling, the balance heuristic of Veach and
 ///            Guibas, Optimally combining sampling techniques (1995), eq. 8; Russian roulette after Arvo and Kirk

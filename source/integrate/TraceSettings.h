@@ -37,7 +37,8 @@ struct TraceSettings {
   double min_luminance = 0.01;  // a child ray is traced when its throughput's luminance is at least this, above 0
   int shadow_samples = 16;      // rays to each light that has an area, >= 1
   bool shadows = true;
-  bool glossy = false;   // reflections are spread over the Phong lobe, not only along its axis
+  bool glossy = false;                 // reflections are spread over the Phong lobe, not only along its axis
+  bool emissive_solids_light = false;  // in mode whitted as triangles do; in mode path all that emits is a light
   bool fresnel = false;  // clear surfaces reflect by Fresnel's equations, and all of what they cannot let through
   int lights = -1;       // chosen at each point by importance; 0: every light; -1: whitted all, path one
   Roulette roulette = Roulette::automatic;

@@ -21,11 +21,15 @@ enum WhittedKey : std::uint64_t {
 
 bool IsExtended(const Light& light) { return light.IsExtended(); }
 bool IsExtended(const EmissiveTriangle&) { return true; }
+bool IsExtended(const EmissiveShape&) { return true; }
 bool IsExtended(const Environment&) { return true; }
 
 /// Whether a surface is itself the light.
 bool IsOn(const ShadingPoint& p, const EmissiveTriangle& triangle, const World& world) {
   return triangle.primitive == world.PrimitiveId(p.hit);
+}
+bool IsOn(const ShadingPoint& p, const EmissiveShape& shape, const World& world) {
+  return shape.Primitive() == world.PrimitiveId(p.hit);
 }
 template <typename Other>
 bool IsOn(const ShadingPoint&, const Other&, const World&) {
@@ -38,6 +42,11 @@ std::optional<LightSample> SampleLight(const ShadingPoint& p, const Light& light
 }
 std::optional<LightSample> SampleLight(const ShadingPoint& p, const EmissiveTriangle& triangle, const R2::Point& u) {
   return LightSample{triangle.emission, triangle.PointTowards(p.shadow_origin, u, p.path.ray.time) - p.shadow_origin};
+}
+std::optional<LightSample> SampleLight(const ShadingPoint& p, const EmissiveShape& shape, const R2::Point& u) {
+  const auto drawn = shape.SampleTowards(p.shadow_origin, u, p.path.ray.time);
+  if (!drawn) return {};
+  return LightSample{shape.Emission(), drawn->towards};
 }
 std::optional<LightSample> SampleLight(const ShadingPoint&, const Environment& environment, const R2::Point& u) {
   const Environment::Sample drawn = environment.Draw(u);
@@ -56,6 +65,7 @@ R2::Color Reflection(const Environment&, const ShadingPoint& p, const LightSampl
 /// What a recording calls it.
 std::string Described(const Light& light) { return light.Describe(); }
 std::string Described(const EmissiveTriangle& triangle) { return triangle.Describe(); }
+std::string Described(const EmissiveShape& shape) { return shape.Describe(); }
 std::string Described(const Environment&) { return "environment"; }
 
 }  // namespace
@@ -66,6 +76,7 @@ Whitted::Whitted(const World& world, const Accelerator& accelerator, const Trace
       settings_(settings),
       has_roulette_(settings.roulette == Roulette::on),
       triangles_(EmissiveTriangles(world)) {
+  if (settings.emissive_solids_light) shapes_ = EmissiveShapes(world);
   settings_.max_depth = std::min<std::int64_t>(settings_.max_depth, most_bounces);
   const Scene& scene = world.scene();
   for (const auto& light : scene.lights)
@@ -75,6 +86,7 @@ Whitted::Whitted(const World& world, const Accelerator& accelerator, const Trace
   std::vector<LightBound> bounds;
   for (const Light* light : lights_) bounds.push_back(light->Bound());
   for (const EmissiveTriangle& triangle : triangles_) bounds.push_back(triangle.Bound());
+  for (const EmissiveShape& shape : shapes_) bounds.push_back(shape.Bound());
   tree_.emplace(std::move(bounds));
 }
 
@@ -132,6 +144,7 @@ void Whitted::Shade(std::span<ShadingPoint> points, TraceState& state) const {
     std::uint64_t which = first_light_key;
     for (const Light* light : lights_) AddLight(*light, which++, points, state);
     for (const EmissiveTriangle& triangle : triangles_) AddLight(triangle, which++, points, state);
+    for (const EmissiveShape& shape : shapes_) AddLight(shape, which++, points, state);
   }
   if (environment_) AddLight(*environment_, environment_key, points, state);
 }
@@ -164,16 +177,22 @@ void Whitted::AddChosenLights(std::span<ShadingPoint> points, TraceState& state)
       const auto random = random_points.Get<3>(p.path.index.sample * count + k);
       const auto choice = tree_->Choose(p.shadow_origin, p.N, random[2]);
       if (!choice) continue;
-      const auto which = static_cast<std::size_t>(choice->light);
-      const double weight = 1 / (choice->probability * count);
-      const R2::Point u{random[0], random[1]};
-      if (which < lights_.size())
-        AddSample(*lights_[which], p, i, u, weight, state);
-      else if (!IsOn(p, triangles_[which - lights_.size()], world_))
-        AddSample(triangles_[which - lights_.size()], p, i, u, weight, state);
+      AddChosenLight(static_cast<std::size_t>(choice->light), p, i, {random[0], random[1]},
+                     1 / (choice->probability * count), state);
     }
   }
   AddArrived(points, state);
+}
+
+void Whitted::AddChosenLight(std::size_t which, const ShadingPoint& p, std::size_t index, const R2::Point& u,
+                             double weight, TraceState& state) const {
+  const auto add = [&](const auto& light) {
+    if (!IsOn(p, light, world_)) AddSample(light, p, index, u, weight, state);
+  };
+  if (which < lights_.size()) return add(*lights_[which]);
+  which -= lights_.size();
+  if (which < triangles_.size()) return add(triangles_[which]);
+  add(shapes_[which - triangles_.size()]);
 }
 
 template <typename AnyLight>

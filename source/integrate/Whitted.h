@@ -6,6 +6,7 @@
 
 #include "source/integrate/Integrator.h"
 #include "source/integrate/Tracer.h"
+#include "source/integrate/lights/EmissiveShape.h"
 #include "source/integrate/lights/EmissiveTriangle.h"
 #include "source/integrate/lights/LightTree.h"
 
@@ -32,6 +33,9 @@ class Whitted : public Integrator {
   void AddLight(const AnyLight& light, std::uint64_t which, std::span<ShadingPoint> points, TraceState& state) const;
   /// The share of a few lights, chosen by importance sampling, that stand for all.
   void AddChosenLights(std::span<ShadingPoint> points, TraceState& state) const;
+  /// One of them, by its number in the tree.
+  void AddChosenLight(std::size_t which, const ShadingPoint& p, std::size_t index, const R2::Point& u, double weight,
+                      TraceState& state) const;
   template <typename AnyLight>
   void AddSample(const AnyLight& light, const ShadingPoint& p, std::size_t index, const R2::Point& u, double weight,
                  TraceState& state) const;
@@ -47,8 +51,9 @@ class Whitted : public Integrator {
   bool has_roulette_;
   std::vector<const Light*> lights_;  // those that are not black
   std::vector<EmissiveTriangle> triangles_;
+  std::vector<EmissiveShape> shapes_;         // those that are lights
   const Environment* environment_ = nullptr;  // if it shines
-  std::optional<LightTree> tree_;             // over lights, then triangles, if they are chosen among
+  std::optional<LightTree> tree_;             // over lights, triangles, shapes, if they are chosen among
 };
 
 }  // namespace ray

@@ -37,11 +37,12 @@ SceneFeatures FeaturesOf(const World& world, const RenderSettings& settings) {
     features.area_lights |= light->IsExtended();
   }
   features.environment = scene.environment && !scene.environment->IsBlack();
+  const bool shapes_light = settings.mode == RenderMode::path || settings.trace.emissive_solids_light;
   for (const Instance& instance : world.Instances()) {
     const Material& m = *instance.material;
-    if (!IsBlack(m.emission) && instance.mesh) {
-      features.emissive_triangles = true;
-      lights += static_cast<std::size_t>(instance.mesh->Elements());
+    if (!IsBlack(m.emission) && (instance.mesh || (shapes_light && instance.shape->CanBeSampled()))) {
+      (instance.mesh ? features.emissive_triangles : features.emissive_shapes) = true;
+      lights += static_cast<std::size_t>(instance.shape->Elements());
     }
     features.mirrors |= !IsBlack(m.kr) && settings.trace.max_depth > 0;
     features.clear |= !IsBlack(m.kt) && settings.trace.max_depth > 0;
@@ -60,6 +61,7 @@ std::vector<std::string> SceneFeatures::Names() const {
                                               {lights, "lights"},
                                               {area_lights, "area lights"},
                                               {emissive_triangles, "emissive triangles"},
+                                              {emissive_shapes, "emissive shapes"},
                                               {environment, "environment"},
                                               {choice_of_lights, "choice of lights"},
                                               {mirrors, "mirrors"},

@@ -12,7 +12,8 @@ namespace ray {
 /// no effect (an aperture of 0, equal poses, a kt of 0 on everything that is used, black lights) do not count.
 struct SceneFeatures {
   bool motion = false, lens = false;
-  bool lights = false, area_lights = false, emissive_triangles = false, environment = false, choice_of_lights = false;
+  bool lights = false, area_lights = false, emissive_triangles = false, emissive_shapes = false, environment = false,
+       choice_of_lights = false;
   bool mirrors = false, clear = false, bending = false, absorbing = false, textures = false;
   bool wide_filter = false, two_streams = false;
 

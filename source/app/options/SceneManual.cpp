@@ -66,7 +66,9 @@ constexpr std::pair<const char*, const char*> material_words[] = {
     {"kd", "Diffuse weight, multiplied by the cosine and by the texture, where there is one."},
     {"ks", "Weight of the highlights of lights and of the mirrored ray."},
     {"kt", "Weight of what is seen through the surface, at each surface crossed."},
-    {"e", "Emission: always added. A triangle that emits is a lamp as well."},
+    {"e",
+     "Emission: always added. A triangle that emits is a lamp as well; in mode path every shape is, on both sides of "
+     "its surface."},
     {"n", "Phong's exponent of the highlight, at least 0."},
     {"ir", "Index of refraction against 1 outside; 0 means 1."},
     {"texture", "The name of a picture, or 0 for none."},

@@ -108,6 +108,10 @@ std::vector<std::string> LikelyMistakes(const World& world, const RenderSettings
   Point(mistakes, world, "has a texture but no texture coordinates",
         [](const Instance& i) { return i.material->texture && !i.shape->HasTextureCoordinates(); });
 
+  if (settings.mode == RenderMode::whitted && !settings.trace.emissive_solids_light)
+    Point(mistakes, world, "emits but lights nothing in mode whitted; -mode path makes it a light",
+          [](const Instance& i) { return !IsBlack(i.material->emission) && !i.mesh; });
+
   const auto inward = InwardSides(scene.camera, settings);
   Point(mistakes, world, "lies outside the view", [&](const Instance& i) {
     const R3::Box box = WorldBounds(world, i);

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "source/sample/Warp.h"
+#include "R3/Warp.h"
 
 namespace ray {
 namespace {
@@ -20,23 +20,30 @@ LightBound RadiantBound(const EmissiveTriangle& triangle) {
   return bound;
 }
 
+LightBound RadiantBound(const EmissiveShape& shape) {
+  LightBound bound = shape.Bound();
+  bound.power *= shape.ApparentArea() / pi;
+  bound.ca = 0;
+  bound.qa = 1;
+  return bound;
+}
+
 LightBound RadiantBound(const Environment& environment) {
   const Environment::Sample any = environment.Draw({0.5, 0.5});  // luminance over pdf is alike for all
   return {.power = Luminance(any.radiance) / any.pdf / pi, .is_infinite = true};
 }
 
-/// Per solid angle, of the place on a triangle that is `t` lengths of `towards` away, drawn evenly by area.
-double SolidAnglePdf(const EmissiveTriangle& triangle, const R3::Vector& towards, double t) {
-  const double distance = t * Length(towards);
-  const double cosine = std::abs(Dot(triangle.normal, towards)) / Length(towards);
-  const double area = triangle.Area();
-  return cosine > 0 && area > 0 ? distance * distance / (cosine * area) : 0;
+double Pdf(const EmissiveTriangle& triangle, const R3::Vector& towards, double t) {
+  return SolidAnglePdf(triangle.normal, towards, t, triangle.Area());
 }
 
 }  // namespace
 
 LightSampler::LightSampler(const World& world, const TraceSettings& settings)
-    : triangles_(EmissiveTriangles(world)), is_uniform_(settings.strategy == LightStrategy::uniform) {
+    : triangles_(EmissiveTriangles(world)),
+      shapes_(EmissiveShapes(world)),
+      has_unsampled_emission_(HasUnsampledEmission(world)),
+      is_uniform_(settings.strategy == LightStrategy::uniform) {
   const Scene& scene = world.scene();
   std::vector<LightBound> bounds;
   for (const auto& light : scene.lights)
@@ -45,8 +52,12 @@ LightSampler::LightSampler(const World& world, const TraceSettings& settings)
       bounds.push_back(light->Bound());
     }
   for (const EmissiveTriangle& triangle : triangles_) {
-    triangle_of_primitive_.emplace(triangle.primitive, static_cast<int>(&triangle - triangles_.data()));
+    light_of_primitive_.emplace(triangle.primitive, static_cast<int>(bounds.size()));
     bounds.push_back(RadiantBound(triangle));
+  }
+  for (const EmissiveShape& shape : shapes_) {
+    light_of_primitive_.emplace(shape.Primitive(), static_cast<int>(bounds.size()));
+    bounds.push_back(RadiantBound(shape));
   }
   if (scene.environment && !scene.environment->IsBlack()) {
     environment_ = scene.environment.get();
@@ -69,9 +80,12 @@ std::optional<LightSample> LightSampler::SampleOne(const ShadingPoint& p, const 
 }
 
 std::string LightSampler::Describe(int light) const {
-  const auto i = static_cast<std::size_t>(light);
+  auto i = static_cast<std::size_t>(light);
   if (i < lights_.size()) return lights_[i]->Describe();
-  return i - lights_.size() < triangles_.size() ? triangles_[i - lights_.size()].Describe() : "environment";
+  i -= lights_.size();
+  if (i < triangles_.size()) return triangles_[i].Describe();
+  i -= triangles_.size();
+  return i < shapes_.size() ? shapes_[i].Describe() : "environment";
 }
 
 std::optional<LightTree::Choice> LightSampler::Choose(const ShadingPoint& p, double choice) const {
@@ -95,13 +109,19 @@ std::optional<LightSample> LightSampler::Sample(const ShadingPoint& p, int light
   if (i < triangles_.size()) {
     const EmissiveTriangle& triangle = triangles_[i];
     const R3::Vector towards = triangle.PointTowards(p.shadow_origin, u, p.path.ray.time) - p.shadow_origin;
-    const double pdf = SolidAnglePdf(triangle, towards, 1);
+    const double pdf = Pdf(triangle, towards, 1);
     if (!(pdf > 0)) return {};
     return LightSample{triangle.emission / pdf, towards, false, pdf, light};
   }
+  i -= triangles_.size();
+  if (i < shapes_.size()) {
+    const auto drawn = shapes_[i].SampleTowards(p.shadow_origin, u, p.path.ray.time);
+    if (!drawn) return {};
+    return LightSample{shapes_[i].Emission() / drawn->pdf, drawn->towards, false, drawn->pdf, light};
+  }
   if (is_uniform_) {
-    const R3::Vector direction = OnSphere(u);
-    return LightSample{environment_->Radiance(direction) / sphere_pdf, direction, true, sphere_pdf, light};
+    const R3::Vector direction = R3::OnSphere(u);
+    return LightSample{environment_->Radiance(direction) / R3::sphere_pdf, direction, true, R3::sphere_pdf, light};
   }
   const Environment::Sample drawn = environment_->Draw(u);
   return LightSample{drawn.radiance / drawn.pdf, drawn.direction, true, drawn.pdf, light};
@@ -109,17 +129,20 @@ std::optional<LightSample> LightSampler::Sample(const ShadingPoint& p, int light
 
 double LightSampler::PdfOfEnvironment(const ShadingPoint& from, const R3::Vector& direction, bool choosing) const {
   if (!environment_) return 0;
-  const double pdf = is_uniform_ ? sphere_pdf : environment_->Pdf(direction);
+  const double pdf = is_uniform_ ? R3::sphere_pdf : environment_->Pdf(direction);
   return choosing ? pdf * ProbabilityOf(from, count_ - 1) : pdf;
 }
 
-double LightSampler::PdfOfHit(const ShadingPoint& from, const R3::Ray& ray, const ShadingPoint& hit, const World& world,
-                              bool choosing) const {
-  if (triangles_.empty()) return 0;
-  const auto found = triangle_of_primitive_.find(world.PrimitiveId(hit.hit));
-  if (found == triangle_of_primitive_.end()) return 0;
-  const double pdf = SolidAnglePdf(triangles_[static_cast<std::size_t>(found->second)], ray.direction, hit.hit.t);
-  const int light = static_cast<int>(lights_.size()) + found->second;
+std::optional<double> LightSampler::PdfOfHit(const ShadingPoint& from, const R3::Ray& ray, const ShadingPoint& hit,
+                                             const World& world, bool choosing) const {
+  const auto found = light_of_primitive_.find(world.PrimitiveId(hit.hit));
+  if (found == light_of_primitive_.end()) return {};
+  const auto [primitive, light] = *found;
+  const std::size_t i = static_cast<std::size_t>(light) - lights_.size();
+  const double pdf =
+      i < triangles_.size()
+          ? Pdf(triangles_[i], ray.direction, hit.hit.t)
+          : shapes_[i - triangles_.size()].Pdf(from.shadow_origin, hit.hit.t * ray.direction, hit.at.normal, ray.time);
   return choosing ? pdf * ProbabilityOf(from, light) : pdf;
 }
 

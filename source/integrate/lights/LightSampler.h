@@ -7,14 +7,15 @@
 
 #include "source/integrate/ShadingPoint.h"
 #include "source/integrate/TraceSettings.h"
+#include "source/integrate/lights/EmissiveShape.h"
 #include "source/integrate/lights/EmissiveTriangle.h"
 #include "source/integrate/lights/LightTree.h"
 
 namespace ray {
 
 /// Next-event estimation: all lights as path tracing sees them: those of the scene language, which no ray can hit;
-/// emissive triangles, whose emission is a radiance; and the environment. A point chooses among them by importance
-/// sampling, or uniformly with the strategy of that name.
+/// emissive triangles and other shapes, whose emission is a radiance; and the environment. A point chooses among them
+/// by importance sampling, or uniformly with the strategy of that name.
 class LightSampler {
  public:
   LightSampler(const World& world, const TraceSettings& settings);
@@ -22,7 +23,9 @@ class LightSampler {
   bool IsEmpty() const { return count_ == 0; }
   int Count() const { return count_; }
   /// Whether some light can be found by following scattered rays as well.
-  bool CanBeHit() const { return environment_ || has_background_ || !triangles_.empty(); }
+  bool CanBeHit() const {
+    return environment_ || has_background_ || has_unsampled_emission_ || !light_of_primitive_.empty();
+  }
 
   /// A light in words.
   std::string Describe(int light) const;
@@ -32,11 +35,11 @@ class LightSampler {
   /// A point on light number `light`.
   std::optional<LightSample> Sample(const ShadingPoint& p, int light, const R2::Point& u) const;
 
-  /// The pdf with which a point would have chosen this direction to the environment, or to the emissive triangle
-  /// that a ray from it hit; 0 for things that are no light. `choosing`: by SampleOne, else by Sample.
+  /// The pdf with which a point would have chosen this direction to the environment, 0 where there is none, or to the
+  /// light that a ray from it hit, nothing for what is no light. `choosing`: by SampleOne, else by Sample.
   double PdfOfEnvironment(const ShadingPoint& from, const R3::Vector& direction, bool choosing) const;
-  double PdfOfHit(const ShadingPoint& from, const R3::Ray& ray, const ShadingPoint& hit, const World& world,
-                  bool choosing) const;
+  std::optional<double> PdfOfHit(const ShadingPoint& from, const R3::Ray& ray, const ShadingPoint& hit,
+                                 const World& world, bool choosing) const;
 
  private:
   /// One of several lights, and with what probability.
@@ -45,10 +48,12 @@ class LightSampler {
 
   std::vector<const Light*> lights_;
   std::vector<EmissiveTriangle> triangles_;
-  std::unordered_map<std::int64_t, int> triangle_of_primitive_;
+  std::vector<EmissiveShape> shapes_;
+  std::unordered_map<std::int64_t, int> light_of_primitive_;
   const Environment* environment_ = nullptr;
   bool has_background_ = false;  // that is not black
-  bool is_uniform_ = false;      // chooses uniformly among lights, and from the environment
+  bool has_unsampled_emission_;
+  bool is_uniform_ = false;  // chooses uniformly among lights, and from the environment
   int count_ = 0;
   std::optional<LightTree> tree_;
 };

@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "source/sample/Warp.h"
+#include "R3/Warp.h"
 #include "source/scene/Light.h"
 #include "source/scene/lights/Falloff.h"
 #include "source/scene/lights/Words.h"
@@ -15,12 +15,12 @@ class AreaLight : public Light {
       : color_(color),
         center_(center),
         direction_(Unit(direction)),
-        tangents_(TangentsOf(direction_)),
+        tangents_(R3::TangentsOf(direction_)),
         radius_(radius),
         falloff_(falloff) {}
 
   std::optional<LightSample> Illuminate(const R3::Point& p, const R2::Point& random) const override {
-    const R2::Point on_disc = OnDisc(random);
+    const R2::Point on_disc = R3::OnDisc(random);
     const R3::Vector from_center = radius_ * on_disc.x * tangents_.first + radius_ * on_disc.y * tangents_.second;
     const R3::Vector to_light = center_ + from_center - p;
     const double distance = Length(to_light);
@@ -42,7 +42,7 @@ class AreaLight : public Light {
   R2::Color color_;
   R3::Point center_;
   R3::Vector direction_;  // the side it shines to; unit
-  Tangents tangents_;
+  R3::Tangents tangents_;
   double radius_;
   Falloff falloff_;
 };

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "source/sample/Warp.h"
+#include "R3/Warp.h"
 
 namespace ray {
 namespace {
@@ -70,7 +70,7 @@ Glow GlowOf(const Light& light, double distance) {
   for (int i = 0; i < count; ++i) {
     // Evenly by area along a spiral: turned by the golden section from one to the next.
     const double turn = i * (std::numbers::phi - 1);
-    const R3::Vector direction = OnSphere({(i + 0.5) / count, turn - std::floor(turn)});
+    const R3::Vector direction = R3::OnSphere({(i + 0.5) / count, turn - std::floor(turn)});
     const auto from = light.Illuminate(bound.center + distance * direction, {0.5, 0.5});
     if (!from) continue;
     const double strength = Luminance(from->irradiance);
@@ -212,7 +212,7 @@ Lines ArrowAt(const R3::Point& p, const R3::Vector& way, const DrawingSpace& spa
   Lines lines;
   Add(lines, space, p, p + way, color);
   if (way == R3::Vector{}) return lines;
-  const Tangents across = TangentsOf(Unit(way));
+  const R3::Tangents across = R3::TangentsOf(Unit(way));
   for (const R3::Vector& side : {across.first, -across.first, across.second, -across.second})
     Add(lines, space, p + way, p + 0.8 * way + 0.08 * Length(way) * side, color);
   return lines;

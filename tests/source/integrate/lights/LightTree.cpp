@@ -6,8 +6,8 @@
 #include <limits>
 #include <string>
 
+#include "R3/Warp.h"
 #include "source/sample/Random.h"
-#include "source/sample/Warp.h"
 #include "tests/ChiSquare.h"
 
 namespace {
@@ -35,7 +35,7 @@ R3::Point RandomPoint(Numbers& numbers) {
 
 R3::Vector RandomUnit(Numbers& numbers) {
   const double x = numbers(), y = numbers();
-  return ray::OnSphere({x, y});
+  return R3::OnSphere({x, y});
 }
 
 // Of all sorts: some at one place, some with a size, some without power, some infinite, every fall-off.
@@ -228,7 +228,7 @@ TEST(LightTree, LightsInTheVeryPlaneOfThePointAreTakenOrLeftAlikeByTheTreeAndByT
   for (std::uint64_t seed = 0; seed < 50; ++seed) {
     Numbers numbers(seed);
     const R3::Vector N = RandomUnit(numbers);
-    const ray::Tangents tangents = ray::TangentsOf(N);
+    const R3::Tangents tangents = R3::TangentsOf(N);
     const R3::Point middle = R3::Point{} + std::exp(numbers(-10, 20)) * RandomUnit(numbers);
     std::vector<LightBound> lights;
     for (int i = 0; i < 300; ++i) {

@@ -1,27 +1,27 @@
-#include "source/sample/Warp.h"
+#include "R3/Warp.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace ray {
+namespace R3 {
 namespace {
 
 constexpr double pi = std::numbers::pi;
 
-R3::Vector FromPolar(double sine, double cosine, double turns) {
+Vector FromPolar(double sine, double cosine, double turns) {
   const double angle = 2 * pi * turns;
   return {sine * std::cos(angle), sine * std::sin(angle), cosine};
 }
 
 }  // namespace
 
-Tangents TangentsOf(const R3::Vector& n) {
+Tangents TangentsOf(const Vector& n) {
   const double sign = std::copysign(1.0, n.z);
   const double a = -1 / (sign + n.z), b = n.x * n.y * a;
   return {{1 + sign * n.x * n.x * a, sign * b, -sign * n.x}, {b, sign + n.y * n.y * a, -n.y}};
 }
 
-R3::Vector FromTangents(const R3::Vector& local, const R3::Vector& about) {
+Vector FromTangents(const Vector& local, const Vector& about) {
   const Tangents tangents = TangentsOf(about);
   return local.x * tangents.first + local.y * tangents.second + local.z * about;
 }
@@ -40,14 +40,14 @@ R2::Point OnTriangle(const R2::Point& u) {
   return {root * (1 - u.y), root * u.y};
 }
 
-R3::Vector OnCosineHemisphere(const R2::Point& u) {
+Vector OnCosineHemisphere(const R2::Point& u) {
   const R2::Point p = OnDisc(u);
   return {p.x, p.y, std::sqrt(std::max(0.0, 1 - p.x * p.x - p.y * p.y))};
 }
 
 double CosinePdf(double cosine) { return std::max(0.0, cosine) / pi; }
 
-R3::Vector OnPowerLobe(const R2::Point& u, double n) {
+Vector OnPowerLobe(const R2::Point& u, double n) {
   // The cosine to the power n + 1 is even in [0, 1]; at 0, which only u = 1 gives, its logarithm is still taken as
   // finite, so that a huge n makes no NaN of it.
   const double logarithm = std::log1p(-std::min(u.x, 1 - 0x1p-53)) / (n + 1);
@@ -59,13 +59,13 @@ double PowerPdf(double cosine, double n) {
   return (n + 1) / (2 * pi) * std::pow(cosine, n);
 }
 
-R3::Vector OnSphere(const R2::Point& u) { return InCone(u, 2); }
+Vector OnSphere(const R2::Point& u) { return InCone(u, 2); }
 
-R3::Vector InCone(const R2::Point& u, double one_minus_cosine) {
+Vector InCone(const R2::Point& u, double one_minus_cosine) {
   const double height = u.x * one_minus_cosine;  // down from the top of the sphere
   return FromPolar(std::sqrt(height * (2 - height)), 1 - height, u.y);
 }
 
 double ConePdf(double one_minus_cosine) { return 1 / (2 * pi * one_minus_cosine); }
 
-}  // namespace ray
+}  // namespace R3

@@ -11,20 +11,20 @@
 /// Every map takes `u` in [0, 1]^2, finite, and keeps neighbors together, so that strata of the square stay strata of
 /// what it covers. Directions are about +z; FromTangents turns them to be about another vector. They are unit within
 /// 1e-14, finite for every u. Pdfs are per solid angle and hold for directions made by the map of that name.
-namespace ray {
+namespace R3 {
 
 /// Two unit vectors that are perpendicular to a third and to each other.
 struct Tangents {
-  R3::Vector first, second;
+  Vector first, second;
 };
 
 /// Tangents of a unit vector, any; within 1e-15. They jump where n.z changes its sign and nowhere else.
 /// Source: Duff, Burgess, Christensen, Hery, Kensler, Liani, Villemin, Building an orthonormal basis, revisited (2017).
-Tangents TangentsOf(const R3::Vector& n);
+Tangents TangentsOf(const Vector& n);
 
 /// `local`, given about +z, turned to be about the unit vector `about`: +z goes to `about`, x and y to its tangents.
 /// Lengths are kept within 1e-15 relative.
-R3::Vector FromTangents(const R3::Vector& local, const R3::Vector& about);
+Vector FromTangents(const Vector& local, const Vector& about);
 
 /// A point of the unit disc from one of the unit square, keeping shares of area; within 1e-15 of the disc.
 /// Source: Shirley, Chiu, A low distortion map between disk and square (1997).
@@ -38,7 +38,7 @@ R2::Point OnTriangle(const R2::Point& u);
 /// A direction above the plane, its pdf proportional to its cosine with +z: a point of the disc lifted onto the
 /// hemisphere. z may be 0, where the pdf is 0 too.
 /// Source: Malley's method, in Pharr, Jakob, Humphreys, Physically Based Rendering (2023), section A.5.3.
-R3::Vector OnCosineHemisphere(const R2::Point& u);
+Vector OnCosineHemisphere(const R2::Point& u);
 /// cosine / pi; 0 below the plane.
 double CosinePdf(double cosine);
 
@@ -46,13 +46,13 @@ double CosinePdf(double cosine);
 ///   n        >= 0 and finite; tested from 0, which is even over the hemisphere, to 1e6
 ///   source   Lafortune, Willems, Using the modified Phong reflectance model for physically based rendering (1994),
 ///            eq. 10; through logarithms, since for large n the cosine alone would round the angle away
-R3::Vector OnPowerLobe(const R2::Point& u, double n);
+Vector OnPowerLobe(const R2::Point& u, double n);
 /// (n + 1) / (2 pi) cosine^n; 0 below the plane. Relative error n 2^-53 from that of the cosine.
 double PowerPdf(double cosine, double n);
 
 /// A direction, all alike.
 /// Source: Archimedes' theorem that a sphere's zones have areas as their heights.
-R3::Vector OnSphere(const R2::Point& u);
+Vector OnSphere(const R2::Point& u);
 inline constexpr double sphere_pdf = 1 / (4 * std::numbers::pi);
 
 /// A direction in the cone about +z, all alike.
@@ -60,8 +60,8 @@ inline constexpr double sphere_pdf = 1 / (4 * std::numbers::pi);
 ///                      cosine, because that of a narrow cone rounds to 1
 ///   accuracy           the angle from +z within 1e-15 relative, however narrow the cone
 ///   source             Pharr, Jakob, Humphreys, Physically Based Rendering (2023), section A.5.4
-R3::Vector InCone(const R2::Point& u, double one_minus_cosine);
+Vector InCone(const R2::Point& u, double one_minus_cosine);
 /// 1 over the cone's solid angle; infinite for the cone of only +z.
 double ConePdf(double one_minus_cosine);
 
-}  // namespace ray
+}  // namespace R3

@@ -1,0 +1,94 @@
+#include "source/integrate/lights/EmissiveShape.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ray {
+namespace {
+
+R3::Vector Column(const R3::Matrix& matrix, std::size_t k) { return {matrix.m[0][k], matrix.m[1][k], matrix.m[2][k]}; }
+
+/// The matrix, transposed, times a vector.
+R3::Vector TransposedTimes(const R3::Matrix& matrix, const R3::Vector& v) {
+  return {Dot(Column(matrix, 0), v), Dot(Column(matrix, 1), v), Dot(Column(matrix, 2), v)};
+}
+
+double MeanScale(const R3::Matrix& matrix) {
+  std::array<R3::Vector, 3> columns{Column(matrix, 0), Column(matrix, 1), Column(matrix, 2)};
+  double largest = 0;
+  for (const R3::Vector& column : columns) largest = std::max(largest, MaxComponent(Abs(column)));
+  for (R3::Vector& column : columns) column = column / largest;  // no product of three overflows
+  return largest * std::cbrt(std::abs(Dot(columns[0], Cross(columns[1], columns[2]))));
+}
+
+bool Emits(const Instance& instance) {
+  return !IsBlack(instance.material->emission) && !instance.shape->IsDegenerate();
+}
+
+}  // namespace
+
+EmissiveShape::EmissiveShape(const World& world, const Instance& instance, int element)
+    : world_(&world),
+      instance_(&instance),
+      element_(element),
+      mean_scale_(MeanScale(world.Frames()[instance.frame].Forward())) {}
+
+R3::Point EmissiveShape::Local(const R3::Point& point, double time) const {
+  return world_->Back(instance_->frame, R3::Ray{point, {}, 0, R3::infinity, time}).origin;
+}
+
+// A map M takes the unit direction w to M w, and solid angles there to |det M| / |M w|^3 times as much.
+double EmissiveShape::SolidAngleRatio(const R3::Vector& way, const R3::Vector& local_way) const {
+  const double ratio = Length(way) / Length(local_way) / mean_scale_;
+  return ratio * ratio * ratio;
+}
+
+std::optional<EmissiveShape::Sample> EmissiveShape::SampleTowards(const R3::Point& seen_from, const R2::Point& random,
+                                                                  double time) const {
+  const R3::Point local_from = Local(seen_from, time);
+  const auto local = instance_->shape->Sample(local_from, random, element_);
+  if (!local) return {};
+  const R3::Intersection at = world_->InWorld(instance_->frame, time, local->at);
+  const R3::Vector towards = SpawnPoint(at, seen_from - at.position) - seen_from;
+  const double pdf = local->pdf * SolidAngleRatio(at.position - seen_from, local->at.position - local_from);
+  return pdf > 0 ? std::optional(Sample{towards, pdf}) : std::nullopt;
+}
+
+double EmissiveShape::Pdf(const R3::Point& seen_from, const R3::Vector& towards, const R3::Normal& normal,
+                          double time) const {
+  const R3::Transform& world_from_local = world_->Frames()[instance_->frame];
+  const R3::Vector way = world_from_local.Inverse() * towards;
+  const R3::Normal local_normal = AsNormal(Unit(TransposedTimes(world_from_local.Forward(), AsVector(normal))));
+  return instance_->shape->Pdf(Local(seen_from, time), way, local_normal, element_) * SolidAngleRatio(towards, way);
+}
+
+double EmissiveShape::ApparentArea() const {
+  const R3::Vector size = instance_->shape->Bounds(element_).Size();
+  const R3::Matrix& forward = world_->Frames()[instance_->frame].Forward();
+  const R3::Vector a = size.x * Column(forward, 0), b = size.y * Column(forward, 1), c = size.z * Column(forward, 2);
+  return Length(Cross(a, b)) + Length(Cross(b, c)) + Length(Cross(c, a));
+}
+
+std::string EmissiveShape::Describe() const { return "shape that shines, primitive " + std::to_string(Primitive()); }
+
+LightBound EmissiveShape::Bound() const {
+  const R3::Box box = world_->InWorld(instance_->frame, instance_->shape->Bounds(element_));
+  const double rounding_of_box = 1 + 0x1p-40;
+  return {box.Center(), rounding_of_box * box.Radius(), Luminance(Emission()), 1, 0, 0, false};
+}
+
+std::vector<EmissiveShape> EmissiveShapes(const World& world) {
+  std::vector<EmissiveShape> shapes;
+  for (const Instance& instance : world.Instances())
+    if (!instance.mesh && Emits(instance) && instance.shape->CanBeSampled())
+      for (int i = 0; i < instance.shape->Elements(); ++i) shapes.emplace_back(world, instance, i);
+  return shapes;
+}
+
+bool HasUnsampledEmission(const World& world) {
+  return std::ranges::any_of(world.Instances(), [](const Instance& instance) {
+    return !instance.mesh && Emits(instance) && !instance.shape->CanBeSampled();
+  });
+}
+
+}  // namespace ray
