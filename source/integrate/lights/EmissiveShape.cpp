@@ -6,6 +6,9 @@
 namespace ray {
 namespace {
 
+// What R3::Shape promises of Intersect, in units of the distance and the size.
+constexpr double accuracy_of_hits = 32 * R3::unit_roundoff;
+
 R3::Vector Column(const R3::Matrix& matrix, std::size_t k) { return {matrix.m[0][k], matrix.m[1][k], matrix.m[2][k]}; }
 
 /// The matrix, transposed, times a vector.
@@ -46,12 +49,21 @@ double EmissiveShape::SolidAngleRatio(const R3::Vector& way, const R3::Vector& l
 std::optional<EmissiveShape::Sample> EmissiveShape::SampleTowards(const R3::Point& seen_from, const R2::Point& random,
                                                                   double time) const {
   const R3::Point local_from = Local(seen_from, time);
-  const auto local = instance_->shape->Sample(local_from, random, element_);
+  auto local = instance_->shape->Sample(local_from, random, element_);
   if (!local) return {};
+  // Rays are told to hit the surface when they come this near to it.
+  const double size = instance_->shape->Bounds(element_).Radius();
+  const double near = accuracy_of_hits * (Length(local->at.position - local_from) + size);
+  local->at.error = local->at.error + R3::Vector{near, near, near};
   const R3::Intersection at = world_->InWorld(instance_->frame, time, local->at);
-  const R3::Vector towards = SpawnPoint(at, seen_from - at.position) - seen_from;
-  const double pdf = local->pdf * SolidAngleRatio(at.position - seen_from, local->at.position - local_from);
-  return pdf > 0 ? std::optional(Sample{towards, pdf}) : std::nullopt;
+
+  // Cut off where it is as high above the surface; its direction stays what the pdf belongs to. Nothing is left of it
+  // between places of one surface that rounding alone keeps apart.
+  const R3::Vector way = at.position - seen_from;
+  const double height = std::abs(Dot(at.normal, way)), share = 1 - Dot(Abs(AsVector(at.normal)), at.error) / height;
+  if (!(share > 0)) return {};
+  const double pdf = local->pdf * SolidAngleRatio(way, local->at.position - local_from);
+  return pdf > 0 ? std::optional(Sample{share * way, pdf}) : std::nullopt;
 }
 
 double EmissiveShape::Pdf(const R3::Point& seen_from, const R3::Vector& towards, const R3::Normal& normal,

@@ -18,7 +18,7 @@ class EmissiveShape {
   EmissiveShape(const World& world, const Instance& instance, int element);
 
   struct Sample {
-    R3::Vector towards;  // to a place off the surface, so that a ray there stops short of the shape
+    R3::Vector towards;  // to just before the place, so that a ray that far stops short of the shape
     double pdf;          // per solid angle, > 0
   };
   /// One of the places that are seen from a point at a time in [0, 1).

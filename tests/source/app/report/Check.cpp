@@ -19,9 +19,9 @@ class Example {
 
   const World& TheWorld() const { return world_; }
   /// The likely mistakes, one a line.
-  std::string Mistakes() const {
+  std::string Mistakes(const RenderSettings& settings = {}) const {
     std::string all;
-    for (const std::string& mistake : LikelyMistakes(world_, {})) all += mistake + "\n";
+    for (const std::string& mistake : LikelyMistakes(world_, settings)) all += mistake + "\n";
     return all;
   }
 
@@ -42,6 +42,18 @@ TEST(Check, ACameraInsideASolidIsPointedOut) {
        {"sphere -1  0 0 9  1", "box -1  -5 -5 -5  5 5 10", "cylinder -1  0 0 9  1 4", "cone -1  0 0 9  3 8"})
     EXPECT_TRUE(Contains(Example(camera + shape + "\n").Mistakes(), "the camera is inside 1 shape")) << shape;
   EXPECT_TRUE(Contains(Example(camera + "sphere -1  0 0 9  1\nsphere -1  0 0 8 3\n").Mistakes(), "inside 2 shapes"));
+}
+
+TEST(Check, AnEmissiveSolidThatLightsNothingIsPointedOut) {
+  const std::string emissive = camera + "material 0 0 0  0 0 0  0 0 0  0 0 0  1 1 1  10 1 0\n";
+  const std::string warning = "this shape emits but lights nothing in mode whitted; -mode path makes it a light";
+  const Example sphere(emissive + "sphere 0  0 0 0  1\n");
+  EXPECT_TRUE(Contains(sphere.Mistakes(), ":3:1: warning: " + warning));
+  EXPECT_EQ(Example(emissive + "tri 0  0 0 0  1 0 0  0 1 0\n").Mistakes(), "");
+  RenderSettings path, lit;
+  path.mode = RenderMode::path;
+  lit.trace.emissive_solids_light = true;
+  EXPECT_EQ(sphere.Mistakes(path) + sphere.Mistakes(lit), "");
 }
 
 TEST(Check, InsideTheBoxAroundASolidIsNotInsideTheSolid) {
