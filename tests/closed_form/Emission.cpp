@@ -71,11 +71,26 @@ TEST(Emission, AnEmissiveSphereLightsAFloorAsLambertSays) {
   for (const char* strategy : strategies) {
     ExpectMean(Shown(floor_seen + "sphere 1  1 2 0.5  0.8", PathSettings(strategy)), FloorUnderSphere({1, 2, 0.5}, 0.8),
                1e-6, strategy);
-    ray::RenderSettings all_lights = PathSettings(strategy);
-    all_lights.trace.lights = 0;
-    ExpectMean(Shown(floor_seen + "sphere 1  1 2 0.5  0.8 sphere 1  -2 3 0  1", all_lights),
-               FloorUnderSphere({1, 2, 0.5}, 0.8) + FloorUnderSphere({-2, 3, 0}, 1), 1e-6, strategy);
+    for (const int at_once : {0, 1, 3}) {
+      ray::RenderSettings settings = PathSettings(strategy);
+      settings.trace.lights = at_once;
+      ExpectMean(Shown(floor_seen + "sphere 1  1 2 0.5  0.8 sphere 1  -2 3 0  1", settings),
+                 FloorUnderSphere({1, 2, 0.5}, 0.8) + FloorUnderSphere({-2, 3, 0}, 1), 1e-6,
+                 std::string(strategy) + ", two lamps, at once " + std::to_string(at_once));
+    }
   }
+}
+
+TEST(Emission, OneShapeInTwoGroupsIsTwoLamps) {
+  ray::Scene scene = project::FromText(floor_seen +
+                                       "begin -1  1 0 0 1  0 1 0 2  0 0 1 0.5  0 0 0 1 sphere 1  0 0 0  0.8 end "
+                                       "begin -1  1 0 0 -2  0 1 0 3  0 0 1 0  0 0 0 1 sphere 1  0 0 0  0.8 end");
+  auto& groups = scene.root.children;
+  groups.back().children[0].shape = groups[groups.size() - 2].children[0].shape;
+  const project::Stage stage(std::move(scene));
+  for (const char* strategy : strategies)
+    ExpectMean(statistics::MeanOverPixels(project::Render(stage, PathSettings(strategy)).image),
+               FloorUnderSphere({1, 2, 0.5}, 0.8) + FloorUnderSphere({-2, 3, 0}, 0.8), 1e-6, strategy);
 }
 
 TEST(Emission, ASphereOfAMillionthOrAMillionIsALampAsAnyOther) {
