@@ -245,6 +245,12 @@ TEST(Emission, TwoLampsThatTouchLightEachOtherAlikeByEveryStrategy) {
   }
 }
 
+TEST(Emission, UnderAnEmissivePlaneWithoutEndAFloorShowsItsAlbedoTimesTheEmission) {
+  for (const char* strategy : strategies)
+    EXPECT_NEAR(Shown(floor_seen + "plane 1  0 3 0  0 -1 0", PathSettings(strategy)).mean, kd * emission, 1e-6)
+        << strategy;
+}
+
 /// A sphere that cannot be sampled.
 class Opaque : public R3::Shape {
  public:
