@@ -1,0 +1,38 @@
+#include "source/parse/document/Document.h"
+
+#include <algorithm>
+
+namespace ray {
+namespace {
+
+/// The last entry that is written at `offset` or before it; aliases are written elsewhere.
+const Entry* EntryAround(const Value& value, std::size_t offset, std::size_t& index) {
+  const Entry* found = nullptr;
+  const auto& entries = value.Entries();
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    if (entries[i].value.is_alias || entries[i].value.extent.offset > offset) continue;
+    found = &entries[i];
+    index = i;
+  }
+  return found;
+}
+
+}  // namespace
+
+std::string Document::PathOf(const Value& value) const {
+  std::string path;
+  const Value* at = &root_;
+  while (at != &value) {
+    std::size_t index = 0;
+    const Entry* entry = EntryAround(*at, value.extent.offset, index);
+    if (!entry) break;
+    if (at->kind == Value::Kind::sequence)
+      path += "[" + std::to_string(index) + "]";
+    else
+      path += (path.empty() ? "" : ".") + Escaped(entry->key.substr(0, most_quoted));
+    at = &entry->value;
+  }
+  return path;
+}
+
+}  // namespace ray

@@ -1,0 +1,109 @@
+#include "source/parse/document/DocumentBuilder.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace ray {
+
+void DocumentBuilder::Begin(Value::Kind kind, const Extent& extent) {
+  if (ExpectsKey()) Fail(extent, "a key must be a word, not " + std::string(NameOf(kind)));
+  CheckDepth(open_.size() + 1, extent);
+  Count(1, extent);
+  Open& open = open_.emplace_back();
+  open.value.kind = kind;
+  open.value.extent = extent;
+  open.expects_key = kind == Value::Kind::mapping;
+}
+
+const Value& DocumentBuilder::End() {
+  Open open = std::move(open_.back());
+  open_.pop_back();
+  for (const Entry& entry : open.collection.entries) {
+    const Collection* below = entry.value.collection.get();
+    open.collection.values += below ? below->values : 1;
+    open.collection.height = std::max(open.collection.height, below ? below->height + 1 : 1);
+  }
+  if (open.value.kind == Value::Kind::mapping) CheckKeys(open.collection);
+  open.value.collection = std::make_shared<const Collection>(std::move(open.collection));
+  return Place(std::move(open.value));
+}
+
+const Value& DocumentBuilder::Add(Value value) {
+  Count(1, value.extent);
+  return Place(std::move(value));
+}
+
+void DocumentBuilder::AddAlias(Value value, const Extent& extent) {
+  if (ExpectsKey()) Fail(extent, "a key must be a word, not an alias");
+  if (value.collection) CheckDepth(open_.size() + static_cast<std::size_t>(value.collection->height), extent);
+  Count(value.collection ? value.collection->values : 1, extent);
+  value.is_alias = true;
+  Place(std::move(value));
+}
+
+Extent DocumentBuilder::LastKey() const {
+  if (open_.empty()) return {};
+  const Open& open = open_.back();
+  if (open.value.kind == Value::Kind::mapping && !open.collection.entries.empty())
+    return open.collection.entries.back().key_extent;
+  return open.value.extent;
+}
+
+const Value& DocumentBuilder::Place(Value value) {
+  if (open_.empty()) return root_ = std::move(value);
+  Open& open = open_.back();
+  if (open.expects_key) {
+    if (value.kind != Value::Kind::scalar) Fail(value.extent, "a key must be a word, not nothing");
+    open.collection.entries.push_back({std::move(value.scalar), value.extent, {}});
+    open.expects_key = false;
+    return open.collection.entries.back().value;
+  }
+  if (open.value.kind == Value::Kind::mapping) {
+    open.expects_key = true;
+    return open.collection.entries.back().value = std::move(value);
+  }
+  open.collection.entries.push_back({{}, {}, std::move(value)});
+  return open.collection.entries.back().value;
+}
+
+void DocumentBuilder::Count(std::size_t values, const Extent& extent) {
+  values_ += values;  // no overflow: what an alias adds was itself counted within the limit
+  if (values_ > Document::max_values)
+    Fail(extent, "more than " + std::to_string(Document::max_values) + " values", "aliases count as what they repeat");
+}
+
+void DocumentBuilder::CheckDepth(std::size_t depth, const Extent& extent) const {
+  if (depth > std::size_t{Document::max_depth})
+    Fail(extent, "nested deeper than " + std::to_string(Document::max_depth) + " levels");
+}
+
+void DocumentBuilder::CheckKeys(const Collection& mapping) {
+  std::vector<const Entry*> sorted;
+  sorted.reserve(mapping.entries.size());
+  for (const Entry& entry : mapping.entries) sorted.push_back(&entry);
+  std::stable_sort(sorted.begin(), sorted.end(), [](const Entry* a, const Entry* b) { return a->key < b->key; });
+  for (std::size_t i = 1; i < sorted.size(); ++i) {
+    if (sorted[i - 1]->key != sorted[i]->key) continue;
+    const std::size_t before = places_.At(sorted[i - 1]->key_extent).line;
+    report_.Error(ErrorAt(text_, places_.At(sorted[i]->key_extent), "duplicate key " + Quoted(sorted[i]->key),
+                          "already given in line " + std::to_string(before)));
+  }
+}
+
+void DocumentBuilder::Fail(const Extent& extent, const std::string& message, const std::string& hint) const {
+  throw ErrorAt(text_, places_.At(extent), message, hint);
+}
+
+std::size_t ByteOrderMark(const Text& text) { return text.bytes.starts_with("\xEF\xBB\xBF") ? 3 : 0; }
+
+void CheckCharacters(const Text& text, const TextPlaces& places) {
+  if (text.bytes.starts_with("\xFE\xFF") || text.bytes.starts_with("\xFF\xFE"))
+    throw ErrorIn(text.name, "the file is UTF-16", "save it as UTF-8");
+  const auto is_bad = [](char c) { return c >= 0 && c < ' ' && c != '\t' && c != '\n' && c != '\r'; };
+  const auto bad = std::find_if(text.bytes.begin(), text.bytes.end(), is_bad);
+  if (bad == text.bytes.end()) return;
+  const Extent extent{static_cast<std::size_t>(bad - text.bytes.begin()), 1};
+  throw ErrorAt(text, places.At(extent), "control character " + Escaped({&*bad, 1}), "not a text file?");
+}
+
+}  // namespace ray

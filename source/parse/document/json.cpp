@@ -1,0 +1,143 @@
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "source/parse/document/DocumentBuilder.h"
+
+namespace ray {
+namespace {
+
+/// nlohmann's reader calls these as it goes through the text. It tells no places, so a cursor follows: at each event it
+/// passes over what stands between tokens, and then stands on the event's own.
+class JsonEvents : public nlohmann::json_sax<nlohmann::json> {
+ public:
+  JsonEvents(const Text& text, const TextPlaces& places, DocumentBuilder& builder)
+      : text_(text), places_(places), builder_(builder), cursor_(ByteOrderMark(text)) {}
+
+  bool null() override {
+    Value value;
+    value.extent = Next();
+    builder_.Add(std::move(value));
+    return true;
+  }
+  bool boolean(bool) override { return Scalar(); }
+  bool number_integer(number_integer_t) override { return Scalar(); }
+  bool number_unsigned(number_unsigned_t) override { return Scalar(); }
+  bool number_float(number_float_t, const string_t&) override { return Scalar(); }
+  bool string(string_t& text) override { return Text_(text); }
+  bool key(string_t& text) override { return Text_(text); }
+  bool binary(binary_t&) override { return false; }
+
+  bool start_object(std::size_t) override { return Begin(Value::Kind::mapping); }
+  bool start_array(std::size_t) override { return Begin(Value::Kind::sequence); }
+  bool end_object() override { return End(); }
+  bool end_array() override { return End(); }
+
+  bool parse_error(std::size_t position, const std::string& last_token,
+                   const nlohmann::detail::exception& error) override;
+
+ private:
+  bool Scalar() {
+    const Extent extent = Next();
+    Value value;
+    value.kind = Value::Kind::scalar;
+    value.extent = extent;
+    value.scalar = text_.bytes.substr(extent.offset, extent.length);
+    builder_.Add(std::move(value));
+    return true;
+  }
+
+  bool Text_(string_t& text) {
+    Value value;
+    value.kind = Value::Kind::scalar;
+    value.is_quoted = true;
+    value.extent = Next();
+    value.scalar = std::move(text);
+    builder_.Add(std::move(value));
+    return true;
+  }
+
+  bool Begin(Value::Kind kind) {
+    builder_.Begin(kind, Next());
+    return true;
+  }
+
+  bool End() {
+    Next();
+    builder_.End();
+    return true;
+  }
+
+  /// The next token, and the cursor behind it. The text up to here is known to be right.
+  Extent Next() {
+    const std::size_t begin = std::min(text_.bytes.find_first_not_of(" \t\r\n,:", cursor_), text_.bytes.size());
+    cursor_ = EndOfToken(begin);
+    return {begin, cursor_ - begin};
+  }
+
+  std::size_t EndOfToken(std::size_t begin) const {
+    const std::string& bytes = text_.bytes;
+    if (begin == bytes.size()) return begin;
+    if (std::string_view("[]{}").find(bytes[begin]) != std::string_view::npos) return begin + 1;
+    if (bytes[begin] != '"') return std::min(bytes.find_first_of(" \t\r\n,:[]{}", begin), bytes.size());
+    std::size_t end = begin + 1;
+    while (bytes[end] != '"') end += bytes[end] == '\\' ? 2 : 1;
+    return end + 1;
+  }
+
+  const Text& text_;
+  const TextPlaces& places_;
+  DocumentBuilder& builder_;
+  std::size_t cursor_;
+};
+
+/// "unexpected ']'; expected ..." of "[json.exception...] parse error at line 1, column 2: syntax error while parsing
+/// value - unexpected ']'; expected ...; last read: '...'".
+std::string WithoutPlace(std::string message) {
+  if (const std::size_t i = message.find(" - "); i != std::string::npos) message.erase(0, i + 3);
+  if (const std::size_t i = message.find("; last read: "); i != std::string::npos) message.erase(i);
+  return message;
+}
+
+char LastBefore(const std::string& bytes, std::size_t offset) {
+  const std::size_t i = offset == 0 ? std::string::npos : bytes.find_last_not_of(" \t\r\n", offset - 1);
+  return i == std::string::npos ? '\0' : bytes[i];
+}
+
+std::string HintAt(const std::string& bytes, std::size_t offset) {
+  const char c = offset < bytes.size() ? bytes[offset] : '\0';
+  if (c == '/' || c == '#') return "JSON has no comments";
+  if (c == '\'') return "JSON takes double quotes only";
+  if ((c == ']' || c == '}') && LastBefore(bytes, offset) == ',') return "a comma too many before it";
+  return {};
+}
+
+bool JsonEvents::parse_error(std::size_t position, const std::string& last_token,
+                             const nlohmann::detail::exception& error) {
+  constexpr int out_of_range = 406;  // the library's number for a number that no double holds
+  const std::string message = WithoutPlace(error.what());
+  const std::size_t size = text_.bytes.size();
+  // An unexpected token is where it begins; of a malformed one, the byte that cannot be is the last one read.
+  const bool is_whole = message.starts_with("unexpected") || error.id == out_of_range;
+  const std::size_t back = is_whole ? last_token.size() : 1;
+  const std::size_t offset = std::min(position - std::min(position, back), size);
+  Extent extent{offset, is_whole ? std::max<std::size_t>(1, last_token.size()) : 1};
+  if (error.id == out_of_range) builder_.Fail(extent, "a number must fit a double, whose largest is 1.8e308");
+  if (offset == size) {  // shown where the text ends, not in the empty line behind it
+    const std::size_t last = text_.bytes.find_last_not_of(" \t\r\n");
+    extent.offset = last == std::string::npos ? 0 : last + 1;
+    builder_.Fail(extent, "the file ends too early: " + message);
+  }
+  builder_.Fail(extent, message, HintAt(text_.bytes, offset));
+}
+
+}  // namespace
+
+Document ReadJson(const Text& text, const TextPlaces& places, Report& report) {
+  CheckCharacters(text, places);
+  DocumentBuilder builder(text, places, report);
+  JsonEvents events(text, places, builder);
+  nlohmann::json::sax_parse(text.bytes, &events);
+  return {text, places, builder.TakeRoot()};
+}
+
+}  // namespace ray

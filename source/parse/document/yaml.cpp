@@ -1,0 +1,208 @@
+#include "source/parse/document/DocumentBuilder.h"
+
+#ifdef RAYPRO_YAML
+
+#include <yaml-cpp/eventhandler.h>
+#include <yaml-cpp/exceptions.h>
+#include <yaml-cpp/parser.h>
+
+#include <istream>
+#include <map>
+#include <streambuf>
+
+namespace ray {
+namespace {
+
+/// Bytes in memory as a stream, without a copy.
+class BytesBuffer : public std::streambuf {
+ public:
+  explicit BytesBuffer(std::string_view bytes) {
+    char* const begin = const_cast<char*>(bytes.data());  // only ever read
+    setg(begin, begin, begin + bytes.size());
+  }
+};
+
+/// Ends reading where a second document begins; yaml-cpp can be left by an exception only.
+struct SecondDocument {
+  Extent extent;
+};
+
+// Every level of the text is a few frames of yaml-cpp's stack; the builder's limit ends that by an exception.
+class YamlEvents : public YAML::EventHandler {
+ public:
+  YamlEvents(const Text& text, DocumentBuilder& builder)
+      : text_(text), byte_order_mark_(ByteOrderMark(text)), builder_(builder) {}
+
+  void OnDocumentStart(const YAML::Mark& mark) override {
+    if (++documents_ > 1) throw SecondDocument{{OffsetOf(mark), 1}};
+  }
+  void OnDocumentEnd() override {}
+
+  void OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) override {
+    Value null;
+    // What is absent has the mark of what follows it.
+    null.extent = builder_.ExpectsKey() ? Extent{OffsetOf(mark), 1} : builder_.LastKey();
+    Name(anchor, builder_.Add(std::move(null)));
+  }
+
+  void OnAlias(const YAML::Mark& mark, YAML::anchor_t anchor) override {
+    const Extent extent{OffsetOf(mark), WordLength(OffsetOf(mark))};
+    const auto named = named_.find(anchor);
+    if (named == named_.end()) builder_.Fail(extent, "this alias is inside of what it repeats");
+    builder_.AddAlias(named->second, extent);
+  }
+
+  void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
+                const std::string& scalar) override {
+    CheckTag(mark, tag);
+    Value value;
+    value.kind = Value::Kind::scalar;
+    value.scalar = scalar;
+    value.is_quoted = tag == "!";
+    value.extent = ExtentOf(BehindAnchor(OffsetOf(mark)), scalar);
+    Name(anchor, builder_.Add(std::move(value)));
+  }
+
+  void OnSequenceStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
+                       YAML::EmitterStyle::value) override {
+    Begin(Value::Kind::sequence, mark, tag, anchor);
+  }
+  void OnSequenceEnd() override { End(); }
+  void OnMapStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
+                  YAML::EmitterStyle::value) override {
+    Begin(Value::Kind::mapping, mark, tag, anchor);
+  }
+  void OnMapEnd() override { End(); }
+
+  std::size_t OffsetOf(const YAML::Mark& mark) const {
+    return byte_order_mark_ + static_cast<std::size_t>(std::max(0, mark.pos));
+  }
+
+ private:
+  void Begin(Value::Kind kind, const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor) {
+    CheckTag(mark, tag);
+    builder_.Begin(kind, {BehindAnchor(OffsetOf(mark)), 1});
+    anchors_.push_back(anchor);
+  }
+
+  void End() {
+    const YAML::anchor_t anchor = anchors_.back();
+    anchors_.pop_back();
+    Name(anchor, builder_.End());
+  }
+
+  /// An anchor is known once what it names is complete.
+  void Name(YAML::anchor_t anchor, const Value& value) {
+    if (anchor != YAML::NullAnchor) named_[anchor] = value;
+  }
+
+  void CheckTag(const YAML::Mark& mark, const std::string& tag) const {
+    if (tag == "?" || tag == "!" || tag.empty()) return;
+    const std::size_t offset = OffsetOf(mark);
+    builder_.Fail({offset, WordLength(offset)}, "tags have no meaning in scenes", "leave it out");
+  }
+
+  std::size_t WordLength(std::size_t offset) const {
+    const std::size_t end = text_.bytes.find_first_of(" \t\r\n,]}", offset);
+    return std::min(end, text_.bytes.size()) - offset;
+  }
+
+  /// A value's mark is that of its anchor, if it has one.
+  std::size_t BehindAnchor(std::size_t offset) const {
+    if (offset >= text_.bytes.size() || text_.bytes[offset] != '&') return offset;
+    const std::size_t value = text_.bytes.find_first_not_of(" \t", offset + WordLength(offset));
+    return value == std::string::npos ? offset : value;
+  }
+
+  Extent ExtentOf(std::size_t offset, const std::string& scalar) const {
+    const std::string_view rest = std::string_view(text_.bytes).substr(offset);
+    if (rest.starts_with('"') || rest.starts_with('\'')) return {offset, QuotedLength(offset)};
+    return {offset, rest.starts_with(scalar) ? scalar.size() : 1};
+  }
+
+  /// yaml-cpp closes a quotation at the end of the file itself.
+  std::size_t QuotedLength(std::size_t offset) const {
+    const std::string& bytes = text_.bytes;
+    const char quote = bytes[offset];
+    for (std::size_t i = offset + 1; i < bytes.size(); ++i) {
+      if (quote == '"' && bytes[i] == '\\')
+        ++i;
+      else if (quote == '\'' && bytes[i] == '\'' && i + 1 < bytes.size() && bytes[i + 1] == '\'')
+        ++i;
+      else if (bytes[i] == quote)
+        return i + 1 - offset;
+    }
+    builder_.Fail({offset, 1}, "this quotation never ends");
+  }
+
+  const Text& text_;
+  std::size_t byte_order_mark_;
+  DocumentBuilder& builder_;
+  std::vector<YAML::anchor_t> anchors_;  // of the open collections
+  std::map<YAML::anchor_t, Value> named_;
+  int documents_ = 0;
+};
+
+bool HasTabInIndentation(const Text& text, std::size_t offset) {
+  std::size_t begin = std::min(offset, text.bytes.size());
+  while (begin > 0 && !EndsLine(text.bytes[begin - 1])) --begin;
+  const std::size_t end = std::min(text.bytes.find_first_not_of(" \t", begin), text.bytes.size());
+  return text.bytes.substr(begin, end - begin).find('\t') != std::string::npos;
+}
+
+/// yaml-cpp's words for a mistake, in the terms of the file where its own are those of its tables.
+std::string Explained(const std::string& message) {
+  namespace Says = YAML::ErrorMsg;
+  if (message == Says::MAP_VALUE) return "unexpected ':'";
+  if (message == Says::MAP_KEY) return "unexpected key";
+  if (message == Says::BLOCK_ENTRY) return "unexpected '-'";
+  if (message == Says::END_OF_MAP || message == Says::END_OF_SEQ) return "this line does not fit the indentation";
+  if (message == Says::END_OF_MAP_FLOW) return "a '}' is missing before this";
+  if (message == Says::END_OF_SEQ_FLOW) return "a ']' is missing before this";
+  if (message == Says::FLOW_END) return "unexpected end of brackets";
+  if (message == Says::UNKNOWN_TOKEN) return "unexpected character";
+  if (message == Says::EOF_IN_SCALAR) return "the file ends within a quotation";
+  if (message == Says::UNKNOWN_ANCHOR) return "no anchor of that name stands before this alias";
+  return message;
+}
+
+SceneError ErrorOf(const YAML::Exception& error, std::size_t offset, const Text& text, const TextPlaces& places) {
+  const Token token = places.At({offset, 1});
+  if (HasTabInIndentation(text, offset)) return ErrorAt(text, token, "tab in the indentation", "YAML takes spaces only");
+  const bool is_colon = error.msg == YAML::ErrorMsg::MAP_VALUE;
+  return ErrorAt(text, token, Explained(error.msg), is_colon ? "is the indentation that of the line above?" : "");
+}
+
+}  // namespace
+
+Document ReadYaml(const Text& text, const TextPlaces& places, Report& report) {
+  CheckCharacters(text, places);
+  BytesBuffer buffer(std::string_view(text.bytes).substr(ByteOrderMark(text)));
+  std::istream stream(&buffer);
+  DocumentBuilder builder(text, places, report);
+  YamlEvents events(text, builder);
+  try {
+    YAML::Parser parser(stream);
+    while (parser.HandleNextDocument(events)) continue;
+  } catch (const YAML::Exception& error) {
+    throw ErrorOf(error, events.OffsetOf(error.mark), text, places);
+  } catch (const SecondDocument& second) {
+    const Token token = places.At(second.extent);
+    report.Warn(Place(text.name, token.line, token.column), "a second document is ignored");
+  }
+  return {text, places, builder.TakeRoot()};
+}
+
+}  // namespace ray
+
+#else
+
+namespace ray {
+
+Document ReadYaml(const Text& text, const TextPlaces&, Report&) {
+  throw ErrorIn(text.name, "this program was built without YAML", "install libyaml-cpp-dev and build it again");
+}
+
+}  // namespace ray
+
+#endif
