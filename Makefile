@@ -10,7 +10,7 @@
 #   make install    PREFIX=/usr/local DESTDIR= bindir= datadir= mandir= docdir=; make uninstall undoes it
 #   make installcheck  both of them, tried in a folder for it
 #   make dist       what is committed, as build/raypro-VERSION.tar.gz
-# HAS_EXR=no and CONTEXTS= (or CONTEXTS="egl osmesa") leave out what could be built here.
+# HAS_EXR=no, HAS_YAML=no and CONTEXTS= (or CONTEXTS="egl osmesa") leave out what could be built here.
 # CXX, CXXFLAGS, CPPFLAGS and LDFLAGS given by the user come after ours and so win.
 
 ifeq ($(origin CXX),default)
@@ -44,10 +44,14 @@ OUR_CPPFLAGS := -I. -MD -MP -DRAYPRO_VERSION='"$(VERSION)"' -DRAYPRO_FEATURES='"
 ifeq ($(HAS_EXR),yes)
 OUR_CPPFLAGS += -DRAYPRO_EXR $(EXR_CFLAGS)
 endif
+ifeq ($(HAS_YAML),yes)
+OUR_CPPFLAGS += -DRAYPRO_YAML $(YAML_CFLAGS)
+endif
 OUR_CPPFLAGS += $(if $(filter glfw,$(CONTEXTS)),-DRAYVIEW_GLFW) $(if $(filter egl,$(CONTEXTS)),-DRAYVIEW_EGL) \
                 $(if $(filter osmesa,$(CONTEXTS)),-DRAYVIEW_OSMESA)
 OUR_CXXFLAGS := -std=c++20 $(OPTIMIZE) -g1 $(NUMERIC) $(WARNINGS) $(SANITIZE)
-LIBS := -ljpeg -lpng -lz -ltbb -lhwy $(if $(filter yes,$(HAS_EXR)),$(EXR_LIBS)) -pthread
+LIBS := -ljpeg -lpng -lz -ltbb -lhwy $(if $(filter yes,$(HAS_EXR)),$(EXR_LIBS)) $(if $(filter yes,$(HAS_YAML)),$(YAML_LIBS)) \
+        -pthread
 # For those that draw. OSMesa is loaded only when it is asked for: it brings a whole compiler along.
 VIEWER_LIBS := $(if $(CONTEXTS),-lepoxy) $(if $(filter glfw,$(CONTEXTS)),-lglfw) $(if $(filter osmesa,$(CONTEXTS)),-ldl)
 

@@ -1,5 +1,5 @@
-# Which packages this machine has: sets HAS_..., CONTEXTS, FEATURES, EXR_CFLAGS and EXR_LIBS for the Makefile, which
-# includes it, and stops where a package that everything needs is missing.
+# Which packages this machine has: sets HAS_..., CONTEXTS, FEATURES, and the flags of OpenEXR and yaml-cpp for the
+# Makefile, which includes it, and stops where a package that everything needs is missing.
 
 # What is on this machine. The compiler itself is asked, on empty input: a shell test of the header's
 # name would have to know where compilers look.
@@ -9,6 +9,8 @@ pkg = $(shell pkg-config $(1) $(2) 2>/dev/null)
 EXR_CFLAGS := $(or $(call pkg,--cflags,OpenEXR),-isystem /usr/include/OpenEXR -isystem /usr/include/Imath)
 EXR_CFLAGS := $(patsubst -I%,-isystem%,$(EXR_CFLAGS))
 EXR_LIBS := $(or $(call pkg,--libs,OpenEXR),-lOpenEXR -lImath -lIex)
+YAML_CFLAGS := $(patsubst -I%,-isystem%,$(call pkg,--cflags,yaml-cpp))
+YAML_LIBS := $(or $(call pkg,--libs,yaml-cpp),-lyaml-cpp)
 
 ifneq ($(filter-out clean uninstall check dist,$(or $(MAKECMDGOALS),all)),)
 HAS_JPEG := $(call probe,jpeg,jpeglib.h,-include stdio.h)
@@ -17,6 +19,7 @@ HAS_TBB := $(call probe,tbb,tbb/parallel_for.h,)
 HAS_HWY := $(call probe,hwy,hwy/highway.h,)
 HAS_JSON := $(call probe,json,nlohmann/json.hpp,)
 HAS_EXR := $(call probe,exr,ImfOutputFile.h,$(EXR_CFLAGS))
+HAS_YAML := $(call probe,yaml,yaml-cpp/parser.h,$(YAML_CFLAGS))
 MISSING := $(if $(filter yes,$(HAS_JPEG)),,libjpeg-dev) $(if $(filter yes,$(HAS_PNG)),,libpng-dev) \
            $(if $(filter yes,$(HAS_TBB)),,libtbb-dev) $(if $(filter yes,$(HAS_HWY)),,libhwy-dev) $(if $(filter yes,$(HAS_JSON)),,nlohmann-json3-dev)
 ifneq ($(strip $(MISSING)),)
@@ -33,6 +36,7 @@ CONTEXTS := $(if $(filter yes,$(HAS_GLFW)),glfw) $(if $(filter yes,$(HAS_EGL)),e
 CONTEXTS := $(strip $(CONTEXTS))
 empty :=
 VIEWER := $(or $(subst $(empty) ,+,$(CONTEXTS)),no (install libepoxy-dev and, for windows, libglfw3-dev))
-FEATURES := jpeg=yes png=yes exr=$(if $(filter yes,$(HAS_EXR)),yes,no (install libopenexr-dev)) rayview=$(VIEWER)
+FEATURES := jpeg=yes png=yes exr=$(if $(filter yes,$(HAS_EXR)),yes,no (install libopenexr-dev)) \
+            yaml=$(if $(filter yes,$(HAS_YAML)),yes,no (install libyaml-cpp-dev)) rayview=$(VIEWER)
 $(info features: $(FEATURES))
 endif

@@ -14,9 +14,10 @@ case "${1-}" in
 esac
 
 needed="g++ make libjpeg-dev libpng-dev libtbb-dev libhwy-dev nlohmann-json3-dev libgtest-dev"
-# Without them everything works but .exr pictures and the viewer. That needs libepoxy, which brings EGL; GLFW opens windows,
-# OSMesa is another way to draw without a display, and the last two packages are Mesa's software renderer.
-optional="libopenexr-dev libepoxy-dev libglfw3-dev libosmesa6-dev libegl-mesa0 libgl1-mesa-dri"
+# Without them everything works but .exr pictures, .yaml scenes and the viewer. That needs libepoxy, which brings EGL;
+# GLFW opens windows, OSMesa is another way to draw without a display, and the last two packages are Mesa's software
+# renderer.
+optional="libopenexr-dev libyaml-cpp-dev libepoxy-dev libglfw3-dev libosmesa6-dev libegl-mesa0 libgl1-mesa-dri"
 
 is_debian() { command -v dpkg-query >/dev/null 2>&1 && command -v apt-get >/dev/null 2>&1; }
 
@@ -51,6 +52,7 @@ has() {
     libosmesa6-dev) has_header GL/osmesa.h ;;
     libegl-mesa0|libgl1-mesa-dri) has_driver ;;
     libopenexr-dev) CPPFLAGS="${CPPFLAGS-} $(exr_flags)" has_header ImfOutputFile.h ;;
+    libyaml-cpp-dev) has_header yaml-cpp/parser.h ;;
     *) return 1 ;;
   esac
 }
@@ -66,9 +68,9 @@ show_other_systems() {
   cat <<END
 This is not a Debian system. The packages are called:
   Fedora    dnf install gcc-c++ make libjpeg-turbo-devel libpng-devel tbb-devel highway-devel json-devel gtest-devel openexr-devel \\
-              libepoxy-devel glfw-devel mesa-compat-libOSMesa-devel mesa-dri-drivers
-  Arch      pacman -S gcc make libjpeg-turbo libpng onetbb highway nlohmann-json gtest openexr libepoxy glfw mesa
-  Homebrew  brew install jpeg-turbo libpng tbb highway nlohmann-json googletest openexr libepoxy glfw mesa
+              yaml-cpp-devel libepoxy-devel glfw-devel mesa-compat-libOSMesa-devel mesa-dri-drivers
+  Arch      pacman -S gcc make libjpeg-turbo libpng onetbb highway nlohmann-json gtest openexr yaml-cpp libepoxy glfw mesa
+  Homebrew  brew install jpeg-turbo libpng tbb highway nlohmann-json googletest openexr yaml-cpp libepoxy glfw mesa
 Install them and run script/setup.sh again.
 END
 }

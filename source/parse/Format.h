@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "source/parse/Files.h"
 #include "source/parse/Parse.h"
 #include "source/parse/Report.h"
@@ -8,10 +10,14 @@ namespace ray {
 
 /// One line of formats.def: a language scenes are written in.
 struct SceneFormat {
-  const char* extension;  // lower case, with the dot
+  const char* name;
+  std::vector<const char*> extensions;  // lower case, with the dot
+  const char* about;                    // one line
   /// Reads the scene that is at the top of `files`; mistakes and remarks go to `report`, and with one mistake there the
   /// scene is worth nothing.
   Scene (*read)(const Files& files, const ParseOptions& options, Report& report);
+  /// Where formats share an extension, that of JSON: keys at the top of a file by which this one is known.
+  std::vector<const char*> keys{};
 };
 
 #define SCENE_FORMAT(name) extern const SceneFormat name##_scene_format;

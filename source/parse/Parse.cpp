@@ -1,15 +1,20 @@
 #include "source/parse/Parse.h"
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <new>
+#include <utility>
 
 #include "source/parse/Assets.h"
 #include "source/parse/Format.h"
 #include "source/parse/MeshScene.h"
 #include "source/parse/Text.h"
+#include "source/parse/document/Document.h"
 #include "source/parse/meshes/MeshFormat.h"
 #include "source/text/LowerCase.h"
+#include "source/text/Suggestion.h"
+#include "source/text/Words.h"
 
 namespace ray {
 namespace {
@@ -22,16 +27,68 @@ const std::array formats{
 
 using ReadScene = Scene (*)(const Files& files, const ParseOptions& options, Report& report);
 
-ReadScene ReaderOf(const std::string& file) {
-  const std::string extension = LowerCase(std::filesystem::path(file).extension().string());
-  std::string known;
+std::string SceneExtensions() {
+  std::string all;
+  for (const SceneFormat* format : formats)
+    for (const char* extension : format->extensions)
+      if (all.find(extension) == std::string::npos) all += (all.empty() ? "" : ", ") + std::string(extension);
+  return all;
+}
+
+const SceneFormat& FormatNamed(const std::string& name, const std::string& file) {
+  std::vector<std::string_view> names;
   for (const SceneFormat* format : formats) {
-    if (extension == format->extension) return format->read;
-    known += (known.empty() ? "" : ", ") + std::string(format->extension);
+    if (name == format->name) return *format;
+    names.emplace_back(format->name);
   }
+  throw SceneErrors({ErrorIn(file, "unknown scene format " + Quoted(name), Suggestion(name, names, "formats"))});
+}
+
+/// "'Objects' or 'Eye' (groningen)"
+std::string KeysOf(const SceneFormat& format) {
+  std::vector<std::string> keys;
+  for (const char* key : format.keys) keys.push_back(Quoted(key));
+  return OneOf(keys) + " (" + format.name + ")";
+}
+
+bool HasKeyOf(const Value& root, const SceneFormat& format) {
+  return std::any_of(root.Entries().begin(), root.Entries().end(), [&](const Entry& entry) {
+    return std::find(format.keys.begin(), format.keys.end(), entry.key) != format.keys.end();
+  });
+}
+
+/// Of formats that share their extension, the one whose keys a JSON file has.
+const SceneFormat& FormatByKeys(const std::vector<const SceneFormat*>& candidates, const Files& files) {
+  const Text text{files.TopName(), files.Read(files.Top())};
+  const TextPlaces places(text);
+  Report unused;  // the file is read again by its reader
+  const Document document = ReadJson(text, places, unused);
+  std::vector<const SceneFormat*> fitting;
+  std::string known;
+  for (const SceneFormat* format : candidates) {
+    if (HasKeyOf(document.Root(), *format)) fitting.push_back(format);
+    known += (known.empty() ? "" : "; ") + KeysOf(*format);
+  }
+  if (fitting.size() == 1) return *fitting.front();
+  throw ErrorIn(text.name,
+                fitting.empty() ? "no scene of a known format: it has none of their keys at the top"
+                                : "keys of several formats at the top",
+                known + "; -format name decides");
+}
+
+ReadScene ReaderOf(const Files& files, const ParseOptions& options) {
+  const std::string& file = files.TopName();
+  if (!options.format.empty()) return FormatNamed(options.format, file).read;
+  const std::string extension = LowerCase(std::filesystem::path(file).extension().string());
+  std::vector<const SceneFormat*> candidates;
+  for (const SceneFormat* format : formats)
+    if (std::find(format->extensions.begin(), format->extensions.end(), extension) != format->extensions.end())
+      candidates.push_back(format);
+  if (candidates.size() == 1) return candidates.front()->read;
+  if (!candidates.empty()) return FormatByKeys(candidates, files).read;
   if (MeshFormatForName(file)) return ReadMeshScene;
-  throw SceneErrors({ErrorIn(file, extension.empty() ? "no file extension" : "cannot read " + Quoted(extension),
-                             "supported: scenes " + known + "; meshes " + MeshExtensions())});
+  throw ErrorIn(file, extension.empty() ? "no file extension" : "cannot read " + Quoted(extension),
+                "supported: scenes " + SceneExtensions() + "; meshes " + MeshExtensions());
 }
 
 /// The environment that the user names, wherever it lies.
@@ -49,15 +106,20 @@ void SetEnvironment(const ParseOptions& options, Report& report, Scene& scene) {
 }  // namespace
 
 ParsedScene Parse(const std::string& file, const ParseOptions& options) {
-  const ReadScene read = ReaderOf(file);
   Report report;
   try {
     const Files files(file, options.allowed_folders);
-    ParsedScene parsed{read(files, options, report), {}};
+    ParsedScene parsed{ReaderOf(files, options)(files, options, report), {}};
     if (!options.environment.empty()) SetEnvironment(options, report, parsed.scene);
     report.ThrowErrors();
     parsed.warnings = report.Warnings();
     return parsed;
+  } catch (const FileError& error) {
+    throw SceneErrors({ErrorIn(file, error.message, error.hint)});
+  } catch (SceneError& error) {
+    report.Error(std::move(error));
+    report.ThrowErrors();
+    throw;
   } catch (const std::bad_alloc&) {
     throw SceneErrors({ErrorIn(file, "not enough memory for this scene")});
   }

@@ -13,6 +13,7 @@ namespace ray {
 struct ParseOptions {
   // Where files named by a scene may lie, beside its own folder and the current one.
   std::vector<std::string> allowed_folders;
+  std::string format;                            // a name of formats.def; empty: by extension, and keys of JSON
   bool decode_srgb = false;                      // 8-bit textures are sRGB and become linear
   std::string environment;                       // file that takes the place of the scene's own; empty for none
   int include_depth = 64;                        // how deep includes may nest
@@ -25,7 +26,8 @@ struct ParsedScene {
   std::vector<std::string> warnings;  // "file:line:column: warning: ..." whole lines
 };
 
-/// Reads a scene file; its format is decided by extension (formats.def). A file of a mesh is a scene of that mesh
+/// Reads a scene file; its format is decided by extension (formats.def), and among formats of one extension by the keys
+/// at its top. A file of a mesh is a scene of that mesh
 /// alone. Defaults for camera and lights are filled in. Throws SceneErrors, whose what() is the whole report.
 ParsedScene Parse(const std::string& file, const ParseOptions& options);
 

@@ -64,9 +64,15 @@ std::string Images() {
   return text;
 }
 
+std::string OfFormat(const SceneFormat& format) {
+  std::string extensions;
+  for (const char* extension : format.extensions) extensions += (extensions.empty() ? "" : " ") + std::string(extension);
+  return Line(format.name, extensions + "  " + format.about);
+}
+
 std::string Scenes() {
   std::string text;
-#define SCENE_FORMAT(name) text += Line(#name, name##_scene_format.extension);
+#define SCENE_FORMAT(name) text += OfFormat(name##_scene_format);
 #include "source/parse/formats.def"
 #undef SCENE_FORMAT
   return text;

@@ -34,7 +34,7 @@ Scene ReadScn(const Files& files, const ParseOptions& options, Report& report) {
 
 }  // namespace
 
-extern const SceneFormat scn_scene_format{".scn", ReadScn};
+extern const SceneFormat scn_scene_format{"scn", {".scn"}, "COS426, Princeton (2008, 2011)", ReadScn};
 
 ScnReader::ScnReader(const Files& files, const ParseOptions& options, Report& report)
     : files_(files), options_(options), report_(report), assets_(files, report, options.decode_srgb) {}

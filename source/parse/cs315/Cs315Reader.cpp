@@ -1,0 +1,201 @@
+#include "source/parse/cs315/Cs315Reader.h"
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "source/parse/Format.h"
+#include "source/parse/objects/Placement.h"
+#include "source/text/NumberText.h"
+#include "source/text/Suggestion.h"
+
+namespace ray {
+namespace {
+
+Scene ReadCs315(const Files& files, const ParseOptions& options, Report& report) {
+  const Text text{files.TopName(), files.Read(files.Top())};
+  const TextPlaces places(text);
+  const Document document = ReadJson(text, places, report);
+  Scene scene = Cs315Reader(files, options, document, report).Read();
+  report.ThrowErrors();
+  return scene;
+}
+
+}  // namespace
+
+extern const SceneFormat cs315_scene_format{
+    "cs315", {".json"}, "CS 315, JSON", ReadCs315, {"camera", "lights", "materials", "surfaces"}};
+
+Scene Cs315Reader::Read() {
+  auto scene = Field(report_, report_.Source().Root()).AsMapping("a scene");
+  if (!scene) return {};
+  Made().files.push_back(report_.Source().Source().name);
+  for (const auto& [option, value] : {std::pair{"width", "512"}, {"height", "512"}, {"samples", "1"}, {"sampler", "grid"},
+                                      {"bytes", "truncated"}, {"min_luminance", "0"}})
+    Set(option, value);
+  const auto depth = scene->Find({"bounce_depth"});
+  const auto bounces = depth ? depth->Whole(0, std::numeric_limits<int>::max()) : std::nullopt;
+  Set("max_depth", ToText(bounces.value_or(0)), depth ? &depth->What() : nullptr);
+  constexpr double usual_bias = 0.0001;
+  const auto bias = scene->Find({"shadow_bias"});
+  const auto distance = bias ? bias->Number(not_negative) : std::nullopt;
+  Set("shadow_bias", ToText(distance.value_or(usual_bias)), bias ? &bias->What() : nullptr);
+  ReadCamera(*scene);
+  const auto each = [&](const char* key, void (Cs315Reader::*read)(const Field&)) {
+    const auto field = scene->Find({key});
+    const auto list = field ? field->List() : std::nullopt;
+    if (!list) return;
+    for (const Field& one : *list) (this->*read)(one);
+  };
+  each("lights", &Cs315Reader::ReadLight);
+  each("materials", &Cs315Reader::ReadMaterial);
+  each("surfaces", &Cs315Reader::ReadSurface);
+  Made().background = scene->Color({"background"}, {});
+  scene->Ignore({"name", "comment", "include"});
+  scene->Finish();
+  objects_.Builder().has_camera = objects_.Builder().has_light = true;
+  return objects_.Finish();
+}
+
+void Cs315Reader::Set(const std::string& option, const std::string& value, const Value* said) {
+  Made().settings.push_back({option, value, said ? report_.PlaceOf(said->extent) : "CS 315"});
+}
+
+// The angle is that of the height. `aspect` says how much wider the picture is, whatever its pixels.
+void Cs315Reader::ReadCamera(Mapping& scene) {
+  const auto field = scene.Need({"camera"});
+  auto camera = field ? field->AsMapping("a camera") : std::nullopt;
+  if (!camera) return;
+  const R3::Point eye = camera->NeedPoint({"eye"}), at = camera->NeedPoint({"at"});
+  const R3::Vector up = camera->NeedVector({"up"});
+  const auto fovy = camera->Need({"fovy"});
+  const double degrees = fovy ? fovy->Number().value_or(0) : 0;
+  if (fovy && camera->IsGood() && !(degrees > 0 && degrees < 180))
+    fovy->Error("must be between 0 and 180 degrees, got " + Escaped(fovy->What().scalar));
+  const double aspect = camera->Number({"aspect"}, positive, 1);
+  if (const auto radius = camera->Find({"aperture"}))
+    if (const auto lens = radius->Number(not_negative)) Set("aperture", ToText(*lens), &radius->What());
+  if (const auto depth = camera->Find({"focal_depth"}))
+    if (const auto focus = depth->Number(positive)) Set("focus", ToText(*focus), &depth->What());
+  camera->Ignore({"name", "comment"});
+  if (!camera->FinishedWell()) return;
+  if (eye == at) return report_.Error(camera->What(), "has its eye at the point it looks at");
+  const AimedCamera aimed = Aim(eye, at - eye, up);
+  if (aimed.up_was_replaced) return report_.Error(camera->What(), "has an up vector along the view direction");
+  Made().camera = aimed.camera;
+  Made().camera.aspect = aspect;
+  Made().camera.xfov = std::atan(aspect * std::tan(degrees / 2 * std::numbers::pi / 180));
+}
+
+void Cs315Reader::ReadLight(const Field& field) {
+  static constexpr std::array<std::string_view, 4> sources{"Ambient", "Point", "Directional", "Environment"};
+  auto light = field.AsMapping("a light");
+  if (!light) return;
+  const auto source = light->Need({"source"});
+  light->Ignore({"name", "comment"});
+  if (!source) return light->Finish();
+  enum : std::size_t { ambient, point, directional, environment, unknown };
+  const std::size_t which = source->Choice(sources, "sources").value_or(unknown);
+  if (which == unknown) return;
+  if (which == environment) {
+    if (const auto file = light->Need({"file"})) Made().environment = objects_.EnvironmentNamed(*file);
+    return light->Finish();
+  }
+  const R2::Color color = light->NeedColor({"color"});
+  R3::Vector where;
+  if (which == point) where = light->NeedVector({"position"});
+  if (which == directional) where = light->NeedVector({"direction"});
+  if (!light->FinishedWell()) return;
+  if (which == ambient) {
+    Made().ambient += color;
+  } else if (which == point) {
+    Made().lights.push_back(FindLightKind("point_light")
+                                ->make(std::array<double, 9>{color.r, color.g, color.b, where.x, where.y, where.z, 1, 0, 0}));
+  } else if (where == R3::Vector{}) {
+    report_.Error(light->What(), "has no direction: it is 0 0 0");
+  } else {
+    Made().lights.push_back(FindLightKind("dir_light")
+                                ->make(std::array{color.r, color.g, color.b, where.x, where.y, where.z}));
+  }
+}
+
+// Entered first of all, so that one with mistakes has its index too.
+void Cs315Reader::ReadMaterial(const Field& field) {
+  materials_.push_back(static_cast<int>(Made().materials.size()));
+  Material& read = Made().materials.emplace_back();
+  auto material = field.AsMapping("a material");
+  if (!material) return;
+  const R2::Color black;
+  read.ka = material->Color({"ka"}, black);
+  read.kd = material->Color({"kd"}, black);
+  read.ks = material->Color({"ks"}, black);
+  read.kr = material->Color({"kr"}, black);
+  read.kt = material->Color({"kt"}, black);
+  read.emission = material->Color({"emission"}, black);
+  read.n = material->Number({"shininess"}, not_negative, 0);
+  if (read.n == 0) read.ks = black;  // the course's rule: no highlight, rather than one everywhere
+  read.ir = material->Number({"ior"}, positive, 1);
+  if (const auto texture = material->Find({"texture"})) read.texture = objects_.Image(*texture, Assets::Use::color);
+  material->Ignore({"name", "comment"});
+  material->Finish();
+}
+
+void Cs315Reader::ReadSurface(const Field& field) {
+  auto first = field.AsMapping("a surface");
+  if (!first) return;
+  const auto shape = first->Need({"shape"});
+  const auto name = shape ? shape->Word() : std::nullopt;
+  if (!name) return first->Finish();
+  std::vector<std::string_view> shapes{"Sphere", "Triangle"};
+  const auto kinds = ObjectReader::Kinds();
+  shapes.insert(shapes.end(), kinds.begin(), kinds.end());
+  if (std::find(shapes.begin(), shapes.end(), *name) == shapes.end())
+    return shape->Error("is unknown: " + Quoted(*name), Suggestion(*name, shapes, "shapes"));
+
+  Mapping surface(report_, field.What(), "a " + *name);
+  surface.Ignore({"shape", "name", "comment"});
+  const auto material = surface.Need({"material"});
+  const auto index = material ? material->Whole(0, std::numeric_limits<int>::max()) : std::nullopt;
+  const bool is_known = index && *index < static_cast<std::int64_t>(materials_.size());
+  if (index && !is_known)
+    material->Error("must be an index into materials, of which there are " + std::to_string(materials_.size()) +
+                    ", got " + ToText(*index));
+  const int used = is_known ? materials_[static_cast<std::size_t>(*index)] : 0;
+  std::optional<R3::Matrix> transform;
+  if (const auto transforms = surface.Find({"transforms"})) transform = ReadTransforms(*transforms);
+  auto placed = ReadShape(*name, surface, static_cast<bool>(Made().materials[static_cast<std::size_t>(used)].texture));
+  surface.Finish();
+  if (placed && surface.IsGood()) objects_.Add(surface, std::move(*placed), transform, {}, used);
+}
+
+std::optional<PlacedShape> Cs315Reader::ReadShape(const std::string& name, Mapping& surface, bool has_texture) {
+  const std::string_view kind = name == "Sphere" ? "sphere" : name == "Triangle" ? "triangle" : std::string_view(name);
+  return objects_.Read(kind, surface, {has_texture});
+}
+
+std::optional<R3::Matrix> Cs315Reader::ReadTransforms(const Field& field) {
+  const auto list = field.List();
+  if (!list || list->empty()) return {};
+  R3::Matrix product;
+  for (const Field& one : *list)
+    if (const auto transform = ReadTransform(one)) product = product * *transform;
+  return product;
+}
+
+std::optional<R3::Matrix> Cs315Reader::ReadTransform(const Field& field) {
+  static constexpr std::array<std::string_view, 3> names{"Translate", "Rotate", "Scale"};
+  const auto both = field.ListOf(2, "a list of a name and three numbers");
+  if (!both) return {};
+  const auto name = (*both)[0].Choice(names, "transforms");
+  const auto v = (*both)[1].Vector();
+  if (!name || !v) return {};
+  if (*name == 0) return Translation(*v);
+  if (*name == 1) return RotationAbout(0, v->x) * RotationAbout(1, v->y) * RotationAbout(2, v->z);
+  if (v->x == 0 || v->y == 0 || v->z == 0) {
+    (*both)[1].Error("must not have a factor of 0: nothing would be left");
+    return {};
+  }
+  return Scaling(*v);
+}
+
+}  // namespace ray

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "source/parse/objects/ObjectReader.h"
+
+namespace ray {
+
+/// Reads scenes of the course CS 315, JSON with camera, lights, materials and surfaces. Surfaces of its two own shapes,
+/// Sphere and Triangle, may be joined by those of ObjectReader, in lower case and with their keys there.
+class Cs315Reader {
+ public:
+  Cs315Reader(const Files& files, const ParseOptions& options, const Document& document, Report& report)
+      : report_(document, report), objects_(files, options, report_, report) {}
+
+  Scene Read();
+
+ private:
+  void ReadCamera(Mapping& scene);
+  void ReadLight(const Field& field);
+  void ReadMaterial(const Field& field);
+  void ReadSurface(const Field& field);
+  std::optional<PlacedShape> ReadShape(const std::string& name, Mapping& surface, bool has_texture);
+  /// Their product in the order of the file: the last acts on the shape first.
+  std::optional<R3::Matrix> ReadTransforms(const Field& field);
+  std::optional<R3::Matrix> ReadTransform(const Field& field);
+
+  void Set(const std::string& option, const std::string& value, const Value* said = nullptr);
+  Scene& Made() { return objects_.Builder().scene; }
+
+  DocumentReport report_;
+  ObjectReader objects_;
+  std::vector<int> materials_;  // of the file, as indices into Scene::materials
+};
+
+}  // namespace ray

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "source/parse/objects/ObjectReader.h"
+
+namespace ray {
+
+/// Reads scenes of the University of Groningen's course, Introduction to Computer Graphics (2009 to 2018), as YAML or
+/// as JSON. What the course decides otherwise than others becomes settings of the scene.
+class GroningenReader {
+ public:
+  GroningenReader(const Files& files, const ParseOptions& options, const Document& document, Report& report)
+      : report_(document, report), objects_(files, options, report_, report) {}
+
+  Scene Read();
+
+ private:
+  enum class Mode { phong, zbuffer, normal, gooch, uv, flat };
+
+  // view.cpp
+  void ReadView(Mapping& scene);
+  void ReadEye(const Field& field);
+  void ReadCamera(const Field& field);
+  void ReadLens(Mapping& camera, double focus);
+  /// Gives the width.
+  std::optional<double> ReadSize(const Field& size);
+  void ReadSamples(Mapping& scene);
+
+  // picture.cpp
+  void ReadPicture(Mapping& scene);
+  void ReadMode(Mapping& scene);
+  void ReadZBuffer(Mapping& scene);
+  void ReadGooch(Mapping& scene);
+
+  // objects.cpp
+  void ReadLights(Mapping& scene);
+  void ReadLight(const Field& field);
+  void ReadObjects(Mapping& scene);
+  void ReadObject(const Field& field);
+  int ReadMaterial(Mapping& object);
+  void ReadColors(Mapping& material, bool has_texture, Material& read);
+
+  /// What the file says overrides what the course does.
+  void Set(const std::string& option, const std::string& value, const Value* said = nullptr);
+  Scene& Made() { return objects_.Builder().scene; }
+
+  DocumentReport report_;
+  ObjectReader objects_;
+  Mode mode_ = Mode::phong;
+  double exposure_time_ = 0;
+  std::int64_t lens_samples_ = 1, time_samples_ = 1;
+  std::optional<double> near_, far_;  // of the z-buffer, where the camera says them
+};
+
+}  // namespace ray

@@ -1,0 +1,120 @@
+#include <array>
+
+#include "source/parse/groningen/GroningenReader.h"
+#include "source/text/LowerCase.h"
+#include "source/text/Words.h"
+
+namespace ray {
+
+void GroningenReader::ReadLights(Mapping& scene) {
+  const auto field = scene.Find({"Lights", "lights"});
+  const auto lights = field ? field->List() : std::nullopt;
+  if (!lights) return;
+  for (const Field& light : *lights) ReadLight(light);
+}
+
+// Each light adds its color to what ka multiplies, in shadow or not; nothing gets weaker with distance.
+void GroningenReader::ReadLight(const Field& field) {
+  auto light = field.AsMapping("a light");
+  if (!light) return;
+  const R3::Point position = light->NeedPoint({"position"});
+  const R2::Color color = light->NeedColor({"color", "colour"});
+  light->Ignore({"comment", "name", "type"});
+  if (!light->FinishedWell()) return;
+  Made().ambient += color;
+  constexpr double constant = 1, linear = 0, quadratic = 0;
+  Made().lights.push_back(FindLightKind("point_light")
+                              ->make(std::array{color.r, color.g, color.b, position.x, position.y, position.z, constant,
+                                                linear, quadratic}));
+}
+
+void GroningenReader::ReadObjects(Mapping& scene) {
+  const auto field = scene.Need({"Objects"});
+  const auto objects = field ? field->List() : std::nullopt;
+  if (!objects) return;
+  for (const Field& object : *objects) ReadObject(object);
+}
+
+void GroningenReader::ReadObject(const Field& field) {
+  auto object = field.AsMapping("an object");
+  if (!object) return;
+  const auto type = object->Need({"type"});
+  const auto kind = type ? type->Word() : std::nullopt;
+  if (!kind) return object->Finish();
+  if (!ObjectReader::IsKind(*kind)) {
+    const auto kinds = ObjectReader::Kinds();
+    return report_.Warn(type->What().extent, "objects of type " + Quoted(*kind) + " are not supported; it is left out" +
+                                                 DidYouMean(*kind, {kinds.begin(), kinds.end()}));
+  }
+  Mapping named(report_, object->What(), "a " + *kind);
+  const int material = ReadMaterial(named);
+  const Material& used = Made().materials[static_cast<std::size_t>(material)];
+  const bool wants_uv = used.texture || used.bump || mode_ == Mode::uv;
+  auto placed = objects_.Read(*kind, named, {wants_uv});
+  const R3::Vector velocity = named.Vector({"velocity"}).value_or(R3::Vector{});
+  named.Ignore({"type", "comment", "name"});
+  named.Finish();
+  if (!placed || !named.IsGood()) return;
+  // At its place in the middle of the exposure.
+  const R3::Vector motion = exposure_time_ * velocity;
+  std::optional<R3::Matrix> start;
+  if (!(motion == R3::Vector{})) {
+    start.emplace();
+    start->m[0][3] = -motion.x / 2;
+    start->m[1][3] = -motion.y / 2;
+    start->m[2][3] = -motion.z / 2;
+  }
+  objects_.Add(named, std::move(*placed), start, motion, material);
+}
+
+int GroningenReader::ReadMaterial(Mapping& object) {
+  Material read;
+  const auto texture_of_object = object.Find({"texture"});
+  for (const std::string_view map : {"normals", "specular"})
+    if (object.Word({map}).value_or("none") != "none") object.NotSupported({map});
+  const auto field = object.Need({"material"});
+  auto material = field ? field->AsMapping("a material") : std::nullopt;
+  if (material) {
+    auto texture = material->Find({"texture"});
+    if (!texture) texture = texture_of_object;
+    const auto name = texture ? texture->Word() : std::nullopt;
+    if (name && *name != "none") {
+      read.texture = objects_.Image(*texture, Assets::Use::color);
+      read.texture_multiplies_ka = true;
+    }
+    ReadColors(*material, name && *name != "none", read);
+    material->NotSupported({"normalMap", "specularMap"});
+    material->Ignore({"comment", "name"});
+    material->Finish();
+  }
+  Made().materials.push_back(std::move(read));
+  return static_cast<int>(Made().materials.size()) - 1;
+}
+
+// The coefficients are gray. Those that are missing are 0, and the exponent 1.
+void GroningenReader::ReadColors(Mapping& material, bool has_texture, Material& read) {
+  const R2::Color white{1, 1, 1};
+  R2::Color color = white;
+  if (has_texture)
+    material.Ignore({"color", "colour"});
+  else
+    color = material.NeedColor({"color", "colour"});
+  const double ka = material.Number({"ka", "ambient"}, not_negative, 0);
+  const double kd = material.Number({"kd", "diffuse"}, not_negative, 0);
+  const double ks = material.Number({"ks", "specular"}, not_negative, 0);
+  const double kt = material.Number({"refract", "kt"}, not_negative, 0);
+  const double index = material.Number({"eta", "index", "refractive_index"}, not_negative, 1);
+  read.n = material.Number({"n", "shininess"}, not_negative, 1);
+  read.ka = ka * color;
+  read.kd = kd * color;
+  read.ks = read.kr = ks * white;
+  read.kt = kt * white;
+  read.ir = index > 0 ? index : 1;
+  read.color = color;
+  if (const auto bump = material.Find({"bump"})) {
+    read.bump = objects_.Image(*bump, Assets::Use::data);
+    read.bump_height = material.Number({"bumpHeight"}, any_number, 1);
+  }
+}
+
+}  // namespace ray

@@ -1,0 +1,95 @@
+#include <array>
+
+#include "source/parse/groningen/GroningenReader.h"
+#include "source/text/LowerCase.h"
+#include "source/text/NumberText.h"
+#include "source/text/Words.h"
+
+namespace ray {
+
+void GroningenReader::ReadPicture(Mapping& scene) {
+  Set("clamp", "samples");
+  Set("bytes", "truncated");
+  Set("min_luminance", "0");
+  Set("shadows", "off");
+  Set("max_depth", "0");
+  if (const auto shadows = scene.Find({"Shadows", "shadows"}))
+    if (const auto on = shadows->Bool()) Set("shadows", *on ? "on" : "off", &shadows->What());
+  if (const auto depth = scene.Find({"MaxRecursionDepth", "maxRecursionDepth", "RecursionDepth"}))
+    if (const auto bounces = depth->Whole(0, std::numeric_limits<int>::max()))
+      Set("max_depth", ToText(*bounces), &depth->What());
+  ReadMode(scene);
+  ReadZBuffer(scene);
+  ReadGooch(scene);
+}
+
+// The course's programs number the modes in this order.
+void GroningenReader::ReadMode(Mapping& scene) {
+  struct Name {
+    const char *word, *number;
+    Mode mode;
+    const char* option;
+  };
+  static constexpr std::array names{
+      Name{"phong", "0", Mode::phong, "whitted"},        Name{"zbuffer", "1", Mode::zbuffer, "zbuffer"},
+      Name{"normal", "2", Mode::normal, "normal_color"}, Name{"gooch", "3", Mode::gooch, "gooch"},
+      Name{"texcoord", "", Mode::uv, "uv"},              Name{"texturecoordinate", "", Mode::uv, "uv"},
+      Name{"flat", "", Mode::flat, "flat"},
+  };
+  const auto field = scene.Find({"RenderMode", "renderMode", "rendermode"});
+  const auto word = field ? field->Word() : std::nullopt;
+  if (!word) return;
+  const std::string lower = LowerCase(*word);
+  std::vector<std::string> known;
+  for (const Name& name : names) {
+    known.emplace_back(name.word);
+    if (lower != name.word && (lower != name.number || lower.empty())) continue;
+    mode_ = name.mode;
+    return Set("mode", name.option, &field->What());
+  }
+  report_.Warn(field->What().extent,
+               "unknown RenderMode " + Quoted(*word) + "; phong is used" + DidYouMean(*word, known));
+}
+
+// Without the two distances those of the picture itself are taken.
+void GroningenReader::ReadZBuffer(Mapping& scene) {
+  const auto read = [&](Mapping& from) {
+    if (from.Has({"near", "Near", "DistMin"})) near_ = from.NeedNumber({"near", "Near", "DistMin"}, any_number);
+    if (from.Has({"far", "Far", "DistMax"})) far_ = from.NeedNumber({"far", "Far", "DistMax"}, any_number);
+    from.Ignore({"near", "far"});
+  };
+  const auto field = scene.Find({"ZBuffer", "zbuffer"});
+  read(scene);
+  const Value* said = field ? &field->What() : &scene.What();
+  if (field) {
+    if (auto zbuffer = field->AsMapping("a z-buffer")) {
+      read(*zbuffer);
+      zbuffer->Finish();
+    }
+  }
+  if (!near_ && !far_) return;
+  if (!near_ || !far_)
+    return report_.Error(*said, std::string("lacks ") + (near_ ? "far" : "near"), "near and far go together");
+  if (*near_ == *far_) return report_.Error(*said, "has near and far at the same distance");
+  Set("zbuffer_range", ToText(*near_) + " " + ToText(*far_), said);
+}
+
+void GroningenReader::ReadGooch(Mapping& scene) {
+  // Those of the course's example.
+  double b = 0.55, y = 0.3, alpha = 0.25, beta = 0.5;
+  const auto field = scene.Find({"GoochParameters", "gooch", "Gooch"});
+  if (!field && mode_ != Mode::gooch) return;
+  if (field) {
+    auto gooch = field->AsMapping("Gooch shading");
+    if (!gooch) return;
+    b = gooch->Number({"b"}, not_negative, b);
+    y = gooch->Number({"y"}, not_negative, y);
+    alpha = gooch->Number({"alpha"}, not_negative, alpha);
+    beta = gooch->Number({"beta"}, not_negative, beta);
+    gooch->NotSupported({"outline"});
+    gooch->Finish();
+  }
+  Set("gooch", ToText(b) + " " + ToText(y) + " " + ToText(alpha) + " " + ToText(beta), field ? &field->What() : nullptr);
+}
+
+}  // namespace ray

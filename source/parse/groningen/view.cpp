@@ -1,0 +1,125 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "source/parse/groningen/GroningenReader.h"
+#include "source/text/NumberText.h"
+
+namespace ray {
+namespace {
+
+constexpr int usual_side = 400;  // pixels of a picture whose file names no size
+
+// As many as there may be of pixels on a side, and of samples of each kind: their product stays a whole number.
+constexpr std::int64_t most = 16384;
+
+}  // namespace
+
+void GroningenReader::ReadView(Mapping& scene) {
+  Set("width", ToText(usual_side));
+  Set("height", ToText(usual_side));
+  const auto eye = scene.Find({"Eye", "eye"}), camera = scene.Find({"Camera", "camera"});
+  if (camera)
+    ReadCamera(*camera);
+  else if (eye)
+    ReadEye(*eye);
+  else
+    report_.Error(scene.What(), "lacks a view", "it needs Eye, or Camera with eye, center and up");
+  if (const auto size = scene.Find({"ImageSize"})) ReadSize(*size);
+  ReadSamples(scene);
+}
+
+// The picture is the square from 0 to 400 in the plane z = 0, a pixel being one unit wide. The eye need not be before
+// its middle: the camera looks straight at the plane and is shifted.
+void GroningenReader::ReadEye(const Field& field) {
+  const auto eye = field.Vector();
+  if (!eye) return;
+  if (eye->z == 0) return field.Error("must not have z = 0: the picture's plane is there");
+  constexpr double half = usual_side / 2.0;
+  Camera& camera = Made().camera;
+  camera.eye = R3::Point{} + *eye;
+  camera.towards = {0, 0, eye->z > 0 ? -1.0 : 1.0};
+  camera.xfov = std::atan2(half, std::abs(eye->z));
+  camera.shift = {(half - eye->x) / half, (half - eye->y) / half};
+}
+
+void GroningenReader::ReadCamera(const Field& field) {
+  auto camera = field.AsMapping("a camera");
+  if (!camera) return;
+  const R3::Point eye = camera->NeedPoint({"eye"}), center = camera->NeedPoint({"center"});
+  const R3::Vector up = camera->Vector({"up"}).value_or(R3::Vector{0, 1, 0}), towards = center - eye;
+  double width = usual_side;
+  if (const auto size = camera->Find({"viewSize", "ViewSize", "size"})) width = ReadSize(*size).value_or(width);
+  ReadLens(*camera, Length(towards));
+  if (camera->Has({"near", "Near", "DistMin"})) near_ = camera->NeedNumber({"near", "Near", "DistMin"}, any_number);
+  if (camera->Has({"far", "Far", "DistMax"})) far_ = camera->NeedNumber({"far", "Far", "DistMax"}, any_number);
+  camera->NotSupported({"velocity", "projection"});
+  camera->Ignore({"comment", "name"});
+  if (!camera->FinishedWell()) return;
+  if (towards == R3::Vector{}) return report_.Error(camera->What(), "has its eye at its center");
+  const AimedCamera aimed = Aim(eye, towards, up);
+  if (aimed.up_was_replaced) return report_.Error(camera->What(), "has an up vector along the view direction");
+  Made().camera = aimed.camera;
+  // A pixel is as wide as `up` is long, in the plane through the center.
+  Made().camera.xfov = std::atan2(width / 2 * Length(up), Length(towards));
+}
+
+std::optional<double> GroningenReader::ReadSize(const Field& size) {
+  const auto both = size.ListOf(2, "a list of a width and a height in pixels");
+  if (!both) return {};
+  const auto width = (*both)[0].Whole(1, most), height = (*both)[1].Whole(1, most);
+  if (!width || !height) return {};
+  Set("width", ToText(*width), &size.What());
+  Set("height", ToText(*height), &size.What());
+  return static_cast<double>(*width);
+}
+
+void GroningenReader::ReadLens(Mapping& camera, double focus) {
+  const auto radius = camera.Find({"apertureRadius"});
+  const double aperture = radius ? radius->Number(not_negative).value_or(0) : 0;
+  const std::int64_t lens_samples = camera.Whole({"apertureSamples"}, 1, 1);
+  const bool is_spiral = camera.Bool({"apertureJitter"}, true);
+  if (aperture > 0) {
+    lens_samples_ = lens_samples;
+    Set("aperture", ToText(aperture), &radius->What());
+    Set("focus", ToText(focus), &radius->What());  // the plane through the center
+    Set("lens", is_spiral ? "spiral" : "disk");
+  }
+  exposure_time_ = camera.Number({"exposureTime"}, not_negative, 0);
+  const std::int64_t time_samples = camera.Whole({"exposureSamples"}, 1, 1);
+  if (exposure_time_ > 0) time_samples_ = time_samples;
+}
+
+// Every camera ray has a place of its own on the pixel, on the lens and in time, so that their numbers multiply. The
+// grid wants a square; what is more than asked for does no harm.
+void GroningenReader::ReadSamples(Mapping& scene) {
+  static constexpr std::array<std::string_view, 6> patterns{"grid", "jitter", "random", "adaptive", "poisson", "rotated"};
+  constexpr std::array samplers{"grid", "stratified", "random"};
+  std::int64_t factor = 1;
+  std::size_t pattern = 0;
+  const Value* said = nullptr;
+  if (const auto field = scene.Find({"SuperSampling", "SuperSamplingFactor", "AntiAliasing", "SuperSample"})) {
+    said = &field->What();
+    if (field->IsMapping()) {
+      Mapping sampling(report_, *said, "SuperSampling");
+      factor = sampling.Whole({"factor", "Factor"}, 1, 1);
+      if (const auto name = sampling.Find({"pattern"})) pattern = name->Choice(patterns, "patterns").value_or(0);
+      sampling.Ignore({"comment"});
+      sampling.Finish();
+    } else {
+      factor = field->Whole(1, most).value_or(1);
+    }
+  }
+  if (pattern >= samplers.size()) {
+    report_.Warn(said->extent, "the pattern '" + std::string(patterns[pattern]) + "' is not supported; grid is used");
+    pattern = 0;
+  }
+  const auto asked = static_cast<double>(std::min(factor, most)) * static_cast<double>(factor) *
+                     static_cast<double>(lens_samples_) * static_cast<double>(time_samples_);
+  const double side = std::ceil(std::sqrt(std::min(asked, static_cast<double>(most * most))));
+  Set("samples", ToText(static_cast<std::int64_t>(side * side)), said);
+  Set("sampler", samplers[pattern], said);
+}
+
+}  // namespace ray

@@ -1,0 +1,111 @@
+#include "source/parse/objects/ObjectReader.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "source/parse/objects/Kinds.h"
+#include "source/parse/objects/Placement.h"
+#include "source/scene/Singular.h"
+
+namespace ray {
+namespace {
+
+std::uint32_t Saturated(std::size_t n) {
+  return static_cast<std::uint32_t>(std::min<std::size_t>(n, std::numeric_limits<std::uint32_t>::max()));
+}
+
+const ObjectKind* FindKind(std::string_view name) {
+  for (const ObjectKind& kind : ObjectKinds())
+    if (std::find(kind.names.begin(), kind.names.end(), name) != kind.names.end()) return &kind;
+  return nullptr;
+}
+
+}  // namespace
+
+std::vector<std::string_view> ObjectReader::Kinds() {
+  std::vector<std::string_view> names;
+  for (const ObjectKind& kind : ObjectKinds()) names.insert(names.end(), kind.names.begin(), kind.names.end());
+  return names;
+}
+
+bool ObjectReader::IsKind(std::string_view name) { return FindKind(name); }
+
+std::optional<PlacedShape> ObjectReader::Read(std::string_view kind, Mapping& object, const Options& options) {
+  try {
+    return FindKind(kind)->read(*this, object, options);
+  } catch (const R3::ArgumentError& error) {
+    report_.Error(object.What(), std::string("cannot be: ") + error.what());
+    return {};
+  }
+}
+
+void ObjectReader::Add(Mapping& object, PlacedShape placed, const std::optional<R3::Matrix>& transform,
+                       const R3::Vector& motion, int material) {
+  const Token token = report_.At(object.What().extent);
+  const Location location{0, Saturated(token.line), Saturated(token.column)};
+  if (builder_.nodes >= options_.max_nodes)
+    return report_.Error(object.What(), "is one node too many: the scene has more than " +
+                                            std::to_string(options_.max_nodes) + " nodes");
+  if (placed.shape->IsDegenerate()) report_.Warn(object.What().extent, "degenerate: no ray can hit it");
+  Node node;
+  node.shape = std::move(placed.shape);
+  node.material = material;
+  node.location = location;
+  if (placed.bounds)
+    node.bounds = *placed.bounds;
+  else
+    SetBounds(node);
+  if (!placed.placement && !transform && motion == R3::Vector{}) return builder_.Add(std::move(node));
+  Node group;
+  group.location = location;
+  group.motion = motion;
+  const R3::Matrix outer = transform.value_or(R3::Matrix{});
+  group.transform = placed.placement ? outer * *placed.placement : outer;
+  if (IsSingular(group.transform)) report_.Warn(object.What().extent, "singular transform: it is not rendered");
+  builder_.OpenGroup(std::move(group));
+  builder_.Add(std::move(node));
+  builder_.CloseGroup();
+}
+
+template <class Function>
+void ObjectReader::WithFile(const Field& name, const Function& read) {
+  try {
+    if (const auto word = name.Word()) read(*word);
+  } catch (const FileError& error) {
+    report_.Error(name.What(), ": " + error.message, error.hint);
+  } catch (SceneError& error) {
+    report_.ErrorIn(name.What(), std::move(error));
+  }
+}
+
+std::shared_ptr<const Texture> ObjectReader::Image(const Field& name, Assets::Use use) {
+  std::shared_ptr<const Texture> image;
+  WithFile(name, [&](const std::string& word) { image = assets_.Image(word, report_.Source().Source().name, use); });
+  return image;
+}
+
+std::shared_ptr<const Environment> ObjectReader::EnvironmentNamed(const Field& name) {
+  std::shared_ptr<const Environment> environment;
+  WithFile(name, [&](const std::string& word) {
+    environment = assets_.EnvironmentNamed(word, report_.Source().Source().name);
+  });
+  return environment;
+}
+
+Assets::BoxedMesh ObjectReader::MeshNamed(const Field& name, bool smooth) {
+  Assets::BoxedMesh boxed;
+  WithFile(name, [&](const std::string& word) {
+    const std::size_t slash = word.find_last_of('/');
+    const bool has_extension = word.find('.', slash == std::string::npos ? 0 : slash + 1) != std::string::npos;
+    boxed = assets_.Mesh(has_extension ? word : word + ".obj", report_.Source().Source().name, smooth);
+  });
+  return boxed;
+}
+
+Scene ObjectReader::Finish() {
+  auto& files = builder_.scene.files;
+  files.insert(files.end(), assets_.FilesRead().begin(), assets_.FilesRead().end());
+  return builder_.Finish();
+}
+
+}  // namespace ray

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "R3/Matrix.h"
+#include "R3/Shape.h"
+#include "source/parse/Assets.h"
+#include "source/parse/Parse.h"
+#include "source/parse/SceneBuilder.h"
+#include "source/parse/document/Mapping.h"
+
+namespace ray {
+
+/// A shape and where it stands.
+struct PlacedShape {
+  std::shared_ptr<const R3::Shape> shape;
+  std::optional<R3::Matrix> placement{};  // of the shape in its object's coordinates
+  std::optional<R3::Box> bounds{};        // of the shape, where they are known already
+};
+
+/// The geometry of objects in YAML and JSON scenes. Each kind is a line of a table with the keys that describe it; the
+/// keys are those of Groningen's scenes and the spellings that its students use.
+class ObjectReader {
+ public:
+  ObjectReader(const Files& files, const ParseOptions& options, DocumentReport& report, Report& file_report)
+      : report_(report), options_(options), assets_(files, file_report, options.decode_srgb) {}
+
+  /// Every name of a kind that Read knows, aliases included.
+  static std::vector<std::string_view> Kinds();
+  static bool IsKind(std::string_view name);
+
+  /// Where a sphere's texture lies; the others have but one way.
+  struct Options {
+    bool wants_texture_coordinates = false;
+  };
+  /// Reads the keys of one kind, not calling Finish. Nothing after a mistake, which is reported.
+  std::optional<PlacedShape> Read(std::string_view kind, Mapping& object, const Options& options);
+
+  /// A node that is moved by `transform` (its parent's coordinates from its own) and by `motion` while the shutter is
+  /// open. To be called with mistakes in the scene as well: then nothing is added.
+  void Add(Mapping& object, PlacedShape placed, const std::optional<R3::Matrix>& transform, const R3::Vector& motion,
+           int material);
+
+  /// Null, and a mistake told, where the file cannot be read.
+  std::shared_ptr<const Texture> Image(const Field& name, Assets::Use use);
+  std::shared_ptr<const Environment> EnvironmentNamed(const Field& name);
+  Assets::BoxedMesh MeshNamed(const Field& name, bool smooth);
+
+  SceneBuilder& Builder() { return builder_; }
+  DocumentReport& Reporter() { return report_; }
+  /// The scene as it is, with the files that it names.
+  Scene Finish();
+
+ private:
+  template <class Function>
+  void WithFile(const Field& name, const Function& read);
+
+  DocumentReport& report_;
+  const ParseOptions& options_;
+  Assets assets_;
+  SceneBuilder builder_;
+};
+
+}  // namespace ray

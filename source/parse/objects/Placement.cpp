@@ -1,0 +1,80 @@
+#include "source/parse/objects/Placement.h"
+
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace ray {
+namespace {
+
+struct SineCosine {
+  double sine, cosine;
+};
+
+SineCosine OfDegrees(double degrees) {
+  int quarters = 0;
+  const double rest = std::remquo(degrees, 90, &quarters) * std::numbers::pi / 180;
+  const double s = std::sin(rest), c = std::cos(rest);
+  switch (quarters & 3) {
+    case 0:
+      return {s, c};
+    case 1:
+      return {c, -s};
+    case 2:
+      return {-s, -c};
+    default:
+      return {-c, s};
+  }
+}
+
+}  // namespace
+
+R3::Matrix Frame(const R3::Point& origin, const R3::Vector& x, const R3::Vector& y, const R3::Vector& z) {
+  return {{{{x.x, y.x, z.x, origin.x}, {x.y, y.y, z.y, origin.y}, {x.z, y.z, z.z, origin.z}}}};
+}
+
+R3::Matrix Translation(const R3::Vector& way) {
+  return {{{{1, 0, 0, way.x}, {0, 1, 0, way.y}, {0, 0, 1, way.z}}}};
+}
+
+R3::Matrix Scaling(const R3::Vector& factors) {
+  return {{{{factors.x, 0, 0, 0}, {0, factors.y, 0, 0}, {0, 0, factors.z, 0}}}};
+}
+
+R3::Matrix RotationAbout(int axis, double degrees) {
+  const auto [sine, cosine] = OfDegrees(degrees);
+  const auto a = static_cast<std::size_t>((axis + 1) % 3), b = static_cast<std::size_t>((axis + 2) % 3);
+  R3::Matrix matrix;
+  matrix.m[a][a] = matrix.m[b][b] = cosine;
+  matrix.m[a][b] = -sine;
+  matrix.m[b][a] = sine;
+  return matrix;
+}
+
+R3::Matrix operator*(const R3::Matrix& a, const R3::Matrix& b) {
+  const auto column = [&](std::size_t i) { return a * R3::Vector{b.m[0][i], b.m[1][i], b.m[2][i]}; };
+  return Frame(a * R3::Point{b.m[0][3], b.m[1][3], b.m[2][3]}, column(0), column(1), column(2));
+}
+
+// With v = from x to and c = from . to it is I + [v] + [v]^2 / (1 + c): Moller, Hughes, Efficiently building a matrix to
+// rotate one vector to another (1999), eq. 3. Beyond a right angle it is made of two halves, so that 1 + c never is small.
+R3::Matrix SmallestRotation(const R3::Vector& from, const R3::Vector& to) {
+  const double c = Dot(from, to);
+  if (c < 0) {
+    R3::Vector middle = from + to;
+    if (!(Length(middle) > 0)) {
+      const R3::Vector a = Abs(from);
+      middle = Cross(from, a.x <= a.y && a.x <= a.z ? R3::Vector{1, 0, 0}
+                           : a.y <= a.z             ? R3::Vector{0, 1, 0}
+                                                    : R3::Vector{0, 0, 1});
+    }
+    const R3::Vector half = Unit(middle);
+    return SmallestRotation(half, to) * SmallestRotation(from, half);
+  }
+  const R3::Vector v = Cross(from, to);
+  const double k = 1 / (1 + c);
+  const auto column = [&](const R3::Vector& e) { return c * e + Cross(v, e) + k * Dot(v, e) * v; };
+  return Frame({}, column({1, 0, 0}), column({0, 1, 0}), column({0, 0, 1}));
+}
+
+}  // namespace ray

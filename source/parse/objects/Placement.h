@@ -1,0 +1,23 @@
+#pragma once
+
+#include "R3/Matrix.h"
+#include "R3/Point.h"
+
+namespace ray {
+
+// Matrices of which scenes speak in words.
+
+/// Where the three axes go, and the origin.
+R3::Matrix Frame(const R3::Point& origin, const R3::Vector& x, const R3::Vector& y, const R3::Vector& z);
+R3::Matrix Translation(const R3::Vector& way);
+R3::Matrix Scaling(const R3::Vector& factors);
+/// About a coordinate axis, 0 to 2, counter-clockwise seen from its positive end. Multiples of 90 degrees are exact.
+R3::Matrix RotationAbout(int axis, double degrees);
+/// b first.
+R3::Matrix operator*(const R3::Matrix& a, const R3::Matrix& b);
+
+/// The rotation of the smallest angle that takes the unit vector `from` to the unit vector `to`; about some
+/// perpendicular where they are opposite.
+R3::Matrix SmallestRotation(const R3::Vector& from, const R3::Vector& to);
+
+}  // namespace ray

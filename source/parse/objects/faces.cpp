@@ -1,0 +1,145 @@
+#include <algorithm>
+#include <array>
+
+#include "R3/Mesh.h"
+#include "source/parse/meshes/Polygon.h"
+#include "source/parse/objects/Kinds.h"
+#include "source/parse/objects/Placement.h"
+
+namespace ray {
+namespace {
+
+using Corners = std::vector<R3::Point>;
+using Spellings = std::vector<std::vector<std::string_view>>;  // each with a key for every corner
+
+/// By the first spelling whose keys are all there, or else the usual one, which then says what it lacks.
+std::optional<Corners> ReadCorners(Mapping& object, const Spellings& spellings) {
+  const auto* used = &spellings.front();
+  for (const auto& spelling : spellings)
+    if (std::all_of(spelling.begin(), spelling.end(), [&](std::string_view key) { return object.Has({key}); })) {
+      used = &spelling;
+      break;
+    }
+  Corners corners;
+  for (const std::string_view key : *used) corners.push_back(object.NeedPoint({key}));
+  if (!object.IsGood()) return {};
+  return corners;
+}
+
+/// Corners of a flat mesh, its texture spread from corner to corner.
+std::optional<PlacedShape> MeshOf(Mapping& object, const Corners& corners, std::vector<R2::Point> uvs) {
+  const auto cuts = Triangulate(corners);
+  if (!cuts) {
+    object.Reporter().Error(object.What(), "has more than " + std::to_string(max_concave_corners) +
+                                               " corners and is not convex");
+    return {};
+  }
+  R3::MeshData data;
+  data.positions = corners;
+  data.triangles.assign(cuts->begin(), cuts->end());
+  data.uvs = std::move(uvs);
+  auto mesh = std::make_shared<const R3::Mesh>(std::move(data));
+  if (mesh->IsDegenerate()) {
+    object.Reporter().Error(object.What(), "has no area: its corners are on one line");
+    return {};
+  }
+  return PlacedShape{std::move(mesh)};
+}
+
+/// Texture coordinates in the object's own words: UV1, UV2...
+std::optional<std::vector<R2::Point>> ReadUvs(Mapping& object) {
+  if (!object.Has({"UV1"})) return {};
+  std::vector<R2::Point> uvs;
+  for (const std::string_view key : {"UV1", "UV2", "UV3"}) {
+    const auto field = object.Need({key});
+    const auto pair = field ? field->ListOf(2, "a list of two numbers") : std::nullopt;
+    if (!pair) continue;
+    const auto u = (*pair)[0].Number(), v = (*pair)[1].Number();
+    uvs.push_back({u.value_or(0), v.value_or(0)});
+  }
+  return uvs;
+}
+
+/// Whether the corners are given row by row and not around: the sides from the second to the third and from the fourth
+/// to the first cross.
+bool IsRowByRow(const Corners& c) {
+  const R3::Vector normal = Cross(c[1] - c[0], c[2] - c[0]);
+  const auto turn = [&](std::size_t i, std::size_t j, std::size_t k) {
+    return Dot(normal, Cross(c[j] - c[i], c[k] - c[i]));
+  };
+  return turn(1, 2, 3) * turn(1, 2, 0) < 0 && turn(3, 0, 1) * turn(3, 0, 2) < 0;
+}
+
+std::optional<PlacedShape> ParallelogramOf(Mapping& object) {
+  const R3::Point position = object.NeedPoint({"position"});
+  const R3::Vector up = object.NeedVector({"up"}), side = object.NeedVector({"side"});
+  if (!object.IsGood()) return {};
+  return MeshOf(object, {position, position + side, position + side + up, position + up},
+                {{0, 0}, {1, 0}, {1, 1}, {0, 1}});
+}
+
+}  // namespace
+
+std::optional<PlacedShape> ReadTriangle(ObjectReader&, Mapping& object, const ObjectReader::Options&) {
+  static const Spellings spellings{{"v0", "v1", "v2"},
+                                     {"v1", "v2", "v3"},
+                                     {"a", "b", "c"},
+                                     {"p0", "p1", "p2"},
+                                     {"p1", "p2", "p3"},
+                                     {"position1", "position2", "position3"},
+                                     {"point1", "point2", "point3"},
+                                     {"point_1", "point_2", "point_3"},
+                                     {"corner1", "corner2", "corner3"}};
+  const auto uvs = ReadUvs(object);
+  const auto corners = ReadCorners(object, spellings);
+  if (!corners || !object.IsGood()) return {};
+  return MeshOf(object, *corners, uvs.value_or(std::vector<R2::Point>{{0, 0}, {1, 0}, {0, 1}}));
+}
+
+std::optional<PlacedShape> ReadQuad(ObjectReader&, Mapping& object, const ObjectReader::Options&) {
+  static const Spellings spellings{{"v0", "v1", "v2", "v3"},
+                                     {"a", "b", "c", "d"},
+                                     {"p0", "p1", "p2", "p3"},
+                                     {"p1", "p2", "p3", "p4"},
+                                     {"point1", "point2", "point3", "point4"}};
+  if (object.Has({"side"})) return ParallelogramOf(object);
+  auto corners = ReadCorners(object, spellings);
+  if (!corners) return {};
+  if (IsRowByRow(*corners)) {
+    object.Reporter().Warn(object.What().extent,
+                           "the sides of this quad cross; its last two corners are taken in the other order");
+    std::swap((*corners)[2], (*corners)[3]);
+  }
+  return MeshOf(object, *corners, {{0, 0}, {1, 0}, {1, 1}, {0, 1}});
+}
+
+std::optional<PlacedShape> ReadPolygon(ObjectReader&, Mapping& object, const ObjectReader::Options&) {
+  const auto field = object.Need({"vertices", "points", "corners"});
+  const auto list = field ? field->List() : std::nullopt;
+  if (!list) return {};
+  if (list->size() < 3) field->Error("must be a list of three corners or more, got " + std::to_string(list->size()));
+  Corners corners;
+  for (const Field& corner : *list) corners.push_back(R3::Point{} + corner.Vector().value_or(R3::Vector{}));
+  if (!object.IsGood()) return {};
+  return MeshOf(object, corners, {});
+}
+
+std::optional<PlacedShape> ReadMeshFile(ObjectReader& reader, Mapping& object, const ObjectReader::Options&) {
+  const auto file = object.Need({"file", "filename", "fileName", "path", "model", "modelPath", "name"});
+  const bool smooth = object.Bool({"smooth"}, false);
+  const R3::Vector position = object.Vector({"position", "offset"}).value_or(R3::Vector{});
+  const R3::Vector turn = object.Vector({"rotation"}).value_or(R3::Vector{});
+  R3::Vector scale{1, 1, 1};
+  if (const auto field = object.Find({"scale", "size", "scalefactor", "scaleFactor"})) {
+    if (field->IsList())
+      scale = field->Vector().value_or(scale);
+    else if (const auto all = field->Number(positive))
+      scale = {*all, *all, *all};
+  }
+  if (!file || !object.IsGood()) return {};
+  const Assets::BoxedMesh boxed = reader.MeshNamed(*file, smooth);
+  if (!boxed.mesh) return {};
+  return PlacedShape{boxed.mesh, Translation(position) * TurnOf(turn) * Scaling(scale), boxed.bounds};
+}
+
+}  // namespace ray

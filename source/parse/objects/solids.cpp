@@ -1,0 +1,148 @@
+#include <array>
+#include <numbers>
+
+#include "source/parse/Coordinate.h"
+#include "source/parse/objects/Kinds.h"
+#include "source/parse/objects/Placement.h"
+
+namespace ray {
+namespace {
+
+/// A direction that must not be zero; `otherwise` where it may be absent and is.
+R3::Vector Direction(Mapping& object, Mapping::Names names, const std::optional<R3::Vector>& otherwise = {}) {
+  const auto field = otherwise ? object.Find(names) : object.Need(names);
+  const R3::Vector fallback = otherwise.value_or(R3::Vector{0, 0, 1});
+  if (!field) return fallback;
+  const auto direction = field->Vector();
+  if (direction && *direction == R3::Vector{}) field->Error("must not be 0 0 0: it is a direction");
+  return direction && !(*direction == R3::Vector{}) ? *direction : fallback;
+}
+
+/// Shapes of ours that stand along y, to stand along `axis` (a unit vector) with their origin at `place`.
+R3::Matrix Along(const R3::Vector& axis, const R3::Point& place) {
+  return Translation(FromOrigin(place)) * SmallestRotation({0, 1, 0}, axis);
+}
+
+/// What cylinders and cones have: base, axis as long as they are high, radius.
+struct Upright {
+  R3::Point base;
+  R3::Vector axis;
+  double radius = 0;
+};
+
+Upright ReadUpright(Mapping& object) {
+  Upright read;
+  if (object.Has({"p1"})) {
+    read.base = object.NeedPoint({"p1"});
+    const auto top = object.Need({"p2"});
+    const auto end = top ? top->Vector() : std::nullopt;
+    if (end) read.axis = R3::Point{} + *end - read.base;
+    if (end && read.axis == R3::Vector{}) top->Error("must not be the same as p1");
+  } else {
+    read.base = object.NeedPoint({"position", "center"});
+    if (object.Has({"height"})) {
+      const R3::Vector direction = Direction(object, {"direction", "axis", "up"}, R3::Vector{0, 1, 0});
+      read.axis = object.NeedNumber({"height"}, positive) * Unit(direction);
+    } else {
+      read.axis = Direction(object, {"up", "axis"});  // with its length
+    }
+  }
+  read.radius = object.NeedNumber({"radius", "r"}, positive);
+  return read;
+}
+
+std::optional<PlacedShape> ReadStanding(const char* kind, Mapping& object) {
+  const Upright read = ReadUpright(object);
+  if (!object.IsGood()) return {};
+  const double height = Length(read.axis);
+  return PlacedShape{ShapeOf(kind, std::array{0.0, 0.0, 0.0, read.radius, height}),
+                     Along(Unit(read.axis), read.base + 0.5 * read.axis)};
+}
+
+std::shared_ptr<const R3::Shape> BoxBetween(const R3::Point& a, const R3::Point& b) {
+  return ShapeOf("box", std::array{a.x, a.y, a.z, b.x, b.y, b.z});
+}
+
+/// A box of given size about a point, turned by angles in radians.
+PlacedShape TurnedBox(const R3::Point& center, const R3::Vector& size, const R3::Vector& turn) {
+  const R3::Point half = R3::Point{} + 0.5 * size;
+  const R3::Point other{-half.x, -half.y, -half.z};
+  return {BoxBetween(other, half), Translation(FromOrigin(center)) * TurnOf(turn)};
+}
+
+}  // namespace
+
+R3::Matrix TurnOf(const R3::Vector& radians) {
+  constexpr double degrees = 180 / std::numbers::pi;
+  return RotationAbout(2, radians.z * degrees) * RotationAbout(1, radians.y * degrees) *
+         RotationAbout(0, radians.x * degrees);
+}
+
+std::optional<PlacedShape> ReadPlane(ObjectReader&, Mapping& object, const ObjectReader::Options&) {
+  const R3::Vector normal = Direction(object, {"normal", "N", "n"});
+  R3::Point point;
+  if (const auto distance = object.Find({"distance", "d"}))
+    point = R3::Point{} + distance->Number({-largest_coordinate, largest_coordinate}).value_or(0) * Unit(normal);
+  else
+    point = object.NeedPoint({"position", "center", "O", "a", "point"});
+  if (!object.IsGood()) return {};
+  return PlacedShape{ShapeOf("plane", std::array{point.x, point.y, point.z, normal.x, normal.y, normal.z})};
+}
+
+std::optional<PlacedShape> ReadBox(ObjectReader&, Mapping& object, const ObjectReader::Options&) {
+  if (object.Has({"dimension"})) {
+    const R3::Point center = object.NeedPoint({"position", "center"});
+    const R3::Vector size = object.NeedVector({"dimension"});
+    const R3::Vector turn = object.Vector({"rotation"}).value_or(R3::Vector{});
+    if (!object.IsGood()) return {};
+    return TurnedBox(center, size, turn);
+  }
+  if (object.Has({"depth"})) {
+    const R3::Point corner = object.NeedPoint({"position"});
+    const R3::Vector up = Direction(object, {"up"}), side = Direction(object, {"side"}),
+                     depth = Direction(object, {"depth"});
+    if (!object.IsGood()) return {};
+    return PlacedShape{BoxBetween({0, 0, 0}, {1, 1, 1}), Frame(corner, side, up, depth)};
+  }
+  const R3::Point low = object.NeedPoint({"min"}), high = object.NeedPoint({"max"});
+  if (!object.IsGood()) return {};
+  return PlacedShape{BoxBetween(low, high)};
+}
+
+std::optional<PlacedShape> ReadCube(ObjectReader&, Mapping& object, const ObjectReader::Options&) {
+  const R3::Point center = object.NeedPoint({"position", "center"});
+  const double size = object.NeedNumber({"size"}, positive);
+  const R3::Vector turn{object.Number({"pitch"}, any_number, 0), object.Number({"yaw"}, any_number, 0),
+                        object.Number({"roll"}, any_number, 0)};
+  if (!object.IsGood()) return {};
+  return TurnedBox(center, {size, size, size}, turn);
+}
+
+std::optional<PlacedShape> ReadCylinder(ObjectReader&, Mapping& object, const ObjectReader::Options&) {
+  return ReadStanding("cylinder", object);
+}
+
+std::optional<PlacedShape> ReadCone(ObjectReader&, Mapping& object, const ObjectReader::Options&) {
+  return ReadStanding("cone", object);
+}
+
+std::optional<PlacedShape> ReadTorus(ObjectReader&, Mapping& object, const ObjectReader::Options&) {
+  const R3::Point center = object.NeedPoint({"position", "center"});
+  const R3::Vector direction = Direction(object, {"direction", "axis"}, R3::Vector{0, 0, 1});
+  const double radius = object.NeedNumber({"radius"}, positive);
+  const double tube = object.NeedNumber({"tube", "alpha"}, positive);
+  if (!object.IsGood()) return {};
+  return PlacedShape{ShapeOf("torus", std::array{0.0, 0.0, 0.0, radius, tube}), Along(Unit(direction), center)};
+}
+
+// A cylinder so flat that no picture shows its side, 2^-20 being a millionth of its radius.
+std::optional<PlacedShape> ReadDisc(ObjectReader&, Mapping& object, const ObjectReader::Options&) {
+  const R3::Point center = object.NeedPoint({"center", "position"});
+  const R3::Vector normal = Direction(object, {"N", "normal", "n"});
+  const double radius = object.NeedNumber({"radius", "r"}, positive);
+  if (!object.IsGood()) return {};
+  return PlacedShape{ShapeOf("cylinder", std::array{0.0, 0.0, 0.0, radius, 0x1p-20 * radius}),
+                     Along(Unit(normal), center)};
+}
+
+}  // namespace ray
