@@ -35,7 +35,7 @@ void Path::Li(std::span<const CameraSample> samples, std::span<R2::Color> radian
   state.arrived.assign(points.size(), {});
   for (std::size_t i = 0; i < points.size(); ++i) {
     ShadingPoint& p = points[i];
-    p.radiance = p.path.throughput * (p.material->emission + p.material->ka * world_.scene().ambient);
+    p.radiance = p.path.throughput * (p.material->emission + p.AmbientReflectance() * world_.scene().ambient);
     Tracer::RecordHit(p, p.radiance, state);
   }
   for (std::size_t i = 0; i < points.size(); ++i) SampleLights(points[i], Bsdf(points[i], settings_), i, state);
@@ -79,7 +79,8 @@ R2::Color Path::IndirectLight(ShadingPoint p, TraceState& state) const {
     }
     const ShadingPoint next = ShadingPointAt(world_, path, *hit);
     const R2::Color emitted = Emitted(p, *scattered, next);
-    const R2::Color ambient = is_last ? R2::Color{} : next.path.throughput * next.material->ka * world_.scene().ambient;
+    const R2::Color ambient =
+        is_last ? R2::Color{} : next.path.throughput * next.AmbientReflectance() * world_.scene().ambient;
     Tracer::RecordHit(next, emitted + ambient, state);
     radiance += emitted;
     radiance += ambient;

@@ -32,6 +32,11 @@ ShadingPoint ShadingPointAt(const World& world, const PathState& ray, const Worl
   return s;
 }
 
+R2::Color ShadingPoint::AmbientReflectance() const {
+  if (!material->texture_multiplies_ka || !material->texture) return material->ka;
+  return material->ka * material->texture->At(at.uv);
+}
+
 R2::Color Background(const Scene& scene, const R3::Vector& direction) {
   return scene.environment ? scene.environment->Radiance(direction) : scene.background;
 }

@@ -19,6 +19,8 @@ struct ShadingPoint {
   double bias;              // where they may first hit something, in distance from there
   R2::Color radiance;       // back along the ray, as far as it is known
 
+  /// What of the scene's ambient light is reflected.
+  R2::Color AmbientReflectance() const;
   bool HasReflectance() const { return !IsBlack(kd) || !IsBlack(material->ks); }
 };
 

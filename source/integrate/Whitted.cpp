@@ -135,7 +135,7 @@ R2::Color Whitted::Follow(const ShadingPoint& first, TraceState& state) const {
 
 void Whitted::Shade(std::span<ShadingPoint> points, TraceState& state) const {
   for (ShadingPoint& p : points) {
-    p.radiance = p.material->emission + p.material->ka * world_.scene().ambient;
+    p.radiance = p.material->emission + p.AmbientReflectance() * world_.scene().ambient;
     Tracer::RecordHit(p, p.path.throughput * p.radiance, state);
   }
   if (tree_) {

@@ -19,6 +19,7 @@ struct Material {
   double n = 10;  // Phong exponent, >= 0
   double ir = 1;  // index of refraction against 1 outside, > 0
   std::shared_ptr<const Texture> texture;
+  bool texture_multiplies_ka = false;  // as well as kd
   R2::Color absorb{0, 0, 0};  // what the inside takes from light, per unit of length; by the extension of that name
   std::shared_ptr<const Texture> bump;  // its luminance times bump_height is how far the surface seems to rise
   double bump_height = 0;

@@ -66,7 +66,8 @@ std::string Images() {
 
 std::string OfFormat(const SceneFormat& format) {
   std::string extensions;
-  for (const char* extension : format.extensions) extensions += (extensions.empty() ? "" : " ") + std::string(extension);
+  for (const char* extension : format.extensions)
+    extensions += (extensions.empty() ? "" : " ") + std::string(extension);
   return Line(format.name, extensions + "  " + format.about);
 }
 

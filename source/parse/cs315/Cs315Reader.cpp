@@ -30,8 +30,12 @@ Scene Cs315Reader::Read() {
   auto scene = Field(report_, report_.Source().Root()).AsMapping("a scene");
   if (!scene) return {};
   Made().files.push_back(report_.Source().Source().name);
-  for (const auto& [option, value] : {std::pair{"width", "512"}, {"height", "512"}, {"samples", "1"}, {"sampler", "grid"},
-                                      {"bytes", "truncated"}, {"min_luminance", "0"}})
+  for (const auto& [option, value] : {std::pair{"width", "512"},
+                                      {"height", "512"},
+                                      {"samples", "1"},
+                                      {"sampler", "grid"},
+                                      {"bytes", "truncated"},
+                                      {"min_luminance", "0"}})
     Set(option, value);
   const auto depth = scene->Find({"bounce_depth"});
   const auto bounces = depth ? depth->Whole(0, std::numeric_limits<int>::max()) : std::nullopt;
@@ -109,13 +113,14 @@ void Cs315Reader::ReadLight(const Field& field) {
   if (which == ambient) {
     Made().ambient += color;
   } else if (which == point) {
-    Made().lights.push_back(FindLightKind("point_light")
-                                ->make(std::array<double, 9>{color.r, color.g, color.b, where.x, where.y, where.z, 1, 0, 0}));
+    Made().lights.push_back(
+        FindLightKind("point_light")
+            ->make(std::array<double, 9>{color.r, color.g, color.b, where.x, where.y, where.z, 1, 0, 0}));
   } else if (where == R3::Vector{}) {
     report_.Error(light->What(), "has no direction: it is 0 0 0");
   } else {
-    Made().lights.push_back(FindLightKind("dir_light")
-                                ->make(std::array{color.r, color.g, color.b, where.x, where.y, where.z}));
+    Made().lights.push_back(
+        FindLightKind("dir_light")->make(std::array{color.r, color.g, color.b, where.x, where.y, where.z}));
   }
 }
 

@@ -49,6 +49,11 @@ Extent DocumentBuilder::LastKey() const {
   return open.value.extent;
 }
 
+std::optional<Extent> DocumentBuilder::Innermost() const {
+  if (open_.empty()) return {};
+  return open_.back().value.extent;
+}
+
 const Value& DocumentBuilder::Place(Value value) {
   if (open_.empty()) return root_ = std::move(value);
   Open& open = open_.back();

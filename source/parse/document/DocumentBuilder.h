@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,8 @@ class DocumentBuilder {
   bool ExpectsKey() const { return !open_.empty() && open_.back().expects_key; }
   /// Where an absent value is said to be: at its key, or else at the beginning of the collection.
   Extent LastKey() const;
+  /// The beginning of the collection that is open, if any is.
+  std::optional<Extent> Innermost() const;
   /// To be called once every collection is closed.
   Value TakeRoot() { return std::move(root_); }
 

@@ -169,7 +169,8 @@ std::optional<Field> Mapping::Find(Names names) {
   for (const std::string_view name : names) {
     const Entry* entry = EntryOf(name);
     if (!entry || entry->value.kind == Value::Kind::null) continue;
-    if (found) report_->ErrorAtKey(*entry, "'" + entry->key + "' means the same as '" + found->key + "'", "give one of them");
+    if (found)
+      report_->ErrorAtKey(*entry, "'" + entry->key + "' means the same as '" + found->key + "'", "give one of them");
     if (!found) found = entry;
   }
   if (!found) return {};
@@ -235,7 +236,8 @@ void Mapping::NotSupported(Names names) {
   Know(names);
   for (const std::string_view name : names)
     if (const Entry* entry = EntryOf(name))
-      report_->WarnOnce(what_ + " " + entry->key, entry->key_extent, "'" + entry->key + "' is not supported and ignored");
+      report_->WarnOnce(what_ + " " + entry->key, entry->key_extent,
+                        "'" + entry->key + "' is not supported and ignored");
 }
 
 void Mapping::Finish() {

@@ -8,8 +8,8 @@
 
 namespace ray {
 
-/// Lines and columns of a text by offset. Some are noted ahead, so that asking costs a walk over a few thousand bytes at
-/// most, even in a file of a single line.
+/// Lines and columns of a text by offset. Some are noted ahead, so that asking costs a walk over a few thousand bytes
+/// at most, even in a file of a single line.
 class TextPlaces {
  public:
   /// `text` must outlive this and the tokens.

@@ -166,11 +166,17 @@ std::string Explained(const std::string& message) {
   return message;
 }
 
-SceneError ErrorOf(const YAML::Exception& error, std::size_t offset, const Text& text, const TextPlaces& places) {
-  const Token token = places.At({offset, 1});
-  if (HasTabInIndentation(text, offset)) return ErrorAt(text, token, "tab in the indentation", "YAML takes spaces only");
-  const bool is_colon = error.msg == YAML::ErrorMsg::MAP_VALUE;
-  return ErrorAt(text, token, Explained(error.msg), is_colon ? "is the indentation that of the line above?" : "");
+SceneError ErrorOf(const YAML::Exception& error, const Extent& extent, const std::optional<Extent>& innermost,
+                   const Text& text, const TextPlaces& places) {
+  const Token token = places.At(extent);
+  if (HasTabInIndentation(text, extent.offset))
+    return ErrorAt(text, token, "tab in the indentation", "YAML takes spaces only");
+  namespace Says = YAML::ErrorMsg;
+  std::string hint;
+  if (error.msg == Says::MAP_VALUE) hint = "is the indentation that of the line above?";
+  if (innermost && (error.msg == Says::END_OF_MAP_FLOW || error.msg == Says::END_OF_SEQ_FLOW))
+    hint = "opened in line " + std::to_string(places.At(*innermost).line);
+  return ErrorAt(text, token, Explained(error.msg), hint);
 }
 
 }  // namespace
@@ -185,7 +191,7 @@ Document ReadYaml(const Text& text, const TextPlaces& places, Report& report) {
     YAML::Parser parser(stream);
     while (parser.HandleNextDocument(events)) continue;
   } catch (const YAML::Exception& error) {
-    throw ErrorOf(error, events.OffsetOf(error.mark), text, places);
+    throw ErrorOf(error, {events.OffsetOf(error.mark), 1}, builder.Innermost(), text, places);
   } catch (const SecondDocument& second) {
     const Token token = places.At(second.extent);
     report.Warn(Place(text.name, token.line, token.column), "a second document is ignored");

@@ -31,9 +31,12 @@ void GroningenReader::ReadMode(Mapping& scene) {
     const char* option;
   };
   static constexpr std::array names{
-      Name{"phong", "0", Mode::phong, "whitted"},        Name{"zbuffer", "1", Mode::zbuffer, "zbuffer"},
-      Name{"normal", "2", Mode::normal, "normal_color"}, Name{"gooch", "3", Mode::gooch, "gooch"},
-      Name{"texcoord", "", Mode::uv, "uv"},              Name{"texturecoordinate", "", Mode::uv, "uv"},
+      Name{"phong", "0", Mode::phong, "whitted"},
+      Name{"zbuffer", "1", Mode::zbuffer, "zbuffer"},
+      Name{"normal", "2", Mode::normal, "normal_color"},
+      Name{"gooch", "3", Mode::gooch, "gooch"},
+      Name{"texcoord", "", Mode::uv, "uv"},
+      Name{"texturecoordinate", "", Mode::uv, "uv"},
       Name{"flat", "", Mode::flat, "flat"},
   };
   const auto field = scene.Find({"RenderMode", "renderMode", "rendermode"});
@@ -89,7 +92,8 @@ void GroningenReader::ReadGooch(Mapping& scene) {
     gooch->NotSupported({"outline"});
     gooch->Finish();
   }
-  Set("gooch", ToText(b) + " " + ToText(y) + " " + ToText(alpha) + " " + ToText(beta), field ? &field->What() : nullptr);
+  Set("gooch", ToText(b) + " " + ToText(y) + " " + ToText(alpha) + " " + ToText(beta),
+      field ? &field->What() : nullptr);
 }
 
 }  // namespace ray

@@ -94,7 +94,8 @@ void GroningenReader::ReadLens(Mapping& camera, double focus) {
 // Every camera ray has a place of its own on the pixel, on the lens and in time, so that their numbers multiply. The
 // grid wants a square; what is more than asked for does no harm.
 void GroningenReader::ReadSamples(Mapping& scene) {
-  static constexpr std::array<std::string_view, 6> patterns{"grid", "jitter", "random", "adaptive", "poisson", "rotated"};
+  static constexpr std::array<std::string_view, 6> patterns{"grid",     "jitter",  "random",
+                                                            "adaptive", "poisson", "rotated"};
   constexpr std::array samplers{"grid", "stratified", "random"};
   std::int64_t factor = 1;
   std::size_t pattern = 0;

@@ -33,9 +33,7 @@ R3::Matrix Frame(const R3::Point& origin, const R3::Vector& x, const R3::Vector&
   return {{{{x.x, y.x, z.x, origin.x}, {x.y, y.y, z.y, origin.y}, {x.z, y.z, z.z, origin.z}}}};
 }
 
-R3::Matrix Translation(const R3::Vector& way) {
-  return {{{{1, 0, 0, way.x}, {0, 1, 0, way.y}, {0, 0, 1, way.z}}}};
-}
+R3::Matrix Translation(const R3::Vector& way) { return {{{{1, 0, 0, way.x}, {0, 1, 0, way.y}, {0, 0, 1, way.z}}}}; }
 
 R3::Matrix Scaling(const R3::Vector& factors) {
   return {{{{factors.x, 0, 0, 0}, {0, factors.y, 0, 0}, {0, 0, factors.z, 0}}}};
@@ -56,8 +54,9 @@ R3::Matrix operator*(const R3::Matrix& a, const R3::Matrix& b) {
   return Frame(a * R3::Point{b.m[0][3], b.m[1][3], b.m[2][3]}, column(0), column(1), column(2));
 }
 
-// With v = from x to and c = from . to it is I + [v] + [v]^2 / (1 + c): Moller, Hughes, Efficiently building a matrix to
-// rotate one vector to another (1999), eq. 3. Beyond a right angle it is made of two halves, so that 1 + c never is small.
+// With v = from x to and c = from . to it is I + [v] + [v]^2 / (1 + c): Moller, Hughes, Efficiently building a matrix
+// to rotate one vector to another (1999), eq. 3. Beyond a right angle it is made of two halves, so that 1 + c never is
+// small.
 R3::Matrix SmallestRotation(const R3::Vector& from, const R3::Vector& to) {
   const double c = Dot(from, to);
   if (c < 0) {

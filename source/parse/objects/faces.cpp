@@ -30,8 +30,8 @@ std::optional<Corners> ReadCorners(Mapping& object, const Spellings& spellings) 
 std::optional<PlacedShape> MeshOf(Mapping& object, const Corners& corners, std::vector<R2::Point> uvs) {
   const auto cuts = Triangulate(corners);
   if (!cuts) {
-    object.Reporter().Error(object.What(), "has more than " + std::to_string(max_concave_corners) +
-                                               " corners and is not convex");
+    object.Reporter().Error(object.What(),
+                            "has more than " + std::to_string(max_concave_corners) + " corners and is not convex");
     return {};
   }
   R3::MeshData data;
@@ -82,14 +82,14 @@ std::optional<PlacedShape> ParallelogramOf(Mapping& object) {
 
 std::optional<PlacedShape> ReadTriangle(ObjectReader&, Mapping& object, const ObjectReader::Options&) {
   static const Spellings spellings{{"v0", "v1", "v2"},
-                                     {"v1", "v2", "v3"},
-                                     {"a", "b", "c"},
-                                     {"p0", "p1", "p2"},
-                                     {"p1", "p2", "p3"},
-                                     {"position1", "position2", "position3"},
-                                     {"point1", "point2", "point3"},
-                                     {"point_1", "point_2", "point_3"},
-                                     {"corner1", "corner2", "corner3"}};
+                                   {"v1", "v2", "v3"},
+                                   {"a", "b", "c"},
+                                   {"p0", "p1", "p2"},
+                                   {"p1", "p2", "p3"},
+                                   {"position1", "position2", "position3"},
+                                   {"point1", "point2", "point3"},
+                                   {"point_1", "point_2", "point_3"},
+                                   {"corner1", "corner2", "corner3"}};
   const auto uvs = ReadUvs(object);
   const auto corners = ReadCorners(object, spellings);
   if (!corners || !object.IsGood()) return {};
@@ -98,10 +98,10 @@ std::optional<PlacedShape> ReadTriangle(ObjectReader&, Mapping& object, const Ob
 
 std::optional<PlacedShape> ReadQuad(ObjectReader&, Mapping& object, const ObjectReader::Options&) {
   static const Spellings spellings{{"v0", "v1", "v2", "v3"},
-                                     {"a", "b", "c", "d"},
-                                     {"p0", "p1", "p2", "p3"},
-                                     {"p1", "p2", "p3", "p4"},
-                                     {"point1", "point2", "point3", "point4"}};
+                                   {"a", "b", "c", "d"},
+                                   {"p0", "p1", "p2", "p3"},
+                                   {"p1", "p2", "p3", "p4"},
+                                   {"point1", "point2", "point3", "point4"}};
   if (object.Has({"side"})) return ParallelogramOf(object);
   auto corners = ReadCorners(object, spellings);
   if (!corners) return {};

@@ -96,8 +96,8 @@ Globe ReadGlobe(Mapping& object, const std::optional<R3::Vector>& axis_with_radi
 
 }  // namespace
 
-// Our own sphere has the poles of its texture on z as well, but its longitude grows clockwise from +y: a globe with x and
-// y swapped.
+// Our own sphere has the poles of its texture on z as well, but its longitude grows clockwise from +y: a globe with x
+// and y swapped.
 std::optional<PlacedShape> ReadSphere(ObjectReader&, Mapping& object, const ObjectReader::Options& options) {
   const R3::Point center = object.NeedPoint({"position", "center"});
   const RadiusAndAxis read = ReadRadius(object);
