@@ -4,7 +4,8 @@ namespace ray {
 
 void DocumentReport::Error(const Value& value, const std::string& what, const std::string& hint) {
   ++errors_;
-  report_.Error(ErrorAt(document_.Source(), At(value.extent), PathOf(value) + " " + what, hint));
+  const std::string message = PathOf(value) + (what.starts_with(':') ? "" : " ") + what;
+  report_.Error(ErrorAt(document_.Source(), At(value.extent), message, hint));
 }
 
 void DocumentReport::ErrorAtKey(const Entry& entry, const std::string& message, const std::string& hint) {

@@ -14,7 +14,8 @@ class DocumentReport {
  public:
   DocumentReport(const Document& document, Report& report) : document_(document), report_(report) {}
 
-  /// "Objects[2].radius must be a number": the path of the value, a blank and `what`.
+  /// "Objects[2].radius must be a number": the path of the value, then `what`, behind a blank or, where it begins with
+  /// one, a colon.
   void Error(const Value& value, const std::string& what, const std::string& hint = {});
   /// A mistake where the path says nothing, as at a key.
   void ErrorAtKey(const Entry& entry, const std::string& message, const std::string& hint = {});

@@ -1,0 +1,116 @@
+#include <gtest/gtest.h>
+
+#include <chrono>
+
+#include "tests/source/parse/document/Documents.h"
+
+namespace ray {
+namespace {
+
+TEST(JsonDocument, HoldsWhatTheTextSays) {
+  const Read read = Json(R"({"a": [1, -2.5e3, "x", true, null], "b": {"c": {}}, "": []})");
+  EXPECT_EQ(Written(read.Root()), "{a:[1 -2.5e3 'x' true -] b:{c:{}} :[]}");
+}
+
+TEST(JsonDocument, EscapesAreReadInKeysAndStrings) {
+  EXPECT_EQ(Written(Json(R"({"\u00e9\"": "\\\u0041\n"})").Root()), "{\xC3\xA9\":'\\A\n'}");
+}
+
+// The library tells no places; a caret under the wrong word would send its reader astray.
+TEST(JsonDocument, EveryValueAndKeyKnowsItsPlace) {
+  const Read read = Json("\xEF\xBB\xBF{\r\n\t\"a\" : [ 1,\"\\\"]\" , -2.5 ],\r\n  \"\xC3\xA9\\\"\":{\"b\":null}\r\n}");
+  const auto& root = read.Root().Entries();
+  const auto place = [&](const Extent& extent) {
+    const Token token = read.places->At(extent);
+    return std::to_string(token.line) + ":" + std::to_string(token.column) + " " + std::string(token.text);
+  };
+  EXPECT_EQ(place(root[0].key_extent), "2:2 \"a\"");
+  EXPECT_EQ(place(root[0].value.extent), "2:8 [");
+  EXPECT_EQ(place(root[0].value.Entries()[0].value.extent), "2:10 1");
+  EXPECT_EQ(place(root[0].value.Entries()[1].value.extent), "2:12 \"\\\"]\"");
+  EXPECT_EQ(place(root[0].value.Entries()[2].value.extent), "2:19 -2.5");
+  EXPECT_EQ(place(root[1].key_extent), "3:3 \"\xC3\xA9\\\"\"");
+  EXPECT_EQ(place(root[1].value.Entries()[0].key_extent), "3:10 \"b\"");
+  EXPECT_EQ(place(root[1].value.Entries()[0].value.extent), "3:14 null");
+}
+
+TEST(JsonDocument, APathLeadsToEveryValue) {
+  const Read read = Json(R"({"Objects": [{}, {"material": {"kd": [1, 2]}}]})");
+  const Value& objects = read.Root().Entries()[0].value;
+  const Value& kd = objects.Entries()[1].value.Entries()[0].value.Entries()[0].value;
+  EXPECT_EQ(read.document->PathOf(read.Root()), "");
+  EXPECT_EQ(read.document->PathOf(objects), "Objects");
+  EXPECT_EQ(read.document->PathOf(objects.Entries()[0].value), "Objects[0]");
+  EXPECT_EQ(read.document->PathOf(kd), "Objects[1].material.kd");
+  EXPECT_EQ(read.document->PathOf(kd.Entries()[1].value), "Objects[1].material.kd[1]");
+}
+
+TEST(JsonDocument, AsManyLevelsAsTheLimitAreRead) {
+  constexpr std::size_t deepest = Document::max_depth;
+  EXPECT_EQ(Json(Repeated("[", deepest) + Repeated("]", deepest)).message, "");
+  EXPECT_TRUE(Contains(Json(Repeated("[", deepest + 1) + Repeated("]", deepest + 1)).message,
+                       "a.json:1:101: error: nested deeper than 100 levels"));
+}
+
+// Whatever recursed over a million levels would overflow the stack.
+TEST(JsonDocument, AMillionLevelsAreRefusedAtOnce) {
+  for (const char* level : {"[", "{\"a\":"}) {
+    const auto start = std::chrono::steady_clock::now();
+    EXPECT_TRUE(Contains(Json(Repeated(level, 1'000'000)).message, "nested deeper than 100 levels")) << level;
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+    EXPECT_LT(seconds.count(), patience) << level;
+  }
+}
+
+TEST(JsonDocument, AMistakeIsShownWhereItStands) {
+  EXPECT_EQ(Json("[1,\n 2,,3]").message,
+            "a.json:2:4: error: unexpected ','; expected '[', '{', or a literal\n"
+            "    2 |  2,,3]\n"
+            "      |    ^");
+  EXPECT_TRUE(Contains(Json("{\"a\": 1,}").message, "a.json:1:9: error: unexpected '}'; expected string literal"));
+  EXPECT_TRUE(Contains(Json("{\"a\": 1,}").message, "a comma too many before it"));
+  EXPECT_TRUE(Contains(Json("{\"a\" 1}").message, "a.json:1:6: error: unexpected number literal; expected ':'"));
+  EXPECT_TRUE(Contains(Json("[1, # x\n]").message, "JSON has no comments"));
+  EXPECT_TRUE(Contains(Json("['a']").message, "JSON takes double quotes only"));
+  EXPECT_TRUE(Contains(Json("[1, 2\n\n").message, "a.json:1:6: error: the file ends too early"));
+  EXPECT_TRUE(Contains(Json("").message, "a.json:1:1: error: the file ends too early"));
+  EXPECT_TRUE(Contains(Json("{} {}").message, "a.json:1:4: error: unexpected '{'; expected end of input"));
+  EXPECT_TRUE(Contains(Json("[\"a\xFF\"]").message, "a.json:1:4: error: invalid string: ill-formed UTF-8 byte"));
+}
+
+TEST(JsonDocument, WhatNoTextHoldsIsRefused) {
+  EXPECT_TRUE(Contains(Json(std::string("[1,\0 2]", 7)).message, "a.json:1:4: error: control character \\x00"));
+  EXPECT_TRUE(Contains(Json("\xFF\xFE[").message, "a.json: error: the file is UTF-16; save it as UTF-8"));
+}
+
+TEST(JsonDocument, ANumberThatNoDoubleHoldsIsRefused) {
+  EXPECT_EQ(Json("{\"a\": [1, -1e999]}").message,
+            "a.json:1:11: error: a number must fit a double, whose largest is 1.8e308\n"
+            "    1 | {\"a\": [1, -1e999]}\n"
+            "      |           ^~~~~~");
+}
+
+TEST(JsonDocument, EveryKeyGivenTwiceIsTold) {
+  const std::string message = Json("{\"a\": 1,\n \"b\": {\"c\": 1, \"c\": 2},\n \"a\": 3}").message;
+  EXPECT_TRUE(Contains(message, "a.json:2:16: error: duplicate key 'c'"));
+  EXPECT_TRUE(Contains(message, "a.json:3:2: error: duplicate key 'a'"));
+  EXPECT_TRUE(Contains(message, "already given in line 1"));
+}
+
+// Asked for in the middle of a long line, as the one line of a file that a program wrote is.
+TEST(TextPlaces, CountsCharactersFromTheLinesBeginning) {
+  const Text text{"a", "\xEF\xBB\xBF" + Repeated("\xC3\xA9", 10'000) + "\r\n" + Repeated("x", 10'000) + "\ry"};
+  const TextPlaces places(text);
+  const auto at = [&](std::size_t offset) {
+    const Token token = places.At({offset, 1});
+    return std::pair{token.line, token.column};
+  };
+  EXPECT_EQ(at(3), std::pair(std::size_t{1}, std::size_t{1}));
+  EXPECT_EQ(at(3 + 2 * 7'000), std::pair(std::size_t{1}, std::size_t{7'001}));
+  EXPECT_EQ(at(3 + 20'000 + 2 + 9'000), std::pair(std::size_t{2}, std::size_t{9'001}));
+  EXPECT_EQ(at(3 + 20'000 + 2 + 10'001), std::pair(std::size_t{3}, std::size_t{1}));
+  EXPECT_EQ(at(1'000'000), std::pair(std::size_t{3}, std::size_t{2})) << "behind the end";
+}
+
+}  // namespace
+}  // namespace ray

@@ -1,0 +1,137 @@
+#include <gtest/gtest.h>
+
+#include <chrono>
+
+#include "tests/source/parse/document/Documents.h"
+
+namespace ray {
+namespace {
+
+#ifdef RAYPRO_YAML
+
+TEST(YamlDocument, HoldsWhatTheTextSays) {
+  EXPECT_EQ(
+      Written(
+          Yaml("# remark\n---\na: [1, -2.5, x y, true]\nb:\n- c: 1\n  d: {e: 'f', \"g\": ~}\n-\n  - 2\nh:\n").Root()),
+      "{a:[1 -2.5 x y true] b:[{c:1 d:{e:'f' g:-}} [2]] h:-}");
+}
+
+TEST(YamlDocument, EveryValueAndKeyKnowsItsPlace) {
+  const Read read =
+      Yaml("\xEF\xBB\xBF# \xC3\xA9\r\na: \xC3\xA9\xC3\xA9\r\nb: {\xC3\xA9: &x \"q\\\"r\", c: 'it''s'}\r\n- d\r\n");
+  EXPECT_TRUE(Contains(read.message, "a.yaml:4:1: error: this line does not fit the indentation"));
+  const Read good =
+      Yaml("\xEF\xBB\xBF# \xC3\xA9\r\na: \xC3\xA9\xC3\xA9\r\nb: {\xC3\xA9: &x \"q\\\"r\", c: 'it''s', d: *x}\r\n");
+  const auto place = [&](const Extent& extent) {
+    const Token token = good.places->At(extent);
+    return std::to_string(token.line) + ":" + std::to_string(token.column) + " " + std::string(token.text);
+  };
+  const auto& root = good.Root().Entries();
+  EXPECT_EQ(place(root[0].value.extent), "2:4 \xC3\xA9\xC3\xA9");
+  EXPECT_EQ(place(root[1].key_extent), "3:1 b");
+  EXPECT_EQ(place(root[1].value.Entries()[0].key_extent), "3:5 \xC3\xA9");
+  EXPECT_EQ(place(root[1].value.Entries()[0].value.extent), "3:11 \"q\\\"r\"");
+  EXPECT_EQ(place(root[1].value.Entries()[1].value.extent), "3:22 'it''s'");
+}
+
+TEST(YamlDocument, WhatIsAbsentIsSaidToBeAtItsKey) {
+  const Read read = Yaml("a: 1\nb:\nc: 2\n");
+  EXPECT_EQ(read.places->At(read.Root().Entries()[1].value.extent).line, 2u);
+}
+
+TEST(YamlDocument, AnAliasStandsForWhatItsAnchorNames) {
+  const Read read = Yaml("a: &x {k: [1, 2]}\nb: *x\nc: [&y z, *y]\n");
+  EXPECT_EQ(Written(read.Root()), "{a:{k:[1 2]} b:{k:[1 2]} c:[z z]}");
+  const Value& copy = read.Root().Entries()[1].value;
+  EXPECT_TRUE(copy.is_alias);
+  EXPECT_EQ(copy.collection, read.Root().Entries()[0].value.collection) << "shared, not copied";
+}
+
+// "Billion laughs": nine lines that stand for a billion words.
+TEST(YamlDocument, AliasesThatExplodeAreRefusedBeforeTheyTakeMemory) {
+  std::string bytes = "a0: &a0 [x, x, x, x, x, x, x, x, x, x]\n";
+  for (int i = 1; i < 10; ++i) {
+    const std::string before = "*a" + std::to_string(i - 1);
+    bytes += "a" + std::to_string(i) + ": &a" + std::to_string(i) + " [" + Repeated(before + ", ", 9) + before + "]\n";
+  }
+  const auto start = std::chrono::steady_clock::now();
+  const std::string message = Yaml(bytes).message;
+  EXPECT_TRUE(Contains(message, "error: more than 16777216 values")) << message;
+  EXPECT_LT(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(), 0.1 * patience);
+}
+
+TEST(YamlDocument, AliasesCannotNestDeeperThanText) {
+  std::string bytes = "a0: &a0 [x]\n";
+  for (int i = 1; i < 200; ++i)
+    bytes += "a" + std::to_string(i) + ": &a" + std::to_string(i) + " [*a" + std::to_string(i - 1) + "]\n";
+  EXPECT_TRUE(Contains(Yaml(bytes).message, "a.yaml:100:13: error: nested deeper than 100 levels"));
+}
+
+TEST(YamlDocument, AnAliasWithinItsOwnAnchorIsRefused) {
+  EXPECT_TRUE(Contains(Yaml("a: &x [1, *x]").message, "a.yaml:1:11: error: this alias is inside of what it repeats"));
+  EXPECT_TRUE(Contains(Yaml("a: *x").message, "a.yaml:1:4: error: no anchor of that name stands before this alias"));
+}
+
+TEST(YamlDocument, AMillionLevelsAreRefusedAtOnce) {
+  for (const char* level : {"[", "- ", "{a: ", "? ", "[{a: "}) {
+    const auto start = std::chrono::steady_clock::now();
+    EXPECT_NE(Yaml("- " + Repeated(level, 1'000'000)).message, "") << level;
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+    EXPECT_LT(seconds.count(), 3 * patience) << level;
+  }
+  constexpr std::size_t deepest = Document::max_depth;
+  EXPECT_EQ(Yaml(Repeated("[", deepest) + Repeated("]", deepest)).message, "");
+  EXPECT_TRUE(
+      Contains(Yaml(Repeated("[", deepest + 1) + Repeated("]", deepest + 1)).message, "nested deeper than 100"));
+}
+
+TEST(YamlDocument, AMistakeIsShownWhereItStands) {
+  EXPECT_EQ(Yaml("a:\n\tb: 1\n").message,
+            "a.yaml:2:3: error: tab in the indentation\n"
+            "    2 | \tb: 1\n"
+            "      | \t ^ YAML takes spaces only");
+  EXPECT_TRUE(Contains(Yaml("a: [1,\n 2\nb: 3\n").message, "a ']' is missing before this"));
+  EXPECT_TRUE(Contains(Yaml("a: [1,\n 2\nb: 3\n").message, "opened in line 1"));
+  EXPECT_TRUE(Contains(Yaml("a: b: c").message, "a.yaml:1:5: error: unexpected ':'"));
+  EXPECT_TRUE(Contains(Yaml("a: \"x\nb: 2\n").message, "a.yaml:1:4: error: this quotation never ends"));
+  EXPECT_TRUE(Contains(Yaml("a: 'it''s\nb: 2\n").message, "a.yaml:1:4: error: this quotation never ends"));
+}
+
+TEST(YamlDocument, WhatHasNoMeaningInScenesIsRefused) {
+  EXPECT_TRUE(Contains(Yaml("a: !mine 1").message, "a.yaml:1:4: error: tags have no meaning in scenes"));
+  EXPECT_TRUE(Contains(Yaml("a: !!python/object {}").message, "tags have no meaning in scenes"));
+  EXPECT_TRUE(Contains(Yaml("? [1]\n: 2\n").message, "a key must be a word, not a list"));
+  EXPECT_TRUE(Contains(Yaml("~: 2\n").message, "a key must be a word, not nothing"));
+  EXPECT_TRUE(Contains(Yaml(std::string("a: \0", 4)).message, "a.yaml:1:4: error: control character \\x00"));
+}
+
+// yaml-cpp takes this byte for the end of its stream.
+TEST(YamlDocument, NothingBehindAControlCharacterIsLost) {
+  EXPECT_TRUE(Contains(Yaml("a: 1\n\x04\nb: 2\n").message, "a.yaml:2:1: error: control character \\x04"));
+}
+
+TEST(YamlDocument, EveryKeyGivenTwiceIsTold) {
+  EXPECT_TRUE(Contains(Yaml("a: 1\nb: 2\na: 3\n").message, "a.yaml:3:1: error: duplicate key 'a'"));
+}
+
+TEST(YamlDocument, ASecondDocumentIsIgnoredWithAWarning) {
+  const Read read = Yaml("---\na: 1\n---\nb: 2\n");
+  EXPECT_EQ(Written(read.Root()), "{a:1}");
+  EXPECT_EQ(read.report.Warnings(), std::vector<std::string>{"a.yaml:3:1: warning: a second document is ignored"});
+}
+
+TEST(YamlDocument, AnEmptyFileHoldsNothing) {
+  for (const char* bytes : {"", "# remark\n", "---\n", "~"}) EXPECT_EQ(Written(Yaml(bytes).Root()), "-") << bytes;
+}
+
+#else
+
+TEST(YamlDocument, SaysWhatToInstallWhereItCannotBeRead) {
+  EXPECT_EQ(Yaml("a: 1").message,
+            "a.yaml: error: this program was built without YAML; install libyaml-cpp-dev and build it again");
+}
+
+#endif
+
+}  // namespace
+}  // namespace ray
