@@ -1,5 +1,6 @@
-// Every file of this folder holds one mistake. The comment at its top is the report that its author must see, word for
-// word; only lists of everything that exists are written <every ...>, so that a new shape needs no change here.
+// Every file of this folder and of yaml/ and json/ holds one mistake. The comment at its top is the report that its
+// author must see, word for word; JSON has no comments, so there it is a file .txt beside it. Only lists of everything
+// that exists are written <every ...>, so that a new shape needs no change here.
 
 #include <gtest/gtest.h>
 
@@ -31,21 +32,28 @@ std::string Replaced(std::string text, const std::string& what, const std::strin
   return text;
 }
 
-std::string Expected(const std::filesystem::path& file) {
+/// The lines of a file, or those behind "# " at its top.
+std::string LinesOf(const std::filesystem::path& file, bool of_comment) {
   std::ifstream lines(file);
-  std::string expected, line;
-  while (std::getline(lines, line) && line.starts_with("# "))
-    expected += (expected.empty() ? "" : "\n") + line.substr(2);
+  std::string all, line;
+  while (std::getline(lines, line) && (!of_comment || line.starts_with("# ")))
+    all += (all.empty() ? "" : "\n") + (of_comment ? line.substr(2) : line);
+  return all;
+}
+
+std::string Expected(const std::filesystem::path& file) {
+  const bool is_json = file.extension() == ".json";
+  std::string expected = LinesOf(is_json ? std::filesystem::path(file).replace_extension(".txt") : file, !is_json);
   expected = Replaced(expected, "<every command>", Joined(CommandNames()));
   expected = Replaced(expected, "<every image kind>", ImageKinds());
   return Replaced(expected, "<every mesh kind>", MeshExtensions());
 }
 
-TEST(BadScenes, EachIsReportedWordForWordAsItsFirstCommentSays) {
-  const std::filesystem::path folder = ProjectRoot() / "tests/bad_scenes";
+/// Compares each file of the folder with that extension; gives how many there were.
+std::size_t CheckReports(const std::filesystem::path& folder, const std::string& extension) {
   std::size_t count = 0;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    if (entry.path().extension() != ".scn") continue;
+    if (entry.path().extension() != extension) continue;
     ++count;
     std::string report = "(no error)";
     try {
@@ -56,7 +64,21 @@ TEST(BadScenes, EachIsReportedWordForWordAsItsFirstCommentSays) {
     }
     EXPECT_EQ(report, Expected(entry.path())) << entry.path();
   }
-  EXPECT_GE(count, 100u);
+  return count;
+}
+
+TEST(BadScenes, EachIsReportedWordForWordAsItsFirstCommentSays) {
+  EXPECT_GE(CheckReports(ProjectRoot() / "tests/bad_scenes", ".scn"), 100u);
+}
+
+#ifdef RAYPRO_YAML
+TEST(BadScenes, EachInYamlIsReportedWordForWord) {
+  EXPECT_GE(CheckReports(ProjectRoot() / "tests/bad_scenes/yaml", ".yaml"), 50u);
+}
+#endif
+
+TEST(BadScenes, EachInJsonIsReportedWordForWord) {
+  EXPECT_GE(CheckReports(ProjectRoot() / "tests/bad_scenes/json", ".json"), 40u);
 }
 
 TEST(BadScenes, EveryCommandIsTheSubjectOfOne) {

@@ -6,7 +6,11 @@
 namespace ray {
 
 void DocumentBuilder::Begin(Value::Kind kind, const Extent& extent) {
-  if (ExpectsKey()) Fail(extent, "a key must be a word, not " + std::string(NameOf(kind)));
+  if (ExpectsKey()) {
+    const char first = extent.offset < text_.bytes.size() ? text_.bytes[extent.offset] : '\0';
+    const bool is_bracket = first == '[' || first == '{';  // yaml-cpp takes for a key what is open at the end
+    Fail(extent, "a key must be a word, not " + std::string(NameOf(kind)), is_bracket ? "is this bracket closed?" : "");
+  }
   CheckDepth(open_.size() + 1, extent);
   Count(1, extent);
   Open& open = open_.emplace_back();

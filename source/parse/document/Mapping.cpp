@@ -141,7 +141,7 @@ std::optional<R2::Color> Field::Color() const {
 
 std::optional<Mapping> Field::AsMapping(const std::string& what) const {
   if (IsMapping()) return Mapping(*report_, *value_, what);
-  Error("must be a mapping that describes " + what + ", got " + Shown(*value_));
+  Error("must be a mapping, got " + Shown(*value_));
   return {};
 }
 

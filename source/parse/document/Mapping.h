@@ -43,7 +43,7 @@ class Field {
   std::optional<R2::Color> Color() const;
   std::optional<std::vector<Field>> List() const;
   std::optional<std::vector<Field>> ListOf(std::size_t count, const std::string& what) const;
-  /// `what` it describes, with its article: "a sphere".
+  /// `what` it describes, for messages, with its article: "a sphere".
   std::optional<Mapping> AsMapping(const std::string& what) const;
 
   bool IsList() const { return value_->kind == Value::Kind::sequence; }

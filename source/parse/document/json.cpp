@@ -116,16 +116,19 @@ bool JsonEvents::parse_error(std::size_t position, const std::string& last_token
   constexpr int out_of_range = 406;  // the library's number for a number that no double holds
   const std::string message = WithoutPlace(error.what());
   const std::size_t size = text_.bytes.size();
-  // An unexpected token is where it begins; of a malformed one, the byte that cannot be is the last one read.
-  const bool is_whole = message.starts_with("unexpected") || error.id == out_of_range;
-  const std::size_t back = is_whole ? last_token.size() : 1;
-  const std::size_t offset = std::min(position - std::min(position, back), size);
-  Extent extent{offset, is_whole ? std::max<std::size_t>(1, last_token.size()) : 1};
+  // An unexpected token is where it begins: a mark is one byte (the library's last token still holds what was before
+  // it), a word as long as the last token. In a malformed one, the byte that cannot be is the last one read.
+  const bool is_word =
+      error.id == out_of_range || (message.starts_with("unexpected") && !message.starts_with("unexpected '"));
+  const std::size_t length = is_word ? std::max<std::size_t>(1, last_token.size()) : 1;
+  const bool is_end = message.starts_with("unexpected end of input");
+  const std::size_t offset = is_end ? size : std::min(position - std::min(position, length), size);
+  Extent extent{offset, length};
   if (error.id == out_of_range) builder_.Fail(extent, "a number must fit a double, whose largest is 1.8e308");
   if (offset == size) {  // shown where the text ends, not in the empty line behind it
     const std::size_t last = text_.bytes.find_last_not_of(" \t\r\n");
-    extent.offset = last == std::string::npos ? 0 : last + 1;
-    builder_.Fail(extent, "the file ends too early: " + message);
+    extent = {last == std::string::npos ? 0 : last + 1, 1};
+    builder_.Fail(extent, "the file ends too early" + message.substr(std::min(message.find(';'), message.size())));
   }
   builder_.Fail(extent, message, HintAt(text_.bytes, offset));
 }

@@ -32,6 +32,7 @@ class GroningenReader {
   void ReadPicture(Mapping& scene);
   void ReadMode(Mapping& scene);
   void ReadZBuffer(Mapping& scene);
+  void FindRange(Mapping& mapping);
   void ReadGooch(Mapping& scene);
 
   // objects.cpp
@@ -51,7 +52,7 @@ class GroningenReader {
   Mode mode_ = Mode::phong;
   double exposure_time_ = 0;
   std::int64_t lens_samples_ = 1, time_samples_ = 1;
-  std::optional<double> near_, far_;  // of the z-buffer, where the camera says them
+  std::optional<Field> near_, far_;  // of the z-buffer, wherever they are said
 };
 
 }  // namespace ray

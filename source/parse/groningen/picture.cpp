@@ -54,27 +54,28 @@ void GroningenReader::ReadMode(Mapping& scene) {
                "unknown RenderMode " + Quoted(*word) + "; phong is used" + DidYouMean(*word, known));
 }
 
-// Without the two distances those of the picture itself are taken.
+// The course asks for the two distances without saying where.
+void GroningenReader::FindRange(Mapping& mapping) {
+  if (auto found = mapping.Find({"near", "Near", "DistMin"})) near_ = found;
+  if (auto found = mapping.Find({"far", "Far", "DistMax"})) far_ = found;
+}
+
+// Without them those of the picture itself are taken.
 void GroningenReader::ReadZBuffer(Mapping& scene) {
-  const auto read = [&](Mapping& from) {
-    if (from.Has({"near", "Near", "DistMin"})) near_ = from.NeedNumber({"near", "Near", "DistMin"}, any_number);
-    if (from.Has({"far", "Far", "DistMax"})) far_ = from.NeedNumber({"far", "Far", "DistMax"}, any_number);
-    from.Ignore({"near", "far"});
-  };
-  const auto field = scene.Find({"ZBuffer", "zbuffer"});
-  read(scene);
-  const Value* said = field ? &field->What() : &scene.What();
-  if (field) {
+  FindRange(scene);
+  if (const auto field = scene.Find({"ZBuffer", "zbuffer"})) {
     if (auto zbuffer = field->AsMapping("a z-buffer")) {
-      read(*zbuffer);
+      FindRange(*zbuffer);
       zbuffer->Finish();
     }
   }
   if (!near_ && !far_) return;
-  if (!near_ || !far_)
-    return report_.Error(*said, std::string("lacks ") + (near_ ? "far" : "near"), "near and far go together");
-  if (*near_ == *far_) return report_.Error(*said, "has near and far at the same distance");
-  Set("zbuffer_range", ToText(*near_) + " " + ToText(*far_), said);
+  if (!far_) return near_->Error("goes with far, which is missing");
+  if (!near_) return far_->Error("goes with near, which is missing");
+  const auto near = near_->Number(), far = far_->Number();
+  if (!near || !far) return;
+  if (*near == *far) return far_->Error("must not be the same as near");
+  Set("zbuffer_range", ToText(*near) + " " + ToText(*far), &near_->What());
 }
 
 void GroningenReader::ReadGooch(Mapping& scene) {

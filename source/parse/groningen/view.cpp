@@ -52,8 +52,7 @@ void GroningenReader::ReadCamera(const Field& field) {
   double width = usual_side;
   if (const auto size = camera->Find({"viewSize", "ViewSize", "size"})) width = ReadSize(*size).value_or(width);
   ReadLens(*camera, Length(towards));
-  if (camera->Has({"near", "Near", "DistMin"})) near_ = camera->NeedNumber({"near", "Near", "DistMin"}, any_number);
-  if (camera->Has({"far", "Far", "DistMax"})) far_ = camera->NeedNumber({"far", "Far", "DistMax"}, any_number);
+  FindRange(*camera);
   camera->NotSupported({"velocity", "projection"});
   camera->Ignore({"comment", "name"});
   if (!camera->FinishedWell()) return;

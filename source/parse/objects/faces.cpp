@@ -12,14 +12,13 @@ namespace {
 using Corners = std::vector<R3::Point>;
 using Spellings = std::vector<std::vector<std::string_view>>;  // each with a key for every corner
 
-/// By the first spelling whose keys are all there, or else the usual one, which then says what it lacks.
+/// By the spelling of which most keys are there, the first of equals: it says what it lacks.
 std::optional<Corners> ReadCorners(Mapping& object, const Spellings& spellings) {
-  const auto* used = &spellings.front();
-  for (const auto& spelling : spellings)
-    if (std::all_of(spelling.begin(), spelling.end(), [&](std::string_view key) { return object.Has({key}); })) {
-      used = &spelling;
-      break;
-    }
+  const auto present = [&](const std::vector<std::string_view>& spelling) {
+    return std::count_if(spelling.begin(), spelling.end(), [&](std::string_view key) { return object.Has({key}); });
+  };
+  const auto used = std::max_element(spellings.begin(), spellings.end(),
+                                     [&](const auto& a, const auto& b) { return present(a) < present(b); });
   Corners corners;
   for (const std::string_view key : *used) corners.push_back(object.NeedPoint({key}));
   if (!object.IsGood()) return {};
@@ -136,9 +135,10 @@ std::optional<PlacedShape> ReadMeshFile(ObjectReader& reader, Mapping& object, c
     else if (const auto all = field->Number(positive))
       scale = {*all, *all, *all};
   }
-  if (!file || !object.IsGood()) return {};
-  const Assets::BoxedMesh boxed = reader.MeshNamed(*file, smooth);
-  if (!boxed.mesh) return {};
+  if (!file) return {};
+  const Assets::BoxedMesh boxed =
+      reader.MeshNamed(*file, smooth);  // whatever else is wrong: all files missing are told
+  if (!boxed.mesh || !object.IsGood()) return {};
   return PlacedShape{boxed.mesh, Translation(position) * TurnOf(turn) * Scaling(scale), boxed.bounds};
 }
 

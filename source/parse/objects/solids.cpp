@@ -130,7 +130,9 @@ std::optional<PlacedShape> ReadTorus(ObjectReader&, Mapping& object, const Objec
   const R3::Point center = object.NeedPoint({"position", "center"});
   const R3::Vector direction = Direction(object, {"direction", "axis"}, R3::Vector{0, 0, 1});
   const double radius = object.NeedNumber({"radius"}, positive);
-  const double tube = object.NeedNumber({"tube", "alpha"}, positive);
+  const auto field = object.Need({"tube", "alpha"});
+  const double tube = field ? field->Number(positive).value_or(0) : 0;
+  if (object.IsGood() && !(tube < radius)) field->Error("must be smaller than the radius of the ring");
   if (!object.IsGood()) return {};
   return PlacedShape{ShapeOf("torus", std::array{0.0, 0.0, 0.0, radius, tube}), Along(Unit(direction), center)};
 }

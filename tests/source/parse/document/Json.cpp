@@ -28,7 +28,7 @@ TEST(JsonDocument, EveryValueAndKeyKnowsItsPlace) {
   EXPECT_EQ(place(root[0].value.extent), "2:8 [");
   EXPECT_EQ(place(root[0].value.Entries()[0].value.extent), "2:10 1");
   EXPECT_EQ(place(root[0].value.Entries()[1].value.extent), "2:12 \"\\\"]\"");
-  EXPECT_EQ(place(root[0].value.Entries()[2].value.extent), "2:19 -2.5");
+  EXPECT_EQ(place(root[0].value.Entries()[2].value.extent), "2:20 -2.5");
   EXPECT_EQ(place(root[1].key_extent), "3:3 \"\xC3\xA9\\\"\"");
   EXPECT_EQ(place(root[1].value.Entries()[0].key_extent), "3:10 \"b\"");
   EXPECT_EQ(place(root[1].value.Entries()[0].value.extent), "3:14 null");

@@ -101,7 +101,7 @@ TEST(Mapping, WarnsOnceOfEachUnknownKey) {
   EXPECT_EQ(report.Warnings(),
             (std::vector<std::string>{
                 "a.json:1:11: warning: unknown key 'colour' in a ball is ignored; did you mean 'color'?",
-                "a.json:1:46: warning: unknown key 'z' in a ball is ignored"}));
+                "a.json:1:47: warning: unknown key 'z' in a ball is ignored"}));
 }
 
 TEST(Mapping, TwoNamesOfOneThingAreAMistake) {
