@@ -72,9 +72,9 @@ void GroningenReader::ReadZBuffer(Mapping& scene) {
   if (!near_ && !far_) return;
   if (!far_) return near_->Error("goes with far, which is missing");
   if (!near_) return far_->Error("goes with near, which is missing");
-  const auto near = near_->Number(), far = far_->Number();
+  const auto near = near_->Number(not_negative), far = far_->Number(not_negative);
   if (!near || !far) return;
-  if (*near == *far) return far_->Error("must not be the same as near");
+  if (!(*near < *far)) return far_->Error("must be greater than near, which is " + ToText(*near));
   Set("zbuffer_range", ToText(*near) + " " + ToText(*far), &near_->What());
 }
 

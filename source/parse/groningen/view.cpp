@@ -11,8 +11,7 @@ namespace {
 
 constexpr int usual_side = 400;  // pixels of a picture whose file names no size
 
-// As many as there may be of pixels on a side, and of samples of each kind: their product stays a whole number.
-constexpr std::int64_t most = 16384;
+constexpr std::int64_t most = std::numeric_limits<int>::max();
 
 }  // namespace
 
@@ -78,20 +77,21 @@ void GroningenReader::ReadLens(Mapping& camera, double focus) {
   const auto radius = camera.Find({"apertureRadius"});
   const double aperture = radius ? radius->Number(not_negative).value_or(0) : 0;
   const std::int64_t lens_samples = camera.Whole({"apertureSamples"}, 1, 1);
-  const bool is_spiral = camera.Bool({"apertureJitter"}, true);
+  const bool is_turned = camera.Bool({"apertureJitter"}, true);
   if (aperture > 0) {
     lens_samples_ = lens_samples;
     Set("aperture", ToText(aperture), &radius->What());
     Set("focus", ToText(focus), &radius->What());  // the plane through the center
-    Set("lens", is_spiral ? "spiral" : "disk");
+    Set("lens", is_turned ? "spiral" : "fixed_spiral");
+    Set("lens_samples", ToText(lens_samples), &radius->What());
   }
   exposure_time_ = camera.Number({"exposureTime"}, not_negative, 0);
   const std::int64_t time_samples = camera.Whole({"exposureSamples"}, 1, 1);
   if (exposure_time_ > 0) time_samples_ = time_samples;
 }
 
-// Every camera ray has a place of its own on the pixel, on the lens and in time, so that their numbers multiply. The
-// grid wants a square; what is more than asked for does no harm.
+// Through each place of a pixel go as many rays as the lens has places. Moments get places of their own, since shapes
+// are seen at random moments: as many as make the grid a square again.
 void GroningenReader::ReadSamples(Mapping& scene) {
   static constexpr std::array<std::string_view, 6> patterns{"grid",     "jitter",  "random",
                                                             "adaptive", "poisson", "rotated"};
@@ -115,10 +115,11 @@ void GroningenReader::ReadSamples(Mapping& scene) {
     report_.Warn(said->extent, "the pattern '" + std::string(patterns[pattern]) + "' is not supported; grid is used");
     pattern = 0;
   }
-  const auto asked = static_cast<double>(std::min(factor, most)) * static_cast<double>(factor) *
-                     static_cast<double>(lens_samples_) * static_cast<double>(time_samples_);
-  const double side = std::ceil(std::sqrt(std::min(asked, static_cast<double>(most * most))));
-  Set("samples", ToText(static_cast<std::int64_t>(side * side)), said);
+  const double side = std::ceil(static_cast<double>(factor) * std::sqrt(static_cast<double>(time_samples_)));
+  const double samples = side * side * static_cast<double>(lens_samples_);
+  if (samples > std::numeric_limits<int>::max())
+    return report_.Error(said ? *said : scene.What(), "asks for more than 2147483647 samples of a pixel");
+  Set("samples", ToText(static_cast<std::int64_t>(samples)), said);
   Set("sampler", samplers[pattern], said);
 }
 

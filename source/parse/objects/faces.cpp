@@ -83,8 +83,8 @@ std::optional<PlacedShape> ReadTriangle(ObjectReader&, Mapping& object, const Ob
   static const Spellings spellings{{"v0", "v1", "v2"},
                                    {"v1", "v2", "v3"},
                                    {"a", "b", "c"},
-                                   {"p0", "p1", "p2"},
                                    {"p1", "p2", "p3"},
+                                   {"p0", "p1", "p2"},
                                    {"position1", "position2", "position3"},
                                    {"point1", "point2", "point3"},
                                    {"point_1", "point_2", "point_3"},
@@ -98,8 +98,8 @@ std::optional<PlacedShape> ReadTriangle(ObjectReader&, Mapping& object, const Ob
 std::optional<PlacedShape> ReadQuad(ObjectReader&, Mapping& object, const ObjectReader::Options&) {
   static const Spellings spellings{{"v0", "v1", "v2", "v3"},
                                    {"a", "b", "c", "d"},
-                                   {"p0", "p1", "p2", "p3"},
                                    {"p1", "p2", "p3", "p4"},
+                                   {"p0", "p1", "p2", "p3"},
                                    {"point1", "point2", "point3", "point4"}};
   if (object.Has({"side"})) return ParallelogramOf(object);
   auto corners = ReadCorners(object, spellings);
