@@ -41,9 +41,7 @@ Scene Cs315Reader::Read() {
   const auto bounces = depth ? depth->Whole(0, std::numeric_limits<int>::max()) : std::nullopt;
   Set("max_depth", ToText(bounces.value_or(0)), depth ? &depth->What() : nullptr);
   constexpr double usual_bias = 0.0001;
-  const auto bias = scene->Find({"shadow_bias"});
-  const auto distance = bias ? bias->Number(not_negative) : std::nullopt;
-  Set("shadow_bias", ToText(distance.value_or(usual_bias)), bias ? &bias->What() : nullptr);
+  Made().shadow_bias = scene->Number({"shadow_bias"}, not_negative, usual_bias);
   ReadCamera(*scene);
   const auto each = [&](const char* key, void (Cs315Reader::*read)(const Field&)) {
     const auto field = scene->Find({key});

@@ -143,6 +143,10 @@ class YamlEvents : public YAML::EventHandler {
   int documents_ = 0;
 };
 
+// A bracket may turn out to begin a key. Until it closes yaml-cpp keeps its tokens, about 90 bytes for each one of
+// text: 3 GB at most.
+constexpr std::size_t max_bytes = std::size_t{1} << 25;
+
 bool HasTabInIndentation(const Text& text, std::size_t offset) {
   std::size_t begin = std::min(offset, text.bytes.size());
   while (begin > 0 && !EndsLine(text.bytes[begin - 1])) --begin;
@@ -182,6 +186,7 @@ SceneError ErrorOf(const YAML::Exception& error, const Extent& extent, const std
 }  // namespace
 
 Document ReadYaml(const Text& text, const TextPlaces& places, Report& report) {
+  if (text.bytes.size() > max_bytes) throw ErrorIn(text.name, "the file exceeds the limit of 32 MiB for YAML");
   CheckCharacters(text, places);
   BytesBuffer buffer(std::string_view(text.bytes).substr(ByteOrderMark(text)));
   std::istream stream(&buffer);

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include <chrono>
+#include <ctime>
 
 #include "tests/source/parse/document/Documents.h"
 
@@ -55,10 +55,9 @@ TEST(JsonDocument, AsManyLevelsAsTheLimitAreRead) {
 // Whatever recursed over a million levels would overflow the stack.
 TEST(JsonDocument, AMillionLevelsAreRefusedAtOnce) {
   for (const char* level : {"[", "{\"a\":"}) {
-    const auto start = std::chrono::steady_clock::now();
+    const std::clock_t start = std::clock();
     EXPECT_TRUE(Contains(Json(Repeated(level, 1'000'000)).message, "nested deeper than 100 levels")) << level;
-    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-    EXPECT_LT(seconds.count(), patience) << level;
+    EXPECT_LT(static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC, patience) << level;
   }
 }
 

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include <chrono>
+#include <ctime>
 
 #include "tests/source/parse/document/Documents.h"
 
@@ -54,10 +54,10 @@ TEST(YamlDocument, AliasesThatExplodeAreRefusedBeforeTheyTakeMemory) {
     const std::string before = "*a" + std::to_string(i - 1);
     bytes += "a" + std::to_string(i) + ": &a" + std::to_string(i) + " [" + Repeated(before + ", ", 9) + before + "]\n";
   }
-  const auto start = std::chrono::steady_clock::now();
+  const std::clock_t start = std::clock();
   const std::string message = Yaml(bytes).message;
   EXPECT_TRUE(Contains(message, "error: more than 16777216 values")) << message;
-  EXPECT_LT(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(), 0.1 * patience);
+  EXPECT_LT(static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC, 0.1 * patience);
 }
 
 TEST(YamlDocument, AliasesCannotNestDeeperThanText) {
@@ -72,17 +72,21 @@ TEST(YamlDocument, AnAliasWithinItsOwnAnchorIsRefused) {
   EXPECT_TRUE(Contains(Yaml("a: *x").message, "a.yaml:1:4: error: no anchor of that name stands before this alias"));
 }
 
-TEST(YamlDocument, AMillionLevelsAreRefusedAtOnce) {
-  for (const char* level : {"[", "- ", "{a: ", "? ", "[{a: "}) {
-    const auto start = std::chrono::steady_clock::now();
+TEST(YamlDocument, AMillionLevelsAreRefused) {
+  for (const char* level : {"[", "- ", "{a: ", "{a: \n", "[\n", "? ", "[{a: "}) {
+    const std::clock_t start = std::clock();  // of the processor: the machine may have other work
     EXPECT_NE(Yaml("- " + Repeated(level, 1'000'000)).message, "") << level;
-    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-    EXPECT_LT(seconds.count(), 3 * patience) << level;
+    EXPECT_LT(static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC, 4 * patience) << level;
   }
   constexpr std::size_t deepest = Document::max_depth;
   EXPECT_EQ(Yaml(Repeated("[", deepest) + Repeated("]", deepest)).message, "");
   EXPECT_TRUE(
       Contains(Yaml(Repeated("[", deepest + 1) + Repeated("]", deepest + 1)).message, "nested deeper than 100"));
+}
+
+TEST(YamlDocument, AFileThatWouldTakeAllMemoryIsRefused) {
+  EXPECT_EQ(Yaml(Repeated("[", (std::size_t{1} << 25) + 1)).message,
+            "a.yaml: error: the file exceeds the limit of 32 MiB for YAML");
 }
 
 TEST(YamlDocument, AMistakeIsShownWhereItStands) {
