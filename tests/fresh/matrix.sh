@@ -18,7 +18,7 @@ failures=0
 has_picture() { [ -s "$1" ]; }
 fails() { if "$@"; then return 1; fi; }  # "! command" would not end a cell
 
-only_what_is_needed=(HAS_EXR=no CONTEXTS= OPTIMIZE=-O0 CXXFLAGS=-Werror)
+only_what_is_needed=(HAS_EXR=no HAS_YAML=no CONTEXTS= OPTIMIZE=-O0 CXXFLAGS=-Werror)
 
 # A cell is a function; it fails by its status, and says "not possible: why" when this machine cannot try it.
 cell() {  # name, function
@@ -207,9 +207,9 @@ core_from_read_only_source() {
   [ "$before" = "$(find . | LC_ALL=C sort | cksum)" ]
   # Nothing of the viewer's was read, and nothing of it is linked.
   find "$elsewhere/obj" -name '*.d' -exec cat {} + > "$folder/read"
-  fails grep -E '/(GL|EGL|KHR|epoxy|GLFW|OpenEXR|Imath)/' "$folder/read"
+  fails grep -E '/(GL|EGL|KHR|epoxy|GLFW|OpenEXR|Imath|yaml-cpp)/' "$folder/read"
   ldd "$elsewhere/raypro" "$elsewhere/rayimg" "$elsewhere/raytests" > "$folder/linked"
-  fails grep -E 'libGL|libEGL|libepoxy|OSMesa|glfw|OpenEXR' "$folder/linked"
+  fails grep -E 'libGL|libEGL|libepoxy|OSMesa|glfw|OpenEXR|yaml-cpp' "$folder/linked"
   "$elsewhere/raypro" -version
   local status=0
   "$elsewhere/raypro" scenes/hello.scn "$folder/no.exr" || status=$?
