@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "source/parse/Format.h"
+#include "source/parse/objects/Lights.h"
 #include "source/parse/objects/Placement.h"
 #include "source/text/NumberText.h"
 #include "source/text/Suggestion.h"
@@ -89,36 +90,25 @@ void Cs315Reader::ReadCamera(Mapping& scene) {
   Made().camera.xfov = std::atan(aspect * std::tan(degrees / 2 * std::numbers::pi / 180));
 }
 
+// Ambient, Point and Directional are the course's; all but Ambient and Environment are kinds of ours as well.
 void Cs315Reader::ReadLight(const Field& field) {
-  static constexpr std::array<std::string_view, 4> sources{"Ambient", "Point", "Directional", "Environment"};
+  static const std::vector<std::string_view> sources{"Point",  "Directional", "Spot",       "Area",
+                                                     "Sphere", "Ambient",     "Environment"};
+  constexpr std::size_t ambient = 5, environment = 6;
   auto light = field.AsMapping("a light");
   if (!light) return;
-  const auto source = light->Need({"source"});
   light->Ignore({"name", "comment"});
+  const auto source = light->Need({"source"});
   if (!source) return light->Finish();
-  enum : std::size_t { ambient, point, directional, environment, unknown };
-  const std::size_t which = source->Choice(sources, "sources").value_or(unknown);
-  if (which == unknown) return;
-  if (which == environment) {
+  const std::size_t which = source->Choice(sources, "sources").value_or(sources.size());
+  if (which < ambient) {
+    if (auto read = ray::ReadLight(which, *light)) Made().lights.push_back(std::move(read));
+  } else if (which == ambient) {
+    Made().ambient += light->NeedColor({"color"});
+    light->Finish();
+  } else if (which == environment) {
     if (const auto file = light->Need({"file"})) Made().environment = objects_.EnvironmentNamed(*file);
-    return light->Finish();
-  }
-  const R2::Color color = light->NeedColor({"color"});
-  R3::Vector where;
-  if (which == point) where = light->NeedVector({"position"});
-  if (which == directional) where = light->NeedVector({"direction"});
-  if (!light->FinishedWell()) return;
-  if (which == ambient) {
-    Made().ambient += color;
-  } else if (which == point) {
-    Made().lights.push_back(
-        FindLightKind("point_light")
-            ->make(std::array<double, 9>{color.r, color.g, color.b, where.x, where.y, where.z, 1, 0, 0}));
-  } else if (where == R3::Vector{}) {
-    report_.Error(light->What(), "has no direction: it is 0 0 0");
-  } else {
-    Made().lights.push_back(
-        FindLightKind("dir_light")->make(std::array{color.r, color.g, color.b, where.x, where.y, where.z}));
+    light->Finish();
   }
 }
 

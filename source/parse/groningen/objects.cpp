@@ -1,6 +1,5 @@
-#include <array>
-
 #include "source/parse/groningen/GroningenReader.h"
+#include "source/parse/objects/Lights.h"
 #include "source/text/LowerCase.h"
 #include "source/text/Words.h"
 
@@ -13,19 +12,18 @@ void GroningenReader::ReadLights(Mapping& scene) {
   for (const Field& light : *lights) ReadLight(light);
 }
 
-// Each light adds its color to what ka multiplies, in shadow or not; nothing gets weaker with distance.
+// Each light adds its color to what ka multiplies, in shadow or not. The course knows lights at points only.
 void GroningenReader::ReadLight(const Field& field) {
   auto light = field.AsMapping("a light");
   if (!light) return;
-  const R3::Point position = light->NeedPoint({"position"});
-  const R2::Color color = light->NeedColor({"color", "colour"});
-  light->Ignore({"comment", "name", "type"});
-  if (!light->FinishedWell()) return;
-  Made().ambient += color;
-  constexpr double constant = 1, linear = 0, quadratic = 0;
-  Made().lights.push_back(FindLightKind("point_light")
-                              ->make(std::array{color.r, color.g, color.b, position.x, position.y, position.z, constant,
-                                                linear, quadratic}));
+  light->Ignore({"comment", "name"});
+  const auto type = light->Find({"type"});
+  const auto which = type ? type->Choice(LightNames(), "lights") : std::optional<std::size_t>(0);
+  if (!which) return;
+  auto read = ray::ReadLight(*which, *light);
+  if (!read) return;
+  Made().ambient += light->Color({"color", "colour"}, {});
+  Made().lights.push_back(std::move(read));
 }
 
 void GroningenReader::ReadObjects(Mapping& scene) {

@@ -215,6 +215,20 @@ TEST(Groningen, AmbientLightIsTheSumOfTheLights) {
   EXPECT_TRUE(WithKeys("").scene.lights.empty()) << "no default lights";
 }
 
+// An extension: the course has lights at points only.
+TEST(Groningen, ALightMayBeOfAnyKind) {
+  const Scene scene =
+      WithKeys(
+          "'Lights': [{'type': 'directional', 'direction': [0, -1, 0], 'color': [1, 0, 0]}, "
+          "{'type': 'spot', 'position': [0, 9, 0], 'direction': [0, -1, 0], 'sc': 0.5, 'sd': 2, 'color': [1, 1, 0]}, "
+          "{'type': 'area', 'position': [0, 9, 0], 'direction': [0, -1, 0], 'radius': 1, 'color': [1, 1, 1]}, "
+          "{'type': 'sphere', 'position': [0, 9, 0], 'radius': 1, 'qa': 0.5, 'color': [0, 0, 1]}]")
+          .scene;
+  ASSERT_EQ(scene.lights.size(), 4u);
+  for (const auto& light : scene.lights) EXPECT_TRUE(light->Illuminate({0, 0, 0}, {0.5, 0.5})) << light->Describe();
+  EXPECT_EQ(scene.ambient, (R2::Color{3, 2, 2}));
+}
+
 TEST(Groningen, WhatIsUnknownIsToldOnceAndTheRestIsRead) {
   const ParsedScene parsed = WithKeys("'Sahdows': true", "{'type': 'blob', 'what': 1}, {'type': 'spher'}, " + red_ball);
   EXPECT_EQ(parsed.scene.root.children.size(), 1u);
