@@ -28,9 +28,12 @@ std::string Assets::Read(const FoundFile& file) {
 }
 
 Assets::BoxedMesh Assets::Mesh(const std::string& name, const std::string& named_in, bool smooth) {
-  const FoundFile file = files_.Find(name, named_in);
-  const auto [place, is_new] = meshes_.try_emplace({file.canonical, smooth});
-  if (is_new) place->second = ReadMesh(file, smooth ? Normals::wanted : Normals::unused);
+  return MeshOf(files_.Find(name, named_in), smooth ? Normals::wanted : Normals::unused);
+}
+
+Assets::BoxedMesh Assets::MeshOf(const FoundFile& file, Normals use) {
+  const auto [place, is_new] = meshes_.try_emplace({file.canonical, use});
+  if (is_new) place->second = ReadMesh(file, use);
   return place->second;
 }
 

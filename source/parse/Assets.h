@@ -31,7 +31,7 @@ class Assets {
   /// before gives a null mesh: once reported is enough.
   BoxedMesh Mesh(const std::string& name, const std::string& named_in, bool smooth);
   /// The same of a file that is found already, smooth where it can be.
-  BoxedMesh MeshOf(const FoundFile& file) { return ReadMesh(file, Normals::if_any); }
+  BoxedMesh MeshOf(const FoundFile& file) { return MeshOf(file, Normals::if_any); }
   /// What a picture's values are: colors, which a linear workflow decodes from 8 bits, or numbers, which it does not.
   enum class Use { color, data };
   /// Throws FileError; null when the file failed before.
@@ -48,13 +48,14 @@ class Assets {
   std::string Read(const FoundFile& file);
   /// Whether the normals that a file brings are to be used, and their absence is worth a warning.
   enum class Normals { unused, if_any, wanted };
+  BoxedMesh MeshOf(const FoundFile& file, Normals use);
   BoxedMesh ReadMesh(const FoundFile& file, Normals use);
   R2::Image ReadImage(const FoundFile& file, Use use);
 
   const Files& files_;
   Report& report_;
   bool decode_srgb_;
-  std::map<std::pair<std::string, bool>, BoxedMesh> meshes_;
+  std::map<std::pair<std::string, Normals>, BoxedMesh> meshes_;
   std::map<std::pair<std::string, Use>, std::shared_ptr<const Texture>> images_;
   std::map<std::string, std::shared_ptr<const Environment>> environments_;
   std::int64_t texels_ = 0;

@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <filesystem>
 #include <optional>
@@ -118,18 +119,21 @@ FoundFile Files::Top() const {
 }
 
 FoundFile Files::Find(const std::string& name, const std::string& named_in) const {
-  const fs::path given(name);
-  std::vector<fs::path> candidates{given.is_absolute() ? given : fs::path(named_in).parent_path() / given};
-  if (given.is_relative()) candidates.push_back(given);
-  for (const fs::path& candidate : candidates) {
+  const std::array folders{fs::path(named_in).parent_path().string(), std::string()};
+  return FindIn(folders, name);
+}
+
+FoundFile Files::FindIn(std::span<const std::string> folders, const std::string& name) const {
+  for (const std::string& folder : folders) {
+    const fs::path candidate = fs::path(folder) / name;  // the name alone where that is absolute
     std::error_code error;
     const fs::path canonical = fs::canonical(candidate, error);
     if (error == std::errc::no_such_file_or_directory) continue;
     if (error) throw FileError{"cannot open " + Quoted(name) + ": " + error.message(), {}};
     if (!IsAllowed(canonical.string())) {
-      const std::string folder = Escaped(canonical.parent_path().string());
+      const std::string outside = Escaped(canonical.parent_path().string());
       throw FileError{Quoted(name) + " is outside the scene's folder and the current folder",
-                      "-allow_path " + folder + " allows it"};
+                      "-allow_path " + outside + " allows it"};
     }
     return {candidate.lexically_normal().string(), canonical.string()};
   }

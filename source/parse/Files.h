@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -31,6 +32,8 @@ class Files {
   FoundFile Top() const;
   /// Looks in the folder of the file that names it, then in the current folder. Throws FileError.
   FoundFile Find(const std::string& name, const std::string& named_in) const;
+  /// Looks in these folders, the first first; "" is the current one. Throws FileError.
+  FoundFile FindIn(std::span<const std::string> folders, const std::string& name) const;
   /// The whole file. Throws FileError, also when a link or another kind of file has taken its place since Find.
   std::string Read(const FoundFile& file) const;
 
