@@ -43,6 +43,11 @@ for program in "$@"; do
     rayview) put 644 share/applications/rayview.desktop "$datadir/applications/rayview.desktop" ;;
   esac
 done
+# By this name raypro understands the command line of that course. Nobody else's file of the name is replaced.
+if [ -L "$DESTDIR$bindir/comp30019" ] || [ ! -e "$DESTDIR$bindir/comp30019" ]; then
+  ln -sf raypro "$DESTDIR$bindir/comp30019"
+  echo "file $bindir/comp30019" >> "$list"
+fi
 put 644 share/mime/packages/raypro.xml "$datadir/mime/packages/raypro.xml"
 for file in README.md LICENSE CHANGELOG.md CITATION.cff art/hello.png; do  # the README shows that picture
   put 644 "$file" "$docdir/$file"

@@ -41,6 +41,7 @@ for program in $programs; do
   bash -n "$share/bash-completion/completions/$program" || fail "bash does not read the completions of $program"
   "$stage/opt/ray/bin/$program" -version >/dev/null || fail "$program does not run"
 done
+"$stage/opt/ray/bin/comp30019" --help | grep -q aperture-radius || fail "comp30019 does not run"
 for file in man/man5/scn.5 mime/packages/raypro.xml doc/raypro/README.md doc/raypro/LICENSE doc/raypro/CHANGELOG.md \
   raypro/scenes/hello.scn raypro/scenes/textures/checker.png raypro/installed.txt; do
   [ -s "$share/$file" ] || fail "share/$file is missing"

@@ -243,6 +243,7 @@ void CheckTogether(const Options& options) {
   CheckSize(options.render);
   CheckPixel(options);
   CheckView(options.view);
+  if (!options.course.empty()) throw UsageError("-as " + options.course + " must come before all else");
   if (options.quiet && options.verbose) throw UsageError("-quiet and -verbose contradict each other");
 }
 

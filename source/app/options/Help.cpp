@@ -2,6 +2,7 @@
 
 #include <sstream>
 
+#include "source/app/options/Comp30019.h"
 #include "source/app/options/OptionTable.h"
 #include "source/text/Words.h"
 
@@ -198,6 +199,7 @@ std::string Usage(Program program, const CommandKind* command) {
 std::string Help(Program program, const std::string& subject) {
   if (subject.empty()) return FullHelp(program);
   if (subject == "markdown") return MarkdownTable(program);
+  if (subject == "comp30019") return comp30019::Help();
   if (const CommandKind* command = FindCommand(program, subject)) return CommandHelp(program, *command);
   const std::string topic = TopicHelp(program, subject);
   return topic.empty() ? OptionHelp(*FindOption(program, WithoutDashes(subject)), Defaults(program)) : topic;

@@ -38,11 +38,15 @@ std::vector<std::string> ContextNames() { return {context_names.begin(), context
 
 std::vector<std::string> Shells() { return {"bash", "zsh", "fish"}; }
 
+std::vector<std::string> CommandLinesOfCourses() { return {"comp30019"}; }
+
 template <Program program>
 std::vector<std::string> HelpSubjects() {
   std::vector<std::string> subjects = CommandNamesOf(program);
   for (const std::string& topic : OptionTopics(program)) subjects.push_back(topic);
   subjects.emplace_back("markdown");
+  if (program == Program::raypro)
+    for (const std::string& course : CommandLinesOfCourses()) subjects.push_back(course);
   return subjects;
 }
 
@@ -244,6 +248,8 @@ std::vector<OptionKind> MakeTable() {
       {"help", all, {"h"}, {"topic"}, Request{Task::help, Request::perhaps, HelpSubjects<program>}, "", "about",
        "print this help, or that on one topic, command or option"},
       {"version", all, {}, {}, Request{Task::version}, "", "about", "print the version and what is built in"},
+      {"as", raypro, {}, {"course"}, OneOfNames(AT(course), CommandLinesOfCourses), "", "about",
+       "before all else: understand the command line of that course (raypro -help comp30019)"},
       {"list", both, {}, {"what"}, Request{Task::list, Request::perhaps, SubjectsOfList<program>}, "", "about",
        "list what this program knows"},
       {"info", raypro, {}, {"picture"}, Request{Task::info, Request::always}, "", "about",

@@ -63,6 +63,8 @@ struct Options {
   bool resume = false;
   std::string replay;  // file name of a report; empty for none
 
+  std::string course;  // whose command line was asked for in the wrong place; empty for none
+
   Task task = Task::render;
   std::string subject;         // of help, list, complete, info and manual
   std::optional<Pixel> pixel;  // of debug_pixel

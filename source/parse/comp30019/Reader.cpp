@@ -4,13 +4,13 @@
 #include <array>
 #include <filesystem>
 #include <limits>
-#include <numbers>
 #include <utility>
 
 #include "R3/ShapeKind.h"
 #include "source/parse/Coordinate.h"
 #include "source/parse/Format.h"
 #include "source/parse/Tokenizer.h"
+#include "source/parse/comp30019/View.h"
 #include "source/text/Suggestion.h"
 
 namespace ray {
@@ -23,7 +23,6 @@ constexpr std::array rules{
     std::pair{"samples", "1"},  std::pair{"max_depth", "10"},    std::pair{"min_luminance", "0"},
     std::pair{"fresnel", "on"}, std::pair{"bytes", "truncated"},
 };
-constexpr double half_field_of_view = 30 * std::numbers::pi / 180;  // of the width, whatever the size
 
 constexpr std::size_t most_suggested = 100;  // materials; a longer list helps nobody, and takes long to compare with
 
@@ -78,7 +77,7 @@ Reader::Reader(const Files& files, const ParseOptions& options, Report& report)
 
 Scene Reader::Read() {
   builder_.has_camera = builder_.has_light = true;  // the course fills nothing in
-  builder_.scene.camera.xfov = half_field_of_view;
+  builder_.scene.camera = ViewFrom({}, {}, 0);
   builder_.scene.settings = Rules();
   builder_.scene.files.push_back(files_.TopName());
   try {
