@@ -1,0 +1,128 @@
+// The program with COMP30019's command line, from outside: the calls of its graders on scenes of the same kinds, and
+// how it ends.
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include "R2/ImageFile.h"
+#include "tests/Project.h"
+#include "tests/source/app/Program.h"
+
+namespace ray::testing {
+namespace {
+
+using CourseCall = std::vector<std::string>;
+
+std::string CourseScene(const std::string& name) {
+  return (project::Root() / "scenes/comp30019" / (name + ".txt")).string();
+}
+
+Finished RunCourse(CourseCall words) {
+  words.insert(words.begin(), {"-as", "comp30019"});
+  return RunProgram(words);
+}
+
+R2::Image PictureIn(const std::string& file) {
+  const std::string bytes = ReadFile(file);
+  return R2::DecodeImage({reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()}).image;
+}
+
+TEST(Comp30019Program, TheGradersCallsMakeTheirPictures) {
+  NEEDS_THE_PROGRAM();
+  const CourseCall small{"-w", "48", "-h", "36"};
+  const struct {
+    const char* scene;
+    CourseCall words;
+  } calls[] = {
+      {"corners", {}},
+      {"room", {"-x", "4"}},
+      {"depth", {}},
+      {"two_lights", {}},
+      {"mirrors", {}},
+      {"glass", {}},
+      {"room", {"-x", "3"}},
+      {"lamps", {}},
+      {"lamps", {"-q", "1"}},
+      {"lamps", {"--quality", "2"}},
+      {"bleeding", {"-l"}},
+      {"model", {}},
+      {"glossy", {}},
+      {"room", {"--cam-pos", "0,2,-0.5", "--cam-axis", "1,0,0", "--cam-angle", "45"}},
+      {"room", {"--cam-pos", "0,0,-1", "--cam-axis", "0,0.707,0.707", "--cam-angle", "20"}},
+      {"room", {"--cam-axis", "1,0,0", "--cam-angle", "-45"}},
+      {"tinted_glass", {}},
+      {"tinted_pyramid", {}},
+      {"room", {"--aperture-radius", "0.06", "--focal-length", "1.5"}},
+  };
+  const TemporaryFolder folder;
+  for (const auto& [scene, words] : calls) {
+    CourseCall all{"-f", CourseScene(scene), "--output=" + (folder / "out.png")};
+    all.insert(all.end(), small.begin(), small.end());
+    all.insert(all.end(), words.begin(), words.end());
+    const Finished done = RunCourse(all);
+    EXPECT_EQ(done.status, 0) << scene << done.error;
+    EXPECT_EQ(done.error, "") << scene;
+    EXPECT_EQ(PictureIn(folder / "out.png").Height(), 36) << scene;
+    std::filesystem::remove(folder / "out.png");
+  }
+}
+
+TEST(Comp30019Program, TheSizeIs400x400UnlessItIsAskedFor) {
+  NEEDS_THE_PROGRAM();
+  const TemporaryFolder folder;
+  RunCourse({"-f", CourseScene("corners"), "-o", folder / "plain.png"});
+  RunCourse({"-f", CourseScene("corners"), "-o", folder / "low.png", "-w", "400", "-h", "300"});
+  EXPECT_EQ(PictureIn(folder / "plain.png").Width(), 400);
+  EXPECT_EQ(PictureIn(folder / "plain.png").Height(), 400);
+  EXPECT_EQ(PictureIn(folder / "low.png").Height(), 300);
+}
+
+TEST(Comp30019Program, ItEndsWith0OnSuccessAndElseWith1) {
+  NEEDS_THE_PROGRAM();
+  const TemporaryFolder folder;
+  const std::string out = folder / "out.png";
+  const std::string bad = WriteFile(folder / "bad.txt", "Material \"Red\" Diffuse (1, .5, .5) 1\n\nSpere\n");
+  const struct {
+    CourseCall words;
+    int status;
+    const char* message;
+  } cases[] = {
+      {{"--help"}, 0, ""},
+      {{}, 1, "missing: -f, --file and -o, --output"},
+      {{"-f", folder / "none.txt", "-o", out}, 1, "none.txt: error: no such file"},
+      {{"-f", bad, "-o", out}, 1, "bad.txt:3:1: error: unknown command 'Spere'"},
+      {{"-f", CourseScene("corners"), "-o", out, "-p", "0,1"}, 1, "got '0,1'"},
+      {{"-f", CourseScene("corners"), "-o", folder / "no/folder/out.png"}, 1, "out.png"},
+      {{"-f", CourseScene("corners"), "-o", folder / "out.webp"}, 1, "cannot write '.webp'"},
+  };
+  for (const auto& [words, status, message] : cases) {
+    const Finished done = RunCourse(words);
+    EXPECT_EQ(done.status, status) << message;
+    EXPECT_NE(done.error.find(message), std::string::npos) << done.error;
+    EXPECT_FALSE(std::filesystem::exists(out));
+  }
+}
+
+TEST(Comp30019Program, ALinkOfThatNameNeedsNoOtherWord) {
+  NEEDS_THE_PROGRAM();
+  const TemporaryFolder folder;
+  const std::string link = folder / "comp30019";
+  std::filesystem::create_symlink(std::filesystem::absolute(ProgramName()), link);
+  setenv("COMP30019_LINK", link.c_str(), 1);
+  const Finished done = RunProgram({"-f", CourseScene("corners"), "-o", folder / "out.png", "-w", "8", "-h", "6"},
+                                   {.program = "COMP30019_LINK"});
+  unsetenv("COMP30019_LINK");
+  EXPECT_EQ(done.status, 0) << done.error;
+  EXPECT_EQ(PictureIn(folder / "out.png").Height(), 6);
+  const Finished info = RunProgram({"-info", folder / "out.png"});
+  EXPECT_NE(info.output.find("command: raypro -as comp30019 -f "), std::string::npos) << info.output;
+}
+
+TEST(Comp30019Program, ElsewhereThanInFrontTheRequestIsAnError) {
+  NEEDS_THE_PROGRAM();
+  const Finished done = RunProgram({"in.txt", "out.png", "-as", "comp30019"});
+  EXPECT_EQ(done.status, 2);
+  EXPECT_EQ(done.error, "raypro: -as comp30019 must come before all else\n");
+}
+
+}  // namespace
+}  // namespace ray::testing

@@ -1,0 +1,176 @@
+// COMP30019's command line, as words: what they become in raypro's options.
+#include "source/app/options/Comp30019.h"
+
+#include <gtest/gtest.h>
+
+#include "source/app/Status.h"
+
+namespace ray {
+namespace {
+
+using CourseWords = std::vector<std::string>;
+
+/// With the two options that must be there.
+Options AskedOfCourse(CourseWords words) {
+  words.insert(words.end(), {"-f", "in.txt", "-o", "out.png"});
+  return comp30019::ReadCommandLine(words);
+}
+
+/// The message of the error, or "" when there is none.
+std::string CourseErrorOf(CourseWords words) {
+  try {
+    AskedOfCourse(std::move(words));
+  } catch (const UsageError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Comp30019CommandLine, EveryOptionHasItsDefault) {
+  const Options options = AskedOfCourse({});
+  EXPECT_EQ(options.scene, "in.txt");
+  EXPECT_EQ(options.picture, "out.png");
+  EXPECT_EQ(options.render.width, 400);
+  EXPECT_EQ(options.render.height, 400);
+  EXPECT_EQ(options.render.samples, 1);
+  EXPECT_EQ(options.render.mode, RenderMode::whitted);
+  EXPECT_FALSE(options.render.camera.HasLens());
+  EXPECT_FALSE(options.render.view);
+  EXPECT_EQ(options.task, Task::render);
+}
+
+TEST(Comp30019CommandLine, EveryOptionHasALongAndAShortName) {
+  const CourseWords long_words{"--width",           "300",   "--height=200",   "--aa-mult", "3",           "--ambient",
+                               "--cam-pos",         "1,2,3", "--cam-axis",     "0,1,0",     "--cam-angle", "30",
+                               "--aperture-radius", "0.06",  "--focal-length", "1.5",       "--quality",   "1"};
+  const CourseWords short_words{"-w",    "300", "-h", "200", "-x",   "3",  "-l",  "-p", "1,2,3", "-a",
+                                "0,1,0", "-n",  "30", "-r",  "0.06", "-t", "1.5", "-q", "1"};
+  for (const CourseWords& words : {long_words, short_words}) {
+    const Options options = AskedOfCourse(words);
+    EXPECT_EQ(options.render.width, 300);
+    EXPECT_EQ(options.render.height, 200);
+    EXPECT_EQ(options.render.samples, 24 * 24);
+    EXPECT_EQ(options.render.mode, RenderMode::path);
+    EXPECT_EQ(options.render.camera.aperture, 0.06);
+    EXPECT_EQ(options.render.camera.focus, 1.5);
+    ASSERT_TRUE(options.render.view);
+    EXPECT_EQ(options.render.view->eye, (R3::Point{1, 2, -3}));
+  }
+}
+
+TEST(Comp30019CommandLine, HIsTheHeightAndNotHelp) { EXPECT_EQ(AskedOfCourse({"-h", "300"}).render.height, 300); }
+
+TEST(Comp30019CommandLine, HelpIsAnsweredWhateverElseIsThere) {
+  for (const CourseWords& words : {CourseWords{"--help"}, CourseWords{"-x", "nonsense", "--help"}}) {
+    const Options options = comp30019::ReadCommandLine(words);
+    EXPECT_EQ(options.task, Task::help);
+    EXPECT_EQ(options.subject, "comp30019");
+  }
+  const std::string help = comp30019::Help();
+  for (const char* name :
+       {"-f, --file", "-o, --output", "-w, --width", "-h, --height", "-x, --aa-mult", "-l, --ambient", "-p, --cam-pos",
+        "-a, --cam-axis", "-n, --cam-angle", "-r, --aperture-radius", "-t, --focal-length", "-q, --quality", "--help"})
+    EXPECT_NE(help.find(name), std::string::npos) << name;
+}
+
+TEST(Comp30019CommandLine, ValuesMayBeNegative) {
+  for (const CourseWords& words :
+       {CourseWords{"-p", "-1,2,-.5"}, CourseWords{"--cam-pos", "-1,2,-0.5"}, CourseWords{"--cam-pos=-1,2,-.5"}}) {
+    const Options options = AskedOfCourse(words);
+    ASSERT_TRUE(options.render.view);
+    EXPECT_EQ(options.render.view->eye, (R3::Point{-1, 2, 0.5}));
+  }
+  EXPECT_TRUE(AskedOfCourse({"--cam-angle", "-45"}).render.view);
+}
+
+TEST(Comp30019CommandLine, AboutXTheCameraTurnsDown) {
+  const auto view = AskedOfCourse({"-p", "0,2,-0.5", "-a", "2,0,0", "-n", "90"}).render.view;
+  ASSERT_TRUE(view);
+  EXPECT_NEAR(Length(view->towards - R3::Vector{0, -1, 0}), 0, 1e-15);
+  EXPECT_NEAR(Length(view->up - R3::Vector{0, 0, -1}), 0, 1e-15);  // the course's +z
+  EXPECT_NEAR(Length(view->right - R3::Vector{1, 0, 0}), 0, 1e-15);
+}
+
+TEST(Comp30019CommandLine, AnAxisOfAnyLengthTurnsRigidly) {
+  for (const char* axis : {"0,0.707,0.707", "1,2,3", "-1e-3,0,0", "0,0,1e5"}) {
+    const auto view = AskedOfCourse({"--cam-axis", axis, "-n", "33"}).render.view;
+    ASSERT_TRUE(view);
+    EXPECT_NEAR(Dot(view->towards, view->up), 0, 1e-15) << axis;
+    EXPECT_NEAR(Length(Cross(view->towards, view->up) - view->right), 0, 4e-15) << axis;
+  }
+}
+
+TEST(Comp30019CommandLine, ATurnByNothingLeavesTheCameraToTheBit) {
+  const auto view = AskedOfCourse({"-p", "0,0,1", "-a", "0,0,0", "-n", "0"}).render.view;
+  ASSERT_TRUE(view);
+  EXPECT_EQ(view->towards, (R3::Vector{0, 0, -1}));
+  EXPECT_EQ(view->eye, (R3::Point{0, 0, -1}));
+}
+
+TEST(Comp30019CommandLine, EachLevelOfQualityHalvesTheNoise) {
+  EXPECT_EQ(AskedOfCourse({"-q", "0"}).render.trace.shadow_samples, 16);
+  EXPECT_EQ(AskedOfCourse({"-q", "3"}).render.trace.shadow_samples, 16 * 64);
+  EXPECT_EQ(AskedOfCourse({"-q", "3"}).render.samples, 1);
+  EXPECT_EQ(AskedOfCourse({"-l", "-q", "2"}).render.samples, 16 * 16);
+  EXPECT_EQ(AskedOfCourse({"-r", ".1", "-x", "2", "-q", "1"}).render.samples, 16 * 16);
+}
+
+TEST(Comp30019CommandLine, MistakesNameTheOptionTheRuleAndTheValue) {
+  const std::pair<CourseWords, const char*> cases[] = {
+      {{"-p", "1,2"},
+       "-p, --cam-pos must be three numbers with commas and no spaces between them, such as 0,2,-0.5, got '1,2'"},
+      {{"--cam-pos=1,2,3,4"},
+       "-p, --cam-pos must be three numbers with commas and no spaces between them, such as 0,2,-0.5, got '1,2,3,4'"},
+      {{"--cam-axis", "a,b,c"},
+       "-a, --cam-axis must be three numbers with commas and no spaces between them, such as 0,2,-0.5, got 'a,b,c'"},
+      {{"--cam-axis", ""},
+       "-a, --cam-axis must be three numbers with commas and no spaces between them, such as 0,2,-0.5, got ''"},
+      {{"-w", "0"}, "-w, --width must be a whole number, 1 to 1073741824, got '0'"},
+      {{"-h", "tall"}, "-h, --height must be a whole number, 1 to 1073741824, got 'tall'"},
+      {{"-x", "1.5"}, "-x, --aa-mult must be a whole number, 1 to 4096, got '1.5'"},
+      {{"-q", "-1"}, "-q, --quality must be a whole number, 0 to 10, got '-1'"},
+      {{"-n", "right"}, "-n, --cam-angle must be a number, got 'right'"},
+      {{"-r", "-1"}, "-r, --aperture-radius must be a number, at least 0, got '-1'"},
+      {{"-a", "0,0,0", "-n", "45"}, "-a, --cam-axis must not be 0,0,0 where --cam-angle is not 0"},
+      {{"-r", "1", "-t", "0"}, "-t, --focal-length must be above 0 with --aperture-radius"},
+      {{"-l=yes"}, "-l, --ambient takes no value"},
+      {{"-p", "-l"}, "-p, --cam-pos needs a value: x,y,z"},
+      {{"-w", "10", "--width", "20"}, "-w, --width is given twice"},
+      {{"--witdh", "10"}, "unknown option '--witdh'; did you mean '--width'? (--help lists them all)"},
+      {{"-width", "10"}, "unknown option '-width'; did you mean '--width'? (--help lists them all)"},
+      {{"--w", "10"}, "unknown option '--w' (--help lists them all)"},
+      {{"scene.txt"}, "unexpected extra argument 'scene.txt'; the scene is named by --file"},
+  };
+  for (const auto& [words, message] : cases) EXPECT_EQ(CourseErrorOf(words), message);
+}
+
+TEST(Comp30019CommandLine, BothFilesMustBeNamed) {
+  const auto error = [](const CourseWords& words) -> std::string {
+    try {
+      comp30019::ReadCommandLine(words);
+    } catch (const UsageError& e) {
+      return e.what();
+    }
+    return "";
+  };
+  EXPECT_EQ(error({}), "missing: -f, --file and -o, --output (--help lists all options)");
+  EXPECT_EQ(error({"--file=in.txt"}), "missing: -o, --output (--help lists all options)");
+}
+
+TEST(Comp30019CommandLine, ItIsAskedForByNameOrInFrontOfAllElse) {
+  const auto is_asked_for = [](std::vector<const char*> words) {
+    return comp30019::IsAskedFor(static_cast<int>(words.size()), words.data());
+  };
+  EXPECT_TRUE(is_asked_for({"comp30019"}));
+  EXPECT_TRUE(is_asked_for({"/usr/local/bin/comp30019", "-x", "3"}));
+  EXPECT_TRUE(is_asked_for({"raypro", "-as", "comp30019"}));
+  EXPECT_TRUE(is_asked_for({"raypro", "--as=comp30019"}));
+  EXPECT_FALSE(is_asked_for({"raypro"}));
+  EXPECT_FALSE(is_asked_for({"raypro", "-quiet", "-as", "comp30019"}));
+  EXPECT_FALSE(is_asked_for({"raypro", "-as", "cos426"}));
+  EXPECT_FALSE(is_asked_for({"raypro", "comp30019"}));
+  EXPECT_FALSE(is_asked_for({}));
+}
+
+}  // namespace
+}  // namespace ray
