@@ -45,6 +45,10 @@ double FresnelReflectance(double cosine, double eta) {
 
 SpecularWeights SpecularWeightsOf(const ShadingPoint& p, bool fresnel) {
   const Material& m = *p.material;
+  if (m.coat > 0) [[unlikely]] {
+    const double mirrored = Coat(m.coat).Reflectance(std::clamp(Dot(p.N, p.wo), 0.0, 1.0));
+    return {m.kr + mirrored * R2::Color{1, 1, 1}, m.kt};
+  }
   if (!fresnel || IsBlack(m.kt) || m.ir == 1) return {m.kr, m.kt};
   const double share = FresnelReflectance(std::clamp(Dot(p.N, p.wo), 0.0, 1.0), RelativeIndex(p));
   return {m.kr + share * m.kt, (1 - share) * m.kt};
@@ -79,7 +83,7 @@ Bsdf::Bsdf(const ShadingPoint& p, const TraceSettings& settings)
 R2::Color Bsdf::Eval(const R3::Vector& wi) const {
   const double cosine = Dot(p_.N, wi);
   if (!(cosine > 0)) return {};
-  R2::Color sum = R3::CosinePdf(cosine) * p_.kd;
+  R2::Color sum = R3::CosinePdf(cosine) * DiffuseReflectance(p_, cosine);
   if (is_glossy_) sum += R3::PowerPdf(Dot(wi, mirrored_), p_.material->n) * specular_.reflected;
   return sum;
 }

@@ -7,6 +7,7 @@
 #include "R2/Color.h"
 #include "R2/Point.h"
 #include "R3/Vector.h"
+#include "source/integrate/Coat.h"
 #include "source/integrate/ShadingPoint.h"
 #include "source/integrate/TraceSettings.h"
 
@@ -19,11 +20,19 @@ namespace ray {
 ///   source    Fresnel (1823), in the form of Born and Wolf, Principles of optics (1959), section 1.5.2
 double FresnelReflectance(double cosine, double eta);
 
+/// kd, or what a clear coat leaves of it for light at an angle of this cosine to N, in (0, 1].
+inline R2::Color DiffuseReflectance(const ShadingPoint& p, double cosine) {
+  if (p.material->coat == 0) [[likely]]
+    return p.kd;
+  return Coat(p.material->coat).DiffuseShare(std::min(1.0, cosine), std::clamp(Dot(p.N, p.wo), 0.0, 1.0)) * p.kd;
+}
+
 /// The diffuse lobe in the units of the scene language: kd (N.L), nothing from below. Times 1 / pi it is the BRDF of
 /// Lambert, Photometria (1760), with its cosine.
 ///   L   unit, towards the light
 inline R2::Color DiffuseReflection(const ShadingPoint& p, const R3::Vector& L) {
-  return std::max(0.0, Dot(p.N, L)) * p.kd;
+  const double cosine = std::max(0.0, Dot(p.N, L));
+  return cosine * DiffuseReflectance(p, cosine);
 }
 
 /// Phong's highlight of a light towards L: ks (V.R)^n, nothing when V.R <= 0.
@@ -43,7 +52,7 @@ inline R2::Color PhongReflection(const ShadingPoint& p, const R3::Vector& L, con
 }
 
 /// What a surface reflects and what goes through it, as shares of the radiance: ks and kt, or with Fresnel's equations
-/// a part of kt moved from the one to the other, all of it on total internal reflection.
+/// a part of kt moved from the one to the other, all of it on total internal reflection. A coat adds what it mirrors.
 struct SpecularWeights {
   R2::Color reflected, transmitted;
 };

@@ -44,7 +44,7 @@ SceneFeatures FeaturesOf(const World& world, const RenderSettings& settings) {
       (instance.mesh ? features.emissive_triangles : features.emissive_shapes) = true;
       lights += static_cast<std::size_t>(instance.shape->Elements());
     }
-    features.mirrors |= !IsBlack(m.kr) && settings.trace.max_depth > 0;
+    features.mirrors |= (!IsBlack(m.kr) || m.coat > 0) && settings.trace.max_depth > 0;
     features.clear |= !IsBlack(m.kt) && settings.trace.max_depth > 0;
     features.bending |= !IsBlack(m.kt) && m.ir != 1 && settings.trace.max_depth > 0;
     features.absorbing |= !IsBlack(m.absorb);

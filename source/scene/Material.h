@@ -23,6 +23,7 @@ struct Material {
   R2::Color absorb{0, 0, 0};  // what the inside takes from light, per unit of length; by the extension of that name
   std::shared_ptr<const Texture> bump;  // its luminance times bump_height is how far the surface seems to rise
   double bump_height = 0;
+  double coat = 0;  // index of refraction, > 0, of a clear coat over what is diffuse; 0: none
   std::optional<R2::Color> color;  // what mode flat shows, where that is not kd + kr + kt
 };
 

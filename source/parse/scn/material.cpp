@@ -66,6 +66,18 @@ void ReadAbsorb(ScnReader& reader, Statement& statement) {
   if (material && statement.IsGood()) material->absorb = {a[0], a[1], a[2]};
 }
 
+const std::array<R3::Argument, 1> coat_index{{{"ir"}}};
+
+/// An extension: a clear coat over what is diffuse.
+void ReadCoat(ScnReader& reader, Statement& statement) {
+  Material* material = reader.ReadOwnMaterial(statement);
+  const Arguments index = statement.Numbers(coat_index);
+  if (!material || !statement.IsGood()) return;
+  if (!(index.values[0] > 0))
+    return statement.Error(index.words[0], "ir must be positive, got " + Escaped(index.words[0].text));
+  material->coat = index.values[0];
+}
+
 const std::array<R3::Argument, 1> height{{{"height"}}};
 
 /// An extension: the luminance of a picture, times a height, is how far the surface seems to rise.
@@ -90,6 +102,9 @@ extern const Command mirror_command{"mirror", "mirror mat_id r g b", "weight of 
 extern const Command absorb_command{
     "absorb", "absorb mat_id r g b",
     "absorption in clear solids: light is scaled by exp(-r d), exp(-g d), exp(-b d) over a distance d", ReadAbsorb};
+extern const Command coat_command{
+    "coat", "coat mat_id ir",
+    "a clear coat of that index of refraction over what is diffuse: it mirrors more towards grazing angles", ReadCoat};
 extern const Command material_command{
     "material", "material" + ArgumentNames(material_arguments) + " texture",
     "ambient, diffuse, specular, transmission, emission, Phong exponent, index of refraction, image file or 0; ids "

@@ -1,0 +1,134 @@
+// COMP30019's own pictures, where the checkout has them beside it: bytes of the PNGs, pixels that differ at all. Pixels
+// on edges are told apart by the last digits of a number, and the course's program has fewer of them.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+
+#include "R2/ImageFile.h"
+#include "tests/Project.h"
+#include "tests/source/app/Program.h"
+
+namespace ray::testing {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path CourseFolder() { return project::Shared() / "scenes-comp30019"; }
+
+#define NEEDS_THE_COURSE() \
+  NEEDS_THE_PROGRAM();     \
+  if (!fs::exists(CourseFolder())) GTEST_SKIP() << "the course's scenes are not beside this checkout"
+
+struct BytePicture {
+  int width = 0, height = 0;
+  std::vector<std::array<int, 3>> pixels;
+};
+
+BytePicture BytesIn(const std::string& file) {
+  const std::string bytes = ReadFile(file);
+  const R2::Image image = R2::DecodeImage({reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()}).image;
+  BytePicture picture{image.Width(), image.Height(), {}};
+  for (int y = 0; y < image.Height(); ++y)
+    for (int x = 0; x < image.Width(); ++x) {
+      const R2::Color c = 255 * image.At(x, y);
+      picture.pixels.push_back(
+          {static_cast<int>(std::lround(c.r)), static_cast<int>(std::lround(c.g)), static_cast<int>(std::lround(c.b))});
+    }
+  return picture;
+}
+
+BytePicture Reference(const std::string& name) { return BytesIn((CourseFolder() / "reference" / name).string()); }
+
+/// What the program makes of a scene of the course; `words` follow the names.
+BytePicture Rendered(const std::string& scene, std::vector<std::string> words) {
+  const TemporaryFolder folder;
+  const std::string in = (CourseFolder() / "tests" / scene).string(), out = folder / "out.png";
+  if (!words.empty() && words[0] == "raypro")
+    words.erase(words.begin()), words.insert(words.begin(), {in, out});
+  else
+    words.insert(words.begin(), {"-as", "comp30019", "-f", in, "-o", out});
+  const Finished done = RunProgram(words);
+  EXPECT_EQ(done.status, 0) << done.error;
+  return done.status == 0 ? BytesIn(out) : BytePicture();
+}
+
+int Largest(const std::array<int, 3>& a, const std::array<int, 3>& b) {
+  return std::max({std::abs(a[0] - b[0]), std::abs(a[1] - b[1]), std::abs(a[2] - b[2])});
+}
+
+int DifferentPixels(const BytePicture& a, const BytePicture& b) {
+  EXPECT_EQ(a.pixels.size(), b.pixels.size());
+  if (a.pixels.size() != b.pixels.size()) return -1;
+  int count = 0;
+  for (std::size_t i = 0; i < a.pixels.size(); ++i) count += a.pixels[i] != b.pixels[i];
+  return count;
+}
+
+double MeanDifference(const BytePicture& a, const BytePicture& b) {
+  EXPECT_EQ(a.pixels.size(), b.pixels.size());
+  if (a.pixels.size() != b.pixels.size()) return 255;
+  double sum = 0;
+  for (std::size_t i = 0; i < a.pixels.size(); ++i)
+    for (std::size_t k = 0; k < 3; ++k) sum += std::abs(a.pixels[i][k] - b.pixels[i][k]);
+  return sum / (3 * static_cast<double>(a.pixels.size()));
+}
+
+TEST(Comp30019Pictures, Stage1IsTheCoursesToTheByte) {
+  NEEDS_THE_COURSE();
+  EXPECT_EQ(
+      DifferentPixels(Rendered("sample_scene_1.txt", {"raypro", "-mode", "flat"}), Reference("sample_scene_1_s1.png")),
+      0);
+  EXPECT_EQ(
+      DifferentPixels(Rendered("sample_scene_2.txt", {"raypro", "-mode", "flat"}), Reference("sample_scene_2_s1.png")),
+      0);
+}
+
+TEST(Comp30019Pictures, DiffuseSurfacesAndShadowsAreTheCoursesToTheByte) {
+  NEEDS_THE_COURSE();
+  EXPECT_EQ(DifferentPixels(Rendered("sample_scene_1.txt", {}), Reference("sample_scene_1_x1.png")), 0);
+}
+
+TEST(Comp30019Pictures, With16SamplesPerPixelAtMost18PixelsDiffer) {
+  NEEDS_THE_COURSE();
+  EXPECT_LE(DifferentPixels(Rendered("sample_scene_1.txt", {"-x", "4"}), Reference("sample_scene_1_s2.png")), 18);
+}
+
+TEST(Comp30019Pictures, TheCameraTurnsAsTheCoursesDoes) {
+  NEEDS_THE_COURSE();
+  const BytePicture down =
+      Rendered("sample_scene_1.txt", {"--cam-pos", "0,2,-0.5", "--cam-axis", "1,0,0", "--cam-angle", "45"});
+  EXPECT_LE(DifferentPixels(down, Reference("sample_scene_1_cam_pitch45.png")), 4);
+  const BytePicture oblique =
+      Rendered("sample_scene_1.txt", {"--cam-pos", "0,0,-1", "--cam-axis", "0,0.707,0.707", "--cam-angle", "20"});
+  EXPECT_LE(DifferentPixels(oblique, Reference("sample_scene_1_cam_oblique20.png")), 4);
+  const BytePicture up = Rendered("sample_scene_1.txt", {"--cam-axis", "1,0,0", "--cam-angle", "-45"});
+  for (const auto& pixel : up.pixels) ASSERT_EQ(pixel, (std::array{0, 0, 0}));  // past everything
+}
+
+TEST(Comp30019Pictures, MirrorsAndGlassAreTheCoursesWithinATwentiethOfALevelInTheMean) {
+  NEEDS_THE_COURSE();
+  EXPECT_LE(MeanDifference(Rendered("sample_scene_2.txt", {"-x", "3"}), Reference("sample_scene_2_x3.png")), 0.05);
+  EXPECT_LE(MeanDifference(Rendered("sample_scene_2.txt", {"-x", "4"}), Reference("sample_scene_2_s2.png")), 0.05);
+}
+
+/// Whether a pixel shows the bunny, the only thing whose red and blue are alike and more than its green.
+bool IsBunny(const std::array<int, 3>& pixel) { return std::abs(pixel[0] - pixel[2]) <= 1 && pixel[0] > pixel[1] + 1; }
+
+TEST(Comp30019Pictures, TheBunnyFacesAsItDoesInTheCourse) {
+  NEEDS_THE_COURSE();
+  const BytePicture ours = Rendered("sample_scene_obj.txt", {}), theirs = Reference("sample_scene_obj_x1.png");
+  ASSERT_EQ(ours.pixels.size(), theirs.pixels.size());
+  int in_one = 0, in_both = 0, alike = 0;
+  for (std::size_t i = 0; i < ours.pixels.size(); ++i) {
+    const bool a = IsBunny(ours.pixels[i]), b = IsBunny(theirs.pixels[i]);
+    in_one += a || b;
+    in_both += a && b;
+    alike += b && Largest(ours.pixels[i], theirs.pixels[i]) <= 2;
+  }
+  EXPECT_GE(in_both, 0.98 * in_one);
+  EXPECT_GE(alike, 0.86 * in_one);
+}
+
+}  // namespace
+}  // namespace ray::testing
