@@ -178,8 +178,8 @@ std::vector<OptionKind> MakeTable() {
        "Russian roulette, unbiased (auto: path on; whitted off, cut at -min_luminance)"},
       {"strategy", both, {}, {"name"}, OneOfEnum<LightStrategy>(AT(render.trace.strategy)), "", "light",
        "path: mis, light sampling, BSDF sampling, or uniform for comparison"},
-      {"lamps", both, {}, {"on|off"}, OnOff{AT(render.trace.emissive_solids_light)}, "", "light",
-       "whitted: whether emissive shapes light like emissive triangles do (path: they always do)"},
+      {"emissive_solids", both, {}, {"on|off"}, OnOff{AT(render.trace.emissive_solids_light)}, "", "light",
+       "whether what emits lights others in mode whitted, as triangles do (in mode path it always does)"},
       {"shadows", both, {}, {"on|off"}, OnOff{AT(render.trace.shadows)}, "", "light", "whether objects cast shadows"},
 
       {"zbuffer_range", both, {}, {"near", "far"}, zbuffer_numbers, "", "light",

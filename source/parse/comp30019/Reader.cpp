@@ -21,7 +21,7 @@ namespace {
 constexpr std::array rules{
     std::pair{"width", "400"},  std::pair{"height", "400"},      std::pair{"sampler", "grid"},
     std::pair{"samples", "1"},  std::pair{"max_depth", "10"},    std::pair{"min_luminance", "0"},
-    std::pair{"fresnel", "on"}, std::pair{"bytes", "truncated"},
+    std::pair{"fresnel", "on"}, std::pair{"bytes", "truncated"}, std::pair{"emissive_solids", "on"},
 };
 
 constexpr std::size_t most_suggested = 100;  // materials; a longer list helps nobody, and takes long to compare with

@@ -55,9 +55,9 @@ TEST(Comp30019, TheCoursesRulesAreSettingsOfTheScene) {
     settings[setting.option] = setting.value;
     EXPECT_EQ(setting.origin, "COMP30019");
   }
-  const std::map<std::string, std::string> rules{{"width", "400"},  {"height", "400"},     {"sampler", "grid"},
-                                                 {"samples", "1"},  {"max_depth", "10"},   {"min_luminance", "0"},
-                                                 {"fresnel", "on"}, {"bytes", "truncated"}};
+  const std::map<std::string, std::string> rules{{"width", "400"},  {"height", "400"},      {"sampler", "grid"},
+                                                 {"samples", "1"},  {"max_depth", "10"},    {"min_luminance", "0"},
+                                                 {"fresnel", "on"}, {"bytes", "truncated"}, {"emissive_solids", "on"}};
   EXPECT_EQ(settings, rules);
 }
 
