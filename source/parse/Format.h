@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "source/parse/Files.h"
@@ -20,8 +21,7 @@ struct SceneFormat {
   std::vector<const char*> keys{};
 };
 
-#define SCENE_FORMAT(name) extern const SceneFormat name##_scene_format;
-#include "source/parse/formats.def"
-#undef SCENE_FORMAT
+/// Every one, in the order of formats.def.
+std::span<const SceneFormat* const> SceneFormats();
 
 }  // namespace ray

@@ -17,19 +17,27 @@
 #include "source/text/Words.h"
 
 namespace ray {
-namespace {
 
-const std::array formats{
+#define SCENE_FORMAT(name) extern const SceneFormat name##_scene_format;
+#include "source/parse/formats.def"
+#undef SCENE_FORMAT
+
+std::span<const SceneFormat* const> SceneFormats() {
+  static const std::array formats{
 #define SCENE_FORMAT(name) &name##_scene_format,
 #include "source/parse/formats.def"
 #undef SCENE_FORMAT
-};
+  };
+  return formats;
+}
+
+namespace {
 
 using ReadScene = Scene (*)(const Files& files, const ParseOptions& options, Report& report);
 
 std::string SceneExtensions() {
   std::string all;
-  for (const SceneFormat* format : formats)
+  for (const SceneFormat* format : SceneFormats())
     for (const char* extension : format->extensions)
       if (all.find(extension) == std::string::npos) all += (all.empty() ? "" : ", ") + std::string(extension);
   return all;
@@ -37,7 +45,7 @@ std::string SceneExtensions() {
 
 const SceneFormat& FormatNamed(const std::string& name, const std::string& file) {
   std::vector<std::string_view> names;
-  for (const SceneFormat* format : formats) {
+  for (const SceneFormat* format : SceneFormats()) {
     if (name == format->name) return *format;
     names.emplace_back(format->name);
   }
@@ -81,7 +89,7 @@ ReadScene ReaderOf(const Files& files, const ParseOptions& options) {
   if (!options.format.empty()) return FormatNamed(options.format, file).read;
   const std::string extension = LowerCase(std::filesystem::path(file).extension().string());
   std::vector<const SceneFormat*> candidates;
-  for (const SceneFormat* format : formats)
+  for (const SceneFormat* format : SceneFormats())
     if (std::find(format->extensions.begin(), format->extensions.end(), extension) != format->extensions.end())
       candidates.push_back(format);
   if (candidates.size() == 1) return candidates.front()->read;

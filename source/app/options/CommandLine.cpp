@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <filesystem>
 #include <map>
 #include <optional>
 #include <tuple>
@@ -235,6 +236,14 @@ void CheckBudget(const Options& options) {
                      ", which shows costs");
 }
 
+/// Groningen's command names the scene alone; its picture lies beside it.
+void NamePictureOfYaml(Options& options) {
+  const std::filesystem::path scene = options.scene;
+  if (options.task == Task::render && options.picture.empty() &&
+      (scene.extension() == ".yaml" || scene.extension() == ".yml"))
+    options.picture = std::filesystem::path(scene).replace_extension(".png").string();
+}
+
 /// Everything that is wrong together, though each word is right by itself.
 void CheckTogether(const Options& options) {
   CheckCommand(options);
@@ -284,6 +293,7 @@ Options ReadCommandLine(Program program, std::span<const std::string> words) {
 
   for (const auto& [option, spelled] : seen) options.given.emplace_back(option->name);
   ApplyPreset(options);
+  NamePictureOfYaml(options);
   CheckTogether(options);
   Derive(options);
   return options;

@@ -73,9 +73,7 @@ std::string OfFormat(const SceneFormat& format) {
 
 std::string Scenes() {
   std::string text;
-#define SCENE_FORMAT(name) text += OfFormat(name##_scene_format);
-#include "source/parse/formats.def"
-#undef SCENE_FORMAT
+  for (const SceneFormat* format : SceneFormats()) text += OfFormat(*format);
   return text;
 }
 

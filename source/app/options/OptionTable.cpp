@@ -13,6 +13,7 @@
 #include "source/app/options/OptionEntry.h"
 #include "source/app/options/Preset.h"
 #include "source/app/options/RayimgTable.h"
+#include "source/parse/Format.h"
 
 namespace ray {
 namespace {
@@ -31,6 +32,12 @@ std::vector<std::string> AcceleratorNames() {
 std::vector<std::string> InstructionSetNames() {
   std::vector<std::string> names{"best"};
   names.insert(names.end(), instruction_set_names.begin(), instruction_set_names.end());
+  return names;
+}
+
+std::vector<std::string> SceneFormatNames() {
+  std::vector<std::string> names;
+  for (const SceneFormat* format : SceneFormats()) names.emplace_back(format->name);
   return names;
 }
 
@@ -179,7 +186,7 @@ std::vector<OptionKind> MakeTable() {
       {"strategy", both, {}, {"name"}, OneOfEnum<LightStrategy>(AT(render.trace.strategy)), "", "light",
        "path: mis, light sampling, BSDF sampling, or uniform for comparison"},
       {"emissive_solids", both, {}, {"on|off"}, OnOff{AT(render.trace.emissive_solids_light)}, "", "light",
-       "whether what emits lights others in mode whitted, as triangles do (in mode path it always does)"},
+       "whether emissive solids are lamps in mode whitted, as triangles are (in mode path they are)"},
       {"shadows", both, {}, {"on|off"}, OnOff{AT(render.trace.shadows)}, "", "light", "whether objects cast shadows"},
 
       {"zbuffer_range", both, {}, {"near", "far"}, zbuffer_numbers, "", "light",
@@ -228,6 +235,8 @@ std::vector<OptionKind> MakeTable() {
       {"tile_size", raypro, {}, {"n"}, Whole{AT(render.tile_size), 0, most_pixels_a_side}, "pixels", "speed",
        "tile size, 0 for the whole image"},
 
+      {"format", both, {}, {"name"}, OneOfNames(AT(parse.format), SceneFormatNames), "", "scene",
+       "language of the scene; by default that of its extension, and in JSON of its keys"},
       {"include_depth", both, {}, {"n"}, Whole{AT(parse.include_depth), 1, deepest_include}, "files", "scene",
        "how deep scene files may include one another"},
       {"allow_path", both, {}, {"folder"}, FolderList{AT(parse.allowed_folders)}, "", "scene",
