@@ -246,13 +246,13 @@ void NamePictureOfYaml(Options& options) {
 
 /// Everything that is wrong together, though each word is right by itself.
 void CheckTogether(const Options& options) {
+  if (options.task == Task::as_course) throw UsageError("-as " + options.subject + " must come before all else");
   CheckCommand(options);
   CheckNames(options);
   CheckBudget(options);
   CheckSize(options.render);
   CheckPixel(options);
   CheckView(options.view);
-  if (!options.course.empty()) throw UsageError("-as " + options.course + " must come before all else");
   if (options.quiet && options.verbose) throw UsageError("-quiet and -verbose contradict each other");
 }
 

@@ -257,7 +257,7 @@ std::vector<OptionKind> MakeTable() {
       {"help", all, {"h"}, {"topic"}, Request{Task::help, Request::perhaps, HelpSubjects<program>}, "", "about",
        "print this help, or that on one topic, command or option"},
       {"version", all, {}, {}, Request{Task::version}, "", "about", "print the version and what is built in"},
-      {"as", raypro, {}, {"course"}, OneOfNames(AT(course), CommandLinesOfCourses), "", "about",
+      {"as", raypro, {}, {"course"}, Request{Task::as_course, Request::always, CommandLinesOfCourses}, "", "about",
        "before all else: understand the command line of that course (raypro -help comp30019)"},
       {"list", both, {}, {"what"}, Request{Task::list, Request::perhaps, SubjectsOfList<program>}, "", "about",
        "list what this program knows"},

@@ -19,7 +19,7 @@ struct CommandKind;
 
 /// What the program is asked to do; `render` is what raypro is for, `view` what rayview is for, `command` what rayimg
 /// is.
-enum class Task { render, view, command, check, debug_pixel, info, help, version, list, complete, manual };
+enum class Task { render, view, command, as_course, check, debug_pixel, info, help, version, list, complete, manual };
 
 /// A place in a picture.
 struct Pixel {
@@ -62,8 +62,6 @@ struct Options {
   double checkpoint = 0;               // seconds between two; 0: only when a signal ends the run
   bool resume = false;
   std::string replay;  // file name of a report; empty for none
-
-  std::string course;  // whose command line was asked for in the wrong place; empty for none
 
   Task task = Task::render;
   std::string subject;         // of help, list, complete, info and manual
