@@ -140,17 +140,18 @@ void World::BakeOrShareMeshes() {
 
 R3::Intersection World::At(const R3::Ray& ray, const WorldHit& hit) const {
   const Instance& instance = instances_[hit.instance];
-  return InWorld(instance.frame, ray.time, instance.shape->At(Back(instance.frame, ray), hit, hit.element));
-}
-
-R3::Intersection World::InWorld(std::uint32_t frame, double time, R3::Intersection at) const {
-  const R3::Transform& world_from_local = frames_[frame];
-  if (!world_from_local.IsIdentity()) BringToWorld(world_from_local, at);
-  if (moves_) Shift(time * motions_[frame], at);
+  R3::Intersection at = instance.shape->At(Back(instance.frame, ray), hit, hit.element);
+  BringToWorld(instance.frame, ray.time, at);
   return at;
 }
 
-void World::BringToWorld(const R3::Transform& world_from_local, R3::Intersection& at) {
+void World::BringToWorld(std::uint32_t frame, double time, R3::Intersection& at) const {
+  const R3::Transform& world_from_local = frames_[frame];
+  if (!world_from_local.IsIdentity()) Transform(world_from_local, at);
+  if (moves_) Shift(time * motions_[frame], at);
+}
+
+void World::Transform(const R3::Transform& world_from_local, R3::Intersection& at) {
   const R3::Matrix &forward = world_from_local.Forward(), &inverse = world_from_local.Inverse();
   const R3::Vector local_error = at.error;
   const R3::Vector local = Abs(FromOrigin(at.position));

@@ -73,7 +73,7 @@ class World {
   }
   /// A place of a frame's surface, in the world at a time. Its error also covers the rounding of seeing the point from
   /// the frame again, so a ray that starts outside it starts outside the shape.
-  R3::Intersection InWorld(std::uint32_t frame, double time, R3::Intersection at) const;
+  void BringToWorld(std::uint32_t frame, double time, R3::Intersection& at) const;
   /// The meshes that several instances use, in the order of their first use.
   const std::vector<const R3::Mesh*>& SharedMeshes() const { return shared_meshes_; }
   /// Lines for the scene's author: groups left out because all transforms above them together cannot be inverted.
@@ -82,14 +82,14 @@ class World {
   std::int64_t PrimitiveId(const WorldHit& hit) const { return instances_[hit.instance].first_primitive + hit.element; }
   const Material& MaterialAt(const WorldHit& hit) const { return *instances_[hit.instance].material; }
 
-  /// The surface at a hit of `ray`, in world coordinates, as InWorld brings it there.
+  /// The surface at a hit of `ray`, in world coordinates, as BringToWorld brings it there.
   R3::Intersection At(const R3::Ray& ray, const WorldHit& hit) const;
 
  private:
   void FlattenGraph();
   void NumberInstances();
   void BakeOrShareMeshes();
-  static void BringToWorld(const R3::Transform& world_from_local, R3::Intersection& at);
+  static void Transform(const R3::Transform& world_from_local, R3::Intersection& at);
   static void Shift(const R3::Vector& way, R3::Intersection& at);
 
   const Scene& scene_;

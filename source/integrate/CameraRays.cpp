@@ -33,6 +33,7 @@ CameraRays::CameraRays(const Camera& camera, const CameraEffects& effects, bool 
       has_time_(things_move || effects.HasMotion()),
       width_(width),
       height_(height),
+      half_size_{camera.HalfWidth(), camera.HalfHeight(width, height)},
       sampler_(sampler),
       samples_(samples),
       grid_side_(GridSide(samples / effects.SamplesOfOnePlace())),
@@ -73,7 +74,7 @@ CameraSample CameraRays::At(int column, int row, const RandomKey& pixel, std::ui
   }
   sample.x = column + random[0];
   sample.y = row + random[1];
-  sample.ray = camera_.Through(sample.x, sample.y, width_, height_);
+  sample.ray = camera_.Through(sample.x, sample.y, width_, height_, half_size_);
   if constexpr (has_lens) {
     // The direction's part along the axis is 1, so the plane that is sharp is `focus` directions away.
     const R2::Point on_lens = OnLens(column, row, index, {random[2], random[3]});

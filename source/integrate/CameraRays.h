@@ -63,6 +63,7 @@ class CameraRays {
   CameraEffects effects_;
   bool has_time_;
   int width_, height_;
+  R2::Vector half_size_;  // of the picture at distance 1
   SamplerKind sampler_;
   std::uint32_t samples_, grid_side_;
   CameraSample (CameraRays::*kernel_)(int, int, const RandomKey&, std::uint32_t) const;

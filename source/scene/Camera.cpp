@@ -15,15 +15,15 @@ constexpr double parallel_angle = 1e-9;
 
 }  // namespace
 
+double Camera::HalfWidth() const { return std::tan(xfov); }
+
 double Camera::HalfHeight(int width, int height) const {
-  const double half_width = std::tan(xfov);
-  return aspect > 0 ? half_width / aspect : half_width * height / width;
+  return aspect > 0 ? HalfWidth() / aspect : HalfWidth() * height / width;
 }
 
-R3::Ray Camera::Through(double x, double y, int width, int height) const {
-  const double half_width = std::tan(xfov);
-  const double across = (2 * x / width - 1 + shift.x) * half_width,
-               upward = (2 * y / height - 1) * HalfHeight(width, height) + shift.y * half_width;
+R3::Ray Camera::Through(double x, double y, int width, int height, const R2::Vector& half) const {
+  const double across = (2 * x / width - 1 + shift.x) * half.x,
+               upward = (2 * y / height - 1) * half.y + shift.y * half.x;
   return {eye, towards + across * right + upward * up};
 }
 

@@ -15,12 +15,18 @@ struct Camera {
   R2::Vector shift{0, 0};         // of the picture's middle off the axis, to the right and up, in half widths
   double near = 0.01, far = 100;  // kept for the viewer; rays are not clipped
 
+  /// Half the width of what is seen at distance 1 from the eye.
+  double HalfWidth() const;
   /// Half the height of a picture of width x height pixels, at distance 1 from the eye: tan(xfov) height / width, or
   /// tan(xfov) / aspect where that is given.
   double HalfHeight(int width, int height) const;
   /// The ray through a place of the picture: x, y in pixels from the lower left corner, not necessarily whole.
   /// The direction is not of unit length.
-  R3::Ray Through(double x, double y, int width, int height) const;
+  R3::Ray Through(double x, double y, int width, int height) const {
+    return Through(x, y, width, height, {HalfWidth(), HalfHeight(width, height)});
+  }
+  /// The same where half the width and the height are known, which take a tangent to find.
+  R3::Ray Through(double x, double y, int width, int height, const R2::Vector& half) const;
 };
 
 /// A camera looking along `towards` (not zero) with `up` straightened: right = unit(towards x up),

@@ -52,7 +52,7 @@ bool IsInside(const World& world, const Instance& instance, const R3::Point& poi
 
 /// Planes through the eye; a box that lies on the outer side of one of them is not seen.
 std::vector<R3::Vector> InwardSides(const Camera& camera, const RenderSettings& settings) {
-  const double x = std::tan(camera.xfov), y = camera.HalfHeight(settings.width, settings.height);
+  const double x = camera.HalfWidth(), y = camera.HalfHeight(settings.width, settings.height);
   const double left = x * (1 - camera.shift.x), right = x * (1 + camera.shift.x);
   const double below = y - x * camera.shift.y, above = y + x * camera.shift.y;
   return {camera.towards, right * camera.towards - camera.right, left * camera.towards + camera.right,

@@ -55,7 +55,8 @@ std::optional<EmissiveShape::Sample> EmissiveShape::SampleTowards(const R3::Poin
   const double size = instance_->shape->Bounds(element_).Radius();
   const double near = accuracy_of_hits * (Length(local->at.position - local_from) + size);
   local->at.error = local->at.error + R3::Vector{near, near, near};
-  const R3::Intersection at = world_->InWorld(instance_->frame, time, local->at);
+  R3::Intersection at = local->at;
+  world_->BringToWorld(instance_->frame, time, at);
 
   // Cut off where it is as high above the surface; its direction stays what the pdf belongs to. Nothing is left of it
   // between places of one surface that rounding alone keeps apart.

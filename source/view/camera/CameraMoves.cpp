@@ -30,7 +30,7 @@ double HalfHeight(const Camera& camera, const DrawingSize& size) { return camera
 
 /// The way from the eye to the middle of the picture, 1 along the axis.
 R3::Vector TowardsMiddle(const Camera& camera) {
-  const double half_width = std::tan(camera.xfov);
+  const double half_width = camera.HalfWidth();
   return camera.towards + camera.shift.x * half_width * camera.right + camera.shift.y * half_width * camera.up;
 }
 
@@ -71,7 +71,7 @@ Camera Zoomed(const Camera& camera, const R3::Point& center, const R2::Point& dr
 }
 
 Camera Panned(const Camera& camera, double depth, const R2::Point& drag, const DrawingSize& size) {
-  const double across = 2 * std::tan(camera.xfov) * depth * drag.x,
+  const double across = 2 * camera.HalfWidth() * depth * drag.x,
                upward = 2 * HalfHeight(camera, size) * depth * drag.y;
   return Posed(camera, camera.eye - across * camera.right - upward * camera.up, camera.towards, camera.up);
 }
@@ -91,7 +91,7 @@ Camera Looking(const Camera& camera, const R3::Vector& vertical, const R2::Point
 Camera Framed(const Camera& camera, const R3::Box& box, const DrawingSize& size) {
   if (box.IsEmpty()) return camera;
   const R3::Point center = box.Center();
-  const double half_width = filled * std::tan(camera.xfov), half_height = filled * HalfHeight(camera, size);
+  const double half_width = filled * camera.HalfWidth(), half_height = filled * HalfHeight(camera, size);
   double back = 0;
   for (int i = 0; i < 8; ++i) {
     const R3::Vector corner = box.Corner(i) - center;
@@ -120,7 +120,7 @@ std::optional<R2::Point> PixelOf(const Camera& camera, const R3::Point& p, const
   const double depth = Dot(way, camera.towards);
   if (!(depth > 0)) return {};
   const R3::Vector off = way / depth - TowardsMiddle(camera);
-  const double across = Dot(off, camera.right) / std::tan(camera.xfov);
+  const double across = Dot(off, camera.right) / camera.HalfWidth();
   const double upward = Dot(off, camera.up) / HalfHeight(camera, size);
   return R2::Point{(across + 1) / 2 * size.width, (upward + 1) / 2 * size.height};
 }
@@ -137,7 +137,7 @@ ClipMatrix ClipFromDrawing(const Camera& camera, const DrawingSpace& space, cons
     farthest = std::max(middle + widened * radius, 1e-3);
     nearest = std::max(middle - widened * radius, 1e-3 * farthest);
   }
-  const double sx = 1 / std::tan(camera.xfov), sy = 1 / HalfHeight(camera, size);
+  const double sx = 1 / camera.HalfWidth(), sy = 1 / HalfHeight(camera, size);
   const double a = (farthest + nearest) / (farthest - nearest), b = -2 * farthest * nearest / (farthest - nearest);
   const R3::Vector eye = (camera.eye - space.center) / space.radius, middle = TowardsMiddle(camera);
   const R3::Vector x = sx * (camera.right - Dot(camera.right, middle) * camera.towards),
