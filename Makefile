@@ -72,7 +72,7 @@ ABSENT := $(if $(filter yes,$(HAS_EXR)),,R2/image_files/exr.cpp) \
 # Highway includes once for each instruction set. JUMBO=no compiles each file by itself.
 JUMBO ?= yes
 ALONE := \
-         R2/image_files/% source/view/gl/% source/view/contexts/% source/accelerate/grid.cpp source/accelerate/wide/Kernels.cpp \
+         source/view/gl/% source/view/contexts/% source/accelerate/grid.cpp source/accelerate/wide/Kernels.cpp \
          $(if $(filter file,$(origin TEST_SOURCES)),,tests/%) $(if $(filter yes,$(JUMBO)),,%)
 present = $(filter-out $(ABSENT),$(1))
 alone = $(filter $(ALONE),$(call present,$(1)))
@@ -97,7 +97,9 @@ $(BUILD)/jumbo/%/all.cpp: FORCE
 FORCE:
 
 compile = @mkdir -p $(@D) && echo "  c++   $(1)" && \
-          $(CXX) $(OUR_CPPFLAGS) $(CPPFLAGS) $(OUR_CXXFLAGS) $(CXXFLAGS) -c $< -o $@
+          $(CXX) $(OUR_CPPFLAGS) $(CPPFLAGS) $(OUR_CXXFLAGS) $(QUICK) $(CXXFLAGS) -c $< -o $@
+# What runs once in a run is compiled the faster for it.
+$(BUILD)/obj/source/app/%: QUICK := $(if $(filter -O2 -O3,$(OPTIMIZE)),-O1)
 $(BUILD)/obj/%/all.o: $(BUILD)/jumbo/%/all.cpp $(BUILD)/flags
 	$(call compile,$*/*.cpp)
 $(BUILD)/obj/%.o: %.cpp $(BUILD)/flags

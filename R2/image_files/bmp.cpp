@@ -5,6 +5,7 @@
 // source: Microsoft, "BITMAPINFOHEADER" and "BITMAPV5HEADER", Win32 reference
 namespace R2 {
 
+namespace bmp {
 namespace {
 
 constexpr int file_header_size = 14;
@@ -148,7 +149,8 @@ std::vector<unsigned char> Encode(const Image& image, const ImageEncoding& encod
 }
 
 }  // namespace
+}  // namespace bmp
 
-const ImageFormat bmp_format{"bmp", {"bmp"}, Recognizes, ReadSize, Decode, Encode, false};
+const ImageFormat bmp_format{"bmp", {"bmp"}, bmp::Recognizes, bmp::ReadSize, bmp::Decode, bmp::Encode, false};
 
 }  // namespace R2

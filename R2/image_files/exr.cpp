@@ -21,6 +21,7 @@
 // source: Kainz, Bogart, Stanczyk, Hillman, Technical Introduction to OpenEXR (2013); OpenEXR File Layout (2013)
 namespace R2 {
 
+namespace exr {
 namespace {
 
 // Set before our own keys, since a bare "channels" or "type" would be taken for the format's own attribute.
@@ -200,7 +201,9 @@ std::vector<unsigned char> Encode(const Image& image, const ImageEncoding&, cons
 }
 
 }  // namespace
+}  // namespace exr
 
-const ImageFormat exr_format{"exr", {"exr"}, Recognizes, ReadSize, Decode, Encode, true, EncodeLayers};
+const ImageFormat exr_format{"exr",       {"exr"}, exr::Recognizes,  exr::ReadSize, exr::Decode,
+                             exr::Encode, true,    exr::EncodeLayers};
 
 }  // namespace R2

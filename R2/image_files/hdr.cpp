@@ -13,6 +13,7 @@
 //         because it cuts off when it writes, where we round.
 namespace R2 {
 
+namespace hdr {
 namespace {
 
 using Pixel = std::array<unsigned char, 4>;  // mantissas of r g b, exponent + 128
@@ -214,7 +215,9 @@ std::vector<unsigned char> Encode(const Image& image, const ImageEncoding&, cons
 }
 
 }  // namespace
+}  // namespace hdr
 
-const ImageFormat hdr_format{"hdr", {"hdr", "rgbe", "pic"}, Recognizes, ReadSize, Decode, Encode, true};
+const ImageFormat hdr_format{"hdr", {"hdr", "rgbe", "pic"}, hdr::Recognizes, hdr::ReadSize, hdr::Decode, hdr::Encode,
+                             true};
 
 }  // namespace R2

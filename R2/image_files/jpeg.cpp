@@ -13,6 +13,7 @@
 // source: ITU-T T.81 (1992); libjpeg.txt of the library
 namespace R2 {
 
+namespace jpeg {
 namespace {
 
 constexpr std::size_t marker_capacity = 65533;  // a marker's length has 16 bits and counts itself
@@ -309,7 +310,9 @@ std::vector<unsigned char> Encode(const Image& image, const ImageEncoding& encod
 }
 
 }  // namespace
+}  // namespace jpeg
 
-const ImageFormat jpeg_format{"jpeg", {"jpg", "jpeg", "jpe"}, Recognizes, ReadSize, Decode, Encode, false};
+const ImageFormat jpeg_format{
+    "jpeg", {"jpg", "jpeg", "jpe"}, jpeg::Recognizes, jpeg::ReadSize, jpeg::Decode, jpeg::Encode, false};
 
 }  // namespace R2

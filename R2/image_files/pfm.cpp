@@ -10,6 +10,7 @@
 // source: Debevec, "PFM Portable FloatMap Image Format", www.pauldebevec.com/Research/HDR/PFM
 namespace R2 {
 
+namespace pfm {
 namespace {
 
 struct Header {
@@ -86,7 +87,8 @@ std::vector<unsigned char> Encode(const Image& image, const ImageEncoding&, cons
 }
 
 }  // namespace
+}  // namespace pfm
 
-const ImageFormat pfm_format{"pfm", {"pfm"}, Recognizes, ReadSize, Decode, Encode, true};
+const ImageFormat pfm_format{"pfm", {"pfm"}, pfm::Recognizes, pfm::ReadSize, pfm::Decode, pfm::Encode, true};
 
 }  // namespace R2

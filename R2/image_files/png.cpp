@@ -15,6 +15,7 @@
 // source: W3C, Portable Network Graphics (PNG) Specification, 2nd ed. (2003); libpng-manual.txt
 namespace R2 {
 
+namespace png {
 namespace {
 
 constexpr std::array<unsigned char, 8> signature{0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
@@ -343,7 +344,8 @@ std::vector<unsigned char> Encode(const Image& image, const ImageEncoding& encod
 }
 
 }  // namespace
+}  // namespace png
 
-const ImageFormat png_format{"png", {"png"}, Recognizes, ReadSize, Decode, Encode, false};
+const ImageFormat png_format{"png", {"png"}, png::Recognizes, png::ReadSize, png::Decode, png::Encode, false};
 
 }  // namespace R2

@@ -7,6 +7,7 @@
 // source: Poskanzer, ppm(5) and pgm(5), netpbm.sourceforge.net/doc/ppm.html
 namespace R2 {
 
+namespace ppm {
 namespace {
 
 struct Header {
@@ -87,7 +88,8 @@ std::vector<unsigned char> Encode(const Image& image, const ImageEncoding& encod
 }
 
 }  // namespace
+}  // namespace ppm
 
-const ImageFormat ppm_format{"ppm", {"ppm", "pnm"}, Recognizes, ReadSize, Decode, Encode, false};
+const ImageFormat ppm_format{"ppm", {"ppm", "pnm"}, ppm::Recognizes, ppm::ReadSize, ppm::Decode, ppm::Encode, false};
 
 }  // namespace R2
