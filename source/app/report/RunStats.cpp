@@ -103,6 +103,8 @@ R2::ImageSettings SettingsInPicture(const RunStats& record) {
       {"seconds", Fixed(record.seconds.wall, 3)}, {"pixels", PixelsText(record)},
   };
   if (const auto& view = record.options.render.view) settings["camera"] = CameraLine(*view);
+  for (const std::string& setting : record.scene.settings)
+    settings["scene_settings"] += (settings["scene_settings"].empty() ? "" : ", ") + setting;
   return settings;
 }
 
