@@ -76,7 +76,10 @@ Places<size - 1> SignChanges(const std::array<Number, size>& c, double low, doub
 class Torus : public Shape {
  public:
   Torus(const Point& center, double major, double minor)
-      : center_(center), major_(major), minor_(minor), to_unit_(std::scalbn(1, -std::ilogb(major + minor))) {}
+      : center_(center),
+        major_(major),
+        minor_(minor),
+        to_unit_(major + minor > 0 ? std::scalbn(1, -std::ilogb(major + minor)) : 1) {}
 
   Box Bounds(int) const override {
     const Vector reach{major_ + minor_, minor_, major_ + minor_};
