@@ -12,7 +12,10 @@ Vector AreaVector(const std::array<Point, 3>& c) { return Cross(c[1] - c[0], c[2
 
 }  // namespace
 
-Mesh::Mesh(MeshData data, bool smooth) : data_(std::move(data)), smooth_(smooth && !data_.normals.empty()) {
+std::vector<R2::Point> TriUvs() { return {{0, 0}, {1, 0}, {0, 1}}; }
+
+Mesh::Mesh(MeshData data, bool smooth, std::string file)
+    : data_(std::move(data)), smooth_(smooth && !data_.normals.empty()), file_(std::move(file)) {
   assert(data_.normals.empty() || data_.normals.size() == data_.positions.size());
   assert(data_.uvs.empty() || data_.uvs.size() == data_.positions.size());
   const std::size_t before = data_.triangles.size();
@@ -22,6 +25,15 @@ Mesh::Mesh(MeshData data, bool smooth) : data_(std::move(data)), smooth_(smooth 
   });
   dropped_ = static_cast<int>(before - data_.triangles.size());
   for (Normal& normal : data_.normals) normal = AsNormal(Unit(AsVector(normal)));
+}
+
+std::optional<Recipe> Mesh::MadeFrom() const {
+  const std::array<std::uint32_t, 3> whole{0, 1, 2};
+  const bool is_whole = data_.triangles.empty() ? dropped_ == 1 : Elements() == 1 && data_.triangles[0] == whole;
+  if (smooth_ || !is_whole || data_.positions.size() != 3 || data_.uvs != TriUvs()) return {};
+  Recipe tri{"tri", {}};
+  for (const Point& p : data_.positions) tri.arguments.insert(tri.arguments.end(), {p.x, p.y, p.z});
+  return tri;
 }
 
 std::unique_ptr<const Mesh> Mesh::Moved(const Transform& move) const {

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <memory>
+#include <string>
 
 #include "R3/MeshData.h"
 #include "R3/Shape.h"
@@ -15,7 +16,8 @@ namespace R3 {
 class Mesh : public Shape {
  public:
   /// Asserts what MeshData says. `smooth` asks for the normals that the data brings; without any it is flat.
-  explicit Mesh(MeshData data, bool smooth = false);
+  ///   file   that it was read from, as it is; empty for none
+  explicit Mesh(MeshData data, bool smooth = false, std::string file = {});
 
   int Elements() const override { return static_cast<int>(data_.triangles.size()); }
   Box Bounds(int element) const override;
@@ -27,6 +29,8 @@ class Mesh : public Shape {
   bool IsSolid() const override { return false; }  // whether it is closed is not looked at
   bool HasTextureCoordinates() const override { return !data_.uvs.empty(); }
   bool IsDegenerate() const override { return data_.triangles.empty(); }
+  /// Of a single triangle with the texture coordinates of a `tri`.
+  std::optional<Recipe> MadeFrom() const override;
 
   /// The mesh with every corner moved by `move`, rounded once. Fronts stay fronts: a mirror swaps the second and third
   /// corner of triangles, which keep their numbers. Null when something would be lost: a corner would not be finite, or
@@ -35,6 +39,9 @@ class Mesh : public Shape {
 
   /// As given, but zero or (unless moved) unit normals.
   const MeshData& Data() const { return data_; }
+  bool IsSmooth() const { return smooth_; }
+  /// Empty for a mesh that was made otherwise, or moved.
+  const std::string& File() const { return file_; }
   /// How many triangles had no area.
   int DroppedTriangles() const { return dropped_; }
   std::array<Point, 3> Corners(int element) const {
@@ -47,7 +54,11 @@ class Mesh : public Shape {
 
   MeshData data_;
   bool smooth_ = false;
+  std::string file_;
   int dropped_ = 0;
 };
+
+/// The texture coordinates that the corners of a `tri` have.
+std::vector<R2::Point> TriUvs();
 
 }  // namespace R3

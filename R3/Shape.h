@@ -9,6 +9,7 @@
 #include "R3/Intersection.h"
 #include "R3/MeshData.h"
 #include "R3/Ray.h"
+#include "R3/Recipe.h"
 
 namespace R3 {
 
@@ -79,6 +80,8 @@ class Shape {
   virtual bool HasTextureCoordinates() const { return true; }
   /// Whether nothing can ever hit it (zero radius or height).
   virtual bool IsDegenerate() const { return false; }
+  /// Nothing for a shape that is not of a kind of shapes.def.
+  virtual std::optional<Recipe> MadeFrom() const { return {}; }
 };
 
 /// Box around all elements.

@@ -71,6 +71,10 @@ class BoxShape : public Shape {
     return (size.x > 0) + (size.y > 0) + (size.z > 0) < 2;
   }
 
+  std::optional<Recipe> MadeFrom() const override {
+    return Recipe{"box", {box_.low.x, box_.low.y, box_.low.z, box_.high.x, box_.high.y, box_.high.z}};
+  }
+
  private:
   /// The place on a face with these coordinates along the other axes.
   template <typename Coordinate>

@@ -78,6 +78,10 @@ class Cone : public Shape {
 
   bool IsDegenerate() const override { return !(radius_ > 0) || !(high_ > low_); }
 
+  std::optional<Recipe> MadeFrom() const override {
+    return Recipe{"cone", {center_.x, center_.y, center_.z, radius_, height_}};
+  }
+
  private:
   enum Part { side, base };
 

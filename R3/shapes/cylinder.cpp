@@ -69,6 +69,10 @@ class Cylinder : public Shape {
 
   bool IsDegenerate() const override { return !(radius_ > 0) || !(high_ > low_); }
 
+  std::optional<Recipe> MadeFrom() const override {
+    return Recipe{"cylinder", {center_.x, center_.y, center_.z, radius_, height_}};
+  }
+
  private:
   enum Part { side, bottom, top };
 

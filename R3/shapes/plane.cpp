@@ -51,6 +51,10 @@ class Plane : public Shape {
     return data;
   }
 
+  std::optional<Recipe> MadeFrom() const override {
+    return Recipe{"plane", {point_.x, point_.y, point_.z, normal_.x, normal_.y, normal_.z}};
+  }
+
  private:
   static double Fraction(double x) { return x - std::floor(x); }
   /// From the axis that the plane is least perpendicular to.

@@ -81,6 +81,10 @@ class Sphere : public Shape {
 
   bool IsDegenerate() const override { return !(radius_ > 0); }
 
+  std::optional<Recipe> MadeFrom() const override {
+    return Recipe{"sphere", {center_.x, center_.y, center_.z, radius_}};
+  }
+
  private:
   /// The place in a unit direction from the center.
   Intersection OnSurface(const Vector& outward) const {

@@ -129,6 +129,10 @@ class Torus : public Shape {
 
   bool IsDegenerate() const override { return !(minor_ > 0); }
 
+  std::optional<Recipe> MadeFrom() const override {
+    return Recipe{"torus", {center_.x, center_.y, center_.z, major_, minor_}};
+  }
+
  private:
   /// `outward` from the axis and `from_tube`, in the plane of the axis with x across it, are unit.
   Intersection OnTube(const Vector& outward, const Vector& from_tube) const {

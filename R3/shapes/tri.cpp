@@ -11,7 +11,7 @@ extern const ShapeKind tri_kind{
       MeshData data;
       data.positions = {{a[0], a[1], a[2]}, {a[3], a[4], a[5]}, {a[6], a[7], a[8]}};
       data.triangles = {{0, 1, 2}};
-      data.uvs = {{0, 0}, {1, 0}, {0, 1}};
+      data.uvs = TriUvs();
       return std::make_unique<Mesh>(std::move(data));
     },
     {-1, -0.5, 0.25, 1.5, -0.75, -0.5, 0.25, 1.25, 0.5},

@@ -1,6 +1,7 @@
 #include "source/app/Tasks.h"
 
 #include "source/accelerate/Accelerator.h"
+#include "source/app/files/ConvertScene.h"
 #include "source/app/files/OutputFile.h"
 #include "source/app/files/Outputs.h"
 #include "source/app/options/CommandLine.h"
@@ -53,6 +54,8 @@ std::string ResultOf(const Options& options, const std::vector<std::string>& key
       break;  // not ours
     case Task::check:
       return CheckScene(options);
+    case Task::convert:
+      return ConvertScene(options);
     case Task::debug_pixel:
       return RaysOfPixel(options);
     case Task::info:

@@ -47,7 +47,9 @@ Assets::BoxedMesh Assets::ReadMesh(const FoundFile& file, Normals use) {
     data = format->read(text, report_);
   }
   const bool has_triangles = !data.triangles.empty(), has_normals = !data.normals.empty();
-  BoxedMesh boxed{std::make_shared<const R3::Mesh>(std::move(data), use != Normals::unused), {}};
+  // A link may have an extension that tells more than that of the file it leads to.
+  const std::string known_as = MeshFormatForName(file.canonical) == format ? file.canonical : std::string();
+  BoxedMesh boxed{std::make_shared<const R3::Mesh>(std::move(data), use != Normals::unused, known_as), {}};
   boxed.bounds = Bounds(*boxed.mesh);
 
   const std::string place = Escaped(file.shown);
@@ -63,7 +65,7 @@ Assets::BoxedMesh Assets::ReadMesh(const FoundFile& file, Normals use) {
 std::shared_ptr<const Texture> Assets::Image(const std::string& name, const std::string& named_in, Use use) {
   const FoundFile file = files_.Find(name, named_in);
   const auto [place, is_new] = images_.try_emplace({file.canonical, use});
-  if (is_new) place->second = std::make_shared<const Texture>(Texture{ReadImage(file, use)});
+  if (is_new) place->second = std::make_shared<const Texture>(Texture{ReadImage(file, use), file.canonical});
   return place->second;
 }
 
@@ -76,7 +78,7 @@ std::shared_ptr<const Environment> Assets::EnvironmentNamed(const std::string& n
 
 std::shared_ptr<const Environment> Assets::EnvironmentOf(const FoundFile& file) {
   try {
-    return std::make_shared<const Environment>(ReadImage(file, Use::color));
+    return std::make_shared<const Environment>(ReadImage(file, Use::color), file.canonical);
   } catch (const std::invalid_argument& error) {
     throw FileError{"cannot use " + QuotedPath(file.shown) + " as an environment: " + error.what(), {}};
   }

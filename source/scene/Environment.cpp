@@ -182,8 +182,9 @@ std::string_view Name(EnvironmentLayout layout) {
   return "";
 }
 
-Environment::Environment(R2::Image image)
-    : layout_(LayoutOf(image)),
+Environment::Environment(R2::Image image, std::string file)
+    : file_(std::move(file)),
+      layout_(LayoutOf(image)),
       map_(Map(std::move(image), layout_)),
       is_black_(IsAllBlack(map_)),
       columns_(Columns(map_, is_black_)),

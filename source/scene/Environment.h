@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -47,9 +48,11 @@ class Environment {
  public:
   /// The layout is known by the shape: see EnvironmentLayout. Throws std::invalid_argument, with a message for the
   /// user, for an image of another shape, and for one that anywhere holds a value that is negative or not finite.
-  explicit Environment(R2::Image image);
+  ///   file   that the image was read from; empty for none
+  explicit Environment(R2::Image image, std::string file = {});
 
   EnvironmentLayout Layout() const { return layout_; }
+  const std::string& File() const { return file_; }
 
   /// What arrives from there. `direction` has any length but 0; at a pole or a seam it is one of the texels that meet
   /// there.
@@ -89,6 +92,7 @@ class Environment {
   /// The direction at shares of the texel's longitude and of its sine of latitude.
   R3::Vector Inside(const Texel& texel, const R2::Point& shares) const;
 
+  std::string file_;
   EnvironmentLayout layout_;
   R2::Image map_;  // latitude-longitude
   bool is_black_;

@@ -42,6 +42,7 @@ class Light {
   virtual bool IsBlack() const = 0;
   /// "point light at 0 3 0, color 1 1 1"
   virtual std::string Describe() const = 0;
+  virtual R3::Recipe MadeFrom() const = 0;
 };
 
 /// One line of lights.def.

@@ -5,9 +5,9 @@
 #include <cstdlib>
 #include <fstream>
 
+#include "source/scene/CameraText.h"
 #include "source/text/NumberText.h"
 #include "source/view/ScenePicture.h"
-#include "source/view/camera/CameraText.h"
 #include "source/view/overlay/SceneLines.h"
 
 namespace ray {

@@ -9,7 +9,7 @@
 #include "source/view/Event.h"
 #include "source/view/FileWatch.h"
 #include "source/view/FrameState.h"
-#include "source/view/camera/CameraText.h"
+#include "source/view/camera/Bookmarks.h"
 #include "source/view/camera/Navigator.h"
 #include "source/view/live/TracedPictures.h"
 #include "source/view/overlay/Pick.h"

@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "source/render/LayerColors.h"
+#include "source/scene/CameraText.h"
 #include "source/text/EnumNames.h"
 #include "source/text/NumberText.h"
 #include "source/view/Viewer.h"

@@ -128,7 +128,8 @@ std::optional<Options> HelpAnywhere(Program program, std::span<const std::string
 }
 
 bool NeedsScene(Task task) {
-  return task == Task::render || task == Task::view || task == Task::check || task == Task::debug_pixel;
+  return task == Task::render || task == Task::view || task == Task::check || task == Task::convert ||
+         task == Task::debug_pixel;
 }
 
 void CheckCommand(const Options& options) {
@@ -170,6 +171,17 @@ void CheckPixel(const Options& options) {
   for (const char* name : {"layers", "time", "error", "reference", "replay", "checkpoint", "resume", "stats", "report"})
     if (options.IsGiven(name))
       throw UsageError("-" + std::string(name) + " has no effect with -debugpixel, which renders nothing");
+}
+
+/// What only renders has no effect; what decides how the scene is read has.
+void CheckConvert(const Options& options) {
+  if (options.task != Task::convert) return;
+  if (!options.picture.empty()) RefuseName(options.picture, "; -convert writes no picture");
+  for (const std::string& name : options.given) {
+    const OptionKind& option = *FindOption(options.program, name);
+    const bool has_effect = option.topic == std::string_view("scene") || name == "env" || name == "quiet";
+    if (!has_effect) throw UsageError("-" + name + " has no effect with -convert, which renders nothing");
+  }
 }
 
 void CheckPixelIsInPicture(const Options& options) {
@@ -252,6 +264,7 @@ void CheckTogether(const Options& options) {
   CheckBudget(options);
   CheckSize(options.render);
   CheckPixel(options);
+  CheckConvert(options);
   CheckView(options.view);
   if (options.quiet && options.verbose) throw UsageError("-quiet and -verbose contradict each other");
 }

@@ -243,6 +243,8 @@ std::vector<OptionKind> MakeTable() {
        "let the scene also read files below this folder; may be repeated"},
       {"check", raypro, {"dry-run"}, {}, Request{Task::check}, "", "scene",
        "describe the scene and point out likely mistakes, without rendering"},
+      {"convert", raypro, {}, {"out.scn"}, Request{Task::convert, Request::always}, "", "scene",
+       "write the scene, of whatever format, as .scn: the same image, without rendering"},
 
       {"quiet", both, {}, {}, Flag{AT(quiet)}, "", "messages", "print errors and warnings only"},
       {"verbose", both, {"v"}, {}, Flag{AT(verbose)}, "", "messages", "report each step and how long it took"},

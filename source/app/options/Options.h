@@ -19,7 +19,21 @@ struct CommandKind;
 
 /// What the program is asked to do; `render` is what raypro is for, `view` what rayview is for, `command` what rayimg
 /// is.
-enum class Task { render, view, command, as_course, check, debug_pixel, info, help, version, list, complete, manual };
+enum class Task {
+  render,
+  view,
+  command,
+  as_course,
+  check,
+  convert,
+  debug_pixel,
+  info,
+  help,
+  version,
+  list,
+  complete,
+  manual
+};
 
 /// A place in a picture.
 struct Pixel {
@@ -64,7 +78,7 @@ struct Options {
   std::string replay;  // file name of a report; empty for none
 
   Task task = Task::render;
-  std::string subject;         // of help, list, complete, info and manual
+  std::string subject;         // of help, list, complete, info and manual; of convert the file to write
   std::optional<Pixel> pixel;  // of debug_pixel
 
   bool IsGiven(const std::string& option) const { return std::ranges::find(given, option) != given.end(); }

@@ -10,7 +10,7 @@
 #include "source/app/options/Help.h"
 #include "source/app/options/OptionTable.h"
 #include "source/text/Words.h"
-#include "source/view/camera/CameraText.h"
+#include "source/scene/CameraText.h"
 
 namespace ray {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "source/text/Quoting.h"
 #include "source/text/Words.h"
-#include "source/view/camera/CameraText.h"
+#include "source/scene/CameraText.h"
 
 namespace ray {
 namespace {

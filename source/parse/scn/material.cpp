@@ -78,6 +78,15 @@ void ReadCoat(ScnReader& reader, Statement& statement) {
   material->coat = index.values[0];
 }
 
+const std::array<R3::Argument, 3> shown{{{"r", not_negative}, {"g", not_negative}, {"b", not_negative}}};
+
+/// An extension: some courses name one color for what is drawn without light.
+void ReadFlatColor(ScnReader& reader, Statement& statement) {
+  Material* material = reader.ReadOwnMaterial(statement);
+  const auto a = statement.Numbers(shown).values;
+  if (material && statement.IsGood()) material->color = R2::Color{a[0], a[1], a[2]};
+}
+
 const std::array<R3::Argument, 1> height{{{"height"}}};
 
 /// An extension: the luminance of a picture, times a height, is how far the surface seems to rise.
@@ -105,6 +114,9 @@ extern const Command absorb_command{
 extern const Command coat_command{
     "coat", "coat mat_id ir",
     "a clear coat of that index of refraction over what is diffuse: it mirrors more towards grazing angles", ReadCoat};
+extern const Command flat_color_command{
+    "flat_color", "flat_color mat_id r g b",
+    "what mode flat shows, where it is not the sum of kd, the mirror's weight and kt", ReadFlatColor};
 extern const Command material_command{
     "material", "material" + ArgumentNames(material_arguments) + " texture",
     "ambient, diffuse, specular, transmission, emission, Phong exponent, index of refraction, image file or 0; ids "

@@ -14,6 +14,7 @@ class AreaLight : public Light {
             const Falloff& falloff)
       : color_(color),
         center_(center),
+        given_direction_(direction),
         direction_(Unit(direction)),
         tangents_(R3::TangentsOf(direction_)),
         radius_(radius),
@@ -37,11 +38,17 @@ class AreaLight : public Light {
     return "area light at " + Words(center_) + " along " + Words(direction_) + ", radius " + Words(radius_) +
            ", color " + Words(color_);
   }
+  R3::Recipe MadeFrom() const override {
+    return {"area_light",
+            {color_.r, color_.g, color_.b, center_.x, center_.y, center_.z, given_direction_.x, given_direction_.y,
+             given_direction_.z, radius_, falloff_.constant, falloff_.linear, falloff_.quadratic}};
+  }
 
  private:
   R2::Color color_;
   R3::Point center_;
-  R3::Vector direction_;  // the side it shines to; unit
+  R3::Vector given_direction_;  // of any length
+  R3::Vector direction_;        // the side it shines to; unit
   R3::Tangents tangents_;
   double radius_;
   Falloff falloff_;

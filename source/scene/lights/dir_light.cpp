@@ -6,7 +6,8 @@ namespace {
 
 class DirLight : public Light {
  public:
-  DirLight(const R2::Color& color, const R3::Vector& direction) : color_(color), direction_(Unit(direction)) {}
+  DirLight(const R2::Color& color, const R3::Vector& direction)
+      : color_(color), given_direction_(direction), direction_(Unit(direction)) {}
 
   std::optional<LightSample> Illuminate(const R3::Point&, const R2::Point&) const override {
     return LightSample{color_, -direction_, true};
@@ -17,10 +18,14 @@ class DirLight : public Light {
   std::string Describe() const override {
     return "directional light along " + Words(direction_) + ", color " + Words(color_);
   }
+  R3::Recipe MadeFrom() const override {
+    return {"dir_light", {color_.r, color_.g, color_.b, given_direction_.x, given_direction_.y, given_direction_.z}};
+  }
 
  private:
   R2::Color color_;
-  R3::Vector direction_;  // the way the light travels; unit
+  R3::Vector given_direction_;  // of any length
+  R3::Vector direction_;        // the way the light travels; unit
 };
 
 }  // namespace

@@ -20,6 +20,11 @@ class PointLight : public Light {
   LightBound Bound() const override { return falloff_.BoundOf(color_, place_, 0); }
   bool IsBlack() const override { return R2::IsBlack(color_); }
   std::string Describe() const override { return "point light at " + Words(place_) + ", color " + Words(color_); }
+  R3::Recipe MadeFrom() const override {
+    return {"point_light",
+            {color_.r, color_.g, color_.b, place_.x, place_.y, place_.z, falloff_.constant, falloff_.linear,
+             falloff_.quadratic}};
+  }
 
  private:
   R2::Color color_;

@@ -40,6 +40,11 @@ class SphereLight : public Light {
   std::string Describe() const override {
     return "sphere light at " + Words(center_) + ", radius " + Words(radius_) + ", color " + Words(color_);
   }
+  R3::Recipe MadeFrom() const override {
+    return {"sphere_light",
+            {color_.r, color_.g, color_.b, center_.x, center_.y, center_.z, radius_, falloff_.constant, falloff_.linear,
+             falloff_.quadratic}};
+  }
 
  private:
   R2::Color color_;

@@ -15,8 +15,10 @@ class SpotLight : public Light {
             double cut_off, double exponent)
       : color_(color),
         place_(place),
+        given_direction_(direction),
         direction_(Unit(direction)),
         falloff_(falloff),
+        cut_off_(cut_off),
         cut_off_cosine_(std::cos(cut_off)),
         exponent_(exponent) {}
 
@@ -35,12 +37,19 @@ class SpotLight : public Light {
   std::string Describe() const override {
     return "spot light at " + Words(place_) + " along " + Words(direction_) + ", color " + Words(color_);
   }
+  R3::Recipe MadeFrom() const override {
+    return {"spot_light",
+            {color_.r, color_.g, color_.b, place_.x, place_.y, place_.z, given_direction_.x, given_direction_.y,
+             given_direction_.z, falloff_.constant, falloff_.linear, falloff_.quadratic, cut_off_, exponent_}};
+  }
 
  private:
   R2::Color color_;
   R3::Point place_;
-  R3::Vector direction_;  // the middle of the cone; unit
+  R3::Vector given_direction_;  // of any length
+  R3::Vector direction_;        // the middle of the cone; unit
   Falloff falloff_;
+  double cut_off_;  // radians
   double cut_off_cosine_;
   double exponent_;
 };

@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "R2/compare/Difference.h"
+#include "source/scene/CameraText.h"
 #include "source/view/EventScript.h"
 #include "source/view/overlay/SceneLines.h"
 #include "tests/Project.h"

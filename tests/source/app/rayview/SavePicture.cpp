@@ -8,7 +8,7 @@
 
 #include "source/app/Status.h"
 #include "source/app/options/CommandLine.h"
-#include "source/view/camera/CameraText.h"
+#include "source/scene/CameraText.h"
 #include "tests/Project.h"
 #include "tests/source/app/Program.h"
 

@@ -6,7 +6,8 @@
 #include <numbers>
 #include <random>
 
-#include "source/view/camera/CameraText.h"
+#include "source/scene/CameraText.h"
+#include "source/view/camera/Bookmarks.h"
 #include "tests/Project.h"
 
 namespace ray {

@@ -1,0 +1,65 @@
+#include "source/app/files/ConvertScene.h"
+
+#include "source/app/Status.h"
+#include "source/app/files/OutputFile.h"
+#include "source/app/options/SceneSettings.h"
+#include "source/app/report/Messages.h"
+#include "source/parse/scn/ScnText.h"
+#include "source/text/LowerCase.h"
+#include "source/text/Quoting.h"
+
+namespace ray {
+namespace {
+
+namespace fs = std::filesystem;
+
+void CheckIsScn(const std::string& name) {
+  if (LowerCase(fs::path(name).extension().string()) != ".scn")
+    throw UsageError("-convert " + Quoted(name) + ": a scene is written as .scn, and the name must say so");
+}
+
+/// Where it really lies: what is found from there by a relative name depends on it.
+fs::path Canonical(const fs::path& target) {
+  return fs::canonical(target.parent_path().empty() ? "." : target.parent_path()) / target.filename();
+}
+
+std::span<const unsigned char> BytesOfText(const std::string& text) {
+  return {reinterpret_cast<const unsigned char*>(text.data()), text.size()};
+}
+
+void TellOfText(const ScnText& text, const Options& options) {
+  const std::string warning = Escaped(options.subject) + ": warning: ";
+  for (const std::string& what : text.warnings) PrintError(warning + what);
+  if (options.quiet) return;
+  for (const std::string& folder : text.other_folders)
+    PrintError(warning + "it names files outside its folder; -allow_path " + Escaped(folder) +
+               " lets them be read, wherever it is read from");
+}
+
+}  // namespace
+
+std::string ConvertScene(const Options& options) {
+  CheckIsScn(options.subject);
+  const std::string inputs[] = {options.scene};
+  const OutputFile output = CheckOutput(options.subject, inputs);
+  const ParsedScene parsed = Parse(options.scene, options.parse);
+  RefuseInputs(output, parsed.scene.files);
+  WithSettingsOf(parsed.scene, options);  // a setting that is wrong is the original's mistake
+  TellAll(parsed.warnings);
+
+  const ScnText text = WriteScn(parsed.scene, Canonical(output.target));
+  std::vector<OutputFile> meshes;
+  for (const ScnText::Mesh& mesh : text.meshes)
+    meshes.push_back(CheckOutput(output.target.parent_path() / mesh.name, parsed.scene.files));
+  std::string told;
+  const auto write = [&](const OutputFile& file, const std::string& content) {
+    WriteWhole(file, BytesOfText(content));
+    told += "wrote " + QuotedPath(file.name) + "\n";
+  };
+  for (std::size_t i = 0; i < meshes.size(); ++i) write(meshes[i], text.meshes[i].text);
+  write(output, text.text);
+  TellOfText(text, options);
+  return options.quiet ? std::string() : told;
+}
+
+}  // namespace ray

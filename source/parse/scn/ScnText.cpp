@@ -1,0 +1,238 @@
+#include "source/parse/scn/ScnText.h"
+
+#include <algorithm>
+#include <cassert>
+#include <map>
+#include <optional>
+#include <sstream>
+#include <utility>
+
+#include "R3/Mesh.h"
+#include "source/parse/scn/ObjText.h"
+#include "source/scene/CameraText.h"
+#include "source/text/NumberText.h"
+#include "source/text/Quoting.h"
+
+namespace ray {
+namespace {
+
+/// Flat polygons of so many triangles or fewer are spelled out: what a scene gives corner by corner, not what a program
+/// made. Longer ones would bury the scene.
+constexpr int most_spelled_out = 64;
+
+std::string TextOf(const char* word) { return word; }
+std::string TextOf(const std::string& word) { return word; }
+std::string TextOf(int number) { return std::to_string(number); }
+std::string TextOf(double number) { return ToText(number); }
+std::string TextOf(const R2::Color& c) { return ToText(c.r) + " " + ToText(c.g) + " " + ToText(c.b); }
+std::string TextOf(const R3::Vector& v) { return ToText(v.x) + " " + ToText(v.y) + " " + ToText(v.z); }
+std::string TextOf(const R3::Point& p) { return TextOf(FromOrigin(p)); }
+std::string TextOf(const std::vector<double>& numbers) {
+  std::string text;
+  for (const double number : numbers) text += (text.empty() ? "" : " ") + ToText(number);
+  return text;
+}
+
+/// Its words with one space between them, as they are kept when read.
+std::string Joined(const std::string& value) {
+  std::istringstream in(value);
+  std::string joined;
+  for (std::string word; in >> word;) joined += (joined.empty() ? "" : " ") + word;
+  return joined;
+}
+
+class ScnWriter {
+ public:
+  ScnWriter(const Scene& scene, const std::filesystem::path& file)
+      : scene_(scene), folder_(file.parent_path()), stem_(file.stem().string()) {}
+
+  ScnText Write() && {
+    SaySettings();
+    text_ += CameraLine(scene_.camera) + "\n";
+    SaySurroundings();
+    SayLights();
+    // Materials come first in the file, but whether the default one needs an id is known only after the nodes.
+    const std::string before = std::exchange(text_, {});
+    SayNodes();
+    const std::string nodes = std::exchange(text_, {});
+    SayMaterials();
+    written_.text = before + text_ + nodes;
+    return std::move(written_);
+  }
+
+ private:
+  static constexpr int default_material = 0;
+
+  /// A statement: a command and what it takes.
+  template <class... Parts>
+  void Say(const char* command, const Parts&... parts) {
+    text_ += std::string(indentation_, ' ') + command;
+    ((text_ += " " + TextOf(parts)), ...);
+    text_ += "\n";
+  }
+
+  void SaySettings() {
+    for (const SceneSetting& setting : scene_.settings) Say("set", setting.option, Joined(setting.value));
+  }
+
+  void SaySurroundings() {
+    if (!IsBlack(scene_.background)) Say("background", scene_.background);
+    if (!IsBlack(scene_.ambient)) Say("ambient", scene_.ambient);
+    if (scene_.shadow_bias != 0) Say("shadow_bias", scene_.shadow_bias);
+    if (!scene_.environment) return;
+    if (const auto name = NameOf(scene_.environment->File(), "the environment is left out")) Say("environment", *name);
+  }
+
+  void SayLights() {
+    for (const auto& light : scene_.lights) {
+      const R3::Recipe made = light->MadeFrom();
+      Say(made.kind, made.arguments);
+    }
+    // A scene that names no light would get two: this one gives none.
+    if (scene_.lights.empty()) Say("dir_light", R2::Color{}, R3::Vector{0, -1, 0});
+  }
+
+  void SayMaterials() {
+    for (std::size_t i = 1; i < scene_.materials.size(); ++i) SayMaterial(scene_.materials[i]);
+    if (names_default_) SayMaterial(scene_.materials[default_material]);
+  }
+
+  void SayMaterial(const Material& m) {
+    const int id = materials_said_++;
+    const auto texture =
+        m.texture ? NameOf(m.texture->file, "a material is left without its texture") : std::optional<std::string>();
+    Say("material", m.ka, m.kd, m.ks, m.kt, m.emission, m.n, m.ir, texture.value_or("0"));
+    if (m.kr != m.ks) Say("mirror", id, m.kr);
+    if (!IsBlack(m.absorb)) Say("absorb", id, m.absorb);
+    if (m.color) Say("flat_color", id, *m.color);
+    if (!m.bump) return;
+    if (const auto bump = NameOf(m.bump->file, "a material is left without its bump map"))
+      Say("bump", id, *bump, m.bump_height);
+  }
+
+  /// A group that is being written.
+  struct OpenGroup {
+    const Node* group;
+    std::size_t next;  // of its children
+    int material;      // that is handed down
+  };
+
+  void SayNodes() {
+    std::vector<OpenGroup> open{{&scene_.root, 0, default_material}};  // no recursion: see Node
+    for (;;) {
+      OpenGroup& innermost = open.back();
+      if (innermost.next == innermost.group->children.size()) {
+        open.pop_back();
+        if (open.empty()) return;
+        Indent(open.size() - 1);
+        Say("end");
+        continue;
+      }
+      const Node& node = innermost.group->children[innermost.next++];
+      const int material = node.material == Node::inherit ? innermost.material : node.material;
+      if (node.shape || node.line) {
+        SayPrimitive(node, scene_.materials[static_cast<std::size_t>(material)]);
+      } else {
+        SayBegin(node);
+        open.push_back({&node, 0, material});
+        Indent(open.size() - 1);
+        if (node.motion != R3::Vector{}) Say("motion", node.motion);
+      }
+    }
+  }
+
+  /// Beyond this, groups within groups would make more white space than text.
+  void Indent(std::size_t depth) {
+    constexpr std::size_t deepest = 16;
+    indentation_ = 2 * std::min(depth, deepest);
+  }
+
+  void SayBegin(const Node& group) {
+    std::vector<double> entries;
+    for (const auto& row : group.transform.m) entries.insert(entries.end(), row.begin(), row.end());
+    entries.insert(entries.end(), {0, 0, 0, 1});
+    Say("begin", IdOf(group), entries);
+  }
+
+  void SayPrimitive(const Node& node, const Material& material) {
+    const int id = IdOf(node);
+    if (node.line) return Say("line", id, node.line->start, node.line->end);
+    if (const auto made = node.shape->MadeFrom()) return Say(made->kind, id, made->arguments);
+    const auto* mesh = dynamic_cast<const R3::Mesh*>(node.shape.get());
+    assert(mesh);  // what is no mesh is of a kind
+    if (IsSaidByTriangles(*mesh, material)) return SayTriangles(*mesh, id);
+    if (mesh->IsSmooth())
+      Say("mesh", id, FileOf(*mesh), "smooth");
+    else
+      Say("mesh", id, FileOf(*mesh));
+  }
+
+  /// Whether a `tri` for each triangle makes the same picture, though they have texture coordinates of their own and
+  /// are lamps of their own.
+  bool IsSaidByTriangles(const R3::Mesh& mesh, const Material& material) const {
+    const auto shows_more = [](const SceneSetting& setting) {
+      return setting.option == "mode" && (setting.value == "uv" || setting.value == "id");
+    };
+    return mesh.File().empty() && !mesh.IsSmooth() && mesh.Elements() <= most_spelled_out && !material.texture &&
+           !material.bump && IsBlack(material.emission) &&
+           std::none_of(scene_.settings.begin(), scene_.settings.end(), shows_more);
+  }
+
+  void SayTriangles(const R3::Mesh& mesh, int id) {
+    for (int i = 0; i < mesh.Elements(); ++i) {
+      const auto corners = mesh.Corners(i);
+      Say("tri", id, corners[0], corners[1], corners[2]);
+    }
+  }
+
+  /// The name of the file that the mesh is in, or will be.
+  std::string FileOf(const R3::Mesh& mesh) {
+    const auto [place, is_new] = names_of_meshes_.try_emplace(&mesh);
+    if (!is_new) return place->second;
+    if (!mesh.File().empty())
+      if (const auto name = NameOf(mesh.File(), "the mesh is written again, as a file beside the scene"))
+        return place->second = *name;
+    const std::string name = stem_ + "-" + std::to_string(written_.meshes.size() + 1) + ".obj";
+    written_.meshes.push_back({name, ObjText(mesh)});
+    return place->second = name;
+  }
+
+  /// -1 to inherit.
+  int IdOf(const Node& node) {
+    if (node.material != default_material) return node.material == Node::inherit ? -1 : node.material - 1;
+    names_default_ = true;
+    return static_cast<int>(scene_.materials.size()) - 1;
+  }
+
+  /// How the text names a file. Nothing, and a warning, where the language has no way to.
+  std::optional<std::string> NameOf(const std::string& file, const std::string& otherwise) {
+    const std::string name = std::filesystem::path(file).lexically_relative(folder_).string();
+    const bool has_space =
+        std::any_of(name.begin(), name.end(), [](char c) { return c == ' ' || (c >= '\t' && c <= '\r'); });
+    if (file.empty() || has_space) {
+      written_.warnings.push_back(file.empty() ? "an image came from no file: " + otherwise
+                                               : "a name with white space cannot be written in a .scn file: " +
+                                                     Quoted(name) + "; " + otherwise);
+      return {};
+    }
+    if (name.starts_with("../")) written_.other_folders.insert(std::filesystem::path(file).parent_path().string());
+    const bool means_something_else = name == "0" || name.starts_with('#');  // no texture; a comment
+    return means_something_else ? "./" + name : name;
+  }
+
+  const Scene& scene_;
+  std::filesystem::path folder_;
+  std::string stem_;
+  ScnText written_;
+  std::string text_;
+  std::size_t indentation_ = 0;
+  int materials_said_ = 0;
+  bool names_default_ = false;  // outside of it: inheriting would give another
+  std::map<const R3::Mesh*, std::string> names_of_meshes_;
+};
+
+}  // namespace
+
+ScnText WriteScn(const Scene& scene, const std::filesystem::path& file) { return ScnWriter(scene, file).Write(); }
+
+}  // namespace ray
