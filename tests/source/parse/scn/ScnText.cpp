@@ -1,0 +1,228 @@
+// Scenes written as .scn are the same scenes when they are read again.
+#include "source/parse/scn/ScnText.h"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+#include "R3/Mesh.h"
+#include "source/app/options/CommandLine.h"
+#include "source/app/options/SceneSettings.h"
+#include "source/parse/meshes/MeshFormat.h"
+#include "source/parse/scn/ObjText.h"
+#include "tests/Project.h"
+#include "tests/source/parse/Folder.h"
+
+namespace ray {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The text of a scene as it would be in a folder, its meshes beside it.
+std::string WrittenTo(const Folder& folder, const std::string& name, const Scene& scene) {
+  const ScnText text = WriteScn(scene, folder / name);
+  for (const ScnText::Mesh& mesh : text.meshes) folder.Write(mesh.name, mesh.text);
+  folder.Write(name, text.text);
+  return text.text;
+}
+
+/// As raypro would render it, with what the scene sets, but small.
+R2::Image PictureOf(Scene scene) {
+  Options options =
+      ReadCommandLine(Program::raypro, std::vector<std::string>{"in.scn", "out.pfm", "-width", "24", "-height", "18"});
+  options = WithSettingsOf(scene, options);
+  return project::Render(project::Stage(std::move(scene)), options.render).image;
+}
+
+/// Every scene and mesh below a folder that may be absent.
+std::vector<fs::path> ScenesBelow(const fs::path& folder) {
+  std::vector<fs::path> scenes;
+  const std::set<std::string> extensions{".scn", ".yaml", ".json", ".txt", ".obj", ".off", ".ply", ".stl", ".ray"};
+  std::error_code error;
+  for (const auto& entry : fs::recursive_directory_iterator(folder, error))
+    if (extensions.contains(entry.path().extension().string())) scenes.push_back(entry.path());
+  std::sort(scenes.begin(), scenes.end());
+  return scenes;
+}
+
+std::optional<Scene> ReadIfItIsOne(const fs::path& file, const ParseOptions& options) {
+  try {
+    return Parse(file, options).scene;
+  } catch (const SceneErrors&) {
+    return {};
+  }
+}
+
+void ExpectTheSameAgain(const fs::path& file) {
+  ParseOptions options;
+  options.allowed_folders = {"/"};
+  std::optional<Scene> scene = ReadIfItIsOne(file, options);
+  if (!scene) return;
+  const Folder folder;
+  const std::string text = WrittenTo(folder, "once.scn", *scene);
+  Scene again = Parse(folder / "once.scn", options).scene;
+  EXPECT_EQ(WriteScn(again, folder / "twice.scn").text, text) << file;
+  EXPECT_TRUE(PictureOf(std::move(again)) == PictureOf(std::move(*scene))) << file;
+}
+
+TEST(ScnText, OfEveryOwnSceneMakesTheSamePictureAndIsTheSameTextWhenWrittenAgain) {
+  for (const char* folder : {"scenes", "writeup/scenes"})
+    for (const fs::path& file : ScenesBelow(project::Root() / folder)) ExpectTheSameAgain(file);
+}
+
+TEST(ScnText, OfEveryScenePublishedByACourseMakesTheSamePicture) {
+  std::vector<fs::path> files;
+  for (const char* course : {"scenes-cos426", "scenes-groningen", "scenes-cs315", "scenes-comp30019"}) {
+    const auto more = ScenesBelow(project::Shared() / course);
+    files.insert(files.end(), more.begin(), more.end());
+  }
+  if (files.empty()) GTEST_SKIP() << "the scenes are not beside this checkout";
+  for (const fs::path& file : files) ExpectTheSameAgain(file);
+}
+
+TEST(ScnText, OfEveryShapeAndLightHasTheVeryNumbersThatItWasMadeFrom) {
+  for (const R3::ShapeKind* kind : R3::ShapeKinds()) {
+    const auto made = kind->make(kind->example)->MadeFrom();
+    ASSERT_TRUE(made) << kind->name;
+    EXPECT_EQ(made->kind, std::string(kind->name));
+    EXPECT_EQ(made->arguments, kind->example) << kind->name;
+  }
+  for (const LightKind* kind : LightKinds()) {
+    const R3::Recipe made = kind->make(kind->example)->MadeFrom();
+    EXPECT_EQ(made.kind, std::string(kind->name));
+    EXPECT_EQ(made.arguments, kind->example) << kind->name;
+  }
+}
+
+TEST(ScnText, SaysEverythingThatTheLanguageHasAWordFor) {
+  const Folder folder;
+  const std::string text =
+      "set max_depth 3\n"
+      "set zbuffer_range 1 20\n"
+      "camera 0 0 6  0 0 -1  0 1 0  0.3  0.1 100 view 1.5 0.25 -0.5\n"
+      "background 0.1 0.2 0.3\n"
+      "ambient 0.3 0.2 0.1\n"
+      "shadow_bias 0.001\n"
+      "point_light 1 1 1 0 3 5 1 0 0\n"
+      "material 0 0 0 1 0 0 0.5 0.5 0.5 0 0 0 0 0 0 10 1.5 0\n"
+      "mirror 0 0.1 0.2 0.3\n"
+      "absorb 0 0.5 0.25 0.125\n"
+      "flat_color 0 0.75 0.5 0.25\n"
+      "sphere -1 0 0 0 1\n"
+      "begin 0 1 0 0 2 0 1 0 0 0 0 1 0 0 0 0 1\n"
+      "  motion 0.5 0 0\n"
+      "  begin -1 2 0 0 0 0 2 0 0 0 0 2 0 0 0 0 1\n"
+      "    plane -1 0 -1 0 0 3 0\n"
+      "    tri 0 0 0 0 1 0 0 0 1 0\n"
+      "  end\n"
+      "  line -1 0 0 0 1 1 1\n"
+      "end\n";
+  folder.Write("in.scn", text);
+  EXPECT_EQ(WriteScn(Parse(folder / "in.scn", {}).scene, folder / "out.scn").text, text);
+}
+
+TEST(ScnText, AnIncludedFileInsideAGroupKeepsTheDefaultMaterialItInherits) {
+  const Folder folder;
+  folder.Write("part.scn", "sphere -1 0 0 0 1\n");
+  folder.Write("in.scn", red + "begin 0" + identity + "include part.scn\nend\n");
+  const Scene scene = Parse(folder / "in.scn", {}).scene;
+  WrittenTo(folder, "out.scn", scene);
+  const Scene again = Parse(folder / "out.scn", {}).scene;
+  const Node& sphere = again.root.children.at(0).children.at(0);
+  ASSERT_GT(sphere.material, 0);
+  EXPECT_EQ(again.materials[static_cast<std::size_t>(sphere.material)].kd, Material().kd);
+}
+
+TEST(ScnText, ASceneWithoutLightsGetsNoneByDefault) {
+  const Folder folder;
+  WrittenTo(folder, "out.scn", Scene{});
+  const Scene again = Parse(folder / "out.scn", {}).scene;
+  ASSERT_EQ(again.lights.size(), 1u);
+  EXPECT_TRUE(again.lights[0]->IsBlack());
+}
+
+R3::MeshData Fan(bool has_normals) {
+  R3::MeshData data;
+  data.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0.1}, {0, 1, 0.3}};
+  data.triangles = {{0, 1, 2}, {0, 2, 3}};
+  data.uvs = {{0, 0}, {1, 0}, {1, 1}, {0, 1. / 3}};
+  if (has_normals) data.normals = {{0.1, 0.2, 1}, {-0.3, 0.4, 1}, {0, 0, 0}, {0.7, -0.1, 0.3}};
+  return data;
+}
+
+Scene SceneOf(std::shared_ptr<const R3::Mesh> mesh, Material material = {}) {
+  Scene scene;
+  scene.materials.push_back(std::move(material));
+  Node node;
+  node.shape = std::move(mesh);
+  node.material = 1;
+  SetBounds(node);
+  scene.root.children.push_back(std::move(node));
+  return scene;
+}
+
+TEST(ScnText, AMeshOfNoFileIsTriangles) {
+  const ScnText text = WriteScn(SceneOf(std::make_shared<const R3::Mesh>(Fan(false))), "/nowhere/out.scn");
+  EXPECT_TRUE(text.meshes.empty());
+  EXPECT_TRUE(text.text.ends_with("tri 0 0 0 0 1 0 0 1 1 0.1\ntri 0 0 0 0 1 1 0.1 0 1 0.3\n")) << text.text;
+}
+
+TEST(ScnText, AMeshOfNoFileThatIsSmoothOrALampIsOneFileHoweverOftenItIsUsed) {
+  Material lamp;
+  lamp.emission = {1, 1, 1};
+  EXPECT_EQ(WriteScn(SceneOf(std::make_shared<const R3::Mesh>(Fan(false)), lamp), "/nowhere/a.scn").meshes.size(), 1u);
+  const auto smooth = std::make_shared<const R3::Mesh>(Fan(true), true);
+  Scene twice = SceneOf(smooth);
+  twice.root.children.push_back(std::move(SceneOf(smooth).root.children[0]));
+  const ScnText text = WriteScn(twice, "/nowhere/a.scn");
+  ASSERT_EQ(text.meshes.size(), 1u);
+  EXPECT_EQ(text.meshes[0].name, "a-1.obj");
+  EXPECT_TRUE(text.text.ends_with("mesh 0 a-1.obj smooth\nmesh 0 a-1.obj smooth\n")) << text.text;
+}
+
+TEST(ScnText, FilesAreNamedAsSeenFromTheFolderOfTheText) {
+  const Folder folder;
+  folder.Write("models/one.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+  folder.Write("in.scn", "mesh -1 models/one.off\n");
+  fs::create_directories(folder / "copies");
+  const Scene scene = Parse(folder / "in.scn", {}).scene;
+  const ScnText beside = WriteScn(scene, folder / "out.scn"), below = WriteScn(scene, folder / "copies/out.scn");
+  EXPECT_TRUE(Contains(beside.text, "mesh -1 models/one.off\n")) << beside.text;
+  EXPECT_TRUE(beside.other_folders.empty());
+  EXPECT_TRUE(Contains(below.text, "mesh -1 ../models/one.off\n")) << below.text;
+  EXPECT_EQ(below.other_folders, std::set<std::string>{(folder / "models").string()});
+}
+
+TEST(ScnText, ANameWithASpaceIsWarnedOfAndAMeshOfThatNameIsWrittenAgain) {
+  const Folder folder;
+  folder.Write("a mesh.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+  const Scene scene = Parse(folder / "a mesh.off", {}).scene;
+  const ScnText text = WriteScn(scene, folder / "out.scn");
+  ASSERT_EQ(text.warnings.size(), 1u);
+  EXPECT_TRUE(Contains(text.warnings[0], "'a mesh.off'")) << text.warnings[0];
+  EXPECT_EQ(text.meshes.size(), 1u);
+}
+
+TEST(ScnText, GroupsAHundredThousandDeepAreWritten) {
+  constexpr int depth = 100'000;
+  std::string text;
+  for (int i = 0; i < depth; ++i) text += "begin -1" + identity;
+  for (int i = 0; i < depth; ++i) text += "end\n";
+  const std::string written = WriteScn(ParseText(text).scene, "/nowhere/out.scn").text;
+  EXPECT_TRUE(written.ends_with("  end\nend\n"));
+}
+
+TEST(ObjText, ReadsBackAsTheSameMeshToTheBit) {
+  for (const bool smooth : {false, true}) {
+    const R3::Mesh mesh(Fan(smooth), smooth);
+    Report report;
+    const R3::Mesh again(MeshFormatForName("a.obj")->read(Text{"a.obj", ObjText(mesh)}, report), smooth);
+    EXPECT_EQ(again.Data().positions, mesh.Data().positions);
+    EXPECT_EQ(again.Data().triangles, mesh.Data().triangles);
+    EXPECT_EQ(again.Data().uvs, mesh.Data().uvs);
+    EXPECT_EQ(again.Data().normals, mesh.Data().normals);
+  }
+}
+
+}  // namespace
+}  // namespace ray
