@@ -104,6 +104,8 @@ class ScnWriter {
     Say("material", m.ka, m.kd, m.ks, m.kt, m.emission, m.n, m.ir, texture.value_or("0"));
     if (m.kr != m.ks) Say("mirror", id, m.kr);
     if (!IsBlack(m.absorb)) Say("absorb", id, m.absorb);
+    if (m.coat != 0) Say("coat", id, m.coat);
+    if (m.texture_multiplies_ka) Say("texture_ambient", id);
     if (m.color) Say("flat_color", id, *m.color);
     if (!m.bump) return;
     if (const auto bump = NameOf(m.bump->file, "a material is left without its bump map"))

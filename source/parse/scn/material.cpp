@@ -87,6 +87,12 @@ void ReadFlatColor(ScnReader& reader, Statement& statement) {
   if (material && statement.IsGood()) material->color = R2::Color{a[0], a[1], a[2]};
 }
 
+/// An extension: some courses' textures color what ambient light shows as well.
+void ReadTextureAmbient(ScnReader& reader, Statement& statement) {
+  Material* material = reader.ReadOwnMaterial(statement);
+  if (material && statement.IsGood()) material->texture_multiplies_ka = true;
+}
+
 const std::array<R3::Argument, 1> height{{{"height"}}};
 
 /// An extension: the luminance of a picture, times a height, is how far the surface seems to rise.
@@ -117,6 +123,8 @@ extern const Command coat_command{
 extern const Command flat_color_command{
     "flat_color", "flat_color mat_id r g b",
     "what mode flat shows, where it is not the sum of kd, the mirror's weight and kt", ReadFlatColor};
+extern const Command texture_ambient_command{"texture_ambient", "texture_ambient mat_id",
+                                             "the material's texture multiplies ka as well as kd", ReadTextureAmbient};
 extern const Command material_command{
     "material", "material" + ArgumentNames(material_arguments) + " texture",
     "ambient, diffuse, specular, transmission, emission, Phong exponent, index of refraction, image file or 0; ids "

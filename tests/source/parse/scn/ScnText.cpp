@@ -107,6 +107,8 @@ TEST(ScnText, SaysEverythingThatTheLanguageHasAWordFor) {
       "material 0 0 0 1 0 0 0.5 0.5 0.5 0 0 0 0 0 0 10 1.5 0\n"
       "mirror 0 0.1 0.2 0.3\n"
       "absorb 0 0.5 0.25 0.125\n"
+      "coat 0 1.25\n"
+      "texture_ambient 0\n"
       "flat_color 0 0.75 0.5 0.25\n"
       "sphere -1 0 0 0 1\n"
       "begin 0 1 0 0 2 0 1 0 0 0 0 1 0 0 0 0 1\n"
