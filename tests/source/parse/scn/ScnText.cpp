@@ -37,7 +37,8 @@ R2::Image PictureOf(Scene scene) {
 /// Every scene and mesh below a folder that may be absent.
 std::vector<fs::path> ScenesBelow(const fs::path& folder) {
   std::vector<fs::path> scenes;
-  const std::set<std::string> extensions{".scn", ".yaml", ".json", ".txt", ".obj", ".off", ".ply", ".stl", ".ray"};
+  const std::set<std::string> extensions{".scn", ".yaml", ".yml", ".json", ".txt",
+                                         ".obj", ".off",  ".ply", ".stl",  ".ray"};
   std::error_code error;
   for (const auto& entry : fs::recursive_directory_iterator(folder, error))
     if (extensions.contains(entry.path().extension().string())) scenes.push_back(entry.path());
