@@ -11,7 +11,18 @@ namespace {
 
 constexpr int usual_side = 400;  // pixels of a picture whose file names no size
 
+constexpr double usual_distance = 1000;  // of the eye from the picture's plane, in the course's own scenes
+
 constexpr std::int64_t most = std::numeric_limits<int>::max();
+
+/// From the eye to the middle of the picture. Students give a direction instead, which leaves open how far that is.
+R3::Vector WayToCenter(Mapping& camera, const R3::Point& eye) {
+  const auto direction = camera.Has({"center"}) ? std::nullopt : camera.Find({"direction"});
+  if (!direction) return camera.NeedPoint({"center"}) - eye;
+  const R3::Vector way = direction->Vector().value_or(R3::Vector{0, 0, -1});
+  if (way == R3::Vector{}) direction->Error("must not be 0 0 0: it is a direction");
+  return usual_distance * Unit(way);
+}
 
 }  // namespace
 
@@ -46,8 +57,8 @@ void GroningenReader::ReadEye(const Field& field) {
 void GroningenReader::ReadCamera(const Field& field) {
   auto camera = field.AsMapping("a camera");
   if (!camera) return;
-  const R3::Point eye = camera->NeedPoint({"eye"}), center = camera->NeedPoint({"center"});
-  const R3::Vector up = camera->Vector({"up"}).value_or(R3::Vector{0, 1, 0}), towards = center - eye;
+  const R3::Point eye = camera->NeedPoint({"eye", "position"});
+  const R3::Vector towards = WayToCenter(*camera, eye), up = camera->Vector({"up"}).value_or(R3::Vector{0, 1, 0});
   double width = usual_side;
   if (const auto size = camera->Find({"viewSize", "ViewSize", "size"})) width = ReadSize(*size).value_or(width);
   ReadLens(*camera, Length(towards));

@@ -75,6 +75,16 @@ TEST(Groningen, ThePicturesMiddleOfACameraIsItsCenterAndUpIsAPixelWide) {
   EXPECT_NEAR(Length(in_plane(400, 201) - in_plane(400, 200)), 0.75, 1e-12);
 }
 
+TEST(Groningen, ADirectionOfACameraStandsForACenterAsFarAsTheCoursesOwn) {
+  const Scene given =
+      Groningen("{'Camera': {'position': [1, 2, 3], 'direction': [0, 0, -2], 'up': [0, 1, 0]}, 'Objects': []}").scene;
+  const Scene wanted =
+      Groningen("{'Camera': {'eye': [1, 2, 3], 'center': [1, 2, -997], 'up': [0, 1, 0]}, 'Objects': []}").scene;
+  EXPECT_EQ(given.camera.eye, wanted.camera.eye);
+  EXPECT_EQ(given.camera.towards, wanted.camera.towards);
+  EXPECT_EQ(given.camera.xfov, wanted.camera.xfov);
+}
+
 TEST(Groningen, ACameraReplacesAnEye) {
   const Scene scene =
       Groningen("{'Eye': [1, 1, 1], 'Camera': {'eye': [0, 0, 9], 'center': [0, 0, 0]}, 'Objects': []}").scene;
