@@ -45,7 +45,9 @@ void GroningenReader::ReadView(Mapping& scene) {
 void GroningenReader::ReadEye(const Field& field) {
   const auto eye = field.Vector();
   if (!eye) return;
-  if (eye->z == 0) return field.Error("must not have z = 0: the picture's plane is there");
+  if (eye->z == 0)
+    return field.Error("must not have z = 0: the picture's plane is there",
+                       "a Camera with eye, center and up may be anywhere");
   constexpr double half = usual_side / 2.0;
   Camera& camera = Made().camera;
   camera.eye = R3::Point{} + *eye;
