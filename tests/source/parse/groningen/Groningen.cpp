@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <numbers>
 
 #include "tests/Project.h"
@@ -419,6 +420,18 @@ TEST(Groningen, AMeshIsFoundWithoutItsExtensionScaledTurnedAndMoved) {
 }
 
 #ifdef RAYPRO_YAML
+TEST(Groningen, AMeshMayBeNamedByWayOfTheFolderAboveTheScene) {
+  const Folder folder;
+  const std::filesystem::path mesh = folder.Write("flag.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  const std::string name = "../" + mesh.parent_path().filename().string() + "/flag.obj";
+  ParseOptions options;
+  options.format = "groningen";
+  const auto file =
+      folder.Write("scene.json", "{\"Eye\": [0, 0, 9], \"Objects\": [{\"type\": \"mesh\", \"filename\": \"" + name +
+                                     "\", \"material\": {\"color\": [1, 1, 1]}}]}");
+  EXPECT_TRUE(Trace(Parse(file, options).scene, {{0.25, 0.25, 9}, {0, 0, -1}}));
+}
+
 TEST(Groningen, BothFormsOfASceneAreTheSame) {
   const Folder folder;
   const auto yaml = folder.Write(
