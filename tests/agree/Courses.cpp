@@ -70,17 +70,15 @@ constexpr int all = 1 << 30;
 
 // The pictures called 4 x 4 were made with 2 x 2 samples.
 //
-// Those with shadows differ for two reasons, and no setting of ours makes up for either. A plain program in double
-// precision of nothing but these formulas differs in the same 102 pixels of the first:
-// - 38 have nothing but their ambient light, where the cosine of the light is below 0.023. All visibly lit pixels below
-// a
-//   cosine of 0.005 are among them, and a few, scattered, of the 290 or so above: spheres shadow themselves by
-//   rounding. We give them their light.
-// - 64 differ by one level, where the formulas give a whole number to within 0.06, mostly 0.005. The signs are mixed,
-// and
-//   hits moved along the ray by 1e-5 to 1e-2 either way leave 68 of the oldest picture's 71 at best, so it is rounding as
-//   well, much coarser than ours. In single precision the same program agrees with 50 of those 71, but differs in 63
-//   others: which steps were rounded how is not known.
+// Those with shadows differ for two reasons. A plain program in double precision of nothing but these formulas differs
+// in the same 102 pixels of the first.
+// In 38 the picture has only ambient light, where the cosine of the light is below 0.023: in all 20 pixels below 0.005
+// where it would show, and in 18 scattered among some 300 up to 0.025. It looks like spheres that shadow themselves by
+// rounding. We give them their light.
+// 64 differ by one level, where the formulas give a whole number to within 0.06, mostly 0.005. The signs are mixed, and
+// moving hits along the ray by 1e-5 to 1e-2 either way leaves 68 of the oldest picture's 71 at best. It looks like
+// rounding much coarser than ours, but not simply like single precision, in which the same program agrees with 50 of
+// those 71 and differs in 63 others.
 // The one pixel of the second picture that is 59 levels off lies on the ground where the shadow from its second light
 // begins: dark there, lit here.
 TEST(Courses, GroningensPicturesAreMet) {
