@@ -55,6 +55,15 @@ std::string Entries(Program program) {
   return text;
 }
 
+std::string SceneLanguages() {
+  return ".SH SCENES\nFiles .scn are in the language described in\n.BR scn (5).\n" +
+         Roff(
+             "Files .yaml and .yml are in the language of Groningen's course, files .txt in that of COMP30019; files "
+             ".json are in that of CS 315 or in Groningen's, which their keys tell apart. -format names the language "
+             "otherwise: scn, groningen, cs315 or comp30019.\n") +
+         "A file with the extension of a mesh is a scene of that mesh alone.\n";
+}
+
 std::string SeeAlso(Program program) {
   std::string text;
   for (const Program other : programs)
@@ -90,8 +99,7 @@ std::string ManualPage(Program program) {
          (takes_scene ? "File name extensions choose the formats;\n.B " + name + " \\-list\nlists them.\n" : "") +
          "Options and names come in any order; \\-name value, \\-\\-name value and \\-name=value mean the same.\n"
          "A picture is written to a temporary file beside its name and renamed when it is complete.\n" +
-         CommandSections(program) + ".SH OPTIONS\n" + Entries(program) +
-         (takes_scene ? ".SH SCENES\nScenes are in the language described in\n.BR scn (5).\n" : "") +
+         CommandSections(program) + ".SH OPTIONS\n" + Entries(program) + (takes_scene ? SceneLanguages() : "") +
          ".SH EXIT STATUS\n" + Tagged(about.statuses) + ".SH ENVIRONMENT\n" + Tagged(environment) +
          ".SH EXAMPLES\n.nf\n" + Roff(about.examples) + ".fi\n" + SeeAlso(program);
 }
