@@ -76,6 +76,7 @@ END {
   print "<link rel=\"icon\" href=\"data:,\">"
   print "<script src=\"slider.js\" defer></script>\n</head>\n<body>\n<header>\n<h1>" html(title) "</h1>"
   print "<p class=\"pages\"><a href=\"assignment3.html\">Features</a>"
+  print "<a href=\"courses.html\">Other courses</a>"
   print "<a href=\"troubleshooting.html\">Troubleshooting</a> <a href=\"../scenes/README.md\">Scenes</a>"
   print "<a href=\"../art/README.md\">Art</a> <a href=\"../README.md\">Readme</a></p>"
   print "</header>\n<nav aria-label=\"Sections\">\n<ul>\n" nav "</ul>\n</nav>\n<main>"

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Regenerates the writeup from the repository: every picture, table and plot, and its two pages.
+# Regenerates the writeup from the repository: every picture, table and plot, and its pages.
 #
 #     script/runray.sh [-accept] [-all] [ID ...]     everything, or the pictures named
 #     script/runray.sh -fast                         a check: a few small pictures and the pages, below build/ only
@@ -21,6 +21,7 @@ table=script/pictures.txt
 build=build/writeup
 pictures=writeup/pictures
 measured=writeup/measured
+texts="assignment3 courses troubleshooting"
 
 # Rows of the table without comments; fields are parted by tabs.
 rows() { awk -F ' *[|] *' -v OFS='\t' '/^#/ || NF < 7 { next } { $1 = $1; print }' $table; }
@@ -31,9 +32,10 @@ field() { awk -F '\t' -v id="$1" -v n="$2" '$1 == id { print $n; exit }' "$build
 # A scene and all files it names, and those they name; words that are no files are skipped.
 inputs_of() {  # file
   echo "$1"
-  case $1 in *.scn) ;; *) return 0 ;; esac
+  case $1 in *.scn | *.yaml | *.yml | *.json | *.txt) ;; *) return 0 ;; esac
   folder=$(dirname "$1")
-  for word in $(sed 's/#.*//' "$1" | tr -s ' \t' '\n\n' | grep '[a-z]\.[a-z]' | sort -u); do
+  # In YAML, JSON and COMP30019's text names stand in quotes or between commas and brackets.
+  for word in $(sed "s/#.*//; s/[][{}(),\"']/ /g" "$1" | tr -s ' \t' '\n\n' | grep '[a-z]\.[a-z]' | sort -u); do
     if [ -f "$folder/$word" ]; then (inputs_of "$folder/$word"); fi
   done
 }
@@ -244,7 +246,7 @@ END
 }
 
 pages() {  # folder to write to
-  for page in assignment3 troubleshooting; do
+  for page in $texts; do
     awk -v page=$page -v measured=$measured -f script/page.awk $table writeup/text/$page.html > "$1/$page.html.new"
     mv "$1/$page.html.new" "$1/$page.html"
   done
@@ -309,7 +311,7 @@ if [ "$fast" = no ]; then
 else
   mkdir -p $build/page
   pages $build/page
-  for page in assignment3 troubleshooting; do
+  for page in $texts; do
     cmp -s $build/page/$page.html writeup/$page.html ||
       echo "writeup/$page.html is out of date" >> $build/failures
   done

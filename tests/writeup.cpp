@@ -51,7 +51,7 @@ std::vector<Tag> TagsOf(const std::string& page) {
 
 std::filesystem::path Writeup() { return project::Root() / "writeup"; }
 
-constexpr const char* pages[] = {"assignment3.html", "troubleshooting.html"};
+constexpr const char* pages[] = {"assignment3.html", "courses.html", "troubleshooting.html"};
 
 TEST(Writeup, EveryLinkAndPictureOfThePagesExists) {
   for (const std::string page : pages) {
