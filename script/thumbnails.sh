@@ -34,6 +34,9 @@ mkdir -p scenes/thumbnails
     name=$(basename "$scene" .scn)
     echo "| [$name]($name.scn) | ![$name](thumbnails/$name.jpg) | $(comment "$scene" | sed 's/|/\\|/g') |"
   done
+  echo
+  echo "Scenes in the languages of other courses, \`*.yaml\`, \`*.yml\`, \`*.json\` and \`comp30019/*.txt\`, are shown in"
+  echo "[writeup/courses.html](../writeup/courses.html)."
 } > "$work/README.md"
 
 if [ "${1:-}" = -check ]; then
