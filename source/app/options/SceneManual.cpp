@@ -86,19 +86,20 @@ constexpr const char* about_files =
 
 constexpr std::pair<const char*, const char*> extensions[] = {
     {"mesh id file smooth", "Without the word smooth a mesh is flat, as in the course."},
-    {"absorb, bump, coat, mirror", "Of a material of the same file, stated before."},
+    {"absorb, bump, coat, flat_color, mirror, texture_ambient", "Of a material of the same file, stated before."},
     {"mirror", "The weight of the mirrored ray, instead of ks, which stays that of the highlights."},
     {"coat",
      "Mirrors Schlick's share for the index ir, besides ks, and leaves the rest to what is diffuse below; the light of "
      "highlights is not changed."},
+    {"flat_color, texture_ambient",
+     "What mode flat shows, where it is not kd + ks + kt; a texture that colors ambient light as well."},
     {"plane", "Has no end, so it is in no box: the accelerators leave it out, and each ray asks it on its own."},
     {"view",
      "Before or behind the camera. A picture with another aspect shows the same part of the scene, squeezed; a shift "
      "of 1 0 moves the axis to the left edge."},
     {"shadow_bias",
      "What secondary rays hit is at least this far away. 0, the default, needs no care: they start outside the error "
-     "of "
-     "the hit they leave. A greater one gives the images of programs that need it."},
+     "of the hit they leave. A greater one gives the images of programs that need it."},
     {"set",
      "What decides how the image looks, by the name of its option without the dash, such as max_depth 2; presets and "
      "the command line override it, and -explain tells who set what."},
