@@ -193,7 +193,7 @@ class SideViews {
       for (int r = 0; r < grid_.Cells(right_); ++r) {
         const auto front = Outline(r, u, 1), back = Outline(r, u, -1);
         AddPolygon(data, front, 1);
-        constexpr double same = 1e-9;  // far above rounding, far below what is seen
+        constexpr double same = 1e-9;  // of the size: a million times rounding, a millionth of a pixel of 1000
         if (!std::equal(front.begin(), front.end(), back.begin(), back.end(),
                         [&](const Point& a, const Point& b) { return Length(a - b) <= same * size_; }))
           AddPolygon(data, {back.rbegin(), back.rend()}, -1);

@@ -45,6 +45,12 @@ inline int MaxAxis(const Vector& v) {
   return 2 * is_z + (1 - is_z) * x_or_y;
 }
 
+/// `v` turned about a unit vector by an angle in radians, counter-clockwise seen from its tip.
+///   source   Rodrigues, Des lois geometriques qui regissent les deplacements d'un systeme solide (1840)
+inline Vector Turned(const Vector& v, const Vector& axis, double angle) {
+  return std::cos(angle) * v + std::sin(angle) * Cross(axis, v) + (1 - std::cos(angle)) * Dot(axis, v) * axis;
+}
+
 // Sums of squares in this range have neither overflowed nor lost bits.
 inline constexpr double smallest_safe_square = 0x1p-960, largest_safe_square = 0x1p960;
 double LengthOutOfRange(const Vector& v);

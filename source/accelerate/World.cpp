@@ -99,9 +99,11 @@ void World::NumberInstances() {
     const int material = node.material == Node::inherit ? next.material : node.material;
     if (node.shape) {
       flat.instance = static_cast<std::int32_t>(instances_.size());
-      if (!node.shape->IsBounded()) unbounded_.push_back(static_cast<std::uint32_t>(flat.instance));
+      const bool is_bounded = node.shape->IsBounded();
+      if (!is_bounded) unbounded_.push_back(static_cast<std::uint32_t>(flat.instance));
       instances_.push_back({.shape = node.shape.get(),
                             .mesh = dynamic_cast<const R3::Mesh*>(node.shape.get()),
+                            .is_bounded = is_bounded,
                             .material = &scene_.materials[static_cast<std::size_t>(material)],
                             .node = &node,
                             .frame = flat.frame,

@@ -29,7 +29,7 @@ class Graph : public Accelerator {
       if (nearest.Best()) ++workspace.counts.cache_hits;
     }
     Visit(ray, local, workspace, nearest.Limit(), [&](std::uint32_t instance, const R3::Ray& seen, double& limit) {
-      const int elements = Elements(instance);
+      const int elements = world_.Instances()[instance].shape->Elements();
       for (int e = 0; e < elements; ++e)
         if (!(cached && cached->instance == instance && cached->element == e))
           nearest.Test(instance, e, seen, workspace.counts);
@@ -57,7 +57,7 @@ class Graph : public Accelerator {
     }
     bool occluded = false;
     Visit(ray, local, workspace, ray.t_max, [&](std::uint32_t instance, const R3::Ray& seen, double&) {
-      const int elements = Elements(instance);
+      const int elements = world_.Instances()[instance].shape->Elements();
       for (int e = 0; e < elements && !occluded; ++e) {
         if (cached && cached->instance == instance && cached->element == e) continue;
         occluded = blocks(instance, e, seen);
@@ -66,12 +66,6 @@ class Graph : public Accelerator {
       return occluded;
     });
     return occluded;
-  }
-
-  /// Of an instance, but none of one that is asked beside.
-  int Elements(std::uint32_t instance) const {
-    const R3::Shape& shape = *world_.Instances()[instance].shape;
-    return shape.IsBounded() ? shape.Elements() : 0;
   }
 
   /// Traverses the nodes whose boxes the ray may meet before `limit`, nearest first if so set, and calls
@@ -90,8 +84,9 @@ class Graph : public Accelerator {
       ++workspace.counts.node_visits;
       const FlatNode& flat = world_.Nodes()[next.node];
       if (flat.instance >= 0) {
-        const auto instance = static_cast<std::uint32_t>(flat.instance);
-        if (shape_reached(instance, local.In(world_.Instances()[instance].frame), limit)) return;
+        const auto index = static_cast<std::uint32_t>(flat.instance);
+        const Instance& instance = world_.Instances()[index];
+        if (instance.is_bounded && shape_reached(index, local.In(instance.frame), limit)) return;
         continue;
       }
       if (flat.children == 0) continue;

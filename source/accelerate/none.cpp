@@ -15,7 +15,7 @@ class BruteForce : public Accelerator {
     LocalRays local(world_, ray);
     for (std::uint32_t i = 0; i < world_.Instances().size(); ++i) {
       const Instance& instance = world_.Instances()[i];
-      if (!instance.shape->IsBounded()) continue;
+      if (!instance.is_bounded) continue;
       const int elements = instance.shape->Elements();
       for (int e = 0; e < elements; ++e) nearest.Test(i, e, local.In(instance.frame), workspace.counts);
     }
@@ -25,7 +25,7 @@ class BruteForce : public Accelerator {
   bool Any(const R3::Ray& ray, Workspace& workspace) const override {
     LocalRays local(world_, ray);
     for (const Instance& instance : world_.Instances()) {
-      if (!instance.shape->IsBounded()) continue;
+      if (!instance.is_bounded) continue;
       const int elements = instance.shape->Elements();
       for (int e = 0; e < elements; ++e) {
         ++workspace.counts.primitive_tests;

@@ -30,7 +30,10 @@ std::string CheckScene(const Options& asked) {
   for (const std::string& mistake : LikelyMistakes(world, options.render)) warnings.push_back(mistake);
   TellAll(warnings);
   if (options.quiet) return {};
-  return SceneSummary(world, options.render) +
+  std::string settings;
+  for (const std::string& setting : SettingsInForce(parsed.scene, asked)) settings += "  " + setting + "\n";
+  if (!settings.empty()) settings = "settings of the scene\n" + settings;
+  return SceneSummary(world, options.render) + settings +
          (warnings.empty() ? "no warnings" : Counted(warnings.size(), "warning")) + "\n";
 }
 

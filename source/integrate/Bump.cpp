@@ -26,8 +26,9 @@ double Wrapped(double difference) { return difference - std::round(difference); 
 R3::Vector Bumped(const World& world, const R3::Ray& ray, const WorldHit& hit, const R3::Intersection& at,
                   const Material& material, const R3::Vector& N, bool entering) {
   const Instance& instance = world.Instances()[hit.instance];
-  const bool is_bounded = instance.shape->IsBounded();  // what is not repeats its texture at every unit
-  const double size = is_bounded ? world.InWorld(instance.frame, instance.shape->Bounds(hit.element)).Radius() : 1;
+  // What has no end repeats its texture at every unit.
+  const double size =
+      instance.is_bounded ? world.InWorld(instance.frame, instance.shape->Bounds(hit.element)).Radius() : 1;
   const double step = step_aside * size;
   if (!(step > 0)) return N;
   const R3::Vector n = AsVector(at.normal);

@@ -11,6 +11,12 @@ namespace {
 // The child of a pixel's key that its tree of rays grows from.
 constexpr std::uint64_t tree_key = 1;
 
+/// Spirals belong to places that are known ahead.
+CameraEffects WithRandomLens(CameraEffects effects) {
+  effects.lens = LensPattern::random;
+  return effects;
+}
+
 /// The middle of one of side x side equal parts of a pixel, counted from its lower left corner in rows.
 R2::Point OnGrid(std::uint32_t index, std::uint32_t side) {
   return {(index % side + 0.5) / side, (index / side % side + 0.5) / side};
@@ -29,14 +35,14 @@ R2::Point OnSpiral(double index, double turn, int count) {
 CameraRays::CameraRays(const Camera& camera, const CameraEffects& effects, bool things_move, int width, int height,
                        SamplerKind sampler, std::uint32_t samples)
     : camera_(camera),
-      effects_(effects),
+      effects_(sampler == SamplerKind::grid ? effects : WithRandomLens(effects)),
       has_time_(things_move || effects.HasMotion()),
       width_(width),
       height_(height),
       half_size_{camera.HalfWidth(), camera.HalfHeight(width, height)},
       sampler_(sampler),
       samples_(samples),
-      grid_side_(GridSide(samples / effects.SamplesOfOnePlace())),
+      grid_side_(GridSide(samples / effects_.SamplesOfOnePlace())),
       kernel_(effects.HasLens() ? (has_time_ ? &CameraRays::At<true, true> : &CameraRays::At<true, false>)
                                 : (has_time_ ? &CameraRays::At<false, true> : &CameraRays::At<false, false>)) {}
 

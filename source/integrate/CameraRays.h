@@ -9,9 +9,9 @@
 
 namespace ray {
 
-/// Where on the lens camera rays start. random: as the sampler has it. spiral, with the sampler grid: at `lens_samples`
-/// places for each place in the pixel, on a spiral of Vogel that is turned and moved on from one place to the next.
-/// fixed_spiral: the same spiral everywhere, whose rings can be seen.
+/// Where on the lens camera rays start. random: as the sampler has it, and always so but for the sampler grid. spiral:
+/// at `lens_samples` places for each place in the pixel, on a spiral of Vogel that is turned and moved on from one
+/// place to the next. fixed_spiral: the same spiral everywhere, whose rings can be seen.
 enum class LensPattern { random, spiral, fixed_spiral };
 inline constexpr std::array lens_pattern_names{"random", "spiral", "fixed_spiral"};
 constexpr const auto& NamesOf(LensPattern) { return lens_pattern_names; }

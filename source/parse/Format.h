@@ -9,15 +9,20 @@
 
 namespace ray {
 
-/// One line of formats.def: a language scenes are written in.
+class Document;
+
+/// One line of formats.def: a language scenes are written in. Its reader is one of two.
 struct SceneFormat {
   const char* name;
   std::vector<const char*> extensions;  // lower case, with the dot
   const char* about;                    // one line
   /// Reads the scene that is at the top of `files`; mistakes and remarks go to `report`, and with one mistake there the
   /// scene is worth nothing.
-  Scene (*read)(const Files& files, const ParseOptions& options, Report& report);
-  /// Where formats share an extension, that of JSON: keys at the top of a file by which this one is known.
+  Scene (*read)(const Files& files, const ParseOptions& options, Report& report) = nullptr;
+  /// The same for languages within YAML or JSON.
+  Scene (*read_document)(const Files& files, const ParseOptions& options, const Document& document,
+                         Report& report) = nullptr;
+  /// Keys at the top of a document by which this language is known among those that share its extension.
   std::vector<const char*> keys{};
 };
 

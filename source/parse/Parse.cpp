@@ -33,8 +33,6 @@ std::span<const SceneFormat* const> SceneFormats() {
 
 namespace {
 
-using ReadScene = Scene (*)(const Files& files, const ParseOptions& options, Report& report);
-
 std::string SceneExtensions() {
   std::string all;
   for (const SceneFormat* format : SceneFormats())
@@ -65,12 +63,9 @@ bool HasKeyOf(const Value& root, const SceneFormat& format) {
   });
 }
 
-/// Of formats that share their extension, the one whose keys a JSON file has.
-const SceneFormat& FormatByKeys(const std::vector<const SceneFormat*>& candidates, const Files& files) {
-  const Text text{files.TopName(), files.Read(files.Top())};
-  const TextPlaces places(text);
-  Report unused;  // the file is read again by its reader
-  const Document document = ReadJson(text, places, unused);
+/// Of formats that share their extension, the one whose keys the document has.
+const SceneFormat& FormatByKeys(const std::vector<const SceneFormat*>& candidates, const Document& document) {
+  if (candidates.size() == 1) return *candidates.front();
   std::vector<const SceneFormat*> fitting;
   std::string known;
   for (const SceneFormat* format : candidates) {
@@ -78,24 +73,52 @@ const SceneFormat& FormatByKeys(const std::vector<const SceneFormat*>& candidate
     known += (known.empty() ? "" : "; ") + KeysOf(*format);
   }
   if (fitting.size() == 1) return *fitting.front();
-  throw ErrorIn(text.name,
+  throw ErrorIn(document.Source().name,
                 fitting.empty() ? "no scene of a known format: it has none of their keys at the top"
                                 : "keys of several formats at the top",
                 known + "; -format name decides");
 }
 
-ReadScene ReaderOf(const Files& files, const ParseOptions& options) {
-  const std::string& file = files.TopName();
-  if (!options.format.empty()) return FormatNamed(options.format, file).read;
-  const std::string extension = LowerCase(std::filesystem::path(file).extension().string());
+std::string ExtensionOf(const Files& files) {
+  return LowerCase(std::filesystem::path(files.TopName()).extension().string());
+}
+
+/// Whether a document is YAML, or JSON: by its name, or else because its language is always JSON.
+bool IsJson(const Files& files, const SceneFormat& format) {
+  return ExtensionOf(files) == ".json" ||
+         std::ranges::all_of(format.extensions, [](std::string_view extension) { return extension == ".json"; });
+}
+
+Scene ReadDocumentScene(const std::vector<const SceneFormat*>& candidates, const Files& files,
+                        const ParseOptions& options, Report& report) {
+  const Text text{files.TopName(), files.Read(files.Top())};
+  const TextPlaces places(text);
+  const Document document =
+      IsJson(files, *candidates.front()) ? ReadJson(text, places, report) : ReadYaml(text, places, report);
+  Scene scene = FormatByKeys(candidates, document).read_document(files, options, document, report);
+  report.ThrowErrors();
+  return scene;
+}
+
+/// The format that was asked for, or those that the file's extension leaves.
+std::vector<const SceneFormat*> FormatsFor(const Files& files, const ParseOptions& options) {
+  if (!options.format.empty()) return {&FormatNamed(options.format, files.TopName())};
   std::vector<const SceneFormat*> candidates;
   for (const SceneFormat* format : SceneFormats())
-    if (std::find(format->extensions.begin(), format->extensions.end(), extension) != format->extensions.end())
+    if (std::ranges::find(format->extensions, ExtensionOf(files)) != format->extensions.end())
       candidates.push_back(format);
-  if (candidates.size() == 1) return candidates.front()->read;
-  if (!candidates.empty()) return FormatByKeys(candidates, files).read;
-  if (MeshFormatForName(file)) return ReadMeshScene;
-  throw ErrorIn(file, extension.empty() ? "no file extension" : "cannot read " + Quoted(extension),
+  return candidates;
+}
+
+Scene ReadScene(const Files& files, const ParseOptions& options, Report& report) {
+  const auto candidates = FormatsFor(files, options);
+  if (!candidates.empty()) {
+    if (candidates.front()->read_document) return ReadDocumentScene(candidates, files, options, report);
+    return candidates.front()->read(files, options, report);
+  }
+  if (MeshFormatForName(files.TopName())) return ReadMeshScene(files, options, report);
+  const std::string extension = ExtensionOf(files);
+  throw ErrorIn(files.TopName(), extension.empty() ? "no file extension" : "cannot read " + Quoted(extension),
                 "supported: scenes " + SceneExtensions() + "; meshes " + MeshExtensions());
 }
 
@@ -117,7 +140,7 @@ ParsedScene Parse(const std::string& file, const ParseOptions& options) {
   Report report;
   try {
     const Files files(file, options.allowed_folders);
-    ParsedScene parsed{ReaderOf(files, options)(files, options, report), {}};
+    ParsedScene parsed{ReadScene(files, options, report), {}};
     if (!options.environment.empty()) SetEnvironment(options, report, parsed.scene);
     report.ThrowErrors();
     parsed.warnings = report.Warnings();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -8,6 +9,11 @@
 #include "source/scene/Scene.h"
 
 namespace ray {
+
+/// Why a scene cannot make a setting.
+struct SettingProblem {
+  std::string message, hint;  // the hint may be empty
+};
 
 /// How a scene is read.
 struct ParseOptions {
@@ -18,6 +24,9 @@ struct ParseOptions {
   std::string environment;                       // file that takes the place of the scene's own; empty for none
   int include_depth = 64;                        // how deep includes may nest
   std::size_t max_nodes = std::size_t{1} << 24;  // about 5 GB of them; includes that double would never end
+  // What is wrong with a setting, if anything: which options there are the program knows, and no reader. Without it
+  // settings are taken as they stand.
+  std::optional<SettingProblem> (*problem_of)(const SceneSetting&) = nullptr;
 };
 
 /// A scene and what its author should know about it.

@@ -1,6 +1,7 @@
 #include "source/parse/Text.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace ray {
 namespace {
@@ -21,6 +22,13 @@ std::string LineAround(const Text& text, const Token& token) {
 }
 
 }  // namespace
+
+Location LocationOf(std::uint32_t file, const Token& token) {
+  const auto saturated = [](std::size_t n) {
+    return static_cast<std::uint32_t>(std::min<std::size_t>(n, std::numeric_limits<std::uint32_t>::max()));
+  };
+  return {file, saturated(token.line), saturated(token.column)};
+}
 
 SceneError ErrorAt(const Text& text, const Token& token, std::string message, std::string hint) {
   SceneError error;

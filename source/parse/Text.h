@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "source/parse/SceneError.h"
+#include "source/scene/Location.h"
 #include "source/text/Quoting.h"
 
 namespace ray {
@@ -24,6 +25,8 @@ struct Token {
 
 inline bool EndsLine(char c) { return c == '\n' || c == '\r'; }
 
+/// Where a word stands, in the file of that index in Scene::files; lines and columns beyond 2^32 - 1 are that.
+Location LocationOf(std::uint32_t file, const Token& token);
 /// A mistake at a word.
 SceneError ErrorAt(const Text& text, const Token& token, std::string message, std::string hint = {});
 /// A mistake of the file as a whole.

@@ -216,7 +216,10 @@ double ExpectedRays(const RenderSettings& settings) {
 
 std::unique_ptr<const Integrator> IntegratorOf(const World& world, const Accelerator& accelerator,
                                                const RenderSettings& settings) {
-  return MakeIntegrator(settings.mode, world, accelerator, TraceSettingsFor(settings));
+  TraceSettings trace = TraceSettingsFor(settings);
+  if (settings.mode == RenderMode::zbuffer && trace.zbuffer.IsOfPicture())
+    trace.zbuffer = RangeOfPicture(world, accelerator, settings);
+  return MakeIntegrator(settings.mode, world, accelerator, trace);
 }
 
 CameraRays CameraRaysOf(const World& world, const RenderSettings& settings) {
@@ -229,12 +232,9 @@ Film EmptyFilmOf(const RenderSettings& settings) {
               settings.crop.value_or(PixelRectangle{0, 0, settings.width, settings.height}), settings.filter);
 }
 
-RenderResult Render(const World& world, const Accelerator& accelerator, const RenderSettings& asked,
+RenderResult Render(const World& world, const Accelerator& accelerator, const RenderSettings& settings,
                     const RenderMonitor& monitor) {
   const auto start = Job::Clock::now();
-  RenderSettings settings = asked;
-  if (settings.mode == RenderMode::zbuffer && settings.trace.zbuffer.IsOfPicture())
-    settings.trace.zbuffer = RangeOfPicture(world, accelerator, settings);
   const auto integrator = IntegratorOf(world, accelerator, settings);
   return Job(world, *integrator, settings, monitor, start).Run();
 }

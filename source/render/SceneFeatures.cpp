@@ -36,6 +36,7 @@ SceneFeatures FeaturesOf(const World& world, const RenderSettings& settings) {
     features.lights = true;
     features.area_lights |= light->IsExtended();
   }
+  features.shadow_bias = scene.shadow_bias > 0;
   features.environment = scene.environment && !scene.environment->IsBlack();
   const bool shapes_light = settings.mode == RenderMode::path || settings.trace.emissive_solids_light;
   for (const Instance& instance : world.Instances()) {
@@ -69,6 +70,7 @@ std::vector<std::string> SceneFeatures::Names() const {
                                               {bending, "refraction"},
                                               {absorbing, "absorption"},
                                               {textures, "textures"},
+                                              {shadow_bias, "shadow bias"},
                                               {wide_filter, "wide filter"},
                                               {two_streams, "two streams"}};
   std::vector<std::string> names;
@@ -84,6 +86,8 @@ std::string KernelName(const SceneFeatures& features, const RenderSettings& sett
 
 std::vector<std::string> SourcesOfBias(const SceneFeatures& features, const RenderSettings& settings) {
   std::vector<std::string> sources;
+  if (settings.clamp == Clamp::samples) sources.emplace_back("clamp samples");
+  if (settings.trace.sampler == SamplerKind::grid) sources.emplace_back("sampler grid");
   if (!IsTraced(settings.mode)) return sources;
   const TraceSettings& trace = settings.trace;
   const bool is_path = settings.mode == RenderMode::path;
@@ -92,6 +96,7 @@ std::vector<std::string> SourcesOfBias(const SceneFeatures& features, const Rend
   if (!is_path && may_bounce && trace.roulette != Roulette::on && trace.min_luminance > 0)
     sources.push_back("min_luminance " + SettingText(trace.min_luminance));
   if (!trace.shadows) sources.emplace_back("shadows off");
+  if (features.shadow_bias) sources.emplace_back("shadow_bias");
   if (settings.budget.error && settings.budget.adaptive != Adaptive::off) sources.emplace_back("adaptive tile");
   return sources;
 }

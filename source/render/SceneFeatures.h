@@ -14,7 +14,7 @@ struct SceneFeatures {
   bool motion = false, lens = false;
   bool lights = false, area_lights = false, emissive_triangles = false, emissive_shapes = false, environment = false,
        choice_of_lights = false;
-  bool mirrors = false, clear = false, bending = false, absorbing = false, textures = false;
+  bool mirrors = false, clear = false, bending = false, absorbing = false, textures = false, shadow_bias = false;
   bool wide_filter = false, two_streams = false;
 
   /// Of those that the picture has.

@@ -175,6 +175,7 @@ std::uint32_t Schedule::ShortenToTime(std::vector<std::uint32_t>& targets, std::
   // Each pass near the end leaves time for another, so that only the last and shortest can be wrongly guessed.
   if (share_of_time_at_once * affordable >= 1) return end;
   if (!(affordable >= one_sample)) return 0;
+  // A share that is one sample but for rounding (some 1e-15 of it) must not be shortened to none.
   constexpr double above_rounding = 1 + 1e-9;
   return Shorten(targets, state_.targets, std::max(share_of_time_at_once * affordable, above_rounding * one_sample));
 }

@@ -138,7 +138,7 @@ class Builder {
     const R3::Shape* last = nullptr;  // instances of one shape often follow each other
     for (const Instance& instance : world_.Instances()) {
       if (!IsDrawn(instance)) continue;
-      if (!instance.shape->IsBounded()) {
+      if (!instance.is_bounded) {
         Add(instance, Spread(instance.shape->Tessellate(finenesses.front()), instance));
         continue;
       }

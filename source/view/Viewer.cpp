@@ -221,7 +221,7 @@ void Viewer::ChangeBoxLevel(int by) {
 void Viewer::FramePicked() {
   if (!pick_ || !pick_->point) return ShowMessage("nothing is picked; click an object first");
   const Instance& instance = scene_->world.Instances()[pick_->instance];
-  if (!instance.shape->IsBounded()) return ShowMessage("it has no end, and cannot be framed");
+  if (!instance.is_bounded) return ShowMessage("it has no end, and cannot be framed");
   const R3::Box box = scene_->world.InWorld(instance.frame, R3::Bounds(*instance.shape));
   navigator_.SetPivot(pick_->point);
   navigator_.Frame(box);

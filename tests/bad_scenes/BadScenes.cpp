@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "R2/ImageFile.h"
+#include "source/app/options/SceneSettings.h"
 #include "source/parse/meshes/MeshFormat.h"
 #include "source/parse/scn/Command.h"
 #include "tests/source/parse/Folder.h"
@@ -57,7 +58,9 @@ std::size_t CheckReports(const std::filesystem::path& folder, const std::string&
     ++count;
     std::string report = "(no error)";
     try {
-      Parse(entry.path(), {});
+      ParseOptions options;
+      options.problem_of = ProblemOf;
+      Parse(entry.path(), options);
     } catch (const SceneErrors& errors) {
       report = Replaced(errors.what(), folder.string() + "/", "");
       report = Replaced(report, folder.lexically_normal().string() + "/", "");

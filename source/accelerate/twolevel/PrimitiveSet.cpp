@@ -25,7 +25,7 @@ PrimitiveSet::PrimitiveSet(const World& world) : world_(world) {
   for (std::uint32_t i = 0; i < world.Instances().size(); ++i) {
     const Instance& instance = world.Instances()[i];
     if (instance.shape->IsDegenerate()) continue;  // nothing hits it
-    if (!instance.shape->IsBounded()) continue;    // asked beside
+    if (!instance.is_bounded) continue;            // asked beside
     const bool is_whole = instance.shared != Instance::not_shared;
     Add(i, is_whole, is_whole ? 1 : static_cast<std::uint32_t>(instance.shape->Elements()));
     if (instance.frame != 0)

@@ -1,5 +1,8 @@
 #include "source/app/files/ConvertScene.h"
 
+#include <fstream>
+#include <iterator>
+
 #include "source/app/Status.h"
 #include "source/app/files/OutputFile.h"
 #include "source/app/options/SceneSettings.h"
@@ -27,6 +30,16 @@ std::span<const unsigned char> BytesOfText(const std::string& text) {
   return {reinterpret_cast<const unsigned char*>(text.data()), text.size()};
 }
 
+/// The files of meshes have names that the user did not type: what lies there already stays, unless it is the same.
+OutputFile CheckMesh(const fs::path& file, const std::string& content, std::span<const std::string> inputs) {
+  OutputFile output = CheckOutput(file, inputs);
+  std::ifstream there(output.target, std::ios::binary);
+  if (there && std::string(std::istreambuf_iterator<char>(there), {}) != content)
+    throw OutputError(QuotedPath(file.string()) +
+                      " is there already, with something else in it; remove it, or give the scene another name");
+  return output;
+}
+
 void TellOfText(const ScnText& text, const Options& options) {
   const std::string warning = Escaped(options.subject) + ": warning: ";
   for (const std::string& what : text.warnings) PrintError(warning + what);
@@ -50,7 +63,7 @@ std::string ConvertScene(const Options& options) {
   const ScnText text = WriteScn(parsed.scene, Canonical(output.target));
   std::vector<OutputFile> meshes;
   for (const ScnText::Mesh& mesh : text.meshes)
-    meshes.push_back(CheckOutput(output.target.parent_path() / mesh.name, parsed.scene.files));
+    meshes.push_back(CheckMesh(output.target.parent_path() / mesh.name, mesh.text, parsed.scene.files));
   std::string told;
   const auto write = [&](const OutputFile& file, const std::string& content) {
     WriteWhole(file, BytesOfText(content));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <sstream>
+#include <utility>
 
 #include "source/app/Status.h"
 #include "source/app/options/CommandLine.h"
@@ -27,15 +28,6 @@ bool IsDecided(const Options& options, const std::string& option) {
   return is_of_budget || options.IsGiven(option) || IsSetByPreset(options, option);
 }
 
-/// Null for what the program has no use for, such as a size of the picture in a window.
-const OptionKind* OptionOf(const SceneSetting& setting, Program program) {
-  const OptionKind* option = FindOption(program, setting.option);
-  if (option && std::ranges::find(of_scenes, option->name) != of_scenes.end()) return option;
-  if (std::ranges::find(of_scenes, setting.option) != of_scenes.end()) return nullptr;
-  throw SceneErrors({ErrorIn(setting.origin, "a scene cannot set " + Quoted(setting.option),
-                             Suggestion(setting.option, of_scenes, "settings"))});
-}
-
 std::vector<std::string> WordsOf(const std::string& value) {
   std::istringstream in(value);
   std::vector<std::string> words;
@@ -43,40 +35,81 @@ std::vector<std::string> WordsOf(const std::string& value) {
   return words;
 }
 
+/// Throws UsageError for a value that the option does not take.
 void Apply(const OptionKind& option, const SceneSetting& setting, Options& options) {
-  try {
-    std::vector<std::string> words = WordsOf(setting.value);
-    if (std::holds_alternative<Flag>(option.value)) {
-      if (setting.value == "off") return;
-      if (setting.value == "on") words.clear();
-    }
-    if (words.size() < FewestArguments(option) || words.size() > MostArguments(option))
-      throw UsageError("usage: " + Synopsis(option));
-    Store(option, words, options);
-  } catch (const UsageError& error) {
-    throw SceneErrors({ErrorIn(setting.origin, "set " + setting.option + " " + setting.value + ": " + error.what())});
+  std::vector<std::string> words = WordsOf(setting.value);
+  if (std::holds_alternative<Flag>(option.value)) {
+    if (setting.value == "off") return;
+    if (setting.value == "on") words.clear();
   }
+  if (words.size() < FewestArguments(option) || words.size() > MostArguments(option))
+    throw UsageError("usage: " + Synopsis(option));
+  Store(option, words, options);
+}
+
+/// Null for what the program has no use for, such as a size of the picture in a window.
+const OptionKind* OptionOf(const SceneSetting& setting, Program program) {
+  const OptionKind* option = FindOption(program, setting.option);
+  return option && std::ranges::find(of_scenes, option->name) != of_scenes.end() ? option : nullptr;
+}
+
+/// Settings that scenes make without a reader's look at them, as courses do, are looked at here.
+void CheckSettings(const Scene& scene) {
+  std::vector<SceneError> errors;
+  for (const SceneSetting& setting : scene.settings)
+    if (auto problem = ProblemOf(setting))
+      errors.push_back(ErrorIn(setting.origin, std::move(problem->message), std::move(problem->hint)));
+  if (!errors.empty()) throw SceneErrors(std::move(errors));
+}
+
+/// The last of a name counts; in the order of the scene.
+std::vector<const SceneSetting*> WithoutRepetitions(const std::vector<SceneSetting>& settings) {
+  std::vector<const SceneSetting*> last;
+  for (const SceneSetting& setting : settings) {
+    std::erase_if(last, [&](const SceneSetting* earlier) { return earlier->option == setting.option; });
+    last.push_back(&setting);
+  }
+  return last;
+}
+
+/// Those that the command line leaves to the scene, with their options.
+std::vector<std::pair<const OptionKind*, const SceneSetting*>> InForce(const Scene& scene, const Options& options) {
+  std::vector<std::pair<const OptionKind*, const SceneSetting*>> all;
+  for (const SceneSetting* setting : WithoutRepetitions(scene.settings)) {
+    const OptionKind* option = OptionOf(*setting, options.program);
+    if (option && !IsDecided(options, option->name)) all.emplace_back(option, setting);
+  }
+  return all;
 }
 
 }  // namespace
 
-Options WithSettingsOf(const Scene& scene, const Options& options) {
-  Options all = options;
-  for (const SceneSetting& setting : scene.settings) {
-    const OptionKind* option = OptionOf(setting, options.program);
-    if (option && !IsDecided(options, option->name)) Apply(*option, setting, all);
+std::optional<SettingProblem> ProblemOf(const SceneSetting& setting) {
+  const OptionKind* option = OptionOf(setting, Program::raypro);
+  if (!option)
+    return SettingProblem{"a scene cannot set " + Quoted(setting.option),
+                          Suggestion(setting.option, of_scenes, "settings")};
+  try {
+    Options scratch;
+    Apply(*option, setting, scratch);
+  } catch (const UsageError& error) {
+    return SettingProblem{error.what(), {}};
   }
+  return {};
+}
+
+Options WithSettingsOf(const Scene& scene, const Options& options) {
+  CheckSettings(scene);
+  Options all = options;
+  for (const auto& [option, setting] : InForce(scene, options)) Apply(*option, *setting, all);
   CompleteForScene(all);
   return all;
 }
 
 std::vector<std::string> SettingsInForce(const Scene& scene, const Options& options) {
   std::vector<std::string> lines;
-  for (const SceneSetting& setting : scene.settings) {
-    const OptionKind* option = OptionOf(setting, options.program);
-    if (option && !IsDecided(options, option->name))
-      lines.push_back("-" + std::string(option->name) + " " + setting.value + " (" + setting.origin + ")");
-  }
+  for (const auto& [option, setting] : InForce(scene, options))
+    lines.push_back("-" + std::string(option->name) + " " + setting->value + " (" + setting->origin + ")");
   return lines;
 }
 

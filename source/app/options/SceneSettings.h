@@ -5,6 +5,10 @@
 
 namespace ray {
 
+/// Why no scene may make this setting, or that its value is not in its option's range; nothing where all is well. For
+/// ParseOptions.
+std::optional<SettingProblem> ProblemOf(const SceneSetting& setting);
+
 /// The options with the scene's own settings in force where neither the command line nor a preset that it asked for
 /// says otherwise. Throws SceneErrors for a setting that no scene may make, or that is not in its option's range.
 Options WithSettingsOf(const Scene& scene, const Options& options);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <thread>
+#include <tuple>
 
 #include "source/app/Interrupt.h"
 #include "source/app/Status.h"
@@ -23,24 +24,33 @@ int ThreadsOf(const RenderSettings& settings) {
   return static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
 }
 
-/// "-focus has no effect without -aperture": options that this picture, or this accelerator, makes no use of.
+/// "-focus has no effect without -aperture": options that were typed and this picture, or this accelerator, makes no
+/// use of.
 std::vector<std::string> OptionsWithoutEffect(const Options& options) {
-  const Options defaults;
   const R2::ImageFormat* format = R2::FormatForName(options.picture);
-  const std::string kind = format ? format->name : "";
-  const AcceleratorSettings& accelerator = options.accelerator;
-  const bool are_devices_default = accelerator.node_boxes && accelerator.front_to_back && accelerator.last_hit;
+  const std::string kind = format ? format->name : "", on_format = "on the format " + kind;
+  const RenderSettings& render = options.render;
+  const bool is_grid = render.trace.sampler == SamplerKind::grid, has_lens = render.camera.HasLens();
+  const bool is_graph = options.accelerator.name == "graph";
+  const std::string with_accelerator = "with -accel " + options.accelerator.name;
+  const std::tuple<const char*, bool, std::string> uses[] = {
+      {"bits", kind == "png", on_format},
+      {"jpeg_quality", kind == "jpeg", on_format},
+      {"bytes", format && !format->is_linear, on_format},
+      {"focus", has_lens, "without -aperture"},
+      {"lens", has_lens && is_grid, "without -aperture and -sampler grid"},
+      {"lens_samples", has_lens && is_grid && render.camera.lens != LensPattern::random, "without -lens spiral"},
+      {"zbuffer_range", render.mode == RenderMode::zbuffer, "without -mode zbuffer"},
+      {"gooch", render.mode == RenderMode::gooch, "without -mode gooch"},
+      {"emissive_solids", render.mode == RenderMode::whitted, "without -mode whitted"},
+      {"adaptive", render.budget.adaptive != Adaptive::tile || render.budget.error, "without -error"},
+      {"node_boxes", is_graph, with_accelerator},
+      {"front_to_back", is_graph, with_accelerator},
+      {"last_hit", is_graph, with_accelerator},
+  };
   std::vector<std::string> lines;
-  if (options.encoding.bits != defaults.encoding.bits && kind != "png")
-    lines.push_back("-bits has no effect on the format " + kind);
-  if (options.encoding.jpeg_quality != defaults.encoding.jpeg_quality && kind != "jpeg")
-    lines.push_back("-jpeg_quality has no effect on the format " + kind);
-  if (options.render.budget.adaptive == Adaptive::tile && !options.render.budget.error)
-    lines.emplace_back("-adaptive tile has no effect without -error");
-  if (options.render.camera.focus > 0 && !options.render.camera.HasLens())
-    lines.emplace_back("-focus has no effect without -aperture");
-  if (!are_devices_default && accelerator.name != defaults.accelerator.name)
-    lines.push_back("-node_boxes, -front_to_back and -last_hit have no effect with -accel " + accelerator.name);
+  for (const auto& [option, is_used, why] : uses)
+    if (options.IsGiven(option) && !is_used) lines.push_back("-" + std::string(option) + " has no effect " + why);
   return lines;
 }
 

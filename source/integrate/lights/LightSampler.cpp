@@ -11,18 +11,9 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// As path tracing weighs it: radiance times area, falling off with the square of the distance.
-LightBound RadiantBound(const EmissiveTriangle& triangle) {
-  LightBound bound = triangle.Bound();
-  bound.power *= triangle.Area() / pi;
-  bound.ca = 0;
-  bound.qa = 1;
-  return bound;
-}
-
-LightBound RadiantBound(const EmissiveShape& shape) {
-  LightBound bound = shape.Bound();
-  bound.power *= shape.ApparentArea() / pi;
+/// A surface as path tracing weighs it: radiance times area, falling off with the square of the distance.
+LightBound RadiantBound(LightBound bound, double area) {
+  bound.power *= area / pi;
   bound.ca = 0;
   bound.qa = 1;
   return bound;
@@ -53,11 +44,11 @@ LightSampler::LightSampler(const World& world, const TraceSettings& settings)
     }
   for (const EmissiveTriangle& triangle : triangles_) {
     light_of_primitive_.emplace(triangle.primitive, static_cast<int>(bounds.size()));
-    bounds.push_back(RadiantBound(triangle));
+    bounds.push_back(RadiantBound(triangle.Bound(), triangle.Area()));
   }
   for (const EmissiveShape& shape : shapes_) {
     light_of_primitive_.emplace(shape.Primitive(), static_cast<int>(bounds.size()));
-    bounds.push_back(RadiantBound(shape));
+    bounds.push_back(RadiantBound(shape.Bound(), shape.ApparentArea()));
   }
   if (scene.environment && !scene.environment->IsBlack()) {
     environment_ = scene.environment.get();

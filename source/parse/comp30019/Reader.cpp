@@ -191,7 +191,7 @@ void Reader::AddShape(const Line& line, const char* kind, const std::vector<doub
   if (node.shape->IsDegenerate())
     Warn(line.Command(), "degenerate " + std::string(line.Command().text) + ": no ray can hit it");
   node.material = material;
-  node.location = LocationOf(line.Command());
+  node.location = LocationOf(0, line.Command());
   SetBounds(node);
   builder_.Add(std::move(node));
 }
@@ -218,7 +218,7 @@ void Reader::AddModel(Line& line, const Token& file, const R3::Point& offset, do
   Node placed;
   placed.transform.m = {{{scale, 0, 0, offset.x}, {0, scale, 0, offset.y}, {0, 0, scale, offset.z}}};
   placed.material = model.material = material;
-  placed.location = model.location = LocationOf(line.Command());
+  placed.location = model.location = LocationOf(0, line.Command());
   builder_.OpenGroup(std::move(placed));
   builder_.Add(std::move(model));
   builder_.CloseGroup();
@@ -235,19 +235,13 @@ void Reader::CheckNodes(const Line& line) {
   report_.ThrowErrors();
 }
 
-Location Reader::LocationOf(const Token& token) const {
-  const auto saturated = [](std::size_t n) {
-    return static_cast<std::uint32_t>(std::min<std::size_t>(n, std::numeric_limits<std::uint32_t>::max()));
-  };
-  return {0, saturated(token.line), saturated(token.column)};
-}
-
 }  // namespace comp30019
 
 extern const SceneFormat comp30019_scene_format{
-    "comp30019",
-    {".txt"},
-    "COMP30019, Graphics and Interaction, University of Melbourne (2021, 2022)",
-    comp30019::ReadComp30019};
+    .name = "comp30019",
+    .extensions = {".txt"},
+    .about = "COMP30019, Graphics and Interaction, University of Melbourne (2021, 2022)",
+    .read = comp30019::ReadComp30019,
+};
 
 }  // namespace ray

@@ -59,7 +59,6 @@ class Reader {
   void UnknownCommand(const Token& word);
   void CheckNodes(const Line& line);
   std::string WhyUnknown(const Token& material) const;
-  Location LocationOf(const Token& token) const;
 
   const Files& files_;
   const ParseOptions& options_;

@@ -8,10 +8,6 @@ namespace {
 constexpr double radians = std::numbers::pi / 180;
 constexpr double half_field_of_view = 30 * radians;
 
-R3::Vector Turned(const R3::Vector& v, const R3::Vector& k, double angle) {
-  return std::cos(angle) * v + std::sin(angle) * Cross(k, v) + (1 - std::cos(angle)) * Dot(k, v) * k;
-}
-
 R3::Vector MirrorImage(const R3::Vector& v) { return {v.x, v.y, 0 - v.z}; }
 
 }  // namespace
@@ -19,7 +15,7 @@ R3::Vector MirrorImage(const R3::Vector& v) { return {v.x, v.y, 0 - v.z}; }
 Camera ViewFrom(const R3::Vector& position, const R3::Vector& axis, double degrees) {
   const R3::Vector k = Unit(axis);
   const auto turned = [&](const R3::Vector& v) {
-    return MirrorImage(degrees == 0 ? v : Turned(v, k, degrees * radians));
+    return MirrorImage(degrees == 0 ? v : R3::Turned(v, k, degrees * radians));
   };
   Camera camera;
   camera.eye = R3::Point{} + MirrorImage(position);

@@ -13,19 +13,19 @@
 namespace ray {
 namespace {
 
-Scene ReadCs315(const Files& files, const ParseOptions& options, Report& report) {
-  const Text text{files.TopName(), files.Read(files.Top())};
-  const TextPlaces places(text);
-  const Document document = ReadJson(text, places, report);
-  Scene scene = Cs315Reader(files, options, document, report).Read();
-  report.ThrowErrors();
-  return scene;
+Scene ReadCs315(const Files& files, const ParseOptions& options, const Document& document, Report& report) {
+  return Cs315Reader(files, options, document, report).Read();
 }
 
 }  // namespace
 
 extern const SceneFormat cs315_scene_format{
-    "cs315", {".json"}, "CS 315, JSON", ReadCs315, {"camera", "lights", "materials", "surfaces"}};
+    .name = "cs315",
+    .extensions = {".json"},
+    .about = "CS 315, JSON",
+    .read_document = ReadCs315,
+    .keys = {"camera", "lights", "materials", "surfaces"},
+};
 
 Scene Cs315Reader::Read() {
   auto scene = Field(report_, report_.Source().Root()).AsMapping("a scene");
@@ -41,7 +41,7 @@ Scene Cs315Reader::Read() {
   const auto depth = scene->Find({"bounce_depth"});
   const auto bounces = depth ? depth->Whole(0, std::numeric_limits<int>::max()) : std::nullopt;
   Set("max_depth", ToText(bounces.value_or(0)), depth ? &depth->What() : nullptr);
-  constexpr double usual_bias = 0.0001;
+  constexpr double usual_bias = 0.0001;  // of most of the course's files, where one says nothing
   Made().shadow_bias = scene->Number({"shadow_bias"}, not_negative, usual_bias);
   ReadCamera(*scene);
   const auto each = [&](const char* key, void (Cs315Reader::*read)(const Field&)) {

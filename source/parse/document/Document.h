@@ -37,7 +37,8 @@ class Document {
 /// These read a text that must outlive the result, as must `places`, which are its own. A byte order mark and any ends
 /// of lines are taken. Keys given twice go to the report; all else that is wrong is thrown as SceneError: bad syntax,
 /// control characters, nesting or values beyond the limits above (before they take memory or stack); of YAML also tags,
-/// files of more than 32 MiB, keys that are no words, and aliases within their own anchor. A second YAML document is ignored with a warning.
+/// files of more than 32 MiB, keys that are no words, and aliases within their own anchor. A second YAML document is
+/// ignored with a warning.
 Document ReadYaml(const Text& text, const TextPlaces& places, Report& report);
 Document ReadJson(const Text& text, const TextPlaces& places, Report& report);
 

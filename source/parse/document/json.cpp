@@ -23,8 +23,8 @@ class JsonEvents : public nlohmann::json_sax<nlohmann::json> {
   bool number_integer(number_integer_t) override { return Scalar(); }
   bool number_unsigned(number_unsigned_t) override { return Scalar(); }
   bool number_float(number_float_t, const string_t&) override { return Scalar(); }
-  bool string(string_t& text) override { return Text_(text); }
-  bool key(string_t& text) override { return Text_(text); }
+  bool string(string_t& text) override { return Quotation(text); }
+  bool key(string_t& text) override { return Quotation(text); }
   bool binary(binary_t&) override { return false; }
 
   bool start_object(std::size_t) override { return Begin(Value::Kind::mapping); }
@@ -46,7 +46,7 @@ class JsonEvents : public nlohmann::json_sax<nlohmann::json> {
     return true;
   }
 
-  bool Text_(string_t& text) {
+  bool Quotation(string_t& text) {
     Value value;
     value.kind = Value::Kind::scalar;
     value.is_quoted = true;

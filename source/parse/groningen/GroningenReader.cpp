@@ -1,31 +1,25 @@
 #include "source/parse/groningen/GroningenReader.h"
 
 #include <algorithm>
-#include <filesystem>
 
 #include "source/parse/Format.h"
-#include "source/text/LowerCase.h"
 
 namespace ray {
 namespace {
 
-Scene ReadGroningen(const Files& files, const ParseOptions& options, Report& report) {
-  const Text text{files.TopName(), files.Read(files.Top())};
-  const TextPlaces places(text);
-  const bool is_json = LowerCase(std::filesystem::path(text.name).extension().string()) == ".json";
-  const Document document = is_json ? ReadJson(text, places, report) : ReadYaml(text, places, report);
-  Scene scene = GroningenReader(files, options, document, report).Read();
-  report.ThrowErrors();
-  return scene;
+Scene ReadGroningen(const Files& files, const ParseOptions& options, const Document& document, Report& report) {
+  return GroningenReader(files, options, document, report).Read();
 }
 
 }  // namespace
 
-extern const SceneFormat groningen_scene_format{"groningen",
-                                                {".yaml", ".yml", ".json"},
-                                                "Introduction to Computer Graphics, Groningen (2009 to 2018)",
-                                                ReadGroningen,
-                                                {"Objects", "Lights", "Eye", "Camera"}};
+extern const SceneFormat groningen_scene_format{
+    .name = "groningen",
+    .extensions = {".yaml", ".yml", ".json"},
+    .about = "Introduction to Computer Graphics, Groningen (2009 to 2018)",
+    .read_document = ReadGroningen,
+    .keys = {"Objects", "Lights", "Eye", "Camera"},
+};
 
 Scene GroningenReader::Read() {
   auto scene = Field(report_, report_.Source().Root()).AsMapping("a scene");

@@ -18,9 +18,9 @@ struct ObjectKind {
 };
 std::span<const ObjectKind> ObjectKinds();
 
-/// A shape of shapes.def.
 /// Turned about x, then y, then z.
 R3::Matrix TurnOf(const R3::Vector& radians);
+/// A shape of shapes.def.
 std::shared_ptr<const R3::Shape> ShapeOf(const char* kind, std::span<const double> numbers);
 
 // The kinds themselves, by what they have in common.

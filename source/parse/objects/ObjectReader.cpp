@@ -10,10 +10,6 @@
 namespace ray {
 namespace {
 
-std::uint32_t Saturated(std::size_t n) {
-  return static_cast<std::uint32_t>(std::min<std::size_t>(n, std::numeric_limits<std::uint32_t>::max()));
-}
-
 const ObjectKind* FindKind(std::string_view name) {
   for (const ObjectKind& kind : ObjectKinds())
     if (std::find(kind.names.begin(), kind.names.end(), name) != kind.names.end()) return &kind;
@@ -41,8 +37,7 @@ std::optional<PlacedShape> ObjectReader::Read(std::string_view kind, Mapping& ob
 
 void ObjectReader::Add(Mapping& object, PlacedShape placed, const std::optional<R3::Matrix>& transform,
                        const R3::Vector& motion, int material) {
-  const Token token = report_.At(object.What().extent);
-  const Location location{0, Saturated(token.line), Saturated(token.column)};
+  const Location location = LocationOf(0, report_.At(object.What().extent));
   if (builder_.nodes >= options_.max_nodes)
     return report_.Error(object.What(), "is one node too many: the scene has more than " +
                                             std::to_string(options_.max_nodes) + " nodes");

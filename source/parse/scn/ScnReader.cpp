@@ -18,10 +18,6 @@ constexpr std::size_t max_bytes = Files::max_bytes;
 
 constexpr int default_material = 0;
 
-std::uint32_t Saturated(std::size_t n) {
-  return static_cast<std::uint32_t>(std::min<std::size_t>(n, std::numeric_limits<std::uint32_t>::max()));
-}
-
 std::string KnownMaterials(std::size_t count) {
   if (count == 0) return "no material is defined in this file before this line; -1 inherits";
   if (count == 1) return "this file defines only material 0 before this line";
@@ -34,7 +30,12 @@ Scene ReadScn(const Files& files, const ParseOptions& options, Report& report) {
 
 }  // namespace
 
-extern const SceneFormat scn_scene_format{"scn", {".scn"}, "COS426, Princeton (2008, 2011)", ReadScn};
+extern const SceneFormat scn_scene_format{
+    .name = "scn",
+    .extensions = {".scn"},
+    .about = "COS426, Princeton (2008, 2011)",
+    .read = ReadScn,
+};
 
 ScnReader::ScnReader(const Files& files, const ParseOptions& options, Report& report)
     : files_(files), options_(options), report_(report), assets_(files, report, options.decode_srgb) {}
@@ -158,13 +159,13 @@ Material& ScnReader::NewMaterial() {
 
 void ScnReader::AddNode(Statement& statement, Node node) {
   CheckNodes(statement);
-  node.location = LocationOf(statement.CommandWord());
+  node.location = LocationOf(Current().index, statement.CommandWord());
   builder_.Add(std::move(node));
 }
 
 void ScnReader::OpenGroup(Statement& statement, Node group) {
   CheckNodes(statement);
-  group.location = LocationOf(statement.CommandWord());
+  group.location = LocationOf(Current().index, statement.CommandWord());
   builder_.OpenGroup(std::move(group));
   Current().begins.push_back(statement.CommandWord());
 }
@@ -220,10 +221,6 @@ void ScnReader::CheckNodes(const Statement& statement) {
   if (builder_.nodes < options_.max_nodes) return;
   Stop(ErrorAt(*Current().text, statement.CommandWord(),
                "the scene has more than " + std::to_string(options_.max_nodes) + " nodes"));
-}
-
-Location ScnReader::LocationOf(const Token& token) const {
-  return {open_files_.back().index, Saturated(token.line), Saturated(token.column)};
 }
 
 void ScnReader::Error(SceneError error) {

@@ -4,6 +4,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -44,6 +45,10 @@ class ScnReader {
   void Include(Statement& statement, const Token& name);
   /// "room.scn:12:3"
   std::string PlaceOf(const Token& word) const { return Place(CurrentFile(), word.line, word.column); }
+  /// Nothing where a scene may make the setting.
+  std::optional<SettingProblem> ProblemOf(const SceneSetting& setting) const {
+    return options_.problem_of ? options_.problem_of(setting) : std::nullopt;
+  }
   /// A remark about the statement.
   void Warn(const Statement& statement, const std::string& message);
   /// Calls `read`, a function that reads a file named by the word `name`, and turns its failure into the statement's.
@@ -77,7 +82,6 @@ class ScnReader {
   void ReadStatement(const Token& word);
   void UnknownCommand(const Token& word);
   void CheckNodes(const Statement& statement);
-  Location LocationOf(const Token& token) const;
   void Error(SceneError error);
   [[noreturn]] void Stop(SceneError error);
   OpenFile& Current() { return open_files_.back(); }

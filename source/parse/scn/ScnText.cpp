@@ -4,7 +4,6 @@
 #include <cassert>
 #include <map>
 #include <optional>
-#include <sstream>
 #include <utility>
 
 #include "R3/Mesh.h"
@@ -31,14 +30,6 @@ std::string TextOf(const std::vector<double>& numbers) {
   std::string text;
   for (const double number : numbers) text += (text.empty() ? "" : " ") + ToText(number);
   return text;
-}
-
-/// Its words with one space between them, as they are kept when read.
-std::string Joined(const std::string& value) {
-  std::istringstream in(value);
-  std::string joined;
-  for (std::string word; in >> word;) joined += (joined.empty() ? "" : " ") + word;
-  return joined;
 }
 
 class ScnWriter {
@@ -72,7 +63,7 @@ class ScnWriter {
   }
 
   void SaySettings() {
-    for (const SceneSetting& setting : scene_.settings) Say("set", setting.option, Joined(setting.value));
+    for (const SceneSetting& setting : scene_.settings) Say("set", setting.option, setting.value);
   }
 
   void SaySurroundings() {

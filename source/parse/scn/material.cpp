@@ -48,22 +48,14 @@ void ReadMaterial(ScnReader& reader, Statement& statement) {
   });
 }
 
-const std::array<R3::Argument, 3> reflected{{{"r", not_negative}, {"g", not_negative}, {"b", not_negative}}};
+const std::array<R3::Argument, 3> channels_of_color{{{"r", not_negative}, {"g", not_negative}, {"b", not_negative}}};
 
-/// An extension: a mirror whose weight is not that of the highlights.
-void ReadMirror(ScnReader& reader, Statement& statement) {
+/// Of extensions that give a material one color more.
+template <auto member>
+void ReadColorOfMaterial(ScnReader& reader, Statement& statement) {
   Material* material = reader.ReadOwnMaterial(statement);
-  const auto a = statement.Numbers(reflected).values;
-  if (material && statement.IsGood()) material->kr = {a[0], a[1], a[2]};
-}
-
-const std::array<R3::Argument, 3> absorbed{{{"r", not_negative}, {"g", not_negative}, {"b", not_negative}}};
-
-/// An extension: what the inside of a clear solid takes from light, per unit of length.
-void ReadAbsorb(ScnReader& reader, Statement& statement) {
-  Material* material = reader.ReadOwnMaterial(statement);
-  const auto a = statement.Numbers(absorbed).values;
-  if (material && statement.IsGood()) material->absorb = {a[0], a[1], a[2]};
+  const auto a = statement.Numbers(channels_of_color).values;
+  if (material && statement.IsGood()) material->*member = R2::Color{a[0], a[1], a[2]};
 }
 
 const std::array<R3::Argument, 1> coat_index{{{"ir"}}};
@@ -76,15 +68,6 @@ void ReadCoat(ScnReader& reader, Statement& statement) {
   if (!(index.values[0] > 0))
     return statement.Error(index.words[0], "ir must be positive, got " + Escaped(index.words[0].text));
   material->coat = index.values[0];
-}
-
-const std::array<R3::Argument, 3> shown{{{"r", not_negative}, {"g", not_negative}, {"b", not_negative}}};
-
-/// An extension: some courses name one color for what is drawn without light.
-void ReadFlatColor(ScnReader& reader, Statement& statement) {
-  Material* material = reader.ReadOwnMaterial(statement);
-  const auto a = statement.Numbers(shown).values;
-  if (material && statement.IsGood()) material->color = R2::Color{a[0], a[1], a[2]};
 }
 
 /// An extension: some courses' textures color what ambient light shows as well.
@@ -113,16 +96,18 @@ void ReadBump(ScnReader& reader, Statement& statement) {
 extern const Command bump_command{"bump", "bump mat_id file height", "bump map: the luminance of an image times height",
                                   ReadBump};
 extern const Command mirror_command{"mirror", "mirror mat_id r g b", "weight of the mirrored ray, where it is not ks",
-                                    ReadMirror};
+                                    ReadColorOfMaterial<&Material::kr>};
 extern const Command absorb_command{
     "absorb", "absorb mat_id r g b",
-    "absorption in clear solids: light is scaled by exp(-r d), exp(-g d), exp(-b d) over a distance d", ReadAbsorb};
+    "absorption in clear solids: light is scaled by exp(-r d), exp(-g d), exp(-b d) over a distance d",
+    ReadColorOfMaterial<&Material::absorb>};
 extern const Command coat_command{
     "coat", "coat mat_id ir",
     "a clear coat of that index of refraction over what is diffuse: it mirrors more towards grazing angles", ReadCoat};
 extern const Command flat_color_command{
     "flat_color", "flat_color mat_id r g b",
-    "what mode flat shows, where it is not the sum of kd, the mirror's weight and kt", ReadFlatColor};
+    "what mode flat shows, where it is not the sum of kd, the mirror's weight and kt",
+    ReadColorOfMaterial<&Material::color>};
 extern const Command texture_ambient_command{"texture_ambient", "texture_ambient mat_id",
                                              "the material's texture multiplies ka as well as kd", ReadTextureAmbient};
 extern const Command material_command{

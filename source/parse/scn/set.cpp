@@ -3,14 +3,15 @@
 namespace ray {
 namespace {
 
-/// An extension: a setting for this scene, which command lines override. What options there are the reader does not
-/// know; a wrong one is found where it would take effect.
+/// An extension: a setting for this scene, which command lines override.
 void ReadSet(ScnReader& reader, Statement& statement) {
   const Token option = statement.Word("option");
   std::string value;
   for (const Token& word : statement.RestOfLine()) value += (value.empty() ? "" : " ") + std::string(word.text);
   if (value.empty()) return statement.Error(option, "set: value is missing", statement.What().usage);
-  reader.Builder().scene.settings.push_back({std::string(option.text), value, reader.PlaceOf(option)});
+  SceneSetting setting{std::string(option.text), value, reader.PlaceOf(option)};
+  if (auto problem = reader.ProblemOf(setting)) return statement.Error(option, problem->message, problem->hint);
+  reader.Builder().scene.settings.push_back(std::move(setting));
 }
 
 }  // namespace

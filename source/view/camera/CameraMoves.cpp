@@ -21,11 +21,6 @@ Camera Posed(const Camera& like, const R3::Point& eye, const R3::Vector& towards
   return camera;
 }
 
-/// Rodrigues' formula (1840); `axis` is unit.
-R3::Vector Turned(const R3::Vector& v, const R3::Vector& axis, double angle) {
-  return std::cos(angle) * v + std::sin(angle) * Cross(axis, v) + (1 - std::cos(angle)) * Dot(axis, v) * axis;
-}
-
 double HalfHeight(const Camera& camera, const DrawingSize& size) { return camera.HalfHeight(size.width, size.height); }
 
 /// The way from the eye to the middle of the picture, 1 along the axis.
@@ -46,8 +41,8 @@ double AllowedTilt(const Camera& camera, const R3::Vector& vertical, double tilt
 
 Camera Turned(const Camera& camera, const R3::Point& center, const R3::Vector& axis, double angle) {
   const R3::Vector unit = Unit(axis);
-  return Posed(camera, center + Turned(camera.eye - center, unit, angle), Turned(camera.towards, unit, angle),
-               Turned(camera.up, unit, angle));
+  return Posed(camera, center + R3::Turned(camera.eye - center, unit, angle), R3::Turned(camera.towards, unit, angle),
+               R3::Turned(camera.up, unit, angle));
 }
 
 Camera Rotated(const Camera& camera, const R3::Point& center, const R2::Point& drag) {
@@ -71,8 +66,7 @@ Camera Zoomed(const Camera& camera, const R3::Point& center, const R2::Point& dr
 }
 
 Camera Panned(const Camera& camera, double depth, const R2::Point& drag, const DrawingSize& size) {
-  const double across = 2 * camera.HalfWidth() * depth * drag.x,
-               upward = 2 * HalfHeight(camera, size) * depth * drag.y;
+  const double across = 2 * camera.HalfWidth() * depth * drag.x, upward = 2 * HalfHeight(camera, size) * depth * drag.y;
   return Posed(camera, camera.eye - across * camera.right - upward * camera.up, camera.towards, camera.up);
 }
 

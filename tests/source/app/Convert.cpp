@@ -77,6 +77,26 @@ TEST(Convert, ASettingThatIsWrongIsFoundAndNothingIsWritten) {
   EXPECT_EQ(place.Others({"in.scn"}), std::vector<std::string>{});
 }
 
+TEST(Convert, AMeshTakesNoFileFromItsPlace) {
+  NEEDS_THE_PROGRAM();
+  const TemporaryFolder place;
+  // A name that .scn cannot say, so that the mesh is written again.
+  WriteFile(place / "two words.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+  const std::string scene = WriteFile(place / "in.json", R"({"camera": {"eye": [0, 0, 5], "at": [0, 0, 0],
+      "up": [0, 1, 0], "fovy": 40}, "lights": [], "materials": [{"kd": [1, 0, 0]}],
+      "surfaces": [{"shape": "mesh", "material": 0, "file": "two words.off"}]})");
+  const Finished first = RunProgram({"-convert", place / "out.scn", scene});
+  EXPECT_EQ(first.status, 0) << first.error;
+  const auto meshes = place.Others({"in.json", "out.scn", "two words.off"});
+  ASSERT_EQ(meshes.size(), 1u);
+  EXPECT_EQ(RunProgram({"-convert", place / "out.scn", scene}).status, 0) << "the same file again";
+  WriteFile(place / meshes[0], "mine\n");
+  const Finished done = RunProgram({"-convert", place / "out.scn", scene});
+  EXPECT_EQ(done.status, 4);
+  EXPECT_TRUE(Has(done.error, "is there already, with something else in it")) << done.error;
+  EXPECT_EQ(ReadFile(place / meshes[0]), "mine\n");
+}
+
 TEST(Convert, AFolderThatTakesNoFilesIsSaidSo) {
   NEEDS_THE_PROGRAM();
   if (geteuid() == 0) GTEST_SKIP() << "the superuser may write anywhere";

@@ -50,6 +50,17 @@ TEST(SceneSettings, ThatAreInForceAreListedWithWhoSetThem) {
   EXPECT_EQ(SettingsInForce(scene, Typed({"-width", "3"})), (std::vector<std::string>{"-max_depth 7 (a.scn:1:5)"}));
 }
 
+TEST(SceneSettings, TheLastOfAnOptionCounts) {
+  const Scene scene = With({{"max_depth", "7", "a.scn:1:5"}, {"width", "40", "x"}, {"max_depth", "9", "a.scn:3:5"}});
+  EXPECT_EQ(WithSettingsOf(scene, Typed({})).render.trace.max_depth, 9);
+  EXPECT_EQ(SettingsInForce(scene, Typed({})), (std::vector<std::string>{"-width 40 (x)", "-max_depth 9 (a.scn:3:5)"}));
+}
+
+TEST(SceneSettings, OfAFlagTheLastCountsToo) {
+  const Scene scene = With({{"fresnel", "on", "a.scn:1:5"}, {"fresnel", "off", "a.scn:2:5"}});
+  EXPECT_FALSE(WithSettingsOf(scene, Typed({})).render.trace.fresnel);
+}
+
 TEST(SceneSettings, WhatASceneMayNotSetIsRefusedAtItsPlace) {
   EXPECT_EQ(RefusalOf({"max_dept", "2", "a.scn:1:5"}),
             "a.scn:1:5: error: a scene cannot set 'max_dept'; did you mean 'max_depth'?");
@@ -59,9 +70,9 @@ TEST(SceneSettings, WhatASceneMayNotSetIsRefusedAtItsPlace) {
 
 TEST(SceneSettings, ValuesOutOfRangeAreRefusedAtTheirPlace) {
   EXPECT_EQ(RefusalOf({"max_depth", "-2", "a.scn:1:5"}),
-            "a.scn:1:5: error: set max_depth -2: -max_depth must be a whole number, 0 to 9223372036854775807 bounces, "
+            "a.scn:1:5: error: -max_depth must be a whole number, 0 to 9223372036854775807 bounces, "
             "got '-2'");
-  EXPECT_EQ(RefusalOf({"motion", "1 2", "a.scn:1:5"}), "a.scn:1:5: error: set motion 1 2: usage: -motion dx dy dz");
+  EXPECT_EQ(RefusalOf({"motion", "1 2", "a.scn:1:5"}), "a.scn:1:5: error: usage: -motion dx dy dz");
 }
 
 TEST(SceneSettings, ASceneMayNotAskForMorePixelsThanTheLimit) {
