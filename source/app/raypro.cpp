@@ -7,15 +7,18 @@
 #include "source/app/Status.h"
 #include "source/app/Tasks.h"
 #include "source/app/files/Checkpoint.h"
+#include "source/app/files/FinishingTime.h"
 #include "source/app/files/LayerPictures.h"
 #include "source/app/files/Outputs.h"
 #include "source/app/files/ReadInputs.h"
 #include "source/app/options/CommandLine.h"
 #include "source/app/options/Comp30019.h"
 #include "source/app/options/SceneSettings.h"
+#include "source/app/report/Messages.h"
 #include "source/app/report/Progress.h"
 #include "source/app/report/ReadReplay.h"
 #include "source/app/report/RunLog.h"
+#include "source/text/Quoting.h"
 
 namespace ray {
 namespace {
@@ -27,6 +30,8 @@ RenderResult RenderAndTell(const World& world, const Accelerator& accelerator, c
   const std::string& hash = account.stats().scene.hash;
   RenderSettings settings = options.render;
   settings.replay = ReadReplay(options, hash);
+  if (settings.budget.seconds > 0)
+    settings.budget.seconds_to_finish = SecondsToFinish(*R2::FormatForName(options.picture), options);
   Progress progress(ChooseProgressStyle(options.quiet));
   const auto tile_done = [&](const RenderProgress& now) { progress.Update(now); };
   RenderMonitor monitor;
@@ -35,7 +40,12 @@ RenderResult RenderAndTell(const World& world, const Accelerator& accelerator, c
   monitor.seconds_before = account.SecondsSoFar();
   monitor.save = [&](const RenderState& state) { checkpoint.Save(state, hash); };
   monitor.save_every = options.checkpoint;
-  if (options.resume) monitor.resume = [&](const Film& film) { return checkpoint.Load(film, hash); };
+  monitor.saves_finished = options.keep_checkpoint;
+  if (options.resume && checkpoint.Exists())
+    monitor.resume = [&](const Film& film) { return checkpoint.Load(film, hash); };
+  else if (options.resume && !options.quiet)
+    PrintError("raypro: nothing to resume, " + QuotedPath(checkpoint.Name()) +
+               " does not exist: rendering from the start");
   return Render(world, accelerator, settings, monitor);
 }
 
@@ -86,7 +96,7 @@ int MakePicture(const Options& asked, const Words& words) {
                result.IsComplete() ? RenderLayers(world, *accelerator, options) : std::vector<R2::Image>{},
                account.stats());
   account.Written();
-  if (result.IsComplete()) checkpoint.Remove();
+  if (result.IsComplete() && !options.keep_checkpoint) checkpoint.Remove();
   WriteReport(outputs, account.stats());
   account.Summarize();
   return result.IsComplete() ? status::done : status::killed_by + StopSignal();

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "source/film/FillGaps.h"
+
 namespace ray {
 namespace {
 
@@ -100,14 +102,41 @@ double Film::ShareOfDifference(int x, int y) const {
   return a > 0 && b > 0 ? a * b / ((a + b) * (a + b)) : 0;
 }
 
+bool Film::HasGaps() const {
+  for (int i = 0; i < Blocks(); ++i)
+    if ((*this)[i].Samples() == 0 && PixelsInRegion(i).Area() > 0) return true;
+  return false;
+}
+
+/// In blocks that lack samples, what the pixels that were looked at show, and the others by those around.
+void Film::FillUnsampled(R2::Image& image) const {
+  std::vector<char> is_known(static_cast<std::size_t>(region_.Area()), 1);
+  for (int i = 0; i < Blocks(); ++i) {
+    const Block& block = (*this)[i];
+    if (block.Samples() > 0) continue;
+    const PixelRectangle pixels = PixelsInRegion(i);
+    for (int y = pixels.y0; y < pixels.y1; ++y)
+      for (int x = pixels.x0; x < pixels.x1; ++x) {
+        const auto place = static_cast<std::size_t>(BlockOrder::PlaceOf(x, y));
+        const bool is_seen = place < block.first_looks.size();
+        if (is_seen) image.Set(x - region_.x0, y - region_.y0, block.first_looks[place]);
+        is_known[static_cast<std::size_t>(y - region_.y0) * static_cast<std::size_t>(region_.Width()) +
+                 static_cast<std::size_t>(x - region_.x0)] = is_seen;
+      }
+  }
+  FillGaps(image, region_.x0, region_.y0, is_known);
+}
+
 R2::Image Film::Picture(R2::Quantization quantization) const {
-  return Composed(quantization, [](const Block& block, int x, int y) {
+  R2::Image image = Composed(quantization, [](const Block& block, int x, int y) {
     WeightedSum sum;
     for (int part = 0; part < parts; ++part)
       if (block.samples[part] > 0) sum += block.sums[part].At(x, y);
     const double n = block.Samples();
     return WeightedSum{sum.color / n, sum.weight / n};
   });
+  if (HasGaps()) FillUnsampled(image);
+  return image;
 }
 
 R2::Image Film::Part(int part) const {

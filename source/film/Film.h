@@ -6,6 +6,7 @@
 #include "R2/Color.h"
 #include "R2/Image.h"
 #include "R2/ImageFile.h"
+#include "source/film/BlockOrder.h"
 #include "source/film/Filter.h"
 #include "source/film/PixelRectangle.h"
 
@@ -64,7 +65,7 @@ class BlockSums {
 /// can change a bit.
 class Film {
  public:
-  static constexpr int block_side = 8, parts = 2;
+  static constexpr int block_side = BlockOrder::side, parts = 2;
 
   /// `region`: the part of the picture of `width` x `height` that is wanted. Samples from pixels around it that count
   /// for it are taken too, so that it equals the same part of the whole.
@@ -85,6 +86,9 @@ class Film {
   struct Block {
     BlockSums sums[parts];
     std::uint32_t samples[parts] = {0, 0};  // per pixel
+    // As long as there are no samples: the first one of the first stream, at so many places of BlockOrder; black where
+    // the picture has no pixel.
+    std::vector<R2::Color> first_looks;
 
     std::uint32_t Samples() const { return samples[0] + samples[1]; }
     /// Where the parts are two streams each has as many, else one stream is in both.
@@ -94,8 +98,8 @@ class Film {
   Block& operator[](int block) { return blocks_[static_cast<std::size_t>(block)]; }
   BlockSums EmptySums(int block) const;
 
-  /// The picture so far; pixels without samples are black. With several sample counts, a block's samples count by their
-  /// mean.
+  /// The picture so far. With several sample counts, a block's samples count by their mean. Pixels without samples are
+  /// filled from those around, see FillGaps; where the whole picture has none, they are black.
   ///   quantization   how the picture will be made bytes; its floats are chosen so that theirs are those of the exact
   ///   sums
   R2::Image Picture(R2::Quantization quantization = R2::Quantization::rounded) const;
@@ -110,6 +114,8 @@ class Film {
   int BlockOf(int x, int y) const;
 
  private:
+  bool HasGaps() const;
+  void FillUnsampled(R2::Image& image) const;
   template <typename Blend>
   R2::Image Composed(R2::Quantization quantization, const Blend& blend) const;
 

@@ -30,7 +30,15 @@ void MergeParts(Film::Block& block) {
 
 }  // namespace
 
-PassRunner::End PassRunner::Run(const std::vector<std::uint32_t>& targets, std::optional<Clock::time_point> pause_at) {
+bool PassRunner::IsStepEnd(std::uint32_t samples) { return samples == 0 || StepEnd(samples - 1) == samples; }
+
+bool PassRunner::IsAtTarget(int block) const {
+  const std::uint32_t samples = SamplesOf(block), target = TargetOf(block);
+  if (target > 0 || samples > 0) return samples >= target;
+  return work_.film[block].first_looks.size() >= static_cast<std::size_t>(targets_->PlacesOf(block));
+}
+
+PassRunner::End PassRunner::Run(const PassTargets& targets, std::optional<Clock::time_point> pause_at) {
   targets_ = &targets;
   pause_at_ = pause_at;
   has_progressed_ = false;
@@ -58,7 +66,7 @@ void PassRunner::RunTile(int tile) {
   std::int64_t pixels = 0;
   for (const int block : tiles_.BlocksOf(tile)) {
     if (IsAtTarget(block)) continue;
-    if (!Advance(block, state)) break;
+    if (!(TargetOf(block) > 0 ? Advance(block, state) : Look(block, state))) break;
     pixels += work_.film.PixelsOf(block).Area();
   }
   const std::lock_guard lock(mutex_);
@@ -78,14 +86,25 @@ bool PassRunner::Advance(int block, TraceState& state) {
     for (int part = 0; part < Film::parts; ++part) {
       if (!work_.has_two_streams && part != (done == 0 ? 0 : 1)) continue;
       if (next.sums[part].IsEmpty()) next.sums[part] = work_.film.EmptySums(block);
-      const SamplesDue due{work_.film.PixelsOf(block), work_.has_two_streams ? part : 0, done, end};
+      SamplesDue due{work_.film.PixelsOf(block), work_.has_two_streams ? part : 0, done, end};
+      if (part == 0) due.first_looks = next.first_looks;
       if (!RenderBlock(work_.source, due, work_.film.filter(), work_.stop, state, next.sums[part])) return false;
       next.samples[part] += end - done;
     }
+    next.first_looks.clear();
     work_.film[block] = std::move(next);
     has_progressed_ = true;
   }
   return true;
+}
+
+/// Takes a block within its first sample to its target. Whether it got there.
+bool PassRunner::Look(int block, TraceState& state) {
+  state.workspace.ForgetLastHits();
+  const bool is_done = LookAtPlaces(work_.source, work_.film.PixelsOf(block), targets_->PlacesOf(block), work_.stop,
+                                    state, work_.film[block].first_looks);
+  if (is_done) has_progressed_ = true;
+  return is_done;
 }
 
 }  // namespace ray

@@ -12,6 +12,7 @@
 
 #include "source/integrate/RayCounts.h"
 #include "source/render/RenderBlock.h"
+#include "source/render/Schedule.h"
 #include "source/render/Tiles.h"
 
 namespace ray {
@@ -36,9 +37,12 @@ class PassRunner {
 
   explicit PassRunner(const PassWork& work) : work_(work), tiles_(work.film, work.tile_size) {}
 
-  /// Takes samples until each block has its target, per pixel and stream. Leaves off at once when asked to stop, or at
-  /// `pause_at` when it has got on at all; either way the film is left so that it can be kept and gone on with.
-  End Run(const std::vector<std::uint32_t>& targets, std::optional<Clock::time_point> pause_at);
+  /// Takes samples until each block has its target. Leaves off at once when asked to stop, or at `pause_at` when it has
+  /// got on at all; either way the film is left so that it can be kept and gone on with.
+  End Run(const PassTargets& targets, std::optional<Clock::time_point> pause_at);
+
+  /// Whether samples up to this number are added up alike however many more were planned, whatever the filter.
+  static bool IsStepEnd(std::uint32_t samples);
 
   /// Of all passes.
   const RayCounts& Rays() const { return rays_; }
@@ -48,15 +52,16 @@ class PassRunner {
  private:
   bool IsStopped() const { return work_.stop && work_.stop->load(std::memory_order_relaxed); }
   bool IsPauseDue() const { return has_progressed_ && pause_at_ && Clock::now() >= *pause_at_; }
-  std::uint32_t TargetOf(int block) const { return (*targets_)[static_cast<std::size_t>(block)]; }
+  std::uint32_t TargetOf(int block) const { return targets_->samples[static_cast<std::size_t>(block)]; }
   std::uint32_t SamplesOf(int block) const { return work_.film[block].SamplesPerStream(work_.has_two_streams); }
-  bool IsAtTarget(int block) const { return SamplesOf(block) >= TargetOf(block); }
+  bool IsAtTarget(int block) const;
   void RunTile(int tile);
   bool Advance(int block, TraceState& state);
+  bool Look(int block, TraceState& state);
 
   const PassWork work_;
   const Tiles tiles_;
-  const std::vector<std::uint32_t>* targets_ = nullptr;
+  const PassTargets* targets_ = nullptr;
   std::optional<Clock::time_point> pause_at_;
   std::atomic<bool> has_progressed_ = false;  // since Run began
   tbb::enumerable_thread_specific<TraceState> states_;

@@ -30,6 +30,17 @@ BlockGrid GridOf(const Film& film) {
   return grid;
 }
 
+/// How many of the block's pixels have no sample but their first, which is not in the film's sums yet.
+std::int64_t PixelsLookedAt(const Film& film, int block) {
+  const PixelRectangle pixels = film.PixelsInRegion(block);
+  std::int64_t count = 0;
+  for (std::size_t place = 0; place < film[block].first_looks.size(); ++place) {
+    const auto [column, row] = BlockOrder::PixelAt(static_cast<int>(place), film.PixelsOf(block));
+    count += pixels.Contains(column, row);
+  }
+  return count;
+}
+
 SampleCounts CountSamples(const Film& film) {
   SampleCounts counts{~0u, 0, 0};
   double sum = 0, pixels = 0;
@@ -39,7 +50,7 @@ SampleCounts CountSamples(const Film& film) {
     const std::uint32_t samples = film[i].Samples();
     counts.least = std::min(counts.least, samples);
     counts.most = std::max(counts.most, samples);
-    sum += area * samples;
+    sum += area * samples + static_cast<double>(PixelsLookedAt(film, i));
     pixels += area;
   }
   counts.mean = sum / pixels;
@@ -99,12 +110,17 @@ class Job {
     if (monitor_.resume) Resume(monitor_.resume(film_));
     std::optional<Stop> stop;
     while (true) {
-      const std::optional<PassOutcome> pass = RunPass();
-      stop = pass ? schedule_.Next(*pass) : Stop::request;
+      const PassRunner::End end = RunPass();
+      if (end == PassRunner::End::stopped) {
+        stop = Stop::request;
+        break;
+      }
+      const PassOutcome pass = EndPass();
+      stop = end == PassRunner::End::complete ? schedule_.Next(pass) : Stop::time;
       if (stop) break;
-      if (monitor_.pass_done) monitor_.pass_done(Picture(), passes_.back().end);
+      if (monitor_.pass_done && passes_.back().end > 0) monitor_.pass_done(Picture(), passes_.back().end);
     }
-    if (*stop == Stop::request && monitor_.save) monitor_.save(State());
+    if ((*stop == Stop::request || monitor_.saves_finished) && monitor_.save) monitor_.save(State());
     return Result(*stop);
   }
 
@@ -115,7 +131,7 @@ class Job {
 
   /// A copy, for keeping.
   RenderState State() const {
-    RenderState state{{}, schedule_.State(), passes_, runner_.Rays()};
+    RenderState state{{}, schedule_.State(), passes_, runner_.Rays(), PlannedSamples(settings_)};
     for (int i = 0; i < film_.Blocks(); ++i) state.blocks.push_back(film_[i]);
     return state;
   }
@@ -127,24 +143,42 @@ class Job {
     for (int i = 0; i < film_.Blocks(); ++i) film_[i] = std::move(state.blocks[static_cast<std::size_t>(i)]);
   }
 
-  /// The pass that the schedule chose, with pauses to keep the state. Nothing when asked to stop.
-  std::optional<PassOutcome> RunPass() {
-    const double begin = Seconds(), samples = CountSamples(film_).mean;
+  /// Seconds from now; some years where there is no clock.
+  static Clock::time_point In(double seconds) {
+    constexpr double most = 1e8;
+    return Clock::now() +
+           std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(std::clamp(seconds, 0.0, most)));
+  }
+
+  /// The pass that the schedule chose, with pauses to keep the state. It ends `paused` where the time is over.
+  PassRunner::End RunPass() {
+    pass_begin_ = {Seconds(), CountSamples(film_).mean};
+    const double budget = settings_.budget.seconds;
+    const auto deadline =
+        budget > 0 ? std::optional(In(budget - settings_.budget.seconds_to_finish - Seconds())) : std::nullopt;
     const bool saves = monitor_.save && monitor_.save_every > 0;
-    const auto save_every =
-        std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(monitor_.save_every));
     while (true) {
-      const auto end =
-          runner_.Run(schedule_.State().targets, saves ? std::optional(Clock::now() + save_every) : std::nullopt);
-      if (end == PassRunner::End::stopped) return {};
-      if (end == PassRunner::End::complete) break;
+      auto pause_at = saves ? std::optional(In(monitor_.save_every)) : deadline;
+      if (deadline) pause_at = std::min(*pause_at, *deadline);
+      const auto end = runner_.Run(schedule_.State().targets, pause_at);
+      const bool is_late = deadline && Clock::now() >= *deadline;
+      if (end != PassRunner::End::paused || is_late) return end;
       monitor_.save(State());
     }
+  }
+
+  /// Notes the pass that is over.
+  PassOutcome EndPass() {
+    // Looks are no pass that anybody counts, nor are those of a render that has nothing to decide.
+    const bool are_counted =
+        settings_.budget.IsOpen() || settings_.wants_passes || settings_.replay || monitor_.pass_done;
+    if (!passes_.empty() && (!are_counted || passes_.back().end == 0)) passes_.pop_back();
+    const double samples = CountSamples(film_).mean;
+    passes_.push_back({schedule_.State().end, samples, Seconds() - monitor_.seconds_before, {}});
     PassOutcome pass;
-    pass.seconds_taken = Seconds() - begin;
-    passes_.push_back({schedule_.State().end, CountSamples(film_).mean, Seconds() - monitor_.seconds_before, {}});
-    pass.samples_taken = passes_.back().samples - samples;
-    if (!settings_.replay && (settings_.budget.error || settings_.wants_passes))
+    pass.seconds_taken = Seconds() - pass_begin_.seconds;
+    pass.samples_taken = samples - pass_begin_.samples;
+    if (schedule_.DecidesByError() || (settings_.wants_passes && !settings_.replay))
       pass.error = MeasureError(film_, MeasureFor(settings_));
     if (pass.error) passes_.back().error = pass.error->estimate;
     pass.now = Seconds();
@@ -153,10 +187,17 @@ class Job {
 
   void TellProgress(std::int64_t pixels, const RayCounts& rays) const {
     if (!monitor_.tile_done) return;
-    RenderProgress progress{pixels, film_.Sampled().Area(), rays.Total()};
+    const std::int64_t area = film_.Sampled().Area();
+    RenderProgress progress{pixels, area, rays.Total()};
     if (settings_.budget.seconds > 0) {
       progress.total = static_cast<std::int64_t>(1e3 * settings_.budget.seconds);
       progress.done = std::min(progress.total, static_cast<std::int64_t>(1e3 * Seconds()));
+    } else if (!settings_.budget.IsOpen() && !settings_.replay) {
+      const PassTargets& targets = schedule_.State().targets;
+      const double end = std::max<double>(schedule_.State().end, targets.PlacesOf(0) / double{BlockOrder::places});
+      const double gain = std::max(0.0, end - pass_begin_.samples) * static_cast<double>(pixels);
+      progress.total = area * settings_.samples;
+      progress.done = static_cast<std::int64_t>(static_cast<double>(area) * pass_begin_.samples + gain);
     }
     monitor_.tile_done(progress);
   }
@@ -179,7 +220,8 @@ class Job {
     result.pixels_total = film_.Region().Area();
     for (int i = 0; i < film_.Blocks(); ++i) {
       result.block_samples.push_back(film_[i].SamplesPerStream(result.two_streams));
-      if (film_[i].Samples() > 0) result.pixels_done += film_.PixelsInRegion(i).Area();
+      result.block_places.push_back(static_cast<std::uint8_t>(film_[i].first_looks.size()));
+      result.pixels_done += film_[i].Samples() > 0 ? film_.PixelsInRegion(i).Area() : PixelsLookedAt(film_, i);
     }
     // Of costs no error is known: they are what is summed, not the colors shown.
     if (const auto error = ShowsCosts(settings_.mode) ? std::nullopt : MeasureError(film_, MeasureFor(settings_))) {
@@ -201,6 +243,9 @@ class Job {
   Schedule schedule_;
   PassRunner runner_;
   std::vector<Pass> passes_;  // that are over
+  struct {
+    double seconds = 0, samples = 0;  // per pixel, on average
+  } pass_begin_;
 };
 
 }  // namespace

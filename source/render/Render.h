@@ -21,7 +21,7 @@ namespace ray {
 
 /// How far a render has come.
 struct RenderProgress {
-  std::int64_t done = 0, total = 0;  // pixels of the pass that runs, or milliseconds where there is a time budget
+  std::int64_t done = 0, total = 0;  // samples; of an error budget, pixels of the pass that runs; of time, milliseconds
   std::uint64_t rays = 0;            // of all kinds, so far
 };
 
@@ -33,13 +33,15 @@ struct RenderMonitor {
   /// Keeps a state from which the render can resume; called by one thread at a time, every `save_every` seconds and
   /// when the render is stopped. May be empty.
   std::function<void(const RenderState&)> save;
-  double save_every = 0;  // 0: only when stopped
+  double save_every = 0;        // 0: only when stopped
+  bool saves_finished = false;  // and when the render is over, so that samples can be added to it
   /// Gives the state to resume from, made for a film like this empty one; called once, before the first sample. May be
   /// empty, and throw.
   std::function<RenderState(const Film&)> resume;
-  /// Sees the picture between two passes, and the samples per pixel and stream it has; called by the thread that
-  /// renders, while no other does. May be empty; else samples are doubled pass by pass, which changes no bit of the
-  /// result (but of heat, where an accelerator remembers the last hit: each pass begins without).
+  /// Sees the picture between two passes, once all pixels have a sample, and the samples per pixel and stream it has;
+  /// called by the thread that renders, while no other does. May be empty; else samples are doubled pass by pass in any
+  /// mode, which changes no bit of the result (but of heat, where an accelerator remembers the last hit: each pass
+  /// begins without).
   std::function<void(const R2::Image&, std::uint32_t)> pass_done;
 };
 
@@ -51,12 +53,13 @@ struct SampleCounts {
 
 /// What a render gives.
 struct RenderResult {
-  R2::Image image;                                 // of the crop, or of the whole; black where nothing was rendered yet
+  R2::Image image;  // of the crop, or of the whole; filled where nothing was rendered yet
   std::int64_t pixels_done = 0, pixels_total = 0;  // with at least one sample; in all
   RayCounts rays;
   Stop stop = Stop::samples;
   SampleCounts samples;
   std::vector<std::uint32_t> block_samples;  // per pixel and stream, by blocks of the film
+  std::vector<std::uint8_t> block_places;    // looked at, of blocks without samples; else 0
   std::uint32_t planned_samples = 1;         // samples per pixel that strata and camera rays were laid out for
   bool two_streams = false;                  // half of the samples are another, independent sequence
   std::vector<Pass> passes;

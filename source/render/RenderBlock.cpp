@@ -1,16 +1,94 @@
 #include "source/render/RenderBlock.h"
 
 namespace ray {
+namespace {
+
+bool IsAskedToStop(const std::atomic<bool>* stop) { return stop && stop->load(std::memory_order_relaxed); }
+
+R2::Color Counted(const SampleSource& source, const R2::Color& radiance) {
+  return source.clamps_samples ? Clamped(radiance) : radiance;
+}
+
+/// Traces sample 0 of pixels of a block for their places.
+class Looker {
+ public:
+  Looker(const SampleSource& source, const std::atomic<bool>* stop, TraceState& state, std::vector<R2::Color>& looks)
+      : source_(source), stop_(stop), state_(state), looks_(looks) {}
+
+  /// These give whether nobody asked to stop.
+  bool Add(int column, int row) {
+    batch_.Add(column, row, source_.camera(column, row, source_.PixelKey(column, row), 0));
+    return !batch_.IsFull() || Finish();
+  }
+  bool Finish() {
+    if (IsAskedToStop(stop_)) return false;
+    batch_.Trace(source_.integrator, state_, [&](int column, int row, const CameraSample&, const R2::Color& radiance) {
+      looks_[static_cast<std::size_t>(BlockOrder::PlaceOf(column, row))] = Counted(source_, radiance);
+    });
+    return true;
+  }
+
+ private:
+  const SampleSource& source_;
+  const std::atomic<bool>* stop_;
+  TraceState& state_;
+  std::vector<R2::Color>& looks_;
+  SampleBatch batch_;
+};
+
+template <class Function>
+void ForPixels(const PixelRectangle& pixels, const Function& function) {
+  for (int row = pixels.y0; row < pixels.y1; ++row)
+    for (int column = pixels.x0; column < pixels.x1; ++column) function(column, row);
+}
+
+/// Samples of which some are known already, added in the order of all others.
+bool RenderAroundLooks(const SampleSource& source, const SamplesDue& due, const Filter& filter,
+                       const std::atomic<bool>* stop, TraceState& state, BlockSums& sums) {
+  const auto place_of = [](int column, int row) { return static_cast<std::size_t>(BlockOrder::PlaceOf(column, row)); };
+  std::vector<R2::Color> all(due.first_looks.begin(), due.first_looks.end());
+  all.resize(BlockOrder::places);
+  Looker looker(source, stop, state, all);
+  bool goes_on = true;
+  ForPixels(due.pixels, [&](int column, int row) {
+    if (goes_on && place_of(column, row) >= due.first_looks.size()) goes_on = looker.Add(column, row);
+  });
+  if (!goes_on || !looker.Finish()) return false;
+  ForPixels(due.pixels, [&](int column, int row) {
+    // Where a sample is in its pixel makes no difference to the box filter.
+    const CameraSample sample =
+        filter.IsBox() ? CameraSample{} : source.camera(column, row, source.PixelKey(column, row), 0);
+    sums.Add(column, row, sample.x, sample.y, all[place_of(column, row)], filter);
+  });
+  return true;
+}
+
+}  // namespace
+
+bool LookAtPlaces(const SampleSource& source, const PixelRectangle& pixels, int places, const std::atomic<bool>* stop,
+                  TraceState& state, std::vector<R2::Color>& looks) {
+  std::vector<R2::Color> all = looks;
+  all.resize(static_cast<std::size_t>(places));
+  Looker looker(source, stop, state, all);
+  for (int place = static_cast<int>(looks.size()); place < places; ++place) {
+    const auto [column, row] = BlockOrder::PixelAt(place, pixels);
+    if (pixels.Contains(column, row) && !looker.Add(column, row)) return false;
+  }
+  if (!looker.Finish()) return false;
+  looks = std::move(all);
+  return true;
+}
 
 bool RenderBlock(const SampleSource& source, const SamplesDue& due, const Filter& filter, const std::atomic<bool>* stop,
                  TraceState& state, BlockSums& sums) {
+  if (!due.first_looks.empty()) return RenderAroundLooks(source, due, filter, stop, state, sums);
   SampleBatch batch;
   const auto trace_and_splat = [&] {
-    if (stop && stop->load(std::memory_order_relaxed)) return false;
-    batch.Trace(
-        source.integrator, state, [&](int column, int row, const CameraSample& sample, const R2::Color& radiance) {
-          sums.Add(column, row, sample.x, sample.y, source.clamps_samples ? Clamped(radiance) : radiance, filter);
-        });
+    if (IsAskedToStop(stop)) return false;
+    batch.Trace(source.integrator, state,
+                [&](int column, int row, const CameraSample& sample, const R2::Color& radiance) {
+                  sums.Add(column, row, sample.x, sample.y, Counted(source, radiance), filter);
+                });
     return true;
   };
   for (int row = due.pixels.y0; row < due.pixels.y1; ++row)

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "source/film/Film.h"
 #include "source/integrate/CameraRays.h"
@@ -62,6 +63,7 @@ struct SamplesDue {
   PixelRectangle pixels;
   int stream = 0;
   std::uint32_t first = 0, last = 0;
+  std::span<const R2::Color> first_looks{};  // of sample 0, where they were taken before the others: see Film::Block
 };
 
 /// The road of every sample: pixel, camera ray, integrator, film. Adds the samples that are due to `sums`.
@@ -69,5 +71,10 @@ struct SamplesDue {
 ///   returns   whether nobody asked to stop; else `sums` is of no use
 bool RenderBlock(const SampleSource& source, const SamplesDue& due, const Filter& filter, const std::atomic<bool>* stop,
                  TraceState& state, BlockSums& sums);
+
+/// Takes sample 0 of the first stream at more places of a block, from looks.size() to `places` - 1 of BlockOrder.
+///   returns   as above; `looks` then has `places` colors
+bool LookAtPlaces(const SampleSource& source, const PixelRectangle& pixels, int places, const std::atomic<bool>* stop,
+                  TraceState& state, std::vector<R2::Color>& looks);
 
 }  // namespace ray

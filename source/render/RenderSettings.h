@@ -36,6 +36,7 @@ constexpr const auto& NamesOf(Clamp) { return clamp_names; }
 /// When to stop. Whatever is reached first ends the render.
 struct Budget {
   double seconds = 0;                // from the start of the program to the picture written; 0: no limit
+  double seconds_to_finish = 0;      // of them, that the picture takes to be written
   std::optional<ErrorTarget> error;  // stop when the upper end of the error's interval is below
   double confidence = 0.95;          // of that interval, in (0, 1)
   Adaptive adaptive = Adaptive::automatic;
@@ -50,6 +51,7 @@ struct Replay {
   std::uint32_t planned_samples = 1;   // see RenderResult
   std::vector<std::uint32_t> ends;     // samples per pixel and stream at which passes ended, ascending
   std::vector<std::uint32_t> samples;  // per pixel and stream of each block; empty when all have the last of `ends`
+  std::vector<std::uint8_t> places;    // looked at, of blocks that have none; empty when all have some
 };
 
 /// What picture to make of a scene, and how the work is spread; the latter never changes a bit of the former.

@@ -1,5 +1,7 @@
 #include "source/render/RenderState.h"
 
+#include "source/render/PassRunner.h"
+
 #include <cstring>
 #include <string_view>
 #include <type_traits>
@@ -7,7 +9,7 @@
 namespace ray {
 namespace {
 
-constexpr std::string_view magic = "raypro checkpoint 1\n";
+constexpr std::string_view magic = "raypro checkpoint 2\n";
 
 /// FNV-1a (Fowler, Noll, Vo, 1991) of 64 bits, which tells any single changed bit.
 std::uint64_t Checksum(std::span<const unsigned char> bytes) {
@@ -105,7 +107,9 @@ Pass TakePass(Reader& reader) {
 }
 
 void PutSchedule(Writer& writer, const ScheduleState& schedule) {
-  writer.PutAll(schedule.targets);
+  writer.PutAll(schedule.targets.samples);
+  writer.Put(!schedule.targets.places.empty());
+  if (!schedule.targets.places.empty()) writer.PutAll(schedule.targets.places);
   writer.Put(!schedule.last_squared_errors.empty());
   if (!schedule.last_squared_errors.empty()) writer.PutAll(schedule.last_squared_errors);
   writer.Put(schedule.end);
@@ -113,10 +117,14 @@ void PutSchedule(Writer& writer, const ScheduleState& schedule) {
 
 ScheduleState TakeSchedule(Reader& reader, int blocks) {
   ScheduleState schedule;
-  schedule.targets.resize(static_cast<std::size_t>(blocks));
-  reader.TakeAll(schedule.targets);
+  schedule.targets.samples.resize(static_cast<std::size_t>(blocks));
+  reader.TakeAll(schedule.targets.samples);
   if (reader.Take<char>() != 0) {
-    schedule.last_squared_errors.resize(schedule.targets.size());
+    schedule.targets.places.resize(static_cast<std::size_t>(blocks));
+    reader.TakeAll(schedule.targets.places);
+  }
+  if (reader.Take<char>() != 0) {
+    schedule.last_squared_errors.resize(static_cast<std::size_t>(blocks));
     reader.TakeAll(schedule.last_squared_errors);
   }
   schedule.end = reader.Take<std::uint32_t>();
@@ -128,6 +136,8 @@ void PutBlock(Writer& writer, const Film::Block& block) {
     writer.Put(block.samples[part]);
     if (block.samples[part] > 0) writer.PutAll(block.sums[part].Sums());
   }
+  writer.Put(static_cast<std::uint8_t>(block.first_looks.size()));
+  writer.PutAll(block.first_looks);
 }
 
 Film::Block TakeBlock(Reader& reader, const BlockSums& empty) {
@@ -138,6 +148,8 @@ Film::Block TakeBlock(Reader& reader, const BlockSums& empty) {
     block.sums[part] = empty;
     reader.TakeAll(block.sums[part].Sums());
   }
+  block.first_looks.resize(reader.Take<std::uint8_t>());
+  reader.TakeAll(block.first_looks);
   return block;
 }
 
@@ -162,6 +174,7 @@ std::vector<unsigned char> Encoded(const RenderState& state, const std::string& 
   writer.PutText(identity);
   PutSchedule(writer, state.schedule);
   writer.Put(state.rays);
+  writer.Put(state.planned_samples);
   writer.Put<std::uint64_t>(state.passes.size());
   for (const Pass& pass : state.passes) PutPass(writer, pass);
   for (const Film::Block& block : state.blocks) PutBlock(writer, block);
@@ -173,15 +186,35 @@ RenderState DecodedState(std::span<const unsigned char> bytes, const std::string
   Reader reader(CheckedBody(bytes));
   const auto length = reader.Take<std::uint64_t>();
   const std::string theirs = reader.TakeText(length);
-  if (theirs != identity)
-    throw CheckpointError("the checkpoint was made with " + FirstDifference(theirs, identity));
+  if (theirs != identity) throw CheckpointError("the checkpoint was made with " + FirstDifference(theirs, identity));
   RenderState state;
   state.schedule = TakeSchedule(reader, film.Blocks());
   state.rays = reader.Take<RayCounts>();
+  state.planned_samples = reader.Take<std::uint32_t>();
   for (auto passes = reader.Take<std::uint64_t>(); passes > 0; --passes) state.passes.push_back(TakePass(reader));
   for (int i = 0; i < film.Blocks(); ++i) state.blocks.push_back(TakeBlock(reader, film.EmptySums(i)));
   if (reader.Left() > 0) throw CheckpointError("it is longer than it should be");
   return state;
+}
+
+void CheckPlan(const RenderState& state, const RenderSettings& settings) {
+  const std::uint32_t then = state.planned_samples, now = PlannedSamples(settings);
+  if (then == now) return;
+  const auto refuse = [&](const std::string& why) {
+    throw CheckpointError("the checkpoint was made with -samples " + std::to_string(then) + ", not " +
+                          std::to_string(now) + ": " + why);
+  };
+  if (now < then) refuse("samples can be added, not taken away");
+  if (settings.budget.error) refuse("with -error, what was decided before would be decided otherwise");
+  const SamplerKind sampler = settings.trace.sampler;
+  if (sampler == SamplerKind::stratified || sampler == SamplerKind::grid)
+    refuse(std::string("the ") + sampler_names[static_cast<std::size_t>(sampler)] +
+           " sampler lays all samples out beforehand");
+  if (settings.filter == FilterKind::box) return;
+  // A filter that spreads samples adds up the pixels of a block step by step.
+  for (const Film::Block& block : state.blocks)
+    if (!PassRunner::IsStepEnd(block.Samples()))
+      refuse("with a filter other than box, samples can be added to 1, 2, 4, ... 64, 128, 192, ...");
 }
 
 }  // namespace ray

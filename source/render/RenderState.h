@@ -26,6 +26,7 @@ struct RenderState {
   ScheduleState schedule;
   std::vector<Pass> passes;
   RayCounts rays;
+  std::uint32_t planned_samples = 1;  // see PlannedSamples
 };
 
 /// Why a render cannot resume from a checkpoint, in words.
@@ -39,5 +40,9 @@ std::vector<unsigned char> Encoded(const RenderState& state, const std::string& 
 /// Throws CheckpointError for anything but what Encoded gave for the same identity and a film of the same blocks; the
 /// message names the first line of the identity that differs. `film` is an empty one of the picture that goes on.
 RenderState DecodedState(std::span<const unsigned char> bytes, const std::string& identity, const Film& film);
+
+/// Throws CheckpointError when going on from the state to the samples of the settings would not give the picture of a
+/// render that had them in view from the start, to the last bit.
+void CheckPlan(const RenderState& state, const RenderSettings& settings);
 
 }  // namespace ray

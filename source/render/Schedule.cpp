@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <numeric>
 
 namespace ray {
 namespace {
@@ -9,9 +11,10 @@ namespace {
 constexpr std::uint32_t most_samples = 1u << 30;      // per pixel and stream, where nothing else ends the render
 constexpr std::uint32_t planned_if_unknown = 16;      // samples that strata are laid out for when no count is known
 constexpr std::uint32_t first_with_error_target = 8;  // of each stream, before anything is decided
-constexpr double seconds_to_finish_a_pixel = 150e-9;  // from sums to the bytes of a file
 constexpr double share_of_time_aimed_at = 0.97;       // so that a pass may take longer than expected as well as shorter
 constexpr double share_of_time_at_once = 0.6;         // of what is left, by a pass: its speed is known from others
+constexpr double share_of_time_not_used = 0.01;       // is too little for another pass
+constexpr double seconds_without_news = 1;            // that the first sample of all pixels may take in one pass
 constexpr double fall_of_error = 0.75;                // error ~ samples^-this, for guessing how many are needed
 // No block stops early where most of the error is in outliers and blocks that seemed good enough before the last pass
 // hold more than this share of the squared error now: there light is found so seldom that nothing tells where it will
@@ -27,14 +30,41 @@ std::uint32_t Ceiling(const RenderSettings& settings) {
   return HasTwoStreams(settings) ? std::max(1u, samples / 2) : samples;
 }
 
-/// Every block cut to a share of the samples that it would gain. The largest target of those that still gain any; 0
-/// where none does.
-std::uint32_t Shorten(std::vector<std::uint32_t>& targets, const std::vector<std::uint32_t>& done, double share) {
-  std::uint32_t end = 0;
-  for (std::size_t i = 0; i < targets.size(); ++i) {
-    targets[i] = done[i] + static_cast<std::uint32_t>(share * (targets[i] - done[i]));
-    if (targets[i] > done[i]) end = std::max(end, targets[i]);
+/// Blocks that gain a sample where there is no time for one of all: so many of those that have fewest, spread evenly.
+void RaiseSome(std::vector<std::uint32_t>& targets, const std::vector<std::uint32_t>& done, double blocks) {
+  std::uint32_t fewest = most_samples;
+  for (std::size_t i = 0; i < done.size(); ++i)
+    if (targets[i] > done[i]) fewest = std::min(fewest, done[i]);
+  const auto is_raised = [&](std::size_t i) { return targets[i] > done[i] && done[i] == fewest; };
+  double candidates = 0;
+  for (std::size_t i = 0; i < done.size(); ++i) candidates += is_raised(i);
+  const double share = blocks / candidates;
+  double place = 0;  // steps of the golden ratio: any few in a row are spread over (0, 1)
+  for (std::size_t i = 0; i < done.size(); ++i) {
+    const bool is_candidate = is_raised(i);
+    if (is_candidate) place = std::fmod(place + 1 / std::numbers::phi, 1);
+    const bool is_chosen = is_candidate && place < share && blocks >= 1;
+    blocks -= is_chosen;
+    targets[i] = done[i] + is_chosen;
   }
+}
+
+/// Every block cut to a share of the samples that it would gain, or so many blocks to one. The largest target of those
+/// that still gain any; 0 where none does.
+std::uint32_t Shorten(std::vector<std::uint32_t>& targets, const std::vector<std::uint32_t>& done, double share) {
+  double most = 0, all = 0;
+  for (std::size_t i = 0; i < targets.size(); ++i) {
+    most = std::max(most, share * (targets[i] - done[i]));
+    all += share * (targets[i] - done[i]);
+  }
+  if (most < 1)
+    RaiseSome(targets, done, all);
+  else
+    for (std::size_t i = 0; i < targets.size(); ++i)
+      targets[i] = done[i] + static_cast<std::uint32_t>(share * (targets[i] - done[i]));
+  std::uint32_t end = 0;
+  for (std::size_t i = 0; i < targets.size(); ++i)
+    if (targets[i] > done[i]) end = std::max(end, targets[i]);
   return end;
 }
 
@@ -53,14 +83,28 @@ Schedule::Schedule(const RenderSettings& settings, BlockGrid blocks, bool in_pas
     : budget_(settings.budget),
       replay_(settings.replay),
       blocks_(std::move(blocks)),
-      in_passes_(budget_.IsOpen() || in_passes),
+      pixels_(std::accumulate(blocks_.areas.begin(), blocks_.areas.end(), 0.0)),
+      in_passes_(budget_.IsOpen() || in_passes || !ShowsCosts(settings.mode)),
       two_streams_(HasTwoStreams(settings)),
       ceiling_(Ceiling(settings)),
       first_decision_(std::min(ceiling_, budget_.error ? first_with_error_target : 1u)) {
-  // Where the clock counts, even the first samples must not take longer than they may.
-  state_.end = !in_passes_ ? ceiling_ : budget_.seconds > 0 ? 1 : first_decision_;
-  state_.targets.assign(blocks_.areas.size(), state_.end);
-  if (replay_) ReplayTo(replay_->ends.front());
+  if (replay_)
+    ReplayTo(replay_->ends.front());
+  else if (!ShowsCosts(settings.mode))
+    LookAt(1);
+  else
+    SampleTo(in_passes_ ? 1 : ceiling_);
+}
+
+void Schedule::SampleTo(std::uint32_t end) {
+  state_.end = end;
+  state_.targets = {std::vector<std::uint32_t>(blocks_.areas.size(), end)};
+}
+
+void Schedule::LookAt(int places) {
+  state_.end = 0;
+  state_.targets = {std::vector<std::uint32_t>(blocks_.areas.size(), 0),
+                    std::vector<std::uint8_t>(blocks_.areas.size(), static_cast<std::uint8_t>(places))};
 }
 
 void Schedule::Resume(ScheduleState state) {
@@ -73,17 +117,42 @@ void Schedule::Resume(ScheduleState state) {
 
 std::optional<Stop> Schedule::Next(const PassOutcome& pass) {
   if (replay_) return NextOfReplay();
-  const bool decides_by_error = budget_.error && pass.error && state_.end >= first_decision_;
-  const MeasuredError* error = decides_by_error ? &*pass.error : nullptr;
+  if (state_.end == 0) return NextOfLooks(pass);
+  const MeasuredError* error = DecidesByError() && pass.error ? &*pass.error : nullptr;
   if (error && error->square_high <= SquaredTargetOf(*error)) return Stop::error;
-  if (state_.end >= ceiling_) return Stop::samples;
   std::uint32_t end = std::min(ceiling_, NextEnd(error));
   std::vector<std::uint32_t> targets(blocks_.areas.size(), end);
   if (error && budget_.adaptive != Adaptive::off) targets = ChooseBlocks(end, *error);
+  if (targets == state_.targets.samples) return Stop::samples;
   if (budget_.seconds > 0) end = ShortenToTime(targets, end, pass);
   if (end == 0) return Stop::time;
   state_.end = end;
-  state_.targets = std::move(targets);
+  state_.targets.samples = std::move(targets);
+  return {};
+}
+
+/// Until every pixel has its first sample, or where that takes long, first at twice as many places.
+std::optional<Stop> Schedule::NextOfLooks(const PassOutcome& pass) {
+  const int places = state_.targets.places.front();
+  const double samples_left = (two_streams_ ? 2 : 1) - static_cast<double>(places) / BlockOrder::places;
+  const double pace = pass.samples_taken > 0 ? pass.seconds_taken / pass.samples_taken : 0;  // seconds for a sample
+  const bool is_short = pace * samples_left <= seconds_without_news;
+  int next = 2 * places;
+  if (budget_.seconds > 0) {
+    const double left = SecondsLeft(pass), usable = share_of_time_at_once * left;
+    if (left < share_of_time_not_used * budget_.seconds) return Stop::time;
+    if (pace > 0 && usable < pace * samples_left) {
+      constexpr double place = 1.0 / BlockOrder::places;
+      if (places == BlockOrder::places || left < pace * place) return Stop::time;
+      next = std::min(next, places + std::max(1, static_cast<int>(usable / (pace * place))));
+      LookAt(std::min(next, BlockOrder::places));
+      return {};
+    }
+  }
+  if (is_short || next >= BlockOrder::places)
+    SampleTo(1);
+  else
+    LookAt(next);
   return {};
 }
 
@@ -97,9 +166,10 @@ std::optional<Stop> Schedule::NextOfReplay() {
 }
 
 void Schedule::ReplayTo(std::uint32_t end) {
-  state_.end = end;
-  for (std::size_t i = 0; i < state_.targets.size(); ++i)
-    state_.targets[i] = replay_->samples.empty() ? end : std::min(end, replay_->samples[i]);
+  SampleTo(end);
+  for (std::size_t i = 0; i < replay_->samples.size(); ++i)
+    state_.targets.samples[i] = std::min(end, replay_->samples[i]);
+  state_.targets.places = replay_->places;
 }
 
 /// Twice as many, or fewer when the error is close to its target.
@@ -129,7 +199,7 @@ std::vector<std::uint32_t> Schedule::ChooseBlocks(std::uint32_t end, const Measu
   for (double limit = target; !any && limit > 0; limit /= 2)
     for (std::size_t i = 0; i < targets.size(); ++i) {
       const bool is_open = IsOpen(i, squares, limit);
-      targets[i] = is_open ? end : state_.targets[i];
+      targets[i] = is_open ? end : state_.targets.samples[i];
       any |= is_open;
     }
   return targets;
@@ -156,28 +226,29 @@ double Schedule::ShareOfSurprise(const std::vector<double>& squares, double targ
   return all > 0 ? surprise / all : 0;
 }
 
+/// Before the picture has to be finished.
+double Schedule::SecondsLeft(const PassOutcome& pass) const {
+  return share_of_time_aimed_at * budget_.seconds - pass.now - budget_.seconds_to_finish;
+}
+
 /// Shortens the next pass, which would go to `end`, to the time that is left. Where it ends then; 0: there is no time
 /// for any.
 std::uint32_t Schedule::ShortenToTime(std::vector<std::uint32_t>& targets, std::uint32_t end,
                                       const PassOutcome& pass) const {
-  double pixels = 0, samples = 0;
-  for (std::size_t i = 0; i < targets.size(); ++i) {
-    pixels += blocks_.areas[i];
-    samples += blocks_.areas[i] * (two_streams_ ? 2 : 1) * (targets[i] - state_.targets[i]);
-  }
-  const double left = share_of_time_aimed_at * budget_.seconds - pass.now - seconds_to_finish_a_pixel * pixels;
-  const double one_sample = 1.0 / (end - state_.end);  // per pixel, as a share of the pass
-  // How much of the pass there is time for. Where no pass tells how fast they are, one sample has to.
-  const double affordable = pass.samples_taken > 0
-                                ? left * pass.samples_taken / (pass.seconds_taken * (samples / pixels))
-                            : left > 0 ? one_sample
-                                       : 0;
-  // Each pass near the end leaves time for another, so that only the last and shortest can be wrongly guessed.
-  if (share_of_time_at_once * affordable >= 1) return end;
-  if (!(affordable >= one_sample)) return 0;
-  // A share that is one sample but for rounding (some 1e-15 of it) must not be shortened to none.
+  const std::vector<std::uint32_t>& done = state_.targets.samples;
+  const double left = SecondsLeft(pass);
+  if (left < share_of_time_not_used * budget_.seconds) return 0;
+  double samples = 0;
+  for (std::size_t i = 0; i < targets.size(); ++i)
+    samples += blocks_.areas[i] * (two_streams_ ? 2 : 1) * (targets[i] - done[i]);
+  // How much of the pass there is time for. Each near the end leaves time for another, so that only the last and
+  // shortest can be wrongly guessed.
+  double share = share_of_time_at_once * left * pass.samples_taken / (pass.seconds_taken * (samples / pixels_));
+  // Where no pass tells how fast they are, one sample has to. It must not be shortened to none by rounding (some
+  // 1e-15).
   constexpr double above_rounding = 1 + 1e-9;
-  return Shorten(targets, state_.targets, std::max(share_of_time_at_once * affordable, above_rounding * one_sample));
+  if (!(pass.samples_taken > 0)) share = above_rounding / (end - state_.end);
+  return share >= 1 ? end : Shorten(targets, done, share);
 }
 
 double Schedule::SquaredTargetOf(const MeasuredError& error) const {

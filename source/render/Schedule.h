@@ -25,6 +25,16 @@ struct BlockGrid {
   std::vector<double> areas;  // of each block, in pixels of the picture
 };
 
+/// What a pass is to reach.
+struct PassTargets {
+  std::vector<std::uint32_t> samples;  // per pixel and stream, of each block
+  // Of blocks where that is 0: how many places of BlockOrder are looked at, by their first sample; empty for none.
+  std::vector<std::uint8_t> places{};
+
+  int PlacesOf(int block) const { return places.empty() ? 0 : places[static_cast<std::size_t>(block)]; }
+  friend bool operator==(const PassTargets&, const PassTargets&) = default;
+};
+
 /// What a schedule is told of a pass that is over.
 struct PassOutcome {
   double now = 0;            // seconds since the program began
@@ -35,21 +45,25 @@ struct PassOutcome {
 
 /// Where a schedule stands; kept in checkpoints.
 struct ScheduleState {
-  std::vector<std::uint32_t> targets;       // of the pass that runs: samples per pixel and stream of each block
+  PassTargets targets;                      // of the pass that runs
   std::vector<double> last_squared_errors;  // of the blocks, when that pass was chosen; empty where none were measured
   std::uint32_t end = 0;                    // the target of the blocks that take part in the pass
 };
 
 /// Decides between two passes over a picture which blocks go on, to how many samples, and when to stop. It traces
-/// nothing and reads no clock: what it knows it is told. A render without a budget is one pass; else each pass doubles
-/// the samples, or takes fewer where the error is nearly down to its target or the time is nearly over. A replay
-/// repeats the passes of an earlier render.
+/// nothing and reads no clock: what it knows it is told. The first pass looks at a pixel of each block, so that there
+/// is a picture at once and the speed is known; where all first samples would take long, more pixels follow. Then each
+/// pass doubles the samples, or takes fewer where the error is nearly down to its target or the time is nearly over.
+/// Modes that show costs, which depend on the order of rays, are one pass without a budget. A replay repeats the passes
+/// of an earlier render.
 class Schedule {
  public:
-  /// `in_passes`: double the samples pass by pass even without a budget.
+  /// `in_passes`: double the samples pass by pass whatever the mode.
   Schedule(const RenderSettings& settings, BlockGrid blocks, bool in_passes);
 
   const ScheduleState& State() const { return state_; }
+  /// Whether the error of the picture, after the pass that runs, bears on what is next.
+  bool DecidesByError() const { return budget_.error && !replay_ && state_.end >= first_decision_; }
   /// Goes on where another schedule of this picture stood.
   void Resume(ScheduleState state);
 
@@ -59,6 +73,10 @@ class Schedule {
  private:
   std::optional<Stop> NextOfReplay();
   void ReplayTo(std::uint32_t end);
+  void SampleTo(std::uint32_t end);
+  void LookAt(int places);
+  std::optional<Stop> NextOfLooks(const PassOutcome& pass);
+  double SecondsLeft(const PassOutcome& pass) const;
   std::uint32_t NextEnd(const MeasuredError* error) const;
   std::vector<std::uint32_t> ChooseBlocks(std::uint32_t end, const MeasuredError& error);
   bool IsOpen(std::size_t block, const std::vector<double>& squares, double limit) const;
@@ -69,6 +87,7 @@ class Schedule {
   Budget budget_;
   std::optional<Replay> replay_;
   BlockGrid blocks_;
+  double pixels_;  // of the picture
   bool in_passes_, two_streams_;
   std::uint32_t ceiling_, first_decision_;  // samples per pixel and stream
   ScheduleState state_;

@@ -100,7 +100,7 @@ TEST(Extremes, J1_ARenderThatItsErrorEndsIsTheSameOnAnyThreadsAndTiles) {
 }
 
 // The first samples of an error's two streams once were sixteen, however little time there was.
-TEST(Effects, ATimeLimitEndsARenderThatAlsoHasAnErrorToReachAfterItsFirstSamples) {
+TEST(Effects, ATimeLimitEndsARenderThatAlsoHasAnErrorToReachWhereverItIs) {
   const project::Stage stage = EverythingAtOnce();
   RenderSettings settings = Everything("path", "box");
   settings.samples = 1;
@@ -108,8 +108,8 @@ TEST(Effects, ATimeLimitEndsARenderThatAlsoHasAnErrorToReachAfterItsFirstSamples
   settings.budget.seconds = 1e-6;
   const auto result = project::Render(stage, settings);
   EXPECT_EQ(result.stop, ray::Stop::time);
-  EXPECT_EQ(result.samples.most, 2u);
-  EXPECT_EQ(result.samples.least, 2u);
+  EXPECT_EQ(result.samples.most, 0u);
+  EXPECT_GT(result.pixels_done, 0);
   // With time enough, it decides after as many samples as without a limit.
   settings.budget.error = ray::ErrorTarget{8, ray::ErrorUnit::display};
   settings.budget.seconds = 1e6;

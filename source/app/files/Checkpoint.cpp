@@ -19,6 +19,7 @@ std::string Identity(const Options& options, const std::string& scene_hash) {
     const std::string topic = option.topic, name = option.name;
     if (!IsSetting(option) || (topic != "picture" && topic != "light" && topic != "quality")) continue;
     if (name == "checkpoint" || name == "resume" || name == "reference" || name == "time") continue;
+    if (name == "keep_checkpoint" || name == "samples") continue;
     text += "-" + name + " " + Show(option, options) + "\n";
   }
   return text;
@@ -29,6 +30,11 @@ std::string Identity(const Options& options, const std::string& scene_hash) {
 Checkpoint::Checkpoint(const Options& options)
     : options_(options), file_(CheckOutput(options.picture + ".checkpoint", std::vector<std::string>{options.scene})) {}
 
+bool Checkpoint::Exists() const {
+  std::error_code ignored;
+  return std::filesystem::exists(file_.target, ignored);
+}
+
 void Checkpoint::Save(const RenderState& state, const std::string& scene_hash) const {
   try {
     WriteWhole(file_, Encoded(state, Identity(options_, scene_hash)));
@@ -38,14 +44,13 @@ void Checkpoint::Save(const RenderState& state, const std::string& scene_hash) c
 }
 
 RenderState Checkpoint::Load(const Film& film, const std::string& scene_hash) const {
-  std::error_code ignored;
-  if (!std::filesystem::exists(file_.target, ignored))
-    throw UsageError("nothing to resume: " + Quoted(file_.name) + " does not exist");
   try {
     const Files files(file_.name, {});
     const std::string bytes = files.Read(files.Top());
-    return DecodedState({reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()},
-                        Identity(options_, scene_hash), film);
+    RenderState state = DecodedState({reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()},
+                                     Identity(options_, scene_hash), film);
+    CheckPlan(state, options_.render);
+    return state;
   } catch (const FileError& error) {
     throw SceneErrors({ErrorIn(file_.name, "cannot resume: " + error.message)});
   } catch (const CheckpointError& error) {

@@ -9,7 +9,8 @@
 namespace ray {
 
 /// The state of a render in a file beside its picture, "out.jpg.checkpoint", from which -resume goes on. It is written
-/// every -checkpoint, and whenever a signal ends the run, whole or not at all; removed when the picture is finished.
+/// every -checkpoint, and whenever a signal ends the run, whole or not at all; removed when the picture is finished,
+/// unless -keep_checkpoint wants samples to be added later.
 class Checkpoint {
  public:
   /// Throws OutputError when the file could not be written.
@@ -17,7 +18,9 @@ class Checkpoint {
 
   /// A failure is told and costs no picture.
   void Save(const RenderState& state, const std::string& scene_hash) const;
-  /// Throws SceneErrors when there is none, or none of this scene, these settings and this version.
+  bool Exists() const;
+  /// Throws SceneErrors when there is none, or none of this scene, these settings and this version; but the samples may
+  /// have become more, see CheckPlan.
   RenderState Load(const Film& film, const std::string& scene_hash) const;
   void Remove() const;
   const std::string& Name() const { return file_.name; }

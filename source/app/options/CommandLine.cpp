@@ -169,7 +169,8 @@ void CheckNames(const Options& options) {
 void CheckPixel(const Options& options) {
   if (options.task != Task::debug_pixel) return;
   if (!options.picture.empty()) RefuseName(options.picture, "; -debugpixel writes no picture");
-  for (const char* name : {"layers", "time", "error", "reference", "replay", "checkpoint", "resume", "stats", "report"})
+  for (const char* name :
+       {"layers", "time", "error", "reference", "replay", "checkpoint", "keep_checkpoint", "resume", "stats", "report"})
     if (options.IsGiven(name))
       throw UsageError("-" + std::string(name) + " has no effect with -debugpixel, which renders nothing");
 }

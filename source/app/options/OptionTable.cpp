@@ -212,7 +212,9 @@ std::vector<OptionKind> MakeTable() {
       {"checkpoint", raypro, {}, {"t"}, WordOf<ReadDuration, ShowDuration>(AT(checkpoint), duration_range),
        "", "quality", "write a checkpoint this often, beside the image; a signal always writes one"},
       {"resume", raypro, {}, {}, Flag{AT(resume)}, "", "quality",
-       "resume from the checkpoint, to a bit-identical image"},
+       "resume from the checkpoint, to a bit-identical image; with more -samples, add to them"},
+      {"keep_checkpoint", raypro, {}, {}, Flag{AT(keep_checkpoint)}, "", "quality",
+       "keep the checkpoint of a finished image, so that -resume can add samples"},
 
       {"accel", both, {}, {"name"}, OneOfNames(AT(accelerator.name), AcceleratorNames), "", "speed",
        "acceleration structure; never changes the image"},

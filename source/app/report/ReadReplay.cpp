@@ -55,6 +55,12 @@ std::optional<Replay> ReadReplay(const Options& options, const std::string& scen
     replay.planned_samples = count(report.at("samples").at("planned_samples"));
     for (const Json& pass : report.at("passes")) replay.ends.push_back(count(pass.at("end")));
     for (const Json& of_block : report.at("samples").at("of_blocks")) replay.samples.push_back(count(of_block));
+    for (const Json& of_block : report.at("samples").at("places_of_blocks")) {
+      if (count(of_block) > BlockOrder::places) throw refuse(of_block.dump() + " is not a number of places of a block");
+      replay.places.push_back(of_block.get<std::uint8_t>());
+    }
+    if (!replay.places.empty() && replay.places.size() != BlocksOf(options.render))
+      throw refuse("its places are not of as many blocks as the picture has");
     if (replay.ends.empty()) throw refuse("it has no passes");
     if (!replay.samples.empty() && replay.samples.size() != BlocksOf(options.render))
       throw refuse("it has " + std::to_string(replay.samples.size()) + " blocks of pixels, the picture " +

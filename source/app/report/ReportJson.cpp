@@ -100,6 +100,9 @@ Json SamplesJson(const RunStats& record) {
   const auto& blocks = record.block_samples;
   const bool are_alike = std::adjacent_find(blocks.begin(), blocks.end(), std::not_equal_to<>()) == blocks.end();
   json["of_blocks"] = are_alike ? Json::array() : Json(blocks);
+  const auto& places = record.block_places;
+  const bool has_looks = std::ranges::any_of(places, [](std::uint8_t count) { return count > 0; });
+  json["places_of_blocks"] = has_looks ? Json(places) : Json::array();
   return json;
 }
 

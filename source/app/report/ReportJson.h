@@ -37,7 +37,9 @@ namespace ray {
 ///   | biased             | settings in force that move the mean of the picture                         |
 ///   | samples            | least, most, mean (a pixel), two_streams, planned_samples (how many strata     |
 ///   |                    | and camera rays were told to expect), of_blocks (a pixel and stream of each |
-///   |                    | block of 8x8 pixels, in rows from the bottom; empty when all are alike)     |
+///   |                    | block of 8x8 pixels, in rows from the bottom; empty when all are alike),    |
+///   |                    | places_of_blocks (where a block has no samples, how many of its 64 places   |
+///   |                    | were looked at; empty where all have)                                       |
 ///   | error              | estimate, low, high, unit, method ("two streams": true on average;          |
 ///   |                    | "halves": at most about), worst_block (error, at), outlier_share, and           |
 ///   |                    | true_error beside a reference; null below two samples                       |

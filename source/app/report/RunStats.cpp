@@ -3,9 +3,9 @@
 #include <cmath>
 #include <tuple>
 
+#include "source/scene/CameraText.h"
 #include "source/text/Quoting.h"
 #include "source/text/Words.h"
-#include "source/scene/CameraText.h"
 
 namespace ray {
 namespace {
@@ -20,6 +20,7 @@ std::string SamplesText(const RunStats& record) {
   const bool is_asked_for = !record.options.render.budget.IsOpen() && record.options.replay.empty();
   if (is_asked_for) return std::to_string(record.options.render.samples);
   const double mean = record.samples.mean;
+  if (mean < 1) return "1 at " + Fixed(100 * mean, 1) + " % of the pixels, the others interpolated";
   return mean == std::floor(mean) ? std::to_string(static_cast<std::int64_t>(mean)) : Fixed(mean, 1);
 }
 
@@ -85,6 +86,7 @@ void RunStats::Take(const RenderResult& result) {
   stop = stop_names[static_cast<std::size_t>(result.stop)];
   samples = result.samples;
   block_samples = result.block_samples;
+  block_places = result.block_places;
   two_streams = result.two_streams;
   planned_samples = result.planned_samples;
   passes = result.passes;

@@ -36,6 +36,7 @@ struct RunStats {
   std::string stop = "samples";  // samples, time, error, or the name of a signal
   SampleCounts samples;
   std::vector<std::uint32_t> block_samples;  // per pixel and stream, by blocks of the film
+  std::vector<std::uint8_t> block_places;    // see RenderResult
   bool two_streams = false;
   std::uint32_t planned_samples = 1;
   std::vector<Pass> passes;

@@ -90,7 +90,7 @@ RenderState CoarsePasses::TakeState() {
   const auto blocks = static_cast<std::size_t>(film_.Blocks());
   RenderState state;
   state.blocks.resize(blocks);
-  state.schedule = {std::vector<std::uint32_t>(blocks, 1), {}, 1};
+  state.schedule = {{std::vector<std::uint32_t>(blocks, 1)}, {}, 1};
   ForEach(film_.Blocks(), [&](int i, Worker&) {
     Film::Block& block = state.blocks[static_cast<std::size_t>(i)];
     block.sums[0] = film_.EmptySums(i);

@@ -11,8 +11,6 @@ namespace fs = std::filesystem;
 
 const std::string small_scene_text = "point_light 1 1 1  0 3 5  1 0 0\nsphere -1  0 0 0  1\n";
 
-bool Has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
-
 TEST(Convert, WritesTheSceneAndSaysSo) {
   NEEDS_THE_PROGRAM();
   const TemporaryFolder place;

@@ -29,6 +29,8 @@ class TemporaryFolder {
   std::filesystem::path path_;
 };
 
+inline bool Has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
 std::string ReadFile(const std::string& file);
 /// Writes a file and returns its name.
 std::string WriteFile(const std::string& file, const std::string& content);

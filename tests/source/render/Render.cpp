@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "tests/Project.h"
 
 namespace ray {
@@ -55,8 +58,72 @@ TEST(Render, PassesThatAreSeenChangeNoBit) {
     EXPECT_FALSE(images[0] == images[1]);
     EXPECT_EQ(images[2].Width(), settings.width);
     // A render that stopped after the pass would have given the same.
-    settings.replay = Replay{false, 6, {4}, {}};
+    settings.replay = Replay{false, 6, {4}, {}, {}};
     EXPECT_TRUE(images[2] == Render(stage.world, *accelerator, settings).image) << filter;
+  }
+}
+
+/// A render stopped after so many tiles, and the state it left.
+struct Broken {
+  RenderResult result;
+  RenderState state;
+};
+
+Broken BreakOff(const World& world, const Accelerator& accelerator, RenderSettings settings, int tiles) {
+  std::atomic<bool> stop = false;
+  Broken broken;
+  RenderMonitor monitor;
+  monitor.stop = &stop;
+  monitor.tile_done = [&](const RenderProgress&) {
+    if (--tiles == 0) stop = true;
+  };
+  monitor.save = [&](const RenderState& state) { broken.state = state; };
+  settings.threads = 1;
+  settings.tile_size = 16;
+  broken.result = Render(world, accelerator, settings, monitor);
+  return broken;
+}
+
+// Four samples take four passes, and the look before them one: of 12 tiles each.
+TEST(Render, BrokenOffAnywhereThePictureIsWholeOnceEachBlockWasLookedAt) {
+  const project::Stage stage(project::Root() / "scenes" / "hello.scn");
+  const auto accelerator = FindAcceleratorKind("auto")->Make(stage.world, {});
+  RenderSettings settings;
+  settings.width = 60;
+  settings.height = 44;
+  settings.samples = 4;
+  const R2::Image whole = Render(stage.world, *accelerator, settings).image;
+  const auto mean_difference = [&](const R2::Image& image) {
+    double sum = 0;
+    for (std::size_t i = 0; i < whole.Channels().size(); ++i)
+      sum += std::abs(std::clamp(image.Channels()[i], 0.f, 1.f) - std::clamp(whole.Channels()[i], 0.f, 1.f));
+    return sum / static_cast<double>(whole.Channels().size());
+  };
+  const double of_black = mean_difference(R2::Image(settings.width, settings.height));
+  for (int tiles = 12; tiles < 4 * 12; tiles += 5) {
+    const Broken broken = BreakOff(stage.world, *accelerator, settings, tiles);
+    ASSERT_EQ(broken.result.stop, Stop::request) << tiles;
+    EXPECT_LT(mean_difference(broken.result.image), 0.25 * of_black) << tiles;
+    EXPECT_GT(broken.result.pixels_done, 0);
+  }
+}
+
+TEST(Render, EndingInTheFirstSampleIsRepeatedByAReplay) {
+  const project::Stage stage(project::Root() / "scenes" / "hello.scn");
+  const auto accelerator = FindAcceleratorKind("auto")->Make(stage.world, {});
+  for (const FilterKind filter : {FilterKind::box, FilterKind::gaussian}) {
+    RenderSettings settings;
+    settings.width = 60;
+    settings.height = 44;
+    settings.filter = filter;
+    settings.samples = 4;
+    const RenderResult broken = BreakOff(stage.world, *accelerator, settings, 17).result;
+    ASSERT_LT(broken.samples.mean, 1);
+    ASSERT_EQ(*std::ranges::min_element(broken.block_samples), 0u);
+    settings.replay = Replay{false, 4, {1}, broken.block_samples, broken.block_places};
+    const RenderResult again = Render(stage.world, *accelerator, settings);
+    EXPECT_TRUE(again.image == broken.image);
+    EXPECT_EQ(again.block_places, broken.block_places);
   }
 }
 

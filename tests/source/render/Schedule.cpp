@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace ray {
@@ -54,24 +55,85 @@ PassOutcome FoundInCorner(double corner, double elsewhere, double outlier_share 
 
 Samples AllAt(std::uint32_t samples) { return Samples(blocks, samples); }
 
-TEST(Schedule, WithoutABudgetIsOnePass) {
-  Schedule schedule(UpTo(6), Grid(), false);
-  EXPECT_EQ(schedule.State().targets, AllAt(6));
+/// A first look at a pixel of each block that took no time.
+const PassOutcome quick_look{.now = 0, .seconds_taken = 1e-9, .samples_taken = 1.0 / BlockOrder::places, .error = {}};
+
+/// Past the looks, where samples begin.
+Schedule Sampling(const RenderSettings& settings) {
+  Schedule schedule(settings, Grid(), false);
+  EXPECT_FALSE(schedule.Next(quick_look));
+  EXPECT_EQ(schedule.State().targets, PassTargets{AllAt(1)});
+  return schedule;
+}
+
+/// Where the first error is looked at, at 8 samples of each stream.
+Schedule Deciding(const RenderSettings& settings) {
+  Schedule schedule = Sampling(settings);
+  for (const std::uint32_t end : {1u, 2u, 4u}) {
+    EXPECT_EQ(schedule.State().end, end);
+    EXPECT_FALSE(schedule.DecidesByError());
+    EXPECT_FALSE(schedule.Next(quick_look));
+  }
+  EXPECT_TRUE(schedule.DecidesByError());
+  return schedule;
+}
+
+TEST(Schedule, BeginsWithALookAtAPixelOfEachBlock) {
+  const Schedule schedule(UpTo(6), Grid(), false);
+  EXPECT_EQ(schedule.State().end, 0u);
+  EXPECT_EQ(schedule.State().targets, (PassTargets{AllAt(0), std::vector<std::uint8_t>(blocks, 1)}));
+}
+
+/// At how many places looks end that cost so many seconds for a whole sample, until samples begin or it stops.
+std::vector<int> Looks(const RenderSettings& settings, double seconds_per_sample) {
+  Schedule schedule(settings, Grid(), false);
+  std::vector<int> looks;
+  double now = 0;
+  for (int done = 0; schedule.State().end == 0;) {
+    const int places = schedule.State().targets.PlacesOf(0);
+    looks.push_back(places);
+    const double samples = static_cast<double>(places - done) / BlockOrder::places;
+    now += seconds_per_sample * samples;
+    if (schedule.Next({now, seconds_per_sample * samples, samples, {}})) break;
+    done = places;
+  }
+  return looks;
+}
+
+TEST(Schedule, LooksAtTwiceAsManyPlacesUntilTheWholeSampleTakesASecond) {
+  EXPECT_EQ(Looks(UpTo(6), 0.5), (std::vector<int>{1}));
+  EXPECT_EQ(Looks(UpTo(6), 1.9), (std::vector<int>{1, 2, 4, 8, 16, 32}));
+  EXPECT_EQ(Looks(UpTo(6), 1000), (std::vector<int>{1, 2, 4, 8, 16, 32}));
+}
+
+TEST(Schedule, LooksEndWithTheTime) {
+  for (const double seconds_per_sample : {11.0, 30.0, 100.0, 400.0}) {
+    const double used = Looks(Within(10), seconds_per_sample).back() * seconds_per_sample / BlockOrder::places;
+    EXPECT_LE(used, 9.7) << seconds_per_sample;
+    EXPECT_GT(used, std::min(9.6 - seconds_per_sample / BlockOrder::places, seconds_per_sample)) << seconds_per_sample;
+  }
+}
+
+TEST(Schedule, ModesThatShowCostsAreOnePass) {
+  RenderSettings settings = UpTo(6);
+  settings.mode = RenderMode::heat;
+  Schedule schedule(settings, Grid(), false);
+  EXPECT_EQ(schedule.State().targets, PassTargets{AllAt(6)});
   EXPECT_EQ(schedule.Next({}), Stop::samples);
 }
 
-TEST(Schedule, PassesThatAreAskedForDoubleTheSamples) {
-  Schedule schedule(UpTo(6), Grid(), true);
+TEST(Schedule, PassesDoubleTheSamples) {
+  Schedule schedule = Sampling(UpTo(6));
   for (const std::uint32_t end : {1u, 2u, 4u, 6u}) {
     EXPECT_EQ(schedule.State().end, end);
-    EXPECT_EQ(schedule.State().targets, AllAt(end));
+    EXPECT_EQ(schedule.State().targets, PassTargets{AllAt(end)});
     EXPECT_EQ(schedule.Next({}), end == 6 ? std::optional(Stop::samples) : std::nullopt);
   }
 }
 
 TEST(Schedule, AnErrorTargetHalvesTheCeilingBetweenTwoStreams) {
   EXPECT_TRUE(HasTwoStreams(ToErrorOne()));
-  Schedule schedule(ToErrorOne(64), Grid(), false);
+  Schedule schedule = Deciding(ToErrorOne(64));
   for (const std::uint32_t end : {8u, 16u, 32u}) {
     EXPECT_EQ(schedule.State().end, end);
     EXPECT_EQ(schedule.Next(Found(100)), end == 32 ? std::optional(Stop::samples) : std::nullopt);
@@ -79,13 +141,13 @@ TEST(Schedule, AnErrorTargetHalvesTheCeilingBetweenTwoStreams) {
 }
 
 TEST(Schedule, StopsWhenTheUpperEndOfTheErrorIsBelowTheTarget) {
-  Schedule schedule(ToErrorOne(), Grid(), false);
+  Schedule schedule = Deciding(ToErrorOne());
   EXPECT_FALSE(schedule.Next(Found(0.95))) << "the estimate is below 1, the end of its interval at 1.045";
   EXPECT_EQ(schedule.Next(Found(0.9)), Stop::error);
 }
 
 TEST(Schedule, TakesFewerThanTwiceTheSamplesWhenTheErrorIsNearItsTarget) {
-  Schedule far(ToErrorOne(), Grid(), false), near = far;
+  Schedule far = Deciding(ToErrorOne()), near = far;
   EXPECT_FALSE(far.Next(Found(4)));
   EXPECT_EQ(far.State().end, 16u);
   EXPECT_FALSE(near.Next(Found(1)));
@@ -96,7 +158,7 @@ TEST(Schedule, TakesFewerThanTwiceTheSamplesWhenTheErrorIsNearItsTarget) {
 TEST(Schedule, TooFewSamplesDecideNothingByTheirError) {
   RenderSettings settings = ToErrorOne();
   settings.budget.seconds = 1e6;
-  Schedule schedule(settings, Grid(), false);
+  Schedule schedule = Sampling(settings);
   for (const std::uint32_t end : {1u, 2u, 4u}) {
     EXPECT_EQ(schedule.State().end, end);
     EXPECT_FALSE(schedule.Next(Found(0)));
@@ -106,22 +168,22 @@ TEST(Schedule, TooFewSamplesDecideNothingByTheirError) {
 
 // One look may see a small error by luck; light that it missed would be missing from the picture.
 TEST(Schedule, ABlockClosesAfterTwoLooksAndOnlyAwayFromBlocksThatAreOpen) {
-  Schedule schedule(ToErrorOne(), Grid(), false);
+  Schedule schedule = Deciding(ToErrorOne());
   ASSERT_FALSE(schedule.Next(FoundInCorner(1000, 0.1)));
-  EXPECT_EQ(schedule.State().targets, AllAt(16));
+  EXPECT_EQ(schedule.State().targets.samples, AllAt(16));
   ASSERT_FALSE(schedule.Next(FoundInCorner(1000, 0.1)));
   for (int i = 0; i < blocks; ++i) {
     const bool is_beside_corner = i % columns <= 1 && i / columns <= 1;
-    EXPECT_EQ(schedule.State().targets[static_cast<std::size_t>(i)], is_beside_corner ? 32u : 16u) << i;
+    EXPECT_EQ(schedule.State().targets.samples[static_cast<std::size_t>(i)], is_beside_corner ? 32u : 16u) << i;
   }
 }
 
 TEST(Schedule, WithoutAdaptiveSamplingEveryBlockGoesOn) {
   RenderSettings settings = ToErrorOne();
   settings.budget.adaptive = Adaptive::off;
-  Schedule schedule(settings, Grid(), false);
+  Schedule schedule = Deciding(settings);
   for (const std::uint32_t end : {8u, 16u, 32u, 64u}) {
-    EXPECT_EQ(schedule.State().targets, AllAt(end));
+    EXPECT_EQ(schedule.State().targets.samples, AllAt(end));
     ASSERT_FALSE(schedule.Next(FoundInCorner(1000, 0.1)));
   }
 }
@@ -129,69 +191,79 @@ TEST(Schedule, WithoutAdaptiveSamplingEveryBlockGoesOn) {
 // Rare bright samples: where the last pass found them nobody would have looked, so nobody knows where the next are.
 TEST(Schedule, OutliersWhereBlocksWouldHaveClosedKeepAllOpen) {
   for (const double outlier_share : {0.4, 0.6}) {
-    Schedule schedule(ToErrorOne(), Grid(), false);
+    Schedule schedule = Deciding(ToErrorOne());
     ASSERT_FALSE(schedule.Next(Found(std::vector<double>{[] {
       std::vector<double> squares(blocks, 0.1);
       squares.back() = 1000;
       return squares;
     }()})));
     ASSERT_FALSE(schedule.Next(FoundInCorner(1000, 0.1, outlier_share)));
-    EXPECT_EQ(schedule.State().targets == AllAt(32), outlier_share > 0.5);
+    EXPECT_EQ(schedule.State().targets.samples == AllAt(32), outlier_share > 0.5);
   }
 }
 
 TEST(Schedule, OutliersThatStayWhereTheyWereKeepOnlyTheirBlocksOpen) {
-  Schedule schedule(ToErrorOne(), Grid(), false);
+  Schedule schedule = Deciding(ToErrorOne());
   ASSERT_FALSE(schedule.Next(FoundInCorner(1000, 0.1, 0.9)));
   ASSERT_FALSE(schedule.Next(FoundInCorner(1000, 0.1, 0.9)));
-  EXPECT_EQ(schedule.State().targets.front(), 32u);
-  EXPECT_EQ(schedule.State().targets.back(), 16u);
+  EXPECT_EQ(schedule.State().targets.samples.front(), 32u);
+  EXPECT_EQ(schedule.State().targets.samples.back(), 16u);
 }
 
-/// The ends of the passes of a render that takes `seconds_per_sample`, and when the last was over.
-std::pair<Samples, double> RunOnClock(double budget, double seconds_per_sample) {
-  Schedule schedule(Within(budget), Grid(), false);
-  Samples ends;
-  double now = 0;
+/// The samples per pixel of a render that takes `seconds_per_sample` when it ends, and when that is.
+std::pair<double, double> RunOnClock(double budget, double seconds_per_sample) {
+  Schedule schedule = Sampling(Within(budget));
+  double now = 0, done = 0;
   std::optional<Stop> stop;
-  for (std::uint32_t done = 0; !stop; done = ends.back()) {
-    ends.push_back(schedule.State().end);
-    const double samples = ends.back() - done, seconds = seconds_per_sample * samples;
+  for (int passes = 0; !stop && passes < 100; ++passes) {
+    const Samples& targets = schedule.State().targets.samples;
+    const double mean = std::accumulate(targets.begin(), targets.end(), 0.0) / blocks;
+    const double samples = mean - done, seconds = seconds_per_sample * samples;
+    EXPECT_GT(samples, 0);
+    EXPECT_EQ(schedule.State().end, *std::ranges::max_element(targets));
+    EXPECT_LE(schedule.State().end, std::ceil(mean)) << "a block is ahead of the others by more than one sample";
     now += seconds;
+    done = mean;
     stop = schedule.Next({.now = now, .seconds_taken = seconds, .samples_taken = samples, .error = {}});
-    if (ends.size() > 100) break;
   }
   EXPECT_EQ(stop, Stop::time);
-  return {ends, now};
-}
-
-TEST(Schedule, ATimeBudgetShortensTheLastPasses) {
-  const auto [ends, now] = RunOnClock(10, 1);
-  // 4 of the 5.7 s left after four samples would be too many at once, so 3.
-  EXPECT_EQ(ends, (Samples{1, 2, 4, 7, 8, 9}));
-  EXPECT_EQ(now, 9);
+  return {done, now};
 }
 
 TEST(Schedule, ATimeBudgetIsUsedButNotExceededAtAnySpeed) {
-  for (double seconds_per_sample = 0.9; seconds_per_sample > 1e-5; seconds_per_sample *= 0.83) {
-    const double now = RunOnClock(10, seconds_per_sample).second;
+  for (double seconds_per_sample = 9; seconds_per_sample > 1e-5; seconds_per_sample *= 0.83) {
+    const auto [samples, now] = RunOnClock(10, seconds_per_sample);
     EXPECT_LE(now, 9.7) << seconds_per_sample;
-    EXPECT_GT(now, 9.7 - seconds_per_sample - 0.01) << seconds_per_sample;
+    // Less than a hundredth of the time, or a sample of one block, is too little to go on.
+    EXPECT_GT(now, 9.7 - 0.1 - 2 * seconds_per_sample / blocks) << seconds_per_sample;
+    EXPECT_NEAR(samples * seconds_per_sample, now, 1e-9);
+  }
+}
+
+TEST(Schedule, BlocksThatShareTheLastOfTheTimeAreSpreadOverThePicture) {
+  Schedule schedule = Sampling(Within(10));
+  ASSERT_FALSE(schedule.Next({.now = 5, .seconds_taken = 5, .samples_taken = 1, .error = {}}));
+  const Samples& targets = schedule.State().targets.samples;
+  for (int row = 0; row < columns; ++row) {
+    const auto begin = targets.begin() + row * columns;
+    const auto gained = std::count(begin, begin + columns, 2u);
+    EXPECT_GE(gained, columns / 3) << row;
+    EXPECT_LT(gained, columns) << row;
   }
 }
 
 TEST(Schedule, WithoutTimeForAnotherSampleStops) {
-  Schedule schedule(Within(10), Grid(), false);
-  EXPECT_EQ(schedule.Next({.now = 6, .seconds_taken = 6, .samples_taken = 1, .error = {}}), Stop::time);
+  Schedule schedule = Sampling(Within(10));
+  EXPECT_EQ(schedule.Next({.now = 9.65, .seconds_taken = 9, .samples_taken = 1, .error = {}}), Stop::time);
 }
 
 // A render that resumes at the very end of a pass has not yet seen how fast it is.
 TEST(Schedule, WhereNoPassToldTheSpeedTheNextTakesOneSample) {
   Schedule schedule(Within(10), Grid(), false);
-  schedule.Resume({AllAt(64), {}, 64});
+  schedule.Resume({{AllAt(64)}, {}, 64});
   Schedule late = schedule;
   EXPECT_FALSE(schedule.Next({.now = 1, .seconds_taken = 1e-6, .samples_taken = 0, .error = {}}));
-  EXPECT_EQ(schedule.State().targets, AllAt(65));
+  EXPECT_EQ(schedule.State().targets.samples, AllAt(65));
   EXPECT_EQ(late.Next({.now = 11, .seconds_taken = 1e-6, .samples_taken = 0, .error = {}}), Stop::time);
 }
 
@@ -199,22 +271,22 @@ TEST(Schedule, WhereNoPassToldTheSpeedTheNextTakesOneSample) {
 PassOutcome Lifelike(const Schedule& schedule) {
   std::vector<double> squares(blocks);
   for (int i = 0; i < blocks; ++i) {
-    const double samples = schedule.State().targets[static_cast<std::size_t>(i)];
+    const double samples = schedule.State().targets.samples[static_cast<std::size_t>(i)];
     squares[static_cast<std::size_t>(i)] = (i == 0 || i == blocks - 2 ? 500 : 2.0 + i % 5) / samples;
   }
   return Found(squares);
 }
 
 TEST(Schedule, AReplayEndsWithTheSamplesOfTheRenderItRepeats) {
-  Schedule schedule(ToErrorOne(), Grid(), false);
-  Replay replay{true, PlannedSamples(ToErrorOne()), {}, {}};
+  Schedule schedule = Deciding(ToErrorOne());
+  Replay replay{true, PlannedSamples(ToErrorOne()), {}, {}, {}};
   std::optional<Stop> stop;
   while (!stop) {
     replay.ends.push_back(schedule.State().end);
     stop = schedule.Next(Lifelike(schedule));
   }
   ASSERT_EQ(stop, Stop::error);
-  replay.samples = schedule.State().targets;
+  replay.samples = schedule.State().targets.samples;
   ASSERT_LT(*std::min_element(replay.samples.begin(), replay.samples.end()) * 2, replay.samples.front())
       << "adaptive sampling had nothing to do";
 
@@ -226,7 +298,7 @@ TEST(Schedule, AReplayEndsWithTheSamplesOfTheRenderItRepeats) {
   Samples ends{again.State().end};
   while (!again.Next({})) ends.push_back(again.State().end);
   EXPECT_EQ(ends, replay.ends);
-  EXPECT_EQ(again.State().targets, replay.samples);
+  EXPECT_EQ(again.State().targets.samples, replay.samples);
 }
 
 TEST(Schedule, GoesOnFromItsStateToTheSameDecisions) {
@@ -248,20 +320,32 @@ TEST(Schedule, GoesOnFromItsStateToTheSameDecisions) {
 
 TEST(Schedule, AReplayGoesOnFromTheMiddle) {
   RenderSettings settings = UpTo(1);
-  settings.replay = Replay{false, 8, {1, 2, 4, 8}, {}};
+  settings.replay = Replay{false, 8, {1, 2, 4, 8}, {}, {}};
   Schedule schedule(settings, Grid(), false);
-  schedule.Resume({AllAt(4), {}, 4});
+  schedule.Resume({{AllAt(4)}, {}, 4});
   EXPECT_EQ(schedule.State().end, 4u);
   EXPECT_FALSE(schedule.Next({}));
-  EXPECT_EQ(schedule.State().targets, AllAt(8));
+  EXPECT_EQ(schedule.State().targets.samples, AllAt(8));
   EXPECT_EQ(schedule.Next({}), Stop::samples);
 }
 
-// A viewer's first samples are made in an order of its own; the one pass of a render then takes what is left.
-TEST(Schedule, OnePassTakesWhatIsLeftOfAnEarlierPass) {
+// A viewer's first samples are made in an order of its own.
+TEST(Schedule, GoesOnFromSamplesThatWereTakenElsewhere) {
   Schedule schedule(UpTo(6), Grid(), false);
-  schedule.Resume({AllAt(1), {}, 1});
-  EXPECT_EQ(schedule.State().targets, AllAt(6));
+  schedule.Resume({{AllAt(1)}, {}, 1});
+  EXPECT_EQ(schedule.State().targets, PassTargets{AllAt(1)});
+  EXPECT_FALSE(schedule.Next({}));
+  EXPECT_EQ(schedule.State().targets, PassTargets{AllAt(2)});
+}
+
+TEST(Schedule, AReplayMayEndInTheFirstSample) {
+  RenderSettings settings = UpTo(1);
+  std::vector<std::uint8_t> places(blocks, 4);
+  places[7] = 8;
+  settings.replay = Replay{false, 8, {0}, AllAt(0), places};
+  Schedule schedule(settings, Grid(), false);
+  EXPECT_EQ(schedule.State().targets, (PassTargets{AllAt(0), places}));
+  EXPECT_EQ(schedule.Next({}), Stop::samples);
 }
 
 }  // namespace

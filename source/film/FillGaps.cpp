@@ -1,0 +1,97 @@
+#include "source/film/FillGaps.h"
+
+#include <array>
+
+#include "source/film/BlockOrder.h"
+
+namespace ray {
+namespace {
+
+struct Offset {
+  int x, y;
+};
+
+class Filler {
+ public:
+  Filler(R2::Image& image, int x0, int y0, std::vector<char>& is_known)
+      : image_(image), x0_(x0), y0_(y0), is_known_(is_known) {}
+
+  /// From the lattice of the blocks' corners to all pixels: the centers of its squares from their corners, then the
+  /// middles of their sides from both ends and both centers, which makes a lattice half as wide.
+  ///   source   the midpoints of Fournier, Fussell and Carpenter, Computer rendering of stochastic models (1982),
+  ///            without the randomness
+  void Refine() {
+    for (int h = BlockOrder::side / 2; h > 0; h /= 2) {
+      const std::array<Offset, 4> corners{{{-h, -h}, {h, -h}, {-h, h}, {h, h}}};
+      const std::array<Offset, 4> ends{{{-h, 0}, {h, 0}, {0, -h}, {0, h}}};
+      ForLattice(h, [&](int x, int y) {
+        if (x / h % 2 == 1 && y / h % 2 == 1) Average(x, y, corners);
+      });
+      ForLattice(h, [&](int x, int y) {
+        if ((x / h + y / h) % 2 == 1) Average(x, y, ends);
+      });
+    }
+  }
+
+  /// Where no neighbor on the lattice was known: along rows from the nearest that is, and rows without any from those
+  /// below or above.
+  void Spread() {
+    for (int y = 0; y < image_.Height(); ++y) {
+      for (int x = 1; x < image_.Width(); ++x) Copy(x - 1, y, x, y);
+      for (int x = image_.Width() - 2; x >= 0; --x) Copy(x + 1, y, x, y);
+    }
+    for (int x = 0; x < image_.Width(); ++x) {
+      for (int y = 1; y < image_.Height(); ++y) Copy(x, y - 1, x, y);
+      for (int y = image_.Height() - 2; y >= 0; --y) Copy(x, y + 1, x, y);
+    }
+  }
+
+ private:
+  char& IsKnown(int x, int y) {
+    return is_known_[static_cast<std::size_t>(y) * static_cast<std::size_t>(image_.Width()) +
+                     static_cast<std::size_t>(x)];
+  }
+
+  /// Every pixel whose place in the picture, x and y, are multiples of `step`.
+  template <class Function>
+  void ForLattice(int step, const Function& function) {
+    for (int y = (y0_ + step - 1) / step * step; y < y0_ + image_.Height(); y += step)
+      for (int x = (x0_ + step - 1) / step * step; x < x0_ + image_.Width(); x += step) function(x, y);
+  }
+
+  void Average(int x, int y, const std::array<Offset, 4>& neighbors) {
+    const int column = x - x0_, row = y - y0_;
+    if (IsKnown(column, row)) return;
+    R2::Color sum;
+    int known = 0;
+    for (const Offset& offset : neighbors) {
+      const int c = column + offset.x, r = row + offset.y;
+      if (c < 0 || r < 0 || c >= image_.Width() || r >= image_.Height() || !IsKnown(c, r)) continue;
+      sum += image_.At(c, r);
+      ++known;
+    }
+    if (known == 0) return;
+    image_.Set(column, row, sum / known);
+    IsKnown(column, row) = 1;
+  }
+
+  void Copy(int from_x, int from_y, int x, int y) {
+    if (IsKnown(x, y) || !IsKnown(from_x, from_y)) return;
+    image_.Set(x, y, image_.At(from_x, from_y));
+    IsKnown(x, y) = 1;
+  }
+
+  R2::Image& image_;
+  const int x0_, y0_;
+  std::vector<char>& is_known_;
+};
+
+}  // namespace
+
+void FillGaps(R2::Image& image, int x0, int y0, std::vector<char> is_known) {
+  Filler filler(image, x0, y0, is_known);
+  filler.Refine();
+  filler.Spread();
+}
+
+}  // namespace ray
