@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "R2/Image.h"
+#include "source/film/FQuantile.h"
 #include "tests/ChiSquare.h"
 #include "tests/Project.h"
 
@@ -67,7 +68,7 @@ struct Comparison {
 inline Comparison Compare(const std::vector<R2::Image>& a, const std::vector<R2::Image>& b) {
   const int width = a[0].Width(), height = a[0].Height();
   const auto n = static_cast<double>(std::min(a.size(), b.size()));
-  const double limit = ray::StudentQuantile(1 - 0.01 / (2.0 * width * height), n - 1);
+  const double limit = std::sqrt(ray::FQuantile(1 - 0.01 / (1.0 * width * height), 1, n - 1));  // of Student's t
   const auto mean_of = [](const std::vector<R2::Image>& pictures, const auto& number_of) {
     std::vector<double> numbers;
     for (const R2::Image& picture : pictures) numbers.push_back(number_of(picture));

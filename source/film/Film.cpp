@@ -96,12 +96,6 @@ BlockSums Film::EmptySums(int block) const {
   return BlockSums(Common(region_, Around(PixelsOf(block), filter_.Apron())));
 }
 
-double Film::ShareOfDifference(int x, int y) const {
-  const Block& block = (*this)[BlockOf(x, y)];
-  const double a = block.samples[0], b = block.samples[1];
-  return a > 0 && b > 0 ? a * b / ((a + b) * (a + b)) : 0;
-}
-
 bool Film::HasGaps() const {
   for (int i = 0; i < Blocks(); ++i)
     if ((*this)[i].Samples() == 0 && PixelsInRegion(i).Area() > 0) return true;

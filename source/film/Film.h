@@ -105,10 +105,7 @@ class Film {
   R2::Image Picture(R2::Quantization quantization = R2::Quantization::rounded) const;
   /// The same from one part alone; black where it has no samples.
   R2::Image Part(int part) const;
-  /// How much the variance of the mean of both parts is of the squared difference of their means, a b / (a + b)^2 for a
-  /// and b samples; 0 where a part has none.
-  double ShareOfDifference(int x, int y) const;
-  /// Whether every block of the region has samples of both parts, so that ShareOfDifference is nowhere 0.
+  /// Whether every block of the region has samples of both parts.
   bool HasBothParts() const;
   /// The block of a pixel of the region.
   int BlockOf(int x, int y) const;

@@ -8,8 +8,9 @@
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <numbers>
 #include <numeric>
+
+#include "source/film/FQuantile.h"
 
 namespace ray {
 namespace {
@@ -42,85 +43,152 @@ double InUnit(double mean_square, const ErrorMeasure& measure, double mean) {
   return root;
 }
 
+/// The products of the channels' differences, summed over pixels.
+struct Correlation {
+  std::array<double, 9> products{};
+
+  void Add(const Channels& difference) {
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t k = 0; k < 3; ++k) products[3 * i + k] += difference[i] * difference[k];
+  }
+
+  /// The variance of a squared difference, summed over the channels of a pixel, as a share of its mean square: for
+  /// normally distributed noise 2 / 3 where all channels are one, and 2 / 5 where the three are independent.
+  double ShareOfVariance() const {
+    double live = 0, squares = 0;  // channels with noise; squared correlations of all pairs
+    for (std::size_t i = 0; i < 3; ++i) live += products[4 * i] > 0;
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t k = 0; k < 3; ++k)
+        if (products[4 * i] > 0 && products[4 * k] > 0)
+          squares += products[3 * i + k] * products[3 * i + k] / (products[4 * i] * products[4 * k]);
+    if (live == 0) return 1;
+    const double each = squares / live;
+    return 2 * each / (live + 2 * each);
+  }
+};
+
+/// What the two parts of a film say of its pixels.
 struct PixelErrors {
-  std::vector<float> squares;  // of the region's pixels, the mean of their channels
+  std::vector<float> squares;  // of the region's pixels, the mean of their channels, with the bias of clamping
+  std::vector<double> cut;     // light that clamping took from noisy pixels: means over the blocks
+  Correlation correlation;
   R2::Image picture;
 };
 
-PixelErrors SquaredErrors(const Film& film, const ErrorMeasure& measure) {
-  const R2::Image a = film.Part(0), b = film.Part(1);
-  const PixelRectangle& region = film.Region();
-  PixelErrors errors{std::vector<float>(static_cast<std::size_t>(region.Area())), film.Picture()};
-  tbb::parallel_for(region.y0, region.y1, [&](int y) {
-    float* square = &errors.squares[static_cast<std::size_t>(y - region.y0) * static_cast<std::size_t>(region.Width())];
-    for (int x = region.x0; x < region.x1; ++x) {
-      const double share = film.ShareOfDifference(x, y);
-      const Channels ca = Seen(a.At(x - region.x0, y - region.y0), measure);
-      const Channels cb = Seen(b.At(x - region.x0, y - region.y0), measure);
-      double sum = 0;
-      for (std::size_t k = 0; k < 3; ++k) sum += (ca[k] - cb[k]) * (ca[k] - cb[k]);
-      *square++ = static_cast<float>(share * sum / 3);
+/// The light above what a screen shows, as far as it may be noise: what is steadily too bright is no error.
+double CutLight(double mean, double difference) { return std::min(std::max(0.0, mean - 1), std::abs(difference) / 2); }
+
+class PixelErrorsOf {
+ public:
+  PixelErrorsOf(const Film& film, const ErrorMeasure& measure)
+      : film_(film), measure_(measure), a_(film.Part(0)), b_(film.Part(1)) {
+    errors_.picture = film.Picture();
+  }
+
+  PixelErrors Sum() && {
+    const PixelRectangle& region = film_.Region();
+    errors_.squares.resize(static_cast<std::size_t>(region.Area()));
+    errors_.cut.resize(static_cast<std::size_t>(film_.Blocks()));
+    tbb::parallel_for(0, film_.Blocks(), [&](int block) { SumBlock(block); });
+    for (int y = 0; y < region.Height(); ++y)
+      for (int x = 0; x < region.Width(); ++x) errors_.correlation.Add(Difference(x, y));
+    return std::move(errors_);
+  }
+
+ private:
+  Channels Difference(int x, int y) const {
+    const Channels a = Seen(a_.At(x, y), measure_), b = Seen(b_.At(x, y), measure_);
+    return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+  }
+
+  void SumBlock(int block) {
+    const PixelRectangle pixels = film_.PixelsInRegion(block), region = film_.Region();
+    if (pixels.Area() == 0) return;
+    double cut = 0;
+    for (int y = pixels.y0; y < pixels.y1; ++y)
+      for (int x = pixels.x0; x < pixels.x1; ++x) {
+        const int column = x - region.x0, row = y - region.y0;
+        errors_.squares[static_cast<std::size_t>(row) * static_cast<std::size_t>(region.Width()) +
+                        static_cast<std::size_t>(column)] = static_cast<float>(Square(block, column, row));
+        cut += Cut(column, row);
+      }
+    errors_.cut[static_cast<std::size_t>(block)] = cut / static_cast<double>(3 * pixels.Area());
+  }
+
+  double Square(int block, int x, int y) const {
+    const double n = film_[block].samples[0], m = film_[block].samples[1], share = n / (n + m);
+    const Channels a = Seen(a_.At(x, y), measure_), b = Seen(b_.At(x, y), measure_);
+    const Channels both = Seen(errors_.picture.At(x, y), measure_);
+    double sum = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double difference = a[k] - b[k], bias = share * a[k] + (1 - share) * b[k] - both[k];
+      sum += share * (1 - share) * difference * difference + (IsClamped() ? bias * bias : 0);
     }
-  });
-  return errors;
-}
+    return sum / 3;
+  }
+
+  double Cut(int x, int y) const {
+    if (!IsClamped()) return 0;
+    const R2::Color a = a_.At(x, y), b = b_.At(x, y), both = errors_.picture.At(x, y);
+    return CutLight(both.r, a.r - b.r) + CutLight(both.g, a.g - b.g) + CutLight(both.b, a.b - b.b);
+  }
+
+  bool IsClamped() const { return measure_.unit == ErrorUnit::display || measure_.unit == ErrorUnit::decibel; }
+
+  const Film& film_;
+  const ErrorMeasure& measure_;
+  const R2::Image a_, b_;
+  PixelErrors errors_;
+};
 
 std::vector<double> MeansOfBlocks(const Film& film, const std::vector<float>& squares) {
   const PixelRectangle& region = film.Region();
   std::vector<double> means(static_cast<std::size_t>(film.Blocks()));
-  std::vector<int> counts(means.size());
   for (int y = region.y0; y < region.y1; ++y)
-    for (int x = region.x0; x < region.x1; ++x) {
-      const auto block = static_cast<std::size_t>(film.BlockOf(x, y));
-      means[block] += squares[static_cast<std::size_t>(y - region.y0) * static_cast<std::size_t>(region.Width()) +
-                              static_cast<std::size_t>(x - region.x0)];
-      ++counts[block];
-    }
-  for (std::size_t i = 0; i < means.size(); ++i)
-    if (counts[i] > 0) means[i] /= counts[i];
+    for (int x = region.x0; x < region.x1; ++x)
+      means[static_cast<std::size_t>(film.BlockOf(x, y))] +=
+          squares[static_cast<std::size_t>(y - region.y0) * static_cast<std::size_t>(region.Width()) +
+                  static_cast<std::size_t>(x - region.x0)];
+  for (std::size_t i = 0; i < means.size(); ++i) {
+    const auto area = static_cast<double>(film.PixelsInRegion(static_cast<int>(i)).Area());
+    if (area > 0) means[i] /= area;
+  }
   return means;
 }
 
-double NormalQuantile(double p) {
-  double low = 0, high = 40;
-  for (int i = 0; i < 80; ++i) {
-    const double middle = (low + high) / 2;
-    (0.5 * std::erfc(-middle / std::numbers::sqrt2) < p ? low : high) = middle;
+/// How many times larger squared errors are than if they had fallen as 1 / samples since `before`, over the blocks that
+/// gained any: 1 to 4, where they did not even fall.
+double Stubbornness(const BlockErrors& now, const BlockErrors* before, const std::vector<double>& areas) {
+  if (!before || before->IsEmpty()) return 1;
+  double energy_now = 0, energy_before = 0;
+  for (std::size_t i = 0; i < areas.size(); ++i) {
+    if (now.samples[i] == before->samples[i]) continue;
+    energy_now += areas[i] * now.squares[i] * now.samples[i];
+    energy_before += areas[i] * before->squares[i] * before->samples[i];
   }
-  return (low + high) / 2;
+  return energy_before > 0 ? std::clamp(energy_now / energy_before, 1.0, 4.0) : 1;
 }
 
-struct Interval {
-  double mean, low, high;
-};
-
-/// The mean square of the pixels, from that of blocks, which at the rim of the picture may be narrower: each counts by
-/// its area.
-Interval MeanSquare(const std::vector<double>& blocks, const std::vector<double>& areas, double confidence) {
+/// Of all pixels, from those of blocks, which at the rim of the picture may be narrower.
+double MeanOfBlocks(const std::vector<double>& blocks, const std::vector<double>& areas) {
   double total = 0, pixels = 0;
   for (std::size_t i = 0; i < blocks.size(); ++i) {
     total += blocks[i] * areas[i];
     pixels += areas[i];
   }
-  const double mean = total / pixels;
-  double variance = 0, third_moment = 0, blocks_with_area = 0;
-  for (std::size_t i = 0; i < blocks.size(); ++i) {
-    const double share = areas[i] / pixels;
-    const double away = share * (blocks[i] - mean);
-    variance += away * away;
-    third_moment += away * away * away;
-    if (areas[i] > 0) ++blocks_with_area;
+  return total / pixels;
+}
+
+/// As a sum of independent squares would have whose variance is that of these (Satterthwaite, An approximate
+/// distribution of estimates of variance components, 1946).
+double DegreesOfFreedom(const PixelErrors& errors) {
+  double sum = 0, squares = 0;
+  for (const float square : errors.squares) {
+    sum += square;
+    squares += static_cast<double>(square) * square;
   }
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  const double freedom = blocks_with_area - 1;
-  if (freedom < 1) return {mean, -infinity, infinity};
-  const double t = StudentQuantile((1 + confidence) / 2, freedom);
-  const double deviation = std::sqrt(variance * blocks_with_area / freedom);
-  const double skewness = variance > 0 ? third_moment / (variance * std::sqrt(variance)) : 0;
-  // Of few blocks the skewness is hardly known: it may widen the interval upwards, by no more than it was, and does not
-  // narrow it downwards.
-  const double shift = std::clamp(skewness * (1 + 2 * t * t) / 6, 0.0, t);
-  return {mean, mean - deviation * t, mean + deviation * (t + shift)};
+  if (squares == 0) return static_cast<double>(errors.squares.size());
+  return 2 * sum * sum / (errors.correlation.ShareOfVariance() * squares);
 }
 
 /// How much of the sum of all squares is in the largest thousandth of them.
@@ -175,28 +243,40 @@ double SquaredTarget(double target, const ErrorMeasure& measure, double mean) {
   return 0;
 }
 
-std::optional<MeasuredError> MeasureError(const Film& film, const ErrorMeasure& measure) {
+std::optional<MeasuredError> MeasureError(const Film& film, const ErrorMeasure& measure, const BlockErrors* before) {
   if (!film.HasBothParts()) return {};
-  const PixelErrors errors = SquaredErrors(film, measure);
-  const double mean_of_picture = MeanOf(errors.picture);
-  std::vector<double> blocks = MeansOfBlocks(film, errors.squares);
-  std::vector<double> areas(blocks.size());
+  const PixelErrors errors = PixelErrorsOf(film, measure).Sum();
+  MeasuredError measured;
+  measured.mean = MeanOf(errors.picture);
+  measured.differences.squares = MeansOfBlocks(film, errors.squares);
+  std::vector<double> areas;
+  for (int i = 0; i < film.Blocks(); ++i) {
+    areas.push_back(static_cast<double>(film.PixelsInRegion(i).Area()));
+    measured.differences.samples.push_back(film[i].Samples());
+  }
+  const double stubbornness = Stubbornness(measured.differences, before, areas);
+  std::vector<double>& blocks = measured.square_of_blocks = measured.differences.squares;
   for (std::size_t i = 0; i < blocks.size(); ++i)
-    areas[i] = static_cast<double>(film.PixelsInRegion(static_cast<int>(i)).Area());
-  const Interval square = MeanSquare(blocks, areas, measure.confidence);
+    blocks[i] = std::max(stubbornness * blocks[i], blocks[i] + errors.cut[i] * errors.cut[i]);
+  measured.square = MeanOfBlocks(blocks, areas);
+
+  ErrorEstimate& e = measured.estimate;
+  e.freedom = DegreesOfFreedom(errors);
+  // Noise of pixels has longer tails than normal noise: with half of the degrees, 95 % intervals of eleven scenes held
+  // 96.5 % of 198 true errors as displayed, and 98 % of 99 of light; with all of them 92.5 %.
+  const double ratio = FQuantile((1 + measure.confidence) / 2, e.freedom / 2, e.freedom / 2);
+  measured.square_high = measured.square * ratio;
+  e.unit = measure.unit;
+  e.estimate = InUnit(measured.square, measure, measured.mean);
+  e.low = InUnit(measured.square / ratio, measure, measured.mean);
+  e.high = InUnit(measured.square_high, measure, measured.mean);
   std::size_t worst = 0;
   for (std::size_t i = 0; i < blocks.size(); ++i)
     if (areas[i] > 0 && blocks[i] > blocks[worst]) worst = i;
-
-  ErrorEstimate e;
-  e.unit = measure.unit;
-  e.estimate = InUnit(square.mean, measure, mean_of_picture);
-  e.low = InUnit(square.low, measure, mean_of_picture);
-  e.high = InUnit(square.high, measure, mean_of_picture);
-  e.worst_block = InUnit(blocks[worst], measure, mean_of_picture);
+  e.worst_block = InUnit(blocks[worst], measure, measured.mean);
   e.worst_block_at = film.PixelsInRegion(static_cast<int>(worst));
   e.outlier_share = OutlierShare(errors.squares);
-  return MeasuredError{e, square.mean, square.high, mean_of_picture, std::move(blocks)};
+  return measured;
 }
 
 double TrueError(const R2::Image& picture, const R2::Image& reference, const R2::Image* second,
@@ -209,17 +289,6 @@ double TrueError(const R2::Image& picture, const R2::Image& reference, const R2:
       for (std::size_t k = 0; k < 3; ++k) sum += (c[k] - r[k]) * (c[k] - s[k]);
     }
   return InUnit(sum / (3.0 * picture.Width() * picture.Height()), measure, MeanOf(reference));
-}
-
-double StudentQuantile(double p, double n) {
-  if (n <= 1) return std::tan(std::numbers::pi * (p - 0.5));
-  if (n <= 2) return (2 * p - 1) / std::sqrt(2 * p * (1 - p));
-  const double z = NormalQuantile(p), z2 = z * z;
-  const double g1 = (z2 + 1) * z / 4;
-  const double g2 = ((5 * z2 + 16) * z2 + 3) * z / 96;
-  const double g3 = (((3 * z2 + 19) * z2 + 17) * z2 - 15) * z / 384;
-  const double g4 = ((((79 * z2 + 776) * z2 + 1482) * z2 - 1920) * z2 - 945) * z / 92160;
-  return z + (g1 + (g2 + (g3 + g4 / n) / n) / n) / n;
 }
 
 }  // namespace ray

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -30,6 +31,9 @@ struct ErrorEstimate {
   double worst_block = 0;    // the largest error of a block of 8x8 pixels
   PixelRectangle worst_block_at;
   double outlier_share = 0;  // of the squared error, in the worst thousandth of the pixels
+  // Degrees of freedom that the error's square has as a mean of squares: how many independent values of pixels hold it.
+  // Where they are few, the true error of another picture of the same kind is another one.
+  double freedom = 0;
 
   bool IsMostlyOutliers() const { return outlier_share > 0.5; }
 };
@@ -41,21 +45,38 @@ struct ErrorMeasure {
   bool srgb = false;
 };
 
+/// The squared errors of a film's blocks at one time, to tell by how they fell.
+struct BlockErrors {
+  std::vector<double> squares;         // means over their pixels, 0 outside the region
+  std::vector<std::uint32_t> samples;  // per pixel
+
+  bool IsEmpty() const { return squares.empty(); }
+};
+
 /// An error estimate and what it was made from. Squares are of display values in 0..1, or of light.
 struct MeasuredError {
   ErrorEstimate estimate;
   double square = 0, square_high = 0;    // of the estimate and of the worse end of its interval
   double mean = 0;                       // of the picture
   std::vector<double> square_of_blocks;  // in the order of the film's blocks; 0 outside the region
+  BlockErrors differences;               // what the next estimate can be compared with
 };
 
 /// The error of the film's picture, from the difference of its two parts: true on average where they are independent,
 /// at most about true where they are the first and the last samples of one well distributed sequence. Nothing while a
-/// block lacks a part. The interval is that of the mean of the blocks' squared errors, by Student's t; where these are
-/// skewed, which is what puts the truth above a symmetric interval, it is wider upwards.
-///   source   s / sqrt(n) (t + g (1 + 2 t^2) / 6), g the skewness over sqrt(n): Hall, On the removal of skewness by
-///            transformation (1992), in the form of Chen, Testing the mean of skewed distributions (1995)
-std::optional<MeasuredError> MeasureError(const Film& film, const ErrorMeasure& measure);
+/// block lacks a part.
+///
+/// Of light, the mean of both parts has a quarter of the squared difference of theirs. What a screen shows is clamped,
+/// and three things are added: the bias of clamping, which is what the parts' mean shown differs from the mean of the
+/// parts shown (the jackknife; Quenouille, Notes on bias in estimation, 1956); that the error may not fall as the root
+/// of the samples, by how it fell since `before`, at most to a quarter of that; and where clamping took energy from
+/// noisy pixels, that it belongs to others of their block. The larger of the last two counts.
+///
+/// The interval is that of the ratio of two mean squares, the claim and the truth, with half as many degrees of freedom
+/// each: where few pixels hold the error, both are from few.
+///   before   the differences at fewer samples; null or empty where none were measured
+std::optional<MeasuredError> MeasureError(const Film& film, const ErrorMeasure& measure,
+                                          const BlockErrors* before = nullptr);
 
 /// What the mean square is at an error of `target` in the unit of `measure`. `mean` is of the picture.
 double SquaredTarget(double target, const ErrorMeasure& measure, double mean);
@@ -67,10 +88,5 @@ double MeanOf(const R2::Image& picture);
 ///   source   mean((x - r1)(x - r2)); the estimate may be negative below the references' noise and then is 0
 double TrueError(const R2::Image& picture, const R2::Image& reference, const R2::Image* second,
                  const ErrorMeasure& measure);
-
-/// The value t with which a variable of Student's distribution is below with probability p, 0.5 <= p < 1.
-///   accuracy   1e-3 of the value from 3 degrees of freedom on, by the Cornish-Fisher expansion of Hill, Algorithm 396
-///              (1970); exact for 1 and 2
-double StudentQuantile(double p, double degrees_of_freedom);
 
 }  // namespace ray

@@ -131,7 +131,7 @@ class Job {
 
   /// A copy, for keeping.
   RenderState State() const {
-    RenderState state{{}, schedule_.State(), passes_, runner_.Rays(), PlannedSamples(settings_)};
+    RenderState state{{}, schedule_.State(), passes_, runner_.Rays(), PlannedSamples(settings_), differences_};
     for (int i = 0; i < film_.Blocks(); ++i) state.blocks.push_back(film_[i]);
     return state;
   }
@@ -140,6 +140,7 @@ class Job {
     schedule_.Resume(std::move(state.schedule));
     passes_ = std::move(state.passes);
     runner_.AddRays(state.rays);
+    differences_ = std::move(state.differences);
     for (int i = 0; i < film_.Blocks(); ++i) film_[i] = std::move(state.blocks[static_cast<std::size_t>(i)]);
   }
 
@@ -178,9 +179,11 @@ class Job {
     PassOutcome pass;
     pass.seconds_taken = Seconds() - pass_begin_.seconds;
     pass.samples_taken = samples - pass_begin_.samples;
-    if (schedule_.DecidesByError() || (settings_.wants_passes && !settings_.replay))
-      pass.error = MeasureError(film_, MeasureFor(settings_));
-    if (pass.error) passes_.back().error = pass.error->estimate;
+    if (schedule_.LooksAtError() || (settings_.wants_passes && !settings_.replay)) pass.error = Measure();
+    if (pass.error) {
+      differences_ = pass.error->differences;
+      passes_.back().error = pass.error->estimate;
+    }
     pass.now = Seconds();
     return pass;
   }
@@ -224,14 +227,21 @@ class Job {
       result.pixels_done += film_[i].Samples() > 0 ? film_.PixelsInRegion(i).Area() : PixelsLookedAt(film_, i);
     }
     // Of costs no error is known: they are what is summed, not the colors shown.
-    if (const auto error = ShowsCosts(settings_.mode) ? std::nullopt : MeasureError(film_, MeasureFor(settings_))) {
-      result.error = error->estimate;
-      result.has_outliers =
-          result.two_streams && error->estimate.IsMostlyOutliers() && result.samples.least == result.samples.most;
-      if (!passes_.empty()) passes_.back().error = error->estimate;
-    }
+    if (!ShowsCosts(settings_.mode)) result.error = LastError(stop);
+    if (result.error && !passes_.empty()) passes_.back().error = result.error;
+    result.has_outliers = result.error && result.two_streams && result.error->IsMostlyOutliers() &&
+                          result.samples.least == result.samples.most;
     result.passes = std::move(passes_);
     return result;
+  }
+
+  std::optional<MeasuredError> Measure() const { return MeasureError(film_, MeasureFor(settings_), &differences_); }
+
+  /// That of the last pass, unless samples have come since.
+  std::optional<ErrorEstimate> LastError(Stop stop) const {
+    if (stop != Stop::request && !passes_.empty() && passes_.back().error) return passes_.back().error;
+    const auto measured = Measure();
+    return measured ? std::optional(measured->estimate) : std::nullopt;
   }
 
   const Clock::time_point start_;
@@ -243,6 +253,7 @@ class Job {
   Schedule schedule_;
   PassRunner runner_;
   std::vector<Pass> passes_;  // that are over
+  BlockErrors differences_;   // after the last pass that was measured
   struct {
     double seconds = 0, samples = 0;  // per pixel, on average
   } pass_begin_;

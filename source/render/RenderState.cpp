@@ -175,6 +175,11 @@ std::vector<unsigned char> Encoded(const RenderState& state, const std::string& 
   PutSchedule(writer, state.schedule);
   writer.Put(state.rays);
   writer.Put(state.planned_samples);
+  writer.Put(!state.differences.IsEmpty());
+  if (!state.differences.IsEmpty()) {
+    writer.PutAll(state.differences.squares);
+    writer.PutAll(state.differences.samples);
+  }
   writer.Put<std::uint64_t>(state.passes.size());
   for (const Pass& pass : state.passes) PutPass(writer, pass);
   for (const Film::Block& block : state.blocks) PutBlock(writer, block);
@@ -191,6 +196,12 @@ RenderState DecodedState(std::span<const unsigned char> bytes, const std::string
   state.schedule = TakeSchedule(reader, film.Blocks());
   state.rays = reader.Take<RayCounts>();
   state.planned_samples = reader.Take<std::uint32_t>();
+  if (reader.Take<char>() != 0) {
+    state.differences.squares.resize(static_cast<std::size_t>(film.Blocks()));
+    state.differences.samples.resize(static_cast<std::size_t>(film.Blocks()));
+    reader.TakeAll(state.differences.squares);
+    reader.TakeAll(state.differences.samples);
+  }
   for (auto passes = reader.Take<std::uint64_t>(); passes > 0; --passes) state.passes.push_back(TakePass(reader));
   for (int i = 0; i < film.Blocks(); ++i) state.blocks.push_back(TakeBlock(reader, film.EmptySums(i)));
   if (reader.Left() > 0) throw CheckpointError("it is longer than it should be");

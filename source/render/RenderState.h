@@ -27,6 +27,7 @@ struct RenderState {
   std::vector<Pass> passes;
   RayCounts rays;
   std::uint32_t planned_samples = 1;  // see PlannedSamples
+  BlockErrors differences;            // see MeasureError; empty where none were measured
 };
 
 /// Why a render cannot resume from a checkpoint, in words.

@@ -64,6 +64,8 @@ class Schedule {
   const ScheduleState& State() const { return state_; }
   /// Whether the error of the picture, after the pass that runs, bears on what is next.
   bool DecidesByError() const { return budget_.error && !replay_ && state_.end >= first_decision_; }
+  /// Or on the first error that does, since that is compared with it.
+  bool LooksAtError() const { return budget_.error && !replay_ && 2 * state_.end >= first_decision_; }
   /// Goes on where another schedule of this picture stood.
   void Resume(ScheduleState state);
 

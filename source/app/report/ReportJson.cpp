@@ -76,7 +76,8 @@ Json ErrorJson(const ErrorEstimate& e, bool two_streams, const std::optional<dou
                {"unit", ErrorUnitName(e.unit)},
                {"method", two_streams ? "two streams" : "halves"},
                {"worst_block", {{"error", e.worst_block}, {"at", {w.x0, w.y0, w.x1, w.y1}}}},
-               {"hot_share", e.outlier_share}};
+               {"freedom", e.freedom},
+               {"outlier_share", e.outlier_share}};
   if (true_error) json["true_error"] = *true_error;
   return json;
 }

@@ -41,8 +41,9 @@ namespace ray {
 ///   |                    | places_of_blocks (where a block has no samples, how many of its 64 places   |
 ///   |                    | were looked at; empty where all have)                                       |
 ///   | error              | estimate, low, high, unit, method ("two streams": true on average;          |
-///   |                    | "halves": at most about), worst_block (error, at), outlier_share, and           |
-///   |                    | true_error beside a reference; null below two samples                       |
+///   |                    | "halves": at most about), worst_block (error, at), freedom (the degrees of  |
+///   |                    | freedom that hold it), outlier_share, and true_error beside a reference;    |
+///   |                    | null below two samples                                                      |
 ///   | passes             | of each: end (samples a pixel and stream), samples (mean a pixel), seconds  |
 ///   |                    | (since the first ray), error (or null): the render's own convergence        |
 std::string ReportJson(const RunStats& record);

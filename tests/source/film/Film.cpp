@@ -112,10 +112,8 @@ TEST(Film, BothPartsTogetherAreThePicture) {
     EXPECT_FALSE(film.HasBothParts());
     Expose(film, 0, 0, 4, Noise);
     EXPECT_FALSE(film.HasBothParts());
-    EXPECT_EQ(film.ShareOfDifference(3, 3), 0);
     Expose(film, 1, 4, 8, Noise);
     EXPECT_TRUE(film.HasBothParts());
-    EXPECT_EQ(film.ShareOfDifference(3, 3), 0.25);
     Film at_once(16, 16, {0, 0, 16, 16}, kind);
     Expose(at_once, 0, 0, 8, Noise);
     const R2::Image parts = film.Picture(), whole = at_once.Picture();
