@@ -8,6 +8,7 @@
 #include "source/app/report/ReportJson.h"
 #include "source/parse/SceneError.h"
 #include "source/parse/Text.h"
+#include "source/parse/document/Document.h"
 #include "source/render/Render.h"
 
 namespace ray {
@@ -20,6 +21,26 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::uint32_t most_samples = 0x7fffffff;  // what -samples takes
 
+SceneErrors Refusal(const std::string& file, const std::string& why) {
+  return SceneErrors({ErrorIn(file, "cannot be replayed: " + why)});
+}
+
+/// The library walks through what it has read by recursion, so a report may nest no deeper than a scene in JSON.
+Json ReadReport(const std::string& file) {
+  return Json::parse(Contents(file), [&](int depth, Json::parse_event_t event, const Json&) {
+    const bool opens = event == Json::parse_event_t::array_start || event == Json::parse_event_t::object_start;
+    if (opens && depth >= Document::max_depth)
+      throw Refusal(file, "it is nested deeper than " + std::to_string(Document::max_depth) + " levels");
+    return true;
+  });
+}
+
+/// A value for a message: file names may be any bytes, and a stranger's value of any length.
+std::string Shown(const Json& value) {
+  const std::string text = value.dump(-1, ' ', false, Json::error_handler_t::replace);
+  return text.size() <= most_quoted ? Escaped(text) : Quoted(text);
+}
+
 /// Options that say what a picture shows; those of speed may differ.
 bool ChoosesThePicture(const OptionKind& option) {
   const std::string topic = option.topic;
@@ -30,12 +51,9 @@ bool ChoosesThePicture(const OptionKind& option) {
 
 std::optional<Replay> ReadReplay(const Options& options, const std::string& scene_hash) {
   if (options.replay.empty()) return {};
-  const std::string text = Contents(options.replay);
-  const auto refuse = [&](const std::string& why) -> SceneErrors {
-    return SceneErrors({ErrorIn(options.replay, "cannot be replayed: " + why)});
-  };
+  const auto refuse = [&](const std::string& why) { return Refusal(options.replay, why); };
   try {
-    const Json report = Json::parse(text);
+    const Json report = ReadReport(options.replay);
     if (report.at("scene").at("hash") != scene_hash) throw UsageError("the report is of another scene");
     const Json ours = SettingsJson(options);
     for (const OptionKind& option : OptionTable(options.program)) {
@@ -43,11 +61,11 @@ std::optional<Replay> ReadReplay(const Options& options, const std::string& scen
       if (!ChoosesThePicture(option) || name == "samples") continue;
       const Json& then = report.at("settings").at(name);
       if (then != ours.at(name))
-        throw UsageError("the report was made with -" + name + " " + then.dump() + ", not " + ours.at(name).dump());
+        throw UsageError("the report was made with -" + name + " " + Shown(then) + ", not " + Shown(ours.at(name)));
     }
     const auto count = [&](const Json& number) {
       if (!number.is_number_unsigned() || number > most_samples)
-        throw refuse(number.dump() + " is not a number of samples");
+        throw refuse(Shown(number) + " is not a number of samples");
       return number.get<std::uint32_t>();
     };
     Replay replay;

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <filesystem>
 #include <limits>
 
 #include "R2/ImageFile.h"
@@ -202,6 +203,42 @@ TEST(Replay, RefusesAReportWhoseBlocksAreNotThoseOfThePicture) {
     EXPECT_EQ(done.status, 3) << list << done.error;
     EXPECT_TRUE(Contains(done.error, "cannot be replayed")) << done.error;
   }
+}
+
+// The JSON library words a value by recursion: a report nested so deep once overflowed the stack while its error was
+// being written.
+TEST(Replay, RefusesAReportNestedWithoutEnd) {
+  NEEDS_THE_PROGRAM();
+  const Place place;
+  ASSERT_EQ(place.Run("a.ppm", {"-report", place / "r.json"}).status, 0);
+  const std::string report = ReadFile(place / "r.json"), value = "\"seed\": 0";
+  ASSERT_TRUE(Contains(report, value));
+  for (const std::size_t depth : {101u, 80'000u, 1'000'000u}) {
+    const std::string nested = std::string(depth, '[') + std::string(depth, ']');
+    std::string edited = report;
+    edited.replace(edited.find(value), value.size(), "\"seed\": " + nested);
+    for (const std::string& text : {edited, nested}) {
+      WriteFile(place / "bad.json", text);
+      const Finished done = place.Run("b.ppm", {"-replay", place / "bad.json"});
+      EXPECT_EQ(done.status, 3) << depth;
+      EXPECT_TRUE(Contains(done.error, "nested deeper than 100 levels")) << done.error;
+    }
+  }
+}
+
+TEST(Replay, TellsOfALongValueInShort) {
+  NEEDS_THE_PROGRAM();
+  const Place place;
+  ASSERT_EQ(place.Run("a.ppm", {"-report", place / "r.json"}).status, 0);
+  std::string report = ReadFile(place / "r.json");
+  const std::string value = "\"seed\": 0";
+  ASSERT_TRUE(Contains(report, value));
+  report.replace(report.find(value), value.size(), "\"seed\": \"" + std::string(1'000'000, 'x') + "\"");
+  WriteFile(place / "r.json", report);
+  const Finished done = place.Run("b.ppm", {"-replay", place / "r.json"});
+  EXPECT_EQ(done.status, 2);
+  EXPECT_TRUE(Contains(done.error, "was made with -seed")) << done.error.substr(0, 1000);
+  EXPECT_LT(done.error.size(), 400u);
 }
 
 TEST(Reference, MustBeAPictureOfTheSameSize) {
