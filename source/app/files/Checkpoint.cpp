@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "source/app/Status.h"
+#include "source/app/files/Outputs.h"
 #include "source/app/options/OptionTable.h"
 #include "source/app/report/Messages.h"
 #include "source/parse/Files.h"
@@ -28,7 +29,7 @@ std::string Identity(const Options& options, const std::string& scene_hash) {
 }  // namespace
 
 Checkpoint::Checkpoint(const Options& options)
-    : options_(options), file_(CheckOutput(options.picture + ".checkpoint", std::vector<std::string>{options.scene})) {}
+    : options_(options), file_(CheckOutput(options.picture + ".checkpoint", InputsOf(options))) {}
 
 bool Checkpoint::Exists() const {
   std::error_code ignored;

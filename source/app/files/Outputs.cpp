@@ -56,8 +56,15 @@ void TellOfLink(Program program, const OutputFile& picture) {
                QuotedPath(picture.target.string()));
 }
 
+std::vector<std::string> InputsOf(const Options& options) {
+  std::vector<std::string> inputs = options.reference;
+  inputs.push_back(options.scene);
+  if (!options.replay.empty()) inputs.push_back(options.replay);
+  return inputs;
+}
+
 Outputs CheckOutputs(const Options& options) {
-  const std::string inputs[] = {options.scene};
+  const std::vector<std::string> inputs = InputsOf(options);
   const PictureOutput picture = CheckPictureOutput(options.picture, inputs);
   Outputs outputs;
   outputs.format = picture.format;

@@ -31,6 +31,9 @@ struct Outputs {
   std::vector<OutputFile> layers;  // one for each of the options' layers, unless the picture holds them itself
 };
 
+/// The files that the command line has the render read. What the scene names besides is known once it is read.
+std::vector<std::string> InputsOf(const Options& options);
+
 /// Before anything is read: the picture has a known kind, which can hold its size, and both files can be written.
 /// Throws UsageError and OutputError.
 Outputs CheckOutputs(const Options& options);

@@ -241,6 +241,34 @@ TEST(Replay, TellsOfALongValueInShort) {
   EXPECT_LT(done.error.size(), 400u);
 }
 
+// K11 of the hard inputs: a reference and a report were once replaced by what the run wrote under the same name.
+TEST(InputsOfTheCommandLine, AreNeverOverwritten) {
+  NEEDS_THE_PROGRAM();
+  const Place place;
+  ASSERT_EQ(place.Run("first.png", {"-report", place / "first.json"}).status, 0);
+  std::filesystem::copy_file(place / "first.png", place / "picture.checkpoint");
+  std::filesystem::copy_file(place / "first.json", place / "picture.png.checkpoint");
+  std::filesystem::create_hard_link(place / "first.png", place / "same.png");
+  const std::string picture = ReadFile(place / "first.png"), report = ReadFile(place / "first.json");
+  const std::string replay = place / "first.json", reference = place / "first.png";
+  const struct {
+    std::string picture;
+    List words;
+  } runs[] = {{"first.png", {"-reference", reference}},
+              {"same.png", {"-reference", reference}},
+              {"out.png", {"-reference", reference, "-report", reference}},
+              {"out.png", {"-reference", (place / "picture.checkpoint") + "," + reference, "-report", reference}},
+              {"out.png", {"-replay", replay, "-report", replay}},
+              {"picture.png", {"-replay", place / "picture.png.checkpoint"}}};
+  for (const auto& [name, words] : runs) {
+    const Finished done = place.Run(name, words);
+    EXPECT_EQ(done.status, 4) << name << done.error;
+    EXPECT_TRUE(Contains(done.error, "it is the input")) << done.error;
+    EXPECT_TRUE(ReadFile(place / "first.png") == picture && ReadFile(place / "first.json") == report);
+    EXPECT_TRUE(ReadFile(place / "picture.png.checkpoint") == report);
+  }
+}
+
 TEST(Reference, MustBeAPictureOfTheSameSize) {
   NEEDS_THE_PROGRAM();
   const Place place;
