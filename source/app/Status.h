@@ -1,6 +1,8 @@
 #pragma once
 
 #include <stdexcept>
+#include <string>
+#include <utility>
 
 namespace ray {
 
@@ -21,7 +23,9 @@ struct UsageError : std::runtime_error {
 
 /// A file that cannot be written; what() names it and the reason.
 struct OutputError : std::runtime_error {
-  using std::runtime_error::runtime_error;
+  explicit OutputError(const std::string& what, std::string kept = {})
+      : std::runtime_error(what), kept_as(std::move(kept)) {}
+  std::string kept_as;  // the file that has its bytes instead; empty for none
 };
 
 }  // namespace ray

@@ -26,7 +26,7 @@ namespace {
 using Words = std::vector<std::string>;
 
 RenderResult RenderAndTell(const World& world, const Accelerator& accelerator, const Options& options,
-                           const RunLog& account, const Checkpoint& checkpoint) {
+                           const RunLog& account, Checkpoint& checkpoint) {
   const std::string& hash = account.stats().scene.hash;
   RenderSettings settings = options.render;
   settings.replay = ReadReplay(options, hash);
@@ -79,7 +79,7 @@ int MakePicture(const Options& asked, const Words& words) {
   RefuseInputs(outputs, parsed.scene.files);
   const Options options = WithSettingsOf(parsed.scene, asked);
   RefuseSize(*outputs.format, options.render.width, options.render.height);
-  const Checkpoint checkpoint(options);
+  Checkpoint checkpoint(options);
   const std::vector<R2::Image> references = ReadReferences(options);
   account.Loaded(parsed, options);
 

@@ -36,10 +36,12 @@ bool Checkpoint::Exists() const {
   return std::filesystem::exists(file_.target, ignored);
 }
 
-void Checkpoint::Save(const RenderState& state, const std::string& scene_hash) const {
+void Checkpoint::Save(const RenderState& state, const std::string& scene_hash) {
   try {
     WriteWhole(file_, Encoded(state, Identity(options_, scene_hash)));
+    RemoveCopy();
   } catch (const OutputError& error) {
+    if (!error.kept_as.empty()) kept_as_ = error.kept_as;
     PrintError("raypro: warning: " + std::string(error.what()));
   }
 }
@@ -59,9 +61,16 @@ RenderState Checkpoint::Load(const Film& film, const std::string& scene_hash) co
   }
 }
 
-void Checkpoint::Remove() const {
+void Checkpoint::Remove() {
   std::error_code ignored;
   std::filesystem::remove(file_.target, ignored);
+  RemoveCopy();
+}
+
+void Checkpoint::RemoveCopy() {
+  std::error_code ignored;
+  if (!kept_as_.empty()) std::filesystem::remove(kept_as_, ignored);
+  kept_as_.clear();
 }
 
 }  // namespace ray

@@ -16,18 +16,22 @@ class Checkpoint {
   /// Throws OutputError when the file could not be written.
   explicit Checkpoint(const Options& options);
 
-  /// A failure is told and costs no picture.
-  void Save(const RenderState& state, const std::string& scene_hash) const;
+  /// A failure is told and costs no picture: the state is kept in the temporary folder, until a later one is saved.
+  void Save(const RenderState& state, const std::string& scene_hash);
   bool Exists() const;
   /// Throws SceneErrors when there is none, or none of this scene, these settings and this version; but the samples may
   /// have become more, see CheckPlan.
   RenderState Load(const Film& film, const std::string& scene_hash) const;
-  void Remove() const;
+  /// With the copy in the temporary folder, if there is one.
+  void Remove();
   const std::string& Name() const { return file_.name; }
 
  private:
+  void RemoveCopy();
+
   const Options& options_;
   OutputFile file_;
+  std::string kept_as_;  // the copy; empty for none
 };
 
 }  // namespace ray

@@ -15,8 +15,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-[[noreturn]] void Refuse(const std::string& name, const std::string& reason) {
-  throw OutputError("cannot write " + Quoted(name) + ": " + reason);
+[[noreturn]] void Refuse(const std::string& name, const std::string& reason, const std::string& kept_as = {}) {
+  throw OutputError("cannot write " + Quoted(name) + ": " + reason, kept_as);
 }
 
 /// Where a chain of links ends; the end need not exist.
@@ -64,18 +64,20 @@ void WriteAt(const fs::path& target, std::span<const unsigned char> bytes) {
   file.Become();
 }
 
-/// Says where the bytes are now, or why they are nowhere.
-std::string KeepElsewhere(const OutputFile& output, std::span<const unsigned char> bytes) {
+/// Throws the OutputError, which says where the bytes are now, or why they are nowhere.
+[[noreturn]] void KeepElsewhere(const OutputFile& output, std::span<const unsigned char> bytes,
+                                const std::string& reason) {
   std::error_code error;
   const fs::path folder = fs::temp_directory_path(error);
-  if (error) return "; there is no temporary folder to keep it in";
+  if (error) Refuse(output.name, reason + "; there is no temporary folder to keep it in");
   const fs::path refuge = folder / ("raypro-" + std::to_string(getpid()) + "-" + output.target.filename().string());
   try {
     WriteAt(refuge, bytes);
-    return "; it is kept as '" + Escaped(refuge.string()) + "'";
   } catch (const std::system_error& failure) {
-    return "; nor can it be kept as " + QuotedPath(refuge.string()) + ": " + failure.code().message();
+    Refuse(output.name,
+           reason + "; nor can it be kept as " + QuotedPath(refuge.string()) + ": " + failure.code().message());
   }
+  Refuse(output.name, reason + "; it is kept as " + QuotedPath(refuge.string()), refuge.string());
 }
 
 }  // namespace
@@ -102,7 +104,7 @@ void WriteWhole(const OutputFile& output, std::span<const unsigned char> bytes) 
   try {
     WriteAt(output.target, bytes);
   } catch (const std::system_error& failure) {
-    Refuse(output.name, failure.code().message() + KeepElsewhere(output, bytes));
+    KeepElsewhere(output, bytes, failure.code().message());
   }
 }
 

@@ -64,7 +64,7 @@ std::optional<Replay> ReadReplay(const Options& options, const std::string& scen
         throw UsageError("the report was made with -" + name + " " + Shown(then) + ", not " + Shown(ours.at(name)));
     }
     const auto count = [&](const Json& number) {
-      if (!number.is_number_unsigned() || number > most_samples)
+      if (!number.is_number_unsigned() || number == 0u || number > most_samples)
         throw refuse(Shown(number) + " is not a number of samples");
       return number.get<std::uint32_t>();
     };

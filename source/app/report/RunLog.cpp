@@ -143,10 +143,10 @@ void RunLog::Written() {
   if (!stats_.IsComplete()) PrintError("raypro: progress saved; -resume continues from it");
 }
 
-// Nothing here may fail the run: the picture is safe.
+// The picture is safe by now, so the run fails only where what was asked for could not be told.
 void RunLog::Summarize() const {
+  if (stats_.options.stats) WriteStandardOutput(Statistics(stats_));
   try {
-    if (stats_.options.stats) WriteStandardOutput(Statistics(stats_));
     if (!stats_.options.quiet && stats_.pixels_done > 0) WriteStandardOutput(FinalLine(stats_) + QualityLines(stats_));
   } catch (const OutputError& error) {
     PrintError("raypro: " + std::string(error.what()));

@@ -19,7 +19,8 @@ class RunLog {
   /// With what -reference names, in the unit of the estimated error.
   void Compared(double true_error);
   void Written();
-  /// The results, on standard output, unless -quiet.
+  /// The results, on standard output, unless -quiet. Throws OutputError when statistics that were asked for cannot be
+  /// written.
   void Summarize() const;
 
   const RunStats& stats() const { return stats_; }

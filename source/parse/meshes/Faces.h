@@ -18,8 +18,9 @@ class Faces {
   /// Adds a face whose corners are at `places`, indices into the mesh's positions; the triangles are made of the
   /// `names` that go with them. Gives what is wrong with the face, or null. A face of fewer than 3 corners, which
   /// real files do hold, is counted and left out.
-  const char* Add(std::span<const std::uint32_t> places, std::span<const std::uint32_t> names);
-  const char* Add(std::span<const std::uint32_t> places) { return Add(places, places); }
+  ///   where   a word of the face; of no line in a binary file
+  const char* Add(std::span<const std::uint32_t> places, std::span<const std::uint32_t> names, const Token& where);
+  const char* Add(std::span<const std::uint32_t> places, const Token& where) { return Add(places, places, where); }
 
   /// Of what could not be taken as it stands.
   void Warn(const Text& file, Report& report) const;
@@ -27,6 +28,7 @@ class Faces {
  private:
   R3::MeshData& mesh_;
   std::size_t too_small_ = 0, fanned_ = 0;
+  Token first_too_small_;
   std::vector<R3::Point> polygon_;
 };
 

@@ -31,6 +31,8 @@ class PlyValues {
   /// The fewest bytes that one number can take.
   std::size_t LeastBytes(PlyType type) const { return is_text_ ? 2 : SizeOf(type); }
 
+  /// The number that was read last; of no line in a binary file.
+  Token Last() const { return is_text_ ? words_.Last() : Token{}; }
   /// About the number that was read last.
   [[noreturn]] void Fail(const PlyPlace& place, const std::string& message) const;
 

@@ -63,7 +63,7 @@ class ObjReader {
     }
     names_.resize(places_.size());
     std::iota(names_.begin(), names_.end(), static_cast<std::uint32_t>(first));
-    if (const char* problem = faces_.Add(places_, names_)) words_.Fail(command, problem);
+    if (const char* problem = faces_.Add(places_, names_, command)) words_.Fail(command, problem);
   }
 
   /// place, place/uv, place//normal or place/uv/normal

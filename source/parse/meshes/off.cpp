@@ -90,7 +90,7 @@ class OffReader {
       for (std::int64_t k = 0; k < count; ++k)
         corners.push_back(words_.Index({"a corner", "face", i}, mesh_.positions.size()));
       words_.SkipLine();  // a color
-      if (const char* problem = faces.Add(corners)) words_.Fail(start, problem);
+      if (const char* problem = faces.Add(corners, start)) words_.Fail(start, problem);
     }
     if (i < promised)
       WarnOf("the header declares " + std::to_string(promised) + " faces, but the file has " + std::to_string(i));

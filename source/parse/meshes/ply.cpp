@@ -113,7 +113,7 @@ class PlyReader {
   }
 
   void AddFace(std::span<const std::uint32_t> corners, const PlyPlace& place) {
-    if (const char* problem = faces_.Add(corners)) values_.Fail(place, problem);
+    if (const char* problem = faces_.Add(corners, values_.Last())) values_.Fail(place, problem);
   }
 
   void Skip(const PlyElement& element) {

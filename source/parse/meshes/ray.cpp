@@ -50,7 +50,7 @@ class RayReader {
     corners_.clear();
     for (std::size_t k = 0; k < count; ++k)
       corners_.push_back(words_.Index({"a corner", "face", face_number_}, mesh_.positions.size()));
-    if (const char* problem = faces_.Add(corners_)) words_.Fail(command, problem);
+    if (const char* problem = faces_.Add(corners_, command)) words_.Fail(command, problem);
     ++face_number_;
   }
 

@@ -195,13 +195,30 @@ TEST(Replay, RefusesAReportWhoseBlocksAreNotThoseOfThePicture) {
   ASSERT_EQ(place.Run("a.ppm", {"-samples", "4", "-report", place / "r.json"}).status, 0);
   const std::string report = ReadFile(place / "r.json"), none = "\"of_blocks\": []";
   ASSERT_TRUE(Contains(report, none));
-  for (const char* list : {"[1, 2]", "[-1, 2, 3]", "[1e12]", "[\"x\"]"}) {
+  for (const char* list : {"[1, 2]", "[-1, 2, 3]", "[1e12]", "[\"x\"]", "[0]"}) {
     std::string edited = report;
     edited.replace(edited.find(none), none.size(), std::string("\"of_blocks\": ") + list);
     WriteFile(place / "r.json", edited);
     const Finished done = place.Run("b.ppm", {"-replay", place / "r.json"});
     EXPECT_EQ(done.status, 3) << list << done.error;
     EXPECT_TRUE(Contains(done.error, "cannot be replayed")) << done.error;
+  }
+}
+
+// It once ended well, without a picture.
+TEST(Replay, RefusesAReportOfNoSamples) {
+  NEEDS_THE_PROGRAM();
+  const Place place;
+  ASSERT_EQ(place.Run("a.ppm", {"-report", place / "r.json"}).status, 0);
+  const std::string report = ReadFile(place / "r.json");
+  for (const char* count : {"\"end\": 1", "\"planned_samples\": 1"}) {
+    ASSERT_TRUE(Contains(report, count));
+    std::string edited = report;
+    edited.replace(edited.find(count) + std::strlen(count) - 1, 1, "0");
+    WriteFile(place / "bad.json", edited);
+    const Finished done = place.Run("b.ppm", {"-replay", place / "bad.json"});
+    EXPECT_EQ(done.status, 3) << count;
+    EXPECT_TRUE(Contains(done.error, "0 is not a number of samples")) << done.error;
   }
 }
 

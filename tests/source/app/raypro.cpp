@@ -391,19 +391,30 @@ TEST(Extremes, L6_NobodyListeningCostsNoPicture) {
       {.close_error = true},
       {.close_output = true, .close_error = true},
       {.break_output = true},
-      {.standard_output = "/dev/full", .standard_error = "/dev/full"},
+      {.standard_output = "/dev/full", .standard_error = "/dev/full"},  // only this is a failure: -stats was asked for
   };
   const auto words = With({place.Scene(), place / "out.ppm", "-stats", "-verbose"}, picture_size);
   std::string first;
   for (const Surroundings& silence : silences) {
     fs::remove(place / "out.ppm");
     const Finished done = RunProgram(words, silence);
-    EXPECT_EQ(done.status, 0);
+    EXPECT_EQ(done.status, silence.standard_output.empty() ? 0 : 4);
     const std::string picture = ReadFile(place / "out.ppm");
     if (first.empty()) first = picture;
     EXPECT_EQ(static_cast<long>(picture.size()), picture_bytes);
     EXPECT_TRUE(picture == first);  // not a word of the messages went into it
   }
+}
+
+TEST(Extremes, K11_StatisticsThatCannotBeWrittenAreAFailureAndTheLineNobodyAskedForIsNone) {
+  NEEDS_THE_PROGRAM();
+  const Place place;
+  const auto words = With({place.Scene(), place / "out.ppm"}, picture_size);
+  const Finished asked = RunProgram(With(words, {"-stats"}), {.standard_output = "/dev/full"});
+  EXPECT_EQ(asked.status, 4);
+  EXPECT_TRUE(Contains(asked.error, "cannot write 'standard output': No space left on device")) << asked.error;
+  EXPECT_EQ(static_cast<long>(ReadFile(place / "out.ppm").size()), picture_bytes);
+  EXPECT_EQ(RunProgram(words, {.standard_output = "/dev/full"}).status, 0);
 }
 
 TEST(Extremes, L10_ManyRunsWithOneOutputLeaveOneWholePicture) {

@@ -109,7 +109,29 @@ TEST(Off, FacesMissingOrToSpareAreAWarning) {
 TEST(Extremes, D8_FacesOfTooFewCornersAreCountedAndLeftOut) {
   const auto read = Read("a.off", "OFF 3 4 0\n0 0 0\n1 0 0\n0 1 0\n2 0 1\n3 0 1 2\n1 0\n0\n");
   EXPECT_EQ(read.data.triangles.size(), 1u);
-  EXPECT_EQ(read.warnings.at(0), "a.off: warning: 3 faces with fewer than 3 corners skipped");
+  EXPECT_EQ(read.warnings.at(0),
+            "a.off:5:1: warning: 3 faces with fewer than 3 corners skipped, the first of them here");
+}
+
+TEST(Extremes, D8_AFaceOfTooFewCornersIsToldOfAtItsLine) {
+  const struct {
+    const char *name, *text, *place;
+  } files[] = {
+      {"a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n\n  f 1 2\n", "a.obj:6:3"},
+      {"a.off", "OFF 3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n2 0 1\n", "a.off:6:1"},
+      {"a.ray",
+       "#vertex 0 0 0 0 0 1 0 0\n#vertex 1 0 0 0 0 1 0 0\n#vertex 0 1 0 0 0 1 0 0\n#shape_triangle 0 0 1 2\n"
+       "#shape_polygon 0 2 0 1\n",
+       "a.ray:5:1"},
+      {"a.ply",
+       "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+       "element face 2\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n2 0 1\n",
+       "a.ply:14:5"}};
+  for (const auto& [name, text, place] : files) {
+    const auto read = Read(name, text);
+    EXPECT_EQ(read.data.triangles.size(), 1u) << name;
+    EXPECT_EQ(read.warnings.at(0), std::string(place) + ": warning: 1 face with fewer than 3 corners skipped");
+  }
 }
 
 TEST(Extremes, D8_IndicesThatNameNoVertexAreErrorsWithTheirPlace) {
