@@ -42,7 +42,7 @@ RenderResult RenderAndTell(const World& world, const Accelerator& accelerator, c
   monitor.save_every = options.checkpoint;
   monitor.saves_finished = options.keep_checkpoint;
   if (options.resume && checkpoint.Exists())
-    monitor.resume = [&](const Film& film) { return checkpoint.Load(film, hash); };
+    monitor.resume = [&](const Film& film) { return checkpoint.Load(film, settings, hash); };
   else if (options.resume && !options.quiet)
     PrintError("raypro: nothing to resume, " + QuotedPath(checkpoint.Name()) +
                " does not exist: rendering from the start");

@@ -137,11 +137,11 @@ class Job {
   }
 
   void Resume(RenderState&& state) {
+    for (int i = 0; i < film_.Blocks(); ++i) film_[i] = std::move(state.blocks[static_cast<std::size_t>(i)]);
     schedule_.Resume(std::move(state.schedule));
     passes_ = std::move(state.passes);
     runner_.AddRays(state.rays);
     differences_ = std::move(state.differences);
-    for (int i = 0; i < film_.Blocks(); ++i) film_[i] = std::move(state.blocks[static_cast<std::size_t>(i)]);
   }
 
   /// Seconds from now; some years where there is no clock.

@@ -1,10 +1,13 @@
 #include "source/render/RenderState.h"
 
-#include "source/render/PassRunner.h"
-
+#include <algorithm>
+#include <bit>
+#include <cmath>
 #include <cstring>
 #include <string_view>
 #include <type_traits>
+
+#include "source/render/PassRunner.h"
 
 namespace ray {
 namespace {
@@ -165,6 +168,54 @@ std::span<const unsigned char> CheckedBody(std::span<const unsigned char> bytes)
   return checked.subspan(magic.size());
 }
 
+void Require(bool is_so, const char* what) {
+  if (!is_so) throw CheckpointError(std::string("no such render can be: ") + what);
+}
+
+bool AreSquares(const std::vector<double>& squares) {
+  return std::ranges::all_of(squares, [](double square) { return square >= 0; });
+}
+
+/// Blocks are due samples, or within their first one looks at places.
+void CheckSchedule(const ScheduleState& schedule, std::uint32_t most) {
+  const PassTargets& targets = schedule.targets;
+  const auto is_due = [&](std::uint32_t samples) {
+    return samples <= most && (samples > 0 || !targets.places.empty());
+  };
+  Require(schedule.end <= most && schedule.end == std::ranges::max(targets.samples) &&
+              std::ranges::all_of(targets.samples, is_due),
+          "samples due beyond its settings");
+  Require(std::ranges::all_of(targets.places, [](int places) { return places <= BlockOrder::places; }),
+          "more places due than a block has");
+  Require(AreSquares(schedule.last_squared_errors), "a squared error that is negative");
+}
+
+void CheckPass(const Pass& pass, std::uint32_t most) {
+  Require(pass.end <= most, "a pass beyond its settings");
+  Require(pass.samples >= 0 && pass.seconds >= 0, "a pass of negative length");
+  Require(!pass.error || (pass.error->unit >= ErrorUnit::display && pass.error->unit <= ErrorUnit::linear),
+          "an error in an unknown unit");
+}
+
+/// The parts are two streams of as many samples, or hold the samples up to a power of two and those since then.
+bool ArePartsOfOneBlock(const Film::Block& block, bool has_two_streams) {
+  if (has_two_streams) return block.samples[0] == block.samples[1];
+  const std::uint64_t all = std::uint64_t{block.samples[0]} + block.samples[1];
+  return block.samples[0] == (all > 1 ? std::bit_floor(all - 1) : all);
+}
+
+void CheckBlock(const Film::Block& block, const Film& film, std::uint32_t target, bool has_two_streams) {
+  Require(ArePartsOfOneBlock(block, has_two_streams), "samples that are not shared out as blocks share them out");
+  const std::uint64_t second = has_two_streams ? 0 : block.samples[1];
+  Require(block.samples[0] + second <= target, "a block with more samples than were due");
+  Require(block.first_looks.size() <= (block.Samples() == 0 ? BlockOrder::places : 0u),
+          "looks at a block that has samples");
+  for (int part = 0; part < Film::parts; ++part)
+    for (const WeightedSum& sum : block.sums[part].Sums())
+      Require(film.filter().IsBox() ? sum.weight == block.samples[part] : std::isfinite(sum.weight),
+              "a pixel whose weight is not that of its samples");
+}
+
 }  // namespace
 
 std::vector<unsigned char> Encoded(const RenderState& state, const std::string& identity) {
@@ -226,6 +277,15 @@ void CheckPlan(const RenderState& state, const RenderSettings& settings) {
   for (const Film::Block& block : state.blocks)
     if (!PassRunner::IsStepEnd(block.Samples()))
       refuse("with a filter other than box, samples can be added to 1, 2, 4, ... 64, 128, 192, ...");
+}
+
+void CheckState(const RenderState& state, const Film& film, const RenderSettings& settings) {
+  const std::uint32_t most = MostSamples(settings);
+  CheckSchedule(state.schedule, most);
+  for (const Pass& pass : state.passes) CheckPass(pass, most);
+  Require(AreSquares(state.differences.squares), "a squared error that is negative");
+  for (std::size_t i = 0; i < state.blocks.size(); ++i)
+    CheckBlock(state.blocks[i], film, state.schedule.targets.samples[i], HasTwoStreams(settings));
 }
 
 }  // namespace ray

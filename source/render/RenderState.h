@@ -46,4 +46,8 @@ RenderState DecodedState(std::span<const unsigned char> bytes, const std::string
 /// render that had them in view from the start, to the last bit.
 void CheckPlan(const RenderState& state, const RenderSettings& settings);
 
+/// Throws CheckpointError for a state that no render with these settings gets into: samples, targets and errors are
+/// what a schedule may choose and a film may hold. Colors may be any: nothing but another render can tell.
+void CheckState(const RenderState& state, const Film& film, const RenderSettings& settings);
+
 }  // namespace ray

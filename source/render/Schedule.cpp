@@ -79,6 +79,10 @@ bool HasTwoStreams(const RenderSettings& settings) {
   return settings.replay ? settings.replay->two_streams : settings.budget.error.has_value();
 }
 
+std::uint32_t MostSamples(const RenderSettings& settings) {
+  return settings.replay ? std::ranges::max(settings.replay->ends) : Ceiling(settings);
+}
+
 Schedule::Schedule(const RenderSettings& settings, BlockGrid blocks, bool in_passes)
     : budget_(settings.budget),
       replay_(settings.replay),
@@ -123,6 +127,8 @@ std::optional<Stop> Schedule::Next(const PassOutcome& pass) {
   std::uint32_t end = std::min(ceiling_, NextEnd(error));
   std::vector<std::uint32_t> targets(blocks_.areas.size(), end);
   if (error && budget_.adaptive != Adaptive::off) targets = ChooseBlocks(end, *error);
+  // After a pass that was shortened for some blocks others may have more already.
+  for (std::size_t i = 0; i < targets.size(); ++i) targets[i] = std::max(targets[i], state_.targets.samples[i]);
   if (targets == state_.targets.samples) return Stop::samples;
   if (budget_.seconds > 0) end = ShortenToTime(targets, end, pass);
   if (end == 0) return Stop::time;

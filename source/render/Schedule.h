@@ -19,6 +19,9 @@ std::uint32_t PlannedSamples(const RenderSettings& settings);
 /// Whether half of the samples come from a second, independent stream, so that their difference shows the error.
 bool HasTwoStreams(const RenderSettings& settings);
 
+/// The most samples per pixel and stream that a block can be due.
+std::uint32_t MostSamples(const RenderSettings& settings);
+
 /// The blocks of a film, in rows.
 struct BlockGrid {
   int columns = 1;

@@ -3,6 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <cmath>
+#include <functional>
+#include <limits>
 #include <random>
 #include <thread>
 
@@ -39,7 +42,11 @@ ray::RenderResult InPieces(const project::Stage& stage, ray::RenderSettings sett
       if (--tiles_left < 0) stop = true;
     };
     if (kept)
-      monitor.resume = [&](const ray::Film& film) { return ray::DecodedState(ray::Encoded(*kept, "x"), "x", film); };
+      monitor.resume = [&](const ray::Film& film) {
+        ray::RenderState state = ray::DecodedState(ray::Encoded(*kept, "x"), "x", film);
+        ray::CheckState(state, film, settings);  // takes whatever a render kept
+        return state;
+      };
     monitor.save = [&](const ray::RenderState& state) { kept = state; };
     settings.threads = std::uniform_int_distribution(1, 3)(random);
     auto result = ray::Render(stage.world, *accelerator, settings, monitor);
@@ -139,6 +146,73 @@ TEST_F(Checkpoints, L9_OfAnotherPictureAreRefusedAndTheMessageSaysInWhat) {
   }
   const ray::Film larger(24, 9, {0, 0, 24, 9}, ray::FilterKind::mitchell);
   EXPECT_THROW(ray::DecodedState(bytes_, identity_, larger), ray::CheckpointError);
+}
+
+ray::RenderState StateOfHello(const ray::RenderSettings& settings, int tiles_until_break) {
+  const project::Stage stage(project::Root() / "scenes" / "hello.scn");
+  const auto accelerator = ray::FindAcceleratorKind("auto")->Make(stage.world, {});
+  std::atomic<bool> stop = false;
+  std::atomic<int> tiles = 0;
+  ray::RenderState kept;
+  ray::RenderMonitor monitor;
+  monitor.stop = &stop;
+  monitor.tile_done = [&](const ray::RenderProgress&) { stop = ++tiles == tiles_until_break; };
+  monitor.save = [&](const ray::RenderState& state) { kept = state; };
+  ray::Render(stage.world, *accelerator, settings, monitor);
+  return kept;
+}
+
+// Whoever can write a file can write its checksum: a block that asked for 4e9 samples was once given them.
+TEST(Checkpoint, L9_WithNumbersThatNoRenderKeepsIsRefused) {
+  static constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  using State = ray::RenderState;
+  const std::function<void(State&)> edits[] = {
+      [](State& s) { s.schedule.targets.samples[3] = 4'000'000'000; },
+      [](State& s) { s.schedule.targets.samples[3] = 0; },
+      [](State& s) { s.schedule.end = 4'000'000'000; },
+      [](State& s) { s.schedule.end = 0; },
+      [](State& s) { s.schedule.last_squared_errors.assign(s.blocks.size(), nan); },
+      [](State& s) { s.schedule.last_squared_errors.assign(s.blocks.size(), -1); },
+      [](State& s) {
+        s.passes.push_back({1u << 31, 1, 1, {}});
+      },
+      [](State& s) { s.schedule.targets.places.assign(s.blocks.size(), 65); },
+      [](State& s) { s.differences.squares.assign(s.blocks.size(), -1); },
+      [](State& s) { s.blocks[0].first_looks.resize(1); },
+      [](State& s) {
+        s.passes.push_back({1, nan, 1, {}});
+      },
+      [](State& s) {
+        s.passes.push_back({1, 1, -1, {}});
+      },
+      [](State& s) {
+        s.passes.push_back(
+            {1, 1, 1, ray::ErrorEstimate{.unit = static_cast<ray::ErrorUnit>(77), .worst_block_at = {}}});
+      },
+      [](State& s) { s.blocks[0].samples[0] = s.blocks[0].samples[1] = 1u << 31; },
+      [](State& s) { s.blocks[0].samples[0] += 1; },
+      [](State& s) { s.blocks[0].sums[0].Sums()[5].weight = nan; },
+      [](State& s) { s.blocks[0].sums[0].Sums()[5].weight = std::numeric_limits<double>::infinity(); },
+  };
+  for (const ray::FilterKind filter : {ray::FilterKind::box, ray::FilterKind::mitchell})
+    for (const bool by_error : {false, true}) {
+      ray::RenderSettings settings;
+      settings.width = settings.height = 48;
+      settings.tile_size = 8;
+      settings.samples = 64;
+      settings.threads = 1;
+      settings.filter = filter;
+      if (by_error) settings.budget.error = ray::ErrorTarget{0.1, ray::ErrorUnit::display};
+      const State kept = StateOfHello(settings, by_error ? 5 * 36 + 20 : 36 + 20);  // of 36 tiles a pass
+      const ray::Film film = ray::EmptyFilmOf(settings);
+      ASSERT_NO_THROW(ray::CheckState(kept, film, settings));
+      ASSERT_NE(kept.blocks.front().Samples(), kept.blocks.back().Samples());
+      for (std::size_t i = 0; i < std::size(edits); ++i) {
+        State edited = kept;
+        edits[i](edited);
+        EXPECT_THROW(ray::CheckState(edited, film, settings), ray::CheckpointError) << "edit " << i << by_error;
+      }
+    }
 }
 
 }  // namespace

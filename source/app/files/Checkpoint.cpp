@@ -46,13 +46,14 @@ void Checkpoint::Save(const RenderState& state, const std::string& scene_hash) {
   }
 }
 
-RenderState Checkpoint::Load(const Film& film, const std::string& scene_hash) const {
+RenderState Checkpoint::Load(const Film& film, const RenderSettings& settings, const std::string& scene_hash) const {
   try {
     const Files files(file_.name, {});
     const std::string bytes = files.Read(files.Top());
     RenderState state = DecodedState({reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()},
                                      Identity(options_, scene_hash), film);
-    CheckPlan(state, options_.render);
+    CheckPlan(state, settings);
+    CheckState(state, film, settings);
     return state;
   } catch (const FileError& error) {
     throw SceneErrors({ErrorIn(file_.name, "cannot resume: " + error.message)});

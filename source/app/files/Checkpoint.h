@@ -21,7 +21,7 @@ class Checkpoint {
   bool Exists() const;
   /// Throws SceneErrors when there is none, or none of this scene, these settings and this version; but the samples may
   /// have become more, see CheckPlan.
-  RenderState Load(const Film& film, const std::string& scene_hash) const;
+  RenderState Load(const Film& film, const RenderSettings& settings, const std::string& scene_hash) const;
   /// With the copy in the temporary folder, if there is one.
   void Remove();
   const std::string& Name() const { return file_.name; }
