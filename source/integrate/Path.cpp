@@ -105,7 +105,7 @@ void Path::SampleLights(const ShadingPoint& p, const Bsdf& bsdf, std::size_t ind
   if (lights_.IsEmpty() || !p.HasReflectance()) return;
   const std::uint32_t i = p.path.index.sample;
   if (lights_at_once_ == 0) {
-    for (int light = 0; light < lights_.Count(); ++light) {
+    for (int light = 0; light < lights_.Count() && !state.IsStopped(); ++light) {
       const std::uint64_t which = next_event_key + static_cast<std::uint64_t>(light);
       const Points points = p.path.index.PointsFor(which, settings_.sampler, settings_.samples);
       if (const auto sample = lights_.Sample(p, light, points.Get2D(i))) AddLightSample(p, bsdf, *sample, index, state);
@@ -114,7 +114,7 @@ void Path::SampleLights(const ShadingPoint& p, const Bsdf& bsdf, std::size_t ind
   }
   const auto count = static_cast<std::uint32_t>(lights_at_once_);
   const Points points = p.path.index.PointsFor(next_event_key, settings_.sampler, settings_.samples, count);
-  for (std::uint32_t k = 0; k < count; ++k) {
+  for (std::uint32_t k = 0; k < count && !state.IsStopped(); ++k) {
     const auto random = points.Get<3>(i * count + k);
     auto sample = lights_.SampleOne(p, {random[0], random[1]}, random[2]);
     if (!sample) continue;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -39,9 +40,13 @@ struct TraceState {
   std::vector<std::optional<WorldHit>> hits;
   std::vector<PathState> pending;
   std::vector<R3::Ray> shadow_rays;
-  std::vector<Shadow> shadows;      // one for each of them
-  std::vector<R2::Color> arrived;   // at each point
-  RayRecorder* recorder = nullptr;  // told of every ray; null for none
+  std::vector<Shadow> shadows;              // one for each of them
+  std::vector<R2::Color> arrived;           // at each point
+  RayRecorder* recorder = nullptr;          // told of every ray; null for none
+  const std::atomic<bool>* stop = nullptr;  // looked at in loops over many light samples; null for none
+
+  /// Then what is being traced is of no use to anybody, and loops may end early.
+  bool IsStopped() const { return stop && stop->load(std::memory_order_relaxed); }
 
   /// Books rays of one kind and what the workspace has counted since the last.
   void Book(RayKind kind, std::size_t count) {

@@ -19,6 +19,9 @@ enum WhittedKey : std::uint64_t {
   first_light_key
 };
 
+/// Of one light at one point; then whether anybody asked to stop. A look at each costs nearly 1 %.
+constexpr std::uint32_t samples_between_looks = 64;
+
 bool IsExtended(const Light& light) { return light.IsExtended(); }
 bool IsExtended(const EmissiveTriangle&) { return true; }
 bool IsExtended(const EmissiveShape&) { return true; }
@@ -115,7 +118,7 @@ R2::Color Whitted::Follow(const ShadingPoint& first, TraceState& state) const {
     descendants += static_cast<int>(state.pending.size() - before);
   };
   spawn(first);
-  while (!state.pending.empty()) {
+  while (!state.pending.empty() && !state.IsStopped()) {
     PathState path = state.pending.back();
     state.pending.pop_back();
     const auto hit = tracer_.Intersect(path, state);
@@ -160,8 +163,10 @@ void Whitted::AddLight(const AnyLight& light, std::uint64_t which, std::span<Sha
     // One light's samples from all of a pixel's camera rays are one set of points.
     std::optional<Points> random;
     if (IsExtended(light)) random.emplace(p.path.index.PointsFor(which, settings_.sampler, settings_.samples, count));
-    for (std::uint32_t k = 0; k < count; ++k)
-      AddSample(light, p, i, random ? random->Get2D(p.path.index.sample * count + k) : R2::Point{}, 1.0 / count, state);
+    for (std::uint32_t first = 0; first < count && !state.IsStopped(); first += samples_between_looks)
+      for (std::uint32_t k = first; k < std::min(count, first + samples_between_looks); ++k)
+        AddSample(light, p, i, random ? random->Get2D(p.path.index.sample * count + k) : R2::Point{}, 1.0 / count,
+                  state);
   }
   AddArrived(points, state);
 }
@@ -173,7 +178,7 @@ void Whitted::AddChosenLights(std::span<ShadingPoint> points, TraceState& state)
     const ShadingPoint& p = points[i];
     if (!p.HasReflectance()) continue;
     const Points random_points = p.path.index.PointsFor(choice_key, settings_.sampler, settings_.samples, count);
-    for (std::uint32_t k = 0; k < count; ++k) {
+    for (std::uint32_t k = 0; k < count && !state.IsStopped(); ++k) {
       const auto random = random_points.Get<3>(p.path.index.sample * count + k);
       const auto choice = tree_->Choose(p.shadow_origin, p.N, random[2]);
       if (!choice) continue;

@@ -3,8 +3,6 @@
 namespace ray {
 namespace {
 
-bool IsAskedToStop(const std::atomic<bool>* stop) { return stop && stop->load(std::memory_order_relaxed); }
-
 R2::Color Counted(const SampleSource& source, const R2::Color& radiance) {
   return source.clamps_samples ? Clamped(radiance) : radiance;
 }
@@ -12,8 +10,8 @@ R2::Color Counted(const SampleSource& source, const R2::Color& radiance) {
 /// Traces sample 0 of pixels of a block for their places.
 class Looker {
  public:
-  Looker(const SampleSource& source, const std::atomic<bool>* stop, TraceState& state, std::vector<R2::Color>& looks)
-      : source_(source), stop_(stop), state_(state), looks_(looks) {}
+  Looker(const SampleSource& source, TraceState& state, std::vector<R2::Color>& looks)
+      : source_(source), state_(state), looks_(looks) {}
 
   /// These give whether nobody asked to stop.
   bool Add(int column, int row) {
@@ -21,16 +19,15 @@ class Looker {
     return !batch_.IsFull() || Finish();
   }
   bool Finish() {
-    if (IsAskedToStop(stop_)) return false;
+    if (state_.IsStopped()) return false;
     batch_.Trace(source_.integrator, state_, [&](int column, int row, const CameraSample&, const R2::Color& radiance) {
       looks_[static_cast<std::size_t>(BlockOrder::PlaceOf(column, row))] = Counted(source_, radiance);
     });
-    return true;
+    return !state_.IsStopped();  // or else integrators may have left off
   }
 
  private:
   const SampleSource& source_;
-  const std::atomic<bool>* stop_;
   TraceState& state_;
   std::vector<R2::Color>& looks_;
   SampleBatch batch_;
@@ -43,12 +40,12 @@ void ForPixels(const PixelRectangle& pixels, const Function& function) {
 }
 
 /// Samples of which some are known already, added in the order of all others.
-bool RenderAroundLooks(const SampleSource& source, const SamplesDue& due, const Filter& filter,
-                       const std::atomic<bool>* stop, TraceState& state, BlockSums& sums) {
+bool RenderAroundLooks(const SampleSource& source, const SamplesDue& due, const Filter& filter, TraceState& state,
+                       BlockSums& sums) {
   const auto place_of = [](int column, int row) { return static_cast<std::size_t>(BlockOrder::PlaceOf(column, row)); };
   std::vector<R2::Color> all(due.first_looks.begin(), due.first_looks.end());
   all.resize(BlockOrder::places);
-  Looker looker(source, stop, state, all);
+  Looker looker(source, state, all);
   bool goes_on = true;
   ForPixels(due.pixels, [&](int column, int row) {
     if (goes_on && place_of(column, row) >= due.first_looks.size()) goes_on = looker.Add(column, row);
@@ -67,9 +64,10 @@ bool RenderAroundLooks(const SampleSource& source, const SamplesDue& due, const 
 
 bool LookAtPlaces(const SampleSource& source, const PixelRectangle& pixels, int places, const std::atomic<bool>* stop,
                   TraceState& state, std::vector<R2::Color>& looks) {
+  state.stop = stop;
   std::vector<R2::Color> all = looks;
   all.resize(static_cast<std::size_t>(places));
-  Looker looker(source, stop, state, all);
+  Looker looker(source, state, all);
   for (int place = static_cast<int>(looks.size()); place < places; ++place) {
     const auto [column, row] = BlockOrder::PixelAt(place, pixels);
     if (pixels.Contains(column, row) && !looker.Add(column, row)) return false;
@@ -81,15 +79,16 @@ bool LookAtPlaces(const SampleSource& source, const PixelRectangle& pixels, int 
 
 bool RenderBlock(const SampleSource& source, const SamplesDue& due, const Filter& filter, const std::atomic<bool>* stop,
                  TraceState& state, BlockSums& sums) {
-  if (!due.first_looks.empty()) return RenderAroundLooks(source, due, filter, stop, state, sums);
+  state.stop = stop;
+  if (!due.first_looks.empty()) return RenderAroundLooks(source, due, filter, state, sums);
   SampleBatch batch;
   const auto trace_and_splat = [&] {
-    if (IsAskedToStop(stop)) return false;
+    if (state.IsStopped()) return false;
     batch.Trace(source.integrator, state,
                 [&](int column, int row, const CameraSample& sample, const R2::Color& radiance) {
                   sums.Add(column, row, sample.x, sample.y, Counted(source, radiance), filter);
                 });
-    return true;
+    return !state.IsStopped();  // or else integrators may have left off
   };
   for (int row = due.pixels.y0; row < due.pixels.y1; ++row)
     for (int column = due.pixels.x0; column < due.pixels.x1; ++column) {

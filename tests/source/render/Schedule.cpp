@@ -307,7 +307,7 @@ TEST(Schedule, GoesOnFromItsStateToTheSameDecisions) {
   int passes = 0;
   while (!stop) {
     Schedule resumed(ToErrorOne(), Grid(), false);
-    resumed.Resume(whole.State(), whole.State().targets);
+    resumed.Resume(whole.State());
     stop = whole.Next(Lifelike(whole));
     EXPECT_EQ(resumed.Next(Lifelike(resumed)), stop);
     EXPECT_EQ(resumed.State().targets, whole.State().targets);
