@@ -4,6 +4,7 @@
 #include <unordered_map>
 
 #include "source/accelerate/HugePages.h"
+#include "source/accelerate/Repetitions.h"
 #include "source/scene/Singular.h"
 
 namespace ray {
@@ -36,6 +37,8 @@ World::World(const Scene& scene) : scene_(scene) {
   FlattenGraph();
   NumberInstances();
   BakeOrShareMeshes();
+  MarkRepetitions(instances_, frames_, motions_);
+  std::erase_if(unbounded_, [&](std::uint32_t i) { return instances_[i].is_repeated; });
   for (const R3::Mesh* mesh : shared_meshes_) PutOnHugePages(*mesh);
   for (const Instance& instance : instances_)
     if (instance.mesh && instance.shared == Instance::not_shared) PutOnHugePages(*instance.mesh);

@@ -18,6 +18,7 @@ struct Instance {
   const R3::Shape* shape = nullptr;  // the node's, or what it was baked into
   const R3::Mesh* mesh = nullptr;    // the same, if it is one
   bool is_bounded = true;            // the shape lies in a box
+  bool is_repeated = false;          // an earlier instance is the same to the bit: this one is never the hit
   const Material* material = nullptr;
   const Node* node = nullptr;
   std::uint32_t frame = 0;           // index into World::frames; 0 when baked

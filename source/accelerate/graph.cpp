@@ -86,7 +86,8 @@ class Graph : public Accelerator {
       if (flat.instance >= 0) {
         const auto index = static_cast<std::uint32_t>(flat.instance);
         const Instance& instance = world_.Instances()[index];
-        if (instance.is_bounded && shape_reached(index, local.In(instance.frame), limit)) return;
+        if (instance.is_bounded && !instance.is_repeated && shape_reached(index, local.In(instance.frame), limit))
+          return;
         continue;
       }
       if (flat.children == 0) continue;

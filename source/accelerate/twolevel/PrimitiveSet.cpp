@@ -26,6 +26,7 @@ PrimitiveSet::PrimitiveSet(const World& world) : world_(world) {
     const Instance& instance = world.Instances()[i];
     if (instance.shape->IsDegenerate()) continue;  // nothing hits it
     if (!instance.is_bounded) continue;            // asked beside
+    if (instance.is_repeated) continue;            // an earlier one wins
     const bool is_whole = instance.shared != Instance::not_shared;
     Add(i, is_whole, is_whole ? 1 : static_cast<std::uint32_t>(instance.shape->Elements()));
     if (instance.frame != 0)

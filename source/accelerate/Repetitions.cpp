@@ -1,0 +1,83 @@
+#include "source/accelerate/Repetitions.h"
+
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+#include <typeinfo>
+#include <utility>
+#include <vector>
+
+namespace ray {
+namespace {
+
+/// FNV-1a (Fowler, Noll, Vo, 1991), word by word.
+class Hash {
+ public:
+  void Add(std::uint64_t word) { hash_ = (hash_ ^ word ^ word >> 32) * 0x100000001b3; }
+  void Add(double number) { Add(std::bit_cast<std::uint64_t>(number)); }
+  std::uint64_t Value() const { return hash_; }
+
+ private:
+  std::uint64_t hash_ = 0xcbf29ce484222325;
+};
+
+bool AreSame(std::span<const double> a, std::span<const double> b) {
+  if (a.size() != b.size()) return false;
+  for (std::size_t i = 0; i < a.size(); ++i)  // -0 is not 0: what is done with it may differ
+    if (std::bit_cast<std::uint64_t>(a[i]) != std::bit_cast<std::uint64_t>(b[i])) return false;
+  return true;
+}
+
+bool AreSame(const R3::Matrix& a, const R3::Matrix& b) {
+  for (std::size_t row = 0; row < a.m.size(); ++row)
+    if (!AreSame(a.m[row], b.m[row])) return false;
+  return true;
+}
+
+bool AreSame(const R3::Shape& a, const R3::Shape& b) {
+  if (&a == &b) return true;
+  const auto made = a.MadeFrom(), other = b.MadeFrom();
+  return made && other && made->kind == other->kind && AreSame(made->arguments, other->arguments);
+}
+
+/// Of the kind of shape, its box in its own frame, and the frame: enough to tell most that are not the same, without
+/// asking every shape of a large scene what it is made from.
+std::uint64_t HashOf(const Instance& instance, std::span<const R3::Transform> frames) {
+  const R3::Shape& shape = *instance.shape;
+  Hash hash;
+  hash.Add(std::uint64_t{typeid(shape).hash_code()});
+  const R3::Box& box = instance.node->bounds;
+  for (const R3::Point& corner : {box.low, box.high})
+    for (int axis = 0; axis < 3; ++axis) hash.Add(corner[axis]);
+  if (instance.frame == 0) return hash.Value();  // the world
+  for (const auto& row : frames[instance.frame].Forward().m)
+    for (const double entry : row) hash.Add(entry);
+  return hash.Value();
+}
+
+}  // namespace
+
+void MarkRepetitions(std::span<Instance> instances, std::span<const R3::Transform> frames,
+                     std::span<const R3::Vector> motions) {
+  const auto are_same_frames = [&](std::uint32_t a, std::uint32_t b) {
+    return a == b || (AreSame(frames[a].Forward(), frames[b].Forward()) &&
+                      AreSame(frames[a].Inverse(), frames[b].Inverse()) && motions[a] == motions[b]);
+  };
+  std::vector<std::pair<std::uint64_t, std::uint32_t>> hashes;  // and whose
+  hashes.reserve(instances.size());
+  for (std::uint32_t i = 0; i < instances.size(); ++i)
+    if (!instances[i].mesh || instances[i].shared != Instance::not_shared)  // else it is nobody else's
+      hashes.emplace_back(HashOf(instances[i], frames), i);
+  std::sort(hashes.begin(), hashes.end());
+  for (std::size_t first = 0, i = 1; i < hashes.size(); ++i) {
+    if (hashes[i].first != hashes[first].first) {
+      first = i;
+      continue;
+    }
+    const Instance& earlier = instances[hashes[first].second];
+    Instance& instance = instances[hashes[i].second];
+    instance.is_repeated = are_same_frames(earlier.frame, instance.frame) && AreSame(*earlier.shape, *instance.shape);
+  }
+}
+
+}  // namespace ray
