@@ -84,8 +84,8 @@ void Fill(const NodeAt& from, Tree& tree) {
     const BuildChild& child = from.node->children[k];
     constexpr float nowhere = std::numeric_limits<float>::max();
     for (int axis = 0; axis < 3; ++axis) {
-      node.plane[2 * axis][i] = is_there ? static_cast<float>(child.box.low[axis]) : nowhere;
-      node.plane[2 * axis + 1][i] = is_there ? static_cast<float>(child.box.high[axis]) : -nowhere;
+      node.At(2 * axis, i) = is_there ? static_cast<float>(child.box.low[axis]) : nowhere;
+      node.At(2 * axis + 1, i) = is_there ? static_cast<float>(child.box.high[axis]) : -nowhere;
     }
     node.child[i] = is_there ? from.child[k] : Child::Make(Child::Kind::nothing, 0);
   }

@@ -33,7 +33,7 @@ struct Packet {
   alignas(64) FloatEach limit;  // below 0 for a ray that wants nothing any more
   alignas(64) DoubleEach per_t;
   // Of all rays: where they begin, moved outward, the side that is farther from near planes first; their inverse
-  // directions; and the near planes in Node::plane, in floats.
+  // directions; and where in Node::planes the near ones begin.
   float back[3], front[3], least_inverse[3], most_inverse[3];
   std::uint32_t planes[3];
 
@@ -83,8 +83,8 @@ struct Packet {
     for (std::size_t i = 0; i < width; i += hn::Lanes(lanes)) {
       Floats entry = hn::Zero(lanes), exit = hn::Set(lanes, before);
       for (int axis = 0; axis < 3; ++axis) {
-        const float* near = node.plane[0] + planes[axis] + i;
-        const float* far = node.plane[0] + (planes[axis] ^ width) + i;
+        const float* near = node.planes + planes[axis] + i;
+        const float* far = node.planes + (planes[axis] ^ width) + i;
         const Floats least = hn::Set(lanes, least_inverse[axis]), most = hn::Set(lanes, most_inverse[axis]);
         const Floats to_near = hn::Sub(hn::Load(lanes, near), hn::Set(lanes, front[axis]));
         const Floats to_far = hn::Sub(hn::Load(lanes, far), hn::Set(lanes, back[axis]));
@@ -100,7 +100,7 @@ struct Packet {
   /// Which rays enter a child of a node before their limits, as bits.
   HWY_INLINE std::uint32_t RaysThrough(const Node& node, int child) const {
     const PacketFloats f;
-    const float* const all = node.plane[0] + child;
+    const float* const all = node.planes + child;
     std::uint32_t through = 0;
     for (std::size_t i = 0; i < packet_size; i += hn::Lanes(f)) {
       auto entry = hn::Zero(f), exit = hn::Load(f, limit + i);

@@ -40,7 +40,7 @@ struct NodeRay {
   /// Which children of a node are entered before `limit`, as bits; and where.
   HWY_INLINE std::uint32_t Test(const Node& node, float limit, float* HWY_RESTRICT entries) const {
     const Lanes lanes;
-    const float* planes = node.plane[0];
+    const float* planes = node.planes;
     constexpr std::uint32_t other = width;  // low and high planes alternate: the far one is next door
     std::uint32_t reached = 0;
     for (std::size_t i = 0; i < width; i += hn::Lanes(lanes)) {

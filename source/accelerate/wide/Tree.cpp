@@ -26,9 +26,7 @@ std::vector<R3::Box> Tree::BoxesAt(int level) const {
     const Node& node = At<Node>(next.node);
     for (int i = width; i-- > 0;) {
       if (Child::KindOf(node.child[i]) == Child::Kind::nothing) continue;
-      const auto side = [&](int s) {
-        return coordinates.Back({node.plane[s][i], node.plane[2 + s][i], node.plane[4 + s][i]});
-      };
+      const auto side = [&](int s) { return coordinates.Back({node.At(s, i), node.At(2 + s, i), node.At(4 + s, i)}); };
       if (next.level == level)
         boxes.push_back({side(0), side(1)});
       else if (Child::KindOf(node.child[i]) == Child::Kind::node)

@@ -25,10 +25,12 @@ struct Child {
   static std::uint32_t Index(std::uint32_t child) { return child & ((std::uint32_t{1} << kind_shift) - 1); }
 };
 
-/// Eight boxes side by side. plane[2 axis] are the low sides, plane[2 axis + 1] the high ones, rounded to the nearest
+/// Eight boxes side by side. Plane 2 axis are the low sides, plane 2 axis + 1 the high ones, rounded to the nearest
 /// float: the padding of the ray covers it. Children that are missing have inside-out boxes.
 struct alignas(unit) Node {
-  float plane[6][width];
+  float planes[6 * width];  // one array: rays keep where in it their near planes begin
+  float& At(int plane, int i) { return planes[plane * width + i]; }
+  float At(int plane, int i) const { return planes[plane * width + i]; }
   std::uint32_t child[width];
 };
 
