@@ -61,6 +61,11 @@ DecodedImage DecodeImage(std::span<const unsigned char> bytes) {
 
 ImageSize ReadImageSize(std::span<const unsigned char> bytes) { return FormatOfContent(bytes).read_size(bytes); }
 
+ImageHeader ReadImageHeader(std::span<const unsigned char> bytes) {
+  const ImageFormat& format = FormatOfContent(bytes);
+  return {format.read_size(bytes), &format, format.read_settings ? format.read_settings(bytes) : ImageSettings{}};
+}
+
 namespace {
 
 // NaN fails the first comparison.

@@ -58,6 +58,8 @@ struct ImageFormat {
   /// With further channels; null for formats that hold none.
   std::vector<unsigned char> (*encode_layers)(const Image& image, std::span<const ImageLayer> layers,
                                               const ImageSettings& settings) = nullptr;
+  /// Without decoding a pixel; throws ImageError. Null for formats that hold none.
+  ImageSettings (*read_settings)(std::span<const unsigned char> bytes) = nullptr;
 };
 
 /// Every format this build can read and write, in the order of image_formats.def.
@@ -80,6 +82,16 @@ DecodedImage DecodeImage(std::span<const unsigned char> bytes);
 
 /// Width and height from the header alone, for a quick check. Throws ImageError.
 ImageSize ReadImageSize(std::span<const unsigned char> bytes);
+
+/// What an image file says of itself.
+struct ImageHeader {
+  ImageSize size;
+  const ImageFormat* format = nullptr;
+  ImageSettings settings;
+};
+
+/// Without decoding a pixel, so that a small file of a large image costs nothing. Throws ImageError.
+ImageHeader ReadImageHeader(std::span<const unsigned char> bytes);
 
 /// 8-bit value of a channel, clamped to [0, 1]; NaN gives 0.
 unsigned char ToByte(double channel, Quantization how = Quantization::rounded);

@@ -159,6 +159,18 @@ Image Decode(std::span<const unsigned char> bytes, ImageSettings* settings) {
   }
 }
 
+ImageSettings ReadSettings(std::span<const unsigned char> bytes) {
+  ReadExrLayout(bytes);
+  try {
+    InputStream stream(bytes);
+    return SettingsOf(Imf::InputFile(stream, 0).header());
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::exception& error) {
+    throw ImageError("EXR is damaged: " + Printable(error.what()));
+  }
+}
+
 std::vector<unsigned char> EncodeLayers(const Image& image, std::span<const ImageLayer> layers,
                                         const ImageSettings& settings) {
   Imf::Header header(image.Width(), image.Height());
@@ -203,7 +215,7 @@ std::vector<unsigned char> Encode(const Image& image, const ImageEncoding&, cons
 }  // namespace
 }  // namespace exr
 
-const ImageFormat exr_format{"exr",       {"exr"}, exr::Recognizes,  exr::ReadSize, exr::Decode,
-                             exr::Encode, true,    exr::EncodeLayers};
+const ImageFormat exr_format{"exr",       {"exr"}, exr::Recognizes,   exr::ReadSize,    exr::Decode,
+                             exr::Encode, true,    exr::EncodeLayers, exr::ReadSettings};
 
 }  // namespace R2

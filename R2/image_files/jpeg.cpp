@@ -207,6 +207,13 @@ Image Decode(std::span<const unsigned char> bytes, ImageSettings* settings) {
   return image;
 }
 
+/// Comments between the scans of a progressive file are not met.
+ImageSettings ReadSettings(std::span<const unsigned char> bytes) {
+  Decoder decoder;
+  decoder.ReadHeader(bytes);
+  return decoder.Settings();
+}
+
 // --- writing ---
 
 /// Collects what the encoder writes.
@@ -313,6 +320,7 @@ std::vector<unsigned char> Encode(const Image& image, const ImageEncoding& encod
 }  // namespace jpeg
 
 const ImageFormat jpeg_format{
-    "jpeg", {"jpg", "jpeg", "jpe"}, jpeg::Recognizes, jpeg::ReadSize, jpeg::Decode, jpeg::Encode, false};
+    "jpeg",  {"jpg", "jpeg", "jpe"}, jpeg::Recognizes, jpeg::ReadSize, jpeg::Decode, jpeg::Encode, false,
+    nullptr, jpeg::ReadSettings};
 
 }  // namespace R2

@@ -20,8 +20,9 @@ namespace {
 
 constexpr std::array<unsigned char, 8> signature{0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
 
-// A chunk other than pixels may unpack to this, and so many of them are kept: 512 MiB together.
-constexpr png_alloc_size_t most_chunk_bytes = png_alloc_size_t{8} << 20;
+// A chunk other than pixels may unpack to this, more than any command line or color profile, and so many of them are
+// kept: 64 MiB together.
+constexpr png_alloc_size_t most_chunk_bytes = png_alloc_size_t{1} << 20;
 constexpr png_uint_32 most_chunks = 64;
 
 // Deflate makes at most 258 bytes out of two bits.
@@ -151,6 +152,12 @@ class Reader {
     height_ = png_get_image_height(png_, info_);
   }
 
+  /// Of all that comes before the pixels.
+  ImageSettings Settings() {
+    Do([&] { png_read_info(png_, info_); });
+    return Texts();
+  }
+
   bool IsInterlaced() const { return passes_ > 1; }
   bool Is16Bit() const { return png_get_bit_depth(png_, info_) == 16; }
   std::size_t RowBytes() const { return png_get_rowbytes(png_, info_); }
@@ -173,16 +180,18 @@ class Reader {
 
   /// Reads up to the end chunk, so that text behind the picture counts and a missing end is noticed.
   ImageSettings Finish() {
-    png_textp texts = nullptr;
-    int count = 0;
-    Do([&] {
-      png_read_end(png_, info_);
-      png_get_text(png_, info_, &texts, &count);
-    });
-    return FromText({texts, static_cast<std::size_t>(count)});
+    Do([&] { png_read_end(png_, info_); });
+    return Texts();
   }
 
  private:
+  ImageSettings Texts() {
+    png_textp texts = nullptr;
+    int count = 0;
+    Do([&] { png_get_text(png_, info_, &texts, &count); });
+    return FromText({texts, static_cast<std::size_t>(count)});
+  }
+
   static void OnRead(png_structp png, png_bytep to, std::size_t count) {
     auto& reader = *static_cast<Reader*>(png_get_io_ptr(png));
     if (count > reader.rest_.size()) {
@@ -250,6 +259,29 @@ Image Decode(std::span<const unsigned char> bytes, ImageSettings* settings) {
   ImageSettings read = reader.Finish();
   if (settings) *settings = std::move(read);
   return image;
+}
+
+/// The file with its pixels at the end, and only begun: there the library stops. So text behind them counts, and none
+/// is unpacked. A file cut short among its pixels has no more than stands before them.
+std::vector<unsigned char> WithoutPixels(std::span<const unsigned char> bytes) {
+  std::vector<unsigned char> rest(bytes.begin(), bytes.begin() + signature.size());
+  const auto name_of = [&](std::size_t at) {
+    return std::string_view(reinterpret_cast<const char*>(bytes.data() + at + 4), 4);
+  };
+  for (std::size_t at = signature.size(); at + 8 <= bytes.size() && name_of(at) != "IEND";) {
+    const std::uint64_t length = ByteReader("PNG", bytes.subspan(at)).Big32("a chunk") + std::uint64_t{12};
+    const auto chunk = bytes.subspan(at, std::min<std::uint64_t>(length, bytes.size() - at));
+    if (name_of(at) != "IDAT") rest.insert(rest.end(), chunk.begin(), chunk.end());
+    at += chunk.size();
+  }
+  rest.insert(rest.end(), {0, 0, 0, 0, 'I', 'D', 'A', 'T'});
+  return rest;
+}
+
+ImageSettings ReadSettings(std::span<const unsigned char> bytes) {
+  CheckChunks(bytes);
+  const std::vector<unsigned char> rest = WithoutPixels(bytes);
+  return Reader(rest).Settings();
 }
 
 // --- writing ---
@@ -346,6 +378,7 @@ std::vector<unsigned char> Encode(const Image& image, const ImageEncoding& encod
 }  // namespace
 }  // namespace png
 
-const ImageFormat png_format{"png", {"png"}, png::Recognizes, png::ReadSize, png::Decode, png::Encode, false};
+const ImageFormat png_format{"png",       {"png"}, png::Recognizes, png::ReadSize,    png::Decode,
+                             png::Encode, false,   nullptr,         png::ReadSettings};
 
 }  // namespace R2

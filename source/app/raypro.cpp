@@ -14,6 +14,7 @@
 #include "source/app/options/CommandLine.h"
 #include "source/app/options/Comp30019.h"
 #include "source/app/options/SceneSettings.h"
+#include "source/app/report/Memory.h"
 #include "source/app/report/Messages.h"
 #include "source/app/report/Progress.h"
 #include "source/app/report/ReadReplay.h"
@@ -84,6 +85,7 @@ int MakePicture(const Options& asked, const Words& words) {
   account.Loaded(parsed, options);
 
   const World world(parsed.scene);
+  CheckMemory(world, options);
   const auto accelerator = Build(world, options);
   account.Built(world, *accelerator);
 

@@ -92,6 +92,11 @@ R2::Image Assets::ReadImage(const FoundFile& file, Use use) {
     // Asked before decoding: a small file can hold a large picture, and a scene can name many.
     if (texels_ > R2::max_pixels)
       throw FileError{"the scene's textures have more than " + std::to_string(R2::max_pixels) + " texels", {}};
+    constexpr std::int64_t bytes_per_texel = 3 * sizeof(float);
+    if (bytes_per_texel * texels_ > max_texture_bytes_)
+      throw FileError{"the scene's textures take " + std::to_string(bytes_per_texel * texels_ >> 20) +
+                          " MiB decoded, more than the limit of " + std::to_string(max_texture_bytes_ >> 20) + " MiB",
+                      "-memory sets another limit"};
     R2::DecodedImage decoded = R2::DecodeImage(BytesOf(bytes));
     const bool is_encoded = decode_srgb_ && use == Use::color && !decoded.format->is_linear;
     return is_encoded ? Linear(std::move(decoded.image)) : std::move(decoded.image);

@@ -8,6 +8,7 @@
 
 #include "R3/Mesh.h"
 #include "source/parse/Files.h"
+#include "source/parse/Parse.h"
 #include "source/parse/Report.h"
 #include "source/scene/Environment.h"
 #include "source/scene/Texture.h"
@@ -18,8 +19,11 @@ namespace ray {
 /// it is used.
 class Assets {
  public:
-  Assets(const Files& files, Report& report, bool decode_srgb)
-      : files_(files), report_(report), decode_srgb_(decode_srgb) {}
+  Assets(const Files& files, Report& report, const ParseOptions& options)
+      : files_(files),
+        report_(report),
+        decode_srgb_(options.decode_srgb),
+        max_texture_bytes_(options.max_texture_bytes) {}
 
   /// A mesh and the box around it, which costs a walk over all triangles.
   struct BoxedMesh {
@@ -55,6 +59,7 @@ class Assets {
   const Files& files_;
   Report& report_;
   bool decode_srgb_;
+  std::int64_t max_texture_bytes_;
   std::map<std::pair<std::string, Normals>, BoxedMesh> meshes_;
   std::map<std::pair<std::string, Use>, std::shared_ptr<const Texture>> images_;
   std::map<std::string, std::shared_ptr<const Environment>> environments_;

@@ -12,7 +12,7 @@ Scene ReadMeshScene(const Files& files, const ParseOptions& options, Report& rep
   SceneBuilder builder;
   builder.scene.files.push_back(files.TopName());
   try {
-    Assets assets(files, report, options.decode_srgb);
+    Assets assets(files, report, options);
     const Assets::BoxedMesh boxed = assets.MeshOf(files.Top());
     Node node;
     node.shape = boxed.mesh;

@@ -125,7 +125,7 @@ Scene ReadScene(const Files& files, const ParseOptions& options, Report& report)
 /// The environment that the user names, wherever it lies.
 void SetEnvironment(const ParseOptions& options, Report& report, Scene& scene) {
   const Files files(options.environment, {});
-  Assets assets(files, report, options.decode_srgb);
+  Assets assets(files, report, options);
   try {
     scene.environment = assets.EnvironmentOf(files.Top());
     scene.files.push_back(files.TopName());

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -24,6 +26,7 @@ struct ParseOptions {
   std::string environment;                       // file that takes the place of the scene's own; empty for none
   int include_depth = 64;                        // how deep includes may nest
   std::size_t max_nodes = std::size_t{1} << 24;  // about 5 GB of them; includes that double would never end
+  std::int64_t max_texture_bytes = std::numeric_limits<std::int64_t>::max();  // of all of them, decoded
   // What is wrong with a setting, if anything: which options there are the program knows, and no reader. Without it
   // settings are taken as they stand.
   std::optional<SettingProblem> (*problem_of)(const SceneSetting&) = nullptr;

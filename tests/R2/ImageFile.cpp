@@ -94,6 +94,10 @@ TEST(ImageFile, SettingsSurviveInJpegPngAndExr) {
     const ImageSettings read = DecodeImage(format.encode(Gradient(3, 2), {}, some_settings)).settings;
     EXPECT_EQ(read, some_settings) << name;
     EXPECT_TRUE(DecodeImage(format.encode(Gradient(3, 2), {}, {})).settings.empty()) << name;
+    const ImageHeader header = ReadImageHeader(format.encode(Gradient(3, 2), {}, some_settings));
+    EXPECT_EQ(header.settings, some_settings) << name;
+    EXPECT_EQ(header.format->name, std::string(name));
+    EXPECT_EQ(header.size.width * 10 + header.size.height, 32) << name;
   }
   EXPECT_GE(formats_with_settings, 2);
 }

@@ -1,8 +1,12 @@
 #include <gtest/gtest.h>
 
+#include <sys/resource.h>
+#include <zlib.h>
+
 #include <algorithm>
 #include <array>
 
+#include "tests/BlackPng.h"
 #include "tests/R2/image_bytes.h"
 
 namespace R2 {
@@ -151,6 +155,41 @@ TEST(Png, HeadersThatPromiseTooMuchAreRefused) {
     }
   }
   EXPECT_NE(Complaint(Start(0, 1, 8, rgb) + End({0})), "");
+}
+
+// A header read beyond the text behind the pixels, which are passed over packed: unpacked they would be 3.2 GB.
+TEST(Extremes, K4_WhatAPngSaysOfItselfIsReadWithoutUnpackingIt) {
+  const Bytes late = Chunk("tEXt", ToBytes("Late") + Bytes{0} + ToBytes("behind the pixels"));
+  const Bytes bytes = ToBytes(BlackPng(16384, 16384, std::string(late.begin(), late.end())));
+  EXPECT_LT(bytes.size(), 40'000u);
+  const auto peak = [] {
+    rusage usage = {};
+    getrusage(RUSAGE_SELF, &usage);
+    return usage.ru_maxrss;
+  };
+  const long before = peak();
+  const ImageHeader header = ReadImageHeader(bytes);
+  EXPECT_EQ(header.size.width, 16384);
+  EXPECT_EQ(header.size.height, 16384);
+  EXPECT_EQ(header.settings, (ImageSettings{{"Late", "behind the pixels"}}));
+  EXPECT_LE(peak() - before, 16 * 1024);
+}
+
+TEST(Extremes, K4_TextThatUnpacksToManyTimesItsSizeIsLeftOut) {
+  std::vector<unsigned char> text(std::size_t{4} << 20, 'x'), packed(std::size_t{1} << 20);
+  uLongf length = packed.size();
+  ASSERT_EQ(compress2(packed.data(), &length, text.data(), text.size(), 9), Z_OK);
+  packed.resize(length);
+  Bytes bytes = Start(1, 1, 8, rgb) + Chunk("tEXt", ToBytes("Author") + Bytes{0} + ToBytes("me"));
+  for (int i = 0; i < 200; ++i)
+    bytes = bytes + Chunk("zTXt", ToBytes("Bomb" + std::to_string(i)) + Bytes{0, 0} + packed);
+  bytes = bytes + End({0, 1, 2, 3});
+  std::size_t kept = 0;
+  for (const ImageSettings& settings : {DecodeImage(bytes).settings, ReadImageHeader(bytes).settings}) {
+    EXPECT_EQ(settings.at("Author"), "me");
+    for (const auto& [key, value] : settings) kept += value.size();
+  }
+  EXPECT_LE(kept, std::size_t{2} << 20);
 }
 
 // The guard above must not refuse what is merely packed well: a black picture shrinks nearly 1032 times.

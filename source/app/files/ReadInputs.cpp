@@ -8,10 +8,18 @@
 namespace ray {
 namespace {
 
-R2::Image ReadReference(const std::string& name) {
-  const std::string bytes = Contents(name);
+std::string SizeText(int width, int height) { return std::to_string(width) + "x" + std::to_string(height); }
+
+/// Refused by its header where its size is another: a small file can hold a large image.
+R2::Image ReadReference(const std::string& name, const PixelRectangle& part) {
+  const std::string text = Contents(name);
+  const std::span bytes(reinterpret_cast<const unsigned char*>(text.data()), text.size());
   try {
-    return R2::DecodeImage({reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()}).image;
+    const R2::ImageSize size = R2::ReadImageSize(bytes);
+    if (size.width != part.Width() || size.height != part.Height())
+      throw UsageError("the reference " + Quoted(name) + " is " + SizeText(size.width, size.height) + ", the picture " +
+                       SizeText(part.Width(), part.Height()));
+    return R2::DecodeImage(bytes).image;
   } catch (const R2::ImageError& error) {
     throw SceneErrors({ErrorIn(name, error.what())});
   }
@@ -20,8 +28,6 @@ R2::Image ReadReference(const std::string& name) {
 PixelRectangle PartOf(const RenderSettings& render) {
   return render.crop.value_or(PixelRectangle{0, 0, render.width, render.height});
 }
-
-std::string SizeText(int width, int height) { return std::to_string(width) + "x" + std::to_string(height); }
 
 }  // namespace
 
@@ -37,13 +43,7 @@ std::string Contents(const std::string& name) {
 std::vector<R2::Image> ReadReferences(const Options& options) {
   const PixelRectangle part = PartOf(options.render);
   std::vector<R2::Image> references;
-  for (const std::string& name : options.reference) {
-    references.push_back(ReadReference(name));
-    const R2::Image& image = references.back();
-    if (image.Width() != part.Width() || image.Height() != part.Height())
-      throw UsageError("the reference " + Quoted(name) + " is " + SizeText(image.Width(), image.Height()) +
-                       ", the picture " + SizeText(part.Width(), part.Height()));
-  }
+  for (const std::string& name : options.reference) references.push_back(ReadReference(name, part));
   return references;
 }
 

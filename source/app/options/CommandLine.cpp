@@ -15,6 +15,7 @@
 #include "source/app/options/Preset.h"
 #include "source/app/options/RayimgTable.h"
 #include "source/app/options/SceneSettings.h"
+#include "source/app/report/Memory.h"
 #include "source/text/EnumNames.h"
 #include "source/text/Quoting.h"
 #include "source/text/Words.h"
@@ -278,6 +279,7 @@ void Derive(Options& options) {
   options.render.quantization = options.encoding.quantization;
   options.render.wants_passes = !options.report.empty() && options.render.samples > 1 && options.replay.empty();
   options.parse.problem_of = ProblemOf;
+  options.parse.max_texture_bytes = MemoryLimit(options);
   options.parse.decode_srgb = options.encoding.srgb;  // a linear workflow is linear from end to end
 }
 

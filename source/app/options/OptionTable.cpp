@@ -20,6 +20,7 @@ namespace {
 
 constexpr int most_pixels_a_side = 1 << 30;
 constexpr int most_threads = 4096;
+constexpr double most_memory = 1 << 20;
 constexpr int deepest_include = 1'000'000;
 constexpr const char* duration_range = "a duration such as 30s, 5m or 1h";
 
@@ -236,6 +237,8 @@ std::vector<OptionKind> MakeTable() {
        "worker threads, 0 for as many as the machine has; never changes the image"},
       {"tile_size", raypro, {}, {"n"}, Whole{AT(render.tile_size), 0, most_pixels_a_side}, "pixels", "speed",
        "tile size, 0 for the whole image"},
+      {"memory", both, {}, {"x"}, Number<double>{AT(memory), 0, most_memory}, "GiB", "speed",
+       "refuse what would take more memory, before it is read or built; 0: three quarters of this machine's"},
 
       {"format", both, {}, {"name"}, OneOfNames(AT(parse.format), SceneFormatNames), "", "scene",
        "language of the scene; by default that of its extension, and in JSON of its keys"},

@@ -69,6 +69,7 @@ struct Options {
 
   bool quiet = false, verbose = false, stats = false, explain = false;
   std::string report;  // file name; empty for no report
+  double memory = 0;   // GiB that the program may take; 0: three quarters of the machine's
 
   std::string quality = "custom";      // a row of the presets, or none of them
   std::vector<std::string> reference;  // at most two files

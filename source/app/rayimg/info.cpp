@@ -58,7 +58,9 @@ int Info(const Options& options, const std::string&) {
   for (const std::string& name : options.names) {
     try {
       const R2::DecodedImage picture = ReadPicture(name);
-      WriteStandardOutput(gap + PictureText(name, picture) + StatisticsText(picture.image));
+      WriteStandardOutput(
+          gap + PictureText(name, {{picture.image.Width(), picture.image.Height()}, picture.format, picture.settings}) +
+          StatisticsText(picture.image));
       gap = "\n";
     } catch (const SceneErrors& errors) {
       PrintError(errors.what());

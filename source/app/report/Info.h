@@ -16,7 +16,7 @@ R2::DecodedImage DecodePicture(const std::string& file, std::span<const unsigned
 R2::DecodedImage ReadPicture(const std::string& file);
 
 /// "out.png: png, 512x512" and a line for each setting kept in the picture.
-std::string PictureText(const std::string& file, const R2::DecodedImage& picture);
+std::string PictureText(const std::string& file, const R2::ImageHeader& picture);
 
 /// What -info prints: size and format of a picture and the settings kept in it. Throws SceneErrors when it is missing
 /// or no picture.

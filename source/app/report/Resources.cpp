@@ -1,6 +1,9 @@
 #include "source/app/report/Resources.h"
 
 #include <sys/resource.h>
+#include <unistd.h>
+
+#include <limits>
 
 namespace ray {
 namespace {
@@ -29,6 +32,11 @@ std::int64_t PeakMemory() {
   constexpr std::int64_t unit = 1024;
 #endif
   return unit * Usage().ru_maxrss;
+}
+
+std::int64_t MachineMemory() {
+  const std::int64_t pages = sysconf(_SC_PHYS_PAGES), page = sysconf(_SC_PAGESIZE);
+  return pages > 0 && page > 0 ? pages * page : std::numeric_limits<std::int64_t>::max();
 }
 
 }  // namespace ray

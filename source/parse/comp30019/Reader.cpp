@@ -73,7 +73,7 @@ Scene ReadComp30019(const Files& files, const ParseOptions& options, Report& rep
 }  // namespace
 
 Reader::Reader(const Files& files, const ParseOptions& options, Report& report)
-    : files_(files), options_(options), report_(report), assets_(files, report, options.decode_srgb) {}
+    : files_(files), options_(options), report_(report), assets_(files, report, options) {}
 
 Scene Reader::Read() {
   builder_.has_camera = builder_.has_light = true;  // the course fills nothing in

@@ -27,7 +27,7 @@ struct PlacedShape {
 class ObjectReader {
  public:
   ObjectReader(const Files& files, const ParseOptions& options, DocumentReport& report, Report& file_report)
-      : report_(report), options_(options), assets_(files, file_report, options.decode_srgb) {}
+      : report_(report), options_(options), assets_(files, file_report, options) {}
 
   /// Every name of a kind that Read knows, aliases included.
   static std::vector<std::string_view> Kinds();

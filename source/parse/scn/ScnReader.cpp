@@ -38,7 +38,7 @@ extern const SceneFormat scn_scene_format{
 };
 
 ScnReader::ScnReader(const Files& files, const ParseOptions& options, Report& report)
-    : files_(files), options_(options), report_(report), assets_(files, report, options.decode_srgb) {}
+    : files_(files), options_(options), report_(report), assets_(files, report, options) {}
 
 Scene ScnReader::Read() {
   const std::string top = files_.TopName();
