@@ -23,6 +23,7 @@ int GuardedMain(Program program, int argc, char** argv, int (*run)(const std::ve
   // rayimg's 1 says that pictures differ, and nothing else: scripts rely on it.
   const int failed = program == Program::rayimg ? status::bad_scene : status::failed;
   try {
+    RequireStack();
     return run(std::vector<std::string>(argv + (argc > 0 ? 1 : 0), argv + argc));
   } catch (const UsageError& error) {
     return Fail(status::wrong_arguments, name + error.what());

@@ -2,9 +2,13 @@
 
 #include <fcntl.h>
 #include <signal.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
+#include <stdexcept>
+#include <string>
 
 #include "source/app/Status.h"
 
@@ -53,6 +57,15 @@ void GuardStandardStreams() {
   int descriptor = open("/dev/null", O_RDWR);
   while (descriptor >= 0 && descriptor <= STDERR_FILENO) descriptor = open("/dev/null", O_RDWR);
   if (descriptor >= 0) close(descriptor);
+}
+
+void RequireStack() {
+  rlimit limit = {};
+  if (getrlimit(RLIMIT_STACK, &limit) != 0 || limit.rlim_cur >= needed_stack) return;  // RLIM_INFINITY is the largest
+  limit.rlim_cur = std::min<rlim_t>(needed_stack, limit.rlim_max);
+  if (limit.rlim_cur < needed_stack || setrlimit(RLIMIT_STACK, &limit) != 0)
+    throw std::runtime_error("the stack is limited to " + std::to_string(limit.rlim_cur >> 10) + " KiB, and " +
+                             std::to_string(needed_stack >> 10) + " are needed; see ulimit -s");
 }
 
 void CatchInterrupts() {

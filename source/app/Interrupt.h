@@ -9,6 +9,14 @@ namespace ray {
 /// error to be reported, not a signal; and descriptors 0, 1 and 2 are open, so that no picture is ever opened as one.
 void GuardStandardStreams();
 
+/// The stack that the programs need for anything they are given: 88 KiB are used at most (measured by ulimit -s), and
+/// scenes are walked without recursion.
+inline constexpr long needed_stack = 256 << 10;
+
+/// Raises the limit of the stack to what is needed where it is lower, as far as the system lets it. Throws
+/// std::runtime_error, which names both, where it does not.
+void RequireStack();
+
 /// From now on the first SIGINT or SIGTERM sets *StopRequested(); a second one ends the program at once. A signal that
 /// is ignored already (nohup, a background job of a script) stays ignored.
 void CatchInterrupts();

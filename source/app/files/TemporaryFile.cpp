@@ -1,11 +1,14 @@
 #include "source/app/files/TemporaryFile.h"
 
+#include <dirent.h>
 #include <fcntl.h>
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <memory>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
@@ -38,19 +41,20 @@ void SyncFolder(const fs::path& folder) {
   close(descriptor);
 }
 
-/// Whether the name still leads to the open file.
-bool IsNameOf(const fs::path& file, int descriptor) {
+/// Whether the name still leads to the open file. Takes no memory: a file just created must not stay behind because
+/// there is none.
+bool IsNameOf(const char* file, int descriptor) {
   struct stat named = {}, opened = {};
-  return lstat(file.c_str(), &named) == 0 && fstat(descriptor, &opened) == 0 && named.st_dev == opened.st_dev &&
+  return lstat(file, &named) == 0 && fstat(descriptor, &opened) == 0 && named.st_dev == opened.st_dev &&
          named.st_ino == opened.st_ino;
 }
 
 // Whoever writes a file holds its lock from before the first byte until the rename. So a file that can be locked, and
 // has its name still, is dead, or so new that its maker is waiting for the lock and will see that the name is gone.
-void RemoveIfDead(const fs::path& file) {
+void RemoveIfDead(const std::string& file) {
   const int descriptor = open(file.c_str(), O_RDWR | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
   if (descriptor < 0) return;
-  if (flock(descriptor, LOCK_EX | LOCK_NB) == 0 && IsNameOf(file, descriptor)) unlink(file.c_str());
+  if (flock(descriptor, LOCK_EX | LOCK_NB) == 0 && IsNameOf(file.c_str(), descriptor)) unlink(file.c_str());
   close(descriptor);
 }
 
@@ -74,7 +78,7 @@ bool TemporaryFile::CreateAndLock() {
   if (descriptor_ < 0) ThrowErrno();
   flock(descriptor_, LOCK_EX);
   // Between the two calls another process may have found it unlocked, and removed it.
-  if (IsNameOf(name_, descriptor_)) {
+  if (IsNameOf(name_.c_str(), descriptor_)) {
     RemoveWhenKilled(name_.c_str());
     return true;
   }
@@ -117,11 +121,13 @@ void TemporaryFile::Close(int descriptor) {
 }
 
 void RemoveLeftOvers(const fs::path& target) {
-  const std::string prefix = Prefix(target);
-  std::error_code error;
-  for (fs::directory_iterator file(Folder(target), error), end; !error && file != end; file.increment(error)) {
-    const std::string name = file->path().filename().string();
-    if (name.starts_with(prefix) && name.ends_with(suffix)) RemoveIfDead(file->path());
+  const std::string prefix = Prefix(target), folder = Folder(target).string();
+  // Not by std::filesystem's iterator, which ends the program where memory ends.
+  const std::unique_ptr<DIR, int (*)(DIR*)> listing(opendir(folder.c_str()), closedir);
+  if (!listing) return;
+  while (const dirent* entry = readdir(listing.get())) {
+    const std::string_view name = entry->d_name;
+    if (name.starts_with(prefix) && name.ends_with(suffix)) RemoveIfDead(folder + "/" + std::string(name));
   }
 }
 

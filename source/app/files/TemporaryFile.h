@@ -29,7 +29,7 @@ class TemporaryFile {
   int descriptor_ = -1;
 };
 
-/// Removes what killed processes left beside the target; never fails.
+/// Removes what killed processes left beside the target; throws nothing but std::bad_alloc.
 void RemoveLeftOvers(const std::filesystem::path& target);
 
 }  // namespace ray

@@ -441,6 +441,26 @@ TEST(Extremes, K11_StatisticsThatCannotBeWrittenAreAFailureAndTheLineNobodyAsked
   EXPECT_EQ(RunProgram(words, {.standard_output = "/dev/full"}).status, 0);
 }
 
+// With less, the process used to die by a signal.
+TEST(Extremes, L11_AStackTooSmallIsToldOfAndASoftLimitRaised) {
+  NEEDS_THE_PROGRAM();
+  const Place place;
+  const std::string words = std::string(" ") + place.Scene() + " " + (place / "out.ppm") + " -width 8 -height 8 -quiet";
+  const auto with_limit = [&](const std::string& limit) {
+    const std::string script = limit + "; exec " + ProgramName() + words + " 2>" + (place / "error");
+    return std::system(("sh -c '" + script + "'").c_str());
+  };
+  EXPECT_EQ(WEXITSTATUS(with_limit("ulimit -s 64")), 1);
+  EXPECT_TRUE(Contains(ReadFile(place / "error"), "the stack is limited to 64 KiB, and 256 are needed"));
+  EXPECT_FALSE(fs::exists(place / "out.ppm"));
+  for (const char* enough : {"ulimit -S -s 64", "ulimit -s 256"}) {
+    fs::remove(place / "out.ppm");
+    const int status = with_limit(enough);
+    EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0) << enough << ReadFile(place / "error");
+    EXPECT_TRUE(fs::exists(place / "out.ppm")) << enough;
+  }
+}
+
 TEST(Extremes, L10_ManyRunsWithOneOutputLeaveOneWholePicture) {
   NEEDS_THE_PROGRAM();
   const Place place;
