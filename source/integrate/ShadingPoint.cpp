@@ -18,12 +18,14 @@ R2::Color LeftAfter(const R2::Color& absorb, double distance) {
 
 ShadingPoint ShadingPointAt(const World& world, const PathState& ray, const WorldHit& hit) {
   ShadingPoint s{
-      ray, hit, world.At(ray.ray, hit), &world.MaterialAt(hit), {}, {}, true, {}, {}, world.scene().shadow_bias, {}};
+      ray, hit, world.At(ray.ray, hit), &world.MaterialAt(hit), {}, {}, true, {}, false, {}, world.scene().shadow_bias,
+      {}};
   s.kd = s.material->texture ? s.material->kd * s.material->texture->At(s.at.uv) : s.material->kd;
   s.wo = -Unit(ray.ray.direction);
   s.entering = Dot(s.at.normal, ray.ray.direction) <= 0;
   s.N = Facing(s.at.shading_normal, s.entering);
   if (s.material->bump) s.N = Bumped(world, ray.ray, hit, s.at, *s.material, s.N, s.entering);
+  s.is_smoothed = !(s.N == Facing(s.at.normal, s.entering));
   s.shadow_origin = SpawnPoint(s.at, s.wo);
   if (!s.entering && !IsBlack(s.material->absorb)) {
     const double distance = (hit.t - ray.ray.t_min) * Length(ray.ray.direction);

@@ -15,12 +15,17 @@ struct ShadingPoint {
   R3::Vector wo;            // unit
   bool entering;            // whether the ray came from the side of the outward normal
   R3::Vector N;             // unit shading normal on the viewer's side
+  bool is_smoothed;         // N is not the surface's own normal
   R3::Point shadow_origin;  // where shadow rays and reflections start: off the surface, on the viewer's side
   double bias;              // where they may first hit something, in distance from there
   R2::Color radiance;       // back along the ray, as far as it is known
 
   /// What of the scene's ambient light is reflected.
   R2::Color AmbientReflectance() const;
+  /// Whether a direction that N faces leads into the surface itself: from there no light can arrive.
+  bool IsBehindSurface(const R3::Vector& direction) const {
+    return is_smoothed && !(Dot(entering ? AsVector(at.normal) : -AsVector(at.normal), direction) > 0);
+  }
   bool HasReflectance() const { return !IsBlack(kd) || !IsBlack(material->ks); }
 };
 

@@ -39,12 +39,14 @@ class Tracer {
   }
 
   /// A shadow ray of point number `index`: what reaches it, if nothing is in between, is added to state.arrived[index],
-  /// at the latest by TraceShadowRays.
+  /// at the latest by TraceShadowRays. None where the light is behind the surface itself, though the shading normal may
+  /// face it.
   ///   contribution   the same with the path's throughput
   ///   describe       names the light
   template <typename Describe>
   void AddShadowRay(const ShadingPoint& p, std::size_t index, const LightSample& light, const R2::Color& reflected,
                     const R2::Color& contribution, const Describe& describe, TraceState& state) const {
+    if (p.IsBehindSurface(light.to_light)) return;
     state.shadow_rays.push_back(ShadowRay(p, light.to_light, light.is_infinite));
     state.shadows.push_back({index, reflected});
     if (state.recorder) [[unlikely]]
