@@ -8,7 +8,18 @@
 namespace R3 {
 namespace {
 
-Vector AreaVector(const std::array<Point, 3>& c) { return Cross(c[1] - c[0], c[2] - c[0]); }
+Vector Scaled(const Vector& v, int exponent) {
+  return {std::scalbn(v.x, exponent), std::scalbn(v.y, exponent), std::scalbn(v.z, exponent)};
+}
+
+/// Unit, on the side from which the corners turn counter-clockwise; zero for a triangle without area.
+Vector FaceDirection(const std::array<Point, 3>& c) {
+  const Vector a = c[1] - c[0], b = c[2] - c[0], area = Cross(a, b);
+  if (IsInRange(MaxComponent(Abs(area)))) return Unit(area);
+  const double longest_a = MaxComponent(Abs(a)), longest_b = MaxComponent(Abs(b));
+  if (!(longest_a > 0 && longest_b > 0 && longest_a < infinity && longest_b < infinity)) return Unit(area);
+  return Unit(Cross(Scaled(a, -std::ilogb(longest_a)), Scaled(b, -std::ilogb(longest_b))));
+}
 
 }  // namespace
 
@@ -21,7 +32,7 @@ Mesh::Mesh(MeshData data, bool smooth, std::string file)
   const std::size_t before = data_.triangles.size();
   std::erase_if(data_.triangles, [&](const auto& t) {
     const std::array corners{data_.positions[t[0]], data_.positions[t[1]], data_.positions[t[2]]};
-    return Unit(AreaVector(corners)) == Vector{};
+    return FaceDirection(corners) == Vector{};
   });
   dropped_ = static_cast<int>(before - data_.triangles.size());
   for (Normal& normal : data_.normals) normal = AsNormal(Unit(AsVector(normal)));
@@ -51,7 +62,7 @@ std::unique_ptr<const Mesh> Mesh::Moved(const Transform& move) const {
     if (move.Mirrors()) std::swap(triangle[1], triangle[2]);
     const std::array corners{moved->data_.positions[triangle[0]], moved->data_.positions[triangle[1]],
                              moved->data_.positions[triangle[2]]};
-    if (Unit(AreaVector(corners)) == Vector{}) return nullptr;
+    if (FaceDirection(corners) == Vector{}) return nullptr;
   }
   return moved;
 }
@@ -85,7 +96,7 @@ Intersection Mesh::At(const Ray&, const Hit& hit, int element) const {
   double farthest = 0;
   for (const Point& corner : corners) farthest = std::max(farthest, MaxComponent(Abs(corner - at.position)));
   at.error = Gamma(7) * magnitude + Gamma(16) * Vector{farthest, farthest, farthest};
-  at.normal = at.shading_normal = AsNormal(Unit(AreaVector(corners)));
+  at.normal = at.shading_normal = AsNormal(FaceDirection(corners));
 
   if (smooth_) {
     Vector sum;

@@ -32,6 +32,11 @@ inline double DifferenceOfProducts(double a, double b, double c, double d) {
   return std::fma(a, b, -cd) + std::fma(-c, d, cd);
 }
 
+/// Squares of lengths are kept within these, so that a product of three lengths still overflows or underflows in none
+/// of its roundings. What lies outside is scaled by a power of two, which changes no bit of the result.
+inline constexpr double least_square = 0x1p-600, most_square = 0x1p600;
+inline bool IsInRange(double square) { return square >= least_square && square <= most_square; }
+
 /// The next double above x; infinity and NaN stay.
 inline double NextUp(double x) {
   if (!(x < infinity)) return x;

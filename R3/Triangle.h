@@ -44,6 +44,19 @@ struct ShearedRay {
 ///             double precision when zero, are exact in sign here by a fused difference of products
 std::optional<Hit> IntersectTriangle(const ShearedRay& ray, const std::array<Point, 3>& corners);
 
+/// The rest of the test where the areas of the sheared corners leave the range of doubles, or nearly: with the corners
+/// scaled by a power of two.
+std::optional<Hit> IntersectScaledTriangle(const ShearedRay& ray, const double (&x)[3], const double (&y)[3],
+                                           const double (&z)[3]);
+
+/// The hit with edge functions u, v and w of the same sign, whose sum is not 0.
+inline std::optional<Hit> TriangleHit(const ShearedRay& ray, double u, double v, double w, const double (&z)[3]) {
+  const double sum = u + v + w;
+  const double t = (u * z[0] + v * z[1] + w * z[2]) / sum * ray.z_scale;
+  if (!(t > ray.t_min) || !(t < ray.t_max)) return {};  // NaN fails both
+  return Hit{t, v / sum, w / sum, 0};
+}
+
 /// The same, compiled into its caller: for batches whose caller is itself compiled for an instruction set.
 inline std::optional<Hit> IntersectTriangleInline(const ShearedRay& ray, const std::array<Point, 3>& corners) {
   double x[3], y[3], z[3];
@@ -58,12 +71,10 @@ inline std::optional<Hit> IntersectTriangleInline(const ShearedRay& ray, const s
   const double v = DifferenceOfProducts(x[0], y[2], y[0], x[2]);
   const double w = DifferenceOfProducts(x[1], y[0], y[1], x[0]);
   const double least = std::min(u, std::min(v, w)), most = std::max(u, std::max(v, w));
-  if (std::min(-least, most) > 0) return {};  // of both signs
-  const double sum = u + v + w;
-  if (sum == 0) return {};  // edge-on
-  const double t = (u * z[0] + v * z[1] + w * z[2]) / sum * ray.z_scale;
-  if (!(t > ray.t_min) || !(t < ray.t_max)) return {};  // NaN fails both
-  return Hit{t, v / sum, w / sum, 0};
+  if (std::min(-least, most) > 0) return {};         // of both signs
+  if (!IsInRange(std::abs(u + v + w))) [[unlikely]]  // seen edge-on it is 0
+    return IntersectScaledTriangle(ray, x, y, z);
+  return TriangleHit(ray, u, v, w, z);
 }
 
 }  // namespace R3

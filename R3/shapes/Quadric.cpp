@@ -1,5 +1,6 @@
 #include "R3/shapes/Quadric.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "R3/DoubleDouble.h"
@@ -38,13 +39,30 @@ double AccurateDot(const Point& origin, const Point& center, const Vector& direc
   return sum + rest;
 }
 
+/// The same for lengths whose squares leave the range of doubles, or nearly.
+std::optional<Roots> ScaledRoots(const Point& origin, const Vector& direction, const Point& center, double radius) {
+  if (!IsFinite(direction) || !IsFinite(origin - center) || !(radius < infinity)) return {};
+  const double longest = MaxComponent(Abs(direction)), size = std::max(MaxComponent(Abs(origin - center)), radius);
+  if (!(longest > 0) || !(size > 0)) return {};
+  const int per_t = std::ilogb(longest), per_length = std::ilogb(size);
+  const auto scaled = [](const Point& p, int exponent) {
+    return Point{std::scalbn(p.x, exponent), std::scalbn(p.y, exponent), std::scalbn(p.z, exponent)};
+  };
+  auto roots = QuadricRoots(scaled(origin, -per_length), FromOrigin(scaled(Point{} + direction, -per_t)),
+                            scaled(center, -per_length), std::scalbn(radius, -per_length));
+  if (!roots) return {};
+  return Roots{std::scalbn(roots->first, per_length - per_t), std::scalbn(roots->second, per_length - per_t)};
+}
+
 }  // namespace
 
 R3_USES_FMA
 std::optional<Roots> QuadricRoots(const Point& origin, const Vector& direction, const Point& center, double radius) {
   const Vector f = origin - center;
   double a = Dot(direction, direction), b = -Dot(f, direction);
-  const double distance = std::sqrt(Dot(f, f));
+  const double square = Dot(f, f), distance = std::sqrt(square);
+  if (!IsInRange(a) || !IsInRange(std::max(square, radius * radius))) [[unlikely]]
+    return ScaledRoots(origin, direction, center, radius);
 
   double c, discriminant;  // of a t^2 - 2 b t + c
   if (std::abs(distance - radius) < near_share * radius) {

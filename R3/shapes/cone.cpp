@@ -28,6 +28,8 @@ class Cone : public Shape {
 
   std::optional<Hit> Intersect(const Ray& ray, int) const override {
     if (IsDegenerate()) return {};
+    if (!IsInRange(radius_ * radius_ + height_ * height_)) [[unlikely]]
+      return IntersectScaled(ray);
     Span span;
     // Between base and apex only one of the two mirror cones is left, and it is convex. The plane through the apex is
     // no face of its own: it touches the solid in the apex alone.
@@ -95,6 +97,22 @@ class Cone : public Shape {
     at.normal = outward == Vector{} ? Normal{0, 1, 0} : AsNormal(Unit({outward.x, slope_, outward.z}));
     at.shading_normal = at.normal;
     return at;
+  }
+
+  /// With cone and origin scaled by a power of two, and t scaled back.
+  std::optional<Hit> IntersectScaled(const Ray& ray) const {
+    const int exponent = std::ilogb(std::max(radius_, height_));
+    const auto scaled = [&](const Point& p) {
+      return Point{std::scalbn(p.x, -exponent), std::scalbn(p.y, -exponent), std::scalbn(p.z, -exponent)};
+    };
+    Ray near = ray;
+    near.origin = scaled(ray.origin);
+    near.t_min = std::scalbn(ray.t_min, -exponent), near.t_max = std::scalbn(ray.t_max, -exponent);
+    const double radius = std::scalbn(radius_, -exponent), height = std::scalbn(height_, -exponent);
+    if (!IsInRange(radius * radius + height * height)) return {};
+    auto hit = Cone(scaled(center_), radius, height).Intersect(near, 0);
+    if (hit) hit->t = std::scalbn(hit->t, exponent);
+    return hit;
   }
 
   /// Half the angle, about the axis, of the lines from the apex to the rim that show their outside; 0 for none. The
