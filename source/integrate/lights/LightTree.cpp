@@ -57,6 +57,38 @@ double GreatestCosine(double cosine, double sine) {
   return cosine * sphere_cosine + std::sqrt(std::max(0.0, 1 - cosine * cosine)) * sine;
 }
 
+/// By how much what falls off by ca + la d + qa d^2 is divided at a distance; above 0.
+template <typename FallingOff>
+double DivisorAt(double d, const FallingOff& f) {
+  const double divisor = f.ca + f.la * d + f.qa * d * d;
+  return divisor > 0 ? Bounded(divisor) : 1;
+}
+
+/// The same light; what does not fall off at all has the law 1.
+LightBound InUnitsOfItsLaw(LightBound light) {
+  if (light.la > 0 || light.qa > 0) return light;
+  if (light.ca > 0) light.power = Bounded(light.power / light.ca);
+  light.ca = 1;
+  return light;
+}
+
+/// Lights that fall off alike together, those that do not fall off first; the last of `most` may hold several laws.
+std::vector<std::vector<int>> ByLaw(const std::vector<LightBound>& lights, const std::vector<int>& among,
+                                    std::size_t most) {
+  std::vector<std::array<double, 3>> laws{{1, 0, 0}};
+  std::vector<std::vector<int>> groups(most);
+  for (const int i : among) {
+    const LightBound& light = lights[static_cast<std::size_t>(i)];
+    const std::array law{light.ca, light.la, light.qa};
+    const auto known = std::find(laws.begin(), laws.end(), law);
+    const auto group = static_cast<std::size_t>(known - laws.begin());
+    if (known == laws.end() && laws.size() < most) laws.push_back(law);
+    groups[std::min(group, most - 1)].push_back(i);
+  }
+  std::erase_if(groups, [](const std::vector<int>& group) { return group.empty(); });
+  return groups;
+}
+
 struct Range {
   std::vector<int>::iterator begin, end;
 };
@@ -97,7 +129,7 @@ LightTree::LightTree(std::vector<LightBound> lights) : slots_(lights.size()) {
   std::vector<int> finite;
   std::vector<double> powers;
   for (int i = 0; i < static_cast<int>(lights.size()); ++i) {
-    const LightBound& light = lights[static_cast<std::size_t>(i)];
+    LightBound& light = lights[static_cast<std::size_t>(i)];
     assert(std::isfinite(light.power) && light.power >= 0);
     if (light.power == 0) continue;
     if (light.is_infinite) {
@@ -107,6 +139,7 @@ LightTree::LightTree(std::vector<LightBound> lights) : slots_(lights.size()) {
       infinite_power_ = Bounded(infinite_power_ + powers.back());
     } else {
       assert(IsFinite(FromOrigin(light.center)) && std::isfinite(light.radius) && light.radius >= 0);
+      light = InUnitsOfItsLaw(light);
       finite.push_back(i);
     }
   }
@@ -115,16 +148,16 @@ LightTree::LightTree(std::vector<LightBound> lights) : slots_(lights.size()) {
     for (double& power : powers) power = std::max(power, least_weight * largest);
     among_infinite_.emplace(powers);
   }
-  if (finite.empty()) return;
-  AddLeaves(lights, std::move(finite));
-  Summarize();
+  for (std::vector<int>& group : ByLaw(lights, finite, most_children - 1)) AddTree(lights, std::move(group));
 }
 
-void LightTree::AddLeaves(const std::vector<LightBound>& lights, std::vector<int> finite) {
+void LightTree::AddTree(const std::vector<LightBound>& lights, std::vector<int> finite) {
   std::vector<Range> ranges{{finite.begin(), finite.end()}};  // of the nodes
+  const std::size_t root = nodes_.size();
+  roots_.push_back(static_cast<int>(root));
   nodes_.emplace_back();
-  for (std::size_t i = 0; i < nodes_.size(); ++i) {
-    const Range range = ranges[i];
+  for (std::size_t i = root; i < nodes_.size(); ++i) {
+    const Range range = ranges[i - root];
     if (range.end - range.begin == 1) {
       const LightBound& light = lights[static_cast<std::size_t>(*range.begin)];
       Node& leaf = nodes_[i];
@@ -144,28 +177,38 @@ void LightTree::AddLeaves(const std::vector<LightBound>& lights, std::vector<int
       ranges.push_back(part);
     }
   }
+  Summarize(root);
 }
 
-void LightTree::Summarize() {
-  for (std::size_t i = nodes_.size(); i-- > 0;) {  // children before their parents
+void LightTree::Summarize(std::size_t root) {
+  for (std::size_t i = nodes_.size(); i-- > root;) {  // children before their parents
     Node& node = nodes_[i];
     if (node.children == 0) continue;
-    const auto first = static_cast<std::size_t>(node.first_child),
-               end = first + static_cast<std::size_t>(node.children);
-    for (std::size_t k = first; k < end; ++k) {
-      node.box.Extend(nodes_[k].box);
-      node.power = Bounded(node.power + nodes_[k].power);
-    }
-    for (std::size_t k = first; k < end; ++k) {
-      const double share = nodes_[k].power / node.power;
-      node.ca += share * nodes_[k].ca;
-      node.la += share * nodes_[k].la;
-      node.qa += share * nodes_[k].qa;
-    }
+    for (const Node& child : ChildrenOf(node)) node.box.Extend(child.box);
     // Halves first, since sums of coordinates may overflow.
     const R3::Vector low = 0.5 * FromOrigin(node.box.low), high = 0.5 * FromOrigin(node.box.high);
     node.center = R3::Point{} + (low + high);
     node.radius = Length(high - low);
+  }
+  // Lights at one place have no distance to compare them at; then one is as good as another.
+  const double radius = nodes_[root].radius, reference = radius > 0 ? std::min(radius, farthest) : 1;
+  for (std::size_t i = nodes_.size(); i-- > root;)
+    if (nodes_[i].children > 0) SummarizePowers(nodes_[i], reference);
+}
+
+/// Powers as if all lights fell off by the first child's law as far as the reference, and the mean of the laws by
+/// power. Of lights of one law these are the sum of powers and that law.
+void LightTree::SummarizePowers(Node& node, double reference) {
+  const auto children = ChildrenOf(node);
+  const double first = DivisorAt(reference, children.front());
+  const auto relative = [&](const Node& child) { return Bounded(DivisorAt(reference, child) / first); };
+  const auto power = [&](const Node& child) { return Bounded(child.power / relative(child)); };
+  for (const Node& child : children) node.power = Bounded(node.power + power(child));
+  for (const Node& child : children) {
+    const double share = power(child) / node.power, divisor = relative(child);
+    node.ca += share * (child.ca / divisor);
+    node.la += share * (child.la / divisor);
+    node.qa += share * (child.qa / divisor);
   }
 }
 
@@ -173,14 +216,13 @@ void LightTree::Summarize() {
 double LightTree::Importance(const Node& node, const R3::Vector& to_center, double height) {
   const double distance = Length(to_center), farther = std::max(distance, node.radius);
   const double d = farther < farthest ? farther : farthest;
-  const double divisor = node.ca + node.la * d + node.qa * d * d;
   double cosine = 1;
   if (distance > node.radius) {
     const double inverse = 1 / distance;
     cosine = GreatestCosine(height * inverse, node.radius * inverse);
   }
   const double unshaded = node.power * (cosine > least_cosine ? cosine : least_cosine);
-  return Bounded(divisor > 0 ? unshaded / divisor : unshaded);
+  return Bounded(unshaded / DivisorAt(d, node));
 }
 
 bool LightTree::IsLit(const Node& node, const R3::Point& p, const R3::Vector& N, double height) const {
@@ -189,9 +231,8 @@ bool LightTree::IsLit(const Node& node, const R3::Point& p, const R3::Vector& N,
   const double error = side_error * heights.magnitude;
   if (heights.greatest + error <= 0) return false;
   if (heights.least > error) return true;
-  const auto first = nodes_.begin() + node.first_child;
-  return std::any_of(first, first + node.children,
-                     [&](const Node& child) { return IsLit(child, p, N, Dot(child.center - p, N)); });
+  return std::ranges::any_of(ChildrenOf(node),
+                             [&](const Node& child) { return IsLit(child, p, N, Dot(child.center - p, N)); });
 }
 
 double LightTree::ImportanceIfLit(const Node& node, const R3::Point& p, const R3::Vector& N) const {
@@ -200,11 +241,11 @@ double LightTree::ImportanceIfLit(const Node& node, const R3::Point& p, const R3
   return IsLit(node, p, N, height) ? Importance(node, to_center, height) : 0;
 }
 
-LightTree::Weights LightTree::FromImportance(const std::array<double, most_children>& importance, int count) {
-  const auto end = importance.begin() + count;
+LightTree::Weights LightTree::FromImportance(const std::array<double, most_children>& importance, std::size_t count) {
+  const auto end = importance.begin() + static_cast<std::ptrdiff_t>(count);
   const double inverse = 1 / *std::max_element(importance.begin(), end);
   Weights weights;
-  weights.count = static_cast<std::size_t>(count);
+  weights.count = count;
   for (std::size_t i = 0; i < weights.count; ++i) {
     weights.of[i] = importance[i] > 0 ? std::max(importance[i] * inverse, least_weight) : 0;
     weights.sum += weights.of[i];
@@ -212,16 +253,19 @@ LightTree::Weights LightTree::FromImportance(const std::array<double, most_child
   return weights;
 }
 
-LightTree::Weights LightTree::OfTreeAndInfinite(const R3::Point& p, const R3::Vector& N) const {
-  return FromImportance({nodes_.empty() ? 0 : ImportanceIfLit(nodes_.front(), p, N), infinite_power_}, 2);
+LightTree::Weights LightTree::OfTreesAndInfinite(const R3::Point& p, const R3::Vector& N) const {
+  std::array<double, most_children> importance;
+  for (std::size_t i = 0; i < roots_.size(); ++i)
+    importance[i] = ImportanceIfLit(nodes_[static_cast<std::size_t>(roots_[i])], p, N);
+  importance[roots_.size()] = infinite_power_;
+  return FromImportance(importance, roots_.size() + 1);
 }
 
 LightTree::Weights LightTree::OfChildren(const Node& node, const R3::Point& p, const R3::Vector& N) const {
   std::array<double, most_children> importance;
-  for (int i = 0; i < node.children; ++i)
-    importance[static_cast<std::size_t>(i)] =
-        ImportanceIfLit(nodes_[static_cast<std::size_t>(node.first_child + i)], p, N);
-  return FromImportance(importance, node.children);
+  const auto children = ChildrenOf(node);
+  for (std::size_t i = 0; i < children.size(); ++i) importance[i] = ImportanceIfLit(children[i], p, N);
+  return FromImportance(importance, children.size());
 }
 
 std::optional<LightTree::Choice> LightTree::Choose(const R3::Point& p, const R3::Vector& N, double u) const {
@@ -243,13 +287,14 @@ std::optional<LightTree::Choice> LightTree::Choose(const R3::Point& p, const R3:
     return chosen;
   };
 
-  const Weights top = OfTreeAndInfinite(p, N);
+  const Weights top = OfTreesAndInfinite(p, N);
   if (!(top.sum > 0)) return {};
-  if (choose(top) == 1) {
+  const std::size_t tree = choose(top);
+  if (tree == roots_.size()) {
     const DiscreteDistribution::Drawn drawn = among_infinite_->Draw(u);
     return Choice{infinite_[drawn.index], probability * drawn.probability};
   }
-  const Node* node = &nodes_.front();
+  const Node* node = &nodes_[static_cast<std::size_t>(roots_[tree])];
   while (node->children > 0)
     node = &nodes_[static_cast<std::size_t>(node->first_child) + choose(OfChildren(*node, p, N))];
   return Choice{node->light, probability};
@@ -258,8 +303,9 @@ std::optional<LightTree::Choice> LightTree::Choose(const R3::Point& p, const R3:
 double LightTree::ProbabilityOfNode(const R3::Point& p, const R3::Vector& N, int node) const {
   const int parent = nodes_[static_cast<std::size_t>(node)].parent;
   if (parent < 0) {
-    const Weights top = OfTreeAndInfinite(p, N);
-    return top.sum > 0 ? top.of[0] / top.sum : 0;
+    const Weights top = OfTreesAndInfinite(p, N);
+    const auto tree = static_cast<std::size_t>(std::find(roots_.begin(), roots_.end(), node) - roots_.begin());
+    return top.sum > 0 ? top.of[tree] / top.sum : 0;
   }
   const double of_parent = ProbabilityOfNode(p, N, parent);  // no deeper than the tree, eight levels
   if (of_parent == 0) return 0;
@@ -273,8 +319,8 @@ double LightTree::Probability(const R3::Point& p, const R3::Vector& N, int light
   const Slot slot = slots_[static_cast<std::size_t>(light)];
   if (slot.node >= 0) return ProbabilityOfNode(p, N, slot.node);
   if (slot.infinite < 0) return 0;
-  const Weights top = OfTreeAndInfinite(p, N);
-  return top.of[1] / top.sum * among_infinite_->Probability(static_cast<std::size_t>(slot.infinite));
+  const Weights top = OfTreesAndInfinite(p, N);
+  return top.of[roots_.size()] / top.sum * among_infinite_->Probability(static_cast<std::size_t>(slot.infinite));
 }
 
 }  // namespace ray

@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <sstream>
 
 #include "tests/Project.h"
 
@@ -35,6 +37,47 @@ TEST(Path, EqualsTheCoursesModeWhereNothingIsLeftToChance) {
       path.trace.lights = 0;  // no choice: the box, which emits, is a light as well
       EXPECT_EQ(Shown(scene, path), Shown(scene, whitted)) << scene;
     }
+}
+
+/// Lights of every kind, with and without fall-off, over a floor with a ball, where lengths are given in a unit `scale`
+/// times smaller.
+std::string InUnit(double scale) {
+  std::ostringstream text;
+  const auto lengths = [&](std::initializer_list<double> numbers) {
+    for (const double number : numbers) text << ' ' << scale * number;
+  };
+  const auto falloff = [&] { text << " 0.5 " << 0.25 / scale << ' ' << 0.125 / (scale * scale) << '\n'; };
+  text.precision(17);
+  text << "background 0.1 0.1 0.2 camera", lengths({0, 1.5, 6}), text << "  0 -0.2 -1  0 1 0  0.4  0.01 1000\n";
+  text << "material 0 0 0  0.7 0.6 0.5  0.2 0.2 0.2  0 0 0  0 0 0  20 1 0\n"
+          "material 0 0 0  0 0 0  0 0 0  0 0 0  4 3 2  1 1 0\n"
+          "dir_light 0.3 0.3 0.4  -1 -2 -1\n";
+  text << "point_light 0.5 0.4 0.3", lengths({-2, 3, 2}), text << " 1 0 0\n";
+  text << "point_light 2 2 1", lengths({2, 1, 1}), falloff();
+  text << "spot_light 3 1 1", lengths({-1, 2, 1}), text << "  0 -1 0  1 0 0  0.9 2\n";
+  text << "area_light 1 2 1", lengths({0, 3, 1}), text << "  0 -1 0 ", lengths({0.5}), falloff();
+  text << "sphere_light 1 1 2", lengths({1, 2, -1, 0.25}), falloff();
+  text << "tri 0", lengths({-4, 0, -4, -4, 0, 4, 4, 0, 4}), text << "\ntri 0", lengths({-4, 0, -4, 4, 0, 4, 4, 0, -4});
+  text << "\nsphere 0", lengths({0, 0.8, 0, 0.8}), text << "\ntri 1", lengths({1.5, 2, 0, 2.5, 2, 0, 2, 2, 1});
+  text << "\nsphere 1", lengths({-1.5, 0.5, 1, 0.25});
+  return text.str();
+}
+
+TEST(Path, AUnitOfLengthThatIsAPowerOfTwoTimesSmallerGivesTheSameBytes) {
+  // The choice of lights once weighed lights without fall-off against areas, so that a scene in other units had
+  // more noise.
+  RenderSettings settings = Settings();
+  settings.width = settings.height = 16;
+  settings.samples = 4;
+  settings.trace.glossy = true;
+  for (const int lights : {-1, 0, 2}) {
+    settings.trace.lights = lights;
+    const auto one = project::Render(project::Stage(project::FromText(InUnit(1))), settings).image;
+    for (const double scale : {0x1p-9, 0.5, 8.0, 1024.0}) {
+      const auto other = project::Render(project::Stage(project::FromText(InUnit(scale))), settings).image;
+      EXPECT_TRUE(std::ranges::equal(other.Channels(), one.Channels())) << scale << ", lights " << lights;
+    }
+  }
 }
 
 TEST(Path, MirrorsBeyondMaxDepthAreNotFollowed) {

@@ -264,6 +264,88 @@ TEST(LightTree, WithoutFallOffPowerAloneCounts) {
   EXPECT_NEAR(tree.Probability({}, {0, 1, 0}, 1), 0.75, 1e-15);
 }
 
+/// The same lights where lengths are given in a unit that many times smaller: what falls off with the square of the
+/// distance as an area does sends its power through an area so much larger.
+std::vector<LightBound> InOtherUnit(std::vector<LightBound> lights, double scale) {
+  for (LightBound& light : lights) {
+    light.center = R3::Point{} + scale * FromOrigin(light.center);
+    light.radius *= scale;
+    if (light.ca == 0 && light.la == 0 && light.qa > 0 && !light.is_infinite) {
+      light.power *= scale * scale;
+    } else {
+      light.la /= scale;
+      light.qa /= scale * scale;
+    }
+  }
+  return lights;
+}
+
+TEST(LightTree, TheUnitOfLengthChangesNoChoice) {
+  for (const int count : {3, 20, 300})
+    for (const double scale : {0x1p-10, 0.3, 8.0, 1000.0, 0x1p20}) {
+      const bool is_exact = std::exp2(std::round(std::log2(scale))) == scale;
+      const auto lights = RandomLights(count, 4);
+      const LightTree tree(lights), other(InOtherUnit(lights, scale));
+      Numbers numbers(5);
+      for (int k = 0; k < 20; ++k) {
+        const R3::Point p = RandomPoint(numbers), q = R3::Point{} + scale * FromOrigin(p);
+        const R3::Vector N = RandomUnit(numbers);
+        for (int i = 0; i < count; ++i) {
+          const double one = tree.Probability(p, N, i), same = other.Probability(q, N, i);
+          if (is_exact) {
+            ASSERT_EQ(same, one) << count << " lights, times " << scale;
+          } else {
+            ASSERT_NEAR(same, one, 1e-12) << count << " lights, times " << scale;
+          }
+        }
+      }
+    }
+}
+
+TEST(LightTree, LightsWithoutFallOffCountByWhatTheySendHoweverFarAmongLightsThatFallOff) {
+  for (const double distance : {0.1, 1.0, 1e3, 1e9}) {
+    std::vector<LightBound> lights{{.center = {0, distance, 0}, .power = 6, .ca = 2, .qa = 0},
+                                   {.power = 1, .is_infinite = true}};
+    for (int i = 0; i < 40; ++i) lights.push_back({.center = {i * 0.1, distance, 1}, .power = 9, .qa = 1.0 + i % 20});
+    const LightTree tree(lights);
+    const double without = tree.Probability({}, {0, 1, 0}, 0), infinite = tree.Probability({}, {0, 1, 0}, 1);
+    EXPECT_NEAR(without / infinite, 3, 1e-12) << distance;
+  }
+}
+
+TEST(LightTree, OneOfAFewPointsOfLightHasASecondMomentBoundByTheLeastCosineInAnyUnit) {
+  // Of importances I and contributions c, I cos <= c <= I, where cos is the least cosine of an infinite light and all
+  // others count with theirs. So the second moment of c / probability, sum I * sum c^2 / I, is at most
+  // (sum c)^2 / cos.
+  constexpr double least_cosine = 0.5;
+  const R3::Vector N{0, 1, 0};
+  Numbers numbers(6);
+  for (int k = 0; k < 1000; ++k) {
+    const double scale = std::exp(numbers(-20, 20));
+    const auto above = [&] {
+      const R3::Vector to_light{numbers(-1, 1), numbers(1, 3), numbers(-1, 1)};  // a cosine of at least 1 / sqrt(3)
+      return R3::Point{} + to_light;
+    };
+    const auto power = [&] { return std::exp(numbers(-2, 2)); };
+    const auto lights = InOtherUnit({{.center = above(), .power = power(), .ca = 1, .qa = 0},
+                                     {.center = above(), .power = power()},
+                                     {.center = above(), .power = power(), .la = 2, .qa = 0},
+                                     {.center = above(), .power = power(), .ca = 1, .la = 0.5, .qa = 0.1},
+                                     {.power = power(), .is_infinite = true}},
+                                    scale);
+    const double infinite_cosine = numbers(least_cosine, 1);
+    const LightTree tree(lights);
+    double sum = 0, second_moment = 0;
+    for (int i = 0; i < 5; ++i) {
+      const LightBound& light = lights[static_cast<std::size_t>(i)];
+      const double c = light.is_infinite ? infinite_cosine * light.power : Irradiance(light, {}, N);
+      sum += c;
+      second_moment += c * c / tree.Probability({}, N, i);
+    }
+    ASSERT_LE(second_moment, sum * sum / least_cosine) << "unit " << scale;
+  }
+}
+
 TEST(LightTree, HugeTinyAndCoincidentPlacesAndPowersKeepProbabilitiesWhole) {
   constexpr double most = std::numeric_limits<double>::max(), least = std::numeric_limits<double>::denorm_min();
   const double sizes[] = {0, least, 1e-200, 1e-20, 1, 1e20, 1e200, most};
