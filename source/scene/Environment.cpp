@@ -208,6 +208,7 @@ double Environment::Pdf(const Texel& texel) const {
 }
 
 R2::Color Environment::Radiance(const R3::Vector& direction) const {
+  if (is_black_) return {};  // finding a texel takes an arctangent
   const Texel texel = At(direction);
   return map_.At(texel.column, texel.row);
 }

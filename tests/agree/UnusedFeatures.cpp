@@ -72,6 +72,17 @@ TEST(UnusedFeatures, AScenesStatementsWithoutEffectChangeNoNeedNoKernelAndNoBit)
   }
 }
 
+TEST(UnusedFeatures, ABlackEnvironmentIsNone) {
+  const project::Stage plain(project::FromText(Scene(diffuse, "", area_light)));
+  ray::Scene scene = project::FromText(Scene(diffuse, "", area_light));
+  scene.environment = std::make_shared<const ray::Environment>(R2::Image(8, 4));
+  const project::Stage stated(std::move(scene));
+  for (const char* mode : {"whitted", "path"}) {
+    ExpectAlike(stated, Small(mode), plain, Small(mode), mode);
+    EXPECT_EQ(project::Render(stated, Small(mode)).rays, project::Render(plain, Small(mode)).rays) << mode;
+  }
+}
+
 TEST(UnusedFeatures, AnAreaLightWithoutAreaIsSampledOnceHoweverManyShadowRaysAreAskedFor) {
   const project::Stage stage(project::FromText(Scene(diffuse, "", "area_light 3 3 3  0 4 2  0 -1 -0.3  0  0 0 0.2")));
   const auto needs = ray::FeaturesOf(stage.world, Small("whitted"));
