@@ -78,13 +78,25 @@ struct BsdfSample {
   Lobe lobe = Lobe::diffuse;
 };
 
-/// How the surface at a point scatters light towards wo: kd / pi, ks (n + 1) / (2 pi) (wi.R)^n or a mirror of weight
-/// ks, and kt straight on or refracted, R being wo mirrored about N and ks and kt the SpecularWeights.
+/// How the surface at a point scatters light towards wo: kd / pi, a glossy lobe or a mirror of weight ks, and kt
+/// straight on or refracted, ks and kt being the SpecularWeights. The glossy lobe is Phong's, normalized over the
+/// hemisphere about R, wo mirrored about N. Radiance that it scatters per radiance and solid angle is
+///
+///     ks (n + 1) / (2 pi) (wi.R)^n,   nothing where wi.R <= 0 or wi.N <= 0,
+///
+/// and no cosine wi.N is in it: it is the BRDF times that cosine. What is below the surface is lost, so that with wo at
+/// an angle t to N it reflects of an evenly lit hemisphere
+///
+///     ks * integral of cos^n from t - pi/2 to pi/2 / integral of cos^n from -pi/2 to pi/2:
+///
+/// ks from straight above, half of it at the horizon. A lobe with the cosine and the norm (n + 2) / (2 pi), as other
+/// renderers have it, is as strong from straight above and (n + 2) / (n + 1) cos t times as strong in the middle at an
+/// angle t, so that the same ks looks fainter there.
 ///
 /// wo is fixed when a Bsdf is made, because Fresnel's share and the middle of the lobe depend on it alone. The point
 /// must outlive it. Directions are unit and point away from the surface.
-///   source   Lafortune, Willems, Using the modified Phong reflectance model for physically based rendering (1994),
-///            eq. 4 for the glossy lobe, here without the cosine that dims it at grazing angles
+///   source   Phong (1975) for the lobe; Lafortune, Willems, Using the modified Phong reflectance model for physically
+///            based rendering (1994), eq. 4 for the norm, theirs with the cosine
 class Bsdf {
  public:
   Bsdf(const ShadingPoint& p, const TraceSettings& settings);

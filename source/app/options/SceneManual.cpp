@@ -64,7 +64,7 @@ constexpr const char* placing =
 constexpr std::pair<const char*, const char*> material_words[] = {
     {"ka", "Weight of the ambient light, added once."},
     {"kd", "Diffuse weight, multiplied by the cosine and by the texture, where there is one."},
-    {"ks", "Weight of the highlights of lights and of the mirrored ray."},
+    {"ks", "Weight of the highlights of lights and of the mirrored ray; see below for each mode."},
     {"kt", "Weight of what is seen through the surface, at each surface crossed."},
     {"e",
      "Emission: always added. A triangle that emits is a lamp as well; in mode path every shape is, on both sides of "
@@ -78,7 +78,14 @@ constexpr const char* about_ids =
     "Materials are numbered from 0 as they appear, anew in each file. Any negative mat_id inherits that of the group "
     "around; at the top level of a file, an included one too, it means a gray: ka .2, kd .5, ks .5, n 10.\n"
     "kd (N.L) + ks (V.R)^n of each light that is not in shadow is added, with neither 1/pi nor a norm; then ks times "
-    "what the mirrored ray sees and kt times what the refracted ray sees.\n";
+    "what the mirrored ray sees and kt times what the refracted ray sees.\n"
+    "So in mode whitted ks is the height of a light's highlight, whatever n. In mode path it is that too for the "
+    "lights of this language, which no ray can hit. Of what rays do hit, shapes that emit, the environment and other "
+    "surfaces, ks (or what mirror says) is the share reflected: in the mirrored ray's direction, or with -glossy over "
+    "the lobe ks (n + 1)/(2 pi) (V.R)^n per solid angle, without a further cosine. All of ks is reflected from "
+    "straight above, and down to half of it at grazing angles, where part of the lobe is below the surface. Renderers "
+    "whose Phong lobe is ks (n + 2)/(2 pi) (V.R)^n (N.L) show a fainter highlight for the same ks, by the cosine at "
+    "which it is seen.\n";
 
 constexpr const char* about_files =
     "Files that a scene names are looked for in the folder of the file that names them, then in the current folder, "

@@ -133,6 +133,36 @@ TEST(Bsdf, EvalIsLambertsAndPhongsNormalizedLobes) {
   EXPECT_EQ(PhongReflection(p, {0, -1, 0}, {2, 2, 2}), (R2::Color{}));
 }
 
+/// The integral of cos^n from `from` to pi/2, by parts.
+double IntegralOfCosine(int n, double from) {
+  if (n == 0) return pi / 2 - from;
+  if (n == 1) return 1 - std::sin(from);
+  return (n - 1.0) / n * IntegralOfCosine(n - 2, from) - std::pow(std::cos(from), n - 1) * std::sin(from) / n;
+}
+
+TEST(Bsdf, TheGlossyLobeReflectsKsButForWhatIsBelowTheSurface) {
+  // Around the axis that is perpendicular to R and N a direction's longitude alone says whether it is above the
+  // surface, and its cosine with R is that of the longitude times one of the latitude, which cancels.
+  for (const int n : {0, 1, 2, 3, 10, 37})
+    for (const double angle : {0.0, 0.3, 0.8, 1.2, 1.5}) {
+      const Material m = MaterialOf({}, {0.6, 0.3, 0.1}, {}, n);
+      const ShadingPoint p = PointOf(m, Direction(angle, 0.4));
+      const Bsdf bsdf(p, SettingsOf(true));
+      const double above = IntegralOfCosine(n, angle - pi / 2) / IntegralOfCosine(n, -pi / 2);
+      const double lit_evenly = OverHemisphere([&](const R3::Vector& wi) { return bsdf.Eval(wi).r; });
+      EXPECT_NEAR(lit_evenly, 0.6 * above, 2e-3) << "exponent " << n << ", angle " << angle;
+      EXPECT_NEAR(bsdf.Eval(Direction(angle, 0.4 + pi)).r, 0.6 * (n + 1) / (2 * pi), 1e-12) << "no cosine";
+
+      constexpr int steps = 300;
+      double by_samples = 0;
+      for (int i = 0; i < steps; ++i)
+        for (int j = 0; j < steps; ++j)
+          if (const auto sample = bsdf.Sample({(i + 0.5) / steps, (j + 0.5) / steps}, 0.5))
+            by_samples += sample->value.r / sample->pdf / (steps * steps);
+      EXPECT_NEAR(by_samples, 0.6 * above, 3e-3) << "exponent " << n << ", angle " << angle;
+    }
+}
+
 TEST(Bsdf, RefractsBySnellsLawIntoGlassAndOutAgain) {
   const Material glass = MaterialOf({}, {}, {1, 1, 1});
   const ShadingPoint p = PointOf(glass, {0.6, 0.8, 0});
