@@ -1,10 +1,12 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 
 #include "R2/Point.h"
 #include "source/sample/Random.h"
+#include "source/sample/Sobol.h"
 
 namespace ray {
 
@@ -24,20 +26,36 @@ class Points {
   Points(SamplerKind kind, const RandomKey& key, std::uint32_t count) : Points(kind, key, count, key, 0) {}
   /// More coordinates of the points that `first` has the first ones of, even together with them: from number
   /// `dimension` on, so that with `size` at most Sobol::dimensions. Only Sobol's points have anything in common.
-  Points(SamplerKind kind, const RandomKey& key, std::uint32_t count, const RandomKey& first, int dimension);
-
-  /// The first two coordinates, in [0, 1)^2.
-  R2::Point Get2D(std::uint32_t index) const;
+  Points(SamplerKind kind, const RandomKey& key, std::uint32_t count, const RandomKey& first, int dimension)
+      : kind_(kind), key_(key), count_(std::max(count, 1u)), order_(High(first)), dimension_(dimension) {}
 
   /// As many coordinates as `size`, at most Sobol::dimensions, each in [0, 1).
   template <std::size_t size>
   std::array<double, size> Get(std::uint32_t index) const {
     std::array<double, size> coordinates;
-    Fill(index, coordinates.data(), size);
+    if (kind_ != SamplerKind::sobol && kind_ != SamplerKind::grid) {
+      Fill(index, coordinates.data(), size);
+      return coordinates;
+    }
+    const Sobol point(index, order_);
+#pragma GCC unroll 8  // so that hashing i / 2 costs nothing
+    for (std::size_t i = 0; i < size; ++i) {
+      const RandomKey seeds = key_.Child(i / 2);
+      coordinates[i] = point.Coordinate(dimension_ + static_cast<int>(i), i % 2 == 0 ? High(seeds) : Low(seeds));
+    }
     return coordinates;
   }
 
+  /// The first two coordinates, in [0, 1)^2.
+  R2::Point Get2D(std::uint32_t index) const {
+    const auto [x, y] = Get<2>(index);
+    return {x, y};
+  }
+
  private:
+  static std::uint32_t High(const RandomKey& key) { return static_cast<std::uint32_t>(key.Bits() >> 32); }
+  static std::uint32_t Low(const RandomKey& key) { return static_cast<std::uint32_t>(key.Bits()); }
+  /// Of samplers other than Sobol's.
   void Fill(std::uint32_t index, double* coordinates, std::size_t size) const;
   Stratified PairOf(std::uint32_t index, std::uint64_t pair) const;
 

@@ -5,7 +5,7 @@
 
 namespace ray {
 
-inline std::uint32_t ReversedBits(std::uint32_t bits) {
+constexpr std::uint32_t ReversedBits(std::uint32_t bits) {
   bits = __builtin_bswap32(bits);
   bits = ((bits & 0x0f0f0f0f) << 4) | ((bits >> 4) & 0x0f0f0f0f);
   bits = ((bits & 0x33333333) << 2) | ((bits >> 2) & 0x33333333);
@@ -27,8 +27,29 @@ inline std::uint32_t OwenReversed(std::uint32_t reversed, std::uint32_t seed) {
   return bits;
 }
 
-/// The sequence itself, neither shuffled nor scrambled, in units of 2^-32. `reversed` is ReversedBits(index).
-std::uint32_t SobolBits(std::uint32_t index, std::uint32_t reversed, int dimension);
+/// What each byte of an index contributes to a dimension.
+using SobolTable = std::array<std::array<std::uint32_t, 256>, 4>;
+extern const std::array<SobolTable, 6> sobol_tables;  // of dimensions 2 to 7
+inline constexpr int first_sobol_table = 2;
+
+/// Pascal's triangle modulo 2, the Kronecker power of (1 0; 1 1): one step a factor.
+constexpr std::uint32_t PascalOf(std::uint32_t bits) {
+  bits ^= (bits & 0xaaaaaaaa) >> 1;
+  bits ^= (bits & 0xcccccccc) >> 2;
+  bits ^= (bits & 0xf0f0f0f0) >> 4;
+  bits ^= (bits & 0xff00ff00) >> 8;
+  bits ^= (bits & 0xffff0000) >> 16;
+  return bits;
+}
+
+/// The sequence itself, neither shuffled nor scrambled: fractions in units of 2^-32, their bits in reverse.
+inline std::uint32_t ReversedSobolBits(std::uint32_t index, int dimension) {
+  if (dimension == 0) return index;
+  if (dimension == 1) return PascalOf(index);
+  const SobolTable& table = sobol_tables[static_cast<std::size_t>(dimension - first_sobol_table)];
+  return table[0][index & 0xff] ^ table[1][(index >> 8) & 0xff] ^ table[2][(index >> 16) & 0xff] ^
+         table[3][index >> 24];
+}
 
 /// The first dimensions of Sobol's sequence, shuffled and scrambled: among any 2^k points that begin at a multiple of
 /// 2^k, each pair of the first two dimensions has one point in every box of area 2^-k whose sides are powers of two,
@@ -43,17 +64,14 @@ class Sobol {
   static constexpr int dimensions = 8;
 
   /// The point `index` of the sequence whose order `order` shuffles; one seed a coordinate scrambles that.
-  Sobol(std::uint32_t index, std::uint32_t order)
-      : reversed_(OwenReversed(ReversedBits(index), order)), index_(ReversedBits(reversed_)) {}
+  Sobol(std::uint32_t index, std::uint32_t order) : index_(ReversedBits(OwenReversed(ReversedBits(index), order))) {}
   /// In [0, 1); dimension 0 to dimensions - 1.
   double Coordinate(int dimension, std::uint32_t seed) const {
-    // Of dimension 0 the bits are those of the index in reverse.
-    const std::uint32_t bits = dimension == 0 ? index_ : ReversedBits(SobolBits(index_, reversed_, dimension));
-    return ReversedBits(OwenReversed(bits, seed)) * 0x1p-32;
+    return ReversedBits(OwenReversed(ReversedSobolBits(index_, dimension), seed)) * 0x1p-32;
   }
 
  private:
-  std::uint32_t reversed_, index_;  // of the point in the sequence; with its bits in reverse, and as it is
+  std::uint32_t index_;  // of the point in the sequence
 };
 
 }  // namespace ray

@@ -33,8 +33,6 @@ R3::Point EmissiveTriangle::PointTowards(const R3::Point& seen_from, const R2::P
   return SpawnPoint(at, seen_from - at.position);
 }
 
-double EmissiveTriangle::Area() const { return Length(Cross(corners[1] - corners[0], corners[2] - corners[0])) / 2; }
-
 std::string EmissiveTriangle::Describe() const {
   return "triangle that shines, primitive " + std::to_string(primitive);
 }
@@ -64,6 +62,7 @@ std::vector<EmissiveTriangle> EmissiveTriangles(const World& world) {
       t.motion = world.MotionOf(instance.frame);
       t.corner_error = t.corner_error + rounding * Abs(t.motion);
       t.normal = world_from_local * R3::AsNormal(Unit(Cross(local[1] - local[0], local[2] - local[0])));
+      t.area = Length(Cross(t.corners[1] - t.corners[0], t.corners[2] - t.corners[0])) / 2;
       t.emission = instance.material->emission;
       t.primitive = instance.first_primitive + i;
       triangles.push_back(t);

@@ -15,6 +15,7 @@ struct EmissiveTriangle {
   R3::Vector corner_error;           // bound on what rounding moved them by, per axis
   R3::Vector motion;                 // while the shutter is open
   R3::Normal normal;
+  double area = 0;
   R2::Color emission;
   std::int64_t primitive = 0;
 
@@ -25,7 +26,6 @@ struct EmissiveTriangle {
   ///            that keep strata whole
   R3::Point PointTowards(const R3::Point& seen_from, const R2::Point& random, double time) const;
 
-  double Area() const;
   std::string Describe() const;
   /// What choosing among lights goes by, without fall-off as the course has it.
   LightBound Bound() const;

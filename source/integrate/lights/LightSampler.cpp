@@ -25,7 +25,7 @@ LightBound RadiantBound(const Environment& environment) {
 }
 
 double Pdf(const EmissiveTriangle& triangle, const R3::Vector& towards, double t) {
-  return SolidAnglePdf(triangle.normal, towards, t, triangle.Area());
+  return SolidAnglePdf(triangle.normal, towards, t, triangle.area);
 }
 
 }  // namespace
@@ -44,7 +44,7 @@ LightSampler::LightSampler(const World& world, const TraceSettings& settings)
     }
   for (const EmissiveTriangle& triangle : triangles_) {
     light_of_primitive_.emplace(triangle.primitive, static_cast<int>(bounds.size()));
-    bounds.push_back(RadiantBound(triangle.Bound(), triangle.Area()));
+    bounds.push_back(RadiantBound(triangle.Bound(), triangle.area));
   }
   for (const EmissiveShape& shape : shapes_) {
     light_of_primitive_.emplace(shape.Primitive(), static_cast<int>(bounds.size()));

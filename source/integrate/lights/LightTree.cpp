@@ -149,6 +149,7 @@ LightTree::LightTree(std::vector<LightBound> lights) : slots_(lights.size()) {
     among_infinite_.emplace(powers);
   }
   for (std::vector<int>& group : ByLaw(lights, finite, most_children - 1)) AddTree(lights, std::move(group));
+  has_lone_tree_ = infinite_.empty() && roots_.size() == 1 && nodes_.size() > 1;
 }
 
 void LightTree::AddTree(const std::vector<LightBound>& lights, std::vector<int> finite) {
@@ -287,22 +288,29 @@ std::optional<LightTree::Choice> LightTree::Choose(const R3::Point& p, const R3:
     return chosen;
   };
 
-  const Weights top = OfTreesAndInfinite(p, N);
-  if (!(top.sum > 0)) return {};
-  const std::size_t tree = choose(top);
-  if (tree == roots_.size()) {
-    const DiscreteDistribution::Drawn drawn = among_infinite_->Draw(u);
-    return Choice{infinite_[drawn.index], probability * drawn.probability};
+  std::size_t tree = 0;
+  if (!has_lone_tree_) {
+    const Weights top = OfTreesAndInfinite(p, N);
+    if (!(top.sum > 0)) return {};
+    tree = choose(top);
+    if (tree == roots_.size()) {
+      const DiscreteDistribution::Drawn drawn = among_infinite_->Draw(u);
+      return Choice{infinite_[drawn.index], probability * drawn.probability};
+    }
   }
   const Node* node = &nodes_[static_cast<std::size_t>(roots_[tree])];
-  while (node->children > 0)
-    node = &nodes_[static_cast<std::size_t>(node->first_child) + choose(OfChildren(*node, p, N))];
+  while (node->children > 0) {
+    const Weights weights = OfChildren(*node, p, N);
+    if (!(weights.sum > 0)) return {};
+    node = &nodes_[static_cast<std::size_t>(node->first_child) + choose(weights)];
+  }
   return Choice{node->light, probability};
 }
 
 double LightTree::ProbabilityOfNode(const R3::Point& p, const R3::Vector& N, int node) const {
   const int parent = nodes_[static_cast<std::size_t>(node)].parent;
   if (parent < 0) {
+    if (has_lone_tree_) return 1;
     const Weights top = OfTreesAndInfinite(p, N);
     const auto tree = static_cast<std::size_t>(std::find(roots_.begin(), roots_.end(), node) - roots_.begin());
     return top.sum > 0 ? top.of[tree] / top.sum : 0;

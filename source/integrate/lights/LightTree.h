@@ -92,8 +92,9 @@ class LightTree {
   void Summarize(std::size_t root);
   void SummarizePowers(Node& node, double reference);
 
-  std::vector<Node> nodes_;  // children after their parent
-  std::vector<int> roots_;   // at most most_children - 1
+  std::vector<Node> nodes_;     // children after their parent
+  std::vector<int> roots_;      // at most most_children - 1
+  bool has_lone_tree_ = false;  // nothing to choose it from: its children say whether it is lit
   std::vector<int> infinite_;
   std::optional<DiscreteDistribution> among_infinite_;
   double infinite_power_ = 0;

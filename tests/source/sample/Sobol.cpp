@@ -88,7 +88,8 @@ void ExpectSlopeOfTheDefinition(double steepest_known) {
     std::array<double, size> point;
     for (std::size_t d = 0; d < size; ++d)
       point[d] =
-          OwenByDefinition(SobolBits(i, ReversedBits(i), static_cast<int>(d)), RandomKey(scramble).Child(d)) * 0x1p-32;
+          OwenByDefinition(ReversedBits(ReversedSobolBits(i, static_cast<int>(d))), RandomKey(scramble).Child(d)) *
+          0x1p-32;
     return point;
   };
   const double coarse = ErrorOf(16, hashed), fine = ErrorOf(1024, hashed);
