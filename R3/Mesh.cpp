@@ -21,6 +21,29 @@ Vector FaceDirection(const std::array<Point, 3>& c) {
   return Unit(Cross(Scaled(a, -std::ilogb(longest_a)), Scaled(b, -std::ilogb(longest_b))));
 }
 
+/// The place of a flat triangle that is the mean of its corners by weights whose sum is 1.
+R3_USES_FMA
+Intersection AtWeights(const std::array<Point, 3>& corners, const std::array<double, 3>& weights) {
+  Intersection at;
+  Vector position, magnitude;
+#pragma GCC unroll 3
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vector share = weights[i] * FromOrigin(corners[i]);
+    position = position + share;
+    magnitude = magnitude + Abs(share);
+  }
+  at.position = Point{} + position;
+  // Physically Based Rendering (2023), section 6.8.5: gamma(7) for the sum. The next test of the same triangle sums its
+  // corners' distances, so its t errs by a share of the largest of them whichever way the triangle lies: a triangle in
+  // the plane z = 0 must not be left from z = 0 exactly.
+  double farthest = 0;
+#pragma GCC unroll 3
+  for (const Point& corner : corners) farthest = std::max(farthest, MaxComponent(Abs(corner - at.position)));
+  at.error = Gamma(7) * magnitude + Gamma(16) * Vector{farthest, farthest, farthest};
+  at.normal = at.shading_normal = AsNormal(FaceDirection(corners));
+  return at;
+}
+
 }  // namespace
 
 std::vector<R2::Point> TriUvs() { return {{0, 0}, {1, 0}, {0, 1}}; }
@@ -78,26 +101,11 @@ std::optional<Hit> Mesh::Intersect(const Ray& ray, int element) const {
 }
 
 Intersection Mesh::At(const Ray&, const Hit& hit, int element) const {
-  const auto corners = Corners(element);
-  const auto& indices = data_.triangles[static_cast<std::size_t>(element)];
   const std::array weights{1 - hit.u - hit.v, hit.u, hit.v};
+  Intersection at = AtWeights(Corners(element), weights);
+  if (!smooth_ && data_.uvs.empty()) return at;
 
-  Intersection at;
-  Vector position, magnitude;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const Vector share = weights[i] * FromOrigin(corners[i]);
-    position = position + share;
-    magnitude = magnitude + Abs(share);
-  }
-  at.position = Point{} + position;
-  // Physically Based Rendering (2023), section 6.8.5: gamma(7) for the sum. The next test of the same triangle sums its
-  // corners' distances, so its t errs by a share of the largest of them whichever way the triangle lies: a triangle in
-  // the plane z = 0 must not be left from z = 0 exactly.
-  double farthest = 0;
-  for (const Point& corner : corners) farthest = std::max(farthest, MaxComponent(Abs(corner - at.position)));
-  at.error = Gamma(7) * magnitude + Gamma(16) * Vector{farthest, farthest, farthest};
-  at.normal = at.shading_normal = AsNormal(FaceDirection(corners));
-
+  const auto& indices = data_.triangles[static_cast<std::size_t>(element)];
   if (smooth_) {
     Vector sum;
     for (std::size_t i = 0; i < 3; ++i) sum = sum + weights[i] * AsVector(data_.normals[indices[i]]);

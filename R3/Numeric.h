@@ -16,11 +16,12 @@ inline constexpr double unit_roundoff = 0x1p-53;
 constexpr double Gamma(int n) { return n * unit_roundoff / (1 - n * unit_roundoff); }
 
 /// Compiles a function twice on x86-64, with and without the fused multiply-add instruction, and chooses at
-/// start-up; without it std::fma is a library call. Both give the same bits, because fma is exact by
-/// definition and contraction is off. Sanitizers cannot run the start-up choice.
+/// start-up; without it std::fma is a library call. What the function calls is compiled into it, so that it is chosen
+/// too. Both give the same bits, because fma is exact by definition and contraction is off. Sanitizers cannot run the
+/// start-up choice.
 #if defined(__x86_64__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) && !defined(__FMA__) && \
     defined(__GNUC__) && !defined(__clang__)
-#define R3_USES_FMA __attribute__((target_clones("default", "arch=haswell")))
+#define R3_USES_FMA __attribute__((flatten, target_clones("default", "arch=haswell")))
 #else
 #define R3_USES_FMA
 #endif

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <numbers>
 
 #include "R2/Point.h"
@@ -40,7 +41,7 @@ R2::Point OnTriangle(const R2::Point& u);
 /// Source: Malley's method, in Pharr, Jakob, Humphreys, Physically Based Rendering (2023), section A.5.3.
 Vector OnCosineHemisphere(const R2::Point& u);
 /// cosine / pi; 0 below the plane.
-double CosinePdf(double cosine);
+inline double CosinePdf(double cosine) { return std::max(0.0, cosine) / std::numbers::pi; }
 
 /// A direction above the plane, its pdf proportional to the n-th power of its cosine with +z: Phong's lobe.
 ///   n        >= 0 and finite; tested from 0, which is even over the hemisphere, to 1e6

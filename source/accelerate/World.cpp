@@ -151,8 +151,7 @@ R3::Intersection World::At(const R3::Ray& ray, const WorldHit& hit) const {
 }
 
 void World::BringToWorld(std::uint32_t frame, double time, R3::Intersection& at) const {
-  const R3::Transform& world_from_local = frames_[frame];
-  if (!world_from_local.IsIdentity()) Transform(world_from_local, at);
+  if (frame != 0 && !frames_[frame].IsIdentity()) Transform(frames_[frame], at);
   if (moves_) Shift(time * motions_[frame], at);
 }
 

@@ -64,6 +64,7 @@ class World {
   const R3::Vector& MotionOf(std::uint32_t frame) const { return motions_[frame]; }
   /// A ray seen from a frame at the ray's time.
   R3::Ray Back(std::uint32_t frame, const R3::Ray& ray) const {
+    if (frame == 0) return ray;
     if (!moves_) return frames_[frame].Back(ray);
     R3::Ray then = ray;
     then.origin = ray.origin - ray.time * motions_[frame];

@@ -12,6 +12,7 @@ std::vector<ShadingPoint> Tracer::CameraHits(std::span<const CameraSample> sampl
   state.Book(RayKind::camera, samples.size());
 
   std::vector<ShadingPoint> points;
+  points.reserve(samples.size());
   for (std::size_t i = 0; i < samples.size(); ++i) {
     PathState path{.ray = samples[i].ray, .index = samples[i].index};
     if (state.recorder) path.record = state.recorder->Begin(path);
