@@ -13,8 +13,8 @@ Vector Scaled(const Vector& v, int exponent) {
 }
 
 /// Unit, on the side from which the corners turn counter-clockwise; zero for a triangle without area.
-Vector FaceDirection(const std::array<Point, 3>& c) {
-  const Vector a = c[1] - c[0], b = c[2] - c[0], area = Cross(a, b);
+Vector FaceDirection(const Point& p, const Point& q, const Point& r) {
+  const Vector a = q - p, b = r - p, area = Cross(a, b);
   if (IsInRange(MaxComponent(Abs(area)))) return Unit(area);
   const double longest_a = MaxComponent(Abs(a)), longest_b = MaxComponent(Abs(b));
   if (!(longest_a > 0 && longest_b > 0 && longest_a < infinity && longest_b < infinity)) return Unit(area);
@@ -23,12 +23,12 @@ Vector FaceDirection(const std::array<Point, 3>& c) {
 
 /// The place of a flat triangle that is the mean of its corners by weights whose sum is 1.
 R3_USES_FMA
-Intersection AtWeights(const std::array<Point, 3>& corners, const std::array<double, 3>& weights) {
+Intersection AtWeights(const std::array<const Point*, 3>& corners, const std::array<double, 3>& weights) {
   Intersection at;
   Vector position, magnitude;
 #pragma GCC unroll 3
   for (std::size_t i = 0; i < 3; ++i) {
-    const Vector share = weights[i] * FromOrigin(corners[i]);
+    const Vector share = weights[i] * FromOrigin(*corners[i]);
     position = position + share;
     magnitude = magnitude + Abs(share);
   }
@@ -38,9 +38,9 @@ Intersection AtWeights(const std::array<Point, 3>& corners, const std::array<dou
   // the plane z = 0 must not be left from z = 0 exactly.
   double farthest = 0;
 #pragma GCC unroll 3
-  for (const Point& corner : corners) farthest = std::max(farthest, MaxComponent(Abs(corner - at.position)));
+  for (const Point* corner : corners) farthest = std::max(farthest, MaxComponent(Abs(*corner - at.position)));
   at.error = Gamma(7) * magnitude + Gamma(16) * Vector{farthest, farthest, farthest};
-  at.normal = at.shading_normal = AsNormal(FaceDirection(corners));
+  at.normal = at.shading_normal = AsNormal(FaceDirection(*corners[0], *corners[1], *corners[2]));
   return at;
 }
 
@@ -54,8 +54,7 @@ Mesh::Mesh(MeshData data, bool smooth, std::string file)
   assert(data_.uvs.empty() || data_.uvs.size() == data_.positions.size());
   const std::size_t before = data_.triangles.size();
   std::erase_if(data_.triangles, [&](const auto& t) {
-    const std::array corners{data_.positions[t[0]], data_.positions[t[1]], data_.positions[t[2]]};
-    return FaceDirection(corners) == Vector{};
+    return FaceDirection(data_.positions[t[0]], data_.positions[t[1]], data_.positions[t[2]]) == Vector{};
   });
   dropped_ = static_cast<int>(before - data_.triangles.size());
   for (Normal& normal : data_.normals) normal = AsNormal(Unit(AsVector(normal)));
@@ -83,9 +82,8 @@ std::unique_ptr<const Mesh> Mesh::Moved(const Transform& move) const {
   for (Normal& normal : moved->data_.normals) normal = AsNormal(TransposeTimes(move.Inverse(), AsVector(normal)));
   for (auto& triangle : moved->data_.triangles) {
     if (move.Mirrors()) std::swap(triangle[1], triangle[2]);
-    const std::array corners{moved->data_.positions[triangle[0]], moved->data_.positions[triangle[1]],
-                             moved->data_.positions[triangle[2]]};
-    if (FaceDirection(corners) == Vector{}) return nullptr;
+    const auto corner = [&](std::size_t i) { return moved->data_.positions[triangle[i]]; };
+    if (FaceDirection(corner(0), corner(1), corner(2)) == Vector{}) return nullptr;
   }
   return moved;
 }
@@ -102,7 +100,7 @@ std::optional<Hit> Mesh::Intersect(const Ray& ray, int element) const {
 
 Intersection Mesh::At(const Ray&, const Hit& hit, int element) const {
   const std::array weights{1 - hit.u - hit.v, hit.u, hit.v};
-  Intersection at = AtWeights(Corners(element), weights);
+  Intersection at = AtWeights(CornersInPlace(element), weights);
   if (!smooth_ && data_.uvs.empty()) return at;
 
   const auto& indices = data_.triangles[static_cast<std::size_t>(element)];
@@ -114,6 +112,7 @@ Intersection Mesh::At(const Ray&, const Hit& hit, int element) const {
     if (blended != Vector{}) at.shading_normal = AsNormal(blended);
   }
   if (!data_.uvs.empty())
+#pragma GCC unroll 3
     for (std::size_t i = 0; i < 3; ++i) {
       at.uv.x += weights[i] * data_.uvs[indices[i]].x;
       at.uv.y += weights[i] * data_.uvs[indices[i]].y;

@@ -48,6 +48,11 @@ class Mesh : public Shape {
     const auto& t = data_.triangles[static_cast<std::size_t>(element)];
     return {data_.positions[t[0]], data_.positions[t[1]], data_.positions[t[2]]};
   }
+  /// The same without copies; they live as long as the mesh.
+  std::array<const Point*, 3> CornersInPlace(int element) const {
+    const auto& t = data_.triangles[static_cast<std::size_t>(element)];
+    return {&data_.positions[t[0]], &data_.positions[t[1]], &data_.positions[t[2]]};
+  }
 
  private:
   Mesh() = default;

@@ -20,7 +20,7 @@ std::optional<Hit> IntersectScaledTriangle(const ShearedRay& ray, const double (
 
 R3_USES_FMA
 std::optional<Hit> IntersectTriangle(const ShearedRay& ray, const std::array<Point, 3>& corners) {
-  return IntersectTriangleInline(ray, corners);
+  return IntersectTriangleInline(ray, {&corners[0], &corners[1], &corners[2]});
 }
 
 }  // namespace R3

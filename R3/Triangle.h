@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
+#include <cstring>
 #include <optional>
 
 #include "R3/Hit.h"
@@ -17,24 +17,29 @@ struct ShearedRay {
     constexpr int next[3] = {1, 2, 0};
     x_axis = next[z_axis];
     y_axis = next[x_axis];
-    const auto direction = std::bit_cast<std::array<double, 3>>(ray.direction);
-    z_scale = 1 / direction[static_cast<std::size_t>(z_axis)];
-    x_shear = direction[static_cast<std::size_t>(x_axis)] * z_scale;
-    y_shear = direction[static_cast<std::size_t>(y_axis)] * z_scale;
+    z_scale = 1 / LookUp(ray.direction, z_axis);
+    x_shear = LookUp(ray.direction, x_axis) * z_scale;
+    y_shear = LookUp(ray.direction, y_axis) * z_scale;
     origin = Permuted(ray.origin);
   }
 
-  /// Which axis comes first is looked up rather than branched on: rays of all directions come in no order.
-  Vector Permuted(const Point& p) const {
-    const auto v = std::bit_cast<std::array<double, 3>>(p);
-    return {v[static_cast<std::size_t>(x_axis)], v[static_cast<std::size_t>(y_axis)],
-            v[static_cast<std::size_t>(z_axis)]};
-  }
+  Vector Permuted(const Point& p) const { return {LookUp(p, x_axis), LookUp(p, y_axis), LookUp(p, z_axis)}; }
 
   int x_axis, y_axis, z_axis;
   Vector origin;  // permuted
   double x_shear, y_shear, z_scale;
   double t_min, t_max;
+
+ private:
+  /// In memory rather than by branches: rays of all directions come in no order.
+  template <typename Xyz>
+  static double LookUp(const Xyz& xyz, int axis) {
+    static_assert(sizeof(Xyz) == 3 * sizeof(double));
+    double coordinate;
+    std::memcpy(&coordinate, reinterpret_cast<const char*>(&xyz) + sizeof(double) * static_cast<std::size_t>(axis),
+                sizeof coordinate);
+    return coordinate;
+  }
 };
 
 /// Nearest crossing with a triangle seen from either side; Hit::u and v are the weights of corners 1 and 2.
@@ -57,12 +62,13 @@ inline std::optional<Hit> TriangleHit(const ShearedRay& ray, double u, double v,
   return Hit{t, v / sum, w / sum, 0};
 }
 
-/// The same, compiled into its caller: for batches whose caller is itself compiled for an instruction set.
-inline std::optional<Hit> IntersectTriangleInline(const ShearedRay& ray, const std::array<Point, 3>& corners) {
+/// The same, compiled into its caller: for batches whose caller is itself compiled for an instruction set. Corners stay
+/// where they are in memory.
+inline std::optional<Hit> IntersectTriangleInline(const ShearedRay& ray, const std::array<const Point*, 3>& corners) {
   double x[3], y[3], z[3];
 #pragma GCC unroll 3
   for (std::size_t i = 0; i < 3; ++i) {
-    const Vector v = ray.Permuted(corners[i]) - ray.origin;
+    const Vector v = ray.Permuted(*corners[i]) - ray.origin;
     z[i] = v.z;
     x[i] = v.x - ray.x_shear * v.z;
     y[i] = v.y - ray.y_shear * v.z;

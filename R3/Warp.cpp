@@ -15,17 +15,6 @@ Vector FromPolar(double sine, double cosine, double turns) {
 
 }  // namespace
 
-Tangents TangentsOf(const Vector& n) {
-  const double sign = std::copysign(1.0, n.z);
-  const double a = -1 / (sign + n.z), b = n.x * n.y * a;
-  return {{1 + sign * n.x * n.x * a, sign * b, -sign * n.x}, {b, sign + n.y * n.y * a, -n.y}};
-}
-
-Vector FromTangents(const Vector& local, const Vector& about) {
-  const Tangents tangents = TangentsOf(about);
-  return local.x * tangents.first + local.y * tangents.second + local.z * about;
-}
-
 R2::Point OnDisc(const R2::Point& square) {
   const double a = 2 * square.x - 1, b = 2 * square.y - 1;
   if (a == 0 && b == 0) return {};

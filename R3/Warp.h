@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 #include "R2/Point.h"
@@ -21,11 +22,18 @@ struct Tangents {
 
 /// Tangents of a unit vector, any; within 1e-15. They jump where n.z changes its sign and nowhere else.
 /// Source: Duff, Burgess, Christensen, Hery, Kensler, Liani, Villemin, Building an orthonormal basis, revisited (2017).
-Tangents TangentsOf(const Vector& n);
+inline Tangents TangentsOf(const Vector& n) {
+  const double sign = std::copysign(1.0, n.z);
+  const double a = -1 / (sign + n.z), b = n.x * n.y * a;
+  return {{1 + sign * n.x * n.x * a, sign * b, -sign * n.x}, {b, sign + n.y * n.y * a, -n.y}};
+}
 
 /// `local`, given about +z, turned to be about the unit vector `about`: +z goes to `about`, x and y to its tangents.
 /// Lengths are kept within 1e-15 relative.
-Vector FromTangents(const Vector& local, const Vector& about);
+inline Vector FromTangents(const Vector& local, const Vector& about) {
+  const Tangents tangents = TangentsOf(about);
+  return local.x * tangents.first + local.y * tangents.second + local.z * about;
+}
 
 /// A point of the unit disc from one of the unit square, keeping shares of area; within 1e-15 of the disc.
 /// Source: Shirley, Chiu, A low distortion map between disk and square (1997).

@@ -102,8 +102,8 @@ class Accelerator {
     const R3::Point& o = ray.origin;
     const R3::Vector& d = ray.direction;
     // 0 for finite numbers, NaN for others; and without a branch for each.
-    const double nought = (0 * o.x + 0 * o.y + 0 * o.z) + (0 * d.x + 0 * d.y + 0 * d.z);
-    return (nought == 0) & (ray.t_min < ray.t_max) & ((d.x != 0) | (d.y != 0) | (d.z != 0));
+    const double nought = 0 * o.x * o.y * o.z * d.x * d.y * d.z;
+    return (nought == 0) & (ray.t_min < ray.t_max) & (MaxComponent(Abs(d)) > 0);
   }
 
   static bool AreRays(std::span<const R3::Ray> rays) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <type_traits>
 
 #include "R2/Point.h"
 #include "source/sample/Random.h"
@@ -32,17 +33,11 @@ class Points {
   /// As many coordinates as `size`, at most Sobol::dimensions, each in [0, 1).
   template <std::size_t size>
   std::array<double, size> Get(std::uint32_t index) const {
+    if (kind_ == SamplerKind::sobol || kind_ == SamplerKind::grid)
+      return dimension_ == 0 ? SobolPoint<size>(index, std::integral_constant<int, 0>())
+                             : SobolPoint<size>(index, dimension_);
     std::array<double, size> coordinates;
-    if (kind_ != SamplerKind::sobol && kind_ != SamplerKind::grid) {
-      Fill(index, coordinates.data(), size);
-      return coordinates;
-    }
-    const Sobol point(index, order_);
-#pragma GCC unroll 8  // so that hashing i / 2 costs nothing
-    for (std::size_t i = 0; i < size; ++i) {
-      const RandomKey seeds = key_.Child(i / 2);
-      coordinates[i] = point.Coordinate(dimension_ + static_cast<int>(i), i % 2 == 0 ? High(seeds) : Low(seeds));
-    }
+    Fill(index, coordinates.data(), size);
     return coordinates;
   }
 
@@ -55,6 +50,18 @@ class Points {
  private:
   static std::uint32_t High(const RandomKey& key) { return static_cast<std::uint32_t>(key.Bits() >> 32); }
   static std::uint32_t Low(const RandomKey& key) { return static_cast<std::uint32_t>(key.Bits()); }
+  /// `first`: the dimension of the first coordinate, as a type where it is always the same.
+  template <std::size_t size, typename Dimension>
+  std::array<double, size> SobolPoint(std::uint32_t index, Dimension first) const {
+    std::array<double, size> coordinates;
+    const Sobol point(index, order_);
+#pragma GCC unroll 8  // so that hashing i / 2 costs nothing
+    for (std::size_t i = 0; i < size; ++i) {
+      const RandomKey seeds = key_.Child(i / 2);
+      coordinates[i] = point.Coordinate(first + static_cast<int>(i), i % 2 == 0 ? High(seeds) : Low(seeds));
+    }
+    return coordinates;
+  }
   /// Of samplers other than Sobol's.
   void Fill(std::uint32_t index, double* coordinates, std::size_t size) const;
   Stratified PairOf(std::uint32_t index, std::uint64_t pair) const;

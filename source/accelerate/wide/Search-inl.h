@@ -362,7 +362,7 @@ class ExactTriangleTest {
     if (!sheared_) Prepare();
     if (nearest_.Best()) sheared_->t_max = std::min(sheared_->t_max, R3::NextUp(nearest_.Limit()));
     ++counts_.primitive_tests;
-    const auto hit = R3::IntersectTriangleInline(*sheared_, triangle.mesh->Corners(triangle.element));
+    const auto hit = R3::IntersectTriangleInline(*sheared_, triangle.mesh->CornersInPlace(triangle.element));
     if (!hit) return false;
     nearest_.Offer({*hit, triangle.instance, triangle.element});
     return true;
