@@ -1,6 +1,7 @@
 #include "source/integrate/Path.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "source/integrate/Bsdf.h"
 #include "source/integrate/RussianRoulette.h"
@@ -46,7 +47,7 @@ void Path::Li(std::span<const CameraSample> samples, std::span<R2::Color> radian
   for (std::size_t i = 0; i < samples.size(); ++i) {
     if (state.hits[i]) {
       radiances[i] = point->radiance;
-      radiances[i] += IndirectLight(*point++, state);
+      radiances[i] += IndirectLight(std::move(*point++), state);
     } else {
       radiances[i] = Background(world_.scene(), samples[i].ray.direction);
     }
@@ -54,7 +55,7 @@ void Path::Li(std::span<const CameraSample> samples, std::span<R2::Color> radian
 }
 
 /// The loop of path tracing: all that reaches the first surface over further bounces, its throughput included.
-R2::Color Path::IndirectLight(ShadingPoint p, TraceState& state) const {
+R2::Color Path::IndirectLight(ShadingPoint&& p, TraceState& state) const {
   R2::Color radiance;
   for (bool is_first = true;; is_first = false) {
     const Bsdf bsdf(p, settings_);
@@ -71,6 +72,7 @@ R2::Color Path::IndirectLight(ShadingPoint p, TraceState& state) const {
     if (!surviving || IsBlack(*surviving)) return radiance;
 
     PathState path = Extend(p, scattered->wi, scattered->lobe, *surviving, p.path.index.Child(bounce_key));
+    if (is_last && !lights_.MayBeHitBy(path.ray)) return radiance;
     const auto hit = tracer_.Intersect(path, state);
     if (!hit) {
       const R2::Color emitted = EmittedByEnvironment(p, *scattered, path);

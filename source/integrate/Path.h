@@ -26,7 +26,8 @@ class Path : public Integrator {
   void Li(std::span<const CameraSample> samples, std::span<R2::Color> radiances, TraceState& state) const override;
 
  private:
-  R2::Color IndirectLight(ShadingPoint p, TraceState& state) const;
+  /// `p` is moved along the path.
+  R2::Color IndirectLight(ShadingPoint&& p, TraceState& state) const;
   /// Light that reaches p straight from lights, throughput included.
   R2::Color DirectLight(const ShadingPoint& p, const Bsdf& bsdf, TraceState& state) const;
   /// The same as shadow rays; `index` is where it arrives.

@@ -33,6 +33,7 @@ double Pdf(const EmissiveTriangle& triangle, const R3::Vector& towards, double t
 LightSampler::LightSampler(const World& world, const TraceSettings& settings)
     : triangles_(EmissiveTriangles(world)),
       shapes_(EmissiveShapes(world)),
+      emission_bounds_(world),
       has_unsampled_emission_(HasUnsampledEmission(world)),
       is_uniform_(settings.strategy == LightStrategy::uniform) {
   const Scene& scene = world.scene();

@@ -7,6 +7,7 @@
 
 #include "source/integrate/ShadingPoint.h"
 #include "source/integrate/TraceSettings.h"
+#include "source/integrate/lights/EmissionBounds.h"
 #include "source/integrate/lights/EmissiveShape.h"
 #include "source/integrate/lights/EmissiveTriangle.h"
 #include "source/integrate/lights/LightTree.h"
@@ -22,9 +23,12 @@ class LightSampler {
 
   bool IsEmpty() const { return count_ == 0; }
   int Count() const { return count_; }
-  /// Whether some light can be found by following scattered rays as well.
+  /// Whether some light can be found by following scattered rays as well, and whether by this one.
   bool CanBeHit() const {
     return environment_ || has_background_ || has_unsampled_emission_ || !light_of_primitive_.empty();
+  }
+  bool MayBeHitBy(const R3::Ray& ray) const {
+    return environment_ || has_background_ || emission_bounds_.MayBeHitBy(ray);
   }
 
   /// A light in words.
@@ -50,6 +54,7 @@ class LightSampler {
   std::vector<EmissiveTriangle> triangles_;
   std::vector<EmissiveShape> shapes_;
   std::unordered_map<std::int64_t, int> light_of_primitive_;
+  EmissionBounds emission_bounds_;
   const Environment* environment_ = nullptr;
   bool has_background_ = false;  // that is not black
   bool has_unsampled_emission_;

@@ -61,7 +61,7 @@ double GreatestCosine(double cosine, double sine) {
 template <typename FallingOff>
 double DivisorAt(double d, const FallingOff& f) {
   const double divisor = f.ca + f.la * d + f.qa * d * d;
-  return divisor > 0 ? Bounded(divisor) : 1;
+  return divisor > 0 ? divisor : 1;
 }
 
 /// The same light; what does not fall off at all has the law 1.
@@ -201,8 +201,8 @@ void LightTree::Summarize(std::size_t root) {
 /// power. Of lights of one law these are the sum of powers and that law.
 void LightTree::SummarizePowers(Node& node, double reference) {
   const auto children = ChildrenOf(node);
-  const double first = DivisorAt(reference, children.front());
-  const auto relative = [&](const Node& child) { return Bounded(DivisorAt(reference, child) / first); };
+  const double first = Bounded(DivisorAt(reference, children.front()));
+  const auto relative = [&](const Node& child) { return Bounded(Bounded(DivisorAt(reference, child)) / first); };
   const auto power = [&](const Node& child) { return Bounded(child.power / relative(child)); };
   for (const Node& child : children) node.power = Bounded(node.power + power(child));
   for (const Node& child : children) {
