@@ -78,6 +78,14 @@ struct MeasuredError {
 std::optional<MeasuredError> MeasureError(const Film& film, const ErrorMeasure& measure,
                                           const BlockErrors* before = nullptr);
 
+/// The error that a picture of the film's region has by the squared errors of its pixels, in rows from the bottom, each
+/// the mean of their channels and true on average; single ones may be negative. The interval is as above.
+MeasuredError SummarizeErrors(const Film& film, const std::vector<float>& squares, const R2::Image& picture,
+                              const ErrorMeasure& measure);
+
+/// A channel as the measure looks at it.
+double AsMeasured(double channel, const ErrorMeasure& measure);
+
 /// What the mean square is at an error of `target` in the unit of `measure`. `mean` is of the picture.
 double SquaredTarget(double target, const ErrorMeasure& measure, double mean);
 /// Of all channels of all pixels.

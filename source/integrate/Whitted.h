@@ -24,10 +24,15 @@ class Whitted : public Integrator {
 
   void Li(std::span<const CameraSample> samples, std::span<R2::Color> radiances, TraceState& state) const override;
 
+ protected:
+  const World& world() const { return world_; }
+  /// Those that are not black.
+  std::span<const Light* const> Lights() const { return lights_; }
+
  private:
   R2::Color Follow(const ShadingPoint& first, TraceState& state) const;
-  /// Adds to each point's radiance what its surface emits and reflects of the lights.
-  void Shade(std::span<ShadingPoint> points, TraceState& state) const;
+  /// Sets each point's radiance to what its surface emits and reflects of the lights.
+  virtual void Shade(std::span<ShadingPoint> points, TraceState& state) const;
   /// One light's share of that; `which` is its key beneath a surface.
   template <typename AnyLight>
   void AddLight(const AnyLight& light, std::uint64_t which, std::span<ShadingPoint> points, TraceState& state) const;

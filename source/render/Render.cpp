@@ -8,6 +8,7 @@
 #include <functional>
 
 #include "source/integrate/debug/Heat.h"
+#include "source/render/DenoiseResult.h"
 #include "source/render/PassRunner.h"
 
 namespace ray {
@@ -123,6 +124,8 @@ class Job {
     if ((*stop == Stop::request || monitor_.saves_finished) && monitor_.save) monitor_.save(State());
     return Result(*stop);
   }
+
+  const Film& film() const { return film_; }
 
  private:
   double Seconds() const {
@@ -292,7 +295,11 @@ RenderResult Render(const World& world, const Accelerator& accelerator, const Re
                     const RenderMonitor& monitor) {
   const auto start = Job::Clock::now();
   const auto integrator = IntegratorOf(world, accelerator, settings);
-  return Job(world, *integrator, settings, monitor, start).Run();
+  Job job(world, *integrator, settings, monitor, start);
+  RenderResult result = job.Run();
+  if (settings.denoise && result.IsComplete())
+    DenoiseResult(world, accelerator, settings, job.film(), MeasureFor(settings), result);
+  return result;
 }
 
 RenderResult Render(const World& world, const Integrator& integrator, const RenderSettings& settings,

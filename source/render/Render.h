@@ -63,8 +63,10 @@ struct RenderResult {
   std::uint32_t planned_samples = 1;         // samples per pixel that strata and camera rays were laid out for
   bool two_streams = false;                  // half of the samples are another, independent sequence
   std::vector<Pass> passes;
-  std::optional<ErrorEstimate> error;  // nothing below two samples
-  bool has_outliers = false;           // they hold most of the error, and no block was stopped early
+  std::optional<ErrorEstimate> error;                   // of the image; nothing below two samples
+  std::optional<ErrorEstimate> error_before_denoising;  // only where it was denoised
+  double denoise_seconds = 0;
+  bool has_outliers = false;  // they hold most of the error, and no block was stopped early
 
   bool IsComplete() const { return stop != Stop::request; }
 };

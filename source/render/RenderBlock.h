@@ -12,6 +12,13 @@
 
 namespace ray {
 
+/// The key of all random choices of a pixel. `stream`: from 0, independent sample sequences.
+inline RandomKey PixelKey(const RandomKey& seed, int column, int row, int stream) {
+  const RandomKey key = seed.Child(static_cast<std::uint64_t>(column)).Child(static_cast<std::uint64_t>(row));
+  // CameraRays uses the children below 2.
+  return stream == 0 ? key : key.Child(1 + static_cast<std::uint64_t>(stream));
+}
+
 /// What the samples of a picture are made with.
 struct SampleSource {
   const Integrator& integrator;
@@ -19,12 +26,7 @@ struct SampleSource {
   RandomKey seed;
   bool clamps_samples = false;
 
-  /// The key of all random choices of a pixel. `stream`: 0 or 1, two independent sample sequences.
-  RandomKey PixelKey(int column, int row, int stream = 0) const {
-    constexpr std::uint64_t second_stream = 2;  // CameraRays uses the children below
-    const RandomKey key = seed.Child(static_cast<std::uint64_t>(column)).Child(static_cast<std::uint64_t>(row));
-    return stream == 0 ? key : key.Child(second_stream);
-  }
+  RandomKey PixelKey(int column, int row, int stream = 0) const { return ray::PixelKey(seed, column, row, stream); }
 };
 
 /// A few camera rays, which integrators trace faster together than one by one. What a ray brings back depends on its

@@ -5,6 +5,7 @@
 #include <charconv>
 #include <utility>
 
+#include "source/render/Schedule.h"
 #include "source/text/EnumNames.h"
 
 namespace ray {
@@ -26,7 +27,7 @@ SceneFeatures FeaturesOf(const World& world, const RenderSettings& settings) {
   features.motion = settings.camera.HasMotion() || world.Moves();
   features.lens = settings.camera.HasLens();
   features.wide_filter = settings.filter != FilterKind::box;
-  features.two_streams = settings.budget.error.has_value();
+  features.two_streams = HasTwoStreams(settings);
   if (!IsTraced(settings.mode)) return features;
 
   std::size_t lights = 0;
@@ -86,6 +87,7 @@ std::string KernelName(const SceneFeatures& features, const RenderSettings& sett
 
 std::vector<std::string> SourcesOfBias(const SceneFeatures& features, const RenderSettings& settings) {
   std::vector<std::string> sources;
+  if (settings.denoise) sources.emplace_back("denoise");
   if (settings.clamp == Clamp::samples) sources.emplace_back("clamp samples");
   if (settings.trace.sampler == SamplerKind::grid) sources.emplace_back("sampler grid");
   if (!IsTraced(settings.mode)) return sources;

@@ -76,7 +76,7 @@ std::uint32_t PlannedSamples(const RenderSettings& settings) {
 }
 
 bool HasTwoStreams(const RenderSettings& settings) {
-  return settings.replay ? settings.replay->two_streams : settings.budget.error.has_value();
+  return settings.replay ? settings.replay->two_streams : settings.denoise || settings.budget.error.has_value();
 }
 
 std::uint32_t MostSamples(const RenderSettings& settings) {

@@ -206,6 +206,8 @@ std::vector<OptionKind> MakeTable() {
        "confidence level of the interval around an estimated error"},
       {"adaptive", raypro, {}, {"name"}, OneOfEnum<Adaptive>(AT(render.budget.adaptive)), "", "quality",
        "tile: with -error, only blocks still above it get more samples (auto: tile with -error)"},
+      {"denoise", raypro, {}, {}, Flag{AT(render.denoise)}, "", "quality",
+       "filter noise where that lowers the error, guided by surfaces; two independent estimates tell by how much"},
       {"reference", raypro, {}, {"file[,file2]"}, FileList{AT(reference)}, "", "quality",
        "print the true error against an image, or two independent ones, of the same scene"},
       {"replay", raypro, {}, {"file.json"}, FileName{AT(replay)}, "", "quality",

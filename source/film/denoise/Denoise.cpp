@@ -1,0 +1,132 @@
+#include "source/film/denoise/Denoise.h"
+
+#include <tbb/parallel_for.h>
+
+#include <cmath>
+
+#include "source/film/denoise/LocalFit.h"
+
+namespace ray {
+namespace {
+
+/// Both streams.
+using Pair = std::array<Pixels<Rgb>, 2>;
+
+// Noise is averaged over these many pixels around each; the hole keeps a pixel's own noise from making its neighbors
+// seem like it. Both must be at least a patch.
+constexpr int noise_radius = 3, noise_hole = 1;
+// Filters are chosen by their errors around a pixel, and blended over choices around it: as far as those reach, the
+// hole keeps a pixel's own noise from choosing.
+constexpr int error_radius = 7, error_hole = 3, blend_radius = 2;
+static_assert(blend_radius < error_hole);
+
+/// A filter to choose from.
+struct FilterChoice {
+  double strength;
+  bool ignores_guide;  // compares pixels by what is left of their color without the first guide, the color expected
+};
+constexpr FilterChoice filters[] = {{1, false}, {2, true}};
+
+/// Light as differences are counted in: what a screen shows as it is, what is brighter by its logarithm, so that one
+/// bright sample is not all that counts.
+float Compressed(float x) {
+  const float size = std::abs(x);
+  return size <= 1 ? x : std::copysign(1 + std::log(size), x);
+}
+
+/// A picture made pixel by pixel; of_channel(x, y, k) gives a channel.
+template <typename OfChannel>
+Pixels<Rgb> Made(int width, int height, const OfChannel& of_channel) {
+  Pixels<Rgb> pixels(width, height);
+  tbb::parallel_for(0, height, [&](int y) {
+    for (int x = 0; x < width; ++x)
+      for (std::size_t k = 0; k < 3; ++k) pixels.At(x, y)[k] = of_channel(x, y, k);
+  });
+  return pixels;
+}
+
+/// Of one stream's noise: half the squared difference of both, on average.
+Pixels<Rgb> NoiseOf(const Pair& pair) {
+  const Pixels<Rgb> squares = Made(pair[0].Width(), pair[0].Height(), [&](int x, int y, std::size_t k) {
+    const float difference = pair[0].At(x, y)[k] - pair[1].At(x, y)[k];
+    return difference * difference / 2;
+  });
+  const Pixels<Rgb> means = MeansAround(squares, noise_radius, noise_hole);
+  return Made(means.Width(), means.Height(),
+              [&](int x, int y, std::size_t k) { return std::max(0.0F, means.At(x, y)[k]); });
+}
+
+Pair Filtered(const Pair& colors, const Guides& guides, const FilterChoice& filter) {
+  Pair compared, result;
+  for (std::size_t i = 0; i < 2; ++i)
+    compared[i] = Made(colors[i].Width(), colors[i].Height(), [&](int x, int y, std::size_t k) {
+      const float expected = filter.ignores_guide ? Compressed(guides.of_stream[i].At(x, y)[k]) : 0;
+      return Compressed(colors[i].At(x, y)[k]) - expected;
+    });
+  const Pixels<Rgb> noise = NoiseOf(compared);
+  for (std::size_t i = 0; i < 2; ++i)
+    result[i] = LocalFit({colors[i], guides.of_stream[i], guides.best, compared[i], noise, filter.strength});
+  return result;
+}
+
+/// The squared error of the mean of two filtered streams, channel by channel, true on average. With F, G the filtered
+/// and A, B the streams, ((F - B)^2 + (G - A)^2) / 2 exceeds the mean squared error of F and of G by the variance of A
+/// or B, which is (A - B)^2 / 2; the mean of F and G has less than these by (F - G)^2 / 4.
+Pixels<Rgb> SquaredErrors(const Pair& filtered, const Pair& colors) {
+  return Made(colors[0].Width(), colors[0].Height(), [&](int x, int y, std::size_t k) {
+    const float a = Compressed(colors[0].At(x, y)[k]), b = Compressed(colors[1].At(x, y)[k]);
+    const float f = Compressed(filtered[0].At(x, y)[k]), g = Compressed(filtered[1].At(x, y)[k]);
+    return ((f - b) * (f - b) + (g - a) * (g - a)) / 2 - (a - b) * (a - b) / 2 - (f - g) * (f - g) / 4;
+  });
+}
+
+/// The number of the candidate with the least error at each pixel, of equals the first.
+Pixels<std::size_t> Choices(const std::vector<Pair>& candidates) {
+  const Pair& colors = candidates.front();
+  std::vector<Pixels<Rgb>> errors;
+  for (const Pair& candidate : candidates)
+    errors.push_back(MeansAround(SquaredErrors(candidate, colors), error_radius, error_hole));
+  Pixels<std::size_t> choices(colors[0].Width(), colors[0].Height());
+  for (int y = 0; y < choices.Height(); ++y)
+    for (int x = 0; x < choices.Width(); ++x) {
+      const auto error_of = [&](std::size_t i) {
+        const Rgb& error = errors[i].At(x, y);
+        return error[0] + error[1] + error[2];
+      };
+      for (std::size_t i = 1; i < candidates.size(); ++i)
+        if (error_of(i) < error_of(choices.At(x, y))) choices.At(x, y) = i;
+    }
+  return choices;
+}
+
+/// Each pixel in the shares that the choices around it have.
+Pixels<Rgb> Blended(const std::vector<Pair>& candidates, const Pixels<std::size_t>& choices, std::size_t stream) {
+  return Made(choices.Width(), choices.Height(), [&](int x, int y, std::size_t k) {
+    double sum = 0;
+    int count = 0;
+    for (int j = y - blend_radius; j <= y + blend_radius; ++j)
+      for (int i = x - blend_radius; i <= x + blend_radius; ++i) {
+        if (!choices.Contains(i, j)) continue;
+        sum += candidates[choices.At(i, j)][stream].At(x, y)[k];
+        ++count;
+      }
+    return static_cast<float>(sum / count);
+  });
+}
+
+}  // namespace
+
+R2::Image DenoisedPicture::Mean() const {
+  const Pair pair{PixelsOf(of_stream[0]), PixelsOf(of_stream[1])};
+  return ImageOf(Made(pair[0].Width(), pair[0].Height(),
+                      [&](int x, int y, std::size_t k) { return pair[0].At(x, y)[k] / 2 + pair[1].At(x, y)[k] / 2; }));
+}
+
+DenoisedPicture Denoise(const R2::Image& a, const R2::Image& b, const Guides& guides) {
+  std::vector<Pair> candidates{{PixelsOf(a), PixelsOf(b)}};
+  for (const FilterChoice& filter : filters) candidates.push_back(Filtered(candidates.front(), guides, filter));
+  const Pixels<std::size_t> choices = Choices(candidates);
+  return {{ImageOf(Blended(candidates, choices, 0)), ImageOf(Blended(candidates, choices, 1))}};
+}
+
+}  // namespace ray

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "source/film/PictureError.h"
+#include "source/film/denoise/Denoise.h"
+
+namespace ray {
+
+/// The error of the mean of a film's two filtered parts, which must be independent, and each filtered for itself. Its
+/// square is the variance of that mean, from the difference of the filtered parts, and the squared bias that both have
+/// in common: what the distance of a filtered part to the other unfiltered one exceeds the variance of both by, true on
+/// average. Where the film's noise is too large to tell so small a difference, the bias is taken to be nearer to as
+/// large as the deviation, which is where filters that are neither too weak nor too strong are.
+///   accuracy   of 30 renders of 15 scenes with 16 samples 192 pixels wide, 26 within 20 % of the truth
+///              (script/denoise_table.sh)
+MeasuredError MeasureDenoisedError(const Film& film, const DenoisedPicture& denoised, const ErrorMeasure& measure);
+
+}  // namespace ray

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <array>
+
+#include "source/film/denoise/Pixels.h"
+
+namespace ray {
+
+/// What is known of a pixel besides its noisy light: a mean over camera rays of numbers that its color may depend on
+/// linearly. The first three are an estimate of the color itself, in its units; the others are in [-1, 1], about.
+using PixelGuide = std::array<float, 10>;
+
+/// The guides of a picture.
+struct Guides {
+  Pixels<PixelGuide> of_stream[2];  // over the very camera rays that each stream's colors come from
+  Pixels<PixelGuide> best;  // as exact as is known, and where it matters of other camera rays than those of the streams
+};
+
+}  // namespace ray

@@ -1,0 +1,61 @@
+#include "source/integrate/Guide.h"
+
+#include <algorithm>
+#include <cassert>
+
+#include "source/integrate/Bsdf.h"
+#include "source/integrate/FirstHit.h"
+
+namespace ray {
+namespace {
+
+// More lights than this are not worth asking one by one: surfaces then show their kd, as if lit evenly.
+constexpr std::size_t most_lights = 16;
+// Four times doubled from what a screen shows: a lamp in a pixel's corner must not hide all else it is beside.
+constexpr double most_light = 16;
+
+TraceSettings WithoutNoise(TraceSettings settings) {
+  settings.shadows = false;
+  settings.lights = 0;
+  return settings;
+}
+
+double Bounded(double light) { return light < most_light ? light : most_light; }
+
+}  // namespace
+
+void GuideTracer::Unshadowed::Shade(std::span<ShadingPoint> points, TraceState&) const {
+  for (ShadingPoint& p : points) {
+    p.radiance = p.material->emission + p.AmbientReflectance() * world().scene().ambient;
+    if (Lights().empty() || Lights().size() > most_lights) {
+      p.radiance += p.kd;
+      continue;
+    }
+    for (const Light* light : Lights())
+      if (const auto sample = light->Illuminate(p.shadow_origin, {0.5, 0.5}))
+        p.radiance += PhongReflection(p, Unit(sample->to_light), sample->irradiance);
+  }
+}
+
+GuideTracer::GuideTracer(const World& world, const Accelerator& accelerator, const TraceSettings& settings)
+    : world_(world), unshadowed_(world, accelerator, WithoutNoise(settings)) {}
+
+void GuideTracer::Trace(std::span<const CameraSample> samples, std::span<Guide> guides, TraceState& state) const {
+  assert(samples.size() <= most_at_once);
+  std::array<R2::Color, most_at_once> light;
+  unshadowed_.Li(samples, std::span(light).first(samples.size()), state);
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    Guide& guide = guides[i];
+    guide = {Bounded(light[i].r), Bounded(light[i].g), Bounded(light[i].b)};
+    R2::Color albedo = Background(world_.scene(), samples[i].ray.direction);
+    if (state.hits[i]) {
+      const ShadingPoint p = ShadingPointAt(world_, {.ray = samples[i].ray, .index = samples[i].index}, *state.hits[i]);
+      albedo = p.kd + p.material->kr + p.material->kt;
+      guide[6] = p.N.x, guide[7] = p.N.y, guide[8] = p.N.z;
+      guide[9] = 1 / (1 + DistanceFromEye(p));
+    }
+    guide[3] = albedo.r, guide[4] = albedo.g, guide[5] = albedo.b;
+  }
+}
+
+}  // namespace ray
