@@ -184,13 +184,13 @@ double DegreesOfFreedom(const std::vector<float>& squares, double share_of_varia
   return 2 * sum * sum / (share_of_variance * sum_of_squares);
 }
 
-/// How much of the sum of all squares is in the largest thousandth of them.
-double OutlierShare(const std::vector<float>& squares) {
-  std::vector<float> sorted = squares;
-  const auto outliers_end = sorted.begin() + static_cast<std::ptrdiff_t>((sorted.size() + 999) / 1000);
-  std::nth_element(sorted.begin(), outliers_end - 1, sorted.end(), std::greater<>());
-  const double in_all = std::accumulate(squares.begin(), squares.end(), 0.0);
-  const double in_outliers = std::accumulate(sorted.begin(), outliers_end, 0.0);
+/// How much of the sum of all squares is in the largest thousandth of them; estimates below 0 count as 0.
+double OutlierShare(std::vector<float> squares) {
+  for (float& square : squares) square = std::max(0.0F, square);
+  const auto outliers_end = squares.begin() + static_cast<std::ptrdiff_t>((squares.size() + 999) / 1000);
+  std::nth_element(squares.begin(), outliers_end - 1, squares.end(), std::greater<>());
+  const double in_outliers = std::accumulate(squares.begin(), outliers_end, 0.0);
+  const double in_all = std::accumulate(outliers_end, squares.end(), in_outliers);
   return in_all > 0 ? in_outliers / in_all : 0;
 }
 

@@ -69,7 +69,7 @@ struct RenderSettings {
   TraceSettings trace;
   Budget budget;
   std::optional<Replay> replay;
-  bool denoise = false;       // filter the picture once it is complete
+  bool denoise = false;       // filter the picture of light once it is complete; takes two streams
   bool srgb = false;          // the picture will be sRGB encoded, so display errors are counted after that
   bool wants_passes = false;  // double the samples pass by pass even without a budget, to see the error fall
 

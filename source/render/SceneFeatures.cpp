@@ -5,7 +5,6 @@
 #include <charconv>
 #include <utility>
 
-#include "source/render/Schedule.h"
 #include "source/text/EnumNames.h"
 
 namespace ray {
@@ -27,7 +26,7 @@ SceneFeatures FeaturesOf(const World& world, const RenderSettings& settings) {
   features.motion = settings.camera.HasMotion() || world.Moves();
   features.lens = settings.camera.HasLens();
   features.wide_filter = settings.filter != FilterKind::box;
-  features.two_streams = HasTwoStreams(settings);
+  features.two_streams = settings.denoise || settings.budget.error.has_value();
   if (!IsTraced(settings.mode)) return features;
 
   std::size_t lights = 0;

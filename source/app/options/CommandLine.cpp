@@ -170,8 +170,8 @@ void CheckNames(const Options& options) {
 void CheckPixel(const Options& options) {
   if (options.task != Task::debug_pixel) return;
   if (!options.picture.empty()) RefuseName(options.picture, "; -debugpixel writes no picture");
-  for (const char* name :
-       {"layers", "time", "error", "reference", "replay", "checkpoint", "keep_checkpoint", "resume", "stats", "report"})
+  for (const char* name : {"layers", "time", "error", "reference", "replay", "checkpoint", "keep_checkpoint", "resume",
+                           "stats", "report", "denoise"})
     if (options.IsGiven(name))
       throw UsageError("-" + std::string(name) + " has no effect with -debugpixel, which renders nothing");
 }
@@ -228,11 +228,22 @@ void CheckEffects(const CameraEffects& camera) {
   if (camera.HasLens() && !(camera.focus > 0)) throw UsageError("-aperture needs -focus, the focus distance");
 }
 
+/// Light has noise, and two streams tell what is noise.
+void CheckDenoise(const RenderSettings& render) {
+  if (!render.denoise) return;
+  if (render.mode != RenderMode::whitted && render.mode != RenderMode::path)
+    throw UsageError(std::string("-denoise has no effect with -mode ") + NameOf(render.mode) +
+                     "; it is for whitted and path");
+  if (render.budget.seconds > 0)
+    throw UsageError("-denoise and -time contradict each other: how long filtering takes is not known beforehand");
+  if (render.samples < 2 && !render.budget.error) throw UsageError("-denoise needs -samples 2 or more, or -error");
+}
+
 /// Square grids in pixels need square numbers of camera rays.
 void CheckGrid(const RenderSettings& render) {
   if (render.trace.sampler != SamplerKind::grid) return;
-  if (render.budget.IsOpen())
-    throw UsageError("-sampler grid takes all its samples; it cannot be combined with -time or -error");
+  if (render.budget.IsOpen() || render.denoise)
+    throw UsageError("-sampler grid takes all its samples; it cannot be combined with -time, -error or -denoise");
   const auto samples = static_cast<std::uint32_t>(render.samples), each = render.camera.SamplesOfOnePlace();
   const std::uint32_t side = GridSide(samples / each);
   if (side * side * each == samples) return;
@@ -319,6 +330,7 @@ Options ReadCommandLine(Program program, std::span<const std::string> words) {
 
 void CompleteForScene(Options& options) {
   CheckEffects(options.render.camera);
+  CheckDenoise(options.render);
   CheckGrid(options.render);
   CheckSize(options.render);
   CheckCrop(options.render);

@@ -207,7 +207,7 @@ std::vector<OptionKind> MakeTable() {
       {"adaptive", raypro, {}, {"name"}, OneOfEnum<Adaptive>(AT(render.budget.adaptive)), "", "quality",
        "tile: with -error, only blocks still above it get more samples (auto: tile with -error)"},
       {"denoise", raypro, {}, {}, Flag{AT(render.denoise)}, "", "quality",
-       "filter noise where that lowers the error, guided by surfaces; two independent estimates tell by how much"},
+       "filter noise, guided by what camera rays meet, where that lowers the error; tells the error left"},
       {"reference", raypro, {}, {"file[,file2]"}, FileList{AT(reference)}, "", "quality",
        "print the true error against an image, or two independent ones, of the same scene"},
       {"replay", raypro, {}, {"file.json"}, FileName{AT(replay)}, "", "quality",

@@ -68,17 +68,23 @@ Json Rays(const RayCounts& rays) {
   return json;
 }
 
-Json ErrorJson(const ErrorEstimate& e, bool two_streams, const std::optional<double>& true_error) {
+Json ErrorJson(const RunStats& record) {
+  if (!record.error) return {};
+  const ErrorEstimate& e = *record.error;
   const PixelRectangle& w = e.worst_block_at;
+  const auto& before = record.error_before_denoising;
   Json json = {{"estimate", e.estimate},
                {"low", e.low},
                {"high", e.high},
                {"unit", ErrorUnitName(e.unit)},
-               {"method", two_streams ? "two streams" : "halves"},
+               {"method", before               ? "two streams, denoised"
+                          : record.two_streams ? "two streams"
+                                               : "halves"},
                {"worst_block", {{"error", e.worst_block}, {"at", {w.x0, w.y0, w.x1, w.y1}}}},
                {"freedom", e.freedom},
                {"outlier_share", e.outlier_share}};
-  if (true_error) json["true_error"] = *true_error;
+  if (record.true_error) json["true_error"] = *record.true_error;
+  if (before) json["before_denoising"] = before->estimate;
   return json;
 }
 
@@ -140,6 +146,7 @@ std::string ReportJson(const RunStats& record) {
        {{"load", seconds.load},
         {"build", seconds.build},
         {"render", seconds.render},
+        {"denoise", seconds.denoise},
         {"write", seconds.write},
         {"wall", seconds.wall},
         {"cpu", seconds.cpu}}},
@@ -153,7 +160,7 @@ std::string ReportJson(const RunStats& record) {
       {"quality", record.options.quality},
       {"biased", record.biased},
       {"samples", SamplesJson(record)},
-      {"error", record.error ? ErrorJson(*record.error, record.two_streams, record.true_error) : Json()},
+      {"error", ErrorJson(record)},
       {"passes", Passes(record)},
   };
   // File names are bytes and need not be UTF-8, which JSON must be.

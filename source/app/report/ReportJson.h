@@ -23,8 +23,8 @@ namespace ray {
 ///   |                    | bad_rays                                                                    |
 ///   | accelerator        | the kind that was built; settings.accel says which was asked for            |
 ///   | structure_bytes    | what the accelerator takes besides the scene                                |
-///   | seconds            | load, build, render, write (the picture), wall (from the program's start to |
-///   |                    | this report), cpu (all threads)                                             |
+///   | seconds            | load, build, render, denoise (a part of render), write (the picture), wall  |
+///   |                    | (from the program's start to this report), cpu (all threads)                |
 ///   | peak_memory_bytes  | the most the process ever held                                              |
 ///   | threads            | how many worked                                                             |
 ///   | pixels             | done, total                                                                 |
@@ -40,10 +40,11 @@ namespace ray {
 ///   |                    | block of 8x8 pixels, in rows from the bottom; empty when all are alike),    |
 ///   |                    | places_of_blocks (where a block has no samples, how many of its 64 places   |
 ///   |                    | were looked at; empty where all have)                                       |
-///   | error              | estimate, low, high, unit, method ("two streams": true on average;          |
-///   |                    | "halves": at most about), worst_block (error, at), freedom (the degrees of  |
-///   |                    | freedom that hold it), outlier_share, and true_error beside a reference;    |
-///   |                    | null below two samples                                                      |
+///   | error              | estimate, low, high, unit, method ("two streams": true on average, with     |
+///   |                    | ", denoised": of the picture that was denoised; "halves": at most about),   |
+///   |                    | worst_block (error, at), freedom (the degrees of freedom that hold it),     |
+///   |                    | outlier_share, true_error beside a reference, and                           |
+///   |                    | before_denoising (an estimate); null below two samples                      |
 ///   | passes             | of each: end (samples a pixel and stream), samples (mean a pixel), seconds  |
 ///   |                    | (since the first ray), error (or null): the render's own convergence        |
 std::string ReportJson(const RunStats& record);

@@ -17,8 +17,9 @@ std::string PixelsText(const RunStats& record) {
 
 /// As asked for, where that decided; as they became, where a clock or an error did.
 std::string SamplesText(const RunStats& record) {
-  const bool is_asked_for = !record.options.render.budget.IsOpen() && record.options.replay.empty();
-  if (is_asked_for) return std::to_string(record.options.render.samples);
+  const RenderSettings& render = record.options.render;
+  const bool is_asked_for = !render.budget.IsOpen() && !render.denoise && record.options.replay.empty();
+  if (is_asked_for) return std::to_string(render.samples);
   const double mean = record.samples.mean;
   if (mean < 1) return "1 at " + Fixed(100 * mean, 1) + " % of the pixels, the others interpolated";
   return mean == std::floor(mean) ? std::to_string(static_cast<std::int64_t>(mean)) : Fixed(mean, 1);
@@ -49,6 +50,7 @@ std::string LimitsText(const std::vector<std::string>& biased) {
   std::string text;
   for (const std::string& setting : biased) {
     const bool cuts_light = setting.starts_with("max_depth") || setting.starts_with("min_luminance");
+    if (setting == "denoise") continue;  // told with the error
     text += (text.empty() ? "; limited by -" : ", -") + setting + (cuts_light ? " (may be too dark)" : "");
   }
   return text;
@@ -75,12 +77,16 @@ std::string ErrorLines(const RunStats& record, const Line& line) {
   const ErrorEstimate& e = *record.error;
   const PixelRectangle& w = e.worst_block_at;
   std::string text =
-      line(record.two_streams ? "error" : "error, at most",
+      line(record.error_before_denoising ? "error, denoised"
+           : record.two_streams          ? "error"
+                                         : "error, at most",
            ErrorText(e.estimate, e.unit) + ", " + ErrorText(e.low, e.unit) + " to " + ErrorText(e.high, e.unit)) +
       line("worst block", ErrorText(e.worst_block, e.unit) + " at " + std::to_string(w.x0) + " " +
                               std::to_string(w.y0) + " " + std::to_string(w.x1) + " " + std::to_string(w.y1)) +
       line("outliers", Fixed(100 * e.outlier_share, 1) + " % of it in the worst 0.1 % of the pixels");
   if (record.true_error) text += line("true error", ErrorText(*record.true_error, e.unit));
+  if (const auto& before = record.error_before_denoising)
+    text += line("before denoising", ErrorText(before->estimate, before->unit));
   return text;
 }
 
@@ -100,6 +106,8 @@ void RunStats::Take(const RenderResult& result) {
   planned_samples = result.planned_samples;
   passes = result.passes;
   error = result.error;
+  error_before_denoising = result.error_before_denoising;
+  seconds.denoise = result.denoise_seconds;
 }
 
 std::string CommandAsTyped(std::span<const std::string> words) {
@@ -127,7 +135,7 @@ std::string FinalLine(const RunStats& record) {
 }
 
 std::string QualityLines(const RunStats& record) {
-  const bool is_asked = record.options.render.budget.IsOpen() || record.true_error;
+  const bool is_asked = record.options.render.budget.IsOpen() || record.options.render.denoise || record.true_error;
   if (!is_asked) return {};
   std::string text;
   if (record.error) {
@@ -135,6 +143,8 @@ std::string QualityLines(const RunStats& record) {
     text = std::string(record.two_streams ? "estimated error " : "estimated error at most ") +
            ErrorText(e.estimate, e.unit) + " (" + Rounded(100 * record.options.render.budget.confidence, 6) +
            " %: " + Rounded(e.low, 3) + " to " + Rounded(e.high, 3) + FreedomText(e) + ")";
+    if (const auto& before = record.error_before_denoising)
+      text += " denoised, " + ErrorText(before->estimate, before->unit) + " before";
     if (record.true_error) text += ", true error " + ErrorText(*record.true_error, e.unit);
     text += "; ";
   } else if (record.true_error) {
@@ -166,9 +176,10 @@ std::string Statistics(const RunStats& record) {
          count("hits", cost.hits) + count("last-hit lookups", cost.cache_tests) +
          count("last-hit hits", cost.cache_hits) + "tests per ray       nodes     boxes  primitives    hits\n" + costs +
          "time\n" + line("load", Seconds(seconds.load)) + line("build", Seconds(seconds.build)) +
-         line("render", Seconds(seconds.render)) + line("write", Seconds(seconds.write)) +
-         line("wall", Seconds(seconds.wall)) + line("cpu", Seconds(seconds.cpu)) + "run\n" +
-         count("threads", record.threads) +
+         line("render", Seconds(seconds.render)) +
+         (seconds.denoise > 0 ? line("  denoise", Seconds(seconds.denoise)) : "") +
+         line("write", Seconds(seconds.write)) + line("wall", Seconds(seconds.wall)) +
+         line("cpu", Seconds(seconds.cpu)) + "run\n" + count("threads", record.threads) +
          line("accelerator", record.accelerator + " (-accel " + record.options.accelerator.name + ")") +
          line("structure", Fixed(1e-6 * static_cast<double>(record.structure_bytes), 1) + " MB") +
          line("peak memory", Fixed(1e-6 * static_cast<double>(record.peak_memory), 1) + " MB") +

@@ -27,6 +27,7 @@ struct RunStats {
   std::size_t structure_bytes = 0;
   struct {
     double load = 0, build = 0, render = 0, write = 0, wall = 0, cpu = 0;
+    double denoise = 0;  // a part of render
   } seconds;
   std::int64_t peak_memory = 0;  // bytes
   int threads = 1;
@@ -41,6 +42,7 @@ struct RunStats {
   std::uint32_t planned_samples = 1;
   std::vector<Pass> passes;
   std::optional<ErrorEstimate> error;
+  std::optional<ErrorEstimate> error_before_denoising;
   std::optional<double> true_error;  // in the unit of `error`, beside -reference
   std::vector<std::string> needs, biased;
   std::string kernel;
