@@ -51,6 +51,20 @@ TEST(TradeWords, AFilterHasANameAndTheCoursesNumber) {
     EXPECT_TRUE(Contains(ErrorOf({"-filter", word}), "-filter")) << word;
 }
 
+TEST(TradeWords, DenoiseNeedsLightSamplesAndTimeThatItKnows) {
+  EXPECT_EQ(ErrorOf({"-denoise", "-samples", "2"}), "");
+  EXPECT_EQ(ErrorOf({"-denoise", "-error", "2"}), "");
+  EXPECT_EQ(
+      ErrorOf({"-denoise", "-samples", "16", "-mode", "path", "-bytes", "truncated", "-crop", "0", "0", "4", "4"}), "");
+  EXPECT_EQ(ErrorOf({"-denoise"}), "-denoise needs -samples 2 or more, or -error");
+  EXPECT_EQ(ErrorOf({"-denoise", "-samples", "4", "-mode", "heat"}),
+            "-denoise has no effect with -mode heat; it is for whitted and path");
+  EXPECT_EQ(ErrorOf({"-denoise", "-samples", "4", "-time", "1s"}),
+            "-denoise and -time contradict each other: how long filtering takes is not known beforehand");
+  EXPECT_TRUE(Contains(ErrorOf({"-denoise", "-samples", "4", "-sampler", "grid"}), "-denoise"));
+  EXPECT_TRUE(Contains(ErrorOf({"-denoise", "-debugpixel", "1", "1"}), "-denoise"));
+}
+
 TEST(TradeWords, AnErrorHasAUnitBehindItsNumber) {
   const struct {
     const char* word;
