@@ -15,8 +15,8 @@ struct GatheredGuides {
 };
 
 /// The guides of the film's pixels: over the camera rays that the film's samples came from, two streams as many each;
-/// and, at edges, over 64 more, so that the best guides are exacter than the samples and independent of them. Filters
-/// wider than a pixel are left out of account. The same, bit for bit, for any number of threads.
+/// and, at edges, over others, 64 or as many as the samples, so that the best guides are independent of both streams.
+/// Filters wider than a pixel are left out of account. The same, bit for bit, for any number of threads.
 GatheredGuides GatherGuides(const World& world, const Accelerator& accelerator, const RenderSettings& settings,
                             const Film& film);
 

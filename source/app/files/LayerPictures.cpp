@@ -54,6 +54,7 @@ RenderSettings SettingsForLayer(const RenderSettings& picture, Layer layer) {
   settings.budget = {};
   settings.replay.reset();
   settings.wants_passes = false;
+  settings.denoise = false;
   if (layer == Layer::id || layer == Layer::depth) {
     settings.samples = 1;
     settings.filter = FilterKind::box;

@@ -80,8 +80,6 @@ std::optional<Replay> ReadReplay(const Options& options, const std::string& scen
     if (!replay.places.empty() && replay.places.size() != BlocksOf(options.render))
       throw refuse("its places are not of as many blocks as the picture has");
     if (replay.ends.empty()) throw refuse("it has no passes");
-    if (options.render.denoise && !replay.two_streams)
-      throw refuse("-denoise needs two streams, as reports with -denoise or -error have");
     if (!replay.samples.empty() && replay.samples.size() != BlocksOf(options.render))
       throw refuse("it has " + std::to_string(replay.samples.size()) + " blocks of pixels, the picture " +
                    std::to_string(BlocksOf(options.render)));

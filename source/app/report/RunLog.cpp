@@ -131,6 +131,7 @@ void RunLog::Rendered(const RenderResult& result) {
     Warn("raypro: warning: " + Counted(result.rays.cut, "ray") + " were terminated; a camera ray may have at most " +
          std::to_string(most_descendants) + " descendants");
   PrintStep("traced " + Counted(result.rays.Total(), "ray"), stats_.seconds.render);
+  if (result.error_before_denoising) PrintStep("of that, denoised", result.denoise_seconds);
 }
 
 void RunLog::Written() {

@@ -20,7 +20,8 @@ constexpr int noise_radius = 3, noise_hole = 1;
 constexpr int error_radius = 7, error_hole = 3, blend_radius = 2;
 static_assert(blend_radius < error_hole);
 
-/// A filter to choose from.
+/// A filter to choose from. Of strengths from 0.5 to 6, with a guide ignored or not, these two had the least error
+/// among pairs; a third filter had 3 % less for half as much time again.
 struct FilterChoice {
   double strength;
   bool ignores_guide;  // compares pixels by what is left of their color without the first guide, the color expected

@@ -8,6 +8,7 @@
 
 #include "R2/ImageFile.h"
 #include "source/app/Status.h"
+#include "source/app/files/LayerPictures.h"
 #include "source/app/options/BudgetWords.h"
 #include "source/app/options/CommandLine.h"
 #include "source/app/options/Preset.h"
@@ -49,6 +50,12 @@ TEST(TradeWords, AFilterHasANameAndTheCoursesNumber) {
   }
   for (const char* word : {"4", "-1", "1.5", "", "Mitchell", "mitchel", "box "})
     EXPECT_TRUE(Contains(ErrorOf({"-filter", word}), "-filter")) << word;
+}
+
+TEST(TradeWords, LayersBesideADenoisedImageAreLeftAsTheyAre) {
+  const RenderSettings picture = Parsed({"-denoise", "-samples", "4", "-layers", "albedo"}).render;
+  EXPECT_TRUE(picture.denoise);
+  EXPECT_FALSE(SettingsForLayer(picture, Layer::albedo).denoise);
 }
 
 TEST(TradeWords, DenoiseNeedsLightSamplesAndTimeThatItKnows) {
@@ -164,6 +171,20 @@ TEST(Replay, MakesARenderThatItsErrorOrTheClockEndedAgainToTheByte) {
     const std::string report = ReadFile(place / "r.json");
     EXPECT_TRUE(Contains(report, "\"reason\": \"time\"") || Contains(report, "\"reason\": \"error\"")) << report;
   }
+}
+
+TEST(Replay, MakesADenoisedImageAgainToTheByte) {
+  NEEDS_THE_PROGRAM();
+  const Place place;
+  const List settings{"-mode", "path", "-denoise"};
+  ASSERT_EQ(place.Run("a.pfm", With(settings, {"-samples", "8", "-report", place / "r.json"})).status, 0);
+  const std::string report = ReadFile(place / "r.json");
+  EXPECT_TRUE(Contains(report, "\"method\": \"two streams, denoised\"")) << report;
+  EXPECT_TRUE(Contains(report, "\"before_denoising\": ")) << report;
+  ASSERT_EQ(place.Run("b.pfm", With(settings, {"-replay", place / "r.json"})).status, 0);
+  EXPECT_TRUE(ReadFile(place / "a.pfm") == ReadFile(place / "b.pfm"));
+  const Finished other = place.Run("b.pfm", {"-mode", "path", "-replay", place / "r.json"});
+  EXPECT_TRUE(Contains(other.error, "-denoise")) << other.error;
 }
 
 TEST(Replay, RefusesAnotherSceneOtherSettingsAndWhatIsNoReport) {

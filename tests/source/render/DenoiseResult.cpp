@@ -105,7 +105,8 @@ TEST(DenoiseResult, AReplayOfItsSampleAllocationIsTheSamePicture) {
   RenderSettings settings = Indirect(16);
   settings.denoise = true;
   const RenderResult first = project::Render(stage, settings);
-  settings.replay = Replay{first.two_streams, first.planned_samples, {first.passes.back().end}, first.block_samples};
+  settings.replay =
+      Replay{first.two_streams, first.planned_samples, {first.passes.back().end}, first.block_samples, {}};
   EXPECT_TRUE(project::Render(stage, settings).image == first.image);
 }
 
