@@ -15,8 +15,8 @@
 namespace ray {
 namespace {
 
-// At least. 32 had 6 % more error on the scenes of script/denoise_table.sh, for a tenth less time.
-constexpr std::uint32_t refined_samples = 64;
+// At least. 32 had a tenth more error on the scenes of script/denoise_table.sh, 256 hardly less.
+constexpr std::uint32_t refined_samples = 128;
 constexpr std::uint64_t refined_key = 3;  // beneath a pixel's key; see SampleSource
 // Guides that vary by more within a pixel have an edge there. Whether the streams' means differ must not decide: where
 // they agree by chance, both would be trusted though both are wrong alike.

@@ -15,7 +15,7 @@ struct GatheredGuides {
 };
 
 /// The guides of the film's pixels: over the camera rays that the film's samples came from, two streams as many each;
-/// and, at edges, over others, 64 or as many as the samples, so that the best guides are independent of both streams.
+/// and, at edges, over others, 128 or as many as the samples, so that the best guides are independent of both streams.
 /// Filters wider than a pixel are left out of account. The same, bit for bit, for any number of threads.
 GatheredGuides GatherGuides(const World& world, const Accelerator& accelerator, const RenderSettings& settings,
                             const Film& film);

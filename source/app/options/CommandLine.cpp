@@ -229,14 +229,16 @@ void CheckEffects(const CameraEffects& camera) {
 }
 
 /// Light has noise, and two streams tell what is noise.
-void CheckDenoise(const RenderSettings& render) {
+void CheckDenoise(const Options& options) {
+  const RenderSettings& render = options.render;
   if (!render.denoise) return;
   if (render.mode != RenderMode::whitted && render.mode != RenderMode::path)
     throw UsageError(std::string("-denoise has no effect with -mode ") + NameOf(render.mode) +
                      "; it is for whitted and path");
   if (render.budget.seconds > 0)
     throw UsageError("-denoise and -time contradict each other: how long filtering takes is not known beforehand");
-  if (render.samples < 2 && !render.budget.error) throw UsageError("-denoise needs -samples 2 or more, or -error");
+  if (render.samples < 2 && !render.budget.error && options.replay.empty())
+    throw UsageError("-denoise needs -samples 2 or more, or -error");
 }
 
 /// Square grids in pixels need square numbers of camera rays.
@@ -330,7 +332,7 @@ Options ReadCommandLine(Program program, std::span<const std::string> words) {
 
 void CompleteForScene(Options& options) {
   CheckEffects(options.render.camera);
-  CheckDenoise(options.render);
+  CheckDenoise(options);
   CheckGrid(options.render);
   CheckSize(options.render);
   CheckCrop(options.render);

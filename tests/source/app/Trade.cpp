@@ -69,7 +69,6 @@ TEST(TradeWords, DenoiseNeedsLightSamplesAndTimeThatItKnows) {
   EXPECT_EQ(ErrorOf({"-denoise", "-samples", "4", "-time", "1s"}),
             "-denoise and -time contradict each other: how long filtering takes is not known beforehand");
   EXPECT_TRUE(Contains(ErrorOf({"-denoise", "-samples", "4", "-sampler", "grid"}), "-denoise"));
-  EXPECT_TRUE(Contains(ErrorOf({"-denoise", "-debugpixel", "1", "1"}), "-denoise"));
 }
 
 TEST(TradeWords, AnErrorHasAUnitBehindItsNumber) {
