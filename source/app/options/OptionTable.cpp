@@ -240,7 +240,7 @@ std::vector<OptionKind> MakeTable() {
       {"tile_size", raypro, {}, {"n"}, Whole{AT(render.tile_size), 0, most_pixels_a_side}, "pixels", "speed",
        "tile size, 0 for the whole image"},
       {"memory", both, {}, {"x"}, Number<double>{AT(memory), 0, most_memory}, "GiB", "speed",
-       "refuse what would take more memory, before it is read or built; 0: three quarters of this machine's"},
+       "refuse what would take more memory than this; 0: three quarters of this machine's"},
 
       {"format", both, {}, {"name"}, OneOfNames(AT(parse.format), SceneFormatNames), "", "scene",
        "language of the scene; by default that of its extension, and in JSON of its keys"},

@@ -1,5 +1,6 @@
 #include "source/app/report/ReadReplay.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "source/app/Status.h"
@@ -64,7 +65,7 @@ std::optional<Replay> ReadReplay(const Options& options, const std::string& scen
         throw UsageError("the report was made with -" + name + " " + Shown(then) + ", not " + Shown(ours.at(name)));
     }
     const auto count = [&](const Json& number) {
-      if (!number.is_number_unsigned() || number == 0u || number > most_samples)
+      if (!number.is_number_unsigned() || number > most_samples)
         throw refuse(Shown(number) + " is not a number of samples");
       return number.get<std::uint32_t>();
     };
@@ -74,12 +75,16 @@ std::optional<Replay> ReadReplay(const Options& options, const std::string& scen
     for (const Json& pass : report.at("passes")) replay.ends.push_back(count(pass.at("end")));
     for (const Json& of_block : report.at("samples").at("of_blocks")) replay.samples.push_back(count(of_block));
     for (const Json& of_block : report.at("samples").at("places_of_blocks")) {
-      if (count(of_block) > BlockOrder::places) throw refuse(of_block.dump() + " is not a number of places of a block");
+      if (count(of_block) > BlockOrder::places) throw refuse(Shown(of_block) + " is not a number of places of a block");
       replay.places.push_back(of_block.get<std::uint8_t>());
     }
     if (!replay.places.empty() && replay.places.size() != BlocksOf(options.render))
       throw refuse("its places are not of as many blocks as the picture has");
     if (replay.ends.empty()) throw refuse("it has no passes");
+    const auto are_all_zero = [](const auto& counts) { return std::ranges::count(counts, 0u) == std::ssize(counts); };
+    if (replay.planned_samples == 0 || (are_all_zero(replay.ends) && are_all_zero(replay.places)) ||
+        (!replay.samples.empty() && are_all_zero(replay.samples) && are_all_zero(replay.places)))
+      throw refuse("it has no samples");
     if (!replay.samples.empty() && replay.samples.size() != BlocksOf(options.render))
       throw refuse("it has " + std::to_string(replay.samples.size()) + " blocks of pixels, the picture " +
                    std::to_string(BlocksOf(options.render)));
