@@ -115,7 +115,7 @@ std::vector<OptionKind> MakeTable() {
       {"samples", both, {}, {"n"}, Whole{AT(render.samples), 1, highest<int>}, "camera rays per pixel", "picture",
        "more samples, smoother edges and shadows"},
       {"denoise", raypro, {}, {}, Flag{AT(render.denoise)}, "", "picture",
-       "filter noise, guided by what camera rays meet, where that lowers the error; tells the error left"},
+       "filter noise where that lowers the error, guided by surfaces; tells the error left"},
       {"crop", raypro, {}, {"x0", "y0", "x1", "y1"}, Rectangle{AT(render.crop)}, "pixels", "picture",
        "only columns x0..x1-1 from the left, rows y0..y1-1 from the bottom (as the image is stored)"},
       {"filter", both, {}, {"name"}, OneOfEnum<FilterKind>(AT(render.filter), true), "", "picture",
