@@ -3,7 +3,9 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include <fstream>
 #include <limits>
+#include <string>
 
 namespace ray {
 namespace {
@@ -18,6 +20,16 @@ double Seconds(const timeval& time) {
   return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
 }
 
+/// What Linux says in a file of its own, 0 elsewhere. Resource usage also counts what the process was that started this
+/// one, until this program took its place.
+std::int64_t PeakOfProcFile() {
+  std::ifstream status("/proc/self/status");
+  std::int64_t kibibytes = 0;
+  for (std::string word; status >> word;)
+    if (word == "VmHWM:" && status >> kibibytes) return 1024 * kibibytes;
+  return 0;
+}
+
 }  // namespace
 
 double CpuSeconds() {
@@ -26,6 +38,7 @@ double CpuSeconds() {
 }
 
 std::int64_t PeakMemory() {
+  if (const std::int64_t peak = PeakOfProcFile(); peak > 0) return peak;
 #ifdef __APPLE__
   constexpr std::int64_t unit = 1;
 #else
