@@ -1,5 +1,7 @@
 #include "source/film/FillGaps.h"
 
+#include <tbb/parallel_for.h>
+
 #include <array>
 
 #include "source/film/BlockOrder.h"
@@ -24,12 +26,10 @@ class Filler {
     for (int h = BlockOrder::side / 2; h > 0; h /= 2) {
       const std::array<Offset, 4> corners{{{-h, -h}, {h, -h}, {-h, h}, {h, h}}};
       const std::array<Offset, 4> ends{{{-h, 0}, {h, 0}, {0, -h}, {0, h}}};
-      ForLattice(h, [&](int x, int y) {
-        if (x / h % 2 == 1 && y / h % 2 == 1) Average(x, y, corners);
+      ForRows(h, [&](int y) {
+        if (y / h % 2 == 1) AverageRow(y, h, 2 * h, corners);
       });
-      ForLattice(h, [&](int x, int y) {
-        if ((x / h + y / h) % 2 == 1) Average(x, y, ends);
-      });
+      ForRows(h, [&](int y) { AverageRow(y, y / h % 2 == 1 ? 0 : h, 2 * h, ends); });
     }
   }
 
@@ -52,11 +52,18 @@ class Filler {
                      static_cast<std::size_t>(x)];
   }
 
-  /// Every pixel whose place in the picture, x and y, are multiples of `step`.
+  /// The rows of the picture that are multiples of `step`, those of the image alone. No pixel that is filled in one
+  /// call is looked at for another.
   template <class Function>
-  void ForLattice(int step, const Function& function) {
-    for (int y = (y0_ + step - 1) / step * step; y < y0_ + image_.Height(); y += step)
-      for (int x = (x0_ + step - 1) / step * step; x < x0_ + image_.Width(); x += step) function(x, y);
+  void ForRows(int step, const Function& function) {
+    const int first = (y0_ + step - 1) / step, last = (y0_ + image_.Height() - 1) / step;
+    tbb::parallel_for(first, last + 1, [&](int row) { function(row * step); });
+  }
+
+  /// Every pixel of the row whose column is a multiple of `step` and `offset` more.
+  void AverageRow(int y, int offset, int step, const std::array<Offset, 4>& neighbors) {
+    const int first = (x0_ - offset + step - 1) / step * step + offset;
+    for (int x = first < x0_ ? first + step : first; x < x0_ + image_.Width(); x += step) Average(x, y, neighbors);
   }
 
   void Average(int x, int y, const std::array<Offset, 4>& neighbors) {
