@@ -38,7 +38,7 @@ void Canvas::Fill(const R2::Color& color) const {
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 }
 
-void Canvas::Resize(Own& own, int width, int height) const {
+void Canvas::Resize(OffscreenTarget& own, int width, int height) const {
   GLint most = 0;
   glGetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &most);
   const std::string size = std::to_string(width) + " x " + std::to_string(height) + " pixels";

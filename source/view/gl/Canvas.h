@@ -7,6 +7,13 @@
 
 namespace ray {
 
+/// A framebuffer with what it needs, and its size in pixels.
+struct OffscreenTarget {
+  Framebuffer framebuffer;
+  Renderbuffer color, depth;
+  int width = 0, height = 0;
+};
+
 /// What is drawn into: framebuffer 0 of a window, or a framebuffer of its own, of whatever size is asked for.
 class Canvas {
  public:
@@ -30,19 +37,14 @@ class Canvas {
   int Height() const { return height_; }
 
  private:
-  struct Own {
-    Framebuffer framebuffer;
-    Renderbuffer color, depth;
-    int width = 0, height = 0;
-  };
   struct Viewport {
     int x = 0, y = 0, width = 0, height = 0;
   };
 
-  void Resize(Own& own, int width, int height) const;
+  void Resize(OffscreenTarget& own, int width, int height) const;
   void Apply(const Viewport& viewport) const;
 
-  std::optional<Own> own_;
+  std::optional<OffscreenTarget> own_;
   int width_ = 0, height_ = 0;
   Viewport viewport_;
 };
