@@ -8,17 +8,13 @@
 namespace R3 {
 namespace {
 
-Vector Scaled(const Vector& v, int exponent) {
-  return {std::scalbn(v.x, exponent), std::scalbn(v.y, exponent), std::scalbn(v.z, exponent)};
-}
-
 /// Unit, on the side from which the corners turn counter-clockwise; zero for a triangle without area.
 Vector FaceDirection(const Point& p, const Point& q, const Point& r) {
   const Vector a = q - p, b = r - p, area = Cross(a, b);
   if (IsInRange(MaxComponent(Abs(area)))) return Unit(area);
   const double longest_a = MaxComponent(Abs(a)), longest_b = MaxComponent(Abs(b));
   if (!(longest_a > 0 && longest_b > 0 && longest_a < infinity && longest_b < infinity)) return Unit(area);
-  return Unit(Cross(Scaled(a, -std::ilogb(longest_a)), Scaled(b, -std::ilogb(longest_b))));
+  return Unit(Cross(ScaledByPower(a, -std::ilogb(longest_a)), ScaledByPower(b, -std::ilogb(longest_b))));
 }
 
 /// The place of a flat triangle that is the mean of its corners by weights whose sum is 1.

@@ -19,4 +19,10 @@ inline Point operator-(const Point& p, const Vector& v) { return {p.x - v.x, p.y
 /// The displacement from the origin.
 inline Vector FromOrigin(const Point& p) { return {p.x, p.y, p.z}; }
 
+/// p times 2^exponent, about the origin: exact within the range of doubles.
+inline Point ScaledByPower(const Point& p, int exponent) {
+  const Vector v = ScaledByPower(FromOrigin(p), exponent);
+  return {v.x, v.y, v.z};
+}
+
 }  // namespace R3

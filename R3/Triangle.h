@@ -54,12 +54,29 @@ std::optional<Hit> IntersectTriangle(const ShearedRay& ray, const std::array<Poi
 std::optional<Hit> IntersectScaledTriangle(const ShearedRay& ray, const double (&x)[3], const double (&y)[3],
                                            const double (&z)[3]);
 
-/// The hit with edge functions u, v and w of the same sign, whose sum is not 0.
-inline std::optional<Hit> TriangleHit(const ShearedRay& ray, double u, double v, double w, const double (&z)[3]) {
-  const double sum = u + v + w;
-  const double t = (u * z[0] + v * z[1] + w * z[2]) / sum * ray.z_scale;
+/// Twice the signed areas between the origin of the sheared plane, where the ray runs, and each edge: each is that of
+/// the corner across, and its sign is exact.
+struct EdgeFunctions {
+  double u, v, w;
+
+  EdgeFunctions(const double (&x)[3], const double (&y)[3])
+      : u(DifferenceOfProducts(x[2], y[1], y[2], x[1])),
+        v(DifferenceOfProducts(x[0], y[2], y[0], x[2])),
+        w(DifferenceOfProducts(x[1], y[0], y[1], x[0])) {}
+  /// Then the ray misses the triangle.
+  bool HaveBothSigns() const {
+    const double least = std::min(u, std::min(v, w)), most = std::max(u, std::max(v, w));
+    return std::min(-least, most) > 0;
+  }
+  double Sum() const { return u + v + w; }
+};
+
+/// The hit with edge functions of the same sign, whose sum is not 0.
+inline std::optional<Hit> TriangleHit(const ShearedRay& ray, const EdgeFunctions& edges, const double (&z)[3]) {
+  const double sum = edges.Sum();
+  const double t = (edges.u * z[0] + edges.v * z[1] + edges.w * z[2]) / sum * ray.z_scale;
   if (!(t > ray.t_min) || !(t < ray.t_max)) return {};  // NaN fails both
-  return Hit{t, v / sum, w / sum, 0};
+  return Hit{t, edges.v / sum, edges.w / sum, 0};
 }
 
 /// The same, compiled into its caller: for batches whose caller is itself compiled for an instruction set. Corners stay
@@ -73,14 +90,11 @@ inline std::optional<Hit> IntersectTriangleInline(const ShearedRay& ray, const s
     x[i] = v.x - ray.x_shear * v.z;
     y[i] = v.y - ray.y_shear * v.z;
   }
-  const double u = DifferenceOfProducts(x[2], y[1], y[2], x[1]);
-  const double v = DifferenceOfProducts(x[0], y[2], y[0], x[2]);
-  const double w = DifferenceOfProducts(x[1], y[0], y[1], x[0]);
-  const double least = std::min(u, std::min(v, w)), most = std::max(u, std::max(v, w));
-  if (std::min(-least, most) > 0) return {};         // of both signs
-  if (!IsInRange(std::abs(u + v + w))) [[unlikely]]  // seen edge-on it is 0
+  const EdgeFunctions edges(x, y);
+  if (edges.HaveBothSigns()) return {};
+  if (!IsInRange(std::abs(edges.Sum()))) [[unlikely]]  // seen edge-on it is 0
     return IntersectScaledTriangle(ray, x, y, z);
-  return TriangleHit(ray, u, v, w, z);
+  return TriangleHit(ray, edges, z);
 }
 
 }  // namespace R3

@@ -6,7 +6,7 @@ double LengthOutOfRange(const Vector& v) {
   const double largest = MaxComponent(Abs(v));
   if (!(largest > 0) || !(largest < infinity)) return largest;
   const int exponent = std::ilogb(largest);
-  const Vector w{std::scalbn(v.x, -exponent), std::scalbn(v.y, -exponent), std::scalbn(v.z, -exponent)};
+  const Vector w = ScaledByPower(v, -exponent);
   return std::scalbn(std::sqrt(Dot(w, w)), exponent);
 }
 
@@ -14,7 +14,7 @@ Vector UnitOutOfRange(const Vector& v) {
   const double largest = MaxComponent(Abs(v));
   if (!(largest > 0) || !IsFinite(v)) return {};
   const int exponent = std::ilogb(largest);
-  const Vector w{std::scalbn(v.x, -exponent), std::scalbn(v.y, -exponent), std::scalbn(v.z, -exponent)};
+  const Vector w = ScaledByPower(v, -exponent);
   return w / std::sqrt(Dot(w, w));
 }
 

@@ -32,6 +32,10 @@ inline Vector Cross(const Vector& a, const Vector& b) {
 
 inline Vector Abs(const Vector& v) { return {std::abs(v.x), std::abs(v.y), std::abs(v.z)}; }
 inline bool IsFinite(const Vector& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+/// v times 2^exponent: exact within the range of doubles.
+inline Vector ScaledByPower(const Vector& v, int exponent) {
+  return {std::scalbn(v.x, exponent), std::scalbn(v.y, exponent), std::scalbn(v.z, exponent)};
+}
 inline double MaxComponent(const Vector& v) {
   const double of_two = v.x < v.y ? v.y : v.x;
   return of_two < v.z ? v.z : of_two;

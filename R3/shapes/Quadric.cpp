@@ -45,11 +45,8 @@ std::optional<Roots> ScaledRoots(const Point& origin, const Vector& direction, c
   const double longest = MaxComponent(Abs(direction)), size = std::max(MaxComponent(Abs(origin - center)), radius);
   if (!(longest > 0) || !(size > 0)) return {};
   const int per_t = std::ilogb(longest), per_length = std::ilogb(size);
-  const auto scaled = [](const Point& p, int exponent) {
-    return Point{std::scalbn(p.x, exponent), std::scalbn(p.y, exponent), std::scalbn(p.z, exponent)};
-  };
-  auto roots = QuadricRoots(scaled(origin, -per_length), FromOrigin(scaled(Point{} + direction, -per_t)),
-                            scaled(center, -per_length), std::scalbn(radius, -per_length));
+  const auto roots = QuadricRoots(ScaledByPower(origin, -per_length), ScaledByPower(direction, -per_t),
+                                  ScaledByPower(center, -per_length), std::scalbn(radius, -per_length));
   if (!roots) return {};
   return Roots{std::scalbn(roots->first, per_length - per_t), std::scalbn(roots->second, per_length - per_t)};
 }

@@ -102,15 +102,12 @@ class Cone : public Shape {
   /// With cone and origin scaled by a power of two, and t scaled back.
   std::optional<Hit> IntersectScaled(const Ray& ray) const {
     const int exponent = std::ilogb(std::max(radius_, height_));
-    const auto scaled = [&](const Point& p) {
-      return Point{std::scalbn(p.x, -exponent), std::scalbn(p.y, -exponent), std::scalbn(p.z, -exponent)};
-    };
     Ray near = ray;
-    near.origin = scaled(ray.origin);
+    near.origin = ScaledByPower(ray.origin, -exponent);
     near.t_min = std::scalbn(ray.t_min, -exponent), near.t_max = std::scalbn(ray.t_max, -exponent);
     const double radius = std::scalbn(radius_, -exponent), height = std::scalbn(height_, -exponent);
     if (!IsInRange(radius * radius + height * height)) return {};
-    auto hit = Cone(scaled(center_), radius, height).Intersect(near, 0);
+    auto hit = Cone(ScaledByPower(center_, -exponent), radius, height).Intersect(near, 0);
     if (hit) hit->t = std::scalbn(hit->t, exponent);
     return hit;
   }

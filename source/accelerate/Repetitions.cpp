@@ -7,19 +7,10 @@
 #include <utility>
 #include <vector>
 
+#include "source/text/Hash.h"
+
 namespace ray {
 namespace {
-
-/// FNV-1a (Fowler, Noll, Vo, 1991), word by word.
-class Hash {
- public:
-  void Add(std::uint64_t word) { hash_ = (hash_ ^ word ^ word >> 32) * 0x100000001b3; }
-  void Add(double number) { Add(std::bit_cast<std::uint64_t>(number)); }
-  std::uint64_t Value() const { return hash_; }
-
- private:
-  std::uint64_t hash_ = 0xcbf29ce484222325;
-};
 
 bool AreSame(std::span<const double> a, std::span<const double> b) {
   if (a.size() != b.size()) return false;
@@ -45,13 +36,14 @@ bool AreSame(const R3::Shape& a, const R3::Shape& b) {
 std::uint64_t HashOf(const Instance& instance, std::span<const R3::Transform> frames) {
   const R3::Shape& shape = *instance.shape;
   Hash hash;
-  hash.Add(std::uint64_t{typeid(shape).hash_code()});
+  const auto add = [&](double number) { hash.AddWord(std::bit_cast<std::uint64_t>(number)); };
+  hash.AddWord(typeid(shape).hash_code());
   const R3::Box& box = instance.node->bounds;
   for (const R3::Point& corner : {box.low, box.high})
-    for (int axis = 0; axis < 3; ++axis) hash.Add(corner[axis]);
+    for (int axis = 0; axis < 3; ++axis) add(corner[axis]);
   if (instance.frame == 0) return hash.Value();  // the world
   for (const auto& row : frames[instance.frame].Forward().m)
-    for (const double entry : row) hash.Add(entry);
+    for (const double entry : row) add(entry);
   return hash.Value();
 }
 

@@ -17,6 +17,9 @@ namespace {
 
 using Channels = std::array<double, 3>;
 
+/// Rather than of what a screen shows, which is clamped.
+bool IsOfLight(ErrorUnit unit) { return unit == ErrorUnit::relative || unit == ErrorUnit::linear; }
+
 Channels Seen(const R2::Color& c, const ErrorMeasure& measure) {
   return {AsMeasured(c.r, measure), AsMeasured(c.g, measure), AsMeasured(c.b, measure)};
 }
@@ -43,6 +46,9 @@ struct Correlation {
   void Add(const Channels& difference) {
     for (std::size_t i = 0; i < 3; ++i)
       for (std::size_t k = 0; k < 3; ++k) products[3 * i + k] += difference[i] * difference[k];
+  }
+  void Add(const Correlation& o) {
+    for (std::size_t i = 0; i < products.size(); ++i) products[i] += o.products[i];
   }
 
   /// The variance of a squared difference, summed over the channels of a pixel, as a share of its mean square: for
@@ -81,20 +87,17 @@ class PixelErrorsOf {
   PixelErrors Sum() && {
     const PixelRectangle& region = film_.Region();
     errors_.squares.resize(static_cast<std::size_t>(region.Area()));
-    errors_.cut.resize(static_cast<std::size_t>(film_.Blocks()));
-    tbb::parallel_for(0, film_.Blocks(), [&](int block) { SumBlock(block); });
-    for (int y = 0; y < region.Height(); ++y)
-      for (int x = 0; x < region.Width(); ++x) errors_.correlation.Add(Difference(x, y));
+    const auto blocks = static_cast<std::size_t>(film_.Blocks());
+    errors_.cut.resize(blocks);
+    std::vector<Correlation> correlations(blocks);
+    tbb::parallel_for(std::size_t{0}, blocks, [&](std::size_t block) { SumBlock(block, correlations[block]); });
+    for (const Correlation& of_block : correlations) errors_.correlation.Add(of_block);
     return std::move(errors_);
   }
 
  private:
-  Channels Difference(int x, int y) const {
-    const Channels a = Seen(a_.At(x, y), measure_), b = Seen(b_.At(x, y), measure_);
-    return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-  }
-
-  void SumBlock(int block) {
+  void SumBlock(std::size_t i, Correlation& correlation) {
+    const int block = static_cast<int>(i);
     const PixelRectangle pixels = film_.PixelsInRegion(block), region = film_.Region();
     if (pixels.Area() == 0) return;
     double cut = 0;
@@ -102,34 +105,35 @@ class PixelErrorsOf {
       for (int x = pixels.x0; x < pixels.x1; ++x) {
         const int column = x - region.x0, row = y - region.y0;
         errors_.squares[static_cast<std::size_t>(row) * static_cast<std::size_t>(region.Width()) +
-                        static_cast<std::size_t>(column)] = static_cast<float>(Square(block, column, row));
+                        static_cast<std::size_t>(column)] = static_cast<float>(Square(block, column, row, correlation));
         cut += Cut(column, row);
       }
-    errors_.cut[static_cast<std::size_t>(block)] = cut / static_cast<double>(3 * pixels.Area());
+    errors_.cut[i] = cut / static_cast<double>(3 * pixels.Area());
   }
 
-  double Square(int block, int x, int y) const {
+  double Square(int block, int x, int y, Correlation& correlation) const {
     const double n = film_[block].samples[0], m = film_[block].samples[1], share = n / (n + m);
     const Channels a = Seen(a_.At(x, y), measure_), b = Seen(b_.At(x, y), measure_);
     const Channels both = Seen(errors_.picture.At(x, y), measure_);
+    const Channels difference{a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+    correlation.Add(difference);
     double sum = 0;
     for (std::size_t k = 0; k < 3; ++k) {
-      const double difference = a[k] - b[k], bias = share * a[k] + (1 - share) * b[k] - both[k];
-      sum += share * (1 - share) * difference * difference + (IsClamped() ? bias * bias : 0);
+      const double bias = share * a[k] + (1 - share) * b[k] - both[k];
+      sum += share * (1 - share) * difference[k] * difference[k] + (is_of_light_ ? 0 : bias * bias);
     }
     return sum / 3;
   }
 
   double Cut(int x, int y) const {
-    if (!IsClamped()) return 0;
+    if (is_of_light_) return 0;  // nothing is clamped
     const R2::Color a = a_.At(x, y), b = b_.At(x, y), both = errors_.picture.At(x, y);
     return CutLight(both.r, a.r - b.r) + CutLight(both.g, a.g - b.g) + CutLight(both.b, a.b - b.b);
   }
 
-  bool IsClamped() const { return measure_.unit == ErrorUnit::display || measure_.unit == ErrorUnit::decibel; }
-
   const Film& film_;
   const ErrorMeasure& measure_;
+  const bool is_of_light_ = IsOfLight(measure_.unit);
   const R2::Image a_, b_;
   PixelErrors errors_;
 };
@@ -173,7 +177,8 @@ double MeanOfBlocks(const std::vector<double>& blocks, const std::vector<double>
 }
 
 /// As a sum of independent squares would have whose variance is that of these, each of which has this share of its own
-/// square as its variance (Satterthwaite, An approximate distribution of estimates of variance components, 1946).
+/// square as its variance (Satterthwaite, An approximate distribution of estimates of variance components, 1946). At
+/// least those of one pixel: where squares are estimates below 0 too, they may cancel.
 double DegreesOfFreedom(const std::vector<float>& squares, double share_of_variance) {
   double sum = 0, sum_of_squares = 0;
   for (const float square : squares) {
@@ -181,7 +186,7 @@ double DegreesOfFreedom(const std::vector<float>& squares, double share_of_varia
     sum_of_squares += static_cast<double>(square) * square;
   }
   if (sum_of_squares == 0) return static_cast<double>(squares.size());
-  return 2 * sum * sum / (share_of_variance * sum_of_squares);
+  return 2 / share_of_variance * std::max(1.0, sum * sum / sum_of_squares);
 }
 
 /// How much of the sum of all squares is in the largest thousandth of them; estimates below 0 count as 0.
@@ -211,9 +216,7 @@ MeasuredError Summarize(const Film& film, std::vector<double> blocks, const std:
   e.freedom = DegreesOfFreedom(squares, share_of_variance);
   // Noise of pixels has longer tails than normal noise: with half of the degrees, 95 % intervals of eleven scenes held
   // 96.5 % of 198 true errors as displayed, and 98 % of 99 of light; with all of them 92.5 %.
-  constexpr double fewest = 1e-2;  // and no interval is wider than that of next to nothing
-  const double freedom = std::max(fewest, e.freedom / 2);
-  const double ratio = FQuantile((1 + measure.confidence) / 2, freedom, freedom);
+  const double ratio = FQuantile((1 + measure.confidence) / 2, e.freedom / 2, e.freedom / 2);
   measured.square_high = measured.square * ratio;
   e.unit = measure.unit;
   e.estimate = InUnit(measured.square, measure, mean);
@@ -232,7 +235,7 @@ MeasuredError Summarize(const Film& film, std::vector<double> blocks, const std:
 }  // namespace
 
 double AsMeasured(double x, const ErrorMeasure& measure) {
-  if (measure.unit == ErrorUnit::relative || measure.unit == ErrorUnit::linear) return x;
+  if (IsOfLight(measure.unit)) return x;
   const double shown = std::clamp(x, 0.0, 1.0);
   return measure.srgb ? R2::EncodeSrgb(shown) : shown;
 }

@@ -43,7 +43,7 @@ struct TraceState {
   std::vector<Shadow> shadows;              // one for each of them
   std::vector<R2::Color> arrived;           // at each point
   RayRecorder* recorder = nullptr;          // told of every ray; null for none
-  const std::atomic<bool>* stop = nullptr;  // looked at in loops over many light samples; null for none
+  const std::atomic<bool>* stop = nullptr;  // looked at before each few rays; null for none
 
   /// Then what is being traced is of no use to anybody, and loops may end early.
   bool IsStopped() const { return stop && stop->load(std::memory_order_relaxed); }

@@ -62,21 +62,14 @@ struct Tally {
   }
 };
 
-TraceSettings TraceSettingsFor(const RenderSettings& settings, std::uint32_t samples) {
-  TraceSettings trace = settings.trace;
-  trace.samples = samples;
-  return trace;
-}
-
 class Gathering {
  public:
   Gathering(const World& world, const Accelerator& accelerator, const RenderSettings& settings, const Film& film)
       : film_(film),
         seed_(settings.seed),
-        tracer_(world, accelerator, TraceSettingsFor(settings, PlannedSamples(settings))),
+        tracer_(world, accelerator, TraceSettingsOf(settings)),
         camera_(CameraRaysOf(world, settings)),
-        refining_camera_(settings.view.value_or(world.scene().camera), settings.camera, world.Moves(), settings.width,
-                         settings.height, settings.trace.sampler, refined_samples),
+        refining_camera_(CameraRaysOf(world, settings, refined_samples)),
         has_edge_(film.Region().Width(), film.Region().Height()) {
     for (auto& guides : found_.guides.of_stream) guides = Pixels<PixelGuide>(has_edge_.Width(), has_edge_.Height());
     found_.guides.best = Pixels<PixelGuide>(has_edge_.Width(), has_edge_.Height());

@@ -63,6 +63,7 @@ void PassRunner::RunTile(int tile) {
   if (IsStopped() || IsPauseDue()) return;
   TraceState& state = states_.local();
   state.rays = {};
+  state.stop = work_.stop;
   std::int64_t pixels = 0;
   for (const int block : tiles_.BlocksOf(tile)) {
     if (IsAtTarget(block)) continue;
@@ -88,7 +89,7 @@ bool PassRunner::Advance(int block, TraceState& state) {
       if (next.sums[part].IsEmpty()) next.sums[part] = work_.film.EmptySums(block);
       SamplesDue due{work_.film.PixelsOf(block), work_.has_two_streams ? part : 0, done, end};
       if (part == 0) due.first_looks = next.first_looks;
-      if (!RenderBlock(work_.source, due, work_.film.filter(), work_.stop, state, next.sums[part])) return false;
+      if (!RenderBlock(work_.source, due, work_.film.filter(), state, next.sums[part])) return false;
       next.samples[part] += end - done;
     }
     next.first_looks.clear();
@@ -101,8 +102,8 @@ bool PassRunner::Advance(int block, TraceState& state) {
 /// Takes a block within its first sample to its target. Whether it got there.
 bool PassRunner::Look(int block, TraceState& state) {
   state.workspace.ForgetLastHits();
-  const bool is_done = LookAtPlaces(work_.source, work_.film.PixelsOf(block), targets_->PlacesOf(block), work_.stop,
-                                    state, work_.film[block].first_looks);
+  const bool is_done = LookAtPlaces(work_.source, work_.film.PixelsOf(block), targets_->PlacesOf(block), state,
+                                    work_.film[block].first_looks);
   if (is_done) has_progressed_ = true;
   return is_done;
 }

@@ -14,12 +14,6 @@
 namespace ray {
 namespace {
 
-TraceSettings TraceSettingsFor(const RenderSettings& settings) {
-  TraceSettings trace = settings.trace;
-  trace.samples = PlannedSamples(settings);
-  return trace;
-}
-
 ErrorMeasure MeasureFor(const RenderSettings& settings) {
   return {settings.budget.error ? settings.budget.error->unit : ErrorUnit::display, settings.budget.confidence,
           settings.srgb};
@@ -275,15 +269,25 @@ double ExpectedRays(const RenderSettings& settings) {
 
 std::unique_ptr<const Integrator> IntegratorOf(const World& world, const Accelerator& accelerator,
                                                const RenderSettings& settings) {
-  TraceSettings trace = TraceSettingsFor(settings);
+  TraceSettings trace = TraceSettingsOf(settings);
   if (settings.mode == RenderMode::zbuffer && trace.zbuffer.IsOfPicture())
     trace.zbuffer = RangeOfPicture(world, accelerator, settings);
   return MakeIntegrator(settings.mode, world, accelerator, trace);
 }
 
+TraceSettings TraceSettingsOf(const RenderSettings& settings) {
+  TraceSettings trace = settings.trace;
+  trace.samples = PlannedSamples(settings);
+  return trace;
+}
+
 CameraRays CameraRaysOf(const World& world, const RenderSettings& settings) {
+  return CameraRaysOf(world, settings, PlannedSamples(settings));
+}
+
+CameraRays CameraRaysOf(const World& world, const RenderSettings& settings, std::uint32_t samples) {
   return CameraRays(settings.view.value_or(world.scene().camera), settings.camera, world.Moves(), settings.width,
-                    settings.height, settings.trace.sampler, TraceSettingsFor(settings).samples);
+                    settings.height, settings.trace.sampler, samples);
 }
 
 Film EmptyFilmOf(const RenderSettings& settings) {

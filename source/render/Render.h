@@ -86,7 +86,10 @@ RenderResult Render(const World& world, const Integrator& integrator, const Rend
 /// picture is wanted but the film.
 std::unique_ptr<const Integrator> IntegratorOf(const World& world, const Accelerator& accelerator,
                                                const RenderSettings& settings);
+TraceSettings TraceSettingsOf(const RenderSettings& settings);
 CameraRays CameraRaysOf(const World& world, const RenderSettings& settings);
+/// The same, laid out for another number of samples per pixel.
+CameraRays CameraRaysOf(const World& world, const RenderSettings& settings, std::uint32_t samples);
 Film EmptyFilmOf(const RenderSettings& settings);
 
 }  // namespace ray

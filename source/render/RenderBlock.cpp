@@ -62,9 +62,8 @@ bool RenderAroundLooks(const SampleSource& source, const SamplesDue& due, const 
 
 }  // namespace
 
-bool LookAtPlaces(const SampleSource& source, const PixelRectangle& pixels, int places, const std::atomic<bool>* stop,
-                  TraceState& state, std::vector<R2::Color>& looks) {
-  state.stop = stop;
+bool LookAtPlaces(const SampleSource& source, const PixelRectangle& pixels, int places, TraceState& state,
+                  std::vector<R2::Color>& looks) {
   std::vector<R2::Color> all = looks;
   all.resize(static_cast<std::size_t>(places));
   Looker looker(source, state, all);
@@ -77,9 +76,8 @@ bool LookAtPlaces(const SampleSource& source, const PixelRectangle& pixels, int 
   return true;
 }
 
-bool RenderBlock(const SampleSource& source, const SamplesDue& due, const Filter& filter, const std::atomic<bool>* stop,
-                 TraceState& state, BlockSums& sums) {
-  state.stop = stop;
+bool RenderBlock(const SampleSource& source, const SamplesDue& due, const Filter& filter, TraceState& state,
+                 BlockSums& sums) {
   if (!due.first_looks.empty()) return RenderAroundLooks(source, due, filter, state, sums);
   SampleBatch batch;
   const auto trace_and_splat = [&] {

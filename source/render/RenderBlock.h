@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <atomic>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -69,14 +68,13 @@ struct SamplesDue {
 };
 
 /// The road of every sample: pixel, camera ray, integrator, film. Adds the samples that are due to `sums`.
-///   stop      looked at before each batch of rays; may be null
-///   returns   whether nobody asked to stop; else `sums` is of no use
-bool RenderBlock(const SampleSource& source, const SamplesDue& due, const Filter& filter, const std::atomic<bool>* stop,
-                 TraceState& state, BlockSums& sums);
+///   returns   whether nobody asked to stop by state.stop, looked at before each batch; else `sums` is of no use
+bool RenderBlock(const SampleSource& source, const SamplesDue& due, const Filter& filter, TraceState& state,
+                 BlockSums& sums);
 
 /// Takes sample 0 of the first stream at more places of a block, from looks.size() to `places` - 1 of BlockOrder.
 ///   returns   as above; `looks` then has `places` colors
-bool LookAtPlaces(const SampleSource& source, const PixelRectangle& pixels, int places, const std::atomic<bool>* stop,
-                  TraceState& state, std::vector<R2::Color>& looks);
+bool LookAtPlaces(const SampleSource& source, const PixelRectangle& pixels, int places, TraceState& state,
+                  std::vector<R2::Color>& looks);
 
 }  // namespace ray

@@ -8,17 +8,17 @@
 #include <type_traits>
 
 #include "source/render/PassRunner.h"
+#include "source/text/Hash.h"
 
 namespace ray {
 namespace {
 
 constexpr std::string_view magic = "raypro checkpoint 2\n";
 
-/// FNV-1a (Fowler, Noll, Vo, 1991) of 64 bits, which tells any single changed bit.
 std::uint64_t Checksum(std::span<const unsigned char> bytes) {
-  std::uint64_t hash = 0xcbf29ce484222325;
-  for (const unsigned char byte : bytes) hash = (hash ^ byte) * 0x100000001b3;
-  return hash;
+  Hash hash;
+  hash.Add(bytes);
+  return hash.Value();
 }
 
 class Writer {

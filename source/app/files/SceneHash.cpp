@@ -4,18 +4,17 @@
 #include <cstdint>
 #include <fstream>
 
+#include "source/text/Hash.h"
+
 namespace ray {
 namespace {
 
-std::uint64_t HashOn(std::uint64_t hash, std::istream& bytes) {
-  constexpr std::uint64_t prime = 0x100000001b3;
-  std::array<char, 65536> block{};
+void Add(std::istream& bytes, Hash& hash) {
+  std::array<unsigned char, 65536> block{};
   do {
-    bytes.read(block.data(), block.size());
-    for (const char c : std::span(block).first(static_cast<std::size_t>(bytes.gcount())))
-      hash = (hash ^ static_cast<unsigned char>(c)) * prime;
+    bytes.read(reinterpret_cast<char*>(block.data()), block.size());
+    hash.Add(std::span(block).first(static_cast<std::size_t>(bytes.gcount())));
   } while (bytes);
-  return hash;
 }
 
 std::string Hexadecimal(std::uint64_t number) {
@@ -27,12 +26,12 @@ std::string Hexadecimal(std::uint64_t number) {
 }  // namespace
 
 std::string SceneHash(std::span<const std::string> files) {
-  std::uint64_t hash = 0xcbf29ce484222325;
+  Hash hash;
   for (const std::string& file : files) {
     std::ifstream bytes(file, std::ios::binary);
-    hash = HashOn(hash, bytes);
+    Add(bytes, hash);
   }
-  return Hexadecimal(hash);
+  return Hexadecimal(hash.Value());
 }
 
 }  // namespace ray

@@ -10,7 +10,7 @@ namespace ray {
 
 struct CommandKind;
 
-/// What -help prints: everything, one command, one topic of the option table, one option, or ("markdown") the README's
+/// What -help prints: everything, one command, one topic of the option table, one option, or ("markdown") the
 /// table. That of rayview leaves out what raypro's table has already, and names it.
 std::string Help(Program program, const std::string& subject);
 

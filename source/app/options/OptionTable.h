@@ -84,7 +84,7 @@ using OptionValue =
 /// Whose option it is; `both` are raypro and rayview, which render scenes.
 enum class KnownTo { raypro, rayview, both, rayimg, all };
 
-/// One option. The parser, -help, the manual page, the completions, the report and the README all come from this table.
+/// One option. The parser, -help, the manual page, the completions, the report and docs/options.md all come from this table.
 struct OptionKind {
   const char* name;                    // without the dash
   KnownTo known_to;                    // two programs may each have an option of the same name

@@ -15,9 +15,6 @@
 namespace ray {
 namespace {
 
-/// How many blocks of samples the picture has.
-std::size_t BlocksOf(const RenderSettings& render) { return static_cast<std::size_t>(EmptyFilmOf(render).Blocks()); }
-
 using Json = nlohmann::ordered_json;
 
 constexpr std::uint32_t most_samples = 0x7fffffff;  // what -samples takes
@@ -48,49 +45,62 @@ bool ChoosesThePicture(const OptionKind& option) {
   return IsSetting(option) && (topic == "picture" || topic == "light");
 }
 
+void RequireSameSettings(const Json& settings, const Options& options) {
+  const Json ours = SettingsJson(options);
+  for (const OptionKind& option : OptionTable(options.program)) {
+    const std::string name = option.name;
+    if (!ChoosesThePicture(option) || name == "samples") continue;
+    const Json& then = settings.at(name);
+    if (then != ours.at(name))
+      throw UsageError("the report was made with -" + name + " " + Shown(then) + ", not " + Shown(ours.at(name)));
+  }
+}
+
+/// A whole number that a report may have, from 0 to `most`.
+std::uint32_t Count(const Json& number, std::uint32_t most, const char* of_what, const std::string& file) {
+  if (!number.is_number_unsigned() || number > most)
+    throw Refusal(file, Shown(number) + " is not a number of " + of_what);
+  return number.get<std::uint32_t>();
+}
+
+Replay SamplesOf(const Json& report, const std::string& file) {
+  const auto samples = [&](const Json& number) { return Count(number, most_samples, "samples", file); };
+  const Json& taken = report.at("samples");
+  Replay replay;
+  replay.two_streams = taken.at("two_streams");
+  replay.planned_samples = samples(taken.at("planned_samples"));
+  for (const Json& pass : report.at("passes")) replay.ends.push_back(samples(pass.at("end")));
+  for (const Json& of_block : taken.at("of_blocks")) replay.samples.push_back(samples(of_block));
+  for (const Json& of_block : taken.at("places_of_blocks"))
+    replay.places.push_back(static_cast<std::uint8_t>(Count(of_block, BlockOrder::places, "places of a block", file)));
+  return replay;
+}
+
+void RequireSamplesOfAllBlocks(const Replay& replay, const Options& options) {
+  const auto refuse = [&](const std::string& why) { return Refusal(options.replay, why); };
+  if (replay.ends.empty()) throw refuse("it has no passes");
+  const auto blocks = static_cast<std::size_t>(EmptyFilmOf(options.render).Blocks());
+  for (const std::size_t size : {replay.samples.size(), replay.places.size()})
+    if (size != 0 && size != blocks)
+      throw refuse("it has " + std::to_string(size) + " blocks of pixels, the picture " + std::to_string(blocks));
+  const auto has_any = [](const auto& counts) { return std::ranges::any_of(counts, [](auto n) { return n > 0; }); };
+  const bool has_samples = has_any(replay.ends) && (replay.samples.empty() || has_any(replay.samples));
+  if (replay.planned_samples == 0 || !(has_samples || has_any(replay.places))) throw refuse("it has no samples");
+}
+
 }  // namespace
 
 std::optional<Replay> ReadReplay(const Options& options, const std::string& scene_hash) {
   if (options.replay.empty()) return {};
-  const auto refuse = [&](const std::string& why) { return Refusal(options.replay, why); };
   try {
     const Json report = ReadReport(options.replay);
     if (report.at("scene").at("hash") != scene_hash) throw UsageError("the report is of another scene");
-    const Json ours = SettingsJson(options);
-    for (const OptionKind& option : OptionTable(options.program)) {
-      const std::string name = option.name;
-      if (!ChoosesThePicture(option) || name == "samples") continue;
-      const Json& then = report.at("settings").at(name);
-      if (then != ours.at(name))
-        throw UsageError("the report was made with -" + name + " " + Shown(then) + ", not " + Shown(ours.at(name)));
-    }
-    const auto count = [&](const Json& number) {
-      if (!number.is_number_unsigned() || number > most_samples)
-        throw refuse(Shown(number) + " is not a number of samples");
-      return number.get<std::uint32_t>();
-    };
-    Replay replay;
-    replay.two_streams = report.at("samples").at("two_streams");
-    replay.planned_samples = count(report.at("samples").at("planned_samples"));
-    for (const Json& pass : report.at("passes")) replay.ends.push_back(count(pass.at("end")));
-    for (const Json& of_block : report.at("samples").at("of_blocks")) replay.samples.push_back(count(of_block));
-    for (const Json& of_block : report.at("samples").at("places_of_blocks")) {
-      if (count(of_block) > BlockOrder::places) throw refuse(Shown(of_block) + " is not a number of places of a block");
-      replay.places.push_back(of_block.get<std::uint8_t>());
-    }
-    if (!replay.places.empty() && replay.places.size() != BlocksOf(options.render))
-      throw refuse("its places are not of as many blocks as the picture has");
-    if (replay.ends.empty()) throw refuse("it has no passes");
-    const auto are_all_zero = [](const auto& counts) { return std::ranges::count(counts, 0u) == std::ssize(counts); };
-    if (replay.planned_samples == 0 || (are_all_zero(replay.ends) && are_all_zero(replay.places)) ||
-        (!replay.samples.empty() && are_all_zero(replay.samples) && are_all_zero(replay.places)))
-      throw refuse("it has no samples");
-    if (!replay.samples.empty() && replay.samples.size() != BlocksOf(options.render))
-      throw refuse("it has " + std::to_string(replay.samples.size()) + " blocks of pixels, the picture " +
-                   std::to_string(BlocksOf(options.render)));
+    RequireSameSettings(report.at("settings"), options);
+    Replay replay = SamplesOf(report, options.replay);
+    RequireSamplesOfAllBlocks(replay, options);
     return replay;
   } catch (const Json::exception& error) {
-    throw refuse(Escaped(error.what()));
+    throw Refusal(options.replay, Escaped(error.what()));
   }
 }
 

@@ -26,7 +26,9 @@ CoarsePasses::CoarsePasses(const Integrator& integrator, const CameraRays& camer
       is_heat_(ShowsCosts(settings.mode)),
       sampled_(film.Sampled()),
       samples_(static_cast<std::size_t>(sampled_.Area())),
-      workers_(static_cast<std::size_t>(settings.threads)) {}
+      workers_(static_cast<std::size_t>(settings.threads)) {
+  for (Worker& worker : workers_) worker.state.stop = &watch.stop;
+}
 
 bool CoarsePasses::Trace(int stride, int traced_stride) {
   const int width = item_width * stride, height = (traced_stride > 0 ? item_height : first_item_height) * stride;

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+namespace ray {
+
+/// FNV-1a of 64 bits, which tells any single changed bit; not made against forgers.
+///   source  Fowler, Noll, Vo, Eastlake, The FNV non-cryptographic hash algorithm (2019)
+class Hash {
+ public:
+  void Add(std::span<const unsigned char> bytes) {
+    for (const unsigned char byte : bytes) hash_ = (hash_ ^ byte) * prime;
+  }
+  /// The step of a byte done once for a whole word, whose upper half is folded in: an eighth of the time.
+  void AddWord(std::uint64_t word) { hash_ = (hash_ ^ word ^ word >> 32) * prime; }
+  std::uint64_t Value() const { return hash_; }
+
+ private:
+  static constexpr std::uint64_t prime = 0x100000001b3;
+  std::uint64_t hash_ = 0xcbf29ce484222325;
+};
+
+}  // namespace ray
