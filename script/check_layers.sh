@@ -43,7 +43,7 @@ find R2 R3 source -type f \( -name '*.h' -o -name '*.cpp' -o -name '*.def' \) | 
     match($0, /"[^"]*"/)
     path = substr($0, RSTART + 1, RLENGTH - 2)
     to = layer_of(path)
-    if (!(from in below)) complain("the folder " from " is not a layer; see the README, Where to start reading")
+    if (!(from in below)) complain("the folder " from " is not a layer; see docs/code.md")
     else if (!(to in below)) complain("\"" path "\" does not start at the root of the tree")
     else if (!((from, to) in allowed)) complain(from " must not include " to " (\"" path "\")")
   }

@@ -49,7 +49,8 @@ if [ -L "$DESTDIR$bindir/comp30019" ] || [ ! -e "$DESTDIR$bindir/comp30019" ]; t
   echo "file $bindir/comp30019" >> "$list"
 fi
 put 644 share/mime/packages/raypro.xml "$datadir/mime/packages/raypro.xml"
-for file in README.md LICENSE CHANGELOG.md CITATION.cff art/hello.png; do  # the README shows that picture
+# With the images that they show.
+for file in README.md LICENSE CHANGELOG.md CITATION.cff docs/* art/glass.jpg writeup/pictures/pixel.jpg; do
   put 644 "$file" "$docdir/$file"
 done
 # A loop behind a pipe would not stop the script when it fails.

@@ -1,5 +1,6 @@
 #!/bin/sh
-# Command 1 of 2: installs what is missing, builds, and renders a first picture. A second run installs nothing.
+# Command 1 of 2: installs what raypro needs, builds it and renders a first image; then the same for rayimg and the
+# viewer. A second run installs nothing.
 #   script/setup.sh      prints every command that needs administrator rights before running it
 #   script/setup.sh -n   dry run: prints what it would do
 # Exit status 3: packages are missing and cannot be installed from here; the command that installs them is printed.
@@ -13,11 +14,13 @@ case "${1-}" in
   *) echo "usage: script/setup.sh [-n]" >&2; exit 2 ;;
 esac
 
-needed="g++ make libjpeg-dev libpng-dev libtbb-dev libhwy-dev nlohmann-json3-dev libgtest-dev"
-# Without them everything works but .exr pictures, .yaml scenes and the viewer. That needs libepoxy, which brings EGL;
-# GLFW opens windows, OSMesa is another way to draw without a display, and the last two packages are Mesa's software
+needed="g++ make libjpeg-dev libpng-dev libtbb-dev libhwy-dev nlohmann-json3-dev"
+tests="libgtest-dev"
+# Without the others everything works but .exr images, .yaml scenes and the viewer. That needs libepoxy, which brings
+# EGL; GLFW opens windows, OSMesa is another way to draw without a display, and the last two packages are Mesa's software
 # renderer.
-optional="libopenexr-dev libyaml-cpp-dev libepoxy-dev libglfw3-dev libosmesa6-dev libegl-mesa0 libgl1-mesa-dri"
+formats="libopenexr-dev libyaml-cpp-dev"
+viewer="libepoxy-dev libglfw3-dev libosmesa6-dev libegl-mesa0 libgl1-mesa-dri"
 
 is_debian() { command -v dpkg-query >/dev/null 2>&1 && command -v apt-get >/dev/null 2>&1; }
 
@@ -75,13 +78,14 @@ Install them and run script/setup.sh again.
 END
 }
 
-run_shown() { echo "+ $*"; [ "$only_show" = yes ] || "$@"; }
+show() { echo "+ $*"; }
+run_shown() { show "$@"; [ "$only_show" = yes ] || "$@"; }
 
 # The packages that are available: one name unknown to apt would stop all others, and Mesa has dropped OSMesa. None of
 # the required ones may be skipped.
 available() {
   for package in "$@"; do
-    case " $needed " in
+    case " $needed $tests " in
       *" $package "*) ;;
       *) apt-cache show "$package" >/dev/null 2>&1 || { echo "$package is not available" >&2; continue; } ;;
     esac
@@ -91,42 +95,61 @@ available() {
 
 # Fresh systems have no package lists, and old lists name versions that are gone.
 install_packages() {
-  as_root=$1; shift
-  run_shown $as_root apt-get update || echo "the package lists could not be updated; using the existing ones"
+  if [ ! "${lists_are_new-}" ]; then
+    run_shown $as_root apt-get update || echo "the package lists could not be updated; using the existing ones"
+    lists_are_new=yes
+  fi
   [ "$only_show" = yes ] || set -- $(available "$@")
   [ $# -gt 0 ] || return 0
   run_shown $as_root apt-get install -y --no-install-recommends "$@"
 }
 
-# False when this system or this user cannot install packages; then it prints who can, and how.
-try_to_install() {
+# Whether this user can install packages on this system; otherwise it prints who can, and how.
+can_install() {
+  as_root=''
   if ! is_debian; then
     show_other_systems
     return 1
   fi
-  if [ "$(id -u)" = 0 ]; then
-    install_packages "" "$@"
-  elif command -v sudo >/dev/null 2>&1 && { [ -t 0 ] || sudo -n true 2>/dev/null; }; then
-    install_packages sudo "$@"
-  else
-    echo "Installing them needs administrator rights. Ask an administrator to run:"
-    echo "  apt-get update && apt-get install -y --no-install-recommends $*"
-    return 1
-  fi
+  [ "$(id -u)" != 0 ] || return 0
+  as_root=sudo
+  if command -v sudo >/dev/null 2>&1 && { [ -t 0 ] || sudo -n true 2>/dev/null; }; then return 0; fi
+  echo "Installing them needs administrator rights. Ask an administrator to run:"
+  echo "  apt-get update && apt-get install -y --no-install-recommends $*"
+  return 1
 }
 
-missing_needed=$(missing_of $needed)
-missing=$missing_needed$(missing_of $optional)
-if [ -n "$missing" ]; then
-  echo "missing:$missing"
-  if ! try_to_install $missing; then
-    [ -z "$missing_needed" ] || exit 3
-    echo "They are optional; continuing without them."
-  fi
-fi
+# Make's output with the files to compile numbered, n of m. Its exit status is that of make.
+build() {
+  show make -j"$cores" BUILD="$build" "$@"
+  [ "$only_show" = no ] || return 0
+  total=$(make -n BUILD="$build" "$@" 2>/dev/null | grep -c 'echo "  c++ ') || total=0
+  { make -j"$cores" BUILD="$build" "$@" 2>&1 && echo done; } | awk -v total="$total" '
+    $0 == "done" { ended = 1; next }
+    $1 == "c++" { sub(/c\+\+ /, sprintf("c++ %2d of %d ", ++n, total)) }
+    { print; fflush() }
+    END { exit !ended }'
+}
 
 cores=$(getconf _NPROCESSORS_ONLN 2>/dev/null || echo 1)
 build=${BUILD:-build}
-run_shown make -j"$cores" BUILD="$build"
+
+needed_missing=$(missing_of $needed $tests)
+now=$(missing_of $needed $formats)
+later=$(missing_of $tests $viewer)
+if [ -n "$now$later" ]; then
+  echo "missing:$now$later"
+  if ! can_install $now $later; then
+    [ -z "$needed_missing" ] || exit 3
+    echo "They are optional; continuing without them."
+    now='' later=''
+  fi
+fi
+[ -z "$now" ] || install_packages $now
+build raypro
 run_shown "$build/raypro" scenes/hello.scn "$build/sample.jpg" -width 512 -height 512 -quiet
-[ "$only_show" = yes ] || echo "first picture: $build/sample.jpg"
+[ "$only_show" = yes ] || echo "first image: $build/sample.jpg; now rayimg and the viewer"
+[ -z "$later" ] || install_packages $later
+build all
+# With sudo, what was built belongs to whoever called it, so that make test works without.
+[ "$(id -u)" != 0 ] || [ -z "${SUDO_UID-}" ] || run_shown chown -R "$SUDO_UID:${SUDO_GID-}" "$build"

@@ -1,5 +1,5 @@
 // rayimg from outside: what it measures and writes, and what it says of wrong input; and its tables, which the help,
-// the manual, the completions and the README repeat.
+// the manual, the completions and docs/options.md repeat.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -685,11 +685,11 @@ TEST(RayimgHelp, BashOffersCommandsTheirOptionsAndChoices) {
   EXPECT_EQ(BashOffers("rayimg -complete z"), "zsh\n");
 }
 
-// A reader of the README must not meet an option that is gone, or miss one.
-TEST(RayimgHelp, TheReadmesTableIsOurs) {
+// A reader of the documentation must not meet an option that is gone, or miss one.
+TEST(RayimgHelp, TheDocumentedTableIsOurs) {
   const char* root = std::getenv("RAYPRO_ROOT");
-  const std::string readme = ReadFile(std::string(root ? root : ".") + "/README.md");
-  EXPECT_TRUE(Contains(readme, Help(program, "markdown"))) << "run script/update_readme.sh";
+  const std::string page = ReadFile(std::string(root ? root : ".") + "/docs/options.md");
+  EXPECT_TRUE(Contains(page, Help(program, "markdown"))) << "run script/update_docs.sh";
 }
 
 }  // namespace

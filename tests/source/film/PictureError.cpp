@@ -8,6 +8,7 @@
 #include "source/film/FQuantile.h"
 #include "source/sample/Random.h"
 #include "tests/Draw.h"
+#include "tests/source/film/TwoPartFilm.h"
 
 namespace ray {
 namespace {
@@ -17,28 +18,17 @@ constexpr std::array units{ErrorUnit::display, ErrorUnit::relative, ErrorUnit::d
 /// A film whose samples are 0.5 plus noise of a known deviation, in two independent parts of a and b samples per pixel.
 Film Noisy(int side, std::uint32_t a, std::uint32_t b, double deviation, std::uint64_t seed,
            FilterKind filter = FilterKind::box) {
-  Film film(side, side, {0, 0, side, side}, filter);
-  for (int i = 0; i < film.Blocks(); ++i)
-    for (int part = 0; part < Film::parts; ++part) {
-      film[i].sums[part] = film.EmptySums(i);
-      film[i].samples[part] = part == 0 ? a : b;
-      const PixelRectangle pixels = film.PixelsOf(i);
-      for (int y = pixels.y0; y < pixels.y1; ++y)
-        for (int x = pixels.x0; x < pixels.x1; ++x)
-          for (std::uint32_t k = 0; k < film[i].samples[part]; ++k) {
-            const RandomKey key = RandomKey(seed)
-                                      .Child(static_cast<std::uint64_t>(x))
-                                      .Child(static_cast<std::uint64_t>(y))
-                                      .Child(2 * k + static_cast<std::uint32_t>(part));
-            // Even over an interval, whose deviation is its length over the root of 12.
-            const auto channel = [&](std::uint64_t which) {
-              return 0.5 + std::sqrt(12.0) * deviation * (key.Child(which).Number() - 0.5);
-            };
-            film[i].sums[part].Add(x, y, x + key.Child(5).Number(), y + key.Child(6).Number(),
-                                   {channel(1), channel(2), channel(3)}, film.filter());
-          }
-    }
-  return film;
+  return TwoPartFilm(side, {a, b}, filter, [&](int part, int x, int y, std::uint32_t k) {
+    const RandomKey key = RandomKey(seed)
+                              .Child(static_cast<std::uint64_t>(x))
+                              .Child(static_cast<std::uint64_t>(y))
+                              .Child(2 * k + static_cast<std::uint32_t>(part));
+    // Even over an interval, whose deviation is its length over the root of 12.
+    const auto channel = [&](std::uint64_t which) {
+      return 0.5 + std::sqrt(12.0) * deviation * (key.Child(which).Number() - 0.5);
+    };
+    return FilmSample{{channel(1), channel(2), channel(3)}, key.Child(5).Number(), key.Child(6).Number()};
+  });
 }
 
 TEST(PictureError, IsTrueOnAverageForIndependentParts) {
@@ -148,20 +138,11 @@ TEST(PictureError, DegreesOfFreedomAreTheIndependentChannelsOfItsPixels) {
 
 /// All channels of a pixel alike, noise in every `every`th pixel.
 Film GrayNoise(int side, int every, double deviation, std::uint64_t seed) {
-  Film film(side, side, {0, 0, side, side}, FilterKind::box);
-  for (int i = 0; i < film.Blocks(); ++i)
-    for (int part = 0; part < Film::parts; ++part) {
-      film[i].sums[part] = film.EmptySums(i);
-      film[i].samples[part] = 1;
-      const PixelRectangle pixels = film.PixelsOf(i);
-      for (int y = pixels.y0; y < pixels.y1; ++y)
-        for (int x = pixels.x0; x < pixels.x1; ++x) {
-          const RandomKey key = RandomKey(seed).Child(static_cast<std::uint64_t>(y * side + x));
-          const double noise = (y * side + x) % every == 0 ? key.Child(static_cast<std::uint64_t>(part)).Number() : 0;
-          film[i].sums[part].Add(x, y, x + 0.5, y + 0.5, (0.5 + deviation * noise) * R2::Color{1, 1, 1}, film.filter());
-        }
-    }
-  return film;
+  return TwoPartFilm(side, {1, 1}, FilterKind::box, [&](int part, int x, int y, std::uint32_t) {
+    const RandomKey key = RandomKey(seed).Child(static_cast<std::uint64_t>(y * side + x));
+    const double noise = (y * side + x) % every == 0 ? key.Child(static_cast<std::uint64_t>(part)).Number() : 0;
+    return FilmSample{(0.5 + deviation * noise) * R2::Color{1, 1, 1}};
+  });
 }
 
 TEST(PictureError, ThreeChannelsThatAreOneCountOnceAndPixelsWithoutNoiseNot) {
@@ -188,15 +169,9 @@ TEST(PictureError, FewPixelsGiveAWideInterval) {
 // 1 and 3 in the two parts show 1 and 1, and their mean is clamped too; 0.2 and 3 show 0.6 on average, and 1 together.
 TEST(PictureError, ClampingIsNoErrorWhereItIsSteadyAndOneWhereItHidesNoise) {
   const auto film_of = [](double a, double b) {
-    Film film(8, 8, {0, 0, 8, 8}, FilterKind::box);
-    for (int part = 0; part < Film::parts; ++part) {
-      film[0].sums[part] = film.EmptySums(0);
-      film[0].samples[part] = 1;
-      for (int y = 0; y < 8; ++y)
-        for (int x = 0; x < 8; ++x)
-          film[0].sums[part].Add(x, y, x + 0.5, y + 0.5, (part == 0 ? a : b) * R2::Color{1, 1, 1}, film.filter());
-    }
-    return film;
+    return TwoPartFilm(8, {1, 1}, FilterKind::box, [&](int part, int, int, std::uint32_t) {
+      return FilmSample{(part == 0 ? a : b) * R2::Color{1, 1, 1}};
+    });
   };
   EXPECT_EQ(MeasureError(film_of(7, 7), {})->square, 0);
   const double difference = 0.8 / 2, bias = 0.6 - 1, cut = 0.6;

@@ -11,6 +11,7 @@
 #include "source/film/denoise/DenoisedError.h"
 #include "source/film/denoise/Regression.h"
 #include "source/sample/Random.h"
+#include "tests/source/film/TwoPartFilm.h"
 
 namespace ray {
 namespace {
@@ -63,17 +64,8 @@ double RmsError(const R2::Image& image, const Subject& subject) {
 
 /// A film whose parts are these streams, one sample each.
 Film FilmOf(const R2::Image& a, const R2::Image& b) {
-  Film film(side, side, {0, 0, side, side}, FilterKind::box);
-  for (int i = 0; i < film.Blocks(); ++i)
-    for (int part = 0; part < Film::parts; ++part) {
-      film[i].sums[part] = film.EmptySums(i);
-      film[i].samples[part] = 1;
-      const PixelRectangle pixels = film.PixelsOf(i);
-      for (int y = pixels.y0; y < pixels.y1; ++y)
-        for (int x = pixels.x0; x < pixels.x1; ++x)
-          film[i].sums[part].Add(x, y, x + 0.5, y + 0.5, (part == 0 ? a : b).At(x, y), film.filter());
-    }
-  return film;
+  return TwoPartFilm(side, {1, 1}, FilterKind::box,
+                     [&](int part, int x, int y, std::uint32_t) { return FilmSample{(part == 0 ? a : b).At(x, y)}; });
 }
 
 TEST(Denoise, AConstantPictureStaysAsItIsToTheBit) {
