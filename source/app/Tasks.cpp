@@ -10,6 +10,7 @@
 #include "source/app/options/Listing.h"
 #include "source/app/options/Manual.h"
 #include "source/app/options/SceneSettings.h"
+#include "source/app/report/Advice.h"
 #include "source/app/report/Check.h"
 #include "source/app/report/Info.h"
 #include "source/app/report/Messages.h"
@@ -37,7 +38,9 @@ std::string CheckScene(const Options& asked) {
          (warnings.empty() ? "no warnings" : Counted(warnings.size(), "warning")) + "\n";
 }
 
-std::string RaysOfPixel(const Options& asked) {
+/// What `tell` says of a scene that is ready to be traced.
+template <typename Tell>
+std::string OfBuiltScene(const Options& asked, const Tell& tell) {
   CheckMachine(asked);
   const ParsedScene parsed = Parse(asked.scene, asked.parse);
   const Options options = WithSettingsOf(parsed.scene, asked);
@@ -45,7 +48,11 @@ std::string RaysOfPixel(const Options& asked) {
   TellAll(parsed.warnings);
   TellAll(world.Warnings());
   const auto accelerator = FindAcceleratorKind(options.accelerator.name)->Make(world, options.accelerator);
-  return DebugPixel(world, *accelerator, options.render, options.pixel->x, options.pixel->y);
+  return tell(world, *accelerator, options);
+}
+
+std::string RaysOfPixel(const World& world, const Accelerator& accelerator, const Options& options) {
+  return DebugPixel(world, accelerator, options.render, options.pixel->x, options.pixel->y);
 }
 
 std::string ResultOf(const Options& options, const std::vector<std::string>& keys) {
@@ -57,10 +64,12 @@ std::string ResultOf(const Options& options, const std::vector<std::string>& key
       break;  // not ours
     case Task::check:
       return CheckScene(options);
+    case Task::advise:
+      return OfBuiltScene(options, Advice);
     case Task::convert:
       return ConvertScene(options);
     case Task::debug_pixel:
-      return RaysOfPixel(options);
+      return OfBuiltScene(options, RaysOfPixel);
     case Task::info:
       return PictureInfo(options.subject);
     case Task::help:

@@ -17,9 +17,6 @@ namespace {
 
 using Channels = std::array<double, 3>;
 
-/// Rather than of what a screen shows, which is clamped.
-bool IsOfLight(ErrorUnit unit) { return unit == ErrorUnit::relative || unit == ErrorUnit::linear; }
-
 Channels Seen(const R2::Color& c, const ErrorMeasure& measure) {
   return {AsMeasured(c.r, measure), AsMeasured(c.g, measure), AsMeasured(c.b, measure)};
 }

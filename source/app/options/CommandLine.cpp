@@ -130,8 +130,8 @@ std::optional<Options> HelpAnywhere(Program program, std::span<const std::string
 }
 
 bool NeedsScene(Task task) {
-  return task == Task::render || task == Task::view || task == Task::check || task == Task::convert ||
-         task == Task::debug_pixel;
+  return task == Task::render || task == Task::view || task == Task::check || task == Task::advise ||
+         task == Task::convert || task == Task::debug_pixel;
 }
 
 void CheckCommand(const Options& options) {

@@ -212,6 +212,8 @@ std::vector<OptionKind> MakeTable() {
        "print the true error against an image, or two independent ones, of the same scene"},
       {"replay", raypro, {}, {"file.json"}, FileName{AT(replay)}, "", "quality",
        "reuse the sample allocation of that report: a bit-identical image"},
+      {"advise", raypro, {}, {}, Request{Task::advise}, "", "quality",
+       "probe the scene for some seconds: time, error and which settings pay, without rendering"},
       {"checkpoint", raypro, {}, {"t"}, WordOf<ReadDuration, ShowDuration>(AT(checkpoint), duration_range),
        "", "quality", "write a checkpoint this often, beside the image; a signal always writes one"},
       {"resume", raypro, {}, {}, Flag{AT(resume)}, "", "quality",

@@ -25,6 +25,7 @@ enum class Task {
   command,
   as_course,
   check,
+  advise,
   convert,
   debug_pixel,
   info,
