@@ -49,7 +49,8 @@ value() { awk -v key="\"$1\":" '$1 == "\"error\":" { seen = 1 } seen && $1 == ke
 run() {  # scene, options, further options
   # shellcheck disable=SC2086  # the options are words
   scene=$1 options=$2; shift 2
-  "$raypro" "$here/$scene.scn" "$@" $options -width "$size" -height "$size" -quiet < /dev/null
+  "$raypro" "$here/$scene.scn" "$@" $options -width "$size" -height "$size" -quiet < /dev/null 2> "$work/messages" ||
+    { cat "$work/messages" >&2; exit 1; }  # warnings of fireflies are what the table counts
 }
 
 while read -r id scene options; do

@@ -172,8 +172,8 @@ TEST(ImageFile, ATruncatedFileSaysHowMuchIsThere) {
   EXPECT_EQ(half("ppm"), "PPM is truncated: the picture takes 98304 bytes, 49145 are there");
 }
 
-// K14: web pages and cameras name files as they like.
-TEST(ImageFile, ContentDecidesTheKindAndNotTheName) {
+// Web pages and cameras name files as they like.
+TEST(Extremes, K14_ContentDecidesTheKindAndNotTheName) {
   EXPECT_EQ(DecodeImage(Format("png").encode(Gradient(2, 2), {}, {})).format, FormatForName("a.png"));
   EXPECT_EQ(Complaint(ToBytes("sphere 0  0 0 0 1\n")).substr(0, 33), "unknown image format; supported: ");
   EXPECT_EQ(Complaint({}), "the image file is empty");
@@ -245,8 +245,8 @@ TEST(ImageFile, ValuesThatAreNoNumbersCanBeWrittenInEveryFormat) {
     }
 }
 
-// K3, K5: each promises more than it holds, and the last ones more than 64 bits count.
-TEST(ImageFile, AHeaderThatPromisesTooMuchIsRefusedAtOnce) {
+// Each promises more than it holds, and the last ones more than 64 bits count.
+TEST(Extremes, K3_K5_AHeaderThatPromisesTooMuchIsRefusedAtOnce) {
   const std::vector<Bytes> bombs{
       ToBytes("P6 65535 65535 255\n"),
       ToBytes("P6 16384 16384 255\n"),

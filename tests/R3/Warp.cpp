@@ -58,7 +58,7 @@ std::vector<R2::Point> Extremes() {
   return extremes;
 }
 
-TEST(Warp, TheDiscIsCoveredEvenly) {
+TEST(Extremes, I3_TheDiscIsCoveredEvenly) {
   EXPECT_LT(OverQuantile([](const R2::Point& u) {
               const R2::Point p = R3::OnDisc(u);
               return R2::Point{p.x * p.x + p.y * p.y, Turns(p.x, p.y)};
@@ -66,7 +66,7 @@ TEST(Warp, TheDiscIsCoveredEvenly) {
             1);
 }
 
-TEST(Warp, TheTriangleIsCoveredEvenly) {
+TEST(Extremes, I3_TheTriangleIsCoveredEvenly) {
   // 16 rows along the side opposite to corner 2 cut the triangle into 256 that are alike.
   std::vector<double> counts(256);
   for (int i = 0; i < points; ++i) {
@@ -80,7 +80,7 @@ TEST(Warp, TheTriangleIsCoveredEvenly) {
   EXPECT_LT(chi_square::OverQuantile(counts, std::vector<double>(256, 1.0 / 256), 0.01 / tests), 1);
 }
 
-TEST(Warp, TheHemisphereIsCoveredByTheCosine) {
+TEST(Extremes, I3_TheHemisphereIsCoveredByTheCosine) {
   EXPECT_LT(OverQuantile([](const R2::Point& u) {
               const R3::Vector d = R3::OnCosineHemisphere(u);
               return R2::Point{1 - d.z * d.z, Turns(d.x, d.y)};
@@ -92,7 +92,7 @@ TEST(Warp, TheHemisphereIsCoveredByTheCosine) {
   EXPECT_NEAR(Share(R3::CosinePdf, -1, 1), 1, 1e-4);
 }
 
-TEST(Warp, PhongsLobeIsCoveredByThePowerOfTheCosine) {
+TEST(Extremes, I3_PhongsLobeIsCoveredByThePowerOfTheCosine) {
   for (const double n : exponents) {
     EXPECT_LT(OverQuantile([&](const R2::Point& u) {
                 const R3::Vector d = R3::OnPowerLobe(u, n);
@@ -115,7 +115,7 @@ TEST(Warp, PhongsLobeIsCoveredByThePowerOfTheCosine) {
   }
 }
 
-TEST(Warp, TheSphereIsCoveredEvenly) {
+TEST(Extremes, I3_TheSphereIsCoveredEvenly) {
   EXPECT_LT(OverQuantile([](const R2::Point& u) {
               const R3::Vector d = R3::OnSphere(u);
               return R2::Point{(1 - d.z) / 2, Turns(d.x, d.y)};
@@ -124,7 +124,7 @@ TEST(Warp, TheSphereIsCoveredEvenly) {
   EXPECT_NEAR(Share([](double) { return R3::sphere_pdf; }, -1, 1), 1, 1e-12);
 }
 
-TEST(Warp, ConesAreCoveredEvenlyHoweverNarrow) {
+TEST(Extremes, I3_ConesAreCoveredEvenlyHoweverNarrow) {
   for (const double c : cones) {
     EXPECT_LT(OverQuantile([&](const R2::Point& u) {
                 const R3::Vector d = R3::InCone(u, c);

@@ -258,6 +258,25 @@ TEST(Extremes, D7_H2_AMillionOfAlmostTheSameBuildInBoundedTimeAndMemory) {
   }
 }
 
+// Ten million triangles by night.
+TEST(Extremes, D10_AMeshOfAnySizeTakesBoundedMemoryAndIsHit) {
+  const int sides = Count(400, 2240);
+  ray::Scene scene;
+  auto mesh = std::make_shared<const R3::Mesh>(accelerators::BumpyBall(sides, sides));
+  scene.root.children.push_back(Leaf(mesh));
+  SetBounds(scene.root);
+  const ray::World world(scene);
+  const auto triangles = static_cast<std::size_t>(world.Primitives());
+  EXPECT_GE(triangles, Count(300'000, 10'000'000));
+  for (const char* kind : {"bvh", "octree", "grid"}) {
+    const auto accelerator = ray::FindAcceleratorKind(kind)->Make(world, {.name = kind});
+    EXPECT_LE(accelerator->Bytes(), 200 * triangles) << kind;
+    ray::Workspace workspace;
+    EXPECT_TRUE(accelerator->Intersect({{0, 0, 5}, {0, 0, -1}}, workspace)) << kind;
+    EXPECT_FALSE(accelerator->IsOccluded({{3, 0, 5}, {0, 0, -1}}, workspace)) << kind;
+  }
+}
+
 // Each of 100,000 spheres was asked by each ray once: a minute for the smallest picture.
 TEST(Extremes, D7_ARayAsksOneOfManyThatAreTheSame) {
   const R3::Matrix aside{{{{1, 0, 0, 5}, {0, 1, 0, 0}, {0, 0, 1, 0}}}};

@@ -25,7 +25,7 @@ std::vector<accelerators::Way> EveryWayAndSwitch() {
   return ways;
 }
 
-TEST(Pictures, EveryAcceleratorAndEverySwitchGivesTheSameBits) {
+TEST(Extremes, C7_J2_J4_EveryAcceleratorInstructionSetAndSwitchGivesTheSameBits) {
   for (const auto& file : project::Scenes(project::Root() / "scenes")) {
     const project::Stage stage(file);
     const auto expected = project::Render(stage, Small(), {"none"});

@@ -90,4 +90,42 @@ TEST(Extremes, B7_ReversedCornersAreSorted) {
   EXPECT_EQ(sorted->Bounds(0), reversed->Bounds(0));
 }
 
+/// Whether the exact ray touches the closed box in its range, in 113 bits.
+bool Touches(const R3::Box& box, const R3::Ray& ray) {
+  Quad enter = ray.t_min, leave = 1e300;
+  for (int axis = 0; axis < 3; ++axis) {
+    const Quad o = ray.origin[axis], d = ray.direction[axis];
+    if (d == 0) {
+      if (o < box.low[axis] || o > box.high[axis]) return false;
+      continue;
+    }
+    const Quad a = (box.low[axis] - o) / d, b = (box.high[axis] - o) / d;
+    enter = std::max(enter, std::min(a, b));
+    leave = std::min(leave, std::max(a, b));
+  }
+  return enter <= leave;
+}
+
+TEST(Extremes, C3_RaysAtCornersEdgesAndFacesOfBoxesAroundTrianglesAreNeverLost) {
+  Draw draw(303);
+  int touching = 0;
+  for (int n = 0, count = Count(300'000, 100'000'000); n < count; ++n) {
+    const R3::Vector offset = std::array{0.0, 1e4, 1e8}[static_cast<std::size_t>(n % 3)] * draw.Direction();
+    R3::Box box;
+    for (int i = 0; i < 3; ++i) box.Extend(R3::Point{} + offset + draw.Direction());
+    // On each axis a corner, the middle or anywhere between: corners, edges and faces of the box.
+    const auto at = [&](int axis) {
+      const double low = box.low[axis], high = box.high[axis];
+      return std::array{low, high, low / 2 + high / 2,
+                        draw.Between(low, high)}[static_cast<std::size_t>(draw.Whole(0, 3))];
+    };
+    const R3::Point target{at(0), at(1), at(2)}, origin = R3::Point{} + offset + draw.Scale(-1, 2) * draw.Direction();
+    const R3::Ray ray{origin, target - origin};
+    if (!Touches(box, ray)) continue;
+    ++touching;
+    ASSERT_TRUE(Entry(box, R3::BoxRay(ray), 0)) << oracle::Hex(ray);
+  }
+  EXPECT_GT(touching, 100'000);
+}
+
 }  // namespace

@@ -163,7 +163,7 @@ ray::RenderState StateOfHello(const ray::RenderSettings& settings, int tiles_unt
 }
 
 // Whoever can write a file can write its checksum: a block that asked for 4e9 samples was once given them.
-TEST(Checkpoint, L9_WithNumbersThatNoRenderKeepsIsRefused) {
+TEST(Extremes, L9_ACheckpointWithNumbersThatNoRenderKeepsIsRefused) {
   static constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   using State = ray::RenderState;
   const std::function<void(State&)> edits[] = {

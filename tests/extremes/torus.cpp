@@ -159,14 +159,14 @@ void CheckMany(std::uint64_t seed, const MakeRay& ray) {
   }
 }
 
-TEST(Torus, FromAnywhereHasNeitherHolesNorHairs) {
+TEST(Extremes, B6_ARingFromAnywhereHasNeitherHolesNorHairs) {
   CheckMany(901, [](Draw& draw, const Ring& ring) {
     const R3::Point origin = DrawOrigin(draw, ring), target = DrawPlace(draw, ring, draw.Between(0, 1.5)).point;
     return R3::Ray{origin, draw.Scale(-3, 3) * (target - origin)};
   });
 }
 
-TEST(Torus, TouchedByRaysIsHitWhereTheyGoDeeperThanRounding) {
+TEST(Extremes, B6_ARingTouchedByRaysIsHitWhereTheyGoDeeperThanRounding) {
   CheckMany(902, [](Draw& draw, const Ring& ring) {
     const auto [point, outward] = DrawPlace(draw, ring, 1 + draw.Whole(-1, 1) * draw.Scale(-16, -1));
     const R3::Vector along = Unit(Cross(outward, draw.Direction()));
@@ -174,7 +174,7 @@ TEST(Torus, TouchedByRaysIsHitWhereTheyGoDeeperThanRounding) {
   });
 }
 
-TEST(Torus, LetsRaysThroughItsHole) {
+TEST(Extremes, B6_ARingLetsRaysThroughItsHole) {
   CheckMany(903, [](Draw& draw, const Ring& ring) {
     const R3::Point target =
         ring.center + draw.Between(0, 1.1) * (ring.major - ring.minor) * Across(draw.Between(0, 6.28));
@@ -183,7 +183,7 @@ TEST(Torus, LetsRaysThroughItsHole) {
   });
 }
 
-TEST(Torus, AlongItsAxisAndInItsPlaneIsHitAsElsewhere) {
+TEST(Extremes, B6_ARingAlongItsAxisAndInItsPlaneIsHitAsElsewhere) {
   CheckMany(904, [](Draw& draw, const Ring& ring) {
     const double distance = draw.Scale(-1, 6) * ring.Size();
     const R3::Vector across = Across(draw.Between(0, 6.28)), up{0, draw.Whole(0, 1) ? 1.0 : -1.0, 0};
@@ -208,7 +208,7 @@ TEST(Torus, AlongItsAxisAndInItsPlaneIsHitAsElsewhere) {
   });
 }
 
-TEST(Torus, FromInsideItsTubeIsLeftOnceAndAgain) {
+TEST(Extremes, B6_ARingFromInsideItsTubeIsLeftOnceAndAgain) {
   CheckMany(905, [](Draw& draw, const Ring& ring) {
     const R3::Point origin = DrawPlace(draw, ring, draw.Between(0, 1)).point;
     const R3::Vector round = Unit(Cross(origin - ring.center, {0, 1, 0}));
@@ -216,7 +216,7 @@ TEST(Torus, FromInsideItsTubeIsLeftOnceAndAgain) {
   });
 }
 
-TEST(Torus, IsNotMetAgainByWhatLeavesItsSurface) {
+TEST(Extremes, B6_E1_ARingIsNotMetAgainByWhatLeavesItsSurface) {
   CheckMany(906, [](Draw& draw, const Ring& ring) {
     for (;;) {
       const R3::Point target = DrawPlace(draw, ring, draw.Between(0, 1)).point, origin = DrawOrigin(draw, ring);
@@ -232,7 +232,7 @@ TEST(Torus, IsNotMetAgainByWhatLeavesItsSurface) {
   });
 }
 
-TEST(Torus, ThatIsASpindleIsRefused) {
+TEST(Extremes, B6_ARingThatIsASpindleIsRefused) {
   EXPECT_THROW(R3::MakeShape("torus", {0, 0, 0, 1, 1}), R3::ArgumentError);
   EXPECT_THROW(R3::MakeShape("torus", {0, 0, 0, 0, 1}), R3::ArgumentError);
   EXPECT_TRUE(R3::MakeShape("torus", {0, 0, 0, 1, 0})->IsDegenerate());

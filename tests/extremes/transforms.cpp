@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
+
 #include "R3/Mesh.h"
 #include "R3/ShapeKind.h"
 #include "R3/Transform.h"
@@ -198,6 +200,46 @@ TEST(Transform, TheInverseIsTheNearestDoubleForBadlyConditionedMatricesToo) {
         EXPECT_LE(oracle::Double(oracle::Abs(sum - (r == c ? 1 : 0)) / magnitude), 2.5 * unit_roundoff);
       }
   }
+}
+
+/// The largest entry of inverse * forward - 1, in 113 bits, as a share of the condition: the product of both norms.
+double InverseError(const R3::Transform& t) {
+  Quad worst = 0, forward_square = 0, inverse_square = 0;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j) {
+      Quad entry = i == j ? -1 : 0;
+      for (std::size_t k = 0; k < 3; ++k) entry += Quad(t.Inverse().m[i][k]) * t.Forward().m[k][j];
+      worst = std::max(worst, oracle::Abs(entry));
+      forward_square += Quad(t.Forward().m[i][j]) * t.Forward().m[i][j];
+      inverse_square += Quad(t.Inverse().m[i][j]) * t.Inverse().m[i][j];
+    }
+  return oracle::Double(worst / oracle::Sqrt(forward_square * inverse_square));
+}
+
+TEST(Extremes, A4_ShearsAndTinyAndManyTurnsAreUndoneByTheirInverses) {
+  const auto expect_undone = [](const R3::Matrix& m, const std::string& what) {
+    const auto transform = R3::Transform::Of(m);
+    ASSERT_TRUE(transform) << what;
+    EXPECT_LE(InverseError(*transform), 1e-15) << what;
+  };
+  for (const double shear : {1e3, 1e6})
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t j = 0; j < 3; ++j) {
+        if (i == j) continue;
+        R3::Matrix m;
+        m.m[i][j] = shear;
+        expect_undone(m, "a shear by " + std::to_string(shear));
+      }
+  Draw draw(44);
+  for (const double angle : {1e-8, 1e6 * 2 * std::numbers::pi + 0.3})
+    for (int i = 0; i < 100; ++i) {
+      const R3::Vector axis = draw.Direction();
+      const R3::Vector x = Turned({1, 0, 0}, axis, angle), y = Turned({0, 1, 0}, axis, angle),
+                       z = Turned({0, 0, 1}, axis, angle);
+      R3::Matrix m;
+      m.m = {{{x.x, y.x, z.x, 1e3}, {x.y, y.y, z.y, -1}, {x.z, y.z, z.z, 0}}};
+      expect_undone(m, "a turn by " + std::to_string(angle));
+    }
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ std::vector<double> RandomWeights(std::size_t count) {
   return weights;
 }
 
-TEST(DiscreteDistribution, DrawsByTheWeights) {
+TEST(Extremes, I3_LightsAreDrawnByTheirWeights) {
   const std::vector<double> weights = RandomWeights(300);
   double all = 0;
   for (const double w : weights) all += w;

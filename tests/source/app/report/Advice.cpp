@@ -11,14 +11,14 @@ namespace {
 
 using testing::Has;
 
-const std::string camera = "camera 0 2 6  0 -.3 -1  0 1 0  .5  .1 100\n";
+const std::string camera_above = "camera 0 2 6  0 -.3 -1  0 1 0  .5  .1 100\n";
 const std::string soft_light = "area_light 1 1 1  0 4 1  0 -1 0  1  1 0 0\n";
 const std::string ball =
     "material 0 0 0  .8 .8 .8  0 0 0  0 0 0  0 0 0  1 1 0\nbox 0  -4 -.1 -4  4 0 4\nsphere 0  0 .8 0  .8\n";
 
 std::string AdviceOn(const std::string& scene, const std::vector<std::string>& words = {}) {
   const testing::TemporaryFolder folder;
-  const ParsedScene parsed = Parse(testing::WriteFile(folder / "example.scn", camera + scene), {});
+  const ParsedScene parsed = Parse(testing::WriteFile(folder / "example.scn", camera_above + scene), {});
   Options options = Defaults(Program::raypro);
   options.render.width = options.render.height = 48;
   for (std::size_t i = 0; i + 1 < words.size(); i += 2)
