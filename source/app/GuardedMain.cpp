@@ -1,11 +1,16 @@
 #include "source/app/GuardedMain.h"
 
+#include <tbb/global_control.h>
+#include <tbb/info.h>
+
 #include <new>
 
 #include "source/app/Interrupt.h"
 #include "source/app/Status.h"
 #include "source/app/report/Messages.h"
 #include "source/parse/SceneError.h"
+#include "source/render/Threads.h"
+#include "source/text/Words.h"
 
 namespace ray {
 namespace {
@@ -13,6 +18,18 @@ namespace {
 int Fail(int exit_status, const std::string& message) {
   PrintError(message);
   return exit_status;
+}
+
+/// Keeps oneTBB from asking the system for more threads than it gives.
+void LimitThreads(const std::string& program) {
+  const int usual = tbb::info::default_concurrency(), threads = ThreadsAvailable(usual);
+  if (threads == usual) return;
+  PrintError(program + "warning: the system allows " + Counted(static_cast<std::uint64_t>(threads), "thread") +
+             " instead of " + std::to_string(usual) + "; going on with that");
+  // To the very end: once it is gone, oneTBB would make the threads that it then may.
+  static const auto* const limit =
+      new tbb::global_control(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
+  (void)limit;
 }
 
 }  // namespace
@@ -24,6 +41,7 @@ int GuardedMain(Program program, int argc, char** argv, int (*run)(const std::ve
   const int failed = program == Program::rayimg ? status::bad_scene : status::failed;
   try {
     RequireStack();
+    LimitThreads(name);
     return run(std::vector<std::string>(argv + (argc > 0 ? 1 : 0), argv + argc));
   } catch (const UsageError& error) {
     return Fail(status::wrong_arguments, name + error.what());

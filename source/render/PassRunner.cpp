@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <bit>
 
+#include "source/render/Threads.h"
+
 namespace ray {
 namespace {
 
@@ -45,7 +47,10 @@ PassRunner::End PassRunner::Run(const PassTargets& targets, std::optional<Clock:
   pixels_done_ = 0;
   for (int i = 0; i < work_.film.Blocks(); ++i)
     if (IsAtTarget(i)) pixels_done_ += work_.film.PixelsOf(i).Area();
-  const int usual = tbb::info::default_concurrency(), threads = work_.threads > 0 ? work_.threads : usual;
+  const int usual = tbb::info::default_concurrency();
+  const int threads = work_.threads > usual ? ThreadsAvailable(work_.threads)
+                      : work_.threads > 0   ? work_.threads
+                                            : usual;
   // The arena bounds this render alone, others may run beside it; only more threads than usual need permission.
   std::optional<tbb::global_control> permission;
   if (threads > usual)

@@ -74,6 +74,12 @@ void BreakPipe(int descriptor) {
     const rlimit both = {limit, limit};
     setrlimit(RLIMIT_FSIZE, &both);
   }
+  if (surroundings.deny_threads) {
+    constexpr unsigned nobody = 65534;
+    const rlimit one = {1, 1};
+    setrlimit(RLIMIT_NPROC, &one);
+    if (geteuid() == 0 && (setgid(nobody) != 0 || setuid(nobody) != 0)) _exit(127);
+  }
   execve(prepared.word_pointers[0], prepared.word_pointers.data(), prepared.environment_pointers.data());
   _exit(127);
 }

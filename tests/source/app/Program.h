@@ -43,6 +43,7 @@ struct Surroundings {
   bool close_output = false, close_error = false;  // descriptors not open at all
   bool break_output = false;                       // a pipe that nobody reads
   long file_size_limit = -1;                       // bytes; -1 for none
+  bool deny_threads = false;                       // the superuser, whom nothing is denied, then runs it as nobody
   std::map<std::string, std::string> environment{};
 };
 

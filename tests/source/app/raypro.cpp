@@ -442,6 +442,22 @@ TEST(Extremes, K11_StatisticsThatCannotBeWrittenAreAFailureAndTheLineNobodyAsked
 }
 
 // With less, the process used to die by a signal.
+TEST(Extremes, L12_WhereNoThreadCanBeMadeOneDoesAllTheWork) {
+  const TemporaryFolder folder;
+  std::filesystem::permissions(folder.Path(), std::filesystem::perms::all);
+  Surroundings alone;
+  alone.deny_threads = true;
+  if (RunProgram({"-version"}, alone).status != 0) GTEST_SKIP() << "the program is not for other users";
+  const std::string scene = WriteFile(folder / "ball.scn", "sphere -1  0 0 0  1\n");
+  const std::string usual = folder / "usual.ppm", by_one = folder / "by_one.ppm";
+  EXPECT_EQ(RunProgram({scene, usual, "-width", "64", "-height", "64"}).status, 0);
+  for (const char* threads : {"0", "8"}) {
+    const Finished finished = RunProgram({scene, by_one, "-width", "64", "-height", "64", "-threads", threads}, alone);
+    EXPECT_EQ(finished.status, 0) << finished.error;
+    EXPECT_EQ(ReadFile(by_one), ReadFile(usual));
+  }
+}
+
 TEST(Extremes, L11_AStackTooSmallIsToldOfAndASoftLimitRaised) {
   NEEDS_THE_PROGRAM();
   const Place place;

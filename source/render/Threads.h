@@ -1,0 +1,9 @@
+#pragma once
+
+namespace ray {
+
+/// How many threads can run at once, this one among them and at most `wanted`: as many as could be made just now, where
+/// the system limits them. oneTBB, asked for more, would throw in the middle of its work.
+int ThreadsAvailable(int wanted);
+
+}  // namespace ray
