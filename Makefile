@@ -4,6 +4,7 @@
 #   make night      the tests with millions of cases; GTEST=--gtest_filter=... for some of them
 #   make check      the layer check alone: who may include whom; and that the patches of script/price apply
 #   make asan tsan  the tests again under the sanitizers
+#   make fuzz       the fuzz targets, with clang, under build/fuzz; script/fuzz.sh runs them
 #   make bench      the benchmark programs
 #   make tradeoff   error over seconds for every knob, as CSV and plots under build/tradeoff; FULL=1 for hours
 #   make price      what features cost scenes that do not use them
@@ -62,6 +63,8 @@ LIBRARY_SOURCES := $(filter-out $(ALL_PROGRAMS:%=source/app/%.cpp),$(wildcard R2
 TEST_SOURCES := $(wildcard tests/*.cpp tests/R2/*.cpp tests/R2/*/*.cpp tests/R3/*.cpp tests/source/*/*.cpp tests/source/*/*/*.cpp \
                   $(foreach d,every agree extremes closed_form bad_scenes regressions images,tests/$(d)/*.cpp))
 BENCH_SOURCES := $(wildcard bench/*.cpp)
+FUZZ_SOURCES := $(wildcard fuzz/*.cpp)
+FUZZ_CXX ?= clang++
 # What this machine lacks leaves these out.
 ABSENT := $(if $(filter yes,$(HAS_EXR)),,R2/image_files/exr.cpp) \
           $(patsubst %,source/view/contexts/%.cpp,$(filter-out $(CONTEXTS),glfw egl osmesa)) \
@@ -71,7 +74,7 @@ ABSENT := $(if $(filter yes,$(HAS_EXR)),,R2/image_files/exr.cpp) \
 # files that use the same local names in the same folder, since they are variations of one thing, and files that
 # Highway includes once for each instruction set. JUMBO=no compiles each file by itself.
 JUMBO ?= yes
-ALONE := \
+ALONE := fuzz/% \
          source/view/gl/% source/view/contexts/% source/accelerate/grid.cpp source/accelerate/wide/Kernels.cpp \
          $(if $(filter file,$(origin TEST_SOURCES)),,tests/%) $(if $(filter yes,$(JUMBO)),,%)
 present = $(filter-out $(ABSENT),$(1))
@@ -80,7 +83,7 @@ together = $(filter-out $(ALONE),$(call present,$(1)))
 objects = $(patsubst %.cpp,$(BUILD)/obj/%.o,$(call alone,$(1))) \
           $(patsubst %,$(BUILD)/obj/%all.o,$(sort $(dir $(call together,$(1)))))
 
-.PHONY: all $(ALL_PROGRAMS) test night check asan tsan bench tradeoff price install uninstall installcheck dist \
+.PHONY: all $(ALL_PROGRAMS) test night check asan tsan fuzz fuzz-targets bench tradeoff price install uninstall installcheck dist \
         clean compile_commands test-binary FORCE
 .PRECIOUS: $(BUILD)/obj/%.o $(BUILD)/jumbo/%/all.cpp
 all: $(PROGRAMS) $(BUILD)/compile_commands.json
@@ -114,7 +117,7 @@ $(BUILD)/libray.a: $(call objects,$(filter-out $(OF_RAYVIEW) $(OF_RAYIMG),$(LIBR
 $(BUILD)/librayview.a: $(call objects,$(OF_RAYVIEW))
 	$(archive)
 
-$(BUILD)/rayview $(BUILD)/raytests $(BUILD)/bench/view: LIBS += $(VIEWER_LIBS)
+$(BUILD)/rayview $(BUILD)/raytests $(BUILD)/bench/view $(BUILD)/targets/%: LIBS += $(VIEWER_LIBS)
 
 # What the archive of all holds is looked up last.
 link = @mkdir -p $(@D) && echo "  link  $@" && $(CXX) $(OUR_CXXFLAGS) $(CXXFLAGS) \
@@ -156,6 +159,14 @@ asan:
 	$(MAKE) BUILD=$(BUILD)/asan OPTIMIZE=-O1 SANITIZE="-fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer" test
 tsan:
 	$(MAKE) BUILD=$(BUILD)/tsan OPTIMIZE=-O1 SANITIZE="-fsanitize=thread" test
+
+# With clang, whose runtime finds the inputs. script/fuzz.sh runs the targets and makes their seeds.
+fuzz:
+	$(MAKE) BUILD=$(BUILD)/fuzz CXX="$(FUZZ_CXX)" OPTIMIZE=-O1 \
+	  SANITIZE="-fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer" fuzz-targets
+fuzz-targets: $(FUZZ_SOURCES:fuzz/%.cpp=$(BUILD)/targets/%)
+$(BUILD)/targets/%: $(BUILD)/obj/fuzz/%.o $(BUILD)/librayview.a $(BUILD)/libray.a
+	$(call link,-fsanitize=fuzzer)
 
 bench: $(patsubst bench/%.cpp,$(BUILD)/bench/%,$(call present,$(BENCH_SOURCES))) raypro
 

@@ -11,7 +11,7 @@
 #                the feature. script/check_patches.sh says whether the patches still apply
 #
 # Exit status 1: a picture differs, or an aim is missed. The table goes to build/price/features.csv as well (OUT names
-# another folder), where script/tradeoff_plots.sh looks for it. BUILD names the build to start from (default build).
+# another folder). BUILD names the build to start from (default build).
 set -eu
 export LC_ALL=C  # numbers have a point
 cd "$(dirname "$0")/.."

@@ -9,7 +9,7 @@
 # (-all: always); build/writeup records what was made. A picture whose scene and options are those of the stored
 # one must match it: at most PERCENT (1) of the pixels may differ by more than LARGEST (0.04). Otherwise it is
 # listed, the stored one stays, and the exit status is 1; -accept takes the new ones. Pictures that cannot be made here,
-# because rayview, gnuplot or the bench is missing, stay as they are.
+# because rayview or the bench is missing, stay as they are.
 #
 # RAYPRO, RAYIMG, RAYVIEW, KERNELS and TESTS name the programs, JOBS how many pictures are made in parallel (default: the
 # number of processors). Seconds are CPU seconds of one thread.
@@ -226,22 +226,16 @@ measure_extremes() {
   cksum < "$tests" > $build/extremes.measured
 }
 
-# Estimated over true errors; one dot per render.
+# Estimated over true errors with their intervals; one dot per render.
 plot() {
-  command -v gnuplot > /dev/null || { echo "no gnuplot: plots stay as they are"; return 0; }
-  gnuplot 2> $build/gnuplot.said << END || { echo "gnuplot failed: plots stay as they are"; return 0; }
-set terminal svg size 480,360 dynamic background rgb "white" font "sans-serif,13"
-set output "$build/claims.svg"
-set datafile separator ","
-set logscale xy
-set key top left
-set grid
-set xlabel "true error, of 255"
-set ylabel "estimated error, of 255"
-plot [0.2:10] [0.2:10] x title "estimated = true" lc rgb "#555555", \
-  for [s in "hello area_light lens"] "$measured/claims.csv" \
-  using (stringcolumn(1) eq s ? column(8) : 1/0):5 with points pt 7 ps 0.8 title s noenhanced
-END
+  awk -F, '
+    BEGIN { print "x\ttrue error, of 255\ny\testimated error, of 255\nband\twithin 10 %\t.9\t1.1" }
+    NR > 1 {
+      if (!($1 in of_scene)) order[++n] = $1
+      of_scene[$1] = of_scene[$1] $8 "\t" $5 "\t\t" $6 "\t" $7 "\n"
+    }
+    END { for (i = 1; i <= n; ++i) printf "series\t%s\tpoints\t%d\n%s", order[i], i, of_scene[order[i]] }
+  ' $measured/claims.csv | awk -v width=640 -v height=480 -f script/plot.awk > $build/claims.svg
   cp $build/claims.svg $pictures/claims.svg
 }
 

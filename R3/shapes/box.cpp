@@ -60,8 +60,8 @@ class BoxShape : public Shape {
   Intersection DrawPlace(const Point& from, const R2::Point& u, int) const override {
     const auto [part, on_face] = DrawPart(SeenAreas(from), u);
     const int right = (part / 2 + 1) % 3;
-    return OnFace(part, [&](int axis) {
-      return std::lerp(box_.low[axis], box_.high[axis], axis == right ? on_face.x : on_face.y);
+    return OnFace(part, [&, at = on_face](int axis) {
+      return std::lerp(box_.low[axis], box_.high[axis], axis == right ? at.x : at.y);
     });
   }
 

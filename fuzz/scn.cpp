@@ -1,0 +1,5 @@
+#include "fuzz/Fuzz.h"
+
+int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size) {
+  return fuzz::ReadScene("scn", "scn", {data, size});
+}
