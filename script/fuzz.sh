@@ -5,9 +5,11 @@
 #
 # Each target runs for N seconds (default 60; an hour in a night). Its inputs are in FOLDER/corpus/TARGET (default FOLDER
 # build/fuzz), begun with the scenes, meshes and images of the tree and kept from run to run; what it finds is in
-# FOLDER/findings, each a file that FOLDER/targets/TARGET runs again. Exit status 1: there are findings.
+# FOLDER/findings, each a file that FOLDER/targets/TARGET runs again. RAYPRO names the program that makes some seeds (default
+# build/raypro). Exit status 1: there are findings.
 set -eu
 cd "$(dirname "$0")/.."
+raypro=${RAYPRO:-build/raypro}
 seconds=60 folder=build/fuzz
 while [ $# -gt 0 ]; do
   case $1 in
@@ -42,7 +44,15 @@ seed() {
       done ;;
     events) printf 'key S\nwait trace\ndrag left 10 10 90 40\nscreenshot a.png\n' > "$corpus/script" ;;
     command_line) printf 'Ascene.scn\nout.png\n-width\n64\n-error\n2\n' > "$corpus/words" ;;
-    replay) printf '{"scene":{"hash":"0123456789abcdef"},"settings":{},"samples":{},"passes":[]}' > "$corpus/report" ;;
+    # Those of a render with the settings that the target has; the checkpoint without its checksum.
+    replay)
+      "$raypro" scenes/sphere.scn "$corpus/picture.ppm" -report "$corpus/report" -quiet
+      sed 's/"hash": "[0-9a-f]*"/"hash": "0123456789abcdef"/' "$corpus/report" > "$corpus/report.json"
+      rm "$corpus/picture.ppm" "$corpus/report" ;;
+    checkpoint)
+      "$raypro" scenes/sphere.scn "$corpus/picture.ppm" -width 16 -height 16 -samples 8 -keep_checkpoint -quiet
+      head -c -8 "$corpus/picture.ppm.checkpoint" > "$corpus/checkpoint"
+      rm "$corpus"/picture.* ;;
     *) printf 0123456789 > "$corpus/digits" ;;
   esac
 }
@@ -52,7 +62,7 @@ for target in "$@"; do
   seed "$target"
   log=$folder/$target.log
   before=$(find "$folder/findings" -name "$target-*" | wc -l)
-  "$folder/targets/$target" "$folder/corpus/$target" -max_total_time="$seconds" -max_len=4096 -timeout=10 -rss_limit_mb=2048 \
+  "$folder/targets/$target" "$folder/corpus/$target" -max_total_time="$seconds" -max_len=8192 -timeout=10 -rss_limit_mb=2048 \
     -artifact_prefix="$folder/findings/$target-" -print_final_stats=1 > "$log" 2>&1 || true
   found=$(($(find "$folder/findings" -name "$target-*" | wc -l) - before))
   awk -v target="$target" -v found="$found" -v seconds="$seconds" -v inputs="$(find "$folder/corpus/$target" -type f | wc -l)" '

@@ -49,6 +49,8 @@ if [ -L "$DESTDIR$bindir/comp30019" ] || [ ! -e "$DESTDIR$bindir/comp30019" ]; t
   echo "file $bindir/comp30019" >> "$list"
 fi
 put 644 share/mime/packages/raypro.xml "$datadir/mime/packages/raypro.xml"
+icon=icons/hicolor/scalable/apps/raypro.svg
+put 644 "share/$icon" "$datadir/$icon"
 # With the images that they show.
 for file in README.md LICENSE CHANGELOG.md CITATION.cff docs/* art/glass.jpg writeup/pictures/pixel.jpg; do
   put 644 "$file" "$docdir/$file"

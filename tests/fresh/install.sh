@@ -42,7 +42,7 @@ for program in $programs; do
   "$stage/opt/ray/bin/$program" -version >/dev/null || fail "$program does not run"
 done
 "$stage/opt/ray/bin/comp30019" --help | grep -q aperture-radius || fail "comp30019 does not run"
-for file in man/man5/scn.5 mime/packages/raypro.xml doc/raypro/README.md doc/raypro/LICENSE doc/raypro/CHANGELOG.md doc/raypro/docs/options.md \
+for file in man/man5/scn.5 mime/packages/raypro.xml icons/hicolor/scalable/apps/raypro.svg doc/raypro/README.md doc/raypro/LICENSE doc/raypro/CHANGELOG.md doc/raypro/docs/options.md \
   raypro/scenes/hello.scn raypro/scenes/textures/checker.png raypro/installed.txt; do
   [ -s "$share/$file" ] || fail "share/$file is missing"
 done

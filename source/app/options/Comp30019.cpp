@@ -74,6 +74,8 @@ template <class... Lambda>
 struct Overloaded : Lambda... {
   using Lambda::operator()...;
 };
+template <class... Lambda>
+Overloaded(Lambda...) -> Overloaded<Lambda...>;
 
 [[noreturn]] void Refuse(const CourseOption& option, const std::string& rule, const std::string& word) {
   throw UsageError(NamesOf(option) + " must be " + rule + ", got " + Quoted(word));

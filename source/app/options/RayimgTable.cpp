@@ -33,11 +33,11 @@ std::optional<std::vector<double>> ReadWeights(const std::string& word) {
   return weights;
 }
 
-/// A limit that is none unless given.
-template <double most>
+/// A limit that is none unless given. `most`: 0 for any number.
+template <int most>
 std::optional<double> ReadThreshold(const std::string& word) {
   const auto number = ParseNumber(word);
-  if (number.problem || !(number.value >= 0 && number.value <= most)) return {};
+  if (number.problem || !(number.value >= 0) || (most > 0 && number.value > most)) return {};
   return number.value;
 }
 
@@ -47,7 +47,7 @@ std::string ShowNothing(const T&) {
   return {};
 }
 
-template <double most, class Lambda>
+template <int most, class Lambda>
 Word Threshold(Lambda member, const char* range) {
   return WordOf<ReadThreshold<most>, ShowNothing<std::optional<double>>>(member, range);
 }
@@ -96,7 +96,7 @@ std::span<const CommandKind> Commands() { return commands; }
 
 // clang-format off
 std::vector<OptionKind> OptionsOfCommands() {
-  constexpr double highest = std::numeric_limits<double>::max(), most_stops = 64;
+  constexpr double most_stops = 64;
   constexpr double slowest_movie = 0.1, fastest_movie = 1000;
   using enum KnownTo;
   return {
@@ -112,13 +112,13 @@ std::vector<OptionKind> OptionsOfCommands() {
       {"pixels_per_degree", rayimg, {}, {"x"}, Number<double>{AT(image.pixels_per_degree), 1, 1000}, "", "",
        "FLIP: pixels per degree of view; by default those of 3840 pixels seen from their own width",
        {"diff"}},
-      {"fail", rayimg, {}, {"x"}, Threshold<highest>(AT(image.fail), "a number, at least 0"), "", "",
+      {"fail", rayimg, {}, {"x"}, Threshold<0>(AT(image.fail), "a number, at least 0"), "", "",
        "a pixel fails when a channel differs by more than this", {"diff"}},
-      {"fail_percent", rayimg, {}, {"p"}, Threshold<100.0>(AT(image.fail_percent), "a number, 0 to 100"), "", "",
+      {"fail_percent", rayimg, {}, {"p"}, Threshold<100>(AT(image.fail_percent), "a number, 0 to 100"), "", "",
        "percentage of the pixels that may fail; 0 by default", {"diff"}},
-      {"fail_rmse", rayimg, {}, {"x"}, Threshold<highest>(AT(image.fail_rmse), "a number, at least 0"), "", "",
+      {"fail_rmse", rayimg, {}, {"x"}, Threshold<0>(AT(image.fail_rmse), "a number, at least 0"), "", "",
        "the largest linear RMSE allowed", {"diff"}},
-      {"fail_flip", rayimg, {}, {"x"}, Threshold<1.0>(AT(image.fail_flip), "a number, 0 to 1"), "", "",
+      {"fail_flip", rayimg, {}, {"x"}, Threshold<1>(AT(image.fail_flip), "a number, 0 to 1"), "", "",
        "the largest mean FLIP allowed", {"diff"}},
       {"json", rayimg, {}, {}, Flag{AT(image.json)}, "", "",
        "print a JSON object; what is infinite or unknown is null", {"diff"}},

@@ -10,8 +10,8 @@ namespace {
 /// passes over what stands between tokens, and then stands on the event's own.
 class JsonEvents : public nlohmann::json_sax<nlohmann::json> {
  public:
-  JsonEvents(const Text& text, const TextPlaces& places, DocumentBuilder& builder)
-      : text_(text), places_(places), builder_(builder), cursor_(ByteOrderMark(text)) {}
+  JsonEvents(const Text& text, DocumentBuilder& builder)
+      : text_(text), builder_(builder), cursor_(ByteOrderMark(text)) {}
 
   bool null() override {
     Value value;
@@ -85,7 +85,6 @@ class JsonEvents : public nlohmann::json_sax<nlohmann::json> {
   }
 
   const Text& text_;
-  const TextPlaces& places_;
   DocumentBuilder& builder_;
   std::size_t cursor_;
 };
@@ -138,7 +137,7 @@ bool JsonEvents::parse_error(std::size_t position, const std::string& last_token
 Document ReadJson(const Text& text, const TextPlaces& places, Report& report) {
   CheckCharacters(text, places);
   DocumentBuilder builder(text, places, report);
-  JsonEvents events(text, places, builder);
+  JsonEvents events(text, builder);
   nlohmann::json::sax_parse(text.bytes, &events);
   return {text, places, builder.TakeRoot()};
 }
