@@ -60,7 +60,8 @@ class Reader {
   void TakeAll(std::vector<T>& values) {
     if (Take<std::uint64_t>() != values.size()) throw CheckpointError("it is of a picture of another size");
     const auto taken = TakeBytes(values.size() * sizeof(T));
-    std::memcpy(values.data(), taken.data(), taken.size());
+    std::ranges::copy(taken,
+                      reinterpret_cast<unsigned char*>(values.data()));  // memcpy takes no null, even for nothing
   }
   std::string TakeText(std::size_t length) {
     const auto taken = TakeBytes(length);
