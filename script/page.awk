@@ -74,7 +74,7 @@ END {
   print "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">"
   print "<title>" html(title) "</title>\n<link rel=\"stylesheet\" href=\"style.css\">"
   print "<link rel=\"icon\" href=\"data:,\">"
-  print "<script src=\"slider.js\" defer></script>\n</head>\n<body>\n<header>\n<h1>" html(title) "</h1>"
+  print "<script src=\"page.js\" defer></script>\n</head>\n<body>\n<header>\n<h1>" html(title) "</h1>"
   print "<p class=\"pages\"><a href=\"assignment3.html\">Features</a>"
   print "<a href=\"courses.html\">Other courses</a>"
   print "<a href=\"troubleshooting.html\">Troubleshooting</a> <a href=\"../scenes/README.md\">Scenes</a>"
@@ -136,7 +136,7 @@ function command_of(id,   file) {
     return "build/rayview " file " -headless " size(id, 400, 300) options[id] (options[id] ? " " : "") \
            "-events writeup/views/" id ".events -screenshot " id ".jpg"
   if (program[id] == "text") return "build/raypro " file " " size(id, 320, 240) options[id]
-  return "build/raypro " file " " file_of(id) " " size(id, 320, 240) "-jpeg_quality 88 -threads 1 " options[id]
+  return "build/raypro " file " " file_of(id) " " size(id, 320, 240) options[id]  # the rest is said above the pictures
 }
 
 function size(id, width, height) { return options[id] ~ /-width/ ? "" : "-width " width " -height " height " " }
@@ -189,6 +189,13 @@ function value(name,   w) {
 function table_start(text) {
   put("<div class=\"scroll\" tabindex=\"0\"><table>" (text ? "<caption>" words(text) "</caption>" : ""))
 }
+
+# Long tables are folded away: what they show is said in the line that opens them.
+function folded_start(text) {
+  put("<details><summary>" words(text) "</summary>")
+  table_start("")
+}
+function folded_end() { put("</tbody></table></div></details>") }
 
 function costs(line,   names, n, i, id, text, rays) {
   text = after_bar(line)
@@ -254,22 +261,23 @@ function goals(line,   names, n, k, i, text) {
   text = after_bar(line)
   sub(/ *[|].*/, "", line)
   n = split(line, names, " ")
-  table_start(text)
+  folded_start(text)
   for (k = 2; k <= n; ++k) {
     read_csv(names[k])
     if (k == 2) put("<thead>" row_of(1, "th") "</thead><tbody>")
     for (i = 2; i <= lines; ++i) put(row_of(i, "td"))
   }
-  put("</tbody></table></div>")
+  folded_end()
 }
 
 # ABoxWithoutThickness as "A box without thickness"; the letters and numbers before it, of families of extremes, are
 # left out.
-function sentence(name,   text, c, i) {
+function sentence(name,   text, c, i, is_break) {
   while (match(name, /^[A-Z][0-9]+_/)) name = substr(name, RLENGTH + 1)
   for (i = 1; i <= length(name); ++i) {
     c = substr(name, i, 1)
-    text = text (i > 1 && c ~ /[A-Z]/ ? " " tolower(c) : c)
+    is_break = i > 1 && (c ~ /[A-Z]/ || (c ~ /[0-9]/ && substr(name, i - 1, 1) !~ /[0-9]/))
+    text = text (is_break ? " " : "") (i > 1 ? tolower(c) : c)
   }
   return text
 }
@@ -277,10 +285,10 @@ function sentence(name,   text, c, i) {
 function test_table(text,   i) {
   read_csv("extremes.csv")
   if (!lines) { put("<p>Not measured here.</p>"); return }
-  table_start(text)
+  folded_start(text)
   put("<thead><tr><th>what the test says</th><th>result</th><th>seconds</th></tr></thead><tbody>")
   for (i = 2; i <= lines; ++i)
     put(sprintf("<tr><th>%s</th><td class=\"words\">%s</td><td>%.2f</td></tr>", html(sentence(cell[i, 1])),
                 html(cell[i, 2]), cell[i, 3] / 1000))
-  put("</tbody></table></div>")
+  folded_end()
 }
