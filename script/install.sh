@@ -47,6 +47,7 @@ done
 if [ -L "$DESTDIR$bindir/comp30019" ] || [ ! -e "$DESTDIR$bindir/comp30019" ]; then
   ln -sf raypro "$DESTDIR$bindir/comp30019"
   echo "file $bindir/comp30019" >> "$list"
+  put_output "$mandir/man1/comp30019.1" echo .so man1/raypro.1
 fi
 put 644 share/mime/packages/raypro.xml "$datadir/mime/packages/raypro.xml"
 icon=icons/hicolor/scalable/apps/raypro.svg
