@@ -264,6 +264,8 @@ std::vector<OptionKind> MakeTable() {
        "print the ray tree of a pixel (x from the left, y from the bottom), without rendering"},
       {"report", raypro, {}, {"file.json"}, FileName{AT(report)}, "", "messages",
        "write settings and statistics as JSON"},
+      {"keep_times", both, {}, {}, Flag{AT(keep_times)}, "", "messages",
+       "keep seconds and threads in the image; without, the same command gives the same bytes"},
 
       {"help", all, {"h"}, {"topic"}, Request{Task::help, Request::perhaps, HelpSubjects<program>}, "", "about",
        "print this help, or that on one topic, command or option"},

@@ -58,6 +58,7 @@ inline constexpr std::array context_names{"auto", "egl", "osmesa"};
 struct Options {
   Program program = Program::raypro;
   std::vector<std::string> given;  // the options that were typed, by name and without the dash
+  bool as_course = false;          // typed in the words of a course, which say more than ours could
   std::string scene, picture;      // as typed; empty where the task needs none, or where rayview is to choose a name
 
   RenderSettings render;
@@ -69,8 +70,9 @@ struct Options {
   rayimg::Options image;
 
   bool quiet = false, verbose = false, stats = false, explain = false;
-  std::string report;  // file name; empty for no report
-  double memory = 0;   // GiB that the program may take; 0: three quarters of the machine's
+  std::string report;       // file name; empty for no report
+  bool keep_times = false;  // in the picture
+  double memory = 0;        // GiB that the program may take; 0: three quarters of the machine's
 
   std::string quality = "custom";      // a row of the presets, or none of them
   std::vector<std::string> reference;  // at most two files

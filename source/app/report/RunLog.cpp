@@ -3,7 +3,6 @@
 #include <signal.h>
 
 #include <algorithm>
-#include <thread>
 #include <tuple>
 
 #include "source/app/Interrupt.h"
@@ -18,11 +17,6 @@
 
 namespace ray {
 namespace {
-
-int ThreadsOf(const RenderSettings& settings) {
-  if (settings.threads > 0) return settings.threads;
-  return static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-}
 
 /// "-focus has no effect without -aperture": options that were typed and this picture, or this accelerator, makes no
 /// use of.

@@ -68,6 +68,32 @@ TEST(Raypro, ThePictureTellsHowItWasMade) {
   }
 }
 
+TEST(Raypro, TheSamePictureIsTheSameBytesWhateverTheRun) {
+  NEEDS_THE_PROGRAM();
+  const Place place;
+  for (const R2::ImageFormat& format : R2::ImageFormats()) {
+    const std::string name = place / ("out." + std::string(format.extensions[0]));
+    const std::vector<std::string> runs[] = {{place.Scene(), name, "-samples", "4", "-threads", "1"},
+                                             {place.Scene(), name, "-samples=4", "-verbose", "-checkpoint", "1h"},
+                                             {"--samples", "4", place.Scene(), name, "-threads", "3", "-resume"}};
+    std::string first;
+    for (const auto& words : runs) {
+      ASSERT_EQ(RunProgram(words).status, 0);
+      if (first.empty()) first = ReadFile(name);
+      EXPECT_TRUE(!first.empty() && ReadFile(name) == first) << name;
+    }
+  }
+}
+
+TEST(Raypro, KeepsTimesInThePictureWhereAsked) {
+  NEEDS_THE_PROGRAM();
+  const Place place;
+  ASSERT_EQ(RunProgram({place.Scene(), place / "out.png", "-keep_times", "-threads", "3"}).status, 0);
+  auto settings = Decode(place / "out.png").settings;
+  EXPECT_NE(settings["seconds"], "");
+  EXPECT_EQ(settings["threads"], "3");
+}
+
 TEST(Raypro, ExitStatusSaysWhatWentWrongAndNoFileIsLeft) {
   NEEDS_THE_PROGRAM();
   const Place place;
