@@ -89,16 +89,15 @@ int MakePicture(const Options& asked, const Words& words) {
   const auto accelerator = Build(world, options);
   account.Built(world, *accelerator);
 
+  if (options.restart) checkpoint.Remove();
   CatchInterrupts();
   const RenderResult result = RenderAndTell(world, *accelerator, options, account, checkpoint);
   account.Rendered(result);
   Compare(result, references, options, account);
 
-  WritePicture(outputs, result,
-               result.IsComplete() ? RenderLayers(world, *accelerator, options) : std::vector<R2::Image>{},
-               account.stats());
-  account.Written();
-  if (result.IsComplete() && !options.keep_checkpoint) checkpoint.Remove();
+  const auto layers = result.IsComplete() ? RenderLayers(world, *accelerator, options) : std::vector<R2::Image>{};
+  account.Written(WritePicture(outputs, result, layers, account.stats()).name);
+  if (result.IsComplete()) checkpoint.PictureIsFinished(options.keep_checkpoint);
   WriteReport(outputs, account.stats());
   account.Summarize();
   return result.IsComplete() ? status::done : status::killed_by + StopSignal();

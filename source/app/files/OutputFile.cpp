@@ -100,6 +100,11 @@ OutputFile CheckOutput(const std::string& name, std::span<const std::string> inp
   return output;
 }
 
+std::string NameBeside(const std::string& name, const std::string& word) {
+  const fs::path path(name);
+  return (path.parent_path() / (path.stem().string() + "." + word + path.extension().string())).string();
+}
+
 void WriteWhole(const OutputFile& output, std::span<const unsigned char> bytes) {
   try {
     WriteAt(output.target, bytes);

@@ -21,6 +21,9 @@ OutputFile CheckOutput(const std::string& name, std::span<const std::string> inp
 /// Throws OutputError when the output is one of the files.
 void RefuseInputs(const OutputFile& output, std::span<const std::string> inputs);
 
+/// "out.depth.png" for "out.png" and "depth".
+std::string NameBeside(const std::string& name, const std::string& word);
+
 /// Writes the file whole or not at all. If that fails, the bytes are kept under the system's temporary folder instead,
 /// and the OutputError says where.
 void WriteWhole(const OutputFile& output, std::span<const unsigned char> bytes);

@@ -259,6 +259,7 @@ void CheckBudget(const Options& options) {
   const Budget& budget = options.render.budget;
   if (!options.replay.empty() && budget.IsOpen()) throw UsageError("-replay and -time or -error contradict each other");
   if (!options.replay.empty() && options.resume) throw UsageError("-replay and -resume contradict each other");
+  if (options.resume && options.restart) throw UsageError("-resume and -restart contradict each other");
   if (ShowsCosts(options.render.mode) && budget.error)
     throw UsageError(std::string("-error has no effect with -mode ") + NameOf(options.render.mode) +
                      ", which shows costs");

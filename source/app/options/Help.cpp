@@ -151,12 +151,13 @@ const ProgramText& TextOf(Program program) {
           "  raypro scenes/hello.scn part.png -crop 100 100 160 140 -bits 16\n"
           "  raypro scenes/hello.scn -check\n"
           "  raypro scenes/hello.scn -debugpixel 128 100\n",
-      .statuses = {{"0", "Success."},
-                   {"1", "Failed while rendering."},
-                   {"2", "Wrong arguments."},
-                   {"3", bad_scene},
-                   {"4", "The picture cannot be written."},
-                   {"130, 143", "Interrupted by SIGINT or SIGTERM; the picture so far is saved."}}};
+      .statuses = {
+          {"0", "Success."},
+          {"1", "Failed while rendering."},
+          {"2", "Wrong arguments."},
+          {"3", bad_scene},
+          {"4", "The picture cannot be written."},
+          {"130, 143", "Interrupted by SIGINT or SIGTERM; the picture so far is saved, never over a finished one."}}};
   static const ProgramText of_rayview{
       .names = "scene",
       .summary = "view a scene, and ray trace the view",

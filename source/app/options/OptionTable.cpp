@@ -218,6 +218,8 @@ std::vector<OptionKind> MakeTable() {
        "", "quality", "write a checkpoint this often, beside the image; a signal always writes one"},
       {"resume", raypro, {}, {}, Flag{AT(resume)}, "", "quality",
        "resume from the checkpoint, to a bit-identical image; with more -samples, add to them"},
+      {"restart", raypro, {}, {}, Flag{AT(restart)}, "", "quality",
+       "render from the start, and forget the checkpoint of an interrupted render"},
       {"keep_checkpoint", raypro, {}, {}, Flag{AT(keep_checkpoint)}, "", "quality",
        "keep the checkpoint of a finished image, so that -resume can add samples"},
 

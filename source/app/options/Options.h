@@ -78,7 +78,7 @@ struct Options {
   std::vector<std::string> reference;  // at most two files
   std::vector<Layer> layers;           // beside the picture
   double checkpoint = 0;               // seconds between two; 0: only when a signal ends the run
-  bool resume = false, keep_checkpoint = false;
+  bool resume = false, restart = false, keep_checkpoint = false;
   std::string replay;  // file name of a report; empty for none
 
   Task task = Task::render;

@@ -11,8 +11,8 @@
 namespace ray {
 namespace {
 
-constexpr std::array<std::string_view, 6> of_the_run{"threads", "memory",          "checkpoint",
-                                                     "resume",  "keep_checkpoint", "reference"};
+constexpr std::array<std::string_view, 7> of_the_run{"threads", "memory",          "checkpoint", "resume",
+                                                     "restart", "keep_checkpoint", "reference"};
 
 bool IsOfThePicture(const OptionKind& option) {
   return IsSetting(option) && std::string_view(option.topic) != "messages" &&

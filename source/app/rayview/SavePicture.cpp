@@ -17,6 +17,7 @@ namespace {
 RunStats RecordOf(const Options& options, const LoadedScene& scene, const RenderResult& result, double seconds) {
   RunStats record;
   record.options = options;
+  record.picture = options.picture;
   record.scene.hash = SceneHash(scene.parsed.scene.files);
   record.scene.settings = SettingsInForce(scene.parsed.scene, options);
   record.threads = ThreadsOf(options.render);
@@ -36,7 +37,7 @@ std::string SaveTraced(const PictureOutput* output, Options options, const Loade
   options.picture = place.file.name;
   const RunStats record = RecordOf(options, scene, result, seconds);
   try {
-    WritePicture({place.format, place.file, {}, {}}, result, {}, record);
+    WritePicture({place.format, place.file, {}, {}, {}}, result, {}, record);
   } catch (...) {
     std::error_code ignored;
     if (!output) std::filesystem::remove(place.file.target, ignored);  // claimed, and still empty

@@ -13,6 +13,7 @@
 #include "source/app/options/SceneSettings.h"
 #include "source/app/report/Messages.h"
 #include "source/render/SceneFeatures.h"
+#include "source/text/Quoting.h"
 #include "source/text/Words.h"
 
 namespace ray {
@@ -69,6 +70,7 @@ std::vector<std::string> ExplainRender(const RunStats& stats) {
 
 RunLog::RunLog(const Options& options, std::span<const std::string> words) {
   stats_.options = options;
+  stats_.picture = options.picture;
   stats_.command = CommandAsTyped(words);
   stats_.threads = ThreadsOf(options.render);
 }
@@ -128,13 +130,18 @@ void RunLog::Rendered(const RenderResult& result) {
   if (result.error_before_denoising) PrintStep("of that, denoised", result.denoise_seconds);
 }
 
-void RunLog::Written() {
+void RunLog::Written(const std::string& picture) {
+  stats_.picture = picture;
   stats_.seconds.write = watch_.Lap();
   stats_.seconds.wall = watch_.Total();
   stats_.seconds.cpu = CpuSeconds();
   stats_.peak_memory = PeakMemory();
   PrintStep("wrote the picture", stats_.seconds.write);
-  if (stats_.pixels_done == 0) PrintError("raypro: stopped before the first pixel; there is no picture to save");
+  if (stats_.pixels_done == 0)
+    PrintError("raypro: stopped before the first pixel; there is no picture to save");
+  else if (picture != stats_.options.picture)
+    PrintError("raypro: " + QuotedPath(stats_.options.picture) + " is left as it was; the picture so far is " +
+               QuotedPath(picture));
   if (!stats_.IsComplete()) PrintError("raypro: progress saved; -resume continues from it");
 }
 

@@ -142,7 +142,7 @@ R2::ImageSettings SettingsInPicture(const RunStats& record) {
 }
 
 std::string FinalLine(const RunStats& record) {
-  return Escaped(record.options.picture) + " " + std::to_string(record.width) + "x" + std::to_string(record.height) +
+  return Escaped(record.picture) + " " + std::to_string(record.width) + "x" + std::to_string(record.height) +
          " " + SamplesText(record) + " spp " + Fixed(record.seconds.wall, 2) + " s " +
          Fixed(MegaraysPerSecond(record), 1) + " Mrays/s" +
          (record.IsComplete() ? "" : " (stopped by " + record.stop + ", " + PixelsText(record) + ")") + "\n";

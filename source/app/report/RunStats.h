@@ -15,6 +15,7 @@ namespace ray {
 struct RunStats {
   Options options;
   std::string command;  // as typed
+  std::string picture;  // the file it went to
 
   struct {
     std::string hash;

@@ -12,7 +12,7 @@ namespace {
 RunStats ExampleStats() {
   RunStats record;
   record.options.scene = "in.scn";
-  record.options.picture = "out.png";
+  record.options.picture = record.picture = "out.png";
   record.options.render.crop = PixelRectangle{1, 2, 3, 4};
   record.options.render.seed = 18446744073709551615u;
   record.options.parse.allowed_folders = {"a", "b"};
