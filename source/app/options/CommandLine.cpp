@@ -3,13 +3,14 @@
 #include <algorithm>
 #include <cstdint>
 #include <filesystem>
-#include <map>
 #include <optional>
+#include <set>
 #include <tuple>
 #include <vector>
 
 #include "source/accelerate/twolevel/InstructionSet.h"
 #include "source/app/Status.h"
+#include "source/app/options/ForeignOption.h"
 #include "source/app/options/Help.h"
 #include "source/app/options/OptionTable.h"
 #include "source/app/options/Preset.h"
@@ -17,6 +18,7 @@
 #include "source/app/options/SceneSettings.h"
 #include "source/app/report/Memory.h"
 #include "source/text/EnumNames.h"
+#include "source/text/Number.h"
 #include "source/text/Quoting.h"
 #include "source/text/Words.h"
 
@@ -24,7 +26,9 @@ namespace ray {
 namespace {
 
 /// "; -crop is an option of raypro", or the option that was meant.
-std::string HintAt(Program program, const std::string& name) {
+std::string HintAt(Program program, const std::string& word) {
+  if (std::string hint = ForeignHint(program, word); !hint.empty()) return hint;
+  const std::string name = SplitOption(word).name;
   for (const Program other : programs)
     if (const OptionKind* option = FindOption(other, name))
       return "; -" + std::string(option->name) + " is an option of " + NameOf(other);
@@ -36,7 +40,7 @@ std::string HintAt(Program program, const std::string& name) {
 const OptionKind& Known(Program program, const std::string& word) {
   const std::string name = SplitOption(word).name;
   if (const OptionKind* option = FindOption(program, name)) return *option;
-  throw UsageError("unknown option " + Quoted(word) + HintAt(program, name) + " (" + NameOf(program) +
+  throw UsageError("unknown option " + Quoted(word) + HintAt(program, word) + " (" + NameOf(program) +
                    " -help lists them all)");
 }
 
@@ -66,18 +70,14 @@ Arguments TakeArguments(const OptionKind& option, std::span<const std::string> w
                    std::to_string(arguments.values.size()) + ": " + synopsis);
 }
 
-/// Which options came already, and how they were spelled.
-using Seen = std::map<const OptionKind*, std::string>;
-
-void RefuseRepetition(const OptionKind& option, const std::string& word, Seen& seen) {
-  const auto [first, is_new] = seen.emplace(&option, word);
-  if (is_new || MayBeRepeated(option)) return;
-  throw UsageError(Quoted(word) + " repeats " + Quoted(first->second) + "; an option may be given once");
+Task TaskOf(const OptionKind& option) {
+  if (const auto* pixel = std::get_if<PixelRequest>(&option.value)) return pixel->task;
+  return std::get<Request>(option.value).task;
 }
 
 void RefuseSecondTask(const OptionKind& option, const std::string& word, const Options& options) {
-  if (!IsSetting(option) && options.task != Defaults(options.program).task)
-    throw UsageError(Quoted(word) + " cannot be combined with another request");
+  if (IsSetting(option) || options.task == Defaults(options.program).task || options.task == TaskOf(option)) return;
+  throw UsageError(Quoted(word) + " cannot be combined with another request");
 }
 
 std::string UsageOf(const Options& options) { return " (usage: " + Usage(options.program, options.command) + ")"; }
@@ -109,6 +109,15 @@ void TakeName(const std::string& word, Options& options) {
   }
 }
 
+/// "-h 512" was meant to be a height.
+void RefuseHeight(const OptionKind& option, std::span<const std::string> words) {
+  const auto [name, attached] = SplitOption(words[0]);
+  const std::string value = attached ? *attached : words.size() > 1 ? words[1] : "";
+  if (name == option.name || ParseNumber(value).problem) return;
+  throw UsageError(Quoted("-" + name + " " + value) + ": -" + name + " is -" + option.name +
+                   "; did you mean '-height " + value + "'?");
+}
+
 /// -help anywhere is answered, whatever else is wrong. (The course's program then exits with failure; we succeed, as
 /// users of other programs expect.)
 std::optional<Options> HelpAnywhere(Program program, std::span<const std::string> words) {
@@ -116,6 +125,7 @@ std::optional<Options> HelpAnywhere(Program program, std::span<const std::string
     const OptionKind* option = LooksLikeOption(words[i]) ? FindOption(program, SplitOption(words[i]).name) : nullptr;
     const auto* request = option ? std::get_if<Request>(&option->value) : nullptr;
     if (!request || request->task != Task::help) continue;
+    RefuseHeight(*option, words.subspan(i));
     Options options = Defaults(program);
     options.task = Task::help;
     // Among other words, what follows -help is as likely a file as a topic, and plain help is never wrong.
@@ -152,28 +162,41 @@ void CheckCommand(const Options& options) {
   rayimg::CheckTogether(command, options.image);
 }
 
-void CheckNames(const Options& options) {
+/// What was probably meant: the words as typed, with a name for the picture behind the scene's.
+std::string LikelyCommand(const Options& options, std::span<const std::string> words) {
+  if (options.scene.empty()) return "raypro scenes/hello.scn hello.png -width 512";
+  std::vector<std::string> likely(words.begin(), words.end());
+  const auto scene = std::ranges::find(likely, options.scene);
+  const std::string picture = std::filesystem::path(options.scene).filename().replace_extension(".png").string();
+  if (scene != likely.end()) likely.insert(scene + 1, picture);
+  if (options.given.empty()) likely.insert(likely.end(), {"-width", "512"});
+  return "raypro " + ShellLine(likely);
+}
+
+void CheckPicture(const Options& options, std::span<const std::string> words) {
+  const auto is_picture = [](const std::string& name) { return R2::FormatForName(name) != nullptr; };
+  if (!options.picture.empty() && is_picture(options.scene) && !is_picture(options.picture))
+    throw UsageError("the scene is named first: raypro " + ShellLine(std::vector{options.picture, options.scene}));
+  if (options.picture == options.report && !options.picture.empty())
+    throw UsageError("the picture and the report are the same file, " + Quoted(options.report));
+  if (!options.picture.empty()) return;
+  if (FindOption(options.program, options.scene))
+    throw UsageError("options begin with a dash: raypro -" + options.scene);
+  if (is_picture(options.scene))
+    throw UsageError("no scene is named; for example: raypro scenes/hello.scn " + options.scene);
+  throw UsageError("no picture is named; for example: " + LikelyCommand(options, words));
+}
+
+void CheckNames(const Options& options, std::span<const std::string> words) {
   if (!NeedsScene(options.task)) {
     if (!options.scene.empty()) RefuseName(options.scene, "");
     return;
   }
-  if (options.scene.empty()) throw UsageError("no scene is named" + UsageOf(options));
-  if (options.task == Task::check && !options.report.empty())
-    throw UsageError("-report has no effect with -check, which renders nothing");
-  if (options.task == Task::render && options.picture.empty())
-    throw UsageError("no picture is named" + UsageOf(options));
-  if (options.task == Task::render && options.picture == options.report)
-    throw UsageError("the picture and the report are the same file, " + Quoted(options.report));
-}
-
-/// A single pixel has no picture, no cost worth a table and no error.
-void CheckPixel(const Options& options) {
-  if (options.task != Task::debug_pixel) return;
-  if (!options.picture.empty()) RefuseName(options.picture, "; -debugpixel writes no picture");
-  for (const char* name : {"layers", "time", "error", "reference", "replay", "checkpoint", "keep_checkpoint", "resume",
-                           "stats", "report", "denoise"})
-    if (options.IsGiven(name))
-      throw UsageError("-" + std::string(name) + " has no effect with -debugpixel, which renders nothing");
+  if (options.scene.empty())
+    throw UsageError("no scene is named" + (options.task == Task::render
+                                                ? "; for example: " + LikelyCommand(options, words)
+                                                : UsageOf(options)));
+  if (options.task == Task::render) CheckPicture(options, words);
 }
 
 /// What only renders has no effect; what decides how the scene is read has.
@@ -274,13 +297,12 @@ void NamePictureOfYaml(Options& options) {
 }
 
 /// Everything that is wrong together, though each word is right by itself.
-void CheckTogether(const Options& options) {
+void CheckTogether(const Options& options, std::span<const std::string> words) {
   if (options.task == Task::as_course) throw UsageError("-as " + options.subject + " must come before all else");
   CheckCommand(options);
-  CheckNames(options);
+  CheckNames(options, words);
   CheckBudget(options);
   CheckSize(options.render);
-  CheckPixel(options);
   CheckConvert(options);
   CheckView(options.view);
   if (options.quiet && options.verbose) throw UsageError("-quiet and -verbose contradict each other");
@@ -303,19 +325,19 @@ Options ReadCommandLine(Program program, std::span<const std::string> words) {
   if (const auto help = HelpAnywhere(program, words)) return *help;
 
   Options options = Defaults(program);
-  Seen seen;
+  std::set<const OptionKind*> seen;
   bool only_names = false;
   for (std::size_t i = 0; i < words.size();) {
     const std::string& word = words[i];
     if (!only_names && word == "--") {
       only_names = true;
       ++i;
-    } else if (only_names || !LooksLikeOption(word)) {
+    } else if (only_names || !(LooksLikeOption(word) || IsOfPovRay(word))) {
       TakeName(word, options);
       ++i;
     } else {
       const OptionKind& option = Known(program, word);
-      RefuseRepetition(option, word, seen);
+      seen.insert(&option);
       RefuseSecondTask(option, word, options);
       const Arguments arguments = TakeArguments(option, words.subspan(i));
       Store(option, arguments.values, options);
@@ -323,10 +345,10 @@ Options ReadCommandLine(Program program, std::span<const std::string> words) {
     }
   }
 
-  for (const auto& [option, spelled] : seen) options.given.emplace_back(option->name);
+  for (const OptionKind* option : seen) options.given.emplace_back(option->name);
   ApplyPreset(options);
   NamePictureOfYaml(options);
-  CheckTogether(options);
+  CheckTogether(options, words);
   Derive(options);
   return options;
 }

@@ -117,7 +117,6 @@ TEST(Raypro, ExitStatusSaysWhatWentWrongAndNoFileIsLeft) {
       {{place / "bad.scn", "-check"}, 3, "bad.scn:1:1"},
       {{place / "bad.scn", "-debugpixel", "1", "2"}, 3, "bad.scn:1:1"},
       {{place.Scene(), "-debugpixel", "256", "2"}, 2, "columns 0 to 255"},
-      {{place.Scene(), place / "out.ppm", "-debugpixel", "1", "2"}, 2, "unexpected extra argument"},
       {{place.Scene(), place / "missing/out.ppm"}, 4, "does not exist"},
       {{place.Scene(), place / "out.ppm", "-report", place / "missing/r.json"}, 4, "does not exist"},
   };
@@ -133,9 +132,14 @@ TEST(Raypro, ExitStatusSaysWhatWentWrongAndNoFileIsLeft) {
 TEST(Raypro, DebugpixelWritesNoFile) {
   NEEDS_THE_PROGRAM();
   const Place place;
-  const Finished done = RunProgram({place.Scene(), "-debugpixel", "128", "128"});
-  EXPECT_EQ(done.status, 0) << done.error;
-  EXPECT_EQ(done.error, "");
+  const Finished alone = RunProgram({place.Scene(), "-debugpixel", "128", "128"});
+  const Finished appended = RunProgram({place.Scene(), place / "out.png", "-report", place / "r.json", "-time", "5s",
+                                        "-stats", "-resume", "-debugpixel", "128", "128"});
+  for (const Finished& done : {alone, appended}) {
+    EXPECT_EQ(done.status, 0) << done.error;
+    EXPECT_EQ(done.error, "");
+    EXPECT_NE(done.output, "");
+  }
   EXPECT_EQ(place.Others({"in.scn"}), nothing);
 }
 
