@@ -79,7 +79,9 @@ const SceneFormat& FormatByKeys(const std::vector<const SceneFormat*>& candidate
                 known + "; -format name decides");
 }
 
+/// Of standard input that of this program's own language, unless -format says otherwise.
 std::string ExtensionOf(const Files& files) {
+  if (files.IsStandardInput()) return ".scn";
   return LowerCase(std::filesystem::path(files.TopName()).extension().string());
 }
 
@@ -146,7 +148,7 @@ ParsedScene Parse(const std::string& file, const ParseOptions& options) {
     parsed.warnings = report.Warnings();
     return parsed;
   } catch (const FileError& error) {
-    throw SceneErrors({ErrorIn(file, error.message, error.hint)});
+    throw SceneErrors({ErrorIn(file == "-" ? standard_input_name : file, error.message, error.hint)});
   } catch (SceneError& error) {
     report.Error(std::move(error));
     report.ThrowErrors();

@@ -106,6 +106,8 @@ std::string NameBeside(const std::string& name, const std::string& word) {
 }
 
 void WriteWhole(const OutputFile& output, std::span<const unsigned char> bytes) {
+  if (output.is_standard_output)
+    return WriteStandardOutput(std::string(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
   try {
     WriteAt(output.target, bytes);
   } catch (const std::system_error& failure) {

@@ -12,6 +12,7 @@ struct OutputFile {
   std::string name;              // as typed
   std::filesystem::path target;  // the same, or what it leads to if it is a link
   bool is_link = false;
+  bool is_standard_output = false;
 };
 
 /// Checks that `name` can be written: it is no folder, no device and none of `inputs`, its folder exists and takes new

@@ -1,10 +1,13 @@
 #include "source/app/files/Outputs.h"
 
+#include <unistd.h>
+
 #include <filesystem>
 
 #include "source/app/Status.h"
 #include "source/app/files/LayerPictures.h"
 #include "source/app/files/PartialPicture.h"
+#include "source/app/options/PictureName.h"
 #include "source/app/report/Messages.h"
 #include "source/app/report/ReportJson.h"
 #include "source/render/LayerColors.h"
@@ -25,6 +28,11 @@ namespace {
 
 std::span<const unsigned char> BytesOf(const std::string& text) {
   return {reinterpret_cast<const unsigned char*>(text.data()), text.size()};
+}
+
+PictureOutput StandardOutput() {
+  if (isatty(STDOUT_FILENO)) throw UsageError("the picture would go to a terminal; redirect it, or name a file");
+  return {FormatOfPicture(standard_stream), {.name = "<stdout>", .target = {}, .is_standard_output = true}};
 }
 
 }  // namespace
@@ -67,11 +75,12 @@ std::vector<std::string> InputsOf(const Options& options) {
 
 Outputs CheckOutputs(const Options& options) {
   const std::vector<std::string> inputs = InputsOf(options);
-  const PictureOutput picture = CheckPictureOutput(options.picture, inputs);
+  const bool is_standard_output = options.picture == standard_stream;
+  const PictureOutput picture = is_standard_output ? StandardOutput() : CheckPictureOutput(options.picture, inputs);
   Outputs outputs;
   outputs.format = picture.format;
   outputs.picture = picture.file;
-  outputs.partial = CheckOutput(PartialName(options.picture), inputs);
+  if (!is_standard_output) outputs.partial = CheckOutput(PartialName(options.picture), inputs);
 
   const PixelRectangle whole{0, 0, options.render.width, options.render.height};
   const PixelRectangle part = options.render.crop.value_or(whole);

@@ -10,9 +10,11 @@
 
 #include "source/accelerate/twolevel/InstructionSet.h"
 #include "source/app/Status.h"
+#include "source/app/options/FileNames.h"
 #include "source/app/options/ForeignOption.h"
 #include "source/app/options/Help.h"
 #include "source/app/options/OptionTable.h"
+#include "source/app/options/PictureName.h"
 #include "source/app/options/Preset.h"
 #include "source/app/options/RayimgTable.h"
 #include "source/app/options/SceneSettings.h"
@@ -80,12 +82,6 @@ void RefuseSecondTask(const OptionKind& option, const std::string& word, const O
   throw UsageError(Quoted(word) + " cannot be combined with another request");
 }
 
-std::string UsageOf(const Options& options) { return " (usage: " + Usage(options.program, options.command) + ")"; }
-
-[[noreturn]] void RefuseName(const std::string& word, const std::string& why) {
-  throw UsageError("unexpected extra argument " + Quoted(word) + why);
-}
-
 const CommandKind& KnownCommand(Program program, const std::string& word) {
   if (const CommandKind* command = FindCommand(program, word)) return *command;
   const std::vector<std::string> names = CommandNamesOf(program);
@@ -100,10 +96,10 @@ void TakeName(const std::string& word, Options& options) {
     options.image.names.push_back(word);
   } else if (!CommandsOf(options.program).empty()) {
     options.command = &KnownCommand(options.program, word);
+  } else if (options.program == Program::raypro) {
+    options.scenes.push_back(word);
   } else if (options.scene.empty()) {
     options.scene = word;
-  } else if (options.program == Program::raypro && options.picture.empty()) {
-    options.picture = word;
   } else {
     RefuseName(word, UsageOf(options));
   }
@@ -139,11 +135,6 @@ std::optional<Options> HelpAnywhere(Program program, std::span<const std::string
   return {};
 }
 
-bool NeedsScene(Task task) {
-  return task == Task::render || task == Task::view || task == Task::check || task == Task::advise ||
-         task == Task::convert || task == Task::debug_pixel;
-}
-
 void CheckCommand(const Options& options) {
   if (options.task != Task::command) {
     if (options.command) RefuseName(options.command->name, "");
@@ -160,43 +151,6 @@ void CheckCommand(const Options& options) {
     throw UsageError(std::string(command.name) + " needs " + Counted(command.fewest, "file name") + ", got " +
                      std::to_string(options.image.names.size()) + UsageOf(options));
   rayimg::CheckTogether(command, options.image);
-}
-
-/// What was probably meant: the words as typed, with a name for the picture behind the scene's.
-std::string LikelyCommand(const Options& options, std::span<const std::string> words) {
-  if (options.scene.empty()) return "raypro scenes/hello.scn hello.png -width 512";
-  std::vector<std::string> likely(words.begin(), words.end());
-  const auto scene = std::ranges::find(likely, options.scene);
-  const std::string picture = std::filesystem::path(options.scene).filename().replace_extension(".png").string();
-  if (scene != likely.end()) likely.insert(scene + 1, picture);
-  if (options.given.empty()) likely.insert(likely.end(), {"-width", "512"});
-  return "raypro " + ShellLine(likely);
-}
-
-void CheckPicture(const Options& options, std::span<const std::string> words) {
-  const auto is_picture = [](const std::string& name) { return R2::FormatForName(name) != nullptr; };
-  if (!options.picture.empty() && is_picture(options.scene) && !is_picture(options.picture))
-    throw UsageError("the scene is named first: raypro " + ShellLine(std::vector{options.picture, options.scene}));
-  if (options.picture == options.report && !options.picture.empty())
-    throw UsageError("the picture and the report are the same file, " + Quoted(options.report));
-  if (!options.picture.empty()) return;
-  if (FindOption(options.program, options.scene))
-    throw UsageError("options begin with a dash: raypro -" + options.scene);
-  if (is_picture(options.scene))
-    throw UsageError("no scene is named; for example: raypro scenes/hello.scn " + options.scene);
-  throw UsageError("no picture is named; for example: " + LikelyCommand(options, words));
-}
-
-void CheckNames(const Options& options, std::span<const std::string> words) {
-  if (!NeedsScene(options.task)) {
-    if (!options.scene.empty()) RefuseName(options.scene, "");
-    return;
-  }
-  if (options.scene.empty())
-    throw UsageError("no scene is named" + (options.task == Task::render
-                                                ? "; for example: " + LikelyCommand(options, words)
-                                                : UsageOf(options)));
-  if (options.task == Task::render) CheckPicture(options, words);
 }
 
 /// What only renders has no effect; what decides how the scene is read has.
@@ -288,14 +242,6 @@ void CheckBudget(const Options& options) {
                      ", which shows costs");
 }
 
-/// Groningen's command names the scene alone; its picture lies beside it.
-void NamePictureOfYaml(Options& options) {
-  const std::filesystem::path scene = options.scene;
-  if (options.task == Task::render && options.picture.empty() &&
-      (scene.extension() == ".yaml" || scene.extension() == ".yml"))
-    options.picture = std::filesystem::path(scene).replace_extension(".png").string();
-}
-
 /// Everything that is wrong together, though each word is right by itself.
 void CheckTogether(const Options& options, std::span<const std::string> words) {
   if (options.task == Task::as_course) throw UsageError("-as " + options.subject + " must come before all else");
@@ -310,7 +256,7 @@ void CheckTogether(const Options& options, std::span<const std::string> words) {
 
 /// What follows from other options.
 void Derive(Options& options) {
-  const R2::ImageFormat* format = R2::FormatForName(options.picture);
+  const R2::ImageFormat* format = FormatOfPicture(options.picture);
   options.render.srgb = options.encoding.srgb && !(format && format->is_linear);
   options.render.quantization = options.encoding.quantization;
   options.render.wants_passes = !options.report.empty() && options.render.samples > 1 && options.replay.empty();
@@ -347,7 +293,7 @@ Options ReadCommandLine(Program program, std::span<const std::string> words) {
 
   for (const OptionKind* option : seen) options.given.emplace_back(option->name);
   ApplyPreset(options);
-  NamePictureOfYaml(options);
+  ShareNames(options);
   CheckTogether(options, words);
   Derive(options);
   return options;

@@ -145,10 +145,15 @@ const ProgramText& TextOf(Program program) {
   static const ProgramText of_raypro{
       .names = "scene picture",
       .summary = "render a scene by ray tracing",
-      .description = "Renders a scene file; the extensions choose the formats (raypro -list).\n",
+      .description =
+          "Renders a scene file; the extensions choose the formats (raypro -list). The name - is standard input as a "
+          "scene,\n"
+          "in .scn, and standard output as a picture, in PNG.\n",
       .examples =
           "  raypro scenes/hello.scn hello.jpg -width 512 -height 512 -samples 16\n"
           "  raypro scenes/hello.scn part.png -crop 100 100 160 140 -bits 16\n"
+          "  raypro scenes/hello.scn scenes/glass.scn -out_folder images\n"
+          "  raypro - - < scenes/hello.scn > hello.png\n"
           "  raypro scenes/hello.scn -check\n"
           "  raypro scenes/hello.scn -debugpixel 128 100\n",
       .statuses = {

@@ -42,6 +42,13 @@ std::vector<std::string> SceneFormatNames() {
   return names;
 }
 
+std::vector<std::string> ImageExtensionNames() {
+  std::vector<std::string> names;
+  for (const R2::ImageFormat& format : R2::ImageFormats())
+    names.insert(names.end(), format.extensions.begin(), format.extensions.end());
+  return names;
+}
+
 std::vector<std::string> ContextNames() { return {context_names.begin(), context_names.end()}; }
 
 std::vector<std::string> Shells() { return {"bash", "zsh", "fish"}; }
@@ -256,6 +263,11 @@ std::vector<OptionKind> MakeTable() {
        "describe the scene and point out likely mistakes, without rendering"},
       {"convert", raypro, {}, {"out.scn"}, Request{Task::convert, Request::always}, "", "scene",
        "write the scene, of whatever format, as .scn: the same image, without rendering"},
+
+      {"out_folder", raypro, {}, {"folder"}, FileName{AT(out_folder)}, "", "batch",
+       "render every scene named, each to an image of its name in this folder"},
+      {"out_format", raypro, {}, {"extension"}, OneOfNames(AT(out_format), ImageExtensionNames), "", "batch",
+       "format of the images in -out_folder"},
 
       {"quiet", both, {}, {}, Flag{AT(quiet)}, "", "messages", "print errors and warnings only"},
       {"verbose", both, {"v"}, {}, Flag{AT(verbose)}, "", "messages", "report each step and how long it took"},

@@ -57,9 +57,11 @@ inline constexpr std::array context_names{"auto", "egl", "osmesa"};
 /// Everything the command line decides. Ranges, units and help are in the option table; the defaults are here.
 struct Options {
   Program program = Program::raypro;
-  std::vector<std::string> given;  // the options that were typed, by name and without the dash
-  bool as_course = false;          // typed in the words of a course, which say more than ours could
-  std::string scene, picture;      // as typed; empty where the task needs none, or where rayview is to choose a name
+  std::vector<std::string> given;              // the options that were typed, by name and without the dash
+  bool as_course = false;                      // typed in the words of a course, which say more than ours could
+  std::vector<std::string> scenes;             // as typed, of a command that renders each into out_folder; else empty
+  std::string out_folder, out_format = "png";  // an extension
+  std::string scene, picture;  // as typed; empty where the task needs none, or where rayview is to choose a name
 
   RenderSettings render;
   AcceleratorSettings accelerator;

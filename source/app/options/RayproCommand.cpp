@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "source/app/options/ForeignOption.h"
 #include "source/app/options/OptionTable.h"
 #include "source/text/Words.h"
 
@@ -15,12 +16,13 @@ constexpr std::array<std::string_view, 7> of_the_run{"threads", "memory",       
                                                      "restart", "keep_checkpoint", "reference"};
 
 bool IsOfThePicture(const OptionKind& option) {
-  return IsSetting(option) && std::string_view(option.topic) != "messages" &&
+  const std::string_view topic = option.topic;
+  return IsSetting(option) && topic != "messages" && topic != "batch" &&
          std::ranges::find(of_the_run, option.name) == of_the_run.end();
 }
 
 /// A file's name that is not taken for an option.
-std::string AsName(const std::string& name) { return LooksLikeOption(name) ? "./" + name : name; }
+std::string AsName(const std::string& name) { return LooksLikeOption(name) || IsOfPovRay(name) ? "./" + name : name; }
 
 }  // namespace
 

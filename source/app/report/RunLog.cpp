@@ -10,6 +10,7 @@
 #include "source/app/files/OutputFile.h"
 #include "source/app/files/SceneHash.h"
 #include "source/app/options/OptionTable.h"
+#include "source/app/options/PictureName.h"
 #include "source/app/options/SceneSettings.h"
 #include "source/app/report/Messages.h"
 #include "source/render/SceneFeatures.h"
@@ -22,7 +23,7 @@ namespace {
 /// "-focus has no effect without -aperture": options that were typed and this picture, or this accelerator, makes no
 /// use of.
 std::vector<std::string> OptionsWithoutEffect(const Options& options) {
-  const R2::ImageFormat* format = R2::FormatForName(options.picture);
+  const R2::ImageFormat* format = FormatOfPicture(options.picture);
   const std::string kind = format ? format->name : "", on_format = "on the format " + kind;
   const RenderSettings& render = options.render;
   const bool is_grid = render.trace.sampler == SamplerKind::grid, has_lens = render.camera.HasLens();
@@ -132,6 +133,7 @@ void RunLog::Rendered(const RenderResult& result) {
 
 void RunLog::Written(const std::string& picture) {
   stats_.picture = picture;
+  const bool has_file = stats_.options.picture != standard_stream;
   stats_.seconds.write = watch_.Lap();
   stats_.seconds.wall = watch_.Total();
   stats_.seconds.cpu = CpuSeconds();
@@ -139,17 +141,19 @@ void RunLog::Written(const std::string& picture) {
   PrintStep("wrote the picture", stats_.seconds.write);
   if (stats_.pixels_done == 0)
     PrintError("raypro: stopped before the first pixel; there is no picture to save");
-  else if (picture != stats_.options.picture)
+  else if (!stats_.IsComplete() && has_file && picture != stats_.options.picture)
     PrintError("raypro: " + QuotedPath(stats_.options.picture) + " is left as it was; the picture so far is " +
                QuotedPath(picture));
-  if (!stats_.IsComplete()) PrintError("raypro: progress saved; -resume continues from it");
+  if (!stats_.IsComplete() && has_file) PrintError("raypro: progress saved; -resume continues from it");
 }
 
 // The picture is safe by now, so the run fails only where what was asked for could not be told.
 void RunLog::Summarize() const {
-  if (stats_.options.stats) WriteStandardOutput(Statistics(stats_));
+  // Where the picture takes standard output, words go to standard error.
+  const auto write = stats_.options.picture == standard_stream ? TellPart : WriteStandardOutput;
+  if (stats_.options.stats) write(Statistics(stats_));
   try {
-    if (!stats_.options.quiet && stats_.pixels_done > 0) WriteStandardOutput(FinalLine(stats_) + QualityLines(stats_));
+    if (!stats_.options.quiet && stats_.pixels_done > 0) write(FinalLine(stats_) + QualityLines(stats_));
   } catch (const OutputError& error) {
     PrintError("raypro: " + std::string(error.what()));
   }

@@ -353,6 +353,9 @@ TEST(CommandLine, NamesAreTwoAndNotEmpty) {
             "no picture is named; for example: raypro -width 64 in.scn in.png -srgb");
   EXPECT_EQ(ErrorOf({"out.png"}), "no scene is named; for example: raypro scenes/hello.scn out.png");
   EXPECT_EQ(ErrorOf({"out.png", "in.scn"}), "the scene is named first: raypro in.scn out.png");
+  EXPECT_EQ(ErrorOf({"-"}), "no picture is named; for example: raypro - out.png -width 512");
+  EXPECT_TRUE(Contains(ErrorOf({"a.scn", "b.scn"}), "'b.scn' is a scene; several scenes need -out_folder"));
+  EXPECT_TRUE(Contains(ErrorOf({"a.scn", "b.png", "c.scn"}), "several scenes need -out_folder"));
   EXPECT_EQ(ErrorOf({"help"}), "options begin with a dash: raypro -help");
   EXPECT_EQ(ErrorOf({"a", "b", "c"}), "unexpected extra argument 'c' (usage: raypro scene picture [options])");
   EXPECT_EQ(ErrorOf({"a", ""}), "a file name is empty");
