@@ -16,7 +16,7 @@ namespace ray {
 namespace {
 
 int Fail(int exit_status, const std::string& message) {
-  PrintError(message);
+  PrintFailure(message);
   return exit_status;
 }
 
