@@ -12,6 +12,7 @@
 #include "source/app/options/OptionTable.h"
 #include "source/app/options/PictureName.h"
 #include "source/app/options/SceneSettings.h"
+#include "source/app/report/Check.h"
 #include "source/app/report/Messages.h"
 #include "source/render/SceneFeatures.h"
 #include "source/text/Quoting.h"
@@ -50,7 +51,7 @@ std::vector<std::string> OptionsWithoutEffect(const Options& options) {
   return lines;
 }
 
-std::vector<std::string> ExplainRender(const RunStats& stats) {
+std::vector<std::string> ExplainRender(const World& world, const RunStats& stats) {
   const auto listed = [](const std::vector<std::string>& words) {
     std::string list;
     for (const std::string& word : words) list += (list.empty() ? "" : ", ") + word;
@@ -63,6 +64,8 @@ std::vector<std::string> ExplainRender(const RunStats& stats) {
     if (IsSetting(option) && std::string(option.topic) != "messages" && !Show(option, stats.options).empty())
       settings += " -" + std::string(option.name) + " " + Show(option, stats.options);
   lines.push_back("all settings:" + settings);
+  if (world.scene().has_default_camera) lines.emplace_back("the scene names no camera: the default one is used");
+  if (world.scene().has_default_lights) lines.emplace_back("the scene names no light: the default ones shine");
   for (const std::string& line : stats.scene.settings) lines.push_back("set by the scene: " + line);
   return lines;
 }
@@ -94,6 +97,7 @@ void RunLog::Loaded(const ParsedScene& parsed, const Options& options) {
 void RunLog::Built(const World& world, const Accelerator& accelerator) {
   stats_.seconds.build = watch_.Lap();
   for (const std::string& line : world.Warnings()) Warn(line);
+  for (const std::string& line : PlainMistakes(world, stats_.options.render)) Warn(line);
   stats_.scene.nodes = static_cast<std::int64_t>(world.Nodes().size());
   stats_.scene.instances = static_cast<std::int64_t>(world.Instances().size());
   stats_.scene.primitives = world.Primitives();
@@ -106,7 +110,7 @@ void RunLog::Built(const World& world, const Accelerator& accelerator) {
   if (stats_.options.explain) {
     for (const std::string& line : accelerator.reasons) PrintError("raypro: " + line);
     for (const std::string& line : accelerator.Explain()) PrintError("raypro: " + line);
-    for (const std::string& line : ExplainRender(stats_)) PrintError("raypro: " + line);
+    for (const std::string& line : ExplainRender(world, stats_)) PrintError("raypro: " + line);
   }
   PrintStep(
       "built " + accelerator.kind + " over " + Counted(static_cast<std::uint64_t>(world.Primitives()), "primitive"),

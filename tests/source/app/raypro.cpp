@@ -238,6 +238,15 @@ TEST(Raypro, ARequestWhoseAnswerCannotBeWrittenFails) {
   EXPECT_EQ(RunProgram({"-man"}, {.standard_output = "/dev/full"}).status, 4);
 }
 
+TEST(Raypro, WarnsOnceOfWhatIsLikelyAMistake) {
+  NEEDS_THE_PROGRAM();
+  const Place place("camera 0 0 6  0 0 -1  0 1 0  0.3  0.1 100\n" + small_scene + "sphere -1  0 0 6  1\n");
+  const Finished done = RunProgram({place.Scene(), place / "out.ppm", "-width", "8", "-height", "8"});
+  EXPECT_EQ(done.status, 0);
+  EXPECT_EQ(done.error, place.Scene() + ":2:1: warning: the scene has a camera already; the last one counts\n" +
+                            place.Scene() + ": warning: the camera is inside 1 shape\n");
+}
+
 TEST(Raypro, WarnsOfOptionsThatDoNothing) {
   NEEDS_THE_PROGRAM();
   const Place place;
