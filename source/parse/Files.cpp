@@ -126,7 +126,9 @@ FoundFile Files::Top() const {
   if (IsStandardInput()) return {top_, top_};
   std::error_code error;
   const fs::path canonical = fs::canonical(top_, error);
-  if (error == std::errc::no_such_file_or_directory) throw FileError{"no such file", {}};
+  if (error == std::errc::no_such_file_or_directory)
+    throw FileError{"no such file",
+                    fs::exists(top_ + ".scn", error) ? "did you mean " + Quoted(top_ + ".scn") + "?" : ""};
   if (error) throw FileError{"cannot be opened: " + error.message(), {}};
   return {top_, canonical.string()};
 }

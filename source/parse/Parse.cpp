@@ -120,6 +120,7 @@ Scene ReadScene(const Files& files, const ParseOptions& options, Report& report)
   }
   if (MeshFormatForName(files.TopName())) return ReadMeshScene(files, options, report);
   const std::string extension = ExtensionOf(files);
+  if (extension.empty()) files.Top();  // that there is no such file says more
   throw ErrorIn(files.TopName(), extension.empty() ? "no file extension" : "cannot read " + Quoted(extension),
                 "supported: scenes " + SceneExtensions() + "; meshes " + MeshExtensions());
 }

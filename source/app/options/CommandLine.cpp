@@ -42,6 +42,9 @@ std::string HintAt(Program program, const std::string& word) {
 const OptionKind& Known(Program program, const std::string& word) {
   const std::string name = SplitOption(word).name;
   if (const OptionKind* option = FindOption(program, name)) return *option;
+  // A phrase says what to do; a guess may be wrong, and then the help has the answer.
+  if (const std::string answer = ForeignHint(program, word); !answer.empty() && !answer.starts_with("; did you mean"))
+    throw UsageError("unknown option " + Quoted(word) + answer);
   throw UsageError("unknown option " + Quoted(word) + HintAt(program, word) + " (" + NameOf(program) +
                    " -help lists them all)");
 }
