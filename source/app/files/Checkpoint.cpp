@@ -47,8 +47,10 @@ Checkpoint::Checkpoint(const Options& options)
       aside_(CheckOutput(PartialName(options.picture) + ".checkpoint", InputsOf(options))),
       had_aside_(IsThere(aside_)) {
   if (const OutputFile* found = Found(); found && !options.resume && !options.restart)
-    throw UsageError("there is a checkpoint of an earlier render, " + QuotedPath(found->name) +
-                     "; -resume continues from it, -restart renders from the start and removes it");
+    throw UsageError("there is a checkpoint of an earlier render, " + QuotedPath(found->name) + "; " +
+                     // The command line of a course has neither option.
+                     (options.as_course ? "remove it to render from the start"
+                                        : "-resume continues from it, -restart renders from the start and removes it"));
 }
 
 const OutputFile* Checkpoint::Found() const {

@@ -275,13 +275,14 @@ Options ReadCommandLine(Program program, std::span<const std::string> words) {
 
   Options options = Defaults(program);
   std::set<const OptionKind*> seen;
+  const bool renders = CommandsOf(program).empty();
   bool only_names = false;
   for (std::size_t i = 0; i < words.size();) {
     const std::string& word = words[i];
     if (!only_names && word == "--") {
       only_names = true;
       ++i;
-    } else if (only_names || !(LooksLikeOption(word) || IsOfPovRay(word))) {
+    } else if (only_names || !(LooksLikeOption(word) || (renders && IsOfPovRay(word)))) {
       TakeName(word, options);
       ++i;
     } else {

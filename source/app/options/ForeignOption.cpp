@@ -212,7 +212,9 @@ std::string AnswerText(Program program, std::string_view answer, const std::stri
 const ForeignOption* FindPlus(std::string_view word) {
   const ForeignOption* best = nullptr;
   for (const ForeignOption& foreign : foreign_options)
-    if (word.starts_with(foreign.word) && (!best || std::string_view(foreign.word) > best->word)) best = &foreign;
+    if (word.starts_with(foreign.word) &&
+        (!best || std::string_view(foreign.word).size() > std::string_view(best->word).size()))
+      best = &foreign;
   return best;
 }
 
@@ -241,12 +243,11 @@ bool IsOfPovRay(const std::string& word) {
 
 std::string ForeignHint(Program program, const std::string& word) {
   if (program == Program::rayimg) return {};
-  const std::string digits = DigitsAtTheEnd(word);
   if (IsOfPovRay(word)) {
     const ForeignOption* const foreign = FindPlus(word);
-    return foreign ? AnswerText(program, foreign->answer, digits) : std::string();
+    return foreign ? AnswerText(program, foreign->answer, DigitsAtTheEnd(word)) : std::string();
   }
-  const std::string option = "-" + SplitOption(word).name;
+  const std::string option = "-" + SplitOption(word).name, digits = DigitsAtTheEnd(option);
   const std::string answer = AnswerTo(program, option, {});
   return answer.empty() ? AnswerTo(program, option.substr(0, option.size() - digits.size()), digits) : answer;
 }
