@@ -38,5 +38,6 @@ check=
 update README.md "$work/README.md"
 update docs/options.md "$work/options.md"
 if [ ! "$check" ] && [ ! "$here/docs/first.jpg" -nt "$here/scenes/first.scn" ]; then
-  "$raypro" "$here/scenes/first.scn" "$here/docs/first.jpg" -width 480 -height 320 -samples 64 -filter mitchell -quiet
+  # The image keeps its command, which is to be one for any checkout.
+  (cd "$here" && "$raypro" scenes/first.scn docs/first.jpg -width 480 -height 320 -samples 64 -filter mitchell -quiet)
 fi

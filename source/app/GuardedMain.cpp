@@ -16,7 +16,7 @@ namespace ray {
 namespace {
 
 int Fail(int exit_status, const std::string& message) {
-  PrintError(message);
+  PrintFailure(message);
   return exit_status;
 }
 
@@ -34,15 +34,12 @@ void LimitThreads(const std::string& program) {
 
 }  // namespace
 
-int GuardedMain(Program program, int argc, char** argv, int (*run)(const std::vector<std::string>& words)) {
-  GuardStandardStreams();
+int Guarded(Program program, const std::function<int()>& run) {
   const std::string name = NameOf(program) + ": ";
   // rayimg's 1 says that pictures differ, and nothing else: scripts rely on it.
   const int failed = program == Program::rayimg ? status::bad_scene : status::failed;
   try {
-    RequireStack();
-    LimitThreads(name);
-    return run(std::vector<std::string>(argv + (argc > 0 ? 1 : 0), argv + argc));
+    return run();
   } catch (const UsageError& error) {
     return Fail(status::wrong_arguments, name + error.what());
   } catch (const SceneErrors& errors) {
@@ -54,6 +51,15 @@ int GuardedMain(Program program, int argc, char** argv, int (*run)(const std::ve
   } catch (const std::exception& error) {
     return Fail(failed, name + error.what());
   }
+}
+
+int GuardedMain(Program program, int argc, char** argv, int (*run)(const std::vector<std::string>& words)) {
+  GuardStandardStreams();
+  return Guarded(program, [&] {
+    RequireStack();
+    LimitThreads(NameOf(program) + ": ");
+    return run(std::vector<std::string>(argv + (argc > 0 ? 1 : 0), argv + argc));
+  });
 }
 
 }  // namespace ray

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -7,8 +8,11 @@
 
 namespace ray {
 
-/// Runs a program so that whatever it throws becomes words on standard error, and the exit status that the help
-/// promises.
+/// Runs a part of a program so that whatever it throws becomes words on standard error, and the exit status that the
+/// help promises, which is returned.
+int Guarded(Program program, const std::function<int()>& run);
+
+/// Runs a whole program likewise.
 ///   run       gets the words behind the program's name, returns an exit status
 ///   returns   the exit status
 int GuardedMain(Program program, int argc, char** argv, int (*run)(const std::vector<std::string>& words));

@@ -1,3 +1,5 @@
+#include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -13,6 +15,8 @@
 #include "source/app/files/ReadInputs.h"
 #include "source/app/options/CommandLine.h"
 #include "source/app/options/Comp30019.h"
+#include "source/app/options/FileNames.h"
+#include "source/app/options/PictureName.h"
 #include "source/app/options/SceneSettings.h"
 #include "source/app/report/Memory.h"
 #include "source/app/report/Messages.h"
@@ -27,25 +31,25 @@ namespace {
 using Words = std::vector<std::string>;
 
 RenderResult RenderAndTell(const World& world, const Accelerator& accelerator, const Options& options,
-                           const RunLog& account, Checkpoint& checkpoint) {
+                           const RunLog& account, Checkpoint* checkpoint) {
   const std::string& hash = account.stats().scene.hash;
   RenderSettings settings = options.render;
   settings.replay = ReadReplay(options, hash);
   if (settings.budget.seconds > 0)
-    settings.budget.seconds_to_finish = SecondsToFinish(*R2::FormatForName(options.picture), options);
+    settings.budget.seconds_to_finish = SecondsToFinish(*FormatOfPicture(options.picture), options);
   Progress progress(ChooseProgressStyle(options.quiet));
   const auto tile_done = [&](const RenderProgress& now) { progress.Update(now); };
   RenderMonitor monitor;
   monitor.stop = StopRequested();
   monitor.tile_done = tile_done;
   monitor.seconds_before = account.SecondsSoFar();
-  monitor.save = [&](const RenderState& state) { checkpoint.Save(state, hash); };
+  if (checkpoint) monitor.save = [&](const RenderState& state) { checkpoint->Save(state, hash); };
   monitor.save_every = options.checkpoint;
   monitor.saves_finished = options.keep_checkpoint;
-  if (options.resume && checkpoint.Exists())
-    monitor.resume = [&](const Film& film) { return checkpoint.Load(film, settings, hash); };
+  if (options.resume && checkpoint->Exists())
+    monitor.resume = [&](const Film& film) { return checkpoint->Load(film, settings, hash); };
   else if (options.resume && !options.quiet)
-    PrintError("raypro: nothing to resume, " + QuotedPath(checkpoint.Name()) +
+    PrintError("raypro: nothing to resume, " + QuotedPath(checkpoint->Name()) +
                " does not exist: rendering from the start");
   return Render(world, accelerator, settings, monitor);
 }
@@ -80,7 +84,7 @@ int MakePicture(const Options& asked, const Words& words) {
   RefuseInputs(outputs, parsed.scene.files);
   const Options options = WithSettingsOf(parsed.scene, asked);
   RefuseSize(*outputs.format, options.render.width, options.render.height);
-  Checkpoint checkpoint(options);
+  const auto checkpoint = outputs.picture.is_standard_output ? nullptr : std::make_unique<Checkpoint>(options);
   const std::vector<R2::Image> references = ReadReferences(options);
   account.Loaded(parsed, options);
 
@@ -89,25 +93,44 @@ int MakePicture(const Options& asked, const Words& words) {
   const auto accelerator = Build(world, options);
   account.Built(world, *accelerator);
 
+  if (options.restart) checkpoint->Remove();
   CatchInterrupts();
-  const RenderResult result = RenderAndTell(world, *accelerator, options, account, checkpoint);
+  const RenderResult result = RenderAndTell(world, *accelerator, options, account, checkpoint.get());
   account.Rendered(result);
   Compare(result, references, options, account);
 
-  WritePicture(outputs, result,
-               result.IsComplete() ? RenderLayers(world, *accelerator, options) : std::vector<R2::Image>{},
-               account.stats());
-  account.Written();
-  if (result.IsComplete() && !options.keep_checkpoint) checkpoint.Remove();
+  const auto layers = result.IsComplete() ? RenderLayers(world, *accelerator, options) : std::vector<R2::Image>{};
+  account.Written(WritePicture(outputs, result, layers, account.stats()).name);
+  if (result.IsComplete() && checkpoint) checkpoint->PictureIsFinished(options.keep_checkpoint);
   WriteReport(outputs, account.stats());
   account.Summarize();
   return result.IsComplete() ? status::done : status::killed_by + StopSignal();
 }
 
-int Run(const Options& options, const Words& words) {
+int DoOne(const Options& options, const Words& words) {
   if (options.task == Task::render) return MakePicture(options, words);
   DoTask(options);
   return status::done;
+}
+
+/// Each scene for itself: what is wrong with one keeps none of the others from being rendered.
+int DoEach(const Options& all, const Words& words) {
+  if (!std::filesystem::is_directory(all.out_folder))
+    throw OutputError("cannot write into " + Quoted(all.out_folder) + ": there is no such folder");
+  int first_failure = status::done;
+  for (const std::string& scene : all.scenes) {
+    Options one = all;
+    one.scene = scene;
+    one.picture = PictureInFolder(all, scene);
+    const int ended = Guarded(Program::raypro, [&] { return DoOne(one, words); });
+    if (StopSignal() != 0) return ended;
+    if (first_failure == status::done) first_failure = ended;
+  }
+  return first_failure;
+}
+
+int Run(const Options& options, const Words& words) {
+  return options.scenes.empty() ? DoOne(options, words) : DoEach(options, words);
 }
 
 int RunAsRaypro(const Words& words) { return Run(ReadCommandLine(Program::raypro, words), words); }

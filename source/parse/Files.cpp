@@ -103,17 +103,32 @@ std::string ReadAll(const Handle& handle, const struct stat& status, const std::
 
 }  // namespace
 
-Files::Files(const std::string& top_scene, const std::vector<std::string>& allowed_folders) : top_(top_scene) {
-  for (const fs::path& folder : {fs::path(top_scene).parent_path(), fs::path(".")})
+const std::string& StandardInput() {
+  static const std::string text = [] {
+    struct stat status {};
+    const Handle handle(dup(STDIN_FILENO));
+    if (!handle.IsOpen() || fstat(handle.Number(), &status) != 0)
+      throw FileError{"cannot read standard input: " + Reason(errno), {}};
+    return ReadAll(handle, status, standard_input_name);
+  }();
+  return text;
+}
+
+Files::Files(const std::string& top_scene, const std::vector<std::string>& allowed_folders)
+    : top_(top_scene == "-" ? standard_input_name : top_scene) {
+  for (const fs::path& folder : {fs::path(top_).parent_path(), fs::path(".")})
     if (auto root = CanonicalFolder(folder)) roots_.push_back(std::move(*root));
   for (const std::string& folder : allowed_folders)
     if (auto root = CanonicalFolder(folder)) roots_.push_back(std::move(*root));
 }
 
 FoundFile Files::Top() const {
+  if (IsStandardInput()) return {top_, top_};
   std::error_code error;
   const fs::path canonical = fs::canonical(top_, error);
-  if (error == std::errc::no_such_file_or_directory) throw FileError{"no such file", {}};
+  if (error == std::errc::no_such_file_or_directory)
+    throw FileError{"no such file",
+                    fs::exists(top_ + ".scn", error) ? "did you mean " + Quoted(top_ + ".scn") + "?" : ""};
   if (error) throw FileError{"cannot be opened: " + error.message(), {}};
   return {top_, canonical.string()};
 }
@@ -141,6 +156,7 @@ FoundFile Files::FindIn(std::span<const std::string> folders, const std::string&
 }
 
 std::string Files::Read(const FoundFile& file) const {
+  if (file.canonical == standard_input_name) return StandardInput();
   // Asked before opening, because opening a device may do something; asked of the handle, because only that is certain.
   struct stat status {};
   if (stat(file.canonical.c_str(), &status) == 0) CheckRegular(status, file.shown);

@@ -17,6 +17,11 @@ struct FoundFile {
   std::string canonical;  // absolute and free of links: the same for every name of a file
 };
 
+/// What messages, and lists of a scene's files, call standard input. The user names it "-".
+inline constexpr const char* standard_input_name = "<stdin>";
+/// All of it: read when it is first asked for, and kept, since it can be read but once. Throws FileError.
+const std::string& StandardInput();
+
 /// Finds and opens the files of one scene. A scene may come from a stranger: it reads regular files below its own
 /// folder, the current folder and the folders that the user allows, and nothing else.
 class Files {
@@ -24,10 +29,12 @@ class Files {
   /// Files longer than this are refused.
   static constexpr std::size_t max_bytes = std::size_t{1} << 30;
 
-  /// Opens the top scene wherever it lies: the user named it.
+  /// Opens the top scene wherever it lies: the user named it. "-" is standard input, as if it lay in the current
+  /// folder.
   Files(const std::string& top_scene, const std::vector<std::string>& allowed_folders);
 
   const std::string& TopName() const { return top_; }
+  bool IsStandardInput() const { return top_ == standard_input_name; }
   /// The top scene; throws FileError.
   FoundFile Top() const;
   /// Looks in the folder of the file that names it, then in the current folder. Throws FileError.

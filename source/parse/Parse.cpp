@@ -79,7 +79,9 @@ const SceneFormat& FormatByKeys(const std::vector<const SceneFormat*>& candidate
                 known + "; -format name decides");
 }
 
+/// Of standard input that of this program's own language, unless -format says otherwise.
 std::string ExtensionOf(const Files& files) {
+  if (files.IsStandardInput()) return ".scn";
   return LowerCase(std::filesystem::path(files.TopName()).extension().string());
 }
 
@@ -118,6 +120,7 @@ Scene ReadScene(const Files& files, const ParseOptions& options, Report& report)
   }
   if (MeshFormatForName(files.TopName())) return ReadMeshScene(files, options, report);
   const std::string extension = ExtensionOf(files);
+  if (extension.empty()) files.Top();  // that there is no such file says more
   throw ErrorIn(files.TopName(), extension.empty() ? "no file extension" : "cannot read " + Quoted(extension),
                 "supported: scenes " + SceneExtensions() + "; meshes " + MeshExtensions());
 }
@@ -146,7 +149,7 @@ ParsedScene Parse(const std::string& file, const ParseOptions& options) {
     parsed.warnings = report.Warnings();
     return parsed;
   } catch (const FileError& error) {
-    throw SceneErrors({ErrorIn(file, error.message, error.hint)});
+    throw SceneErrors({ErrorIn(file == "-" ? standard_input_name : file, error.message, error.hint)});
   } catch (SceneError& error) {
     report.Error(std::move(error));
     report.ThrowErrors();

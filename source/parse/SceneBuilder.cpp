@@ -27,6 +27,8 @@ Scene SceneBuilder::Finish() {
   assert(open_groups.size() == 1);
   scene.root = std::move(open_groups.front());
   SetBounds(scene.root);
+  scene.has_default_camera = !has_camera;
+  scene.has_default_lights = !has_light;
   if (!has_camera) {
     const Camera named = scene.camera;
     scene.camera = DefaultCamera(scene.root.bounds);

@@ -3,13 +3,21 @@
 #include <cstring>
 #include <utility>
 
+#include "source/text/Number.h"
+#include "source/text/Quoting.h"
+
 namespace ray {
 namespace {
 
 constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 
 bool IsSpace(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
-bool BeginsCharacter(char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }
+
+std::string_view WithoutComment(std::string_view word) {
+  const std::size_t hash = word.find('#');
+  if (hash == std::string_view::npos || ParseNumber(word.substr(0, hash)).problem) return word;
+  return word.substr(0, hash);
+}
 
 }  // namespace
 
@@ -45,8 +53,11 @@ std::optional<Token> Tokenizer::Scan() {
   if (next_ == end_) return {};
   const char* const first = next_;
   Token token{{}, line_, column_, std::exchange(at_line_start_, false)};
-  for (; next_ != end_ && !IsSpace(*next_); ++next_) column_ += BeginsCharacter(*next_);
+  while (next_ != end_ && !IsSpace(*next_)) ++next_;
   token.text = {first, static_cast<std::size_t>(next_ - first)};
+  if (comments_ == Comments::hash) token.text = WithoutComment(token.text);
+  next_ = first + token.text.size();
+  column_ += CountCharacters(token.text);
   return token;
 }
 

@@ -10,7 +10,8 @@ namespace ray {
 /// start is passed over.
 class Tokenizer {
  public:
-  /// Whether a word that begins with # hides the rest of its line.
+  /// Whether a # hides the rest of its line: one that begins a word, or is glued to a number ("1.9#object"), as the
+  /// course's reader has it. In any other word, which may name a file, it is a letter.
   enum class Comments { none, hash };
 
   /// `text` must outlive the tokenizer and its tokens.

@@ -28,7 +28,8 @@ struct Scene {
   Camera camera;
   R2::Color background, ambient;
   std::shared_ptr<const Environment> environment;  // seen instead of the background, and a light; null for none
-  double shadow_bias = 0;                          // the least distance of what a shadow ray or a reflection can hit
+  bool has_default_camera = false, has_default_lights = false;  // none were named
+  double shadow_bias = 0;  // the least distance of what a shadow ray or a reflection can hit
   std::vector<SceneSetting> settings;
   std::vector<std::string> files;  // what it was read from: scene files, the top one first, then meshes and textures
 };

@@ -22,6 +22,19 @@ std::string ShellWord(const std::string& word) {
   return quoted + "'";
 }
 
+/// The longest choice that begins the word, or that the word begins: "path" for "pathtracer". Fewer letters may begin
+/// anything.
+std::string LongestInCommon(const std::string& word, const std::vector<std::string>& choices) {
+  constexpr std::size_t fewest_letters = 4;
+  std::string found;
+  for (const std::string& choice : choices) {
+    const bool has_common = word.starts_with(choice) || choice.starts_with(word);
+    if (has_common && std::min(word.size(), choice.size()) >= fewest_letters && choice.size() > found.size())
+      found = choice;
+  }
+  return found;
+}
+
 }  // namespace
 
 std::string ShellLine(std::span<const std::string> words) {
@@ -51,7 +64,9 @@ std::string OneOf(const std::vector<std::string>& choices) {
 std::string DidYouMean(const std::string& word, const std::vector<std::string>& choices) {
   const std::vector<std::string_view> views(choices.begin(), choices.end());
   const std::string hint = Suggestion(word, views, "");
-  return hint.starts_with("did") ? "; " + hint : "";
+  if (hint.starts_with("did")) return "; " + hint;
+  const std::string longest = LongestInCommon(word, choices);
+  return longest.empty() ? "" : "; did you mean '" + longest + "'?";
 }
 
 bool LooksLikeOption(const std::string& word) {

@@ -23,7 +23,8 @@ std::string Counted(std::uint64_t count, const std::string& noun);
 /// "none, grid or octree"
 std::string OneOf(const std::vector<std::string>& choices);
 
-/// "; did you mean 'grid'?" when one of the choices is close to the word, otherwise nothing.
+/// "; did you mean 'grid'?" when one of the choices is close to the word, or begins it, or begins with it; otherwise
+/// nothing.
 std::string DidYouMean(const std::string& word, const std::vector<std::string>& choices);
 
 /// A dash and a letter: an option. A dash and a digit or a point is a negative number, a dash alone a name.

@@ -4,11 +4,13 @@
 
 #include "source/app/Status.h"
 #include "source/app/files/Outputs.h"
+#include "source/app/files/PartialPicture.h"
 #include "source/app/options/OptionTable.h"
 #include "source/app/report/Messages.h"
 #include "source/parse/Files.h"
 #include "source/parse/SceneError.h"
 #include "source/parse/Text.h"
+#include "source/text/Quoting.h"
 
 namespace ray {
 namespace {
@@ -20,25 +22,45 @@ std::string Identity(const Options& options, const std::string& scene_hash) {
     const std::string topic = option.topic, name = option.name;
     if (!IsSetting(option) || (topic != "picture" && topic != "light" && topic != "quality")) continue;
     if (name == "checkpoint" || name == "resume" || name == "reference" || name == "time") continue;
-    if (name == "keep_checkpoint" || name == "samples") continue;
+    if (name == "keep_checkpoint" || name == "restart" || name == "samples") continue;
     text += "-" + name + " " + Show(option, options) + "\n";
   }
   return text;
 }
 
+bool IsThere(const OutputFile& file) {
+  std::error_code ignored;
+  return std::filesystem::exists(file.target, ignored);
+}
+
+void RemoveFile(const std::filesystem::path& file) {
+  std::error_code ignored;
+  std::filesystem::remove(file, ignored);
+}
+
 }  // namespace
 
 Checkpoint::Checkpoint(const Options& options)
-    : options_(options), file_(CheckOutput(options.picture + ".checkpoint", InputsOf(options))) {}
+    : options_(options),
+      has_picture_(IsFinishedPicture(options.picture)),
+      beside_(CheckOutput(options.picture + ".checkpoint", InputsOf(options))),
+      aside_(CheckOutput(PartialName(options.picture) + ".checkpoint", InputsOf(options))),
+      had_aside_(IsThere(aside_)) {
+  if (const OutputFile* found = Found(); found && !options.resume && !options.restart)
+    throw UsageError("there is a checkpoint of an earlier render, " + QuotedPath(found->name) + "; " +
+                     // The command line of a course has neither option.
+                     (options.as_course ? "remove it to render from the start"
+                                        : "-resume continues from it, -restart renders from the start and removes it"));
+}
 
-bool Checkpoint::Exists() const {
-  std::error_code ignored;
-  return std::filesystem::exists(file_.target, ignored);
+const OutputFile* Checkpoint::Found() const {
+  return IsThere(aside_) ? &aside_ : IsThere(beside_) ? &beside_ : nullptr;
 }
 
 void Checkpoint::Save(const RenderState& state, const std::string& scene_hash) {
   try {
-    WriteWhole(file_, Encoded(state, Identity(options_, scene_hash)));
+    WriteWhole(has_picture_ ? aside_ : beside_, Encoded(state, Identity(options_, scene_hash)));
+    if (!has_picture_) RemoveFile(aside_.target);  // it went on from there, and must not go back to it
     RemoveCopy();
   } catch (const OutputError& error) {
     if (!error.kept_as.empty()) kept_as_ = error.kept_as;
@@ -47,8 +69,10 @@ void Checkpoint::Save(const RenderState& state, const std::string& scene_hash) {
 }
 
 RenderState Checkpoint::Load(const Film& film, const RenderSettings& settings, const std::string& scene_hash) const {
+  const OutputFile* const found = Found();
+  const std::string& name = found ? found->name : Name();
   try {
-    const Files files(file_.name, {});
+    const Files files(name, {});
     const std::string bytes = files.Read(files.Top());
     RenderState state = DecodedState({reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()},
                                      Identity(options_, scene_hash), film);
@@ -56,21 +80,27 @@ RenderState Checkpoint::Load(const Film& film, const RenderSettings& settings, c
     CheckState(state, film, settings);
     return state;
   } catch (const FileError& error) {
-    throw SceneErrors({ErrorIn(file_.name, "cannot resume: " + error.message)});
+    throw SceneErrors({ErrorIn(name, "cannot resume: " + error.message)});
   } catch (const CheckpointError& error) {
-    throw SceneErrors({ErrorIn(file_.name, "cannot resume: " + std::string(error.what()))});
+    throw SceneErrors({ErrorIn(name, "cannot resume: " + std::string(error.what()))});
   }
 }
 
 void Checkpoint::Remove() {
-  std::error_code ignored;
-  std::filesystem::remove(file_.target, ignored);
+  RemoveFile(beside_.target);
+  RemoveFile(aside_.target);
   RemoveCopy();
 }
 
-void Checkpoint::RemoveCopy() {
+void Checkpoint::PictureIsFinished(bool keep) {
   std::error_code ignored;
-  if (!kept_as_.empty()) std::filesystem::remove(kept_as_, ignored);
+  if (!keep) Remove();
+  if (keep && has_picture_) std::filesystem::rename(aside_.target, beside_.target, ignored);
+  if (had_aside_) RemoveFile(PartialName(options_.picture));
+}
+
+void Checkpoint::RemoveCopy() {
+  if (!kept_as_.empty()) RemoveFile(kept_as_);
   kept_as_.clear();
 }
 

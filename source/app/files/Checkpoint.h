@@ -8,29 +8,37 @@
 
 namespace ray {
 
-/// The state of a render in a file beside its picture, "out.jpg.checkpoint", from which -resume goes on. It is written
-/// every -checkpoint, and whenever a signal ends the run, whole or not at all; removed when the picture is finished,
-/// unless -keep_checkpoint wants samples to be added later.
+/// The state of a render in a file beside the picture so far, from which -resume goes on: "out.jpg.checkpoint", or
+/// "out.partial.jpg.checkpoint" where a finished picture has the name. It is written every -checkpoint, and whenever a
+/// signal ends the run, whole or not at all; removed when the picture is finished, unless -keep_checkpoint wants
+/// samples to be added later. No other render removes or replaces it.
 class Checkpoint {
  public:
-  /// Throws OutputError when the file could not be written.
+  /// Throws OutputError when the file could not be written, UsageError when there is one and neither -resume nor
+  /// -restart says what is to become of it.
   explicit Checkpoint(const Options& options);
 
   /// A failure is told and costs no picture: the state is kept in the temporary folder, until a later one is saved.
   void Save(const RenderState& state, const std::string& scene_hash);
-  bool Exists() const;
+  bool Exists() const { return Found() != nullptr; }
   /// Throws SceneErrors when there is none, or none of this scene, these settings and this version; but the samples may
   /// have become more, see CheckPlan.
   RenderState Load(const Film& film, const RenderSettings& settings, const std::string& scene_hash) const;
   /// With the copy in the temporary folder, if there is one.
   void Remove();
-  const std::string& Name() const { return file_.name; }
+  /// Once the picture is in its place: what is left of it unfinished goes, and with it the checkpoint unless it is to
+  /// be kept beside the picture.
+  void PictureIsFinished(bool keep);
+  const std::string& Name() const { return has_picture_ ? aside_.name : beside_.name; }
 
  private:
+  const OutputFile* Found() const;
   void RemoveCopy();
 
   const Options& options_;
-  OutputFile file_;
+  bool has_picture_;           // a finished one had the name when the render began
+  OutputFile beside_, aside_;  // the two names
+  bool had_aside_;
   std::string kept_as_;  // the copy; empty for none
 };
 

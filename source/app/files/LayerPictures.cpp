@@ -1,7 +1,6 @@
 #include "source/app/files/LayerPictures.h"
 
 #include <algorithm>
-#include <filesystem>
 
 #include "source/text/EnumNames.h"
 
@@ -39,11 +38,6 @@ R2::ImageLayer ChannelsOf(Layer layer, R2::Image image) {
       return {{"id"}, std::move(image)};
   }
   return {};
-}
-
-std::string LayerFileName(const std::string& picture, Layer layer) {
-  const std::filesystem::path path(picture);
-  return (path.parent_path() / (path.stem().string() + "." + NameOf(layer) + path.extension().string())).string();
 }
 
 RenderMode ModeOf(Layer layer) { return *Named<RenderMode>(NameOf(layer)); }

@@ -16,9 +16,6 @@ std::string ShowLayerList(const std::vector<Layer>& layers);
 /// The layer as channels of a file that holds several.
 R2::ImageLayer ChannelsOf(Layer layer, R2::Image image);
 
-/// "out.depth.png" for "out.png".
-std::string LayerFileName(const std::string& picture, Layer layer);
-
 /// The mode that shows nothing but the layer.
 RenderMode ModeOf(Layer layer);
 

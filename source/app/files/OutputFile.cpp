@@ -100,7 +100,14 @@ OutputFile CheckOutput(const std::string& name, std::span<const std::string> inp
   return output;
 }
 
+std::string NameBeside(const std::string& name, const std::string& word) {
+  const fs::path path(name);
+  return (path.parent_path() / (path.stem().string() + "." + word + path.extension().string())).string();
+}
+
 void WriteWhole(const OutputFile& output, std::span<const unsigned char> bytes) {
+  if (output.is_standard_output)
+    return WriteStandardOutput(std::string(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
   try {
     WriteAt(output.target, bytes);
   } catch (const std::system_error& failure) {

@@ -12,6 +12,7 @@ struct OutputFile {
   std::string name;              // as typed
   std::filesystem::path target;  // the same, or what it leads to if it is a link
   bool is_link = false;
+  bool is_standard_output = false;
 };
 
 /// Checks that `name` can be written: it is no folder, no device and none of `inputs`, its folder exists and takes new
@@ -20,6 +21,9 @@ OutputFile CheckOutput(const std::string& name, std::span<const std::string> inp
 
 /// Throws OutputError when the output is one of the files.
 void RefuseInputs(const OutputFile& output, std::span<const std::string> inputs);
+
+/// "out.depth.png" for "out.png" and "depth".
+std::string NameBeside(const std::string& name, const std::string& word);
 
 /// Writes the file whole or not at all. If that fails, the bytes are kept under the system's temporary folder instead,
 /// and the OutputError says where.

@@ -1,12 +1,17 @@
 #include "source/app/files/Outputs.h"
 
+#include <unistd.h>
+
 #include <filesystem>
 
 #include "source/app/Status.h"
 #include "source/app/files/LayerPictures.h"
+#include "source/app/files/PartialPicture.h"
+#include "source/app/options/PictureName.h"
 #include "source/app/report/Messages.h"
 #include "source/app/report/ReportJson.h"
 #include "source/render/LayerColors.h"
+#include "source/text/EnumNames.h"
 #include "source/text/Quoting.h"
 
 namespace ray {
@@ -23,6 +28,11 @@ namespace {
 
 std::span<const unsigned char> BytesOf(const std::string& text) {
   return {reinterpret_cast<const unsigned char*>(text.data()), text.size()};
+}
+
+PictureOutput StandardOutput() {
+  if (isatty(STDOUT_FILENO)) throw UsageError("the picture would go to a terminal; redirect it, or name a file");
+  return {FormatOfPicture(standard_stream), {.name = "<stdout>", .target = {}, .is_standard_output = true}};
 }
 
 }  // namespace
@@ -65,10 +75,12 @@ std::vector<std::string> InputsOf(const Options& options) {
 
 Outputs CheckOutputs(const Options& options) {
   const std::vector<std::string> inputs = InputsOf(options);
-  const PictureOutput picture = CheckPictureOutput(options.picture, inputs);
+  const bool is_standard_output = options.picture == standard_stream;
+  const PictureOutput picture = is_standard_output ? StandardOutput() : CheckPictureOutput(options.picture, inputs);
   Outputs outputs;
   outputs.format = picture.format;
   outputs.picture = picture.file;
+  if (!is_standard_output) outputs.partial = CheckOutput(PartialName(options.picture), inputs);
 
   const PixelRectangle whole{0, 0, options.render.width, options.render.height};
   const PixelRectangle part = options.render.crop.value_or(whole);
@@ -76,7 +88,7 @@ Outputs CheckOutputs(const Options& options) {
 
   if (!outputs.format->encode_layers)
     for (const Layer layer : options.layers)
-      outputs.layers.push_back(CheckOutput(LayerFileName(options.picture, layer), inputs));
+      outputs.layers.push_back(CheckOutput(NameBeside(options.picture, NameOf(layer)), inputs));
 
   if (options.report.empty()) return outputs;
   outputs.report = CheckOutput(options.report, inputs);
@@ -87,14 +99,17 @@ Outputs CheckOutputs(const Options& options) {
 
 void RefuseInputs(const Outputs& outputs, std::span<const std::string> inputs) {
   RefuseInputs(outputs.picture, inputs);
+  RefuseInputs(outputs.partial, inputs);
   for (const OutputFile& layer : outputs.layers) RefuseInputs(layer, inputs);
   if (outputs.report) RefuseInputs(*outputs.report, inputs);
 }
 
-void WritePicture(const Outputs& outputs, const RenderResult& result, const std::vector<R2::Image>& layers,
-                  const RunStats& record) {
-  if (result.pixels_done == 0) return;
-  TellOfLink(record.options.program, outputs.picture);
+OutputFile WritePicture(const Outputs& outputs, const RenderResult& result, const std::vector<R2::Image>& layers,
+                        const RunStats& record) {
+  const bool must_stay = !result.IsComplete() && IsFinishedPicture(outputs.picture.target);
+  const OutputFile& picture = must_stay ? outputs.partial : outputs.picture;
+  if (result.pixels_done == 0) return picture;
+  TellOfLink(record.options.program, picture);
   const R2::ImageFormat& format = *outputs.format;
   const R2::ImageSettings settings = SettingsInPicture(record);
   const std::vector<Layer>& kinds = record.options.layers;
@@ -104,11 +119,12 @@ void WritePicture(const Outputs& outputs, const RenderResult& result, const std:
   if (format.encode_layers && !kinds.empty()) {
     std::vector<R2::ImageLayer> channels;
     for (std::size_t i = 0; i < layers.size(); ++i) channels.push_back(ChannelsOf(kinds[i], layers[i]));
-    WriteWhole(outputs.picture, format.encode_layers(result.image, channels, settings));
-    return;
+    WriteWhole(picture, format.encode_layers(result.image, channels, settings));
+    return picture;
   }
-  WriteWhole(outputs.picture, encode(record.options.render.mode, result.image));
+  WriteWhole(picture, encode(record.options.render.mode, result.image));
   for (std::size_t i = 0; i < layers.size(); ++i) WriteWhole(outputs.layers[i], encode(ModeOf(kinds[i]), layers[i]));
+  return picture;
 }
 
 void WriteReport(const Outputs& outputs, const RunStats& record) {

@@ -27,6 +27,7 @@ void TellOfLink(Program program, const OutputFile& picture);
 struct Outputs {
   const R2::ImageFormat* format = nullptr;
   OutputFile picture;
+  OutputFile partial;  // gets the picture of an interrupted render where another stays, see IsFinishedPicture
   std::optional<OutputFile> report;
   std::vector<OutputFile> layers;  // one for each of the options' layers, unless the picture holds them itself
 };
@@ -41,10 +42,11 @@ Outputs CheckOutputs(const Options& options);
 /// Throws OutputError when one of them is a file the scene was read from.
 void RefuseInputs(const Outputs& outputs, std::span<const std::string> inputs);
 
-/// A picture with nothing rendered is not worth replacing an older one: it is not written.
-/// `layers`: one image for each of the options' layers.
-void WritePicture(const Outputs& outputs, const RenderResult& result, const std::vector<R2::Image>& layers,
-                  const RunStats& record);
+/// A picture with nothing rendered is not written, and one of an interrupted render never in the place of another.
+///   layers    one image for each of the options' layers
+///   returns   where the picture went
+OutputFile WritePicture(const Outputs& outputs, const RenderResult& result, const std::vector<R2::Image>& layers,
+                        const RunStats& record);
 void WriteReport(const Outputs& outputs, const RunStats& record);
 
 }  // namespace ray

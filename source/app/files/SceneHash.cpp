@@ -3,7 +3,9 @@
 #include <array>
 #include <cstdint>
 #include <fstream>
+#include <sstream>
 
+#include "source/parse/Files.h"
 #include "source/text/Hash.h"
 
 namespace ray {
@@ -28,6 +30,11 @@ std::string Hexadecimal(std::uint64_t number) {
 std::string SceneHash(std::span<const std::string> files) {
   Hash hash;
   for (const std::string& file : files) {
+    if (file == standard_input_name) {
+      std::istringstream bytes(StandardInput());
+      Add(bytes, hash);
+      continue;
+    }
     std::ifstream bytes(file, std::ios::binary);
     Add(bytes, hash);
   }

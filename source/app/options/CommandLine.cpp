@@ -3,20 +3,24 @@
 #include <algorithm>
 #include <cstdint>
 #include <filesystem>
-#include <map>
 #include <optional>
+#include <set>
 #include <tuple>
 #include <vector>
 
 #include "source/accelerate/twolevel/InstructionSet.h"
 #include "source/app/Status.h"
+#include "source/app/options/FileNames.h"
+#include "source/app/options/ForeignOption.h"
 #include "source/app/options/Help.h"
 #include "source/app/options/OptionTable.h"
+#include "source/app/options/PictureName.h"
 #include "source/app/options/Preset.h"
 #include "source/app/options/RayimgTable.h"
 #include "source/app/options/SceneSettings.h"
 #include "source/app/report/Memory.h"
 #include "source/text/EnumNames.h"
+#include "source/text/Number.h"
 #include "source/text/Quoting.h"
 #include "source/text/Words.h"
 
@@ -24,7 +28,9 @@ namespace ray {
 namespace {
 
 /// "; -crop is an option of raypro", or the option that was meant.
-std::string HintAt(Program program, const std::string& name) {
+std::string HintAt(Program program, const std::string& word) {
+  if (std::string hint = ForeignHint(program, word); !hint.empty()) return hint;
+  const std::string name = SplitOption(word).name;
   for (const Program other : programs)
     if (const OptionKind* option = FindOption(other, name))
       return "; -" + std::string(option->name) + " is an option of " + NameOf(other);
@@ -36,7 +42,10 @@ std::string HintAt(Program program, const std::string& name) {
 const OptionKind& Known(Program program, const std::string& word) {
   const std::string name = SplitOption(word).name;
   if (const OptionKind* option = FindOption(program, name)) return *option;
-  throw UsageError("unknown option " + Quoted(word) + HintAt(program, name) + " (" + NameOf(program) +
+  // A phrase says what to do; a guess may be wrong, and then the help has the answer.
+  if (const std::string answer = ForeignHint(program, word); !answer.empty() && !answer.starts_with("; did you mean"))
+    throw UsageError("unknown option " + Quoted(word) + answer);
+  throw UsageError("unknown option " + Quoted(word) + HintAt(program, word) + " (" + NameOf(program) +
                    " -help lists them all)");
 }
 
@@ -66,24 +75,14 @@ Arguments TakeArguments(const OptionKind& option, std::span<const std::string> w
                    std::to_string(arguments.values.size()) + ": " + synopsis);
 }
 
-/// Which options came already, and how they were spelled.
-using Seen = std::map<const OptionKind*, std::string>;
-
-void RefuseRepetition(const OptionKind& option, const std::string& word, Seen& seen) {
-  const auto [first, is_new] = seen.emplace(&option, word);
-  if (is_new || MayBeRepeated(option)) return;
-  throw UsageError(Quoted(word) + " repeats " + Quoted(first->second) + "; an option may be given once");
+Task TaskOf(const OptionKind& option) {
+  if (const auto* pixel = std::get_if<PixelRequest>(&option.value)) return pixel->task;
+  return std::get<Request>(option.value).task;
 }
 
 void RefuseSecondTask(const OptionKind& option, const std::string& word, const Options& options) {
-  if (!IsSetting(option) && options.task != Defaults(options.program).task)
-    throw UsageError(Quoted(word) + " cannot be combined with another request");
-}
-
-std::string UsageOf(const Options& options) { return " (usage: " + Usage(options.program, options.command) + ")"; }
-
-[[noreturn]] void RefuseName(const std::string& word, const std::string& why) {
-  throw UsageError("unexpected extra argument " + Quoted(word) + why);
+  if (IsSetting(option) || options.task == Defaults(options.program).task || options.task == TaskOf(option)) return;
+  throw UsageError(Quoted(word) + " cannot be combined with another request");
 }
 
 const CommandKind& KnownCommand(Program program, const std::string& word) {
@@ -100,13 +99,22 @@ void TakeName(const std::string& word, Options& options) {
     options.image.names.push_back(word);
   } else if (!CommandsOf(options.program).empty()) {
     options.command = &KnownCommand(options.program, word);
+  } else if (options.program == Program::raypro) {
+    options.scenes.push_back(word);
   } else if (options.scene.empty()) {
     options.scene = word;
-  } else if (options.program == Program::raypro && options.picture.empty()) {
-    options.picture = word;
   } else {
     RefuseName(word, UsageOf(options));
   }
+}
+
+/// "-h 512" was meant to be a height.
+void RefuseHeight(const OptionKind& option, std::span<const std::string> words) {
+  const auto [name, attached] = SplitOption(words[0]);
+  const std::string value = attached ? *attached : words.size() > 1 ? words[1] : "";
+  if (name == option.name || ParseNumber(value).problem) return;
+  throw UsageError(Quoted("-" + name + " " + value) + ": -" + name + " is -" + option.name +
+                   "; did you mean '-height " + value + "'?");
 }
 
 /// -help anywhere is answered, whatever else is wrong. (The course's program then exits with failure; we succeed, as
@@ -116,6 +124,7 @@ std::optional<Options> HelpAnywhere(Program program, std::span<const std::string
     const OptionKind* option = LooksLikeOption(words[i]) ? FindOption(program, SplitOption(words[i]).name) : nullptr;
     const auto* request = option ? std::get_if<Request>(&option->value) : nullptr;
     if (!request || request->task != Task::help) continue;
+    RefuseHeight(*option, words.subspan(i));
     Options options = Defaults(program);
     options.task = Task::help;
     // Among other words, what follows -help is as likely a file as a topic, and plain help is never wrong.
@@ -127,11 +136,6 @@ std::optional<Options> HelpAnywhere(Program program, std::span<const std::string
     return options;
   }
   return {};
-}
-
-bool NeedsScene(Task task) {
-  return task == Task::render || task == Task::view || task == Task::check || task == Task::advise ||
-         task == Task::convert || task == Task::debug_pixel;
 }
 
 void CheckCommand(const Options& options) {
@@ -150,30 +154,6 @@ void CheckCommand(const Options& options) {
     throw UsageError(std::string(command.name) + " needs " + Counted(command.fewest, "file name") + ", got " +
                      std::to_string(options.image.names.size()) + UsageOf(options));
   rayimg::CheckTogether(command, options.image);
-}
-
-void CheckNames(const Options& options) {
-  if (!NeedsScene(options.task)) {
-    if (!options.scene.empty()) RefuseName(options.scene, "");
-    return;
-  }
-  if (options.scene.empty()) throw UsageError("no scene is named" + UsageOf(options));
-  if (options.task == Task::check && !options.report.empty())
-    throw UsageError("-report has no effect with -check, which renders nothing");
-  if (options.task == Task::render && options.picture.empty())
-    throw UsageError("no picture is named" + UsageOf(options));
-  if (options.task == Task::render && options.picture == options.report)
-    throw UsageError("the picture and the report are the same file, " + Quoted(options.report));
-}
-
-/// A single pixel has no picture, no cost worth a table and no error.
-void CheckPixel(const Options& options) {
-  if (options.task != Task::debug_pixel) return;
-  if (!options.picture.empty()) RefuseName(options.picture, "; -debugpixel writes no picture");
-  for (const char* name : {"layers", "time", "error", "reference", "replay", "checkpoint", "keep_checkpoint", "resume",
-                           "stats", "report", "denoise"})
-    if (options.IsGiven(name))
-      throw UsageError("-" + std::string(name) + " has no effect with -debugpixel, which renders nothing");
 }
 
 /// What only renders has no effect; what decides how the scene is read has.
@@ -259,27 +239,19 @@ void CheckBudget(const Options& options) {
   const Budget& budget = options.render.budget;
   if (!options.replay.empty() && budget.IsOpen()) throw UsageError("-replay and -time or -error contradict each other");
   if (!options.replay.empty() && options.resume) throw UsageError("-replay and -resume contradict each other");
+  if (options.resume && options.restart) throw UsageError("-resume and -restart contradict each other");
   if (ShowsCosts(options.render.mode) && budget.error)
     throw UsageError(std::string("-error has no effect with -mode ") + NameOf(options.render.mode) +
                      ", which shows costs");
 }
 
-/// Groningen's command names the scene alone; its picture lies beside it.
-void NamePictureOfYaml(Options& options) {
-  const std::filesystem::path scene = options.scene;
-  if (options.task == Task::render && options.picture.empty() &&
-      (scene.extension() == ".yaml" || scene.extension() == ".yml"))
-    options.picture = std::filesystem::path(scene).replace_extension(".png").string();
-}
-
 /// Everything that is wrong together, though each word is right by itself.
-void CheckTogether(const Options& options) {
+void CheckTogether(const Options& options, std::span<const std::string> words) {
   if (options.task == Task::as_course) throw UsageError("-as " + options.subject + " must come before all else");
   CheckCommand(options);
-  CheckNames(options);
+  CheckNames(options, words);
   CheckBudget(options);
   CheckSize(options.render);
-  CheckPixel(options);
   CheckConvert(options);
   CheckView(options.view);
   if (options.quiet && options.verbose) throw UsageError("-quiet and -verbose contradict each other");
@@ -287,7 +259,7 @@ void CheckTogether(const Options& options) {
 
 /// What follows from other options.
 void Derive(Options& options) {
-  const R2::ImageFormat* format = R2::FormatForName(options.picture);
+  const R2::ImageFormat* format = FormatOfPicture(options.picture);
   options.render.srgb = options.encoding.srgb && !(format && format->is_linear);
   options.render.quantization = options.encoding.quantization;
   options.render.wants_passes = !options.report.empty() && options.render.samples > 1 && options.replay.empty();
@@ -302,19 +274,20 @@ Options ReadCommandLine(Program program, std::span<const std::string> words) {
   if (const auto help = HelpAnywhere(program, words)) return *help;
 
   Options options = Defaults(program);
-  Seen seen;
+  std::set<const OptionKind*> seen;
+  const bool renders = CommandsOf(program).empty();
   bool only_names = false;
   for (std::size_t i = 0; i < words.size();) {
     const std::string& word = words[i];
     if (!only_names && word == "--") {
       only_names = true;
       ++i;
-    } else if (only_names || !LooksLikeOption(word)) {
+    } else if (only_names || !(LooksLikeOption(word) || (renders && IsOfPovRay(word)))) {
       TakeName(word, options);
       ++i;
     } else {
       const OptionKind& option = Known(program, word);
-      RefuseRepetition(option, word, seen);
+      seen.insert(&option);
       RefuseSecondTask(option, word, options);
       const Arguments arguments = TakeArguments(option, words.subspan(i));
       Store(option, arguments.values, options);
@@ -322,10 +295,10 @@ Options ReadCommandLine(Program program, std::span<const std::string> words) {
     }
   }
 
-  for (const auto& [option, spelled] : seen) options.given.emplace_back(option->name);
+  for (const OptionKind* option : seen) options.given.emplace_back(option->name);
   ApplyPreset(options);
-  NamePictureOfYaml(options);
-  CheckTogether(options);
+  ShareNames(options);
+  CheckTogether(options, words);
   Derive(options);
   return options;
 }

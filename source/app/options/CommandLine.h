@@ -8,7 +8,8 @@
 namespace ray {
 
 /// What the words behind a program's name ask for. Names and options in any order; -width 512, --width 512 and
-/// -width=512 are the same; behind "--" everything is a name. Throws UsageError.
+/// -width=512 are the same; of an option given twice the last counts; behind "--" everything is a name. Throws
+/// UsageError.
 Options ReadCommandLine(Program program, std::span<const std::string> words);
 
 /// Works out what follows from the options of a scene's picture once its own settings are among them, and throws

@@ -239,6 +239,7 @@ Options ReadCommandLine(std::span<const std::string> words) {
   }
   const Asked asked = Read(words);
   Options options = ray::ReadCommandLine(Program::raypro, RayprosWords(asked));
+  options.as_course = true;
   if (!(asked.position == R3::Vector{}) || asked.angle != 0)
     options.render.view = ViewFrom(asked.position, asked.axis, asked.angle);
   return options;

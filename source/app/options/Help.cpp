@@ -145,18 +145,24 @@ const ProgramText& TextOf(Program program) {
   static const ProgramText of_raypro{
       .names = "scene picture",
       .summary = "render a scene by ray tracing",
-      .description = "Renders a scene file; the extensions choose the formats (raypro -list).\n",
+      .description =
+          "Renders a scene file; the extensions choose the formats (raypro -list). The name - is standard input as a "
+          "scene,\n"
+          "in .scn, and standard output as a picture, in PNG.\n",
       .examples =
           "  raypro scenes/hello.scn hello.jpg -width 512 -height 512 -samples 16\n"
           "  raypro scenes/hello.scn part.png -crop 100 100 160 140 -bits 16\n"
+          "  raypro scenes/hello.scn scenes/glass.scn -out_folder images\n"
+          "  raypro - - < scenes/hello.scn > hello.png\n"
           "  raypro scenes/hello.scn -check\n"
           "  raypro scenes/hello.scn -debugpixel 128 100\n",
-      .statuses = {{"0", "Success."},
-                   {"1", "Failed while rendering."},
-                   {"2", "Wrong arguments."},
-                   {"3", bad_scene},
-                   {"4", "The picture cannot be written."},
-                   {"130, 143", "Interrupted by SIGINT or SIGTERM; the picture so far is saved."}}};
+      .statuses = {
+          {"0", "Success."},
+          {"1", "Failed while rendering."},
+          {"2", "Wrong arguments."},
+          {"3", bad_scene},
+          {"4", "The picture cannot be written."},
+          {"130, 143", "Interrupted by SIGINT or SIGTERM; the picture so far is saved, never over a finished one."}}};
   static const ProgramText of_rayview{
       .names = "scene",
       .summary = "view a scene, and ray trace the view",

@@ -71,6 +71,11 @@ std::string SeeAlso(Program program) {
   return ".SH SEE ALSO\n" + text + ".BR scn (5)\n";
 }
 
+constexpr const char* interruption =
+    "A render that is interrupted leaves the picture so far, whole and noisy, and a checkpoint from which \\-resume "
+    "continues: out.png and out.png.checkpoint, or, where a finished picture has the name and stays, out.partial.png "
+    "and out.partial.png.checkpoint. Where there is a checkpoint, a render needs \\-resume or \\-restart.\n";
+
 std::string UpperCase(std::string text) {
   std::ranges::transform(text, text.begin(), [](char c) { return c >= 'a' && c <= 'z' ? c - 'a' + 'A' : c; });
   return text;
@@ -99,9 +104,10 @@ std::string ManualPage(Program program) {
          (takes_scene ? "File name extensions choose the formats;\n.B " + name + " \\-list\nlists them.\n" : "") +
          "Options and names come in any order; \\-name value, \\-\\-name value and \\-name=value mean the same.\n"
          "A picture is written to a temporary file beside its name and renamed when it is complete.\n" +
-         CommandSections(program) + ".SH OPTIONS\n" + Entries(program) + (takes_scene ? SceneLanguages() : "") +
-         ".SH EXIT STATUS\n" + Tagged(about.statuses) + ".SH ENVIRONMENT\n" + Tagged(environment) +
-         ".SH EXAMPLES\n.nf\n" + Roff(about.examples) + ".fi\n" + SeeAlso(program);
+         (program == Program::raypro ? interruption : "") + CommandSections(program) + ".SH OPTIONS\n" +
+         Entries(program) + (takes_scene ? SceneLanguages() : "") + ".SH EXIT STATUS\n" + Tagged(about.statuses) +
+         ".SH ENVIRONMENT\n" + Tagged(environment) + ".SH EXAMPLES\n.nf\n" + Roff(about.examples) + ".fi\n" +
+         SeeAlso(program);
 }
 
 }  // namespace ray

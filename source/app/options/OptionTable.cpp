@@ -42,6 +42,13 @@ std::vector<std::string> SceneFormatNames() {
   return names;
 }
 
+std::vector<std::string> ImageExtensionNames() {
+  std::vector<std::string> names;
+  for (const R2::ImageFormat& format : R2::ImageFormats())
+    names.insert(names.end(), format.extensions.begin(), format.extensions.end());
+  return names;
+}
+
 std::vector<std::string> ContextNames() { return {context_names.begin(), context_names.end()}; }
 
 std::vector<std::string> Shells() { return {"bash", "zsh", "fish"}; }
@@ -218,6 +225,8 @@ std::vector<OptionKind> MakeTable() {
        "", "quality", "write a checkpoint this often, beside the image; a signal always writes one"},
       {"resume", raypro, {}, {}, Flag{AT(resume)}, "", "quality",
        "resume from the checkpoint, to a bit-identical image; with more -samples, add to them"},
+      {"restart", raypro, {}, {}, Flag{AT(restart)}, "", "quality",
+       "render from the start, and forget the checkpoint of an interrupted render"},
       {"keep_checkpoint", raypro, {}, {}, Flag{AT(keep_checkpoint)}, "", "quality",
        "keep the checkpoint of a finished image, so that -resume can add samples"},
 
@@ -255,6 +264,11 @@ std::vector<OptionKind> MakeTable() {
       {"convert", raypro, {}, {"out.scn"}, Request{Task::convert, Request::always}, "", "scene",
        "write the scene, of whatever format, as .scn: the same image, without rendering"},
 
+      {"out_folder", raypro, {}, {"folder"}, FileName{AT(out_folder)}, "", "batch",
+       "render every scene named, each to an image of its name in this folder"},
+      {"out_format", raypro, {}, {"extension"}, OneOfNames(AT(out_format), ImageExtensionNames), "", "batch",
+       "format of the images in -out_folder"},
+
       {"quiet", both, {}, {}, Flag{AT(quiet)}, "", "messages", "print errors and warnings only"},
       {"verbose", both, {"v"}, {}, Flag{AT(verbose)}, "", "messages", "report each step and how long it took"},
       {"explain", raypro, {}, {}, Flag{AT(explain)}, "", "messages",
@@ -264,6 +278,8 @@ std::vector<OptionKind> MakeTable() {
        "print the ray tree of a pixel (x from the left, y from the bottom), without rendering"},
       {"report", raypro, {}, {"file.json"}, FileName{AT(report)}, "", "messages",
        "write settings and statistics as JSON"},
+      {"keep_times", both, {}, {}, Flag{AT(keep_times)}, "", "messages",
+       "keep seconds and threads in the image; without, the same command gives the same bytes"},
 
       {"help", all, {"h"}, {"topic"}, Request{Task::help, Request::perhaps, HelpSubjects<program>}, "", "about",
        "print this help, or that on one topic, command or option"},

@@ -129,7 +129,9 @@ bool MayBeRepeated(const OptionKind& option);
 
 /// The value in force, as it would be typed; empty when there is none.
 std::string Show(const OptionKind& option, const Options& options);
-/// The words that lead from the defaults to the value in force: "-motion", "0", "1", "0"; none when they are the same.
+/// The words that ask for the value in force: "-motion", "0", "1", "0"; none when there is none.
+std::vector<std::string> Typed(const OptionKind& option, const Options& options);
+/// The same, but none where the value is that of the defaults.
 std::vector<std::string> Typed(const OptionKind& option, const Options& options, const Options& defaults);
 /// What may be typed: "1..1073741824 pixels", "on or off"; empty when anything may, or nothing.
 std::string Range(const OptionKind& option);

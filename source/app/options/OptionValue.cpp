@@ -214,8 +214,12 @@ std::string Show(const OptionKind& option, const Options& options) {
 }
 
 std::vector<std::string> Typed(const OptionKind& option, const Options& options, const Options& defaults) {
+  return Show(option, options) == Show(option, defaults) ? std::vector<std::string>() : Typed(option, options);
+}
+
+std::vector<std::string> Typed(const OptionKind& option, const Options& options) {
   const std::string name = "-" + std::string(option.name), value = Show(option, options);
-  if (value.empty() || value == Show(option, defaults)) return {};
+  if (value.empty()) return {};
   if (std::holds_alternative<Flag>(option.value)) return {name};
   std::vector<std::string> words;
   if (const auto* list = std::get_if<FolderList>(&option.value)) {

@@ -57,8 +57,11 @@ inline constexpr std::array context_names{"auto", "egl", "osmesa"};
 /// Everything the command line decides. Ranges, units and help are in the option table; the defaults are here.
 struct Options {
   Program program = Program::raypro;
-  std::vector<std::string> given;  // the options that were typed, by name and without the dash
-  std::string scene, picture;      // as typed; empty where the task needs none, or where rayview is to choose a name
+  std::vector<std::string> given;              // the options that were typed, by name and without the dash
+  bool as_course = false;                      // typed in the words of a course, which say more than ours could
+  std::vector<std::string> scenes;             // as typed, of a command that renders each into out_folder; else empty
+  std::string out_folder, out_format = "png";  // an extension
+  std::string scene, picture;  // as typed; empty where the task needs none, or where rayview is to choose a name
 
   RenderSettings render;
   AcceleratorSettings accelerator;
@@ -69,14 +72,15 @@ struct Options {
   rayimg::Options image;
 
   bool quiet = false, verbose = false, stats = false, explain = false;
-  std::string report;  // file name; empty for no report
-  double memory = 0;   // GiB that the program may take; 0: three quarters of the machine's
+  std::string report;       // file name; empty for no report
+  bool keep_times = false;  // in the picture
+  double memory = 0;        // GiB that the program may take; 0: three quarters of the machine's
 
   std::string quality = "custom";      // a row of the presets, or none of them
   std::vector<std::string> reference;  // at most two files
   std::vector<Layer> layers;           // beside the picture
   double checkpoint = 0;               // seconds between two; 0: only when a signal ends the run
-  bool resume = false, keep_checkpoint = false;
+  bool resume = false, restart = false, keep_checkpoint = false;
   std::string replay;  // file name of a report; empty for none
 
   Task task = Task::render;

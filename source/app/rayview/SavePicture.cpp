@@ -8,37 +8,25 @@
 
 #include "source/app/files/SceneHash.h"
 #include "source/app/options/Help.h"
-#include "source/app/options/OptionTable.h"
-#include "source/text/Words.h"
+#include "source/app/options/SceneSettings.h"
 #include "source/scene/CameraText.h"
 
 namespace ray {
 namespace {
 
-/// A file's name that is not taken for an option.
-std::string AsName(const std::string& name) { return LooksLikeOption(name) ? "./" + name : name; }
-
 RunStats RecordOf(const Options& options, const LoadedScene& scene, const RenderResult& result, double seconds) {
   RunStats record;
   record.options = options;
-  record.command = RayproCommand(options);
+  record.picture = options.picture;
   record.scene.hash = SceneHash(scene.parsed.scene.files);
+  record.scene.settings = SettingsInForce(scene.parsed.scene, options);
+  record.threads = ThreadsOf(options.render);
   record.seconds.wall = seconds;
   record.Take(result);
   return record;
 }
 
 }  // namespace
-
-std::string RayproCommand(const Options& options) {
-  std::vector<std::string> words{AsName(options.scene), AsName(options.picture)};
-  for (const OptionKind& option : OptionTable(Program::raypro)) {
-    if (!IsSetting(option) || std::string(option.topic) == "messages") continue;
-    const auto typed = Typed(option, options, Defaults(Program::raypro));
-    words.insert(words.end(), typed.begin(), typed.end());
-  }
-  return CommandAsTyped(words);
-}
 
 std::string SaveTraced(const PictureOutput* output, Options options, const LoadedScene& scene,
                        const RenderResult& result, double seconds) {
@@ -49,7 +37,7 @@ std::string SaveTraced(const PictureOutput* output, Options options, const Loade
   options.picture = place.file.name;
   const RunStats record = RecordOf(options, scene, result, seconds);
   try {
-    WritePicture({place.format, place.file, {}, {}}, result, {}, record);
+    WritePicture({place.format, place.file, {}, {}, {}}, result, {}, record);
   } catch (...) {
     std::error_code ignored;
     if (!output) std::filesystem::remove(place.file.target, ignored);  // claimed, and still empty

@@ -7,12 +7,7 @@
 
 namespace ray {
 
-/// The raypro command that makes the picture which rayview traces, but for the camera: scene, picture, and every option
-/// that is not raypro's default.
-std::string RayproCommand(const Options& options);
-
-/// Writes what was traced as raypro would, byte for byte but for the words in it: those add the camera when it is not
-/// the scene's own.
+/// Writes what was traced as raypro would, byte for byte; where the camera is not the scene's own, the picture keeps it.
 ///   output    null: the next free name, see ClaimImageName
 ///   options   with `render` as it was traced
 ///   result    complete

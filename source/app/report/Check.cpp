@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <span>
 
 #include "source/text/Quoting.h"
 #include "source/text/Words.h"
@@ -84,6 +85,56 @@ bool ShinesItself(const World& world) {
   return std::ranges::any_of(world.Instances(), [](const Instance& i) { return !IsBlack(i.material->emission); });
 }
 
+bool IsLit(const World& world) {
+  const Scene& scene = world.scene();
+  return scene.environment || ShinesItself(world) ||
+         !std::ranges::all_of(scene.lights, [](const auto& light) { return light->IsBlack(); });
+}
+
+/// Whether all of the instance is on the outer side of one of the planes through the eye.
+bool IsOutsideView(const World& world, const Instance& instance, const R3::Point& eye,
+                   std::span<const R3::Vector> inward) {
+  const R3::Box box = WorldBounds(world, instance);
+  return !box.IsEmpty() && std::ranges::any_of(inward, [&](const auto& side) { return IsOutside(box, eye, side); });
+}
+
+/// Solids around the point that are not clear: inside of glass one may well look out.
+std::uint64_t ObstaclesAround(const World& world, const R3::Point& point, bool ask_meshes) {
+  return static_cast<std::uint64_t>(std::ranges::count_if(world.Instances(), [&](const Instance& instance) {
+    return IsBlack(instance.material->kt) && (ask_meshes || instance.shape->IsSolid()) &&
+           WorldBounds(world, instance).Contains(point) && IsInside(world, instance, point);
+  }));
+}
+
+/// Those of the scene as a whole.
+std::vector<std::string> SceneMistakes(const World& world, const RenderSettings& settings, bool ask_meshes) {
+  const Scene& scene = world.scene();
+  const Camera camera = settings.view.value_or(scene.camera);
+  const std::string warning = (scene.files.empty() ? "scene" : Escaped(scene.files[0])) + ": warning: ";
+  const auto inward = InwardSides(camera, settings);
+  const auto is_outside = [&](const Instance& i) { return IsOutsideView(world, i, camera.eye, inward); };
+  std::vector<std::string> mistakes;
+  if (world.Instances().empty())
+    mistakes.push_back(warning + "nothing in the scene can be seen");
+  else if (std::ranges::all_of(world.Instances(), is_outside))
+    mistakes.push_back(warning + "nothing in the scene is in view of the camera");
+  if (!IsLit(world))
+    mistakes.push_back(warning + "the scene is unlit" + (scene.lights.empty() ? "" : "; every light is black"));
+  if (const std::uint64_t solids = ObstaclesAround(world, camera.eye, ask_meshes); solids > 0)
+    mistakes.push_back(warning + "the camera is inside " + Counted(solids, "shape"));
+  return mistakes;
+}
+
+/// Those of single shapes.
+void AddShapeMistakes(std::vector<std::string>& mistakes, const World& world, const RenderSettings& settings) {
+  Point(mistakes, world, "is degenerate and cannot be hit", [](const Instance& i) { return i.shape->IsDegenerate(); });
+  Point(mistakes, world, "has a texture but no texture coordinates",
+        [](const Instance& i) { return i.material->texture && !i.shape->HasTextureCoordinates(); });
+  if (settings.mode == RenderMode::whitted && !settings.trace.emissive_solids_light)
+    Point(mistakes, world, "emits but lights nothing in mode whitted; -mode path makes it a light",
+          [](const Instance& i) { return !IsBlack(i.material->emission) && !i.mesh; });
+}
+
 }  // namespace
 
 int SolidsAround(const World& world, const R3::Point& point) {
@@ -92,32 +143,21 @@ int SolidsAround(const World& world, const R3::Point& point) {
   }));
 }
 
+std::vector<std::string> PlainMistakes(const World& world, const RenderSettings& settings) {
+  constexpr std::size_t most_instances = 10'000;  // 4 ms: 1,200 instructions each, counted by cachegrind
+  if (world.Instances().size() > most_instances) return {};
+  std::vector<std::string> mistakes = SceneMistakes(world, settings, false);
+  AddShapeMistakes(mistakes, world, settings);
+  return mistakes;
+}
+
 std::vector<std::string> LikelyMistakes(const World& world, const RenderSettings& settings) {
-  const Scene& scene = world.scene();
-  const std::string file = scene.files.empty() ? "scene" : Escaped(scene.files[0]);
-  std::vector<std::string> mistakes;
-
-  if (world.Instances().empty()) mistakes.push_back(file + ": warning: nothing in the scene can be seen");
-  if (std::ranges::all_of(scene.lights, [](const auto& light) { return light->IsBlack(); }) && !ShinesItself(world))
-    mistakes.push_back(file + ": warning: the scene is unlit" + (scene.lights.empty() ? "" : "; every light is black"));
-  if (const int solids = SolidsAround(world, scene.camera.eye); solids > 0)
-    mistakes.push_back(file + ": warning: the camera is inside " +
-                       Counted(static_cast<std::uint64_t>(solids), "shape"));
-
-  Point(mistakes, world, "is degenerate and cannot be hit", [](const Instance& i) { return i.shape->IsDegenerate(); });
-  Point(mistakes, world, "has a texture but no texture coordinates",
-        [](const Instance& i) { return i.material->texture && !i.shape->HasTextureCoordinates(); });
-
-  if (settings.mode == RenderMode::whitted && !settings.trace.emissive_solids_light)
-    Point(mistakes, world, "emits but lights nothing in mode whitted; -mode path makes it a light",
-          [](const Instance& i) { return !IsBlack(i.material->emission) && !i.mesh; });
-
-  const auto inward = InwardSides(scene.camera, settings);
-  Point(mistakes, world, "lies outside the view", [&](const Instance& i) {
-    const R3::Box box = WorldBounds(world, i);
-    return !box.IsEmpty() &&
-           std::ranges::any_of(inward, [&](const R3::Vector& side) { return IsOutside(box, scene.camera.eye, side); });
-  });
+  std::vector<std::string> mistakes = SceneMistakes(world, settings, true);
+  AddShapeMistakes(mistakes, world, settings);
+  const R3::Point eye = settings.view.value_or(world.scene().camera).eye;
+  const auto inward = InwardSides(settings.view.value_or(world.scene().camera), settings);
+  Point(mistakes, world, "lies outside the view",
+        [&](const Instance& i) { return IsOutsideView(world, i, eye, inward); });
   return mistakes;
 }
 

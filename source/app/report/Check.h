@@ -11,7 +11,11 @@ namespace ray {
 /// What -check prints: what is in the scene, and how much memory it and its picture take.
 std::string SceneSummary(const World& world, const RenderSettings& settings);
 
-/// What its author may not have meant: a camera inside something, no light, shapes that cannot be seen...
+/// What its author may not have meant and every render points out: a camera inside a solid, no light, nothing in view,
+/// shapes that cannot be hit... Nothing for scenes so large that looking would take noticeable time.
+std::vector<std::string> PlainMistakes(const World& world, const RenderSettings& settings);
+
+/// What -check points out: the same in any scene, and also shapes outside the view and meshes around the camera.
 std::vector<std::string> LikelyMistakes(const World& world, const RenderSettings& settings);
 
 /// How many of the solids and meshes hold the point inside: a ray from it crosses their surface an odd number of times.

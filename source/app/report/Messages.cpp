@@ -2,6 +2,8 @@
 
 #include <unistd.h>
 
+#include "source/app/report/Terminal.h"
+
 namespace ray {
 
 void TellPart(const std::string& text) {
@@ -9,7 +11,9 @@ void TellPart(const std::string& text) {
 }
 
 // One write a line: lines of several processes do not mix.
-void PrintError(const std::string& line) { TellPart(line + "\n"); }
+void PrintError(const std::string& line) { TellPart((HasColors() ? Colored(line) : line) + "\n"); }
+
+void PrintFailure(const std::string& line) { TellPart((HasColors() ? ColoredFailure(line) : line) + "\n"); }
 
 void TellAll(std::span<const std::string> lines) {
   for (const std::string& line : lines) PrintError(line);

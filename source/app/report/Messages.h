@@ -5,8 +5,11 @@
 
 namespace ray {
 
-/// Writes a line to standard error. One that is full or closed costs the message and nothing else.
+/// Writes a line to standard error, in colors if that is a terminal. One that is full or closed costs the message and
+/// nothing else.
 void PrintError(const std::string& line);
+/// The same for what ends the program.
+void PrintFailure(const std::string& line);
 void TellAll(std::span<const std::string> lines);
 /// The same without an end of line.
 void TellPart(const std::string& text);

@@ -1,11 +1,9 @@
 #include "source/app/report/Progress.h"
 
-#include <unistd.h>
-
 #include <cmath>
-#include <cstdlib>
 
 #include "source/app/report/Messages.h"
+#include "source/app/report/Terminal.h"
 #include "source/text/Words.h"
 
 namespace ray {
@@ -13,17 +11,7 @@ namespace {
 
 constexpr const char* to_line_start_and_clear = "\r\033[K";
 
-bool IsSet(const char* variable) {
-  const char* value = std::getenv(variable);
-  return value && *value;
-}
-
-bool IsDumbTerminal() {
-  const char* terminal = std::getenv("TERM");
-  return !terminal || !*terminal || std::string(terminal) == "dumb";
-}
-
-std::string Bold(const std::string& text) { return IsSet("NO_COLOR") ? text : "\033[1m" + text + "\033[0m"; }
+std::string Bold(const std::string& text) { return HasColors() ? "\033[1m" + text + "\033[0m" : text; }
 
 std::string TwoDigits(std::int64_t n) { return (n < 10 ? "0" : "") + std::to_string(n); }
 
@@ -31,7 +19,7 @@ std::string TwoDigits(std::int64_t n) { return (n < 10 ? "0" : "") + std::to_str
 
 ProgressStyle ChooseProgressStyle(bool quiet) {
   if (quiet) return ProgressStyle::none;
-  return isatty(STDERR_FILENO) && !IsDumbTerminal() ? ProgressStyle::terminal : ProgressStyle::log;
+  return HasTerminal() ? ProgressStyle::terminal : ProgressStyle::log;
 }
 
 std::string DurationText(double seconds) {

@@ -3,7 +3,6 @@
 #include <signal.h>
 
 #include <algorithm>
-#include <thread>
 #include <tuple>
 
 #include "source/app/Interrupt.h"
@@ -11,23 +10,21 @@
 #include "source/app/files/OutputFile.h"
 #include "source/app/files/SceneHash.h"
 #include "source/app/options/OptionTable.h"
+#include "source/app/options/PictureName.h"
 #include "source/app/options/SceneSettings.h"
+#include "source/app/report/Check.h"
 #include "source/app/report/Messages.h"
 #include "source/render/SceneFeatures.h"
+#include "source/text/Quoting.h"
 #include "source/text/Words.h"
 
 namespace ray {
 namespace {
 
-int ThreadsOf(const RenderSettings& settings) {
-  if (settings.threads > 0) return settings.threads;
-  return static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-}
-
 /// "-focus has no effect without -aperture": options that were typed and this picture, or this accelerator, makes no
 /// use of.
 std::vector<std::string> OptionsWithoutEffect(const Options& options) {
-  const R2::ImageFormat* format = R2::FormatForName(options.picture);
+  const R2::ImageFormat* format = FormatOfPicture(options.picture);
   const std::string kind = format ? format->name : "", on_format = "on the format " + kind;
   const RenderSettings& render = options.render;
   const bool is_grid = render.trace.sampler == SamplerKind::grid, has_lens = render.camera.HasLens();
@@ -54,7 +51,7 @@ std::vector<std::string> OptionsWithoutEffect(const Options& options) {
   return lines;
 }
 
-std::vector<std::string> ExplainRender(const RunStats& stats) {
+std::vector<std::string> ExplainRender(const World& world, const RunStats& stats) {
   const auto listed = [](const std::vector<std::string>& words) {
     std::string list;
     for (const std::string& word : words) list += (list.empty() ? "" : ", ") + word;
@@ -67,6 +64,8 @@ std::vector<std::string> ExplainRender(const RunStats& stats) {
     if (IsSetting(option) && std::string(option.topic) != "messages" && !Show(option, stats.options).empty())
       settings += " -" + std::string(option.name) + " " + Show(option, stats.options);
   lines.push_back("all settings:" + settings);
+  if (world.scene().has_default_camera) lines.emplace_back("the scene names no camera: the default one is used");
+  if (world.scene().has_default_lights) lines.emplace_back("the scene names no light: the default ones shine");
   for (const std::string& line : stats.scene.settings) lines.push_back("set by the scene: " + line);
   return lines;
 }
@@ -75,6 +74,7 @@ std::vector<std::string> ExplainRender(const RunStats& stats) {
 
 RunLog::RunLog(const Options& options, std::span<const std::string> words) {
   stats_.options = options;
+  stats_.picture = options.picture;
   stats_.command = CommandAsTyped(words);
   stats_.threads = ThreadsOf(options.render);
 }
@@ -97,6 +97,7 @@ void RunLog::Loaded(const ParsedScene& parsed, const Options& options) {
 void RunLog::Built(const World& world, const Accelerator& accelerator) {
   stats_.seconds.build = watch_.Lap();
   for (const std::string& line : world.Warnings()) Warn(line);
+  for (const std::string& line : PlainMistakes(world, stats_.options.render)) Warn(line);
   stats_.scene.nodes = static_cast<std::int64_t>(world.Nodes().size());
   stats_.scene.instances = static_cast<std::int64_t>(world.Instances().size());
   stats_.scene.primitives = world.Primitives();
@@ -109,7 +110,7 @@ void RunLog::Built(const World& world, const Accelerator& accelerator) {
   if (stats_.options.explain) {
     for (const std::string& line : accelerator.reasons) PrintError("raypro: " + line);
     for (const std::string& line : accelerator.Explain()) PrintError("raypro: " + line);
-    for (const std::string& line : ExplainRender(stats_)) PrintError("raypro: " + line);
+    for (const std::string& line : ExplainRender(world, stats_)) PrintError("raypro: " + line);
   }
   PrintStep(
       "built " + accelerator.kind + " over " + Counted(static_cast<std::uint64_t>(world.Primitives()), "primitive"),
@@ -134,21 +135,29 @@ void RunLog::Rendered(const RenderResult& result) {
   if (result.error_before_denoising) PrintStep("of that, denoised", result.denoise_seconds);
 }
 
-void RunLog::Written() {
+void RunLog::Written(const std::string& picture) {
+  stats_.picture = picture;
+  const bool has_file = stats_.options.picture != standard_stream;
   stats_.seconds.write = watch_.Lap();
   stats_.seconds.wall = watch_.Total();
   stats_.seconds.cpu = CpuSeconds();
   stats_.peak_memory = PeakMemory();
   PrintStep("wrote the picture", stats_.seconds.write);
-  if (stats_.pixels_done == 0) PrintError("raypro: stopped before the first pixel; there is no picture to save");
-  if (!stats_.IsComplete()) PrintError("raypro: progress saved; -resume continues from it");
+  if (stats_.pixels_done == 0)
+    PrintError("raypro: stopped before the first pixel; there is no picture to save");
+  else if (!stats_.IsComplete() && has_file && picture != stats_.options.picture)
+    PrintError("raypro: " + QuotedPath(stats_.options.picture) + " is left as it was; the picture so far is " +
+               QuotedPath(picture));
+  if (!stats_.IsComplete() && has_file) PrintError("raypro: progress saved; -resume continues from it");
 }
 
 // The picture is safe by now, so the run fails only where what was asked for could not be told.
 void RunLog::Summarize() const {
-  if (stats_.options.stats) WriteStandardOutput(Statistics(stats_));
+  // Where the picture takes standard output, words go to standard error.
+  const auto write = stats_.options.picture == standard_stream ? TellPart : WriteStandardOutput;
+  if (stats_.options.stats) write(Statistics(stats_));
   try {
-    if (!stats_.options.quiet && stats_.pixels_done > 0) WriteStandardOutput(FinalLine(stats_) + QualityLines(stats_));
+    if (!stats_.options.quiet && stats_.pixels_done > 0) write(FinalLine(stats_) + QualityLines(stats_));
   } catch (const OutputError& error) {
     PrintError("raypro: " + std::string(error.what()));
   }

@@ -18,7 +18,8 @@ class RunLog {
   void Rendered(const RenderResult& result);
   /// With what -reference names, in the unit of the estimated error.
   void Compared(double true_error);
-  void Written();
+  /// `picture`: where it went.
+  void Written(const std::string& picture);
   /// The results, on standard output, unless -quiet. Throws OutputError when statistics that were asked for cannot be
   /// written.
   void Summarize() const;

@@ -1,8 +1,10 @@
 #include "source/app/report/RunStats.h"
 
 #include <cmath>
+#include <thread>
 #include <tuple>
 
+#include "source/app/options/RayproCommand.h"
 #include "source/scene/CameraText.h"
 #include "source/text/Quoting.h"
 #include "source/text/Words.h"
@@ -110,17 +112,29 @@ void RunStats::Take(const RenderResult& result) {
   seconds.denoise = result.denoise_seconds;
 }
 
+int ThreadsOf(const RenderSettings& settings) {
+  if (settings.threads > 0) return settings.threads;
+  return static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+}
+
 std::string CommandAsTyped(std::span<const std::string> words) {
   return words.empty() ? "raypro" : "raypro " + ShellLine(words);
 }
 
 R2::ImageSettings SettingsInPicture(const RunStats& record) {
   R2::ImageSettings settings{
-      {"program", "raypro " RAYPRO_VERSION},      {"command", record.command},
-      {"scene_hash", record.scene.hash},          {"seed", std::to_string(record.options.render.seed)},
-      {"samples", SamplesText(record)},           {"accel", record.options.accelerator.name},
-      {"seconds", Fixed(record.seconds.wall, 3)}, {"pixels", PixelsText(record)},
+      {"program", "raypro " RAYPRO_VERSION},
+      {"command", record.options.as_course ? record.command : RayproCommand(record.options)},
+      {"scene_hash", record.scene.hash},
+      {"seed", std::to_string(record.options.render.seed)},
+      {"samples", SamplesText(record)},
+      {"accel", record.options.accelerator.name},
+      {"pixels", PixelsText(record)},
   };
+  if (record.options.keep_times) {
+    settings["seconds"] = Fixed(record.seconds.wall, 3);
+    settings["threads"] = std::to_string(record.threads);
+  }
   if (const auto& view = record.options.render.view) settings["camera"] = CameraLine(*view);
   for (const std::string& setting : record.scene.settings)
     settings["scene_settings"] += (settings["scene_settings"].empty() ? "" : ", ") + setting;
@@ -128,7 +142,7 @@ R2::ImageSettings SettingsInPicture(const RunStats& record) {
 }
 
 std::string FinalLine(const RunStats& record) {
-  return Escaped(record.options.picture) + " " + std::to_string(record.width) + "x" + std::to_string(record.height) +
+  return Escaped(record.picture) + " " + std::to_string(record.width) + "x" + std::to_string(record.height) +
          " " + SamplesText(record) + " spp " + Fixed(record.seconds.wall, 2) + " s " +
          Fixed(MegaraysPerSecond(record), 1) + " Mrays/s" +
          (record.IsComplete() ? "" : " (stopped by " + record.stop + ", " + PixelsText(record) + ")") + "\n";

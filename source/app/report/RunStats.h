@@ -15,6 +15,7 @@ namespace ray {
 struct RunStats {
   Options options;
   std::string command;  // as typed
+  std::string picture;  // the file it went to
 
   struct {
     std::string hash;
@@ -30,7 +31,7 @@ struct RunStats {
     double denoise = 0;  // a part of render
   } seconds;
   std::int64_t peak_memory = 0;  // bytes
-  int threads = 1;
+  int threads = 1;  // that work
   int width = 0, height = 0;  // of the picture that is written
   std::int64_t pixels_done = 0, pixels_total = 0;
   std::vector<std::string> warnings;
@@ -52,11 +53,15 @@ struct RunStats {
   bool IsComplete() const { return stop == "samples" || stop == "time" || stop == "error"; }
 };
 
+/// How many threads work on a picture.
+int ThreadsOf(const RenderSettings& settings);
+
 /// "scene.scn picture.jpg -width 512" with the program's name before it. No path that the user did not type: of the
 /// program, which the shell may have found anywhere, the bare name.
 std::string CommandAsTyped(std::span<const std::string> words);
 
-/// What is kept in the picture itself.
+/// What is kept in the picture itself. The same options make the same words on any day and any machine, but with
+/// -keep_times.
 R2::ImageSettings SettingsInPicture(const RunStats& stats);
 
 /// "out.jpg 512x512 16 spp 1.83 s 14.2 Mrays/s"

@@ -73,8 +73,10 @@ std::string SceneSummary(const World& world, const RenderSettings& settings) {
       Line("materials", scene.materials.size()) + Line("textures", shared.textures.size()) +
       Line("bounds", BoundsText(scene.root.bounds)) +
       Line("camera", "at " + ThreeDecimals(scene.camera.eye) + ", towards " + ThreeDecimals(scene.camera.towards) +
-                         ", half angle " + Fixed(scene.camera.xfov, 3) + " rad") +
-      Line("lights", scene.lights.size());
+                         ", half angle " + Fixed(scene.camera.xfov, 3) + " rad" +
+                         (scene.has_default_camera ? " (the default: the scene names none)" : "")) +
+      Line("lights", std::to_string(scene.lights.size()) +
+                         (scene.has_default_lights ? " (the default: the scene names none)" : ""));
   for (const auto& light : scene.lights) text += "  " + light->Describe() + "\n";
   const double megabytes = 1e-6 * static_cast<double>(Memory(world, shared, settings));
   return text + Line("memory", "about " + Fixed(megabytes, 1) + " MB with the picture");

@@ -112,6 +112,9 @@ void ScnReader::UnknownCommand(const Token& word) {
   } else if (const auto hint = ForeignHint(word.text); !hint.empty()) {
     Error(ErrorAt(*file.text, word, Quoted(word.text) + " is a command of another .scn dialect", std::string(hint)));
     file.tokens.SkipLine(word.line);  // "particle_sink sphere ..." is no sphere
+  } else if (std::string ours = HintForOtherPrograms(word.text); !ours.empty()) {
+    Error(ErrorAt(*file.text, word, "unknown command " + Quoted(word.text), std::move(ours)));
+    file.tokens.SkipLine(word.line);
   } else {
     Error(ErrorAt(*file.text, word, "unknown command " + Quoted(word.text),
                   Suggestion(word.text, CommandNames(), "commands")));

@@ -1,5 +1,6 @@
 #include <array>
 #include <numbers>
+#include <utility>
 
 #include "source/parse/scn/ScnReader.h"
 
@@ -32,7 +33,8 @@ void CheckView(Statement& statement, const Arguments& read) {
 }
 
 void ReadCamera(ScnReader& reader, Statement& statement) {
-  reader.Builder().has_camera = true;
+  if (std::exchange(reader.Builder().has_camera, true))
+    reader.Warn(statement, "the scene has a camera already; the last one counts");
   const Arguments read = statement.Numbers(camera_arguments);
   if (statement.IsGood()) CheckView(statement, read);
   if (!statement.IsGood()) return;

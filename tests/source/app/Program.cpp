@@ -61,6 +61,7 @@ void BreakPipe(int descriptor) {
 
 [[noreturn]] void Become(const Prepared& prepared, const Surroundings& surroundings, const std::string& output,
                          const std::string& error) {
+  if (!surroundings.standard_input.empty()) dup2(open(surroundings.standard_input.c_str(), O_RDONLY), STDIN_FILENO);
   Redirect(STDOUT_FILENO, output);
   Redirect(STDERR_FILENO, error);
   if (surroundings.break_output) BreakPipe(STDOUT_FILENO);

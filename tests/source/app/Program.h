@@ -40,6 +40,7 @@ struct Surroundings {
   const char* program = "RAYPRO";                  // the variable that names it
   std::string standard_output{};                   // a file; empty: collected
   std::string standard_error{};                    // likewise
+  std::string standard_input{};                    // a file; empty: as it is for the test
   bool close_output = false, close_error = false;  // descriptors not open at all
   bool break_output = false;                       // a pipe that nobody reads
   long file_size_limit = -1;                       // bytes; -1 for none

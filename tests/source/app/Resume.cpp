@@ -1,5 +1,8 @@
 // raypro -resume and what it goes on from, from outside.
 #include <gtest/gtest.h>
+#include <signal.h>
+
+#include <thread>
 
 #include "tests/source/app/Program.h"
 
@@ -63,7 +66,7 @@ TEST(Resume, RefusesWhatWouldNotBeThePictureOfOneRun) {
       {{"-samples", "4"}, {"-samples", "8", "-seed", "3"}, "-seed 0"},
   };
   for (auto [first, then, reason] : cases) {
-    first.emplace_back("-keep_checkpoint");
+    first.insert(first.end(), {"-keep_checkpoint", "-restart"});
     then.emplace_back("-resume");
     ASSERT_EQ(RenderWith(scene, picture, first).status, 0) << reason;
     const std::string before = ReadFile(picture);
@@ -72,6 +75,94 @@ TEST(Resume, RefusesWhatWouldNotBeThePictureOfOneRun) {
     EXPECT_TRUE(Has(done.error, reason)) << done.error;
     EXPECT_TRUE(ReadFile(picture) == before);
   }
+}
+
+/// A render of some seconds, and what it leaves when a signal ends it after half of one.
+class Interrupted : public ::testing::Test {
+ protected:
+  std::vector<std::string> Command(const std::string& picture, const std::vector<std::string>& more = {}) const {
+    std::vector<std::string> words{place / "in.scn", place / picture, "-width", "64", "-height", "64",
+                                   "-samples",       "3000"};
+    words.insert(words.end(), more.begin(), more.end());
+    return words;
+  }
+  Finished Interrupt(const std::string& picture, const std::vector<std::string>& more = {}) const {
+    Running running(Command(picture, more));
+    std::this_thread::sleep_for(std::chrono::milliseconds(500));
+    running.Send(SIGINT);
+    return running.Wait();
+  }
+  std::string Info(const std::string& picture) const { return RunProgram({"-info", place / picture}).output; }
+
+  TemporaryFolder place;
+  const std::string scene = WriteFile(place / "in.scn", "sphere -1  0 0 0  1\n");
+};
+
+using Names = std::vector<std::string>;
+
+TEST_F(Interrupted, ARenderLeavesAFinishedPictureAndWritesBesideIt) {
+  NEEDS_THE_PROGRAM();
+  for (const std::string extension : {"png", "pfm"}) {
+    const std::string picture = "out." + extension, partial = "out.partial." + extension;
+    ASSERT_EQ(RenderWith(scene, place / picture, {}).status, 0);
+    const std::string before = ReadFile(place / picture);
+    const Finished done = Interrupt(picture);
+    EXPECT_EQ(done.status, 130) << done.error;
+    EXPECT_TRUE(Has(done.error, "is left as it was; the picture so far is '" + place / partial + "'")) << done.error;
+    EXPECT_TRUE(Has(done.output, partial + " 64x64")) << done.output;
+    EXPECT_TRUE(ReadFile(place / picture) == before);
+    EXPECT_EQ(place.Others({"in.scn", picture, partial, partial + ".checkpoint"}), Names{});
+
+    const Finished resumed = RunProgram(Command(picture, {"-resume"}));
+    EXPECT_EQ(resumed.status, 0) << resumed.error;
+    EXPECT_EQ(place.Others({"in.scn", picture}), Names{});
+    const std::string after = ReadFile(place / picture);
+    ASSERT_EQ(RunProgram(Command(picture)).status, 0);
+    EXPECT_TRUE(ReadFile(place / picture) == after)
+        << "a resumed render gives the file of one that was not interrupted";
+    std::filesystem::remove(place / picture);
+  }
+}
+
+TEST_F(Interrupted, ARenderReplacesThePictureOfAnInterruptedOne) {
+  NEEDS_THE_PROGRAM();
+  for (const Names& more : {Names{}, Names{"-resume"}, Names{"-restart"}}) {
+    const Finished done = Interrupt("out.png", more);
+    EXPECT_EQ(done.status, 130) << done.error;
+    EXPECT_TRUE(Has(done.output, "out.png 64x64")) << done.output;
+    EXPECT_EQ(place.Others({"in.scn", "out.png", "out.png.checkpoint"}), Names{});
+    EXPECT_TRUE(Has(Info("out.png"), "pixels: 4096 of 4096 pixels done")) << Info("out.png");
+  }
+}
+
+// Hours were once lost to a second command of the same name.
+TEST_F(Interrupted, ARendersCheckpointIsNoOtherRendersToTake) {
+  NEEDS_THE_PROGRAM();
+  ASSERT_EQ(Interrupt("out.png").status, 130);
+  const std::string checkpoint = ReadFile(place / "out.png.checkpoint"), picture = ReadFile(place / "out.png");
+  const Finished other = RenderWith(scene, place / "out.png", {});
+  EXPECT_EQ(other.status, 2);
+  EXPECT_TRUE(Has(other.error, "out.png.checkpoint'; -resume continues from it, -restart")) << other.error;
+  EXPECT_EQ(RenderWith(scene, place / "out.png", {"-resume"}).status, 3);  // it is of another size
+  EXPECT_EQ(RenderWith(scene, place / "out.png", {"-resume", "-restart"}).status, 2);
+  EXPECT_TRUE(ReadFile(place / "out.png.checkpoint") == checkpoint && ReadFile(place / "out.png") == picture);
+
+  EXPECT_EQ(RenderWith(scene, place / "out.png", {"-restart"}).status, 0);
+  EXPECT_TRUE(Has(Info("out.png"), "pixels: complete"));
+  EXPECT_EQ(place.Others({"in.scn", "out.png"}), Names{});
+}
+
+TEST_F(Interrupted, AddingSamplesLeavesTheFinishedPictureAndItsCheckpoint) {
+  NEEDS_THE_PROGRAM();
+  ASSERT_EQ(RunProgram({scene, place / "out.pfm", "-width", "64", "-height", "64", "-samples", "4", "-keep_checkpoint"})
+                .status,
+            0);
+  const std::string checkpoint = ReadFile(place / "out.pfm.checkpoint"), picture = ReadFile(place / "out.pfm");
+  ASSERT_EQ(Interrupt("out.pfm", {"-resume"}).status, 130);
+  EXPECT_TRUE(ReadFile(place / "out.pfm.checkpoint") == checkpoint && ReadFile(place / "out.pfm") == picture);
+  EXPECT_EQ(RunProgram(Command("out.pfm", {"-resume", "-keep_checkpoint"})).status, 0);
+  EXPECT_EQ(place.Others({"in.scn", "out.pfm", "out.pfm.checkpoint"}), Names{});
+  EXPECT_NE(ReadFile(place / "out.pfm"), picture);
 }
 
 }  // namespace

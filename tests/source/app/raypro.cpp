@@ -33,6 +33,11 @@ R2::DecodedImage Decode(const std::string& file) {
   return R2::DecodeImage({reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()});
 }
 
+std::vector<std::string> With(std::vector<std::string> words, const std::vector<std::string>& more) {
+  words.insert(words.end(), more.begin(), more.end());
+  return words;
+}
+
 TEST(Raypro, MakesAPictureAndSaysSoInOneLine) {
   NEEDS_THE_PROGRAM();
   const Place place;
@@ -68,6 +73,97 @@ TEST(Raypro, ThePictureTellsHowItWasMade) {
   }
 }
 
+TEST(Raypro, TheSamePictureIsTheSameBytesWhateverTheRun) {
+  NEEDS_THE_PROGRAM();
+  const Place place;
+  for (const R2::ImageFormat& format : R2::ImageFormats()) {
+    const std::string name = place / ("out." + std::string(format.extensions[0]));
+    const std::vector<std::string> runs[] = {{place.Scene(), name, "-samples", "4", "-threads", "1"},
+                                             {place.Scene(), name, "-samples=4", "-verbose", "-checkpoint", "1h"},
+                                             {"--samples", "4", place.Scene(), name, "-threads", "3", "-resume"}};
+    std::string first;
+    for (const auto& words : runs) {
+      ASSERT_EQ(RunProgram(words).status, 0);
+      if (first.empty()) first = ReadFile(name);
+      EXPECT_TRUE(!first.empty() && ReadFile(name) == first) << name;
+    }
+  }
+}
+
+TEST(Raypro, KeepsTimesInThePictureWhereAsked) {
+  NEEDS_THE_PROGRAM();
+  const Place place;
+  ASSERT_EQ(RunProgram({place.Scene(), place / "out.png", "-keep_times", "-threads", "3"}).status, 0);
+  auto settings = Decode(place / "out.png").settings;
+  EXPECT_NE(settings["seconds"], "");
+  EXPECT_EQ(settings["threads"], "3");
+}
+
+TEST(Raypro, ReadsASceneFromStandardInputWithPlacesForItsMistakes) {
+  NEEDS_THE_PROGRAM();
+  const Place place;
+  const Surroundings from_scene{.standard_input = place.Scene()};
+  ASSERT_EQ(RunProgram({place.Scene(), place / "named.pfm", "-width", "16", "-height", "16"}).status, 0);
+  const Finished done = RunProgram({"-", place / "piped.pfm", "-width", "16", "-height", "16"}, from_scene);
+  EXPECT_EQ(done.status, 0) << done.error;
+  EXPECT_TRUE(ReadFile(place / "piped.pfm") == ReadFile(place / "named.pfm"));
+  EXPECT_TRUE(Contains(RunProgram({"-", "-check"}, from_scene).output, "primitives"));
+
+  const std::string bad = WriteFile(place / "bad.scn", "\n\n  spere 0 0 0 1\n");
+  const Finished refused = RunProgram({"-", place / "out.png"}, {.standard_input = bad});
+  EXPECT_EQ(refused.status, 3);
+  EXPECT_TRUE(refused.error.starts_with("<stdin>:3:3: error: unknown command 'spere'")) << refused.error;
+}
+
+// Otherwise pictures of two scenes would pass for dependent, and one scene would resume the other.
+TEST(Raypro, ScenesFromStandardInputAreToldApart) {
+  NEEDS_THE_PROGRAM();
+  const Place place;
+  const std::string other = WriteFile(place / "other.scn", "box -1  0 0 0  1 1 1\n");
+  RunProgram({"-", place / "a.png", "-width", "8", "-height", "8"}, {.standard_input = place.Scene()});
+  RunProgram({"-", place / "b.png", "-width", "8", "-height", "8"}, {.standard_input = other});
+  const std::string hash = Decode(place / "a.png").settings["scene_hash"];
+  EXPECT_NE(hash, Decode(place / "b.png").settings["scene_hash"]);
+  RunProgram({place.Scene(), place / "a.png", "-width", "8", "-height", "8"});
+  EXPECT_EQ(hash, Decode(place / "a.png").settings["scene_hash"]);
+}
+
+TEST(Raypro, WritesAPngAndNothingElseToStandardOutput) {
+  NEEDS_THE_PROGRAM();
+  const Place place;
+  const Finished done = RunProgram({place.Scene(), "-", "-width", "16", "-height", "8", "-stats"});
+  EXPECT_EQ(done.status, 0) << done.error;
+  WriteFile(place / "out.png", done.output);
+  EXPECT_EQ(Decode(place / "out.png").image.Width(), 16);
+  EXPECT_STREQ(Decode(place / "out.png").format->name, "png");
+  EXPECT_TRUE(Contains(done.error, "<stdout> 16x8 1 spp")) << done.error;
+  EXPECT_EQ(place.Others({"in.scn", "out.png"}), nothing);
+  EXPECT_EQ(RunProgram({place.Scene(), "-", "-resume"}).status, 2);
+}
+
+TEST(Raypro, RendersSeveralScenesIntoAFolderAndOneThatFailsStopsNoOther) {
+  NEEDS_THE_PROGRAM();
+  const Place place;
+  const std::string bad = WriteFile(place / "bad.scn", "spere\n"), last = WriteFile(place / "last.scn", small_scene);
+  fs::create_directory(place / "images");
+  const std::vector<std::string> more{"-out_folder", place / "images", "-width", "8", "-height", "8"};
+  const Finished done = RunProgram(With({place.Scene(), bad, place / "gone.scn", last}, more));
+  EXPECT_EQ(done.status, 3) << done.error;
+  EXPECT_TRUE(Contains(done.error, "bad.scn:1:1") && Contains(done.error, "gone.scn")) << done.error;
+  EXPECT_EQ(Decode(place / "images/in.png").image.Width(), 8);
+  EXPECT_EQ(Decode(place / "images/last.png").image.Width(), 8);
+  EXPECT_EQ(RunProgram(With({last, "-out_format", "exr"}, more)).status, 0);
+  EXPECT_STREQ(Decode(place / "images/last.exr").format->name, "exr");
+
+  fs::remove_all(place / "images");
+  EXPECT_EQ(RunProgram(With({last}, more)).status, 4);
+  fs::create_directory(place / "images");
+  const Finished twice = RunProgram(With({last, place / "images/../last.scn"}, more));
+  EXPECT_EQ(twice.status, 2);
+  EXPECT_TRUE(Contains(twice.error, "would both be written to")) << twice.error;
+  EXPECT_FALSE(fs::exists(place / "images/last.png"));
+}
+
 TEST(Raypro, ExitStatusSaysWhatWentWrongAndNoFileIsLeft) {
   NEEDS_THE_PROGRAM();
   const Place place;
@@ -91,7 +187,6 @@ TEST(Raypro, ExitStatusSaysWhatWentWrongAndNoFileIsLeft) {
       {{place / "bad.scn", "-check"}, 3, "bad.scn:1:1"},
       {{place / "bad.scn", "-debugpixel", "1", "2"}, 3, "bad.scn:1:1"},
       {{place.Scene(), "-debugpixel", "256", "2"}, 2, "columns 0 to 255"},
-      {{place.Scene(), place / "out.ppm", "-debugpixel", "1", "2"}, 2, "unexpected extra argument"},
       {{place.Scene(), place / "missing/out.ppm"}, 4, "does not exist"},
       {{place.Scene(), place / "out.ppm", "-report", place / "missing/r.json"}, 4, "does not exist"},
   };
@@ -107,9 +202,14 @@ TEST(Raypro, ExitStatusSaysWhatWentWrongAndNoFileIsLeft) {
 TEST(Raypro, DebugpixelWritesNoFile) {
   NEEDS_THE_PROGRAM();
   const Place place;
-  const Finished done = RunProgram({place.Scene(), "-debugpixel", "128", "128"});
-  EXPECT_EQ(done.status, 0) << done.error;
-  EXPECT_EQ(done.error, "");
+  const Finished alone = RunProgram({place.Scene(), "-debugpixel", "128", "128"});
+  const Finished appended = RunProgram({place.Scene(), place / "out.png", "-report", place / "r.json", "-time", "5s",
+                                        "-stats", "-resume", "-debugpixel", "128", "128"});
+  for (const Finished& done : {alone, appended}) {
+    EXPECT_EQ(done.status, 0) << done.error;
+    EXPECT_EQ(done.error, "");
+    EXPECT_NE(done.output, "");
+  }
   EXPECT_EQ(place.Others({"in.scn"}), nothing);
 }
 
@@ -136,6 +236,15 @@ TEST(Raypro, RequestsPrintToStandardOutputAndSucceed) {
 TEST(Raypro, ARequestWhoseAnswerCannotBeWrittenFails) {
   NEEDS_THE_PROGRAM();
   EXPECT_EQ(RunProgram({"-man"}, {.standard_output = "/dev/full"}).status, 4);
+}
+
+TEST(Raypro, WarnsOnceOfWhatIsLikelyAMistake) {
+  NEEDS_THE_PROGRAM();
+  const Place place("camera 0 0 6  0 0 -1  0 1 0  0.3  0.1 100\n" + small_scene + "sphere -1  0 0 6  1\n");
+  const Finished done = RunProgram({place.Scene(), place / "out.ppm", "-width", "8", "-height", "8"});
+  EXPECT_EQ(done.status, 0);
+  EXPECT_EQ(done.error, place.Scene() + ":2:1: warning: the scene has a camera already; the last one counts\n" +
+                            place.Scene() + ": warning: the camera is inside 1 shape\n");
 }
 
 TEST(Raypro, WarnsOfOptionsThatDoNothing) {
@@ -185,7 +294,7 @@ TEST(Extremes, K11_OutputNamesThatAreNoFiles) {
   fs::create_directory(place / "folder.ppm");
   fs::create_symlink("/dev/full", place / "full.ppm");
   const std::pair<std::string, int> cases[] = {
-      {place.Path().string(), 4}, {place / "folder.ppm", 4}, {"-", 2},          {"", 2},
+      {place.Path().string(), 4}, {place / "folder.ppm", 4}, {"", 2},
       {"/dev/full", 4},           {place / "full.ppm", 4},   {place.Scene(), 4}};
   for (const auto& [name, status] : cases) {
     const Finished done = RunProgram({place.Scene(), name});
@@ -265,11 +374,6 @@ TEST(Extremes, L1_KilledAtAnyMomentTheOldPictureOrTheNewOneIsThere) {
 /// How much more than what is already there a picture of the small scene needs.
 constexpr long picture_bytes = 3 * 64 * 64 + 13;
 const std::vector<std::string> picture_size{"-width", "64", "-height", "64"};
-
-std::vector<std::string> With(std::vector<std::string> words, const std::vector<std::string>& more) {
-  words.insert(words.end(), more.begin(), more.end());
-  return words;
-}
 
 TEST(Extremes, L2_AFileSizeLimitAnywhereLeavesTheOldPictureWhole) {
   NEEDS_THE_PROGRAM();

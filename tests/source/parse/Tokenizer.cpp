@@ -42,6 +42,8 @@ TEST(Tokenizer, AByteOrderMarkIsNoPartOfTheFirstWord) {
 TEST(Tokenizer, ACommentBeginsOnlyAtTheStartOfAWord) {
   EXPECT_EQ(Words("a # b c\nd"), "a@1:1! d@2:1! ");
   EXPECT_EQ(Words("a#b #c"), "a#b@1:1! ");
+  EXPECT_EQ(Words("1.9#object x\n-2#\n3 a#1"), "1.9@1:1! -2@2:1! 3@3:1! a#1@3:3 ");
+  EXPECT_EQ(Words("1#object", Tokenizer::Comments::none), "1#object@1:1! ");
   EXPECT_EQ(Words("#\r#\r\n# x"), "");
   EXPECT_EQ(Words("#vertex 1", Tokenizer::Comments::none), "#vertex@1:1! 1@1:9 ");
 }

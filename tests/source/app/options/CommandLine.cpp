@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "source/app/Status.h"
+#include "source/app/options/ForeignOption.h"
 #include "source/app/options/OptionTable.h"
 #include "tests/source/app/options/ScenePrograms.h"
 
@@ -280,15 +281,63 @@ TEST(CommandLine, AnUnknownChoiceIsNamedWithAllChoices) {
   EXPECT_EQ(ErrorBeside({"-accel", "grpah"}),
             "-accel must be " + Range(*FindOption(Program::raypro, "accel")) + ", got 'grpah'; did you mean 'graph'?");
   EXPECT_EQ(ErrorBeside({"-shadows", "yes"}), "-shadows must be on or off, got 'yes'");
+  EXPECT_TRUE(Contains(ErrorBeside({"-mode", "pathtracer"}), "got 'pathtracer'; did you mean 'path'?"));
+  EXPECT_TRUE(Contains(ErrorBeside({"-adapt", "on"}), "did you mean '-adaptive'?"));
   EXPECT_EQ(ErrorBeside({"-bits", "12"}), "-bits must be 8 or 16 bits per channel, got '12'");
 }
 
-TEST(CommandLine, ARepeatedOptionIsRefusedWhateverItsSpelling) {
-  EXPECT_EQ(ErrorBeside({"-samples", "4", "--samples=4"}),
-            "'--samples=4' repeats '-samples'; an option may be given once");
-  EXPECT_EQ(ErrorBeside({"-max_depth", "4", "-maxreflections", "4"}),
-            "'-maxreflections' repeats '-max_depth'; an option may be given once");
-  EXPECT_NE(ErrorBeside({"-srgb", "-srgb"}), "");
+TEST(CommandLine, OfAnOptionGivenTwiceTheLastCountsWhateverItsSpelling) {
+  EXPECT_EQ(Parsed({"a", "b.ppm", "-samples", "4", "--samples=9"}).render.samples, 9);
+  EXPECT_EQ(Parsed({"a", "b.ppm", "-max_depth", "4", "-maxreflections", "5"}).render.trace.max_depth, 5);
+  EXPECT_EQ(ErrorBeside({"-srgb", "-srgb"}), "");
+  EXPECT_EQ(Parsed({"a", "-debugpixel", "1", "2", "-debugpixel", "3", "4"}).pixel->x, 3);
+  EXPECT_EQ(Parsed({"a", "-check", "-check"}).task, Task::check);
+}
+
+// What another renderer calls it is what most users type first.
+TEST(CommandLine, WordsOfOtherProgramsAreAnsweredWithOurs) {
+  const std::string all = " (raypro -help lists them all)";
+  for (const auto& [typed, meant] :
+       std::initializer_list<std::pair<const char*, const char*>>{{"-spp", "-samples"},
+                                                                  {"--spp=4", "-samples"},
+                                                                  {"-w", "-width"},
+                                                                  {"-w512", "-width 512"},
+                                                                  {"-j8", "-threads 8"},
+                                                                  {"+W512", "-width 512"},
+                                                                  {"+WT4", "-threads 4"},
+                                                                  {"-integrator", "-mode"},
+                                                                  {"-hlep", "-help"},
+                                                                  {"-bounces", "-max_depth"}})
+    EXPECT_EQ(ErrorBeside({typed, "4"}),
+              "unknown option '" + std::string(typed) + "'; did you mean '" + meant + "'?" + all);
+  EXPECT_EQ(ErrorBeside({"-size", "512"}), "unknown option '-size'; use -width and -height");
+  EXPECT_EQ(ErrorBeside({"-o", "x.png"}, Program::rayview),
+            "unknown option '-o'; did you mean '-image'? (rayview -help lists them all)");
+}
+
+TEST(CommandLine, EveryAnswerToAnotherProgramsWordIsAnOptionAndNoneIsOurOwnWord) {
+  for (const ForeignOption& foreign : ForeignOptions()) {
+    const std::string word = foreign.word, answer = foreign.answer;
+    const auto is_known = [](const std::string& name) {
+      return FindOption(Program::raypro, name) || FindOption(Program::rayview, name);
+    };
+    EXPECT_FALSE(FindOption(Program::raypro, word.substr(1))) << word;
+    EXPECT_TRUE(!answer.starts_with('-') || is_known(answer.substr(1, answer.find(' ') - 1))) << answer;
+    EXPECT_NE(ForeignHint(Program::raypro, word) + ForeignHint(Program::rayview, word), "") << word;
+  }
+}
+
+TEST(CommandLine, HWithANumberWasToBeAHeight) {
+  EXPECT_EQ(ErrorBeside({"-h", "512"}), "'-h 512': -h is -help; did you mean '-height 512'?");
+  EXPECT_EQ(ErrorBeside({"-h=512"}), "'-h 512': -h is -help; did you mean '-height 512'?");
+  EXPECT_EQ(Parsed({"in.scn", "out.png", "-h"}).task, Task::help);
+}
+
+// "./+name" is a file.
+TEST(CommandLine, APlusBeginsAnOptionOfPovRay) {
+  EXPECT_TRUE(Contains(ErrorOf({"+Iscene.pov", "+Oout.png"}), "unknown option '+Iscene.pov'; the scene is named"));
+  EXPECT_EQ(Parsed({"./+a.scn", "+1.png"}).picture, "+1.png");
+  EXPECT_EQ(Parsed({"--", "+a.scn", "+b.png"}).scene, "+a.scn");
 }
 
 TEST(CommandLine, TooFewArgumentsAreCounted) {
@@ -300,7 +349,16 @@ TEST(CommandLine, TooFewArgumentsAreCounted) {
 
 TEST(CommandLine, NamesAreTwoAndNotEmpty) {
   EXPECT_TRUE(Contains(ErrorOf({}), "no scene is named"));
-  EXPECT_TRUE(Contains(ErrorOf({"in.scn"}), "no picture is named"));
+  EXPECT_EQ(ErrorOf({}), "no scene is named; for example: raypro scenes/hello.scn hello.png -width 512");
+  EXPECT_EQ(ErrorOf({"my/in.scn"}), "no picture is named; for example: raypro my/in.scn in.png -width 512");
+  EXPECT_EQ(ErrorOf({"-width", "64", "in.scn", "-srgb"}),
+            "no picture is named; for example: raypro -width 64 in.scn in.png -srgb");
+  EXPECT_EQ(ErrorOf({"out.png"}), "no scene is named; for example: raypro scenes/hello.scn out.png");
+  EXPECT_EQ(ErrorOf({"out.png", "in.scn"}), "the scene is named first: raypro in.scn out.png");
+  EXPECT_EQ(ErrorOf({"-"}), "no picture is named; for example: raypro - out.png -width 512");
+  EXPECT_TRUE(Contains(ErrorOf({"a.scn", "b.scn"}), "'b.scn' is a scene; several scenes need -out_folder"));
+  EXPECT_TRUE(Contains(ErrorOf({"a.scn", "b.png", "c.scn"}), "several scenes need -out_folder"));
+  EXPECT_EQ(ErrorOf({"help"}), "options begin with a dash: raypro -help");
   EXPECT_EQ(ErrorOf({"a", "b", "c"}), "unexpected extra argument 'c' (usage: raypro scene picture [options])");
   EXPECT_EQ(ErrorOf({"a", ""}), "a file name is empty");
   EXPECT_TRUE(Contains(ErrorOf({"a", "b", "-report", "b"}), "the same file"));
@@ -310,7 +368,6 @@ TEST(CommandLine, NamesAreTwoAndNotEmpty) {
 TEST(CommandLine, ContradictionsAreRefused) {
   EXPECT_NE(ErrorBeside({"-quiet", "-verbose"}), "");
   EXPECT_EQ(ErrorOf({"-version", "-man"}), "'-man' cannot be combined with another request");
-  EXPECT_NE(ErrorOf({"in.scn", "-check", "-report", "r.json"}), "");
 }
 
 TEST(CommandLine, HelpAnywhereIsAnsweredWhateverElseIsWrong) {
@@ -427,8 +484,6 @@ TEST(CommandLine, DebugpixelNamesAPixelAndNeedsNoPicture) {
   EXPECT_EQ(o.pixel->x, 255);
   EXPECT_EQ(o.pixel->y, 0);
   EXPECT_EQ(o.render.samples, 4);
-  EXPECT_EQ(ErrorOf({"in.scn", "out.png", "-debugpixel", "10", "20"}),
-            "unexpected extra argument 'out.png'; -debugpixel writes no picture");
   EXPECT_TRUE(Contains(ErrorOf({"-debugpixel", "10", "20"}), "no scene is named"));
 }
 
@@ -444,9 +499,21 @@ TEST(CommandLine, DebugpixelTakesPixelsOfThePictureAndNoOthers) {
   EXPECT_EQ(error({"1.5", "3"}),
             "-debugpixel must be whole numbers, a column and a row of the picture from 0, got '1.5'");
   EXPECT_EQ(error({"1"}), "-debugpixel needs 2 values, got 1: -debugpixel x y");
-  EXPECT_EQ(error({"1", "2", "-stats"}), "-stats has no effect with -debugpixel, which renders nothing");
   EXPECT_NE(error({"1", "2", "-check"}), "");
-  EXPECT_NE(error({"1", "2", "-error", "2"}), "");
+}
+
+// Whoever looks into a render appends a word to the command that made it.
+TEST(CommandLine, DebugpixelAndCheckMayBeAppendedToAnyRender) {
+  const Words renders[] = {
+      {"-report", "r.json", "-stats"}, {"-time", "5s", "-resume"}, {"-error", "2", "-adaptive", "tile"},
+      {"-replay", "r.json"},           {"-checkpoint", "1m"},      {"-layers", "depth", "-restart"},
+      {"-reference", "a,b"},           {"-keep_checkpoint"},       {"-denoise", "-samples", "4"}};
+  for (const Words& render : renders)
+    for (const Words& more : {Words{"-check"}, Words{"-debugpixel", "1", "2"}}) {
+      Words words = render;
+      words.insert(words.end(), more.begin(), more.end());
+      EXPECT_EQ(ErrorBeside(words), "") << render[0];
+    }
 }
 
 /// A value for the option that is not its default.

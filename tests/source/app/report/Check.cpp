@@ -86,6 +86,38 @@ TEST(Check, ASceneInTheDarkIsPointedOut) {
   EXPECT_FALSE(Contains(Example(glowing + black + "sphere 0  1 0 0  1\n").Mistakes(), "no light"));
 }
 
+TEST(Check, InsideOfGlassTheCameraMayBe) {
+  const std::string glass = "material 0 0 0  0 0 0  0 0 0  .9 .9 .9  0 0 0  1 1.5 0\n";
+  EXPECT_EQ(Example(camera + glass + "sphere 0  0 0 9  1\n").Mistakes(), "");
+}
+
+TEST(Check, ASceneWithNothingInViewIsPointedOut) {
+  const std::string warning = "warning: nothing in the scene is in view of the camera";
+  EXPECT_TRUE(Contains(Example(camera + "sphere -1  0 0 20  1\n").Mistakes(), warning));
+  EXPECT_FALSE(Contains(Example(camera + "sphere -1  0 0 20  1\nsphere -1  0 0 0  1\n").Mistakes(), warning));
+}
+
+// A place for what was meant to be one shape of many to be out of sight, but not for a picture of nothing.
+TEST(Check, EveryRenderPointsOutWhatCannotBeMeantAndCostsNothing) {
+  const auto plain = [](const std::string& text) {
+    std::string all;
+    for (const std::string& mistake : PlainMistakes(Example(camera + text).TheWorld(), {})) all += mistake + "\n";
+    return all;
+  };
+  EXPECT_EQ(plain("sphere -1  0 0 0  1\nsphere -1  0 0 20  1\n"), "");
+  EXPECT_TRUE(Contains(plain("sphere -1  0 0 20  1\n"), "nothing in the scene is in view"));
+  EXPECT_TRUE(Contains(plain("sphere -1  0 0 9  1\n"), "the camera is inside 1 shape"));
+  EXPECT_TRUE(Contains(plain("sphere -1  0 0 0  1\npoint_light 0 0 0  0 5 0  1 0 0\n"), "the scene is unlit"));
+  EXPECT_TRUE(Contains(plain("sphere -1  0 0 0  0\n"), "this shape is degenerate"));
+}
+
+TEST(Check, SaysWhereTheDefaultsAreInForce) {
+  const std::string none = SceneSummary(Example("sphere -1  0 0 0  1\n").TheWorld(), {});
+  EXPECT_TRUE(Contains(none, " rad (the default: the scene names none)\n")) << none;
+  EXPECT_TRUE(Contains(none, "lights        2 (the default: the scene names none)\n")) << none;
+  EXPECT_FALSE(Contains(SceneSummary(Example(camera + "point_light 1 1 1  0 5 0  1 0 0\n").TheWorld(), {}), "default"));
+}
+
 TEST(Check, AnEmptySceneIsPointedOut) { EXPECT_TRUE(Contains(Example("").Mistakes(), "nothing in the scene")); }
 
 TEST(Check, AShapeWithoutExtentIsPointedOutAtItsPlace) {

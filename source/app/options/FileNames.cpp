@@ -1,0 +1,132 @@
+#include "source/app/options/FileNames.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <vector>
+
+#include "source/app/Status.h"
+#include "source/app/options/Help.h"
+#include "source/app/options/OptionTable.h"
+#include "source/app/options/PictureName.h"
+#include "source/parse/Format.h"
+#include "source/text/Quoting.h"
+#include "source/text/Words.h"
+
+namespace ray {
+namespace {
+
+bool NeedsScene(Task task) {
+  return task == Task::render || task == Task::view || task == Task::check || task == Task::advise ||
+         task == Task::convert || task == Task::debug_pixel;
+}
+
+/// What was probably meant: the words as typed, with a name for the picture behind the scene's.
+std::string LikelyCommand(const Options& options, std::span<const std::string> words) {
+  if (options.scene.empty()) return "raypro scenes/hello.scn hello.png -width 512";
+  std::vector<std::string> likely(words.begin(), words.end());
+  const auto scene = std::ranges::find(likely, options.scene);
+  const std::string picture = options.scene == standard_stream
+                                  ? "out.png"
+                                  : std::filesystem::path(options.scene).filename().replace_extension(".png").string();
+  if (scene != likely.end()) likely.insert(scene + 1, picture);
+  if (options.given.empty()) likely.insert(likely.end(), {"-width", "512"});
+  return "raypro " + ShellLine(likely);
+}
+
+constexpr const char* several_scenes = "; several scenes need -out_folder: raypro a.scn b.scn -out_folder images";
+
+bool IsScene(const std::string& name) {
+  const std::string extension = std::filesystem::path(name).extension().string();
+  return !R2::FormatForName(name) && std::ranges::any_of(SceneFormats(), [&](const SceneFormat* format) {
+    return std::ranges::find(format->extensions, extension) != format->extensions.end();
+  });
+}
+
+/// Each makes a picture of its own name, which standard input has not.
+void CheckScenes(const Options& options) {
+  for (const char* name : {"report", "replay", "reference"})
+    if (options.IsGiven(name))
+      throw UsageError("-" + std::string(name) + " is of one picture; it cannot be combined with -out_folder");
+  std::map<std::string, std::string> pictures;
+  for (const std::string& scene : options.scenes) {
+    if (scene == standard_stream) throw UsageError("standard input has no name for a picture; -out_folder takes files");
+    const auto [other, is_new] = pictures.emplace(PictureInFolder(options, scene), scene);
+    if (!is_new)
+      throw UsageError(Quoted(other->second) + " and " + Quoted(scene) + " would both be written to " +
+                       Quoted(other->first));
+  }
+}
+
+/// Standard output holds one picture, and nothing can be resumed from it.
+void CheckStandardOutput(const Options& options) {
+  if (options.picture != standard_stream) return;
+  for (const char* name : {"resume", "restart", "checkpoint", "keep_checkpoint"})
+    if (options.IsGiven(name))
+      throw UsageError("-" + std::string(name) + " needs a picture with a name, not standard output");
+  if (!options.layers.empty()) throw UsageError("-layers needs a picture with a name, not standard output");
+}
+
+void CheckPicture(const Options& options, std::span<const std::string> words) {
+  const auto is_picture = [](const std::string& name) { return R2::FormatForName(name) != nullptr; };
+  if (!options.picture.empty() && is_picture(options.scene) && !is_picture(options.picture))
+    throw UsageError("the scene is named first: raypro " + ShellLine(std::vector{options.picture, options.scene}));
+  if (IsScene(options.picture) && options.picture != options.scene)
+    throw UsageError(Quoted(options.picture) + " is a scene" + several_scenes);
+  if (options.picture == options.report && !options.picture.empty())
+    throw UsageError("the picture and the report are the same file, " + Quoted(options.report));
+  if (!options.picture.empty()) return;
+  if (FindOption(options.program, options.scene))
+    throw UsageError("options begin with a dash: raypro -" + options.scene);
+  if (is_picture(options.scene))
+    throw UsageError("no scene is named; for example: raypro scenes/hello.scn " + options.scene);
+  throw UsageError("no picture is named; for example: " + LikelyCommand(options, words));
+}
+
+/// Groningen's command names the scene alone; its picture lies beside it.
+void NamePictureOfYaml(Options& options) {
+  const std::filesystem::path scene = options.scene;
+  if (options.task == Task::render && options.picture.empty() &&
+      (scene.extension() == ".yaml" || scene.extension() == ".yml"))
+    options.picture = std::filesystem::path(scene).replace_extension(".png").string();
+}
+
+}  // namespace
+
+std::string UsageOf(const Options& options) { return " (usage: " + Usage(options.program, options.command) + ")"; }
+
+void RefuseName(const std::string& word, const std::string& why) {
+  throw UsageError("unexpected extra argument " + Quoted(word) + why);
+}
+
+void ShareNames(Options& options) {
+  if (!options.out_folder.empty() || options.scenes.empty()) return;
+  const std::vector<std::string> names = std::move(options.scenes);
+  options.scenes.clear();
+  if (names.size() > 2) RefuseName(names[2], IsScene(names[2]) ? several_scenes : UsageOf(options));
+  options.scene = names[0];
+  if (names.size() == 2) options.picture = names[1];
+  NamePictureOfYaml(options);
+}
+
+void CheckNames(const Options& options, std::span<const std::string> words) {
+  if (!NeedsScene(options.task)) {
+    if (!options.scene.empty()) RefuseName(options.scene, "");
+    if (!options.scenes.empty()) RefuseName(options.scenes[0], "");
+    return;
+  }
+  if (!options.scenes.empty()) return CheckScenes(options);
+  CheckStandardOutput(options);
+  if (options.scene.empty())
+    throw UsageError("no scene is named" + (options.task == Task::render
+                                                ? "; for example: " + LikelyCommand(options, words)
+                                                : UsageOf(options)));
+  if (options.task == Task::render) CheckPicture(options, words);
+}
+
+std::string PictureInFolder(const Options& options, const std::string& scene) {
+  const std::filesystem::path name = std::filesystem::path(scene).stem().string() + "." + options.out_format;
+  return (std::filesystem::path(options.out_folder) / name).string();
+}
+
+}  // namespace ray

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "source/app/options/Options.h"
+
+/// The names of files on the command line: scenes and pictures.
+namespace ray {
+
+/// " (usage: raypro scene picture [options])"
+std::string UsageOf(const Options& options);
+
+/// Throws the UsageError of a word that is one too many; `why` ends it.
+[[noreturn]] void RefuseName(const std::string& word, const std::string& why);
+
+/// Decides which of the names that were typed is what: scenes with -out_folder, otherwise a scene and its picture.
+/// Throws UsageError for a third.
+void ShareNames(Options& options);
+
+/// Throws UsageError when one is missing, with a command that was probably meant, or when names contradict each other.
+///   words   as typed
+void CheckNames(const Options& options, std::span<const std::string> words);
+
+/// "images/room.png": where -out_folder has the picture of a scene.
+std::string PictureInFolder(const Options& options, const std::string& scene);
+
+}  // namespace ray

@@ -1,0 +1,114 @@
+// What the programs answer to the commands that users of other renderers, and of the course's, type first. The commands
+// and their answers are in tests/app/commands.txt, which RAYTESTS_RECORD=1 writes anew: read what has changed.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <regex>
+#include <sstream>
+
+#include "R2/ImageFile.h"
+#include "tests/Project.h"
+#include "tests/source/app/Program.h"
+
+namespace ray::testing {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What a command begins its line with in the file, and the lines of its answer.
+constexpr const char* prompt = "$ ";
+constexpr const char* output_mark = "  | ";
+constexpr const char* error_mark = "  ! ";
+constexpr const char* header =
+    "# Commands, exit statuses, and the first lines on standard error (!) and standard output (|), recorded with\n"
+    "# RAYTESTS_RECORD=1 build/raytests --gtest_filter=Commands.*\n";
+constexpr std::size_t most_lines = 6;  // of each stream; long answers are tested elsewhere
+
+std::string DataFile() { return (project::Root() / "tests/app/commands.txt").string(); }
+
+/// A folder as a newcomer may have it.
+struct Folder : TemporaryFolder {
+  Folder() {
+    const std::string scene = "camera 0 0 6  0 0 -1  0 1 0  0.3  0.1 100\npoint_light 1 1 1  3 4 5  1 0 0\n";
+    WriteFile(*this / "scene.scn", scene + "sphere -1  0 0 0  1\n");
+    WriteFile(*this / "other.scn", scene + "box -1  -1 -1 -1  1 1 1\n");
+    WriteFile(*this / "wrong.scn", scene + "spere -1  0 0 0  1\ntriangle -1  0 0 0  1 0 0  0 1 0\n");
+    fs::create_directory(*this / "images");
+  }
+};
+
+/// The first lines, each behind its mark. Times and speeds are not the same twice, nor is what a build is made of.
+std::string Shown(const std::string& text, const std::string& mark) {
+  static const std::regex times(R"([0-9.]+ s [0-9.]+ Mrays/s)"), build(R"(raypro \d+\.\d+\.\d+|built with: [^\n]*)");
+  std::istringstream lines(std::regex_replace(std::regex_replace(text, times, "TIME"), build, "BUILD"));
+  std::string shown;
+  std::size_t count = 0;
+  for (std::string line; std::getline(lines, line); ++count)
+    if (count < most_lines) shown += mark + line + "\n";
+  return count > most_lines ? shown + mark + "...\n" : shown;
+}
+
+/// The command, its exit status and what it says, as the file has it.
+std::string Answer(const std::string& command) {
+  const Folder place;
+  const TemporaryFolder aside;
+  fs::create_directory(aside / "bin");
+  for (const auto& [name, variable] : {std::pair{"raypro", "RAYPRO"}, {"rayimg", "RAYIMG"}, {"rayview", "RAYVIEW"}})
+    if (const char* program = ProgramName(variable)) fs::create_symlink(program, aside / ("bin/" + std::string(name)));
+  WriteFile(aside / "command", command + "\n");
+  const int ended =
+      std::system(("cd '" + place.Path().string() + "' && PATH='" + aside / "bin" + "':$PATH TERM=dumb sh '" +
+                   aside / "command" + "' >'" + aside / "output" + "' 2>'" + aside / "error" + "' </dev/null")
+                      .c_str());
+  return prompt + command + "\n  " + std::to_string(WEXITSTATUS(ended)) + "\n" +
+         Shown(ReadFile(aside / "error"), error_mark) + Shown(ReadFile(aside / "output"), output_mark);
+}
+
+/// The answers of the file, each beginning with its command.
+std::vector<std::string> Recorded() {
+  std::istringstream lines(ReadFile(DataFile()));
+  std::vector<std::string> answers;
+  for (std::string line; std::getline(lines, line);)
+    if (line.starts_with(prompt))
+      answers.push_back(line + "\n");
+    else if (!answers.empty())
+      answers.back() += line + "\n";
+  return answers;
+}
+
+std::string CommandOf(const std::string& answer) {
+  const std::size_t begin = std::string(prompt).size();
+  return answer.substr(begin, answer.find('\n') - begin);
+}
+
+TEST(Commands, AreAnsweredAsRecorded) {
+  NEEDS_THE_PROGRAM();
+  NEEDS_RAYIMG();
+  NEEDS_RAYVIEW();
+  if (!R2::FormatForName("a.exr") || !Has(RunProgram({"-list", "scenes"}).output, ".yaml"))
+    GTEST_SKIP() << "answers that list formats are recorded with OpenEXR and yaml-cpp";
+  const std::vector<std::string> recorded = Recorded();
+  EXPECT_GE(recorded.size(), 60u);
+  std::string all;
+  for (const std::string& answer : recorded) {
+    const std::string now = Answer(CommandOf(answer));
+    EXPECT_EQ(now, answer);
+    all += now;
+  }
+  if (std::getenv("RAYTESTS_RECORD")) WriteFile(DataFile(), header + all);
+}
+
+// Whoever looks at the exit status alone must not take an answer for an image.
+TEST(Commands, SucceedOnlyWithAnImageUnlessWordsWereAskedFor) {
+  const std::regex asks_for_words(" (-h|-?-help|-?-version|-list|-check|-info|-debugpixel|-complete|-man)\\b|^rayimg");
+  for (const std::string& answer : Recorded()) {
+    const bool succeeds = Has(answer, "\n  0\n");
+    const bool has_image = Has(answer, " spp TIME") || Has(answer, "> out.png");
+    EXPECT_TRUE(!succeeds || has_image || std::regex_search(CommandOf(answer), asks_for_words)) << answer;
+  }
+}
+
+}  // namespace
+}  // namespace ray::testing
