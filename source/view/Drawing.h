@@ -43,13 +43,6 @@ using Lines = std::vector<Vertex>;
 void AddLine(Lines& lines, const std::array<float, 3>& from, const std::array<float, 3>& to, const Rgba& color);
 void Append(Lines& lines, const Lines& more);
 
-/// Three indices per triangle.
-struct Triangles {
-  std::vector<Vertex> vertices;
-  std::vector<std::uint32_t> opaque;  // indices
-  std::vector<std::uint32_t> clear;   // indices of triangles to be blended over the others
-};
-
 /// A line of text, its lower left corner in pixels from that of the drawing.
 struct Label {
   double x = 0, y = 0;

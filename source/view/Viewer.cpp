@@ -7,7 +7,6 @@
 
 #include "source/scene/CameraText.h"
 #include "source/text/NumberText.h"
-#include "source/view/ScenePicture.h"
 #include "source/view/overlay/SceneLines.h"
 
 namespace ray {
@@ -43,11 +42,14 @@ void Viewer::TakeScene(std::shared_ptr<const LoadedScene> scene) {
   const R3::Box& box = scene_->parsed.scene.root.bounds;
   space_ = DrawingSpace::Of(box);
   navigator_.SetBox(box);
-  ScenePicture picture = PictureOf(scene_->world, space_);
+  ScenePicture picture = PictureOf(scene_->world, settings_.render, space_);
   notes_.clear();
-  if (picture.as_boxes > 0) notes_ += std::to_string(picture.as_boxes) + " primitives shown as boxes";
-  if (picture.left_out > 0) notes_ += (notes_.empty() ? "" : ", ") + std::to_string(picture.left_out) + " not shown";
-  faces_ = std::make_shared<const Triangles>(std::move(picture.triangles));
+  if (picture.as_boxes > 0) AddNote(std::to_string(picture.as_boxes) + " primitives shown as boxes");
+  if (picture.left_out > 0) AddNote(std::to_string(picture.left_out) + " not shown");
+  if (picture.lights.left_out > 0)
+    AddNote(std::to_string(picture.lights.left_out) + " weaker lights left out of the preview");
+  if (picture.lights.head_light) AddNote("the scene is unlit: seen by a light at the eye");
+  faces_ = std::make_shared<const ScenePicture>(std::move(picture));
   watch_.Watch(scene_->parsed.scene.files);
   rays_.ForgetAll();
   pick_.reset();
@@ -55,6 +57,8 @@ void Viewer::TakeScene(std::shared_ptr<const LoadedScene> scene) {
   pictures_.Touch();
   InvalidateLines();
 }
+
+void Viewer::AddNote(const std::string& note) { notes_ += (notes_.empty() ? "" : ", ") + note; }
 
 RenderSettings Viewer::SettingsOfView() const {
   RenderSettings settings = settings_.render;

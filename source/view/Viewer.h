@@ -125,6 +125,7 @@ class Viewer {
   void Open(const std::string& file);
 
   void TakeScene(std::shared_ptr<const LoadedScene> scene);
+  void AddNote(const std::string& note);
   void DebugPixelAt(const R2::Point& position);
   void ReportPixel();
   void SaveEnded(const RenderJob& job);
@@ -149,7 +150,7 @@ class Viewer {
   ViewerHost& host_;
   std::shared_ptr<const LoadedScene> scene_;
   DrawingSpace space_;
-  std::shared_ptr<const Triangles> faces_;
+  std::shared_ptr<const ScenePicture> faces_;
   FileWatch watch_;
   Bookmarks bookmarks_;
   Navigator navigator_;

@@ -38,14 +38,16 @@ FrameState Viewer::Show() {
     shown.view.width = std::max(1, size_.width / 2);
     shown.section = section_lines_;
   }
-  shown.background = scene_->parsed.scene.background;
+  const Exposure exposure{std::exp2(exposure_steps_), settings_.render.srgb};
+  const R2::Color background = exposure.factor * scene_->parsed.scene.background;
+  shown.background = exposure.srgb ? EncodeSrgb(background) : background;
+  shown.seen_from = ViewFrom(navigator_.camera(), space_, shown.view, exposure);
   shown.clip_from_drawing = ClipFromDrawing(navigator_.camera(), space_, BoxOfDrawing(), shown.view);
   shown.faces = faces_;
   shown.shows_faces = shows_faces_;
   shown.shows_edges = shows_edges_;
   shown.edge_color = ray::Shown(InverseOf(shown.background));
   shown.lines = lines_;
-  const Exposure exposure{std::exp2(exposure_steps_), settings_.render.srgb};
   if (ShowsQuad()) {
     FrameState::Picture quad;
     quad.frame = &pictures_.Trace()->frame();

@@ -11,6 +11,8 @@
 
 namespace ray {
 
+void UseAlpha() { glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA); }
+
 Canvas::Canvas(Target target) {
   if (target == Target::own) own_.emplace();
 }
@@ -27,7 +29,7 @@ void Canvas::Begin(int width, int height, const R2::Color& background) {
   glDepthFunc(GL_LEQUAL);
   glDepthMask(GL_TRUE);
   glEnable(GL_BLEND);
-  glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  UseAlpha();
   SetViewport(0, 0, width, height);
   Fill(background);
 }

@@ -1,15 +1,28 @@
 #pragma once
 
+#include <optional>
+#include <unordered_map>
+#include <vector>
+
 #include "source/view/gl/Objects.h"
+#include "source/view/gl/SurfaceShader.h"
+#include "source/view/preview/ScenePicture.h"
 
 /// What lists and pictures become on the GPU.
 namespace ray {
 
-struct GpuTriangles {
-  Buffer vertices, indices;
-  VertexArray colored;            // with each vertex's color
-  VertexArray plain;              // with positions alone
-  GLsizei opaque = 0, clear = 0;  // indices, the opaque ones first
+struct GpuSurfaces {
+  Buffer vertices, uvs, indices, lights;
+  VertexArray shaded;  // with normals and texture coordinates
+  VertexArray plain;   // with positions alone
+  std::vector<SurfaceBatch> batches;
+  std::unordered_map<const Texture*, Texture2D> textures, reliefs;
+  std::optional<Texture2D> environment;
+  DiffuseLight diffuse_light;
+  R2::Color background;
+  SurfaceFeatures features;
+  bool glossy = false, head_light = false;
+  int light_count = 0;
 };
 
 struct GpuLines {

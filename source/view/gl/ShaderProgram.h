@@ -17,6 +17,7 @@ class ShaderProgram {
   ShaderProgram& operator=(const ShaderProgram&) = delete;
 
   void Use() const { glUseProgram(program_); }
+  GLuint Name() const { return program_; }
   /// Where a uniform is; -1, which OpenGL ignores, for one that no shader uses.
   GLint operator[](const char* uniform) const { return glGetUniformLocation(program_, uniform); }
 

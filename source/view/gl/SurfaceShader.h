@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+
+namespace ray {
+
+/// What a scene asks of the shader of its surfaces; what it does not ask for is not compiled.
+struct SurfaceFeatures {
+  bool textures = false, bumps = false, environment = false, diffuse_light = false, clear = false, coats = false,
+       fresnel = false;
+  friend bool operator==(const SurfaceFeatures&, const SurfaceFeatures&) = default;
+};
+
+/// The shaders of surfaces, and of the environment behind them, in GLSL 330.
+std::string SurfaceVertexShader();
+std::string SurfaceFragmentShader(const SurfaceFeatures& features);
+std::string SkyVertexShader();
+std::string SkyFragmentShader();
+
+}  // namespace ray
