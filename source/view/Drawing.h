@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -32,6 +33,10 @@ using ClipMatrix = std::array<double, 16>;
 using Rgba = std::array<std::uint8_t, 4>;
 /// Clamped to what can be shown.
 Rgba Shown(const R2::Color& color, double alpha = 1);
+
+/// The color of one of `count` things that together would hide what is behind them: as it is up to `most`, and then
+/// the fainter, the more there are, down to 1/50.
+Rgba Faded(Rgba color, std::size_t count, std::size_t most);
 
 struct Vertex {
   std::array<float, 3> at{};  // in a DrawingSpace

@@ -36,6 +36,7 @@ struct FrameState {
   bool shows_faces = true, shows_edges = false;
   Rgba edge_color{};
   std::shared_ptr<const Lines> lines;
+  std::shared_ptr<const Lines> marks;  // likewise, made anew for each view
   std::optional<Picture> quad, picture;
   std::shared_ptr<const Lines> section;  // in the square from -1 to 1, at the right; null for none
   std::vector<Label> labels;

@@ -9,6 +9,7 @@
 #include "source/view/Event.h"
 #include "source/view/FileWatch.h"
 #include "source/view/FrameState.h"
+#include "source/view/HelpText.h"
 #include "source/view/camera/Bookmarks.h"
 #include "source/view/camera/Navigator.h"
 #include "source/view/live/TracedPictures.h"
@@ -73,8 +74,9 @@ class Viewer {
     std::function<void(Viewer&)> release = nullptr;  // where it lasts as long as the key is held
   };
   static const std::vector<Binding>& Bindings();
-  /// Keys and gestures, a line each.
+  /// Gestures and keys in groups, a line each.
   static std::vector<std::string> Help();
+  static std::vector<HelpRow> HelpRows();
 
   const LoadedScene& scene() const { return *scene_; }
   const Navigator& navigator() const { return navigator_; }
@@ -106,7 +108,10 @@ class Viewer {
 
   static std::vector<Binding> MakeBindings();
   void StartTrace();
-  void StopOrQuit();
+  /// Ends the uppermost of what is open: the help, the pick, the cross section, the trace.
+  void Peel();
+  void Quit();
+  void ToggleLights();
   void PrintCamera();
   void CycleBoxes();
   void ChangeBoxLevel(int by);
@@ -136,12 +141,21 @@ class Viewer {
   std::array<R3::Point, 4> QuadCorners() const;
   /// Around all that is drawn in space.
   R3::Box BoxOfDrawing() const;
+  /// Around the scene, and its lights when they are shown.
+  R3::Box BoxToFrame() const;
+  /// What keeps its size on the screen: the pivot and the pick.
+  Lines MakeMarks() const;
+  /// What is left of the message, from 1 to 0.
+  double StrengthOfMessage() const;
+  std::vector<std::string> HelpPage() const;
   /// The pixel of the traced picture that is seen there on its quad.
   std::optional<std::pair<int, int>> PixelOnQuad(const R2::Point& position) const;
   bool ShowsQuad() const { return shows_quad_ && pictures_.Trace() && !pictures_.IsLive(); }
   Lines MakeLines() const;
   /// How many lines of text have room above one another, at least 1.
   int LinesOfText() const;
+  /// How many letters have room side by side, at least 1.
+  int ColumnsOfText() const;
   std::vector<Label> MakeLabels() const;
   std::string BoxesInWords() const;
   std::optional<FrameState::Picture> CoveringPicture() const;
@@ -168,6 +182,8 @@ class Viewer {
   double exposure_steps_ = 0;         // each doubles the light
   bool arrows_move_section_ = false;  // else the pixel
   std::string message_, notes_;
+  double message_since_ = 0;  // seconds of ticks
+  bool has_ticked_ = false, was_asked_to_quit_ = false;
 
   std::optional<Press> press_;
   double now_ = 0, last_look_at_files_ = 0, last_click_ = -1;  // seconds of ticks

@@ -95,6 +95,7 @@ void Drawer::Draw(const FrameState& state) {
   if (state.quad && !is_covered)
     painter_.pictures.Draw(Upload(quad_, *state.quad), *state.quad->corners, clip, LookOf(*state.quad));
   lists.Draw(Upload(lines_, state.lines), clip, 1, hidden_lines);
+  if (state.marks) lists.Draw(Upload(marks_, state.marks), clip, 1, hidden_lines);
   if (state.section) {
     const DrawingSize viewport{state.size.width - state.view.width, state.size.height};
     canvas.SetViewport(state.view.width, 0, viewport.width, viewport.height);

@@ -6,12 +6,13 @@
 
 namespace ray {
 
-/// Two shaders in GLSL 330, compiled and linked; deleted with their owner.
+/// Shaders in GLSL 330, compiled and linked; deleted with their owner.
 class ShaderProgram {
  public:
   /// Throws ContextError with the first line of what the compiler said.
   ///   name   what the program draws, for that message
-  ShaderProgram(const char* name, const char* vertex_shader, const char* fragment_shader);
+  ShaderProgram(const char* name, const char* vertex_shader, const char* fragment_shader,
+                const char* geometry_shader = nullptr);
   ~ShaderProgram();
   ShaderProgram(const ShaderProgram&) = delete;
   ShaderProgram& operator=(const ShaderProgram&) = delete;

@@ -19,10 +19,37 @@ uniform mat4 clip_from_drawing;
 void main() { gl_Position = clip_from_drawing * vec4(at, 1); }
 )";
 
+// Edges of triangles that are small on the screen would leave nothing else to be seen: they are the fainter, the
+// smaller. Those with a corner behind the eye are large.
+constexpr const char* edge_geometry_shader = R"(#version 330 core
+layout(triangles) in;
+layout(triangle_strip, max_vertices = 3) out;
+uniform vec2 half_size;  // of the viewport, in pixels
+flat out float strength;
+const float opaque_from = 12.0;  // pixels of the longest edge
+const float faintest = 0.05;
+void main() {
+  vec2 at[3];
+  bool is_in_front = true;
+  for (int i = 0; i < 3; ++i) {
+    is_in_front = is_in_front && gl_in[i].gl_Position.w > 0.0;
+    at[i] = half_size * gl_in[i].gl_Position.xy / gl_in[i].gl_Position.w;
+  }
+  float longest = max(distance(at[0], at[1]), max(distance(at[1], at[2]), distance(at[2], at[0])));
+  for (int i = 0; i < 3; ++i) {
+    strength = is_in_front ? clamp(longest / opaque_from, faintest, 1.0) : 1.0;
+    gl_Position = gl_in[i].gl_Position;
+    EmitVertex();
+  }
+  EndPrimitive();
+}
+)";
+
 constexpr const char* edge_fragment_shader = R"(#version 330 core
 uniform vec3 ink;
+flat in float strength;
 out vec4 color;
-void main() { color = vec4(ink, 1); }
+void main() { color = vec4(ink, strength); }
 )";
 
 constexpr GLuint at_location = 0, normal_location = 1, uv_location = 2, lights_binding = 0;
@@ -112,47 +139,62 @@ void DrawTriangles(const SurfaceBatch& batch) {
                  Offset(batch.first * sizeof(std::uint32_t)));
 }
 
+void UploadTriangles(GpuSurfaces& uploaded, const Surfaces& surfaces) {
+  assert(std::ranges::all_of(surfaces.indices, [&](auto i) { return i < surfaces.vertices.size(); }));
+  glBindVertexArray(uploaded.shaded.Name());  // indices belong to the array bound when they come
+  glBindBuffer(GL_ARRAY_BUFFER, uploaded.vertices.Name());
+  glBufferData(GL_ARRAY_BUFFER, Bytes(surfaces.vertices), surfaces.vertices.data(), GL_STATIC_DRAW);
+  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, uploaded.indices.Name());
+  glBufferData(GL_ELEMENT_ARRAY_BUFFER, Bytes(surfaces.indices), surfaces.indices.data(), GL_STATIC_DRAW);
+  Describe(at_location, 3, GL_FLOAT, sizeof(SurfaceVertex), offsetof(SurfaceVertex, at));
+  Describe(normal_location, 4, GL_SHORT, sizeof(SurfaceVertex), offsetof(SurfaceVertex, normal));
+  if (!surfaces.uvs.empty()) {
+    assert(surfaces.uvs.size() == surfaces.vertices.size());
+    glBindBuffer(GL_ARRAY_BUFFER, uploaded.uvs.Name());
+    glBufferData(GL_ARRAY_BUFFER, Bytes(surfaces.uvs), surfaces.uvs.data(), GL_STATIC_DRAW);
+    Describe(uv_location, 2, GL_FLOAT, sizeof(surfaces.uvs[0]), 0);
+    glBindBuffer(GL_ARRAY_BUFFER, uploaded.vertices.Name());
+  }
+  glBindVertexArray(uploaded.plain.Name());
+  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, uploaded.indices.Name());
+  Describe(at_location, 3, GL_FLOAT, sizeof(SurfaceVertex), offsetof(SurfaceVertex, at));
+  CheckMemory();
+}
+
+/// The far side of a solid first; without writing depth, so that what comes later is seen behind.
+void DrawClear(const SurfaceBatch& batch) {
+  glEnable(GL_BLEND);
+  // Light that comes through is multiplied color by color.
+  glBlendFuncSeparate(GL_ONE, GL_SRC1_COLOR, GL_ONE, GL_ZERO);
+  glDepthMask(GL_FALSE);
+  glEnable(GL_CULL_FACE);
+  for (const GLenum hidden : {GL_FRONT, GL_BACK}) {
+    glCullFace(hidden);
+    DrawTriangles(batch);
+  }
+  glDisable(GL_CULL_FACE);
+  glDepthMask(GL_TRUE);
+}
+
 }  // namespace
 
-SurfaceDrawer::SurfaceDrawer() : edges_("edges", edge_vertex_shader, edge_fragment_shader) {}
-
 std::shared_ptr<GpuSurfaces> SurfaceDrawer::Upload(const ScenePicture& picture) const {
-  const Surfaces& surfaces = picture.surfaces;
   auto uploaded = std::make_shared<GpuSurfaces>();
-  uploaded->batches = surfaces.batches;
+  uploaded->batches = picture.surfaces.batches;
   uploaded->diffuse_light = picture.diffuse_light;
   uploaded->background = picture.background;
   uploaded->features = FeaturesOf(picture);
   uploaded->glossy = picture.glossy;
   uploaded->head_light = picture.lights.head_light;
   uploaded->light_count = static_cast<int>(picture.lights.lights.size());
-
-  assert(std::ranges::all_of(surfaces.indices, [&](auto i) { return i < surfaces.vertices.size(); }));
-  glBindVertexArray(uploaded->shaded.Name());  // indices belong to the array bound when they come
-  glBindBuffer(GL_ARRAY_BUFFER, uploaded->vertices.Name());
-  glBufferData(GL_ARRAY_BUFFER, Bytes(surfaces.vertices), surfaces.vertices.data(), GL_STATIC_DRAW);
-  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, uploaded->indices.Name());
-  glBufferData(GL_ELEMENT_ARRAY_BUFFER, Bytes(surfaces.indices), surfaces.indices.data(), GL_STATIC_DRAW);
-  Describe(at_location, 3, GL_FLOAT, sizeof(SurfaceVertex), offsetof(SurfaceVertex, at));
-  Describe(normal_location, 4, GL_SHORT, sizeof(SurfaceVertex), offsetof(SurfaceVertex, normal));
-  if (!surfaces.uvs.empty()) {
-    assert(surfaces.uvs.size() == surfaces.vertices.size());
-    glBindBuffer(GL_ARRAY_BUFFER, uploaded->uvs.Name());
-    glBufferData(GL_ARRAY_BUFFER, Bytes(surfaces.uvs), surfaces.uvs.data(), GL_STATIC_DRAW);
-    Describe(uv_location, 2, GL_FLOAT, sizeof(surfaces.uvs[0]), 0);
-    glBindBuffer(GL_ARRAY_BUFFER, uploaded->vertices.Name());
-  }
-  glBindVertexArray(uploaded->plain.Name());
-  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, uploaded->indices.Name());
-  Describe(at_location, 3, GL_FLOAT, sizeof(SurfaceVertex), offsetof(SurfaceVertex, at));
-  CheckMemory();
+  UploadTriangles(*uploaded, picture.surfaces);
 
   std::vector<GpuLight> lights(most_preview_lights);
   std::ranges::transform(picture.lights.lights, lights.begin(), AsGpu);
   glBindBuffer(GL_UNIFORM_BUFFER, uploaded->lights.Name());
   glBufferData(GL_UNIFORM_BUFFER, Bytes(lights), lights.data(), GL_STATIC_DRAW);
   glActiveTexture(GL_TEXTURE0);
-  for (const SurfaceBatch& batch : surfaces.batches) {
+  for (const SurfaceBatch& batch : picture.surfaces.batches) {
     AddTexture(uploaded->textures, batch.material.texture.get(), false);
     AddTexture(uploaded->reliefs, batch.material.bump.get(), true);
   }
@@ -176,6 +218,7 @@ const ShaderProgram& SurfaceDrawer::ProgramFor(const SurfaceFeatures& features) 
   glUniform1i(program["paint"], paint_unit);
   glUniform1i(program["relief"], relief_unit);
   glUniform1i(program["environment"], environment_unit);
+  glUniformBlockBinding(program.Name(), glGetUniformBlockIndex(program.Name(), "Lights"), lights_binding);
   return program;
 }
 
@@ -232,6 +275,21 @@ void SurfaceDrawer::UseMaterial(const ShaderProgram& program, const GpuSurfaces&
   }
 }
 
+/// What shines on the surfaces.
+void SurfaceDrawer::UseLights(const ShaderProgram& program, const GpuSurfaces& surfaces,
+                              const PreviewView& view) const {
+  std::array<float, 27> diffuse_light{};
+  for (std::size_t i = 0; i < 9; ++i)
+    std::ranges::copy(AsFloats(surfaces.diffuse_light.factors[i]), diffuse_light.begin() + 3 * i);
+  glUniform3fv(program["diffuse_light"], 9, diffuse_light.data());
+  glBindBufferBase(GL_UNIFORM_BUFFER, lights_binding, surfaces.lights.Name());
+  if (surfaces.head_light) {
+    const GpuLight at_eye = AsGpu({.color = {1, 1, 1}, .place = view.eye});
+    glBufferSubData(GL_UNIFORM_BUFFER, 0, sizeof(at_eye), &at_eye);
+  }
+  glUniform1i(program["light_count"], surfaces.head_light ? 1 : surfaces.light_count);
+}
+
 void SurfaceDrawer::Draw(const GpuSurfaces& surfaces, const ClipMatrix& clip_from_drawing,
                          const PreviewView& view) const {
   if (surfaces.batches.empty()) return;
@@ -239,41 +297,19 @@ void SurfaceDrawer::Draw(const GpuSurfaces& surfaces, const ClipMatrix& clip_fro
   Use(program, surfaces, view);
   SetMatrix(program["clip_from_drawing"], clip_from_drawing);
   glUniform3fv(program["eye"], 1, view.eye.data());
-  std::array<float, 27> diffuse_light{};
-  for (std::size_t i = 0; i < 9; ++i)
-    std::ranges::copy(AsFloats(surfaces.diffuse_light.factors[i]), diffuse_light.begin() + 3 * i);
-  glUniform3fv(program["diffuse_light"], 9, diffuse_light.data());
-  glBindBufferBase(GL_UNIFORM_BUFFER, lights_binding, surfaces.lights.Name());
-  glUniformBlockBinding(program.Name(), glGetUniformBlockIndex(program.Name(), "Lights"), lights_binding);
-  if (surfaces.head_light) {
-    const GpuLight at_eye = AsGpu({.color = {1, 1, 1}, .place = view.eye});
-    glBufferSubData(GL_UNIFORM_BUFFER, 0, sizeof(at_eye), &at_eye);
-  }
-  glUniform1i(program["light_count"], surfaces.head_light ? 1 : surfaces.light_count);
+  UseLights(program, surfaces, view);
 
   glBindVertexArray(surfaces.shaded.Name());
   // Moved back a little, by their slope and the smallest step of depth, so that lines on them are seen.
   glEnable(GL_POLYGON_OFFSET_FILL);
   glPolygonOffset(1, 1);
   glDisable(GL_BLEND);
-  // Light that comes through is multiplied color by color.
-  glBlendFuncSeparate(GL_ONE, GL_SRC1_COLOR, GL_ONE, GL_ZERO);
   for (const SurfaceBatch& batch : surfaces.batches) {
     UseMaterial(program, surfaces, batch.material);
-    if (!batch.is_clear) {
+    if (batch.is_clear)
+      DrawClear(batch);
+    else
       DrawTriangles(batch);
-      continue;
-    }
-    glEnable(GL_BLEND);
-    glDepthMask(GL_FALSE);
-    glEnable(GL_CULL_FACE);
-    for (const GLenum hidden : {GL_FRONT, GL_BACK}) {  // the far side of a solid first
-      glCullFace(hidden);
-      DrawTriangles(batch);
-    }
-    glDisable(GL_CULL_FACE);
-    glDepthMask(GL_TRUE);
-    glDisable(GL_BLEND);
   }
   glDisable(GL_POLYGON_OFFSET_FILL);
   glEnable(GL_BLEND);
@@ -282,9 +318,14 @@ void SurfaceDrawer::Draw(const GpuSurfaces& surfaces, const ClipMatrix& clip_fro
 
 void SurfaceDrawer::DrawEdges(const GpuSurfaces& surfaces, const ClipMatrix& clip_from_drawing,
                               const Rgba& color) const {
-  edges_.Use();
-  SetMatrix(edges_["clip_from_drawing"], clip_from_drawing);
-  Set(edges_, "ink", R2::Color{color[0] / 255.0, color[1] / 255.0, color[2] / 255.0});
+  if (!edges_)
+    edges_ = std::make_unique<ShaderProgram>("edges", edge_vertex_shader, edge_fragment_shader, edge_geometry_shader);
+  edges_->Use();
+  SetMatrix((*edges_)["clip_from_drawing"], clip_from_drawing);
+  Set(*edges_, "ink", R2::Color{color[0] / 255.0, color[1] / 255.0, color[2] / 255.0});
+  std::array<GLint, 4> viewport{};
+  glGetIntegerv(GL_VIEWPORT, viewport.data());
+  glUniform2f((*edges_)["half_size"], static_cast<float>(viewport[2]) / 2, static_cast<float>(viewport[3]) / 2);
   glBindVertexArray(surfaces.plain.Name());
   glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
   for (const SurfaceBatch& batch : surfaces.batches) DrawTriangles(batch);

@@ -1,8 +1,7 @@
 #pragma once
 
-#include <map>
 #include <memory>
-#include <optional>
+#include <vector>
 
 #include "source/view/FrameState.h"
 #include "source/view/gl/Gpu.h"
@@ -14,22 +13,21 @@ namespace ray {
 /// Scenes, shaded pixel by pixel.
 class SurfaceDrawer {
  public:
-  SurfaceDrawer();
   /// On the GPU until the pointer goes. Throws ContextError when its memory is full, or the driver rejects a shader.
   std::shared_ptr<GpuSurfaces> Upload(const ScenePicture& picture) const;
   /// The environment over all of the viewport, to be drawn first; nothing for a scene without one.
   void DrawSky(const GpuSurfaces& surfaces, const PreviewView& view) const;
   /// Opaque surfaces first, then clear ones without writing depth.
   void Draw(const GpuSurfaces& surfaces, const ClipMatrix& clip_from_drawing, const PreviewView& view) const;
-  /// Edges of triangles in one color.
+  /// Edges of triangles in one color, those of triangles that are small on the screen the fainter.
   void DrawEdges(const GpuSurfaces& surfaces, const ClipMatrix& clip_from_drawing, const Rgba& color) const;
 
  private:
   const ShaderProgram& ProgramFor(const SurfaceFeatures& features) const;
   void Use(const ShaderProgram& program, const GpuSurfaces& surfaces, const PreviewView& view) const;
+  void UseLights(const ShaderProgram& program, const GpuSurfaces& surfaces, const PreviewView& view) const;
   void UseMaterial(const ShaderProgram& program, const GpuSurfaces& surfaces, const SurfaceMaterial& material) const;
 
-  ShaderProgram edges_;
   VertexArray nothing_;
   // Made when a scene first asks for them, for to compile them all would take longer than to draw.
   struct Made {
@@ -37,7 +35,7 @@ class SurfaceDrawer {
     std::unique_ptr<ShaderProgram> program;
   };
   mutable std::vector<Made> programs_;
-  mutable std::unique_ptr<ShaderProgram> sky_;
+  mutable std::unique_ptr<ShaderProgram> sky_, edges_;
 };
 
 }  // namespace ray

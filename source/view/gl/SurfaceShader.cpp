@@ -174,7 +174,29 @@ vec3 Bent(vec3 V, vec3 N, bool entering) {
 }
 )";
 
-// The surface equation; see PhongReflection, SpecularWeightsOf and Whitted.
+// PhongReflection of every light; `left` is what a coat leaves on the way out.
+constexpr const char* reflection = R"(
+vec3 FromLights(vec3 N, vec3 V, vec3 diffuse, float left) {
+  vec3 sum = vec3(0);
+  for (int i = 0; i < light_count; ++i) {
+    vec3 L;
+    vec3 arriving = Irradiance(lights[i], position, L);
+    float cosine = dot(N, L);
+    if (!(cosine > 0.0)) continue;
+    float share = left * cosine;
+#ifdef COATS
+    if (coat > 0.0) share *= 21.0 / 20.0 * (1.0 - FifthPower(1.0 - min(cosine, 1.0)));
+#endif
+    vec3 reflected = share * diffuse;
+    float in_lobe = dot(V, 2.0 * cosine * N - L);
+    if (in_lobe > 0.0) reflected += pow(in_lobe, exponent) * ks;
+    sum += arriving * reflected;
+  }
+  return sum;
+}
+)";
+
+// The surface equation; see SpecularWeightsOf and Whitted.
 constexpr const char* shading = R"(
 void main() {
   vec3 V = normalize(eye - position);
@@ -207,20 +229,7 @@ void main() {
     transmitted *= 1.0 - share;
   }
 #endif
-  for (int i = 0; i < light_count; ++i) {
-    vec3 L;
-    vec3 arriving = Irradiance(lights[i], position, L);
-    float cosine = dot(N, L);
-    if (!(cosine > 0.0)) continue;
-    float share = cosine;
-#ifdef COATS
-    if (coat > 0.0) share *= 21.0 / 20.0 * (1.0 - FifthPower(1.0 - min(cosine, 1.0)));
-#endif
-    vec3 reflected = share * left_by_coat * diffuse;
-    float in_lobe = dot(V, 2.0 * cosine * N - L);
-    if (in_lobe > 0.0) reflected += pow(in_lobe, exponent) * ks;
-    sum += arriving * reflected;
-  }
+  sum += FromLights(N, V, diffuse, left_by_coat);
 #ifdef DIFFUSE_LIGHT
   sum += left_by_coat * diffuse * LightFromAround(N);
 #endif
@@ -260,7 +269,7 @@ std::string SurfaceFragmentShader(const SurfaceFeatures& features) {
   add(features.coats, "COATS", coats);
   add(features.fresnel, "FRESNEL", fresnel);
   add(features.clear && features.environment, "BENDING", bending);
-  return text + shading;
+  return text + reflection + shading;
 }
 
 std::string SkyVertexShader() { return std::string(version) + sky_vertex_shader; }

@@ -234,6 +234,21 @@ TEST_P(Painter, DrawsTheEdgesOfTrianglesInOneColor) {
   EXPECT_LE(greens, 60);
 }
 
+// Else a dense mesh would be one area of ink.
+TEST_P(Painter, DrawsTheEdgesOfSmallTrianglesFaintly) {
+  const auto wall = painter->surfaces.Upload(Wall(0, red));
+  const auto green_of = [&](double size) {
+    painter->canvas.Begin(41, 41, {});
+    ClipMatrix smaller = as_it_is;
+    smaller[0] = smaller[5] = size;
+    painter->surfaces.DrawEdges(*wall, smaller, green);
+    return PixelOf(painter->canvas.Read(), 20, 20)[1];
+  };
+  EXPECT_EQ(green_of(1), 255);
+  EXPECT_LT(green_of(0.05), 150);
+  EXPECT_GT(green_of(0.05), 50);
+}
+
 // What is shown is then sure to be what was traced.
 TEST_P(Painter, KeepsEveryBitOfAPicture) {
   std::mt19937 random(2);
