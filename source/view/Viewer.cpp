@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "source/scene/CameraText.h"
 #include "source/view/overlay/SceneLines.h"
@@ -93,9 +94,12 @@ void Viewer::On(const KeyEvent& event) {
     if (*binding.help) help = binding.help;
     if (binding.key != event.key || binding.modifiers != event.modifiers) continue;
     if (event.key != Key::q) was_asked_to_quit_ = false;
-    message_.clear();
+    const std::string before = std::exchange(message_, {});
     binding.act(*this);
-    if (message_.empty()) ShowMessage(help);
+    if (is_closed_)
+      message_ = before;  // what was seen last is what is saved
+    else if (message_.empty())
+      ShowMessage(help);
     needs_redraw_ = true;
     return;
   }

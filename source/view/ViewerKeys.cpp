@@ -37,7 +37,7 @@ void Viewer::Peel() {
 void Viewer::Quit() {
   if (!pictures_.IsTracing() || was_asked_to_quit_) {
     is_closed_ = true;
-    return ShowMessage("quitting");
+    return;
   }
   was_asked_to_quit_ = true;
   ShowMessage("still rendering; Q again quits without saving");
