@@ -1,11 +1,11 @@
 #!/bin/sh
 # A table of how far the viewer's preview is from the traced image of the same view: mean FLIP, 0 equal to 1 opposite.
 #
-#     script/preview_difference.sh [-size N] [-keep folder] [scene ...]
+#     script/preview_difference.sh [-size N] [-keep folder] [-shadows] [scene ...]
 #
 # Scenes are by default twenty of the tree: lights, materials, textures, mirrors, glass, environments, many things. The
 # preview is drawn without a window or words over it; the image has 16 samples per pixel, traced at the first run with
-# -keep and then taken from there. RAYPRO, RAYIMG and RAYVIEW name the programs (default those of build/).
+# -keep and then taken from there; -shadows as key Shift+L. RAYPRO, RAYIMG and RAYVIEW name the programs (default those of build/).
 set -eu
 export LC_ALL=C  # numbers have a point
 here=$(cd "$(dirname "$0")/.." && pwd)
@@ -14,12 +14,14 @@ rayimg=${RAYIMG:-$here/build/rayimg}
 rayview=${RAYVIEW:-$here/build/rayview}
 size=256
 samples=16
+shadows=no
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 kept=$work
 while [ $# -gt 0 ]; do
   case $1 in
     -size) size=$2; shift 2 ;;
+    -shadows) shadows=yes; shift ;;
     -keep) kept=$2; mkdir -p "$kept"; shift 2 ;;
     *) break ;;
   esac
@@ -34,7 +36,10 @@ if [ $# -eq 0 ]; then
 fi
 
 # Words that are shown for a moment have gone by then.
-echo 'tick 60' > "$work/events"
+{
+  if [ "$shadows" = yes ]; then echo 'key Shift+L'; fi
+  echo 'tick 60'
+} > "$work/events"
 printf '%-36s%10s\n' "scene, ${size}x${size}, $samples samples" FLIP
 for scene in "$@"; do
   name=${scene#"$here"/}

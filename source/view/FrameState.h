@@ -33,7 +33,7 @@ struct FrameState {
   ClipMatrix clip_from_drawing{};
   PreviewView seen_from;
   std::shared_ptr<const ScenePicture> faces;
-  bool shows_faces = true, shows_edges = false;
+  bool shows_faces = true, shows_edges = false, shows_shadows = false;
   Rgba edge_color{};
   std::shared_ptr<const Lines> lines;
   std::shared_ptr<const Lines> marks;  // likewise, made anew for each view

@@ -175,7 +175,7 @@ class Viewer {
 
   DrawingSize size_;
   bool shows_faces_ = true, shows_edges_ = false, shows_camera_ = false, shows_lights_ = false;
-  bool shows_quad_ = true;
+  bool shows_quad_ = true, shows_shadows_ = false;
   int help_page_ = 0;  // from 1; 0 for none
   Boxes boxes_ = Boxes::none;
   int box_level_;

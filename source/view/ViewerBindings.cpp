@@ -87,6 +87,8 @@ std::vector<Viewer::Binding> Viewer::MakeBindings() {
       {Key::e, plain, "toggle edges", toggle("edges", &Viewer::shows_edges_)},
       {Key::w, plain, "toggle faces", toggle("faces", &Viewer::shows_faces_)},
       {Key::l, plain, "toggle lights; F frames them as well", [](Viewer& v) { v.ToggleLights(); }},
+      {Key::l, shift, "toggle shadows of the preview, from as many of the strongest lights as there is room for",
+       toggle("shadows", &Viewer::shows_shadows_)},
       {Key::c, shift, "toggle the scene's camera", toggle("the scene's camera", &Viewer::shows_camera_)},
 
       {Key::f, plain, "frame the whole scene", [](Viewer& v) { v.navigator_.Frame(v.BoxToFrame()); }},

@@ -47,6 +47,7 @@ FrameState Viewer::Show() {
   shown.faces = faces_;
   shown.shows_faces = shows_faces_;
   shown.shows_edges = shows_edges_;
+  shown.shows_shadows = shows_shadows_;
   shown.edge_color = ray::Shown(InverseOf(shown.background));
   shown.lines = lines_;
   shown.marks = std::make_shared<const Lines>(MakeMarks());
@@ -245,6 +246,7 @@ std::string Viewer::State() const {
   line("faces", yes_or_no(shows_faces_));
   line("edges", yes_or_no(shows_edges_));
   line("lights", yes_or_no(shows_lights_));
+  line("shadows", yes_or_no(shows_shadows_));
   line("frustum", yes_or_no(shows_camera_));
   line("quad", yes_or_no(ShowsQuad()));
   line("boxes", BoxesInWords());

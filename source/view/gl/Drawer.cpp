@@ -24,8 +24,7 @@ ClipMatrix SectionMatrix(const DrawingSize& viewport) {
 }  // namespace
 
 template <typename List, typename GpuList, typename Uploader>
-const GpuList& Drawer::Upload(Slot<List, GpuList>& slot, const std::shared_ptr<const List>& list,
-                              const Uploader& uploader) {
+GpuList& Drawer::Upload(Slot<List, GpuList>& slot, const std::shared_ptr<const List>& list, const Uploader& uploader) {
   if (slot.list != list) {
     slot.uploaded.reset();  // first, so that both are never there at once
     slot.uploaded = uploader.Upload(*list);
@@ -89,6 +88,7 @@ void Drawer::Draw(const FrameState& state) {
   const bool is_covered = state.picture.has_value();
   if (is_covered) painter_.pictures.Draw(Upload(picture_, *state.picture), LookOf(*state.picture));
   const SurfaceDrawer& surfaces = painter_.surfaces;
+  if (state.shows_faces && !is_covered) surfaces.SetShadows(Upload(faces_, state.faces, surfaces), state.shows_shadows);
   if (!is_covered) surfaces.DrawSky(Upload(faces_, state.faces, surfaces), state.seen_from);
   if (state.shows_faces && !is_covered) surfaces.Draw(Upload(faces_, state.faces, surfaces), clip, state.seen_from);
   if (state.shows_edges) surfaces.DrawEdges(Upload(faces_, state.faces, surfaces), clip, state.edge_color);

@@ -26,7 +26,7 @@ class Drawer {
     std::shared_ptr<GpuList> uploaded;
   };
   template <typename List, typename GpuList, typename Uploader>
-  const GpuList& Upload(Slot<List, GpuList>& slot, const std::shared_ptr<const List>& list, const Uploader& uploader);
+  GpuList& Upload(Slot<List, GpuList>& slot, const std::shared_ptr<const List>& list, const Uploader& uploader);
   const GpuLines& Upload(Slot<Lines, GpuLines>& slot, const std::shared_ptr<const Lines>& lines) {
     return Upload(slot, lines, painter_.lists);
   }

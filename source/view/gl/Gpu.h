@@ -5,8 +5,10 @@
 #include <vector>
 
 #include "source/view/gl/Objects.h"
+#include "source/view/gl/ShadowMaps.h"
 #include "source/view/gl/SurfaceShader.h"
 #include "source/view/preview/ScenePicture.h"
+#include "source/view/preview/ShadowViews.h"
 
 /// What lists and pictures become on the GPU.
 namespace ray {
@@ -22,7 +24,9 @@ struct GpuSurfaces {
   R2::Color background;
   SurfaceFeatures features;
   bool glossy = false, head_light = false;
-  int light_count = 0;
+  std::vector<PreviewLight> preview_lights;
+  ShadowViews shadow_views;           // where there are shadows
+  std::optional<GpuShadows> shadows;  // none until they are first asked for
 };
 
 struct GpuLines {

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "source/view/contexts/Context.h"
 
@@ -67,10 +69,14 @@ ShaderProgram::ShaderProgram(const char* name, const char* vertex_shader, const 
 
 ShaderProgram::~ShaderProgram() { glDeleteProgram(program_); }
 
-void SetMatrix(GLint uniform, const ClipMatrix& matrix) {
-  std::array<float, 16> single{};
-  std::transform(matrix.begin(), matrix.end(), single.begin(), [](double x) { return static_cast<float>(x); });
-  glUniformMatrix4fv(uniform, 1, GL_FALSE, single.data());
+void SetMatrix(GLint uniform, const ClipMatrix& matrix) { SetMatrices(uniform, {&matrix, 1}); }
+
+void SetMatrices(GLint uniform, std::span<const ClipMatrix> matrices) {
+  std::vector<float> single;
+  for (const ClipMatrix& matrix : matrices)
+    std::transform(matrix.begin(), matrix.end(), std::back_inserter(single),
+                   [](double x) { return static_cast<float>(x); });
+  glUniformMatrix4fv(uniform, static_cast<GLsizei>(matrices.size()), GL_FALSE, single.data());
 }
 
 }  // namespace ray

@@ -2,6 +2,8 @@
 
 #include <epoxy/gl.h>
 
+#include <span>
+
 #include "source/view/Drawing.h"
 
 namespace ray {
@@ -28,5 +30,7 @@ class ShaderProgram {
 
 /// Sets a matrix of the program in use.
 void SetMatrix(GLint uniform, const ClipMatrix& matrix);
+/// An array of them.
+void SetMatrices(GLint uniform, std::span<const ClipMatrix> matrices);
 
 }  // namespace ray

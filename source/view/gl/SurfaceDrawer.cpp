@@ -53,7 +53,7 @@ void main() { color = vec4(ink, strength); }
 )";
 
 constexpr GLuint at_location = 0, normal_location = 1, uv_location = 2, lights_binding = 0;
-constexpr GLint paint_unit = 0, relief_unit = 1, environment_unit = 2;
+constexpr GLint paint_unit = 0, relief_unit = 1, environment_unit = 2, shadows_unit = 3;
 constexpr int most_texels = 2048;  // per side of a texture or environment: 24 MB in half precision
 constexpr double rim = 0.25;       // brightness at the rim of a full mirror that shows nothing
 
@@ -77,13 +77,13 @@ struct GpuLight {
 };
 static_assert(sizeof(GpuLight) == 64);
 
-GpuLight AsGpu(const PreviewLight& light) {
+GpuLight AsGpu(const PreviewLight& light, int first_shadow = 0) {
   const auto color = AsFloats(light.color);
   const auto &p = light.place, &d = light.direction;
   return {{color[0], color[1], color[2], AsFloat(light.exponent)},
           {p[0], p[1], p[2], light.is_infinite ? 1.F : 0.F},
           {d[0], d[1], d[2], AsFloat(light.least_cosine)},
-          {AsFloat(light.constant), AsFloat(light.linear), AsFloat(light.quadratic), 0}};
+          {AsFloat(light.constant), AsFloat(light.linear), AsFloat(light.quadratic), static_cast<float>(first_shadow)}};
 }
 
 bool IsOfBytes(const R2::Image& image) {
@@ -161,6 +161,14 @@ void UploadTriangles(GpuSurfaces& uploaded, const Surfaces& surfaces) {
   CheckMemory();
 }
 
+void UploadLights(const GpuSurfaces& surfaces) {
+  std::vector<GpuLight> lights(most_preview_lights);
+  for (std::size_t i = 0; i < surfaces.preview_lights.size(); ++i)
+    lights[i] = AsGpu(surfaces.preview_lights[i], surfaces.shadows ? surfaces.shadow_views.first[i] : 0);
+  glBindBuffer(GL_UNIFORM_BUFFER, surfaces.lights.Name());
+  glBufferData(GL_UNIFORM_BUFFER, Bytes(lights), lights.data(), GL_STATIC_DRAW);
+}
+
 /// The far side of a solid first; without writing depth, so that what comes later is seen behind.
 void DrawClear(const SurfaceBatch& batch) {
   glEnable(GL_BLEND);
@@ -186,13 +194,10 @@ std::shared_ptr<GpuSurfaces> SurfaceDrawer::Upload(const ScenePicture& picture) 
   uploaded->features = FeaturesOf(picture);
   uploaded->glossy = picture.glossy;
   uploaded->head_light = picture.lights.head_light;
-  uploaded->light_count = static_cast<int>(picture.lights.lights.size());
+  uploaded->preview_lights = picture.lights.lights;
   UploadTriangles(*uploaded, picture.surfaces);
 
-  std::vector<GpuLight> lights(most_preview_lights);
-  std::ranges::transform(picture.lights.lights, lights.begin(), AsGpu);
-  glBindBuffer(GL_UNIFORM_BUFFER, uploaded->lights.Name());
-  glBufferData(GL_UNIFORM_BUFFER, Bytes(lights), lights.data(), GL_STATIC_DRAW);
+  UploadLights(*uploaded);
   glActiveTexture(GL_TEXTURE0);
   for (const SurfaceBatch& batch : picture.surfaces.batches) {
     AddTexture(uploaded->textures, batch.material.texture.get(), false);
@@ -208,6 +213,24 @@ std::shared_ptr<GpuSurfaces> SurfaceDrawer::Upload(const ScenePicture& picture) 
   return uploaded;
 }
 
+void SurfaceDrawer::SetShadows(GpuSurfaces& surfaces, bool is_on) const {
+  if (is_on && !surfaces.shadows) {
+    surfaces.shadow_views = ShadowViewsOf(surfaces.preview_lights);
+    const auto& views = surfaces.shadow_views.clip_from_drawing;
+    if (views.empty()) return;
+    if (!depth_)
+      depth_ = std::make_unique<ShaderProgram>("shadows", DepthVertexShader().c_str(), DepthFragmentShader().c_str());
+    depth_->Use();
+    glBindVertexArray(surfaces.plain.Name());
+    surfaces.shadows.emplace(FilledShadows(static_cast<int>(views.size()), [&](int map) {
+      SetMatrix((*depth_)["clip_from_drawing"], views[static_cast<std::size_t>(map)]);
+      for (const SurfaceBatch& batch : surfaces.batches) DrawTriangles(batch);
+    }));
+    UploadLights(surfaces);
+  }
+  surfaces.features.shadows = is_on && surfaces.shadows;
+}
+
 const ShaderProgram& SurfaceDrawer::ProgramFor(const SurfaceFeatures& features) const {
   for (const Made& made : programs_)
     if (made.features == features) return *made.program;
@@ -218,6 +241,7 @@ const ShaderProgram& SurfaceDrawer::ProgramFor(const SurfaceFeatures& features) 
   glUniform1i(program["paint"], paint_unit);
   glUniform1i(program["relief"], relief_unit);
   glUniform1i(program["environment"], environment_unit);
+  glUniform1i(program["shadow_maps"], shadows_unit);
   glUniformBlockBinding(program.Name(), glGetUniformBlockIndex(program.Name(), "Lights"), lights_binding);
   return program;
 }
@@ -282,12 +306,18 @@ void SurfaceDrawer::UseLights(const ShaderProgram& program, const GpuSurfaces& s
   for (std::size_t i = 0; i < 9; ++i)
     std::ranges::copy(AsFloats(surfaces.diffuse_light.factors[i]), diffuse_light.begin() + 3 * i);
   glUniform3fv(program["diffuse_light"], 9, diffuse_light.data());
+  if (surfaces.features.shadows) {
+    glActiveTexture(GL_TEXTURE0 + shadows_unit);
+    glBindTexture(GL_TEXTURE_2D_ARRAY, surfaces.shadows->maps.Name());
+    glActiveTexture(GL_TEXTURE0);
+    SetMatrices(program["shadow_views"], surfaces.shadow_views.clip_from_drawing);
+  }
   glBindBufferBase(GL_UNIFORM_BUFFER, lights_binding, surfaces.lights.Name());
   if (surfaces.head_light) {
     const GpuLight at_eye = AsGpu({.color = {1, 1, 1}, .place = view.eye});
     glBufferSubData(GL_UNIFORM_BUFFER, 0, sizeof(at_eye), &at_eye);
   }
-  glUniform1i(program["light_count"], surfaces.head_light ? 1 : surfaces.light_count);
+  glUniform1i(program["light_count"], surfaces.head_light ? 1 : static_cast<GLint>(surfaces.preview_lights.size()));
 }
 
 void SurfaceDrawer::Draw(const GpuSurfaces& surfaces, const ClipMatrix& clip_from_drawing,

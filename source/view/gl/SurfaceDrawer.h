@@ -15,6 +15,9 @@ class SurfaceDrawer {
  public:
   /// On the GPU until the pointer goes. Throws ContextError when its memory is full, or the driver rejects a shader.
   std::shared_ptr<GpuSurfaces> Upload(const ScenePicture& picture) const;
+  /// Draws the shadow maps, once: from now on lights cast shadows where `is_on`. Throws ContextError when memory is
+  /// full.
+  void SetShadows(GpuSurfaces& surfaces, bool is_on) const;
   /// The environment over all of the viewport, to be drawn first; nothing for a scene without one.
   void DrawSky(const GpuSurfaces& surfaces, const PreviewView& view) const;
   /// Opaque surfaces first, then clear ones without writing depth.
@@ -35,7 +38,7 @@ class SurfaceDrawer {
     std::unique_ptr<ShaderProgram> program;
   };
   mutable std::vector<Made> programs_;
-  mutable std::unique_ptr<ShaderProgram> sky_, edges_;
+  mutable std::unique_ptr<ShaderProgram> sky_, edges_, depth_;
 };
 
 }  // namespace ray

@@ -21,6 +21,12 @@ void main() {
 }
 )";
 
+constexpr const char* depth_vertex_shader = R"(
+layout(location = 0) in vec3 at;
+uniform mat4 clip_from_drawing;
+void main() { gl_Position = clip_from_drawing * vec4(at, 1); }
+)";
+
 // A triangle over all of the viewport.
 constexpr const char* sky_vertex_shader = R"(
 uniform vec3 directions[3];  // towards the lower left corner; from there to the right edge; and to the upper one
@@ -76,7 +82,7 @@ struct Light {
   vec4 color;      // and the exponent
   vec4 place;      // and whether it is infinitely far
   vec4 direction;  // and the least cosine
-  vec4 falloff;    // constant, linear, quadratic
+  vec4 falloff;    // constant, linear, quadratic; and where its shadows are, as ShadowViews says
 };
 layout(std140) uniform Lights { Light lights[64]; };
 uniform int light_count;
@@ -174,6 +180,28 @@ vec3 Bent(vec3 V, vec3 N, bool entering) {
 }
 )";
 
+// How much of a light arrives: what its view has before the point, if that is in view.
+constexpr const char* shadows = R"(
+uniform sampler2DArrayShadow shadow_maps;
+uniform mat4 shadow_views[24];
+const float off_surface = 4e-3;  // of the distance: about two texels of a map
+float Unshadowed(Light light, vec3 at, vec3 normal) {
+  int view = int(abs(light.falloff.w)) - 1;
+  if (view < 0) return 1.0;
+  bool is_infinite = light.place.w > 0.0;
+  vec3 from = at - light.place.xyz;
+  if (light.falloff.w < 0.0) {
+    vec3 a = abs(from);
+    int axis = a.x >= a.y && a.x >= a.z ? 0 : a.y >= a.z ? 1 : 2;
+    view += 2 * axis + (from[axis] < 0.0 ? 1 : 0);
+  }
+  vec4 seen = shadow_views[view] * vec4(at + off_surface * (is_infinite ? 1.0 : length(from)) * normal, 1);
+  vec3 place = 0.5 * seen.xyz / seen.w + 0.5;
+  if (seen.w <= 0.0 || any(lessThan(place.xy, vec2(0))) || any(greaterThan(place.xy, vec2(1)))) return 1.0;
+  return texture(shadow_maps, vec4(place.xy, view, clamp(place.z, 0.0, 1.0)));
+}
+)";
+
 // PhongReflection of every light; `left` is what a coat leaves on the way out.
 constexpr const char* reflection = R"(
 vec3 FromLights(vec3 N, vec3 V, vec3 diffuse, float left) {
@@ -183,6 +211,9 @@ vec3 FromLights(vec3 N, vec3 V, vec3 diffuse, float left) {
     vec3 arriving = Irradiance(lights[i], position, L);
     float cosine = dot(N, L);
     if (!(cosine > 0.0)) continue;
+#ifdef SHADOWS
+    arriving *= Unshadowed(lights[i], position, (gl_FrontFacing ? 1.0 : -1.0) * normalize(outward));
+#endif
     float share = left * cosine;
 #ifdef COATS
     if (coat > 0.0) share *= 21.0 / 20.0 * (1.0 - FifthPower(1.0 - min(cosine, 1.0)));
@@ -268,10 +299,13 @@ std::string SurfaceFragmentShader(const SurfaceFeatures& features) {
   add(features.diffuse_light, "DIFFUSE_LIGHT", diffuse_light);
   add(features.coats, "COATS", coats);
   add(features.fresnel, "FRESNEL", fresnel);
+  add(features.shadows, "SHADOWS", shadows);
   add(features.clear && features.environment, "BENDING", bending);
   return text + reflection + shading;
 }
 
+std::string DepthVertexShader() { return std::string(version) + depth_vertex_shader; }
+std::string DepthFragmentShader() { return std::string(version) + "void main() {}\n"; }
 std::string SkyVertexShader() { return std::string(version) + sky_vertex_shader; }
 std::string SkyFragmentShader() { return std::string(version) + screen + environment + sky; }
 

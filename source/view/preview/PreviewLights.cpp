@@ -40,6 +40,7 @@ PreviewLight Known(const Light& light, const DrawingSpace& space) {
   known.color = {bound.power, bound.power, bound.power};
   known.place = space.At(bound.center);
   known.is_infinite = bound.is_infinite;
+  known.radius = bound.radius / space.radius;
   SetFalloff(known, bound.ca, bound.la, bound.qa, space.radius);
   const bool is_spot = is("spot_light"), is_area = is("area_light");
   if (is_spot || is_area || is("point_light") || is("sphere_light")) known.color = {a[0], a[1], a[2]};
@@ -62,6 +63,7 @@ struct Emitter {
 PreviewLight LightOf(const Emitter& emitter, bool is_path, const DrawingSpace& space) {
   PreviewLight light;
   light.place = space.At(emitter.middle);
+  light.casts_shadows = false;  // it would be in that of its own surface
   light.color = (is_path ? emitter.area / std::numbers::pi : emitter.parts) * emitter.emission;
   if (is_path) SetFalloff(light, 0, 0, 1, space.radius);
   return light;

@@ -24,6 +24,8 @@ struct PreviewLight {
   std::array<float, 3> direction{0, 0, 1};  // of its middle, away from the light; unit
   double least_cosine = everywhere, exponent = 0;
   double constant = 1, linear = 0, quadratic = 0;  // of distances in the drawing space
+  double radius = 0;                               // of its sphere
+  bool casts_shadows = true;
 };
 
 /// So many fit into the smallest uniform block that OpenGL 3.3 allows, 16 KiB, four times.

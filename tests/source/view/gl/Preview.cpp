@@ -22,11 +22,13 @@ class Preview : public ray::testing::WithContext {
   }
   void TearDown() override { painter.reset(); }
 
-  R2::Image Drawn(const project::Stage& stage, const ray::RenderSettings& settings) {
+  R2::Image Drawn(const project::Stage& stage, const ray::RenderSettings& settings, bool with_shadows = false) {
     const auto space = ray::DrawingSpace::Of(stage.scene->root.bounds);
     const ray::Exposure exposure{1, settings.srgb};
     const auto picture = PictureOf(stage.world, settings, space);
     const auto surfaces = painter->surfaces.Upload(picture);
+    painter->canvas.Begin(side, side, {});
+    painter->surfaces.SetShadows(*surfaces, with_shadows);
     const auto view = ray::ViewFrom(stage.scene->camera, space, {side, side}, exposure);
     const R2::Color background = stage.scene->background;
     painter->canvas.Begin(side, side, settings.srgb ? EncodeSrgb(background) : background);
@@ -37,12 +39,13 @@ class Preview : public ray::testing::WithContext {
   }
 
   /// The share of pixels that are more than `far` 255ths away from what is traced.
-  double Differing(const project::Stage& stage, double far = 3, ray::RenderSettings settings = {}) {
+  double Differing(const project::Stage& stage, double far = 3, ray::RenderSettings settings = {},
+                   bool with_shadows = false) {
     settings.width = settings.height = side;
     settings.trace.sampler = ray::SamplerKind::grid;  // through the middles of pixels, as OpenGL does
     settings.trace.shadow_samples = 256;
     R2::Image traced = project::Render(stage, settings).image;
-    const R2::Image drawn = Drawn(stage, settings);
+    const R2::Image drawn = Drawn(stage, settings, with_shadows);
     int count = 0;
     for (int y = 0; y < side; ++y)
       for (int x = 0; x < side; ++x) {
@@ -115,6 +118,20 @@ TEST_P(Preview, FollowsFresnelAndCoats) {
 
 TEST_P(Preview, ShowsTheEnvironmentBehindAndInMirrors) {
   EXPECT_LT(Differing(project::Stage(project::Root() / "scenes/environment_probe.scn"), 20), 0.15);
+}
+
+TEST_P(Preview, HasTheShadowsOfTheTracerWhenAskedFor) {
+  for (const char* light :
+       {"dir_light 0.8 0.7 0.6  -1 -2 -0.5\n", "point_light 0.8 0.7 0.6  3 8 2  1 0 0\n",
+        "point_light 0.8 0.7 0.6  1.5 1.8 1  1 0 0\n", "spot_light 0.8 0.7 0.6  1 6 1  -1 -6 -1  1 0 0  0.4 1\n",
+        "sphere_light 0.8 0.7 0.6  1.5 1.8 1  0.01  1 0 0\n"}) {
+    const project::Stage stage(project::FromText(
+        "camera  0 4 8  0 -0.4 -1  0 1 0  0.35  0.01 100\nambient 0.2 0.2 0.2\n" + std::string(light) +
+        Material("0.7 0.6 0.5  0 0 0  0 0 0  0 0 0  20 1 0") + "box 0  -4 -1 -4  4 -0.9 4\nsphere 0  0 0.3 0  0.8\n"));
+    const double without = Differing(stage, 20);
+    EXPECT_GT(without, 0.02) << light;
+    EXPECT_LT(Differing(stage, 20, {}, true), without / 5) << light;  // less their edges
+  }
 }
 
 TEST_P(Preview, FollowsSrgb) {
