@@ -169,6 +169,15 @@ void UploadLights(const GpuSurfaces& surfaces) {
   glBufferData(GL_UNIFORM_BUFFER, Bytes(lights), lights.data(), GL_STATIC_DRAW);
 }
 
+/// Whether what is drawn into can encode in sRGB itself, and so blend light before.
+bool CanEncodeSrgb() {
+  GLint framebuffer = 0, encoding = GL_LINEAR;
+  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &framebuffer);
+  glGetFramebufferAttachmentParameteriv(GL_DRAW_FRAMEBUFFER, framebuffer == 0 ? GL_BACK_LEFT : GL_COLOR_ATTACHMENT0,
+                                        GL_FRAMEBUFFER_ATTACHMENT_COLOR_ENCODING, &encoding);
+  return encoding == GL_SRGB;
+}
+
 /// The far side of a solid first; without writing depth, so that what comes later is seen behind.
 void DrawClear(const SurfaceBatch& batch) {
   glEnable(GL_BLEND);
@@ -328,6 +337,11 @@ void SurfaceDrawer::Draw(const GpuSurfaces& surfaces, const ClipMatrix& clip_fro
   SetMatrix(program["clip_from_drawing"], clip_from_drawing);
   glUniform3fv(program["eye"], 1, view.eye.data());
   UseLights(program, surfaces, view);
+  const bool encodes = view.exposure.srgb && CanEncodeSrgb();
+  if (encodes) {
+    glUniform1i(program["srgb"], 0);
+    glEnable(GL_FRAMEBUFFER_SRGB);
+  }
 
   glBindVertexArray(surfaces.shaded.Name());
   // Moved back a little, by their slope and the smallest step of depth, so that lines on them are seen.
@@ -341,6 +355,7 @@ void SurfaceDrawer::Draw(const GpuSurfaces& surfaces, const ClipMatrix& clip_fro
     else
       DrawTriangles(batch);
   }
+  if (encodes) glDisable(GL_FRAMEBUFFER_SRGB);
   glDisable(GL_POLYGON_OFFSET_FILL);
   glEnable(GL_BLEND);
   UseAlpha();

@@ -240,6 +240,9 @@ class Builder {
 
   void Join() {
     Surfaces& surfaces = picture_.surfaces;
+    std::size_t all = 0;
+    for (const Draft& draft : drafts_) all += draft.indices.size();
+    surfaces.indices.reserve(all);
     for (const bool is_clear : {false, true})
       for (Draft& draft : drafts_) {
         if (draft.batch.is_clear != is_clear) continue;
@@ -247,7 +250,7 @@ class Builder {
         draft.batch.count = static_cast<std::uint32_t>(draft.indices.size());
         surfaces.indices.insert(surfaces.indices.end(), draft.indices.begin(), draft.indices.end());
         surfaces.batches.push_back(std::move(draft.batch));
-        draft.indices = {};
+        std::vector<std::uint32_t>().swap(draft.indices);  // frees its memory at once
       }
   }
 

@@ -134,12 +134,15 @@ TEST_P(Preview, HasTheShadowsOfTheTracerWhenAskedFor) {
   }
 }
 
-TEST_P(Preview, FollowsSrgb) {
-  const project::Stage stage(project::FromText(camera + "background 0.2 0.1 0.05\ndir_light 0.5 0.4 0.3  -1 0 -1\n" +
-                                               Material("0.7 0.6 0.5  0 0 0  0 0 0  0 0 0  20 1 0") + ball));
+TEST_P(Preview, FollowsSrgbAlsoWhereLightComesThrough) {
+  const std::string lit = camera + "background 0.2 0.1 0.05\ndir_light 0.5 0.4 0.3  0 0 -1\n";
+  const project::Stage solid(project::FromText(lit + Material("0.7 0.6 0.5  0 0 0  0 0 0  0 0 0  20 1 0") + ball));
+  const project::Stage pane(project::FromText(lit + Material("0.1 0.1 0.1  0 0 0  0.8 0.6 0.7  0 0 0  20 1 0") +
+                                              "tri 0  -3 -3 -1  3 -3 -1  0 3 -1\n"));
   ray::RenderSettings settings;
   settings.srgb = true;
-  EXPECT_LT(Differing(stage, 3, settings), outline);
+  EXPECT_LT(Differing(solid, 3, settings), outline);
+  EXPECT_LT(Differing(pane, 3, settings), outline);
 }
 
 // A scene whose author forgot the lights is still one to be looked at.
