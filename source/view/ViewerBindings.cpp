@@ -126,6 +126,7 @@ std::vector<Viewer::Binding> Viewer::MakeBindings() {
        [](Viewer& v) {
          v.rays_.ForgetPixel();
          v.InvalidateLines();
+         v.ShowMessage("the pixel's rays are cleared");
        }},
       {Key::left, plain, "step to the next pixel, or move the cross section", arrow(-1, 0)},
       {Key::right, plain, "", arrow(1, 0)},

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "source/scene/CameraText.h"
+#include "source/text/EnumNames.h"
 #include "source/text/NumberText.h"
 #include "source/view/Viewer.h"
 #include "source/view/overlay/SceneLines.h"
@@ -157,6 +158,8 @@ void Viewer::ToggleLive(std::optional<RenderMode> mode) {
   else
     pictures_.ShowLive(mode);
   InvalidateLines();
+  const std::string what = NameOf(mode.value_or(settings_.render.mode));
+  ShowMessage(pictures_.IsLive() ? "live rendering, mode " + what : "live rendering off");
 }
 
 void Viewer::KeepReference() {

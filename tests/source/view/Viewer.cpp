@@ -239,6 +239,15 @@ TEST_F(ViewerTest, EveryKeyTellsWhatItDid) {
   }
 }
 
+TEST_F(ViewerTest, KeysThatTurnSomethingOnAndOffSayWhichOfThemTheyDid) {
+  for (const char* key : {"E", "W", "L", "Shift+L", "Shift+C", "P", "F7", "F2", "F6", "G", "T", "X"}) {
+    Do(std::string("key ") + key);
+    const std::string first = viewer_->Message();
+    Do(std::string("key ") + key);
+    EXPECT_NE(viewer_->Message(), first) << key;
+  }
+}
+
 TEST_F(ViewerTest, MessagesFadeAndTheFirstOneNamesTheHelp) {
   EXPECT_TRUE(viewer_->Show().labels.empty()) << "a script that only draws gets the scene alone";
   Do("tick 0.1");
