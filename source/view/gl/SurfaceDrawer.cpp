@@ -185,7 +185,7 @@ void DrawClear(const SurfaceBatch& batch) {
   glBlendFuncSeparate(GL_ONE, GL_SRC1_COLOR, GL_ONE, GL_ZERO);
   glDepthMask(GL_FALSE);
   glEnable(GL_CULL_FACE);
-  for (const GLenum hidden : {GL_FRONT, GL_BACK}) {
+  for (const GLenum hidden : std::array<GLenum, 2>{GL_FRONT, GL_BACK}) {
     glCullFace(hidden);
     DrawTriangles(batch);
   }
