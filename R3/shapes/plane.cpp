@@ -39,14 +39,15 @@ class Plane : public Shape {
     return at;
   }
 
-  /// The square within 1 of the point, the finer the nearer to that; the viewer makes it as large as it needs.
+  /// The square within 1 of the point, the finer the nearer to that; the viewer makes it, and its texture coordinates,
+  /// as large as it needs.
   MeshData Tessellate(int fineness) const override {
     MeshData data;
     const Vector upward = Cross(unit_, across_);
     AddGrid(data, fineness, fineness, [&](int column, int row) {
       const double u = static_cast<double>(column) / fineness, v = static_cast<double>(row) / fineness;
       const double x = std::pow(2 * u - 1, 3), y = std::pow(2 * v - 1, 3);
-      return GridCorner{point_ + x * across_ + y * upward, AsNormal(unit_), {u, v}};
+      return GridCorner{point_ + x * across_ + y * upward, AsNormal(unit_), {x, y}};
     });
     return data;
   }

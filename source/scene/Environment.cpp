@@ -127,7 +127,7 @@ R2::Image Resampled(int rows, const Lookup& lookup) {
   return map;
 }
 
-R2::Image Map(R2::Image image, EnvironmentLayout layout) {
+R2::Image Unfolded(R2::Image image, EnvironmentLayout layout) {
   CheckValues(image);
   switch (layout) {
     case EnvironmentLayout::latitude_longitude:
@@ -185,7 +185,7 @@ std::string_view Name(EnvironmentLayout layout) {
 Environment::Environment(R2::Image image, std::string file)
     : file_(std::move(file)),
       layout_(LayoutOf(image)),
-      map_(Map(std::move(image), layout_)),
+      map_(Unfolded(std::move(image), layout_)),
       is_black_(IsAllBlack(map_)),
       columns_(Columns(map_, is_black_)),
       rows_(Rows(map_, is_black_)) {}

@@ -80,6 +80,8 @@ class Environment {
   double Pdf(const R3::Vector& direction) const;
 
   bool IsBlack() const { return is_black_; }
+  /// The latitude-longitude map that it was turned into: width twice the height.
+  const R2::Image& Map() const { return map_; }
 
  private:
   struct Texel {

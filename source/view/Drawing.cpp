@@ -33,4 +33,12 @@ void Append(Lines& lines, const Lines& more) { lines.insert(lines.end(), more.be
 
 Rgba Shown(const R2::Color& color, double alpha) { return {Byte(color.r), Byte(color.g), Byte(color.b), Byte(alpha)}; }
 
+Rgba Faded(Rgba color, std::size_t count, std::size_t most) {
+  constexpr double faintest = 1.0 / 50;
+  if (count <= most) return color;
+  const double share = std::max(faintest, static_cast<double>(most) / static_cast<double>(count));
+  color[3] = static_cast<std::uint8_t>(std::lround(share * color[3]));
+  return color;
+}
+
 }  // namespace ray

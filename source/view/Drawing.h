@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -33,6 +34,10 @@ using Rgba = std::array<std::uint8_t, 4>;
 /// Clamped to what can be shown.
 Rgba Shown(const R2::Color& color, double alpha = 1);
 
+/// The color of one of `count` things that together would hide what is behind them: as it is up to `most`, and then
+/// the fainter, the more there are, down to 1/50.
+Rgba Faded(Rgba color, std::size_t count, std::size_t most);
+
 struct Vertex {
   std::array<float, 3> at{};  // in a DrawingSpace
   Rgba color{};
@@ -42,13 +47,6 @@ struct Vertex {
 using Lines = std::vector<Vertex>;
 void AddLine(Lines& lines, const std::array<float, 3>& from, const std::array<float, 3>& to, const Rgba& color);
 void Append(Lines& lines, const Lines& more);
-
-/// Three indices per triangle.
-struct Triangles {
-  std::vector<Vertex> vertices;
-  std::vector<std::uint32_t> opaque;  // indices
-  std::vector<std::uint32_t> clear;   // indices of triangles to be blended over the others
-};
 
 /// A line of text, its lower left corner in pixels from that of the drawing.
 struct Label {

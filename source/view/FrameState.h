@@ -8,14 +8,10 @@
 #include "source/view/Drawing.h"
 #include "source/view/camera/CameraMoves.h"
 #include "source/view/live/Frame.h"
+#include "source/view/preview/PreviewView.h"
+#include "source/view/preview/ScenePicture.h"
 
 namespace ray {
-
-/// How radiance becomes what a screen is given.
-struct Exposure {
-  double factor = 1;
-  bool srgb = false;
-};
 
 /// All that a viewer shows at a moment; knows nothing of OpenGL. Lists are shared and never changed once they are
 /// shown: the same pointer is the same list.
@@ -35,10 +31,12 @@ struct FrameState {
   DrawingSize view;  // of the part, at the left, that shows the scene
   R2::Color background;
   ClipMatrix clip_from_drawing{};
-  std::shared_ptr<const Triangles> faces;
-  bool shows_faces = true, shows_edges = false;
+  PreviewView seen_from;
+  std::shared_ptr<const ScenePicture> faces;
+  bool shows_faces = true, shows_edges = false, shows_shadows = false;
   Rgba edge_color{};
   std::shared_ptr<const Lines> lines;
+  std::shared_ptr<const Lines> marks;  // likewise, made anew for each view
   std::optional<Picture> quad, picture;
   std::shared_ptr<const Lines> section;  // in the square from -1 to 1, at the right; null for none
   std::vector<Label> labels;

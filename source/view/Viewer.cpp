@@ -2,12 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
-#include <fstream>
+#include <utility>
 
 #include "source/scene/CameraText.h"
-#include "source/text/NumberText.h"
-#include "source/view/ScenePicture.h"
 #include "source/view/overlay/SceneLines.h"
 
 namespace ray {
@@ -43,11 +40,14 @@ void Viewer::TakeScene(std::shared_ptr<const LoadedScene> scene) {
   const R3::Box& box = scene_->parsed.scene.root.bounds;
   space_ = DrawingSpace::Of(box);
   navigator_.SetBox(box);
-  ScenePicture picture = PictureOf(scene_->world, space_);
+  ScenePicture picture = PictureOf(scene_->world, settings_.render, space_);
   notes_.clear();
-  if (picture.as_boxes > 0) notes_ += std::to_string(picture.as_boxes) + " primitives shown as boxes";
-  if (picture.left_out > 0) notes_ += (notes_.empty() ? "" : ", ") + std::to_string(picture.left_out) + " not shown";
-  faces_ = std::make_shared<const Triangles>(std::move(picture.triangles));
+  if (picture.as_boxes > 0) AddNote(std::to_string(picture.as_boxes) + " primitives shown as boxes");
+  if (picture.left_out > 0) AddNote(std::to_string(picture.left_out) + " not shown");
+  if (picture.lights.left_out > 0)
+    AddNote(std::to_string(picture.lights.left_out) + " weaker lights left out of the preview");
+  if (picture.lights.head_light) AddNote("the scene is unlit: seen by a light at the eye");
+  faces_ = std::make_shared<const ScenePicture>(std::move(picture));
   watch_.Watch(scene_->parsed.scene.files);
   rays_.ForgetAll();
   pick_.reset();
@@ -55,6 +55,8 @@ void Viewer::TakeScene(std::shared_ptr<const LoadedScene> scene) {
   pictures_.Touch();
   InvalidateLines();
 }
+
+void Viewer::AddNote(const std::string& note) { notes_ += (notes_.empty() ? "" : ", ") + note; }
 
 RenderSettings Viewer::SettingsOfView() const {
   RenderSettings settings = settings_.render;
@@ -68,6 +70,7 @@ RenderSettings Viewer::SettingsOfView() const {
 
 void Viewer::ShowMessage(const std::string& message) {
   message_ = message;
+  message_since_ = now_;
   needs_redraw_ = true;
 }
 
@@ -86,12 +89,20 @@ void Viewer::On(const KeyEvent& event) {
       if (binding.key == event.key && binding.release) binding.release(*this);
     return;
   }
-  for (const Binding& binding : Bindings())
-    if (binding.key == event.key && binding.modifiers == event.modifiers) {
-      binding.act(*this);
-      needs_redraw_ = true;
-      return;
-    }
+  const char* help = "";
+  for (const Binding& binding : Bindings()) {
+    if (*binding.help) help = binding.help;
+    if (binding.key != event.key || binding.modifiers != event.modifiers) continue;
+    if (event.key != Key::q) was_asked_to_quit_ = false;
+    const std::string before = std::exchange(message_, {});
+    binding.act(*this);
+    if (is_closed_)
+      message_ = before;  // what was seen last is what is saved
+    else if (message_.empty())
+      ShowMessage(help);
+    needs_redraw_ = true;
+    return;
+  }
 }
 
 void Viewer::On(const ButtonEvent& event) {
@@ -151,7 +162,12 @@ void Viewer::On(const ResizeEvent& event) {
 void Viewer::On(const DropEvent& event) { Open(event.file); }
 
 void Viewer::On(const TickEvent& event) {
+  // Not before time passes: a script that only draws gets the scene alone.
+  if (!std::exchange(has_ticked_, true) && message_.empty())
+    ShowMessage("H: help" + (notes_.empty() ? "" : "; " + notes_));
+  const double strength = StrengthOfMessage();
   now_ += event.seconds;
+  if (StrengthOfMessage() != strength) needs_redraw_ = true;
   navigator_.Advance(event.seconds);
   if (now_ - last_look_at_files_ < seconds_between_looks) return;
   last_look_at_files_ = now_;
@@ -185,141 +201,15 @@ void Viewer::SaveEnded(const RenderJob& job) {
   ShowMessage(host_.SaveTraced(job));
 }
 
-void Viewer::StartTrace() {
-  pictures_.StartTrace(scene_, SettingsOfView());
-  pictures_.HideLive();
-  shows_quad_ = true;
-  ShowMessage("rendering");
-  InvalidateLines();
-}
-
-void Viewer::StopOrQuit() {
-  if (!pictures_.StopTrace()) is_closed_ = true;
-}
-
-void Viewer::PrintCamera() {
-  const std::string line = CameraLine(navigator_.camera());
-  host_.Print(line);
-  host_.SetClipboard(line + "\n");
-  ShowMessage("camera printed and copied to the clipboard");
-}
-
-void Viewer::CycleBoxes() {
-  boxes_ = boxes_ == Boxes::none ? Boxes::nodes : boxes_ == Boxes::nodes ? Boxes::accelerator : Boxes::none;
-  InvalidateLines();
-  ShowMessage(BoxesInWords());
-}
-
-void Viewer::ChangeBoxLevel(int by) {
-  if (boxes_ == Boxes::none) boxes_ = Boxes::nodes;
-  constexpr int deepest = 1 << 20;
-  box_level_ = std::clamp(box_level_ + by, all_levels, deepest);
-  InvalidateLines();
-  ShowMessage(BoxesInWords());
-}
-
-void Viewer::FramePicked() {
-  if (!pick_ || !pick_->point) return ShowMessage("nothing is picked; click an object first");
-  const Instance& instance = scene_->world.Instances()[pick_->instance];
-  if (!instance.is_bounded) return ShowMessage("it has no end, and cannot be framed");
-  const R3::Box box = scene_->world.InWorld(instance.frame, R3::Bounds(*instance.shape));
-  navigator_.SetPivot(pick_->point);
-  navigator_.Frame(box);
-}
-
-void Viewer::KeepBookmark(int digit) {
-  const bool is_kept = bookmarks_.Keep(digit, navigator_.camera());
-  ShowMessage("bookmark " + std::to_string(digit) +
-              (is_kept ? " saved" : " lasts for this session only: cannot write " + bookmarks_.File()));
-}
-
-void Viewer::RecallBookmark(int digit) {
-  if (const auto camera = bookmarks_.Find(digit)) return navigator_.Go(*camera);
-  ShowMessage("no bookmark " + std::to_string(digit));
-}
-
-void Viewer::ToggleGrid() {
-  if (rays_.ShowsGrid())
-    rays_.ToggleGrid();
-  else
-    rays_.TraceGrid(*scene_, pictures_.Trace() ? pictures_.Trace()->Settings() : SettingsOfView());
-  InvalidateLines();
-}
-
-void Viewer::DebugPixelAt(const R2::Point& position) {
-  if (const auto pixel = PixelOnQuad(position)) {
-    rays_.TracePixel(*scene_, pictures_.Trace()->Settings(), pixel->first, pixel->second);
-  } else {
-    if (position.x < 0 || position.y < 0 || position.x >= size_.width || position.y >= size_.height) return;
-    rays_.TracePixel(*scene_, SettingsOfView(), static_cast<int>(position.x), static_cast<int>(position.y));
-  }
-  ReportPixel();
-}
-
-void Viewer::ReportPixel() {
-  arrows_move_section_ = false;
-  const PixelTrace& pixel = *rays_.Pixel();
-  host_.Print(RayTree(pixel, scene_->world, rays_.PixelSettings()));
-  ShowMessage("pixel " + std::to_string(pixel.column) + " " + std::to_string(pixel.row) + ", " +
-              std::to_string(pixel.rays.size()) + " rays");
-  InvalidateLines();
-}
-
-void Viewer::MoveByArrow(int right, int up) {
-  if (arrows_move_section_) {
-    section_.Move(up);
-    section_lines_.reset();
-    needs_redraw_ = true;
-  } else if (rays_.StepPixel(*scene_, right, up)) {
-    ReportPixel();
-  }
-}
-
-void Viewer::SaveRays() {
-  const auto shown = rays_.Shown();
-  if (shown.empty()) return ShowMessage("no rays are shown; press G or right-click a pixel first");
-  ShowMessage(host_.SaveRays(RaysAsObj(shown, space_.radius)));
-}
-
-void Viewer::ToggleLive(std::optional<RenderMode> mode) {
-  if (pictures_.IsLive() && pictures_.LiveMode() == mode)
-    pictures_.HideLive();
-  else
-    pictures_.ShowLive(mode);
-  InvalidateLines();
-}
-
-void Viewer::KeepReference() {
-  const auto current = pictures_.Current();
-  if (!current) return ShowMessage("nothing is rendered yet; press S or P first");
-  pictures_.SetReference(current);
-  ShowMessage("image kept as the reference");
-}
-
-void Viewer::Compare(TracedPictures::Comparing how) {
-  pictures_.Compare(pictures_.HowCompared() == how ? TracedPictures::Comparing::no : how);
-  ShowMessage(pictures_.Comparison());
-}
-
-void Viewer::ChangeExposure(double steps) {
-  exposure_steps_ = steps == 0 ? 0 : exposure_steps_ + steps;
-  ShowMessage("exposure " + ToText(exposure_steps_) + (std::abs(exposure_steps_) == 1 ? " stop" : " stops"));
-}
-
 void Viewer::Reload() {
   try {
     TakeScene(Load(settings_.scene, settings_));
-    ShowMessage("scene reloaded");
+    ShowMessage("scene reloaded" + (notes_.empty() ? "" : "; " + notes_));
   } catch (const std::exception& error) {
     // The scene that is shown stays until the new one can be read.
     host_.Print(error.what());
     ShowMessage(FirstLine(error.what()));
   }
-}
-
-void Viewer::TurnHelpPage() {
-  const int pages = (static_cast<int>(Help().size()) + LinesOfText() - 1) / LinesOfText();
-  help_page_ = help_page_ >= pages ? 0 : help_page_ + 1;
 }
 
 void Viewer::Open(const std::string& file) {
@@ -335,7 +225,7 @@ void Viewer::Open(const std::string& file) {
     TakeScene(std::move(scene));
     navigator_.SetPivot({});
     navigator_.Go(scene_->parsed.scene.camera);
-    ShowMessage("opened " + file);
+    ShowMessage("opened " + file + (notes_.empty() ? "" : "; " + notes_));
   } catch (const std::exception& error) {
     host_.Print(error.what());
     ShowMessage(FirstLine(error.what()));

@@ -9,6 +9,7 @@
 #include "source/view/Event.h"
 #include "source/view/FileWatch.h"
 #include "source/view/FrameState.h"
+#include "source/view/HelpText.h"
 #include "source/view/camera/Bookmarks.h"
 #include "source/view/camera/Navigator.h"
 #include "source/view/live/TracedPictures.h"
@@ -73,8 +74,9 @@ class Viewer {
     std::function<void(Viewer&)> release = nullptr;  // where it lasts as long as the key is held
   };
   static const std::vector<Binding>& Bindings();
-  /// Keys and gestures, a line each.
+  /// Gestures and keys in groups, a line each.
   static std::vector<std::string> Help();
+  static std::vector<HelpRow> HelpRows();
 
   const LoadedScene& scene() const { return *scene_; }
   const Navigator& navigator() const { return navigator_; }
@@ -106,7 +108,10 @@ class Viewer {
 
   static std::vector<Binding> MakeBindings();
   void StartTrace();
-  void StopOrQuit();
+  /// Ends the uppermost of what is open: the help, the pick, the cross section, the trace.
+  void Peel();
+  void Quit();
+  void ToggleLights();
   void PrintCamera();
   void CycleBoxes();
   void ChangeBoxLevel(int by);
@@ -125,6 +130,7 @@ class Viewer {
   void Open(const std::string& file);
 
   void TakeScene(std::shared_ptr<const LoadedScene> scene);
+  void AddNote(const std::string& note);
   void DebugPixelAt(const R2::Point& position);
   void ReportPixel();
   void SaveEnded(const RenderJob& job);
@@ -135,12 +141,21 @@ class Viewer {
   std::array<R3::Point, 4> QuadCorners() const;
   /// Around all that is drawn in space.
   R3::Box BoxOfDrawing() const;
+  /// Around the scene, and its lights when they are shown.
+  R3::Box BoxToFrame() const;
+  /// What keeps its size on the screen: the pivot and the pick.
+  Lines MakeMarks() const;
+  /// What is left of the message, from 1 to 0.
+  double StrengthOfMessage() const;
+  std::vector<std::string> HelpPage() const;
   /// The pixel of the traced picture that is seen there on its quad.
   std::optional<std::pair<int, int>> PixelOnQuad(const R2::Point& position) const;
   bool ShowsQuad() const { return shows_quad_ && pictures_.Trace() && !pictures_.IsLive(); }
   Lines MakeLines() const;
   /// How many lines of text have room above one another, at least 1.
   int LinesOfText() const;
+  /// How many letters have room side by side, at least 1.
+  int ColumnsOfText() const;
   std::vector<Label> MakeLabels() const;
   std::string BoxesInWords() const;
   std::optional<FrameState::Picture> CoveringPicture() const;
@@ -149,7 +164,7 @@ class Viewer {
   ViewerHost& host_;
   std::shared_ptr<const LoadedScene> scene_;
   DrawingSpace space_;
-  std::shared_ptr<const Triangles> faces_;
+  std::shared_ptr<const ScenePicture> faces_;
   FileWatch watch_;
   Bookmarks bookmarks_;
   Navigator navigator_;
@@ -160,13 +175,15 @@ class Viewer {
 
   DrawingSize size_;
   bool shows_faces_ = true, shows_edges_ = false, shows_camera_ = false, shows_lights_ = false;
-  bool shows_quad_ = true;
+  bool shows_quad_ = true, shows_shadows_ = false;
   int help_page_ = 0;  // from 1; 0 for none
   Boxes boxes_ = Boxes::none;
   int box_level_;
   double exposure_steps_ = 0;         // each doubles the light
   bool arrows_move_section_ = false;  // else the pixel
   std::string message_, notes_;
+  double message_since_ = 0;  // seconds of ticks
+  bool has_ticked_ = false, was_asked_to_quit_ = false;
 
   std::optional<Press> press_;
   double now_ = 0, last_look_at_files_ = 0, last_click_ = -1;  // seconds of ticks

@@ -22,20 +22,38 @@ constexpr std::array gestures{
     std::array{"file dropped", "open a scene or mesh, or use an image as the reference"},
 };
 
+/// Where a group of keys begins in the table, for the help.
+struct Heading {
+  Key key;
+  Modifiers modifiers;
+  const char* text;
+};
+constexpr std::array headings{
+    Heading{Key::s, plain, "Rendering"},     Heading{Key::b, plain, "What is shown"},
+    Heading{Key::f, plain, "Camera"},        Heading{Key::g, plain, "Rays"},
+    Heading{Key::x, plain, "Cross section"}, Heading{Key::f7, plain, "False colors"},
+    Heading{Key::r, plain, "Comparing"},     Heading{Key::up, control, "Exposure"},
+    Heading{Key::f1, plain, "Program"},      Heading{Key::digit_1, plain, "Bookmarks"},
+};
+
+std::string OnOrOff(const std::string& what, bool is_on) { return what + (is_on ? " on" : " off"); }
+
 }  // namespace
 
 std::vector<Viewer::Binding> Viewer::MakeBindings() {
-  const auto toggle = [](bool Viewer::*shows) {
-    return [shows](Viewer& v) {
+  const auto toggle = [](const char* what, bool Viewer::*shows) {
+    return [what, shows](Viewer& v) {
       v.*shows = !(v.*shows);
       v.InvalidateLines();
+      v.ShowMessage(OnOrOff(what, v.*shows));
     };
   };
-  const auto toggle_rays = [](ShownRays kind) {
-    return [kind](Viewer& v) {
+  const auto toggle_rays = [](const char* what, ShownRays kind) {
+    return [what, kind](Viewer& v) {
       v.rays_.Toggle(kind);
       v.section_lines_.reset();
       v.InvalidateLines();
+      v.ShowMessage(OnOrOff(what, v.rays_.Look().shows[static_cast<std::size_t>(kind)]));
     };
   };
   const auto live = [](std::optional<RenderMode> mode = {}) { return [mode](Viewer& v) { v.ToggleLive(mode); }; };
@@ -44,6 +62,8 @@ std::vector<Viewer::Binding> Viewer::MakeBindings() {
     return [by](Viewer& v) {
       v.rays_.StepBounce(by);
       v.InvalidateLines();
+      const int deepest = v.rays_.Look().deepest;
+      v.ShowMessage(deepest < 0 ? "rays of all bounces" : "rays of up to " + std::to_string(deepest) + " bounces");
     };
   };
   const auto along = [](const R3::Vector& towards, const R3::Vector& up) {
@@ -52,10 +72,11 @@ std::vector<Viewer::Binding> Viewer::MakeBindings() {
 
   std::vector<Binding> bindings{
       {Key::s, plain, "render the view and save the image", [](Viewer& v) { v.StartTrace(); }},
-      {Key::escape, plain, "stop rendering; quit if nothing is being rendered", [](Viewer& v) { v.StopOrQuit(); }},
-      {Key::q, plain, "quit", [](Viewer& v) { v.is_closed_ = true; }},
+      {Key::escape, plain, "close the help, forget the pick, close the cross section, stop rendering",
+       [](Viewer& v) { v.Peel(); }},
+      {Key::q, plain, "quit; while a picture is being rendered, when pressed twice", [](Viewer& v) { v.Quit(); }},
       {Key::p, plain, "toggle live rendering", live()},
-      {Key::v, plain, "toggle the rendered image in space", toggle(&Viewer::shows_quad_)},
+      {Key::v, plain, "toggle the rendered image in space", toggle("rendered image in space", &Viewer::shows_quad_)},
       {Key::c, plain, "print the camera as a scene-file line and copy it to the clipboard",
        [](Viewer& v) { v.PrintCamera(); }},
       {Key::space, plain, "", [](Viewer& v) { v.PrintCamera(); }},
@@ -63,15 +84,20 @@ std::vector<Viewer::Binding> Viewer::MakeBindings() {
       {Key::b, plain, "bounding boxes: none, scene graph, accelerator", [](Viewer& v) { v.CycleBoxes(); }},
       {Key::comma, plain, "bounding boxes one level up", [](Viewer& v) { v.ChangeBoxLevel(-1); }},
       {Key::period, plain, "bounding boxes one level down", [](Viewer& v) { v.ChangeBoxLevel(1); }},
-      {Key::e, plain, "toggle edges", toggle(&Viewer::shows_edges_)},
-      {Key::w, plain, "toggle faces", toggle(&Viewer::shows_faces_)},
-      {Key::l, plain, "toggle lights", toggle(&Viewer::shows_lights_)},
-      {Key::c, shift, "toggle the scene's camera", toggle(&Viewer::shows_camera_)},
+      {Key::e, plain, "toggle edges", toggle("edges", &Viewer::shows_edges_)},
+      {Key::w, plain, "toggle faces", toggle("faces", &Viewer::shows_faces_)},
+      {Key::l, plain, "toggle lights; F frames them as well", [](Viewer& v) { v.ToggleLights(); }},
+      {Key::l, shift, "toggle shadows of the preview, from as many of the strongest lights as there is room for",
+       toggle("shadows", &Viewer::shows_shadows_)},
+      {Key::c, shift, "toggle the scene's camera", toggle("the scene's camera", &Viewer::shows_camera_)},
 
-      {Key::f, plain, "frame the whole scene", [](Viewer& v) { v.navigator_.Frame(v.navigator_.box()); }},
+      {Key::f, plain, "frame the whole scene", [](Viewer& v) { v.navigator_.Frame(v.BoxToFrame()); }},
       {Key::f, shift, "frame the picked object", [](Viewer& v) { v.FramePicked(); }},
-      {Key::t, plain, "toggle turntable rotation, which keeps the horizon level",
-       [](Viewer& v) { v.navigator_.ToggleTurntable(); }},
+      {Key::t, plain, "rotation as a turntable, with a level horizon, or freely",
+       [](Viewer& v) {
+         v.navigator_.ToggleTurntable();
+         v.ShowMessage(v.navigator_.IsTurntable() ? "rotates as a turntable" : "rotates freely");
+       }},
       {Key::left_bracket, plain, "narrow the field of view", [](Viewer& v) { v.navigator_.Widen(1 / wider); }},
       {Key::right_bracket, plain, "widen the field of view", [](Viewer& v) { v.navigator_.Widen(wider); }},
       {Key::z, plain, "previous view", [](Viewer& v) { v.navigator_.Back(); }},
@@ -82,14 +108,16 @@ std::vector<Viewer::Binding> Viewer::MakeBindings() {
       {Key::pad_0, plain, "the scene's camera", [](Viewer& v) { v.navigator_.Go(v.scene_->parsed.scene.camera); }},
 
       {Key::g, plain, "toggle the rays of every 25th pixel", [](Viewer& v) { v.ToggleGrid(); }},
-      {Key::f2, plain, "toggle camera rays", toggle_rays(ShownRays::camera)},
-      {Key::f3, plain, "toggle shadow rays", toggle_rays(ShownRays::shadow)},
-      {Key::f4, plain, "toggle reflected and scattered rays", toggle_rays(ShownRays::reflection)},
-      {Key::f5, plain, "toggle transmitted rays", toggle_rays(ShownRays::transmission)},
+      {Key::f2, plain, "toggle camera rays", toggle_rays("camera rays", ShownRays::camera)},
+      {Key::f3, plain, "toggle shadow rays", toggle_rays("shadow rays", ShownRays::shadow)},
+      {Key::f4, plain, "toggle reflected and scattered rays",
+       toggle_rays("reflected and scattered rays", ShownRays::reflection)},
+      {Key::f5, plain, "toggle transmitted rays", toggle_rays("transmitted rays", ShownRays::transmission)},
       {Key::f6, plain, "toggle normals at hit points",
        [](Viewer& v) {
          v.rays_.ToggleNormals();
          v.InvalidateLines();
+         v.ShowMessage(OnOrOff("normals at hit points", v.rays_.Look().normals));
        }},
       {Key::n, plain, "show one more bounce", step_bounce(1)},
       {Key::n, shift, "show one bounce fewer", step_bounce(-1)},
@@ -98,6 +126,7 @@ std::vector<Viewer::Binding> Viewer::MakeBindings() {
        [](Viewer& v) {
          v.rays_.ForgetPixel();
          v.InvalidateLines();
+         v.ShowMessage("the pixel's rays are cleared");
        }},
       {Key::left, plain, "step to the next pixel, or move the cross section", arrow(-1, 0)},
       {Key::right, plain, "", arrow(1, 0)},
@@ -109,12 +138,14 @@ std::vector<Viewer::Binding> Viewer::MakeBindings() {
          v.section_.Toggle();
          v.arrows_move_section_ = v.section_.IsShown();
          v.section_lines_.reset();
+         v.ShowMessage(OnOrOff("cross section", v.section_.IsShown()));
        }},
       {Key::x, shift, "plane of the cross section: camera row, xz, yz, xy",
        [](Viewer& v) {
          v.section_.NextPlane();
          v.arrows_move_section_ = true;
          v.section_lines_.reset();
+         v.ShowMessage("cross section: " + v.section_.Describe(v.size_.height));
        }},
 
       {Key::f7, plain, "live depth", live(RenderMode::depth)},
@@ -138,7 +169,7 @@ std::vector<Viewer::Binding> Viewer::MakeBindings() {
       {Key::digit_0, control, "reset the exposure", [](Viewer& v) { v.ChangeExposure(0); }},
       {Key::f1, plain, "save a screenshot", [](Viewer& v) { v.host_.SaveDrawing(); }},
       {Key::r, control, "reload the scene", [](Viewer& v) { v.Reload(); }},
-      {Key::h, plain, "show this help, page by page", [](Viewer& v) { v.TurnHelpPage(); }},
+      {Key::h, plain, "this help, page by page", [](Viewer& v) { v.TurnHelpPage(); }},
       {Key::slash, plain, "", [](Viewer& v) { v.TurnHelpPage(); }},
       {Key::slash, shift, "", [](Viewer& v) { v.TurnHelpPage(); }},
   };
@@ -160,26 +191,21 @@ const std::vector<Viewer::Binding>& Viewer::Bindings() {
   return bindings;
 }
 
-std::vector<std::string> Viewer::Help() {
-  std::vector<std::pair<std::string, std::string>> rows;
+std::vector<HelpRow> Viewer::HelpRows() {
+  std::vector<HelpRow> rows{{"", "Mouse"}};
+  for (const auto& [gesture, help] : gestures) rows.push_back({gesture, help});
   for (const Binding& binding : Bindings()) {
+    for (const Heading& heading : headings)
+      if (heading.key == binding.key && heading.modifiers == binding.modifiers) rows.push_back({"", heading.text});
     const std::string key = NameOf(binding.key, binding.modifiers);
     if (*binding.help)
-      rows.emplace_back(key, binding.help);
+      rows.push_back({key, binding.help});
     else
-      rows.back().first += " " + key;
+      rows.back().keys += " " + key;
   }
-  for (const auto& [gesture, help] : gestures) rows.emplace_back(gesture, help);
-  std::vector<std::string> lines;
-  constexpr std::size_t column = 26;
-  for (auto& [keys, help] : rows) {
-    if (keys.size() + 1 < column)
-      keys.resize(column, ' ');
-    else
-      keys += "  ";
-    lines.push_back(keys + help);
-  }
-  return lines;
+  return rows;
 }
+
+std::vector<std::string> Viewer::Help() { return HelpLines(HelpRows(), 0); }
 
 }  // namespace ray

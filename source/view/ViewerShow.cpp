@@ -15,8 +15,9 @@ namespace {
 
 constexpr double quad_share_of_distance = 0.25;  // how far the traced picture hangs before its camera
 constexpr Rgba frustum_color{255, 255, 120, 255}, picked_color{255, 90, 90, 255}, text_color{255, 255, 255, 255};
-constexpr double line_height = 17, margin = 6;  // of text, in pixels
-constexpr double cross_share = 0.03;            // of the scene's radius
+constexpr double line_height = 17, letter_width = 8, margin = 6;  // of text, in pixels
+constexpr double cross_size = 8;                                  // pixels from the middle of a mark to its end
+constexpr double seconds_of_message = 5, seconds_of_fading = 1;
 
 R2::Color InverseOf(const R2::Color& c) { return {1 - c.r, 1 - c.g, 1 - c.b}; }
 
@@ -38,14 +39,18 @@ FrameState Viewer::Show() {
     shown.view.width = std::max(1, size_.width / 2);
     shown.section = section_lines_;
   }
-  shown.background = scene_->parsed.scene.background;
+  const Exposure exposure{std::exp2(exposure_steps_), settings_.render.srgb};
+  const R2::Color background = exposure.factor * scene_->parsed.scene.background;
+  shown.background = exposure.srgb ? EncodeSrgb(background) : background;
+  shown.seen_from = ViewFrom(navigator_.camera(), space_, shown.view, exposure);
   shown.clip_from_drawing = ClipFromDrawing(navigator_.camera(), space_, BoxOfDrawing(), shown.view);
   shown.faces = faces_;
   shown.shows_faces = shows_faces_;
   shown.shows_edges = shows_edges_;
+  shown.shows_shadows = shows_shadows_;
   shown.edge_color = ray::Shown(InverseOf(shown.background));
   shown.lines = lines_;
-  const Exposure exposure{std::exp2(exposure_steps_), settings_.render.srgb};
+  shown.marks = std::make_shared<const Lines>(MakeMarks());
   if (ShowsQuad()) {
     FrameState::Picture quad;
     quad.frame = &pictures_.Trace()->frame();
@@ -62,8 +67,19 @@ FrameState Viewer::Show() {
   return shown;
 }
 
-R3::Box Viewer::BoxOfDrawing() const {
+R3::Box Viewer::BoxToFrame() const {
   R3::Box box = scene_->parsed.scene.root.bounds;
+  if (!shows_lights_) return box;
+  for (const auto& light : scene_->parsed.scene.lights) {
+    const LightBound bound = light->Bound();
+    const R3::Vector reach{bound.radius, bound.radius, bound.radius};
+    if (!light->IsBlack() && !bound.is_infinite) box.Extend(bound.center - reach), box.Extend(bound.center + reach);
+  }
+  return box;
+}
+
+R3::Box Viewer::BoxOfDrawing() const {
+  R3::Box box = BoxToFrame();
   const bool has_rays = rays_.ShowsGrid() || rays_.Pixel(), has_planes = !scene_->world.Unbounded().empty();
   if ((has_rays || has_planes) && !box.IsEmpty()) {  // they go beyond the scene
     const double reach = (has_planes ? times_the_scene : 2) * box.Radius();
@@ -142,9 +158,20 @@ Lines Viewer::MakeLines() const {
     const double distance = Length(QuadCorners()[0] - camera.eye) > 0 ? DepthOf(camera, QuadCorners()[0]) : 0;
     Append(lines, CameraLines(camera, traced.width, traced.height, distance, space_, frustum_color));
   }
-  Append(lines, RayLines(rays_.Shown(), space_, rays_.Look()));
-  if (navigator_.Pivot()) Append(lines, AxesAt(*navigator_.Pivot(), cross_share * space_.radius, space_));
-  if (pick_ && pick_->point) Append(lines, CrossAt(*pick_->point, cross_share * space_.radius, space_, picked_color));
+  // Each by itself: what fades among many rays of the grid must not take those of a pixel along.
+  if (rays_.ShowsGrid()) Append(lines, RayLines(rays_.Grid(), space_, rays_.Look()));
+  if (rays_.Pixel()) Append(lines, RayLines({*rays_.Pixel()}, space_, rays_.Look()));
+  return lines;
+}
+
+Lines Viewer::MakeMarks() const {
+  Lines lines;
+  const Camera& camera = navigator_.camera();
+  const auto size_at = [&](const R3::Point& p) {
+    return cross_size * std::max(0.0, DepthOf(camera, p)) * 2 * camera.HalfWidth() / size_.width;
+  };
+  if (const auto& pivot = navigator_.Pivot()) Append(lines, AxesAt(*pivot, size_at(*pivot), space_));
+  if (pick_ && pick_->point) Append(lines, CrossAt(*pick_->point, size_at(*pick_->point), space_, picked_color));
   return lines;
 }
 
@@ -153,15 +180,25 @@ int Viewer::LinesOfText() const {
   return std::max(1, static_cast<int>(room / line_height));
 }
 
+int Viewer::ColumnsOfText() const { return std::max(1, static_cast<int>((size_.width - 2 * margin) / letter_width)); }
+
+double Viewer::StrengthOfMessage() const {
+  return std::clamp((message_since_ + seconds_of_message - now_) / seconds_of_fading, 0.0, 1.0);
+}
+
+std::vector<std::string> Viewer::HelpPage() const {
+  const auto pages = HelpPages(HelpRows(), ColumnsOfText(), LinesOfText());
+  return pages[std::min(pages.size(), static_cast<std::size_t>(help_page_)) - 1];
+}
+
 std::vector<Label> Viewer::MakeLabels() const {
   std::vector<Label> labels;
-  if (!message_.empty()) labels.push_back({margin, margin, message_, text_color});
+  const double strength = StrengthOfMessage();
+  if (!message_.empty() && strength > 0)
+    labels.push_back({margin, margin, message_, {255, 255, 255, static_cast<std::uint8_t>(255 * strength)}});
   std::vector<std::string> upper;
   if (help_page_ > 0) {
-    const std::vector<std::string> help = Help();
-    const auto begin = std::min(help.size(), static_cast<std::size_t>((help_page_ - 1) * LinesOfText()));
-    const auto end = std::min(help.size(), begin + static_cast<std::size_t>(LinesOfText()));
-    upper.assign(help.begin() + static_cast<std::ptrdiff_t>(begin), help.begin() + static_cast<std::ptrdiff_t>(end));
+    upper = HelpPage();
   } else if (pick_) {
     upper = pick_->text;
   }
@@ -209,6 +246,7 @@ std::string Viewer::State() const {
   line("faces", yes_or_no(shows_faces_));
   line("edges", yes_or_no(shows_edges_));
   line("lights", yes_or_no(shows_lights_));
+  line("shadows", yes_or_no(shows_shadows_));
   line("frustum", yes_or_no(shows_camera_));
   line("quad", yes_or_no(ShowsQuad()));
   line("boxes", BoxesInWords());

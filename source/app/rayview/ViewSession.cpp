@@ -23,7 +23,6 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr double seconds_while_busy = 1.0 / 60, seconds_while_idle = 0.25;  // between two looks
-constexpr const char* default_title = "OpenGL Viewer";                      // the course's
 
 double SecondsSince(Clock::time_point then) { return std::chrono::duration<double>(Clock::now() - then).count(); }
 
@@ -35,6 +34,8 @@ std::vector<ScriptStep> ReadScript(const std::string& name) {
   if (!std::filesystem::is_regular_file(name) || !in) throw SceneErrors({ErrorIn(name, "the file cannot be read")});
   return ReadEventScript({name, AllOf(in)});
 }
+
+std::string NameOfFile(const std::string& path) { return std::filesystem::path(path).filename().string(); }
 
 /// Nothing when it is no picture.
 std::shared_ptr<const R2::Image> ReadPictureFile(const std::string& name) {
@@ -99,8 +100,9 @@ class Session : public ViewerHost {
   Session(const Options& options, const ViewOutputs& outputs, std::shared_ptr<const LoadedScene> scene)
       : options_(options),
         outputs_(outputs),
-        window_(options.view.headless ? nullptr
-                                      : MakeWindow(options.render.width, options.render.height, default_title)),
+        window_(options.view.headless
+                    ? nullptr
+                    : MakeWindow(options.render.width, options.render.height, "rayview " + NameOfFile(options.scene))),
         offscreen_(options.view.headless ? MakeOffscreenContext(options.view.context) : nullptr),
         painter_(window_ ? Canvas::Target::window : Canvas::Target::own),
         drawer_(painter_),
@@ -190,7 +192,7 @@ class Session : public ViewerHost {
     if (window_) ShowTitle();
   }
   void ShowTitle() {
-    const std::string title = viewer_.Title() + " " + window_->Name();
+    const std::string title = "rayview " + viewer_.Title() + " " + window_->Name();
     if (title != title_) window_->SetTitle(title);
     title_ = title;
   }

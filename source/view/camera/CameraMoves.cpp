@@ -37,6 +37,12 @@ double AllowedTilt(const Camera& camera, const R3::Vector& vertical, double tilt
   return std::clamp(tilt, std::min(0.0, -most - elevation), std::max(0.0, most - elevation));
 }
 
+/// Whether it looks along the vertical, as axis views do, so that this is no direction on the picture.
+bool IsAtPole(const Camera& camera, const R3::Vector& vertical) {
+  constexpr double nearest = 1e-6;  // radians; drags stop far before
+  return Length(Cross(camera.towards, Unit(vertical))) < nearest;
+}
+
 }  // namespace
 
 Camera Turned(const Camera& camera, const R3::Point& center, const R3::Vector& axis, double angle) {
@@ -57,7 +63,7 @@ Camera RotatedUpright(const Camera& camera, const R3::Point& center, const R3::V
   // Dragging upward sinks the eye, and so lifts the view.
   const double tilt = AllowedTilt(around, vertical, radians_across * drag.y);
   const Camera tilted = Turned(around, center, around.right, tilt);
-  return Posed(camera, tilted.eye, tilted.towards, vertical);
+  return Posed(camera, tilted.eye, tilted.towards, IsAtPole(tilted, vertical) ? tilted.up : vertical);
 }
 
 Camera Zoomed(const Camera& camera, const R3::Point& center, const R2::Point& drag) {

@@ -36,7 +36,7 @@ class Navigator {
   R3::Point Center() const { return pivot_ ? *pivot_ : box_.IsEmpty() ? R3::Point{} : box_.Center(); }
   const std::optional<R3::Point>& Pivot() const { return pivot_; }
   void SetPivot(const std::optional<R3::Point>& pivot) { pivot_ = pivot; }
-  /// With a turntable the vertical stays upright on the picture.
+  /// With a turntable, as it begins, the vertical stays upright on the picture.
   void ToggleTurntable();
   bool IsTurntable() const { return is_turntable_; }
 
@@ -75,7 +75,7 @@ class Navigator {
   DrawingSize size_;
   std::uint64_t changes_ = 0;
   std::optional<R3::Point> pivot_;
-  bool is_turntable_ = false;
+  bool is_turntable_ = true;
   R3::Vector vertical_;
   std::optional<Dragging> drag_;
   std::set<Key> held_;

@@ -99,6 +99,7 @@ class GlfwWindow : public Window {
     glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);  // there is no other; elsewhere it would forbid wide lines
 #endif
     glfwWindowHint(GLFW_DEPTH_BITS, 24);
+    glfwWindowHint(GLFW_SRGB_CAPABLE, GLFW_TRUE);  // so that light is blended before it is encoded
     window_ = glfwCreateWindow(width, height, title.c_str(), nullptr, nullptr);
     if (!window_)
       throw ContextError("cannot open a window with OpenGL 3.3 (" + LastError() + "); rayview -headless needs none");

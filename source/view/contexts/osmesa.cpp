@@ -40,18 +40,21 @@ class Functions {
   // clang-format off
   Functions() {
 #define USE(name) Use(epoxy_gl##name, "gl" #name);
-    USE(ActiveTexture) USE(AttachShader) USE(BindBuffer) USE(BindFramebuffer) USE(BindRenderbuffer) USE(BindTexture)
-    USE(BindVertexArray) USE(BlendFuncSeparate) USE(BufferData) USE(CheckFramebufferStatus) USE(Clear) USE(ClearColor)
-    USE(CompileShader) USE(CreateProgram) USE(CreateShader) USE(DeleteBuffers) USE(DeleteFramebuffers)
+    USE(ActiveTexture) USE(AttachShader) USE(BindBuffer) USE(BindBufferBase) USE(BindFramebuffer)
+    USE(BindRenderbuffer) USE(BindTexture) USE(BindVertexArray) USE(BlendFuncSeparate) USE(BufferData)
+    USE(BufferSubData) USE(CheckFramebufferStatus) USE(Clear) USE(ClearColor) USE(CompileShader)
+    USE(CreateProgram) USE(CreateShader) USE(CullFace) USE(DeleteBuffers) USE(DeleteFramebuffers)
     USE(DeleteProgram) USE(DeleteRenderbuffers) USE(DeleteShader) USE(DeleteTextures) USE(DeleteVertexArrays)
-    USE(DepthFunc) USE(DepthMask) USE(Disable) USE(DrawArrays) USE(DrawElements) USE(Enable)
-    USE(EnableVertexAttribArray) USE(Finish) USE(FramebufferRenderbuffer) USE(GenBuffers) USE(GenFramebuffers)
-    USE(GenRenderbuffers) USE(GenTextures) USE(GenVertexArrays) USE(GetError) USE(GetFloatv) USE(GetIntegerv)
-    USE(GetProgramInfoLog) USE(GetProgramiv) USE(GetShaderInfoLog) USE(GetShaderiv) USE(GetString) USE(GetTexImage)
-    USE(GetUniformLocation) USE(LineWidth) USE(LinkProgram) USE(PixelStorei) USE(PolygonMode) USE(PolygonOffset)
-    USE(ReadPixels) USE(RenderbufferStorage) USE(Scissor) USE(ShaderSource) USE(TexImage2D) USE(TexParameteri)
-    USE(TexSubImage2D) USE(Uniform1f) USE(Uniform1i) USE(Uniform2f) USE(Uniform3fv) USE(UniformMatrix4fv)
-    USE(UseProgram) USE(VertexAttrib4f) USE(VertexAttribPointer) USE(Viewport)
+    USE(DepthFunc) USE(DepthMask) USE(Disable) USE(DrawArrays) USE(DrawBuffer) USE(DrawElements) USE(Enable)
+    USE(EnableVertexAttribArray) USE(Finish) USE(FramebufferRenderbuffer) USE(FramebufferTextureLayer)
+    USE(GenBuffers) USE(GenFramebuffers) USE(GenRenderbuffers) USE(GenTextures) USE(GenVertexArrays)
+    USE(GetError) USE(GetFloatv) USE(GetFramebufferAttachmentParameteriv) USE(GetIntegerv)
+    USE(GetProgramInfoLog) USE(GetProgramiv) USE(GetShaderInfoLog) USE(GetShaderiv) USE(GetString)
+    USE(GetTexImage) USE(GetUniformBlockIndex) USE(GetUniformLocation) USE(LineWidth) USE(LinkProgram)
+    USE(PixelStorei) USE(PolygonMode) USE(PolygonOffset) USE(ReadPixels) USE(RenderbufferStorage) USE(Scissor)
+    USE(ShaderSource) USE(TexImage2D) USE(TexImage3D) USE(TexParameteri) USE(TexSubImage2D) USE(Uniform1f)
+    USE(Uniform1i) USE(Uniform2f) USE(Uniform3fv) USE(UniformBlockBinding) USE(UniformMatrix4fv) USE(UseProgram)
+    USE(VertexAttrib4f) USE(VertexAttribPointer) USE(Viewport)
 #undef USE
   }
   // clang-format on

@@ -11,6 +11,8 @@
 
 namespace ray {
 
+void UseAlpha() { glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA); }
+
 Canvas::Canvas(Target target) {
   if (target == Target::own) own_.emplace();
 }
@@ -27,7 +29,7 @@ void Canvas::Begin(int width, int height, const R2::Color& background) {
   glDepthFunc(GL_LEQUAL);
   glDepthMask(GL_TRUE);
   glEnable(GL_BLEND);
-  glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  UseAlpha();
   SetViewport(0, 0, width, height);
   Fill(background);
 }
@@ -47,7 +49,7 @@ void Canvas::Resize(OffscreenTarget& own, int width, int height) const {
   // A window can shrink to nothing, a framebuffer cannot.
   const GLsizei columns = std::max(width, 1), rows = std::max(height, 1);
   glBindRenderbuffer(GL_RENDERBUFFER, own.color.Name());
-  glRenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, columns, rows);
+  glRenderbufferStorage(GL_RENDERBUFFER, GL_SRGB8_ALPHA8, columns, rows);  // as bytes until sRGB is enabled
   glBindRenderbuffer(GL_RENDERBUFFER, own.depth.Name());
   glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT24, columns, rows);
   glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, own.color.Name());

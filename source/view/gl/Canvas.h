@@ -14,6 +14,9 @@ struct OffscreenTarget {
   int width = 0, height = 0;
 };
 
+/// From here on colors are blended over what is there by their alpha, if GL_BLEND is enabled.
+void UseAlpha();
+
 /// What is drawn into: framebuffer 0 of a window, or a framebuffer of its own, of whatever size is asked for.
 class Canvas {
  public:

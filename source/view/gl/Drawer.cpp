@@ -23,11 +23,11 @@ ClipMatrix SectionMatrix(const DrawingSize& viewport) {
 
 }  // namespace
 
-template <typename List, typename GpuList>
-const GpuList& Drawer::Upload(Slot<List, GpuList>& slot, const std::shared_ptr<const List>& list) {
+template <typename List, typename GpuList, typename Uploader>
+GpuList& Drawer::Upload(Slot<List, GpuList>& slot, const std::shared_ptr<const List>& list, const Uploader& uploader) {
   if (slot.list != list) {
     slot.uploaded.reset();  // first, so that both are never there at once
-    slot.uploaded = painter_.lists.Upload(*list);
+    slot.uploaded = uploader.Upload(*list);
     slot.list = list;
   }
   return *slot.uploaded;
@@ -87,11 +87,15 @@ void Drawer::Draw(const FrameState& state) {
   const ClipMatrix& clip = state.clip_from_drawing;
   const bool is_covered = state.picture.has_value();
   if (is_covered) painter_.pictures.Draw(Upload(picture_, *state.picture), LookOf(*state.picture));
-  if (state.shows_faces && !is_covered) lists.Draw(Upload(faces_, state.faces), clip);
-  if (state.shows_edges) lists.DrawEdges(Upload(faces_, state.faces), clip, state.edge_color);
+  const SurfaceDrawer& surfaces = painter_.surfaces;
+  if (state.shows_faces && !is_covered) surfaces.SetShadows(Upload(faces_, state.faces, surfaces), state.shows_shadows);
+  if (!is_covered) surfaces.DrawSky(Upload(faces_, state.faces, surfaces), state.seen_from);
+  if (state.shows_faces && !is_covered) surfaces.Draw(Upload(faces_, state.faces, surfaces), clip, state.seen_from);
+  if (state.shows_edges) surfaces.DrawEdges(Upload(faces_, state.faces, surfaces), clip, state.edge_color);
   if (state.quad && !is_covered)
     painter_.pictures.Draw(Upload(quad_, *state.quad), *state.quad->corners, clip, LookOf(*state.quad));
   lists.Draw(Upload(lines_, state.lines), clip, 1, hidden_lines);
+  if (state.marks) lists.Draw(Upload(marks_, state.marks), clip, 1, hidden_lines);
   if (state.section) {
     const DrawingSize viewport{state.size.width - state.view.width, state.size.height};
     canvas.SetViewport(state.view.width, 0, viewport.width, viewport.height);

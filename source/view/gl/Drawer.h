@@ -25,8 +25,11 @@ class Drawer {
     std::shared_ptr<const List> list;
     std::shared_ptr<GpuList> uploaded;
   };
-  template <typename List, typename GpuList>
-  const GpuList& Upload(Slot<List, GpuList>& slot, const std::shared_ptr<const List>& list);
+  template <typename List, typename GpuList, typename Uploader>
+  GpuList& Upload(Slot<List, GpuList>& slot, const std::shared_ptr<const List>& list, const Uploader& uploader);
+  const GpuLines& Upload(Slot<Lines, GpuLines>& slot, const std::shared_ptr<const Lines>& lines) {
+    return Upload(slot, lines, painter_.lists);
+  }
 
   /// A picture, and which rows of which frame it has.
   struct PictureSlot {
@@ -41,8 +44,8 @@ class Drawer {
   void Fit(PictureSlot& slot, int width, int height);
 
   Painter& painter_;
-  Slot<Triangles, GpuTriangles> faces_;
-  Slot<Lines, GpuLines> lines_, section_;
+  Slot<ScenePicture, GpuSurfaces> faces_;
+  Slot<Lines, GpuLines> lines_, marks_, section_;
   PictureSlot quad_, picture_;
   std::vector<float> rows_;
 };

@@ -1,15 +1,32 @@
 #pragma once
 
+#include <optional>
+#include <unordered_map>
+#include <vector>
+
 #include "source/view/gl/Objects.h"
+#include "source/view/gl/ShadowMaps.h"
+#include "source/view/gl/SurfaceShader.h"
+#include "source/view/preview/ScenePicture.h"
+#include "source/view/preview/ShadowViews.h"
 
 /// What lists and pictures become on the GPU.
 namespace ray {
 
-struct GpuTriangles {
-  Buffer vertices, indices;
-  VertexArray colored;            // with each vertex's color
-  VertexArray plain;              // with positions alone
-  GLsizei opaque = 0, clear = 0;  // indices, the opaque ones first
+struct GpuSurfaces {
+  Buffer vertices, uvs, indices, lights;
+  VertexArray shaded;  // with normals and texture coordinates
+  VertexArray plain;   // with positions alone
+  std::vector<SurfaceBatch> batches;
+  std::unordered_map<const Texture*, Texture2D> textures, reliefs;
+  std::optional<Texture2D> environment;
+  DiffuseLight diffuse_light;
+  R2::Color background;
+  SurfaceFeatures features;
+  bool glossy = false, head_light = false;
+  std::vector<PreviewLight> preview_lights;
+  ShadowViews shadow_views;           // where there are shadows
+  std::optional<GpuShadows> shadows;  // none until they are first asked for
 };
 
 struct GpuLines {

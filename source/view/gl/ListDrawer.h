@@ -7,22 +7,17 @@
 
 namespace ray {
 
-/// Triangles and lines in the colors of their vertices.
+/// Lines in the colors of their vertices.
 class ListDrawer {
  public:
   ListDrawer();
 
-  /// On the GPU until the pointer goes. Throw ContextError when its memory is full.
-  std::shared_ptr<GpuTriangles> Upload(const Triangles& triangles) const;
+  /// On the GPU until the pointer goes. Throws ContextError when its memory is full.
   std::shared_ptr<GpuLines> Upload(const Lines& lines) const;
 
-  /// Opaque ones first, then clear ones without writing depth.
-  void Draw(const GpuTriangles& triangles, const ClipMatrix& clip_from_drawing) const;
   /// Lines of `width` pixels, or as wide as the GPU allows. What is behind something drawn before, triangles above all,
   /// is drawn with its alpha times `hidden`, in [0, 1].
   void Draw(const GpuLines& lines, const ClipMatrix& clip_from_drawing, double width = 1, double hidden = 0) const;
-  /// Edges of triangles in one color.
-  void DrawEdges(const GpuTriangles& triangles, const ClipMatrix& clip_from_drawing, const Rgba& color) const;
 
  private:
   void Start(const ClipMatrix& clip_from_drawing, double alpha) const;

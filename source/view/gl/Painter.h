@@ -3,6 +3,7 @@
 #include "source/view/gl/Canvas.h"
 #include "source/view/gl/ListDrawer.h"
 #include "source/view/gl/PictureDrawer.h"
+#include "source/view/gl/SurfaceDrawer.h"
 #include "source/view/gl/TextDrawer.h"
 
 namespace ray {
@@ -14,6 +15,7 @@ struct Painter {
   explicit Painter(Canvas::Target target) : canvas(target) {}
 
   Canvas canvas;
+  SurfaceDrawer surfaces;
   ListDrawer lists;
   PictureDrawer pictures;
   TextDrawer text;

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "source/view/contexts/Context.h"
 
@@ -42,15 +45,19 @@ std::string FirstLine(GetLog get_log, GLuint object) {
 
 }  // namespace
 
-ShaderProgram::ShaderProgram(const char* name, const char* vertex_shader, const char* fragment_shader) {
+ShaderProgram::ShaderProgram(const char* name, const char* vertex_shader, const char* fragment_shader,
+                             const char* geometry_shader) {
   const Shader vertex(GL_VERTEX_SHADER, vertex_shader), fragment(GL_FRAGMENT_SHADER, fragment_shader);
-  for (const Shader* shader : {&vertex, &fragment})
-    if (!shader->IsCompiled())
+  std::optional<Shader> geometry;
+  if (geometry_shader) geometry.emplace(GL_GEOMETRY_SHADER, geometry_shader);
+  const std::array<const Shader*, 3> all{&vertex, &fragment, geometry ? &*geometry : nullptr};
+  for (const Shader* shader : all)
+    if (shader && !shader->IsCompiled())
       throw ContextError(std::string("the driver rejects the shader that draws ") + name + ": " +
                          FirstLine(glGetShaderInfoLog, shader->Name()));
   program_ = glCreateProgram();
-  glAttachShader(program_, vertex.Name());
-  glAttachShader(program_, fragment.Name());
+  for (const Shader* shader : all)
+    if (shader) glAttachShader(program_, shader->Name());
   glLinkProgram(program_);
   GLint status = 0;
   glGetProgramiv(program_, GL_LINK_STATUS, &status);
@@ -62,10 +69,14 @@ ShaderProgram::ShaderProgram(const char* name, const char* vertex_shader, const 
 
 ShaderProgram::~ShaderProgram() { glDeleteProgram(program_); }
 
-void SetMatrix(GLint uniform, const ClipMatrix& matrix) {
-  std::array<float, 16> single{};
-  std::transform(matrix.begin(), matrix.end(), single.begin(), [](double x) { return static_cast<float>(x); });
-  glUniformMatrix4fv(uniform, 1, GL_FALSE, single.data());
+void SetMatrix(GLint uniform, const ClipMatrix& matrix) { SetMatrices(uniform, {&matrix, 1}); }
+
+void SetMatrices(GLint uniform, std::span<const ClipMatrix> matrices) {
+  std::vector<float> single;
+  for (const ClipMatrix& matrix : matrices)
+    std::transform(matrix.begin(), matrix.end(), std::back_inserter(single),
+                   [](double x) { return static_cast<float>(x); });
+  glUniformMatrix4fv(uniform, static_cast<GLsizei>(matrices.size()), GL_FALSE, single.data());
 }
 
 }  // namespace ray

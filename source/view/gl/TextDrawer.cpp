@@ -35,7 +35,7 @@ void main() {
 }
 )";
 
-constexpr Rgba ground{0, 0, 0, 170};
+constexpr int ground_alpha = 170;   // of black behind letters
 constexpr float ground_margin = 2;  // pixels
 
 struct TextVertex {
@@ -66,7 +66,9 @@ void Add(std::vector<TextVertex>& vertices, const Label& label) {
     if (const int glyph = GlyphOf(byte); glyph >= 0) glyphs.push_back(glyph);
   if (glyphs.empty()) return;
   const auto width = static_cast<float>(glyphs.size()) * glyph_width;
-  Add(vertices, {left - ground_margin, bottom, width + 2 * ground_margin, glyph_height}, {-2, 0, 1, 1}, ground);
+  const auto alpha = static_cast<std::uint8_t>(ground_alpha * label.color[3] / 255);
+  Add(vertices, {left - ground_margin, bottom, width + 2 * ground_margin, glyph_height}, {-2, 0, 1, 1},
+      {0, 0, 0, alpha});
   float x = left;
   for (int glyph : glyphs) {
     Add(vertices, {x, bottom, glyph_width, glyph_height},

@@ -8,8 +8,9 @@
 namespace ray {
 namespace {
 
-constexpr double ray_to_nowhere = 2;    // radii of the scene
-constexpr double normal_length = 0.04;  // likewise
+constexpr double ray_to_nowhere = 2;           // radii of the scene
+constexpr std::size_t most_opaque_rays = 600;  // more would hide the scene
+constexpr double normal_length = 0.04;         // likewise
 
 ShownRays ShownAs(RayKind kind) {
   switch (kind) {
@@ -65,8 +66,10 @@ std::vector<PixelTrace> TraceGrid(const World& world, const Accelerator& acceler
 
 Lines RayLines(const std::vector<PixelTrace>& traces, const DrawingSpace& space, const RayLook& look) {
   Lines lines;
+  std::size_t rays = 0;
+  for (const PixelTrace& trace : traces) rays += trace.rays.size();
   const auto add = [&](const R3::Point& from, const R3::Point& to, const Rgba& color) {
-    AddLine(lines, space.At(from), space.At(to), color);
+    AddLine(lines, space.At(from), space.At(to), Faded(color, rays, most_opaque_rays));
   };
   for (const PixelTrace& trace : traces)
     for (const RecordedRay& ray : trace.rays) {

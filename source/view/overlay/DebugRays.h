@@ -27,7 +27,7 @@ std::vector<PixelTrace> TraceGrid(const World& world, const Accelerator& acceler
                                   int spacing = debug_ray_spacing);
 
 /// As lines, a color for each kind. A blocked shadow ray is dark beyond what blocks it; a ray that hits
-/// nothing goes on for two radii of the scene.
+/// nothing goes on for two radii of the scene. The more rays, the fainter each.
 Lines RayLines(const std::vector<PixelTrace>& traces, const DrawingSpace& space, const RayLook& look);
 
 /// The same rays as an .obj file of lines, grouped by kind, in the world.

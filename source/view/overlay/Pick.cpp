@@ -64,8 +64,8 @@ Pick PickPixel(const World& world, const Accelerator& accelerator, const RenderS
   const Material& m = *instance.material;
   pick.text.push_back("node " + path);
   pick.text.push_back("primitive " + std::to_string(world.PrimitiveId(*ray.hit)) + ", t " + Text(ray.hit->t) +
-                      ", distance " + Text(ray.hit->t * Length(ray.ray.direction)) + ", at " +
-                      Text(at.position.x, at.position.y, at.position.z));
+                      ", distance " + Text(ray.hit->t * Length(ray.ray.direction)));
+  pick.text.push_back("at " + Text(at.position.x, at.position.y, at.position.z));
   pick.text.push_back("normal " + Text(at.normal.x, at.normal.y, at.normal.z) + ", uv " + Text(at.uv.x) + " " +
                       Text(at.uv.y));
   pick.text.push_back("ka " + Text(m.ka) + ", kd " + Text(m.kd) + ", ks " + Text(m.ks) + ", kt " + Text(m.kt));

@@ -5,7 +5,9 @@
 namespace ray {
 
 void RayInspector::TraceGrid(const LoadedScene& scene, const RenderSettings& settings) {
-  grid_ = ray::TraceGrid(scene.world, *scene.accelerator, settings);
+  RenderSettings one = settings;
+  one.trace.shadow_samples = 1;
+  grid_ = ray::TraceGrid(scene.world, *scene.accelerator, one);
   shows_grid_ = true;
 }
 

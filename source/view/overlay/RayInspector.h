@@ -13,7 +13,7 @@ namespace ray {
 /// camera moves on.
 class RayInspector {
  public:
-  /// The grid of a picture; its settings say from where.
+  /// The grid of a picture; its settings say from where. One shadow ray goes to each light, however large.
   void TraceGrid(const LoadedScene& scene, const RenderSettings& settings);
   /// One pixel, inside of the picture, with all its samples.
   void TracePixel(const LoadedScene& scene, const RenderSettings& settings, int column, int row);

@@ -94,6 +94,7 @@ void AddCircle(Lines& lines, const DrawingSpace& space, const R3::Point& center,
 
 Lines LinesOf(const Light& light, const DrawingSpace& space) {
   constexpr double star_size = 0.03, arrow_length = 0.25;  // of the scene's radius
+  constexpr std::uint8_t faint_alpha = 140;
   const double R = space.radius;
   Lines lines;
   const LightBound bound = light.Bound();
@@ -118,7 +119,20 @@ Lines LinesOf(const Light& light, const DrawingSpace& space) {
   constexpr double one_sided = 0.1;  // what goes everywhere alike sums to less
   if (Length(glow.towards) > one_sided)
     Append(lines, ArrowAt(bound.center, arrow_length * R * Unit(glow.towards), space, color));
+  // So that one that is out of view is seen to be somewhere.
+  if (Length(bound.center - space.center) > R)
+    Add(lines, space, bound.center, space.center, {color[0], color[1], color[2], faint_alpha});
   return lines;
+}
+
+}  // namespace
+
+namespace {
+
+/// Boxes that hide the scene say less than faint ones.
+void Fade(BoxLines& boxes) {
+  constexpr std::size_t most_opaque = 500;
+  for (Vertex& v : boxes.lines) v.color = Faded(v.color, static_cast<std::size_t>(boxes.boxes), most_opaque);
 }
 
 }  // namespace
@@ -129,6 +143,7 @@ BoxLines NodeBoxLines(const World& world, const DrawingSpace& space, int level) 
     if ((level == all_levels || level == at) && !node.bounds.IsEmpty())
       AddBox(boxes, space, world.Frames()[frame], node.bounds, at);
   });
+  Fade(boxes);
   return boxes;
 }
 
@@ -137,6 +152,7 @@ BoxLines AcceleratorBoxLines(const Accelerator& accelerator, const DrawingSpace&
   for (int at = 0; at < accelerator.BoxLevels(); ++at)
     if (level == all_levels || level == at)
       for (const R3::Box& box : accelerator.BoxesAt(at)) AddBox(boxes, space, {}, box, at);
+  Fade(boxes);
   return boxes;
 }
 

@@ -10,7 +10,7 @@
 /// Lines drawn over a scene.
 namespace ray {
 
-/// Bounding boxes, 12 lines each; of very many only the first.
+/// Bounding boxes, 12 lines each; of very many only the first. The more, the fainter each.
 struct BoxLines {
   Lines lines;
   std::int64_t boxes = 0;     // drawn
@@ -36,7 +36,8 @@ Lines CameraLines(const Camera& camera, int width, int height, double distance, 
                   const Rgba& color);
 
 /// Every light that is not black, in its color: a star where it is, circles around its bounding sphere, an arrow
-/// where it is directional; for one at infinity an arrow into the scene.
+/// where it is directional, and from outside of the scene a faint line to its middle; for one at infinity an arrow into
+/// the scene.
 Lines LightLines(const Scene& scene, const DrawingSpace& space);
 
 /// The lines that the scene itself asks for, in the color of their material.

@@ -223,7 +223,7 @@ TEST_F(RayviewWindow, KeysAndPointerArriveAndTheScreenShowsWhatIsReadBack) {
   Do("mousemove --window %1 80 60 click 4");
   Do("windowsize --sync %1 200 150");
   Do("key b key g");
-  std::this_thread::sleep_for(std::chrono::milliseconds(700));
+  std::this_thread::sleep_for(std::chrono::milliseconds(7000));  // until the message has faded
   const std::string shot =
       "xdotool search --onlyvisible --name hello.scn | head -1 | xargs -I{} import -window {} " + (folder / "shot.png");
   EXPECT_EQ(std::system(shot.c_str()), 0);

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 #include <fstream>
+#include <map>
 #include <numeric>
 #include <set>
 #include <thread>
@@ -190,18 +191,154 @@ TEST_F(ViewerTest, EveryKeyIsInTheHelpAndDoesSomething) {
   }
 }
 
-TEST_F(ViewerTest, EscapeStopsATraceAndThenQuits) {
+TEST_F(ViewerTest, EscapeEndsWhatIsOpenOneByOneAndNeverQuits) {
   RenderSettings slow;
   slow.samples = 100'000;
   Open(project::Root() / "scenes/hello.scn", slow);
-  Do("key S");
+  Do("key S\nkey X\nclick left 10 24\nkey H");
+  EXPECT_EQ(StateLine("help"), "1");
+  Do("key Escape");
+  EXPECT_EQ(StateLine("help"), "0");
+  EXPECT_TRUE(viewer_->Picked());
+  Do("key Escape");
+  EXPECT_FALSE(viewer_->Picked());
+  EXPECT_NE(StateLine("cut"), "no");
+  Do("key Escape");
+  EXPECT_EQ(StateLine("cut"), "no");
   EXPECT_EQ(StateLine("trace"), "running");
   Do("key Escape\nwait trace");
   EXPECT_EQ(StateLine("trace"), "stopped");
   EXPECT_TRUE(host_.traced.empty());
+  Do("key Escape\nkey Escape");
   EXPECT_FALSE(viewer_->IsClosed());
-  Do("key Escape");
+}
+
+// An hour of rendering is not thrown away by one slip.
+TEST_F(ViewerTest, QQuitsAtOnceOrAsksOnceWhileATraceRuns) {
+  Do("key Q");
   EXPECT_TRUE(viewer_->IsClosed());
+  RenderSettings slow;
+  slow.samples = 100'000;
+  Open(project::Root() / "scenes/hello.scn", slow);
+  Do("key S\nkey Q");
+  EXPECT_FALSE(viewer_->IsClosed());
+  EXPECT_NE(viewer_->Message().find("Q again"), std::string::npos);
+  Do("key E\nkey Q");
+  EXPECT_FALSE(viewer_->IsClosed()) << "another key is an answer too";
+  Do("key Q");
+  EXPECT_TRUE(viewer_->IsClosed());
+}
+
+TEST_F(ViewerTest, EveryKeyTellsWhatItDid) {
+  for (const Viewer::Binding& binding : Viewer::Bindings()) {
+    const CopiedScenes folder;
+    Open(folder / "hello.scn");
+    Do("press " + NameOf(binding.key, binding.modifiers));
+    if (viewer_->IsClosed()) continue;
+    EXPECT_NE(viewer_->Message(), "") << NameOf(binding.key, binding.modifiers);
+  }
+}
+
+TEST_F(ViewerTest, KeysThatTurnSomethingOnAndOffSayWhichOfThemTheyDid) {
+  for (const char* key : {"E", "W", "L", "Shift+L", "Shift+C", "P", "F7", "F2", "F6", "G", "T", "X"}) {
+    Do(std::string("key ") + key);
+    const std::string first = viewer_->Message();
+    Do(std::string("key ") + key);
+    EXPECT_NE(viewer_->Message(), first) << key;
+  }
+}
+
+TEST_F(ViewerTest, MessagesFadeAndTheFirstOneNamesTheHelp) {
+  EXPECT_TRUE(viewer_->Show().labels.empty()) << "a script that only draws gets the scene alone";
+  Do("tick 0.1");
+  ASSERT_EQ(viewer_->Show().labels.size(), 1u);
+  EXPECT_EQ(viewer_->Show().labels[0].text, "H: help");
+  EXPECT_EQ(viewer_->Show().labels[0].color[3], 255);
+  Do("tick 4.4");
+  const int fading = viewer_->Show().labels.at(0).color[3];
+  EXPECT_GT(fading, 0);
+  EXPECT_LT(fading, 255);
+  viewer_->Handle(TickEvent{2});
+  EXPECT_TRUE(viewer_->Update()) << "it is to be drawn without the message";
+  EXPECT_TRUE(viewer_->Show().labels.empty());
+  Do("key E");
+  EXPECT_EQ(viewer_->Show().labels.at(0).text, "edges on");
+}
+
+TEST_F(ViewerTest, TheHelpIsNeverCutOffInTheWindowThatIsUsual) {
+  Do("resize 512 512");
+  for (int page = 1; page < 100; ++page) {
+    Do("key H");
+    if (StateLine("help") == "0") break;
+    for (const Label& label : viewer_->Show().labels) {
+      EXPECT_LE(label.x + 8.0 * static_cast<double>(label.text.size()), 512) << label.text;
+      EXPECT_GE(label.y, 0) << label.text;
+      EXPECT_LE(label.y + 16, 512) << label.text;
+    }
+  }
+  EXPECT_EQ(StateLine("help"), "0") << "after the last page it is closed";
+}
+
+TEST_F(ViewerTest, AnUnlitSceneSaysThatItIsSeenByALightAtTheEye) {
+  const CopiedScenes folder;
+  std::ofstream(folder / "dark.scn") << "point_light 0 0 0  0 0 0  1 0 0\nsphere -1  0 0 0  1\n";
+  Open(folder / "dark.scn");
+  Do("tick 0.1");
+  EXPECT_NE(viewer_->Message().find("light at the eye"), std::string::npos) << viewer_->Message();
+}
+
+TEST_F(ViewerTest, LightsOutsideOfTheSceneAreDrawnAndFramed) {
+  const auto furthest = [&] {
+    double most = 0;
+    const auto lines = viewer_->Show().lines;
+    for (const Vertex& v : *lines) most = std::max(most, static_cast<double>(std::hypot(v.at[0], v.at[1], v.at[2])));
+    return most;
+  };
+  EXPECT_LT(furthest(), 1);
+  Do("key L");
+  EXPECT_NE(viewer_->Message().find("2 lights, 2 out of view"), std::string::npos) << viewer_->Message();
+  EXPECT_GT(furthest(), 1.2);
+  Do("key F");
+  for (const auto& light : viewer_->scene().parsed.scene.lights) {
+    const R3::Point p = light->Bound().center;
+    const auto pixel = PixelOf(camera(), p, {width, height});
+    ASSERT_TRUE(pixel);
+    EXPECT_TRUE(pixel->x > 0 && pixel->x < width && pixel->y > 0 && pixel->y < height);
+    // Between the near and the far plane.
+    const ClipMatrix m = viewer_->Show().clip_from_drawing;
+    const auto at = DrawingSpace::Of(viewer_->scene().parsed.scene.root.bounds).At(p);
+    const auto row = [&](std::size_t r) { return m[r] * at[0] + m[4 + r] * at[1] + m[8 + r] * at[2] + m[12 + r]; };
+    EXPECT_LT(std::abs(row(2)), row(3));
+  }
+}
+
+TEST_F(ViewerTest, ThePickIsMarkedAtOneSizeHoweverNear) {
+  const auto extent = [&] {
+    const auto marks = viewer_->Show().marks;
+    const DrawingSpace space = DrawingSpace::Of(viewer_->scene().parsed.scene.root.bounds);
+    double least = width, most = 0;
+    for (const Vertex& v : *marks) {
+      const R3::Point p = space.center + space.radius * R3::Vector{v.at[0], v.at[1], v.at[2]};
+      const auto pixel = PixelOf(camera(), p, {width, height});
+      EXPECT_TRUE(pixel);
+      least = std::min(least, pixel->x), most = std::max(most, pixel->x);
+    }
+    return most - least;
+  };
+  Do("click left 32 24");
+  const double before = extent();
+  EXPECT_GT(before, 4);
+  Do("scroll 10 32 24");
+  EXPECT_NEAR(extent(), before, 0.15 * before);  // less a little perspective
+}
+
+TEST_F(ViewerTest, RotatesAsATurntableUntilKeyT) {
+  Do("drag left 10 10 40 40\ndrag left 10 10 20 45");
+  EXPECT_NEAR(camera().right.y, 0, 1e-12) << "the horizon is level";
+  Do("drag left 10 40 10 0\ndrag left 10 40 10 0\ndrag left 10 40 10 0");
+  EXPECT_GT(camera().up.y, 0) << "it stops short of the pole";
+  Do("key Pad0\nkey T\ndrag left 10 10 40 40\ndrag left 10 10 20 45");
+  EXPECT_GT(std::abs(camera().right.y), 1e-3);
 }
 
 TEST_F(ViewerTest, TheLivePictureEndsAsRayproMakesIt) {
@@ -241,6 +378,12 @@ TEST_F(ViewerTest, GridRaysAreThoseOfEvery25thPixelAndStayWhenTheCameraMoves) {
       }
     }
     EXPECT_EQ(roots, 1);
+  }
+  for (const PixelTrace& trace : viewer_->Rays().Grid()) {
+    std::map<std::uint32_t, int> shadow_rays;  // of each surface
+    for (const RecordedRay& ray : trace.rays)
+      if (ray.kind == RayKind::shadow) ++shadow_rays[static_cast<std::uint32_t>(ray.parent)];
+    for (const auto& [surface, count] : shadow_rays) EXPECT_LE(count, 2) << "one to each of two lights";
   }
   const auto before = viewer_->Show().lines;
   Do("drag left 100 100 200 150");

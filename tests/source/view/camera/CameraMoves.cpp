@@ -158,6 +158,16 @@ TEST_F(CameraMoves, TheTurntableKeepsTheHorizon) {
   }
 }
 
+// An axis view from above would else spin when it is first touched.
+TEST_F(CameraMoves, TheTurntableTurnsAViewAlongTheVerticalSmoothly) {
+  const R3::Vector vertical{0, 1, 0};
+  const Camera camera = FromAxis(AnyCamera(), {}, {0, -1, 0}, {0, 0, -1});
+  const Camera turned = RotatedUpright(camera, {}, vertical, {0.01, 0});
+  EXPECT_NEAR(Dot(turned.up, camera.up), 1, 0.01);
+  const Camera lifted = RotatedUpright(camera, {}, vertical, {0, 0.1});
+  EXPECT_GT(Dot(lifted.up, vertical), 0);
+}
+
 TEST_F(CameraMoves, PixelsAndRaysAgree) {
   for (int i = 0; i < 100; ++i) {
     const Camera camera = i % 2 == 0 ? AnyCamera() : AnyShiftedCamera();

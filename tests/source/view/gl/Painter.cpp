@@ -18,6 +18,7 @@ using ray::Rgba;
 using Look = ray::PictureLook;
 
 constexpr ClipMatrix as_it_is{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+const ray::PreviewView from_front{{0, 0, -4}, {}, {}};
 constexpr Rgba white{255, 255, 255, 255}, red{255, 0, 0, 255}, green{0, 255, 0, 255};
 
 Rgba PixelOf(const R2::Image& image, int x, int y) {
@@ -25,40 +26,77 @@ Rgba PixelOf(const R2::Image& image, int x, int y) {
   return {R2::ToByte(c.r), R2::ToByte(c.g), R2::ToByte(c.b), 255};
 }
 
+/// A material that sends out a color, and lets the rest of alpha through.
+ray::SurfaceMaterial Shining(const Rgba& color) {
+  const double alpha = color[3] / 255.0;
+  ray::SurfaceMaterial material;
+  material.emission = alpha * R2::Color{color[0] / 255.0, color[1] / 255.0, color[2] / 255.0};
+  material.kt = {1 - alpha, 1 - alpha, 1 - alpha};
+  return material;
+}
+
 /// A rectangle over all that is seen, at a depth in [-1, 1], -1 in front.
-ray::Triangles Wall(float depth, const Rgba& color, bool is_clear = false) {
-  ray::Triangles wall;
+ray::ScenePicture Wall(float depth, const Rgba& color) {
+  ray::ScenePicture wall;
   for (const auto& [x, y] : {std::pair{-1.0F, -1.0F}, {1.0F, -1.0F}, {1.0F, 1.0F}, {-1.0F, 1.0F}})
-    wall.vertices.push_back({{x, y, depth}, color});
-  (is_clear ? wall.clear : wall.opaque) = {0, 1, 2, 0, 2, 3};
+    wall.surfaces.vertices.push_back({{x, y, depth}, ray::Packed(0, 0, -1)});
+  wall.surfaces.indices = {0, 1, 2, 0, 2, 3};
+  wall.surfaces.batches = {{Shining(color), 0, 6, color[3] < 255}};
   return wall;
 }
 
 /// Through the middle, from left to right.
 ray::Lines Across(float depth, const Rgba& color) { return {{{-1, 0, depth}, color}, {{1, 0, depth}, color}}; }
 
-/// Thousands of triangles and lines through each other.
+/// Thousands of triangles and lines through each other, of every feature that the shader has.
 R2::Image Thicket() {
   std::mt19937 random(1);
   const auto number = [&random] { return static_cast<float>(random()) / 2147483648.0F - 1; };
-  const auto vertex = [&](const std::array<float, 3>& around, float size) {
-    const auto byte = [&random] { return static_cast<std::uint8_t>(random() >> 24); };
-    return ray::Vertex{{around[0] + size * number(), around[1] + size * number(), around[2] + size * number()},
-                       {byte(), byte(), byte(), byte()}};
-  };
-  ray::Triangles triangles;
-  for (std::uint32_t i = 0; i < 6000; ++i) {
-    const std::array<float, 3> middle{number(), number(), number()};
-    for (int k = 0; k < 3; ++k) triangles.vertices.push_back(vertex(middle, 0.15F));
-    for (std::uint32_t k = 0; k < 3; ++k) (i % 4 ? triangles.opaque : triangles.clear).push_back(3 * i + k);
+  const auto color = [&] { return R2::Color{number() / 2 + 0.5, number() / 2 + 0.5, number() / 2 + 0.5}; };
+  R2::Image image(16, 8);
+  for (int y = 0; y < 8; ++y)
+    for (int x = 0; x < 16; ++x) image.Set(x, y, color());
+  const auto texture = std::make_shared<const ray::Texture>(ray::Texture{image});
+  ray::ScenePicture picture;
+  picture.environment = std::make_shared<const ray::Environment>(image);
+  picture.diffuse_light = ray::DiffuseLightOf(*picture.environment);
+  picture.fresnel = picture.glossy = true;
+  for (int i = 0; i < 5; ++i) picture.lights.lights.push_back({color(), {number(), number(), number()}});
+  picture.lights.lights.push_back({color(), {0, 0, -3}, false, {0, 0, 1}, 0.9, 8});
+  ray::Surfaces& surfaces = picture.surfaces;
+  for (std::uint32_t batch = 0; batch < 8; ++batch) {
+    ray::SurfaceMaterial m;
+    m.ambient = 0.1 * color(), m.kd = color(), m.ks = color(), m.kr = 0.3 * color(), m.n = 20, m.ir = 1.5;
+    if (batch % 2) m.texture = texture;
+    if (batch % 4 == 2) m.bump = texture, m.bump_height = 0.1;
+    if (batch % 4 == 3) m.coat = 1.4;
+    if (batch >= 6) m.kt = color();
+    constexpr std::uint32_t count = 3 * 750;
+    surfaces.batches.push_back({m, batch * count, count, batch == 7});
+    for (std::uint32_t i = 0; i < count / 3; ++i) {
+      const std::array<float, 3> middle{number(), number(), number()};
+      for (int k = 0; k < 3; ++k) {
+        surfaces.indices.push_back(static_cast<std::uint32_t>(surfaces.vertices.size()));
+        surfaces.vertices.push_back(
+            {{middle[0] + 0.15F * number(), middle[1] + 0.15F * number(), middle[2] + 0.15F * number()},
+             ray::Packed(0.5 * number(), 0.5 * number(), 0.5)});
+        surfaces.uvs.push_back({number(), number()});
+      }
+    }
   }
   ray::Lines lines;
-  for (int i = 0; i < 4000; ++i) lines.push_back(vertex({0, 0, 0}, 1));
+  for (int i = 0; i < 4000; ++i) {
+    const auto byte = [&random] { return static_cast<std::uint8_t>(random() >> 24); };
+    lines.push_back({{number(), number(), number()}, {byte(), byte(), byte(), byte()}});
+  }
   ray::Painter painter(ray::Canvas::Target::own);
   painter.canvas.Begin(200, 150, {0.1, 0.2, 0.3});
-  painter.lists.Draw(*painter.lists.Upload(triangles), as_it_is);
+  const auto uploaded = painter.surfaces.Upload(picture);
+  const ray::PreviewView view{{0, 0, -4}, {{{-1, -1, 2}, {2, 0, 0}, {0, 2, 0}}}, {1.2, true}};
+  painter.surfaces.DrawSky(*uploaded, view);
+  painter.surfaces.Draw(*uploaded, as_it_is, view);
   painter.lists.Draw(*painter.lists.Upload(lines), as_it_is, 2, 0.3);
-  painter.lists.DrawEdges(*painter.lists.Upload(triangles), as_it_is, {0, 0, 0, 40});
+  painter.surfaces.DrawEdges(*uploaded, as_it_is, {0, 0, 0, 40});
   return painter.canvas.Read();
 }
 
@@ -106,7 +144,7 @@ TEST_P(Painter, BeginsWithTheBackgroundAtWhateverSizeIsAskedFor) {
 TEST_P(Painter, ReadsRowsFromTheBottom) {
   painter->canvas.Begin(8, 8, {});
   painter->canvas.SetViewport(0, 0, 8, 4);
-  painter->lists.Draw(*painter->lists.Upload(Wall(0, red)), as_it_is);
+  painter->surfaces.Draw(*painter->surfaces.Upload(Wall(0, red)), as_it_is, from_front);
   const R2::Image image = painter->canvas.Read();
   EXPECT_EQ(PixelOf(image, 3, 0), red);
   EXPECT_EQ(PixelOf(image, 3, 7), (Rgba{0, 0, 0, 255}));
@@ -117,7 +155,7 @@ TEST_P(Painter, ClipsToTheViewport) {
   painter->canvas.SetViewport(5, 6, 7, 8);
   ClipMatrix doubled = as_it_is;
   doubled[0] = doubled[5] = 2;
-  painter->lists.Draw(*painter->lists.Upload(Wall(0, red)), doubled);
+  painter->surfaces.Draw(*painter->surfaces.Upload(Wall(0, red)), doubled, from_front);
   const R2::Image image = painter->canvas.Read();
   for (int y = 0; y < 20; ++y)
     for (int x = 0; x < 20; ++x) {
@@ -127,30 +165,30 @@ TEST_P(Painter, ClipsToTheViewport) {
 }
 
 TEST_P(Painter, ShowsWhatIsInFrontWhateverTheOrder) {
-  const auto front = painter->lists.Upload(Wall(-0.5F, red)), back = painter->lists.Upload(Wall(0.5F, green));
+  const auto front = painter->surfaces.Upload(Wall(-0.5F, red)), back = painter->surfaces.Upload(Wall(0.5F, green));
   for (bool is_front_first : {true, false}) {
     painter->canvas.Begin(4, 4, {});
-    painter->lists.Draw(is_front_first ? *front : *back, as_it_is);
-    painter->lists.Draw(is_front_first ? *back : *front, as_it_is);
+    painter->surfaces.Draw(is_front_first ? *front : *back, as_it_is, from_front);
+    painter->surfaces.Draw(is_front_first ? *back : *front, as_it_is, from_front);
     EXPECT_EQ(PixelOf(painter->canvas.Read(), 1, 2), red);
   }
 }
 
 TEST_P(Painter, BlendsClearTrianglesOverOthersAndLetsLaterOnesBeSeenBehind) {
   painter->canvas.Begin(4, 4, {});
-  painter->lists.Draw(*painter->lists.Upload(Wall(-0.5F, {255, 0, 0, 51}, true)), as_it_is);
+  painter->surfaces.Draw(*painter->surfaces.Upload(Wall(-0.5F, {255, 0, 0, 51})), as_it_is, from_front);
   EXPECT_EQ(PixelOf(painter->canvas.Read(), 1, 2), (Rgba{51, 0, 0, 255}));
-  painter->lists.Draw(*painter->lists.Upload(Wall(0.5F, green)), as_it_is);
+  painter->surfaces.Draw(*painter->surfaces.Upload(Wall(0.5F, green)), as_it_is, from_front);
   EXPECT_EQ(PixelOf(painter->canvas.Read(), 1, 2), green);
 }
 
 // The rays behind a thing are what one looks for; those in front must stay apart from them.
 TEST_P(Painter, DimsHiddenLinesAndLeavesThemOutWhenAskedTo) {
-  const auto wall = painter->lists.Upload(Wall(0, {0, 0, 255, 255}));
+  const auto wall = painter->surfaces.Upload(Wall(0, {0, 0, 255, 255}));
   const auto front = painter->lists.Upload(Across(-0.5F, white)), behind = painter->lists.Upload(Across(0.5F, white));
   const auto at_middle = [&](const ray::GpuLines& lines, double hidden) {
     painter->canvas.Begin(9, 9, {});
-    painter->lists.Draw(*wall, as_it_is);
+    painter->surfaces.Draw(*wall, as_it_is, from_front);
     painter->lists.Draw(lines, as_it_is, 1, hidden);
     return PixelOf(painter->canvas.Read(), 4, 4);
   };
@@ -163,7 +201,7 @@ TEST_P(Painter, DimsHiddenLinesAndLeavesThemOutWhenAskedTo) {
 
 TEST_P(Painter, ShowsLinesThatLieOnTriangles) {
   painter->canvas.Begin(9, 9, {});
-  painter->lists.Draw(*painter->lists.Upload(Wall(0, red)), as_it_is);
+  painter->surfaces.Draw(*painter->surfaces.Upload(Wall(0, red)), as_it_is, from_front);
   painter->lists.Draw(*painter->lists.Upload(Across(0, white)), as_it_is);
   EXPECT_EQ(PixelOf(painter->canvas.Read(), 4, 4), white);
 }
@@ -180,12 +218,12 @@ TEST_P(Painter, DrawsLinesOfTheWidthAskedFor) {
 }
 
 TEST_P(Painter, DrawsTheEdgesOfTrianglesInOneColor) {
-  const auto wall = painter->lists.Upload(Wall(0, red));
+  const auto wall = painter->surfaces.Upload(Wall(0, red));
   painter->canvas.Begin(21, 21, {});
-  painter->lists.Draw(*wall, as_it_is);
+  painter->surfaces.Draw(*wall, as_it_is, from_front);
   ClipMatrix smaller = as_it_is;
   smaller[0] = smaller[5] = 0.5;
-  painter->lists.DrawEdges(*wall, smaller, green);
+  painter->surfaces.DrawEdges(*wall, smaller, green);
   const R2::Image image = painter->canvas.Read();
   EXPECT_EQ(PixelOf(image, 10, 10), green) << "the diagonal";
   EXPECT_EQ(PixelOf(image, 8, 12), red) << "between";
@@ -194,6 +232,21 @@ TEST_P(Painter, DrawsTheEdgesOfTrianglesInOneColor) {
     for (int x = 0; x < 21; ++x) greens += PixelOf(image, x, y) == green;
   EXPECT_GE(greens, 45);  // four sides of 11 pixels less corners, and a diagonal
   EXPECT_LE(greens, 60);
+}
+
+// Else a dense mesh would be one area of ink.
+TEST_P(Painter, DrawsTheEdgesOfSmallTrianglesFaintly) {
+  const auto wall = painter->surfaces.Upload(Wall(0, red));
+  const auto green_of = [&](double size) {
+    painter->canvas.Begin(41, 41, {});
+    ClipMatrix smaller = as_it_is;
+    smaller[0] = smaller[5] = size;
+    painter->surfaces.DrawEdges(*wall, smaller, green);
+    return PixelOf(painter->canvas.Read(), 20, 20)[1];
+  };
+  EXPECT_EQ(green_of(1), 255);
+  EXPECT_LT(green_of(0.05), 150);
+  EXPECT_GT(green_of(0.05), 50);
 }
 
 // What is shown is then sure to be what was traced.
@@ -283,9 +336,9 @@ TEST_P(Painter, PutsAPictureOnAQuadInSpaceUprightAndBehindWhatIsInFront) {
   EXPECT_EQ(PixelOf(image, 8, 1), green);
   EXPECT_EQ(PixelOf(image, 1, 8), (Rgba{0, 0, 255, 255}));
   EXPECT_EQ(PixelOf(image, 8, 8), white);
-  painter->lists.Draw(*painter->lists.Upload(Wall(0.5F, red)), as_it_is);
+  painter->surfaces.Draw(*painter->surfaces.Upload(Wall(0.5F, red)), as_it_is, from_front);
   EXPECT_EQ(PixelOf(painter->canvas.Read(), 8, 8), white);
-  painter->lists.Draw(*painter->lists.Upload(Wall(-0.5F, red)), as_it_is);
+  painter->surfaces.Draw(*painter->surfaces.Upload(Wall(-0.5F, red)), as_it_is, from_front);
   EXPECT_EQ(PixelOf(painter->canvas.Read(), 8, 8), red);
 }
 
@@ -296,7 +349,7 @@ TEST_P(Painter, BlendsAPictureAndShowsWhatComesLaterBehindIt) {
   painter->canvas.Begin(4, 4, {});
   painter->pictures.Draw(*picture, corners, as_it_is, Look{.alpha = 0.2});
   EXPECT_EQ(PixelOf(painter->canvas.Read(), 1, 1), (Rgba{51, 51, 51, 255}));
-  painter->lists.Draw(*painter->lists.Upload(Wall(0.5F, red)), as_it_is);
+  painter->surfaces.Draw(*painter->surfaces.Upload(Wall(0.5F, red)), as_it_is, from_front);
   EXPECT_EQ(PixelOf(painter->canvas.Read(), 1, 1), red);
 }
 
@@ -308,7 +361,7 @@ TEST_P(Painter, WritesEveryCharacterWhereItIsAskedToPixelByPixel) {
   constexpr int left = 6, bottom = 3, width = ray::glyph_count * ray::glyph_width;
   painter->canvas.Begin(width + 12, 24, {1, 1, 1});
   painter->canvas.SetViewport(0, 0, 1, 1);  // which text does not keep to
-  painter->lists.Draw(*painter->lists.Upload(Wall(-1, white)), as_it_is);
+  painter->surfaces.Draw(*painter->surfaces.Upload(Wall(-1, white)), as_it_is, from_front);
   const std::vector<ray::Label> labels{{left + 0.3, bottom - 0.3, text, green}};
   painter->text.Draw(labels, painter->canvas);
   const R2::Image image = painter->canvas.Read();
@@ -329,9 +382,10 @@ TEST_P(Painter, WritesEveryCharacterWhereItIsAskedToPixelByPixel) {
 
 TEST_P(Painter, DrawsEmptyListsAsNothing) {
   painter->canvas.Begin(4, 4, {1, 1, 1});
-  const auto triangles = painter->lists.Upload(ray::Triangles{});
-  painter->lists.Draw(*triangles, as_it_is);
-  painter->lists.DrawEdges(*triangles, as_it_is, red);
+  const auto triangles = painter->surfaces.Upload({});
+  painter->surfaces.DrawSky(*triangles, from_front);
+  painter->surfaces.Draw(*triangles, as_it_is, from_front);
+  painter->surfaces.DrawEdges(*triangles, as_it_is, red);
   painter->lists.Draw(*painter->lists.Upload(ray::Lines{}), as_it_is, 1, 0.5);
   painter->text.Draw(std::vector<ray::Label>{{0, 0, "", red}}, painter->canvas);
   EXPECT_EQ(PixelOf(painter->canvas.Read(), 0, 0), white);
@@ -346,7 +400,7 @@ TEST_P(Painter, RefusesPicturesTooLargeToBeShown) {
 
 // A scene may go after the painter that drew it.
 TEST_P(Painter, MayGoBeforeWhatItKeeps) {
-  const auto triangles = painter->lists.Upload(Wall(0, red));
+  const auto triangles = painter->surfaces.Upload(Wall(0, red));
   const auto picture = painter->pictures.Make(2, 2);
   painter.reset();
 }

@@ -191,6 +191,20 @@ TEST(SceneLineLines, AreWhereTheirGroupsBringThem) {
   EXPECT_EQ(ray::SceneLineLines(project::Stage(project::Root() / "scenes/lines.scn").world, {}).size(), 24u);
 }
 
+TEST(NodeBoxes, OfVeryManyThingsAreFaint) {
+  const auto alpha_of = [](int count) {
+    ray::Scene scene;
+    for (int i = 0; i < count; ++i)
+      scene.root.children.push_back(accelerators::Leaf(R3::MakeShape("sphere", {2.0 * i, 0, 0, 1})));
+    SetBounds(scene.root);
+    const project::Stage stage(std::move(scene));
+    return ray::NodeBoxLines(stage.world, {}, ray::all_levels).lines.at(0).color[3];
+  };
+  EXPECT_EQ(alpha_of(10), 255);
+  EXPECT_LT(alpha_of(5'000), 30);
+  EXPECT_GT(alpha_of(5'000), 0);
+}
+
 TEST(LevelColors, OfNeighborsDiffer) {
   for (int level = 0; level < 50; ++level)
     for (int other = level + 1; other < level + 4; ++other) {

@@ -1,6 +1,6 @@
 // The scene as triangles: all of it, where it is, in single precision however large or far away.
 
-#include "source/view/ScenePicture.h"
+#include "source/view/preview/ScenePicture.h"
 #include "R3/ShapeKind.h"
 
 #include <gtest/gtest.h>
@@ -14,19 +14,23 @@
 namespace {
 
 ray::ScenePicture PictureOf(const project::Stage& stage, const ray::PictureBudget& budget = {}) {
-  return ray::PictureOf(stage.world, ray::DrawingSpace::Of(stage.scene->root.bounds), budget);
+  return ray::PictureOf(stage.world, {}, ray::DrawingSpace::Of(stage.scene->root.bounds), budget);
 }
 
-void ExpectWithin(const ray::Triangles& triangles, double most) {
-  for (const ray::Vertex& vertex : triangles.vertices)
+void ExpectWithin(const ray::Surfaces& surfaces, double most) {
+  for (const ray::SurfaceVertex& vertex : surfaces.vertices)
     for (const float x : vertex.at) EXPECT_LE(std::abs(x), most);
-  for (const auto& indices : {triangles.opaque, triangles.clear}) {
-    EXPECT_EQ(indices.size() % 3, 0u);
-    for (const std::uint32_t i : indices) EXPECT_LT(i, triangles.vertices.size());
+  for (const std::uint32_t i : surfaces.indices) EXPECT_LT(i, surfaces.vertices.size());
+  std::size_t next = 0;
+  for (const ray::SurfaceBatch& batch : surfaces.batches) {
+    EXPECT_EQ(batch.first, next) << "batches follow each other";
+    EXPECT_EQ(batch.count % 3, 0u);
+    next += batch.count;
   }
+  EXPECT_EQ(next, surfaces.indices.size());
 }
 
-std::size_t Count(const ray::Triangles& triangles) { return (triangles.opaque.size() + triangles.clear.size()) / 3; }
+std::size_t Count(const ray::Surfaces& surfaces) { return surfaces.indices.size() / 3; }
 
 TEST(ScenePicture, LiesWithinTheSceneOfAnySizeAnywhere) {
   for (const char* text : {"sphere -1  0 0 0  1e12\n", "sphere -1  3e12 0 -4e12  1\n", "sphere -1  1 1 1  1e-12\n",
@@ -34,8 +38,8 @@ TEST(ScenePicture, LiesWithinTheSceneOfAnySizeAnywhere) {
                            "box -1  -1e150 -1e150 -1e150  1e150 1e150 1e150\n"}) {
     const project::Stage stage(project::FromText(text));
     const ray::ScenePicture picture = PictureOf(stage);
-    EXPECT_GT(Count(picture.triangles), 0u) << text;
-    ExpectWithin(picture.triangles, 1.001);
+    EXPECT_GT(Count(picture.surfaces), 0u) << text;
+    ExpectWithin(picture.surfaces, 1.001);
   }
 }
 
@@ -46,7 +50,7 @@ TEST(ScenePicture, LiesWithinTheBoxOfEveryRandomScene) {
     const ray::ScenePicture picture = PictureOf(stage);
     EXPECT_EQ(picture.left_out + picture.as_boxes, 0);
     EXPECT_EQ(picture.primitives, stage.world.Primitives());
-    ExpectWithin(picture.triangles, 1.001);
+    ExpectWithin(picture.surfaces, 1.001);
   }
 }
 
@@ -55,10 +59,10 @@ TEST(ScenePicture, HasItsFrontsOutsideMirroredOrNot) {
     for (const char* shape : {"sphere -1 0 0 0 1", "tri -1 0 0 1  1 0 1  0 1 1"}) {
       const project::Stage stage(
           project::FromText(std::string("begin -1 ") + matrix + "  0 1 0 0  0 0 1 0  0 0 0 1\n" + shape + "\nend\n"));
-      const ray::Triangles triangles = ray::PictureOf(stage.world, {}).triangles;
-      for (std::size_t t = 0; t < triangles.opaque.size(); t += 3) {
+      const ray::Surfaces surfaces = ray::PictureOf(stage.world, {}, {}).surfaces;
+      for (std::size_t t = 0; t < surfaces.indices.size(); t += 3) {
         const auto corner = [&](std::size_t k) {
-          const auto& at = triangles.vertices[triangles.opaque[t + k]].at;
+          const auto& at = surfaces.vertices[surfaces.indices[t + k]].at;
           return R3::Point{at[0], at[1], at[2]};
         };
         // Both are seen from outside by whom the origin is behind.
@@ -67,32 +71,35 @@ TEST(ScenePicture, HasItsFrontsOutsideMirroredOrNot) {
     }
 }
 
-TEST(ScenePicture, ShowsLightTextureAmbientAndEmissionAtItsCorners) {
-  const project::Stage lit(
-      project::FromText("ambient 0.5 0.5 0.5\ndir_light 0.4 0.2 0.1  0 0 -1\n"
-                        "material  0.2 0.2 0.2  1 1 1  0 0 0  0 0 0  0 0 0.3  1 1 0\ntri 0  0 0 0  1 0 0  0 1 0\n"));
-  for (const ray::Vertex& v : PictureOf(lit).triangles.vertices)
-    EXPECT_EQ(v.color, ray::Shown({0.5, 0.3, 0.5}));  // 0.2 * 0.5 + light, and what it sends out
-  // From behind as from before.
-  const project::Stage behind(
-      project::FromText("dir_light 0.4 0.2 0.1  0 0 1\n"
-                        "material  0 0 0  1 1 1  0 0 0  0 0 0  0 0 0  1 1 0\n"
-                        "tri 0  0 0 0  1 0 0  0 1 0\n"));
-  for (const ray::Vertex& v : PictureOf(behind).triangles.vertices) EXPECT_EQ(v.color, ray::Shown({0.4, 0.2, 0.1}));
-  const project::Stage textured(project::Root() / "scenes/texture.scn");
-  std::set<ray::Rgba> colors;
-  for (const ray::Vertex& v : PictureOf(textured).triangles.vertices) colors.insert(v.color);
-  EXPECT_GT(colors.size(), 20u);
+TEST(ScenePicture, HasABatchForEachMaterialWithClearOnesLast) {
+  const project::Stage stage(
+      project::FromText("ambient 0.5 0.5 0.5\nmaterial  0 0 0  1 1 1  0 0 0  0.5 0.5 0.5  0 0 0  1 1 0\n"
+                        "material  0.2 0.2 0.2  1 1 1  0 0 0  0 0 0  0 0 0.3  1 1 0\n"
+                        "sphere 0  0 0 0  1\nsphere 1  3 0 0  1\nsphere 1  6 0 0  1\n"));
+  const ray::Surfaces surfaces = PictureOf(stage).surfaces;
+  ASSERT_EQ(surfaces.batches.size(), 2u);
+  EXPECT_FALSE(surfaces.batches[0].is_clear);
+  EXPECT_TRUE(surfaces.batches[1].is_clear);
+  EXPECT_EQ(surfaces.batches[0].count, 2 * surfaces.batches[1].count);
+  EXPECT_EQ(surfaces.batches[0].material.ambient, (R2::Color{0.1, 0.1, 0.1}));
+  EXPECT_EQ(surfaces.batches[0].material.emission, (R2::Color{0, 0, 0.3}));
+  EXPECT_TRUE(surfaces.uvs.empty()) << "nothing has a texture";
 }
 
-TEST(ScenePicture, PutsClearThingsApart) {
-  const project::Stage stage(
-      project::FromText("material  0 0 0  1 1 1  0 0 0  0.5 0.5 0.5  0 0 0  1 1 0\nsphere 0  0 0 0  1\n"
-                        "sphere -1  3 0 0  1\n"));
-  const ray::Triangles triangles = PictureOf(stage).triangles;
-  EXPECT_EQ(triangles.clear.size(), triangles.opaque.size());
-  for (const std::uint32_t i : triangles.clear) EXPECT_EQ(triangles.vertices[i].color[3], 128);
-  for (const std::uint32_t i : triangles.opaque) EXPECT_EQ(triangles.vertices[i].color[3], 255);
+TEST(ScenePicture, HasTextureCoordinatesWhereThereAreTextures) {
+  const project::Stage textured(project::Root() / "scenes/texture.scn");
+  const ray::Surfaces surfaces = PictureOf(textured).surfaces;
+  EXPECT_EQ(surfaces.uvs.size(), surfaces.vertices.size());
+  std::set<std::array<float, 2>> places(surfaces.uvs.begin(), surfaces.uvs.end());
+  EXPECT_GT(places.size(), 20u);
+}
+
+TEST(ScenePicture, AbsorbsOnHalfTheMeanWayThroughABall) {
+  const project::Stage stage(project::FromText(
+      "material  0 0 0  0 0 0  0 0 0  1 1 1  0 0 0  1 1.5 0\nabsorb 0  0.3 0 0\nsphere 0  0 0 0  3\n"));
+  const R2::Color kt = PictureOf(stage).surfaces.batches.at(0).material.kt;
+  EXPECT_NEAR(kt.r, std::exp(-0.3 * 4 / 2), 1e-12);  // the mean way is 4/3 of the radius
+  EXPECT_EQ(kt.g, 1);
 }
 
 TEST(ScenePicture, StaysWithinItsBudgetAndSaysWhatIsMissing) {
@@ -103,20 +110,20 @@ TEST(ScenePicture, StaysWithinItsBudgetAndSaysWhatIsMissing) {
   SetBounds(scene.root);
   const project::Stage stage(std::move(scene));
   const ray::ScenePicture usual = PictureOf(stage);
-  EXPECT_LE(Count(usual.triangles), 2'000'000u);
-  EXPECT_GT(Count(usual.triangles), 500'000u);
+  EXPECT_LE(Count(usual.surfaces), 2'000'000u);
+  EXPECT_GT(Count(usual.surfaces), 500'000u);
   EXPECT_EQ(usual.as_boxes + usual.left_out, 0);
 
   const ray::ScenePicture boxes = PictureOf(stage, {.usual_triangles = 100'000});
   EXPECT_EQ(boxes.as_boxes, 10'000);
   EXPECT_EQ(boxes.left_out, 0);
-  EXPECT_EQ(Count(boxes.triangles), 120'000u);
+  EXPECT_EQ(Count(boxes.surfaces), 120'000u);
 
   const ray::ScenePicture part = PictureOf(stage, {.usual_triangles = 100'000, .most_vertices = 20'000});
   EXPECT_EQ(part.as_boxes, 2'500);
   EXPECT_EQ(part.left_out, 7'500);
-  EXPECT_LE(part.triangles.vertices.size(), 20'000u);
-  ExpectWithin(part.triangles, 1.001);
+  EXPECT_LE(part.surfaces.vertices.size(), 20'000u);
+  ExpectWithin(part.surfaces, 1.001);
 }
 
 TEST(ScenePicture, OfAHugeMeshIsAnEvenPartBesideWhatIsSmall) {
@@ -134,7 +141,7 @@ TEST(ScenePicture, OfAHugeMeshIsAnEvenPartBesideWhatIsSmall) {
   EXPECT_EQ(part.as_boxes, 0);  // the sphere is round
   // Triangles of both ends of the mesh, which are those of its poles, are there.
   float lowest = 0, highest = 0;
-  for (const ray::Vertex& v : part.triangles.vertices)
+  for (const ray::SurfaceVertex& v : part.surfaces.vertices)
     lowest = std::min(lowest, v.at[1]), highest = std::max(highest, v.at[1]);
   const auto whole = ray::DrawingSpace::Of(stage.scene->root.bounds);
   EXPECT_NEAR(highest, whole.At(stage.scene->root.bounds.high)[1], 0.05);
@@ -150,12 +157,12 @@ TEST(ScenePicture, ShowsWhatMovesWhereItIsWhenTheShutterOpens) {
   scene.root.children.push_back(std::move(group));
   SetBounds(scene.root);
   const project::Stage stage(std::move(scene));
-  ExpectWithin(ray::PictureOf(stage.world, {}).triangles, 1.001);
+  ExpectWithin(ray::PictureOf(stage.world, {}, {}).surfaces, 1.001);
 }
 
 TEST(ScenePicture, OfNothingIsNothing) {
   const project::Stage stage(project::FromText("\n"));
-  EXPECT_EQ(Count(PictureOf(stage).triangles), 0u);
+  EXPECT_EQ(Count(PictureOf(stage).surfaces), 0u);
   EXPECT_EQ(PictureOf(stage).left_out, 0);
 }
 

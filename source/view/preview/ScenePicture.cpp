@@ -1,4 +1,4 @@
-#include "source/view/ScenePicture.h"
+#include "source/view/preview/ScenePicture.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
@@ -6,50 +6,23 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <unordered_map>
 
 namespace ray {
 namespace {
 
-constexpr std::array finenesses{128, 96, 64, 40, 32, 24, 16, 12, 8, 6};
+// The finest leaves out less than a third of a pixel of a circle as wide as a drawing of 512 pixels: 256 (1 - cos(pi /
+// 64)).
+constexpr std::array finenesses{64, 40, 32, 24, 16, 12, 8, 6};
 constexpr int usual_fineness = 40;
 constexpr int only_boxes = 0;  // a fineness
 constexpr std::int64_t box_triangles = 12, box_vertices = 8;
-
-/// The lights that shade the drawing; fewer than there are when all would take too long.
-class DrawnLights {
- public:
-  DrawnLights(const Scene& scene, std::int64_t vertices) {
-    constexpr double most_evaluations = 2e8;  // some seconds
-    constexpr double least = 8;               // as many as the course's viewer has
-    std::vector<const Light*> shining;
-    for (const auto& light : scene.lights)
-      if (!light->IsBlack()) shining.push_back(light.get());
-    const double wanted = std::max(least, most_evaluations / static_cast<double>(std::max<std::int64_t>(vertices, 1)));
-    const double step = std::max(1.0, static_cast<double>(shining.size()) / wanted);
-    for (double i = 0; i < static_cast<double>(shining.size()); i += step)
-      lights_.push_back(shining[static_cast<std::size_t>(i)]);
-    if (!lights_.empty()) weight_ = static_cast<double>(shining.size()) / static_cast<double>(lights_.size());
-  }
-
-  /// Sum of irradiance |N.L|.
-  R2::Color At(const R3::Point& p, const R3::Vector& N) const {
-    R2::Color sum;
-    for (const Light* light : lights_)
-      if (const auto from = light->Illuminate(p, {0.5, 0.5}))
-        sum += std::abs(Dot(N, Unit(from->to_light))) * from->irradiance;
-    return weight_ * sum;
-  }
-
- private:
-  std::vector<const Light*> lights_;
-  double weight_ = 1;
-};
 
 /// How finely to draw, and which share of what can be left out is drawn.
 struct Plan {
   int fineness = only_boxes;
   double share = 1;
-  std::int64_t vertices = 0;  // about
 };
 
 bool IsDrawn(const Instance& instance) { return !instance.shape->IsDegenerate(); }
@@ -74,7 +47,6 @@ Plan PlanFor(const World& world, const PictureBudget& budget) {
     const bool is_little = all - least <= budget.usual_triangles / 4;
     if (fineness > usual_fineness ? all > budget.quick_triangles : all > budget.usual_triangles && !is_little) continue;
     plan.fineness = fineness;
-    plan.vertices = all;
     break;
   }
   std::int64_t thinned = 0, whole = 0;  // vertices
@@ -87,7 +59,6 @@ Plan PlanFor(const World& world, const PictureBudget& budget) {
   }
   const double room = static_cast<double>(std::max<std::int64_t>(budget.most_vertices - whole, 0));
   if (static_cast<double>(thinned) > room) plan.share = room / static_cast<double>(thinned);
-  plan.vertices = std::max(plan.vertices, std::min(thinned, budget.most_vertices) + whole);
   return plan;
 }
 
@@ -123,14 +94,45 @@ R3::MeshData CornersOf(const R3::Box& box) {
   return data;
 }
 
+/// A number that floats can hold.
+float AsFloat(double x) {
+  constexpr double most = std::numeric_limits<float>::max();
+  return static_cast<float>(std::clamp(x, -most, most));
+}
+
+SurfaceMaterial LookOf(const Material& m, const Scene& scene, const DrawingSpace& space) {
+  SurfaceMaterial look;
+  look.emission = m.emission;
+  look.ambient = m.ka * scene.ambient;
+  look.kd = m.kd, look.ks = m.ks, look.kr = m.kr, look.kt = m.kt;
+  look.n = m.n, look.ir = m.ir, look.coat = m.coat;
+  look.texture = m.texture, look.bump = m.bump;
+  look.texture_multiplies_ambient = m.texture_multiplies_ka;
+  look.bump_height = m.bump_height / space.radius;
+  return look;
+}
+
+/// What is left of light on half the mean way through a shape, since its surface is drawn twice, before and behind.
+R2::Color LeftInside(const Material& m, double mean_way) {
+  const auto left = [&](double absorb) { return absorb > 0 ? std::exp(-absorb * mean_way / 2) : 1; };
+  return {left(m.absorb.r), left(m.absorb.g), left(m.absorb.b)};
+}
+
+/// A batch while it grows.
+struct Draft {
+  SurfaceBatch batch;
+  std::vector<std::uint32_t> indices;
+  double ways = 0;  // sum of the mean ways through its shapes
+  int shapes = 0;
+};
+
 class Builder {
  public:
   Builder(const World& world, const DrawingSpace& space, const PictureBudget& budget)
-      : world_(world),
-        space_(space),
-        budget_(budget),
-        plan_(PlanFor(world, budget)),
-        drawn_lights_(world.scene(), plan_.vertices) {}
+      : world_(world), space_(space), budget_(budget), plan_(PlanFor(world, budget)) {
+    for (const Instance& instance : world.Instances())
+      has_textures_ |= instance.material->texture || instance.material->bump;
+  }
 
   ScenePicture Run() {
     picture_.primitives = world_.Primitives();
@@ -161,6 +163,7 @@ class Builder {
       }
       Add(instance, data_);
     }
+    Join();
     return std::move(picture_);
   }
 
@@ -173,21 +176,23 @@ class Builder {
     const double reach = times_the_scene * space_.radius + Length(center - space_.center);
     const double factor = reach / Length(world_from_local * first - center);
     for (R3::Point& p : data.positions) p = middle + factor * (p - middle);
+    for (R2::Point& uv : data.uvs) uv = {factor * uv.x, factor * uv.y};
     return data;
   }
 
   void Add(const Instance& instance, const R3::MeshData& data) {
     const R3::Transform& world_from_local = world_.Frames()[instance.frame];
-    const Material& material = *instance.material;
     const bool is_flat = data.normals.empty();
-    auto& vertices = picture_.triangles.vertices;
+    auto& vertices = picture_.surfaces.vertices;
+    auto& uvs = picture_.surfaces.uvs;
     const std::size_t first = vertices.size();
     vertices.resize(first + (is_flat ? 3 * data.triangles.size() : data.positions.size()));
+    if (has_textures_) uvs.resize(vertices.size());
 
-    const auto vertex = [&](std::size_t i, const R3::Normal& normal) {
-      const R3::Point p = world_from_local * data.positions[i];
-      const R2::Point uv = data.uvs.empty() ? R2::Point{} : data.uvs[i];
-      return Vertex{space_.At(p), ColorAt(material, p, AsVector(world_from_local * normal), uv)};
+    const auto set = [&](std::size_t vertex, std::size_t i, const R3::Normal& normal) {
+      const R3::Vector N = AsVector(world_from_local * normal);
+      vertices[vertex] = {space_.At(world_from_local * data.positions[i]), Packed(N.x, N.y, N.z)};
+      if (has_textures_ && !data.uvs.empty()) uvs[vertex] = {AsFloat(data.uvs[i].x), AsFloat(data.uvs[i].y)};
     };
     if (is_flat)
       ForAll(data.triangles.size(), [&](std::size_t t) {
@@ -195,26 +200,58 @@ class Builder {
         const R3::Point& a = data.positions[triangle[0]];
         const R3::Normal front =
             AsNormal(Unit(Cross(data.positions[triangle[1]] - a, data.positions[triangle[2]] - a)));
-        for (std::size_t k = 0; k < 3; ++k) vertices[first + 3 * t + k] = vertex(triangle[k], front);
+        for (std::size_t k = 0; k < 3; ++k) set(first + 3 * t + k, triangle[k], front);
       });
     else
-      ForAll(data.positions.size(), [&](std::size_t i) { vertices[first + i] = vertex(i, data.normals[i]); });
+      ForAll(data.positions.size(), [&](std::size_t i) { set(first + i, i, data.normals[i]); });
+    AddTriangles(DraftFor(instance), data, static_cast<std::uint32_t>(first), world_from_local.Mirrors());
+  }
 
-    const bool is_clear = Luminance(material.kt) > 0;
-    auto& indices = is_clear ? picture_.triangles.clear : picture_.triangles.opaque;
+  static void AddTriangles(Draft& draft, const R3::MeshData& data, std::uint32_t first, bool is_mirrored) {
+    const bool is_flat = data.normals.empty();
     for (std::size_t t = 0; t < data.triangles.size(); ++t) {
       std::array<std::uint32_t, 3> corners = data.triangles[t];
       if (is_flat)
         for (std::size_t k = 0; k < 3; ++k) corners[k] = static_cast<std::uint32_t>(3 * t + k);
-      if (world_from_local.Mirrors()) std::swap(corners[1], corners[2]);  // fronts stay outside
-      for (const std::uint32_t corner : corners) indices.push_back(static_cast<std::uint32_t>(first) + corner);
+      if (is_mirrored) std::swap(corners[1], corners[2]);  // fronts stay outside
+      for (const std::uint32_t corner : corners) draft.indices.push_back(first + corner);
     }
   }
 
-  Rgba ColorAt(const Material& m, const R3::Point& p, const R3::Vector& N, const R2::Point& uv) const {
-    const R2::Color kd = m.texture ? m.kd * m.texture->At(uv) : m.kd;
-    const R2::Color color = m.emission + m.ka * world_.scene().ambient + kd * drawn_lights_.At(p, N);
-    return Shown(color, std::clamp(1 - Luminance(m.kt), 0.0, 1.0));
+  Draft& DraftFor(const Instance& instance) {
+    const Material* material = instance.material;
+    const auto [found, is_new] = number_of_.try_emplace(material, drafts_.size());
+    if (is_new) {
+      drafts_.emplace_back();
+      drafts_.back().batch.material = LookOf(*material, world_.scene(), space_);
+      // Where light from the environment alone is shown bent, nothing else is seen through.
+      const bool is_bending = material->ir != 1 && world_.scene().environment;
+      drafts_.back().batch.is_clear = Luminance(material->kt) > 0 && !is_bending;
+    }
+    Draft& draft = drafts_[found->second];
+    if (instance.is_bounded && !IsBlack(material->absorb)) {
+      const R3::Vector size = world_.InWorld(instance.frame, Bounds(*instance.shape)).Size();
+      draft.ways += 2.0 / 3 * std::min({size.x, size.y, size.z});
+      ++draft.shapes;
+      draft.batch.material.kt = material->kt * LeftInside(*material, draft.ways / draft.shapes);
+    }
+    return draft;
+  }
+
+  void Join() {
+    Surfaces& surfaces = picture_.surfaces;
+    std::size_t all = 0;
+    for (const Draft& draft : drafts_) all += draft.indices.size();
+    surfaces.indices.reserve(all);
+    for (const bool is_clear : {false, true})
+      for (Draft& draft : drafts_) {
+        if (draft.batch.is_clear != is_clear) continue;
+        draft.batch.first = static_cast<std::uint32_t>(surfaces.indices.size());
+        draft.batch.count = static_cast<std::uint32_t>(draft.indices.size());
+        surfaces.indices.insert(surfaces.indices.end(), draft.indices.begin(), draft.indices.end());
+        surfaces.batches.push_back(std::move(draft.batch));
+        std::vector<std::uint32_t>().swap(draft.indices);  // frees its memory at once
+      }
   }
 
   template <typename Body>
@@ -228,15 +265,29 @@ class Builder {
   const DrawingSpace& space_;
   const PictureBudget& budget_;
   Plan plan_;
-  DrawnLights drawn_lights_;
+  bool has_textures_ = false;
+  std::vector<Draft> drafts_;
+  std::unordered_map<const Material*, std::size_t> number_of_;
   R3::MeshData data_;
   ScenePicture picture_;
 };
 
 }  // namespace
 
-ScenePicture PictureOf(const World& world, const DrawingSpace& space, const PictureBudget& budget) {
-  return Builder(world, space, budget).Run();
+ScenePicture PictureOf(const World& world, const RenderSettings& settings, const DrawingSpace& space,
+                       const PictureBudget& budget) {
+  const Scene& scene = world.scene();
+  ScenePicture picture = Builder(world, space, budget).Run();
+  picture.lights = PreviewLightsOf(world, settings, space);
+  picture.background = scene.background;
+  picture.environment = scene.environment;
+  if (scene.environment)
+    picture.diffuse_light = DiffuseLightOf(*scene.environment);
+  else if (settings.mode == RenderMode::path)
+    picture.diffuse_light = DiffuseLightOf(scene.background);
+  picture.fresnel = settings.trace.fresnel;
+  picture.glossy = settings.trace.glossy;
+  return picture;
 }
 
 }  // namespace ray

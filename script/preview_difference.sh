@@ -1,0 +1,55 @@
+#!/bin/sh
+# A table of how far the viewer's preview is from the traced image of the same view: mean FLIP, 0 equal to 1 opposite.
+#
+#     script/preview_difference.sh [-size N] [-keep folder] [-shadows] [scene ...]
+#
+# Scenes are by default twenty of the tree: lights, materials, textures, mirrors, glass, environments, many things. The
+# preview is drawn without a window or words over it; the image has 16 samples per pixel, traced at the first run with
+# -keep and then taken from there; -shadows as key Shift+L. RAYPRO, RAYIMG and RAYVIEW name the programs (default those of build/).
+set -eu
+export LC_ALL=C  # numbers have a point
+here=$(cd "$(dirname "$0")/.." && pwd)
+raypro=${RAYPRO:-$here/build/raypro}
+rayimg=${RAYIMG:-$here/build/rayimg}
+rayview=${RAYVIEW:-$here/build/rayview}
+size=256
+samples=16
+shadows=no
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+kept=$work
+while [ $# -gt 0 ]; do
+  case $1 in
+    -size) size=$2; shift 2 ;;
+    -shadows) shadows=yes; shift ;;
+    -keep) kept=$2; mkdir -p "$kept"; shift 2 ;;
+    *) break ;;
+  esac
+done
+if [ $# -eq 0 ]; then
+  for name in scenes/hello scenes/texture scenes/bump scenes/materials scenes/specular scenes/emission scenes/coat \
+              scenes/glass scenes/environment scenes/environment_probe scenes/spot_light scenes/area_light \
+              scenes/sphere_light scenes/many_lights scenes/smooth art/cradle art/glass art/stairs \
+              writeup/scenes/still writeup/scenes/lamp; do
+    set -- "$@" "$here/$name.scn"
+  done
+fi
+
+# Words that are shown for a moment have gone by then.
+{
+  if [ "$shadows" = yes ]; then echo 'key Shift+L'; fi
+  echo 'tick 60'
+} > "$work/events"
+printf '%-36s%10s\n' "scene, ${size}x${size}, $samples samples" FLIP
+for scene in "$@"; do
+  name=${scene#"$here"/}
+  stem=$(printf '%s' "$name" | tr / _ | sed 's/\.[^.]*$//')
+  traced=$kept/$stem.$size.traced.png
+  drawn=$kept/$stem.$size.drawn.png
+  [ -f "$traced" ] ||
+    "$raypro" "$scene" "$traced" -width "$size" -height "$size" -samples "$samples" -quiet -allow_path / 2> /dev/null
+  "$rayview" --headless "$scene" -width "$size" -height "$size" -allow_path / -events "$work/events" \
+    -screenshot "$drawn" > /dev/null 2>&1
+  flip=$("$rayimg" diff "$drawn" "$traced" | sed -n 's/^FLIP *//p')
+  printf '%-36s%10.4f\n' "$name" "$flip"
+done | awk '{ print } NF == 2 { sum += $2; ++count } END { if (count) printf "%-36s%10.4f\n", "mean of " count, sum / count }'

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace ray {
+
+/// A line of help; one without keys is a heading.
+struct HelpRow {
+  std::string keys, text;
+};
+
+/// In two columns, lines at most `columns` wide as far as words allow; no limit below 1.
+std::vector<std::string> HelpLines(const std::vector<HelpRow>& rows, int columns);
+
+/// The same on pages of at most `lines` lines, at least 2: groups are kept together where they fit, and the last line
+/// of each page says which one it is.
+std::vector<std::vector<std::string>> HelpPages(const std::vector<HelpRow>& rows, int columns, int lines);
+
+}  // namespace ray

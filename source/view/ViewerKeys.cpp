@@ -1,0 +1,187 @@
+#include <algorithm>
+#include <cmath>
+
+#include "source/scene/CameraText.h"
+#include "source/text/EnumNames.h"
+#include "source/text/NumberText.h"
+#include "source/view/Viewer.h"
+#include "source/view/overlay/SceneLines.h"
+
+/// What keys do, where it is more than a line of the table.
+namespace ray {
+
+void Viewer::StartTrace() {
+  pictures_.StartTrace(scene_, SettingsOfView());
+  pictures_.HideLive();
+  shows_quad_ = true;
+  ShowMessage("rendering");
+  InvalidateLines();
+}
+
+void Viewer::Peel() {
+  if (help_page_ > 0) {
+    help_page_ = 0;
+    return ShowMessage("help closed");
+  }
+  if (pick_) {
+    pick_.reset();
+    return ShowMessage("pick forgotten");
+  }
+  if (section_.IsShown()) {
+    section_.Toggle();
+    arrows_move_section_ = false;
+    return ShowMessage("cross section off");
+  }
+  ShowMessage(pictures_.StopTrace() ? "rendering is being stopped" : "nothing to close; Q quits");
+}
+
+void Viewer::Quit() {
+  if (!pictures_.IsTracing() || was_asked_to_quit_) {
+    is_closed_ = true;
+    return;
+  }
+  was_asked_to_quit_ = true;
+  ShowMessage("still rendering; Q again quits without saving");
+}
+
+void Viewer::ToggleLights() {
+  shows_lights_ = !shows_lights_;
+  InvalidateLines();
+  if (!shows_lights_) return ShowMessage("lights off");
+  int lights = 0, in_view = 0, far = 0;
+  for (const auto& light : scene_->parsed.scene.lights) {
+    if (light->IsBlack()) continue;
+    ++lights;
+    if (light->Bound().is_infinite) {
+      ++far;
+      continue;
+    }
+    const auto pixel = PixelOf(navigator_.camera(), light->Bound().center, size_);
+    in_view += pixel && pixel->x >= 0 && pixel->y >= 0 && pixel->x < size_.width && pixel->y < size_.height;
+  }
+  const int outside = lights - far - in_view;
+  ShowMessage(std::to_string(lights) + (lights == 1 ? " light" : " lights") +
+              (outside > 0 ? ", " + std::to_string(outside) + " out of view; F frames them" : ""));
+}
+
+void Viewer::PrintCamera() {
+  const std::string line = CameraLine(navigator_.camera());
+  host_.Print(line);
+  host_.SetClipboard(line + "\n");
+  ShowMessage("camera printed and copied to the clipboard");
+}
+
+void Viewer::CycleBoxes() {
+  boxes_ = boxes_ == Boxes::none ? Boxes::nodes : boxes_ == Boxes::nodes ? Boxes::accelerator : Boxes::none;
+  InvalidateLines();
+  ShowMessage(BoxesInWords());
+}
+
+void Viewer::ChangeBoxLevel(int by) {
+  if (boxes_ == Boxes::none) boxes_ = Boxes::nodes;
+  constexpr int deepest = 1 << 20;
+  box_level_ = std::clamp(box_level_ + by, all_levels, deepest);
+  InvalidateLines();
+  ShowMessage(BoxesInWords());
+}
+
+void Viewer::FramePicked() {
+  if (!pick_ || !pick_->point) return ShowMessage("nothing is picked; click an object first");
+  const Instance& instance = scene_->world.Instances()[pick_->instance];
+  if (!instance.is_bounded) return ShowMessage("it has no end, and cannot be framed");
+  const R3::Box box = scene_->world.InWorld(instance.frame, R3::Bounds(*instance.shape));
+  navigator_.SetPivot(pick_->point);
+  navigator_.Frame(box);
+}
+
+void Viewer::KeepBookmark(int digit) {
+  const bool is_kept = bookmarks_.Keep(digit, navigator_.camera());
+  ShowMessage("bookmark " + std::to_string(digit) +
+              (is_kept ? " saved" : " lasts for this session only: cannot write " + bookmarks_.File()));
+}
+
+void Viewer::RecallBookmark(int digit) {
+  if (const auto camera = bookmarks_.Find(digit)) return navigator_.Go(*camera);
+  ShowMessage("no bookmark " + std::to_string(digit));
+}
+
+void Viewer::ToggleGrid() {
+  InvalidateLines();
+  if (rays_.ShowsGrid()) {
+    rays_.ToggleGrid();
+    return ShowMessage("rays off");
+  }
+  rays_.TraceGrid(*scene_, pictures_.Trace() ? pictures_.Trace()->Settings() : SettingsOfView());
+  ShowMessage("rays of " + std::to_string(rays_.Grid().size()) + " pixels; F2 to F5 choose kinds, N bounces");
+}
+
+void Viewer::DebugPixelAt(const R2::Point& position) {
+  if (const auto pixel = PixelOnQuad(position)) {
+    rays_.TracePixel(*scene_, pictures_.Trace()->Settings(), pixel->first, pixel->second);
+  } else {
+    if (position.x < 0 || position.y < 0 || position.x >= size_.width || position.y >= size_.height) return;
+    rays_.TracePixel(*scene_, SettingsOfView(), static_cast<int>(position.x), static_cast<int>(position.y));
+  }
+  ReportPixel();
+}
+
+void Viewer::ReportPixel() {
+  arrows_move_section_ = false;
+  const PixelTrace& pixel = *rays_.Pixel();
+  host_.Print(RayTree(pixel, scene_->world, rays_.PixelSettings()));
+  ShowMessage("pixel " + std::to_string(pixel.column) + " " + std::to_string(pixel.row) + ", " +
+              std::to_string(pixel.rays.size()) + " rays");
+  InvalidateLines();
+}
+
+void Viewer::MoveByArrow(int right, int up) {
+  if (arrows_move_section_) {
+    section_.Move(up);
+    section_lines_.reset();
+    needs_redraw_ = true;
+  } else if (rays_.StepPixel(*scene_, right, up)) {
+    ReportPixel();
+  } else {
+    ShowMessage(rays_.Pixel() ? "the border of the picture" : "right-click a pixel first, or press X");
+  }
+}
+
+void Viewer::SaveRays() {
+  const auto shown = rays_.Shown();
+  if (shown.empty()) return ShowMessage("no rays are shown; press G or right-click a pixel first");
+  ShowMessage(host_.SaveRays(RaysAsObj(shown, space_.radius)));
+}
+
+void Viewer::ToggleLive(std::optional<RenderMode> mode) {
+  if (pictures_.IsLive() && pictures_.LiveMode() == mode)
+    pictures_.HideLive();
+  else
+    pictures_.ShowLive(mode);
+  InvalidateLines();
+  const std::string what = NameOf(mode.value_or(settings_.render.mode));
+  ShowMessage(pictures_.IsLive() ? "live rendering, mode " + what : "live rendering off");
+}
+
+void Viewer::KeepReference() {
+  const auto current = pictures_.Current();
+  if (!current) return ShowMessage("nothing is rendered yet; press S or P first");
+  pictures_.SetReference(current);
+  ShowMessage("image kept as the reference");
+}
+
+void Viewer::Compare(TracedPictures::Comparing how) {
+  pictures_.Compare(pictures_.HowCompared() == how ? TracedPictures::Comparing::no : how);
+  ShowMessage(pictures_.Comparison());
+}
+
+void Viewer::ChangeExposure(double steps) {
+  exposure_steps_ = steps == 0 ? 0 : exposure_steps_ + steps;
+  ShowMessage("exposure " + ToText(exposure_steps_) + (std::abs(exposure_steps_) == 1 ? " stop" : " stops"));
+}
+
+void Viewer::TurnHelpPage() {
+  const auto pages = static_cast<int>(HelpPages(HelpRows(), ColumnsOfText(), LinesOfText()).size());
+  help_page_ = help_page_ >= pages ? 0 : help_page_ + 1;
+}
+
+}  // namespace ray

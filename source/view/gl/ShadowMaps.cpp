@@ -1,0 +1,65 @@
+#include "source/view/gl/ShadowMaps.h"
+
+#include <array>
+
+#include "source/view/gl/Upload.h"
+
+namespace ray {
+
+namespace {
+
+constexpr GLsizei side = 1024;  // texels; a scene seen from outside is then told apart to 1/500 of its radius
+
+/// What is being drawn into, and where; set again at the end.
+class Kept {
+ public:
+  Kept() {
+    glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &framebuffer_);
+    glGetIntegerv(GL_VIEWPORT, viewport_.data());
+  }
+  ~Kept() {
+    glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(framebuffer_));
+    glViewport(viewport_[0], viewport_[1], viewport_[2], viewport_[3]);
+    glEnable(GL_SCISSOR_TEST);
+  }
+  Kept(const Kept&) = delete;
+  Kept& operator=(const Kept&) = delete;
+
+ private:
+  GLint framebuffer_ = 0;
+  std::array<GLint, 4> viewport_{};
+};
+
+}  // namespace
+
+GpuShadows FilledShadows(int count, const std::function<void(int map)>& draw) {
+  GpuShadows shadows;
+  glBindTexture(GL_TEXTURE_2D_ARRAY, shadows.maps.Name());
+  glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_DEPTH_COMPONENT24, side, side, count, 0, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT,
+               nullptr);
+  for (const GLenum name : std::array<GLenum, 2>{GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
+    glTexParameteri(GL_TEXTURE_2D_ARRAY, name, GL_LINEAR);  // between the answers of four texels
+  for (const GLenum name : std::array<GLenum, 2>{GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
+    glTexParameteri(GL_TEXTURE_2D_ARRAY, name, GL_CLAMP_TO_EDGE);
+  glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAX_LEVEL, 0);
+  glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
+  CheckMemory();
+
+  const Kept kept;
+  const Framebuffer framebuffer;
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.Name());
+  glDrawBuffer(GL_NONE);
+  glViewport(0, 0, side, side);
+  glDisable(GL_SCISSOR_TEST);
+  glEnable(GL_POLYGON_OFFSET_FILL);
+  glPolygonOffset(2, 2);  // so that a surface does not shade itself where a texel is seen aslant
+  for (int map = 0; map < count; ++map) {
+    glFramebufferTextureLayer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, shadows.maps.Name(), 0, map);
+    glClear(GL_DEPTH_BUFFER_BIT);
+    draw(map);
+  }
+  glDisable(GL_POLYGON_OFFSET_FILL);
+  return shadows;
+}
+
+}  // namespace ray

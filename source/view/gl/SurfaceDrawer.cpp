@@ -1,0 +1,380 @@
+#include "source/view/gl/SurfaceDrawer.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <limits>
+
+#include "source/view/gl/Canvas.h"
+#include "source/view/gl/Upload.h"
+
+namespace ray {
+
+namespace {
+
+constexpr const char* edge_vertex_shader = R"(#version 330 core
+layout(location = 0) in vec3 at;
+uniform mat4 clip_from_drawing;
+void main() { gl_Position = clip_from_drawing * vec4(at, 1); }
+)";
+
+// Edges of triangles that are small on the screen would leave nothing else to be seen: they are the fainter, the
+// smaller. Those with a corner behind the eye are large.
+constexpr const char* edge_geometry_shader = R"(#version 330 core
+layout(triangles) in;
+layout(triangle_strip, max_vertices = 3) out;
+uniform vec2 half_size;  // of the viewport, in pixels
+flat out float strength;
+const float opaque_from = 12.0;  // pixels of the longest edge
+const float faintest = 0.05;
+void main() {
+  vec2 at[3];
+  bool is_in_front = true;
+  for (int i = 0; i < 3; ++i) {
+    is_in_front = is_in_front && gl_in[i].gl_Position.w > 0.0;
+    at[i] = half_size * gl_in[i].gl_Position.xy / gl_in[i].gl_Position.w;
+  }
+  float longest = max(distance(at[0], at[1]), max(distance(at[1], at[2]), distance(at[2], at[0])));
+  for (int i = 0; i < 3; ++i) {
+    strength = is_in_front ? clamp(longest / opaque_from, faintest, 1.0) : 1.0;
+    gl_Position = gl_in[i].gl_Position;
+    EmitVertex();
+  }
+  EndPrimitive();
+}
+)";
+
+constexpr const char* edge_fragment_shader = R"(#version 330 core
+uniform vec3 ink;
+flat in float strength;
+out vec4 color;
+void main() { color = vec4(ink, strength); }
+)";
+
+constexpr GLuint at_location = 0, normal_location = 1, uv_location = 2, lights_binding = 0;
+constexpr GLint paint_unit = 0, relief_unit = 1, environment_unit = 2, shadows_unit = 3;
+constexpr int most_texels = 2048;  // per side of a texture or environment: 24 MB in half precision
+constexpr double rim = 0.25;       // brightness at the rim of a full mirror that shows nothing
+
+constexpr float most_half = 65504;  // that a half-precision float can hold
+
+float AsFloat(double x) {
+  constexpr double most = std::numeric_limits<float>::max();
+  return static_cast<float>(std::clamp(x, -most, most));
+}
+
+std::array<float, 3> AsFloats(const R2::Color& c) { return {AsFloat(c.r), AsFloat(c.g), AsFloat(c.b)}; }
+
+void Set(const ShaderProgram& program, const char* name, const R2::Color& color) {
+  glUniform3fv(program[name], 1, AsFloats(color).data());
+}
+void Set(const ShaderProgram& program, const char* name, double number) { glUniform1f(program[name], AsFloat(number)); }
+
+/// A light in the layout of the shader's block.
+struct GpuLight {
+  std::array<float, 4> color, place, direction, falloff;
+};
+static_assert(sizeof(GpuLight) == 64);
+
+GpuLight AsGpu(const PreviewLight& light, int first_shadow = 0) {
+  const auto color = AsFloats(light.color);
+  const auto &p = light.place, &d = light.direction;
+  return {{color[0], color[1], color[2], AsFloat(light.exponent)},
+          {p[0], p[1], p[2], light.is_infinite ? 1.F : 0.F},
+          {d[0], d[1], d[2], AsFloat(light.least_cosine)},
+          {AsFloat(light.constant), AsFloat(light.linear), AsFloat(light.quadratic), static_cast<float>(first_shadow)}};
+}
+
+bool IsOfBytes(const R2::Image& image) {
+  return std::ranges::all_of(image.Channels(), [](float c) {
+    const float byte = 255 * c;
+    return byte >= 0 && byte <= 255 && std::abs(byte - std::round(byte)) < 1e-4F;
+  });
+}
+
+/// Fills the texture bound, and its smaller levels, for which llvmpipe would first compile a shader. In bytes where
+/// nothing is lost by it, unless slopes are asked for, which bytes would round between texels.
+void FillTexture(const R2::Image& original, bool has_slopes) {
+  R2::Image image = Shrunk(original, most_texels, most_texels);
+  const GLint format = !has_slopes && IsOfBytes(image) ? GL_RGB8 : GL_RGB16F;
+  for (GLint level = 0;; ++level) {
+    std::vector<float> channels = image.Channels();
+    for (float& c : channels) c = std::clamp(c, -most_half, most_half);
+    glTexImage2D(GL_TEXTURE_2D, level, format, image.Width(), image.Height(), 0, GL_RGB, GL_FLOAT, channels.data());
+    if (image.Width() == 1 && image.Height() == 1) break;
+    image = Shrunk(image, std::max(1, image.Width() / 2), std::max(1, image.Height() / 2));
+  }
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+  CheckMemory();
+}
+
+void AddTexture(std::unordered_map<const Texture*, Texture2D>& textures, const Texture* texture, bool has_slopes) {
+  if (!texture || textures.count(texture)) return;
+  const Texture2D& made = textures.try_emplace(texture).first->second;
+  glBindTexture(GL_TEXTURE_2D, made.Name());
+  FillTexture(texture->image, has_slopes);
+}
+
+SurfaceFeatures FeaturesOf(const ScenePicture& picture) {
+  SurfaceFeatures features;
+  features.environment = picture.environment != nullptr;
+  features.diffuse_light =
+      std::ranges::any_of(picture.diffuse_light.factors, [](const R2::Color& c) { return !IsBlack(c); });
+  for (const SurfaceBatch& batch : picture.surfaces.batches) {
+    features.textures |= batch.material.texture != nullptr;
+    features.bumps |= batch.material.bump != nullptr;
+    features.clear |= !IsBlack(batch.material.kt);
+    features.coats |= batch.material.coat > 0;
+  }
+  features.fresnel = picture.fresnel && features.clear;
+  return features;
+}
+
+/// The angle at which Phong's lobe is half as strong as in the middle, on both sides.
+double LobeWidth(double exponent) { return 2 * std::acos(std::pow(0.5, 1 / std::max(exponent, 1.0))); }
+
+void DrawTriangles(const SurfaceBatch& batch) {
+  glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(batch.count), GL_UNSIGNED_INT,
+                 Offset(batch.first * sizeof(std::uint32_t)));
+}
+
+void UploadTriangles(GpuSurfaces& uploaded, const Surfaces& surfaces) {
+  assert(std::ranges::all_of(surfaces.indices, [&](auto i) { return i < surfaces.vertices.size(); }));
+  glBindVertexArray(uploaded.shaded.Name());  // indices belong to the array bound when they come
+  glBindBuffer(GL_ARRAY_BUFFER, uploaded.vertices.Name());
+  glBufferData(GL_ARRAY_BUFFER, Bytes(surfaces.vertices), surfaces.vertices.data(), GL_STATIC_DRAW);
+  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, uploaded.indices.Name());
+  glBufferData(GL_ELEMENT_ARRAY_BUFFER, Bytes(surfaces.indices), surfaces.indices.data(), GL_STATIC_DRAW);
+  Describe(at_location, 3, GL_FLOAT, sizeof(SurfaceVertex), offsetof(SurfaceVertex, at));
+  Describe(normal_location, 4, GL_SHORT, sizeof(SurfaceVertex), offsetof(SurfaceVertex, normal));
+  if (!surfaces.uvs.empty()) {
+    assert(surfaces.uvs.size() == surfaces.vertices.size());
+    glBindBuffer(GL_ARRAY_BUFFER, uploaded.uvs.Name());
+    glBufferData(GL_ARRAY_BUFFER, Bytes(surfaces.uvs), surfaces.uvs.data(), GL_STATIC_DRAW);
+    Describe(uv_location, 2, GL_FLOAT, sizeof(surfaces.uvs[0]), 0);
+    glBindBuffer(GL_ARRAY_BUFFER, uploaded.vertices.Name());
+  }
+  glBindVertexArray(uploaded.plain.Name());
+  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, uploaded.indices.Name());
+  Describe(at_location, 3, GL_FLOAT, sizeof(SurfaceVertex), offsetof(SurfaceVertex, at));
+  CheckMemory();
+}
+
+void UploadLights(const GpuSurfaces& surfaces) {
+  std::vector<GpuLight> lights(most_preview_lights);
+  for (std::size_t i = 0; i < surfaces.preview_lights.size(); ++i)
+    lights[i] = AsGpu(surfaces.preview_lights[i], surfaces.shadows ? surfaces.shadow_views.first[i] : 0);
+  glBindBuffer(GL_UNIFORM_BUFFER, surfaces.lights.Name());
+  glBufferData(GL_UNIFORM_BUFFER, Bytes(lights), lights.data(), GL_STATIC_DRAW);
+}
+
+/// Whether what is drawn into can encode in sRGB itself, and so blend light before.
+bool CanEncodeSrgb() {
+  GLint framebuffer = 0, encoding = GL_LINEAR;
+  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &framebuffer);
+  glGetFramebufferAttachmentParameteriv(GL_DRAW_FRAMEBUFFER, framebuffer == 0 ? GL_BACK_LEFT : GL_COLOR_ATTACHMENT0,
+                                        GL_FRAMEBUFFER_ATTACHMENT_COLOR_ENCODING, &encoding);
+  return encoding == GL_SRGB;
+}
+
+/// The far side of a solid first; without writing depth, so that what comes later is seen behind.
+void DrawClear(const SurfaceBatch& batch) {
+  glEnable(GL_BLEND);
+  // Light that comes through is multiplied color by color.
+  glBlendFuncSeparate(GL_ONE, GL_SRC1_COLOR, GL_ONE, GL_ZERO);
+  glDepthMask(GL_FALSE);
+  glEnable(GL_CULL_FACE);
+  for (const GLenum hidden : std::array<GLenum, 2>{GL_FRONT, GL_BACK}) {
+    glCullFace(hidden);
+    DrawTriangles(batch);
+  }
+  glDisable(GL_CULL_FACE);
+  glDepthMask(GL_TRUE);
+}
+
+}  // namespace
+
+std::shared_ptr<GpuSurfaces> SurfaceDrawer::Upload(const ScenePicture& picture) const {
+  auto uploaded = std::make_shared<GpuSurfaces>();
+  uploaded->batches = picture.surfaces.batches;
+  uploaded->diffuse_light = picture.diffuse_light;
+  uploaded->background = picture.background;
+  uploaded->features = FeaturesOf(picture);
+  uploaded->glossy = picture.glossy;
+  uploaded->head_light = picture.lights.head_light;
+  uploaded->preview_lights = picture.lights.lights;
+  UploadTriangles(*uploaded, picture.surfaces);
+
+  UploadLights(*uploaded);
+  glActiveTexture(GL_TEXTURE0);
+  for (const SurfaceBatch& batch : picture.surfaces.batches) {
+    AddTexture(uploaded->textures, batch.material.texture.get(), false);
+    AddTexture(uploaded->reliefs, batch.material.bump.get(), true);
+  }
+  if (picture.environment) {
+    glBindTexture(GL_TEXTURE_2D, uploaded->environment.emplace().Name());
+    FillTexture(picture.environment->Map(), true);
+    // A texel has one color, as the tracer sees it.
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+  }
+  return uploaded;
+}
+
+void SurfaceDrawer::SetShadows(GpuSurfaces& surfaces, bool is_on) const {
+  if (is_on && !surfaces.shadows) {
+    surfaces.shadow_views = ShadowViewsOf(surfaces.preview_lights);
+    const auto& views = surfaces.shadow_views.clip_from_drawing;
+    if (views.empty()) return;
+    if (!depth_)
+      depth_ = std::make_unique<ShaderProgram>("shadows", DepthVertexShader().c_str(), DepthFragmentShader().c_str());
+    depth_->Use();
+    glBindVertexArray(surfaces.plain.Name());
+    surfaces.shadows.emplace(FilledShadows(static_cast<int>(views.size()), [&](int map) {
+      SetMatrix((*depth_)["clip_from_drawing"], views[static_cast<std::size_t>(map)]);
+      for (const SurfaceBatch& batch : surfaces.batches) DrawTriangles(batch);
+    }));
+    UploadLights(surfaces);
+  }
+  surfaces.features.shadows = is_on && surfaces.shadows;
+}
+
+const ShaderProgram& SurfaceDrawer::ProgramFor(const SurfaceFeatures& features) const {
+  for (const Made& made : programs_)
+    if (made.features == features) return *made.program;
+  programs_.push_back({features, std::make_unique<ShaderProgram>("surfaces", SurfaceVertexShader().c_str(),
+                                                                 SurfaceFragmentShader(features).c_str())});
+  const ShaderProgram& program = *programs_.back().program;
+  program.Use();
+  glUniform1i(program["paint"], paint_unit);
+  glUniform1i(program["relief"], relief_unit);
+  glUniform1i(program["environment"], environment_unit);
+  glUniform1i(program["shadow_maps"], shadows_unit);
+  glUniformBlockBinding(program.Name(), glGetUniformBlockIndex(program.Name(), "Lights"), lights_binding);
+  return program;
+}
+
+/// What does not differ from material to material.
+void SurfaceDrawer::Use(const ShaderProgram& program, const GpuSurfaces& surfaces, const PreviewView& view) const {
+  program.Use();
+  Set(program, "exposure", view.exposure.factor);
+  glUniform1i(program["srgb"], view.exposure.srgb ? 1 : 0);
+  if (!surfaces.environment) return Set(program, "background", surfaces.background);
+  glActiveTexture(GL_TEXTURE0 + environment_unit);
+  glBindTexture(GL_TEXTURE_2D, surfaces.environment->Name());
+  glActiveTexture(GL_TEXTURE0);
+}
+
+void SurfaceDrawer::DrawSky(const GpuSurfaces& surfaces, const PreviewView& view) const {
+  if (!surfaces.environment) return;
+  if (!sky_) {
+    sky_ = std::make_unique<ShaderProgram>("the environment", SkyVertexShader().c_str(), SkyFragmentShader().c_str());
+    sky_->Use();
+    glUniform1i((*sky_)["environment"], environment_unit);
+  }
+  Use(*sky_, surfaces, view);
+  glUniform3fv((*sky_)["directions"], 3, view.directions[0].data());
+  glBindVertexArray(nothing_.Name());
+  glDisable(GL_DEPTH_TEST);  // which leaves depth unwritten as well
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+  glEnable(GL_DEPTH_TEST);
+}
+
+void SurfaceDrawer::UseMaterial(const ShaderProgram& program, const GpuSurfaces& surfaces,
+                                const SurfaceMaterial& m) const {
+  Set(program, "emission", m.emission);
+  Set(program, "ambient", m.ambient);
+  Set(program, "kd", m.kd);
+  Set(program, "ks", m.ks);
+  Set(program, "kr", m.kr);
+  Set(program, "through", m.kt);
+  Set(program, "exponent", m.n);
+  Set(program, "lobe", surfaces.glossy ? LobeWidth(m.n) : 0);
+  Set(program, "ir", m.ir);
+  Set(program, "coat", m.coat);
+  Set(program, "least_rim", rim * std::max(Luminance(m.kr), Luminance(m.kt)));
+  if (surfaces.features.textures) {
+    glUniform1i(program["is_painted"], m.texture ? 1 : 0);
+    glUniform1i(program["is_ambient_painted"], m.texture && m.texture_multiplies_ambient ? 1 : 0);
+    if (m.texture) glBindTexture(GL_TEXTURE_2D, surfaces.textures.at(m.texture.get()).Name());
+  }
+  if (surfaces.features.bumps) {
+    Set(program, "height", m.bump ? m.bump_height : 0);
+    if (!m.bump) return;
+    glActiveTexture(GL_TEXTURE0 + relief_unit);
+    glBindTexture(GL_TEXTURE_2D, surfaces.reliefs.at(m.bump.get()).Name());
+    glActiveTexture(GL_TEXTURE0);
+  }
+}
+
+/// What shines on the surfaces.
+void SurfaceDrawer::UseLights(const ShaderProgram& program, const GpuSurfaces& surfaces,
+                              const PreviewView& view) const {
+  std::array<float, 27> diffuse_light{};
+  for (std::size_t i = 0; i < 9; ++i)
+    std::ranges::copy(AsFloats(surfaces.diffuse_light.factors[i]), diffuse_light.begin() + 3 * i);
+  glUniform3fv(program["diffuse_light"], 9, diffuse_light.data());
+  if (surfaces.features.shadows) {
+    glActiveTexture(GL_TEXTURE0 + shadows_unit);
+    glBindTexture(GL_TEXTURE_2D_ARRAY, surfaces.shadows->maps.Name());
+    glActiveTexture(GL_TEXTURE0);
+    SetMatrices(program["shadow_views"], surfaces.shadow_views.clip_from_drawing);
+  }
+  glBindBufferBase(GL_UNIFORM_BUFFER, lights_binding, surfaces.lights.Name());
+  if (surfaces.head_light) {
+    const GpuLight at_eye = AsGpu({.color = {1, 1, 1}, .place = view.eye});
+    glBufferSubData(GL_UNIFORM_BUFFER, 0, sizeof(at_eye), &at_eye);
+  }
+  glUniform1i(program["light_count"], surfaces.head_light ? 1 : static_cast<GLint>(surfaces.preview_lights.size()));
+}
+
+void SurfaceDrawer::Draw(const GpuSurfaces& surfaces, const ClipMatrix& clip_from_drawing,
+                         const PreviewView& view) const {
+  if (surfaces.batches.empty()) return;
+  const ShaderProgram& program = ProgramFor(surfaces.features);
+  Use(program, surfaces, view);
+  SetMatrix(program["clip_from_drawing"], clip_from_drawing);
+  glUniform3fv(program["eye"], 1, view.eye.data());
+  UseLights(program, surfaces, view);
+  const bool encodes = view.exposure.srgb && CanEncodeSrgb();
+  if (encodes) {
+    glUniform1i(program["srgb"], 0);
+    glEnable(GL_FRAMEBUFFER_SRGB);
+  }
+
+  glBindVertexArray(surfaces.shaded.Name());
+  // Moved back a little, by their slope and the smallest step of depth, so that lines on them are seen.
+  glEnable(GL_POLYGON_OFFSET_FILL);
+  glPolygonOffset(1, 1);
+  glDisable(GL_BLEND);
+  for (const SurfaceBatch& batch : surfaces.batches) {
+    UseMaterial(program, surfaces, batch.material);
+    if (batch.is_clear)
+      DrawClear(batch);
+    else
+      DrawTriangles(batch);
+  }
+  if (encodes) glDisable(GL_FRAMEBUFFER_SRGB);
+  glDisable(GL_POLYGON_OFFSET_FILL);
+  glEnable(GL_BLEND);
+  UseAlpha();
+}
+
+void SurfaceDrawer::DrawEdges(const GpuSurfaces& surfaces, const ClipMatrix& clip_from_drawing,
+                              const Rgba& color) const {
+  if (!edges_)
+    edges_ = std::make_unique<ShaderProgram>("edges", edge_vertex_shader, edge_fragment_shader, edge_geometry_shader);
+  edges_->Use();
+  SetMatrix((*edges_)["clip_from_drawing"], clip_from_drawing);
+  Set(*edges_, "ink", R2::Color{color[0] / 255.0, color[1] / 255.0, color[2] / 255.0});
+  std::array<GLint, 4> viewport{};
+  glGetIntegerv(GL_VIEWPORT, viewport.data());
+  glUniform2f((*edges_)["half_size"], static_cast<float>(viewport[2]) / 2, static_cast<float>(viewport[3]) / 2);
+  glBindVertexArray(surfaces.plain.Name());
+  glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
+  for (const SurfaceBatch& batch : surfaces.batches) DrawTriangles(batch);
+  glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+}
+
+}  // namespace ray

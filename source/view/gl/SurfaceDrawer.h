@@ -1,0 +1,44 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "source/view/FrameState.h"
+#include "source/view/gl/Gpu.h"
+#include "source/view/gl/ShaderProgram.h"
+#include "source/view/gl/SurfaceShader.h"
+
+namespace ray {
+
+/// Scenes, shaded pixel by pixel.
+class SurfaceDrawer {
+ public:
+  /// On the GPU until the pointer goes. Throws ContextError when its memory is full, or the driver rejects a shader.
+  std::shared_ptr<GpuSurfaces> Upload(const ScenePicture& picture) const;
+  /// Draws the shadow maps, once: from now on lights cast shadows where `is_on`. Throws ContextError when memory is
+  /// full.
+  void SetShadows(GpuSurfaces& surfaces, bool is_on) const;
+  /// The environment over all of the viewport, to be drawn first; nothing for a scene without one.
+  void DrawSky(const GpuSurfaces& surfaces, const PreviewView& view) const;
+  /// Opaque surfaces first, then clear ones without writing depth.
+  void Draw(const GpuSurfaces& surfaces, const ClipMatrix& clip_from_drawing, const PreviewView& view) const;
+  /// Edges of triangles in one color, those of triangles that are small on the screen the fainter.
+  void DrawEdges(const GpuSurfaces& surfaces, const ClipMatrix& clip_from_drawing, const Rgba& color) const;
+
+ private:
+  const ShaderProgram& ProgramFor(const SurfaceFeatures& features) const;
+  void Use(const ShaderProgram& program, const GpuSurfaces& surfaces, const PreviewView& view) const;
+  void UseLights(const ShaderProgram& program, const GpuSurfaces& surfaces, const PreviewView& view) const;
+  void UseMaterial(const ShaderProgram& program, const GpuSurfaces& surfaces, const SurfaceMaterial& material) const;
+
+  VertexArray nothing_;
+  // Made when a scene first asks for them, for to compile them all would take longer than to draw.
+  struct Made {
+    SurfaceFeatures features;
+    std::unique_ptr<ShaderProgram> program;
+  };
+  mutable std::vector<Made> programs_;
+  mutable std::unique_ptr<ShaderProgram> sky_, edges_, depth_;
+};
+
+}  // namespace ray

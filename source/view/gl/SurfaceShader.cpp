@@ -1,0 +1,312 @@
+#include "source/view/gl/SurfaceShader.h"
+
+namespace ray {
+namespace {
+
+constexpr const char* version = "#version 330 core\n";
+
+constexpr const char* vertex_shader = R"(
+layout(location = 0) in vec3 at;
+layout(location = 1) in vec4 normal;
+layout(location = 2) in vec2 uv;
+uniform mat4 clip_from_drawing;
+out vec3 position;
+out vec3 outward;
+out vec2 place;  // on the texture
+void main() {
+  gl_Position = clip_from_drawing * vec4(at, 1);
+  position = at;
+  outward = normal.xyz;
+  place = uv;
+}
+)";
+
+constexpr const char* depth_vertex_shader = R"(
+layout(location = 0) in vec3 at;
+uniform mat4 clip_from_drawing;
+void main() { gl_Position = clip_from_drawing * vec4(at, 1); }
+)";
+
+// A triangle over all of the viewport.
+constexpr const char* sky_vertex_shader = R"(
+uniform vec3 directions[3];  // towards the lower left corner; from there to the right edge; and to the upper one
+out vec3 direction;
+void main() {
+  vec2 corner = vec2(gl_VertexID == 1 ? 2 : 0, gl_VertexID == 2 ? 2 : 0);
+  direction = directions[0] + corner.x * directions[1] + corner.y * directions[2];
+  gl_Position = vec4(2.0 * corner - 1.0, 0, 1);
+}
+)";
+
+// What comes from a direction. Environment::Radiance says how the map lies; `spread` is the angle that is seen at once,
+// in radians, and picks the level of the map whose texels are as large.
+constexpr const char* environment = R"(
+const float pi = 3.14159265;
+uniform sampler2D environment;
+vec3 Seen(vec3 direction, float spread) {
+  vec3 d = normalize(direction);
+  vec2 at = vec2(atan(d.x, -d.z) / (2.0 * pi), asin(clamp(d.y, -1.0, 1.0)) / pi) + 0.5;
+  float texel = pi / float(textureSize(environment, 0).y);
+  return textureLod(environment, at, log2(max(spread / texel, 1e-6))).rgb;
+}
+)";
+
+constexpr const char* background = R"(
+uniform vec3 background;
+vec3 Seen(vec3 direction, float spread) { return background; }
+)";
+
+constexpr const char* screen = R"(
+uniform float exposure;
+uniform int srgb;
+// R2::EncodeSrgb; clamping to 0..1 comes with the byte.
+vec3 Shown(vec3 light) {
+  vec3 c = clamp(exposure * light, 0.0, 1.0);
+  if (srgb == 0) return c;
+  return mix(12.92 * c, 1.055 * pow(c, vec3(1.0 / 2.4)) - 0.055, greaterThan(c, vec3(0.0031308)));
+}
+)";
+
+constexpr const char* sky = R"(
+in vec3 direction;
+out vec4 color;
+void main() {
+  vec3 d = normalize(direction);
+  color = vec4(Shown(Seen(d, max(length(dFdx(d)), length(dFdy(d))))), 1);
+}
+)";
+
+// A light as PreviewLight says it.
+constexpr const char* lights = R"(
+struct Light {
+  vec4 color;      // and the exponent
+  vec4 place;      // and whether it is infinitely far
+  vec4 direction;  // and the least cosine
+  vec4 falloff;    // constant, linear, quadratic; and where its shadows are, as ShadowViews says
+};
+layout(std140) uniform Lights { Light lights[64]; };
+uniform int light_count;
+
+/// L is set to the unit vector towards the light.
+vec3 Irradiance(Light light, vec3 at, out vec3 L) {
+  bool is_infinite = light.place.w > 0.0;
+  vec3 way = is_infinite ? light.place.xyz : light.place.xyz - at;
+  float d = length(way);
+  L = way / d;
+  if (is_infinite) return light.color.rgb;
+  float sum = dot(light.falloff.xyz, vec3(1, d, d * d));
+  vec3 arriving = sum > 0.0 ? light.color.rgb / sum : light.color.rgb;
+  if (light.direction.w < -1.0) return arriving;
+  float cosine = min(-dot(light.direction.xyz, L), 1.0);
+  if (!(cosine > 0.0 && cosine >= light.direction.w)) return vec3(0);
+  return pow(cosine, light.color.w) * arriving;
+}
+)";
+
+constexpr const char* material = R"(
+in vec3 position;
+in vec3 outward;
+in vec2 place;
+uniform vec3 eye;
+uniform vec3 emission, ambient, kd, ks, kr;
+uniform vec3 through;  // kt, and what is left of it inside
+uniform float exponent, lobe, ir, coat, least_rim;
+layout(location = 0, index = 0) out vec4 color;
+layout(location = 0, index = 1) out vec4 behind;  // how much of what is behind is seen
+)";
+
+constexpr const char* diffuse_light = R"(
+uniform vec3 diffuse_light[9];
+// DiffuseLight::At
+vec3 LightFromAround(vec3 N) {
+  vec3 sum = diffuse_light[0] + N.y * diffuse_light[1] + N.z * diffuse_light[2] + N.x * diffuse_light[3];
+  sum += N.x * N.y * diffuse_light[4] + N.y * N.z * diffuse_light[5] + (3.0 * N.z * N.z - 1.0) * diffuse_light[6];
+  sum += N.x * N.z * diffuse_light[7] + (N.x * N.x - N.y * N.y) * diffuse_light[8];
+  return max(sum, 0.0);
+}
+)";
+
+constexpr const char* textures = R"(
+uniform sampler2D paint;
+uniform int is_painted, is_ambient_painted;
+)";
+
+// The tracer's Bumped: N minus the height's slope over the surface, found from how the texture lies on the screen.
+// source: Mikkelsen, Bump mapping unparametrized surfaces on the GPU (2010), eq. 4 and 5, for the gradient
+constexpr const char* bumps = R"(
+uniform sampler2D relief;
+uniform float height;  // 0: no relief
+float Rise(vec2 at) { return dot(texture(relief, at).rgb, vec3(0.30, 0.59, 0.11)); }
+vec3 Bumped(vec3 N, float side) {
+  vec3 along = dFdx(position), upward = dFdy(position);
+  vec2 du = dFdx(place), dv = dFdy(place);
+  vec2 size = vec2(textureSize(relief, 0));
+  // Half a texel, or half a pixel where that is larger.
+  vec2 aside = 0.5 * max(1.0 / size, abs(du) + abs(dv));
+  vec2 slope = vec2(Rise(place + vec2(aside.x, 0)) - Rise(place - vec2(aside.x, 0)),
+                    Rise(place + vec2(0, aside.y)) - Rise(place - vec2(0, aside.y))) / (2.0 * aside);
+  vec3 a = cross(upward, N), b = cross(N, along);
+  float area = dot(along, a);
+  vec3 gradient = area != 0.0 ? (dot(slope, du) * a + dot(slope, dv) * b) / area : vec3(0);
+  return normalize(N - side * height * gradient);
+}
+)";
+
+// FresnelReflectance and Coat of the tracer.
+constexpr const char* fresnel = R"(
+float Fresnel(float cosine, float eta) {
+  float sine_squared = eta * eta * max(0.0, 1.0 - cosine * cosine);
+  if (!(sine_squared < 1.0)) return 1.0;
+  float other = sqrt(1.0 - sine_squared);
+  float across = (eta * cosine - other) / (eta * cosine + other);
+  float along = (cosine - eta * other) / (cosine + eta * other);
+  return (across * across + along * along) / 2.0;
+}
+)";
+
+constexpr const char* coats = R"(
+float FifthPower(float x) { return x * x * (x * x) * x; }
+float AtNormal() { return pow((coat - 1.0) / (coat + 1.0), 2.0); }
+)";
+
+// As through a ball, where the way out is the mirror image of the way in: T turns by the same angle again.
+constexpr const char* bending = R"(
+vec3 Bent(vec3 V, vec3 N, bool entering) {
+  vec3 T = refract(-V, N, entering ? 1.0 / ir : ir);
+  if (T == vec3(0)) return reflect(-V, N);
+  if (!entering) return T;
+  vec3 out_again = refract(T, -(N - 2.0 * dot(N, T) * T), ir);
+  return out_again == vec3(0) ? T : out_again;
+}
+)";
+
+// How much of a light arrives: what its view has before the point, if that is in view.
+constexpr const char* shadows = R"(
+uniform sampler2DArrayShadow shadow_maps;
+uniform mat4 shadow_views[24];
+const float off_surface = 4e-3;  // of the distance: about two texels of a map
+float Unshadowed(Light light, vec3 at, vec3 normal) {
+  int view = int(abs(light.falloff.w)) - 1;
+  if (view < 0) return 1.0;
+  bool is_infinite = light.place.w > 0.0;
+  vec3 from = at - light.place.xyz;
+  if (light.falloff.w < 0.0) {
+    vec3 a = abs(from);
+    int axis = a.x >= a.y && a.x >= a.z ? 0 : a.y >= a.z ? 1 : 2;
+    view += 2 * axis + (from[axis] < 0.0 ? 1 : 0);
+  }
+  vec4 seen = shadow_views[view] * vec4(at + off_surface * (is_infinite ? 1.0 : length(from)) * normal, 1);
+  vec3 place = 0.5 * seen.xyz / seen.w + 0.5;
+  if (seen.w <= 0.0 || any(lessThan(place.xy, vec2(0))) || any(greaterThan(place.xy, vec2(1)))) return 1.0;
+  return texture(shadow_maps, vec4(place.xy, view, clamp(place.z, 0.0, 1.0)));
+}
+)";
+
+// PhongReflection of every light; `left` is what a coat leaves on the way out.
+constexpr const char* reflection = R"(
+vec3 FromLights(vec3 N, vec3 V, vec3 diffuse, float left) {
+  vec3 sum = vec3(0);
+  for (int i = 0; i < light_count; ++i) {
+    vec3 L;
+    vec3 arriving = Irradiance(lights[i], position, L);
+    float cosine = dot(N, L);
+    if (!(cosine > 0.0)) continue;
+#ifdef SHADOWS
+    arriving *= Unshadowed(lights[i], position, (gl_FrontFacing ? 1.0 : -1.0) * normalize(outward));
+#endif
+    float share = left * cosine;
+#ifdef COATS
+    if (coat > 0.0) share *= 21.0 / 20.0 * (1.0 - FifthPower(1.0 - min(cosine, 1.0)));
+#endif
+    vec3 reflected = share * diffuse;
+    float in_lobe = dot(V, 2.0 * cosine * N - L);
+    if (in_lobe > 0.0) reflected += pow(in_lobe, exponent) * ks;
+    sum += arriving * reflected;
+  }
+  return sum;
+}
+)";
+
+// The surface equation; see SpecularWeightsOf and Whitted.
+constexpr const char* shading = R"(
+void main() {
+  vec3 V = normalize(eye - position);
+  bool entering = gl_FrontFacing;
+  float side = entering ? 1.0 : -1.0;
+  vec3 N = side * normalize(outward);
+#ifdef BUMPS
+  if (height != 0.0) N = Bumped(N, side);
+#endif
+  float towards_eye = clamp(dot(N, V), 0.0, 1.0);
+  vec3 diffuse = kd, sum = emission, mirrored = kr, transmitted = through;
+#ifdef TEXTURES
+  vec3 painted = is_painted != 0 ? texture(paint, place).rgb : vec3(1);
+  diffuse *= painted;
+  sum += (is_ambient_painted != 0 ? painted : vec3(1)) * ambient;
+#else
+  sum += ambient;
+#endif
+  float left_by_coat = 1.0;
+#ifdef COATS
+  if (coat > 0.0) {
+    left_by_coat = (1.0 - AtNormal()) * (1.0 - FifthPower(1.0 - towards_eye));
+    mirrored += AtNormal() + (1.0 - AtNormal()) * FifthPower(1.0 - towards_eye);
+  }
+#endif
+#ifdef FRESNEL
+  if (ir != 1.0 && coat == 0.0) {
+    float share = Fresnel(towards_eye, entering ? 1.0 / ir : ir);
+    mirrored += share * transmitted;
+    transmitted *= 1.0 - share;
+  }
+#endif
+  sum += FromLights(N, V, diffuse, left_by_coat);
+#ifdef DIFFUSE_LIGHT
+  sum += left_by_coat * diffuse * LightFromAround(N);
+#endif
+  vec3 R = reflect(-V, N);
+  if (mirrored != vec3(0)) sum += mirrored * Seen(R, max(lobe, max(length(dFdx(R)), length(dFdy(R)))));
+#ifdef BENDING
+  if (ir != 1.0 && transmitted != vec3(0)) {
+    vec3 T = Bent(V, N, entering);
+    sum += transmitted * Seen(T, max(length(dFdx(T)), length(dFdy(T))));
+    transmitted = vec3(0);
+  }
+#endif
+  // Mirrors and glass that show nothing are seen by their rim.
+  float brightest = max(sum.r, max(sum.g, sum.b));
+  sum += max(least_rim - brightest, 0.0) * pow(1.0 - towards_eye, 3.0);
+  color = vec4(Shown(sum), 1);
+  behind = vec4(transmitted, 0);
+}
+)";
+
+}  // namespace
+
+std::string SurfaceVertexShader() { return std::string(version) + vertex_shader; }
+
+std::string SurfaceFragmentShader(const SurfaceFeatures& features) {
+  std::string text = version;
+  const auto add = [&text](bool has, const char* name, const char* part) {
+    if (has) text += std::string("#define ") + name + "\n" + part;
+  };
+  text += material;
+  text += screen;
+  text += lights;
+  text += features.environment ? environment : background;
+  add(features.textures, "TEXTURES", textures);
+  add(features.bumps, "BUMPS", bumps);
+  add(features.diffuse_light, "DIFFUSE_LIGHT", diffuse_light);
+  add(features.coats, "COATS", coats);
+  add(features.fresnel, "FRESNEL", fresnel);
+  add(features.shadows, "SHADOWS", shadows);
+  add(features.clear && features.environment, "BENDING", bending);
+  return text + reflection + shading;
+}
+
+std::string DepthVertexShader() { return std::string(version) + depth_vertex_shader; }
+std::string DepthFragmentShader() { return std::string(version) + "void main() {}\n"; }
+std::string SkyVertexShader() { return std::string(version) + sky_vertex_shader; }
+std::string SkyFragmentShader() { return std::string(version) + screen + environment + sky; }
+
+}  // namespace ray

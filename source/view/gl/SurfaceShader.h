@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+
+namespace ray {
+
+/// What a scene asks of the shader of its surfaces; what it does not ask for is not compiled.
+struct SurfaceFeatures {
+  bool textures = false, bumps = false, environment = false, diffuse_light = false, clear = false, coats = false,
+       fresnel = false, shadows = false;
+  friend bool operator==(const SurfaceFeatures&, const SurfaceFeatures&) = default;
+};
+
+/// The shaders of surfaces, and of the environment behind them, in GLSL 330.
+std::string SurfaceVertexShader();
+std::string SurfaceFragmentShader(const SurfaceFeatures& features);
+/// For shadow maps: nothing but depth.
+std::string DepthVertexShader();
+std::string DepthFragmentShader();
+std::string SkyVertexShader();
+std::string SkyFragmentShader();
+
+}  // namespace ray

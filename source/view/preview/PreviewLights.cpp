@@ -1,0 +1,138 @@
+#include "source/view/preview/PreviewLights.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <numbers>
+
+#include "source/integrate/lights/EmissiveShape.h"
+#include "source/integrate/lights/EmissiveTriangle.h"
+
+namespace ray {
+namespace {
+
+std::array<float, 3> AsFloats(const R3::Vector& v) {
+  return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
+}
+
+/// Attenuation in the world, of distances in the drawing space.
+void SetFalloff(PreviewLight& light, double constant, double linear, double quadratic, double radius) {
+  light.constant = constant;
+  light.linear = linear * radius;
+  light.quadratic = quadratic * radius * radius;
+}
+
+/// A light of the scene language by the arguments that would make it again. A kind that is not known here shines as its
+/// bound says, everywhere alike.
+PreviewLight Known(const Light& light, const DrawingSpace& space) {
+  const R3::Recipe recipe = light.MadeFrom();
+  const std::vector<double>& a = recipe.arguments;
+  const auto is = [&](const char* kind) { return std::strcmp(recipe.kind, kind) == 0; };
+  const auto vector = [&](std::size_t i) { return R3::Vector{a[i], a[i + 1], a[i + 2]}; };
+  PreviewLight known;
+  if (is("dir_light")) {
+    known.color = {a[0], a[1], a[2]};
+    known.place = AsFloats(-Unit(vector(3)));
+    known.is_infinite = true;
+    return known;
+  }
+  const LightBound bound = light.Bound();
+  known.color = {bound.power, bound.power, bound.power};
+  known.place = space.At(bound.center);
+  known.is_infinite = bound.is_infinite;
+  known.radius = bound.radius / space.radius;
+  SetFalloff(known, bound.ca, bound.la, bound.qa, space.radius);
+  const bool is_spot = is("spot_light"), is_area = is("area_light");
+  if (is_spot || is_area || is("point_light") || is("sphere_light")) known.color = {a[0], a[1], a[2]};
+  if (is_spot || is_area) {
+    known.direction = AsFloats(Unit(vector(6)));
+    known.least_cosine = is_spot ? std::cos(a[12]) : 0;
+    known.exponent = is_spot ? a[13] : 1;
+  }
+  return known;
+}
+
+/// Something that emits, from its middle.
+struct Emitter {
+  R2::Color emission;
+  R3::Point middle;
+  double area = 0;  // as it looks from somewhere
+  int parts = 1;    // each of which shines, in mode whitted
+};
+
+PreviewLight LightOf(const Emitter& emitter, bool is_path, const DrawingSpace& space) {
+  PreviewLight light;
+  light.place = space.At(emitter.middle);
+  light.casts_shadows = false;  // it would be in that of its own surface
+  light.color = (is_path ? emitter.area / std::numbers::pi : emitter.parts) * emitter.emission;
+  if (is_path) SetFalloff(light, 0, 0, 1, space.radius);
+  return light;
+}
+
+/// The triangles of one instance, which follow each other, are one emitter.
+std::vector<Emitter> EmittingMeshes(const World& world) {
+  std::vector<Emitter> emitters;
+  const Instance* last = nullptr;
+  for (const EmissiveTriangle& triangle : EmissiveTriangles(world)) {
+    const auto& instances = world.Instances();
+    const auto next =
+        std::upper_bound(instances.begin(), instances.end(), triangle.primitive,
+                         [](std::int64_t primitive, const Instance& i) { return primitive < i.first_primitive; });
+    const Instance* instance = &*std::prev(next);
+    const LightBound bound = triangle.Bound();
+    // Turned this way and that, a triangle looks half as large as it is.
+    if (instance != last) {
+      emitters.push_back({triangle.emission, bound.center, triangle.area / 2, 1});
+    } else {
+      Emitter& emitter = emitters.back();
+      ++emitter.parts;
+      emitter.area += triangle.area / 2;
+      emitter.middle = emitter.middle + (bound.center - emitter.middle) / emitter.parts;
+    }
+    last = instance;
+  }
+  return emitters;
+}
+
+/// What arrives at the middle of the scene; no nearer than a tenth of its radius, where every lamp would be the
+/// strongest.
+double Strength(const PreviewLight& light) {
+  constexpr double nearest = 0.1;
+  const double power = Luminance(light.color);
+  if (light.is_infinite) return power;
+  const auto& p = light.place;
+  const double d = std::max(nearest, static_cast<double>(std::hypot(p[0], p[1], p[2])));
+  const double falloff = light.constant + light.linear * d + light.quadratic * d * d;
+  return falloff > 0 ? power / falloff : power;
+}
+
+bool Shines(const Instance& instance) { return !IsBlack(instance.material->emission); }
+
+}  // namespace
+
+PreviewLights PreviewLightsOf(const World& world, const RenderSettings& settings, const DrawingSpace& space) {
+  const Scene& scene = world.scene();
+  const bool is_path = settings.mode == RenderMode::path;
+  PreviewLights found;
+  auto& lights = found.lights;
+  for (const auto& light : scene.lights)
+    if (!light->IsBlack()) lights.push_back(Known(*light, space));
+  for (const Emitter& emitter : EmittingMeshes(world)) lights.push_back(LightOf(emitter, is_path, space));
+  if (is_path || settings.trace.emissive_solids_light)
+    for (const EmissiveShape& shape : EmissiveShapes(world))
+      lights.push_back(LightOf({shape.Emission(), shape.Bound().center, shape.ApparentArea()}, is_path, space));
+
+  std::stable_sort(lights.begin(), lights.end(),
+                   [](const PreviewLight& a, const PreviewLight& b) { return Strength(a) > Strength(b); });
+  if (lights.size() > most_preview_lights) {
+    found.left_out = static_cast<int>(lights.size() - most_preview_lights);
+    lights.resize(most_preview_lights);
+  }
+  const bool has_environment = scene.environment && !scene.environment->IsBlack();
+  const bool is_lit_by_background = is_path && !IsBlack(scene.background);
+  found.head_light = lights.empty() && !has_environment && !is_lit_by_background && IsBlack(scene.ambient) &&
+                     std::ranges::none_of(world.Instances(), Shines);
+  return found;
+}
+
+}  // namespace ray

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "R2/Color.h"
+#include "source/scene/Texture.h"
+
+namespace ray {
+
+struct SurfaceVertex {
+  std::array<float, 3> at{};             // in a DrawingSpace
+  std::array<std::int16_t, 4> normal{};  // unit, outward, in units of 1/32767; the last is for alignment
+};
+
+/// A material as the shader of the preview knows it.
+struct SurfaceMaterial {
+  R2::Color emission, ambient;  // the latter: ka times the scene's ambient light
+  R2::Color kd, ks, kr, kt;
+  double n = 1, ir = 1, coat = 0;
+  std::shared_ptr<const Texture> texture, bump;  // null for none
+  bool texture_multiplies_ambient = false;
+  double bump_height = 0;  // in the drawing space
+};
+
+/// The triangles of one material, `count` indices from `first` on.
+struct SurfaceBatch {
+  SurfaceMaterial material;
+  std::uint32_t first = 0, count = 0;
+  bool is_clear = false;  // what is behind is seen through it
+};
+
+/// Triangles in batches, the opaque ones first. Fronts are outside.
+struct Surfaces {
+  std::vector<SurfaceVertex> vertices;
+  std::vector<std::array<float, 2>> uvs;  // one per vertex, or none where no material has a texture
+  std::vector<std::uint32_t> indices;     // three per triangle
+  std::vector<SurfaceBatch> batches;
+};
+
+/// A normal as a vertex has it; `normal` is of length 1 at most.
+inline std::array<std::int16_t, 4> Packed(double x, double y, double z) {
+  const auto channel = [](double c) { return static_cast<std::int16_t>(c * 32767); };
+  return {channel(x), channel(y), channel(z), 0};
+}
+
+}  // namespace ray

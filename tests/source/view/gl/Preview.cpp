@@ -1,0 +1,169 @@
+// The preview against the tracer: where no shadow falls and mirrors see nothing but what is around, they are one
+// picture.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+
+#include "source/view/camera/CameraMoves.h"
+#include "source/view/gl/Painter.h"
+#include "tests/Project.h"
+#include "tests/source/view/contexts/Usable.h"
+
+namespace {
+
+constexpr int side = 64;
+
+class Preview : public ray::testing::WithContext {
+ protected:
+  void SetUp() override {
+    WithContext::SetUp();
+    if (context) painter = std::make_unique<ray::Painter>(ray::Canvas::Target::own);
+  }
+  void TearDown() override { painter.reset(); }
+
+  R2::Image Drawn(const project::Stage& stage, const ray::RenderSettings& settings, bool with_shadows = false) {
+    const auto space = ray::DrawingSpace::Of(stage.scene->root.bounds);
+    const ray::Exposure exposure{1, settings.srgb};
+    const auto picture = PictureOf(stage.world, settings, space);
+    const auto surfaces = painter->surfaces.Upload(picture);
+    painter->canvas.Begin(side, side, {});
+    painter->surfaces.SetShadows(*surfaces, with_shadows);
+    const auto view = ray::ViewFrom(stage.scene->camera, space, {side, side}, exposure);
+    const R2::Color background = stage.scene->background;
+    painter->canvas.Begin(side, side, settings.srgb ? EncodeSrgb(background) : background);
+    painter->surfaces.DrawSky(*surfaces, view);
+    painter->surfaces.Draw(
+        *surfaces, ray::ClipFromDrawing(stage.scene->camera, space, stage.scene->root.bounds, {side, side}), view);
+    return painter->canvas.Read();
+  }
+
+  /// The share of pixels that are more than `far` 255ths away from what is traced.
+  double Differing(const project::Stage& stage, double far = 3, ray::RenderSettings settings = {},
+                   bool with_shadows = false) {
+    settings.width = settings.height = side;
+    settings.trace.sampler = ray::SamplerKind::grid;  // through the middles of pixels, as OpenGL does
+    settings.trace.shadow_samples = 256;
+    R2::Image traced = project::Render(stage, settings).image;
+    const R2::Image drawn = Drawn(stage, settings, with_shadows);
+    int count = 0;
+    for (int y = 0; y < side; ++y)
+      for (int x = 0; x < side; ++x) {
+        const R2::Color color = Clamped(traced.At(x, y));
+        const R2::Color off = (settings.srgb ? EncodeSrgb(color) : color) - drawn.At(x, y);
+        count += std::max({std::abs(off.r), std::abs(off.g), std::abs(off.b)}) > far / 255;
+      }
+    return static_cast<double>(count) / (side * side);
+  }
+
+  std::unique_ptr<ray::Painter> painter;
+};
+
+const std::string camera = "camera  0 0 6  0 0 -1  0 1 0  0.25  0.01 100\n";
+const std::string ball = "sphere 0  0 0 0  1\n";
+constexpr double outline = 0.02;  // of the pixels, which a ball of flat triangles leaves free
+
+std::string Material(const std::string& rest) { return "material  0.2 0.3 0.4  " + rest + "\n"; }
+
+TEST_P(Preview, IsLitAsTheTracerIsByLightsOfEveryKind) {
+  const std::map<std::string, std::string> lights{
+      {"dir_light", "dir_light 0.8 0.7 0.6  -1 -1 -2\n"},
+      {"point_light", "point_light 0.8 0.7 0.6  2 2 4  0.2 0.1 0.05\n"},
+      {"spot_light", "spot_light 0.8 0.7 0.6  1 1 4  -1 -1 -4  0.2 0.1 0.02  0.2 5\n"},
+      {"area_light", "area_light 0.8 0.7 0.6  1 1 4  -1 -1 -4  0.1  0.2 0.1 0.02\n"},
+      {"sphere_light", "sphere_light 0.8 0.7 0.6  1 1 4  0.02  0.2 0.1 0.02\n"}};
+  for (const ray::LightKind* kind : ray::LightKinds()) {
+    ASSERT_TRUE(lights.count(kind->name)) << kind->name;
+    const project::Stage stage(project::FromText(camera + "ambient 0.3 0.3 0.3\n" + lights.at(kind->name) +
+                                                 Material("0.5 0.6 0.7  0.4 0.3 0.2  0 0 0  0.05 0 0  20 1 0") + ball));
+    EXPECT_LT(Differing(stage), outline) << kind->name;
+  }
+}
+
+TEST_P(Preview, HasTheTexturesOfTheTracerWhereTheyAre) {
+  ray::RenderSettings settings;
+  settings.trace.shadows = false;
+  EXPECT_LT(Differing(project::Stage(project::Root() / "scenes/texture.scn"), 25, settings), 0.06);
+}
+
+TEST_P(Preview, HasTheReliefOfTheTracer) {
+  ray::RenderSettings settings;
+  settings.trace.shadows = false;
+  EXPECT_LT(Differing(project::Stage(project::Root() / "scenes/bump.scn"), 25, settings), 0.06);
+}
+
+TEST_P(Preview, MirrorsItsBackgroundAndLetsItThrough) {
+  const std::string lit = camera + "background 0.5 0.6 0.7\ndir_light 0.5 0.5 0.5  0 0 -1\n";
+  const project::Stage mirror(
+      project::FromText(lit + Material("0.1 0.1 0.1  0.6 0.6 0.6  0 0 0  0 0 0  20 1 0") + ball));
+  EXPECT_LT(Differing(mirror), outline);
+  const project::Stage pane(project::FromText(lit + Material("0.1 0.1 0.1  0 0 0  0.5 0.6 0.7  0 0 0  20 1 0") +
+                                              "tri 0  -3 -3 -1  3 -3 -1  0 3 -1\n"));
+  EXPECT_LT(Differing(pane), outline);
+}
+
+TEST_P(Preview, FollowsFresnelAndCoats) {
+  const std::string lit = camera + "background 0.5 0.6 0.7\ndir_light 0.5 0.5 0.5  -1 0 -1\n";
+  const project::Stage coated(
+      project::FromText(lit + Material("0.7 0.2 0.1  0 0 0  0 0 0  0 0 0  20 1 0") + "coat 0 1.5\n" + ball));
+  EXPECT_LT(Differing(coated), outline);
+  ray::RenderSettings settings;
+  settings.trace.fresnel = true;
+  settings.trace.max_depth = 1;
+  // One surface alone: behind it the ray goes on to the background.
+  const project::Stage pane(project::FromText(lit + Material("0.1 0.1 0.1  0 0 0  0.9 0.9 0.9  0 0 0  20 1.5 0") +
+                                              "tri 0  -3 -3 -1  3 -3 1  0 3 0\n"));
+  EXPECT_LT(Differing(pane, 3, settings), outline);
+}
+
+TEST_P(Preview, ShowsTheEnvironmentBehindAndInMirrors) {
+  EXPECT_LT(Differing(project::Stage(project::Root() / "scenes/environment_probe.scn"), 20), 0.15);
+}
+
+TEST_P(Preview, HasTheShadowsOfTheTracerWhenAskedFor) {
+  for (const char* light :
+       {"dir_light 0.8 0.7 0.6  -1 -2 -0.5\n", "point_light 0.8 0.7 0.6  3 8 2  1 0 0\n",
+        "point_light 0.8 0.7 0.6  1.5 1.8 1  1 0 0\n", "spot_light 0.8 0.7 0.6  1 6 1  -1 -6 -1  1 0 0  0.4 1\n",
+        "sphere_light 0.8 0.7 0.6  1.5 1.8 1  0.01  1 0 0\n"}) {
+    const project::Stage stage(project::FromText(
+        "camera  0 4 8  0 -0.4 -1  0 1 0  0.35  0.01 100\nambient 0.2 0.2 0.2\n" + std::string(light) +
+        Material("0.7 0.6 0.5  0 0 0  0 0 0  0 0 0  20 1 0") + "box 0  -4 -1 -4  4 -0.9 4\nsphere 0  0 0.3 0  0.8\n"));
+    const double without = Differing(stage, 20);
+    EXPECT_GT(without, 0.02) << light;
+    EXPECT_LT(Differing(stage, 20, {}, true), without / 5) << light;  // less their edges
+  }
+}
+
+TEST_P(Preview, FollowsSrgbAlsoWhereLightComesThrough) {
+  const std::string lit = camera + "background 0.2 0.1 0.05\ndir_light 0.5 0.4 0.3  0 0 -1\n";
+  const project::Stage solid(project::FromText(lit + Material("0.7 0.6 0.5  0 0 0  0 0 0  0 0 0  20 1 0") + ball));
+  const project::Stage pane(project::FromText(lit + Material("0.1 0.1 0.1  0 0 0  0.8 0.6 0.7  0 0 0  20 1 0") +
+                                              "tri 0  -3 -3 -1  3 -3 -1  0 3 -1\n"));
+  ray::RenderSettings settings;
+  settings.srgb = true;
+  EXPECT_LT(Differing(solid, 3, settings), outline);
+  EXPECT_LT(Differing(pane, 3, settings), outline);
+}
+
+// A scene whose author forgot the lights is still one to be looked at.
+TEST_P(Preview, OfAnUnlitSceneIsLitFromTheEye) {
+  const project::Stage stage(project::FromText(camera + "point_light 0 0 0  0 0 0  1 0 0\n" +
+                                               Material("0.5 0.5 0.5  0 0 0  0 0 0  0 0 0  20 1 0") + ball));
+  EXPECT_NEAR(Drawn(stage, {}).At(side / 2, side / 2).g, 0.5, 0.01);
+}
+
+// Else a mirror that has only darkness to show could not be told from it.
+TEST_P(Preview, ShowsTheRimOfAMirrorInTheDark) {
+  const project::Stage stage(project::FromText(camera + "dir_light 0.1 0.1 0.1  0 0 1\n" +
+                                               Material("0 0 0  0.9 0.9 0.9  0 0 0  0 0 0  20 1 0") + ball));
+  const R2::Image drawn = Drawn(stage, {});
+  EXPECT_LT(drawn.At(side / 2, side / 2).g, 0.01);
+  double most = 0;
+  for (int x = 0; x < side; ++x) most = std::max(most, drawn.At(x, side / 2).g);
+  EXPECT_GT(most, 0.05);
+}
+
+GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(Preview);
+INSTANTIATE_TEST_SUITE_P(EveryKind, Preview, ::testing::ValuesIn(ray::OffscreenContextKinds()), ray::testing::KindOf);
+
+}  // namespace

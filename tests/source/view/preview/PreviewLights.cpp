@@ -1,0 +1,60 @@
+#include "source/view/preview/PreviewLights.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/Project.h"
+
+namespace {
+
+ray::PreviewLights LightsOf(const project::Stage& stage, const ray::RenderSettings& settings = {}) {
+  return PreviewLightsOf(stage.world, settings, ray::DrawingSpace::Of(stage.scene->root.bounds));
+}
+
+TEST(PreviewLights, OfVeryManyAreTheStrongest) {
+  std::string text = "sphere -1  0 0 0  1\n";
+  for (int i = 0; i < 100; ++i) text += "point_light 1 1 1  " + std::to_string(2 + (i * 37) % 100) + " 0 0  0 0 1\n";
+  const auto found = LightsOf(project::Stage(project::FromText(text)));
+  EXPECT_EQ(found.left_out, 36);
+  ASSERT_EQ(found.lights.size(), ray::most_preview_lights);
+  for (const ray::PreviewLight& light : found.lights) EXPECT_LT(light.place[0], 2 + 64 - 0.5);
+  EXPECT_FALSE(found.head_light);
+}
+
+TEST(PreviewLights, FallOffInTheWorldHoweverLargeTheDrawingSpace) {
+  const project::Stage stage(project::FromText("sphere -1  0 0 0  10\npoint_light 1 1 1  30 0 0  2 3 4\n"));
+  const double radius = ray::DrawingSpace::Of(stage.scene->root.bounds).radius;
+  const auto lights = LightsOf(stage).lights;
+  ASSERT_EQ(lights.size(), 1u);
+  EXPECT_EQ(lights[0].constant, 2);
+  EXPECT_DOUBLE_EQ(lights[0].linear, 3 * radius);
+  EXPECT_DOUBLE_EQ(lights[0].quadratic, 4 * radius * radius);
+}
+
+TEST(PreviewLights, HaveOneForTheTrianglesOfAMeshThatEmits) {
+  const project::Stage stage(
+      project::FromText("point_light 0 0 0  0 0 0  1 0 0\nmaterial  0 0 0  0 0 0  0 0 0  0 0 0  2 1 0.5  1 1 0\n"
+                        "tri 0  -1 -1 0  1 -1 0  0 2 0\nsphere 0  5 0 0  1\n"));
+  const auto whitted = LightsOf(stage).lights;
+  ASSERT_EQ(whitted.size(), 1u) << "a sphere that emits lights nothing in mode whitted";
+  EXPECT_EQ(whitted[0].color, (R2::Color{2, 1, 0.5}));
+  EXPECT_EQ(whitted[0].quadratic, 0);
+  ray::RenderSettings settings;
+  settings.mode = ray::RenderMode::path;
+  const auto path = LightsOf(stage, settings).lights;
+  ASSERT_EQ(path.size(), 2u);
+  for (const ray::PreviewLight& light : path) {
+    EXPECT_EQ(light.constant, 0);
+    EXPECT_GT(light.quadratic, 0);
+  }
+}
+
+TEST(PreviewLights, ComeFromTheEyeOnlyWhereNothingElseShines) {
+  const std::string unlit = "point_light 0 0 0  0 0 0  1 0 0\nsphere -1  0 0 0  1\n";
+  EXPECT_TRUE(LightsOf(project::Stage(project::FromText(unlit))).head_light);
+  for (const char* lit : {"ambient 0.1 0.1 0.1\n", "dir_light 1 1 1  0 0 1\n",
+                          "material  0 0 0  0 0 0  0 0 0  0 0 0  1 1 1  1 1 0\nsphere 0  3 0 0  1\n"})
+    EXPECT_FALSE(LightsOf(project::Stage(project::FromText(unlit + lit))).head_light) << lit;
+  EXPECT_FALSE(LightsOf(project::Stage(project::Root() / "scenes/environment.scn")).head_light);
+}
+
+}  // namespace
