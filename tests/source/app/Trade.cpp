@@ -18,13 +18,12 @@ namespace ray {
 namespace {
 
 using testing::Finished;
+using testing::Has;
 using testing::ReadFile;
 using testing::RunProgram;
 using testing::TemporaryFolder;
 using testing::WriteFile;
 using List = std::vector<std::string>;
-
-bool Contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 List With(List words, const List& more) {
   words.insert(words.end(), more.begin(), more.end());
@@ -49,7 +48,7 @@ TEST(TradeWords, AFilterHasANameAndTheCoursesNumber) {
     EXPECT_EQ(Parsed({"-filter", std::to_string(i)}).render.filter, static_cast<FilterKind>(i));
   }
   for (const char* word : {"4", "-1", "1.5", "", "Mitchell", "mitchel", "box "})
-    EXPECT_TRUE(Contains(ErrorOf({"-filter", word}), "-filter")) << word;
+    EXPECT_TRUE(Has(ErrorOf({"-filter", word}), "-filter")) << word;
 }
 
 TEST(TradeWords, LayersBesideADenoisedImageAreLeftAsTheyAre) {
@@ -68,7 +67,7 @@ TEST(TradeWords, DenoiseNeedsLightSamplesAndTimeThatItKnows) {
             "-denoise has no effect with -mode heat; it is for whitted and path");
   EXPECT_EQ(ErrorOf({"-denoise", "-samples", "4", "-time", "1s"}),
             "-denoise and -time contradict each other: how long filtering takes is not known beforehand");
-  EXPECT_TRUE(Contains(ErrorOf({"-denoise", "-samples", "4", "-sampler", "grid"}), "-denoise"));
+  EXPECT_TRUE(Has(ErrorOf({"-denoise", "-samples", "4", "-sampler", "grid"}), "-denoise"));
 }
 
 TEST(TradeWords, AnErrorHasAUnitBehindItsNumber) {
@@ -88,7 +87,7 @@ TEST(TradeWords, AnErrorHasAUnitBehindItsNumber) {
   }
   for (const char* word : {"0", "-1", "0%", "-40dB", "abc", "%", "dB", "lin", "3%%", "3 %", "40 dB", "40db", "1e999",
                            "nan", "inf", "nandB", "0x2", "2,5", ""})
-    EXPECT_TRUE(Contains(ErrorOf({"-error", word}), "-error must be an error above 0")) << word;
+    EXPECT_TRUE(Has(ErrorOf({"-error", word}), "-error must be an error above 0")) << word;
 }
 
 TEST(TradeWords, ATimeHasAUnitBehindItsNumberOrIsInSeconds) {
@@ -101,7 +100,7 @@ TEST(TradeWords, ATimeHasAUnitBehindItsNumberOrIsInSeconds) {
     EXPECT_EQ(ReadDuration(ShowDuration(seconds)), seconds) << word;
   }
   for (const char* word : {"0", "0s", "-3", "-3s", "5d", "s", "h", "1h30m", "5 m", "5ms", "nan", "inf", "1e999", ""})
-    EXPECT_TRUE(Contains(ErrorOf({"-time", word}), "-time must be a duration")) << word;
+    EXPECT_TRUE(Has(ErrorOf({"-time", word}), "-time must be a duration")) << word;
 }
 
 TEST(TradeWords, SingleOptionsOverrideTheirPartOfAPresetInAnyOrder) {
@@ -122,7 +121,7 @@ TEST(TradeWords, SingleOptionsOverrideTheirPartOfAPresetInAnyOrder) {
   EXPECT_EQ(Parsed({"-quality", "final", "-max_depth", "3"}).render.trace.max_depth, 3);
   EXPECT_EQ(Parsed({"-quality", "final"}).render.trace.max_depth, 6);
   EXPECT_EQ(Parsed({"-quality", "custom"}).render.samples, 1);
-  EXPECT_TRUE(Contains(ErrorOf({"-quality", "drafft"}), "did you mean 'draft'?"));
+  EXPECT_TRUE(Has(ErrorOf({"-quality", "drafft"}), "did you mean 'draft'?"));
 }
 
 TEST(TradeWords, ContradictionsAreRefused) {
@@ -168,7 +167,7 @@ TEST(Replay, MakesARenderThatItsErrorOrTheClockEndedAgainToTheByte) {
     ASSERT_EQ(again.status, 0) << again.error;
     EXPECT_TRUE(ReadFile(place / "a.pfm") == ReadFile(place / "b.pfm")) << budget[0] << ' ' << budget[1];
     const std::string report = ReadFile(place / "r.json");
-    EXPECT_TRUE(Contains(report, "\"reason\": \"time\"") || Contains(report, "\"reason\": \"error\"")) << report;
+    EXPECT_TRUE(Has(report, "\"reason\": \"time\"") || Has(report, "\"reason\": \"error\"")) << report;
   }
 }
 
@@ -178,12 +177,12 @@ TEST(Replay, MakesADenoisedImageAgainToTheByte) {
   const List settings{"-mode", "path", "-denoise"};
   ASSERT_EQ(place.Run("a.pfm", With(settings, {"-samples", "8", "-report", place / "r.json"})).status, 0);
   const std::string report = ReadFile(place / "r.json");
-  EXPECT_TRUE(Contains(report, "\"method\": \"two streams, denoised\"")) << report;
-  EXPECT_TRUE(Contains(report, "\"before_denoising\": ")) << report;
+  EXPECT_TRUE(Has(report, "\"method\": \"two streams, denoised\"")) << report;
+  EXPECT_TRUE(Has(report, "\"before_denoising\": ")) << report;
   ASSERT_EQ(place.Run("b.pfm", With(settings, {"-replay", place / "r.json"})).status, 0);
   EXPECT_TRUE(ReadFile(place / "a.pfm") == ReadFile(place / "b.pfm"));
   const Finished other = place.Run("b.pfm", {"-mode", "path", "-replay", place / "r.json"});
-  EXPECT_TRUE(Contains(other.error, "-denoise")) << other.error;
+  EXPECT_TRUE(Has(other.error, "-denoise")) << other.error;
 }
 
 TEST(Replay, RefusesAnotherSceneOtherSettingsAndWhatIsNoReport) {
@@ -204,7 +203,7 @@ TEST(Replay, RefusesAnotherSceneOtherSettingsAndWhatIsNoReport) {
   for (const auto& [words, message] : others) {
     const Finished done = place.Run("c.ppm", With({"-replay", place / "r.json"}, words));
     EXPECT_NE(done.status, 0) << message;
-    EXPECT_TRUE(Contains(done.error, message)) << done.error;
+    EXPECT_TRUE(Has(done.error, message)) << done.error;
   }
   const std::string report = ReadFile(place / "r.json");
   for (const std::string& bad : {std::string(""), std::string("{"), std::string("[]"), std::string("hello"),
@@ -212,13 +211,13 @@ TEST(Replay, RefusesAnotherSceneOtherSettingsAndWhatIsNoReport) {
     WriteFile(place / "bad.json", bad);
     const Finished done = place.Run("c.ppm", {"-replay", place / "bad.json"});
     EXPECT_EQ(done.status, 3) << bad;
-    EXPECT_TRUE(Contains(done.error, "cannot be replayed")) << done.error;
+    EXPECT_TRUE(Has(done.error, "cannot be replayed")) << done.error;
   }
   EXPECT_EQ(place.Run("c.ppm", {"-replay", place / "missing.json"}).status, 3);
   WriteFile(place / "in.scn", soft_scene + "sphere -1  3 0 0  0.1\n");
   const Finished other = place.Run("c.ppm", {"-replay", place / "r.json"});
   EXPECT_NE(other.status, 0);
-  EXPECT_TRUE(Contains(other.error, "another scene")) << other.error;
+  EXPECT_TRUE(Has(other.error, "another scene")) << other.error;
   EXPECT_EQ(place.Others({"in.scn", "a.ppm", "b.ppm", "r.json", "bad.json"}), List{});
 }
 
@@ -228,14 +227,14 @@ TEST(Replay, RefusesAReportWhoseBlocksAreNotThoseOfThePicture) {
   const Place place;
   ASSERT_EQ(place.Run("a.ppm", {"-samples", "4", "-report", place / "r.json"}).status, 0);
   const std::string report = ReadFile(place / "r.json"), none = "\"of_blocks\": []";
-  ASSERT_TRUE(Contains(report, none));
+  ASSERT_TRUE(Has(report, none));
   for (const char* list : {"[1, 2]", "[-1, 2, 3]", "[1e12]", "[\"x\"]", "[0]"}) {
     std::string edited = report;
     edited.replace(edited.find(none), none.size(), std::string("\"of_blocks\": ") + list);
     WriteFile(place / "r.json", edited);
     const Finished done = place.Run("b.ppm", {"-replay", place / "r.json"});
     EXPECT_EQ(done.status, 3) << list << done.error;
-    EXPECT_TRUE(Contains(done.error, "cannot be replayed")) << done.error;
+    EXPECT_TRUE(Has(done.error, "cannot be replayed")) << done.error;
   }
 }
 
@@ -246,14 +245,14 @@ TEST(Replay, RefusesAReportOfNoSamples) {
   ASSERT_EQ(place.Run("a.ppm", {"-report", place / "r.json"}).status, 0);
   const std::string report = ReadFile(place / "r.json");
   for (const char* count : {"\"end\": 1", "\"planned_samples\": 1"}) {
-    ASSERT_TRUE(Contains(report, count));
+    ASSERT_TRUE(Has(report, count));
     std::string edited = report;
     for (std::size_t at = edited.find(count); at != std::string::npos; at = edited.find(count))
       edited.replace(at + std::strlen(count) - 1, 1, "0");
     WriteFile(place / "bad.json", edited);
     const Finished done = place.Run("b.ppm", {"-replay", place / "bad.json"});
     EXPECT_EQ(done.status, 3) << count;
-    EXPECT_TRUE(Contains(done.error, "it has no samples")) << done.error;
+    EXPECT_TRUE(Has(done.error, "it has no samples")) << done.error;
   }
 }
 
@@ -264,7 +263,7 @@ TEST(Replay, RefusesAReportNestedWithoutEnd) {
   const Place place;
   ASSERT_EQ(place.Run("a.ppm", {"-report", place / "r.json"}).status, 0);
   const std::string report = ReadFile(place / "r.json"), value = "\"seed\": 0";
-  ASSERT_TRUE(Contains(report, value));
+  ASSERT_TRUE(Has(report, value));
   for (const std::size_t depth : {101u, 80'000u, 1'000'000u}) {
     const std::string nested = std::string(depth, '[') + std::string(depth, ']');
     std::string edited = report;
@@ -273,7 +272,7 @@ TEST(Replay, RefusesAReportNestedWithoutEnd) {
       WriteFile(place / "bad.json", text);
       const Finished done = place.Run("b.ppm", {"-replay", place / "bad.json"});
       EXPECT_EQ(done.status, 3) << depth;
-      EXPECT_TRUE(Contains(done.error, "nested deeper than 100 levels")) << done.error;
+      EXPECT_TRUE(Has(done.error, "nested deeper than 100 levels")) << done.error;
     }
   }
 }
@@ -284,12 +283,12 @@ TEST(Replay, TellsOfALongValueInShort) {
   ASSERT_EQ(place.Run("a.ppm", {"-report", place / "r.json"}).status, 0);
   std::string report = ReadFile(place / "r.json");
   const std::string value = "\"seed\": 0";
-  ASSERT_TRUE(Contains(report, value));
+  ASSERT_TRUE(Has(report, value));
   report.replace(report.find(value), value.size(), "\"seed\": \"" + std::string(1'000'000, 'x') + "\"");
   WriteFile(place / "r.json", report);
   const Finished done = place.Run("b.ppm", {"-replay", place / "r.json"});
   EXPECT_EQ(done.status, 2);
-  EXPECT_TRUE(Contains(done.error, "was made with -seed")) << done.error.substr(0, 1000);
+  EXPECT_TRUE(Has(done.error, "was made with -seed")) << done.error.substr(0, 1000);
   EXPECT_LT(done.error.size(), 400u);
 }
 
@@ -315,7 +314,7 @@ TEST(InputsOfTheCommandLine, AreNeverOverwritten) {
   for (const auto& [name, words] : runs) {
     const Finished done = place.Run(name, words);
     EXPECT_EQ(done.status, 4) << name << done.error;
-    EXPECT_TRUE(Contains(done.error, "it is the input")) << done.error;
+    EXPECT_TRUE(Has(done.error, "it is the input")) << done.error;
     EXPECT_TRUE(ReadFile(place / "first.png") == picture && ReadFile(place / "first.json") == report);
     EXPECT_TRUE(ReadFile(place / "picture.png.checkpoint") == report);
   }
@@ -327,7 +326,7 @@ TEST(Reference, MustBeAPictureOfTheSameSize) {
   ASSERT_EQ(place.Run("a.pfm", {"-samples", "4", "-crop", "1", "2", "9", "12"}).status, 0);
   const Finished wrong = place.Run("b.ppm", {"-reference", place / "a.pfm"});
   EXPECT_EQ(wrong.status, 2);
-  EXPECT_TRUE(Contains(wrong.error, "is 8x10, the picture 40x30")) << wrong.error;
+  EXPECT_TRUE(Has(wrong.error, "is 8x10, the picture 40x30")) << wrong.error;
   EXPECT_EQ(place.Run("b.ppm", {"-reference", place / "missing.pfm"}).status, 3);
   EXPECT_EQ(place.Run("b.ppm", {"-reference", place / "in.scn"}).status, 3);
   EXPECT_EQ(place.Others({"in.scn", "a.pfm"}), List{});
@@ -335,7 +334,7 @@ TEST(Reference, MustBeAPictureOfTheSameSize) {
   const Finished right = RunProgram({place / "in.scn", place / "b.pfm", "-width", "40", "-height", "30", "-samples",
                                      "4", "-crop", "1", "2", "9", "12", "-reference", place / "a.pfm"});
   EXPECT_EQ(right.status, 0) << right.error;
-  EXPECT_TRUE(Contains(right.output, "true error 0/255")) << right.output;
+  EXPECT_TRUE(Has(right.output, "true error 0/255")) << right.output;
 }
 
 std::string Pfm(int width, int height, float value) {
@@ -366,8 +365,8 @@ TEST(Environment, ThatCannotBeALightIsAnErrorOfItsFile) {
        {"missing.pfm", "text.pfm", "shape.pfm", "nan.pfm", "negative.pfm", "infinite.pfm", "short.pfm"}) {
     const Finished done = place.Run("b.ppm", {"-env", place / name});
     EXPECT_EQ(done.status, 3) << name << done.error;
-    EXPECT_TRUE(Contains(done.error, name)) << done.error;
-    EXPECT_FALSE(Contains(done.error, "terminate")) << done.error;
+    EXPECT_TRUE(Has(done.error, name)) << done.error;
+    EXPECT_FALSE(Has(done.error, "terminate")) << done.error;
   }
   EXPECT_EQ(place.Run("b.ppm", {"-env", place.Path().string()}).status, 3);
 }

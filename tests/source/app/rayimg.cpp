@@ -23,6 +23,7 @@ namespace ray::rayimg {
 namespace {
 
 using testing::Finished;
+using testing::Has;
 using testing::ReadFile;
 using testing::TemporaryFolder;
 using testing::WriteFile;
@@ -32,8 +33,6 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
 const Words nothing;
 constexpr Program program = Program::rayimg;
-
-bool Contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 Finished Rayimg(const Words& words) { return testing::RunProgram(words, {.program = "RAYIMG"}); }
 
@@ -74,9 +73,9 @@ TEST(RayimgDiff, PrintsWhatItMeasures) {
   const Finished done = Rayimg({"diff", Save(folder / "x.pfm", image), reference});
   EXPECT_EQ(done.status, 0) << done.error;
   EXPECT_EQ(done.error, "");
-  EXPECT_TRUE(Contains(done.output, "largest         0.5 at 5 2, channel g\n")) << done.output;
-  EXPECT_TRUE(Contains(done.output, "linear RMSE     0.051031\n")) << done.output;  // sqrt(0.25 / 96)
-  EXPECT_TRUE(Contains(done.output, "bias            r 0, g 0.015625, b 0\n")) << done.output;
+  EXPECT_TRUE(Has(done.output, "largest         0.5 at 5 2, channel g\n")) << done.output;
+  EXPECT_TRUE(Has(done.output, "linear RMSE     0.051031\n")) << done.output;  // sqrt(0.25 / 96)
+  EXPECT_TRUE(Has(done.output, "bias            r 0, g 0.015625, b 0\n")) << done.output;
 
   const auto json = DiffJson({folder / "x.pfm", reference});
   EXPECT_DOUBLE_EQ(json["rmse"], std::sqrt(0.25 / 96));
@@ -126,8 +125,8 @@ TEST(RayimgDiff, ExitStatusAndWordsSayWhichThresholdIsExceeded) {
     all.insert(all.end(), options.begin(), options.end());
     const Finished done = Rayimg(all);
     EXPECT_EQ(done.status, status) << done.output << done.error;
-    EXPECT_TRUE(Contains(done.output, words)) << done.output;
-    EXPECT_EQ(Contains(done.output, "fails:"), status == 1) << done.output;
+    EXPECT_TRUE(Has(done.output, words)) << done.output;
+    EXPECT_EQ(Has(done.output, "fails:"), status == 1) << done.output;
     all.emplace_back("-json");
     const Finished as_json = Rayimg(all);
     EXPECT_EQ(as_json.status, status);
@@ -149,11 +148,11 @@ TEST(RayimgDiff, PixelsThatAreNotFiniteFailEveryThreshold) {
     for (const Words& option : {Words{"-fail", "1000"}, {"-fail_rmse", "1000"}, {"-fail_flip", "1"}}) {
       const Finished done = Rayimg({"diff", x, r, option[0], option[1]});
       EXPECT_EQ(done.status, 1) << format << option[0] << done.output << done.error;
-      EXPECT_TRUE(Contains(done.output, "not finite      2 pixels")) << done.output;
+      EXPECT_TRUE(Has(done.output, "not finite      2 pixels")) << done.output;
     }
     const Finished plain = Rayimg({"diff", x, r});
     EXPECT_EQ(plain.status, 0);
-    EXPECT_TRUE(Contains(plain.output, "linear RMSE     0\n")) << plain.output;
+    EXPECT_TRUE(Has(plain.output, "linear RMSE     0\n")) << plain.output;
   }
 }
 
@@ -205,7 +204,7 @@ TEST(RayimgDiff, AReferenceThatSharesItsNoiseIsRefusedOrWarnedOf) {
   const std::string x = Save(folder / "x.exr", image, {{"seed", "1"}, {"scene_hash", "ab"}, {"samples", "4"}});
   const std::string r = Save(folder / "r.exr", image, {{"seed", "1"}, {"scene_hash", "ab"}, {"samples", "64"}});
   const std::string other = Save(folder / "o.exr", image, {{"seed", "2"}, {"scene_hash", "ab"}, {"samples", "64"}});
-  EXPECT_TRUE(Contains(Rayimg({"diff", x, r}).error, "both have seed '1'"));
+  EXPECT_TRUE(Has(Rayimg({"diff", x, r}).error, "both have seed '1'"));
   EXPECT_EQ(Rayimg({"diff", x, other}).error, "");
   EXPECT_EQ(Rayimg({"diff", x, x}).error, "") << "the same picture again is meant to be the same";
   EXPECT_EQ(Rayimg({"diff", x, other, "-reference2", r}).status, 2);
@@ -240,14 +239,14 @@ TEST(RayimgInfo, TellsStatisticsAndSettings) {
   image.Set(1, 1, {1.5, 1, infinity});
   const Finished pfm = Rayimg({"info", Save(folder / "a.pfm", image)});
   EXPECT_EQ(pfm.status, 0);
-  EXPECT_TRUE(Contains(pfm.output, "a.pfm: pfm, 2x2\n")) << pfm.output;
-  EXPECT_TRUE(Contains(pfm.output, "r: min 0.5, mean 0.833333, max 1.5\n")) << pfm.output;
-  EXPECT_TRUE(Contains(pfm.output, "g: min -1, mean 0.5, max 1\n")) << pfm.output;
-  EXPECT_TRUE(Contains(pfm.output, "mean luminance: 0.545\n")) << pfm.output;
-  EXPECT_TRUE(Contains(pfm.output, "values not finite: 2\nvalues negative: 1\n")) << pfm.output;
+  EXPECT_TRUE(Has(pfm.output, "a.pfm: pfm, 2x2\n")) << pfm.output;
+  EXPECT_TRUE(Has(pfm.output, "r: min 0.5, mean 0.833333, max 1.5\n")) << pfm.output;
+  EXPECT_TRUE(Has(pfm.output, "g: min -1, mean 0.5, max 1\n")) << pfm.output;
+  EXPECT_TRUE(Has(pfm.output, "mean luminance: 0.545\n")) << pfm.output;
+  EXPECT_TRUE(Has(pfm.output, "values not finite: 2\nvalues negative: 1\n")) << pfm.output;
 
   const std::string png = Save(folder / "b.png", Filled(3, 1, {1, 1, 1}), {{"seed", "7"}});
-  EXPECT_TRUE(Contains(Rayimg({"info", png}).output, "seed: 7\n"));
+  EXPECT_TRUE(Has(Rayimg({"info", png}).output, "seed: 7\n"));
 }
 
 TEST(RayimgInfo, OneBadFileDoesNotHideTheOthers) {
@@ -256,8 +255,8 @@ TEST(RayimgInfo, OneBadFileDoesNotHideTheOthers) {
   const std::string a = Save(folder / "a.ppm", Filled(1, 1, {})), b = Save(folder / "b.ppm", Filled(2, 1, {}));
   const Finished done = Rayimg({"info", a, folder / "missing.ppm", b});
   EXPECT_EQ(done.status, 3);
-  EXPECT_TRUE(Contains(done.output, "a.ppm: ppm, 1x1") && Contains(done.output, "b.ppm: ppm, 2x1")) << done.output;
-  EXPECT_TRUE(Contains(done.error, "missing.ppm")) << done.error;
+  EXPECT_TRUE(Has(done.output, "a.ppm: ppm, 1x1") && Has(done.output, "b.ppm: ppm, 2x1")) << done.output;
+  EXPECT_TRUE(Has(done.error, "missing.ppm")) << done.error;
 }
 
 TEST(RayimgInfo, APictureWithoutOneFiniteValueSaysSo) {
@@ -265,7 +264,7 @@ TEST(RayimgInfo, APictureWithoutOneFiniteValueSaysSo) {
   const TemporaryFolder folder;
   const Finished done = Rayimg({"info", Save(folder / "a.pfm", Filled(2, 2, {nan, nan, nan}))});
   EXPECT_EQ(done.status, 0);
-  EXPECT_TRUE(Contains(done.output, "r: no finite value\n")) << done.output;
+  EXPECT_TRUE(Has(done.output, "r: no finite value\n")) << done.output;
 }
 
 // --- convert ---
@@ -317,7 +316,7 @@ TEST(RayimgConvert, KeepsSettingsAndAddsWhatWasDone) {
   Rayimg({"convert", folder / "once.jpg", folder / "twice.png", "-tonemap", "aces"});
   auto settings = Decode(folder / "twice.png").settings;
   EXPECT_EQ(settings["seed"], "7");
-  EXPECT_TRUE(Contains(settings["converted"], "-exposure 1; rayimg convert ")) << settings["converted"];
+  EXPECT_TRUE(Has(settings["converted"], "-exposure 1; rayimg convert ")) << settings["converted"];
   EXPECT_TRUE(settings["converted"].ends_with("-tonemap aces")) << settings["converted"];
 }
 
@@ -357,7 +356,7 @@ TEST(RayimgMerge, PicturesWithoutSettingsWeighTheSame) {
     words.push_back(Save(folder / (std::to_string(i) + ".pfm"), Filled(4, 4, {i * 0.1, i * 1e6, 7})));
   const Finished done = Rayimg(words);
   EXPECT_EQ(done.status, 0);
-  EXPECT_TRUE(Contains(done.error, "does not tell its seed")) << done.error;
+  EXPECT_TRUE(Has(done.error, "does not tell its seed")) << done.error;
   const R2::Color mean = Decode(folder / "mean.pfm").image.At(3, 3);
   EXPECT_NEAR(mean.r, 0.55, 1e-7);
   EXPECT_EQ(mean.g, 5.5e6);
@@ -383,7 +382,7 @@ TEST(RayimgMerge, RefusesWhatIsNotIndependentOrNotFinishedUnlessForced) {
   for (const std::string& second : {a, same_scene, same_command, merged, stopped}) {
     const Finished refused = Rayimg({"merge", a, second, "-out", folder / "out.exr"});
     EXPECT_EQ(refused.status, 2) << second;
-    EXPECT_TRUE(Contains(refused.error, "-force")) << refused.error;
+    EXPECT_TRUE(Has(refused.error, "-force")) << refused.error;
     EXPECT_FALSE(std::filesystem::exists(folder / "out.exr"));
     EXPECT_EQ(Rayimg({"merge", a, second, "-out", folder / "out.exr", "-force"}).status, 0) << second;
     std::filesystem::remove(folder / "out.exr");
@@ -609,7 +608,7 @@ TEST(Rayimg, WrongInputIsNamedInOneLineAndNothingIsWritten) {
   for (const auto& [words, status, message] : cases) {
     const Finished done = Rayimg(words);
     EXPECT_EQ(done.status, status) << message << "\n" << done.output << done.error;
-    EXPECT_TRUE(Contains(done.error, message)) << message << "\n" << done.error;
+    EXPECT_TRUE(Has(done.error, message)) << message << "\n" << done.error;
     EXPECT_EQ(done.output, "") << message;
     EXPECT_EQ(std::ranges::count(done.error, '\n'), 1) << done.error;
     EXPECT_EQ(folder.Others(known), nothing) << message;
@@ -634,11 +633,10 @@ TEST(Rayimg, HelpIsAnsweredAnywhere) {
 
 TEST(RayimgHelp, NamesEveryOptionWhereItBelongsAndFitsTheScreen) {
   for (const CommandKind& command : Commands()) {
-    EXPECT_TRUE(Contains(Help(program, ""), "\n  " + std::string(command.name) + " ")) << command.name;
+    EXPECT_TRUE(Has(Help(program, ""), "\n  " + std::string(command.name) + " ")) << command.name;
     const std::string help = Help(program, command.name);
     for (const OptionKind& option : OptionTable(program))
-      EXPECT_EQ(Contains(help, "\n  " + Synopsis(option)), Takes(command, option))
-          << command.name << " " << option.name;
+      EXPECT_EQ(Has(help, "\n  " + Synopsis(option)), Takes(command, option)) << command.name << " " << option.name;
     std::istringstream lines(help + Help(program, ""));
     for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 120u) << line;
   }
@@ -655,10 +653,10 @@ TEST(RayimgHelp, EveryOptionBelongsToACommandThatExists) {
 TEST(RayimgHelp, EveryShellAndTheManualLearnEveryOption) {
   for (const OptionKind& option : OptionTable(program)) {
     const std::string name = option.name;
-    EXPECT_TRUE(Contains(CompletionScript(program, "bash"), "-" + name)) << name;
-    EXPECT_TRUE(Contains(CompletionScript(program, "zsh"), "'-" + name + "[")) << name;
-    EXPECT_TRUE(Contains(CompletionScript(program, "fish"), " -o " + name + " ")) << name;
-    EXPECT_TRUE(Contains(ManualPage(program), ".B \\-" + name)) << name;
+    EXPECT_TRUE(Has(CompletionScript(program, "bash"), "-" + name)) << name;
+    EXPECT_TRUE(Has(CompletionScript(program, "zsh"), "'-" + name + "[")) << name;
+    EXPECT_TRUE(Has(CompletionScript(program, "fish"), " -o " + name + " ")) << name;
+    EXPECT_TRUE(Has(ManualPage(program), ".B \\-" + name)) << name;
   }
 }
 
@@ -688,7 +686,7 @@ TEST(RayimgHelp, BashOffersCommandsTheirOptionsAndChoices) {
 TEST(RayimgHelp, TheDocumentedTableIsOurs) {
   const char* root = std::getenv("RAYPRO_ROOT");
   const std::string page = ReadFile(std::string(root ? root : ".") + "/docs/options.md");
-  EXPECT_TRUE(Contains(page, Help(program, "markdown"))) << "run script/update_docs.sh";
+  EXPECT_TRUE(Has(page, Help(program, "markdown"))) << "run script/update_docs.sh";
 }
 
 }  // namespace

@@ -16,11 +16,10 @@ namespace {
 
 namespace fs = std::filesystem;
 using namespace std::chrono_literals;
+using testing::Has;
 
 const std::string small_scene = "camera 0 0 6  0 0 -1  0 1 0  0.3  0.1 100\nsphere -1  0 0 0  1\n";
 const std::vector<std::string> nothing;
-
-bool Contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 /// A folder with a scene in it.
 struct Place : TemporaryFolder {
@@ -66,10 +65,10 @@ TEST(Raypro, ThePictureTellsHowItWasMade) {
     auto settings = Decode(place / name).settings;
     EXPECT_EQ(settings["seed"], "7") << name;
     EXPECT_EQ(settings["pixels"], "complete") << name;
-    EXPECT_TRUE(Contains(settings["command"], "-seed 7")) << name;
+    EXPECT_TRUE(Has(settings["command"], "-seed 7")) << name;
     const Finished info = RunProgram({"-info", place / name});
-    EXPECT_TRUE(Contains(info.output, "seed: 7\n")) << info.output;
-    EXPECT_TRUE(Contains(info.output, "8x8")) << info.output;
+    EXPECT_TRUE(Has(info.output, "seed: 7\n")) << info.output;
+    EXPECT_TRUE(Has(info.output, "8x8")) << info.output;
   }
 }
 
@@ -107,7 +106,7 @@ TEST(Raypro, ReadsASceneFromStandardInputWithPlacesForItsMistakes) {
   const Finished done = RunProgram({"-", place / "piped.pfm", "-width", "16", "-height", "16"}, from_scene);
   EXPECT_EQ(done.status, 0) << done.error;
   EXPECT_TRUE(ReadFile(place / "piped.pfm") == ReadFile(place / "named.pfm"));
-  EXPECT_TRUE(Contains(RunProgram({"-", "-check"}, from_scene).output, "primitives"));
+  EXPECT_TRUE(Has(RunProgram({"-", "-check"}, from_scene).output, "primitives"));
 
   const std::string bad = WriteFile(place / "bad.scn", "\n\n  spere 0 0 0 1\n");
   const Finished refused = RunProgram({"-", place / "out.png"}, {.standard_input = bad});
@@ -136,7 +135,7 @@ TEST(Raypro, WritesAPngAndNothingElseToStandardOutput) {
   WriteFile(place / "out.png", done.output);
   EXPECT_EQ(Decode(place / "out.png").image.Width(), 16);
   EXPECT_STREQ(Decode(place / "out.png").format->name, "png");
-  EXPECT_TRUE(Contains(done.error, "<stdout> 16x8 1 spp")) << done.error;
+  EXPECT_TRUE(Has(done.error, "<stdout> 16x8 1 spp")) << done.error;
   EXPECT_EQ(place.Others({"in.scn", "out.png"}), nothing);
   EXPECT_EQ(RunProgram({place.Scene(), "-", "-resume"}).status, 2);
 }
@@ -149,7 +148,7 @@ TEST(Raypro, RendersSeveralScenesIntoAFolderAndOneThatFailsStopsNoOther) {
   const std::vector<std::string> more{"-out_folder", place / "images", "-width", "8", "-height", "8"};
   const Finished done = RunProgram(With({place.Scene(), bad, place / "gone.scn", last}, more));
   EXPECT_EQ(done.status, 3) << done.error;
-  EXPECT_TRUE(Contains(done.error, "bad.scn:1:1") && Contains(done.error, "gone.scn")) << done.error;
+  EXPECT_TRUE(Has(done.error, "bad.scn:1:1") && Has(done.error, "gone.scn")) << done.error;
   EXPECT_EQ(Decode(place / "images/in.png").image.Width(), 8);
   EXPECT_EQ(Decode(place / "images/last.png").image.Width(), 8);
   EXPECT_EQ(RunProgram(With({last, "-out_format", "exr"}, more)).status, 0);
@@ -160,7 +159,7 @@ TEST(Raypro, RendersSeveralScenesIntoAFolderAndOneThatFailsStopsNoOther) {
   fs::create_directory(place / "images");
   const Finished twice = RunProgram(With({last, place / "images/../last.scn"}, more));
   EXPECT_EQ(twice.status, 2);
-  EXPECT_TRUE(Contains(twice.error, "would both be written to")) << twice.error;
+  EXPECT_TRUE(Has(twice.error, "would both be written to")) << twice.error;
   EXPECT_FALSE(fs::exists(place / "images/last.png"));
 }
 
@@ -193,7 +192,7 @@ TEST(Raypro, ExitStatusSaysWhatWentWrongAndNoFileIsLeft) {
   for (const auto& [words, status, message] : cases) {
     const Finished done = RunProgram(words);
     EXPECT_EQ(done.status, status) << done.error;
-    EXPECT_TRUE(Contains(done.error, message)) << done.error;
+    EXPECT_TRUE(Has(done.error, message)) << done.error;
     EXPECT_EQ(done.output, "");
     EXPECT_EQ(place.Others({"in.scn", "bad.scn"}), nothing) << done.error;
   }
@@ -252,9 +251,8 @@ TEST(Raypro, WarnsOfOptionsThatDoNothing) {
   const Place place;
   const Finished done = RunProgram({place.Scene(), place / "out.ppm", "-bits", "16", "-max_depth", "1000000000"});
   EXPECT_EQ(done.status, 0);
-  EXPECT_TRUE(Contains(done.error, "warning: -bits has no effect on the format ppm")) << done.error;
-  EXPECT_TRUE(Contains(done.error, "warning: -max_depth 1000000000 exceeds the hard limit of 1000 bounces"))
-      << done.error;
+  EXPECT_TRUE(Has(done.error, "warning: -bits has no effect on the format ppm")) << done.error;
+  EXPECT_TRUE(Has(done.error, "warning: -max_depth 1000000000 exceeds the hard limit of 1000 bounces")) << done.error;
 }
 
 TEST(Raypro, ASizeThatTheFormatCannotHoldIsRefusedBeforeRendering) {
@@ -262,7 +260,7 @@ TEST(Raypro, ASizeThatTheFormatCannotHoldIsRefusedBeforeRendering) {
   const Place place;
   const Finished done = RunProgram({place.Scene(), place / "out.jpg", "-width", "70000", "-height", "1"});
   EXPECT_EQ(done.status, 2) << done.error;
-  EXPECT_TRUE(Contains(done.error, "jpeg")) << done.error;
+  EXPECT_TRUE(Has(done.error, "jpeg")) << done.error;
 }
 
 TEST(Extremes, G4_ASizeOverTheLimitEndsBeforeMemoryIsAskedFor) {
@@ -271,7 +269,7 @@ TEST(Extremes, G4_ASizeOverTheLimitEndsBeforeMemoryIsAskedFor) {
   for (const char* width : {"0", "-1", "2147483648", "1099511627776", "1073741824"}) {
     const Finished done = RunProgram({place.Scene(), place / "out.ppm", "-width", width});
     EXPECT_EQ(done.status, 2) << width;
-    EXPECT_TRUE(Contains(done.error, "-width")) << done.error;
+    EXPECT_TRUE(Has(done.error, "-width")) << done.error;
     EXPECT_EQ(place.Others({"in.scn"}), nothing);
   }
 }
@@ -311,7 +309,7 @@ TEST(Extremes, K11_ALinkIsFollowedButNotSilently) {
   fs::create_symlink("there/real.ppm", place / "link.ppm");
   const Finished done = RunProgram({place.Scene(), place / "link.ppm", "-width", "8", "-height", "8"});
   EXPECT_EQ(done.status, 0);
-  EXPECT_TRUE(Contains(done.error, "is a link; the picture goes to '" + place / "there/real.ppm" + "'")) << done.error;
+  EXPECT_TRUE(Has(done.error, "is a link; the picture goes to '" + place / "there/real.ppm" + "'")) << done.error;
   EXPECT_TRUE(fs::is_symlink(place / "link.ppm"));
   EXPECT_EQ(Decode(place / "there/real.ppm").image.Width(), 8);
 }
@@ -391,7 +389,7 @@ TEST(Extremes, L2_AFileSizeLimitAnywhereLeavesTheOldPictureWhole) {
     const bool fits = limit >= picture_bytes;
     EXPECT_EQ(done.status, fits ? 0 : 4) << limit << done.error;
     EXPECT_EQ(ReadFile(place / "out.ppm"), fits ? whole : "old") << limit;
-    EXPECT_TRUE(fits || Contains(done.error, "File too large; nor can it be kept as")) << done.error;
+    EXPECT_TRUE(fits || Has(done.error, "File too large; nor can it be kept as")) << done.error;
     EXPECT_EQ(place.Others({"in.scn", "out.ppm"}), nothing) << limit;
   }
 }
@@ -463,9 +461,9 @@ TEST(Extremes, L5_ASignalEndsTheRunWithinASecondAndSavesThePictureSoFar) {
     EXPECT_EQ(done.status, 128 + signal) << done.error;
     ASSERT_TRUE(fs::exists(place / "out.png")) << done.error;
     auto settings = Decode(place / "out.png").settings;
-    EXPECT_TRUE(Contains(settings["pixels"], " of 9000000 pixels done")) << settings["pixels"];
+    EXPECT_TRUE(Has(settings["pixels"], " of 9000000 pixels done")) << settings["pixels"];
     EXPECT_EQ(settings["samples"], "64");
-    EXPECT_TRUE(Contains(done.output, signal == SIGINT ? "stopped by SIGINT" : "stopped by SIGTERM")) << done.output;
+    EXPECT_TRUE(Has(done.output, signal == SIGINT ? "stopped by SIGINT" : "stopped by SIGTERM")) << done.output;
     EXPECT_EQ(place.Others({"in.scn", "out.png", "out.png.checkpoint"}), nothing);
   }
 }
@@ -492,7 +490,7 @@ TEST(Extremes, L5_ASignalEndsALoopOverManyLightSamples) {
     running.Send(SIGINT);
     const Finished done = running.Wait(20s);  // else minutes
     EXPECT_EQ(done.status, 130) << words[0] << done.error;
-    EXPECT_TRUE(Contains(done.error, "progress saved")) << done.error;
+    EXPECT_TRUE(Has(done.error, "progress saved")) << done.error;
     EXPECT_EQ(place.Others({"in.scn", "out.ppm", "out.ppm.checkpoint"}), nothing);
   }
 }
@@ -540,7 +538,7 @@ TEST(Extremes, K11_StatisticsThatCannotBeWrittenAreAFailureAndTheLineNobodyAsked
   const auto words = With({place.Scene(), place / "out.ppm"}, picture_size);
   const Finished asked = RunProgram(With(words, {"-stats"}), {.standard_output = "/dev/full"});
   EXPECT_EQ(asked.status, 4);
-  EXPECT_TRUE(Contains(asked.error, "cannot write 'standard output': No space left on device")) << asked.error;
+  EXPECT_TRUE(Has(asked.error, "cannot write 'standard output': No space left on device")) << asked.error;
   EXPECT_EQ(static_cast<long>(ReadFile(place / "out.ppm").size()), picture_bytes);
   EXPECT_EQ(RunProgram(words, {.standard_output = "/dev/full"}).status, 0);
 }
@@ -571,7 +569,7 @@ TEST(Extremes, L11_AStackTooSmallIsToldOfAndASoftLimitRaised) {
     return std::system(("sh -c '" + script + "'").c_str());
   };
   EXPECT_EQ(WEXITSTATUS(with_limit("ulimit -s 64")), 1);
-  EXPECT_TRUE(Contains(ReadFile(place / "error"), "the stack is limited to 64 KiB, and 256 are needed"));
+  EXPECT_TRUE(Has(ReadFile(place / "error"), "the stack is limited to 64 KiB, and 256 are needed"));
   EXPECT_FALSE(fs::exists(place / "out.ppm"));
   for (const char* enough : {"ulimit -S -s 64", "ulimit -s 256"}) {
     fs::remove(place / "out.ppm");
@@ -599,8 +597,8 @@ TEST(Raypro, TheReportIsWrittenAndAddsUp) {
   const Place place;
   RunProgram({place.Scene(), place / "out.ppm", "-report", place / "r.json", "-width", "10", "-height", "10"});
   const std::string report = ReadFile(place / "r.json");
-  EXPECT_TRUE(Contains(report, "\"camera\": 100,")) << report;
-  EXPECT_TRUE(Contains(report, "\"reason\": \"samples\"")) << report;
+  EXPECT_TRUE(Has(report, "\"camera\": 100,")) << report;
+  EXPECT_TRUE(Has(report, "\"reason\": \"samples\"")) << report;
   EXPECT_EQ(place.Others({"in.scn", "out.ppm", "r.json"}), nothing);
 }
 

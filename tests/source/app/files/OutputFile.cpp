@@ -16,6 +16,7 @@ namespace ray {
 namespace {
 
 namespace fs = std::filesystem;
+using testing::Has;
 using testing::ReadFile;
 using testing::TemporaryFolder;
 using testing::WriteFile;
@@ -33,8 +34,6 @@ std::string Refusal(const std::string& name, const std::vector<std::string>& inp
   }
   return "";
 }
-
-bool Contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 TEST(OutputFile, IsWrittenWholeAndLeavesNothingBeside) {
   const TemporaryFolder folder;
@@ -67,13 +66,13 @@ TEST(OutputFile, HasTheModeBitsThatTheUmaskLeaves) {
 TEST(Extremes, K11_WhatCannotBeAPictureIsRefusedBeforeTheFirstRay) {
   const TemporaryFolder folder;
   WriteFile(folder / "file", "");
-  EXPECT_TRUE(Contains(Refusal(folder.Path().string()), "it is a folder"));
-  EXPECT_TRUE(Contains(Refusal("/dev/full"), "it is not a regular file"));
-  EXPECT_TRUE(Contains(Refusal(folder / "missing/out.ppm"), "does not exist"));
-  EXPECT_TRUE(Contains(Refusal(folder / "file/out.ppm"), "cannot write"));
-  EXPECT_TRUE(Contains(Refusal(folder / std::string(300, 'x')), "too long"));
+  EXPECT_TRUE(Has(Refusal(folder.Path().string()), "it is a folder"));
+  EXPECT_TRUE(Has(Refusal("/dev/full"), "it is not a regular file"));
+  EXPECT_TRUE(Has(Refusal(folder / "missing/out.ppm"), "does not exist"));
+  EXPECT_TRUE(Has(Refusal(folder / "file/out.ppm"), "cannot write"));
+  EXPECT_TRUE(Has(Refusal(folder / std::string(300, 'x')), "too long"));
   ASSERT_EQ(mkfifo((folder / "pipe").c_str(), 0600), 0);
-  EXPECT_TRUE(Contains(Refusal(folder / "pipe"), "it is not a regular file"));
+  EXPECT_TRUE(Has(Refusal(folder / "pipe"), "it is not a regular file"));
 }
 
 TEST(OutputFile, ALongNameThatTheFileSystemTakesIsTaken) {
@@ -90,7 +89,7 @@ TEST(Extremes, K11_TheInputIsNotOverwrittenUnderAnyOfItsNames) {
   fs::create_hard_link(input, folder / "hard.ppm");
   fs::create_directory(folder / "sub");
   for (const char* name : {"in.scn", "link.ppm", "hard.ppm", "sub/../in.scn"})
-    EXPECT_TRUE(Contains(Refusal(folder / name, {input}), "itself")) << name;
+    EXPECT_TRUE(Has(Refusal(folder / name, {input}), "itself")) << name;
 }
 
 TEST(Extremes, K11_ALinkStaysALinkAndItsTargetIsReplaced) {
@@ -104,9 +103,9 @@ TEST(Extremes, K11_ALinkStaysALinkAndItsTargetIsReplaced) {
   EXPECT_EQ(ReadFile(folder / "there/real.ppm"), "picture");
 
   fs::create_symlink("/dev/full", folder / "full.ppm");
-  EXPECT_TRUE(Contains(Refusal(folder / "full.ppm"), "it is not a regular file"));
+  EXPECT_TRUE(Has(Refusal(folder / "full.ppm"), "it is not a regular file"));
   fs::create_symlink("ring.ppm", folder / "ring.ppm");
-  EXPECT_TRUE(Contains(Refusal(folder / "ring.ppm"), "lead nowhere"));
+  EXPECT_TRUE(Has(Refusal(folder / "ring.ppm"), "lead nowhere"));
 }
 
 /// Root may write anywhere; as long as this lives, we are nobody in particular.
@@ -135,9 +134,9 @@ TEST(Extremes, L3_AFolderOrFileThatTakesNothingIsFoundOutBeforeRendering) {
   {
     const WithoutRights rights;
     ASSERT_TRUE(rights.Hold());
-    EXPECT_TRUE(Contains(Refusal(folder / "new.ppm"), "Permission denied"));
-    EXPECT_TRUE(Contains(Refusal(folder / "old.ppm"), "Permission denied"));
-    EXPECT_TRUE(Contains(Refusal(folder / "open/old.ppm"), "Permission denied"));
+    EXPECT_TRUE(Has(Refusal(folder / "new.ppm"), "Permission denied"));
+    EXPECT_TRUE(Has(Refusal(folder / "old.ppm"), "Permission denied"));
+    EXPECT_TRUE(Has(Refusal(folder / "open/old.ppm"), "Permission denied"));
     EXPECT_EQ(Refusal(folder / "open/new.ppm"), "");
   }
   fs::permissions(folder.Path(), fs::perms::owner_all);
@@ -160,7 +159,7 @@ TEST(Extremes, L3_APictureWhoseFolderWentAwayIsKeptElsewhere) {
   const auto kept = refuge.Others({});
   ASSERT_EQ(kept.size(), 1u) << message;
   EXPECT_EQ(ReadFile(refuge / kept[0]), "picture");
-  EXPECT_TRUE(Contains(message, "it is kept as '" + refuge / kept[0] + "'")) << message;
+  EXPECT_TRUE(Has(message, "it is kept as '" + refuge / kept[0] + "'")) << message;
 }
 
 TEST(OutputFile, WhatADeadProcessLeftIsRemovedAndWhatALiveOneWritesIsNot) {

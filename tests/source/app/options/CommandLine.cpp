@@ -11,10 +11,13 @@
 #include "source/app/Status.h"
 #include "source/app/options/ForeignOption.h"
 #include "source/app/options/OptionTable.h"
+#include "tests/source/app/Program.h"
 #include "tests/source/app/options/ScenePrograms.h"
 
 namespace ray {
 namespace {
+
+using testing::Has;
 
 using Words = std::vector<std::string>;
 
@@ -49,8 +52,6 @@ Words Split(const std::string& text) {
   std::istringstream stream(text);
   return {std::istream_iterator<std::string>(stream), {}};
 }
-
-bool Contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 template <class T>
 const Number<T>* AsNumber(const OptionKind& option) {
@@ -168,8 +169,8 @@ TEST(CommandLine, FoldersMayBeAllowedOneAfterTheOther) {
 
 TEST(CommandLine, SeedsUseAll64Bits) {
   EXPECT_EQ(Parsed({"a", "b", "-seed", "18446744073709551615"}).render.seed, 18446744073709551615u);
-  EXPECT_TRUE(Contains(ErrorBeside({"-seed", "18446744073709551616"}), "-seed"));
-  EXPECT_TRUE(Contains(ErrorBeside({"-seed", "-1"}), "-seed"));
+  EXPECT_TRUE(Has(ErrorBeside({"-seed", "18446744073709551616"}), "-seed"));
+  EXPECT_TRUE(Has(ErrorBeside({"-seed", "-1"}), "-seed"));
 }
 
 TEST(CommandLine, ALeadingPlusIsAllowed) { EXPECT_EQ(Parsed({"a", "b", "-width", "+5"}).render.width, 5); }
@@ -180,9 +181,8 @@ TEST(Extremes, K6_EveryNumberIsReadWholeOrRefusedWithOptionValueAndRange) {
     for (const char* word :
          {"12abc", "", "+", "+-1", "++1", "0x10", "1,5", "nan", "inf", "1e999", "1e99999999999", " 1", "1 "}) {
       const std::string error = ErrorBeside({"-" + std::string(option.name), word});
-      EXPECT_TRUE(Contains(error, "-" + std::string(option.name) + " must be " + Range(option)))
-          << word << ": " << error;
-      EXPECT_TRUE(Contains(error, "'" + std::string(word) + "'")) << word << ": " << error;
+      EXPECT_TRUE(Has(error, "-" + std::string(option.name) + " must be " + Range(option))) << word << ": " << error;
+      EXPECT_TRUE(Has(error, "'" + std::string(word) + "'")) << word << ": " << error;
     }
   }
 }
@@ -225,7 +225,7 @@ TEST(CommandLine, EveryWholeNumberTakesItsLimitsAndNothingBeyond) {
 TEST(Extremes, F6_MaxDepthIsAnyNumberFromZeroOn) {
   EXPECT_EQ(Parsed({"a", "b", "-max_depth", "0"}).render.trace.max_depth, 0);
   EXPECT_EQ(Parsed({"a", "b", "-max_depth", "1000000000"}).render.trace.max_depth, 1'000'000'000);
-  EXPECT_TRUE(Contains(ErrorBeside({"-max_depth", "-1"}), "-max_depth must be a whole number, 0 to"));
+  EXPECT_TRUE(Has(ErrorBeside({"-max_depth", "-1"}), "-max_depth must be a whole number, 0 to"));
 }
 
 TEST(Extremes, F7_MinLuminanceIsAnyNumberFromZeroOn) {
@@ -237,9 +237,8 @@ TEST(Extremes, F7_MinLuminanceIsAnyNumberFromZeroOn) {
 
 TEST(Extremes, G4_SizesOutsideTheLimitsAreRefused) {
   for (const char* word : {"0", "-1", "2147483648", "1099511627776"}) {
-    EXPECT_TRUE(Contains(ErrorBeside({"-width", word}), "-width must be a whole number, 1 to 1073741824 pixels"))
-        << word;
-    EXPECT_TRUE(Contains(ErrorBeside({"-height", word}), "-height must be")) << word;
+    EXPECT_TRUE(Has(ErrorBeside({"-width", word}), "-width must be a whole number, 1 to 1073741824 pixels")) << word;
+    EXPECT_TRUE(Has(ErrorBeside({"-height", word}), "-height must be")) << word;
   }
   EXPECT_EQ(ErrorBeside({"-width", "16384", "-height", "16385"}),
             "-width 16384 and -height 16385 make 268451840 pixels; at most 268435456 are allowed");
@@ -258,7 +257,7 @@ TEST(Extremes, G6_ACropIsInsideThePictureAndNotEmpty) {
   for (const char* outside : {"0 0 257 1", "0 0 1 257", "0 -1 1 1", "4 4 4 8", "4 4 8 4", "8 8 4 4"}) {
     Words words = Split(outside);
     words.insert(words.begin(), "-crop");
-    EXPECT_TRUE(Contains(ErrorBeside(words), rule)) << outside;
+    EXPECT_TRUE(Has(ErrorBeside(words), rule)) << outside;
   }
   EXPECT_EQ(ErrorBeside({"-crop", "0", "0", "256", "256"}), "");
   EXPECT_EQ(ErrorBeside({"-crop", "255", "255", "256", "256"}), "");
@@ -281,8 +280,8 @@ TEST(CommandLine, AnUnknownChoiceIsNamedWithAllChoices) {
   EXPECT_EQ(ErrorBeside({"-accel", "grpah"}),
             "-accel must be " + Range(*FindOption(Program::raypro, "accel")) + ", got 'grpah'; did you mean 'graph'?");
   EXPECT_EQ(ErrorBeside({"-shadows", "yes"}), "-shadows must be on or off, got 'yes'");
-  EXPECT_TRUE(Contains(ErrorBeside({"-mode", "pathtracer"}), "got 'pathtracer'; did you mean 'path'?"));
-  EXPECT_TRUE(Contains(ErrorBeside({"-adapt", "on"}), "did you mean '-adaptive'?"));
+  EXPECT_TRUE(Has(ErrorBeside({"-mode", "pathtracer"}), "got 'pathtracer'; did you mean 'path'?"));
+  EXPECT_TRUE(Has(ErrorBeside({"-adapt", "on"}), "did you mean '-adaptive'?"));
   EXPECT_EQ(ErrorBeside({"-bits", "12"}), "-bits must be 8 or 16 bits per channel, got '12'");
 }
 
@@ -335,7 +334,7 @@ TEST(CommandLine, HWithANumberWasToBeAHeight) {
 
 // "./+name" is a file.
 TEST(CommandLine, APlusBeginsAnOptionOfPovRay) {
-  EXPECT_TRUE(Contains(ErrorOf({"+Iscene.pov", "+Oout.png"}), "unknown option '+Iscene.pov'; the scene is named"));
+  EXPECT_TRUE(Has(ErrorOf({"+Iscene.pov", "+Oout.png"}), "unknown option '+Iscene.pov'; the scene is named"));
   EXPECT_EQ(Parsed({"./+a.scn", "+1.png"}).picture, "+1.png");
   EXPECT_EQ(Parsed({"--", "+a.scn", "+b.png"}).scene, "+a.scn");
 }
@@ -348,7 +347,7 @@ TEST(CommandLine, TooFewArgumentsAreCounted) {
 }
 
 TEST(CommandLine, NamesAreTwoAndNotEmpty) {
-  EXPECT_TRUE(Contains(ErrorOf({}), "no scene is named"));
+  EXPECT_TRUE(Has(ErrorOf({}), "no scene is named"));
   EXPECT_EQ(ErrorOf({}), "no scene is named; for example: raypro scenes/hello.scn hello.png -width 512");
   EXPECT_EQ(ErrorOf({"my/in.scn"}), "no picture is named; for example: raypro my/in.scn in.png -width 512");
   EXPECT_EQ(ErrorOf({"-width", "64", "in.scn", "-srgb"}),
@@ -356,12 +355,12 @@ TEST(CommandLine, NamesAreTwoAndNotEmpty) {
   EXPECT_EQ(ErrorOf({"out.png"}), "no scene is named; for example: raypro scenes/hello.scn out.png");
   EXPECT_EQ(ErrorOf({"out.png", "in.scn"}), "the scene is named first: raypro in.scn out.png");
   EXPECT_EQ(ErrorOf({"-"}), "no picture is named; for example: raypro - out.png -width 512");
-  EXPECT_TRUE(Contains(ErrorOf({"a.scn", "b.scn"}), "'b.scn' is a scene; several scenes need -out_folder"));
-  EXPECT_TRUE(Contains(ErrorOf({"a.scn", "b.png", "c.scn"}), "several scenes need -out_folder"));
+  EXPECT_TRUE(Has(ErrorOf({"a.scn", "b.scn"}), "'b.scn' is a scene; several scenes need -out_folder"));
+  EXPECT_TRUE(Has(ErrorOf({"a.scn", "b.png", "c.scn"}), "several scenes need -out_folder"));
   EXPECT_EQ(ErrorOf({"help"}), "options begin with a dash: raypro -help");
   EXPECT_EQ(ErrorOf({"a", "b", "c"}), "unexpected extra argument 'c' (usage: raypro scene picture [options])");
   EXPECT_EQ(ErrorOf({"a", ""}), "a file name is empty");
-  EXPECT_TRUE(Contains(ErrorOf({"a", "b", "-report", "b"}), "the same file"));
+  EXPECT_TRUE(Has(ErrorOf({"a", "b", "-report", "b"}), "the same file"));
   EXPECT_EQ(ErrorOf({"a", "-version"}), "unexpected extra argument 'a'");
 }
 
@@ -383,12 +382,12 @@ TEST(CommandLine, HelpAnywhereIsAnsweredWhateverElseIsWrong) {
   EXPECT_EQ(Parsed({"-help=light"}).subject, "light");
   EXPECT_EQ(Parsed({"-help", "max_depth"}).subject, "max_depth");
   EXPECT_EQ(Parsed({"-help", "quality"}).subject, "quality");  // a topic before it is an option
-  EXPECT_TRUE(Contains(ErrorOf({"-help", "lihgt"}), "did you mean 'light'?"));
+  EXPECT_TRUE(Has(ErrorOf({"-help", "lihgt"}), "did you mean 'light'?"));
 }
 
 TEST(CommandLine, TopicsMadeOfDashesOrNothingAreUnknown) {
-  EXPECT_TRUE(Contains(ErrorOf({"-help", "-"}), "-help must be"));
-  EXPECT_TRUE(Contains(ErrorOf({"-help="}), "-help must be"));
+  EXPECT_TRUE(Has(ErrorOf({"-help", "-"}), "-help must be"));
+  EXPECT_TRUE(Has(ErrorOf({"-help="}), "-help must be"));
 }
 
 // Anything else thrown would end the program as if it had failed while rendering.
@@ -411,8 +410,8 @@ TEST(CommandLine, AnyWordsAtAllAreReadOrRefusedAsWrongArguments) {
 
 TEST(Extremes, K8_ControlCharactersInWordsArePrintedEscaped) {
   const std::string error = ErrorBeside({"-width", "\033[2Jx"});
-  EXPECT_FALSE(Contains(error, "\033")) << error;
-  EXPECT_FALSE(Contains(ErrorBeside({"-\033[2J"}), "\033"));
+  EXPECT_FALSE(Has(error, "\033")) << error;
+  EXPECT_FALSE(Has(ErrorBeside({"-\033[2J"}), "\033"));
 }
 
 TEST(CommandLine, AnOptionOfTheOtherProgramIsCalledThat) {
@@ -425,7 +424,7 @@ TEST(CommandLine, AnOptionOfTheOtherProgramIsCalledThat) {
       const std::string name = option.name;
       if (FindOption(program, name)) continue;
       const std::string hint = "-" + name + " is an option of " + NameOf(TheOther(program));
-      EXPECT_TRUE(Contains(ErrorBeside({"-" + name}, program), hint)) << name;
+      EXPECT_TRUE(Has(ErrorBeside({"-" + name}, program), hint)) << name;
     }
 }
 
@@ -473,8 +472,8 @@ TEST(CommandLine, RayviewRefusesWhatCannotBeMeant) {
   EXPECT_EQ(ErrorBeside({"-headless", "-context", "glx"}, rayview), "-context must be auto, egl or osmesa, got 'glx'");
   EXPECT_NE(ErrorBeside({"-exit_immediately", "-events", "e.txt"}, rayview), "");
   EXPECT_NE(ErrorBeside({"-image", ""}, rayview), "");
-  EXPECT_TRUE(Contains(ErrorOf({"-help", "commands"}, rayview), "-help must be"));
-  EXPECT_TRUE(Contains(ErrorOf({"-list", "presets"}, rayview), "-list must be"));
+  EXPECT_TRUE(Has(ErrorOf({"-help", "commands"}, rayview), "-help must be"));
+  EXPECT_TRUE(Has(ErrorOf({"-list", "presets"}, rayview), "-list must be"));
   EXPECT_EQ(ReadCommandLine(rayview, Words{"-help", "viewer"}).subject, "viewer");
 }
 
@@ -484,7 +483,7 @@ TEST(CommandLine, DebugpixelNamesAPixelAndNeedsNoPicture) {
   EXPECT_EQ(o.pixel->x, 255);
   EXPECT_EQ(o.pixel->y, 0);
   EXPECT_EQ(o.render.samples, 4);
-  EXPECT_TRUE(Contains(ErrorOf({"-debugpixel", "10", "20"}), "no scene is named"));
+  EXPECT_TRUE(Has(ErrorOf({"-debugpixel", "10", "20"}), "no scene is named"));
 }
 
 TEST(CommandLine, DebugpixelTakesPixelsOfThePictureAndNoOthers) {
@@ -494,8 +493,8 @@ TEST(CommandLine, DebugpixelTakesPixelsOfThePictureAndNoOthers) {
   };
   EXPECT_EQ(error({"19", "9"}), "");
   EXPECT_EQ(error({"20", "9"}), "-debugpixel 20 9: a picture of 20 x 10 has columns 0 to 19 and rows 0 to 9");
-  EXPECT_TRUE(Contains(error({"9", "10"}), "columns 0 to 19 and rows 0 to 9"));
-  EXPECT_TRUE(Contains(error({"-1", "3"}), "columns 0 to 19 and rows 0 to 9"));
+  EXPECT_TRUE(Has(error({"9", "10"}), "columns 0 to 19 and rows 0 to 9"));
+  EXPECT_TRUE(Has(error({"-1", "3"}), "columns 0 to 19 and rows 0 to 9"));
   EXPECT_EQ(error({"1.5", "3"}),
             "-debugpixel must be whole numbers, a column and a row of the picture from 0, got '1.5'");
   EXPECT_EQ(error({"1"}), "-debugpixel needs 2 values, got 1: -debugpixel x y");

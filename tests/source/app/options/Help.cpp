@@ -17,7 +17,7 @@
 namespace ray {
 namespace {
 
-bool Mentions(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+using testing::Has;
 
 std::size_t Count(const std::string& text, const std::string& part) {
   std::size_t count = 0;
@@ -50,7 +50,7 @@ TEST(Help, NamesEveryOptionOnceWithItsDefaultAndFitsTheScreen) {
     for (const OptionKind& option : OptionTable(program)) {
       EXPECT_EQ(Count(help, Entry(option)), 1u) << option.name;
       const std::string value = Show(option, Defaults(program));
-      EXPECT_TRUE(value.empty() || Mentions(Help(program, option.name), "default " + value + ")")) << option.name;
+      EXPECT_TRUE(value.empty() || Has(Help(program, option.name), "default " + value + ")")) << option.name;
     }
     for (const std::string& line : Lines(help)) EXPECT_LE(line.size(), 120u) << line;
   }
@@ -62,12 +62,12 @@ TEST(Help, OptionsOfTheOtherProgramAreInNoTextOfThis) {
     for (const OptionKind& option : OptionTable(TheOther(program))) {
       if (FindOption(program, option.name)) continue;
       const std::string name = option.name;
-      EXPECT_FALSE(Mentions(Help(program, ""), Entry(option))) << name;
-      EXPECT_FALSE(Mentions(Help(program, "markdown"), "`-" + name)) << name;
-      EXPECT_FALSE(Mentions(ManualPage(program), ".B " + WithRoffDashes(Synopsis(option)) + "\n")) << name;
-      EXPECT_FALSE(Mentions(CompletionScript(program, "bash"), "-" + name + " ")) << name;
-      EXPECT_FALSE(Mentions(CompletionScript(program, "zsh"), "-" + name + "[")) << name;
-      EXPECT_FALSE(Mentions(CompletionScript(program, "fish"), " -o " + name + " ")) << name;
+      EXPECT_FALSE(Has(Help(program, ""), Entry(option))) << name;
+      EXPECT_FALSE(Has(Help(program, "markdown"), "`-" + name)) << name;
+      EXPECT_FALSE(Has(ManualPage(program), ".B " + WithRoffDashes(Synopsis(option)) + "\n")) << name;
+      EXPECT_FALSE(Has(CompletionScript(program, "bash"), "-" + name + " ")) << name;
+      EXPECT_FALSE(Has(CompletionScript(program, "zsh"), "-" + name + "[")) << name;
+      EXPECT_FALSE(Has(CompletionScript(program, "fish"), " -o " + name + " ")) << name;
     }
 }
 
@@ -75,7 +75,7 @@ TEST(Help, ATopicHoldsItsOptionsAndNoOthers) {
   for (const Program program : scene_programs)
     for (const std::string& topic : OptionTopics(program))
       for (const OptionKind& option : OptionTable(program))
-        EXPECT_EQ(Mentions(Help(program, topic), Entry(option)), topic == option.topic) << topic << " " << option.name;
+        EXPECT_EQ(Has(Help(program, topic), Entry(option)), topic == option.topic) << topic << " " << option.name;
 }
 
 TEST(Help, TopicsAreTogetherInTheTable) {
@@ -90,7 +90,7 @@ TEST(Help, ShowsNoAlias) {
   for (const Program program : scene_programs)
     for (const OptionKind& option : OptionTable(program))
       for (const char* alias : option.aliases)
-        EXPECT_FALSE(Mentions(Help(program, ""), "-" + std::string(alias) + " ")) << alias;
+        EXPECT_FALSE(Has(Help(program, ""), "-" + std::string(alias) + " ")) << alias;
 }
 
 TEST(Help, TheMarkdownTableHasARowForEveryOptionWithFourCells) {
@@ -103,30 +103,30 @@ TEST(Help, RayviewsMarkdownNamesWhatItSharesAndHasRowsForTheRest) {
   const std::string text = Help(Program::rayview, "markdown");
   for (const OptionKind& option : OptionTable(Program::rayview)) {
     const bool is_shared = option.known_to != KnownTo::rayview;
-    EXPECT_EQ(Mentions(text, "\n| `" + Synopsis(option) + "` |"), !is_shared) << option.name;
+    EXPECT_EQ(Has(text, "\n| `" + Synopsis(option) + "` |"), !is_shared) << option.name;
     const std::string name = " `-" + std::string(option.name) + "`";
-    EXPECT_EQ(Mentions(text, name + ",") || Mentions(text, name + "\n"), is_shared) << option.name;
+    EXPECT_EQ(Has(text, name + ",") || Has(text, name + "\n"), is_shared) << option.name;
   }
 }
 
 // A reader of the documentation must not meet an option that is gone, or miss one.
 TEST(Help, TheDocumentedOptionTableIsOurs) {
   const char* root = std::getenv("RAYPRO_ROOT");
-  const std::string page = ray::testing::ReadFile(std::string(root ? root : ".") + "/docs/options.md");
+  const std::string page = testing::ReadFile(std::string(root ? root : ".") + "/docs/options.md");
   for (const Program program : scene_programs)
-    EXPECT_TRUE(Mentions(page, Help(program, "markdown"))) << "script/update_docs.sh brings it up to date";
+    EXPECT_TRUE(Has(page, Help(program, "markdown"))) << "script/update_docs.sh brings it up to date";
 }
 
 TEST(Manual, NamesEveryOptionAndNoLineStartsWithAStrayDot) {
   for (const Program program : scene_programs) {
     const std::string page = ManualPage(program);
-    EXPECT_TRUE(Mentions(page, ".SH NAME\n" + NameOf(program) + " \\- "));
+    EXPECT_TRUE(Has(page, ".SH NAME\n" + NameOf(program) + " \\- "));
     for (const OptionKind& option : OptionTable(program))
       EXPECT_EQ(Count(page, ".B " + WithRoffDashes(Synopsis(option)) + "\n"), 1u) << option.name;
     for (const std::string& line : Lines(page)) {
       if (!line.starts_with('.')) continue;
       const std::string macro = line.substr(0, line.find(' '));
-      EXPECT_TRUE(Mentions(" .TH .SH .SS .TP .B .I .BR .RI .nf .fi ", " " + macro + " ")) << line;
+      EXPECT_TRUE(Has(" .TH .SH .SS .TP .B .I .BR .RI .nf .fi ", " " + macro + " ")) << line;
     }
   }
 }
@@ -141,12 +141,12 @@ TEST(Manual, OfScenesHasEveryCommandThatTheLanguageHasAndThatIsListed) {
   const std::vector<std::string> listed = Lines(Listing(Program::raypro, "commands"));
   EXPECT_EQ(listed.size(), Commands().size() + 1);  // and a heading
   for (std::size_t i = 1; i < listed.size(); ++i)
-    EXPECT_TRUE(Mentions(page, "\n.B " + WithRoffDashes(listed[i].substr(2)) + "\n")) << listed[i];
+    EXPECT_TRUE(Has(page, "\n.B " + WithRoffDashes(listed[i].substr(2)) + "\n")) << listed[i];
 }
 
 TEST(Manual, OfScenesShowsAnExampleThatIsOne) {
   const std::string page = ManualPage("scn", Program::raypro), heading = ".SH EXAMPLE\n.nf\n";
-  ASSERT_TRUE(Mentions(page, heading));
+  ASSERT_TRUE(Has(page, heading));
   const std::size_t start = page.find(heading) + heading.size();
   std::string scene = page.substr(start, page.find(".fi\n", start) - start);
   std::erase(scene, '\\');
@@ -164,7 +164,7 @@ TEST(Manual, FormatsWithoutAWordFromRoff) {
     for (const std::string& name : {std::string(), std::string("scn")}) {
       ray::testing::WriteFile(folder / "page", ManualPage(name, program));
       std::system(("groff -man -Tutf8 -ww '" + folder / "page" + "' 2>'" + folder / "words" + "' >/dev/null").c_str());
-      EXPECT_EQ(ray::testing::ReadFile(folder / "words"), "") << NameOf(program) << name;
+      EXPECT_EQ(testing::ReadFile(folder / "words"), "") << NameOf(program) << name;
     }
 }
 
@@ -174,9 +174,9 @@ TEST(Completion, EveryShellLearnsEveryOption) {
     std::ranges::replace(bash_words, '\'', ' ');
     for (const OptionKind& option : OptionTable(program)) {
       const std::string name = option.name;
-      EXPECT_TRUE(Mentions(bash_words, " -" + name + " ")) << name;
-      EXPECT_TRUE(Mentions(CompletionScript(program, "zsh"), "-" + name + "[")) << name;
-      EXPECT_TRUE(Mentions(CompletionScript(program, "fish"), "-c " + NameOf(program) + " -o " + name + " ")) << name;
+      EXPECT_TRUE(Has(bash_words, " -" + name + " ")) << name;
+      EXPECT_TRUE(Has(CompletionScript(program, "zsh"), "-" + name + "[")) << name;
+      EXPECT_TRUE(Has(CompletionScript(program, "fish"), "-c " + NameOf(program) + " -o " + name + " ")) << name;
     }
   }
 }
@@ -209,19 +209,19 @@ TEST(Listing, EverySubjectListsSomethingAndAllTogetherListEverything) {
     for (const std::string& subject : ListSubjects(program)) {
       const std::string list = Listing(program, subject, {"H  this help"});
       EXPECT_TRUE(list.starts_with(subject + ":\n  ")) << list;
-      EXPECT_TRUE(Mentions(Listing(program, "", {"H  this help"}), list)) << subject;
+      EXPECT_TRUE(Has(Listing(program, "", {"H  this help"}), list)) << subject;
     }
-    EXPECT_TRUE(Mentions(Listing(program, "shapes"), "\n  sphere "));
-    EXPECT_TRUE(Mentions(Listing(program, "accelerators"), "\n  none "));
-    EXPECT_TRUE(Mentions(Listing(program, "scenes"), ".scn"));
+    EXPECT_TRUE(Has(Listing(program, "shapes"), "\n  sphere "));
+    EXPECT_TRUE(Has(Listing(program, "accelerators"), "\n  none "));
+    EXPECT_TRUE(Has(Listing(program, "scenes"), ".scn"));
   }
-  EXPECT_FALSE(Mentions(Listing(Program::rayview, ""), "presets"));
+  EXPECT_FALSE(Has(Listing(Program::rayview, ""), "presets"));
 }
 
 TEST(Version, NamesTheProgramAndItsFeatures) {
   for (const Program program : scene_programs) {
     EXPECT_TRUE(Version(program).starts_with(NameOf(program) + " "));
-    EXPECT_TRUE(Mentions(Version(program), "jpeg="));
+    EXPECT_TRUE(Has(Version(program), "jpeg="));
   }
 }
 

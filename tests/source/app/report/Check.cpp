@@ -8,6 +8,7 @@
 namespace ray {
 namespace {
 
+using testing::Has;
 using testing::TemporaryFolder;
 using testing::WriteFile;
 
@@ -31,8 +32,6 @@ class Example {
   World world_;
 };
 
-bool Contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
-
 const std::string camera = "camera 0 0 9  0 0 -1  0 1 0  0.4  0.1 100\n";
 
 TEST(Check, AGoodSceneHasNoMistakes) { EXPECT_EQ(Example(camera + "sphere -1  0 0 0  1\n").Mistakes(), ""); }
@@ -40,15 +39,15 @@ TEST(Check, AGoodSceneHasNoMistakes) { EXPECT_EQ(Example(camera + "sphere -1  0 
 TEST(Check, ACameraInsideASolidIsPointedOut) {
   for (const char* shape :
        {"sphere -1  0 0 9  1", "box -1  -5 -5 -5  5 5 10", "cylinder -1  0 0 9  1 4", "cone -1  0 0 9  3 8"})
-    EXPECT_TRUE(Contains(Example(camera + shape + "\n").Mistakes(), "the camera is inside 1 shape")) << shape;
-  EXPECT_TRUE(Contains(Example(camera + "sphere -1  0 0 9  1\nsphere -1  0 0 8 3\n").Mistakes(), "inside 2 shapes"));
+    EXPECT_TRUE(Has(Example(camera + shape + "\n").Mistakes(), "the camera is inside 1 shape")) << shape;
+  EXPECT_TRUE(Has(Example(camera + "sphere -1  0 0 9  1\nsphere -1  0 0 8 3\n").Mistakes(), "inside 2 shapes"));
 }
 
 TEST(Check, AnEmissiveSolidThatLightsNothingIsPointedOut) {
   const std::string emissive = camera + "material 0 0 0  0 0 0  0 0 0  0 0 0  1 1 1  10 1 0\n";
   const std::string warning = "this shape emits but lights nothing in mode whitted; -mode path makes it a light";
   const Example sphere(emissive + "sphere 0  0 0 0  1\n");
-  EXPECT_TRUE(Contains(sphere.Mistakes(), ":3:1: warning: " + warning));
+  EXPECT_TRUE(Has(sphere.Mistakes(), ":3:1: warning: " + warning));
   EXPECT_EQ(Example(emissive + "tri 0  0 0 0  1 0 0  0 1 0\n").Mistakes(), "");
   RenderSettings path, lit;
   path.mode = RenderMode::path;
@@ -81,9 +80,9 @@ TEST(Check, InsideASphereIsNearerThanItsRadius) {
 
 TEST(Check, ASceneInTheDarkIsPointedOut) {
   const std::string black = camera + "sphere -1  0 0 0  1\npoint_light 0 0 0  0 5 0  1 0 0\n";
-  EXPECT_TRUE(Contains(Example(black).Mistakes(), "the scene is unlit; every light is black"));
+  EXPECT_TRUE(Has(Example(black).Mistakes(), "the scene is unlit; every light is black"));
   const std::string glowing = "material 0 0 0  1 1 1  0 0 0  0 0 0  1 1 1  1 1 0\n";
-  EXPECT_FALSE(Contains(Example(glowing + black + "sphere 0  1 0 0  1\n").Mistakes(), "no light"));
+  EXPECT_FALSE(Has(Example(glowing + black + "sphere 0  1 0 0  1\n").Mistakes(), "no light"));
 }
 
 TEST(Check, InsideOfGlassTheCameraMayBe) {
@@ -93,8 +92,8 @@ TEST(Check, InsideOfGlassTheCameraMayBe) {
 
 TEST(Check, ASceneWithNothingInViewIsPointedOut) {
   const std::string warning = "warning: nothing in the scene is in view of the camera";
-  EXPECT_TRUE(Contains(Example(camera + "sphere -1  0 0 20  1\n").Mistakes(), warning));
-  EXPECT_FALSE(Contains(Example(camera + "sphere -1  0 0 20  1\nsphere -1  0 0 0  1\n").Mistakes(), warning));
+  EXPECT_TRUE(Has(Example(camera + "sphere -1  0 0 20  1\n").Mistakes(), warning));
+  EXPECT_FALSE(Has(Example(camera + "sphere -1  0 0 20  1\nsphere -1  0 0 0  1\n").Mistakes(), warning));
 }
 
 // A place for what was meant to be one shape of many to be out of sight, but not for a picture of nothing.
@@ -105,41 +104,40 @@ TEST(Check, EveryRenderPointsOutWhatCannotBeMeantAndCostsNothing) {
     return all;
   };
   EXPECT_EQ(plain("sphere -1  0 0 0  1\nsphere -1  0 0 20  1\n"), "");
-  EXPECT_TRUE(Contains(plain("sphere -1  0 0 20  1\n"), "nothing in the scene is in view"));
-  EXPECT_TRUE(Contains(plain("sphere -1  0 0 9  1\n"), "the camera is inside 1 shape"));
-  EXPECT_TRUE(Contains(plain("sphere -1  0 0 0  1\npoint_light 0 0 0  0 5 0  1 0 0\n"), "the scene is unlit"));
-  EXPECT_TRUE(Contains(plain("sphere -1  0 0 0  0\n"), "this shape is degenerate"));
+  EXPECT_TRUE(Has(plain("sphere -1  0 0 20  1\n"), "nothing in the scene is in view"));
+  EXPECT_TRUE(Has(plain("sphere -1  0 0 9  1\n"), "the camera is inside 1 shape"));
+  EXPECT_TRUE(Has(plain("sphere -1  0 0 0  1\npoint_light 0 0 0  0 5 0  1 0 0\n"), "the scene is unlit"));
+  EXPECT_TRUE(Has(plain("sphere -1  0 0 0  0\n"), "this shape is degenerate"));
 }
 
 TEST(Check, SaysWhereTheDefaultsAreInForce) {
   const std::string none = SceneSummary(Example("sphere -1  0 0 0  1\n").TheWorld(), {});
-  EXPECT_TRUE(Contains(none, " rad (the default: the scene names none)\n")) << none;
-  EXPECT_TRUE(Contains(none, "lights        2 (the default: the scene names none)\n")) << none;
-  EXPECT_FALSE(Contains(SceneSummary(Example(camera + "point_light 1 1 1  0 5 0  1 0 0\n").TheWorld(), {}), "default"));
+  EXPECT_TRUE(Has(none, " rad (the default: the scene names none)\n")) << none;
+  EXPECT_TRUE(Has(none, "lights        2 (the default: the scene names none)\n")) << none;
+  EXPECT_FALSE(Has(SceneSummary(Example(camera + "point_light 1 1 1  0 5 0  1 0 0\n").TheWorld(), {}), "default"));
 }
 
-TEST(Check, AnEmptySceneIsPointedOut) { EXPECT_TRUE(Contains(Example("").Mistakes(), "nothing in the scene")); }
+TEST(Check, AnEmptySceneIsPointedOut) { EXPECT_TRUE(Has(Example("").Mistakes(), "nothing in the scene")); }
 
 TEST(Check, AShapeWithoutExtentIsPointedOutAtItsPlace) {
-  EXPECT_TRUE(Contains(Example(camera + "sphere -1  0 0 0  0\n").Mistakes(),
-                       "example.scn:2:1: warning: this shape is degenerate"));
+  EXPECT_TRUE(
+      Has(Example(camera + "sphere -1  0 0 0  0\n").Mistakes(), "example.scn:2:1: warning: this shape is degenerate"));
 }
 
 TEST(Check, ShapesOutsideTheViewAreCountedAtTheFirst) {
   const std::string mistakes =
       Example(camera + "sphere -1  0 0 0  1\nsphere -1  0 0 20  1\nsphere -1  90 0 0  1\n").Mistakes();
-  EXPECT_TRUE(Contains(mistakes, "example.scn:3:1: warning: this shape lies outside the view (and 1 more)"))
-      << mistakes;
-  EXPECT_FALSE(Contains(mistakes, "example.scn:2"));
+  EXPECT_TRUE(Has(mistakes, "example.scn:3:1: warning: this shape lies outside the view (and 1 more)")) << mistakes;
+  EXPECT_FALSE(Has(mistakes, "example.scn:2"));
 }
 
 TEST(Check, TheSummaryCountsWhatIsThere) {
   const Example example(camera +
                         "sphere -1  0 0 0  1\nbegin -1  1 0 0 0  0 1 0 0  0 0 1 0  0 0 0 1\nbox -1 0 0 0 1 1 1\nend\n");
   const std::string summary = SceneSummary(example.TheWorld(), {});
-  EXPECT_TRUE(Contains(summary, "shapes        2\n")) << summary;
-  EXPECT_TRUE(Contains(summary, "bounds        -1.000 -1.000 -1.000  to  1.000 1.000 1.000\n")) << summary;
-  EXPECT_TRUE(Contains(summary, "camera        at 0.000 0.000 9.000")) << summary;
+  EXPECT_TRUE(Has(summary, "shapes        2\n")) << summary;
+  EXPECT_TRUE(Has(summary, "bounds        -1.000 -1.000 -1.000  to  1.000 1.000 1.000\n")) << summary;
+  EXPECT_TRUE(Has(summary, "camera        at 0.000 0.000 9.000")) << summary;
 }
 
 // The published test vectors of the hash, so that another program can check a picture's scene.
