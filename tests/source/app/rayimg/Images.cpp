@@ -1,0 +1,176 @@
+// rayimg info, convert and merge.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "R2/Color.h"
+#include "tests/source/app/rayimg/Rayimg.h"
+
+namespace ray::rayimg {
+namespace {
+
+TEST(RayimgInfo, TellsStatisticsAndSettings) {
+  NEEDS_RAYIMG();
+  const TemporaryFolder folder;
+  R2::Image image = Filled(2, 2, {0.5, 1, 0});
+  image.Set(0, 0, {nan, -1, 0});
+  image.Set(1, 1, {1.5, 1, infinity});
+  const Finished pfm = Rayimg({"info", Save(folder / "a.pfm", image)});
+  EXPECT_EQ(pfm.status, 0);
+  EXPECT_TRUE(Has(pfm.output, "a.pfm: pfm, 2x2\n")) << pfm.output;
+  EXPECT_TRUE(Has(pfm.output, "r: min 0.5, mean 0.833333, max 1.5\n")) << pfm.output;
+  EXPECT_TRUE(Has(pfm.output, "g: min -1, mean 0.5, max 1\n")) << pfm.output;
+  EXPECT_TRUE(Has(pfm.output, "mean luminance: 0.545\n")) << pfm.output;
+  EXPECT_TRUE(Has(pfm.output, "values not finite: 2\nvalues negative: 1\n")) << pfm.output;
+
+  const std::string png = Save(folder / "b.png", Filled(3, 1, {1, 1, 1}), {{"seed", "7"}});
+  EXPECT_TRUE(Has(Rayimg({"info", png}).output, "seed: 7\n"));
+}
+
+TEST(RayimgInfo, OneBadFileDoesNotHideTheOthers) {
+  NEEDS_RAYIMG();
+  const TemporaryFolder folder;
+  const std::string a = Save(folder / "a.ppm", Filled(1, 1, {})), b = Save(folder / "b.ppm", Filled(2, 1, {}));
+  const Finished done = Rayimg({"info", a, folder / "missing.ppm", b});
+  EXPECT_EQ(done.status, 3);
+  EXPECT_TRUE(Has(done.output, "a.ppm: ppm, 1x1") && Has(done.output, "b.ppm: ppm, 2x1")) << done.output;
+  EXPECT_TRUE(Has(done.error, "missing.ppm")) << done.error;
+}
+
+TEST(RayimgInfo, APictureWithoutOneFiniteValueSaysSo) {
+  NEEDS_RAYIMG();
+  const TemporaryFolder folder;
+  const Finished done = Rayimg({"info", Save(folder / "a.pfm", Filled(2, 2, {nan, nan, nan}))});
+  EXPECT_EQ(done.status, 0);
+  EXPECT_TRUE(Has(done.output, "r: no finite value\n")) << done.output;
+}
+
+// --- convert ---
+
+TEST(RayimgConvert, AppliesExposureThenTheCurve) {
+  NEEDS_RAYIMG();
+  const TemporaryFolder folder;
+  const std::string in = Save(folder / "in.pfm", Filled(2, 2, {0.25, 1, 3})), out = folder / "out.pfm";
+  const auto converted = [&](const Words& options) {
+    Words words{"convert", in, out};
+    words.insert(words.end(), options.begin(), options.end());
+    const Finished done = Rayimg(words);
+    EXPECT_EQ(done.status, 0) << done.error;
+    return Decode(out).image.At(1, 1);
+  };
+  EXPECT_EQ(converted({}), (R2::Color{0.25, 1, 3}));
+  EXPECT_EQ(converted({"-exposure", "2"}), (R2::Color{1, 4, 12}));
+  EXPECT_EQ(converted({"-exposure", "-1"}), (R2::Color{0.125, 0.5, 1.5}));
+  EXPECT_EQ(converted({"-exposure=2", "--tonemap", "reinhard"}).r, 0.5);
+  EXPECT_NEAR(converted({"-tonemap", "aces"}).g, 2.54 / 3.16, 1e-7);
+  EXPECT_LE(converted({"-tonemap", "filmic"}).b, 1);
+  EXPECT_EQ(converted({"-srgb"}), (R2::Color{0.25, 1, 3})) << "floats are never encoded";
+}
+
+// 0.5 is byte 128 when it is written straight, 188 with the sRGB curve, and 16 bits keep 257 times more.
+TEST(RayimgConvert, EncodesAsAsked) {
+  NEEDS_RAYIMG();
+  const TemporaryFolder folder;
+  const std::string in = Save(folder / "in.pfm", Filled(2, 2, {0.5, 0.5, 0.5})), out = folder / "out.png";
+  Rayimg({"convert", in, out});
+  EXPECT_NEAR(Decode(out).image.At(0, 0).r, 128 / 255.0, 1e-6);
+  Rayimg({"convert", in, out, "-srgb"});
+  EXPECT_NEAR(Decode(out).image.At(0, 0).r, 188 / 255.0, 1e-6);
+  Rayimg({"convert", in, out, "-srgb", "-bits", "16"});
+  EXPECT_NEAR(Decode(out).image.At(0, 0).r, R2::EncodeSrgb(0.5), 1 / 65535.0);
+  Rayimg({"convert", out, folder / "back.pfm", "-srgb"});
+  EXPECT_NEAR(Decode(folder / "back.pfm").image.At(0, 0).r, 0.5, 2 / 65535.0);
+  const std::string best = folder / "best.jpg", worst = folder / "worst.jpg";
+  Rayimg({"convert", in, best, "-jpeg_quality", "100"});
+  Rayimg({"convert", in, worst, "-jpeg_quality", "1"});
+  EXPECT_NE(ReadFile(best), ReadFile(worst));
+}
+
+TEST(RayimgConvert, KeepsSettingsAndAddsWhatWasDone) {
+  NEEDS_RAYIMG();
+  const TemporaryFolder folder;
+  const std::string in = Save(folder / "in.png", Filled(2, 2, {0.5, 0.5, 0.5}), {{"seed", "7"}});
+  Rayimg({"convert", in, folder / "once.jpg", "-exposure", "1"});
+  Rayimg({"convert", folder / "once.jpg", folder / "twice.png", "-tonemap", "aces"});
+  auto settings = Decode(folder / "twice.png").settings;
+  EXPECT_EQ(settings["seed"], "7");
+  EXPECT_TRUE(Has(settings["converted"], "-exposure 1; rayimg convert ")) << settings["converted"];
+  EXPECT_TRUE(settings["converted"].ends_with("-tonemap aces")) << settings["converted"];
+}
+
+// --- merge ---
+
+TEST(RayimgMerge, WeighsBySamplesAndAddsThemUp) {
+  NEEDS_RAYIMG();
+  if (!HasExr()) GTEST_SKIP() << "no EXR in this build";
+  const TemporaryFolder folder;
+  const auto settings = [](const char* seed, const char* samples) {
+    return R2::ImageSettings{{"seed", seed}, {"samples", samples}, {"scene_hash", "ab"}, {"seconds", "1"}};
+  };
+  const std::string a = Save(folder / "a.exr", Filled(3, 2, {0, 1, 2}), settings("1", "1"));
+  const std::string b = Save(folder / "b.exr", Filled(3, 2, {4, 1, 0}), settings("2", "3"));
+  const std::string out = folder / "out.exr";
+  const Finished done = Rayimg({"merge", a, b, "-out", out});
+  ASSERT_EQ(done.status, 0) << done.error;
+  EXPECT_EQ(done.error, "");
+  auto merged = Decode(out);
+  EXPECT_EQ(merged.image.At(2, 1), (R2::Color{3, 1, 0.5}));
+  EXPECT_EQ(merged.settings["samples"], "4");
+  EXPECT_EQ(merged.settings["seed"], "1 2");
+  EXPECT_EQ(merged.settings["scene_hash"], "ab");
+  EXPECT_FALSE(merged.settings.contains("seconds"));
+
+  ASSERT_EQ(Rayimg({"merge", a, b, "-out", out, "-weights", "3,1"}).status, 0);
+  merged = Decode(out);
+  EXPECT_EQ(merged.image.At(0, 0), (R2::Color{1, 1, 1.5}));
+  EXPECT_FALSE(merged.settings.contains("samples")) << "with weights of one's own, a sum means nothing";
+}
+
+TEST(RayimgMerge, PicturesWithoutSettingsWeighTheSame) {
+  NEEDS_RAYIMG();
+  const TemporaryFolder folder;
+  Words words{"merge", "-out", folder / "mean.pfm"};
+  for (int i = 1; i <= 10; ++i)
+    words.push_back(Save(folder / (std::to_string(i) + ".pfm"), Filled(4, 4, {i * 0.1, i * 1e6, 7})));
+  const Finished done = Rayimg(words);
+  EXPECT_EQ(done.status, 0);
+  EXPECT_TRUE(Has(done.error, "does not tell its seed")) << done.error;
+  const R2::Color mean = Decode(folder / "mean.pfm").image.At(3, 3);
+  EXPECT_NEAR(mean.r, 0.55, 1e-7);
+  EXPECT_EQ(mean.g, 5.5e6);
+  EXPECT_EQ(mean.b, 7);
+}
+
+// The mean of a picture with itself has the noise of one, and would claim the samples of two.
+TEST(RayimgMerge, RefusesWhatIsNotIndependentOrNotFinishedUnlessForced) {
+  NEEDS_RAYIMG();
+  if (!HasExr()) GTEST_SKIP() << "no EXR in this build";
+  const TemporaryFolder folder;
+  const R2::Image image = Filled(2, 2, {0.5, 0.5, 0.5});
+  const auto saved = [&](const char* name, const R2::ImageSettings& settings) {
+    return Save(folder / name, image, settings);
+  };
+  const std::string a = saved("a.exr", {{"seed", "1"}, {"scene_hash", "ab"}, {"command", "raypro s a.exr"}});
+  const std::string same_scene = saved("b.exr", {{"seed", "1"}, {"scene_hash", "ab"}, {"command", "raypro s b.exr"}});
+  const std::string same_command = saved("c.exr", {{"seed", "1"}, {"command", "raypro s a.exr"}});
+  const std::string merged = saved("d.exr", {{"seed", "3 1 2"}, {"scene_hash", "ab"}});
+  const std::string stopped = saved("e.exr", {{"seed", "9"}, {"scene_hash", "ab"}, {"pixels", "3 of 4 pixels done"}});
+  const std::string other_scene = saved("f.exr", {{"seed", "1"}, {"scene_hash", "cd"}});
+  const std::string other_seed = saved("g.exr", {{"seed", "11"}, {"scene_hash", "ab"}, {"pixels", "complete"}});
+  for (const std::string& second : {a, same_scene, same_command, merged, stopped}) {
+    const Finished refused = Rayimg({"merge", a, second, "-out", folder / "out.exr"});
+    EXPECT_EQ(refused.status, 2) << second;
+    EXPECT_TRUE(Has(refused.error, "-force")) << refused.error;
+    EXPECT_FALSE(std::filesystem::exists(folder / "out.exr"));
+    EXPECT_EQ(Rayimg({"merge", a, second, "-out", folder / "out.exr", "-force"}).status, 0) << second;
+    std::filesystem::remove(folder / "out.exr");
+  }
+  for (const std::string& second : {other_scene, other_seed})
+    EXPECT_EQ(Rayimg({"merge", a, second, "-out", folder / "out.exr"}).status, 0) << second;
+}
+
+// --- movie ---
+
+}  // namespace
+}  // namespace ray::rayimg

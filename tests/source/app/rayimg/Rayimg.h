@@ -1,0 +1,49 @@
+#pragma once
+
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "R2/ImageFile.h"
+#include "source/app/options/Program.h"
+#include "tests/source/app/Program.h"
+
+/// Running rayimg on pictures made for it.
+namespace ray::rayimg {
+
+using testing::Finished;
+using testing::Has;
+using testing::ReadFile;
+using testing::TemporaryFolder;
+using testing::WriteFile;
+using Words = std::vector<std::string>;
+
+inline constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+inline constexpr double infinity = std::numeric_limits<double>::infinity();
+inline const Words nothing;
+inline constexpr Program program = Program::rayimg;
+
+inline Finished Rayimg(const Words& words) { return testing::RunProgram(words, {.program = "RAYIMG"}); }
+
+inline R2::Image Filled(int width, int height, const R2::Color& c) {
+  R2::Image image(width, height);
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) image.Set(x, y, c);
+  return image;
+}
+
+/// Writes a picture in the format of its name, and returns the name.
+inline std::string Save(const std::string& file, const R2::Image& image, const R2::ImageSettings& settings = {}) {
+  const auto bytes = R2::FormatForName(file)->encode(image, {}, settings);
+  return WriteFile(file, {bytes.begin(), bytes.end()});
+}
+
+inline R2::DecodedImage Decode(const std::string& file) {
+  const std::string bytes = ReadFile(file);
+  return R2::DecodeImage({reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()});
+}
+
+/// The only format of floats that keeps settings may be missing from this build.
+inline bool HasExr() { return R2::FormatForName("a.exr") != nullptr; }
+
+}  // namespace ray::rayimg
