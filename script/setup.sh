@@ -123,10 +123,12 @@ can_install() {
 build() {
   show make -j"$cores" BUILD="$build" "$@"
   [ "$only_show" = no ] || return 0
+  # As if nothing were there; less what is.
   total=$(make -n BUILD="$build" "$@" 2>/dev/null | grep -c 'echo "  c++ ') || total=0
+  total=$((total - $(find "$build/obj" -name '*.o' 2>/dev/null | wc -l)))
   { make -j"$cores" BUILD="$build" "$@" 2>&1 && echo done; } | awk -v total="$total" '
     $0 == "done" { ended = 1; next }
-    $1 == "c++" { sub(/c\+\+ /, sprintf("c++ %2d of %d ", ++n, total)) }
+    $1 == "c++" && ++n <= total { sub(/c\+\+ /, sprintf("c++ %2d of %d ", n, total)) }
     { print; fflush() }
     END { exit !ended }'
 }

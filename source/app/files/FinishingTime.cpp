@@ -22,7 +22,7 @@ R2::Image Noise(int side) {
 
 double SecondsToFinish(const R2::ImageFormat& format, const Options& options) {
   constexpr int side = 128;
-  constexpr double seconds_to_compose_a_pixel = 30e-9;  // of the film's sums; by all threads
+  constexpr double seconds_to_compose_a_pixel = 30e-9;  // by all threads; 42 beside as much other work
   const R2::Image noise = Noise(side);
   format.encode(noise, options.encoding, {});  // once for whatever is made at the first time only
   const auto begin = std::chrono::steady_clock::now();
