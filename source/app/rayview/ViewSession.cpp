@@ -93,7 +93,10 @@ class Recorder {
     text_ += ScriptLine(event);
   }
   void Write() const {
-    if (file_) WriteWhole(*file_, {reinterpret_cast<const unsigned char*>(text_.data()), text_.size()});
+    if (!file_) return;
+    // Messages fade after the last event, too.
+    const std::string text = text_ + (passed_ > 0 ? ScriptLine(TickEvent{passed_}) : "");
+    WriteWhole(*file_, {reinterpret_cast<const unsigned char*>(text.data()), text.size()});
   }
 
  private:
