@@ -40,8 +40,9 @@ struct Budget {
   std::optional<ErrorTarget> error;  // stop when the upper end of the error's interval is below
   double confidence = 0.95;          // of that interval, in (0, 1)
   Adaptive adaptive = Adaptive::automatic;
+  bool is_endless = false;  // go on until asked to stop, for whoever looks on
 
-  bool IsOpen() const { return seconds > 0 || error; }
+  bool IsOpen() const { return seconds > 0 || error || is_endless; }
 };
 
 /// The sample allocation of an earlier render, so that it can be rendered again bit by bit though it was stopped by a

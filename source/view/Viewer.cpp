@@ -5,14 +5,16 @@
 #include <utility>
 
 #include "source/scene/CameraText.h"
+#include "source/view/live/JobStatus.h"
 #include "source/view/overlay/SceneLines.h"
 
 namespace ray {
 namespace {
 
-constexpr double click_reach = 4;               // pixels that a click may move
-constexpr double double_click_time = 0.4;       // seconds
-constexpr double seconds_between_looks = 0.25;  // at the scene's files
+constexpr double click_reach = 4;                  // pixels that a click may move
+constexpr double double_click_time = 0.4;          // seconds
+constexpr double seconds_between_looks = 0.25;     // at the scene's files
+constexpr double seconds_between_statuses = 0.25;  // slow enough for digits to be read
 
 std::shared_ptr<const LoadedScene> Load(const std::string& file, const ViewerSettings& settings) {
   return std::make_shared<LoadedScene>(file, settings.parse, settings.accelerator);
@@ -181,8 +183,10 @@ bool Viewer::Update() {
     if (section_.Plane() == SlicePlane::camera_row) section_lines_.reset();
     needs_redraw_ = true;
   }
-  pictures_.Update(scene_, SettingsOfView());
+  pictures_.Update(scene_, SettingsOfView(), settings_.live_is_endless);
   if (const RenderJob* job = pictures_.TakeEnded()) SaveEnded(*job);
+  if (const RenderJob* job = pictures_.TakeEndedLive()) TellEndedLive(*job);
+  UpdateStatus();
 
   // Rows that were written since the last look.
   std::vector<std::uint32_t> versions;
@@ -199,6 +203,25 @@ void Viewer::SaveEnded(const RenderJob& job) {
   if (!job.Failure().empty()) return ShowMessage("rendering failed: " + job.Failure());
   if (!job.IsComplete()) return ShowMessage("rendering stopped; nothing was saved");
   ShowMessage(host_.SaveTraced(job));
+}
+
+void Viewer::TellEndedLive(const RenderJob& job) {
+  if (!job.Failure().empty()) return ShowMessage("rendering failed: " + job.Failure());
+  if (job.IsComplete() && job.Settings().budget.IsOpen()) ShowMessage(ClaimOf(*job.Result()));
+}
+
+void Viewer::UpdateStatus() {
+  const RenderJob* job = pictures_.IsLive() ? pictures_.Live() : pictures_.Trace();
+  if (!job) return status_.clear();
+  const std::uint64_t number = pictures_.IsLive() ? pictures_.LiveNumber() : pictures_.TraceNumber();
+  const auto now = [&] { return StatusKey{number, job->Samples(), job->HasEnded()}; };
+  const bool is_recent = now_ - status_since_ < seconds_between_statuses;
+  if (now() == status_of_ && (status_of_.has_ended || is_recent)) return;
+  status_since_ = now_;
+  do {  // again where a pass has ended meanwhile
+    status_of_ = now();
+    status_ = StatusOf(*job);
+  } while (now() != status_of_);
 }
 
 void Viewer::Reload() {

@@ -26,6 +26,7 @@ struct ViewerSettings {
   AcceleratorSettings accelerator;
   RenderSettings render;  // of traced pictures; their size is that of the drawing
   std::shared_ptr<const R2::Image> reference;
+  bool live_is_endless = false;  // live rendering without a budget goes on until it is stopped
 };
 
 /// What a viewer asks of the program around it. The strings returned are messages for the user.
@@ -60,7 +61,8 @@ class Viewer {
   /// Whether a picture is being traced, so that Update is soon worth a call.
   bool IsBusy() const { return pictures_.IsBusy(); }
   bool IsClosed() const { return is_closed_; }
-  /// "hello.scn 512x512 1 sample 0.5 Mrays/s"
+  /// "hello.scn 512x512 4 of 16 samples 31 % 0.5 Mrays/s 12 s left": as of the last Update, and changed by time alone
+  /// a few times a second.
   std::string Title() const;
   /// What it shows, in lines of words, for scripts.
   std::string State() const;
@@ -134,6 +136,8 @@ class Viewer {
   void DebugPixelAt(const R2::Point& position);
   void ReportPixel();
   void SaveEnded(const RenderJob& job);
+  void TellEndedLive(const RenderJob& job);
+  void UpdateStatus();
   void ShowMessage(const std::string& message);
   void InvalidateLines() { lines_.reset(), needs_redraw_ = true; }
   std::optional<R3::Point> PointAt(const R2::Point& position) const;
@@ -182,6 +186,7 @@ class Viewer {
   double exposure_steps_ = 0;         // each doubles the light
   bool arrows_move_section_ = false;  // else the pixel
   std::string message_, notes_;
+  std::string status_;        // of the render that is shown
   double message_since_ = 0;  // seconds of ticks
   bool has_ticked_ = false, was_asked_to_quit_ = false;
 
@@ -191,6 +196,14 @@ class Viewer {
   std::uint64_t changes_seen_ = 0;
   std::shared_ptr<const Lines> lines_, section_lines_;  // null when they must be rebuilt
   std::vector<std::uint32_t> versions_;                 // of the rows of frames when last seen
+  struct StatusKey {
+    std::uint64_t job = 0;
+    int samples = 0;
+    bool has_ended = false;
+    friend bool operator==(const StatusKey&, const StatusKey&) = default;
+  };
+  StatusKey status_of_;       // what the status was made for
+  double status_since_ = -1;  // seconds of ticks
   bool needs_redraw_ = true, is_closed_ = false;
 };
 

@@ -32,7 +32,8 @@ void Viewer::Peel() {
     arrows_move_section_ = false;
     return ShowMessage("cross section off");
   }
-  ShowMessage(pictures_.StopTrace() ? "rendering is being stopped" : "nothing to close; Q quits");
+  ShowMessage(pictures_.StopTrace() || pictures_.StopLive() ? "rendering is being stopped"
+                                                            : "nothing to close; Q quits");
 }
 
 void Viewer::Quit() {
@@ -159,7 +160,10 @@ void Viewer::ToggleLive(std::optional<RenderMode> mode) {
     pictures_.ShowLive(mode);
   InvalidateLines();
   const std::string what = NameOf(mode.value_or(settings_.render.mode));
-  ShowMessage(pictures_.IsLive() ? "live rendering, mode " + what : "live rendering off");
+  if (!pictures_.IsLive()) return ShowMessage("live rendering off");
+  pictures_.Update(scene_, SettingsOfView(), settings_.live_is_endless);
+  const bool is_endless = pictures_.Live()->Settings().budget.is_endless;
+  ShowMessage("live rendering, mode " + what + (is_endless ? ", until stopped" : ""));
 }
 
 void Viewer::KeepReference() {

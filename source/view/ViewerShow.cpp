@@ -221,19 +221,9 @@ std::string Viewer::BoxesInWords() const {
 }
 
 std::string Viewer::Title() const {
-  const RenderJob* job = pictures_.IsLive() ? pictures_.Live() : pictures_.Trace();
-  std::string title = std::filesystem::path(settings_.scene).filename().string() + " " + std::to_string(size_.width) +
-                      "x" + std::to_string(size_.height);
-  if (job) {
-    const int samples = job->Samples();
-    title += " " + std::to_string(samples) + (samples == 1 ? " sample" : " samples");
-    const double seconds = job->Seconds();
-    if (seconds > 0) title += " " + Fixed(1e-6 * static_cast<double>(job->Rays()) / seconds, 1) + " Mrays/s";
-    if (pictures_.IsTracing())
-      title += " row " + std::to_string(pictures_.Trace()->RowsDone()) + " of " +
-               std::to_string(pictures_.Trace()->Settings().height);
-  }
-  return title + (notes_.empty() ? "" : " (" + notes_ + ")");
+  const std::string name = std::filesystem::path(settings_.scene).filename().string();
+  return name + " " + std::to_string(size_.width) + "x" + std::to_string(size_.height) +
+         (status_.empty() ? "" : " " + status_) + (notes_.empty() ? "" : " (" + notes_ + ")");
 }
 
 std::string Viewer::State() const {
@@ -253,6 +243,7 @@ std::string Viewer::State() const {
   line("turntable", yes_or_no(navigator_.IsTurntable()));
   line("pivot", yes_or_no(navigator_.Pivot().has_value()));
   line("live", pictures_.IsLive() ? NameOf(pictures_.LiveMode().value_or(settings_.render.mode)) : "no");
+  line("status", status_);
   line("trace", !pictures_.Trace()                ? "none"
                 : pictures_.IsTracing()           ? "running"
                 : pictures_.Trace()->IsComplete() ? "complete"

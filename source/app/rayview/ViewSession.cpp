@@ -62,11 +62,19 @@ std::string FreeRaysName() {
 
 ViewerSettings SettingsFor(const Options& options) {
   ViewerSettings settings{options.scene, options.parse, options.accelerator, options.render, nullptr};
+  // A script waits for ends, and is to draw the same again.
+  const bool is_looked_at = !options.view.headless && options.view.events.empty();
+  settings.live_is_endless = is_looked_at && !options.IsGiven("samples") && options.render.samples == 1;
   const std::string& reference = options.view.reference;
   if (reference.empty()) return settings;
   settings.reference = ReadPictureFile(reference);
   if (!settings.reference) throw SceneErrors({ErrorIn(reference, "the file cannot be read as a picture")});
   return settings;
+}
+
+/// What bears on live rendering alone.
+bool IsOfBudget(const std::string& option) {
+  return option == "time" || option == "error" || option == "confidence" || option == "adaptive";
 }
 
 /// Events as a script that makes them happen again. Times between events are added up.
@@ -85,7 +93,10 @@ class Recorder {
     text_ += ScriptLine(event);
   }
   void Write() const {
-    if (file_) WriteWhole(*file_, {reinterpret_cast<const unsigned char*>(text_.data()), text_.size()});
+    if (!file_) return;
+    // Messages fade after the last event, too.
+    const std::string text = text_ + (passed_ > 0 ? ScriptLine(TickEvent{passed_}) : "");
+    WriteWhole(*file_, {reinterpret_cast<const unsigned char*>(text.data()), text.size()});
   }
 
  private:
@@ -126,6 +137,7 @@ class Session : public ViewerHost {
     Options options = options_;
     options.render = job.Settings();
     options.render.threads = options_.render.threads;  // a job fills in how many it took
+    std::erase_if(options.given, [](const std::string& option) { return IsOfBudget(option); });
     return Attempt([&] {
       std::string line = ray::SaveTraced(outputs_.image ? &*outputs_.image : nullptr, options, job.scene(),
                                          *job.Result(), job.Seconds());

@@ -20,12 +20,12 @@ int Quotient(int pixels, int side) { return (pixels + side - 1) / side; }  // ro
 
 CoarsePasses::CoarsePasses(const Integrator& integrator, const CameraRays& camera, const Film& film,
                            const RenderSettings& settings, const Watch& watch)
-    : source_{integrator, camera, RandomKey(settings.seed)},
+    : source_{integrator, camera, RandomKey(settings.seed), settings.clamp == Clamp::samples},
       film_(film),
       watch_(watch),
       is_heat_(ShowsCosts(settings.mode)),
       sampled_(film.Sampled()),
-      samples_(static_cast<std::size_t>(sampled_.Area())),
+      colors_(static_cast<std::size_t>(sampled_.Area())),
       workers_(static_cast<std::size_t>(settings.threads)) {
   for (Worker& worker : workers_) worker.state.stop = &watch.stop;
 }
@@ -67,9 +67,10 @@ bool CoarsePasses::TraceBatch(int stride, bool was_stopped_before, Worker& worke
   if (watch_.stop.load()) return false;
   const int size = worker.batch.Size();
   worker.batch.Trace(source_.integrator, worker.state,
-                     [&](int column, int row, const CameraSample& sample, const R2::Color& radiance) {
-                       samples_[Index(column, row)] = {{sample.x, sample.y}, radiance};
-                       Show(column, row, stride, radiance);
+                     [&](int column, int row, const CameraSample&, const R2::Color& radiance) {
+                       const R2::Color color = source_.clamps_samples ? Clamped(radiance) : radiance;
+                       colors_[Index(column, row)] = color;
+                       Show(column, row, stride, color);
                      });
   // Asked of the look before the one above, so that the count tells if that one were missing.
   if (was_stopped_before) watch_.begun_late += size;
@@ -92,20 +93,17 @@ RenderState CoarsePasses::TakeState() {
   const auto blocks = static_cast<std::size_t>(film_.Blocks());
   RenderState state;
   state.blocks.resize(blocks);
-  state.schedule = {{std::vector<std::uint32_t>(blocks, 1)}, {}, 1};
-  ForEach(film_.Blocks(), [&](int i, Worker&) {
-    Film::Block& block = state.blocks[static_cast<std::size_t>(i)];
-    block.sums[0] = film_.EmptySums(i);
-    block.samples[0] = 1;
+  state.schedule.targets = {std::vector<std::uint32_t>(blocks, 0),
+                            std::vector<std::uint8_t>(blocks, BlockOrder::places)};
+  for (int i = 0; i < film_.Blocks(); ++i) {
+    std::vector<R2::Color>& looks = state.blocks[static_cast<std::size_t>(i)].first_looks;
+    looks.resize(BlockOrder::places);
     const PixelRectangle pixels = film_.PixelsOf(i);
     for (int row = pixels.y0; row < pixels.y1; ++row)
-      for (int column = pixels.x0; column < pixels.x1; ++column) {
-        const Sample& sample = samples_[Index(column, row)];
-        block.sums[0].Add(column, row, sample.at.x, sample.at.y, sample.radiance, film_.filter());
-      }
-    return !watch_.stop.load();
-  });
-  samples_ = {};
+      for (int column = pixels.x0; column < pixels.x1; ++column)
+        looks[static_cast<std::size_t>(BlockOrder::PlaceOf(column, row))] = colors_[Index(column, row)];
+  }
+  colors_ = {};
   for (const Worker& worker : workers_) state.rays += worker.state.rays;
   return state;
 }

@@ -5,7 +5,7 @@
 #include <functional>
 #include <vector>
 
-#include "R2/Point.h"
+#include "R2/Color.h"
 #include "source/render/Render.h"
 #include "source/render/RenderBlock.h"
 #include "source/view/live/Frame.h"
@@ -34,15 +34,10 @@ class CoarsePasses {
   bool Trace(int stride, int traced_stride);
   std::int64_t PixelsTraced() const { return pixels_traced_.load(); }
 
-  /// All samples as Render would have them after its first pass, given away; once all are traced. Of no use when stop
-  /// was asked for.
+  /// All samples as Render would have them after looks at every pixel, given away; once all are traced.
   RenderState TakeState();
 
  private:
-  struct Sample {
-    R2::Point at;  // in pixels of the picture
-    R2::Color radiance;
-  };
   struct alignas(64) Worker {  // a cache line of its own, since each is written for every ray
     SampleBatch batch;
     TraceState state;
@@ -70,7 +65,7 @@ class CoarsePasses {
   const Watch watch_;
   const bool is_heat_;
   const PixelRectangle sampled_;  // the pixels of the film
-  std::vector<Sample> samples_;
+  std::vector<R2::Color> colors_;
   std::vector<Worker> workers_;
   std::atomic<std::int64_t> pixels_traced_ = 0;
 };

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <exception>
 #include <new>
 
@@ -16,9 +17,9 @@ constexpr int most_apart = 64;     // pixels of a first pass
 constexpr int band_height = 32;    // rows, where a filter is wider than a pixel and so rows share samples
 constexpr int unknown_stride = 8;  // before any rate was measured
 
-RenderSettings ForJob(RenderSettings settings) {
+RenderSettings ForJob(RenderSettings settings, RenderJob::Order order) {
   if (settings.threads <= 0) settings.threads = std::max(1, tbb::info::default_concurrency() - 1);
-  settings.budget = {};
+  if (order == RenderJob::Order::rows) settings.budget = {};
   settings.replay.reset();
   return settings;
 }
@@ -40,8 +41,9 @@ int BandHeight(const RenderSettings& settings) {
 RenderJob::RenderJob(std::shared_ptr<const LoadedScene> scene, const RenderSettings& settings, Order order,
                      int first_stride)
     : scene_(std::move(scene)),
-      settings_(ForJob(settings)),
+      settings_(ForJob(settings, order)),
       order_(order),
+      threads_of_further_samples_(settings.threads),
       first_stride_(static_cast<int>(std::bit_floor(static_cast<unsigned>(std::max(1, first_stride))))),
       frame_(RegionOf(settings).Width(), RegionOf(settings).Height()),
       thread_([this] { Run(); }) {}
@@ -76,42 +78,67 @@ void RenderJob::Run() {
   has_ended_.store(true, std::memory_order_release);
 }
 
+std::optional<double> RenderJob::Share() const {
+  if (IsComplete()) return 1;
+  if (settings_.budget.seconds > 0) return std::min(1.0, Seconds() / settings_.budget.seconds);
+  if (settings_.budget.IsOpen()) return {};
+  return share_.load(std::memory_order_relaxed);
+}
+
+std::optional<double> RenderJob::SecondsLeft() const {
+  if (IsComplete()) return 0;
+  if (settings_.budget.seconds > 0) return std::max(0.0, settings_.budget.seconds - Seconds());
+  const auto share = Share();
+  if (!share || *share == 0) return {};
+  return Seconds() * (1 - *share) / *share;
+}
+
 std::optional<RenderResult> RenderJob::RenderCoarseFirst(const Integrator& integrator) {
   const Film film = EmptyFilmOf(settings_);
   const CameraRays camera = CameraRaysOf(scene_->world, settings_);
   CoarsePasses passes(integrator, camera, film, settings_, {frame_, stop_, rays_, begun_late_});
-  // What a pixel costs may depend on those before it, so heat's last pass and all its samples are left to Render, in
-  // one go.
+  // What a pixel costs may depend on those before it, so Render takes all samples of heat, in one go; where they are
+  // many, the first is worth being seen as fine as it is.
   const bool is_kept = !ShowsCosts(settings_.mode);
-  const int last_stride = is_kept ? 1 : 2;
+  const int last_stride = is_kept || settings_.samples > 1 ? 1 : 2;
+  const double all_samples = settings_.samples * static_cast<double>(film.Sampled().Area());
   const auto begin = Clock::now();
   for (int stride = std::max(last_stride, first_stride_), traced = 0; stride >= last_stride; stride /= 2) {
     if (!passes.Trace(stride, traced)) return {};
     traced = stride;
     const double seconds = std::chrono::duration<double>(Clock::now() - begin).count();
     pixels_per_second_ = static_cast<double>(passes.PixelsTraced()) / std::max(1e-9, seconds);
+    if (is_kept) share_ = static_cast<double>(passes.PixelsTraced()) / all_samples;
     stride_.store(stride, std::memory_order_release);
   }
-  if (is_kept) samples_.store(1, std::memory_order_release);
+  if (last_stride == 1) samples_.store(1, std::memory_order_release);
 
+  RenderSettings settings = settings_;
+  settings.threads = threads_of_further_samples_;
+  const int streams = HasTwoStreams(settings) ? 2 : 1;
   const std::uint64_t rays_not_kept = is_kept ? 0 : rays_.load();
   RenderMonitor monitor;
   monitor.stop = &stop_;
-  monitor.tile_done = [&](const RenderProgress& progress) { rays_ = rays_not_kept + progress.rays; };
+  monitor.seconds_before = Seconds();
+  monitor.tile_done = [&](const RenderProgress& progress) {
+    rays_ = rays_not_kept + progress.rays;
+    share_ = static_cast<double>(progress.done) / static_cast<double>(progress.total);
+  };
   if (is_kept) {
     monitor.resume = [&](const Film&) { return passes.TakeState(); };
-    monitor.pass_done = [&](const R2::Image& image, std::uint32_t samples) {
+    monitor.pass_done = [&](const R2::Image& image, std::uint32_t per_stream) {
       Show(image, 0);
-      samples_.store(static_cast<int>(samples), std::memory_order_release);
+      samples_.store(streams * static_cast<int>(per_stream), std::memory_order_release);
     };
   }
-  RenderResult result = Render(scene_->world, integrator, settings_, monitor);
+  RenderResult result = Render(scene_->world, integrator, settings, monitor);
   if (!result.IsComplete()) return {};
   // Passes were made to be seen; Render has one unless it was asked for more.
-  if (!settings_.wants_passes) result.passes.erase(result.passes.begin(), result.passes.end() - 1);
+  if (!settings_.wants_passes && !settings_.budget.IsOpen())
+    result.passes.erase(result.passes.begin(), result.passes.end() - 1);
   Show(result.image, 0);
   stride_.store(1, std::memory_order_release);
-  samples_.store(settings_.samples, std::memory_order_release);
+  samples_.store(static_cast<int>(std::lround(result.samples.mean)), std::memory_order_release);
   return result;
 }
 
@@ -137,6 +164,7 @@ std::optional<RenderResult> RenderJob::RenderRows(const Integrator& integrator) 
     for (int y = 0; y < part.image.Height(); ++y)
       for (int x = 0; x < part.image.Width(); ++x) result.image.Set(x, bottom - region.y0 + y, part.image.At(x, y));
     Show(part.image, bottom - region.y0);
+    share_ = static_cast<double>(top - region.y0) / region.Height();
     rows_done_.store(top - region.y0, std::memory_order_release);
   }
   result.pixels_done = result.pixels_total = region.Area();

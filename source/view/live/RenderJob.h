@@ -19,13 +19,14 @@ namespace ray {
 class RenderJob {
  public:
   /// coarse_first   pixels 8 apart (or more, see first_stride), then 4, 2 and 1 apart, each traced once; then more
-  ///                samples pass by pass
+  ///                samples, twice as many pass by pass, until the budget or the count of samples is reached
   /// rows           row by row from the bottom, each with all its samples; with a filter wider than a pixel in bands
   enum class Order { coarse_first, rows };
 
   /// Starts at once. `settings.view` is the camera if it is not the scene's. Without `settings.threads` one core is
-  /// left to whoever shows the picture; budgets and replays are ignored. Strides are powers of two, others are rounded
-  /// down.
+  /// left to whoever shows the picture, until each pixel has its first sample in order coarse_first. Time counts from
+  /// the start of the job, and ends no earlier than with that sample. Budgets are ignored in order rows, and replays.
+  /// Strides are powers of two, others are rounded down.
   RenderJob(std::shared_ptr<const LoadedScene> scene, const RenderSettings& settings, Order order,
             int first_stride = 8);
   /// Cancels, and waits for the pixels that were started.
@@ -47,16 +48,21 @@ class RenderJob {
   /// Of the crop, or of the whole.
   const Frame& frame() const { return frame_; }
   const RenderSettings& Settings() const { return settings_; }
+  Order order() const { return order_; }
   const LoadedScene& scene() const { return *scene_; }
   /// Rows from the bottom that will not change any more (order rows).
   int RowsDone() const { return rows_done_.load(std::memory_order_acquire); }
   /// Pixels apart of the last pass that is whole; 0 before the first.
   int Stride() const { return stride_.load(std::memory_order_acquire); }
-  /// Samples per pixel that the frame shows, where it is whole.
+  /// Samples per pixel that the frame shows, where it is whole; their mean once it is complete, the most before.
   int Samples() const { return samples_.load(std::memory_order_acquire); }
   std::uint64_t Rays() const { return rays_.load(std::memory_order_relaxed); }
   /// Since the start, until the end.
   double Seconds() const;
+  /// How much is done of all samples, or of the time, from 0 to 1; nothing where no end is known.
+  std::optional<double> Share() const;
+  /// Until the end, at the pace so far; nothing where that is not known.
+  std::optional<double> SecondsLeft() const;
   /// First samples traced per second, up to the last pass that is whole; 0 before the first. For FirstStride of the
   /// next job.
   double PixelsPerSecond() const { return pixels_per_second_.load(std::memory_order_relaxed); }
@@ -76,13 +82,14 @@ class RenderJob {
   const std::shared_ptr<const LoadedScene> scene_;
   const RenderSettings settings_;
   const Order order_;
+  const int threads_of_further_samples_;  // 0: as many as the machine has
   const int first_stride_;
   Frame frame_;
   std::atomic<bool> stop_ = false, has_ended_ = false;
   std::atomic<int> rows_done_ = 0, stride_ = 0, samples_ = 0;
   std::atomic<std::uint64_t> rays_ = 0;
   std::atomic<std::int64_t> begun_late_ = 0;
-  std::atomic<double> pixels_per_second_ = 0;
+  std::atomic<double> pixels_per_second_ = 0, share_ = 0;
   // Written before has_ended_, read after.
   std::optional<RenderResult> result_;
   std::string failure_;

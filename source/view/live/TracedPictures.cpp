@@ -10,6 +10,18 @@ namespace {
 
 constexpr double seconds_of_first_pass = 0.03;  // so that a move is answered within 40 ms
 
+/// The settings of a live picture in its mode.
+RenderSettings ForLive(RenderSettings settings, bool is_layer, bool is_endless) {
+  const bool is_surface = settings.mode == RenderMode::depth || settings.mode == RenderMode::id;
+  if (is_surface && is_layer) settings.samples = 1;  // means over an edge would be of nothing that is there
+  const bool is_estimate = !is_surface && !ShowsCosts(settings.mode);
+  if (!is_estimate) settings.budget = {};
+  // A grid's samples are laid out for their number.
+  const bool can_go_on = is_estimate && !is_layer && settings.trace.sampler != SamplerKind::grid;
+  if (is_endless && can_go_on && !settings.budget.IsOpen()) settings.budget.is_endless = true;
+  return settings;
+}
+
 }  // namespace
 
 void TracedPictures::StartTrace(std::shared_ptr<const LoadedScene> scene, const RenderSettings& settings) {
@@ -43,17 +55,32 @@ void TracedPictures::HideLive() {
   live_.Abandon();
 }
 
-void TracedPictures::Update(const std::shared_ptr<const LoadedScene>& scene, RenderSettings settings) {
+bool TracedPictures::StopLive() {
+  if (!is_due_ && (!Live() || Live()->HasEnded())) return false;
+  is_due_ = false;
+  has_reported_live_end_ = true;
+  if (Live()) live_.Current()->Cancel();
+  return true;
+}
+
+const RenderJob* TracedPictures::TakeEndedLive() {
+  if (has_reported_live_end_ || is_due_ || !Live() || !Live()->HasEnded()) return nullptr;
+  has_reported_live_end_ = true;
+  return Live();
+}
+
+void TracedPictures::Update(const std::shared_ptr<const LoadedScene>& scene, const RenderSettings& settings,
+                            bool is_endless) {
   if (Live() && Live()->PixelsPerSecond() > 0) pixels_per_second_ = Live()->PixelsPerSecond();
   if (!is_live_ || !is_due_) return;
   is_due_ = false;
-  settings.mode = mode_.value_or(settings.mode);
-  if (mode_ == RenderMode::depth || mode_ == RenderMode::id)
-    settings.samples = 1;  // means over an edge would be of nothing that is there
+  RenderSettings in_mode = settings;
+  in_mode.mode = mode_.value_or(settings.mode);
   const auto pixels = static_cast<std::int64_t>(settings.width) * settings.height;
-  live_.Start(scene, settings, RenderJob::Order::coarse_first,
+  live_.Start(scene, ForLive(in_mode, mode_.has_value(), is_endless), RenderJob::Order::coarse_first,
               FirstStride(pixels, pixels_per_second_, seconds_of_first_pass));
   live_number_ = ++jobs_;
+  has_reported_live_end_ = false;
 }
 
 bool TracedPictures::IsBusy() const { return IsTracing() || is_due_ || (Live() && !Live()->HasEnded()); }

@@ -33,8 +33,13 @@ class TracedPictures {
   std::optional<RenderMode> LiveMode() const { return mode_; }
   /// Something has changed that the live picture shows: it starts over with the next Update.
   void Touch() { is_due_ = true; }
-  /// Starts the live picture over if it is due.
-  void Update(const std::shared_ptr<const LoadedScene>& scene, RenderSettings settings);
+  /// Starts the live picture over if it is due. `is_endless`: it takes more and more samples, where the settings have
+  /// no budget and what is shown gains by them.
+  void Update(const std::shared_ptr<const LoadedScene>& scene, const RenderSettings& settings, bool is_endless = false);
+  /// Whether the live picture was still growing. What it has so far stays until it starts over.
+  bool StopLive();
+  /// The live picture, once, when it has ended by itself since the last call.
+  const RenderJob* TakeEndedLive();
   const RenderJob* Live() const { return live_.Current(); }
   bool IsBusy() const;
   /// Every job ever started has a number of its own.
@@ -58,7 +63,7 @@ class TracedPictures {
 
  private:
   JobQueue trace_, live_;
-  bool has_reported_end_ = true;
+  bool has_reported_end_ = true, has_reported_live_end_ = true;
   bool is_live_ = false, is_due_ = false;
   std::optional<RenderMode> mode_;
   std::uint64_t jobs_ = 0, trace_number_ = 0, live_number_ = 0;

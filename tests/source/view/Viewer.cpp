@@ -13,6 +13,7 @@
 #include "R2/compare/Difference.h"
 #include "source/scene/CameraText.h"
 #include "source/view/EventScript.h"
+#include "source/view/live/JobStatus.h"
 #include "source/view/overlay/SceneLines.h"
 #include "tests/Project.h"
 #include "tests/source/view/overlay/NodeCounts.h"
@@ -68,12 +69,13 @@ class ViewerTest : public testing::Test {
  protected:
   static constexpr int width = 64, height = 48;
 
-  void Open(const std::filesystem::path& scene, const RenderSettings& render = {}) {
+  void Open(const std::filesystem::path& scene, const RenderSettings& render = {}, bool live_is_endless = false) {
     ViewerSettings settings;
     settings.scene = scene;
     settings.render = render;
     settings.render.width = width;
     settings.render.height = height;
+    settings.live_is_endless = live_is_endless;
     viewer_ = std::make_unique<Viewer>(
         settings, std::make_shared<const LoadedScene>(scene, settings.parse, settings.accelerator), host_);
   }
@@ -356,6 +358,75 @@ TEST_F(ViewerTest, TheLivePictureEndsAsRayproMakesIt) {
   EXPECT_EQ(viewer_->Pictures().LiveNumber(), number + 1) << "a move does, once";
   Do("wait trace");
   EXPECT_EQ(viewer_->Pictures().Live()->Result()->image, Rendered(viewer_->SettingsOfView()));
+}
+
+TEST_F(ViewerTest, WithoutSamplesAskedForTheLivePictureGrowsUntilEscape) {
+  Open(project::Root() / "scenes/hello.scn", {}, true);
+  Do("key P");
+  EXPECT_EQ(viewer_->Message(), "live rendering, mode whitted, until stopped");
+  while (viewer_->Pictures().Live()->Samples() < 4) std::this_thread::yield();
+  viewer_->Update();
+  EXPECT_NE(viewer_->Title().find(" samples until stopped "), std::string::npos) << viewer_->Title();
+  Do("key Escape");
+  WaitUntilIdle();
+  EXPECT_NE(viewer_->Title().find(" samples stopped "), std::string::npos) << viewer_->Title();
+  EXPECT_TRUE(viewer_->Pictures().IsLive()) << "what there is stays";
+  Do("key [");
+  EXPECT_TRUE(viewer_->IsBusy()) << "a move begins it anew";
+  // Its samples would not be better by being more.
+  for (const char* key : {"key F7", "key F10", "key F11", "key F12"}) {
+    Do(key + std::string("\nwait trace"));
+    EXPECT_TRUE(viewer_->Pictures().Live()->IsComplete()) << key;
+    EXPECT_EQ(viewer_->Pictures().Live()->Samples(), 1) << key;
+  }
+}
+
+TEST_F(ViewerTest, ALivePictureWithAnErrorEndsWithItsClaim) {
+  RenderSettings settings;
+  settings.budget.error = {4, ErrorUnit::display};
+  Open(project::Root() / "scenes/hello.scn", settings, true);
+  Do("key P\nwait trace");
+  const RenderResult* result = viewer_->Pictures().Live()->Result();
+  ASSERT_TRUE(result && result->error);
+  EXPECT_EQ(result->stop, Stop::error);
+  EXPECT_EQ(result->image, Rendered(viewer_->SettingsOfView()));
+  EXPECT_EQ(viewer_->Message(), ClaimOf(*result));
+  EXPECT_EQ(viewer_->Title(), "hello.scn 64x48 " + ClaimOf(*result));
+}
+
+TEST_F(ViewerTest, TheTitleChangesWithEachPassAndElseOnlyAsTimePasses) {
+  Open(project::Root() / "scenes/hello.scn", {}, true);
+  Do("tick 1\nkey P");
+  std::map<int, std::set<std::string>> titles;
+  for (int i = 0; i < 2000 && titles.size() < 6; ++i) {
+    viewer_->Update();
+    const std::string title = viewer_->Title();
+    std::istringstream words(title.substr(std::string("hello.scn 64x48 ").size()));
+    int samples = -1;
+    words >> samples;
+    titles[samples].insert(title);
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  EXPECT_GT(titles.size(), 2u);
+  for (const auto& [samples, of_it] : titles) EXPECT_EQ(of_it.size(), 1u) << samples;
+  // A rate that is measured over more and more seconds does not stay the same for long.
+  const std::string title = viewer_->Title();
+  for (int i = 0; i < 60'000 && viewer_->Title() == title; ++i) {
+    viewer_->Handle(TickEvent{0.3});
+    viewer_->Update();
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  EXPECT_NE(viewer_->Title(), title);
+  Do("key Escape");
+  WaitUntilIdle();
+  const std::string last = viewer_->Title();
+  Do("tick 9");
+  viewer_->Update();
+  for (int i = 0; i < 9; ++i) {
+    viewer_->Handle(TickEvent{0.3});
+    EXPECT_FALSE(viewer_->Update()) << "nothing is drawn once it is over";
+    EXPECT_EQ(viewer_->Title(), last);
+  }
 }
 
 TEST_F(ViewerTest, GridRaysAreThoseOfEvery25thPixelAndStayWhenTheCameraMoves) {

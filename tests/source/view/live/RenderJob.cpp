@@ -13,12 +13,14 @@
 #include "source/view/live/JobQueue.h"
 #include "tests/Named.h"
 #include "tests/Project.h"
+#include "tests/source/view/live/Gate.h"
 
 namespace ray {
 namespace {
 
 using Clock = std::chrono::steady_clock;
 using Order = RenderJob::Order;
+using testing::Gated;
 
 double SecondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
@@ -177,45 +179,6 @@ TEST(RenderJob, TracesEachPixelOfOneSampleOnce) {
     }
 }
 
-/// An accelerator that does as another does, once it may.
-class Gate : public Accelerator {
- public:
-  explicit Gate(std::unique_ptr<const Accelerator> inner, std::int64_t open_for = 0)
-      : inner_(std::move(inner)), left_(open_for) {}
-  void Open(std::int64_t rays) const { left_ += rays; }
-  bool IsShut() const { return left_ <= 0; }
-  std::int64_t Waiting() const { return waiting_; }
-
- private:
-  void Pass() const {
-    ++waiting_;
-    while (left_.fetch_sub(1) <= 0) {
-      ++left_;
-      std::this_thread::sleep_for(std::chrono::microseconds(50));
-    }
-    --waiting_;
-  }
-  std::optional<WorldHit> Nearest(const R3::Ray& ray, Workspace& workspace) const override {
-    Pass();
-    return inner_->Intersect(ray, workspace);
-  }
-  bool Any(const R3::Ray& ray, Workspace& workspace) const override { return inner_->IsOccluded(ray, workspace); }
-
-  std::unique_ptr<const Accelerator> inner_;
-  mutable std::atomic<std::int64_t> left_, waiting_ = 0;
-};
-
-/// A scene without mirrors, whose camera rays wait at a gate.
-struct Gated {
-  explicit Gated(std::int64_t open_for) : scene(Loaded("area_light")) {
-    auto held = std::make_unique<Gate>(std::move(scene->accelerator), open_for);
-    gate = held.get();
-    scene->accelerator = std::move(held);
-  }
-  std::shared_ptr<LoadedScene> scene;
-  const Gate* gate;
-};
-
 // Without it the preview would be full of holes: each pixel shows the nearest traced one to its lower left.
 TEST(RenderJob, APassThatIsWholeFillsThePictureWithSquares) {
   const int width = 37, height = 23;
@@ -299,6 +262,128 @@ TEST(RenderJob, RowsNotReachedStayBlack) {
     EXPECT_FALSE(job.IsComplete());
     EXPECT_EQ(job.Result(), nullptr);
   }
+}
+
+// Samples of a render that stops by its error come in two streams, and the claim is made from both.
+TEST(RenderJob, WithAnErrorEndsWithTheBitsAndTheClaimOfRender) {
+  const auto scene = Loaded("area_light");
+  for (const std::string filter : {"box", "gaussian"})
+    for (const int ceiling : {1, 24})
+      for (const Adaptive adaptive : {Adaptive::off, Adaptive::tile}) {
+        RenderSettings settings = Sized(37, 23);
+        settings.filter = project::Named{filter};
+        settings.samples = ceiling;
+        settings.budget.error = {2, ErrorUnit::display};
+        settings.budget.adaptive = adaptive;
+        const RenderResult whole = Render(scene->world, *scene->accelerator, settings);
+        const RenderJob job(scene, settings, Order::coarse_first);
+        ASSERT_TRUE(Ends(job));
+        ASSERT_TRUE(job.IsComplete()) << job.Failure();
+        const RenderResult& result = *job.Result();
+        SCOPED_TRACE(filter + " " + std::to_string(ceiling));
+        EXPECT_TRUE(result.image == whole.image);
+        EXPECT_TRUE(Shows(job.frame(), whole.image));
+        EXPECT_EQ(result.stop, whole.stop);
+        EXPECT_EQ(result.block_samples, whole.block_samples);
+        EXPECT_EQ(result.passes.size(), whole.passes.size());
+        EXPECT_EQ(job.Samples(), std::lround(whole.samples.mean));
+        ASSERT_TRUE(result.error && whole.error);
+        EXPECT_EQ(result.error->estimate, whole.error->estimate);
+        EXPECT_EQ(result.error->low, whole.error->low);
+        EXPECT_EQ(result.error->high, whole.error->high);
+      }
+}
+
+TEST(RenderJob, HasASampleOfEachPixelHoweverShortTheTime) {
+  const auto scene = Loaded("area_light");
+  for (const double seconds : {1e-9, 0.05}) {
+    RenderSettings settings = Sized(40, 30);
+    settings.budget.seconds = seconds;
+    const RenderJob job(scene, settings, Order::coarse_first);
+    ASSERT_TRUE(Ends(job));
+    ASSERT_TRUE(job.IsComplete()) << job.Failure();
+    EXPECT_EQ(job.Result()->stop, Stop::time);
+    EXPECT_EQ(job.Result()->pixels_done, 40 * 30);
+    EXPECT_GE(job.Samples(), 1);
+    EXPECT_EQ(job.Share(), 1);
+    EXPECT_EQ(job.SecondsLeft(), 0);
+  }
+}
+
+// The first picture once had samples that were not clamped, beside others that were.
+TEST(RenderJob, ClampsTheFirstSampleLikeAllOthers) {
+  const auto scene = Loaded("specular");
+  for (const int samples : {1, 4}) {
+    RenderSettings settings = Sized(48, 48);
+    settings.samples = samples;
+    settings.clamp = Clamp::samples;
+    const R2::Image whole = Render(scene->world, *scene->accelerator, settings).image;
+    settings.clamp = Clamp::picture;
+    ASSERT_FALSE(Render(scene->world, *scene->accelerator, settings).image == whole) << "nothing is that bright";
+    settings.clamp = Clamp::samples;
+    const RenderJob job(scene, settings, Order::coarse_first);
+    ASSERT_TRUE(Ends(job));
+    ASSERT_TRUE(job.IsComplete());
+    EXPECT_TRUE(job.Result()->image == whole) << samples;
+  }
+}
+
+TEST(RenderJob, WithoutAnEndGoesOnUntilItIsCanceled) {
+  RenderSettings settings = Sized(8, 8);
+  settings.budget.is_endless = true;
+  RenderJob job(Loaded("area_light"), settings, Order::coarse_first);
+  const auto start = Clock::now();
+  while (job.Samples() < 256 && SecondsSince(start) < 120) std::this_thread::sleep_for(std::chrono::microseconds(100));
+  EXPECT_GE(job.Samples(), 256);
+  EXPECT_FALSE(job.HasEnded());
+  EXPECT_EQ(job.Share(), std::nullopt);
+  EXPECT_EQ(job.SecondsLeft(), std::nullopt);
+  job.Cancel();
+  ASSERT_TRUE(Ends(job));
+  EXPECT_FALSE(job.IsComplete());
+  EXPECT_EQ(job.Failure(), "");
+}
+
+// A picture is worth more when all of it is a little better than when a part of it is much better.
+TEST(RenderJob, NoPixelHasASecondSampleBeforeAllHaveOneAndEveryPassIsShown) {
+  const int pixels = 37 * 23;
+  RenderSettings settings = Sized(37, 23);
+  settings.threads = 1;
+  settings.mode = RenderMode::depth;  // one ray a pixel
+  settings.samples = 8;
+  const auto scene = Loaded("area_light");
+  const Gated gated(0);
+  RenderJob job(gated.scene, settings, Order::coarse_first, 8);
+  RenderSettings replayed = settings;
+  replayed.replay = Replay{};
+  replayed.replay->planned_samples = 8;
+  for (int samples = 1, before = 0; samples <= 4; before = samples, samples *= 2) {
+    gated.gate->Open(std::int64_t{pixels} * (samples - before));
+    // A batch of the next pass waits at the gate once all of this one went through.
+    while (job.Samples() != samples || gated.gate->Waiting() == 0) std::this_thread::yield();
+    replayed.replay->ends.push_back(static_cast<std::uint32_t>(samples));
+    EXPECT_TRUE(Shows(job.frame(), Render(scene->world, *scene->accelerator, replayed).image)) << samples;
+    EXPECT_EQ(job.Share(), samples / 8.0);
+  }
+  gated.gate->Open(1 << 20);
+  ASSERT_TRUE(Ends(job));
+  EXPECT_TRUE(job.IsComplete());
+  EXPECT_EQ(job.Share(), 1);
+}
+
+// Costs took all their samples behind squares of two pixels.
+TEST(RenderJob, CostsOfManySamplesAreShownPixelByPixelBeforehand) {
+  RenderSettings settings = Sized(37, 23);
+  settings.threads = 1;
+  settings.mode = RenderMode::rays;
+  settings.samples = 4;
+  const Gated gated(0);
+  RenderJob job(gated.scene, settings, Order::coarse_first, 8);
+  while (job.Stride() != 1 && !job.HasEnded())
+    if (gated.gate->IsShut()) gated.gate->Open(1);
+  EXPECT_FALSE(job.HasEnded()) << "further samples wait at the gate";
+  job.Cancel();
+  gated.gate->Open(1 << 20);
 }
 
 // The viewer cancels while the user drags; a wait would be felt.

@@ -1,0 +1,44 @@
+#include "source/view/live/JobStatus.h"
+
+#include <cmath>
+
+#include "source/text/NumberText.h"
+
+namespace ray {
+namespace {
+
+std::string Samples(int count) { return std::to_string(count) + (count == 1 ? " sample" : " samples"); }
+
+/// What the picture has, and where it goes on to.
+std::string Reach(const RenderJob& job) {
+  if (job.order() == RenderJob::Order::rows && !job.HasEnded())
+    return "row " + std::to_string(job.RowsDone()) + " of " + std::to_string(job.frame().Height());
+  const RenderSettings& settings = job.Settings();
+  if (job.HasEnded()) return Samples(job.Samples()) + (job.IsComplete() ? "" : " stopped");
+  if (settings.budget.is_endless) return Samples(job.Samples()) + " until stopped";
+  if (settings.budget.IsOpen()) return Samples(job.Samples());
+  return std::to_string(job.Samples()) + " of " + Samples(settings.samples);
+}
+
+}  // namespace
+
+std::string StatusOf(const RenderJob& job) {
+  if (job.IsComplete() && job.Settings().budget.IsOpen()) return ClaimOf(*job.Result());
+  std::string status = Reach(job);
+  const auto share = job.Share(), left = job.SecondsLeft();
+  if (share && !job.HasEnded()) status += " " + Fixed(std::floor(100 * *share), 0) + " %";
+  const double seconds = job.Seconds();
+  if (seconds > 0) status += " " + Fixed(1e-6 * static_cast<double>(job.Rays()) / seconds, 1) + " Mrays/s";
+  if (left && !job.HasEnded()) status += " " + Fixed(std::ceil(*left), 0) + " s left";
+  return status;
+}
+
+std::string ClaimOf(const RenderResult& result) {
+  const std::string samples = Samples(static_cast<int>(std::lround(result.samples.mean)));
+  if (!result.error) return samples;
+  const ErrorEstimate& e = *result.error;
+  return std::string(result.two_streams ? "estimated error " : "estimated error at most ") +
+         ErrorText(e.estimate, e.unit) + " (" + Rounded(e.low, 3) + " to " + Rounded(e.high, 3) + "), " + samples;
+}
+
+}  // namespace ray
