@@ -65,8 +65,8 @@ std::string DidYouMean(const std::string& word, const std::vector<std::string>& 
   const std::vector<std::string_view> views(choices.begin(), choices.end());
   const std::string hint = Suggestion(word, views, "");
   if (hint.starts_with("did")) return "; " + hint;
-  const std::string longest = LongestInCommon(word, choices);
-  return longest.empty() ? "" : "; did you mean '" + longest + "'?";
+  const std::string similar = LongestInCommon(word, choices);
+  return similar.empty() ? "" : "; did you mean '" + similar + "'?";
 }
 
 bool LooksLikeOption(const std::string& word) {
