@@ -30,7 +30,16 @@ void MergeParts(Film::Block& block) {
   block.samples[1] = 0;
 }
 
+/// Of 0, for as many as usual, or a number of them; asked once, since more than usual are tried by making them.
+int ThreadsFor(int asked) {
+  const int usual = tbb::info::default_concurrency();
+  return asked > usual ? ThreadsAvailable(asked) : asked > 0 ? asked : usual;
+}
+
 }  // namespace
+
+PassRunner::PassRunner(const PassWork& work)
+    : work_(work), tiles_(work.film, work.tile_size), threads_(ThreadsFor(work.threads)) {}
 
 bool PassRunner::IsStepEnd(std::uint32_t samples) { return samples == 0 || StepEnd(samples - 1) == samples; }
 
@@ -47,15 +56,11 @@ PassRunner::End PassRunner::Run(const PassTargets& targets, std::optional<Clock:
   pixels_done_ = 0;
   for (int i = 0; i < work_.film.Blocks(); ++i)
     if (IsAtTarget(i)) pixels_done_ += work_.film.PixelsOf(i).Area();
-  const int usual = tbb::info::default_concurrency();
-  const int threads = work_.threads > usual ? ThreadsAvailable(work_.threads)
-                      : work_.threads > 0   ? work_.threads
-                                            : usual;
   // The arena bounds this render alone, others may run beside it; only more threads than usual need permission.
   std::optional<tbb::global_control> permission;
-  if (threads > usual)
-    permission.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
-  tbb::task_arena arena(threads);
+  if (threads_ > tbb::info::default_concurrency())
+    permission.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads_));
+  tbb::task_arena arena(threads_);
   arena.execute([&] {
     tbb::parallel_for(
         0, tiles_.Count(), [&](int tile) { RunTile(tile); }, tbb::simple_partitioner());

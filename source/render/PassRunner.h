@@ -35,7 +35,7 @@ class PassRunner {
   using Clock = std::chrono::steady_clock;
   enum class End { complete, paused, stopped };
 
-  explicit PassRunner(const PassWork& work) : work_(work), tiles_(work.film, work.tile_size) {}
+  explicit PassRunner(const PassWork& work);
 
   /// Takes samples until each block has its target. Leaves off at once when asked to stop, or at `pause_at` when it has
   /// got on at all; either way the film is left so that it can be kept and gone on with.
@@ -61,6 +61,7 @@ class PassRunner {
 
   const PassWork work_;
   const Tiles tiles_;
+  const int threads_;
   const PassTargets* targets_ = nullptr;
   std::optional<Clock::time_point> pause_at_;
   std::atomic<bool> has_progressed_ = false;  // since Run began

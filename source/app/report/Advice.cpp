@@ -7,7 +7,7 @@
 
 #include "source/app/options/BudgetWords.h"
 #include "source/app/options/OptionTable.h"
-#include "source/render/ProbeImage.h"
+#include "source/app/report/ProbeImage.h"
 #include "source/render/SceneFeatures.h"
 #include "source/text/Words.h"
 
@@ -153,7 +153,8 @@ class Advisor {
     probed.resize(common), base.resize(common);
     const Totals now(probed), then(base);
     Forecast forecast{settings};
-    forecast.seconds = asked_.seconds * now.seconds / std::max(then.seconds, 1e-6);
+    constexpr double tick = 1e-6;  // of the system's count of processor time
+    forecast.seconds = asked_.seconds * now.seconds / std::max(then.seconds, tick);
     forecast.square = then.squares > 0 ? asked_.square * now.squares / then.squares : now.squares / now.pixels;
     const double gained = now.light - then.light, noise = std::sqrt(now.squares + then.squares);
     forecast.light_gained = then.light > 0 ? gained / then.light : 0;

@@ -99,11 +99,10 @@ bool IsOutsideView(const World& world, const Instance& instance, const R3::Point
 }
 
 /// Solids around the point that are not clear: inside of glass one may well look out.
-std::uint64_t ObstaclesAround(const World& world, const R3::Point& point, bool ask_meshes) {
-  return static_cast<std::uint64_t>(std::ranges::count_if(world.Instances(), [&](const Instance& instance) {
-    return IsBlack(instance.material->kt) && (ask_meshes || instance.shape->IsSolid()) &&
-           WorldBounds(world, instance).Contains(point) && IsInside(world, instance, point);
-  }));
+int ObstaclesAround(const World& world, const R3::Point& point, bool ask_meshes) {
+  return SolidsAround(world, point, [&](const Instance& instance) {
+    return IsBlack(instance.material->kt) && (ask_meshes || instance.shape->IsSolid());
+  });
 }
 
 /// Those of the scene as a whole.
@@ -120,8 +119,8 @@ std::vector<std::string> SceneMistakes(const World& world, const RenderSettings&
     mistakes.push_back(warning + "nothing in the scene is in view of the camera");
   if (!IsLit(world))
     mistakes.push_back(warning + "the scene is unlit" + (scene.lights.empty() ? "" : "; every light is black"));
-  if (const std::uint64_t solids = ObstaclesAround(world, camera.eye, ask_meshes); solids > 0)
-    mistakes.push_back(warning + "the camera is inside " + Counted(solids, "shape"));
+  if (const int solids = ObstaclesAround(world, camera.eye, ask_meshes); solids > 0)
+    mistakes.push_back(warning + "the camera is inside " + Counted(static_cast<std::uint64_t>(solids), "shape"));
   return mistakes;
 }
 
@@ -137,9 +136,9 @@ void AddShapeMistakes(std::vector<std::string>& mistakes, const World& world, co
 
 }  // namespace
 
-int SolidsAround(const World& world, const R3::Point& point) {
+int SolidsAround(const World& world, const R3::Point& point, const std::function<bool(const Instance&)>& counts) {
   return static_cast<int>(std::ranges::count_if(world.Instances(), [&](const Instance& instance) {
-    return WorldBounds(world, instance).Contains(point) && IsInside(world, instance, point);
+    return counts(instance) && WorldBounds(world, instance).Contains(point) && IsInside(world, instance, point);
   }));
 }
 

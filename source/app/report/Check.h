@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -19,7 +20,9 @@ std::vector<std::string> PlainMistakes(const World& world, const RenderSettings&
 std::vector<std::string> LikelyMistakes(const World& world, const RenderSettings& settings);
 
 /// How many of the solids and meshes hold the point inside: a ray from it crosses their surface an odd number of times.
-/// A mesh counts only if three rays agree, for it may be open.
-int SolidsAround(const World& world, const R3::Point& point);
+/// A mesh counts only if three rays agree, for it may be open. `counts`: which of them are asked for.
+int SolidsAround(
+    const World& world, const R3::Point& point,
+    const std::function<bool(const Instance&)>& counts = [](const Instance&) { return true; });
 
 }  // namespace ray

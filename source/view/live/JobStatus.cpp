@@ -2,12 +2,12 @@
 
 #include <cmath>
 
-#include "source/text/NumberText.h"
+#include "source/text/Words.h"
 
 namespace ray {
 namespace {
 
-std::string Samples(int count) { return std::to_string(count) + (count == 1 ? " sample" : " samples"); }
+std::string Samples(int count) { return Counted(static_cast<std::uint64_t>(count), "sample"); }
 
 /// What the picture has, and where it goes on to.
 std::string Reach(const RenderJob& job) {

@@ -1,4 +1,4 @@
-#include "source/render/ProbeImage.h"
+#include "source/app/report/ProbeImage.h"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
-#include "source/render/ProbeImage.h"
+#include "source/app/report/ProbeImage.h"
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 
+#include "source/app/report/Resources.h"
 #include "source/render/Render.h"
 
 namespace ray {
@@ -30,8 +30,6 @@ std::vector<PixelRectangle> SquaresOf(const PixelRectangle& image, std::size_t m
   return squares;
 }
 
-double ProcessorSeconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
-
 /// Takes all samples, in two streams, and stops for nothing.
 RenderSettings ForProbing(RenderSettings settings) {
   const bool is_of_light = settings.budget.error && IsOfLight(settings.budget.error->unit);
@@ -56,10 +54,10 @@ std::vector<ProbedSquare> ProbeImage(const World& world, const Accelerator& acce
   for (const PixelRectangle& square : SquaresOf(EmptyFilmOf(settings).Region(), most)) {
     if (!probed.empty() && taken > seconds) break;
     part.crop = square;
-    const double start = ProcessorSeconds();
+    const double start = CpuSeconds();
     const RenderResult result = part.denoise ? Render(world, accelerator, part) : Render(world, *integrator, part);
     const double error = result.error ? result.error->estimate / scale : 0;
-    probed.push_back({square, ProcessorSeconds() - start, error * error, MeanOf(result.image)});
+    probed.push_back({square, CpuSeconds() - start, error * error, MeanOf(result.image)});
     taken += probed.back().seconds;
   }
   return probed;
