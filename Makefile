@@ -38,8 +38,11 @@ endif
 include script/features.mk
 
 # -ffp-contract=off: a*b+c keeps its two roundings everywhere, so every build gives the same picture.
+# -fno-math-errno -fno-trapping-math: nobody asks for errno or for floating-point exceptions, so that a square root is one
+# instruction and loops over samples become vector instructions; no result changes.
 # -fno-tree-slp-vectorize: g++ 12 otherwise drops the rounding in double(float(x)) of neighboring members.
-NUMERIC := -ffp-contract=off $(shell $(CXX) --version 2>/dev/null | grep -q clang && echo -fno-slp-vectorize || echo -fno-tree-slp-vectorize)
+CLANG := $(shell $(CXX) --version 2>/dev/null | grep clang)
+NUMERIC := -ffp-contract=off -fno-math-errno -fno-trapping-math $(if $(CLANG),-fno-slp-vectorize,-fno-tree-slp-vectorize)
 WARNINGS := -Wall -Wextra -Wpedantic -Wshadow -Wconversion
 OUR_CPPFLAGS := -I. -MD -MP -DRAYPRO_VERSION='"$(VERSION)"' -DRAYPRO_FEATURES='"$(FEATURES)"'
 ifeq ($(HAS_EXR),yes)
@@ -100,9 +103,12 @@ $(BUILD)/jumbo/%/all.cpp: FORCE
 FORCE:
 
 compile = @mkdir -p $(@D) && echo "  c++   $(1)" && \
-          $(CXX) $(OUR_CPPFLAGS) $(CPPFLAGS) $(OUR_CXXFLAGS) $(QUICK) $(CXXFLAGS) -c $< -o $@
-# What runs once in a run is compiled the faster for it.
-$(BUILD)/obj/source/app/%: QUICK := $(if $(filter -O2 -O3,$(OPTIMIZE)),-O1)
+          $(CXX) $(OUR_CPPFLAGS) $(CPPFLAGS) $(OUR_CXXFLAGS) $(OPTIMIZE_HERE) $(CXXFLAGS) -c $< -o $@
+# What runs once in a run is compiled the faster for it; where samples are made many at a time, loops become vector
+# instructions.
+$(BUILD)/obj/source/app/%: OPTIMIZE_HERE := $(if $(filter -O2 -O3,$(OPTIMIZE)),-O1)
+$(BUILD)/obj/source/sample/% $(BUILD)/obj/source/scene/lights/% $(BUILD)/obj/source/integrate/all.o: \
+  OPTIMIZE_HERE := $(if $(filter -O2 -O3,$(OPTIMIZE)),-ftree-vectorize $(if $(CLANG),,-fvect-cost-model=dynamic))
 $(BUILD)/obj/%/all.o: $(BUILD)/jumbo/%/all.cpp $(BUILD)/flags
 	$(call compile,$*/*.cpp)
 $(BUILD)/obj/%.o: %.cpp $(BUILD)/flags

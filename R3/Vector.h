@@ -57,19 +57,20 @@ inline Vector Turned(const Vector& v, const Vector& axis, double angle) {
 
 // Sums of squares in this range have neither overflowed nor lost bits.
 inline constexpr double smallest_safe_square = 0x1p-960, largest_safe_square = 0x1p960;
+constexpr bool IsSafeSquare(double square) { return (square > smallest_safe_square) & (square < largest_safe_square); }
 double LengthOutOfRange(const Vector& v);
 Vector UnitOutOfRange(const Vector& v);
 
 /// Euclidean length within 3 u relative; scaled by a power of two first where squares would leave the range.
 inline double Length(const Vector& v) {
   const double square = Dot(v, v);
-  return square > smallest_safe_square && square < largest_safe_square ? std::sqrt(square) : LengthOutOfRange(v);
+  return IsSafeSquare(square) ? std::sqrt(square) : LengthOutOfRange(v);
 }
 
 /// v / |v| within 4 u; the zero vector (and one with NaN or infinity) gives the zero vector.
 inline Vector Unit(const Vector& v) {
   const double square = Dot(v, v);
-  return square > smallest_safe_square && square < largest_safe_square ? v / std::sqrt(square) : UnitOutOfRange(v);
+  return IsSafeSquare(square) ? v / std::sqrt(square) : UnitOutOfRange(v);
 }
 
 }  // namespace R3

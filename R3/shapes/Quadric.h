@@ -11,6 +11,18 @@ struct Roots {
   double first = 0, second = 0;
 };
 
+/// Whether a ray certainly begins outside and heads away from the center, as most do that begin on the surface: then
+/// it has no crossing at t > 0. At a place outside by a few u of the radius it is nearly always certain.
+///   from_center   origin - center, as it is rounded
+///   accuracy      the sum of squares and that of the radius together are off by less than 8 u, as is the product with
+///                 the direction; rays that begin outside by a share e of the radius and still meet the sphere have a
+///                 cosine of -sqrt(2 e), which is far from a rounding error
+inline bool IsCertainlyLeaving(const Vector& from_center, const Vector& direction, double radius) {
+  constexpr double least = 0x1p-900;  // above it nothing of a sum is lost to underflow
+  const double square = Dot(from_center, from_center), away = Dot(from_center, direction);
+  return (square > (1 + 8 * unit_roundoff) * (radius * radius)) & (square > least) & (away > least);
+}
+
 /// Where a line crosses a sphere, or, with all y set to 0, a circular cylinder about the y axis.
 ///   returns   nothing on a miss, for a zero direction, and if an input is NaN
 ///   accuracy  the points lie within 8 u (D + radius) of the surface, D the distance of origin from center; a root that

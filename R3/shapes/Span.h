@@ -27,6 +27,12 @@ struct Span {
   }
 };
 
+/// Whether a ray begins beyond a slab and heads away from it: without a division,
+/// what ClipToSlab finds for all t > 0.
+inline bool IsLeavingSlab(double low, double high, double origin, double direction) {
+  return ((origin >= high) & (direction > 0)) | ((origin <= low) & (direction < 0));
+}
+
 /// Clips to low <= coordinate <= high along one axis. Division, not a reciprocal: one rounding fewer in t.
 inline void ClipToSlab(Span& span, double low, double high, double origin, double direction, int low_part,
                        int high_part) {

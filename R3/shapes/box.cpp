@@ -16,7 +16,7 @@ class BoxShape : public Shape {
   Box Bounds(int) const override { return box_; }
 
   std::optional<Hit> Intersect(const Ray& ray, int) const override {
-    if (IsDegenerate()) return {};
+    if (IsDegenerate() || IsLeaving(ray)) return {};
     Span span;
     for (int axis = 0; axis < 3; ++axis)
       ClipToSlab(span, box_.low[axis], box_.high[axis], ray.origin[axis], ray.direction[axis], 2 * axis, 2 * axis + 1);
@@ -76,6 +76,14 @@ class BoxShape : public Shape {
   }
 
  private:
+  /// As most rays do that begin on a face.
+  bool IsLeaving(const Ray& ray) const {
+    const auto leaves = [&](int axis) {
+      return IsLeavingSlab(box_.low[axis], box_.high[axis], ray.origin[axis], ray.direction[axis]);
+    };
+    return (leaves(0) | leaves(1) | leaves(2)) & (ray.t_min >= 0);
+  }
+
   /// The place on a face with these coordinates along the other axes.
   template <typename Coordinate>
   Intersection OnFace(int part, const Coordinate& along) const {

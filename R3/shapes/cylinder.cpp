@@ -24,7 +24,7 @@ class Cylinder : public Shape {
   // A cylinder is convex, so the ray is inside it where it is inside both the round and the slab: no rim to leak
   // through.
   std::optional<Hit> Intersect(const Ray& ray, int) const override {
-    if (IsDegenerate()) return {};
+    if (IsDegenerate() || IsLeaving(ray)) return {};
     Span span;
     ClipToSlab(span, low_, high_, ray.origin.y, ray.direction.y, bottom, top);
     if (!ClipToCylinder(span, ray, center_, radius_, side)) return {};
@@ -75,6 +75,14 @@ class Cylinder : public Shape {
 
  private:
   enum Part { side, bottom, top };
+
+  /// As most rays do that begin on the surface.
+  bool IsLeaving(const Ray& ray) const {
+    const Vector from_axis{ray.origin.x - center_.x, 0, ray.origin.z - center_.z};
+    return (IsLeavingSlab(low_, high_, ray.origin.y, ray.direction.y) |
+            IsCertainlyLeaving(from_axis, {ray.direction.x, 0, ray.direction.z}, radius_)) &
+           (ray.t_min >= 0);
+  }
 
   Intersection OnSide(const Vector& outward, double y) const {
     Intersection at;

@@ -20,6 +20,7 @@ class Sphere : public Shape {
 
   std::optional<Hit> Intersect(const Ray& ray, int) const override {
     if (IsDegenerate()) return {};
+    if (IsCertainlyLeaving(ray.origin - center_, ray.direction, radius_) && ray.t_min >= 0) return {};
     const auto roots = QuadricRoots(ray.origin, ray.direction, center_, radius_);
     if (!roots) return {};
     return Span{roots->first, roots->second, 0, 0}.First(ray);

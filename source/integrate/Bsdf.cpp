@@ -43,6 +43,34 @@ double FresnelReflectance(double cosine, double eta) {
   return (across * across + along * along) / 2;
 }
 
+R3_VECTORIZED
+void PhongReflectionOfEach(const ShadingPoint& p, LightSamples& samples) {
+  const Material& m = *p.material;
+  const std::uint32_t count = samples.count;
+  alignas(64) LightSamples::Each cosine, lobe, highlight;
+  std::uint64_t are_plain = m.coat == 0;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const double square = Dot(samples.ToLight(i), samples.ToLight(i));
+    const R3::Vector L = samples.ToLight(i) / std::sqrt(square);
+    are_plain &= R3::IsSafeSquare(square);
+    cosine[i] = Dot(p.N, L);
+    lobe[i] = LobeCosine(p, L);
+    highlight[i] = 0;
+  }
+  if (!are_plain) [[unlikely]] {
+    for (std::uint32_t i = 0; i < count; ++i)
+      samples.SetColor(i, PhongReflection(p, Unit(samples.ToLight(i)), samples.Color(i)));
+    return;
+  }
+  if (!IsBlack(m.ks))
+    for (std::uint32_t i = 0; i < count; ++i)
+      if (cosine[i] > 0 && lobe[i] > 0 && !IsBlack(samples.Color(i))) highlight[i] = std::pow(lobe[i], m.n);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const R2::Color reflected = (cosine[i] * p.kd + m.ks * highlight[i]) * samples.Color(i);
+    samples.SetColor(i, cosine[i] > 0 ? reflected : R2::Color{});
+  }
+}
+
 SpecularWeights SpecularWeightsOf(const ShadingPoint& p, bool fresnel) {
   const Material& m = *p.material;
   if (m.coat > 0) [[unlikely]] {

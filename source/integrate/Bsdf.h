@@ -10,6 +10,7 @@
 #include "source/integrate/Coat.h"
 #include "source/integrate/ShadingPoint.h"
 #include "source/integrate/TraceSettings.h"
+#include "source/scene/LightSamples.h"
 
 namespace ray {
 
@@ -35,9 +36,12 @@ inline R2::Color DiffuseReflection(const ShadingPoint& p, const R3::Vector& L) {
   return cosine * DiffuseReflectance(p, cosine);
 }
 
+/// V.R of a light towards L.
+inline double LobeCosine(const ShadingPoint& p, const R3::Vector& L) { return Dot(p.wo, 2 * Dot(p.N, L) * p.N - L); }
+
 /// Phong's highlight of a light towards L: ks (V.R)^n, nothing when V.R <= 0.
 inline R2::Color Highlight(const ShadingPoint& p, const R3::Vector& L) {
-  const double lobe = Dot(p.wo, 2 * Dot(p.N, L) * p.N - L);
+  const double lobe = LobeCosine(p, L);
   const Material& m = *p.material;
   return m.ks * (lobe > 0 && !IsBlack(m.ks) ? std::pow(lobe, m.n) : 0);
 }
@@ -50,6 +54,9 @@ inline R2::Color PhongReflection(const ShadingPoint& p, const R3::Vector& L, con
   if (!(Dot(p.N, L) > 0)) return {};
   return (DiffuseReflection(p, L) + Highlight(p, L)) * irradiance;
 }
+
+/// The same, bit for bit, of each of the samples, whose colors become that.
+void PhongReflectionOfEach(const ShadingPoint& p, LightSamples& samples);
 
 /// What a surface reflects and what goes through it, as shares of the radiance: ks and kt, or with Fresnel's equations
 /// a part of kt moved from the one to the other, all of it on total internal reflection. A coat adds what it mirrors.

@@ -161,11 +161,13 @@ R2::Color Path::Emitted(const ShadingPoint& from, const BsdfSample& scattered, c
 R2::Color Path::EmittedByEnvironment(const ShadingPoint& from, const BsdfSample& scattered,
                                      const PathState& path) const {
   const R3::Vector& direction = path.ray.direction;
-  const R2::Color seen = path.throughput * Background(world_.scene(), direction);
-  if (IsSpecular(scattered.lobe)) return seen;
-  const double light_pdf = lights_.PdfOfEnvironment(from, direction, lights_at_once_ > 0);
-  if (light_pdf == 0) return seen;  // a background is found by scattering alone
-  return MisWeight(scattered.pdf, light_pdf * std::max(1, lights_at_once_)) * seen;
+  const Environment* environment = lights_.GetEnvironment();
+  if (!environment || IsSpecular(scattered.lobe)) return path.throughput * Background(world_.scene(), direction);
+  const Environment::Seen seen = environment->SeenTowards(direction);
+  const R2::Color reaching = path.throughput * seen.radiance;
+  const double light_pdf = lights_.PdfOfEnvironment(from, seen, lights_at_once_ > 0);
+  if (light_pdf == 0) return reaching;  // found by scattering alone
+  return MisWeight(scattered.pdf, light_pdf * std::max(1, lights_at_once_)) * reaching;
 }
 
 extern const IntegratorKind path_kind{"path tracing: light over many bounces",

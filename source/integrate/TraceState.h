@@ -1,8 +1,10 @@
 #pragma once
 
+#include <array>
 #include <atomic>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "R2/Color.h"
@@ -24,10 +26,18 @@ struct PathState {
   int record = -1;  // where rays are recorded: its number; until it is traced that of the ray it comes from
 };
 
-/// A shadow ray still to be traced, and which of the points being shaded reflects how much unless it is stopped.
-struct Shadow {
-  std::size_t point = 0;
-  R2::Color reflected;
+/// Shadow rays still to be traced together, and which of the points being shaded reflects how much unless its ray is
+/// stopped.
+struct ShadowRays {
+  static constexpr std::size_t capacity = 64;
+
+  std::size_t count = 0;
+  std::array<R3::Ray, capacity> rays;
+  std::array<std::size_t, capacity> point;
+  std::array<R2::Color, capacity> reflected;
+
+  bool IsFull() const { return count == capacity; }
+  std::span<const R3::Ray> Rays() const { return std::span(rays).first(count); }
 };
 
 class RayRecorder;
@@ -39,8 +49,7 @@ struct TraceState {
   std::vector<R3::Ray> batch;  // camera rays
   std::vector<std::optional<WorldHit>> hits;
   std::vector<PathState> pending;
-  std::vector<R3::Ray> shadow_rays;
-  std::vector<Shadow> shadows;              // one for each of them
+  ShadowRays shadows;
   std::vector<R2::Color> arrived;           // at each point
   RayRecorder* recorder = nullptr;          // told of every ray; null for none
   const std::atomic<bool>* stop = nullptr;  // looked at before each few rays; null for none

@@ -25,21 +25,20 @@ std::vector<ShadingPoint> Tracer::CameraHits(std::span<const CameraSample> sampl
 }
 
 void Tracer::TraceShadowRays(TraceState& state) const {
-  const std::size_t count = state.shadow_rays.size();
-  std::array<bool, most_shadow_rays> are_occluded{};
-  if (shadows_ && count > 0) {
-    if (count == 1)
-      are_occluded[0] = accelerator_.IsOccluded(state.shadow_rays[0], state.workspace);
+  ShadowRays& shadows = state.shadows;
+  std::array<bool, ShadowRays::capacity> are_occluded{};
+  if (shadows_ && shadows.count > 0) {
+    if (shadows.count == 1)
+      are_occluded[0] = accelerator_.IsOccluded(shadows.rays[0], state.workspace);
     else
-      accelerator_.IsOccluded(state.shadow_rays, are_occluded.data(), state.workspace);
-    state.Book(RayKind::shadow, count);
+      accelerator_.IsOccluded(shadows.Rays(), are_occluded.data(), state.workspace);
+    state.Book(RayKind::shadow, shadows.count);
   }
   if (state.recorder) [[unlikely]]
     state.recorder->EndShadows([&](std::size_t i) { return are_occluded[i]; }, world_, accelerator_, state.workspace);
-  for (std::size_t i = 0; i < count; ++i)
-    if (!are_occluded[i]) state.arrived[state.shadows[i].point] += state.shadows[i].reflected;
-  state.shadow_rays.clear();
-  state.shadows.clear();
+  for (std::size_t i = 0; i < shadows.count; ++i)
+    if (!are_occluded[i]) state.arrived[shadows.point[i]] += shadows.reflected[i];
+  shadows.count = 0;
 }
 
 }  // namespace ray

@@ -47,17 +47,18 @@ class Tracer {
   void AddShadowRay(const ShadingPoint& p, std::size_t index, const LightSample& light, const R2::Color& reflected,
                     const R2::Color& contribution, const Describe& describe, TraceState& state) const {
     if (p.IsBehindSurface(light.to_light)) return;
-    state.shadow_rays.push_back(ShadowRay(p, light.to_light, light.is_infinite));
-    state.shadows.push_back({index, reflected});
+    ShadowRays& shadows = state.shadows;
+    const std::size_t i = shadows.count++;
+    shadows.rays[i] = ShadowRay(p, light.to_light, light.is_infinite);
+    shadows.point[i] = index;
+    shadows.reflected[i] = reflected;
     if (state.recorder) [[unlikely]]
-      state.recorder->BeginShadow(p, state.shadow_rays.back(), contribution, describe());
-    if (state.shadows.size() == most_shadow_rays) TraceShadowRays(state);
+      state.recorder->BeginShadow(p, shadows.rays[i], contribution, describe());
+    if (shadows.IsFull()) TraceShadowRays(state);
   }
   void TraceShadowRays(TraceState& state) const;
 
  private:
-  static constexpr std::size_t most_shadow_rays = 64;  // traced at once
-
   const World& world_;
   const Accelerator& accelerator_;
   bool shadows_;

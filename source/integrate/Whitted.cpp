@@ -19,9 +19,6 @@ enum WhittedKey : std::uint64_t {
   first_light_key
 };
 
-/// Of one light at one point; then whether anybody asked to stop. A look at each costs nearly 1 %.
-constexpr std::uint32_t samples_between_looks = 64;
-
 bool IsExtended(const Light& light) { return light.IsExtended(); }
 bool IsExtended(const EmissiveTriangle&) { return true; }
 bool IsExtended(const EmissiveShape&) { return true; }
@@ -160,13 +157,15 @@ void Whitted::AddLight(const AnyLight& light, std::uint64_t which, std::span<Sha
   for (std::size_t i = 0; i < points.size(); ++i) {
     const ShadingPoint& p = points[i];
     if (!p.HasReflectance() || IsOn(p, light, world_)) continue;
+    if (!IsExtended(light)) {
+      AddSample(light, p, i, {}, 1, state);
+      continue;
+    }
     // One light's samples from all of a pixel's camera rays are one set of points.
-    std::optional<Points> random;
-    if (IsExtended(light)) random.emplace(p.path.index.PointsFor(which, settings_.sampler, settings_.samples, count));
-    for (std::uint32_t first = 0; first < count && !state.IsStopped(); first += samples_between_looks)
-      for (std::uint32_t k = first; k < std::min(count, first + samples_between_looks); ++k)
-        AddSample(light, p, i, random ? random->Get2D(p.path.index.sample * count + k) : R2::Point{}, 1.0 / count,
-                  state);
+    const Points random = p.path.index.PointsFor(which, settings_.sampler, settings_.samples, count);
+    for (std::uint32_t k = 0; k < count && !state.IsStopped(); k += LightSamples::most)
+      AddSamples(light, p, i, random, p.path.index.sample * count + k, std::min(count - k, LightSamples::most),
+                 1.0 / count, state);
   }
   AddArrived(points, state);
 }
@@ -210,6 +209,28 @@ void Whitted::AddSample(const AnyLight& light, const ShadingPoint& p, std::size_
   const R2::Color reflected = weight * unweighted;
   tracer_.AddShadowRay(
       p, index, *sample, reflected, p.path.throughput * reflected, [&] { return Described(light); }, state);
+}
+
+template <typename AnyLight>
+void Whitted::AddSamples(const AnyLight& light, const ShadingPoint& p, std::size_t index, const Points& random,
+                         std::uint32_t first, std::uint32_t count, double weight, TraceState& state) const {
+  for (std::uint32_t k = 0; k < count; ++k) AddSample(light, p, index, random.Get2D(first + k), weight, state);
+}
+
+void Whitted::AddSamples(const Light& light, const ShadingPoint& p, std::size_t index, const Points& random,
+                         std::uint32_t first, std::uint32_t count, double weight, TraceState& state) const {
+  LightSamples samples;
+  samples.count = count;
+  random.GetEach2D(first, count, samples.u, samples.v);
+  light.IlluminateEach(p.shadow_origin, samples);
+  PhongReflectionOfEach(p, samples);
+  for (std::uint32_t k = 0; k < count; ++k) {
+    if (IsBlack(samples.Color(k))) continue;
+    const R2::Color reflected = weight * samples.Color(k);
+    tracer_.AddShadowRay(
+        p, index, {.to_light = samples.ToLight(k)}, reflected, p.path.throughput * reflected,
+        [&] { return light.Describe(); }, state);
+  }
 }
 
 void Whitted::AddArrived(std::span<ShadingPoint> points, TraceState& state) const {

@@ -44,6 +44,12 @@ class Whitted : public Integrator {
   template <typename AnyLight>
   void AddSample(const AnyLight& light, const ShadingPoint& p, std::size_t index, const R2::Point& u, double weight,
                  TraceState& state) const;
+  /// Those that points number `first` and on pick, at most LightSamples::most.
+  template <typename AnyLight>
+  void AddSamples(const AnyLight& light, const ShadingPoint& p, std::size_t index, const Points& random,
+                  std::uint32_t first, std::uint32_t count, double weight, TraceState& state) const;
+  void AddSamples(const Light& light, const ShadingPoint& p, std::size_t index, const Points& random,
+                  std::uint32_t first, std::uint32_t count, double weight, TraceState& state) const;
   void AddArrived(std::span<ShadingPoint> points, TraceState& state) const;
   /// The rays that a surface reflects and transmits.
   void Spawn(const ShadingPoint& p, std::vector<PathState>& pending) const;

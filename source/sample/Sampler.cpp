@@ -1,6 +1,23 @@
 #include "source/sample/Sampler.h"
 
+#include "R3/Numeric.h"
+
 namespace ray {
+
+R3_VECTORIZED
+void Points::GetEach2D(std::uint32_t first, std::uint32_t count, double* x, double* y) const {
+  if ((kind_ == SamplerKind::sobol || kind_ == SamplerKind::grid) && dimension_ == 0) {
+    for (std::uint32_t i = 0; i < count; ++i) {
+      const auto point = SobolPoint<2>(first + i, std::integral_constant<int, 0>());
+      x[i] = point[0], y[i] = point[1];
+    }
+    return;
+  }
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const R2::Point point = Get2D(first + i);
+    x[i] = point.x, y[i] = point.y;
+  }
+}
 
 void Points::Fill(std::uint32_t index, double* coordinates, std::size_t size) const {
   if (kind_ == SamplerKind::random) {

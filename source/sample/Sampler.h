@@ -47,6 +47,9 @@ class Points {
     return {x, y};
   }
 
+  /// Those of `count` points from number `first` on.
+  void GetEach2D(std::uint32_t first, std::uint32_t count, double* x, double* y) const;
+
  private:
   static std::uint32_t High(const RandomKey& key) { return static_cast<std::uint32_t>(key.Bits() >> 32); }
   static std::uint32_t Low(const RandomKey& key) { return static_cast<std::uint32_t>(key.Bits()); }

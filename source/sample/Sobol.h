@@ -64,9 +64,10 @@ class Sobol {
   static constexpr int dimensions = 8;
 
   /// The point `index` of the sequence whose order `order` shuffles; one seed a coordinate scrambles that.
-  Sobol(std::uint32_t index, std::uint32_t order) : index_(ReversedBits(OwenReversed(ReversedBits(index), order))) {}
+  [[gnu::always_inline]] Sobol(std::uint32_t index, std::uint32_t order)
+      : index_(ReversedBits(OwenReversed(ReversedBits(index), order))) {}
   /// In [0, 1); dimension 0 to dimensions - 1.
-  double Coordinate(int dimension, std::uint32_t seed) const {
+  [[gnu::always_inline]] double Coordinate(int dimension, std::uint32_t seed) const {
     return ReversedBits(OwenReversed(ReversedSobolBits(index_, dimension), seed)) * 0x1p-32;
   }
 

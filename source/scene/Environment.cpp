@@ -168,6 +168,18 @@ DiscreteDistribution Rows(const R2::Image& map, bool is_black) {
   return DiscreteDistribution(rows);
 }
 
+template <typename Number>
+std::vector<double> OfRows(int count, const Number& number) {
+  std::vector<double> numbers;
+  for (int row = 0; row < count; ++row) numbers.push_back(number(row));
+  return numbers;
+}
+
+/// Nearer to a texel's edge than this share of it, rounding may give a direction to the neighbor. The narrowest texels
+/// are those at the poles: of 2^20 rows the last spans 2^-37.7 in the sine of latitude, which is off by 2^-51 at most.
+constexpr double edge_share = 0x1p-10;
+bool IsNearEdge(double share) { return share < edge_share || share > 1 - edge_share; }
+
 }  // namespace
 
 std::string_view Name(EnvironmentLayout layout) {
@@ -187,6 +199,8 @@ Environment::Environment(R2::Image image, std::string file)
       layout_(LayoutOf(image)),
       map_(Unfolded(std::move(image), layout_)),
       is_black_(IsAllBlack(map_)),
+      sines_(OfRows(map_.Height() + 1, [&](int edge) { return SineOfEdge(edge, map_.Height()); })),
+      solid_angles_(OfRows(map_.Height(), [&](int row) { return SolidAngle(row, map_.Height()); })),
       columns_(Columns(map_, is_black_)),
       rows_(Rows(map_, is_black_)) {}
 
@@ -198,13 +212,16 @@ Environment::Texel Environment::At(const R3::Vector& direction) const {
 
 R3::Vector Environment::Inside(const Texel& texel, const R2::Point& shares) const {
   const double longitude = LongitudeOf(texel.column, shares.x, map_.Height());
-  return Towards(SineOf(texel.row, shares.y, map_.Height()), std::sin(longitude), std::cos(longitude));
+  const double low = sines_[static_cast<std::size_t>(texel.row)],
+               high = sines_[static_cast<std::size_t>(texel.row) + 1];
+  return Towards(low + shares.y * (high - low), std::sin(longitude), std::cos(longitude));
 }
 
 double Environment::Pdf(const Texel& texel) const {
   const DiscreteDistribution& columns = columns_[static_cast<std::size_t>(texel.row)];
   return rows_.Probability(static_cast<std::size_t>(texel.row)) *
-         columns.Probability(static_cast<std::size_t>(texel.column)) / SolidAngle(texel.row, map_.Height());
+         columns.Probability(static_cast<std::size_t>(texel.column)) /
+         solid_angles_[static_cast<std::size_t>(texel.row)];
 }
 
 R2::Color Environment::Radiance(const R3::Vector& direction) const {
@@ -218,10 +235,14 @@ Environment::Sample Environment::Draw(const R2::Point& u) const {
   const Texel texel{static_cast<int>(column.index), static_cast<int>(row.index)};
   R3::Vector direction = Inside(texel, {column.rest, row.rest});
   // A place at the very edge may round to the neighbor, which may be black; the middle then stands for it.
-  if (!(At(direction) == texel)) direction = Inside(texel, {0.5, 0.5});
+  if ((IsNearEdge(column.rest) || IsNearEdge(row.rest)) && !(At(direction) == texel))
+    direction = Inside(texel, {0.5, 0.5});
   return {direction, map_.At(texel.column, texel.row), Pdf(texel)};
 }
 
-double Environment::Pdf(const R3::Vector& direction) const { return Pdf(At(direction)); }
+Environment::Seen Environment::SeenTowards(const R3::Vector& direction) const {
+  const Texel texel = At(direction);
+  return {map_.At(texel.column, texel.row), Pdf(texel)};
+}
 
 }  // namespace ray

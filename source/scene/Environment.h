@@ -77,7 +77,14 @@ class Environment {
   Sample Draw(const R2::Point& u) const;
 
   /// Of Draw giving `direction`, per solid angle; `direction` has any length but 0.
-  double Pdf(const R3::Vector& direction) const;
+  double Pdf(const R3::Vector& direction) const { return Pdf(At(direction)); }
+
+  struct Seen {
+    R2::Color radiance;
+    double pdf;
+  };
+  /// Radiance and Pdf, for the price of one: finding a texel takes two arctangents.
+  Seen SeenTowards(const R3::Vector& direction) const;
 
   bool IsBlack() const { return is_black_; }
   /// The latitude-longitude map that it was turned into: width twice the height.
@@ -98,6 +105,8 @@ class Environment {
   EnvironmentLayout layout_;
   R2::Image map_;  // latitude-longitude
   bool is_black_;
+  std::vector<double> sines_;                  // of the latitudes of the rows' lower edges, and of the last one's upper
+  std::vector<double> solid_angles_;           // of a texel in each row
   std::vector<DiscreteDistribution> columns_;  // one for each row, by luminance
   DiscreteDistribution rows_;                  // by luminance times solid angle
 };

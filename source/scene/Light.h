@@ -11,6 +11,7 @@
 #include "R3/Point.h"
 #include "R3/ShapeKind.h"
 #include "source/scene/LightBound.h"
+#include "source/scene/LightSamples.h"
 
 namespace ray {
 
@@ -18,7 +19,7 @@ namespace ray {
 struct LightSample {
   /// Before the surface's own cosine. Of a light with a pdf: radiance over pdf. Of others: what the scene language says
   /// arrives, pi times smaller than the irradiance in the theory of a diffuse surface.
-  R2::Color irradiance;
+  R2::Color irradiance{};
   R3::Vector to_light;       // from the point; reaches the light at t = 1 unless the light is infinitely far
   bool is_infinite = false;  // the light has a direction but no place
   double pdf = 0;            // per solid angle, that of choosing the light included; 0 for lights that no ray can hit
@@ -33,6 +34,8 @@ class Light {
   /// Light arriving at `p` from the place on the light that `random`, in [0, 1)^2, picks evenly by area (point-like
   /// lights ignore it). Nothing where the light does not shine, and where p lies on the very place picked.
   virtual std::optional<LightSample> Illuminate(const R3::Point& p, const R2::Point& random) const = 0;
+  /// The same, bit for bit, from each of the places that the samples' u and v pick; of lights with an area.
+  virtual void IlluminateEach(const R3::Point& p, LightSamples& samples) const;
 
   /// Whether it has an area, so that several samples are worth their rays.
   virtual bool IsExtended() const { return false; }

@@ -119,9 +119,8 @@ std::optional<LightSample> LightSampler::Sample(const ShadingPoint& p, int light
   return LightSample{drawn.radiance / drawn.pdf, drawn.direction, true, drawn.pdf, light};
 }
 
-double LightSampler::PdfOfEnvironment(const ShadingPoint& from, const R3::Vector& direction, bool choosing) const {
-  if (!environment_) return 0;
-  const double pdf = is_uniform_ ? R3::sphere_pdf : environment_->Pdf(direction);
+double LightSampler::PdfOfEnvironment(const ShadingPoint& from, const Environment::Seen& seen, bool choosing) const {
+  const double pdf = is_uniform_ ? R3::sphere_pdf : seen.pdf;
   return choosing ? pdf * ProbabilityOf(from, count_ - 1) : pdf;
 }
 

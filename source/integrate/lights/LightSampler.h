@@ -39,9 +39,11 @@ class LightSampler {
   /// A point on light number `light`.
   std::optional<LightSample> Sample(const ShadingPoint& p, int light, const R2::Point& u) const;
 
-  /// The pdf with which a point would have chosen this direction to the environment, 0 where there is none, or to the
-  /// light that a ray from it hit, nothing for what is no light. `choosing`: by SampleOne, else by Sample.
-  double PdfOfEnvironment(const ShadingPoint& from, const R3::Vector& direction, bool choosing) const;
+  /// Null where it does not shine.
+  const Environment* GetEnvironment() const { return environment_; }
+  /// The pdf with which a point would have chosen a direction to the environment, where this is seen, or to the light
+  /// that a ray from it hit, nothing for what is no light. `choosing`: by SampleOne, else by Sample.
+  double PdfOfEnvironment(const ShadingPoint& from, const Environment::Seen& seen, bool choosing) const;
   std::optional<double> PdfOfHit(const ShadingPoint& from, const R3::Ray& ray, const ShadingPoint& hit,
                                  const World& world, bool choosing) const;
 

@@ -21,14 +21,17 @@ class AreaLight : public Light {
         falloff_(falloff) {}
 
   std::optional<LightSample> Illuminate(const R3::Point& p, const R2::Point& random) const override {
-    const R2::Point on_disc = R3::OnDisc(random);
-    const R3::Vector from_center = radius_ * on_disc.x * tangents_.first + radius_ * on_disc.y * tangents_.second;
-    const R3::Vector to_light = center_ + from_center - p;
+    const R3::Vector to_light = ToPlace(R3::OnDisc(random), p);
     const double distance = Length(to_light);
     if (!(distance > 0)) return {};
-    const double cosine = std::min(1.0, -Dot(direction_, Unit(to_light)));
+    const double cosine = Cosine(Unit(to_light));
     if (!(cosine > 0)) return {};  // it shines to one side only
     return LightSample{cosine * falloff_(color_, distance), to_light};
+  }
+
+  void IlluminateEach(const R3::Point& p, LightSamples& samples) const override {
+    if (!IlluminateNear(p, samples)) [[unlikely]]
+      Light::IlluminateEach(p, samples);
   }
 
   bool IsExtended() const override { return radius_ > 0; }
@@ -45,6 +48,30 @@ class AreaLight : public Light {
   }
 
  private:
+  /// IlluminateEach; false, with nothing to rely on, where squares of distances leave the range of doubles.
+  R3_VECTORIZED bool IlluminateNear(const R3::Point& p, LightSamples& samples) const {
+    const std::uint32_t count = samples.count;
+    for (std::uint32_t i = 0; i < count; ++i) {
+      const R2::Point on_disc = R3::OnDisc({samples.u[i], samples.v[i]});
+      samples.r[i] = on_disc.x, samples.g[i] = on_disc.y;
+    }
+    std::uint64_t are_near = 1;
+    for (std::uint32_t i = 0; i < count; ++i) {
+      const R3::Vector to_light = ToPlace({samples.r[i], samples.g[i]}, p);
+      const double square = Dot(to_light, to_light), distance = std::sqrt(square);
+      are_near &= R3::IsSafeSquare(square);
+      const double cosine = Cosine(to_light / distance);
+      const R2::Color reaching = cosine * falloff_(color_, distance);
+      samples.Set(i, to_light, cosine > 0 ? reaching : R2::Color{});
+    }
+    return are_near != 0;
+  }
+  /// From p to a place given on the unit disc.
+  R3::Vector ToPlace(const R2::Point& on_disc, const R3::Point& p) const {
+    return center_ + (radius_ * on_disc.x * tangents_.first + radius_ * on_disc.y * tangents_.second) - p;
+  }
+  double Cosine(const R3::Vector& unit_to_light) const { return std::min(1.0, -Dot(direction_, unit_to_light)); }
+
   R2::Color color_;
   R3::Point center_;
   R3::Vector given_direction_;  // of any length
