@@ -18,11 +18,11 @@ class NearestHit {
   const std::optional<WorldHit>& Best() const { return best_; }
 
   /// Tests one element, with the ray already in the instance's frame.
-  void Test(std::uint32_t instance, int element, R3::Ray local, Counts& counts) {
+  void Test(std::uint32_t instance, int element, const R3::Ray& local, Counts& counts) {
     ++counts.primitive_tests;
-    if (best_) local.t_max = std::min(local.t_max, R3::NextUp(limit_));
-    if (const auto hit = world_.Instances()[instance].shape->Intersect(local, element))
-      Offer({*hit, instance, element});
+    const R3::Shape& shape = *world_.Instances()[instance].shape;
+    const auto hit = best_ ? shape.Intersect(Shortened(local), element) : shape.Intersect(local, element);
+    if (hit) Offer({*hit, instance, element});
   }
 
   /// Takes a hit that is no farther than Limit, unless it is as far and of a higher primitive.
@@ -33,6 +33,11 @@ class NearestHit {
   }
 
  private:
+  R3::Ray Shortened(R3::Ray ray) const {
+    ray.t_max = std::min(ray.t_max, R3::NextUp(limit_));
+    return ray;
+  }
+
   const World& world_;
   std::optional<WorldHit> best_;
   double limit_;

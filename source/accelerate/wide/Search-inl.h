@@ -385,7 +385,8 @@ bool TestPrimitive(const TwoLevel<Structure>& two_level, const Structure& struct
                    const R3::Ray& ray, double distance_in_world, NearestHit& nearest, Counts& counts) {
   const PrimRef what = structure.primitives[primitive];
   const Instance& instance = two_level.world->Instances()[what.instance];
-  const R3::Ray local = instance.frame == 0 ? ray : two_level.world->Back(instance.frame, ray);
+  std::optional<R3::Ray> there;
+  const R3::Ray& local = instance.frame == 0 ? ray : there.emplace(two_level.world->Back(instance.frame, ray));
   if (what.element == PrimRef::whole)
     return Search<any>(two_level, two_level.structures[static_cast<std::size_t>(instance.shared) + 1], local,
                        distance_in_world, what.instance, nearest, counts) ||
