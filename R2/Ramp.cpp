@@ -2,16 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include "R1/Elementary.h"
 
 namespace R2 {
 
 Color RampColor(double number) {
   constexpr double start = 0.5, rotations = -1.5, hue = 1;
   const double t = number > 0 ? std::min(number, 1.0) : 0;
-  const double angle = 2 * std::numbers::pi * (start / 3 + 1 + rotations * t);
   const double amplitude = hue * t * (1 - t) / 2;
-  const double c = std::cos(angle), s = std::sin(angle);
+  const auto [s, c] = R1::SinCosTurns(start / 3 + 1 + rotations * t);
   const auto channel = [&](double of_cos, double of_sin) {
     return std::clamp(t + amplitude * (of_cos * c + of_sin * s), 0.0, 1.0);
   };

@@ -5,8 +5,12 @@
 #include <cstdint>
 #include <limits>
 
+#include "R1/DoubleDouble.h"
+
 /// Floating-point arithmetic with stated errors. u below is the unit roundoff of double.
 namespace R3 {
+
+using R1::DoubleDouble, R1::ExactProduct, R1::ExactSum, R1::QuickSum;
 
 inline constexpr double infinity = std::numeric_limits<double>::infinity();
 inline constexpr double unit_roundoff = 0x1p-53;

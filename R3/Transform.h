@@ -3,8 +3,8 @@
 #include <array>
 #include <optional>
 
+#include "R1/DoubleDouble.h"
 #include "R3/Box.h"
-#include "R3/DoubleDouble.h"
 #include "R3/Matrix.h"
 #include "R3/Normal.h"
 #include "R3/Ray.h"

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "R1/Elementary.h"
 #include "R3/Numeric.h"
 
 namespace R3 {
@@ -52,7 +53,8 @@ inline int MaxAxis(const Vector& v) {
 /// `v` turned about a unit vector by an angle in radians, counter-clockwise seen from its tip.
 ///   source   Rodrigues, Des lois geometriques qui regissent les deplacements d'un systeme solide (1840)
 inline Vector Turned(const Vector& v, const Vector& axis, double angle) {
-  return std::cos(angle) * v + std::sin(angle) * Cross(axis, v) + (1 - std::cos(angle)) * Dot(axis, v) * axis;
+  const auto [sine, cosine] = R1::SinCos(angle);
+  return cosine * v + sine * Cross(axis, v) + (1 - cosine) * Dot(axis, v) * axis;
 }
 
 // Sums of squares in this range have neither overflowed nor lost bits.

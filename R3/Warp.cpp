@@ -3,26 +3,19 @@
 #include <algorithm>
 #include <cmath>
 
+#include "R1/Elementary.h"
+
 namespace R3 {
 namespace {
 
 constexpr double pi = std::numbers::pi;
 
 Vector FromPolar(double sine, double cosine, double turns) {
-  const double angle = 2 * pi * turns;
-  return {sine * std::cos(angle), sine * std::sin(angle), cosine};
+  const auto [y, x] = R1::SinCosTurns(turns);
+  return {sine * x, sine * y, cosine};
 }
 
 }  // namespace
-
-R2::Point OnDisc(const R2::Point& square) {
-  const double a = 2 * square.x - 1, b = 2 * square.y - 1;
-  if (a == 0 && b == 0) return {};
-  const bool is_wide = std::abs(a) > std::abs(b);
-  const double radius = is_wide ? a : b;
-  const double angle = is_wide ? pi / 4 * (b / a) : pi / 2 - pi / 4 * (a / b);
-  return {radius * std::cos(angle), radius * std::sin(angle)};
-}
 
 R2::Point OnTriangle(const R2::Point& u) {
   const double root = std::sqrt(u.x);
@@ -37,13 +30,13 @@ Vector OnCosineHemisphere(const R2::Point& u) {
 Vector OnPowerLobe(const R2::Point& u, double n) {
   // The cosine to the power n + 1 is even in [0, 1]; at 0, which only u = 1 gives, its logarithm is still taken as
   // finite, so that a huge n makes no NaN of it.
-  const double logarithm = std::log1p(-std::min(u.x, 1 - 0x1p-53)) / (n + 1);
-  return FromPolar(std::sqrt(-std::expm1(2 * logarithm)), std::exp(logarithm), u.y);
+  const double logarithm = R1::Log1p(-std::min(u.x, 1 - 0x1p-53)) / (n + 1);
+  return FromPolar(std::sqrt(-R1::Expm1(2 * logarithm)), R1::Exp(logarithm), u.y);
 }
 
 double PowerPdf(double cosine, double n) {
   if (!(cosine >= 0)) return 0;
-  return (n + 1) / (2 * pi) * std::pow(cosine, n);
+  return (n + 1) / (2 * pi) * R1::Pow(cosine, n);
 }
 
 Vector OnSphere(const R2::Point& u) { return InCone(u, 2); }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "R1/Elementary.h"
 #include "R2/Point.h"
 #include "R3/Vector.h"
 
@@ -37,7 +38,13 @@ inline Vector FromTangents(const Vector& local, const Vector& about) {
 
 /// A point of the unit disc from one of the unit square, keeping shares of area; within 1e-15 of the disc.
 /// Source: Shirley, Chiu, A low distortion map between disk and square (1997).
-R2::Point OnDisc(const R2::Point& square);
+inline R2::Point OnDisc(const R2::Point& square) {
+  const double a = 2 * square.x - 1, b = 2 * square.y - 1;
+  const bool is_wide = std::abs(a) > std::abs(b);
+  const double radius = is_wide ? a : b, other = is_wide ? b : a;
+  const auto [sine, cosine] = R1::SinCosEighth(other / (radius == 0 ? 1 : radius) / 8);
+  return {radius * (is_wide ? cosine : sine), radius * (is_wide ? sine : cosine)};
+}
 
 /// Barycentric coordinates of a triangle's corners 1 and 2 (corner 0 has the rest), evenly by area: both >= 0, their
 /// sum at most 1 + 2^-52.

@@ -4,10 +4,11 @@
 set -eu
 cd "${1:-$(dirname "$0")/..}"
 
-find R2 R3 source -type f \( -name '*.h' -o -name '*.cpp' -o -name '*.def' \) | LC_ALL=C sort | xargs awk '
+find R1 R2 R3 source -type f \( -name '*.h' -o -name '*.cpp' -o -name '*.def' \) | LC_ALL=C sort | xargs awk '
   BEGIN {
     # A layer and those right below it; what is below them is allowed as well.
-    below["R2"] = ""
+    below["R1"] = ""
+    below["R2"] = "R1"
     below["R3"] = "R2"
     below["text"] = ""
     below["sample"] = "R3"

@@ -17,9 +17,9 @@ trap 'rm -rf "$work"' EXIT
 # The sources once more, beside the build, so that compiler caches know them; then patched and built.
 build() {  # variant, its patch if any
   tree=build/price/$1
-  rm -rf "$tree/source" "$tree/R2" "$tree/R3" "$tree/bench"  # a file that is gone must be gone here too
+  rm -rf "$tree/source" "$tree/R1" "$tree/R2" "$tree/R3" "$tree/bench"  # a file that is gone must be gone here too
   mkdir -p "$tree"
-  cp -rp Makefile R2 R3 source bench "$tree"
+  cp -rp Makefile R1 R2 R3 source bench "$tree"
   [ -z "${2:-}" ] || patch -s -d "$tree" -p1 < "$2"
   make -s -C "$tree" build/bench/kernels > /dev/null
 }

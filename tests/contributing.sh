@@ -32,7 +32,7 @@ done < "$copy/commands"
 
 # What is built already is not built again: only what knows of shapes.
 mkdir -p "$copy/tree/$build"
-cp -a Makefile R2 R3 source script scenes "$copy/tree"
+cp -a Makefile R1 R2 R3 source script scenes "$copy/tree"
 cp -a "$build/obj" "$build/jumbo" "$build/flags" "$copy/tree/$build"
 block_after '`R3/shapes/disc.cpp`:' > "$copy/tree/R3/shapes/disc.cpp"
 sed -n 's/^    \(SHAPE(.*)\)$/\1/p' "$page" >> "$copy/tree/R3/shapes.def"

@@ -5,6 +5,8 @@
 #include <cassert>
 #include <cmath>
 
+#include "R1/Elementary.h"
+
 namespace R2 {
 
 namespace {
@@ -77,7 +79,7 @@ Difference Compare(const Image& x, const Image& r, Display display) {
   result.rmse = std::sqrt(square / (3 * finite));
   result.relative_mse = relative / (3 * finite);
   result.display_rmse = 255 * std::sqrt(display_square / (3 * finite));
-  result.psnr = -10 * std::log10(display_square / (3 * finite));
+  result.psnr = -10 * R1::Log10(display_square / (3 * finite));
   result.bias = sum / finite;
   if (finite == 0) result.largest.value = std::numeric_limits<double>::quiet_NaN();
   return result;

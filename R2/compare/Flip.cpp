@@ -7,6 +7,7 @@
 #include <numbers>
 #include <vector>
 
+#include "R1/Elementary.h"
 #include "R2/Color.h"
 
 namespace R2 {
@@ -49,7 +50,7 @@ Triple FromYCxCz(const Triple& opponent) {
 
 double LabCurve(double t) {
   constexpr double delta = 6.0 / 29;
-  return t > delta * delta * delta ? std::cbrt(t) : t / (3 * delta * delta) + 4.0 / 29;
+  return t > delta * delta * delta ? R1::Cbrt(t) : t / (3 * delta * delta) + 4.0 / 29;
 }
 
 /// L*a*b* after the Hunt effect: colors look less colorful where they are dark (section 4.1.3).
@@ -61,7 +62,7 @@ Triple HuntLab(const Color& linear) {
 }
 
 /// Distance for large differences of color: city block in lightness, Euclidean in the others (section 4.1.4).
-double HyAB(const Triple& a, const Triple& b) { return std::abs(a.x - b.x) + std::hypot(a.y - b.y, a.z - b.z); }
+double HyAB(const Triple& a, const Triple& b) { return std::abs(a.x - b.x) + R1::Hypot(a.y - b.y, a.z - b.z); }
 
 // --- filters ---
 
@@ -139,7 +140,7 @@ int SensitivityRadius(double pixels_per_degree) {
 auto SpatialGaussian(double b, double pixels_per_degree) {
   return [=](double pixels) {
     const double degrees = pixels / pixels_per_degree;
-    return std::exp(-std::numbers::pi * std::numbers::pi * degrees * degrees / b);
+    return R1::Exp(-std::numbers::pi * std::numbers::pi * degrees * degrees / b);
   };
 }
 
@@ -206,7 +207,8 @@ struct Features {
 
 Plane Lengths(const Plane& x, const Plane& y) {
   Plane lengths(x.width, x.height);
-  for (std::size_t i = 0; i < lengths.values.size(); ++i) lengths.values[i] = std::hypot(x.values[i], y.values[i]);
+  for (std::size_t i = 0; i < lengths.values.size(); ++i)
+    lengths.values[i] = static_cast<float>(R1::Hypot(x.values[i], y.values[i]));
   return lengths;
 }
 
@@ -214,7 +216,7 @@ Features FindFeatures(const Plane& lightness, double pixels_per_degree) {
   constexpr double width = 0.082;  // w: of an edge that the eye detects, in degrees
   const double sigma = 0.5 * width * pixels_per_degree;
   const int radius = static_cast<int>(std::ceil(3 * sigma));
-  const auto gaussian = [=](double x) { return std::exp(-x * x / (2 * sigma * sigma)); };
+  const auto gaussian = [=](double x) { return R1::Exp(-x * x / (2 * sigma * sigma)); };
   const Kernel blur = Scaled(Sampled(radius, gaussian));
   const Kernel edge = Scaled(Sampled(radius, [=](double x) { return -x * gaussian(x); }));
   const Kernel point = Scaled(Sampled(radius, [=](double x) { return (x * x / (sigma * sigma) - 1) * gaussian(x); }));
@@ -233,18 +235,18 @@ constexpr double color_exponent = 0.7;  // q_c
 /// left (section 4.1.5).
 double Remapped(double difference) {
   constexpr double knee = 0.4, value_at_knee = 0.95;  // p_c, p_t
-  static const double largest = std::pow(HyAB(HuntLab({0, 1, 0}), HuntLab({0, 0, 1})), color_exponent);
+  static const double largest = R1::Pow(HyAB(HuntLab({0, 1, 0}), HuntLab({0, 0, 1})), color_exponent);
   if (difference < knee * largest) return value_at_knee / (knee * largest) * difference;
   return value_at_knee + (difference - knee * largest) / (largest - knee * largest) * (1 - value_at_knee);
 }
 
-double ColorDifference(const Triple& a, const Triple& b) { return Remapped(std::pow(HyAB(a, b), color_exponent)); }
+double ColorDifference(const Triple& a, const Triple& b) { return Remapped(R1::Pow(HyAB(a, b), color_exponent)); }
 
 double FeatureDifference(const Features& a, const Features& b, std::size_t i) {
   constexpr double feature_exponent = 0.5;  // q_f
   const double edges = std::abs(a.edges.values[i] - b.edges.values[i]);
   const double points = std::abs(a.points.values[i] - b.points.values[i]);
-  return std::pow(std::max(edges, points) / std::numbers::sqrt2, feature_exponent);
+  return R1::Pow(std::max(edges, points) / std::numbers::sqrt2, feature_exponent);
 }
 
 struct Seeing {
@@ -267,7 +269,7 @@ Plane Flip(const Image& a, const Image& b, double pixels_per_degree) {
   for (std::size_t i = 0; i < flip.values.size(); ++i) {
     const double color = ColorDifference(TripleAt(seen_a.colors, i), TripleAt(seen_b.colors, i));
     const double feature = FeatureDifference(seen_a.features, seen_b.features, i);
-    flip.values[i] = static_cast<float>(std::pow(color, 1 - feature));  // section 4.3
+    flip.values[i] = static_cast<float>(R1::Pow(color, 1 - feature));  // section 4.3
   }
   return flip;
 }

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "R3/DoubleDouble.h"
+#include "R1/DoubleDouble.h"
 
 namespace R3 {
 namespace {

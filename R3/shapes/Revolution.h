@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "R1/Elementary.h"
 #include "R3/GridMesh.h"
 #include "R3/Intersection.h"
 #include "R3/Numeric.h"
@@ -15,14 +16,14 @@ namespace R3 {
 
 /// Share of a turn about +y: 0 at -z, 0.25 at +x, 0.5 at +z, 0.75 at -x; in [0, 1].
 inline double TurnAboutY(const Vector& outward) {
-  const double turn = std::atan2(outward.x, -outward.z) / (2 * std::numbers::pi);
+  const double turn = R1::Atan2(outward.x, -outward.z) / (2 * std::numbers::pi);
   return turn < 0 ? turn + 1 : turn;
 }
 
 /// Clips to the endless cylinder of this radius about the line through `center`; false on a miss.
 inline bool ClipToCylinder(Span& span, const Ray& ray, const Point& center, double radius, int part) {
   if (ray.direction.x == 0 && ray.direction.z == 0)
-    return std::hypot(ray.origin.x - center.x, ray.origin.z - center.z) <= radius;
+    return R1::Hypot(ray.origin.x - center.x, ray.origin.z - center.z) <= radius;
   const auto roots = QuadricRoots({ray.origin.x, 0, ray.origin.z}, {ray.direction.x, 0, ray.direction.z},
                                   {center.x, 0, center.z}, radius);
   if (roots) span.Clip(roots->first, roots->second, part, part);
@@ -49,15 +50,15 @@ inline Intersection DrawOnCap(const R2::Point& u, const Point& center, double ra
 inline Vector OutwardBeside(const Vector& from, double angle) {
   const Vector unit = Unit({from.x, 0, from.z});
   const Vector towards = unit == Vector{} ? Vector{1, 0, 0} : unit;
-  const double cosine = std::cos(angle), sine = std::sin(angle);
+  const auto [sine, cosine] = R1::SinCos(angle);
   return Unit({cosine * towards.x - sine * towards.z, 0, sine * towards.x + cosine * towards.z});
 }
 
 /// For drawing: outward after `column` of `columns` steps of a turn against TurnAboutY, as fronts ask for when columns
 /// run to the right and +y is up. The last column is the first again, to the bit.
 inline Vector ColumnOutward(int column, int columns) {
-  const double turn = -2 * std::numbers::pi * (column % columns) / columns;
-  return {std::sin(turn), 0, -std::cos(turn)};
+  const auto [sine, cosine] = R1::SinCosTurns(-static_cast<double>(column % columns) / columns);
+  return {sine, 0, -cosine};
 }
 inline double ColumnTurn(int column, int columns) { return 1 - static_cast<double>(column) / columns; }
 

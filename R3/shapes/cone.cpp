@@ -2,6 +2,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "R1/Elementary.h"
 #include "R3/ShapeKind.h"
 #include "R3/shapes/Quadric.h"
 #include "R3/shapes/Revolution.h"
@@ -115,8 +116,8 @@ class Cone : public Shape {
   /// Half the angle, about the axis, of the lines from the apex to the rim that show their outside; 0 for none. The
   /// plane that touches the cone along such a line has `from` on its outer side.
   double SeenHalfAngle(const Point& from) const {
-    const double distance = std::hypot(from.x - center_.x, from.z - center_.z), inside = slope_ * (high_ - from.y);
-    if (distance > std::abs(inside)) return std::acos(inside / distance);
+    const double distance = R1::Hypot(from.x - center_.x, from.z - center_.z), inside = slope_ * (high_ - from.y);
+    if (distance > std::abs(inside)) return R1::Acos(inside / distance);
     return inside < 0 ? std::numbers::pi : 0;
   }
 
@@ -124,7 +125,7 @@ class Cone : public Shape {
   std::array<double, 2> SeenAreas(const Point& from) const {
     const double half_angle = SeenHalfAngle(from);
     const bool is_below = from.y < low_, is_inside = !is_below && half_angle == 0;
-    return {(is_inside ? std::numbers::pi : half_angle) * radius_ * std::hypot(radius_, height_),
+    return {(is_inside ? std::numbers::pi : half_angle) * radius_ * R1::Hypot(radius_, height_),
             is_inside || is_below ? std::numbers::pi * radius_ * radius_ : 0};
   }
 

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "R1/Elementary.h"
 #include "R3/ShapeKind.h"
 #include "R3/shapes/Quadric.h"
 #include "R3/shapes/Revolution.h"
@@ -93,20 +94,20 @@ class Cylinder : public Shape {
   }
 
   bool IsInside(const Point& p) const {
-    return low_ <= p.y && p.y <= high_ && std::hypot(p.x - center_.x, p.z - center_.z) <= radius_;
+    return low_ <= p.y && p.y <= high_ && R1::Hypot(p.x - center_.x, p.z - center_.z) <= radius_;
   }
 
   /// Of the side that is seen along all its height, half the angle about the axis.
   double SeenHalfAngle(const Vector& from_axis) const {
-    const double distance = std::hypot(from_axis.x, from_axis.z);
-    return distance > radius_ ? std::acos(radius_ / distance) : std::numbers::pi;
+    const double distance = R1::Hypot(from_axis.x, from_axis.z);
+    return distance > radius_ ? R1::Acos(radius_ / distance) : std::numbers::pi;
   }
 
   /// Of the parts, 0 for those that turn their backs; all of them from inside.
   std::array<double, 3> SeenAreas(const Point& from) const {
     const Vector from_axis = from - center_;
     const bool is_inside = IsInside(from);
-    const bool is_beside = std::hypot(from_axis.x, from_axis.z) > radius_;
+    const bool is_beside = R1::Hypot(from_axis.x, from_axis.z) > radius_;
     const double cap = std::numbers::pi * radius_ * radius_;
     return {is_inside || is_beside ? 2 * SeenHalfAngle(from_axis) * radius_ * height_ : 0,
             is_inside || from.y < low_ ? cap : 0, is_inside || from.y > high_ ? cap : 0};

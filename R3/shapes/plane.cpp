@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "R3/DoubleDouble.h"
+#include "R1/DoubleDouble.h"
 #include "R3/GridMesh.h"
 #include "R3/ShapeKind.h"
 
@@ -46,7 +46,8 @@ class Plane : public Shape {
     const Vector upward = Cross(unit_, across_);
     AddGrid(data, fineness, fineness, [&](int column, int row) {
       const double u = static_cast<double>(column) / fineness, v = static_cast<double>(row) / fineness;
-      const double x = std::pow(2 * u - 1, 3), y = std::pow(2 * v - 1, 3);
+      const auto cube = [](double a) { return a * a * a; };
+      const double x = cube(2 * u - 1), y = cube(2 * v - 1);
       return GridCorner{point_ + x * across_ + y * upward, AsNormal(unit_), {x, y}};
     });
     return data;

@@ -1,5 +1,6 @@
 #include <numbers>
 
+#include "R1/Elementary.h"
 #include "R3/GridMesh.h"
 #include "R3/ShapeKind.h"
 #include "R3/Warp.h"
@@ -69,10 +70,9 @@ class Sphere : public Shape {
     const int rows = std::max(2, fineness / 2);
     AddGrid(data, fineness, rows, [&](int column, int row) {
       // Against the sense of u, so that fronts are outside with +z up; the poles and the seam meet to the bit.
-      const double turn = -2 * std::numbers::pi * (column % fineness) / fineness;
-      const double tilt = std::numbers::pi * row / rows;
-      const double across = row == 0 || row == rows ? 0 : std::sin(tilt);
-      const Vector outward{across * std::sin(turn), across * std::cos(turn), -std::cos(tilt)};
+      const auto turn = R1::SinCosTurns(-static_cast<double>(column % fineness) / fineness);
+      const auto tilt = R1::SinCosTurns(0.5 * row / rows);
+      const Vector outward{tilt.sine * turn.sine, tilt.sine * turn.cosine, -tilt.cosine};
       return GridCorner{center_ + radius_ * outward,
                         AsNormal(outward),
                         {1 - static_cast<double>(column) / fineness, static_cast<double>(row) / rows}};
@@ -107,8 +107,10 @@ class Sphere : public Shape {
 
   // As the viewer's utility sphere draws it: poles on z, v from -z to +z, u = 0 at +y and 0.25 at +x.
   static R2::Point TextureCoordinates(const Vector& outward) {
-    const double u = std::atan2(outward.x, outward.y) / (2 * std::numbers::pi);
-    const double v = 1 - std::acos(std::clamp(outward.z, -1.0, 1.0)) / std::numbers::pi;
+    const double u = R1::Atan2(outward.x, outward.y) / (2 * std::numbers::pi);
+    // Of both legs, since near a pole the arc cosine of z loses half of the digits.
+    const double across = std::sqrt(outward.x * outward.x + outward.y * outward.y);
+    const double v = 1 - R1::Atan2(across, outward.z) / std::numbers::pi;
     return {u < 0 ? u + 1 : u, v};
   }
 

@@ -2,7 +2,8 @@
 #include <numbers>
 #include <utility>
 
-#include "R3/DoubleDouble.h"
+#include "R1/DoubleDouble.h"
+#include "R1/Elementary.h"
 #include "R3/ShapeKind.h"
 #include "R3/shapes/Revolution.h"
 
@@ -96,9 +97,9 @@ class Torus : public Shape {
   Intersection At(const Ray& ray, const Hit& hit, int) const override {
     const Vector p = ray.At(hit.t) - center_;
     const Vector outward = Unit({p.x, 0, p.z});  // from the axis
-    const Vector from_tube = Unit({std::hypot(p.x, p.z) - major_, p.y, 0});
+    const Vector from_tube = Unit({R1::Hypot(p.x, p.z) - major_, p.y, 0});
     Intersection at = OnTube(outward, from_tube);
-    at.uv = {TurnAboutY(outward), 0.5 + std::atan2(from_tube.y, from_tube.x) / (2 * std::numbers::pi)};
+    at.uv = {TurnAboutY(outward), 0.5 + R1::Atan2(from_tube.y, from_tube.x) / (2 * std::numbers::pi)};
     return at;
   }
 
@@ -119,12 +120,12 @@ class Torus : public Shape {
   /// Of two places of the tube at the same height, the outer one has more area in proportion to its radius about the
   /// axis, and is chosen as much more often.
   Intersection DrawPlace(const Point&, const R2::Point& u, int) const override {
-    const double angle = 2 * std::numbers::pi * u.x;
-    const double share = (1 + minor_ / major_ * std::cos(angle)) / 2;
+    const auto around_tube = R1::SinCosTurns(u.x);
+    const double share = (1 + minor_ / major_ * around_tube.cosine) / 2;
     const bool is_first = u.y < share;
-    const double turn = 2 * std::numbers::pi * (is_first ? u.y / share : (u.y - share) / (1 - share));
-    const Vector from_tube = Unit({is_first ? std::cos(angle) : -std::cos(angle), std::sin(angle), 0});
-    return OnTube(Unit({std::sin(turn), 0, -std::cos(turn)}), from_tube);
+    const auto [sine, cosine] = R1::SinCosTurns(is_first ? u.y / share : (u.y - share) / (1 - share));
+    const Vector from_tube = Unit({is_first ? around_tube.cosine : -around_tube.cosine, around_tube.sine, 0});
+    return OnTube(Unit({sine, 0, -cosine}), from_tube);
   }
 
   bool IsDegenerate() const override { return !(minor_ > 0); }
@@ -150,7 +151,7 @@ class Torus : public Shape {
 
   bool IsInside(const Point& point) const {
     const Vector p = point - center_;
-    return std::hypot(std::hypot(p.x, p.z) - major_, p.y) < minor_;
+    return R1::Hypot(R1::Hypot(p.x, p.z) - major_, p.y) < minor_;
   }
 
   /// All t at which the line crosses the surface, infinite where there are fewer than four. With R and r the radii and

@@ -2,6 +2,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "R1/Elementary.h"
 #include "source/accelerate/Accelerator.h"
 #include "source/accelerate/twolevel/PrimitiveSet.h"
 
@@ -13,7 +14,7 @@ constexpr double thin_from = 12;            // box over triangle area from which
 constexpr double pays_from = 20;            // rays per primitive from which building a second structure is forgotten
 
 std::string Rounded(double x, int digits = 1) {
-  const double scale = std::pow(10, digits);
+  const double scale = R1::Pow(10, digits);
   std::string text = std::to_string(std::round(x * scale) / scale);
   text.erase(text.find('.') + 1 + static_cast<std::size_t>(digits));
   return text;
@@ -48,10 +49,10 @@ std::vector<R3::Ray> RaysOf(const World& world, const Accelerator& accelerator) 
       const auto hit = accelerator.Intersect(ray, workspace);
       if (!hit) continue;
       // Directions all around, turned by the golden angle from one to the next.
-      const double turn = 2.399963229728653 * static_cast<double>(rays.size());
+      const auto turn = R1::SinCosTurns((2 - std::numbers::phi) * static_cast<double>(rays.size()));
       const double up = 1 - 2 * std::fmod(0.618033988749895 * static_cast<double>(rays.size()), 1.0);
       const double out = std::sqrt(std::max(0.0, 1 - up * up));
-      const R3::Vector direction{out * std::cos(turn), up, out * std::sin(turn)};
+      const R3::Vector direction{out * turn.cosine, up, out * turn.sine};
       rays.push_back({SpawnPoint(world.At(ray, *hit), direction), direction});
     }
   return rays;

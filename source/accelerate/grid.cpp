@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "R1/Elementary.h"
 #include "source/accelerate/twolevel/Targets.h"
 #include "source/accelerate/wide/ClippedPrimitive.h"
 
@@ -301,7 +302,7 @@ class GridBuilder {
     int axes = 3;
     for (const std::size_t a : order) {
       const double share = size[static_cast<int>(a)] / longest;
-      const double wanted = share * std::pow(left / volume, 1.0 / axes);
+      const double wanted = share * R1::Pow(left / volume, 1.0 / axes);
       level.count[a] = static_cast<int>(std::clamp(std::round(wanted), 1.0, most_on_an_axis));
       left = std::max(1.0, left / level.count[a]);
       volume /= share;

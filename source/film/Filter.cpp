@@ -3,6 +3,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "R1/Elementary.h"
+
 namespace ray {
 namespace {
 
@@ -24,7 +26,7 @@ double RadiusOf(FilterKind kind) {
 
 double Sinc(double x) {
   const double angle = std::numbers::pi * x;
-  return angle == 0 ? 1 : std::sin(angle) / angle;
+  return angle == 0 ? 1 : R1::Sin(angle) / angle;
 }
 
 double Mitchell(double x) {
@@ -42,7 +44,7 @@ double FilterFormula(FilterKind kind, double distance) {
     case FilterKind::box:
       return 1;
     case FilterKind::gaussian:
-      return std::exp(-2 * x * x) - std::exp(-2 * radius * radius);
+      return R1::Exp(-2 * x * x) - R1::Exp(-2 * radius * radius);
     case FilterKind::mitchell:
       return Mitchell(x);
     case FilterKind::lanczos:

@@ -10,6 +10,7 @@
 #include <limits>
 #include <numeric>
 
+#include "R1/Elementary.h"
 #include "source/film/FQuantile.h"
 
 namespace ray {
@@ -29,7 +30,7 @@ double InUnit(double mean_square, const ErrorMeasure& measure, double mean) {
     case ErrorUnit::relative:
       return mean > 0 ? 100 * root / mean : root > 0 ? std::numeric_limits<double>::infinity() : 0;
     case ErrorUnit::decibel:
-      return -20 * std::log10(root);
+      return -20 * R1::Log10(root);
     case ErrorUnit::linear:
       return root;
   }
@@ -270,7 +271,7 @@ double SquaredTarget(double target, const ErrorMeasure& measure, double mean) {
     case ErrorUnit::relative:
       return target * mean / 100 * (target * mean / 100);
     case ErrorUnit::decibel:
-      return std::pow(10, -target / 10);
+      return R1::Pow(10, -target / 10);
     case ErrorUnit::linear:
       return target * target;
   }

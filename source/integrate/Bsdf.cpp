@@ -1,5 +1,6 @@
 #include "source/integrate/Bsdf.h"
 
+#include "R1/Elementary.h"
 #include "R3/Warp.h"
 #include "source/integrate/Refract.h"
 
@@ -64,7 +65,7 @@ void PhongReflectionOfEach(const ShadingPoint& p, LightSamples& samples) {
   }
   if (!IsBlack(m.ks))
     for (std::uint32_t i = 0; i < count; ++i)
-      if (cosine[i] > 0 && lobe[i] > 0 && !IsBlack(samples.Color(i))) highlight[i] = std::pow(lobe[i], m.n);
+      if (cosine[i] > 0 && lobe[i] > 0 && !IsBlack(samples.Color(i))) highlight[i] = R1::Pow(lobe[i], m.n);
   for (std::uint32_t i = 0; i < count; ++i) {
     const R2::Color reflected = (cosine[i] * p.kd + m.ks * highlight[i]) * samples.Color(i);
     samples.SetColor(i, cosine[i] > 0 ? reflected : R2::Color{});

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "R1/Elementary.h"
 #include "R2/Color.h"
 #include "R2/Point.h"
 #include "R3/Vector.h"
@@ -43,7 +44,7 @@ inline double LobeCosine(const ShadingPoint& p, const R3::Vector& L) { return Do
 inline R2::Color Highlight(const ShadingPoint& p, const R3::Vector& L) {
   const double lobe = LobeCosine(p, L);
   const Material& m = *p.material;
-  return m.ks * (lobe > 0 && !IsBlack(m.ks) ? std::pow(lobe, m.n) : 0);
+  return m.ks * (lobe > 0 && !IsBlack(m.ks) ? R1::Pow(lobe, m.n) : 0);
 }
 
 /// What a surface reflects of a light of the scene language, in its units (no 1/pi, no normalized lobe):

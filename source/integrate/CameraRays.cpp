@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "R1/Elementary.h"
 #include "R3/Warp.h"
 
 namespace ray {
@@ -25,9 +26,10 @@ R2::Point OnGrid(std::uint32_t index, std::uint32_t side) {
 /// Number `index` of `count` points that fill the unit disc evenly.
 ///   source   Vogel, A better way to construct the sunflower head (1979): radius sqrt(n), angle n times the golden one
 R2::Point OnSpiral(double index, double turn, int count) {
-  static const double golden_angle = std::numbers::pi * (3 - std::sqrt(5.0));
-  const double radius = std::sqrt(index / count), angle = turn * golden_angle;
-  return {radius * std::cos(angle), radius * std::sin(angle)};
+  constexpr double golden_turn = 2 - std::numbers::phi;
+  const double radius = std::sqrt(index / count);
+  const auto [sine, cosine] = R1::SinCosTurns(turn * golden_turn);
+  return {radius * cosine, radius * sine};
 }
 
 }  // namespace

@@ -5,6 +5,8 @@
 #include <numbers>
 #include <numeric>
 
+#include "R1/Elementary.h"
+
 namespace ray {
 namespace {
 
@@ -182,7 +184,7 @@ void Schedule::ReplayTo(std::uint32_t end) {
 std::uint32_t Schedule::NextEnd(const MeasuredError* error) const {
   const std::uint32_t end = state_.end, twice = end > most_samples / 2 ? most_samples : 2 * end;
   if (!error) return twice;
-  const double growth = std::pow(error->square_high / SquaredTargetOf(*error), 0.5 / fall_of_error);
+  const double growth = R1::Pow(error->square_high / SquaredTargetOf(*error), 0.5 / fall_of_error);
   if (!(growth < 1.7)) return twice;
   return std::min(twice, end + std::max(end / 8, static_cast<std::uint32_t>((growth - 1) * end)) + 1);
 }

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "R1/Elementary.h"
+
 namespace ray {
 namespace {
 
@@ -15,7 +17,7 @@ constexpr double parallel_angle = 1e-9;
 
 }  // namespace
 
-double Camera::HalfWidth() const { return std::tan(xfov); }
+double Camera::HalfWidth() const { return R1::Tan(xfov); }
 
 double Camera::HalfHeight(int width, int height) const {
   return aspect > 0 ? HalfWidth() / aspect : HalfWidth() * height / width;

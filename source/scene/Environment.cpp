@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "R1/Elementary.h"
 #include "source/scene/lights/Words.h"
 
 namespace ray {
@@ -43,7 +44,7 @@ int Nearest(double share, int count) { return std::clamp(static_cast<int>(share 
 
 /// `d` is unit.
 R2::Color InProbe(const R2::Image& image, const R3::Vector& d) {
-  const double sine = std::sqrt(d.x * d.x + d.y * d.y), radius = std::atan2(sine, -d.z) / pi;
+  const double sine = std::sqrt(d.x * d.x + d.y * d.y), radius = R1::Atan2(sine, -d.z) / pi;
   // Straight back every direction of the rim will do.
   const double x = sine > 0 ? d.x / sine * radius : radius, y = sine > 0 ? d.y / sine * radius : 0;
   return image.At(Nearest((x + 1) / 2, image.Width()), Nearest((y + 1) / 2, image.Height()));
@@ -78,12 +79,12 @@ R2::Color InCross(const R2::Image& image, const R3::Vector& d) {
 }
 
 /// The edge below row `row`, of latitude -pi/2 + pi row / rows.
-double SineOfEdge(int row, int rows) { return -std::cos(pi * row / rows); }
+double SineOfEdge(int row, int rows) { return -R1::SinCosTurns(0.5 * row / rows).cosine; }
 
 /// Of one texel in the row: width in longitude times height in the sine of latitude, without the difference of sines.
 double SolidAngle(int row, int rows) {
-  const double longitudes = pi / rows, middle = pi * (row + 0.5) / rows;
-  return longitudes * 2 * std::sin(middle) * std::sin(pi / (2 * rows));
+  const double longitudes = pi / rows, middle = 0.5 * (row + 0.5) / rows;
+  return longitudes * 2 * R1::SinCosTurns(middle).sine * R1::SinCosTurns(0.25 / rows).sine;
 }
 
 /// The sine of latitude at a share of a row's height in it.
@@ -93,34 +94,30 @@ double SineOf(int row, double share, int rows) {
 }
 
 /// From -z by +x, at a share of a column's width.
-double LongitudeOf(int column, double share, int rows) { return pi * (column + share) / rows - pi; }
+R1::SineCosine LongitudeOf(int column, double share, int rows) {
+  return R1::SinCosTurns(0.5 * (column + share) / rows - 0.5);
+}
 
-R3::Vector Towards(double sine_of_latitude, double sine_of_longitude, double cosine_of_longitude) {
+R3::Vector Towards(double sine_of_latitude, const R1::SineCosine& longitude) {
   const double radius = std::sqrt(std::max(0.0, (1 - sine_of_latitude) * (1 + sine_of_latitude)));
-  return {radius * sine_of_longitude, sine_of_latitude, -radius * cosine_of_longitude};
+  return {radius * longitude.sine, sine_of_latitude, -radius * longitude.cosine};
 }
 
 /// Each texel is the mean over the middles of its four quarters of equal solid angle.
 template <typename Lookup>
 R2::Image Resampled(int rows, const Lookup& lookup) {
   constexpr double quarters[] = {0.25, 0.75};
-  struct Sines {
-    double sine, cosine;
-  };
-  std::vector<Sines> longitudes;  // two a column
+  std::vector<R1::SineCosine> longitudes;  // two a column
   for (int x = 0; x < 2 * rows; ++x)
-    for (const double share : quarters) {
-      const double longitude = LongitudeOf(x, share, rows);
-      longitudes.push_back({std::sin(longitude), std::cos(longitude)});
-    }
+    for (const double share : quarters) longitudes.push_back(LongitudeOf(x, share, rows));
   R2::Image map(2 * rows, rows);
   for (int y = 0; y < rows; ++y) {
     const double latitudes[] = {SineOf(y, quarters[0], rows), SineOf(y, quarters[1], rows)};
     for (int x = 0; x < 2 * rows; ++x) {
-      const Sines* in_column = &longitudes[2 * static_cast<std::size_t>(x)];
+      const R1::SineCosine* in_column = &longitudes[2 * static_cast<std::size_t>(x)];
       R2::Color sum;
       for (const double latitude : latitudes)
-        for (int i = 0; i < 2; ++i) sum += lookup(Towards(latitude, in_column[i].sine, in_column[i].cosine));
+        for (int i = 0; i < 2; ++i) sum += lookup(Towards(latitude, in_column[i]));
       map.Set(x, y, sum / 4);
     }
   }
@@ -206,15 +203,15 @@ Environment::Environment(R2::Image image, std::string file)
 
 Environment::Texel Environment::At(const R3::Vector& direction) const {
   const R3::Vector d = Unit(direction);  // so that no component overflows; 0 for 0 and NaN, which is then some texel
-  const double u = std::atan2(d.x, -d.z) / (2 * pi) + 0.5, v = std::atan2(d.y, std::hypot(d.x, d.z)) / pi + 0.5;
+  const double u = R1::Atan2(d.x, -d.z) / (2 * pi) + 0.5,
+               v = R1::Atan2(d.y, std::sqrt(d.x * d.x + d.z * d.z)) / pi + 0.5;
   return {Nearest(u, map_.Width()), Nearest(v, map_.Height())};
 }
 
 R3::Vector Environment::Inside(const Texel& texel, const R2::Point& shares) const {
-  const double longitude = LongitudeOf(texel.column, shares.x, map_.Height());
   const double low = sines_[static_cast<std::size_t>(texel.row)],
                high = sines_[static_cast<std::size_t>(texel.row) + 1];
-  return Towards(low + shares.y * (high - low), std::sin(longitude), std::cos(longitude));
+  return Towards(low + shares.y * (high - low), LongitudeOf(texel.column, shares.x, map_.Height()));
 }
 
 double Environment::Pdf(const Texel& texel) const {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "R1/Elementary.h"
 #include "source/scene/CameraText.h"
 #include "source/view/live/JobStatus.h"
 #include "source/view/overlay/SceneLines.h"
@@ -123,7 +124,7 @@ void Viewer::On(const ButtonEvent& event) {
 
 void Viewer::On(const MoveEvent& event) {
   if (!press_) return;
-  const bool has_gone = std::hypot(event.x - press_->at.x, event.y - press_->at.y) > click_reach;
+  const bool has_gone = R1::Hypot(event.x - press_->at.x, event.y - press_->at.y) > click_reach;
   press_->is_click = press_->is_click && !has_gone;
   if (!press_->is_click) navigator_.DragTo({event.x, event.y});
 }
@@ -132,7 +133,7 @@ void Viewer::OnClick(const ButtonEvent& event) {
   const R2::Point position{event.x, event.y};
   if (event.button == Button::right) return DebugPixelAt(position);
   if (event.button != Button::left || event.modifiers != Modifiers{}) return;
-  const bool is_near = std::hypot(position.x - last_click_at_.x, position.y - last_click_at_.y) <= click_reach;
+  const bool is_near = R1::Hypot(position.x - last_click_at_.x, position.y - last_click_at_.y) <= click_reach;
   const bool is_second = last_click_ >= 0 && now_ - last_click_ <= double_click_time && is_near;
   last_click_ = is_second ? -1 : now_;
   last_click_at_ = position;

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "R1/Elementary.h"
 #include "source/render/LayerColors.h"
 #include "source/scene/CameraText.h"
 #include "source/text/EnumNames.h"
@@ -39,7 +40,7 @@ FrameState Viewer::Show() {
     shown.view.width = std::max(1, size_.width / 2);
     shown.section = section_lines_;
   }
-  const Exposure exposure{std::exp2(exposure_steps_), settings_.render.srgb};
+  const Exposure exposure{R1::Exp2(exposure_steps_), settings_.render.srgb};
   const R2::Color background = exposure.factor * scene_->parsed.scene.background;
   shown.background = exposure.srgb ? EncodeSrgb(background) : background;
   shown.seen_from = ViewFrom(navigator_.camera(), space_, shown.view, exposure);
@@ -93,7 +94,7 @@ R3::Box Viewer::BoxOfDrawing() const {
 
 std::optional<FrameState::Picture> Viewer::CoveringPicture() const {
   FrameState::Picture picture;
-  picture.exposure = {std::exp2(exposure_steps_), settings_.render.srgb};
+  picture.exposure = {R1::Exp2(exposure_steps_), settings_.render.srgb};
   if (auto compared = pictures_.Compared()) {
     picture.image = std::move(compared);
     return picture;

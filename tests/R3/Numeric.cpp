@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "R3/DoubleDouble.h"
+#include "R1/DoubleDouble.h"
 #include "tests/Draw.h"
 #include "tests/Quad.h"
 

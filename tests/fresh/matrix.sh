@@ -58,7 +58,7 @@ path_with_blanks() {
   cd "$full"
   if [ -n "${SEED-}" ]; then
     mkdir -p build/obj
-    cp -R "$tree/$SEED/obj/R2" "$tree/$SEED/obj/R3" "$tree/$SEED/obj/source" build/obj/
+    cp -R "$tree/$SEED/obj/R1" "$tree/$SEED/obj/R2" "$tree/$SEED/obj/R3" "$tree/$SEED/obj/source" build/obj/
     cp "$tree/$SEED/flags" build/
     find build -exec touch {} +
   fi

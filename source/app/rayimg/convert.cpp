@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "R1/Elementary.h"
 #include "R2/ToneCurve.h"
 #include "source/app/Status.h"
 #include "source/app/rayimg/Commands.h"
@@ -29,7 +30,7 @@ int Convert(const Options& options, const std::string& command_line) {
     throw UsageError("-bits 16 needs a PNG, not " + std::string(output.format->name));
 
   R2::DecodedImage picture = ReadLight(in, options.srgb);
-  const double factor = std::exp2(options.exposure);
+  const double factor = R1::Exp2(options.exposure);
   const R2::ToneCurve& curve = Curve(options.tonemap);
   R2::Image& image = picture.image;
   for (int y = 0; y < image.Height(); ++y)

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "R1/Elementary.h"
 #include "source/film/denoise/LocalFit.h"
 
 namespace ray {
@@ -32,7 +33,7 @@ constexpr FilterChoice filters[] = {{1, false}, {2, true}};
 /// bright sample is not all that counts.
 float Compressed(float x) {
   const float size = std::abs(x);
-  return size <= 1 ? x : std::copysign(1 + std::log(size), x);
+  return size <= 1 ? x : std::copysign(1 + static_cast<float>(R1::Log(size)), x);
 }
 
 /// A picture made pixel by pixel; of_channel(x, y, k) gives a channel.

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "R1/Elementary.h"
 #include "source/film/denoise/Regression.h"
 
 namespace ray {
@@ -84,7 +85,7 @@ class Tile {
         for (int j = 0; j <= 2 * patch; ++j)
           for (int i = 0; i <= 2 * patch; ++i) sum += distances_.At(x + i, y + j);
         constexpr float pixels = (2 * patch + 1) * (2 * patch + 1);
-        const double weight = std::exp(-std::max(0.0F, sum / pixels));
+        const double weight = R1::Exp(-std::max(0.0F, sum / pixels));
         if (weight >= least_weight) AddNeighbor(x, y, dx, dy, weight);
       }
   }

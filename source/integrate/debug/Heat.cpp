@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "R1/Elementary.h"
 #include "source/integrate/Whitted.h"
 
 namespace ray {
@@ -24,7 +25,7 @@ void CostIntegrator::Li(std::span<const CameraSample> samples, std::span<R2::Col
 
 R2::Color HeatColor(double heat) {
   static const std::array<R2::Color, 5> scale{R2::Color{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {1, 1, 0}, {1, 1, 1}};
-  const double decades = std::clamp(std::log10(std::max(heat, 1.0)), 0.0, static_cast<double>(scale.size() - 1));
+  const double decades = std::clamp(R1::Log10(std::max(heat, 1.0)), 0.0, static_cast<double>(scale.size() - 1));
   const auto below = std::min(static_cast<std::size_t>(decades), scale.size() - 2);
   const double share = decades - static_cast<double>(below);
   return (1 - share) * scale[below] + share * scale[below + 1];

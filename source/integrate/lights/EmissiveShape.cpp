@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "R1/Elementary.h"
+
 namespace ray {
 namespace {
 
@@ -21,7 +23,7 @@ double MeanScale(const R3::Matrix& matrix) {
   double largest = 0;
   for (const R3::Vector& column : columns) largest = std::max(largest, MaxComponent(Abs(column)));
   for (R3::Vector& column : columns) column = column / largest;  // no product of three overflows
-  return largest * std::cbrt(std::abs(Dot(columns[0], Cross(columns[1], columns[2]))));
+  return largest * R1::Cbrt(std::abs(Dot(columns[0], Cross(columns[1], columns[2]))));
 }
 
 bool Emits(const Instance& instance) {

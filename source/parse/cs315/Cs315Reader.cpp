@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "R1/Elementary.h"
 #include "source/parse/Format.h"
 #include "source/parse/objects/Lights.h"
 #include "source/parse/objects/Placement.h"
@@ -87,7 +88,7 @@ void Cs315Reader::ReadCamera(Mapping& scene) {
   if (aimed.up_was_replaced) return report_.Error(camera->What(), "has an up vector along the view direction");
   Made().camera = aimed.camera;
   Made().camera.aspect = aspect;
-  Made().camera.xfov = std::atan(aspect * std::tan(degrees / 2 * std::numbers::pi / 180));
+  Made().camera.xfov = R1::Atan(aspect * R1::Tan(degrees / 2 * std::numbers::pi / 180));
 }
 
 // Ambient, Point and Directional are the course's; all but Ambient and Environment are kinds of ours as well.

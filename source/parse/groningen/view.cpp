@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "R1/Elementary.h"
 #include "source/parse/groningen/GroningenReader.h"
 #include "source/text/NumberText.h"
 
@@ -52,7 +53,7 @@ void GroningenReader::ReadEye(const Field& field) {
   Camera& camera = Made().camera;
   camera.eye = R3::Point{} + *eye;
   camera.towards = {0, 0, eye->z > 0 ? -1.0 : 1.0};
-  camera.xfov = std::atan2(half, std::abs(eye->z));
+  camera.xfov = R1::Atan2(half, std::abs(eye->z));
   camera.shift = {(half - eye->x) / half, (half - eye->y) / half};
 }
 
@@ -73,7 +74,7 @@ void GroningenReader::ReadCamera(const Field& field) {
   if (aimed.up_was_replaced) return report_.Error(camera->What(), "has an up vector along the view direction");
   Made().camera = aimed.camera;
   // A pixel is as wide as `up` is long, in the plane through the center.
-  Made().camera.xfov = std::atan2(width / 2 * Length(up), Length(towards));
+  Made().camera.xfov = R1::Atan2(width / 2 * Length(up), Length(towards));
 }
 
 std::optional<double> GroningenReader::ReadSize(const Field& size) {

@@ -4,17 +4,15 @@
 #include <numbers>
 #include <utility>
 
+#include "R1/Elementary.h"
+
 namespace ray {
 namespace {
 
-struct SineCosine {
-  double sine, cosine;
-};
-
-SineCosine OfDegrees(double degrees) {
+R1::SineCosine OfDegrees(double degrees) {
   int quarters = 0;
-  const double rest = std::remquo(degrees, 90, &quarters) * std::numbers::pi / 180;
-  const double s = std::sin(rest), c = std::cos(rest);
+  const double rest = std::remquo(degrees, 90, &quarters);
+  const auto [s, c] = R1::SinCosTurns(rest / 360);
   switch (quarters & 3) {
     case 0:
       return {s, c};

@@ -1,6 +1,7 @@
 #include <array>
 #include <numbers>
 
+#include "R1/Elementary.h"
 #include "source/parse/objects/Kinds.h"
 #include "source/parse/objects/Placement.h"
 
@@ -45,7 +46,7 @@ std::optional<R3::Matrix> FromQuaternion(const Field& field) {
   for (const Field& f : *fields)
     if (const auto number = f.Number()) q.push_back(*number);
   if (q.size() < 4) return {};
-  const double length = std::hypot(q[0], R3::Length({q[1], q[2], q[3]}));
+  const double length = R1::Hypot(q[0], R3::Length({q[1], q[2], q[3]}));
   if (!(length > 0)) {
     field.Error("must not be 0 0 0 0");
     return {};

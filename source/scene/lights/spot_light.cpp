@@ -2,6 +2,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "R1/Elementary.h"
 #include "source/scene/Light.h"
 #include "source/scene/lights/Falloff.h"
 #include "source/scene/lights/Words.h"
@@ -19,7 +20,7 @@ class SpotLight : public Light {
         direction_(Unit(direction)),
         falloff_(falloff),
         cut_off_(cut_off),
-        cut_off_cosine_(std::cos(cut_off)),
+        cut_off_cosine_(R1::Cos(cut_off)),
         exponent_(exponent) {}
 
   std::optional<LightSample> Illuminate(const R3::Point& p, const R2::Point&) const override {
@@ -29,7 +30,7 @@ class SpotLight : public Light {
     // By rounding the cosine may pass 1, and so may that of a cut-off angle of 0, which lights the axis alone.
     const double cosine = std::min(1.0, -Dot(direction_, Unit(to_light)));
     if (!(cosine > 0 && cosine >= cut_off_cosine_)) return {};
-    return LightSample{std::pow(cosine, exponent_) * falloff_(color_, distance), to_light};
+    return LightSample{R1::Pow(cosine, exponent_) * falloff_(color_, distance), to_light};
   }
 
   LightBound Bound() const override { return falloff_.BoundOf(color_, place_, 0); }

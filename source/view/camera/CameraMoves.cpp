@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "R1/Elementary.h"
+
 namespace ray {
 namespace {
 
@@ -32,8 +34,8 @@ R3::Vector TowardsMiddle(const Camera& camera) {
 /// How far the view may still be tilted before it looks along the vertical.
 double AllowedTilt(const Camera& camera, const R3::Vector& vertical, double tilt) {
   constexpr double closest = 0.01;  // radians to a pole
-  const double elevation = std::asin(std::clamp(Dot(camera.towards, Unit(vertical)), -1.0, 1.0));
-  const double most = std::acos(0.0) - closest;
+  const double elevation = R1::Asin(std::clamp(Dot(camera.towards, Unit(vertical)), -1.0, 1.0));
+  const double most = R1::Acos(0.0) - closest;
   return std::clamp(tilt, std::min(0.0, -most - elevation), std::max(0.0, most - elevation));
 }
 
@@ -67,7 +69,7 @@ Camera RotatedUpright(const Camera& camera, const R3::Point& center, const R3::V
 }
 
 Camera Zoomed(const Camera& camera, const R3::Point& center, const R2::Point& drag) {
-  const double factor = std::exp(2 * (drag.x + drag.y));
+  const double factor = R1::Exp(2 * (drag.x + drag.y));
   return Posed(camera, camera.eye + (factor - 1) / factor * (center - camera.eye), camera.towards, camera.up);
 }
 

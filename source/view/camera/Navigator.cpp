@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "R1/Elementary.h"
+
 namespace ray {
 namespace {
 
@@ -100,7 +102,7 @@ void Navigator::DragTo(const R2::Point& position) {
 
 void Navigator::Scroll(const ScrollEvent& event, const PointAt& point_at) {
   if (IsFlying()) {
-    fly_speed_ = std::clamp(fly_speed_ * std::pow(faster, event.steps), 1e-6, 1e6);
+    fly_speed_ = std::clamp(fly_speed_ * R1::Pow(faster, event.steps), 1e-6, 1e6);
     return;
   }
   const auto point = point_at({event.x, event.y});

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "R1/Elementary.h"
 #include "source/view/gl/Canvas.h"
 #include "source/view/gl/Upload.h"
 
@@ -132,7 +133,7 @@ SurfaceFeatures FeaturesOf(const ScenePicture& picture) {
 }
 
 /// The angle at which Phong's lobe is half as strong as in the middle, on both sides.
-double LobeWidth(double exponent) { return 2 * std::acos(std::pow(0.5, 1 / std::max(exponent, 1.0))); }
+double LobeWidth(double exponent) { return 2 * R1::Acos(R1::Pow(0.5, 1 / std::max(exponent, 1.0))); }
 
 void DrawTriangles(const SurfaceBatch& batch) {
   glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(batch.count), GL_UNSIGNED_INT,

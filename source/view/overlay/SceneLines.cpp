@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "R1/Elementary.h"
 #include "R3/Warp.h"
 
 namespace ray {
@@ -87,7 +88,8 @@ void AddCircle(Lines& lines, const DrawingSpace& space, const R3::Point& center,
   constexpr int pieces = 32;
   const auto at = [&](int i) {
     const double angle = 2 * std::numbers::pi * (i % pieces) / pieces;
-    return center + std::cos(angle) * a + std::sin(angle) * b;
+    const auto [sine, cosine] = R1::SinCos(angle);
+    return center + cosine * a + sine * b;
   };
   for (int i = 0; i < pieces; ++i) Add(lines, space, at(i), at(i + 1), color);
 }

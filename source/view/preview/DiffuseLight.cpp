@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <numbers>
 
+#include "R1/Elementary.h"
+
 namespace ray {
 namespace {
 
@@ -41,11 +43,11 @@ DiffuseLight DiffuseLightOf(const Environment& environment) {
   DiffuseLight light;
   for (int y = 0; y < map.Height(); ++y) {
     const double low = pi * y / map.Height() - pi / 2, high = pi * (y + 1) / map.Height() - pi / 2;
-    const double solid_angle = (std::sin(high) - std::sin(low)) * 2 * pi / map.Width();
-    const double sine = (std::sin(low) + std::sin(high)) / 2, radius = std::sqrt(1 - sine * sine);
+    const double solid_angle = (R1::Sin(high) - R1::Sin(low)) * 2 * pi / map.Width();
+    const double sine = (R1::Sin(low) + R1::Sin(high)) / 2, radius = std::sqrt(1 - sine * sine);
     for (int x = 0; x < map.Width(); ++x) {
       const double longitude = 2 * pi * (x + 0.5) / map.Width() - pi;  // from -z by +x; see EnvironmentLayout
-      const auto terms = Terms({radius * std::sin(longitude), sine, -radius * std::cos(longitude)});
+      const auto terms = Terms({radius * R1::Sin(longitude), sine, -radius * R1::Cos(longitude)});
       const R2::Color arriving = solid_angle * map.At(x, y);
       for (std::size_t i = 0; i < terms.size(); ++i) light.factors[i] += weights[i] * terms[i] * arriving;
     }

@@ -5,6 +5,7 @@
 #include <cstring>
 #include <numbers>
 
+#include "R1/Elementary.h"
 #include "source/integrate/lights/EmissiveShape.h"
 #include "source/integrate/lights/EmissiveTriangle.h"
 
@@ -46,7 +47,7 @@ PreviewLight Known(const Light& light, const DrawingSpace& space) {
   if (is_spot || is_area || is("point_light") || is("sphere_light")) known.color = {a[0], a[1], a[2]};
   if (is_spot || is_area) {
     known.direction = AsFloats(Unit(vector(6)));
-    known.least_cosine = is_spot ? std::cos(a[12]) : 0;
+    known.least_cosine = is_spot ? R1::Cos(a[12]) : 0;
     known.exponent = is_spot ? a[13] : 1;
   }
   return known;
@@ -101,7 +102,7 @@ double Strength(const PreviewLight& light) {
   const double power = Luminance(light.color);
   if (light.is_infinite) return power;
   const auto& p = light.place;
-  const double d = std::max(nearest, static_cast<double>(std::hypot(p[0], p[1], p[2])));
+  const double d = std::max(nearest, R3::Length({p[0], p[1], p[2]}));
   const double falloff = light.constant + light.linear * d + light.quadratic * d * d;
   return falloff > 0 ? power / falloff : power;
 }

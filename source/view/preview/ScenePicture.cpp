@@ -9,6 +9,8 @@
 #include <limits>
 #include <unordered_map>
 
+#include "R1/Elementary.h"
+
 namespace ray {
 namespace {
 
@@ -114,7 +116,7 @@ SurfaceMaterial LookOf(const Material& m, const Scene& scene, const DrawingSpace
 
 /// What is left of light on half the mean way through a shape, since its surface is drawn twice, before and behind.
 R2::Color LeftInside(const Material& m, double mean_way) {
-  const auto left = [&](double absorb) { return absorb > 0 ? std::exp(-absorb * mean_way / 2) : 1; };
+  const auto left = [&](double absorb) { return absorb > 0 ? R1::Exp(-absorb * mean_way / 2) : 1; };
   return {left(m.absorb.r), left(m.absorb.g), left(m.absorb.b)};
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "R1/Elementary.h"
 #include "R3/Warp.h"
 
 namespace ray {
@@ -44,7 +45,7 @@ ClipMatrix From(const PreviewLight& light, const R3::Vector& towards, const R3::
 
 ClipMatrix Cone(const PreviewLight& light, const R3::Vector& towards, double half_angle) {
   const R3::Tangents across = R3::TangentsOf(towards);
-  const double scale = 1 / std::tan(half_angle);
+  const double scale = 1 / R1::Tan(half_angle);
   return From(light, towards, scale * across.first, scale * across.second);
 }
 
@@ -52,9 +53,9 @@ ClipMatrix Cone(const PreviewLight& light, const R3::Vector& towards, double hal
 std::vector<ClipMatrix> ViewsOf(const PreviewLight& light) {
   const R3::Vector place = AsVector(light.place);
   if (light.is_infinite) return {Along(-place)};
-  const double distance = Length(place), spot = std::acos(std::clamp(light.least_cosine, -1.0, 1.0));
+  const double distance = Length(place), spot = R1::Acos(std::clamp(light.least_cosine, -1.0, 1.0));
   if (spot < widest_spot) return {Cone(light, AsVector(light.direction), 1.01 * spot + 1e-3)};
-  if (distance > outside) return {Cone(light, -place / distance, std::asin(reach / distance))};
+  if (distance > outside) return {Cone(light, -place / distance, R1::Asin(reach / distance))};
   std::vector<ClipMatrix> six;
   for (const R3::Vector& axis : {R3::Vector{1, 0, 0}, {0, 1, 0}, {0, 0, 1}})
     for (const double sign : {1.0, -1.0}) six.push_back(Cone(light, sign * axis, std::numbers::pi / 4));

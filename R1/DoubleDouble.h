@@ -1,8 +1,10 @@
 #pragma once
 
+#include <bit>
 #include <cmath>
+#include <cstdint>
 
-namespace R3 {
+namespace R1 {
 
 /// A number of about 106 bits, kept as the unevaluated sum of two doubles, |low| <= ulp(high)/2.
 /// For sums and products whose cancellation would otherwise eat the answer; not for inner loops.
@@ -38,6 +40,18 @@ inline DoubleDouble QuickSum(double a, double b) {
   return {s, b - (s - a)};
 }
 
+/// The upper 26 bits of x; the other 27 are x - Head(x), exactly. Products of two heads are exact.
+inline double Head(double x) {
+  return std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) & ~std::uint64_t{0x7ffffff});
+}
+
+/// a b with a relative error under 2^-104 and no fused operation, barring underflow: for elementary functions, which
+/// have to be as fast where processors have none.
+inline DoubleDouble SplitProduct(double a, double b) {
+  const double p = a * b, ah = Head(a), al = a - ah, bh = Head(b), bl = b - bh;
+  return {p, ((ah * bh - p) + ah * bl + al * bh) + al * bl};
+}
+
 inline DoubleDouble operator-(const DoubleDouble& a) { return {-a.high, -a.low}; }
 
 inline DoubleDouble operator+(const DoubleDouble& a, const DoubleDouble& b) {
@@ -59,4 +73,11 @@ inline DoubleDouble operator/(const DoubleDouble& a, const DoubleDouble& b) {
   return QuickSum(q, rest.high / b.high);
 }
 
-}  // namespace R3
+/// a / b as exactly as SplitProduct, with no fused operation.
+inline DoubleDouble SplitQuotient(const DoubleDouble& a, const DoubleDouble& b) {
+  const double q = a.high / b.high;
+  const DoubleDouble p = SplitProduct(q, b.high);
+  return QuickSum(q, (((a.high - p.high) - p.low) + a.low - q * b.low) / b.high);
+}
+
+}  // namespace R1

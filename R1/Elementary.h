@@ -1,0 +1,84 @@
+#pragma once
+
+#include <cassert>
+#include <cmath>
+#include <cstdint>
+
+#include "R1/DoubleDouble.h"
+#include "R1/Kernels.h"
+
+/// Functions of a real number, made of + - * /, the square root and operations on integers only, each rounded by
+/// itself: the same bits on every processor and with every C library, which those of the C library do not give.
+/// Everything that reaches a picture takes these (`make check`).
+///   accuracy   the largest error seen in tests/R1/Elementary.cpp against 113 bits, in ulp of the result, is under the
+///              number given with each function
+///   limits     infinities, NaN, signed zeros and poles as in ISO C, annex F; errno and the exception flags mean
+///   nothing source     arguments are reduced as in Cody and Waite, Software Manual for the Elementary Functions
+///   (1980), Payne
+///              and Hanek, Radian reduction for trigonometric functions (1983), and Tang, Table-driven implementation
+///              of the exponential (1989) and of the logarithm function (1990); script/elementary.py derives all
+///              numbers
+namespace R1 {
+
+struct SineCosine {
+  double sine = 0, cosine = 1;
+};
+
+// Angles in radians, of any size.
+SineCosine SinCos(double angle);  // .8 ulp each
+double Sin(double angle);
+double Cos(double angle);
+double Tan(double angle);  // .9 ulp
+
+double Asin(double x);             // .55 ulp
+double Acos(double x);             // .55 ulp
+double Atan(double x);             // .55 ulp
+double Atan2(double y, double x);  // .55 ulp
+
+double Exp(double x);              // .55 ulp; .76 where the result is subnormal
+double Exp2(double x);             // .55 ulp; .76 where the result is subnormal
+double Expm1(double x);            // .7 ulp
+double Log(double x);              // .55 ulp
+double Log1p(double x);            // .55 ulp
+double Log10(double x);            // .55 ulp
+double Pow(double x, double y);    // .55 ulp; .76 where the result is subnormal
+double Cbrt(double x);             // .55 ulp
+double Hypot(double x, double y);  // .55 ulp; .76 where the result is subnormal
+
+/// Sine and cosine of high + low, |high| <= pi/4 but for rounding, |low| <= ulp(high)/2.
+inline SineCosine SinCosNearZero(double high, double low) {
+  return {high + SineLessAngle(high, low), CosineNearZero(high, low)};
+}
+
+/// The same angle and as many quarter turns more, which count modulo 4.
+inline SineCosine Turned(const SineCosine& a, std::uint64_t quarters) {
+  const double sine = quarters & 1 ? a.cosine : a.sine, cosine = quarters & 1 ? a.sine : a.cosine;
+  return {quarters & 2 ? -sine : sine, (quarters + 1) & 2 ? -cosine : cosine};
+}
+
+/// The whole number nearest to x, |x| < 2^51, ties to even, and its lowest bits as those of an integer.
+struct Nearest {
+  explicit Nearest(double x) : shifted(x + 0x1.8p52) {}
+  double Value() const { return shifted - 0x1.8p52; }
+  std::uint64_t Bits() const { return std::bit_cast<std::uint64_t>(shifted); }
+
+  double shifted;  // the sum has ulp 1
+};
+
+/// Sine and cosine of an angle in whole turns, from -1/8 to 1/8; .8 ulp each.
+inline SineCosine SinCosEighth(double turns) {
+  const double head = Head(turns), angle = head * coefficients::two_pi.high;  // 26 bits times 26 bits
+  const DoubleDouble sum =
+      QuickSum(angle, (turns - head) * coefficients::two_pi.high + turns * coefficients::two_pi.low);
+  return SinCosNearZero(sum.high, sum.low);
+}
+
+/// Sine and cosine of an angle in whole turns, |turns| < 2^48; .8 ulp each. Nothing is lost in reducing the angle, so
+/// that this is faster, and quarters of a turn give exactly 0 and 1.
+inline SineCosine SinCosTurns(double turns) {
+  assert(!(std::abs(turns) >= 0x1p48));
+  const Nearest quarters(4 * turns);
+  return Turned(SinCosEighth(turns - 0.25 * quarters.Value()), quarters.Bits());
+}
+
+}  // namespace R1

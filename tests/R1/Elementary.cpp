@@ -1,0 +1,255 @@
+#include "R1/Elementary.h"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <limits>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "tests/Draw.h"
+#include "tests/Quad.h"
+
+// The truth in 113 bits: of gcc's library where doubles of twice the size have a type of their own, and elsewhere of
+// the C library, whose long double has 113 bits there.
+#if defined(__SIZEOF_FLOAT128__)
+extern "C" {
+Quad sinq(Quad), cosq(Quad), tanq(Quad), asinq(Quad), acosq(Quad), atanq(Quad), atan2q(Quad, Quad), expq(Quad),
+    expm1q(Quad), logq(Quad), log1pq(Quad), log10q(Quad), powq(Quad, Quad), cbrtq(Quad), hypotq(Quad, Quad);
+}
+#define TRUTH(name) name##q
+#else
+#define TRUTH(name) name##l
+#endif
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity(), least = std::numeric_limits<double>::denorm_min();
+const double nan = std::nan("");
+
+/// Distance to the truth in ulp of it.
+double ErrorInUlp(double got, Quad truth) {
+  const double nearest = oracle::Double(truth);
+  if (got == nearest || (std::isnan(got) && std::isnan(nearest))) {
+    if (!std::isfinite(got) || got == 0)
+      return std::signbit(got) == std::signbit(nearest) || std::isnan(got) ? 0 : infinity;
+  } else if (!std::isfinite(nearest) || !std::isfinite(got)) {
+    return infinity;
+  }
+  const double size = std::max(std::abs(nearest), std::numeric_limits<double>::min());
+  const double ulp = std::scalbn(1, std::ilogb(size) - 52);
+  return oracle::Double(oracle::Abs(Quad(got) - truth) / Quad(ulp));
+}
+
+struct Worst {
+  double error = 0, x = 0, y = 0;
+
+  void See(double got, Quad truth, double at_x, double at_y = 0) {
+    const double e = ErrorInUlp(got, truth);
+    if (!(e <= error)) error = e, x = at_x, y = at_y;
+  }
+  std::string Where() const {
+    char text[100];
+    std::snprintf(text, sizeof text, "%.4f ulp at %a, %a", error, x, y);
+    return text;
+  }
+};
+
+/// Any double at all: random bits.
+double Anything(Draw& draw) {
+  const auto half = [&] { return static_cast<std::uint32_t>(draw.Whole(INT32_MIN, INT32_MAX)); };
+  return std::bit_cast<double>(std::uint64_t{half()} << 32 | half());
+}
+
+/// Zeros, infinities, NaN, the ends of the subnormal and normal numbers, and both sides of what is often special.
+std::vector<double> Specials() {
+  std::vector<double> all{nan};
+  for (const double x : {0.0,
+                         infinity,
+                         least,
+                         0x1p-1022,
+                         0x1p-1023,
+                         0x1p-600,
+                         0x1p-300,
+                         0x1p-60,
+                         0x1p-54,
+                         0x1p-53,
+                         0x1p-28,
+                         0x1p-20,
+                         0.5,
+                         1.0,
+                         2.0,
+                         3.0,
+                         0x1p20,
+                         0x1p52,
+                         0x1p53,
+                         0x1p54,
+                         0x1p300,
+                         0x1p600,
+                         0x1p1023,
+                         std::numbers::pi,
+                         std::numbers::pi / 2,
+                         std::numbers::pi / 4,
+                         std::numbers::ln2,
+                         std::numbers::ln2 / 256,
+                         709.782712893384,
+                         745.1332191019411,
+                         708.3964185322641})
+    for (const double near : {std::nextafter(x, 0.0), x, std::nextafter(x, infinity)})
+      for (const double sign : {1.0, -1.0}) all.push_back(sign * near);
+  return all;
+}
+
+/// 1 and a little more or less, down to its last bit, where logarithms almost vanish.
+double NearOne(Draw& draw) { return 1 + std::ldexp(draw.Between(-1, 1), draw.Whole(-52, -1)); }
+
+/// Evenly in an interval, and with random exponents.
+struct Interval {
+  double low, high;
+  double Draw_(Draw& draw, int i) const {
+    if (i % 3) return draw.Between(low, high);
+    const double size = std::max(std::abs(low), std::abs(high));
+    const double x = std::ldexp(draw.Between(0.5, 1), draw.Whole(-60, std::ilogb(size) + 1));
+    return std::clamp(draw.Whole(0, 1) ? x : -x, low, high);
+  }
+};
+
+using Function = double (*)(double);
+using Truth = Quad (*)(Quad);
+
+void ExpectWithin(double ulp, Function function, Truth truth, const std::vector<Interval>& intervals,
+                  const std::vector<double>& more = {}) {
+  Draw draw(903);
+  Worst worst;
+  const auto see = [&](double x) { worst.See(function(x), truth(x), x); };
+  for (const double x : Specials()) see(x);
+  for (const double x : more) see(x);
+  for (int i = 0; i < Count(10'000, 1'000'000); ++i) see(Anything(draw)), see(NearOne(draw));
+  for (const Interval& interval : intervals)
+    for (int i = 0; i < Count(60'000, 6'000'000); ++i) see(interval.Draw_(draw, i));
+  EXPECT_LE(worst.error, ulp) << worst.Where();
+  if (std::getenv("RAYPRO_PRINT")) printf("%s\n", worst.Where().c_str());
+}
+
+/// The doubles around multiples of pi/2, where sine or cosine almost vanish, and the nearest of all.
+///   source   the nearest: Muller, Elementary Functions (2016), table 11.1
+std::vector<double> NearMultiplesOfHalfPi() {
+  std::vector<double> all{0x1.6ac5b262ca1ffp+849, 0x1.921fb54442d18p+0, 5319372648326541.0 * 0x1p202};
+  Draw draw(904);
+  for (int i = 0; i < Count(20'000, 2'000'000); ++i) {
+    const double n = i < 5000 ? i : std::floor(std::ldexp(1, draw.Whole(0, 50)) * draw.Between(1, 2));
+    const double x = oracle::Double(Quad(n) * TRUTH(acos)(Quad(0)));
+    for (const double near : {std::nextafter(x, 0.0), x, std::nextafter(x, infinity)})
+      all.push_back(near), all.push_back(-near);
+  }
+  return all;
+}
+
+const std::vector<Interval> angles{{-1, 1}, {-10, 10}, {-1e6, 1e6}, {-0x1p40, 0x1p40}};
+
+TEST(Elementary, SineAndCosineAreWithinEightTenthsOfAnUlpForAnglesOfAnySize) {
+  ExpectWithin(0.8, R1::Sin, TRUTH(sin), angles, NearMultiplesOfHalfPi());
+  ExpectWithin(0.8, R1::Cos, TRUTH(cos), angles, NearMultiplesOfHalfPi());
+}
+
+TEST(Elementary, TheTangentIsWithinNineTenthsOfAnUlp) {
+  ExpectWithin(0.9, R1::Tan, TRUTH(tan), angles, NearMultiplesOfHalfPi());
+}
+
+TEST(Elementary, ArcFunctionsAreWithinFiftyFiveHundredthsOfAnUlp) {
+  ExpectWithin(0.55, R1::Asin, TRUTH(asin), {{-1, 1}, {0.99, 1}});
+  ExpectWithin(0.55, R1::Acos, TRUTH(acos), {{-1, 1}, {0.99, 1}, {-1, -0.99}});
+  ExpectWithin(0.55, R1::Atan, TRUTH(atan), {{-1, 1}, {-100, 100}});
+}
+
+TEST(Elementary, ExponentialsAndLogarithmsAreWithinTheirStatedErrors) {
+  const Interval fits{-708.39, 709.78};
+  ExpectWithin(
+      0.55, [](double x) { return x < -708.39 ? 0 : R1::Exp(x); },
+      [](Quad x) { return x < -708.39 ? 0 : TRUTH(exp)(x); }, {{-1, 1}, fits});
+  ExpectWithin(0.76, R1::Exp, TRUTH(exp), {{-746, -708}});
+  ExpectWithin(0.76, R1::Exp2, [](Quad x) { return TRUTH(pow)(2, x); }, {{-1, 1}, {-1080, 1030}});
+  ExpectWithin(0.7, R1::Expm1, TRUTH(expm1), {{-1, 1}, {-0.01, 0.01}, fits});
+  ExpectWithin(0.55, R1::Log, TRUTH(log), {{0, 2}, {0.99, 1.01}, {0, 1e300}});
+  ExpectWithin(0.55, R1::Log1p, TRUTH(log1p), {{-1, 1}, {-0.01, 0.01}, {0, 1e300}});
+  ExpectWithin(0.55, R1::Log10, TRUTH(log10), {{0, 2}, {0.99, 1.01}, {0, 1e300}});
+  ExpectWithin(0.55, R1::Cbrt, TRUTH(cbrt), {{-2, 2}, {-1e300, 1e300}});
+}
+
+/// All pairs of specials, pairs of random bits, and pairs from intervals.
+Worst WorstOfPairs(double (*function)(double, double), Quad (*truth)(Quad, Quad),
+                   const std::vector<std::pair<Interval, Interval>>& intervals) {
+  Draw draw(905);
+  Worst worst;
+  const auto see = [&](double x, double y) { worst.See(function(x, y), truth(x, y), x, y); };
+  for (const double x : Specials())
+    for (const double y : Specials()) see(x, y);
+  for (int i = 0; i < Count(20'000, 2'000'000); ++i) {
+    const double x = Anything(draw), y = Anything(draw), near_one = NearOne(draw);
+    see(x, y), see(near_one, y), see(x, near_one);
+  }
+  for (const auto& [of_x, of_y] : intervals)
+    for (int i = 0; i < Count(60'000, 6'000'000); ++i) {
+      const double x = of_x.Draw_(draw, i), y = of_y.Draw_(draw, i);
+      see(x, y);
+    }
+  if (std::getenv("RAYPRO_PRINT")) printf("%s\n", worst.Where().c_str());
+  return worst;
+}
+
+TEST(Elementary, TheAngleOfAPointIsWithinFiftyFiveHundredthsOfAnUlp) {
+  const Worst worst =
+      WorstOfPairs(R1::Atan2, TRUTH(atan2), {{{-1, 1}, {-1, 1}}, {{0.9, 1}, {0.9, 1}}, {{-1, 1}, {-1e9, 1e9}}});
+  EXPECT_LE(worst.error, 0.55) << worst.Where();
+}
+
+TEST(Elementary, TheLengthOfAHypotenuseIsWithinFiftyFiveHundredthsOfAnUlp) {
+  const Worst worst =
+      WorstOfPairs(R1::Hypot, TRUTH(hypot), {{{-1, 1}, {-1, 1}}, {{0.9, 1}, {0, 0.01}}, {{-1, 1}, {-1e9, 1e9}}});
+  EXPECT_LE(worst.error, 0.55) << worst.Where();
+}
+
+TEST(Elementary, PowersAreWithinFiftyFiveHundredthsOfAnUlp) {
+  const Worst worst =
+      WorstOfPairs(R1::Pow, TRUTH(pow),
+                   {{{0, 1}, {0, 1000}}, {{0, 2}, {0.4, 0.5}}, {{0.999, 1.001}, {-1e6, 1e6}}, {{0, 2}, {2.4, 2.4}}});
+  EXPECT_LE(worst.error, 0.76) << worst.Where();
+}
+
+TEST(Elementary, ATurnInQuartersIsExactAndInPartsWithinEightTenthsOfAnUlp) {
+  for (int i = -8; i <= 8; ++i) {
+    const auto [sine, cosine] = R1::SinCosTurns(0.25 * i);
+    EXPECT_EQ(std::abs(sine), i & 1 ? 1 : 0) << i;
+    EXPECT_EQ(std::abs(cosine), i & 1 ? 0 : 1) << i;
+  }
+  Draw draw(906);
+  Worst worst;
+  const Quad two_pi = 4 * TRUTH(acos)(Quad(0));
+  for (int i = 0; i < Count(200'000, 20'000'000); ++i) {
+    const double turns = Interval{-1, 1}.Draw_(draw, i), n = i % 5 ? 0 : draw.Whole(-1000, 1000), all = turns + n;
+    // What is left of whole quarters is exact, so that the oracle does not have to reduce a rounded product.
+    const double quarters = std::nearbyint(4 * all);
+    const Quad rest = (Quad(all) - Quad(quarters) / 4) * two_pi;
+    const int quarter = static_cast<int>(quarters) & 3;
+    const Quad s = TRUTH(sin)(rest), c = TRUTH(cos)(rest);
+    const auto [sine, cosine] = R1::SinCosTurns(all);
+    if (rest == 0) continue;
+    worst.See(sine, quarter == 0 ? s : quarter == 1 ? c : quarter == 2 ? -s : -c, all);
+    worst.See(cosine, quarter == 0 ? c : quarter == 1 ? -s : quarter == 2 ? -c : s, all);
+  }
+  EXPECT_LE(worst.error, 0.8) << worst.Where();
+  if (std::getenv("RAYPRO_PRINT")) printf("%s\n", worst.Where().c_str());
+}
+
+TEST(Elementary, ResultsThatDoublesHoldAreExact) {
+  for (int i = -40; i <= 40; ++i) {
+    EXPECT_EQ(R1::Exp2(i), std::ldexp(1, i));
+    EXPECT_EQ(R1::Pow(i, 3), static_cast<double>(i) * i * i);
+    EXPECT_EQ(R1::Cbrt(static_cast<double>(i) * i * i), i);
+  }
+  for (int i = 0; i < 16; ++i) EXPECT_EQ(R1::Log10(std::strtod(("1e" + std::to_string(i)).c_str(), nullptr)), i);
+  EXPECT_EQ(R1::Hypot(3, 4), 5);
+}
+
+}  // namespace
