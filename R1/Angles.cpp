@@ -74,7 +74,7 @@ SineCosine SinCos(double angle) {
   if (!std::isfinite(angle)) return {angle - angle, angle - angle};
   if (angle == 0) return {angle, 1};
   const Reduced reduced = Reduce(angle);
-  return OfQuadrant(reduced.quarters, reduced.angle.high, reduced.angle.low);
+  return Turned(SinCosNearZero(reduced.angle.high, reduced.angle.low), reduced.quarters);
 }
 
 double Sin(double angle) { return SinCos(angle).sine; }

@@ -45,12 +45,15 @@ double Pow(double x, double y);    // .55 ulp; .76 where the result is subnormal
 double Cbrt(double x);             // .55 ulp
 double Hypot(double x, double y);  // .55 ulp; .76 where the result is subnormal
 
-/// Sine and cosine of a quarter turn times `quarters`, which counts modulo 4, plus high + low.
-inline SineCosine OfQuadrant(std::uint64_t quarters, double high, double low) {
-  const double sine = high + SineLessAngle(high, low), cosine = CosineNearZero(high, low);
-  const bool is_odd = quarters & 1;
-  const SineCosine turned{is_odd ? cosine : sine, is_odd ? sine : cosine};
-  return {quarters & 2 ? -turned.sine : turned.sine, (quarters + 1) & 2 ? -turned.cosine : turned.cosine};
+/// Sine and cosine of high + low, |high| <= pi/4 but for rounding, |low| <= ulp(high)/2.
+inline SineCosine SinCosNearZero(double high, double low) {
+  return {high + SineLessAngle(high, low), CosineNearZero(high, low)};
+}
+
+/// The same angle and as many quarter turns more, which count modulo 4.
+inline SineCosine Turned(const SineCosine& a, std::uint64_t quarters) {
+  const double sine = quarters & 1 ? a.cosine : a.sine, cosine = quarters & 1 ? a.sine : a.cosine;
+  return {quarters & 2 ? -sine : sine, (quarters + 1) & 2 ? -cosine : cosine};
 }
 
 /// The whole number nearest to x, |x| < 2^51, ties to even, and its lowest bits as those of an integer.
@@ -62,16 +65,20 @@ struct Nearest {
   double shifted;  // the sum has ulp 1
 };
 
+/// Sine and cosine of an angle in whole turns, from -1/8 to 1/8; .8 ulp each.
+inline SineCosine SinCosEighth(double turns) {
+  const double head = Head(turns), angle = head * coefficients::two_pi.high;  // 26 bits times 26 bits
+  const DoubleDouble sum =
+      QuickSum(angle, (turns - head) * coefficients::two_pi.high + turns * coefficients::two_pi.low);
+  return SinCosNearZero(sum.high, sum.low);
+}
+
 /// Sine and cosine of an angle in whole turns, |turns| < 2^48; .8 ulp each. Nothing is lost in reducing the angle, so
 /// that this is faster, and quarters of a turn give exactly 0 and 1.
 inline SineCosine SinCosTurns(double turns) {
   assert(!(std::abs(turns) >= 0x1p48));
   const Nearest quarters(4 * turns);
-  const double rest = turns - 0.25 * quarters.Value(), rest_head = Head(rest);  // in [-1/8, 1/8], exact
-  const double head = rest_head * coefficients::two_pi.high;                    // 26 bits times 26 bits
-  const double tail = (rest - rest_head) * coefficients::two_pi.high + rest * coefficients::two_pi.low;
-  const DoubleDouble angle = QuickSum(head, tail);
-  return OfQuadrant(quarters.Bits(), angle.high, angle.low);
+  return Turned(SinCosEighth(turns - 0.25 * quarters.Value()), quarters.Bits());
 }
 
 }  // namespace R1

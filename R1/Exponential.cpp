@@ -37,7 +37,8 @@ double ExpOfSum(double high, double low) {
   if (!(high > -746)) return 0;  // the least double is exp(-744.4)
   const Exponential e = ExponentialOf(high, low);
   const double mantissa = e.power + e.power * (e.large + e.small);
-  // In two steps, of which the first is exact, since 2^1024 and 2^-1074 are none a normal number holds.
+  if (std::abs(high) < 700) return mantissa * PowerOfTwo(e.exponent);
+  // In two steps, of which the first is exact: 2^1024 and 2^-1074 are no normal numbers.
   const int half = e.exponent / 2;
   return mantissa * PowerOfTwo(half) * PowerOfTwo(e.exponent - half);
 }
@@ -126,7 +127,8 @@ double Log10(double x) {
          (product.low + (logarithm.high * coefficients::log10_e.low + logarithm.low * coefficients::log10_e.high));
 }
 
-double Pow(double x, double y) {
+// Flattened, since highlights take most of their time here.
+[[gnu::flatten]] double Pow(double x, double y) {
   if (x > 0 && x < infinite && std::abs(y) < infinite) return PowOfPositive(x, y);
   if (y == 0 || x == 1) return 1;
   if (std::isnan(x) || std::isnan(y)) return x + y;

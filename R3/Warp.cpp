@@ -20,10 +20,12 @@ Vector FromPolar(double sine, double cosine, double turns) {
 R2::Point OnDisc(const R2::Point& square) {
   const double a = 2 * square.x - 1, b = 2 * square.y - 1;
   if (a == 0 && b == 0) return {};
-  const bool is_wide = std::abs(a) > std::abs(b);
-  const double radius = is_wide ? a : b;
-  const auto [sine, cosine] = R1::SinCosTurns(is_wide ? b / a / 8 : 0.25 - a / b / 8);
-  return {radius * cosine, radius * sine};
+  if (std::abs(a) > std::abs(b)) {
+    const auto [sine, cosine] = R1::SinCosEighth(b / a / 8);
+    return {a * cosine, a * sine};
+  }
+  const auto [sine, cosine] = R1::SinCosEighth(a / b / 8);  // less than a quarter of a turn
+  return {b * sine, b * cosine};
 }
 
 R2::Point OnTriangle(const R2::Point& u) {
