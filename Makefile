@@ -2,7 +2,8 @@
 #   make            the programs, under build/ (another place: make BUILD=elsewhere)
 #   make test       the layer check, all tests, and a few pictures of the writeup
 #   make night      the tests with millions of cases; GTEST=--gtest_filter=... for some of them
-#   make check      the layer check alone: who may include whom; and that the patches of script/price apply
+#   make check      the layer check alone: who may include whom; that elementary functions are our own; and that the
+#                   patches of script/price apply
 #   make asan tsan  the tests again under the sanitizers
 #   make fuzz       the fuzz targets, with clang, under build/fuzz; script/fuzz.sh runs them
 #   make bench      the benchmark programs
@@ -56,6 +57,8 @@ OUR_CPPFLAGS += $(if $(filter glfw,$(CONTEXTS)),-DRAYVIEW_GLFW) $(if $(filter eg
 OUR_CXXFLAGS := -std=c++20 $(OPTIMIZE) -g1 $(NUMERIC) $(WARNINGS) $(SANITIZE)
 LIBS := -ljpeg -lpng -lz -ltbb -lhwy $(if $(filter yes,$(HAS_EXR)),$(EXR_LIBS)) $(if $(filter yes,$(HAS_YAML)),$(YAML_LIBS)) \
         -pthread
+# Numbers of 113 bits for the tests; where this is missing, long double has them.
+QUADMATH := $(if $(filter x86_64% i%86%,$(shell $(CXX) -dumpmachine 2>/dev/null)),-lquadmath)
 # For those that draw. OSMesa is loaded only when it is asked for: it brings a whole compiler along.
 VIEWER_LIBS := $(if $(CONTEXTS),-lepoxy) $(if $(filter glfw,$(CONTEXTS)),-lglfw) $(if $(filter osmesa,$(CONTEXTS)),-ldl)
 
@@ -133,7 +136,7 @@ $(BUILD)/rayimg: $(call objects,$(OF_RAYIMG))
 $(PROGRAMS:%=$(BUILD)/%): $(BUILD)/%: $(BUILD)/obj/source/app/%.o $(BUILD)/libray.a
 	$(call link)
 $(BUILD)/raytests: $(call objects,$(TEST_SOURCES) $(OF_RAYIMG)) $(BUILD)/librayview.a $(BUILD)/libray.a
-	$(call link,-lgtest)
+	$(call link,-lgtest $(QUADMATH))
 $(BUILD)/bench/%: $(BUILD)/obj/bench/%.o $(BUILD)/librayview.a $(BUILD)/libray.a
 	$(call link,-lbenchmark)
 
@@ -159,6 +162,7 @@ test-binary: $(BUILD)/raytests
 
 check:
 	@sh script/check_layers.sh
+	@sh script/check_functions.sh
 	@sh script/check_patches.sh
 
 asan:

@@ -3,7 +3,7 @@
 
 Polynomials interpolate at Chebyshev nodes, which comes within a small factor of the best; the error of each, weighted as
 its function uses it, is printed beside it. Tables are rounded from 600 digits. Needs mpmath; nothing else of the
-project needs this script: `make check` runs it where mpmath is installed and compares.
+project needs this script: a test compares where mpmath is installed.
 """
 import mpmath
 from mpmath import mp, mpf

@@ -2,13 +2,17 @@
 
 #include <gtest/gtest.h>
 
-#include <cstring>
+#include <climits>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
 #include <limits>
 #include <numbers>
 #include <string>
 #include <vector>
 
 #include "tests/Draw.h"
+#include "tests/Project.h"
 #include "tests/Quad.h"
 
 // The truth in 113 bits: of gcc's library where doubles of twice the size have a type of their own, and elsewhere of
@@ -107,7 +111,7 @@ double NearOne(Draw& draw) { return 1 + std::ldexp(draw.Between(-1, 1), draw.Who
 /// Evenly in an interval, and with random exponents.
 struct Interval {
   double low, high;
-  double Draw_(Draw& draw, int i) const {
+  double Number(Draw& draw, int i) const {
     if (i % 3) return draw.Between(low, high);
     const double size = std::max(std::abs(low), std::abs(high));
     const double x = std::ldexp(draw.Between(0.5, 1), draw.Whole(-60, std::ilogb(size) + 1));
@@ -127,9 +131,8 @@ void ExpectWithin(double ulp, Function function, Truth truth, const std::vector<
   for (const double x : more) see(x);
   for (int i = 0; i < Count(10'000, 1'000'000); ++i) see(Anything(draw)), see(NearOne(draw));
   for (const Interval& interval : intervals)
-    for (int i = 0; i < Count(60'000, 6'000'000); ++i) see(interval.Draw_(draw, i));
+    for (int i = 0; i < Count(60'000, 6'000'000); ++i) see(interval.Number(draw, i));
   EXPECT_LE(worst.error, ulp) << worst.Where();
-  if (std::getenv("RAYPRO_PRINT")) printf("%s\n", worst.Where().c_str());
 }
 
 /// The doubles around multiples of pi/2, where sine or cosine almost vanish, and the nearest of all.
@@ -191,10 +194,9 @@ Worst WorstOfPairs(double (*function)(double, double), Quad (*truth)(Quad, Quad)
   }
   for (const auto& [of_x, of_y] : intervals)
     for (int i = 0; i < Count(60'000, 6'000'000); ++i) {
-      const double x = of_x.Draw_(draw, i), y = of_y.Draw_(draw, i);
+      const double x = of_x.Number(draw, i), y = of_y.Number(draw, i);
       see(x, y);
     }
-  if (std::getenv("RAYPRO_PRINT")) printf("%s\n", worst.Where().c_str());
   return worst;
 }
 
@@ -227,7 +229,7 @@ TEST(Elementary, ATurnInQuartersIsExactAndInPartsWithinEightTenthsOfAnUlp) {
   Worst worst;
   const Quad two_pi = 4 * TRUTH(acos)(Quad(0));
   for (int i = 0; i < Count(200'000, 20'000'000); ++i) {
-    const double turns = Interval{-1, 1}.Draw_(draw, i), n = i % 5 ? 0 : draw.Whole(-1000, 1000), all = turns + n;
+    const double turns = Interval{-1, 1}.Number(draw, i), n = i % 5 ? 0 : draw.Whole(-1000, 1000), all = turns + n;
     // What is left of whole quarters is exact, so that the oracle does not have to reduce a rounded product.
     const double quarters = std::nearbyint(4 * all);
     const Quad rest = (Quad(all) - Quad(quarters) / 4) * two_pi;
@@ -239,7 +241,6 @@ TEST(Elementary, ATurnInQuartersIsExactAndInPartsWithinEightTenthsOfAnUlp) {
     worst.See(cosine, quarter == 0 ? c : quarter == 1 ? -s : quarter == 2 ? -c : s, all);
   }
   EXPECT_LE(worst.error, 0.8) << worst.Where();
-  if (std::getenv("RAYPRO_PRINT")) printf("%s\n", worst.Where().c_str());
 }
 
 TEST(Elementary, ResultsThatDoublesHoldAreExact) {
@@ -250,6 +251,37 @@ TEST(Elementary, ResultsThatDoublesHoldAreExact) {
   }
   for (int i = 0; i < 16; ++i) EXPECT_EQ(R1::Log10(std::strtod(("1e" + std::to_string(i)).c_str(), nullptr)), i);
   EXPECT_EQ(R1::Hypot(3, 4), 5);
+}
+
+int StatusOf(const std::string& script, const std::string& arguments) {
+  return std::system(
+      ("'" + (project::Root() / "script" / script).string() + "' " + arguments + " > /dev/null").c_str());
+}
+
+TEST(Elementary, FunctionsOfTheCLibraryDoNotComeBackUnnoticed) {
+  EXPECT_EQ(StatusOf("check_functions.sh", ""), 0) << "see make check";
+  std::string name = (std::filesystem::temp_directory_path() / "raypro-functions-XXXXXX").string();
+  const std::filesystem::path tree = mkdtemp(name.data());
+  for (const char* folder : {"R1", "R2", "R3", "source"}) std::filesystem::create_directory(tree / folder);
+  const auto status_with = [&](const std::string& line) {
+    std::ofstream(tree / "source/a.cpp") << line << '\n';
+    return StatusOf("check_functions.sh", "'" + tree.string() + "'");
+  };
+  for (const char* refused :
+       {"x = std::sin(x);", "return powf(x, 2);", "y = 2 * ::exp (x);", "int s; lgamma_r(x, &s);"})
+    EXPECT_NE(status_with(refused), 0) << refused;
+  for (const char* passes :
+       {"// as std::sin(x)", "f(\"exp(-r d)\");", "x = std::sqrt(y);", "a.log(x); b->log(x); Exp(x);"})
+    EXPECT_EQ(status_with(passes), 0) << passes;
+  std::filesystem::remove_all(tree);
+}
+
+TEST(Elementary, TheCoefficientsAreThoseThatTheScriptDerives) {
+  if (std::system("python3 -c 'import mpmath' 2> /dev/null") != 0) GTEST_SKIP() << "no mpmath here";
+  const auto root = project::Root();
+  const std::string same =
+      "'" + (root / "script/elementary.py").string() + "' | cmp - '" + (root / "R1/Coefficients.h").string() + "'";
+  EXPECT_EQ(std::system(same.c_str()), 0) << same;
 }
 
 }  // namespace
