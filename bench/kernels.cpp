@@ -1,8 +1,12 @@
 // Our accelerators beside Embree: the same scenes, the same rays, one process, one thread, taking turns; medians.
 //
-//     make bench && build/bench/kernels [scene=a,b] [accel=bvh,grid] [rays=N] [repeats=N] [quality=low|medium|high]
+//     make bench && build/bench/kernels [scene=a,b] [accel=bvh,grid] [rays=N] [repeats=N]
+//     [peer_quality=low|medium|high]
 //                                       [robust=1] [simd=avx2] [build=1] [resolution=x] [counts=1] [peer=0]
-//                                       [packet=16] [peer_packet=8|16] [kind=primary,shadow]
+//                                       [packet=16] [peer_packet=8|16] [kind=primary,shadow] [turn=4096]
+//
+// With `turn` the engines take turns every so many rays instead of after all of them, so that each finds caches that
+// the others have filled, as it would between shading and film.
 //
 // Columns are millions of rays a second, the ratio to Embree's, and wrong answers, theirs + ours: where the two differ
 // (a hit against none, or over 1e-3 apart) every triangle is tested in double precision to decide who is wrong.
@@ -16,13 +20,13 @@
 #include <functional>
 #include <map>
 #include <random>
+#include <span>
 #include <sstream>
 
 #include "bench/BenchScenes.h"
 #include "bench/Embree.h"
 #include "source/accelerate/Accelerator.h"
 #include "source/scene/Node.h"
-#include "tests/Named.h"
 
 namespace {
 
@@ -200,6 +204,22 @@ Answers TracePackets(const embree::Scene& scene, const Kind& kind) {
   return answers;
 }
 
+/// In the order they come, `size` rays each; 0: all together.
+std::vector<Kind> Turns(const Kind& kind, std::size_t size) {
+  if (size == 0) return {kind};
+  std::vector<Kind> turns;
+  for (std::size_t first = 0; first < kind.rays.size(); first += size) {
+    const std::span rays(kind.rays.data() + first, std::min(size, kind.rays.size() - first));
+    turns.push_back({kind.name, {rays.begin(), rays.end()}, kind.any, kind.is_coherent});
+  }
+  return turns;
+}
+
+void Append(Answers& all, const Answers& more) {
+  all.t.insert(all.t.end(), more.t.begin(), more.t.end());
+  all.counts += more.counts;
+}
+
 struct Mistakes {
   int theirs = 0, ours = 0;
 };
@@ -239,10 +259,11 @@ double BuildSeconds(int threads, int repeats, const Make& make) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  std::map<std::string, std::string> options{
-      {"scene", ""},         {"accel", "bvh"}, {"rays", "1000000"}, {"repeats", "5"},     {"robust", "0"},
-      {"quality", "medium"}, {"simd", "best"}, {"build", "0"},      {"resolution", "0"},  {"peer", "1"},
-      {"ours", "medium"},    {"counts", "0"},  {"packet", "1"},     {"peer_packet", "1"}, {"kind", ""}};
+  std::map<std::string, std::string> options{{"scene", ""},        {"accel", "bvh"}, {"rays", "1000000"},
+                                             {"repeats", "5"},     {"robust", "0"},  {"peer_quality", "medium"},
+                                             {"simd", "best"},     {"build", "0"},   {"resolution", "0"},
+                                             {"peer", "1"},        {"counts", "0"},  {"packet", "1"},
+                                             {"peer_packet", "1"}, {"kind", ""},     {"turn", "0"}};
   for (int i = 1; i < argc; ++i) {
     const std::string word = argv[i];
     const auto sign = word.find('=');
@@ -257,9 +278,9 @@ int main(int argc, char** argv) {
   const std::string peer_packet = options["peer_packet"];
   const std::size_t packet = std::clamp<std::size_t>(std::stoul(options["packet"]), 1, most_rays_of_packet);
   const int repeats = std::stoi(options["repeats"]);
-  const auto quality = options["quality"] == "high"  ? embree::high
-                       : options["quality"] == "low" ? embree::low
-                                                     : embree::medium;
+  const auto peer_quality = options["peer_quality"] == "high"  ? embree::high
+                            : options["peer_quality"] == "low" ? embree::low
+                                                               : embree::medium;
 
   const auto library = options["peer"] == "0" ? nullptr : embree::Library::Find();
   std::printf("%s; ours: %s\n", library ? library->name.c_str() : "Embree not found", options["simd"].c_str());
@@ -278,7 +299,6 @@ int main(int argc, char** argv) {
       settings.name = a;
       settings.instruction_set = options["simd"];
       settings.resolution = std::stod(options["resolution"]);
-      settings.quality = project::Named{options["ours"]};
       settings.expected_rays = 1e9;
       const auto make = [&] { return ray::FindAcceleratorKind(a)->Make(world, settings); };
       ours.push_back(make());
@@ -293,10 +313,10 @@ int main(int argc, char** argv) {
     const auto all = ray::FindAcceleratorKind("none")->Make(world, {});
     std::unique_ptr<embree::Scene> theirs;
     if (library) {
-      theirs = std::make_unique<embree::Scene>(*library, view->mesh, quality, options["robust"] == "1");
+      theirs = std::make_unique<embree::Scene>(*library, view->mesh, peer_quality, options["robust"] == "1");
       if (options["build"] != "0") {
-        const double seconds =
-            BuildSeconds(1, repeats, [&] { embree::Scene(*library, view->mesh, quality, options["robust"] == "1"); });
+        const double seconds = BuildSeconds(
+            1, repeats, [&] { embree::Scene(*library, view->mesh, peer_quality, options["robust"] == "1"); });
         std::printf("%s: %s built in %.3f s (threads as EMBREE_CONFIG says)\n", name.c_str(), library->name.c_str(),
                     seconds);
       }
@@ -306,17 +326,28 @@ int main(int argc, char** argv) {
         continue;
       std::vector<std::vector<double>> seconds(ours.size());
       std::vector<double> their_seconds;
-      std::vector<Answers> answers(ours.size());
+      std::vector<Answers> answers;
       Answers their_answers;
       for (int i = 0; i < repeats; ++i) {
-        if (theirs)
-          their_seconds.push_back(Time([&] {
-            their_answers = peer_packet == "16"  ? TracePackets<16>(*theirs, kind)
-                            : peer_packet == "8" ? TracePackets<8>(*theirs, kind)
-                                                 : Trace(*theirs, kind);
-          }));
-        for (std::size_t a = 0; a < ours.size(); ++a)
-          seconds[a].push_back(Time([&] { answers[a] = Trace(*ours[a], kind, packet); }));
+        answers.assign(ours.size(), {});
+        their_answers = {};
+        their_seconds.push_back(0);
+        for (auto& s : seconds) s.push_back(0);
+        for (const Kind& turn : Turns(kind, std::stoul(options["turn"]))) {
+          Answers now;
+          if (theirs) {
+            their_seconds.back() += Time([&] {
+              now = peer_packet == "16"  ? TracePackets<16>(*theirs, turn)
+                    : peer_packet == "8" ? TracePackets<8>(*theirs, turn)
+                                         : Trace(*theirs, turn);
+            });
+            Append(their_answers, now);
+          }
+          for (std::size_t a = 0; a < ours.size(); ++a) {
+            seconds[a].back() += Time([&] { now = Trace(*ours[a], turn, packet); });
+            Append(answers[a], now);
+          }
+        }
       }
       const double million = 1e-6 * static_cast<double>(kind.rays.size());
       std::printf("%-12s %-9s", name.c_str(), kind.name.c_str());

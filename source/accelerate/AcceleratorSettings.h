@@ -1,15 +1,8 @@
 #pragma once
 
-#include <array>
 #include <string>
 
 namespace ray {
-
-/// What boxes a bvh is built over. medium: those of whole primitives; high: large slanted triangles are split into
-/// several boxes first.
-enum class BvhQuality { medium, high };
-inline constexpr std::array bvh_qualities{"medium", "high"};
-constexpr const auto& NamesOf(BvhQuality) { return bvh_qualities; }
 
 /// Which accelerator, and how.
 struct AcceleratorSettings {
@@ -21,7 +14,6 @@ struct AcceleratorSettings {
   // How fine a structure is: cells a primitive of `grid`, primitives a leaf of `octree`, triangles a leaf of `bvh`.
   double resolution = 0;  // 0: what is best for most scenes
   int depth = 0;          // levels of `octree`, at most most_octree_levels; 0: what is best for most scenes
-  BvhQuality quality = BvhQuality::medium;
   std::string instruction_set = "best";  // of `bvh`: one of InstructionSets()
 
   // What `auto` needs to know to weigh a build against what it saves.

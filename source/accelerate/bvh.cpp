@@ -8,12 +8,11 @@ namespace ray {
 extern const AcceleratorKind bvh_kind{
     "bvh", "a wide tree of boxes, eight at a time: the fastest for most scenes",
     [](const World& world, const AcceleratorSettings& settings) -> std::unique_ptr<Accelerator> {
-      wide::BuildSettings build;
-      if (settings.resolution > 0) build.leaf_size = std::clamp(static_cast<int>(settings.resolution), 1, width);
-      build.pre_splits_triangles = settings.quality == BvhQuality::high;
+      const int leaf_size =
+          settings.resolution > 0 ? std::clamp(static_cast<int>(settings.resolution), 1, width) : width;
       return std::make_unique<TwoLevelAccelerator<wide::Tree>>(
           world, settings, wide::ChooseKernels,
-          [&](PrimitiveSet primitives) { return wide::Build(std::move(primitives), build); });
+          [&](PrimitiveSet primitives) { return wide::Build(std::move(primitives), leaf_size); });
     }};
 
 }  // namespace ray

@@ -97,10 +97,7 @@ struct Split {
 
 class Builder {
  public:
-  Builder(Tree& tree, const BuildSettings& settings)
-      : tree_(tree),
-        pre_splits_(settings.pre_splits_triangles),
-        leaf_(static_cast<std::uint32_t>(settings.leaf_size)) {}
+  Builder(Tree& tree, int leaf_size) : tree_(tree), leaf_(static_cast<std::uint32_t>(leaf_size)) {}
 
   void Run() {
     const std::uint32_t count = tree_.primitives.Size();
@@ -116,7 +113,7 @@ class Builder {
 
   Range Collect() {
     const std::uint32_t count = tree_.primitives.Size();
-    references_ = HugeArray<Reference>(count + (pre_splits_ ? count / 2 : 0));
+    references_ = HugeArray<Reference>(count);
     const auto add = [](Range a, const Range& b) {
       a.triangles += b.triangles;
       a.box.Extend(b.box);
@@ -131,79 +128,7 @@ class Builder {
         },
         add);
     all.begin = 0, all.end = count;
-    if (pre_splits_) PreSplit(all, count + count / 2);
     return all;
-  }
-
-  /// Cuts triangles whose boxes are much larger than they are into several references with tighter boxes, the worst
-  /// first, until there are `most`.
-  ///   source  Ernst, Greiner, Early split clipping for bounding volume hierarchies (2007)
-  void PreSplit(Range& all, std::uint32_t most) {
-    using Worst = std::pair<float, std::uint32_t>;  // what cutting may save, which reference
-    std::vector<Worst> heap;
-    const float small = 0x1p-20f * all.box.HalfArea();
-    const auto consider = [&](std::uint32_t i) {
-      if (!references_[i].IsTriangle()) return;
-      const float saving = references_[i].Box().HalfArea() - TriangleArea(references_[i].Primitive());
-      if (saving > small) heap.emplace_back(saving, i);
-    };
-    for (std::uint32_t i = 0; i < all.end; ++i) consider(i);
-    std::make_heap(heap.begin(), heap.end());
-    while (!heap.empty() && all.end < most) {
-      const std::uint32_t i = heap.front().second;
-      std::pop_heap(heap.begin(), heap.end());
-      heap.pop_back();
-      Reference& first = references_[i];
-      Reference second = first;
-      const Float4 size = first.high - first.low;
-      int axis = size[1] > size[0] ? 1 : 0;
-      if (size[2] > size[axis]) axis = 2;
-      const float at = first.low[axis] + size[axis] / 2;
-      const std::uint32_t primitive = first.Primitive();
-      if (!Clip(first, primitive, axis, -infinity, at) || !Clip(second, primitive, axis, at, infinity)) continue;
-      references_[all.end] = second;
-      for (const std::uint32_t k : {i, all.end}) {
-        const std::size_t before = heap.size();
-        consider(k);
-        if (heap.size() > before) std::push_heap(heap.begin(), heap.end());
-      }
-      ++all.end;
-    }
-    all = RangeOf(0, all.end);
-  }
-
-  std::array<R3::Vector, 3> Corners(std::uint32_t primitive) const {
-    const auto corners = tree_.primitives.MeshOf(primitive)->Corners(tree_.primitives[primitive].element);
-    return {tree_.coordinates(corners[0]), tree_.coordinates(corners[1]), tree_.coordinates(corners[2])};
-  }
-
-  float TriangleArea(std::uint32_t primitive) const {
-    const auto c = Corners(primitive);
-    return static_cast<float>(Length(Cross(c[1] - c[0], c[2] - c[0])) / 2);
-  }
-
-  /// Shrinks the reference's box to the part of its triangle between two planes; false when nothing is there.
-  bool Clip(Reference& reference, std::uint32_t primitive, int axis, float low, float high) const {
-    const auto corners = Corners(primitive);
-    R3::Box clipped;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const R3::Vector a = corners[k], b = corners[(k + 1) % 3];
-      if (a[axis] >= low && a[axis] <= high) clipped.Extend(R3::Point{} + a);
-      for (const double plane : {static_cast<double>(low), static_cast<double>(high)}) {
-        if ((a[axis] < plane) == (b[axis] < plane) || std::isinf(plane)) continue;
-        clipped.Extend(R3::Point{} + (a + (plane - a[axis]) / (b[axis] - a[axis]) * (b - a)));
-      }
-    }
-    if (clipped.IsEmpty()) return false;
-    // The box was cut before on other axes: both hold, and the rounding of the crossings is covered twice over.
-    constexpr double rounding = 0x1p-22;
-    const R3::Vector lows = FromOrigin(clipped.low), highs = FromOrigin(clipped.high);
-    for (int k = 0; k < 3; ++k) {
-      reference.low[k] = std::max<float>(reference.low[k], static_cast<float>(lows[k] - rounding));
-      reference.high[k] = std::min<float>(reference.high[k], static_cast<float>(highs[k] + rounding));
-      if (reference.low[k] > reference.high[k]) return false;
-    }
-    return true;
   }
 
   Range ReferTo(std::uint32_t primitive) {
@@ -384,7 +309,6 @@ class Builder {
   }
 
   Tree& tree_;
-  bool pre_splits_;
   std::uint32_t leaf_;
   HugeArray<Reference> references_;
   tbb::enumerable_thread_specific<std::deque<BuildNode>> nodes_;  // a deque keeps its elements in place
@@ -392,9 +316,9 @@ class Builder {
 
 }  // namespace
 
-Tree Build(PrimitiveSet primitives, const BuildSettings& settings) {
+Tree Build(PrimitiveSet primitives, int leaf_size) {
   Tree tree(std::move(primitives));
-  Builder(tree, settings).Run();
+  Builder(tree, leaf_size).Run();
   return tree;
 }
 

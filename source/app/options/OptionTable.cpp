@@ -241,8 +241,6 @@ std::vector<OptionKind> MakeTable() {
        "grid: cells per primitive; octree, bvh: primitives per leaf (bvh up to 8); 0: default"},
       {"accel_depth", both, {}, {"n"}, Whole{AT(accelerator.depth), 0, most_octree_levels}, "levels", "speed",
        "octree: maximum depth; 0: default"},
-      {"accel_quality", both, {}, {"name"}, OneOfEnum<BvhQuality>(AT(accelerator.quality)), "", "speed",
-       "bvh: high adds spatial pre-splitting of large triangles; builds longer"},
       {"simd", both, {}, {"name"}, OneOfNames(AT(accelerator.instruction_set), InstructionSetNames), "", "speed",
        "instruction set, if this machine has it; never changes the image"},
       {"node_boxes", both, {}, {"on|off"}, OnOff{AT(accelerator.node_boxes)}, "", "speed",
