@@ -349,9 +349,6 @@ class ExactTriangleTest {
         counts_(counts),
         ray_(ray) {}
 
-  /// Makes the ray ready ahead of time, so that its division is over when it is needed.
-  HWY_INLINE void Prepare() { sheared_.emplace(ray_); }
-
   HWY_INLINE TriangleRef Locate(std::uint32_t primitive) const {
     const PrimRef what = primitives_[primitive];
     const std::uint32_t of = instance_.value_or(what.instance);
@@ -359,7 +356,7 @@ class ExactTriangleTest {
   }
 
   HWY_FLATTEN bool Test(const TriangleRef& triangle) {
-    if (!sheared_) Prepare();
+    if (!sheared_) sheared_.emplace(ray_);  // most rays never ask
     if (nearest_.Best()) sheared_->t_max = std::min(sheared_->t_max, R3::NextUp(nearest_.Limit()));
     ++counts_.primitive_tests;
     const auto hit = R3::IntersectTriangleInline(*sheared_, triangle.mesh->CornersInPlace(triangle.element));
@@ -413,9 +410,7 @@ class LeafVisitor {
         nearest_(nearest),
         counts_(counts),
         limit_for_certain_(limit - 4 * traversal_ray.plane_error),
-        exact_test_(two_level, structure, ray, instance, nearest, counts) {
-    if constexpr (!any) exact_test_.Prepare();
-  }
+        exact_test_(two_level, structure, ray, instance, nearest, counts) {}
 
   float limit;               // what is farther along the traversal ray than this is not wanted any more
   bool is_answered = false;  // of `any`: there is a hit
