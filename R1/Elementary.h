@@ -45,6 +45,15 @@ double Pow(double x, double y);    // .55 ulp; .76 where the result is subnormal
 double Cbrt(double x);             // .55 ulp
 double Hypot(double x, double y);  // .55 ulp; .76 where the result is subnormal
 
+/// x^n by repeated squaring: a relative error of at most (n - 1) 2^-53, which is what a rounding error of x itself
+/// becomes, and few instructions.
+inline double WholePower(double x, std::uint32_t n) {
+  double power = 1;
+  for (; n != 0; n >>= 1, x *= x)
+    if (n & 1) power *= x;
+  return power;
+}
+
 /// Sine and cosine of high + low, |high| <= pi/4 but for rounding, |low| <= ulp(high)/2.
 inline SineCosine SinCosNearZero(double high, double low) {
   return {high + SineLessAngle(high, low), CosineNearZero(high, low)};

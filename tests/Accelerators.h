@@ -9,7 +9,6 @@
 #include "source/accelerate/twolevel/TwoLevel.h"
 #include "tests/BoundedShapes.h"
 #include "tests/Draw.h"
-#include "tests/Named.h"
 #include "tests/Quad.h"
 
 /// Every way of accelerating, and scenes to try them on.
@@ -27,17 +26,16 @@ inline std::vector<Way> EveryWay() {
   for (const std::string& set : ray::InstructionSets())
     for (const char* kind : {"grid", "octree", "bvh"})
       ways.push_back({kind + (", " + set), {.name = kind, .instruction_set = set}});
-  const auto add = [&](const char* kind, double resolution, int depth, const char* quality) {
-    ways.push_back({kind + (" of " + std::to_string(resolution) + ", " + std::to_string(depth) + ", " + quality),
-                    {.name = kind, .resolution = resolution, .depth = depth, .quality = project::Named{quality}}});
+  const auto add = [&](const char* kind, double resolution, int depth) {
+    ways.push_back({kind + (" of " + std::to_string(resolution) + ", " + std::to_string(depth)),
+                    {.name = kind, .resolution = resolution, .depth = depth}});
   };
-  add("grid", 1e-6, 0, "medium");  // one cell
-  add("grid", 20, 0, "medium");
-  add("octree", 1, 40, "medium");
-  add("octree", 24, 1, "medium");
-  add("octree", 1e6, 0, "medium");  // one leaf
-  add("bvh", 1, 0, "medium");
-  add("bvh", 0, 0, "high");
+  add("grid", 1e-6, 0);  // one cell
+  add("grid", 20, 0);
+  add("octree", 1, 40);
+  add("octree", 24, 1);
+  add("octree", 1e6, 0);  // one leaf
+  add("bvh", 1, 0);
   return ways;
 }
 

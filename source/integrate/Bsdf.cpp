@@ -44,6 +44,25 @@ double FresnelReflectance(double cosine, double eta) {
   return (across * across + along * along) / 2;
 }
 
+namespace {
+
+/// HighlightPower of each, 0 of cosines that are not above 0. The exponent is the same for all, so that its bits are
+/// gone through once.
+inline void RaiseEach(LightSamples::Each& cosine, std::uint32_t count, double exponent, LightSamples::Each& power) {
+  if (!IsWholeExponent(exponent)) {
+    for (std::uint32_t i = 0; i < count; ++i) power[i] = cosine[i] > 0 ? R1::Pow(cosine[i], exponent) : 0;
+    return;
+  }
+  for (std::uint32_t i = 0; i < count; ++i) power[i] = cosine[i] > 0 ? 1 : 0;
+  for (auto n = static_cast<std::uint32_t>(exponent); n != 0; n >>= 1)
+    for (std::uint32_t i = 0; i < count; ++i) {
+      power[i] *= n & 1 ? cosine[i] : 1;
+      cosine[i] *= cosine[i];
+    }
+}
+
+}  // namespace
+
 R3_VECTORIZED
 void PhongReflectionOfEach(const ShadingPoint& p, LightSamples& samples) {
   const Material& m = *p.material;
@@ -63,9 +82,7 @@ void PhongReflectionOfEach(const ShadingPoint& p, LightSamples& samples) {
       samples.SetColor(i, PhongReflection(p, Unit(samples.ToLight(i)), samples.Color(i)));
     return;
   }
-  if (!IsBlack(m.ks))
-    for (std::uint32_t i = 0; i < count; ++i)
-      if (cosine[i] > 0 && lobe[i] > 0 && !IsBlack(samples.Color(i))) highlight[i] = R1::Pow(lobe[i], m.n);
+  if (!IsBlack(m.ks)) RaiseEach(lobe, count, m.n, highlight);
   for (std::uint32_t i = 0; i < count; ++i) {
     const R2::Color reflected = (cosine[i] * p.kd + m.ks * highlight[i]) * samples.Color(i);
     samples.SetColor(i, cosine[i] > 0 ? reflected : R2::Color{});

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "R3/ShapeKind.h"
+#include "R3/shapes/Quadric.h"
 #include "tests/Draw.h"
 #include "tests/Quad.h"
 
@@ -50,6 +51,28 @@ TEST(Extremes, B1_SpheresUpToATrillionRadiiAwayAreHitOnTheirSurface) {
     for (int i = 0; i < Count(20'000, 1'000'000); ++i)
       CheckAgainstOracle(*sphere, RayPast(draw, distance, draw.Between(0, 1.1)), distance);
   }
+}
+
+// A ray that begins a few roundings off the surface, heading anywhere: where IsCertainlyLeaving says so, it begins
+// outside and no nearer place lies ahead.
+TEST(Extremes, B1_ARayThatCertainlyLeavesASphereComesNoNearer) {
+  Draw draw(111);
+  int certain = 0;
+  for (int i = 0; i < Count(200'000, 10'000'000); ++i) {
+    const R3::Point center = R3::Point{} + draw.Scale(-3, 6) * draw.Direction();
+    const double radius = draw.Scale(-3, 3);
+    const double off = 1 + draw.Between(-20, 60) * unit_roundoff;
+    const R3::Vector outward = draw.Direction(), across = Unit(Cross(outward, draw.Direction()));
+    const R3::Point origin = center + radius * off * outward;
+    const R3::Vector direction = draw.Scale(-3, 3) * (draw.Scale(-18, 0) * (i % 2 ? 1 : -1) * outward + across);
+    const R3::Vector from_center = origin - center;
+    if (!R3::IsCertainlyLeaving(from_center, direction, radius)) continue;
+    ++certain;
+    const auto f = oracle::Of(origin) - oracle::Of(center), d = oracle::Of(direction);
+    const Quad along = oracle::Dot(f, d), ahead = along < 0 ? -along / oracle::Dot(d, d) : Quad(0);
+    EXPECT_GT(oracle::Double(oracle::Length(f + ahead * d) - Quad(radius)), 0) << oracle::Hex({origin, direction});
+  }
+  EXPECT_GT(certain, 1000);
 }
 
 TEST(Extremes, B2_RaysThatGrazeASphereAreDecidedWithinTheSameBand) {

@@ -55,6 +55,34 @@ double OverHemisphere(const F& f) {
 
 const R3::Vector slanted = Unit(R3::Vector{0.6, 0.7, -0.2});
 
+TEST(Bsdf, PhongReflectsSamplesTogetherAsOneByOneBitForBit) {
+  for (const double n : {0.0, 1.0, 7.5, 20.0, 1000.0, 1024.0, 1025.0, 1e9})
+    for (const double coat : {0.0, 1.5})
+      for (const double length : {1.0, 1e200}) {
+        Material m = MaterialOf({0.4, 0.3, 0}, {0.3, 0.2, 0.1}, {}, n);
+        m.coat = coat;
+        const ShadingPoint p = PointOf(m, slanted);
+        LightSamples samples, before;
+        samples.count = 37;
+        for (std::uint32_t i = 0; i < samples.count; ++i)  // some of them from below
+          samples.Set(i, length * Direction(0.06 * i, 2.4 * i), {1.0 + i, 0.5, i % 5 == 0 ? 0.0 : 2.0});
+        samples.Set(3, length * (2 * Dot(p.N, p.wo) * p.N - p.wo), {1, 1, 1});  // in the middle of the highlight
+        before = samples;
+        PhongReflectionOfEach(p, samples);
+        for (std::uint32_t i = 0; i < samples.count; ++i)
+          EXPECT_EQ(samples.Color(i), PhongReflection(p, Unit(before.ToLight(i)), before.Color(i)))
+              << "exponent " << n << ", sample " << i;
+      }
+}
+
+TEST(Bsdf, AHighlightOfAWholeExponentIsThePowerWithinItsRoundings) {
+  for (const double n : {1.0, 2.0, 3.0, 20.0, 255.0, 1000.0, 1024.0})
+    for (const double cosine : {0.1, 0.5, 0.9, 0.99, 0.9999, 1.0}) {
+      const double truth = static_cast<double>(std::pow(static_cast<long double>(cosine), static_cast<long double>(n)));
+      EXPECT_NEAR(HighlightPower(cosine, n), truth, n * 0x1p-53 * truth + 0x1p-1060) << cosine << "^" << n;
+    }
+}
+
 TEST(Bsdf, ASampleSaysWhatEvalAndPdfSayOfItsDirection) {
   const Material m = MaterialOf({0.4, 0.3, 0.2}, {0.3, 0.2, 0.1}, {0.1, 0.2, 0.3});
   for (const bool glossy : {false, true}) {

@@ -37,6 +37,20 @@ TEST(Sobol, EveryDimensionPutsOnePointIntoEveryInterval) {
   }
 }
 
+TEST(Points, ManyTogetherAreThoseThatAreAskedForOneByOne) {
+  for (const SamplerKind kind : {SamplerKind::sobol, SamplerKind::random, SamplerKind::stratified, SamplerKind::grid})
+    for (const int dimension : {0, 4}) {
+      const Points points(kind, RandomKey(9), 40, RandomKey(8), dimension);
+      double x[40], y[40];
+      points.GetEach2D(1000, 40, x, y);
+      for (std::uint32_t i = 0; i < 40; ++i) {
+        const R2::Point alone = points.Get2D(1000 + i);
+        EXPECT_EQ(x[i], alone.x) << sampler_names[static_cast<std::size_t>(kind)];
+        EXPECT_EQ(y[i], alone.y) << sampler_names[static_cast<std::size_t>(kind)];
+      }
+    }
+}
+
 // Changing a bit may change that bit and bits below it, never a bit above: otherwise boxes would not map to boxes.
 TEST(Owen, NoBitIsFlippedByABitBelowIt) {
   const RandomKey key(3);

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "source/sample/Random.h"
 #include "source/scene/Light.h"
 
 namespace ray {
@@ -41,6 +42,29 @@ TEST(Lights, WhatArrivesIsFiniteFromFarAndNear) {
       if (!arriving) continue;
       EXPECT_TRUE(std::isfinite(arriving->irradiance.r) && arriving->irradiance.r >= 0) << kind->name << y;
       EXPECT_TRUE(std::isfinite(Length(arriving->to_light))) << kind->name << y;
+    }
+  }
+}
+
+TEST(Lights, SamplesMadeTogetherAreThoseMadeOneByOneBitForBit) {
+  const RandomKey key(5);
+  for (const LightKind* kind : LightKinds()) {
+    const auto light = kind->make(kind->example);
+    if (!light->IsExtended()) continue;
+    for (const double y : {3.0, 2.9, 0.0, -1e6, -1e150, -1e200, 1e160}) {
+      const R3::Point p{0.5, y, -1};
+      LightSamples samples;
+      samples.count = 61;  // no multiple of what a vector instruction takes
+      for (std::uint32_t i = 0; i < samples.count; ++i)
+        samples.u[i] = key.Child(i).Number(), samples.v[i] = key.Child(i).Child(1).Number();
+      samples.u[7] = samples.v[7] = 0.5;  // the middle of a disc
+      light->IlluminateEach(p, samples);
+      for (std::uint32_t i = 0; i < samples.count; ++i) {
+        const auto alone = light->Illuminate(p, {samples.u[i], samples.v[i]});
+        EXPECT_EQ(samples.Color(i), alone ? alone->irradiance : R2::Color{}) << kind->name << " at " << y;
+        if (!alone) continue;
+        EXPECT_EQ(samples.ToLight(i), alone->to_light) << kind->name << " at " << y;
+      }
     }
   }
 }
