@@ -64,7 +64,8 @@ compare() {  # extension, scene, options
     $run "$scene" "$work/$side.$extension" -width 64 -height 48 -quiet "$@" > /dev/null 2> "$work/$side.txt" || {
       echo "failed ($side): $scene $*"
       head -3 "$work/$side.txt"
-      exit 1
+      differ=$((differ + 1))
+      return 0
     }
   done
   compared=$((compared + 1))
@@ -87,13 +88,12 @@ done
 scenes="scenes/hello.scn scenes/area_light.scn scenes/glass.scn"
 for scene in $scenes; do
   for filter in gaussian lanczos; do compare pfm "$scene" -samples 4 -filter $filter; done
-  for sampler in random stratified grid; do compare pfm "$scene" -samples 4 -sampler $sampler -aperture .05 -lens spiral; done
+  for sampler in random stratified grid; do compare pfm "$scene" -samples 4 -sampler $sampler -aperture .05 -focus 3; done
   for strategy in light bsdf uniform; do compare pfm "$scene" -samples 4 -mode path -strategy $strategy; done
   for mode in heat rays depth normal uv albedo id flat normal_color zbuffer gooch; do
     compare pfm "$scene" -samples 2 -mode $mode
   done
   for accelerator in none graph grid octree bvh; do compare pfm "$scene" -accel $accelerator; done
-  compare pfm "$scene" -simd scalar -accel bvh
   compare pfm "$scene" -error 8 -samples 64
   compare pfm "$scene" -error 8 -samples 64 -mode path -adaptive tile
   compare pfm "$scene" -samples 8 -mode path -denoise
