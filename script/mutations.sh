@@ -2,21 +2,24 @@
 # Whether the tests would notice: makes random changes of one line each to a copy of the sources, builds, runs the tests
 # of that folder, and prints which changes survived. A survivor is either equivalent or asks for a test.
 #
-#     script/mutations.sh [-count n] [-seed n] [-seconds n] [-list]
+#     script/mutations.sh [-count n] [-seed n] [-seconds n] [-tests "files"] [-list]
 #
 #   -count n     how many changes, default 30; each takes a build of one folder, a link and the tests
 #   -seed n      another choice of them, default 1
-#   -seconds n   after so long tests are stopped, and the change counts as noticed, default 300
+#   -seconds n   after so long tests are stopped, and the change counts as noticed; default 600
+#   -tests       which tests, default those of R3, every, accelerate, integrate and closed_form
 #   -list        only prints the changes
 # CXX and CXXFLAGS are passed on, so that CXX="ccache g++" works.
 set -eu
 export LC_ALL=C
 cd "$(dirname "$0")/.."
-count=30 seed=1 seconds=300 list=
+count=30 seed=1 seconds=600 list=
+tests="tests/R3/*.cpp tests/every/*.cpp tests/source/accelerate/*.cpp tests/source/integrate/*.cpp \
+       tests/source/integrate/*/*.cpp tests/agree/Accelerators.cpp tests/agree/Packets.cpp tests/closed_form/*.cpp"
 while [ $# -gt 0 ]; do
   case $1 in
-    -count | -seed | -seconds)
-      [ $# -gt 1 ] || { echo "$1 takes a number" >&2; exit 2; }
+    -count | -seed | -seconds | -tests)
+      [ $# -gt 1 ] || { echo "$1 takes a value" >&2; exit 2; }
       eval "${1#-}=\$2"
       shift 2 ;;
     -list) list=yes; shift ;;
@@ -61,9 +64,8 @@ tree=$work/tree
 mkdir -p "$tree"
 cp -a Makefile R1 R2 R3 source tests script scenes writeup docs README.md "$tree"
 build() {  # quietly; what it says is kept
-  make -C "$tree" CXX="${CXX:-g++}" CXXFLAGS="${CXXFLAGS:-}" CONTEXTS= test-binary TEST_SOURCES="$(cd "$tree" &&
-    echo tests/Main.cpp tests/R3/*.cpp tests/every/*.cpp tests/source/accelerate/*.cpp tests/source/integrate/*.cpp \
-         tests/source/integrate/*/*.cpp tests/agree/Accelerators.cpp tests/agree/Packets.cpp tests/closed_form/*.cpp)" > "$work/build.txt" 2>&1
+  make -C "$tree" CXX="${CXX:-g++}" CXXFLAGS="${CXXFLAGS:-}" CONTEXTS= test-binary TEST_SOURCES="$(cd "$tree" && echo tests/Main.cpp $tests)" \
+    > "$work/build.txt" 2>&1
 }
 run_tests() {
   (cd "$tree" && RAYPRO_ROOT="$tree" timeout "$seconds" build/raytests --gtest_brief=1 --gtest_fail_fast) > "$work/tests.txt" 2>&1
