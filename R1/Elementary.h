@@ -28,7 +28,7 @@ struct SineCosine {
 SineCosine SinCos(double angle);  // .8 ulp each
 double Sin(double angle);
 double Cos(double angle);
-double Tan(double angle);  // .9 ulp
+double Tan(double angle);  // .95 ulp
 
 double Asin(double x);             // .55 ulp
 double Acos(double x);             // .55 ulp

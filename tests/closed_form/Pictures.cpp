@@ -153,6 +153,7 @@ TEST(Extremes, F6_MirrorsThatSplitTheLightStopAtTheStatedNumberOfDescendants) {
                           "material 0 0 0 0 0 0 1 1 1 1 1 1 0 0 0 10 1 0 sphere 0 0 0 0 1 sphere 0 0 0 0 2")),
                       settings);
   EXPECT_GT(result.rays.cut, 0u);
+  EXPECT_LE(result.rays.cut, result.rays.Total());
   EXPECT_LE(result.rays.Total(), static_cast<std::uint64_t>(ray::most_descendants) + 3);
 }
 

@@ -227,6 +227,8 @@ struct RayLanes {
 /// Which lanes may hit, and where.
 template <typename D>
 struct TriangleMask {
+  HWY_INLINE TriangleMask() {}  // one that compilers make for themselves is not compiled for the instruction set
+
   hn::Mask<D> maybe, certain;  // the certain ones are in maybe too
   hn::Vec<D> nearest;          // bounds on the distance; of those that are not clear 0
   hn::Vec<D> farthest;         // of the certain

@@ -1,0 +1,31 @@
+#include "source/integrate/lights/LightSampler.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "tests/Project.h"
+
+namespace ray {
+namespace {
+
+// With -debugpixel a user is told by the wrong light's name what is bright.
+TEST(LightSampler, NamesEachOfItsLightsByItsKind) {
+  const project::Stage stage(
+      project::FromText("point_light 1 1 1  1 2 3  1 0 0 dir_light 1 1 1  0 -1 0 "
+                        "material 0 0 0  0 0 0  0 0 0  0 0 0  1 1 1  10 1 0 "
+                        "tri 0  0 0 0  1 0 0  0 1 0 tri 0  0 0 5  1 0 5  0 1 5 sphere 0  9 0 0  1 sphere 0  9 9 0  1"));
+  const LightSampler lights(stage.world, {});
+  std::vector<std::string> kinds;
+  for (int i = 0; i < lights.Count(); ++i) {
+    const std::string said = lights.Describe(i);
+    kinds.push_back(said.substr(0, said.find(' ', said.find(' ') + 1)));
+  }
+  const std::vector<std::string> expected{"point light",   "directional light", "triangle that",
+                                          "triangle that", "shape that",        "shape that"};
+  EXPECT_EQ(kinds, expected);
+}
+
+}  // namespace
+}  // namespace ray
