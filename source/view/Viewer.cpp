@@ -40,9 +40,21 @@ Viewer::Viewer(ViewerSettings settings, std::shared_ptr<const LoadedScene> scene
 
 void Viewer::TakeScene(std::shared_ptr<const LoadedScene> scene) {
   scene_ = std::move(scene);
+  ++scene_number_;
+  chosen_node_.reset();
   const R3::Box& box = scene_->parsed.scene.root.bounds;
   space_ = DrawingSpace::Of(box);
   navigator_.SetBox(box);
+  MakeFaces();
+  watch_.Watch(scene_->parsed.scene.files);
+  rays_.ForgetAll();
+  pick_.reset();
+  section_lines_.reset();
+  pictures_.Touch();
+  InvalidateLines();
+}
+
+void Viewer::MakeFaces() {
   ScenePicture picture = PictureOf(scene_->world, settings_.render, space_);
   notes_.clear();
   if (picture.as_boxes > 0) AddNote(std::to_string(picture.as_boxes) + " primitives shown as boxes");
@@ -51,12 +63,6 @@ void Viewer::TakeScene(std::shared_ptr<const LoadedScene> scene) {
     AddNote(std::to_string(picture.lights.left_out) + " weaker lights left out of the preview");
   if (picture.lights.head_light) AddNote("the scene is unlit: seen by a light at the eye");
   faces_ = std::make_shared<const ScenePicture>(std::move(picture));
-  watch_.Watch(scene_->parsed.scene.files);
-  rays_.ForgetAll();
-  pick_.reset();
-  section_lines_.reset();
-  pictures_.Touch();
-  InvalidateLines();
 }
 
 void Viewer::AddNote(const std::string& note) { notes_ += (notes_.empty() ? "" : ", ") + note; }
@@ -78,6 +84,10 @@ void Viewer::ShowMessage(const std::string& message) {
 }
 
 void Viewer::Handle(const Event& event) {
+  if (shows_panels_) {
+    needs_redraw_ |= !std::holds_alternative<TickEvent>(event);
+    if (panels_->Take(event, *this)) return;
+  }
   std::visit([this](const auto& e) { On(e); }, event);
 }
 
@@ -147,6 +157,10 @@ void Viewer::OnClick(const ButtonEvent& event) {
   pick_ = PickPixel(scene_->world, *scene_->accelerator, settings, static_cast<int>(position.x),
                     static_cast<int>(position.y));
   for (const std::string& line : pick_->text) host_.Print(line);
+  chosen_node_.reset();
+  const auto& nodes = scene_->world.Nodes();
+  for (std::size_t i = 0; pick_->point && i < nodes.size(); ++i)
+    if (nodes[i].instance == static_cast<std::int32_t>(pick_->instance)) chosen_node_ = i;
   InvalidateLines();
 }
 
@@ -154,6 +168,8 @@ void Viewer::On(const ScrollEvent& event) { navigator_.Scroll(event, PointFinder
 
 void Viewer::On(const ResizeEvent& event) {
   const DrawingSize size{std::max(1, event.width), std::max(1, event.height)};
+  scale_ = event.scale;
+  if (panels_) panels_->SetScale(scale_);
   if (size == size_) return;
   size_ = size;
   navigator_.SetSize(size_);

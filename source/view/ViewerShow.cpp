@@ -15,12 +15,19 @@ namespace ray {
 namespace {
 
 constexpr double quad_share_of_distance = 0.25;  // how far the traced picture hangs before its camera
-constexpr Rgba frustum_color{255, 255, 120, 255}, picked_color{255, 90, 90, 255}, text_color{255, 255, 255, 255};
+constexpr Rgba frustum_color{255, 255, 120, 255}, picked_color{255, 90, 90, 255}, chosen_color{255, 170, 60, 255},
+    text_color{255, 255, 255, 255};
 constexpr double line_height = 17, letter_width = 8, margin = 6;  // of text, in pixels
 constexpr double cross_size = 8;                                  // pixels from the middle of a mark to its end
 constexpr double seconds_of_message = 5, seconds_of_fading = 1;
 
 R2::Color InverseOf(const R2::Color& c) { return {1 - c.r, 1 - c.g, 1 - c.b}; }
+
+/// What is chosen is one of another pixel's.
+RayLook WithoutChoice(RayLook look) {
+  look.chosen.reset();
+  return look;
+}
 
 bool IsLight(RenderMode mode) {
   return mode == RenderMode::whitted || mode == RenderMode::path || mode == RenderMode::albedo;
@@ -32,7 +39,7 @@ FrameState Viewer::Show() {
   if (!lines_) lines_ = std::make_shared<const Lines>(MakeLines());
   if (section_.IsShown() && !section_lines_) {
     section_.Cut(*scene_, SettingsOfView(), navigator_.Center());
-    section_lines_ = std::make_shared<const Lines>(section_.Drawing(*scene_, rays_.Look()));
+    section_lines_ = std::make_shared<const Lines>(section_.Drawing(*scene_, WithoutChoice(rays_.Look())));
   }
   FrameState shown;
   shown.size = shown.view = size_;
@@ -52,6 +59,7 @@ FrameState Viewer::Show() {
   shown.edge_color = ray::Shown(InverseOf(shown.background));
   shown.lines = lines_;
   shown.marks = std::make_shared<const Lines>(MakeMarks());
+  if (rays_.Look().chosen) shown.lit = std::make_shared<const Lines>(ChosenRay(*rays_.Pixel(), space_, rays_.Look()));
   if (ShowsQuad()) {
     FrameState::Picture quad;
     quad.frame = &pictures_.Trace()->frame();
@@ -65,6 +73,7 @@ FrameState Viewer::Show() {
   }
   shown.picture = CoveringPicture();
   shown.labels = MakeLabels();
+  if (shows_panels_) shown.panels = panels_->Draw(*this);
   return shown;
 }
 
@@ -147,6 +156,7 @@ Lines Viewer::MakeLines() const {
   Lines lines = SceneLineLines(scene_->world, space_);
   if (boxes_ == Boxes::nodes) Append(lines, NodeBoxLines(scene_->world, space_, box_level_).lines);
   if (boxes_ == Boxes::accelerator) Append(lines, AcceleratorBoxLines(*scene_->accelerator, space_, box_level_).lines);
+  if (chosen_node_ && shows_panels_) Append(lines, NodeBoxOf(scene_->world, space_, *chosen_node_, chosen_color));
   if (shows_lights_) Append(lines, LightLines(scene_->parsed.scene, space_));
   if (shows_camera_) {
     const Camera& own = scene_->parsed.scene.camera;
@@ -160,7 +170,7 @@ Lines Viewer::MakeLines() const {
     Append(lines, CameraLines(camera, traced.width, traced.height, distance, space_, frustum_color));
   }
   // Each by itself: what fades among many rays of the grid must not take those of a pixel along.
-  if (rays_.ShowsGrid()) Append(lines, RayLines(rays_.Grid(), space_, rays_.Look()));
+  if (rays_.ShowsGrid()) Append(lines, RayLines(rays_.Grid(), space_, WithoutChoice(rays_.Look())));
   if (rays_.Pixel()) Append(lines, RayLines({*rays_.Pixel()}, space_, rays_.Look()));
   return lines;
 }
@@ -200,7 +210,7 @@ std::vector<Label> Viewer::MakeLabels() const {
   std::vector<std::string> upper;
   if (help_page_ > 0) {
     upper = HelpPage();
-  } else if (pick_) {
+  } else if (pick_ && !shows_panels_) {
     upper = pick_->text;
   }
   if (section_.IsShown()) upper.insert(upper.begin(), "cross section: " + section_.Describe(size_.height));
@@ -227,7 +237,7 @@ std::string Viewer::Title() const {
          (status_.empty() ? "" : " " + status_) + (notes_.empty() ? "" : " (" + notes_ + ")");
 }
 
-std::string Viewer::State() const {
+std::string Viewer::State() {
   std::string text;
   const auto line = [&](const std::string& name, const std::string& value) { text += name + " " + value + "\n"; };
   const auto yes_or_no = [](bool is) { return is ? "yes" : "no"; };
@@ -262,6 +272,8 @@ std::string Viewer::State() const {
   line("reference", yes_or_no(pictures_.Reference() != nullptr));
   line("help", std::to_string(help_page_));
   line("message", message_);
+  line("panels", yes_or_no(shows_panels_));
+  if (shows_panels_) text += TextOfPanels();
   return text;
 }
 

@@ -122,6 +122,19 @@ TEST_F(Rayview, EveryContextDrawsTheSameBytes) {
     for (int x = 0; x < a.Width(); ++x) ASSERT_EQ(a.At(x, y), b.At(x, y)) << x << " " << y;
 }
 
+TEST_F(Rayview, EveryContextDrawsTheSamePanels) {
+  environment["ASAN_OPTIONS"] = drivers_leak;
+  const std::string script = "resize 640 480\nkey Tab\nclick right 200 200\nclick left 200 200\nresize 900 700 1.5\n";
+  std::vector<std::string> drawn;
+  for (const char* context : {"egl", "osmesa"}) {
+    const std::string file = folder / (std::string(context) + ".ppm");
+    const Finished run = Follow(Scene("hello.scn"), script, {"-context", context, "-screenshot", file});
+    if (run.status == 0) drawn.push_back(ReadFile(file));
+  }
+  if (drawn.size() < 2) GTEST_SKIP() << "this machine has one kind of context only";
+  EXPECT_EQ(drawn[0], drawn[1]);
+}
+
 TEST_F(Rayview, ARecordingDoesTheSameAgain) {
   const std::string script =
       "drag left 10 10 50 20\nkey B\ndown right 5 5\npress W\ntick 0.5\nrelease W\nup right 5 5\n"
