@@ -41,6 +41,7 @@ struct FrameState {
   std::shared_ptr<const Lines> lit;    // likewise, in wide lines; null for none
   std::optional<Picture> quad, picture;
   std::shared_ptr<const Lines> section;  // in the square from -1 to 1, at the right; null for none
+  int letter_size = 1;                   // whole multiple of the letters of labels
   std::vector<Label> labels;
   std::shared_ptr<const PanelDrawing> panels;  // null for none
 };

@@ -42,6 +42,7 @@ void Viewer::TakeScene(std::shared_ptr<const LoadedScene> scene) {
   scene_ = std::move(scene);
   ++scene_number_;
   chosen_node_.reset();
+  scene_problems_.clear();
   const R3::Box& box = scene_->parsed.scene.root.bounds;
   space_ = DrawingSpace::Of(box);
   navigator_.SetBox(box);
@@ -133,6 +134,7 @@ void Viewer::On(const ButtonEvent& event) {
 }
 
 void Viewer::On(const MoveEvent& event) {
+  pointer_ = {event.x, event.y};
   if (!press_) return;
   const bool has_gone = R1::Hypot(event.x - press_->at.x, event.y - press_->at.y) > click_reach;
   press_->is_click = press_->is_click && !has_gone;
@@ -247,9 +249,18 @@ void Viewer::Reload() {
     ShowMessage("scene reloaded" + (notes_.empty() ? "" : "; " + notes_));
   } catch (const std::exception& error) {
     // The scene that is shown stays until the new one can be read.
-    host_.Print(error.what());
-    ShowMessage(FirstLine(error.what()));
+    TellProblems(settings_.scene, error);
   }
+}
+
+void Viewer::TellProblems(const std::string& file, const std::exception& error) {
+  const auto* errors = dynamic_cast<const SceneErrors*>(&error);
+  SceneError other;
+  other.file = file;
+  other.message = error.what();
+  scene_problems_ = errors ? errors->All() : std::vector{other};
+  host_.Print(error.what());
+  ShowMessage(FirstLine(error.what()));
 }
 
 void Viewer::Open(const std::string& file) {
@@ -267,8 +278,7 @@ void Viewer::Open(const std::string& file) {
     navigator_.Go(scene_->parsed.scene.camera);
     ShowMessage("opened " + file + (notes_.empty() ? "" : "; " + notes_));
   } catch (const std::exception& error) {
-    host_.Print(error.what());
-    ShowMessage(FirstLine(error.what()));
+    TellProblems(file, error);
   }
 }
 

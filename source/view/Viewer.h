@@ -12,6 +12,7 @@
 #include "source/view/HelpText.h"
 #include "source/view/camera/Bookmarks.h"
 #include "source/view/camera/Navigator.h"
+#include "source/view/live/AcceleratorCost.h"
 #include "source/view/live/TracedPictures.h"
 #include "source/view/overlay/Pick.h"
 #include "source/view/overlay/RayInspector.h"
@@ -115,7 +116,11 @@ class Viewer {
   /// What takes clicks in the panels, as last drawn.
   const std::vector<PanelItem>& ItemsOfPanels() const;
 
+  /// How they look; once they were shown.
+  PanelSettings PanelLook() const { return panels_ ? panels_->Look() : PanelSettings(); }
+
   // What panels ask for.
+  void SetPanelLook(const PanelSettings& look);
   /// A node of the scene graph to look at, into World::Nodes; nothing for none. A picked one is chosen as well.
   void ChooseNode(std::optional<std::size_t> node);
   std::optional<std::size_t> ChosenNode() const { return chosen_node_; }
@@ -130,6 +135,14 @@ class Viewer {
   /// The command that renders what is seen; but for the camera, where that was moved.
   std::string Command() const { return host_.CommandFor(SettingsOfView()); }
   bool HasMovedCamera() const { return SettingsOfView().view.has_value(); }
+  /// Live rendering of one mode; nothing for none.
+  void ShowLayer(std::optional<RenderMode> mode);
+  /// Where the pointer was last seen, in pixels from the lower left corner; outside of the drawing before that.
+  const R2::Point& Pointer() const { return pointer_; }
+  /// Of the present view; takes seconds.
+  std::vector<AcceleratorCost> CostsOfAccelerators() const;
+  /// What is wrong with the scene's files as they are now, while an earlier scene stays; empty where nothing is.
+  const std::vector<SceneError>& SceneProblems() const { return scene_problems_; }
   /// Into the clipboard.
   void CopyText(const std::string& text) { host_.SetClipboard(text); }
 
@@ -175,6 +188,8 @@ class Viewer {
   void Compare(TracedPictures::Comparing how);
   void ChangeExposure(double steps);
   void Reload();
+  /// Of the file that was to be read.
+  void TellProblems(const std::string& file, const std::exception& error);
   void TurnHelpPage();
   void TogglePanels();
   void Open(const std::string& file);
@@ -206,6 +221,8 @@ class Viewer {
   std::optional<std::pair<int, int>> PixelOnQuad(const R2::Point& position) const;
   bool ShowsQuad() const { return shows_quad_ && pictures_.Trace() && !pictures_.IsLive(); }
   Lines MakeLines() const;
+  /// Of messages and of the help, a whole number of times the usual, as the density of the screen asks for.
+  int LetterSize() const;
   /// How many lines of text have room above one another, at least 1.
   int LinesOfText() const;
   /// How many letters have room side by side, at least 1.
@@ -230,6 +247,7 @@ class Viewer {
   std::unique_ptr<Panels> panels_;  // once they were shown
   int scene_number_ = 0;
   std::string option_problem_;
+  std::vector<SceneError> scene_problems_;
 
   DrawingSize size_;
   double scale_ = 1;  // of the screen
@@ -248,7 +266,7 @@ class Viewer {
 
   std::optional<Press> press_;
   double now_ = 0, last_look_at_files_ = 0, last_click_ = -1;  // seconds of ticks
-  R2::Point last_click_at_;
+  R2::Point last_click_at_, pointer_{-1, -1};
   std::uint64_t changes_seen_ = 0;
   std::shared_ptr<const Lines> lines_, section_lines_;  // null when they must be rebuilt
   std::vector<std::uint32_t> versions_;                 // of the rows of frames when last seen

@@ -56,6 +56,11 @@ const std::vector<PanelItem>& Viewer::ItemsOfPanels() const {
   return shows_panels_ ? panels_->Items() : none;
 }
 
+void Viewer::SetPanelLook(const PanelSettings& look) {
+  if (panels_) panels_->SetLook(look);
+  needs_redraw_ = true;
+}
+
 void Viewer::ChooseNode(std::optional<std::size_t> node) {
   chosen_node_ = node;
   InvalidateLines();
@@ -65,6 +70,15 @@ void Viewer::ChooseRay(std::optional<std::size_t> ray) {
   if (!rays_.Pixel()) return;
   rays_.Choose(ray);
   InvalidateLines();
+}
+
+void Viewer::ShowLayer(std::optional<RenderMode> mode) {
+  if (mode ? !pictures_.IsLive() || pictures_.LiveMode() != mode : pictures_.IsLive())
+    ToggleLive(mode ? mode : pictures_.LiveMode());
+}
+
+std::vector<AcceleratorCost> Viewer::CostsOfAccelerators() const {
+  return ray::CostsOfAccelerators(scene_->world, settings_.accelerator, SettingsOfView());
 }
 
 void Viewer::FrameChosenNode() {

@@ -17,7 +17,7 @@ namespace {
 constexpr double quad_share_of_distance = 0.25;  // how far the traced picture hangs before its camera
 constexpr Rgba frustum_color{255, 255, 120, 255}, picked_color{255, 90, 90, 255}, chosen_color{255, 170, 60, 255},
     text_color{255, 255, 255, 255};
-constexpr double line_height = 17, letter_width = 8, margin = 6;  // of text, in pixels
+constexpr double line_height = 17, letter_width = 8, margin = 6;  // of text, in pixels, at letter size 1
 constexpr double cross_size = 8;                                  // pixels from the middle of a mark to its end
 constexpr double seconds_of_message = 5, seconds_of_fading = 1;
 
@@ -72,6 +72,7 @@ FrameState Viewer::Show() {
     shown.quad = quad;
   }
   shown.picture = CoveringPicture();
+  shown.letter_size = LetterSize();
   shown.labels = MakeLabels();
   if (shows_panels_) shown.panels = panels_->Draw(*this);
   return shown;
@@ -187,11 +188,16 @@ Lines Viewer::MakeMarks() const {
 }
 
 int Viewer::LinesOfText() const {
-  const double room = size_.height - 2 * line_height - 2 * margin;  // above the message
-  return std::max(1, static_cast<int>(room / line_height));
+  const double line = LetterSize() * line_height, edge = LetterSize() * margin;
+  const double room = size_.height - 2 * line - 2 * edge;  // above the message
+  return std::max(1, static_cast<int>(room / line));
 }
 
-int Viewer::ColumnsOfText() const { return std::max(1, static_cast<int>((size_.width - 2 * margin) / letter_width)); }
+int Viewer::ColumnsOfText() const {
+  return std::max(1, static_cast<int>((size_.width - 2 * LetterSize() * margin) / (LetterSize() * letter_width)));
+}
+
+int Viewer::LetterSize() const { return std::max(1, static_cast<int>(std::lround(scale_))); }
 
 double Viewer::StrengthOfMessage() const {
   return std::clamp((message_since_ + seconds_of_message - now_) / seconds_of_fading, 0.0, 1.0);
@@ -204,9 +210,10 @@ std::vector<std::string> Viewer::HelpPage() const {
 
 std::vector<Label> Viewer::MakeLabels() const {
   std::vector<Label> labels;
+  const double line_step = LetterSize() * line_height, edge = LetterSize() * margin;
   const double strength = StrengthOfMessage();
   if (!message_.empty() && strength > 0)
-    labels.push_back({margin, margin, message_, {255, 255, 255, static_cast<std::uint8_t>(255 * strength)}});
+    labels.push_back({edge, edge, message_, {255, 255, 255, static_cast<std::uint8_t>(255 * strength)}});
   std::vector<std::string> upper;
   if (help_page_ > 0) {
     upper = HelpPage();
@@ -214,10 +221,10 @@ std::vector<Label> Viewer::MakeLabels() const {
     upper = pick_->text;
   }
   if (section_.IsShown()) upper.insert(upper.begin(), "cross section: " + section_.Describe(size_.height));
-  double y = size_.height - line_height - margin;
+  double y = size_.height - line_step - edge;
   for (const std::string& line : upper) {
-    labels.push_back({margin, y, line, text_color});
-    y -= line_height;
+    labels.push_back({edge, y, line, text_color});
+    y -= line_step;
   }
   return labels;
 }

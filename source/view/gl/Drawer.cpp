@@ -104,7 +104,7 @@ void Drawer::Draw(const FrameState& state) {
     canvas.Fill(section_ground);
     lists.Draw(Upload(section_, state.section), SectionMatrix(viewport), 1, 1);
   }
-  painter_.text.Draw(state.labels, canvas);
+  painter_.text.Draw(state.labels, canvas, state.letter_size);
   if (state.panels) painter_.panels.Draw(*state.panels, canvas);
 }
 

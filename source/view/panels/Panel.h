@@ -49,6 +49,8 @@ class Panel {
  public:
   virtual ~Panel() = default;
   virtual void Draw(PanelFrame& frame) = 0;
+  /// Whether it has anything to show by now.
+  virtual bool IsOfUse(const Viewer&) const { return true; }
 };
 
 /// One line of panels.def.

@@ -109,21 +109,28 @@ class ImGuiPanels : public Panels {
   }
 
   const std::vector<PanelItem>& Items() const override { return items_; }
-  void SetTheme(PanelTheme theme) override {
-    theme_ = theme;
-    is_dressed_ = false;
+  void SetLook(const PanelSettings& look) override {
+    look_ = look;
+    look_.letters = std::clamp(look.letters, smallest_letters, largest_letters);
+    Undress();
   }
+  const PanelSettings& Look() const override { return look_; }
   void SetScale(double scale) override {
-    if (scale == scale_) return;
-    scale_ = scale;
-    sheet_.reset();
-    is_dressed_ = false;
+    if (scale == screen_) return;
+    screen_ = scale;
+    Undress();
   }
 
  private:
   enum class Holder { nobody, panels, viewer };
 
   void Use() const { ImGui::SetCurrentContext(context_); }
+
+  double Scale() const { return screen_ * look_.letters; }
+  void Undress() {
+    sheet_.reset();
+    is_dressed_ = false;
+  }
 
   static void NameKeys(ImGuiIO& io) {
     constexpr std::pair<ImGuiKey_, Key> names[] = {
@@ -228,14 +235,14 @@ class ImGuiPanels : public Panels {
 
   void MakeFrame(Viewer& viewer) {
     viewer_ = &viewer;
-    if (!sheet_) sheet_ = UseLetters(scale_);
-    if (!std::exchange(is_dressed_, true)) UseLook(theme_, scale_);
+    if (!sheet_) sheet_ = UseLetters(Scale());
+    if (!std::exchange(is_dressed_, true)) UseLook(look_.theme, Scale());
     ImGuiIO& io = ImGui::GetIO();
     io.DisplaySize = {static_cast<float>(viewer.Size().width), static_cast<float>(viewer.Size().height)};
     io.DeltaTime = std::max(shortest_time, std::exchange(passed_, 0.0F));
     items_.clear();
     ImGui::NewFrame();
-    PanelFrame frame(viewer, scale_, items_);
+    PanelFrame frame(viewer, Scale(), items_);
     DrawColumn(frame);
     ImGui::Render();
     for (const auto& action : frame.Asked()) action(viewer);
@@ -244,7 +251,7 @@ class ImGuiPanels : public Panels {
   /// At the right, as high as the drawing.
   void DrawColumn(PanelFrame& frame) {
     const ImVec2 all = ImGui::GetIO().DisplaySize;
-    const auto width = static_cast<float>(std::floor(std::min(column_width * scale_, column_share * all.x)));
+    const auto width = static_cast<float>(std::floor(std::min(column_width * Scale(), column_share * all.x)));
     ImGui::SetNextWindowPos({all.x, 0}, ImGuiCond_Always, {1, 0});
     ImGui::SetNextWindowSize({width, all.y}, ImGuiCond_Always);
     constexpr auto flags = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize |
@@ -253,6 +260,7 @@ class ImGuiPanels : public Panels {
     ImGui::Begin("column", nullptr, flags);
     if (wants_text_) ImGui::LogToBuffer(0);
     for (std::size_t i = 0; i < panels_.size(); ++i) {
+      if (!panels_[i]->IsOfUse(frame.viewer)) continue;
       ImGui::PushID(static_cast<int>(i));
       if (frame.Heading(panel_kinds[i]->title, panel_kinds[i]->is_open_at_first)) panels_[i]->Draw(frame);
       ImGui::PopID();
@@ -267,8 +275,8 @@ class ImGuiPanels : public Panels {
   ImGuiContext* const context_;
   std::vector<std::unique_ptr<Panel>> panels_;
   std::shared_ptr<const InkSheet> sheet_;  // null when the letters are to be made
-  PanelTheme theme_ = PanelTheme::dark;
-  double scale_ = 1;
+  PanelSettings look_;
+  double screen_ = 1;  // pixels per unit of length
   bool is_dressed_ = false, wants_text_ = false;
   float passed_ = 0;                // seconds since the last frame
   Holder holder_ = Holder::nobody;  // who got the press of the buttons that are down

@@ -18,6 +18,14 @@ struct PanelItem {
 };
 
 enum class PanelTheme { dark, light };
+inline constexpr double smallest_letters = 0.75, largest_letters = 3;  // times the usual: still read, and still useful
+
+/// What a user likes better.
+struct PanelSettings {
+  PanelTheme theme = PanelTheme::dark;
+  double letters = 1;  // their size, in the range above
+  friend bool operator==(const PanelSettings&, const PanelSettings&) = default;
+};
 
 /// What stands in a column beside the picture: facts about the scene and its rays, and what can be chosen. What they
 /// show depends on the events and on the viewer alone, never on how often they are drawn.
@@ -33,8 +41,9 @@ class Panels {
   virtual std::string Text(Viewer& viewer) = 0;
   /// What takes clicks, as last drawn.
   virtual const std::vector<PanelItem>& Items() const = 0;
-  virtual void SetTheme(PanelTheme theme) = 0;
-  /// Pixels per unit of length that letters are laid out in; 1 on usual screens, 2 on dense ones.
+  virtual void SetLook(const PanelSettings& look) = 0;
+  virtual const PanelSettings& Look() const = 0;
+  /// Pixels per unit of length, > 0: 1 on usual screens, 2 on dense ones.
   virtual void SetScale(double scale) = 0;
 };
 

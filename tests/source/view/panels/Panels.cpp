@@ -1,13 +1,17 @@
 #include "source/view/panels/Panels.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
+#include <filesystem>
+#include <fstream>
 #include <sstream>
 #include <thread>
 
 #include "source/scene/CameraText.h"
+#include "source/text/NumberText.h"
 #include "source/view/EventScript.h"
 #include "tests/Project.h"
 #include "tests/source/view/Witness.h"
@@ -24,19 +28,21 @@ class WithOptions : public Witness {
   }
   ViewerSettings ChangeOption(const std::string& name, const std::string& value) override {
     if (name == "mode") mode = value;
+    if (name == "accel") accelerator = value;
     if (name == "samples" && (value.size() != 1 || value[0] < '1'))
       throw std::runtime_error("-samples must be 1 to 9, got " + value);
     if (name == "samples") samples = value[0] - '0';
     ViewerSettings settings;
     settings.render.mode = mode == "path" ? RenderMode::path : RenderMode::whitted;
     settings.render.samples = samples;
+    settings.accelerator.name = accelerator;
     return settings;
   }
   std::string CommandFor(const RenderSettings& settings) override {
     return "make -samples " + std::to_string(settings.samples);
   }
 
-  std::string mode = "whitted";
+  std::string mode = "whitted", accelerator = "auto";
   int samples = 1;
 };
 
@@ -212,6 +218,7 @@ TEST_F(PanelTest, AChosenRayIsLitUpUntilItIsClickedAgain) {
   const R3::Ray& ray = viewer_->Rays().Pixel()->rays[*chosen].ray;
   EXPECT_EQ(shown.lit->front().at, space.At(ray.At(ray.t_min)));
   EXPECT_TRUE(Says("along ")) << viewer_->TextOfPanels();
+  Do("tick 1");  // else it would be a double click
   Click("reflection ");
   EXPECT_FALSE(viewer_->Rays().Look().chosen);
 }
@@ -295,6 +302,108 @@ TEST_F(PanelTest, TheCommandIsCopied) {
   Click("Settings");
   Click("copy the command");
   EXPECT_EQ(host_.clipboard, "make -samples 1\n");
+}
+
+TEST_F(PanelTest, ALayerIsChosenAndItsNumbersAreThoseOfThePicture) {
+  Open(project::Root() / "scenes/sphere.scn");
+  Do("resize 256 256\nkey Tab");
+  Click("Scene");
+  Click("Pixel");
+  Click("Layers");
+  Click("live");
+  Click("depth");
+  Do("wait trace\nmove 64 128");
+  const RenderJob* job = viewer_->Pictures().Live();
+  ASSERT_TRUE(job);
+  EXPECT_EQ(job->Settings().mode, RenderMode::depth);
+  const R2::Image picture = Render(viewer_->scene().world, *viewer_->scene().accelerator, job->Settings()).image;
+  float nearest = 1e9F, farthest = 0;
+  for (const float depth : picture.Channels())
+    if (depth > 0) nearest = std::min(nearest, depth), farthest = std::max(farthest, depth);
+  const std::string bar =
+      Rounded(nearest, 4) + " " + Rounded((nearest + farthest) / 2.0, 4) + " " + Rounded(farthest, 4);
+  EXPECT_TRUE(Says(bar)) << bar << "\n" << viewer_->TextOfPanels();
+  EXPECT_TRUE(Says("pixel 64 128")) << viewer_->TextOfPanels();
+  EXPECT_TRUE(Says("value " + Rounded(picture.At(64, 128).r, 4))) << viewer_->TextOfPanels();
+  Click("live");
+  Click("off");
+  EXPECT_FALSE(viewer_->Pictures().IsLive());
+}
+
+TEST_F(PanelTest, StatisticsAreThoseOfTheRender) {
+  Open(project::Root() / "scenes/sphere.scn");
+  Do("resize 256 256\nkey Tab");
+  Click("Scene");
+  Click("Pixel");
+  Click("Statistics");
+  EXPECT_TRUE(Says("Nothing is rendered yet"));
+  Do("key P\nwait trace");
+  const RenderResult& result = *viewer_->Pictures().Live()->Result();
+  EXPECT_TRUE(Says("camera | " + std::to_string(result.rays[RayKind::camera].rays))) << viewer_->TextOfPanels();
+  EXPECT_TRUE(Says("all | " + std::to_string(result.rays.Total()))) << viewer_->TextOfPanels();
+}
+
+TEST_F(PanelTest, AcceleratorsAreComparedAndOneIsTaken) {
+  Do("resize 800 800\nkey Tab");
+  Click("Scene");
+  Click("Pixel");
+  Click("Accelerators");
+  EXPECT_FALSE(HasItem("octree"));
+  Click("compare all");
+  for (const AcceleratorKind* kind : AcceleratorKinds())
+    EXPECT_EQ(HasItem(kind->name), std::string(kind->name) != "auto") << kind->name;
+  Click("octree");
+  EXPECT_EQ(host_.accelerator, "octree");
+  EXPECT_EQ(viewer_->scene().accelerator->kind, "octree");
+}
+
+TEST_F(PanelTest, MistakesOfAnEditedSceneAreShownWithTheirPlaces) {
+  const auto file = std::filesystem::temp_directory_path() / ("panels-" + std::to_string(getpid()) + ".scn");
+  const auto write = [&](const std::string& text) { std::ofstream(file) << text; };
+  write("sphere -1  0 0 0  1\n");
+  Open(file);
+  Do("key Tab");
+  EXPECT_FALSE(HasItem("Errors"));
+  write("sphere -1  0 0 0  1\nspere -1  0 0 0  1\n");
+  Do("key Control+R");
+  EXPECT_TRUE(HasItem("Errors"));
+  const std::string text = viewer_->TextOfPanels();
+  EXPECT_NE(text.find(file.string() + ":2:1"), std::string::npos) << text;
+  EXPECT_NE(text.find("2 | spere -1  0 0 0  1\n    ^~~~~"), std::string::npos) << text;
+  EXPECT_NE(text.find("did you mean 'sphere'"), std::string::npos) << text;
+  write("sphere -1  0 0 0  2\n");
+  Do("key Control+R");
+  EXPECT_FALSE(HasItem("Errors"));
+  std::filesystem::remove(file);
+}
+
+TEST_F(PanelTest, HaveALightThemeAndLargerLetters) {
+  Do("resize 512 1024\nkey Tab");
+  Click("Scene");
+  Click("Look");
+  const auto before = viewer_->Show().panels;
+  Click("light");
+  const auto light = viewer_->Show().panels;
+  const auto brightness = [](const PanelDrawing& panels) { return panels.corners.front().color[0]; };
+  EXPECT_GT(brightness(*light), brightness(*before));
+  Click("larger");
+  EXPECT_EQ(viewer_->PanelLook(), (PanelSettings{PanelTheme::light, 1.25}));
+  EXPECT_NE(viewer_->Show().panels->sheet, light->sheet);
+  for (int i = 0; i < 20; ++i) Click("smaller");
+  EXPECT_EQ(viewer_->PanelLook().letters, smallest_letters);
+}
+
+TEST_F(PanelTest, TheHelpIsSearched) {
+  Do("resize 800 800\nkey Tab");
+  Click("Scene");
+  Click("Help");
+  const std::string all = viewer_->TextOfPanels();
+  for (const HelpRow& row : Viewer::HelpRows())
+    EXPECT_NE(all.find(row.text.substr(0, 20)), std::string::npos) << row.text;
+  Click("search");
+  Do("type EXPOS");
+  EXPECT_TRUE(Says("reset the exposure")) << viewer_->TextOfPanels();
+  EXPECT_FALSE(Says("bookmark")) << viewer_->TextOfPanels();
 }
 
 TEST_F(PanelTest, AnotherSceneIsAnotherTree) {
