@@ -17,10 +17,10 @@ esac
 needed="g++ make libjpeg-dev libpng-dev libtbb-dev libhwy-dev nlohmann-json3-dev"
 tests="libgtest-dev"
 # Without the others everything works but .exr images, .yaml scenes and the viewer. That needs libepoxy, which brings
-# EGL; GLFW opens windows, OSMesa is another way to draw without a display, Dear ImGui makes panels, and the last two
-# packages are Mesa's software renderer.
+# EGL; GLFW opens windows, OSMesa is another way to draw without a display, Dear ImGui makes panels, in the letters of
+# DejaVu Sans Mono, and the last two packages are Mesa's software renderer.
 formats="libopenexr-dev libyaml-cpp-dev"
-viewer="libepoxy-dev libglfw3-dev libosmesa6-dev libimgui-dev libegl-mesa0 libgl1-mesa-dri"
+viewer="libepoxy-dev libglfw3-dev libosmesa6-dev libimgui-dev fonts-dejavu-core libegl-mesa0 libgl1-mesa-dri"
 
 is_debian() { command -v dpkg-query >/dev/null 2>&1 && command -v apt-get >/dev/null 2>&1; }
 
@@ -56,6 +56,7 @@ has() {
     libglfw3-dev) (CPPFLAGS="${CPPFLAGS-} -DGLFW_INCLUDE_NONE"; has_header GLFW/glfw3.h) ;;
     libosmesa6-dev) has_header GL/osmesa.h ;;
     libimgui-dev) CPPFLAGS="${CPPFLAGS-} $(imgui_flags)" has_header imgui.h ;;
+    fonts-dejavu-core) find /usr/share/fonts -name DejaVuSansMono.ttf 2>/dev/null | grep -q . ;;
     libegl-mesa0|libgl1-mesa-dri) has_driver ;;
     libopenexr-dev) CPPFLAGS="${CPPFLAGS-} $(exr_flags)" has_header ImfOutputFile.h ;;
     libyaml-cpp-dev) has_header yaml-cpp/parser.h ;;

@@ -116,6 +116,8 @@ class Viewer {
   /// What takes clicks in the panels, as last drawn.
   const std::vector<PanelItem>& ItemsOfPanels() const;
 
+  /// Makes them where they were never shown; nothing but a message where they are not built in.
+  void ShowPanels(const PanelSettings& look);
   /// How they look; once they were shown.
   PanelSettings PanelLook() const { return panels_ ? panels_->Look() : PanelSettings(); }
 

@@ -40,15 +40,23 @@ void Viewer::ChangeOption(const std::string& name, const std::string& value) {
   ShowMessage("-" + name + " " + value);
 }
 
-void Viewer::TogglePanels() {
-  if (!panels_) {
-    panels_ = MakePanels();
-    if (!panels_) return ShowMessage("panels are not built in; install libimgui-dev and rebuild");
-    panels_->SetScale(scale_);
-  }
-  shows_panels_ = !shows_panels_;
+void Viewer::ShowPanels(const PanelSettings& look) {
+  if (!panels_) panels_ = MakePanels();
+  if (!panels_) return ShowMessage("panels are not built in; install libimgui-dev and rebuild");
+  panels_->SetScale(scale_);
+  panels_->SetLook(look);
+  shows_panels_ = true;
   InvalidateLines();
-  ShowMessage(shows_panels_ ? "panels; Tab hides them" : "panels off");
+}
+
+void Viewer::TogglePanels() {
+  if (shows_panels_) {
+    shows_panels_ = false;
+    InvalidateLines();
+    return ShowMessage("panels off");
+  }
+  ShowPanels(PanelLook());
+  if (shows_panels_) ShowMessage("panels; Tab hides them");
 }
 
 const std::vector<PanelItem>& Viewer::ItemsOfPanels() const {

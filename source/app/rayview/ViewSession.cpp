@@ -125,7 +125,10 @@ class Session : public ViewerHost {
         painter_(window_ ? Canvas::Target::window : Canvas::Target::own),
         drawer_(painter_),
         viewer_(WithReference(SettingsFor(options), options.view.reference), std::move(scene), *this),
-        recorder_(outputs_.record) {}
+        recorder_(outputs_.record) {
+    if (options.view.panels != "off")
+      viewer_.ShowPanels({options.view.panels == "light" ? PanelTheme::light : PanelTheme::dark, 1});
+  }
 
   int Run() {
     if (window_) Happen(ResizeEvent{window_->Width(), window_->Height(), window_->Scale()});

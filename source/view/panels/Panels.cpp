@@ -110,6 +110,7 @@ class ImGuiPanels : public Panels {
 
   const std::vector<PanelItem>& Items() const override { return items_; }
   void SetLook(const PanelSettings& look) override {
+    if (look == look_) return;
     look_ = look;
     look_.letters = std::clamp(look.letters, smallest_letters, largest_letters);
     Undress();
