@@ -28,6 +28,8 @@ void UseLook(PanelTheme theme, double scale) {
     ImGui::StyleColorsLight(&style);
   style.Colors[ImGuiCol_WindowBg].w = opacity_of_column;
   style.WindowRounding = style.ScrollbarRounding = style.GrabRounding = style.FrameRounding = 0;
+  for (const int grip : {ImGuiCol_ResizeGrip, ImGuiCol_ResizeGripHovered, ImGuiCol_ResizeGripActive})
+    style.Colors[grip].w = 0;  // the edge will do
   // Smooth edges are rounded differently by different GPUs.
   style.AntiAliasedLines = style.AntiAliasedLinesUseTex = style.AntiAliasedFill = false;
   style.ScaleAllSizes(static_cast<float>(scale));

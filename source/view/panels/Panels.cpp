@@ -25,6 +25,8 @@ constexpr const PanelKind* panel_kinds[] = {
 #undef PANEL
 };
 
+constexpr double narrowest = 150;       // units: the titles, and short words
+constexpr double widest_share = 0.9;    // of the drawing: some of it stays to be clicked
 constexpr double column_width = 330;    // units at most, and at first
 constexpr double column_share = 0.46;   // of a drawing too narrow for that
 constexpr float shortest_time = 1e-3F;  // seconds; Dear ImGui wants some between frames
@@ -71,7 +73,8 @@ class ImGuiPanels : public Panels {
     Use();
     ImGuiIO& io = ImGui::GetIO();
     io.IniFilename = io.LogFilename = nullptr;  // no files that nobody asked for
-    io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
+    // The latter lets edges be dragged, whatever the pointer looks like then.
+    io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset | ImGuiBackendFlags_HasMouseCursors;
     io.ConfigInputTextCursorBlink = false;
     io.ClipboardUserData = this;
     io.SetClipboardTextFn = [](void* self, const char* text) {
@@ -252,13 +255,18 @@ class ImGuiPanels : public Panels {
   /// At the right, as high as the drawing.
   void DrawColumn(PanelFrame& frame) {
     const ImVec2 all = ImGui::GetIO().DisplaySize;
-    const auto width = static_cast<float>(std::floor(std::min(column_width * Scale(), column_share * all.x)));
+    const auto pixels = [&](double units) { return static_cast<float>(std::floor(units * Scale())); };
+    const float widest = std::floor(static_cast<float>(widest_share) * all.x);
+    const float least = std::min(pixels(narrowest), widest);
+    const float usual = std::min(pixels(column_width), std::floor(static_cast<float>(column_share) * all.x));
+    const float width = width_ > 0 ? std::clamp(pixels(width_), least, widest) : usual;
     ImGui::SetNextWindowPos({all.x, 0}, ImGuiCond_Always, {1, 0});
     ImGui::SetNextWindowSize({width, all.y}, ImGuiCond_Always);
-    constexpr auto flags = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize |
-                           ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav |
-                           ImGuiWindowFlags_NoFocusOnAppearing;
+    ImGui::SetNextWindowSizeConstraints({least, all.y}, {widest, all.y});
+    constexpr auto flags = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                           ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoFocusOnAppearing;
     ImGui::Begin("column", nullptr, flags);
+    if (ImGui::GetWindowWidth() != width) width_ = ImGui::GetWindowWidth() / Scale();  // its edge was dragged
     if (wants_text_) ImGui::LogToBuffer(0);
     for (std::size_t i = 0; i < panels_.size(); ++i) {
       if (!panels_[i]->IsOfUse(frame.viewer)) continue;
@@ -279,6 +287,7 @@ class ImGuiPanels : public Panels {
   PanelSettings look_;
   double screen_ = 1;  // pixels per unit of length
   bool is_dressed_ = false, wants_text_ = false;
+  double width_ = 0;                // units that the user has dragged it to; 0 before that
   float passed_ = 0;                // seconds since the last frame
   Holder holder_ = Holder::nobody;  // who got the press of the buttons that are down
   Viewer* viewer_ = nullptr;        // of the last frame

@@ -63,6 +63,7 @@ std::optional<std::size_t> Tree::Draw(PanelFrame& frame, const char* name, const
     }
   clipper.End();
   ImGui::EndChild();
+  if (clicked) last_chosen_ = clicked;  // seen already: no need to scroll
   return clicked;
 }
 
