@@ -8,6 +8,8 @@
 namespace ray {
 namespace {
 
+constexpr ImU32 error_color = IM_COL32(220, 80, 70, 255);  // read on dark and on light
+
 /// The line and a caret below the place, one letter above the other.
 void DrawPlace(const SceneError& error, std::size_t number) {
   const std::string margin = std::to_string(error.line) + " | ";
@@ -36,7 +38,9 @@ class ErrorsPanel : public Panel {
       std::string place = error.file;
       if (error.line > 0) place += ":" + std::to_string(error.line) + ":" + std::to_string(error.column);
       frame.Say(place);
+      ImGui::PushStyleColor(ImGuiCol_Text, error_color);
       frame.Say(error.message);
+      ImGui::PopStyleColor();
       if (error.line > 0) DrawPlace(error, i);
       if (!error.hint.empty()) frame.Say(error.hint);
       for (const std::string& from : error.included_from) frame.Say("included from " + from);

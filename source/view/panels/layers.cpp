@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "R1/Elementary.h"
 #include "R2/ImageFile.h"
 #include "source/integrate/Integrators.h"
 #include "source/integrate/debug/Heat.h"
@@ -83,7 +84,7 @@ class LayersPanel : public Panel {
   static void DrawScale(RenderMode mode, const Frame& frame) {
     if (ShowsCosts(mode)) {
       constexpr double decades = 4;  // of the scale of HeatColor
-      DrawBar([](double share) { return HeatColor(std::pow(10, decades * share)); }, "1", "100", "10000");
+      DrawBar([](double share) { return HeatColor(R1::Pow(10, decades * share)); }, "1", "100", "10000");
     } else if (mode == RenderMode::depth) {
       const auto depths = DepthsOf(frame);
       if (!depths) return;

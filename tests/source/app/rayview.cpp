@@ -149,6 +149,30 @@ TEST_F(Rayview, ARecordingDoesTheSameAgain) {
 }
 
 // What had passed since the last event was forgotten, so that messages were back that had faded from the window.
+TEST_F(Rayview, ARecordingOfPanelsEndsWithTheSameDrawing) {
+  const std::string recorded = folder / "recorded.events";
+  const std::string script =
+      "resize 600 500\nkey Tab\npanel Scene\npanel Settings\npanel light\npanel -max_depth\nkey Control+A\ntype 7\n"
+      "key Enter\nclick right 100 100\npanel camera\nkey Tab\nkey Tab\n";
+  const Finished first = Follow(Scene("hello.scn"), script, {"-record", recorded, "-screenshot", folder / "first.ppm"});
+  ASSERT_EQ(first.status, 0) << first.error;
+  const Finished again = Follow(Scene("hello.scn"), ReadFile(recorded), {"-screenshot", folder / "again.ppm"});
+  ASSERT_EQ(again.status, 0) << again.error;
+  EXPECT_EQ(ReadFile(folder / "again.ppm"), ReadFile(folder / "first.ppm"));
+}
+
+TEST_F(Rayview, SettingsOfPanelsAreThoseOfTheSavedImage) {
+  const std::string script =
+      "resize 600 500\nkey Tab\npanel Scene\npanel Settings\npanel light\npanel -max_depth\nkey Control+A\ntype 1\n"
+      "key Enter\nkey S\nwait trace\n";
+  const Finished viewed = Follow(Scene("hello.scn"), script, {"-image", folder / "view.png"});
+  ASSERT_EQ(viewed.status, 0) << viewed.error;
+  const Finished rendered = testing::RunProgram(
+      {Scene("hello.scn"), folder / "pro.png", "-width", "600", "-height", "500", "-max_depth", "1", "-quiet"});
+  ASSERT_EQ(rendered.status, 0) << rendered.error;
+  EXPECT_EQ(Picture(folder / "view.png"), Picture(folder / "pro.png"));
+}
+
 TEST_F(Rayview, ARecordingEndsWithTheSameDrawing) {
   for (const char* script :
        {"drag left 10 10 50 20\ntick 0.3\n", "key B\ntick 6\n", "scroll 1 30 30\ntick 0.3\n",

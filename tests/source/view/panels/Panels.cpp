@@ -130,6 +130,27 @@ TEST_F(PanelTest, HaveLargerLettersOnDenserScreens) {
   EXPECT_GT(viewer_->Show().panels->sheet->width * viewer_->Show().panels->sheet->height, once);
 }
 
+TEST_F(PanelTest, HaveMessagesAsLargeAsTheirLetters) {
+  EXPECT_EQ(viewer_->Show().letter_size, 1);
+  Do("resize 1024 1024 2");
+  EXPECT_EQ(viewer_->Show().letter_size, 2);
+}
+
+TEST_F(PanelTest, AreAsWideAsTheirEdgeIsDragged) {
+  const auto left_edge = [&] {
+    float edge = width;
+    for (const PanelDrawing::Corner& corner : viewer_->Show().panels->corners) edge = std::min(edge, corner.x);
+    return edge;
+  };
+  Do("key Tab");
+  const float before = left_edge();
+  const std::string y = " 20", from = std::to_string(before + 1) + y;
+  Do("drag left " + from + " " + std::to_string(before - 99) + y);
+  EXPECT_NEAR(left_edge(), before - 100, 2);
+  Do("resize 256 512");
+  EXPECT_GT(left_edge(), 0) << "some of a small picture can still be clicked";
+}
+
 TEST_F(PanelTest, ANodeThatIsClickedIsToldAndBoxed) {
   Do("key Tab");
   const std::size_t lines = viewer_->Show().lines->size();
