@@ -159,11 +159,17 @@ class ImGuiPanels : public Panels {
     for (const auto& [theirs, ours] : names) io.KeyMap[theirs] = static_cast<int>(ours);
   }
 
+  /// Whether text is being entered. Dear ImGui tells of the end of that a frame late.
+  bool TakesText(Viewer& viewer) {
+    if (ImGui::GetIO().WantTextInput) MakeFrame(viewer);
+    return ImGui::GetIO().WantTextInput;
+  }
+
   bool On(const KeyEvent& event, Viewer& viewer) {
     ImGuiIO& io = ImGui::GetIO();
     const auto key = static_cast<std::size_t>(event.key);
     if (event.key == Key::tab || key >= std::size(io.KeysDown)) return false;
-    if (event.is_pressed ? !io.WantTextInput : !io.KeysDown[key]) return false;
+    if (event.is_pressed ? !TakesText(viewer) : !io.KeysDown[key]) return false;
     io.KeysDown[key] = event.is_pressed;
     io.KeyCtrl = event.modifiers.control;
     io.KeyShift = event.modifiers.shift;
@@ -175,7 +181,7 @@ class ImGuiPanels : public Panels {
 
   bool On(const TextEvent& event, Viewer& viewer) {
     ImGuiIO& io = ImGui::GetIO();
-    if (!io.WantTextInput) return false;
+    if (!TakesText(viewer)) return false;
     io.AddInputCharactersUTF8(event.text.c_str());
     MakeFrame(viewer);
     return true;

@@ -607,6 +607,12 @@ TEST_F(ViewerTest, ComparingTellsTheDifferenceOfThePictures) {
               std::abs(current->At(10, 10).r - viewer_->Pictures().Reference()->At(10, 10).r), 1e-6);
 }
 
+TEST_F(ViewerTest, IsNotBusyWhereNothingIsRendered) {
+  EXPECT_FALSE(viewer_->IsBusy());
+  Do("drag left 10 10 40 30\nresize 80 60");
+  EXPECT_FALSE(viewer_->IsBusy()) << "an idle window would look for news all the time";
+}
+
 TEST_F(ViewerTest, ShiftRShowsTheReferenceWhileItIsHeld) {
   Do("key P\nwait trace\nkey R\nkey [\nwait trace\npress Shift+R");
   EXPECT_EQ(viewer_->Show().picture->image, viewer_->Pictures().Reference());

@@ -139,7 +139,8 @@ TEST_F(PanelTest, HaveMessagesAsLargeAsTheirLetters) {
 TEST_F(PanelTest, AreAsWideAsTheirEdgeIsDragged) {
   const auto left_edge = [&] {
     float edge = width;
-    for (const PanelDrawing::Corner& corner : viewer_->Show().panels->corners) edge = std::min(edge, corner.x);
+    const auto panels = viewer_->Show().panels;
+    for (const PanelDrawing::Corner& corner : panels->corners) edge = std::min(edge, corner.x);
     return edge;
   };
   Do("key Tab");
@@ -303,6 +304,17 @@ TEST_F(PanelTest, KeysThatAreTypedIntoAFieldDoNothingElse) {
   EXPECT_EQ(host_.samples, 1);
   Do("key E");
   EXPECT_TRUE(viewer_->Show().shows_edges) << "Escape gave the keys back";
+}
+
+TEST_F(PanelTest, KeysAreTheViewersAgainRightAfterEnter) {
+  Do("resize 800 800\nkey Tab");
+  Click("Scene");
+  Click("Settings");
+  Click("light");
+  Click("-samples");
+  Do("key Control+A\ntype 2\nkey Enter\nkey E");
+  EXPECT_EQ(host_.samples, 2);
+  EXPECT_TRUE(viewer_->Show().shows_edges);
 }
 
 TEST_F(PanelTest, OptionsStayWhileTheImageIsRendered) {
