@@ -12,7 +12,7 @@
 #   make install    PREFIX=/usr/local DESTDIR= bindir= datadir= mandir= docdir=; make uninstall undoes it
 #   make installcheck  both of them, tried in a folder for it
 #   make dist       what is committed, as build/raypro-VERSION.tar.gz
-# HAS_EXR=no, HAS_YAML=no and CONTEXTS= (or CONTEXTS="egl osmesa") leave out what could be built here.
+# HAS_EXR=no, HAS_YAML=no, HAS_IMGUI=no and CONTEXTS= (or CONTEXTS="egl osmesa") leave out what could be built here.
 # CXX, CXXFLAGS, CPPFLAGS and LDFLAGS given by the user come after ours and so win.
 
 ifeq ($(origin CXX),default)
@@ -52,6 +52,9 @@ endif
 ifeq ($(HAS_YAML),yes)
 OUR_CPPFLAGS += -DRAYPRO_YAML $(YAML_CFLAGS)
 endif
+ifeq ($(HAS_IMGUI),yes)
+OUR_CPPFLAGS += -DRAYVIEW_PANELS $(IMGUI_CFLAGS)
+endif
 OUR_CPPFLAGS += $(if $(filter glfw,$(CONTEXTS)),-DRAYVIEW_GLFW) $(if $(filter egl,$(CONTEXTS)),-DRAYVIEW_EGL) \
                 $(if $(filter osmesa,$(CONTEXTS)),-DRAYVIEW_OSMESA)
 OUR_CXXFLAGS := -std=c++20 $(OPTIMIZE) -g1 $(NUMERIC) $(WARNINGS) $(SANITIZE)
@@ -60,7 +63,8 @@ LIBS := -ljpeg -lpng -lz -ltbb -lhwy $(if $(filter yes,$(HAS_EXR)),$(EXR_LIBS)) 
 # Numbers of 113 bits for the tests; where this is missing, long double has them.
 QUADMATH := $(if $(filter x86_64% i%86%,$(shell $(CXX) -dumpmachine 2>/dev/null)),-lquadmath)
 # For those that draw. OSMesa is loaded only when it is asked for: it brings a whole compiler along.
-VIEWER_LIBS := $(if $(CONTEXTS),-lepoxy) $(if $(filter glfw,$(CONTEXTS)),-lglfw) $(if $(filter osmesa,$(CONTEXTS)),-ldl)
+VIEWER_LIBS := $(if $(CONTEXTS),-lepoxy) $(if $(filter glfw,$(CONTEXTS)),-lglfw) $(if $(filter osmesa,$(CONTEXTS)),-ldl) \
+               $(if $(filter yes,$(HAS_IMGUI)),$(IMGUI_LIBS))
 
 ALL_PROGRAMS := raypro rayimg rayview
 # rayview is built where there is something to draw with.
@@ -73,6 +77,7 @@ FUZZ_SOURCES := $(wildcard fuzz/*.cpp)
 FUZZ_CXX ?= clang++
 # What this machine lacks leaves these out.
 ABSENT := $(if $(filter yes,$(HAS_EXR)),,R2/image_files/exr.cpp) \
+          $(if $(filter yes,$(HAS_IMGUI)),,source/view/panels/% tests/source/view/panels/%) \
           $(patsubst %,source/view/contexts/%.cpp,$(filter-out $(CONTEXTS),glfw egl osmesa)) \
           $(if $(CONTEXTS),,source/view/gl/% source/view/contexts/% source/app/rayview/ViewSession.cpp tests/source/view/gl/% \
                             tests/source/view/contexts/% bench/view.cpp)

@@ -53,6 +53,27 @@ std::vector<double> Answers(Viewer& viewer, Drawer& drawer) {
   return times;
 }
 
+/// Times of laying out and drawing panels in which nothing has changed, over the time without them.
+std::vector<double> PanelTimes(Viewer& viewer, Drawer& drawer) {
+  std::vector<double> times;
+  for (int i = 0; i < 100; ++i) {
+    FrameState shown = viewer.Show();
+    const auto start = Clock::now();
+    shown = viewer.Show();
+    const double laid_out = MillisecondsSince(start);
+    const auto with = Clock::now();
+    drawer.Draw(shown);
+    glFinish();
+    const double drawn = MillisecondsSince(with);
+    shown.panels.reset();
+    const auto without = Clock::now();
+    drawer.Draw(shown);
+    glFinish();
+    times.push_back(laid_out + drawn - MillisecondsSince(without));
+  }
+  return times;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -72,6 +93,10 @@ int main(int argc, char** argv) {
   std::printf("%s, %s\n", settings.scene.c_str(), context->Name().c_str());
   std::printf("%-44s %7.2f ms\n", "start to first drawing", MillisecondsSince(start));
   PrintTimes("event to drawing, nothing traced", Answers(viewer, drawer));
+  viewer.Handle(KeyEvent{Key::tab, {}, true});
+  PrintTimes("event to drawing, panels shown", Answers(viewer, drawer));
+  PrintTimes("of that, drawing the panels again", PanelTimes(viewer, drawer));
+  viewer.Handle(KeyEvent{Key::tab, {}, true});
   viewer.Handle(KeyEvent{Key::s, {}, true});
   viewer.Update();
   PrintTimes("event to drawing, while S renders", Answers(viewer, drawer));

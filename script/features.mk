@@ -1,5 +1,5 @@
-# Which packages this machine has: sets HAS_..., CONTEXTS, FEATURES, and the flags of OpenEXR and yaml-cpp for the
-# Makefile, which includes it, and stops where a package that everything needs is missing.
+# Which packages this machine has: sets HAS_..., CONTEXTS, FEATURES, and the flags of OpenEXR, yaml-cpp and Dear ImGui
+# for the Makefile, which includes it, and stops where a package that everything needs is missing.
 
 # What is on this machine. The compiler itself is asked, on empty input: a shell test of the header's
 # name would have to know where compilers look.
@@ -11,6 +11,8 @@ EXR_CFLAGS := $(patsubst -I%,-isystem%,$(EXR_CFLAGS))
 EXR_LIBS := $(or $(call pkg,--libs,OpenEXR),-lOpenEXR -lImath -lIex)
 YAML_CFLAGS := $(patsubst -I%,-isystem%,$(call pkg,--cflags,yaml-cpp))
 YAML_LIBS := $(or $(call pkg,--libs,yaml-cpp),-lyaml-cpp)
+IMGUI_CFLAGS := $(patsubst -I%,-isystem%,$(or $(call pkg,--cflags,imgui),-I/usr/include/imgui))
+IMGUI_LIBS := $(or $(call pkg,--libs,imgui),-limgui)
 
 ifneq ($(filter-out clean uninstall check dist,$(or $(MAKECMDGOALS),all)),)
 HAS_JPEG := $(call probe,jpeg,jpeglib.h,-include stdio.h)
@@ -34,9 +36,12 @@ HAS_OSMESA := $(call probe,osmesa,GL/osmesa.h,)
 endif
 CONTEXTS := $(if $(filter yes,$(HAS_GLFW)),glfw) $(if $(filter yes,$(HAS_EGL)),egl) $(if $(filter yes,$(HAS_OSMESA)),osmesa)
 CONTEXTS := $(strip $(CONTEXTS))
+# Its panels need Dear ImGui.
+HAS_IMGUI := $(if $(CONTEXTS),$(call probe,imgui,imgui.h,$(IMGUI_CFLAGS)),no)
 empty :=
 VIEWER := $(or $(subst $(empty) ,+,$(CONTEXTS)),no (install libepoxy-dev and, for windows, libglfw3-dev))
 FEATURES := jpeg=yes png=yes exr=$(if $(filter yes,$(HAS_EXR)),yes,no (install libopenexr-dev)) \
-            yaml=$(if $(filter yes,$(HAS_YAML)),yes,no (install libyaml-cpp-dev)) rayview=$(VIEWER)
+            yaml=$(if $(filter yes,$(HAS_YAML)),yes,no (install libyaml-cpp-dev)) rayview=$(VIEWER) \
+            panels=$(if $(filter yes,$(HAS_IMGUI)),yes,no (install libimgui-dev))
 $(info features: $(FEATURES))
 endif

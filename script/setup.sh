@@ -17,10 +17,10 @@ esac
 needed="g++ make libjpeg-dev libpng-dev libtbb-dev libhwy-dev nlohmann-json3-dev"
 tests="libgtest-dev"
 # Without the others everything works but .exr images, .yaml scenes and the viewer. That needs libepoxy, which brings
-# EGL; GLFW opens windows, OSMesa is another way to draw without a display, and the last two packages are Mesa's software
-# renderer.
+# EGL; GLFW opens windows, OSMesa is another way to draw without a display, Dear ImGui makes panels, in the letters of
+# DejaVu Sans Mono, and the last two packages are Mesa's software renderer.
 formats="libopenexr-dev libyaml-cpp-dev"
-viewer="libepoxy-dev libglfw3-dev libosmesa6-dev libegl-mesa0 libgl1-mesa-dri"
+viewer="libepoxy-dev libglfw3-dev libosmesa6-dev libimgui-dev fonts-dejavu-core libegl-mesa0 libgl1-mesa-dri"
 
 is_debian() { command -v dpkg-query >/dev/null 2>&1 && command -v apt-get >/dev/null 2>&1; }
 
@@ -36,6 +36,8 @@ has_header() {
 exr_flags() {
   pkg-config --cflags OpenEXR 2>/dev/null || echo "-isystem /usr/include/OpenEXR -isystem /usr/include/Imath"
 }
+
+imgui_flags() { pkg-config --cflags imgui 2>/dev/null || echo "-isystem /usr/include/imgui"; }
 
 # Any vendor's EGL driver will do.
 has_driver() { ls /usr/share/glvnd/egl_vendor.d/*.json /etc/glvnd/egl_vendor.d/*.json 2>/dev/null | grep -q .; }
@@ -53,6 +55,8 @@ has() {
     libepoxy-dev) has_header epoxy/egl.h ;;
     libglfw3-dev) (CPPFLAGS="${CPPFLAGS-} -DGLFW_INCLUDE_NONE"; has_header GLFW/glfw3.h) ;;
     libosmesa6-dev) has_header GL/osmesa.h ;;
+    libimgui-dev) CPPFLAGS="${CPPFLAGS-} $(imgui_flags)" has_header imgui.h ;;
+    fonts-dejavu-core) find /usr/share/fonts -name DejaVuSansMono.ttf 2>/dev/null | grep -q . ;;
     libegl-mesa0|libgl1-mesa-dri) has_driver ;;
     libopenexr-dev) CPPFLAGS="${CPPFLAGS-} $(exr_flags)" has_header ImfOutputFile.h ;;
     libyaml-cpp-dev) has_header yaml-cpp/parser.h ;;
@@ -72,8 +76,8 @@ show_other_systems() {
 This is not a Debian system. The packages are called:
   Fedora    dnf install gcc-c++ make libjpeg-turbo-devel libpng-devel tbb-devel highway-devel json-devel gtest-devel openexr-devel \\
               yaml-cpp-devel libepoxy-devel glfw-devel mesa-compat-libOSMesa-devel mesa-dri-drivers
-  Arch      pacman -S gcc make libjpeg-turbo libpng onetbb highway nlohmann-json gtest openexr yaml-cpp libepoxy glfw mesa
-  Homebrew  brew install jpeg-turbo libpng tbb highway nlohmann-json googletest openexr yaml-cpp libepoxy glfw mesa
+  Arch      pacman -S gcc make libjpeg-turbo libpng onetbb highway nlohmann-json gtest openexr yaml-cpp libepoxy glfw imgui mesa
+  Homebrew  brew install jpeg-turbo libpng tbb highway nlohmann-json googletest openexr yaml-cpp libepoxy glfw imgui mesa
 Install them and run script/setup.sh again.
 END
 }

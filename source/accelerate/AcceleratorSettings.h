@@ -18,6 +18,8 @@ struct AcceleratorSettings {
 
   // What `auto` needs to know to weigh a build against what it saves.
   double expected_rays = 1e6;
+
+  friend bool operator==(const AcceleratorSettings&, const AcceleratorSettings&) = default;
 };
 
 /// Cubes are then far smaller than what boxes in single precision resolve, and traversal still has stack enough.

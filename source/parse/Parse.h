@@ -30,6 +30,8 @@ struct ParseOptions {
   // What is wrong with a setting, if anything: which options there are the program knows, and no reader. Without it
   // settings are taken as they stand.
   std::optional<SettingProblem> (*problem_of)(const SceneSetting&) = nullptr;
+
+  friend bool operator==(const ParseOptions&, const ParseOptions&) = default;
 };
 
 /// A scene and what its author should know about it.

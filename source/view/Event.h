@@ -34,6 +34,9 @@ struct KeyEvent {
   Modifiers modifiers;
   bool is_pressed = true;
 };
+struct TextEvent {   // what keys have typed, for whoever takes text; without blanks, which are keys of their own
+  std::string text;  // UTF-8
+};
 struct ButtonEvent {
   Button button = Button::left;
   bool is_pressed = true;
@@ -49,6 +52,7 @@ struct ScrollEvent {
 };
 struct ResizeEvent {
   int width = 0, height = 0;
+  double scale = 1;  // > 0: pixels per unit of length, 2 on a screen twice as dense as usual
 };
 struct DropEvent {
   std::string file;
@@ -59,8 +63,8 @@ struct TickEvent {  // time has passed
 struct CloseEvent {};
 
 /// Anything that happens to the viewer.
-using Event =
-    std::variant<KeyEvent, ButtonEvent, MoveEvent, ScrollEvent, ResizeEvent, DropEvent, TickEvent, CloseEvent>;
+using Event = std::variant<KeyEvent, TextEvent, ButtonEvent, MoveEvent, ScrollEvent, ResizeEvent, DropEvent, TickEvent,
+                           CloseEvent>;
 
 /// "S", "F1", "Escape", "Pad1", "["; as scripts and the help write it.
 std::string NameOf(Key key);

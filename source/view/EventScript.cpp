@@ -14,6 +14,7 @@ namespace {
 
 constexpr std::array button_names{"left", "middle", "right"};
 constexpr int drag_moves = 8;
+constexpr double least_scale = 0.5, most_scale = 8;  // of screens that there are, and twice as far
 
 std::string Named(Button button) { return button_names[static_cast<std::size_t>(button)]; }
 
@@ -47,9 +48,11 @@ class Reader {
   };
 
   void ReadStep(const Token& word) {
-    static constexpr std::array<Step, 16> steps{{{"screenshot", &Reader::ReadScreenshot},
+    static constexpr std::array<Step, 18> steps{{{"screenshot", &Reader::ReadScreenshot},
                                                  {"print", &Reader::ReadPrint},
+                                                 {"panel", &Reader::ReadPanel},
                                                  {"key", &Reader::ReadKey},
+                                                 {"type", &Reader::ReadType},
                                                  {"press", &Reader::ReadPress},
                                                  {"release", &Reader::ReadRelease},
                                                  {"down", &Reader::ReadDown},
@@ -89,6 +92,7 @@ class Reader {
     const auto [key, modifiers] = KeyWithModifiers();
     Add(KeyEvent{key, modifiers, false});
   }
+  void ReadType() { Add(TextEvent{RestOfLine("what is typed")}); }
   void ReadDown() { ReadButton(true); }
   void ReadUp() { ReadButton(false); }
   void ReadButton(bool is_pressed) {
@@ -122,7 +126,9 @@ class Reader {
   }
   void ReadResize() {
     const int width = Whole("width"), height = Whole("height");
-    Add(ResizeEvent{width, height});
+    const auto& next = tokens_.Peek();
+    const bool has_scale = next && next->line == line_.line;
+    Add(ResizeEvent{width, height, has_scale ? Scale() : 1});
   }
   void ReadDrop() { Add(DropEvent{RestOfLine("the name of a file")}); }
   void ReadTick() { Add(TickEvent{Seconds()}); }
@@ -141,6 +147,7 @@ class Reader {
     }
   }
   void ReadScreenshot() { steps_.emplace_back(Screenshot{RestOfLine("the name of an image file")}); }
+  void ReadPanel() { steps_.emplace_back(ClickPanel{RestOfLine("what is to be clicked in the panels")}); }
   void ReadPrint() { steps_.emplace_back(PrintState{}); }
 
   void Add(Event event) { steps_.emplace_back(std::move(event)); }
@@ -166,6 +173,14 @@ class Reader {
     if (number.value < 1 || number.value > most)
       throw ErrorAt(text_, word, what + " must be 1 to " + std::to_string(most));
     return static_cast<int>(number.value);
+  }
+
+  double Scale() {
+    const Token word = Word("a scale");
+    const auto number = ParseNumber(word.text);
+    if (number.problem || number.value < least_scale || number.value > most_scale)
+      throw ErrorAt(text_, word, "the scale must be a number from 0.5 to 8");
+    return number.value;
   }
 
   double Seconds() {
@@ -244,13 +259,15 @@ std::string ScriptLine(const Event& event) {
     std::string operator()(const KeyEvent& e) const {
       return (e.is_pressed ? "press " : "release ") + NameOf(e.key, e.modifiers);
     }
+    std::string operator()(const TextEvent& e) const { return "type " + e.text; }
     std::string operator()(const ButtonEvent& e) const {
       return (e.is_pressed ? "down " : "up ") + Named(e.button) + at(e.x, e.y) + WithModifiers(e.modifiers);
     }
     std::string operator()(const MoveEvent& e) const { return "move" + at(e.x, e.y); }
     std::string operator()(const ScrollEvent& e) const { return "scroll " + ToText(e.steps) + at(e.x, e.y); }
     std::string operator()(const ResizeEvent& e) const {
-      return "resize " + std::to_string(e.width) + " " + std::to_string(e.height);
+      return "resize " + std::to_string(e.width) + " " + std::to_string(e.height) +
+             (e.scale == 1 ? "" : " " + ToText(e.scale));
     }
     std::string operator()(const DropEvent& e) const { return "drop " + e.file; }
     std::string operator()(const TickEvent& e) const { return "tick " + ToText(e.seconds); }

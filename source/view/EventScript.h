@@ -11,13 +11,14 @@
 ///
 ///     key Control+S              pressed and released
 ///     press W / release W
+///     type hello                 what keys have typed, into a field for text; the rest of the line
 ///     down left 100 200 Shift    a button, at a position in pixels from the lower left corner, with modifiers held
 ///     up left 100 200
 ///     move 120 210               the pointer
 ///     click right 75 50          down and up
 ///     drag left 10 10 90 40      down, eight moves, up
 ///     scroll -1 100 100          towards the user
-///     resize 640 480
+///     resize 640 480             and 2 behind it for a screen twice as dense
 ///     drop other.scn             the rest of the line is the name of a file
 ///     tick 0.1                   so many seconds pass
 ///     close
@@ -25,6 +26,7 @@
 ///     wait rows 100              until so many rows of the render are done
 ///     wait 0.5                   seconds
 ///     screenshot out.png
+///     panel Settings             a click in the panels, on the first thing whose name begins so
 ///     print                      what the viewer shows, in words
 namespace ray {
 
@@ -38,9 +40,12 @@ struct WaitSeconds {
 struct Screenshot {
   std::string file;
 };
+struct ClickPanel {
+  std::string name;
+};
 struct PrintState {};
 
-using ScriptStep = std::variant<Event, WaitForTrace, WaitForRows, WaitSeconds, Screenshot, PrintState>;
+using ScriptStep = std::variant<Event, WaitForTrace, WaitForRows, WaitSeconds, Screenshot, ClickPanel, PrintState>;
 
 /// Throws SceneErrors that point at each mistake.
 std::vector<ScriptStep> ReadEventScript(const Text& text);

@@ -6,6 +6,7 @@
 
 #include "R2/Image.h"
 #include "source/view/Drawing.h"
+#include "source/view/PanelDrawing.h"
 #include "source/view/camera/CameraMoves.h"
 #include "source/view/live/Frame.h"
 #include "source/view/preview/PreviewView.h"
@@ -37,9 +38,12 @@ struct FrameState {
   Rgba edge_color{};
   std::shared_ptr<const Lines> lines;
   std::shared_ptr<const Lines> marks;  // likewise, made anew for each view
+  std::shared_ptr<const Lines> lit;    // likewise, in wide lines; null for none
   std::optional<Picture> quad, picture;
   std::shared_ptr<const Lines> section;  // in the square from -1 to 1, at the right; null for none
+  int letter_size = 1;                   // whole multiple of the letters of labels
   std::vector<Label> labels;
+  std::shared_ptr<const PanelDrawing> panels;  // null for none
 };
 
 }  // namespace ray

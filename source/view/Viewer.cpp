@@ -40,9 +40,22 @@ Viewer::Viewer(ViewerSettings settings, std::shared_ptr<const LoadedScene> scene
 
 void Viewer::TakeScene(std::shared_ptr<const LoadedScene> scene) {
   scene_ = std::move(scene);
+  ++scene_number_;
+  chosen_node_.reset();
+  scene_problems_.clear();
   const R3::Box& box = scene_->parsed.scene.root.bounds;
   space_ = DrawingSpace::Of(box);
   navigator_.SetBox(box);
+  MakeFaces();
+  watch_.Watch(scene_->parsed.scene.files);
+  rays_.ForgetAll();
+  pick_.reset();
+  section_lines_.reset();
+  pictures_.Touch();
+  InvalidateLines();
+}
+
+void Viewer::MakeFaces() {
   ScenePicture picture = PictureOf(scene_->world, settings_.render, space_);
   notes_.clear();
   if (picture.as_boxes > 0) AddNote(std::to_string(picture.as_boxes) + " primitives shown as boxes");
@@ -51,12 +64,6 @@ void Viewer::TakeScene(std::shared_ptr<const LoadedScene> scene) {
     AddNote(std::to_string(picture.lights.left_out) + " weaker lights left out of the preview");
   if (picture.lights.head_light) AddNote("the scene is unlit: seen by a light at the eye");
   faces_ = std::make_shared<const ScenePicture>(std::move(picture));
-  watch_.Watch(scene_->parsed.scene.files);
-  rays_.ForgetAll();
-  pick_.reset();
-  section_lines_.reset();
-  pictures_.Touch();
-  InvalidateLines();
 }
 
 void Viewer::AddNote(const std::string& note) { notes_ += (notes_.empty() ? "" : ", ") + note; }
@@ -78,6 +85,10 @@ void Viewer::ShowMessage(const std::string& message) {
 }
 
 void Viewer::Handle(const Event& event) {
+  if (shows_panels_) {
+    needs_redraw_ |= !std::holds_alternative<TickEvent>(event);
+    if (panels_->Take(event, *this)) return;
+  }
   std::visit([this](const auto& e) { On(e); }, event);
 }
 
@@ -123,6 +134,7 @@ void Viewer::On(const ButtonEvent& event) {
 }
 
 void Viewer::On(const MoveEvent& event) {
+  pointer_ = {event.x, event.y};
   if (!press_) return;
   const bool has_gone = R1::Hypot(event.x - press_->at.x, event.y - press_->at.y) > click_reach;
   press_->is_click = press_->is_click && !has_gone;
@@ -147,6 +159,10 @@ void Viewer::OnClick(const ButtonEvent& event) {
   pick_ = PickPixel(scene_->world, *scene_->accelerator, settings, static_cast<int>(position.x),
                     static_cast<int>(position.y));
   for (const std::string& line : pick_->text) host_.Print(line);
+  chosen_node_.reset();
+  const auto& nodes = scene_->world.Nodes();
+  for (std::size_t i = 0; pick_->point && i < nodes.size(); ++i)
+    if (nodes[i].instance == static_cast<std::int32_t>(pick_->instance)) chosen_node_ = i;
   InvalidateLines();
 }
 
@@ -154,6 +170,8 @@ void Viewer::On(const ScrollEvent& event) { navigator_.Scroll(event, PointFinder
 
 void Viewer::On(const ResizeEvent& event) {
   const DrawingSize size{std::max(1, event.width), std::max(1, event.height)};
+  scale_ = event.scale;
+  if (panels_) panels_->SetScale(scale_);
   if (size == size_) return;
   size_ = size;
   navigator_.SetSize(size_);
@@ -231,9 +249,18 @@ void Viewer::Reload() {
     ShowMessage("scene reloaded" + (notes_.empty() ? "" : "; " + notes_));
   } catch (const std::exception& error) {
     // The scene that is shown stays until the new one can be read.
-    host_.Print(error.what());
-    ShowMessage(FirstLine(error.what()));
+    TellProblems(settings_.scene, error);
   }
+}
+
+void Viewer::TellProblems(const std::string& file, const std::exception& error) {
+  const auto* errors = dynamic_cast<const SceneErrors*>(&error);
+  SceneError other;
+  other.file = file;
+  other.message = error.what();
+  scene_problems_ = errors ? errors->All() : std::vector{other};
+  host_.Print(error.what());
+  ShowMessage(FirstLine(error.what()));
 }
 
 void Viewer::Open(const std::string& file) {
@@ -251,8 +278,7 @@ void Viewer::Open(const std::string& file) {
     navigator_.Go(scene_->parsed.scene.camera);
     ShowMessage("opened " + file + (notes_.empty() ? "" : "; " + notes_));
   } catch (const std::exception& error) {
-    host_.Print(error.what());
-    ShowMessage(FirstLine(error.what()));
+    TellProblems(file, error);
   }
 }
 

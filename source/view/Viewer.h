@@ -12,10 +12,12 @@
 #include "source/view/HelpText.h"
 #include "source/view/camera/Bookmarks.h"
 #include "source/view/camera/Navigator.h"
+#include "source/view/live/AcceleratorCost.h"
 #include "source/view/live/TracedPictures.h"
 #include "source/view/overlay/Pick.h"
 #include "source/view/overlay/RayInspector.h"
 #include "source/view/overlay/SectionView.h"
+#include "source/view/panels/Panels.h"
 
 namespace ray {
 
@@ -27,6 +29,15 @@ struct ViewerSettings {
   RenderSettings render;  // of traced pictures; their size is that of the drawing
   std::shared_ptr<const R2::Image> reference;
   bool live_is_endless = false;  // live rendering without a budget goes on until it is stopped
+};
+
+/// An option of the program, as a panel shows it.
+struct ShownOption {
+  std::string name, topic, help;     // without the dash
+  std::string value;                 // in force, as it would be typed; empty for none
+  std::string range;                 // what may be typed, in words
+  std::vector<std::string> choices;  // where these are all; empty otherwise
+  bool is_flag = false;              // given or not: the value is "on" or empty
 };
 
 /// What a viewer asks of the program around it. The strings returned are messages for the user.
@@ -44,6 +55,15 @@ class ViewerHost {
   virtual void SetClipboard(const std::string& text) = 0;
   /// To standard output.
   virtual void Print(const std::string& line) = 0;
+
+  // A program without options has none to show.
+  /// Those that bear on pictures, topic by topic.
+  virtual std::vector<ShownOption> ShownOptions() { return {}; }
+  /// What the viewer goes on with once the option has the value, empty for its default; without a reference. Throws an
+  /// exception whose what() is for the user where that cannot be.
+  virtual ViewerSettings ChangeOption(const std::string& name, const std::string& value);
+  /// The command that makes such a picture without a viewer; empty where there is none.
+  virtual std::string CommandFor(const RenderSettings&) { return {}; }
 };
 
 /// A scene being looked at: what the user's events do to it, and what is to be drawn. Knows nothing of windows and
@@ -65,7 +85,7 @@ class Viewer {
   /// a few times a second.
   std::string Title() const;
   /// What it shows, in lines of words, for scripts.
-  std::string State() const;
+  std::string State();
 
   /// A key and what it does. All keys are in one table, of which the help is made.
   struct Binding {
@@ -87,6 +107,47 @@ class Viewer {
   const SectionView& Section() const { return section_; }
   const std::optional<Pick>& Picked() const { return pick_; }
   const std::string& Message() const { return message_; }
+  DrawingSize Size() const { return size_; }
+  /// Another for each scene that was opened or read again, from 1.
+  int SceneNumber() const { return scene_number_; }
+  bool ShowsPanels() const { return shows_panels_; }
+  /// What the panels say, in lines; none where they are hidden.
+  std::string TextOfPanels() { return shows_panels_ ? panels_->Text(*this) : std::string(); }
+  /// What takes clicks in the panels, as last drawn.
+  const std::vector<PanelItem>& ItemsOfPanels() const;
+
+  /// Makes them where they were never shown; nothing but a message where they are not built in.
+  void ShowPanels(const PanelSettings& look);
+  /// How they look; once they were shown.
+  PanelSettings PanelLook() const { return panels_ ? panels_->Look() : PanelSettings(); }
+
+  // What panels ask for.
+  void SetPanelLook(const PanelSettings& look);
+  /// A node of the scene graph to look at, into World::Nodes; nothing for none. A picked one is chosen as well.
+  void ChooseNode(std::optional<std::size_t> node);
+  std::optional<std::size_t> ChosenNode() const { return chosen_node_; }
+  void FrameChosenNode();
+  /// One of the rays of Rays().Pixel(), by its number, to be lit up; nothing for none.
+  void ChooseRay(std::optional<std::size_t> ray);
+  /// Empty for the option's default. While the picture of key S is being rendered options stay as they are.
+  void ChangeOption(const std::string& name, const std::string& value);
+  /// Why the last change of an option was refused; empty when it was not.
+  const std::string& OptionProblem() const { return option_problem_; }
+  std::vector<ShownOption> ShownOptions() const { return host_.ShownOptions(); }
+  /// The command that renders what is seen; but for the camera, where that was moved.
+  std::string Command() const { return host_.CommandFor(SettingsOfView()); }
+  bool HasMovedCamera() const { return SettingsOfView().view.has_value(); }
+  /// Live rendering of one mode; nothing for none.
+  void ShowLayer(std::optional<RenderMode> mode);
+  /// Where the pointer was last seen, in pixels from the lower left corner; outside of the drawing before that.
+  const R2::Point& Pointer() const { return pointer_; }
+  /// Of the present view; takes seconds.
+  std::vector<AcceleratorCost> CostsOfAccelerators() const;
+  /// What is wrong with the scene's files as they are now, while an earlier scene stays; empty where nothing is.
+  const std::vector<SceneError>& SceneProblems() const { return scene_problems_; }
+  /// Into the clipboard.
+  void CopyText(const std::string& text) { host_.SetClipboard(text); }
+
   /// The settings to render the present view with.
   RenderSettings SettingsOfView() const;
 
@@ -99,6 +160,7 @@ class Viewer {
   };
 
   void On(const KeyEvent& event);
+  void On(const TextEvent&) {}
   void On(const ButtonEvent& event);
   void On(const MoveEvent& event);
   void On(const ScrollEvent& event);
@@ -128,10 +190,15 @@ class Viewer {
   void Compare(TracedPictures::Comparing how);
   void ChangeExposure(double steps);
   void Reload();
+  /// Of the file that was to be read.
+  void TellProblems(const std::string& file, const std::exception& error);
   void TurnHelpPage();
+  void TogglePanels();
   void Open(const std::string& file);
 
   void TakeScene(std::shared_ptr<const LoadedScene> scene);
+  /// For the scene and the settings as they are now.
+  void MakeFaces();
   void AddNote(const std::string& note);
   void DebugPixelAt(const R2::Point& position);
   void ReportPixel();
@@ -156,6 +223,8 @@ class Viewer {
   std::optional<std::pair<int, int>> PixelOnQuad(const R2::Point& position) const;
   bool ShowsQuad() const { return shows_quad_ && pictures_.Trace() && !pictures_.IsLive(); }
   Lines MakeLines() const;
+  /// Of messages and of the help, a whole number of times the usual, as the density of the screen asks for.
+  int LetterSize() const;
   /// How many lines of text have room above one another, at least 1.
   int LinesOfText() const;
   /// How many letters have room side by side, at least 1.
@@ -176,8 +245,15 @@ class Viewer {
   RayInspector rays_;
   SectionView section_;
   std::optional<Pick> pick_;
+  std::optional<std::size_t> chosen_node_;
+  std::unique_ptr<Panels> panels_;  // once they were shown
+  int scene_number_ = 0;
+  std::string option_problem_;
+  std::vector<SceneError> scene_problems_;
 
   DrawingSize size_;
+  double scale_ = 1;  // of the screen
+  bool shows_panels_ = false;
   bool shows_faces_ = true, shows_edges_ = false, shows_camera_ = false, shows_lights_ = false;
   bool shows_quad_ = true, shows_shadows_ = false;
   int help_page_ = 0;  // from 1; 0 for none
@@ -192,7 +268,7 @@ class Viewer {
 
   std::optional<Press> press_;
   double now_ = 0, last_look_at_files_ = 0, last_click_ = -1;  // seconds of ticks
-  R2::Point last_click_at_;
+  R2::Point last_click_at_, pointer_{-1, -1};
   std::uint64_t changes_seen_ = 0;
   std::shared_ptr<const Lines> lines_, section_lines_;  // null when they must be rebuilt
   std::vector<std::uint32_t> versions_;                 // of the rows of frames when last seen

@@ -29,7 +29,7 @@ struct Heading {
   const char* text;
 };
 constexpr std::array headings{
-    Heading{Key::s, plain, "Rendering"},     Heading{Key::b, plain, "What is shown"},
+    Heading{Key::s, plain, "Rendering"},     Heading{Key::tab, plain, "What is shown"},
     Heading{Key::f, plain, "Camera"},        Heading{Key::g, plain, "Rays"},
     Heading{Key::x, plain, "Cross section"}, Heading{Key::f7, plain, "False colors"},
     Heading{Key::r, plain, "Comparing"},     Heading{Key::up, control, "Exposure"},
@@ -81,6 +81,8 @@ std::vector<Viewer::Binding> Viewer::MakeBindings() {
        [](Viewer& v) { v.PrintCamera(); }},
       {Key::space, plain, "", [](Viewer& v) { v.PrintCamera(); }},
 
+      {Key::tab, plain, "toggle the panels: scene, picked pixel, settings, statistics",
+       [](Viewer& v) { v.TogglePanels(); }},
       {Key::b, plain, "bounding boxes: none, scene graph, accelerator", [](Viewer& v) { v.CycleBoxes(); }},
       {Key::comma, plain, "bounding boxes one level up", [](Viewer& v) { v.ChangeBoxLevel(-1); }},
       {Key::period, plain, "bounding boxes one level down", [](Viewer& v) { v.ChangeBoxLevel(1); }},
@@ -156,13 +158,13 @@ std::vector<Viewer::Binding> Viewer::MakeBindings() {
       {Key::f12, plain, "live cost per pixel", live(RenderMode::heat)},
 
       {Key::r, plain, "keep the rendered image as the reference", [](Viewer& v) { v.KeepReference(); }},
-      {Key::tab, plain, "show the reference while held",
+      {Key::r, shift, "show the reference while held",
        [](Viewer& v) { v.Compare(TracedPictures::Comparing::reference); },
        [](Viewer& v) {
          if (v.pictures_.HowCompared() == TracedPictures::Comparing::reference)
            v.Compare(TracedPictures::Comparing::no);
        }},
-      {Key::tab, shift, "toggle the difference from the reference",
+      {Key::d, plain, "toggle the difference from the reference",
        [](Viewer& v) { v.Compare(TracedPictures::Comparing::difference); }},
       {Key::up, control, "one stop brighter", [](Viewer& v) { v.ChangeExposure(1); }},
       {Key::down, control, "one stop darker", [](Viewer& v) { v.ChangeExposure(-1); }},

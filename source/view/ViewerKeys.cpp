@@ -25,6 +25,7 @@ void Viewer::Peel() {
   }
   if (pick_) {
     pick_.reset();
+    ChooseNode({});
     return ShowMessage("pick forgotten");
   }
   if (section_.IsShown()) {

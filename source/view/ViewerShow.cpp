@@ -15,12 +15,19 @@ namespace ray {
 namespace {
 
 constexpr double quad_share_of_distance = 0.25;  // how far the traced picture hangs before its camera
-constexpr Rgba frustum_color{255, 255, 120, 255}, picked_color{255, 90, 90, 255}, text_color{255, 255, 255, 255};
-constexpr double line_height = 17, letter_width = 8, margin = 6;  // of text, in pixels
+constexpr Rgba frustum_color{255, 255, 120, 255}, picked_color{255, 90, 90, 255}, chosen_color{255, 170, 60, 255},
+    text_color{255, 255, 255, 255};
+constexpr double line_height = 17, letter_width = 8, margin = 6;  // of text, in pixels, at letter size 1
 constexpr double cross_size = 8;                                  // pixels from the middle of a mark to its end
 constexpr double seconds_of_message = 5, seconds_of_fading = 1;
 
 R2::Color InverseOf(const R2::Color& c) { return {1 - c.r, 1 - c.g, 1 - c.b}; }
+
+/// What is chosen is one of another pixel's.
+RayLook WithoutChoice(RayLook look) {
+  look.chosen.reset();
+  return look;
+}
 
 bool IsLight(RenderMode mode) {
   return mode == RenderMode::whitted || mode == RenderMode::path || mode == RenderMode::albedo;
@@ -32,7 +39,7 @@ FrameState Viewer::Show() {
   if (!lines_) lines_ = std::make_shared<const Lines>(MakeLines());
   if (section_.IsShown() && !section_lines_) {
     section_.Cut(*scene_, SettingsOfView(), navigator_.Center());
-    section_lines_ = std::make_shared<const Lines>(section_.Drawing(*scene_, rays_.Look()));
+    section_lines_ = std::make_shared<const Lines>(section_.Drawing(*scene_, WithoutChoice(rays_.Look())));
   }
   FrameState shown;
   shown.size = shown.view = size_;
@@ -52,6 +59,7 @@ FrameState Viewer::Show() {
   shown.edge_color = ray::Shown(InverseOf(shown.background));
   shown.lines = lines_;
   shown.marks = std::make_shared<const Lines>(MakeMarks());
+  if (rays_.Look().chosen) shown.lit = std::make_shared<const Lines>(ChosenRay(*rays_.Pixel(), space_, rays_.Look()));
   if (ShowsQuad()) {
     FrameState::Picture quad;
     quad.frame = &pictures_.Trace()->frame();
@@ -64,7 +72,9 @@ FrameState Viewer::Show() {
     shown.quad = quad;
   }
   shown.picture = CoveringPicture();
+  shown.letter_size = LetterSize();
   shown.labels = MakeLabels();
+  if (shows_panels_) shown.panels = panels_->Draw(*this);
   return shown;
 }
 
@@ -147,6 +157,7 @@ Lines Viewer::MakeLines() const {
   Lines lines = SceneLineLines(scene_->world, space_);
   if (boxes_ == Boxes::nodes) Append(lines, NodeBoxLines(scene_->world, space_, box_level_).lines);
   if (boxes_ == Boxes::accelerator) Append(lines, AcceleratorBoxLines(*scene_->accelerator, space_, box_level_).lines);
+  if (chosen_node_ && shows_panels_) Append(lines, NodeBoxOf(scene_->world, space_, *chosen_node_, chosen_color));
   if (shows_lights_) Append(lines, LightLines(scene_->parsed.scene, space_));
   if (shows_camera_) {
     const Camera& own = scene_->parsed.scene.camera;
@@ -160,7 +171,7 @@ Lines Viewer::MakeLines() const {
     Append(lines, CameraLines(camera, traced.width, traced.height, distance, space_, frustum_color));
   }
   // Each by itself: what fades among many rays of the grid must not take those of a pixel along.
-  if (rays_.ShowsGrid()) Append(lines, RayLines(rays_.Grid(), space_, rays_.Look()));
+  if (rays_.ShowsGrid()) Append(lines, RayLines(rays_.Grid(), space_, WithoutChoice(rays_.Look())));
   if (rays_.Pixel()) Append(lines, RayLines({*rays_.Pixel()}, space_, rays_.Look()));
   return lines;
 }
@@ -177,11 +188,16 @@ Lines Viewer::MakeMarks() const {
 }
 
 int Viewer::LinesOfText() const {
-  const double room = size_.height - 2 * line_height - 2 * margin;  // above the message
-  return std::max(1, static_cast<int>(room / line_height));
+  const double line = LetterSize() * line_height, edge = LetterSize() * margin;
+  const double room = size_.height - 2 * line - 2 * edge;  // above the message
+  return std::max(1, static_cast<int>(room / line));
 }
 
-int Viewer::ColumnsOfText() const { return std::max(1, static_cast<int>((size_.width - 2 * margin) / letter_width)); }
+int Viewer::ColumnsOfText() const {
+  return std::max(1, static_cast<int>((size_.width - 2 * LetterSize() * margin) / (LetterSize() * letter_width)));
+}
+
+int Viewer::LetterSize() const { return std::max(1, static_cast<int>(std::lround(scale_))); }
 
 double Viewer::StrengthOfMessage() const {
   return std::clamp((message_since_ + seconds_of_message - now_) / seconds_of_fading, 0.0, 1.0);
@@ -194,20 +210,21 @@ std::vector<std::string> Viewer::HelpPage() const {
 
 std::vector<Label> Viewer::MakeLabels() const {
   std::vector<Label> labels;
+  const double line_step = LetterSize() * line_height, edge = LetterSize() * margin;
   const double strength = StrengthOfMessage();
   if (!message_.empty() && strength > 0)
-    labels.push_back({margin, margin, message_, {255, 255, 255, static_cast<std::uint8_t>(255 * strength)}});
+    labels.push_back({edge, edge, message_, {255, 255, 255, static_cast<std::uint8_t>(255 * strength)}});
   std::vector<std::string> upper;
   if (help_page_ > 0) {
     upper = HelpPage();
-  } else if (pick_) {
+  } else if (pick_ && !shows_panels_) {
     upper = pick_->text;
   }
   if (section_.IsShown()) upper.insert(upper.begin(), "cross section: " + section_.Describe(size_.height));
-  double y = size_.height - line_height - margin;
+  double y = size_.height - line_step - edge;
   for (const std::string& line : upper) {
-    labels.push_back({margin, y, line, text_color});
-    y -= line_height;
+    labels.push_back({edge, y, line, text_color});
+    y -= line_step;
   }
   return labels;
 }
@@ -227,7 +244,7 @@ std::string Viewer::Title() const {
          (status_.empty() ? "" : " " + status_) + (notes_.empty() ? "" : " (" + notes_ + ")");
 }
 
-std::string Viewer::State() const {
+std::string Viewer::State() {
   std::string text;
   const auto line = [&](const std::string& name, const std::string& value) { text += name + " " + value + "\n"; };
   const auto yes_or_no = [](bool is) { return is ? "yes" : "no"; };
@@ -262,6 +279,8 @@ std::string Viewer::State() const {
   line("reference", yes_or_no(pictures_.Reference() != nullptr));
   line("help", std::to_string(help_page_));
   line("message", message_);
+  line("panels", yes_or_no(shows_panels_));
+  if (shows_panels_) text += TextOfPanels();
   return text;
 }
 

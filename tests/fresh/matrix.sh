@@ -207,7 +207,7 @@ core_from_read_only_source() {
   [ "$before" = "$(find . | LC_ALL=C sort | cksum)" ]
   # Nothing of the viewer's was read, and nothing of it is linked.
   find "$elsewhere/obj" -name '*.d' -exec cat {} + > "$folder/read"
-  fails grep -E '/(GL|EGL|KHR|epoxy|GLFW|OpenEXR|Imath|yaml-cpp)/' "$folder/read"
+  fails grep -E '/(GL|EGL|KHR|epoxy|GLFW|OpenEXR|Imath|yaml-cpp|imgui)/' "$folder/read"
   ldd "$elsewhere/raypro" "$elsewhere/rayimg" "$elsewhere/raytests" > "$folder/linked"
   fails grep -E 'libGL|libEGL|libepoxy|OSMesa|glfw|OpenEXR|yaml-cpp' "$folder/linked"
   "$elsewhere/raypro" -version

@@ -49,6 +49,8 @@ std::vector<std::string> ImageExtensionNames() {
   return names;
 }
 
+std::vector<std::string> PanelThemes() { return {panel_themes.begin(), panel_themes.end()}; }
+
 std::vector<std::string> ContextNames() { return {context_names.begin(), context_names.end()}; }
 
 std::vector<std::string> Shells() { return {"bash", "zsh", "fish"}; }
@@ -171,6 +173,8 @@ std::vector<OptionKind> MakeTable() {
        "record events as a script for -events"},
       {"reference", rayview, {}, {"file"}, FileName{AT(view.reference)}, "", "viewer",
        "an image of the same scene to compare with"},
+      {"panels", rayview, {}, {"theme"}, OneOfNames(AT(view.panels), PanelThemes), "", "viewer",
+       "show panels from the start; key Tab toggles them"},
 
       {"mode", both, {}, {"name"}, OneOfEnum<RenderMode>(AT(render.mode)), "", "light",
        "whitted, path: light; heat, rays: cost per pixel, black = 1, white = 10,000; or a layer"},

@@ -51,7 +51,9 @@ struct ViewOptions {
   std::string screenshot;        // gets the drawing after the last event
   std::string record;            // gets what happens, as a script
   std::string reference;         // picture to compare with
+  std::string panels = "off";    // from the start, one of panel_themes
 };
+inline constexpr std::array panel_themes{"off", "dark", "light"};
 inline constexpr std::array context_names{"auto", "egl", "osmesa"};
 
 /// Everything the command line decides. Ranges, units and help are in the option table; the defaults are here.

@@ -7,7 +7,8 @@
 
 namespace ray {
 
-/// Writes what was traced as raypro would, byte for byte; where the camera is not the scene's own, the picture keeps it.
+/// Writes what was traced as raypro would, byte for byte; where the camera is not the scene's own, the picture keeps
+/// it.
 ///   output    null: the next free name, see ClaimImageName
 ///   options   with `render` as it was traced
 ///   result    complete

@@ -1,5 +1,6 @@
 #include "source/app/rayview/ViewSession.h"
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <fstream>
@@ -9,9 +10,12 @@
 
 #include "source/app/Interrupt.h"
 #include "source/app/Status.h"
+#include "source/app/options/RayproCommand.h"
+#include "source/app/rayview/PanelOptions.h"
 #include "source/app/rayview/SavePicture.h"
 #include "source/app/report/Messages.h"
 #include "source/parse/Text.h"
+#include "source/text/Quoting.h"
 #include "source/view/EventScript.h"
 #include "source/view/Viewer.h"
 #include "source/view/contexts/Context.h"
@@ -65,7 +69,10 @@ ViewerSettings SettingsFor(const Options& options) {
   // A script waits for ends, and is to draw the same again.
   const bool is_looked_at = !options.view.headless && options.view.events.empty();
   settings.live_is_endless = is_looked_at && !options.IsGiven("samples") && options.render.samples == 1;
-  const std::string& reference = options.view.reference;
+  return settings;
+}
+
+ViewerSettings WithReference(ViewerSettings settings, const std::string& reference) {
   if (reference.empty()) return settings;
   settings.reference = ReadPictureFile(reference);
   if (!settings.reference) throw SceneErrors({ErrorIn(reference, "the file cannot be read as a picture")});
@@ -117,11 +124,14 @@ class Session : public ViewerHost {
         offscreen_(options.view.headless ? MakeOffscreenContext(options.view.context) : nullptr),
         painter_(window_ ? Canvas::Target::window : Canvas::Target::own),
         drawer_(painter_),
-        viewer_(SettingsFor(options), std::move(scene), *this),
-        recorder_(outputs_.record) {}
+        viewer_(WithReference(SettingsFor(options), options.view.reference), std::move(scene), *this),
+        recorder_(outputs_.record) {
+    if (options.view.panels != "off")
+      viewer_.ShowPanels({options.view.panels == "light" ? PanelTheme::light : PanelTheme::dark, 1});
+  }
 
   int Run() {
-    if (window_) Happen(ResizeEvent{window_->Width(), window_->Height()});
+    if (window_) Happen(ResizeEvent{window_->Width(), window_->Height(), window_->Scale()});
     if (!options_.view.events.empty())
       Follow(ReadScript(options_.view.events));
     else if (window_ && !options_.view.exit_immediately)
@@ -160,6 +170,20 @@ class Session : public ViewerHost {
   }
   void Print(const std::string& line) override {
     WriteStandardOutput(!line.empty() && line.back() == '\n' ? line : line + "\n");
+  }
+  std::vector<ShownOption> ShownOptions() override { return OptionsOfPanels(options_); }
+  ViewerSettings ChangeOption(const std::string& name, const std::string& value) override {
+    options_ = WithOption(options_, name, value);
+    return SettingsFor(options_);
+  }
+  std::string CommandFor(const RenderSettings& settings) override {
+    Options options = options_;
+    options.render = settings;
+    options.render.threads = options_.render.threads;
+    options.render.budget = {};  // key S takes all samples
+    std::erase_if(options.given, IsOfBudget);
+    if (options.picture.empty()) options.picture = "image.png";
+    return RayproCommand(options);
   }
 
  private:
@@ -240,11 +264,26 @@ class Session : public ViewerHost {
       } else if (const auto* screenshot = std::get_if<Screenshot>(&step)) {
         Draw();
         ray::SaveDrawing(CheckPictureOutput(screenshot->file, {}), painter_.canvas.Read(), options_);
+      } else if (const auto* panel = std::get_if<ClickPanel>(&step)) {
+        Click(*panel);
       } else {
         viewer_.Update();
         Print(viewer_.State());
       }
     }
+  }
+  void Click(const ClickPanel& panel) {
+    viewer_.Show();  // where things are by now
+    const auto& items = viewer_.ItemsOfPanels();
+    const auto item = std::ranges::find_if(items, [&](const PanelItem& i) { return i.name.starts_with(panel.name); });
+    if (item == items.end()) {
+      status_ = status::failed;
+      return PrintError("rayview: the panels show no " + Quoted(panel.name));
+    }
+    const double x = item->x, y = item->y;
+    Happen(ButtonEvent{Button::left, true, x, y, {}});
+    Happen(ButtonEvent{Button::left, false, x, y, {}});
+    DrawNewsInWindow();
   }
   void DrawNewsInWindow() {
     if (window_)
@@ -260,7 +299,7 @@ class Session : public ViewerHost {
     DrawNewsInWindow();
   }
 
-  const Options options_;
+  Options options_;  // as changed in panels
   const ViewOutputs outputs_;
   const std::unique_ptr<Window> window_;
   const std::unique_ptr<Context> offscreen_;

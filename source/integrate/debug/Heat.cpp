@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
+#include <limits>
 
 #include "R1/Elementary.h"
 #include "source/integrate/Whitted.h"
@@ -23,12 +23,35 @@ void CostIntegrator::Li(std::span<const CameraSample> samples, std::span<R2::Col
   }
 }
 
+namespace {
+
+constexpr std::array<R2::Color, 5> heat_scale{R2::Color{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {1, 1, 0}, {1, 1, 1}};
+
+R2::Color OnScale(std::size_t below, double share) {
+  return (1 - share) * heat_scale[below] + share * heat_scale[below + 1];
+}
+
+double Dot(const R2::Color& a, const R2::Color& b) { return a.r * b.r + a.g * b.g + a.b * b.b; }
+
+}  // namespace
+
 R2::Color HeatColor(double heat) {
-  static const std::array<R2::Color, 5> scale{R2::Color{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {1, 1, 0}, {1, 1, 1}};
-  const double decades = std::clamp(R1::Log10(std::max(heat, 1.0)), 0.0, static_cast<double>(scale.size() - 1));
-  const auto below = std::min(static_cast<std::size_t>(decades), scale.size() - 2);
-  const double share = decades - static_cast<double>(below);
-  return (1 - share) * scale[below] + share * scale[below + 1];
+  const double decades = std::clamp(R1::Log10(std::max(heat, 1.0)), 0.0, static_cast<double>(heat_scale.size() - 1));
+  const auto below = std::min(static_cast<std::size_t>(decades), heat_scale.size() - 2);
+  return OnScale(below, decades - static_cast<double>(below));
+}
+
+double HeatOf(const R2::Color& color) {
+  double nearest = std::numeric_limits<double>::infinity(), decades = 0;
+  for (std::size_t below = 0; below + 1 < heat_scale.size(); ++below) {
+    const R2::Color way = heat_scale[below + 1] - heat_scale[below], to = color - heat_scale[below];
+    const double share = std::clamp(Dot(to, way) / Dot(way, way), 0.0, 1.0);
+    const R2::Color off = color - OnScale(below, share);
+    if (!(Dot(off, off) < nearest)) continue;
+    nearest = Dot(off, off);
+    decades = static_cast<double>(below) + share;
+  }
+  return R1::Pow(10, decades);
 }
 
 namespace {

@@ -28,5 +28,7 @@ class CostIntegrator : public Integrator {
 /// A cost as a color on one scale for all pictures, so that they can be compared: black at 1 and below, then blue at
 /// 10, red at 100, yellow at 1,000, white at 10,000 and above, evenly in the logarithm between.
 R2::Color HeatColor(double heat);
+/// The cost from 1 to 10,000 whose color is the nearest.
+double HeatOf(const R2::Color& color);
 
 }  // namespace ray

@@ -27,7 +27,8 @@ class Window : public Context {
  public:
   virtual int Width() const = 0;  // of the framebuffer, in pixels
   virtual int Height() const = 0;
-  virtual void Show() = 0;  // what was drawn
+  virtual double Scale() const = 0;  // of its screen, as of a ResizeEvent
+  virtual void Show() = 0;           // what was drawn
   virtual void SetTitle(const std::string& title) = 0;
   virtual void SetClipboard(const std::string& text) = 0;
   /// What has happened since the last call, in order; waits for at most `seconds` while there is nothing. May return

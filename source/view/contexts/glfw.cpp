@@ -74,6 +74,15 @@ bool Repeats(Key key) {
   }
 }
 
+/// At most the 21 bits that characters have.
+std::string Utf8(unsigned int character) {
+  if (character < 0x80) return {static_cast<char>(character)};
+  const auto further = [&](int shift) { return static_cast<char>(0x80 | (character >> shift & 0x3F)); };
+  if (character < 0x800) return {static_cast<char>(0xC0 | character >> 6), further(0)};
+  if (character < 0x10000) return {static_cast<char>(0xE0 | character >> 12), further(6), further(0)};
+  return {static_cast<char>(0xF0 | character >> 18), further(12), further(6), further(0)};
+}
+
 Modifiers ModifiersOf(int theirs) {
   return {.shift = (theirs & GLFW_MOD_SHIFT) != 0, .control = (theirs & GLFW_MOD_CONTROL) != 0};
 }
@@ -118,6 +127,11 @@ class GlfwWindow : public Window {
   std::string Name() const override { return name_; }
   int Width() const override { return width_; }
   int Height() const override { return height_; }
+  double Scale() const override {
+    float x = 1, y = 1;
+    glfwGetWindowContentScale(window_, &x, &y);
+    return x > 0 ? x : 1;
+  }
   void Show() override { glfwSwapBuffers(window_); }
   void SetTitle(const std::string& title) override { glfwSetWindowTitle(window_, title.c_str()); }
   void SetClipboard(const std::string& text) override { glfwSetClipboardString(window_, text.c_str()); }
@@ -139,6 +153,9 @@ class GlfwWindow : public Window {
     glfwSetWindowUserPointer(window_, this);
     glfwSetKeyCallback(window_, [](GLFWwindow* w, int key, int, int action, int mods) {
       Of(w).OnKey(KeyOf(key), action, ModifiersOf(mods));
+    });
+    glfwSetCharCallback(window_, [](GLFWwindow* w, unsigned int character) {
+      if (character > ' ') Of(w).events_.emplace_back(TextEvent{Utf8(character)});
     });
     glfwSetMouseButtonCallback(window_, [](GLFWwindow* w, int button, int action, int mods) {
       Of(w).OnButton(button, action == GLFW_PRESS, ModifiersOf(mods));
@@ -187,7 +204,7 @@ class GlfwWindow : public Window {
 
   void OnSize(int width, int height) {
     width_ = width, height_ = height;
-    events_.emplace_back(ResizeEvent{width, height});
+    events_.emplace_back(ResizeEvent{width, height, Scale()});
   }
 
   Library library_;

@@ -4,6 +4,7 @@ namespace ray {
 namespace {
 
 constexpr double hidden_lines = 0.3;  // of their alpha is left where they are behind something
+constexpr double lit_width = 3;       // pixels
 constexpr R2::Color section_ground{0.08, 0.08, 0.1};
 constexpr double section_margin = 1.05;
 
@@ -96,13 +97,15 @@ void Drawer::Draw(const FrameState& state) {
     painter_.pictures.Draw(Upload(quad_, *state.quad), *state.quad->corners, clip, LookOf(*state.quad));
   lists.Draw(Upload(lines_, state.lines), clip, 1, hidden_lines);
   if (state.marks) lists.Draw(Upload(marks_, state.marks), clip, 1, hidden_lines);
+  if (state.lit) lists.Draw(Upload(lit_, state.lit), clip, lit_width, hidden_lines);
   if (state.section) {
     const DrawingSize viewport{state.size.width - state.view.width, state.size.height};
     canvas.SetViewport(state.view.width, 0, viewport.width, viewport.height);
     canvas.Fill(section_ground);
     lists.Draw(Upload(section_, state.section), SectionMatrix(viewport), 1, 1);
   }
-  painter_.text.Draw(state.labels, canvas);
+  painter_.text.Draw(state.labels, canvas, state.letter_size);
+  if (state.panels) painter_.panels.Draw(*state.panels, canvas);
 }
 
 std::vector<float> Drawer::ReadBackQuad() {

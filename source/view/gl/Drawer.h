@@ -45,7 +45,7 @@ class Drawer {
 
   Painter& painter_;
   Slot<ScenePicture, GpuSurfaces> faces_;
-  Slot<Lines, GpuLines> lines_, marks_, section_;
+  Slot<Lines, GpuLines> lines_, marks_, lit_, section_;
   PictureSlot quad_, picture_;
   std::vector<float> rows_;
 };

@@ -2,6 +2,7 @@
 
 #include "source/view/gl/Canvas.h"
 #include "source/view/gl/ListDrawer.h"
+#include "source/view/gl/PanelDrawer.h"
 #include "source/view/gl/PictureDrawer.h"
 #include "source/view/gl/SurfaceDrawer.h"
 #include "source/view/gl/TextDrawer.h"
@@ -19,6 +20,7 @@ struct Painter {
   ListDrawer lists;
   PictureDrawer pictures;
   TextDrawer text;
+  PanelDrawer panels;
 };
 
 }  // namespace ray

@@ -57,7 +57,7 @@ void Add(std::vector<TextVertex>& vertices, const Rectangle& at, const Rectangle
     vertices.push_back(v);
 }
 
-void Add(std::vector<TextVertex>& vertices, const Label& label) {
+void Add(std::vector<TextVertex>& vertices, const Label& label, float size) {
   // Whole pixels, so that a pixel of the font is one of the drawing.
   const auto left = static_cast<float>(std::floor(label.x + 0.5)),
              bottom = static_cast<float>(std::floor(label.y + 0.5));
@@ -65,15 +65,14 @@ void Add(std::vector<TextVertex>& vertices, const Label& label) {
   for (char byte : label.text)
     if (const int glyph = GlyphOf(byte); glyph >= 0) glyphs.push_back(glyph);
   if (glyphs.empty()) return;
-  const auto width = static_cast<float>(glyphs.size()) * glyph_width;
+  const float width = static_cast<float>(glyphs.size()) * glyph_width * size, margin = ground_margin * size;
   const auto alpha = static_cast<std::uint8_t>(ground_alpha * label.color[3] / 255);
-  Add(vertices, {left - ground_margin, bottom, width + 2 * ground_margin, glyph_height}, {-2, 0, 1, 1},
-      {0, 0, 0, alpha});
+  Add(vertices, {left - margin, bottom, width + 2 * margin, glyph_height * size}, {-2, 0, 1, 1}, {0, 0, 0, alpha});
   float x = left;
   for (int glyph : glyphs) {
-    Add(vertices, {x, bottom, glyph_width, glyph_height},
+    Add(vertices, {x, bottom, glyph_width * size, glyph_height * size},
         {static_cast<float>(glyph * glyph_width), 0, glyph_width, glyph_height}, label.color);
-    x += glyph_width;
+    x += glyph_width * size;
   }
 }
 
@@ -98,9 +97,9 @@ TextDrawer::TextDrawer() : program_("text", vertex_shader, fragment_shader) {
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
 }
 
-void TextDrawer::Draw(std::span<const Label> labels, const Canvas& canvas) const {
+void TextDrawer::Draw(std::span<const Label> labels, const Canvas& canvas, int size) const {
   std::vector<TextVertex> vertices;
-  for (const Label& label : labels) Add(vertices, label);
+  for (const Label& label : labels) Add(vertices, label, static_cast<float>(size));
   if (vertices.empty()) return;
   program_.Use();
   glUniform2f(program_["size"], static_cast<float>(canvas.Width()), static_cast<float>(canvas.Height()));

@@ -12,8 +12,8 @@ class TextDrawer {
  public:
   TextDrawer();
 
-  /// Over all of the canvas, whatever its viewport.
-  void Draw(std::span<const Label> labels, const Canvas& canvas) const;
+  /// Over all of the canvas, whatever its viewport. `size`: >= 1, how many times as large as said above.
+  void Draw(std::span<const Label> labels, const Canvas& canvas, int size = 1) const;
 
  private:
   ShaderProgram program_;

@@ -83,7 +83,7 @@ void TracedPictures::Update(const std::shared_ptr<const LoadedScene>& scene, con
   has_reported_live_end_ = false;
 }
 
-bool TracedPictures::IsBusy() const { return IsTracing() || is_due_ || (Live() && !Live()->HasEnded()); }
+bool TracedPictures::IsBusy() const { return IsTracing() || (is_live_ && is_due_) || (Live() && !Live()->HasEnded()); }
 
 std::shared_ptr<const R2::Image> TracedPictures::ImageOf(const Frame& frame) {
   auto image = std::make_shared<R2::Image>(frame.Width(), frame.Height());

@@ -21,6 +21,8 @@ class TracedPictures {
   bool StopTrace();
   const RenderJob* Trace() const { return trace_.Current(); }
   bool IsTracing() const { return Trace() && !Trace()->HasEnded(); }
+  /// Whether it is being traced, or has ended without having been taken.
+  bool IsUnsaved() const { return Trace() && !has_reported_end_; }
   /// The trace, once, when it has ended since the last call.
   const RenderJob* TakeEnded();
   void ForgetTrace() { trace_.Abandon(); }

@@ -4,12 +4,14 @@
 #include <cmath>
 
 #include "source/text/NumberText.h"
+#include "source/view/overlay/SceneLines.h"
 
 namespace ray {
 namespace {
 
 constexpr double ray_to_nowhere = 2;           // radii of the scene
 constexpr std::size_t most_opaque_rays = 600;  // more would hide the scene
+constexpr int fainter = 4;                     // times, what is not chosen
 constexpr double normal_length = 0.04;         // likewise
 
 ShownRays ShownAs(RayKind kind) {
@@ -53,6 +55,15 @@ R3::Point EndOf(const RecordedRay& ray, double scene_radius) {
   return StartOf(ray) + ray_to_nowhere * scene_radius * Unit(ray.ray.direction);
 }
 
+/// For each ray whether it is the chosen one, or one of those that led to it.
+std::vector<bool> OnTheWay(const PixelTrace& trace, std::optional<std::size_t> chosen) {
+  std::vector<bool> is(trace.rays.size());
+  if (!chosen || *chosen >= trace.rays.size()) return is;
+  for (int i = static_cast<int>(*chosen); i != RecordedRay::none; i = trace.rays[static_cast<std::size_t>(i)].parent)
+    is[static_cast<std::size_t>(i)] = true;
+  return is;
+}
+
 }  // namespace
 
 std::vector<PixelTrace> TraceGrid(const World& world, const Accelerator& accelerator, const RenderSettings& settings,
@@ -68,11 +79,15 @@ Lines RayLines(const std::vector<PixelTrace>& traces, const DrawingSpace& space,
   Lines lines;
   std::size_t rays = 0;
   for (const PixelTrace& trace : traces) rays += trace.rays.size();
-  const auto add = [&](const R3::Point& from, const R3::Point& to, const Rgba& color) {
-    AddLine(lines, space.At(from), space.At(to), Faded(color, rays, most_opaque_rays));
-  };
-  for (const PixelTrace& trace : traces)
-    for (const RecordedRay& ray : trace.rays) {
+  for (const PixelTrace& trace : traces) {
+    const std::vector<bool> is_on_way = OnTheWay(trace, look.chosen);
+    for (std::size_t i = 0; i < trace.rays.size(); ++i) {
+      const RecordedRay& ray = trace.rays[i];
+      const auto add = [&](const R3::Point& from, const R3::Point& to, Rgba color) {
+        color = Faded(color, rays, most_opaque_rays);
+        if (look.chosen && !is_on_way[i]) color[3] /= fainter;
+        AddLine(lines, space.At(from), space.At(to), color);
+      };
       if (!look.shows[static_cast<std::size_t>(ShownAs(ray.kind))]) continue;
       if (look.deepest >= 0 && ray.depth > look.deepest) continue;
       const R3::Point end = EndOf(ray, space.radius);
@@ -82,6 +97,17 @@ Lines RayLines(const std::vector<PixelTrace>& traces, const DrawingSpace& space,
       if (look.normals && ray.at && ray.kind != RayKind::shadow)
         add(end, end + normal_length * space.radius * AsVector(ray.at->shading_normal), normal_color);
     }
+  }
+  return lines;
+}
+
+Lines ChosenRay(const PixelTrace& trace, const DrawingSpace& space, const RayLook& look) {
+  Lines lines;
+  if (!look.chosen || *look.chosen >= trace.rays.size()) return lines;
+  const RecordedRay& ray = trace.rays[*look.chosen];
+  const R3::Point end = EndOf(ray, space.radius);
+  AddLine(lines, space.At(StartOf(ray)), space.At(end), ColorOf(ray.kind));
+  if (ray.at) Append(lines, CrossAt(end, normal_length / 2 * space.radius, space, ColorOf(ray.kind)));
   return lines;
 }
 

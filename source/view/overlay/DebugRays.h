@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,9 @@ struct RayLook {
   std::array<bool, shown_ray_kinds> shows{true, true, true, true};
   bool normals = false;  // where rays end
   int deepest = -1;      // bounces; -1: all
+  /// Of one pixel's rays, by its number: it is shown whatever its kind, and the others are fainter but for those that
+  /// led to it.
+  std::optional<std::size_t> chosen{};
 };
 
 inline constexpr int debug_ray_spacing = 25;  // pixels whose column and row are multiples of it
@@ -29,6 +33,9 @@ std::vector<PixelTrace> TraceGrid(const World& world, const Accelerator& acceler
 /// As lines, a color for each kind. A blocked shadow ray is dark beyond what blocks it; a ray that hits
 /// nothing goes on for two radii of the scene. The more rays, the fainter each.
 Lines RayLines(const std::vector<PixelTrace>& traces, const DrawingSpace& space, const RayLook& look);
+
+/// The chosen ray of a pixel alone, in its color, with a cross where it ends; none where none is chosen.
+Lines ChosenRay(const PixelTrace& trace, const DrawingSpace& space, const RayLook& look);
 
 /// The same rays as an .obj file of lines, grouped by kind, in the world.
 std::string RaysAsObj(const std::vector<PixelTrace>& traces, double scene_radius);

@@ -13,6 +13,8 @@ void RayInspector::TraceGrid(const LoadedScene& scene, const RenderSettings& set
 
 void RayInspector::TracePixel(const LoadedScene& scene, const RenderSettings& settings, int column, int row) {
   pixel_settings_ = settings;
+  look_.chosen.reset();
+  ++trace_number_;
   pixel_ = PixelTracer(scene.world, *scene.accelerator, settings).Trace(column, row, settings.samples);
 }
 
@@ -36,7 +38,7 @@ void RayInspector::StepBounce(int by) {
 
 void RayInspector::ForgetAll() {
   grid_.clear();
-  pixel_.reset();
+  ForgetPixel();
 }
 
 std::vector<PixelTrace> RayInspector::Shown() const {

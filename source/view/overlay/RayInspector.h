@@ -24,7 +24,9 @@ class RayInspector {
   void Toggle(ShownRays kind) { look_.shows[static_cast<std::size_t>(kind)] ^= true; }
   void ToggleNormals() { look_.normals = !look_.normals; }
   void ToggleGrid() { shows_grid_ = !shows_grid_; }
-  void ForgetPixel() { pixel_.reset(); }
+  void ForgetPixel() { pixel_.reset(), look_.chosen.reset(); }
+  /// One of the pixel's rays, by its number; nothing for none.
+  void Choose(std::optional<std::size_t> ray) { look_.chosen = ray; }
   /// To be called for another scene.
   void ForgetAll();
 
@@ -32,6 +34,8 @@ class RayInspector {
   const RayLook& Look() const { return look_; }
   const std::vector<PixelTrace>& Grid() const { return grid_; }
   const std::optional<PixelTrace>& Pixel() const { return pixel_; }
+  /// Another for each pixel traced, from 1.
+  int TraceNumber() const { return trace_number_; }
   /// Those of the pixel's picture.
   const RenderSettings& PixelSettings() const { return pixel_settings_; }
   /// All rays that are shown.
@@ -42,6 +46,7 @@ class RayInspector {
   RayLook look_;
   std::vector<PixelTrace> grid_;
   std::optional<PixelTrace> pixel_;
+  int trace_number_ = 0;
   RenderSettings pixel_settings_;
 };
 

@@ -149,6 +149,23 @@ BoxLines NodeBoxLines(const World& world, const DrawingSpace& space, int level) 
   return boxes;
 }
 
+std::uint32_t FrameAround(const World& world, std::size_t node) {
+  const auto is_parent = [&](const FlatNode& n) { return n.first_child <= node && node - n.first_child < n.children; };
+  const auto parent = std::ranges::find_if(world.Nodes(), is_parent);
+  return parent == world.Nodes().end() ? 0 : parent->frame;
+}
+
+Lines NodeBoxOf(const World& world, const DrawingSpace& space, std::size_t node, const Rgba& color) {
+  Lines lines;
+  const auto& nodes = world.Nodes();
+  if (nodes[node].node->bounds.IsEmpty()) return lines;
+  const R3::Transform& frame = world.Frames()[FrameAround(world, node)];
+  std::array<R3::Point, 8> corners;
+  for (int i = 0; i < 8; ++i) corners[static_cast<std::size_t>(i)] = frame * nodes[node].node->bounds.Corner(i);
+  AddBox(lines, space, corners, color);
+  return lines;
+}
+
 BoxLines AcceleratorBoxLines(const Accelerator& accelerator, const DrawingSpace& space, int level) {
   BoxLines boxes;
   for (int at = 0; at < accelerator.BoxLevels(); ++at)

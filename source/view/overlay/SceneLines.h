@@ -24,6 +24,12 @@ inline constexpr int all_levels = -1;
 /// tracer uses them, and where their parent is when the shutter opens.
 BoxLines NodeBoxLines(const World& world, const DrawingSpace& space, int level);
 
+/// The frame that the bounds of a node are in: its parent's. `node`: an index into World::Nodes.
+std::uint32_t FrameAround(const World& world, std::size_t node);
+
+/// The box of one node, an index into the world's; likewise. Nothing of an empty one.
+Lines NodeBoxOf(const World& world, const DrawingSpace& space, std::size_t node, const Rgba& color);
+
 /// The bounding boxes of an accelerator at a level or at all_levels; see Accelerator::BoxesAt.
 BoxLines AcceleratorBoxLines(const Accelerator& accelerator, const DrawingSpace& space, int level);
 

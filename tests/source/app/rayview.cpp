@@ -31,6 +31,12 @@ R2::Image Picture(const std::string& file) {
 // Of programs built to look for leaks: GLX and OSMesa keep memory of their own to the end. EGL does not.
 constexpr const char* drivers_leak = "detect_leaks=0";
 
+#ifdef RAYVIEW_PANELS
+constexpr bool has_panels = true;
+#else
+constexpr bool has_panels = false;
+#endif
+
 class Rayview : public ::testing::Test {
  protected:
   void SetUp() override {
@@ -122,6 +128,19 @@ TEST_F(Rayview, EveryContextDrawsTheSameBytes) {
     for (int x = 0; x < a.Width(); ++x) ASSERT_EQ(a.At(x, y), b.At(x, y)) << x << " " << y;
 }
 
+TEST_F(Rayview, EveryContextDrawsTheSamePanels) {
+  environment["ASAN_OPTIONS"] = drivers_leak;
+  const std::string script = "resize 640 480\nkey Tab\nclick right 200 200\nclick left 200 200\nresize 900 700 1.5\n";
+  std::vector<std::string> drawn;
+  for (const char* context : {"egl", "osmesa"}) {
+    const std::string file = folder / (std::string(context) + ".ppm");
+    const Finished run = Follow(Scene("hello.scn"), script, {"-context", context, "-screenshot", file});
+    if (run.status == 0) drawn.push_back(ReadFile(file));
+  }
+  if (drawn.size() < 2) GTEST_SKIP() << "this machine has one kind of context only";
+  EXPECT_EQ(drawn[0], drawn[1]);
+}
+
 TEST_F(Rayview, ARecordingDoesTheSameAgain) {
   const std::string script =
       "drag left 10 10 50 20\nkey B\ndown right 5 5\npress W\ntick 0.5\nrelease W\nup right 5 5\n"
@@ -136,6 +155,32 @@ TEST_F(Rayview, ARecordingDoesTheSameAgain) {
 }
 
 // What had passed since the last event was forgotten, so that messages were back that had faded from the window.
+TEST_F(Rayview, ARecordingOfPanelsEndsWithTheSameDrawing) {
+  if (!has_panels) GTEST_SKIP() << "panels are not built in";
+  const std::string recorded = folder / "recorded.events";
+  const std::string script =
+      "resize 600 500\nkey Tab\npanel Scene\npanel Settings\npanel light\npanel -max_depth\nkey Control+A\ntype 7\n"
+      "key Enter\nclick right 100 100\npanel camera\nkey Tab\nkey Tab\n";
+  const Finished first = Follow(Scene("hello.scn"), script, {"-record", recorded, "-screenshot", folder / "first.ppm"});
+  ASSERT_EQ(first.status, 0) << first.error;
+  const Finished again = Follow(Scene("hello.scn"), ReadFile(recorded), {"-screenshot", folder / "again.ppm"});
+  ASSERT_EQ(again.status, 0) << again.error;
+  EXPECT_EQ(ReadFile(folder / "again.ppm"), ReadFile(folder / "first.ppm"));
+}
+
+TEST_F(Rayview, SettingsOfPanelsAreThoseOfTheSavedImage) {
+  if (!has_panels) GTEST_SKIP() << "panels are not built in";
+  const std::string script =
+      "resize 600 500\nkey Tab\npanel Scene\npanel Settings\npanel light\npanel -max_depth\nkey Control+A\ntype 1\n"
+      "key Enter\nkey S\nwait trace\n";
+  const Finished viewed = Follow(Scene("hello.scn"), script, {"-image", folder / "view.png"});
+  ASSERT_EQ(viewed.status, 0) << viewed.error;
+  const Finished rendered = testing::RunProgram(
+      {Scene("hello.scn"), folder / "pro.png", "-width", "600", "-height", "500", "-max_depth", "1", "-quiet"});
+  ASSERT_EQ(rendered.status, 0) << rendered.error;
+  EXPECT_EQ(Picture(folder / "view.png"), Picture(folder / "pro.png"));
+}
+
 TEST_F(Rayview, ARecordingEndsWithTheSameDrawing) {
   for (const char* script :
        {"drag left 10 10 50 20\ntick 0.3\n", "key B\ntick 6\n", "scroll 1 30 30\ntick 0.3\n",

@@ -17,5 +17,10 @@ TEST(Heat, GoesFromBlackOverBlueRedAndYellowToWhiteByPowersOfTen) {
 
 TEST(Heat, CountsWhatWasLookedAt) { EXPECT_EQ(Heat({.node_visits = 3, .box_tests = 2, .primitive_tests = 4}), 7); }
 
+TEST(HeatColor, TellsTheCostThatItStandsFor) {
+  for (double heat = 1; heat <= 10'000; heat *= 1.07) EXPECT_NEAR(HeatOf(HeatColor(heat)) / heat, 1, 1e-12) << heat;
+  EXPECT_EQ(HeatOf({0, 0, 2}), 10) << "no color of the scale: the nearest";
+}
+
 }  // namespace
 }  // namespace ray

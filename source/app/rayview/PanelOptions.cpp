@@ -1,0 +1,66 @@
+#include "source/app/rayview/PanelOptions.h"
+
+#include <algorithm>
+#include <array>
+#include <sstream>
+#include <string_view>
+
+#include "source/app/options/CommandLine.h"
+#include "source/app/options/OptionTable.h"
+
+namespace ray {
+namespace {
+
+constexpr std::array<std::string_view, 4> topics_of_panels{"picture", "light", "quality", "speed"};
+/// Of the window, and of the start.
+constexpr std::array<std::string_view, 3> left_out{"width", "height", "memory"};
+
+bool IsInPanels(const OptionKind& option) {
+  return IsSetting(option) && std::ranges::find(topics_of_panels, option.topic) != topics_of_panels.end() &&
+         std::ranges::find(left_out, option.name) == left_out.end();
+}
+
+/// Behind the option's name; a name of a file may have blanks in it.
+std::vector<std::string> WordsFor(const OptionKind& option, const std::string& value) {
+  if (std::holds_alternative<Flag>(option.value)) return {};
+  if (MostArguments(option) == 1) return {value};
+  std::istringstream in(value);
+  std::vector<std::string> words;
+  for (std::string word; in >> word;) words.push_back(word);
+  return words;
+}
+
+}  // namespace
+
+std::vector<ShownOption> OptionsOfPanels(const Options& options) {
+  std::vector<ShownOption> shown;
+  for (const OptionKind& option : OptionTable(Program::rayview))
+    if (IsInPanels(option))
+      shown.push_back({option.name, option.topic, option.help, Show(option, options), Range(option), Choices(option),
+                       std::holds_alternative<Flag>(option.value)});
+  return shown;
+}
+
+Options WithOption(const Options& options, const std::string& name, const std::string& value) {
+  std::vector<std::string> words{options.scene};
+  const auto add = [&](const std::vector<std::string>& more) { words.insert(words.end(), more.begin(), more.end()); };
+  for (const OptionKind& option : OptionTable(Program::rayview)) {
+    if (!IsSetting(option)) continue;
+    if (name != option.name) {
+      add(options.IsGiven(option.name) ? Typed(option, options) : Typed(option, options, Defaults(Program::rayview)));
+    } else if (!value.empty()) {
+      // Only "=" lets a value begin like an option.
+      const std::vector<std::string> behind = WordsFor(option, value);
+      if (behind.size() == 1)
+        add({"-" + name + "=" + behind[0]});
+      else
+        add({"-" + name}), add(behind);
+    }
+  }
+  Options changed = ReadCommandLine(Program::rayview, words);
+  CompleteForScene(changed);
+  CheckMachine(changed);
+  return changed;
+}
+
+}  // namespace ray

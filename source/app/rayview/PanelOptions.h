@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "source/app/options/Options.h"
+#include "source/view/Viewer.h"
+
+/// rayview's options, to be changed while it runs.
+namespace ray {
+
+/// Those that bear on pictures and can be changed by then, in the order of the option table.
+std::vector<ShownOption> OptionsOfPanels(const Options& options);
+
+/// As if all that is in force had been typed, with this value of one option of OptionsOfPanels, empty for its default.
+/// What the scene set counts as typed. Throws UsageError.
+Options WithOption(const Options& options, const std::string& name, const std::string& value);
+
+}  // namespace ray

@@ -1,0 +1,100 @@
+#include <stdexcept>
+
+#include "source/view/Viewer.h"
+#include "source/view/overlay/SceneLines.h"
+
+/// What panels ask a viewer for.
+namespace ray {
+
+#ifndef RAYVIEW_PANELS
+std::unique_ptr<Panels> MakePanels() { return nullptr; }
+#endif
+
+ViewerSettings ViewerHost::ChangeOption(const std::string& name, const std::string&) {
+  throw std::invalid_argument("there is no option " + name);
+}
+
+void Viewer::ChangeOption(const std::string& name, const std::string& value) {
+  // What is saved at its end is to be the picture of one command.
+  if (pictures_.IsUnsaved()) {
+    option_problem_ = "an image is being rendered; Escape stops it";
+    return ShowMessage(option_problem_);
+  }
+  ViewerSettings changed;
+  try {
+    changed = host_.ChangeOption(name, value);
+  } catch (const std::exception& error) {
+    option_problem_ = error.what();
+    return ShowMessage(option_problem_);
+  }
+  option_problem_.clear();
+  const bool is_read_again = changed.parse != settings_.parse || changed.accelerator != settings_.accelerator;
+  settings_.parse = changed.parse;
+  settings_.accelerator = changed.accelerator;
+  settings_.render = changed.render;
+  settings_.live_is_endless = changed.live_is_endless;
+  if (is_read_again) return Reload();
+  MakeFaces();
+  pictures_.Touch();
+  InvalidateLines();
+  ShowMessage("-" + name + " " + value);
+}
+
+void Viewer::ShowPanels(const PanelSettings& look) {
+  if (!panels_) panels_ = MakePanels();
+  if (!panels_) return ShowMessage("panels are not built in; install libimgui-dev and rebuild");
+  panels_->SetScale(scale_);
+  panels_->SetLook(look);
+  shows_panels_ = true;
+  InvalidateLines();
+}
+
+void Viewer::TogglePanels() {
+  if (shows_panels_) {
+    shows_panels_ = false;
+    InvalidateLines();
+    return ShowMessage("panels off");
+  }
+  ShowPanels(PanelLook());
+  if (shows_panels_) ShowMessage("panels; Tab hides them");
+}
+
+const std::vector<PanelItem>& Viewer::ItemsOfPanels() const {
+  static const std::vector<PanelItem> none;
+  return shows_panels_ ? panels_->Items() : none;
+}
+
+void Viewer::SetPanelLook(const PanelSettings& look) {
+  if (panels_) panels_->SetLook(look);
+  needs_redraw_ = true;
+}
+
+void Viewer::ChooseNode(std::optional<std::size_t> node) {
+  chosen_node_ = node;
+  InvalidateLines();
+}
+
+void Viewer::ChooseRay(std::optional<std::size_t> ray) {
+  if (!rays_.Pixel()) return;
+  rays_.Choose(ray);
+  InvalidateLines();
+}
+
+void Viewer::ShowLayer(std::optional<RenderMode> mode) {
+  if (mode ? !pictures_.IsLive() || pictures_.LiveMode() != mode : pictures_.IsLive())
+    ToggleLive(mode ? mode : pictures_.LiveMode());
+}
+
+std::vector<AcceleratorCost> Viewer::CostsOfAccelerators() const {
+  return ray::CostsOfAccelerators(scene_->world, settings_.accelerator, SettingsOfView());
+}
+
+void Viewer::FrameChosenNode() {
+  if (!chosen_node_) return;
+  const World& world = scene_->world;
+  const R3::Box box = world.InWorld(FrameAround(world, *chosen_node_), world.Nodes()[*chosen_node_].node->bounds);
+  if (box.IsEmpty()) return ShowMessage("it has no end, or nothing in it, and cannot be framed");
+  navigator_.Frame(box);
+}
+
+}  // namespace ray

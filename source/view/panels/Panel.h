@@ -1,0 +1,63 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "source/view/Viewer.h"
+#include "source/view/panels/Panels.h"
+
+namespace ray {
+
+/// What a panel is drawn with: what it sees, and what it asks for. The widgets below are those of Dear ImGui, told to
+/// scripts besides.
+class PanelFrame {
+ public:
+  PanelFrame(const Viewer& shown, double pixels_per_unit, std::vector<PanelItem>& items)
+      : viewer(shown), scale(pixels_per_unit), items_(items) {}
+
+  const Viewer& viewer;
+  const double scale;
+
+  /// To be done once the frame is complete: panels never change what they are drawing.
+  void Ask(std::function<void(Viewer&)> action) { actions_.push_back(std::move(action)); }
+  const std::vector<std::function<void(Viewer&)>>& Asked() const { return actions_; }
+
+  /// Whether it was clicked.
+  bool Button(const std::string& name);
+  /// A line that can be chosen; whether it was clicked.
+  bool Choice(const std::string& name, bool is_chosen);
+  /// A switch; whether it was clicked.
+  bool Check(const std::string& name, bool is_on);
+  /// A heading that opens and closes what is below it; whether that is open.
+  bool Heading(const char* name, bool is_open_at_first);
+  /// Text that goes on in the next line where the panel ends.
+  void Say(const std::string& text);
+  /// A name, and beside it what it is.
+  void Fact(const std::string& name, const std::string& value);
+  /// Tells scripts of the widget before.
+  void Note(const std::string& name);
+
+ private:
+  std::vector<PanelItem>& items_;
+  std::vector<std::function<void(Viewer&)>> actions_;
+};
+
+/// One part of the column; it may remember what is open in it.
+class Panel {
+ public:
+  virtual ~Panel() = default;
+  virtual void Draw(PanelFrame& frame) = 0;
+  /// Whether it has anything to show by now.
+  virtual bool IsOfUse(const Viewer&) const { return true; }
+};
+
+/// One line of panels.def.
+struct PanelKind {
+  const char* title;
+  bool is_open_at_first;
+  std::unique_ptr<Panel> (*make)();
+};
+
+}  // namespace ray

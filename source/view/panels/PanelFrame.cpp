@@ -1,0 +1,49 @@
+#include <imgui.h>
+
+#include "source/view/panels/Panel.h"
+
+namespace ray {
+
+bool PanelFrame::Button(const std::string& name) {
+  const bool is_clicked = ImGui::Button(name.c_str());
+  Note(name);
+  return is_clicked;
+}
+
+bool PanelFrame::Choice(const std::string& name, bool is_chosen) {
+  const bool is_clicked = ImGui::Selectable(name.c_str(), is_chosen);
+  Note(name);
+  return is_clicked;
+}
+
+bool PanelFrame::Check(const std::string& name, bool is_on) {
+  const bool is_clicked = ImGui::Checkbox(name.c_str(), &is_on);
+  Note(name);
+  return is_clicked;
+}
+
+bool PanelFrame::Heading(const char* name, bool is_open_at_first) {
+  const bool is_open = ImGui::CollapsingHeader(name, is_open_at_first ? ImGuiTreeNodeFlags_DefaultOpen : 0);
+  Note(name);
+  return is_open;
+}
+
+void PanelFrame::Say(const std::string& text) {
+  ImGui::PushTextWrapPos(0);
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopTextWrapPos();
+}
+
+void PanelFrame::Fact(const std::string& name, const std::string& value) {
+  constexpr float letters = 9;  // of the longest usual name
+  ImGui::TextDisabled("%s", name.c_str());
+  ImGui::SameLine(letters * ImGui::CalcTextSize("0").x);
+  Say(value);
+}
+
+void PanelFrame::Note(const std::string& name) {
+  const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+  items_.push_back({name, (low.x + high.x) / 2, ImGui::GetIO().DisplaySize.y - (low.y + high.y) / 2});
+}
+
+}  // namespace ray

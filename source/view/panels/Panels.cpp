@@ -1,0 +1,308 @@
+#include "source/view/panels/Panels.h"
+
+#include <imgui.h>
+#include <imgui_internal.h>  // LogBuffer
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "source/view/panels/Panel.h"
+#include "source/view/panels/PanelLook.h"
+
+namespace ray {
+
+#define PANEL(name) extern const PanelKind name##_panel;
+#include "source/view/panels/panels.def"
+#undef PANEL
+
+namespace {
+
+constexpr const PanelKind* panel_kinds[] = {
+#define PANEL(name) &name##_panel,
+#include "source/view/panels/panels.def"
+#undef PANEL
+};
+
+constexpr double narrowest = 150;       // units: the titles, and short words
+constexpr double widest_share = 0.9;    // of the drawing: some of it stays to be clicked
+constexpr double column_width = 330;    // units at most, and at first
+constexpr double column_share = 0.46;   // of a drawing too narrow for that
+constexpr float shortest_time = 1e-3F;  // seconds; Dear ImGui wants some between frames
+
+/// Where it was asked for a position and no pointer is.
+constexpr float nowhere = -std::numeric_limits<float>::max();
+
+Rgba ColorOf(ImU32 color) {
+  const auto byte = [&](int shift) { return static_cast<std::uint8_t>(color >> shift); };
+  return {byte(IM_COL32_R_SHIFT), byte(IM_COL32_G_SHIFT), byte(IM_COL32_B_SHIFT), byte(IM_COL32_A_SHIFT)};
+}
+
+std::shared_ptr<const PanelDrawing> AsDrawing(const ImDrawData& data, std::shared_ptr<const InkSheet> sheet) {
+  auto drawing = std::make_shared<PanelDrawing>();
+  drawing->sheet = std::move(sheet);
+  const auto width = static_cast<int>(data.DisplaySize.x), height = static_cast<int>(data.DisplaySize.y);
+  for (int i = 0; i < data.CmdListsCount; ++i) {
+    const ImDrawList& list = *data.CmdLists[i];
+    const auto first_corner = static_cast<std::uint32_t>(drawing->corners.size());
+    for (const ImDrawVert& v : list.VtxBuffer)
+      drawing->corners.push_back({v.pos.x, v.pos.y, v.uv.x, v.uv.y, ColorOf(v.col)});
+    for (const ImDrawCmd& command : list.CmdBuffer) {
+      const ImVec4& clip = command.ClipRect;
+      const PanelDrawing::Part part{std::clamp(static_cast<int>(clip.x), 0, width),
+                                    std::clamp(static_cast<int>(clip.y), 0, height),
+                                    std::clamp(static_cast<int>(clip.z), 0, width),
+                                    std::clamp(static_cast<int>(clip.w), 0, height),
+                                    drawing->indices.size(),
+                                    command.ElemCount};
+      for (unsigned int k = 0; k < command.ElemCount; ++k)
+        drawing->indices.push_back(first_corner + command.VtxOffset +
+                                   list.IdxBuffer[static_cast<int>(command.IdxOffset + k)]);
+      if (part.left < part.right && part.top < part.bottom) drawing->parts.push_back(part);
+    }
+  }
+  return drawing;
+}
+
+/// Those of Dear ImGui, in a context of their own. A frame is made for every event, so that what it leads to does not
+/// depend on when something is drawn.
+class ImGuiPanels : public Panels {
+ public:
+  ImGuiPanels() : context_(ImGui::CreateContext()) {
+    Use();
+    ImGuiIO& io = ImGui::GetIO();
+    io.IniFilename = io.LogFilename = nullptr;  // no files that nobody asked for
+    // The latter lets edges be dragged, whatever the pointer looks like then.
+    io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset | ImGuiBackendFlags_HasMouseCursors;
+    io.ConfigInputTextCursorBlink = false;
+    io.ClipboardUserData = this;
+    io.SetClipboardTextFn = [](void* self, const char* text) {
+      auto& panels = *static_cast<ImGuiPanels*>(self);
+      panels.clipboard_ = text;
+      if (panels.viewer_) panels.viewer_->CopyText(text);
+    };
+    io.GetClipboardTextFn = [](void* self) { return static_cast<ImGuiPanels*>(self)->clipboard_.c_str(); };
+    NameKeys(io);
+    for (const PanelKind* kind : panel_kinds) panels_.push_back(kind->make());
+  }
+  ~ImGuiPanels() override { ImGui::DestroyContext(context_); }
+  ImGuiPanels(const ImGuiPanels&) = delete;
+
+  bool Take(const Event& event, Viewer& viewer) override {
+    Use();
+    return std::visit([&](const auto& e) { return On(e, viewer); }, event);
+  }
+
+  std::shared_ptr<const PanelDrawing> Draw(Viewer& viewer) override {
+    Use();
+    // Twice: what an event has changed may need another frame to find its size.
+    MakeFrame(viewer);
+    MakeFrame(viewer);
+    return AsDrawing(*ImGui::GetDrawData(), sheet_);
+  }
+
+  std::string Text(Viewer& viewer) override {
+    Use();
+    MakeFrame(viewer);
+    wants_text_ = true;
+    MakeFrame(viewer);
+    wants_text_ = false;
+    return text_;
+  }
+
+  const std::vector<PanelItem>& Items() const override { return items_; }
+  void SetLook(const PanelSettings& look) override {
+    if (look == look_) return;
+    look_ = look;
+    look_.letters = std::clamp(look.letters, smallest_letters, largest_letters);
+    Undress();
+  }
+  const PanelSettings& Look() const override { return look_; }
+  void SetScale(double scale) override {
+    if (scale == screen_) return;
+    screen_ = scale;
+    Undress();
+  }
+
+ private:
+  enum class Holder { nobody, panels, viewer };
+
+  void Use() const { ImGui::SetCurrentContext(context_); }
+
+  double Scale() const { return screen_ * look_.letters; }
+  void Undress() {
+    sheet_.reset();
+    is_dressed_ = false;
+  }
+
+  static void NameKeys(ImGuiIO& io) {
+    constexpr std::pair<ImGuiKey_, Key> names[] = {
+        {ImGuiKey_LeftArrow, Key::left},
+        {ImGuiKey_RightArrow, Key::right},
+        {ImGuiKey_UpArrow, Key::up},
+        {ImGuiKey_DownArrow, Key::down},
+        {ImGuiKey_PageUp, Key::page_up},
+        {ImGuiKey_PageDown, Key::page_down},
+        {ImGuiKey_Home, Key::home},
+        {ImGuiKey_End, Key::end},
+        {ImGuiKey_Backspace, Key::backspace},
+        {ImGuiKey_Enter, Key::enter},
+        {ImGuiKey_Escape, Key::escape},
+        {ImGuiKey_A, Key::a},
+        {ImGuiKey_C, Key::c},
+        {ImGuiKey_V, Key::v},
+        {ImGuiKey_X, Key::x},
+        {ImGuiKey_Y, Key::y},
+        {ImGuiKey_Z, Key::z},
+    };
+    for (const auto& [theirs, ours] : names) io.KeyMap[theirs] = static_cast<int>(ours);
+  }
+
+  /// Whether text is being entered. Dear ImGui tells of the end of that a frame late.
+  bool TakesText(Viewer& viewer) {
+    if (ImGui::GetIO().WantTextInput) MakeFrame(viewer);
+    return ImGui::GetIO().WantTextInput;
+  }
+
+  bool On(const KeyEvent& event, Viewer& viewer) {
+    ImGuiIO& io = ImGui::GetIO();
+    const auto key = static_cast<std::size_t>(event.key);
+    if (event.key == Key::tab || key >= std::size(io.KeysDown)) return false;
+    if (event.is_pressed ? !TakesText(viewer) : !io.KeysDown[key]) return false;
+    io.KeysDown[key] = event.is_pressed;
+    io.KeyCtrl = event.modifiers.control;
+    io.KeyShift = event.modifiers.shift;
+    if (event.is_pressed && event.key == Key::space) io.AddInputCharacter(' ');
+    MakeFrame(viewer);
+    io.KeyCtrl = io.KeyShift = false;  // nobody tells when they are let go
+    return true;
+  }
+
+  bool On(const TextEvent& event, Viewer& viewer) {
+    ImGuiIO& io = ImGui::GetIO();
+    if (!TakesText(viewer)) return false;
+    io.AddInputCharactersUTF8(event.text.c_str());
+    MakeFrame(viewer);
+    return true;
+  }
+
+  bool On(const ButtonEvent& event, Viewer& viewer) {
+    ImGuiIO& io = ImGui::GetIO();
+    const auto button = static_cast<std::size_t>(event.button == Button::left    ? ImGuiMouseButton_Left
+                                                 : event.button == Button::right ? ImGuiMouseButton_Right
+                                                                                 : ImGuiMouseButton_Middle);
+    if (event.is_pressed) {
+      if (holder_ == Holder::viewer) return false;
+      MakeFrame(viewer);                // where things are by now
+      Point(event.x, event.y, viewer);  // what is below it takes the press
+      if (holder_ == Holder::nobody) holder_ = io.WantCaptureMouse ? Holder::panels : Holder::viewer;
+    }
+    if (holder_ == Holder::viewer) {
+      // A click into the picture ends what is being entered, and leaves nothing below the pointer.
+      if (event.is_pressed) ImGui::ClearActiveID();
+      if (!event.is_pressed) holder_ = Holder::nobody;
+      io.MousePos = {nowhere, nowhere};
+      MakeFrame(viewer);
+      return false;
+    }
+    io.MouseDown[button] = event.is_pressed;
+    Point(event.x, event.y, viewer);
+    if (std::none_of(std::begin(io.MouseDown), std::end(io.MouseDown), [](bool is_down) { return is_down; }))
+      holder_ = Holder::nobody;
+    return true;
+  }
+
+  bool On(const MoveEvent& event, Viewer& viewer) {
+    if (holder_ == Holder::viewer) return false;
+    Point(event.x, event.y, viewer);
+    return holder_ == Holder::panels || ImGui::GetIO().WantCaptureMouse;
+  }
+
+  bool On(const ScrollEvent& event, Viewer& viewer) {
+    if (holder_ == Holder::viewer) return false;
+    Point(event.x, event.y, viewer);
+    if (!ImGui::GetIO().WantCaptureMouse) return false;
+    ImGui::GetIO().MouseWheel = static_cast<float>(event.steps);
+    MakeFrame(viewer);
+    return true;
+  }
+
+  bool On(const TickEvent& event, Viewer&) {
+    passed_ += static_cast<float>(event.seconds);
+    return false;
+  }
+  template <typename Other>
+  bool On(const Other&, Viewer&) {
+    return false;
+  }
+
+  void Point(double x, double y, Viewer& viewer) {
+    ImGui::GetIO().MousePos = {static_cast<float>(std::floor(x)),
+                               static_cast<float>(std::floor(viewer.Size().height - y))};
+    MakeFrame(viewer);
+  }
+
+  void MakeFrame(Viewer& viewer) {
+    viewer_ = &viewer;
+    if (!sheet_) sheet_ = UseLetters(Scale());
+    if (!std::exchange(is_dressed_, true)) UseLook(look_.theme, Scale());
+    ImGuiIO& io = ImGui::GetIO();
+    io.DisplaySize = {static_cast<float>(viewer.Size().width), static_cast<float>(viewer.Size().height)};
+    io.DeltaTime = std::max(shortest_time, std::exchange(passed_, 0.0F));
+    items_.clear();
+    ImGui::NewFrame();
+    PanelFrame frame(viewer, Scale(), items_);
+    DrawColumn(frame);
+    ImGui::Render();
+    for (const auto& action : frame.Asked()) action(viewer);
+  }
+
+  /// At the right, as high as the drawing.
+  void DrawColumn(PanelFrame& frame) {
+    const ImVec2 all = ImGui::GetIO().DisplaySize;
+    const auto pixels = [&](double units) { return static_cast<float>(std::floor(units * Scale())); };
+    const float widest = std::floor(static_cast<float>(widest_share) * all.x);
+    const float least = std::min(pixels(narrowest), widest);
+    const float usual = std::min(pixels(column_width), std::floor(static_cast<float>(column_share) * all.x));
+    const float width = width_ > 0 ? std::clamp(pixels(width_), least, widest) : usual;
+    ImGui::SetNextWindowPos({all.x, 0}, ImGuiCond_Always, {1, 0});
+    ImGui::SetNextWindowSize({width, all.y}, ImGuiCond_Always);
+    ImGui::SetNextWindowSizeConstraints({least, all.y}, {widest, all.y});
+    constexpr auto flags = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                           ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoFocusOnAppearing;
+    ImGui::Begin("column", nullptr, flags);
+    if (ImGui::GetWindowWidth() != width) width_ = ImGui::GetWindowWidth() / Scale();  // its edge was dragged
+    if (wants_text_) ImGui::LogToBuffer(0);
+    for (std::size_t i = 0; i < panels_.size(); ++i) {
+      if (!panels_[i]->IsOfUse(frame.viewer)) continue;
+      ImGui::PushID(static_cast<int>(i));
+      if (frame.Heading(panel_kinds[i]->title, panel_kinds[i]->is_open_at_first)) panels_[i]->Draw(frame);
+      ImGui::PopID();
+    }
+    if (wants_text_) {
+      text_ = context_->LogBuffer.c_str();
+      ImGui::LogFinish();
+    }
+    ImGui::End();
+  }
+
+  ImGuiContext* const context_;
+  std::vector<std::unique_ptr<Panel>> panels_;
+  std::shared_ptr<const InkSheet> sheet_;  // null when the letters are to be made
+  PanelSettings look_;
+  double screen_ = 1;  // pixels per unit of length
+  bool is_dressed_ = false, wants_text_ = false;
+  double width_ = 0;                // units that the user has dragged it to; 0 before that
+  float passed_ = 0;                // seconds since the last frame
+  Holder holder_ = Holder::nobody;  // who got the press of the buttons that are down
+  Viewer* viewer_ = nullptr;        // of the last frame
+  std::vector<PanelItem> items_;
+  std::string text_, clipboard_;
+};
+
+}  // namespace
+
+std::unique_ptr<Panels> MakePanels() { return std::make_unique<ImGuiPanels>(); }
+
+}  // namespace ray

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "source/view/Event.h"
+#include "source/view/PanelDrawing.h"
+
+namespace ray {
+
+class Viewer;
+
+/// Something in a panel that takes clicks.
+struct PanelItem {
+  std::string name;
+  double x = 0, y = 0;  // its middle, in pixels from the lower left corner of the drawing
+};
+
+enum class PanelTheme { dark, light };
+inline constexpr double smallest_letters = 0.75, largest_letters = 3;  // times the usual: still read, and still useful
+
+/// What a user likes better.
+struct PanelSettings {
+  PanelTheme theme = PanelTheme::dark;
+  double letters = 1;  // their size, in the range above
+  friend bool operator==(const PanelSettings&, const PanelSettings&) = default;
+};
+
+/// What stands in a column beside the picture: facts about the scene and its rays, and what can be chosen. What they
+/// show depends on the events and on the viewer alone, never on how often they are drawn.
+class Panels {
+ public:
+  virtual ~Panels() = default;
+  /// Whether they keep the event from the viewer: of the pointer, where it is over them; of keys, where text is being
+  /// entered. What is asked of the viewer is done before this returns.
+  virtual bool Take(const Event& event, Viewer& viewer) = 0;
+  /// As they are now.
+  virtual std::shared_ptr<const PanelDrawing> Draw(Viewer& viewer) = 0;
+  /// What they say, in lines, hidden by scrolling or not; for scripts.
+  virtual std::string Text(Viewer& viewer) = 0;
+  /// What takes clicks, as last drawn.
+  virtual const std::vector<PanelItem>& Items() const = 0;
+  virtual void SetLook(const PanelSettings& look) = 0;
+  virtual const PanelSettings& Look() const = 0;
+  /// Pixels per unit of length, > 0: 1 on usual screens, 2 on dense ones.
+  virtual void SetScale(double scale) = 0;
+};
+
+/// Null when they are not built in.
+std::unique_ptr<Panels> MakePanels();
+
+}  // namespace ray

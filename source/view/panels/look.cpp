@@ -1,0 +1,30 @@
+#include <imgui.h>
+
+#include "source/view/panels/Panel.h"
+
+// Colors and letters of the panels themselves.
+namespace ray {
+namespace {
+
+class LookPanel : public Panel {
+ public:
+  void Draw(PanelFrame& frame) override {
+    const PanelSettings now = frame.viewer.PanelLook();
+    const auto ask = [&](const PanelSettings& look) { frame.Ask([look](Viewer& v) { v.SetPanelLook(look); }); };
+    for (const auto& [name, theme] : {std::pair{"dark", PanelTheme::dark}, std::pair{"light", PanelTheme::light}}) {
+      if (ImGui::RadioButton(name, now.theme == theme)) ask({theme, now.letters});
+      frame.Note(name);
+      ImGui::SameLine();
+    }
+    constexpr double step = 1.25;
+    if (frame.Button("smaller")) ask({now.theme, now.letters / step});
+    ImGui::SameLine();
+    if (frame.Button("larger")) ask({now.theme, now.letters * step});
+  }
+};
+
+}  // namespace
+
+extern const PanelKind look_panel{"Look", false, [] { return std::unique_ptr<Panel>(new LookPanel); }};
+
+}  // namespace ray

@@ -1,0 +1,113 @@
+#include <imgui.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "source/text/NumberText.h"
+#include "source/view/panels/Brief.h"
+#include "source/view/panels/Tree.h"
+
+// What a pixel shows, and the rays behind it.
+namespace ray {
+namespace {
+
+constexpr int pixel_lines = 16;
+
+/// "sphere, line 16"; nothing for a ray that hits nothing.
+std::string HitBy(const RecordedRay& ray, const World& world) {
+  if (!ray.hit) return {};
+  const Node& node = *world.Instances()[ray.hit->instance].node;
+  const auto recipe = node.shape->MadeFrom();
+  return std::string(recipe ? recipe->kind : "mesh") +
+         (node.location.line > 0 ? ", line " + std::to_string(node.location.line) : "");
+}
+
+std::string LengthOf(const RecordedRay& ray) {
+  const auto end = ray.End();
+  return end ? Brief(Length(*end - ray.ray.At(ray.ray.t_min))) : "endless";
+}
+
+class PixelPanel : public Panel {
+ public:
+  void Draw(PanelFrame& frame) override {
+    if (const auto& pick = frame.viewer.Picked())
+      for (const std::string& line : pick->text) frame.Say(line);
+    const auto& pixel = frame.viewer.Rays().Pixel();
+    if (!pixel) return frame.Say("Right-click a pixel: its rays are listed here.");
+    if (frame.viewer.Picked()) ImGui::Separator();
+    frame.Say("rays of pixel " + std::to_string(pixel->column) + " " + std::to_string(pixel->row) + ": " +
+              Brief(pixel->Mean()));
+    frame.Say("kind, luminance it brings | length, what it hits");
+    Read(frame, *pixel);
+    DrawTree(frame, *pixel);
+    const auto chosen = frame.viewer.Rays().Look().chosen;
+    if (!chosen) return;
+    DrawRay(frame, pixel->rays[*chosen]);
+    frame.Fact("brings", Brief(brought_[*chosen]) + (children_[*chosen].empty() ? "" : " with what it leads to"));
+  }
+
+ private:
+  /// What each ray leads to, and what all of that brings; read again for each trace of a pixel.
+  void Read(const PanelFrame& frame, const PixelTrace& pixel) {
+    const int trace = frame.viewer.Rays().TraceNumber();
+    if (std::exchange(trace_, trace) == trace) return;
+    rays_.Forget();
+    children_.assign(pixel.rays.size(), {});
+    brought_.clear();
+    roots_.clear();
+    for (const RecordedRay& ray : pixel.rays) brought_.push_back(ray.contribution);
+    for (std::size_t i = pixel.rays.size(); i-- > 0;) {
+      const int parent = pixel.rays[i].parent;
+      if (parent == RecordedRay::none) continue;
+      children_[static_cast<std::size_t>(parent)].push_back(i);
+      brought_[static_cast<std::size_t>(parent)] += brought_[i];
+    }
+    for (std::size_t i = 0; i < pixel.rays.size(); ++i) {
+      std::ranges::reverse(children_[i]);
+      if (pixel.rays[i].parent == RecordedRay::none) roots_.push_back(i);
+    }
+    if (roots_.size() == 1) rays_.SetOpen(roots_[0], true);
+  }
+
+  void DrawTree(PanelFrame& frame, const PixelTrace& pixel) {
+    const World& world = frame.viewer.scene().world;
+    const auto text_of = [&](std::size_t i) {
+      const RecordedRay& ray = pixel.rays[i];
+      const std::string hit = HitBy(ray, world);
+      std::string text = ray_kind_names[static_cast<std::size_t>(ray.kind)];
+      text += " " + Rounded(Luminance(brought_[i]), 3) + " | " + LengthOf(ray);
+      if (!hit.empty()) text += (ray.kind == RayKind::shadow ? " blocked by " : " to ") + hit;
+      return text;
+    };
+    const auto chosen = frame.viewer.Rays().Look().chosen;
+    const auto clicked =
+        rays_.Draw(frame, "rays", {roots_, [&](std::size_t i) { return children_[i]; }, text_of}, pixel_lines, chosen);
+    if (!clicked) return;
+    frame.Ask([ray = *clicked, chosen](Viewer& v) { v.ChooseRay(ray == chosen ? std::nullopt : std::optional(ray)); });
+  }
+
+  static void DrawRay(PanelFrame& frame, const RecordedRay& ray) {
+    ImGui::Separator();
+    frame.Fact("from", Brief(ray.ray.origin));
+    frame.Fact("along", Brief(Unit(ray.ray.direction)) + (ray.is_inside ? ", inside" : ""));
+    if (!ray.towards.empty()) frame.Fact("toward", Brief(ray.towards));
+    frame.Fact("length", LengthOf(ray));
+    const std::string hit = HitBy(ray, frame.viewer.scene().world);
+    if (!hit.empty()) frame.Fact(ray.kind == RayKind::shadow ? "blocked" : "hits", hit);
+    if (ray.at) frame.Fact("normal", Brief(AsVector(ray.at->shading_normal)));
+    frame.Fact("passes", Brief(ray.throughput));
+    frame.Fact("adds", Brief(ray.contribution));
+  }
+
+  int trace_ = 0;  // as RayInspector counts, from 1
+  Tree rays_;
+  std::vector<std::size_t> roots_;                  // the rays from the camera
+  std::vector<std::vector<std::size_t>> children_;  // of each ray
+  std::vector<R2::Color> brought_;                  // by each, with all that it leads to
+};
+
+}  // namespace
+
+extern const PanelKind pixel_panel{"Pixel", true, [] { return std::unique_ptr<Panel>(new PixelPanel); }};
+
+}  // namespace ray

@@ -1,0 +1,64 @@
+#include <imgui.h>
+
+#include "source/text/EnumNames.h"
+#include "source/view/live/JobStatus.h"
+#include "source/view/panels/Brief.h"
+#include "source/view/panels/Panel.h"
+
+// How the picture that is rendered is getting on, and what its rays cost.
+namespace ray {
+namespace {
+
+void DrawRays(PanelFrame& frame, const RayCounts& rays) {
+  if (!ImGui::BeginTable("rays", 4)) return;
+  for (const char* title : {"rays of", "number", "boxes", "tests"}) ImGui::TableSetupColumn(title);
+  ImGui::TableHeadersRow();
+  const auto row = [](const std::string& name, std::uint64_t count, const Counts& cost) {
+    if (count == 0) return;
+    const auto per_ray = [&](std::uint64_t number) {
+      return Brief(static_cast<double>(number) / static_cast<double>(count));
+    };
+    for (const std::string& cell :
+         {name, std::to_string(count), per_ray(cost.box_tests + cost.node_visits), per_ray(cost.primitive_tests)}) {
+      ImGui::TableNextColumn();
+      ImGui::TextUnformatted(cell.c_str());
+    }
+  };
+  for (std::size_t kind = 0; kind < rays.kinds.size(); ++kind)
+    row(ray_kind_names[kind], rays.kinds[kind].rays, rays.kinds[kind].cost);
+  row("all", rays.Total(), rays.Cost());
+  ImGui::EndTable();
+  if (rays.cut > 0) frame.Fact("cut", std::to_string(rays.cut) + " rays");
+}
+
+class StatisticsPanel : public Panel {
+ public:
+  void Draw(PanelFrame& frame) override {
+    const World& world = frame.viewer.scene().world;
+    frame.Fact("scene", std::to_string(world.Primitives()) + " primitives, " +
+                            std::to_string(world.Instances().size()) + " instances, " +
+                            std::to_string(world.Nodes().size()) + " nodes");
+    const TracedPictures& pictures = frame.viewer.Pictures();
+    const RenderJob* job = pictures.IsLive() ? pictures.Live() : pictures.Trace();
+    if (!job) return frame.Say("Nothing is rendered yet; P renders live, S an image.");
+    frame.Fact("mode", NameOf(job->Settings().mode));
+    frame.Fact("samples", std::to_string(job->Samples()) + " of " + std::to_string(job->Settings().samples));
+    const double seconds = job->Seconds();
+    frame.Fact("seconds", Brief(seconds));
+    constexpr double million = 1e6;
+    if (seconds > 0) frame.Fact("Mrays/s", Brief(static_cast<double>(job->Rays()) / million / seconds));
+    if (!job->HasEnded()) return frame.Fact("state", "rendering");
+    const RenderResult* result = job->Result();
+    frame.Fact("state", result ? "complete" : "stopped");
+    if (!result) return;
+    if (result->error) frame.Say(ClaimOf(*result));
+    DrawRays(frame, result->rays);
+  }
+};
+
+}  // namespace
+
+extern const PanelKind statistics_panel{"Statistics", false,
+                                        [] { return std::unique_ptr<Panel>(new StatisticsPanel); }};
+
+}  // namespace ray

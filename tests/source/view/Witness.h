@@ -1,0 +1,36 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "source/view/Viewer.h"
+
+namespace ray {
+
+/// Keeps what a viewer asks for.
+class Witness : public ViewerHost {
+ public:
+  std::string SaveTraced(const RenderJob& job) override {
+    traced.push_back(job.Result()->image);
+    traced_settings.push_back(job.Settings());
+    return "saved";
+  }
+  void SaveDrawing() override { ++drawings; }
+  std::string SaveRays(const std::string& obj) override {
+    rays = obj;
+    return "rays";
+  }
+  std::shared_ptr<const R2::Image> ReadPicture(const std::string& file) override {
+    return file == "picture" ? std::make_shared<const R2::Image>(8, 8) : nullptr;
+  }
+  void SetClipboard(const std::string& text) override { clipboard = text; }
+  void Print(const std::string& line) override { printed += line + "\n"; }
+
+  std::vector<R2::Image> traced;
+  std::vector<RenderSettings> traced_settings;
+  int drawings = 0;
+  std::string rays, clipboard, printed;
+};
+
+}  // namespace ray

@@ -1,0 +1,452 @@
+#include "source/view/panels/Panels.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <thread>
+
+#include "source/scene/CameraText.h"
+#include "source/text/NumberText.h"
+#include "source/view/EventScript.h"
+#include "tests/Project.h"
+#include "tests/source/view/Witness.h"
+
+namespace ray {
+namespace {
+
+/// A program with two options.
+class WithOptions : public Witness {
+ public:
+  std::vector<ShownOption> ShownOptions() override {
+    return {{"mode", "light", "what is rendered", mode, "one of two", {"whitted", "path"}, false},
+            {"samples", "light", "per pixel", std::to_string(samples), "1 to 9", {}, false}};
+  }
+  ViewerSettings ChangeOption(const std::string& name, const std::string& value) override {
+    if (name == "mode") mode = value;
+    if (name == "accel") accelerator = value;
+    if (name == "samples" && (value.size() != 1 || value[0] < '1'))
+      throw std::runtime_error("-samples must be 1 to 9, got " + value);
+    if (name == "samples") samples = value[0] - '0';
+    ViewerSettings settings;
+    settings.render.mode = mode == "path" ? RenderMode::path : RenderMode::whitted;
+    settings.render.samples = samples;
+    settings.accelerator.name = accelerator;
+    return settings;
+  }
+  std::string CommandFor(const RenderSettings& settings) override {
+    return "make -samples " + std::to_string(settings.samples);
+  }
+
+  std::string mode = "whitted", accelerator = "auto";
+  int samples = 1;
+};
+
+/// A viewer whose user looks at panels.
+class PanelTest : public ::testing::Test {
+ protected:
+  static constexpr int width = 512, height = 512;
+
+  void Open(const std::filesystem::path& scene) {
+    ViewerSettings settings;
+    settings.scene = scene;
+    settings.render.width = width;
+    settings.render.height = height;
+    viewer_ = std::make_unique<Viewer>(
+        settings, std::make_shared<const LoadedScene>(scene, settings.parse, settings.accelerator), host_);
+  }
+  void SetUp() override { Open(project::Root() / "scenes/hello.scn"); }
+
+  void Do(const std::string& script) {
+    for (const ScriptStep& step : ReadEventScript({"test", script})) {
+      if (const auto* event = std::get_if<Event>(&step)) viewer_->Handle(*event);
+      viewer_->Update();
+      while (std::holds_alternative<WaitForTrace>(step) && viewer_->IsBusy()) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        viewer_->Update();
+      }
+    }
+  }
+  bool HasItem(const std::string& start) { return Find(start).has_value(); }
+  /// The first thing that takes clicks whose name begins so.
+  void Click(const std::string& start, double right_of_middle = 0) {
+    const auto item = Find(start);
+    ASSERT_TRUE(item) << "there is no " << start << " in\n" << viewer_->TextOfPanels();
+    Do("click left " + std::to_string(item->x + right_of_middle) + " " + std::to_string(item->y));
+  }
+  std::optional<PanelItem> Find(const std::string& start) {
+    viewer_->Show();
+    const auto& items = viewer_->ItemsOfPanels();
+    const auto found = std::ranges::find_if(items, [&](const PanelItem& i) { return i.name.starts_with(start); });
+    return found == items.end() ? std::nullopt : std::optional(*found);
+  }
+  bool Says(const std::string& words) { return viewer_->TextOfPanels().find(words) != std::string::npos; }
+
+  WithOptions host_;
+  std::unique_ptr<Viewer> viewer_;
+};
+
+TEST_F(PanelTest, AreHiddenUntilTabShowsThem) {
+  EXPECT_FALSE(viewer_->Show().panels);
+  Do("key Tab");
+  const auto panels = viewer_->Show().panels;
+  ASSERT_TRUE(panels);
+  EXPECT_FALSE(panels->indices.empty());
+  Do("key Tab");
+  EXPECT_FALSE(viewer_->Show().panels);
+}
+
+TEST_F(PanelTest, LeaveHalfOfASmallDrawingToThePicture) {
+  Do("key Tab");
+  const auto panels = viewer_->Show().panels;
+  for (const PanelDrawing::Corner& corner : panels->corners) EXPECT_GE(corner.x, width / 2);
+}
+
+TEST_F(PanelTest, StayInTheDrawingAndOnTheirSheet) {
+  for (const char* size : {"512 512", "1280 800", "1024 1024 2", "64 48", "1 1"}) {
+    Do(std::string("resize ") + size);
+    if (!viewer_->ShowsPanels()) Do("key Tab");
+    const auto panels = viewer_->Show().panels;
+    const DrawingSize drawing = viewer_->Size();
+    for (const PanelDrawing::Part& part : panels->parts) {
+      EXPECT_TRUE(part.left >= 0 && part.top >= 0 && part.right <= drawing.width && part.bottom <= drawing.height)
+          << size;
+      ASSERT_LE(part.first + part.count, panels->indices.size());
+    }
+    for (const std::uint32_t index : panels->indices) ASSERT_LT(index, panels->corners.size());
+    for (const PanelDrawing::Corner& corner : panels->corners)
+      EXPECT_TRUE(corner.u >= 0 && corner.u <= 1 && corner.v >= 0 && corner.v <= 1);
+  }
+}
+
+TEST_F(PanelTest, HaveLargerLettersOnDenserScreens) {
+  Do("key Tab");
+  const int once = viewer_->Show().panels->sheet->width * viewer_->Show().panels->sheet->height;
+  Do("resize 1024 1024 2");
+  EXPECT_GT(viewer_->Show().panels->sheet->width * viewer_->Show().panels->sheet->height, once);
+}
+
+TEST_F(PanelTest, HaveMessagesAsLargeAsTheirLetters) {
+  EXPECT_EQ(viewer_->Show().letter_size, 1);
+  Do("resize 1024 1024 2");
+  EXPECT_EQ(viewer_->Show().letter_size, 2);
+}
+
+TEST_F(PanelTest, AreAsWideAsTheirEdgeIsDragged) {
+  const auto left_edge = [&] {
+    float edge = width;
+    const auto panels = viewer_->Show().panels;
+    for (const PanelDrawing::Corner& corner : panels->corners) edge = std::min(edge, corner.x);
+    return edge;
+  };
+  Do("key Tab");
+  const float before = left_edge();
+  const std::string y = " 20", from = std::to_string(before + 1) + y;
+  Do("drag left " + from + " " + std::to_string(before - 99) + y);
+  EXPECT_NEAR(left_edge(), before - 100, 2);
+  Do("resize 256 512");
+  EXPECT_GT(left_edge(), 0) << "some of a small picture can still be clicked";
+}
+
+TEST_F(PanelTest, ANodeThatIsClickedIsToldAndBoxed) {
+  Do("key Tab");
+  const std::size_t lines = viewer_->Show().lines->size();
+  Click("cone, line 18");
+  ASSERT_TRUE(viewer_->ChosenNode());
+  EXPECT_EQ(viewer_->scene().world.Nodes()[*viewer_->ChosenNode()].node->location.line, 18);
+  EXPECT_TRUE(Says("hello.scn:18")) << viewer_->TextOfPanels();
+  EXPECT_EQ(viewer_->Show().lines->size(), lines + 2 * 12) << "a box has twelve edges";
+  Click("deselect");
+  EXPECT_FALSE(viewer_->ChosenNode());
+}
+
+TEST_F(PanelTest, TheChosenNodeCanBeFramed) {
+  Do("key Tab");
+  Click("cylinder");
+  const std::string before = CameraLine(viewer_->navigator().camera());
+  Click("frame");
+  EXPECT_NE(CameraLine(viewer_->navigator().camera()), before);
+}
+
+TEST_F(PanelTest, AGroupOpensByItsArrow) {
+  Do("key Tab");
+  EXPECT_FALSE(HasItem("mesh of"));
+  const auto group = Find("group of 1");
+  ASSERT_TRUE(group);
+  Do("click left 306 " + std::to_string(group->y));
+  EXPECT_TRUE(HasItem("mesh of")) << viewer_->TextOfPanels();
+}
+
+TEST_F(PanelTest, WhatIsPickedInThePictureIsChosenInTheTree) {
+  Do("key Tab\nclick left 200 250");
+  ASSERT_TRUE(viewer_->Picked() && viewer_->Picked()->point);
+  ASSERT_TRUE(viewer_->ChosenNode());
+  EXPECT_EQ(viewer_->scene().world.Nodes()[*viewer_->ChosenNode()].instance,
+            static_cast<std::int32_t>(viewer_->Picked()->instance));
+}
+
+TEST_F(PanelTest, KeepTheirClicksDragsAndScrollsFromThePicture) {
+  Do("key Tab");
+  const std::string before = CameraLine(viewer_->navigator().camera());
+  Do("click left 400 100\nclick right 400 100\ndrag left 400 100 100 300\nscroll 3 400 100");
+  EXPECT_EQ(CameraLine(viewer_->navigator().camera()), before);
+  EXPECT_FALSE(viewer_->Picked());
+  EXPECT_FALSE(viewer_->Rays().Pixel());
+}
+
+TEST_F(PanelTest, ADragThatBeganInThePictureMayEndOverThem) {
+  Do("key Tab\ndrag left 100 100 400 100\ndrag left 100 100 400 100");
+  EXPECT_FALSE(viewer_->navigator().IsDragging());
+  const std::string turned = CameraLine(viewer_->navigator().camera());
+  Open(project::Root() / "scenes/hello.scn");
+  Do("drag left 100 100 400 100\ndrag left 100 100 400 100");
+  EXPECT_EQ(CameraLine(viewer_->navigator().camera()), turned) << "as without panels";
+}
+
+TEST_F(PanelTest, RaysOfAPixelAreListedWithWhatTheyBring) {
+  Do("key Tab\nclick right 200 250");
+  const PixelTrace& pixel = *viewer_->Rays().Pixel();
+  ASSERT_EQ(pixel.samples.size(), 1u);
+  const auto root = Find("camera ");
+  ASSERT_TRUE(root) << viewer_->TextOfPanels();
+  EXPECT_NE(root->name.find("sphere, line 16"), std::string::npos) << root->name;
+  // The rays of a sample add up to it.
+  Click("camera ");
+  const std::string text = viewer_->TextOfPanels();
+  ASSERT_NE(text.find("brings "), std::string::npos) << text;
+  std::istringstream sum(text.substr(text.rfind("brings ") + 7));
+  R2::Color brought;
+  sum >> brought.r >> brought.g >> brought.b;
+  EXPECT_NEAR(brought.r, pixel.Mean().r, 1e-3);
+  EXPECT_NEAR(brought.g, pixel.Mean().g, 1e-3);
+  EXPECT_NEAR(brought.b, pixel.Mean().b, 1e-3);
+  EXPECT_TRUE(HasItem("shadow ")) << "its children are listed at once";
+}
+
+TEST_F(PanelTest, AChosenRayIsLitUpUntilItIsClickedAgain) {
+  Do("key Tab\nclick right 200 250");
+  EXPECT_FALSE(viewer_->Show().lit);
+  Click("reflection ");
+  const auto chosen = viewer_->Rays().Look().chosen;
+  ASSERT_TRUE(chosen);
+  EXPECT_EQ(viewer_->Rays().Pixel()->rays[*chosen].kind, RayKind::reflection);
+  const FrameState shown = viewer_->Show();
+  ASSERT_TRUE(shown.lit);
+  const DrawingSpace space = DrawingSpace::Of(viewer_->scene().parsed.scene.root.bounds);
+  const R3::Ray& ray = viewer_->Rays().Pixel()->rays[*chosen].ray;
+  EXPECT_EQ(shown.lit->front().at, space.At(ray.At(ray.t_min)));
+  EXPECT_TRUE(Says("along ")) << viewer_->TextOfPanels();
+  Do("tick 1");  // else it would be a double click
+  Click("reflection ");
+  EXPECT_FALSE(viewer_->Rays().Look().chosen);
+}
+
+TEST_F(PanelTest, AnotherPixelHasNoChosenRay) {
+  Do("key Tab\nclick right 200 250");
+  Click("reflection ");
+  Do("key Right");
+  EXPECT_FALSE(viewer_->Rays().Look().chosen);
+  EXPECT_FALSE(viewer_->Show().lit);
+}
+
+TEST_F(PanelTest, AnOptionIsChosenFromAListOfItsValues) {
+  Do("resize 800 800\nkey Tab");
+  Click("Scene");
+  Click("Settings");
+  Click("light");
+  Click("-mode");
+  Click("path");
+  EXPECT_EQ(host_.mode, "path");
+  EXPECT_EQ(viewer_->SettingsOfView().mode, RenderMode::path);
+}
+
+TEST_F(PanelTest, AnOptionIsTypedAndThePictureStartsOver) {
+  Open(project::Root() / "scenes/sphere.scn");
+  Do("resize 800 800\nkey Tab\nkey P\nwait trace");
+  Click("Scene");
+  Click("Settings");
+  Click("light");
+  Click("-samples");
+  const std::uint64_t before = viewer_->Pictures().LiveNumber();
+  Do("key Control+A\ntype 4");
+  EXPECT_EQ(host_.samples, 1) << "until Enter";
+  Do("key Enter\nwait trace");
+  EXPECT_EQ(host_.samples, 4);
+  EXPECT_EQ(viewer_->SettingsOfView().samples, 4);
+  EXPECT_GT(viewer_->Pictures().LiveNumber(), before);
+  EXPECT_TRUE(Says("make -samples 4")) << viewer_->TextOfPanels();
+}
+
+TEST_F(PanelTest, AWrongValueIsRefusedAndTold) {
+  Do("resize 800 800\nkey Tab");
+  Click("Scene");
+  Click("Settings");
+  Click("light");
+  Click("-samples");
+  Do("key Control+A\ntype many\nkey Enter");
+  EXPECT_EQ(viewer_->SettingsOfView().samples, 1);
+  EXPECT_TRUE(Says("-samples must be 1 to 9, got many")) << viewer_->TextOfPanels();
+}
+
+TEST_F(PanelTest, KeysThatAreTypedIntoAFieldDoNothingElse) {
+  Do("resize 800 800\nkey Tab");
+  Click("Scene");
+  Click("Settings");
+  Click("light");
+  Click("-samples");
+  const FrameState before = viewer_->Show();
+  Do("key E\ntype e\nkey Escape");
+  EXPECT_FALSE(viewer_->Show().shows_edges);
+  EXPECT_EQ(host_.samples, 1);
+  Do("key E");
+  EXPECT_TRUE(viewer_->Show().shows_edges) << "Escape gave the keys back";
+}
+
+TEST_F(PanelTest, KeysAreTheViewersAgainRightAfterEnter) {
+  Do("resize 800 800\nkey Tab");
+  Click("Scene");
+  Click("Settings");
+  Click("light");
+  Click("-samples");
+  Do("key Control+A\ntype 2\nkey Enter\nkey E");
+  EXPECT_EQ(host_.samples, 2);
+  EXPECT_TRUE(viewer_->Show().shows_edges);
+}
+
+TEST_F(PanelTest, OptionsStayWhileTheImageIsRendered) {
+  Do("resize 800 800\nkey Tab");
+  Click("Scene");
+  Click("Settings");
+  Click("light");
+  viewer_->Handle(KeyEvent{Key::s, {}, true});
+  Click("-mode");
+  Click("path");
+  EXPECT_EQ(host_.mode, "whitted");
+  EXPECT_FALSE(viewer_->OptionProblem().empty());
+}
+
+TEST_F(PanelTest, TheCommandIsCopied) {
+  Do("resize 800 800\nkey Tab");
+  Click("Scene");
+  Click("Settings");
+  Click("copy the command");
+  EXPECT_EQ(host_.clipboard, "make -samples 1\n");
+}
+
+TEST_F(PanelTest, ALayerIsChosenAndItsNumbersAreThoseOfThePicture) {
+  Open(project::Root() / "scenes/sphere.scn");
+  Do("resize 256 256\nkey Tab");
+  Click("Scene");
+  Click("Pixel");
+  Click("Layers");
+  Click("live");
+  Click("depth");
+  Do("wait trace\nmove 64 128");
+  const RenderJob* job = viewer_->Pictures().Live();
+  ASSERT_TRUE(job);
+  EXPECT_EQ(job->Settings().mode, RenderMode::depth);
+  const R2::Image picture = Render(viewer_->scene().world, *viewer_->scene().accelerator, job->Settings()).image;
+  float nearest = 1e9F, farthest = 0;
+  for (const float depth : picture.Channels())
+    if (depth > 0) nearest = std::min(nearest, depth), farthest = std::max(farthest, depth);
+  const std::string bar =
+      Rounded(nearest, 4) + " " + Rounded((nearest + farthest) / 2.0, 4) + " " + Rounded(farthest, 4);
+  EXPECT_TRUE(Says(bar)) << bar << "\n" << viewer_->TextOfPanels();
+  EXPECT_TRUE(Says("pixel 64 128")) << viewer_->TextOfPanels();
+  EXPECT_TRUE(Says("value " + Rounded(picture.At(64, 128).r, 4))) << viewer_->TextOfPanels();
+  Click("live");
+  Click("off");
+  EXPECT_FALSE(viewer_->Pictures().IsLive());
+}
+
+TEST_F(PanelTest, StatisticsAreThoseOfTheRender) {
+  Open(project::Root() / "scenes/sphere.scn");
+  Do("resize 256 256\nkey Tab");
+  Click("Scene");
+  Click("Pixel");
+  Click("Statistics");
+  EXPECT_TRUE(Says("Nothing is rendered yet"));
+  Do("key P\nwait trace");
+  const RenderResult& result = *viewer_->Pictures().Live()->Result();
+  EXPECT_TRUE(Says("camera | " + std::to_string(result.rays[RayKind::camera].rays))) << viewer_->TextOfPanels();
+  EXPECT_TRUE(Says("all | " + std::to_string(result.rays.Total()))) << viewer_->TextOfPanels();
+}
+
+TEST_F(PanelTest, AcceleratorsAreComparedAndOneIsTaken) {
+  Do("resize 800 800\nkey Tab");
+  Click("Scene");
+  Click("Pixel");
+  Click("Accelerators");
+  EXPECT_FALSE(HasItem("octree"));
+  Click("compare all");
+  for (const AcceleratorKind* kind : AcceleratorKinds())
+    EXPECT_EQ(HasItem(kind->name), std::string(kind->name) != "auto") << kind->name;
+  Click("octree");
+  EXPECT_EQ(host_.accelerator, "octree");
+  EXPECT_EQ(viewer_->scene().accelerator->kind, "octree");
+}
+
+TEST_F(PanelTest, MistakesOfAnEditedSceneAreShownWithTheirPlaces) {
+  const auto file = std::filesystem::temp_directory_path() / ("panels-" + std::to_string(getpid()) + ".scn");
+  const auto write = [&](const std::string& text) { std::ofstream(file) << text; };
+  write("sphere -1  0 0 0  1\n");
+  Open(file);
+  Do("key Tab");
+  EXPECT_FALSE(HasItem("Errors"));
+  write("sphere -1  0 0 0  1\nspere -1  0 0 0  1\n");
+  Do("key Control+R");
+  EXPECT_TRUE(HasItem("Errors"));
+  const std::string text = viewer_->TextOfPanels();
+  EXPECT_NE(text.find(file.string() + ":2:1"), std::string::npos) << text;
+  EXPECT_NE(text.find("2 | spere -1  0 0 0  1\n    ^~~~~"), std::string::npos) << text;
+  EXPECT_NE(text.find("did you mean 'sphere'"), std::string::npos) << text;
+  write("sphere -1  0 0 0  2\n");
+  Do("key Control+R");
+  EXPECT_FALSE(HasItem("Errors"));
+  std::filesystem::remove(file);
+}
+
+TEST_F(PanelTest, HaveALightThemeAndLargerLetters) {
+  Do("resize 512 1024\nkey Tab");
+  Click("Scene");
+  Click("Look");
+  const auto before = viewer_->Show().panels;
+  Click("light");
+  const auto light = viewer_->Show().panels;
+  const auto brightness = [](const PanelDrawing& panels) { return panels.corners.front().color[0]; };
+  EXPECT_GT(brightness(*light), brightness(*before));
+  Click("larger");
+  EXPECT_EQ(viewer_->PanelLook(), (PanelSettings{PanelTheme::light, 1.25}));
+  EXPECT_NE(viewer_->Show().panels->sheet, light->sheet);
+  for (int i = 0; i < 20; ++i) Click("smaller");
+  EXPECT_EQ(viewer_->PanelLook().letters, smallest_letters);
+}
+
+TEST_F(PanelTest, TheHelpIsSearched) {
+  Do("resize 800 800\nkey Tab");
+  Click("Scene");
+  Click("Help");
+  const std::string all = viewer_->TextOfPanels();
+  for (const HelpRow& row : Viewer::HelpRows())
+    EXPECT_NE(all.find(row.text.substr(0, 20)), std::string::npos) << row.text;
+  Click("search");
+  Do("type EXPOS");
+  EXPECT_TRUE(Says("reset the exposure")) << viewer_->TextOfPanels();
+  EXPECT_FALSE(Says("bookmark")) << viewer_->TextOfPanels();
+}
+
+TEST_F(PanelTest, AnotherSceneIsAnotherTree) {
+  Do("key Tab");
+  Click("cone, line 18");
+  Do("drop " + (project::Root() / "scenes/torus.scn").string());
+  EXPECT_FALSE(viewer_->ChosenNode());
+  EXPECT_FALSE(HasItem("cone"));
+  EXPECT_TRUE(HasItem("torus")) << viewer_->TextOfPanels();
+}
+
+}  // namespace
+}  // namespace ray
