@@ -12,8 +12,12 @@ namespace {
 // What the keys beneath a surface are for. Lights follow, one each.
 enum PathKey : std::uint64_t { bounce_key, scatter_key, next_event_key };
 
-// Russian roulette begins after so many bounces: what it would save before is not worth its noise.
+// Russian roulette begins after so many bounces, and with paths that carry less than this: what it would save before is
+// not worth its noise. With 1 instead of a quarter, paths of 16 samples a pixel are 1.2 to 1.8 times less efficient
+// (1 / (relative squared error times seconds)) on five scenes, closed rooms and open ones; with an eighth, or none at
+// all, closed rooms are.
 constexpr std::int64_t first_bounce_at_risk = 2;
+constexpr double least_certain_throughput = 0.25;
 
 }  // namespace
 
@@ -25,7 +29,7 @@ Path::Path(const World& world, const Accelerator& accelerator, const TraceSettin
       has_roulette_(settings.roulette != Roulette::off),
       samples_lights_(settings.strategy != LightStrategy::bsdf),
       samples_bsdf_(settings.strategy == LightStrategy::mis || settings.strategy == LightStrategy::bsdf),
-      lights_at_once_(settings.lights < 0 ? 1 : settings.lights) {
+      lights_at_once_(LightsChosenByPath(settings, lights_.Count())) {
   settings_.max_depth = std::min<std::int64_t>(settings_.max_depth, most_bounces);
 }
 
@@ -93,7 +97,7 @@ R2::Color Path::IndirectLight(ShadingPoint&& p, TraceState& state) const {
 
 double Path::SurvivalProbability(const ShadingPoint& p, const R2::Color& throughput) const {
   if (!has_roulette_ || p.path.depth + 1 < first_bounce_at_risk) return 1;
-  return std::min(1.0, std::max({throughput.r, throughput.g, throughput.b}));
+  return std::min(1.0, std::max({throughput.r, throughput.g, throughput.b}) / least_certain_throughput);
 }
 
 R2::Color Path::DirectLight(const ShadingPoint& p, const Bsdf& bsdf, TraceState& state) const {

@@ -40,7 +40,7 @@ struct TraceSettings {
   bool glossy = false;                 // reflections are spread over the Phong lobe, not only along its axis
   bool emissive_solids_light = false;  // in mode whitted as triangles do; in mode path all that emits is a light
   bool fresnel = false;  // clear surfaces reflect by Fresnel's equations, and all of what they cannot let through
-  int lights = -1;       // chosen at each point by importance; 0: every light; -1: whitted all, path one
+  int lights = -1;       // chosen at each point by importance; 0: every light; -1: see LightsChosenByPath, whitted all
   Roulette roulette = Roulette::automatic;
   LightStrategy strategy = LightStrategy::mis;
   SamplerKind sampler = SamplerKind::sobol;
@@ -48,6 +48,15 @@ struct TraceSettings {
   GoochTones gooch;
   std::uint32_t samples = 1;  // camera rays per pixel, as far as known; stratified points are laid out for it
 };
+
+/// In mode path: of `count` lights, how many each point chooses by importance, or 0 where it samples them all. Of two
+/// to four lights, sampling all is 1.2 to 1.6 times as efficient (1 / (relative squared error times seconds)) as
+/// choosing one, of eight as efficient, and of sixty-four four times less.
+constexpr int LightsChosenByPath(const TraceSettings& settings, int count) {
+  constexpr int few = 4;
+  if (settings.lights >= 0) return settings.lights;
+  return count <= few && settings.strategy != LightStrategy::uniform ? 0 : 1;
+}
 
 /// Hard limits that keep mirrors facing each other, at any max_depth, from running forever. Rays beyond are counted as
 /// cut.

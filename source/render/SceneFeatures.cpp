@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <limits>
 #include <utility>
 
 #include "source/text/EnumNames.h"
@@ -51,8 +52,11 @@ SceneFeatures FeaturesOf(const World& world, const RenderSettings& settings) {
     features.absorbing |= !IsBlack(m.absorb);
     features.textures |= m.texture != nullptr;
   }
+  const bool is_path = settings.mode == RenderMode::path;
+  if (is_path && features.environment) ++lights;
+  const int most = static_cast<int>(std::min<std::size_t>(lights, std::numeric_limits<int>::max()));
   features.choice_of_lights =
-      lights > 1 && (settings.trace.lights > 0 || (settings.mode == RenderMode::path && settings.trace.lights < 0));
+      lights > 1 && (is_path ? LightsChosenByPath(settings.trace, most) > 0 : settings.trace.lights > 0);
   return features;
 }
 

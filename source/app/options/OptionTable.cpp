@@ -190,7 +190,7 @@ std::vector<OptionKind> MakeTable() {
        "shadow rays per light", "light", "shadow rays to each light that has an area"},
       {"lights", both, {}, {"all|one|n"}, WordOf<ReadLightCount, ShowLightCount>(AT(render.trace.lights),
         "all, one, auto or a whole number above 0"), "", "light",
-       "lights sampled at each point, by importance (auto: whitted all, path one)"},
+       "lights sampled at each point, by importance (auto: all; path, of more than 4, one)"},
       {"glossy", both, {}, {}, Flag{AT(render.trace.glossy)}, "", "light",
        "sample glossy reflections from the Phong lobe"},
       {"fresnel", both, {}, {}, Flag{AT(render.trace.fresnel)}, "", "light",

@@ -43,11 +43,11 @@ bool IsWhitted(const Options& options) { return options.render.mode == RenderMod
 /// Those that change noise and time, and on average nothing else.
 std::vector<Knob> KnobsOfNoise(const World& world, const SceneFeatures& has, const Options& options) {
   const TraceSettings& trace = options.render.trace;
-  const bool is_path = options.render.mode == RenderMode::path, takes_all = IsWhitted(options) && trace.lights <= 0;
+  const bool is_path = options.render.mode == RenderMode::path, takes_all = !has.choice_of_lights;
   return {
       {{"shadow_samples", "1"}, IsWhitted(options) && has.area_lights && trace.shadow_samples > 1},
       {{"shadow_samples", "4"}, IsWhitted(options) && has.area_lights && trace.shadow_samples == 1},
-      {{"lights", "one"}, takes_all && world.scene().lights.size() > 1},
+      {{"lights", "one"}, takes_all && (is_path || IsWhitted(options)) && world.scene().lights.size() > 1},
       {{"lights", "all"}, has.choice_of_lights},
       {{"sampler", "sobol"}, trace.sampler != SamplerKind::sobol},
       {{"strategy", "mis"}, is_path && trace.strategy != LightStrategy::mis},

@@ -32,8 +32,12 @@ TEST(Advice, OnlyKnobsThatTheSceneHasAreTried) {
   EXPECT_TRUE(Has(soft, "\n-shadow_samples 1 ")) << soft;
   EXPECT_FALSE(Has(soft, "-lights") || Has(soft, "-max_depth") || Has(soft, "-strategy")) << soft;
   const std::string path = AdviceOn(soft_light + soft_light + ball, {"mode", "path", "strategy", "light"});
-  EXPECT_TRUE(Has(path, "\n-lights all ") && Has(path, "\n-strategy mis ") && Has(path, "\n-max_depth 6 ")) << path;
+  EXPECT_TRUE(Has(path, "\n-lights one ") && Has(path, "\n-strategy mis ") && Has(path, "\n-max_depth 6 ")) << path;
   EXPECT_FALSE(Has(path, "-shadow_samples") || Has(path, "-min_luminance")) << path;
+  std::string lights;
+  for (int i = 0; i < 5; ++i) lights += soft_light;
+  const std::string many = AdviceOn(lights + ball, {"mode", "path"});
+  EXPECT_TRUE(Has(many, "\n-lights all ")) << many;
 }
 
 TEST(Advice, LightThatDepthCutsAwayIsTold) {
