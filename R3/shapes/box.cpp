@@ -81,7 +81,7 @@ class BoxShape : public Shape {
     const auto leaves = [&](int axis) {
       return IsLeavingSlab(box_.low[axis], box_.high[axis], ray.origin[axis], ray.direction[axis]);
     };
-    return (leaves(0) | leaves(1) | leaves(2)) & (ray.t_min >= 0);
+    return leaves(0) + leaves(1) + leaves(2) > 0 && ray.t_min >= 0;  // a sum, so that it is one branch
   }
 
   /// The place on a face with these coordinates along the other axes.

@@ -80,9 +80,9 @@ class Cylinder : public Shape {
   /// As most rays do that begin on the surface.
   bool IsLeaving(const Ray& ray) const {
     const Vector from_axis{ray.origin.x - center_.x, 0, ray.origin.z - center_.z};
-    return (IsLeavingSlab(low_, high_, ray.origin.y, ray.direction.y) |
-            IsCertainlyLeaving(from_axis, {ray.direction.x, 0, ray.direction.z}, radius_)) &
-           (ray.t_min >= 0);
+    return (IsLeavingSlab(low_, high_, ray.origin.y, ray.direction.y) ||
+            IsCertainlyLeaving(from_axis, {ray.direction.x, 0, ray.direction.z}, radius_)) &&
+           ray.t_min >= 0;
   }
 
   Intersection OnSide(const Vector& outward, double y) const {
