@@ -15,6 +15,7 @@ import math
 import os
 import platform
 import resource
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -76,7 +77,7 @@ class Scene:
         self.mesh_file(path, color)
 
     def mesh_file(self, path, color):
-        self.lines.append("mesh %d %s" % (self._material(color, (0, 0, 0)), path))
+        self.lines.append("mesh %d %s" % (self._material(color, (0, 0, 0)), path.name))
         self._add({"type": "obj", "filename": str(path), "face_normals": True, **self._surface(list(color), [0, 0, 0])})
 
     def quad(self, a, b, c, d, color):
@@ -154,7 +155,7 @@ def scan(folder, path):
     eye = [middle[0] + 0.3 * size, middle[1] + 0.5 * size, middle[2] + 2.2 * size]
     s = Scene(folder, "scan", eye, middle, 0.3)
     if path:
-        s.mesh_file(os.path.abspath(path), (0.6, 0.5, 0.4))
+        s.mesh_file(Path(shutil.copy(path, folder)), (0.6, 0.5, 0.4))
     else:
         s.mesh(*bumpy_ball(), (0.6, 0.5, 0.4))
     r = 10 * size
