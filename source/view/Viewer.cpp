@@ -87,7 +87,11 @@ void Viewer::ShowMessage(const std::string& message) {
 void Viewer::Handle(const Event& event) {
   if (shows_panels_) {
     needs_redraw_ |= !std::holds_alternative<TickEvent>(event);
-    if (panels_->Take(event, *this)) return;
+    const bool is_taken = panels_->Take(event, *this);
+    const auto* button = std::get_if<ButtonEvent>(&event);
+    // Whatever panels came up since the press: a drag that nobody ends would go on for ever.
+    const bool ends_press = button && !button->is_pressed && press_ && press_->button == button->button;
+    if (is_taken && !ends_press) return;
   }
   std::visit([this](const auto& e) { On(e); }, event);
 }

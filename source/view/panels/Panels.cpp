@@ -94,6 +94,16 @@ class ImGuiPanels : public Panels {
     return std::visit([&](const auto& e) { return On(e, viewer); }, event);
   }
 
+  void LetGo() override {
+    Use();
+    ImGuiIO& io = ImGui::GetIO();
+    std::ranges::fill(io.KeysDown, false);
+    std::ranges::fill(io.MouseDown, false);
+    io.MousePos = {nowhere, nowhere};
+    ImGui::ClearActiveID();
+    holder_ = Holder::nobody;
+  }
+
   std::shared_ptr<const PanelDrawing> Draw(Viewer& viewer) override {
     Use();
     // Twice: what an event has changed may need another frame to find its size.

@@ -16,29 +16,12 @@
 #include "source/view/live/JobStatus.h"
 #include "source/view/overlay/SceneLines.h"
 #include "tests/Project.h"
+#include "tests/source/view/CopiedScenes.h"
 #include "tests/source/view/Witness.h"
 #include "tests/source/view/overlay/NodeCounts.h"
 
 namespace ray {
 namespace {
-
-/// The sample scenes in a folder of their own, to be written to.
-class CopiedScenes {
- public:
-  CopiedScenes() {
-    std::string name = (std::filesystem::temp_directory_path() / "rayview-test-XXXXXX").string();
-    folder_ = mkdtemp(name.data());
-    for (const char* part : {"hello.scn", "meshes", "textures"})
-      std::filesystem::copy(project::Root() / "scenes" / part, folder_ / part,
-                            std::filesystem::copy_options::recursive);
-  }
-  ~CopiedScenes() { std::filesystem::remove_all(folder_); }
-  CopiedScenes(const CopiedScenes&) = delete;
-  std::filesystem::path operator/(const char* name) const { return folder_ / name; }
-
- private:
-  std::filesystem::path folder_;
-};
 
 /// A viewer whose user types.
 class ViewerTest : public testing::Test {
