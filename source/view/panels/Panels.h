@@ -37,6 +37,8 @@ class Panels {
   virtual bool Take(const Event& event, Viewer& viewer) = 0;
   /// Keys and buttons are let go, and text is not entered any more: they are hidden, and will not be told.
   virtual void LetGo() = 0;
+  /// Of the column, in pixels, when it is next drawn.
+  virtual double Width(const Viewer& viewer) const = 0;
   /// As they are now.
   virtual std::shared_ptr<const PanelDrawing> Draw(Viewer& viewer) = 0;
   /// What they say, in lines, hidden by scrolling or not; for scripts.

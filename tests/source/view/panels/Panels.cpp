@@ -412,6 +412,14 @@ TEST_F(PanelTest, TheHelpIsSearched) {
   EXPECT_FALSE(Says("bookmark")) << viewer_->TextOfPanels();
 }
 
+TEST_F(PanelTest, LeaveTheCutBesideThem) {
+  Do("resize 1000 600\nkey X\nkey Tab");
+  const FrameState shown = viewer_->Show();
+  for (const PanelDrawing::Corner& corner : shown.panels->corners)
+    EXPECT_GE(corner.x, shown.view.width + shown.section_size.width);
+  EXPECT_NEAR(shown.view.width, shown.section_size.width, 1);
+}
+
 // The press went to the picture and its release to panels that had come up meanwhile: the view kept flying, and S with
 // it.
 TEST_F(PanelTest, ADragThatPanelsComeUpInStillEnds) {
