@@ -8,16 +8,12 @@
 #include "source/view/Drawing.h"
 #include "source/view/PanelDrawing.h"
 #include "source/view/camera/CameraMoves.h"
+#include "source/view/camera/FlatView.h"
 #include "source/view/live/Frame.h"
 #include "source/view/preview/PreviewView.h"
 #include "source/view/preview/ScenePicture.h"
 
 namespace ray {
-
-/// A rectangle of pixels, from the lower left corner.
-struct PixelBox {
-  double left = 0, bottom = 0, width = 1, height = 1;
-};
 
 /// All that a viewer shows at a moment; knows nothing of OpenGL. Lists are shared and never changed once they are
 /// shown: the same pointer is the same list.
@@ -45,6 +41,8 @@ struct FrameState {
   std::shared_ptr<const Lines> marks;  // likewise, made anew for each view
   std::shared_ptr<const Lines> lit;    // likewise, in wide lines; null for none
   std::optional<Picture> quad, picture;
+  int split = -1;                        // the column from which on `beside` is seen instead of `picture`; -1 for none
+  std::optional<Picture> beside;         // an image; without one it is the preview, drawn at the place of the picture
   DrawingSize section_size;              // of the part to the right of that, with the cross section
   std::shared_ptr<const Lines> section;  // in the square from -1 to 1, which is that part; null for none
   int letter_size = 1;                   // whole multiple of the letters of labels

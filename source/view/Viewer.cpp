@@ -129,7 +129,9 @@ void Viewer::On(const ButtonEvent& event) {
     if (press_) return;  // a second button while one is held
     press_ = Press{event.button, {event.x, event.y}};
     press_->on_section = IsOnSection(press_->at);
-    if (press_->on_section) return;
+    press_->moves_flat = FlatJob() && !press_->on_section;
+    press_->moves_slider = press_->moves_flat && TakesSlider(event);
+    if (press_->on_section || press_->moves_flat) return;
     navigator_.BeginDrag(event, PointFinder());
     return;
   }
@@ -143,11 +145,13 @@ void Viewer::On(const ButtonEvent& event) {
 
 void Viewer::On(const MoveEvent& event) {
   needs_redraw_ |= IsOnSection(pointer_) || IsOnSection({event.x, event.y});
-  pointer_ = {event.x, event.y};
+  const R2::Point last = std::exchange(pointer_, {event.x, event.y});
   if (!press_ || press_->on_section) return;
   const bool has_gone = R1::Hypot(event.x - press_->at.x, event.y - press_->at.y) > click_reach;
   press_->is_click = press_->is_click && !has_gone;
-  if (!press_->is_click) navigator_.DragTo({event.x, event.y});
+  if (press_->is_click) return;
+  if (press_->moves_flat) return DragFlat(last, pointer_);
+  navigator_.DragTo({event.x, event.y});
 }
 
 void Viewer::OnClick(const ButtonEvent& event) {
@@ -158,7 +162,7 @@ void Viewer::OnClick(const ButtonEvent& event) {
   const bool is_second = last_click_ >= 0 && now_ - last_click_ <= double_click_time && is_near;
   last_click_ = is_second ? -1 : now_;
   last_click_at_ = position;
-  if (is_second) {
+  if (is_second && !FlatJob()) {
     navigator_.SetPivot(PointAt(position));
     ShowMessage(navigator_.Pivot() ? "pivot set" : "pivot reset to the center of the scene");
     return InvalidateLines();
@@ -167,7 +171,7 @@ void Viewer::OnClick(const ButtonEvent& event) {
 }
 
 void Viewer::PickAt(const R2::Point& position) {
-  const RenderSettings settings = SettingsOfView();
+  const RenderSettings settings = SettingsOfPicture();
   if (position.x < 0 || position.y < 0 || position.x >= settings.width || position.y >= settings.height) return;
   pick_ = PickPixel(scene_->world, *scene_->accelerator, settings, static_cast<int>(position.x),
                     static_cast<int>(position.y));
@@ -181,6 +185,7 @@ void Viewer::PickAt(const R2::Point& position) {
 
 void Viewer::On(const ScrollEvent& event) {
   if (IsOnSection({event.x, event.y}) && !press_) return MoveSection(event.steps < 0 ? -1 : 1);
+  if (FlatJob()) return ZoomFlat(event);
   navigator_.Scroll(event, PointFinder());
 }
 
@@ -288,6 +293,7 @@ void Viewer::Open(const std::string& file) {
     settings_.scene = file;
     bookmarks_ = Bookmarks(file);
     pictures_.ForgetTrace();
+    flat_.Hide();
     TakeScene(std::move(scene));
     navigator_.SetPivot({});
     navigator_.Go(scene_->parsed.scene.camera);

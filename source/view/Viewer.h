@@ -156,8 +156,10 @@ class Viewer {
   struct Press {
     Button button;
     R2::Point at;
-    bool is_click = true;     // until it has gone too far
-    bool on_section = false;  // it measures the cross section
+    bool is_click = true;       // until it has gone too far
+    bool on_section = false;    // it measures the cross section
+    bool moves_flat = false;    // it moves the flat picture,
+    bool moves_slider = false;  // or its slider
   };
 
   void On(const KeyEvent& event);
@@ -186,6 +188,18 @@ class Viewer {
   void RecallBookmark(int digit);
   void ToggleGrid();
   void MoveByArrow(int right, int up);
+  void ToggleFlat();
+  /// What is shown flat; null where nothing is.
+  const RenderJob* FlatJob() const;
+  /// Of what is seen: the flat picture, or the view.
+  RenderSettings SettingsOfPicture() const;
+  Camera CameraOfPicture() const;
+  /// Of the rectangle that the preview is drawn in: the view, or the flat picture beside its slider.
+  DrawingSize SizeOfPreview() const;
+  void DragFlat(const R2::Point& from, const R2::Point& to);
+  bool TakesSlider(const ButtonEvent& event) const;
+  void ZoomFlat(const ScrollEvent& event);
+  void ShowFlat(FrameState& shown) const;
   void ToggleSection();
   void MoveSection(int by);
   /// The pieces of the drawing, from the left: the scene; the cross section, where it is shown; and the panels, where
@@ -194,11 +208,13 @@ class Viewer {
   DrawingSize SectionSize() const;
   int WidthBesidePanels() const;  // at least 1
   bool IsOnSection(const R2::Point& position) const;
-  /// A position in the drawing as one in the picture that SettingsOfView makes: beside a cross section there is less
-  /// room for that.
+  /// A position in the drawing as one in the picture that SettingsOfPicture makes: beside a cross section there is less
+  /// room for that, and the flat one is moved.
   R2::Point InPicture(const R2::Point& position) const;
   /// Where that picture is, in pixels of the drawing.
-  PixelBox PlaceOfPicture() const;
+  PixelBox PlaceOfPicture() const { return FlatJob() ? flat_.Place(FittingPicture()) : FittingPicture(); }
+  /// Where it is as large as there is room.
+  PixelBox FittingPicture() const;
   void MakeSection();
   /// What is under the pointer; empty where that is not on the cross section.
   std::string TextOfSection() const;
@@ -262,6 +278,7 @@ class Viewer {
   TracedPictures pictures_;
   RayInspector rays_;
   SectionView section_;
+  FlatView flat_;
   std::optional<Pick> pick_;
   std::optional<std::size_t> chosen_node_;
   std::unique_ptr<Panels> panels_;  // once they were shown

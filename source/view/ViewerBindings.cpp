@@ -72,7 +72,10 @@ std::vector<Viewer::Binding> Viewer::MakeBindings() {
 
   std::vector<Binding> bindings{
       {Key::s, plain, "render the view and save the image", [](Viewer& v) { v.StartTrace(); }},
-      {Key::escape, plain, "close the help, forget the pick, close the cross section, stop rendering",
+      {Key::i, plain,
+       "the rendered image flat: wheel zooms, drag moves, Shift+drag slides against reference or preview",
+       [](Viewer& v) { v.ToggleFlat(); }},
+      {Key::escape, plain, "close the help or the flat image, forget the pick, close the cross section, stop rendering",
        [](Viewer& v) { v.Peel(); }},
       {Key::q, plain, "quit; while a picture is being rendered, when pressed twice", [](Viewer& v) { v.Quit(); }},
       {Key::p, plain, "toggle live rendering", live()},

@@ -23,6 +23,7 @@ void Viewer::Peel() {
     help_page_ = 0;
     return ShowMessage("help closed");
   }
+  if (flat_.IsShown()) return ToggleFlat();
   if (pick_) {
     pick_.reset();
     ChooseNode({});
@@ -115,12 +116,13 @@ void Viewer::ToggleGrid() {
 }
 
 void Viewer::DebugPixelAt(const R2::Point& position) {
-  if (const auto pixel = PixelOnQuad(position)) {
+  if (const auto pixel = FlatJob() ? std::nullopt : PixelOnQuad(position)) {
     rays_.TracePixel(*scene_, pictures_.Trace()->Settings(), pixel->first, pixel->second);
   } else {
     const R2::Point p = InPicture(position);
-    if (p.x < 0 || p.y < 0 || p.x >= size_.width || p.y >= size_.height) return;
-    rays_.TracePixel(*scene_, SettingsOfView(), static_cast<int>(p.x), static_cast<int>(p.y));
+    const RenderSettings settings = SettingsOfPicture();
+    if (p.x < 0 || p.y < 0 || p.x >= settings.width || p.y >= settings.height) return;
+    rays_.TracePixel(*scene_, settings, static_cast<int>(p.x), static_cast<int>(p.y));
   }
   ReportPixel();
 }

@@ -24,14 +24,19 @@ bool Viewer::IsOnSection(const R2::Point& position) const {
 
 R2::Point Viewer::InPicture(const R2::Point& position) const {
   const PixelBox place = PlaceOfPicture();
-  return {(position.x - place.left) / place.width * size_.width,
-          (position.y - place.bottom) / place.height * size_.height};
+  const RenderSettings settings = SettingsOfPicture();
+  return {(position.x - place.left) / place.width * settings.width,
+          (position.y - place.bottom) / place.height * settings.height};
 }
 
-PixelBox Viewer::PlaceOfPicture() const {
-  // As wide as the view, and in its middle: where the scene is drawn as the picture shows it.
-  const double width = ViewSize().width, height = width / size_.width * size_.height;
-  return {0, (size_.height - height) / 2, width, height};
+PixelBox Viewer::FittingPicture() const {
+  // In the middle of the view: of its own view, where the scene is drawn as the picture shows it.
+  const RenderSettings settings = SettingsOfPicture();
+  const DrawingSize view = ViewSize();
+  const double across = static_cast<double>(view.width) / settings.width;
+  const double scale = std::min(across, static_cast<double>(view.height) / settings.height);
+  const double width = scale * settings.width, height = scale * settings.height;
+  return {(view.width - width) / 2, (view.height - height) / 2, width, height};
 }
 
 void Viewer::ToggleSection() {

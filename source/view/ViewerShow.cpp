@@ -42,8 +42,8 @@ FrameState Viewer::Show() {
   const Exposure exposure{R1::Exp2(exposure_steps_), settings_.render.srgb};
   const R2::Color background = exposure.factor * scene_->parsed.scene.background;
   shown.background = exposure.srgb ? EncodeSrgb(background) : background;
-  shown.seen_from = ViewFrom(navigator_.camera(), space_, shown.view, exposure);
-  shown.clip_from_drawing = ClipFromDrawing(navigator_.camera(), space_, BoxOfDrawing(), shown.view);
+  shown.seen_from = ViewFrom(CameraOfPicture(), space_, SizeOfPreview(), exposure);
+  shown.clip_from_drawing = ClipFromDrawing(CameraOfPicture(), space_, BoxOfDrawing(), SizeOfPreview());
   shown.faces = faces_;
   shown.shows_faces = shows_faces_;
   shown.shows_edges = shows_edges_;
@@ -64,6 +64,7 @@ FrameState Viewer::Show() {
     shown.quad = quad;
   }
   shown.picture = CoveringPicture();
+  ShowFlat(shown);
   shown.letter_size = LetterSize();
   shown.labels = MakeLabels();
   if (shows_panels_) shown.panels = panels_->Draw(*this);
@@ -100,6 +101,12 @@ std::optional<FrameState::Picture> Viewer::CoveringPicture() const {
   picture.place = PlaceOfPicture();
   if (auto compared = pictures_.Compared()) {
     picture.image = std::move(compared);
+    return picture;
+  }
+  if (FlatJob() && !pictures_.IsLive()) {
+    picture.frame = &pictures_.Trace()->frame();
+    picture.number = pictures_.TraceNumber();
+    picture.rows = pictures_.Trace()->RowsDone();
     return picture;
   }
   if (!pictures_.IsLive() || !pictures_.Live() || pictures_.Live()->Stride() == 0) return {};
@@ -263,6 +270,8 @@ std::string Viewer::State() {
                 : pictures_.IsTracing()           ? "running"
                 : pictures_.Trace()->IsComplete() ? "complete"
                                                   : "stopped");
+  line("flat",
+       flat_.IsShown() ? "zoom " + Rounded(flat_.ZoomFactor(), 4) + " slider " + Rounded(flat_.Slider(), 4) : "no");
   line("grid", std::to_string(rays_.ShowsGrid() ? rays_.Grid().size() : 0));
   line("pixel",
        rays_.Pixel() ? std::to_string(rays_.Pixel()->column) + " " + std::to_string(rays_.Pixel()->row) : "none");

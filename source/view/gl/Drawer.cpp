@@ -1,16 +1,22 @@
 #include "source/view/gl/Drawer.h"
 
+#include <cmath>
+
 namespace ray {
 namespace {
 
 constexpr double hidden_lines = 0.3;  // of their alpha is left where they are behind something
 constexpr double lit_width = 3;       // pixels
+constexpr int slider_width = 2;       // pixels
+constexpr R2::Color slider_color{1, 1, 1};
 constexpr R2::Color section_ground{0.08, 0.08, 0.1};
 constexpr ClipMatrix as_it_is{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
 
 PictureLook LookOf(const FrameState::Picture& picture) {
   return {.exposure = picture.exposure.factor, .srgb = picture.exposure.srgb, .rows = picture.rows};
 }
+
+int Whole(double pixels) { return static_cast<int>(std::lround(pixels)); }
 
 /// From pixels of a view to the square from -1 to 1.
 std::array<std::array<float, 3>, 4> CornersOf(const PixelBox& box, const DrawingSize& view) {
@@ -79,6 +85,39 @@ void Drawer::UploadNewRows(PictureSlot& slot, const Frame& frame, int end) {
   }
 }
 
+void Drawer::DrawScene(const FrameState& state) {
+  const SurfaceDrawer& surfaces = painter_.surfaces;
+  GpuSurfaces& faces = Upload(faces_, state.faces, surfaces);
+  if (state.shows_faces) surfaces.SetShadows(faces, state.shows_shadows);
+  surfaces.DrawSky(faces, state.seen_from);
+  if (state.shows_faces) surfaces.Draw(faces, state.clip_from_drawing, state.seen_from);
+}
+
+void Drawer::DrawPicture(const FrameState& state) {
+  const auto draw = [&](PictureSlot& slot, const FrameState::Picture& picture) {
+    painter_.pictures.DrawFlat(Upload(slot, picture), CornersOf(picture.place, state.view), LookOf(picture));
+  };
+  draw(picture_, *state.picture);
+  const int width = state.view.width, height = state.view.height;
+  if (state.split < 0 || state.split >= width) return;
+  // The rest is drawn over it.
+  Canvas& canvas = painter_.canvas;
+  canvas.Clip(state.split, 0, width - state.split, height);
+  canvas.Fill(state.background);
+  if (state.beside) {
+    draw(beside_, *state.beside);
+  } else {
+    const PixelBox& place = state.picture->place;
+    canvas.SetViewport(Whole(place.left), Whole(place.bottom), Whole(place.width), Whole(place.height));
+    canvas.Clip(state.split, 0, width - state.split, height);
+    DrawScene(state);
+    canvas.SetViewport(0, 0, width, height);
+  }
+  canvas.Clip(state.split, 0, slider_width, height);
+  canvas.Fill(slider_color);
+  canvas.SetViewport(0, 0, width, height);
+}
+
 void Drawer::Draw(const FrameState& state) {
   Canvas& canvas = painter_.canvas;
   const ListDrawer& lists = painter_.lists;
@@ -87,13 +126,11 @@ void Drawer::Draw(const FrameState& state) {
   const ClipMatrix& clip = state.clip_from_drawing;
   const bool is_covered = state.picture.has_value();
   if (is_covered)
-    painter_.pictures.DrawFlat(Upload(picture_, *state.picture), CornersOf(state.picture->place, state.view),
-                               LookOf(*state.picture));
-  const SurfaceDrawer& surfaces = painter_.surfaces;
-  if (state.shows_faces && !is_covered) surfaces.SetShadows(Upload(faces_, state.faces, surfaces), state.shows_shadows);
-  if (!is_covered) surfaces.DrawSky(Upload(faces_, state.faces, surfaces), state.seen_from);
-  if (state.shows_faces && !is_covered) surfaces.Draw(Upload(faces_, state.faces, surfaces), clip, state.seen_from);
-  if (state.shows_edges) surfaces.DrawEdges(Upload(faces_, state.faces, surfaces), clip, state.edge_color);
+    DrawPicture(state);
+  else
+    DrawScene(state);
+  if (state.shows_edges)
+    painter_.surfaces.DrawEdges(Upload(faces_, state.faces, painter_.surfaces), clip, state.edge_color);
   if (state.quad && !is_covered)
     painter_.pictures.Draw(Upload(quad_, *state.quad), *state.quad->corners, clip, LookOf(*state.quad));
   lists.Draw(Upload(lines_, state.lines), clip, 1, hidden_lines);
