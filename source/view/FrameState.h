@@ -8,6 +8,7 @@
 #include "source/view/Drawing.h"
 #include "source/view/PanelDrawing.h"
 #include "source/view/camera/CameraMoves.h"
+#include "source/view/camera/FlatView.h"
 #include "source/view/live/Frame.h"
 #include "source/view/preview/PreviewView.h"
 #include "source/view/preview/ScenePicture.h"
@@ -22,9 +23,9 @@ struct FrameState {
     const Frame* frame = nullptr;  // lives until the viewer handles its next event
     std::uint64_t number = 0;      // of the job that owns the frame
     std::shared_ptr<const R2::Image> image;
-    std::optional<std::array<std::array<float, 3>, 4>>
-        corners;    // in the drawing space; without them it covers the view
-    int rows = -1;  // shown, from the bottom; -1: all
+    std::optional<std::array<std::array<float, 3>, 4>> corners;  // in the drawing space; without them it is flat
+    PixelBox place;                                              // where it is then, in the view
+    int rows = -1;                                               // shown, from the bottom; -1: all
     Exposure exposure;
   };
 
@@ -40,7 +41,10 @@ struct FrameState {
   std::shared_ptr<const Lines> marks;  // likewise, made anew for each view
   std::shared_ptr<const Lines> lit;    // likewise, in wide lines; null for none
   std::optional<Picture> quad, picture;
-  std::shared_ptr<const Lines> section;  // in the square from -1 to 1, at the right; null for none
+  int split = -1;                        // the column from which on `beside` is seen instead of `picture`; -1 for none
+  std::optional<Picture> beside;         // an image; without one it is the preview, drawn at the place of the picture
+  DrawingSize section_size;              // of the part to the right of that, with the cross section
+  std::shared_ptr<const Lines> section;  // in the square from -1 to 1, which is that part; null for none
   int letter_size = 1;                   // whole multiple of the letters of labels
   std::vector<Label> labels;
   std::shared_ptr<const PanelDrawing> panels;  // null for none

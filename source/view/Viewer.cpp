@@ -50,7 +50,7 @@ void Viewer::TakeScene(std::shared_ptr<const LoadedScene> scene) {
   watch_.Watch(scene_->parsed.scene.files);
   rays_.ForgetAll();
   pick_.reset();
-  section_lines_.reset();
+  section_drawing_.reset();
   pictures_.Touch();
   InvalidateLines();
 }
@@ -87,9 +87,14 @@ void Viewer::ShowMessage(const std::string& message) {
 void Viewer::Handle(const Event& event) {
   if (shows_panels_) {
     needs_redraw_ |= !std::holds_alternative<TickEvent>(event);
-    if (panels_->Take(event, *this)) return;
+    const bool is_taken = panels_->Take(event, *this);
+    const auto* button = std::get_if<ButtonEvent>(&event);
+    // Whatever panels came up since the press: a drag that nobody ends would go on for ever.
+    const bool ends_press = button && !button->is_pressed && press_ && press_->button == button->button;
+    if (is_taken && !ends_press) return;
   }
   std::visit([this](const auto& e) { On(e); }, event);
+  navigator_.SetSize(ViewSize());
 }
 
 void Viewer::On(const KeyEvent& event) {
@@ -123,22 +128,30 @@ void Viewer::On(const ButtonEvent& event) {
   if (event.is_pressed) {
     if (press_) return;  // a second button while one is held
     press_ = Press{event.button, {event.x, event.y}};
+    press_->on_section = IsOnSection(press_->at);
+    press_->moves_flat = FlatJob() && !press_->on_section;
+    press_->moves_slider = press_->moves_flat && TakesSlider(event);
+    if (press_->on_section || press_->moves_flat) return;
     navigator_.BeginDrag(event, PointFinder());
     return;
   }
   if (!press_ || press_->button != event.button) return;
-  const bool is_click = press_->is_click;
+  const bool is_click = press_->is_click && !press_->on_section;
+  needs_redraw_ |= press_->on_section;
   press_.reset();
   navigator_.EndDrag();
   if (is_click) OnClick(event);
 }
 
 void Viewer::On(const MoveEvent& event) {
-  pointer_ = {event.x, event.y};
-  if (!press_) return;
+  needs_redraw_ |= IsOnSection(pointer_) || IsOnSection({event.x, event.y});
+  const R2::Point last = std::exchange(pointer_, {event.x, event.y});
+  if (!press_ || press_->on_section) return;
   const bool has_gone = R1::Hypot(event.x - press_->at.x, event.y - press_->at.y) > click_reach;
   press_->is_click = press_->is_click && !has_gone;
-  if (!press_->is_click) navigator_.DragTo({event.x, event.y});
+  if (press_->is_click) return;
+  if (press_->moves_flat) return DragFlat(last, pointer_);
+  navigator_.DragTo({event.x, event.y});
 }
 
 void Viewer::OnClick(const ButtonEvent& event) {
@@ -149,12 +162,16 @@ void Viewer::OnClick(const ButtonEvent& event) {
   const bool is_second = last_click_ >= 0 && now_ - last_click_ <= double_click_time && is_near;
   last_click_ = is_second ? -1 : now_;
   last_click_at_ = position;
-  if (is_second) {
+  if (is_second && !FlatJob()) {
     navigator_.SetPivot(PointAt(position));
     ShowMessage(navigator_.Pivot() ? "pivot set" : "pivot reset to the center of the scene");
     return InvalidateLines();
   }
-  const RenderSettings settings = SettingsOfView();
+  PickAt(InPicture(position));
+}
+
+void Viewer::PickAt(const R2::Point& position) {
+  const RenderSettings settings = SettingsOfPicture();
   if (position.x < 0 || position.y < 0 || position.x >= settings.width || position.y >= settings.height) return;
   pick_ = PickPixel(scene_->world, *scene_->accelerator, settings, static_cast<int>(position.x),
                     static_cast<int>(position.y));
@@ -166,7 +183,11 @@ void Viewer::OnClick(const ButtonEvent& event) {
   InvalidateLines();
 }
 
-void Viewer::On(const ScrollEvent& event) { navigator_.Scroll(event, PointFinder()); }
+void Viewer::On(const ScrollEvent& event) {
+  if (IsOnSection({event.x, event.y}) && !press_) return MoveSection(event.steps < 0 ? -1 : 1);
+  if (FlatJob()) return ZoomFlat(event);
+  navigator_.Scroll(event, PointFinder());
+}
 
 void Viewer::On(const ResizeEvent& event) {
   const DrawingSize size{std::max(1, event.width), std::max(1, event.height)};
@@ -174,9 +195,8 @@ void Viewer::On(const ResizeEvent& event) {
   if (panels_) panels_->SetScale(scale_);
   if (size == size_) return;
   size_ = size;
-  navigator_.SetSize(size_);
   pictures_.Touch();
-  section_lines_.reset();
+  section_drawing_.reset();
   InvalidateLines();
 }
 
@@ -199,7 +219,7 @@ bool Viewer::Update() {
   if (navigator_.Changes() != changes_seen_) {
     changes_seen_ = navigator_.Changes();
     pictures_.Touch();
-    if (section_.Plane() == SlicePlane::camera_row) section_lines_.reset();
+    if (section_.Plane() == SlicePlane::camera_row) section_drawing_.reset();
     needs_redraw_ = true;
   }
   pictures_.Update(scene_, SettingsOfView(), settings_.live_is_endless);
@@ -273,6 +293,7 @@ void Viewer::Open(const std::string& file) {
     settings_.scene = file;
     bookmarks_ = Bookmarks(file);
     pictures_.ForgetTrace();
+    flat_.Hide();
     TakeScene(std::move(scene));
     navigator_.SetPivot({});
     navigator_.Go(scene_->parsed.scene.camera);
@@ -283,7 +304,7 @@ void Viewer::Open(const std::string& file) {
 }
 
 std::optional<R3::Point> Viewer::PointAt(const R2::Point& position) const {
-  const R3::Ray ray = navigator_.camera().Through(position.x, position.y, size_.width, size_.height);
+  const R3::Ray ray = navigator_.camera().Through(position.x, position.y, ViewSize().width, ViewSize().height);
   Workspace workspace;
   const auto hit = scene_->accelerator->Intersect(ray, workspace);
   if (!hit) return {};

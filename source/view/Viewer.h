@@ -139,8 +139,8 @@ class Viewer {
   bool HasMovedCamera() const { return SettingsOfView().view.has_value(); }
   /// Live rendering of one mode; nothing for none.
   void ShowLayer(std::optional<RenderMode> mode);
-  /// Where the pointer was last seen, in pixels from the lower left corner; outside of the drawing before that.
-  const R2::Point& Pointer() const { return pointer_; }
+  /// Where the pointer was last seen, in pixels of the picture; outside of it before that.
+  R2::Point Pointer() const { return InPicture(pointer_); }
   /// Of the present view; takes seconds.
   std::vector<AcceleratorCost> CostsOfAccelerators() const;
   /// What is wrong with the scene's files as they are now, while an earlier scene stays; empty where nothing is.
@@ -156,7 +156,10 @@ class Viewer {
   struct Press {
     Button button;
     R2::Point at;
-    bool is_click = true;  // until it has gone too far
+    bool is_click = true;       // until it has gone too far
+    bool on_section = false;    // it measures the cross section
+    bool moves_flat = false;    // it moves the flat picture,
+    bool moves_slider = false;  // or its slider
   };
 
   void On(const KeyEvent& event);
@@ -169,6 +172,7 @@ class Viewer {
   void On(const TickEvent& event);
   void On(const CloseEvent&) { is_closed_ = true; }
   void OnClick(const ButtonEvent& event);
+  void PickAt(const R2::Point& position);
 
   static std::vector<Binding> MakeBindings();
   void StartTrace();
@@ -184,6 +188,36 @@ class Viewer {
   void RecallBookmark(int digit);
   void ToggleGrid();
   void MoveByArrow(int right, int up);
+  void ToggleFlat();
+  /// What is shown flat; null where nothing is.
+  const RenderJob* FlatJob() const;
+  /// Of what is seen: the flat picture, or the view.
+  RenderSettings SettingsOfPicture() const;
+  Camera CameraOfPicture() const;
+  /// Of the rectangle that the preview is drawn in: the view, or the flat picture beside its slider.
+  DrawingSize SizeOfPreview() const;
+  void DragFlat(const R2::Point& from, const R2::Point& to);
+  bool TakesSlider(const ButtonEvent& event) const;
+  void ZoomFlat(const ScrollEvent& event);
+  void ShowFlat(FrameState& shown) const;
+  void ToggleSection();
+  void MoveSection(int by);
+  /// The pieces of the drawing, from the left: the scene; the cross section, where it is shown; and the panels, where
+  /// both are. Of the whole height.
+  DrawingSize ViewSize() const;
+  DrawingSize SectionSize() const;
+  int WidthBesidePanels() const;  // at least 1
+  bool IsOnSection(const R2::Point& position) const;
+  /// A position in the drawing as one in the picture that SettingsOfPicture makes: beside a cross section there is less
+  /// room for that, and the flat one is moved.
+  R2::Point InPicture(const R2::Point& position) const;
+  /// Where that picture is, in pixels of the drawing.
+  PixelBox PlaceOfPicture() const { return FlatJob() ? flat_.Place(FittingPicture()) : FittingPicture(); }
+  /// Where it is as large as there is room.
+  PixelBox FittingPicture() const;
+  void MakeSection();
+  /// What is under the pointer; empty where that is not on the cross section.
+  std::string TextOfSection() const;
   void SaveRays();
   void ToggleLive(std::optional<RenderMode> mode);
   void KeepReference();
@@ -244,6 +278,7 @@ class Viewer {
   TracedPictures pictures_;
   RayInspector rays_;
   SectionView section_;
+  FlatView flat_;
   std::optional<Pick> pick_;
   std::optional<std::size_t> chosen_node_;
   std::unique_ptr<Panels> panels_;  // once they were shown
@@ -270,8 +305,10 @@ class Viewer {
   double now_ = 0, last_look_at_files_ = 0, last_click_ = -1;  // seconds of ticks
   R2::Point last_click_at_, pointer_{-1, -1};
   std::uint64_t changes_seen_ = 0;
-  std::shared_ptr<const Lines> lines_, section_lines_;  // null when they must be rebuilt
-  std::vector<std::uint32_t> versions_;                 // of the rows of frames when last seen
+  std::shared_ptr<const Lines> lines_;                // null when they must be rebuilt
+  std::shared_ptr<const SliceAxes> section_drawing_;  // likewise
+  DrawingSize section_size_;                          // of that
+  std::vector<std::uint32_t> versions_;               // of the rows of frames when last seen
   struct StatusKey {
     std::uint64_t job = 0;
     int samples = 0;

@@ -14,7 +14,7 @@ constexpr std::array gestures{
     std::array{"left drag", "rotate about the pivot, or the center of the scene"},
     std::array{"Shift+left or middle drag", "zoom"},
     std::array{"Control+left drag", "pan"},
-    std::array{"wheel", "zoom toward the point under the pointer"},
+    std::array{"wheel", "zoom toward the point under the pointer; over the cross section, move its plane"},
     std::array{"left click", "describe what is under the pointer"},
     std::array{"double click", "set the pivot to the point under the pointer"},
     std::array{"right click", "trace this pixel and show its rays; arrow keys step to the next pixel"},
@@ -51,7 +51,7 @@ std::vector<Viewer::Binding> Viewer::MakeBindings() {
   const auto toggle_rays = [](const char* what, ShownRays kind) {
     return [what, kind](Viewer& v) {
       v.rays_.Toggle(kind);
-      v.section_lines_.reset();
+      v.section_drawing_.reset();
       v.InvalidateLines();
       v.ShowMessage(OnOrOff(what, v.rays_.Look().shows[static_cast<std::size_t>(kind)]));
     };
@@ -72,7 +72,10 @@ std::vector<Viewer::Binding> Viewer::MakeBindings() {
 
   std::vector<Binding> bindings{
       {Key::s, plain, "render the view and save the image", [](Viewer& v) { v.StartTrace(); }},
-      {Key::escape, plain, "close the help, forget the pick, close the cross section, stop rendering",
+      {Key::i, plain,
+       "the rendered image flat: wheel zooms, drag moves, Shift+drag slides against reference or preview",
+       [](Viewer& v) { v.ToggleFlat(); }},
+      {Key::escape, plain, "close the help or the flat image, forget the pick, close the cross section, stop rendering",
        [](Viewer& v) { v.Peel(); }},
       {Key::q, plain, "quit; while a picture is being rendered, when pressed twice", [](Viewer& v) { v.Quit(); }},
       {Key::p, plain, "toggle live rendering", live()},
@@ -135,18 +138,12 @@ std::vector<Viewer::Binding> Viewer::MakeBindings() {
       {Key::up, plain, "", arrow(0, 1)},
       {Key::down, plain, "", arrow(0, -1)},
 
-      {Key::x, plain, "toggle the cross section",
-       [](Viewer& v) {
-         v.section_.Toggle();
-         v.arrows_move_section_ = v.section_.IsShown();
-         v.section_lines_.reset();
-         v.ShowMessage(OnOrOff("cross section", v.section_.IsShown()));
-       }},
+      {Key::x, plain, "toggle the cross section", [](Viewer& v) { v.ToggleSection(); }},
       {Key::x, shift, "plane of the cross section: camera row, xz, yz, xy",
        [](Viewer& v) {
          v.section_.NextPlane();
          v.arrows_move_section_ = true;
-         v.section_lines_.reset();
+         v.section_drawing_.reset();
          v.ShowMessage("cross section: " + v.section_.Describe(v.size_.height));
        }},
 

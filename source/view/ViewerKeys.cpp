@@ -23,16 +23,13 @@ void Viewer::Peel() {
     help_page_ = 0;
     return ShowMessage("help closed");
   }
+  if (flat_.IsShown()) return ToggleFlat();
   if (pick_) {
     pick_.reset();
     ChooseNode({});
     return ShowMessage("pick forgotten");
   }
-  if (section_.IsShown()) {
-    section_.Toggle();
-    arrows_move_section_ = false;
-    return ShowMessage("cross section off");
-  }
+  if (section_.IsShown()) return ToggleSection();
   ShowMessage(pictures_.StopTrace() || pictures_.StopLive() ? "rendering is being stopped"
                                                             : "nothing to close; Q quits");
 }
@@ -51,6 +48,7 @@ void Viewer::ToggleLights() {
   InvalidateLines();
   if (!shows_lights_) return ShowMessage("lights off");
   int lights = 0, in_view = 0, far = 0;
+  const DrawingSize view = ViewSize();
   for (const auto& light : scene_->parsed.scene.lights) {
     if (light->IsBlack()) continue;
     ++lights;
@@ -58,8 +56,8 @@ void Viewer::ToggleLights() {
       ++far;
       continue;
     }
-    const auto pixel = PixelOf(navigator_.camera(), light->Bound().center, size_);
-    in_view += pixel && pixel->x >= 0 && pixel->y >= 0 && pixel->x < size_.width && pixel->y < size_.height;
+    const auto pixel = PixelOf(navigator_.camera(), light->Bound().center, view);
+    in_view += pixel && pixel->x >= 0 && pixel->y >= 0 && pixel->x < view.width && pixel->y < view.height;
   }
   const int outside = lights - far - in_view;
   ShowMessage(std::to_string(lights) + (lights == 1 ? " light" : " lights") +
@@ -118,11 +116,13 @@ void Viewer::ToggleGrid() {
 }
 
 void Viewer::DebugPixelAt(const R2::Point& position) {
-  if (const auto pixel = PixelOnQuad(position)) {
+  if (const auto pixel = FlatJob() ? std::nullopt : PixelOnQuad(position)) {
     rays_.TracePixel(*scene_, pictures_.Trace()->Settings(), pixel->first, pixel->second);
   } else {
-    if (position.x < 0 || position.y < 0 || position.x >= size_.width || position.y >= size_.height) return;
-    rays_.TracePixel(*scene_, SettingsOfView(), static_cast<int>(position.x), static_cast<int>(position.y));
+    const R2::Point p = InPicture(position);
+    const RenderSettings settings = SettingsOfPicture();
+    if (p.x < 0 || p.y < 0 || p.x >= settings.width || p.y >= settings.height) return;
+    rays_.TracePixel(*scene_, settings, static_cast<int>(p.x), static_cast<int>(p.y));
   }
   ReportPixel();
 }
@@ -138,9 +138,7 @@ void Viewer::ReportPixel() {
 
 void Viewer::MoveByArrow(int right, int up) {
   if (arrows_move_section_) {
-    section_.Move(up);
-    section_lines_.reset();
-    needs_redraw_ = true;
+    MoveSection(up);
   } else if (rays_.StepPixel(*scene_, right, up)) {
     ReportPixel();
   } else {

@@ -52,6 +52,7 @@ void Viewer::ShowPanels(const PanelSettings& look) {
 void Viewer::TogglePanels() {
   if (shows_panels_) {
     shows_panels_ = false;
+    panels_->LetGo();
     InvalidateLines();
     return ShowMessage("panels off");
   }

@@ -23,12 +23,6 @@ constexpr double seconds_of_message = 5, seconds_of_fading = 1;
 
 R2::Color InverseOf(const R2::Color& c) { return {1 - c.r, 1 - c.g, 1 - c.b}; }
 
-/// What is chosen is one of another pixel's.
-RayLook WithoutChoice(RayLook look) {
-  look.chosen.reset();
-  return look;
-}
-
 bool IsLight(RenderMode mode) {
   return mode == RenderMode::whitted || mode == RenderMode::path || mode == RenderMode::albedo;
 }
@@ -37,21 +31,19 @@ bool IsLight(RenderMode mode) {
 
 FrameState Viewer::Show() {
   if (!lines_) lines_ = std::make_shared<const Lines>(MakeLines());
-  if (section_.IsShown() && !section_lines_) {
-    section_.Cut(*scene_, SettingsOfView(), navigator_.Center());
-    section_lines_ = std::make_shared<const Lines>(section_.Drawing(*scene_, WithoutChoice(rays_.Look())));
-  }
   FrameState shown;
-  shown.size = shown.view = size_;
+  shown.size = size_;
+  shown.view = ViewSize();
   if (section_.IsShown()) {
-    shown.view.width = std::max(1, size_.width / 2);
-    shown.section = section_lines_;
+    MakeSection();
+    shown.section_size = section_size_;
+    shown.section = {section_drawing_, &section_drawing_->lines};
   }
   const Exposure exposure{R1::Exp2(exposure_steps_), settings_.render.srgb};
   const R2::Color background = exposure.factor * scene_->parsed.scene.background;
   shown.background = exposure.srgb ? EncodeSrgb(background) : background;
-  shown.seen_from = ViewFrom(navigator_.camera(), space_, shown.view, exposure);
-  shown.clip_from_drawing = ClipFromDrawing(navigator_.camera(), space_, BoxOfDrawing(), shown.view);
+  shown.seen_from = ViewFrom(CameraOfPicture(), space_, SizeOfPreview(), exposure);
+  shown.clip_from_drawing = ClipFromDrawing(CameraOfPicture(), space_, BoxOfDrawing(), SizeOfPreview());
   shown.faces = faces_;
   shown.shows_faces = shows_faces_;
   shown.shows_edges = shows_edges_;
@@ -72,6 +64,7 @@ FrameState Viewer::Show() {
     shown.quad = quad;
   }
   shown.picture = CoveringPicture();
+  ShowFlat(shown);
   shown.letter_size = LetterSize();
   shown.labels = MakeLabels();
   if (shows_panels_) shown.panels = panels_->Draw(*this);
@@ -105,8 +98,15 @@ R3::Box Viewer::BoxOfDrawing() const {
 std::optional<FrameState::Picture> Viewer::CoveringPicture() const {
   FrameState::Picture picture;
   picture.exposure = {R1::Exp2(exposure_steps_), settings_.render.srgb};
+  picture.place = PlaceOfPicture();
   if (auto compared = pictures_.Compared()) {
     picture.image = std::move(compared);
+    return picture;
+  }
+  if (FlatJob() && !pictures_.IsLive()) {
+    picture.frame = &pictures_.Trace()->frame();
+    picture.number = pictures_.TraceNumber();
+    picture.rows = pictures_.Trace()->RowsDone();
     return picture;
   }
   if (!pictures_.IsLive() || !pictures_.Live() || pictures_.Live()->Stride() == 0) return {};
@@ -139,7 +139,7 @@ std::optional<std::pair<int, int>> Viewer::PixelOnQuad(const R2::Point& position
   if (!ShowsQuad()) return {};
   const auto corners = QuadCorners();
   const R3::Vector across = corners[1] - corners[0], upward = corners[3] - corners[0], normal = Cross(across, upward);
-  const R3::Ray ray = navigator_.camera().Through(position.x, position.y, size_.width, size_.height);
+  const R3::Ray ray = navigator_.camera().Through(position.x, position.y, ViewSize().width, ViewSize().height);
   const double t = Dot(corners[0] - ray.origin, normal) / Dot(ray.direction, normal);
   if (!(t > 0)) return {};
   const R3::Vector way = ray.At(t) - corners[0];
@@ -171,7 +171,7 @@ Lines Viewer::MakeLines() const {
     Append(lines, CameraLines(camera, traced.width, traced.height, distance, space_, frustum_color));
   }
   // Each by itself: what fades among many rays of the grid must not take those of a pixel along.
-  if (rays_.ShowsGrid()) Append(lines, RayLines(rays_.Grid(), space_, WithoutChoice(rays_.Look())));
+  if (rays_.ShowsGrid()) Append(lines, RayLines(rays_.Grid(), space_, rays_.Look().WithoutChoice()));
   if (rays_.Pixel()) Append(lines, RayLines({*rays_.Pixel()}, space_, rays_.Look()));
   return lines;
 }
@@ -180,7 +180,7 @@ Lines Viewer::MakeMarks() const {
   Lines lines;
   const Camera& camera = navigator_.camera();
   const auto size_at = [&](const R3::Point& p) {
-    return cross_size * std::max(0.0, DepthOf(camera, p)) * 2 * camera.HalfWidth() / size_.width;
+    return cross_size * std::max(0.0, DepthOf(camera, p)) * 2 * camera.HalfWidth() / ViewSize().width;
   };
   if (const auto& pivot = navigator_.Pivot()) Append(lines, AxesAt(*pivot, size_at(*pivot), space_));
   if (pick_ && pick_->point) Append(lines, CrossAt(*pick_->point, size_at(*pick_->point), space_, picked_color));
@@ -221,6 +221,10 @@ std::vector<Label> Viewer::MakeLabels() const {
     upper = pick_->text;
   }
   if (section_.IsShown()) upper.insert(upper.begin(), "cross section: " + section_.Describe(size_.height));
+  if (section_.IsShown()) {
+    for (Label label : section_drawing_->labels) label.x += ViewSize().width, labels.push_back(std::move(label));
+    if (const std::string text = TextOfSection(); !text.empty()) upper.insert(upper.begin() + 1, text);
+  }
   double y = size_.height - line_step - edge;
   for (const std::string& line : upper) {
     labels.push_back({edge, y, line, text_color});
@@ -266,6 +270,8 @@ std::string Viewer::State() {
                 : pictures_.IsTracing()           ? "running"
                 : pictures_.Trace()->IsComplete() ? "complete"
                                                   : "stopped");
+  line("flat",
+       flat_.IsShown() ? "zoom " + Rounded(flat_.ZoomFactor(), 4) + " slider " + Rounded(flat_.Slider(), 4) : "no");
   line("grid", std::to_string(rays_.ShowsGrid() ? rays_.Grid().size() : 0));
   line("pixel",
        rays_.Pixel() ? std::to_string(rays_.Pixel()->column) + " " + std::to_string(rays_.Pixel()->row) : "none");
@@ -273,6 +279,7 @@ std::string Viewer::State() {
   std::string kinds;
   for (const bool shows : look.shows) kinds += shows ? '1' : '0';
   line("rays", kinds + (look.normals ? "1" : "0") + " deepest " + std::to_string(look.deepest));
+  if (const std::string place = TextOfSection(); !place.empty()) line("under the pointer", place);
   line("cut", section_.IsShown() ? section_.Describe(size_.height) : "no");
   line("exposure", ToText(exposure_steps_));
   line("comparing", std::to_string(static_cast<int>(pictures_.HowCompared())));

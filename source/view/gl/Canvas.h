@@ -30,6 +30,8 @@ class Canvas {
   void Fill(const R2::Color& color) const;
   /// What follows is drawn there, and clipped to it.
   void SetViewport(int x, int y, int width, int height);
+  /// What follows is clipped to that rectangle, until the next viewport.
+  void Clip(int x, int y, int width, int height) const { glScissor(x, y, width, height); }
   /// From here on, and back: all of the drawing instead of the viewport.
   void UseWhole() const { Apply({0, 0, width_, height_}); }
   void UseViewport() const { Apply(viewport_); }

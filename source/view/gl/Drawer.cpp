@@ -1,25 +1,30 @@
 #include "source/view/gl/Drawer.h"
 
+#include <cmath>
+
 namespace ray {
 namespace {
 
 constexpr double hidden_lines = 0.3;  // of their alpha is left where they are behind something
 constexpr double lit_width = 3;       // pixels
+constexpr int slider_width = 2;       // pixels
+constexpr R2::Color slider_color{1, 1, 1};
 constexpr R2::Color section_ground{0.08, 0.08, 0.1};
-constexpr double section_margin = 1.05;
+constexpr ClipMatrix as_it_is{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
 
 PictureLook LookOf(const FrameState::Picture& picture) {
   return {.exposure = picture.exposure.factor, .srgb = picture.exposure.srgb, .rows = picture.rows};
 }
 
-/// The square from -1 to 1 in the middle of a viewport, as large as it can be.
-ClipMatrix SectionMatrix(const DrawingSize& viewport) {
-  const double aspect = static_cast<double>(viewport.width) / viewport.height;
-  ClipMatrix m{};
-  m[0] = (aspect > 1 ? 1 / aspect : 1) / section_margin;
-  m[5] = (aspect > 1 ? 1 : aspect) / section_margin;
-  m[10] = m[15] = 1;
-  return m;
+int Whole(double pixels) { return static_cast<int>(std::lround(pixels)); }
+
+/// From pixels of a view to the square from -1 to 1.
+std::array<std::array<float, 3>, 4> CornersOf(const PixelBox& box, const DrawingSize& view) {
+  const auto x = [&](double at) { return static_cast<float>(2 * at / view.width - 1); };
+  const auto y = [&](double at) { return static_cast<float>(2 * at / view.height - 1); };
+  const float left = x(box.left), right = x(box.left + box.width);
+  const float low = y(box.bottom), high = y(box.bottom + box.height);
+  return {{{left, low, 0}, {right, low, 0}, {right, high, 0}, {left, high, 0}}};
 }
 
 }  // namespace
@@ -80,6 +85,39 @@ void Drawer::UploadNewRows(PictureSlot& slot, const Frame& frame, int end) {
   }
 }
 
+void Drawer::DrawScene(const FrameState& state) {
+  const SurfaceDrawer& surfaces = painter_.surfaces;
+  GpuSurfaces& faces = Upload(faces_, state.faces, surfaces);
+  if (state.shows_faces) surfaces.SetShadows(faces, state.shows_shadows);
+  surfaces.DrawSky(faces, state.seen_from);
+  if (state.shows_faces) surfaces.Draw(faces, state.clip_from_drawing, state.seen_from);
+}
+
+void Drawer::DrawPicture(const FrameState& state) {
+  const auto draw = [&](PictureSlot& slot, const FrameState::Picture& picture) {
+    painter_.pictures.DrawFlat(Upload(slot, picture), CornersOf(picture.place, state.view), LookOf(picture));
+  };
+  draw(picture_, *state.picture);
+  const int width = state.view.width, height = state.view.height;
+  if (state.split < 0 || state.split >= width) return;
+  // The rest is drawn over it.
+  Canvas& canvas = painter_.canvas;
+  canvas.Clip(state.split, 0, width - state.split, height);
+  canvas.Fill(state.background);
+  if (state.beside) {
+    draw(beside_, *state.beside);
+  } else {
+    const PixelBox& place = state.picture->place;
+    canvas.SetViewport(Whole(place.left), Whole(place.bottom), Whole(place.width), Whole(place.height));
+    canvas.Clip(state.split, 0, width - state.split, height);
+    DrawScene(state);
+    canvas.SetViewport(0, 0, width, height);
+  }
+  canvas.Clip(state.split, 0, slider_width, height);
+  canvas.Fill(slider_color);
+  canvas.SetViewport(0, 0, width, height);
+}
+
 void Drawer::Draw(const FrameState& state) {
   Canvas& canvas = painter_.canvas;
   const ListDrawer& lists = painter_.lists;
@@ -87,22 +125,21 @@ void Drawer::Draw(const FrameState& state) {
   canvas.SetViewport(0, 0, state.view.width, state.view.height);
   const ClipMatrix& clip = state.clip_from_drawing;
   const bool is_covered = state.picture.has_value();
-  if (is_covered) painter_.pictures.Draw(Upload(picture_, *state.picture), LookOf(*state.picture));
-  const SurfaceDrawer& surfaces = painter_.surfaces;
-  if (state.shows_faces && !is_covered) surfaces.SetShadows(Upload(faces_, state.faces, surfaces), state.shows_shadows);
-  if (!is_covered) surfaces.DrawSky(Upload(faces_, state.faces, surfaces), state.seen_from);
-  if (state.shows_faces && !is_covered) surfaces.Draw(Upload(faces_, state.faces, surfaces), clip, state.seen_from);
-  if (state.shows_edges) surfaces.DrawEdges(Upload(faces_, state.faces, surfaces), clip, state.edge_color);
+  if (is_covered)
+    DrawPicture(state);
+  else
+    DrawScene(state);
+  if (state.shows_edges)
+    painter_.surfaces.DrawEdges(Upload(faces_, state.faces, painter_.surfaces), clip, state.edge_color);
   if (state.quad && !is_covered)
     painter_.pictures.Draw(Upload(quad_, *state.quad), *state.quad->corners, clip, LookOf(*state.quad));
   lists.Draw(Upload(lines_, state.lines), clip, 1, hidden_lines);
   if (state.marks) lists.Draw(Upload(marks_, state.marks), clip, 1, hidden_lines);
   if (state.lit) lists.Draw(Upload(lit_, state.lit), clip, lit_width, hidden_lines);
   if (state.section) {
-    const DrawingSize viewport{state.size.width - state.view.width, state.size.height};
-    canvas.SetViewport(state.view.width, 0, viewport.width, viewport.height);
+    canvas.SetViewport(state.view.width, 0, state.section_size.width, state.section_size.height);
     canvas.Fill(section_ground);
-    lists.Draw(Upload(section_, state.section), SectionMatrix(viewport), 1, 1);
+    lists.Draw(Upload(section_, state.section), as_it_is, 1, 1);
   }
   painter_.text.Draw(state.labels, canvas, state.letter_size);
   if (state.panels) painter_.panels.Draw(*state.panels, canvas);

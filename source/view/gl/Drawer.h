@@ -41,12 +41,16 @@ class Drawer {
   const GpuPicture& Upload(PictureSlot& slot, const FrameState::Picture& picture);
   void UploadImage(PictureSlot& slot, const std::shared_ptr<const R2::Image>& image);
   void UploadNewRows(PictureSlot& slot, const Frame& frame, int end);
+  /// The faces and what is behind them.
+  void DrawScene(const FrameState& state);
+  /// What covers the view, and beside its slider the rest.
+  void DrawPicture(const FrameState& state);
   void Fit(PictureSlot& slot, int width, int height);
 
   Painter& painter_;
   Slot<ScenePicture, GpuSurfaces> faces_;
   Slot<Lines, GpuLines> lines_, marks_, lit_, section_;
-  PictureSlot quad_, picture_;
+  PictureSlot quad_, picture_, beside_;
   std::vector<float> rows_;
 };
 

@@ -143,12 +143,16 @@ void PictureDrawer::Draw(const GpuPicture& picture, const std::array<std::array<
   glDepthMask(GL_TRUE);
 }
 
-void PictureDrawer::Draw(const GpuPicture& picture, const PictureLook& look) const {
-  constexpr std::array<std::array<float, 3>, 4> corners{{{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}}};
+void PictureDrawer::DrawFlat(const GpuPicture& picture, const std::array<std::array<float, 3>, 4>& corners,
+                             const PictureLook& look) const {
   constexpr ClipMatrix as_it_is{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
   glDisable(GL_DEPTH_TEST);  // which leaves depth unwritten as well
   Draw(picture, corners, as_it_is, look);
   glEnable(GL_DEPTH_TEST);
+}
+
+void PictureDrawer::Draw(const GpuPicture& picture, const PictureLook& look) const {
+  DrawFlat(picture, {{{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}}}, look);
 }
 
 }  // namespace ray

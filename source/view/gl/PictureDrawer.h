@@ -35,6 +35,9 @@ class PictureDrawer {
   /// On a quad in space: its lower left, lower right, upper right and upper left corner.
   void Draw(const GpuPicture& picture, const std::array<std::array<float, 3>, 4>& corners,
             const ClipMatrix& clip_from_drawing, const PictureLook& look) const;
+  /// Over all else, without depth: corners as above, in the square from -1 to 1 that is the viewport.
+  void DrawFlat(const GpuPicture& picture, const std::array<std::array<float, 3>, 4>& corners,
+                const PictureLook& look) const;
   /// Over the viewport, from corner to corner.
   void Draw(const GpuPicture& picture, const PictureLook& look) const;
 

@@ -240,20 +240,4 @@ SceneCut CutOf(const World& world, const Accelerator& accelerator, const Slice& 
   return cut;
 }
 
-Lines CutLines(const SceneCut& cut, const World& world) {
-  Lines lines;
-  for (const CutPiece& piece : cut.pieces) {
-    const Crossing &from = cut.crossings[piece.from], &to = cut.crossings[piece.to];
-    const Material& m = *world.Instances()[from.instance].material;
-    const R2::Color color = m.emission + m.kd + m.kr + m.kt;
-    const double most = std::max({color.r, color.g, color.b});
-    const Rgba shown = most > 0 && std::isfinite(most) ? Shown(0.35 * R2::Color{1, 1, 1} + 0.65 / most * color)
-                                                       : Rgba{128, 128, 128, 255};
-    const R2::Point corner = piece.corner.value_or(to.on_slice);
-    AddLine(lines, cut.slice.At(from.on_slice), cut.slice.At(corner), shown);
-    if (piece.corner) AddLine(lines, cut.slice.At(corner), cut.slice.At(to.on_slice), shown);
-  }
-  return lines;
-}
-
 }  // namespace ray

@@ -26,10 +26,6 @@ struct Slice {
   R2::Point Project(const R3::Point& p) const { return {Dot(p - center, u), Dot(p - center, v)}; }
   R2::Vector Project(const R3::Vector& d) const { return {Dot(d, u), Dot(d, v)}; }
   R3::Point InWorld(const R2::Point& p) const { return center + p.x * u + p.y * v; }
-  /// For drawing: in the square from -1 to 1, z = 0.
-  std::array<float, 3> At(const R2::Point& p) const {
-    return {static_cast<float>(p.x / extent), static_cast<float>(p.y / extent), 0};
-  }
 };
 
 /// The plane with those two axes through a point (`plane` is not camera_row), seen so that its first axis runs to the
@@ -73,8 +69,5 @@ inline constexpr int most_crossings = 4096;  // of one grid line
 /// ways is not found. Of coinciding surfaces only one is found. Surfaces that lie in the plane itself are there
 /// as their shapes answer to rays in them: a box by its outline, a triangle not at all.
 SceneCut CutOf(const World& world, const Accelerator& accelerator, const Slice& slice, int lines);
-
-/// The pieces, each in the color of its instance's material, made bright enough for a dark background.
-Lines CutLines(const SceneCut& cut, const World& world);
 
 }  // namespace ray

@@ -85,7 +85,7 @@ Lines RayLines(const std::vector<PixelTrace>& traces, const DrawingSpace& space,
       const RecordedRay& ray = trace.rays[i];
       const auto add = [&](const R3::Point& from, const R3::Point& to, Rgba color) {
         color = Faded(color, rays, most_opaque_rays);
-        if (look.chosen && !is_on_way[i]) color[3] /= fainter;
+        if (look.chosen && !is_on_way[i]) color[3] = static_cast<std::uint8_t>(color[3] / fainter);
         AddLine(lines, space.At(from), space.At(to), color);
       };
       if (!look.shows[static_cast<std::size_t>(ShownAs(ray.kind))]) continue;

@@ -22,6 +22,13 @@ struct RayLook {
   /// Of one pixel's rays, by its number: it is shown whatever its kind, and the others are fainter but for those that
   /// led to it.
   std::optional<std::size_t> chosen{};
+
+  /// For the rays of other pixels.
+  RayLook WithoutChoice() const {
+    RayLook look = *this;
+    look.chosen.reset();
+    return look;
+  }
 };
 
 inline constexpr int debug_ray_spacing = 25;  // pixels whose column and row are multiples of it

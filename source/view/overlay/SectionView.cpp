@@ -4,7 +4,9 @@
 #include <array>
 #include <string>
 
+#include "R1/Elementary.h"
 #include "source/text/NumberText.h"
+#include "source/view/overlay/CutDrawing.h"
 
 namespace ray {
 namespace {
@@ -30,6 +32,10 @@ R3::Vector NormalOf(SlicePlane plane) {
   return {};
 }
 
+std::string NameOfPlane(SlicePlane plane) {
+  return plane == SlicePlane::xz ? "xz" : plane == SlicePlane::yz ? "yz" : "xy";
+}
+
 }  // namespace
 
 void SectionView::NextPlane() {
@@ -38,15 +44,15 @@ void SectionView::NextPlane() {
   plane_ = now + 1 == order.end() ? order.front() : now[1];
 }
 
-void SectionView::Move(int by) {
+void SectionView::Move(int by, int height) {
   if (plane_ == SlicePlane::camera_row)
-    row_ = std::clamp(Row(last_height_) + by, 0, last_height_ - 1);
+    row_ = std::clamp(Row(height) + by, 0, height - 1);
   else
     offset_ += step * by;
 }
 
-void SectionView::Cut(const LoadedScene& scene, const RenderSettings& settings, const R3::Point& center) {
-  last_height_ = settings.height;
+void SectionView::Cut(const LoadedScene& scene, const RenderSettings& settings, const R3::Point& center,
+                      const DrawingSize& size) {
   rays_.clear();
   const R3::Box& box = scene.parsed.scene.root.bounds;
   Slice slice;
@@ -58,31 +64,45 @@ void SectionView::Cut(const LoadedScene& scene, const RenderSettings& settings, 
     const int spacing = std::max(1, settings.width / rays_of_a_row);
     for (int column = 0; column < settings.width; column += spacing)
       rays_.push_back(tracer.Trace(column, Row(settings.height), 1));
+    coordinates_ = {{"right", "ahead"}, slice.Project(camera.eye), "the eye"};
   } else {
     const double radius = box.Radius() > 0 ? box.Radius() : 1;
     slice = AxisSlice(plane_, center + offset_ * radius * NormalOf(plane_), box);
+    const std::string names = NameOfPlane(plane_);
+    coordinates_ = {{names.substr(0, 1), names.substr(1)}, slice.Project(R3::Point{}), "the origin"};
   }
+  view_ = SliceView::Of(slice, box, size);
   cut_ = CutOf(scene.world, *scene.accelerator, slice, cut_lines);
 }
 
-Lines SectionView::Drawing(const LoadedScene& scene, const RayLook& look) const {
-  if (!cut_) return {};
-  Lines lines = CutLines(*cut_, scene.world);
+SliceAxes SectionView::Drawing(const LoadedScene& scene, const RayLook& look, int letter_size) const {
+  SliceAxes drawing = AxesOf(view_, coordinates_, letter_size);
+  Lines& lines = drawing.lines;
+  Append(lines, CutFilling(*cut_, scene.world, view_));
+  Append(lines, CutLines(*cut_, scene.world, view_));
   const Slice& slice = cut_->slice;
   for (std::size_t i = 0; i < cut_->crossings.size(); i += normal_every) {
     const Crossing& crossing = cut_->crossings[i];
-    const R2::Point tip{crossing.on_slice.x + crossing_normal_length * slice.extent * crossing.normal.x,
-                        crossing.on_slice.y + crossing_normal_length * slice.extent * crossing.normal.y};
-    AddLine(lines, slice.At(crossing.on_slice), slice.At(tip), crossing_normal_color);
+    const R2::Point tip = crossing.on_slice + crossing_normal_length * slice.extent * crossing.normal;
+    AddLine(lines, view_.At(crossing.on_slice), view_.At(tip), crossing_normal_color);
   }
   // Rays are drawn in a space of their own and dropped onto the plane from there.
   const Lines in_space = RayLines(rays_, DrawingSpace{slice.center, slice.extent}, look);
   for (const Vertex& v : in_space) {
     const R3::Vector way{slice.extent * static_cast<double>(v.at[0]), slice.extent * static_cast<double>(v.at[1]),
                          slice.extent * static_cast<double>(v.at[2])};
-    lines.push_back({slice.At(slice.Project(slice.center + way)), v.color});
+    lines.push_back({view_.At(slice.Project(slice.center + way)), v.color});
   }
-  return lines;
+  return drawing;
+}
+
+std::string SectionView::Tell(const R2::Point& pixel, const std::optional<R2::Point>& from) const {
+  const auto length = [](const R2::Vector& v) { return Rounded(R1::Hypot(v.x, v.y), 4); };
+  const R2::Point at = view_.InSlice(pixel);
+  const R2::Vector way = at - coordinates_.origin;
+  return coordinates_.names[0] + " " + Rounded(way.x, 4) + ", " + coordinates_.names[1] + " " + Rounded(way.y, 4) +
+         ": " + length(way) + " from " + coordinates_.origin_name +
+         (from ? ", " + length(at - view_.InSlice(*from)) + " from where the button went down" : "");
 }
 
 std::string SectionView::Describe(int height) const {

@@ -4,8 +4,8 @@
 #include <optional>
 
 #include "source/view/LoadedScene.h"
-#include "source/view/overlay/CrossSection.h"
 #include "source/view/overlay/DebugRays.h"
+#include "source/view/overlay/SliceView.h"
 
 namespace ray {
 
@@ -16,10 +16,11 @@ class SectionView {
   void Toggle() { is_shown_ = !is_shown_; }
   /// The next of camera_row, xz, yz, xy.
   void NextPlane();
-  /// A row up or down, or a hundredth of the scene along the plane's normal.
-  void Move(int by);
-  /// Cuts the scene again; for camera_row as seen by `settings`, for others through `center` of the scene.
-  void Cut(const LoadedScene& scene, const RenderSettings& settings, const R3::Point& center);
+  /// A row up or down of a picture so high, or a hundredth of the scene along the plane's normal.
+  void Move(int by, int height);
+  /// Cuts the scene again, for a drawing of that size; for camera_row as seen by `settings`, for others through
+  /// `center` of the scene.
+  void Cut(const LoadedScene& scene, const RenderSettings& settings, const R3::Point& center, const DrawingSize& size);
 
   SlicePlane Plane() const { return plane_; }
   /// The row of the picture that camera_row is, from the bottom.
@@ -28,17 +29,21 @@ class SectionView {
   const std::optional<SceneCut>& cut() const { return cut_; }
   /// The rays of every so many pixels of the row (camera_row), traced with the cut.
   const std::vector<PixelTrace>& Rays() const { return rays_; }
-  /// All of it, in the square from -1 to 1.
-  Lines Drawing(const LoadedScene& scene, const RayLook& look) const;
+  /// All of it, in the square from -1 to 1, and labels in pixels from its lower left corner. Once it was cut.
+  SliceAxes Drawing(const LoadedScene& scene, const RayLook& look, int letter_size) const;
+  /// Where a pixel of the drawing is, how far from the eye (camera_row) or the origin of the plane's axes, and how far
+  /// from another pixel. Once it was cut.
+  std::string Tell(const R2::Point& pixel, const std::optional<R2::Point>& from) const;
   std::string Describe(int height) const;
 
  private:
   bool is_shown_ = false;
   SlicePlane plane_ = SlicePlane::camera_row;
-  int row_ = -1;         // the middle until it is moved
-  int last_height_ = 1;  // of the picture when it was last cut
-  double offset_ = 0;    // of the other planes, in radii of the scene
+  int row_ = -1;       // the middle until it is moved
+  double offset_ = 0;  // of the other planes, in radii of the scene
   std::optional<SceneCut> cut_;
+  SliceView view_;
+  SliceCoordinates coordinates_;
   std::vector<PixelTrace> rays_;
 };
 

@@ -94,6 +94,16 @@ class ImGuiPanels : public Panels {
     return std::visit([&](const auto& e) { return On(e, viewer); }, event);
   }
 
+  void LetGo() override {
+    Use();
+    ImGuiIO& io = ImGui::GetIO();
+    std::ranges::fill(io.KeysDown, false);
+    std::ranges::fill(io.MouseDown, false);
+    io.MousePos = {nowhere, nowhere};
+    ImGui::ClearActiveID();
+    holder_ = Holder::nobody;
+  }
+
   std::shared_ptr<const PanelDrawing> Draw(Viewer& viewer) override {
     Use();
     // Twice: what an event has changed may need another frame to find its size.
@@ -109,6 +119,12 @@ class ImGuiPanels : public Panels {
     MakeFrame(viewer);
     wants_text_ = false;
     return text_;
+  }
+
+  double Width(const Viewer& viewer) const override {
+    const double all = viewer.Size().width, widest = std::floor(widest_share * all);
+    const double usual = std::min(Pixels(column_width), std::floor(column_share * all));
+    return width_ > 0 ? std::clamp(Pixels(width_), std::min(Pixels(narrowest), widest), widest) : usual;
   }
 
   const std::vector<PanelItem>& Items() const override { return items_; }
@@ -130,6 +146,7 @@ class ImGuiPanels : public Panels {
 
   void Use() const { ImGui::SetCurrentContext(context_); }
 
+  double Pixels(double units) const { return std::floor(units * Scale()); }
   double Scale() const { return screen_ * look_.letters; }
   void Undress() {
     sheet_.reset();
@@ -261,11 +278,9 @@ class ImGuiPanels : public Panels {
   /// At the right, as high as the drawing.
   void DrawColumn(PanelFrame& frame) {
     const ImVec2 all = ImGui::GetIO().DisplaySize;
-    const auto pixels = [&](double units) { return static_cast<float>(std::floor(units * Scale())); };
-    const float widest = std::floor(static_cast<float>(widest_share) * all.x);
-    const float least = std::min(pixels(narrowest), widest);
-    const float usual = std::min(pixels(column_width), std::floor(static_cast<float>(column_share) * all.x));
-    const float width = width_ > 0 ? std::clamp(pixels(width_), least, widest) : usual;
+    const auto widest = static_cast<float>(std::floor(widest_share * static_cast<double>(all.x)));
+    const float least = std::min(static_cast<float>(Pixels(narrowest)), widest);
+    const auto width = static_cast<float>(Width(frame.viewer));
     ImGui::SetNextWindowPos({all.x, 0}, ImGuiCond_Always, {1, 0});
     ImGui::SetNextWindowSize({width, all.y}, ImGuiCond_Always);
     ImGui::SetNextWindowSizeConstraints({least, all.y}, {widest, all.y});

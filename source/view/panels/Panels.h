@@ -35,6 +35,10 @@ class Panels {
   /// Whether they keep the event from the viewer: of the pointer, where it is over them; of keys, where text is being
   /// entered. What is asked of the viewer is done before this returns.
   virtual bool Take(const Event& event, Viewer& viewer) = 0;
+  /// Keys and buttons are let go, and text is not entered any more: they are hidden, and will not be told.
+  virtual void LetGo() = 0;
+  /// Of the column, in pixels, when it is next drawn.
+  virtual double Width(const Viewer& viewer) const = 0;
   /// As they are now.
   virtual std::shared_ptr<const PanelDrawing> Draw(Viewer& viewer) = 0;
   /// What they say, in lines, hidden by scrolling or not; for scripts.

@@ -16,29 +16,12 @@
 #include "source/view/live/JobStatus.h"
 #include "source/view/overlay/SceneLines.h"
 #include "tests/Project.h"
+#include "tests/source/view/CopiedScenes.h"
 #include "tests/source/view/Witness.h"
 #include "tests/source/view/overlay/NodeCounts.h"
 
 namespace ray {
 namespace {
-
-/// The sample scenes in a folder of their own, to be written to.
-class CopiedScenes {
- public:
-  CopiedScenes() {
-    std::string name = (std::filesystem::temp_directory_path() / "rayview-test-XXXXXX").string();
-    folder_ = mkdtemp(name.data());
-    for (const char* part : {"hello.scn", "meshes", "textures"})
-      std::filesystem::copy(project::Root() / "scenes" / part, folder_ / part,
-                            std::filesystem::copy_options::recursive);
-  }
-  ~CopiedScenes() { std::filesystem::remove_all(folder_); }
-  CopiedScenes(const CopiedScenes&) = delete;
-  std::filesystem::path operator/(const char* name) const { return folder_ / name; }
-
- private:
-  std::filesystem::path folder_;
-};
 
 /// A viewer whose user types.
 class ViewerTest : public testing::Test {
@@ -131,6 +114,7 @@ TEST_F(ViewerTest, EveryKeyIsInTheHelpAndDoesSomething) {
   }
   // What each needs before it can do anything, and then something that can be told from outside must have changed.
   const std::map<std::string, std::string> before{
+      {"I", "key S\nwait trace"},
       {"V", "key S\nwait trace"},
       {"Shift+X", "key X"},
       {"Shift+F", "click left 32 24\ntick 1"},
@@ -558,6 +542,57 @@ TEST_F(ViewerTest, TheCutFollowsItsRowAndPlanes) {
   }
 }
 
+// The scene is drawn in half of the width then, and clicks were taken as if it had all of it.
+TEST_F(ViewerTest, BesideTheCutAClickMeansWhatIsSeenThere) {
+  Do("click left 20 30");
+  ASSERT_TRUE(viewer_->Picked() && viewer_->Picked()->point);
+  const R3::Point without = *viewer_->Picked()->point;
+  Do("key X\nclick left 10 27");
+  ASSERT_TRUE(viewer_->Picked() && viewer_->Picked()->point);
+  EXPECT_EQ(*viewer_->Picked()->point, without);
+  Do("click right 10 27");
+  EXPECT_EQ(StateLine("pixel"), "20 30");
+  Do("tick 1\nclick left 10 27\nclick left 10 27");
+  ASSERT_TRUE(viewer_->navigator().Pivot());
+  const auto seen = PixelOf(camera(), *viewer_->navigator().Pivot(), {width / 2, height});
+  ASSERT_TRUE(seen);
+  EXPECT_NEAR(seen->x, 10, 1e-6);
+  EXPECT_NEAR(seen->y, 27, 1e-6);
+}
+
+TEST_F(ViewerTest, OverTheCutThePointerTellsDistancesAlongThePlane) {
+  Do("resize 640 480\nkey X\nkey Shift+X");
+  viewer_->Show();
+  const auto numbers = [&] {
+    std::vector<double> all;
+    std::istringstream words(StateLine("under the pointer"));
+    for (std::string word; words >> word;)
+      if (char* end = nullptr; std::strtod(word.c_str(), &end) != 0 && end != word.c_str())
+        all.push_back(std::stod(word));
+    return all;
+  };
+  Do("move 100 240");
+  EXPECT_TRUE(numbers().empty()) << "not over the cut";
+  const Camera before = camera();
+  Do("down left 400 100\nmove 500 300");
+  const auto told = numbers();  // x, z, distance from the origin, distance from the press
+  ASSERT_EQ(told.size(), 4u) << StateLine("under the pointer");
+  EXPECT_NEAR(told[2], std::hypot(told[0], told[1]), 1e-3);
+  Do("move 400 100");
+  const auto first = numbers();
+  EXPECT_NEAR(told[3], std::hypot(told[0] - first[0], told[1] - first[1]), 1e-2);
+  Do("up left 400 100");
+  EXPECT_TRUE(IsCameraOf(before)) << "the scene is not dragged from there";
+  EXPECT_EQ(numbers().size(), 3u);
+}
+
+TEST_F(ViewerTest, TheWheelOverTheCutMovesItsPlane) {
+  Do("key X\nscroll 1 50 20");
+  EXPECT_EQ(StateLine("cut"), "row 25");
+  Do("scroll -2 50 20");
+  EXPECT_EQ(StateLine("cut"), "row 24");
+}
+
 TEST_F(ViewerTest, ASceneThatIsEditedIsReadAgainAndABrokenOneIsNot) {
   std::string name = (std::filesystem::temp_directory_path() / "rayview-test-XXXXXX").string();
   const std::filesystem::path folder = mkdtemp(name.data());
@@ -605,6 +640,61 @@ TEST_F(ViewerTest, ComparingTellsTheDifferenceOfThePictures) {
   ASSERT_TRUE(shown.picture && shown.picture->image);
   EXPECT_NEAR(shown.picture->image->At(10, 10).r,
               std::abs(current->At(10, 10).r - viewer_->Pictures().Reference()->At(10, 10).r), 1e-6);
+}
+
+TEST_F(ViewerTest, TheRenderedPictureIsShownFlatUntilEscape) {
+  Do("key I");
+  EXPECT_FALSE(viewer_->Show().picture) << "nothing is rendered yet";
+  Do("key S\nwait trace\nkey I");
+  FrameState shown = viewer_->Show();
+  ASSERT_TRUE(shown.picture && shown.picture->frame);
+  EXPECT_EQ(shown.picture->frame, &viewer_->Pictures().Trace()->frame());
+  EXPECT_EQ(shown.picture->place.width, width);
+  EXPECT_EQ(shown.picture->place.height, height);
+  EXPECT_EQ(shown.split, width) << "all of it";
+  EXPECT_TRUE(shown.lines->empty());
+  Do("key Control+Up");
+  EXPECT_EQ(viewer_->Show().picture->exposure.factor, 2);
+  Do("key Escape");
+  EXPECT_FALSE(viewer_->Show().picture);
+  EXPECT_EQ(viewer_->Show().split, -1);
+}
+
+TEST_F(ViewerTest, TheWheelZoomsTheFlatPictureAboutThePointerAndADragMovesIt) {
+  Do("key S\nwait trace\nkey I\nmove 10.5 20.5");
+  const Camera before = camera();
+  const R2::Point pixel = viewer_->Pointer();
+  Do("scroll 5 10.5 20.5");
+  const PixelBox zoomed = viewer_->Show().picture->place;
+  EXPECT_GT(zoomed.width, 2 * width);
+  EXPECT_NEAR(viewer_->Pointer().x, pixel.x, 1e-9);
+  EXPECT_NEAR(viewer_->Pointer().y, pixel.y, 1e-9);
+  Do("down left 10.5 20.5\nmove 30.5 25.5\nup left 30.5 25.5");
+  EXPECT_NEAR(viewer_->Pointer().x, pixel.x, 1e-9) << "what was taken hold of stays under the pointer";
+  EXPECT_NEAR(viewer_->Pointer().y, pixel.y, 1e-9);
+  Do("click right 30.5 25.5");
+  EXPECT_EQ(StateLine("pixel"), "10 20");
+  EXPECT_TRUE(IsCameraOf(before));
+  Do("scroll 1000 30 20\nscroll -1000 30 20");
+  EXPECT_NEAR(viewer_->Show().picture->place.width, 0.1 * width, 1e-9);
+}
+
+TEST_F(ViewerTest, TheSliderShowsThePreviewOrTheReferenceBesideTheFlatPicture) {
+  Do("key S\nwait trace\nkey I\ndown left 64 20\nmove 50 20\nmove 16 20\nup left 16 20");
+  EXPECT_EQ(viewer_->Show().split, 16);
+  EXPECT_FALSE(viewer_->Show().beside);
+  Do("down left 40 20 Shift\nmove 48 20\nup left 48 20");
+  EXPECT_EQ(viewer_->Show().split, 48);
+  Do("key R");
+  ASSERT_TRUE(viewer_->Show().beside);
+  EXPECT_EQ(viewer_->Show().beside->image, viewer_->Pictures().Reference());
+  // The preview beside it is of the picture's camera, wherever the viewer's own is by then.
+  Do("key Escape");
+  const auto eye = viewer_->Show().seen_from.eye;
+  Do("key Pad7");
+  EXPECT_NE(viewer_->Show().seen_from.eye, eye);
+  Do("key I");
+  EXPECT_EQ(viewer_->Show().seen_from.eye, eye);
 }
 
 TEST_F(ViewerTest, IsNotBusyWhereNothingIsRendered) {

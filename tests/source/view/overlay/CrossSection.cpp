@@ -2,6 +2,7 @@
 
 #include "source/view/overlay/CrossSection.h"
 #include "R3/ShapeKind.h"
+#include "source/view/overlay/CutDrawing.h"
 
 #include <gtest/gtest.h>
 
@@ -338,16 +339,17 @@ TEST(CrossSection, IsDrawnWithinItsSquareAndInTheColorOfWhatIsCut) {
   scene.materials[0].kd = scene.materials[0].ks = scene.materials[0].kr = {1, 0, 0};
   const Model model(std::move(scene));
   const ray::SceneCut cut = model.Cut(ray::SlicePlane::yz, {0, 0, 0});
-  const ray::Lines lines = ray::CutLines(cut, model.stage.world);
+  const ray::SliceView view = ray::SliceView::Of(cut.slice, model.stage.scene->root.bounds, {300, 300});
+  const ray::Lines lines = ray::CutLines(cut, model.stage.world, view);
   ASSERT_GT(lines.size(), 200u);
   for (const ray::Vertex& vertex : lines) {
     for (const float x : vertex.at) EXPECT_LE(std::abs(x), 1);
     EXPECT_EQ(vertex.color[0], 255);
     EXPECT_LT(vertex.color[1], 128);
   }
-  const auto projected = [&](const R3::Point& p) { return cut.slice.At(cut.slice.Project(p))[0]; };
+  const auto projected = [&](const R3::Point& p) { return view.At(cut.slice.Project(p))[0]; };
   EXPECT_NEAR(projected({0, 0, 1e12}), 0, 1e-6);
-  EXPECT_NEAR(projected({5, 1e3, 1e12}), 1e3 / cut.slice.extent, 1e-6);
+  EXPECT_NEAR(projected({5, 1e3, 1e12}), 1e3 / (view.pixel * 150), 1e-6);
 }
 
 }  // namespace

@@ -14,37 +14,10 @@
 #include "source/text/NumberText.h"
 #include "source/view/EventScript.h"
 #include "tests/Project.h"
-#include "tests/source/view/Witness.h"
+#include "tests/source/view/WithOptions.h"
 
 namespace ray {
 namespace {
-
-/// A program with two options.
-class WithOptions : public Witness {
- public:
-  std::vector<ShownOption> ShownOptions() override {
-    return {{"mode", "light", "what is rendered", mode, "one of two", {"whitted", "path"}, false},
-            {"samples", "light", "per pixel", std::to_string(samples), "1 to 9", {}, false}};
-  }
-  ViewerSettings ChangeOption(const std::string& name, const std::string& value) override {
-    if (name == "mode") mode = value;
-    if (name == "accel") accelerator = value;
-    if (name == "samples" && (value.size() != 1 || value[0] < '1'))
-      throw std::runtime_error("-samples must be 1 to 9, got " + value);
-    if (name == "samples") samples = value[0] - '0';
-    ViewerSettings settings;
-    settings.render.mode = mode == "path" ? RenderMode::path : RenderMode::whitted;
-    settings.render.samples = samples;
-    settings.accelerator.name = accelerator;
-    return settings;
-  }
-  std::string CommandFor(const RenderSettings& settings) override {
-    return "make -samples " + std::to_string(settings.samples);
-  }
-
-  std::string mode = "whitted", accelerator = "auto";
-  int samples = 1;
-};
 
 /// A viewer whose user looks at panels.
 class PanelTest : public ::testing::Test {
@@ -437,6 +410,21 @@ TEST_F(PanelTest, TheHelpIsSearched) {
   Do("type EXPOS");
   EXPECT_TRUE(Says("reset the exposure")) << viewer_->TextOfPanels();
   EXPECT_FALSE(Says("bookmark")) << viewer_->TextOfPanels();
+}
+
+TEST_F(PanelTest, LeaveTheCutBesideThem) {
+  Do("resize 1000 600\nkey X\nkey Tab");
+  const FrameState shown = viewer_->Show();
+  for (const PanelDrawing::Corner& corner : shown.panels->corners)
+    EXPECT_GE(corner.x, shown.view.width + shown.section_size.width);
+  EXPECT_NEAR(shown.view.width, shown.section_size.width, 1);
+}
+
+// The press went to the picture and its release to panels that had come up meanwhile: the view kept flying, and S with
+// it.
+TEST_F(PanelTest, ADragThatPanelsComeUpInStillEnds) {
+  Do("key Tab\ndown left 500 256\nkey Tab\ndown right 20 20\nkey Tab\nup right 20 20\nkey S\nwait trace");
+  EXPECT_EQ(host_.traced.size(), 1u) << viewer_->Message();
 }
 
 TEST_F(PanelTest, AnotherSceneIsAnotherTree) {

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "source/view/camera/CameraMoves.h"
+#include "source/view/overlay/CrossSection.h"
+
+namespace ray {
+
+/// The part of a slice that is drawn: all of the scene's cut, as large as a drawing of `size` pixels holds it.
+struct SliceView {
+  R2::Point middle;        // of the drawing, in the slice's coordinates
+  double pixel = 1;        // the side of one, in the slice's units, > 0
+  DrawingSize size{1, 1};  // of the drawing, at least 1 each
+
+  static SliceView Of(const Slice& slice, const R3::Box& scene, const DrawingSize& size);
+
+  /// From a point of the slice to pixels, from the lower left corner of the drawing, and back.
+  R2::Point Pixel(const R2::Point& p) const {
+    return {(p.x - middle.x) / pixel + size.width / 2.0, (p.y - middle.y) / pixel + size.height / 2.0};
+  }
+  R2::Point InSlice(const R2::Point& at) const {
+    return {middle.x + (at.x - size.width / 2.0) * pixel, middle.y + (at.y - size.height / 2.0) * pixel};
+  }
+  /// In the square from -1 to 1 that is the drawing, z = 0.
+  std::array<float, 3> At(const R2::Point& p) const {
+    return {static_cast<float>((p.x - middle.x) / (pixel * size.width / 2)),
+            static_cast<float>((p.y - middle.y) / (pixel * size.height / 2)), 0};
+  }
+};
+
+/// What the numbers beside a slice count.
+struct SliceCoordinates {
+  std::array<std::string, 2> names;  // of the axes to the right and upward
+  R2::Point origin;                  // where both are 0, in the slice's coordinates
+  std::string origin_name;
+};
+
+/// Lines in the square from -1 to 1, and labels in pixels from its lower left corner.
+struct SliceAxes {
+  Lines lines;
+  std::vector<Label> labels;
+};
+
+/// Numbers along the lower and the left edge with faint lines through them, and a scale: a bar of the length that is
+/// written on it. `letter_size`: >= 1, as of labels.
+SliceAxes AxesOf(const SliceView& view, const SliceCoordinates& coordinates, int letter_size);
+
+/// The least of 1, 2, 5, 10 and so on times powers of ten that goes at most `most` (>= 1) times into `range` (> 0).
+double TickStep(double range, int most);
+
+}  // namespace ray
