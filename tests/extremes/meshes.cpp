@@ -76,7 +76,7 @@ TEST(Extremes, D1_D2_NoRayLeavesAClosedMeshThroughAnEdgeOrACorner) {
   ExpectNoLeaks(fine_poles, identity, draw, Count(6'000, 1'000'000));
 }
 
-TEST(Extremes, D3_NorWhenTheMeshIsFarTinyHugeSqueezedOrSlanted) {
+TEST(Extremes, D3_NoRayLeavesAMeshThatIsFarTinyHugeSqueezedOrSlanted) {
   Draw draw(402);
   for (const R3::Matrix& m : HardPlacements(draw))
     ExpectNoLeaks(R3::Mesh(Moved(BumpyBall(12, 8), m)), m, draw, Count(4'000, 1'000'000));

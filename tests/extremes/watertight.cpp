@@ -55,7 +55,7 @@ TEST(Extremes, D1_D2_NoAcceleratorLetsARayThroughAnEdgeOrACorner) {
   ExpectNoLeaks(accelerators::BumpyBall(3, 4), {}, 1003, Count(20'000, 10'000'000));    // and of 3
 }
 
-TEST(Extremes, D1_D2_NorDoesOneThatTracesRaysTogether) {
+TEST(Extremes, D1_D2_NoAcceleratorThatTracesRaysTogetherLetsOneThrough) {
   const R3::MeshData data = accelerators::BumpyBall(40, 30);
   const ray::Scene scene = SceneOf(data);
   const ray::World world(scene);
@@ -90,7 +90,7 @@ TEST(Extremes, D1_D2_NorDoesOneThatTracesRaysTogether) {
   }
 }
 
-TEST(Extremes, D3_NorThroughAMeshFarTinyHugeSqueezedOrSlanted) {
+TEST(Extremes, D3_NoAcceleratorLetsARayThroughAMeshFarTinyHugeSqueezedOrSlanted) {
   Draw draw(1010);
   for (const R3::Matrix& m : HardPlacements(draw))
     ExpectNoLeaks(Moved(accelerators::BumpyBall(24, 16), m), m, 1011, Count(6'000, 1'000'000));

@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 using namespace std::chrono_literals;
 
-TEST(Extremes, K11_OutputNamesThatAreNoFiles) {
+TEST(Extremes, K11_OutputNamesThatAreNoFilesAreRefused) {
   NEEDS_THE_PROGRAM();
   const SceneFolder place;
   fs::create_directory(place / "folder.ppm");
