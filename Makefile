@@ -2,8 +2,8 @@
 #   make            the programs, under build/ (another place: make BUILD=elsewhere)
 #   make test       the layer check, all tests, and a few pictures of the writeup
 #   make night      the tests with millions of cases; GTEST=--gtest_filter=... for some of them
-#   make check      the layer check alone: who may include whom; that elementary functions are our own; and that the
-#                   patches of script/price apply
+#   make check      the layer check alone: who may include whom; that elementary functions are our own; that the
+#                   patches of script/price apply; and that all who name packages name the same
 #   make asan tsan  the tests again under the sanitizers
 #   make fuzz       the fuzz targets, with clang, under build/fuzz; script/fuzz.sh runs them
 #   make bench      the benchmark programs
@@ -169,6 +169,7 @@ check:
 	@sh script/check_layers.sh
 	@sh script/check_functions.sh
 	@sh script/check_patches.sh
+	@sh script/check_packages.sh
 
 asan:
 	$(MAKE) BUILD=$(BUILD)/asan OPTIMIZE=-O1 SANITIZE="-fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer" test

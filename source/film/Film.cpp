@@ -82,6 +82,12 @@ PixelRectangle Film::PixelsOf(int block) const {
   return Common(sampled_, {x, y, x + block_side, y + block_side});
 }
 
+std::vector<double> Film::AreasInRegion() const {
+  std::vector<double> areas;
+  for (int i = 0; i < Blocks(); ++i) areas.push_back(static_cast<double>(PixelsInRegion(i).Area()));
+  return areas;
+}
+
 int Film::BlockOf(int x, int y) const {
   return (y / block_side - first_row_) * columns_ + (x / block_side - first_column_);
 }

@@ -77,6 +77,8 @@ class Film {
   PixelRectangle PixelsOf(int block) const;
   /// Those of them that are in the region.
   PixelRectangle PixelsInRegion(int block) const { return Common(PixelsOf(block), region_); }
+  /// How many those are, of each block.
+  std::vector<double> AreasInRegion() const;
   const Filter& filter() const { return filter_; }
   const PixelRectangle& Region() const { return region_; }
   /// The pixels that samples are taken of: the region, and those around it that a wide filter reaches it from.

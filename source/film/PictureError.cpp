@@ -144,10 +144,9 @@ std::vector<double> MeansOfBlocks(const Film& film, const std::vector<float>& sq
       means[static_cast<std::size_t>(film.BlockOf(x, y))] +=
           squares[static_cast<std::size_t>(y - region.y0) * static_cast<std::size_t>(region.Width()) +
                   static_cast<std::size_t>(x - region.x0)];
-  for (std::size_t i = 0; i < means.size(); ++i) {
-    const auto area = static_cast<double>(film.PixelsInRegion(static_cast<int>(i)).Area());
-    if (area > 0) means[i] /= area;
-  }
+  const std::vector<double> areas = film.AreasInRegion();
+  for (std::size_t i = 0; i < means.size(); ++i)
+    if (areas[i] > 0) means[i] /= areas[i];
   return means;
 }
 
@@ -197,16 +196,10 @@ double OutlierShare(std::vector<float> squares) {
   return in_all > 0 ? in_outliers / in_all : 0;
 }
 
-std::vector<double> AreasOfBlocks(const Film& film) {
-  std::vector<double> areas;
-  for (int i = 0; i < film.Blocks(); ++i) areas.push_back(static_cast<double>(film.PixelsInRegion(i).Area()));
-  return areas;
-}
-
 /// An estimate by the squared errors of blocks; its interval by those of pixels.
 MeasuredError Summarize(const Film& film, std::vector<double> blocks, const std::vector<float>& squares,
                         double share_of_variance, double mean, const ErrorMeasure& measure) {
-  const std::vector<double> areas = AreasOfBlocks(film);
+  const std::vector<double> areas = film.AreasInRegion();
   MeasuredError measured;
   measured.mean = mean;
   measured.square = MeanOfBlocks(blocks, areas);
@@ -283,7 +276,7 @@ std::optional<MeasuredError> MeasureError(const Film& film, const ErrorMeasure& 
   const PixelErrors errors = PixelErrorsOf(film, measure).Sum();
   BlockErrors differences{MeansOfBlocks(film, errors.squares), {}};
   for (int i = 0; i < film.Blocks(); ++i) differences.samples.push_back(film[i].Samples());
-  const double stubbornness = Stubbornness(differences, before, AreasOfBlocks(film));
+  const double stubbornness = Stubbornness(differences, before, film.AreasInRegion());
   std::vector<double> blocks = differences.squares;
   for (std::size_t i = 0; i < blocks.size(); ++i)
     blocks[i] = std::max(stubbornness * blocks[i], blocks[i] + errors.cut[i] * errors.cut[i]);

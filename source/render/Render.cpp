@@ -19,12 +19,6 @@ ErrorMeasure MeasureFor(const RenderSettings& settings) {
           settings.srgb};
 }
 
-BlockGrid GridOf(const Film& film) {
-  BlockGrid grid{film.Columns(), {}};
-  for (int i = 0; i < film.Blocks(); ++i) grid.areas.push_back(static_cast<double>(film.PixelsInRegion(i).Area()));
-  return grid;
-}
-
 /// How many of the block's pixels have no sample but their first, which is not in the film's sums yet.
 std::int64_t PixelsLookedAt(const Film& film, int block) {
   const PixelRectangle pixels = film.PixelsInRegion(block);
@@ -97,7 +91,7 @@ class Job {
         camera_(CameraRaysOf(world, settings)),
         source_{integrator, camera_, RandomKey(settings.seed), settings.clamp == Clamp::samples},
         film_(EmptyFilmOf(settings)),
-        schedule_(settings, GridOf(film_), settings.wants_passes || monitor.pass_done),
+        schedule_(settings, {film_.Columns(), film_.AreasInRegion()}, settings.wants_passes || monitor.pass_done),
         runner_({source_, film_, HasTwoStreams(settings), settings.threads, settings.tile_size, monitor.stop,
                  [this](std::int64_t pixels, const RayCounts& rays) { TellProgress(pixels, rays); }}) {}
 

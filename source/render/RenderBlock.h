@@ -26,33 +26,49 @@ struct SampleSource {
   bool clamps_samples = false;
 
   RandomKey PixelKey(int column, int row, int stream = 0) const { return ray::PixelKey(seed, column, row, stream); }
+  /// Of the first stream.
+  CameraSample FirstSample(int column, int row) const { return camera(column, row, PixelKey(column, row), 0); }
 };
 
-/// A few camera rays, which integrators trace faster together than one by one. What a ray brings back depends on its
-/// pixel, stream and index alone, never on which others are in its batch or came before it, but for the modes that show
-/// costs, where an accelerator remembers the last hit.
-class SampleBatch {
+/// Traces camera rays a few at a time, which integrators do faster than one by one, and gives each to splat(column,
+/// row, sample, radiance) in the order they were added. What a ray brings back depends on its pixel, stream and index
+/// alone, never on which others are in its batch or came before it, but for the modes that show costs, where an
+/// accelerator remembers the last hit.
+template <typename Splat>
+class BatchTracer {
  public:
-  void Add(int column, int row, const CameraSample& sample) {
+  /// The first two must outlive it.
+  BatchTracer(const SampleSource& source, TraceState& state, const Splat& splat)
+      : source_(source), state_(state), splat_(splat) {}
+
+  /// Traces the batch once it is full. As Finish gives whether nobody asked to stop by state.stop, looked at before a
+  /// batch, which then is left as it is, and after it, when integrators may have left off.
+  bool Add(int column, int row, const CameraSample& sample) {
     samples_[size_] = sample;
     pixels_[size_++] = {column, row};
+    return size_ < capacity || Finish();
   }
-  bool IsFull() const { return size_ == capacity; }
-  int Size() const { return static_cast<int>(size_); }
-
-  /// Traces the rays, gives each to splat(column, row, sample, radiance) in the order they were added, and is empty.
-  template <typename Splat>
-  void Trace(const Integrator& integrator, TraceState& state, const Splat& splat) {
-    integrator.Li(std::span(samples_).first(size_), std::span(radiances_).first(size_), state);
-    for (std::size_t i = 0; i < size_; ++i) splat(pixels_[i].column, pixels_[i].row, samples_[i], radiances_[i]);
+  /// Traces what has not been.
+  bool Finish() {
+    if (state_.IsStopped()) return false;
+    source_.integrator.Li(std::span(samples_).first(size_), std::span(radiances_).first(size_), state_);
+    for (std::size_t i = 0; i < size_; ++i)
+      splat_(pixels_[i].column, pixels_[i].row, samples_[i],
+             source_.clamps_samples ? Clamped(radiances_[i]) : radiances_[i]);
     size_ = 0;
+    return !state_.IsStopped();
   }
+  /// Whether all that was added has been traced.
+  bool IsEmpty() const { return size_ == 0; }
 
  private:
   static constexpr std::size_t capacity = 16;
   struct Pixel {
     int column, row;
   };
+  const SampleSource& source_;
+  TraceState& state_;
+  const Splat splat_;
   std::size_t size_ = 0;
   std::array<CameraSample, capacity> samples_;
   std::array<Pixel, capacity> pixels_;

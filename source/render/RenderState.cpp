@@ -36,6 +36,12 @@ class Writer {
     const auto* first = reinterpret_cast<const unsigned char*>(values.data());
     bytes_.insert(bytes_.end(), first, first + values.size() * sizeof(T));
   }
+  /// Those of all blocks, or that there are none.
+  template <typename T>
+  void PutIfAny(const std::vector<T>& values) {
+    Put(!values.empty());
+    if (!values.empty()) PutAll(values);
+  }
   void PutText(std::string_view text) { bytes_.insert(bytes_.end(), text.begin(), text.end()); }
   std::vector<unsigned char> Take() { return std::move(bytes_); }
   std::span<const unsigned char> Bytes() const { return bytes_; }
@@ -62,6 +68,13 @@ class Reader {
     const auto taken = TakeBytes(values.size() * sizeof(T));
     std::ranges::copy(taken,
                       reinterpret_cast<unsigned char*>(values.data()));  // memcpy takes no null, even for nothing
+  }
+  /// What PutIfAny has put.
+  template <typename T>
+  void TakeIfAny(std::vector<T>& values, int blocks) {
+    if (Take<char>() == 0) return;
+    values.resize(static_cast<std::size_t>(blocks));
+    TakeAll(values);
   }
   std::string TakeText(std::size_t length) {
     const auto taken = TakeBytes(length);
@@ -112,10 +125,8 @@ Pass TakePass(Reader& reader) {
 
 void PutSchedule(Writer& writer, const ScheduleState& schedule) {
   writer.PutAll(schedule.targets.samples);
-  writer.Put(!schedule.targets.places.empty());
-  if (!schedule.targets.places.empty()) writer.PutAll(schedule.targets.places);
-  writer.Put(!schedule.last_squared_errors.empty());
-  if (!schedule.last_squared_errors.empty()) writer.PutAll(schedule.last_squared_errors);
+  writer.PutIfAny(schedule.targets.places);
+  writer.PutIfAny(schedule.last_squared_errors);
   writer.Put(schedule.end);
 }
 
@@ -123,14 +134,8 @@ ScheduleState TakeSchedule(Reader& reader, int blocks) {
   ScheduleState schedule;
   schedule.targets.samples.resize(static_cast<std::size_t>(blocks));
   reader.TakeAll(schedule.targets.samples);
-  if (reader.Take<char>() != 0) {
-    schedule.targets.places.resize(static_cast<std::size_t>(blocks));
-    reader.TakeAll(schedule.targets.places);
-  }
-  if (reader.Take<char>() != 0) {
-    schedule.last_squared_errors.resize(static_cast<std::size_t>(blocks));
-    reader.TakeAll(schedule.last_squared_errors);
-  }
+  reader.TakeIfAny(schedule.targets.places, blocks);
+  reader.TakeIfAny(schedule.last_squared_errors, blocks);
   schedule.end = reader.Take<std::uint32_t>();
   return schedule;
 }
@@ -227,11 +232,8 @@ std::vector<unsigned char> Encoded(const RenderState& state, const std::string& 
   PutSchedule(writer, state.schedule);
   writer.Put(state.rays);
   writer.Put(state.planned_samples);
-  writer.Put(!state.differences.IsEmpty());
-  if (!state.differences.IsEmpty()) {
-    writer.PutAll(state.differences.squares);
-    writer.PutAll(state.differences.samples);
-  }
+  writer.PutIfAny(state.differences.squares);
+  if (!state.differences.IsEmpty()) writer.PutAll(state.differences.samples);
   writer.Put<std::uint64_t>(state.passes.size());
   for (const Pass& pass : state.passes) PutPass(writer, pass);
   for (const Film::Block& block : state.blocks) PutBlock(writer, block);
@@ -248,12 +250,9 @@ RenderState DecodedState(std::span<const unsigned char> bytes, const std::string
   state.schedule = TakeSchedule(reader, film.Blocks());
   state.rays = reader.Take<RayCounts>();
   state.planned_samples = reader.Take<std::uint32_t>();
-  if (reader.Take<char>() != 0) {
-    state.differences.squares.resize(static_cast<std::size_t>(film.Blocks()));
-    state.differences.samples.resize(static_cast<std::size_t>(film.Blocks()));
-    reader.TakeAll(state.differences.squares);
-    reader.TakeAll(state.differences.samples);
-  }
+  reader.TakeIfAny(state.differences.squares, film.Blocks());
+  state.differences.samples.resize(state.differences.squares.size());
+  if (!state.differences.IsEmpty()) reader.TakeAll(state.differences.samples);
   for (auto passes = reader.Take<std::uint64_t>(); passes > 0; --passes) state.passes.push_back(TakePass(reader));
   for (int i = 0; i < film.Blocks(); ++i) state.blocks.push_back(TakeBlock(reader, film.EmptySums(i)));
   if (reader.Left() > 0) throw CheckpointError("it is longer than it should be");

@@ -80,7 +80,7 @@ TEST(Accelerators, AgreeAtTheEndsOfTheRangeOfNumbers) {
   }
 }
 
-TEST(Extremes, C5_RaysInThePlanesWhereStructuresDivide) {
+TEST(Extremes, C5_RaysInThePlanesWhereStructuresDivideHitWhatTheyHitWithoutThem) {
   // A lattice of unit boxes made of triangles and shapes: grids, octrees and boxes divide it along whole numbers.
   Draw draw(960);
   ray::Scene scene;
@@ -128,7 +128,7 @@ TEST(Extremes, C6_BadRaysHitNothingAndAreCounted) {
   }
 }
 
-TEST(Extremes, C9_ScenesWithoutExtentOnOneTwoOrAllAxes) {
+TEST(Extremes, C9_ScenesWithoutExtentOnOneTwoOrAllAxesLookAlikeToEveryAccelerator) {
   Draw draw(970);
   for (int flat = 1; flat < 8; ++flat) {
     ray::Scene scene;
@@ -149,7 +149,7 @@ TEST(Extremes, C9_ScenesWithoutExtentOnOneTwoOrAllAxes) {
   }
 }
 
-TEST(Extremes, C8_C10_ATinyMeshInAHugeOne) {
+TEST(Extremes, C8_C10_ATinyMeshInAHugeOneIsFoundByEveryAccelerator) {
   Draw draw(980);
   ray::Scene scene;
   R3::Matrix huge, tiny;

@@ -6,17 +6,14 @@
 #include <cmath>
 #include <filesystem>
 
-#include "R2/ImageFile.h"
+#include "R2/Image.h"
 #include "tests/Named.h"
 #include "tests/Project.h"
 #include "tests/source/app/Program.h"
 
 namespace {
 
-R2::Image PictureIn(const std::string& file) {
-  const std::string bytes = ray::testing::ReadFile(file);
-  return R2::DecodeImage({reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()}).image;
-}
+R2::Image PictureIn(const std::string& file) { return ray::testing::Decode(file).image; }
 
 struct Counted {
   int pixels = 0;   // that differ at all

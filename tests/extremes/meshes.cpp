@@ -8,6 +8,7 @@
 #include "R3/Transform.h"
 #include "tests/Draw.h"
 #include "tests/Quad.h"
+#include "tests/extremes/Placements.h"
 
 namespace {
 
@@ -47,11 +48,6 @@ R3::MeshData BumpyBall(int around, int rings) {
   return data;
 }
 
-R3::Mesh Moved(R3::MeshData data, const R3::Matrix& matrix) {
-  for (R3::Point& p : data.positions) p = matrix * p;
-  return R3::Mesh(std::move(data));
-}
-
 bool IsHit(const R3::Mesh& mesh, const R3::Ray& ray) {
   for (int e = 0; e < mesh.Elements(); ++e)
     if (mesh.Intersect(ray, e)) return true;
@@ -80,17 +76,10 @@ TEST(Extremes, D1_D2_NoRayLeavesAClosedMeshThroughAnEdgeOrACorner) {
   ExpectNoLeaks(fine_poles, identity, draw, Count(6'000, 1'000'000));
 }
 
-TEST(Extremes, D3_NorWhenTheMeshIsFarTinyHugeSqueezedOrSlanted) {
+TEST(Extremes, D3_NoRayLeavesAMeshThatIsFarTinyHugeSqueezedOrSlanted) {
   Draw draw(402);
-  const auto scaled = [](double x, double y, double z, double shift) {
-    R3::Matrix m;
-    m.m = {{{x, 0, 0, shift}, {0, y, 0, -shift}, {0, 0, z, shift}}};
-    return m;
-  };
-  std::vector<R3::Matrix> matrices{scaled(1, 1, 1, 1e5),     scaled(1e-3, 1e-3, 1e-3, 0), scaled(1e-3, 1e-3, 1e-3, 1e5),
-                                   scaled(1e6, 1e6, 1e6, 0), scaled(1, 1e-4, 1, 0),       scaled(1e-4, 1, 1, 1e5)};
-  for (int i = 0; i < 6; ++i) matrices.push_back(draw.Affine(4));
-  for (const R3::Matrix& m : matrices) ExpectNoLeaks(Moved(BumpyBall(12, 8), m), m, draw, Count(4'000, 1'000'000));
+  for (const R3::Matrix& m : HardPlacements(draw))
+    ExpectNoLeaks(R3::Mesh(Moved(BumpyBall(12, 8), m)), m, draw, Count(4'000, 1'000'000));
 }
 
 TEST(Extremes, D5_TrianglesWithoutAreaAreDroppedAndTheirNeighborsStayClosed) {

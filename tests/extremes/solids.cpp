@@ -272,7 +272,7 @@ TEST(Extremes, B4_ARayParallelToTheAxisMeetsOnlyTheEnds) {
   }
 }
 
-TEST(Extremes, B5_NoHolesInNeedlesAndPlatesSeenThroughTheirApexOrAlongTheirSide) {
+TEST(Extremes, B5_NeedlesAndPlatesSeenThroughTheirApexOrAlongTheirSideHaveNoHoles) {
   Draw draw(804);
   for (int k = 0; k <= 8; ++k)
     for (const bool is_needle : {true, false}) {

@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "R2/ImageFile.h"
+#include "R2/Image.h"
 #include "tests/Project.h"
 #include "tests/source/app/Program.h"
 
@@ -26,8 +26,7 @@ struct BytePicture {
 };
 
 BytePicture BytesIn(const std::string& file) {
-  const std::string bytes = ReadFile(file);
-  const R2::Image image = R2::DecodeImage({reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()}).image;
+  const R2::Image image = Decode(file).image;
   BytePicture picture{image.Width(), image.Height(), {}};
   for (int y = 0; y < image.Height(); ++y)
     for (int x = 0; x < image.Width(); ++x) {

@@ -4,6 +4,7 @@
 #include <exception>
 #include <mutex>
 #include <thread>
+#include <utility>
 
 #include "source/integrate/debug/Heat.h"
 
@@ -46,39 +47,36 @@ bool CoarsePasses::TraceItem(const Item& item, Worker& worker) {
            (row - sampled_.y0) % item.traced_stride == 0;
   };
   worker.state.workspace.ForgetLastHits();
+  BatchTracer tracer(source_, worker.state, [&](int column, int row, const CameraSample&, const R2::Color& radiance) {
+    colors_[Index(column, row)] = radiance;
+    Show(column, row, item.stride, radiance);
+    ++worker.pixels_traced;
+  });
   bool was_stopped = watch_.stop.load();
+  const auto reported = [&](bool goes_on) {
+    if (!tracer.IsEmpty()) return goes_on;
+    Report(was_stopped, worker);
+    was_stopped = watch_.stop.load();
+    return goes_on;
+  };
   for (int row = pixels.y0; row < pixels.y1; row += item.stride)
-    for (int column = pixels.x0; column < pixels.x1; column += item.stride) {
-      if (is_traced(column, row)) continue;
-      worker.batch.Add(column, row, source_.camera(column, row, source_.PixelKey(column, row), 0));
-      if (!worker.batch.IsFull()) continue;
-      if (!TraceBatch(item.stride, was_stopped, worker)) return false;
-      was_stopped = watch_.stop.load();
-    }
-  if (!TraceBatch(item.stride, was_stopped, worker)) return false;
+    for (int column = pixels.x0; column < pixels.x1; column += item.stride)
+      if (!is_traced(column, row) && !reported(tracer.Add(column, row, source_.FirstSample(column, row)))) return false;
+  if (!reported(tracer.Finish())) return false;
   const int bottom = film_.Region().y0;
   for (int row = std::max(pixels.y0, bottom); row < std::min(pixels.y1, film_.Region().y1); ++row)
     watch_.frame.Touch(row - bottom);
   return true;
 }
 
-/// `was_stopped_before`: whether stop was asked for before the batch was laid together. Whether it was not since.
-bool CoarsePasses::TraceBatch(int stride, bool was_stopped_before, Worker& worker) {
-  if (watch_.stop.load()) return false;
-  const int size = worker.batch.Size();
-  worker.batch.Trace(source_.integrator, worker.state,
-                     [&](int column, int row, const CameraSample&, const R2::Color& radiance) {
-                       const R2::Color color = source_.clamps_samples ? Clamped(radiance) : radiance;
-                       colors_[Index(column, row)] = color;
-                       Show(column, row, stride, color);
-                     });
-  // Asked of the look before the one above, so that the count tells if that one were missing.
-  if (was_stopped_before) watch_.begun_late += size;
-  pixels_traced_ += size;
+/// What the worker has traced since its last report. `was_stopped_before`: whether stop was asked for before the batch
+/// was laid together; asked of the look before the tracer's, so that the count tells if that one were missing.
+void CoarsePasses::Report(bool was_stopped_before, Worker& worker) {
+  const std::int64_t pixels = worker.pixels_traced - std::exchange(worker.pixels_reported, worker.pixels_traced);
+  if (was_stopped_before) watch_.begun_late += pixels;
+  pixels_traced_ += pixels;
   const std::uint64_t rays = worker.state.rays.Total();
-  watch_.rays += rays - worker.rays_reported;
-  worker.rays_reported = rays;
-  return true;
+  watch_.rays += rays - std::exchange(worker.rays_reported, rays);
 }
 
 void CoarsePasses::Show(int column, int row, int stride, const R2::Color& radiance) {

@@ -39,8 +39,8 @@ class CoarsePasses {
 
  private:
   struct alignas(64) Worker {  // a cache line of its own, since each is written for every ray
-    SampleBatch batch;
     TraceState state;
+    std::int64_t pixels_traced = 0, pixels_reported = 0;
     std::uint64_t rays_reported = 0;
   };
   /// Pixels traced one after another by one thread: a rectangle of them `stride` apart.
@@ -50,7 +50,7 @@ class CoarsePasses {
   };
 
   bool TraceItem(const Item& item, Worker& worker);
-  bool TraceBatch(int stride, bool was_stopped_before, Worker& worker);
+  void Report(bool was_stopped_before, Worker& worker);
   void Show(int column, int row, int stride, const R2::Color& radiance);
   std::size_t Index(int column, int row) const {
     return static_cast<std::size_t>(row - sampled_.y0) * static_cast<std::size_t>(sampled_.Width()) +

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include "R2/ImageFile.h"
 #include "tests/Project.h"
 #include "tests/source/app/Program.h"
 
@@ -19,11 +18,6 @@ std::string CourseScene(const std::string& name) {
 Finished RunCourse(CourseCall words) {
   words.insert(words.begin(), {"-as", "comp30019"});
   return RunProgram(words);
-}
-
-R2::Image PictureIn(const std::string& file) {
-  const std::string bytes = ReadFile(file);
-  return R2::DecodeImage({reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()}).image;
 }
 
 TEST(Comp30019Program, TheGradersCallsMakeTheirPictures) {
@@ -61,7 +55,7 @@ TEST(Comp30019Program, TheGradersCallsMakeTheirPictures) {
     const Finished done = RunCourse(all);
     EXPECT_EQ(done.status, 0) << scene << done.error;
     EXPECT_EQ(done.error.find("warning"), std::string::npos) << scene << done.error;  // progress may be told there
-    EXPECT_EQ(PictureIn(folder / "out.png").Height(), 36) << scene;
+    EXPECT_EQ(Decode(folder / "out.png").image.Height(), 36) << scene;
     std::filesystem::remove(folder / "out.png");
   }
 }
@@ -71,9 +65,9 @@ TEST(Comp30019Program, TheSizeIs400x400UnlessItIsAskedFor) {
   const TemporaryFolder folder;
   RunCourse({"-f", CourseScene("corners"), "-o", folder / "plain.png"});
   RunCourse({"-f", CourseScene("corners"), "-o", folder / "low.png", "-w", "400", "-h", "300"});
-  EXPECT_EQ(PictureIn(folder / "plain.png").Width(), 400);
-  EXPECT_EQ(PictureIn(folder / "plain.png").Height(), 400);
-  EXPECT_EQ(PictureIn(folder / "low.png").Height(), 300);
+  EXPECT_EQ(Decode(folder / "plain.png").image.Width(), 400);
+  EXPECT_EQ(Decode(folder / "plain.png").image.Height(), 400);
+  EXPECT_EQ(Decode(folder / "low.png").image.Height(), 300);
 }
 
 TEST(Comp30019Program, ItEndsWith0OnSuccessAndElseWith1) {
@@ -112,7 +106,7 @@ TEST(Comp30019Program, ALinkOfThatNameNeedsNoOtherWord) {
                                    {.program = "COMP30019_LINK"});
   unsetenv("COMP30019_LINK");
   EXPECT_EQ(done.status, 0) << done.error;
-  EXPECT_EQ(PictureIn(folder / "out.png").Height(), 6);
+  EXPECT_EQ(Decode(folder / "out.png").image.Height(), 6);
   const Finished info = RunProgram({"-info", folder / "out.png"});
   EXPECT_NE(info.output.find("command: raypro -as comp30019 -f "), std::string::npos) << info.output;
 }

@@ -117,6 +117,16 @@ std::string WriteFile(const std::string& file, const std::string& content) {
   return file;
 }
 
+R2::DecodedImage Decode(const std::string& file) {
+  const std::string bytes = ReadFile(file);
+  return R2::DecodeImage({reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()});
+}
+
+std::vector<std::string> With(std::vector<std::string> words, const std::vector<std::string>& more) {
+  words.insert(words.end(), more.begin(), more.end());
+  return words;
+}
+
 Running::Running(const std::vector<std::string>& words, const Surroundings& surroundings) {
   const Prepared prepared = Prepare(words, surroundings);
   const std::string output =

@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "R2/ImageFile.h"
+
 /// Running the real programs, which the environment variables RAYPRO, RAYIMG and RAYVIEW name, and looking at what it
 /// leaves behind.
 namespace ray::testing {
@@ -34,6 +36,19 @@ inline bool Has(const std::string& text, const std::string& part) { return text.
 std::string ReadFile(const std::string& file);
 /// Writes a file and returns its name.
 std::string WriteFile(const std::string& file, const std::string& content);
+R2::DecodedImage Decode(const std::string& file);
+
+inline const std::vector<std::string> nothing;
+/// Words of a command line with more behind them.
+std::vector<std::string> With(std::vector<std::string> words, const std::vector<std::string>& more);
+
+inline const std::string small_scene = "camera 0 0 6  0 0 -1  0 1 0  0.3  0.1 100\nsphere -1  0 0 0  1\n";
+
+/// A folder with a scene in it.
+struct SceneFolder : TemporaryFolder {
+  explicit SceneFolder(const std::string& text = small_scene) { WriteFile(Scene(), text); }
+  std::string Scene() const { return *this / "in.scn"; }
+};
 
 /// What a program is started with besides its arguments.
 struct Surroundings {

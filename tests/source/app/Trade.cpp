@@ -21,14 +21,11 @@ using testing::Finished;
 using testing::Has;
 using testing::ReadFile;
 using testing::RunProgram;
+using testing::SceneFolder;
 using testing::TemporaryFolder;
+using testing::With;
 using testing::WriteFile;
 using List = std::vector<std::string>;
-
-List With(List words, const List& more) {
-  words.insert(words.end(), more.begin(), more.end());
-  return words;
-}
 
 Options Parsed(const List& more) { return ReadCommandLine(Program::raypro, With({"in.scn", "out.ppm"}, more)); }
 
@@ -142,11 +139,11 @@ const std::string soft_scene =
     "camera 0 1 6  0 0 -1  0 1 0  0.3  0.1 100\nbox -1  -4 -1 -4  4 0 4\nsphere -1  0 0.8 0  0.8\n"
     "area_light 9 9 9  2 4 2  -1 -2 -1  1  0 0 1\n";
 
-struct Place : TemporaryFolder {
-  explicit Place(const std::string& text = soft_scene) { WriteFile(*this / "in.scn", text); }
+struct Place : SceneFolder {
+  explicit Place(const std::string& text = soft_scene) : SceneFolder(text) {}
   /// Runs with small pictures and the words given.
   Finished Run(const std::string& picture, const List& more) const {
-    return RunProgram(With({*this / "in.scn", *this / picture, "-width", "40", "-height", "30", "-quiet"}, more));
+    return RunProgram(With({Scene(), *this / picture, "-width", "40", "-height", "30", "-quiet"}, more));
   }
 };
 

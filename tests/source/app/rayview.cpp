@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <thread>
 
-#include "R2/ImageFile.h"
+#include "R2/Image.h"
 #include "tests/Display.h"
 #include "tests/Project.h"
 #include "tests/source/app/Program.h"
@@ -23,10 +23,7 @@ std::string Scene(const std::string& name) {
   return std::filesystem::canonical(project::Root() / "scenes" / name).string();
 }
 
-R2::Image Picture(const std::string& file) {
-  const std::string bytes = ReadFile(file);
-  return R2::DecodeImage({reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()}).image;
-}
+R2::Image Picture(const std::string& file) { return testing::Decode(file).image; }
 
 // Of programs built to look for leaks: GLX and OSMesa keep memory of their own to the end. EGL does not.
 constexpr const char* drivers_leak = "detect_leaks=0";

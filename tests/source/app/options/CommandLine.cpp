@@ -27,8 +27,7 @@ Options Parsed(const Words& words) { return ReadCommandLine(Program::raypro, wor
 Words Beside(Program program, const Words& more) {
   Words words{"in.scn"};
   if (program == Program::raypro) words.emplace_back("out.ppm");
-  words.insert(words.end(), more.begin(), more.end());
-  return words;
+  return testing::With(words, more);
 }
 Options ViewParsed(const Words& more) { return ReadCommandLine(Program::rayview, Beside(Program::rayview, more)); }
 

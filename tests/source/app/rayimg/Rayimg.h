@@ -11,8 +11,10 @@
 /// Running rayimg on pictures made for it.
 namespace ray::rayimg {
 
+using testing::Decode;
 using testing::Finished;
 using testing::Has;
+using testing::nothing;
 using testing::ReadFile;
 using testing::TemporaryFolder;
 using testing::WriteFile;
@@ -20,7 +22,6 @@ using Words = std::vector<std::string>;
 
 inline constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 inline constexpr double infinity = std::numeric_limits<double>::infinity();
-inline const Words nothing;
 inline constexpr Program program = Program::rayimg;
 
 inline Finished Rayimg(const Words& words) { return testing::RunProgram(words, {.program = "RAYIMG"}); }
@@ -36,11 +37,6 @@ inline R2::Image Filled(int width, int height, const R2::Color& c) {
 inline std::string Save(const std::string& file, const R2::Image& image, const R2::ImageSettings& settings = {}) {
   const auto bytes = R2::FormatForName(file)->encode(image, {}, settings);
   return WriteFile(file, {bytes.begin(), bytes.end()});
-}
-
-inline R2::DecodedImage Decode(const std::string& file) {
-  const std::string bytes = ReadFile(file);
-  return R2::DecodeImage({reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()});
 }
 
 /// The only format of floats that keeps settings may be missing from this build.

@@ -17,6 +17,7 @@
 namespace ray {
 namespace {
 
+using testing::Decode;
 using testing::ReadFile;
 using testing::RunProgram;
 using testing::TemporaryFolder;
@@ -49,8 +50,7 @@ R2::ImageSettings TraceAndSave(const Options& options, const std::string& name) 
   const LoadedScene scene(options.scene, options.parse, options.accelerator);
   const PictureOutput output = CheckPictureOutput(name, {});
   SaveTraced(&output, options, scene, Render(scene.world, *scene.accelerator, options.render), 1.5);
-  const std::string bytes = ReadFile(name);
-  return R2::DecodeImage({reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()}).settings;
+  return Decode(name).settings;
 }
 
 /// The words of a line without quotes in it.
@@ -124,9 +124,7 @@ TEST(SavePicture, TellsInThePictureWhatRayproWouldTell) {
   auto ours = TraceAndSave(ViewOf("in.scn", {"-seed", "7"}), "out.png");
   EXPECT_EQ(ours["command"], "raypro in.scn out.png -width 24 -height 16 -seed 7");
   ASSERT_EQ(RunProgram({"in.scn", "out.png", "-width", "24", "-height", "16", "-seed", "7"}).status, 0);
-  const std::string bytes = ReadFile("out.png");
-  auto theirs = R2::DecodeImage({reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()}).settings;
-  EXPECT_EQ(ours, theirs);
+  EXPECT_EQ(ours, Decode("out.png").settings);
   EXPECT_EQ(TraceAndSave(ViewOf("in.scn", {"-keep_times"}), "out.png")["seconds"], "1.500");
 }
 
@@ -188,8 +186,7 @@ TEST(SavePicture, ADrawingKeepsTheValuesThatAreShown) {
   drawing.Set(0, 0, {128 / 255., 1, 0});
   for (const char* name : {"a.png", "a.ppm", "a.bmp"}) {
     SaveDrawing(CheckPictureOutput(folder / name, {}), drawing, ViewOf("in.scn", {"-srgb"}));
-    const std::string bytes = ReadFile(folder / name);
-    const auto read = R2::DecodeImage({reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()});
+    const auto read = Decode(folder / name);
     EXPECT_NEAR(read.image.At(0, 0).r, 128 / 255., 1e-6) << name;
     const auto program = read.settings.find("program");
     EXPECT_TRUE(program == read.settings.end() || program->second.starts_with("rayview ")) << name;

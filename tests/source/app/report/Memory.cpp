@@ -16,13 +16,9 @@ using List = std::vector<std::string>;
 constexpr const char* scene =
     "camera 0 1 6  0 0 -1  0 1 0  0.3  0.1 100\nsphere -1  0 0 0  1\npoint_light 1 1 1 3 3 3 1 0 0\n";
 
-struct Place : TemporaryFolder {
-  Place() { WriteFile(*this / "in.scn", scene); }
-  Finished Run(const List& more) const {
-    List words{*this / "in.scn", *this / "out.png", "-quiet"};
-    words.insert(words.end(), more.begin(), more.end());
-    return RunProgram(words);
-  }
+struct Place : SceneFolder {
+  Place() : SceneFolder(scene) {}
+  Finished Run(const List& more) const { return RunProgram(With({Scene(), *this / "out.png", "-quiet"}, more)); }
 };
 
 std::int64_t PeakOf(const Place& place, const List& more) {

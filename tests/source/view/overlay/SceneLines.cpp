@@ -131,7 +131,7 @@ TEST(AcceleratorBoxes, LieInTheSceneAndHoldAllItsHits) {
   }
 }
 
-TEST(AcceleratorBoxes, OfOneLeafAndOfNothing) {
+TEST(AcceleratorBoxes, AreTheBoundsOfOneLeafAndNoneOfNothing) {
   const project::Stage one(project::FromText("sphere -1  1 2 3  0.5\n")), nothing(project::FromText("\n"));
   for (const auto* kind : ray::AcceleratorKinds()) {
     EXPECT_EQ(kind->Make(nothing.world, {})->BoxLevels(), 0) << kind->name;

@@ -12,38 +12,15 @@
 
 #include "source/scene/CameraText.h"
 #include "source/text/NumberText.h"
-#include "source/view/EventScript.h"
-#include "tests/Project.h"
+#include "tests/source/view/ScriptedViewer.h"
 #include "tests/source/view/WithOptions.h"
 
 namespace ray {
 namespace {
 
 /// A viewer whose user looks at panels.
-class PanelTest : public ::testing::Test {
+class PanelTest : public ScriptedViewer<WithOptions, 512, 512> {
  protected:
-  static constexpr int width = 512, height = 512;
-
-  void Open(const std::filesystem::path& scene) {
-    ViewerSettings settings;
-    settings.scene = scene;
-    settings.render.width = width;
-    settings.render.height = height;
-    viewer_ = std::make_unique<Viewer>(
-        settings, std::make_shared<const LoadedScene>(scene, settings.parse, settings.accelerator), host_);
-  }
-  void SetUp() override { Open(project::Root() / "scenes/hello.scn"); }
-
-  void Do(const std::string& script) {
-    for (const ScriptStep& step : ReadEventScript({"test", script})) {
-      if (const auto* event = std::get_if<Event>(&step)) viewer_->Handle(*event);
-      viewer_->Update();
-      while (std::holds_alternative<WaitForTrace>(step) && viewer_->IsBusy()) {
-        std::this_thread::sleep_for(std::chrono::milliseconds(1));
-        viewer_->Update();
-      }
-    }
-  }
   bool HasItem(const std::string& start) { return Find(start).has_value(); }
   /// The first thing that takes clicks whose name begins so.
   void Click(const std::string& start, double right_of_middle = 0) {
@@ -58,9 +35,6 @@ class PanelTest : public ::testing::Test {
     return found == items.end() ? std::nullopt : std::optional(*found);
   }
   bool Says(const std::string& words) { return viewer_->TextOfPanels().find(words) != std::string::npos; }
-
-  WithOptions host_;
-  std::unique_ptr<Viewer> viewer_;
 };
 
 TEST_F(PanelTest, AreHiddenUntilTabShowsThem) {

@@ -1,0 +1,51 @@
+#include "source/app/GuardedMain.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+#include "tests/source/app/Program.h"
+
+namespace ray::testing {
+namespace {
+
+namespace fs = std::filesystem;
+
+// With less, the process used to die by a signal.
+TEST(Extremes, L12_WhereNoThreadCanBeMadeOneDoesAllTheWork) {
+  const TemporaryFolder folder;
+  std::filesystem::permissions(folder.Path(), std::filesystem::perms::all);
+  Surroundings alone;
+  alone.deny_threads = true;
+  if (RunProgram({"-version"}, alone).status != 0) GTEST_SKIP() << "the program is not for other users";
+  const std::string scene = WriteFile(folder / "ball.scn", "sphere -1  0 0 0  1\n");
+  const std::string usual = folder / "usual.ppm", by_one = folder / "by_one.ppm";
+  EXPECT_EQ(RunProgram({scene, usual, "-width", "64", "-height", "64"}).status, 0);
+  for (const char* threads : {"0", "8"}) {
+    const Finished finished = RunProgram({scene, by_one, "-width", "64", "-height", "64", "-threads", threads}, alone);
+    EXPECT_EQ(finished.status, 0) << finished.error;
+    EXPECT_EQ(ReadFile(by_one), ReadFile(usual));
+  }
+}
+
+TEST(Extremes, L11_AStackTooSmallIsToldOfAndASoftLimitRaised) {
+  NEEDS_THE_PROGRAM();
+  const SceneFolder place;
+  const std::string words = std::string(" ") + place.Scene() + " " + (place / "out.ppm") + " -width 8 -height 8 -quiet";
+  const auto with_limit = [&](const std::string& limit) {
+    const std::string script = limit + "; exec " + ProgramName() + words + " 2>" + (place / "error");
+    return std::system(("sh -c '" + script + "'").c_str());
+  };
+  EXPECT_EQ(WEXITSTATUS(with_limit("ulimit -s 64")), 1);
+  EXPECT_TRUE(Has(ReadFile(place / "error"), "the stack is limited to 64 KiB, and 256 are needed"));
+  EXPECT_FALSE(fs::exists(place / "out.ppm"));
+  for (const char* enough : {"ulimit -S -s 64", "ulimit -s 256"}) {
+    fs::remove(place / "out.ppm");
+    const int status = with_limit(enough);
+    EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0) << enough << ReadFile(place / "error");
+    EXPECT_TRUE(fs::exists(place / "out.ppm")) << enough;
+  }
+}
+
+}  // namespace
+}  // namespace ray::testing

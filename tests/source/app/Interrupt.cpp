@@ -1,0 +1,83 @@
+#include "source/app/Interrupt.h"
+
+#include <gtest/gtest.h>
+#include <signal.h>
+
+#include <random>
+#include <thread>
+
+#include "R2/ImageFile.h"
+#include "tests/source/app/Program.h"
+
+namespace ray::testing {
+namespace {
+
+namespace fs = std::filesystem;
+using namespace std::chrono_literals;
+
+TEST(Extremes, L5_ASignalEndsTheRunWithinASecondAndSavesThePictureSoFar) {
+  NEEDS_THE_PROGRAM();
+  std::mt19937 random(2);
+  for (int round = 0; round < Rounds("RAYTESTS_SIGNALS", 6); ++round) {
+    const SceneFolder place;
+    const int signal = round % 2 ? SIGTERM : SIGINT;
+    Running running({place.Scene(), place / "out.png", "-width", "3000", "-height", "3000", "-samples", "64"});
+    std::this_thread::sleep_for(std::chrono::duration<double>(std::uniform_real_distribution(0.2, 0.6)(random)));
+    running.Send(signal);
+    const auto sent = std::chrono::steady_clock::now();
+    const Finished done = running.Wait();
+    // Encoding nine million pixels takes its time as well, and the machine may be busy or a sanitizer at work.
+    EXPECT_LT(std::chrono::steady_clock::now() - sent, 10s);
+    EXPECT_EQ(done.status, 128 + signal) << done.error;
+    ASSERT_TRUE(fs::exists(place / "out.png")) << done.error;
+    auto settings = Decode(place / "out.png").settings;
+    EXPECT_TRUE(Has(settings["pixels"], " of 9000000 pixels done")) << settings["pixels"];
+    EXPECT_EQ(settings["samples"], "64");
+    EXPECT_TRUE(Has(done.output, signal == SIGINT ? "stopped by SIGINT" : "stopped by SIGTERM")) << done.output;
+    EXPECT_EQ(place.Others({"in.scn", "out.png", "out.png.checkpoint"}), nothing);
+  }
+}
+
+// Two billion rays for one sample: stopping was once looked for between samples only.
+TEST(Extremes, L5_ASignalEndsALoopOverManyLightSamples) {
+  NEEDS_THE_PROGRAM();
+  const std::string light = "area_light 1 1 1 0 3 0 0 -1 0 1 1 0 0 ", box = "box -1 -1 -1 -1 1 1 1\n";
+  const std::string glowing = "material 0 0 0 .5 .5 .5 0 0 0 0 0 0 1 1 1 0 1 0\ntri 0 -1 3 -1 1 3 -1 0 3 1\n";
+  const struct {
+    std::string scene;
+    std::vector<std::string> words;
+  } runs[] = {{light + box, {"-shadow_samples", "2147483647"}},
+              {light + box, {"-lights", "2147483647"}},
+              {light + box, {"-lights", "2147483647", "-mode", "path"}},
+              {"sphere_light 1 1 1 0 3 0 1 1 0 0 " + box, {"-shadow_samples", "2147483647", "-shadows", "off"}},
+              {glowing + box, {"-shadow_samples", "2147483647"}}};
+  for (const auto& [scene, words] : runs) {
+    const SceneFolder place;
+    WriteFile(place.Scene(), scene);
+    Running running(With({place.Scene(), place / "out.ppm", "-width", "8", "-height", "8"}, words));
+    std::this_thread::sleep_for(500ms);
+    EXPECT_FALSE(running.IsOver());
+    running.Send(SIGINT);
+    const Finished done = running.Wait(20s);  // else minutes
+    EXPECT_EQ(done.status, 130) << words[0] << done.error;
+    EXPECT_TRUE(Has(done.error, "progress saved")) << done.error;
+    EXPECT_EQ(place.Others({"in.scn", "out.ppm", "out.ppm.checkpoint"}), nothing);
+  }
+}
+
+TEST(Extremes, L5_ASecondSignalEndsTheRunAtOnceAndLeavesTheOldPicture) {
+  NEEDS_THE_PROGRAM();
+  const SceneFolder place;
+  WriteFile(place / "out.ppm", "old");
+  Running running({place.Scene(), place / "out.ppm", "-width", "3000", "-height", "3000", "-samples", "64"});
+  std::this_thread::sleep_for(500ms);
+  // Both are there when the process goes on, so it has no time to end in between; which comes first is the system's.
+  for (const int signal : {SIGSTOP, SIGINT, SIGTERM, SIGCONT}) running.Send(signal);
+  const int status = running.Wait().status;
+  EXPECT_TRUE(status == 128 + SIGINT || status == 128 + SIGTERM) << status;
+  EXPECT_EQ(ReadFile(place / "out.ppm"), "old");
+  EXPECT_EQ(place.Others({"in.scn", "out.ppm"}), nothing);
+}
+
+}  // namespace
+}  // namespace ray::testing

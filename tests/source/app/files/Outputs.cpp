@@ -1,0 +1,229 @@
+// What is left behind when a picture cannot be written, or nobody listens.
+#include "source/app/files/Outputs.h"
+
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/mount.h>
+#include <unistd.h>
+
+#include <memory>
+#include <random>
+#include <thread>
+
+#include "R2/ImageFile.h"
+#include "tests/source/app/Program.h"
+
+namespace ray::testing {
+namespace {
+
+namespace fs = std::filesystem;
+using namespace std::chrono_literals;
+
+TEST(Extremes, K11_OutputNamesThatAreNoFilesAreRefused) {
+  NEEDS_THE_PROGRAM();
+  const SceneFolder place;
+  fs::create_directory(place / "folder.ppm");
+  fs::create_symlink("/dev/full", place / "full.ppm");
+  const std::pair<std::string, int> cases[] = {
+      {place.Path().string(), 4}, {place / "folder.ppm", 4}, {"", 2},
+      {"/dev/full", 4},           {place / "full.ppm", 4},   {place.Scene(), 4}};
+  for (const auto& [name, status] : cases) {
+    const Finished done = RunProgram({place.Scene(), name});
+    EXPECT_EQ(done.status, status) << name << ": " << done.error;
+    EXPECT_NE(done.error, "") << name;
+  }
+  EXPECT_EQ(ReadFile(place.Scene()), small_scene);
+}
+
+TEST(Extremes, K11_ALinkIsFollowedButNotSilently) {
+  NEEDS_THE_PROGRAM();
+  const SceneFolder place;
+  fs::create_directory(place / "there");
+  fs::create_symlink("there/real.ppm", place / "link.ppm");
+  const Finished done = RunProgram({place.Scene(), place / "link.ppm", "-width", "8", "-height", "8"});
+  EXPECT_EQ(done.status, 0);
+  EXPECT_TRUE(Has(done.error, "is a link; the picture goes to '" + place / "there/real.ppm" + "'")) << done.error;
+  EXPECT_TRUE(fs::is_symlink(place / "link.ppm"));
+  EXPECT_EQ(Decode(place / "there/real.ppm").image.Width(), 8);
+}
+
+TEST(Extremes, K11_AFileThatTheSceneIncludesIsAnInputToo) {
+  NEEDS_THE_PROGRAM();
+  const SceneFolder place("include part.ppm\n");
+  WriteFile(place / "part.ppm", small_scene);
+  const Finished done = RunProgram({place.Scene(), place / "part.ppm"});
+  EXPECT_EQ(done.status, 4) << done.error;
+  EXPECT_EQ(ReadFile(place / "part.ppm"), small_scene);
+}
+
+/// Whether something new is being written beside the target.
+bool IsSaving(const TemporaryFolder& folder, const std::vector<std::string>& old) {
+  std::error_code error;
+  for (const std::string& name : folder.Others(old))
+    if (fs::file_size(folder / name, error) > 0 && !error) return true;
+  return false;
+}
+
+TEST(Extremes, L1_KilledAtAnyMomentTheOldPictureOrTheNewOneIsThere) {
+  NEEDS_THE_PROGRAM();
+  const SceneFolder place("");
+  const std::vector<std::string> words{place.Scene(), place / "out.ppm", "-width", "700", "-height", "700", "-quiet"};
+  ASSERT_EQ(RunProgram(words).status, 0);
+  const std::string whole = ReadFile(place / "out.ppm");  // a .ppm says nothing of when it was made
+  const auto start = std::chrono::steady_clock::now();
+  RunProgram(words);
+  const double whole_run = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+
+  std::mt19937 random(1);
+  int killed = 0, killed_while_saving = 0;
+  for (int round = 0; round < Rounds("RAYTESTS_KILLS", 100); ++round) {
+    const bool has_old = round % 2 == 0;
+    fs::remove(place / "out.ppm");
+    if (has_old) WriteFile(place / "out.ppm", "old");
+    std::vector<std::string> old = place.Others({"out.ppm"});  // with what the round before left
+    old.emplace_back("out.ppm");
+    Running running(words);
+    // Half of the rounds wait for the short time in which the picture is being saved.
+    while (round % 4 < 2 && !running.IsOver() && !IsSaving(place, old)) std::this_thread::sleep_for(50us);
+    const double longest = round % 4 < 2 ? 0.002 : whole_run;
+    std::this_thread::sleep_for(std::chrono::duration<double>(std::uniform_real_distribution(0.0, longest)(random)));
+    running.Send(SIGKILL);
+    const bool was_saving = IsSaving(place, old);
+    killed += running.Wait().signal == SIGKILL;
+    killed_while_saving += was_saving;
+    const std::string now = ReadFile(place / "out.ppm");
+    const bool is_old = has_old ? now == "old" : !fs::exists(place / "out.ppm");
+    EXPECT_TRUE(is_old || now == whole) << "round " << round << ": " << now.size() << " bytes";
+  }
+  EXPECT_GT(killed, 0);
+  RecordProperty("killed_while_saving", killed_while_saving);
+
+  ASSERT_EQ(RunProgram(words).status, 0);
+  EXPECT_EQ(place.Others({"in.scn", "out.ppm"}), nothing);
+}
+
+/// How much more than what is already there a picture of the small scene needs.
+constexpr long picture_bytes = 3 * 64 * 64 + 13;
+const std::vector<std::string> picture_size{"-width", "64", "-height", "64"};
+
+TEST(Extremes, L2_AFileSizeLimitAnywhereLeavesTheOldPictureWhole) {
+  NEEDS_THE_PROGRAM();
+  const SceneFolder place;
+  const auto words = With({place.Scene(), place / "out.ppm", "-quiet"}, picture_size);
+  ASSERT_EQ(RunProgram(words).status, 0);
+  const std::string whole = ReadFile(place / "out.ppm");
+  ASSERT_EQ(static_cast<long>(whole.size()), picture_bytes);
+  WriteFile(place / "out.ppm", "old");
+  for (int i = 0; i < 64; ++i) {
+    const long limit =
+        i < 62 ? 512 + (picture_bytes - 512) * i / 62 : picture_bytes - 63 + i;  // the last: all but one, all
+    const Finished done =
+        RunProgram(words, {.file_size_limit = limit, .environment = {{"TMPDIR", place.Path().string()}}});
+    const bool fits = limit >= picture_bytes;
+    EXPECT_EQ(done.status, fits ? 0 : 4) << limit << done.error;
+    EXPECT_EQ(ReadFile(place / "out.ppm"), fits ? whole : "old") << limit;
+    EXPECT_TRUE(fits || Has(done.error, "File too large; nor can it be kept as")) << done.error;
+    EXPECT_EQ(place.Others({"in.scn", "out.ppm"}), nothing) << limit;
+  }
+}
+
+/// A file system of 1 MiB in memory.
+class SmallDisk {
+ public:
+  explicit SmallDisk(const std::string& at) : at_(at) {
+    fs::create_directory(at);
+    is_mounted_ = mount("raytests", at.c_str(), "tmpfs", 0, "size=1m") == 0;
+  }
+  ~SmallDisk() {
+    if (is_mounted_) umount(at_.c_str());
+  }
+  SmallDisk(const SmallDisk&) = delete;
+  SmallDisk& operator=(const SmallDisk&) = delete;
+  bool IsMounted() const { return is_mounted_; }
+  long BytesFree() const { return static_cast<long>(fs::space(at_).available); }
+
+ private:
+  std::string at_;
+  bool is_mounted_ = false;
+};
+
+TEST(Extremes, L2_AFullDiskLeavesTheOldPictureAndKeepsTheNewElsewhere) {
+  NEEDS_THE_PROGRAM();
+  const SceneFolder place;
+  const TemporaryFolder refuge;
+  const SmallDisk disk(place / "disk");
+  if (!disk.IsMounted())
+    GTEST_SKIP() << "a small file system can be mounted by root only; the file size limit was tried";
+  const auto words = With({place.Scene(), place / "disk/out.ppm", "-quiet"}, picture_size);
+  ASSERT_EQ(RunProgram(words).status, 0);
+  const std::string whole = ReadFile(place / "disk/out.ppm");
+  WriteFile(place / "disk/out.ppm", "old");
+  const long page = sysconf(_SC_PAGESIZE), pages_needed = (picture_bytes + page - 1) / page;
+  for (int i = 0; i < 64; ++i) {
+    const long pages_free = i % (2 * pages_needed);  // from none to twice what is needed
+    fs::remove(place / "disk/filler");
+    WriteFile(place / "disk/filler", std::string(static_cast<std::size_t>(disk.BytesFree() - pages_free * page), 'x'));
+    const Finished done = RunProgram(words, {.environment = {{"TMPDIR", refuge.Path().string()}}});
+    const bool fits = pages_free >= pages_needed;
+    EXPECT_EQ(done.status, fits ? 0 : 4) << pages_free << done.error;
+    EXPECT_EQ(ReadFile(place / "disk/out.ppm"), fits ? whole : "old") << pages_free;
+    const auto kept = refuge.Others({});
+    ASSERT_EQ(kept.size(), fits ? 0u : 1u) << done.error;
+    if (fits) {
+      WriteFile(place / "disk/out.ppm", "old");
+    } else {
+      EXPECT_EQ(ReadFile(refuge / kept[0]), whole);
+      fs::remove(refuge / kept[0]);
+    }
+  }
+}
+
+TEST(Extremes, L6_NobodyListeningCostsNoPicture) {
+  NEEDS_THE_PROGRAM();
+  const SceneFolder place;
+  const Surroundings silences[] = {
+      {.close_output = true},
+      {.close_error = true},
+      {.close_output = true, .close_error = true},
+      {.break_output = true},
+      {.standard_output = "/dev/full", .standard_error = "/dev/full"},  // only this is a failure: -stats was asked for
+  };
+  const auto words = With({place.Scene(), place / "out.ppm", "-stats", "-verbose"}, picture_size);
+  std::string first;
+  for (const Surroundings& silence : silences) {
+    fs::remove(place / "out.ppm");
+    const Finished done = RunProgram(words, silence);
+    EXPECT_EQ(done.status, silence.standard_output.empty() ? 0 : 4);
+    const std::string picture = ReadFile(place / "out.ppm");
+    if (first.empty()) first = picture;
+    EXPECT_EQ(static_cast<long>(picture.size()), picture_bytes);
+    EXPECT_TRUE(picture == first);  // not a word of the messages went into it
+  }
+}
+
+TEST(Extremes, K11_StatisticsThatCannotBeWrittenAreAFailureAndTheLineNobodyAskedForIsNone) {
+  NEEDS_THE_PROGRAM();
+  const SceneFolder place;
+  const auto words = With({place.Scene(), place / "out.ppm"}, picture_size);
+  const Finished asked = RunProgram(With(words, {"-stats"}), {.standard_output = "/dev/full"});
+  EXPECT_EQ(asked.status, 4);
+  EXPECT_TRUE(Has(asked.error, "cannot write 'standard output': No space left on device")) << asked.error;
+  EXPECT_EQ(static_cast<long>(ReadFile(place / "out.ppm").size()), picture_bytes);
+  EXPECT_EQ(RunProgram(words, {.standard_output = "/dev/full"}).status, 0);
+}
+
+TEST(Extremes, L10_ManyRunsWithOneOutputLeaveOneWholePicture) {
+  NEEDS_THE_PROGRAM();
+  const SceneFolder place;
+  const auto words = With({place.Scene(), place / "out.ppm", "-quiet"}, picture_size);
+  RunProgram(words);
+  const std::string whole = ReadFile(place / "out.ppm");
+  std::vector<std::unique_ptr<Running>> all;
+  for (int i = 0; i < 10; ++i) all.push_back(std::make_unique<Running>(words));
+  for (const auto& running : all) EXPECT_EQ(running->Wait().status, 0);
+  EXPECT_TRUE(!whole.empty() && ReadFile(place / "out.ppm") == whole);
+  EXPECT_EQ(place.Others({"in.scn", "out.ppm"}), nothing);
+}
+
+}  // namespace
+}  // namespace ray::testing

@@ -1,0 +1,65 @@
+#include <gtest/gtest.h>
+
+#include "source/view/Viewer.h"
+#include "tests/source/view/ScriptedViewer.h"
+
+namespace ray {
+namespace {
+
+TEST_F(ViewerTest, TheRenderedPictureIsShownFlatUntilEscape) {
+  Do("key I");
+  EXPECT_FALSE(viewer_->Show().picture) << "nothing is rendered yet";
+  Do("key S\nwait trace\nkey I");
+  FrameState shown = viewer_->Show();
+  ASSERT_TRUE(shown.picture && shown.picture->frame);
+  EXPECT_EQ(shown.picture->frame, &viewer_->Pictures().Trace()->frame());
+  EXPECT_EQ(shown.picture->place.width, width);
+  EXPECT_EQ(shown.picture->place.height, height);
+  EXPECT_EQ(shown.split, width) << "all of it";
+  EXPECT_TRUE(shown.lines->empty());
+  Do("key Control+Up");
+  EXPECT_EQ(viewer_->Show().picture->exposure.factor, 2);
+  Do("key Escape");
+  EXPECT_FALSE(viewer_->Show().picture);
+  EXPECT_EQ(viewer_->Show().split, -1);
+}
+
+TEST_F(ViewerTest, TheWheelZoomsTheFlatPictureAboutThePointerAndADragMovesIt) {
+  Do("key S\nwait trace\nkey I\nmove 10.5 20.5");
+  const Camera before = camera();
+  const R2::Point pixel = viewer_->Pointer();
+  Do("scroll 5 10.5 20.5");
+  const PixelBox zoomed = viewer_->Show().picture->place;
+  EXPECT_GT(zoomed.width, 2 * width);
+  EXPECT_NEAR(viewer_->Pointer().x, pixel.x, 1e-9);
+  EXPECT_NEAR(viewer_->Pointer().y, pixel.y, 1e-9);
+  Do("down left 10.5 20.5\nmove 30.5 25.5\nup left 30.5 25.5");
+  EXPECT_NEAR(viewer_->Pointer().x, pixel.x, 1e-9) << "what was taken hold of stays under the pointer";
+  EXPECT_NEAR(viewer_->Pointer().y, pixel.y, 1e-9);
+  Do("click right 30.5 25.5");
+  EXPECT_EQ(StateLine("pixel"), "10 20");
+  EXPECT_TRUE(IsCameraOf(before));
+  Do("scroll 1000 30 20\nscroll -1000 30 20");
+  EXPECT_NEAR(viewer_->Show().picture->place.width, 0.1 * width, 1e-9);
+}
+
+TEST_F(ViewerTest, TheSliderShowsThePreviewOrTheReferenceBesideTheFlatPicture) {
+  Do("key S\nwait trace\nkey I\ndown left 64 20\nmove 50 20\nmove 16 20\nup left 16 20");
+  EXPECT_EQ(viewer_->Show().split, 16);
+  EXPECT_FALSE(viewer_->Show().beside);
+  Do("down left 40 20 Shift\nmove 48 20\nup left 48 20");
+  EXPECT_EQ(viewer_->Show().split, 48);
+  Do("key R");
+  ASSERT_TRUE(viewer_->Show().beside);
+  EXPECT_EQ(viewer_->Show().beside->image, viewer_->Pictures().Reference());
+  // The preview beside it is of the picture's camera, wherever the viewer's own is by then.
+  Do("key Escape");
+  const auto eye = viewer_->Show().seen_from.eye;
+  Do("key Pad7");
+  EXPECT_NE(viewer_->Show().seen_from.eye, eye);
+  Do("key I");
+  EXPECT_EQ(viewer_->Show().seen_from.eye, eye);
+}
+
+}  // namespace
+}  // namespace ray

@@ -1,0 +1,153 @@
+// What keys do, and that they say so.
+#include <gtest/gtest.h>
+
+#include <map>
+#include <set>
+
+#include "tests/source/view/ScriptedViewer.h"
+
+namespace ray {
+namespace {
+
+TEST_F(ViewerTest, EveryKeyIsInTheHelpAndDoesSomething) {
+  const auto help = Viewer::Help();
+  std::set<std::string> names;
+  for (const Viewer::Binding& binding : Viewer::Bindings()) {
+    const std::string name = NameOf(binding.key, binding.modifiers);
+    EXPECT_TRUE(names.insert(name).second) << name << " is bound twice";
+    const bool is_told = std::any_of(help.begin(), help.end(), [&](const std::string& line) {
+      return (" " + line).find(" " + name + " ") != std::string::npos;
+    });
+    EXPECT_TRUE(is_told) << name;
+  }
+  // What each needs before it can do anything, and then something that can be told from outside must have changed.
+  const std::map<std::string, std::string> before{
+      {"I", "key S\nwait trace"},
+      {"V", "key S\nwait trace"},
+      {"Shift+X", "key X"},
+      {"Shift+F", "click left 32 24\ntick 1"},
+      {"Z", "key ["},
+      {"Shift+Z", "key [\nkey Z"},
+      {"Pad1", "key Pad3"},
+      {"Pad0", "key Pad3"},
+      {"N", "click right 32 24"},
+      {"Shift+N", "click right 32 24"},
+      {"O", "click right 32 24"},
+      {"Backspace", "click right 32 24"},
+      {"Left", "click right 32 24"},
+      {"Right", "click right 32 24"},
+      {"Up", "click right 32 24"},
+      {"Down", "click right 32 24"},
+      {"Control+0", "key Control+Up"},
+      {"R", "key P\nwait trace"},
+      {"Shift+R", "key P\nwait trace\nkey R"},
+      {"D", "key P\nwait trace\nkey R"},
+  };
+  const CopiedScenes folder;
+  for (const Viewer::Binding& binding : Viewer::Bindings()) {
+    const std::string name = NameOf(binding.key, binding.modifiers);
+    host_ = {};
+    Open(folder / "hello.scn");
+    if (const auto found = before.find(name); found != before.end()) Do(found->second);
+    const auto seen = [&] {
+      const FrameState shown = viewer_->Show();
+      return viewer_->State() + std::to_string(host_.drawings) + host_.printed + host_.rays + host_.clipboard +
+             std::to_string(shown.lines->size()) + std::to_string(viewer_->IsClosed());
+    };
+    const std::string without = seen();
+    Do("press " + name);
+    EXPECT_NE(seen(), without) << name << " does nothing";
+    Do("release " + name);
+  }
+}
+
+TEST_F(ViewerTest, EscapeEndsWhatIsOpenOneByOneAndNeverQuits) {
+  RenderSettings slow;
+  slow.samples = 100'000;
+  Open(project::Root() / "scenes/hello.scn", slow);
+  Do("key S\nkey X\nclick left 10 24\nkey H");
+  EXPECT_EQ(StateLine("help"), "1");
+  Do("key Escape");
+  EXPECT_EQ(StateLine("help"), "0");
+  EXPECT_TRUE(viewer_->Picked());
+  Do("key Escape");
+  EXPECT_FALSE(viewer_->Picked());
+  EXPECT_NE(StateLine("cut"), "no");
+  Do("key Escape");
+  EXPECT_EQ(StateLine("cut"), "no");
+  EXPECT_EQ(StateLine("trace"), "running");
+  Do("key Escape\nwait trace");
+  EXPECT_EQ(StateLine("trace"), "stopped");
+  EXPECT_TRUE(host_.traced.empty());
+  Do("key Escape\nkey Escape");
+  EXPECT_FALSE(viewer_->IsClosed());
+}
+
+// An hour of rendering is not thrown away by one slip.
+TEST_F(ViewerTest, QQuitsAtOnceOrAsksOnceWhileATraceRuns) {
+  Do("key Q");
+  EXPECT_TRUE(viewer_->IsClosed());
+  RenderSettings slow;
+  slow.samples = 100'000;
+  Open(project::Root() / "scenes/hello.scn", slow);
+  Do("key S\nkey Q");
+  EXPECT_FALSE(viewer_->IsClosed());
+  EXPECT_NE(viewer_->Message().find("Q again"), std::string::npos);
+  Do("key E\nkey Q");
+  EXPECT_FALSE(viewer_->IsClosed()) << "another key is an answer too";
+  Do("key Q");
+  EXPECT_TRUE(viewer_->IsClosed());
+}
+
+TEST_F(ViewerTest, EveryKeyTellsWhatItDid) {
+  for (const Viewer::Binding& binding : Viewer::Bindings()) {
+    const CopiedScenes folder;
+    Open(folder / "hello.scn");
+    Do("press " + NameOf(binding.key, binding.modifiers));
+    if (viewer_->IsClosed()) continue;
+    EXPECT_NE(viewer_->Message(), "") << NameOf(binding.key, binding.modifiers);
+  }
+}
+
+TEST_F(ViewerTest, KeysThatTurnSomethingOnAndOffSayWhichOfThemTheyDid) {
+  for (const char* key : {"E", "W", "L", "Shift+L", "Shift+C", "P", "F7", "F2", "F6", "G", "T", "X"}) {
+    Do(std::string("key ") + key);
+    const std::string first = viewer_->Message();
+    Do(std::string("key ") + key);
+    EXPECT_NE(viewer_->Message(), first) << key;
+  }
+}
+
+TEST_F(ViewerTest, MessagesFadeAndTheFirstOneNamesTheHelp) {
+  EXPECT_TRUE(viewer_->Show().labels.empty()) << "a script that only draws gets the scene alone";
+  Do("tick 0.1");
+  ASSERT_EQ(viewer_->Show().labels.size(), 1u);
+  EXPECT_EQ(viewer_->Show().labels[0].text, "H: help");
+  EXPECT_EQ(viewer_->Show().labels[0].color[3], 255);
+  Do("tick 4.4");
+  const int fading = viewer_->Show().labels.at(0).color[3];
+  EXPECT_GT(fading, 0);
+  EXPECT_LT(fading, 255);
+  viewer_->Handle(TickEvent{2});
+  EXPECT_TRUE(viewer_->Update()) << "it is to be drawn without the message";
+  EXPECT_TRUE(viewer_->Show().labels.empty());
+  Do("key E");
+  EXPECT_EQ(viewer_->Show().labels.at(0).text, "edges on");
+}
+
+TEST_F(ViewerTest, TheHelpIsNeverCutOffInTheWindowThatIsUsual) {
+  Do("resize 512 512");
+  for (int page = 1; page < 100; ++page) {
+    Do("key H");
+    if (StateLine("help") == "0") break;
+    for (const Label& label : viewer_->Show().labels) {
+      EXPECT_LE(label.x + 8.0 * static_cast<double>(label.text.size()), 512) << label.text;
+      EXPECT_GE(label.y, 0) << label.text;
+      EXPECT_LE(label.y + 16, 512) << label.text;
+    }
+  }
+  EXPECT_EQ(StateLine("help"), "0") << "after the last page it is closed";
+}
+
+}  // namespace
+}  // namespace ray

@@ -1,0 +1,192 @@
+#include "source/view/live/TracedPictures.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <map>
+#include <set>
+#include <thread>
+
+#include "R2/compare/Difference.h"
+#include "source/view/live/JobStatus.h"
+#include "tests/source/view/ScriptedViewer.h"
+
+namespace ray {
+namespace {
+
+TEST_F(ViewerTest, KeySTracesThePictureThatRayproMakes) {
+  Do("key S\nwait trace");
+  ASSERT_EQ(host_.traced.size(), 1u);
+  EXPECT_FALSE(host_.traced_settings[0].view) << "the scene's own view needs no mention";
+  EXPECT_EQ(host_.traced[0], Rendered(host_.traced_settings[0]));
+  EXPECT_EQ(viewer_->Message(), "saved");
+  EXPECT_EQ(StateLine("quad"), "yes");
+}
+
+TEST_F(ViewerTest, AMovedViewTracesAsTheSceneWithThePrintedCamera) {
+  Do("drag left 10 10 25 17\nscroll 2 30 20\ndrag middle 5 5 9 9\nkey ]\nkey C\nkey S\nwait trace");
+  ASSERT_EQ(host_.traced.size(), 1u);
+  const std::string line = host_.printed.substr(0, host_.printed.find('\n'));
+  EXPECT_EQ(host_.clipboard, line + "\n");
+  // The printed line in the place of the scene's own.
+  const CopiedScenes copy;
+  std::ifstream in(copy / "hello.scn");
+  std::string text((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
+  const std::size_t own = text.find("\ncamera ");
+  ASSERT_NE(own, std::string::npos);
+  text.replace(own + 1, text.find('\n', own + 1) - own - 1, line);
+  std::ofstream(copy / "again.scn") << text;
+  const project::Stage stage(copy / "again.scn");
+  RenderSettings settings;
+  settings.width = width;
+  settings.height = height;
+  EXPECT_EQ(host_.traced[0], project::Render(stage, settings).image);
+}
+
+TEST_F(ViewerTest, TheLivePictureEndsAsRayproMakesIt) {
+  RenderSettings four;
+  four.samples = 4;
+  Open(project::Root() / "scenes/hello.scn", four);
+  Do("key P\nwait trace");
+  ASSERT_TRUE(viewer_->Pictures().Live());
+  ASSERT_TRUE(viewer_->Pictures().Live()->IsComplete());
+  EXPECT_EQ(viewer_->Pictures().Live()->Result()->image, Rendered(viewer_->SettingsOfView()));
+  const std::uint64_t number = viewer_->Pictures().LiveNumber();
+  Do("key Control+Up");
+  EXPECT_EQ(viewer_->Pictures().LiveNumber(), number) << "exposure does not begin the picture anew";
+  Do("key [");
+  EXPECT_EQ(viewer_->Pictures().LiveNumber(), number + 1) << "a move does, once";
+  Do("wait trace");
+  EXPECT_EQ(viewer_->Pictures().Live()->Result()->image, Rendered(viewer_->SettingsOfView()));
+}
+
+TEST_F(ViewerTest, WithoutSamplesAskedForTheLivePictureGrowsUntilEscape) {
+  Open(project::Root() / "scenes/hello.scn", {}, true);
+  Do("key P");
+  EXPECT_EQ(viewer_->Message(), "live rendering, mode whitted, until stopped");
+  while (viewer_->Pictures().Live()->Samples() < 4) std::this_thread::yield();
+  viewer_->Update();
+  EXPECT_NE(viewer_->Title().find(" samples until stopped "), std::string::npos) << viewer_->Title();
+  Do("key Escape");
+  WaitUntilIdle();
+  EXPECT_NE(viewer_->Title().find(" samples stopped "), std::string::npos) << viewer_->Title();
+  EXPECT_TRUE(viewer_->Pictures().IsLive()) << "what there is stays";
+  Do("key [");
+  EXPECT_TRUE(viewer_->IsBusy()) << "a move begins it anew";
+  // Its samples would not be better by being more.
+  for (const char* key : {"key F7", "key F10", "key F11", "key F12"}) {
+    Do(key + std::string("\nwait trace"));
+    EXPECT_TRUE(viewer_->Pictures().Live()->IsComplete()) << key;
+    EXPECT_EQ(viewer_->Pictures().Live()->Samples(), 1) << key;
+  }
+}
+
+TEST_F(ViewerTest, ALivePictureWithAnErrorEndsWithItsClaim) {
+  RenderSettings settings;
+  settings.budget.error = {4, ErrorUnit::display};
+  Open(project::Root() / "scenes/hello.scn", settings, true);
+  Do("key P\nwait trace");
+  const RenderResult* result = viewer_->Pictures().Live()->Result();
+  ASSERT_TRUE(result && result->error);
+  EXPECT_EQ(result->stop, Stop::error);
+  EXPECT_EQ(result->image, Rendered(viewer_->SettingsOfView()));
+  EXPECT_EQ(viewer_->Message(), ClaimOf(*result));
+  EXPECT_EQ(viewer_->Title(), "hello.scn 64x48 " + ClaimOf(*result));
+}
+
+TEST_F(ViewerTest, TheTitleChangesWithEachPassAndElseOnlyAsTimePasses) {
+  Open(project::Root() / "scenes/hello.scn", {}, true);
+  Do("tick 1\nkey P");
+  std::map<int, std::set<std::string>> titles;
+  for (int i = 0; i < 2000 && titles.size() < 6; ++i) {
+    viewer_->Update();
+    const std::string title = viewer_->Title();
+    std::istringstream words(title.substr(std::string("hello.scn 64x48 ").size()));
+    int samples = -1;
+    words >> samples;
+    titles[samples].insert(title);
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  EXPECT_GT(titles.size(), 2u);
+  for (const auto& [samples, of_it] : titles) EXPECT_EQ(of_it.size(), 1u) << samples;
+  // A rate that is measured over more and more seconds does not stay the same for long.
+  const std::string title = viewer_->Title();
+  for (int i = 0; i < 60'000 && viewer_->Title() == title; ++i) {
+    viewer_->Handle(TickEvent{0.3});
+    viewer_->Update();
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  EXPECT_NE(viewer_->Title(), title);
+  Do("key Escape");
+  WaitUntilIdle();
+  const std::string last = viewer_->Title();
+  Do("tick 9");
+  viewer_->Update();
+  for (int i = 0; i < 9; ++i) {
+    viewer_->Handle(TickEvent{0.3});
+    EXPECT_FALSE(viewer_->Update()) << "nothing is drawn once it is over";
+    EXPECT_EQ(viewer_->Title(), last);
+  }
+}
+
+TEST_F(ViewerTest, ComparingTellsTheDifferenceOfThePictures) {
+  Do("key P\nwait trace\nkey R\nkey [\nwait trace\nkey D");
+  const auto current = viewer_->Pictures().Current();
+  const R2::Difference difference = R2::Compare(*current, *viewer_->Pictures().Reference(), R2::Display::straight);
+  EXPECT_GT(difference.rmse, 0);
+  EXPECT_NE(viewer_->Message().find("display RMSE"), std::string::npos);
+  const FrameState shown = viewer_->Show();
+  ASSERT_TRUE(shown.picture && shown.picture->image);
+  EXPECT_NEAR(shown.picture->image->At(10, 10).r,
+              std::abs(current->At(10, 10).r - viewer_->Pictures().Reference()->At(10, 10).r), 1e-6);
+}
+
+TEST_F(ViewerTest, IsNotBusyWhereNothingIsRendered) {
+  EXPECT_FALSE(viewer_->IsBusy());
+  Do("drag left 10 10 40 30\nresize 80 60");
+  EXPECT_FALSE(viewer_->IsBusy()) << "an idle window would look for news all the time";
+}
+
+TEST_F(ViewerTest, ShiftRShowsTheReferenceWhileItIsHeld) {
+  Do("key P\nwait trace\nkey R\nkey [\nwait trace\npress Shift+R");
+  EXPECT_EQ(viewer_->Show().picture->image, viewer_->Pictures().Reference());
+  Do("release Shift+R");
+  EXPECT_FALSE(viewer_->Show().picture->image);
+}
+
+TEST_F(ViewerTest, RowsOfTheQuadAreThoseOfTheRender) {
+  RenderSettings slow;
+  slow.samples = 64;
+  Open(project::Root() / "scenes/hello.scn", slow);
+  Do("key S");
+  const RenderJob& job = *viewer_->Pictures().Trace();
+  const R2::Image whole = Rendered(job.Settings());
+  while (!job.HasEnded()) {
+    const FrameState shown = viewer_->Show();
+    ASSERT_TRUE(shown.quad);
+    for (int y = 0; y < shown.quad->rows; ++y)
+      for (int x = 0; x < width; x += 7) {
+        const R2::Color seen = shown.quad->frame->At(x, y), right = whole.At(x, y);
+        ASSERT_EQ(seen, right) << x << " " << y;
+      }
+  }
+}
+
+TEST_F(ViewerTest, AClickOnTheTracedQuadDebugsItsPixel) {
+  Do("key S\nwait trace\nclick right 40.5 10.5");
+  // From the traced camera itself, the quad covers the picture pixel by pixel, unless something is before it.
+  EXPECT_EQ(StateLine("pixel"), "40 10");
+  EXPECT_FALSE(viewer_->Rays().PixelSettings().view);
+}
+
+TEST_F(ViewerTest, ResizingTracesTheNewSize) {
+  Do("resize 33 71\nkey S\nwait trace");
+  ASSERT_EQ(host_.traced.size(), 1u);
+  EXPECT_EQ(host_.traced[0].Width(), 33);
+  EXPECT_EQ(host_.traced[0].Height(), 71);
+  EXPECT_EQ(host_.traced[0], Rendered(host_.traced_settings[0]));
+}
+
+}  // namespace
+}  // namespace ray
