@@ -12,12 +12,11 @@
 /// Everything that reaches a picture takes these (`make check`).
 ///   accuracy   the largest error seen in tests/R1/Elementary.cpp against 113 bits, in ulp of the result, is under the
 ///              number given with each function
-///   limits     infinities, NaN, signed zeros and poles as in ISO C, annex F; errno and the exception flags mean
-///   nothing source     arguments are reduced as in Cody and Waite, Software Manual for the Elementary Functions
-///   (1980), Payne
-///              and Hanek, Radian reduction for trigonometric functions (1983), and Tang, Table-driven implementation
-///              of the exponential (1989) and of the logarithm function (1990); script/elementary.py derives all
-///              numbers
+///   limits     infinities, NaN, signed zeros and poles as in ISO C, annex F; no errno, no exception flags
+///   source     arguments are reduced as in Cody and Waite, Software Manual for the Elementary Functions (1980),
+///              Payne and Hanek, Radian reduction for trigonometric functions (1983), and Tang, Table-driven
+///              implementation of the exponential (1989) and of the logarithm function (1990);
+///              script/elementary.py derives all numbers
 namespace R1 {
 
 struct SineCosine {

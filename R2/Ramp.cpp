@@ -1,7 +1,6 @@
 #include "R2/Ramp.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "R1/Elementary.h"
 

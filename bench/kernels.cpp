@@ -1,9 +1,9 @@
 // Our accelerators beside Embree: the same scenes, the same rays, one process, one thread, taking turns; medians.
 //
-//     make bench && build/bench/kernels [scene=a,b] [accel=bvh,grid] [rays=N] [repeats=N]
-//     [peer_quality=low|medium|high]
-//                                       [robust=1] [simd=avx2] [build=1] [resolution=x] [counts=1] [peer=0]
-//                                       [packet=16] [peer_packet=8|16] [kind=primary,shadow] [turn=4096]
+//     make bench && build/bench/kernels [scene=a,b] [accel=bvh,grid] [rays=N] [repeats=N] [turn=4096] [robust=1]
+//                                       [simd=avx2] [build=1] [resolution=x] [counts=1] [packet=16]
+//                                       [kind=primary,shadow] [peer=0] [peer_packet=8|16]
+//                                       [peer_quality=low|medium|high]
 //
 // With `turn` the engines take turns every so many rays instead of after all of them, so that each finds caches that
 // the others have filled, as it would between shading and film.
@@ -328,12 +328,13 @@ int main(int argc, char** argv) {
       std::vector<double> their_seconds;
       std::vector<Answers> answers;
       Answers their_answers;
+      const std::vector<Kind> turns = Turns(kind, std::stoul(options["turn"]));
       for (int i = 0; i < repeats; ++i) {
         answers.assign(ours.size(), {});
         their_answers = {};
         their_seconds.push_back(0);
         for (auto& s : seconds) s.push_back(0);
-        for (const Kind& turn : Turns(kind, std::stoul(options["turn"]))) {
+        for (const Kind& turn : turns) {
           Answers now;
           if (theirs) {
             their_seconds.back() += Time([&] {

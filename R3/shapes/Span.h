@@ -27,8 +27,7 @@ struct Span {
   }
 };
 
-/// Whether a ray begins beyond a slab and heads away from it: without a division,
-/// what ClipToSlab finds for all t > 0.
+/// Whether a ray begins beyond a slab and heads away from it: without a division, that ClipToSlab leaves no t > 0.
 inline bool IsLeavingSlab(double low, double high, double origin, double direction) {
   return ((origin >= high) & (direction > 0)) | ((origin <= low) & (direction < 0));
 }

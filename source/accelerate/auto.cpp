@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <numbers>
 
 #include "R1/Elementary.h"
 #include "source/accelerate/Accelerator.h"

@@ -58,10 +58,17 @@ class Environment {
   /// there.
   R2::Color Radiance(const R3::Vector& direction) const;
 
+  struct Seen {
+    R2::Color radiance;
+    double pdf;  // of Draw giving the direction, per solid angle
+  };
+  /// The same, and how likely Draw is to go there: together, since finding a texel takes two arctangents.
+  Seen SeenTowards(const R3::Vector& direction) const;
+
   struct Sample {
     R3::Vector direction;  // unit, towards the light
-    R2::Color radiance;    // exactly Radiance(direction)
-    double pdf;            // exactly Pdf(direction), per solid angle; > 0
+    R2::Color radiance;    // these two exactly as SeenTowards(direction) has them
+    double pdf;            // > 0
   };
 
   /// Importance sampling: a direction with pdf proportional to the luminance that arrives from it: pdf = luminance /
@@ -75,16 +82,6 @@ class Environment {
   ///            zones have areas as their heights (Archimedes). With luminance L of the texel and its solid angle A,
   ///            the pdf is (L A / sum of L A) / A, with no sine left in it.
   Sample Draw(const R2::Point& u) const;
-
-  /// Of Draw giving `direction`, per solid angle; `direction` has any length but 0.
-  double Pdf(const R3::Vector& direction) const { return Pdf(At(direction)); }
-
-  struct Seen {
-    R2::Color radiance;
-    double pdf;
-  };
-  /// Radiance and Pdf, for the price of one: finding a texel takes two arctangents.
-  Seen SeenTowards(const R3::Vector& direction) const;
 
   bool IsBlack() const { return is_black_; }
   /// The latitude-longitude map that it was turned into: width twice the height.

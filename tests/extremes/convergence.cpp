@@ -9,14 +9,10 @@
 #include "tests/Named.h"
 #include "tests/extremes/KnownScenes.h"
 
+namespace statistics {
 namespace {
 
 using ray::RenderSettings;
-using statistics::Deviations;
-using statistics::Material;
-using statistics::Mean;
-using statistics::StageOf;
-using statistics::Whitted;
 
 /// Half of a disc light behind a straight edge: the edge jumps, and nothing else is to be learned.
 project::Stage HalfOfADisc() {
@@ -78,3 +74,4 @@ TEST(Extremes, G5_StrataOfAnyNumberOfSamplesHaveTheRightMean) {
 }
 
 }  // namespace
+}  // namespace statistics

@@ -12,18 +12,10 @@
 #include "tests/Named.h"
 #include "tests/extremes/KnownScenes.h"
 
+namespace statistics {
 namespace {
 
 using ray::RenderSettings;
-using statistics::Deviations;
-using statistics::Material;
-using statistics::Mean;
-using statistics::no_light;
-using statistics::Path;
-using statistics::StageOf;
-using statistics::UniformSky;
-using statistics::Whitted;
-using statistics::Words;
 using std::numbers::pi;
 
 TEST(Extremes, I1_EveryShapeThatLosesNothingVanishesInAWhiteFurnace) {
@@ -130,3 +122,4 @@ TEST(Extremes, I1_AGlossyPlaneKeepsThePartOfItsLobeThatIsAboveIt) {
 }
 
 }  // namespace
+}  // namespace statistics

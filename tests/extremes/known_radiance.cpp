@@ -9,18 +9,10 @@
 #include "tests/Draw.h"
 #include "tests/extremes/KnownScenes.h"
 
+namespace statistics {
 namespace {
 
 using ray::RenderSettings;
-using statistics::Deviations;
-using statistics::Material;
-using statistics::Mean;
-using statistics::no_light;
-using statistics::Path;
-using statistics::StageOf;
-using statistics::UniformSky;
-using statistics::Whitted;
-using statistics::Words;
 using std::numbers::pi;
 
 /// Light 1 from less than `angle` from straight up, a whole number of eighths of a half turn.
@@ -239,3 +231,4 @@ TEST(Extremes, I2_ASoftShadowIsAsWideAsGeometrySays) {
 }
 
 }  // namespace
+}  // namespace statistics

@@ -9,18 +9,10 @@
 #include "tests/Named.h"
 #include "tests/extremes/KnownScenes.h"
 
+namespace statistics {
 namespace {
 
 using ray::RenderSettings;
-using statistics::Compare;
-using statistics::Comparison;
-using statistics::Material;
-using statistics::no_light;
-using statistics::Path;
-using statistics::Pictures;
-using statistics::StageOf;
-using statistics::UniformSky;
-using statistics::Whitted;
 
 /// A floor, a wall and a ball, diffuse and glossy.
 const std::string room =
@@ -211,3 +203,4 @@ TEST(Extremes, E6_AFloorSeesNothingOfADiscEdgeOn) {
 }
 
 }  // namespace
+}  // namespace statistics

@@ -190,8 +190,9 @@ TEST(Environment, DrawsDirectionsByTheirDensity) {
     for (int part = 0; part < parts; ++part) {
       const double height = (sine(y + 1) - sine(y)) / parts, middle = sine(y) + (part + 0.5) * height;
       for (int x = 0; x < columns * parts; ++x) {
-        const double share = environment.Pdf(Direction((x + 0.5) / (columns * parts), std::asin(middle) / pi + 0.5)) *
-                             height * 2 * pi / (columns * parts);
+        const double share =
+            environment.SeenTowards(Direction((x + 0.5) / (columns * parts), std::asin(middle) / pi + 0.5)).pdf *
+            height * 2 * pi / (columns * parts);
         shares[static_cast<std::size_t>((y * parts + part) * columns * parts + x)] = share;
         all += share;
       }
@@ -218,13 +219,13 @@ TEST(Environment, TheDensityIsLuminanceOverItsIntegralInEveryLayout) {
       for (int x = 0; x < 256; ++x) {
         const R3::Vector d = Direction((x + 0.5) / 256, (y + 0.5) / 128);
         const double solid_angle = 2 * pi / 256 * (std::cos(pi * y / 128) - std::cos(pi * (y + 1) / 128));
-        pdf += solid_angle * environment.Pdf(d);
+        pdf += solid_angle * environment.SeenTowards(d).pdf;
         luminance += solid_angle * Luminance(environment.Radiance(d));
       }
     EXPECT_NEAR(pdf, 1, 1e-9);
     for (std::uint64_t i = 0; i < 1000; ++i) {
       const R3::Vector d = R3::OnSphere(Random(i));
-      EXPECT_NEAR(environment.Pdf(d), Luminance(environment.Radiance(d)) / luminance, 1e-12);
+      EXPECT_NEAR(environment.SeenTowards(d).pdf, Luminance(environment.Radiance(d)) / luminance, 1e-12);
     }
   }
 }
@@ -236,7 +237,7 @@ TEST(Environment, ADrawnDirectionTellsWhatArrivesFromIt) {
       const Environment::Sample sample = environment.Draw(u);
       ASSERT_NEAR(Length(sample.direction), 1, 1e-14);
       ASSERT_EQ(environment.Radiance(sample.direction), sample.radiance) << u.x << " " << u.y;
-      ASSERT_EQ(environment.Pdf(sample.direction), sample.pdf) << u.x << " " << u.y;
+      ASSERT_EQ(environment.SeenTowards(sample.direction).pdf, sample.pdf) << u.x << " " << u.y;
       ASSERT_GT(sample.pdf, 0);
       ASSERT_GT(Luminance(sample.radiance), 0);
     };
