@@ -114,7 +114,7 @@ compile = @mkdir -p $(@D) && echo "  c++   $(1)" && \
           $(CXX) $(OUR_CPPFLAGS) $(CPPFLAGS) $(OUR_CXXFLAGS) $(OPTIMIZE_HERE) $(CXXFLAGS) -c $< -o $@
 # What runs once in a run is compiled the faster for it; where samples are made many at a time, loops become vector
 # instructions.
-$(BUILD)/obj/source/app/%: OPTIMIZE_HERE := $(if $(filter -O2 -O3,$(OPTIMIZE)),-O1)
+$(BUILD)/obj/source/app/% $(BUILD)/obj/source/parse/%: OPTIMIZE_HERE := $(if $(filter -O2 -O3,$(OPTIMIZE)),-O1)
 $(BUILD)/obj/source/sample/% $(BUILD)/obj/source/scene/lights/% $(BUILD)/obj/source/integrate/all.o: \
   OPTIMIZE_HERE := $(if $(filter -O2 -O3,$(OPTIMIZE)),-ftree-vectorize $(if $(CLANG),,-fvect-cost-model=dynamic))
 $(BUILD)/obj/%/all.o: $(BUILD)/jumbo/%/all.cpp $(BUILD)/flags

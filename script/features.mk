@@ -1,9 +1,6 @@
 # Which packages this machine has: sets HAS_..., CONTEXTS, FEATURES, and the flags of OpenEXR, yaml-cpp and Dear ImGui
 # for the Makefile, which includes it, and stops where a package that everything needs is missing.
 
-# What is on this machine. The compiler itself is asked, on empty input: a shell test of the header's
-# name would have to know where compilers look.
-probe = $(shell $(CXX) $(CPPFLAGS) $(3) -std=c++20 -include $(2) -fsyntax-only -x c++ /dev/null >/dev/null 2>&1 && echo yes || echo no)
 pkg = $(shell pkg-config $(1) $(2) 2>/dev/null)
 
 EXR_CFLAGS := $(or $(call pkg,--cflags,OpenEXR),-isystem /usr/include/OpenEXR -isystem /usr/include/Imath)
@@ -15,29 +12,23 @@ IMGUI_CFLAGS := $(patsubst -I%,-isystem%,$(or $(call pkg,--cflags,imgui),-I/usr/
 IMGUI_LIBS := $(or $(call pkg,--libs,imgui),-limgui)
 
 ifneq ($(filter-out clean uninstall check dist,$(or $(MAKECMDGOALS),all)),)
-HAS_JPEG := $(call probe,jpeg,jpeglib.h,-include stdio.h)
-HAS_PNG := $(call probe,png,png.h,)
-HAS_TBB := $(call probe,tbb,tbb/parallel_for.h,)
-HAS_HWY := $(call probe,hwy,hwy/highway.h,)
-HAS_JSON := $(call probe,json,nlohmann/json.hpp,)
-HAS_EXR := $(call probe,exr,ImfOutputFile.h,$(EXR_CFLAGS))
-HAS_YAML := $(call probe,yaml,yaml-cpp/parser.h,$(YAML_CFLAGS))
-MISSING := $(if $(filter yes,$(HAS_JPEG)),,libjpeg-dev) $(if $(filter yes,$(HAS_PNG)),,libpng-dev) \
-           $(if $(filter yes,$(HAS_TBB)),,libtbb-dev) $(if $(filter yes,$(HAS_HWY)),,libhwy-dev) $(if $(filter yes,$(HAS_JSON)),,nlohmann-json3-dev)
+FOUND := $(shell $(CXX) $(CPPFLAGS) $(EXR_CFLAGS) $(YAML_CFLAGS) $(IMGUI_CFLAGS) -std=c++20 -E -P -x c++ script/features.h)
+ifeq ($(filter compiler,$(FOUND)),)
+$(error $(CXX) does not work as a compiler of C++20. Run script/setup.sh, or name another one: make CXX=clang++)
+endif
+has = $(if $(filter $(1),$(FOUND)),yes,no)
+HAS_EXR := $(call has,exr)
+HAS_YAML := $(call has,yaml)
+MISSING := $(if $(filter jpeg,$(FOUND)),,libjpeg-dev) $(if $(filter png,$(FOUND)),,libpng-dev) \
+           $(if $(filter tbb,$(FOUND)),,libtbb-dev) $(if $(filter hwy,$(FOUND)),,libhwy-dev) \
+           $(if $(filter json,$(FOUND)),,nlohmann-json3-dev)
 ifneq ($(strip $(MISSING)),)
 $(error These packages are missing: $(strip $(MISSING)). Run script/setup.sh, or install them and try again)
 endif
 # The viewer needs libepoxy, which finds OpenGL, and at least one way to draw.
-HAS_EPOXY := $(call probe,epoxy,epoxy/gl.h,)
-ifeq ($(HAS_EPOXY),yes)
-HAS_GLFW := $(call probe,glfw,GLFW/glfw3.h,-DGLFW_INCLUDE_NONE)
-HAS_EGL := $(call probe,egl,epoxy/egl.h,)
-HAS_OSMESA := $(call probe,osmesa,GL/osmesa.h,)
-endif
-CONTEXTS := $(if $(filter yes,$(HAS_GLFW)),glfw) $(if $(filter yes,$(HAS_EGL)),egl) $(if $(filter yes,$(HAS_OSMESA)),osmesa)
-CONTEXTS := $(strip $(CONTEXTS))
+CONTEXTS := $(if $(filter epoxy,$(FOUND)),$(filter $(FOUND),glfw egl osmesa))
 # Its panels need Dear ImGui.
-HAS_IMGUI := $(if $(CONTEXTS),$(call probe,imgui,imgui.h,$(IMGUI_CFLAGS)),no)
+HAS_IMGUI := $(if $(CONTEXTS),$(call has,imgui),no)
 empty :=
 VIEWER := $(or $(subst $(empty) ,+,$(CONTEXTS)),no (install libepoxy-dev and, for windows, libglfw3-dev))
 FEATURES := jpeg=yes png=yes exr=$(if $(filter yes,$(HAS_EXR)),yes,no (install libopenexr-dev)) \
