@@ -7,7 +7,7 @@
 #     script/claims_table.sh [-seeds N] [-size N] [-references FOLDER] [-rows FILE] [id ...]
 #
 # The truth is told by two references of 1024 samples of other seeds, kept in FOLDER (default build/claims) from run to
-# run. With 6 seeds, the default, 14 scenes are 252 renders for displayed errors and 126 for linear ones: ten minutes of two
+# run. With 6 seeds, the default, 20 scenes are 360 renders for displayed errors and 180 for linear ones: ten minutes of two
 # cores, and as much for the references. -rows keeps one line per render. RAYPRO names the program (default build/raypro).
 set -eu
 export LC_ALL=C  # numbers have a point
@@ -41,6 +41,12 @@ environment scenes/environment -mode path
 sphere_light scenes/sphere_light -mode path
 emission scenes/emission -mode path
 depth scenes/depth -mode path
+motion scenes/motion
+camera_motion scenes/camera_motion
+refraction scenes/refraction -mode path
+materials scenes/materials -mode path
+coat scenes/coat -mode path
+glass scenes/glass -mode path
 LIST
 
 # A number of a report's "error".

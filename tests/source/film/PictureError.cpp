@@ -166,7 +166,7 @@ TEST(PictureError, FewPixelsGiveAWideInterval) {
   EXPECT_GT(ratio(512), 1.5);
 }
 
-// 1 and 3 in the two parts show 1 and 1, and their mean is clamped too; 0.2 and 3 show 0.6 on average, and 1 together.
+// 7 and 7 in the two parts show 1 and 1, and their mean is clamped too; 0.2 and 3 show 0.6 on average, and 1 together.
 TEST(PictureError, ClampingIsNoErrorWhereItIsSteadyAndOneWhereItHidesNoise) {
   const auto film_of = [](double a, double b) {
     return TwoPartFilm(8, {1, 1}, FilterKind::box, [&](int part, int, int, std::uint32_t) {
@@ -174,6 +174,8 @@ TEST(PictureError, ClampingIsNoErrorWhereItIsSteadyAndOneWhereItHidesNoise) {
     });
   };
   EXPECT_EQ(MeasureError(film_of(7, 7), {})->square, 0);
+  EXPECT_EQ(MeasureError(film_of(1.5, 1.9), {})->square, 0) << "brighter than the difference of the parts explains";
+  EXPECT_NEAR(MeasureError(film_of(1.1, 2.3), {})->square, 0.5 * 0.5, 1e-6) << "mean 1.7, difference 1.2";
   const double difference = 0.8 / 2, bias = 0.6 - 1, cut = 0.6;
   EXPECT_NEAR(MeasureError(film_of(0.2, 3), {})->square, difference * difference + bias * bias + cut * cut, 1e-6);
   EXPECT_NEAR(MeasureError(film_of(0.2, 3), {.unit = ErrorUnit::linear})->square, 1.4 * 1.4, 1e-6);
