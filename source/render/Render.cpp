@@ -9,6 +9,7 @@
 
 #include "source/integrate/debug/Heat.h"
 #include "source/render/DenoiseResult.h"
+#include "source/render/Forecast.h"
 #include "source/render/PassRunner.h"
 
 namespace ray {
@@ -116,6 +117,11 @@ class Job {
   const Film& film() const { return film_; }
 
  private:
+  struct PassWork {
+    double end = 0;          // samples per pixel after the pass, on average
+    double idle_pixels = 0;  // of blocks that are at their target before
+  };
+
   double Seconds() const {
     return monitor_.seconds_before + std::chrono::duration<double>(Clock::now() - start_).count();
   }
@@ -145,6 +151,7 @@ class Job {
   /// The pass that the schedule chose, with pauses to keep the state. It ends `paused` where the time is over.
   PassRunner::End RunPass() {
     pass_begin_ = {Seconds(), CountSamples(film_).mean};
+    pass_work_ = WorkOf(schedule_.State().targets);
     const double budget = settings_.budget.seconds;
     const auto deadline =
         budget > 0 ? std::optional(In(budget - settings_.budget.seconds_to_finish - Seconds())) : std::nullopt;
@@ -174,26 +181,54 @@ class Job {
     if (pass.error) {
       differences_ = pass.error->differences;
       passes_.back().error = pass.error->estimate;
+      Foretell(pass);
     }
     pass.now = Seconds();
     return pass;
   }
 
+  void Foretell(PassOutcome& pass) {
+    if (!settings_.budget.error) return;
+    const auto forecast = ForecastOf(passes_, *settings_.budget.error);
+    pass.has_stalled = forecast && forecast->has_stalled;
+    samples_foretold_ = forecast ? forecast->samples : 0;
+  }
+
+  PassWork WorkOf(const PassTargets& targets) const {
+    PassWork work;
+    double samples = 0;
+    for (int i = 0; i < film_.Blocks(); ++i) {
+      const auto area = static_cast<double>(film_.PixelsOf(i).Area());
+      const bool has_two_streams = HasTwoStreams(settings_);
+      const std::uint32_t target = targets.samples[static_cast<std::size_t>(i)];
+      samples += area * (target > 0 ? (has_two_streams ? 2.0 : 1.0) * target
+                                    : targets.PlacesOf(i) / double{BlockOrder::places});
+      if (film_[i].SamplesPerStream(has_two_streams) >= target && target > 0) work.idle_pixels += area;
+    }
+    work.end = samples / static_cast<double>(film_.Sampled().Area());
+    return work;
+  }
+
   void TellProgress(std::int64_t pixels, const RayCounts& rays) const {
     if (!monitor_.tile_done) return;
-    const std::int64_t area = film_.Sampled().Area();
-    RenderProgress progress{pixels, area, rays.Total()};
+    const auto area = static_cast<double>(film_.Sampled().Area());
+    double done = 0, total = 0;
     if (settings_.budget.seconds > 0) {
-      progress.total = static_cast<std::int64_t>(1e3 * settings_.budget.seconds);
-      progress.done = std::min(progress.total, static_cast<std::int64_t>(1e3 * Seconds()));
-    } else if (!settings_.budget.IsOpen() && !settings_.replay) {
-      const PassTargets& targets = schedule_.State().targets;
-      const double end = std::max<double>(schedule_.State().end, targets.PlacesOf(0) / double{BlockOrder::places});
-      const double gain = std::max(0.0, end - pass_begin_.samples) * static_cast<double>(pixels);
-      progress.total = area * settings_.samples;
-      progress.done = static_cast<std::int64_t>(static_cast<double>(area) * pass_begin_.samples + gain);
+      total = 1e3 * settings_.budget.seconds;
+      done = 1e3 * Seconds();
+    } else if (settings_.replay || settings_.budget.is_endless) {
+      total = area;
+      done = static_cast<double>(pixels);
+    } else {
+      const double share =
+          (static_cast<double>(pixels) - pass_work_.idle_pixels) / std::max(1.0, area - pass_work_.idle_pixels);
+      total = area * (settings_.budget.error ? std::max(pass_work_.end, samples_foretold_) : settings_.samples);
+      done = area * std::lerp(pass_begin_.samples, pass_work_.end, share);
     }
-    monitor_.tile_done(progress);
+    constexpr double most = 1e18;  // what 64 bits hold
+    total = std::min(total, most);
+    monitor_.tile_done(
+        {static_cast<std::int64_t>(std::min(done, total)), static_cast<std::int64_t>(total), rays.Total()});
   }
 
   /// So far.
@@ -248,6 +283,8 @@ class Job {
   struct {
     double seconds = 0, samples = 0;  // per pixel, on average
   } pass_begin_;
+  PassWork pass_work_;
+  double samples_foretold_ = 0;  // per pixel, that reach the error asked for; 0: unknown
 };
 
 }  // namespace

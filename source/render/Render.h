@@ -21,7 +21,7 @@ namespace ray {
 
 /// How far a render has come.
 struct RenderProgress {
-  std::int64_t done = 0, total = 0;  // samples; of an error budget, pixels of the pass that runs; of time, milliseconds
+  std::int64_t done = 0, total = 0;  // samples, of an error budget as many as are foretold; of time, milliseconds
   std::uint64_t rays = 0;            // of all kinds, so far
 };
 

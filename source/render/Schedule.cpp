@@ -126,6 +126,7 @@ std::optional<Stop> Schedule::Next(const PassOutcome& pass) {
   if (state_.end == 0) return NextOfLooks(pass);
   const MeasuredError* error = DecidesByError() && pass.error ? &*pass.error : nullptr;
   if (error && error->square_high <= SquaredTargetOf(*error)) return Stop::error;
+  if (error && pass.has_stalled && ceiling_ == most_samples && budget_.seconds == 0) return Stop::stall;
   std::uint32_t end = std::min(ceiling_, NextEnd(error));
   std::vector<std::uint32_t> targets(blocks_.areas.size(), end);
   if (error && budget_.adaptive != Adaptive::off) targets = ChooseBlocks(end, *error);

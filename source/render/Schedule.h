@@ -11,8 +11,8 @@
 namespace ray {
 
 /// Why a render ended.
-enum class Stop { samples, time, error, request };
-inline constexpr std::array stop_names{"samples", "time", "error", "request"};
+enum class Stop { samples, time, error, stall, request };
+inline constexpr std::array stop_names{"samples", "time", "error", "stall", "request"};
 
 /// How many samples per pixel strata and camera rays are laid out for.
 std::uint32_t PlannedSamples(const RenderSettings& settings);
@@ -44,6 +44,7 @@ struct PassOutcome {
   double seconds_taken = 0;  // by the pass
   double samples_taken = 0;  // by the pass, per pixel, on average; 0: it was over before a break
   std::optional<MeasuredError> error;
+  bool has_stalled = false;  // see ErrorForecast
 };
 
 /// Where a schedule stands; kept in checkpoints.
@@ -57,6 +58,7 @@ struct ScheduleState {
 /// nothing and reads no clock: what it knows it is told. The first pass looks at a pixel of each block, so that there
 /// is a picture at once and the speed is known; where all first samples would take long, more pixels follow. Then each
 /// pass doubles the samples, or takes fewer where the error is nearly down to its target or the time is nearly over.
+/// An error that does not fall ends a render that nothing else would end.
 /// Modes that show costs, which depend on the order of rays, are one pass without a budget. A replay repeats the passes
 /// of an earlier render.
 class Schedule {

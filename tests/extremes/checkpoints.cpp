@@ -148,15 +148,19 @@ TEST_F(Checkpoints, L9_OfAnotherPictureAreRefusedAndTheMessageSaysInWhat) {
   EXPECT_THROW(ray::DecodedState(bytes_, identity_, larger), ray::CheckpointError);
 }
 
-ray::RenderState StateOfHello(const ray::RenderSettings& settings, int tiles_until_break) {
+/// Of a render that is stopped at a tile of the pass after so many that gave each pixel samples.
+ray::RenderState StateOfHello(const ray::RenderSettings& settings, int whole_passes, int tile) {
   const project::Stage stage(project::Root() / "scenes" / "hello.scn");
   const auto accelerator = ray::FindAcceleratorKind("auto")->Make(stage.world, {});
   std::atomic<bool> stop = false;
-  std::atomic<int> tiles = 0;
+  std::atomic<int> passes = 0, tiles = 0;
   ray::RenderState kept;
   ray::RenderMonitor monitor;
   monitor.stop = &stop;
-  monitor.tile_done = [&](const ray::RenderProgress&) { stop = ++tiles == tiles_until_break; };
+  monitor.pass_done = [&](const R2::Image&, std::uint32_t) { ++passes; };
+  monitor.tile_done = [&](const ray::RenderProgress&) {
+    if (passes == whole_passes) stop = ++tiles == tile;
+  };
   monitor.save = [&](const ray::RenderState& state) { kept = state; };
   ray::Render(stage.world, *accelerator, settings, monitor);
   return kept;
@@ -203,7 +207,7 @@ TEST(Extremes, L9_ACheckpointWithNumbersThatNoRenderKeepsIsRefused) {
       settings.threads = 1;
       settings.filter = filter;
       if (by_error) settings.budget.error = ray::ErrorTarget{0.1, ray::ErrorUnit::display};
-      const State kept = StateOfHello(settings, by_error ? 5 * 36 + 20 : 36 + 20);  // of 36 tiles a pass
+      const State kept = StateOfHello(settings, by_error ? 4 : 1, 20);  // of 36 tiles
       const ray::Film film = ray::EmptyFilmOf(settings);
       ASSERT_NO_THROW(ray::CheckState(kept, film, settings));
       ASSERT_NE(kept.blocks.front().Samples(), kept.blocks.back().Samples());

@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "source/app/options/RayproCommand.h"
+#include "source/render/Forecast.h"
 #include "source/scene/CameraText.h"
 #include "source/text/Quoting.h"
 #include "source/text/Words.h"
@@ -65,6 +66,20 @@ std::string FreedomText(const ErrorEstimate& error) {
   if (!(error.freedom < many)) return {};
   return ", nu " + Fixed(error.freedom, 0) + ": few pixels hold the error, and the truth itself varies by " +
          Fixed(100 * std::min(1.0, 2 / std::sqrt(2 * error.freedom)), 0) + " %";
+}
+
+std::string StopText(const RunStats& record) {
+  return record.stop == stop_names[static_cast<std::size_t>(Stop::stall)] ? "an error that does not fall" : record.stop;
+}
+
+/// What an error that was asked for and not reached would take.
+std::string ForecastText(const RunStats& record) {
+  const auto& target = record.options.render.budget.error;
+  const auto forecast = target ? ForecastOf(record.passes, *target) : std::nullopt;
+  if (!forecast || !(forecast->samples > record.samples.mean)) return {};
+  constexpr double most = 1e9;  // that a render takes
+  return ", about " + (forecast->samples < most ? Rounded(forecast->samples, 2) : "more than 1e9") + " for " +
+         ErrorText(target->value, target->unit);
 }
 
 std::string Listed(const std::vector<std::string>& words) {
@@ -142,10 +157,10 @@ R2::ImageSettings SettingsInPicture(const RunStats& record) {
 }
 
 std::string FinalLine(const RunStats& record) {
-  return Escaped(record.picture) + " " + std::to_string(record.width) + "x" + std::to_string(record.height) +
-         " " + SamplesText(record) + " spp " + Fixed(record.seconds.wall, 2) + " s " +
-         Fixed(MegaraysPerSecond(record), 1) + " Mrays/s" +
-         (record.IsComplete() ? "" : " (stopped by " + record.stop + ", " + PixelsText(record) + ")") + "\n";
+  return Escaped(record.picture) + " " + std::to_string(record.width) + "x" + std::to_string(record.height) + " " +
+         SamplesText(record) + " spp " + Fixed(record.seconds.wall, 2) + " s " + Fixed(MegaraysPerSecond(record), 1) +
+         " Mrays/s" + (record.IsComplete() ? "" : " (stopped by " + record.stop + ", " + PixelsText(record) + ")") +
+         "\n";
 }
 
 std::string QualityLines(const RunStats& record) {
@@ -164,8 +179,8 @@ std::string QualityLines(const RunStats& record) {
   } else if (record.true_error) {
     text = "true error " + ErrorText(*record.true_error, ErrorUnit::display) + "; ";
   }
-  return text + "stopped by " + record.stop + " at " + Fixed(record.samples.mean, 1) + " samples per pixel" +
-         LimitsText(record.biased) + "\n";
+  return text + "stopped by " + StopText(record) + " at " + Fixed(record.samples.mean, 1) + " samples per pixel" +
+         ForecastText(record) + LimitsText(record.biased) + "\n";
 }
 
 std::string Statistics(const RunStats& record) {

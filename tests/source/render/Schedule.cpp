@@ -348,5 +348,27 @@ TEST(Schedule, AReplayMayEndInTheFirstSample) {
   EXPECT_EQ(schedule.Next({}), Stop::samples);
 }
 
+/// What ends a render whose error has not fallen for long.
+std::optional<Stop> EndOfStalled(const RenderSettings& settings) {
+  Schedule schedule(settings, Grid(), false);
+  schedule.Next(quick_look);
+  std::optional<Stop> stop;
+  for (int pass = 0; pass < 8 && !stop; ++pass) {
+    PassOutcome found = Found(4);
+    found.has_stalled = pass == 6;
+    stop = schedule.Next(found);
+  }
+  return stop;
+}
+
+TEST(Schedule, AnErrorThatDoesNotFallEndsWhatNothingElseWould) { EXPECT_EQ(EndOfStalled(ToErrorOne()), Stop::stall); }
+
+TEST(Schedule, AnErrorThatDoesNotFallEndsNothingThatHasAnotherEnd) {
+  EXPECT_EQ(EndOfStalled(ToErrorOne(1 << 20)), std::nullopt);
+  RenderSettings settings = ToErrorOne();
+  settings.budget.seconds = 1000;
+  EXPECT_EQ(EndOfStalled(settings), std::nullopt);
+}
+
 }  // namespace
 }  // namespace ray

@@ -1,0 +1,45 @@
+#include "source/render/Forecast.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "R1/Elementary.h"
+
+namespace ray {
+namespace {
+
+/// How many times the target's square the square of the worse end of an error is.
+double SquaredRatio(const ErrorEstimate& error, const ErrorTarget& target) {
+  if (target.unit == ErrorUnit::decibel) return R1::Pow(10, (target.value - error.high) / 10);
+  return error.high / target.value * (error.high / target.value);
+}
+
+/// The last of these passes that had at most so many samples per pixel, and an error; null where none had.
+const Pass* LastUpTo(double samples, std::span<const Pass> passes) {
+  const auto found = std::find_if(passes.rbegin(), passes.rend(),
+                                  [=](const Pass& pass) { return pass.error && pass.samples <= samples; });
+  return found == passes.rend() ? nullptr : &*found;
+}
+
+}  // namespace
+
+std::optional<ErrorForecast> ForecastOf(std::span<const Pass> passes, const ErrorTarget& target) {
+  constexpr double fastest = 2;     // squares of the best sequences, of smooth pictures, fall as 1 / samples^2
+  constexpr double slowest = 0.05;  // slower is not told from not falling: 20 doublings would halve the square
+  const Pass* now = LastUpTo(std::numeric_limits<double>::infinity(), passes);
+  if (!now) return {};
+  const double ratio = SquaredRatio(*now->error, target);
+  if (!(ratio > 1)) return ErrorForecast{now->samples};
+  ErrorForecast forecast;
+  double fall = 1;
+  if (const Pass* before = LastUpTo(now->samples / 4, passes))
+    fall = R1::Log(SquaredRatio(*before->error, target) / ratio) / R1::Log(now->samples / before->samples);
+  fall = std::min(fall, fastest);
+  forecast.samples = fall > slowest ? now->samples * R1::Pow(ratio, 1 / fall) : std::numeric_limits<double>::infinity();
+  const Pass* long_ago = LastUpTo(now->samples / 16, passes);
+  forecast.has_stalled = long_ago && ratio > SquaredRatio(*long_ago->error, target) / 2;
+  return forecast;
+}
+
+}  // namespace ray
