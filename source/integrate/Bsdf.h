@@ -74,6 +74,11 @@ struct SpecularWeights {
   R2::Color reflected, transmitted;
 };
 SpecularWeights SpecularWeightsOf(const ShadingPoint& p, bool fresnel);
+/// Their sum, 0 for what is diffuse alone.
+inline R2::Color SpecularReflectance(const ShadingPoint& p, bool fresnel) {
+  const SpecularWeights weights = SpecularWeightsOf(p, fresnel);
+  return weights.reflected + weights.transmitted;
+}
 
 /// wo mirrored about N, or with a glossy reflection a direction of Phong's lobe around that; unit.
 ///   u         uniform in [0, 1)^2

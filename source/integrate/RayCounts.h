@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -21,6 +22,22 @@ struct RayCounts {
   };
   std::array<Kind, ray_kind_names.size()> kinds;
   std::uint64_t cut = 0;  // wanted, but a camera ray had reached its limit of descendants
+  // Luminance of throughputs at which settings ended a path, in shares of a camera ray's: integers, since their sum is
+  // the same in any order.
+  std::uint64_t throughput_cut = 0;
+  static constexpr double throughput_unit = 65536;
+
+  /// A path of this luminance, at least 0, ends though a longer one might carry light.
+  void EndAt(double luminance) {
+    constexpr double most = 1e6;  // so that the sum of 1e8 such paths fits; materials may reflect more than they get
+    throughput_cut += static_cast<std::uint64_t>(throughput_unit * std::min(luminance, most));
+  }
+  /// How much of what camera rays might find was cut off. Where that is as bright as the picture is, so much of the
+  /// picture's light is missing.
+  double ShareCut() const {
+    const auto camera_rays = static_cast<double>((*this)[RayKind::camera].rays);
+    return camera_rays > 0 ? static_cast<double>(throughput_cut) / throughput_unit / camera_rays : 0;
+  }
 
   Kind& operator[](RayKind kind) { return kinds[static_cast<std::size_t>(kind)]; }
   const Kind& operator[](RayKind kind) const { return kinds[static_cast<std::size_t>(kind)]; }
@@ -38,6 +55,7 @@ struct RayCounts {
   RayCounts& operator+=(const RayCounts& o) {
     for (std::size_t i = 0; i < kinds.size(); ++i) kinds[i].rays += o.kinds[i].rays, kinds[i].cost += o.kinds[i].cost;
     cut += o.cut;
+    throughput_cut += o.throughput_cut;
     return *this;
   }
   friend bool operator==(const RayCounts&, const RayCounts&) = default;

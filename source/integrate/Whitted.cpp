@@ -105,13 +105,16 @@ R2::Color Whitted::Follow(const ShadingPoint& first, TraceState& state) const {
   int descendants = 0;
   state.pending.clear();
   const auto spawn = [&](const ShadingPoint& p) {
-    if (p.path.depth >= settings_.max_depth) return;
+    if (p.path.depth >= settings_.max_depth) {
+      state.rays.EndAt(Luminance(p.path.throughput * SpecularReflectance(p, settings_.fresnel)));
+      return;
+    }
     if (descendants >= most_descendants) {
       ++state.rays.cut;
       return;
     }
     const std::size_t before = state.pending.size();
-    Spawn(p, state.pending);
+    Spawn(p, state);
     descendants += static_cast<int>(state.pending.size() - before);
   };
   spawn(first);
@@ -238,25 +241,30 @@ void Whitted::AddArrived(std::span<ShadingPoint> points, TraceState& state) cons
   for (std::size_t i = 0; i < points.size(); ++i) points[i].radiance += state.arrived[i];
 }
 
-void Whitted::Spawn(const ShadingPoint& p, std::vector<PathState>& pending) const {
+void Whitted::Spawn(const ShadingPoint& p, TraceState& state) const {
   const SpecularWeights weights = SpecularWeightsOf(p, settings_.fresnel);
   // Pushed first, traced last.
   const SampleIndex through = p.path.index.Child(transmission_key), back = p.path.index.Child(reflection_key);
-  if (const auto throughput = Continued(p.path.throughput * weights.transmitted, through))
-    if (const auto wi = Refraction(p)) pending.push_back(Extend(p, *wi, Lobe::transmission, *throughput, through));
-  if (const auto throughput = Continued(p.path.throughput * weights.reflected, back)) {
+  if (const auto throughput = Continued(p.path.throughput * weights.transmitted, through, state))
+    if (const auto wi = Refraction(p))
+      state.pending.push_back(Extend(p, *wi, Lobe::transmission, *throughput, through));
+  if (const auto throughput = Continued(p.path.throughput * weights.reflected, back, state)) {
     const Points points(settings_.sampler, back.key.Child(choice_key), settings_.samples);
     if (const auto wi =
             SampleReflection(p, settings_.glossy, settings_.glossy ? points.Get2D(back.sample) : R2::Point{}))
-      pending.push_back(Extend(p, *wi, Lobe::mirror, *throughput, back));
+      state.pending.push_back(Extend(p, *wi, Lobe::mirror, *throughput, back));
   }
 }
 
-inline std::optional<R2::Color> Whitted::Continued(const R2::Color& throughput, const SampleIndex& index) const {
+inline std::optional<R2::Color> Whitted::Continued(const R2::Color& throughput, const SampleIndex& index,
+                                                   TraceState& state) const {
   const double luminance = Luminance(throughput);
   if (!(luminance > 0)) return {};
   if (luminance >= settings_.min_luminance) return throughput;
-  if (!has_roulette_) return {};
+  if (!has_roulette_) {
+    state.rays.EndAt(luminance);
+    return {};
+  }
   const Points points(settings_.sampler, index.key.Child(roulette_key), settings_.samples);
   return RussianRoulette(throughput, luminance / settings_.min_luminance, points.Get2D(index.sample).x);
 }

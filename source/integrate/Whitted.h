@@ -52,9 +52,9 @@ class Whitted : public Integrator {
                   std::uint32_t first, std::uint32_t count, double weight, TraceState& state) const;
   void AddArrived(std::span<ShadingPoint> points, TraceState& state) const;
   /// The rays that a surface reflects and transmits.
-  void Spawn(const ShadingPoint& p, std::vector<PathState>& pending) const;
+  void Spawn(const ShadingPoint& p, TraceState& state) const;
   /// The throughput of a child ray, if it is followed: not if it is faint and does not survive.
-  std::optional<R2::Color> Continued(const R2::Color& throughput, const SampleIndex& index) const;
+  std::optional<R2::Color> Continued(const R2::Color& throughput, const SampleIndex& index, TraceState& state) const;
 
   const World& world_;
   Tracer tracer_;

@@ -13,7 +13,7 @@
 namespace ray {
 namespace {
 
-constexpr std::string_view magic = "raypro checkpoint 2\n";
+constexpr std::string_view magic = "raypro checkpoint 3\n";
 
 std::uint64_t Checksum(std::span<const unsigned char> bytes) {
   Hash hash;

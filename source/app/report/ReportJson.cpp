@@ -63,6 +63,7 @@ Json Rays(const RayCounts& rays) {
     costs[ray_kind_names[i]] = CostJson(rays.kinds[i].cost);
   }
   json["cut"] = rays.cut;
+  json["share_cut"] = rays.ShareCut();
   json["total"] = rays.Total();
   json["costs"] = costs;
   return json;

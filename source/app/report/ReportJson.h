@@ -18,7 +18,9 @@ namespace ray {
 ///   | settings           | every option in force by its name: numbers, true/false, names; crop is      |
 ///   |                    | [x0, y0, x1, y1] or null, allow_path a list                                 |
 ///   | rays               | camera, shadow, reflection, transmission, scattering, cut (wanted but over  |
-///   |                    | a camera ray's limit), total (all but cut), costs (the counts of each kind)    |
+///   |                    | a camera ray's limit), total (all but cut), costs (the counts of each       |
+///   |                    | kind); share_cut: by how much the picture is too dark, about, for what      |
+///   |                    | max_depth and min_luminance cut off                                         |
 ///   | counts             | node_visits, box_tests, primitive_tests, hits, cache_tests, cache_hits,     |
 ///   |                    | bad_rays                                                                    |
 ///   | accelerator        | the kind that was built; settings.accel says which was asked for            |

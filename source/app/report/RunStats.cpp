@@ -48,14 +48,19 @@ std::string CostPerRay(const RayCounts::Kind& kind) {
   return row;
 }
 
-/// "; limited by -max_depth 3 (may be too dark)"; nothing for no limits.
-std::string LimitsText(const std::vector<std::string>& biased) {
+/// "; limited by -max_depth 3, -min_luminance 0.01 (too dark by about 2 %)"; nothing for no limits.
+std::string LimitsText(const RunStats& record) {
+  const double share_cut = record.rays.ShareCut();
   std::string text;
-  for (const std::string& setting : biased) {
-    const bool cuts_light = setting.starts_with("max_depth") || setting.starts_with("min_luminance");
+  bool is_too_dark = false;
+  for (const std::string& setting : record.biased) {
     if (setting == "denoise") continue;  // told with the error
-    text += (text.empty() ? "; limited by -" : ", -") + setting + (cuts_light ? " (may be too dark)" : "");
+    const bool cuts_light = setting.starts_with("max_depth") || setting.starts_with("min_luminance");
+    if (cuts_light && share_cut == 0) continue;
+    is_too_dark |= cuts_light;
+    text += (text.empty() ? "; limited by -" : ", -") + setting;
   }
+  if (is_too_dark) text += " (too dark by about " + Rounded(100 * share_cut, 2) + " %)";
   return text;
 }
 
@@ -180,7 +185,7 @@ std::string QualityLines(const RunStats& record) {
     text = "true error " + ErrorText(*record.true_error, ErrorUnit::display) + "; ";
   }
   return text + "stopped by " + StopText(record) + " at " + Fixed(record.samples.mean, 1) + " samples per pixel" +
-         ForecastText(record) + LimitsText(record.biased) + "\n";
+         ForecastText(record) + LimitsText(record) + "\n";
 }
 
 std::string Statistics(const RunStats& record) {

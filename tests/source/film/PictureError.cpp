@@ -198,6 +198,18 @@ TEST(PictureError, AnErrorThatDoesNotFallIsTakenToBeLarger) {
   EXPECT_DOUBLE_EQ(after(0.1, 8), 1) << "no samples came";
 }
 
+TEST(PictureError, AnErrorThatIsGoneAtOnceIsKeptAsFarAsSamplesCannotExplainIt) {
+  const Film film = Noisy(32, 4, 4, 0.1, 3);  // 8 samples per pixel
+  const ErrorMeasure measure{.unit = ErrorUnit::linear};
+  const auto alone = MeasureError(film, measure);
+  BlockErrors before = alone->differences;
+  for (std::uint32_t& count : before.samples) count = 4;
+  before.squares[0] = 1;
+  const auto after = MeasureError(film, measure, &before);
+  EXPECT_DOUBLE_EQ(after->differences.squares[0], 1.0 / 8) << "an eighth of the square, with twice the samples";
+  EXPECT_EQ(after->differences.squares[1], alone->differences.squares[1]);
+}
+
 TEST(PictureError, TheWorstBlockAndTheOutliersAreFound) {
   Film film = Noisy(32, 2, 2, 0.01, 5);
   const int worst = film.BlockOf(20, 12);

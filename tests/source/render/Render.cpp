@@ -38,6 +38,32 @@ TEST(Render, PartsWithOneIntegratorMadeBeforeEqualTheWhole) {
   EXPECT_EQ(wrong, 0);
 }
 
+/// Between mirrors all around that reflect a half, cut off as the settings say.
+double ShareCutBetweenMirrors(RenderMode mode, std::int64_t max_depth, double min_luminance) {
+  const project::Stage stage(project::FromText(
+      "camera 0 0 0 1 2 3 0 1 0 .5 1 10 material 0 0 0 0 0 0 .5 .5 .5 0 0 0 0 0 0 1 1 0 box 0 -9 -9 -9 9 9 9"));
+  RenderSettings settings = Small();
+  settings.mode = mode;
+  settings.trace.max_depth = max_depth;
+  settings.trace.min_luminance = min_luminance;
+  return project::Render(stage, settings).rays.ShareCut();
+}
+
+TEST(Render, TheShareThatIsCutIsWhatLongerPathsWouldCarry) {
+  constexpr double rounding = 1 / RayCounts::throughput_unit;
+  for (const RenderMode mode : {RenderMode::whitted, RenderMode::path}) {
+    EXPECT_NEAR(ShareCutBetweenMirrors(mode, 0, 0), 0.5, rounding);
+    EXPECT_NEAR(ShareCutBetweenMirrors(mode, 2, 0), 0.125, rounding);
+  }
+  EXPECT_NEAR(ShareCutBetweenMirrors(RenderMode::whitted, 100, 0.1), 0.0625, rounding) << "the first below 0.1";
+}
+
+TEST(Render, WhereEveryPathEndsByItselfNothingIsCut) {
+  const project::Stage stage(project::FromText(
+      "camera 0 0 0 1 2 3 0 1 0 .5 1 10 material 0 0 0 1 1 1 0 0 0 0 0 0 0 0 0 1 1 0 box 0 -9 -9 -9 9 9 9"));
+  EXPECT_EQ(project::Render(stage, Small()).rays.ShareCut(), 0);
+}
+
 TEST(Render, PassesThatAreSeenChangeNoBit) {
   const project::Stage stage(project::Root() / "scenes" / "area_light.scn");
   const auto accelerator = FindAcceleratorKind("auto")->Make(stage.world, {});
