@@ -165,6 +165,7 @@ class Scene {
 
   /// What is wrong with the answer to a ray; empty for nothing.
   std::string WhatIsWrong(const R3::Ray& ray, const std::optional<ray::WorldHit>& hit) const {
+    if (!IsFinite(ray.origin - R3::Point{}) || !IsFinite(ray.direction)) return hit ? "a hit of no ray" : "";
     if (hit && !(hit->t > ray.t_min && hit->t < ray.t_max)) return "a hit outside the ray's interval";
     const Quad begin = ray.t_min, end = hit ? hit->t : ray.t_max;
     bool is_on_its_shape = !hit;
