@@ -18,7 +18,8 @@ using namespace std::chrono_literals;
 TEST(Extremes, L5_ASignalEndsTheRunWithinASecondAndSavesThePictureSoFar) {
   NEEDS_THE_PROGRAM();
   std::mt19937 random(2);
-  for (int round = 0; round < Rounds("RAYTESTS_SIGNALS", 6); ++round) {
+  const int rounds = Rounds("RAYTESTS_SIGNALS", 6);
+  for (int round = 0; round < rounds; ++round) {
     const SceneFolder place;
     const int signal = round % 2 ? SIGTERM : SIGINT;
     Running running({place.Scene(), place / "out.png", "-width", "3000", "-height", "3000", "-samples", "64"});
@@ -36,6 +37,7 @@ TEST(Extremes, L5_ASignalEndsTheRunWithinASecondAndSavesThePictureSoFar) {
     EXPECT_TRUE(Has(done.output, signal == SIGINT ? "stopped by SIGINT" : "stopped by SIGTERM")) << done.output;
     EXPECT_EQ(place.Others({"in.scn", "out.png", "out.png.checkpoint"}), nothing);
   }
+  std::printf("%d signals\n", rounds);
 }
 
 // Two billion rays for one sample: stopping was once looked for between samples only.
