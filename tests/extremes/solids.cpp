@@ -187,4 +187,14 @@ TEST(Extremes, B5_NeedlesAndPlatesSeenThroughTheirApexOrAlongTheirSideHaveNoHole
     }
 }
 
+// Almost along a side the form's slope is nothing but rounding: Newton's step by it goes anywhere. One ray in 10^5 of
+// those above tells.
+TEST(Extremes, B5_ARayAlongASideIsNotMovedByASlopeThatIsRounding) {
+  const Solid cone{"cone", {0, 0, 0, 1, 1}};
+  Check(cone, *R3::MakeShape("cone", cone.arguments),
+        {{-0x1.8565b66a58be7p-1, 0x1.4526ad00a42dp+1, 0x1.be92661f0d7c4p+0},
+         {0x1.7db775ec90c83p-2, -0x1.00000000d749dp+0, -0x1.b5c3720d287a7p-1}},
+        32);
+}
+
 }  // namespace
