@@ -94,7 +94,7 @@ class PowerLoss {
     else if (is_call("rename"))
       Rename(named, between(", \"", "\""));
     else if (is_call("unlink"))
-      possible_[named].insert(no_file);
+      Unlink(named);
     else
       return false;
     return true;
@@ -110,10 +110,6 @@ class PowerLoss {
     });
   }
   bool MayBeOld(const std::string& name) const { return possible_.at(name).contains(old_file); }
-  bool MayBeMissing(const std::string& name) const {
-    const auto found = possible_.find(name);
-    return found == possible_.end() || found->second.contains(no_file);
-  }
   std::size_t States() const {
     std::size_t states = 1;
     for (const auto& [name, files] : possible_) states *= files.size();
@@ -139,6 +135,10 @@ class PowerLoss {
     possible_[to].insert(static_cast<int>(file));
     newest_[to] = static_cast<int>(file);
   }
+  void Unlink(const std::string& name) {
+    possible_[name].insert(no_file);
+    newest_[name] = no_file;
+  }
   void SyncFolder() {
     for (const auto& [name, file] : newest_) possible_[name] = {file};
   }
@@ -148,6 +148,24 @@ class PowerLoss {
   std::map<std::string, std::set<int>> possible_;
   std::map<std::string, int> newest_;
 };
+
+TEST(Extremes, L1_ARenameBeforeItsBytesOrAnEndBeforeItsFolderAreSyncedWouldBeFound) {
+  const auto read = [](const std::vector<std::string>& calls) {
+    PowerLoss disk("/f/out");
+    for (const std::string& call : calls) disk.Read(call);
+    return disk;
+  };
+  const std::string make = "openat(AT_FDCWD</>, \"/f/tmp\", O_WRONLY|O_CREAT, 0666) = 3</f/tmp>";
+  const std::string fill = "write(3</f/tmp>, \"p\"..., 9) = 9", sync = "fsync(3</f/tmp>) = 0";
+  const std::string rename = "rename(\"/f/tmp\", \"/f/out\") = 0", sync_folder = "fsync(3</f>) = 0";
+  const PowerLoss whole = read({make, fill, sync, rename, sync_folder});
+  EXPECT_TRUE(whole.IsWhole("/f/out", false));
+  EXPECT_FALSE(whole.MayBeOld("/f/out"));
+  EXPECT_FALSE(read({make, fill, rename, sync, sync_folder}).IsWhole("/f/out", false));
+  EXPECT_FALSE(read({make, sync, rename}).IsWhole("/f/out", false));
+  EXPECT_TRUE(read({make, fill, sync, rename}).MayBeOld("/f/out"));
+  EXPECT_FALSE(read({"unlink(\"/f/out\") = 0"}).IsWhole("/f/out", false));
+}
 
 TEST(Extremes, L1_APowerFailureAfterAnyCallLeavesWholeFilesAndNoWorkLost) {
   NEEDS_THE_PROGRAM();
