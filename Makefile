@@ -6,6 +6,7 @@
 #                   patches of script/price apply; and that all who name packages name the same
 #   make asan tsan  the tests again under the sanitizers
 #   make fuzz       the fuzz targets, with clang, under build/fuzz; script/fuzz.sh runs them
+#   make fuzz-scenes  random scenes against exact arithmetic and bounds on light: SCENES=100000 of them from SEED=1 on
 #   make bench      the benchmark programs
 #   make tradeoff   error over seconds for every knob, as CSV and plots under build/tradeoff; FULL=1 for hours
 #   make price      what features cost scenes that do not use them
@@ -94,7 +95,7 @@ together = $(filter-out $(ALONE),$(call present,$(1)))
 objects = $(patsubst %.cpp,$(BUILD)/obj/%.o,$(call alone,$(1))) \
           $(patsubst %,$(BUILD)/obj/%all.o,$(sort $(dir $(call together,$(1)))))
 
-.PHONY: all $(ALL_PROGRAMS) test night check asan tsan fuzz fuzz-targets bench tradeoff price install uninstall installcheck dist \
+.PHONY: all $(ALL_PROGRAMS) test night check asan tsan fuzz fuzz-targets fuzz-scenes bench tradeoff price install uninstall installcheck dist \
         clean compile_commands test-binary FORCE
 .PRECIOUS: $(BUILD)/obj/%.o $(BUILD)/jumbo/%/all.cpp
 all: $(PROGRAMS) $(BUILD)/compile_commands.json
@@ -183,6 +184,10 @@ fuzz:
 fuzz-targets: $(FUZZ_SOURCES:fuzz/%.cpp=$(BUILD)/targets/%)
 $(BUILD)/targets/%: $(BUILD)/obj/fuzz/%.o $(BUILD)/librayview.a $(BUILD)/libray.a
 	$(call link,-fsanitize=fuzzer)
+
+# An hour of one core for 100,000. The first scene that fails is kept and named.
+fuzz-scenes: test-binary
+	RAYTESTS_SCENES=$(or $(SCENES),100000) RAYTESTS_SEED=$(or $(SEED),1) $(BUILD)/raytests --gtest_filter='RandomScenes.*'
 
 bench: $(patsubst bench/%.cpp,$(BUILD)/bench/%,$(call present,$(BENCH_SOURCES))) raypro
 

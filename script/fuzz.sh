@@ -6,7 +6,7 @@
 # Each target runs for N seconds (default 60; an hour in a night). Its inputs are in FOLDER/corpus/TARGET (default FOLDER
 # build/fuzz), begun with the scenes, meshes and images of the tree and kept from run to run; what it finds is in
 # FOLDER/findings, each a file that FOLDER/targets/TARGET runs again. RAYPRO names the program that makes some seeds (default
-# build/raypro). Exit status 1: there are findings.
+# build/raypro). Exit status 1: there are findings, or a target did not run.
 set -eu
 cd "$(dirname "$0")/.."
 raypro=${RAYPRO:-build/raypro}
@@ -21,6 +21,9 @@ done
 all=$(for file in fuzz/*.cpp; do basename "$file" .cpp; done)
 [ $# -gt 0 ] || set -- $all
 mkdir -p "$folder/findings"
+for target in "$@"; do
+  [ -x "$folder/targets/$target" ] || { echo "no target $folder/targets/$target; make fuzz builds them" >&2; exit 1; }
+done
 
 # The files that a target begins with. Formats that the first byte chooses get it.
 seed() {
@@ -57,6 +60,7 @@ seed() {
   esac
 }
 
+idle=0
 printf '%-16s%12s%9s%9s%10s\n' target executions seconds inputs findings
 for target in "$@"; do
   seed "$target"
@@ -67,6 +71,6 @@ for target in "$@"; do
   found=$(($(find "$folder/findings" -name "$target-*" | wc -l) - before))
   awk -v target="$target" -v found="$found" -v seconds="$seconds" -v inputs="$(find "$folder/corpus/$target" -type f | wc -l)" '
     /stat::number_of_executed_units/ { count = $2 }
-    END { printf "%-16s%12d%9d%9d%10d\n", target, count, seconds, inputs, found }' "$log"
+    END { printf "%-16s%12d%9d%9d%10d\n", target, count, seconds, inputs, found; exit !count }' "$log" || idle=1
 done
-[ -z "$(find "$folder/findings" -type f)" ] || exit 1
+[ -z "$(find "$folder/findings" -type f)" ] && [ $idle = 0 ]

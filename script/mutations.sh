@@ -7,7 +7,7 @@
 #   -count n     how many changes, default 30; each takes a build of one folder, a link and the tests
 #   -seed n      another choice of them, default 1
 #   -seconds n   after so long tests are stopped, and the change counts as noticed; default 600
-#   -tests       which tests, default those of R3, every, accelerate, integrate and closed_form
+#   -tests       which tests, default those of R3, every, accelerate, integrate, closed_form and of whole scenes
 #   -list        only prints the changes
 # CXX and CXXFLAGS are passed on, so that CXX="ccache g++" works.
 set -eu
@@ -15,7 +15,9 @@ export LC_ALL=C
 cd "$(dirname "$0")/.."
 count=30 seed=1 seconds=600 list=
 tests="tests/R3/*.cpp tests/every/*.cpp tests/source/accelerate/*.cpp tests/source/integrate/*.cpp \
-       tests/source/integrate/*/*.cpp tests/agree/Accelerators.cpp tests/agree/Packets.cpp tests/closed_form/*.cpp"
+       tests/source/integrate/*/*.cpp tests/agree/Accelerators.cpp tests/agree/ExactScenes.cpp tests/agree/Packets.cpp \
+       tests/closed_form/*.cpp tests/extremes/random_scenes.cpp tests/extremes/furnace.cpp tests/extremes/known_radiance.cpp \
+       tests/source/app/Program.cpp"
 while [ $# -gt 0 ]; do
   case $1 in
     -count | -seed | -seconds | -tests)

@@ -46,6 +46,14 @@ inline Vector Cross(const Vector& a, const Vector& b) {
 inline Quad Length(const Vector& v) { return Sqrt(Dot(v, v)); }
 inline double Double(Quad x) { return static_cast<double>(x); }
 
+/// Points o + t d, to 113 bits.
+struct Line {
+  Vector o, d;
+
+  Vector At(Quad t) const { return o + t * d; }
+};
+inline Line Of(const R3::Ray& ray) { return {Of(ray.origin), Of(ray.direction)}; }
+
 /// The ray in hexadecimal, so that it can be replayed bit for bit.
 inline std::string Hex(const R3::Ray& ray) {
   std::array<char, 400> text{};

@@ -3,6 +3,8 @@
 #include <tbb/global_control.h>
 #include <tbb/info.h>
 
+#include <atomic>
+#include <cstdlib>
 #include <new>
 
 #include "source/app/Interrupt.h"
@@ -20,6 +22,19 @@ int Fail(int exit_status, const std::string& message) {
   return exit_status;
 }
 
+// Given back once there is no more memory: destructors that allocate, as those of nlohmann's JSON do, cannot fail, and
+// messages are worded and half-written files removed with what is left. 1 MiB is more than a report of a million blocks
+// of 8x8 pixels takes to be destroyed at a time; nothing is ever written there, so that it costs no memory.
+constexpr std::size_t reserve_bytes = std::size_t{1} << 20;
+std::atomic<void*> reserve{nullptr};
+
+/// Of operator new, which tries again when this returns.
+void GiveReserveBack() {
+  void* const given = reserve.exchange(nullptr);
+  if (!given) throw std::bad_alloc();
+  std::free(given);
+}
+
 /// Keeps oneTBB from asking the system for more threads than it gives.
 void LimitThreads(const std::string& program) {
   const int usual = tbb::info::default_concurrency(), threads = ThreadsAvailable(usual);
@@ -33,6 +48,12 @@ void LimitThreads(const std::string& program) {
 }
 
 }  // namespace
+
+void ReserveMemory() {
+  if (reserve.load()) return;
+  reserve = std::malloc(reserve_bytes);
+  std::set_new_handler(GiveReserveBack);
+}
 
 int Guarded(Program program, const std::function<int()>& run) {
   const std::string name = NameOf(program) + ": ";
@@ -54,6 +75,7 @@ int Guarded(Program program, const std::function<int()>& run) {
 }
 
 int GuardedMain(Program program, int argc, char** argv, int (*run)(const std::vector<std::string>& words)) {
+  ReserveMemory();
   GuardStandardStreams();
   return Guarded(program, [&] {
     RequireStack();

@@ -8,6 +8,10 @@
 
 namespace ray {
 
+/// Puts memory aside with which a program that has run out of it can still end in order. GuardedMain begins with it; a
+/// main that does anything before calls it first.
+void ReserveMemory();
+
 /// Runs a part of a program so that whatever it throws becomes words on standard error, and the exit status that the
 /// help promises, which is returned.
 int Guarded(Program program, const std::function<int()>& run);

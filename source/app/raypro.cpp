@@ -141,7 +141,11 @@ int RunAsComp30019(const Words& words) { return Run(comp30019::ReadCommandLine(w
 
 int main(int argc, char** argv) {
   using namespace ray;
-  if (!comp30019::IsAskedFor(argc, argv)) return GuardedMain(Program::raypro, argc, argv, RunAsRaypro);
+  ReserveMemory();
+  bool is_of_course = false;
+  const auto look = [&] { return is_of_course = comp30019::IsAskedFor(argc, argv), status::done; };
+  if (const int failed = Guarded(Program::raypro, look)) return failed;
+  if (!is_of_course) return GuardedMain(Program::raypro, argc, argv, RunAsRaypro);
   // The course knows two statuses.
   const int ended = GuardedMain(Program::raypro, argc, argv, RunAsComp30019);
   return ended == status::done ? status::done : status::failed;

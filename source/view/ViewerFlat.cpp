@@ -73,7 +73,7 @@ void Viewer::ShowFlat(FrameState& shown) const {
   shown.shows_edges = false;
   shown.split = static_cast<int>(std::lround(flat_.Slider() * shown.view.width));
   if (!pictures_.Reference()) return;
-  shown.beside.emplace();
+  shown.beside = FrameState::Picture{};
   shown.beside->image = pictures_.Reference();
   shown.beside->exposure = shown.picture->exposure;
   shown.beside->place = shown.picture->place;

@@ -9,18 +9,11 @@
 
 #include "R3/ShapeKind.h"
 #include "tests/Draw.h"
-#include "tests/Quad.h"
+#include "tests/ExactRing.h"
 
 namespace {
 
 using R3::unit_roundoff;
-
-/// The ray as the ring sees it, in 113 bits.
-struct Line {
-  oracle::Vector p, v;
-
-  oracle::Vector At(Quad t) const { return p + t * v; }
-};
 
 struct Ring {
   R3::Point center;
@@ -28,49 +21,12 @@ struct Ring {
   std::unique_ptr<const R3::Shape> shape = R3::MakeShape("torus", {center.x, center.y, center.z, major, minor});
 
   double Size() const { return major + minor; }
-
-  /// How far a point is outside the surface.
-  Quad Outside(const oracle::Vector& p) const {
-    const Quad across = oracle::Sqrt(p.x * p.x + p.z * p.z) - major;
-    return oracle::Sqrt(across * across + p.y * p.y) - minor;
-  }
-
-  /// Places between which Outside rises or falls all the way, in order. Near its turns Outside is flat: their error, of
-  /// a long double's rounding, makes no difference in it.
-  std::vector<Quad> Breaks(const Line& line) const {
-    const oracle::Vector &p = line.p, &v = line.v;
-    const Quad A = Dot(v, v), a = v.x * v.x + v.z * v.z, aside = p.x * v.z - p.z * v.x;
-    const Quad nearest = -Dot(p, v) / A;  // all below counts from there
-    const oracle::Vector m = line.At(nearest);
-    const Quad b = m.x * v.x + m.z * v.z, c = m.x * m.x + m.z * m.z;
-    const Quad reach = 4 * (Size() + oracle::Length(m)) / oracle::Sqrt(A);
-    const auto part = [&](Quad t) { return static_cast<long double>(t); };
-    const auto slope = [&](long double t) {  // half the derivative of the squared distance
-      const long double q = (part(a) * t + 2 * part(b)) * t + part(c);
-      return part(A) * t - part(major) * (part(a) * t + part(b)) / std::sqrt(q);
-    };
-    // The second derivative is zero where the squared distance from the axis is (R aside^2 / A)^(2/3).
-    const long double q = std::pow(part(Quad(major) * aside * aside / A), 2.0L / 3);
-    const long double root = std::sqrt(part(b * b - a * c) + part(a) * q);  // NaN: convex everywhere
-    std::vector<long double> ends{-part(reach), (-part(b) - root) / part(a), (-part(b) + root) / part(a), part(reach)};
-    std::erase_if(ends, [&](long double t) { return !(std::abs(t) <= part(reach)); });
-    std::vector<Quad> breaks;
-    for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
-      const bool is_concave = ends.size() == 4 && i == 1;
-      long double low = ends[i], high = ends[i + 1];
-      for (int k = 0; k < 70; ++k) {
-        const long double middle = low + (high - low) / 2;
-        ((slope(middle) < 0) != is_concave ? low : high) = middle;
-      }
-      for (const long double t : {ends[i], low}) breaks.push_back(nearest + Quad(t));
-    }
-    breaks.push_back(nearest + Quad(ends.back()));
-    return breaks;
-  }
+  oracle::Ring Exact() const { return {major, minor}; }
 
   /// Every crossing that is certain is reported once, and nothing is that is none.
   void Check(const R3::Ray& ray) const {
-    const Line line{oracle::Of(ray.origin) - oracle::Of(center), oracle::Of(ray.direction)};
+    const oracle::Line line{oracle::Of(ray.origin) - oracle::Of(center), oracle::Of(ray.direction)};
+    const oracle::Ring exact = Exact();
     const Quad bar = 8 * unit_roundoff * (Length(ray.origin - center) + Size() + Length(FromOrigin(center)));
     const auto story = [&](double t) {
       return "torus " + std::to_string(major) + ' ' + std::to_string(minor) + ' ' + oracle::Hex(ray) + ' ' +
@@ -83,17 +39,17 @@ struct Ring {
       ASSERT_GT(hit->t, rest.t_min) << story(hit->t);
       rest.t_min = hit->t;
       hits.push_back(hit->t);
-      EXPECT_LE(oracle::Double(oracle::Abs(Outside(line.At(hit->t)))), oracle::Double(bar))
+      EXPECT_LE(oracle::Double(oracle::Abs(exact.Outside(line.At(hit->t)))), oracle::Double(bar))
           << "off the surface: " << story(hit->t);
       CheckSurface(ray, *hit);
     }
     // Where it starts near by, the side is known better.
-    Quad from = 0, outside_from = Outside(line.p);
+    Quad from = 0, outside_from = exact.Outside(line.o);
     Quad bar_from = Length(ray.origin - center) < 8 * Size() ? Quad(0x1p-90) * Size() : bar;
     std::size_t counted = 0;
-    for (const Quad to : Breaks(line)) {
+    for (const Quad to : exact.Breaks(line)) {
       if (!(to > from)) continue;
-      const Quad outside_to = Outside(line.At(to));
+      const Quad outside_to = exact.Outside(line.At(to));
       const auto first = hits.begin() + static_cast<std::ptrdiff_t>(counted);
       const auto in_piece = std::count_if(first, hits.end(), [&](double t) { return Quad(t) <= to; });
       if (outside_from > bar_from && outside_to > bar)
@@ -117,7 +73,7 @@ struct Ring {
     EXPECT_NEAR(R3::Length(n), 1, 4 * unit_roundoff);
     for (const double side : {1.0, -1.0}) {
       const auto start = oracle::Of(SpawnPoint(at, side * n)) - oracle::Of(center);
-      EXPECT_GT(oracle::Double(Quad(side) * Outside(start)), 0) << oracle::Hex(ray);
+      EXPECT_GT(oracle::Double(Quad(side) * Exact().Outside(start)), 0) << oracle::Hex(ray);
     }
   }
 };

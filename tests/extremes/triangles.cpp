@@ -8,7 +8,7 @@
 
 #include "R3/Mesh.h"
 #include "tests/Draw.h"
-#include "tests/Quad.h"
+#include "tests/ExactTriangle.h"
 
 namespace {
 
@@ -29,34 +29,17 @@ struct Triangle {
   }
 };
 
-/// How far the line of the ray passes from the triangle's outline, positive inside; and where it meets the plane.
-struct Truth {
-  Quad inside, t, cosine;
-
-  Truth(const Triangle& triangle, const R3::Ray& ray) {
-    const auto o = oracle::Of(ray.origin), d = oracle::Of(ray.direction);
-    std::array<oracle::Vector, 3> c;
-    for (std::size_t i = 0; i < 3; ++i) c[i] = oracle::Of(triangle.corners[i]) - o;
-    const auto n = oracle::Cross(c[1] - c[0], c[2] - c[0]);
-    const Quad towards = Dot(n, d), side = towards < 0 ? -1 : 1;
-    t = Dot(n, c[0]) / towards;
-    cosine = oracle::Abs(towards) / (oracle::Length(n) * oracle::Length(d));
-    for (std::size_t i = 0; i < 3; ++i) {
-      // The distance of two lines, by their common perpendicular.
-      const auto& from = c[i];
-      const auto across = oracle::Cross(c[(i + 1) % 3] - from, d);
-      const Quad distance = side * Dot(across, from) / oracle::Length(across);
-      if (i == 0 || distance < inside) inside = distance;
-    }
-  }
-};
+oracle::TriangleCrossing Truth(const Triangle& triangle, const R3::Ray& ray) {
+  const auto& c = triangle.corners;
+  return {{oracle::Of(c[0]), oracle::Of(c[1]), oracle::Of(c[2])}, oracle::Of(ray)};
+}
 
 /// Outside a band of `roundings` u (distance + size) around its outline a triangle is hit exactly when it should be,
 /// and where it should be.
 void Check(const Triangle& triangle, const R3::Mesh& mesh, const R3::Ray& ray, double roundings) {
   const double reach = Length(ray.origin - triangle.corners[0]) + triangle.Size();
   const Quad band = Quad(roundings * unit_roundoff) * reach;
-  const Truth truth(triangle, ray);
+  const oracle::TriangleCrossing truth = Truth(triangle, ray);
   const auto hit = mesh.Intersect(ray, 0);
   const auto story = [&] {
     std::string text = "corners";
@@ -131,7 +114,7 @@ TEST(Extremes, B8_APlaneIsMetWhereItIsHoweverFlatTheRay) {
       const double turn = draw.Between(0, 6.28), angle = std::pow(10, -power);
       const R3::Vector d = std::cos(turn) * along + std::sin(turn) * across - angle * n;
       const R3::Ray ray{center - 1000 * d, d};
-      const Truth truth(floor, ray);
+      const oracle::TriangleCrossing truth = Truth(floor, ray);
       const auto hit = mesh->Intersect(ray, 0);
       if (!hit) {
         EXPECT_LT(oracle::Double(truth.cosine), 1e-12) << "a hole: " << oracle::Hex(ray);

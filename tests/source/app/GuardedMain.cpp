@@ -47,5 +47,28 @@ TEST(Extremes, L11_AStackTooSmallIsToldOfAndASoftLimitRaised) {
   }
 }
 
+TEST(Extremes, L11_FewDescriptorsLittleMemoryAndManyThreadsOnOneProcessorGiveThePictureOrAMessage) {
+  NEEDS_THE_PROGRAM();
+  const SceneFolder place;
+  const std::string picture = place / "out.ppm", error = place / "error";
+  const auto run = [&](const std::string& surroundings) {
+    fs::remove(picture);
+    const std::string script = surroundings + ProgramName() + " " + place.Scene() + " " + picture +
+                               " -width 32 -height 32 -threads 100 -quiet";
+    return std::system(("sh -c '" + script + "' 2>" + error).c_str());  // opened before there is a limit
+  };
+  ASSERT_EQ(run("exec "), 0);
+  const std::string whole = ReadFile(picture);
+  for (const char* limit : {"ulimit -n 16; exec ", "ulimit -n 4; exec ", "ulimit -v 300000; exec ",
+                            "ulimit -v 40000; exec ", "exec taskset 1 "}) {
+    const int status = run(limit);
+    ASSERT_TRUE(WIFEXITED(status)) << limit;
+    if (WEXITSTATUS(status) == 0)
+      EXPECT_TRUE(ReadFile(picture) == whole) << limit;
+    else
+      EXPECT_TRUE(!fs::exists(picture) && !ReadFile(error).empty()) << limit << WEXITSTATUS(status);
+  }
+}
+
 }  // namespace
 }  // namespace ray::testing
