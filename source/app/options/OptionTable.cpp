@@ -19,6 +19,7 @@ namespace ray {
 namespace {
 
 constexpr int most_pixels_a_side = 1 << 30;
+constexpr int most_bands = 255;  // a tone for each level of a byte
 constexpr int most_threads = 4096;
 constexpr double most_memory = 1 << 20;
 constexpr int deepest_include = 1'000'000;
@@ -207,6 +208,10 @@ std::vector<OptionKind> MakeTable() {
        "what -mode zbuffer shows white and black (the image's own)"},
       {"gooch", both, {}, {"b", "y", "alpha", "beta"}, gooch_numbers, "", "light",
        "-mode gooch: blue and yellow tones, and the surface's share in each"},
+      {"toon_bands", both, {}, {"n"}, Whole{AT(render.trace.toon_bands), 1, most_bands}, "tones", "light",
+       "-mode toon: tones of light beside darkness"},
+      {"outline", both, {}, {"w"}, Number<double>{AT(render.trace.outline.width), 0, highest<double>}, "pixels", "light",
+       "draw black lines of this width along silhouettes and creases; 0: none"},
 
       {"quality", raypro, {}, {"name"}, OneOfNames(AT(quality), PresetNames), "", "quality",
        "a preset (raypro -list presets); options given besides override its settings"},

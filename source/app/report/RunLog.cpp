@@ -39,6 +39,7 @@ std::vector<std::string> OptionsWithoutEffect(const Options& options) {
       {"lens_samples", has_lens && is_grid && render.camera.lens != LensPattern::random, "without -lens spiral"},
       {"zbuffer_range", render.mode == RenderMode::zbuffer, "without -mode zbuffer"},
       {"gooch", render.mode == RenderMode::gooch, "without -mode gooch"},
+      {"toon_bands", render.mode == RenderMode::toon, "without -mode toon"},
       {"emissive_solids", render.mode == RenderMode::whitted, "without -mode whitted"},
       {"adaptive", render.budget.adaptive != Adaptive::tile || render.budget.error, "without -error"},
       {"node_boxes", is_graph, with_accelerator},

@@ -164,7 +164,8 @@ class ScnWriter {
   /// are lamps of their own.
   bool IsSaidByTriangles(const R3::Mesh& mesh, const Material& material) const {
     const auto shows_more = [](const SceneSetting& setting) {
-      return setting.option == "mode" && (setting.value == "uv" || setting.value == "id");
+      return setting.option == "mode" &&
+             (setting.value == "uv" || setting.value == "uv_color" || setting.value == "id");
     };
     return mesh.File().empty() && !mesh.IsSmooth() && mesh.Elements() <= most_spelled_out && !material.texture &&
            !material.bump && IsBlack(material.emission) &&

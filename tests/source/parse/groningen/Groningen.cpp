@@ -139,12 +139,17 @@ TEST(Groningen, EveryRenderModeAndItsNumberIsTaken) {
                                    {"0", "whitted"},
                                    {"2", "normal_color"},
                                    {"3", "gooch"},
-                                   {"'textureCoordinate'", "uv"},
-                                   {"'texcoord'", "uv"},
+                                   {"'textureCoordinate'", "uv_color"},
+                                   {"'texcoord'", "uv_color"},
+                                   {"'toon'", "toon"},
                                    {"'flat'", "flat"}})
     EXPECT_EQ(SettingOf(WithKeys("'RenderMode': " + std::string(word)).scene, "mode"), mode) << word;
   EXPECT_EQ(SettingOf(WithKeys("'RenderMode': 'gooch'").scene, "gooch"), "0.55 0.3 0.25 0.5");
   EXPECT_EQ(SettingOf(WithKeys("'GoochParameters': {'b': 1, 'beta': 0}").scene, "gooch"), "1 0.3 0.25 0");
+  EXPECT_EQ(SettingOf(WithKeys("'RenderMode': 'gooch'").scene, "outline"), "(none)") << "as in the course's picture";
+  for (const auto& [asked, width] : {std::pair{"true", "2"}, {"false", "0"}, {"'yes'", "2"}, {"1.5", "1.5"}})
+    EXPECT_EQ(SettingOf(WithKeys("'GoochParameters': {'outline': " + std::string(asked) + "}").scene, "outline"), width)
+        << asked;
   const ParsedScene unknown = WithKeys("'RenderMode': 'phongg'");
   EXPECT_EQ(SettingOf(unknown.scene, "mode"), "(none)");
   ASSERT_EQ(unknown.warnings.size(), 1u);
