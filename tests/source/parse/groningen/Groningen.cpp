@@ -126,6 +126,8 @@ TEST(Groningen, EverySpellingOfSuperSamplingIsTaken) {
        {"'SuperSampling': {'factor': 3}", "'SuperSampling': 3", "'SuperSamplingFactor': 3", "'AntiAliasing': 3"})
     EXPECT_EQ(SettingOf(WithKeys(keys).scene, "samples"), "9") << keys;
   EXPECT_EQ(SettingOf(WithKeys("'SuperSampling': {'factor': 2, 'pattern': 'jitter'}").scene, "sampler"), "stratified");
+  EXPECT_EQ(SettingOf(WithKeys("'SuperSampling': {'factor': 2, 'pattern': 'rotated'}").scene, "sampler"),
+            "rotated_grid");
   const ParsedScene adaptive = WithKeys("'SuperSampling': {'factor': 2, 'pattern': 'adaptive'}");
   EXPECT_EQ(SettingOf(adaptive.scene, "sampler"), "grid");
   ASSERT_EQ(adaptive.warnings.size(), 1u);
@@ -178,6 +180,8 @@ TEST(Groningen, AnObjectIsAtItsPlaceInTheMiddleOfTheExposure) {
                           moving + "]}")
                           .scene;
   EXPECT_EQ(SettingOf(scene, "samples"), "4");
+  EXPECT_EQ(SettingOf(scene, "shutter_samples"), "4");
+  EXPECT_EQ(SettingOf(scene, "motion"), "(none)");
   const auto is_hit = [&](double x, double time) {
     R3::Ray ray{{x, 0, 9}, {0, 0, -1}};
     ray.time = time;
@@ -187,6 +191,22 @@ TEST(Groningen, AnObjectIsAtItsPlaceInTheMiddleOfTheExposure) {
   EXPECT_TRUE(is_hit(-2.5, 0));
   EXPECT_FALSE(is_hit(0, 0));
   EXPECT_TRUE(is_hit(2.5, 1));
+}
+
+TEST(Groningen, ACameraIsAtItsPlaceInTheMiddleOfTheExposure) {
+  const auto moving = [](const std::string& time) {
+    return Groningen("{'Camera': {'eye': [0, 0, 9], 'center': [0, 0, 0], 'velocity': [8, 0, -2], 'exposureTime': " +
+                     time + ", 'exposureSamples': 4}, 'SuperSampling': 3, 'Objects': []}")
+        .scene;
+  };
+  const Scene scene = moving("0.5");
+  EXPECT_EQ(SettingOf(scene, "motion"), "4 0 -1");
+  EXPECT_EQ(SettingOf(scene, "samples"), "36");
+  EXPECT_EQ(scene.camera.eye, (R3::Point{-2, 0, 9.5}));
+  const Scene still = moving("0");
+  EXPECT_EQ(SettingOf(still, "motion"), "(none)");
+  EXPECT_EQ(SettingOf(still, "samples"), "9");
+  EXPECT_EQ(still.camera.eye, (R3::Point{0, 0, 9}));
 }
 
 TEST(Groningen, AMaterialIsGrayCoefficientsTimesItsColor) {
