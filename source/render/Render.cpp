@@ -7,6 +7,7 @@
 #include <chrono>
 #include <functional>
 
+#include "source/film/Contrast.h"
 #include "source/integrate/debug/Heat.h"
 #include "source/render/DenoiseResult.h"
 #include "source/render/Forecast.h"
@@ -183,6 +184,7 @@ class Job {
       passes_.back().error = pass.error->estimate;
       Foretell(pass);
     }
+    if (schedule_.LooksAtContrast()) pass.contrasts = NeighborContrasts(film_, MeasureFor(settings_));
     pass.now = Seconds();
     return pass;
   }

@@ -238,6 +238,14 @@ void CheckGrid(const RenderSettings& render) {
                    std::to_string((side + 1) * (side + 1) * each));
 }
 
+/// Budgets decide by errors.
+void CheckNeighbors(const RenderSettings& render) {
+  if (render.budget.adaptive != Adaptive::neighbors) return;
+  if (render.budget.seconds > 0 || render.budget.error || render.denoise)
+    throw UsageError(
+        "-adaptive neighbors takes one sample or all of them; it cannot be combined with -time, -error or -denoise");
+}
+
 void CheckBudget(const Options& options) {
   const Budget& budget = options.render.budget;
   if (!options.replay.empty() && budget.IsOpen()) throw UsageError("-replay and -time or -error contradict each other");
@@ -310,6 +318,7 @@ void CompleteForScene(Options& options) {
   CheckEffects(options.render.camera);
   CheckDenoise(options);
   CheckGrid(options.render);
+  CheckNeighbors(options.render);
   CheckSize(options.render);
   CheckCrop(options.render);
   CheckPixelIsInPicture(options);

@@ -43,6 +43,7 @@ std::vector<std::string> OptionsWithoutEffect(const Options& options) {
       {"toon_bands", render.mode == RenderMode::toon, "without -mode toon"},
       {"emissive_solids", render.mode == RenderMode::whitted, "without -mode whitted"},
       {"adaptive", render.budget.adaptive != Adaptive::tile || render.budget.error, "without -error"},
+      {"adaptive", render.budget.adaptive != Adaptive::neighbors || render.samples > 1, "without -samples"},
       {"node_boxes", is_graph, with_accelerator},
       {"front_to_back", is_graph, with_accelerator},
       {"last_hit", is_graph, with_accelerator},

@@ -116,7 +116,7 @@ void GroningenReader::ReadLens(Mapping& camera, double focus) {
 void GroningenReader::ReadSamples(Mapping& scene) {
   static constexpr std::array<std::string_view, 6> patterns{"grid",    "jitter",   "random",
                                                             "rotated", "adaptive", "poisson"};
-  constexpr std::array samplers{"grid", "stratified", "random", "rotated_grid"};
+  constexpr std::array samplers{"grid", "stratified", "random", "rotated_grid", "grid"};
   std::int64_t factor = 1;
   std::size_t pattern = 0;
   const Value* said = nullptr;
@@ -142,6 +142,7 @@ void GroningenReader::ReadSamples(Mapping& scene) {
     return report_.Error(said ? *said : scene.What(), "asks for more than 2147483647 samples of a pixel");
   Set("samples", ToText(static_cast<std::int64_t>(samples)), said);
   Set("sampler", samplers[pattern], said);
+  if (patterns[pattern] == "adaptive") Set("adaptive", "neighbors", said);
 }
 
 }  // namespace ray

@@ -130,8 +130,12 @@ TEST(Groningen, EverySpellingOfSuperSamplingIsTaken) {
             "rotated_grid");
   const ParsedScene adaptive = WithKeys("'SuperSampling': {'factor': 2, 'pattern': 'adaptive'}");
   EXPECT_EQ(SettingOf(adaptive.scene, "sampler"), "grid");
-  ASSERT_EQ(adaptive.warnings.size(), 1u);
-  EXPECT_TRUE(Contains(adaptive.warnings[0], "the pattern 'adaptive' is not supported; grid is used"));
+  EXPECT_EQ(SettingOf(adaptive.scene, "adaptive"), "neighbors");
+  EXPECT_TRUE(adaptive.warnings.empty());
+  const ParsedScene poisson = WithKeys("'SuperSampling': {'factor': 2, 'pattern': 'poisson'}");
+  EXPECT_EQ(SettingOf(poisson.scene, "sampler"), "grid");
+  ASSERT_EQ(poisson.warnings.size(), 1u);
+  EXPECT_TRUE(Contains(poisson.warnings[0], "the pattern 'poisson' is not supported; grid is used"));
 }
 
 TEST(Groningen, EveryRenderModeAndItsNumberIsTaken) {
