@@ -230,7 +230,7 @@ TEST(Groningen, LongNamesAndGlassAreTaken) {
       WithKeys("",
                "{'type': 'sphere', 'position': [0, 0, 0], 'radius': 1, 'texture': 'none', 'normals': 'none', "
                "'material': {'color': [1, 1, 1], 'ambient': 0.1, 'diffuse': 0.2, 'specular': 0.3, "
-               "'shininess': 4, 'kt': 0.5, 'refractive_index': 0}}")
+               "'shininess': 4, 'kt': 0.5, 'refractive_index': 0, 'gloss': 90, 'glossSamples': 8}}")
           .scene;
   const Material& m = scene.materials.back();
   EXPECT_EQ(m.ka.r, 0.1);
@@ -238,6 +238,9 @@ TEST(Groningen, LongNamesAndGlassAreTaken) {
   EXPECT_EQ(m.ks.r, 0.3);
   EXPECT_EQ(m.n, 4);
   EXPECT_EQ(m.kt.r, 0.5);
+  EXPECT_EQ(m.gloss, 90);
+  EXPECT_EQ(m.gloss_samples, 8);
+  EXPECT_FALSE(m.normal_map);
   EXPECT_EQ(m.ir, 1) << "0 means none";
   EXPECT_FALSE(m.texture);
 }
