@@ -230,7 +230,7 @@ std::vector<OptionKind> MakeTable() {
       {"confidence", both, {}, {"c"}, Number<double>{AT(render.budget.confidence), 0.5, 0.9999}, "", "quality",
        "confidence level of the interval around an estimated error"},
       {"adaptive", both, {}, {"name"}, OneOfEnum<Adaptive>(AT(render.budget.adaptive)), "", "quality",
-       "tile: with -error, only blocks above it go on (auto: then so); neighbors: only those of unlike pixels"},
+       "with -error only blocks above it go on (auto, tile); neighbors: only those of unlike pixels"},
       {"reference", raypro, {}, {"file[,file2]"}, FileList{AT(reference)}, "", "quality",
        "print the true error against an image, or two independent ones, of the same scene"},
       {"replay", raypro, {}, {"file.json"}, FileName{AT(replay)}, "", "quality",

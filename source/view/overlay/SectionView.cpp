@@ -21,6 +21,7 @@ constexpr int normal_every = 16;  // crossings
 constexpr Rgba camera_color{255, 230, 120, 255}, screen_color{120, 255, 160, 255};
 constexpr double dot_radius = 4;          // pixels at letter size 1
 constexpr double way_to_screen = 0.25;    // of the scene's radius, where no lens has a focus distance
+constexpr double room_behind_eye = 0.1;   // of its way from the middle of the scene
 constexpr double farthest_shown_eye = 5;  // radii from the middle of the scene; beyond, too little would be left of it
 
 R3::Vector NormalOf(SlicePlane plane) {
@@ -73,7 +74,9 @@ void SectionView::Cut(const LoadedScene& scene, const RenderSettings& settings, 
     coordinates_ = {{"right", "ahead"}, slice.Project(camera.eye), "the eye"};
     const double radius = box.Radius() > 0 ? box.Radius() : 1;
     mark_ = MarkOf(camera, Row(settings.height) + middle, settings, slice, radius);
-    if (!box.IsEmpty() && Length(camera.eye - box.Center()) < farthest_shown_eye * radius) box.Extend(camera.eye);
+    // A little behind it too, so that the numbers along the edge are not over the dot.
+    const R3::Vector way = camera.eye - box.Center();
+    if (!box.IsEmpty() && Length(way) < farthest_shown_eye * radius) box.Extend(camera.eye + room_behind_eye * way);
   } else {
     const double radius = box.Radius() > 0 ? box.Radius() : 1;
     slice = AxisSlice(plane_, center + offset_ * radius * NormalOf(plane_), box);
