@@ -90,7 +90,7 @@ for scene in $scenes; do
   for filter in gaussian lanczos; do compare pfm "$scene" -samples 4 -filter $filter; done
   for sampler in random stratified grid; do compare pfm "$scene" -samples 4 -sampler $sampler -aperture .05 -focus 3; done
   for strategy in light bsdf uniform; do compare pfm "$scene" -samples 4 -mode path -strategy $strategy; done
-  for mode in heat rays depth normal uv albedo id flat normal_color zbuffer gooch; do
+  for mode in heat rays depth normal uv albedo id flat normal_color uv_color zbuffer gooch toon; do
     compare pfm "$scene" -samples 2 -mode $mode
   done
   for accelerator in none graph grid octree bvh; do compare pfm "$scene" -accel $accelerator; done

@@ -34,14 +34,14 @@ done < "$copy/commands"
 mkdir -p "$copy/tree/$build"
 cp -a Makefile R1 R2 R3 source script scenes "$copy/tree"
 cp -a "$build/obj" "$build/jumbo" "$build/flags" "$copy/tree/$build"
-block_after '`R3/shapes/disc.cpp`:' > "$copy/tree/R3/shapes/disc.cpp"
+block_after '`R3/shapes/ring.cpp`:' > "$copy/tree/R3/shapes/ring.cpp"
 sed -n 's/^    \(SHAPE(.*)\)$/\1/p' "$page" >> "$copy/tree/R3/shapes.def"
-block_after '`disc.scn`' > "$copy/tree/disc.scn"
+block_after '`ring.scn`' > "$copy/tree/ring.scn"
 cd "$copy/tree"
-grep -q 'class Disc' R3/shapes/disc.cpp && grep -q 'SHAPE(disc)' R3/shapes.def || fail "the disc is not where it was"
-make -s BUILD="$build" raypro > "$copy/log" 2>&1 || { cat "$copy/log" >&2; fail "the disc does not compile"; }
-"$build/raypro" disc.scn disc.ppm -width 32 -height 24 -quiet || fail "the disc's scene does not render"
-sed '/^disc/d' disc.scn > none.scn
+grep -q 'class Ring' R3/shapes/ring.cpp && grep -q 'SHAPE(ring)' R3/shapes.def || fail "the ring is not where it was"
+make -s BUILD="$build" raypro > "$copy/log" 2>&1 || { cat "$copy/log" >&2; fail "the ring does not compile"; }
+"$build/raypro" ring.scn ring.ppm -width 32 -height 24 -quiet || fail "the ring's scene does not render"
+sed '/^ring/d' ring.scn > none.scn
 "$build/raypro" none.scn none.ppm -width 32 -height 24 -quiet
-! cmp -s disc.ppm none.ppm || fail "the disc is not seen"
+! cmp -s ring.ppm none.ppm || fail "the ring is not seen"
 echo "CONTRIBUTING.md does what it says"

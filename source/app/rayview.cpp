@@ -25,7 +25,7 @@ int ViewScene(const Options& asked) {
   RefuseInputs(outputs, scene->parsed.scene.files);
   TellAll(scene->parsed.warnings);
   TellAll(scene->world.Warnings());
-  return View(options, outputs, scene);
+  return View(asked, options, outputs, scene);
 }
 
 int Run(const std::vector<std::string>& words) {

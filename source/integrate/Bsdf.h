@@ -80,6 +80,10 @@ inline R2::Color SpecularReflectance(const ShadingPoint& p, bool fresnel) {
   return weights.reflected + weights.transmitted;
 }
 
+/// Whether reflections are spread over Phong's lobe, and the lobe's exponent then.
+inline bool IsGlossy(const Material& m, const TraceSettings& settings) { return settings.glossy || m.gloss > 0; }
+inline double GlossExponent(const Material& m) { return m.gloss > 0 ? m.gloss : m.n; }
+
 /// wo mirrored about N, or with a glossy reflection a direction of Phong's lobe around that; unit.
 ///   u         uniform in [0, 1)^2
 ///   returns   nothing when the direction is below the surface

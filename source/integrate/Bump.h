@@ -13,4 +13,13 @@ namespace ray {
 R3::Vector Bumped(const World& world, const R3::Ray& ray, const WorldHit& hit, const R3::Intersection& at,
                   const Material& material, const R3::Vector& N, bool entering);
 
+/// The normal of a surface that its material's normal map tilts: a color c stands for 2 c - 1, of which red is along
+/// growing u, green along growing v and blue along N.
+///   N         unit shading normal on the viewer's side
+///   returns   unit; N itself where texture coordinates do not run in two directions, or a black texel tells of none
+///   source    Cohen, Olano, Manocha, Appearance-preserving simplification (1998), for normals in tangent space, which
+///             is found as for Bumped
+R3::Vector NormalMapped(const World& world, const R3::Ray& ray, const WorldHit& hit, const R3::Intersection& at,
+                        const Material& material, const R3::Vector& N, bool entering);
+
 }  // namespace ray

@@ -12,15 +12,24 @@ namespace {
 // The child of a pixel's key that its tree of rays grows from.
 constexpr std::uint64_t tree_key = 1;
 
-/// Spirals belong to places that are known ahead.
-CameraEffects WithRandomLens(CameraEffects effects) {
+/// Spirals and even moments belong to places that are known ahead.
+CameraEffects WithRandomChoices(CameraEffects effects) {
   effects.lens = LensPattern::random;
+  effects.shutter_samples = 1;
   return effects;
 }
 
 /// The middle of one of side x side equal parts of a pixel, counted from its lower left corner in rows.
 R2::Point OnGrid(std::uint32_t index, std::uint32_t side) {
   return {(index % side + 0.5) / side, (index / side % side + 0.5) / side};
+}
+
+/// The same, each place moved on by a part of the rows or columns beside it: a square grid again, turned by
+/// atan(1 / side), and every place in a row and a column of its own.
+///   source   Akenine-Moeller, Haines and others, Real-time rendering (2018), section 5.4.2, where side is 2
+R2::Point OnRotatedGrid(std::uint32_t index, std::uint32_t side) {
+  const std::uint32_t column = index % side, row = index / side % side;
+  return {(column + (row + 0.5) / side) / side, (row + (side - 1 - column + 0.5) / side) / side};
 }
 
 /// Number `index` of `count` points that fill the unit disc evenly.
@@ -37,7 +46,7 @@ R2::Point OnSpiral(double index, double turn, int count) {
 CameraRays::CameraRays(const Camera& camera, const CameraEffects& effects, bool things_move, int width, int height,
                        SamplerKind sampler, std::uint32_t samples)
     : camera_(camera),
-      effects_(sampler == SamplerKind::grid ? effects : WithRandomLens(effects)),
+      effects_(IsGrid(sampler) ? effects : WithRandomChoices(effects)),
       has_time_(things_move || effects.HasMotion()),
       width_(width),
       height_(height),
@@ -57,12 +66,19 @@ const char* CameraRays::Kernel() const {
 /// that their points together are even too.
 R2::Point CameraRays::OnLens(int column, int row, std::uint32_t index, const R2::Point& random) const {
   if (effects_.lens == LensPattern::random) return R3::OnDisc(random);
-  const std::uint32_t n = index % effects_.SamplesOfOnePlace();
+  const std::uint32_t n = index % effects_.SamplesOfOnePlace() % static_cast<std::uint32_t>(effects_.lens_samples);
   if (effects_.lens == LensPattern::fixed_spiral) return OnSpiral(n, n, effects_.lens_samples);
   const double pixel = static_cast<double>(height_ - 1 - row) * width_ + column;
   const double place = pixel * grid_side_ * grid_side_ + index / effects_.SamplesOfOnePlace();
   const double grown = place * std::numbers::phi;
   return OnSpiral(n + (grown - std::floor(grown)), n + place, effects_.lens_samples);
+}
+
+/// The middle of one of the shutter's equal parts; each goes with all places on the lens.
+double CameraRays::Moment(std::uint32_t index) const {
+  const auto moments = static_cast<std::uint32_t>(effects_.shutter_samples);
+  const std::uint32_t each = effects_.SamplesOfOnePlace(), lens = each / moments;
+  return (index % each / lens + 0.5) / moments;
 }
 
 template <bool has_lens, bool has_time>
@@ -76,8 +92,10 @@ CameraSample CameraRays::At(int column, int row, const RandomKey& pixel, std::ui
     random = points.Get<dimensions>(index);
     if (samples_ == 1) random[0] = random[1] = 0.5;
   }
-  if (sampler_ == SamplerKind::grid) {
-    const R2::Point place = OnGrid(index / effects_.SamplesOfOnePlace(), grid_side_);
+  if (IsGrid(sampler_)) {
+    const std::uint32_t number = index / effects_.SamplesOfOnePlace();
+    const R2::Point place =
+        sampler_ == SamplerKind::grid ? OnGrid(number, grid_side_) : OnRotatedGrid(number, grid_side_);
     random[0] = place.x, random[1] = place.y;
   }
   sample.x = column + random[0];
@@ -91,7 +109,7 @@ CameraSample CameraRays::At(int column, int row, const RandomKey& pixel, std::ui
     sample.ray.direction = sample.ray.direction - aside / effects_.focus;
   }
   if constexpr (has_time) {
-    sample.ray.time = random[dimensions - 1];
+    sample.ray.time = effects_.shutter_samples > 1 ? Moment(index) : random[dimensions - 1];
     sample.ray.origin = sample.ray.origin + sample.ray.time * effects_.motion;
   }
   return sample;

@@ -3,13 +3,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 
 #include "source/integrate/Integrator.h"
 #include "source/scene/Camera.h"
 
 namespace ray {
 
-/// Where on the lens camera rays start. random: as the sampler has it, and always so but for the sampler grid. spiral:
+/// Where on the lens camera rays start. random: as the sampler has it, and always so but for the grid samplers. spiral:
 /// at `lens_samples` places for each place in the pixel, on a spiral of Vogel that is turned and moved on from one
 /// place to the next. fixed_spiral: the same spiral everywhere, whose rings can be seen.
 enum class LensPattern { random, spiral, fixed_spiral };
@@ -23,12 +25,16 @@ struct CameraEffects {
   double focus = 0;     // distance along the axis of the plane that is sharp, > 0 where there is a lens
   LensPattern lens = LensPattern::random;
   int lens_samples = 1;  // of a spiral, >= 1
+  int shutter_samples =
+      1;  // even moments for each place in the pixel of a grid sampler, >= 1; 1: as the sampler has it
 
   bool HasMotion() const { return !(motion == R3::Vector{}); }
   bool HasLens() const { return aperture > 0; }
   /// Of all camera rays of a pixel, how many go through the same place in it.
   std::uint32_t SamplesOfOnePlace() const {
-    return HasLens() && lens != LensPattern::random ? static_cast<std::uint32_t>(lens_samples) : 1;
+    const int on_lens = HasLens() && lens != LensPattern::random ? lens_samples : 1;
+    constexpr std::int64_t most = std::numeric_limits<int>::max();
+    return static_cast<std::uint32_t>(std::min(most, std::int64_t{on_lens} * shutter_samples));
   }
 };
 
@@ -55,6 +61,7 @@ class CameraRays {
   const char* Kernel() const;
 
  private:
+  double Moment(std::uint32_t index) const;
   R2::Point OnLens(int column, int row, std::uint32_t index, const R2::Point& random) const;
   template <bool has_lens, bool has_time>
   CameraSample At(int column, int row, const RandomKey& pixel, std::uint32_t index) const;

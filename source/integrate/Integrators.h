@@ -27,10 +27,8 @@ const IntegratorKind& KindOf(RenderMode mode);
 /// Whether a mode shows costs, in the colors of HeatColor, rather than light or surfaces.
 inline bool ShowsCosts(RenderMode mode) { return KindOf(mode).shows_costs; }
 
-/// The integrator of a mode.
-inline std::unique_ptr<const Integrator> MakeIntegrator(RenderMode mode, const World& world,
-                                                        const Accelerator& accelerator, const TraceSettings& settings) {
-  return KindOf(mode).make(world, accelerator, settings);
-}
+/// The integrator of a mode, with outlines where the settings ask for them.
+std::unique_ptr<const Integrator> MakeIntegrator(RenderMode mode, const World& world, const Accelerator& accelerator,
+                                                 const TraceSettings& settings);
 
 }  // namespace ray

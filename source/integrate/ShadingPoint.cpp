@@ -25,6 +25,7 @@ ShadingPoint ShadingPointAt(const World& world, const PathState& ray, const Worl
   s.wo = -Unit(ray.ray.direction);
   s.entering = Dot(s.at.normal, ray.ray.direction) <= 0;
   s.N = Facing(s.at.shading_normal, s.entering);
+  if (s.material->normal_map) s.N = NormalMapped(world, ray.ray, hit, s.at, *s.material, s.N, s.entering);
   if (s.material->bump) s.N = Bumped(world, ray.ray, hit, s.at, *s.material, s.N, s.entering);
   s.is_smoothed = !(s.N == Facing(s.at.normal, s.entering));
   s.shadow_origin = SpawnPoint(s.at, s.wo);

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 
+#include "R3/Vector.h"
 #include "source/sample/Sampler.h"
 
 namespace ray {
@@ -31,6 +32,12 @@ struct GoochTones {
   double blue = 0.55, yellow = 0.3, alpha = 0.25, beta = 0.5;
 };
 
+/// Black lines along silhouettes and creases.
+struct OutlineSettings {
+  double width = 0;      // in pixels; 0: none
+  R3::Vector right, up;  // what directions of camera rays differ by from one pixel to the next
+};
+
 /// The course's recursion, and where it ends.
 struct TraceSettings {
   std::int64_t max_depth = 3;   // bounces after the camera ray, >= 0; beyond most_bounces it is most_bounces
@@ -46,6 +53,8 @@ struct TraceSettings {
   SamplerKind sampler = SamplerKind::sobol;
   ZBufferRange zbuffer;
   GoochTones gooch;
+  int toon_bands = 3;  // tones of mode toon beside darkness, >= 1
+  OutlineSettings outline;
   std::uint32_t samples = 1;  // camera rays per pixel, as far as known; stratified points are laid out for it
 };
 

@@ -18,6 +18,8 @@ enum WhittedKey : std::uint64_t {
   environment_key,
   first_light_key
 };
+// Of the rays that share a reflection; no surface has as many lights.
+constexpr std::uint64_t gloss_key = camera_key - 1;
 
 bool IsExtended(const Light& light) { return light.IsExtended(); }
 bool IsExtended(const EmissiveTriangle&) { return true; }
@@ -249,11 +251,23 @@ void Whitted::Spawn(const ShadingPoint& p, TraceState& state) const {
     if (const auto wi = Refraction(p))
       state.pending.push_back(Extend(p, *wi, Lobe::transmission, *throughput, through));
   if (const auto throughput = Continued(p.path.throughput * weights.reflected, back, state)) {
+    if (p.material->gloss_samples > 1) return SpawnGlossy(p, *throughput, back, state.pending);
+    const bool glossy = IsGlossy(*p.material, settings_);
     const Points points(settings_.sampler, back.key.Child(choice_key), settings_.samples);
-    if (const auto wi =
-            SampleReflection(p, settings_.glossy, settings_.glossy ? points.Get2D(back.sample) : R2::Point{}))
+    if (const auto wi = SampleReflection(p, glossy, glossy ? points.Get2D(back.sample) : R2::Point{}))
       state.pending.push_back(Extend(p, *wi, Lobe::mirror, *throughput, back));
   }
+}
+
+/// Several rays share a reflection.
+void Whitted::SpawnGlossy(const ShadingPoint& p, const R2::Color& throughput, const SampleIndex& back,
+                          std::vector<PathState>& pending) const {
+  const auto count = static_cast<std::uint32_t>(p.material->gloss_samples);
+  const Points points(settings_.sampler, back.key.Child(choice_key), settings_.samples * count);
+  const SampleIndex each = back.Child(gloss_key);
+  for (std::uint32_t k = 0; k < count; ++k)
+    if (const auto wi = SampleReflection(p, true, points.Get2D(back.sample * count + k)))
+      pending.push_back(Extend(p, *wi, Lobe::mirror, throughput / count, each.Child(k)));
 }
 
 inline std::optional<R2::Color> Whitted::Continued(const R2::Color& throughput, const SampleIndex& index,

@@ -53,6 +53,8 @@ class Whitted : public Integrator {
   void AddArrived(std::span<ShadingPoint> points, TraceState& state) const;
   /// The rays that a surface reflects and transmits.
   void Spawn(const ShadingPoint& p, TraceState& state) const;
+  void SpawnGlossy(const ShadingPoint& p, const R2::Color& throughput, const SampleIndex& back,
+                   std::vector<PathState>& pending) const;
   /// The throughput of a child ray, if it is followed: not if it is faint and does not survive.
   std::optional<R2::Color> Continued(const R2::Color& throughput, const SampleIndex& index, TraceState& state) const;
 

@@ -7,6 +7,7 @@
 #include <chrono>
 #include <functional>
 
+#include "source/film/Contrast.h"
 #include "source/integrate/debug/Heat.h"
 #include "source/render/DenoiseResult.h"
 #include "source/render/Forecast.h"
@@ -183,6 +184,7 @@ class Job {
       passes_.back().error = pass.error->estimate;
       Foretell(pass);
     }
+    if (schedule_.LooksAtContrast()) pass.contrasts = NeighborContrasts(film_, MeasureFor(settings_));
     pass.now = Seconds();
     return pass;
   }
@@ -301,6 +303,9 @@ double ExpectedRays(const RenderSettings& settings) {
 std::unique_ptr<const Integrator> IntegratorOf(const World& world, const Accelerator& accelerator,
                                                const RenderSettings& settings) {
   TraceSettings trace = TraceSettingsOf(settings);
+  const Camera camera = settings.view.value_or(world.scene().camera);
+  trace.outline.right = 2 * camera.HalfWidth() / settings.width * camera.right;
+  trace.outline.up = 2 * camera.HalfHeight(settings.width, settings.height) / settings.height * camera.up;
   if (settings.mode == RenderMode::zbuffer && trace.zbuffer.IsOfPicture())
     trace.zbuffer = RangeOfPicture(world, accelerator, settings);
   return MakeIntegrator(settings.mode, world, accelerator, trace);

@@ -22,9 +22,10 @@ struct ErrorTarget {
 };
 
 /// off: every pixel takes as many samples. tile: only blocks of 8x8 pixels whose error, or a neighbor's, is above the
-/// target go on. automatic: tile where there is a target.
-enum class Adaptive { automatic, off, tile };
-inline constexpr std::array adaptive_names{"auto", "off", "tile"};
+/// target go on. automatic: tile where there is a target. neighbors: without a budget, after one sample only blocks go
+/// on, to all of their samples, in which neighboring pixels differ.
+enum class Adaptive { automatic, off, tile, neighbors };
+inline constexpr std::array adaptive_names{"auto", "off", "tile", "neighbors"};
 constexpr const auto& NamesOf(Adaptive) { return adaptive_names; }
 
 /// What is clamped to what a screen can show, [0, 1] in each channel: the picture when it is written, or each sample
@@ -77,5 +78,11 @@ struct RenderSettings {
   int threads = 0;     // 0: as many as the machine has
   int tile_size = 32;  // side of a work item in pixels, rounded up to whole blocks of the film; 0: the whole picture
 };
+
+/// Whether blocks of like pixels get one sample alone.
+inline bool SamplesWhereNeighborsDiffer(const RenderSettings& settings) {
+  return settings.budget.adaptive == Adaptive::neighbors && !settings.budget.IsOpen() && !settings.replay &&
+         !ShowsCosts(settings.mode);
+}
 
 }  // namespace ray

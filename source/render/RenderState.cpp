@@ -269,7 +269,7 @@ void CheckPlan(const RenderState& state, const RenderSettings& settings) {
   if (now < then) refuse("samples can be added, not taken away");
   if (settings.budget.error) refuse("with -error, what was decided before would be decided otherwise");
   const SamplerKind sampler = settings.trace.sampler;
-  if (sampler == SamplerKind::stratified || sampler == SamplerKind::grid)
+  if (sampler == SamplerKind::stratified || IsGrid(sampler))
     refuse(std::string("the ") + sampler_names[static_cast<std::size_t>(sampler)] +
            " sampler lays all samples out beforehand");
   if (settings.filter == FilterKind::box) return;

@@ -92,7 +92,8 @@ std::vector<std::string> SourcesOfBias(const SceneFeatures& features, const Rend
   std::vector<std::string> sources;
   if (settings.denoise) sources.emplace_back("denoise");
   if (settings.clamp == Clamp::samples) sources.emplace_back("clamp samples");
-  if (settings.trace.sampler == SamplerKind::grid) sources.emplace_back("sampler grid");
+  if (IsGrid(settings.trace.sampler)) sources.push_back(std::string("sampler ") + NameOf(settings.trace.sampler));
+  if (SamplesWhereNeighborsDiffer(settings)) sources.emplace_back("adaptive neighbors");
   if (!IsTraced(settings.mode)) return sources;
   const TraceSettings& trace = settings.trace;
   const bool is_path = settings.mode == RenderMode::path;

@@ -92,6 +92,7 @@ Schedule::Schedule(const RenderSettings& settings, BlockGrid blocks, bool in_pas
       pixels_(std::accumulate(blocks_.areas.begin(), blocks_.areas.end(), 0.0)),
       in_passes_(budget_.IsOpen() || in_passes || !ShowsCosts(settings.mode)),
       two_streams_(HasTwoStreams(settings)),
+      looks_at_neighbors_(SamplesWhereNeighborsDiffer(settings)),
       ceiling_(Ceiling(settings)),
       first_decision_(std::min(ceiling_, budget_.error ? first_with_error_target : 1u)) {
   if (replay_)
@@ -124,6 +125,7 @@ void Schedule::Resume(ScheduleState state) {
 std::optional<Stop> Schedule::Next(const PassOutcome& pass) {
   if (replay_) return NextOfReplay();
   if (state_.end == 0) return NextOfLooks(pass);
+  if (looks_at_neighbors_) return NextOfNeighbors(pass);
   const MeasuredError* error = DecidesByError() && pass.error ? &*pass.error : nullptr;
   if (error && error->square_high <= SquaredTargetOf(*error)) return Stop::error;
   if (error && pass.has_stalled && ceiling_ == most_samples && budget_.seconds == 0) return Stop::stall;
@@ -162,6 +164,20 @@ std::optional<Stop> Schedule::NextOfLooks(const PassOutcome& pass) {
     SampleTo(1);
   else
     LookAt(next);
+  return {};
+}
+
+/// All samples for blocks in which neighboring pixels differ by more than a level after the first sample, or that took
+/// more already. Elsewhere the picture is smooth: its mean over a pixel differs from one sample in it by at most half
+/// of what the pixel and its neighbors beside it differ by, and half of those above it, so by a level.
+std::optional<Stop> Schedule::NextOfNeighbors(const PassOutcome& pass) {
+  constexpr double level = 1.0 / 255;
+  std::vector<std::uint32_t> targets = state_.targets.samples;
+  for (std::size_t i = 0; i < targets.size(); ++i)
+    if (LooksAtContrast() ? pass.contrasts[i] > level : targets[i] > 1) targets[i] = ceiling_;
+  if (targets == state_.targets.samples) return Stop::samples;
+  state_.end = ceiling_;
+  state_.targets.samples = std::move(targets);
   return {};
 }
 

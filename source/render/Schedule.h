@@ -45,6 +45,7 @@ struct PassOutcome {
   double samples_taken = 0;  // by the pass, per pixel, on average; 0: it was over before a break
   std::optional<MeasuredError> error;
   bool has_stalled = false;  // see ErrorForecast
+  std::vector<double> contrasts{};  // of neighboring pixels as displayed, in [0, 1], of each block; see LooksAtContrast
 };
 
 /// Where a schedule stands; kept in checkpoints.
@@ -71,6 +72,8 @@ class Schedule {
   bool DecidesByError() const { return budget_.error && !replay_ && state_.end >= first_decision_; }
   /// Or on the first error that does, since that is compared with it.
   bool LooksAtError() const { return budget_.error && !replay_ && 2 * state_.end >= first_decision_; }
+  /// Whether what is next depends on how neighboring pixels differ after the pass that runs.
+  bool LooksAtContrast() const { return looks_at_neighbors_ && state_.end == 1; }
   /// Goes on where another schedule of this picture stood.
   void Resume(ScheduleState state);
 
@@ -83,6 +86,7 @@ class Schedule {
   void SampleTo(std::uint32_t end);
   void LookAt(int places);
   std::optional<Stop> NextOfLooks(const PassOutcome& pass);
+  std::optional<Stop> NextOfNeighbors(const PassOutcome& pass);
   double SecondsLeft(const PassOutcome& pass) const;
   std::uint32_t NextEnd(const MeasuredError* error) const;
   std::vector<std::uint32_t> ChooseBlocks(std::uint32_t end, const MeasuredError& error);
@@ -95,7 +99,7 @@ class Schedule {
   std::optional<Replay> replay_;
   BlockGrid blocks_;
   double pixels_;  // of the picture
-  bool in_passes_, two_streams_;
+  bool in_passes_, two_streams_, looks_at_neighbors_;
   std::uint32_t ceiling_, first_decision_;  // samples per pixel and stream
   ScheduleState state_;
 };

@@ -13,10 +13,13 @@ namespace ray {
 
 /// The sample sequence of a pixel. sobol: Owen-scrambled, evenly distributed in all dimensions that belong together.
 /// random: independent. stratified: jittered in pairs of dimensions, for a number of samples known beforehand. grid:
-/// camera rays through the middles of n x n equal parts of the pixel, everything else as by sobol.
-enum class SamplerKind { sobol, random, stratified, grid };
-inline constexpr std::array sampler_names{"sobol", "random", "stratified", "grid"};
+/// camera rays through the middles of n x n equal parts of the pixel, everything else as by sobol. rotated_grid: those
+/// n x n places turned about the pixel's middle by atan(1 / n), so that no two are in one row or column.
+enum class SamplerKind { sobol, random, stratified, grid, rotated_grid };
+inline constexpr std::array sampler_names{"sobol", "random", "stratified", "grid", "rotated_grid"};
 constexpr const auto& NamesOf(SamplerKind) { return sampler_names; }
+/// Whether places in a pixel are laid out for a square number of them.
+constexpr bool IsGrid(SamplerKind kind) { return kind == SamplerKind::grid || kind == SamplerKind::rotated_grid; }
 
 /// The points of the unit square, or hypercube, that one kind of random choice at one vertex of the tree of rays uses
 /// in the samples of one pixel. Point `index` is a function of (kind, key, index), and of `count` for stratified
@@ -33,7 +36,7 @@ class Points {
   /// As many coordinates as `size`, at most Sobol::dimensions, each in [0, 1).
   template <std::size_t size>
   std::array<double, size> Get(std::uint32_t index) const {
-    if (kind_ == SamplerKind::sobol || kind_ == SamplerKind::grid)
+    if (kind_ == SamplerKind::sobol || IsGrid(kind_))
       return dimension_ == 0 ? SobolPoint<size>(index, std::integral_constant<int, 0>())
                              : SobolPoint<size>(index, dimension_);
     std::array<double, size> coordinates;

@@ -10,6 +10,9 @@ namespace ray {
 
 /// How a surface looks. The defaults are the course's gray, used where nothing is inherited.
 struct Material {
+  /// As many rays as a reflection can be shared by: a picture of 64 samples per pixel then has 65,536 of them.
+  static constexpr int most_gloss_samples = 1024;
+
   R2::Color ka{0.2, 0.2, 0.2};  // ambient reflectance
   R2::Color kd{0.5, 0.5, 0.5};  // diffuse reflectance; a texture multiplies it
   R2::Color ks{0.5, 0.5, 0.5};  // weight of the Phong lobe of lights
@@ -23,7 +26,10 @@ struct Material {
   R2::Color absorb{0, 0, 0};  // what the inside takes from light, per unit of length; by the extension of that name
   std::shared_ptr<const Texture> bump;  // its luminance times bump_height is how far the surface seems to rise
   double bump_height = 0;
-  double coat = 0;  // index of refraction, > 0, of a clear coat over what is diffuse; 0: none
+  std::shared_ptr<const Texture> normal_map;  // normals as colors 2 c - 1: along u, along v, outward
+  double gloss = 0;       // exponent of the Phong lobe that reflections are spread over; 0: mirrored, or with -glossy n
+  int gloss_samples = 1;  // rays of a reflection so spread, >= 1, in mode whitted
+  double coat = 0;        // index of refraction, > 0, of a clear coat over what is diffuse; 0: none
   std::optional<R2::Color> color;  // what mode flat shows, where that is not kd + kr + kt
 };
 

@@ -265,12 +265,21 @@ void Viewer::UpdateStatus() {
 
 void Viewer::Reload() {
   try {
-    TakeScene(Load(settings_.scene, settings_));
+    auto scene = Load(settings_.scene, settings_);
+    TakeSettings(scene->parsed.scene);
+    TakeScene(std::move(scene));
     ShowMessage("scene reloaded" + (notes_.empty() ? "" : "; " + notes_));
   } catch (const std::exception& error) {
     // The scene that is shown stays until the new one can be read.
     TellProblems(settings_.scene, error);
   }
+}
+
+void Viewer::TakeSettings(const Scene& scene) {
+  const auto settings = host_.SettingsWith(scene);
+  if (!settings) return;
+  settings_.render = settings->render;
+  settings_.live_is_endless = settings->live_is_endless;
 }
 
 void Viewer::TellProblems(const std::string& file, const std::exception& error) {
@@ -290,6 +299,7 @@ void Viewer::Open(const std::string& file) {
   }
   try {
     auto scene = Load(file, settings_);
+    TakeSettings(scene->parsed.scene);
     settings_.scene = file;
     bookmarks_ = Bookmarks(file);
     pictures_.ForgetTrace();

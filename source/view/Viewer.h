@@ -62,6 +62,9 @@ class ViewerHost {
   /// What the viewer goes on with once the option has the value, empty for its default; without a reference. Throws an
   /// exception whose what() is for the user where that cannot be.
   virtual ViewerSettings ChangeOption(const std::string& name, const std::string& value);
+  /// What the viewer goes on with once it shows this scene, which may have settings of its own; nothing to go on as
+  /// before. Throws as ChangeOption.
+  virtual std::optional<ViewerSettings> SettingsWith(const Scene&) { return {}; }
   /// The command that makes such a picture without a viewer; empty where there is none.
   virtual std::string CommandFor(const RenderSettings&) { return {}; }
 };
@@ -224,6 +227,8 @@ class Viewer {
   void Compare(TracedPictures::Comparing how);
   void ChangeExposure(double steps);
   void Reload();
+  /// Those of the scene's own; throws where they cannot be.
+  void TakeSettings(const Scene& scene);
   /// Of the file that was to be read.
   void TellProblems(const std::string& file, const std::exception& error);
   void TurnHelpPage();

@@ -223,16 +223,27 @@ void CheckDenoise(const Options& options) {
 
 /// Square grids in pixels need square numbers of camera rays.
 void CheckGrid(const RenderSettings& render) {
-  if (render.trace.sampler != SamplerKind::grid) return;
+  if (!IsGrid(render.trace.sampler)) return;
+  const std::string sampler = std::string("-sampler ") + NameOf(render.trace.sampler);
   if (render.budget.IsOpen() || render.denoise)
-    throw UsageError("-sampler grid takes all its samples; it cannot be combined with -time, -error or -denoise");
+    throw UsageError(sampler + " takes all its samples; it cannot be combined with -time, -error or -denoise");
   const auto samples = static_cast<std::uint32_t>(render.samples), each = render.camera.SamplesOfOnePlace();
   const std::uint32_t side = GridSide(samples / each);
   if (side * side * each == samples) return;
-  const std::string lens = each > 1 ? " times -lens_samples " + std::to_string(each) : "";
-  throw UsageError("-samples " + std::to_string(samples) + ": -sampler grid needs a square number" + lens +
+  const int moments = render.camera.shutter_samples, places = static_cast<int>(each) / moments;
+  const std::string lens = places > 1 ? " times -lens_samples " + std::to_string(places) : "";
+  const std::string shutter = moments > 1 ? " times -shutter_samples " + std::to_string(moments) : "";
+  throw UsageError("-samples " + std::to_string(samples) + ": " + sampler + " needs a square number" + lens + shutter +
                    ", such as " + std::to_string(side * side * each) + " or " +
                    std::to_string((side + 1) * (side + 1) * each));
+}
+
+/// Budgets decide by errors.
+void CheckNeighbors(const RenderSettings& render) {
+  if (render.budget.adaptive != Adaptive::neighbors) return;
+  if (render.budget.seconds > 0 || render.budget.error || render.denoise)
+    throw UsageError(
+        "-adaptive neighbors takes one sample or all of them; it cannot be combined with -time, -error or -denoise");
 }
 
 void CheckBudget(const Options& options) {
@@ -307,6 +318,7 @@ void CompleteForScene(Options& options) {
   CheckEffects(options.render.camera);
   CheckDenoise(options);
   CheckGrid(options.render);
+  CheckNeighbors(options.render);
   CheckSize(options.render);
   CheckCrop(options.render);
   CheckPixelIsInPicture(options);

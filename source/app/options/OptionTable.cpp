@@ -19,6 +19,7 @@ namespace ray {
 namespace {
 
 constexpr int most_pixels_a_side = 1 << 30;
+constexpr int most_bands = 255;  // a tone for each level of a byte
 constexpr int most_threads = 4096;
 constexpr double most_memory = 1 << 20;
 constexpr int deepest_include = 1'000'000;
@@ -130,7 +131,7 @@ std::vector<OptionKind> MakeTable() {
       {"filter", both, {}, {"name"}, OneOfEnum<FilterKind>(AT(render.filter), true), "", "picture",
        "reconstruction filter (radius .5, 2, 2, 3 pixels)"},
       {"sampler", both, {}, {"name"}, OneOfEnum<SamplerKind>(AT(render.trace.sampler)), "", "picture",
-       "sample sequence"},
+       "sample sequence (stratified: jittered)"},
       {"seed", both, {}, {"n"}, Number<std::uint64_t>{AT(render.seed), 0, highest<std::uint64_t>}, "", "picture",
        "random seed; the same seed gives a bit-identical image"},
       {"motion", both, {}, {"dx", "dy", "dz"}, motion_numbers, "", "picture",
@@ -143,6 +144,8 @@ std::vector<OptionKind> MakeTable() {
        "where on the lens rays start; spiral: at -lens_samples places for each of -sampler grid"},
       {"lens_samples", both, {}, {"n"}, Whole{AT(render.camera.lens_samples), 1, highest<int>}, "places", "picture",
        "of the camera rays per pixel, how many go through each place in it (-lens spiral)"},
+      {"shutter_samples", both, {}, {"n"}, Whole{AT(render.camera.shutter_samples), 1, highest<int>}, "moments",
+       "picture", "even moments at which each place of -sampler grid is seen; 1: random ones"},
       {"clamp", both, {}, {"name"}, OneOfEnum<Clamp>(AT(render.clamp)), "", "picture",
        "clamp to 0..1 the image, when written, or each sample, before it counts"},
       {"bytes", both, {}, {"name"}, OneOfEnum<R2::Quantization>(AT(encoding.quantization)), "", "picture",
@@ -207,6 +210,10 @@ std::vector<OptionKind> MakeTable() {
        "what -mode zbuffer shows white and black (the image's own)"},
       {"gooch", both, {}, {"b", "y", "alpha", "beta"}, gooch_numbers, "", "light",
        "-mode gooch: blue and yellow tones, and the surface's share in each"},
+      {"toon_bands", both, {}, {"n"}, Whole{AT(render.trace.toon_bands), 1, most_bands}, "tones", "light",
+       "-mode toon: tones of light beside darkness"},
+      {"outline", both, {}, {"w"}, Number<double>{AT(render.trace.outline.width), 0, highest<double>}, "pixels", "light",
+       "draw black lines of this width along silhouettes and creases; 0: none"},
 
       {"quality", raypro, {}, {"name"}, OneOfNames(AT(quality), PresetNames), "", "quality",
        "a preset (raypro -list presets); options given besides override its settings"},
@@ -223,7 +230,7 @@ std::vector<OptionKind> MakeTable() {
       {"confidence", both, {}, {"c"}, Number<double>{AT(render.budget.confidence), 0.5, 0.9999}, "", "quality",
        "confidence level of the interval around an estimated error"},
       {"adaptive", both, {}, {"name"}, OneOfEnum<Adaptive>(AT(render.budget.adaptive)), "", "quality",
-       "tile: with -error, only blocks still above it get more samples (auto: tile with -error)"},
+       "with -error only blocks above it go on (auto, tile); neighbors: only those of unlike pixels"},
       {"reference", raypro, {}, {"file[,file2]"}, FileList{AT(reference)}, "", "quality",
        "print the true error against an image, or two independent ones, of the same scene"},
       {"replay", raypro, {}, {"file.json"}, FileName{AT(replay)}, "", "quality",

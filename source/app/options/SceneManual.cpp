@@ -93,11 +93,16 @@ constexpr const char* about_files =
 
 constexpr std::pair<const char*, const char*> extensions[] = {
     {"mesh id file smooth", "Without the word smooth a mesh is flat, as in the course."},
-    {"absorb, bump, coat, flat_color, mirror, texture_ambient", "Of a material of the same file, stated before."},
+    {"absorb, bump, coat, flat_color, gloss, mirror, normal_map, texture_ambient",
+     "Of a material of the same file, stated before."},
     {"mirror", "The weight of the mirrored ray, instead of ks, which stays that of the highlights."},
     {"coat",
      "Mirrors Schlick's share for the index ir, besides ks, and leaves the rest to what is diffuse below; the light of "
      "highlights is not changed."},
+    {"gloss",
+     "As -glossy for one material and with an exponent of its own, n staying that of highlights. Rays that share a "
+     "reflection each have their share of its weight, which -min_luminance may cut at the next bounce."},
+    {"normal_map", "Needs no vertex normals or tangents: how texture coordinates run over a shape is found from them."},
     {"flat_color, texture_ambient",
      "What mode flat shows, where it is not kd + ks + kt; a texture that colors ambient light as well."},
     {"plane", "Has no end, so it is in no box: the accelerators leave it out, and each ray asks it on its own."},

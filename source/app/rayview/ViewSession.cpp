@@ -7,10 +7,12 @@
 #include <iostream>
 #include <iterator>
 #include <thread>
+#include <utility>
 
 #include "source/app/Interrupt.h"
 #include "source/app/Status.h"
 #include "source/app/options/RayproCommand.h"
+#include "source/app/options/SceneSettings.h"
 #include "source/app/rayview/PanelOptions.h"
 #include "source/app/rayview/SavePicture.h"
 #include "source/app/report/Messages.h"
@@ -115,8 +117,10 @@ class Recorder {
 /// A viewer, something to draw on, and the files around them.
 class Session : public ViewerHost {
  public:
-  Session(const Options& options, const ViewOutputs& outputs, std::shared_ptr<const LoadedScene> scene)
-      : options_(options),
+  Session(const Options& asked, const Options& options, const ViewOutputs& outputs,
+          std::shared_ptr<const LoadedScene> scene)
+      : asked_(asked),
+        options_(options),
         outputs_(outputs),
         window_(options.view.headless
                     ? nullptr
@@ -174,6 +178,13 @@ class Session : public ViewerHost {
   std::vector<ShownOption> ShownOptions() override { return OptionsOfPanels(options_); }
   ViewerSettings ChangeOption(const std::string& name, const std::string& value) override {
     options_ = WithOption(options_, name, value);
+    changes_.emplace_back(name, value);
+    return SettingsFor(options_);
+  }
+  std::optional<ViewerSettings> SettingsWith(const Scene& scene) override {
+    Options options = WithSettingsOf(scene, asked_);
+    for (const auto& [name, value] : changes_) options = WithOption(options, name, value);
+    options_ = std::move(options);
     return SettingsFor(options_);
   }
   std::string CommandFor(const RenderSettings& settings) override {
@@ -299,7 +310,9 @@ class Session : public ViewerHost {
     DrawNewsInWindow();
   }
 
-  Options options_;  // as changed in panels
+  const Options asked_;                                       // on the command line, without the scene's settings
+  Options options_;                                           // with these, and as changed in panels
+  std::vector<std::pair<std::string, std::string>> changes_;  // made there
   const ViewOutputs outputs_;
   const std::unique_ptr<Window> window_;
   const std::unique_ptr<Context> offscreen_;
@@ -314,9 +327,10 @@ class Session : public ViewerHost {
 
 }  // namespace
 
-int View(const Options& options, const ViewOutputs& outputs, std::shared_ptr<const LoadedScene> scene) {
+int View(const Options& asked, const Options& options, const ViewOutputs& outputs,
+         std::shared_ptr<const LoadedScene> scene) {
   CatchInterrupts();
-  return Session(options, outputs, std::move(scene)).Run();
+  return Session(asked, options, outputs, std::move(scene)).Run();
 }
 
 }  // namespace ray

@@ -9,8 +9,11 @@
 namespace ray {
 
 /// Shows the scene until its user, or the script of events, has seen enough.
+///   asked     what was typed; it is combined again with the settings of a scene that is read again
+///   options   that, with the settings of this scene
 ///   returns   an exit status
 /// Throws ContextError when there is nothing to draw with.
-int View(const Options& options, const ViewOutputs& outputs, std::shared_ptr<const LoadedScene> scene);
+int View(const Options& asked, const Options& options, const ViewOutputs& outputs,
+         std::shared_ptr<const LoadedScene> scene);
 
 }  // namespace ray

@@ -27,7 +27,7 @@ std::vector<std::string> OptionsWithoutEffect(const Options& options) {
   const R2::ImageFormat* format = FormatOfPicture(options.picture);
   const std::string kind = format ? format->name : "", on_format = "on the format " + kind;
   const RenderSettings& render = options.render;
-  const bool is_grid = render.trace.sampler == SamplerKind::grid, has_lens = render.camera.HasLens();
+  const bool is_grid = IsGrid(render.trace.sampler), has_lens = render.camera.HasLens();
   const bool is_graph = options.accelerator.name == "graph";
   const std::string with_accelerator = "with -accel " + options.accelerator.name;
   const std::tuple<const char*, bool, std::string> uses[] = {
@@ -37,10 +37,13 @@ std::vector<std::string> OptionsWithoutEffect(const Options& options) {
       {"focus", has_lens, "without -aperture"},
       {"lens", has_lens && is_grid, "without -aperture and -sampler grid"},
       {"lens_samples", has_lens && is_grid && render.camera.lens != LensPattern::random, "without -lens spiral"},
+      {"shutter_samples", is_grid, "without -sampler grid"},
       {"zbuffer_range", render.mode == RenderMode::zbuffer, "without -mode zbuffer"},
       {"gooch", render.mode == RenderMode::gooch, "without -mode gooch"},
+      {"toon_bands", render.mode == RenderMode::toon, "without -mode toon"},
       {"emissive_solids", render.mode == RenderMode::whitted, "without -mode whitted"},
       {"adaptive", render.budget.adaptive != Adaptive::tile || render.budget.error, "without -error"},
+      {"adaptive", render.budget.adaptive != Adaptive::neighbors || render.samples > 1, "without -samples"},
       {"node_boxes", is_graph, with_accelerator},
       {"front_to_back", is_graph, with_accelerator},
       {"last_hit", is_graph, with_accelerator},

@@ -168,9 +168,18 @@ std::string FinalLine(const RunStats& record) {
          "\n";
 }
 
+/// "rays saved: 153600 of 360000 camera rays, where neighboring pixels are alike"
+std::string SavedText(const RunStats& record) {
+  const double pixels = static_cast<double>(record.pixels_total);
+  const double all = pixels * record.planned_samples, saved = all - pixels * record.samples.mean;
+  return "rays saved: " + Fixed(saved, 0) + " of " + Fixed(all, 0) +
+         " camera rays, where neighboring pixels are alike\n";
+}
+
 std::string QualityLines(const RunStats& record) {
   const bool is_asked = record.options.render.budget.IsOpen() || record.options.render.denoise || record.true_error;
-  if (!is_asked) return {};
+  if (!is_asked)
+    return SamplesWhereNeighborsDiffer(record.options.render) && record.IsComplete() ? SavedText(record) : "";
   std::string text;
   if (record.error) {
     const ErrorEstimate& e = *record.error;

@@ -6,6 +6,7 @@
 
 #include "R1/Elementary.h"
 #include "source/parse/Format.h"
+#include "source/parse/objects/Gloss.h"
 #include "source/parse/objects/Lights.h"
 #include "source/parse/objects/Placement.h"
 #include "source/text/NumberText.h"
@@ -130,6 +131,12 @@ void Cs315Reader::ReadMaterial(const Field& field) {
   if (read.n == 0) read.ks = black;  // the course's rule: no highlight, rather than one everywhere
   read.ir = material->Number({"ior"}, positive, 1);
   if (const auto texture = material->Find({"texture"})) read.texture = objects_.Image(*texture, Assets::Use::color);
+  if (const auto map = material->Find({"normal_map"})) read.normal_map = objects_.Image(*map, Assets::Use::data);
+  if (const auto bump = material->Find({"bump"})) {
+    read.bump = objects_.Image(*bump, Assets::Use::data);
+    read.bump_height = material->Number({"bump_height"}, any_number, 1);
+  }
+  ReadGloss(*material, {"gloss"}, {"gloss_samples"}, read);
   material->Ignore({"name", "comment"});
   material->Finish();
 }
@@ -157,7 +164,9 @@ void Cs315Reader::ReadSurface(const Field& field) {
   const int used = is_known ? materials_[static_cast<std::size_t>(*index)] : 0;
   std::optional<R3::Matrix> transform;
   if (const auto transforms = surface.Find({"transforms"})) transform = ReadTransforms(*transforms);
-  auto placed = ReadShape(*name, surface, static_cast<bool>(Made().materials[static_cast<std::size_t>(used)].texture));
+  const Material& look = Made().materials[static_cast<std::size_t>(used)];
+  const bool has_texture = look.texture || look.bump || look.normal_map;
+  auto placed = ReadShape(*name, surface, has_texture);
   surface.Finish();
   if (placed && surface.IsGood()) objects_.Add(surface, std::move(*placed), transform, {}, used);
 }

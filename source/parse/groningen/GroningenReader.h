@@ -17,7 +17,7 @@ class GroningenReader {
   Scene Read();
 
  private:
-  enum class Mode { phong, zbuffer, normal, gooch, uv, flat };
+  enum class Mode { phong, zbuffer, normal, gooch, uv, flat, toon };
 
   // view.cpp
   void ReadView(Mapping& scene);
@@ -33,6 +33,7 @@ class GroningenReader {
   void ReadMode(Mapping& scene);
   void ReadZBuffer(Mapping& scene);
   void FindRange(Mapping& mapping);
+  void ReadOutline(Mapping& gooch);
   void ReadGooch(Mapping& scene);
 
   // objects.cpp

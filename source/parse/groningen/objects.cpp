@@ -1,4 +1,5 @@
 #include "source/parse/groningen/GroningenReader.h"
+#include "source/parse/objects/Gloss.h"
 #include "source/parse/objects/Lights.h"
 #include "source/text/LowerCase.h"
 #include "source/text/Words.h"
@@ -47,7 +48,7 @@ void GroningenReader::ReadObject(const Field& field) {
   Mapping named(report_, object->What(), "a " + *kind);
   const int material = ReadMaterial(named);
   const Material& used = Made().materials[static_cast<std::size_t>(material)];
-  const bool wants_uv = used.texture || used.bump || mode_ == Mode::uv;
+  const bool wants_uv = used.texture || used.bump || used.normal_map || mode_ == Mode::uv;
   auto placed = objects_.Read(*kind, named, {wants_uv});
   const R3::Vector velocity = named.Vector({"velocity"}).value_or(R3::Vector{});
   named.Ignore({"type", "comment", "name"});
@@ -68,8 +69,8 @@ void GroningenReader::ReadObject(const Field& field) {
 int GroningenReader::ReadMaterial(Mapping& object) {
   Material read;
   const auto texture_of_object = object.Find({"texture"});
-  for (const std::string_view map : {"normals", "specular"})
-    if (object.Word({map}).value_or("none") != "none") object.NotSupported({map});
+  const auto normals_of_object = object.Find({"normals"});
+  if (object.Word({"specular"}).value_or("none") != "none") object.NotSupported({"specular"});
   const auto field = object.Need({"material"});
   auto material = field ? field->AsMapping("a material") : std::nullopt;
   if (material) {
@@ -81,7 +82,12 @@ int GroningenReader::ReadMaterial(Mapping& object) {
       read.texture_multiplies_ka = true;
     }
     ReadColors(*material, name && *name != "none", read);
-    material->NotSupported({"normalMap", "specularMap"});
+    auto normals = material->Find({"normalMap"});
+    if (!normals) normals = normals_of_object;
+    const auto map = normals ? normals->Word() : std::nullopt;
+    if (map && *map != "none") read.normal_map = objects_.Image(*normals, Assets::Use::data);
+    ReadGloss(*material, {"gloss"}, {"glossSamples"}, read);
+    material->NotSupported({"specularMap"});
     material->Ignore({"comment", "name"});
     material->Finish();
   }

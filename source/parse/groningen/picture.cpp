@@ -2,6 +2,7 @@
 
 #include "source/parse/groningen/GroningenReader.h"
 #include "source/text/LowerCase.h"
+#include "source/text/Number.h"
 #include "source/text/NumberText.h"
 #include "source/text/Words.h"
 
@@ -35,9 +36,10 @@ void GroningenReader::ReadMode(Mapping& scene) {
       Name{"zbuffer", "1", Mode::zbuffer, "zbuffer"},
       Name{"normal", "2", Mode::normal, "normal_color"},
       Name{"gooch", "3", Mode::gooch, "gooch"},
-      Name{"texcoord", "", Mode::uv, "uv"},
-      Name{"texturecoordinate", "", Mode::uv, "uv"},
+      Name{"texcoord", "", Mode::uv, "uv_color"},
+      Name{"texturecoordinate", "", Mode::uv, "uv_color"},
       Name{"flat", "", Mode::flat, "flat"},
+      Name{"toon", "", Mode::toon, "toon"},
   };
   const auto field = scene.Find({"RenderMode", "renderMode", "rendermode"});
   const auto word = field ? field->Word() : std::nullopt;
@@ -78,6 +80,18 @@ void GroningenReader::ReadZBuffer(Mapping& scene) {
   Set("zbuffer_range", ToText(*near) + " " + ToText(*far), &near_->What());
 }
 
+// A width in pixels, or whether there are lines at all. The course's picture has none.
+void GroningenReader::ReadOutline(Mapping& gooch) {
+  constexpr double usual = 2;
+  const auto field = gooch.Find({"outline"});
+  if (!field) return;
+  if (const Value& said = field->What(); !ParseNumber(said.scalar).problem) {
+    if (const auto width = field->Number(not_negative)) Set("outline", ToText(*width), &said);
+  } else if (const auto is_on = field->Bool()) {
+    Set("outline", ToText(*is_on ? usual : 0.0), &said);
+  }
+}
+
 void GroningenReader::ReadGooch(Mapping& scene) {
   // Those of the course's example.
   double b = 0.55, y = 0.3, alpha = 0.25, beta = 0.5;
@@ -90,7 +104,7 @@ void GroningenReader::ReadGooch(Mapping& scene) {
     y = gooch->Number({"y"}, not_negative, y);
     alpha = gooch->Number({"alpha"}, not_negative, alpha);
     beta = gooch->Number({"beta"}, not_negative, beta);
-    gooch->NotSupported({"outline"});
+    ReadOutline(*gooch);
     gooch->Finish();
   }
   Set("gooch", ToText(b) + " " + ToText(y) + " " + ToText(alpha) + " " + ToText(beta),

@@ -66,13 +66,18 @@ void GroningenReader::ReadCamera(const Field& field) {
   if (const auto size = camera->Find({"viewSize", "ViewSize", "size"})) width = ReadSize(*size).value_or(width);
   ReadLens(*camera, Length(towards));
   FindRange(*camera);
-  camera->NotSupported({"velocity", "projection"});
+  const R3::Vector velocity = camera->Vector({"velocity"}).value_or(R3::Vector{});
+  camera->NotSupported({"projection"});
   camera->Ignore({"comment", "name"});
   if (!camera->FinishedWell()) return;
   if (towards == R3::Vector{}) return report_.Error(camera->What(), "has its eye at its center");
   const AimedCamera aimed = Aim(eye, towards, up);
   if (aimed.up_was_replaced) return report_.Error(camera->What(), "has an up vector along the view direction");
   Made().camera = aimed.camera;
+  if (const R3::Vector way = exposure_time_ * velocity; !(way == R3::Vector{})) {
+    Made().camera.eye = eye - way / 2;  // it is at its place in the middle of the exposure
+    Set("motion", ToText(way.x) + " " + ToText(way.y) + " " + ToText(way.z), &field.What());
+  }
   // A pixel is as wide as `up` is long, in the plane through the center.
   Made().camera.xfov = R1::Atan2(width / 2 * Length(up), Length(towards));
 }
@@ -100,16 +105,18 @@ void GroningenReader::ReadLens(Mapping& camera, double focus) {
     Set("lens_samples", ToText(lens_samples), &radius->What());
   }
   exposure_time_ = camera.Number({"exposureTime"}, not_negative, 0);
-  const std::int64_t time_samples = camera.Whole({"exposureSamples"}, 1, 1);
-  if (exposure_time_ > 0) time_samples_ = time_samples;
+  const auto moments = camera.Find({"exposureSamples"});
+  const std::int64_t time_samples = moments ? moments->Whole(1, most).value_or(1) : 1;
+  if (!(exposure_time_ > 0) || time_samples == 1) return;
+  time_samples_ = time_samples;
+  Set("shutter_samples", ToText(time_samples), &moments->What());
 }
 
-// Through each place of a pixel go as many rays as the lens has places. Moments get places of their own, since shapes
-// are seen at random moments: as many as make the grid a square again.
+// Through each place of a pixel go as many rays as the lens has places and the exposure moments, one for each of both.
 void GroningenReader::ReadSamples(Mapping& scene) {
-  static constexpr std::array<std::string_view, 6> patterns{"grid",     "jitter",  "random",
-                                                            "adaptive", "poisson", "rotated"};
-  constexpr std::array samplers{"grid", "stratified", "random"};
+  static constexpr std::array<std::string_view, 6> patterns{"grid",    "jitter",   "random",
+                                                            "rotated", "adaptive", "poisson"};
+  constexpr std::array samplers{"grid", "stratified", "random", "rotated_grid", "grid"};
   std::int64_t factor = 1;
   std::size_t pattern = 0;
   const Value* said = nullptr;
@@ -129,12 +136,13 @@ void GroningenReader::ReadSamples(Mapping& scene) {
     report_.Warn(said->extent, "the pattern '" + std::string(patterns[pattern]) + "' is not supported; grid is used");
     pattern = 0;
   }
-  const double side = std::ceil(static_cast<double>(factor) * std::sqrt(static_cast<double>(time_samples_)));
-  const double samples = side * side * static_cast<double>(lens_samples_);
+  const auto side = static_cast<double>(factor);
+  const double samples = side * side * static_cast<double>(lens_samples_) * static_cast<double>(time_samples_);
   if (samples > std::numeric_limits<int>::max())
     return report_.Error(said ? *said : scene.What(), "asks for more than 2147483647 samples of a pixel");
   Set("samples", ToText(static_cast<std::int64_t>(samples)), said);
   Set("sampler", samplers[pattern], said);
+  if (patterns[pattern] == "adaptive") Set("adaptive", "neighbors", said);
 }
 
 }  // namespace ray

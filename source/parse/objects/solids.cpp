@@ -137,14 +137,12 @@ std::optional<PlacedShape> ReadTorus(ObjectReader&, Mapping& object, const Objec
   return PlacedShape{ShapeOf("torus", std::array{0.0, 0.0, 0.0, radius, tube}), Along(Unit(direction), center)};
 }
 
-// A cylinder so flat that no picture shows its side, 2^-20 being a millionth of its radius.
 std::optional<PlacedShape> ReadDisc(ObjectReader&, Mapping& object, const ObjectReader::Options&) {
   const R3::Point center = object.NeedPoint({"center", "position"});
   const R3::Vector normal = Direction(object, {"N", "normal", "n"});
   const double radius = object.NeedNumber({"radius", "r"}, positive);
   if (!object.IsGood()) return {};
-  return PlacedShape{ShapeOf("cylinder", std::array{0.0, 0.0, 0.0, radius, 0x1p-20 * radius}),
-                     Along(Unit(normal), center)};
+  return PlacedShape{ShapeOf("disc", std::array{center.x, center.y, center.z, normal.x, normal.y, normal.z, radius})};
 }
 
 }  // namespace ray

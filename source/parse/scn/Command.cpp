@@ -57,8 +57,6 @@ constexpr std::string_view of_pbrt = "this looks like a scene of pbrt; raypro -l
 /// Words of other programs' scenes, with our command or a phrase.
 constexpr std::array elsewhere{
     Foreign{"triangle", "tri"},
-    Foreign{"polygon", shapes_of_triangles},
-    Foreign{"quad", shapes_of_triangles},
     Foreign{"rectangle", shapes_of_triangles},
     Foreign{"square", shapes_of_triangles},
     Foreign{"ball", "sphere"},

@@ -98,6 +98,10 @@ class ScnWriter {
     if (m.coat != 0) Say("coat", id, m.coat);
     if (m.texture_multiplies_ka) Say("texture_ambient", id);
     if (m.color) Say("flat_color", id, *m.color);
+    if (m.gloss > 0) Say("gloss", id, m.gloss, m.gloss_samples);
+    if (m.normal_map)
+      if (const auto map = NameOf(m.normal_map->file, "a material is left without its normal map"))
+        Say("normal_map", id, *map);
     if (!m.bump) return;
     if (const auto bump = NameOf(m.bump->file, "a material is left without its bump map"))
       Say("bump", id, *bump, m.bump_height);
@@ -164,10 +168,11 @@ class ScnWriter {
   /// are lamps of their own.
   bool IsSaidByTriangles(const R3::Mesh& mesh, const Material& material) const {
     const auto shows_more = [](const SceneSetting& setting) {
-      return setting.option == "mode" && (setting.value == "uv" || setting.value == "id");
+      return setting.option == "mode" &&
+             (setting.value == "uv" || setting.value == "uv_color" || setting.value == "id");
     };
     return mesh.File().empty() && !mesh.IsSmooth() && mesh.Elements() <= most_spelled_out && !material.texture &&
-           !material.bump && IsBlack(material.emission) &&
+           !material.bump && !material.normal_map && IsBlack(material.emission) &&
            std::none_of(scene_.settings.begin(), scene_.settings.end(), shows_more);
   }
 

@@ -1,4 +1,5 @@
 #include <array>
+#include <cmath>
 
 #include "source/parse/scn/ScnReader.h"
 
@@ -91,8 +92,42 @@ void ReadBump(ScnReader& reader, Statement& statement) {
   if (most == 0) material->bump = nullptr;  // flat
 }
 
+/// An extension: normals in tangent space.
+void ReadNormalMap(ScnReader& reader, Statement& statement) {
+  Material* material = reader.ReadOwnMaterial(statement);
+  const Token file = statement.Word("file name");
+  if (!material) return;
+  reader.WithFile(statement, file, [&] {
+    material->normal_map = reader.Library().Image(std::string(file.text), reader.CurrentFile(), Assets::Use::data);
+  });
+}
+
+const std::array<R3::Argument, 2> gloss_arguments{{{"exponent"}, {"samples"}}};
+
+/// An extension: reflections that are blurred whatever the settings.
+void ReadGloss(ScnReader& reader, Statement& statement) {
+  Material* material = reader.ReadOwnMaterial(statement);
+  const Arguments gloss = statement.Numbers(gloss_arguments);
+  const double exponent = gloss.values[0], samples = gloss.values[1];
+  if (!material || !statement.IsGood()) return;
+  if (!(exponent > 0))
+    return statement.Error(gloss.words[0], "exponent must be positive, got " + Escaped(gloss.words[0].text));
+  if (!(samples >= 1 && samples <= Material::most_gloss_samples && samples == std::floor(samples)))
+    return statement.Error(gloss.words[1], "samples must be a whole number from 1 to " +
+                                               std::to_string(Material::most_gloss_samples) + ", got " +
+                                               Escaped(gloss.words[1].text));
+  material->gloss = exponent;
+  material->gloss_samples = static_cast<int>(samples);
+}
+
 }  // namespace
 
+extern const Command normal_map_command{
+    "normal_map", "normal_map mat_id file",
+    "normal map in tangent space: red along u, green along v, blue outward, each 2 c - 1", ReadNormalMap};
+extern const Command gloss_command{
+    "gloss", "gloss mat_id exponent samples",
+    "blurs reflections over a Phong lobe of that exponent, in mode whitted by so many rays each", ReadGloss};
 extern const Command bump_command{"bump", "bump mat_id file height", "bump map: the luminance of an image times height",
                                   ReadBump};
 extern const Command mirror_command{"mirror", "mirror mat_id r g b", "weight of the mirrored ray, where it is not ks",

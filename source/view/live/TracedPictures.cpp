@@ -17,7 +17,7 @@ RenderSettings ForLive(RenderSettings settings, bool is_layer, bool is_endless) 
   const bool is_estimate = !is_surface && !ShowsCosts(settings.mode);
   if (!is_estimate) settings.budget = {};
   // A grid's samples are laid out for their number.
-  const bool can_go_on = is_estimate && !is_layer && settings.trace.sampler != SamplerKind::grid;
+  const bool can_go_on = is_estimate && !is_layer && !IsGrid(settings.trace.sampler);
   if (is_endless && can_go_on && !settings.budget.IsOpen()) settings.budget.is_endless = true;
   return settings;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string>
 
 #include "R1/Elementary.h"
@@ -17,6 +18,11 @@ constexpr double step = 0.02;      // of the axis planes, in radii of the scene
 constexpr double crossing_normal_length = 0.03;
 constexpr Rgba crossing_normal_color{255, 120, 220, 160};
 constexpr int normal_every = 16;  // crossings
+constexpr Rgba camera_color{255, 230, 120, 255}, screen_color{120, 255, 160, 255};
+constexpr double dot_radius = 4;          // pixels at letter size 1
+constexpr double way_to_screen = 0.25;    // of the scene's radius, where no lens has a focus distance
+constexpr double room_behind_eye = 0.1;   // of its way from the middle of the scene
+constexpr double farthest_shown_eye = 5;  // radii from the middle of the scene; beyond, too little would be left of it
 
 R3::Vector NormalOf(SlicePlane plane) {
   switch (plane) {
@@ -54,7 +60,8 @@ void SectionView::Move(int by, int height) {
 void SectionView::Cut(const LoadedScene& scene, const RenderSettings& settings, const R3::Point& center,
                       const DrawingSize& size) {
   rays_.clear();
-  const R3::Box& box = scene.parsed.scene.root.bounds;
+  mark_.reset();
+  R3::Box box = scene.parsed.scene.root.bounds;
   Slice slice;
   if (plane_ == SlicePlane::camera_row) {
     constexpr double middle = 0.5;  // of the row
@@ -65,6 +72,11 @@ void SectionView::Cut(const LoadedScene& scene, const RenderSettings& settings, 
     for (int column = 0; column < settings.width; column += spacing)
       rays_.push_back(tracer.Trace(column, Row(settings.height), 1));
     coordinates_ = {{"right", "ahead"}, slice.Project(camera.eye), "the eye"};
+    const double radius = box.Radius() > 0 ? box.Radius() : 1;
+    mark_ = MarkOf(camera, Row(settings.height) + middle, settings, slice, radius);
+    // A little behind it too, so that the numbers along the edge are not over the dot.
+    const R3::Vector way = camera.eye - box.Center();
+    if (!box.IsEmpty() && Length(way) < farthest_shown_eye * radius) box.Extend(camera.eye + room_behind_eye * way);
   } else {
     const double radius = box.Radius() > 0 ? box.Radius() : 1;
     slice = AxisSlice(plane_, center + offset_ * radius * NormalOf(plane_), box);
@@ -93,7 +105,30 @@ SliceAxes SectionView::Drawing(const LoadedScene& scene, const RayLook& look, in
                          slice.extent * static_cast<double>(v.at[2])};
     lines.push_back({view_.At(slice.Project(slice.center + way)), v.color});
   }
+  if (mark_) AddMark(lines, letter_size);
   return drawing;
+}
+
+SectionView::CameraMark SectionView::MarkOf(const Camera& camera, double y, const RenderSettings& settings,
+                                            const Slice& slice, double scene_radius) {
+  const double way = settings.camera.HasLens() ? settings.camera.focus : way_to_screen * scene_radius;
+  const auto on_screen = [&](double x) {
+    // Directions are 1 long along the axis.
+    return slice.Project(camera.eye + way * camera.Through(x, y, settings.width, settings.height).direction);
+  };
+  return {slice.Project(camera.eye), on_screen(0), on_screen(settings.width)};
+}
+
+/// A dot, of a line for each row of pixels, and the line of the screen.
+void SectionView::AddMark(Lines& lines, int letter_size) const {
+  AddLine(lines, view_.At(mark_->left), view_.At(mark_->right), screen_color);
+  const R2::Point eye = view_.Pixel(mark_->eye);
+  const double radius = letter_size * dot_radius;
+  const auto at = [&](double x, double y) { return view_.At(view_.InSlice({x, y})); };
+  for (double y = -radius + 0.5; y < radius; ++y) {
+    const double half = std::sqrt(radius * radius - y * y);
+    AddLine(lines, at(eye.x - half, eye.y + y), at(eye.x + half, eye.y + y), camera_color);
+  }
 }
 
 std::string SectionView::Tell(const R2::Point& pixel, const std::optional<R2::Point>& from) const {

@@ -37,6 +37,15 @@ class SectionView {
   std::string Describe(int height) const;
 
  private:
+  /// The camera in the plane of one of its rows, in the slice's coordinates: the eye, and the ends of that row in a
+  /// picture before it.
+  struct CameraMark {
+    R2::Point eye, left, right;
+  };
+  static CameraMark MarkOf(const Camera& camera, double y, const RenderSettings& settings, const Slice& slice,
+                           double scene_radius);
+  void AddMark(Lines& lines, int letter_size) const;
+
   bool is_shown_ = false;
   SlicePlane plane_ = SlicePlane::camera_row;
   int row_ = -1;       // the middle until it is moved
@@ -45,6 +54,7 @@ class SectionView {
   SliceView view_;
   SliceCoordinates coordinates_;
   std::vector<PixelTrace> rays_;
+  std::optional<CameraMark> mark_;  // of camera_row
 };
 
 }  // namespace ray

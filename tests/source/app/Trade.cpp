@@ -67,6 +67,17 @@ TEST(TradeWords, DenoiseNeedsLightSamplesAndTimeThatItKnows) {
   EXPECT_TRUE(Has(ErrorOf({"-denoise", "-samples", "4", "-sampler", "grid"}), "-denoise"));
 }
 
+TEST(TradeWords, NeighborsDecideWithoutABudgetAndGridsNeedSquaresTimesPlacesAndMoments) {
+  const std::string refused =
+      "-adaptive neighbors takes one sample or all of them; it cannot be combined with -time, -error or -denoise";
+  EXPECT_EQ(ErrorOf({"-adaptive", "neighbors", "-samples", "4"}), "");
+  EXPECT_EQ(ErrorOf({"-adaptive", "neighbors", "-time", "1s"}), refused);
+  EXPECT_EQ(ErrorOf({"-adaptive", "neighbors", "-error", "2"}), refused);
+  EXPECT_EQ(ErrorOf({"-sampler", "rotated_grid", "-samples", "12", "-shutter_samples", "3"}), "");
+  EXPECT_EQ(ErrorOf({"-sampler", "rotated_grid", "-samples", "9", "-shutter_samples", "3"}),
+            "-samples 9: -sampler rotated_grid needs a square number times -shutter_samples 3, such as 3 or 12");
+}
+
 TEST(TradeWords, AnErrorHasAUnitBehindItsNumber) {
   const struct {
     const char* word;

@@ -66,6 +66,28 @@ TEST_F(Rayview, KeySWritesTheBytesThatRayproWrites) {
   }
 }
 
+// Settings of the scene before are forgotten, those that were typed stay.
+TEST_F(Rayview, ASceneThatIsReadLaterBringsItsOwnSettings) {
+  for (const auto& [first, then] : {std::pair{"hello.scn", "toon.scn"}, {"toon.scn", "first.scn"}}) {
+    const Finished viewed = Follow(Scene(first), "drop " + Scene(then) + "\nkey S\nwait trace\n",
+                                   {"-image", folder / "view.ppm", "-samples", "2"});
+    ASSERT_EQ(viewed.status, 0) << viewed.error;
+    const Finished rendered = testing::RunProgram(
+        {Scene(then), folder / "pro.ppm", "-width", "96", "-height", "64", "-samples", "2", "-quiet"});
+    ASSERT_EQ(rendered.status, 0) << rendered.error;
+    EXPECT_EQ(ReadFile(folder / "view.ppm"), ReadFile(folder / "pro.ppm")) << then;
+  }
+}
+
+TEST_F(Rayview, ASceneThatIsReloadedHasTheSettingsThatItNamesNow) {
+  const std::string scene = WriteFile(folder / "now.scn", ReadFile(Scene("sphere.scn")) + "\nset mode flat\n");
+  const Finished viewed =
+      Follow(scene, "key Control+R\nkey S\nwait trace\n", {"-image", folder / "view.ppm", "-quiet"});
+  ASSERT_EQ(viewed.status, 0) << viewed.error;
+  ASSERT_EQ(testing::RunProgram({scene, folder / "pro.ppm", "-width", "96", "-height", "64", "-quiet"}).status, 0);
+  EXPECT_EQ(ReadFile(folder / "view.ppm"), ReadFile(folder / "pro.ppm"));
+}
+
 TEST_F(Rayview, OptionsOfRayproMakeThePictureOfRaypro) {
   const std::vector<std::string> options{"-mode",    "path",  "-samples", "3",     "-filter",
                                          "mitchell", "-seed", "7",        "-quiet"};

@@ -4,8 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <set>
+#include <tuple>
+#include <utility>
 
 namespace ray {
 namespace {
@@ -71,6 +74,47 @@ TEST(CameraRays, AGridGoesThroughTheMiddlesOfEqualPartsOfThePixel) {
       EXPECT_EQ(sample.y, 9 + (i / side + 0.5) / side);
     }
   }
+}
+
+// A square grid still: each place is a quarter turn of another about the middle.
+TEST(CameraRays, ARotatedGridHasNoTwoPlacesInARowOrAColumn) {
+  for (const std::uint32_t side : {1u, 2u, 3u, 7u}) {
+    const CameraRays rays = Make({}, SamplerKind::rotated_grid, side * side);
+    std::set<std::int64_t> columns, rows;
+    std::set<std::pair<std::int64_t, std::int64_t>> places, turned;
+    for (std::uint32_t i = 0; i < side * side; ++i) {
+      const CameraSample sample = rays(7, 9, RandomKey(3), i);
+      // In units of half a part, from the middle.
+      const double x = 2 * side * side * (sample.x - 7.5), y = 2 * side * side * (sample.y - 9.5);
+      EXPECT_NEAR(x, std::round(x), 1e-9);
+      EXPECT_LT(std::max(std::abs(x), std::abs(y)), side * side);
+      columns.insert(std::llround(x));
+      rows.insert(std::llround(y));
+      places.insert({std::llround(x), std::llround(y)});
+      turned.insert({-std::llround(y), std::llround(x)});
+    }
+    EXPECT_EQ(columns.size(), side * side);
+    EXPECT_EQ(rows.size(), side * side);
+    EXPECT_EQ(places, turned);
+  }
+}
+
+TEST(CameraRays, EvenMomentsAreTheMiddlesOfTheShuttersPartsForEveryPlaceOfTheGridAndTheLens) {
+  constexpr std::uint32_t places = 4, on_lens = 3, moments = 5;
+  CameraEffects effects{.motion = {1, 0, 0}, .aperture = 2, .focus = 4, .lens = LensPattern::fixed_spiral};
+  effects.lens_samples = on_lens;
+  effects.shutter_samples = moments;
+  const CameraRays rays = Make(effects, SamplerKind::grid, places * on_lens * moments);
+  std::set<std::tuple<double, double, double, double>> all;
+  std::map<double, int> times;
+  for (std::uint32_t i = 0; i < places * on_lens * moments; ++i) {
+    const CameraSample sample = rays(7, 9, RandomKey(3), i);
+    const R3::Vector on_the_lens = sample.ray.origin - Slanted().eye - sample.ray.time * effects.motion;
+    all.insert({sample.x, sample.y, sample.ray.time, std::round(1e6 * Dot(on_the_lens, Slanted().right))});
+    ++times[sample.ray.time];
+  }
+  EXPECT_EQ(all.size(), places * on_lens * moments) << "each goes with each";
+  for (const double time : {0.1, 0.3, 0.5, 0.7, 0.9}) EXPECT_EQ(times[time], places * on_lens) << time;
 }
 
 TEST(CameraRays, ASpiralStartsAtItsPlacesForEveryPlaceOfTheGrid) {

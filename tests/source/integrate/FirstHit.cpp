@@ -76,7 +76,8 @@ TEST(FirstHit, ColorsForAScreenAreThoseOfTheLayers) {
   const project::Stage stage = Balls();
   constexpr int side = 33;
   const auto depth = Shown(stage, "depth"), normal = Shown(stage, "normal"), flat = Shown(stage, "flat"),
-             normal_color = Shown(stage, "normal_color"), zbuffer = Shown(stage, "zbuffer");
+             normal_color = Shown(stage, "normal_color"), zbuffer = Shown(stage, "zbuffer"), uv = Shown(stage, "uv"),
+             uv_color = Shown(stage, "uv_color");
   double nearest = R3::infinity, farthest = 0;
   for (const float d : depth.Channels())
     if (d > 0) nearest = std::min<double>(nearest, d), farthest = std::max<double>(farthest, d);
@@ -85,6 +86,9 @@ TEST(FirstHit, ColorsForAScreenAreThoseOfTheLayers) {
       const R2::Color n = normal.At(x, y);
       const bool is_ball = depth.At(x, y).r > 0;
       EXPECT_NEAR(normal_color.At(x, y).g, is_ball ? (n.g + 1) / 2 : 0, 1e-6);
+      EXPECT_NEAR(uv_color.At(x, y).r, uv.At(x, y).r, 1e-6);
+      EXPECT_EQ(uv_color.At(x, y).g, 0);
+      EXPECT_NEAR(uv_color.At(x, y).b, is_ball ? 1 - uv.At(x, y).g : 0, 1e-6);
       EXPECT_NEAR(zbuffer.At(x, y).r, is_ball ? (farthest - depth.At(x, y).r) / (farthest - nearest) : 0, 1e-5);
       EXPECT_NEAR(flat.At(x, y).b, is_ball ? 0.7 : 0.75, 1e-6);  // kd + kr + kt, or the background
     }

@@ -273,6 +273,31 @@ TEST(Scn, ATextureIsReadOnceAndDecodedWhenTheWorkflowIsLinear) {
   EXPECT_NEAR(linear.materials.at(1).texture->image.At(0, 0).r, R2::DecodeSrgb(128 / 255.0), 1e-7);
 }
 
+TEST(Scn, AQuadAndAPolygonAreTrianglesOfTheirCornersThatFaceWhereThoseTurnLeft) {
+  const Scene quad = ParseText("quad -1  0 0 0  2 0 0  2 1 0  0 1 0").scene;
+  const auto& mesh = dynamic_cast<const R3::Mesh&>(*quad.root.children.at(0).shape);
+  EXPECT_EQ(mesh.Elements(), 2);
+  const R3::Ray ray{{1.5, 0.25, 3}, {0, 0, -1}};
+  const auto hit = mesh.Intersect(ray, 0) ? mesh.Intersect(ray, 0) : mesh.Intersect(ray, 1);
+  ASSERT_TRUE(hit);
+  const R3::Intersection at = mesh.At(ray, *hit, mesh.Intersect(ray, 0) ? 0 : 1);
+  EXPECT_EQ(at.normal, (R3::Normal{0, 0, 1}));
+  EXPECT_NEAR(at.uv.x, 0.75, 1e-12);
+  EXPECT_NEAR(at.uv.y, 0.25, 1e-12);
+
+  // An arrowhead, whose notch is no part of it.
+  const Scene arrow = ParseText("polygon -1 4  0 0 0  2 -1 0  0.5 0 0  2 1 0").scene;
+  const auto& head = dynamic_cast<const R3::Mesh&>(*arrow.root.children.at(0).shape);
+  const auto is_hit = [&](double x, double y) {
+    const R3::Ray down{{x, y, 3}, {0, 0, -1}};
+    return head.Intersect(down, 0) || head.Intersect(down, 1);
+  };
+  EXPECT_EQ(head.Elements(), 2);
+  EXPECT_TRUE(is_hit(0.25, 0.01));
+  EXPECT_TRUE(is_hit(1.5, 0.7));
+  EXPECT_FALSE(is_hit(1, 0.01));
+}
+
 TEST(Scn, WhatHasNoSizeIsKeptWithAWarning) {
   const ParsedScene parsed = ParseText("sphere -1 1 2 3 0\ncone -1 0 0 0 1 0\ntri -1 0 0 0 1 1 1 2 2 2\n");
   EXPECT_EQ(parsed.scene.root.children.size(), 3u);

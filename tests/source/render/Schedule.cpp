@@ -370,5 +370,57 @@ TEST(Schedule, AnErrorThatDoesNotFallEndsNothingThatHasAnotherEnd) {
   EXPECT_EQ(EndOfStalled(settings), std::nullopt);
 }
 
+/// Neighbors that differ by so many levels, in the block in the corner alone.
+PassOutcome UnlikeInCorner(double levels) {
+  PassOutcome pass{.now = 1, .seconds_taken = 1, .samples_taken = 1, .error = {}};
+  pass.contrasts.assign(blocks, 0.99 / 255);
+  pass.contrasts[0] = levels / 255;
+  return pass;
+}
+
+TEST(Schedule, OfNeighborsSendsOnBlocksOfUnlikePixelsToAllSamplesAtOnce) {
+  RenderSettings settings = UpTo(9);
+  settings.budget.adaptive = Adaptive::neighbors;
+  Schedule schedule(settings, Grid(), false);
+  EXPECT_FALSE(schedule.LooksAtContrast());
+  EXPECT_FALSE(schedule.Next(quick_look));
+  EXPECT_EQ(schedule.State().targets.samples, AllAt(1));
+  EXPECT_TRUE(schedule.LooksAtContrast());
+  EXPECT_FALSE(schedule.Next(UnlikeInCorner(1.01)));
+  Samples corner = AllAt(1);
+  corner[0] = 9;
+  EXPECT_EQ(schedule.State().targets.samples, corner);
+  EXPECT_FALSE(schedule.LooksAtContrast());
+  EXPECT_EQ(schedule.Next(UnlikeInCorner(0)), Stop::samples);
+
+  Schedule alike(settings, Grid(), false);
+  EXPECT_FALSE(alike.Next(quick_look));
+  EXPECT_EQ(alike.Next(UnlikeInCorner(0.99)), Stop::samples) << "a level or less is alike";
+}
+
+TEST(Schedule, OfNeighborsGoesOnWhereItStoodWithMoreSamplesForTheSameBlocks) {
+  RenderSettings settings = UpTo(9);
+  settings.budget.adaptive = Adaptive::neighbors;
+  Samples corner = AllAt(1);
+  corner[0] = 4;
+  Schedule schedule(settings, Grid(), false);
+  schedule.Resume({.targets = {corner}, .last_squared_errors = {}, .end = 4});
+  EXPECT_FALSE(schedule.Next(UnlikeInCorner(0)));
+  corner[0] = 9;
+  EXPECT_EQ(schedule.State().targets.samples, corner);
+}
+
+TEST(Schedule, OfNeighborsLooksAtNoneWithABudgetOrWhereCostsAreShown) {
+  RenderSettings settings = ToErrorOne(9);
+  settings.budget.adaptive = Adaptive::neighbors;
+  Schedule to_error(settings, Grid(), false);
+  EXPECT_FALSE(to_error.Next(quick_look));
+  EXPECT_FALSE(to_error.LooksAtContrast());
+  settings = UpTo(9);
+  settings.budget.adaptive = Adaptive::neighbors;
+  settings.mode = RenderMode::heat;
+  EXPECT_EQ(Schedule(settings, Grid(), false).State().targets.samples, AllAt(9));
+}
+
 }  // namespace
 }  // namespace ray

@@ -55,7 +55,8 @@ struct Lamp {
   Workspace workspace;
 };
 
-/// Calls check(lamp, from, is_convex, name) for points beside and inside every shape that can be sampled.
+/// Calls check(lamp, from, is_convex, name) for points beside every shape that can be sampled, and inside it if it has
+/// an inside.
 template <typename Check>
 void ForManyViews(const Check& check) {
   for (const auto* kind : R3::ShapeKinds()) {
@@ -65,7 +66,8 @@ void ForManyViews(const Check& check) {
       Lamp lamp(*kind, frame);
       const R3::Transform& world_from_local = lamp.stage.world.Frames()[lamp.stage.world.Instances()[0].frame];
       Draw draw(31);
-      std::vector<R3::Point> places{world_from_local * crossings::PointInside(*shape)};
+      std::vector<R3::Point> places;
+      if (shape->IsSolid()) places.push_back(world_from_local * crossings::PointInside(*shape));
       for (const double distance : {0.6, 1.0, 3.0})
         places.push_back(lamp.Bounds().Center() + distance * lamp.Bounds().Radius() * draw.Direction());
       for (const R3::Point& from : places) check(lamp, from, crossings::IsConvex(*shape), kind->name);

@@ -99,7 +99,7 @@ TEST(Cs315, AMirrorHasItsOwnWeightAndAShininessOf0NoHighlight) {
   const Scene scene = Cs315(
                           "'materials': [{'ka': [1, 0, 0], 'kd': [0, 1, 0], 'ks': [0.5, 0.5, 0.5], 'shininess': 0, "
                           "'kr': [0, 0, 0.75]}, "
-                          "{'ks': [1, 1, 1], 'shininess': 30}]")
+                          "{'ks': [1, 1, 1], 'shininess': 30, 'gloss': 50, 'gloss_samples': 4}]")
                           .scene;
   ASSERT_EQ(scene.materials.size(), 3u);
   EXPECT_EQ(scene.materials[1].ka, (R2::Color{1, 0, 0}));
@@ -108,6 +108,9 @@ TEST(Cs315, AMirrorHasItsOwnWeightAndAShininessOf0NoHighlight) {
   EXPECT_EQ(scene.materials[1].kr, (R2::Color{0, 0, 0.75}));
   EXPECT_EQ(scene.materials[2].ks, (R2::Color{1, 1, 1}));
   EXPECT_EQ(scene.materials[2].n, 30);
+  EXPECT_EQ(scene.materials[2].gloss, 50);
+  EXPECT_EQ(scene.materials[2].gloss_samples, 4);
+  EXPECT_EQ(scene.materials[1].gloss, 0);
   EXPECT_EQ(scene.materials[2].kr, (R2::Color{0, 0, 0})) << "missing";
   EXPECT_EQ(scene.materials[2].kd, (R2::Color{0, 0, 0})) << "missing";
 }

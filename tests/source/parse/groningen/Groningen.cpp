@@ -126,10 +126,16 @@ TEST(Groningen, EverySpellingOfSuperSamplingIsTaken) {
        {"'SuperSampling': {'factor': 3}", "'SuperSampling': 3", "'SuperSamplingFactor': 3", "'AntiAliasing': 3"})
     EXPECT_EQ(SettingOf(WithKeys(keys).scene, "samples"), "9") << keys;
   EXPECT_EQ(SettingOf(WithKeys("'SuperSampling': {'factor': 2, 'pattern': 'jitter'}").scene, "sampler"), "stratified");
+  EXPECT_EQ(SettingOf(WithKeys("'SuperSampling': {'factor': 2, 'pattern': 'rotated'}").scene, "sampler"),
+            "rotated_grid");
   const ParsedScene adaptive = WithKeys("'SuperSampling': {'factor': 2, 'pattern': 'adaptive'}");
   EXPECT_EQ(SettingOf(adaptive.scene, "sampler"), "grid");
-  ASSERT_EQ(adaptive.warnings.size(), 1u);
-  EXPECT_TRUE(Contains(adaptive.warnings[0], "the pattern 'adaptive' is not supported; grid is used"));
+  EXPECT_EQ(SettingOf(adaptive.scene, "adaptive"), "neighbors");
+  EXPECT_TRUE(adaptive.warnings.empty());
+  const ParsedScene poisson = WithKeys("'SuperSampling': {'factor': 2, 'pattern': 'poisson'}");
+  EXPECT_EQ(SettingOf(poisson.scene, "sampler"), "grid");
+  ASSERT_EQ(poisson.warnings.size(), 1u);
+  EXPECT_TRUE(Contains(poisson.warnings[0], "the pattern 'poisson' is not supported; grid is used"));
 }
 
 TEST(Groningen, EveryRenderModeAndItsNumberIsTaken) {
@@ -139,12 +145,17 @@ TEST(Groningen, EveryRenderModeAndItsNumberIsTaken) {
                                    {"0", "whitted"},
                                    {"2", "normal_color"},
                                    {"3", "gooch"},
-                                   {"'textureCoordinate'", "uv"},
-                                   {"'texcoord'", "uv"},
+                                   {"'textureCoordinate'", "uv_color"},
+                                   {"'texcoord'", "uv_color"},
+                                   {"'toon'", "toon"},
                                    {"'flat'", "flat"}})
     EXPECT_EQ(SettingOf(WithKeys("'RenderMode': " + std::string(word)).scene, "mode"), mode) << word;
   EXPECT_EQ(SettingOf(WithKeys("'RenderMode': 'gooch'").scene, "gooch"), "0.55 0.3 0.25 0.5");
   EXPECT_EQ(SettingOf(WithKeys("'GoochParameters': {'b': 1, 'beta': 0}").scene, "gooch"), "1 0.3 0.25 0");
+  EXPECT_EQ(SettingOf(WithKeys("'RenderMode': 'gooch'").scene, "outline"), "(none)") << "as in the course's picture";
+  for (const auto& [asked, width] : {std::pair{"true", "2"}, {"false", "0"}, {"'yes'", "2"}, {"1.5", "1.5"}})
+    EXPECT_EQ(SettingOf(WithKeys("'GoochParameters': {'outline': " + std::string(asked) + "}").scene, "outline"), width)
+        << asked;
   const ParsedScene unknown = WithKeys("'RenderMode': 'phongg'");
   EXPECT_EQ(SettingOf(unknown.scene, "mode"), "(none)");
   ASSERT_EQ(unknown.warnings.size(), 1u);
@@ -173,6 +184,8 @@ TEST(Groningen, AnObjectIsAtItsPlaceInTheMiddleOfTheExposure) {
                           moving + "]}")
                           .scene;
   EXPECT_EQ(SettingOf(scene, "samples"), "4");
+  EXPECT_EQ(SettingOf(scene, "shutter_samples"), "4");
+  EXPECT_EQ(SettingOf(scene, "motion"), "(none)");
   const auto is_hit = [&](double x, double time) {
     R3::Ray ray{{x, 0, 9}, {0, 0, -1}};
     ray.time = time;
@@ -182,6 +195,22 @@ TEST(Groningen, AnObjectIsAtItsPlaceInTheMiddleOfTheExposure) {
   EXPECT_TRUE(is_hit(-2.5, 0));
   EXPECT_FALSE(is_hit(0, 0));
   EXPECT_TRUE(is_hit(2.5, 1));
+}
+
+TEST(Groningen, ACameraIsAtItsPlaceInTheMiddleOfTheExposure) {
+  const auto moving = [](const std::string& time) {
+    return Groningen("{'Camera': {'eye': [0, 0, 9], 'center': [0, 0, 0], 'velocity': [8, 0, -2], 'exposureTime': " +
+                     time + ", 'exposureSamples': 4}, 'SuperSampling': 3, 'Objects': []}")
+        .scene;
+  };
+  const Scene scene = moving("0.5");
+  EXPECT_EQ(SettingOf(scene, "motion"), "4 0 -1");
+  EXPECT_EQ(SettingOf(scene, "samples"), "36");
+  EXPECT_EQ(scene.camera.eye, (R3::Point{-2, 0, 9.5}));
+  const Scene still = moving("0");
+  EXPECT_EQ(SettingOf(still, "motion"), "(none)");
+  EXPECT_EQ(SettingOf(still, "samples"), "9");
+  EXPECT_EQ(still.camera.eye, (R3::Point{0, 0, 9}));
 }
 
 TEST(Groningen, AMaterialIsGrayCoefficientsTimesItsColor) {
@@ -201,7 +230,7 @@ TEST(Groningen, LongNamesAndGlassAreTaken) {
       WithKeys("",
                "{'type': 'sphere', 'position': [0, 0, 0], 'radius': 1, 'texture': 'none', 'normals': 'none', "
                "'material': {'color': [1, 1, 1], 'ambient': 0.1, 'diffuse': 0.2, 'specular': 0.3, "
-               "'shininess': 4, 'kt': 0.5, 'refractive_index': 0}}")
+               "'shininess': 4, 'kt': 0.5, 'refractive_index': 0, 'gloss': 90, 'glossSamples': 8}}")
           .scene;
   const Material& m = scene.materials.back();
   EXPECT_EQ(m.ka.r, 0.1);
@@ -209,6 +238,9 @@ TEST(Groningen, LongNamesAndGlassAreTaken) {
   EXPECT_EQ(m.ks.r, 0.3);
   EXPECT_EQ(m.n, 4);
   EXPECT_EQ(m.kt.r, 0.5);
+  EXPECT_EQ(m.gloss, 90);
+  EXPECT_EQ(m.gloss_samples, 8);
+  EXPECT_FALSE(m.normal_map);
   EXPECT_EQ(m.ir, 1) << "0 means none";
   EXPECT_FALSE(m.texture);
 }

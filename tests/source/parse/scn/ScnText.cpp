@@ -111,6 +111,7 @@ TEST(ScnText, SaysEverythingThatTheLanguageHasAWordFor) {
       "coat 0 1.25\n"
       "texture_ambient 0\n"
       "flat_color 0 0.75 0.5 0.25\n"
+      "gloss 0 20.5 16\n"
       "sphere -1 0 0 0 1\n"
       "begin 0 1 0 0 2 0 1 0 0 0 0 1 0 0 0 0 1\n"
       "  motion 0.5 0 0\n"
