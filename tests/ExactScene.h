@@ -103,6 +103,21 @@ class Crossings {
     return {{t - around, t + around, true}};
   }
 
+  static std::vector<Crossing> OfDisc(const Vector& center, const Vector& normal, Quad radius, const SeenLine& seen) {
+    if (seen.Misses(center, Double(radius))) return {};
+    std::vector<Crossing> crossings = OfPlane(center, normal, seen);
+    Crossing& crossing = crossings.front();
+    if (!crossing.is_certain) return crossings;
+    const Vector place = seen.line.At((crossing.low + crossing.high) / 2);
+    const Quad reach = Length(center - seen.line.o) + radius;
+    const Quad bar = of_shape * reach + seen.ErrorWithin(reach) +
+                     (crossing.high - crossing.low) / 2 * Length(seen.line.d);  // along the plane it may be off by that
+    const Quad inside = radius - Length(place - center);
+    if (inside < -bar) return {};
+    crossing.is_certain = inside > bar;
+    return crossings;
+  }
+
   static std::vector<Crossing> OfRing(const Ring& ring, const SeenLine& seen) {
     const Quad away = Length(seen.line.o), size = ring.Size();
     const Quad bar = of_shape * (away + size) + seen.ErrorWithin(away + size);
@@ -217,6 +232,7 @@ class Scene {
     const auto [name, a] = placed.shape->MadeFrom().value();
     const std::string kind = name;
     if (kind == "plane") return Crossings::OfPlane({a[0], a[1], a[2]}, {a[3], a[4], a[5]}, seen);
+    if (kind == "disc") return Crossings::OfDisc({a[0], a[1], a[2]}, {a[3], a[4], a[5]}, a[6], seen);
     if (kind == "torus") {
       SeenLine centered = seen;
       centered.line.o = centered.line.o - Vector{a[0], a[1], a[2]};
