@@ -160,13 +160,13 @@ measure_claims() {
     extra=
     [ $scene != lens ] || extra="-aperture 0.12 -focus 5"
     common="-width 64 -height 48 -shadow_samples 1 $extra -quiet"
-    # Nothing is cut off in them but what the presets cut off as well.
+    # Nothing is cut off in them, as in the presets.
     for seed in 1001 1002; do
-      "$RAYPRO" scenes/$scene.scn $build/reference$seed.pfm $common -max_depth 6 -samples 512 -seed $seed
+      "$RAYPRO" scenes/$scene.scn $build/reference$seed.pfm $common -max_depth 20 -roulette on -samples 512 -seed $seed
     done
     for setting in "-quality draft" "-quality preview" "-quality final" "-error 4" "-error 2" "-error 1" \
       "-error 0.5"; do
-      case $setting in -error*) more="-max_depth 6" ;; *) more= ;; esac
+      case $setting in -error*) more="-max_depth 20 -roulette on" ;; *) more= ;; esac
       "$RAYPRO" scenes/$scene.scn $build/claim.pfm $common $setting $more -threads 1 -report $build/claim.json \
         -reference $build/reference1001.pfm,$build/reference1002.pfm
       r=$build/claim.json

@@ -115,10 +115,11 @@ TEST(TradeWords, SingleOptionsOverrideTheirPartOfAPresetInAnyOrder) {
   ASSERT_GE(Presets().size(), 4u);
   const Options draft = Parsed({"-quality", "draft"});
   EXPECT_EQ(draft.render.samples, 4);
-  EXPECT_EQ(draft.render.trace.max_depth, 2);
+  EXPECT_EQ(draft.render.trace.max_depth, 20);
+  EXPECT_EQ(draft.render.trace.roulette, Roulette::on);
   for (const List& words : {List{"-quality", "draft", "-samples", "9"}, {"-samples", "9", "-quality", "draft"}}) {
     EXPECT_EQ(Parsed(words).render.samples, 9);
-    EXPECT_EQ(Parsed(words).render.trace.max_depth, 2);
+    EXPECT_EQ(Parsed(words).render.trace.max_depth, 20);
   }
   EXPECT_EQ(Parsed({"-quality", "draft", "-maxreflections", "7"}).render.trace.max_depth, 7);  // by an alias too
   EXPECT_EQ(Parsed({"-quality", "preview"}).render.budget.error->value, 4);
@@ -127,7 +128,7 @@ TEST(TradeWords, SingleOptionsOverrideTheirPartOfAPresetInAnyOrder) {
   EXPECT_EQ(error->unit, ErrorUnit::decibel);
   // An option given its default counts as given.
   EXPECT_EQ(Parsed({"-quality", "final", "-max_depth", "3"}).render.trace.max_depth, 3);
-  EXPECT_EQ(Parsed({"-quality", "final"}).render.trace.max_depth, 6);
+  EXPECT_EQ(Parsed({"-quality", "final"}).render.trace.max_depth, 20);
   EXPECT_EQ(Parsed({"-quality", "custom"}).render.samples, 1);
   EXPECT_TRUE(Has(ErrorOf({"-quality", "drafft"}), "did you mean 'draft'?"));
 }

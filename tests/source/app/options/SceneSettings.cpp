@@ -41,8 +41,10 @@ TEST(SceneSettings, AreInForceWhereTheCommandLineIsSilent) {
 
 TEST(SceneSettings, APresetThatWasAskedForComesBeforeThem) {
   const Scene scene = With({{"max_depth", "7", "a.scn:1:5"}});
-  EXPECT_EQ(WithSettingsOf(scene, Typed({"-quality", "draft"})).render.trace.max_depth, 2);
-  EXPECT_EQ(WithSettingsOf(scene, Typed({"-quality", "preview"})).render.trace.max_depth, 7);
+  EXPECT_EQ(WithSettingsOf(scene, Typed({"-quality", "draft"})).render.trace.max_depth, 20);
+  const Scene of_filter = With({{"filter", "mitchell", "a.scn:1:5"}});
+  EXPECT_EQ(WithSettingsOf(of_filter, Typed({"-quality", "draft"})).render.filter, FilterKind::mitchell)
+      << "of which it says nothing";
 }
 
 TEST(SceneSettings, ThatAreInForceAreListedWithWhoSetThem) {
