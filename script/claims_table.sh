@@ -4,7 +4,11 @@
 # the shares of claims within .9-1.1 of the truth, below .8 and above 1.25 of it, how often the 95 % interval holds the
 # truth, and the median of the degrees of freedom; below them all renders, and those of at least 270 degrees of freedom.
 #
-#     script/claims_table.sh [-seeds N] [-size N] [-references FOLDER] [-rows FILE] [id ...]
+#     script/claims_table.sh [-seeds N] [-size N] [-references FOLDER] [-rows FILE] [-targets "E ..."] [id ...]
+#
+# With targets, each scene is rendered until its error is below each of them instead, with at most 2,048 samples. Per
+# scene: renders that got there, the share of them whose true error is below the target, the largest true error in
+# targets, and of those that took more than the least, 16 samples, the share whose true error is above 1/1.3 of it.
 #
 # The truth is told by two references of 1024 samples of other seeds, kept in FOLDER (default build/claims) from run to
 # run. With 6 seeds, the default, 20 scenes are 360 renders for displayed errors and 180 for linear ones: ten minutes of two
@@ -13,10 +17,10 @@ set -eu
 export LC_ALL=C  # numbers have a point
 here=$(cd "$(dirname "$0")/.." && pwd)
 raypro=${RAYPRO:-$here/build/raypro}
-seeds=6 size=64 references=$here/build/claims rows=
+seeds=6 size=64 references=$here/build/claims rows= targets=
 while [ $# -gt 0 ]; do
   case $1 in
-    -seeds) seeds=$2 ;; -size) size=$2 ;; -references) references=$2 ;; -rows) rows=$2 ;;
+    -seeds) seeds=$2 ;; -size) size=$2 ;; -references) references=$2 ;; -rows) rows=$2 ;; -targets) targets=$2 ;;
     *) break ;;
   esac
   shift 2
@@ -59,12 +63,8 @@ run() {  # scene, options, further options
     { cat "$work/messages" >&2; exit 1; }  # warnings of fireflies are what the table counts
 }
 
-while read -r id scene options; do
-  case " $* " in "  " | *" $id "*) ;; *) continue ;; esac
-  for which in 1 2; do
-    reference=$references/$id.$size.$which.pfm
-    [ -s "$reference" ] || run "$scene" "$options" "$reference" -samples 1024 -seed "900$which"
-  done
+# The rows of a scene and its options: claims at fixed samples, or what targets led to.
+claims_of() {
   for samples in 16 32 64; do
     seed=1
     while [ "$seed" -le "$seeds" ]; do
@@ -76,14 +76,55 @@ while read -r id scene options; do
         fi
         # An error that is never reached, so that all samples are taken and two streams made.
         run "$scene" "$options" "$work/picture.pfm" -samples "$samples" -seed "$seed" -error .000001$suffix -adaptive off \
-          -reference "$references/$id.$size.1.pfm,$references/$id.$size.2.pfm" -report "$work/report"
+          -reference "$both" -report "$work/report"
         echo "$unit $id $(value estimate) $(value low) $(value high) $(value true_error) $(value freedom)"
       done
       seed=$((seed + 1))
     done
   done
+}
+targets_of() {
+  for target in $targets; do
+    seed=1
+    while [ "$seed" -le "$seeds" ]; do
+      run "$scene" "$options" "$work/picture.pfm" -samples 2048 -seed "$seed" -error "$target" -reference "$both" \
+        -report "$work/report"
+      reason=$(awk '$1 == "\"reason\":" { gsub(/[",]/, "", $2); print $2; exit }' "$work/report")
+      mean=$(awk '$1 == "\"mean\":" { print $2 + 0; exit }' "$work/report")
+      echo "$id $target $(value true_error) $mean $reason"
+      seed=$((seed + 1))
+    done
+  done
+}
+
+while read -r id scene options; do
+  case " $* " in "  " | *" $id "*) ;; *) continue ;; esac
+  both=$references/$id.$size.1.pfm,$references/$id.$size.2.pfm
+  for which in 1 2; do
+    reference=$references/$id.$size.$which.pfm
+    [ -s "$reference" ] || run "$scene" "$options" "$reference" -samples 1024 -seed "900$which"
+  done
+  if [ "$targets" ]; then targets_of; else claims_of; fi
 done < "$work/scenes" > "$work/rows"
 [ -z "$rows" ] || cp "$work/rows" "$rows"
+
+if [ "$targets" ]; then
+  printf '%-16s%8s%8s%8s%8s%10s\n' scene renders kept largest longer '>= 1/1.3'
+  awk '$5 == "error" { print "1" $1, $3 / $2, $4; print "2all", $3 / $2, $4 }' "$work/rows" | sort -k1,1 | awk '
+    function line() {
+      if (n) printf "%-16s%8d%8.3f%8.2f%8d%10s\n", substr(name, 2), n, kept / n, largest, longer, \
+                    longer ? sprintf("%.2f", tight / longer) : "-"
+      n = kept = largest = longer = tight = 0
+    }
+    $1 != name { line(); name = $1 }
+    {
+      ++n; kept += $2 <= 1
+      if ($2 > largest) largest = $2
+      if ($3 > 16) { ++longer; tight += $2 >= 1 / 1.3 }
+    }
+    END { line() }'
+  exit
+fi
 
 printf '%-22s%8s%8s%8s%8s%8s%8s%8s\n' 'unit, scene' renders median .9-1.1 '<.8' '>1.25' '95 %' nu
 # Each render counts for its scene, for all and for those of many degrees of freedom; ids sort these last.
