@@ -118,7 +118,7 @@ TEST_P(Preview, SpreadsWhatAGlossyMaterialMirrorsAsTheTracerDoes) {
   ray::Scene scene =
       project::FromText(camera + Material("0 0 0  0.9 0.9 0.9  0 0 0  0 0 0  20 1 0") + "gloss 0  20 256\n" + ball);
   scene.environment = around.scene->environment;
-  EXPECT_LT(Differing(project::Stage(std::move(scene)), 20), 0.15);
+  EXPECT_LT(Differing(project::Stage(std::move(scene)), 20), 0.05);
 }
 
 TEST_P(Preview, MirrorsItsBackgroundAndLetsItThrough) {
