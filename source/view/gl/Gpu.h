@@ -23,7 +23,7 @@ struct GpuSurfaces {
   DiffuseLight diffuse_light;
   R2::Color background;
   SurfaceFeatures features;
-  bool glossy = false, head_light = false;
+  bool head_light = false;
   std::vector<PreviewLight> preview_lights;
   ShadowViews shadow_views;           // where there are shadows
   std::optional<GpuShadows> shadows;  // none until they are first asked for

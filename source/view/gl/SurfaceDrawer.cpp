@@ -6,7 +6,6 @@
 #include <cmath>
 #include <limits>
 
-#include "R1/Elementary.h"
 #include "source/view/gl/Canvas.h"
 #include "source/view/gl/Upload.h"
 
@@ -54,7 +53,7 @@ void main() { color = vec4(ink, strength); }
 )";
 
 constexpr GLuint at_location = 0, normal_location = 1, uv_location = 2, lights_binding = 0;
-constexpr GLint paint_unit = 0, relief_unit = 1, environment_unit = 2, shadows_unit = 3;
+constexpr GLint paint_unit = 0, relief_unit = 1, environment_unit = 2, shadows_unit = 3, normal_map_unit = 4;
 constexpr int most_texels = 2048;  // per side of a texture or environment: 24 MB in half precision
 constexpr double rim = 0.25;       // brightness at the rim of a full mirror that shows nothing
 
@@ -125,15 +124,13 @@ SurfaceFeatures FeaturesOf(const ScenePicture& picture) {
   for (const SurfaceBatch& batch : picture.surfaces.batches) {
     features.textures |= batch.material.texture != nullptr;
     features.bumps |= batch.material.bump != nullptr;
+    features.normal_maps |= batch.material.normal_map != nullptr;
     features.clear |= !IsBlack(batch.material.kt);
     features.coats |= batch.material.coat > 0;
   }
   features.fresnel = picture.fresnel && features.clear;
   return features;
 }
-
-/// The angle at which Phong's lobe is half as strong as in the middle, on both sides.
-double LobeWidth(double exponent) { return 2 * R1::Acos(R1::Pow(0.5, 1 / std::max(exponent, 1.0))); }
 
 void DrawTriangles(const SurfaceBatch& batch) {
   glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(batch.count), GL_UNSIGNED_INT,
@@ -202,7 +199,6 @@ std::shared_ptr<GpuSurfaces> SurfaceDrawer::Upload(const ScenePicture& picture) 
   uploaded->diffuse_light = picture.diffuse_light;
   uploaded->background = picture.background;
   uploaded->features = FeaturesOf(picture);
-  uploaded->glossy = picture.glossy;
   uploaded->head_light = picture.lights.head_light;
   uploaded->preview_lights = picture.lights.lights;
   UploadTriangles(*uploaded, picture.surfaces);
@@ -212,6 +208,7 @@ std::shared_ptr<GpuSurfaces> SurfaceDrawer::Upload(const ScenePicture& picture) 
   for (const SurfaceBatch& batch : picture.surfaces.batches) {
     AddTexture(uploaded->textures, batch.material.texture.get(), false);
     AddTexture(uploaded->reliefs, batch.material.bump.get(), true);
+    AddTexture(uploaded->reliefs, batch.material.normal_map.get(), true);
   }
   if (picture.environment) {
     glBindTexture(GL_TEXTURE_2D, uploaded->environment.emplace().Name());
@@ -250,6 +247,7 @@ const ShaderProgram& SurfaceDrawer::ProgramFor(const SurfaceFeatures& features) 
   program.Use();
   glUniform1i(program["paint"], paint_unit);
   glUniform1i(program["relief"], relief_unit);
+  glUniform1i(program["normal_map"], normal_map_unit);
   glUniform1i(program["environment"], environment_unit);
   glUniform1i(program["shadow_maps"], shadows_unit);
   glUniformBlockBinding(program.Name(), glGetUniformBlockIndex(program.Name(), "Lights"), lights_binding);
@@ -291,7 +289,7 @@ void SurfaceDrawer::UseMaterial(const ShaderProgram& program, const GpuSurfaces&
   Set(program, "kr", m.kr);
   Set(program, "through", m.kt);
   Set(program, "exponent", m.n);
-  Set(program, "lobe", surfaces.glossy ? LobeWidth(m.n) : 0);
+  Set(program, "lobe", m.lobe);
   Set(program, "ir", m.ir);
   Set(program, "coat", m.coat);
   Set(program, "least_rim", rim * std::max(Luminance(m.kr), Luminance(m.kt)));
@@ -300,12 +298,18 @@ void SurfaceDrawer::UseMaterial(const ShaderProgram& program, const GpuSurfaces&
     glUniform1i(program["is_ambient_painted"], m.texture && m.texture_multiplies_ambient ? 1 : 0);
     if (m.texture) glBindTexture(GL_TEXTURE_2D, surfaces.textures.at(m.texture.get()).Name());
   }
+  const auto bind = [&](GLint unit, const Texture& relief) {
+    glActiveTexture(GL_TEXTURE0 + unit);
+    glBindTexture(GL_TEXTURE_2D, surfaces.reliefs.at(&relief).Name());
+    glActiveTexture(GL_TEXTURE0);
+  };
   if (surfaces.features.bumps) {
     Set(program, "height", m.bump ? m.bump_height : 0);
-    if (!m.bump) return;
-    glActiveTexture(GL_TEXTURE0 + relief_unit);
-    glBindTexture(GL_TEXTURE_2D, surfaces.reliefs.at(m.bump.get()).Name());
-    glActiveTexture(GL_TEXTURE0);
+    if (m.bump) bind(relief_unit, *m.bump);
+  }
+  if (surfaces.features.normal_maps) {
+    glUniform1i(program["is_mapped"], m.normal_map ? 1 : 0);
+    if (m.normal_map) bind(normal_map_unit, *m.normal_map);
   }
 }
 

@@ -152,6 +152,25 @@ vec3 Bumped(vec3 N, float side) {
 }
 )";
 
+// The tracer's NormalMapped. Along u, v stays as it is, and the other way round; the sign of the texture's area on the
+// screen tells which of both ways.
+constexpr const char* normal_maps = R"(
+uniform sampler2D normal_map;
+uniform int is_mapped;
+vec3 NormalMapped(vec3 N, float side) {
+  vec3 along = dFdx(position), upward = dFdy(position);
+  vec2 du = dFdx(place), dv = dFdy(place);
+  float turn = sign(du.x * dv.y - du.y * dv.x);
+  vec3 c = texture(normal_map, place).rgb;
+  if (turn == 0.0 || c == vec3(0)) return N;
+  vec3 along_u = turn * normalize(dv.y * along - du.y * upward);
+  vec3 along_v = turn * normalize(du.x * upward - dv.x * along);
+  vec3 tilt = 2.0 * c - 1.0;
+  vec3 mapped = side * (tilt.r * along_u + tilt.g * along_v) + tilt.b * N;
+  return dot(mapped, mapped) > 0.0 ? normalize(mapped) : N;
+}
+)";
+
 // FresnelReflectance and Coat of the tracer.
 constexpr const char* fresnel = R"(
 float Fresnel(float cosine, float eta) {
@@ -234,6 +253,9 @@ void main() {
   bool entering = gl_FrontFacing;
   float side = entering ? 1.0 : -1.0;
   vec3 N = side * normalize(outward);
+#ifdef NORMAL_MAPS
+  if (is_mapped != 0) N = NormalMapped(N, side);
+#endif
 #ifdef BUMPS
   if (height != 0.0) N = Bumped(N, side);
 #endif
@@ -296,6 +318,7 @@ std::string SurfaceFragmentShader(const SurfaceFeatures& features) {
   text += features.environment ? environment : background;
   add(features.textures, "TEXTURES", textures);
   add(features.bumps, "BUMPS", bumps);
+  add(features.normal_maps, "NORMAL_MAPS", normal_maps);
   add(features.diffuse_light, "DIFFUSE_LIGHT", diffuse_light);
   add(features.coats, "COATS", coats);
   add(features.fresnel, "FRESNEL", fresnel);

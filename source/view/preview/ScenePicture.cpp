@@ -10,6 +10,7 @@
 #include <unordered_map>
 
 #include "R1/Elementary.h"
+#include "source/integrate/Bsdf.h"
 
 namespace ray {
 namespace {
@@ -102,13 +103,17 @@ float AsFloat(double x) {
   return static_cast<float>(std::clamp(x, -most, most));
 }
 
-SurfaceMaterial LookOf(const Material& m, const Scene& scene, const DrawingSpace& space) {
+/// The angle at which Phong's lobe is half as strong as in the middle, on both sides.
+double LobeWidth(double exponent) { return 2 * R1::Acos(R1::Pow(0.5, 1 / std::max(exponent, 1.0))); }
+
+SurfaceMaterial LookOf(const Material& m, const Scene& scene, const DrawingSpace& space, const TraceSettings& trace) {
   SurfaceMaterial look;
   look.emission = m.emission;
   look.ambient = m.ka * scene.ambient;
   look.kd = m.kd, look.ks = m.ks, look.kr = m.kr, look.kt = m.kt;
   look.n = m.n, look.ir = m.ir, look.coat = m.coat;
-  look.texture = m.texture, look.bump = m.bump;
+  look.lobe = IsGlossy(m, trace) ? LobeWidth(GlossExponent(m)) : 0;
+  look.texture = m.texture, look.bump = m.bump, look.normal_map = m.normal_map;
   look.texture_multiplies_ambient = m.texture_multiplies_ka;
   look.bump_height = m.bump_height / space.radius;
   return look;
@@ -130,10 +135,10 @@ struct Draft {
 
 class Builder {
  public:
-  Builder(const World& world, const DrawingSpace& space, const PictureBudget& budget)
-      : world_(world), space_(space), budget_(budget), plan_(PlanFor(world, budget)) {
+  Builder(const World& world, const TraceSettings& trace, const DrawingSpace& space, const PictureBudget& budget)
+      : world_(world), trace_(trace), space_(space), budget_(budget), plan_(PlanFor(world, budget)) {
     for (const Instance& instance : world.Instances())
-      has_textures_ |= instance.material->texture || instance.material->bump;
+      has_textures_ |= instance.material->texture || instance.material->bump || instance.material->normal_map;
   }
 
   ScenePicture Run() {
@@ -225,7 +230,7 @@ class Builder {
     const auto [found, is_new] = number_of_.try_emplace(material, drafts_.size());
     if (is_new) {
       drafts_.emplace_back();
-      drafts_.back().batch.material = LookOf(*material, world_.scene(), space_);
+      drafts_.back().batch.material = LookOf(*material, world_.scene(), space_, trace_);
       // Where light from the environment alone is shown bent, nothing else is seen through.
       const bool is_bending = material->ir != 1 && world_.scene().environment;
       drafts_.back().batch.is_clear = Luminance(material->kt) > 0 && !is_bending;
@@ -264,6 +269,7 @@ class Builder {
   }
 
   const World& world_;
+  const TraceSettings& trace_;
   const DrawingSpace& space_;
   const PictureBudget& budget_;
   Plan plan_;
@@ -279,7 +285,7 @@ class Builder {
 ScenePicture PictureOf(const World& world, const RenderSettings& settings, const DrawingSpace& space,
                        const PictureBudget& budget) {
   const Scene& scene = world.scene();
-  ScenePicture picture = Builder(world, space, budget).Run();
+  ScenePicture picture = Builder(world, settings.trace, space, budget).Run();
   picture.lights = PreviewLightsOf(world, settings, space);
   picture.background = scene.background;
   picture.environment = scene.environment;
@@ -288,7 +294,6 @@ ScenePicture PictureOf(const World& world, const RenderSettings& settings, const
   else if (settings.mode == RenderMode::path)
     picture.diffuse_light = DiffuseLightOf(scene.background);
   picture.fresnel = settings.trace.fresnel;
-  picture.glossy = settings.trace.glossy;
   return picture;
 }
 

@@ -26,7 +26,7 @@ struct ScenePicture {
   DiffuseLight diffuse_light;                      // of the environment; in mode path also of the background
   R2::Color background;                            // seen where there is no environment
   std::shared_ptr<const Environment> environment;  // null for none
-  bool fresnel = false, glossy = false;            // as in TraceSettings
+  bool fresnel = false;                            // as in TraceSettings
   std::int64_t primitives = 0;                     // of the scene
   std::int64_t as_boxes = 0;                       // of these shown as their bounding boxes, because there are too many
   std::int64_t left_out = 0;                       // of these not shown at all, for the same reason; evenly spread

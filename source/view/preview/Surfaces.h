@@ -20,7 +20,8 @@ struct SurfaceMaterial {
   R2::Color emission, ambient;  // the latter: ka times the scene's ambient light
   R2::Color kd, ks, kr, kt;
   double n = 1, ir = 1, coat = 0;
-  std::shared_ptr<const Texture> texture, bump;  // null for none
+  double lobe = 0;  // angle, in radians, over which a glossy reflection is spread; 0: mirrored
+  std::shared_ptr<const Texture> texture, bump, normal_map;  // null for none
   bool texture_multiplies_ambient = false;
   double bump_height = 0;  // in the drawing space
 };

@@ -60,7 +60,7 @@ R2::Image Thicket() {
   ray::ScenePicture picture;
   picture.environment = std::make_shared<const ray::Environment>(image);
   picture.diffuse_light = ray::DiffuseLightOf(*picture.environment);
-  picture.fresnel = picture.glossy = true;
+  picture.fresnel = true;
   for (int i = 0; i < 5; ++i) picture.lights.lights.push_back({color(), {number(), number(), number()}});
   picture.lights.lights.push_back({color(), {0, 0, -3}, false, {0, 0, 1}, 0.9, 8});
   ray::Surfaces& surfaces = picture.surfaces;
@@ -69,6 +69,7 @@ R2::Image Thicket() {
     m.ambient = 0.1 * color(), m.kd = color(), m.ks = color(), m.kr = 0.3 * color(), m.n = 20, m.ir = 1.5;
     if (batch % 2) m.texture = texture;
     if (batch % 4 == 2) m.bump = texture, m.bump_height = 0.1;
+    if (batch % 4 == 1) m.normal_map = texture, m.lobe = 0.5;
     if (batch % 4 == 3) m.coat = 1.4;
     if (batch >= 6) m.kt = color();
     constexpr std::uint32_t count = 3 * 750;

@@ -92,6 +92,35 @@ TEST_P(Preview, HasTheReliefOfTheTracer) {
   EXPECT_LT(Differing(project::Stage(project::Root() / "scenes/bump.scn"), 25, settings), 0.06);
 }
 
+// Of one color, so that it does not matter how much of the map a pixel shows.
+TEST_P(Preview, TiltsNormalsAsTheTracerDoesOnEveryShapeMirroredOrNot) {
+  R2::Image map(1, 1);
+  map.Set(0, 0, {0.75, 0.35, 0.9});
+  const auto slope = std::make_shared<const ray::Texture>(ray::Texture{map});
+  ray::RenderSettings settings;
+  settings.trace.shadows = false;  // also seen from within a ball
+  const std::string lit = camera + "ambient 0.2 0.2 0.2\ndir_light 0.8 0.8 0.8  -1 -0.5 -2\n" +
+                          Material("0.7 0.6 0.5  0 0 0  0 0 0  0 0 0  20 1 0");
+  for (const char* x : {"1 0 0 0", "-1 0 0 0"})
+    for (const std::string shape :
+         {"sphere 0  0 0 0  1", "sphere 0  0 0 0  8", "box 0  -1 -1 -1  0.9 0.9 0.5", "cylinder 0  0 0 0  1 1.5",
+          "cone 0  0 0 0  1 1.5", "torus 0  0 0 0  0.9 0.3", "disc 0  0 0 0  0.2 0.1 1  1",
+          "tri 0  3 -3 -1  -3 -3 -1  0 3 -1", "quad 0  -1 -1 0  1 -1 0  1 1 0  -1 1 0"}) {
+      ray::Scene scene =
+          project::FromText(lit + "begin -1  " + x + "  0 1 0 0  0 0 1 0  0 0 0 1\n" + shape + "\nend\n");
+      scene.materials.back().normal_map = slope;
+      EXPECT_LT(Differing(project::Stage(std::move(scene)), 3, settings), 2 * outline) << x << "; " << shape;
+    }
+}
+
+TEST_P(Preview, SpreadsWhatAGlossyMaterialMirrorsAsTheTracerDoes) {
+  const project::Stage around(project::Root() / "scenes/environment_probe.scn");
+  ray::Scene scene =
+      project::FromText(camera + Material("0 0 0  0.9 0.9 0.9  0 0 0  0 0 0  20 1 0") + "gloss 0  20 256\n" + ball);
+  scene.environment = around.scene->environment;
+  EXPECT_LT(Differing(project::Stage(std::move(scene)), 20), 0.05);
+}
+
 TEST_P(Preview, MirrorsItsBackgroundAndLetsItThrough) {
   const std::string lit = camera + "background 0.5 0.6 0.7\ndir_light 0.5 0.5 0.5  0 0 -1\n";
   const project::Stage mirror(

@@ -94,6 +94,21 @@ TEST(ScenePicture, HasTextureCoordinatesWhereThereAreTextures) {
   EXPECT_GT(places.size(), 20u);
 }
 
+TEST(ScenePicture, SpreadsReflectionsByTheirGlossOrByTheExponentWhereAllAreGlossy) {
+  const std::string material = "material  0 0 0  0 0 0  1 1 1  0 0 0  0 0 0  50 1 0\n";
+  const project::Stage sharp(project::FromText(material + "sphere 0  0 0 0  1\n"));
+  const project::Stage blurred(project::FromText(material + "gloss 0  8 1\nsphere 0  0 0 0  1\n"));
+  const auto lobe = [](const project::Stage& stage, bool glossy) {
+    ray::RenderSettings settings;
+    settings.trace.glossy = glossy;
+    return ray::PictureOf(stage.world, settings, {}).surfaces.batches.at(0).material.lobe;
+  };
+  const auto half_as_strong = [](double exponent) { return 2 * std::acos(std::pow(0.5, 1 / exponent)); };
+  EXPECT_EQ(lobe(sharp, false), 0);
+  EXPECT_NEAR(lobe(sharp, true), half_as_strong(50), 1e-12);
+  for (const bool glossy : {false, true}) EXPECT_NEAR(lobe(blurred, glossy), half_as_strong(8), 1e-12);
+}
+
 TEST(ScenePicture, AbsorbsOnHalfTheMeanWayThroughABall) {
   const project::Stage stage(project::FromText(
       "material  0 0 0  0 0 0  0 0 0  1 1 1  0 0 0  1 1.5 0\nabsorb 0  0.3 0 0\nsphere 0  0 0 0  3\n"));
