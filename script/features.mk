@@ -9,7 +9,9 @@ EXR_LIBS := $(or $(call pkg,--libs,OpenEXR),-lOpenEXR -lImath -lIex)
 YAML_CFLAGS := $(patsubst -I%,-isystem%,$(call pkg,--cflags,yaml-cpp))
 YAML_LIBS := $(or $(call pkg,--libs,yaml-cpp),-lyaml-cpp)
 IMGUI_CFLAGS := $(patsubst -I%,-isystem%,$(or $(call pkg,--cflags,imgui),-I/usr/include/imgui))
-IMGUI_LIBS := $(or $(call pkg,--libs,imgui),-limgui)
+# Debian's Dear ImGui leaves fonts to a library of their own, which only pkg-config would tell.
+STB := $(if $(filter /%,$(shell $(CXX) -print-file-name=libstb.so 2>/dev/null)),-lstb)
+IMGUI_LIBS := $(or $(call pkg,--libs,imgui),-limgui $(STB))
 
 ifneq ($(filter-out clean uninstall check dist,$(or $(MAKECMDGOALS),all)),)
 FOUND := $(shell $(CXX) $(CPPFLAGS) $(EXR_CFLAGS) $(YAML_CFLAGS) $(IMGUI_CFLAGS) -std=c++20 -E -P -x c++ script/features.h)

@@ -2,91 +2,154 @@
 # The two commands in a bare system; see README.md beside this file.
 set -eu
 
-if [ $# != 1 ] || [ "$(id -u)" != 0 ]; then
-  echo "usage, as root: tests/fresh/run.sh FOLDER" >&2
-  exit 2
-fi
+usage() { echo "usage, as root: tests/fresh/run.sh FOLDER [none|sudo|root]..." >&2; exit 2; }
+
+[ $# -gt 0 ] && [ "$(id -u)" = 0 ] || usage
 tree=$(cd "$(dirname "$0")/../.." && pwd)
 mkdir -p "$1"
 folder=$(cd "$1" && pwd)
-root=$folder/root
+shift
+[ $# -gt 0 ] || set -- none sudo root
+for rights in "$@"; do
+  case "$rights" in none|sudo|root) ;; *) usage ;; esac
+done
 tar=$folder/bookworm.tar
+times=$folder/seconds
 
 say() { printf '\n=== %s\n' "$*"; }
 fail() { printf 'FAILED: %s\n' "$*" >&2; exit 1; }
 in_root() { chroot "$root" /usr/bin/env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root TERM=dumb "$@"; }
+as_root() { in_root sh -c "cd /home/user/tree && $1"; }
 as_user() { in_root su user -s /bin/sh -c "cd /home/user/tree && $1"; }
 
-clean_up() {
+# timed WORDS COMMAND...: notes the seconds that the command took.
+timed() {
+  words=$1
+  shift
+  began=$(date +%s)
+  "$@" || return $?
+  echo "$(($(date +%s) - began)) s: $words" >>"$times"
+}
+
+remove_root() {
   for mount in dev/pts dev proc; do
     ! mountpoint -q "$root/$mount" || umount "$root/$mount"
   done
   [ -n "${KEEP-}" ] || rm -rf --one-file-system "$root"
 }
 
-if [ ! -e "$tar" ]; then
+make_system() {
+  [ ! -e "$tar" ] || return 0
   say "making a minimal Debian 12"
   rm -rf "$folder/new"
   debootstrap --variant=minbase bookworm "$folder/new" ${MIRROR-}
   tar -C "$folder/new" -cf "$tar.part" .
   mv "$tar.part" "$tar"
   rm -rf "$folder/new"
-fi
+}
 
-say "unpacking it"
-[ ! -e "$root" ] || fail "$root is there already; remove it"
-mkdir -p "$root"
-trap clean_up EXIT
-tar -C "$root" -xf "$tar"
-# The host knows the way to a mirror.
-cp -L /etc/resolv.conf "$root/etc/resolv.conf" 2>/dev/null || true
-cp -R /etc/apt/sources.list /etc/apt/sources.list.d "$root/etc/apt/" 2>/dev/null || true
-cp -R /etc/apt/apt.conf /etc/apt/apt.conf.d "$root/etc/apt/" 2>/dev/null || true
-cp -R /etc/apt/keyrings /etc/apt/trusted.gpg.d "$root/etc/apt/" 2>/dev/null || true
-cp -R /usr/local/share/ca-certificates "$root/usr/local/share/" 2>/dev/null || true
-# apt logs through a pseudo-terminal; the thread library counts processors through /proc.
-mount -t proc proc "$root/proc"
-mount --bind /dev "$root/dev"
-mkdir -p "$root/dev/pts"
-mount -t devpts devpts "$root/dev/pts" -o ptmxmode=666 || true
+# A bare system with a user and, in the user's home, a copy of what is committed.
+unpack_system() {
+  [ ! -e "$root" ] || fail "$root is there already; remove it"
+  mkdir -p "$root"
+  trap remove_root EXIT
+  tar -C "$root" -xf "$tar"
+  # The host knows the way to a mirror.
+  cp -L /etc/resolv.conf "$root/etc/resolv.conf" 2>/dev/null || true
+  cp -R /etc/apt/sources.list /etc/apt/sources.list.d "$root/etc/apt/" 2>/dev/null || true
+  cp -R /etc/apt/apt.conf /etc/apt/apt.conf.d "$root/etc/apt/" 2>/dev/null || true
+  cp -R /etc/apt/keyrings /etc/apt/trusted.gpg.d "$root/etc/apt/" 2>/dev/null || true
+  cp -R /usr/local/share/ca-certificates "$root/usr/local/share/" 2>/dev/null || true
+  # apt logs through a pseudo-terminal; the thread library counts processors through /proc.
+  mount -t proc proc "$root/proc"
+  mount --bind /dev "$root/dev"
+  mkdir -p "$root/dev/pts"
+  mount -t devpts devpts "$root/dev/pts" -o ptmxmode=666 || true
+  in_root useradd -m user
+  mkdir "$root/home/user/tree"
+  git -C "$tree" archive HEAD | tar -C "$root/home/user/tree" -xf -
+  in_root chown -R user:user /home/user/tree
+}
 
-in_root useradd -m user
-mkdir "$root/home/user/tree"
-git -C "$tree" archive HEAD | tar -C "$root/home/user/tree" -xf -
-in_root chown -R user:user /home/user/tree
+expect_picture() { [ -s "$root/home/user/tree/build/sample.jpg" ] || fail "no picture"; }
+expect_owned_by_user() {
+  others=$(find "$root/home/user/tree" ! -uid "$(in_root id -u user)")
+  [ -z "$others" ] || fail "not the user's: $others"
+}
 
-say "1. command 1 without rights"
-status=0
-as_user script/setup.sh >"$folder/log1" 2>&1 || status=$?
-cat "$folder/log1"
-[ "$status" = 3 ] || fail "exit status $status instead of 3"
-grep -q 'apt-get install -y --no-install-recommends g++ make' "$folder/log1" || fail "no line for the administrator"
+# setup_again AS COMMAND: command 1 with everything there must install nothing.
+setup_again() {
+  timed "script/setup.sh again" "$1" "$2" >"$folder/log" 2>&1 || { cat "$folder/log"; fail "$2"; }
+  cat "$folder/log"
+  ! grep -q apt-get "$folder/log" || fail "a second run calls apt"
+}
 
-say "2. command 1 as root"
-in_root sh -c 'cd /home/user/tree && script/setup.sh'
-[ -s "$root/home/user/tree/build/sample.jpg" ] || fail "no picture"
-in_root chown -R user:user /home/user/tree
+with_none() {
+  say "command 1 without rights"
+  status=0
+  as_user script/setup.sh >"$folder/log" 2>&1 || status=$?
+  cat "$folder/log"
+  [ "$status" = 3 ] || fail "exit status $status instead of 3"
+  line=$(sed -n 's/^  \(apt-get update && apt-get install\)/\1/p' "$folder/log")
+  [ -n "$line" ] || fail "no line for the administrator"
+  say "the administrator runs that line"
+  timed "the administrator's line" in_root sh -c "$line"
+  as_user 'script/setup.sh -n' >"$folder/log"
+  cat "$folder/log"
+  ! grep -q -e missing -e apt-get "$folder/log" || fail "the line leaves something missing"
+}
 
-say "3. command 2 as user"
-as_user 'make test'
+with_sudo() {
+  say "command 1 as a user with sudo"
+  in_root sh -c 'apt-get update; apt-get install -y --no-install-recommends sudo' >"$folder/log" 2>&1 ||
+    { cat "$folder/log"; fail "no sudo"; }
+  echo 'user ALL=(ALL) NOPASSWD: ALL' >"$root/etc/sudoers.d/user"
+  timed "script/setup.sh as a user with sudo" as_user script/setup.sh
+  expect_picture
+  expect_owned_by_user
+  say "sudo with command 1"
+  rm "$root/home/user/tree/build/sample.jpg" "$root/home/user/tree/build/rayimg"
+  setup_again as_user 'sudo script/setup.sh'
+  expect_picture
+  expect_owned_by_user
+}
 
-say "4. command 1 again"
-in_root sh -c 'cd /home/user/tree && script/setup.sh' >"$folder/log4" 2>&1
-cat "$folder/log4"
-! grep -q apt-get "$folder/log4" || fail "a second run calls apt"
-in_root chown -R user:user /home/user/tree
+with_root() {
+  say "command 1 as root"
+  timed "script/setup.sh as root" as_root script/setup.sh
+  expect_picture
+  in_root chown -R user:user /home/user/tree
 
-say "5. make install, and the installed program elsewhere"
-as_user 'make install DESTDIR=/home/user/stage PREFIX=/opt'
-stage=/home/user/stage/opt
-as_user "cd / && $stage/bin/raypro $stage/share/raypro/scenes/hello.scn /home/user/hello.png"
-[ -s "$root/home/user/hello.png" ] || fail "the installed program made no picture"
-as_user "cd / && $stage/bin/rayimg info /home/user/hello.png"
+  say "command 2 as user"
+  timed "make test" as_user 'make test'
 
-say "6. make uninstall"
-as_user 'make uninstall DESTDIR=/home/user/stage PREFIX=/opt'
-left=$(find "$root/home/user/stage" -mindepth 1)
-[ -z "$left" ] || fail "left behind: $left"
-as_user 'make installcheck'
+  say "command 1 again"
+  setup_again as_root script/setup.sh
+  in_root chown -R user:user /home/user/tree
+
+  say "make install, and the installed program elsewhere"
+  as_user 'make install DESTDIR=/home/user/stage PREFIX=/opt'
+  stage=/home/user/stage/opt
+  as_user "cd / && $stage/bin/raypro $stage/share/raypro/scenes/hello.scn /home/user/hello.png"
+  [ -s "$root/home/user/hello.png" ] || fail "the installed program made no picture"
+  as_user "cd / && $stage/bin/rayimg info /home/user/hello.png"
+
+  say "make uninstall"
+  as_user 'make uninstall DESTDIR=/home/user/stage PREFIX=/opt'
+  left=$(find "$root/home/user/stage" -mindepth 1)
+  [ -z "$left" ] || fail "left behind: $left"
+  as_user 'make installcheck'
+}
+
+: >"$times"
+make_system
+for rights in "$@"; do
+  say "unpacking a bare system: $rights"
+  root=$folder/$rights
+  unpack_system
+  "with_$rights"
+  remove_root
+done
 
 say "all is well"
+cat "$times"
