@@ -1,14 +1,21 @@
 #include "source/app/options/Completion.h"
 
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include "R2/ImageFile.h"
 #include "source/app/options/OptionTable.h"
+#include "source/parse/Format.h"
+#include "source/parse/meshes/MeshFormat.h"
 
 namespace ray {
 namespace {
 
-/// The words with blanks between them.
-std::string Joined(const std::vector<std::string>& words) {
+/// The words with blanks, or something else, between them.
+std::string Joined(const std::vector<std::string>& words, const std::string& between = " ") {
   std::string line;
-  for (const std::string& word : words) line += (line.empty() ? "" : " ") + word;
+  for (const std::string& word : words) line += (line.empty() ? "" : between) + word;
   return line;
 }
 
@@ -32,8 +39,54 @@ std::vector<std::string> OptionNames(Program program, const CommandKind* command
   return names;
 }
 
+/// Without dots: "png"; empty where a file may be called anything, and for folders.
+std::vector<std::string> ExtensionsOf(FileKind kind) {
+  std::vector<std::string> extensions;
+  const auto add = [&](std::string extension) {
+    if (extension.starts_with('.')) extension.erase(0, 1);
+    if (std::ranges::find(extensions, extension) == extensions.end()) extensions.push_back(extension);
+  };
+  if (kind == FileKind::image)
+    for (const R2::ImageFormat& format : R2::ImageFormats()) std::ranges::for_each(format.extensions, add);
+  if (kind == FileKind::scene) {
+    for (const SceneFormat* format : SceneFormats()) std::ranges::for_each(format->extensions, add);
+    for (const MeshFormat* format : MeshFormats()) add(format->extension);
+  }
+  if (kind == FileKind::scn) add("scn");
+  if (kind == FileKind::json) add("json");
+  return extensions;
+}
+
+/// What the files named first are; raypro writes an image after its scene.
+FileKind FirstFiles(Program program) { return program == Program::rayimg ? FileKind::image : FileKind::scene; }
+
+bool IsListOfNames(const OptionKind& option) {
+  const auto* word = std::get_if<Word>(&option.value);
+  return word && word->is_list;
+}
+
 std::string Offer(const std::vector<std::string>& words) {
   return "COMPREPLY=($(compgen -W '" + Joined(words) + "' -- \"$word\"))";
+}
+
+/// Offers what may come behind the last comma.
+std::string OfferInList(const std::vector<std::string>& words) {
+  return "COMPREPLY=($(compgen -P \"${word%\"${word##*,}\"}\" -W '" + Joined(words) + "' -- \"${word##*,}\"))";
+}
+
+std::string OfferFiles(Program program, FileKind kind) {
+  if (kind == FileKind::any) return "COMPREPLY=($(compgen -f -- \"$word\"))";
+  if (kind == FileKind::folder) return "COMPREPLY=($(compgen -d -- \"$word\"))";
+  return "_" + NameOf(program) + "_files '" + Joined(ExtensionsOf(kind), "|") + "'";
+}
+
+/// Offers what an option takes; nothing where that is a number.
+std::string BashArgument(Program program, const OptionKind& option) {
+  const auto values = NamedValues(option);
+  if (IsListOfNames(option)) return OfferInList(values) + "; ";
+  if (!values.empty()) return Offer(values) + "; ";
+  const auto kind = FileOf(option);
+  return kind ? OfferFiles(program, *kind) + "; " : "";
 }
 
 /// Offers options: those of the command that came first, where the program has commands.
@@ -45,66 +98,122 @@ std::string BashOptions(Program program) {
   return text + "      *) " + Offer(OptionNames(program, nullptr)) + " ;;\n    esac\n";
 }
 
+/// Offers what is no option: commands, scenes, and images once a scene is named, unless there may be several.
+std::string BashNames(Program program) {
+  std::string text;
+  if (!CommandsOf(program).empty())
+    text += "  elif [[ $COMP_CWORD -eq 1 ]]; then\n    " + Offer(CommandNamesOf(program)) + "\n";
+  if (program == Program::raypro)
+    text += "  elif [[ $line == *.@(" + Joined(ExtensionsOf(FileKind::scene), "|") +
+            ")' '* && $line != *' -out_folder '* ]]; then\n    " + OfferFiles(program, FileKind::image) + "\n";
+  return text + "  else\n    " + OfferFiles(program, FirstFiles(program)) + "\n  fi\n";
+}
+
+/// A function that offers folders, and the files of some extensions in any letter case.
+std::string BashFiles(const std::string& name) {
+  return "_" + name +
+         "_files() {\n"
+         "  local file IFS=$'\\n'\n"
+         "  COMPREPLY=($(compgen -d -- \"$word\"))\n"
+         "  for file in $(compgen -f -- \"$word\"); do\n"
+         "    [[ ${file,,} != *.@($1) ]] || COMPREPLY+=(\"$file\")\n"
+         "  done\n"
+         "}\n";
+}
+
 std::string Bash(Program program) {
   const std::string name = NameOf(program);
   std::string cases;
   for (const OptionKind& option : OptionTable(program))
-    if (!Choices(option).empty())
-      cases += "    -" + std::string(option.name) + ") " + Offer(Choices(option)) + "; return ;;\n";
-  const std::string commands = CommandsOf(program).empty() ? ""
-                                                           : "  elif [[ $COMP_CWORD -eq 1 ]]; then\n    " +
-                                                                 Offer(CommandNamesOf(program)) + "\n";
-  return "_" + name +
+    if (MostArguments(option) > 0)
+      cases += "    -" + std::string(option.name) + ") " + BashArgument(program, option) + "return ;;\n";
+  // Bash takes "-bits=8" for three words.
+  return BashFiles(name) + "_" + name +
          "() {\n"
          "  local word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD-1]}\n"
+         "  local line=\" ${COMP_WORDS[*]:0:COMP_CWORD} \"\n"
+         "  [[ $word != = ]] || word=\n"
+         "  [[ $before != = ]] || before=${COMP_WORDS[COMP_CWORD-2]}\n"
+         "  COMPREPLY=()\n"
          "  case $before in\n" +
          cases +
          "  esac\n"
          "  if [[ $word == -* ]]; then\n" +
-         BashOptions(program) + commands +
-         "  else\n"
-         "    COMPREPLY=($(compgen -f -- \"$word\"))\n"
-         "  fi\n"
+         BashOptions(program) + BashNames(program) +
          "}\n"
          "complete -o filenames -F _" +
          name + " " + name + "\n";
 }
 
+std::string ZshFiles(FileKind kind) {
+  if (kind == FileKind::any) return "_files";
+  if (kind == FileKind::folder) return "_files -/";
+  return "_files -g \"*.(#i)(" + Joined(ExtensionsOf(kind), "|") + ")\"";
+}
+
+/// What completes an argument; a blank where nothing does.
+std::string ZshArgument(const OptionKind& option) {
+  const auto values = NamedValues(option);
+  if (IsListOfNames(option)) return "_values -s , " + std::string(option.name) + " " + Joined(values);
+  if (!values.empty()) return "(" + Joined(values) + ")";
+  const auto kind = FileOf(option);
+  return kind ? ZshFiles(*kind) : " ";
+}
+
 std::string ZshSpecification(const OptionKind& option) {
   std::string text = "  '" + std::string(MayBeRepeated(option) ? "*" : "") + "-" + option.name + "[" +
                      Quotable(option.help, "[]:") + "]";
-  const auto choices = Choices(option);
   const std::string optional = FewestArguments(option) < MostArguments(option) ? ":" : "";
-  for (const char* argument : option.arguments) {
-    text += ":" + optional + Quotable(argument, ":") + ":";
-    text += choices.empty() ? "_files" : "(" + Joined(choices) + ")";
-  }
+  for (const char* argument : option.arguments)
+    text += ":" + optional + Quotable(argument, ":") + ":" + ZshArgument(option);
   return text + "' \\\n";
 }
 
 std::string Zsh(Program program) {
   std::string text = "#compdef " + NameOf(program) + "\n_arguments \\\n";
   for (const OptionKind& option : OptionTable(program)) text += ZshSpecification(option);
+  const std::string first = ZshFiles(FirstFiles(program));
   if (!CommandsOf(program).empty())
-    return text + "  '1:command:(" + Joined(CommandNamesOf(program)) + ")' \\\n  '*:picture:_files'\n";
-  return text + "  '1:scene:_files'" + (program == Program::raypro ? " \\\n  '2:picture:_files'\n" : "\n");
+    return text + "  '1:command:(" + Joined(CommandNamesOf(program)) + ")' \\\n  '*:picture:" + first + "'\n";
+  text += "  '1:scene:" + first + "'";
+  return text + (program == Program::raypro ? " \\\n  '2:picture:" + ZshFiles(FileKind::image) + "'\n" : "\n");
+}
+
+/// Files of some extensions come before others, in this order.
+std::string FishFiles(const std::vector<std::string>& extensions) {
+  return " -k -a '(for extension in ." + Joined(extensions, " .") + "; __fish_complete_suffix $extension; end)'";
+}
+
+/// What completes the arguments of an option that has some.
+std::string FishArgument(const OptionKind& option) {
+  const auto values = NamedValues(option);
+  if (IsListOfNames(option)) return " -x -a '(__fish_append , " + Joined(values) + ")'";
+  if (!values.empty()) return " -x -a '" + Joined(values) + "'";
+  const auto kind = FileOf(option);
+  if (!kind) return " -x";
+  if (*kind == FileKind::any) return " -r";
+  if (*kind == FileKind::folder) return " -x -a '(__fish_complete_directories)'";
+  return " -x" + FishFiles(ExtensionsOf(*kind));
 }
 
 std::string Fish(Program program) {
   const std::string complete = "complete -c " + NameOf(program);
   std::string text;
   for (const CommandKind& command : CommandsOf(program))
-    text += complete + " -n __fish_use_subcommand -a " + command.name + " -d '" + Quotable(command.help, "\\") + "'\n";
+    text +=
+        complete + " -n __fish_use_subcommand -f -a " + command.name + " -d '" + Quotable(command.help, "\\") + "'\n";
   for (const OptionKind& option : OptionTable(program)) {
     text += complete;
     if (!option.commands.empty())
       text += " -n '__fish_seen_subcommand_from " + Joined({option.commands.begin(), option.commands.end()}) + "'";
     text += " -o " + std::string(option.name) + " -d '" + Quotable(option.help, "\\") + "'";
-    const auto choices = Choices(option);
-    if (!choices.empty()) text += " -x -a '" + Joined(choices) + "'";
-    if (choices.empty() && !option.arguments.empty()) text += " -r";
+    if (MostArguments(option) > 0) text += FishArgument(option);
     text += "\n";
   }
+  auto names = ExtensionsOf(FirstFiles(program));
+  if (program == Program::raypro) std::ranges::copy(ExtensionsOf(FileKind::image), std::back_inserter(names));
+  if (!CommandsOf(program).empty()) text += complete + " -n 'not __fish_use_subcommand' -f" + FishFiles(names) + "\n";
+  if (CommandsOf(program).empty()) text += complete + " -f" + FishFiles(names) + "\n";
   return text;
 }
 

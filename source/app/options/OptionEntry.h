@@ -26,13 +26,13 @@ OneNameOf OneOfNames(Lambda, std::vector<std::string> (*choices)()) {
 
 /// A word that `read` understands, or has nothing for, and `show` writes.
 template <auto read, auto show, class Lambda>
-Word WordOf(Lambda, const char* range) {
+Word WordOf(Lambda, const char* range, std::vector<std::string> (*names)() = nullptr, bool is_list = false) {
   return {[](Options& options, const std::string& word) {
             const auto value = read(word);
             if (value) Lambda{}(options) = *value;
             return value.has_value();
           },
-          [](const Options& options) { return std::string(show(Lambda{}(options))); }, range};
+          [](const Options& options) { return std::string(show(Lambda{}(options))); }, range, names, is_list};
 }
 
 }  // namespace ray

@@ -54,6 +54,10 @@ std::vector<std::string> PanelThemes() { return {panel_themes.begin(), panel_the
 
 std::vector<std::string> ContextNames() { return {context_names.begin(), context_names.end()}; }
 
+std::vector<std::string> LayerNames() { return {layer_names.begin(), layer_names.end()}; }
+
+std::vector<std::string> LightCountNames() { return {"all", "one", "auto"}; }
+
 std::vector<std::string> Shells() { return {"bash", "zsh", "fish"}; }
 
 std::vector<std::string> CommandLinesOfCourses() { return {"comp30019"}; }
@@ -153,15 +157,15 @@ std::vector<OptionKind> MakeTable() {
       {"srgb", both, {}, {}, Flag{AT(encoding.srgb)}, "", "picture",
        "linear workflow: decode 8-bit textures from sRGB, encode the image in sRGB"},
       {"layers", raypro, {}, {"list"}, WordOf<ReadLayerList, ShowLayerList>(AT(layers),
-        "some of depth, normal, uv, albedo and id, separated by commas"), "", "picture",
+        "some of depth, normal, uv, albedo and id, separated by commas", LayerNames, true), "", "picture",
        "extra output layers (AOVs): channels of an EXR, or files beside the image, out.depth.png"},
       {"bits", both, {}, {"n"}, OneNumberOf{AT(encoding.bits), {8, 16}}, "bits per channel", "picture",
        "bit depth of a PNG"},
       {"jpeg_quality", both, {}, {"n"}, Whole{AT(encoding.jpeg_quality), 1, 100}, "", "picture", "JPEG quality"},
 
-      {"image", rayview, {}, {"file"}, FileName{AT(picture)}, "", "viewer",
+      {"image", rayview, {}, {"file"}, FileName{AT(picture), FileKind::image}, "", "viewer",
        "what key S writes; by default the first of image1.jpg, image2.jpg... that does not exist"},
-      {"output_image", rayview, {}, {"file"}, FileName{AT(view.output_image)}, "", "viewer",
+      {"output_image", rayview, {}, {"file"}, FileName{AT(view.output_image), FileKind::image}, "", "viewer",
        "save what the window shows when the program exits"},
       {"exit_immediately", rayview, {}, {}, Flag{AT(view.exit_immediately)}, "", "viewer", "draw once, save, exit"},
       {"headless", rayview, {}, {}, Flag{AT(view.headless)}, "", "viewer",
@@ -170,18 +174,18 @@ std::vector<OptionKind> MakeTable() {
        "OpenGL context of -headless (auto: the first that works)"},
       {"events", rayview, {}, {"file"}, FileName{AT(view.events)}, "", "viewer",
        "run a script of events, then exit; - reads standard input"},
-      {"screenshot", rayview, {}, {"file"}, FileName{AT(view.screenshot)}, "", "viewer",
+      {"screenshot", rayview, {}, {"file"}, FileName{AT(view.screenshot), FileKind::image}, "", "viewer",
        "save the drawing after the last event"},
       {"record", rayview, {}, {"file"}, FileName{AT(view.record)}, "", "viewer",
        "record events as a script for -events"},
-      {"reference", rayview, {}, {"file"}, FileName{AT(view.reference)}, "", "viewer",
+      {"reference", rayview, {}, {"file"}, FileName{AT(view.reference), FileKind::image}, "", "viewer",
        "an image of the same scene to compare with"},
       {"panels", rayview, {}, {"theme"}, OneOfNames(AT(view.panels), PanelThemes), "", "viewer",
        "show panels from the start; key Tab toggles them"},
 
       {"mode", both, {}, {"name"}, OneOfEnum<RenderMode>(AT(render.mode)), "", "light",
        "whitted, path: light; heat, rays: cost per pixel, black = 1, white = 10,000; or a layer"},
-      {"env", both, {}, {"file"}, FileName{AT(parse.environment)}, "", "light",
+      {"env", both, {}, {"file"}, FileName{AT(parse.environment), FileKind::image}, "", "light",
        "environment light: a latitude-longitude image, an angular probe or a cross of six faces"},
       {"max_depth", both, {"maxreflections", "max_reflections"}, {"n"},
        Number<std::int64_t>{AT(render.trace.max_depth), 0, highest<std::int64_t>}, "bounces", "light",
@@ -192,7 +196,7 @@ std::vector<OptionKind> MakeTable() {
       {"shadow_samples", both, {}, {"n"}, Whole{AT(render.trace.shadow_samples), 1, highest<int>},
        "shadow rays per light", "light", "shadow rays to each light that has an area"},
       {"lights", both, {}, {"all|one|n"}, WordOf<ReadLightCount, ShowLightCount>(AT(render.trace.lights),
-        "all, one, auto or a whole number above 0"), "", "light",
+        "all, one, auto or a whole number above 0", LightCountNames), "", "light",
        "lights sampled at each point, by importance (auto: all; path, of more than 4, one)"},
       {"glossy", both, {}, {}, Flag{AT(render.trace.glossy)}, "", "light",
        "sample glossy reflections from the Phong lobe"},
@@ -231,9 +235,9 @@ std::vector<OptionKind> MakeTable() {
        "confidence level of the interval around an estimated error"},
       {"adaptive", both, {}, {"name"}, OneOfEnum<Adaptive>(AT(render.budget.adaptive)), "", "quality",
        "with -error only blocks above it go on (auto, tile); neighbors: only those of unlike pixels"},
-      {"reference", raypro, {}, {"file[,file2]"}, FileList{AT(reference)}, "", "quality",
+      {"reference", raypro, {}, {"file[,file2]"}, FileList{AT(reference), FileKind::image}, "", "quality",
        "print the true error against an image, or two independent ones, of the same scene"},
-      {"replay", raypro, {}, {"file.json"}, FileName{AT(replay)}, "", "quality",
+      {"replay", raypro, {}, {"file.json"}, FileName{AT(replay), FileKind::json}, "", "quality",
        "reuse the sample allocation of that report: a bit-identical image"},
       {"advise", raypro, {}, {}, Request{Task::advise}, "", "quality",
        "probe the scene for some seconds: time, error and which settings pay, without rendering"},
@@ -275,10 +279,10 @@ std::vector<OptionKind> MakeTable() {
        "let the scene also read files below this folder; may be repeated"},
       {"check", raypro, {"dry-run"}, {}, Request{Task::check}, "", "scene",
        "describe the scene and point out likely mistakes, without rendering"},
-      {"convert", raypro, {}, {"out.scn"}, Request{Task::convert, Request::always}, "", "scene",
+      {"convert", raypro, {}, {"out.scn"}, Request{Task::convert, Request::always, nullptr, FileKind::scn}, "", "scene",
        "write the scene, of whatever format, as .scn: the same image, without rendering"},
 
-      {"out_folder", raypro, {}, {"folder"}, FileName{AT(out_folder)}, "", "batch",
+      {"out_folder", raypro, {}, {"folder"}, FileName{AT(out_folder), FileKind::folder}, "", "batch",
        "render every scene named, each to an image of its name in this folder"},
       {"out_format", raypro, {}, {"extension"}, OneOfNames(AT(out_format), ImageExtensionNames), "", "batch",
        "format of the images in -out_folder"},
@@ -290,7 +294,7 @@ std::vector<OptionKind> MakeTable() {
       {"stats", raypro, {}, {}, Flag{AT(stats)}, "", "messages", "print statistics of the render"},
       {"debugpixel", raypro, {}, {"x", "y"}, PixelRequest{AT(pixel), Task::debug_pixel}, "", "messages",
        "print the ray tree of a pixel (x from the left, y from the bottom), without rendering"},
-      {"report", raypro, {}, {"file.json"}, FileName{AT(report)}, "", "messages",
+      {"report", raypro, {}, {"file.json"}, FileName{AT(report), FileKind::json}, "", "messages",
        "write settings and statistics as JSON"},
       {"keep_times", both, {}, {}, Flag{AT(keep_times)}, "", "messages",
        "keep seconds and threads in the image; without, the same command gives the same bytes"},
@@ -302,7 +306,7 @@ std::vector<OptionKind> MakeTable() {
        "before all else: understand the command line of that course (raypro -help comp30019)"},
       {"list", both, {}, {"what"}, Request{Task::list, Request::perhaps, SubjectsOfList<program>}, "", "about",
        "list what this program knows"},
-      {"info", raypro, {}, {"picture"}, Request{Task::info, Request::always}, "", "about",
+      {"info", raypro, {}, {"picture"}, Request{Task::info, Request::always, nullptr, FileKind::image}, "", "about",
        "print how an image was made, from its own metadata"},
       {"complete", all, {}, {"shell"}, Request{Task::complete, Request::always, Shells}, "", "about",
        "print a shell's completion script"},

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <variant>
@@ -43,11 +44,15 @@ struct OneNameOf {
   void (*write)(Options&, const std::string& name);  // one of the choices
   bool by_number = false;                            // the place in the list will do as well, from 0
 };
+/// What a file holds, and so which extensions it may have; a folder has none.
+enum class FileKind { any, image, scene, scn, json, folder };
 struct FileName {
   Member<std::string> member;
+  FileKind kind = FileKind::any;
 };
 struct FileList {  // one or two, separated by a comma
   Member<std::vector<std::string>> member;
+  FileKind kind = FileKind::any;
 };
 struct FolderList {  // the only kind that may be repeated
   Member<std::vector<std::string>> member;
@@ -62,7 +67,9 @@ struct NumberList {
 struct Word {
   bool (*store)(Options&, const std::string& word);  // false when it is none
   std::string (*show)(const Options&);
-  const char* range;  // in words
+  const char* range;                              // in words
+  std::vector<std::string> (*names)() = nullptr;  // those of its values that have one
+  bool is_list = false;                           // of names, separated by commas
 };
 struct Rectangle {
   Member<std::optional<PixelRectangle>> member;
@@ -75,6 +82,7 @@ struct Request {  // a task other than the program's own
   Task task;
   enum { nothing, perhaps, always } takes_subject = nothing;
   std::vector<std::string> (*subjects)() = nullptr;  // what the subject may be; null for a file name
+  FileKind kind = FileKind::any;                     // of that file
 };
 
 using OptionValue =
@@ -84,7 +92,8 @@ using OptionValue =
 /// Whose option it is; `both` are raypro and rayview, which render scenes.
 enum class KnownTo { raypro, rayview, both, rayimg, all };
 
-/// One option. The parser, -help, the manual page, the completions, the report and docs/options.md all come from this table.
+/// One option. The parser, -help, the manual page, the completions, the report and docs/options.md all come from this
+/// table.
 struct OptionKind {
   const char* name;                    // without the dash
   KnownTo known_to;                    // two programs may each have an option of the same name
@@ -135,8 +144,12 @@ std::vector<std::string> Typed(const OptionKind& option, const Options& options)
 std::vector<std::string> Typed(const OptionKind& option, const Options& options, const Options& defaults);
 /// What may be typed: "1..1073741824 pixels", "on or off"; empty when anything may, or nothing.
 std::string Range(const OptionKind& option);
-/// The words an argument can be, for completion; empty when they are not a short list.
+/// The words an argument can be; empty when they are not a short list.
 std::vector<std::string> Choices(const OptionKind& option);
+/// The choices; or, where other words will do as well, those of a fixed meaning: "all", "one", "auto".
+std::vector<std::string> NamedValues(const OptionKind& option);
+/// What the file that it takes holds; none when it takes none.
+std::optional<FileKind> FileOf(const OptionKind& option);
 /// "-crop x0 y0 x1 y1"
 std::string Synopsis(const OptionKind& option);
 /// Whether it chooses how a picture is made, rather than what the program does.

@@ -252,6 +252,25 @@ std::vector<std::string> Choices(const OptionKind& option) {
       option.value);
 }
 
+std::vector<std::string> NamedValues(const OptionKind& option) {
+  const auto* word = std::get_if<Word>(&option.value);
+  return word && word->names ? word->names() : Choices(option);
+}
+
+std::optional<FileKind> FileOf(const OptionKind& option) {
+  return std::visit(Overloaded{
+                        [](const FileName& file) { return std::optional(file.kind); },
+                        [](const FileList& files) { return std::optional(files.kind); },
+                        [](const FolderList&) { return std::optional(FileKind::folder); },
+                        [](const Request& request) {
+                          const bool takes_file = request.takes_subject != Request::nothing && !request.subjects;
+                          return takes_file ? std::optional(request.kind) : std::nullopt;
+                        },
+                        [](const auto&) { return std::optional<FileKind>(); },
+                    },
+                    option.value);
+}
+
 std::string Range(const OptionKind& option) {
   const std::string unit = *option.unit ? " " + std::string(option.unit) : "";
   return std::visit(

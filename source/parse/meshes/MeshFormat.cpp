@@ -21,6 +21,8 @@ const std::array formats{
 
 }  // namespace
 
+std::span<const MeshFormat* const> MeshFormats() { return formats; }
+
 const MeshFormat* MeshFormatForName(const std::string& name) {
   const std::string extension = LowerCase(std::filesystem::path(name).extension().string());
   for (const MeshFormat* format : formats)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string>
 
 #include "R3/Mesh.h"
@@ -15,6 +16,8 @@ struct MeshFormat {
   R3::MeshData (*read)(const Text& file, Report& report);
 };
 
+/// Every one, in the order of mesh_formats.def.
+std::span<const MeshFormat* const> MeshFormats();
 /// By extension, in any letter case; null when no format has it.
 const MeshFormat* MeshFormatForName(const std::string& name);
 /// ".off, .ray, ..."

@@ -168,7 +168,7 @@ TEST(Manual, FormatsWithoutAWordFromRoff) {
     }
 }
 
-TEST(Completion, EveryShellLearnsEveryOption) {
+TEST(CompletionScript, TeachesEveryShellEveryOption) {
   for (const Program program : scene_programs) {
     std::string bash_words = CompletionScript(program, "bash");
     std::ranges::replace(bash_words, '\'', ' ');
@@ -179,29 +179,6 @@ TEST(Completion, EveryShellLearnsEveryOption) {
       EXPECT_TRUE(Has(CompletionScript(program, "fish"), "-c " + NameOf(program) + " -o " + name + " ")) << name;
     }
   }
-}
-
-/// What bash offers for the last of the words.
-std::string BashOffers(Program program, const std::string& words) {
-  const ray::testing::TemporaryFolder folder;
-  ray::testing::WriteFile(folder / "complete", CompletionScript(program, "bash"));
-  const std::string command = "bash -c '. " + folder / "complete" + "; COMP_WORDS=(" + words +
-                              "); COMP_CWORD=$((${#COMP_WORDS[@]} - 1)); _" + NameOf(program) +
-                              "; echo \"${COMPREPLY[@]}\"'";
-  FILE* pipe = popen(command.c_str(), "r");
-  char line[4096] = "";
-  if (pipe && !std::fgets(line, sizeof line, pipe)) line[0] = 0;
-  if (pipe) pclose(pipe);
-  return line;
-}
-
-TEST(Completion, BashFindsOptionsAndTheirChoices) {
-  if (std::system("command -v bash >/dev/null 2>&1") != 0) GTEST_SKIP() << "bash is not installed";
-  EXPECT_EQ(BashOffers(Program::raypro, "raypro -wid"), "-width\n");
-  EXPECT_EQ(BashOffers(Program::raypro, "raypro in.scn out.jpg -shadows o"), "on off\n");
-  EXPECT_EQ(BashOffers(Program::raypro, "raypro -complete z"), "zsh\n");
-  EXPECT_EQ(BashOffers(Program::rayview, "rayview in.scn -headl"), "-headless\n");
-  EXPECT_EQ(BashOffers(Program::rayview, "rayview in.scn -context o"), "osmesa\n");
 }
 
 TEST(Listing, EverySubjectListsSomethingAndAllTogetherListEverything) {
