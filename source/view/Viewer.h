@@ -29,6 +29,7 @@ struct ViewerSettings {
   RenderSettings render;  // of traced pictures; their size is that of the drawing
   std::shared_ptr<const R2::Image> reference;
   bool live_is_endless = false;  // live rendering without a budget goes on until it is stopped
+  PanelSettings panels{};        // how they look when they are first shown
 };
 
 /// An option of the program, as a panel shows it.
@@ -121,8 +122,8 @@ class Viewer {
 
   /// Makes them where they were never shown; nothing but a message where they are not built in.
   void ShowPanels(const PanelSettings& look);
-  /// How they look; once they were shown.
-  PanelSettings PanelLook() const { return panels_ ? panels_->Look() : PanelSettings(); }
+  /// How they look, or will when they are shown.
+  PanelSettings PanelLook() const { return panels_ ? panels_->Look() : settings_.panels; }
 
   // What panels ask for.
   void SetPanelLook(const PanelSettings& look);

@@ -13,6 +13,7 @@
 #include "source/app/Status.h"
 #include "source/app/options/RayproCommand.h"
 #include "source/app/options/SceneSettings.h"
+#include "source/app/rayview/PanelHabits.h"
 #include "source/app/rayview/PanelOptions.h"
 #include "source/app/rayview/SavePicture.h"
 #include "source/app/report/Messages.h"
@@ -66,18 +67,35 @@ std::string FreeRaysName() {
   }
 }
 
+/// By a user. A script waits for ends, and is to draw the same again.
+bool IsLookedAt(const Options& options) { return !options.view.headless && options.view.events.empty(); }
+
 ViewerSettings SettingsFor(const Options& options) {
   ViewerSettings settings{options.scene, options.parse, options.accelerator, options.render, nullptr};
-  // A script waits for ends, and is to draw the same again.
-  const bool is_looked_at = !options.view.headless && options.view.events.empty();
-  settings.live_is_endless = is_looked_at && !options.IsGiven("samples") && options.render.samples == 1;
+  settings.live_is_endless = IsLookedAt(options) && !options.IsGiven("samples") && options.render.samples == 1;
   return settings;
+}
+
+/// The habits of whoever looks on, which a script that is recorded must not depend on either.
+std::string HabitsFile(const Options& options) {
+  return IsLookedAt(options) && options.view.record.empty() ? PanelHabitsFile() : std::string();
 }
 
 ViewerSettings WithReference(ViewerSettings settings, const std::string& reference) {
   if (reference.empty()) return settings;
   settings.reference = ReadPictureFile(reference);
   if (!settings.reference) throw SceneErrors({ErrorIn(reference, "the file cannot be read as a picture")});
+  return settings;
+}
+
+/// `theme`: one of panel_themes.
+PanelSettings FirstLook(PanelSettings habits, const std::string& theme) {
+  if (theme != "off") habits.theme = theme == "light" ? PanelTheme::light : PanelTheme::dark;
+  return habits;
+}
+
+ViewerSettings WithLook(ViewerSettings settings, const PanelSettings& look) {
+  settings.panels = look;
   return settings;
 }
 
@@ -128,10 +146,12 @@ class Session : public ViewerHost {
         offscreen_(options.view.headless ? MakeOffscreenContext(options.view.context) : nullptr),
         painter_(window_ ? Canvas::Target::window : Canvas::Target::own),
         drawer_(painter_),
-        viewer_(WithReference(SettingsFor(options), options.view.reference), std::move(scene), *this),
+        habits_file_(HabitsFile(options)),
+        first_look_(FirstLook(LoadPanelHabits(habits_file_), options.view.panels)),
+        viewer_(WithLook(WithReference(SettingsFor(options), options.view.reference), first_look_), std::move(scene),
+                *this),
         recorder_(outputs_.record) {
-    if (options.view.panels != "off")
-      viewer_.ShowPanels({options.view.panels == "light" ? PanelTheme::light : PanelTheme::dark, 1});
+    if (options.view.panels != "off") viewer_.ShowPanels(first_look_);
   }
 
   int Run() {
@@ -144,6 +164,7 @@ class Session : public ViewerHost {
     for (const auto& output : {outputs_.output_image, outputs_.screenshot})
       if (output) ray::SaveDrawing(*output, painter_.canvas.Read(), options_);
     recorder_.Write();
+    if (!habits_file_.empty() && viewer_.PanelLook() != first_look_) SavePanelHabits(habits_file_, viewer_.PanelLook());
     return StopSignal() != 0 ? status::killed_by + StopSignal() : status_;
   }
 
@@ -318,6 +339,8 @@ class Session : public ViewerHost {
   const std::unique_ptr<Context> offscreen_;
   Painter painter_;
   Drawer drawer_;
+  const std::string habits_file_;  // empty where there are no habits
+  const PanelSettings first_look_;
   Viewer viewer_;
   Recorder recorder_;
   std::string title_;

@@ -64,6 +64,7 @@ bool Repeats(Key key) {
     case Key::page_down:
     case Key::left_bracket:
     case Key::right_bracket:
+    case Key::backspace:
     case Key::comma:
     case Key::period:
     case Key::minus:

@@ -76,6 +76,7 @@ class ImGuiPanels : public Panels {
     // The latter lets edges be dragged, whatever the pointer looks like then.
     io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset | ImGuiBackendFlags_HasMouseCursors;
     io.ConfigInputTextCursorBlink = false;
+    io.KeyRepeatDelay = std::numeric_limits<float>::max();  // keys that are held come again as events
     io.ClipboardUserData = this;
     io.SetClipboardTextFn = [](void* self, const char* text) {
       auto& panels = *static_cast<ImGuiPanels*>(self);
@@ -124,7 +125,7 @@ class ImGuiPanels : public Panels {
   double Width(const Viewer& viewer) const override {
     const double all = viewer.Size().width, widest = std::floor(widest_share * all);
     const double usual = std::min(Pixels(column_width), std::floor(column_share * all));
-    return width_ > 0 ? std::clamp(Pixels(width_), std::min(Pixels(narrowest), widest), widest) : usual;
+    return look_.width > 0 ? std::clamp(Pixels(look_.width), std::min(Pixels(narrowest), widest), widest) : usual;
   }
 
   const std::vector<PanelItem>& Items() const override { return items_; }
@@ -187,6 +188,7 @@ class ImGuiPanels : public Panels {
     const auto key = static_cast<std::size_t>(event.key);
     if (event.key == Key::tab || key >= std::size(io.KeysDown)) return false;
     if (event.is_pressed ? !TakesText(viewer) : !io.KeysDown[key]) return false;
+    if (event.is_pressed && std::exchange(io.KeysDown[key], false)) MakeFrame(viewer);  // it is held, and counts again
     io.KeysDown[key] = event.is_pressed;
     io.KeyCtrl = event.modifiers.control;
     io.KeyShift = event.modifiers.shift;
@@ -287,7 +289,7 @@ class ImGuiPanels : public Panels {
     constexpr auto flags = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                            ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoFocusOnAppearing;
     ImGui::Begin("column", nullptr, flags);
-    if (ImGui::GetWindowWidth() != width) width_ = ImGui::GetWindowWidth() / Scale();  // its edge was dragged
+    if (ImGui::GetWindowWidth() != width) look_.width = ImGui::GetWindowWidth() / Scale();  // its edge was dragged
     if (wants_text_) ImGui::LogToBuffer(0);
     for (std::size_t i = 0; i < panels_.size(); ++i) {
       if (!panels_[i]->IsOfUse(frame.viewer)) continue;
@@ -308,7 +310,6 @@ class ImGuiPanels : public Panels {
   PanelSettings look_;
   double screen_ = 1;  // pixels per unit of length
   bool is_dressed_ = false, wants_text_ = false;
-  double width_ = 0;                // units that the user has dragged it to; 0 before that
   float passed_ = 0;                // seconds since the last frame
   Holder holder_ = Holder::nobody;  // who got the press of the buttons that are down
   Viewer* viewer_ = nullptr;        // of the last frame

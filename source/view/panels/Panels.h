@@ -24,6 +24,7 @@ inline constexpr double smallest_letters = 0.75, largest_letters = 3;  // times 
 struct PanelSettings {
   PanelTheme theme = PanelTheme::dark;
   double letters = 1;  // their size, in the range above
+  double width = 0;    // of the column, in units of length at that size; 0: as usual
   friend bool operator==(const PanelSettings&, const PanelSettings&) = default;
 };
 

@@ -12,14 +12,14 @@ class LookPanel : public Panel {
     const PanelSettings now = frame.viewer.PanelLook();
     const auto ask = [&](const PanelSettings& look) { frame.Ask([look](Viewer& v) { v.SetPanelLook(look); }); };
     for (const auto& [name, theme] : {std::pair{"dark", PanelTheme::dark}, std::pair{"light", PanelTheme::light}}) {
-      if (ImGui::RadioButton(name, now.theme == theme)) ask({theme, now.letters});
+      if (ImGui::RadioButton(name, now.theme == theme)) ask({theme, now.letters, now.width});
       frame.Note(name);
       ImGui::SameLine();
     }
     constexpr double step = 1.25;
-    if (frame.Button("smaller")) ask({now.theme, now.letters / step});
+    if (frame.Button("smaller")) ask({now.theme, now.letters / step, now.width});
     ImGui::SameLine();
-    if (frame.Button("larger")) ask({now.theme, now.letters * step});
+    if (frame.Button("larger")) ask({now.theme, now.letters * step, now.width});
   }
 };
 

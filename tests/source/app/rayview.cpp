@@ -55,6 +55,17 @@ class Rayview : public ::testing::Test {
   std::map<std::string, std::string> environment;
 };
 
+// Scripts do the same for everybody.
+TEST_F(Rayview, AScriptNeitherKnowsNorChangesTheHabitsOfAUser) {
+  environment["XDG_CONFIG_HOME"] = folder / "config";
+  std::filesystem::create_directories(folder / "config/raypro");
+  const std::string habits = WriteFile(folder / "config/raypro/rayview", "theme pink\n");
+  const Finished viewed = Follow(Scene("hello.scn"), "resize 800 800\nkey Tab\n", {"-quiet"});
+  EXPECT_EQ(viewed.status, 0);
+  EXPECT_EQ(viewed.error.find("understood"), std::string::npos) << viewed.error;
+  EXPECT_EQ(ReadFile(habits), "theme pink\n");
+}
+
 TEST_F(Rayview, KeySWritesTheBytesThatRayproWrites) {
   for (const char* scene : {"hello.scn", "area_light.scn", "glass.scn", "texture.scn"}) {
     const Finished viewed = Follow(Scene(scene), "key S\nwait trace\n", {"-image", folder / "view.ppm"});
@@ -272,6 +283,7 @@ class RayviewWindow : public Rayview {
     display.emplace("DISPLAY", server->Display().c_str());
     environment["DISPLAY"] = server->Display();
     environment["ASAN_OPTIONS"] = drivers_leak;
+    environment["XDG_CONFIG_HOME"] = folder / "config";
   }
   /// Has xdotool do something to the window; tries until the window is there.
   static bool Do(const std::string& actions) {
@@ -291,6 +303,34 @@ class RayviewWindow : public Rayview {
   std::optional<testing::Server> server;
   std::optional<testing::Variable> display;
 };
+
+TEST_F(RayviewWindow, KeepsHowThePanelsLookOnceThatIsChanged) {
+  if (!has_panels) GTEST_SKIP() << "panels are not built in";
+  const std::string habits = folder / "config/raypro/rayview";
+  // The edge of the panels, in units from the left.
+  constexpr int window = 400, edge = window - 184, dragged_to = 150;
+  const auto look_at = [&](const std::string& actions) {
+    testing::Running view({Scene("hello.scn"), "-width", "400", "-height", "200", "-panels", "light", "-quiet"},
+                          {.program = "RAYVIEW", .environment = environment});
+    EXPECT_TRUE(Do(actions)) << "there is no window";
+    const Finished seen = view.Wait();
+    EXPECT_EQ(seen.status, 0) << seen.error;
+  };
+  look_at("key --delay 300 q");
+  EXPECT_FALSE(std::filesystem::exists(habits)) << "nobody has changed anything";
+  const auto pointer = [](int x) { return "mousemove --window %1 " + std::to_string(x) + " 100 sleep 0.3 "; };
+  look_at(pointer(edge + 1) + "mousedown 1 sleep 0.3 " + pointer(dragged_to + 1) + "mouseup 1 sleep 0.3 key q");
+  EXPECT_EQ(ReadFile(habits), "theme light\nletters 1\nwidth " + std::to_string(window - dragged_to) + "\n");
+}
+
+TEST_F(RayviewWindow, IgnoresBrokenHabitsWithAMessage) {
+  std::filesystem::create_directories(folder / "config/raypro");
+  const std::string habits = WriteFile(folder / "config/raypro/rayview", "theme pink\n");
+  const Finished viewed = Run({Scene("hello.scn"), "-exit_immediately"});
+  EXPECT_EQ(viewed.status, 0);
+  EXPECT_NE(viewed.error.find(habits + " is not understood"), std::string::npos) << viewed.error;
+  EXPECT_EQ(ReadFile(habits), "theme pink\n");
+}
 
 TEST_F(RayviewWindow, KeysAndPointerArriveAndTheScreenShowsWhatIsReadBack) {
   if (std::system("command -v import >/dev/null 2>&1") != 0) GTEST_SKIP() << "needs import, of ImageMagick";

@@ -95,6 +95,7 @@ TEST_F(PanelTest, AreAsWideAsTheirEdgeIsDragged) {
   const std::string y = " 20", from = std::to_string(before + 1) + y;
   Do("drag left " + from + " " + std::to_string(before - 99) + y);
   EXPECT_NEAR(left_edge(), before - 100, 2);
+  EXPECT_NEAR(viewer_->PanelLook().width, width - before + 100, 2) << "it is told, to be kept";
   Do("resize 256 512");
   EXPECT_GT(left_edge(), 0) << "some of a small picture can still be clicked";
 }
@@ -384,6 +385,21 @@ TEST_F(PanelTest, TheHelpIsSearched) {
   Do("type EXPOS");
   EXPECT_TRUE(Says("reset the exposure")) << viewer_->TextOfPanels();
   EXPECT_FALSE(Says("bookmark")) << viewer_->TextOfPanels();
+}
+
+// A window tells of a key that is held as of one that is pressed again.
+TEST_F(PanelTest, AHeldKeyCountsAgainEachTimeItComes) {
+  Do("resize 800 800\nkey Tab");
+  Click("Scene");
+  Click("Help");
+  Click("search");
+  Do("type exposqq\npress Backspace\npress Backspace");
+  EXPECT_TRUE(Says("reset the exposure")) << viewer_->TextOfPanels();
+  Do("tick 5");
+  EXPECT_TRUE(Says("reset the exposure")) << "time alone takes nothing away";
+  EXPECT_FALSE(Says("bookmark")) << viewer_->TextOfPanels();
+  Do("press Backspace\npress Backspace\npress Backspace\npress Backspace\npress Backspace\nrelease Backspace");
+  EXPECT_TRUE(Says("bookmark")) << viewer_->TextOfPanels();
 }
 
 TEST_F(PanelTest, LeaveTheCutBesideThem) {

@@ -1,0 +1,83 @@
+#include "source/app/rayview/PanelHabits.h"
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+
+#include "source/app/files/OutputFile.h"
+#include "source/app/report/Messages.h"
+#include "source/text/Number.h"
+#include "source/text/NumberText.h"
+
+namespace ray {
+namespace {
+
+std::filesystem::path FolderIn(const char* variable) {
+  const char* value = std::getenv(variable);
+  const std::filesystem::path folder = value ? value : "";
+  return folder.is_absolute() ? folder : std::filesystem::path();
+}
+
+/// Whether the line is one that is known.
+bool TakeLine(const std::string& name, const std::string& value, PanelSettings& look) {
+  if (name == "theme" && (value == "dark" || value == "light")) {
+    look.theme = value == "light" ? PanelTheme::light : PanelTheme::dark;
+    return true;
+  }
+  const auto number = ParseNumber(value);
+  if (number.problem) return false;
+  if (name == "letters" && number.value >= smallest_letters && number.value <= largest_letters) {
+    look.letters = number.value;
+    return true;
+  }
+  if (name == "width" && number.value >= 0) {
+    look.width = number.value;
+    return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+std::string PanelHabitsFile() {
+  std::filesystem::path folder = FolderIn("XDG_CONFIG_HOME");
+  if (folder.empty() && !FolderIn("HOME").empty()) folder = FolderIn("HOME") / ".config";
+  return folder.empty() ? "" : (folder / "raypro" / "rayview").string();
+}
+
+std::optional<PanelSettings> ReadPanelHabits(const std::string& text) {
+  PanelSettings look;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream words(line);
+    std::string name, value, more;
+    words >> name >> value;
+    if (words >> more || !TakeLine(name, value, look)) return {};
+  }
+  return look;
+}
+
+PanelSettings LoadPanelHabits(const std::string& file) {
+  std::error_code error;
+  if (file.empty() || !std::filesystem::exists(file, error)) return {};
+  std::ifstream in(file, std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+  const auto look = std::filesystem::is_regular_file(file, error) && in ? ReadPanelHabits(text) : std::nullopt;
+  if (!look) PrintError("rayview: " + file + " is not understood; the panels look as usual");
+  return look.value_or(PanelSettings());
+}
+
+void SavePanelHabits(const std::string& file, const PanelSettings& look) {
+  const std::string text = "theme " + std::string(look.theme == PanelTheme::light ? "light" : "dark") + "\nletters " +
+                           ToText(look.letters) + "\nwidth " + ToText(look.width) + "\n";
+  try {
+    std::filesystem::create_directories(std::filesystem::path(file).parent_path());
+    WriteWhole(CheckOutput(file, {}), {reinterpret_cast<const unsigned char*>(text.data()), text.size()});
+  } catch (const std::exception& problem) {
+    PrintError("rayview: how the panels look is not kept: " + std::string(problem.what()));
+  }
+}
+
+}  // namespace ray
