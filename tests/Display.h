@@ -42,7 +42,9 @@ class Server {
       const std::string end = std::to_string(ends[1]);
       close(ends[0]);
       if (!std::freopen("/dev/null", "w", stderr)) _exit(127);
-      execlp("Xvfb", "Xvfb", "-displayfd", end.c_str(), "-screen", "0", "800x600x24", "-nolisten", "tcp", nullptr);
+      // Without a reset, during which it takes nobody, after the last program that uses it.
+      execlp("Xvfb", "Xvfb", "-displayfd", end.c_str(), "-screen", "0", "800x600x24", "-nolisten", "tcp", "-noreset",
+             nullptr);
       _exit(127);
     }
     close(ends[1]);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <utility>
 
 #include "R2/ImageFile.h"
 #include "source/app/options/OptionTable.h"
