@@ -76,8 +76,8 @@ struct SpecularWeights {
 SpecularWeights SpecularWeightsOf(const ShadingPoint& p, bool fresnel);
 /// Their sum, 0 for what is diffuse alone.
 inline R2::Color SpecularReflectance(const ShadingPoint& p, bool fresnel) {
-  const SpecularWeights weights = SpecularWeightsOf(p, fresnel);
-  return weights.reflected + weights.transmitted;
+  const SpecularWeights shares = SpecularWeightsOf(p, fresnel);
+  return shares.reflected + shares.transmitted;
 }
 
 /// Whether reflections are spread over Phong's lobe, and the lobe's exponent then.
