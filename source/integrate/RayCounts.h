@@ -1,6 +1,5 @@
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -27,16 +26,10 @@ struct RayCounts {
   std::uint64_t throughput_cut = 0;
   static constexpr double throughput_unit = 65536;
 
-  /// A path of this luminance, at least 0, ends though a longer one might carry light.
+  /// A path of this luminance, at least 0 or NaN, ends though a longer one might carry light.
   void EndAt(double luminance) {
     constexpr double most = 1e6;  // so that the sum of 1e8 such paths fits; materials may reflect more than they get
-    throughput_cut += static_cast<std::uint64_t>(throughput_unit * std::min(luminance, most));
-  }
-  /// How much of what camera rays might find was cut off. Where that is as bright as the picture is, so much of the
-  /// picture's light is missing.
-  double ShareCut() const {
-    const auto camera_rays = static_cast<double>((*this)[RayKind::camera].rays);
-    return camera_rays > 0 ? static_cast<double>(throughput_cut) / throughput_unit / camera_rays : 0;
+    throughput_cut += static_cast<std::uint64_t>(throughput_unit * (luminance < most ? luminance : most));
   }
 
   Kind& operator[](RayKind kind) { return kinds[static_cast<std::size_t>(kind)]; }

@@ -48,6 +48,15 @@ SampleCounts CountSamples(const Film& film) {
   return counts;
 }
 
+/// Taken so far, those of the margin that a wide filter needs among them.
+double SamplesTaken(const Film& film) {
+  double sum = 0;
+  for (int i = 0; i < film.Blocks(); ++i)
+    sum += static_cast<double>(film.PixelsOf(i).Area()) * film[i].Samples() +
+           static_cast<double>(film[i].first_looks.size());
+  return sum;
+}
+
 void ColorCosts(R2::Image& image) {
   for (int y = 0; y < image.Height(); ++y)
     for (int x = 0; x < image.Width(); ++x) image.Set(x, y, HeatColor(image.At(x, y).r));
@@ -198,10 +207,10 @@ class Job {
 
   PassWork WorkOf(const PassTargets& targets) const {
     PassWork work;
+    const bool has_two_streams = HasTwoStreams(settings_);
     double samples = 0;
     for (int i = 0; i < film_.Blocks(); ++i) {
       const auto area = static_cast<double>(film_.PixelsOf(i).Area());
-      const bool has_two_streams = HasTwoStreams(settings_);
       const std::uint32_t target = targets.samples[static_cast<std::size_t>(i)];
       samples += area * (target > 0 ? (has_two_streams ? 2.0 : 1.0) * target
                                     : targets.PlacesOf(i) / double{BlockOrder::places});
@@ -228,7 +237,7 @@ class Job {
       done = area * std::lerp(pass_begin_.samples, pass_work_.end, share);
     }
     constexpr double most = 1e18;  // what 64 bits hold
-    total = std::min(total, most);
+    total = std::clamp(total, 1.0, most);
     monitor_.tile_done(
         {static_cast<std::int64_t>(std::min(done, total)), static_cast<std::int64_t>(total), rays.Total()});
   }
@@ -244,6 +253,8 @@ class Job {
     RenderResult result;
     result.image = Picture();
     result.rays = runner_.Rays();
+    if (const double samples = SamplesTaken(film_); samples > 0)
+      result.share_cut = static_cast<double>(result.rays.throughput_cut) / RayCounts::throughput_unit / samples;
     result.stop = stop;
     result.samples = CountSamples(film_);
     result.planned_samples = PlannedSamples(settings_);

@@ -56,6 +56,9 @@ struct RenderResult {
   R2::Image image;  // of the crop, or of the whole; filled where nothing was rendered yet
   std::int64_t pixels_done = 0, pixels_total = 0;  // with at least one sample; in all
   RayCounts rays;
+  // How much of what the samples might find was cut off by settings, as throughput. Where that is as bright as the
+  // picture is, so much of the picture's light is missing.
+  double share_cut = 0;
   Stop stop = Stop::samples;
   SampleCounts samples;
   std::vector<std::uint32_t> block_samples;  // per pixel and stream, by blocks of the film

@@ -126,7 +126,6 @@ std::vector<std::string> SceneMistakes(const World& world, const RenderSettings&
 
 /// Those of single shapes.
 void AddShapeMistakes(std::vector<std::string>& mistakes, const World& world, const RenderSettings& settings) {
-  Point(mistakes, world, "is degenerate and cannot be hit", [](const Instance& i) { return i.shape->IsDegenerate(); });
   Point(mistakes, world, "has a texture but no texture coordinates",
         [](const Instance& i) { return i.material->texture && !i.shape->HasTextureCoordinates(); });
   if (settings.mode == RenderMode::whitted && !settings.trace.emissive_solids_light)

@@ -63,7 +63,6 @@ Json Rays(const RayCounts& rays) {
     costs[ray_kind_names[i]] = CostJson(rays.kinds[i].cost);
   }
   json["cut"] = rays.cut;
-  json["share_cut"] = rays.ShareCut();
   json["total"] = rays.Total();
   json["costs"] = costs;
   return json;
@@ -160,6 +159,7 @@ std::string ReportJson(const RunStats& record) {
       {"kernel", record.kernel},
       {"quality", record.options.quality},
       {"biased", record.biased},
+      {"share_cut", record.share_cut},
       {"samples", SamplesJson(record)},
       {"error", ErrorJson(record)},
       {"passes", Passes(record)},

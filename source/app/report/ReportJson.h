@@ -19,8 +19,7 @@ namespace ray {
 ///   |                    | [x0, y0, x1, y1] or null, allow_path a list                                 |
 ///   | rays               | camera, shadow, reflection, transmission, scattering, cut (wanted but over  |
 ///   |                    | a camera ray's limit), total (all but cut), costs (the counts of each       |
-///   |                    | kind); share_cut: by how much the picture is too dark, about, for what      |
-///   |                    | max_depth and min_luminance cut off                                         |
+///   |                    | kind)                                                                       |
 ///   | counts             | node_visits, box_tests, primitive_tests, hits, cache_tests, cache_hits,     |
 ///   |                    | bad_rays                                                                    |
 ///   | accelerator        | the kind that was built; settings.accel says which was asked for            |
@@ -37,6 +36,8 @@ namespace ray {
 ///   | kernel             | what ran in the innermost loops                                             |
 ///   | quality            | the preset, or "custom"                                                     |
 ///   | biased             | settings in force that move the mean of the picture                         |
+///   | share_cut          | by how much it is too dark, about, for what max_depth and min_luminance cut |
+///   |                    | off, 0 to 1                                                                 |
 ///   | samples            | least, most, mean (a pixel), two_streams, planned_samples (how many strata     |
 ///   |                    | and camera rays were told to expect), of_blocks (a pixel and stream of each |
 ///   |                    | block of 8x8 pixels, in rows from the bottom; empty when all are alike),    |

@@ -48,20 +48,21 @@ std::string CostPerRay(const RayCounts::Kind& kind) {
   return row;
 }
 
+/// " (too dark by about 2 %)" where settings cut off light.
+std::string DarknessText(const RunStats& record) {
+  return record.share_cut > 0 ? " (too dark by about " + Rounded(100 * record.share_cut, 2) + " %)" : "";
+}
+
 /// "; limited by -max_depth 3, -min_luminance 0.01 (too dark by about 2 %)"; nothing for no limits.
 std::string LimitsText(const RunStats& record) {
-  const double share_cut = record.rays.ShareCut();
   std::string text;
-  bool is_too_dark = false;
   for (const std::string& setting : record.biased) {
     if (setting == "denoise") continue;  // told with the error
     const bool cuts_light = setting.starts_with("max_depth") || setting.starts_with("min_luminance");
-    if (cuts_light && share_cut == 0) continue;
-    is_too_dark |= cuts_light;
+    if (cuts_light && record.share_cut == 0) continue;
     text += (text.empty() ? "; limited by -" : ", -") + setting;
   }
-  if (is_too_dark) text += " (too dark by about " + Rounded(100 * share_cut, 2) + " %)";
-  return text;
+  return text + DarknessText(record);
 }
 
 /// ", nu 12: few pixels hold the error, and the truth itself varies by 41 %", two deviations of a root of a mean square
@@ -120,6 +121,7 @@ void RunStats::Take(const RenderResult& result) {
   pixels_done = result.pixels_done;
   pixels_total = result.pixels_total;
   rays = result.rays;
+  share_cut = result.share_cut;
   stop = stop_names[static_cast<std::size_t>(result.stop)];
   samples = result.samples;
   block_samples = result.block_samples;
@@ -230,7 +232,8 @@ std::string Statistics(const RunStats& record) {
          line("kernel", record.kernel) + "picture\n" +
          line("samples", std::to_string(record.samples.least) + " to " + std::to_string(record.samples.most) +
                              " per pixel, mean " + Fixed(record.samples.mean, 2)) +
-         ErrorLines(record, line) + line("bias from", Listed(record.biased)) + line("stopped", record.stop);
+         ErrorLines(record, line) + line("bias from", Listed(record.biased) + DarknessText(record)) +
+         line("stopped", record.stop);
 }
 
 }  // namespace ray

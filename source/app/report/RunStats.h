@@ -24,6 +24,7 @@ struct RunStats {
   } scene;
 
   RayCounts rays;
+  double share_cut = 0;     // see RenderResult
   std::string accelerator;  // the kind that was built
   std::size_t structure_bytes = 0;
   struct {
@@ -31,8 +32,8 @@ struct RunStats {
     double denoise = 0;  // a part of render
   } seconds;
   std::int64_t peak_memory = 0;  // bytes
-  int threads = 1;  // that work
-  int width = 0, height = 0;  // of the picture that is written
+  int threads = 1;               // that work
+  int width = 0, height = 0;     // of the picture that is written
   std::int64_t pixels_done = 0, pixels_total = 0;
   std::vector<std::string> warnings;
   std::string stop = "samples";  // samples, time, error, or the name of a signal

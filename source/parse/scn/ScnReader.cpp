@@ -166,6 +166,15 @@ void ScnReader::AddNode(Statement& statement, Node node) {
   builder_.Add(std::move(node));
 }
 
+void ScnReader::AddShape(Statement& statement, int material, std::shared_ptr<const R3::Shape> shape) {
+  if (shape->IsDegenerate()) Warn(statement, "degenerate " + statement.What().name + ": no ray can hit it");
+  Node node;
+  node.material = material;
+  node.shape = std::move(shape);
+  SetBounds(node);
+  AddNode(statement, std::move(node));
+}
+
 void ScnReader::OpenGroup(Statement& statement, Node group) {
   CheckNodes(statement);
   group.location = LocationOf(Current().index, statement.CommandWord());

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "R3/Shape.h"
 #include "source/parse/Assets.h"
 #include "source/parse/Files.h"
 #include "source/parse/Parse.h"
@@ -37,6 +38,8 @@ class ScnReader {
   /// The material of the file's next id, to be filled in; valid until the next.
   Material& NewMaterial();
   void AddNode(Statement& statement, Node node);
+  /// Warns where no ray can hit it.
+  void AddShape(Statement& statement, int material, std::shared_ptr<const R3::Shape> shape);
   void OpenGroup(Statement& statement, Node group);
   void CloseGroup(Statement& statement);
   /// The one that this file opened last and has not closed; null at its top level.

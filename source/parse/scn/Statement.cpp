@@ -1,5 +1,6 @@
 #include "source/parse/scn/Statement.h"
 
+#include "source/parse/Coordinate.h"
 #include "source/text/Number.h"
 
 namespace ray {
@@ -35,6 +36,15 @@ Arguments Statement::Numbers(std::span<const R3::Argument> wanted) {
     read.values.push_back(value);
     read.words.push_back(word);
   }
+  return read;
+}
+
+Arguments Statement::Coordinates(std::span<const R3::Argument> wanted) {
+  Arguments read = Numbers(wanted);
+  for (std::size_t i = 0; i < read.values.size() && IsGood(); ++i)
+    if (!IsCoordinate(read.values[i]))
+      Error(read.words[i],
+            std::string(wanted[i].name) + " must not exceed 1e150 in magnitude, got " + Escaped(read.words[i].text));
   return read;
 }
 

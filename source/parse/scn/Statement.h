@@ -29,6 +29,8 @@ class Statement {
       : command_(command), word_(word), tokens_(tokens) {}
 
   Arguments Numbers(std::span<const R3::Argument> wanted);
+  /// The same, of which none is beyond what coordinates may be.
+  Arguments Coordinates(std::span<const R3::Argument> wanted);
   /// The word of an argument that is no number: an id or a file's name.
   Token Word(const char* name);
   /// The words that are left on the line.

@@ -2,7 +2,6 @@
 #include <cmath>
 
 #include "R3/Mesh.h"
-#include "source/parse/Coordinate.h"
 #include "source/parse/meshes/Polygon.h"
 #include "source/parse/scn/ScnReader.h"
 
@@ -17,13 +16,9 @@ const std::array<R3::Argument, 1> corner_count{{{"n"}}};
 std::vector<R3::Point> ReadCorners(Statement& statement, std::size_t count) {
   std::vector<R3::Argument> names;
   for (std::size_t i = 0; i < count; ++i) names.insert(names.end(), {{"x"}, {"y"}, {"z"}});
-  const Arguments read = statement.Numbers(names);
-  std::vector<R3::Point> corners;
-  for (std::size_t i = 0; i < read.values.size(); ++i)
-    if (statement.IsGood() && !IsCoordinate(read.values[i]))
-      statement.Error(read.words[i], std::string(names[i].name) + " must not exceed 1e150 in magnitude, got " +
-                                         Escaped(read.words[i].text));
+  const Arguments read = statement.Coordinates(names);
   if (!statement.IsGood()) return {};
+  std::vector<R3::Point> corners;
   for (std::size_t i = 0; i < count; ++i)
     corners.push_back({read.values[3 * i], read.values[3 * i + 1], read.values[3 * i + 2]});
   return corners;
@@ -37,12 +32,7 @@ void AddFlat(ScnReader& reader, Statement& statement, int material, const std::v
   data.positions = corners;
   data.triangles.assign(cuts->begin(), cuts->end());
   data.uvs = std::move(uvs);
-  Node node;
-  node.material = material;
-  node.shape = std::make_unique<const R3::Mesh>(std::move(data));
-  if (node.shape->IsDegenerate()) reader.Warn(statement, "degenerate " + statement.What().name + ": no ray can hit it");
-  SetBounds(node);
-  reader.AddNode(statement, std::move(node));
+  reader.AddShape(statement, material, std::make_unique<const R3::Mesh>(std::move(data)));
 }
 
 /// An extension: two triangles, their texture from corner to corner.

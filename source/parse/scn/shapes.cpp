@@ -2,34 +2,20 @@
 
 #include "R3/Segment.h"
 #include "R3/ShapeKind.h"
-#include "source/parse/Coordinate.h"
 #include "source/parse/scn/ScnReader.h"
 
 namespace ray {
 namespace {
 
-void CheckCoordinates(Statement& statement, std::span<const R3::Argument> arguments, const Arguments& read) {
-  for (std::size_t i = 0; i < read.values.size(); ++i)
-    if (!IsCoordinate(read.values[i]))
-      statement.Error(read.words[i], std::string(arguments[i].name) + " must not exceed 1e150 in magnitude, got " +
-                                         Escaped(read.words[i].text));
-}
-
 void ReadShape(const R3::ShapeKind& kind, ScnReader& reader, Statement& statement) {
-  Node node;
-  node.material = reader.ReadMaterial(statement);
-  const Arguments read = statement.Numbers(kind.arguments);
-  if (statement.IsGood()) CheckCoordinates(statement, kind.arguments, read);
+  const int material = reader.ReadMaterial(statement);
+  const Arguments read = statement.Coordinates(kind.arguments);
   if (!statement.IsGood()) return;
   try {
-    node.shape = kind.make(read.values);
+    reader.AddShape(statement, material, kind.make(read.values));
   } catch (const R3::ArgumentError& error) {
-    return statement.Error(read.words[error.index], error.what());
+    statement.Error(read.words[error.index], error.what());
   }
-  if (node.shape->IsDegenerate())
-    reader.Warn(statement, "degenerate " + std::string(kind.name) + ": no ray can hit it");
-  SetBounds(node);
-  reader.AddNode(statement, std::move(node));
 }
 
 void ReadMesh(ScnReader& reader, Statement& statement) {
@@ -50,8 +36,7 @@ const std::array<R3::Argument, 6> line_arguments{{{"x1"}, {"y1"}, {"z1"}, {"x2"}
 void ReadLine(ScnReader& reader, Statement& statement) {
   Node node;
   node.material = reader.ReadMaterial(statement);
-  const Arguments read = statement.Numbers(line_arguments);
-  if (statement.IsGood()) CheckCoordinates(statement, line_arguments, read);
+  const Arguments read = statement.Coordinates(line_arguments);
   if (!statement.IsGood()) return;
   const auto& a = read.values;
   node.line = std::make_unique<const R3::Segment>(R3::Segment{{a[0], a[1], a[2]}, {a[3], a[4], a[5]}});

@@ -38,30 +38,40 @@ TEST(Render, PartsWithOneIntegratorMadeBeforeEqualTheWhole) {
   EXPECT_EQ(wrong, 0);
 }
 
+const std::string from_the_middle = "camera 0 0 0 1 2 3 0 1 0 .5 1 10\n", box_around = "box 0 -9 -9 -9 9 9 9";
+
 /// Between mirrors all around that reflect a half, cut off as the settings say.
-double ShareCutBetweenMirrors(RenderMode mode, std::int64_t max_depth, double min_luminance) {
-  const project::Stage stage(project::FromText(
-      "camera 0 0 0 1 2 3 0 1 0 .5 1 10 material 0 0 0 0 0 0 .5 .5 .5 0 0 0 0 0 0 1 1 0 box 0 -9 -9 -9 9 9 9"));
-  RenderSettings settings = Small();
-  settings.mode = mode;
-  settings.trace.max_depth = max_depth;
-  settings.trace.min_luminance = min_luminance;
-  return project::Render(stage, settings).rays.ShareCut();
+double ShareCutBetweenMirrors(const RenderSettings& settings) {
+  const project::Stage stage(
+      project::FromText(from_the_middle + "material 0 0 0 0 0 0 .5 .5 .5 0 0 0 0 0 0 1 1 0\n" + box_around));
+  return project::Render(stage, settings).share_cut;
 }
 
 TEST(Render, TheShareThatIsCutIsWhatLongerPathsWouldCarry) {
   constexpr double rounding = 1 / RayCounts::throughput_unit;
+  RenderSettings settings = Small();
+  settings.trace.min_luminance = 0;
   for (const RenderMode mode : {RenderMode::whitted, RenderMode::path}) {
-    EXPECT_NEAR(ShareCutBetweenMirrors(mode, 0, 0), 0.5, rounding);
-    EXPECT_NEAR(ShareCutBetweenMirrors(mode, 2, 0), 0.125, rounding);
+    settings.mode = mode;
+    settings.trace.max_depth = 0;
+    EXPECT_NEAR(ShareCutBetweenMirrors(settings), 0.5, rounding);
+    settings.trace.max_depth = 2;
+    EXPECT_NEAR(ShareCutBetweenMirrors(settings), 0.125, rounding);
+    settings.filter = FilterKind::gaussian;
+    EXPECT_NEAR(ShareCutBetweenMirrors(settings), 0.125, rounding) << "with a margin of samples";
+    settings.trace.outline.width = 1;
+    EXPECT_NEAR(ShareCutBetweenMirrors(settings), 0.125, rounding) << "with rays that look for outlines";
   }
-  EXPECT_NEAR(ShareCutBetweenMirrors(RenderMode::whitted, 100, 0.1), 0.0625, rounding) << "the first below 0.1";
+  settings.mode = RenderMode::whitted;
+  settings.trace.max_depth = 100;
+  settings.trace.min_luminance = 0.1;
+  EXPECT_NEAR(ShareCutBetweenMirrors(settings), 0.0625, rounding) << "the first below 0.1";
 }
 
 TEST(Render, WhereEveryPathEndsByItselfNothingIsCut) {
-  const project::Stage stage(project::FromText(
-      "camera 0 0 0 1 2 3 0 1 0 .5 1 10 material 0 0 0 1 1 1 0 0 0 0 0 0 0 0 0 1 1 0 box 0 -9 -9 -9 9 9 9"));
-  EXPECT_EQ(project::Render(stage, Small()).rays.ShareCut(), 0);
+  const project::Stage stage(
+      project::FromText(from_the_middle + "material 0 0 0 1 1 1 0 0 0 0 0 0 0 0 0 1 1 0\n" + box_around));
+  EXPECT_EQ(project::Render(stage, Small()).share_cut, 0);
 }
 
 TEST(Render, PassesThatAreSeenChangeNoBit) {

@@ -32,10 +32,10 @@ TEST(ReportJson, HasTheKeysThatItsHeaderPromises) {
   std::vector<std::string> keys;
   for (const auto& [key, value] : report.items()) keys.push_back(key);
   EXPECT_EQ(keys, (std::vector<std::string>{
-                      "accelerator", "biased",  "command",           "counts",   "error",   "features_required",
-                      "kernel",      "passes",  "peak_memory_bytes", "pixels",   "quality", "rays",
-                      "samples",     "scene",   "seconds",           "settings", "stop",    "structure_bytes",
-                      "threads",     "version", "warnings"}));
+                      "accelerator",     "biased",  "command",           "counts",   "error",     "features_required",
+                      "kernel",          "passes",  "peak_memory_bytes", "pixels",   "quality",   "rays",
+                      "samples",         "scene",   "seconds",           "settings", "share_cut", "stop",
+                      "structure_bytes", "threads", "version",           "warnings"}));
   EXPECT_EQ(report["rays"]["total"], 1 + 2 + 3 + 4 + 5);  // of every kind, without those that were cut
   EXPECT_EQ(report["pixels"]["done"], 3);
   EXPECT_EQ(report["stop"]["reason"], "SIGINT");
