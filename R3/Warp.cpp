@@ -22,11 +22,6 @@ R2::Point OnTriangle(const R2::Point& u) {
   return {root * (1 - u.y), root * u.y};
 }
 
-Vector OnCosineHemisphere(const R2::Point& u) {
-  const R2::Point p = OnDisc(u);
-  return {p.x, p.y, std::sqrt(std::max(0.0, 1 - p.x * p.x - p.y * p.y))};
-}
-
 Vector OnPowerLobe(const R2::Point& u, double n) {
   // The cosine to the power n + 1 is even in [0, 1]; at 0, which only u = 1 gives, its logarithm is still taken as
   // finite, so that a huge n makes no NaN of it.

@@ -54,7 +54,10 @@ R2::Point OnTriangle(const R2::Point& u);
 /// A direction above the plane, its pdf proportional to its cosine with +z: a point of the disc lifted onto the
 /// hemisphere. z may be 0, where the pdf is 0 too.
 /// Source: Malley's method, in Pharr, Jakob, Humphreys, Physically Based Rendering (2023), section A.5.3.
-Vector OnCosineHemisphere(const R2::Point& u);
+inline Vector OnCosineHemisphere(const R2::Point& u) {
+  const R2::Point p = OnDisc(u);
+  return {p.x, p.y, std::sqrt(std::max(0.0, 1 - p.x * p.x - p.y * p.y))};
+}
 /// cosine / pi; 0 below the plane.
 inline double CosinePdf(double cosine) { return std::max(0.0, cosine) / std::numbers::pi; }
 

@@ -139,8 +139,8 @@ double Bsdf::Pdf(const R3::Vector& wi) const {
   return diffuse_ * R3::CosinePdf(Dot(p_.N, wi)) + by_glossy;
 }
 
-std::optional<BsdfSample> Bsdf::Sample(const R2::Point& u, double choice) const {
-  if (choice < diffuse_) return Scatter(R3::FromTangents(R3::OnCosineHemisphere(u), p_.N), Lobe::diffuse);
+std::optional<BsdfSample> Bsdf::Sample(const R2::Point& u, double choice, const R3::Vector& diffuse) const {
+  if (choice < diffuse_) return Scatter(diffuse, Lobe::diffuse);
   if (choice < diffuse_ + reflection_) {
     const auto wi = SampleReflection(p_, is_glossy_, u);
     if (!wi) return {};

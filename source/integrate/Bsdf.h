@@ -8,6 +8,7 @@
 #include "R2/Color.h"
 #include "R2/Point.h"
 #include "R3/Vector.h"
+#include "R3/Warp.h"
 #include "source/integrate/Coat.h"
 #include "source/integrate/ShadingPoint.h"
 #include "source/integrate/TraceSettings.h"
@@ -92,6 +93,11 @@ std::optional<R3::Vector> SampleReflection(const ShadingPoint& p, bool glossy, c
 /// reflection.
 std::optional<R3::Vector> Refraction(const ShadingPoint& p);
 
+/// Of the diffuse lobe about N.
+inline R3::Vector DiffuseDirection(const R3::Vector& N, const R2::Point& u) {
+  return R3::FromTangents(R3::OnCosineHemisphere(u), N);
+}
+
 /// The lobes of a BSDF. A specular one is a delta distribution: it scatters into one direction alone.
 enum class Lobe { diffuse, glossy, mirror, transmission };
 constexpr bool IsSpecular(Lobe lobe) { return lobe == Lobe::mirror || lobe == Lobe::transmission; }
@@ -134,7 +140,11 @@ class Bsdf {
   /// Importance sampling: a lobe with a probability proportional to the luminance of its weight, then a direction by
   /// that lobe. Nothing where no light is scattered, or it would have to come from inside the surface.
   ///   u, choice   uniform in [0, 1)
-  std::optional<BsdfSample> Sample(const R2::Point& u, double choice) const;
+  std::optional<BsdfSample> Sample(const R2::Point& u, double choice) const {
+    return Sample(u, choice, DiffuseDirection(p_.N, u));
+  }
+  /// The same where DiffuseDirection(N, u) is known.
+  std::optional<BsdfSample> Sample(const R2::Point& u, double choice, const R3::Vector& diffuse) const;
 
  private:
   std::optional<BsdfSample> Scatter(const R3::Vector& wi, Lobe lobe) const;

@@ -9,9 +9,6 @@
 namespace ray {
 namespace {
 
-// What the keys beneath a surface are for. Lights follow, one each.
-enum PathKey : std::uint64_t { bounce_key, scatter_key, next_event_key };
-
 // Russian roulette begins after so many bounces, and with paths that carry less than this: what it would save before is
 // not worth its noise. With 1 instead of a quarter, 16 samples a pixel are 1.2 to 1.8 times less efficient (1 /
 // (relative squared error times seconds)) on five scenes, closed rooms and open ones; without roulette closed rooms
@@ -33,67 +30,78 @@ Path::Path(const World& world, const Accelerator& accelerator, const TraceSettin
   settings_.max_depth = std::min<std::int64_t>(settings_.max_depth, most_bounces);
 }
 
-// The first surfaces of neighboring pixels are lit together, so that their shadow rays are traced together; from there
-// each path goes its own way.
 void Path::Li(std::span<const CameraSample> samples, std::span<R2::Color> radiances, TraceState& state) const {
   std::vector<ShadingPoint> points = tracer_.CameraHits(samples, state);
-  state.arrived.assign(points.size(), {});
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    ShadingPoint& p = points[i];
-    p.radiance = p.path.throughput * (p.material->emission + p.AmbientReflectance() * world_.scene().ambient);
-    Tracer::RecordHit(p, p.radiance, state);
-  }
-  for (std::size_t i = 0; i < points.size(); ++i) SampleLights(points[i], Bsdf(points[i], settings_), i, state);
-  tracer_.TraceShadowRays(state);
-  for (std::size_t i = 0; i < points.size(); ++i) points[i].radiance = points[i].radiance + state.arrived[i];
-
   auto point = points.begin();
   for (std::size_t i = 0; i < samples.size(); ++i) {
-    if (state.hits[i]) {
-      radiances[i] = point->radiance;
-      radiances[i] += IndirectLight(std::move(*point++), state);
-    } else {
+    if (!state.hits[i]) {
       radiances[i] = Background(world_.scene(), samples[i].ray.direction);
+      continue;
     }
+    radiances[i] = StartAt(*point, state);
+    radiances[i] += DirectLight(*point, Bsdf(*point, settings_), state);
+    radiances[i] += IndirectLight(std::move(*point++), state);
   }
 }
 
-/// The loop of path tracing: all that reaches the first surface over further bounces, its throughput included.
+R2::Color Path::StartAt(const ShadingPoint& p, TraceState& state) const {
+  const R2::Color seen = p.path.throughput * (p.material->emission + p.AmbientReflectance() * world_.scene().ambient);
+  Tracer::RecordHit(p, seen, state);
+  return seen;
+}
+
+/// The loop of path tracing.
 R2::Color Path::IndirectLight(ShadingPoint&& p, TraceState& state) const {
   R2::Color radiance;
   for (bool is_first = true;; is_first = false) {
     const Bsdf bsdf(p, settings_);
-    if (!is_first) radiance += DirectLight(p, bsdf, state);  // the first surface's was found with its neighbors'
-    const bool is_last = p.path.depth >= settings_.max_depth;
-    if (is_last) state.rays.EndAt(Luminance(p.path.throughput * (p.kd + SpecularReflectance(p, settings_.fresnel))));
-    if (is_last && !lights_.CanBeHit()) return radiance;
-
+    if (!is_first) radiance += DirectLight(p, bsdf, state);
+    if (IsLast(p)) BookEnd(p, state);
+    if (!MayGoOn(p)) return radiance;
     const Points points(settings_.sampler, p.path.index.key.Child(scatter_key), settings_.samples);
-    const auto random = points.Get<4>(p.path.index.sample);
-    const auto scattered = bsdf.Sample({random[0], random[1]}, random[2]);
-    if (!scattered || (is_last && IsSpecular(scattered->lobe))) return radiance;
-    const R2::Color throughput = p.path.throughput * scattered->value / scattered->pdf;
-    const auto surviving = RussianRoulette(throughput, SurvivalProbability(p, throughput), random[3]);
-    if (!surviving || IsBlack(*surviving)) return radiance;
-
-    PathState path = Extend(p, scattered->wi, scattered->lobe, *surviving, p.path.index.Child(bounce_key));
-    if (is_last && !lights_.MayBeHitBy(path.ray)) return radiance;
-    const auto hit = tracer_.Intersect(path, state);
-    if (!hit) {
-      const R2::Color emitted = EmittedByEnvironment(p, *scattered, path);
-      Tracer::RecordMiss(path, emitted, state);
-      return radiance + emitted;
-    }
-    const ShadingPoint next = ShadingPointAt(world_, path, *hit);
-    const R2::Color emitted = Emitted(p, *scattered, next);
-    const R2::Color ambient =
-        is_last ? R2::Color{} : next.path.throughput * next.AmbientReflectance() * world_.scene().ambient;
-    Tracer::RecordHit(next, emitted + ambient, state);
-    radiance += emitted;
-    radiance += ambient;
-    if (is_last) return radiance;
-    p = next;
+    const Choices choices = points.Get<4>(p.path.index.sample);
+    auto step = GoOn(p, bsdf, choices, DiffuseDirection(p.N, {choices[0], choices[1]}));
+    if (!step) return radiance;
+    const auto hit = tracer_.Intersect(step->path, state);
+    const auto next = Arrive(p, *step, hit, radiance, state);
+    if (!next) return radiance;
+    p = *next;
   }
+}
+
+void Path::BookEnd(const ShadingPoint& p, TraceState& state) const {
+  state.rays.EndAt(Luminance(p.path.throughput * (p.kd + SpecularReflectance(p, settings_.fresnel))));
+}
+
+std::optional<Path::Step> Path::GoOn(const ShadingPoint& p, const Bsdf& bsdf, const Choices& choices,
+                                     const R3::Vector& diffuse) const {
+  const auto scattered = bsdf.Sample({choices[0], choices[1]}, choices[2], diffuse);
+  if (!scattered || (IsLast(p) && IsSpecular(scattered->lobe))) return {};
+  const R2::Color throughput = p.path.throughput * scattered->value / scattered->pdf;
+  const auto surviving = RussianRoulette(throughput, SurvivalProbability(p, throughput), choices[3]);
+  if (!surviving || IsBlack(*surviving)) return {};
+  Step step{Extend(p, scattered->wi, scattered->lobe, *surviving, p.path.index.Child(bounce_key)), *scattered};
+  if (IsLast(p) && !lights_.MayBeHitBy(step.path.ray)) return {};
+  return step;
+}
+
+std::optional<ShadingPoint> Path::Arrive(const ShadingPoint& from, const Step& step, const std::optional<WorldHit>& hit,
+                                         R2::Color& radiance, TraceState& state) const {
+  if (!hit) {
+    const R2::Color emitted = EmittedByEnvironment(from, step.scattered, step.path);
+    Tracer::RecordMiss(step.path, emitted, state);
+    radiance += emitted;
+    return {};
+  }
+  std::optional<ShadingPoint> next = ShadingPointAt(world_, step.path, *hit);
+  const R2::Color emitted = Emitted(from, step.scattered, *next);
+  const R2::Color ambient =
+      IsLast(from) ? R2::Color{} : next->path.throughput * next->AmbientReflectance() * world_.scene().ambient;
+  Tracer::RecordHit(*next, emitted + ambient, state);
+  radiance += emitted;
+  radiance += ambient;
+  if (IsLast(from)) return {};
+  return next;
 }
 
 double Path::SurvivalProbability(const ShadingPoint& p, const R2::Color& throughput) const {
@@ -109,20 +117,21 @@ R2::Color Path::DirectLight(const ShadingPoint& p, const Bsdf& bsdf, TraceState&
 }
 
 void Path::SampleLights(const ShadingPoint& p, const Bsdf& bsdf, std::size_t index, TraceState& state) const {
-  if (lights_.IsEmpty() || !p.HasReflectance()) return;
-  const std::uint32_t i = p.path.index.sample;
-  if (lights_at_once_ == 0) {
-    for (int light = 0; light < lights_.Count() && !state.IsStopped(); ++light) {
-      const std::uint64_t which = next_event_key + static_cast<std::uint64_t>(light);
-      const Points points = p.path.index.PointsFor(which, settings_.sampler, settings_.samples);
-      if (const auto sample = lights_.Sample(p, light, points.Get2D(i))) AddLightSample(p, bsdf, *sample, index, state);
-    }
-    return;
+  if (!SamplesAllLights()) return SampleChosenLights(p, bsdf, index, state);
+  if (!p.HasReflectance()) return;
+  for (int light = 0; light < lights_.Count() && !state.IsStopped(); ++light) {
+    const Points points = p.path.index.PointsFor(KeyOf(light), settings_.sampler, settings_.samples);
+    if (const auto sample = lights_.Sample(p, light, points.Get2D(p.path.index.sample)))
+      AddLightSample(p, bsdf, *sample, index, state);
   }
+}
+
+void Path::SampleChosenLights(const ShadingPoint& p, const Bsdf& bsdf, std::size_t index, TraceState& state) const {
+  if (lights_.IsEmpty() || !p.HasReflectance()) return;
   const auto count = static_cast<std::uint32_t>(lights_at_once_);
   const Points points = p.path.index.PointsFor(next_event_key, settings_.sampler, settings_.samples, count);
   for (std::uint32_t k = 0; k < count && !state.IsStopped(); ++k) {
-    const auto random = points.Get<3>(i * count + k);
+    const auto random = points.Get<3>(p.path.index.sample * count + k);
     auto sample = lights_.SampleOne(p, {random[0], random[1]}, random[2]);
     if (!sample) continue;
     sample->irradiance = sample->irradiance / count;
@@ -174,11 +183,5 @@ R2::Color Path::EmittedByEnvironment(const ShadingPoint& from, const BsdfSample&
   if (light_pdf == 0) return reaching;  // found by scattering alone
   return MisWeight(scattered.pdf, light_pdf * std::max(1, lights_at_once_)) * reaching;
 }
-
-extern const IntegratorKind path_kind{"path tracing: light over many bounces",
-                                      [](const World& world, const Accelerator& accelerator,
-                                         const TraceSettings& settings) -> std::unique_ptr<const Integrator> {
-                                        return std::make_unique<Path>(world, accelerator, settings);
-                                      }};
 
 }  // namespace ray

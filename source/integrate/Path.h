@@ -25,15 +25,53 @@ class Path : public Integrator {
 
   void Li(std::span<const CameraSample> samples, std::span<R2::Color> radiances, TraceState& state) const override;
 
+ protected:
+  /// A ray that goes on from a point, and what chose it.
+  struct Step {
+    PathState path;
+    BsdfSample scattered;
+  };
+  /// What a point's way on is chosen by, in [0, 1): two for a direction, one for a lobe, one for Russian roulette.
+  using Choices = std::array<double, 4>;
+
+  /// What a camera ray's surface gives of itself: its emission and what it reflects of ambient light.
+  R2::Color StartAt(const ShadingPoint& p, TraceState& state) const;
+  /// Whether light may be found by going on from points of this depth.
+  bool MayGoOn(const ShadingPoint& p) const { return !IsLast(p) || lights_.CanBeHit(); }
+  bool IsLast(const ShadingPoint& p) const { return p.path.depth >= settings_.max_depth; }
+  /// Books what is cut off at a point of the last depth.
+  void BookEnd(const ShadingPoint& p, TraceState& state) const;
+  /// Nothing for a path that ends here. `diffuse`: DiffuseDirection of the first two choices.
+  std::optional<Step> GoOn(const ShadingPoint& p, const Bsdf& bsdf, const Choices& choices,
+                           const R3::Vector& diffuse) const;
+  /// Adds what the step's ray sees where it ends, throughput included.
+  ///   returns   the point that it hit, where the path may go on
+  std::optional<ShadingPoint> Arrive(const ShadingPoint& from, const Step& step, const std::optional<WorldHit>& hit,
+                                     R2::Color& radiance, TraceState& state) const;
+
+  /// Light that reaches p straight from a sample on a light, as a shadow ray; `index` is where it arrives.
+  void AddLightSample(const ShadingPoint& p, const Bsdf& bsdf, const LightSample& light, std::size_t index,
+                      TraceState& state) const;
+  /// From some lights, chosen by importance sampling.
+  void SampleChosenLights(const ShadingPoint& p, const Bsdf& bsdf, std::size_t index, TraceState& state) const;
+  bool SamplesAllLights() const { return lights_at_once_ == 0; }
+
+  // What the keys beneath a surface are for. Lights follow, one each.
+  enum Key : std::uint64_t { bounce_key, scatter_key, next_event_key };
+  static std::uint64_t KeyOf(int light) { return next_event_key + static_cast<std::uint64_t>(light); }
+
+  const World& world_;
+  Tracer tracer_;
+  TraceSettings settings_;
+  LightSampler lights_;
+
  private:
-  /// `p` is moved along the path.
+  /// All light that reaches p over further bounces, throughput included; `p` is moved along the path.
   R2::Color IndirectLight(ShadingPoint&& p, TraceState& state) const;
   /// Light that reaches p straight from lights, throughput included.
   R2::Color DirectLight(const ShadingPoint& p, const Bsdf& bsdf, TraceState& state) const;
   /// The same as shadow rays; `index` is where it arrives.
   void SampleLights(const ShadingPoint& p, const Bsdf& bsdf, std::size_t index, TraceState& state) const;
-  void AddLightSample(const ShadingPoint& p, const Bsdf& bsdf, const LightSample& light, std::size_t index,
-                      TraceState& state) const;
   double SurvivalProbability(const ShadingPoint& p, const R2::Color& throughput) const;
   /// Emission of what a scattered ray hit, throughput included, weighted against SampleLights.
   R2::Color Emitted(const ShadingPoint& from, const BsdfSample& scattered, const ShadingPoint& hit) const;
@@ -41,10 +79,6 @@ class Path : public Integrator {
   /// Of BSDF sampling; light sampling has the rest.
   double MisWeight(double bsdf_pdf, double light_pdf) const;
 
-  const World& world_;
-  Tracer tracer_;
-  TraceSettings settings_;
-  LightSampler lights_;
   bool has_roulette_, samples_lights_, samples_bsdf_;
   int lights_at_once_;  // 0: all
 };

@@ -227,7 +227,8 @@ void Whitted::AddSamples(const Light& light, const ShadingPoint& p, std::size_t 
   LightSamples samples;
   samples.count = count;
   random.GetEach2D(first, count, samples.u, samples.v);
-  light.IlluminateEach(p.shadow_origin, samples);
+  samples.SetFrom(p.shadow_origin);
+  light.IlluminateEach(samples);
   PhongReflectionOfEach(p, samples);
   for (std::uint32_t k = 0; k < count; ++k) {
     if (IsBlack(samples.Color(k))) continue;

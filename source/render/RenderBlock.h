@@ -62,7 +62,7 @@ class BatchTracer {
   bool IsEmpty() const { return size_ == 0; }
 
  private:
-  static constexpr std::size_t capacity = 16;
+  static constexpr std::size_t capacity = 64;
   struct Pixel {
     int column, row;
   };

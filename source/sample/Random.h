@@ -17,6 +17,8 @@ class RandomKey {
   RandomKey Child(std::uint64_t which) const { return RandomKey(Raw{}, Mix(bits_ ^ Mix(which + golden))); }
 
   std::uint64_t Bits() const { return bits_; }
+  /// The key that has these.
+  static RandomKey FromBits(std::uint64_t bits) { return {Raw{}, bits}; }
   /// Uniform in [0, 1): 53 random bits.
   double Number() const { return static_cast<double>(bits_ >> 11) * 0x1p-53; }
 

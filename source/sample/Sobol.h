@@ -5,7 +5,7 @@
 
 namespace ray {
 
-constexpr std::uint32_t ReversedBits(std::uint32_t bits) {
+[[gnu::always_inline]] constexpr std::uint32_t ReversedBits(std::uint32_t bits) {
   bits = __builtin_bswap32(bits);
   bits = ((bits & 0x0f0f0f0f) << 4) | ((bits >> 4) & 0x0f0f0f0f);
   bits = ((bits & 0x33333333) << 2) | ((bits >> 2) & 0x33333333);
@@ -17,7 +17,7 @@ constexpr std::uint32_t ReversedBits(std::uint32_t bits) {
 /// above to the bits below; so has the result.
 ///   source   the hash is Vegdahl's, Owen scrambling based on hashing, improved (2021); its multipliers are even where
 ///            a product is folded in and odd where one replaces, without which bits would flip themselves
-inline std::uint32_t OwenReversed(std::uint32_t reversed, std::uint32_t seed) {
+[[gnu::always_inline]] inline std::uint32_t OwenReversed(std::uint32_t reversed, std::uint32_t seed) {
   std::uint32_t bits = reversed;
   bits ^= bits * 0x3d20adea;
   bits += seed;
@@ -33,7 +33,7 @@ extern const std::array<SobolTable, 6> sobol_tables;  // of dimensions 2 to 7
 inline constexpr int first_sobol_table = 2;
 
 /// Pascal's triangle modulo 2, the Kronecker power of (1 0; 1 1): one step a factor.
-constexpr std::uint32_t PascalOf(std::uint32_t bits) {
+[[gnu::always_inline]] constexpr std::uint32_t PascalOf(std::uint32_t bits) {
   bits ^= (bits & 0xaaaaaaaa) >> 1;
   bits ^= (bits & 0xcccccccc) >> 2;
   bits ^= (bits & 0xf0f0f0f0) >> 4;
@@ -43,12 +43,17 @@ constexpr std::uint32_t PascalOf(std::uint32_t bits) {
 }
 
 /// The sequence itself, neither shuffled nor scrambled: fractions in units of 2^-32, their bits in reverse.
-inline std::uint32_t ReversedSobolBits(std::uint32_t index, int dimension) {
+[[gnu::always_inline]] inline std::uint32_t ReversedSobolBits(std::uint32_t index, int dimension) {
   if (dimension == 0) return index;
   if (dimension == 1) return PascalOf(index);
   const SobolTable& table = sobol_tables[static_cast<std::size_t>(dimension - first_sobol_table)];
   return table[0][index & 0xff] ^ table[1][(index >> 8) & 0xff] ^ table[2][(index >> 16) & 0xff] ^
          table[3][index >> 24];
+}
+
+/// Which point of the sequence is number `index` when `order` shuffles it.
+[[gnu::always_inline]] inline std::uint32_t ShuffledIndex(std::uint32_t index, std::uint32_t order) {
+  return ReversedBits(OwenReversed(ReversedBits(index), order));
 }
 
 /// The first dimensions of Sobol's sequence, shuffled and scrambled: among any 2^k points that begin at a multiple of
@@ -64,8 +69,7 @@ class Sobol {
   static constexpr int dimensions = 8;
 
   /// The point `index` of the sequence whose order `order` shuffles; one seed a coordinate scrambles that.
-  [[gnu::always_inline]] Sobol(std::uint32_t index, std::uint32_t order)
-      : index_(ReversedBits(OwenReversed(ReversedBits(index), order))) {}
+  [[gnu::always_inline]] Sobol(std::uint32_t index, std::uint32_t order) : index_(ShuffledIndex(index, order)) {}
   /// In [0, 1); dimension 0 to dimensions - 1.
   [[gnu::always_inline]] double Coordinate(int dimension, std::uint32_t seed) const {
     return ReversedBits(OwenReversed(ReversedSobolBits(index_, dimension), seed)) * 0x1p-32;

@@ -8,9 +8,9 @@ namespace ray {
 #include "source/scene/lights.def"
 #undef LIGHT
 
-void Light::IlluminateEach(const R3::Point& p, LightSamples& samples) const {
+void Light::IlluminateEach(LightSamples& samples) const {
   for (std::uint32_t i = 0; i < samples.count; ++i) {
-    const LightSample sample = Illuminate(p, {samples.u[i], samples.v[i]}).value_or(LightSample{});
+    const LightSample sample = Illuminate(samples.From(i), {samples.u[i], samples.v[i]}).value_or(LightSample{});
     samples.Set(i, sample.to_light, sample.irradiance);
   }
 }

@@ -8,8 +8,11 @@
 #include <cmath>
 #include <limits>
 
+#include "source/integrate/CameraRays.h"
+#include "source/integrate/PathStream.h"
 #include "source/integrate/lights/EmissiveShape.h"
 #include "source/integrate/lights/EmissiveTriangle.h"
+#include "source/render/RenderBlock.h"
 #include "tests/Accelerators.h"
 #include "tests/ExactScene.h"
 #include "tests/Project.h"
@@ -187,6 +190,37 @@ TEST(RandomScenes, NothingIsBrighterThanTheSkyThatLightsIt) {
     if (!IsMean(s)) s.filter = ray::FilterKind::gaussian;
     s.trace.max_depth = draw.Whole(0, 1000);
     CheckLight(project::Render(stage, s, {"bvh"}).image, {1, 1, 1}, "path");
+  });
+}
+
+std::vector<ray::CameraSample> SamplesOf(const project::Stage& stage, const RenderSettings& s) {
+  const auto count = static_cast<std::uint32_t>(s.samples);
+  const ray::CameraRays camera(stage.scene->camera, s.camera, true, s.width, s.height, s.trace.sampler, count);
+  std::vector<ray::CameraSample> samples;
+  for (int row = 0; row < s.height; ++row)
+    for (int column = 0; column < s.width; ++column)
+      for (std::uint32_t i = 0; i < count; ++i)
+        samples.push_back(camera(column, row, ray::PixelKey(ray::RandomKey(s.seed), column, row, 0), i));
+  return samples;
+}
+
+TEST(RandomScenes, PathsTakenTogetherAreThoseTakenOneByOneBitForBit) {
+  ForEachScene(150, {}, [&](const project::Stage& stage, std::uint64_t seed) {
+    Draw draw(seed);
+    RenderSettings s = RandomSettings(draw);
+    s.trace.samples = static_cast<std::uint32_t>(s.samples);
+    const auto accelerator = ray::FindAcceleratorKind("bvh")->Make(stage.world, {});
+    const ray::Path path(stage.world, *accelerator, s.trace);
+    const ray::PathStream stream(stage.world, *accelerator, s.trace);
+    const auto samples = SamplesOf(stage, s);
+    std::vector<R2::Color> alone(samples.size()), together(samples.size());
+    ray::TraceState of_one, of_all;
+    path.Li(samples, alone, of_one);
+    stream.Li(samples, together, of_all);
+    EXPECT_TRUE(together == alone);
+    EXPECT_EQ(of_all.rays.throughput_cut, of_one.rays.throughput_cut);
+    for (std::size_t kind = 0; kind < of_one.rays.kinds.size(); ++kind)
+      EXPECT_EQ(of_all.rays.kinds[kind].rays, of_one.rays.kinds[kind].rays) << "kind " << kind;
   });
 }
 

@@ -31,6 +31,13 @@ class LightSampler {
     return environment_ || has_background_ || emission_bounds_.MayBeHitBy(ray);
   }
 
+  /// Of the scene language's; null for other lights.
+  const Light* Find(int light) const {
+    return static_cast<std::size_t>(light) < lights_.size() ? lights_[static_cast<std::size_t>(light)] : nullptr;
+  }
+  /// Whether it matters which point on it is sampled.
+  bool IsExtended(int light) const { return !Find(light) || Find(light)->IsExtended(); }
+
   /// A light in words.
   std::string Describe(int light) const;
 

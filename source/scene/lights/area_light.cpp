@@ -29,9 +29,9 @@ class AreaLight : public Light {
     return LightSample{cosine * falloff_(color_, distance), to_light};
   }
 
-  void IlluminateEach(const R3::Point& p, LightSamples& samples) const override {
-    if (!IlluminateNear(p, samples)) [[unlikely]]
-      Light::IlluminateEach(p, samples);
+  void IlluminateEach(LightSamples& samples) const override {
+    if (!IlluminateNear(samples)) [[unlikely]]
+      Light::IlluminateEach(samples);
   }
 
   bool IsExtended() const override { return radius_ > 0; }
@@ -49,7 +49,7 @@ class AreaLight : public Light {
 
  private:
   /// IlluminateEach; false, with nothing to rely on, where squares of distances leave the range of doubles.
-  R3_VECTORIZED bool IlluminateNear(const R3::Point& p, LightSamples& samples) const {
+  R3_VECTORIZED bool IlluminateNear(LightSamples& samples) const {
     const std::uint32_t count = samples.count;
     for (std::uint32_t i = 0; i < count; ++i) {
       const R2::Point on_disc = R3::OnDisc({samples.u[i], samples.v[i]});
@@ -57,7 +57,7 @@ class AreaLight : public Light {
     }
     std::uint64_t are_near = 1;
     for (std::uint32_t i = 0; i < count; ++i) {
-      const R3::Vector to_light = ToPlace({samples.r[i], samples.g[i]}, p);
+      const R3::Vector to_light = ToPlace({samples.r[i], samples.g[i]}, samples.From(i));
       const double square = Dot(to_light, to_light), distance = std::sqrt(square);
       are_near &= R3::IsSafeSquare(square);
       const double cosine = Cosine(to_light / distance);

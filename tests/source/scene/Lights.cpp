@@ -52,15 +52,17 @@ TEST(Lights, SamplesMadeTogetherAreThoseMadeOneByOneBitForBit) {
     const auto light = kind->make(kind->example);
     if (!light->IsExtended()) continue;
     for (const double y : {3.0, 2.9, 0.0, -1e6, -1e150, -1e200, 1e160}) {
-      const R3::Point p{0.5, y, -1};
       LightSamples samples;
       samples.count = 61;  // no multiple of what a vector instruction takes
-      for (std::uint32_t i = 0; i < samples.count; ++i)
-        samples.u[i] = key.Child(i).Number(), samples.v[i] = key.Child(i).Child(1).Number();
-      samples.u[7] = samples.v[7] = 0.5;  // the middle of a disc
-      light->IlluminateEach(p, samples);
+      samples.SetFrom({0.5, y, -1});
       for (std::uint32_t i = 0; i < samples.count; ++i) {
-        const auto alone = light->Illuminate(p, {samples.u[i], samples.v[i]});
+        samples.u[i] = key.Child(i).Number(), samples.v[i] = key.Child(i).Child(1).Number();
+        if (i % 2 == 0) samples.SetFrom(i, {0.5 + i, y, -1});
+      }
+      samples.u[7] = samples.v[7] = 0.5;  // the middle of a disc
+      light->IlluminateEach(samples);
+      for (std::uint32_t i = 0; i < samples.count; ++i) {
+        const auto alone = light->Illuminate(samples.From(i), {samples.u[i], samples.v[i]});
         EXPECT_EQ(samples.Color(i), alone ? alone->irradiance : R2::Color{}) << kind->name << " at " << y;
         if (!alone) continue;
         EXPECT_EQ(samples.ToLight(i), alone->to_light) << kind->name << " at " << y;

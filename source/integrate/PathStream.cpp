@@ -1,0 +1,172 @@
+#include "source/integrate/PathStream.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "R3/Numeric.h"
+
+namespace ray {
+namespace {
+
+constexpr std::size_t most_paths = PointsOfEach<2>::most;
+static_assert(most_paths <= LightSamples::most);
+using Each = LightSamples::Each;
+
+struct VectorOfEach {
+  alignas(64) Each x, y, z;
+
+  R3::Vector operator[](std::size_t i) const { return {x[i], y[i], z[i]}; }
+  void Set(std::size_t i, const R3::Vector& v) { x[i] = v.x, y[i] = v.y, z[i] = v.z; }
+};
+
+void GetNormals(std::span<const ShadingPoint> points, VectorOfEach& normals) {
+  for (std::size_t i = 0; i < points.size(); ++i) normals.Set(i, points[i].N);
+}
+
+R3_VECTORIZED
+void TurnAboutNormals(const VectorOfEach& normals, const PointsOfEach<4>& random, std::size_t count,
+                      VectorOfEach& directions) {
+  for (std::size_t i = 0; i < count; ++i)
+    directions.Set(i, DiffuseDirection(normals[i], {random.coordinates[0][i], random.coordinates[1][i]}));
+}
+
+/// Makes cosines of N and L and unit L of each sample. Returns whether all squares of lengths are in range; else there
+/// is nothing to rely on.
+R3_VECTORIZED
+bool MakeCosines(const VectorOfEach& normals, const LightSamples& samples, Each& cosines) {
+  std::uint64_t are_safe = 1;
+  for (std::uint32_t i = 0; i < samples.count; ++i) {
+    const double square = Dot(samples.ToLight(i), samples.ToLight(i));
+    are_safe &= R3::IsSafeSquare(square);
+    cosines[i] = Dot(normals[i], samples.ToLight(i) / std::sqrt(square));
+  }
+  return are_safe != 0;
+}
+
+/// PhongReflection of each sample at its own point.
+void ReflectEach(std::span<const ShadingPoint> points, LightSamples& samples) {
+  VectorOfEach normals;
+  alignas(64) Each cosines;
+  GetNormals(points, normals);
+  const bool are_safe = MakeCosines(normals, samples, cosines);
+  for (std::uint32_t i = 0; i < samples.count; ++i) {
+    const ShadingPoint& p = points[i];
+    const R2::Color color = samples.Color(i);
+    if (are_safe && p.material->coat == 0 && R2::IsBlack(p.material->ks))
+      samples.SetColor(i, cosines[i] > 0 ? (cosines[i] * p.kd) * color : R2::Color{});
+    else
+      samples.SetColor(i, PhongReflection(p, Unit(samples.ToLight(i)), color));
+  }
+}
+
+}  // namespace
+
+void PathStream::Li(std::span<const CameraSample> samples, std::span<R2::Color> radiances, TraceState& state) const {
+  if (state.recorder) return Path::Li(samples, radiances, state);
+  for (std::size_t i = 0; i < samples.size(); i += most_paths) {
+    const std::size_t count = std::min(samples.size() - i, most_paths);
+    TraceTogether(samples.subspan(i, count), radiances.subspan(i, count), state);
+  }
+}
+
+void PathStream::TraceTogether(std::span<const CameraSample> samples, std::span<R2::Color> radiances,
+                               TraceState& state) const {
+  Front front, next;
+  front.points = tracer_.CameraHits(samples, state);
+  std::array<R2::Color, most_paths> gathered{};  // beyond the first surface
+  for (std::uint32_t i = 0, point = 0; i < samples.size(); ++i) {
+    if (!state.hits[i]) {
+      radiances[i] = Background(world_.scene(), samples[i].ray.direction);
+      continue;
+    }
+    const ShadingPoint& p = front.points[point++];
+    radiances[i] = StartAt(p, state);
+    front.indices.push_back(p.path.index);
+    front.paths.push_back(i);
+  }
+  const std::vector<std::uint32_t> paths = front.paths;
+  for (bool is_first = true; !front.points.empty(); is_first = false) {
+    std::vector<Bsdf> bsdfs;
+    bsdfs.reserve(front.points.size());
+    for (const ShadingPoint& p : front.points) bsdfs.emplace_back(p, settings_);
+    LightPoints(front, bsdfs, state);
+    for (std::size_t i = 0; i < front.points.size(); ++i)
+      (is_first ? radiances[front.paths[i]] : gathered[front.paths[i]]) += state.arrived[i];
+    next.Clear();
+    TakeStep(front, bsdfs, gathered, next, state);
+    std::swap(front, next);
+  }
+  for (const std::uint32_t path : paths) radiances[path] += gathered[path];
+}
+
+void PathStream::LightPoints(const Front& front, std::span<const Bsdf> bsdfs, TraceState& state) const {
+  const std::span<const ShadingPoint> points = front.points;
+  state.arrived.assign(points.size(), {});
+  if (!SamplesAllLights()) {
+    for (std::size_t i = 0; i < points.size(); ++i) SampleChosenLights(points[i], bsdfs[i], i, state);
+    return tracer_.TraceShadowRays(state);
+  }
+  PointsOfEach<2> random;
+  for (int light = 0; light < lights_.Count() && !state.IsStopped(); ++light) {
+    const bool is_extended = lights_.IsExtended(light);
+    if (is_extended) GetOfEach(front.indices, KeyOf(light), settings_.sampler, settings_.samples, random);
+    if (is_extended && lights_.Find(light)) {
+      AddExtendedLight(light, front, random, state);
+      continue;
+    }
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      if (!points[i].HasReflectance()) continue;
+      if (const auto sample = lights_.Sample(points[i], light, is_extended ? random.Get2D(i) : R2::Point{}))
+        AddLightSample(points[i], bsdfs[i], *sample, i, state);
+    }
+  }
+  tracer_.TraceShadowRays(state);
+}
+
+void PathStream::AddExtendedLight(int light, const Front& front, const PointsOfEach<2>& random,
+                                  TraceState& state) const {
+  LightSamples samples;
+  samples.count = static_cast<std::uint32_t>(front.points.size());
+  for (std::uint32_t i = 0; i < samples.count; ++i) {
+    samples.SetFrom(i, front.points[i].shadow_origin);
+    samples.u[i] = random.coordinates[0][i], samples.v[i] = random.coordinates[1][i];
+  }
+  lights_.Find(light)->IlluminateEach(samples);
+  ReflectEach(front.points, samples);
+  for (std::uint32_t i = 0; i < samples.count; ++i) {
+    if (IsBlack(samples.Color(i))) continue;
+    const R2::Color contribution = front.points[i].path.throughput * samples.Color(i);
+    tracer_.AddShadowRay(
+        front.points[i], i, {.to_light = samples.ToLight(i)}, contribution, contribution,
+        [&] { return lights_.Describe(light); }, state);
+  }
+}
+
+void PathStream::TakeStep(const Front& front, std::span<const Bsdf> bsdfs, std::span<R2::Color> gathered, Front& next,
+                          TraceState& state) const {
+  const std::span<const ShadingPoint> points = front.points;
+  if (IsLast(points[0]))  // all have gone as far
+    for (const ShadingPoint& p : points) BookEnd(p, state);
+  if (!MayGoOn(points[0])) return;
+  PointsOfEach<4> random;
+  GetOfEachAlone(front.indices, scatter_key, settings_.sampler, settings_.samples, random);
+  VectorOfEach normals, directions;
+  GetNormals(points, normals);
+  TurnAboutNormals(normals, random, points.size(), directions);
+  for (std::uint32_t i = 0; i < points.size(); ++i) {
+    const auto& u = random.coordinates;
+    auto step = GoOn(points[i], bsdfs[i], {u[0][i], u[1][i], u[2][i], u[3][i]}, directions[i]);
+    if (!step) continue;
+    const auto hit = tracer_.Intersect(step->path, state);
+    auto arrived = Arrive(points[i], *step, hit, gathered[front.paths[i]], state);
+    if (arrived) next.Add(std::move(*arrived), front.paths[i]);
+  }
+}
+
+extern const IntegratorKind path_kind{"path tracing: light over many bounces",
+                                      [](const World& world, const Accelerator& accelerator,
+                                         const TraceSettings& settings) -> std::unique_ptr<const Integrator> {
+                                        return std::make_unique<PathStream>(world, accelerator, settings);
+                                      }};
+
+}  // namespace ray
