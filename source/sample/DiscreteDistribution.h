@@ -1,13 +1,16 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
 namespace ray {
 
 /// Importance sampling of indices: draws them with probabilities proportional to given weights.
-///   source   inversion of the running sums, as in Pharr, Jakob, Humphreys, Physically Based Rendering (2023), A.1
+///   source   inversion of the running sums, as in Pharr, Jakob, Humphreys, Physically Based Rendering (2023), A.1,
+///   begun
+///            near the end as by Chen, Asau, On generating random variates from an empirical distribution (1974)
 class DiscreteDistribution {
  public:
   struct Drawn {
@@ -19,7 +22,7 @@ class DiscreteDistribution {
   /// At least one weight; each finite and >= 0 (asserted), however large or small. All 0 count as all equal.
   explicit DiscreteDistribution(std::span<const double> weights);
 
-  /// In O(log Size()).
+  /// In O(log Size()), mostly less.
   ///   u   in [0, 1]; of its 53 bits about log2(1 / probability) are used up, the others are left in `rest`
   Drawn Draw(double u) const;
 
@@ -30,7 +33,12 @@ class DiscreteDistribution {
   std::size_t Size() const { return sums_.size() - 1; }
 
  private:
+  /// Of Size() equal parts of the sum of all weights, the one that a sum is in; grows with it.
+  std::size_t PartOf(double sum) const;
+
   std::vector<double> sums_;  // of the weights before each index, and of all, in units of the largest weight
+  double parts_per_sum_;
+  std::vector<std::uint32_t> first_of_part_;  // the least index whose weight's end is in a part or beyond
 };
 
 }  // namespace ray

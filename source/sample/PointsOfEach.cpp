@@ -6,6 +6,8 @@ namespace ray {
 namespace {
 
 constexpr std::size_t most = PointsOfEach<2>::most;
+constexpr std::size_t lanes = 8;
+static_assert(most % lanes == 0);
 
 /// bits / 2^32, by way of a signed number, for which there is a vector instruction.
 [[gnu::always_inline]] inline double Fraction(std::uint32_t bits) {
@@ -40,6 +42,8 @@ template <std::size_t size>
   alignas(64) std::uint64_t keys[most];
   alignas(64) std::uint32_t order[most], index[most];
   for (std::size_t i = 0; i < count; ++i) keys[i] = at[i].key.Bits(), index[i] = at[i].sample;
+  // Whole vectors from here on: what is left over would go one by one.
+  for (; count % lanes != 0; ++count) keys[count] = index[count] = 0;
   for (std::size_t i = 0; i < count; ++i) {
     keys[i] = RandomKey::FromBits(keys[i]).Child(which).Bits();
     order[i] = static_cast<std::uint32_t>(keys[i] >> 32);

@@ -172,6 +172,32 @@ std::vector<double> OfRows(int count, const Number& number) {
   return numbers;
 }
 
+/// atan2(y, x) in turns, within quick_error; y and x not both 0.
+///   source   Hastings, Approximations for digital computers (1955), sheet 13: the arctangent up to 1 within 2e-8
+///   radians
+double QuickTurns(double y, double x) {
+  const double wide = std::abs(x), high = std::abs(y);
+  const double ratio = std::min(wide, high) / std::max(wide, high), z = ratio * ratio;
+  const double radians =
+      ratio *
+      (1 + z * (-.3333314528 +
+                z * (.1999355085 +
+                     z * (-.1420889944 +
+                          z * (.1065626393 +
+                               z * (-.0752896400 + z * (.0429096138 + z * (-.0161657367 + z * .0028662257))))))));
+  const double octant = radians / (2 * pi), quadrant = high > wide ? 0.25 - octant : octant;
+  const double half = x < 0 ? 0.5 - quadrant : quadrant;
+  return y < 0 ? -half : half;
+}
+constexpr double quick_error = 4e-9;  // 2e-8 / (2 pi), and a fifth more for rounding
+
+/// Whether a place among `count` texels that was found by QuickTurns, of which a row spans half a turn, is surely in
+/// the texel that it seems to be in.
+bool IsInside(double place, int count) {
+  const double error = 2 * quick_error * count, share = place - std::floor(place);
+  return share > error && share < 1 - error && place > 0 && place < count;
+}
+
 /// Nearer to a texel's edge than this share of it, rounding may give a direction to the neighbor. The narrowest texels
 /// are those at the poles: of 2^20 rows the last spans 2^-37.7 in the sine of latitude, which is off by 2^-51 at most.
 constexpr double edge_share = 0x1p-10;
@@ -202,10 +228,20 @@ Environment::Environment(R2::Image image, std::string file)
       rows_(Rows(map_, is_black_)) {}
 
 Environment::Texel Environment::At(const R3::Vector& direction) const {
+  if (const auto texel = QuicklyAt(direction)) [[likely]]
+    return *texel;
   const R3::Vector d = Unit(direction);  // so that no component overflows; 0 for 0 and NaN, which is then some texel
   const double u = R1::Atan2(d.x, -d.z) / (2 * pi) + 0.5,
                v = R1::Atan2(d.y, std::sqrt(d.x * d.x + d.z * d.z)) / pi + 0.5;
   return {Nearest(u, map_.Width()), Nearest(v, map_.Height())};
+}
+
+std::optional<Environment::Texel> Environment::QuicklyAt(const R3::Vector& d) const {
+  if (!R3::IsSafeSquare(Dot(d, d))) return {};
+  const double column = (QuickTurns(d.x, -d.z) + 0.5) * map_.Width(),
+               row = (QuickTurns(d.y, std::sqrt(d.x * d.x + d.z * d.z)) * 2 + 0.5) * map_.Height();
+  if (!IsInside(column, map_.Width()) || !IsInside(row, map_.Height())) return {};
+  return Texel{static_cast<int>(column), static_cast<int>(row)};
 }
 
 R3::Vector Environment::Inside(const Texel& texel, const R2::Point& shares) const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -94,6 +95,8 @@ class Environment {
   };
 
   Texel At(const R3::Vector& direction) const;
+  /// The same where that is certain without exact arctangents.
+  std::optional<Texel> QuicklyAt(const R3::Vector& direction) const;
   double Pdf(const Texel& texel) const;
   /// The direction at shares of the texel's longitude and of its sine of latitude.
   R3::Vector Inside(const Texel& texel, const R2::Point& shares) const;

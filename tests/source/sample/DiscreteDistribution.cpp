@@ -63,6 +63,21 @@ TEST(DiscreteDistribution, AWeightOfZeroIsNeverDrawnAndBothEndsAreInside) {
   EXPECT_EQ(discrete.Probability(0), 0);
 }
 
+TEST(DiscreteDistribution, DrawsWhatASearchThroughAllSumsFinds) {
+  const std::vector<double> tiny_and_huge{1e-300, 0, 1, 1e-17, 1e-17, 1e9, 0, 0};
+  for (const auto& weights : {RandomWeights(300), RandomWeights(7), RandomWeights(1), tiny_and_huge}) {
+    const ray::DiscreteDistribution discrete(weights);
+    std::vector<double> ends{0};  // of the parts of [0, 1] that draw each index
+    for (std::size_t i = 0; i < weights.size(); ++i) ends.push_back(ends.back() + discrete.Probability(i));
+    for (std::uint64_t k = 0; k < 20000; ++k) {
+      const double u = k < 9 ? ends[k % ends.size()] : ray::RandomKey(6).Child(k).Number();
+      const std::size_t drawn = discrete.Draw(u).index;
+      EXPECT_GT(discrete.Probability(drawn), 0);
+      EXPECT_TRUE(ends[drawn] <= u + 1e-13 && u - 1e-13 <= ends[drawn + 1]) << u << " drew " << drawn;
+    }
+  }
+}
+
 TEST(DiscreteDistribution, AllZeroMeansAllEqual) {
   const ray::DiscreteDistribution discrete(std::vector<double>(4));
   for (std::size_t i = 0; i < 4; ++i) {

@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "R1/Elementary.h"
 #include "R3/Warp.h"
 #include "source/sample/Random.h"
 #include "tests/ChiSquare.h"
@@ -91,6 +92,33 @@ TEST(Environment, EveryTexelOfALatitudeLongitudeMapIsFoundInItsOwnDirection) {
     for (int x = 0; x < 32; ++x)
       for (const double shift : {0.01, 0.5, 0.99})
         EXPECT_EQ(environment.Radiance(Direction((x + shift) / 32, (y + shift) / 16)), image.At(x, y)) << x << " " << y;
+}
+
+// Most texels are found by an approximate arctangent, the others by an exact one.
+TEST(Environment, TheTexelIsThatOfExactArctangentsForAnyDirection) {
+  constexpr int height = 512;
+  R2::Image map(2 * height, height);
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < 2 * height; ++x) map.Set(x, y, {static_cast<double>(x), static_cast<double>(y), 0});
+  const Environment environment(map);
+  const auto expect = [&](const R3::Vector& given) {
+    const R3::Vector d = R3::Unit(given);
+    const double u = R1::Atan2(d.x, -d.z) / (2 * pi) + 0.5,
+                 v = R1::Atan2(d.y, std::sqrt(d.x * d.x + d.z * d.z)) / pi + 0.5;
+    const R2::Color texel = environment.Radiance(given);
+    EXPECT_EQ(texel.r, std::min(2 * height - 1, static_cast<int>(u * 2 * height))) << given.x << ' ' << given.y;
+    EXPECT_EQ(texel.g, std::min(height - 1, static_cast<int>(v * height))) << given.x << ' ' << given.y;
+  };
+  const ray::RandomKey key(8);
+  for (std::uint64_t i = 0; i < 200'000; ++i) {
+    const auto random = [&](std::uint64_t k) { return key.Child(i).Child(k).Number(); };
+    R3::Vector d{2 * random(0) - 1, 2 * random(1) - 1, 2 * random(2) - 1};
+    if (i % 3 == 1) {  // within about 1e-8 of an edge between columns
+      const double angle = 2 * pi * (std::floor(random(3) * 2 * height) / (2 * height) - 0.5) + 2e-8 * d.y;
+      d.x = std::sin(angle), d.z = -std::cos(angle);
+    }
+    expect(i % 3 == 2 ? std::exp2(600 * d.z) * d : d);
+  }
 }
 
 TEST(Environment, AProbeIsWhereDocumented) {
