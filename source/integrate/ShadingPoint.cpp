@@ -55,7 +55,9 @@ double LeastT(const ShadingPoint& surface, const R3::Vector& direction) {
 }  // namespace
 
 R3::Ray SpawnRay(const ShadingPoint& surface, const R3::Vector& direction) {
-  return {SpawnPoint(surface.at, direction), direction, LeastT(surface, direction), R3::infinity,
+  const R3::Vector n = AsVector(surface.at.normal);
+  const bool is_towards_viewer = (Dot(n, direction) < 0) == (Dot(n, surface.wo) < 0);
+  return {is_towards_viewer ? surface.shadow_origin : SpawnPoint(surface.at, direction), direction, LeastT(surface, direction), R3::infinity,
           surface.path.ray.time};
 }
 
