@@ -13,14 +13,14 @@ error times seconds; and by how much the means of the two references differ. Abo
 import argparse
 import math
 import os
-import platform
-import resource
 import shutil
 import subprocess
 import sys
 import tempfile
 import time
 from pathlib import Path
+
+import beside
 
 root = Path(__file__).resolve().parent.parent
 raypro = os.environ.get("RAYPRO", str(root / "build/raypro"))
@@ -124,24 +124,6 @@ def sky_with_sun():
     return sky + 60 * np.exp(800 * (cosine - 1))[..., None]
 
 
-def bumpy_ball(sides=256, rings=136):
-    def corner(side, ring):
-        a, b = math.pi * ring / rings, 2 * math.pi * side / sides
-        r = 0.9 + 0.15 * math.sin(3 * b) * math.sin(a) + 0.05 * math.cos(17 * a) * math.sin(a)
-        return (r * math.sin(a) * math.cos(b), 0.9 + r * math.cos(a), r * math.sin(a) * math.sin(b))
-
-    corners = [corner(s, r) for r in range(rings + 1) for s in range(sides)]
-    at = lambda s, r: r * sides + s % sides
-    faces = []
-    for r in range(rings):
-        for s in range(sides):
-            if r > 0:
-                faces.append((at(s, r), at(s + 1, r), at(s, r + 1)))
-            if r + 1 < rings:
-                faces.append((at(s + 1, r), at(s + 1, r + 1), at(s, r + 1)))
-    return corners, faces
-
-
 def scan(folder, path):
     """A mesh under a sky with a sun."""
     if path:
@@ -157,7 +139,7 @@ def scan(folder, path):
     if path:
         s.mesh_file(Path(shutil.copy(path, folder)), (0.6, 0.5, 0.4))
     else:
-        s.mesh(*bumpy_ball(), (0.6, 0.5, 0.4))
+        s.mesh(*beside.bumpy_ball(), (0.6, 0.5, 0.4))
     r = 10 * size
     s.quad((-r, low[1], r), (r, low[1], r), (r, low[1], -r), (-r, low[1], -r), (0.4, 0.4, 0.4))
     s.environment(sky_with_sun())
@@ -194,21 +176,16 @@ def spheres(folder):
     return s.save()
 
 
-def children_seconds():
-    usage = resource.getrusage(resource.RUSAGE_CHILDREN)
-    return usage.ru_utime + usage.ru_stime
-
-
 def ours(scene, width, samples, seed=0):
     import numpy as np
 
     def run(out, width, samples):
-        before = children_seconds()
+        before = beside.children_seconds()
         subprocess.run(
             [raypro, str(scene.path), str(out), "-width", str(width), "-height", str(width), "-samples", str(samples),
              "-mode", "path", "-max_depth", str(max_depth), "-threads", "1", "-seed", str(seed), "-quiet", "-restart"],
             check=True)
-        return children_seconds() - before
+        return beside.children_seconds() - before
 
     out = scene.folder / "ours.pfm"
     start = min(run(out, 1, 1) for _ in range(3))
@@ -260,10 +237,8 @@ def main():
         sys.exit("against_mitsuba.py: %s; pip install mitsuba numpy" % missing)
     mi.set_variant(asked.variant)
     mi.set_log_level(mi.LogLevel.Error)
-    model = next((l.split(":")[1].strip() for l in open("/proc/cpuinfo") if l.startswith("model name")),
-                 platform.machine())
     print("raypro beside Mitsuba %s %s, %dx%d, %d samples, %d bounces, one thread; %s; %s" % (
-        mi.__version__, asked.variant, asked.width, asked.width, asked.samples, max_depth, model,
+        mi.__version__, asked.variant, asked.width, asked.width, asked.samples, max_depth, beside.processor(),
         time.strftime("%Y-%m-%d")))
     print("%-9s%11s%11s%8s%12s%12s%12s%12s" % (
         "scene", "ours M/s", "theirs M/s", "ratio", "our error", "their error", "efficiency", "means differ"))
