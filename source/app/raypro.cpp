@@ -104,7 +104,8 @@ int MakePicture(const Options& asked, const Words& words) {
   if (result.IsComplete() && checkpoint) checkpoint->PictureIsFinished(options.keep_checkpoint);
   WriteReport(outputs, account.stats());
   account.Summarize();
-  return result.IsComplete() ? status::done : status::killed_by + StopSignal();
+  if (!result.IsComplete()) return status::killed_by + StopSignal();
+  return result.denoise_failure.empty() ? status::done : status::failed;
 }
 
 int DoOne(const Options& options, const Words& words) {

@@ -34,6 +34,7 @@ std::vector<std::string> OptionsWithoutEffect(const Options& options) {
       {"bits", kind == "png", on_format},
       {"jpeg_quality", kind == "jpeg", on_format},
       {"bytes", format && !format->is_linear, on_format},
+      {"denoiser", render.denoise, "without -denoise"},
       {"focus", has_lens, "without -aperture"},
       {"lens", has_lens && is_grid, "without -aperture and -sampler grid"},
       {"lens_samples", has_lens && is_grid && render.camera.lens != LensPattern::random, "without -lens spiral"},
@@ -135,6 +136,7 @@ void RunLog::Rendered(const RenderResult& result) {
     Warn("raypro: warning: " + Counted(result.rays.cut, "ray") + " were terminated; a camera ray may have at most " +
          std::to_string(most_descendants) + " descendants");
   PrintStep("traced " + Counted(result.rays.Total(), "ray"), stats_.seconds.render);
+  if (!result.denoise_failure.empty()) Warn("raypro: the image is not denoised: " + result.denoise_failure);
   if (result.error_before_denoising) PrintStep("of that, denoised", result.denoise_seconds);
 }
 

@@ -73,6 +73,21 @@ TEST(DenoiseResult, WithoutItNothingIsFilteredAndTwoStreamsAreNotTaken) {
   EXPECT_GT(project::Render(stage, settings).rays[RayKind::camera].rays, plain.rays[RayKind::camera].rays);
 }
 
+TEST(DenoiseResult, WhereALibraryFailsThePictureIsAsItWasRenderedAndTheResultSaysWhy) {
+  if (OpenImageDenoise::IsPresent()) GTEST_SKIP() << "this machine has Open Image Denoise";
+  const project::Stage stage = Room();
+  RenderSettings settings = Indirect(4);
+  settings.denoise = true;
+  settings.denoiser = Denoiser::oidn;
+  const RenderResult result = project::Render(stage, settings);
+  EXPECT_NE(result.denoise_failure.find("not installed"), std::string::npos);
+  EXPECT_FALSE(result.error_before_denoising);
+  settings.denoise = false;
+  settings.replay =
+      Replay{result.two_streams, result.planned_samples, {result.passes.back().end}, result.block_samples, {}};
+  EXPECT_TRUE(project::Render(stage, settings).image == result.image);
+}
+
 TEST(DenoiseResult, WorksForACropAFilterAndBlocksOfDifferentSampleCounts) {
   const project::Stage stage = Room();
   RenderSettings settings = Indirect(64);
