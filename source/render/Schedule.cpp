@@ -12,7 +12,8 @@ namespace {
 
 constexpr std::uint32_t most_samples = 1u << 30;      // per pixel and stream, where nothing else ends the render
 constexpr std::uint32_t planned_if_unknown = 16;      // samples that strata are laid out for when no count is known
-constexpr std::uint32_t first_with_error_target = 8;  // of each stream, before anything is decided
+constexpr std::uint32_t first_with_error_target = 8;  // of each stream, before anything else is decided
+constexpr std::uint32_t first_that_may_do = 4;        // before the error may be found small enough
 constexpr double share_of_time_aimed_at = 0.97;       // so that a pass may take longer than expected as well as shorter
 constexpr double share_of_time_at_once = 0.6;         // of what is left, by a pass: its speed is known from others
 constexpr double share_of_time_not_used = 0.01;       // is too little for another pass
@@ -127,7 +128,7 @@ std::optional<Stop> Schedule::Next(const PassOutcome& pass) {
   if (state_.end == 0) return NextOfLooks(pass);
   if (looks_at_neighbors_) return NextOfNeighbors(pass);
   const MeasuredError* error = DecidesByError() && pass.error ? &*pass.error : nullptr;
-  if (error && error->square_high <= SquaredTargetOf(*error)) return Stop::error;
+  if (MayDo() && pass.error && pass.error->square_high <= SquaredTargetOf(*pass.error)) return Stop::error;
   if (error && pass.has_stalled && ceiling_ == most_samples && budget_.seconds == 0) return Stop::stall;
   std::uint32_t end = std::min(ceiling_, NextEnd(error));
   std::vector<std::uint32_t> targets(blocks_.areas.size(), end);
@@ -140,6 +141,14 @@ std::optional<Stop> Schedule::Next(const PassOutcome& pass) {
   state_.end = end;
   state_.targets.samples = std::move(targets);
   return {};
+}
+
+/// Whether an error after the pass that runs ends the render if it is small enough. It is looked at once before
+/// anything else is decided by it, for the sake of coarse targets, which leaves no trace where it is too large.
+///   accuracy   20 scenes with 6 seeds and targets of 16, 8 and 4 / 255: 235 of 360 renders ended there, at 8 samples
+///              instead of some 20, and the true error was above the target in three, of the caustic, as in later ones
+bool Schedule::MayDo() const {
+  return budget_.error && !replay_ && state_.end >= std::min(ceiling_, first_that_may_do);
 }
 
 /// Until every pixel has its first sample, or where that takes long, first at twice as many places.
