@@ -30,13 +30,16 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-RenderResult RenderAndTell(const World& world, const Accelerator& accelerator, const Options& options,
-                           const RunLog& account, Checkpoint* checkpoint) {
+RenderResult RenderAndTell(const World& world, const Accelerator& accelerator, const Options& options, RunLog& account,
+                           Checkpoint* checkpoint) {
   const std::string& hash = account.stats().scene.hash;
   RenderSettings settings = options.render;
   settings.replay = ReadReplay(options, hash);
-  if (settings.budget.seconds > 0)
-    settings.budget.seconds_to_finish = SecondsToFinish(*FormatOfPicture(options.picture), options);
+  if (settings.budget.seconds > 0) {
+    const FinishingTime finishing = FinishingTimeOf(*FormatOfPicture(options.picture), options);
+    settings.budget.seconds_to_finish = finishing.most;
+    account.WillFinishIn(finishing.least);
+  }
   Progress progress(ChooseProgressStyle(options.quiet));
   const auto tile_done = [&](const RenderProgress& now) { progress.Update(now); };
   RenderMonitor monitor;
