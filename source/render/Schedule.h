@@ -81,7 +81,7 @@ class Schedule {
   std::optional<Stop> Next(const PassOutcome& pass);
 
  private:
-  bool MayDo() const;
+  bool Suffices(const MeasuredError& error) const;
   std::optional<Stop> NextOfReplay();
   void ReplayTo(std::uint32_t end);
   void SampleTo(std::uint32_t end);

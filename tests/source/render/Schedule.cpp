@@ -166,6 +166,14 @@ TEST(Schedule, TooFewSamplesDecideNothingByTheirError) {
   EXPECT_EQ(schedule.Next(Found(0)), Stop::error);
 }
 
+TEST(Schedule, AFirstErrorEndsTheRenderWhereItMeetsTheTargetThoughItShouldNotHaveFallen) {
+  Schedule surely = Sampling(ToErrorOne());
+  for (int i = 0; i < 2; ++i) EXPECT_FALSE(surely.Next(Found(0)));
+  Schedule perhaps = surely;
+  EXPECT_EQ(surely.Next(Found(0.45)), Stop::error) << "the end of twice its interval is at .99";
+  EXPECT_FALSE(perhaps.Next(Found(0.5)));
+}
+
 // Coarse targets are met by four samples of each stream; finer ones would change if more than that were decided there.
 TEST(Schedule, AFirstErrorThatIsTooLargeLeavesNoTrace) {
   RenderSettings settings = ToErrorOne();
