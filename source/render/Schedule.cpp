@@ -146,9 +146,8 @@ std::optional<Stop> Schedule::Next(const PassOutcome& pass) {
 /// Whether an error after the pass that runs is small enough to end the render. For the sake of coarse targets it is
 /// looked at once before anything else is decided by it, which leaves no trace where it is too large. Nothing tells
 /// then how it falls, so its square counts as if it had not fallen when the samples were last doubled.
-///   accuracy   20 scenes with 6 seeds and targets of 16, 8 and 4 / 255: 185 of 360 renders end there, of which none
-///   has a
-///              true error above the target; without that doubling 235 would, and three had
+///   accuracy   20 scenes with 6 seeds and targets of 16, 8 and 4 / 255: 185 of 360 renders end there, and none of
+///              these has a true error above the target; without that doubling 235 would, and three had
 bool Schedule::Suffices(const MeasuredError& error) const {
   if (!LooksAtError() || state_.end < std::min(ceiling_, first_that_may_do)) return false;
   return (DecidesByError() ? 1 : 2) * error.square_high <= SquaredTargetOf(error);

@@ -19,6 +19,7 @@
 #include "source/app/options/RayimgTable.h"
 #include "source/app/options/SceneSettings.h"
 #include "source/app/report/Memory.h"
+#include "source/film/denoise/DenoiseFilters.h"
 #include "source/text/EnumNames.h"
 #include "source/text/Number.h"
 #include "source/text/Quoting.h"

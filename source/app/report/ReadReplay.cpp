@@ -7,6 +7,7 @@
 #include "source/app/files/ReadInputs.h"
 #include "source/app/options/OptionTable.h"
 #include "source/app/report/ReportJson.h"
+#include "source/film/denoise/DenoiseFilters.h"
 #include "source/parse/SceneError.h"
 #include "source/parse/Text.h"
 #include "source/parse/document/Document.h"

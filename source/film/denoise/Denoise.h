@@ -1,7 +1,7 @@
 #pragma once
 
 #include "R2/Image.h"
-#include "source/film/denoise/Denoiser.h"
+#include "source/film/denoise/DenoiseFilters.h"
 #include "source/film/denoise/Guides.h"
 
 namespace ray {

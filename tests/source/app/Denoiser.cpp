@@ -1,4 +1,4 @@
-#include "source/film/denoise/Denoiser.h"
+#include "source/film/denoise/DenoiseFilters.h"
 
 #include <gtest/gtest.h>
 
@@ -20,10 +20,12 @@ using testing::With;
 using testing::WriteFile;
 using List = std::vector<std::string>;
 
-Options Parsed(const List& more) { return ReadCommandLine(Program::raypro, With({"in.scn", "out.ppm"}, more)); }
+Options OptionsOfDenoiser(const List& more) {
+  return ReadCommandLine(Program::raypro, With({"in.scn", "out.ppm"}, more));
+}
 
-struct Place : SceneFolder {
-  Place()
+struct StageForDenoiser : SceneFolder {
+  StageForDenoiser()
       : SceneFolder(
             "camera 0 1 6  0 0 -1  0 1 0  0.3  0.1 100\nbox -1  -4 -1 -4  4 0 4\nsphere -1  0 0.8 0  0.8\n"
             "area_light 9 9 9  2 4 2  -1 -2 -1  1  0 0 1\n") {}
@@ -33,8 +35,8 @@ struct Place : SceneFolder {
 };
 
 TEST(Denoiser, TheDenoiserIsOursUnlessAnotherIsAskedForAndAutomaticIsResolvedBeforeTheRender) {
-  EXPECT_EQ(Parsed({"-denoise", "-samples", "4"}).render.denoiser, Denoiser::regression);
-  Options options = Parsed({"-denoise", "-samples", "4", "-denoiser", "auto"});
+  EXPECT_EQ(OptionsOfDenoiser({"-denoise", "-samples", "4"}).render.denoiser, Denoiser::regression);
+  Options options = OptionsOfDenoiser({"-denoise", "-samples", "4", "-denoiser", "auto"});
   CompleteForScene(options);
   EXPECT_EQ(options.render.denoiser, OpenImageDenoise::IsPresent() ? Denoiser::both : Denoiser::regression);
 }
@@ -42,7 +44,7 @@ TEST(Denoiser, TheDenoiserIsOursUnlessAnotherIsAskedForAndAutomaticIsResolvedBef
 TEST(Denoiser, ThatIsMissingIsToldBeforeTheFirstRay) {
   NEEDS_THE_PROGRAM();
   if (OpenImageDenoise::IsPresent()) GTEST_SKIP() << "this machine has Open Image Denoise";
-  const Place place;
+  const StageForDenoiser place;
   for (const char* name : {"oidn", "both"}) {
     const Finished run = place.Run("a.png", {"-samples", "4", "-denoise", "-denoiser", name});
     EXPECT_EQ(run.status, status::wrong_arguments);
@@ -57,7 +59,7 @@ TEST(Denoiser, ThatIsMissingIsToldBeforeTheFirstRay) {
 
 TEST(Denoiser, WithoutDenoisingIsWarnedOfAndNotLoaded) {
   NEEDS_THE_PROGRAM();
-  const Place place;
+  const StageForDenoiser place;
   const Finished run = place.Run("a.png", {"-denoiser", "oidn"});
   EXPECT_EQ(run.status, status::done);
   EXPECT_TRUE(Has(run.error, "-denoiser has no effect without -denoise")) << run.error;
@@ -67,7 +69,7 @@ TEST(Denoiser, WithoutDenoisingIsWarnedOfAndNotLoaded) {
 TEST(Denoiser, OfALibraryIsNamedInImageReportAndLineAndReplayInsistsOnIt) {
   NEEDS_THE_PROGRAM();
   if (!OpenImageDenoise::IsPresent()) GTEST_SKIP() << "this machine has no Open Image Denoise";
-  const Place place;
+  const StageForDenoiser place;
   const List settings{"-denoise", "-denoiser", "oidn"};
   const Finished run = place.Run("a.png", With(settings, {"-samples", "4", "-report", place / "r.json"}));
   const std::string name = DenoiseFilters(Denoiser::oidn).Name();

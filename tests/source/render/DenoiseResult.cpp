@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "source/film/PictureError.h"
+#include "source/film/denoise/OpenImageDenoise.h"
 #include "source/render/GatherGuides.h"
 #include "source/render/Schedule.h"
 #include "tests/Project.h"

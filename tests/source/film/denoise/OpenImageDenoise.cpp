@@ -14,7 +14,7 @@
 namespace ray {
 namespace {
 
-constexpr int side = 40;
+constexpr int extent = 40;
 
 /// A library that does as it is told, for what no real one can be made to do. Its filters give `factor` times the
 /// color.
@@ -48,7 +48,7 @@ void SetSharedFilterImage(void*, const char* name, void* pixels, int, std::size_
 }
 void SetFilterBool(void*, const char* name, bool) { fake.filter_settings.insert(name); }
 void ExecuteFilter(void*) {
-  for (int i = 0; i < 3 * side * side; ++i) fake.images["output"][i] = fake.factor * fake.images["color"][i];
+  for (int i = 0; i < 3 * extent * extent; ++i) fake.images["output"][i] = fake.factor * fake.images["color"][i];
 }
 
 template <typename Function>
@@ -95,11 +95,11 @@ std::string FaultOfLoading() {
 
 /// Gray with even noise.
 Pixels<Rgb> NoisyGray(std::uint64_t seed) {
-  Pixels<Rgb> pixels(side, side);
-  for (int y = 0; y < side; ++y)
-    for (int x = 0; x < side; ++x)
+  Pixels<Rgb> pixels(extent, extent);
+  for (int y = 0; y < extent; ++y)
+    for (int x = 0; x < extent; ++x)
       for (std::uint64_t k = 0; k < 3; ++k) {
-        const RandomKey key = RandomKey(seed).Child(static_cast<std::uint64_t>(side * y + x)).Child(k);
+        const RandomKey key = RandomKey(seed).Child(static_cast<std::uint64_t>(extent * y + x)).Child(k);
         pixels.At(x, y)[k] = static_cast<float>(0.5 + 0.2 * (key.Number() - 0.5));
       }
   return pixels;
@@ -107,16 +107,16 @@ Pixels<Rgb> NoisyGray(std::uint64_t seed) {
 
 Guides BlankGuides() {
   Guides guides;
-  guides.best = guides.of_stream[0] = guides.of_stream[1] = Pixels<PixelGuide>(side, side);
+  guides.best = guides.of_stream[0] = guides.of_stream[1] = Pixels<PixelGuide>(extent, extent);
   return guides;
 }
 
 double Deviation(const Pixels<Rgb>& pixels) {
   double sum = 0;
-  for (int y = 0; y < side; ++y)
-    for (int x = 0; x < side; ++x)
+  for (int y = 0; y < extent; ++y)
+    for (int x = 0; x < extent; ++x)
       for (const float channel : pixels.At(x, y)) sum += std::pow(channel - 0.5, 2);
-  return std::sqrt(sum / (3 * side * side));
+  return std::sqrt(sum / (3 * extent * extent));
 }
 
 class OpenImageDenoiseOf : public testing::Test {
