@@ -66,22 +66,4 @@ ImageHeader ReadImageHeader(std::span<const unsigned char> bytes) {
   return {format.read_size(bytes), &format, format.read_settings ? format.read_settings(bytes) : ImageSettings{}};
 }
 
-namespace {
-
-// NaN fails the first comparison.
-double Quantized(double channel, double most, Quantization how) {
-  if (!(channel > 0)) return 0;
-  return std::min(channel, 1.0) * most + (how == Quantization::rounded ? 0.5 : 0);
-}
-
-}  // namespace
-
-unsigned char ToByte(double channel, Quantization how) {
-  return static_cast<unsigned char>(Quantized(channel, 255, how));
-}
-
-unsigned short ToShort(double channel, Quantization how) {
-  return static_cast<unsigned short>(Quantized(channel, 65535, how));
-}
-
 }  // namespace R2

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <map>
 #include <span>
@@ -93,9 +94,20 @@ struct ImageHeader {
 /// Without decoding a pixel, so that a small file of a large image costs nothing. Throws ImageError.
 ImageHeader ReadImageHeader(std::span<const unsigned char> bytes);
 
+/// A channel, clamped to [0, 1], as a number from 0 to `most`; NaN, which fails the first comparison, gives 0.
+template <class Whole>
+Whole Quantized(double channel, double most, Quantization how) {
+  if (!(channel > 0)) return 0;
+  return static_cast<Whole>(std::min(channel, 1.0) * most + (how == Quantization::rounded ? 0.5 : 0));
+}
+
 /// 8-bit value of a channel, clamped to [0, 1]; NaN gives 0.
-unsigned char ToByte(double channel, Quantization how = Quantization::rounded);
+inline unsigned char ToByte(double channel, Quantization how = Quantization::rounded) {
+  return Quantized<unsigned char>(channel, 255, how);
+}
 /// 16-bit likewise.
-unsigned short ToShort(double channel, Quantization how = Quantization::rounded);
+inline unsigned short ToShort(double channel, Quantization how = Quantization::rounded) {
+  return Quantized<unsigned short>(channel, 65535, how);
+}
 
 }  // namespace R2

@@ -8,7 +8,7 @@
 #
 # With targets, each scene is rendered until its error is below each of them instead, with at most 2,048 samples. Per
 # scene: renders that got there, the share of them whose true error is below the target, the largest true error in
-# targets, and of those that took more than the least, 16 samples, the share whose true error is above 1/1.3 of it.
+# targets, and of those that took more than the least, 8 samples, the share whose true error is above 1/1.3 of it.
 #
 # The truth is told by two references of 1024 samples of other seeds, kept in FOLDER (default build/claims) from run to
 # run. With 6 seeds, the default, 20 scenes are 360 renders for displayed errors and 180 for linear ones: ten minutes of two
@@ -120,7 +120,7 @@ if [ "$targets" ]; then
     {
       ++n; kept += $2 <= 1
       if ($2 > largest) largest = $2
-      if ($3 > 16) { ++longer; tight += $2 >= 1 / 1.3 }
+      if ($3 > 8) { ++longer; tight += $2 >= 1 / 1.3 }
     }
     END { line() }'
   exit

@@ -2,19 +2,21 @@
 # A table of what -denoise does: of scenes of scenes/ at 16 samples per pixel the displayed RMSE in 255ths, unfiltered and
 # filtered, their ratio, the claim that the filtered picture comes with over the truth, and the processor seconds of both runs.
 #
-#     script/denoise_table.sh [-size N] [-samples N] [-seed N] [-filter name] [-references FOLDER] [-pictures FOLDER] [id ...]
+#     script/denoise_table.sh [-size N] [-samples N] [-seed N] [-filter name] [-denoiser name] [-references FOLDER]
+#                             [-pictures FOLDER] [id ...]
 #
-# The truth is told by a reference of 2048 samples of another seed, kept in FOLDER (default build/denoise) from run to run;
-# those of all scenes take some ten minutes at the default size, 192. With -pictures both pictures of each scene are
-# kept there. RAYPRO names the program (default build/raypro).
+# The truth is told by two references of other seeds, of 2048 and of 512 samples, kept in FOLDER (default build/denoise)
+# from run to run: beside one alone its own noise would count as error, up to a quarter of what denoising leaves. Those of
+# all scenes take some fifteen minutes at the default size, 192. With -pictures both pictures of each scene are kept there.
+# -denoiser is that of raypro. RAYPRO names the program (default build/raypro).
 set -eu
 export LC_ALL=C  # numbers have a point
 here=$(cd "$(dirname "$0")/.." && pwd)
 raypro=${RAYPRO:-$here/build/raypro}
-size=192 samples=16 seed=1 filter=box references=$here/build/denoise pictures=
+size=192 samples=16 seed=1 filter=box denoiser=regression references=$here/build/denoise pictures=
 while [ $# -gt 0 ]; do
   case $1 in
-    -size) size=$2 ;; -samples) samples=$2 ;; -seed) seed=$2 ;; -filter) filter=$2 ;;
+    -size) size=$2 ;; -samples) samples=$2 ;; -seed) seed=$2 ;; -filter) filter=$2 ;; -denoiser) denoiser=$2 ;;
     -references) references=$2 ;; -pictures) pictures=$2 ;;
     *) break ;;
   esac
@@ -49,16 +51,17 @@ value() { awk -v from="\"$1\":" -v key="\"$2\":" '$1 == from { seen = 1 } seen &
 printf '%-14s%10s%10s%8s%12s%9s%9s\n' id noisy denoised ratio claim/true cpu_s cpu_s
 while read -r id scene options; do
   case " $* " in "  " | *" $id "*) ;; *) continue ;; esac
-  reference=$references/$id.$size.$filter.pfm
+  reference=$references/$id.$size.$filter
   # shellcheck disable=SC2086
   set -- "$@" && run() { "$raypro" "$here/scenes/$scene.scn" "$@" $options -width "$size" -height "$size" -filter "$filter" -quiet; }
-  [ -s "$reference" ] || run "$reference" -samples 2048 -seed 4711
+  [ -s "$reference.1.pfm" ] || run "$reference.1.pfm" -samples 2048 -seed 4711
+  [ -s "$reference.2.pfm" ] || run "$reference.2.pfm" -samples 512 -seed 4712
   for name in noisy denoised; do
-    streams=-denoise
+    streams="-denoise -denoiser $denoiser"
     # An error that is never reached makes two streams, as -denoise does.
     [ $name = denoised ] || streams="-error .000001 -adaptive off"
     # shellcheck disable=SC2086
-    run "$work/$name.png" -samples "$samples" -seed "$seed" -reference "$reference" -report "$work/$name" $streams
+    run "$work/$name.png" -samples "$samples" -seed "$seed" -reference "$reference.1.pfm,$reference.2.pfm" -report "$work/$name" $streams
     [ -z "$pictures" ] || cp "$work/$name.png" "$pictures/$id.$name.png"
   done
   echo "$id $(value error true_error "$work/noisy") $(value error true_error "$work/denoised") \

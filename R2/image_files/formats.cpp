@@ -17,12 +17,11 @@ ImageSize CheckedSize(const char* kind, std::int64_t width, std::int64_t height)
 }
 
 std::vector<unsigned char> ByteRow(const Image& image, int y, const ImageEncoding& encoding) {
-  std::vector<unsigned char> bytes;
-  bytes.reserve(3 * static_cast<std::size_t>(image.Width()));
+  std::vector<unsigned char> bytes(3 * static_cast<std::size_t>(image.Width()));
+  auto to = bytes.begin();
   for (int x = 0; x < image.Width(); ++x) {
     const Color c = image.At(x, y);
-    for (double channel : {c.r, c.g, c.b})
-      bytes.push_back(ToByte(EncodedChannel(channel, encoding), encoding.quantization));
+    for (double channel : {c.r, c.g, c.b}) *to++ = ToByte(EncodedChannel(channel, encoding), encoding.quantization);
   }
   return bytes;
 }

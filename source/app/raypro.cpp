@@ -30,13 +30,16 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-RenderResult RenderAndTell(const World& world, const Accelerator& accelerator, const Options& options,
-                           const RunLog& account, Checkpoint* checkpoint) {
+RenderResult RenderAndTell(const World& world, const Accelerator& accelerator, const Options& options, RunLog& account,
+                           Checkpoint* checkpoint) {
   const std::string& hash = account.stats().scene.hash;
   RenderSettings settings = options.render;
   settings.replay = ReadReplay(options, hash);
-  if (settings.budget.seconds > 0)
-    settings.budget.seconds_to_finish = SecondsToFinish(*FormatOfPicture(options.picture), options);
+  if (settings.budget.seconds > 0) {
+    const FinishingTime finishing = FinishingTimeOf(*FormatOfPicture(options.picture), options);
+    settings.budget.seconds_to_finish = finishing.most;
+    account.WillFinishIn(finishing.least);
+  }
   Progress progress(ChooseProgressStyle(options.quiet));
   const auto tile_done = [&](const RenderProgress& now) { progress.Update(now); };
   RenderMonitor monitor;
@@ -104,7 +107,8 @@ int MakePicture(const Options& asked, const Words& words) {
   if (result.IsComplete() && checkpoint) checkpoint->PictureIsFinished(options.keep_checkpoint);
   WriteReport(outputs, account.stats());
   account.Summarize();
-  return result.IsComplete() ? status::done : status::killed_by + StopSignal();
+  if (!result.IsComplete()) return status::killed_by + StopSignal();
+  return result.denoise_failure.empty() ? status::done : status::failed;
 }
 
 int DoOne(const Options& options, const Words& words) {

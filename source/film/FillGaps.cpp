@@ -36,14 +36,13 @@ class Filler {
   /// Where no neighbor on the lattice was known: along rows from the nearest that is, and rows without any from those
   /// below or above.
   void Spread() {
-    for (int y = 0; y < image_.Height(); ++y) {
+    tbb::parallel_for(0, image_.Height(), [&](int y) {
       for (int x = 1; x < image_.Width(); ++x) Copy(x - 1, y, x, y);
       for (int x = image_.Width() - 2; x >= 0; --x) Copy(x + 1, y, x, y);
-    }
-    for (int x = 0; x < image_.Width(); ++x) {
-      for (int y = 1; y < image_.Height(); ++y) Copy(x, y - 1, x, y);
-      for (int y = image_.Height() - 2; y >= 0; --y) Copy(x, y + 1, x, y);
-    }
+    });
+    // By now a row is known as a whole or not at all.
+    for (int y = 1; y < image_.Height(); ++y) CopyRow(y - 1, y);
+    for (int y = image_.Height() - 2; y >= 0; --y) CopyRow(y + 1, y);
   }
 
  private:
@@ -86,6 +85,11 @@ class Filler {
     if (IsKnown(x, y) || !IsKnown(from_x, from_y)) return;
     image_.Set(x, y, image_.At(from_x, from_y));
     IsKnown(x, y) = 1;
+  }
+
+  void CopyRow(int from, int to) {
+    if (IsKnown(0, to) || !IsKnown(0, from)) return;
+    for (int x = 0; x < image_.Width(); ++x) Copy(x, from, x, to);
   }
 
   R2::Image& image_;

@@ -111,9 +111,9 @@ bool Film::HasGaps() const {
 /// In blocks that lack samples, what the pixels that were looked at show, and the others by those around.
 void Film::FillUnsampled(R2::Image& image) const {
   std::vector<char> is_known(static_cast<std::size_t>(region_.Area()), 1);
-  for (int i = 0; i < Blocks(); ++i) {
+  tbb::parallel_for(0, Blocks(), [&](int i) {
     const Block& block = (*this)[i];
-    if (block.Samples() > 0) continue;
+    if (block.Samples() > 0) return;
     const PixelRectangle pixels = PixelsInRegion(i);
     for (int y = pixels.y0; y < pixels.y1; ++y)
       for (int x = pixels.x0; x < pixels.x1; ++x) {
@@ -123,8 +123,8 @@ void Film::FillUnsampled(R2::Image& image) const {
         is_known[static_cast<std::size_t>(y - region_.y0) * static_cast<std::size_t>(region_.Width()) +
                  static_cast<std::size_t>(x - region_.x0)] = is_seen;
       }
-  }
-  FillGaps(image, region_.x0, region_.y0, is_known);
+  });
+  FillGaps(image, region_.x0, region_.y0, std::move(is_known));
 }
 
 R2::Image Film::Picture(R2::Quantization quantization) const {
@@ -158,7 +158,8 @@ R2::Image Film::Composed(R2::Quantization quantization, const Blend& blend) cons
       WeightedSum sum;
       if (reach == 0) {  // one block alone, without looking around
         const Block& own = (*this)[row * columns_ + column];
-        if (own.Samples() > 0) sum = blend(own, x, y);
+        if (own.Samples() == 0) continue;  // black, as images begin
+        sum = blend(own, x, y);
         image.Set(x - region_.x0, y - region_.y0, Normalized(sum, quantization));
         continue;
       }

@@ -15,14 +15,20 @@ void DenoiseResult(const World& world, const Accelerator& accelerator, const Ren
   if (!film.HasBothParts()) return;
   const auto start = std::chrono::steady_clock::now();
   tbb::task_arena arena(settings.threads > 0 ? settings.threads : tbb::info::default_concurrency());
-  arena.execute([&] {
-    const GatheredGuides gathered = GatherGuides(world, accelerator, settings, film);
-    const DenoisedPicture denoised = Denoise(film.Part(0), film.Part(1), gathered.guides);
-    result.rays += gathered.rays;
-    result.image = denoised.Mean();
-    result.error_before_denoising = result.error;
-    result.error = MeasureDenoisedError(film, denoised, measure).estimate;
-  });
+  try {
+    arena.execute([&] {
+      const DenoiseFilters filters(settings.denoiser, settings.threads);
+      const GatheredGuides gathered = GatherGuides(world, accelerator, settings, film);
+      result.rays += gathered.rays;
+      const DenoisedPicture denoised = Denoise(film.Part(0), film.Part(1), gathered.guides, filters);
+      result.image = denoised.Mean();
+      result.denoised_by = filters.Name();
+      result.error_before_denoising = result.error;
+      result.error = MeasureDenoisedError(film, denoised, measure).estimate;
+    });
+  } catch (const DenoiserError& error) {
+    result.denoise_failure = error.what();
+  }
   result.denoise_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 

@@ -189,7 +189,8 @@ class Job {
     pass.samples_taken = samples - pass_begin_.samples;
     if (schedule_.LooksAtError() || (settings_.wants_passes && !settings_.replay)) pass.error = Measure();
     if (pass.error) {
-      differences_ = pass.error->differences;
+      // Errors that a report alone asks for must not bear on those that decide.
+      if (schedule_.LooksAtError() || !settings_.budget.error) differences_ = pass.error->differences;
       passes_.back().error = pass.error->estimate;
       Foretell(pass);
     }

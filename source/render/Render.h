@@ -5,6 +5,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "R2/Image.h"
@@ -68,6 +69,8 @@ struct RenderResult {
   std::vector<Pass> passes;
   std::optional<ErrorEstimate> error;                   // of the image; nothing below two samples
   std::optional<ErrorEstimate> error_before_denoising;  // only where it was denoised
+  std::string denoised_by;                              // the name of the filters; empty where it was not denoised
+  std::string denoise_failure;  // why it was not, though it should be; `image` is as it was rendered then
   double denoise_seconds = 0;
   bool has_outliers = false;  // they hold most of the error, and no block was stopped early
 

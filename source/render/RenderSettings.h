@@ -8,6 +8,7 @@
 #include "source/film/Filter.h"
 #include "source/film/PictureError.h"
 #include "source/film/PixelRectangle.h"
+#include "source/film/denoise/Denoiser.h"
 #include "source/integrate/CameraRays.h"
 #include "source/integrate/Integrators.h"
 #include "source/integrate/TraceSettings.h"
@@ -71,7 +72,8 @@ struct RenderSettings {
   TraceSettings trace;
   Budget budget;
   std::optional<Replay> replay;
-  bool denoise = false;       // filter the picture of light once it is complete; takes two streams
+  bool denoise = false;  // filter the picture of light once it is complete; takes two streams
+  Denoiser denoiser = Denoiser::regression;
   bool srgb = false;          // the picture will be sRGB encoded, so display errors are counted after that
   bool wants_passes = false;  // double the samples pass by pass even without a budget, to see the error fall
 

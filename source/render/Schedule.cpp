@@ -12,7 +12,8 @@ namespace {
 
 constexpr std::uint32_t most_samples = 1u << 30;      // per pixel and stream, where nothing else ends the render
 constexpr std::uint32_t planned_if_unknown = 16;      // samples that strata are laid out for when no count is known
-constexpr std::uint32_t first_with_error_target = 8;  // of each stream, before anything is decided
+constexpr std::uint32_t first_with_error_target = 8;  // of each stream, before anything else is decided
+constexpr std::uint32_t first_that_may_do = 4;        // before the error may be found small enough
 constexpr double share_of_time_aimed_at = 0.97;       // so that a pass may take longer than expected as well as shorter
 constexpr double share_of_time_at_once = 0.6;         // of what is left, by a pass: its speed is known from others
 constexpr double share_of_time_not_used = 0.01;       // is too little for another pass
@@ -127,7 +128,7 @@ std::optional<Stop> Schedule::Next(const PassOutcome& pass) {
   if (state_.end == 0) return NextOfLooks(pass);
   if (looks_at_neighbors_) return NextOfNeighbors(pass);
   const MeasuredError* error = DecidesByError() && pass.error ? &*pass.error : nullptr;
-  if (error && error->square_high <= SquaredTargetOf(*error)) return Stop::error;
+  if (pass.error && Suffices(*pass.error)) return Stop::error;
   if (error && pass.has_stalled && ceiling_ == most_samples && budget_.seconds == 0) return Stop::stall;
   std::uint32_t end = std::min(ceiling_, NextEnd(error));
   std::vector<std::uint32_t> targets(blocks_.areas.size(), end);
@@ -140,6 +141,16 @@ std::optional<Stop> Schedule::Next(const PassOutcome& pass) {
   state_.end = end;
   state_.targets.samples = std::move(targets);
   return {};
+}
+
+/// Whether an error after the pass that runs is small enough to end the render. For the sake of coarse targets it is
+/// looked at once before anything else is decided by it, which leaves no trace where it is too large. Nothing tells
+/// then how it falls, so its square counts as if it had not fallen when the samples were last doubled.
+///   accuracy   20 scenes with 6 seeds and targets of 16, 8 and 4 / 255: 185 of 360 renders end there, and none of
+///              these has a true error above the target; without that doubling 235 would, and three had
+bool Schedule::Suffices(const MeasuredError& error) const {
+  if (!LooksAtError() || state_.end < std::min(ceiling_, first_that_may_do)) return false;
+  return (DecidesByError() ? 1 : 2) * error.square_high <= SquaredTargetOf(error);
 }
 
 /// Until every pixel has its first sample, or where that takes long, first at twice as many places.

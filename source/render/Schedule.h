@@ -70,7 +70,7 @@ class Schedule {
   const ScheduleState& State() const { return state_; }
   /// Whether the error of the picture, after the pass that runs, bears on what is next.
   bool DecidesByError() const { return budget_.error && !replay_ && state_.end >= first_decision_; }
-  /// Or on the first error that does, since that is compared with it.
+  /// Or on the first error that does, since that is compared with it; and if it is small enough it ends the render.
   bool LooksAtError() const { return budget_.error && !replay_ && 2 * state_.end >= first_decision_; }
   /// Whether what is next depends on how neighboring pixels differ after the pass that runs.
   bool LooksAtContrast() const { return looks_at_neighbors_ && state_.end == 1; }
@@ -81,6 +81,7 @@ class Schedule {
   std::optional<Stop> Next(const PassOutcome& pass);
 
  private:
+  bool Suffices(const MeasuredError& error) const;
   std::optional<Stop> NextOfReplay();
   void ReplayTo(std::uint32_t end);
   void SampleTo(std::uint32_t end);

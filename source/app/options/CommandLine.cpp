@@ -19,6 +19,7 @@
 #include "source/app/options/RayimgTable.h"
 #include "source/app/options/SceneSettings.h"
 #include "source/app/report/Memory.h"
+#include "source/film/denoise/DenoiseFilters.h"
 #include "source/text/EnumNames.h"
 #include "source/text/Number.h"
 #include "source/text/Quoting.h"
@@ -221,6 +222,16 @@ void CheckDenoise(const Options& options) {
     throw UsageError("-denoise needs -samples 2 or more, or -error");
 }
 
+/// A library that is asked for must be there before the first ray.
+void CheckDenoiser(const RenderSettings& render) {
+  if (!render.denoise || render.denoiser == Denoiser::automatic) return;
+  try {
+    DenoiseFilters(render.denoiser, render.threads);
+  } catch (const DenoiserError& error) {
+    throw UsageError(std::string("-denoiser ") + NameOf(render.denoiser) + ": " + error.what());
+  }
+}
+
 /// Square grids in pixels need square numbers of camera rays.
 void CheckGrid(const RenderSettings& render) {
   if (!IsGrid(render.trace.sampler)) return;
@@ -315,6 +326,7 @@ Options ReadCommandLine(Program program, std::span<const std::string> words) {
 }
 
 void CompleteForScene(Options& options) {
+  if (options.render.denoise) options.render.denoiser = Resolved(options.render.denoiser);
   CheckEffects(options.render.camera);
   CheckDenoise(options);
   CheckGrid(options.render);
@@ -326,6 +338,7 @@ void CompleteForScene(Options& options) {
 }
 
 void CheckMachine(const Options& options) {
+  CheckDenoiser(options.render);
   const std::string& name = options.accelerator.instruction_set;
   const std::vector<std::string> present = InstructionSets();
   if (name == "best" || std::find(present.begin(), present.end(), name) != present.end()) return;

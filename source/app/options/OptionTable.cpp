@@ -130,6 +130,8 @@ std::vector<OptionKind> MakeTable() {
        "more samples, smoother edges and shadows"},
       {"denoise", raypro, {}, {}, Flag{AT(render.denoise)}, "", "picture",
        "filter noise where that lowers the error, guided by surfaces; tells the error left"},
+      {"denoiser", raypro, {}, {"name"}, OneOfEnum<Denoiser>(AT(render.denoiser)), "", "picture",
+       "filter of -denoise: regression, Intel's library, or the better of both (auto: if it is found)"},
       {"crop", raypro, {}, {"x0", "y0", "x1", "y1"}, Rectangle{AT(render.crop)}, "pixels", "picture",
        "only columns x0..x1-1 from the left, rows y0..y1-1 from the bottom (as the image is stored)"},
       {"filter", both, {}, {"name"}, OneOfEnum<FilterKind>(AT(render.filter), true), "", "picture",

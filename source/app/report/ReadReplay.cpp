@@ -7,6 +7,7 @@
 #include "source/app/files/ReadInputs.h"
 #include "source/app/options/OptionTable.h"
 #include "source/app/report/ReportJson.h"
+#include "source/film/denoise/DenoiseFilters.h"
 #include "source/parse/SceneError.h"
 #include "source/parse/Text.h"
 #include "source/parse/document/Document.h"
@@ -56,6 +57,14 @@ void RequireSameSettings(const Json& settings, const Options& options) {
   }
 }
 
+/// Another version of a library may make other bits.
+void RequireSameDenoiser(const Json& report, const Options& options) {
+  if (!options.render.denoise || options.render.denoiser == Denoiser::regression) return;
+  const Json& then = report.at("error").at("denoised_by");
+  const std::string now = DenoiseFilters(options.render.denoiser).Name();
+  if (then != now) throw UsageError("the report was made with " + Shown(then) + ", not " + Quoted(now));
+}
+
 /// A whole number that a report may have, from 0 to `most`.
 std::uint32_t Count(const Json& number, std::uint32_t most, const char* of_what, const std::string& file) {
   if (!number.is_number_unsigned() || number > most)
@@ -96,6 +105,7 @@ std::optional<Replay> ReadReplay(const Options& options, const std::string& scen
     const Json report = ReadReport(options.replay);
     if (report.at("scene").at("hash") != scene_hash) throw UsageError("the report is of another scene");
     RequireSameSettings(report.at("settings"), options);
+    RequireSameDenoiser(report, options);
     Replay replay = SamplesOf(report, options.replay);
     RequireSamplesOfAllBlocks(replay, options);
     return replay;

@@ -84,7 +84,10 @@ Json ErrorJson(const RunStats& record) {
                {"freedom", e.freedom},
                {"outlier_share", e.outlier_share}};
   if (record.true_error) json["true_error"] = *record.true_error;
-  if (before) json["before_denoising"] = before->estimate;
+  if (before) {
+    json["before_denoising"] = before->estimate;
+    json["denoised_by"] = record.denoised_by;
+  }
   return json;
 }
 

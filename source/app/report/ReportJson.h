@@ -47,7 +47,8 @@ namespace ray {
 ///   |                    | ", denoised": of the picture that was denoised; "halves": at most about),   |
 ///   |                    | worst_block (error, at), freedom (the degrees of freedom that hold it),     |
 ///   |                    | outlier_share, true_error beside a reference, and                           |
-///   |                    | before_denoising (an estimate); null below two samples                      |
+///   |                    | before_denoising (an estimate), denoised_by (filters and their version);    |
+///   |                    | null below two samples                                                      |
 ///   | passes             | of each: end (samples a pixel and stream), samples (mean a pixel), seconds  |
 ///   |                    | (since the first ray), error (or null): the render's own convergence        |
 std::string ReportJson(const RunStats& record);

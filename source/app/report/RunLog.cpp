@@ -9,6 +9,7 @@
 #include "source/app/Status.h"
 #include "source/app/files/OutputFile.h"
 #include "source/app/files/SceneHash.h"
+#include "source/app/options/BudgetWords.h"
 #include "source/app/options/OptionTable.h"
 #include "source/app/options/PictureName.h"
 #include "source/app/options/SceneSettings.h"
@@ -34,6 +35,7 @@ std::vector<std::string> OptionsWithoutEffect(const Options& options) {
       {"bits", kind == "png", on_format},
       {"jpeg_quality", kind == "jpeg", on_format},
       {"bytes", format && !format->is_linear, on_format},
+      {"denoiser", render.denoise, "without -denoise"},
       {"focus", has_lens, "without -aperture"},
       {"lens", has_lens && is_grid, "without -aperture and -sampler grid"},
       {"lens_samples", has_lens && is_grid && render.camera.lens != LensPattern::random, "without -lens spiral"},
@@ -52,6 +54,12 @@ std::vector<std::string> OptionsWithoutEffect(const Options& options) {
   for (const auto& [option, is_used, why] : uses)
     if (options.IsGiven(option) && !is_used) lines.push_back("-" + std::string(option) + " has no effect " + why);
   return lines;
+}
+
+/// "8192x8192", of the crop where there is one.
+std::string PixelsAcross(const RenderSettings& render) {
+  const PixelRectangle part = render.crop.value_or(PixelRectangle{0, 0, render.width, render.height});
+  return std::to_string(part.Width()) + "x" + std::to_string(part.Height());
 }
 
 std::vector<std::string> ExplainRender(const World& world, const RunStats& stats) {
@@ -122,6 +130,13 @@ void RunLog::Built(const World& world, const Accelerator& accelerator) {
 
 void RunLog::Compared(double true_error) { stats_.true_error = true_error; }
 
+void RunLog::WillFinishIn(double seconds) {
+  const RenderSettings& render = stats_.options.render;
+  if (SecondsSoFar() + seconds <= render.budget.seconds) return;
+  Warn("raypro: warning: -time " + ShowDuration(render.budget.seconds) + " is too short: filling and writing " +
+       PixelsAcross(render) + " pixels alone takes about " + Rounded(seconds, 2) + " s");
+}
+
 void RunLog::Rendered(const RenderResult& result) {
   stats_.seconds.render = watch_.Lap();
   stats_.seconds.wall = watch_.Total();
@@ -135,6 +150,7 @@ void RunLog::Rendered(const RenderResult& result) {
     Warn("raypro: warning: " + Counted(result.rays.cut, "ray") + " were terminated; a camera ray may have at most " +
          std::to_string(most_descendants) + " descendants");
   PrintStep("traced " + Counted(result.rays.Total(), "ray"), stats_.seconds.render);
+  if (!result.denoise_failure.empty()) Warn("raypro: the image is not denoised: " + result.denoise_failure);
   if (result.error_before_denoising) PrintStep("of that, denoised", result.denoise_seconds);
 }
 

@@ -15,6 +15,8 @@ class RunLog {
   /// `options`: with the scene's own settings.
   void Loaded(const ParsedScene& parsed, const Options& options);
   void Built(const World& world, const Accelerator& accelerator);
+  /// Before the first sample of a render with a time limit: the seconds that its image takes without any.
+  void WillFinishIn(double seconds);
   void Rendered(const RenderResult& result);
   /// With what -reference names, in the unit of the estimated error.
   void Compared(double true_error);

@@ -74,6 +74,11 @@ std::string FreedomText(const ErrorEstimate& error) {
          Fixed(100 * std::min(1.0, 2 / std::sqrt(2 * error.freedom)), 0) + " %";
 }
 
+/// " by Open Image Denoise 2.5.1"; nothing for our own filter.
+std::string DenoiserText(const RunStats& record) {
+  return record.options.render.denoiser == Denoiser::regression ? "" : " by " + record.denoised_by;
+}
+
 std::string StopText(const RunStats& record) {
   return record.stop == stop_names[static_cast<std::size_t>(Stop::stall)] ? "an error that does not fall" : record.stop;
 }
@@ -109,7 +114,8 @@ std::string ErrorLines(const RunStats& record, const Line& line) {
       line("outliers", Fixed(100 * e.outlier_share, 1) + " % of it in the worst 0.1 % of the pixels");
   if (record.true_error) text += line("true error", ErrorText(*record.true_error, e.unit));
   if (const auto& before = record.error_before_denoising)
-    text += line("before denoising", ErrorText(before->estimate, before->unit));
+    text +=
+        line("denoised by", record.denoised_by) + line("before denoising", ErrorText(before->estimate, before->unit));
   return text;
 }
 
@@ -131,6 +137,7 @@ void RunStats::Take(const RenderResult& result) {
   passes = result.passes;
   error = result.error;
   error_before_denoising = result.error_before_denoising;
+  denoised_by = result.denoised_by;
   seconds.denoise = result.denoise_seconds;
 }
 
@@ -153,6 +160,8 @@ R2::ImageSettings SettingsInPicture(const RunStats& record) {
       {"accel", record.options.accelerator.name},
       {"pixels", PixelsText(record)},
   };
+  // Another version of the library may make another picture.
+  if (!DenoiserText(record).empty()) settings["denoised_by"] = record.denoised_by;
   if (record.options.keep_times) {
     settings["seconds"] = Fixed(record.seconds.wall, 3);
     settings["threads"] = std::to_string(record.threads);
@@ -189,7 +198,7 @@ std::string QualityLines(const RunStats& record) {
            ErrorText(e.estimate, e.unit) + " (" + Rounded(100 * record.options.render.budget.confidence, 6) +
            " %: " + Rounded(e.low, 3) + " to " + Rounded(e.high, 3) + FreedomText(e) + ")";
     if (const auto& before = record.error_before_denoising)
-      text += " denoised, " + ErrorText(before->estimate, before->unit) + " before";
+      text += " denoised" + DenoiserText(record) + ", " + ErrorText(before->estimate, before->unit) + " before";
     if (record.true_error) text += ", true error " + ErrorText(*record.true_error, e.unit);
     text += "; ";
   } else if (record.true_error) {

@@ -45,6 +45,7 @@ struct RunStats {
   std::vector<Pass> passes;
   std::optional<ErrorEstimate> error;
   std::optional<ErrorEstimate> error_before_denoising;
+  std::string denoised_by;           // see RenderResult
   std::optional<double> true_error;  // in the unit of `error`, beside -reference
   std::vector<std::string> needs, biased;
   std::string kernel;

@@ -21,13 +21,13 @@ constexpr int noise_radius = 3, noise_hole = 1;
 constexpr int error_radius = 7, error_hole = 3, blend_radius = 2;
 static_assert(blend_radius < error_hole);
 
-/// A filter to choose from. Of strengths from 0.5 to 6, with a guide ignored or not, these two had the least error
+/// A regression to choose from. Of strengths from 0.5 to 6, with a guide ignored or not, these two had the least error
 /// among pairs; a third filter had 3 % less for half as much time again.
-struct FilterChoice {
+struct RegressionFilter {
   double strength;
   bool ignores_guide;  // compares pixels by what is left of their color without the first guide, the color expected
 };
-constexpr FilterChoice filters[] = {{1, false}, {2, true}};
+constexpr RegressionFilter regression_filters[] = {{1, false}, {2, true}};
 
 /// Light as differences are counted in: what a screen shows as it is, what is brighter by its logarithm, so that one
 /// bright sample is not all that counts.
@@ -58,7 +58,7 @@ Pixels<Rgb> NoiseOf(const Pair& pair) {
               [&](int x, int y, std::size_t k) { return std::max(0.0F, means.At(x, y)[k]); });
 }
 
-Pair Filtered(const Pair& colors, const Guides& guides, const FilterChoice& filter) {
+Pair Filtered(const Pair& colors, const Guides& guides, const RegressionFilter& filter) {
   Pair compared, result;
   for (std::size_t i = 0; i < 2; ++i)
     compared[i] = Made(colors[i].Width(), colors[i].Height(), [&](int x, int y, std::size_t k) {
@@ -80,6 +80,10 @@ Pixels<Rgb> SquaredErrors(const Pair& filtered, const Pair& colors) {
     const float f = Compressed(filtered[0].At(x, y)[k]), g = Compressed(filtered[1].At(x, y)[k]);
     return ((f - b) * (f - b) + (g - a) * (g - a)) / 2 - (a - b) * (a - b) / 2 - (f - g) * (f - g) / 4;
   });
+}
+
+Pair FilteredBy(const OpenImageDenoise& library, const Pair& colors, const Guides& guides) {
+  return {library.Filtered(colors[0], guides.best), library.Filtered(colors[1], guides.best)};
 }
 
 /// The number of the candidate with the least error at each pixel, of equals the first.
@@ -124,9 +128,12 @@ R2::Image DenoisedPicture::Mean() const {
                       [&](int x, int y, std::size_t k) { return pair[0].At(x, y)[k] / 2 + pair[1].At(x, y)[k] / 2; }));
 }
 
-DenoisedPicture Denoise(const R2::Image& a, const R2::Image& b, const Guides& guides) {
-  std::vector<Pair> candidates{{PixelsOf(a), PixelsOf(b)}};
-  for (const FilterChoice& filter : filters) candidates.push_back(Filtered(candidates.front(), guides, filter));
+DenoisedPicture Denoise(const R2::Image& a, const R2::Image& b, const Guides& guides, const DenoiseFilters& filters) {
+  const Pair colors{PixelsOf(a), PixelsOf(b)};
+  std::vector<Pair> candidates{colors};
+  if (filters.HasRegression())
+    for (const RegressionFilter& filter : regression_filters) candidates.push_back(Filtered(colors, guides, filter));
+  if (filters.Library()) candidates.push_back(FilteredBy(*filters.Library(), colors, guides));
   const Pixels<std::size_t> choices = Choices(candidates);
   return {{ImageOf(Blended(candidates, choices, 0)), ImageOf(Blended(candidates, choices, 1))}};
 }

@@ -180,6 +180,16 @@ TEST(Replay, MakesARenderThatItsErrorOrTheClockEndedAgainToTheByte) {
   }
 }
 
+TEST(Time, TooShortForTheImageAloneIsToldAndTheImageMade) {
+  NEEDS_THE_PROGRAM();
+  const Place place;
+  const Finished run = place.Run("a.png", {"-time", "0.001s", "-width", "400", "-height", "300"});
+  EXPECT_EQ(run.status, 0);
+  EXPECT_TRUE(Has(run.error, "-time 0.001s is too short: filling and writing 400x300 pixels alone takes about "))
+      << run.error;
+  EXPECT_TRUE(std::filesystem::exists(place / "a.png"));
+}
+
 TEST(Replay, MakesADenoisedImageAgainToTheByte) {
   NEEDS_THE_PROGRAM();
   const Place place;

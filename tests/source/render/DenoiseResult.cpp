@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "source/film/PictureError.h"
+#include "source/film/denoise/OpenImageDenoise.h"
 #include "source/render/GatherGuides.h"
 #include "source/render/Schedule.h"
 #include "tests/Project.h"
@@ -71,6 +72,21 @@ TEST(DenoiseResult, WithoutItNothingIsFilteredAndTwoStreamsAreNotTaken) {
   settings.denoise = true;
   EXPECT_TRUE(HasTwoStreams(settings));
   EXPECT_GT(project::Render(stage, settings).rays[RayKind::camera].rays, plain.rays[RayKind::camera].rays);
+}
+
+TEST(DenoiseResult, WhereALibraryFailsThePictureIsAsItWasRenderedAndTheResultSaysWhy) {
+  if (OpenImageDenoise::IsPresent()) GTEST_SKIP() << "this machine has Open Image Denoise";
+  const project::Stage stage = Room();
+  RenderSettings settings = Indirect(4);
+  settings.denoise = true;
+  settings.denoiser = Denoiser::oidn;
+  const RenderResult result = project::Render(stage, settings);
+  EXPECT_NE(result.denoise_failure.find("not installed"), std::string::npos);
+  EXPECT_FALSE(result.error_before_denoising);
+  settings.denoise = false;
+  settings.replay =
+      Replay{result.two_streams, result.planned_samples, {result.passes.back().end}, result.block_samples, {}};
+  EXPECT_TRUE(project::Render(stage, settings).image == result.image);
 }
 
 TEST(DenoiseResult, WorksForACropAFilterAndBlocksOfDifferentSampleCounts) {

@@ -120,6 +120,24 @@ Broken BreakOff(const World& world, const Accelerator& accelerator, RenderSettin
   return broken;
 }
 
+// A report wants an error after each pass; what it is told must not decide when the render ends.
+TEST(Render, APictureOfAnErrorTargetIsTheSameWithAReportOfItsPasses) {
+  const project::Stage stage(project::Root() / "scenes" / "indirect.scn");
+  RenderSettings settings = Small();
+  settings.samples = 64;
+  settings.mode = RenderMode::path;
+  for (const double target : {8.0, 5.0, 4.0, 3.0, 2.0})
+    for (settings.seed = 1; settings.seed <= 6; ++settings.seed) {
+      settings.budget.error = ErrorTarget{target, ErrorUnit::display};
+      settings.wants_passes = false;
+      const RenderResult without = project::Render(stage, settings);
+      settings.wants_passes = true;
+      const RenderResult with = project::Render(stage, settings);
+      EXPECT_EQ(with.samples.mean, without.samples.mean) << target << " seed " << settings.seed;
+      EXPECT_TRUE(with.image == without.image) << target << " seed " << settings.seed;
+    }
+}
+
 // Four samples take four passes, and the look before them one: of 12 tiles each.
 TEST(Render, BrokenOffAnywhereThePictureIsWholeOnceEachBlockWasLookedAt) {
   const project::Stage stage(project::Root() / "scenes" / "hello.scn");

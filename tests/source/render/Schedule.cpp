@@ -159,11 +159,33 @@ TEST(Schedule, TooFewSamplesDecideNothingByTheirError) {
   RenderSettings settings = ToErrorOne();
   settings.budget.seconds = 1e6;
   Schedule schedule = Sampling(settings);
-  for (const std::uint32_t end : {1u, 2u, 4u}) {
+  for (const std::uint32_t end : {1u, 2u}) {
     EXPECT_EQ(schedule.State().end, end);
     EXPECT_FALSE(schedule.Next(Found(0)));
   }
   EXPECT_EQ(schedule.Next(Found(0)), Stop::error);
+}
+
+TEST(Schedule, AFirstErrorEndsTheRenderWhereItMeetsTheTargetThoughItShouldNotHaveFallen) {
+  Schedule surely = Sampling(ToErrorOne());
+  for (int i = 0; i < 2; ++i) EXPECT_FALSE(surely.Next(Found(0)));
+  Schedule perhaps = surely;
+  EXPECT_EQ(surely.Next(Found(0.45)), Stop::error) << "the end of twice its interval is at .99";
+  EXPECT_FALSE(perhaps.Next(Found(0.5)));
+}
+
+// Coarse targets are met by four samples of each stream; finer ones would change if more than that were decided there.
+TEST(Schedule, AFirstErrorThatIsTooLargeLeavesNoTrace) {
+  RenderSettings settings = ToErrorOne();
+  settings.budget.seconds = 1e6;
+  Schedule looks = Sampling(settings);
+  for (const std::uint32_t end : {1u, 2u, 4u}) {
+    EXPECT_EQ(looks.State().end, end);
+    EXPECT_FALSE(looks.Next(Found(1.1)));
+  }
+  const Schedule without = Deciding(settings);
+  EXPECT_EQ(looks.State().targets, without.State().targets);
+  EXPECT_EQ(looks.State().last_squared_errors, without.State().last_squared_errors);
 }
 
 // One look may see a small error by luck; light that it missed would be missing from the picture.

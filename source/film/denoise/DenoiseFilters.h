@@ -1,0 +1,30 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "source/film/denoise/Denoiser.h"
+#include "source/film/denoise/OpenImageDenoise.h"
+
+namespace ray {
+
+/// The filters of a denoiser, ready to work.
+class DenoiseFilters {
+ public:
+  /// `threads` as in RenderSettings. Throws DenoiserError where a library is missing or does not work.
+  explicit DenoiseFilters(Denoiser denoiser = Denoiser::regression, int threads = 0);
+  /// Of a library that is there.
+  DenoiseFilters(bool has_regression, std::unique_ptr<const OpenImageDenoise> library);
+
+  bool HasRegression() const { return has_regression_; }
+  /// Null where it is not among them.
+  const OpenImageDenoise* Library() const { return library_.get(); }
+  /// "regression", "Open Image Denoise 2.5.1", "regression and Open Image Denoise 2.5.1"
+  std::string Name() const;
+
+ private:
+  const bool has_regression_;
+  const std::unique_ptr<const OpenImageDenoise> library_;
+};
+
+}  // namespace ray

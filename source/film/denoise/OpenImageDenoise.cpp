@@ -1,0 +1,157 @@
+#include "source/film/denoise/OpenImageDenoise.h"
+
+#include <dlfcn.h>
+
+#include <array>
+#include <cstddef>
+
+namespace ray {
+namespace {
+
+// Of the library's C interface, the same in versions 1 and 2.
+constexpr int processor = 1;  // OIDN_DEVICE_TYPE_CPU
+constexpr int float3 = 3;     // OIDN_FORMAT_FLOAT3
+
+/// Loaded once, and never given back: its threads may still run in it.
+void* Library() {
+  static void* const library = [] {
+    void* found = nullptr;
+    for (const char* name : {"libOpenImageDenoise.so.2", "libOpenImageDenoise.so.1", "libOpenImageDenoise.so"})
+      if (!found) found = dlopen(name, RTLD_NOW | RTLD_LOCAL);
+    return found;
+  }();
+  return library;
+}
+
+void* FindInLibrary(const char* name) {
+  if (!Library())
+    throw DenoiserError(
+        "Open Image Denoise is not installed: there is no libOpenImageDenoise.so.2 (or .so.1) where "
+        "libraries are looked for (LD_LIBRARY_PATH adds folders)");
+  return dlsym(Library(), name);
+}
+
+/// A function by its name, or by the one that it had before version 2.
+template <typename Function>
+void Find(Function*& function, const OpenImageDenoise::FindFunction& find, const char* name,
+          const char* former_name = nullptr) {
+  void* found = find(name);
+  if (!found && former_name) found = find(former_name);
+  if (!found) throw DenoiserError(std::string("Open Image Denoise of this machine lacks ") + name);
+  function = reinterpret_cast<Function*>(found);
+}
+
+}  // namespace
+
+struct OpenImageDenoise::Functions {
+  explicit Functions(const FindFunction& find) {
+    Find(new_device, find, "oidnNewDevice");
+    Find(release_device, find, "oidnReleaseDevice");
+    Find(set_device_bool, find, "oidnSetDeviceBool", "oidnSetDevice1b");
+    Find(set_device_int, find, "oidnSetDeviceInt", "oidnSetDevice1i");
+    Find(get_device_int, find, "oidnGetDeviceInt", "oidnGetDevice1i");
+    Find(get_device_error, find, "oidnGetDeviceError");
+    Find(commit_device, find, "oidnCommitDevice");
+    Find(new_filter, find, "oidnNewFilter");
+    Find(release_filter, find, "oidnReleaseFilter");
+    Find(set_shared_filter_image, find, "oidnSetSharedFilterImage");
+    Find(set_filter_bool, find, "oidnSetFilterBool", "oidnSetFilter1b");
+    Find(commit_filter, find, "oidnCommitFilter");
+    Find(execute_filter, find, "oidnExecuteFilter");
+  }
+
+  void* (*new_device)(int type);
+  void (*release_device)(void* device);
+  void (*set_device_bool)(void* device, const char* name, bool value);
+  void (*set_device_int)(void* device, const char* name, int value);
+  int (*get_device_int)(void* device, const char* name);
+  int (*get_device_error)(void* device, const char** message);
+  void (*commit_device)(void* device);
+  void* (*new_filter)(void* device, const char* type);
+  void (*release_filter)(void* filter);
+  void (*set_shared_filter_image)(void* filter, const char* name, void* pixels, int format, std::size_t width,
+                                  std::size_t height, std::size_t byte_offset, std::size_t pixel_stride,
+                                  std::size_t row_stride);
+  void (*set_filter_bool)(void* filter, const char* name, bool value);
+  void (*commit_filter)(void* filter);
+  void (*execute_filter)(void* filter);
+};
+
+/// One filter of the library, while it is used.
+class OpenImageDenoise::Filter {
+ public:
+  Filter(const Functions& functions, void* device)
+      : functions_(functions), filter_(functions.new_filter(device, "RT")) {}
+  ~Filter() { functions_.release_filter(filter_); }
+  Filter(const Filter&) = delete;
+  Filter& operator=(const Filter&) = delete;
+
+  /// Three floats of each pixel, which are `pixel_stride` bytes apart.
+  void Use(const char* name, const float* pixels, int width, int height, std::size_t pixel_stride) {
+    functions_.set_shared_filter_image(filter_, name, const_cast<float*>(pixels), float3,
+                                       static_cast<std::size_t>(width), static_cast<std::size_t>(height), 0,
+                                       pixel_stride, 0);
+  }
+  void Set(const char* name) { functions_.set_filter_bool(filter_, name, true); }
+  void Run() {
+    functions_.commit_filter(filter_);
+    functions_.execute_filter(filter_);
+  }
+
+ private:
+  const Functions& functions_;
+  void* const filter_;
+};
+
+OpenImageDenoise::OpenImageDenoise(int threads) : OpenImageDenoise(FindInLibrary, threads) {}
+
+OpenImageDenoise::OpenImageDenoise(const FindFunction& find, int threads)
+    : functions_(std::make_unique<Functions>(find)),
+      device_(functions_->new_device(processor), functions_->release_device) {
+  ThrowIfFailed();
+  if (threads > 0) functions_->set_device_int(device_.get(), "numThreads", threads);
+  functions_->set_device_bool(device_.get(), "setAffinity", false);  // the threads are ours, and work on after it
+  functions_->commit_device(device_.get());
+  ThrowIfFailed();
+}
+
+OpenImageDenoise::~OpenImageDenoise() = default;
+
+void OpenImageDenoise::ThrowIfFailed() const {
+  const char* message = nullptr;
+  if (functions_->get_device_error(device_.get(), &message) != 0 || !device_)
+    throw DenoiserError(std::string("Open Image Denoise: ") + (message && *message ? message : "no device"));
+}
+
+bool OpenImageDenoise::IsPresent() {
+  try {
+    OpenImageDenoise(0);
+    return true;
+  } catch (const DenoiserError&) {
+    return false;
+  }
+}
+
+std::string OpenImageDenoise::Version() const {
+  std::string text;
+  for (const char* part : {"versionMajor", "versionMinor", "versionPatch"})
+    text += (text.empty() ? "" : ".") + std::to_string(functions_->get_device_int(device_.get(), part));
+  return text;
+}
+
+Pixels<Rgb> OpenImageDenoise::Filtered(const Pixels<Rgb>& colors, const Pixels<PixelGuide>& guides) const {
+  const int width = colors.Width(), height = colors.Height();
+  Pixels<Rgb> filtered(width, height);
+  Filter filter(*functions_, device_.get());
+  filter.Use("color", colors.At(0, 0).data(), width, height, sizeof(Rgb));
+  filter.Use("albedo", &guides.At(0, 0)[3], width, height, sizeof(PixelGuide));
+  filter.Use("normal", &guides.At(0, 0)[6], width, height, sizeof(PixelGuide));
+  filter.Use("output", filtered.At(0, 0).data(), width, height, sizeof(Rgb));
+  filter.Set("hdr");
+  filter.Set("cleanAux");
+  filter.Run();
+  ThrowIfFailed();
+  return filtered;
+}
+
+}  // namespace ray

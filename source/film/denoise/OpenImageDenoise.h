@@ -1,0 +1,52 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <stdexcept>
+#include <string>
+
+#include "source/film/denoise/Guides.h"
+#include "source/film/denoise/Pixels.h"
+
+namespace ray {
+
+/// Why a picture cannot be denoised, in words: a library that is missing, too old or has failed.
+struct DenoiserError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// Intel Open Image Denoise, versions 1.4 and later, on the processor: a neural network trained on path traced
+/// pictures. It is loaded when it is first asked for, so that nobody needs it who does not. Its bits are the same for
+/// any number of threads, but may be others on another machine or in another version.
+///   source   Open Image Denoise API reference (openimagedenoise.org/documentation.html), filter RT
+class OpenImageDenoise {
+ public:
+  /// Of a name in the library; null where it has none of that name.
+  using FindFunction = std::function<void*(const char* name)>;
+
+  /// The library of this machine; `threads` as in RenderSettings. Throws DenoiserError where it is missing.
+  explicit OpenImageDenoise(int threads);
+  /// That whose functions `find` finds.
+  OpenImageDenoise(const FindFunction& find, int threads);
+  ~OpenImageDenoise();
+
+  /// Whether this machine has the library, in a version that works.
+  static bool IsPresent();
+
+  /// "2.5.1"
+  std::string Version() const;
+
+  /// Light without its noise, guided by albedos and normals that have next to none. Throws DenoiserError.
+  Pixels<Rgb> Filtered(const Pixels<Rgb>& colors, const Pixels<PixelGuide>& guides) const;
+
+ private:
+  struct Functions;
+  class Filter;
+
+  void ThrowIfFailed() const;
+
+  const std::unique_ptr<const Functions> functions_;
+  const std::unique_ptr<void, void (*)(void*)> device_;
+};
+
+}  // namespace ray

@@ -1,0 +1,89 @@
+#include "source/film/denoise/DenoiseFilters.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "source/app/Status.h"
+#include "source/app/options/CommandLine.h"
+#include "tests/source/app/Program.h"
+
+namespace ray {
+namespace {
+
+using testing::Finished;
+using testing::Has;
+using testing::ReadFile;
+using testing::RunProgram;
+using testing::SceneFolder;
+using testing::With;
+using testing::WriteFile;
+using List = std::vector<std::string>;
+
+Options OptionsOfDenoiser(const List& more) {
+  return ReadCommandLine(Program::raypro, With({"in.scn", "out.ppm"}, more));
+}
+
+struct StageForDenoiser : SceneFolder {
+  StageForDenoiser()
+      : SceneFolder(
+            "camera 0 1 6  0 0 -1  0 1 0  0.3  0.1 100\nbox -1  -4 -1 -4  4 0 4\nsphere -1  0 0.8 0  0.8\n"
+            "area_light 9 9 9  2 4 2  -1 -2 -1  1  0 0 1\n") {}
+  Finished Run(const std::string& picture, const List& more) const {
+    return RunProgram(With({Scene(), *this / picture, "-width", "40", "-height", "30"}, more));
+  }
+};
+
+TEST(Denoiser, TheDenoiserIsOursUnlessAnotherIsAskedForAndAutomaticIsResolvedBeforeTheRender) {
+  EXPECT_EQ(OptionsOfDenoiser({"-denoise", "-samples", "4"}).render.denoiser, Denoiser::regression);
+  Options options = OptionsOfDenoiser({"-denoise", "-samples", "4", "-denoiser", "auto"});
+  CompleteForScene(options);
+  EXPECT_EQ(options.render.denoiser, OpenImageDenoise::IsPresent() ? Denoiser::both : Denoiser::regression);
+}
+
+TEST(Denoiser, ThatIsMissingIsToldBeforeTheFirstRay) {
+  NEEDS_THE_PROGRAM();
+  if (OpenImageDenoise::IsPresent()) GTEST_SKIP() << "this machine has Open Image Denoise";
+  const StageForDenoiser place;
+  for (const char* name : {"oidn", "both"}) {
+    const Finished run = place.Run("a.png", {"-samples", "4", "-denoise", "-denoiser", name});
+    EXPECT_EQ(run.status, status::wrong_arguments);
+    EXPECT_TRUE(Has(run.error, "-denoiser " + std::string(name) + ": Open Image Denoise is not installed"))
+        << run.error;
+    EXPECT_FALSE(std::filesystem::exists(place / "a.png"));
+  }
+  EXPECT_EQ(place.Run("a.pfm", {"-samples", "4", "-denoise", "-denoiser", "auto"}).status, status::done);
+  EXPECT_EQ(place.Run("b.pfm", {"-samples", "4", "-denoise"}).status, status::done);
+  EXPECT_TRUE(ReadFile(place / "a.pfm") == ReadFile(place / "b.pfm"));
+}
+
+TEST(Denoiser, WithoutDenoisingIsWarnedOfAndNotLoaded) {
+  NEEDS_THE_PROGRAM();
+  const StageForDenoiser place;
+  const Finished run = place.Run("a.png", {"-denoiser", "oidn"});
+  EXPECT_EQ(run.status, status::done);
+  EXPECT_TRUE(Has(run.error, "-denoiser has no effect without -denoise")) << run.error;
+}
+
+// Its name is all that tells why the same command made another image on another machine.
+TEST(Denoiser, OfALibraryIsNamedInImageReportAndLineAndReplayInsistsOnIt) {
+  NEEDS_THE_PROGRAM();
+  if (!OpenImageDenoise::IsPresent()) GTEST_SKIP() << "this machine has no Open Image Denoise";
+  const StageForDenoiser place;
+  const List settings{"-denoise", "-denoiser", "oidn"};
+  const Finished run = place.Run("a.png", With(settings, {"-samples", "4", "-report", place / "r.json"}));
+  const std::string name = DenoiseFilters(Denoiser::oidn).Name();
+  EXPECT_TRUE(Has(run.output, " denoised by " + name + ", ")) << run.output << run.error;
+  EXPECT_TRUE(Has(ReadFile(place / "a.png"), name));
+  std::string report = ReadFile(place / "r.json");
+  ASSERT_TRUE(Has(report, "\"denoised_by\": \"" + name + "\"")) << report;
+  EXPECT_EQ(place.Run("b.png", With(settings, {"-replay", place / "r.json"})).status, status::done);
+  report.replace(report.find(name), name.size(), "Open Image Denoise 1.2.3");
+  WriteFile(place / "other.json", report);
+  const Finished other = place.Run("b.png", With(settings, {"-replay", place / "other.json"}));
+  EXPECT_TRUE(Has(other.error, "the report was made with \"Open Image Denoise 1.2.3\", not '" + name + "'"))
+      << other.error;
+}
+
+}  // namespace
+}  // namespace ray
