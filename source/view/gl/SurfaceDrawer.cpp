@@ -81,7 +81,10 @@ GpuLight AsGpu(const PreviewLight& light, int first_shadow = 0) {
   const auto color = AsFloats(light.color);
   const auto &p = light.place, &d = light.direction;
   return {{color[0], color[1], color[2], AsFloat(light.exponent)},
-          {p[0], p[1], p[2], light.is_infinite ? 1.F : 0.F},
+          {p[0], p[1], p[2],
+           light.is_infinite ? 1.F
+           : light.is_disc   ? -AsFloat(light.radius)
+                             : 0.F},
           {d[0], d[1], d[2], AsFloat(light.least_cosine)},
           {AsFloat(light.constant), AsFloat(light.linear), AsFloat(light.quadratic), static_cast<float>(first_shadow)}};
 }
@@ -121,6 +124,7 @@ SurfaceFeatures FeaturesOf(const ScenePicture& picture) {
   features.environment = picture.environment != nullptr;
   features.diffuse_light =
       std::ranges::any_of(picture.diffuse_light.factors, [](const R2::Color& c) { return !IsBlack(c); });
+  features.discs = std::ranges::any_of(picture.lights.lights, &PreviewLight::is_disc);
   for (const SurfaceBatch& batch : picture.surfaces.batches) {
     features.textures |= batch.material.texture != nullptr;
     features.bumps |= batch.material.bump != nullptr;
