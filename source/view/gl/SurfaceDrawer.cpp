@@ -164,9 +164,12 @@ void UploadTriangles(GpuSurfaces& uploaded, const Surfaces& surfaces) {
 }
 
 void UploadLights(const GpuSurfaces& surfaces) {
-  std::vector<GpuLight> lights(most_preview_lights);
-  for (std::size_t i = 0; i < surfaces.preview_lights.size(); ++i)
-    lights[i] = AsGpu(surfaces.preview_lights[i], surfaces.shadows ? surfaces.shadow_views.first[i] : 0);
+  std::vector<GpuLight> lights;
+  for (const bool are_discs : {true, false})
+    for (std::size_t i = 0; i < surfaces.preview_lights.size(); ++i)
+      if (surfaces.preview_lights[i].is_disc == are_discs)
+        lights.push_back(AsGpu(surfaces.preview_lights[i], surfaces.shadows ? surfaces.shadow_views.first[i] : 0));
+  lights.resize(most_preview_lights);
   glBindBuffer(GL_UNIFORM_BUFFER, surfaces.lights.Name());
   glBufferData(GL_UNIFORM_BUFFER, Bytes(lights), lights.data(), GL_STATIC_DRAW);
 }
@@ -335,6 +338,9 @@ void SurfaceDrawer::UseLights(const ShaderProgram& program, const GpuSurfaces& s
     const GpuLight at_eye = AsGpu({.color = {1, 1, 1}, .place = view.eye});
     glBufferSubData(GL_UNIFORM_BUFFER, 0, sizeof(at_eye), &at_eye);
   }
+  if (surfaces.features.discs)
+    glUniform1i(program["disc_count"],
+                static_cast<GLint>(std::ranges::count(surfaces.preview_lights, true, &PreviewLight::is_disc)));
   glUniform1i(program["light_count"], surfaces.head_light ? 1 : static_cast<GLint>(surfaces.preview_lights.size()));
 }
 

@@ -80,7 +80,7 @@ void main() {
 constexpr const char* lights = R"(
 struct Light {
   vec4 color;      // and the exponent
-  vec4 place;      // and 1 where it is infinitely far, or the radius of a disc, negative
+  vec4 place;      // and 1 where it is infinitely far; of a disc its radius, negative
   vec4 direction;  // and the least cosine
   vec4 falloff;    // constant, linear, quadratic; and where its shadows are, as ShadowViews says
 };
@@ -244,60 +244,62 @@ vec3 FromPoint(Light light, vec3 N, vec3 V, vec3 diffuse, float left) {
 
 // A disc that shines to one side: diffuse light from seven places on it, highlights from the place nearest to where the
 // mirrored ray meets its plane, as much darker as the disc is wider than the lobe.
-// source: Abramowitz and Stegun, Handbook of Mathematical Functions (1964), 25.4.61, exact to the fifth degree; Karis,
-// Real
-//         Shading in Unreal Engine 4 (2013), representative points
+// source: Abramowitz and Stegun, Handbook of Mathematical Functions (1964), 25.4.61, exact to the fifth degree
+//         Karis, Real Shading in Unreal Engine 4 (2013), representative points
 constexpr const char* discs = R"(
+uniform int disc_count;
+const vec2 places[7] = vec2[](vec2(0, 0), vec2(0.81649658, 0), vec2(0.40824829, 0.70710678),
+                              vec2(-0.40824829, 0.70710678), vec2(-0.81649658, 0), vec2(-0.40824829, -0.70710678),
+                              vec2(0.40824829, -0.70710678));  // but for the first, sqrt(2/3) from the middle
+vec3 ArrivingFrom(Light disc, vec3 way, float d) {
+  float cosine = max(-dot(disc.direction.xyz, way), 0.0) / d, sum = dot(disc.falloff.xyz, vec3(1, d, d * d));
+  return (sum > 0.0 ? cosine / sum : cosine) * disc.color.rgb;
+}
 vec3 DiffuseFromDisc(Light disc, vec3 N, vec3 diffuse, float left) {
   float radius = -disc.place.w;
-  vec3 D = disc.direction.xyz;
+  vec3 D = disc.direction.xyz, to_middle = disc.place.xyz - position;
   vec3 across = normalize(cross(D, abs(D.z) < 0.9 ? vec3(0, 0, 1) : vec3(1, 0, 0))), upward = cross(D, across);
   vec3 sum = vec3(0);
   for (int i = 0; i < 7; ++i) {
-    float angle = float(i) * 2.0 * 3.14159265 / 6.0;
-    Light part = disc;
-    if (i < 6) part.place.xyz += sqrt(2.0 / 3.0) * radius * (cos(angle) * across + sin(angle) * upward);
-    vec3 L;
-    vec3 arriving = Irradiance(part, position, L);
-    float cosine = dot(N, L);
-    if (cosine > 0.0) sum += (i < 6 ? 0.125 : 0.25) * arriving * Diffuse(cosine, diffuse, left);
+    vec3 way = to_middle + radius * (places[i].x * across + places[i].y * upward);
+    float d = length(way), cosine = dot(N, way) / d;
+    if (cosine > 0.0) sum += (i == 0 ? 0.25 : 0.125) * ArrivingFrom(disc, way, d) * Diffuse(cosine, diffuse, left);
   }
   return sum;
 }
 vec3 HighlightOfDisc(Light disc, vec3 N, vec3 V) {
   float radius = -disc.place.w;
-  vec3 D = disc.direction.xyz, way = disc.place.xyz - position, R = reflect(-V, N);
-  float t = dot(way, D) / dot(R, D);
+  vec3 D = disc.direction.xyz, to_middle = disc.place.xyz - position, R = reflect(-V, N), way = to_middle;
+  float t = dot(to_middle, D) / dot(R, D);
   if (t > 0.0) {
-    vec3 aside = t * R - way;
-    disc.place.xyz += aside * min(1.0, radius / max(length(aside), 1e-6 * radius));
+    vec3 aside = t * R - to_middle;
+    way += aside * min(1.0, radius / max(length(aside), 1e-6 * radius));
   }
-  vec3 L;
-  vec3 arriving = Irradiance(disc, position, L);
-  if (!(dot(N, L) > 0.0)) return vec3(0);
+  float d = length(way);
+  if (ks == vec3(0) || !(dot(N, way) > 0.0)) return vec3(0);
   // Both as solid angles: the disc's, and 2 pi / (n + 1) of the lobe cos^n.
-  float seen = 3.14159265 * radius * radius * max(-dot(D, normalize(way)), 0.0) / dot(way, way);
-  return arriving * Lobe(N, V, L) / (1.0 + seen * (exponent + 1.0) / (2.0 * 3.14159265));
+  float square = dot(to_middle, to_middle);
+  float seen = 3.14159265 * radius * radius * max(-dot(D, to_middle), 0.0) / (square * sqrt(square));
+  return ArrivingFrom(disc, way, d) * Lobe(N, V, way / d) / (1.0 + seen * (exponent + 1.0) / (2.0 * 3.14159265));
 }
 )";
 
+// Discs come first: what is not taken of a branch costs as much where shaders are compiled for the processor.
 constexpr const char* all_lights = R"(
+vec3 Shadowed(vec3 arriving, Light light) {
+#ifdef SHADOWS
+  if (arriving != vec3(0)) arriving *= Unshadowed(light, position, (gl_FrontFacing ? 1.0 : -1.0) * normalize(outward));
+#endif
+  return arriving;
+}
 vec3 FromLights(vec3 N, vec3 V, vec3 diffuse, float left) {
   vec3 sum = vec3(0);
-  for (int i = 0; i < light_count; ++i) {
-    vec3 arriving;
+  int i = 0;
 #ifdef DISCS
-    if (lights[i].place.w < 0.0)
-      arriving = DiffuseFromDisc(lights[i], N, diffuse, left) + HighlightOfDisc(lights[i], N, V);
-    else
+  for (; i < disc_count; ++i)
+    sum += Shadowed(DiffuseFromDisc(lights[i], N, diffuse, left) + HighlightOfDisc(lights[i], N, V), lights[i]);
 #endif
-    arriving = FromPoint(lights[i], N, V, diffuse, left);
-#ifdef SHADOWS
-    if (arriving != vec3(0))
-      arriving *= Unshadowed(lights[i], position, (gl_FrontFacing ? 1.0 : -1.0) * normalize(outward));
-#endif
-    sum += arriving;
-  }
+  for (; i < light_count; ++i) sum += Shadowed(FromPoint(lights[i], N, V, diffuse, left), lights[i]);
   return sum;
 }
 )";
