@@ -129,6 +129,7 @@ std::vector<Viewer::Binding> Viewer::MakeBindings() {
          v.section_.NextPlane();
          v.arrows_move_section_ = true;
          v.section_drawing_.reset();
+         if (v.section_.IsShown()) v.MakeSection();
          v.ShowMessage("cross section: " + v.section_.Describe(v.size_.height));
        }},
 

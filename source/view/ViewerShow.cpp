@@ -211,7 +211,7 @@ std::vector<std::string> Viewer::HelpPage() const {
 std::vector<Label> Viewer::MakeLabels() const {
   std::vector<Label> labels;
   const double line_step = LetterSize() * line_height, edge = LetterSize() * margin;
-  const int columns = ColumnsOfText(ViewSize().width);
+  const int columns = ColumnsOfText(std::min(ViewSize().width, WidthBesidePanels()));
   const double strength = StrengthOfMessage();
   if (!message_.empty() && strength > 0) {
     const auto lines = InLines(message_, columns);

@@ -66,11 +66,13 @@ PixelBox BoxOf(const Label& label, int letter_size) {
 }
 
 void ExpectWithin(const FrameState& shown) {
-  const int right = shown.view.width + shown.section_size.width;
+  float right = static_cast<float>(shown.size.width);
+  if (shown.panels)
+    for (const PanelDrawing::Corner& corner : shown.panels->corners) right = std::min(right, corner.x);
   for (const Label& label : shown.labels) {
     const PixelBox box = BoxOf(label, shown.letter_size);
     EXPECT_TRUE(box.left >= 0 && box.bottom >= 0 && box.bottom + box.height <= shown.size.height) << label.text;
-    EXPECT_LE(box.left + box.width, shown.panels ? right : shown.size.width) << label.text;
+    EXPECT_LE(box.left + box.width, right) << label.text;
   }
 }
 
