@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <ctime>
 #include <memory>
 #include <vector>
 
@@ -30,25 +31,55 @@ double MillisecondsSince(Clock::time_point then) {
   return std::chrono::duration<double, std::milli>(Clock::now() - then).count();
 }
 
+/// Of the processor, whatever else the machine does: CLOCK_THREAD_CPUTIME_ID, or CLOCK_PROCESS_CPUTIME_ID for that of
+/// the drawing's own threads as well, and of those that trace.
+double CpuMilliseconds(clockid_t clock) {
+  timespec now{};
+  clock_gettime(clock, &now);
+  return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
+}
+
 void PrintTimes(const char* what, std::vector<double> times) {
   std::sort(times.begin(), times.end());
   const auto at = [&](double share) { return times[static_cast<std::size_t>(share * double(times.size() - 1))]; };
   std::printf("%-44s p50 %7.2f ms   p99 %7.2f ms   of %zu\n", what, at(0.5), at(0.99), times.size());
 }
 
-/// Times of many small drags, each from the event until all of its drawing is done.
-std::vector<double> Answers(Viewer& viewer, Drawer& drawer) {
-  std::vector<double> times;
+/// From events until all of their drawing is done: by the clock, and of this thread for each part of it.
+struct AnswerTimes {
+  std::vector<double> all, handling, showing, drawing, of_process;
+
+  void Print(const char* what) const {
+    PrintTimes(what, all);
+    PrintTimes("  of this thread: events", handling);
+    PrintTimes("  of this thread: what is to be drawn", showing);
+    PrintTimes("  of this thread: drawing it", drawing);
+    PrintTimes("  of all threads", of_process);
+  }
+};
+
+/// Of many small drags.
+AnswerTimes Answers(Viewer& viewer, Drawer& drawer) {
+  AnswerTimes times;
   for (int i = 0; i < 200; ++i) {
     const auto start = Clock::now();
+    const double begun_by_all = CpuMilliseconds(CLOCK_PROCESS_CPUTIME_ID);
+    const double begun = CpuMilliseconds(CLOCK_THREAD_CPUTIME_ID);
     const double x = 100 + 10 * (i % 20);
     viewer.Handle(ButtonEvent{Button::left, true, x, 200, {}});
     viewer.Handle(MoveEvent{x + 8, 203});
     viewer.Handle(ButtonEvent{Button::left, false, x + 8, 203, {}});
+    const double handled = CpuMilliseconds(CLOCK_THREAD_CPUTIME_ID);
     viewer.Update();
-    drawer.Draw(viewer.Show());
+    const FrameState shown = viewer.Show();
+    const double to_draw = CpuMilliseconds(CLOCK_THREAD_CPUTIME_ID);
+    drawer.Draw(shown);
     glFinish();
-    times.push_back(MillisecondsSince(start));
+    times.of_process.push_back(CpuMilliseconds(CLOCK_PROCESS_CPUTIME_ID) - begun_by_all);
+    times.all.push_back(MillisecondsSince(start));
+    times.handling.push_back(handled - begun);
+    times.showing.push_back(to_draw - handled);
+    times.drawing.push_back(CpuMilliseconds(CLOCK_THREAD_CPUTIME_ID) - to_draw);
   }
   return times;
 }
@@ -92,16 +123,16 @@ int main(int argc, char** argv) {
   glFinish();
   std::printf("%s, %s\n", settings.scene.c_str(), context->Name().c_str());
   std::printf("%-44s %7.2f ms\n", "start to first drawing", MillisecondsSince(start));
-  PrintTimes("event to drawing, nothing traced", Answers(viewer, drawer));
+  Answers(viewer, drawer).Print("event to drawing, nothing traced");
   viewer.Handle(KeyEvent{Key::tab, {}, true});
-  PrintTimes("event to drawing, panels shown", Answers(viewer, drawer));
+  Answers(viewer, drawer).Print("event to drawing, panels shown");
   PrintTimes("of that, drawing the panels again", PanelTimes(viewer, drawer));
   viewer.Handle(KeyEvent{Key::tab, {}, true});
   viewer.Handle(KeyEvent{Key::s, {}, true});
   viewer.Update();
-  PrintTimes("event to drawing, while S renders", Answers(viewer, drawer));
+  Answers(viewer, drawer).Print("event to drawing, while S renders");
   viewer.Handle(KeyEvent{Key::escape, {}, true});
   viewer.Handle(KeyEvent{Key::p, {}, true});
   viewer.Update();
-  PrintTimes("event to drawing, live picture", Answers(viewer, drawer));
+  Answers(viewer, drawer).Print("event to drawing, live picture");
 }

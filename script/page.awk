@@ -111,10 +111,12 @@ function file_of(id) {
   return id ((options[id] ~ /-crop/ || options[id] ~ /-mode id/) ? ".png" : ".jpg")
 }
 
+function is_viewer(id) { return program[id] == "rayview" || program[id] == "session" }
+
 # Width and height of a picture on the page, as attributes; what is cut out is shown eight times as large.
 function size_of(id,   w, n, i, width, height) {
-  width = program[id] == "rayview" ? 400 : 320
-  height = program[id] == "rayview" ? 300 : 240
+  width = is_viewer(id) ? 400 : 320
+  height = is_viewer(id) ? 300 : 240
   n = split(options[id], w, " ")
   for (i = 1; i <= n; ++i) {
     if (w[i] == "-width") width = w[i + 1]
@@ -135,6 +137,8 @@ function command_of(id,   file) {
   if (program[id] == "rayview")
     return "build/rayview " file " -headless " size(id, 400, 300) options[id] (options[id] ? " " : "") \
            "-events writeup/views/" id ".events -screenshot " id ".jpg"
+  if (program[id] == "session")
+    return "script/session.sh writeup/views/" id ".events " file " " id ".avi " options[id]
   if (program[id] == "text") return "build/raypro " file " " size(id, 320, 240) options[id]
   return "build/raypro " file " " file_of(id) " " size(id, 320, 240) options[id]  # the rest is said above the pictures
 }
@@ -160,6 +164,9 @@ function show(id,   a, b, labels) {
   } else if (program[id] == "text") {
     put("<figure id=\"picture-" id "\" class=\"said\"><pre tabindex=\"0\">" html(file_text(measured "/" id ".txt")) "</pre>")
     put("<figcaption>" words(caption[id]) how(id) "</figcaption></figure>")
+  } else if (program[id] == "session") {
+    put("<figure id=\"picture-" id "\"><a href=\"pictures/" id ".avi\">" image(id) "</a>\n<figcaption>" words(caption[id]) \
+        how(id) "</figcaption></figure>")
   } else {
     put("<figure id=\"picture-" id "\">" image(id) "\n<figcaption>" words(caption[id]) how(id) "</figcaption></figure>")
   }

@@ -64,7 +64,7 @@ make_one() {  # id
   events=
   tool=$RAYPRO
   case $program in
-    rayview) size="-width 400 -height 300" events=writeup/views/$id.events tool=$RAYVIEW ;;
+    rayview | session) size="-width 400 -height 300" events=writeup/views/$id.events tool=$RAYVIEW ;;
   esac
   case $options in *-width*) size= ;; esac
   [ -x "$tool" ] || { echo "  $id: no $tool here, kept as it is"; return 0; }
@@ -88,6 +88,10 @@ make_one() {  # id
       # What a script traces is thrown away; the program says on its own output what it shows.
       "$tool" "$scene" -headless $size $options -events "$events" -image "$build/$id.traced.png" \
         -screenshot "$new" > "$build/$id.said" 2>&1 ||
+        { echo "  $id: rayview cannot draw here, kept as it is"; return 0; }
+      row=",,,,,,,,," ;;
+    session)
+      script/session.sh "$events" "$scene" "$build/$id.avi" -last "$new" $size $options > "$build/$id.said" 2>&1 ||
         { echo "  $id: rayview cannot draw here, kept as it is"; return 0; }
       row=",,,,,,,,," ;;
     text)
@@ -139,6 +143,7 @@ make_one() {  # id
       if [ "$replaces" = yes ]; then
         if [ "$fast" = yes ]; then echo "$id is not stored" >> $build/failures; return 1; fi
         cp "$new" "$stored"
+        if [ "$program" = session ]; then cp "$build/$id.avi" "$folder"; fi
       fi ;;
   esac
   echo "$id,$inputs,$row" > "$build/$id.row"

@@ -6,11 +6,13 @@
 #include <map>
 #include <set>
 #include <sstream>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "R2/ImageFile.h"
 #include "tests/Project.h"
+#include "tests/source/view/Contrast.h"
 
 namespace {
 
@@ -111,6 +113,33 @@ TEST(Writeup, EveryStoredPictureIsInTheTableAndAllTogetherAreSmall) {
     EXPECT_NE(table.find("\n" + id + " | "), std::string::npos) << entry.path() << " is made by nothing";
   }
   EXPECT_LT(bytes, 6'000'000u);
+}
+
+/// "#8ab8f5", or a variable of the theme: "--link".
+ray::contrast::Color ColorNamed(const std::string& theme, const std::string& name) {
+  std::string code = name;
+  if (name.starts_with("--")) {
+    const std::size_t at = theme.find(name + ": #");
+    if (at == std::string::npos) throw std::runtime_error("no " + name + " in " + theme);
+    code = theme.substr(at + name.size() + 2, std::string("#rrggbb").size());
+  }
+  const auto channel = [&](std::size_t i) { return std::stoi(code.substr(1 + 2 * i, 2), nullptr, 16) / 255.0; };
+  return {channel(0), channel(1), channel(2)};
+}
+
+TEST(Writeup, LettersAreReadInTheLightAndInTheDark) {
+  const std::string style = TextOf(Writeup() / "style.css");
+  const std::size_t light = style.find(":root {"), dark = style.find(":root {", light + 1);
+  ASSERT_NE(dark, std::string::npos);
+  for (const std::size_t at : {light, dark}) {
+    const std::string theme = style.substr(at, style.find('}', at) - at);
+    for (const char* ink : {"--ink", "--soft", "--link"})
+      for (const char* ground : {"--paper", "--panel"})
+        EXPECT_GE(ray::contrast::Between(ColorNamed(theme, ink), ColorNamed(theme, ground)), ray::contrast::of_text)
+            << ink << " on " << ground << " of " << theme;
+  }
+  EXPECT_NE(style.find("color: #ffffff; background: #1d2127"), std::string::npos) << "labels of compared pictures";
+  EXPECT_GE(ray::contrast::Between(ColorNamed("", "#ffffff"), ColorNamed("", "#1d2127")), ray::contrast::of_text);
 }
 
 }  // namespace

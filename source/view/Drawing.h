@@ -53,6 +53,8 @@ struct Label {
   double x = 0, y = 0;
   std::string text;  // ASCII; anything else is shown as a box
   Rgba color{255, 255, 255, 255};
+  /// Of the black behind it: letters as light as (208, 208, 208) keep 4.5 : 1, also where that covers white.
+  static constexpr int ground_alpha = 170;
 };
 
 }  // namespace ray

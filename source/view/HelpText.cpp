@@ -39,6 +39,15 @@ std::vector<std::string> LinesOf(const HelpRow& row, int columns) {
 
 }  // namespace
 
+std::vector<std::string> InLines(const std::string& text, int columns) {
+  const auto width = static_cast<std::size_t>(std::max(columns, 1));
+  if (text.size() <= width) return {text};
+  std::vector<std::string> lines;
+  for (const std::string& line : Wrapped("", text, 0, width))
+    for (std::size_t at = 0; at < line.size(); at += width) lines.push_back(line.substr(at, width));
+  return lines;
+}
+
 std::vector<std::string> HelpLines(const std::vector<HelpRow>& rows, int columns) {
   std::vector<std::string> lines;
   for (const HelpRow& row : rows)

@@ -10,6 +10,9 @@ struct HelpRow {
   std::string keys, text;
 };
 
+/// The words in lines of at most `columns` letters; longer words are broken.
+std::vector<std::string> InLines(const std::string& text, int columns);
+
 /// In two columns, lines at most `columns` wide as far as words allow; no limit below 1.
 std::vector<std::string> HelpLines(const std::vector<HelpRow>& rows, int columns);
 

@@ -85,7 +85,7 @@ void Viewer::ShowMessage(const std::string& message) {
 }
 
 void Viewer::Handle(const Event& event) {
-  if (shows_panels_) {
+  if (DrawsPanels()) {
     needs_redraw_ |= !std::holds_alternative<TickEvent>(event);
     const bool is_taken = panels_->Take(event, *this);
     const auto* button = std::get_if<ButtonEvent>(&event);

@@ -138,6 +138,9 @@ class Viewer {
   /// Why the last change of an option was refused; empty when it was not.
   const std::string& OptionProblem() const { return option_problem_; }
   std::vector<ShownOption> ShownOptions() const { return host_.ShownOptions(); }
+  /// Of those that are drawn in space.
+  void ToggleRays(ShownRays kind);
+  void ToggleNormals();
   /// The command that renders what is seen; but for the camera, where that was moved.
   std::string Command() const { return host_.CommandFor(SettingsOfView()); }
   bool HasMovedCamera() const { return SettingsOfView().view.has_value(); }
@@ -259,6 +262,8 @@ class Viewer {
   /// What is left of the message, from 1 to 0.
   double StrengthOfMessage() const;
   std::vector<std::string> HelpPage() const;
+  /// The help takes their place while it is open.
+  bool DrawsPanels() const { return shows_panels_ && help_page_ == 0; }
   /// The pixel of the traced picture that is seen there on its quad.
   std::optional<std::pair<int, int>> PixelOnQuad(const R2::Point& position) const;
   bool ShowsQuad() const { return shows_quad_ && pictures_.Trace() && !pictures_.IsLive(); }
@@ -267,8 +272,9 @@ class Viewer {
   int LetterSize() const;
   /// How many lines of text have room above one another, at least 1.
   int LinesOfText() const;
-  /// How many letters have room side by side, at least 1.
-  int ColumnsOfText() const;
+  /// How many letters have room side by side, at least 1: in the whole drawing, or in so many pixels.
+  int ColumnsOfText() const { return ColumnsOfText(size_.width); }
+  int ColumnsOfText(int width) const;
   std::vector<Label> MakeLabels() const;
   std::string BoxesInWords() const;
   std::optional<FrameState::Picture> CoveringPicture() const;

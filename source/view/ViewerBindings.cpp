@@ -36,8 +36,6 @@ constexpr std::array headings{
     Heading{Key::f1, plain, "Program"},      Heading{Key::digit_1, plain, "Bookmarks"},
 };
 
-std::string OnOrOff(const std::string& what, bool is_on) { return what + (is_on ? " on" : " off"); }
-
 }  // namespace
 
 std::vector<Viewer::Binding> Viewer::MakeBindings() {
@@ -45,17 +43,10 @@ std::vector<Viewer::Binding> Viewer::MakeBindings() {
     return [what, shows](Viewer& v) {
       v.*shows = !(v.*shows);
       v.InvalidateLines();
-      v.ShowMessage(OnOrOff(what, v.*shows));
+      v.ShowMessage(std::string(what) + (v.*shows ? " on" : " off"));
     };
   };
-  const auto toggle_rays = [](const char* what, ShownRays kind) {
-    return [what, kind](Viewer& v) {
-      v.rays_.Toggle(kind);
-      v.section_drawing_.reset();
-      v.InvalidateLines();
-      v.ShowMessage(OnOrOff(what, v.rays_.Look().shows[static_cast<std::size_t>(kind)]));
-    };
-  };
+  const auto toggle_rays = [](ShownRays kind) { return [kind](Viewer& v) { v.ToggleRays(kind); }; };
   const auto live = [](std::optional<RenderMode> mode = {}) { return [mode](Viewer& v) { v.ToggleLive(mode); }; };
   const auto arrow = [](int right, int up) { return [right, up](Viewer& v) { v.MoveByArrow(right, up); }; };
   const auto step_bounce = [](int by) {
@@ -113,17 +104,11 @@ std::vector<Viewer::Binding> Viewer::MakeBindings() {
       {Key::pad_0, plain, "the scene's camera", [](Viewer& v) { v.navigator_.Go(v.scene_->parsed.scene.camera); }},
 
       {Key::g, plain, "toggle the rays of every 25th pixel", [](Viewer& v) { v.ToggleGrid(); }},
-      {Key::f2, plain, "toggle camera rays", toggle_rays("camera rays", ShownRays::camera)},
-      {Key::f3, plain, "toggle shadow rays", toggle_rays("shadow rays", ShownRays::shadow)},
-      {Key::f4, plain, "toggle reflected and scattered rays",
-       toggle_rays("reflected and scattered rays", ShownRays::reflection)},
-      {Key::f5, plain, "toggle transmitted rays", toggle_rays("transmitted rays", ShownRays::transmission)},
-      {Key::f6, plain, "toggle normals at hit points",
-       [](Viewer& v) {
-         v.rays_.ToggleNormals();
-         v.InvalidateLines();
-         v.ShowMessage(OnOrOff("normals at hit points", v.rays_.Look().normals));
-       }},
+      {Key::f2, plain, "toggle camera rays", toggle_rays(ShownRays::camera)},
+      {Key::f3, plain, "toggle shadow rays", toggle_rays(ShownRays::shadow)},
+      {Key::f4, plain, "toggle reflected and scattered rays", toggle_rays(ShownRays::reflection)},
+      {Key::f5, plain, "toggle transmitted rays", toggle_rays(ShownRays::transmission)},
+      {Key::f6, plain, "toggle normals at hit points", [](Viewer& v) { v.ToggleNormals(); }},
       {Key::n, plain, "show one more bounce", step_bounce(1)},
       {Key::n, shift, "show one bounce fewer", step_bounce(-1)},
       {Key::o, plain, "save the rays as an .obj file", [](Viewer& v) { v.SaveRays(); }},
@@ -144,6 +129,7 @@ std::vector<Viewer::Binding> Viewer::MakeBindings() {
          v.section_.NextPlane();
          v.arrows_move_section_ = true;
          v.section_drawing_.reset();
+         if (v.section_.IsShown()) v.MakeSection();
          v.ShowMessage("cross section: " + v.section_.Describe(v.size_.height));
        }},
 

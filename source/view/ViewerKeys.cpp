@@ -185,6 +185,7 @@ void Viewer::ChangeExposure(double steps) {
 void Viewer::TurnHelpPage() {
   const auto pages = static_cast<int>(HelpPages(HelpRows(), ColumnsOfText(), LinesOfText()).size());
   help_page_ = help_page_ >= pages ? 0 : help_page_ + 1;
+  if (shows_panels_) panels_->LetGo();
 }
 
 }  // namespace ray

@@ -1,3 +1,4 @@
+#include <array>
 #include <stdexcept>
 
 #include "source/view/Viewer.h"
@@ -79,6 +80,22 @@ void Viewer::ChooseRay(std::optional<std::size_t> ray) {
   if (!rays_.Pixel()) return;
   rays_.Choose(ray);
   InvalidateLines();
+}
+
+void Viewer::ToggleRays(ShownRays kind) {
+  constexpr std::array names{"camera rays", "shadow rays", "reflected and scattered rays", "transmitted rays"};
+  static_assert(names.size() == shown_ray_kinds);
+  const auto i = static_cast<std::size_t>(kind);
+  rays_.Toggle(kind);
+  section_drawing_.reset();
+  InvalidateLines();
+  ShowMessage(std::string(names[i]) + (rays_.Look().shows[i] ? " on" : " off"));
+}
+
+void Viewer::ToggleNormals() {
+  rays_.ToggleNormals();
+  InvalidateLines();
+  ShowMessage(std::string("normals at hit points") + (rays_.Look().normals ? " on" : " off"));
 }
 
 void Viewer::ShowLayer(std::optional<RenderMode> mode) {

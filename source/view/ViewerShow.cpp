@@ -67,7 +67,7 @@ FrameState Viewer::Show() {
   ShowFlat(shown);
   shown.letter_size = LetterSize();
   shown.labels = MakeLabels();
-  if (shows_panels_) shown.panels = panels_->Draw(*this);
+  if (DrawsPanels()) shown.panels = panels_->Draw(*this);
   return shown;
 }
 
@@ -193,8 +193,8 @@ int Viewer::LinesOfText() const {
   return std::max(1, static_cast<int>(room / line));
 }
 
-int Viewer::ColumnsOfText() const {
-  return std::max(1, static_cast<int>((size_.width - 2 * LetterSize() * margin) / (LetterSize() * letter_width)));
+int Viewer::ColumnsOfText(int width) const {
+  return std::max(1, static_cast<int>((width - 2 * LetterSize() * margin) / (LetterSize() * letter_width)));
 }
 
 int Viewer::LetterSize() const { return std::max(1, static_cast<int>(std::lround(scale_))); }
@@ -211,25 +211,33 @@ std::vector<std::string> Viewer::HelpPage() const {
 std::vector<Label> Viewer::MakeLabels() const {
   std::vector<Label> labels;
   const double line_step = LetterSize() * line_height, edge = LetterSize() * margin;
+  const int columns = ColumnsOfText(std::min(ViewSize().width, WidthBesidePanels()));
   const double strength = StrengthOfMessage();
-  if (!message_.empty() && strength > 0)
-    labels.push_back({edge, edge, message_, {255, 255, 255, static_cast<std::uint8_t>(255 * strength)}});
+  if (!message_.empty() && strength > 0) {
+    const auto lines = InLines(message_, columns);
+    for (std::size_t i = 0; i < lines.size(); ++i)
+      labels.push_back({edge,
+                        edge + static_cast<double>(lines.size() - 1 - i) * line_step,
+                        lines[i],
+                        {255, 255, 255, static_cast<std::uint8_t>(255 * strength)}});
+  }
   std::vector<std::string> upper;
   if (help_page_ > 0) {
     upper = HelpPage();
   } else if (pick_ && !shows_panels_) {
     upper = pick_->text;
   }
-  if (section_.IsShown()) upper.insert(upper.begin(), "cross section: " + section_.Describe(size_.height));
-  if (section_.IsShown()) {
+  if (section_.IsShown() && help_page_ == 0) {
     for (Label label : section_drawing_->labels) label.x += ViewSize().width, labels.push_back(std::move(label));
-    if (const std::string text = TextOfSection(); !text.empty()) upper.insert(upper.begin() + 1, text);
+    if (const std::string text = TextOfSection(); !text.empty()) upper.insert(upper.begin(), text);
+    upper.insert(upper.begin(), "cross section: " + section_.Describe(size_.height));
   }
   double y = size_.height - line_step - edge;
-  for (const std::string& line : upper) {
-    labels.push_back({edge, y, line, text_color});
-    y -= line_step;
-  }
+  for (const std::string& text : upper)
+    for (const std::string& line : help_page_ > 0 ? std::vector{text} : InLines(text, columns)) {
+      labels.push_back({edge, y, line, text_color});
+      y -= line_step;
+    }
   return labels;
 }
 

@@ -81,7 +81,10 @@ GpuLight AsGpu(const PreviewLight& light, int first_shadow = 0) {
   const auto color = AsFloats(light.color);
   const auto &p = light.place, &d = light.direction;
   return {{color[0], color[1], color[2], AsFloat(light.exponent)},
-          {p[0], p[1], p[2], light.is_infinite ? 1.F : 0.F},
+          {p[0], p[1], p[2],
+           light.is_infinite ? 1.F
+           : light.is_disc   ? -AsFloat(light.radius)
+                             : 0.F},
           {d[0], d[1], d[2], AsFloat(light.least_cosine)},
           {AsFloat(light.constant), AsFloat(light.linear), AsFloat(light.quadratic), static_cast<float>(first_shadow)}};
 }
@@ -121,6 +124,7 @@ SurfaceFeatures FeaturesOf(const ScenePicture& picture) {
   features.environment = picture.environment != nullptr;
   features.diffuse_light =
       std::ranges::any_of(picture.diffuse_light.factors, [](const R2::Color& c) { return !IsBlack(c); });
+  features.discs = std::ranges::any_of(picture.lights.lights, &PreviewLight::is_disc);
   for (const SurfaceBatch& batch : picture.surfaces.batches) {
     features.textures |= batch.material.texture != nullptr;
     features.bumps |= batch.material.bump != nullptr;
@@ -160,9 +164,12 @@ void UploadTriangles(GpuSurfaces& uploaded, const Surfaces& surfaces) {
 }
 
 void UploadLights(const GpuSurfaces& surfaces) {
-  std::vector<GpuLight> lights(most_preview_lights);
-  for (std::size_t i = 0; i < surfaces.preview_lights.size(); ++i)
-    lights[i] = AsGpu(surfaces.preview_lights[i], surfaces.shadows ? surfaces.shadow_views.first[i] : 0);
+  std::vector<GpuLight> lights;
+  for (const bool are_discs : {true, false})
+    for (std::size_t i = 0; i < surfaces.preview_lights.size(); ++i)
+      if (surfaces.preview_lights[i].is_disc == are_discs)
+        lights.push_back(AsGpu(surfaces.preview_lights[i], surfaces.shadows ? surfaces.shadow_views.first[i] : 0));
+  lights.resize(most_preview_lights);
   glBindBuffer(GL_UNIFORM_BUFFER, surfaces.lights.Name());
   glBufferData(GL_UNIFORM_BUFFER, Bytes(lights), lights.data(), GL_STATIC_DRAW);
 }
@@ -331,6 +338,9 @@ void SurfaceDrawer::UseLights(const ShaderProgram& program, const GpuSurfaces& s
     const GpuLight at_eye = AsGpu({.color = {1, 1, 1}, .place = view.eye});
     glBufferSubData(GL_UNIFORM_BUFFER, 0, sizeof(at_eye), &at_eye);
   }
+  if (surfaces.features.discs)
+    glUniform1i(program["disc_count"],
+                static_cast<GLint>(std::ranges::count(surfaces.preview_lights, true, &PreviewLight::is_disc)));
   glUniform1i(program["light_count"], surfaces.head_light ? 1 : static_cast<GLint>(surfaces.preview_lights.size()));
 }
 

@@ -35,7 +35,6 @@ void main() {
 }
 )";
 
-constexpr int ground_alpha = 170;   // of black behind letters
 constexpr float ground_margin = 2;  // pixels
 
 struct TextVertex {
@@ -66,7 +65,7 @@ void Add(std::vector<TextVertex>& vertices, const Label& label, float size) {
     if (const int glyph = GlyphOf(byte); glyph >= 0) glyphs.push_back(glyph);
   if (glyphs.empty()) return;
   const float width = static_cast<float>(glyphs.size()) * glyph_width * size, margin = ground_margin * size;
-  const auto alpha = static_cast<std::uint8_t>(ground_alpha * label.color[3] / 255);
+  const auto alpha = static_cast<std::uint8_t>(Label::ground_alpha * label.color[3] / 255);
   Add(vertices, {left - margin, bottom, width + 2 * margin, glyph_height * size}, {-2, 0, 1, 1}, {0, 0, 0, alpha});
   float x = left;
   for (int glyph : glyphs) {

@@ -29,7 +29,7 @@ ShownRays ShownAs(RayKind kind) {
   return ShownRays::camera;
 }
 
-constexpr Rgba blocked{150, 30, 30, 255};  // a shadow ray beyond what blocks it
+constexpr Rgba blocked{180, 40, 40, 255};  // a shadow ray beyond what blocks it
 constexpr Rgba normal_color{255, 120, 220, 255};
 
 Rgba ColorOf(RayKind kind) {
@@ -65,6 +65,16 @@ std::vector<bool> OnTheWay(const PixelTrace& trace, std::optional<std::size_t> c
 }
 
 }  // namespace
+
+std::vector<Rgba> ColorsOf(ShownRays kind) {
+  std::vector<Rgba> colors;
+  for (std::size_t i = 0; i < ray_kind_names.size(); ++i)
+    if (ShownAs(static_cast<RayKind>(i)) == kind) colors.push_back(ColorOf(static_cast<RayKind>(i)));
+  if (kind == ShownRays::shadow) colors.push_back(blocked);
+  return colors;
+}
+
+Rgba ColorOfNormals() { return normal_color; }
 
 std::vector<PixelTrace> TraceGrid(const World& world, const Accelerator& accelerator, const RenderSettings& settings,
                                   int spacing) {

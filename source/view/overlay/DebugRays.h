@@ -31,6 +31,10 @@ struct RayLook {
   }
 };
 
+/// What RayLines draws them with; of shadow rays the latter is for what lies beyond what blocks them.
+std::vector<Rgba> ColorsOf(ShownRays kind);
+Rgba ColorOfNormals();
+
 inline constexpr int debug_ray_spacing = 25;  // pixels whose column and row are multiples of it
 
 /// The rays of the first sample of the pixels whose column and row are multiples of `spacing`.

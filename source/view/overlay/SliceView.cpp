@@ -11,7 +11,7 @@ namespace {
 
 constexpr double room_around = 1.05;  // of what is cut, so that its outline does not touch the edge
 constexpr Rgba grid_color{255, 255, 255, 28}, zero_color{255, 255, 255, 80}, scale_color{255, 255, 255, 255};
-constexpr Rgba number_color{200, 200, 210, 255};
+constexpr Rgba number_color{210, 210, 220, 255};
 // Of labels, in pixels at letter size 1.
 constexpr double letter_wide = 8, letter_high = 16, gap = 4;
 constexpr double columns_of_a_number = 9;  // letters from one number to the next: "-12.345" and a space each side
@@ -106,7 +106,7 @@ SliceAxes AxesOf(const SliceView& view, const SliceCoordinates& coordinates, int
     AddLine(axes.lines, view.At(foot), view.At({high.x, foot.y}), y == 0 ? zero_color : grid_color);
     const double bottom = view.Pixel(foot).y - line / 2;
     // Above the numbers of the other axis, and below the name of this one.
-    if (bottom >= edge + line && bottom + 2 * line <= view.size.height)
+    if (bottom >= edge + line && bottom + 2 * line + edge <= view.size.height)
       axes.labels.push_back({edge, bottom, upward.Text(y), number_color});
   }
   if (across.at.empty() || upward.at.empty()) return axes;

@@ -28,7 +28,7 @@ constexpr const PanelKind* panel_kinds[] = {
 constexpr double narrowest = 150;       // units: the titles, and short words
 constexpr double widest_share = 0.9;    // of the drawing: some of it stays to be clicked
 constexpr double column_width = 330;    // units at most, and at first
-constexpr double column_share = 0.46;   // of a drawing too narrow for that
+constexpr double column_share = 0.49;   // of a drawing too narrow for that
 constexpr float shortest_time = 1e-3F;  // seconds; Dear ImGui wants some between frames
 
 /// Where it was asked for a position and no pointer is.

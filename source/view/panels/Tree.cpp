@@ -1,12 +1,24 @@
 #include "source/view/panels/Tree.h"
 
 #include <imgui.h>
+#include <imgui_internal.h>  // LogEnabled
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 namespace ray {
+namespace {
+
+/// The text, or as much of its beginning as has room; scripts are told all of it. Letters are of one width.
+std::string Fitting(const std::string& text, float room) {
+  const auto letters = static_cast<std::size_t>(std::max(0.0F, room / ImGui::CalcTextSize("0").x));
+  if (text.size() <= letters || ImGui::GetCurrentContext()->LogEnabled) return text;
+  constexpr std::size_t dots = 2;
+  return text.substr(0, letters > dots ? letters - dots : 0) + "..";
+}
+
+}  // namespace
 
 void Tree::SetOpen(std::size_t node, bool is_open) {
   if (is_open == IsOpen(node)) return;
@@ -78,8 +90,10 @@ std::optional<std::size_t> Tree::DrawLine(PanelFrame& frame, const Line& line, c
   if (!line.has_children) flags |= ImGuiTreeNodeFlags_Leaf;
   if (is_chosen) flags |= ImGuiTreeNodeFlags_Selected;
   ImGui::SetNextItemOpen(IsOpen(line.node));
-  const bool is_open = ImGui::TreeNodeEx(reinterpret_cast<const void*>(line.node + 1), flags, "%s", text.c_str());
+  const std::string fitting = Fitting(text, ImGui::GetContentRegionAvail().x - ImGui::GetTreeNodeToLabelSpacing());
+  const bool is_open = ImGui::TreeNodeEx(reinterpret_cast<const void*>(line.node + 1), flags, "%s", fitting.c_str());
   frame.Note(text);
+  if (fitting != text && ImGui::IsItemHovered()) ImGui::SetTooltip("%s", text.c_str());
   if (line.has_children && is_open != IsOpen(line.node)) {
     SetOpen(line.node, is_open);
     return {};

@@ -34,7 +34,7 @@ class AcceleratorsPanel : public Panel {
 
  private:
   void DrawCosts(PanelFrame& frame, const std::string& in_force) {
-    constexpr const char* titles[] = {"", "build", "render", "boxes", "tests", "kB"};
+    constexpr const char* titles[] = {"", "build", "draw", "box", "test", "kB"};
     if (!ImGui::BeginTable("costs", std::size(titles), ImGuiTableFlags_SizingFixedFit)) return;
     for (const char* title : titles) ImGui::TableSetupColumn(title);
     ImGui::TableHeadersRow();
@@ -52,7 +52,7 @@ class AcceleratorsPanel : public Panel {
     }
     ImGui::EndTable();
     frame.Say(
-        "ms to build, and to render a small picture of this view; boxes and primitives tested per ray. A click takes "
+        "ms to build, and to draw a small picture of this view; boxes and primitives tested per ray. A click takes "
         "one; the image stays the same.");
   }
 

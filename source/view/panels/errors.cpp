@@ -8,7 +8,7 @@
 namespace ray {
 namespace {
 
-constexpr ImU32 error_color = IM_COL32(220, 80, 70, 255);  // read on dark and on light
+constexpr ImU32 error_on_dark = IM_COL32(255, 130, 120, 255), error_on_light = IM_COL32(160, 20, 15, 255);
 
 /// The line and a caret below the place, one letter above the other.
 void DrawPlace(const SceneError& error, std::size_t number) {
@@ -38,7 +38,8 @@ class ErrorsPanel : public Panel {
       std::string place = error.file;
       if (error.line > 0) place += ":" + std::to_string(error.line) + ":" + std::to_string(error.column);
       frame.Say(place);
-      ImGui::PushStyleColor(ImGuiCol_Text, error_color);
+      const bool is_dark = frame.viewer.PanelLook().theme == PanelTheme::dark;
+      ImGui::PushStyleColor(ImGuiCol_Text, is_dark ? error_on_dark : error_on_light);
       frame.Say(error.message);
       ImGui::PopStyleColor();
       if (error.line > 0) DrawPlace(error, i);

@@ -60,6 +60,8 @@ class LayersPanel : public Panel {
   void Draw(PanelFrame& frame) override {
     const TracedPictures& pictures = frame.viewer.Pictures();
     const RenderJob* job = pictures.IsLive() ? pictures.Live() : nullptr;
+    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize("live").x -
+                            ImGui::GetStyle().ItemInnerSpacing.x);
     if (ImGui::BeginCombo("live", job ? NameOf(job->Settings().mode) : "off")) {
       DrawModes(frame, job);
       ImGui::EndCombo();

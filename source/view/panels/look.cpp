@@ -14,7 +14,7 @@ class LookPanel : public Panel {
     for (const auto& [name, theme] : {std::pair{"dark", PanelTheme::dark}, std::pair{"light", PanelTheme::light}}) {
       if (ImGui::RadioButton(name, now.theme == theme)) ask({theme, now.letters, now.width});
       frame.Note(name);
-      ImGui::SameLine();
+      if (theme == PanelTheme::dark) ImGui::SameLine();
     }
     constexpr double step = 1.25;
     if (frame.Button("smaller")) ask({now.theme, now.letters / step, now.width});

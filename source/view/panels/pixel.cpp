@@ -1,6 +1,9 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <span>
 #include <utility>
 
 #include "source/text/NumberText.h"
@@ -27,26 +30,63 @@ std::string LengthOf(const RecordedRay& ray) {
   return end ? Brief(Length(*end - ray.ray.At(ray.ray.t_min))) : "endless";
 }
 
+/// Short lines of those colors on the black of a picture that is dark; whatever the theme, they are seen on it.
+void DrawSwatch(std::span<const Rgba> colors) {
+  constexpr float letters_wide = 4, thickness = 0.15F;  // of a line's height
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float width = std::floor(letters_wide * ImGui::CalcTextSize("0").x), height = ImGui::GetFrameHeight();
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddRectFilled(at, {at.x + width, at.y + height}, IM_COL32_BLACK);
+  const float step = height / static_cast<float>(colors.size() + 1), half = std::max(1.0F, thickness * height / 2);
+  for (std::size_t i = 0; i < colors.size(); ++i) {
+    const Rgba& c = colors[i];
+    const float middle = std::floor(at.y + static_cast<float>(i + 1) * step);
+    list.AddRectFilled({at.x, middle - half}, {at.x + width, middle + half}, IM_COL32(c[0], c[1], c[2], 255));
+  }
+  ImGui::Dummy({width, height});
+  ImGui::SameLine();
+}
+
+/// What the colors of rays mean, and switches for them.
+void DrawLegend(PanelFrame& frame) {
+  constexpr std::array names{"from the camera", "to lights; blocked", "reflected; scattered", "transmitted"};
+  static_assert(names.size() == shown_ray_kinds);
+  ImGui::Separator();
+  const RayLook& look = frame.viewer.Rays().Look();
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const auto kind = static_cast<ShownRays>(i);
+    DrawSwatch(ColorsOf(kind));
+    if (frame.Check(names[i], look.shows[i])) frame.Ask([kind](Viewer& v) { v.ToggleRays(kind); });
+  }
+  DrawSwatch(std::array<Rgba, 1>{ColorOfNormals()});
+  if (frame.Check("normals", look.normals)) frame.Ask([](Viewer& v) { v.ToggleNormals(); });
+}
+
 class PixelPanel : public Panel {
  public:
   void Draw(PanelFrame& frame) override {
     if (const auto& pick = frame.viewer.Picked())
       for (const std::string& line : pick->text) frame.Say(line);
     const auto& pixel = frame.viewer.Rays().Pixel();
-    if (!pixel) return frame.Say("Right-click a pixel: its rays are listed here.");
-    if (frame.viewer.Picked()) ImGui::Separator();
-    frame.Say("rays of pixel " + std::to_string(pixel->column) + " " + std::to_string(pixel->row) + ": " +
-              Brief(pixel->Mean()));
-    frame.Say("kind, luminance it brings | length, what it hits");
-    Read(frame, *pixel);
-    DrawTree(frame, *pixel);
-    const auto chosen = frame.viewer.Rays().Look().chosen;
-    if (!chosen) return;
-    DrawRay(frame, pixel->rays[*chosen]);
-    frame.Fact("brings", Brief(brought_[*chosen]) + (children_[*chosen].empty() ? "" : " with what it leads to"));
+    if (!pixel) frame.Say("Right-click a pixel: its rays are listed here.");
+    if (pixel) DrawPixel(frame, *pixel);
+    if (pixel || frame.viewer.Rays().ShowsGrid()) DrawLegend(frame);
   }
 
  private:
+  void DrawPixel(PanelFrame& frame, const PixelTrace& pixel) {
+    if (frame.viewer.Picked()) ImGui::Separator();
+    frame.Say("rays of pixel " + std::to_string(pixel.column) + " " + std::to_string(pixel.row) + ": " +
+              Brief(pixel.Mean()));
+    frame.Say("kind, luminance it brings | length, what it hits");
+    Read(frame, pixel);
+    DrawTree(frame, pixel);
+    const auto chosen = frame.viewer.Rays().Look().chosen;
+    if (!chosen) return;
+    DrawRay(frame, pixel.rays[*chosen]);
+    frame.Fact("brings", Brief(brought_[*chosen]) + (children_[*chosen].empty() ? "" : " with what it leads to"));
+  }
+
   /// What each ray leads to, and what all of that brings; read again for each trace of a pixel.
   void Read(const PanelFrame& frame, const PixelTrace& pixel) {
     const int trace = frame.viewer.Rays().TraceNumber();

@@ -43,7 +43,9 @@ void DrawOption(PanelFrame& frame, const ShownOption& option) {
     if (frame.Check("-" + option.name, is_on)) ChangeTo(frame, option, is_on ? (option.is_flag ? "" : "off") : "on");
   } else {
     constexpr float share_of_value = 0.5F;
-    ImGui::SetNextItemWidth(share_of_value * ImGui::GetContentRegionAvail().x);
+    const float all = ImGui::GetContentRegionAvail().x;
+    const float name = ImGui::CalcTextSize(("-" + option.name).c_str()).x + ImGui::GetStyle().ItemSpacing.x;
+    ImGui::SetNextItemWidth(std::min(share_of_value * all, all - name));
     if (option.choices.empty())
       DrawField(frame, option);
     else

@@ -1,6 +1,7 @@
 #include <imgui.h>
 
 #include "source/text/EnumNames.h"
+#include "source/text/NumberText.h"
 #include "source/view/live/JobStatus.h"
 #include "source/view/panels/Brief.h"
 #include "source/view/panels/Panel.h"
@@ -10,13 +11,13 @@ namespace ray {
 namespace {
 
 void DrawRays(PanelFrame& frame, const RayCounts& rays) {
-  if (!ImGui::BeginTable("rays", 4)) return;
+  if (!ImGui::BeginTable("rays", 4, ImGuiTableFlags_SizingFixedFit)) return;
   for (const char* title : {"rays of", "number", "boxes", "tests"}) ImGui::TableSetupColumn(title);
   ImGui::TableHeadersRow();
   const auto row = [](const std::string& name, std::uint64_t count, const Counts& cost) {
     if (count == 0) return;
     const auto per_ray = [&](std::uint64_t number) {
-      return Brief(static_cast<double>(number) / static_cast<double>(count));
+      return Rounded(static_cast<double>(number) / static_cast<double>(count), 3);
     };
     for (const std::string& cell :
          {name, std::to_string(count), per_ray(cost.box_tests + cost.node_visits), per_ray(cost.primitive_tests)}) {

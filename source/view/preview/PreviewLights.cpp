@@ -49,6 +49,7 @@ PreviewLight Known(const Light& light, const DrawingSpace& space) {
     known.direction = AsFloats(Unit(vector(6)));
     known.least_cosine = is_spot ? R1::Cos(a[12]) : 0;
     known.exponent = is_spot ? a[13] : 1;
+    known.is_disc = is_area && known.radius > 0;
   }
   return known;
 }

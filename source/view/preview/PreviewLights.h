@@ -24,7 +24,8 @@ struct PreviewLight {
   std::array<float, 3> direction{0, 0, 1};  // of its middle, away from the light; unit
   double least_cosine = everywhere, exponent = 0;
   double constant = 1, linear = 0, quadratic = 0;  // of distances in the drawing space
-  double radius = 0;                               // of its sphere
+  double radius = 0;                               // of its sphere or disc
+  bool is_disc = false;                            // about its place, across its direction; with a radius > 0
   bool casts_shadows = true;
 };
 
@@ -37,10 +38,10 @@ struct PreviewLights {
   bool head_light = false;           // nothing shines in the scene: a light at the eye shows it
 };
 
-/// The lights that reach the scene in the settings' mode, as points: area and sphere lights at their middle, what emits
-/// at its middle too, all triangles of a mesh as one. In mode whitted what emits shines as a point without fall-off,
-/// in mode path as its area over the square of the distance; see EmissiveTriangle and EmissiveShape. Strongest is what
-/// sends most to the middle of the scene.
+/// The lights that reach the scene in the settings' mode, as points and discs: sphere lights at their middle, what
+/// emits at its middle too, all triangles of a mesh as one. In mode whitted what emits shines as a point without
+/// fall-off, in mode path as its area over the square of the distance; see EmissiveTriangle and EmissiveShape.
+/// Strongest is what sends most to the middle of the scene.
 PreviewLights PreviewLightsOf(const World& world, const RenderSettings& settings, const DrawingSpace& space);
 
 }  // namespace ray

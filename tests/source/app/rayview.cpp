@@ -309,7 +309,7 @@ TEST_F(RayviewWindow, KeepsHowThePanelsLookOnceThatIsChanged) {
   if (!has_panels) GTEST_SKIP() << "panels are not built in";
   const std::string habits = folder / "config/raypro/rayview";
   // The edge of the panels, in units from the left.
-  constexpr int window = 400, edge = window - 184, dragged_to = 150;
+  constexpr int window = 400, edge = window - 196, dragged_to = 150;
   // Interrupted, since xdotool may fail over a window that its key closes.
   const auto look_at = [&](const std::string& actions) {
     testing::Running view({Scene("hello.scn"), "-width", "400", "-height", "200", "-panels", "light", "-quiet"},

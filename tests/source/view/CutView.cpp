@@ -10,6 +10,15 @@ namespace ray {
 namespace {
 
 // The scene is drawn in half of the width then, and clicks were taken as if it had all of it.
+TEST_F(ViewerTest, TheMessageOfAnotherPlaneSaysWhereItCutsNow) {
+  viewer_->Show();
+  for (const char* keys : {"key X\nkey Shift+X", "key Shift+X", "key Shift+X"}) {
+    Do(keys);
+    viewer_->Show();
+    EXPECT_EQ(viewer_->Message(), "cross section: " + StateLine("cut"));
+  }
+}
+
 TEST_F(ViewerTest, BesideTheCutAClickMeansWhatIsSeenThere) {
   Do("click left 20 30");
   ASSERT_TRUE(viewer_->Picked() && viewer_->Picked()->point);

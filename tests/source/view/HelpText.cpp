@@ -26,6 +26,12 @@ TEST(HelpText, KeepsToItsColumnsAndLosesNoWord) {
   }
 }
 
+TEST(HelpText, LinesOfAMessageHaveRoomAndBreakOnlyWordsThatHaveNone) {
+  EXPECT_EQ(ray::InLines("as it is,  with blanks", 40), std::vector<std::string>{"as it is,  with blanks"});
+  EXPECT_EQ(ray::InLines("saved to a/long/name", 9), (std::vector<std::string>{"saved to", "a/long/na", "me"}));
+  EXPECT_EQ(ray::InLines("ab", 0), (std::vector<std::string>{"a", "b"}));
+}
+
 TEST(HelpText, PagesHaveNoMoreLinesThanThereIsRoomAndAllRows) {
   const auto rows = ray::Viewer::HelpRows();
   for (const int lines : {2, 7, 28, 1000}) {

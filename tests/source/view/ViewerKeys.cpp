@@ -119,6 +119,7 @@ TEST_F(ViewerTest, KeysThatTurnSomethingOnAndOffSayWhichOfThemTheyDid) {
 }
 
 TEST_F(ViewerTest, MessagesFadeAndTheFirstOneNamesTheHelp) {
+  Do("resize 128 96");  // with room for a message in one line
   EXPECT_TRUE(viewer_->Show().labels.empty()) << "a script that only draws gets the scene alone";
   Do("tick 0.1");
   ASSERT_EQ(viewer_->Show().labels.size(), 1u);

@@ -80,6 +80,18 @@ TEST_P(Preview, IsLitAsTheTracerIsByLightsOfEveryKind) {
   }
 }
 
+TEST_P(Preview, IsLitByAWideDiscAsTheTracerIs) {
+  // As near as it is wide, and partly below the horizon of much of the ball.
+  const std::string disc = "area_light 0.8 0.7 0.6  1.5 0.5 2  -1.5 -0.5 -2  1.5  0.2 0.1 0.2\n";
+  const project::Stage dull(
+      project::FromText(camera + disc + Material("0.5 0.6 0.7  0 0 0  0 0 0  0 0 0  1 1 0") + ball));
+  EXPECT_LT(Differing(dull, 4), outline);
+  // The highlight of a disc is a disc, whose edge the approximation has elsewhere.
+  const project::Stage shiny(
+      project::FromText(camera + disc + Material("0.2 0.2 0.2  0.4 0.3 0.2  0 0 0  0 0 0  20 1 0") + ball));
+  EXPECT_LT(Differing(shiny, 12), 2 * outline);
+}
+
 TEST_P(Preview, HasTheTexturesOfTheTracerWhereTheyAre) {
   ray::RenderSettings settings;
   settings.trace.shadows = false;
