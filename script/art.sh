@@ -1,5 +1,5 @@
 #!/bin/sh
-# Renders the pictures of art/: generates the files that their scenes include, then art/NAME.jpg, 1920x1080 and denoised.
+# Renders the pictures of art/: generates the files that their scenes include, then art/NAME.jpg, 1920x1080.
 # art/README.md has the seconds that each takes.
 #
 #     script/art.sh [-small] [name ...]
@@ -12,18 +12,21 @@ raypro=${RAYPRO:-build/raypro}
 export RAYIMG="${RAYIMG:-$PWD/build/rayimg}"
 small=
 if [ "${1:-}" = -small ]; then small=yes; shift; fi
-[ $# -gt 0 ] || set -- glass flake stairs cradle city sponge
+[ $# -gt 0 ] || set -- glass flake stairs cradle city sponge orrery valley crystal
 
 sh script/art/light.sh
 for name in "$@"; do
   case $name in
-    glass) samples=96 options="-fresnel -max_depth 12 -aperture 0.12 -focus 10.2" parts=glass ;;
-    flake) samples=24 options="-max_depth 6" parts=flake ;;
-    stairs) samples=40 options="-max_depth 6" parts=stairs ;;
-    cradle) samples=48 options="-max_depth 8 -aperture 0.06 -focus 11.5" parts="glass cradle" ;;
-    city) samples=32 options="-max_depth 4" parts=city ;;
-    sponge) samples=32 options="-max_depth 5" parts=sponge ;;
-    *) echo "unknown picture '$name'; pictures are city, cradle, flake, glass, sponge and stairs" >&2; exit 2 ;;
+    city) samples=24 options="-denoise -max_depth 3" parts=city ;;
+    cradle) samples=64 options="-denoise -max_depth 6 -aperture 0.05 -focus 11.3 -clamp samples" parts="glass cradle" ;;
+    crystal) samples=64 options="-fresnel -max_depth 16 -clamp samples -error 6" parts=crystal ;;
+    flake) samples=48 options="-max_depth 6 -clamp samples" parts=flake ;;
+    glass) samples=96 options="-denoise -fresnel -max_depth 12 -aperture 0.12 -focus 10.2" parts=glass ;;
+    orrery) samples=64 options="-max_depth 4 -clamp samples -error 2" parts=orrery ;;
+    sponge) samples=32 options="-denoise -max_depth 5" parts=sponge ;;
+    stairs) samples=40 options="-denoise -max_depth 6" parts=stairs ;;
+    valley) samples=32 options="-max_depth 3 -error 3" parts=valley ;;
+    *) echo "unknown picture '$name'; pictures are city, cradle, crystal, flake, glass, orrery, sponge, stairs, valley" >&2; exit 2 ;;
   esac
   for part in $parts; do sh "script/art/$part.sh"; done
   out=art/$name.jpg size="-width 1920 -height 1080"
@@ -32,5 +35,5 @@ for name in "$@"; do
     out=build/art/$name.jpg size="-width 480 -height 270" samples=$((samples / 4))
   fi
   # shellcheck disable=SC2086  # the options are words
-  "$raypro" "art/$name.scn" "$out" $size -samples "$samples" -denoise -mode path -glossy $options -srgb -jpeg_quality 88
+  "$raypro" "art/$name.scn" "$out" $size -samples "$samples" -mode path -glossy $options -srgb -jpeg_quality 88
 done
