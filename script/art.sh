@@ -17,7 +17,7 @@ if [ "${1:-}" = -small ]; then small=yes; shift; fi
 sh script/art/light.sh
 for name in "$@"; do
   case $name in
-    city) samples=24 options="-denoise -max_depth 3" parts=city ;;
+    city) samples=16 options="-denoise -max_depth 3" parts=city ;;
     cradle) samples=64 options="-denoise -max_depth 6 -aperture 0.05 -focus 11.3 -clamp samples" parts="glass cradle" ;;
     crystal) samples=64 options="-fresnel -max_depth 16 -clamp samples -error 6" parts=crystal ;;
     flake) samples=48 options="-max_depth 6 -clamp samples" parts=flake ;;
@@ -25,7 +25,7 @@ for name in "$@"; do
     orrery) samples=64 options="-max_depth 4 -clamp samples -error 2" parts=orrery ;;
     sponge) samples=32 options="-denoise -max_depth 5" parts=sponge ;;
     stairs) samples=40 options="-denoise -max_depth 6" parts=stairs ;;
-    valley) samples=32 options="-max_depth 3 -error 3" parts=valley ;;
+    valley) samples=32 options="-max_depth 3" parts=valley ;;
     *) echo "unknown picture '$name'; pictures are city, cradle, crystal, flake, glass, orrery, sponge, stairs, valley" >&2; exit 2 ;;
   esac
   for part in $parts; do sh "script/art/$part.sh"; done

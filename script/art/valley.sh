@@ -50,12 +50,13 @@ cat > "$work/land.awk" <<'END'
       + high * step(4, 34, far) * (5 + 0.24 * far) * ridges(x * 0.022 + 1.3, far * 0.022 + 9.1, 7)
   }
   function column(i) { return (2 * i / columns - 1) * 0.66 }
-  function distance(j) { return 2.6 * exp(j / rows * log(150 / 2.6)) }
+  # A quarter of the rows grow with the distance up to 30, the others are even, for the faces of mountains.
+  function distance(j,   t) { t = 4 * j / rows; return t < 1 ? 2.6 * exp(t * log(30 / 2.6)) : 30 + 40 * (t - 1) }
 END
 
 cat > "$work/mesh.awk" <<'END'
   BEGIN {
-    prepare(); columns = 160; rows = 120
+    prepare(); columns = 160; rows = 150
     print "# Mountains around a lake, whose surface is y = 0."
     for (j = 0; j <= rows; ++j)
       for (i = 0; i <= columns; ++i) {
@@ -79,7 +80,7 @@ cat > "$work/colors.awk" <<'END'
   function byte(x) { return x > 255 ? 255 : x }
   function mix(share, red, green, blue) { r += (red - r) * share; g += (green - g) * share; b += (blue - b) * share }
   BEGIN {
-    prepare(); columns = 1000; rows = 600
+    prepare(); columns = 1200; rows = 800
     print "P3\n" columns, rows "\n255"
     for (j = rows - 1; j >= 0; --j)
       for (i = 0; i < columns; ++i) {
@@ -141,7 +142,7 @@ cat > "$work/sky.awk" <<'END'
         cloud = 0
         if (up > 0 && up < 60 && x > 0.33 * width && x < 0.67 * width) {
           u = sin(2 * pi * (x / width - 0.5)) * flat * 1.3; v = cos(2 * pi * (x / width - 0.5)) * flat * 1.3
-          cloud = 0.5 * noise(u, v) + 0.25 * noise(2 * u + 9, 2.1 * v) + 0.13 * noise(4.2 * u, 4.1 * v + 5) + 0.12 * noise(8 * u, 8.3 * v)
+          cloud = 0.6 * noise(u, v) + 0.25 * noise(2 * u + 9, 2.1 * v) + 0.15 * noise(4.2 * u, 4.1 * v + 5)
           cloud = step(0.47, 0.72, cloud) * step(0, 6, up) * step(0.33, 0.4, x / width) * step(-0.67, -0.6, -x / width)
         }
         printf "%d %d %d\n", r + (250 - r) * 0.85 * cloud, g + (234 - g) * 0.85 * cloud, b + (222 - b) * 0.85 * cloud
@@ -150,5 +151,5 @@ cat > "$work/sky.awk" <<'END'
   }
 END
 awk -f "$work/land.awk" -f "$work/sky.awk" > "$work/sky.ppm"
-for name in land sky; do (cd "$work" && "$rayimg" convert $name.ppm $name.jpg -jpeg_quality 85); done
+for name in land sky; do (cd "$work" && "$rayimg" convert $name.ppm $name.jpg -jpeg_quality 95); done
 cp "$work/land.jpg" "$work/sky.jpg" "$out"
