@@ -1,10 +1,10 @@
 #!/bin/sh
-# Renders the pictures of art/: generates the files that their scenes include, then art/NAME.jpg. One to three minutes
-# each on two cores; glass, which is 1920x1080 and denoised, eight.
+# Renders the pictures of art/: generates the files that their scenes include, then art/NAME.jpg, 1920x1080.
+# art/README.md has the seconds that each takes.
 #
 #     script/art.sh [-small] [name ...]
 #
-# Without names, all of them. -small writes a small preview with a sixteenth of the samples to build/art instead.
+# Without names, all of them. -small writes a preview of 480x270 with a quarter of the samples to build/art instead.
 # RAYPRO and RAYIMG name the programs. Each picture records the command that made it: raypro -info art/glass.jpg.
 set -eu
 cd "$(dirname "$0")/.."
@@ -12,29 +12,28 @@ raypro=${RAYPRO:-build/raypro}
 export RAYIMG="${RAYIMG:-$PWD/build/rayimg}"
 small=
 if [ "${1:-}" = -small ]; then small=yes; shift; fi
-[ $# -gt 0 ] || set -- glass flake stairs cradle city sponge
+[ $# -gt 0 ] || set -- glass flake stairs cradle city sponge orrery valley crystal
 
 sh script/art/light.sh
 for name in "$@"; do
-  size="-width 864 -height 576 -filter gaussian" small_size="-width 240 -height 160"
   case $name in
-    glass)
-      samples=96 options="-fresnel -max_depth 12 -aperture 0.12 -focus 10.2" parts=glass
-      size="-width 1920 -height 1080 -denoise" small_size="-width 256 -height 144 -denoise" ;;
-    flake) samples=64 options="-max_depth 8" parts=flake ;;
-    stairs) samples=72 options="-max_depth 6" parts=stairs ;;
-    cradle) samples=112 options="-max_depth 8 -aperture 0.06 -focus 11.5" parts="glass cradle" ;;
-    city) samples=64 options="-max_depth 4" parts=city ;;
-    sponge) samples=48 options="-max_depth 5" parts=sponge ;;
-    *) echo "unknown picture '$name'; pictures are city, cradle, flake, glass, sponge and stairs" >&2; exit 2 ;;
+    city) samples=16 options="-denoise -max_depth 3" parts=city ;;
+    cradle) samples=64 options="-denoise -max_depth 6 -aperture 0.05 -focus 11.3 -clamp samples" parts="glass cradle" ;;
+    crystal) samples=64 options="-fresnel -max_depth 16 -clamp samples -error 6" parts=crystal ;;
+    flake) samples=48 options="-max_depth 6 -clamp samples" parts=flake ;;
+    glass) samples=96 options="-denoise -fresnel -max_depth 12 -aperture 0.12 -focus 10.2" parts=glass ;;
+    orrery) samples=64 options="-max_depth 4 -clamp samples -error 2" parts=orrery ;;
+    sponge) samples=32 options="-denoise -max_depth 5" parts=sponge ;;
+    stairs) samples=40 options="-denoise -max_depth 6" parts=stairs ;;
+    valley) samples=32 options="-max_depth 3" parts=valley ;;
+    *) echo "unknown picture '$name'; pictures are city, cradle, crystal, flake, glass, orrery, sponge, stairs, valley" >&2; exit 2 ;;
   esac
   for part in $parts; do sh "script/art/$part.sh"; done
-  out=art/$name.jpg
+  out=art/$name.jpg size="-width 1920 -height 1080"
   if [ "$small" ]; then
     mkdir -p build/art
-    size=$small_size out=build/art/$name.jpg samples=$((samples / 16))
+    out=build/art/$name.jpg size="-width 480 -height 270" samples=$((samples / 4))
   fi
   # shellcheck disable=SC2086  # the options are words
-  "$raypro" "art/$name.scn" "$out" $size -samples "$samples" -mode path -glossy $options -srgb \
-    -jpeg_quality 88
+  "$raypro" "art/$name.scn" "$out" $size -samples "$samples" -mode path -glossy $options -srgb -jpeg_quality 88
 done

@@ -4,11 +4,13 @@
 #     script/movie.sh -turntable art/flake.scn art/movie.avi -frames 72 -samples 16 -srgb
 #     script/movie.sh -to "0 1 3  0 0 -1  0 1 0  0.4" scenes/hello.scn build/closer.avi
 #     script/movie.sh -sweep focus 3 9 scenes/lens.scn build/focus.avi -aperture 0.12 -samples 64
+#     script/movie.sh -each "sh script/art/orrery.sh" art/year.scn build/year.avi -frames 250
 #
 #   -turntable         one orbit around the vertical axis through the middle of the scene
 #   -turns x           number of orbits, with -turntable; negative: the other way (default 1)
 #   -to "camera"       from the scene's camera to this one: eye, direction, up, half angle; easing in and out
 #   -sweep name a b    raypro's option -name goes from a to b; may be combined with the others
+#   -each command      runs "command x" before each frame, x from 0 to 1, to change what the scene includes; likewise
 #   -frames n          (default 48)       -fps n   frames per second (default 25)
 #   -width n -height n (default 320 240)  -keep    keep the frames, in the folder that is printed
 #
@@ -21,7 +23,7 @@ raypro=${RAYPRO:-$here/build/raypro}
 rayimg=${RAYIMG:-$here/build/rayimg}
 usage() { echo "movie.sh: $1; see the top of $0" >&2; exit 2; }
 
-way='' turns=1 to='' sweep='' low=0 high=0 frames=48 fps=25 width=320 height=240 keep='' scene='' out=''
+way='' turns=1 to='' sweep='' each='' low=0 high=0 frames=48 fps=25 width=320 height=240 keep='' scene='' out=''
 while [ $# -gt 0 ]; do
   case $1 in
     -turntable) way=turn; shift; continue ;;
@@ -31,10 +33,10 @@ while [ $# -gt 0 ]; do
       sweep=$2 low=$3 high=$4
       shift 4
       continue ;;
-    -turns | -to | -frames | -fps | -width | -height)
+    -turns | -to | -each | -frames | -fps | -width | -height)
       [ $# -ge 2 ] || usage "$1 needs a value"
       case $1 in
-        -turns) turns=$2 ;; -to) way=go to=$2 ;; -frames) frames=$2 ;;
+        -turns) turns=$2 ;; -to) way=go to=$2 ;; -each) each=$2 ;; -frames) frames=$2 ;;
         -fps) fps=$2 ;; -width) width=$2 ;; -height) height=$2 ;;
       esac
       shift 2
@@ -45,7 +47,7 @@ while [ $# -gt 0 ]; do
   shift
 done
 [ "$out" ] || usage "a scene and an output file are needed"
-[ "$way$sweep" ] || usage "one of -turntable, -to and -sweep is needed"
+[ "$way$sweep$each" ] || usage "one of -turntable, -to, -sweep and -each is needed"
 case $frames in '' | *[!0-9]* | 0) usage "-frames must be a whole number above 0, got '$frames'" ;; esac
 [ -f "$scene" ] || { echo "movie.sh: no such scene: '$scene'" >&2; exit 3; }
 
@@ -88,12 +90,14 @@ awk -v way="$way" -v to="$to" -v turns="$turns" -v frames="$frames" -v low="$low
       for (k = 1; k <= 10; ++k) printf " %.9g", c[k] > file
       print "  0.01 1000" > file
       close(file)
-      print mix(low, high, share) > (work "/sweep")
+      print mix(low, high, share), share > (work "/sweep")
     }
   }' "$work/check"
 
 i=0
-while read -r value; do
+while read -r value share; do
+  # shellcheck disable=SC2086  # a command of several words
+  [ -z "$each" ] || $each "$share" < /dev/null
   name=$(printf '%s/frame%05d' "$work" "$i")
   "$raypro" "$name.scn" "$name.jpg" -width "$width" -height "$height" -quiet \
     -allow_path "$(dirname "$scene")" ${sweep:+"-$sweep" "$value"} "$@" < /dev/null

@@ -1,3 +1,4 @@
+#include <cstdint>
 #include <cstdio>
 // After cstdio, whose FILE it takes for granted.
 #include <jerror.h>
@@ -17,6 +18,10 @@ namespace jpeg {
 namespace {
 
 constexpr std::size_t marker_capacity = 65533;  // a marker's length has 16 bits and counts itself
+// Up to as many pixels, a file gets codes of its own instead of the standard's: the same pixels in 3 to 10 % fewer
+// bytes (the pictures of art/ at quality 88), or a quarter fewer where most is even. For that libjpeg keeps all
+// coefficients, 6 bytes a pixel, here 384 MiB.
+constexpr std::int64_t most_to_optimize = std::int64_t{1} << 26;
 
 struct ErrorManager {
   jpeg_error_mgr base;  // first, so that the library's pointer to it is also a pointer to this
@@ -274,6 +279,7 @@ class Encoder {
       jpeg_set_quality(&codec_, quality, TRUE);
       // The default halves the resolution of color, which rendered edges show.
       codec_.comp_info[0].h_samp_factor = codec_.comp_info[0].v_samp_factor = 1;
+      codec_.optimize_coding = std::int64_t{size.width} * size.height <= most_to_optimize;
       jpeg_start_compress(&codec_, TRUE);
       const auto* text = reinterpret_cast<const JOCTET*>(comment.data());
       for (std::size_t start = 0; start < comment.size(); start += marker_capacity) {

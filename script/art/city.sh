@@ -25,7 +25,7 @@ awk -v out="$out" '
   }
   # Its windows look to +z and to the avenue at x = 0: the group turns one way into the other.
   function house(x, z, width, depth, height,   wall, up, w, d, h, lit) {
-    wall = int(3 * random()); lit = 0.12 + 0.38 * random()
+    wall = int(3 * random()); lit = 0.25 + 0.45 * random()
     up = 0; w = width; d = depth; h = height
     while (1) {
       printf "box %d  %.2f %.2f %.2f  %.2f %.2f %.2f\n", wall, x - w / 2, up, z - d / 2,

@@ -14,7 +14,7 @@ awk '
   }
   function pendulum(x, a0, a1,   pieces, side, k, depth, moving) {  # hangs at x, swings from angle a0 to a1
     moving = a0 != a1
-    pieces = moving ? 16 : 1
+    pieces = moving ? 24 : 1
     for (side = -1; side <= 1; side += 2)
       for (k = 0; k < pieces; ++k) {
         depth = drop * (k + 0.5) / pieces
@@ -44,7 +44,7 @@ awk '
     print "material  0 0 0  0.02 0.02 0.022  0.90 0.90 0.92  0 0 0  0 0 0  100000 1 0   # 0 chrome"
     print "material  0 0 0  0.45 0.45 0.45  0.2 0.2 0.2  0 0 0  0 0 0  60 1 0           # 1 thread"
     print "material  0 0 0  0.03 0.02 0.015  0.10 0.10 0.10  0 0 0  0 0 0  4000 1 0      # 2 lacquer"
-    pendulum(-2, -0.62, -0.50)
+    pendulum(-2, -0.78, -0.69)
     for (i = -1; i <= 2; ++i) pendulum(i, 0, 0)
     for (side = -1; side <= 1; side += 2) {
       printf "begin 0  0 1 0 0  -1 0 0 %.6g  0 0 1 %.6g  0 0 0 1  cylinder -1  0 0 0  0.07 6.4  end\n", top, side * half

@@ -32,11 +32,11 @@ awk -v out="$out" -v written=1 '
   BEGIN {
     pi = atan2(0, -1)
     # Metals, from the smallest to the largest: kd, then ks.
-    metal[0] = "0.06 0.012 0.010  0.86 0.30 0.22"
-    metal[1] = "0.05 0.025 0.006  0.88 0.52 0.24"
-    metal[2] = "0.04 0.030 0.006  0.90 0.70 0.32"
-    metal[3] = "0.03 0.030 0.024  0.88 0.84 0.70"
-    metal[4] = "0.02 0.024 0.028  0.72 0.78 0.84"
+    metal[0] = "0 0 0  0.86 0.30 0.22"
+    metal[1] = "0 0 0  0.88 0.52 0.24"
+    metal[2] = "0 0 0  0.90 0.70 0.32"
+    metal[3] = "0 0 0  0.88 0.84 0.70"
+    metal[4] = "0 0 0  0.72 0.78 0.84"
     for (level = written; level <= 4; ++level) {
       file = out "/flake" level ".scn"
       print "# A flake of spheres with " level " generations of children." > file

@@ -74,3 +74,14 @@ make_map dusk '
     glow = exp(-lat / 9)
     r = 0.050 + 1.10 * glow; g = 0.085 + 0.46 * glow; b = 0.22 + 0.26 * glow
   }'
+
+# A jeweller's room: a large warm lamp above on the left, cold ones on the right and behind the viewer, and a glow behind
+# what is looked at. None is bright: what cut glass mixes from them has little noise.
+make_map jewels '
+  function radiance(   up, glow) {
+    up = between(lat, 0, 200, 90); glow = lat > 0 ? exp(-lat / 14) : exp(lat / 3)
+    r = mix(0.010, 0.03, up) + 0.10 * glow; g = mix(0.014, 0.06, up) + 0.26 * glow; b = mix(0.03, 0.14, up) + 0.36 * glow
+    lamp(patch(-125, -60, 10, 62, 6), 2.6, 2.1, 1.5)
+    lamp(patch(62, 88, -2, 62, 4), 1.0, 1.6, 2.4)
+    lamp(between(lon > 0 ? 180 - lon : 180 + lon, -35, 35, 6) * patch(-180, 180, 24, 58, 6), 1.8, 1.3, 1.6)
+  }'

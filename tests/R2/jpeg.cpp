@@ -75,6 +75,12 @@ TEST(Jpeg, HigherQualityMakesLargerFiles) {
   EXPECT_LT(size(90), size(100));
 }
 
+// A block of one color takes 6, 4 and 4 bits for its three channels by the codes of the standard, Annex K.
+TEST(Jpeg, AnEvenPictureTakesFewerBytesThanTheCodesOfTheStandardWould) {
+  constexpr int size = 512, blocks = size / 8 * (size / 8);
+  EXPECT_LT(Format("jpeg").encode(Image(size, size), {.jpeg_quality = 90}, {}).size(), blocks * 14u / 8);
+}
+
 // What `file` and image viewers show.
 TEST(Jpeg, SettingsAreReadableLinesInTheComment) {
   const Bytes bytes = Format("jpeg").encode(Image(1, 1), {}, {{"seed", "7"}, {"title", "a\nb"}});
