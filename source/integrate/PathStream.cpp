@@ -30,14 +30,15 @@ void TurnAboutNormals(const VectorOfEach& normals, const PointsOfEach<4>& random
     directions.Set(i, DiffuseDirection(normals[i], {random.coordinates[0][i], random.coordinates[1][i]}));
 }
 
-/// Makes cosines of N and L and unit L of each sample. Returns whether all squares of lengths are in range; else there
-/// is nothing to rely on.
+/// Makes cosines of N and unit L of each sample that brings light. Returns whether the squares of their lengths are in
+/// range; else there is nothing to rely on.
 R3_VECTORIZED
 bool MakeCosines(const VectorOfEach& normals, const LightSamples& samples, Each& cosines) {
   std::uint64_t are_safe = 1;
   for (std::uint32_t i = 0; i < samples.count; ++i) {
     const double square = Dot(samples.ToLight(i), samples.ToLight(i));
-    are_safe &= R3::IsSafeSquare(square);
+    const bool is_black = samples.r[i] + samples.g[i] + samples.b[i] == 0;
+    are_safe &= R3::IsSafeSquare(square) | is_black;
     cosines[i] = Dot(normals[i], samples.ToLight(i) / std::sqrt(square));
   }
   return are_safe != 0;

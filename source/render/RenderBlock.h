@@ -30,10 +30,10 @@ struct SampleSource {
   CameraSample FirstSample(int column, int row) const { return camera(column, row, PixelKey(column, row), 0); }
 };
 
-/// Traces camera rays a few at a time, which integrators do faster than one by one, and gives each to splat(column,
-/// row, sample, radiance) in the order they were added. What a ray brings back depends on its pixel, stream and index
-/// alone, never on which others are in its batch or came before it, but for the modes that show costs, where an
-/// accelerator remembers the last hit.
+/// Traces camera rays a few dozen at a time, which integrators do faster than one by one, and gives each to
+/// splat(column, row, sample, radiance) in the order they were added. What a ray brings back depends on its pixel,
+/// stream and index alone, never on which others are in its batch or came before it, but for the modes that show costs,
+/// where an accelerator remembers the last hit.
 template <typename Splat>
 class BatchTracer {
  public:
@@ -62,6 +62,7 @@ class BatchTracer {
   bool IsEmpty() const { return size_ == 0; }
 
  private:
+  // What mode path takes together; with 16 its samples take 5 to 9 % more instructions.
   static constexpr std::size_t capacity = 64;
   struct Pixel {
     int column, row;

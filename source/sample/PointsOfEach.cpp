@@ -6,7 +6,7 @@ namespace ray {
 namespace {
 
 constexpr std::size_t most = PointsOfEach<2>::most;
-constexpr std::size_t lanes = 8;
+constexpr std::size_t lanes = 8;  // of 32 bits each, in the widest vectors that are made
 static_assert(most % lanes == 0);
 
 /// bits / 2^32, by way of a signed number, for which there is a vector instruction.
