@@ -12,17 +12,6 @@ constexpr std::size_t most_paths = PointsOfEach<2>::most;
 static_assert(most_paths <= LightSamples::most);
 using Each = LightSamples::Each;
 
-struct VectorOfEach {
-  alignas(64) Each x, y, z;
-
-  R3::Vector operator[](std::size_t i) const { return {x[i], y[i], z[i]}; }
-  void Set(std::size_t i, const R3::Vector& v) { x[i] = v.x, y[i] = v.y, z[i] = v.z; }
-};
-
-void GetNormals(std::span<const ShadingPoint> points, VectorOfEach& normals) {
-  for (std::size_t i = 0; i < points.size(); ++i) normals.Set(i, points[i].N);
-}
-
 R3_VECTORIZED
 void TurnAboutNormals(const VectorOfEach& normals, const PointsOfEach<4>& random, std::size_t count,
                       VectorOfEach& directions) {
@@ -45,10 +34,8 @@ bool MakeCosines(const VectorOfEach& normals, const LightSamples& samples, Each&
 }
 
 /// PhongReflection of each sample at its own point.
-void ReflectEach(std::span<const ShadingPoint> points, LightSamples& samples) {
-  VectorOfEach normals;
+void ReflectEach(std::span<const ShadingPoint> points, const VectorOfEach& normals, LightSamples& samples) {
   alignas(64) Each cosines;
-  GetNormals(points, normals);
   const bool are_safe = MakeCosines(normals, samples, cosines);
   for (std::uint32_t i = 0; i < samples.count; ++i) {
     const ShadingPoint& p = points[i];
@@ -61,6 +48,30 @@ void ReflectEach(std::span<const ShadingPoint> points, LightSamples& samples) {
 }
 
 }  // namespace
+
+struct PathStream::Front {
+  std::vector<ShadingPoint> points;
+  std::vector<std::uint32_t> paths;
+  // Made of all points, once they are known.
+  std::vector<SampleIndex> indices;
+  std::vector<Bsdf> bsdfs;
+  VectorOfEach normals;
+
+  void Add(ShadingPoint&& p, std::uint32_t path) {
+    points.push_back(std::move(p));
+    paths.push_back(path);
+  }
+  void Complete(const TraceSettings& settings) {
+    indices.reserve(points.size());
+    bsdfs.reserve(points.size());
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      indices.push_back(points[i].path.index);
+      bsdfs.emplace_back(points[i], settings);
+      normals.Set(i, points[i].N);
+    }
+  }
+  void Clear() { points.clear(), paths.clear(), indices.clear(), bsdfs.clear(); }
+};
 
 void PathStream::Li(std::span<const CameraSample> samples, std::span<R2::Color> radiances, TraceState& state) const {
   if (state.recorder) return Path::Li(samples, radiances, state);
@@ -82,43 +93,40 @@ void PathStream::TraceTogether(std::span<const CameraSample> samples, std::span<
     }
     const ShadingPoint& p = front.points[point++];
     radiances[i] = StartAt(p, state);
-    front.indices.push_back(p.path.index);
     front.paths.push_back(i);
   }
   const std::vector<std::uint32_t> paths = front.paths;
   for (bool is_first = true; !front.points.empty(); is_first = false) {
-    std::vector<Bsdf> bsdfs;
-    bsdfs.reserve(front.points.size());
-    for (const ShadingPoint& p : front.points) bsdfs.emplace_back(p, settings_);
-    LightPoints(front, bsdfs, state);
+    front.Complete(settings_);
+    LightPoints(front, state);
     for (std::size_t i = 0; i < front.points.size(); ++i)
       (is_first ? radiances[front.paths[i]] : gathered[front.paths[i]]) += state.arrived[i];
     next.Clear();
-    TakeStep(front, bsdfs, gathered, next, state);
+    TakeStep(front, gathered, next, state);
     std::swap(front, next);
   }
   for (const std::uint32_t path : paths) radiances[path] += gathered[path];
 }
 
-void PathStream::LightPoints(const Front& front, std::span<const Bsdf> bsdfs, TraceState& state) const {
+void PathStream::LightPoints(const Front& front, TraceState& state) const {
   const std::span<const ShadingPoint> points = front.points;
   state.arrived.assign(points.size(), {});
   if (!SamplesAllLights()) {
-    for (std::size_t i = 0; i < points.size(); ++i) SampleChosenLights(points[i], bsdfs[i], i, state);
+    for (std::size_t i = 0; i < points.size(); ++i) SampleChosenLights(points[i], front.bsdfs[i], i, state);
     return tracer_.TraceShadowRays(state);
   }
   PointsOfEach<2> random;
   for (int light = 0; light < lights_.Count() && !state.IsStopped(); ++light) {
     const bool is_extended = lights_.IsExtended(light);
     if (is_extended) GetOfEach(front.indices, KeyOf(light), settings_.sampler, settings_.samples, random);
-    if (is_extended && lights_.Find(light)) {
+    if (is_extended && lights_.SceneLight(light)) {
       AddExtendedLight(light, front, random, state);
       continue;
     }
     for (std::size_t i = 0; i < points.size(); ++i) {
       if (!points[i].HasReflectance()) continue;
       if (const auto sample = lights_.Sample(points[i], light, is_extended ? random.Get2D(i) : R2::Point{}))
-        AddLightSample(points[i], bsdfs[i], *sample, i, state);
+        AddLightSample(points[i], front.bsdfs[i], *sample, i, state);
     }
   }
   tracer_.TraceShadowRays(state);
@@ -132,8 +140,8 @@ void PathStream::AddExtendedLight(int light, const Front& front, const PointsOfE
     samples.SetFrom(i, front.points[i].shadow_origin);
     samples.u[i] = random.coordinates[0][i], samples.v[i] = random.coordinates[1][i];
   }
-  lights_.Find(light)->IlluminateEach(samples);
-  ReflectEach(front.points, samples);
+  lights_.SceneLight(light)->IlluminateEach(samples);
+  ReflectEach(front.points, front.normals, samples);
   for (std::uint32_t i = 0; i < samples.count; ++i) {
     if (IsBlack(samples.Color(i))) continue;
     const R2::Color contribution = front.points[i].path.throughput * samples.Color(i);
@@ -143,20 +151,18 @@ void PathStream::AddExtendedLight(int light, const Front& front, const PointsOfE
   }
 }
 
-void PathStream::TakeStep(const Front& front, std::span<const Bsdf> bsdfs, std::span<R2::Color> gathered, Front& next,
-                          TraceState& state) const {
+void PathStream::TakeStep(const Front& front, std::span<R2::Color> gathered, Front& next, TraceState& state) const {
   const std::span<const ShadingPoint> points = front.points;
   if (IsLast(points[0]))  // all have gone as far
     for (const ShadingPoint& p : points) BookEnd(p, state);
   if (!MayGoOn(points[0])) return;
   PointsOfEach<4> random;
   GetOfEachAlone(front.indices, scatter_key, settings_.sampler, settings_.samples, random);
-  VectorOfEach normals, directions;
-  GetNormals(points, normals);
-  TurnAboutNormals(normals, random, points.size(), directions);
+  VectorOfEach directions;
+  TurnAboutNormals(front.normals, random, points.size(), directions);
   for (std::uint32_t i = 0; i < points.size(); ++i) {
     const auto& u = random.coordinates;
-    auto step = GoOn(points[i], bsdfs[i], {u[0][i], u[1][i], u[2][i], u[3][i]}, directions[i]);
+    auto step = GoOn(points[i], front.bsdfs[i], {u[0][i], u[1][i], u[2][i], u[3][i]}, directions[i]);
     if (!step) continue;
     const auto hit = tracer_.Intersect(step->path, state);
     auto arrived = Arrive(points[i], *step, hit, gathered[front.paths[i]], state);

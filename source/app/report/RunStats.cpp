@@ -74,9 +74,14 @@ std::string FreedomText(const ErrorEstimate& error) {
          Fixed(100 * std::min(1.0, 2 / std::sqrt(2 * error.freedom)), 0) + " %";
 }
 
+/// Another version of a library may make another picture.
+bool IsDenoisedByLibrary(const RunStats& record) {
+  return !record.denoised_by.empty() && record.options.render.denoiser != Denoiser::regression;
+}
+
 /// " by Open Image Denoise 2.5.1"; nothing for our own filter.
 std::string DenoiserText(const RunStats& record) {
-  return record.options.render.denoiser == Denoiser::regression ? "" : " by " + record.denoised_by;
+  return IsDenoisedByLibrary(record) ? " by " + record.denoised_by : "";
 }
 
 std::string StopText(const RunStats& record) {
@@ -160,8 +165,7 @@ R2::ImageSettings SettingsInPicture(const RunStats& record) {
       {"accel", record.options.accelerator.name},
       {"pixels", PixelsText(record)},
   };
-  // Another version of the library may make another picture.
-  if (!DenoiserText(record).empty()) settings["denoised_by"] = record.denoised_by;
+  if (IsDenoisedByLibrary(record)) settings["denoised_by"] = record.denoised_by;
   if (record.options.keep_times) {
     settings["seconds"] = Fixed(record.seconds.wall, 3);
     settings["threads"] = std::to_string(record.threads);

@@ -18,9 +18,8 @@ struct DenoisedPicture {
 /// of one of several filters, whichever has the least error around it as far as the other stream tells; between places
 /// of different filters it is blended. The same, bit for bit, for any number of threads; what is no finite number is
 /// taken for 0 or the largest float, and comes out as a finite number. Throws DenoiserError where a library fails.
-///   cost     20 processor seconds and 250 megabytes for a megapixel of scenes/sphere.scn at 16 samples, guides
-///   included source   two buffers and the choice by their errors: Rousselle, Manzi, Zwicker, Robust denoising using
-///   feature and
+///   cost     20 processor seconds and 250 megabytes for a megapixel of scenes/sphere.scn at 16 samples, with guides
+///   source   two buffers and the choice by their errors: Rousselle, Manzi, Zwicker, Robust denoising using feature and
 ///            color information (2013), section 5; here each buffer is filtered by weights of its own, which costs some
 ///            percent of error and makes that choice, and the error told, right on average
 DenoisedPicture Denoise(const R2::Image& a, const R2::Image& b, const Guides& guides,

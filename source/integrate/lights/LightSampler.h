@@ -32,11 +32,11 @@ class LightSampler {
   }
 
   /// Of the scene language's; null for other lights.
-  const Light* Find(int light) const {
+  const Light* SceneLight(int light) const {
     return static_cast<std::size_t>(light) < lights_.size() ? lights_[static_cast<std::size_t>(light)] : nullptr;
   }
   /// Whether it matters which point on it is sampled.
-  bool IsExtended(int light) const { return !Find(light) || Find(light)->IsExtended(); }
+  bool IsExtended(int light) const { return !SceneLight(light) || SceneLight(light)->IsExtended(); }
 
   /// A light in words.
   std::string Describe(int light) const;

@@ -63,6 +63,7 @@ TEST(Denoiser, WithoutDenoisingIsWarnedOfAndNotLoaded) {
   const Finished run = place.Run("a.png", {"-denoiser", "oidn"});
   EXPECT_EQ(run.status, status::done);
   EXPECT_TRUE(Has(run.error, "-denoiser has no effect without -denoise")) << run.error;
+  EXPECT_FALSE(Has(ReadFile(place / "a.png"), "denoised_by")) << "nothing has";
 }
 
 // Its name is all that tells why the same command made another image on another machine.
