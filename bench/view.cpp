@@ -9,6 +9,7 @@
 #include <memory>
 #include <vector>
 
+#include "source/view/MotionDetail.h"
 #include "source/view/Viewer.h"
 #include "source/view/contexts/Context.h"
 #include "source/view/gl/Drawer.h"
@@ -58,29 +59,33 @@ struct AnswerTimes {
   }
 };
 
-/// Of many small drags.
-AnswerTimes Answers(Viewer& viewer, Drawer& drawer) {
+/// Of the moves of a long drag, each drawn as a window draws it: in fewer pixels where those of a drawing in full take
+/// too long. `detail`: null for all drawings in full.
+AnswerTimes Answers(Viewer& viewer, Drawer& drawer, MotionDetail* detail) {
   AnswerTimes times;
+  viewer.Handle(ButtonEvent{Button::left, true, 100, 200, {}});
   for (int i = 0; i < 200; ++i) {
     const auto start = Clock::now();
     const double begun_by_all = CpuMilliseconds(CLOCK_PROCESS_CPUTIME_ID);
     const double begun = CpuMilliseconds(CLOCK_THREAD_CPUTIME_ID);
-    const double x = 100 + 10 * (i % 20);
-    viewer.Handle(ButtonEvent{Button::left, true, x, 200, {}});
-    viewer.Handle(MoveEvent{x + 8, 203});
-    viewer.Handle(ButtonEvent{Button::left, false, x + 8, 203, {}});
+    viewer.Handle(MoveEvent{110.0 + 8 * (i % 20), 203});
     const double handled = CpuMilliseconds(CLOCK_THREAD_CPUTIME_ID);
     viewer.Update();
-    const FrameState shown = viewer.Show();
+    FrameState shown = viewer.Show();
+    if (detail)
+      shown.pixel_step =
+          detail->StepFor(shown.clip_from_drawing, shown.view, 1e-3 * MillisecondsSince(Clock::time_point()));
     const double to_draw = CpuMilliseconds(CLOCK_THREAD_CPUTIME_ID);
     drawer.Draw(shown);
-    glFinish();
+    Canvas::Finish();
+    if (detail) detail->Took(1e-3 * MillisecondsSince(start));
     times.of_process.push_back(CpuMilliseconds(CLOCK_PROCESS_CPUTIME_ID) - begun_by_all);
     times.all.push_back(MillisecondsSince(start));
     times.handling.push_back(handled - begun);
     times.showing.push_back(to_draw - handled);
     times.drawing.push_back(CpuMilliseconds(CLOCK_THREAD_CPUTIME_ID) - to_draw);
   }
+  viewer.Handle(ButtonEvent{Button::left, false, 270, 203, {}});
   return times;
 }
 
@@ -123,16 +128,21 @@ int main(int argc, char** argv) {
   glFinish();
   std::printf("%s, %s\n", settings.scene.c_str(), context->Name().c_str());
   std::printf("%-44s %7.2f ms\n", "start to first drawing", MillisecondsSince(start));
-  Answers(viewer, drawer).Print("event to drawing, nothing traced");
+  const auto answers = [&](const std::string& meanwhile) {
+    MotionDetail detail;
+    Answers(viewer, drawer, nullptr).Print(("event to drawing in full, " + meanwhile).c_str());
+    Answers(viewer, drawer, &detail).Print(("event to drawing, " + meanwhile).c_str());
+  };
+  answers("nothing traced");
   viewer.Handle(KeyEvent{Key::tab, {}, true});
-  Answers(viewer, drawer).Print("event to drawing, panels shown");
+  answers("panels shown");
   PrintTimes("of that, drawing the panels again", PanelTimes(viewer, drawer));
   viewer.Handle(KeyEvent{Key::tab, {}, true});
   viewer.Handle(KeyEvent{Key::s, {}, true});
   viewer.Update();
-  Answers(viewer, drawer).Print("event to drawing, while S renders");
+  answers("while S renders");
   viewer.Handle(KeyEvent{Key::escape, {}, true});
   viewer.Handle(KeyEvent{Key::p, {}, true});
   viewer.Update();
-  Answers(viewer, drawer).Print("event to drawing, live picture");
+  answers("live picture");
 }

@@ -36,6 +36,7 @@ struct FrameState {
   PreviewView seen_from;
   std::shared_ptr<const ScenePicture> faces;
   bool shows_faces = true, shows_edges = false, shows_shadows = false;
+  int pixel_step = 1;  // faces, and what is behind them, have one pixel for so many of the view, each way
   Rgba edge_color{};
   std::shared_ptr<const Lines> lines;
   std::shared_ptr<const Lines> marks;  // likewise, made anew for each view

@@ -20,6 +20,7 @@
 #include "source/parse/Text.h"
 #include "source/text/Quoting.h"
 #include "source/view/EventScript.h"
+#include "source/view/MotionDetail.h"
 #include "source/view/Viewer.h"
 #include "source/view/contexts/Context.h"
 #include "source/view/gl/Drawer.h"
@@ -252,12 +253,27 @@ class Session : public ViewerHost {
     window_->Show();
     ShowTitle();
   }
-  void DrawNews() {
-    if (viewer_.Update()) {
-      drawer_.Draw(viewer_.Show());
-      if (window_) window_->Show();
+  /// As fast as the view moves, and in full once it rests.
+  void DrawForHand() {
+    const bool has_news = viewer_.Update();
+    const double now = SecondsSince(start_);
+    const auto refinement = detail_.RefinementTime();
+    if (has_news || (refinement && now >= *refinement)) {
+      FrameState shown = viewer_.Show();
+      shown.pixel_step = detail_.StepFor(shown.clip_from_drawing, shown.view, now);
+      drawer_.Draw(shown);
+      Canvas::Finish();
+      detail_.Took(SecondsSince(start_) - now);
+      window_->Show();
     }
-    if (window_) ShowTitle();
+    ShowTitle();
+  }
+  /// Until the next look, unless an event comes before.
+  double SecondsToWait() const {
+    if (viewer_.IsBusy() || viewer_.navigator().IsFlying()) return seconds_while_busy;
+    const auto refinement = detail_.RefinementTime();
+    if (!refinement) return seconds_while_idle;
+    return std::clamp(*refinement - SecondsSince(start_), 0.0, seconds_while_idle);
   }
   void ShowTitle() {
     const std::string title = "rayview " + viewer_.Title() + " " + window_->Name();
@@ -269,12 +285,11 @@ class Session : public ViewerHost {
     auto last = Clock::now();
     Draw();
     while (!viewer_.IsClosed() && StopSignal() == 0) {
-      const bool is_busy = viewer_.IsBusy() || viewer_.navigator().IsFlying();
-      const std::vector<Event> events = window_->Wait(is_busy ? seconds_while_busy : seconds_while_idle);
+      const std::vector<Event> events = window_->Wait(SecondsToWait());
       Happen(TickEvent{SecondsSince(last)});
       last = Clock::now();
       for (const Event& event : events) Happen(event);
-      DrawNews();
+      DrawForHand();
     }
   }
 
@@ -318,10 +333,13 @@ class Session : public ViewerHost {
     DrawNewsInWindow();
   }
   void DrawNewsInWindow() {
-    if (window_)
-      DrawNews();
-    else
-      viewer_.Update();
+    const bool has_news = viewer_.Update();
+    if (!window_) return;
+    if (has_news) {
+      drawer_.Draw(viewer_.Show());
+      window_->Show();
+    }
+    ShowTitle();
   }
   /// A moment passes, as it does for a user who looks on.
   void Pause() {
@@ -343,6 +361,8 @@ class Session : public ViewerHost {
   const PanelSettings first_look_;
   Viewer viewer_;
   Recorder recorder_;
+  const Clock::time_point start_ = Clock::now();
+  MotionDetail detail_;
   std::string title_;
   bool wants_drawing_ = false;
   int status_ = status::done;

@@ -38,6 +38,9 @@ class Canvas {
   /// The drawing so far, at least one pixel of it; each channel a byte / 255. In a window before it is shown.
   R2::Image Read() const;
 
+  /// Waits until all of the drawing is done.
+  static void Finish() { glFinish(); }
+
   int Width() const { return width_; }
   int Height() const { return height_; }
 

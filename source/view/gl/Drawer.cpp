@@ -89,8 +89,15 @@ void Drawer::DrawScene(const FrameState& state) {
   const SurfaceDrawer& surfaces = painter_.surfaces;
   GpuSurfaces& faces = Upload(faces_, state.faces, surfaces);
   if (state.shows_faces) surfaces.SetShadows(faces, state.shows_shadows);
-  surfaces.DrawSky(faces, state.seen_from);
-  if (state.shows_faces) surfaces.Draw(faces, state.clip_from_drawing, state.seen_from);
+  const auto draw = [&] {
+    surfaces.DrawSky(faces, state.seen_from);
+    if (state.shows_faces) surfaces.Draw(faces, state.clip_from_drawing, state.seen_from);
+  };
+  if (state.pixel_step == 1) return draw();
+  painter_.coarse.Draw(state.pixel_step, [&] {
+    painter_.canvas.Fill(state.background);
+    draw();
+  });
 }
 
 void Drawer::DrawPicture(const FrameState& state) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "source/view/gl/Canvas.h"
+#include "source/view/gl/CoarseDrawer.h"
 #include "source/view/gl/ListDrawer.h"
 #include "source/view/gl/PanelDrawer.h"
 #include "source/view/gl/PictureDrawer.h"
@@ -17,6 +18,7 @@ struct Painter {
 
   Canvas canvas;
   SurfaceDrawer surfaces;
+  CoarseDrawer coarse;
   ListDrawer lists;
   PictureDrawer pictures;
   TextDrawer text;

@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "source/view/gl/Target.h"
 #include "source/view/gl/Upload.h"
 
 namespace ray {
@@ -9,26 +10,6 @@ namespace ray {
 namespace {
 
 constexpr GLsizei side = 1024;  // texels; a scene seen from outside is then told apart to 1/500 of its radius
-
-/// What is being drawn into, and where; set again at the end.
-class Kept {
- public:
-  Kept() {
-    glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &framebuffer_);
-    glGetIntegerv(GL_VIEWPORT, viewport_.data());
-  }
-  ~Kept() {
-    glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(framebuffer_));
-    glViewport(viewport_[0], viewport_[1], viewport_[2], viewport_[3]);
-    glEnable(GL_SCISSOR_TEST);
-  }
-  Kept(const Kept&) = delete;
-  Kept& operator=(const Kept&) = delete;
-
- private:
-  GLint framebuffer_ = 0;
-  std::array<GLint, 4> viewport_{};
-};
 
 }  // namespace
 
@@ -45,7 +26,7 @@ GpuShadows FilledShadows(int count, const std::function<void(int map)>& draw) {
   glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
   CheckMemory();
 
-  const Kept kept;
+  const KeptTarget kept;
   const Framebuffer framebuffer;
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.Name());
   glDrawBuffer(GL_NONE);

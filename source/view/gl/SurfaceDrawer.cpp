@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "source/view/gl/Canvas.h"
+#include "source/view/gl/Target.h"
 #include "source/view/gl/Upload.h"
 
 namespace ray {
@@ -172,15 +173,6 @@ void UploadLights(const GpuSurfaces& surfaces) {
   lights.resize(most_preview_lights);
   glBindBuffer(GL_UNIFORM_BUFFER, surfaces.lights.Name());
   glBufferData(GL_UNIFORM_BUFFER, Bytes(lights), lights.data(), GL_STATIC_DRAW);
-}
-
-/// Whether what is drawn into can encode in sRGB itself, and so blend light before.
-bool CanEncodeSrgb() {
-  GLint framebuffer = 0, encoding = GL_LINEAR;
-  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &framebuffer);
-  glGetFramebufferAttachmentParameteriv(GL_DRAW_FRAMEBUFFER, framebuffer == 0 ? GL_BACK_LEFT : GL_COLOR_ATTACHMENT0,
-                                        GL_FRAMEBUFFER_ATTACHMENT_COLOR_ENCODING, &encoding);
-  return encoding == GL_SRGB;
 }
 
 /// The far side of a solid first; without writing depth, so that what comes later is seen behind.
