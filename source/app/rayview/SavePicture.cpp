@@ -33,7 +33,7 @@ std::string SaveTraced(const PictureOutput* output, Options options, const Loade
   assert(result.IsComplete());
   std::optional<Camera>& view = options.render.view;
   if (view && CameraLine(*view) == CameraLine(scene.parsed.scene.camera)) view.reset();
-  const PictureOutput place = output ? *output : ClaimImageName();
+  const PictureOutput place = output ? *output : ClaimImageName("jpg");
   options.picture = place.file.name;
   const RunStats record = RecordOf(options, scene, result, seconds);
   try {

@@ -75,9 +75,9 @@ void RefuseInputs(const ViewOutputs& outputs, std::span<const std::string> input
   for (const NamedOutput& output : Named(outputs)) RefuseInputs(*output.file, inputs);
 }
 
-PictureOutput ClaimImageName() {
+PictureOutput ClaimImageName(const std::string& extension) {
   for (int number = 1;; ++number) {
-    const std::string name = "image" + std::to_string(number) + ".jpg";
+    const std::string name = "image" + std::to_string(number) + "." + extension;
     if (IsNew(name)) return {R2::FormatForName(name), {.name = name, .target = name}};
   }
 }

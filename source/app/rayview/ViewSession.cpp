@@ -9,6 +9,7 @@
 #include <thread>
 #include <utility>
 
+#include "R2/ImageFile.h"
 #include "source/app/Interrupt.h"
 #include "source/app/Status.h"
 #include "source/app/options/RayproCommand.h"
@@ -239,7 +240,8 @@ class Session : public ViewerHost {
     wants_drawing_ = false;
     Draw();
     Attempt([&] {
-      const PictureOutput place = ClaimImageName();
+      // Letters and lines suffer in a JPEG.
+      const PictureOutput place = ClaimImageName(R2::FormatForName("image.png") ? "png" : "jpg");
       ray::SaveDrawing(place, painter_.canvas.Read(), options_);
       Print("screenshot saved to " + place.file.name);
       return std::string();
