@@ -113,17 +113,19 @@ function file_of(id) {
 
 function is_viewer(id) { return program[id] == "rayview" || program[id] == "session" }
 
-# Width and height of a picture on the page, as attributes; what is cut out is shown eight times as large.
-function size_of(id,   w, n, i, width, height) {
-  width = is_viewer(id) ? 400 : 320
-  height = is_viewer(id) ? 300 : 240
+# Width and height of a picture on the page, as attributes: half of its pixels, five eighths in the viewer, whose letters
+# are to be read; all of them where there are few, or panels. What is cut out is shown eight times as large.
+function size_of(id,   w, n, i, width, height, share) {
+  width = 640
+  height = 480
   n = split(options[id], w, " ")
   for (i = 1; i <= n; ++i) {
     if (w[i] == "-width") width = w[i + 1]
     if (w[i] == "-height") height = w[i + 1]
     if (w[i] == "-crop") { width = 8 * (w[i + 3] - w[i + 1]); height = 8 * (w[i + 4] - w[i + 2]) }
   }
-  return "width=\"" width "\" height=\"" height "\""
+  share = options[id] ~ /-crop/ || width < 480 || (is_viewer(id) && options[id] ~ /-width/) ? 1 : is_viewer(id) ? 5 / 8 : 1 / 2
+  return "width=\"" width * share "\" height=\"" height * share "\""
 }
 
 function image(id, class) {
@@ -135,12 +137,18 @@ function image(id, class) {
 function command_of(id,   file) {
   file = scene[id] ~ /\// ? scene[id] : "scenes/" scene[id] ".scn"
   if (program[id] == "rayview")
-    return "build/rayview " file " -headless " size(id, 400, 300) options[id] (options[id] ? " " : "") \
+    return "build/rayview " file " -headless " size(id, 640, 480) options[id] (options[id] ? " " : "") \
            "-events writeup/views/" id ".events -screenshot " id ".jpg"
   if (program[id] == "session")
     return "script/session.sh writeup/views/" id ".events " file " " id ".avi " options[id]
   if (program[id] == "text") return "build/raypro " file " " size(id, 320, 240) options[id]
-  return "build/raypro " file " " file_of(id) " " size(id, 320, 240) options[id]  # the rest is said above the pictures
+  return "build/raypro " file " " file_of(id) " " size(id, 640, 480) options[id]  # the rest is said above the pictures
+}
+
+# Lines may end before an option, not after its dash.
+function unbroken(command) {
+  gsub(/-[a-z_]+( -?[0-9.]+)*/, "<span>&</span>", command)
+  return command
 }
 
 function size(id, width, height) { return options[id] ~ /-width/ ? "" : "-width " width " -height " height " " }
@@ -149,7 +157,7 @@ function seconds_of(id) { return cost[id, "cpu_s"] == "" ? "" : sprintf("%.2f s"
 
 function how(id,   s) {
   s = seconds_of(id)
-  return "<code class=\"command\">" html(command_of(id)) "</code>" \
+  return "<code class=\"command\">" unbroken(html(command_of(id))) "</code>" \
          (s ? "<span class=\"cost\">" s ", " grouped(cost[id, "rays"]) " rays</span>" : "")
 }
 

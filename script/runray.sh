@@ -60,11 +60,12 @@ make_one() {  # id
   section=$(field "$id" 2)
   case $scene in */*) ;; *) scene=scenes/$scene.scn ;; esac
   file=$(file_of "$id" "$program" "$options")
-  size="-width 320 -height 240"
+  size="-width 640 -height 480"
   events=
   tool=$RAYPRO
   case $program in
-    rayview | session) size="-width 400 -height 300" events=writeup/views/$id.events tool=$RAYVIEW ;;
+    rayview | session) events=writeup/views/$id.events tool=$RAYVIEW ;;
+    text) size="-width 320 -height 240" ;;
   esac
   case $options in *-width*) size= ;; esac
   [ -x "$tool" ] || { echo "  $id: no $tool here, kept as it is"; return 0; }
