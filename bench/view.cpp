@@ -1,10 +1,11 @@
 // How soon the viewer answers, drawing without a window.
-//   build/bench/view [scene]     scenes/hello.scn unless named; run where scenes/ is
+//   build/bench/view [scene [width height]]     scenes/hello.scn unless named, 512 x 512; run where scenes/ is
 // Figures: start to the first drawing; from an event to its drawing while a live picture and a trace run beside; what
 // an idle viewer asks of the processor is told by the window itself: /proc/PID/stat.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <cstdlib>
 #include <ctime>
 #include <memory>
 #include <vector>
@@ -116,7 +117,8 @@ int main(int argc, char** argv) {
   const auto start = Clock::now();
   ViewerSettings settings;
   settings.scene = argc > 1 ? argv[1] : "scenes/hello.scn";
-  settings.render.width = settings.render.height = 512;
+  settings.render.width = argc > 3 ? std::atoi(argv[2]) : 512;
+  settings.render.height = argc > 3 ? std::atoi(argv[3]) : 512;
   settings.render.samples = 1 << 20;  // so that pictures are never done
   Nobody host;
   const auto scene = std::make_shared<const LoadedScene>(settings.scene, settings.parse, settings.accelerator);

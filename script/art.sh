@@ -12,7 +12,7 @@ raypro=${RAYPRO:-build/raypro}
 export RAYIMG="${RAYIMG:-$PWD/build/rayimg}"
 small=
 if [ "${1:-}" = -small ]; then small=yes; shift; fi
-[ $# -gt 0 ] || set -- glass flake stairs cradle city sponge orrery valley crystal
+[ $# -gt 0 ] || set -- glass flake stairs cradle city sponge orrery valley crystal library
 
 sh script/art/light.sh
 for name in "$@"; do
@@ -22,11 +22,12 @@ for name in "$@"; do
     crystal) samples=64 options="-fresnel -max_depth 16 -clamp samples -error 6" parts=crystal ;;
     flake) samples=48 options="-max_depth 6 -clamp samples" parts=flake ;;
     glass) samples=96 options="-denoise -fresnel -max_depth 12 -aperture 0.12 -focus 10.2" parts=glass ;;
+    library) samples=48 options="-denoise -max_depth 8" parts=library ;;
     orrery) samples=64 options="-max_depth 4 -clamp samples -error 2" parts=orrery ;;
     sponge) samples=32 options="-denoise -max_depth 5" parts=sponge ;;
     stairs) samples=40 options="-denoise -max_depth 6" parts=stairs ;;
     valley) samples=32 options="-max_depth 3" parts=valley ;;
-    *) echo "unknown picture '$name'; pictures are city, cradle, crystal, flake, glass, orrery, sponge, stairs, valley" >&2; exit 2 ;;
+    *) echo "unknown picture '$name'; pictures are city, cradle, crystal, flake, glass, library, orrery, sponge, stairs, valley" >&2; exit 2 ;;
   esac
   for part in $parts; do sh "script/art/$part.sh"; done
   out=art/$name.jpg size="-width 1920 -height 1080"
