@@ -82,7 +82,7 @@ totals() { cat "$folder/totals/$1" 2> /dev/null || echo 0 0; }
 # How many executions are left to do; -1 is no end.
 left() {
   [ -n "$executions" ] || { echo -1; return; }
-  totals "$1" | awk -v all="$executions" '{ print (all > $1 ? all - $1 : 0) }'
+  totals "$1" | awk -v all="$executions" '{ printf "%.0f", (all > $1 ? all - $1 : 0) }'
 }
 
 run() {
@@ -103,7 +103,7 @@ for target in "$@"; do
     run "$target" > "$log" 2>&1 || true
     took=$(($(date +%s) - began))
     # Where it was ended from outside, the last line of progress tells.
-    count=$(awk '/^#[0-9]/ { n = substr($1, 2) } /number_of_executed_units/ { n = $2 } END { print n + 0 }' "$log")
+    count=$(awk '/^#[0-9]/ { n = substr($1, 2) } /number_of_executed_units/ { n = $2 } END { printf "%.0f", n }' "$log")
     [ "$count" != 0 ] || idle=1
     sum=$(totals "$target" | awk -v count="$count" -v took="$took" '{ printf "%.0f %d", $1 + count, $2 + took }')
     echo "$sum" > "$folder/totals/$target"
