@@ -5,13 +5,13 @@
 #     script/fuzz.sh [-seconds N] [-executions N] [-build FOLDER] [target ...]
 #
 # Each target runs for N seconds, or until it has been executed N times in all its runs, whichever comes first; with
-# -executions alone, for as long as that takes; with neither, for 60 seconds. One that has its executions is passed over:
-# "-executions 10000000 -seconds 3600", night after night, brings each to ten million.
+# -executions alone, for as long as that takes; with neither, for 60 seconds. One that has its executions is passed
+# over: "-executions 10000000 -seconds 3600", night after night, brings each to ten million.
 #
-# Its inputs are in FOLDER/corpus/TARGET (default FOLDER build/fuzz): the scenes, meshes and images of the tree, and what
-# was found to be new from run to run. What it finds is in FOLDER/findings, each a file that FOLDER/targets/TARGET runs
-# again. Executions and seconds of all runs are in FOLDER/totals/TARGET; remove that to count anew. RAYPRO names the
-# program that makes some seeds (default build/raypro). Exit status 1: there are findings, or a target did not run.
+# Its inputs are in FOLDER/corpus/TARGET (default FOLDER build/fuzz): the scenes, meshes and images of the tree, and
+# what was found to be new from run to run. What it finds is in FOLDER/findings, each a file that FOLDER/targets/TARGET
+# runs again. Executions and seconds of all runs are in FOLDER/totals/TARGET; remove that to count anew. RAYPRO names
+# the program that makes some seeds (default build/raypro). Exit status 1: there are findings, or a target did not run.
 set -eu
 cd "$(dirname "$0")/.."
 raypro=${RAYPRO:-build/raypro}
@@ -71,9 +71,9 @@ seed() {
   find "$corpus" -size "+${longest}c" -exec rm {} +
 }
 
-# With 8 MB of freed memory watched, where 256 are usual, memory stays in the processor's caches; four callers tell where
-# it came from. Inputs that are fast are tried the more often, and nobody else adds any meanwhile. Together these make up
-# to twice as many executions a second (measured). A finding run by itself is reported in full.
+# With 8 MB of freed memory watched, where 256 are usual, memory stays in the processor's caches; four callers tell
+# where it came from. Inputs that are fast are tried the more often, and nobody else adds any meanwhile. Together these
+# make up to twice as many executions a second (measured). A finding run by itself is reported in full.
 export ASAN_OPTIONS="quarantine_size_mb=8:malloc_context_size=4${ASAN_OPTIONS:+:$ASAN_OPTIONS}"
 
 # Executions and seconds of all runs so far.
