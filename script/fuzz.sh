@@ -68,7 +68,7 @@ seed() {
       rm "$corpus"/picture.* ;;
     *) printf 0123456789 > "$corpus/digits" ;;
   esac
-  find "$corpus" -size "+${longest}c" -exec rm {} +
+  find "$corpus" -type f -size "+${longest}c" -exec rm {} +
 }
 
 # With 8 MB of freed memory watched, where 256 are usual, memory stays in the processor's caches; four callers tell
