@@ -1,5 +1,7 @@
 // Scenes that are right, of every shape and of extreme numbers: each accelerator must give the picture of none, to the
 // bit, and no pixel may be other than a number.
+#include <tbb/global_control.h>
+
 #include <cmath>
 
 #include "fuzz/Fuzz.h"
@@ -62,6 +64,8 @@ std::string SceneOf(Choices& choices) {
 }  // namespace
 
 int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size) {
+  // Scenes are too small for threads to be worth their waking.
+  static const tbb::global_control permission(tbb::global_control::max_allowed_parallelism, 1);
   Choices choices({data, size});
   ray::RenderSettings settings;
   settings.width = settings.height = 8;

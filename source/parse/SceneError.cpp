@@ -16,9 +16,13 @@ std::string RightAligned(const std::string& text, std::size_t width) {
 /// White space as wide as the line up to the caret: tabs stay tabs.
 std::string Indent(const std::string& line, std::size_t characters) {
   std::string indent;
-  for (std::size_t i = 0; i < line.size() && CountCharacters(indent) < characters; ++i)
-    if (CountCharacters(std::string_view(line).substr(i, 1)) == 1) indent += line[i] == '\t' ? '\t' : ' ';
-  return indent + std::string(characters - CountCharacters(indent), ' ');
+  std::size_t wide = 0;
+  for (std::size_t i = 0; i < line.size() && wide < characters; ++i) {
+    if (CountCharacters(std::string_view(line).substr(i, 1)) == 0) continue;  // goes on with a character
+    indent += line[i] == '\t' ? '\t' : ' ';
+    ++wide;
+  }
+  return indent + std::string(characters - wide, ' ');
 }
 
 std::string Join(const std::vector<SceneError>& all) {

@@ -11,24 +11,29 @@ constexpr std::size_t max_word = 40;
 
 char Lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
 
-/// Insertions, deletions, changes and swaps of neighbors that lead from one word to the other, letter case apart.
-/// Source: Damerau, A technique for computer detection and correction of spelling errors (1964), as the restricted
-/// distance computed by dynamic programming over three rows.
-std::size_t Distance(std::string_view a, std::string_view b) {
+/// Insertions, deletions, changes and swaps of neighbors that lead from one word to the other, letter case apart;
+/// `most` where it takes as many or more, which is often plain from the first letters. Source: Damerau, A technique for
+/// computer detection and correction of spelling errors (1964), as the restricted distance computed by dynamic
+/// programming over three rows. The least of a row never falls from one to the next.
+std::size_t Distance(std::string_view a, std::string_view b, std::size_t most) {
+  const std::size_t apart = std::max(a.size(), b.size()) - std::min(a.size(), b.size());
+  if (apart >= most) return most;
   std::vector<std::size_t> before_last(b.size() + 1), last(b.size() + 1), row(b.size() + 1);
   for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
   for (std::size_t i = 1; i <= a.size(); ++i) {
     before_last.swap(last);
     last.swap(row);
-    row[0] = i;
+    std::size_t least = row[0] = i;
     for (std::size_t j = 1; j <= b.size(); ++j) {
       const bool same = Lower(a[i - 1]) == Lower(b[j - 1]);
-      row[j] = std::min({last[j] + 1, row[j - 1] + 1, last[j - 1] + (same ? 0 : 1)});
+      row[j] = std::min(std::min(last[j], row[j - 1]) + 1, last[j - 1] + (same ? 0 : 1));
       if (i > 1 && j > 1 && Lower(a[i - 1]) == Lower(b[j - 2]) && Lower(a[i - 2]) == Lower(b[j - 1]))
         row[j] = std::min(row[j], before_last[j - 2] + 1);
+      least = std::min(least, row[j]);
     }
+    if (least >= most) return most;
   }
-  return row[b.size()];
+  return std::min(row[b.size()], most);
 }
 
 }  // namespace
@@ -39,7 +44,7 @@ std::string Suggestion(std::string_view word, std::span<const std::string_view> 
   std::string_view best;
   if (word.size() <= max_word)
     for (const std::string_view choice : choices) {
-      const std::size_t distance = Distance(word, choice);
+      const std::size_t distance = Distance(word, choice, nearest);
       if (distance >= nearest) continue;
       nearest = distance;
       best = choice;
