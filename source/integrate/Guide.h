@@ -9,7 +9,7 @@ namespace ray {
 
 /// What a camera ray shows but for the noise of shadows, for a denoiser.
 ///   0..2   its light as mode whitted has it, with the same mirrored and refracted rays, but without shadows and from
-///          the middle of each light; at most 16 in each channel
+///          the middle of each light; at most 16 in each channel. Rays that matter less than a tenth of it are left out
 ///   3..5   albedo of the first surface: kd times texture plus kr plus kt; the background's where there is none
 ///   6..8   its shading normal on the viewer's side; 0 0 0 where there is none
 ///   9      its nearness, 1 / (1 + distance); 0 where there is none

@@ -8,8 +8,10 @@
 namespace ray {
 
 /// Filters the picture of a render that is complete, from its film, and measures what error is left; adds the rays that
-/// took. Where a library fails, the picture stays as it is, and the result says why.
+/// took. Guides are refined by about as many rays as the render took at most. Tells the monitor how far it is.
+/// Where a library fails, the picture stays as it is, and the result says why; where the monitor asks to stop, it stays
+/// too, and the render is no longer complete.
 void DenoiseResult(const World& world, const Accelerator& accelerator, const RenderSettings& settings, const Film& film,
-                   const ErrorMeasure& measure, RenderResult& result);
+                   const ErrorMeasure& measure, const RenderMonitor& monitor, RenderResult& result);
 
 }  // namespace ray

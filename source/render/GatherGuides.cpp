@@ -15,9 +15,9 @@
 namespace ray {
 namespace {
 
-// At least. 32 had a tenth more error on the scenes of script/denoise_table.sh, 256 hardly less.
+// At most, or as many as the samples. 32 had a tenth more error on the scenes of script/denoise_table.sh, 256 hardly
+// less.
 constexpr std::uint32_t refined_samples = 128;
-constexpr std::uint64_t refined_key = 3;  // beneath a pixel's key; see SampleSource
 // Guides that vary by more within a pixel have an edge there. Whether the streams' means differ must not decide: where
 // they agree by chance, both would be trusted though both are wrong alike.
 constexpr double edge = 0.06;
@@ -55,30 +55,78 @@ struct Tally {
     for (std::size_t k = 0; k < sum.size(); ++k) mean[k] = static_cast<float>(sum[k] / std::max(1u, count));
     return mean;
   }
-  bool HasEdge() const {
-    for (std::size_t k = 0; k < sum.size(); ++k)
-      if (high[k] - low[k] > edge) return true;
-    return false;
+  /// By how much the guide varies most, of light only what a screen shows.
+  double Range() const {
+    double most = 0;
+    for (std::size_t k = 0; k < sum.size() && count > 0; ++k)
+      most = std::max(most, std::min(high[k], 1.0) - std::min(low[k], 1.0));
+    return most;
   }
+};
+
+/// How many more samples pixels get: in proportion to how much their guides vary, which of all ways to spread so many
+/// makes the sum of the means' variances least. Pixels are pooled by that in steps of a hundredth. To count what a ray
+/// of each costs had no less error.
+///   source   Neyman, On the two different aspects of the representative method (1934)
+class Allotment {
+ public:
+  using Level = std::uint8_t;
+  /// Normals differ by up to 2.
+  static Level LevelOf(double range) { return static_cast<Level>(std::ceil(std::min(range, 2.0) * steps)); }
+
+  void Add(Level level, double rays_per_sample) { rays_per_sample_[level] += rays_per_sample; }
+  /// Lets no pixel have more than `most` samples and all together at most as many rays, about.
+  void Share(double rays, double most) {
+    most_ = most;
+    double too_much = most + 1;  // even the lowest level has all then
+    constexpr int halvings = 40;
+    for (int i = 0; i < halvings; ++i) {
+      const double samples = (samples_per_level_ + too_much) / 2;
+      (Rays(samples) <= rays ? samples_per_level_ : too_much) = samples;
+    }
+  }
+  std::uint32_t SamplesOf(Level level) const { return Samples(level, samples_per_level_); }
+
+ private:
+  static constexpr double steps = 100;
+
+  std::uint32_t Samples(std::size_t level, double samples_per_level) const {
+    return static_cast<std::uint32_t>(std::min(samples_per_level * static_cast<double>(level), most_));
+  }
+  double Rays(double samples_per_level) const {
+    double sum = 0;
+    for (std::size_t level = 0; level < rays_per_sample_.size(); ++level)
+      sum += rays_per_sample_[level] * Samples(level, samples_per_level);
+    return sum;
+  }
+
+  std::array<double, std::numeric_limits<Level>::max() + 1> rays_per_sample_{};  // of all pixels of a level
+  double most_ = 0, samples_per_level_ = 0;
 };
 
 class Gathering {
  public:
-  Gathering(const World& world, const Accelerator& accelerator, const RenderSettings& settings, const Film& film)
+  Gathering(const World& world, const Accelerator& accelerator, const RenderSettings& settings, const Film& film,
+            WorkMeter& meter)
       : film_(film),
+        meter_(meter),
         seed_(settings.seed),
         tracer_(world, accelerator, TraceSettingsOf(settings)),
         camera_(CameraRaysOf(world, settings)),
         refining_camera_(CameraRaysOf(world, settings, refined_samples)),
-        has_edge_(film.Region().Width(), film.Region().Height()) {
-    for (auto& guides : found_.guides.of_stream) guides = Pixels<PixelGuide>(has_edge_.Width(), has_edge_.Height());
-    found_.guides.best = Pixels<PixelGuide>(has_edge_.Width(), has_edge_.Height());
+        ranges_(film.Region().Width(), film.Region().Height()),
+        rays_per_sample_(ranges_.Width(), ranges_.Height()) {
+    for (auto* guides : {found_.guides.of_stream, found_.guides.best})
+      for (int stream = 0; stream < Film::parts; ++stream)
+        guides[stream] = Pixels<PixelGuide>(ranges_.Width(), ranges_.Height());
   }
 
-  GatheredGuides Gather() {
+  GatheredGuides Gather(std::uint64_t most_refining_rays) {
+    meter_.Expect(2 * std::int64_t{ranges_.Height()});
     ForEachPixel([&](int x, int y, TraceState& state) { FollowSamples(x, y, state); });
+    Allot(static_cast<double>(most_refining_rays));
     ForEachPixel([&](int x, int y, TraceState& state) {
-      if (IsNearEdge(x, y)) Refine(x, y, state);
+      if (const Allotment::Level level = LevelAt(x, y)) Refine(x, y, allotment_.SamplesOf(level), state);
     });
     for (const TraceState& state : states_) found_.rays += state.rays;
     return std::move(found_);
@@ -88,8 +136,9 @@ class Gathering {
   /// x and y count from the lower left corner of the region.
   template <typename Work>
   void ForEachPixel(const Work& work) {
-    tbb::parallel_for(0, has_edge_.Height(), [&](int y) {
-      for (int x = 0; x < has_edge_.Width(); ++x) work(x, y, states_.local());
+    tbb::parallel_for(0, ranges_.Height(), [&](int y) {
+      for (int x = 0; x < ranges_.Width() && !meter_.IsStopped(); ++x) work(x, y, states_.local());
+      meter_.PartIsDone();
     });
   }
 
@@ -99,28 +148,50 @@ class Gathering {
 
   void FollowSamples(int x, int y, TraceState& state) {
     const Film::Block& block = BlockOf(x, y);
+    const std::uint64_t rays_before = state.rays.Total();
     Tally both;
     for (int stream = 0; stream < Film::parts; ++stream) {
       const Tally tally = Trace(x, y, stream, camera_, block.samples[stream], state);
       found_.guides.of_stream[stream].At(x, y) = tally.Mean();
       both.Add(tally);
     }
-    found_.guides.best.At(x, y) = both.Mean();
-    has_edge_.At(x, y) = both.HasEdge();
+    for (auto& best : found_.guides.best) best.At(x, y) = both.Mean();
+    ranges_.At(x, y) = static_cast<float>(both.Range());
+    rays_per_sample_.At(x, y) =
+        static_cast<float>(state.rays.Total() - rays_before) / static_cast<float>(std::max(1u, both.count));
   }
 
-  /// An edge may cross the corner of a pixel between its samples.
-  bool IsNearEdge(int x, int y) const {
+  /// How uneven the pixel's guides are; 0 where no edge is near. An edge may cross its corner between its samples: half
+  /// of what its neighbors have is taken for granted.
+  Allotment::Level LevelAt(int x, int y) const {
+    float most = 0;
     for (int j = y - 1; j <= y + 1; ++j)
-      for (int i = x - 1; i <= x + 1; ++i)
-        if (has_edge_.Clamped(i, j)) return true;
-    return false;
+      for (int i = x - 1; i <= x + 1; ++i) most = std::max(most, ranges_.Clamped(i, j));
+    return most > edge ? Allotment::LevelOf(std::max(ranges_.At(x, y), most / 2)) : Allotment::Level{0};
   }
 
-  void Refine(int x, int y, TraceState& state) {
-    constexpr int stream = Film::parts;  // another than those of the samples
-    const std::uint32_t count = std::max(refined_samples, BlockOf(x, y).Samples());
-    found_.guides.best.At(x, y) = Trace(x, y, stream, refining_camera_, count, state).Mean();
+  void Allot(double most_rays) {
+    std::uint32_t most = refined_samples;
+    for (int y = 0; y < ranges_.Height(); ++y)
+      for (int x = 0; x < ranges_.Width(); ++x) {
+        most = std::max(most, BlockOf(x, y).Samples());
+        if (const Allotment::Level level = LevelAt(x, y)) allotment_.Add(level, double{rays_per_sample_.At(x, y)});
+      }
+    allotment_.Share(most_rays, most);
+  }
+
+  /// Each stream's best guide: over its own camera rays and `count` others. The fewer these are, the nearer it is to
+  /// the stream's guide; over both streams' rays it would share its noise with the stream that is to tell how good it
+  /// is.
+  void Refine(int x, int y, std::uint32_t count, TraceState& state) {
+    constexpr int others = Film::parts;  // another stream than those of the samples
+    const Tally refined = Trace(x, y, others, refining_camera_, count, state);
+    for (int stream = 0; stream < Film::parts; ++stream) {
+      const auto own = static_cast<float>(BlockOf(x, y).samples[stream]), added = static_cast<float>(count);
+      const PixelGuide own_mean = found_.guides.of_stream[stream].At(x, y), mean = refined.Mean();
+      PixelGuide& best = found_.guides.best[stream].At(x, y);
+      for (std::size_t k = 0; k < best.size(); ++k) best[k] = (own * own_mean[k] + added * mean[k]) / (own + added);
+    }
   }
 
   Tally Trace(int x, int y, int stream, const CameraRays& camera, std::uint32_t count, TraceState& state) const {
@@ -139,10 +210,12 @@ class Gathering {
   }
 
   const Film& film_;
+  WorkMeter& meter_;
   const RandomKey seed_;
   const GuideTracer tracer_;
   const CameraRays camera_, refining_camera_;
-  Pixels<unsigned char> has_edge_;
+  Pixels<float> ranges_, rays_per_sample_;
+  Allotment allotment_;
   GatheredGuides found_;
   tbb::enumerable_thread_specific<TraceState> states_;
 };
@@ -150,8 +223,8 @@ class Gathering {
 }  // namespace
 
 GatheredGuides GatherGuides(const World& world, const Accelerator& accelerator, const RenderSettings& settings,
-                            const Film& film) {
-  return Gathering(world, accelerator, settings, film).Gather();
+                            const Film& film, std::uint64_t most_refining_rays, WorkMeter& meter) {
+  return Gathering(world, accelerator, settings, film, meter).Gather(most_refining_rays);
 }
 
 }  // namespace ray

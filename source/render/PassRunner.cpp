@@ -93,13 +93,17 @@ bool PassRunner::Advance(int block, TraceState& state) {
     if (IsPauseDue()) return false;
     const std::uint32_t done = SamplesOf(block), end = std::min(TargetOf(block), StepEnd(done));
     Film::Block next = work_.film[block];
+    const RayCounts rays_before = state.rays;
     if (!work_.has_two_streams && std::has_single_bit(done)) MergeParts(next);
     for (int part = 0; part < Film::parts; ++part) {
       if (!work_.has_two_streams && part != (done == 0 ? 0 : 1)) continue;
       if (next.sums[part].IsEmpty()) next.sums[part] = work_.film.EmptySums(block);
       SamplesDue due{work_.film.PixelsOf(block), work_.has_two_streams ? part : 0, done, end};
       if (part == 0) due.first_looks = next.first_looks;
-      if (!RenderBlock(work_.source, due, work_.film.filter(), state, next.sums[part])) return false;
+      if (!RenderBlock(work_.source, due, work_.film.filter(), state, next.sums[part])) {
+        state.rays = rays_before;
+        return false;
+      }
       next.samples[part] += end - done;
     }
     next.first_looks.clear();
@@ -112,10 +116,14 @@ bool PassRunner::Advance(int block, TraceState& state) {
 /// Takes a block within its first sample to its target. Whether it got there.
 bool PassRunner::Look(int block, TraceState& state) {
   state.workspace.ForgetLastHits();
-  const bool is_done = LookAtPlaces(work_.source, work_.film.PixelsOf(block), targets_->PlacesOf(block), state,
-                                    work_.film[block].first_looks);
-  if (is_done) has_progressed_ = true;
-  return is_done;
+  const RayCounts rays_before = state.rays;
+  if (!LookAtPlaces(work_.source, work_.film.PixelsOf(block), targets_->PlacesOf(block), state,
+                    work_.film[block].first_looks)) {
+    state.rays = rays_before;
+    return false;
+  }
+  has_progressed_ = true;
+  return true;
 }
 
 }  // namespace ray

@@ -126,6 +126,13 @@ class Job {
 
   const Film& film() const { return film_; }
 
+  /// A copy, for keeping.
+  RenderState State() const {
+    RenderState state{{}, schedule_.State(), passes_, runner_.Rays(), PlannedSamples(settings_), differences_};
+    for (int i = 0; i < film_.Blocks(); ++i) state.blocks.push_back(film_[i]);
+    return state;
+  }
+
  private:
   struct PassWork {
     double end = 0;          // samples per pixel after the pass, on average
@@ -134,13 +141,6 @@ class Job {
 
   double Seconds() const {
     return monitor_.seconds_before + std::chrono::duration<double>(Clock::now() - start_).count();
-  }
-
-  /// A copy, for keeping.
-  RenderState State() const {
-    RenderState state{{}, schedule_.State(), passes_, runner_.Rays(), PlannedSamples(settings_), differences_};
-    for (int i = 0; i < film_.Blocks(); ++i) state.blocks.push_back(film_[i]);
-    return state;
   }
 
   void Resume(RenderState&& state) {
@@ -271,7 +271,7 @@ class Job {
     if (result.error && !passes_.empty()) passes_.back().error = result.error;
     result.has_outliers = result.error && result.two_streams && result.error->IsMostlyOutliers() &&
                           result.samples.least == result.samples.most;
-    result.passes = std::move(passes_);
+    result.passes = passes_;
     return result;
   }
 
@@ -349,8 +349,10 @@ RenderResult Render(const World& world, const Accelerator& accelerator, const Re
   const auto integrator = IntegratorOf(world, accelerator, settings);
   Job job(world, *integrator, settings, monitor, start);
   RenderResult result = job.Run();
-  if (settings.denoise && result.IsComplete())
-    DenoiseResult(world, accelerator, settings, job.film(), MeasureFor(settings), result);
+  if (settings.denoise && result.IsComplete()) {
+    DenoiseResult(world, accelerator, settings, job.film(), MeasureFor(settings), monitor, result);
+    if (!result.IsComplete() && monitor.save) monitor.save(job.State());
+  }
   return result;
 }
 

@@ -20,10 +20,14 @@
 
 namespace ray {
 
-/// How far a render has come.
+/// What a render is at: samples, then, for a picture that is denoised, its guides and the filters.
+enum class RenderPhase { samples, guides, filters };
+
+/// How far a phase of a render has come.
 struct RenderProgress {
   std::int64_t done = 0, total = 0;  // samples, of an error budget as many as are foretold; of time, milliseconds
-  std::uint64_t rays = 0;            // of all kinds, so far
+  std::uint64_t rays = 0;            // of all kinds, so far; 0 but for samples
+  RenderPhase phase = RenderPhase::samples;  // else `done` and `total` are parts of it
 };
 
 /// What a render needs from whoever asked for it.
@@ -71,8 +75,9 @@ struct RenderResult {
   std::optional<ErrorEstimate> error_before_denoising;  // only where it was denoised
   std::string denoised_by;                              // the name of the filters; empty where it was not denoised
   std::string denoise_failure;  // why it was not, though it should be; `image` is as it was rendered then
-  double denoise_seconds = 0;
-  bool has_outliers = false;  // they hold most of the error, and no block was stopped early
+  double denoise_seconds = 0, guide_seconds = 0;  // the latter a part of the former
+  std::uint64_t guide_rays = 0;                   // a part of `rays`
+  bool has_outliers = false;                      // they hold most of the error, and no block was stopped early
 
   bool IsComplete() const { return stop != Stop::request; }
 };

@@ -13,6 +13,9 @@ constexpr const char* to_line_start_and_clear = "\r\033[K";
 
 std::string Bold(const std::string& text) { return HasColors() ? "\033[1m" + text + "\033[0m" : text; }
 
+/// What comes after the samples, for whoever waits.
+const char* WordsOf(RenderPhase phase) { return phase == RenderPhase::guides ? "gathering guides" : "denoising"; }
+
 std::string TwoDigits(std::int64_t n) { return (n < 10 ? "0" : "") + std::to_string(n); }
 
 }  // namespace
@@ -38,7 +41,9 @@ std::string ProgressText(const RenderProgress& progress, double seconds) {
   const double million_rays = static_cast<double>(progress.rays) * 1e-6;
   return std::string(5 - std::min<std::size_t>(5, percent.size()), ' ') + percent +
          (progress.done > 0 ? "  " + DurationText(left) + " left" : "") +
-         (seconds > 0 ? "  " + Fixed(million_rays / seconds, 1) + " Mrays/s" : "");
+         (progress.phase != RenderPhase::samples ? std::string("  ") + WordsOf(progress.phase)
+          : seconds > 0                          ? "  " + Fixed(million_rays / seconds, 1) + " Mrays/s"
+                                                 : "");
 }
 
 Progress::Progress(ProgressStyle style) : style_(style) {}
@@ -62,6 +67,11 @@ bool Progress::IsDue(const RenderProgress& progress) const {
 }
 
 void Progress::Update(const RenderProgress& progress) {
+  if (progress.phase != phase_) {
+    phase_ = progress.phase;
+    start_ = Clock::now();
+    tenths_told_ = 0;
+  }
   if (!IsDue(progress)) return;
   last_ = Clock::now();
   tenths_told_ = progress.done * 10 / progress.total;

@@ -56,7 +56,7 @@ Json CostJson(const Counts& cost) {
           {"bad_rays", cost.bad_rays}};
 }
 
-Json Rays(const RayCounts& rays) {
+Json Rays(const RayCounts& rays, std::uint64_t guides) {
   Json json, costs;
   for (std::size_t i = 0; i < ray_kind_names.size(); ++i) {
     json[ray_kind_names[i]] = rays.kinds[i].rays;
@@ -64,6 +64,7 @@ Json Rays(const RayCounts& rays) {
   }
   json["cut"] = rays.cut;
   json["total"] = rays.Total();
+  json["guides"] = guides;
   json["costs"] = costs;
   return json;
 }
@@ -141,7 +142,7 @@ std::string ReportJson(const RunStats& record) {
         {"primitives", scene.primitives},
         {"lights", scene.lights}}},
       {"settings", SettingsJson(record.options)},
-      {"rays", Rays(rays)},
+      {"rays", Rays(rays, record.guide_rays)},
       {"counts", CostJson(rays.Cost())},
       {"accelerator", record.accelerator},
       {"structure_bytes", record.structure_bytes},
@@ -150,6 +151,7 @@ std::string ReportJson(const RunStats& record) {
         {"build", seconds.build},
         {"render", seconds.render},
         {"denoise", seconds.denoise},
+        {"guides", seconds.guides},
         {"write", seconds.write},
         {"wall", seconds.wall},
         {"cpu", seconds.cpu}}},

@@ -18,14 +18,15 @@ namespace ray {
 ///   | settings           | every option in force by its name: numbers, true/false, names; crop is      |
 ///   |                    | [x0, y0, x1, y1] or null, allow_path a list                                 |
 ///   | rays               | camera, shadow, reflection, transmission, scattering, cut (wanted but over  |
-///   |                    | a camera ray's limit), total (all but cut), costs (the counts of each       |
-///   |                    | kind)                                                                       |
+///   |                    | a camera ray's limit), total (all but cut), guides (of those, what -denoise |
+///   |                    | took), costs (the counts of each kind)                                      |
 ///   | counts             | node_visits, box_tests, primitive_tests, hits, cache_tests, cache_hits,     |
 ///   |                    | bad_rays                                                                    |
 ///   | accelerator        | the kind that was built; settings.accel says which was asked for            |
 ///   | structure_bytes    | what the accelerator takes besides the scene                                |
-///   | seconds            | load, build, render, denoise (a part of render), write (the picture), wall  |
-///   |                    | (from the program's start to this report), cpu (all threads)                |
+///   | seconds            | load, build, render, denoise (a part of render), guides (a part of denoise: |
+///   |                    | gathering them), write (the picture), wall (from the program's start to     |
+///   |                    | this report), cpu (all threads)                                             |
 ///   | peak_memory_bytes  | the most the process ever held                                              |
 ///   | threads            | how many worked                                                             |
 ///   | pixels             | done, total                                                                 |

@@ -144,6 +144,8 @@ void RunStats::Take(const RenderResult& result) {
   error_before_denoising = result.error_before_denoising;
   denoised_by = result.denoised_by;
   seconds.denoise = result.denoise_seconds;
+  seconds.guides = result.guide_seconds;
+  guide_rays = result.guide_rays;
 }
 
 int ThreadsOf(const RenderSettings& settings) {
@@ -229,13 +231,16 @@ std::string Statistics(const RunStats& record) {
   const Counts cost = rays.Cost();
   return "scene\n" + line("hash", scene.hash) + count("nodes", scene.nodes) + count("instances", scene.instances) +
          count("primitives", scene.primitives) + count("lights", scene.lights) + "rays\n" + kinds +
-         count("terminated", rays.cut) + count("invalid", cost.bad_rays) + count("total", rays.Total()) + "tests\n" +
+         count("terminated", rays.cut) + count("invalid", cost.bad_rays) + count("total", rays.Total()) +
+         (record.guide_rays > 0 ? count("  for guides", record.guide_rays) : "") + "tests\n" +
          count("nodes", cost.node_visits) + count("boxes", cost.box_tests) + count("primitives", cost.primitive_tests) +
          count("hits", cost.hits) + count("last-hit lookups", cost.cache_tests) +
          count("last-hit hits", cost.cache_hits) + "tests per ray       nodes     boxes  primitives    hits\n" + costs +
          "time\n" + line("load", Seconds(seconds.load)) + line("build", Seconds(seconds.build)) +
          line("render", Seconds(seconds.render)) +
-         (seconds.denoise > 0 ? line("  denoise", Seconds(seconds.denoise)) : "") +
+         (seconds.denoise > 0
+              ? line("  denoise", Seconds(seconds.denoise)) + line("    guides", Seconds(seconds.guides))
+              : "") +
          line("write", Seconds(seconds.write)) + line("wall", Seconds(seconds.wall)) +
          line("cpu", Seconds(seconds.cpu)) + "run\n" + count("threads", record.threads) +
          line("accelerator", record.accelerator + " (-accel " + record.options.accelerator.name + ")") +

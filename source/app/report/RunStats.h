@@ -24,12 +24,14 @@ struct RunStats {
   } scene;
 
   RayCounts rays;
-  double share_cut = 0;     // see RenderResult
-  std::string accelerator;  // the kind that was built
+  std::uint64_t guide_rays = 0;  // a part of them
+  double share_cut = 0;          // see RenderResult
+  std::string accelerator;       // the kind that was built
   std::size_t structure_bytes = 0;
   struct {
     double load = 0, build = 0, render = 0, write = 0, wall = 0, cpu = 0;
     double denoise = 0;  // a part of render
+    double guides = 0;   // a part of that
   } seconds;
   std::int64_t peak_memory = 0;  // bytes
   int threads = 1;               // that work

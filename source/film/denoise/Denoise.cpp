@@ -58,7 +58,7 @@ Pixels<Rgb> NoiseOf(const Pair& pair) {
               [&](int x, int y, std::size_t k) { return std::max(0.0F, means.At(x, y)[k]); });
 }
 
-Pair Filtered(const Pair& colors, const Guides& guides, const RegressionFilter& filter) {
+Pair Filtered(const Pair& colors, const Guides& guides, const RegressionFilter& filter, WorkMeter& meter) {
   Pair compared, result;
   for (std::size_t i = 0; i < 2; ++i)
     compared[i] = Made(colors[i].Width(), colors[i].Height(), [&](int x, int y, std::size_t k) {
@@ -67,7 +67,7 @@ Pair Filtered(const Pair& colors, const Guides& guides, const RegressionFilter& 
     });
   const Pixels<Rgb> noise = NoiseOf(compared);
   for (std::size_t i = 0; i < 2; ++i)
-    result[i] = LocalFit({colors[i], guides.of_stream[i], guides.best, compared[i], noise, filter.strength});
+    result[i] = LocalFit({colors[i], guides.of_stream[i], guides.best[i], compared[i], noise, filter.strength}, meter);
   return result;
 }
 
@@ -83,7 +83,7 @@ Pixels<Rgb> SquaredErrors(const Pair& filtered, const Pair& colors) {
 }
 
 Pair FilteredBy(const OpenImageDenoise& library, const Pair& colors, const Guides& guides) {
-  return {library.Filtered(colors[0], guides.best), library.Filtered(colors[1], guides.best)};
+  return {library.Filtered(colors[0], guides.best[0]), library.Filtered(colors[1], guides.best[1])};
 }
 
 /// The number of the candidate with the least error at each pixel, of equals the first.
@@ -128,14 +128,23 @@ R2::Image DenoisedPicture::Mean() const {
                       [&](int x, int y, std::size_t k) { return pair[0].At(x, y)[k] / 2 + pair[1].At(x, y)[k] / 2; }));
 }
 
-DenoisedPicture Denoise(const R2::Image& a, const R2::Image& b, const Guides& guides, const DenoiseFilters& filters) {
+DenoisedPicture Denoise(const R2::Image& a, const R2::Image& b, const Guides& guides, const DenoiseFilters& filters,
+                        WorkMeter& meter) {
   const Pair colors{PixelsOf(a), PixelsOf(b)};
+  if (filters.HasRegression())
+    meter.Expect(std::ssize(regression_filters) * std::ssize(colors) * LocalFitTiles(a.Width(), a.Height()));
   std::vector<Pair> candidates{colors};
   if (filters.HasRegression())
-    for (const RegressionFilter& filter : regression_filters) candidates.push_back(Filtered(colors, guides, filter));
+    for (const RegressionFilter& filter : regression_filters)
+      candidates.push_back(Filtered(colors, guides, filter, meter));
   if (filters.Library()) candidates.push_back(FilteredBy(*filters.Library(), colors, guides));
   const Pixels<std::size_t> choices = Choices(candidates);
   return {{ImageOf(Blended(candidates, choices, 0)), ImageOf(Blended(candidates, choices, 1))}};
+}
+
+DenoisedPicture Denoise(const R2::Image& a, const R2::Image& b, const Guides& guides, const DenoiseFilters& filters) {
+  WorkMeter nobody;
+  return Denoise(a, b, guides, filters, nobody);
 }
 
 }  // namespace ray

@@ -3,6 +3,7 @@
 #include "R2/Image.h"
 #include "source/film/denoise/DenoiseFilters.h"
 #include "source/film/denoise/Guides.h"
+#include "source/film/denoise/WorkMeter.h"
 
 namespace ray {
 
@@ -24,5 +25,8 @@ struct DenoisedPicture {
 ///            percent of error and makes that choice, and the error told, right on average
 DenoisedPicture Denoise(const R2::Image& a, const R2::Image& b, const Guides& guides,
                         const DenoiseFilters& filters = DenoiseFilters());
+/// The same for somebody who waits. Once it is stopped, which a library is not, what comes out is of no use.
+DenoisedPicture Denoise(const R2::Image& a, const R2::Image& b, const Guides& guides, const DenoiseFilters& filters,
+                        WorkMeter& meter);
 
 }  // namespace ray

@@ -13,7 +13,9 @@ using PixelGuide = std::array<float, 10>;
 /// The guides of a picture.
 struct Guides {
   Pixels<PixelGuide> of_stream[2];  // over the very camera rays that each stream's colors come from
-  Pixels<PixelGuide> best;  // as exact as is known, and where it matters of other camera rays than those of the streams
+  // As exact as is known; where it matters, made without the other stream, so that this can tell how well the first was
+  // filtered.
+  Pixels<PixelGuide> best[2];
 };
 
 }  // namespace ray

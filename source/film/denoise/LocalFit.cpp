@@ -34,6 +34,8 @@ Fit::Regressors Ridge() {
   return ridge;
 }
 
+constexpr int TilesAcross(int pixels) { return (pixels + side - 1) / side; }
+
 /// A pixel's fit while its neighbors are added.
 struct PixelFit {
   Fit fit;
@@ -130,11 +132,16 @@ class Tile {
 
 }  // namespace
 
-Pixels<Rgb> LocalFit(const LocalFitInput& input) {
+std::int64_t LocalFitTiles(int width, int height) { return std::int64_t{TilesAcross(width)} * TilesAcross(height); }
+
+Pixels<Rgb> LocalFit(const LocalFitInput& input, WorkMeter& meter) {
   Pixels<Rgb> result(input.colors.Width(), input.colors.Height());
-  const int columns = (result.Width() + side - 1) / side, rows = (result.Height() + side - 1) / side;
-  tbb::parallel_for(0, columns * rows,
-                    [&](int i) { Tile(input, i % columns * side, i / columns * side).WriteTo(result); });
+  const int columns = TilesAcross(result.Width()), rows = TilesAcross(result.Height());
+  tbb::parallel_for(0, columns * rows, [&](int i) {
+    if (meter.IsStopped()) return;
+    Tile(input, i % columns * side, i / columns * side).WriteTo(result);
+    meter.PartIsDone();
+  });
   return result;
 }
 

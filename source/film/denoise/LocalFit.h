@@ -2,6 +2,7 @@
 
 #include "source/film/denoise/Guides.h"
 #include "source/film/denoise/Pixels.h"
+#include "source/film/denoise/WorkMeter.h"
 
 namespace ray {
 
@@ -23,6 +24,9 @@ struct LocalFitInput {
 ///            Nonlinearly weighted first-order regression for denoising Monte Carlo renderings (2016), section 4;
 ///            weights by Rousselle, Knaus, Zwicker, Adaptive rendering with non-local means filtering (2012), eq. 3 and
 ///            4
-Pixels<Rgb> LocalFit(const LocalFitInput& input);
+/// The meter is told of each tile; once it is stopped, the rest stays black.
+Pixels<Rgb> LocalFit(const LocalFitInput& input, WorkMeter& meter);
+/// How many tiles that are.
+std::int64_t LocalFitTiles(int width, int height);
 
 }  // namespace ray

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <cmath>
+#include <optional>
 
 #include "source/film/PictureError.h"
 #include "source/film/denoise/OpenImageDenoise.h"
@@ -101,6 +103,109 @@ TEST(DenoiseResult, WorksForACropAFilterAndBlocksOfDifferentSampleCounts) {
   EXPECT_LT(result.samples.least, result.samples.most);
   ASSERT_TRUE(result.error && result.error_before_denoising);
   EXPECT_LT(result.error->estimate, result.error_before_denoising->estimate);
+}
+
+// Glass beside glass: 128 rays of each pixel, each a tree of reflections, took twenty times as long as the picture.
+TEST(DenoiseResult, GuidesTakeAtMostTwiceTheRaysOfTheRender) {
+  for (const char* scene : {"glass", "hello", "glossy", "indirect", "refraction", "lens"})
+    for (const RenderMode mode : {RenderMode::whitted, RenderMode::path})
+      for (const int samples : {2, 16}) {
+        const project::Stage stage(project::Root() / "scenes" / (std::string(scene) + ".scn"));
+        RenderSettings settings;
+        settings.width = settings.height = 48;
+        settings.samples = samples;
+        settings.mode = mode;
+        settings.denoise = true;
+        settings.trace.fresnel = settings.trace.glossy = true;
+        settings.trace.max_depth = 12;
+        settings.trace.shadow_samples = 1;
+        const RenderResult result = project::Render(stage, settings);
+        const double ratio =
+            static_cast<double>(result.guide_rays) / static_cast<double>(result.rays.Total() - result.guide_rays);
+        EXPECT_GT(result.guide_rays, 0u);
+        EXPECT_LT(ratio, 2) << scene << " " << static_cast<int>(mode) << " " << samples;
+      }
+}
+
+TEST(DenoiseResult, ItsPhasesAreToldEachUpToItsEnd) {
+  const project::Stage stage = Room();
+  RenderSettings settings = Indirect(4);
+  settings.denoise = true;
+  std::vector<RenderPhase> phases;
+  RenderProgress last{};
+  RenderMonitor monitor;
+  monitor.tile_done = [&](const RenderProgress& now) {
+    if (phases.empty() || phases.back() != now.phase) {
+      EXPECT_EQ(last.done, last.total);
+      phases.push_back(now.phase);
+    } else {
+      EXPECT_GT(now.done, last.done);
+    }
+    last = now;
+  };
+  const auto accelerator = FindAcceleratorKind("auto")->Make(stage.world, {});
+  Render(stage.world, *accelerator, settings, monitor);
+  EXPECT_EQ(phases, (std::vector{RenderPhase::samples, RenderPhase::guides, RenderPhase::filters}));
+  EXPECT_EQ(last.done, last.total);
+}
+
+TEST(DenoiseResult, StoppedMeanwhileItKeepsThePictureAsRenderedAndGoesOnToTheSameBits) {
+  const project::Stage stage = Room();
+  const auto accelerator = FindAcceleratorKind("auto")->Make(stage.world, {});
+  RenderSettings settings = Indirect(4);
+  settings.denoise = true;
+  const RenderResult whole = project::Render(stage, settings);
+  settings.denoise = false;
+  settings.budget.adaptive = Adaptive::off;
+  settings.budget.error = ErrorTarget{1e-9, ErrorUnit::display};  // never reached: two streams, as those of -denoise
+  const RenderResult plain = project::Render(stage, settings);
+  settings = Indirect(4);
+  settings.denoise = true;
+  for (const RenderPhase phase : {RenderPhase::guides, RenderPhase::filters}) {
+    std::atomic<bool> stop = false;
+    std::optional<RenderState> kept;
+    RenderMonitor monitor;
+    monitor.stop = &stop;
+    monitor.tile_done = [&](const RenderProgress& now) { stop = stop || now.phase == phase; };
+    monitor.save = [&](const RenderState& state) { kept = state; };
+    const RenderResult stopped = Render(stage.world, *accelerator, settings, monitor);
+    EXPECT_FALSE(stopped.IsComplete() || stopped.error_before_denoising);
+    EXPECT_TRUE(stopped.image == plain.image);
+    ASSERT_TRUE(kept);
+    RenderMonitor again;
+    again.resume = [&](const Film&) { return *kept; };
+    const RenderResult resumed = Render(stage.world, *accelerator, settings, again);
+    EXPECT_TRUE(resumed.image == whole.image);
+    EXPECT_EQ(resumed.rays.Total(), whole.rays.Total());
+  }
+}
+
+// The more rays the render took, the more the guides may take: those of work that was thrown away must not count.
+TEST(DenoiseResult, BrokenOffAnywhereAndGoneOnWithItIsTheSameToTheBit) {
+  const project::Stage stage(project::Root() / "scenes" / "glass.scn");
+  const auto accelerator = FindAcceleratorKind("auto")->Make(stage.world, {});
+  RenderSettings settings;
+  settings.width = settings.height = 40;
+  settings.samples = 8;
+  settings.denoise = true;
+  settings.tile_size = 8;
+  const RenderResult whole = project::Render(stage, settings);
+  for (const int tiles : {1, 7, 20}) {
+    std::atomic<bool> stop = false;
+    int done = 0;
+    std::optional<RenderState> kept;
+    RenderMonitor monitor;
+    monitor.stop = &stop;
+    monitor.tile_done = [&](const RenderProgress&) { stop = ++done >= tiles; };
+    monitor.save = [&](const RenderState& state) { kept = state; };
+    Render(stage.world, *accelerator, settings, monitor);
+    ASSERT_TRUE(kept);
+    RenderMonitor again;
+    again.resume = [&](const Film&) { return *kept; };
+    const RenderResult resumed = Render(stage.world, *accelerator, settings, again);
+    EXPECT_EQ(resumed.rays.Total(), whole.rays.Total());
+    EXPECT_TRUE(resumed.image == whole.image);
+  }
 }
 
 TEST(DenoiseResult, APictureThatWasStoppedIsNotFiltered) {

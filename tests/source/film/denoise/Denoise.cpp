@@ -41,10 +41,10 @@ R2::Image Stream(const Subject& subject, std::uint64_t seed, double noise = devi
 
 Guides GuidesOf(const Subject& subject) {
   Guides guides;
-  guides.best = Pixels<PixelGuide>(side, side);
+  guides.best[0] = Pixels<PixelGuide>(side, side);
   for (int y = 0; y < side; ++y)
-    for (int x = 0; x < side; ++x) guides.best.At(x, y)[3] = static_cast<float>(subject.guide(x, y));
-  guides.of_stream[0] = guides.of_stream[1] = guides.best;
+    for (int x = 0; x < side; ++x) guides.best[0].At(x, y)[3] = static_cast<float>(subject.guide(x, y));
+  guides.of_stream[0] = guides.of_stream[1] = guides.best[1] = guides.best[0];
   return guides;
 }
 
@@ -116,7 +116,7 @@ TEST(Denoise, NoiseThatIsTheGuidesOwnGoesWithIt) {
         const auto channel = [&](const R2::Color& c) { return static_cast<float>(k == 0 ? c.r : k == 1 ? c.g : c.b); };
         guides.of_stream[0].At(x, y)[k] = channel(a.At(x, y));
         guides.of_stream[1].At(x, y)[k] = channel(b.At(x, y));
-        guides.best.At(x, y)[k] = 0.5F;
+        guides.best[0].At(x, y)[k] = guides.best[1].At(x, y)[k] = 0.5F;
       }
   EXPECT_LT(RmsError(Denoise(a, b, guides).Mean(), gray), deviation / std::sqrt(2.0) / 10);
 }
@@ -152,7 +152,7 @@ TEST(Denoise, PicturesSmallerThanAWindowAreFilteredToo) {
     for (int y = 0; y < height; ++y)
       for (int x = 0; x < width; ++x) a.Set(x, y, {0.1 * x, 0.1, 0.2}), b.Set(x, y, {0.1, 0.1 * y, 0.3});
     Guides guides;
-    guides.of_stream[0] = guides.of_stream[1] = guides.best = Pixels<PixelGuide>(width, height);
+    for (auto* set : {guides.of_stream, guides.best}) set[0] = set[1] = Pixels<PixelGuide>(width, height);
     const R2::Image image = Denoise(a, b, guides).Mean();
     for (const float channel : image.Channels()) EXPECT_TRUE(channel >= 0 && channel <= 0.5F);
   }

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <mutex>
+
+namespace ray {
+
+/// How far work is that threads share, for whoever waits for it, and whether it is still wanted.
+class WorkMeter {
+ public:
+  /// Told that `done` of `total` parts are, by one thread at a time.
+  using Listener = std::function<void(std::int64_t done, std::int64_t total)>;
+
+  /// Nobody waits.
+  WorkMeter() = default;
+  /// The listener may be empty, `stop` null.
+  WorkMeter(Listener listener, const std::atomic<bool>* stop) : listener_(std::move(listener)), stop_(stop) {}
+
+  /// How many parts there will be, once it is known.
+  void Expect(std::int64_t parts) { total_ = parts; }
+  void PartIsDone() {
+    if (!listener_) return;
+    const std::lock_guard lock(mutex_);
+    listener_(++done_, total_);
+  }
+  /// Then what is worked on is of no use to anybody, and loops may end early.
+  bool IsStopped() const { return stop_ && stop_->load(std::memory_order_relaxed); }
+
+ private:
+  Listener listener_;
+  const std::atomic<bool>* stop_ = nullptr;
+  std::mutex mutex_;
+  std::int64_t done_ = 0, total_ = 1;
+};
+
+}  // namespace ray
