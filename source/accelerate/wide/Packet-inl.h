@@ -39,8 +39,8 @@ struct Packet {
 
   float Distance(int i, double t) const { return static_cast<float>(t * per_t[i]) * rounded_up + plane_error[i]; }
 
-  /// TraversalRay's computations, for all rays at once. False when one of them is out of the ordinary or looks into
-  /// another octant than the rest: then they have to go alone.
+  /// TraversalRay's computations, for all rays at once. False when one of them is out of the ordinary: then they have
+  /// to be made ready one by one.
   HWY_INLINE bool Begin(const Coordinates& coordinates, double padding_per_distance, std::span<const R3::Ray> rays) {
     SceneRays from;
     const bool all_begin_at_0 = from.Load(rays);
@@ -50,7 +50,36 @@ struct Packet {
       is_ordinary &= BeginLanes(coordinates, padding_per_distance, from, i);
     if (!is_ordinary) return false;
     for (std::size_t i = rays.size(); i < packet_size; ++i) limit[i] = -1;
-    return Enclose();
+    for (int axis = 0; axis < 3; ++axis) Invert(axis);
+    return true;
+  }
+
+  /// Finds what encloses all rays. False when one of them looks into another octant than the rest: then they go one by
+  /// one.
+  HWY_INLINE bool Enclose() {
+    const PacketFloats f;
+    for (int axis = 0; axis < 3; ++axis) {
+      auto least = hn::Set(f, std::numeric_limits<float>::infinity()), most = hn::Neg(least);
+      for (std::size_t i = 0; i < packet_size; i += hn::Lanes(f)) {
+        const auto slope = hn::Load(f, inverse[axis] + i);
+        least = hn::Min(least, slope), most = hn::Max(most, slope);
+      }
+      least_inverse[axis] = hn::GetLane(hn::MinOfLanes(f, least));
+      most_inverse[axis] = hn::GetLane(hn::MaxOfLanes(f, most));
+      if (least_inverse[axis] < 0 && most_inverse[axis] > 0) return false;
+    }
+    for (int axis = 0; axis < 3; ++axis) {
+      auto low = hn::Set(f, std::numeric_limits<float>::infinity()), high = hn::Neg(low);
+      for (std::size_t i = 0; i < packet_size; i += hn::Lanes(f)) {
+        const auto begin = hn::Load(f, origin[axis] + i), padding = hn::Load(f, plane_error + i);
+        low = hn::Min(low, hn::Sub(begin, padding)), high = hn::Max(high, hn::Add(begin, padding));
+      }
+      back[axis] = hn::GetLane(hn::MinOfLanes(f, low)), front[axis] = hn::GetLane(hn::MaxOfLanes(f, high));
+      const bool is_downward = most_inverse[axis] < 0;
+      planes[axis] = 2 * width * static_cast<std::uint32_t>(axis) + (is_downward ? width : 0);
+      if (is_downward) std::swap(back[axis], front[axis]);
+    }
+    return true;
   }
 
   /// One of the rays, for when it goes alone.
@@ -181,30 +210,16 @@ struct Packet {
     hn::Store(hn::MulAdd(end, hn::Set(f, rounded_up), error), f, limit + i);
   }
 
-  HWY_INLINE bool Enclose() {
+  HWY_INLINE void Invert(int axis) {
     const PacketFloats f;
-    const auto load = [&](const FloatEach& each, std::size_t i) { return hn::Load(f, each + i); };
-    for (int axis = 0; axis < 3; ++axis) {
-      auto low = hn::Set(f, std::numeric_limits<float>::infinity()), high = hn::Neg(low), least = low, most = high;
-      for (std::size_t i = 0; i < packet_size; i += hn::Lanes(f)) {
-        const auto begin = load(origin[axis], i), padding = load(plane_error, i), along = load(direction[axis], i);
-        const auto steep = hn::CopySign(hn::Max(hn::Abs(along), hn::Set(f, flattest)), along);
-        const auto slope = hn::Div(hn::Set(f, 1), steep), outward = hn::CopySign(padding, along);
-        hn::Store(slope, f, inverse[axis] + i);
-        hn::Store(hn::Mul(hn::Add(begin, outward), slope), f, near_shift[axis] + i);
-        hn::Store(hn::Mul(hn::Sub(begin, outward), slope), f, far_shift[axis] + i);
-        low = hn::Min(low, hn::Sub(begin, padding)), high = hn::Max(high, hn::Add(begin, padding));
-        least = hn::Min(least, slope), most = hn::Max(most, slope);
-      }
-      back[axis] = hn::GetLane(hn::MinOfLanes(f, low)), front[axis] = hn::GetLane(hn::MaxOfLanes(f, high));
-      least_inverse[axis] = hn::GetLane(hn::MinOfLanes(f, least));
-      most_inverse[axis] = hn::GetLane(hn::MaxOfLanes(f, most));
-      if (least_inverse[axis] < 0 && most_inverse[axis] > 0) return false;
-      const bool is_downward = most_inverse[axis] < 0;
-      planes[axis] = 2 * width * static_cast<std::uint32_t>(axis) + (is_downward ? width : 0);
-      if (is_downward) std::swap(back[axis], front[axis]);
+    for (std::size_t i = 0; i < packet_size; i += hn::Lanes(f)) {
+      const auto begin = hn::Load(f, origin[axis] + i), along = hn::Load(f, direction[axis] + i);
+      const auto steep = hn::CopySign(hn::Max(hn::Abs(along), hn::Set(f, flattest)), along);
+      const auto slope = hn::Div(hn::Set(f, 1), steep), outward = hn::CopySign(hn::Load(f, plane_error + i), along);
+      hn::Store(slope, f, inverse[axis] + i);
+      hn::Store(hn::Mul(hn::Add(begin, outward), slope), f, near_shift[axis] + i);
+      hn::Store(hn::Mul(hn::Sub(begin, outward), slope), f, far_shift[axis] + i);
     }
-    return true;
   }
 };
 
@@ -214,7 +229,8 @@ HWY_INLINE void ForEachBit(std::uint32_t bits, const Work& work) {
 }
 
 /// Packet traversal. Whether a node is reached is asked of the whole packet, eight children at a time; whether a child
-/// is, of its rays, all at a time; and so are triangles. Where few rays go on, they go alone.
+/// is, of its rays, all at a time; and so are triangles. Where few rays go on, they go alone; and so do all of a packet
+/// that is not coherent, made ready together nevertheless.
 ///   source  Wald, Slusallek, Benthin, Wagner, Interactive rendering with coherent ray tracing (2001);
 ///           Reshetov, Soupikov, Hurley, Multi-level ray tracing algorithm (2005), for the bounds of a packet
 template <bool any>
@@ -231,6 +247,10 @@ class PacketTraversal {
 
   HWY_INLINE void Search() {
     if (Size() > few_rays && packet_.Begin(tree_.coordinates, tree_.primitives.PaddingPerDistance(), rays_)) {
+      if (!packet_.Enclose()) {
+        for (int i = 0; i < Size(); ++i) TraverseAlone(i, tree_.root);
+        return;
+      }
       if constexpr (any) {
         for (int i = 0; i < packet_size; ++i) limit_for_certain_[i] = packet_.limit[i] - 4 * packet_.plane_error[i];
       }
