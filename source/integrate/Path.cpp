@@ -63,9 +63,11 @@ R2::Color Path::IndirectLight(ShadingPoint&& p, TraceState& state) const {
     auto step = GoOn(p, bsdf, choices, DiffuseDirection(p.N, {choices[0], choices[1]}));
     if (!step) return radiance;
     const auto hit = tracer_.Intersect(step->path, state);
-    const auto next = Arrive(p, *step, hit, radiance, state);
-    if (!next) return radiance;
-    p = *next;
+    if (!hit) return radiance + Escape(p, *step, state);
+    ShadingPoint next = ShadingPointAt(world_, step->path, *hit);
+    Arrive(p, *step, next, radiance, state);
+    if (IsLast(p)) return radiance;
+    p = std::move(next);
   }
 }
 
@@ -85,23 +87,20 @@ std::optional<Path::Step> Path::GoOn(const ShadingPoint& p, const Bsdf& bsdf, co
   return step;
 }
 
-std::optional<ShadingPoint> Path::Arrive(const ShadingPoint& from, const Step& step, const std::optional<WorldHit>& hit,
-                                         R2::Color& radiance, TraceState& state) const {
-  if (!hit) {
-    const R2::Color emitted = EmittedByEnvironment(from, step.scattered, step.path);
-    Tracer::RecordMiss(step.path, emitted, state);
-    radiance += emitted;
-    return {};
-  }
-  std::optional<ShadingPoint> next = ShadingPointAt(world_, step.path, *hit);
-  const R2::Color emitted = Emitted(from, step.scattered, *next);
+R2::Color Path::Escape(const ShadingPoint& from, const Step& step, TraceState& state) const {
+  const R2::Color emitted = EmittedByEnvironment(from, step.scattered, step.path);
+  Tracer::RecordMiss(step.path, emitted, state);
+  return emitted;
+}
+
+void Path::Arrive(const ShadingPoint& from, const Step& step, const ShadingPoint& hit, R2::Color& radiance,
+                  TraceState& state) const {
+  const R2::Color emitted = Emitted(from, step.scattered, hit);
   const R2::Color ambient =
-      IsLast(from) ? R2::Color{} : next->path.throughput * next->AmbientReflectance() * world_.scene().ambient;
-  Tracer::RecordHit(*next, emitted + ambient, state);
+      IsLast(from) ? R2::Color{} : hit.path.throughput * hit.AmbientReflectance() * world_.scene().ambient;
+  Tracer::RecordHit(hit, emitted + ambient, state);
   radiance += emitted;
   radiance += ambient;
-  if (IsLast(from)) return {};
-  return next;
 }
 
 double Path::SurvivalProbability(const ShadingPoint& p, const R2::Color& throughput) const {

@@ -44,10 +44,11 @@ class Path : public Integrator {
   /// Nothing for a path that ends here. `diffuse`: DiffuseDirection of the first two choices.
   std::optional<Step> GoOn(const ShadingPoint& p, const Bsdf& bsdf, const Choices& choices,
                            const R3::Vector& diffuse) const;
-  /// Adds what the step's ray sees where it ends, throughput included.
-  ///   returns   the point that it hit, where the path may go on
-  std::optional<ShadingPoint> Arrive(const ShadingPoint& from, const Step& step, const std::optional<WorldHit>& hit,
-                                     R2::Color& radiance, TraceState& state) const;
+  /// What the step's ray sees where it hits nothing, throughput included.
+  R2::Color Escape(const ShadingPoint& from, const Step& step, TraceState& state) const;
+  /// Adds what it sees of the surface that it hits.
+  void Arrive(const ShadingPoint& from, const Step& step, const ShadingPoint& hit, R2::Color& radiance,
+              TraceState& state) const;
 
   /// Light that reaches p straight from a sample on a light, as a shadow ray; `index` is where it arrives.
   void AddLightSample(const ShadingPoint& p, const Bsdf& bsdf, const LightSample& light, std::size_t index,

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "R3/Numeric.h"
+#include "source/integrate/ShadingPoints.h"
 
 namespace ray {
 namespace {
@@ -57,8 +58,9 @@ struct PathStream::Front {
   std::vector<Bsdf> bsdfs;
   VectorOfEach normals;
 
-  void Add(ShadingPoint&& p, std::uint32_t path) {
-    points.push_back(std::move(p));
+  /// What is known of a point at first.
+  void Add(const PathState& arriving, const WorldHit& hit, std::uint32_t path) {
+    points.emplace_back(arriving, hit);
     paths.push_back(path);
   }
   void Complete(const TraceSettings& settings) {
@@ -73,6 +75,11 @@ struct PathStream::Front {
   void Clear() { points.clear(), paths.clear(), indices.clear(), bsdfs.clear(); }
 };
 
+struct PathStream::StepFrom {
+  Step step;
+  std::uint32_t from;
+};
+
 void PathStream::Li(std::span<const CameraSample> samples, std::span<R2::Color> radiances, TraceState& state) const {
   if (state.recorder) return Path::Li(samples, radiances, state);
   for (std::size_t i = 0; i < samples.size(); i += most_paths) {
@@ -84,6 +91,7 @@ void PathStream::Li(std::span<const CameraSample> samples, std::span<R2::Color> 
 void PathStream::TraceTogether(std::span<const CameraSample> samples, std::span<R2::Color> radiances,
                                TraceState& state) const {
   Front front, next;
+  next.points.reserve(samples.size());
   front.points = tracer_.CameraHits(samples, state);
   std::array<R2::Color, most_paths> gathered{};  // beyond the first surface
   for (std::uint32_t i = 0, point = 0; i < samples.size(); ++i) {
@@ -160,14 +168,45 @@ void PathStream::TakeStep(const Front& front, std::span<R2::Color> gathered, Fro
   GetOfEachAlone(front.indices, scatter_key, settings_.sampler, settings_.samples, random);
   VectorOfEach directions;
   TurnAboutNormals(front.normals, random, points.size(), directions);
+  Steps steps;
+  steps.reserve(points.size());
   for (std::uint32_t i = 0; i < points.size(); ++i) {
     const auto& u = random.coordinates;
-    auto step = GoOn(points[i], front.bsdfs[i], {u[0][i], u[1][i], u[2][i], u[3][i]}, directions[i]);
-    if (!step) continue;
-    const auto hit = tracer_.Intersect(step->path, state);
-    auto arrived = Arrive(points[i], *step, hit, gathered[front.paths[i]], state);
-    if (arrived) next.Add(std::move(*arrived), front.paths[i]);
+    const auto step = GoOn(points[i], front.bsdfs[i], {u[0][i], u[1][i], u[2][i], u[3][i]}, directions[i]);
+    if (step) steps.push_back({*step, i});
   }
+  TraceSteps(steps, state);
+  std::array<const StepFrom*, most_paths> arriving;
+  for (std::size_t k = 0; k < steps.size(); ++k) {
+    const auto& [step, from] = steps[k];
+    if (state.hits[k]) {
+      arriving[next.points.size()] = &steps[k];
+      next.Add(step.path, *state.hits[k], front.paths[from]);
+    } else {
+      gathered[front.paths[from]] += Escape(points[from], step, state);
+    }
+  }
+  CompleteShadingPoints(world_, next.points);
+  for (std::size_t i = 0; i < next.points.size(); ++i) {
+    const auto& [step, from] = *arriving[i];
+    Arrive(points[from], step, next.points[i], gathered[next.paths[i]], state);
+  }
+  if (IsLast(points[0])) next.Clear();
+}
+
+void PathStream::TraceSteps(const Steps& steps, TraceState& state) const {
+  state.hits.resize(steps.size());
+  const auto is_first_kind = [&](const StepFrom& s) { return s.step.path.kind == steps[0].step.path.kind; };
+  if (!std::ranges::all_of(steps, is_first_kind)) {  // rays are counted by kind
+    for (std::size_t k = 0; k < steps.size(); ++k) {
+      PathState path = steps[k].step.path;
+      state.hits[k] = tracer_.Intersect(path, state);
+    }
+    return;
+  }
+  state.batch.clear();
+  for (const StepFrom& s : steps) state.batch.push_back(s.step.path.ray);
+  if (!steps.empty()) tracer_.IntersectEach(steps[0].step.path.kind, state.batch, state.hits.data(), state);
 }
 
 extern const IntegratorKind path_kind{"path tracing: light over many bounces",

@@ -27,6 +27,9 @@ class PathStream : public Path {
  private:
   /// The surfaces that paths have reached, and the path of each, which is the number of its camera sample.
   struct Front;
+  /// Of the point of that number in a front.
+  struct StepFrom;
+  using Steps = std::vector<StepFrom>;
 
   /// At most PointsOfEach<2>::most samples.
   void TraceTogether(std::span<const CameraSample> samples, std::span<R2::Color> radiances, TraceState& state) const;
@@ -35,6 +38,8 @@ class PathStream : public Path {
   void AddExtendedLight(int light, const Front& front, const PointsOfEach<2>& random, TraceState& state) const;
   /// To the next surfaces, which come to `next`.
   void TakeStep(const Front& front, std::span<R2::Color> gathered, Front& next, TraceState& state) const;
+  /// What each step's ray hits goes to state.hits.
+  void TraceSteps(const Steps& steps, TraceState& state) const;
 };
 
 }  // namespace ray

@@ -33,6 +33,9 @@ struct ShadingPoint {
 /// throughput: exp(-absorb * distance), by the law of Bouguer, Lambert and Beer (1729-1852).
 ShadingPoint ShadingPointAt(const World& world, const PathState& ray, const WorldHit& hit);
 
+/// Of a point whose surface is known, the last of these.
+void AbsorbOnTheWay(ShadingPoint& p);
+
 /// What a ray that hits nothing sees.
 R2::Color Background(const Scene& scene, const R3::Vector& direction);
 

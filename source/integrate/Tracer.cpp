@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "source/integrate/ShadingPoints.h"
+
 namespace ray {
 
 std::vector<ShadingPoint> Tracer::CameraHits(std::span<const CameraSample> samples, TraceState& state) const {
@@ -17,10 +19,11 @@ std::vector<ShadingPoint> Tracer::CameraHits(std::span<const CameraSample> sampl
     PathState path{.ray = samples[i].ray, .index = samples[i].index};
     if (state.recorder) path.record = state.recorder->Begin(path);
     if (state.hits[i])
-      points.push_back(ShadingPointAt(world_, path, *state.hits[i]));
+      points.emplace_back(path, *state.hits[i]);
     else
       RecordMiss(path, Background(world_.scene(), path.ray.direction), state);
   }
+  CompleteShadingPoints(world_, points);
   return points;
 }
 

@@ -82,20 +82,6 @@ struct Packet {
     return true;
   }
 
-  /// One of the rays, for when it goes alone.
-  HWY_INLINE TraversalRay Alone(int i) const {
-    TraversalRay ray;
-    for (int axis = 0; axis < 3; ++axis) {
-      ray.origin[axis] = origin[axis][i], ray.direction[axis] = direction[axis][i];
-      ray.inverse[axis] = inverse[axis][i];
-      ray.near_shift[axis] = near_shift[axis][i], ray.far_shift[axis] = far_shift[axis][i];
-    }
-    ray.signs = std::bit_cast<Whole4>(ray.direction);
-    ray.plane_error = plane_error[i], ray.edge_error = edge_error[i], ray.height_error = height_error[i];
-    ray.per_t = per_t[i], ray.begin = 0;
-    return ray;
-  }
-
   float LargestLimit() const {
     const PacketFloats f;
     auto most = hn::Load(f, limit);
@@ -223,6 +209,34 @@ struct Packet {
   }
 };
 
+/// One ray of a packet as a TraversalRay, where it lies.
+struct PacketRay {
+  struct Each {
+    const FloatEach* each;
+    int i;
+    HWY_INLINE float operator[](int axis) const { return each[axis][i]; }
+  };
+  Each origin, direction, inverse, near_shift, far_shift;
+  float plane_error, edge_error, height_error;
+
+  HWY_INLINE PacketRay(const Packet& packet, int i)
+      : origin{packet.origin, i},
+        direction{packet.direction, i},
+        inverse{packet.inverse, i},
+        near_shift{packet.near_shift, i},
+        far_shift{packet.far_shift, i},
+        plane_error(packet.plane_error[i]),
+        edge_error(packet.edge_error[i]),
+        height_error(packet.height_error[i]),
+        packet_(packet) {}
+
+  HWY_INLINE bool IsDownward(int axis) const { return std::bit_cast<std::int32_t>(direction[axis]) < 0; }
+  HWY_INLINE float Distance(double t) const { return packet_.Distance(direction.i, t); }
+
+ private:
+  const Packet& packet_;
+};
+
 template <typename Work>
 HWY_INLINE void ForEachBit(std::uint32_t bits, const Work& work) {
   for (; bits != 0; bits &= bits - 1) work(std::countr_zero(bits));
@@ -342,9 +356,9 @@ class PacketTraversal {
 
   /// One ray into a child of whatever kind.
   HWY_NOINLINE void TraverseAlone(int i, std::uint32_t child) {
-    const TraversalRay ray = packet_.Alone(i);
-    LeafVisitor<any, Tree> visitor(two_level_, tree_, Ray(i), ray, DistanceInWorld(i), std::nullopt, Nearest(i),
-                                   counts_);
+    const PacketRay ray(packet_, i);
+    LeafVisitor<any, Tree, PacketRay> visitor(two_level_, tree_, Ray(i), ray, DistanceInWorld(i), std::nullopt,
+                                              Nearest(i), counts_);
     visitor.limit = std::min(visitor.limit, packet_.limit[i]);
     TraverseFrom<any>(child, tree_, NodeRay(ray), visitor, counts_);
     if constexpr (!any) visitor.TestCandidates();
