@@ -137,6 +137,10 @@ class Bsdf {
   R2::Color Eval(const R3::Vector& wi) const;
   /// Of Sample giving wi by a non-specular lobe, per solid angle.
   double Pdf(const R3::Vector& wi) const;
+  /// Whether Eval and Pdf are those of the diffuse lobe alone: CosinePdf times kd, and times the probability of the
+  /// lobe.
+  bool ScattersEvenly() const { return !is_glossy_ && p_.material->coat == 0; }
+  double DiffuseProbability() const { return diffuse_; }
   /// Importance sampling: a lobe with a probability proportional to the luminance of its weight, then a direction by
   /// that lobe. Nothing where no light is scattered, or it would have to come from inside the surface.
   ///   u, choice   uniform in [0, 1)

@@ -139,27 +139,20 @@ void Path::SampleChosenLights(const ShadingPoint& p, const Bsdf& bsdf, std::size
   }
 }
 
+R2::Color Path::Reflected(const ShadingPoint& p, const Bsdf& bsdf, const LightSample& light) const {
+  const R3::Vector wi = Unit(light.to_light);
+  if (light.pdf == 0) return PhongReflection(p, wi, light.irradiance);
+  if (!samples_lights_) return {};
+  return (1 - MisWeight(bsdf.Pdf(wi), light.pdf)) * bsdf.Eval(wi) * light.irradiance;
+}
+
 void Path::AddLightSample(const ShadingPoint& p, const Bsdf& bsdf, const LightSample& light, std::size_t index,
                           TraceState& state) const {
-  const R3::Vector wi = Unit(light.to_light);
-  R2::Color reflected;
-  if (light.pdf == 0) {
-    reflected = PhongReflection(p, wi, light.irradiance);
-  } else {
-    if (!samples_lights_) return;
-    reflected = (1 - MisWeight(bsdf.Pdf(wi), light.pdf)) * bsdf.Eval(wi) * light.irradiance;
-  }
+  const R2::Color reflected = Reflected(p, bsdf, light);
   if (IsBlack(reflected)) return;
   const R2::Color contribution = p.path.throughput * reflected;
   tracer_.AddShadowRay(
       p, index, light, contribution, contribution, [&] { return lights_.Describe(light.light); }, state);
-}
-
-// The balance heuristic.
-double Path::MisWeight(double bsdf_pdf, double light_pdf) const {
-  if (!samples_bsdf_) return 0;
-  if (!samples_lights_) return 1;
-  return bsdf_pdf / (bsdf_pdf + light_pdf);
 }
 
 R2::Color Path::Emitted(const ShadingPoint& from, const BsdfSample& scattered, const ShadingPoint& hit) const {

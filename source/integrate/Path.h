@@ -50,12 +50,20 @@ class Path : public Integrator {
   void Arrive(const ShadingPoint& from, const Step& step, const ShadingPoint& hit, R2::Color& radiance,
               TraceState& state) const;
 
-  /// Light that reaches p straight from a sample on a light, as a shadow ray; `index` is where it arrives.
+  /// What p reflects of a sample on a light, if nothing is in between.
+  R2::Color Reflected(const ShadingPoint& p, const Bsdf& bsdf, const LightSample& light) const;
+  /// The same, throughput included, as a shadow ray; `index` is where it arrives.
   void AddLightSample(const ShadingPoint& p, const Bsdf& bsdf, const LightSample& light, std::size_t index,
                       TraceState& state) const;
   /// From some lights, chosen by importance sampling.
   void SampleChosenLights(const ShadingPoint& p, const Bsdf& bsdf, std::size_t index, TraceState& state) const;
+  bool SamplesLights() const { return samples_lights_; }
   bool SamplesAllLights() const { return lights_at_once_ == 0; }
+  /// Of BSDF sampling, by the balance heuristic; light sampling has the rest.
+  double MisWeight(double bsdf_pdf, double light_pdf) const {
+    const double weight = bsdf_pdf / (bsdf_pdf + light_pdf);
+    return !samples_bsdf_ ? 0 : !samples_lights_ ? 1 : weight;
+  }
 
   // What the keys beneath a surface are for. Lights follow, one each.
   enum Key : std::uint64_t { bounce_key, scatter_key, next_event_key };
@@ -77,8 +85,6 @@ class Path : public Integrator {
   /// Emission of what a scattered ray hit, throughput included, weighted against SampleLights.
   R2::Color Emitted(const ShadingPoint& from, const BsdfSample& scattered, const ShadingPoint& hit) const;
   R2::Color EmittedByEnvironment(const ShadingPoint& from, const BsdfSample& scattered, const PathState& path) const;
-  /// Of BSDF sampling; light sampling has the rest.
-  double MisWeight(double bsdf_pdf, double light_pdf) const;
 
   bool has_roulette_, samples_lights_, samples_bsdf_;
   int lights_at_once_;  // 0: all

@@ -57,6 +57,9 @@ struct PathStream::Front {
   std::vector<SampleIndex> indices;
   std::vector<Bsdf> bsdfs;
   VectorOfEach normals;
+  VectorOfEach kd;  // as if it were a vector
+  alignas(64) Each diffuse_probabilities;
+  bool all_scatter_evenly = true;
 
   /// What is known of a point at first.
   void Add(const PathState& arriving, const WorldHit& hit, std::uint32_t path) {
@@ -70,9 +73,15 @@ struct PathStream::Front {
       indices.push_back(points[i].path.index);
       bsdfs.emplace_back(points[i], settings);
       normals.Set(i, points[i].N);
+      kd.Set(i, {points[i].kd.r, points[i].kd.g, points[i].kd.b});
+      diffuse_probabilities[i] = bsdfs[i].DiffuseProbability();
+      all_scatter_evenly &= bsdfs[i].ScattersEvenly();
     }
   }
-  void Clear() { points.clear(), paths.clear(), indices.clear(), bsdfs.clear(); }
+  void Clear() {
+    points.clear(), paths.clear(), indices.clear(), bsdfs.clear();
+    all_scatter_evenly = true;
+  }
 };
 
 struct PathStream::StepFrom {
@@ -125,15 +134,14 @@ void PathStream::LightPoints(const Front& front, TraceState& state) const {
   }
   PointsOfEach<2> random;
   for (int light = 0; light < lights_.Count() && !state.IsStopped(); ++light) {
-    const bool is_extended = lights_.IsExtended(light);
-    if (is_extended) GetOfEach(front.indices, KeyOf(light), settings_.sampler, settings_.samples, random);
-    if (is_extended && lights_.SceneLight(light)) {
+    if (lights_.IsExtended(light)) {
+      GetOfEach(front.indices, KeyOf(light), settings_.sampler, settings_.samples, random);
       AddExtendedLight(light, front, random, state);
       continue;
     }
     for (std::size_t i = 0; i < points.size(); ++i) {
       if (!points[i].HasReflectance()) continue;
-      if (const auto sample = lights_.Sample(points[i], light, is_extended ? random.Get2D(i) : R2::Point{}))
+      if (const auto sample = lights_.Sample(points[i], light, {}))
         AddLightSample(points[i], front.bsdfs[i], *sample, i, state);
     }
   }
@@ -148,14 +156,42 @@ void PathStream::AddExtendedLight(int light, const Front& front, const PointsOfE
     samples.SetFrom(i, front.points[i].shadow_origin);
     samples.u[i] = random.coordinates[0][i], samples.v[i] = random.coordinates[1][i];
   }
-  lights_.SceneLight(light)->IlluminateEach(samples);
-  ReflectEach(front.points, front.normals, samples);
+  if (lights_.SceneLight(light)) {
+    lights_.SceneLight(light)->IlluminateEach(samples);
+    ReflectEach(front.points, front.normals, samples);
+  } else {
+    alignas(64) Each pdfs;
+    lights_.SampleEach(front.points, light, samples, pdfs);
+    if (!front.all_scatter_evenly || !ReflectEvenly(front, pdfs, samples)) ReflectOneByOne(front, pdfs, samples);
+  }
   for (std::uint32_t i = 0; i < samples.count; ++i) {
     if (IsBlack(samples.Color(i))) continue;
     const R2::Color contribution = front.points[i].path.throughput * samples.Color(i);
     tracer_.AddShadowRay(
-        front.points[i], i, {.to_light = samples.ToLight(i)}, contribution, contribution,
-        [&] { return lights_.Describe(light); }, state);
+        front.points[i], i, {.to_light = samples.ToLight(i), .is_infinite = lights_.IsInfinite(light)}, contribution,
+        contribution, [&] { return lights_.Describe(light); }, state);
+  }
+}
+
+R3_VECTORIZED
+bool PathStream::ReflectEvenly(const Front& front, const LightSamples::Each& pdfs, LightSamples& samples) const {
+  alignas(64) Each cosines;
+  if (!MakeCosines(front.normals, samples, cosines)) return false;
+  for (std::uint32_t i = 0; i < samples.count; ++i) {
+    const double cosine_pdf = R3::CosinePdf(cosines[i]);
+    const R2::Color kd{front.kd.x[i], front.kd.y[i], front.kd.z[i]};
+    const double weight = 1 - MisWeight(front.diffuse_probabilities[i] * cosine_pdf, pdfs[i]);
+    const R2::Color reflected = weight * (cosine_pdf * kd) * samples.Color(i);
+    const bool is_lit = (cosines[i] > 0) & (pdfs[i] > 0) & SamplesLights();
+    samples.SetColor(i, is_lit ? reflected : R2::Color{});
+  }
+  return true;
+}
+
+void PathStream::ReflectOneByOne(const Front& front, const LightSamples::Each& pdfs, LightSamples& samples) const {
+  for (std::uint32_t i = 0; i < samples.count; ++i) {
+    const LightSample sample{samples.Color(i), samples.ToLight(i), false, pdfs[i]};
+    if (!IsBlack(sample.irradiance)) samples.SetColor(i, Reflected(front.points[i], front.bsdfs[i], sample));
   }
 }
 

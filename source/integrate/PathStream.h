@@ -36,6 +36,10 @@ class PathStream : public Path {
   /// Light that reaches each point straight from lights goes to state.arrived.
   void LightPoints(const Front& front, TraceState& state) const;
   void AddExtendedLight(int light, const Front& front, const PointsOfEach<2>& random, TraceState& state) const;
+  /// Of light samples with pdfs, what is reflected: where all surfaces scatter by the diffuse lobe alone; false, with
+  /// the samples as they were, where lengths leave the range of doubles.
+  bool ReflectEvenly(const Front& front, const LightSamples::Each& pdfs, LightSamples& samples) const;
+  void ReflectOneByOne(const Front& front, const LightSamples::Each& pdfs, LightSamples& samples) const;
   /// To the next surfaces, which come to `next`.
   void TakeStep(const Front& front, std::span<R2::Color> gathered, Front& next, TraceState& state) const;
   /// What each step's ray hits goes to state.hits.
