@@ -99,28 +99,30 @@ void PathStream::Li(std::span<const CameraSample> samples, std::span<R2::Color> 
 
 void PathStream::TraceTogether(std::span<const CameraSample> samples, std::span<R2::Color> radiances,
                                TraceState& state) const {
-  Front front, next;
-  next.points.reserve(samples.size());
-  front.points = tracer_.CameraHits(samples, state);
+  Front fronts[2];
+  Front* front = &fronts[0];
+  front->points = tracer_.CameraHits(samples, state);
+  fronts[1].points.reserve(samples.size());
   std::array<R2::Color, most_paths> gathered{};  // beyond the first surface
   for (std::uint32_t i = 0, point = 0; i < samples.size(); ++i) {
     if (!state.hits[i]) {
       radiances[i] = Background(world_.scene(), samples[i].ray.direction);
       continue;
     }
-    const ShadingPoint& p = front.points[point++];
+    const ShadingPoint& p = front->points[point++];
     radiances[i] = StartAt(p, state);
-    front.paths.push_back(i);
+    front->paths.push_back(i);
   }
-  const std::vector<std::uint32_t> paths = front.paths;
-  for (bool is_first = true; !front.points.empty(); is_first = false) {
-    front.Complete(settings_);
-    LightPoints(front, state);
-    for (std::size_t i = 0; i < front.points.size(); ++i)
-      (is_first ? radiances[front.paths[i]] : gathered[front.paths[i]]) += state.arrived[i];
-    next.Clear();
-    TakeStep(front, gathered, next, state);
-    std::swap(front, next);
+  const std::vector<std::uint32_t> paths = front->paths;
+  for (bool is_first = true; !front->points.empty(); is_first = false) {
+    front->Complete(settings_);
+    LightPoints(*front, state);
+    for (std::size_t i = 0; i < front->points.size(); ++i)
+      (is_first ? radiances[front->paths[i]] : gathered[front->paths[i]]) += state.arrived[i];
+    Front* const next = front == &fronts[0] ? &fronts[1] : &fronts[0];
+    next->Clear();
+    TakeStep(*front, gathered, *next, state);
+    front = next;
   }
   for (const std::uint32_t path : paths) radiances[path] += gathered[path];
 }
