@@ -80,22 +80,28 @@ std::optional<Path::Step> Path::GoOn(const ShadingPoint& p, const Bsdf& bsdf, co
   const auto scattered = bsdf.Sample({choices[0], choices[1]}, choices[2], diffuse);
   if (!scattered || (IsLast(p) && IsSpecular(scattered->lobe))) return {};
   const R2::Color throughput = p.path.throughput * scattered->value / scattered->pdf;
-  const auto surviving = RussianRoulette(throughput, SurvivalProbability(p, throughput), choices[3]);
-  if (!surviving || IsBlack(*surviving)) return {};
-  Step step{Extend(p, scattered->wi, scattered->lobe, *surviving, p.path.index.Child(bounce_key)), *scattered};
+  const auto surviving = RussianRoulette(throughput, SurvivalProbability(p.path.depth, throughput), choices[3]);
+  if (!surviving) return {};
+  return StepTowards(p, scattered->wi, scattered->lobe, scattered->pdf, *surviving);
+}
+
+std::optional<Path::Step> Path::StepTowards(const ShadingPoint& p, const R3::Vector& wi, Lobe lobe, double pdf,
+                                            const R2::Color& throughput) const {
+  if (IsBlack(throughput)) return {};
+  Step step{Extend(p, wi, lobe, throughput, p.path.index.Child(bounce_key)), lobe, pdf};
   if (IsLast(p) && !lights_.MayBeHitBy(step.path.ray)) return {};
   return step;
 }
 
 R2::Color Path::Escape(const ShadingPoint& from, const Step& step, TraceState& state) const {
-  const R2::Color emitted = EmittedByEnvironment(from, step.scattered, step.path);
+  const R2::Color emitted = EmittedByEnvironment(from, step);
   Tracer::RecordMiss(step.path, emitted, state);
   return emitted;
 }
 
 void Path::Arrive(const ShadingPoint& from, const Step& step, const ShadingPoint& hit, R2::Color& radiance,
                   TraceState& state) const {
-  const R2::Color emitted = Emitted(from, step.scattered, hit);
+  const R2::Color emitted = Emitted(from, step, hit);
   const R2::Color ambient =
       IsLast(from) ? R2::Color{} : hit.path.throughput * hit.AmbientReflectance() * world_.scene().ambient;
   Tracer::RecordHit(hit, emitted + ambient, state);
@@ -103,9 +109,10 @@ void Path::Arrive(const ShadingPoint& from, const Step& step, const ShadingPoint
   radiance += ambient;
 }
 
-double Path::SurvivalProbability(const ShadingPoint& p, const R2::Color& throughput) const {
-  if (!has_roulette_ || p.path.depth + 1 < first_bounce_at_risk) return 1;
-  return std::min(1.0, std::max({throughput.r, throughput.g, throughput.b}) / least_certain_throughput);
+double Path::SurvivalProbability(std::int64_t depth, const R2::Color& throughput) const {
+  const double largest = std::max(std::max(throughput.r, throughput.g), throughput.b);
+  const bool is_certain = !has_roulette_ || depth + 1 < first_bounce_at_risk;
+  return is_certain ? 1 : std::min(1.0, largest / least_certain_throughput);
 }
 
 R2::Color Path::DirectLight(const ShadingPoint& p, const Bsdf& bsdf, TraceState& state) const {
@@ -121,7 +128,7 @@ void Path::SampleLights(const ShadingPoint& p, const Bsdf& bsdf, std::size_t ind
   for (int light = 0; light < lights_.Count() && !state.IsStopped(); ++light) {
     const Points points = p.path.index.PointsFor(KeyOf(light), settings_.sampler, settings_.samples);
     if (const auto sample = lights_.Sample(p, light, points.Get2D(p.path.index.sample)))
-      AddLightSample(p, bsdf, *sample, index, state);
+      AddLightSample(p, Reflected(p, bsdf, *sample), *sample, index, state);
   }
 }
 
@@ -135,7 +142,7 @@ void Path::SampleChosenLights(const ShadingPoint& p, const Bsdf& bsdf, std::size
     if (!sample) continue;
     sample->irradiance = sample->irradiance / count;
     sample->pdf *= count;
-    AddLightSample(p, bsdf, *sample, index, state);
+    AddLightSample(p, Reflected(p, bsdf, *sample), *sample, index, state);
   }
 }
 
@@ -146,34 +153,33 @@ R2::Color Path::Reflected(const ShadingPoint& p, const Bsdf& bsdf, const LightSa
   return (1 - MisWeight(bsdf.Pdf(wi), light.pdf)) * bsdf.Eval(wi) * light.irradiance;
 }
 
-void Path::AddLightSample(const ShadingPoint& p, const Bsdf& bsdf, const LightSample& light, std::size_t index,
-                          TraceState& state) const {
-  const R2::Color reflected = Reflected(p, bsdf, light);
+void Path::AddLightSample(const ShadingPoint& p, const R2::Color& reflected, const LightSample& light,
+                          std::size_t index, TraceState& state) const {
   if (IsBlack(reflected)) return;
   const R2::Color contribution = p.path.throughput * reflected;
   tracer_.AddShadowRay(
       p, index, light, contribution, contribution, [&] { return lights_.Describe(light.light); }, state);
 }
 
-R2::Color Path::Emitted(const ShadingPoint& from, const BsdfSample& scattered, const ShadingPoint& hit) const {
+R2::Color Path::Emitted(const ShadingPoint& from, const Step& step, const ShadingPoint& hit) const {
   if (IsBlack(hit.material->emission)) return {};
   const R2::Color seen = hit.path.throughput * hit.material->emission;
-  if (IsSpecular(scattered.lobe)) return seen;
+  if (IsSpecular(step.lobe)) return seen;
   const auto light_pdf = lights_.PdfOfHit(from, hit.path.ray, hit, world_, lights_at_once_ > 0);
   if (!light_pdf) return seen;  // found by scattering alone
-  return MisWeight(scattered.pdf, *light_pdf * std::max(1, lights_at_once_)) * seen;
+  return MisWeight(step.pdf, *light_pdf * std::max(1, lights_at_once_)) * seen;
 }
 
-R2::Color Path::EmittedByEnvironment(const ShadingPoint& from, const BsdfSample& scattered,
-                                     const PathState& path) const {
+R2::Color Path::EmittedByEnvironment(const ShadingPoint& from, const Step& step) const {
+  const PathState& path = step.path;
   const R3::Vector& direction = path.ray.direction;
   const Environment* environment = lights_.GetEnvironment();
-  if (!environment || IsSpecular(scattered.lobe)) return path.throughput * Background(world_.scene(), direction);
+  if (!environment || IsSpecular(step.lobe)) return path.throughput * Background(world_.scene(), direction);
   const Environment::Seen seen = environment->SeenTowards(direction);
   const R2::Color reaching = path.throughput * seen.radiance;
   const double light_pdf = lights_.PdfOfEnvironment(from, seen, lights_at_once_ > 0);
   if (light_pdf == 0) return reaching;  // found by scattering alone
-  return MisWeight(scattered.pdf, light_pdf * std::max(1, lights_at_once_)) * reaching;
+  return MisWeight(step.pdf, light_pdf * std::max(1, lights_at_once_)) * reaching;
 }
 
 }  // namespace ray

@@ -29,7 +29,8 @@ class Path : public Integrator {
   /// A ray that goes on from a point, and what chose it.
   struct Step {
     PathState path;
-    BsdfSample scattered;
+    Lobe lobe;
+    double pdf;  // of its direction, as of a BsdfSample
   };
   /// What a point's way on is chosen by, in [0, 1): two for a direction, one for a lobe, one for Russian roulette.
   using Choices = std::array<double, 4>;
@@ -50,10 +51,16 @@ class Path : public Integrator {
   void Arrive(const ShadingPoint& from, const Step& step, const ShadingPoint& hit, R2::Color& radiance,
               TraceState& state) const;
 
+  /// The same where a direction has been chosen, and what throughput survives.
+  std::optional<Step> StepTowards(const ShadingPoint& p, const R3::Vector& wi, Lobe lobe, double pdf,
+                                  const R2::Color& throughput) const;
+  /// Of Russian roulette at points of a depth.
+  double SurvivalProbability(std::int64_t depth, const R2::Color& throughput) const;
+
   /// What p reflects of a sample on a light, if nothing is in between.
   R2::Color Reflected(const ShadingPoint& p, const Bsdf& bsdf, const LightSample& light) const;
   /// The same, throughput included, as a shadow ray; `index` is where it arrives.
-  void AddLightSample(const ShadingPoint& p, const Bsdf& bsdf, const LightSample& light, std::size_t index,
+  void AddLightSample(const ShadingPoint& p, const R2::Color& reflected, const LightSample& light, std::size_t index,
                       TraceState& state) const;
   /// From some lights, chosen by importance sampling.
   void SampleChosenLights(const ShadingPoint& p, const Bsdf& bsdf, std::size_t index, TraceState& state) const;
@@ -81,10 +88,9 @@ class Path : public Integrator {
   R2::Color DirectLight(const ShadingPoint& p, const Bsdf& bsdf, TraceState& state) const;
   /// The same as shadow rays; `index` is where it arrives.
   void SampleLights(const ShadingPoint& p, const Bsdf& bsdf, std::size_t index, TraceState& state) const;
-  double SurvivalProbability(const ShadingPoint& p, const R2::Color& throughput) const;
   /// Emission of what a scattered ray hit, throughput included, weighted against SampleLights.
-  R2::Color Emitted(const ShadingPoint& from, const BsdfSample& scattered, const ShadingPoint& hit) const;
-  R2::Color EmittedByEnvironment(const ShadingPoint& from, const BsdfSample& scattered, const PathState& path) const;
+  R2::Color Emitted(const ShadingPoint& from, const Step& step, const ShadingPoint& hit) const;
+  R2::Color EmittedByEnvironment(const ShadingPoint& from, const Step& step) const;
 
   bool has_roulette_, samples_lights_, samples_bsdf_;
   int lights_at_once_;  // 0: all

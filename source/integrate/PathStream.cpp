@@ -35,7 +35,7 @@ bool MakeCosines(const VectorOfEach& normals, const LightSamples& samples, Each&
 }
 
 /// PhongReflection of each sample at its own point.
-void ReflectEach(std::span<const ShadingPoint> points, const VectorOfEach& normals, LightSamples& samples) {
+void ReflectEachByPhong(std::span<const ShadingPoint> points, const VectorOfEach& normals, LightSamples& samples) {
   alignas(64) Each cosines;
   const bool are_safe = MakeCosines(normals, samples, cosines);
   for (std::uint32_t i = 0; i < samples.count; ++i) {
@@ -55,11 +55,11 @@ struct PathStream::Front {
   std::vector<std::uint32_t> paths;
   // Made of all points, once they are known.
   std::vector<SampleIndex> indices;
-  std::vector<Bsdf> bsdfs;
   VectorOfEach normals;
-  VectorOfEach kd;  // as if it were a vector
-  alignas(64) Each diffuse_probabilities;
-  bool all_scatter_evenly = true;
+  ColorOfEach kd, throughputs;
+  alignas(64) Each are_diffuse;       // 1 where the surface is diffuse alone, else 0
+  std::vector<std::uint32_t> others;  // those that are not
+  std::vector<Bsdf> bsdfs;            // of others
 
   /// What is known of a point at first.
   void Add(const PathState& arriving, const WorldHit& hit, std::uint32_t path) {
@@ -68,20 +68,19 @@ struct PathStream::Front {
   }
   void Complete(const TraceSettings& settings) {
     indices.reserve(points.size());
-    bsdfs.reserve(points.size());
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      indices.push_back(points[i].path.index);
-      bsdfs.emplace_back(points[i], settings);
-      normals.Set(i, points[i].N);
-      kd.Set(i, {points[i].kd.r, points[i].kd.g, points[i].kd.b});
-      diffuse_probabilities[i] = bsdfs[i].DiffuseProbability();
-      all_scatter_evenly &= bsdfs[i].ScattersEvenly();
+    for (std::uint32_t i = 0; i < points.size(); ++i) {
+      const ShadingPoint& p = points[i];
+      indices.push_back(p.path.index);
+      normals.Set(i, p.N);
+      kd.Set(i, p.kd);
+      throughputs.Set(i, p.path.throughput);
+      are_diffuse[i] = Bsdf::IsDiffuse(*p.material) ? 1 : 0;
+      if (are_diffuse[i] != 0) continue;
+      others.push_back(i);
+      bsdfs.emplace_back(p, settings);
     }
   }
-  void Clear() {
-    points.clear(), paths.clear(), indices.clear(), bsdfs.clear();
-    all_scatter_evenly = true;
-  }
+  void Clear() { points.clear(), paths.clear(), indices.clear(), others.clear(), bsdfs.clear(); }
 };
 
 struct PathStream::StepFrom {
@@ -131,7 +130,7 @@ void PathStream::LightPoints(const Front& front, TraceState& state) const {
   const std::span<const ShadingPoint> points = front.points;
   state.arrived.assign(points.size(), {});
   if (!SamplesAllLights()) {
-    for (std::size_t i = 0; i < points.size(); ++i) SampleChosenLights(points[i], front.bsdfs[i], i, state);
+    for (std::size_t i = 0; i < points.size(); ++i) SampleChosenLights(points[i], Bsdf(points[i], settings_), i, state);
     return tracer_.TraceShadowRays(state);
   }
   PointsOfEach<2> random;
@@ -142,9 +141,9 @@ void PathStream::LightPoints(const Front& front, TraceState& state) const {
       continue;
     }
     for (std::size_t i = 0; i < points.size(); ++i) {
-      if (!points[i].HasReflectance()) continue;
-      if (const auto sample = lights_.Sample(points[i], light, {}))
-        AddLightSample(points[i], front.bsdfs[i], *sample, i, state);
+      const ShadingPoint& p = points[i];
+      const auto sample = p.HasReflectance() ? lights_.Sample(p, light, {}) : std::nullopt;
+      if (sample) AddLightSample(p, PhongReflection(p, Unit(sample->to_light), sample->irradiance), *sample, i, state);
     }
   }
   tracer_.TraceShadowRays(state);
@@ -160,11 +159,11 @@ void PathStream::AddExtendedLight(int light, const Front& front, const PointsOfE
   }
   if (lights_.SceneLight(light)) {
     lights_.SceneLight(light)->IlluminateEach(samples);
-    ReflectEach(front.points, front.normals, samples);
+    ReflectEachByPhong(front.points, front.normals, samples);
   } else {
     alignas(64) Each pdfs;
     lights_.SampleEach(front.points, light, samples, pdfs);
-    if (!front.all_scatter_evenly || !ReflectEvenly(front, pdfs, samples)) ReflectOneByOne(front, pdfs, samples);
+    ReflectEach(front, pdfs, samples);
   }
   for (std::uint32_t i = 0; i < samples.count; ++i) {
     if (IsBlack(samples.Color(i))) continue;
@@ -175,26 +174,32 @@ void PathStream::AddExtendedLight(int light, const Front& front, const PointsOfE
   }
 }
 
-R3_VECTORIZED
-bool PathStream::ReflectEvenly(const Front& front, const LightSamples::Each& pdfs, LightSamples& samples) const {
-  alignas(64) Each cosines;
-  if (!MakeCosines(front.normals, samples, cosines)) return false;
-  for (std::uint32_t i = 0; i < samples.count; ++i) {
-    const double cosine_pdf = R3::CosinePdf(cosines[i]);
-    const R2::Color kd{front.kd.x[i], front.kd.y[i], front.kd.z[i]};
-    const double weight = 1 - MisWeight(front.diffuse_probabilities[i] * cosine_pdf, pdfs[i]);
-    const R2::Color reflected = weight * (cosine_pdf * kd) * samples.Color(i);
-    const bool is_lit = (cosines[i] > 0) & (pdfs[i] > 0) & SamplesLights();
-    samples.SetColor(i, is_lit ? reflected : R2::Color{});
+void PathStream::ReflectEach(const Front& front, const LightSamples::Each& pdfs, LightSamples& samples) const {
+  const auto reflect = [&](std::uint32_t i, const Bsdf& bsdf) {
+    const LightSample sample{samples.Color(i), samples.ToLight(i), false, pdfs[i]};
+    if (!IsBlack(sample.irradiance)) samples.SetColor(i, Reflected(front.points[i], bsdf, sample));
+  };
+  if (!ReflectDiffusely(front, pdfs, samples)) [[unlikely]] {
+    for (std::uint32_t i = 0; i < samples.count; ++i) reflect(i, Bsdf(front.points[i], settings_));
+    return;
   }
-  return true;
+  for (std::size_t k = 0; k < front.others.size(); ++k) reflect(front.others[k], front.bsdfs[k]);
 }
 
-void PathStream::ReflectOneByOne(const Front& front, const LightSamples::Each& pdfs, LightSamples& samples) const {
+R3_VECTORIZED
+bool PathStream::ReflectDiffusely(const Front& front, const LightSamples::Each& pdfs, LightSamples& samples) const {
+  alignas(64) Each cosines;
+  if (!MakeCosines(front.normals, samples, cosines)) return false;
+  const bool samples_lights = SamplesLights();
   for (std::uint32_t i = 0; i < samples.count; ++i) {
-    const LightSample sample{samples.Color(i), samples.ToLight(i), false, pdfs[i]};
-    if (!IsBlack(sample.irradiance)) samples.SetColor(i, Reflected(front.points[i], front.bsdfs[i], sample));
+    const double cosine = cosines[i], cosine_pdf = R3::CosinePdf(cosine), light_pdf = pdfs[i];
+    const R2::Color color = samples.Color(i);
+    const R2::Color reflected = (1 - MisWeight(cosine_pdf, light_pdf)) * (cosine_pdf * front.kd[i]) * color;
+    const bool is_lit = (cosine > 0) & (light_pdf > 0) & samples_lights;
+    const R2::Color of_diffuse = is_lit ? reflected : R2::Color{};
+    samples.SetColor(i, front.are_diffuse[i] > 0 ? of_diffuse : color);
   }
+  return true;
 }
 
 void PathStream::TakeStep(const Front& front, std::span<R2::Color> gathered, Front& next, TraceState& state) const {
@@ -202,17 +207,7 @@ void PathStream::TakeStep(const Front& front, std::span<R2::Color> gathered, Fro
   if (IsLast(points[0]))  // all have gone as far
     for (const ShadingPoint& p : points) BookEnd(p, state);
   if (!MayGoOn(points[0])) return;
-  PointsOfEach<4> random;
-  GetOfEachAlone(front.indices, scatter_key, settings_.sampler, settings_.samples, random);
-  VectorOfEach directions;
-  TurnAboutNormals(front.normals, random, points.size(), directions);
-  Steps steps;
-  steps.reserve(points.size());
-  for (std::uint32_t i = 0; i < points.size(); ++i) {
-    const auto& u = random.coordinates;
-    const auto step = GoOn(points[i], front.bsdfs[i], {u[0][i], u[1][i], u[2][i], u[3][i]}, directions[i]);
-    if (step) steps.push_back({*step, i});
-  }
+  const Steps steps = GoOnEach(front);
   TraceSteps(steps, state);
   std::array<const StepFrom*, most_paths> arriving;
   for (std::size_t k = 0; k < steps.size(); ++k) {
@@ -230,6 +225,48 @@ void PathStream::TakeStep(const Front& front, std::span<R2::Color> gathered, Fro
     Arrive(points[from], step, next.points[i], gathered[next.paths[i]], state);
   }
   if (IsLast(points[0])) next.Clear();
+}
+
+PathStream::Steps PathStream::GoOnEach(const Front& front) const {
+  PointsOfEach<4> random;
+  GetOfEachAlone(front.indices, scatter_key, settings_.sampler, settings_.samples, random);
+  VectorOfEach directions;
+  TurnAboutNormals(front.normals, random, front.points.size(), directions);
+  ColorOfEach throughputs;
+  alignas(64) Each pdfs;
+  ScatterDiffusely(front, random, directions, throughputs, pdfs);
+  Steps steps;
+  steps.reserve(front.points.size());
+  for (std::uint32_t i = 0; i < front.points.size(); ++i) {
+    const ShadingPoint& p = front.points[i];
+    if (p.IsBehindSurface(directions[i])) continue;
+    if (const auto step = StepTowards(p, directions[i], Lobe::diffuse, pdfs[i], throughputs[i]))
+      steps.push_back({*step, i});
+  }
+  const auto& u = random.coordinates;
+  for (std::size_t k = 0; k < front.others.size(); ++k) {
+    const std::uint32_t i = front.others[k];
+    const Choices choices{u[0][i], u[1][i], u[2][i], u[3][i]};
+    if (const auto step = GoOn(front.points[i], front.bsdfs[k], choices, directions[i])) steps.push_back({*step, i});
+  }
+  return steps;
+}
+
+R3_VECTORIZED
+void PathStream::ScatterDiffusely(const Front& front, const PointsOfEach<4>& random, const VectorOfEach& directions,
+                                  ColorOfEach& throughputs, LightSamples::Each& pdfs) const {
+  const std::int64_t depth = front.points[0].path.depth;
+  const std::size_t count = front.points.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const R2::Color kd = front.kd[i];
+    const double pdf = R3::CosinePdf(Dot(front.normals[i], directions[i]));
+    const R2::Color throughput = front.throughputs[i] * (pdf * kd) / pdf;
+    const double survival = SurvivalProbability(depth, throughput);
+    const bool goes_on = (front.are_diffuse[i] > 0) & (pdf > 0) & (Luminance(kd) > 0);
+    const bool survives = goes_on & (random.coordinates[3][i] < survival);
+    pdfs[i] = pdf;
+    throughputs.Set(i, survives ? throughput / survival : R2::Color{});
+  }
 }
 
 void PathStream::TraceSteps(const Steps& steps, TraceState& state) const {
