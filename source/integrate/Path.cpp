@@ -9,12 +9,8 @@
 namespace ray {
 namespace {
 
-// Russian roulette begins after so many bounces, and with paths that carry less than this: what it would save before is
-// not worth its noise. With 1 instead of a quarter, 16 samples a pixel are 1.2 to 1.8 times less efficient (1 /
-// (relative squared error times seconds)) on five scenes, closed rooms and open ones; without roulette closed rooms
-// are, 1.1 to 1.2 times.
+// Russian roulette begins after so many bounces.
 constexpr std::int64_t first_bounce_at_risk = 2;
-constexpr double least_certain_throughput = 0.25;
 
 }  // namespace
 
@@ -23,9 +19,9 @@ Path::Path(const World& world, const Accelerator& accelerator, const TraceSettin
       tracer_(world, accelerator, settings.shadows),
       settings_(settings),
       lights_(world, settings),
+      sampled_{settings.strategy != LightStrategy::bsdf,
+               settings.strategy == LightStrategy::mis || settings.strategy == LightStrategy::bsdf},
       has_roulette_(settings.roulette != Roulette::off),
-      samples_lights_(settings.strategy != LightStrategy::bsdf),
-      samples_bsdf_(settings.strategy == LightStrategy::mis || settings.strategy == LightStrategy::bsdf),
       lights_at_once_(LightsChosenByPath(settings, lights_.Count())) {
   settings_.max_depth = std::min<std::int64_t>(settings_.max_depth, most_bounces);
 }
@@ -80,7 +76,8 @@ std::optional<Path::Step> Path::GoOn(const ShadingPoint& p, const Bsdf& bsdf, co
   const auto scattered = bsdf.Sample({choices[0], choices[1]}, choices[2], diffuse);
   if (!scattered || (IsLast(p) && IsSpecular(scattered->lobe))) return {};
   const R2::Color throughput = p.path.throughput * scattered->value / scattered->pdf;
-  const auto surviving = RussianRoulette(throughput, SurvivalProbability(p.path.depth, throughput), choices[3]);
+  const auto surviving =
+      RussianRoulette(throughput, std::max(LeastSurvival(p.path.depth), SurvivalProbability(throughput)), choices[3]);
   if (!surviving) return {};
   return StepTowards(p, scattered->wi, scattered->lobe, scattered->pdf, *surviving);
 }
@@ -109,10 +106,8 @@ void Path::Arrive(const ShadingPoint& from, const Step& step, const ShadingPoint
   radiance += ambient;
 }
 
-double Path::SurvivalProbability(std::int64_t depth, const R2::Color& throughput) const {
-  const double largest = std::max(std::max(throughput.r, throughput.g), throughput.b);
-  const bool is_certain = !has_roulette_ || depth + 1 < first_bounce_at_risk;
-  return is_certain ? 1 : std::min(1.0, largest / least_certain_throughput);
+double Path::LeastSurvival(std::int64_t depth) const {
+  return has_roulette_ && depth + 1 >= first_bounce_at_risk ? 0 : 1;
 }
 
 R2::Color Path::DirectLight(const ShadingPoint& p, const Bsdf& bsdf, TraceState& state) const {
@@ -149,8 +144,8 @@ void Path::SampleChosenLights(const ShadingPoint& p, const Bsdf& bsdf, std::size
 R2::Color Path::Reflected(const ShadingPoint& p, const Bsdf& bsdf, const LightSample& light) const {
   const R3::Vector wi = Unit(light.to_light);
   if (light.pdf == 0) return PhongReflection(p, wi, light.irradiance);
-  if (!samples_lights_) return {};
-  return (1 - MisWeight(bsdf.Pdf(wi), light.pdf)) * bsdf.Eval(wi) * light.irradiance;
+  if (!sampled_.lights) return {};
+  return (1 - sampled_.WeightOfBsdf(bsdf.Pdf(wi), light.pdf)) * bsdf.Eval(wi) * light.irradiance;
 }
 
 void Path::AddLightSample(const ShadingPoint& p, const R2::Color& reflected, const LightSample& light,
@@ -167,7 +162,7 @@ R2::Color Path::Emitted(const ShadingPoint& from, const Step& step, const Shadin
   if (IsSpecular(step.lobe)) return seen;
   const auto light_pdf = lights_.PdfOfHit(from, hit.path.ray, hit, world_, lights_at_once_ > 0);
   if (!light_pdf) return seen;  // found by scattering alone
-  return MisWeight(step.pdf, *light_pdf * std::max(1, lights_at_once_)) * seen;
+  return sampled_.WeightOfBsdf(step.pdf, *light_pdf * std::max(1, lights_at_once_)) * seen;
 }
 
 R2::Color Path::EmittedByEnvironment(const ShadingPoint& from, const Step& step) const {
@@ -179,7 +174,7 @@ R2::Color Path::EmittedByEnvironment(const ShadingPoint& from, const Step& step)
   const R2::Color reaching = path.throughput * seen.radiance;
   const double light_pdf = lights_.PdfOfEnvironment(from, seen, lights_at_once_ > 0);
   if (light_pdf == 0) return reaching;  // found by scattering alone
-  return MisWeight(step.pdf, light_pdf * std::max(1, lights_at_once_)) * reaching;
+  return sampled_.WeightOfBsdf(step.pdf, light_pdf * std::max(1, lights_at_once_)) * reaching;
 }
 
 }  // namespace ray

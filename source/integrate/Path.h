@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+
 #include "source/integrate/Bsdf.h"
 #include "source/integrate/Integrator.h"
 #include "source/integrate/Tracer.h"
@@ -54,8 +56,12 @@ class Path : public Integrator {
   /// The same where a direction has been chosen, and what throughput survives.
   std::optional<Step> StepTowards(const ShadingPoint& p, const R3::Vector& wi, Lobe lobe, double pdf,
                                   const R2::Color& throughput) const;
-  /// Of Russian roulette at points of a depth.
-  double SurvivalProbability(std::int64_t depth, const R2::Color& throughput) const;
+  /// With what probability a path survives Russian roulette, which from points of a depth is at least so much: 1 where
+  /// none is played.
+  double LeastSurvival(std::int64_t depth) const;
+  static double SurvivalProbability(const R2::Color& throughput) {
+    return std::min(1.0, std::max(std::max(throughput.r, throughput.g), throughput.b) / least_certain_throughput);
+  }
 
   /// What p reflects of a sample on a light, if nothing is in between.
   R2::Color Reflected(const ShadingPoint& p, const Bsdf& bsdf, const LightSample& light) const;
@@ -64,13 +70,18 @@ class Path : public Integrator {
                       TraceState& state) const;
   /// From some lights, chosen by importance sampling.
   void SampleChosenLights(const ShadingPoint& p, const Bsdf& bsdf, std::size_t index, TraceState& state) const;
-  bool SamplesLights() const { return samples_lights_; }
   bool SamplesAllLights() const { return lights_at_once_ == 0; }
-  /// Of BSDF sampling, by the balance heuristic; light sampling has the rest.
-  double MisWeight(double bsdf_pdf, double light_pdf) const {
-    const double weight = bsdf_pdf / (bsdf_pdf + light_pdf);
-    return !samples_bsdf_ ? 0 : !samples_lights_ ? 1 : weight;
-  }
+  static double BalanceHeuristic(double pdf, double other_pdf) { return pdf / (pdf + other_pdf); }
+  /// By what light that rays can hit is found.
+  struct Sampled {
+    bool lights, bsdf;
+
+    /// Of BSDF sampling; light sampling has the rest.
+    double WeightOfBsdf(double bsdf_pdf, double light_pdf) const {
+      if (!bsdf) return 0;
+      return lights ? BalanceHeuristic(bsdf_pdf, light_pdf) : 1;
+    }
+  };
 
   // What the keys beneath a surface are for. Lights follow, one each.
   enum Key : std::uint64_t { bounce_key, scatter_key, next_event_key };
@@ -80,6 +91,7 @@ class Path : public Integrator {
   Tracer tracer_;
   TraceSettings settings_;
   LightSampler lights_;
+  Sampled sampled_;
 
  private:
   /// All light that reaches p over further bounces, throughput included; `p` is moved along the path.
@@ -92,7 +104,12 @@ class Path : public Integrator {
   R2::Color Emitted(const ShadingPoint& from, const Step& step, const ShadingPoint& hit) const;
   R2::Color EmittedByEnvironment(const ShadingPoint& from, const Step& step) const;
 
-  bool has_roulette_, samples_lights_, samples_bsdf_;
+  // Russian roulette begins with paths that carry less than this: what it would save before is not worth its noise.
+  // With 1 instead of a quarter, 16 samples a pixel are 1.2 to 1.8 times less efficient (1 / (relative squared error
+  // times seconds)) on five scenes, closed rooms and open ones; without roulette closed rooms are, 1.1 to 1.2 times.
+  static constexpr double least_certain_throughput = 0.25;
+
+  bool has_roulette_;
   int lights_at_once_;  // 0: all
 };
 

@@ -20,6 +20,11 @@ void TurnAboutNormals(const VectorOfEach& normals, const PointsOfEach<4>& random
     directions.Set(i, DiffuseDirection(normals[i], {random.coordinates[0][i], random.coordinates[1][i]}));
 }
 
+/// By channel, since choosing between whole colors is a branch.
+R2::Color Chosen(bool first, const R2::Color& a, const R2::Color& b) {
+  return {first ? a.r : b.r, first ? a.g : b.g, first ? a.b : b.b};
+}
+
 /// Makes cosines of N and unit L of each sample that brings light. Returns whether the squares of their lengths are in
 /// range; else there is nothing to rely on.
 R3_VECTORIZED
@@ -81,6 +86,53 @@ struct PathStream::Front {
     }
   }
   void Clear() { points.clear(), paths.clear(), indices.clear(), others.clear(), bsdfs.clear(); }
+};
+
+/// Of points whose surface is diffuse alone.
+struct PathStream::Loops {
+  /// What is reflected of light samples with pdfs; false, with the samples as they were, where lengths leave the range
+  /// of doubles.
+  ///   most_weight   of BSDF sampling
+  R3_VECTORIZED
+  static bool Reflect(const Front& front, double most_weight, const Each& pdfs, LightSamples& samples) {
+    alignas(64) Each cosines;
+    if (!MakeCosines(front.normals, samples, cosines)) return false;
+    ColorOfEach colors;  // of its own, so that it is clear that nothing overlaps
+    for (std::uint32_t i = 0; i < samples.count; ++i) {
+      const double cosine_pdf = R3::CosinePdf(cosines[i]);
+      const double weight = 1 - std::min(most_weight, BalanceHeuristic(cosine_pdf, pdfs[i]));
+      const R2::Color color = samples.Color(i), eval = cosine_pdf * front.kd[i];
+      const double cosine_if_sampled = pdfs[i] > 0 ? cosines[i] : 0;
+      const R2::Color reflected = Chosen(cosine_if_sampled > 0, weight * eval * color, {});
+      colors.Set(i, Chosen(front.are_diffuse[i] > 0, reflected, color));
+    }
+    for (std::uint32_t i = 0; i < samples.count; ++i) samples.SetColor(i, colors[i]);
+    return true;
+  }
+
+  struct Scattered {
+    ColorOfEach throughputs;  // what survives, 0 where nothing does
+    alignas(64) Each pdfs;
+  };
+  /// Into each direction. No path survives less likely than `least_survival`.
+  R3_VECTORIZED
+  static Scattered Scatter(const Front& front, double least_survival, const std::array<double, most_paths>& choices,
+                           const VectorOfEach& directions) {
+    Scattered scattered;
+    const std::size_t count = front.points.size();
+    for (std::size_t i = 0; i < count; ++i) {
+      const R2::Color kd = front.kd[i];
+      const double pdf = R3::CosinePdf(Dot(front.normals[i], directions[i]));
+      const R2::Color throughput = front.throughputs[i] * (pdf * kd) / pdf;
+      const double survival = std::max(least_survival, SurvivalProbability(throughput));
+      // Nested, since g++ makes no vector instructions of several conditions in one.
+      const double if_above = pdf > 0 ? survival : 0, if_reflected = Luminance(kd) > 0 ? if_above : 0;
+      const bool goes_on = choices[i] < (front.are_diffuse[i] > 0 ? if_reflected : 0);
+      scattered.pdfs[i] = pdf;
+      scattered.throughputs.Set(i, Chosen(goes_on, throughput / survival, {}));
+    }
+    return scattered;
+  }
 };
 
 struct PathStream::StepFrom {
@@ -175,31 +227,19 @@ void PathStream::AddExtendedLight(int light, const Front& front, const PointsOfE
 }
 
 void PathStream::ReflectEach(const Front& front, const LightSamples::Each& pdfs, LightSamples& samples) const {
+  if (!sampled_.lights) {
+    for (std::uint32_t i = 0; i < samples.count; ++i) samples.SetColor(i, {});
+    return;
+  }
   const auto reflect = [&](std::uint32_t i, const Bsdf& bsdf) {
     const LightSample sample{samples.Color(i), samples.ToLight(i), false, pdfs[i]};
     if (!IsBlack(sample.irradiance)) samples.SetColor(i, Reflected(front.points[i], bsdf, sample));
   };
-  if (!ReflectDiffusely(front, pdfs, samples)) [[unlikely]] {
+  if (!Loops::Reflect(front, sampled_.bsdf ? 1 : 0, pdfs, samples)) [[unlikely]] {
     for (std::uint32_t i = 0; i < samples.count; ++i) reflect(i, Bsdf(front.points[i], settings_));
     return;
   }
   for (std::size_t k = 0; k < front.others.size(); ++k) reflect(front.others[k], front.bsdfs[k]);
-}
-
-R3_VECTORIZED
-bool PathStream::ReflectDiffusely(const Front& front, const LightSamples::Each& pdfs, LightSamples& samples) const {
-  alignas(64) Each cosines;
-  if (!MakeCosines(front.normals, samples, cosines)) return false;
-  const bool samples_lights = SamplesLights();
-  for (std::uint32_t i = 0; i < samples.count; ++i) {
-    const double cosine = cosines[i], cosine_pdf = R3::CosinePdf(cosine), light_pdf = pdfs[i];
-    const R2::Color color = samples.Color(i);
-    const R2::Color reflected = (1 - MisWeight(cosine_pdf, light_pdf)) * (cosine_pdf * front.kd[i]) * color;
-    const bool is_lit = (cosine > 0) & (light_pdf > 0) & samples_lights;
-    const R2::Color of_diffuse = is_lit ? reflected : R2::Color{};
-    samples.SetColor(i, front.are_diffuse[i] > 0 ? of_diffuse : color);
-  }
-  return true;
 }
 
 void PathStream::TakeStep(const Front& front, std::span<R2::Color> gathered, Front& next, TraceState& state) const {
@@ -232,15 +272,14 @@ PathStream::Steps PathStream::GoOnEach(const Front& front) const {
   GetOfEachAlone(front.indices, scatter_key, settings_.sampler, settings_.samples, random);
   VectorOfEach directions;
   TurnAboutNormals(front.normals, random, front.points.size(), directions);
-  ColorOfEach throughputs;
-  alignas(64) Each pdfs;
-  ScatterDiffusely(front, random, directions, throughputs, pdfs);
+  const std::int64_t depth = front.points[0].path.depth;  // all have gone as far
+  const Loops::Scattered scattered = Loops::Scatter(front, LeastSurvival(depth), random.coordinates[3], directions);
   Steps steps;
   steps.reserve(front.points.size());
   for (std::uint32_t i = 0; i < front.points.size(); ++i) {
     const ShadingPoint& p = front.points[i];
     if (p.IsBehindSurface(directions[i])) continue;
-    if (const auto step = StepTowards(p, directions[i], Lobe::diffuse, pdfs[i], throughputs[i]))
+    if (const auto step = StepTowards(p, directions[i], Lobe::diffuse, scattered.pdfs[i], scattered.throughputs[i]))
       steps.push_back({*step, i});
   }
   const auto& u = random.coordinates;
@@ -250,23 +289,6 @@ PathStream::Steps PathStream::GoOnEach(const Front& front) const {
     if (const auto step = GoOn(front.points[i], front.bsdfs[k], choices, directions[i])) steps.push_back({*step, i});
   }
   return steps;
-}
-
-R3_VECTORIZED
-void PathStream::ScatterDiffusely(const Front& front, const PointsOfEach<4>& random, const VectorOfEach& directions,
-                                  ColorOfEach& throughputs, LightSamples::Each& pdfs) const {
-  const std::int64_t depth = front.points[0].path.depth;
-  const std::size_t count = front.points.size();
-  for (std::size_t i = 0; i < count; ++i) {
-    const R2::Color kd = front.kd[i];
-    const double pdf = R3::CosinePdf(Dot(front.normals[i], directions[i]));
-    const R2::Color throughput = front.throughputs[i] * (pdf * kd) / pdf;
-    const double survival = SurvivalProbability(depth, throughput);
-    const bool goes_on = (front.are_diffuse[i] > 0) & (pdf > 0) & (Luminance(kd) > 0);
-    const bool survives = goes_on & (random.coordinates[3][i] < survival);
-    pdfs[i] = pdf;
-    throughputs.Set(i, survives ? throughput / survival : R2::Color{});
-  }
 }
 
 void PathStream::TraceSteps(const Steps& steps, TraceState& state) const {

@@ -35,6 +35,8 @@ class PathStream : public Path {
  private:
   /// The surfaces that paths have reached, and the path of each, which is the number of its camera sample.
   struct Front;
+  /// What is computed in loops over a front.
+  struct Loops;
   /// Of the point of that number in a front.
   struct StepFrom;
   using Steps = std::vector<StepFrom>;
@@ -46,16 +48,9 @@ class PathStream : public Path {
   void AddExtendedLight(int light, const Front& front, const PointsOfEach<2>& random, TraceState& state) const;
   /// Of light samples with pdfs, what is reflected.
   void ReflectEach(const Front& front, const LightSamples::Each& pdfs, LightSamples& samples) const;
-  /// The same of points whose surface is diffuse alone; false, with the samples as they were, where lengths leave the
-  /// range of doubles.
-  bool ReflectDiffusely(const Front& front, const LightSamples::Each& pdfs, LightSamples& samples) const;
   /// To the next surfaces, which come to `next`.
   void TakeStep(const Front& front, std::span<R2::Color> gathered, Front& next, TraceState& state) const;
   Steps GoOnEach(const Front& front) const;
-  /// Of points whose surface is diffuse alone: what throughput survives, 0 where nothing does, and the pdfs of the
-  /// directions.
-  void ScatterDiffusely(const Front& front, const PointsOfEach<4>& random, const VectorOfEach& directions,
-                        ColorOfEach& throughputs, LightSamples::Each& pdfs) const;
   /// What each step's ray hits goes to state.hits.
   void TraceSteps(const Steps& steps, TraceState& state) const;
 };

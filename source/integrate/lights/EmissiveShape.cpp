@@ -91,16 +91,24 @@ void EmissiveShape::SampleEach(LightSamples& samples, LightSamples::Each& pdfs) 
 R3_VECTORIZED
 bool EmissiveShape::CutOff(const R3::SurfaceSamples& places, LightSamples& samples, LightSamples::Each& pdfs) const {
   const R2::Color emission = Emission();
+  struct {
+    alignas(64) LightSamples::Each x, y, z, r, g, b, pdf;
+  } drawn;  // of its own, so that it is clear that nothing overlaps
   std::uint64_t are_safe = 1;
   for (std::uint32_t i = 0; i < samples.count; ++i) {
     const R3::Vector way = places.Position(i) - places.From(i), normal = AsVector(places.NormalAt(i));
     const double square = Dot(way, way), near = Nearness(std::sqrt(square), size_);
     are_safe &= R3::IsSafeSquare(square);
     const double share = ShareOutside(way, normal, places.Error(i) + R3::Vector{near, near, near});
-    const double pdf = places.pdf[i];
-    const bool is_seen = (share > 0) & (pdf > 0);
-    samples.Set(i, share * way, is_seen ? emission / pdf : R2::Color{});
-    pdfs[i] = is_seen ? pdf : 0;
+    const double pdf = share > 0 ? places.pdf[i] : 0;
+    const R2::Color color{emission.r / pdf, emission.g / pdf, emission.b / pdf};
+    drawn.pdf[i] = pdf;
+    drawn.x[i] = share * way.x, drawn.y[i] = share * way.y, drawn.z[i] = share * way.z;
+    drawn.r[i] = pdf > 0 ? color.r : 0, drawn.g[i] = pdf > 0 ? color.g : 0, drawn.b[i] = pdf > 0 ? color.b : 0;
+  }
+  for (std::uint32_t i = 0; i < samples.count; ++i) {
+    samples.Set(i, {drawn.x[i], drawn.y[i], drawn.z[i]}, {drawn.r[i], drawn.g[i], drawn.b[i]});
+    pdfs[i] = drawn.pdf[i];
   }
   return are_safe != 0;
 }
