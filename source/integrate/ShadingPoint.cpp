@@ -21,7 +21,7 @@ ShadingPoint ShadingPointAt(const World& world, const PathState& ray, const Worl
   ShadingPoint s{
       ray, hit, world.At(ray.ray, hit), &world.MaterialAt(hit), {}, {}, true, {}, false, {}, world.scene().shadow_bias,
       {}};
-  s.kd = s.material->texture ? s.material->kd * s.material->texture->At(s.at.uv) : s.material->kd;
+  s.kd = KdAt(s);
   s.wo = -Unit(ray.ray.direction);
   s.entering = Dot(s.at.normal, ray.ray.direction) <= 0;
   s.N = Facing(s.at.shading_normal, s.entering);

@@ -33,7 +33,10 @@ struct ShadingPoint {
 /// throughput: exp(-absorb * distance), by the law of Bouguer, Lambert and Beer (1729-1852).
 ShadingPoint ShadingPointAt(const World& world, const PathState& ray, const WorldHit& hit);
 
-/// Of a point whose surface is known, the last of these.
+/// Of a point whose surface is known, its kd; and the last of these.
+inline R2::Color KdAt(const ShadingPoint& p) {
+  return p.material->texture ? p.material->kd * p.material->texture->At(p.at.uv) : p.material->kd;
+}
 void AbsorbOnTheWay(ShadingPoint& p);
 
 /// What a ray that hits nothing sees.
