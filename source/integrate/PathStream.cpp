@@ -217,12 +217,14 @@ void PathStream::AddExtendedLight(int light, const Front& front, const PointsOfE
     lights_.SampleEach(front.points, light, samples, pdfs);
     ReflectEach(front, pdfs, samples);
   }
+  const bool is_infinite = lights_.IsInfinite(light);
   for (std::uint32_t i = 0; i < samples.count; ++i) {
-    if (IsBlack(samples.Color(i))) continue;
-    const R2::Color contribution = front.points[i].path.throughput * samples.Color(i);
+    const R2::Color reflected = samples.Color(i);
+    if (IsBlack(reflected)) continue;
+    const R2::Color contribution = front.throughputs[i] * reflected;
     tracer_.AddShadowRay(
-        front.points[i], i, {.to_light = samples.ToLight(i), .is_infinite = lights_.IsInfinite(light)}, contribution,
-        contribution, [&] { return lights_.Describe(light); }, state);
+        front.points[i], i, {.to_light = samples.ToLight(i), .is_infinite = is_infinite}, contribution, contribution,
+        [&] { return lights_.Describe(light); }, state);
   }
 }
 

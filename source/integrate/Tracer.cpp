@@ -20,7 +20,7 @@ std::vector<ShadingPoint> Tracer::CameraHits(std::span<const CameraSample> sampl
     if (state.recorder) path.record = state.recorder->Begin(path);
     if (state.hits[i])
       points.emplace_back(path, *state.hits[i]);
-    else
+    else if (state.recorder)
       RecordMiss(path, Background(world_.scene(), path.ray.direction), state);
   }
   CompleteShadingPoints(world_, points);
