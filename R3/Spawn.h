@@ -17,7 +17,7 @@ inline double NextAlong(double x, double way) {
   const double from_0 = mirrored == 0 ? std::numeric_limits<double>::denorm_min() : beyond;
   const double next = mirrored < infinity ? from_0 : mirrored;
   const double back = way < 0 ? -next : next;
-  return (way < 0) | (way > 0) ? back : x;
+  return way < 0 ? back : way > 0 ? back : x;
 }
 
 /// SpawnPoint of a place with this error on a surface with unit normal n, compiled into loops over many of them.

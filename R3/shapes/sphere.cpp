@@ -124,7 +124,10 @@ class Sphere : public Shape {
       const double one_minus_cosine = OneMinusCosine(distance, sine);
       const Vector drawn = DrawInCone(from_center / distance, sine, one_minus_cosine, samples.Random(i));
       const double drawn_square = Dot(drawn, drawn);
-      are_outside &= IsSafeSquare(square) & IsSafeSquare(drawn_square) & (sine < 1) & (one_minus_cosine > 0);
+      are_outside &= IsSafeSquare(square);
+      are_outside &= IsSafeSquare(drawn_square);
+      are_outside &= sine < 1;
+      are_outside &= one_minus_cosine > 0;
       const Vector outward = drawn / std::sqrt(drawn_square);
       const Point position = center_ + radius_ * outward;
       samples.Set(i, position, ErrorAt(outward, position), outward, ConePdf(one_minus_cosine));

@@ -63,7 +63,8 @@ bool PutOnTriangles(FlatSurfaces& all) {
     const R3::Vector area = R3::AreaOfTriangle(p, q, r);
     const double square = Dot(area, area);
     const R3::Vector normal = area / std::sqrt(square);
-    are_safe &= R3::IsSafeArea(area) & R3::IsSafeSquare(square);
+    are_safe &= R3::IsSafeArea(area);
+    are_safe &= R3::IsSafeSquare(square);
     all.position.Set(i, place.position), all.error.Set(i, place.error);
     all.normal.Set(i, normal), all.shading_normal.Set(i, normal);
   }

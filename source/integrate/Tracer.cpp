@@ -18,10 +18,13 @@ std::vector<ShadingPoint> Tracer::CameraHits(std::span<const CameraSample> sampl
   for (std::size_t i = 0; i < samples.size(); ++i) {
     PathState path{.ray = samples[i].ray, .index = samples[i].index};
     if (state.recorder) path.record = state.recorder->Begin(path);
-    if (state.hits[i])
-      points.emplace_back(path, *state.hits[i]);
-    else if (state.recorder)
+    if (state.hits[i]) {
+      points.emplace_back();
+      points.back().path = path;
+      points.back().hit = *state.hits[i];
+    } else if (state.recorder) {
       RecordMiss(path, Background(world_.scene(), path.ray.direction), state);
+    }
   }
   CompleteShadingPoints(world_, points);
   return points;

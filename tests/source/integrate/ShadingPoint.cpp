@@ -74,7 +74,10 @@ TEST(ShadingPoints, MadeTogetherAreThoseMadeOneByOneToTheBit) {
       const R3::Ray ray{{draw.Between(-1, 1), draw.Between(-1, 1), i % 2 ? 4.0 : -4.0},
                         {draw.Between(-0.1, 0.1), draw.Between(-0.1, 0.1), i % 2 ? -1.0 : 1.0}};
       const auto hit = accelerator->Intersect(ray, workspace);
-      if (hit) together.emplace_back(PathState{.ray = ray, .index = {}}, *hit);
+      if (!hit) continue;
+      together.emplace_back();
+      together.back().path.ray = ray;
+      together.back().hit = *hit;
     }
     ASSERT_GT(together.size(), 40u);
     CompleteShadingPoints(stage.world, together);
