@@ -82,11 +82,15 @@ inline SineCosine SinCosEighth(double turns) {
 }
 
 /// Sine and cosine of an angle in whole turns, |turns| < 2^48; .8 ulp each. Nothing is lost in reducing the angle, so
-/// that this is faster, and quarters of a turn give exactly 0 and 1.
-inline SineCosine SinCosTurns(double turns) {
-  assert(!(std::abs(turns) >= 0x1p48));
+/// that this is faster, and quarters of a turn give exactly 0 and 1. `InRange` does not assert the range, so that loops
+/// become vector instructions.
+inline SineCosine SinCosTurnsInRange(double turns) {
   const Nearest quarters(4 * turns);
   return Turned(SinCosEighth(turns - 0.25 * quarters.Value()), quarters.Bits());
+}
+inline SineCosine SinCosTurns(double turns) {
+  assert(!(std::abs(turns) >= 0x1p48));
+  return SinCosTurnsInRange(turns);
 }
 
 }  // namespace R1

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 
+#include "R3/FlatTriangle.h"
 #include "R3/Triangle.h"
 
 namespace R3 {
@@ -10,8 +11,9 @@ namespace {
 
 /// Unit, on the side from which the corners turn counter-clockwise; zero for a triangle without area.
 Vector FaceDirection(const Point& p, const Point& q, const Point& r) {
-  const Vector a = q - p, b = r - p, area = Cross(a, b);
-  if (IsInRange(MaxComponent(Abs(area)))) return Unit(area);
+  const Vector area = AreaOfTriangle(p, q, r);
+  if (IsSafeArea(area)) return Unit(area);
+  const Vector a = q - p, b = r - p;
   const double longest_a = MaxComponent(Abs(a)), longest_b = MaxComponent(Abs(b));
   if (!(longest_a > 0 && longest_b > 0 && longest_a < infinity && longest_b < infinity)) return Unit(area);
   return Unit(Cross(ScaledByPower(a, -std::ilogb(longest_a)), ScaledByPower(b, -std::ilogb(longest_b))));
@@ -21,22 +23,10 @@ Vector FaceDirection(const Point& p, const Point& q, const Point& r) {
 R3_USES_FMA
 Intersection AtWeights(const std::array<const Point*, 3>& corners, const std::array<double, 3>& weights) {
   Intersection at;
-  Vector position, magnitude;
-#pragma GCC unroll 3
-  for (std::size_t i = 0; i < 3; ++i) {
-    const Vector share = weights[i] * FromOrigin(*corners[i]);
-    position = position + share;
-    magnitude = magnitude + Abs(share);
-  }
-  at.position = Point{} + position;
-  // Physically Based Rendering (2023), section 6.8.5: gamma(7) for the sum. The next test of the same triangle sums its
-  // corners' distances, so its t errs by a share of the largest of them whichever way the triangle lies: a triangle in
-  // the plane z = 0 must not be left from z = 0 exactly.
-  double farthest = 0;
-#pragma GCC unroll 3
-  for (const Point* corner : corners) farthest = std::max(farthest, MaxComponent(Abs(*corner - at.position)));
-  at.error = Gamma(7) * magnitude + Gamma(16) * Vector{farthest, farthest, farthest};
-  at.normal = at.shading_normal = AsNormal(FaceDirection(*corners[0], *corners[1], *corners[2]));
+  const auto& [p, q, r] = corners;
+  const TrianglePlace place = PlaceOnTriangle(*p, *q, *r, {weights[0], weights[1], weights[2]});
+  at.position = place.position, at.error = place.error;
+  at.normal = at.shading_normal = AsNormal(FaceDirection(*p, *q, *r));
   return at;
 }
 

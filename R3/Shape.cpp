@@ -18,6 +18,16 @@ std::optional<SurfaceSample> Shape::Sample(const Point& from, const R2::Point& u
   return pdf > 0 ? std::optional(SurfaceSample{at, pdf}) : std::nullopt;
 }
 
+void Shape::SampleEach(SurfaceSamples& samples, int element) const {
+  for (std::uint32_t i = 0; i < samples.count; ++i) {
+    const auto drawn = Sample(samples.From(i), samples.Random(i), element);
+    if (drawn)
+      samples.Set(i, drawn->at.position, drawn->at.error, AsVector(drawn->at.normal), drawn->pdf);
+    else
+      samples.Set(i, {}, {}, {}, 0);
+  }
+}
+
 double Shape::Pdf(const Point& from, const Vector& way, const Normal& normal, int element) const {
   return SolidAnglePdf(normal, way, 1, SampledArea(from, element));
 }

@@ -10,6 +10,7 @@
 #include "R3/MeshData.h"
 #include "R3/Ray.h"
 #include "R3/Recipe.h"
+#include "R3/SurfaceSamples.h"
 
 namespace R3 {
 
@@ -67,6 +68,8 @@ class Shape {
   ///   u         in [0, 1)^2, uniform
   ///   returns   nothing where no place can be seen
   virtual std::optional<SurfaceSample> Sample(const Point& from, const R2::Point& u, int element) const;
+  /// The same, bit for bit, for each of the points and numbers.
+  virtual void SampleEach(SurfaceSamples& samples, int element) const;
   /// The pdf with which Sample draws the place that is `way` away and has this normal, if `from` sees it.
   virtual double Pdf(const Point& from, const Vector& way, const Normal& normal, int element) const;
   /// The area that DrawPlace draws from: all that `from` sees of the element is in it.

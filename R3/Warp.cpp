@@ -10,11 +10,6 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-Vector FromPolar(double sine, double cosine, double turns) {
-  const auto [y, x] = R1::SinCosTurns(turns);
-  return {sine * x, sine * y, cosine};
-}
-
 }  // namespace
 
 R2::Point OnTriangle(const R2::Point& u) {
@@ -35,12 +30,5 @@ double PowerPdf(double cosine, double n) {
 }
 
 Vector OnSphere(const R2::Point& u) { return InCone(u, 2); }
-
-Vector InCone(const R2::Point& u, double one_minus_cosine) {
-  const double height = u.x * one_minus_cosine;  // down from the top of the sphere
-  return FromPolar(std::sqrt(height * (2 - height)), 1 - height, u.y);
-}
-
-double ConePdf(double one_minus_cosine) { return 1 / (2 * pi * one_minus_cosine); }
 
 }  // namespace R3

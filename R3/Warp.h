@@ -61,6 +61,12 @@ inline Vector OnCosineHemisphere(const R2::Point& u) {
 /// cosine / pi; 0 below the plane.
 inline double CosinePdf(double cosine) { return std::max(0.0, cosine) / std::numbers::pi; }
 
+/// A direction by its sine and cosine from +z and the turns from +x by +y.
+inline Vector FromPolar(double sine, double cosine, double turns) {
+  const auto [y, x] = R1::SinCosTurnsInRange(turns);
+  return {sine * x, sine * y, cosine};
+}
+
 /// A direction above the plane, its pdf proportional to the n-th power of its cosine with +z: Phong's lobe.
 ///   n        >= 0 and finite; tested from 0, which is even over the hemisphere, to 1e6
 ///   source   Lafortune, Willems, Using the modified Phong reflectance model for physically based rendering (1994),
@@ -79,8 +85,11 @@ inline constexpr double sphere_pdf = 1 / (4 * std::numbers::pi);
 ///                      cosine, because that of a narrow cone rounds to 1
 ///   accuracy           the angle from +z within 1e-15 relative, however narrow the cone
 ///   source             Pharr, Jakob, Humphreys, Physically Based Rendering (2023), section A.5.4
-Vector InCone(const R2::Point& u, double one_minus_cosine);
+inline Vector InCone(const R2::Point& u, double one_minus_cosine) {
+  const double height = u.x * one_minus_cosine;  // down from the top of the sphere
+  return FromPolar(std::sqrt(height * (2 - height)), 1 - height, u.y);
+}
 /// 1 over the cone's solid angle; infinite for the cone of only +z.
-double ConePdf(double one_minus_cosine);
+inline double ConePdf(double one_minus_cosine) { return 1 / (2 * std::numbers::pi * one_minus_cosine); }
 
 }  // namespace R3

@@ -11,12 +11,12 @@ namespace {
 // Hit::part is 2 axis for the low face and 2 axis + 1 for the high one.
 class BoxShape : public Shape {
  public:
-  explicit BoxShape(const Box& box) : box_(box) {}
+  explicit BoxShape(const Box& box) : box_(box), is_degenerate_(IsLineOrLess(box.Size())) {}
 
   Box Bounds(int) const override { return box_; }
 
   std::optional<Hit> Intersect(const Ray& ray, int) const override {
-    if (IsDegenerate() || IsLeaving(ray)) return {};
+    if (is_degenerate_ || IsLeaving(ray)) return {};
     Span span;
     for (int axis = 0; axis < 3; ++axis)
       ClipToSlab(span, box_.low[axis], box_.high[axis], ray.origin[axis], ray.direction[axis], 2 * axis, 2 * axis + 1);
@@ -66,16 +66,15 @@ class BoxShape : public Shape {
   }
 
   /// A box flat along one axis is a rectangle; flat along two it is a line, which nothing hits.
-  bool IsDegenerate() const override {
-    const Vector size = box_.Size();
-    return (size.x > 0) + (size.y > 0) + (size.z > 0) < 2;
-  }
+  bool IsDegenerate() const override { return is_degenerate_; }
 
   std::optional<Recipe> MadeFrom() const override {
     return Recipe{"box", {box_.low.x, box_.low.y, box_.low.z, box_.high.x, box_.high.y, box_.high.z}};
   }
 
  private:
+  static bool IsLineOrLess(const Vector& size) { return (size.x > 0) + (size.y > 0) + (size.z > 0) < 2; }
+
   /// As most rays do that begin on a face.
   bool IsLeaving(const Ray& ray) const {
     const auto leaves = [&](int axis) {
@@ -138,6 +137,7 @@ class BoxShape : public Shape {
   }
 
   Box box_;
+  bool is_degenerate_;
 };
 
 }  // namespace

@@ -40,25 +40,23 @@ class Sphere : public Shape {
   ///   source   Shirley, Wang, Zimmerman, Monte Carlo techniques for direct lighting calculations (1996), section 3.2
   std::optional<SurfaceSample> Sample(const Point& from, const R2::Point& u, int element) const override {
     const Vector from_center = from - center_;
-    const double sine = SineOfCone(from_center);
+    const double distance = Length(from_center), sine = radius_ / distance;
     if (!(sine < 1)) return Shape::Sample(from, u, element);
-    // At the place met, the angle s to the normal has sin s = sin a / sine, a being the angle off the cone's axis, and
-    // seen from the center the place is s - a off the axis.
-    const double one_minus_cosine = OneMinusCosine(from_center, sine);
+    const double one_minus_cosine = OneMinusCosine(distance, sine);
     if (one_minus_cosine == 0) return {};  // farther than doubles can tell
-    const Vector w = InCone(u, one_minus_cosine);
-    const double sine_squared = w.x * w.x + w.y * w.y;
-    const double cosine_of_s = std::sqrt(std::max(0.0, 1 - sine_squared / sine / sine));
-    const double aside = w.z / sine - cosine_of_s, ahead = w.z * cosine_of_s + sine_squared / sine;
-    const Vector outward = FromTangents({aside * w.x, aside * w.y, ahead}, Unit(from_center));
+    const Vector outward = DrawInCone(Unit(from_center), sine, one_minus_cosine, u);
     return SurfaceSample{OnSurface(Unit(outward)), ConePdf(one_minus_cosine)};
   }
 
+  void SampleEach(SurfaceSamples& samples, int element) const override {
+    if (!SampleFromOutside(samples)) [[unlikely]]
+      Shape::SampleEach(samples, element);
+  }
+
   double Pdf(const Point& from, const Vector& way, const Normal& normal, int element) const override {
-    const Vector from_center = from - center_;
-    const double sine = SineOfCone(from_center);
+    const double distance = Length(from - center_), sine = radius_ / distance;
     if (!(sine < 1)) return Shape::Pdf(from, way, normal, element);
-    return ConePdf(OneMinusCosine(from_center, sine));
+    return ConePdf(OneMinusCosine(distance, sine));
   }
 
   double SampledArea(const Point&, int) const override { return 4 * std::numbers::pi * radius_ * radius_; }
@@ -91,18 +89,50 @@ class Sphere : public Shape {
   Intersection OnSurface(const Vector& outward) const {
     Intersection at;
     at.position = center_ + radius_ * outward;
-    // Unit errs by 4 u, the product by one more, the sum by one of the result.
-    at.error = Gamma(6) * radius_ * Abs(outward) + Gamma(2) * Abs(FromOrigin(at.position));
+    at.error = ErrorAt(outward, at.position);
     at.normal = at.shading_normal = AsNormal(outward);
     return at;
   }
+  /// Unit errs by 4 u, the product by one more, the sum by one of the result.
+  Vector ErrorAt(const Vector& outward, const Point& position) const {
+    return Gamma(6) * radius_ * Abs(outward) + Gamma(2) * Abs(FromOrigin(position));
+  }
 
-  /// Of half the angle that the sphere is seen under; 1 and more from inside.
-  double SineOfCone(const Vector& from_center) const { return radius_ / Length(from_center); }
-  /// The same, factored so that it is exact for narrow cones and beside the surface alike.
-  double OneMinusCosine(const Vector& from_center, double sine) const {
-    const double D = Length(from_center);
+  /// Of half the angle that the sphere is seen under from outside, whose sine is radius / D: factored so that it is
+  /// exact for narrow cones and beside the surface alike.
+  double OneMinusCosine(double D, double sine) const {
     return sine * sine / (1 + std::sqrt((D - radius_) / D * (1 + sine)));
+  }
+  /// Where a direction of that cone, whose axis is the center's own towards the point, meets the sphere: from the
+  /// center, as long as 1 but for rounding. There the angle s to the normal has sin s = sin a / sine, a being the angle
+  /// off the cone's axis, and seen from the center the place is s - a off the axis.
+  static Vector DrawInCone(const Vector& axis, double sine, double one_minus_cosine, const R2::Point& u) {
+    const Vector w = InCone(u, one_minus_cosine);
+    const double sine_squared = w.x * w.x + w.y * w.y;
+    const double cosine_of_s = std::sqrt(std::max(0.0, 1 - sine_squared / sine / sine));
+    const double aside = w.z / sine - cosine_of_s, ahead = w.z * cosine_of_s + sine_squared / sine;
+    return FromTangents({aside * w.x, aside * w.y, ahead}, axis);
+  }
+
+  /// SampleEach; false, with nothing to rely on, where a point is inside or so far away that lengths leave the range of
+  /// doubles.
+  R3_VECTORIZED bool SampleFromOutside(SurfaceSamples& samples) const {
+    std::uint64_t are_outside = 1;
+    for (std::uint32_t i = 0; i < samples.count; ++i) {
+      const Vector from_center = samples.From(i) - center_;
+      const double square = Dot(from_center, from_center), distance = std::sqrt(square), sine = radius_ / distance;
+      const double one_minus_cosine = OneMinusCosine(distance, sine);
+      const Vector drawn = DrawInCone(from_center / distance, sine, one_minus_cosine, samples.Random(i));
+      const double drawn_square = Dot(drawn, drawn);
+      are_outside &= IsSafeSquare(square);
+      are_outside &= IsSafeSquare(drawn_square);
+      are_outside &= sine < 1;
+      are_outside &= one_minus_cosine > 0;
+      const Vector outward = drawn / std::sqrt(drawn_square);
+      const Point position = center_ + radius_ * outward;
+      samples.Set(i, position, ErrorAt(outward, position), outward, ConePdf(one_minus_cosine));
+    }
+    return are_outside != 0;
   }
 
   // As the viewer's utility sphere draws it: poles on z, v from -z to +z, u = 0 at +y and 0.25 at +x.

@@ -137,6 +137,9 @@ class Bsdf {
   R2::Color Eval(const R3::Vector& wi) const;
   /// Of Sample giving wi by a non-specular lobe, per solid angle.
   double Pdf(const R3::Vector& wi) const;
+  /// Whether surfaces of a material have the diffuse lobe alone. Then Eval is CosinePdf times kd, Pdf is CosinePdf
+  /// where kd is not black and else 0, and Sample gives the diffuse direction.
+  static bool IsDiffuse(const Material& m) { return m.coat == 0 && IsBlack(m.kr) && IsBlack(m.kt); }
   /// Importance sampling: a lobe with a probability proportional to the luminance of its weight, then a direction by
   /// that lobe. Nothing where no light is scattered, or it would have to come from inside the surface.
   ///   u, choice   uniform in [0, 1)

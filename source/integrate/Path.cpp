@@ -9,12 +9,8 @@
 namespace ray {
 namespace {
 
-// Russian roulette begins after so many bounces, and with paths that carry less than this: what it would save before is
-// not worth its noise. With 1 instead of a quarter, 16 samples a pixel are 1.2 to 1.8 times less efficient (1 /
-// (relative squared error times seconds)) on five scenes, closed rooms and open ones; without roulette closed rooms
-// are, 1.1 to 1.2 times.
+// Russian roulette begins after so many bounces.
 constexpr std::int64_t first_bounce_at_risk = 2;
-constexpr double least_certain_throughput = 0.25;
 
 }  // namespace
 
@@ -23,9 +19,9 @@ Path::Path(const World& world, const Accelerator& accelerator, const TraceSettin
       tracer_(world, accelerator, settings.shadows),
       settings_(settings),
       lights_(world, settings),
+      sampled_{settings.strategy != LightStrategy::bsdf,
+               settings.strategy == LightStrategy::mis || settings.strategy == LightStrategy::bsdf},
       has_roulette_(settings.roulette != Roulette::off),
-      samples_lights_(settings.strategy != LightStrategy::bsdf),
-      samples_bsdf_(settings.strategy == LightStrategy::mis || settings.strategy == LightStrategy::bsdf),
       lights_at_once_(LightsChosenByPath(settings, lights_.Count())) {
   settings_.max_depth = std::min<std::int64_t>(settings_.max_depth, most_bounces);
 }
@@ -63,9 +59,11 @@ R2::Color Path::IndirectLight(ShadingPoint&& p, TraceState& state) const {
     auto step = GoOn(p, bsdf, choices, DiffuseDirection(p.N, {choices[0], choices[1]}));
     if (!step) return radiance;
     const auto hit = tracer_.Intersect(step->path, state);
-    const auto next = Arrive(p, *step, hit, radiance, state);
-    if (!next) return radiance;
-    p = *next;
+    if (!hit) return radiance + Escape(p, *step, state);
+    ShadingPoint next = ShadingPointAt(world_, step->path, *hit);
+    Arrive(p, *step, next, radiance, state);
+    if (IsLast(p)) return radiance;
+    p = std::move(next);
   }
 }
 
@@ -78,35 +76,38 @@ std::optional<Path::Step> Path::GoOn(const ShadingPoint& p, const Bsdf& bsdf, co
   const auto scattered = bsdf.Sample({choices[0], choices[1]}, choices[2], diffuse);
   if (!scattered || (IsLast(p) && IsSpecular(scattered->lobe))) return {};
   const R2::Color throughput = p.path.throughput * scattered->value / scattered->pdf;
-  const auto surviving = RussianRoulette(throughput, SurvivalProbability(p, throughput), choices[3]);
-  if (!surviving || IsBlack(*surviving)) return {};
-  Step step{Extend(p, scattered->wi, scattered->lobe, *surviving, p.path.index.Child(bounce_key)), *scattered};
+  const auto surviving =
+      RussianRoulette(throughput, std::max(LeastSurvival(p.path.depth), SurvivalProbability(throughput)), choices[3]);
+  if (!surviving) return {};
+  return StepTowards(p, scattered->wi, scattered->lobe, scattered->pdf, *surviving);
+}
+
+std::optional<Path::Step> Path::StepTowards(const ShadingPoint& p, const R3::Vector& wi, Lobe lobe, double pdf,
+                                            const R2::Color& throughput) const {
+  if (IsBlack(throughput)) return {};
+  Step step{Extend(p, wi, lobe, throughput, p.path.index.Child(bounce_key)), lobe, pdf};
   if (IsLast(p) && !lights_.MayBeHitBy(step.path.ray)) return {};
   return step;
 }
 
-std::optional<ShadingPoint> Path::Arrive(const ShadingPoint& from, const Step& step, const std::optional<WorldHit>& hit,
-                                         R2::Color& radiance, TraceState& state) const {
-  if (!hit) {
-    const R2::Color emitted = EmittedByEnvironment(from, step.scattered, step.path);
-    Tracer::RecordMiss(step.path, emitted, state);
-    radiance += emitted;
-    return {};
-  }
-  std::optional<ShadingPoint> next = ShadingPointAt(world_, step.path, *hit);
-  const R2::Color emitted = Emitted(from, step.scattered, *next);
-  const R2::Color ambient =
-      IsLast(from) ? R2::Color{} : next->path.throughput * next->AmbientReflectance() * world_.scene().ambient;
-  Tracer::RecordHit(*next, emitted + ambient, state);
-  radiance += emitted;
-  radiance += ambient;
-  if (IsLast(from)) return {};
-  return next;
+R2::Color Path::Escape(const ShadingPoint& from, const Step& step, TraceState& state) const {
+  const R2::Color emitted = EmittedByEnvironment(from, step);
+  Tracer::RecordMiss(step.path, emitted, state);
+  return emitted;
 }
 
-double Path::SurvivalProbability(const ShadingPoint& p, const R2::Color& throughput) const {
-  if (!has_roulette_ || p.path.depth + 1 < first_bounce_at_risk) return 1;
-  return std::min(1.0, std::max({throughput.r, throughput.g, throughput.b}) / least_certain_throughput);
+void Path::Arrive(const ShadingPoint& from, const Step& step, const ShadingPoint& hit, R2::Color& radiance,
+                  TraceState& state) const {
+  const R2::Color emitted = Emitted(from, step, hit);
+  const R2::Color ambient =
+      IsLast(from) ? R2::Color{} : hit.path.throughput * hit.AmbientReflectance() * world_.scene().ambient;
+  Tracer::RecordHit(hit, emitted + ambient, state);
+  radiance += emitted;
+  radiance += ambient;
+}
+
+double Path::LeastSurvival(std::int64_t depth) const {
+  return has_roulette_ && depth + 1 >= first_bounce_at_risk ? 0 : 1;
 }
 
 R2::Color Path::DirectLight(const ShadingPoint& p, const Bsdf& bsdf, TraceState& state) const {
@@ -122,7 +123,7 @@ void Path::SampleLights(const ShadingPoint& p, const Bsdf& bsdf, std::size_t ind
   for (int light = 0; light < lights_.Count() && !state.IsStopped(); ++light) {
     const Points points = p.path.index.PointsFor(KeyOf(light), settings_.sampler, settings_.samples);
     if (const auto sample = lights_.Sample(p, light, points.Get2D(p.path.index.sample)))
-      AddLightSample(p, bsdf, *sample, index, state);
+      AddLightSample(p, Reflected(p, bsdf, *sample), *sample, index, state);
   }
 }
 
@@ -136,52 +137,44 @@ void Path::SampleChosenLights(const ShadingPoint& p, const Bsdf& bsdf, std::size
     if (!sample) continue;
     sample->irradiance = sample->irradiance / count;
     sample->pdf *= count;
-    AddLightSample(p, bsdf, *sample, index, state);
+    AddLightSample(p, Reflected(p, bsdf, *sample), *sample, index, state);
   }
 }
 
-void Path::AddLightSample(const ShadingPoint& p, const Bsdf& bsdf, const LightSample& light, std::size_t index,
-                          TraceState& state) const {
+R2::Color Path::Reflected(const ShadingPoint& p, const Bsdf& bsdf, const LightSample& light) const {
   const R3::Vector wi = Unit(light.to_light);
-  R2::Color reflected;
-  if (light.pdf == 0) {
-    reflected = PhongReflection(p, wi, light.irradiance);
-  } else {
-    if (!samples_lights_) return;
-    reflected = (1 - MisWeight(bsdf.Pdf(wi), light.pdf)) * bsdf.Eval(wi) * light.irradiance;
-  }
+  if (light.pdf == 0) return PhongReflection(p, wi, light.irradiance);
+  if (!sampled_.lights) return {};
+  return (1 - sampled_.WeightOfBsdf(bsdf.Pdf(wi), light.pdf)) * bsdf.Eval(wi) * light.irradiance;
+}
+
+void Path::AddLightSample(const ShadingPoint& p, const R2::Color& reflected, const LightSample& light,
+                          std::size_t index, TraceState& state) const {
   if (IsBlack(reflected)) return;
   const R2::Color contribution = p.path.throughput * reflected;
   tracer_.AddShadowRay(
       p, index, light, contribution, contribution, [&] { return lights_.Describe(light.light); }, state);
 }
 
-// The balance heuristic.
-double Path::MisWeight(double bsdf_pdf, double light_pdf) const {
-  if (!samples_bsdf_) return 0;
-  if (!samples_lights_) return 1;
-  return bsdf_pdf / (bsdf_pdf + light_pdf);
-}
-
-R2::Color Path::Emitted(const ShadingPoint& from, const BsdfSample& scattered, const ShadingPoint& hit) const {
+R2::Color Path::Emitted(const ShadingPoint& from, const Step& step, const ShadingPoint& hit) const {
   if (IsBlack(hit.material->emission)) return {};
   const R2::Color seen = hit.path.throughput * hit.material->emission;
-  if (IsSpecular(scattered.lobe)) return seen;
+  if (IsSpecular(step.lobe)) return seen;
   const auto light_pdf = lights_.PdfOfHit(from, hit.path.ray, hit, world_, lights_at_once_ > 0);
   if (!light_pdf) return seen;  // found by scattering alone
-  return MisWeight(scattered.pdf, *light_pdf * std::max(1, lights_at_once_)) * seen;
+  return sampled_.WeightOfBsdf(step.pdf, *light_pdf * std::max(1, lights_at_once_)) * seen;
 }
 
-R2::Color Path::EmittedByEnvironment(const ShadingPoint& from, const BsdfSample& scattered,
-                                     const PathState& path) const {
+R2::Color Path::EmittedByEnvironment(const ShadingPoint& from, const Step& step) const {
+  const PathState& path = step.path;
   const R3::Vector& direction = path.ray.direction;
   const Environment* environment = lights_.GetEnvironment();
-  if (!environment || IsSpecular(scattered.lobe)) return path.throughput * Background(world_.scene(), direction);
+  if (!environment || IsSpecular(step.lobe)) return path.throughput * Background(world_.scene(), direction);
   const Environment::Seen seen = environment->SeenTowards(direction);
   const R2::Color reaching = path.throughput * seen.radiance;
   const double light_pdf = lights_.PdfOfEnvironment(from, seen, lights_at_once_ > 0);
   if (light_pdf == 0) return reaching;  // found by scattering alone
-  return MisWeight(scattered.pdf, light_pdf * std::max(1, lights_at_once_)) * reaching;
+  return sampled_.WeightOfBsdf(step.pdf, light_pdf * std::max(1, lights_at_once_)) * reaching;
 }
 
 }  // namespace ray

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+
 #include "source/integrate/Bsdf.h"
 #include "source/integrate/Integrator.h"
 #include "source/integrate/Tracer.h"
@@ -29,7 +31,8 @@ class Path : public Integrator {
   /// A ray that goes on from a point, and what chose it.
   struct Step {
     PathState path;
-    BsdfSample scattered;
+    Lobe lobe;
+    double pdf;  // of its direction, as of a BsdfSample
   };
   /// What a point's way on is chosen by, in [0, 1): two for a direction, one for a lobe, one for Russian roulette.
   using Choices = std::array<double, 4>;
@@ -44,17 +47,41 @@ class Path : public Integrator {
   /// Nothing for a path that ends here. `diffuse`: DiffuseDirection of the first two choices.
   std::optional<Step> GoOn(const ShadingPoint& p, const Bsdf& bsdf, const Choices& choices,
                            const R3::Vector& diffuse) const;
-  /// Adds what the step's ray sees where it ends, throughput included.
-  ///   returns   the point that it hit, where the path may go on
-  std::optional<ShadingPoint> Arrive(const ShadingPoint& from, const Step& step, const std::optional<WorldHit>& hit,
-                                     R2::Color& radiance, TraceState& state) const;
+  /// What the step's ray sees where it hits nothing, throughput included.
+  R2::Color Escape(const ShadingPoint& from, const Step& step, TraceState& state) const;
+  /// Adds what it sees of the surface that it hits.
+  void Arrive(const ShadingPoint& from, const Step& step, const ShadingPoint& hit, R2::Color& radiance,
+              TraceState& state) const;
 
-  /// Light that reaches p straight from a sample on a light, as a shadow ray; `index` is where it arrives.
-  void AddLightSample(const ShadingPoint& p, const Bsdf& bsdf, const LightSample& light, std::size_t index,
+  /// The same where a direction has been chosen, and what throughput survives.
+  std::optional<Step> StepTowards(const ShadingPoint& p, const R3::Vector& wi, Lobe lobe, double pdf,
+                                  const R2::Color& throughput) const;
+  /// With what probability a path survives Russian roulette, which from points of a depth is at least so much: 1 where
+  /// none is played.
+  double LeastSurvival(std::int64_t depth) const;
+  static double SurvivalProbability(const R2::Color& throughput) {
+    return std::min(1.0, std::max(std::max(throughput.r, throughput.g), throughput.b) / least_certain_throughput);
+  }
+
+  /// What p reflects of a sample on a light, if nothing is in between.
+  R2::Color Reflected(const ShadingPoint& p, const Bsdf& bsdf, const LightSample& light) const;
+  /// The same, throughput included, as a shadow ray; `index` is where it arrives.
+  void AddLightSample(const ShadingPoint& p, const R2::Color& reflected, const LightSample& light, std::size_t index,
                       TraceState& state) const;
   /// From some lights, chosen by importance sampling.
   void SampleChosenLights(const ShadingPoint& p, const Bsdf& bsdf, std::size_t index, TraceState& state) const;
   bool SamplesAllLights() const { return lights_at_once_ == 0; }
+  static double BalanceHeuristic(double pdf, double other_pdf) { return pdf / (pdf + other_pdf); }
+  /// By what light that rays can hit is found.
+  struct Sampled {
+    bool lights, bsdf;
+
+    /// Of BSDF sampling; light sampling has the rest.
+    double WeightOfBsdf(double bsdf_pdf, double light_pdf) const {
+      if (!bsdf) return 0;
+      return lights ? BalanceHeuristic(bsdf_pdf, light_pdf) : 1;
+    }
+  };
 
   // What the keys beneath a surface are for. Lights follow, one each.
   enum Key : std::uint64_t { bounce_key, scatter_key, next_event_key };
@@ -64,6 +91,7 @@ class Path : public Integrator {
   Tracer tracer_;
   TraceSettings settings_;
   LightSampler lights_;
+  Sampled sampled_;
 
  private:
   /// All light that reaches p over further bounces, throughput included; `p` is moved along the path.
@@ -72,14 +100,16 @@ class Path : public Integrator {
   R2::Color DirectLight(const ShadingPoint& p, const Bsdf& bsdf, TraceState& state) const;
   /// The same as shadow rays; `index` is where it arrives.
   void SampleLights(const ShadingPoint& p, const Bsdf& bsdf, std::size_t index, TraceState& state) const;
-  double SurvivalProbability(const ShadingPoint& p, const R2::Color& throughput) const;
   /// Emission of what a scattered ray hit, throughput included, weighted against SampleLights.
-  R2::Color Emitted(const ShadingPoint& from, const BsdfSample& scattered, const ShadingPoint& hit) const;
-  R2::Color EmittedByEnvironment(const ShadingPoint& from, const BsdfSample& scattered, const PathState& path) const;
-  /// Of BSDF sampling; light sampling has the rest.
-  double MisWeight(double bsdf_pdf, double light_pdf) const;
+  R2::Color Emitted(const ShadingPoint& from, const Step& step, const ShadingPoint& hit) const;
+  R2::Color EmittedByEnvironment(const ShadingPoint& from, const Step& step) const;
 
-  bool has_roulette_, samples_lights_, samples_bsdf_;
+  // Russian roulette begins with paths that carry less than this: what it would save before is not worth its noise.
+  // With 1 instead of a quarter, 16 samples a pixel are 1.2 to 1.8 times less efficient (1 / (relative squared error
+  // times seconds)) on five scenes, closed rooms and open ones; without roulette closed rooms are, 1.1 to 1.2 times.
+  static constexpr double least_certain_throughput = 0.25;
+
+  bool has_roulette_;
   int lights_at_once_;  // 0: all
 };
 

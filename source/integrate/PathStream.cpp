@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "R3/Numeric.h"
+#include "source/integrate/ShadingPoints.h"
 
 namespace ray {
 namespace {
@@ -17,6 +18,11 @@ void TurnAboutNormals(const VectorOfEach& normals, const PointsOfEach<4>& random
                       VectorOfEach& directions) {
   for (std::size_t i = 0; i < count; ++i)
     directions.Set(i, DiffuseDirection(normals[i], {random.coordinates[0][i], random.coordinates[1][i]}));
+}
+
+/// By channel, since choosing between whole colors is a branch.
+R2::Color Chosen(bool first, const R2::Color& a, const R2::Color& b) {
+  return {first ? a.r : b.r, first ? a.g : b.g, first ? a.b : b.b};
 }
 
 /// Makes cosines of N and unit L of each sample that brings light. Returns whether the squares of their lengths are in
@@ -34,7 +40,7 @@ bool MakeCosines(const VectorOfEach& normals, const LightSamples& samples, Each&
 }
 
 /// PhongReflection of each sample at its own point.
-void ReflectEach(std::span<const ShadingPoint> points, const VectorOfEach& normals, LightSamples& samples) {
+void ReflectEachByPhong(std::span<const ShadingPoint> points, const VectorOfEach& normals, LightSamples& samples) {
   alignas(64) Each cosines;
   const bool are_safe = MakeCosines(normals, samples, cosines);
   for (std::uint32_t i = 0; i < samples.count; ++i) {
@@ -54,23 +60,86 @@ struct PathStream::Front {
   std::vector<std::uint32_t> paths;
   // Made of all points, once they are known.
   std::vector<SampleIndex> indices;
-  std::vector<Bsdf> bsdfs;
   VectorOfEach normals;
+  ColorOfEach kd, throughputs;
+  alignas(64) Each are_diffuse;       // 1 where the surface is diffuse alone, else 0
+  std::vector<std::uint32_t> others;  // those that are not
+  std::vector<Bsdf> bsdfs;            // of others
 
-  void Add(ShadingPoint&& p, std::uint32_t path) {
-    points.push_back(std::move(p));
+  /// What is known of a point at first.
+  void Add(const PathState& arriving, const WorldHit& hit, std::uint32_t path) {
+    points.emplace_back();
+    points.back().path = arriving;
+    points.back().hit = hit;
     paths.push_back(path);
   }
   void Complete(const TraceSettings& settings) {
     indices.reserve(points.size());
-    bsdfs.reserve(points.size());
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      indices.push_back(points[i].path.index);
-      bsdfs.emplace_back(points[i], settings);
-      normals.Set(i, points[i].N);
+    for (std::uint32_t i = 0; i < points.size(); ++i) {
+      const ShadingPoint& p = points[i];
+      indices.push_back(p.path.index);
+      normals.Set(i, p.N);
+      kd.Set(i, p.kd);
+      throughputs.Set(i, p.path.throughput);
+      are_diffuse[i] = Bsdf::IsDiffuse(*p.material) ? 1 : 0;
+      if (are_diffuse[i] != 0) continue;
+      others.push_back(i);
+      bsdfs.emplace_back(p, settings);
     }
   }
-  void Clear() { points.clear(), paths.clear(), indices.clear(), bsdfs.clear(); }
+  void Clear() { points.clear(), paths.clear(), indices.clear(), others.clear(), bsdfs.clear(); }
+};
+
+/// Of points whose surface is diffuse alone.
+struct PathStream::Loops {
+  /// What is reflected of light samples with pdfs; false, with the samples as they were, where lengths leave the range
+  /// of doubles.
+  ///   most_weight   of BSDF sampling
+  R3_VECTORIZED
+  static bool Reflect(const Front& front, double most_weight, const Each& pdfs, LightSamples& samples) {
+    alignas(64) Each cosines;
+    if (!MakeCosines(front.normals, samples, cosines)) return false;
+    ColorOfEach colors;  // of its own, so that it is clear that nothing overlaps
+    for (std::uint32_t i = 0; i < samples.count; ++i) {
+      const double cosine_pdf = R3::CosinePdf(cosines[i]);
+      const double weight = 1 - std::min(most_weight, BalanceHeuristic(cosine_pdf, pdfs[i]));
+      const R2::Color color = samples.Color(i), eval = cosine_pdf * front.kd[i];
+      const double cosine_if_sampled = pdfs[i] > 0 ? cosines[i] : 0;
+      const R2::Color reflected = Chosen(cosine_if_sampled > 0, weight * eval * color, {});
+      colors.Set(i, Chosen(front.are_diffuse[i] > 0, reflected, color));
+    }
+    for (std::uint32_t i = 0; i < samples.count; ++i) samples.SetColor(i, colors[i]);
+    return true;
+  }
+
+  struct Scattered {
+    ColorOfEach throughputs;  // what survives, 0 where nothing does
+    alignas(64) Each pdfs;
+  };
+  /// Into each direction. No path survives less likely than `least_survival`.
+  R3_VECTORIZED
+  static Scattered Scatter(const Front& front, double least_survival, const std::array<double, most_paths>& choices,
+                           const VectorOfEach& directions) {
+    Scattered scattered;
+    const std::size_t count = front.points.size();
+    for (std::size_t i = 0; i < count; ++i) {
+      const R2::Color kd = front.kd[i];
+      const double pdf = R3::CosinePdf(Dot(front.normals[i], directions[i]));
+      const R2::Color throughput = front.throughputs[i] * (pdf * kd) / pdf;
+      const double survival = std::max(least_survival, SurvivalProbability(throughput));
+      // Nested, since g++ makes no vector instructions of several conditions in one.
+      const double if_above = pdf > 0 ? survival : 0, if_reflected = Luminance(kd) > 0 ? if_above : 0;
+      const bool goes_on = choices[i] < (front.are_diffuse[i] > 0 ? if_reflected : 0);
+      scattered.pdfs[i] = pdf;
+      scattered.throughputs.Set(i, Chosen(goes_on, throughput / survival, {}));
+    }
+    return scattered;
+  }
+};
+
+struct PathStream::StepFrom {
+  Step step;
+  std::uint32_t from;
 };
 
 void PathStream::Li(std::span<const CameraSample> samples, std::span<R2::Color> radiances, TraceState& state) const {
@@ -83,27 +152,30 @@ void PathStream::Li(std::span<const CameraSample> samples, std::span<R2::Color> 
 
 void PathStream::TraceTogether(std::span<const CameraSample> samples, std::span<R2::Color> radiances,
                                TraceState& state) const {
-  Front front, next;
-  front.points = tracer_.CameraHits(samples, state);
+  Front fronts[2];
+  Front* front = &fronts[0];
+  front->points = tracer_.CameraHits(samples, state);
+  fronts[1].points.reserve(samples.size());
   std::array<R2::Color, most_paths> gathered{};  // beyond the first surface
   for (std::uint32_t i = 0, point = 0; i < samples.size(); ++i) {
     if (!state.hits[i]) {
       radiances[i] = Background(world_.scene(), samples[i].ray.direction);
       continue;
     }
-    const ShadingPoint& p = front.points[point++];
+    const ShadingPoint& p = front->points[point++];
     radiances[i] = StartAt(p, state);
-    front.paths.push_back(i);
+    front->paths.push_back(i);
   }
-  const std::vector<std::uint32_t> paths = front.paths;
-  for (bool is_first = true; !front.points.empty(); is_first = false) {
-    front.Complete(settings_);
-    LightPoints(front, state);
-    for (std::size_t i = 0; i < front.points.size(); ++i)
-      (is_first ? radiances[front.paths[i]] : gathered[front.paths[i]]) += state.arrived[i];
-    next.Clear();
-    TakeStep(front, gathered, next, state);
-    std::swap(front, next);
+  const std::vector<std::uint32_t> paths = front->paths;
+  for (bool is_first = true; !front->points.empty(); is_first = false) {
+    front->Complete(settings_);
+    LightPoints(*front, state);
+    for (std::size_t i = 0; i < front->points.size(); ++i)
+      (is_first ? radiances[front->paths[i]] : gathered[front->paths[i]]) += state.arrived[i];
+    Front* const next = front == &fronts[0] ? &fronts[1] : &fronts[0];
+    next->Clear();
+    TakeStep(*front, gathered, *next, state);
+    front = next;
   }
   for (const std::uint32_t path : paths) radiances[path] += gathered[path];
 }
@@ -112,21 +184,20 @@ void PathStream::LightPoints(const Front& front, TraceState& state) const {
   const std::span<const ShadingPoint> points = front.points;
   state.arrived.assign(points.size(), {});
   if (!SamplesAllLights()) {
-    for (std::size_t i = 0; i < points.size(); ++i) SampleChosenLights(points[i], front.bsdfs[i], i, state);
+    for (std::size_t i = 0; i < points.size(); ++i) SampleChosenLights(points[i], Bsdf(points[i], settings_), i, state);
     return tracer_.TraceShadowRays(state);
   }
   PointsOfEach<2> random;
   for (int light = 0; light < lights_.Count() && !state.IsStopped(); ++light) {
-    const bool is_extended = lights_.IsExtended(light);
-    if (is_extended) GetOfEach(front.indices, KeyOf(light), settings_.sampler, settings_.samples, random);
-    if (is_extended && lights_.SceneLight(light)) {
+    if (lights_.IsExtended(light)) {
+      GetOfEach(front.indices, KeyOf(light), settings_.sampler, settings_.samples, random);
       AddExtendedLight(light, front, random, state);
       continue;
     }
     for (std::size_t i = 0; i < points.size(); ++i) {
-      if (!points[i].HasReflectance()) continue;
-      if (const auto sample = lights_.Sample(points[i], light, is_extended ? random.Get2D(i) : R2::Point{}))
-        AddLightSample(points[i], front.bsdfs[i], *sample, i, state);
+      const ShadingPoint& p = points[i];
+      const auto sample = p.HasReflectance() ? lights_.Sample(p, light, {}) : std::nullopt;
+      if (sample) AddLightSample(p, PhongReflection(p, Unit(sample->to_light), sample->irradiance), *sample, i, state);
     }
   }
   tracer_.TraceShadowRays(state);
@@ -140,15 +211,39 @@ void PathStream::AddExtendedLight(int light, const Front& front, const PointsOfE
     samples.SetFrom(i, front.points[i].shadow_origin);
     samples.u[i] = random.coordinates[0][i], samples.v[i] = random.coordinates[1][i];
   }
-  lights_.SceneLight(light)->IlluminateEach(samples);
-  ReflectEach(front.points, front.normals, samples);
+  if (lights_.SceneLight(light)) {
+    lights_.SceneLight(light)->IlluminateEach(samples);
+    ReflectEachByPhong(front.points, front.normals, samples);
+  } else {
+    alignas(64) Each pdfs;
+    lights_.SampleEach(front.points, light, samples, pdfs);
+    ReflectEach(front, pdfs, samples);
+  }
+  const bool is_infinite = lights_.IsInfinite(light);
   for (std::uint32_t i = 0; i < samples.count; ++i) {
-    if (IsBlack(samples.Color(i))) continue;
-    const R2::Color contribution = front.points[i].path.throughput * samples.Color(i);
+    const R2::Color reflected = samples.Color(i);
+    if (IsBlack(reflected)) continue;
+    const R2::Color contribution = front.throughputs[i] * reflected;
     tracer_.AddShadowRay(
-        front.points[i], i, {.to_light = samples.ToLight(i)}, contribution, contribution,
+        front.points[i], i, {.to_light = samples.ToLight(i), .is_infinite = is_infinite}, contribution, contribution,
         [&] { return lights_.Describe(light); }, state);
   }
+}
+
+void PathStream::ReflectEach(const Front& front, const LightSamples::Each& pdfs, LightSamples& samples) const {
+  if (!sampled_.lights) {
+    for (std::uint32_t i = 0; i < samples.count; ++i) samples.SetColor(i, {});
+    return;
+  }
+  const auto reflect = [&](std::uint32_t i, const Bsdf& bsdf) {
+    const LightSample sample{samples.Color(i), samples.ToLight(i), false, pdfs[i]};
+    if (!IsBlack(sample.irradiance)) samples.SetColor(i, Reflected(front.points[i], bsdf, sample));
+  };
+  if (!Loops::Reflect(front, sampled_.bsdf ? 1 : 0, pdfs, samples)) [[unlikely]] {
+    for (std::uint32_t i = 0; i < samples.count; ++i) reflect(i, Bsdf(front.points[i], settings_));
+    return;
+  }
+  for (std::size_t k = 0; k < front.others.size(); ++k) reflect(front.others[k], front.bsdfs[k]);
 }
 
 void PathStream::TakeStep(const Front& front, std::span<R2::Color> gathered, Front& next, TraceState& state) const {
@@ -156,18 +251,63 @@ void PathStream::TakeStep(const Front& front, std::span<R2::Color> gathered, Fro
   if (IsLast(points[0]))  // all have gone as far
     for (const ShadingPoint& p : points) BookEnd(p, state);
   if (!MayGoOn(points[0])) return;
+  const Steps steps = GoOnEach(front);
+  TraceSteps(steps, state);
+  std::array<const StepFrom*, most_paths> arriving;
+  for (std::size_t k = 0; k < steps.size(); ++k) {
+    const auto& [step, from] = steps[k];
+    if (state.hits[k]) {
+      arriving[next.points.size()] = &steps[k];
+      next.Add(step.path, *state.hits[k], front.paths[from]);
+    } else {
+      gathered[front.paths[from]] += Escape(points[from], step, state);
+    }
+  }
+  CompleteShadingPoints(world_, next.points);
+  for (std::size_t i = 0; i < next.points.size(); ++i) {
+    const auto& [step, from] = *arriving[i];
+    Arrive(points[from], step, next.points[i], gathered[next.paths[i]], state);
+  }
+  if (IsLast(points[0])) next.Clear();
+}
+
+PathStream::Steps PathStream::GoOnEach(const Front& front) const {
   PointsOfEach<4> random;
   GetOfEachAlone(front.indices, scatter_key, settings_.sampler, settings_.samples, random);
   VectorOfEach directions;
-  TurnAboutNormals(front.normals, random, points.size(), directions);
-  for (std::uint32_t i = 0; i < points.size(); ++i) {
-    const auto& u = random.coordinates;
-    auto step = GoOn(points[i], front.bsdfs[i], {u[0][i], u[1][i], u[2][i], u[3][i]}, directions[i]);
-    if (!step) continue;
-    const auto hit = tracer_.Intersect(step->path, state);
-    auto arrived = Arrive(points[i], *step, hit, gathered[front.paths[i]], state);
-    if (arrived) next.Add(std::move(*arrived), front.paths[i]);
+  TurnAboutNormals(front.normals, random, front.points.size(), directions);
+  const std::int64_t depth = front.points[0].path.depth;  // all have gone as far
+  const Loops::Scattered scattered = Loops::Scatter(front, LeastSurvival(depth), random.coordinates[3], directions);
+  Steps steps;
+  steps.reserve(front.points.size());
+  for (std::uint32_t i = 0; i < front.points.size(); ++i) {
+    const ShadingPoint& p = front.points[i];
+    if (p.IsBehindSurface(directions[i])) continue;
+    if (const auto step = StepTowards(p, directions[i], Lobe::diffuse, scattered.pdfs[i], scattered.throughputs[i]))
+      steps.push_back({*step, i});
   }
+  const auto& u = random.coordinates;
+  for (std::size_t k = 0; k < front.others.size(); ++k) {
+    const std::uint32_t i = front.others[k];
+    const Choices choices{u[0][i], u[1][i], u[2][i], u[3][i]};
+    if (const auto step = GoOn(front.points[i], front.bsdfs[k], choices, directions[i])) steps.push_back({*step, i});
+  }
+  return steps;
+}
+
+void PathStream::TraceSteps(const Steps& steps, TraceState& state) const {
+  state.hits.resize(steps.size());
+  const auto is_first_kind = [&](const StepFrom& s) { return s.step.path.kind == steps[0].step.path.kind; };
+  if (!std::ranges::all_of(steps, is_first_kind)) {  // rays are counted by kind
+    for (std::size_t k = 0; k < steps.size(); ++k) {
+      PathState path = steps[k].step.path;
+      state.hits[k] = tracer_.Intersect(path, state);
+    }
+    return;
+  }
+  state.batch.clear();
+  for (const StepFrom& s : steps) state.batch.push_back(s.step.path.ray);
+  if (!steps.empty()) tracer_.IntersectEach(steps[0].step.path.kind, state.batch, state.hits.data(), state);
 }
 
 extern const IntegratorKind path_kind{"path tracing: light over many bounces",

@@ -13,6 +13,14 @@ struct VectorOfEach {
   void Set(std::size_t i, const R3::Vector& v) { x[i] = v.x, y[i] = v.y, z[i] = v.z; }
 };
 
+/// A color of each of some paths.
+struct ColorOfEach {
+  alignas(64) LightSamples::Each r, g, b;
+
+  R2::Color operator[](std::size_t i) const { return {r[i], g[i], b[i]}; }
+  void Set(std::size_t i, const R2::Color& c) { r[i] = c.r, g[i] = c.g, b[i] = c.b; }
+};
+
 /// What Path gives, bit for bit, made of many paths together: all of them take a step before any takes the next, so
 /// that each stage of a step is a loop over arrays: random points, places on lights, what surfaces reflect, directions.
 /// Rays that are recorded go by Path.
@@ -27,14 +35,24 @@ class PathStream : public Path {
  private:
   /// The surfaces that paths have reached, and the path of each, which is the number of its camera sample.
   struct Front;
+  /// What is computed in loops over a front.
+  struct Loops;
+  /// Of the point of that number in a front.
+  struct StepFrom;
+  using Steps = std::vector<StepFrom>;
 
   /// At most PointsOfEach<2>::most samples.
   void TraceTogether(std::span<const CameraSample> samples, std::span<R2::Color> radiances, TraceState& state) const;
   /// Light that reaches each point straight from lights goes to state.arrived.
   void LightPoints(const Front& front, TraceState& state) const;
   void AddExtendedLight(int light, const Front& front, const PointsOfEach<2>& random, TraceState& state) const;
+  /// Of light samples with pdfs, what is reflected.
+  void ReflectEach(const Front& front, const LightSamples::Each& pdfs, LightSamples& samples) const;
   /// To the next surfaces, which come to `next`.
   void TakeStep(const Front& front, std::span<R2::Color> gathered, Front& next, TraceState& state) const;
+  Steps GoOnEach(const Front& front) const;
+  /// What each step's ray hits goes to state.hits.
+  void TraceSteps(const Steps& steps, TraceState& state) const;
 };
 
 }  // namespace ray

@@ -21,7 +21,7 @@ ShadingPoint ShadingPointAt(const World& world, const PathState& ray, const Worl
   ShadingPoint s{
       ray, hit, world.At(ray.ray, hit), &world.MaterialAt(hit), {}, {}, true, {}, false, {}, world.scene().shadow_bias,
       {}};
-  s.kd = s.material->texture ? s.material->kd * s.material->texture->At(s.at.uv) : s.material->kd;
+  s.kd = KdAt(s);
   s.wo = -Unit(ray.ray.direction);
   s.entering = Dot(s.at.normal, ray.ray.direction) <= 0;
   s.N = Facing(s.at.shading_normal, s.entering);
@@ -29,11 +29,14 @@ ShadingPoint ShadingPointAt(const World& world, const PathState& ray, const Worl
   if (s.material->bump) s.N = Bumped(world, ray.ray, hit, s.at, *s.material, s.N, s.entering);
   s.is_smoothed = !(s.N == Facing(s.at.normal, s.entering));
   s.shadow_origin = SpawnPoint(s.at, s.wo);
-  if (!s.entering && !IsBlack(s.material->absorb)) {
-    const double distance = (hit.t - ray.ray.t_min) * Length(ray.ray.direction);
-    s.path.throughput = s.path.throughput * LeftAfter(s.material->absorb, distance);
-  }
+  AbsorbOnTheWay(s);
   return s;
+}
+
+void AbsorbOnTheWay(ShadingPoint& p) {
+  if (p.entering || IsBlack(p.material->absorb)) return;
+  const double distance = (p.hit.t - p.path.ray.t_min) * Length(p.path.ray.direction);
+  p.path.throughput = p.path.throughput * LeftAfter(p.material->absorb, distance);
 }
 
 R2::Color ShadingPoint::AmbientReflectance() const {
@@ -57,8 +60,8 @@ double LeastT(const ShadingPoint& surface, const R3::Vector& direction) {
 R3::Ray SpawnRay(const ShadingPoint& surface, const R3::Vector& direction) {
   const R3::Vector n = AsVector(surface.at.normal);
   const bool is_towards_viewer = (Dot(n, direction) < 0) == (Dot(n, surface.wo) < 0);
-  return {is_towards_viewer ? surface.shadow_origin : SpawnPoint(surface.at, direction), direction, LeastT(surface, direction), R3::infinity,
-          surface.path.ray.time};
+  return {is_towards_viewer ? surface.shadow_origin : SpawnPoint(surface.at, direction), direction,
+          LeastT(surface, direction), R3::infinity, surface.path.ray.time};
 }
 
 R3::Ray ShadowRay(const ShadingPoint& surface, const R3::Vector& to_light, bool is_infinite) {

@@ -33,6 +33,12 @@ struct ShadingPoint {
 /// throughput: exp(-absorb * distance), by the law of Bouguer, Lambert and Beer (1729-1852).
 ShadingPoint ShadingPointAt(const World& world, const PathState& ray, const WorldHit& hit);
 
+/// Of a point whose surface is known, its kd; and the last of these.
+inline R2::Color KdAt(const ShadingPoint& p) {
+  return p.material->texture ? p.material->kd * p.material->texture->At(p.at.uv) : p.material->kd;
+}
+void AbsorbOnTheWay(ShadingPoint& p);
+
 /// What a ray that hits nothing sees.
 R2::Color Background(const Scene& scene, const R3::Vector& direction);
 

@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "source/integrate/ShadingPoints.h"
+
 namespace ray {
 
 std::vector<ShadingPoint> Tracer::CameraHits(std::span<const CameraSample> samples, TraceState& state) const {
@@ -16,11 +18,15 @@ std::vector<ShadingPoint> Tracer::CameraHits(std::span<const CameraSample> sampl
   for (std::size_t i = 0; i < samples.size(); ++i) {
     PathState path{.ray = samples[i].ray, .index = samples[i].index};
     if (state.recorder) path.record = state.recorder->Begin(path);
-    if (state.hits[i])
-      points.push_back(ShadingPointAt(world_, path, *state.hits[i]));
-    else
+    if (state.hits[i]) {
+      points.emplace_back();
+      points.back().path = path;
+      points.back().hit = *state.hits[i];
+    } else if (state.recorder) {
       RecordMiss(path, Background(world_.scene(), path.ray.direction), state);
+    }
   }
+  CompleteShadingPoints(world_, points);
   return points;
 }
 

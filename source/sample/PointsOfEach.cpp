@@ -10,12 +10,12 @@ constexpr std::size_t lanes = 8;  // of 32 bits each, in the widest vectors that
 static_assert(most % lanes == 0);
 
 /// bits / 2^32, by way of a signed number, for which there is a vector instruction.
-[[gnu::always_inline]] inline double Fraction(std::uint32_t bits) {
+inline double Fraction(std::uint32_t bits) {
   return static_cast<double>(static_cast<std::int32_t>(bits ^ 0x80000000)) * 0x1p-32 + 0.5;
 }
 
 template <int dimension>
-[[gnu::always_inline]] inline void CoordinateOfEach(const std::uint32_t* index, const std::uint32_t* seeds,
+inline void CoordinateOfEach(const std::uint32_t* index, const std::uint32_t* seeds,
                                                     std::size_t count, double* coordinates) {
   alignas(64) std::uint32_t bits[most];  // a loop of its own, since looking into tables is no vector instruction
   for (std::size_t i = 0; i < count; ++i) bits[i] = ReversedSobolBits(index[i], dimension);
@@ -24,7 +24,7 @@ template <int dimension>
 
 /// Two coordinates, from `first` on, whose seeds are the halves of one key.
 template <int first>
-[[gnu::always_inline]] inline void PairOfEach(const std::uint32_t* index, const std::uint64_t* keys, std::size_t count,
+inline void PairOfEach(const std::uint32_t* index, const std::uint64_t* keys, std::size_t count,
                                               double* x, double* y) {
   alignas(64) std::uint32_t high[most], low[most];
   for (std::size_t i = 0; i < count; ++i) {
@@ -37,7 +37,7 @@ template <int first>
 
 /// In loops of one kind of number each: 64 bits for keys, 32 for the bits of points.
 template <std::size_t size>
-[[gnu::always_inline]] inline void SobolOfEach(const SampleIndex* at, std::size_t count, std::uint64_t which,
+inline void SobolOfEach(const SampleIndex* at, std::size_t count, std::uint64_t which,
                                                PointsOfEach<size>& points) {
   alignas(64) std::uint64_t keys[most];
   alignas(64) std::uint32_t order[most], index[most];

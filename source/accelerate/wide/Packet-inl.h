@@ -39,8 +39,8 @@ struct Packet {
 
   float Distance(int i, double t) const { return static_cast<float>(t * per_t[i]) * rounded_up + plane_error[i]; }
 
-  /// TraversalRay's computations, for all rays at once. False when one of them is out of the ordinary or looks into
-  /// another octant than the rest: then they have to go alone.
+  /// TraversalRay's computations, for all rays at once. False when one of them is out of the ordinary: then they have
+  /// to be made ready one by one.
   HWY_INLINE bool Begin(const Coordinates& coordinates, double padding_per_distance, std::span<const R3::Ray> rays) {
     SceneRays from;
     const bool all_begin_at_0 = from.Load(rays);
@@ -50,21 +50,36 @@ struct Packet {
       is_ordinary &= BeginLanes(coordinates, padding_per_distance, from, i);
     if (!is_ordinary) return false;
     for (std::size_t i = rays.size(); i < packet_size; ++i) limit[i] = -1;
-    return Enclose();
+    for (int axis = 0; axis < 3; ++axis) Invert(axis);
+    return true;
   }
 
-  /// One of the rays, for when it goes alone.
-  HWY_INLINE TraversalRay Alone(int i) const {
-    TraversalRay ray;
+  /// Finds what encloses all rays. False when one of them looks into another octant than the rest: then they go one by
+  /// one.
+  HWY_INLINE bool Enclose() {
+    const PacketFloats f;
     for (int axis = 0; axis < 3; ++axis) {
-      ray.origin[axis] = origin[axis][i], ray.direction[axis] = direction[axis][i];
-      ray.inverse[axis] = inverse[axis][i];
-      ray.near_shift[axis] = near_shift[axis][i], ray.far_shift[axis] = far_shift[axis][i];
+      auto least = hn::Set(f, std::numeric_limits<float>::infinity()), most = hn::Neg(least);
+      for (std::size_t i = 0; i < packet_size; i += hn::Lanes(f)) {
+        const auto slope = hn::Load(f, inverse[axis] + i);
+        least = hn::Min(least, slope), most = hn::Max(most, slope);
+      }
+      least_inverse[axis] = hn::GetLane(hn::MinOfLanes(f, least));
+      most_inverse[axis] = hn::GetLane(hn::MaxOfLanes(f, most));
+      if (least_inverse[axis] < 0 && most_inverse[axis] > 0) return false;
     }
-    ray.signs = std::bit_cast<Whole4>(ray.direction);
-    ray.plane_error = plane_error[i], ray.edge_error = edge_error[i], ray.height_error = height_error[i];
-    ray.per_t = per_t[i], ray.begin = 0;
-    return ray;
+    for (int axis = 0; axis < 3; ++axis) {
+      auto low = hn::Set(f, std::numeric_limits<float>::infinity()), high = hn::Neg(low);
+      for (std::size_t i = 0; i < packet_size; i += hn::Lanes(f)) {
+        const auto begin = hn::Load(f, origin[axis] + i), padding = hn::Load(f, plane_error + i);
+        low = hn::Min(low, hn::Sub(begin, padding)), high = hn::Max(high, hn::Add(begin, padding));
+      }
+      back[axis] = hn::GetLane(hn::MinOfLanes(f, low)), front[axis] = hn::GetLane(hn::MaxOfLanes(f, high));
+      const bool is_downward = most_inverse[axis] < 0;
+      planes[axis] = 2 * width * static_cast<std::uint32_t>(axis) + (is_downward ? width : 0);
+      if (is_downward) std::swap(back[axis], front[axis]);
+    }
+    return true;
   }
 
   float LargestLimit() const {
@@ -181,31 +196,45 @@ struct Packet {
     hn::Store(hn::MulAdd(end, hn::Set(f, rounded_up), error), f, limit + i);
   }
 
-  HWY_INLINE bool Enclose() {
+  HWY_INLINE void Invert(int axis) {
     const PacketFloats f;
-    const auto load = [&](const FloatEach& each, std::size_t i) { return hn::Load(f, each + i); };
-    for (int axis = 0; axis < 3; ++axis) {
-      auto low = hn::Set(f, std::numeric_limits<float>::infinity()), high = hn::Neg(low), least = low, most = high;
-      for (std::size_t i = 0; i < packet_size; i += hn::Lanes(f)) {
-        const auto begin = load(origin[axis], i), padding = load(plane_error, i), along = load(direction[axis], i);
-        const auto steep = hn::CopySign(hn::Max(hn::Abs(along), hn::Set(f, flattest)), along);
-        const auto slope = hn::Div(hn::Set(f, 1), steep), outward = hn::CopySign(padding, along);
-        hn::Store(slope, f, inverse[axis] + i);
-        hn::Store(hn::Mul(hn::Add(begin, outward), slope), f, near_shift[axis] + i);
-        hn::Store(hn::Mul(hn::Sub(begin, outward), slope), f, far_shift[axis] + i);
-        low = hn::Min(low, hn::Sub(begin, padding)), high = hn::Max(high, hn::Add(begin, padding));
-        least = hn::Min(least, slope), most = hn::Max(most, slope);
-      }
-      back[axis] = hn::GetLane(hn::MinOfLanes(f, low)), front[axis] = hn::GetLane(hn::MaxOfLanes(f, high));
-      least_inverse[axis] = hn::GetLane(hn::MinOfLanes(f, least));
-      most_inverse[axis] = hn::GetLane(hn::MaxOfLanes(f, most));
-      if (least_inverse[axis] < 0 && most_inverse[axis] > 0) return false;
-      const bool is_downward = most_inverse[axis] < 0;
-      planes[axis] = 2 * width * static_cast<std::uint32_t>(axis) + (is_downward ? width : 0);
-      if (is_downward) std::swap(back[axis], front[axis]);
+    for (std::size_t i = 0; i < packet_size; i += hn::Lanes(f)) {
+      const auto begin = hn::Load(f, origin[axis] + i), along = hn::Load(f, direction[axis] + i);
+      const auto steep = hn::CopySign(hn::Max(hn::Abs(along), hn::Set(f, flattest)), along);
+      const auto slope = hn::Div(hn::Set(f, 1), steep), outward = hn::CopySign(hn::Load(f, plane_error + i), along);
+      hn::Store(slope, f, inverse[axis] + i);
+      hn::Store(hn::Mul(hn::Add(begin, outward), slope), f, near_shift[axis] + i);
+      hn::Store(hn::Mul(hn::Sub(begin, outward), slope), f, far_shift[axis] + i);
     }
-    return true;
   }
+};
+
+/// One ray of a packet as a TraversalRay, where it lies.
+struct PacketRay {
+  struct Each {
+    const FloatEach* each;
+    int i;
+    HWY_INLINE float operator[](int axis) const { return each[axis][i]; }
+  };
+  Each origin, direction, inverse, near_shift, far_shift;
+  float plane_error, edge_error, height_error;
+
+  HWY_INLINE PacketRay(const Packet& packet, int i)
+      : origin{packet.origin, i},
+        direction{packet.direction, i},
+        inverse{packet.inverse, i},
+        near_shift{packet.near_shift, i},
+        far_shift{packet.far_shift, i},
+        plane_error(packet.plane_error[i]),
+        edge_error(packet.edge_error[i]),
+        height_error(packet.height_error[i]),
+        packet_(packet) {}
+
+  HWY_INLINE bool IsDownward(int axis) const { return std::bit_cast<std::int32_t>(direction[axis]) < 0; }
+  HWY_INLINE float Distance(double t) const { return packet_.Distance(direction.i, t); }
+
+ private:
+  const Packet& packet_;
 };
 
 template <typename Work>
@@ -214,7 +243,8 @@ HWY_INLINE void ForEachBit(std::uint32_t bits, const Work& work) {
 }
 
 /// Packet traversal. Whether a node is reached is asked of the whole packet, eight children at a time; whether a child
-/// is, of its rays, all at a time; and so are triangles. Where few rays go on, they go alone.
+/// is, of its rays, all at a time; and so are triangles. Where few rays go on, they go alone; and so do all of a packet
+/// that is not coherent, made ready together nevertheless.
 ///   source  Wald, Slusallek, Benthin, Wagner, Interactive rendering with coherent ray tracing (2001);
 ///           Reshetov, Soupikov, Hurley, Multi-level ray tracing algorithm (2005), for the bounds of a packet
 template <bool any>
@@ -231,6 +261,10 @@ class PacketTraversal {
 
   HWY_INLINE void Search() {
     if (Size() > few_rays && packet_.Begin(tree_.coordinates, tree_.primitives.PaddingPerDistance(), rays_)) {
+      if (!packet_.Enclose()) {
+        for (int i = 0; i < Size(); ++i) TraverseAlone(i, tree_.root);
+        return;
+      }
       if constexpr (any) {
         for (int i = 0; i < packet_size; ++i) limit_for_certain_[i] = packet_.limit[i] - 4 * packet_.plane_error[i];
       }
@@ -322,9 +356,9 @@ class PacketTraversal {
 
   /// One ray into a child of whatever kind.
   HWY_NOINLINE void TraverseAlone(int i, std::uint32_t child) {
-    const TraversalRay ray = packet_.Alone(i);
-    LeafVisitor<any, Tree> visitor(two_level_, tree_, Ray(i), ray, DistanceInWorld(i), std::nullopt, Nearest(i),
-                                   counts_);
+    const PacketRay ray(packet_, i);
+    LeafVisitor<any, Tree, PacketRay> visitor(two_level_, tree_, Ray(i), ray, DistanceInWorld(i), std::nullopt,
+                                              Nearest(i), counts_);
     visitor.limit = std::min(visitor.limit, packet_.limit[i]);
     TraverseFrom<any>(child, tree_, NodeRay(ray), visitor, counts_);
     if constexpr (!any) visitor.TestCandidates();

@@ -107,8 +107,7 @@ struct TraversalRay {
   double per_t, begin;   // distance along this ray = t * per_t - begin
   bool is_lost = false;  // it misses the structure's box
 
-  TraversalRay() = default;
-
+  bool IsDownward(int axis) const { return signs[axis] < 0; }
   /// An upper bound.
   float Distance(double t) const { return static_cast<float>(t * per_t - begin) * rounded_up + plane_error; }
 
@@ -294,8 +293,9 @@ struct BlockMask {
   alignas(32) float nearest[width], farthest[width];
 };
 
-/// One ray against the triangles of a block.
-HWY_INLINE void TestTriangles(const TriangleBlock& block, const TraversalRay& ray, float limit, BlockMask& mask) {
+/// One ray, a TraversalRay or one of a packet, against the triangles of a block.
+template <typename RayInBoxes>
+HWY_INLINE void TestTriangles(const TriangleBlock& block, const RayInBoxes& ray, float limit, BlockMask& mask) {
   const Lanes d;
   const auto set = [&](float x) { return hn::Set(d, x); };
   mask.maybe = mask.certain = 0;
@@ -397,11 +397,11 @@ bool TestPrimitive(const TwoLevel<Structure>& two_level, const Structure& struct
 /// Tests what a traversal comes by. With `any`, an occlusion ray's, the first hit answers. Otherwise triangles that the
 /// exact test may have to decide about are candidates until the end; where their corners are in memory is looked up in
 /// steps while the traversal goes on, so that the exact test need not wait for it.
-template <bool any, typename Structure>
+template <bool any, typename Structure, typename RayInBoxes = TraversalRay>
 class LeafVisitor {
  public:
   HWY_INLINE LeafVisitor(const TwoLevel<Structure>& two_level, const Structure& structure, const R3::Ray& ray,
-                         const TraversalRay& traversal_ray, double distance_in_world,
+                         const RayInBoxes& traversal_ray, double distance_in_world,
                          std::optional<std::uint32_t> instance, NearestHit& nearest, Counts& counts)
       : limit(traversal_ray.Distance(nearest.Limit())),
         two_level_(two_level),
@@ -480,7 +480,7 @@ class LeafVisitor {
   const TwoLevel<Structure>& two_level_;
   const Structure& structure_;
   const R3::Ray& ray_;
-  const TraversalRay& traversal_ray_;
+  const RayInBoxes& traversal_ray_;
   double distance_in_world_;
   NearestHit& nearest_;
   Counts& counts_;

@@ -23,7 +23,8 @@ struct NodeRay {
   Floats inverse_x, inverse_y, inverse_z, near_x, near_y, near_z, far_x, far_y, far_z;
   std::uint32_t x, y, z;  // the near planes in Node::plane, in floats
 
-  HWY_INLINE explicit NodeRay(const TraversalRay& p)
+  template <typename RayInBoxes>
+  HWY_INLINE explicit NodeRay(const RayInBoxes& p)
       : inverse_x(hn::Set(Lanes(), p.inverse[0])),
         inverse_y(hn::Set(Lanes(), p.inverse[1])),
         inverse_z(hn::Set(Lanes(), p.inverse[2])),
@@ -33,9 +34,9 @@ struct NodeRay {
         far_x(hn::Set(Lanes(), p.far_shift[0])),
         far_y(hn::Set(Lanes(), p.far_shift[1])),
         far_z(hn::Set(Lanes(), p.far_shift[2])),
-        x(p.signs[0] < 0 ? width : 0),
-        y(2 * width + (p.signs[1] < 0 ? width : 0)),
-        z(4 * width + (p.signs[2] < 0 ? width : 0)) {}
+        x(p.IsDownward(0) ? width : 0),
+        y(2 * width + (p.IsDownward(1) ? width : 0)),
+        z(4 * width + (p.IsDownward(2) ? width : 0)) {}
 
   /// Which children of a node are entered before `limit`, as bits; and where.
   HWY_INLINE std::uint32_t Test(const Node& node, float limit, float* HWY_RESTRICT entries) const {

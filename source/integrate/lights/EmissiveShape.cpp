@@ -11,6 +11,16 @@ namespace {
 // What R3::Shape promises of Intersect, in units of the distance and the size.
 constexpr double accuracy_of_hits = 32 * R3::unit_roundoff;
 
+/// Rays are told to hit the surface when they come this near to it.
+double Nearness(double distance, double size) { return accuracy_of_hits * (distance + size); }
+
+/// How much of the way to a place is left when it is cut off where it is as high above the surface as the error there;
+/// its direction stays what the pdf belongs to. Nothing, 0 or less, between places of one surface that rounding alone
+/// keeps apart.
+double ShareOutside(const R3::Vector& way, const R3::Vector& normal, const R3::Vector& error) {
+  return 1 - Dot(Abs(normal), error) / std::abs(Dot(normal, way));
+}
+
 R3::Vector Column(const R3::Matrix& matrix, std::size_t k) { return {matrix.m[0][k], matrix.m[1][k], matrix.m[2][k]}; }
 
 /// The matrix, transposed, times a vector.
@@ -36,6 +46,7 @@ EmissiveShape::EmissiveShape(const World& world, const Instance& instance, int e
     : world_(&world),
       instance_(&instance),
       element_(element),
+      size_(instance.shape->Bounds(element).Radius()),
       mean_scale_(MeanScale(world.Frames()[instance.frame].Forward())) {}
 
 R3::Point EmissiveShape::Local(const R3::Point& point, double time) const {
@@ -53,20 +64,61 @@ std::optional<EmissiveShape::Sample> EmissiveShape::SampleTowards(const R3::Poin
   const R3::Point local_from = Local(seen_from, time);
   auto local = instance_->shape->Sample(local_from, random, element_);
   if (!local) return {};
-  // Rays are told to hit the surface when they come this near to it.
-  const double size = instance_->shape->Bounds(element_).Radius();
-  const double near = accuracy_of_hits * (Length(local->at.position - local_from) + size);
+  const double near = Nearness(Length(local->at.position - local_from), size_);
   local->at.error = local->at.error + R3::Vector{near, near, near};
   R3::Intersection at = local->at;
   world_->BringToWorld(instance_->frame, time, at);
 
-  // Cut off where it is as high above the surface; its direction stays what the pdf belongs to. Nothing is left of it
-  // between places of one surface that rounding alone keeps apart.
   const R3::Vector way = at.position - seen_from;
-  const double height = std::abs(Dot(at.normal, way)), share = 1 - Dot(Abs(AsVector(at.normal)), at.error) / height;
+  const double share = ShareOutside(way, AsVector(at.normal), at.error);
   if (!(share > 0)) return {};
   const double pdf = local->pdf * SolidAngleRatio(way, local->at.position - local_from);
   return pdf > 0 ? std::optional(Sample{share * way, pdf}) : std::nullopt;
+}
+
+void EmissiveShape::SampleEach(LightSamples& samples, LightSamples::Each& pdfs) const {
+  R3::SurfaceSamples places;
+  places.count = samples.count;
+  for (std::uint32_t i = 0; i < samples.count; ++i) {
+    places.from_x[i] = samples.from_x[i], places.from_y[i] = samples.from_y[i], places.from_z[i] = samples.from_z[i];
+    places.u[i] = samples.u[i], places.v[i] = samples.v[i];
+  }
+  instance_->shape->SampleEach(places, element_);
+  if (!CutOff(places, samples, pdfs)) [[unlikely]]
+    SampleOneByOne(samples, pdfs);
+}
+
+R3_VECTORIZED
+bool EmissiveShape::CutOff(const R3::SurfaceSamples& places, LightSamples& samples, LightSamples::Each& pdfs) const {
+  const R2::Color emission = Emission();
+  struct {
+    alignas(64) LightSamples::Each x, y, z, r, g, b, pdf;
+  } drawn;  // of its own, so that it is clear that nothing overlaps
+  std::uint64_t are_safe = 1;
+  for (std::uint32_t i = 0; i < samples.count; ++i) {
+    const R3::Vector way = places.Position(i) - places.From(i), normal = AsVector(places.NormalAt(i));
+    const double square = Dot(way, way), near = Nearness(std::sqrt(square), size_);
+    are_safe &= R3::IsSafeSquare(square);
+    const double share = ShareOutside(way, normal, places.Error(i) + R3::Vector{near, near, near});
+    const double pdf = share > 0 ? places.pdf[i] : 0;
+    const R2::Color color{emission.r / pdf, emission.g / pdf, emission.b / pdf};
+    drawn.pdf[i] = pdf;
+    drawn.x[i] = share * way.x, drawn.y[i] = share * way.y, drawn.z[i] = share * way.z;
+    drawn.r[i] = pdf > 0 ? color.r : 0, drawn.g[i] = pdf > 0 ? color.g : 0, drawn.b[i] = pdf > 0 ? color.b : 0;
+  }
+  for (std::uint32_t i = 0; i < samples.count; ++i) {
+    samples.Set(i, {drawn.x[i], drawn.y[i], drawn.z[i]}, {drawn.r[i], drawn.g[i], drawn.b[i]});
+    pdfs[i] = drawn.pdf[i];
+  }
+  return are_safe != 0;
+}
+
+void EmissiveShape::SampleOneByOne(LightSamples& samples, LightSamples::Each& pdfs) const {
+  for (std::uint32_t i = 0; i < samples.count; ++i) {
+    const auto drawn = SampleTowards(samples.From(i), {samples.u[i], samples.v[i]}, 0);
+    pdfs[i] = drawn ? drawn->pdf : 0;
+    samples.Set(i, drawn ? drawn->towards : R3::Vector{}, drawn ? Emission() / drawn->pdf : R2::Color{});
+  }
 }
 
 double EmissiveShape::Pdf(const R3::Point& seen_from, const R3::Vector& towards, const R3::Normal& normal,

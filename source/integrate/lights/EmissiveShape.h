@@ -7,6 +7,7 @@
 #include "R3/Shape.h"
 #include "source/accelerate/World.h"
 #include "source/scene/LightBound.h"
+#include "source/scene/LightSamples.h"
 
 namespace ray {
 
@@ -25,6 +26,11 @@ class EmissiveShape {
   ///   random    in [0, 1)^2
   ///   returns   nothing where no place can be seen
   std::optional<Sample> SampleTowards(const R3::Point& seen_from, const R2::Point& random, double time) const;
+  /// Whether it stands in the world as it is, so that many samples can be drawn together.
+  bool CanSampleEach() const { return instance_->frame == 0 && mean_scale_ == 1 && !world_->Moves(); }
+  /// SampleTowards, bit for bit, from each of the points: the ways to the light, the radiance over the pdf, and the
+  /// pdfs, 0 where no place can be seen. Of shapes that can.
+  void SampleEach(LightSamples& samples, LightSamples::Each& pdfs) const;
   /// The pdf with which SampleTowards picks the place that is `towards` away and has this normal.
   double Pdf(const R3::Point& seen_from, const R3::Vector& towards, const R3::Normal& normal, double time) const;
 
@@ -40,10 +46,15 @@ class EmissiveShape {
   R3::Point Local(const R3::Point& point, double time) const;
   /// How much larger a solid angle around a way looks in the shape's frame than in the world.
   double SolidAngleRatio(const R3::Vector& way, const R3::Vector& local_way) const;
+  /// SampleEach of places that the shape has drawn; false, with nothing to rely on, where lengths leave the range of
+  /// doubles.
+  bool CutOff(const R3::SurfaceSamples& places, LightSamples& samples, LightSamples::Each& pdfs) const;
+  void SampleOneByOne(LightSamples& samples, LightSamples::Each& pdfs) const;
 
   const World* world_;
   const Instance* instance_;
   int element_;
+  double size_;        // of the shape in its frame
   double mean_scale_;  // of the frame: the cube root of its determinant, without sign
 };
 

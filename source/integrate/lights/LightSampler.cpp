@@ -119,6 +119,18 @@ std::optional<LightSample> LightSampler::Sample(const ShadingPoint& p, int light
   return LightSample{drawn.radiance / drawn.pdf, drawn.direction, true, drawn.pdf, light};
 }
 
+void LightSampler::SampleEach(std::span<const ShadingPoint> points, int light, LightSamples& samples,
+                              LightSamples::Each& pdfs) const {
+  const std::size_t shape = static_cast<std::size_t>(light) - lights_.size() - triangles_.size();
+  if (shape < shapes_.size() && shapes_[shape].CanSampleEach()) return shapes_[shape].SampleEach(samples, pdfs);
+  for (std::uint32_t i = 0; i < samples.count; ++i) {
+    const auto sample =
+        points[i].HasReflectance() ? Sample(points[i], light, {samples.u[i], samples.v[i]}) : std::nullopt;
+    pdfs[i] = sample ? sample->pdf : 0;
+    samples.Set(i, sample ? sample->to_light : R3::Vector{}, sample ? sample->irradiance : R2::Color{});
+  }
+}
+
 double LightSampler::PdfOfEnvironment(const ShadingPoint& from, const Environment::Seen& seen, bool choosing) const {
   const double pdf = is_uniform_ ? R3::sphere_pdf : seen.pdf;
   return choosing ? pdf * ProbabilityOf(from, count_ - 1) : pdf;

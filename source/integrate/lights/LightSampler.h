@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <unordered_map>
 #include <vector>
 
@@ -45,6 +46,12 @@ class LightSampler {
   std::optional<LightSample> SampleOne(const ShadingPoint& p, const R2::Point& u, double choice) const;
   /// A point on light number `light`.
   std::optional<LightSample> Sample(const ShadingPoint& p, int light, const R2::Point& u) const;
+
+  /// The same, bit for bit, from each of the points by the samples' u and v, of a light that rays can hit: the ways to
+  /// it, the irradiance, black where there is none, and the pdfs.
+  void SampleEach(std::span<const ShadingPoint> points, int light, LightSamples& samples,
+                  LightSamples::Each& pdfs) const;
+  bool IsInfinite(int light) const { return environment_ && light == count_ - 1; }
 
   /// Null where it does not shine.
   const Environment* GetEnvironment() const { return environment_; }

@@ -9,6 +9,7 @@
 #include "R3/Warp.h"
 #include "tests/ChiSquare.h"
 #include "tests/Crossings.h"
+#include "tests/Draw.h"
 #include "tests/Project.h"
 
 namespace ray {
@@ -226,6 +227,33 @@ TEST(EmissiveShape, WhatAPointOutsideSeesOfASphereIsTheConeItSubtendsHoweverNarr
     EXPECT_NEAR(sample->pdf * 2 * std::numbers::pi * one_minus_cosine, 1, 1e-6) << height;
     EXPECT_NEAR(Length(FromOrigin(sample->at.position)), 1, 1e-14) << height;
     EXPECT_GE(Dot(sample->at.normal, from - sample->at.position), -1e-14 * d) << height;
+  }
+}
+
+TEST(EmissiveShape, ManySamplesTogetherAreThoseDrawnOneByOneToTheBit) {
+  for (const R3::ShapeKind* kind : R3::ShapeKinds()) {
+    Lamp lamp(*kind, frames[0]);
+    if (EmissiveShapes(lamp.stage.world).empty()) continue;
+    const EmissiveShape shape = lamp.Shape();
+    ASSERT_TRUE(shape.CanSampleEach());
+    // From beside it, from places of which some are inside, and from so far away that squares leave the range.
+    for (const double reach : {20.0, 1.0, 1e200}) {
+      Draw draw(904);
+      LightSamples samples;
+      samples.count = LightSamples::most - 3;
+      for (std::uint32_t i = 0; i < samples.count; ++i) {
+        samples.SetFrom(i, {draw.Between(-reach, reach), draw.Between(-reach, reach), draw.Between(-reach, reach)});
+        samples.u[i] = draw.Between(0, 1), samples.v[i] = draw.Between(0, 1);
+      }
+      LightSamples::Each pdfs;
+      shape.SampleEach(samples, pdfs);
+      for (std::uint32_t i = 0; i < samples.count; ++i) {
+        const auto alone = shape.SampleTowards(samples.From(i), {samples.u[i], samples.v[i]}, 0);
+        EXPECT_EQ(pdfs[i], alone ? alone->pdf : 0) << kind->name;
+        EXPECT_EQ(samples.Color(i), alone ? shape.Emission() / alone->pdf : R2::Color{}) << kind->name;
+        EXPECT_TRUE(!alone || samples.ToLight(i) == alone->towards) << kind->name;
+      }
+    }
   }
 }
 

@@ -1,0 +1,180 @@
+#include "source/integrate/ShadingPoints.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "R3/FlatTriangle.h"
+#include "R3/Numeric.h"
+#include "R3/Spawn.h"
+
+namespace ray {
+namespace {
+
+/// Some vectors, each coordinate an array.
+template <std::size_t most>
+struct Vectors {
+  alignas(64) double x[most], y[most], z[most];
+
+  R3::Vector operator[](std::size_t i) const { return {x[i], y[i], z[i]}; }
+  R3::Point At(std::size_t i) const { return {x[i], y[i], z[i]}; }
+  template <typename Xyz>
+  void Set(std::size_t i, const Xyz& v) {
+    x[i] = v.x, y[i] = v.y, z[i] = v.z;
+  }
+};
+
+constexpr std::size_t most = 16;  // so that all numbers of a surface fit into a core's first cache
+
+/// Surfaces that rays have hit, and what the points there become.
+struct Surfaces {
+  std::size_t count = 0;
+  std::array<ShadingPoint*, most> points;
+  Vectors<most> direction, position, error, normal, shading_normal;
+  Vectors<most> N, wo, shadow_origin;
+  alignas(64) double facing[most];  // of the normal to the ray
+
+  bool IsFull() const { return count == most; }
+  void Add(ShadingPoint& p) {
+    points[count] = &p;
+    direction.Set(count++, p.path.ray.direction);
+  }
+};
+
+/// Those of flat triangles: one object, so that it is clear that no arrays overlap.
+struct FlatSurfaces : Surfaces {
+  Vectors<most> corners[3], weights;
+
+  void Add(ShadingPoint& p, const R3::Mesh& mesh) {
+    const auto places = mesh.CornersInPlace(p.hit.element);
+    for (std::size_t k = 0; k < 3; ++k) corners[k].Set(count, *places[k]);
+    weights.Set(count, R3::Vector{1 - p.hit.u - p.hit.v, p.hit.u, p.hit.v});
+    Surfaces::Add(p);
+  }
+};
+
+// Both of these return false, with nothing to rely on, where lengths or areas leave the range of doubles.
+
+R3_VECTORIZED
+bool PutOnTriangles(FlatSurfaces& all) {
+  std::uint64_t are_safe = 1;
+  for (std::size_t i = 0; i < all.count; ++i) {
+    const R3::Point p = all.corners[0].At(i), q = all.corners[1].At(i), r = all.corners[2].At(i);
+    const R3::TrianglePlace place = R3::PlaceOnTriangle(p, q, r, all.weights[i]);
+    const R3::Vector area = R3::AreaOfTriangle(p, q, r);
+    const double square = Dot(area, area);
+    const R3::Vector normal = area / std::sqrt(square);
+    are_safe &= R3::IsSafeArea(area);
+    are_safe &= R3::IsSafeSquare(square);
+    all.position.Set(i, place.position), all.error.Set(i, place.error);
+    all.normal.Set(i, normal), all.shading_normal.Set(i, normal);
+  }
+  return are_safe != 0;
+}
+
+R3_VECTORIZED
+bool FaceRays(Surfaces& all) {
+  std::uint64_t are_safe = 1;
+  for (std::size_t i = 0; i < all.count; ++i) {
+    const R3::Vector direction = all.direction[i], normal = all.normal[i], shading_normal = all.shading_normal[i];
+    const double square = Dot(direction, direction);
+    are_safe &= R3::IsSafeSquare(square);
+    const R3::Vector wo = -(direction / std::sqrt(square));
+    all.wo.Set(i, wo);
+    all.facing[i] = Dot(normal, direction);
+    all.N.Set(i, all.facing[i] <= 0 ? shading_normal : -shading_normal);
+    all.shadow_origin.Set(i, R3::SpawnedFrom(all.position.At(i), all.error[i], normal, wo));
+  }
+  return are_safe != 0;
+}
+
+/// The rest, which each point has of its own.
+void Finish(const World& world, const Surfaces& all) {
+  for (std::size_t i = 0; i < all.count; ++i) {
+    ShadingPoint& p = *all.points[i];
+    p.kd = KdAt(p);
+    p.wo = all.wo[i];
+    p.entering = all.facing[i] <= 0;
+    p.N = all.N[i];
+    p.is_smoothed = !(all.normal[i] == all.shading_normal[i]);
+    p.shadow_origin = all.shadow_origin.At(i);
+    p.bias = world.scene().shadow_bias;
+    AbsorbOnTheWay(p);
+  }
+}
+
+void MakeOneByOne(const World& world, const Surfaces& all) {
+  for (std::size_t i = 0; i < all.count; ++i)
+    *all.points[i] = ShadingPointAt(world, all.points[i]->path, all.points[i]->hit);
+}
+
+/// Points on flat triangles, and on any other surfaces.
+class Completion {
+ public:
+  explicit Completion(const World& world) : world_(world) {}
+
+  void Add(ShadingPoint& p) {
+    const Instance& instance = world_.Instances()[p.hit.instance];
+    p.material = instance.material;
+    if (p.material->bump || p.material->normal_map)
+      p = ShadingPointAt(world_, p.path, p.hit);
+    else if (IsFlat(instance, *p.material))
+      AddFlat(p, *instance.mesh);
+    else
+      AddOther(p);
+  }
+  void CompleteAll() { CompleteFlat(), CompleteOthers(); }
+
+ private:
+  /// Whether the surface is that of a triangle in the world, and needs no texture coordinates.
+  static bool IsFlat(const Instance& instance, const Material& material) {
+    return instance.mesh && instance.frame == 0 && !instance.mesh->IsSmooth() && !material.texture;
+  }
+
+  void AddFlat(ShadingPoint& p, const R3::Mesh& mesh) {
+    flat_.Add(p, mesh);
+    if (flat_.IsFull()) CompleteFlat();
+  }
+  void CompleteFlat() {
+    if (PutOnTriangles(flat_) && FaceRays(flat_)) [[likely]] {
+      for (std::size_t i = 0; i < flat_.count; ++i) {
+        R3::Intersection& at = flat_.points[i]->at;
+        at.position = flat_.position.At(i), at.error = flat_.error[i];
+        at.normal = at.shading_normal = AsNormal(flat_.normal[i]);
+      }
+      Finish(world_, flat_);
+    } else {
+      MakeOneByOne(world_, flat_);
+    }
+    flat_.count = 0;
+  }
+
+  void AddOther(ShadingPoint& p) {
+    p.at = world_.At(p.path.ray, p.hit);
+    const std::size_t i = others_.count;
+    others_.position.Set(i, p.at.position), others_.error.Set(i, p.at.error);
+    others_.normal.Set(i, p.at.normal), others_.shading_normal.Set(i, p.at.shading_normal);
+    others_.Add(p);
+    if (others_.IsFull()) CompleteOthers();
+  }
+  void CompleteOthers() {
+    if (FaceRays(others_)) [[likely]]
+      Finish(world_, others_);
+    else
+      MakeOneByOne(world_, others_);
+    others_.count = 0;
+  }
+
+  const World& world_;
+  FlatSurfaces flat_;
+  Surfaces others_;
+};
+
+}  // namespace
+
+void CompleteShadingPoints(const World& world, std::span<ShadingPoint> points) {
+  Completion completion(world);
+  for (ShadingPoint& p : points) completion.Add(p);
+  completion.CompleteAll();
+}
+
+}  // namespace ray
