@@ -23,7 +23,7 @@ constexpr double least_weight = 1e-4;    // of a neighbor; what all less than th
 // a tenth; 0.1 for places had 1 % less error than 0.01.
 constexpr double ridge_of_guides = 5e-4, ridge_of_places = 0.1;
 
-constexpr std::size_t guides = std::tuple_size_v<PixelGuide>, unknowns = 1 + guides + 2;
+constexpr std::size_t guide_count = std::tuple_size_v<PixelGuide>, unknowns = 1 + guide_count + 2;
 using Fit = Regression<unknowns>;
 
 Fit::Regressors Ridge() {
@@ -113,7 +113,7 @@ class Tile {
     const PixelGuide &best = input_.best.At(x0_ + x, y0_ + y), &guide = input_.guides.At(qx, qy);
     Fit::Regressors z;
     z[0] = 1;
-    for (std::size_t k = 0; k < guides; ++k) z[1 + k] = guide[k] - best[k];
+    for (std::size_t k = 0; k < guide_count; ++k) z[1 + k] = guide[k] - best[k];
     z[unknowns - 2] = static_cast<double>(dx) / window;
     z[unknowns - 1] = static_cast<double>(dy) / window;
     const Rgb& color = input_.colors.At(qx, qy);
