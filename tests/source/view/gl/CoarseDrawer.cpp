@@ -10,18 +10,12 @@
 #include "source/view/gl/Drawer.h"
 #include "tests/Project.h"
 #include "tests/source/view/Witness.h"
-#include "tests/source/view/contexts/Usable.h"
+#include "tests/source/view/gl/WithPainter.h"
 
 namespace {
 
-class CoarseDrawing : public ray::testing::WithContext {
+class CoarseDrawing : public ray::testing::WithPainter {
  protected:
-  void SetUp() override {
-    WithContext::SetUp();
-    if (context) painter = std::make_unique<ray::Painter>(ray::Canvas::Target::own);
-  }
-  void TearDown() override { painter.reset(); }
-
   /// What a viewer of that scene shows at first, with so many pixels in one.
   R2::Image Shown(const std::string& scene, int step) {
     ray::Witness host;
@@ -39,8 +33,6 @@ class CoarseDrawing : public ray::testing::WithContext {
     drawer.Draw(shown);
     return painter->canvas.Read();
   }
-
-  std::unique_ptr<ray::Painter> painter;
 };
 
 double MeanDifference(const R2::Image& a, const R2::Image& b) {

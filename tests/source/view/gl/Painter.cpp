@@ -9,7 +9,7 @@
 
 #include "R2/ImageFile.h"
 #include "source/view/gl/Font.h"
-#include "tests/source/view/contexts/Usable.h"
+#include "tests/source/view/gl/WithPainter.h"
 
 namespace {
 
@@ -118,18 +118,7 @@ TEST(Drawings, AreTheSameBytesInEveryKindOfContextWithTheSameRenderer) {
   if (!were_compared) GTEST_SKIP() << "no two kinds of context here have the same renderer";
 }
 
-class Painter : public ray::testing::WithContext {
- protected:
-  void SetUp() override {
-    WithContext::SetUp();
-    if (context) painter = std::make_unique<ray::Painter>(ray::Canvas::Target::own);
-  }
-
-  // In reverse order of construction.
-  void TearDown() override { painter.reset(); }
-
-  std::unique_ptr<ray::Painter> painter;
-};
+class Painter : public ray::testing::WithPainter {};
 
 TEST_P(Painter, BeginsWithTheBackgroundAtWhateverSizeIsAskedFor) {
   for (const auto& [width, height] : {std::pair{30, 20}, {7, 50}, {0, 0}, {30, 20}}) {

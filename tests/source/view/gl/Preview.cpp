@@ -8,20 +8,14 @@
 #include "source/view/camera/CameraMoves.h"
 #include "source/view/gl/Painter.h"
 #include "tests/Project.h"
-#include "tests/source/view/contexts/Usable.h"
+#include "tests/source/view/gl/WithPainter.h"
 
 namespace {
 
 constexpr int side = 64;
 
-class Preview : public ray::testing::WithContext {
+class Preview : public ray::testing::WithPainter {
  protected:
-  void SetUp() override {
-    WithContext::SetUp();
-    if (context) painter = std::make_unique<ray::Painter>(ray::Canvas::Target::own);
-  }
-  void TearDown() override { painter.reset(); }
-
   R2::Image Drawn(const project::Stage& stage, const ray::RenderSettings& settings, bool with_shadows = false) {
     const auto space = ray::DrawingSpace::Of(stage.scene->root.bounds);
     const ray::Exposure exposure{1, settings.srgb};
@@ -55,8 +49,6 @@ class Preview : public ray::testing::WithContext {
       }
     return static_cast<double>(count) / (side * side);
   }
-
-  std::unique_ptr<ray::Painter> painter;
 };
 
 const std::string camera = "camera  0 0 6  0 0 -1  0 1 0  0.25  0.01 100\n";
