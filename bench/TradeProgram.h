@@ -67,8 +67,11 @@ inline Subject Everything() {
 }
 
 inline ray::Replay ReplayOf(const ray::RenderResult& result) {
-  ray::Replay replay{
-      .two_streams = result.two_streams, .planned_samples = result.planned_samples, .ends = {}, .samples = {}, .places = {}};
+  ray::Replay replay{.two_streams = result.two_streams,
+                     .planned_samples = result.planned_samples,
+                     .ends = {},
+                     .samples = {},
+                     .places = {}};
   for (const ray::Pass& pass : result.passes) replay.ends.push_back(pass.end);
   replay.samples = result.block_samples;
   return replay;

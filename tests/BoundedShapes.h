@@ -12,6 +12,4 @@ inline std::vector<const R3::ShapeKind*> BoundedShapeKinds() {
   return kinds;
 }
 
-inline std::vector<const R3::ShapeKind*> AllShapeKinds() {
-  return {R3::ShapeKinds().begin(), R3::ShapeKinds().end()};
-}
+inline std::vector<const R3::ShapeKind*> AllShapeKinds() { return {R3::ShapeKinds().begin(), R3::ShapeKinds().end()}; }

@@ -15,8 +15,8 @@ inline double Fraction(std::uint32_t bits) {
 }
 
 template <int dimension>
-inline void CoordinateOfEach(const std::uint32_t* index, const std::uint32_t* seeds,
-                                                    std::size_t count, double* coordinates) {
+inline void CoordinateOfEach(const std::uint32_t* index, const std::uint32_t* seeds, std::size_t count,
+                             double* coordinates) {
   alignas(64) std::uint32_t bits[most];  // a loop of its own, since looking into tables is no vector instruction
   for (std::size_t i = 0; i < count; ++i) bits[i] = ReversedSobolBits(index[i], dimension);
   for (std::size_t i = 0; i < count; ++i) coordinates[i] = Fraction(ReversedBits(OwenReversed(bits[i], seeds[i])));
@@ -24,8 +24,7 @@ inline void CoordinateOfEach(const std::uint32_t* index, const std::uint32_t* se
 
 /// Two coordinates, from `first` on, whose seeds are the halves of one key.
 template <int first>
-inline void PairOfEach(const std::uint32_t* index, const std::uint64_t* keys, std::size_t count,
-                                              double* x, double* y) {
+inline void PairOfEach(const std::uint32_t* index, const std::uint64_t* keys, std::size_t count, double* x, double* y) {
   alignas(64) std::uint32_t high[most], low[most];
   for (std::size_t i = 0; i < count; ++i) {
     const std::uint64_t seeds = RandomKey::FromBits(keys[i]).Child(first / 2).Bits();
@@ -37,8 +36,7 @@ inline void PairOfEach(const std::uint32_t* index, const std::uint64_t* keys, st
 
 /// In loops of one kind of number each: 64 bits for keys, 32 for the bits of points.
 template <std::size_t size>
-inline void SobolOfEach(const SampleIndex* at, std::size_t count, std::uint64_t which,
-                                               PointsOfEach<size>& points) {
+inline void SobolOfEach(const SampleIndex* at, std::size_t count, std::uint64_t which, PointsOfEach<size>& points) {
   alignas(64) std::uint64_t keys[most];
   alignas(64) std::uint32_t order[most], index[most];
   for (std::size_t i = 0; i < count; ++i) keys[i] = at[i].key.Bits(), index[i] = at[i].sample;

@@ -23,8 +23,8 @@ ViewOutputs CheckViewOutputs(const Options& options);
 /// Throws OutputError when one of them is a file the scene was read from.
 void RefuseInputs(const ViewOutputs& outputs, std::span<const std::string> inputs);
 
-/// image1.jpg, image2.jpg... or with another extension of a picture that can be written: the first that is not there, in
-/// the current folder. It is there, and empty, from now on, so that nobody else takes it. Throws OutputError.
+/// image1.jpg, image2.jpg... or with another extension of a picture that can be written: the first that is not there,
+/// in the current folder. It is there, and empty, from now on, so that nobody else takes it. Throws OutputError.
 PictureOutput ClaimImageName(const std::string& extension);
 
 }  // namespace ray

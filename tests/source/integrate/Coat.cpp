@@ -61,7 +61,7 @@ TEST(Coat, AWhiteBallUnderVarnishVanishesInAWhiteFurnace) {
 TEST(Coat, InModeWhittedItMirrorsAFaintImage) {
   const project::Stage stage(CoatedBall("0 0 0", "1 1 1"));
   RenderSettings settings;
-  settings.width = settings.height = 1;  // straight on
+  settings.width = settings.height = 1;                                        // straight on
   EXPECT_NEAR(project::Render(stage, settings).image.At(0, 0).r, 0.04, 1e-8);  // a picture has single precision
 }
 
