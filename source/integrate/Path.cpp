@@ -91,9 +91,20 @@ std::optional<Path::Step> Path::StepTowards(const ShadingPoint& p, const R3::Vec
 }
 
 R2::Color Path::Escape(const ShadingPoint& from, const Step& step, TraceState& state) const {
-  const R2::Color emitted = EmittedByEnvironment(from, step);
+  const R3::Vector& direction = step.path.ray.direction;
+  const Environment* environment = lights_.GetEnvironment();
+  const R2::Color emitted = environment ? EscapeTo(environment->SeenTowards(direction), from, step)
+                                        : step.path.throughput * Background(world_.scene(), direction);
   Tracer::RecordMiss(step.path, emitted, state);
   return emitted;
+}
+
+R2::Color Path::EscapeTo(const Environment::Seen& seen, const ShadingPoint& from, const Step& step) const {
+  const R2::Color reaching = step.path.throughput * seen.radiance;
+  if (IsSpecular(step.lobe)) return reaching;
+  const double light_pdf = lights_.PdfOfEnvironment(from, seen, lights_at_once_ > 0);
+  if (light_pdf == 0) return reaching;  // found by scattering alone
+  return sampled_.WeightOfBsdf(step.pdf, light_pdf * std::max(1, lights_at_once_)) * reaching;
 }
 
 void Path::Arrive(const ShadingPoint& from, const Step& step, const ShadingPoint& hit, R2::Color& radiance,
@@ -163,18 +174,6 @@ R2::Color Path::Emitted(const ShadingPoint& from, const Step& step, const Shadin
   const auto light_pdf = lights_.PdfOfHit(from, hit.path.ray, hit, world_, lights_at_once_ > 0);
   if (!light_pdf) return seen;  // found by scattering alone
   return sampled_.WeightOfBsdf(step.pdf, *light_pdf * std::max(1, lights_at_once_)) * seen;
-}
-
-R2::Color Path::EmittedByEnvironment(const ShadingPoint& from, const Step& step) const {
-  const PathState& path = step.path;
-  const R3::Vector& direction = path.ray.direction;
-  const Environment* environment = lights_.GetEnvironment();
-  if (!environment || IsSpecular(step.lobe)) return path.throughput * Background(world_.scene(), direction);
-  const Environment::Seen seen = environment->SeenTowards(direction);
-  const R2::Color reaching = path.throughput * seen.radiance;
-  const double light_pdf = lights_.PdfOfEnvironment(from, seen, lights_at_once_ > 0);
-  if (light_pdf == 0) return reaching;  // found by scattering alone
-  return sampled_.WeightOfBsdf(step.pdf, light_pdf * std::max(1, lights_at_once_)) * reaching;
 }
 
 }  // namespace ray

@@ -49,6 +49,8 @@ class Path : public Integrator {
                            const R3::Vector& diffuse) const;
   /// What the step's ray sees where it hits nothing, throughput included.
   R2::Color Escape(const ShadingPoint& from, const Step& step, TraceState& state) const;
+  /// The same where the environment shines and what is seen of it is known.
+  R2::Color EscapeTo(const Environment::Seen& seen, const ShadingPoint& from, const Step& step) const;
   /// Adds what it sees of the surface that it hits.
   void Arrive(const ShadingPoint& from, const Step& step, const ShadingPoint& hit, R2::Color& radiance,
               TraceState& state) const;
@@ -102,7 +104,6 @@ class Path : public Integrator {
   void SampleLights(const ShadingPoint& p, const Bsdf& bsdf, std::size_t index, TraceState& state) const;
   /// Emission of what a scattered ray hit, throughput included, weighted against SampleLights.
   R2::Color Emitted(const ShadingPoint& from, const Step& step, const ShadingPoint& hit) const;
-  R2::Color EmittedByEnvironment(const ShadingPoint& from, const Step& step) const;
 
   // Russian roulette begins with paths that carry less than this: what it would save before is not worth its noise.
   // With 1 instead of a quarter, 16 samples a pixel are 1.2 to 1.8 times less efficient (1 / (relative squared error

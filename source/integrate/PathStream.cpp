@@ -253,22 +253,41 @@ void PathStream::TakeStep(const Front& front, std::span<R2::Color> gathered, Fro
   if (!MayGoOn(points[0])) return;
   const Steps steps = GoOnEach(front);
   TraceSteps(steps, state);
-  std::array<const StepFrom*, most_paths> arriving;
+  std::array<const StepFrom*, most_paths> arriving, escaping;
+  std::size_t escaped = 0;
   for (std::size_t k = 0; k < steps.size(); ++k) {
-    const auto& [step, from] = steps[k];
     if (state.hits[k]) {
       arriving[next.points.size()] = &steps[k];
-      next.Add(step.path, *state.hits[k], front.paths[from]);
+      next.Add(steps[k].step.path, *state.hits[k], front.paths[steps[k].from]);
     } else {
-      gathered[front.paths[from]] += Escape(points[from], step, state);
+      escaping[escaped++] = &steps[k];
     }
   }
+  EscapeEach(front, {escaping.data(), escaped}, gathered, state);
   CompleteShadingPoints(world_, next.points);
   for (std::size_t i = 0; i < next.points.size(); ++i) {
     const auto& [step, from] = *arriving[i];
     Arrive(points[from], step, next.points[i], gathered[next.paths[i]], state);
   }
   if (IsLast(points[0])) next.Clear();
+}
+
+void PathStream::EscapeEach(const Front& front, std::span<const StepFrom* const> steps, std::span<R2::Color> gathered,
+                            TraceState& state) const {
+  const Environment* environment = lights_.GetEnvironment();
+  if (!environment) {
+    for (const auto* s : steps) gathered[front.paths[s->from]] += Escape(front.points[s->from], s->step, state);
+    return;
+  }
+  LightSamples seen;
+  alignas(64) Each pdfs;
+  seen.count = static_cast<std::uint32_t>(steps.size());
+  for (std::uint32_t i = 0; i < seen.count; ++i) seen.Set(i, steps[i]->step.path.ray.direction, {});
+  environment->SeeEach(seen, pdfs);
+  for (std::uint32_t i = 0; i < seen.count; ++i) {
+    const auto& [step, from] = *steps[i];
+    gathered[front.paths[from]] += EscapeTo({seen.Color(i), pdfs[i]}, front.points[from], step);
+  }
 }
 
 PathStream::Steps PathStream::GoOnEach(const Front& front) const {

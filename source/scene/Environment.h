@@ -1,8 +1,6 @@
 #pragma once
 
-#include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "R2/Color.h"
@@ -10,33 +8,16 @@
 #include "R2/Point.h"
 #include "R3/Vector.h"
 #include "source/sample/DiscreteDistribution.h"
+#include "source/scene/EnvironmentLayout.h"
+#include "source/scene/LightSamples.h"
 
 namespace ray {
 
-/// How a picture of everything around is laid flat. In every layout it is seen from the inside with y up, and -z is
-/// ahead with +x to the right of it.
-enum class EnvironmentLayout {
-  /// 2:1. Of width and height 1 from the lower left, u = 1/2 + atan2(x, -z) / (2 pi) and
-  /// v = 1/2 + asin(y / length) / pi: -y is the lowest row, +y the highest, -z the middle, +z the left and right edge.
-  latitude_longitude,
-  /// 1:1. The middle looks along -z; a place at the share r of the way to the middle of an edge looks pi r away from
-  /// it, towards +x when to the right, +y when above. The circle's rim is +z; the corners beyond it are not used.
-  /// Source: Debevec, Light probe image gallery (1998), the angular map.
-  angular_probe,
-  /// 3:4 or 4:3, a cube of six square faces unfolded:
-  ///
-  ///        +y             +y
-  ///     -x -z +x       -x -z +x +z
-  ///        -y             -y
-  ///        +z
-  ///
-  /// +y has -z at its lower edge and -y at its upper. The lowest face of the upright cross hangs from -y, so it stands
-  /// on its head (-y above, +x to the right), as in Debevec's files. The places between the arms are not used.
-  cross
+/// Where on a map a direction is seen, in texels from the lower left, by approximate arctangents.
+struct QuickPlace {
+  double column, row;
+  double margin;  // above 0 where the direction surely is in the texel that this says
 };
-
-/// "latitude-longitude map", "angular probe", "cross of six faces".
-std::string_view Name(EnvironmentLayout layout);
 
 /// Light from all around at infinity, from a picture.
 ///
@@ -84,6 +65,12 @@ class Environment {
   ///            the pdf is (L A / sum of L A) / A, with no sine left in it.
   Sample Draw(const R2::Point& u) const;
 
+  /// The same, bit for bit, of many: of each sample's u and v the way to the light, radiance / pdf as its irradiance,
+  /// and the pdf.
+  void DrawEach(LightSamples& samples, LightSamples::Each& pdfs) const;
+  /// SeenTowards of each sample's way to the light, bit for bit: the radiance as its irradiance, and the pdf.
+  void SeeEach(LightSamples& samples, LightSamples::Each& pdfs) const;
+
   bool IsBlack() const { return is_black_; }
   /// The latitude-longitude map that it was turned into: width twice the height.
   const R2::Image& Map() const { return map_; }
@@ -94,12 +81,23 @@ class Environment {
     friend bool operator==(const Texel&, const Texel&) = default;
   };
 
+  /// A texel, and shares of its longitude and of its sine of latitude.
+  struct Drawn {
+    Texel texel;
+    R2::Point shares;
+  };
+
   Texel At(const R3::Vector& direction) const;
-  /// The same where that is certain without exact arctangents.
-  std::optional<Texel> QuicklyAt(const R3::Vector& direction) const;
+  /// The place's, or where that is not sure the one that exact arctangents of the direction say.
+  Texel TexelOf(const QuickPlace& place, const R3::Vector& direction) const;
+  Drawn DrawTexel(const R2::Point& u) const;
   double Pdf(const Texel& texel) const;
+  R2::Color RadianceOf(const Texel& texel) const { return map_.At(texel.column, texel.row); }
   /// The direction at shares of the texel's longitude and of its sine of latitude.
   R3::Vector Inside(const Texel& texel, const R2::Point& shares) const;
+  /// Such a direction as drawing gives it: from where light of this texel comes, though a place at the very edge may
+  /// round to the neighbor, which may be black; the middle then stands for it.
+  R3::Vector Kept(const R3::Vector& direction, const Texel& texel, const R2::Point& shares) const;
 
   std::string file_;
   EnvironmentLayout layout_;

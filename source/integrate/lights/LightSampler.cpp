@@ -123,6 +123,7 @@ void LightSampler::SampleEach(std::span<const ShadingPoint> points, int light, L
                               LightSamples::Each& pdfs) const {
   const std::size_t shape = static_cast<std::size_t>(light) - lights_.size() - triangles_.size();
   if (shape < shapes_.size() && shapes_[shape].CanSampleEach()) return shapes_[shape].SampleEach(samples, pdfs);
+  if (IsInfinite(light) && !is_uniform_) return environment_->DrawEach(samples, pdfs);
   for (std::uint32_t i = 0; i < samples.count; ++i) {
     const auto sample =
         points[i].HasReflectance() ? Sample(points[i], light, {samples.u[i], samples.v[i]}) : std::nullopt;

@@ -275,6 +275,54 @@ TEST(Environment, ADrawnDirectionTellsWhatArrivesFromIt) {
   }
 }
 
+TEST(Environment, ManyDrawnTogetherAreThoseDrawnOneByOneBitForBit) {
+  for (const R2::Image& image : {RandomImage(64, 32), RandomImage(2, 1), RandomImage(40, 40), R2::Image(8, 4)}) {
+    const Environment environment(image);
+    LightSamples samples;
+    LightSamples::Each pdfs;
+    const double edges[] = {0, 0x1p-30, 0.25, 0.5, last, 1};
+    for (std::uint64_t round = 0; round < 1000; ++round) {
+      samples.count = 1 + round % LightSamples::most;
+      for (std::uint32_t i = 0; i < samples.count; ++i) {
+        R2::Point u = Random(round * LightSamples::most + i);
+        if (round == 35) u = {edges[i % 6], edges[i / 6]};
+        samples.u[i] = u.x, samples.v[i] = u.y;
+      }
+      environment.DrawEach(samples, pdfs);
+      for (std::uint32_t i = 0; i < samples.count; ++i) {
+        const Environment::Sample alone = environment.Draw({samples.u[i], samples.v[i]});
+        ASSERT_EQ(samples.ToLight(i), alone.direction);
+        ASSERT_EQ(samples.Color(i), alone.radiance / alone.pdf);
+        ASSERT_EQ(pdfs[i], alone.pdf);
+      }
+    }
+  }
+}
+
+TEST(Environment, ManySeenTogetherAreThoseSeenOneByOneBitForBit) {
+  const Environment environment(RandomImage(512, 256));
+  std::vector<R3::Vector> directions;
+  for (std::uint64_t i = 0; i < 20'000; ++i)
+    directions.push_back(std::ldexp(1, static_cast<int>(i % 400) - 200) * R3::OnSphere(Random(i)));
+  const double ends[] = {0, -0.0, 1, -1, 1e-300, -1e300, 0x1p-1074, 1 + 0x1p-52};  // seams, poles, out of range
+  for (const double x : ends)
+    for (const double y : ends)
+      for (const double z : ends) directions.push_back({x, y, z});
+  LightSamples seen;
+  LightSamples::Each pdfs;
+  for (std::size_t first = 0; first < directions.size(); first += seen.count) {
+    seen.count = static_cast<std::uint32_t>(std::min<std::size_t>(LightSamples::most, directions.size() - first));
+    for (std::uint32_t i = 0; i < seen.count; ++i) seen.Set(i, directions[first + i], {});
+    environment.SeeEach(seen, pdfs);
+    for (std::uint32_t i = 0; i < seen.count; ++i) {
+      const R3::Vector& d = directions[first + i];
+      const Environment::Seen alone = environment.SeenTowards(d);
+      ASSERT_EQ(seen.Color(i), alone.radiance) << d.x << " " << d.y << " " << d.z;
+      ASSERT_EQ(pdfs[i], alone.pdf);
+    }
+  }
+}
+
 TEST(Environment, AnEvenMapIsIntegratedWithoutAnyError) {
   const R2::Color color{0.5, 2, 0.25};
   for (const R2::Image& image : {Filled(64, 32, color), Filled(50, 50, color), Filled(30, 40, color)}) {
