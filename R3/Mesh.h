@@ -26,6 +26,7 @@ class Mesh : public Shape {
   /// Its own triangles; those of a mesh of few cut into equal smaller ones, so that what is shown at corners alone,
   /// such as a texture or the light of a lamp nearby, is seen between them too.
   MeshData Tessellate(int fineness) const override;
+  Form FormOfElements() const override { return Form::flat; }
   bool IsSolid() const override { return false; }  // whether it is closed is not looked at
   bool HasTextureCoordinates() const override { return !data_.uvs.empty(); }
   bool IsDegenerate() const override { return data_.triangles.empty(); }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+
 #include "R3/Point.h"
 
 namespace R3 {
@@ -11,6 +13,8 @@ struct Ray {
   Vector direction;
   double t_min = 0, t_max = infinity;
   double time = 0;  // when, of the time the shutter is open, in [0, 1)
+  std::int64_t leaving =
+      -1;  // a primitive that it starts on and cannot meet again, as its owner numbers them; -1: none
 
   Point At(double t) const { return origin + t * direction; }
 };

@@ -31,6 +31,13 @@ inline double SolidAnglePdf(const Normal& normal, const Vector& towards, double 
   return cosine > 0 && area > 0 ? distance * distance / (cosine * area) : 0;
 }
 
+/// What the form of a surface says of rays that start on it.
+enum class Form {
+  flat,    // none meets it again: it lies in a plane
+  convex,  // none that heads outward meets it again: it bounds a convex solid
+  other
+};
+
 /// Something a ray can hit, made of one or more elements (a mesh has one per triangle).
 class Shape {
  public:
@@ -77,6 +84,8 @@ class Shape {
   /// A place of that area, all alike.
   virtual Intersection DrawPlace(const Point& /*from*/, const R2::Point& /*u*/, int /*element*/) const { return {}; }
 
+  /// Of each of its elements.
+  virtual Form FormOfElements() const { return Form::other; }
   /// Whether the shape bounds a volume that a point can be inside of.
   virtual bool IsSolid() const { return true; }
   /// Whether texture coordinates vary over the surface.

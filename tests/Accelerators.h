@@ -123,13 +123,36 @@ inline void ExpectSame(const std::optional<ray::WorldHit>& a, const std::optiona
   EXPECT_EQ(a->element, b->element) << how << ' ' << oracle::Hex(ray);
 }
 
+/// The rays, and of some that hit what cannot be met again, one that leaves it.
+inline std::vector<R3::Ray> WithSomeLeaving(const ray::World& world, const ray::Accelerator& accelerator,
+                                            std::vector<R3::Ray> rays) {
+  ray::Workspace workspace;
+  for (std::size_t i = 0, count = rays.size(); i < count; i += 3) {
+    const auto hit = accelerator.Intersect(rays[i], workspace);
+    if (!hit) continue;
+    const R3::Intersection at = world.At(rays[i], *hit);
+    const R3::Vector direction = rays[(i + 1) % count].direction;
+    const R3::Form form = world.Instances()[hit->instance].form;
+    if (form == R3::Form::flat || (form == R3::Form::convex && Dot(at.normal, direction) > 0))
+      rays.push_back({.origin = SpawnPoint(at, direction),
+                      .direction = direction,
+                      .time = rays[i].time,
+                      .leaving = world.PrimitiveId(*hit)});
+  }
+  return rays;
+}
+
 /// That all the ways find what testing every primitive finds: the nearest, and whether there is anything within t = 1.
-inline void Compare(const ray::World& world, const std::vector<R3::Ray>& rays, const std::vector<Way>& ways) {
+inline void Compare(const ray::World& world, const std::vector<R3::Ray>& given, const std::vector<Way>& ways) {
   const auto none = ray::FindAcceleratorKind("none")->Make(world, {});
+  const std::vector<R3::Ray> rays = WithSomeLeaving(world, *none, given);
   ray::Workspace for_none;
   std::vector<std::optional<ray::WorldHit>> hits;
   std::vector<bool> occluded;
-  const auto shadow = [](const R3::Ray& ray) { return R3::Ray{ray.origin, ray.direction, ray.t_min, 1}; };
+  const auto shadow = [](R3::Ray ray) {
+    ray.t_max = 1;
+    return ray;
+  };
   for (const R3::Ray& ray : rays) {
     hits.push_back(none->Intersect(ray, for_none));
     occluded.push_back(none->IsOccluded(shadow(ray), for_none));

@@ -66,6 +66,7 @@ class BoxShape : public Shape {
   }
 
   /// A box flat along one axis is a rectangle; flat along two it is a line, which nothing hits.
+  Form FormOfElements() const override { return Form::convex; }
   bool IsDegenerate() const override { return is_degenerate_; }
 
   std::optional<Recipe> MadeFrom() const override {

@@ -79,6 +79,7 @@ class Cone : public Shape {
                   std::lerp(high_, low_, std::sqrt(on_part.y)));
   }
 
+  Form FormOfElements() const override { return Form::convex; }
   bool IsDegenerate() const override { return !(radius_ > 0) || !(high_ > low_); }
 
   std::optional<Recipe> MadeFrom() const override {

@@ -68,6 +68,7 @@ class Cylinder : public Shape {
     return OnSide(OutwardBeside(from_axis, angle), std::lerp(low_, high_, on_part.y));
   }
 
+  Form FormOfElements() const override { return Form::convex; }
   bool IsDegenerate() const override { return !(radius_ > 0) || !(high_ > low_); }
 
   std::optional<Recipe> MadeFrom() const override {

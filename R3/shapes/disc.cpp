@@ -42,6 +42,7 @@ class Disc : public Shape {
     return InPlane(off, Gamma(8) * radius_);
   }
 
+  Form FormOfElements() const override { return Form::flat; }
   bool IsSolid() const override { return false; }
   bool IsDegenerate() const override { return !(radius_ > 0); }
   std::optional<Recipe> MadeFrom() const override {

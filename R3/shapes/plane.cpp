@@ -16,6 +16,7 @@ class Plane : public Shape {
 
   Box Bounds(int) const override { return {}; }
   bool IsBounded() const override { return false; }
+  Form FormOfElements() const override { return Form::flat; }
   bool IsSolid() const override { return false; }
 
   // The distance is exact but for its last rounding, so t errs by a few u whatever is far away.

@@ -78,6 +78,7 @@ class Sphere : public Shape {
     return data;
   }
 
+  Form FormOfElements() const override { return Form::convex; }
   bool IsDegenerate() const override { return !(radius_ > 0); }
 
   std::optional<Recipe> MadeFrom() const override {

@@ -106,6 +106,7 @@ void World::NumberInstances() {
       if (!is_bounded) unbounded_.push_back(static_cast<std::uint32_t>(flat.instance));
       instances_.push_back({.shape = node.shape.get(),
                             .mesh = dynamic_cast<const R3::Mesh*>(node.shape.get()),
+                            .form = node.shape->FormOfElements(),
                             .is_bounded = is_bounded,
                             .material = &scene_.materials[static_cast<std::size_t>(material)],
                             .node = &node,

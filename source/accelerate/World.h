@@ -17,6 +17,7 @@ struct Instance {
 
   const R3::Shape* shape = nullptr;  // the node's, or what it was baked into
   const R3::Mesh* mesh = nullptr;    // the same, if it is one
+  R3::Form form = R3::Form::other;   // of the shape's elements
   bool is_bounded = true;            // the shape lies in a box
   bool is_repeated = false;          // an earlier instance is the same to the bit: this one is never the hit
   const Material* material = nullptr;
@@ -24,6 +25,9 @@ struct Instance {
   std::uint32_t frame = 0;           // index into World::frames; 0 when baked
   std::int32_t shared = not_shared;  // index into World::SharedMeshes
   std::int64_t first_primitive = 0;  // its elements are the primitives first_primitive, first_primitive + 1, ...
+
+  /// Whether the ray cannot meet the element again.
+  bool IsLeftBy(const R3::Ray& ray, int element) const { return ray.leaving == first_primitive + element; }
 };
 
 /// A crossing of a ray with one element of one instance.

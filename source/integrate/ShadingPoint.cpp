@@ -18,12 +18,16 @@ R2::Color LeftAfter(const R2::Color& absorb, double distance) {
 }  // namespace
 
 ShadingPoint ShadingPointAt(const World& world, const PathState& ray, const WorldHit& hit) {
-  ShadingPoint s{
-      ray, hit, world.At(ray.ray, hit), &world.MaterialAt(hit), {}, {}, true, {}, false, {}, world.scene().shadow_bias,
-      {}};
+  ShadingPoint s{};
+  s.path = ray;
+  s.hit = hit;
+  s.at = world.At(ray.ray, hit);
+  s.material = &world.MaterialAt(hit);
+  s.bias = world.scene().shadow_bias;
   s.kd = KdAt(s);
   s.wo = -Unit(ray.ray.direction);
   s.entering = Dot(s.at.normal, ray.ray.direction) <= 0;
+  SetLeaving(world, s);
   s.N = Facing(s.at.shading_normal, s.entering);
   if (s.material->normal_map) s.N = NormalMapped(world, ray.ray, hit, s.at, *s.material, s.N, s.entering);
   if (s.material->bump) s.N = Bumped(world, ray.ray, hit, s.at, *s.material, s.N, s.entering);
@@ -60,13 +64,20 @@ double LeastT(const ShadingPoint& surface, const R3::Vector& direction) {
 R3::Ray SpawnRay(const ShadingPoint& surface, const R3::Vector& direction) {
   const R3::Vector n = AsVector(surface.at.normal);
   const bool is_towards_viewer = (Dot(n, direction) < 0) == (Dot(n, surface.wo) < 0);
-  return {is_towards_viewer ? surface.shadow_origin : SpawnPoint(surface.at, direction), direction,
-          LeastT(surface, direction), R3::infinity, surface.path.ray.time};
+  return {.origin = is_towards_viewer ? surface.shadow_origin : SpawnPoint(surface.at, direction),
+          .direction = direction,
+          .t_min = LeastT(surface, direction),
+          .time = surface.path.ray.time,
+          .leaving = is_towards_viewer ? surface.leaving : surface.leaving_behind};
 }
 
 R3::Ray ShadowRay(const ShadingPoint& surface, const R3::Vector& to_light, bool is_infinite) {
-  return {surface.shadow_origin, to_light, LeastT(surface, to_light), is_infinite ? R3::infinity : 1,
-          surface.path.ray.time};
+  return {.origin = surface.shadow_origin,
+          .direction = to_light,
+          .t_min = LeastT(surface, to_light),
+          .t_max = is_infinite ? R3::infinity : 1,
+          .time = surface.path.ray.time,
+          .leaving = Dot(surface.N, to_light) > 0 ? surface.leaving : -1};
 }
 
 }  // namespace ray

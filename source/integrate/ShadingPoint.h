@@ -17,8 +17,10 @@ struct ShadingPoint {
   R3::Vector N;             // unit shading normal on the viewer's side
   bool is_smoothed;         // N is not the surface's own normal
   R3::Point shadow_origin;  // where shadow rays and reflections start: off the surface, on the viewer's side
-  double bias;              // where they may first hit something, in distance from there
-  R2::Color radiance;       // back along the ray, as far as it is known
+  // R3::Ray::leaving of rays that start here on the viewer's side, and of those on the other.
+  std::int64_t leaving, leaving_behind;
+  double bias;         // where they may first hit something, in distance from there
+  R2::Color radiance;  // back along the ray, as far as it is known
 
   /// What of the scene's ambient light is reflected.
   R2::Color AmbientReflectance() const;
@@ -32,6 +34,16 @@ struct ShadingPoint {
 /// The surface where a ray was found to hit. What the inside of a solid absorbed on the way is taken from the path's
 /// throughput: exp(-absorb * distance), by the law of Bouguer, Lambert and Beer (1729-1852).
 ShadingPoint ShadingPointAt(const World& world, const PathState& ray, const WorldHit& hit);
+
+/// Of a point whose hit and viewer's side are known, what rays from there leave.
+inline void SetLeaving(const World& world, ShadingPoint& p) {
+  const R3::Form form = world.Instances()[p.hit.instance].form;
+  const std::int64_t primitive = world.PrimitiveId(p.hit);
+  const auto leaving_if = [&](bool is_outward) {
+    return form == R3::Form::flat || (form == R3::Form::convex && is_outward) ? primitive : -1;
+  };
+  p.leaving = leaving_if(p.entering), p.leaving_behind = leaving_if(!p.entering);
+}
 
 /// Of a point whose surface is known, its kd; and the last of these.
 inline R2::Color KdAt(const ShadingPoint& p) {

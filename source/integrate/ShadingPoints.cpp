@@ -97,6 +97,7 @@ void Finish(const World& world, const Surfaces& all) {
     p.N = all.N[i];
     p.is_smoothed = !(all.normal[i] == all.shading_normal[i]);
     p.shadow_origin = all.shadow_origin.At(i);
+    SetLeaving(world, p);
     p.bias = world.scene().shadow_bias;
     AbsorbOnTheWay(p);
   }

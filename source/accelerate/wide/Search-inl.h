@@ -331,6 +331,7 @@ class ExactTriangleTest {
     const R3::Mesh* mesh;
     std::uint32_t instance;
     std::int32_t element;
+    std::int64_t primitive;  // as the world numbers them
 
     const std::array<std::uint32_t, 3>& Indices() const {
       return mesh->Data().triangles[static_cast<std::size_t>(element)];
@@ -354,10 +355,12 @@ class ExactTriangleTest {
   HWY_INLINE TriangleRef Locate(std::uint32_t primitive) const {
     const PrimRef what = primitives_[primitive];
     const std::uint32_t of = instance_.value_or(what.instance);
-    return {two_level_.world->Instances()[of].mesh, of, what.element};
+    const Instance& instance = two_level_.world->Instances()[of];
+    return {instance.mesh, of, what.element, instance.first_primitive + what.element};
   }
 
   HWY_FLATTEN bool Test(const TriangleRef& triangle) {
+    if (triangle.primitive == ray_.leaving) return false;
     if (!sheared_) sheared_.emplace(ray_);  // most rays never ask
     if (nearest_.Best()) sheared_->t_max = std::min(sheared_->t_max, R3::NextUp(nearest_.Limit()));
     ++counts_.primitive_tests;
@@ -384,6 +387,7 @@ bool TestPrimitive(const TwoLevel<Structure>& two_level, const Structure& struct
                    const R3::Ray& ray, double distance_in_world, NearestHit& nearest, Counts& counts) {
   const PrimRef what = structure.primitives[primitive];
   const Instance& instance = two_level.world->Instances()[what.instance];
+  if (what.element != PrimRef::whole && instance.IsLeftBy(ray, what.element)) return false;
   std::optional<R3::Ray> there;
   const R3::Ray& local = instance.frame == 0 ? ray : there.emplace(two_level.world->Back(instance.frame, ray));
   if (what.element == PrimRef::whole)
@@ -471,7 +475,9 @@ class LeafVisitor {
     if constexpr (Structure::meets_primitives_again)
       if (count_ > 0 && candidates_[count_ - 1].primitive == primitive) return;
     if (count_ == most_candidates) TestCandidatesNow();
-    candidates_[count_] = {primitive, nearest, exact_test_.Locate(primitive)};
+    const auto triangle = exact_test_.Locate(primitive);
+    if (triangle.primitive == ray_.leaving) return;
+    candidates_[count_] = {primitive, nearest, triangle};
     candidates_[count_].triangle.PrefetchIndices();
     ++count_;
     limit = std::min(limit, farthest);

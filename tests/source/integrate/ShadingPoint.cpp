@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "source/integrate/ShadingPoints.h"
+#include "tests/Accelerators.h"
 #include "tests/Draw.h"
 #include "tests/Project.h"
 
@@ -94,8 +95,55 @@ TEST(ShadingPoints, MadeTogetherAreThoseMadeOneByOneToTheBit) {
       EXPECT_EQ(p.N, alone.N) << size;
       EXPECT_EQ(p.is_smoothed, alone.is_smoothed) << size;
       EXPECT_EQ(p.shadow_origin, alone.shadow_origin) << size;
+      EXPECT_EQ(p.leaving, alone.leaving) << size;
+      EXPECT_EQ(p.leaving_behind, alone.leaving_behind) << size;
     }
   }
+}
+
+TEST(Leaving, IsWhatIsFlatAndOutwardWhatIsConvex) {
+  const project::Stage stage(
+      project::FromText("material 0 0 0  1 1 1  0 0 0  0 0 0  0 0 0  10 1 0 "
+                        "tri 0  -1 -1 0  1 -1 0  0 1 0  sphere 0  3 0 0  1  torus 0  6 0 0  1 0.25"));
+  const auto from = [&](double x, double y, double dz) { return Seen(stage, {{x, y, -5 * dz}, {0, 0, dz}}); };
+  for (const double dz : {1.0, -1.0}) {
+    const ShadingPoint flat = from(0, 0, dz), convex = from(3, 0, dz), other = from(7, 0, dz);
+    EXPECT_EQ(SpawnRay(flat, {0, 0, -dz}).leaving, 0);
+    EXPECT_EQ(SpawnRay(flat, {0, 0.1, dz}).leaving, 0);
+    EXPECT_EQ(ShadowRay(flat, {1, 0, -dz}, true).leaving, 0);
+    EXPECT_EQ(ShadowRay(flat, {1, 0, dz}, true).leaving, -1);  // it starts on the other side
+    EXPECT_EQ(SpawnRay(convex, {0, 1, -dz}).leaving, 1);
+    EXPECT_EQ(SpawnRay(convex, {0, 0, dz}).leaving, -1);
+    EXPECT_EQ(SpawnRay(other, {0, 0, -dz}).leaving, -1);
+    EXPECT_EQ(SpawnRay(other, {0, 0, dz}).leaving, -1);
+  }
+  const ShadingPoint inside = Seen(stage, {{3, 0, 0}, {0, 0, 1}});
+  EXPECT_EQ(SpawnRay(inside, {0, 0, -1}).leaving, -1);
+  EXPECT_EQ(SpawnRay(inside, {0, 0, 1}).leaving, 1);
+}
+
+TEST(Leaving, ChangesNoAnswer) {
+  std::size_t leaving = 0;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    Draw draw(seed);
+    const Scene scene = accelerators::RandomScene(draw, 1);
+    const World world(scene);
+    const auto none = FindAcceleratorKind("none")->Make(world, {});
+    Workspace workspace;
+    for (int i = 0; i < 500; ++i) {
+      R3::Ray ray{R3::Point{draw.Between(-3, 3), draw.Between(-3, 3), draw.Between(-3, 3)}, draw.Direction()};
+      for (int bounce = 0; bounce < 6; ++bounce) {
+        const auto hit = none->Intersect(ray, workspace);
+        R3::Ray testing = ray;
+        testing.leaving = -1;
+        accelerators::ExpectSame(hit, none->Intersect(testing, workspace), ray, "leaving");
+        leaving += ray.leaving != -1;
+        if (!hit) break;
+        ray = SpawnRay(ShadingPointAt(world, {.ray = ray, .index = {}}, *hit), draw.Direction());
+      }
+    }
+  }
+  EXPECT_GT(leaving, 1000u);
 }
 
 }  // namespace
