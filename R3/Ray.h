@@ -13,8 +13,9 @@ struct Ray {
   Vector direction;
   double t_min = 0, t_max = infinity;
   double time = 0;  // when, of the time the shutter is open, in [0, 1)
-  std::int64_t leaving =
-      -1;  // a primitive that it starts on and cannot meet again, as its owner numbers them; -1: none
+  // Primitives that it cannot meet in between, as their owner numbers them; -1: none.
+  std::int64_t leaving = -1;   // it starts there
+  std::int64_t reaching = -1;  // it ends there
 
   Point At(double t) const { return origin + t * direction; }
 };

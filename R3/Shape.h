@@ -77,6 +77,8 @@ class Shape {
   virtual std::optional<SurfaceSample> Sample(const Point& from, const R2::Point& u, int element) const;
   /// The same, bit for bit, for each of the points and numbers.
   virtual void SampleEach(SurfaceSamples& samples, int element) const;
+  /// Whether Sample never draws a place that the element itself hides.
+  virtual bool DrawsInSight() const { return FormOfElements() == Form::flat; }
   /// The pdf with which Sample draws the place that is `way` away and has this normal, if `from` sees it.
   virtual double Pdf(const Point& from, const Vector& way, const Normal& normal, int element) const;
   /// The area that DrawPlace draws from: all that `from` sees of the element is in it.

@@ -49,7 +49,7 @@ class Transform {
 
   /// The ray as seen from before the map: same t.
   Ray Back(const Ray& ray) const {
-    return {inverse_ * ray.origin, inverse_ * ray.direction, ray.t_min, ray.t_max, ray.time, ray.leaving};
+    return {inverse_ * ray.origin, inverse_ * ray.direction, ray.t_min, ray.t_max, ray.time, ray.leaving, ray.reaching};
   }
 
  private:

@@ -53,6 +53,9 @@ class Sphere : public Shape {
       Shape::SampleEach(samples, element);
   }
 
+  /// From outside places of the cap that faces the point, from inside any.
+  bool DrawsInSight() const override { return true; }
+
   double Pdf(const Point& from, const Vector& way, const Normal& normal, int element) const override {
     const double distance = Length(from - center_), sine = radius_ / distance;
     if (!(sine < 1)) return Shape::Pdf(from, way, normal, element);

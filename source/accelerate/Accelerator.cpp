@@ -32,7 +32,7 @@ bool Accelerator::IsBehindUnbounded(const R3::Ray& ray, Workspace& workspace) co
   LocalRays local(*unbounded_, ray);
   for (const std::uint32_t index : unbounded_->Unbounded()) {
     const Instance& instance = unbounded_->Instances()[index];
-    if (instance.IsLeftBy(ray, 0)) continue;
+    if (instance.IsEndOf(ray, 0)) continue;
     ++workspace.counts.primitive_tests;
     if (instance.shape->Intersect(local.In(instance.frame), 0)) return true;
   }

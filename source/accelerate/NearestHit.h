@@ -19,7 +19,7 @@ class NearestHit {
 
   /// Tests one element, with the ray already in the instance's frame.
   void Test(std::uint32_t instance, int element, const R3::Ray& local, Counts& counts) {
-    if (world_.Instances()[instance].IsLeftBy(local, element)) return;
+    if (world_.Instances()[instance].IsEndOf(local, element)) return;
     ++counts.primitive_tests;
     const R3::Shape& shape = *world_.Instances()[instance].shape;
     const auto hit = best_ ? shape.Intersect(Shortened(local), element) : shape.Intersect(local, element);

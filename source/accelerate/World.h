@@ -26,8 +26,11 @@ struct Instance {
   std::int32_t shared = not_shared;  // index into World::SharedMeshes
   std::int64_t first_primitive = 0;  // its elements are the primitives first_primitive, first_primitive + 1, ...
 
-  /// Whether the ray cannot meet the element again.
-  bool IsLeftBy(const R3::Ray& ray, int element) const { return ray.leaving == first_primitive + element; }
+  /// Whether the ray starts or ends on the element and cannot meet it in between.
+  bool IsEndOf(const R3::Ray& ray, int element) const {
+    const std::int64_t primitive = first_primitive + element;
+    return ray.leaving == primitive || ray.reaching == primitive;
+  }
 };
 
 /// A crossing of a ray with one element of one instance.

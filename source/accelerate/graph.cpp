@@ -43,7 +43,7 @@ class Graph : public Accelerator {
   bool Any(const R3::Ray& ray, Workspace& workspace) const override {
     LocalRays local(world_, ray);
     const auto blocks = [&](std::uint32_t instance, int element, const R3::Ray& seen) {
-      if (world_.Instances()[instance].IsLeftBy(seen, element)) return false;
+      if (world_.Instances()[instance].IsEndOf(seen, element)) return false;
       ++workspace.counts.primitive_tests;
       return world_.Instances()[instance].shape->Intersect(seen, element).has_value();
     };

@@ -28,7 +28,7 @@ class BruteForce : public Accelerator {
       if (!instance.is_bounded) continue;
       const int elements = instance.shape->Elements();
       for (int e = 0; e < elements; ++e) {
-        if (instance.IsLeftBy(ray, e)) continue;
+        if (instance.IsEndOf(ray, e)) continue;
         ++workspace.counts.primitive_tests;
         if (instance.shape->Intersect(local.In(instance.frame), e)) return true;
       }

@@ -220,13 +220,14 @@ void PathStream::AddExtendedLight(int light, const Front& front, const PointsOfE
     ReflectEach(front, pdfs, samples);
   }
   const bool is_infinite = lights_.IsInfinite(light);
+  const std::int64_t reached = lights_.Reached(light);
   for (std::uint32_t i = 0; i < samples.count; ++i) {
     const R2::Color reflected = samples.Color(i);
     if (IsBlack(reflected)) continue;
     const R2::Color contribution = front.throughputs[i] * reflected;
     tracer_.AddShadowRay(
-        front.points[i], i, {.to_light = samples.ToLight(i), .is_infinite = is_infinite}, contribution, contribution,
-        [&] { return lights_.Describe(light); }, state);
+        front.points[i], i, {.to_light = samples.ToLight(i), .is_infinite = is_infinite, .reaching = reached},
+        contribution, contribution, [&] { return lights_.Describe(light); }, state);
   }
 }
 

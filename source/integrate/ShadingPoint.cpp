@@ -71,13 +71,14 @@ R3::Ray SpawnRay(const ShadingPoint& surface, const R3::Vector& direction) {
           .leaving = is_towards_viewer ? surface.leaving : surface.leaving_behind};
 }
 
-R3::Ray ShadowRay(const ShadingPoint& surface, const R3::Vector& to_light, bool is_infinite) {
+R3::Ray ShadowRay(const ShadingPoint& surface, const LightSample& light) {
   return {.origin = surface.shadow_origin,
-          .direction = to_light,
-          .t_min = LeastT(surface, to_light),
-          .t_max = is_infinite ? R3::infinity : 1,
+          .direction = light.to_light,
+          .t_min = LeastT(surface, light.to_light),
+          .t_max = light.is_infinite ? R3::infinity : 1,
           .time = surface.path.ray.time,
-          .leaving = Dot(surface.N, to_light) > 0 ? surface.leaving : -1};
+          .leaving = Dot(surface.N, light.to_light) > 0 ? surface.leaving : -1,
+          .reaching = light.reaching};
 }
 
 }  // namespace ray

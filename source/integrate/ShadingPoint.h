@@ -2,6 +2,7 @@
 
 #include "R3/Intersection.h"
 #include "source/integrate/TraceState.h"
+#include "source/scene/Light.h"
 
 namespace ray {
 
@@ -57,6 +58,6 @@ R2::Color Background(const Scene& scene, const R3::Vector& direction);
 /// The same place, a new direction: off the surface on the side it heads for, in the same moment.
 R3::Ray SpawnRay(const ShadingPoint& surface, const R3::Vector& direction);
 /// Towards a light from the viewer's side.
-R3::Ray ShadowRay(const ShadingPoint& surface, const R3::Vector& to_light, bool is_infinite);
+R3::Ray ShadowRay(const ShadingPoint& surface, const LightSample& light);
 
 }  // namespace ray

@@ -55,7 +55,7 @@ class Tracer {
     if (p.IsBehindSurface(light.to_light)) return;
     ShadowRays& shadows = state.shadows;
     const std::size_t i = shadows.count++;
-    shadows.rays[i] = ShadowRay(p, light.to_light, light.is_infinite);
+    shadows.rays[i] = ShadowRay(p, light);
     shadows.point[i] = index;
     shadows.reflected[i] = reflected;
     if (state.recorder) [[unlikely]]

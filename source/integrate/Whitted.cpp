@@ -43,12 +43,14 @@ std::optional<LightSample> SampleLight(const ShadingPoint& p, const Light& light
   return light.Illuminate(p.shadow_origin, u);
 }
 std::optional<LightSample> SampleLight(const ShadingPoint& p, const EmissiveTriangle& triangle, const R2::Point& u) {
-  return LightSample{triangle.emission, triangle.PointTowards(p.shadow_origin, u, p.path.ray.time) - p.shadow_origin};
+  return LightSample{.irradiance = triangle.emission,
+                     .to_light = triangle.PointTowards(p.shadow_origin, u, p.path.ray.time) - p.shadow_origin,
+                     .reaching = triangle.primitive};
 }
 std::optional<LightSample> SampleLight(const ShadingPoint& p, const EmissiveShape& shape, const R2::Point& u) {
   const auto drawn = shape.SampleTowards(p.shadow_origin, u, p.path.ray.time);
   if (!drawn) return {};
-  return LightSample{shape.Emission(), drawn->towards};
+  return LightSample{.irradiance = shape.Emission(), .to_light = drawn->towards, .reaching = shape.Reached()};
 }
 std::optional<LightSample> SampleLight(const ShadingPoint&, const Environment& environment, const R2::Point& u) {
   const Environment::Sample drawn = environment.Draw(u);

@@ -20,10 +20,11 @@ struct LightSample {
   /// Before the surface's own cosine. Of a light with a pdf: radiance over pdf. Of others: what the scene language says
   /// arrives, pi times smaller than the irradiance in the theory of a diffuse surface.
   R2::Color irradiance{};
-  R3::Vector to_light;       // from the point; reaches the light at t = 1 unless the light is infinitely far
-  bool is_infinite = false;  // the light has a direction but no place
-  double pdf = 0;            // per solid angle, that of choosing the light included; 0 for lights that no ray can hit
-  int light = 0;             // its number, where one of several was chosen
+  R3::Vector to_light;         // from the point; reaches the light at t = 1 unless the light is infinitely far
+  bool is_infinite = false;    // the light has a direction but no place
+  double pdf = 0;              // per solid angle, that of choosing the light included; 0 for lights that no ray can hit
+  int light = 0;               // its number, where one of several was chosen
+  std::int64_t reaching = -1;  // R3::Ray::reaching of a ray to the light
 };
 
 /// A source of light, in world coordinates.

@@ -360,7 +360,7 @@ class ExactTriangleTest {
   }
 
   HWY_FLATTEN bool Test(const TriangleRef& triangle) {
-    if (triangle.primitive == ray_.leaving) return false;
+    if (triangle.primitive == ray_.leaving || triangle.primitive == ray_.reaching) return false;
     if (!sheared_) sheared_.emplace(ray_);  // most rays never ask
     if (nearest_.Best()) sheared_->t_max = std::min(sheared_->t_max, R3::NextUp(nearest_.Limit()));
     ++counts_.primitive_tests;
@@ -387,7 +387,7 @@ bool TestPrimitive(const TwoLevel<Structure>& two_level, const Structure& struct
                    const R3::Ray& ray, double distance_in_world, NearestHit& nearest, Counts& counts) {
   const PrimRef what = structure.primitives[primitive];
   const Instance& instance = two_level.world->Instances()[what.instance];
-  if (what.element != PrimRef::whole && instance.IsLeftBy(ray, what.element)) return false;
+  if (what.element != PrimRef::whole && instance.IsEndOf(ray, what.element)) return false;
   std::optional<R3::Ray> there;
   const R3::Ray& local = instance.frame == 0 ? ray : there.emplace(two_level.world->Back(instance.frame, ray));
   if (what.element == PrimRef::whole)

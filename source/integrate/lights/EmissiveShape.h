@@ -36,6 +36,8 @@ class EmissiveShape {
 
   const R2::Color& Emission() const { return instance_->material->emission; }
   std::int64_t Primitive() const { return instance_->first_primitive + element_; }
+  /// R3::Ray::reaching of rays to places drawn.
+  std::int64_t Reached() const { return instance_->shape->DrawsInSight() ? Primitive() : -1; }
   /// How large it looks, roughly: half the area of the box around it, as of a triangle one of two sides.
   double ApparentArea() const;
   std::string Describe() const;

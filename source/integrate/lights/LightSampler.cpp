@@ -80,6 +80,15 @@ std::string LightSampler::Describe(int light) const {
   return i < shapes_.size() ? shapes_[i].Describe() : "environment";
 }
 
+std::int64_t LightSampler::Reached(int light) const {
+  auto i = static_cast<std::size_t>(light);
+  if (i < lights_.size()) return -1;
+  i -= lights_.size();
+  if (i < triangles_.size()) return triangles_[i].primitive;
+  i -= triangles_.size();
+  return i < shapes_.size() ? shapes_[i].Reached() : -1;
+}
+
 std::optional<LightTree::Choice> LightSampler::Choose(const ShadingPoint& p, double choice) const {
   if (is_uniform_) return LightTree::Choice{std::min(count_ - 1, static_cast<int>(choice * count_)), 1.0 / count_};
   return tree_->Choose(p.shadow_origin, p.N, choice);
@@ -103,13 +112,14 @@ std::optional<LightSample> LightSampler::Sample(const ShadingPoint& p, int light
     const R3::Vector towards = triangle.PointTowards(p.shadow_origin, u, p.path.ray.time) - p.shadow_origin;
     const double pdf = Pdf(triangle, towards, 1);
     if (!(pdf > 0)) return {};
-    return LightSample{triangle.emission / pdf, towards, false, pdf, light};
+    return LightSample{triangle.emission / pdf, towards, false, pdf, light, triangle.primitive};
   }
   i -= triangles_.size();
   if (i < shapes_.size()) {
     const auto drawn = shapes_[i].SampleTowards(p.shadow_origin, u, p.path.ray.time);
     if (!drawn) return {};
-    return LightSample{shapes_[i].Emission() / drawn->pdf, drawn->towards, false, drawn->pdf, light};
+    return LightSample{
+        shapes_[i].Emission() / drawn->pdf, drawn->towards, false, drawn->pdf, light, shapes_[i].Reached()};
   }
   if (is_uniform_) {
     const R3::Vector direction = R3::OnSphere(u);

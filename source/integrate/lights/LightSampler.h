@@ -51,6 +51,8 @@ class LightSampler {
   /// it, the irradiance, black where there is none, and the pdfs.
   void SampleEach(std::span<const ShadingPoint> points, int light, LightSamples& samples,
                   LightSamples::Each& pdfs) const;
+  /// R3::Ray::reaching of rays to a light.
+  std::int64_t Reached(int light) const;
   bool IsInfinite(int light) const { return environment_ && light == count_ - 1; }
 
   /// Null where it does not shine.

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "source/integrate/ShadingPoints.h"
+#include "source/integrate/lights/LightSampler.h"
 #include "tests/Accelerators.h"
 #include "tests/Draw.h"
 #include "tests/Project.h"
@@ -110,8 +111,9 @@ TEST(Leaving, IsWhatIsFlatAndOutwardWhatIsConvex) {
     const ShadingPoint flat = from(0, 0, dz), convex = from(3, 0, dz), other = from(7, 0, dz);
     EXPECT_EQ(SpawnRay(flat, {0, 0, -dz}).leaving, 0);
     EXPECT_EQ(SpawnRay(flat, {0, 0.1, dz}).leaving, 0);
-    EXPECT_EQ(ShadowRay(flat, {1, 0, -dz}, true).leaving, 0);
-    EXPECT_EQ(ShadowRay(flat, {1, 0, dz}, true).leaving, -1);  // it starts on the other side
+    EXPECT_EQ(ShadowRay(flat, {.to_light = {1, 0, -dz}, .is_infinite = true}).leaving, 0);
+    EXPECT_EQ(ShadowRay(flat, {.to_light = {1, 0, dz}, .is_infinite = true}).leaving,
+              -1);  // it starts on the other side
     EXPECT_EQ(SpawnRay(convex, {0, 1, -dz}).leaving, 1);
     EXPECT_EQ(SpawnRay(convex, {0, 0, dz}).leaving, -1);
     EXPECT_EQ(SpawnRay(other, {0, 0, -dz}).leaving, -1);
@@ -144,6 +146,39 @@ TEST(Leaving, ChangesNoAnswer) {
     }
   }
   EXPECT_GT(leaving, 1000u);
+}
+
+TEST(Reaching, ChangesNoAnswer) {
+  // Lamps of every form, one of them around what it lights, and things in between.
+  const project::Stage stage(project::FromText(
+      "material 0 0 0  1 1 1  0 0 0  0 0 0  2 2 2  10 1 0  material 0 0 0  1 1 1  0 0 0  0 0 0  0 0 0  10 1 0 "
+      "sphere 0  0 0 0  9  sphere 0  2 0 0  0.5  tri 0  -2 -1 1  -1 -1 1  -1 1 0  box 0  0 2 0  1 3 1 "
+      "begin -1  0.8 0 0.3 0  0 3 0 0  0.6 0 -0.4 -2  0 0 0 1 sphere 0  0 0 0  0.4  end "
+      "torus 0  0 -3 0  1 0.3  cone 0  -3 2 0  0.5 1  sphere 1  0 0 0  1  box 1  1 1 1  1.2 1.2 1.2"));
+  const LightSampler lights(stage.world, TraceSettings{});
+  const auto none = FindAcceleratorKind("none")->Make(stage.world, {});
+  Workspace workspace;
+  Draw draw(77);
+  std::size_t reaching = 0, occluded = 0;
+  for (int i = 0; i < 3000; ++i) {
+    const R3::Ray ray{{draw.Between(-4, 4), draw.Between(-4, 4), draw.Between(-4, 4)}, draw.Direction()};
+    const auto hit = none->Intersect(ray, workspace);
+    if (!hit) continue;
+    const ShadingPoint p = ShadingPointAt(stage.world, {.ray = ray, .index = {}}, *hit);
+    for (int light = 0; light < lights.Count(); ++light) {
+      const auto sample = lights.Sample(p, light, {draw.Between(0, 1), draw.Between(0, 1)});
+      if (!sample || !(Dot(p.N, sample->to_light) > 0)) continue;
+      const R3::Ray shadow = ShadowRay(p, *sample);
+      EXPECT_EQ(shadow.reaching, lights.Reached(light));
+      R3::Ray testing = shadow;
+      testing.leaving = testing.reaching = -1;
+      const bool is_occluded = none->IsOccluded(testing, workspace);
+      EXPECT_EQ(none->IsOccluded(shadow, workspace), is_occluded) << lights.Describe(light);
+      reaching += shadow.reaching != -1, occluded += is_occluded;
+    }
+  }
+  EXPECT_GT(reaching, 1000u);
+  EXPECT_GT(occluded, 1000u);
 }
 
 }  // namespace
