@@ -10,6 +10,7 @@
 #include "R3/MeshData.h"
 #include "R3/Ray.h"
 #include "R3/Recipe.h"
+#include "R3/SphereData.h"
 #include "R3/SurfaceSamples.h"
 
 namespace R3 {
@@ -94,6 +95,8 @@ class Shape {
   virtual bool HasTextureCoordinates() const { return true; }
   /// Whether nothing can ever hit it (zero radius or height).
   virtual bool IsDegenerate() const { return false; }
+  /// The sphere that the shape is, if it is one: IntersectSphere then is its Intersect.
+  virtual std::optional<SphereData> AsSphere() const { return {}; }
   /// Nothing for a shape that is not of a kind of shapes.def.
   virtual std::optional<Recipe> MadeFrom() const { return {}; }
 };

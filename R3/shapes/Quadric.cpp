@@ -1,15 +1,11 @@
 #include "R3/shapes/Quadric.h"
 
 #include <algorithm>
-#include <utility>
 
 #include "R1/DoubleDouble.h"
 
 namespace R3 {
 namespace {
-
-// Nearer to the surface than this share of the radius, (F - r)(F + r) has lost three bits and more.
-constexpr double near_share = 0x1p-3;
 
 /// |origin - center|^2 - radius^2 with a relative error of a few u however near the two are.
 double PowerOfPoint(const Point& origin, const Point& center, double radius) {
@@ -39,8 +35,10 @@ double AccurateDot(const Point& origin, const Point& center, const Vector& direc
   return sum + rest;
 }
 
-/// The same for lengths whose squares leave the range of doubles, or nearly.
-std::optional<Roots> ScaledRoots(const Point& origin, const Vector& direction, const Point& center, double radius) {
+}  // namespace
+
+std::optional<Roots> ScaledQuadricRoots(const Point& origin, const Vector& direction, const Point& center,
+                                        double radius) {
   if (!IsFinite(direction) || !IsFinite(origin - center) || !(radius < infinity)) return {};
   const double longest = MaxComponent(Abs(direction)), size = std::max(MaxComponent(Abs(origin - center)), radius);
   if (!(longest > 0) || !(size > 0)) return {};
@@ -51,36 +49,18 @@ std::optional<Roots> ScaledRoots(const Point& origin, const Vector& direction, c
   return Roots{std::scalbn(roots->first, per_length - per_t), std::scalbn(roots->second, per_length - per_t)};
 }
 
-}  // namespace
+// The chord to the far side is as long as the bar allows for least error: a and b must lose nothing either.
+R3_USES_FMA
+Quadratic QuadraticNearby(const Point& origin, const Vector& direction, const Point& center, double radius) {
+  const double a = AccurateDot(Point{} + direction, {}, direction);
+  const double b = -AccurateDot(origin, center, direction);
+  const double c = PowerOfPoint(origin, center, radius);
+  return {a, b, c, DifferenceOfProducts(b, b, a, c)};
+}
 
 R3_USES_FMA
 std::optional<Roots> QuadricRoots(const Point& origin, const Vector& direction, const Point& center, double radius) {
-  const Vector f = origin - center;
-  double a = Dot(direction, direction), b = -Dot(f, direction);
-  const double square = Dot(f, f), distance = std::sqrt(square);
-  if (!IsInRange(a) || !IsInRange(std::max(square, radius * radius))) [[unlikely]]
-    return ScaledRoots(origin, direction, center, radius);
-
-  double c, discriminant;  // of a t^2 - 2 b t + c
-  if (std::abs(distance - radius) < near_share * radius) {
-    // The chord to the far side is as long as the bar allows for least error: a and b must lose nothing either.
-    a = AccurateDot(Point{} + direction, {}, direction);
-    b = -AccurateDot(origin, center, direction);
-    c = PowerOfPoint(origin, center, radius);
-    discriminant = DifferenceOfProducts(b, b, a, c);
-  } else {
-    c = (distance - radius) * (distance + radius);
-    const double s = b / a;  // to the line's point nearest to the center; fma keeps what is left of f after cancelling
-    const Vector miss{std::fma(s, direction.x, f.x), std::fma(s, direction.y, f.y), std::fma(s, direction.z, f.z)};
-    const double miss_distance = std::sqrt(Dot(miss, miss));
-    discriminant = a * ((radius - miss_distance) * (radius + miss_distance));
-  }
-  if (!(discriminant >= 0) || !(a > 0)) return {};
-  const double q = b + std::copysign(std::sqrt(discriminant), b);
-  if (q == 0) return Roots{0, 0};  // the origin is the point of a tangent
-  Roots roots{c / q, q / a};
-  if (roots.first > roots.second) std::swap(roots.first, roots.second);
-  return roots;
+  return QuadricRootsInline(origin, direction, center, radius);
 }
 
 }  // namespace R3

@@ -1,7 +1,11 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <optional>
+#include <utility>
 
+#include "R3/Numeric.h"
 #include "R3/Point.h"
 
 namespace R3 {
@@ -33,5 +37,43 @@ inline bool IsCertainlyLeaving(const Vector& from_center, const Vector& directio
 ///             the origin is near the surface; there it is summed exactly instead, and the plain discriminant is then
 ///             the better one, since b^2 and a c no longer cancel except at a tangent.
 std::optional<Roots> QuadricRoots(const Point& origin, const Vector& direction, const Point& center, double radius);
+
+/// The same for lengths whose squares leave the range of doubles, or nearly.
+std::optional<Roots> ScaledQuadricRoots(const Point& origin, const Vector& direction, const Point& center,
+                                        double radius);
+
+/// a t^2 - 2 b t + c, whose roots are wanted, and b^2 - a c.
+struct Quadratic {
+  double a, b, c, discriminant;
+};
+/// Of a ray that begins near the surface.
+Quadratic QuadraticNearby(const Point& origin, const Vector& direction, const Point& center, double radius);
+
+/// QuadricRoots, compiled into its caller: for callers that are themselves compiled for an instruction set.
+inline std::optional<Roots> QuadricRootsInline(const Point& origin, const Vector& direction, const Point& center,
+                                               double radius) {
+  // Nearer to the surface than this share of the radius, (F - r)(F + r) has lost three bits and more.
+  constexpr double near_share = 0x1p-3;
+  const Vector f = origin - center;
+  const double square = Dot(f, f), distance = std::sqrt(square);
+  Quadratic q{Dot(direction, direction), -Dot(f, direction), 0, 0};
+  if (!IsInRange(q.a) || !IsInRange(std::max(square, radius * radius))) [[unlikely]]
+    return ScaledQuadricRoots(origin, direction, center, radius);
+  if (std::abs(distance - radius) < near_share * radius) {
+    q = QuadraticNearby(origin, direction, center, radius);
+  } else {
+    q.c = (distance - radius) * (distance + radius);
+    const double s = q.b / q.a;  // to the line's point nearest to the center; fma keeps what is left after cancelling
+    const Vector miss{std::fma(s, direction.x, f.x), std::fma(s, direction.y, f.y), std::fma(s, direction.z, f.z)};
+    const double miss_distance = std::sqrt(Dot(miss, miss));
+    q.discriminant = q.a * ((radius - miss_distance) * (radius + miss_distance));
+  }
+  if (!(q.discriminant >= 0) || !(q.a > 0)) return {};
+  const double sum = q.b + std::copysign(std::sqrt(q.discriminant), q.b);
+  if (sum == 0) return Roots{0, 0};  // the origin is the point of a tangent
+  Roots roots{q.c / sum, sum / q.a};
+  if (roots.first > roots.second) std::swap(roots.first, roots.second);
+  return roots;
+}
 
 }  // namespace R3

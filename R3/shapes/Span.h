@@ -19,10 +19,11 @@ struct Span {
   }
 
   /// The first end strictly inside the ray's interval. A body touched in one point counts as hit.
-  std::optional<Hit> First(const Ray& ray) const {
+  std::optional<Hit> First(const Ray& ray) const { return First(ray.t_min, ray.t_max); }
+  std::optional<Hit> First(double t_min, double t_max) const {
     if (!(enter <= leave)) return {};
-    if (enter > ray.t_min) return enter < ray.t_max ? std::optional(Hit{enter, 0, 0, enter_part}) : std::nullopt;
-    if (leave > ray.t_min && leave < ray.t_max) return Hit{leave, 0, 0, leave_part};
+    if (enter > t_min) return enter < t_max ? std::optional(Hit{enter, 0, 0, enter_part}) : std::nullopt;
+    if (leave > t_min && leave < t_max) return Hit{leave, 0, 0, leave_part};
     return {};
   }
 };

@@ -3,9 +3,8 @@
 #include "R1/Elementary.h"
 #include "R3/GridMesh.h"
 #include "R3/ShapeKind.h"
+#include "R3/Sphere.h"
 #include "R3/Warp.h"
-#include "R3/shapes/Quadric.h"
-#include "R3/shapes/Span.h"
 
 namespace R3 {
 namespace {
@@ -20,11 +19,7 @@ class Sphere : public Shape {
   }
 
   std::optional<Hit> Intersect(const Ray& ray, int) const override {
-    if (IsDegenerate()) return {};
-    if (IsCertainlyLeaving(ray.origin - center_, ray.direction, radius_) && ray.t_min >= 0) return {};
-    const auto roots = QuadricRoots(ray.origin, ray.direction, center_, radius_);
-    if (!roots) return {};
-    return Span{roots->first, roots->second, 0, 0}.First(ray);
+    return IntersectSphere(ray, {center_, radius_}, ray.t_max);
   }
 
   Intersection At(const Ray& ray, const Hit& hit, int) const override {
@@ -83,6 +78,8 @@ class Sphere : public Shape {
 
   Form FormOfElements() const override { return Form::convex; }
   bool IsDegenerate() const override { return !(radius_ > 0); }
+
+  std::optional<SphereData> AsSphere() const override { return SphereData{center_, radius_}; }
 
   std::optional<Recipe> MadeFrom() const override {
     return Recipe{"sphere", {center_.x, center_.y, center_.z, radius_}};

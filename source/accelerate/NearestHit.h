@@ -16,6 +16,8 @@ class NearestHit {
   /// No hit at a larger t is wanted any more; one at exactly this t still is.
   double Limit() const { return limit_; }
   const std::optional<WorldHit>& Best() const { return best_; }
+  /// The t_max of the ray, or less: a test that keeps below it misses no hit that is wanted.
+  double TMaxOf(const R3::Ray& ray) const { return best_ ? std::min(ray.t_max, R3::NextUp(limit_)) : ray.t_max; }
 
   /// Tests one element, with the ray already in the instance's frame.
   void Test(std::uint32_t instance, int element, const R3::Ray& local, Counts& counts) {
@@ -35,7 +37,7 @@ class NearestHit {
 
  private:
   R3::Ray Shortened(R3::Ray ray) const {
-    ray.t_max = std::min(ray.t_max, R3::NextUp(limit_));
+    ray.t_max = TMaxOf(ray);
     return ray;
   }
 

@@ -62,10 +62,10 @@ struct Grid : wide::Tree {
 
   /// 0, which is inside no cell, where there is none.
   static std::uint32_t LevelInside(std::uint32_t cell) {
-    return wide::Child::KindOf(cell) == wide::Child::Kind::nothing ? wide::Child::Index(cell) : 0;
+    return wide::Child::IsNothing(cell) ? cell - wide::Child::nothing : 0;
   }
   static std::uint32_t CellWithLevel(std::uint32_t level) {
-    return wide::Child::Make(wide::Child::Kind::nothing, level);
+    return wide::Child::nothing + level;
   }
 
   /// Cells are no boxes within boxes.
@@ -125,7 +125,7 @@ class GridTraversal {
   HWY_INLINE bool Visit(std::uint32_t cell) {
     if (wide::Child::KindOf(cell) == wide::Child::Kind::triangles)
       return visitor_.VisitTriangles(grid_.At<TriangleBlock>(cell));
-    return wide::Child::KindOf(cell) != wide::Child::Kind::nothing && VisitSubtree(cell);
+    return !wide::Child::IsNothing(cell) && VisitSubtree(cell);
   }
   HWY_NOINLINE bool VisitSubtree(std::uint32_t cell) {
     TraverseFrom<any>(cell, grid_, node_ray_, visitor_, counts_);

@@ -55,6 +55,49 @@ TEST(Accelerators, AgreeInRandomSoupsOfTriangles) {
   }
 }
 
+/// Rays past a sphere within some ulps of a tangent, from near and far and from inside, and along its surface.
+std::vector<R3::Ray> RaysGrazing(const R3::Point& center, double radius, Draw& draw) {
+  std::vector<R3::Ray> rays;
+  for (int i = 0; i < 4; ++i) {
+    const R3::Vector along = draw.Direction(), across = Unit(Cross(along, draw.Direction()));
+    const double miss = radius * (1 + draw.Whole(-3, 3) * 0x1p-52), far = draw.Scale(-3, 9) * std::max(radius, 1e-6);
+    const double length = draw.Scale(-6, 6);
+    rays.push_back({center - far * along + miss * across, length * along});
+    rays.push_back({center - far * along, length * (far * along + miss * across)});
+    rays.push_back({center + draw.Between(0, 1) * radius * across, length * along, 0, draw.Scale(-3, 3)});
+    rays.push_back({center + radius * across, length * (along + draw.Whole(-2, 2) * 0x1p-50 * across)});
+  }
+  return rays;
+}
+
+TEST(Accelerators, AgreeAboutSpheresOfAnySizeThatRaysGraze) {
+  const auto ways = EveryWay();
+  for (int seed = 0; seed < Count(12, 1000); ++seed) {
+    Draw draw(static_cast<std::uint64_t>(seed) + 1200);
+    const double shift = draw.Whole(0, 1) ? 0 : draw.Scale(0, 8), size = draw.Scale(-6, 1);
+    ray::Scene scene;
+    std::vector<R3::Ray> rays;
+    for (int i = 0; i < 60; ++i) {
+      const R3::Point center = R3::Point{shift, -shift, shift} + draw.Between(0, 1) * draw.Direction();
+      const double radius = draw.Whole(0, 19) == 0 ? 0 : draw.Whole(0, 19) == 0 ? 1e3 : size * draw.Scale(-6, 0);
+      auto& siblings = scene.root.children;
+      siblings.push_back(Leaf(R3::MakeShape("sphere", {center.x, center.y, center.z, radius})));
+      if (draw.Whole(0, 3) == 0) {
+        ray::Node group = Group(draw.Affine(1));
+        group.children.push_back(std::move(siblings.back()));
+        SetBounds(group);
+        siblings.back() = std::move(group);
+      }
+      for (const R3::Ray& ray : RaysGrazing(center, radius, draw)) rays.push_back(ray);
+    }
+    SetBounds(scene.root);
+    const ray::World world(scene);
+    for (const R3::Ray& ray : accelerators::RaysAt(world, draw, 60)) rays.push_back(ray);
+    SCOPED_TRACE("seed " + std::to_string(seed + 1200));
+    Compare(world, rays, ways);
+  }
+}
+
 // Below 1e-140 and above 1e100 the products of a triangle test itself leave the range of doubles.
 TEST(Accelerators, AgreeAtTheEndsOfTheRangeOfNumbers) {
   Draw draw(955);

@@ -73,4 +73,13 @@ const R3::Mesh* PrimitiveSet::MeshOf(std::uint32_t i) const {
   return run.is_whole ? nullptr : world_.Instances()[run.instance].mesh;
 }
 
+std::optional<SphereLeaf> PrimitiveSet::SphereOf(std::uint32_t i) const {
+  if (mesh_) return {};
+  const std::uint32_t number = RunOf(i).instance;
+  const Instance& instance = world_.Instances()[number];
+  const auto sphere = instance.frame == 0 ? instance.shape->AsSphere() : std::nullopt;
+  if (!sphere) return {};
+  return SphereLeaf{*sphere, instance.first_primitive, number};
+}
+
 }  // namespace ray

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "R3/Box.h"
@@ -15,6 +16,13 @@ struct PrimRef {
 
   std::uint32_t instance = 0;
   std::int32_t element = whole;
+};
+
+/// A sphere with all that its test needs, to be copied to where traversal comes by.
+struct alignas(32) SphereLeaf {
+  R3::SphereData sphere;
+  std::int64_t primitive = 0;  // as the world numbers them
+  std::uint32_t instance = 0;
 };
 
 /// What one structure is built over: the world, or the inside of one shared mesh in that mesh's own frame. Its
@@ -40,6 +48,8 @@ class PrimitiveSet {
   /// The mesh whose triangle the primitive is, if that lies in the set's own frame: what batches of triangle tests
   /// can work on. Null for others.
   const R3::Mesh* MeshOf(std::uint32_t i) const;
+  /// The sphere that the primitive is, if it is one in the set's own frame.
+  std::optional<SphereLeaf> SphereOf(std::uint32_t i) const;
 
   std::size_t Bytes() const { return runs_.size() * sizeof(Run) + run_of_.size() * sizeof(std::uint32_t); }
 

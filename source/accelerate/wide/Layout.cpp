@@ -12,6 +12,7 @@ namespace ray::wide {
 namespace {
 
 constexpr std::uint32_t units_of_node = sizeof(Node) / unit, units_of_block = sizeof(TriangleBlock) / unit;
+constexpr std::uint32_t units_of_sphere = sizeof(SphereLeaf) / unit;
 constexpr std::uint32_t most_units = (std::uint32_t{1} << Child::kind_shift) - 64;
 constexpr std::size_t own_cache = std::size_t{1} << 22;  // of a core, about
 
@@ -24,14 +25,17 @@ struct BlockAt {
   const BuildChild* child;
   std::uint32_t first_unit;
 };
+struct SphereAt {
+  std::uint32_t primitive, first_unit;
+};
 
-/// Gives nodes and blocks their units of memory, one child and what is below it after the other.
+/// Gives nodes, blocks and spheres their units of memory, one child and what is below it after the other.
 class LayoutPass {
  public:
   explicit LayoutPass(Tree& tree) : tree_(tree) {}
 
   std::uint32_t Add(const BuildChild& child) {
-    if (child.IsEmpty()) return Child::Make(Child::Kind::nothing, 0);
+    if (child.IsEmpty()) return Child::nothing;
     if (!child.below) return AddLeaf(child);
     const std::uint32_t top = Child::Make(Child::Kind::node, end);
     std::vector<StackEntry> stack{{child.below, 0, 0, 1}};
@@ -56,6 +60,7 @@ class LayoutPass {
 
   std::vector<NodeAt> nodes;
   std::vector<BlockAt> blocks;
+  std::vector<SphereAt> spheres;
   std::uint32_t end = 0;
 
  private:
@@ -66,10 +71,18 @@ class LayoutPass {
   };
 
   std::uint32_t AddLeaf(const BuildChild& child) {
-    if (child.triangles == 0) return Child::Make(Child::Kind::primitive, child.primitives[0]);
+    if (child.triangles == 0) return AddPrimitive(child.primitives[0]);
     const std::uint32_t self = Child::Make(Child::Kind::triangles, end);
     blocks.push_back({&child, end});
     end += units_of_block;
+    return self;
+  }
+
+  std::uint32_t AddPrimitive(std::uint32_t primitive) {
+    if (!tree_.primitives.SphereOf(primitive)) return Child::Make(Child::Kind::primitive, primitive);
+    const std::uint32_t self = Child::Make(Child::Kind::sphere, end);
+    spheres.push_back({primitive, end});
+    end += units_of_sphere;
     return self;
   }
 
@@ -87,7 +100,7 @@ void Fill(const NodeAt& from, Tree& tree) {
       node.At(2 * axis, i) = is_there ? static_cast<float>(child.box.low[axis]) : nowhere;
       node.At(2 * axis + 1, i) = is_there ? static_cast<float>(child.box.high[axis]) : -nowhere;
     }
-    node.child[i] = is_there ? from.child[k] : Child::Make(Child::Kind::nothing, 0);
+    node.child[i] = is_there ? from.child[k] : Child::nothing;
   }
 }
 
@@ -112,6 +125,10 @@ std::vector<std::uint32_t> Flatten(std::span<const BuildChild> roots, Tree& tree
     const auto& [child, first_unit] = layout.blocks[i];
     FillBlock(*new (&tree.memory[first_unit]) TriangleBlock, tree.primitives, tree.coordinates,
               child->primitives.data(), child->triangles);
+  });
+  ForAll(layout.spheres.size(), [&](std::size_t i) {
+    const auto& [primitive, first_unit] = layout.spheres[i];
+    new (&tree.memory[first_unit]) SphereLeaf(*tree.primitives.SphereOf(primitive));
   });
   tree.is_large = tree.Bytes() > own_cache;
   return children;

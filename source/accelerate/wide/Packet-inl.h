@@ -308,7 +308,7 @@ class PacketTraversal {
       if (kind == Child::Kind::node && std::popcount(rays) > few_rays) {
         ++nodes;
         top = PushSorted(tree_.At<Node>(child), limit, top);
-      } else if (kind != Child::Kind::nothing) {
+      } else if (!Child::IsNothing(child)) {
         ++leaves;
         VisitLeaf(child, rays);
         limit = packet_.LargestLimit();
@@ -348,6 +348,8 @@ class PacketTraversal {
     const auto kind = Child::KindOf(child);
     if (kind == Child::Kind::triangles && std::popcount(rays) > few_rays)
       VisitTriangles(tree_.At<TriangleBlock>(child), rays);
+    else if (kind == Child::Kind::sphere)
+      ForEachBit(rays, [&](int i) HWY_ATTR { VisitSphere(i, tree_.At<SphereLeaf>(child)); });
     else if (kind == Child::Kind::primitive)
       ForEachBit(rays, [&](int i) HWY_ATTR { VisitPrimitive(i, Child::Index(child)); });
     else
@@ -364,6 +366,14 @@ class PacketTraversal {
     if constexpr (!any) visitor.TestCandidates();
     packet_.limit[i] = visitor.limit;
     if (visitor.is_answered) Answer(i);
+  }
+
+  HWY_INLINE void VisitSphere(int i, const SphereLeaf& leaf) {
+    if (!TestSphere<any>(leaf, Ray(i), Nearest(i), counts_)) return;
+    if constexpr (any)
+      Answer(i);
+    else
+      packet_.limit[i] = std::min(packet_.limit[i], packet_.Distance(i, Nearest(i).Limit()));
   }
 
   void VisitPrimitive(int i, std::uint32_t primitive) {

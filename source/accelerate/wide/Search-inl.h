@@ -16,6 +16,7 @@
 #include <optional>
 
 #include "R3/Mesh.h"
+#include "R3/Sphere.h"
 #include "R3/Triangle.h"
 #include "source/accelerate/NearestHit.h"
 #include "source/accelerate/twolevel/TwoLevel.h"
@@ -380,8 +381,19 @@ class ExactTriangleTest {
   std::optional<R3::ShearedRay> sheared_;
 };
 
-/// Tests a primitive that is no triangle of the structure's frame: any other shape, or a whole shared mesh. True when
-/// there is a hit of `any`.
+/// The sphere's own test, compiled for the instruction set. Whether there is a hit no farther than the nearest so far.
+template <bool any>
+HWY_NOINLINE HWY_FLATTEN bool TestSphere(const SphereLeaf& leaf, const R3::Ray& ray, NearestHit& nearest,
+                                         Counts& counts) {
+  if (leaf.primitive == ray.leaving || leaf.primitive == ray.reaching) return false;
+  ++counts.primitive_tests;
+  const auto hit = R3::IntersectSphereInline(ray, leaf.sphere, nearest.TMaxOf(ray));
+  if (hit && !any) nearest.Offer({*hit, leaf.instance, 0});
+  return hit.has_value();
+}
+
+/// Tests a primitive that is neither a triangle nor a sphere of the structure's frame: any other shape, or a whole shared
+/// mesh. True when there is a hit of `any`.
 template <bool any, typename Structure>
 bool TestPrimitive(const TwoLevel<Structure>& two_level, const Structure& structure, std::uint32_t primitive,
                    const R3::Ray& ray, double distance_in_world, NearestHit& nearest, Counts& counts) {
@@ -437,6 +449,14 @@ class LeafVisitor {
         Keep(block.primitive[i], mask.nearest[i], is_certain ? mask.farthest[i] : none);
       }
     }
+    return false;
+  }
+
+  /// The same for a sphere.
+  HWY_INLINE bool VisitSphere(const SphereLeaf& leaf) {
+    if (!TestSphere<any>(leaf, ray_, nearest_, counts_)) return false;
+    if constexpr (any) return is_answered = true;
+    limit = std::min(limit, traversal_ray_.Distance(nearest_.Limit()));
     return false;
   }
 

@@ -159,6 +159,14 @@ HWY_INLINE Pushed PushSorted(const Tree& tree, const Node& node, const float* HW
   return {static_cast<std::uint32_t>(*top), top};
 }
 
+/// A sphere or another primitive that is a child of its own; true when that ends the search. Out of line, so that the
+/// traversal of triangles keeps its registers.
+template <typename LeafVisitor>
+HWY_NOINLINE bool VisitSingle(const Tree& tree, std::uint32_t child, LeafVisitor& visitor) {
+  if (Child::KindOf(child) == Child::Kind::sphere) return visitor.VisitSphere(tree.At<SphereLeaf>(child));
+  return visitor.VisitPrimitive(Child::Index(child));
+}
+
 /// From a child of whatever kind, with a stack of what is still to be visited, nearest on top.
 template <bool any, typename LeafVisitor>
 HWY_INLINE void TraverseFrom(std::uint32_t child, const Tree& tree, const NodeRay& ray, LeafVisitor& visitor,
@@ -190,9 +198,9 @@ HWY_INLINE void TraverseFrom(std::uint32_t child, const Tree& tree, const NodeRa
     } else if (kind == Child::Kind::triangles) {
       ++leaves;
       if (visitor.VisitTriangles(tree.At<TriangleBlock>(child))) break;
-    } else if (kind == Child::Kind::primitive) {
+    } else if (!Child::IsNothing(child)) {
       ++leaves;
-      if (visitor.VisitPrimitive(Child::Index(child))) break;
+      if (VisitSingle(tree, child, visitor)) break;
     }
     do {
       if (top == stack) goto done;

@@ -25,7 +25,7 @@ std::vector<R3::Box> Tree::BoxesAt(int level) const {
     stack.pop_back();
     const Node& node = At<Node>(next.node);
     for (int i = width; i-- > 0;) {
-      if (Child::KindOf(node.child[i]) == Child::Kind::nothing) continue;
+      if (Child::IsNothing(node.child[i])) continue;
       const auto side = [&](int s) { return coordinates.Back({node.At(s, i), node.At(2 + s, i), node.At(4 + s, i)}); };
       if (next.level == level)
         boxes.push_back({side(0), side(1)});

@@ -12,16 +12,18 @@ namespace ray::wide {
 
 inline constexpr std::size_t unit = 32;  // bytes in which memory is counted
 
-/// What a child is and where, in 32 bits: nodes and blocks by their first unit of Tree::memory, primitives by their
-/// number.
+/// What a child is and where, in 32 bits: nodes, blocks and spheres by their first unit of Tree::memory, primitives by
+/// their number, which is less than 2^29. From `nothing` on it is no child at all.
 struct Child {
-  enum class Kind : std::uint32_t { node, triangles, primitive, nothing };
+  enum class Kind : std::uint32_t { node, triangles, sphere, primitive };
   static constexpr int kind_shift = 30;
+  static constexpr std::uint32_t nothing = std::uint32_t{7} << 29;
 
   static constexpr std::uint32_t Make(Kind kind, std::uint32_t index) {
     return static_cast<std::uint32_t>(kind) << kind_shift | index;
   }
   static Kind KindOf(std::uint32_t child) { return static_cast<Kind>(child >> kind_shift); }
+  static bool IsNothing(std::uint32_t child) { return child >= nothing; }
   static std::uint32_t Index(std::uint32_t child) { return child & ((std::uint32_t{1} << kind_shift) - 1); }
 };
 
@@ -45,13 +47,14 @@ struct Tree {
 
   PrimitiveSet primitives;
   Coordinates coordinates;
-  /// Nodes, each followed by the blocks that are its children, depth first: what is visited together lies together.
+  /// Nodes, each followed by the blocks and spheres that are its children, depth first: what is visited together lies
+  /// together.
   struct alignas(unit) Unit {
     std::byte bytes[unit];
   };
   HugeArray<Unit> memory;
   std::size_t nodes = 0, blocks = 0;
-  std::uint32_t root = Child::Make(Child::Kind::nothing, 0);
+  std::uint32_t root = Child::nothing;
   bool is_large = false;  // larger than a core's own cache: children are worth fetching before they are needed
   int depth = 0;
 
@@ -64,7 +67,7 @@ struct Tree {
            " blocks of triangles";
   }
   /// Levels of boxes: the root's, then those of its children, and so on.
-  int BoxLevels() const { return Child::KindOf(root) == Child::Kind::nothing ? 0 : depth + 1; }
+  int BoxLevels() const { return Child::IsNothing(root) ? 0 : depth + 1; }
   /// In the frame of the primitives, rounded to single precision as traversal uses them.
   std::vector<R3::Box> BoxesAt(int level) const;
   std::size_t Bytes() const { return memory.Bytes() + primitives.Bytes(); }

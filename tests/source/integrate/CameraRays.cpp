@@ -13,7 +13,7 @@
 namespace ray {
 namespace {
 
-constexpr int width = 40, height = 30;
+constexpr int image_width = 40, image_height = 30;
 constexpr std::uint32_t samples = 64;
 
 Camera Slanted() {
@@ -24,7 +24,7 @@ Camera Slanted() {
 
 CameraRays Make(const CameraEffects& effects, SamplerKind sampler = SamplerKind::sobol, std::uint32_t count = samples,
                 bool things_move = false) {
-  return {Slanted(), effects, things_move, width, height, sampler, count};
+  return {Slanted(), effects, things_move, image_width, image_height, sampler, count};
 }
 
 /// Where a ray crosses the plane at a distance along the axis from the camera at rest.
@@ -37,11 +37,11 @@ R3::Point OnPlane(const R3::Ray& ray, double distance) {
 TEST(CameraRays, WhatLiesInFocusIsSharpFromEveryPlaceOfTheLens) {
   for (const double focus : {0.5, 5.0, 1e3}) {
     const CameraRays rays = Make({.motion = {}, .aperture = 0.3, .focus = focus});
-    for (int pixel = 0; pixel < width; pixel += 13)
+    for (int pixel = 0; pixel < image_width; pixel += 13)
       for (std::uint32_t i = 0; i < samples; ++i) {
         const CameraSample sample = rays(pixel, pixel / 2, RandomKey(3), i);
         // The pinhole's ray through the same place of the picture.
-        const R3::Point sharp = OnPlane(Slanted().Through(sample.x, sample.y, width, height), focus);
+        const R3::Point sharp = OnPlane(Slanted().Through(sample.x, sample.y, image_width, image_height), focus);
         EXPECT_LT(Length(OnPlane(sample.ray, focus) - sharp), 1e-12 * (focus + 5)) << focus;
         EXPECT_LE(Length(sample.ray.origin - Slanted().eye), 0.3 * (1 + 1e-12));
         EXPECT_NEAR(Dot(sample.ray.origin - Slanted().eye, Slanted().towards), 0, 1e-14);
@@ -56,7 +56,7 @@ TEST(CameraRays, WhatLiesElsewhereIsBlurredByTheThinLensEquation) {
     double widest = 0;
     for (std::uint32_t i = 0; i < 4096; ++i) {
       const CameraSample sample = rays(7, 9, RandomKey(3), i);
-      const R3::Point middle = OnPlane(Slanted().Through(sample.x, sample.y, width, height), distance);
+      const R3::Point middle = OnPlane(Slanted().Through(sample.x, sample.y, image_width, image_height), distance);
       widest = std::max(widest, Length(OnPlane(sample.ray, distance) - middle));
     }
     const double truth = 0.3 * std::abs(distance - 4) / 4;
@@ -138,13 +138,13 @@ TEST(CameraRays, TurnedSpiralsStayOnTheLensAndDifferFromPixelToPixel) {
   const CameraEffects spiral{.motion = {}, .aperture = 2, .focus = 4, .lens = LensPattern::spiral, .lens_samples = 8};
   const CameraRays rays = Make(spiral, SamplerKind::grid, 8);
   std::set<double> across;
-  for (int column = 0; column < width; ++column)
+  for (int column = 0; column < image_width; ++column)
     for (std::uint32_t i = 0; i < 8; ++i) {
       const R3::Vector aside = rays(column, 9, RandomKey(3), i).ray.origin - Slanted().eye;
       EXPECT_LE(Length(aside), 2 * (1 + 1e-12));
       across.insert(Dot(aside, Slanted().right));
     }
-  EXPECT_EQ(across.size(), static_cast<std::size_t>(8 * width));
+  EXPECT_EQ(across.size(), static_cast<std::size_t>(8 * image_width));
 }
 
 TEST(CameraRays, LensSamplesFillTheLensEvenly) {

@@ -17,6 +17,7 @@ namespace {
 
 using ray::Environment;
 using ray::EnvironmentLayout;
+using ray::LightSamples;
 constexpr double pi = std::numbers::pi;
 constexpr double last = 1 - 0x1p-53;
 

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <optional>
+
+#include "R3/Hit.h"
+#include "R3/Ray.h"
+#include "R3/SphereData.h"
+#include "R3/shapes/Quadric.h"
+#include "R3/shapes/Span.h"
+
+namespace R3 {
+
+/// Nearest crossing of a ray with a sphere, strictly between ray.t_min and `t_max`.
+std::optional<Hit> IntersectSphere(const Ray& ray, const SphereData& sphere, double t_max);
+
+/// The same, compiled into its caller: for callers that are themselves compiled for an instruction set.
+inline std::optional<Hit> IntersectSphereInline(const Ray& ray, const SphereData& sphere, double t_max) {
+  if (!(sphere.radius > 0)) return {};
+  if (IsCertainlyLeaving(ray.origin - sphere.center, ray.direction, sphere.radius) && ray.t_min >= 0) return {};
+  const auto roots = QuadricRootsInline(ray.origin, ray.direction, sphere.center, sphere.radius);
+  if (!roots) return {};
+  return Span{roots->first, roots->second, 0, 0}.First(ray.t_min, t_max);
+}
+
+}  // namespace R3
