@@ -8,10 +8,10 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 mkdir -p "$here/art/light"
 
-# name, and a function radiance(longitude, latitude) in degrees that sets r, g and b, all below 2^6; 0 0 looks along -z,
-# longitude grows to the right.
+# name, rows, and a function radiance(longitude, latitude) in degrees that sets r, g and b, all below 2^6; 0 0 looks along
+# -z, longitude grows to the right.
 make_map() {
-  awk -v width=1024 -v height=512 '
+  awk -v width=$((2 * $2)) -v height="$2" '
     function between(x, low, high, soft,   from, to) {  # 1 inside, 0 outside, a ramp as wide as soft at both ends
       from = (x - low) / soft + 0.5; to = (high - x) / soft + 0.5
       if (to < from) from = to
@@ -22,7 +22,7 @@ make_map() {
     function patch(lon0, lon1, lat0, lat1, soft) {
       return between(lon, lon0, lon1, soft) * between(lat, lat0, lat1, soft)
     }
-    '"$2"'
+    '"$3"'
     BEGIN {
       most = 65535; printf "P3\n%d %d\n%d\n", width, height, most
       for (y = 0; y < height; ++y) {
@@ -39,7 +39,7 @@ make_map() {
 
 # A room in the evening: a wide window of six panes to the left, a warm, faint lamp to the right, and small lights far
 # behind what is looked at, which a lens makes discs of.
-make_map window '
+make_map window 512 '
   function spark(at, up, red, green, blue,   x, y) {
     x = lon - at; y = lat - up
     lamp(x * x + y * y < 0.55 ? 1 : 0, red, green, blue)
@@ -58,7 +58,7 @@ make_map window '
   }'
 
 # A studio: gray walls, a large soft box above on the left, a strip on the right, a floor of shade.
-make_map studio '
+make_map studio 512 '
   function radiance(   up) {
     up = between(lat, 0, 200, 60)
     r = mix(0.05, 0.22, up); g = mix(0.055, 0.25, up); b = mix(0.07, 0.32, up)
@@ -68,7 +68,7 @@ make_map studio '
   }'
 
 # After sunset: orange low all around, blue above, dark ground.
-make_map dusk '
+make_map dusk 1024 '
   function radiance(   glow) {
     if (lat < 0) lat = -4 * lat  # haze, then dark ground
     glow = exp(-lat / 9)
@@ -77,7 +77,7 @@ make_map dusk '
 
 # A jeweller's room: a large warm lamp above on the left, cold ones on the right and behind the viewer, and a glow behind
 # what is looked at. None is bright: what cut glass mixes from them has little noise.
-make_map jewels '
+jewels='
   function radiance(   up, glow) {
     up = between(lat, 0, 200, 90); glow = lat > 0 ? exp(-lat / 14) : exp(lat / 3)
     r = mix(0.010, 0.03, up) + 0.10 * glow; g = mix(0.014, 0.06, up) + 0.26 * glow; b = mix(0.03, 0.14, up) + 0.36 * glow
@@ -85,3 +85,5 @@ make_map jewels '
     lamp(patch(62, 88, -2, 62, 4), 1.0, 1.6, 2.4)
     lamp(between(lon > 0 ? 180 - lon : 180 + lon, -35, 35, 6) * patch(-180, 180, 24, 58, 6), 1.8, 1.3, 1.6)
   }'
+make_map jewels 512 "$jewels"
+make_map jewels_fine 1024 "$jewels"  # where it is itself seen, row by row
