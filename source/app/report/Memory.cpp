@@ -13,7 +13,8 @@ constexpr double gib = 1024.0 * 1024.0 * 1024.0;
 /// Of a structure while it is built. Measured, bvh of triangles 155 and of spheres 170 bytes, grid and octree 190.
 constexpr std::int64_t bytes_per_primitive = 200;
 constexpr std::int64_t image_bytes_per_pixel = 3 * sizeof(float);
-constexpr std::int64_t encoded_bytes_per_pixel = 2 * 3 * sizeof(float);  // the encoder's rows or coefficients, and the file
+constexpr std::int64_t encoded_bytes_per_pixel =
+    2 * 3 * sizeof(float);  // the encoder's rows or coefficients, and the file
 // Of scenes/sphere.scn, 512 and 1024 pixels wide: 325 and 330 with our filter; with Open Image Denoise 985 and 953,
 // before each stream had best guides of its own, which take 40.
 constexpr std::int64_t denoise_bytes_per_pixel = 370, library_bytes_per_pixel = 1100;

@@ -42,15 +42,28 @@ struct Neighborhood {
   }
 };
 
+/// Numbers in rows, and after each as many as a vector may be past its end.
+template <int columns, int rows>
+class FloatRows {
+ public:
+  float* At(int x, int y) { return values_.data() + IndexOf(x, y); }
+  const float* At(int x, int y) const { return values_.data() + IndexOf(x, y); }
+
+ private:
+  static constexpr int pitch = columns + FitTile::most_lanes;
+  static constexpr std::ptrdiff_t IndexOf(int x, int y) { return std::ptrdiff_t{y} * pitch + x; }
+
+  alignas(64) std::array<float, std::size_t{pitch} * rows> values_{};
+};
+
 /// What the fits of a tile are made in.
 struct FitWork {
   FitTile tile;
-  /// Of each neighbor of each pixel.
-  alignas(64) std::array<std::array<std::array<float, FitTile::columns + FitTile::most_lanes>, FitTile::rows>,
-                         Neighborhood::size> weights{};
-  /// Sums of distances along rows, of the tile and of `patch` rows above and below.
-  alignas(64) std::array<std::array<float, FitTile::pitch>, FitTile::rows + 2 * FitTile::patch> row_sums{};
-  alignas(64) std::array<std::array<float, FitTile::columns + FitTile::most_lanes>, 3> fitted{};  // of a row
+  std::array<FloatRows<FitTile::columns, FitTile::rows>, Neighborhood::size> weights;  // of each pixel
+  // Of a row and one pixel more at either end; and sums of three, of one row more below and above.
+  FloatRows<FitTile::columns + 2, 1> distances;
+  FloatRows<FitTile::columns, FitTile::rows + 2> row_sums;
+  FloatRows<FitTile::columns, 3> fitted;  // of a row, by channel
 };
 
 }  // namespace ray
@@ -110,25 +123,24 @@ void MakeWeights(FitWork& work, int dx, int dy) {
   static_assert(FitTile::patch == 1);
   const Lanes d;
   const FitTile& tile = work.tile;
-  alignas(64) std::array<float, FitTile::pitch> distances{};
   for (int y = -1; y <= tile.Rows(); ++y) {
     for (int x = -1; x <= tile.Columns(); x += lanes)
-      hn::StoreU(TripleDistance(tile, FitTile::At(x, y), FitTile::At(x + dx, y + dy)), d, &distances[x + 1]);
+      hn::StoreU(TripleDistance(tile, FitTile::At(x, y), FitTile::At(x + dx, y + dy)), d, work.distances.At(x + 1, 0));
     for (int x = 0; x < tile.Columns(); x += lanes) {
-      const Floats sum = hn::Add(hn::LoadU(d, &distances[x]), hn::LoadU(d, &distances[x + 1]));
-      hn::StoreU(hn::Add(sum, hn::LoadU(d, &distances[x + 2])), d, &work.row_sums[y + 1][x]);
+      const float* distances = work.distances.At(x, 0);
+      const Floats sum = hn::Add(hn::LoadU(d, distances), hn::LoadU(d, distances + 1));
+      hn::StoreU(hn::Add(sum, hn::LoadU(d, distances + 2)), d, work.row_sums.At(x, y + 1));
     }
   }
   auto& weights = work.weights[Neighborhood::IndexOf(dx, dy)];
   for (int y = 0; y < tile.Rows(); ++y)
     for (int x = 0; x < tile.Columns(); x += lanes) {
-      const float* sums = &work.row_sums[y][x];
-      const Floats sum = hn::Add(hn::Add(hn::LoadU(d, sums), hn::LoadU(d, sums + FitTile::pitch)),
-                                 hn::LoadU(d, sums + 2 * FitTile::pitch));
+      const Floats lower = hn::LoadU(d, work.row_sums.At(x, y)), own = hn::LoadU(d, work.row_sums.At(x, y + 1));
+      const Floats sum = hn::Add(hn::Add(lower, own), hn::LoadU(d, work.row_sums.At(x, y + 2)));
       constexpr float parts = 3 * 9;  // channels of the pixels of a patch
       const Floats weight = WeightOf(hn::Max(hn::Zero(d), hn::Mul(sum, hn::Set(d, 1 / parts))));
       const Floats is_there = hn::LoadU(d, tile.HasColumn(x + dx));
-      hn::StoreU(tile.HasRow(y + dy) ? hn::Mul(weight, is_there) : hn::Zero(d), d, &weights[y][x]);
+      hn::StoreU(tile.HasRow(y + dy) ? hn::Mul(weight, is_there) : hn::Zero(d), d, weights.At(x, y));
     }
 }
 
@@ -139,7 +151,7 @@ class Fit {
   Fit(const FitWork& work, int x, int y) : tile_(work.tile), at_(FitTile::At(x, y)) {
     for (int dy = -FitTile::window; dy <= FitTile::window; ++dy)
       for (int dx = -FitTile::window; dx <= FitTile::window; ++dx) {
-        const Floats weight = hn::LoadU(Lanes(), &work.weights[Neighborhood::IndexOf(dx, dy)][y][x]);
+        const Floats weight = hn::LoadU(Lanes(), work.weights[Neighborhood::IndexOf(dx, dy)].At(x, y));
         if (!hn::AllTrue(Lanes(), hn::Eq(weight, hn::Zero(Lanes())))) AddNeighbor(dx, dy, weight);
       }
   }
@@ -285,7 +297,7 @@ class Fit {
     for (std::size_t k = 0; k < 3; ++k) {
       // Of colors near the largest float sums may be no number.
       const Floats sum = hn::IfThenElse(hn::Eq(sums[k], sums[k]), sums[k], low[k]);
-      hn::StoreU(hn::Max(low[k], hn::Min(high[k], sum)), d, &work.fitted[k][x]);
+      hn::StoreU(hn::Max(low[k], hn::Min(high[k], sum)), d, work.fitted.At(x, static_cast<int>(k)));
     }
   }
 
@@ -306,7 +318,7 @@ void FitPixels(FitWork& work, int x0, int y0, Pixels<Rgb>& result) {
   for (int y = 0; y < work.tile.Rows(); ++y) {
     for (int x = 0; x < work.tile.Columns(); x += lanes) Fit(work, x, y).WriteTo(work, x);
     for (int x = 0; x < work.tile.Columns(); ++x)
-      for (std::size_t k = 0; k < 3; ++k) result.At(x0 + x, y0 + y)[k] = work.fitted[k][static_cast<std::size_t>(x)];
+      for (std::size_t k = 0; k < 3; ++k) result.At(x0 + x, y0 + y)[k] = *work.fitted.At(x, static_cast<int>(k));
   }
 }
 
