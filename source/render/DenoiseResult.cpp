@@ -37,7 +37,8 @@ class Refining {
     constexpr double most = 1e15;                   // a picture of any size has no use for more
     constexpr std::uint32_t samples_in_time = 512;  // for time that is left, which nothing else has a use for
     const double seconds_left = -SecondsSince(*end_);
-    const double rays_per_second = static_cast<double>(following_rays) / SecondsSince(start_);
+    constexpr double price_at_edges = 1.15;  // of a ray, beside those that were followed
+    const double rays_per_second = static_cast<double>(following_rays) / (price_at_edges * SecondsSince(start_));
     const double rays = std::clamp(rays_per_second * seconds_left, 0.0, most);
     return {static_cast<std::uint64_t>(rays), samples_in_time};
   }

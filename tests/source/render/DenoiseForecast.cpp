@@ -2,13 +2,15 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "source/render/DenoiseResult.h"
 #include "tests/Project.h"
 
 namespace ray {
 namespace {
 
-RenderSettings Settings(int samples) {
+RenderSettings SettingsToForecast(int samples) {
   RenderSettings settings;
   settings.width = settings.height = 128;
   settings.samples = samples;
@@ -18,13 +20,13 @@ RenderSettings Settings(int samples) {
 }
 
 /// The film of a render, as its checkpoint has it, and how many rays that took.
-struct Exposed {
+struct FilmToForecast {
   Film film;
   std::uint64_t rays = 0;
 };
 
-Exposed Expose(const project::Stage& stage, const Accelerator& accelerator, RenderSettings settings) {
-  Exposed exposed{EmptyFilmOf(settings), 0};
+FilmToForecast RenderedFilm(const project::Stage& stage, const Accelerator& accelerator, RenderSettings settings) {
+  FilmToForecast exposed{EmptyFilmOf(settings), 0};
   RenderMonitor monitor;
   monitor.saves_finished = true;
   monitor.save = [&](const RenderState& state) {
@@ -41,7 +43,7 @@ Exposed Expose(const project::Stage& stage, const Accelerator& accelerator, Rend
 TEST(DenoiseForecast, KnowsNothingOfGuidesBeforeBothStreamsHaveSamples) {
   const project::Stage stage(project::Root() / "scenes" / "hello.scn");
   const auto accelerator = FindAcceleratorKind("auto")->Make(stage.world, {});
-  RenderSettings settings = Settings(4);
+  RenderSettings settings = SettingsToForecast(4);
   settings.budget.seconds_to_filter = 0.25;
   DenoiseForecast forecast(stage.world, *accelerator, settings, {});
   forecast.Look(EmptyFilmOf(settings), 0, 0, nullptr);
@@ -55,8 +57,8 @@ TEST(DenoiseForecast, KnowsNothingOfGuidesBeforeBothStreamsHaveSamples) {
 TEST(DenoiseForecast, IsOfTheSizeOfWhatItTakes) {
   const project::Stage stage(project::Root() / "scenes" / "hello.scn");
   const auto accelerator = FindAcceleratorKind("auto")->Make(stage.world, {});
-  const RenderSettings settings = Settings(16);
-  const Exposed exposed = Expose(stage, *accelerator, settings);
+  const RenderSettings settings = SettingsToForecast(16);
+  const FilmToForecast exposed = RenderedFilm(stage, *accelerator, settings);
   DenoiseForecast forecast(stage.world, *accelerator, settings, {});
   forecast.Look(exposed.film, 16, exposed.rays, nullptr);
   ASSERT_TRUE(forecast.HasLooked());
@@ -68,7 +70,7 @@ TEST(DenoiseForecast, IsOfTheSizeOfWhatItTakes) {
 }
 
 TEST(DenoiseForecast, FiltersOfMorePixelsTakeLonger) {
-  RenderSettings small = Settings(4), large = Settings(4);
+  RenderSettings small = SettingsToForecast(4), large = SettingsToForecast(4);
   large.width = large.height = 2048;
   EXPECT_GT(SecondsToFilter(small), 0);
   EXPECT_GT(SecondsToFilter(large), 10 * SecondsToFilter(small));

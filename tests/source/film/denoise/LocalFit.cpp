@@ -16,12 +16,12 @@ namespace {
 constexpr std::size_t guide_count = std::tuple_size_v<PixelGuide>;
 
 /// All that a fit is made from.
-struct Subject {
+struct FitSubject {
   Pixels<Rgb> colors, compared, variance;
   Pixels<PixelGuide> guides, best;
   double strength = 1;
 
-  Subject(int width, int height)
+  FitSubject(int width, int height)
       : colors(width, height),
         compared(width, height),
         variance(width, height),
@@ -35,8 +35,8 @@ struct Subject {
 };
 
 /// Waves and edges under noise: colors up to 2, guides that tell of them, or of nothing, or vary together.
-Subject Noisy(int width, int height, double strength = 1) {
-  Subject subject(width, height);
+FitSubject NoisyFit(int width, int height, double strength = 1) {
+  FitSubject subject(width, height);
   subject.strength = strength;
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x) {
@@ -68,7 +68,7 @@ Subject Noisy(int width, int height, double strength = 1) {
 // The same fit in plain double precision, pixel by pixel, by the equations; nothing is shared with what is tested.
 namespace plain {
 
-double WeightOf(const Subject& s, int px, int py, int dx, int dy) {
+double WeightOf(const FitSubject& s, int px, int py, int dx, int dy) {
   double distance = 0;
   for (int j = -1; j <= 1; ++j)
     for (int i = -1; i <= 1; ++i)
@@ -101,7 +101,7 @@ std::vector<double> Solution(std::vector<std::vector<double>> rows, std::vector<
   return right;
 }
 
-double Fitted(const Subject& s, int px, int py, std::size_t channel) {
+double Fitted(const FitSubject& s, int px, int py, std::size_t channel) {
   constexpr std::size_t unknowns = 3 + guide_count;
   std::vector<std::vector<double>> rows(unknowns, std::vector<double>(unknowns));
   std::vector<double> right(unknowns);
@@ -130,7 +130,7 @@ double Fitted(const Subject& s, int px, int py, std::size_t channel) {
 TEST(LocalFit, IsThatOfItsEquationsInDoublePrecisionWithinTheRoundingOfFloats) {
   for (const double strength : {1.0, 2.0})
     for (const auto& [width, height] : {std::pair{45, 21}, {3, 3}, {1, 1}, {2, 40}, {70, 1}}) {
-      const Subject subject = Noisy(width, height, strength);
+      const FitSubject subject = NoisyFit(width, height, strength);
       const Pixels<Rgb> fitted = subject.Fitted();
       double most = 0;
       for (int y = 0; y < height; ++y)
@@ -142,29 +142,30 @@ TEST(LocalFit, IsThatOfItsEquationsInDoublePrecisionWithinTheRoundingOfFloats) {
 }
 
 /// What an instruction set makes of a picture.
-struct Making {
-  Subject subject;
+struct FitMaking {
+  FitSubject subject;
   Pixels<Rgb> fitted;
 };
 
 TEST(LocalFit, IsTheSameToTheBitWithEveryInstructionSet) {
-  const Subject subject = Noisy(75, 37);
+  const FitSubject subject = NoisyFit(75, 37);
   const Pixels<Rgb> best = subject.Fitted();
   for (const std::string& set : InstructionSets()) {
-    Making making{subject, {}};
+    FitMaking making{subject, {}};
     WithInstructionSet(
-        set, [](void* made) { static_cast<Making*>(made)->fitted = static_cast<Making*>(made)->subject.Fitted(); },
+        set,
+        [](void* made) { static_cast<FitMaking*>(made)->fitted = static_cast<FitMaking*>(made)->subject.Fitted(); },
         &making);
     EXPECT_TRUE(ImageOf(making.fitted) == ImageOf(best)) << set;
   }
 }
 
 TEST(LocalFit, NoBitDependsOnWhereTilesBegin) {
-  const Subject whole = Noisy(90, 60);
+  const FitSubject whole = NoisyFit(90, 60);
   const Pixels<Rgb> of_whole = whole.Fitted();
   constexpr int margin = 4;  // what a cut changes around it
   for (const auto& [x0, y0] : {std::pair{1, 0}, {0, 1}, {13, 7}, {31, 17}}) {
-    Subject part(50, 40);
+    FitSubject part(50, 40);
     for (int y = 0; y < 40; ++y)
       for (int x = 0; x < 50; ++x) {
         part.colors.At(x, y) = whole.colors.At(x0 + x, y0 + y);
@@ -184,7 +185,7 @@ TEST(LocalFit, NoBitDependsOnWhereTilesBegin) {
 TEST(LocalFit, GuidesOfAnySizeKeepColorsInTheRangeOfTheirNeighbors) {
   constexpr float infinity = std::numeric_limits<float>::infinity(), nan = std::numeric_limits<float>::quiet_NaN();
   for (const float size : {1e3F, 1e6F, 1e18F, 3e38F, infinity, nan}) {
-    Subject subject = Noisy(40, 24);
+    FitSubject subject = NoisyFit(40, 24);
     for (int y = 5; y < 20; y += 3)
       for (int x = 3; x < 40; x += 4) {
         subject.guides.At(x, y)[0] = subject.guides.At(x, y)[1] = size;
@@ -199,7 +200,7 @@ TEST(LocalFit, GuidesOfAnySizeKeepColorsInTheRangeOfTheirNeighbors) {
 
 TEST(LocalFit, BrightGuidesThatTellTheColorLeaveItAsItIs) {
   for (const double scale : {1.0, 100.0, 1e4}) {
-    Subject subject(40, 24);
+    FitSubject subject(40, 24);
     for (int y = 0; y < 24; ++y)
       for (int x = 0; x < 40; ++x)
         for (std::size_t k = 0; k < 3; ++k) {
