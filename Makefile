@@ -88,6 +88,7 @@ ABSENT := $(if $(filter yes,$(HAS_EXR)),,R2/image_files/exr.cpp) \
 JUMBO ?= yes
 ALONE := fuzz/% \
          source/view/gl/% source/view/contexts/% source/accelerate/grid.cpp source/accelerate/wide/Kernels.cpp \
+         source/film/denoise/LocalFit.cpp \
          $(if $(filter file,$(origin TEST_SOURCES)),,tests/%) $(if $(filter yes,$(JUMBO)),,%)
 present = $(filter-out $(ABSENT),$(1))
 alone = $(filter $(ALONE),$(call present,$(1)))

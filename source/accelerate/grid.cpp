@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "R1/Elementary.h"
-#include "source/accelerate/twolevel/Targets.h"
+#include "R1/Targets.h"
 #include "source/accelerate/wide/ClippedPrimitive.h"
 
 // Highway compiles this file once for each instruction set. What does not depend on that is included before.

@@ -23,6 +23,7 @@
 #include "source/app/report/Progress.h"
 #include "source/app/report/ReadReplay.h"
 #include "source/app/report/RunLog.h"
+#include "source/render/DenoiseForecast.h"
 #include "source/text/Quoting.h"
 
 namespace ray {
@@ -38,7 +39,8 @@ RenderResult RenderAndTell(const World& world, const Accelerator& accelerator, c
   if (settings.budget.seconds > 0) {
     const FinishingTime finishing = FinishingTimeOf(*FormatOfPicture(options.picture), options);
     settings.budget.seconds_to_finish = finishing.most;
-    account.WillFinishIn(finishing.least);
+    if (settings.denoise) settings.budget.seconds_to_filter = SecondsToFilter(settings);
+    account.WillFinishIn(settings.budget, finishing.least);
   }
   Progress progress(ChooseProgressStyle(options.quiet));
   const auto tile_done = [&](const RenderProgress& now) { progress.Update(now); };

@@ -98,6 +98,15 @@ bool Film::HasBothParts() const {
   return true;
 }
 
+Film Film::Cut(const PixelRectangle& part) const {
+  Film cut(sampled_.x1, sampled_.y1, part, filter_.Kind());
+  for (int i = 0; i < cut.Blocks(); ++i) {
+    const PixelRectangle pixels = cut.PixelsOf(i);
+    cut[i] = (*this)[BlockOf(pixels.x0, pixels.y0)];
+  }
+  return cut;
+}
+
 BlockSums Film::EmptySums(int block) const {
   return BlockSums(Common(region_, Around(PixelsOf(block), filter_.Apron())));
 }

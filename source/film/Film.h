@@ -107,6 +107,8 @@ class Film {
   R2::Image Picture(R2::Quantization quantization = R2::Quantization::rounded) const;
   /// The same from one part alone; black where it has no samples.
   R2::Image Part(int part) const;
+  /// The film of a part of the region, with what its blocks have collected.
+  Film Cut(const PixelRectangle& part) const;
   /// Whether every block of the region has samples of both parts.
   bool HasBothParts() const;
   /// The block of a pixel of the region.

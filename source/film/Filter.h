@@ -21,6 +21,7 @@ class Filter {
  public:
   explicit Filter(FilterKind kind);
 
+  FilterKind Kind() const { return kind_; }
   bool IsBox() const { return kind_ == FilterKind::box; }
   /// In pixels; nothing farther from a pixel's center counts for it.
   double Radius() const { return radius_; }

@@ -3,7 +3,7 @@
 #include <tbb/info.h>
 #include <tbb/task_arena.h>
 
-#include <chrono>
+#include <algorithm>
 
 #include "source/film/denoise/DenoisedError.h"
 #include "source/render/GatherGuides.h"
@@ -22,13 +22,45 @@ WorkMeter MeterOf(RenderPhase phase, const RenderMonitor& monitor) {
   return {tell, monitor.stop};
 }
 
+/// What guides are refined by: as before, in a replay, or by so many rays as there is time for, or as the render took.
+class Refining {
+ public:
+  Refining(const RenderSettings& settings, std::optional<Clock::time_point> end, std::uint64_t rays_of_render)
+      : again_(settings.replay ? settings.replay->refinement : std::nullopt),
+        end_(end),
+        rays_of_render_(rays_of_render) {}
+
+  Refinement operator()(std::uint64_t following_rays) const {
+    if (again_) return *again_;
+    // On the scenes of script/denoise_table.sh 1 % more error is left than without this bound, with half of it 2 %.
+    if (!end_) return {rays_of_render_};
+    constexpr double most = 1e15;                   // a picture of any size has no use for more
+    constexpr std::uint32_t samples_in_time = 512;  // for time that is left, which nothing else has a use for
+    const double seconds_left = -SecondsSince(*end_);
+    constexpr double price_at_edges = 1.15;  // of a ray, beside those that were followed
+    const double rays_per_second = static_cast<double>(following_rays) / (price_at_edges * SecondsSince(start_));
+    const double rays = std::clamp(rays_per_second * seconds_left, 0.0, most);
+    return {static_cast<std::uint64_t>(rays), samples_in_time};
+  }
+
+ private:
+  const Clock::time_point start_ = Clock::now();
+  const std::optional<Refinement> again_;
+  const std::optional<Clock::time_point> end_;
+  const std::uint64_t rays_of_render_;
+};
+
 GatheredGuides GatherAndCount(const World& world, const Accelerator& accelerator, const RenderSettings& settings,
-                              const Film& film, const RenderMonitor& monitor, RenderResult& result) {
+                              const Film& film, std::optional<Clock::time_point> end, const RenderMonitor& monitor,
+                              RenderResult& result) {
   const auto start = Clock::now();
-  // On the scenes of script/denoise_table.sh 1 % more error is left than without this bound, with half of it 2 %.
-  const std::uint64_t most_refining_rays = result.rays.Total();
+  const Refining refining(settings, end, result.rays.Total());
+  const auto noted = [&](std::uint64_t following_rays) {
+    result.refinement = refining(following_rays);
+    return *result.refinement;
+  };
   WorkMeter meter = MeterOf(RenderPhase::guides, monitor);
-  GatheredGuides gathered = GatherGuides(world, accelerator, settings, film, most_refining_rays, meter);
+  GatheredGuides gathered = GatherGuides(world, accelerator, settings, film, noted, meter);
   result.rays += gathered.rays;
   result.guide_rays = gathered.rays.Total();
   result.guide_seconds = SecondsSince(start);
@@ -38,14 +70,16 @@ GatheredGuides GatherAndCount(const World& world, const Accelerator& accelerator
 }  // namespace
 
 void DenoiseResult(const World& world, const Accelerator& accelerator, const RenderSettings& settings, const Film& film,
-                   const ErrorMeasure& measure, const RenderMonitor& monitor, RenderResult& result) {
+                   const ErrorMeasure& measure, std::optional<Clock::time_point> end_of_guides,
+                   const RenderMonitor& monitor, RenderResult& result) {
   if (!film.HasBothParts()) return;
   const auto start = Clock::now();
   tbb::task_arena arena(settings.threads > 0 ? settings.threads : tbb::info::default_concurrency());
   try {
     arena.execute([&] {
       const DenoiseFilters filters(settings.denoiser, settings.threads);
-      const GatheredGuides gathered = GatherAndCount(world, accelerator, settings, film, monitor, result);
+      const GatheredGuides gathered =
+          GatherAndCount(world, accelerator, settings, film, end_of_guides, monitor, result);
       WorkMeter meter = MeterOf(RenderPhase::filters, monitor);
       if (meter.IsStopped()) return;
       const DenoisedPicture denoised = Denoise(film.Part(0), film.Part(1), gathered.guides, filters, meter);

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <chrono>
+#include <optional>
+
 #include "source/accelerate/Accelerator.h"
 #include "source/accelerate/World.h"
 #include "source/film/Film.h"
@@ -8,10 +11,12 @@
 namespace ray {
 
 /// Filters the picture of a render that is complete, from its film, and measures what error is left; adds the rays that
-/// took. Guides are refined by about as many rays as the render took at most. Tells the monitor how far it is.
+/// took. Guides are refined by about as many rays as the render took at most, or, where they have an end, as there is
+/// time for, or as many as a replay says. Tells the monitor how far it is.
 /// Where a library fails, the picture stays as it is, and the result says why; where the monitor asks to stop, it stays
 /// too, and the render is no longer complete.
 void DenoiseResult(const World& world, const Accelerator& accelerator, const RenderSettings& settings, const Film& film,
-                   const ErrorMeasure& measure, const RenderMonitor& monitor, RenderResult& result);
+                   const ErrorMeasure& measure, std::optional<std::chrono::steady_clock::time_point> end_of_guides,
+                   const RenderMonitor& monitor, RenderResult& result);
 
 }  // namespace ray

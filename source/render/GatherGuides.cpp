@@ -15,9 +15,6 @@
 namespace ray {
 namespace {
 
-// At most, or as many as the samples. 32 had a tenth more error on the scenes of script/denoise_table.sh, 256 hardly
-// less.
-constexpr std::uint32_t refined_samples = 128;
 // Guides that vary by more within a pixel have an edge there. Whether the streams' means differ must not decide: where
 // they agree by chance, both would be trusted though both are wrong alike.
 constexpr double edge = 0.06;
@@ -85,6 +82,8 @@ class Allotment {
       (Rays(samples) <= rays ? samples_per_level_ : too_much) = samples;
     }
   }
+  /// How many rays pixels could have together, were there no other bound.
+  double MostRays() const { return Rays(most_ + 1); }
   std::uint32_t SamplesOf(Level level) const { return Samples(level, samples_per_level_); }
 
  private:
@@ -113,7 +112,7 @@ class Gathering {
         seed_(settings.seed),
         tracer_(world, accelerator, TraceSettingsOf(settings)),
         camera_(CameraRaysOf(world, settings)),
-        refining_camera_(CameraRaysOf(world, settings, refined_samples)),
+        refining_camera_(CameraRaysOf(world, settings, Refinement().samples)),
         ranges_(film.Region().Width(), film.Region().Height()),
         rays_per_sample_(ranges_.Width(), ranges_.Height()) {
     for (auto* guides : {found_.guides.of_stream, found_.guides.best})
@@ -121,10 +120,12 @@ class Gathering {
         guides[stream] = Pixels<PixelGuide>(ranges_.Width(), ranges_.Height());
   }
 
-  GatheredGuides Gather(std::uint64_t most_refining_rays) {
-    meter_.Expect(2 * std::int64_t{ranges_.Height()});
+  GatheredGuides Gather(const RefiningBudget& refining) {
+    meter_.Expect(2 * std::int64_t{Chunks()});
     ForEachPixel([&](int x, int y, TraceState& state) { FollowSamples(x, y, state); });
-    Allot(static_cast<double>(most_refining_rays));
+    for (const TraceState& state : states_) found_.following_rays += state.rays.Total();
+    if (meter_.IsStopped()) return std::move(found_);
+    Allot(refining(found_.following_rays));
     ForEachPixel([&](int x, int y, TraceState& state) {
       if (const Allotment::Level level = LevelAt(x, y)) Refine(x, y, allotment_.SamplesOf(level), state);
     });
@@ -133,11 +134,17 @@ class Gathering {
   }
 
  private:
+  static constexpr int chunk = 64;  // pixels of a row that one thread takes at once
+  int ChunksOfRow() const { return (ranges_.Width() + chunk - 1) / chunk; }
+  int Chunks() const { return ChunksOfRow() * ranges_.Height(); }
+
   /// x and y count from the lower left corner of the region.
   template <typename Work>
   void ForEachPixel(const Work& work) {
-    tbb::parallel_for(0, ranges_.Height(), [&](int y) {
-      for (int x = 0; x < ranges_.Width() && !meter_.IsStopped(); ++x) work(x, y, states_.local());
+    tbb::parallel_for(0, Chunks(), [&](int i) {
+      const int y = i / ChunksOfRow(), x0 = i % ChunksOfRow() * chunk, x1 = std::min(x0 + chunk, ranges_.Width());
+      TraceState& state = states_.local();
+      for (int x = x0; x < x1 && !meter_.IsStopped(); ++x) work(x, y, state);
       meter_.PartIsDone();
     });
   }
@@ -170,14 +177,15 @@ class Gathering {
     return most > edge ? Allotment::LevelOf(std::max(ranges_.At(x, y), most / 2)) : Allotment::Level{0};
   }
 
-  void Allot(double most_rays) {
-    std::uint32_t most = refined_samples;
+  void Allot(const Refinement& refinement) {
+    std::uint32_t most = refinement.samples;
     for (int y = 0; y < ranges_.Height(); ++y)
       for (int x = 0; x < ranges_.Width(); ++x) {
         most = std::max(most, BlockOf(x, y).Samples());
         if (const Allotment::Level level = LevelAt(x, y)) allotment_.Add(level, double{rays_per_sample_.At(x, y)});
       }
-    allotment_.Share(most_rays, most);
+    allotment_.Share(static_cast<double>(refinement.rays), most);
+    found_.refining_rays_of_use = allotment_.MostRays();
   }
 
   /// Each stream's best guide: over its own camera rays and `count` others. The fewer these are, the nearer it is to
@@ -223,8 +231,8 @@ class Gathering {
 }  // namespace
 
 GatheredGuides GatherGuides(const World& world, const Accelerator& accelerator, const RenderSettings& settings,
-                            const Film& film, std::uint64_t most_refining_rays, WorkMeter& meter) {
-  return Gathering(world, accelerator, settings, film, meter).Gather(most_refining_rays);
+                            const Film& film, const RefiningBudget& refining, WorkMeter& meter) {
+  return Gathering(world, accelerator, settings, film, meter).Gather(refining);
 }
 
 }  // namespace ray

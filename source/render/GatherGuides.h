@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cstdint>
+#include <functional>
+
 #include "source/accelerate/Accelerator.h"
 #include "source/accelerate/World.h"
 #include "source/film/Film.h"
@@ -12,15 +15,20 @@ namespace ray {
 
 struct GatheredGuides {
   Guides guides;
-  RayCounts rays;  // that they took
+  RayCounts rays;                    // that they took
+  std::uint64_t following_rays = 0;  // of them, those over the film's camera rays
+  double refining_rays_of_use = 0;   // about how many of the others there would be without a bound
 };
 
+/// What refining may take, told how many rays it took to follow the film's camera rays, once that is done.
+using RefiningBudget = std::function<Refinement(std::uint64_t following_rays)>;
+
 /// The guides of the film's pixels: over the camera rays that the film's samples came from, two streams as many each;
-/// and, at edges, over others, up to 128 or as many as the samples, which both streams' best guides share. Filters
+/// and, at edges, over others, which both streams' best guides share. Filters
 /// wider than a pixel are left out of account. The same, bit for bit, for any number of threads.
-///   most_refining_rays   of all kinds, about, for those others: spread so that they help most
-///   meter                told of rows of pixels; once it is stopped, what comes out is of no use
+///   refining   tells how many those others may be: they are spread so that they help most
+///   meter                told of parts of rows of pixels; once it is stopped, what comes out is of no use
 GatheredGuides GatherGuides(const World& world, const Accelerator& accelerator, const RenderSettings& settings,
-                            const Film& film, std::uint64_t most_refining_rays, WorkMeter& meter);
+                            const Film& film, const RefiningBudget& refining, WorkMeter& meter);
 
 }  // namespace ray

@@ -9,6 +9,7 @@
 
 #include "source/film/Contrast.h"
 #include "source/integrate/debug/Heat.h"
+#include "source/render/DenoiseForecast.h"
 #include "source/render/DenoiseResult.h"
 #include "source/render/Forecast.h"
 #include "source/render/PassRunner.h"
@@ -93,10 +94,12 @@ class Job {
  public:
   using Clock = PassRunner::Clock;
 
-  /// `start`: when the render began, by the clock that budgets count.
+  ///   start      when the render began, by the clock that budgets count
+  ///   forecast   of a picture that is to be denoised in time, else null
   Job(const World& world, const Integrator& integrator, const RenderSettings& settings, const RenderMonitor& monitor,
-      Clock::time_point start)
+      Clock::time_point start, DenoiseForecast* forecast = nullptr)
       : start_(start),
+        denoise_forecast_(forecast),
         settings_(settings),
         monitor_(monitor),
         camera_(CameraRaysOf(world, settings)),
@@ -107,6 +110,7 @@ class Job {
                  [this](std::int64_t pixels, const RayCounts& rays) { TellProgress(pixels, rays); }}) {}
 
   RenderResult Run() {
+    NoteTimeAfter(0, 0);
     if (monitor_.resume) Resume(monitor_.resume(film_));
     std::optional<Stop> stop;
     while (true) {
@@ -125,6 +129,17 @@ class Job {
   }
 
   const Film& film() const { return film_; }
+  /// Whether the picture's time, if it has one, was enough for samples that can be denoised, and for that.
+  bool HasTimeToDenoise() const { return !denoise_forecast_ || (after_.is_in_time && film_.HasBothParts()); }
+
+  /// When a picture that is denoised in time should be, but for the filters.
+  std::optional<Clock::time_point> EndOfGuides() const {
+    if (!denoise_forecast_) return {};
+    constexpr double share_of_time_aimed_at = 0.985;  // what is left is for what was foretold too short
+    const Budget& budget = settings_.budget;
+    return In(share_of_time_aimed_at * budget.seconds - budget.seconds_to_finish - denoise_forecast_->FilterSeconds() -
+              Seconds());
+  }
 
   /// A copy, for keeping.
   RenderState State() const {
@@ -162,9 +177,7 @@ class Job {
   PassRunner::End RunPass() {
     pass_begin_ = {Seconds(), CountSamples(film_).mean};
     pass_work_ = WorkOf(schedule_.State().targets);
-    const double budget = settings_.budget.seconds;
-    const auto deadline =
-        budget > 0 ? std::optional(In(budget - settings_.budget.seconds_to_finish - Seconds())) : std::nullopt;
+    const auto deadline = settings_.budget.seconds > 0 ? std::optional(In(SecondsLeft(pass_work_.end))) : std::nullopt;
     const bool saves = monitor_.save && monitor_.save_every > 0;
     while (true) {
       auto pause_at = saves ? std::optional(In(monitor_.save_every)) : deadline;
@@ -174,6 +187,27 @@ class Job {
       if (end != PassRunner::End::paused || is_late) return end;
       monitor_.save(State());
     }
+  }
+
+  /// Before what comes after so many samples per pixel has to begin.
+  double SecondsLeft(double samples) const {
+    const double more = after_.seconds_of_sample * std::max(0.0, samples - CountSamples(film_).mean);
+    return settings_.budget.seconds - settings_.budget.seconds_to_finish - after_.seconds - more - Seconds();
+  }
+
+  /// How long a picture of so many samples per pixel, each taken in so many seconds, takes to be denoised. Where it
+  /// would be far too late, denoising is given up, and samples have all the time.
+  void NoteTimeAfter(double samples, double seconds_of_sample) {
+    if (!denoise_forecast_ || !after_.is_in_time) return;
+    constexpr double most_late = 0.2;  // of the time; a little late is better than not denoised
+    // Until it is known guides are taken to take as long as samples.
+    const bool has_looked = denoise_forecast_->HasLooked();
+    after_.seconds_of_sample = has_looked ? denoise_forecast_->SecondsOfSample(samples) : seconds_of_sample;
+    after_.seconds = denoise_forecast_->Seconds(samples) + (has_looked ? 0 : seconds_of_sample * samples);
+    const double to_least = std::max(0.0, 2 - samples) * seconds_of_sample;  // samples per pixel
+    const double left = settings_.budget.seconds - settings_.budget.seconds_to_finish - Seconds();
+    const double late = to_least + denoise_forecast_->Seconds(samples) - left;
+    if (late > (samples > 0 ? most_late * settings_.budget.seconds : 0)) after_ = {.is_in_time = false};
   }
 
   /// Notes the pass that is over.
@@ -195,6 +229,12 @@ class Job {
       Foretell(pass);
     }
     if (schedule_.LooksAtContrast()) pass.contrasts = NeighborContrasts(film_, MeasureFor(settings_));
+    if (denoise_forecast_ && after_.is_in_time) {
+      denoise_forecast_->Look(film_, samples, runner_.Rays().Total(), monitor_.stop);
+      NoteTimeAfter(samples, pass.samples_taken > 0 ? pass.seconds_taken / pass.samples_taken : 0);
+      pass.seconds_after = after_.seconds;
+      pass.seconds_after_per_sample = after_.seconds_of_sample;
+    }
     pass.now = Seconds();
     return pass;
   }
@@ -285,6 +325,7 @@ class Job {
   }
 
   const Clock::time_point start_;
+  DenoiseForecast* const denoise_forecast_;
   const RenderSettings& settings_;
   const RenderMonitor& monitor_;
   const CameraRays camera_;
@@ -298,7 +339,11 @@ class Job {
     double seconds = 0, samples = 0;  // per pixel, on average
   } pass_begin_;
   PassWork pass_work_;
-  double samples_foretold_ = 0;  // per pixel, that reach the error asked for; 0: unknown
+  struct {
+    bool is_in_time = true;
+    double seconds = 0, seconds_of_sample = 0;  // after the samples so far, and for each more per pixel
+  } after_;                                     // what comes after the last sample
+  double samples_foretold_ = 0;                 // per pixel, that reach the error asked for; 0: unknown
 };
 
 }  // namespace
@@ -347,12 +392,16 @@ RenderResult Render(const World& world, const Accelerator& accelerator, const Re
                     const RenderMonitor& monitor) {
   const auto start = Job::Clock::now();
   const auto integrator = IntegratorOf(world, accelerator, settings);
-  Job job(world, *integrator, settings, monitor, start);
+  const ErrorMeasure measure = MeasureFor(settings);
+  std::optional<DenoiseForecast> forecast;
+  if (settings.denoise && settings.budget.seconds > 0) forecast.emplace(world, accelerator, settings, measure);
+  Job job(world, *integrator, settings, monitor, start, forecast ? &*forecast : nullptr);
   RenderResult result = job.Run();
-  if (settings.denoise && result.IsComplete()) {
-    DenoiseResult(world, accelerator, settings, job.film(), MeasureFor(settings), monitor, result);
-    if (!result.IsComplete() && monitor.save) monitor.save(job.State());
-  }
+  if (!settings.denoise || !result.IsComplete() || (settings.replay && !settings.replay->denoised)) return result;
+  result.had_no_time_to_denoise = !job.HasTimeToDenoise();
+  if (result.had_no_time_to_denoise) return result;
+  DenoiseResult(world, accelerator, settings, job.film(), measure, job.EndOfGuides(), monitor, result);
+  if (!result.IsComplete() && monitor.save) monitor.save(job.State());
   return result;
 }
 

@@ -74,9 +74,11 @@ struct RenderResult {
   std::optional<ErrorEstimate> error;                   // of the image; nothing below two samples
   std::optional<ErrorEstimate> error_before_denoising;  // only where it was denoised
   std::string denoised_by;                              // the name of the filters; empty where it was not denoised
-  std::string denoise_failure;  // why it was not, though it should be; `image` is as it was rendered then
+  std::string denoise_failure;          // why it was not, though it should be; `image` is as it was rendered then
+  bool had_no_time_to_denoise = false;  // though it was asked for; then, too, `image` is as it was rendered
   double denoise_seconds = 0, guide_seconds = 0;  // the latter a part of the former
   std::uint64_t guide_rays = 0;                   // a part of `rays`
+  std::optional<Refinement> refinement;           // nothing where it was not denoised
   bool has_outliers = false;                      // they hold most of the error, and no block was stopped early
 
   bool IsComplete() const { return stop != Stop::request; }

@@ -39,6 +39,7 @@ constexpr const auto& NamesOf(Clamp) { return clamp_names; }
 struct Budget {
   double seconds = 0;                // from the start of the program to the picture written; 0: no limit
   double seconds_to_finish = 0;      // of them, that the picture takes to be written
+  double seconds_to_filter = 0;      // of them, that filters would take alone; see SecondsToFilter
   std::optional<ErrorTarget> error;  // stop when the upper end of the error's interval is below
   double confidence = 0.95;          // of that interval, in (0, 1)
   Adaptive adaptive = Adaptive::automatic;
@@ -47,14 +48,24 @@ struct Budget {
   bool IsOpen() const { return seconds > 0 || error || is_endless; }
 };
 
+/// How many rays guides may take at edges besides those of the samples' own camera rays.
+struct Refinement {
+  std::uint64_t rays = 0;  // of all kinds, about
+  // Camera rays of a pixel, or as many as its samples. 32 had a tenth more error on the scenes of
+  // script/denoise_table.sh, 256 hardly less.
+  std::uint32_t samples = 128;
+};
+
 /// The sample allocation of an earlier render, so that it can be rendered again bit by bit though it was stopped by a
 /// clock or by its error.
 struct Replay {
   bool two_streams = false;
-  std::uint32_t planned_samples = 1;   // see RenderResult
-  std::vector<std::uint32_t> ends;     // samples per pixel and stream at which passes ended, ascending
-  std::vector<std::uint32_t> samples;  // per pixel and stream of each block; empty when all have the last of `ends`
-  std::vector<std::uint8_t> places;    // looked at, of blocks that have none; empty when all have some
+  std::uint32_t planned_samples = 1;       // see RenderResult
+  std::vector<std::uint32_t> ends;         // samples per pixel and stream at which passes ended, ascending
+  std::vector<std::uint32_t> samples;      // per pixel and stream of each block; empty when all have the last of `ends`
+  std::vector<std::uint8_t> places;        // looked at, of blocks that have none; empty when all have some
+  bool denoised = true;                    // where that is asked for: else there was no time
+  std::optional<Refinement> refinement{};  // nothing: as many rays as the render takes
 };
 
 /// What picture to make of a scene, and how the work is spread; the latter never changes a bit of the former.

@@ -163,7 +163,7 @@ std::optional<Stop> Schedule::NextOfLooks(const PassOutcome& pass) {
   if (budget_.seconds > 0) {
     const double left = SecondsLeft(pass), usable = share_of_time_at_once * left;
     if (left < share_of_time_not_used * budget_.seconds) return Stop::time;
-    if (pace > 0 && usable < pace * samples_left) {
+    if (pace > 0 && usable < (pace + pass.seconds_after_per_sample) * samples_left) {
       constexpr double place = 1.0 / BlockOrder::places;
       if (places == BlockOrder::places || left < pace * place) return Stop::time;
       next = std::min(next, places + std::max(1, static_cast<int>(usable / (pace * place))));
@@ -264,7 +264,7 @@ double Schedule::ShareOfSurprise(const std::vector<double>& squares, double targ
 
 /// Before the picture has to be finished.
 double Schedule::SecondsLeft(const PassOutcome& pass) const {
-  return share_of_time_aimed_at * budget_.seconds - pass.now - budget_.seconds_to_finish;
+  return share_of_time_aimed_at * budget_.seconds - pass.now - budget_.seconds_to_finish - pass.seconds_after;
 }
 
 /// Shortens the next pass, which would go to `end`, to the time that is left. Where it ends then; 0: there is no time
@@ -279,7 +279,8 @@ std::uint32_t Schedule::ShortenToTime(std::vector<std::uint32_t>& targets, std::
     samples += blocks_.areas[i] * (two_streams_ ? 2 : 1) * (targets[i] - done[i]);
   // How much of the pass there is time for. Each near the end leaves time for another, so that only the last and
   // shortest can be wrongly guessed.
-  double share = share_of_time_at_once * left * pass.samples_taken / (pass.seconds_taken * (samples / pixels_));
+  const double pace = pass.seconds_taken / pass.samples_taken + pass.seconds_after_per_sample;
+  double share = share_of_time_at_once * left / (pace * (samples / pixels_));
   // Where no pass tells how fast they are, one sample has to. It must not be shortened to none by rounding (some
   // 1e-15).
   constexpr double above_rounding = 1 + 1e-9;

@@ -3,7 +3,7 @@
 #include <mutex>
 #include <stdexcept>
 
-#include "source/accelerate/twolevel/Targets.h"
+#include "R1/Targets.h"
 
 namespace ray {
 

@@ -1,4 +1,4 @@
-#include "source/accelerate/twolevel/Targets.h"
+#include "R1/Targets.h"
 #include "source/accelerate/wide/Kernels.h"
 
 // Highway compiles this file once for each instruction set. What does not depend on that is included before.

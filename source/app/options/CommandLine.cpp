@@ -216,10 +216,8 @@ void CheckDenoise(const Options& options) {
   if (render.mode != RenderMode::whitted && render.mode != RenderMode::path)
     throw UsageError(std::string("-denoise has no effect with -mode ") + NameOf(render.mode) +
                      "; it is for whitted and path");
-  if (render.budget.seconds > 0)
-    throw UsageError("-denoise and -time contradict each other: how long filtering takes is not known beforehand");
-  if (render.samples < 2 && !render.budget.error && options.replay.empty())
-    throw UsageError("-denoise needs -samples 2 or more, or -error");
+  if (render.samples < 2 && !render.budget.IsOpen() && options.replay.empty())
+    throw UsageError("-denoise needs -samples 2 or more, -error or -time");
 }
 
 /// A library that is asked for must be there before the first ray.

@@ -57,9 +57,11 @@ void RequireSameSettings(const Json& settings, const Options& options) {
   }
 }
 
+bool IsDenoised(const Json& report) { return report.at("error").contains("denoised_by"); }
+
 /// Another version of a library may make other bits.
 void RequireSameDenoiser(const Json& report, const Options& options) {
-  if (!options.render.denoise || options.render.denoiser == Denoiser::regression) return;
+  if (!IsDenoised(report) || options.render.denoiser == Denoiser::regression) return;
   const Json& then = report.at("error").at("denoised_by");
   const std::string now = DenoiseFilters(options.render.denoiser).Name();
   if (then != now) throw UsageError("the report was made with " + Shown(then) + ", not " + Quoted(now));
@@ -72,12 +74,21 @@ std::uint32_t Count(const Json& number, std::uint32_t most, const char* of_what,
   return number.get<std::uint32_t>();
 }
 
+Refinement RefinementOf(const Json& report, const std::string& file) {
+  const Json& refining = report.at("rays").at("refining");
+  if (!refining.at("most").is_number_unsigned())
+    throw Refusal(file, Shown(refining.at("most")) + " is not a number of rays");
+  return Refinement{refining.at("most"), Count(refining.at("samples"), most_samples, "samples", file)};
+}
+
 Replay SamplesOf(const Json& report, const std::string& file) {
   const auto samples = [&](const Json& number) { return Count(number, most_samples, "samples", file); };
   const Json& taken = report.at("samples");
   Replay replay;
   replay.two_streams = taken.at("two_streams");
   replay.planned_samples = samples(taken.at("planned_samples"));
+  replay.denoised = IsDenoised(report);
+  if (replay.denoised) replay.refinement = RefinementOf(report, file);
   for (const Json& pass : report.at("passes")) replay.ends.push_back(samples(pass.at("end")));
   for (const Json& of_block : taken.at("of_blocks")) replay.samples.push_back(samples(of_block));
   for (const Json& of_block : taken.at("places_of_blocks"))

@@ -56,7 +56,7 @@ Json CostJson(const Counts& cost) {
           {"bad_rays", cost.bad_rays}};
 }
 
-Json Rays(const RayCounts& rays, std::uint64_t guides) {
+Json Rays(const RayCounts& rays, std::uint64_t guides, const std::optional<Refinement>& refinement) {
   Json json, costs;
   for (std::size_t i = 0; i < ray_kind_names.size(); ++i) {
     json[ray_kind_names[i]] = rays.kinds[i].rays;
@@ -65,6 +65,7 @@ Json Rays(const RayCounts& rays, std::uint64_t guides) {
   json["cut"] = rays.cut;
   json["total"] = rays.Total();
   json["guides"] = guides;
+  json["refining"] = refinement ? Json{{"most", refinement->rays}, {"samples", refinement->samples}} : Json();
   json["costs"] = costs;
   return json;
 }
@@ -142,7 +143,7 @@ std::string ReportJson(const RunStats& record) {
         {"primitives", scene.primitives},
         {"lights", scene.lights}}},
       {"settings", SettingsJson(record.options)},
-      {"rays", Rays(rays, record.guide_rays)},
+      {"rays", Rays(rays, record.guide_rays, record.refinement)},
       {"counts", CostJson(rays.Cost())},
       {"accelerator", record.accelerator},
       {"structure_bytes", record.structure_bytes},

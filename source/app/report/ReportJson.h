@@ -19,7 +19,8 @@ namespace ray {
 ///   |                    | [x0, y0, x1, y1] or null, allow_path a list                                 |
 ///   | rays               | camera, shadow, reflection, transmission, scattering, cut (wanted but over  |
 ///   |                    | a camera ray's limit), total (all but cut), guides (of those, what -denoise |
-///   |                    | took), costs (the counts of each kind)                                      |
+///   |                    | took), refining (of other camera rays than the samples' own: most, samples |
+///   |                    | (of a pixel); null where not denoised), costs (the counts of each kind)     |
 ///   | counts             | node_visits, box_tests, primitive_tests, hits, cache_tests, cache_hits,     |
 ///   |                    | bad_rays                                                                    |
 ///   | accelerator        | the kind that was built; settings.accel says which was asked for            |

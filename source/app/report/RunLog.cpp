@@ -130,11 +130,17 @@ void RunLog::Built(const World& world, const Accelerator& accelerator) {
 
 void RunLog::Compared(double true_error) { stats_.true_error = true_error; }
 
-void RunLog::WillFinishIn(double seconds) {
+void RunLog::WillFinishIn(const Budget& budget, double least_seconds_to_finish) {
   const RenderSettings& render = stats_.options.render;
-  if (SecondsSoFar() + seconds <= render.budget.seconds) return;
-  Warn("raypro: warning: -time " + ShowDuration(render.budget.seconds) + " is too short: filling and writing " +
-       PixelsAcross(render) + " pixels alone takes about " + Rounded(seconds, 2) + " s");
+  const auto warn_if_too_long = [&](double seconds, const std::string& work, const std::string& consequence) {
+    if (SecondsSoFar() + seconds > budget.seconds)
+      Warn("raypro: warning: -time " + ShowDuration(budget.seconds) + " is too short" + work + " " +
+           PixelsAcross(render) + " pixels alone takes about " + Rounded(seconds, 2) + " s" + consequence);
+  };
+  warn_if_too_long(least_seconds_to_finish, ": filling and writing", "");
+  if (render.denoise)
+    warn_if_too_long(budget.seconds_to_filter + budget.seconds_to_finish, " for -denoise: filtering and writing",
+                     "; the image will not be denoised");
 }
 
 void RunLog::Rendered(const RenderResult& result) {
@@ -151,6 +157,9 @@ void RunLog::Rendered(const RenderResult& result) {
          std::to_string(most_descendants) + " descendants");
   PrintStep("traced " + Counted(result.rays.Total(), "ray"), stats_.seconds.render);
   if (!result.denoise_failure.empty()) Warn("raypro: the image is not denoised: " + result.denoise_failure);
+  if (result.had_no_time_to_denoise)
+    Warn("raypro: warning: the image is not denoised: -time " + ShowDuration(stats_.options.render.budget.seconds) +
+         " left too little for two samples per pixel and their filter");
   if (result.error_before_denoising) PrintStep("of that, denoised", result.denoise_seconds);
 }
 

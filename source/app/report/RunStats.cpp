@@ -146,6 +146,7 @@ void RunStats::Take(const RenderResult& result) {
   seconds.denoise = result.denoise_seconds;
   seconds.guides = result.guide_seconds;
   guide_rays = result.guide_rays;
+  refinement = result.refinement;
 }
 
 int ThreadsOf(const RenderSettings& settings) {

@@ -24,9 +24,10 @@ struct RunStats {
   } scene;
 
   RayCounts rays;
-  std::uint64_t guide_rays = 0;  // a part of them
-  double share_cut = 0;          // see RenderResult
-  std::string accelerator;       // the kind that was built
+  std::uint64_t guide_rays = 0;          // a part of them
+  std::optional<Refinement> refinement;  // see RenderResult
+  double share_cut = 0;                  // see RenderResult
+  std::string accelerator;               // the kind that was built
   std::size_t structure_bytes = 0;
   struct {
     double load = 0, build = 0, render = 0, write = 0, wall = 0, cpu = 0;

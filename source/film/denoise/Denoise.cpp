@@ -2,7 +2,9 @@
 
 #include <tbb/parallel_for.h>
 
+#include <cassert>
 #include <cmath>
+#include <cstdint>
 
 #include "R1/Elementary.h"
 #include "source/film/denoise/LocalFit.h"
@@ -86,38 +88,67 @@ Pair FilteredBy(const OpenImageDenoise& library, const Pair& colors, const Guide
   return {library.Filtered(colors[0], guides.best[0]), library.Filtered(colors[1], guides.best[1])};
 }
 
-/// The number of the candidate with the least error at each pixel, of equals the first.
-Pixels<std::size_t> Choices(const std::vector<Pair>& candidates) {
+/// How often each candidate is chosen among some pixels: a byte each.
+using Counts = std::uint32_t;
+constexpr std::size_t most_candidates = sizeof(Counts);
+constexpr int most_choices = (2 * blend_radius + 1) * (2 * blend_radius + 1);
+static_assert(most_choices < 256);
+
+std::uint32_t CountOf(Counts counts, std::size_t candidate) { return counts >> 8 * candidate & 255; }
+
+/// At each pixel one choice: the candidate with the least error, of equals the first.
+Pixels<Counts> Choices(const std::vector<Pair>& candidates) {
   const Pair& colors = candidates.front();
   std::vector<Pixels<Rgb>> errors;
   for (const Pair& candidate : candidates)
     errors.push_back(MeansAround(SquaredErrors(candidate, colors), error_radius, error_hole));
-  Pixels<std::size_t> choices(colors[0].Width(), colors[0].Height());
-  for (int y = 0; y < choices.Height(); ++y)
+  Pixels<Counts> choices(colors[0].Width(), colors[0].Height());
+  tbb::parallel_for(0, choices.Height(), [&](int y) {
     for (int x = 0; x < choices.Width(); ++x) {
       const auto error_of = [&](std::size_t i) {
         const Rgb& error = errors[i].At(x, y);
         return error[0] + error[1] + error[2];
       };
+      std::size_t choice = 0;
       for (std::size_t i = 1; i < candidates.size(); ++i)
-        if (error_of(i) < error_of(choices.At(x, y))) choices.At(x, y) = i;
+        if (error_of(i) < error_of(choice)) choice = i;
+      choices.At(x, y) = Counts{1} << 8 * choice;
     }
+  });
   return choices;
 }
 
-/// Each pixel in the shares that the choices around it have.
-Pixels<Rgb> Blended(const std::vector<Pair>& candidates, const Pixels<std::size_t>& choices, std::size_t stream) {
-  return Made(choices.Width(), choices.Height(), [&](int x, int y, std::size_t k) {
-    double sum = 0;
-    int count = 0;
-    for (int j = y - blend_radius; j <= y + blend_radius; ++j)
-      for (int i = x - blend_radius; i <= x + blend_radius; ++i) {
-        if (!choices.Contains(i, j)) continue;
-        sum += candidates[choices.At(i, j)][stream].At(x, y)[k];
-        ++count;
-      }
-    return static_cast<float>(sum / count);
+/// Of the choices at most blend_radius columns and rows away.
+Pixels<Counts> CountsAround(const Pixels<Counts>& choices) {
+  const int width = choices.Width(), height = choices.Height();
+  Pixels<Counts> counts(width, height);
+  tbb::parallel_for(0, height, [&](int y) {
+    std::vector<Counts> columns(static_cast<std::size_t>(width));
+    for (int j = std::max(0, y - blend_radius); j <= std::min(height - 1, y + blend_radius); ++j)
+      for (int x = 0; x < width; ++x) columns[static_cast<std::size_t>(x)] += choices.At(x, j);
+    for (int x = 0; x < width; ++x)
+      for (int i = std::max(0, x - blend_radius); i <= std::min(width - 1, x + blend_radius); ++i)
+        counts.At(x, y) += columns[static_cast<std::size_t>(i)];
   });
+  return counts;
+}
+
+/// Each pixel in the shares that the choices around it have.
+Pixels<Rgb> Blended(const std::vector<Pair>& candidates, const Pixels<Counts>& counts, std::size_t stream) {
+  Pixels<Rgb> blended(counts.Width(), counts.Height());
+  tbb::parallel_for(0, counts.Height(), [&](int y) {
+    for (int x = 0; x < counts.Width(); ++x) {
+      std::array<double, 3> sum{};
+      double count = 0;
+      for (std::size_t i = 0; i < candidates.size(); ++i) {
+        const double share = CountOf(counts.At(x, y), i);
+        for (std::size_t k = 0; k < 3; ++k) sum[k] += share * candidates[i][stream].At(x, y)[k];
+        count += share;
+      }
+      for (std::size_t k = 0; k < 3; ++k) blended.At(x, y)[k] = static_cast<float>(sum[k] / count);
+    }
+  });
+  return blended;
 }
 
 }  // namespace
@@ -138,8 +169,9 @@ DenoisedPicture Denoise(const R2::Image& a, const R2::Image& b, const Guides& gu
     for (const RegressionFilter& filter : regression_filters)
       candidates.push_back(Filtered(colors, guides, filter, meter));
   if (filters.Library()) candidates.push_back(FilteredBy(*filters.Library(), colors, guides));
-  const Pixels<std::size_t> choices = Choices(candidates);
-  return {{ImageOf(Blended(candidates, choices, 0)), ImageOf(Blended(candidates, choices, 1))}};
+  assert(candidates.size() <= most_candidates);
+  const Pixels<Counts> counts = CountsAround(Choices(candidates));
+  return {{ImageOf(Blended(candidates, counts, 0)), ImageOf(Blended(candidates, counts, 1))}};
 }
 
 DenoisedPicture Denoise(const R2::Image& a, const R2::Image& b, const Guides& guides, const DenoiseFilters& filters) {

@@ -59,11 +59,11 @@ TEST(TradeWords, DenoiseNeedsLightSamplesAndTimeThatItKnows) {
   EXPECT_EQ(ErrorOf({"-denoise", "-error", "2"}), "");
   EXPECT_EQ(
       ErrorOf({"-denoise", "-samples", "16", "-mode", "path", "-bytes", "truncated", "-crop", "0", "0", "4", "4"}), "");
-  EXPECT_EQ(ErrorOf({"-denoise"}), "-denoise needs -samples 2 or more, or -error");
+  EXPECT_EQ(ErrorOf({"-denoise"}), "-denoise needs -samples 2 or more, -error or -time");
   EXPECT_EQ(ErrorOf({"-denoise", "-samples", "4", "-mode", "heat"}),
             "-denoise has no effect with -mode heat; it is for whitted and path");
-  EXPECT_EQ(ErrorOf({"-denoise", "-samples", "4", "-time", "1s"}),
-            "-denoise and -time contradict each other: how long filtering takes is not known beforehand");
+  for (const List& budget : {List{"-time", "1s"}, {"-samples", "4", "-time", "1s"}, {"-time", "1s", "-error", "2"}})
+    EXPECT_EQ(ErrorOf(With({"-denoise"}, budget)), "");
   EXPECT_TRUE(Has(ErrorOf({"-denoise", "-samples", "4", "-sampler", "grid"}), "-denoise"));
 }
 
@@ -202,6 +202,36 @@ TEST(Replay, MakesADenoisedImageAgainToTheByte) {
   EXPECT_TRUE(ReadFile(place / "a.pfm") == ReadFile(place / "b.pfm"));
   const Finished other = place.Run("b.pfm", {"-mode", "path", "-replay", place / "r.json"});
   EXPECT_TRUE(Has(other.error, "-denoise")) << other.error;
+}
+
+TEST(Replay, MakesAnImageThatWasDenoisedInTimeAgainToTheByte) {
+  NEEDS_THE_PROGRAM();
+  const Place place;
+  const List settings{"-denoise", "-shadow_samples", "1"};
+  for (const List& budget : {List{"-time", "2s"}, {"-time", "2s", "-error", "0.1"}}) {
+    const Finished first = place.Run("a.pfm", With(With(settings, budget), {"-report", place / "r.json"}));
+    ASSERT_EQ(first.status, 0) << first.error;
+    EXPECT_TRUE(Has(ReadFile(place / "r.json"), "\"denoised_by\": \"regression\"")) << first.error;
+    const Finished again =
+        place.Run("b.pfm", With(settings, {"-replay", place / "r.json", "-threads", "3", "-tile_size", "8"}));
+    ASSERT_EQ(again.status, 0) << again.error;
+    EXPECT_TRUE(ReadFile(place / "a.pfm") == ReadFile(place / "b.pfm"));
+  }
+}
+
+// A replay that denoised it would not be the same image.
+TEST(Time, TooShortForTheFilterIsToldBeforehandAndTheImageNotDenoisedNorInAReplay) {
+  NEEDS_THE_PROGRAM();
+  const Place place;
+  const List settings{"-denoise", "-width", "800", "-height", "600", "-threads", "1"};
+  const Finished run = place.Run("a.pfm", With(settings, {"-time", "0.1s", "-report", place / "r.json"}));
+  EXPECT_EQ(run.status, 0);
+  EXPECT_TRUE(Has(run.error, "-time 0.1s is too short for -denoise: filtering and writing 800x600 pixels alone takes"))
+      << run.error;
+  EXPECT_TRUE(Has(run.error, "warning: the image is not denoised: -time 0.1s left too little")) << run.error;
+  EXPECT_FALSE(Has(ReadFile(place / "r.json"), "denoised_by"));
+  ASSERT_EQ(place.Run("b.pfm", With(settings, {"-replay", place / "r.json"})).status, 0);
+  EXPECT_TRUE(ReadFile(place / "a.pfm") == ReadFile(place / "b.pfm"));
 }
 
 TEST(Replay, RefusesAnotherSceneOtherSettingsAndWhatIsNoReport) {

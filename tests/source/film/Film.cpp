@@ -49,6 +49,24 @@ TEST(Film, AConstantPictureStaysConstantUnderEveryFilter) {
   }
 }
 
+TEST(Film, ACutHasThePixelsOfTheWhole) {
+  for (const FilterKind kind : kinds) {
+    Film film(60, 50, {3, 2, 57, 50}, kind);
+    Expose(film, 0, 0, 2, Noise);
+    Expose(film, 1, 2, 3, Noise);
+    const R2::Image whole = film.Part(1);
+    for (const PixelRectangle& part : {PixelRectangle{3, 2, 57, 50}, {20, 13, 37, 41}, {3, 40, 9, 50}}) {
+      const Film cut = film.Cut(part);
+      EXPECT_TRUE(cut.HasBothParts());
+      const R2::Image image = cut.Part(1);
+      ASSERT_EQ(image.Width(), part.Width());
+      for (int y = 0; y < image.Height(); ++y)
+        for (int x = 0; x < image.Width(); ++x)
+          ASSERT_TRUE(image.At(x, y) == whole.At(part.x0 - 3 + x, part.y0 - 2 + y)) << NameOf(kind) << x << ' ' << y;
+    }
+  }
+}
+
 /// The picture by the definition: each pixel asks every sample of the whole for its weight.
 TEST(Film, EveryPixelIsTheWeightedMeanOfAllSamplesInReach) {
   constexpr int width = 20, height = 18;

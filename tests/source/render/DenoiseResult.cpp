@@ -231,5 +231,24 @@ TEST(DenoiseResult, AReplayOfItsSampleAllocationIsTheSamePicture) {
   EXPECT_TRUE(project::Render(stage, settings).image == first.image);
 }
 
+TEST(DenoiseResult, AReplayRefinesGuidesByAsManyRaysAsItIsToldOrIsNotDenoised) {
+  const project::Stage stage = Room();
+  RenderSettings settings = Indirect(8);
+  settings.denoise = true;
+  const RenderResult whole = project::Render(stage, settings);
+  ASSERT_TRUE(whole.refinement);
+  EXPECT_EQ(whole.refinement->rays, whole.rays.Total() - whole.guide_rays);
+  Replay replay{whole.two_streams, whole.planned_samples, {whole.passes.back().end}, whole.block_samples, {}};
+  replay.refinement = Refinement{0};
+  settings.replay = replay;
+  const RenderResult unrefined = project::Render(stage, settings);
+  EXPECT_LT(unrefined.guide_rays, whole.guide_rays);
+  settings.replay->refinement = whole.refinement;
+  EXPECT_TRUE(project::Render(stage, settings).image == whole.image);
+  settings.replay->denoised = false;
+  const RenderResult plain = project::Render(stage, settings);
+  EXPECT_FALSE(plain.error_before_denoising || plain.had_no_time_to_denoise);
+}
+
 }  // namespace
 }  // namespace ray

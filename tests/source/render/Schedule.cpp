@@ -114,6 +114,33 @@ TEST(Schedule, LooksEndWithTheTime) {
   }
 }
 
+TEST(Schedule, LeavesTheTimeForWhatComesAfterTheSamples) {
+  constexpr double pace = 0.02, fixed = 1.5, after_each = 0.03;  // seconds of a sample; after all of them
+  RenderSettings settings = Within(10);
+  settings.denoise = true;
+  Schedule schedule(settings, Grid(), false);
+  double now = 0, samples = 0;
+  std::optional<Stop> stop;
+  for (int pass = 0; !stop && pass < 100; ++pass) {
+    const PassTargets& targets = schedule.State().targets;
+    double taken = 0;
+    for (int i = 0; i < blocks; ++i)
+      taken += targets.samples[static_cast<std::size_t>(i)] > 0 ? 2.0 * targets.samples[static_cast<std::size_t>(i)]
+                                                                : 1.0 / BlockOrder::places;
+    taken = taken / blocks - samples;
+    samples += taken, now += pace * taken;
+    stop = schedule.Next({.now = now,
+                          .seconds_taken = pace * taken,
+                          .samples_taken = taken,
+                          .error = {},
+                          .seconds_after = fixed + after_each * samples,
+                          .seconds_after_per_sample = after_each});
+  }
+  EXPECT_EQ(stop, Stop::time);
+  EXPECT_LE(now + fixed + after_each * samples, 9.75);
+  EXPECT_GE(now + fixed + after_each * samples, 9.5);
+}
+
 TEST(Schedule, ModesThatShowCostsAreOnePass) {
   RenderSettings settings = UpTo(6);
   settings.mode = RenderMode::heat;

@@ -9,7 +9,6 @@
 #include <limits>
 
 #include "source/film/denoise/DenoisedError.h"
-#include "source/film/denoise/Regression.h"
 #include "source/sample/Random.h"
 #include "tests/source/film/TwoPartFilm.h"
 
@@ -197,27 +196,6 @@ TEST(DenoisedError, APictureWithoutNoiseHasNone) {
       MeasureDenoisedError(FilmOf(image, image), Denoise(image, image, GuidesOf(gray)), {}).estimate;
   EXPECT_EQ(claim.estimate, 0);
   EXPECT_EQ(claim.high, 0);
-}
-
-TEST(Regression, FindsALinearFunctionExactly) {
-  Regression<3> fit;
-  for (int i = 0; i < 20; ++i) {
-    const double x = std::cos(i), y = std::sin(2.7 * i);
-    fit.Add(1 + i % 3, {1, x, y}, {2 + 3 * x - y, x, 5});
-  }
-  const auto intercepts = fit.Intercepts({0, 1e-12, 1e-12});
-  EXPECT_NEAR(intercepts[0], 2, 1e-9);
-  EXPECT_NEAR(intercepts[1], 0, 1e-9);
-  EXPECT_NEAR(intercepts[2], 5, 1e-9);
-}
-
-TEST(Regression, RegressorsThatDoNotVaryOrVaryTogetherDoNoHarm) {
-  Regression<4> fit;
-  for (int i = 0; i < 10; ++i) fit.Add(1, {1, i - 4.5, i - 4.5, 0}, {0.1 * i, 1, -1});
-  const auto intercepts = fit.Intercepts({0, 1e-6, 1e-6, 1e-6});
-  EXPECT_NEAR(intercepts[0], 0.45, 1e-6);
-  EXPECT_NEAR(intercepts[1], 1, 1e-6);
-  EXPECT_NEAR(intercepts[2], -1, 1e-6);
 }
 
 TEST(Pixels, MeansAroundAreThoseOfARingOfPixelsInThePicture) {

@@ -1,0 +1,184 @@
+#include "source/render/DenoiseForecast.h"
+
+#include <tbb/info.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <vector>
+
+#include "source/film/denoise/DenoisedError.h"
+#include "source/render/GatherGuides.h"
+#include "source/sample/Random.h"
+
+namespace ray {
+namespace {
+
+// Looks are at this share of the pixels: in small rectangles for guides, whose price depends on what is seen, and in
+// one larger for filters, whose price hardly does but which are slower on small pictures.
+constexpr double looked_at = 1.0 / 32;
+constexpr int least_places = 12, most_rows_of_place = 16, rows_for_filters = 64;
+constexpr double growth_between_looks = 1.3;  // of the samples, at least
+
+template <typename Work>
+double SecondsOf(const Work& work) {
+  const auto start = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+template <typename Work>
+void InArena(int threads, const Work& work) {
+  tbb::task_arena arena(threads > 0 ? threads : tbb::info::default_concurrency());
+  arena.execute(work);
+}
+
+PixelRectangle RegionOf(const RenderSettings& settings) {
+  return settings.crop.value_or(PixelRectangle{0, 0, settings.width, settings.height});
+}
+
+R2::Image Noise(int side, std::uint64_t seed) {
+  R2::Image image(side, side);
+  for (int y = 0; y < side; ++y)
+    for (int x = 0; x < side; ++x) {
+      const RandomKey key = RandomKey(seed).Child(static_cast<std::uint64_t>(y * side + x));
+      image.Set(x, y, {key.Child(0).Number(), key.Child(1).Number(), key.Child(2).Number()});
+    }
+  return image;
+}
+
+/// Guides that tell of the light that there is, so that pixels are as like as they come.
+Guides GuidesThatTell(const R2::Image& light) {
+  Pixels<PixelGuide> pixels(light.Width(), light.Height());
+  for (int y = 0; y < light.Height(); ++y)
+    for (int x = 0; x < light.Width(); ++x) {
+      const R2::Color c = light.At(x, y);
+      for (std::size_t k = 0; k < std::tuple_size_v<PixelGuide>; ++k)
+        pixels.At(x, y)[k] = static_cast<float>(k % 3 == 0 ? c.r : k % 3 == 1 ? c.g : c.b);
+    }
+  return {{pixels, pixels}, {pixels, pixels}};
+}
+
+/// The least of some: others may have to wait for a processor, or for memory.
+double SecondsToFilterNoise(int side, const DenoiseFilters& filters) {
+  constexpr int attempts = 3;
+  const R2::Image a = Noise(side, 1), b = Noise(side, 2);
+  const Guides guides = GuidesThatTell(b);
+  double least = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < attempts; ++i) least = std::min(least, SecondsOf([&] { Denoise(a, b, guides, filters); }));
+  return least;
+}
+
+/// A rectangle at most so large, in a part of the region: x and y from 0, at its lower left corner, to 1.
+PixelRectangle Within(const PixelRectangle& region, int width, int height, double x, double y) {
+  width = std::min(width, region.Width()), height = std::min(height, region.Height());
+  const int x0 = region.x0 + static_cast<int>(x * (region.Width() - width));
+  const int y0 = region.y0 + static_cast<int>(y * (region.Height() - height));
+  return {x0, y0, x0 + width, y0 + height};
+}
+
+/// The i-th of places that are spread evenly over a unit square, however many there are.
+///   source   Roberts, The unreasonable effectiveness of quasirandom sequences (2018)
+PixelRectangle PlaceOf(const PixelRectangle& region, int width, int height, int i) {
+  constexpr double plastic = 1.32471795724474602596;
+  return Within(region, width, height, std::fmod(0.5 + i / plastic, 1), std::fmod(0.5 + i / (plastic * plastic), 1));
+}
+
+}  // namespace
+
+double SecondsToFilter(const RenderSettings& settings) {
+  constexpr int small = 64, large = 128;
+  double seconds = 0;
+  InArena(settings.threads, [&] {
+    const DenoiseFilters filters(settings.denoiser, settings.threads);
+    const double of_small = SecondsToFilterNoise(small, filters), of_large = SecondsToFilterNoise(large, filters);
+    const double of_pixel = std::max(0.0, of_large - of_small) / (large * large - small * small);
+    const auto pixels = static_cast<double>(RegionOf(settings).Area());
+    seconds = std::max(0.0, of_large + of_pixel * (pixels - large * large));
+  });
+  return seconds;
+}
+
+DenoiseForecast::DenoiseForecast(const World& world, const Accelerator& accelerator, const RenderSettings& settings,
+                                 const ErrorMeasure& measure)
+    : world_(world),
+      accelerator_(accelerator),
+      settings_(settings),
+      measure_(measure),
+      pixels_(static_cast<double>(RegionOf(settings).Area())),
+      filter_seconds_(settings.budget.seconds_to_filter) {}
+
+void DenoiseForecast::Look(const Film& film, double samples, std::uint64_t rays, const std::atomic<bool>* stop) {
+  if (!film.HasBothParts()) return;
+  render_rays_ = static_cast<double>(rays) / (pixels_ * samples);
+  if (samples < growth_between_looks * looked_at_) return;
+  looked_at_ = samples;
+  InArena(settings_.threads, [&] {
+    LookAtGuides(film, samples, stop);
+    // What the library takes does not depend on the picture, but much on its size.
+    if (settings_.denoiser == Denoiser::regression) LookAtFilters(film);
+  });
+  ++looks_;
+}
+
+void DenoiseForecast::LookAtGuides(const Film& film, double samples, const std::atomic<bool>* stop) {
+  const double pixels = looked_at * pixels_;
+  const int rows = std::clamp(static_cast<int>(std::sqrt(pixels / least_places / 2)), 1, most_rows_of_place);
+  const int columns = 2 * rows, places = std::max(least_places, static_cast<int>(pixels / (rows * columns)));
+  std::vector<Film> parts;
+  for (int i = 0; i < places; ++i)
+    parts.push_back(film.Cut(PlaceOf(film.Region(), columns, rows, looks_ * places + i)));
+  std::vector<GatheredGuides> gathered(parts.size());
+  const double seconds = SecondsOf([&] {
+    tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t i) {
+      WorkMeter meter({}, stop);
+      const double rays = render_rays_ * samples * static_cast<double>(parts[i].Region().Area());
+      const auto refining = [=](std::uint64_t) { return Refinement{static_cast<std::uint64_t>(rays)}; };
+      gathered[i] = GatherGuides(world_, accelerator_, settings_, parts[i], refining, meter);
+    });
+  });
+  // Few samples do not see all edges; else all places count alike, since they differ by more than looks do.
+  const double weight = std::min(samples, 16.0), weight_of_sample = weight / samples;
+  guides_.seconds += samples * seconds;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    guides_.pixels += weight * static_cast<double>(parts[i].Region().Area());
+    guides_.rays += samples * static_cast<double>(gathered[i].rays.Total());
+    guides_.following_rays += weight_of_sample * static_cast<double>(gathered[i].following_rays);
+    guides_.refining_rays_of_use += weight * gathered[i].refining_rays_of_use;
+  }
+}
+
+void DenoiseForecast::LookAtFilters(const Film& film) {
+  const int columns = std::max(rows_for_filters, static_cast<int>(looked_at * pixels_ / rows_for_filters));
+  const Film part = film.Cut(PlaceOf(film.Region(), columns, rows_for_filters, looks_));
+  const Guides guides = GuidesThatTell(part.Picture());
+  const DenoiseFilters filters(Denoiser::regression);
+  const double seconds = SecondsOf([&] {
+    const DenoisedPicture denoised = Denoise(part.Part(0), part.Part(1), guides, filters);
+    MeasureDenoisedError(part, denoised, measure_);
+  });
+  filter_seconds_ = seconds * pixels_ / static_cast<double>(part.Region().Area());
+}
+
+bool DenoiseForecast::RefinesAll(double samples) const {
+  return render_rays_ * samples > guides_.refining_rays_of_use / guides_.pixels;
+}
+
+double DenoiseForecast::Seconds(double samples) const {
+  if (!HasLooked()) return filter_seconds_;
+  const double following = guides_.following_rays / guides_.pixels * samples;
+  const double refining = RefinesAll(samples) ? guides_.refining_rays_of_use / guides_.pixels : render_rays_ * samples;
+  return filter_seconds_ + pixels_ * (following + refining) * guides_.seconds / guides_.rays;
+}
+
+double DenoiseForecast::SecondsOfSample(double samples) const {
+  if (!HasLooked()) return 0;
+  const double rays = guides_.following_rays / guides_.pixels + (RefinesAll(samples) ? 0 : render_rays_);
+  return pixels_ * rays * guides_.seconds / guides_.rays;
+}
+
+}  // namespace ray
