@@ -18,7 +18,7 @@ double SecondsToFilter(const RenderSettings& settings);
 
 /// How long a picture would take to be denoised, were its last sample taken: foretold by denoising small parts of it,
 /// again whenever passes added a third of its samples.
-///   accuracy   of 12 renders, 6 scenes for 5 and 10 seconds on 2 threads, see docs/accuracy.md
+///   accuracy   as docs/accuracy.md has it: rays within some percent; what one takes, as steady as the machine
 class DenoiseForecast {
  public:
   /// All must outlive it.
