@@ -52,15 +52,6 @@ R2::Color Background(const Scene& scene, const R3::Vector& direction) {
   return scene.environment ? scene.environment->Radiance(direction) : scene.background;
 }
 
-namespace {
-
-/// As a share of the direction's length.
-double LeastT(const ShadingPoint& surface, const R3::Vector& direction) {
-  return surface.bias > 0 ? surface.bias / Length(direction) : 0;
-}
-
-}  // namespace
-
 R3::Ray SpawnRay(const ShadingPoint& surface, const R3::Vector& direction) {
   const R3::Vector n = AsVector(surface.at.normal);
   const bool is_towards_viewer = (Dot(n, direction) < 0) == (Dot(n, surface.wo) < 0);
@@ -69,16 +60,6 @@ R3::Ray SpawnRay(const ShadingPoint& surface, const R3::Vector& direction) {
           .t_min = LeastT(surface, direction),
           .time = surface.path.ray.time,
           .leaving = is_towards_viewer ? surface.leaving : surface.leaving_behind};
-}
-
-R3::Ray ShadowRay(const ShadingPoint& surface, const LightSample& light) {
-  return {.origin = surface.shadow_origin,
-          .direction = light.to_light,
-          .t_min = LeastT(surface, light.to_light),
-          .t_max = light.is_infinite ? R3::infinity : 1,
-          .time = surface.path.ray.time,
-          .leaving = Dot(surface.N, light.to_light) > 0 ? surface.leaving : -1,
-          .reaching = light.reaching};
 }
 
 }  // namespace ray

@@ -55,9 +55,22 @@ void AbsorbOnTheWay(ShadingPoint& p);
 /// What a ray that hits nothing sees.
 R2::Color Background(const Scene& scene, const R3::Vector& direction);
 
+/// Where a ray may first hit something, as a share of its direction's length.
+inline double LeastT(const ShadingPoint& surface, const R3::Vector& direction) {
+  return surface.bias > 0 ? surface.bias / Length(direction) : 0;
+}
+
 /// The same place, a new direction: off the surface on the side it heads for, in the same moment.
 R3::Ray SpawnRay(const ShadingPoint& surface, const R3::Vector& direction);
 /// Towards a light from the viewer's side.
-R3::Ray ShadowRay(const ShadingPoint& surface, const LightSample& light);
+inline R3::Ray ShadowRay(const ShadingPoint& surface, const LightSample& light) {
+  return {.origin = surface.shadow_origin,
+          .direction = light.to_light,
+          .t_min = LeastT(surface, light.to_light),
+          .t_max = light.is_infinite ? R3::infinity : 1,
+          .time = surface.path.ray.time,
+          .leaving = Dot(surface.N, light.to_light) > 0 ? surface.leaving : -1,
+          .reaching = light.reaching};
+}
 
 }  // namespace ray
