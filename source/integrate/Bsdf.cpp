@@ -54,11 +54,11 @@ inline void RaiseEach(LightSamples::Each& cosine, std::uint32_t count, double ex
     return;
   }
   for (std::uint32_t i = 0; i < count; ++i) power[i] = cosine[i] > 0 ? 1 : 0;
-  for (auto n = static_cast<std::uint32_t>(exponent); n != 0; n >>= 1)
-    for (std::uint32_t i = 0; i < count; ++i) {
-      power[i] *= n & 1 ? cosine[i] : 1;
-      cosine[i] *= cosine[i];
-    }
+  for (auto n = static_cast<std::uint32_t>(exponent); n != 0; n >>= 1) {
+    if (n & 1)
+      for (std::uint32_t i = 0; i < count; ++i) power[i] *= cosine[i];
+    for (std::uint32_t i = 0; i < count; ++i) cosine[i] *= cosine[i];
+  }
 }
 
 }  // namespace
