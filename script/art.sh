@@ -21,7 +21,7 @@ for name in "$@"; do
     cradle) samples=64 options="-denoise -max_depth 6 -aperture 0.05 -focus 11.3 -clamp samples" parts="glass cradle" ;;
     crystal) samples=64 options="-denoise -fresnel -max_depth 24" parts=crystal ;;
     flake) samples=48 options="-max_depth 6 -clamp samples" parts=flake ;;
-    glass) samples=128 options="-denoise -fresnel -max_depth 12 -aperture 0.12 -focus 10.2" parts=glass ;;
+    glass) samples=96 options="-denoise -fresnel -max_depth 12 -aperture 0.12 -focus 10.2" parts=glass ;;
     library) samples=48 options="-denoise -max_depth 8" parts=library ;;
     orrery) samples=64 options="-max_depth 4 -clamp samples -error 2" parts=orrery ;;
     sponge) samples=32 options="-denoise -max_depth 5" parts=sponge ;;
