@@ -152,7 +152,8 @@ R3::Intersection World::At(const R3::Ray& ray, const WorldHit& hit) const {
 }
 
 void World::BringToWorld(std::uint32_t frame, double time, R3::Intersection& at) const {
-  if (frame != 0 && !frames_[frame].IsIdentity()) Transform(frames_[frame], at);
+  if (frame == 0) return;  // the world itself, which stands still
+  if (!frames_[frame].IsIdentity()) Transform(frames_[frame], at);
   if (moves_) Shift(time * motions_[frame], at);
 }
 

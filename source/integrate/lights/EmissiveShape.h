@@ -27,7 +27,7 @@ class EmissiveShape {
   ///   returns   nothing where no place can be seen
   std::optional<Sample> SampleTowards(const R3::Point& seen_from, const R2::Point& random, double time) const;
   /// Whether it stands in the world as it is, so that many samples can be drawn together.
-  bool CanSampleEach() const { return instance_->frame == 0 && mean_scale_ == 1 && !world_->Moves(); }
+  bool CanSampleEach() const { return instance_->frame == 0 && mean_scale_ == 1; }
   /// SampleTowards, bit for bit, from each of the points: the ways to the light, the radiance over the pdf, and the
   /// pdfs, 0 where no place can be seen. Of shapes that can.
   void SampleEach(LightSamples& samples, LightSamples::Each& pdfs) const;
