@@ -84,6 +84,10 @@ inline R2::Color SpecularReflectance(const ShadingPoint& p, bool fresnel) {
 /// Whether reflections are spread over Phong's lobe, and the lobe's exponent then.
 inline bool IsGlossy(const Material& m, const TraceSettings& settings) { return settings.glossy || m.gloss > 0; }
 inline double GlossExponent(const Material& m) { return m.gloss > 0 ? m.gloss : m.n; }
+/// Whether highlights or the non-specular lobes of a Bsdf may reflect light, so that lights are worth sampling.
+inline bool ReflectsLights(const ShadingPoint& p, const TraceSettings& settings) {
+  return p.HasReflectance() || IsGlossy(*p.material, settings);
+}
 
 /// wo mirrored about N, or with a glossy reflection a direction of Phong's lobe around that; unit.
 ///   u         uniform in [0, 1)^2

@@ -130,7 +130,7 @@ R2::Color Path::DirectLight(const ShadingPoint& p, const Bsdf& bsdf, TraceState&
 
 void Path::SampleLights(const ShadingPoint& p, const Bsdf& bsdf, std::size_t index, TraceState& state) const {
   if (!SamplesAllLights()) return SampleChosenLights(p, bsdf, index, state);
-  if (!p.HasReflectance()) return;
+  if (!ReflectsLights(p, settings_)) return;
   for (int light = 0; light < lights_.Count() && !state.IsStopped(); ++light) {
     const Points points = p.path.index.PointsFor(KeyOf(light), settings_.sampler, settings_.samples);
     if (const auto sample = lights_.Sample(p, light, points.Get2D(p.path.index.sample)))
@@ -139,7 +139,7 @@ void Path::SampleLights(const ShadingPoint& p, const Bsdf& bsdf, std::size_t ind
 }
 
 void Path::SampleChosenLights(const ShadingPoint& p, const Bsdf& bsdf, std::size_t index, TraceState& state) const {
-  if (lights_.IsEmpty() || !p.HasReflectance()) return;
+  if (lights_.IsEmpty() || !ReflectsLights(p, settings_)) return;
   const auto count = static_cast<std::uint32_t>(lights_at_once_);
   const Points points = p.path.index.PointsFor(next_event_key, settings_.sampler, settings_.samples, count);
   for (std::uint32_t k = 0; k < count && !state.IsStopped(); ++k) {

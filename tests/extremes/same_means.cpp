@@ -85,6 +85,27 @@ TEST(Extremes, I5_LightIsFoundAlikeOnLightsByScatteringAndByBoth) {
     }
 }
 
+TEST(Extremes, I5_AGlossyMirrorThatHasNothingElseShowsLightsAlikeByEveryStrategy) {
+  const std::string mirror = "camera 0 1.5 6  0 -0.2 -1  0 1 0  0.35  0.01 100" + Material(0, 0, 0, 0, 2) +
+                             "mirror 0 0.8 0.7 0.6 tri 0 -9 0 -9  -9 0 9  9 0 9 tri 0 -9 0 -9  9 0 9  9 0 -9 " +
+                             no_light + Material(0, 0, 0, 5);
+  for (const std::string lamp :
+       {"", "tri 1 -3 2.5 0  1 3 0  -1 2.5 3 ", "sphere 1 0 4 -1  2.5 ",
+        "begin -1  1 0 0 0  0 1 0 0  0 0 1 0  0 0 0 1 motion 0.2 0 0 sphere 1 0 4 -1  2.5 end "}) {
+    SCOPED_TRACE(lamp.empty() ? "sky" : lamp);
+    const project::Stage stage = lamp.empty() ? StageOf(mirror, SunnySky()) : StageOf(mirror + lamp);
+    std::vector<std::pair<std::string, RenderSettings>> ways;
+    for (const char* strategy : {"bsdf", "mis", "light"})
+      for (const int lights : {0, 1}) {
+        ways.emplace_back(std::string(strategy) + (lights > 0 ? ", chosen" : ""), Compared("path", 256));
+        ways.back().second.trace.strategy = project::Named{strategy};
+        ways.back().second.trace.glossy = true;
+        ways.back().second.trace.lights = lights;
+      }
+    ExpectAllAlike(stage, ways);
+  }
+}
+
 TEST(Extremes, I5_OneLightOrAFewStandForAll) {
   for (const char* mode : {"whitted", "path"}) {
     const project::Stage stage = StageOf(room + Lamps(true));

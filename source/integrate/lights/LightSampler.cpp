@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "R3/Warp.h"
+#include "source/integrate/Bsdf.h"
 
 namespace ray {
 namespace {
@@ -35,6 +36,7 @@ LightSampler::LightSampler(const World& world, const TraceSettings& settings)
       shapes_(EmissiveShapes(world)),
       emission_bounds_(world),
       has_unsampled_emission_(HasUnsampledEmission(world)),
+      settings_(settings),
       is_uniform_(settings.strategy == LightStrategy::uniform) {
   const Scene& scene = world.scene();
   std::vector<LightBound> bounds;
@@ -136,7 +138,7 @@ void LightSampler::SampleEach(std::span<const ShadingPoint> points, int light, L
   if (IsInfinite(light) && !is_uniform_) return environment_->DrawEach(samples, pdfs);
   for (std::uint32_t i = 0; i < samples.count; ++i) {
     const auto sample =
-        points[i].HasReflectance() ? Sample(points[i], light, {samples.u[i], samples.v[i]}) : std::nullopt;
+        ReflectsLights(points[i], settings_) ? Sample(points[i], light, {samples.u[i], samples.v[i]}) : std::nullopt;
     pdfs[i] = sample ? sample->pdf : 0;
     samples.Set(i, sample ? sample->to_light : R3::Vector{}, sample ? sample->irradiance : R2::Color{});
   }

@@ -76,6 +76,7 @@ class LightSampler {
   const Environment* environment_ = nullptr;
   bool has_background_ = false;  // that is not black
   bool has_unsampled_emission_;
+  TraceSettings settings_;
   bool is_uniform_ = false;  // chooses uniformly among lights, and from the environment
   int count_ = 0;
   std::optional<LightTree> tree_;
