@@ -37,16 +37,18 @@ RenderResult RenderAndTell(const World& world, const Accelerator& accelerator, c
   RenderSettings settings = options.render;
   settings.replay = ReadReplay(options, hash);
   if (settings.budget.seconds > 0) {
-    const FinishingTime finishing = FinishingTimeOf(*FormatOfPicture(options.picture), options);
-    settings.budget.seconds_to_finish = finishing.most;
+    settings.budget.seconds_to_finish = FinishingTimeOf(*FormatOfPicture(options.picture), options);
     if (settings.denoise) settings.budget.seconds_to_filter = SecondsToFilter(settings);
-    account.WillFinishIn(settings.budget, finishing.least);
+    account.WillFinishIn(settings.budget);
   }
   Progress progress(ChooseProgressStyle(options.quiet));
   const auto tile_done = [&](const RenderProgress& now) { progress.Update(now); };
   RenderMonitor monitor;
   monitor.stop = StopRequested();
   monitor.tile_done = tile_done;
+  monitor.encode = [&](const R2::Image& image) {
+    FormatOfPicture(options.picture)->encode(image, options.encoding, {});
+  };
   monitor.seconds_before = account.SecondsSoFar();
   if (checkpoint) monitor.save = [&](const RenderState& state) { checkpoint->Save(state, hash); };
   monitor.save_every = options.checkpoint;

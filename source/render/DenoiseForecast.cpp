@@ -11,6 +11,7 @@
 #include <numbers>
 #include <vector>
 
+#include "source/film/SpreadRectangles.h"
 #include "source/film/denoise/DenoisedError.h"
 #include "source/render/GatherGuides.h"
 #include "source/sample/Random.h"
@@ -73,21 +74,6 @@ double SecondsToFilterNoise(int side, const DenoiseFilters& filters) {
   return least;
 }
 
-/// A rectangle at most so large, in a part of the region: x and y from 0, at its lower left corner, to 1.
-PixelRectangle Within(const PixelRectangle& region, int width, int height, double x, double y) {
-  width = std::min(width, region.Width()), height = std::min(height, region.Height());
-  const int x0 = region.x0 + static_cast<int>(x * (region.Width() - width));
-  const int y0 = region.y0 + static_cast<int>(y * (region.Height() - height));
-  return {x0, y0, x0 + width, y0 + height};
-}
-
-/// The i-th of places that are spread evenly over a unit square, however many there are.
-///   source   Roberts, The unreasonable effectiveness of quasirandom sequences (2018)
-PixelRectangle PlaceOf(const PixelRectangle& region, int width, int height, int i) {
-  constexpr double plastic = 1.32471795724474602596;
-  return Within(region, width, height, std::fmod(0.5 + i / plastic, 1), std::fmod(0.5 + i / (plastic * plastic), 1));
-}
-
 }  // namespace
 
 double SecondsToFilter(const RenderSettings& settings) {
@@ -131,7 +117,7 @@ void DenoiseForecast::LookAtGuides(const Film& film, double samples, const std::
   const int columns = 2 * rows, places = std::max(least_places, static_cast<int>(pixels / (rows * columns)));
   std::vector<Film> parts;
   for (int i = 0; i < places; ++i)
-    parts.push_back(film.Cut(PlaceOf(film.Region(), columns, rows, looks_ * places + i)));
+    parts.push_back(film.Cut(SpreadRectangle(film.Region(), columns, rows, looks_ * places + i)));
   std::vector<GatheredGuides> gathered(parts.size());
   const double seconds = SecondsOf([&] {
     tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t i) {
@@ -154,7 +140,7 @@ void DenoiseForecast::LookAtGuides(const Film& film, double samples, const std::
 
 void DenoiseForecast::LookAtFilters(const Film& film) {
   const int columns = std::max(rows_for_filters, static_cast<int>(looked_at * pixels_ / rows_for_filters));
-  const Film part = film.Cut(PlaceOf(film.Region(), columns, rows_for_filters, looks_));
+  const Film part = film.Cut(SpreadRectangle(film.Region(), columns, rows_for_filters, looks_));
   const Guides guides = GuidesThatTell(part.Picture());
   const DenoiseFilters filters(Denoiser::regression);
   const double seconds = SecondsOf([&] {

@@ -13,6 +13,7 @@
 namespace ray {
 namespace {
 
+constexpr int least_looks = 512;            // at blocks, before a pause
 constexpr std::uint32_t most_at_once = 64;  // samples per pixel between two states of a block that can be kept
 
 /// Where the step ends that begins with `done` samples. It depends on nothing else, so that a block is added up in the
@@ -52,7 +53,8 @@ bool PassRunner::IsAtTarget(int block) const {
 PassRunner::End PassRunner::Run(const PassTargets& targets, std::optional<Clock::time_point> pause_at) {
   targets_ = &targets;
   pause_at_ = pause_at;
-  has_progressed_ = false;
+  progress_ = 0;
+  least_progress_ = targets.places.empty() ? 1 : least_looks;
   pixels_done_ = 0;
   for (int i = 0; i < work_.film.Blocks(); ++i)
     if (IsAtTarget(i)) pixels_done_ += work_.film.PixelsOf(i).Area();
@@ -63,19 +65,20 @@ PassRunner::End PassRunner::Run(const PassTargets& targets, std::optional<Clock:
   tbb::task_arena arena(threads_);
   arena.execute([&] {
     tbb::parallel_for(
-        0, tiles_.Count(), [&](int tile) { RunTile(tile); }, tbb::simple_partitioner());
+        0, tiles_.Count(), [&](int i) { RunTile(i); }, tbb::simple_partitioner());
   });
   if (pixels_done_ == work_.film.Sampled().Area()) return End::complete;
   return IsStopped() ? End::stopped : End::paused;
 }
 
-void PassRunner::RunTile(int tile) {
+void PassRunner::RunTile(int i) {
   if (IsStopped() || IsPauseDue()) return;
   TraceState& state = states_.local();
   state.rays = {};
   state.stop = work_.stop;
   std::int64_t pixels = 0;
-  for (const int block : tiles_.BlocksOf(tile)) {
+  // What is done of first looks when they are broken off is to show all of the picture.
+  for (const int block : tiles_.BlocksOf(targets_->places.empty() ? i : tiles_.Spread(i))) {
     if (IsAtTarget(block)) continue;
     if (!(TargetOf(block) > 0 ? Advance(block, state) : Look(block, state))) break;
     pixels += work_.film.PixelsOf(block).Area();
@@ -108,7 +111,7 @@ bool PassRunner::Advance(int block, TraceState& state) {
     }
     next.first_looks.clear();
     work_.film[block] = std::move(next);
-    has_progressed_ = true;
+    ++progress_;
   }
   return true;
 }
@@ -122,7 +125,7 @@ bool PassRunner::Look(int block, TraceState& state) {
     state.rays = rays_before;
     return false;
   }
-  has_progressed_ = true;
+  ++progress_;
   return true;
 }
 

@@ -38,7 +38,8 @@ class PassRunner {
   explicit PassRunner(const PassWork& work);
 
   /// Takes samples until each block has its target. Leaves off at once when asked to stop, or at `pause_at` when it has
-  /// got on at all; either way the film is left so that it can be kept and gone on with.
+  /// got on at all, by enough first looks for a picture; either way the film is left so that it can be kept and gone on
+  /// with.
   End Run(const PassTargets& targets, std::optional<Clock::time_point> pause_at);
 
   /// Whether samples up to this number are added up alike however many more were planned, whatever the filter.
@@ -52,11 +53,11 @@ class PassRunner {
 
  private:
   bool IsStopped() const { return work_.stop && work_.stop->load(std::memory_order_relaxed); }
-  bool IsPauseDue() const { return has_progressed_ && pause_at_ && Clock::now() >= *pause_at_; }
+  bool IsPauseDue() const { return progress_ >= least_progress_ && pause_at_ && Clock::now() >= *pause_at_; }
   std::uint32_t TargetOf(int block) const { return targets_->samples[static_cast<std::size_t>(block)]; }
   std::uint32_t SamplesOf(int block) const { return work_.film[block].SamplesPerStream(work_.has_two_streams); }
   bool IsAtTarget(int block) const;
-  void RunTile(int tile);
+  void RunTile(int i);
   bool Advance(int block, TraceState& state);
   bool Look(int block, TraceState& state);
 
@@ -65,7 +66,9 @@ class PassRunner {
   const int threads_;
   const PassTargets* targets_ = nullptr;
   std::optional<Clock::time_point> pause_at_;
-  std::atomic<bool> has_progressed_ = false;  // since Run began
+  // Since Run began, and before it may pause: steps of blocks.
+  std::atomic<int> progress_ = 0;
+  int least_progress_ = 1;
   tbb::enumerable_thread_specific<TraceState> states_;
   std::mutex mutex_;  // guards the counts below and tile_done; a block belongs to one tile and needs no guard
   std::int64_t pixels_done_ = 0;  // at their targets

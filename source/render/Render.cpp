@@ -11,6 +11,7 @@
 #include "source/integrate/debug/Heat.h"
 #include "source/render/DenoiseForecast.h"
 #include "source/render/DenoiseResult.h"
+#include "source/render/FinishForecast.h"
 #include "source/render/Forecast.h"
 #include "source/render/PassRunner.h"
 
@@ -100,6 +101,7 @@ class Job {
       Clock::time_point start, DenoiseForecast* forecast = nullptr)
       : start_(start),
         denoise_forecast_(forecast),
+        finish_forecast_(settings.budget.seconds_to_finish, monitor.encode),
         settings_(settings),
         monitor_(monitor),
         camera_(CameraRaysOf(world, settings)),
@@ -135,10 +137,7 @@ class Job {
   /// When a picture that is denoised in time should be, but for the filters.
   std::optional<Clock::time_point> EndOfGuides() const {
     if (!denoise_forecast_) return {};
-    constexpr double share_of_time_aimed_at = 0.985;  // what is left is for what was foretold too short
-    const Budget& budget = settings_.budget;
-    return In(share_of_time_aimed_at * budget.seconds - budget.seconds_to_finish - denoise_forecast_->FilterSeconds() -
-              Seconds());
+    return In(SecondsUntilWriting() - denoise_forecast_->FilterSeconds());
   }
 
   /// A copy, for keeping.
@@ -189,10 +188,15 @@ class Job {
     }
   }
 
+  /// When the picture has to be ready.
+  double SecondsUntilWriting() const {
+    constexpr double share_of_time_aimed_at = 0.985;  // what is left is for what was foretold too short
+    return share_of_time_aimed_at * settings_.budget.seconds - finish_forecast_.Seconds() - Seconds();
+  }
   /// Before what comes after so many samples per pixel has to begin.
   double SecondsLeft(double samples) const {
     const double more = after_.seconds_of_sample * std::max(0.0, samples - CountSamples(film_).mean);
-    return settings_.budget.seconds - settings_.budget.seconds_to_finish - after_.seconds - more - Seconds();
+    return SecondsUntilWriting() - after_.seconds - more;
   }
 
   /// How long a picture of so many samples per pixel, each taken in so many seconds, takes to be denoised. Where it
@@ -205,7 +209,7 @@ class Job {
     after_.seconds_of_sample = has_looked ? denoise_forecast_->SecondsOfSample(samples) : seconds_of_sample;
     after_.seconds = denoise_forecast_->Seconds(samples) + (has_looked ? 0 : seconds_of_sample * samples);
     const double to_least = std::max(0.0, 2 - samples) * seconds_of_sample;  // samples per pixel
-    const double left = settings_.budget.seconds - settings_.budget.seconds_to_finish - Seconds();
+    const double left = settings_.budget.seconds - finish_forecast_.Seconds() - Seconds();
     const double late = to_least + denoise_forecast_->Seconds(samples) - left;
     if (late > (samples > 0 ? most_late * settings_.budget.seconds : 0)) after_ = {.is_in_time = false};
   }
@@ -232,11 +236,21 @@ class Job {
     if (denoise_forecast_ && after_.is_in_time) {
       denoise_forecast_->Look(film_, samples, runner_.Rays().Total(), monitor_.stop);
       NoteTimeAfter(samples, pass.samples_taken > 0 ? pass.seconds_taken / pass.samples_taken : 0);
-      pass.seconds_after = after_.seconds;
       pass.seconds_after_per_sample = after_.seconds_of_sample;
+    }
+    if (settings_.budget.seconds > 0) {
+      LookAtFinishing();
+      pass.seconds_after = after_.seconds + finish_forecast_.Seconds();
     }
     pass.now = Seconds();
     return pass;
+  }
+
+  /// Where it bears on when to stop.
+  void LookAtFinishing() {
+    constexpr double least = 0.02;  // of the time
+    if (settings_.budget.seconds_to_finish > least * settings_.budget.seconds)
+      finish_forecast_.Look(film_, settings_.quantization);
   }
 
   void Foretell(PassOutcome& pass) {
@@ -326,6 +340,7 @@ class Job {
 
   const Clock::time_point start_;
   DenoiseForecast* const denoise_forecast_;
+  FinishForecast finish_forecast_;
   const RenderSettings& settings_;
   const RenderMonitor& monitor_;
   const CameraRays camera_;

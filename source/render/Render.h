@@ -43,6 +43,9 @@ struct RenderMonitor {
   /// Gives the state to resume from, made for a film like this empty one; called once, before the first sample. May be
   /// empty, and throw.
   std::function<RenderState(const Film&)> resume;
+  /// Encodes an image as it will be written, so that it is known how long that takes. May be empty; only where there is
+  /// a time limit.
+  std::function<void(const R2::Image&)> encode;
   /// Sees the picture between two passes, once all pixels have a sample, and the samples per pixel and stream it has;
   /// called by the thread that renders, while no other does. May be empty; else samples are doubled pass by pass in any
   /// mode, which changes no bit of the result (but of heat, where an accelerator remembers the last hit: each pass

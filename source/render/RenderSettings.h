@@ -38,7 +38,7 @@ constexpr const auto& NamesOf(Clamp) { return clamp_names; }
 /// When to stop. Whatever is reached first ends the render.
 struct Budget {
   double seconds = 0;                // from the start of the program to the picture written; 0: no limit
-  double seconds_to_finish = 0;      // of them, that the picture takes to be written
+  double seconds_to_finish = 0;      // of them, that a picture takes to be written of which nothing is known
   double seconds_to_filter = 0;      // of them, that filters would take alone; see SecondsToFilter
   std::optional<ErrorTarget> error;  // stop when the upper end of the error's interval is below
   double confidence = 0.95;          // of that interval, in (0, 1)

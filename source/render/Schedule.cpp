@@ -165,7 +165,7 @@ std::optional<Stop> Schedule::NextOfLooks(const PassOutcome& pass) {
     if (left < share_of_time_not_used * budget_.seconds) return Stop::time;
     if (pace > 0 && usable < (pace + pass.seconds_after_per_sample) * samples_left) {
       constexpr double place = 1.0 / BlockOrder::places;
-      if (places == BlockOrder::places || left < pace * place) return Stop::time;
+      if (places == BlockOrder::places) return Stop::time;
       next = std::min(next, places + std::max(1, static_cast<int>(usable / (pace * place))));
       LookAt(std::min(next, BlockOrder::places));
       return {};
@@ -264,7 +264,7 @@ double Schedule::ShareOfSurprise(const std::vector<double>& squares, double targ
 
 /// Before the picture has to be finished.
 double Schedule::SecondsLeft(const PassOutcome& pass) const {
-  return share_of_time_aimed_at * budget_.seconds - pass.now - budget_.seconds_to_finish - pass.seconds_after;
+  return share_of_time_aimed_at * budget_.seconds - pass.now - pass.seconds_after;
 }
 
 /// Shortens the next pass, which would go to `end`, to the time that is left. Where it ends then; 0: there is no time

@@ -44,7 +44,7 @@ struct PassOutcome {
   double seconds_taken = 0;  // by the pass
   double samples_taken = 0;  // by the pass, per pixel, on average; 0: it was over before a break
   std::optional<MeasuredError> error;
-  // That come once no more samples are taken, after those taken so far, and how many more a sample per pixel adds.
+  // That come once no more samples are taken, until the picture is written, and how many more a sample per pixel adds.
   double seconds_after = 0, seconds_after_per_sample = 0;
   bool has_stalled = false;         // see ErrorForecast
   std::vector<double> contrasts{};  // of neighboring pixels as displayed, in [0, 1], of each block; see LooksAtContrast

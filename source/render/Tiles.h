@@ -1,6 +1,9 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdint>
+#include <numbers>
+#include <numeric>
 #include <vector>
 
 #include "source/film/Film.h"
@@ -17,9 +20,14 @@ class Tiles {
     side_ = side > 0 ? std::min(whole, 1 + (side - 1) / Film::block_side) : whole;
     columns_ = (film_columns_ + side_ - 1) / side_;
     rows_ = (film_rows_ + side_ - 1) / side_;
+    stride_ = std::max(1, static_cast<int>(Count() / std::numbers::phi));
+    while (std::gcd(stride_, Count()) > 1) ++stride_;
   }
 
   int Count() const { return columns_ * rows_; }
+  /// The tile that comes i-th in an order in which any few in a row are spread over the film: in steps of the golden
+  /// ratio.
+  int Spread(int i) const { return static_cast<int>(std::int64_t{i} * stride_ % Count()); }
 
   std::vector<int> BlocksOf(int tile) const {
     const int c0 = tile % columns_ * side_, r0 = tile / columns_ * side_;
@@ -30,7 +38,7 @@ class Tiles {
   }
 
  private:
-  int film_columns_, film_rows_, side_, columns_, rows_;
+  int film_columns_, film_rows_, side_, columns_, rows_, stride_;
 };
 
 }  // namespace ray

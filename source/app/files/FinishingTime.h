@@ -4,13 +4,9 @@
 
 namespace ray {
 
-/// About how many seconds it takes from the last sample to the finished file.
-struct FinishingTime {
-  double least = 0;  // where hardly a pixel has a sample, and what is filled between them is smooth
-  double most = 0;   // where all is noise
-};
-
-/// As this machine is now, by encoding small pictures, which takes some ten milliseconds.
-FinishingTime FinishingTimeOf(const R2::ImageFormat& format, const Options& options);
+/// About how many seconds it takes from the last sample to the finished file where few pixels have a sample, and what
+/// is filled between them is smooth. As this machine is now, by encoding a small picture, which takes some
+/// milliseconds.
+double FinishingTimeOf(const R2::ImageFormat& format, const Options& options);
 
 }  // namespace ray

@@ -130,14 +130,14 @@ void RunLog::Built(const World& world, const Accelerator& accelerator) {
 
 void RunLog::Compared(double true_error) { stats_.true_error = true_error; }
 
-void RunLog::WillFinishIn(const Budget& budget, double least_seconds_to_finish) {
+void RunLog::WillFinishIn(const Budget& budget) {
   const RenderSettings& render = stats_.options.render;
   const auto warn_if_too_long = [&](double seconds, const std::string& work, const std::string& consequence) {
     if (SecondsSoFar() + seconds > budget.seconds)
       Warn("raypro: warning: -time " + ShowDuration(budget.seconds) + " is too short" + work + " " +
            PixelsAcross(render) + " pixels alone takes about " + Rounded(seconds, 2) + " s" + consequence);
   };
-  warn_if_too_long(least_seconds_to_finish, ": filling and writing", "");
+  warn_if_too_long(budget.seconds_to_finish, ": filling and writing", "");
   if (render.denoise)
     warn_if_too_long(budget.seconds_to_filter + budget.seconds_to_finish, " for -denoise: filtering and writing",
                      "; the image will not be denoised");

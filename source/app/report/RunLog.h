@@ -16,8 +16,8 @@ class RunLog {
   void Loaded(const ParsedScene& parsed, const Options& options);
   void Built(const World& world, const Accelerator& accelerator);
   /// Before the first sample of a render with a time limit: what its image takes without any, by the budget that the
-  /// render has, and `least_seconds_to_finish` where it is hardly begun.
-  void WillFinishIn(const Budget& budget, double least_seconds_to_finish);
+  /// render has.
+  void WillFinishIn(const Budget& budget);
   void Rendered(const RenderResult& result);
   /// With what -reference names, in the unit of the estimated error.
   void Compared(double true_error);

@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numeric>
 
 #include "tests/Project.h"
 
@@ -195,6 +197,26 @@ class Stopper : public Integrator {
   std::atomic<bool>& stop_;
   mutable std::atomic<int> asked_ = 0;
 };
+
+TEST(Render, LooksThatATimeLimitBreaksOffAreSpreadOverThePicture) {
+  const project::Stage stage(project::Root() / "scenes" / "hello.scn");
+  const auto accelerator = FindAcceleratorKind("auto")->Make(stage.world, {});
+  RenderSettings settings;
+  settings.width = settings.height = 2048;
+  settings.budget.seconds = 1e-9;
+  constexpr int blocks = 2048 / BlockOrder::side, parts = 4;  // across the picture
+  for (const int threads : {1, 2}) {
+    settings.threads = threads;
+    const RenderResult result = Render(stage.world, *accelerator, settings);
+    EXPECT_EQ(result.stop, Stop::time);
+    std::array<int, parts * parts> looks{};
+    for (std::size_t i = 0; i < result.block_places.size(); ++i)
+      looks[i / blocks * parts / blocks * parts + i % blocks * parts / blocks] += result.block_places[i];
+    EXPECT_GE(std::accumulate(looks.begin(), looks.end(), 0), 512);
+    EXPECT_LT(std::accumulate(looks.begin(), looks.end(), 0), blocks * blocks / 2);
+    EXPECT_GT(*std::ranges::min_element(looks), 0);
+  }
+}
 
 TEST(Render, BeginsNoRaysAfterAStopWasAskedFor) {
   const project::Stage stage(project::Root() / "scenes" / "hello.scn");

@@ -1,0 +1,57 @@
+#include "source/render/FinishForecast.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <thread>
+
+#include "tests/source/film/TwoPartFilm.h"
+
+namespace ray {
+namespace {
+
+/// Each pixel the color of its place.
+Film Shaded(int side) {
+  return TwoPartFilm(side, {1, 0}, FilterKind::box, [](int, int x, int y, std::uint32_t) {
+    return FilmSample{{x / 1024.0, y / 1024.0, 0.5}};
+  });
+}
+
+TEST(FinishForecast, IsWhatIsKnownWhereNothingCanBeLookedAt) {
+  FinishForecast forecast(3, {});
+  forecast.Look(Shaded(16), R2::Quantization::rounded);
+  EXPECT_EQ(forecast.Seconds(), 3);
+}
+
+TEST(FinishForecast, LooksAtLittleFromAllOverThePicture) {
+  std::int64_t looked_at = 0;
+  double lowest = 1, highest = 0;
+  FinishForecast forecast(3, [&](const R2::Image& part) {
+    looked_at += std::int64_t{part.Width()} * part.Height();
+    const R2::Color corner = part.At(0, 0), far = part.At(part.Width() - 1, part.Height() - 1);
+    EXPECT_NEAR(far.r - corner.r, (part.Width() - 1) / 1024.0, 1e-6);
+    lowest = std::min({lowest, corner.r, corner.g}), highest = std::max({highest, far.r, far.g});
+  });
+  forecast.Look(Shaded(1024), R2::Quantization::rounded);
+  EXPECT_LE(looked_at, 2 * 1024 * 1024 / 32) << "twice";
+  EXPECT_GE(looked_at, 2 * 1024 * 1024 / 64);
+  EXPECT_LT(lowest, 0.5);
+  EXPECT_GT(highest, 0.5);
+  EXPECT_LT(forecast.Seconds(), 3) << "nothing is encoded here";
+}
+
+TEST(FinishForecast, TakesTheWholeToTakeAsMuchAsItHasMorePixels) {
+  using std::chrono::milliseconds;
+  int parts = 0;
+  FinishForecast forecast(0, [&](const R2::Image& part) {
+    ++parts;
+    EXPECT_EQ(part.Width() * part.Height(), 128 * 128);
+    std::this_thread::sleep_for(milliseconds(2));
+  });
+  forecast.Look(Shaded(1024), R2::Quantization::rounded);
+  EXPECT_EQ(parts, 2 * 2) << "twice each";
+  EXPECT_GE(forecast.Seconds(), 64 * 0.002);
+}
+
+}  // namespace
+}  // namespace ray
