@@ -99,17 +99,24 @@ class Accelerator {
 
   /// Finite, and going somewhere; no other ray hits anything.
   static bool IsRay(const R3::Ray& ray) {
+    return (Nought(ray) == 0) & (ray.t_min < ray.t_max) & (MaxComponent(Abs(ray.direction)) > 0);
+  }
+  /// 0 for finite numbers, NaN for others; and without a branch for each.
+  static double Nought(const R3::Ray& ray) {
     const R3::Point& o = ray.origin;
     const R3::Vector& d = ray.direction;
-    // 0 for finite numbers, NaN for others; and without a branch for each.
-    const double nought = 0 * o.x * o.y * o.z * d.x * d.y * d.z;
-    return (nought == 0) & (ray.t_min < ray.t_max) & (MaxComponent(Abs(d)) > 0);
+    return 0 * o.x * o.y * o.z * d.x * d.y * d.z;
   }
 
   static bool AreRays(std::span<const R3::Ray> rays) {
-    bool are = true;
-    for (const R3::Ray& ray : rays) are &= IsRay(ray);
-    return are;
+    bool are_ahead = true;
+    double nought = 0, least_heading = R3::infinity;
+    for (const R3::Ray& ray : rays) {
+      are_ahead &= ray.t_min < ray.t_max;
+      nought += Nought(ray);
+      least_heading = std::min(least_heading, MaxComponent(Abs(ray.direction)));
+    }
+    return are_ahead & (nought == 0) & (least_heading > 0);
   }
 
   virtual std::optional<WorldHit> Nearest(const R3::Ray& ray, Workspace& workspace) const = 0;

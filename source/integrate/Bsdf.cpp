@@ -64,7 +64,7 @@ inline void RaiseEach(LightSamples::Each& cosine, std::uint32_t count, double ex
 }  // namespace
 
 R3_VECTORIZED
-void PhongReflectionOfEach(const ShadingPoint& p, LightSamples& samples) {
+void PhongReflectionOfEach(const ShadingPoint& p, double weight, LightSamples& samples) {
   const Material& m = *p.material;
   const std::uint32_t count = samples.count;
   alignas(64) LightSamples::Each cosine, lobe, highlight;
@@ -79,12 +79,12 @@ void PhongReflectionOfEach(const ShadingPoint& p, LightSamples& samples) {
   }
   if (!are_plain) [[unlikely]] {
     for (std::uint32_t i = 0; i < count; ++i)
-      samples.SetColor(i, PhongReflection(p, Unit(samples.ToLight(i)), samples.Color(i)));
+      samples.SetColor(i, weight * PhongReflection(p, Unit(samples.ToLight(i)), samples.Color(i)));
     return;
   }
   if (!IsBlack(m.ks)) RaiseEach(lobe, count, m.n, highlight);
   for (std::uint32_t i = 0; i < count; ++i) {
-    const R2::Color reflected = (cosine[i] * p.kd + m.ks * highlight[i]) * samples.Color(i);
+    const R2::Color reflected = weight * ((cosine[i] * p.kd + m.ks * highlight[i]) * samples.Color(i));
     samples.SetColor(i, cosine[i] > 0 ? reflected : R2::Color{});
   }
 }

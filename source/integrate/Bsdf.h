@@ -66,8 +66,8 @@ inline R2::Color PhongReflection(const ShadingPoint& p, const R3::Vector& L, con
   return (DiffuseReflection(p, L) + Highlight(p, L)) * irradiance;
 }
 
-/// The same, bit for bit, of each of the samples, whose colors become that.
-void PhongReflectionOfEach(const ShadingPoint& p, LightSamples& samples);
+/// The same, bit for bit, of each of the samples, whose colors become that times the weight.
+void PhongReflectionOfEach(const ShadingPoint& p, double weight, LightSamples& samples);
 
 /// What a surface reflects and what goes through it, as shares of the radiance: ks and kt, or with Fresnel's equations
 /// a part of kt moved from the one to the other, all of it on total internal reflection. A coat adds what it mirrors.

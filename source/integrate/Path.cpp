@@ -162,9 +162,9 @@ R2::Color Path::Reflected(const ShadingPoint& p, const Bsdf& bsdf, const LightSa
 void Path::AddLightSample(const ShadingPoint& p, const R2::Color& reflected, const LightSample& light,
                           std::size_t index, TraceState& state) const {
   if (IsBlack(reflected)) return;
-  const R2::Color contribution = p.path.throughput * reflected;
+  constexpr R2::Color no_more{1, 1, 1};
   tracer_.AddShadowRay(
-      p, index, light, contribution, contribution, [&] { return lights_.Describe(light.light); }, state);
+      p, index, light.Target(), p.path.throughput * reflected, no_more, [&] { return lights_.Describe(light.light); }, state);
 }
 
 R2::Color Path::Emitted(const ShadingPoint& from, const Step& step, const ShadingPoint& hit) const {

@@ -224,10 +224,10 @@ void PathStream::AddExtendedLight(int light, const Front& front, const PointsOfE
   for (std::uint32_t i = 0; i < samples.count; ++i) {
     const R2::Color reflected = samples.Color(i);
     if (IsBlack(reflected)) continue;
-    const R2::Color contribution = front.throughputs[i] * reflected;
+    constexpr R2::Color no_more{1, 1, 1};
     tracer_.AddShadowRay(
         front.points[i], i, {.to_light = samples.ToLight(i), .is_infinite = is_infinite, .reaching = reached},
-        contribution, contribution, [&] { return lights_.Describe(light); }, state);
+        front.throughputs[i] * reflected, no_more, [&] { return lights_.Describe(light); }, state);
   }
 }
 

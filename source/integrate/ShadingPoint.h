@@ -63,7 +63,7 @@ inline double LeastT(const ShadingPoint& surface, const R3::Vector& direction) {
 /// The same place, a new direction: off the surface on the side it heads for, in the same moment.
 R3::Ray SpawnRay(const ShadingPoint& surface, const R3::Vector& direction);
 /// Towards a light from the viewer's side.
-inline R3::Ray ShadowRay(const ShadingPoint& surface, const LightSample& light) {
+inline R3::Ray ShadowRay(const ShadingPoint& surface, const ShadowTarget& light) {
   return {.origin = surface.shadow_origin,
           .direction = light.to_light,
           .t_min = LeastT(surface, light.to_light),

@@ -47,19 +47,19 @@ class Tracer {
   /// A shadow ray of point number `index`: what reaches it, if nothing is in between, is added to state.arrived[index],
   /// at the latest by TraceShadowRays. None where the light is behind the surface itself, though the shading normal may
   /// face it.
-  ///   contribution   the same with the path's throughput
-  ///   describe       names the light
+  ///   throughput   of the path, as far as it is not in `reflected`
+  ///   describe     names the light
   template <typename Describe>
-  void AddShadowRay(const ShadingPoint& p, std::size_t index, const LightSample& light, const R2::Color& reflected,
-                    const R2::Color& contribution, const Describe& describe, TraceState& state) const {
+  void AddShadowRay(const ShadingPoint& p, std::size_t index, const ShadowTarget& light, const R2::Color& reflected,
+                    const R2::Color& throughput, const Describe& describe, TraceState& state) const {
     if (p.IsBehindSurface(light.to_light)) return;
     ShadowRays& shadows = state.shadows;
     const std::size_t i = shadows.count++;
-    shadows.rays[i] = ShadowRay(p, light);
+    new (&shadows.rays[i]) R3::Ray(ShadowRay(p, light));  // made in place
     shadows.point[i] = index;
     shadows.reflected[i] = reflected;
     if (state.recorder) [[unlikely]]
-      state.recorder->BeginShadow(p, shadows.rays[i], contribution, describe());
+      state.recorder->BeginShadow(p, shadows.rays[i], throughput * reflected, describe());
     if (shadows.IsFull()) TraceShadowRays(state);
   }
   void TraceShadowRays(TraceState& state) const;

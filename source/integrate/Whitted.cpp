@@ -215,7 +215,7 @@ void Whitted::AddSample(const AnyLight& light, const ShadingPoint& p, std::size_
   if (IsBlack(unweighted)) return;
   const R2::Color reflected = weight * unweighted;
   tracer_.AddShadowRay(
-      p, index, *sample, reflected, p.path.throughput * reflected, [&] { return Described(light); }, state);
+      p, index, sample->Target(), reflected, p.path.throughput, [&] { return Described(light); }, state);
 }
 
 template <typename AnyLight>
@@ -231,13 +231,13 @@ void Whitted::AddSamples(const Light& light, const ShadingPoint& p, std::size_t 
   random.GetEach2D(first, count, samples.u, samples.v);
   samples.SetFrom(p.shadow_origin);
   light.IlluminateEach(samples);
-  PhongReflectionOfEach(p, samples);
+  PhongReflectionOfEach(p, weight, samples);
   for (std::uint32_t k = 0; k < count; ++k) {
-    if (IsBlack(samples.Color(k))) continue;
-    const R2::Color reflected = weight * samples.Color(k);
+    const R2::Color reflected = samples.Color(k);
+    if (IsBlack(reflected)) continue;
     tracer_.AddShadowRay(
-        p, index, {.to_light = samples.ToLight(k)}, reflected, p.path.throughput * reflected,
-        [&] { return light.Describe(); }, state);
+        p, index, {.to_light = samples.ToLight(k)}, reflected, p.path.throughput, [&] { return light.Describe(); },
+        state);
   }
 }
 

@@ -15,6 +15,13 @@
 
 namespace ray {
 
+/// Where a shadow ray goes.
+struct ShadowTarget {
+  R3::Vector to_light;
+  bool is_infinite = false;
+  std::int64_t reaching = -1;
+};
+
 /// What reaches a point from one point on a light, if nothing is in between.
 struct LightSample {
   /// Before the surface's own cosine. Of a light with a pdf: radiance over pdf. Of others: what the scene language says
@@ -25,6 +32,8 @@ struct LightSample {
   double pdf = 0;              // per solid angle, that of choosing the light included; 0 for lights that no ray can hit
   int light = 0;               // its number, where one of several was chosen
   std::int64_t reaching = -1;  // R3::Ray::reaching of a ray to the light
+
+  ShadowTarget Target() const { return {to_light, is_infinite, reaching}; }
 };
 
 /// A source of light, in world coordinates.

@@ -173,7 +173,7 @@ TEST(Reaching, ChangesNoAnswer) {
     for (int light = 0; light < lights.Count(); ++light) {
       const auto sample = lights.Sample(p, light, {draw.Between(0, 1), draw.Between(0, 1)});
       if (!sample || !(Dot(p.N, sample->to_light) > 0)) continue;
-      const R3::Ray shadow = ShadowRay(p, *sample);
+      const R3::Ray shadow = ShadowRay(p, sample->Target());
       EXPECT_EQ(shadow.reaching, lights.Reached(light));
       R3::Ray testing = shadow;
       testing.leaving = testing.reaching = -1;
