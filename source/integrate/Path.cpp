@@ -164,7 +164,8 @@ void Path::AddLightSample(const ShadingPoint& p, const R2::Color& reflected, con
   if (IsBlack(reflected)) return;
   constexpr R2::Color no_more{1, 1, 1};
   tracer_.AddShadowRay(
-      p, index, light.Target(), p.path.throughput * reflected, no_more, [&] { return lights_.Describe(light.light); }, state);
+      p, index, light.Target(), p.path.throughput * reflected, no_more, [&] { return lights_.Describe(light.light); },
+      state);
 }
 
 R2::Color Path::Emitted(const ShadingPoint& from, const Step& step, const ShadingPoint& hit) const {

@@ -17,6 +17,7 @@
 #include "tests/ExactScene.h"
 #include "tests/Project.h"
 #include "tests/RandomScene.h"
+#include "tests/Statistics.h"
 #include "tests/source/app/Program.h"
 
 namespace {
@@ -190,6 +191,48 @@ TEST(RandomScenes, NothingIsBrighterThanTheSkyThatLightsIt) {
     if (!IsMean(s)) s.filter = ray::FilterKind::gaussian;
     s.trace.max_depth = draw.Whole(0, 1000);
     CheckLight(project::Render(stage, s, {"bvh"}).image, {1, 1, 1}, "path");
+  });
+}
+
+/// How far the mean of pictures is off that of other ones, in standard deviations of the difference. What lights rarely
+/// is told apart from what never does by taking more samples where there is doubt.
+double Disagreement(const project::Stage& stage, RenderSettings one, RenderSettings other) {
+  constexpr double doubtful = 5;
+  double deviations = 0;
+  for (int round = 0; round < 4; ++round) {
+    const auto seed = static_cast<std::uint64_t>(1000 * round);
+    deviations = std::abs(statistics::Compare(statistics::Pictures(stage, one, 12, seed),
+                                              statistics::Pictures(stage, other, 12, seed + 500))
+                              .whole);
+    if (!(deviations > doubtful)) break;
+    one.samples *= 8, other.samples *= 8;
+  }
+  return deviations;
+}
+
+TEST(RandomScenes, HaveOneMeanHoweverLightIsFound) {
+  ForEachScene(20, {}, [&](const project::Stage& stage, std::uint64_t seed) {
+    Draw draw(seed);
+    RenderSettings s = RandomSettings(draw);
+    s.mode = ray::RenderMode::path;
+    s.threads = 1;
+    s.width = s.height = 6;
+    s.samples = 16;
+    s.filter = ray::FilterKind::box;
+    s.trace.sampler = ray::SamplerKind::random;
+    s.trace.max_depth = draw.Whole(1, 3);
+    RenderSettings by_scattering = s;
+    by_scattering.trace.strategy = ray::LightStrategy::bsdf;
+    by_scattering.trace.lights = 0;
+    for (const auto strategy : {ray::LightStrategy::mis, ray::LightStrategy::light, ray::LightStrategy::uniform})
+      for (const int lights : {0, 1}) {
+        RenderSettings way = s;
+        way.trace.strategy = strategy;
+        way.trace.lights = lights;
+        way.trace.roulette = lights > 0 ? ray::Roulette::on : ray::Roulette::off;
+        const double d = Disagreement(stage, by_scattering, way);
+        if (d > 5) std::printf("seed %d strategy %d lights %d: %g\n", (int)seed, (int)strategy, lights, d);
+      }
   });
 }
 
