@@ -5,15 +5,14 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <vector>
 
 #include "source/film/SpreadRectangles.h"
 #include "source/film/denoise/DenoisedError.h"
 #include "source/render/GatherGuides.h"
+#include "source/render/SecondsOf.h"
 #include "source/sample/Random.h"
 
 namespace ray {
@@ -24,13 +23,6 @@ namespace {
 constexpr double looked_at = 1.0 / 32;
 constexpr int least_places = 12, most_rows_of_place = 16, rows_for_filters = 64;
 constexpr double growth_between_looks = 1.3;  // of the samples, at least
-
-template <typename Work>
-double SecondsOf(const Work& work) {
-  const auto start = std::chrono::steady_clock::now();
-  work();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
 
 template <typename Work>
 void InArena(int threads, const Work& work) {
@@ -64,14 +56,11 @@ Guides GuidesThatTell(const R2::Image& light) {
   return {{pixels, pixels}, {pixels, pixels}};
 }
 
-/// The least of some: others may have to wait for a processor, or for memory.
 double SecondsToFilterNoise(int side, const DenoiseFilters& filters) {
   constexpr int attempts = 3;
   const R2::Image a = Noise(side, 1), b = Noise(side, 2);
   const Guides guides = GuidesThatTell(b);
-  double least = std::numeric_limits<double>::infinity();
-  for (int i = 0; i < attempts; ++i) least = std::min(least, SecondsOf([&] { Denoise(a, b, guides, filters); }));
-  return least;
+  return LeastSecondsOf(attempts, [&] { Denoise(a, b, guides, filters); });
 }
 
 }  // namespace

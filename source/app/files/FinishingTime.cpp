@@ -1,8 +1,6 @@
 #include "source/app/files/FinishingTime.h"
 
-#include <algorithm>
-#include <chrono>
-#include <limits>
+#include "source/render/SecondsOf.h"
 
 namespace ray {
 namespace {
@@ -20,16 +18,9 @@ R2::Image Slope() {
   return image;
 }
 
-/// The least of several: the first makes what is made once only, and others may have to wait for a processor.
 double SecondsToEncodeAPixel(const R2::ImageFormat& format, const R2::ImageEncoding& encoding, const R2::Image& image) {
   constexpr int attempts = 4;
-  double least = std::numeric_limits<double>::infinity();
-  for (int i = 0; i < attempts; ++i) {
-    const auto begin = std::chrono::steady_clock::now();
-    format.encode(image, encoding, {});
-    least = std::min(least, std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
-  }
-  return least / (side * side);
+  return LeastSecondsOf(attempts, [&] { format.encode(image, encoding, {}); }) / (side * side);
 }
 
 }  // namespace

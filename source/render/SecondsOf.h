@@ -1,0 +1,26 @@
+#pragma once
+
+#include <algorithm>
+#include <chrono>
+#include <limits>
+
+namespace ray {
+
+/// How long work takes, by the clock.
+template <typename Work>
+double SecondsOf(const Work& work) {
+  const auto start = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// The least of several attempts: the first may have to make what is made once only, and others may have to wait for a
+/// processor, or for memory.
+template <typename Work>
+double LeastSecondsOf(int attempts, const Work& work) {
+  double least = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < attempts; ++i) least = std::min(least, SecondsOf(work));
+  return least;
+}
+
+}  // namespace ray
