@@ -3,17 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "R1/Elementary.h"
+#include "source/integrate/Absorption.h"
 #include "source/integrate/Bump.h"
 
 namespace ray {
 namespace {
 
 R3::Vector Facing(const R3::Normal& n, bool entering) { return entering ? AsVector(n) : -AsVector(n); }
-
-R2::Color LeftAfter(const R2::Color& absorb, double distance) {
-  return {R1::Exp(-absorb.r * distance), R1::Exp(-absorb.g * distance), R1::Exp(-absorb.b * distance)};
-}
 
 }  // namespace
 

@@ -43,14 +43,13 @@ std::optional<LightSample> SampleLight(const ShadingPoint& p, const Light& light
   return light.Illuminate(p.shadow_origin, u);
 }
 std::optional<LightSample> SampleLight(const ShadingPoint& p, const EmissiveTriangle& triangle, const R2::Point& u) {
-  return LightSample{.irradiance = triangle.emission,
-                     .to_light = triangle.PointTowards(p.shadow_origin, u, p.path.ray.time) - p.shadow_origin,
-                     .reaching = triangle.primitive};
+  const R3::Vector way = triangle.PointTowards(p.shadow_origin, u, p.path.ray.time) - p.shadow_origin;
+  return LightSample{.irradiance = triangle.RadianceAlong(way), .to_light = way, .reaching = triangle.primitive};
 }
 std::optional<LightSample> SampleLight(const ShadingPoint& p, const EmissiveShape& shape, const R2::Point& u) {
   const auto drawn = shape.SampleTowards(p.shadow_origin, u, p.path.ray.time);
   if (!drawn) return {};
-  return LightSample{.irradiance = shape.Emission(), .to_light = drawn->towards, .reaching = shape.Reached()};
+  return LightSample{.irradiance = drawn->radiance, .to_light = drawn->towards, .reaching = shape.Reached()};
 }
 std::optional<LightSample> SampleLight(const ShadingPoint&, const Environment& environment, const R2::Point& u) {
   const Environment::Sample drawn = environment.Draw(u);

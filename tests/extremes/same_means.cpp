@@ -106,6 +106,24 @@ TEST(Extremes, I5_AGlossyMirrorThatHasNothingElseShowsLightsAlikeByEveryStrategy
   }
 }
 
+TEST(Extremes, I5_ShiningSolidsThatAbsorbLightTheirInsideAlikeByEveryStrategy) {
+  const std::string inside =
+      "camera 0 0 1.8  0 0 -1  0 1 0  0.5  0.01 100" + Material(0.5, 0, 0, 0) + no_light + "sphere 0 0 0 0 0.7 ";
+  const std::string shining = Material(0, 0, 0, 1) + "absorb 1 0.5 0.7 0.9 ";
+  for (const std::string lamp :
+       {"box 1 -2 -2 -2  2 2 2 ", "begin -1  1.2 0 0 0  0 1 0 0  0 0 0.9 0  0 0 0 1 sphere 1 0 0 0  2.5 end ",
+        "tri 1 -9 -1 -9  9 -1 -9  0 -1 9 "}) {
+    SCOPED_TRACE(lamp);
+    const project::Stage stage = StageOf(inside + shining + lamp);
+    std::vector<std::pair<std::string, RenderSettings>> ways;
+    for (const char* strategy : {"bsdf", "mis", "light"}) {
+      ways.emplace_back(strategy, Compared("path", 288));
+      ways.back().second.trace.strategy = project::Named{strategy};
+    }
+    ExpectAllAlike(stage, ways);
+  }
+}
+
 TEST(Extremes, I5_OneLightOrAFewStandForAll) {
   for (const char* mode : {"whitted", "path"}) {
     const project::Stage stage = StageOf(room + Lamps(true));

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "R1/Elementary.h"
+#include "source/integrate/Absorption.h"
 
 namespace ray {
 namespace {
@@ -73,7 +74,8 @@ std::optional<EmissiveShape::Sample> EmissiveShape::SampleTowards(const R3::Poin
   const double share = ShareOutside(way, AsVector(at.normal), at.error);
   if (!(share > 0)) return {};
   const double pdf = local->pdf * SolidAngleRatio(way, local->at.position - local_from);
-  return pdf > 0 ? std::optional(Sample{share * way, pdf}) : std::nullopt;
+  if (!(pdf > 0)) return {};
+  return Sample{share * way, pdf, EmittedBackAlong(way, at.normal, Emission(), instance_->material->absorb)};
 }
 
 void EmissiveShape::SampleEach(LightSamples& samples, LightSamples::Each& pdfs) const {
@@ -117,7 +119,7 @@ void EmissiveShape::SampleOneByOne(LightSamples& samples, LightSamples::Each& pd
   for (std::uint32_t i = 0; i < samples.count; ++i) {
     const auto drawn = SampleTowards(samples.From(i), {samples.u[i], samples.v[i]}, 0);
     pdfs[i] = drawn ? drawn->pdf : 0;
-    samples.Set(i, drawn ? drawn->towards : R3::Vector{}, drawn ? Emission() / drawn->pdf : R2::Color{});
+    samples.Set(i, drawn ? drawn->towards : R3::Vector{}, drawn ? drawn->radiance / drawn->pdf : R2::Color{});
   }
 }
 

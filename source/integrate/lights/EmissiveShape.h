@@ -21,13 +21,17 @@ class EmissiveShape {
   struct Sample {
     R3::Vector towards;  // to just before the place, so that a ray that far stops short of the shape
     double pdf;          // per solid angle, > 0
+    R2::Color radiance;  // that arrives from there
   };
   /// One of the places that are seen from a point at a time in [0, 1).
   ///   random    in [0, 1)^2
   ///   returns   nothing where no place can be seen
   std::optional<Sample> SampleTowards(const R3::Point& seen_from, const R2::Point& random, double time) const;
-  /// Whether it stands in the world as it is, so that many samples can be drawn together.
-  bool CanSampleEach() const { return instance_->frame == 0 && mean_scale_ == 1; }
+  /// Whether it stands in the world as it is, and sends all its light to either side, so that many samples can be drawn
+  /// together.
+  bool CanSampleEach() const {
+    return instance_->frame == 0 && mean_scale_ == 1 && IsBlack(instance_->material->absorb);
+  }
   /// SampleTowards, bit for bit, from each of the points: the ways to the light, the radiance over the pdf, and the
   /// pdfs, 0 where no place can be seen. Of shapes that can.
   void SampleEach(LightSamples& samples, LightSamples::Each& pdfs) const;

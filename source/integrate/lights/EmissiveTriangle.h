@@ -4,6 +4,7 @@
 
 #include "R3/Intersection.h"
 #include "source/accelerate/World.h"
+#include "source/integrate/Absorption.h"
 #include "source/scene/LightBound.h"
 
 namespace ray {
@@ -16,7 +17,7 @@ struct EmissiveTriangle {
   R3::Vector motion;                 // while the shutter is open
   R3::Normal normal;
   double area = 0;
-  R2::Color emission;
+  R2::Color emission, absorb;
   std::int64_t primitive = 0;
 
   /// The point that `random`, in [0, 1)^2, picks evenly by area at a time in [0, 1), moved off the triangle to the side
@@ -25,6 +26,9 @@ struct EmissiveTriangle {
   ///   coordinates
   ///            that keep strata whole
   R3::Point PointTowards(const R3::Point& seen_from, const R2::Point& random, double time) const;
+
+  /// What arrives from one of its points, that far away.
+  R2::Color RadianceAlong(const R3::Vector& way) const { return EmittedBackAlong(way, normal, emission, absorb); }
 
   std::string Describe() const;
   /// What choosing among lights goes by, without fall-off as the course has it.

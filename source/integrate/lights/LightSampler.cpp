@@ -114,14 +114,14 @@ std::optional<LightSample> LightSampler::Sample(const ShadingPoint& p, int light
     const R3::Vector towards = triangle.PointTowards(p.shadow_origin, u, p.path.ray.time) - p.shadow_origin;
     const double pdf = Pdf(triangle, towards, 1);
     if (!(pdf > 0)) return {};
-    return LightSample{triangle.emission / pdf, towards, false, pdf, light, triangle.primitive};
+    return LightSample{triangle.RadianceAlong(towards) / pdf, towards, false, pdf, light, triangle.primitive};
   }
   i -= triangles_.size();
   if (i < shapes_.size()) {
     const auto drawn = shapes_[i].SampleTowards(p.shadow_origin, u, p.path.ray.time);
     if (!drawn) return {};
     return LightSample{
-        shapes_[i].Emission() / drawn->pdf, drawn->towards, false, drawn->pdf, light, shapes_[i].Reached()};
+        drawn->radiance / drawn->pdf, drawn->towards, false, drawn->pdf, light, shapes_[i].Reached()};
   }
   if (is_uniform_) {
     const R3::Vector direction = R3::OnSphere(u);
