@@ -120,8 +120,7 @@ std::optional<LightSample> LightSampler::Sample(const ShadingPoint& p, int light
   if (i < shapes_.size()) {
     const auto drawn = shapes_[i].SampleTowards(p.shadow_origin, u, p.path.ray.time);
     if (!drawn) return {};
-    return LightSample{
-        drawn->radiance / drawn->pdf, drawn->towards, false, drawn->pdf, light, shapes_[i].Reached()};
+    return LightSample{drawn->radiance / drawn->pdf, drawn->towards, false, drawn->pdf, light, shapes_[i].Reached()};
   }
   if (is_uniform_) {
     const R3::Vector direction = R3::OnSphere(u);
