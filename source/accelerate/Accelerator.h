@@ -99,7 +99,8 @@ class Accelerator {
 
   /// Finite, and going somewhere; no other ray hits anything.
   static bool IsRay(const R3::Ray& ray) {
-    return (Nought(ray) == 0) & (ray.t_min < ray.t_max) & (MaxComponent(Abs(ray.direction)) > 0);
+    const double nought = Nought(ray), heading = MaxComponent(Abs(ray.direction));
+    return (nought == 0) & (ray.t_min < ray.t_max) & (heading > 0);
   }
   /// 0 for finite numbers, NaN for others; and without a branch for each.
   static double Nought(const R3::Ray& ray) {
@@ -116,7 +117,7 @@ class Accelerator {
       nought += Nought(ray);
       least_heading = std::min(least_heading, MaxComponent(Abs(ray.direction)));
     }
-    return are_ahead & (nought == 0) & (least_heading > 0);
+    return are_ahead && nought == 0 && least_heading > 0;
   }
 
   virtual std::optional<WorldHit> Nearest(const R3::Ray& ray, Workspace& workspace) const = 0;
