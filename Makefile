@@ -6,7 +6,7 @@
 #                   patches of script/price apply; and that all who name packages name the same
 #   make asan tsan  the tests again under the sanitizers
 #   make fuzz       the fuzz targets, with clang, under build/fuzz; script/fuzz.sh runs them
-#   make fuzz-scenes  random scenes against exact arithmetic and bounds on light: SCENES=100000 of them from SEED=1 on
+#   make fuzz-scenes  random scenes: hits in exact arithmetic, bounds on light, one mean; SCENES=100000 from SEED=1 on
 #   make bench      the benchmark programs
 #   make tradeoff   error over seconds for every knob, as CSV and plots under build/tradeoff; FULL=1 for hours
 #   make price      what features cost scenes that do not use them

@@ -3,7 +3,6 @@
 #include "R2/Color.h"
 #include "R3/Normal.h"
 #include "R3/Vector.h"
-#include "source/scene/Material.h"
 
 namespace ray {
 
@@ -15,9 +14,9 @@ R2::Color LeftAfter(const R2::Color& absorb, double distance);
 ///   normal   of the surface there
 inline R2::Color EmittedBackAlong(const R3::Vector& way, const R3::Normal& normal, const R2::Color& emission,
                                   const R2::Color& absorb) {
+  if (IsBlack(absorb)) return emission;
   const bool is_inside = Dot(normal, way) > 0;
-  if (!is_inside || IsBlack(absorb)) return emission;
-  return emission * LeftAfter(absorb, Length(way));
+  return is_inside ? emission * LeftAfter(absorb, Length(way)) : emission;
 }
 
 }  // namespace ray

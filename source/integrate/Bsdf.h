@@ -86,7 +86,8 @@ inline bool IsGlossy(const Material& m, const TraceSettings& settings) { return 
 inline double GlossExponent(const Material& m) { return m.gloss > 0 ? m.gloss : m.n; }
 /// Whether highlights or the non-specular lobes of a Bsdf may reflect light, so that lights are worth sampling.
 inline bool ReflectsLights(const ShadingPoint& p, const TraceSettings& settings) {
-  return p.HasReflectance() || IsGlossy(*p.material, settings);
+  return p.HasReflectance() ||
+         (IsGlossy(*p.material, settings) && !IsBlack(SpecularWeightsOf(p, settings.fresnel).reflected));
 }
 
 /// wo mirrored about N, or with a glossy reflection a direction of Phong's lobe around that; unit.

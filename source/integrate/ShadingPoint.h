@@ -32,8 +32,8 @@ struct ShadingPoint {
   bool HasReflectance() const { return !IsBlack(kd) || !IsBlack(material->ks); }
 };
 
-/// The surface where a ray was found to hit. What the inside of a solid absorbed on the way is taken from the path's
-/// throughput: exp(-absorb * distance), by the law of Bouguer, Lambert and Beer (1729-1852).
+/// The surface where a ray was found to hit. What the inside of a solid absorbed on the way, see LeftAfter, is taken
+/// from the path's throughput.
 ShadingPoint ShadingPointAt(const World& world, const PathState& ray, const WorldHit& hit);
 
 /// Of a point whose hit and viewer's side are known, what rays from there leave.

@@ -188,7 +188,7 @@ class Job {
     }
   }
 
-  /// When the picture has to be ready.
+  /// Until the picture has to be ready.
   double SecondsUntilWriting() const {
     constexpr double share_of_time_aimed_at = 0.985;  // what is left is for what was foretold too short
     return share_of_time_aimed_at * settings_.budget.seconds - finish_forecast_.Seconds() - Seconds();

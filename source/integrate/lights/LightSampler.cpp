@@ -36,8 +36,7 @@ LightSampler::LightSampler(const World& world, const TraceSettings& settings)
       shapes_(EmissiveShapes(world)),
       emission_bounds_(world),
       has_unsampled_emission_(HasUnsampledEmission(world)),
-      settings_(settings),
-      is_uniform_(settings.strategy == LightStrategy::uniform) {
+      settings_(settings) {
   const Scene& scene = world.scene();
   std::vector<LightBound> bounds;
   for (const auto& light : scene.lights)
@@ -59,7 +58,7 @@ LightSampler::LightSampler(const World& world, const TraceSettings& settings)
   }
   has_background_ = !scene.environment && !IsBlack(scene.background);
   count_ = static_cast<int>(bounds.size());
-  if (count_ > 1 && !is_uniform_) tree_.emplace(std::move(bounds));
+  if (count_ > 1 && !IsUniform()) tree_.emplace(std::move(bounds));
 }
 
 std::optional<LightSample> LightSampler::SampleOne(const ShadingPoint& p, const R2::Point& u, double choice) const {
@@ -92,13 +91,13 @@ std::int64_t LightSampler::Reached(int light) const {
 }
 
 std::optional<LightTree::Choice> LightSampler::Choose(const ShadingPoint& p, double choice) const {
-  if (is_uniform_) return LightTree::Choice{std::min(count_ - 1, static_cast<int>(choice * count_)), 1.0 / count_};
+  if (IsUniform()) return LightTree::Choice{std::min(count_ - 1, static_cast<int>(choice * count_)), 1.0 / count_};
   return tree_->Choose(p.shadow_origin, p.N, choice);
 }
 
 double LightSampler::ProbabilityOf(const ShadingPoint& p, int light) const {
   if (count_ == 1) return 1;
-  return is_uniform_ ? 1.0 / count_ : tree_->Probability(p.shadow_origin, p.N, light);
+  return IsUniform() ? 1.0 / count_ : tree_->Probability(p.shadow_origin, p.N, light);
 }
 
 std::optional<LightSample> LightSampler::Sample(const ShadingPoint& p, int light, const R2::Point& u) const {
@@ -122,7 +121,7 @@ std::optional<LightSample> LightSampler::Sample(const ShadingPoint& p, int light
     if (!drawn) return {};
     return LightSample{drawn->radiance / drawn->pdf, drawn->towards, false, drawn->pdf, light, shapes_[i].Reached()};
   }
-  if (is_uniform_) {
+  if (IsUniform()) {
     const R3::Vector direction = R3::OnSphere(u);
     return LightSample{environment_->Radiance(direction) / R3::sphere_pdf, direction, true, R3::sphere_pdf, light};
   }
@@ -134,7 +133,7 @@ void LightSampler::SampleEach(std::span<const ShadingPoint> points, int light, L
                               LightSamples::Each& pdfs) const {
   const std::size_t shape = static_cast<std::size_t>(light) - lights_.size() - triangles_.size();
   if (shape < shapes_.size() && shapes_[shape].CanSampleEach()) return shapes_[shape].SampleEach(samples, pdfs);
-  if (IsInfinite(light) && !is_uniform_) return environment_->DrawEach(samples, pdfs);
+  if (IsInfinite(light) && !IsUniform()) return environment_->DrawEach(samples, pdfs);
   for (std::uint32_t i = 0; i < samples.count; ++i) {
     const auto sample =
         ReflectsLights(points[i], settings_) ? Sample(points[i], light, {samples.u[i], samples.v[i]}) : std::nullopt;
@@ -144,7 +143,7 @@ void LightSampler::SampleEach(std::span<const ShadingPoint> points, int light, L
 }
 
 double LightSampler::PdfOfEnvironment(const ShadingPoint& from, const Environment::Seen& seen, bool choosing) const {
-  const double pdf = is_uniform_ ? R3::sphere_pdf : seen.pdf;
+  const double pdf = IsUniform() ? R3::sphere_pdf : seen.pdf;
   return choosing ? pdf * ProbabilityOf(from, count_ - 1) : pdf;
 }
 

@@ -64,6 +64,8 @@ class LightSampler {
                                  const World& world, bool choosing) const;
 
  private:
+  /// Whether it chooses uniformly among lights, and from the environment.
+  bool IsUniform() const { return settings_.strategy == LightStrategy::uniform; }
   /// One of several lights, and with what probability.
   std::optional<LightTree::Choice> Choose(const ShadingPoint& p, double choice) const;
   double ProbabilityOf(const ShadingPoint& p, int light) const;
@@ -77,7 +79,6 @@ class LightSampler {
   bool has_background_ = false;  // that is not black
   bool has_unsampled_emission_;
   TraceSettings settings_;
-  bool is_uniform_ = false;  // chooses uniformly among lights, and from the environment
   int count_ = 0;
   std::optional<LightTree> tree_;
 };

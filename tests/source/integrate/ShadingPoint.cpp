@@ -61,10 +61,8 @@ TEST(Absorption, IsOfTheInsideAloneHoweverLongTheDirection) {
 TEST(ShadingPoints, MadeTogetherAreThoseMadeOneByOneToTheBit) {
   // Sizes whose areas or squares leave the range of doubles make the loops give up, and others must not suffer.
   // What stands still is made as if nothing else moved.
-  for (int i = 0; i < 10; ++i) {
-    const char* const sizes[] = {"1", "1e-90", "1e-200", "1e90", "1e140"};
-    const std::string size = sizes[i / 2], s = size;
-    const bool moves = i % 2 == 1;
+  const auto compare = [](const std::string& s, bool moves) {
+    SCOPED_TRACE(s + (moves ? ", beside what moves" : ""));
     const project::Stage stage(project::FromText(
         "material 0 0 0  0.2 0.4 0.6  0 0 0  0 0 0  0 0 0  10 1 0 "
         "tri 0  -" +
@@ -76,9 +74,9 @@ TEST(ShadingPoints, MadeTogetherAreThoseMadeOneByOneToTheBit) {
     Workspace workspace;
     Draw draw(903);
     std::vector<ShadingPoint> together;
-    for (int k = 0; k < 200; ++k) {
-      const R3::Ray ray{.origin = {draw.Between(-1, 1), draw.Between(-1, 1), k % 2 ? 4.0 : -4.0},
-                        .direction = {draw.Between(-0.1, 0.1), draw.Between(-0.1, 0.1), k % 2 ? -1.0 : 1.0},
+    for (int i = 0; i < 200; ++i) {
+      const R3::Ray ray{.origin = {draw.Between(-1, 1), draw.Between(-1, 1), i % 2 ? 4.0 : -4.0},
+                        .direction = {draw.Between(-0.1, 0.1), draw.Between(-0.1, 0.1), i % 2 ? -1.0 : 1.0},
                         .time = draw.Between(0, 1)};
       const auto hit = accelerator->Intersect(ray, workspace);
       if (!hit) continue;
@@ -90,21 +88,23 @@ TEST(ShadingPoints, MadeTogetherAreThoseMadeOneByOneToTheBit) {
     CompleteShadingPoints(stage.world, together);
     for (const ShadingPoint& p : together) {
       const ShadingPoint alone = ShadingPointAt(stage.world, p.path, p.hit);
-      EXPECT_EQ(p.at.position, alone.at.position) << size;
-      EXPECT_EQ(p.at.error, alone.at.error) << size;
-      EXPECT_EQ(p.at.normal, alone.at.normal) << size;
-      EXPECT_EQ(p.at.shading_normal, alone.at.shading_normal) << size;
-      EXPECT_EQ(p.material, alone.material) << size;
-      EXPECT_EQ(p.kd, alone.kd) << size;
-      EXPECT_EQ(p.wo, alone.wo) << size;
-      EXPECT_EQ(p.entering, alone.entering) << size;
-      EXPECT_EQ(p.N, alone.N) << size;
-      EXPECT_EQ(p.is_smoothed, alone.is_smoothed) << size;
-      EXPECT_EQ(p.shadow_origin, alone.shadow_origin) << size;
-      EXPECT_EQ(p.leaving, alone.leaving) << size;
-      EXPECT_EQ(p.leaving_behind, alone.leaving_behind) << size;
+      EXPECT_EQ(p.at.position, alone.at.position);
+      EXPECT_EQ(p.at.error, alone.at.error);
+      EXPECT_EQ(p.at.normal, alone.at.normal);
+      EXPECT_EQ(p.at.shading_normal, alone.at.shading_normal);
+      EXPECT_EQ(p.material, alone.material);
+      EXPECT_EQ(p.kd, alone.kd);
+      EXPECT_EQ(p.wo, alone.wo);
+      EXPECT_EQ(p.entering, alone.entering);
+      EXPECT_EQ(p.N, alone.N);
+      EXPECT_EQ(p.is_smoothed, alone.is_smoothed);
+      EXPECT_EQ(p.shadow_origin, alone.shadow_origin);
+      EXPECT_EQ(p.leaving, alone.leaving);
+      EXPECT_EQ(p.leaving_behind, alone.leaving_behind);
     }
-  }
+  };
+  for (const char* size : {"1", "1e-90", "1e-200", "1e90", "1e140"})
+    for (const bool moves : {false, true}) compare(size, moves);
 }
 
 TEST(Leaving, IsWhatIsFlatAndOutwardWhatIsConvex) {
