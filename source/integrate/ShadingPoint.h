@@ -62,15 +62,20 @@ inline double LeastT(const ShadingPoint& surface, const R3::Vector& direction) {
 
 /// The same place, a new direction: off the surface on the side it heads for, in the same moment.
 R3::Ray SpawnRay(const ShadingPoint& surface, const R3::Vector& direction);
-/// Towards a light from the viewer's side.
+/// Sends a ray from the viewer's side towards a light.
+inline void AimShadowRay(const ShadingPoint& surface, const R3::Vector& to_light, R3::Ray& ray) {
+  ray.direction = to_light;
+  ray.t_min = LeastT(surface, to_light);
+  ray.leaving = Dot(surface.N, to_light) > 0 ? surface.leaving : -1;
+}
 inline R3::Ray ShadowRay(const ShadingPoint& surface, const ShadowTarget& light) {
-  return {.origin = surface.shadow_origin,
-          .direction = light.to_light,
-          .t_min = LeastT(surface, light.to_light),
-          .t_max = light.is_infinite ? R3::infinity : 1,
-          .time = surface.path.ray.time,
-          .leaving = Dot(surface.N, light.to_light) > 0 ? surface.leaving : -1,
-          .reaching = light.reaching};
+  R3::Ray ray{.origin = surface.shadow_origin,
+              .direction = light.to_light,
+              .t_max = light.is_infinite ? R3::infinity : 1,
+              .time = surface.path.ray.time,
+              .reaching = light.reaching};
+  AimShadowRay(surface, light.to_light, ray);
+  return ray;
 }
 
 }  // namespace ray

@@ -37,6 +37,7 @@ struct ShadowRays {
   std::array<R2::Color, capacity> reflected;
 
   bool IsFull() const { return count == capacity; }
+  R3::Ray& Next() { return rays[count]; }
   std::span<const R3::Ray> Rays() const { return std::span(rays).first(count); }
 };
 

@@ -53,18 +53,39 @@ class Tracer {
   void AddShadowRay(const ShadingPoint& p, std::size_t index, const ShadowTarget& light, const R2::Color& reflected,
                     const R2::Color& throughput, const Describe& describe, TraceState& state) const {
     if (p.IsBehindSurface(light.to_light)) return;
+    new (&state.shadows.Next()) R3::Ray(ShadowRay(p, light));  // made in place
+    AddReflected(p, index, reflected, throughput, describe, state);
+  }
+  /// The same towards samples of one light as seen from the point, which are what it reflects of them.
+  template <typename Describe>
+  void AddShadowRays(const ShadingPoint& p, std::size_t index, const LightSamples& samples, const R2::Color& throughput,
+                     const Describe& describe, TraceState& state) const {
+    R3::Ray ray = ShadowRay(p, {});
+    for (std::uint32_t k = 0; k < samples.count; ++k) {
+      const R2::Color reflected = samples.Color(k);
+      const R3::Vector to_light = samples.ToLight(k);
+      if (IsBlack(reflected) || p.IsBehindSurface(to_light)) continue;
+      AimShadowRay(p, to_light, ray);
+      state.shadows.Next() = ray;
+      AddReflected(p, index, reflected, throughput, describe, state);
+    }
+  }
+  void TraceShadowRays(TraceState& state) const;
+
+ private:
+  /// What the next ray is for.
+  template <typename Describe>
+  void AddReflected(const ShadingPoint& p, std::size_t index, const R2::Color& reflected, const R2::Color& throughput,
+                    const Describe& describe, TraceState& state) const {
     ShadowRays& shadows = state.shadows;
     const std::size_t i = shadows.count++;
-    new (&shadows.rays[i]) R3::Ray(ShadowRay(p, light));  // made in place
     shadows.point[i] = index;
     shadows.reflected[i] = reflected;
     if (state.recorder) [[unlikely]]
       state.recorder->BeginShadow(p, shadows.rays[i], throughput * reflected, describe());
     if (shadows.IsFull()) TraceShadowRays(state);
   }
-  void TraceShadowRays(TraceState& state) const;
 
- private:
   const World& world_;
   const Accelerator& accelerator_;
   bool shadows_;

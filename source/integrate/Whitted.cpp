@@ -231,13 +231,8 @@ void Whitted::AddSamples(const Light& light, const ShadingPoint& p, std::size_t 
   samples.SetFrom(p.shadow_origin);
   light.IlluminateEach(samples);
   PhongReflectionOfEach(p, weight, samples);
-  for (std::uint32_t k = 0; k < count; ++k) {
-    const R2::Color reflected = samples.Color(k);
-    if (IsBlack(reflected)) continue;
-    tracer_.AddShadowRay(
-        p, index, {.to_light = samples.ToLight(k)}, reflected, p.path.throughput, [&] { return light.Describe(); },
-        state);
-  }
+  tracer_.AddShadowRays(
+      p, index, samples, p.path.throughput, [&] { return light.Describe(); }, state);
 }
 
 void Whitted::AddArrived(std::span<ShadingPoint> points, TraceState& state) const {

@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 
+#include "R3/shapes/Quadric.h"
 #include "tests/Accelerators.h"
 
 namespace {
@@ -55,6 +57,49 @@ TEST(Packets, AgreeAtCornersAndEdgesOfAClosedMesh) {
     }
   }
   Compare(world, rays, EveryWay());
+}
+
+/// Sixteen rays from one place, outside, on or inside of a sphere, past its silhouette as nearly as `share` of its
+/// radius says, or that end as nearly where they meet it.
+std::vector<R3::Ray> BundleThatGrazes(const R3::Point& center, double radius, double share, Draw& draw) {
+  const R3::Vector along = draw.Direction(), across = Unit(Cross(along, draw.Direction())), up = Cross(along, across);
+  const double away = draw.Whole(0, 2) ? draw.Scale(0, 1) : 1 + share * draw.Between(-1, 1);  // times the radius
+  const R3::Point eye = center - radius * away * along;
+  std::vector<R3::Ray> rays;
+  for (int i = 0; i < 16; ++i) {
+    const double sine = std::min(1.0, 1 / away), cosine = std::sqrt(1 - sine * sine), angle = draw.Between(0, 0.5);
+    const R3::Vector outward = std::cos(angle) * across + std::sin(angle) * up;
+    const R3::Point silhouette =
+        center + radius * (1 + share * draw.Between(-1, 1)) * (cosine * outward - sine * along);
+    const R3::Point inside = center + radius * draw.Between(0, 1) * draw.Direction();
+    R3::Ray ray{eye, draw.Scale(-1, 1) * ((draw.Whole(0, 1) ? silhouette : inside) - eye)};
+    if (draw.Whole(0, 1))
+      if (const auto roots = R3::QuadricRoots(eye, ray.direction, center, radius))
+        ray.t_max = (draw.Whole(0, 1) ? roots->first : roots->second) * (1 + share * draw.Between(-1, 1));
+    if (ray.t_max > 0) rays.push_back(ray);
+  }
+  return rays;
+}
+
+TEST(Packets, AgreeAboutSpheresThatTheyGraze) {
+  const auto ways = EveryWay();
+  for (int seed = 0; seed < Count(20, 2000); ++seed) {
+    Draw draw(static_cast<std::uint64_t>(seed) + 1300);
+    ray::Scene scene;
+    std::vector<R3::Ray> rays;
+    for (int i = 0; i < 8; ++i) {
+      const R3::Point center = R3::Point{} + draw.Between(0, 3) * draw.Direction();
+      const double radius = draw.Scale(-3, 0);
+      scene.root.children.push_back(
+          accelerators::Leaf(R3::MakeShape("sphere", {center.x, center.y, center.z, radius})));
+      for (int k = 0; k < 10; ++k)
+        for (const R3::Ray& ray : BundleThatGrazes(center, radius, draw.Scale(-17, -1), draw)) rays.push_back(ray);
+    }
+    SetBounds(scene.root);
+    const ray::World world(scene);
+    SCOPED_TRACE("seed " + std::to_string(seed + 1300));
+    Compare(world, rays, ways);
+  }
 }
 
 TEST(Packets, AgreeWhenTheyEndOrBeginOrAreNoRays) {

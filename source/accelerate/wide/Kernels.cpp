@@ -7,7 +7,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#include "source/accelerate/wide/Packet-inl.h"
+#include "source/accelerate/wide/PacketTraversal-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace ray {

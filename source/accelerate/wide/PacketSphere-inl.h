@@ -1,0 +1,84 @@
+// One sphere against the rays of a packet: included once for each instruction set.
+
+#if defined(RAY_ACCELERATE_WIDE_PACKET_SPHERE_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef RAY_ACCELERATE_WIDE_PACKET_SPHERE_INL_H_
+#undef RAY_ACCELERATE_WIDE_PACKET_SPHERE_INL_H_
+#else
+#define RAY_ACCELERATE_WIDE_PACKET_SPHERE_INL_H_
+#endif
+
+#include "source/accelerate/wide/Packet-inl.h"
+
+// With f from the center to the origin, a line of direction d meets the sphere where |f x d| <= radius |d|. In single
+// precision, with u and r as in Search-inl.h:
+//   - Components of f are at most r and off by 2 u r, those of d at most 2 and off by 2 u, so a component of f x d is
+//   off
+//     by (2 * 6 + 8) u r = 20 u r, the vector by less than e = 6 plane errors = 48 u r; and f . d by 30 u r.
+//   - |d| < 3.5, so a line that misses for certain has |f x d|^2 > radius^2 d^2 + 7 e radius + e^2, one that meets it
+//     |f x d|^2 + 7 e radius + e^2 < radius^2 d^2. Squares and products round by less than 16 u together.
+// A ray whose line meets the sphere leaves it at t = (-f . d + something from 0 to radius |d|) / d^2. If that lies
+// between 0 and its limit for certain, the ray hits, whether it begins inside or outside.
+HWY_BEFORE_NAMESPACE();
+namespace ray {
+namespace HWY_NAMESPACE {
+
+/// A sphere in a structure's coordinates, in single precision.
+struct RoundedSphere {
+  float center[3], radius;
+
+  HWY_INLINE RoundedSphere(const Coordinates& coordinates, const R3::SphereData& sphere)
+      : center{Rounded(coordinates, sphere, 0), Rounded(coordinates, sphere, 1), Rounded(coordinates, sphere, 2)},
+        radius(static_cast<float>(coordinates.scale * std::max(sphere.radius, 0.0))) {}
+
+ private:
+  static HWY_INLINE float Rounded(const Coordinates& coordinates, const R3::SphereData& sphere, int axis) {
+    return static_cast<float>(coordinates.scale * (sphere.center[axis] - coordinates.center[axis]));
+  }
+};
+
+/// Which rays may hit a sphere, and which do for certain, as bits.
+struct SphereMask {
+  std::uint32_t maybe = 0, certain = 0;
+};
+
+/// With `any`, the certain ones are told too: those that hit before `limit`, one for each ray.
+template <bool any>
+HWY_INLINE SphereMask TestSphereLanes(const RoundedSphere& sphere, const Packet& packet, const FloatEach& limit) {
+  const PacketFloats f;
+  using V = hn::Vec<PacketFloats>;
+  const auto set = [&](float x) { return hn::Set(f, x); };
+  const auto minus = [](V p, V q, V r, V s) { return hn::MulSub(p, q, hn::Mul(r, s)); };
+  const auto dot = [](V px, V py, V pz, V qx, V qy, V qz) {
+    return hn::MulAdd(px, qx, hn::MulAdd(py, qy, hn::Mul(pz, qz)));
+  };
+  constexpr float rounding = 16 * u;
+  SphereMask mask;
+  for (std::size_t i = 0; i < packet_size; i += hn::Lanes(f)) {
+    const auto from_center = [&](int axis) {
+      return hn::Sub(hn::Load(f, packet.origin[axis] + i), set(sphere.center[axis]));
+    };
+    const V fx = from_center(0), fy = from_center(1), fz = from_center(2);
+    const V dx = hn::Load(f, packet.direction[0] + i), dy = hn::Load(f, packet.direction[1] + i),
+            dz = hn::Load(f, packet.direction[2] + i);
+    const V cx = minus(fy, dz, fz, dy), cy = minus(fz, dx, fx, dz), cz = minus(fx, dy, fy, dx);
+    const V distance = dot(cx, cy, cz, cx, cy, cz), square = dot(dx, dy, dz, dx, dy, dz);
+    const V error = hn::Mul(hn::Load(f, packet.plane_error + i), set(6));
+    const V slack = hn::Mul(error, hn::Add(error, set(7 * sphere.radius)));
+    const V reach = hn::Mul(set(sphere.radius * sphere.radius), square);
+    mask.maybe |= Bits(f, hn::Not(hn::Gt(distance, hn::Mul(hn::Add(reach, slack), set(1 + rounding))))) << i;
+    if constexpr (any) {
+      const V ahead = hn::Neg(dot(fx, fy, fz, dx, dy, dz));
+      const V farthest = hn::MulAdd(set(sphere.radius), hn::Sqrt(square), hn::Add(ahead, error));
+      const auto is_met = hn::Lt(hn::Mul(hn::Add(distance, slack), set(1 + rounding)), reach);
+      const auto is_before = hn::Lt(hn::Mul(farthest, set(1 + rounding)), hn::Mul(hn::Load(f, limit + i), square));
+      mask.certain |= Bits(f, hn::And(is_met, hn::And(hn::Gt(ahead, error), is_before))) << i;
+    }
+  }
+  return mask;
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace ray
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,328 @@
+// Packets of rays through a wide tree: included once for each instruction set.
+
+#if defined(RAY_ACCELERATE_WIDE_PACKET_TRAVERSAL_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef RAY_ACCELERATE_WIDE_PACKET_TRAVERSAL_INL_H_
+#undef RAY_ACCELERATE_WIDE_PACKET_TRAVERSAL_INL_H_
+#else
+#define RAY_ACCELERATE_WIDE_PACKET_TRAVERSAL_INL_H_
+#endif
+
+#include <new>
+#include <span>
+#include <type_traits>
+
+#include "source/accelerate/wide/Packet-inl.h"
+#include "source/accelerate/wide/PacketSphere-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace ray {
+namespace HWY_NAMESPACE {
+
+template <typename Work>
+HWY_INLINE void ForEachBit(std::uint32_t bits, const Work& work) {
+  for (; bits != 0; bits &= bits - 1) work(std::countr_zero(bits));
+}
+
+/// Packet traversal. Whether a node is reached is asked of the whole packet, eight children at a time; whether a child
+/// is, of its rays, all at a time; and so are triangles. Where few rays go on, they go alone; and so do all of a packet
+/// that is not coherent, made ready together nevertheless.
+///   source  Wald, Slusallek, Benthin, Wagner, Interactive rendering with coherent ray tracing (2001);
+///           Reshetov, Soupikov, Hurley, Multi-level ray tracing algorithm (2005), for the bounds of a packet
+template <bool any>
+class PacketTraversal {
+ public:
+  HWY_INLINE PacketTraversal(const TwoLevel<Tree>& two_level, std::span<const R3::Ray> rays, Counts& counts)
+      : two_level_(two_level), tree_(two_level.structures[0]), rays_(rays), counts_(counts) {
+    if constexpr (!any)
+      for (int i = 0; i < Size(); ++i) MakeNearest(i, i);
+  }
+
+  int Size() const { return static_cast<int>(rays_.size()); }
+  const std::optional<WorldHit>& Best(int i) { return Nearest(i).Best(); }
+  bool IsAnswered(int i) const { return answered_ >> i & 1; }
+
+  HWY_INLINE void Search() {
+    if (Size() > few_rays && packet_.Begin(tree_.coordinates, tree_.primitives.PaddingPerDistance(), rays_)) {
+      if (!packet_.Enclose()) {
+        for (int i = 0; i < Size(); ++i) TraverseAlone(i, tree_.root);
+        return;
+      }
+      if constexpr (any) {
+        for (int i = 0; i < packet_size; ++i) limit_for_certain_[i] = packet_.limit[i] - 4 * packet_.plane_error[i];
+      }
+      Traverse();
+      TestAllCandidates();
+    } else {
+      for (int i = 0; i < Size(); ++i)
+        if (HWY_NAMESPACE::Search<any>(two_level_, tree_, Ray(i), DistanceInWorld(i), std::nullopt, Nearest(i),
+                                       counts_))
+          answered_ |= std::uint32_t{1} << i;
+    }
+  }
+
+ private:
+  static constexpr int few_rays = 2;  // rays that are faster alone than together
+  static constexpr int most_candidates = 8;
+  struct Candidate {
+    std::uint32_t primitive;
+    float nearest;
+  };
+
+  const R3::Ray& Ray(int i) const { return rays_[static_cast<std::size_t>(i)]; }
+  double DistanceInWorld(int i) const { return MaxComponent(Abs(FromOrigin(Ray(i).origin))); }
+  NearestHit& MakeNearest(int place, int i) {
+    return *new (nearest_ + place * static_cast<int>(sizeof(NearestHit))) NearestHit(*two_level_.world, Ray(i));
+  }
+  /// Of a ray, which with `any` has no hit as long as it is asked: one place is enough for all.
+  NearestHit& Nearest(int i) {
+    if constexpr (any) return MakeNearest(0, i);
+    return reinterpret_cast<NearestHit*>(nearest_)[i];
+  }
+  ExactTriangleTest<Tree> ExactTestOf(int i) { return {two_level_, tree_, Ray(i), std::nullopt, Nearest(i), counts_}; }
+
+  struct StackEntry {
+    std::uint64_t distance_and_lane;  // PackEntry
+    const Node* parent;
+  };
+
+  HWY_INLINE void Traverse() {
+    StackEntry stack[wide::most_depth * width];
+    StackEntry* top = stack;
+    std::uint32_t child = tree_.root, rays = (std::uint32_t{1} << Size()) - 1;
+    std::uint64_t nodes = 0, leaves = 0;
+    float limit = packet_.LargestLimit();
+
+    while (true) {
+      const auto kind = Child::KindOf(child);
+      if (kind == Child::Kind::node && std::popcount(rays) > few_rays) {
+        ++nodes;
+        top = PushSorted(tree_.At<Node>(child), limit, top);
+      } else if (!Child::IsNothing(child)) {
+        ++leaves;
+        VisitLeaf(child, rays);
+        limit = packet_.LargestLimit();
+        if (limit < 0) break;
+      }
+      do {
+        if (top == stack) goto done;
+        --top;
+        rays = 0;
+        if (DistanceOf(top->distance_and_lane) > limit) continue;
+        const int lane = static_cast<int>(static_cast<std::uint32_t>(top->distance_and_lane));
+        rays = packet_.RaysThrough(*top->parent, lane);
+        child = top->parent->child[lane];
+      } while (rays == 0);
+    }
+  done:
+    counts_.node_visits += nodes + leaves;
+    counts_.box_tests += nodes * width;
+  }
+
+  /// The children that the packet reaches, nearest on top; returns the new top.
+  HWY_INLINE StackEntry* PushSorted(const Node& node, float limit, StackEntry* const base) {
+    StackEntry* top = base;
+    alignas(32) float distances[width];
+    ForEachBit(packet_.Test(node, limit, distances), [&](int i) HWY_ATTR {
+      const StackEntry next{PackEntry(distances[i], static_cast<std::uint32_t>(i)), &node};
+      if (tree_.is_large) Prefetch(tree_, node.child[i]);
+      StackEntry* to = top++;
+      for (; to != base && to[-1].distance_and_lane < next.distance_and_lane; --to) *to = to[-1];
+      *to = next;
+    });
+    return top;
+  }
+
+  /// A leaf, or a node that few rays reach.
+  HWY_INLINE void VisitLeaf(std::uint32_t child, std::uint32_t rays) {
+    const auto kind = Child::KindOf(child);
+    if (kind == Child::Kind::triangles && std::popcount(rays) > few_rays)
+      VisitTriangles(tree_.At<TriangleBlock>(child), rays);
+    else if (kind == Child::Kind::sphere)
+      VisitSphere(tree_.At<SphereLeaf>(child), rays);
+    else if (kind == Child::Kind::primitive)
+      VisitPrimitive(Child::Index(child), rays);
+    else
+      ForEachBit(rays, [&](int i) HWY_ATTR { TraverseAlone(i, child); });
+  }
+
+  /// One ray into a child of whatever kind.
+  HWY_NOINLINE void TraverseAlone(int i, std::uint32_t child) {
+    const PacketRay ray(packet_, i);
+    LeafVisitor<any, Tree, PacketRay> visitor(two_level_, tree_, Ray(i), ray, DistanceInWorld(i), std::nullopt,
+                                              Nearest(i), counts_);
+    visitor.limit = std::min(visitor.limit, packet_.limit[i]);
+    TraverseFrom<any>(child, tree_, NodeRay(ray), visitor, counts_);
+    if constexpr (!any) visitor.TestCandidates();
+    packet_.limit[i] = visitor.limit;
+    if (visitor.is_answered) Answer(i);
+  }
+
+  /// Those of `rays` that do not start or end on a primitive, as the world numbers them.
+  HWY_INLINE std::uint32_t NotEndingOn(std::int64_t primitive, std::uint32_t rays) const {
+    std::uint32_t rest = 0;
+    ForEachBit(rays, [&](int i) HWY_ATTR {
+      const bool is_end = (Ray(i).leaving == primitive) | (Ray(i).reaching == primitive);
+      rest |= static_cast<std::uint32_t>(!is_end) << i;
+    });
+    return rest;
+  }
+
+  HWY_INLINE void VisitSphere(const SphereLeaf& leaf, std::uint32_t rays) {
+    rays = NotEndingOn(leaf.primitive, rays);
+    if (std::popcount(rays) > few_rays) {
+      const SphereMask mask =
+          TestSphereLanes<any>(RoundedSphere(tree_.coordinates, leaf.sphere), packet_, limit_for_certain_);
+      rays &= mask.maybe;
+      ForEachBit(rays & mask.certain, [&](int i) { Answer(i); });
+      rays &= ~mask.certain;
+    }
+    ForEachBit(rays, [&](int i) HWY_ATTR {
+      if (!TestSphere<any>(leaf, Ray(i), Nearest(i), counts_)) return;
+      if constexpr (any)
+        Answer(i);
+      else
+        packet_.limit[i] = std::min(packet_.limit[i], packet_.Distance(i, Nearest(i).Limit()));
+    });
+  }
+
+  HWY_INLINE void VisitPrimitive(std::uint32_t primitive, std::uint32_t rays) {
+    const PrimRef what = tree_.primitives[primitive];
+    if (what.element != PrimRef::whole)
+      rays = NotEndingOn(two_level_.world->Instances()[what.instance].first_primitive + what.element, rays);
+    ForEachBit(rays, [&](int i) HWY_ATTR {
+      if (TestPrimitive<any>(two_level_, tree_, primitive, Ray(i), DistanceInWorld(i), Nearest(i), counts_))
+        Answer(i);
+      else if constexpr (!any)
+        packet_.limit[i] = std::min(packet_.limit[i], packet_.Distance(i, Nearest(i).Limit()));
+    });
+  }
+
+  void Answer(int i) {
+    answered_ |= std::uint32_t{1} << i;
+    packet_.limit[i] = -1;
+  }
+
+  /// The triangles of a block, ready to be broadcast one after the other.
+  struct TriangleArrays {
+    alignas(32) float numbers[11][width];
+
+    HWY_INLINE explicit TriangleArrays(const TriangleBlock& block) {
+      const Lanes d;
+      for (std::size_t k = 0; k < width; k += hn::Lanes(d)) {
+        const TriangleLanes<Lanes> t = LoadTriangles(d, block, k);
+        const Floats all[] = {t.edge1_x,  t.edge1_y,  t.edge1_z,  t.edge2_x, t.edge2_y, t.edge2_z,
+                              t.normal_x, t.normal_y, t.normal_z, t.edges,   t.area};
+        for (std::size_t n = 0; n < 11; ++n) hn::Store(all[n], d, numbers[n] + k);
+      }
+    }
+    HWY_INLINE TriangleLanes<PacketFloats> Broadcast(int k) const {
+      const auto set = [&](int n) { return hn::Set(PacketFloats(), numbers[n][k]); };
+      return {set(0), set(1), set(2), set(3), set(4), set(5), set(6), set(7), set(8), set(9), set(10)};
+    }
+  };
+
+  HWY_INLINE void VisitTriangles(const TriangleBlock& block, std::uint32_t rays) {
+    const TriangleArrays arrays(block);
+    for (int k = 0; k < width && block.corner[0][k] == block.corner[0][k]; ++k) {
+      const TriangleLanes<PacketFloats> triangle = arrays.Broadcast(k);
+      for (std::size_t i = 0; i < packet_size; i += hn::Lanes(PacketFloats()))
+        TestTriangle(block, k, triangle, i, rays);
+    }
+  }
+
+  /// One triangle against those of `rays` that fill the lanes from number i on.
+  HWY_INLINE void TestTriangle(const TriangleBlock& block, int k, const TriangleLanes<PacketFloats>& triangle,
+                               std::size_t i, std::uint32_t rays) {
+    const PacketFloats f;
+    const auto load = [&](const FloatEach& each) { return hn::Load(f, each + i); };
+    const auto to_corner = [&](int axis) {
+      return hn::Sub(hn::Set(f, block.corner[axis][k]), load(packet_.origin[axis]));
+    };
+    const auto limit = load(packet_.limit);
+    const RayLanes<PacketFloats> ray{load(packet_.direction[0]),
+                                     load(packet_.direction[1]),
+                                     load(packet_.direction[2]),
+                                     load(packet_.plane_error),
+                                     load(packet_.edge_error),
+                                     load(packet_.height_error),
+                                     limit};
+    TriangleMask<PacketFloats> mask;
+    if (!TestLanes(f, triangle, to_corner(0), to_corner(1), to_corner(2), ray, mask)) return;
+    const std::uint32_t maybe = Bits(f, mask.maybe) << i & rays;
+    if constexpr (any) {
+      const auto is_before = hn::Lt(mask.farthest, load(limit_for_certain_));
+      const std::uint32_t certain = Bits(f, hn::And(mask.certain, is_before)) << i & maybe;
+      ForEachBit(certain, [&](int j) { Answer(j); });
+      ForEachBit(maybe & ~certain, [&](int j) HWY_ATTR {
+        auto exact_test = ExactTestOf(j);
+        if (exact_test.Test(exact_test.Locate(block.primitive[k]))) Answer(j);
+      });
+    } else {
+      const auto least = hn::Min(limit, mask.farthest);
+      hn::Store(hn::IfThenElse(mask.certain, least, limit), f, packet_.limit + i);
+      hn::Store(mask.nearest, f, nearest_now_ + i);
+      ForEachBit(maybe, [&](int j) HWY_ATTR { Keep(j, block.primitive[k]); });
+    }
+  }
+
+  HWY_INLINE void Keep(int i, std::uint32_t primitive) {
+    if (candidate_count_[i] == most_candidates) TestCandidates(i);
+    candidates_[i][candidate_count_[i]++] = {primitive, nearest_now_[i]};
+  }
+
+  HWY_INLINE void TestCandidates(int i) {
+    auto exact_test = ExactTestOf(i);
+    while (candidate_count_[i] > 0) {
+      const Candidate& candidate = candidates_[i][--candidate_count_[i]];
+      if (candidate.nearest <= packet_.limit[i] && exact_test.Test(exact_test.Locate(candidate.primitive)) &&
+          candidate_count_[i] > 0)
+        packet_.limit[i] = std::min(packet_.limit[i], packet_.Distance(i, Nearest(i).Limit()));
+    }
+  }
+
+  HWY_INLINE void TestAllCandidates() {
+    if constexpr (any) return;
+    const auto each_last = [&](const auto& prefetch) {
+      for (int i = 0; i < Size(); ++i)
+        if (candidate_count_[i] > 0) prefetch(ExactTestOf(i).Locate(candidates_[i][candidate_count_[i] - 1].primitive));
+    };
+    each_last([](const auto& triangle) { triangle.PrefetchIndices(); });
+    each_last([](const auto& triangle) { triangle.PrefetchCorners(); });
+    for (int i = 0; i < Size(); ++i) TestCandidates(i);
+  }
+
+  const TwoLevel<Tree>& two_level_;
+  const Tree& tree_;
+  std::span<const R3::Ray> rays_;
+  Counts& counts_;
+  std::uint32_t answered_ = 0;  // rays of `any` that have hit something, as bits
+  Packet packet_;
+  alignas(64) FloatEach limit_for_certain_, nearest_now_;
+  std::uint8_t candidate_count_[packet_size] = {};
+  Candidate candidates_[packet_size][most_candidates];
+  static_assert(std::is_trivially_destructible_v<NearestHit>);
+  alignas(NearestHit) std::byte nearest_[(any ? 1 : packet_size) * sizeof(NearestHit)];
+};
+
+/// FindNearest or FindAny for each of the rays: the same answers, since the exact test decides in the end.
+template <bool any>
+void TracePackets(const TwoLevel<Tree>& two_level, std::span<const R3::Ray> rays,
+                  std::conditional_t<any, bool, std::optional<WorldHit>>* answers, Counts& counts) {
+  while (!rays.empty()) {
+    PacketTraversal<any> traversal(two_level, rays.first(std::min<std::size_t>(rays.size(), packet_size)), counts);
+    traversal.Search();
+    for (int i = 0; i < traversal.Size(); ++i) {
+      if constexpr (any)
+        *answers++ = traversal.IsAnswered(i);
+      else
+        *answers++ = traversal.Best(i);
+    }
+    rays = rays.subspan(static_cast<std::size_t>(traversal.Size()));
+  }
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace ray
+HWY_AFTER_NAMESPACE();
+
+#endif
