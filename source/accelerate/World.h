@@ -26,6 +26,8 @@ struct Instance {
   std::int32_t shared = not_shared;  // index into World::SharedMeshes
   std::int64_t first_primitive = 0;  // its elements are the primitives first_primitive, first_primitive + 1, ...
 
+  /// Whether its surface is ever seen to shine.
+  bool Emits() const { return !is_repeated && !IsBlack(material->emission); }
   /// Whether the ray starts or ends on the element and cannot meet it in between.
   bool IsEndOf(const R3::Ray& ray, int element) const {
     const std::int64_t primitive = first_primitive + element;

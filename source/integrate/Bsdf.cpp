@@ -10,7 +10,11 @@ namespace {
 /// Index of refraction on the side of wo over that on the other.
 double RelativeIndex(const ShadingPoint& p) { return p.entering ? 1 / p.material->ir : p.material->ir; }
 
-R3::Vector Mirrored(const ShadingPoint& p) { return Unit(Reflect(-p.wo, p.N)); }
+/// wo mirrored about N; where a smoothed normal sends that into the surface, mirrored back out of it.
+R3::Vector Mirrored(const ShadingPoint& p) {
+  const R3::Vector mirrored = Unit(Reflect(-p.wo, p.N));
+  return p.IsBehindSurface(mirrored) ? Unit(Reflect(mirrored, p.Outward())) : mirrored;
+}
 
 RayKind KindOf(Lobe lobe) {
   switch (lobe) {
@@ -89,15 +93,24 @@ void PhongReflectionOfEach(const ShadingPoint& p, double weight, LightSamples& s
   }
 }
 
-SpecularWeights SpecularWeightsOf(const ShadingPoint& p, bool fresnel) {
+namespace {
+
+SpecularWeights WithoutCoat(const ShadingPoint& p, double cosine, bool fresnel) {
   const Material& m = *p.material;
-  if (m.coat > 0) [[unlikely]] {
-    const double mirrored = Coat(m.coat).Reflectance(std::clamp(Dot(p.N, p.wo), 0.0, 1.0));
-    return {m.kr + mirrored * R2::Color{1, 1, 1}, m.kt};
-  }
   if (!fresnel || IsBlack(m.kt) || m.ir == 1) return {m.kr, m.kt};
-  const double share = FresnelReflectance(std::clamp(Dot(p.N, p.wo), 0.0, 1.0), RelativeIndex(p));
+  const double share = FresnelReflectance(cosine, RelativeIndex(p));
   return {m.kr + share * m.kt, (1 - share) * m.kt};
+}
+
+}  // namespace
+
+SpecularWeights SpecularWeightsOf(const ShadingPoint& p, bool fresnel) {
+  const double coat = p.material->coat, cosine = std::clamp(Dot(p.N, p.wo), 0.0, 1.0);
+  const SpecularWeights under = WithoutCoat(p, cosine, fresnel);
+  if (!(coat > 0)) [[likely]]
+    return under;
+  const double mirrored = Coat(coat).Reflectance(cosine);
+  return {mirrored * R2::Color{1, 1, 1} + (1 - mirrored) * under.reflected, (1 - mirrored) * under.transmitted};
 }
 
 std::optional<R3::Vector> SampleReflection(const ShadingPoint& p, bool glossy, const R2::Point& u) {
@@ -155,9 +168,8 @@ std::optional<BsdfSample> Bsdf::Sample(const R2::Point& u, double choice, const 
 
 /// What heads into the surface, by the glossy lobe or by a smoothed normal, is lost there.
 std::optional<BsdfSample> Bsdf::Scatter(const R3::Vector& wi, Lobe lobe) const {
-  const R3::Vector outward = p_.entering ? AsVector(p_.at.normal) : -AsVector(p_.at.normal);
   const double pdf = Pdf(wi);
-  if (!(pdf > 0) || !(Dot(outward, wi) > 0)) return {};
+  if (!(pdf > 0) || !(Dot(p_.Outward(), wi) > 0)) return {};
   return BsdfSample{wi, Eval(wi), pdf, lobe};
 }
 

@@ -69,8 +69,9 @@ inline R2::Color PhongReflection(const ShadingPoint& p, const R3::Vector& L, con
 /// The same, bit for bit, of each of the samples, whose colors become that times the weight.
 void PhongReflectionOfEach(const ShadingPoint& p, double weight, LightSamples& samples);
 
-/// What a surface reflects and what goes through it, as shares of the radiance: ks and kt, or with Fresnel's equations
-/// a part of kt moved from the one to the other, all of it on total internal reflection. A coat adds what it mirrors.
+/// What a surface reflects and what goes through it, as shares of the radiance: kr and kt, or with Fresnel's equations
+/// a part of kt moved from the one to the other, all of it on total internal reflection. A coat mirrors its own share
+/// and leaves these the rest.
 struct SpecularWeights {
   R2::Color reflected, transmitted;
 };
@@ -90,7 +91,8 @@ inline bool ReflectsLights(const ShadingPoint& p, const TraceSettings& settings)
          (IsGlossy(*p.material, settings) && !IsBlack(SpecularWeightsOf(p, settings.fresnel).reflected));
 }
 
-/// wo mirrored about N, or with a glossy reflection a direction of Phong's lobe around that; unit.
+/// wo mirrored about N, never into the surface, or with a glossy reflection a direction of Phong's lobe around that;
+/// unit.
 ///   u         uniform in [0, 1)^2
 ///   returns   nothing when the direction is below the surface
 std::optional<R3::Vector> SampleReflection(const ShadingPoint& p, bool glossy, const R2::Point& u);

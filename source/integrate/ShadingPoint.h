@@ -25,10 +25,10 @@ struct ShadingPoint {
 
   /// What of the scene's ambient light is reflected.
   R2::Color AmbientReflectance() const;
+  /// The surface's own normal on the viewer's side.
+  R3::Vector Outward() const { return entering ? AsVector(at.normal) : -AsVector(at.normal); }
   /// Whether a direction that N faces leads into the surface itself: from there no light can arrive.
-  bool IsBehindSurface(const R3::Vector& direction) const {
-    return is_smoothed && !(Dot(entering ? AsVector(at.normal) : -AsVector(at.normal), direction) > 0);
-  }
+  bool IsBehindSurface(const R3::Vector& direction) const { return is_smoothed && !(Dot(Outward(), direction) > 0); }
   bool HasReflectance() const { return !IsBlack(kd) || !IsBlack(material->ks); }
 };
 

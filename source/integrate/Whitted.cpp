@@ -13,13 +13,13 @@ namespace {
 enum WhittedKey : std::uint64_t {
   reflection_key,
   transmission_key,
-  choice_key,
+  gloss_direction_key,
   roulette_key,
   environment_key,
   first_light_key
 };
-// Of the rays that share a reflection; no surface has as many lights.
-constexpr std::uint64_t gloss_key = camera_key - 1;
+// Of the rays that share a reflection, and of lights that are chosen; no surface has as many lights.
+constexpr std::uint64_t gloss_key = camera_key - 1, chosen_lights_key = camera_key - 2;
 
 bool IsExtended(const Light& light) { return light.IsExtended(); }
 bool IsExtended(const EmissiveTriangle&) { return true; }
@@ -182,7 +182,7 @@ void Whitted::AddChosenLights(std::span<ShadingPoint> points, TraceState& state)
   for (std::size_t i = 0; i < points.size(); ++i) {
     const ShadingPoint& p = points[i];
     if (!p.HasReflectance()) continue;
-    const Points random_points = p.path.index.PointsFor(choice_key, settings_.sampler, settings_.samples, count);
+    const Points random_points = p.path.index.PointsFor(chosen_lights_key, settings_.sampler, settings_.samples, count);
     for (std::uint32_t k = 0; k < count && !state.IsStopped(); ++k) {
       const auto random = random_points.Get<3>(p.path.index.sample * count + k);
       const auto choice = tree_->Choose(p.shadow_origin, p.N, random[2]);
@@ -250,7 +250,7 @@ void Whitted::Spawn(const ShadingPoint& p, TraceState& state) const {
   if (const auto throughput = Continued(p.path.throughput * weights.reflected, back, state)) {
     if (p.material->gloss_samples > 1) return SpawnGlossy(p, *throughput, back, state.pending);
     const bool glossy = IsGlossy(*p.material, settings_);
-    const Points points(settings_.sampler, back.key.Child(choice_key), settings_.samples);
+    const Points points(settings_.sampler, back.key.Child(gloss_direction_key), settings_.samples);
     if (const auto wi = SampleReflection(p, glossy, glossy ? points.Get2D(back.sample) : R2::Point{}))
       state.pending.push_back(Extend(p, *wi, Lobe::mirror, *throughput, back));
   }
@@ -260,7 +260,7 @@ void Whitted::Spawn(const ShadingPoint& p, TraceState& state) const {
 void Whitted::SpawnGlossy(const ShadingPoint& p, const R2::Color& throughput, const SampleIndex& back,
                           std::vector<PathState>& pending) const {
   const auto count = static_cast<std::uint32_t>(p.material->gloss_samples);
-  const Points points(settings_.sampler, back.key.Child(choice_key), settings_.samples * count);
+  const Points points(settings_.sampler, back.key.Child(gloss_direction_key), settings_.samples * count);
   const SampleIndex each = back.Child(gloss_key);
   for (std::uint32_t k = 0; k < count; ++k)
     if (const auto wi = SampleReflection(p, true, points.Get2D(back.sample * count + k)))

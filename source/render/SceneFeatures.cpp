@@ -42,7 +42,7 @@ SceneFeatures FeaturesOf(const World& world, const RenderSettings& settings) {
   const bool shapes_light = settings.mode == RenderMode::path || settings.trace.emissive_solids_light;
   for (const Instance& instance : world.Instances()) {
     const Material& m = *instance.material;
-    if (!IsBlack(m.emission) && (instance.mesh || (shapes_light && instance.shape->CanBeSampled()))) {
+    if (instance.Emits() && (instance.mesh || (shapes_light && instance.shape->CanBeSampled()))) {
       (instance.mesh ? features.emissive_triangles : features.emissive_shapes) = true;
       lights += static_cast<std::size_t>(instance.shape->Elements());
     }

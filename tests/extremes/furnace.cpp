@@ -67,7 +67,7 @@ TEST(Extremes, I1_AFurnaceThatIsAlsoALightIsAsWhite) {
     }
 }
 
-TEST(Extremes, I1_TheCoursesModeIsWhiteOnAMatteBallAndInGlass) {
+TEST(Extremes, I1_TheCoursesModeIsWhiteOnAMatteBallAndInGlassCoatedOrNot) {
   const std::string camera = "camera 0 0 6 0 0 -1 0 1 0 0.1 0.01 100";
   RenderSettings settings = Whitted(32, 64);
   settings.trace.shadow_samples = 4;
@@ -76,16 +76,17 @@ TEST(Extremes, I1_TheCoursesModeIsWhiteOnAMatteBallAndInGlass) {
           .image);
   EXPECT_LT(std::abs(Deviations(diffuse, 1, 1e-6)), 4);
   EXPECT_NEAR(diffuse.mean, 1, 1e-3);
-  for (const bool fresnel : {false, true}) {
-    // Where each crossing splits the light, what is left in the glass after k bounces is below 0.2^k seen from afar.
-    settings = Whitted(16, 1);
-    settings.trace.max_depth = 12;
-    settings.trace.fresnel = fresnel;
-    const project::Stage stage =
-        StageOf(no_light + camera + " background 1 1 1" + Material(0, 0, 1, 0, 10, 1.5) + "sphere 0 0 0 0 1");
-    const auto image = project::Render(stage, settings).image;
-    for (const float channel : image.Channels()) EXPECT_NEAR(channel, 1, 1e-6) << "fresnel " << fresnel;
-  }
+  for (const std::string coat : {"", "coat 0 1.3 "})
+    for (const bool fresnel : {false, true}) {
+      // Where each crossing splits the light, what is left in the glass after k bounces is below 0.2^k seen from afar.
+      settings = Whitted(16, 1);
+      settings.trace.max_depth = 12;
+      settings.trace.fresnel = fresnel;
+      const project::Stage stage =
+          StageOf(no_light + camera + " background 1 1 1" + Material(0, 0, 1, 0, 10, 1.5) + coat + "sphere 0 0 0 0 1");
+      const auto image = project::Render(stage, settings).image;
+      for (const float channel : image.Channels()) EXPECT_NEAR(channel, 1, 1e-6) << coat << "fresnel " << fresnel;
+    }
 }
 
 /// The share of Phong's lobe with exponent n, about a direction at an angle to the normal, that is above the surface:

@@ -106,6 +106,39 @@ TEST(Extremes, I5_AGlossyMirrorThatHasNothingElseShowsLightsAlikeByEveryStrategy
   }
 }
 
+TEST(Extremes, I5_OfLampsInTheSamePlaceTheFirstShinesAlikeByEveryStrategy) {
+  const std::string floor = "camera 0 1 4  0 -0.25 -1  0 1 0  0.3  0.01 100" + Material(0.5, 0, 0, 0) + no_light +
+                            Material(0, 0, 0, 3) + Material(0, 0, 0, 1) + "box 0 -9 -1 -9  9 0 9 ";
+  for (const std::string where : {"0 4 0  2.5 ", "-6 2.5 -5  6 2.5 -5  0 2.5 7 "}) {
+    SCOPED_TRACE(where);
+    const std::string lamp = where.size() < 12 ? "sphere " : "tri ";
+    const project::Stage stage = StageOf(floor + lamp + "1 " + where + lamp + "2 " + where);
+    std::vector<std::pair<std::string, RenderSettings>> ways;
+    for (const char* strategy : {"bsdf", "mis", "light"})
+      for (const int lights : {0, 1}) {
+        ways.emplace_back(std::string(strategy) + (lights > 0 ? ", chosen" : ""), Compared("path", 256));
+        ways.back().second.trace.strategy = project::Named{strategy};
+        ways.back().second.trace.lights = lights;
+      }
+    ExpectAllAlike(stage, ways);
+  }
+}
+
+// The mirror's direction and the place on the lamp must not be picked by the same numbers.
+TEST(Extremes, I5_ALampThatIsChosenShinesAlikeInABlurredMirror) {
+  const project::Stage stage =
+      StageOf("camera 0 1 0  0 -1 0  0 0 -1  0.02  0.01 100" + Material(0, 0, 0, 0) + "mirror 0 1 1 1 gloss 0 8 1 " +
+              Material(1, 0, 0, 0) +
+              "quad 0 -1 0 -1  -1 0 1  1 0 1  1 0 -1 quad 1 -9 3 -9  9 3 -9  9 3 9  -9 3 9 "
+              "quad 1 0 2.2 -9  0 2.2 9  9 2.2 9  9 2.2 -9 area_light 1 1 1  0 1.5 0  0 1 0  3  1 0 0 ");
+  std::vector<std::pair<std::string, RenderSettings>> ways;
+  for (const int lights : {0, 1}) {
+    ways.emplace_back(lights > 0 ? "chosen" : "all", Compared("whitted", 256));
+    ways.back().second.trace.lights = lights;
+  }
+  ExpectAllAlike(stage, ways);
+}
+
 TEST(Extremes, I5_ShiningSolidsThatAbsorbLightTheirInsideAlikeByEveryStrategy) {
   const std::string inside =
       "camera 0 0 1.8  0 0 -1  0 1 0  0.5  0.01 100" + Material(0.5, 0, 0, 0) + no_light + "sphere 0 0 0 0 0.7 ";

@@ -8,7 +8,7 @@ namespace ray {
 
 EmissionBounds::EmissionBounds(const World& world) {
   for (const Instance& instance : world.Instances()) {
-    if (IsBlack(instance.material->emission)) continue;
+    if (!instance.Emits()) continue;
     is_unbounded_ |= !instance.is_bounded;
     for (int i = 0; i < instance.shape->Elements(); ++i) {
       const R3::Box box = world.InWorld(instance.frame, instance.shape->Bounds(i));

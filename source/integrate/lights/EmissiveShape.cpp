@@ -37,9 +37,7 @@ double MeanScale(const R3::Matrix& matrix) {
   return largest * R1::Cbrt(std::abs(Dot(columns[0], Cross(columns[1], columns[2]))));
 }
 
-bool Emits(const Instance& instance) {
-  return !IsBlack(instance.material->emission) && !instance.shape->IsDegenerate();
-}
+bool IsLight(const Instance& instance) { return !instance.mesh && instance.Emits() && !instance.shape->IsDegenerate(); }
 
 }  // namespace
 
@@ -149,15 +147,14 @@ LightBound EmissiveShape::Bound() const {
 std::vector<EmissiveShape> EmissiveShapes(const World& world) {
   std::vector<EmissiveShape> shapes;
   for (const Instance& instance : world.Instances())
-    if (!instance.mesh && Emits(instance) && instance.shape->CanBeSampled())
+    if (IsLight(instance) && instance.shape->CanBeSampled())
       for (int i = 0; i < instance.shape->Elements(); ++i) shapes.emplace_back(world, instance, i);
   return shapes;
 }
 
 bool HasUnsampledEmission(const World& world) {
-  return std::ranges::any_of(world.Instances(), [](const Instance& instance) {
-    return !instance.mesh && Emits(instance) && !instance.shape->CanBeSampled();
-  });
+  return std::ranges::any_of(
+      world.Instances(), [](const Instance& instance) { return IsLight(instance) && !instance.shape->CanBeSampled(); });
 }
 
 }  // namespace ray

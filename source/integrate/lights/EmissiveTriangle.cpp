@@ -1,6 +1,8 @@
 #include "source/integrate/lights/EmissiveTriangle.h"
 
+#include <array>
 #include <cmath>
+#include <set>
 
 #include "R3/Mesh.h"
 
@@ -14,6 +16,12 @@ R3::Vector Magnitude(const R3::Transform& world_from_local, const R3::Point& loc
   const R3::Matrix& forward = world_from_local.Forward();
   return AbsTimes(forward, Abs(FromOrigin(local))) +
          R3::Vector{std::abs(forward.m[0][3]), std::abs(forward.m[1][3]), std::abs(forward.m[2][3])};
+}
+
+/// A frame and corners in it: of triangles that share them every ray hits the first.
+using Place = std::array<double, 10>;
+Place PlaceOf(std::uint32_t frame, const std::array<R3::Point, 3>& c) {
+  return {static_cast<double>(frame), c[0].x, c[0].y, c[0].z, c[1].x, c[1].y, c[1].z, c[2].x, c[2].y, c[2].z};
 }
 
 R3::Vector Largest(const R3::Vector& a, const R3::Vector& b) {
@@ -47,13 +55,13 @@ LightBound EmissiveTriangle::Bound() const {
 
 std::vector<EmissiveTriangle> EmissiveTriangles(const World& world) {
   std::vector<EmissiveTriangle> triangles;
+  std::set<Place> places;
   for (const Instance& instance : world.Instances()) {
-    if (IsBlack(instance.material->emission)) continue;
-    const auto* mesh = dynamic_cast<const R3::Mesh*>(instance.shape);
-    if (!mesh) continue;  // other shapes are seen to emit but light nothing
+    if (!instance.mesh || !instance.Emits()) continue;
     const R3::Transform& world_from_local = world.Frames()[instance.frame];
-    for (int i = 0; i < mesh->Elements(); ++i) {
-      const auto local = mesh->Corners(i);
+    for (int i = 0; i < instance.mesh->Elements(); ++i) {
+      const auto local = instance.mesh->Corners(i);
+      if (!places.insert(PlaceOf(instance.frame, local)).second) continue;
       EmissiveTriangle t;
       for (std::size_t k = 0; k < 3; ++k) {
         t.corners[k] = world_from_local * local[k];

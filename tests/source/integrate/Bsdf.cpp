@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "tests/Draw.h"
+
 namespace ray {
 namespace {
 
@@ -189,6 +191,28 @@ TEST(Bsdf, TheGlossyLobeReflectsKsButForWhatIsBelowTheSurface) {
             by_samples += sample->value.r / sample->pdf / (steps * steps);
       EXPECT_NEAR(by_samples, 0.6 * above, 3e-3) << "exponent " << n << ", angle " << angle;
     }
+}
+
+TEST(Bsdf, AMirrorWithASmoothedNormalSendsNothingIntoTheSurface) {
+  const Material material = MaterialOf({}, {1, 1, 1}, {});
+  Draw draw(41);
+  int turned = 0;
+  for (int i = 0; i < 1000; ++i) {
+    ShadingPoint p = PointOf(material, draw.Direction(), draw.Whole(0, 1) == 0);
+    if (p.wo.y < 0) p.wo.y = -p.wo.y;
+    const R3::Vector normal = p.N;
+    do p.N = Unit(normal + 0.8 * draw.Direction());
+    while (!(Dot(p.N, p.wo) > 0));
+    p.is_smoothed = true;
+    const R3::Vector plain = 2 * Dot(p.N, p.wo) * p.N - p.wo;
+    const auto sample = Bsdf(p, SettingsOf(false)).Sample({0.5, 0.5}, 0.5);
+    ASSERT_TRUE(sample);
+    EXPECT_NEAR(Length(sample->wi), 1, 1e-15);
+    EXPECT_NEAR(sample->wi.y, std::abs(plain.y), 1e-14);
+    EXPECT_NEAR(sample->wi.x, plain.x, 1e-14);
+    turned += plain.y < 0;
+  }
+  EXPECT_GT(turned, 50);
 }
 
 TEST(Bsdf, RefractsBySnellsLawIntoGlassAndOutAgain) {
