@@ -67,7 +67,7 @@ struct Correlation {
 /// What the two parts of a film say of its pixels.
 struct PixelErrors {
   std::vector<float> squares;  // of the region's pixels, the mean of their channels, with the bias of clamping
-  std::vector<double> cut;     // light that clamping took from noisy pixels: means over the blocks
+  std::vector<double> cut;     // squared errors of blocks by the light that clamping took from their noisy pixels
   Correlation correlation;
   R2::Image picture;
 };
@@ -79,6 +79,20 @@ double CutLight(double mean, double difference) {
   const double excess = std::max(0.0, mean - 1);
   return std::max(0.0, std::min(excess, std::abs(difference) - excess));
 }
+
+/// What clamping took from one channel of a block's pixels.
+struct CutOfBlock {
+  double light = 0;   // of all pixels that are noisy and too bright
+  double noisy = 0;   // how many these are
+  double steady = 0;  // how many are too bright in both parts
+
+  void Add(double mean, double difference) {
+    const double of_pixel = CutLight(mean, difference);
+    light += of_pixel;
+    noisy += of_pixel > 0;
+    steady += mean > 1 && of_pixel == 0;
+  }
+};
 
 class PixelErrorsOf {
  public:
@@ -103,15 +117,15 @@ class PixelErrorsOf {
     const int block = static_cast<int>(i);
     const PixelRectangle pixels = film_.PixelsInRegion(block), region = film_.Region();
     if (pixels.Area() == 0) return;
-    double cut = 0;
+    std::array<CutOfBlock, 3> cut;
     for (int y = pixels.y0; y < pixels.y1; ++y)
       for (int x = pixels.x0; x < pixels.x1; ++x) {
         const int column = x - region.x0, row = y - region.y0;
         errors_.squares[static_cast<std::size_t>(row) * static_cast<std::size_t>(region.Width()) +
                         static_cast<std::size_t>(column)] = static_cast<float>(Square(block, column, row, correlation));
-        cut += Cut(column, row);
+        if (!is_of_light_) AddCut(column, row, cut);
       }
-    errors_.cut[i] = cut / static_cast<double>(3 * pixels.Area());
+    errors_.cut[i] = SquareOf(cut, pixels);
   }
 
   double Square(int block, int x, int y, Correlation& correlation) const {
@@ -128,10 +142,32 @@ class PixelErrorsOf {
     return sum / 3;
   }
 
-  double Cut(int x, int y) const {
-    if (is_of_light_) return 0;  // nothing is clamped
+  void AddCut(int x, int y, std::array<CutOfBlock, 3>& cut) const {
     const R2::Color a = a_.At(x, y), b = b_.At(x, y), both = errors_.picture.At(x, y);
-    return CutLight(both.r, a.r - b.r) + CutLight(both.g, a.g - b.g) + CutLight(both.b, a.b - b.b);
+    cut[0].Add(both.r, a.r - b.r);
+    cut[1].Add(both.g, a.g - b.g);
+    cut[2].Add(both.b, a.b - b.b);
+  }
+
+  /// The mean squared error of a block whose pixels all miss an equal part of the light that was cut, as far as more of
+  /// it would be seen. Where other pixels are steadily too bright, the noisy ones are the rim of that, and for each of
+  /// them at most one more belongs there: of pixels that something covers by any share alike, about as many are found by
+  /// none of n samples as by one.
+  double SquareOf(const std::array<CutOfBlock, 3>& cut, const PixelRectangle& pixels) const {
+    const auto area = static_cast<double>(pixels.Area());
+    const Channels missing{cut[0].light / area, cut[1].light / area, cut[2].light / area};
+    if (missing[0] + missing[1] + missing[2] == 0) return 0;
+    Channels sums{};
+    for (int y = pixels.y0; y < pixels.y1; ++y)
+      for (int x = pixels.x0; x < pixels.x1; ++x) {
+        const R2::Color c = errors_.picture.At(x - film_.Region().x0, y - film_.Region().y0);
+        const Channels shown = Seen(c, measure_),
+                       full = Seen(c + R2::Color{missing[0], missing[1], missing[2]}, measure_);
+        for (std::size_t k = 0; k < 3; ++k) sums[k] += (full[k] - shown[k]) * (full[k] - shown[k]);
+      }
+    for (std::size_t k = 0; k < 3; ++k)
+      if (cut[k].steady > 0) sums[k] = std::min(sums[k], cut[k].noisy);
+    return (sums[0] + sums[1] + sums[2]) / (3 * area);
   }
 
   const Film& film_;
@@ -296,7 +332,7 @@ std::optional<MeasuredError> MeasureError(const Film& film, const ErrorMeasure& 
   const double stubbornness = Stubbornness(differences, before, film.AreasInRegion());
   std::vector<double> blocks = differences.squares;
   for (std::size_t i = 0; i < blocks.size(); ++i)
-    blocks[i] = std::max(stubbornness * blocks[i], blocks[i] + errors.cut[i] * errors.cut[i]);
+    blocks[i] = std::max(stubbornness * blocks[i], blocks[i] + errors.cut[i]);
   MeasuredError measured = Summarize(film, std::move(blocks), errors.squares, errors.correlation.ShareOfVariance(),
                                      MeanOf(errors.picture), measure);
   measured.differences = std::move(differences);

@@ -78,12 +78,11 @@ Whitted::Whitted(const World& world, const Accelerator& accelerator, const Trace
       tracer_(world, accelerator, settings.shadows),
       settings_(settings),
       has_roulette_(settings.roulette == Roulette::on),
+      lights_(LightsOf(world.scene())),
       triangles_(EmissiveTriangles(world)) {
   if (settings.emissive_solids_light) shapes_ = EmissiveShapes(world);
   settings_.max_depth = std::min<std::int64_t>(settings_.max_depth, most_bounces);
   const Scene& scene = world.scene();
-  for (const auto& light : scene.lights)
-    if (!light->IsBlack()) lights_.push_back(light.get());
   if (scene.environment && !scene.environment->IsBlack()) environment_ = scene.environment.get();
   if (settings_.lights <= 0) return;
   std::vector<LightBound> bounds;

@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "source/integrate/lights/LightSampler.h"
 #include "source/text/EnumNames.h"
 
 namespace ray {
@@ -31,15 +32,15 @@ SceneFeatures FeaturesOf(const World& world, const RenderSettings& settings) {
   if (!IsTraced(settings.mode)) return features;
 
   std::size_t lights = 0;
-  for (const auto& light : scene.lights) {
-    if (light->IsBlack()) continue;
+  const bool is_path = settings.mode == RenderMode::path;
+  for (const Light* light : is_path ? LightsOfPath(world) : LightsOf(scene)) {
     ++lights;
     features.lights = true;
     features.area_lights |= light->IsExtended();
   }
   features.shadow_bias = scene.shadow_bias > 0;
   features.environment = scene.environment && !scene.environment->IsBlack();
-  const bool shapes_light = settings.mode == RenderMode::path || settings.trace.emissive_solids_light;
+  const bool shapes_light = is_path || settings.trace.emissive_solids_light;
   for (const Instance& instance : world.Instances()) {
     const Material& m = *instance.material;
     if (instance.Emits() && (instance.mesh || (shapes_light && instance.shape->CanBeSampled()))) {
@@ -52,7 +53,6 @@ SceneFeatures FeaturesOf(const World& world, const RenderSettings& settings) {
     features.absorbing |= !IsBlack(m.absorb);
     features.textures |= m.texture != nullptr;
   }
-  const bool is_path = settings.mode == RenderMode::path;
   if (is_path && features.environment) ++lights;
   const int most = static_cast<int>(std::min<std::size_t>(lights, std::numeric_limits<int>::max()));
   features.choice_of_lights =

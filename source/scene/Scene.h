@@ -34,4 +34,12 @@ struct Scene {
   std::vector<std::string> files;  // what it was read from: scene files, the top one first, then meshes and textures
 };
 
+/// Those that are not black.
+inline std::vector<const Light*> LightsOf(const Scene& scene) {
+  std::vector<const Light*> lights;
+  for (const auto& light : scene.lights)
+    if (!light->IsBlack()) lights.push_back(light.get());
+  return lights;
+}
+
 }  // namespace ray

@@ -85,7 +85,8 @@ constexpr const char* about_ids =
     "the lobe ks (n + 1)/(2 pi) (V.R)^n per solid angle, without a further cosine. All of ks is reflected from "
     "straight above, and down to half of it at grazing angles, where part of the lobe is below the surface. Renderers "
     "whose Phong lobe is ks (n + 2)/(2 pi) (V.R)^n (N.L) show a fainter highlight for the same ks, by the cosine at "
-    "which it is seen.\n";
+    "which it is seen.\n"
+    "A scene that names no light is lit by two default ones; in mode path only if nothing in it emits light.\n";
 
 constexpr const char* about_files =
     "Files that a scene names are looked for in the folder of the file that names them, then in the current folder, "

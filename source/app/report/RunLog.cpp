@@ -15,6 +15,7 @@
 #include "source/app/options/SceneSettings.h"
 #include "source/app/report/Check.h"
 #include "source/app/report/Messages.h"
+#include "source/integrate/lights/LightSampler.h"
 #include "source/render/SceneFeatures.h"
 #include "source/text/Quoting.h"
 #include "source/text/Words.h"
@@ -76,7 +77,11 @@ std::vector<std::string> ExplainRender(const World& world, const RunStats& stats
       settings += " -" + std::string(option.name) + " " + Show(option, stats.options);
   lines.push_back("all settings:" + settings);
   if (world.scene().has_default_camera) lines.emplace_back("the scene names no camera: the default one is used");
-  if (world.scene().has_default_lights) lines.emplace_back("the scene names no light: the default ones shine");
+  if (world.scene().has_default_lights) {
+    const bool is_lit_by_itself = stats.options.render.mode == RenderMode::path && LightsOfPath(world).empty();
+    lines.emplace_back(is_lit_by_itself ? "the scene names no light: what emits lights it"
+                                        : "the scene names no light: the default ones shine");
+  }
   for (const std::string& line : stats.scene.settings) lines.push_back("set by the scene: " + line);
   return lines;
 }

@@ -31,6 +31,13 @@ double Pdf(const EmissiveTriangle& triangle, const R3::Vector& towards, double t
 
 }  // namespace
 
+std::vector<const Light*> LightsOfPath(const World& world) {
+  const Scene& scene = world.scene();
+  const bool has_environment = scene.environment && !scene.environment->IsBlack();
+  const bool emits = has_environment || std::ranges::any_of(world.Instances(), &Instance::Emits);
+  return scene.has_default_lights && emits ? std::vector<const Light*>() : LightsOf(scene);
+}
+
 LightSampler::LightSampler(const World& world, const TraceSettings& settings)
     : triangles_(EmissiveTriangles(world)),
       shapes_(EmissiveShapes(world)),
@@ -39,11 +46,10 @@ LightSampler::LightSampler(const World& world, const TraceSettings& settings)
       settings_(settings) {
   const Scene& scene = world.scene();
   std::vector<LightBound> bounds;
-  for (const auto& light : scene.lights)
-    if (!light->IsBlack()) {
-      lights_.push_back(light.get());
-      bounds.push_back(light->Bound());
-    }
+  for (const Light* light : LightsOfPath(world)) {
+    lights_.push_back(light);
+    bounds.push_back(light->Bound());
+  }
   for (const EmissiveTriangle& triangle : triangles_) {
     light_of_primitive_.emplace(triangle.primitive, static_cast<int>(bounds.size()));
     bounds.push_back(RadiantBound(triangle.Bound(), triangle.area));

@@ -15,6 +15,9 @@
 
 namespace ray {
 
+/// The scene's lights that shine in mode path, none of them black: the default ones only where nothing else emits.
+std::vector<const Light*> LightsOfPath(const World& world);
+
 /// Next-event estimation: all lights as path tracing sees them: those of the scene language, which no ray can hit;
 /// emissive triangles and other shapes, whose emission is a radiance; and the environment. A point chooses among them
 /// by importance sampling, or uniformly with the strategy of that name.

@@ -75,11 +75,12 @@ class ScnWriter {
   }
 
   void SayLights() {
+    if (scene_.has_default_lights) return;
     for (const auto& light : scene_.lights) {
       const R3::Recipe made = light->MadeFrom();
       Say(made.kind, made.arguments);
     }
-    // A scene that names no light would get two: this one gives none.
+    // A scene that names no light would get the default ones: this one gives none.
     if (scene_.lights.empty()) Say("dir_light", R2::Color{}, R3::Vector{0, -1, 0});
   }
 

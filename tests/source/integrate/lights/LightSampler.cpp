@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "tests/Project.h"
+#include "tests/extremes/KnownScenes.h"
 
 namespace ray {
 namespace {
@@ -25,6 +26,15 @@ TEST(LightSampler, NamesEachOfItsLightsByItsKind) {
   const std::vector<std::string> expected{"point light",   "directional light", "triangle that",
                                           "triangle that", "shape that",        "shape that"};
   EXPECT_EQ(kinds, expected);
+}
+
+TEST(LightSampler, DefaultLightsShineOnlyWhereNothingElseDoes) {
+  const std::string lamp = "material 0 0 0  0 0 0  0 0 0  0 0 0  1 1 1  10 1 0 sphere 0  0 0 0  1 ";
+  const auto count = [](const project::Stage& stage) { return LightSampler(stage.world, {}).Count(); };
+  EXPECT_EQ(count(project::Stage(project::FromText("sphere -1  0 0 0  1"))), 2);
+  EXPECT_EQ(count(project::Stage(project::FromText(lamp))), 1) << "the lamp";
+  EXPECT_EQ(count(project::Stage(project::FromText(lamp + "dir_light 1 1 1  0 -1 0"))), 2) << "a light that is named";
+  EXPECT_EQ(count(statistics::StageOf("sphere -1  0 0 0  1 ", statistics::UniformSky(1))), 1) << "the sky";
 }
 
 }  // namespace
