@@ -183,7 +183,7 @@ class Viewer {
   void OnClick(const ButtonEvent& event);
   void PickAt(const R2::Point& position);
 
-  static std::vector<Binding> MakeBindings();
+  struct BindingTable;
   void StartTrace();
   /// Ends the uppermost of what is open: the help, the pick, the cross section, the trace.
   void Peel();
