@@ -44,8 +44,7 @@ std::string ImageExtensions() {
 constexpr const char* lexical =
     "A file is a sequence of words separated by white space; line breaks are not significant. A statement is a command "
     "and as many numbers and names as it takes.\n"
-    "A # at the beginning of a word, or behind a number or a command, starts a comment, which goes on to the end of the "
-    "line.\n"
+    "A # that begins a word, or follows a number or a command, starts a comment, which ends with the line.\n"
     "Commands are in lower case. Numbers are decimal, such as 2, -.5, +20 or 1e-3; angles are in radians. Colors are "
     "three numbers, red, green and blue, that may exceed 1. Names of files hold no white space.\n"
     "Statements may come in any order, except that a material must precede its first use. Of several cameras, "
