@@ -96,7 +96,6 @@ double Expm1(double x) {
   if (!(std::abs(x) > 0x1p-54)) return x;
   if (x > 710) return infinite;
   if (x < -40) return -1;  // exp(-40) is under half an ulp of 1
-  if (std::isnan(x)) return x;
   const Exponential e = ExponentialOf(x, 0);
   const int half = e.exponent / 2;
   const double scale = PowerOfTwo(half), other = PowerOfTwo(e.exponent - half), power = scale * e.power;

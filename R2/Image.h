@@ -34,7 +34,8 @@ class Image {
     p[2] = static_cast<float>(c.b);
   }
 
-  /// All channels, r g b a pixel, rows from the bottom: for writers and for comparing pictures byte by byte.
+  /// All channels, three floats (r, g, b) per pixel, rows from the bottom: for writers and for comparing pictures byte
+  /// by byte.
   const std::vector<float>& Channels() const { return channels_; }
 
   friend bool operator==(const Image&, const Image&) = default;

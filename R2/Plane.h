@@ -5,7 +5,7 @@
 
 namespace R2 {
 
-/// One number a pixel. Row 0 is the bottom row, as in Image.
+/// One number per pixel. Row 0 is the bottom row, as in Image.
 struct Plane {
   Plane() = default;
   Plane(int w, int h) : width(w), height(h), values(static_cast<std::size_t>(w) * static_cast<std::size_t>(h)) {}

@@ -207,7 +207,7 @@ def main():
         sys.exit("against_povray.py: -samples must be a square number, got %d" % asked.samples)
     if not shutil.which("povray"):
         sys.exit("against_povray.py: povray is not installed")
-    print("raypro beside %s, %dx%d, %d camera rays a pixel, one thread; %s; %s" % (
+    print("raypro beside %s, %dx%d, %d camera rays per pixel, one thread; %s; %s" % (
         version(), asked.width, asked.width, asked.samples, beside.processor(), time.strftime("%Y-%m-%d")))
     print("%-9s%11s%12s%8s%14s%14s" % ("scene", "ours M/s", "theirs M/s", "ratio", "means differ", "pixels differ"))
     million = asked.width**2 * asked.samples * 1e-6

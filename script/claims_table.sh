@@ -10,7 +10,7 @@
 # scene: renders that got there, the share of them whose true error is below the target, the largest true error in
 # targets, and of those that took more than the least, 8 samples, the share whose true error is above 1/1.3 of it.
 #
-# The truth is told by two references of 1024 samples of other seeds, kept in FOLDER (default build/claims) from run to
+# Ground truth comes from two references of 1024 samples of other seeds, kept in FOLDER (default build/claims) from run to
 # run. With 6 seeds, the default, 20 scenes are 360 renders for displayed errors and 180 for linear ones: ten minutes of two
 # cores, and as much for the references. -rows keeps one line per render. RAYPRO names the program (default build/raypro).
 set -eu

@@ -5,7 +5,7 @@
 #     script/denoise_table.sh [-size N] [-samples N] [-seed N] [-filter name] [-denoiser name] [-references FOLDER]
 #                             [-pictures FOLDER] [id ...]
 #
-# The truth is told by two references of other seeds, of 2048 and of 512 samples, kept in FOLDER (default build/denoise)
+# Ground truth comes from two references of other seeds, of 2048 and of 512 samples, kept in FOLDER (default build/denoise)
 # from run to run: beside one alone its own noise would count as error, up to a quarter of what denoising leaves. Those of
 # all scenes take some fifteen minutes at the default size, 192. With -pictures both pictures of each scene are kept there.
 # -denoiser is that of raypro. RAYPRO names the program (default build/raypro).

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Makes a movie of any scene: the camera orbits it or moves elsewhere, or an option of raypro changes over the frames.
+# Makes a movie of any .scn scene: the camera orbits it or moves elsewhere, or an option of raypro changes over the frames.
 #
 #     script/movie.sh -turntable art/flake.scn art/movie.avi -frames 72 -samples 16 -srgb
 #     script/movie.sh -to "0 1 3  0 0 -1  0 1 0  0.4" scenes/hello.scn build/closer.avi
@@ -14,10 +14,11 @@
 #   -frames n          (default 48)       -fps n   frames per second (default 25)
 #   -width n -height n (default 320 240)  -keep    keep the frames, in the folder that is printed
 #
-# All further options are passed to raypro. Each frame is a scene of two lines, which includes the scene itself and sets a
-# camera; the last camera counts. If ffmpeg is installed, out.mp4 is written beside out.avi.
+# All further options are passed to raypro. Each frame is a scene that includes the scene itself and, where the camera moves,
+# sets a camera; the last camera counts. If ffmpeg is installed, out.mp4 is written beside out.avi.
 # RAYPRO and RAYIMG name the programs. File names must not contain spaces: the scene language does not allow them.
 set -eu
+export LC_ALL=C  # numbers have a point
 here=$(cd "$(dirname "$0")/.." && pwd)
 raypro=${RAYPRO:-$here/build/raypro}
 rayimg=${RAYIMG:-$here/build/rayimg}
@@ -48,6 +49,7 @@ while [ $# -gt 0 ]; do
 done
 [ "$out" ] || usage "a scene and an output file are needed"
 [ "$way$sweep$each" ] || usage "one of -turntable, -to, -sweep and -each is needed"
+case $scene in *.[Ss][Cc][Nn]) ;; *) usage "the scene must be a .scn file, got '$scene'; raypro -convert makes one" ;; esac
 case $frames in '' | *[!0-9]* | 0) usage "-frames must be a whole number above 0, got '$frames'" ;; esac
 [ -f "$scene" ] || { echo "movie.sh: no such scene: '$scene'" >&2; exit 3; }
 
@@ -56,17 +58,28 @@ mkdir -p build 2> /dev/null && [ -w build ] && base=build || base=${TMPDIR:-/tmp
 work=$(mktemp -d "$base/movie.XXXXXX")
 trap '[ "$keep" ] || rm -rf "$work"' EXIT
 
-# The scene's own camera and its box, whichever file they come from. Its up is taken to be +y.
-"$raypro" "$scene" -check -allow_path "$(dirname "$scene")" > "$work/check"
+# The scene's own camera and its box, whichever file they come from.
+allowed=$(dirname "$scene")
+: > "$work/about"
+if [ "$way" ]; then
+  "$raypro" "$scene" -convert "$work/whole.scn" -allow_path "$allowed" -quiet 2> "$work/said" ||
+    { cat "$work/said" >&2; exit 3; }
+  grep '^camera ' "$work/whole.scn" >> "$work/about"
+  "$raypro" "$scene" -check -allow_path "$allowed" | grep '^bounds ' >> "$work/about"
+fi
 awk -v way="$way" -v to="$to" -v turns="$turns" -v frames="$frames" -v low="$low" -v high="$high" -v scene="$scene" \
     -v work="$work" '
   function mix(a, b, t) { return a + (b - a) * t }
-  { gsub(/,/, "") }
+  # A vector of the camera around the vertical axis; ca and sa are of the angle.
+  function turn(k,   x) { x = ca * from[k] + sa * from[k + 2]; c[k + 2] = -sa * from[k] + ca * from[k + 2]; c[k] = x }
   $1 == "bounds" { middle_x = ($2 + $6) / 2; middle_z = ($4 + $8) / 2 }
-  $1 == "camera" { split($3 " " $4 " " $5 " " $7 " " $8 " " $9 " 0 1 0 " $12, from, " ") }
+  $1 == "camera" { for (k = 1; k <= 12; ++k) from[k] = $(k + 1) }
   END {
     pi = atan2(0, -1)
     if (way == "go" && split(to, goal, " ") < 10) { print "movie.sh: -to needs ten numbers" > "/dev/stderr"; exit 2 }
+    # A level camera stays level on its way: its up is +y, and not what is perpendicular to its first direction.
+    roll = from[6] * from[7] - from[4] * from[9]
+    if (from[8] > 0 && roll < 1e-9 && roll > -1e-9) { from[7] = 0; from[8] = 1; from[9] = 0 }
     # Around the place where the view comes nearest to the vertical line through the middle of the box.
     flat = from[4] * from[4] + from[6] * from[6]
     t = flat > 0 ? ((middle_x - from[1]) * from[4] + (middle_z - from[3]) * from[6]) / flat : 0
@@ -74,7 +87,7 @@ awk -v way="$way" -v to="$to" -v turns="$turns" -v frames="$frames" -v low="$low
     px = from[1] + t * from[4]; pz = from[3] + t * from[6]
     for (i = 0; i < frames; ++i) {
       share = frames > 1 ? i / (frames - 1) : 0
-      for (k = 1; k <= 10; ++k) c[k] = from[k]
+      for (k = 1; k <= 12; ++k) c[k] = from[k]
       if (way == "go") {
         eased = share * share * (3 - 2 * share)
         for (k = 1; k <= 10; ++k) c[k] = mix(from[k], goal[k], eased)
@@ -82,17 +95,19 @@ awk -v way="$way" -v to="$to" -v turns="$turns" -v frames="$frames" -v low="$low
       if (way == "turn") {  # the frame after the last would be the first again
         a = 2 * pi * turns * i / frames; ca = cos(a); sa = sin(a)
         c[1] = px + ca * (from[1] - px) + sa * (from[3] - pz); c[3] = pz - sa * (from[1] - px) + ca * (from[3] - pz)
-        c[4] = ca * from[4] + sa * from[6]; c[6] = -sa * from[4] + ca * from[6]
+        turn(4); turn(7)
       }
       file = sprintf("%s/frame%05d.scn", work, i)
       print "include " scene > file
-      printf "camera " > file
-      for (k = 1; k <= 10; ++k) printf " %.9g", c[k] > file
-      print "  0.01 1000" > file
+      if (way) {
+        printf "camera " > file
+        for (k = 1; k <= 12; ++k) printf " %.17g", c[k] > file
+        print "" > file
+      }
       close(file)
       print mix(low, high, share), share > (work "/sweep")
     }
-  }' "$work/check"
+  }' "$work/about"
 
 i=0
 while read -r value share; do
@@ -100,7 +115,7 @@ while read -r value share; do
   [ -z "$each" ] || $each "$share" < /dev/null
   name=$(printf '%s/frame%05d' "$work" "$i")
   "$raypro" "$name.scn" "$name.jpg" -width "$width" -height "$height" -quiet \
-    -allow_path "$(dirname "$scene")" ${sweep:+"-$sweep" "$value"} "$@" < /dev/null
+    -allow_path "$allowed" ${sweep:+"-$sweep" "$value"} "$@" < /dev/null
   i=$((i + 1))
   [ ! -t 2 ] || printf '\rframe %d of %d' "$i" "$frames" >&2
 done < "$work/sweep"

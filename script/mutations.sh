@@ -67,10 +67,10 @@ mkdir -p "$tree"
 cp -a Makefile R1 R2 R3 source tests script scenes writeup docs README.md "$tree"
 build() {  # quietly; what it says is kept
   make -C "$tree" CXX="${CXX:-g++}" CXXFLAGS="${CXXFLAGS:-}" CONTEXTS= test-binary TEST_SOURCES="$(cd "$tree" && echo tests/Main.cpp $tests)" \
-    > "$work/build.txt" 2>&1
+    < /dev/null > "$work/build.txt" 2>&1
 }
 run_tests() {
-  (cd "$tree" && RAYPRO_ROOT="$tree" timeout "$seconds" build/raytests --gtest_brief=1 --gtest_fail_fast) > "$work/tests.txt" 2>&1
+  (cd "$tree" && RAYPRO_ROOT="$tree" timeout "$seconds" build/raytests --gtest_brief=1 --gtest_fail_fast) < /dev/null > "$work/tests.txt" 2>&1
 }
 build || { tail -20 "$work/build.txt"; exit 1; }
 run_tests || { echo "the tests fail without a change:"; tail -20 "$work/tests.txt"; exit 1; }

@@ -5,7 +5,8 @@
 #
 # Scenes are by default twenty of the tree: lights, materials, textures, mirrors, glass, environments, many things. The
 # preview is drawn without a window or words over it; the image has 16 samples per pixel, traced at the first run with
-# -keep and then taken from there; -shadows as key Shift+L. RAYPRO, RAYIMG and RAYVIEW name the programs (default those of build/).
+# -keep and then taken from there; -shadows as key Shift+L. RAYPRO, RAYIMG and RAYVIEW name the programs (default those
+# of build/). When one of them fails, what it says is shown, and the table ends there.
 set -eu
 export LC_ALL=C  # numbers have a point
 here=$(cd "$(dirname "$0")/.." && pwd)
@@ -40,16 +41,21 @@ fi
   if [ "$shadows" = yes ]; then echo 'key Shift+L'; fi
   echo 'tick 60'
 } > "$work/events"
+quietly() { "$@" > "$work/said" 2>&1 || { cat "$work/said" >&2; echo "preview_difference.sh: $1 failed" >&2; exit 1; }; }
+
 printf '%-36s%10s\n' "scene, ${size}x${size}, $samples samples" FLIP
+: > "$work/rows"
 for scene in "$@"; do
   name=${scene#"$here"/}
   stem=$(printf '%s' "$name" | tr / _ | sed 's/\.[^.]*$//')
   traced=$kept/$stem.$size.traced.png
   drawn=$kept/$stem.$size.drawn.png
   [ -f "$traced" ] ||
-    "$raypro" "$scene" "$traced" -width "$size" -height "$size" -samples "$samples" -quiet -allow_path / 2> /dev/null
-  "$rayview" --headless "$scene" -width "$size" -height "$size" -allow_path / -events "$work/events" \
-    -screenshot "$drawn" > /dev/null 2>&1
-  flip=$("$rayimg" diff "$drawn" "$traced" | sed -n 's/^FLIP *//p')
-  printf '%-36s%10.4f\n' "$name" "$flip"
-done | awk '{ print } NF == 2 { sum += $2; ++count } END { if (count) printf "%-36s%10.4f\n", "mean of " count, sum / count }'
+    quietly "$raypro" "$scene" "$traced" -width "$size" -height "$size" -samples "$samples" -quiet -allow_path /
+  quietly "$rayview" --headless "$scene" -width "$size" -height "$size" -allow_path / -events "$work/events" \
+    -screenshot "$drawn"
+  quietly "$rayimg" diff "$drawn" "$traced"
+  flip=$(sed -n 's/^FLIP *//p' "$work/said")
+  printf '%-36s%10.4f\n' "$name" "$flip" | tee -a "$work/rows"
+done
+awk '{ sum += $NF } END { printf "%-36s%10.4f\n", "mean of " NR, sum / NR }' "$work/rows"

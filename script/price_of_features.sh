@@ -1,8 +1,8 @@
 #!/bin/sh
 # What features cost scenes that do not use them: for each feature the program is built once more from sources that its
-# patch, script/price/FEATURE.patch, takes it out of, and both render scenes without it. Prints how many more instructions (valgrind) and CPU seconds (interleaved; the
-# median of the ratios) the whole program takes, and whether the pictures are the same bytes. The aim: 0.5 % of
-# instructions, 1 % of time, the same bytes.
+# patch, script/price/FEATURE.patch, takes it out of, and both render scenes without it. Prints how many more instructions
+# (valgrind) and CPU seconds (interleaved; the median of the ratios) the whole program takes, and whether the pictures are
+# the same bytes. The aim: 0.5 % of instructions, 1 % of time, the same bytes.
 #
 #     script/price_of_features.sh [-repeats n] [-no_instructions] [feature ...]
 #

@@ -53,6 +53,15 @@ file_of() {  # id, program, options
   esac
 }
 
+# Rayview, or what runs it, has not made the picture $id: a failure only where it can draw at all.
+rayview_failed() {
+  "$RAYVIEW" scenes/empty.scn -headless > /dev/null 2>&1 ||
+    { echo "  $id: rayview cannot draw here, kept as it is"; return 0; }
+  cat "$build/$id.said"
+  echo "$id cannot be made" >> $build/failures
+  return 1
+}
+
 # One row: made if it must be, compared, noted. Prints a line; ends with status 1 when it is not what is stored.
 make_one() {  # id
   id=$1
@@ -89,11 +98,11 @@ make_one() {  # id
       # What a script traces is thrown away; the program says on its own output what it shows.
       "$tool" "$scene" -headless $size $options -events "$events" -image "$build/$id.traced.png" \
         -screenshot "$new" > "$build/$id.said" 2>&1 ||
-        { echo "  $id: rayview cannot draw here, kept as it is"; return 0; }
+        { rayview_failed; return; }
       row=",,,,,,,,," ;;
     session)
       script/session.sh "$events" "$scene" "$build/$id.avi" -last "$new" $size $options > "$build/$id.said" 2>&1 ||
-        { echo "  $id: rayview cannot draw here, kept as it is"; return 0; }
+        { rayview_failed; return; }
       row=",,,,,,,,," ;;
     text)
       "$tool" "$scene" $size $options > "$build/$id.said" 2>&1 ||
@@ -290,7 +299,7 @@ for pass in others same; do
   awk -F '\t' -v pass=$pass -v wanted="$wanted" '
     BEGIN { n = split(wanted, names, "\n"); for (i = 1; i <= n; ++i) is_wanted[names[i]] = 1 }
     is_wanted[$1] && ($3 ~ /^same/) == (pass == "same") { print $1 }' $build/rows |
-    xargs -P "$jobs" -n 1 "$0" -one || true
+    xargs -P "$jobs" -n 1 "$0" -one || [ -s $build/failures ] || echo "a picture cannot be made" >> $build/failures
 done
 if [ "$fast" = no ]; then
   {

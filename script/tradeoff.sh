@@ -16,9 +16,9 @@
 # Columns: rmse is linear and free of the references' noise, being the root of mean (x - r1)(x - r2) over two independent
 # references; negative where that mean is, when the picture is as good as they are. relmse, display (255ths), flip and
 # bias (mean difference over the channels) are against the mean of both. claimed, claimed_low and claimed_high are the
-# program's estimate of `display` and its interval. build_s, render_s and primitives are for the accelerators, options for repeating
-# a row by hand. Everything runs on one thread. The references are not truncated; filters have references of their own,
-# because they converge to different pictures.
+# program's estimate of `display` and its interval. build_s, render_s and primitives are for the accelerators, options for
+# repeating a row by hand. Everything runs on one thread. The references are not truncated; filters have references of their
+# own, because they converge to different pictures.
 set -eu
 export LC_ALL=C  # numbers have a point
 here=$(cd "$(dirname "$0")/.." && pwd)

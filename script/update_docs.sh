@@ -1,7 +1,7 @@
 #!/bin/sh
 # Writes what README.md and docs/ repeat, between its markers: the tables of options, from the programs' own, and the
 # README's scene; and renders that scene to docs/first.jpg if it is newer.
-# With -check it changes nothing and fails if something is out of date.
+# With -check it changes nothing and fails if a text is out of date. The image is not checked: its bytes depend on libjpeg.
 set -eu
 here=$(cd "$(dirname "$0")/.." && pwd)
 raypro=${RAYPRO:-$here/build/raypro}

@@ -144,9 +144,10 @@ auto SpatialGaussian(double b, double pixels_per_degree) {
   };
 }
 
-/// Each Gaussian is separable, their sum is not: each is filtered alone, with its share of the whole. The shares follow
-/// the authors' program, which weighs a Gaussian of two dimensions by a sqrt(pi / b) as one of one dimension.
-Plane Seen(const Plane& channel, const Sensitivity& s, double pixels_per_degree) {
+/// By the contrast sensitivity function. Each Gaussian is separable, their sum is not: each is filtered alone, with its
+/// share of the whole. The shares follow the authors' program, which weighs a Gaussian of two dimensions by a sqrt(pi /
+/// b) as one of one dimension.
+Plane FilterByCsf(const Plane& channel, const Sensitivity& s, double pixels_per_degree) {
   const int radius = SensitivityRadius(pixels_per_degree);
   const auto part = [&](double a, double b) {
     const auto weights = Sampled(radius, SpatialGaussian(b, pixels_per_degree));
@@ -191,8 +192,9 @@ Planes Opponents(const Image& image) {
 
 /// The colors that are left once the eye has blurred the picture, in Hunt-adjusted L*a*b*.
 Planes SeenColors(const Planes& opponents, double pixels_per_degree) {
-  Planes seen{Seen(opponents[0], achromatic, pixels_per_degree), Seen(opponents[1], red_green, pixels_per_degree),
-              Seen(opponents[2], blue_yellow, pixels_per_degree)};
+  Planes seen{FilterByCsf(opponents[0], achromatic, pixels_per_degree),
+              FilterByCsf(opponents[1], red_green, pixels_per_degree),
+              FilterByCsf(opponents[2], blue_yellow, pixels_per_degree)};
   for (std::size_t i = 0; i < seen[0].values.size(); ++i) {
     const Color c = LinearRgb(FromYCxCz(TripleAt(seen, i)));
     SetTriple(seen, i, HuntLab({Clamped(c.r), Clamped(c.g), Clamped(c.b)}));
@@ -249,12 +251,13 @@ double FeatureDifference(const Features& a, const Features& b, std::size_t i) {
   return R1::Pow(std::max(edges, points) / std::numbers::sqrt2, feature_exponent);
 }
 
-struct Seeing {
+/// What two images are compared by.
+struct FilteredImage {
   Planes colors;
   Features features;
 };
 
-Seeing See(const Image& image, double pixels_per_degree) {
+FilteredImage Filter(const Image& image, double pixels_per_degree) {
   const Planes opponents = Opponents(image);
   return {SeenColors(opponents, pixels_per_degree), FindFeatures(opponents[0], pixels_per_degree)};
 }
@@ -264,11 +267,11 @@ Seeing See(const Image& image, double pixels_per_degree) {
 Plane Flip(const Image& a, const Image& b, double pixels_per_degree) {
   assert(a.Width() == b.Width() && a.Height() == b.Height());
   assert(pixels_per_degree >= 1 && pixels_per_degree <= 1000);
-  const Seeing seen_a = See(a, pixels_per_degree), seen_b = See(b, pixels_per_degree);
+  const FilteredImage filtered_a = Filter(a, pixels_per_degree), filtered_b = Filter(b, pixels_per_degree);
   Plane flip(a.Width(), a.Height());
   for (std::size_t i = 0; i < flip.values.size(); ++i) {
-    const double color = ColorDifference(TripleAt(seen_a.colors, i), TripleAt(seen_b.colors, i));
-    const double feature = FeatureDifference(seen_a.features, seen_b.features, i);
+    const double color = ColorDifference(TripleAt(filtered_a.colors, i), TripleAt(filtered_b.colors, i));
+    const double feature = FeatureDifference(filtered_a.features, filtered_b.features, i);
     flip.values[i] = static_cast<float>(R1::Pow(color, 1 - feature));  // section 4.3
   }
   return flip;

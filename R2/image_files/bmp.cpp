@@ -1,7 +1,7 @@
 #include "R2/image_files/ByteReader.h"
 #include "R2/image_files/formats.h"
 
-// Windows bitmaps, uncompressed. Written with 24 bits a pixel, bottom row first, as most programs expect.
+// Windows bitmaps, uncompressed. Written with 24 bits per pixel, bottom row first, as most programs expect.
 // source: Microsoft, "BITMAPINFOHEADER" and "BITMAPV5HEADER", Win32 reference
 namespace R2 {
 
@@ -16,7 +16,7 @@ struct Header {
   std::uint32_t info_size = 0;
   ImageSize size;
   bool is_top_down = false;
-  int bits = 24;  // a pixel: 8 with a palette, 24, 32
+  int bits = 24;  // per pixel: 8 with a palette, 24, 32
   std::uint32_t palette_size = 0;
 
   std::uint64_t RowBytes() const {
@@ -50,14 +50,14 @@ Header ReadHeader(ByteReader& reader) {
   header.size = CheckedSize("BMP", width, height < 0 ? -height : height);
   header.is_top_down = height < 0;
   reader.Little16("the planes");
-  header.bits = reader.Little16("the bits a pixel");
+  header.bits = reader.Little16("the bits per pixel");
   const std::uint32_t compression = reader.Little32("the compression");
   reader.Take(12, "the info header");
   header.palette_size = reader.Little32("the palette size");
   reader.Take(4, "the info header");
 
   if (header.bits != 8 && header.bits != 24 && header.bits != 32) {
-    reader.Fail("has " + std::to_string(header.bits) + " bits a pixel; 8, 24 and 32 are read");
+    reader.Fail("has " + std::to_string(header.bits) + " bits per pixel; 8, 24 and 32 are read");
   }
   const bool has_bit_fields = compression == 3 && header.bits == 32;
   if (has_bit_fields) CheckBitFields(reader);

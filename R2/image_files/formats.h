@@ -22,10 +22,10 @@ inline double EncodedChannel(double channel, const ImageEncoding& encoding) {
   return encoding.srgb ? EncodeSrgb(channel) : channel;
 }
 
-/// One row as bytes, r g b a pixel; y from the bottom.
+/// One row as bytes, three (r, g, b) per pixel; y from the bottom.
 std::vector<unsigned char> ByteRow(const Image& image, int y, const ImageEncoding& encoding);
 
-/// The inverse, without any curve; `bytes` holds r g b for every pixel of the row.
+/// The inverse, without any curve; `bytes` holds three (r, g, b) per pixel of the row.
 void SetByteRow(Image& image, int y, std::span<const unsigned char> bytes);
 
 }  // namespace R2

@@ -18,9 +18,9 @@ namespace jpeg {
 namespace {
 
 constexpr std::size_t marker_capacity = 65533;  // a marker's length has 16 bits and counts itself
-// Up to as many pixels, a file gets codes of its own instead of the standard's: the same pixels in 3 to 10 % fewer
-// bytes (the pictures of art/ at quality 88), or a quarter fewer where most is even. For that libjpeg keeps all
-// coefficients, 6 bytes a pixel, here 384 MiB.
+// Up to this many pixels, Huffman tables are optimized for the image: the same pixels in 3 to 10 % fewer bytes (the
+// pictures of art/ at quality 88), or a quarter fewer where most is even. For that libjpeg keeps all coefficients, 6
+// bytes per pixel, here 384 MiB.
 constexpr std::int64_t most_to_optimize = std::int64_t{1} << 26;
 
 struct ErrorManager {

@@ -27,7 +27,7 @@ constexpr png_uint_32 most_chunks = 64;
 
 // Renderings take .4 to .5 of the time of the library's own level 6 to be packed, and up to 6 % more bytes; below 4 the
 // sizes grow faster than the time falls.
-constexpr int packing_level = 4;
+constexpr int compression_level = 4;
 
 // Deflate makes at most 258 bytes out of two bits.
 constexpr std::uint64_t most_deflate_ratio = 1032;
@@ -317,7 +317,7 @@ class Writer {
     }
     png_set_write_fn(png_, this, OnWrite, nullptr);
     png_set_user_limits(png_, max_pixels, max_pixels);
-    png_set_compression_level(png_, packing_level);
+    png_set_compression_level(png_, compression_level);
   }
   ~Writer() { png_destroy_write_struct(&png_, &info_); }
   Writer(const Writer&) = delete;

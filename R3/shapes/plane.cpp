@@ -2,6 +2,7 @@
 
 #include "R1/DoubleDouble.h"
 #include "R3/GridMesh.h"
+#include "R3/LeastAxis.h"
 #include "R3/ShapeKind.h"
 
 namespace R3 {
@@ -60,12 +61,7 @@ class Plane : public Shape {
 
  private:
   static double Fraction(double x) { return x - std::floor(x); }
-  /// From the axis that the plane is least perpendicular to.
-  static Vector AnyPerpendicular(const Vector& n) {
-    const Vector a = Abs(n);
-    const Vector axis = a.x <= a.y && a.x <= a.z ? Vector{1, 0, 0} : a.y <= a.z ? Vector{0, 1, 0} : Vector{0, 0, 1};
-    return Unit(Cross(axis, n));
-  }
+  static Vector AnyPerpendicular(const Vector& n) { return Unit(Cross(LeastAxis(n), n)); }
   /// Of a place from the plane, along the normal.
   double DistanceTimesLength(const Point& p) const {
     DoubleDouble sum;

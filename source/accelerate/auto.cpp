@@ -6,6 +6,7 @@
 #include "R1/Elementary.h"
 #include "source/accelerate/Accelerator.h"
 #include "source/accelerate/twolevel/PrimitiveSet.h"
+#include "source/text/NumberText.h"
 
 namespace ray {
 namespace {
@@ -13,13 +14,6 @@ namespace {
 constexpr std::int64_t few_primitives = 3;  // tested in the time that it takes to find out which to test
 constexpr double thin_from = 12;            // box over triangle area from which a grid is worth a try; 3 is compact
 constexpr double pays_from = 20;            // rays per primitive from which building a second structure is forgotten
-
-std::string Rounded(double x, int digits = 1) {
-  const double scale = R1::Pow(10, digits);
-  std::string text = std::to_string(std::round(x * scale) / scale);
-  text.erase(text.find('.') + 1 + static_cast<std::size_t>(digits));
-  return text;
-}
 
 /// Area of the boxes of triangles over that of the triangles themselves, both sides: what a ray that enters a box
 /// has against it. About 3 for compact triangles in any position, over 100 for slanted hairs.
@@ -87,8 +81,8 @@ std::unique_ptr<Accelerator> Try(const std::string& shown, const World& world, c
   }
   const double per_ray = 1e9 / static_cast<double>(rays.size());
   auto faster = std::move(grid_seconds < bvh_seconds ? grid : bvh);
-  faster->reasons = {"auto tried " + std::to_string(rays.size()) + " rays: bvh " + Rounded(bvh_seconds * per_ray, 0) +
-                         " ns, grid " + Rounded(grid_seconds * per_ray, 0) + " ns per ray",
+  faster->reasons = {"auto tried " + std::to_string(rays.size()) + " rays: bvh " + Fixed(bvh_seconds * per_ray, 0) +
+                         " ns, grid " + Fixed(grid_seconds * per_ray, 0) + " ns per ray",
                      "auto takes " + faster->kind + ": the faster one; it tried because " + shown};
   return faster;
 }
@@ -100,11 +94,11 @@ std::unique_ptr<Accelerator> Choose(const World& world, const AcceleratorSetting
     return take("none", std::to_string(world.Primitives()) + " primitives are tested faster than sorted");
   const PrimitiveSet primitives(world);
   const double thinness = Thinness(primitives);
-  const std::string shown = "the boxes of its triangles have " + Rounded(thinness) + " times their area";
+  const std::string shown = "the boxes of its triangles have " + Fixed(thinness, 1) + " times their area";
   if (thinness < thin_from)
     return take("bvh",
                 "more than " + std::to_string(few_primitives) + " primitives, and " +
-                    (thinness > 0 ? shown + " (thin from " + Rounded(thin_from) + ")" : "no triangles in the world"));
+                    (thinness > 0 ? shown + " (thin from " + Fixed(thin_from, 1) + ")" : "no triangles in the world"));
   if (settings.expected_rays < pays_from * static_cast<double>(primitives.Size()))
     return take("grid", shown + ": too thin for boxes; too few rays to try others");
   return Try(shown, world, settings);

@@ -2,7 +2,7 @@
 
 #include <atomic>
 
-/// Being told to stop.
+/// Stop requests by signal.
 namespace ray {
 
 /// Makes the program outlive its terminal and its readers: writing to a closed pipe or beyond a file size limit is an

@@ -65,27 +65,36 @@ Assets::BoxedMesh Assets::ReadMesh(const FoundFile& file, Normals use) {
 std::shared_ptr<const Texture> Assets::Image(const std::string& name, const std::string& named_in, Use use) {
   const FoundFile file = files_.Find(name, named_in);
   const auto [place, is_new] = images_.try_emplace({file.canonical, use});
-  if (is_new) place->second = std::make_shared<const Texture>(Texture{ReadImage(file, use), file.canonical});
+  if (is_new)
+    place->second = std::make_shared<const Texture>(Texture{DecodeImage(file, Read(file), use), file.canonical});
   return place->second;
 }
 
 std::shared_ptr<const Environment> Assets::EnvironmentNamed(const std::string& name, const std::string& named_in) {
   const FoundFile file = files_.Find(name, named_in);
   const auto [place, is_new] = environments_.try_emplace(file.canonical);
-  if (is_new) place->second = EnvironmentOf(file);
+  if (!is_new) return place->second;
+  if (environment_is_replaced_)
+    files_read_.insert(file.shown);  // it is the scene's all the same
+  else
+    place->second = EnvironmentOf(file, Read(file));
   return place->second;
 }
 
-std::shared_ptr<const Environment> Assets::EnvironmentOf(const FoundFile& file) {
+std::shared_ptr<const Environment> Assets::EnvironmentAtTop(const Files& files) {
+  const FoundFile file = files.Top();
+  return EnvironmentOf(file, files.Read(file));
+}
+
+std::shared_ptr<const Environment> Assets::EnvironmentOf(const FoundFile& file, const std::string& bytes) {
   try {
-    return std::make_shared<const Environment>(ReadImage(file, Use::color), file.canonical);
+    return std::make_shared<const Environment>(DecodeImage(file, bytes, Use::color), file.canonical);
   } catch (const std::invalid_argument& error) {
     throw FileError{"cannot use " + QuotedPath(file.shown) + " as an environment: " + error.what(), {}};
   }
 }
 
-R2::Image Assets::ReadImage(const FoundFile& file, Use use) {
-  const std::string bytes = Read(file);
+R2::Image Assets::DecodeImage(const FoundFile& file, const std::string& bytes, Use use) {
   try {
     const R2::ImageSize size = R2::ReadImageSize(BytesOf(bytes));
     texels_ += std::int64_t{size.width} * size.height;

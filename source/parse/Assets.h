@@ -23,6 +23,7 @@ class Assets {
       : files_(files),
         report_(report),
         decode_srgb_(options.decode_srgb),
+        environment_is_replaced_(!options.environment.empty()),
         max_texture_bytes_(options.max_texture_bytes) {}
 
   /// A mesh and the box around it, which costs a walk over all triangles.
@@ -41,24 +42,28 @@ class Assets {
   /// Throws FileError; null when the file failed before.
   std::shared_ptr<const Texture> Image(const std::string& name, const std::string& named_in, Use use);
 
-  /// Light from all around. Throws FileError; null when the file failed before.
+  /// Light from all around. Throws FileError; null when the file failed before, or the options name another
+  /// environment: then the file is found and not decoded.
   std::shared_ptr<const Environment> EnvironmentNamed(const std::string& name, const std::string& named_in);
-  std::shared_ptr<const Environment> EnvironmentOf(const FoundFile& file);
+  /// Of the file at the top of `files`, which the user named and which may lie anywhere. Throws FileError.
+  std::shared_ptr<const Environment> EnvironmentAtTop(const Files& files);
 
   /// The files read so far, as they are shown to the user.
   const std::set<std::string>& FilesRead() const { return files_read_; }
 
  private:
   std::string Read(const FoundFile& file);
+  std::shared_ptr<const Environment> EnvironmentOf(const FoundFile& file, const std::string& bytes);
   /// Whether the normals that a file brings are to be used, and their absence is worth a warning.
   enum class Normals { unused, if_any, wanted };
   BoxedMesh MeshOf(const FoundFile& file, Normals use);
   BoxedMesh ReadMesh(const FoundFile& file, Normals use);
-  R2::Image ReadImage(const FoundFile& file, Use use);
+  R2::Image DecodeImage(const FoundFile& file, const std::string& bytes, Use use);
 
   const Files& files_;
   Report& report_;
   bool decode_srgb_;
+  bool environment_is_replaced_;
   std::int64_t max_texture_bytes_;
   std::map<std::pair<std::string, Normals>, BoxedMesh> meshes_;
   std::map<std::pair<std::string, Use>, std::shared_ptr<const Texture>> images_;

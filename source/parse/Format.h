@@ -9,6 +9,7 @@
 
 namespace ray {
 
+class Assets;
 class Document;
 
 /// One line of formats.def: a language scenes are written in. Its reader is one of two.
@@ -18,9 +19,9 @@ struct SceneFormat {
   const char* about;                    // one line
   /// Reads the scene that is at the top of `files`; mistakes and remarks go to `report`, and with one mistake there the
   /// scene is worth nothing.
-  Scene (*read)(const Files& files, const ParseOptions& options, Report& report) = nullptr;
+  Scene (*read)(const Files& files, const ParseOptions& options, Assets& assets, Report& report) = nullptr;
   /// The same for languages within YAML or JSON.
-  Scene (*read_document)(const Files& files, const ParseOptions& options, const Document& document,
+  Scene (*read_document)(const ParseOptions& options, const Document& document, Assets& assets,
                          Report& report) = nullptr;
   /// Keys at the top of a document by which this language is known among those that share its extension.
   std::vector<const char*> keys{};

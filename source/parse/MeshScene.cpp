@@ -2,17 +2,15 @@
 
 #include <utility>
 
-#include "source/parse/Assets.h"
 #include "source/parse/SceneBuilder.h"
 #include "source/parse/Text.h"
 
 namespace ray {
 
-Scene ReadMeshScene(const Files& files, const ParseOptions& options, Report& report) {
+Scene ReadMeshScene(const Files& files, Assets& assets, Report& report) {
   SceneBuilder builder;
   builder.scene.files.push_back(files.TopName());
   try {
-    Assets assets(files, report, options);
     const Assets::BoxedMesh boxed = assets.MeshOf(files.Top());
     Node node;
     node.shape = boxed.mesh;

@@ -92,12 +92,12 @@ bool IsJson(const Files& files, const SceneFormat& format) {
 }
 
 Scene ReadDocumentScene(const std::vector<const SceneFormat*>& candidates, const Files& files,
-                        const ParseOptions& options, Report& report) {
+                        const ParseOptions& options, Assets& assets, Report& report) {
   const Text text{files.TopName(), files.Read(files.Top())};
   const TextPlaces places(text);
   const Document document =
       IsJson(files, *candidates.front()) ? ReadJson(text, places, report) : ReadYaml(text, places, report);
-  Scene scene = FormatByKeys(candidates, document).read_document(files, options, document, report);
+  Scene scene = FormatByKeys(candidates, document).read_document(options, document, assets, report);
   report.ThrowErrors();
   return scene;
 }
@@ -112,13 +112,13 @@ std::vector<const SceneFormat*> FormatsFor(const Files& files, const ParseOption
   return candidates;
 }
 
-Scene ReadScene(const Files& files, const ParseOptions& options, Report& report) {
+Scene ReadScene(const Files& files, const ParseOptions& options, Assets& assets, Report& report) {
   const auto candidates = FormatsFor(files, options);
   if (!candidates.empty()) {
-    if (candidates.front()->read_document) return ReadDocumentScene(candidates, files, options, report);
-    return candidates.front()->read(files, options, report);
+    if (candidates.front()->read_document) return ReadDocumentScene(candidates, files, options, assets, report);
+    return candidates.front()->read(files, options, assets, report);
   }
-  if (MeshFormatForName(files.TopName())) return ReadMeshScene(files, options, report);
+  if (MeshFormatForName(files.TopName())) return ReadMeshScene(files, assets, report);
   const std::string extension = ExtensionOf(files);
   if (extension.empty()) files.Top();  // that there is no such file says more
   throw ErrorIn(files.TopName(), extension.empty() ? "no file extension" : "cannot read " + Quoted(extension),
@@ -126,14 +126,13 @@ Scene ReadScene(const Files& files, const ParseOptions& options, Report& report)
 }
 
 /// The environment that the user names, wherever it lies.
-void SetEnvironment(const ParseOptions& options, Report& report, Scene& scene) {
-  const Files files(options.environment, {});
-  Assets assets(files, report, options);
+void SetEnvironment(const std::string& file, Assets& assets, Report& report, Scene& scene) {
+  const Files files(file, {});
   try {
-    scene.environment = assets.EnvironmentOf(files.Top());
+    scene.environment = assets.EnvironmentAtTop(files);
     scene.files.push_back(files.TopName());
   } catch (const FileError& error) {
-    report.Error(ErrorIn(options.environment, error.message));
+    report.Error(ErrorIn(file, error.message, error.hint));
   }
 }
 
@@ -143,8 +142,9 @@ ParsedScene Parse(const std::string& file, const ParseOptions& options) {
   Report report;
   try {
     const Files files(file, options.allowed_folders);
-    ParsedScene parsed{ReadScene(files, options, report), {}};
-    if (!options.environment.empty()) SetEnvironment(options, report, parsed.scene);
+    Assets assets(files, report, options);
+    ParsedScene parsed{ReadScene(files, options, assets, report), {}};
+    if (!options.environment.empty()) SetEnvironment(options.environment, assets, report, parsed.scene);
     report.ThrowErrors();
     parsed.warnings = report.Warnings();
     return parsed;

@@ -41,8 +41,8 @@ struct ParsedScene {
 };
 
 /// Reads a scene file; its format is decided by extension (formats.def), and among formats of one extension by the keys
-/// at its top. A file of a mesh is a scene of that mesh
-/// alone. Defaults for camera and lights are filled in. Throws SceneErrors, whose what() is the whole report.
+/// at its top. A file of a mesh is a scene of that mesh alone. Defaults for camera and lights are filled in. Throws
+/// SceneErrors, whose what() is the whole report.
 ParsedScene Parse(const std::string& file, const ParseOptions& options);
 
 }  // namespace ray

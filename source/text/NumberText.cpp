@@ -1,5 +1,8 @@
 #include "source/text/NumberText.h"
 
+#include <cmath>
+#include <cstdint>
+
 namespace ray {
 namespace {
 
@@ -19,6 +22,10 @@ std::string Rounded(double number, int digits) {
   const auto [end, error] =
       std::to_chars(text.data(), text.data() + text.size(), number, std::chars_format::general, digits);
   return std::string(text.data(), end);
+}
+
+std::string CountText(double count) {
+  return count == std::floor(count) ? ToText(static_cast<std::int64_t>(count)) : ToText(count);
 }
 
 }  // namespace ray

@@ -21,4 +21,7 @@ std::string ToText(T number) {
 /// With at most `digits` digits that count.
 std::string Rounded(double number, int digits);
 
+/// A count or a mean of counts, below 2^63, that reads back as the same number: "1000000", "24.3125".
+std::string CountText(double count);
+
 }  // namespace ray

@@ -24,6 +24,20 @@ DrawingSpace DrawingSpace::Of(const R3::Box& scene) {
   return space;
 }
 
+ClipMatrix FromRows(const std::array<ClipRow, 4>& rows) {
+  ClipMatrix matrix{};
+  for (std::size_t r = 0; r < 4; ++r)
+    for (std::size_t c = 0; c < 4; ++c) matrix[4 * c + r] = rows[r][c];
+  return matrix;
+}
+
+ClipMatrix Perspective(const R3::Vector& eye, const R3::Vector& towards, const R3::Vector& right, const R3::Vector& up,
+                       double nearest, double farthest) {
+  const double a = (farthest + nearest) / (farthest - nearest), b = -2 * farthest * nearest / (farthest - nearest);
+  return FromRows({Row(right, -Dot(right, eye)), Row(up, -Dot(up, eye)), Row(a * towards, b - a * Dot(towards, eye)),
+                   Row(towards, -Dot(towards, eye))});
+}
+
 void AddLine(Lines& lines, const std::array<float, 3>& from, const std::array<float, 3>& to, const Rgba& color) {
   lines.push_back({from, color});
   lines.push_back({to, color});

@@ -28,6 +28,13 @@ struct DrawingSpace {
 
 /// From a DrawingSpace to OpenGL's clip space, column by column.
 using ClipMatrix = std::array<double, 16>;
+using ClipRow = std::array<double, 4>;
+inline ClipRow Row(const R3::Vector& v, double last) { return {v.x, v.y, v.z, last}; }
+ClipMatrix FromRows(const std::array<ClipRow, 4>& rows);
+/// What an eye sees between two distances along `towards`, which is of length 1. `right` and `up` are as long as what
+/// is seen at distance 1 is wide and high, inverted.
+ClipMatrix Perspective(const R3::Vector& eye, const R3::Vector& towards, const R3::Vector& right, const R3::Vector& up,
+                       double nearest, double farthest);
 
 /// 8 bits per channel: red, green, blue, alpha.
 using Rgba = std::array<std::uint8_t, 4>;

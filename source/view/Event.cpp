@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
+
+#include "source/text/LowerCase.h"
 
 namespace ray {
 namespace {
@@ -21,11 +22,6 @@ constexpr std::array named_keys{
     NamedKey{Key::home, "Home"},      NamedKey{Key::end, "End"},
 };
 
-std::string Lower(std::string text) {
-  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return text;
-}
-
 bool IsBetween(Key key, Key first, Key last) { return first <= key && key <= last; }
 int Distance(Key key, Key first) { return static_cast<int>(key) - static_cast<int>(first); }
 
@@ -42,7 +38,7 @@ std::string NameOf(Key key) {
 }
 
 std::optional<Key> KeyNamed(const std::string& name) {
-  const auto is_it = [&](Key key) { return Lower(NameOf(key)) == Lower(name); };
+  const auto is_it = [&](Key key) { return LowerCase(NameOf(key)) == LowerCase(name); };
   const auto found_in = [&](Key first, Key last) -> std::optional<Key> {
     for (int k = static_cast<int>(first); k <= static_cast<int>(last); ++k)
       if (is_it(static_cast<Key>(k))) return static_cast<Key>(k);

@@ -15,6 +15,7 @@ namespace {
 constexpr std::array button_names{"left", "middle", "right"};
 constexpr int drag_moves = 8;
 constexpr double least_scale = 0.5, most_scale = 8;  // of screens that there are, and twice as far
+constexpr double most_seconds = 3600;                // of a step
 
 std::string Named(Button button) { return button_names[static_cast<std::size_t>(button)]; }
 
@@ -186,8 +187,7 @@ class Reader {
   double Seconds() {
     const Token word = Word("a number of seconds");
     const auto number = ParseNumber(word.text);
-    constexpr double most = 3600;
-    if (number.problem || number.value < 0 || number.value > most)
+    if (number.problem || number.value < 0 || number.value > most_seconds)
       throw ErrorAt(text_, word, "seconds must be a number from 0 to 3600");
     return number.value;
   }
@@ -229,16 +229,17 @@ class Reader {
     return {*key, modifiers};
   }
 
-  /// With the blanks inside.
+  /// Behind the first word: as it stands, with the blanks inside, and no # in it starts a comment.
   std::string RestOfLine(const std::string& what) {
-    const Token first = Word(what);
-    const char* const end_of_text = text_.bytes.data() + text_.bytes.size();
-    const char* end = first.text.data();
-    while (end != end_of_text && *end != '\n' && *end != '\r') ++end;
-    std::string rest(first.text.data(), end);
-    while (!rest.empty() && (rest.back() == ' ' || rest.back() == '\t')) rest.pop_back();
-    tokens_.SkipLine(first.line);
-    return rest;
+    std::string_view rest(text_.bytes);
+    rest.remove_prefix(static_cast<std::size_t>(line_.text.data() + line_.text.size() - rest.data()));
+    rest = rest.substr(0, rest.find_first_of("\r\n"));
+    constexpr std::string_view blanks = " \t";
+    const std::size_t first = rest.find_first_not_of(blanks);
+    if (first == std::string_view::npos) throw ErrorAt(text_, line_, what + " is missing");
+    rest = rest.substr(first, rest.find_last_not_of(blanks) + 1 - first);
+    tokens_.SkipLine(line_.line);
+    return std::string(rest);
   }
 
   const Text& text_;
@@ -257,23 +258,29 @@ std::string ScriptLine(const Event& event) {
   struct Writer {
     decltype(xy)& at;
     std::string operator()(const KeyEvent& e) const {
-      return (e.is_pressed ? "press " : "release ") + NameOf(e.key, e.modifiers);
+      return (e.is_pressed ? "press " : "release ") + NameOf(e.key, e.modifiers) + "\n";
     }
-    std::string operator()(const TextEvent& e) const { return "type " + e.text; }
+    std::string operator()(const TextEvent& e) const { return "type " + e.text + "\n"; }
     std::string operator()(const ButtonEvent& e) const {
-      return (e.is_pressed ? "down " : "up ") + Named(e.button) + at(e.x, e.y) + WithModifiers(e.modifiers);
+      return (e.is_pressed ? "down " : "up ") + Named(e.button) + at(e.x, e.y) + WithModifiers(e.modifiers) + "\n";
     }
-    std::string operator()(const MoveEvent& e) const { return "move" + at(e.x, e.y); }
-    std::string operator()(const ScrollEvent& e) const { return "scroll " + ToText(e.steps) + at(e.x, e.y); }
+    std::string operator()(const MoveEvent& e) const { return "move" + at(e.x, e.y) + "\n"; }
+    std::string operator()(const ScrollEvent& e) const { return "scroll " + ToText(e.steps) + at(e.x, e.y) + "\n"; }
     std::string operator()(const ResizeEvent& e) const {
+      if (e.width < 1 || e.height < 1) return {};
       return "resize " + std::to_string(e.width) + " " + std::to_string(e.height) +
-             (e.scale == 1 ? "" : " " + ToText(e.scale));
+             (e.scale == 1 ? "" : " " + ToText(e.scale)) + "\n";
     }
-    std::string operator()(const DropEvent& e) const { return "drop " + e.file; }
-    std::string operator()(const TickEvent& e) const { return "tick " + ToText(e.seconds); }
-    std::string operator()(const CloseEvent&) const { return "close"; }
+    std::string operator()(const DropEvent& e) const { return "drop " + e.file + "\n"; }
+    std::string operator()(const TickEvent& e) const {
+      std::string ticks;
+      double left = e.seconds;
+      for (; left > most_seconds; left -= most_seconds) ticks += "tick " + ToText(most_seconds) + "\n";
+      return ticks + "tick " + ToText(left) + "\n";
+    }
+    std::string operator()(const CloseEvent&) const { return "close\n"; }
   };
-  return std::visit(Writer{xy}, event) + "\n";
+  return std::visit(Writer{xy}, event);
 }
 
 }  // namespace ray

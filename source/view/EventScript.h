@@ -7,7 +7,8 @@
 #include "source/parse/Text.h"
 #include "source/view/Event.h"
 
-/// What happens to a viewer, as text written by people or recorded. One step per line; # starts a comment.
+/// What happens to a viewer, as text written by people or recorded. One step per line; # starts a comment,
+/// except in the rest of a line that is text or a name.
 ///
 ///     key Control+S              pressed and released
 ///     press W / release W
@@ -50,7 +51,7 @@ using ScriptStep = std::variant<Event, WaitForTrace, WaitForRows, WaitSeconds, S
 /// Throws SceneErrors that point at each mistake.
 std::vector<ScriptStep> ReadEventScript(const Text& text);
 
-/// An event as lines of a script, with an end of line.
+/// An event as lines of a script, each with its end. None for a window without a size, as one that is minimized has.
 std::string ScriptLine(const Event& event);
 
 }  // namespace ray

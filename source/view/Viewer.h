@@ -51,6 +51,8 @@ class ViewerHost {
   virtual void SaveDrawing() = 0;
   /// Writes rays as an .obj file.
   virtual std::string SaveRays(const std::string& obj) = 0;
+  /// Writes a file whole or not at all. Returns why it could not, else nothing.
+  virtual std::string SaveText(const std::string& file, const std::string& text) = 0;
   /// Null when it is no picture that can be read.
   virtual std::shared_ptr<const R2::Image> ReadPicture(const std::string& file) = 0;
   virtual void SetClipboard(const std::string& text) = 0;
@@ -181,7 +183,7 @@ class Viewer {
   void OnClick(const ButtonEvent& event);
   void PickAt(const R2::Point& position);
 
-  static std::vector<Binding> MakeBindings();
+  struct BindingTable;
   void StartTrace();
   /// Ends the uppermost of what is open: the help, the pick, the cross section, the trace.
   void Peel();

@@ -38,141 +38,189 @@ constexpr std::array headings{
 
 }  // namespace
 
-std::vector<Viewer::Binding> Viewer::MakeBindings() {
-  const auto toggle = [](const char* what, bool Viewer::*shows) {
+/// What keys do, one function for each group of them.
+struct Viewer::BindingTable {
+  static auto Toggle(const char* what, bool Viewer::*shows) {
     return [what, shows](Viewer& v) {
       v.*shows = !(v.*shows);
       v.InvalidateLines();
       v.ShowMessage(std::string(what) + (v.*shows ? " on" : " off"));
     };
-  };
-  const auto toggle_rays = [](ShownRays kind) { return [kind](Viewer& v) { v.ToggleRays(kind); }; };
-  const auto live = [](std::optional<RenderMode> mode = {}) { return [mode](Viewer& v) { v.ToggleLive(mode); }; };
-  const auto arrow = [](int right, int up) { return [right, up](Viewer& v) { v.MoveByArrow(right, up); }; };
-  const auto step_bounce = [](int by) {
+  }
+
+  static auto ToggleRays(ShownRays kind) {
+    return [kind](Viewer& v) { v.ToggleRays(kind); };
+  }
+
+  static auto Live(std::optional<RenderMode> mode = {}) {
+    return [mode](Viewer& v) { v.ToggleLive(mode); };
+  }
+
+  static auto Arrow(int right, int up) {
+    return [right, up](Viewer& v) { v.MoveByArrow(right, up); };
+  }
+
+  static auto StepBounce(int by) {
     return [by](Viewer& v) {
       v.rays_.StepBounce(by);
       v.InvalidateLines();
       const int deepest = v.rays_.Look().deepest;
       v.ShowMessage(deepest < 0 ? "rays of all bounces" : "rays of up to " + std::to_string(deepest) + " bounces");
     };
-  };
-  const auto along = [](const R3::Vector& towards, const R3::Vector& up) {
+  }
+
+  static auto Along(const R3::Vector& towards, const R3::Vector& up) {
     return [towards, up](Viewer& v) { v.navigator_.LookAlong(towards, up); };
-  };
-
-  std::vector<Binding> bindings{
-      {Key::s, plain, "render the view and save the image", [](Viewer& v) { v.StartTrace(); }},
-      {Key::i, plain,
-       "the rendered image flat: wheel zooms, drag moves, Shift+drag slides against reference or preview",
-       [](Viewer& v) { v.ToggleFlat(); }},
-      {Key::escape, plain, "close the help or the flat image, forget the pick, close the cross section, stop rendering",
-       [](Viewer& v) { v.Peel(); }},
-      {Key::q, plain, "quit; while a picture is being rendered, when pressed twice", [](Viewer& v) { v.Quit(); }},
-      {Key::p, plain, "toggle live rendering", live()},
-      {Key::v, plain, "toggle the rendered image in space", toggle("rendered image in space", &Viewer::shows_quad_)},
-      {Key::c, plain, "print the camera as a scene-file line and copy it to the clipboard",
-       [](Viewer& v) { v.PrintCamera(); }},
-      {Key::space, plain, "", [](Viewer& v) { v.PrintCamera(); }},
-
-      {Key::tab, plain, "toggle the panels: scene, picked pixel, settings, statistics",
-       [](Viewer& v) { v.TogglePanels(); }},
-      {Key::b, plain, "bounding boxes: none, scene graph, accelerator", [](Viewer& v) { v.CycleBoxes(); }},
-      {Key::comma, plain, "bounding boxes one level up", [](Viewer& v) { v.ChangeBoxLevel(-1); }},
-      {Key::period, plain, "bounding boxes one level down", [](Viewer& v) { v.ChangeBoxLevel(1); }},
-      {Key::e, plain, "toggle edges", toggle("edges", &Viewer::shows_edges_)},
-      {Key::w, plain, "toggle faces", toggle("faces", &Viewer::shows_faces_)},
-      {Key::l, plain, "toggle lights; F frames them as well", [](Viewer& v) { v.ToggleLights(); }},
-      {Key::l, shift, "toggle shadows of the preview, from as many of the strongest lights as there is room for",
-       toggle("shadows", &Viewer::shows_shadows_)},
-      {Key::c, shift, "toggle the scene's camera", toggle("the scene's camera", &Viewer::shows_camera_)},
-
-      {Key::f, plain, "frame the whole scene", [](Viewer& v) { v.navigator_.Frame(v.BoxToFrame()); }},
-      {Key::f, shift, "frame the picked object", [](Viewer& v) { v.FramePicked(); }},
-      {Key::t, plain, "rotation as a turntable, with a level horizon, or freely",
-       [](Viewer& v) {
-         v.navigator_.ToggleTurntable();
-         v.ShowMessage(v.navigator_.IsTurntable() ? "rotates as a turntable" : "rotates freely");
-       }},
-      {Key::left_bracket, plain, "narrow the field of view", [](Viewer& v) { v.navigator_.Widen(1 / wider); }},
-      {Key::right_bracket, plain, "widen the field of view", [](Viewer& v) { v.navigator_.Widen(wider); }},
-      {Key::z, plain, "previous view", [](Viewer& v) { v.navigator_.Back(); }},
-      {Key::z, shift, "next view", [](Viewer& v) { v.navigator_.Forward(); }},
-      {Key::pad_1, plain, "look along -z", along({0, 0, -1}, {0, 1, 0})},
-      {Key::pad_3, plain, "look along -x", along({-1, 0, 0}, {0, 1, 0})},
-      {Key::pad_7, plain, "look along -y", along({0, -1, 0}, {0, 0, -1})},
-      {Key::pad_0, plain, "the scene's camera", [](Viewer& v) { v.navigator_.Go(v.scene_->parsed.scene.camera); }},
-
-      {Key::g, plain, "toggle the rays of every 25th pixel", [](Viewer& v) { v.ToggleGrid(); }},
-      {Key::f2, plain, "toggle camera rays", toggle_rays(ShownRays::camera)},
-      {Key::f3, plain, "toggle shadow rays", toggle_rays(ShownRays::shadow)},
-      {Key::f4, plain, "toggle reflected and scattered rays", toggle_rays(ShownRays::reflection)},
-      {Key::f5, plain, "toggle transmitted rays", toggle_rays(ShownRays::transmission)},
-      {Key::f6, plain, "toggle normals at hit points", [](Viewer& v) { v.ToggleNormals(); }},
-      {Key::n, plain, "show one more bounce", step_bounce(1)},
-      {Key::n, shift, "show one bounce fewer", step_bounce(-1)},
-      {Key::o, plain, "save the rays as an .obj file", [](Viewer& v) { v.SaveRays(); }},
-      {Key::backspace, plain, "clear the pixel's rays",
-       [](Viewer& v) {
-         v.rays_.ForgetPixel();
-         v.InvalidateLines();
-         v.ShowMessage("the pixel's rays are cleared");
-       }},
-      {Key::left, plain, "step to the next pixel, or move the cross section", arrow(-1, 0)},
-      {Key::right, plain, "", arrow(1, 0)},
-      {Key::up, plain, "", arrow(0, 1)},
-      {Key::down, plain, "", arrow(0, -1)},
-
-      {Key::x, plain, "toggle the cross section", [](Viewer& v) { v.ToggleSection(); }},
-      {Key::x, shift, "plane of the cross section: camera row, xz, yz, xy",
-       [](Viewer& v) {
-         v.section_.NextPlane();
-         v.arrows_move_section_ = true;
-         v.section_drawing_.reset();
-         if (v.section_.IsShown()) v.MakeSection();
-         v.ShowMessage("cross section: " + v.section_.Describe(v.size_.height));
-       }},
-
-      {Key::f7, plain, "live depth", live(RenderMode::depth)},
-      {Key::f8, plain, "live normals", live(RenderMode::normal)},
-      {Key::f9, plain, "live texture coordinates", live(RenderMode::uv)},
-      {Key::f10, plain, "live primitive ids", live(RenderMode::id)},
-      {Key::f11, plain, "live rays per pixel", live(RenderMode::rays)},
-      {Key::f12, plain, "live cost per pixel", live(RenderMode::heat)},
-
-      {Key::r, plain, "keep the rendered image as the reference", [](Viewer& v) { v.KeepReference(); }},
-      {Key::r, shift, "show the reference while held",
-       [](Viewer& v) { v.Compare(TracedPictures::Comparing::reference); },
-       [](Viewer& v) {
-         if (v.pictures_.HowCompared() == TracedPictures::Comparing::reference)
-           v.Compare(TracedPictures::Comparing::no);
-       }},
-      {Key::d, plain, "toggle the difference from the reference",
-       [](Viewer& v) { v.Compare(TracedPictures::Comparing::difference); }},
-      {Key::up, control, "one stop brighter", [](Viewer& v) { v.ChangeExposure(1); }},
-      {Key::down, control, "one stop darker", [](Viewer& v) { v.ChangeExposure(-1); }},
-      {Key::digit_0, control, "reset the exposure", [](Viewer& v) { v.ChangeExposure(0); }},
-      {Key::f1, plain, "save a screenshot", [](Viewer& v) { v.host_.SaveDrawing(); }},
-      {Key::r, control, "reload the scene", [](Viewer& v) { v.Reload(); }},
-      {Key::h, plain, "this help, page by page", [](Viewer& v) { v.TurnHelpPage(); }},
-      {Key::slash, plain, "", [](Viewer& v) { v.TurnHelpPage(); }},
-      {Key::slash, shift, "", [](Viewer& v) { v.TurnHelpPage(); }},
-  };
-  for (int digit = 1; digit <= 9; ++digit) {
-    const Key key = static_cast<Key>(static_cast<int>(Key::digit_0) + digit);
-    bindings.push_back(
-        {key, plain, digit == 1 ? "go to bookmark 1 to 9" : "", [digit](Viewer& v) { v.RecallBookmark(digit); }});
   }
-  for (int digit = 1; digit <= 9; ++digit) {
-    const Key key = static_cast<Key>(static_cast<int>(Key::digit_0) + digit);
-    bindings.push_back({key, control, digit == 1 ? "save the view as bookmark 1 to 9" : "",
-                        [digit](Viewer& v) { v.KeepBookmark(digit); }});
+
+  static std::vector<Binding> Rendering() {
+    return {
+        {Key::s, plain, "render the view and save the image", [](Viewer& v) { v.StartTrace(); }},
+        {Key::i, plain,
+         "the rendered image flat: wheel zooms, drag moves, Shift+drag slides against reference or preview",
+         [](Viewer& v) { v.ToggleFlat(); }},
+        {Key::escape, plain,
+         "close the help or the flat image, forget the pick, close the cross section, stop rendering",
+         [](Viewer& v) { v.Peel(); }},
+        {Key::q, plain, "quit; while a picture is being rendered, when pressed twice", [](Viewer& v) { v.Quit(); }},
+        {Key::p, plain, "toggle live rendering", Live()},
+        {Key::v, plain, "toggle the rendered image in space", Toggle("rendered image in space", &Viewer::shows_quad_)},
+        {Key::c, plain, "print the camera as a scene-file line and copy it to the clipboard",
+         [](Viewer& v) { v.PrintCamera(); }},
+        {Key::space, plain, "", [](Viewer& v) { v.PrintCamera(); }},
+    };
   }
-  return bindings;
-}
+
+  static std::vector<Binding> WhatIsShown() {
+    return {
+        {Key::tab, plain, "toggle the panels: scene, picked pixel, settings, statistics",
+         [](Viewer& v) { v.TogglePanels(); }},
+        {Key::b, plain, "bounding boxes: none, scene graph, accelerator", [](Viewer& v) { v.CycleBoxes(); }},
+        {Key::comma, plain, "bounding boxes one level up", [](Viewer& v) { v.ChangeBoxLevel(-1); }},
+        {Key::period, plain, "bounding boxes one level down", [](Viewer& v) { v.ChangeBoxLevel(1); }},
+        {Key::e, plain, "toggle edges", Toggle("edges", &Viewer::shows_edges_)},
+        {Key::w, plain, "toggle faces", Toggle("faces", &Viewer::shows_faces_)},
+        {Key::l, plain, "toggle lights; F frames them as well", [](Viewer& v) { v.ToggleLights(); }},
+        {Key::l, shift, "toggle shadows of the preview, from as many of the strongest lights as there is room for",
+         Toggle("shadows", &Viewer::shows_shadows_)},
+        {Key::c, shift, "toggle the scene's camera", Toggle("the scene's camera", &Viewer::shows_camera_)},
+    };
+  }
+
+  static std::vector<Binding> CameraMoves() {
+    return {
+        {Key::f, plain, "frame the whole scene", [](Viewer& v) { v.navigator_.Frame(v.BoxToFrame()); }},
+        {Key::f, shift, "frame the picked object", [](Viewer& v) { v.FramePicked(); }},
+        {Key::t, plain, "rotation as a turntable, with a level horizon, or freely",
+         [](Viewer& v) {
+           v.navigator_.ToggleTurntable();
+           v.ShowMessage(v.navigator_.IsTurntable() ? "rotates as a turntable" : "rotates freely");
+         }},
+        {Key::left_bracket, plain, "narrow the field of view", [](Viewer& v) { v.navigator_.Widen(1 / wider); }},
+        {Key::right_bracket, plain, "widen the field of view", [](Viewer& v) { v.navigator_.Widen(wider); }},
+        {Key::z, plain, "previous view", [](Viewer& v) { v.navigator_.Back(); }},
+        {Key::z, shift, "next view", [](Viewer& v) { v.navigator_.Forward(); }},
+        {Key::pad_1, plain, "look along -z", Along({0, 0, -1}, {0, 1, 0})},
+        {Key::pad_3, plain, "look along -x", Along({-1, 0, 0}, {0, 1, 0})},
+        {Key::pad_7, plain, "look along -y", Along({0, -1, 0}, {0, 0, -1})},
+        {Key::pad_0, plain, "the scene's camera", [](Viewer& v) { v.navigator_.Go(v.scene_->parsed.scene.camera); }},
+    };
+  }
+
+  static std::vector<Binding> Rays() {
+    return {
+        {Key::g, plain, "toggle the rays of every 25th pixel", [](Viewer& v) { v.ToggleGrid(); }},
+        {Key::f2, plain, "toggle camera rays", ToggleRays(ShownRays::camera)},
+        {Key::f3, plain, "toggle shadow rays", ToggleRays(ShownRays::shadow)},
+        {Key::f4, plain, "toggle reflected and scattered rays", ToggleRays(ShownRays::reflection)},
+        {Key::f5, plain, "toggle transmitted rays", ToggleRays(ShownRays::transmission)},
+        {Key::f6, plain, "toggle normals at hit points", [](Viewer& v) { v.ToggleNormals(); }},
+        {Key::n, plain, "show one more bounce", StepBounce(1)},
+        {Key::n, shift, "show one bounce fewer", StepBounce(-1)},
+        {Key::o, plain, "save the rays as an .obj file", [](Viewer& v) { v.SaveRays(); }},
+        {Key::backspace, plain, "clear the pixel's rays",
+         [](Viewer& v) {
+           v.rays_.ForgetPixel();
+           v.InvalidateLines();
+           v.ShowMessage("the pixel's rays are cleared");
+         }},
+        {Key::left, plain, "step to the next pixel, or move the cross section", Arrow(-1, 0)},
+        {Key::right, plain, "", Arrow(1, 0)},
+        {Key::up, plain, "", Arrow(0, 1)},
+        {Key::down, plain, "", Arrow(0, -1)},
+    };
+  }
+
+  static std::vector<Binding> CrossSection() {
+    return {
+        {Key::x, plain, "toggle the cross section", [](Viewer& v) { v.ToggleSection(); }},
+        {Key::x, shift, "plane of the cross section: camera row, xz, yz, xy",
+         [](Viewer& v) {
+           v.section_.NextPlane();
+           v.arrows_move_section_ = true;
+           v.section_drawing_.reset();
+           if (v.section_.IsShown()) v.MakeSection();
+           v.ShowMessage("cross section: " + v.section_.Describe(v.size_.height));
+         }},
+    };
+  }
+
+  static std::vector<Binding> FalseColors() {
+    return {
+        {Key::f7, plain, "live depth", Live(RenderMode::depth)},
+        {Key::f8, plain, "live normals", Live(RenderMode::normal)},
+        {Key::f9, plain, "live texture coordinates", Live(RenderMode::uv)},
+        {Key::f10, plain, "live primitive ids", Live(RenderMode::id)},
+        {Key::f11, plain, "live rays per pixel", Live(RenderMode::rays)},
+        {Key::f12, plain, "live cost per pixel", Live(RenderMode::heat)},
+    };
+  }
+
+  static std::vector<Binding> ComparingAndTheRest() {
+    return {
+        {Key::r, plain, "keep the rendered image as the reference", [](Viewer& v) { v.KeepReference(); }},
+        {Key::r, shift, "show the reference while held",
+         [](Viewer& v) { v.Compare(TracedPictures::Comparing::reference); },
+         [](Viewer& v) {
+           if (v.pictures_.HowCompared() == TracedPictures::Comparing::reference)
+             v.Compare(TracedPictures::Comparing::no);
+         }},
+        {Key::d, plain, "toggle the difference from the reference",
+         [](Viewer& v) { v.Compare(TracedPictures::Comparing::difference); }},
+        {Key::up, control, "one stop brighter", [](Viewer& v) { v.ChangeExposure(1); }},
+        {Key::down, control, "one stop darker", [](Viewer& v) { v.ChangeExposure(-1); }},
+        {Key::digit_0, control, "reset the exposure", [](Viewer& v) { v.ChangeExposure(0); }},
+        {Key::f1, plain, "save a screenshot", [](Viewer& v) { v.host_.SaveDrawing(); }},
+        {Key::r, control, "reload the scene", [](Viewer& v) { v.Reload(); }},
+        {Key::h, plain, "this help, page by page", [](Viewer& v) { v.TurnHelpPage(); }},
+        {Key::slash, plain, "", [](Viewer& v) { v.TurnHelpPage(); }},
+        {Key::slash, shift, "", [](Viewer& v) { v.TurnHelpPage(); }},
+    };
+  }
+
+  static std::vector<Binding> OfBookmarks() {
+    std::vector<Binding> bindings;
+    const auto key = [](int digit) { return static_cast<Key>(static_cast<int>(Key::digit_0) + digit); };
+    for (int digit = 1; digit <= 9; ++digit)
+      bindings.push_back({key(digit), plain, digit == 1 ? "go to bookmark 1 to 9" : "",
+                          [digit](Viewer& v) { v.RecallBookmark(digit); }});
+    for (int digit = 1; digit <= 9; ++digit)
+      bindings.push_back({key(digit), control, digit == 1 ? "save the view as bookmark 1 to 9" : "",
+                          [digit](Viewer& v) { v.KeepBookmark(digit); }});
+    return bindings;
+  }
+
+  static std::vector<Binding> All() {
+    std::vector<Binding> all;
+    for (const auto& group : {Rendering(), WhatIsShown(), CameraMoves(), Rays(), CrossSection(), FalseColors(),
+                              ComparingAndTheRest(), OfBookmarks()})
+      all.insert(all.end(), group.begin(), group.end());
+    return all;
+  }
+};
 
 const std::vector<Viewer::Binding>& Viewer::Bindings() {
-  static const std::vector<Binding> bindings = MakeBindings();
+  static const std::vector<Binding> bindings = BindingTable::All();
   return bindings;
 }
 

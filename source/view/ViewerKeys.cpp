@@ -88,16 +88,18 @@ void Viewer::ChangeBoxLevel(int by) {
 void Viewer::FramePicked() {
   if (!pick_ || !pick_->point) return ShowMessage("nothing is picked; click an object first");
   const Instance& instance = scene_->world.Instances()[pick_->instance];
-  if (!instance.is_bounded) return ShowMessage("it has no end, and cannot be framed");
+  if (!instance.is_bounded) return ShowMessage("it is infinite and cannot be framed");
   const R3::Box box = scene_->world.InWorld(instance.frame, R3::Bounds(*instance.shape));
   navigator_.SetPivot(pick_->point);
   navigator_.Frame(box);
 }
 
 void Viewer::KeepBookmark(int digit) {
-  const bool is_kept = bookmarks_.Keep(digit, navigator_.camera());
+  bookmarks_.Set(digit, navigator_.camera());
+  const std::string problem = bookmarks_.File().empty() ? "the scene is no file for them to be kept beside"
+                                                        : host_.SaveText(bookmarks_.File(), bookmarks_.Text());
   ShowMessage("bookmark " + std::to_string(digit) +
-              (is_kept ? " saved" : " lasts for this session only: cannot write " + bookmarks_.File()));
+              (problem.empty() ? " saved" : " lasts for this session only: " + problem));
 }
 
 void Viewer::RecallBookmark(int digit) {

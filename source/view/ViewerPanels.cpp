@@ -111,7 +111,7 @@ void Viewer::FrameChosenNode() {
   if (!chosen_node_) return;
   const World& world = scene_->world;
   const R3::Box box = world.InWorld(FrameAround(world, *chosen_node_), world.Nodes()[*chosen_node_].node->bounds);
-  if (box.IsEmpty()) return ShowMessage("it has no end, or nothing in it, and cannot be framed");
+  if (box.IsEmpty()) return ShowMessage("it is infinite or empty and cannot be framed");
   navigator_.Frame(box);
 }
 

@@ -75,7 +75,7 @@ TEST(Bmp, PalettesAreReadAndPixelsBeyondThemRefused) {
 
 TEST(Bmp, WhatIsNotReadIsNamed) {
   EXPECT_EQ(Complaint(Headers(54, 1, 1, 8, 1) + Bytes(2000)), "BMP is compressed; only uncompressed ones are read");
-  EXPECT_EQ(Complaint(Headers(54, 1, 1, 16) + Bytes(2000)), "BMP has 16 bits a pixel; 8, 24 and 32 are read");
+  EXPECT_EQ(Complaint(Headers(54, 1, 1, 16) + Bytes(2000)), "BMP has 16 bits per pixel; 8, 24 and 32 are read");
   EXPECT_NE(Complaint(Headers(54, 0, 1, 24) + Bytes(2000)), "");
   EXPECT_NE(Complaint(Headers(0xffffffff, 1, 1, 24) + Bytes(2000)), "");
   EXPECT_NE(Complaint(Headers(54, 1, 0x80000000, 24) + Bytes(2000)), "");

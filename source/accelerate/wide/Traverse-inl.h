@@ -69,7 +69,7 @@ HWY_INLINE std::uint64_t PackEntry(float distance, std::uint32_t child) {
 HWY_INLINE float DistanceOf(std::uint64_t entry) {
   return std::bit_cast<float>(static_cast<std::uint32_t>(entry >> 32));
 }
-/// Without a branch: which of two is nearer is anyone's guess.
+/// Without a branch: which of two is nearer is unpredictable.
 HWY_INLINE void Order(std::uint64_t& farther, std::uint64_t& nearer) {
   const std::uint64_t swap = -static_cast<std::uint64_t>(farther < nearer) & (farther ^ nearer);
   farther ^= swap, nearer ^= swap;

@@ -36,7 +36,7 @@ std::string Contents(const std::string& name) {
     const Files files(name, {});
     return files.Read(files.Top());
   } catch (const FileError& error) {
-    throw SceneErrors({ErrorIn(name, error.message)});
+    throw SceneErrors({ErrorIn(name, error.message, error.hint)});
   }
 }
 

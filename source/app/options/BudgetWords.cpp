@@ -1,11 +1,11 @@
 #include "source/app/options/BudgetWords.h"
 
 #include <array>
-#include <charconv>
 #include <limits>
 #include <utility>
 
 #include "source/text/Number.h"
+#include "source/text/NumberText.h"
 
 namespace ray {
 namespace {
@@ -16,12 +16,6 @@ std::optional<double> Before(const std::string& suffix, const std::string& word)
   const auto number = ParseNumber(word.substr(0, word.size() - suffix.size()));
   if (number.problem || !(number.value > 0)) return {};
   return number.value;
-}
-
-std::string ShortestText(double number) {
-  std::array<char, 64> text{};
-  const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), number);
-  return std::string(text.data(), end);
 }
 
 constexpr std::array<std::pair<const char*, double>, 4> duration_units{
@@ -37,7 +31,7 @@ std::optional<double> ReadDuration(const std::string& word) {
   return {};
 }
 
-std::string ShowDuration(const double& seconds) { return seconds > 0 ? ShortestText(seconds) + "s" : ""; }
+std::string ShowDuration(const double& seconds) { return seconds > 0 ? ToText(seconds) + "s" : ""; }
 
 std::optional<std::optional<ErrorTarget>> ReadErrorTarget(const std::string& word) {
   for (const auto& [suffix, unit] : error_units)
@@ -48,7 +42,7 @@ std::optional<std::optional<ErrorTarget>> ReadErrorTarget(const std::string& wor
 std::string ShowErrorTarget(const std::optional<ErrorTarget>& target) {
   if (!target) return "";
   for (const auto& [suffix, unit] : error_units)
-    if (unit == target->unit) return ShortestText(target->value) + suffix;
+    if (unit == target->unit) return ToText(target->value) + suffix;
   return "";
 }
 

@@ -8,6 +8,7 @@
 
 #include "source/app/Status.h"
 #include "source/app/options/CommandLine.h"
+#include "source/app/options/Overloaded.h"
 #include "source/parse/comp30019/View.h"
 #include "source/text/Number.h"
 #include "source/text/Quoting.h"
@@ -68,14 +69,6 @@ constexpr std::array course_options{
 
 /// "-x, --aa-mult"
 std::string NamesOf(const CourseOption& option) { return std::string("-") + option.letter + ", --" + option.name; }
-
-// Several kinds of values, one function each.
-template <class... Lambda>
-struct Overloaded : Lambda... {
-  using Lambda::operator()...;
-};
-template <class... Lambda>
-Overloaded(Lambda...) -> Overloaded<Lambda...>;
 
 [[noreturn]] void Refuse(const CourseOption& option, const std::string& rule, const std::string& word) {
   throw UsageError(NamesOf(option) + " must be " + rule + ", got " + Quoted(word));

@@ -10,6 +10,7 @@
 #include "source/app/options/OptionTable.h"
 #include "source/app/options/PictureName.h"
 #include "source/parse/Format.h"
+#include "source/text/LowerCase.h"
 #include "source/text/Quoting.h"
 #include "source/text/Words.h"
 
@@ -36,8 +37,10 @@ std::string LikelyCommand(const Options& options, std::span<const std::string> w
 
 constexpr const char* several_scenes = "; several scenes need -out_folder: raypro a.scn b.scn -out_folder images";
 
+std::string ExtensionOf(const std::string& name) { return LowerCase(std::filesystem::path(name).extension().string()); }
+
 bool IsScene(const std::string& name) {
-  const std::string extension = std::filesystem::path(name).extension().string();
+  const std::string extension = ExtensionOf(name);
   return !R2::FormatForName(name) && std::ranges::any_of(SceneFormats(), [&](const SceneFormat* format) {
     return std::ranges::find(format->extensions, extension) != format->extensions.end();
   });
@@ -85,10 +88,9 @@ void CheckPicture(const Options& options, std::span<const std::string> words) {
 
 /// Groningen's command names the scene alone; its picture lies beside it.
 void NamePictureOfYaml(Options& options) {
-  const std::filesystem::path scene = options.scene;
-  if (options.task == Task::render && options.picture.empty() &&
-      (scene.extension() == ".yaml" || scene.extension() == ".yml"))
-    options.picture = std::filesystem::path(scene).replace_extension(".png").string();
+  const std::string extension = ExtensionOf(options.scene);
+  if (options.task == Task::render && options.picture.empty() && (extension == ".yaml" || extension == ".yml"))
+    options.picture = std::filesystem::path(options.scene).replace_extension(".png").string();
 }
 
 }  // namespace

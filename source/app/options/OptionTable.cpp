@@ -112,9 +112,9 @@ const NumberList gooch_numbers{[](const Options& options) {
 
 // One entry stays one thought.
 // clang-format off
-/// What is `raypro`'s alone makes no sense beside a picture that changes while it is looked at.
-template <Program program>
-std::vector<OptionKind> MakeTable() {
+// One function for each topic, or two. What is `raypro`'s alone makes no sense beside a picture that changes while it is
+// looked at.
+std::vector<OptionKind> PictureOptions() {
   using Whole = Number<int>;
   using enum KnownTo;
   return {
@@ -149,9 +149,9 @@ std::vector<OptionKind> MakeTable() {
       {"lens", both, {}, {"name"}, OneOfEnum<LensPattern>(AT(render.camera.lens)), "", "picture",
        "where on the lens rays start; spiral: at -lens_samples places for each of -sampler grid"},
       {"lens_samples", both, {}, {"n"}, Whole{AT(render.camera.lens_samples), 1, highest<int>}, "places", "picture",
-       "of the camera rays per pixel, how many go through each place in it (-lens spiral)"},
+       "lens samples for each sample position in the pixel (-lens spiral)"},
       {"shutter_samples", both, {}, {"n"}, Whole{AT(render.camera.shutter_samples), 1, highest<int>}, "moments",
-       "picture", "even moments at which each place of -sampler grid is seen; 1: random ones"},
+       "picture", "evenly spaced times for each position of -sampler grid; 1: random times"},
       {"clamp", both, {}, {"name"}, OneOfEnum<Clamp>(AT(render.clamp)), "", "picture",
        "clamp to 0..1 the image, when written, or each sample, before it counts"},
       {"bytes", both, {}, {"name"}, OneOfEnum<R2::Quantization>(AT(encoding.quantization)), "", "picture",
@@ -164,7 +164,12 @@ std::vector<OptionKind> MakeTable() {
       {"bits", both, {}, {"n"}, OneNumberOf{AT(encoding.bits), {8, 16}}, "bits per channel", "picture",
        "bit depth of a PNG"},
       {"jpeg_quality", both, {}, {"n"}, Whole{AT(encoding.jpeg_quality), 1, 100}, "", "picture", "JPEG quality"},
+  };
+}
 
+std::vector<OptionKind> ViewerOptions() {
+  using enum KnownTo;
+  return {
       {"image", rayview, {}, {"file"}, FileName{AT(picture), FileKind::image}, "", "viewer",
        "what key S writes; by default the first of image1.jpg, image2.jpg... that does not exist"},
       {"output_image", rayview, {}, {"file"}, FileName{AT(view.output_image), FileKind::image}, "", "viewer",
@@ -184,7 +189,13 @@ std::vector<OptionKind> MakeTable() {
        "an image of the same scene to compare with"},
       {"panels", rayview, {}, {"theme"}, OneOfNames(AT(view.panels), PanelThemes), "", "viewer",
        "show panels from the start; key Tab toggles them"},
+  };
+}
 
+std::vector<OptionKind> LightOptions() {
+  using Whole = Number<int>;
+  using enum KnownTo;
+  return {
       {"mode", both, {}, {"name"}, OneOfEnum<RenderMode>(AT(render.mode)), "", "light",
        "whitted, path: light; heat, rays: cost per pixel, black = 1, white = 10,000; or a layer"},
       {"env", both, {}, {"file"}, FileName{AT(parse.environment), FileKind::image}, "", "light",
@@ -211,16 +222,27 @@ std::vector<OptionKind> MakeTable() {
       {"emissive_solids", both, {}, {"on|off"}, OnOff{AT(render.trace.emissive_solids_light)}, "", "light",
        "whether emissive solids are lamps in mode whitted, as triangles are (in mode path they are)"},
       {"shadows", both, {}, {"on|off"}, OnOff{AT(render.trace.shadows)}, "", "light", "whether objects cast shadows"},
+  };
+}
 
+std::vector<OptionKind> DrawnModeOptions() {
+  using Whole = Number<int>;
+  using enum KnownTo;
+  return {
       {"zbuffer_range", both, {}, {"near", "far"}, zbuffer_numbers, "", "light",
        "what -mode zbuffer shows white and black (the image's own)"},
       {"gooch", both, {}, {"b", "y", "alpha", "beta"}, gooch_numbers, "", "light",
-       "-mode gooch: blue and yellow tones, and the surface's share in each"},
+       "-mode gooch: blue and yellow of the tones, and how much surface color each gets"},
       {"toon_bands", both, {}, {"n"}, Whole{AT(render.trace.toon_bands), 1, most_bands}, "tones", "light",
-       "-mode toon: tones of light beside darkness"},
+       "-mode toon: number of tones besides black"},
       {"outline", both, {}, {"w"}, Number<double>{AT(render.trace.outline.width), 0, highest<double>}, "pixels", "light",
        "draw black lines of this width along silhouettes and creases; 0: none"},
+  };
+}
 
+std::vector<OptionKind> QualityOptions() {
+  using enum KnownTo;
+  return {
       {"quality", raypro, {}, {"name"}, OneOfNames(AT(quality), PresetNames), "", "quality",
        "a preset (raypro -list presets); options given besides override its settings"},
       {"time", raypro, {}, {"t"}, WordOf<ReadDuration, ShowDuration>(AT(render.budget.seconds), duration_range),
@@ -251,7 +273,13 @@ std::vector<OptionKind> MakeTable() {
        "render from the start, and forget the checkpoint of an interrupted render"},
       {"keep_checkpoint", raypro, {}, {}, Flag{AT(keep_checkpoint)}, "", "quality",
        "keep the checkpoint of a finished image, so that -resume can add samples"},
+  };
+}
 
+std::vector<OptionKind> SpeedOptions() {
+  using Whole = Number<int>;
+  using enum KnownTo;
+  return {
       {"accel", both, {}, {"name"}, OneOfNames(AT(accelerator.name), AcceleratorNames), "", "speed",
        "acceleration structure; never changes the image"},
       {"accel_res", both, {"accelres"}, {"x"}, Number<double>{AT(accelerator.resolution), 0, 1e6}, "", "speed",
@@ -272,7 +300,13 @@ std::vector<OptionKind> MakeTable() {
        "tile size, 0 for the whole image"},
       {"memory", both, {}, {"x"}, Number<double>{AT(memory), 0, most_memory}, "GiB", "speed",
        "refuse what would take more memory than this; 0: three quarters of this machine's"},
+  };
+}
 
+std::vector<OptionKind> SceneOptions() {
+  using Whole = Number<int>;
+  using enum KnownTo;
+  return {
       {"format", both, {}, {"name"}, OneOfNames(AT(parse.format), SceneFormatNames), "", "scene",
        "language of the scene; by default that of its extension, and in JSON of its keys"},
       {"include_depth", both, {}, {"n"}, Whole{AT(parse.include_depth), 1, deepest_include}, "files", "scene",
@@ -283,12 +317,22 @@ std::vector<OptionKind> MakeTable() {
        "describe the scene and point out likely mistakes, without rendering"},
       {"convert", raypro, {}, {"out.scn"}, Request{Task::convert, Request::always, nullptr, FileKind::scn}, "", "scene",
        "write the scene, of whatever format, as .scn: the same image, without rendering"},
+  };
+}
 
+std::vector<OptionKind> BatchOptions() {
+  using enum KnownTo;
+  return {
       {"out_folder", raypro, {}, {"folder"}, FileName{AT(out_folder), FileKind::folder}, "", "batch",
        "render every scene named, each to an image of its name in this folder"},
       {"out_format", raypro, {}, {"extension"}, OneOfNames(AT(out_format), ImageExtensionNames), "", "batch",
        "format of the images in -out_folder"},
+  };
+}
 
+std::vector<OptionKind> MessageOptions() {
+  using enum KnownTo;
+  return {
       {"quiet", both, {}, {}, Flag{AT(quiet)}, "", "messages", "print errors and warnings only"},
       {"verbose", both, {"v"}, {}, Flag{AT(verbose)}, "", "messages", "report each step and how long it took"},
       {"explain", raypro, {}, {}, Flag{AT(explain)}, "", "messages",
@@ -300,12 +344,18 @@ std::vector<OptionKind> MakeTable() {
        "write settings and statistics as JSON"},
       {"keep_times", both, {}, {}, Flag{AT(keep_times)}, "", "messages",
        "keep seconds and threads in the image; without, the same command gives the same bytes"},
+  };
+}
 
+template <Program program>
+std::vector<OptionKind> AboutOptions() {
+  using enum KnownTo;
+  return {
       {"help", all, {"h"}, {"topic"}, Request{Task::help, Request::perhaps, HelpSubjects<program>}, "", "about",
        "print this help, or that on one topic, command or option"},
       {"version", all, {}, {}, Request{Task::version}, "", "about", "print the version and what is built in"},
       {"as", raypro, {}, {"course"}, Request{Task::as_course, Request::always, CommandLinesOfCourses}, "", "about",
-       "before all else: understand the command line of that course (raypro -help comp30019)"},
+       "must come first: accept that course's command line (raypro -help comp30019)"},
       {"list", both, {}, {"what"}, Request{Task::list, Request::perhaps, SubjectsOfList<program>}, "", "about",
        "list what this program knows"},
       {"info", raypro, {}, {"picture"}, Request{Task::info, Request::always, nullptr, FileKind::image}, "", "about",
@@ -317,6 +367,15 @@ std::vector<OptionKind> MakeTable() {
   };
 }
 // clang-format on
+
+template <Program program>
+std::vector<OptionKind> MakeTable() {
+  std::vector<OptionKind> table;
+  for (const auto& part : {PictureOptions(), ViewerOptions(), LightOptions(), DrawnModeOptions(), QualityOptions(),
+                           SpeedOptions(), SceneOptions(), BatchOptions(), MessageOptions(), AboutOptions<program>()})
+    table.insert(table.end(), part.begin(), part.end());
+  return table;
+}
 
 bool IsKnown(KnownTo known_to, Program program) {
   switch (known_to) {

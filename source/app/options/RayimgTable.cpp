@@ -84,7 +84,8 @@ that are not independent (the same scene or command, and a seed in common) and t
 )"},
     CommandKind{"movie", "out.avi frame.jpg...", 2, any_number, "make a movie from JPEG pictures", R"(
 Writes an AVI file of motion JPEG: the frames as they are, in the order named, and an index. Nothing is encoded again,
-so the quality is that of the pictures. They must be JPEG and of one size; one may be named more often.
+so the quality is that of the pictures. They must be JPEG and of one size; the same picture may be listed
+more than once.
 )"},
 };
 

@@ -42,17 +42,17 @@ std::string ImageExtensions() {
 }
 
 constexpr const char* lexical =
-    "A file is a row of words with white space between them; line ends mean nothing. A statement is a command and as "
-    "many numbers and names as it takes.\n"
-    "A word that begins with # starts a comment, which goes on to the end of the line.\n"
+    "A file is a sequence of words separated by white space; line breaks are not significant. A statement is a command "
+    "and as many numbers and names as it takes.\n"
+    "A # that begins a word, or follows a number or a command, starts a comment, which ends with the line.\n"
     "Commands are in lower case. Numbers are decimal, such as 2, -.5, +20 or 1e-3; angles are in radians. Colors are "
     "three numbers, red, green and blue, that may exceed 1. Names of files hold no white space.\n"
-    "The order of statements is free but that a material stands before its first use. Of several cameras, backgrounds, "
-    "ambients or environments the last one counts.\n";
+    "Statements may come in any order, except that a material must precede its first use. Of several cameras, "
+    "backgrounds, ambients or environments the last one counts.\n";
 
 constexpr const char* placing =
-    "A matrix is of 16 numbers, row by row, and moves points written as columns: the fourth number of each row is a "
-    "shift. Its last row is 0 0 0 1. Groups may hold groups; what is inside is placed by the inner matrix first.\n"
+    "A matrix has 16 numbers, row by row, and moves points written as columns: the fourth column is the translation. "
+    "Its last row is 0 0 0 1. Groups may hold groups; what is inside is placed by the inner matrix first.\n"
     "Cameras, lights and what surrounds the scene are never moved by a group.\n"
     "The camera's view is a direction, not a place to look at. Its angle is half of the horizontal view; the height of "
     "the picture decides the vertical one.\n"
@@ -77,8 +77,8 @@ constexpr std::pair<const char*, const char*> material_words[] = {
 constexpr const char* about_ids =
     "Materials are numbered from 0 as they appear, anew in each file. Any negative mat_id inherits that of the group "
     "around; at the top level of a file, an included one too, it means a gray: ka .2, kd .5, ks .5, n 10.\n"
-    "kd (N.L) + ks (V.R)^n of each light that is not in shadow is added, with neither 1/pi nor a norm; then ks times "
-    "what the mirrored ray sees and kt times what the refracted ray sees.\n"
+    "kd (N.L) + ks (V.R)^n of each light that is not in shadow is added, without a factor of 1/pi or any "
+    "normalization; then ks times what the mirrored ray sees and kt times what the refracted ray sees.\n"
     "So in mode whitted ks is the height of a light's highlight, whatever n. In mode path it is that too for the "
     "lights of this language, which no ray can hit. Of what rays do hit, shapes that emit, the environment and other "
     "surfaces, ks (or what mirror says) is the share reflected: in the mirrored ray's direction, or with -glossy over "
@@ -106,7 +106,8 @@ constexpr std::pair<const char*, const char*> extensions[] = {
     {"normal_map", "Needs no vertex normals or tangents: how texture coordinates run over a shape is found from them."},
     {"flat_color, texture_ambient",
      "What mode flat shows, where it is not kd + ks + kt; a texture that colors ambient light as well."},
-    {"plane", "Has no end, so it is in no box: the accelerators leave it out, and each ray asks it on its own."},
+    {"plane",
+     "Infinite, so it has no bounding box: accelerators leave it out, and every ray is tested against it separately."},
     {"view",
      "Before or behind the camera. A picture with another aspect shows the same part of the scene, squeezed; a shift "
      "of 1 0 moves the axis to the left edge."},

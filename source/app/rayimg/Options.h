@@ -14,7 +14,8 @@ enum class MapOf { flip, display };
 inline constexpr std::array map_names{"flip", "display"};
 constexpr const auto& NamesOf(MapOf) { return map_names; }
 
-/// What the commands of rayimg are asked. Names, ranges and help are in Table.cpp; the defaults are here.
+/// What the commands of rayimg are asked. Names, ranges and help are in
+/// source/app/options/RayimgTable.cpp; the defaults are here.
 struct Options {
   std::vector<std::string> names;  // of files, as typed
 

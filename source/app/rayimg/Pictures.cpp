@@ -1,11 +1,9 @@
 #include "source/app/rayimg/Pictures.h"
 
-#include <array>
-#include <charconv>
-
 #include "source/app/Status.h"
 #include "source/app/report/Info.h"
 #include "source/app/report/Messages.h"
+#include "source/text/NumberText.h"
 #include "source/text/Quoting.h"
 
 namespace ray::rayimg {
@@ -40,11 +38,6 @@ void Write(const PictureOutput& output, const R2::Image& image, const R2::ImageE
   WriteWhole(output.file, output.format->encode(image, encoding, settings));
 }
 
-std::string Rounded(double number) {
-  std::array<char, 64> text{};
-  const auto [end, error] =
-      std::to_chars(text.data(), text.data() + text.size(), number, std::chars_format::general, 6);
-  return std::string(text.data(), end);
-}
+std::string Rounded(double number) { return ray::Rounded(number, 6); }
 
 }  // namespace ray::rayimg

@@ -76,8 +76,8 @@ std::string TextOf(const Findings& found, const Options& options) {
           Line("bias", "r " + Rounded(d.bias.r) + ", g " + Rounded(d.bias.g) + ", b " + Rounded(d.bias.b));
   if (found.product) {
     const auto root = Root(*found.product);
-    text += Line("two references",
-                 "MSE " + Rounded(*found.product) + ", RMSE " + (root ? Rounded(*root) : "below what they can tell"));
+    text += Line("two references", "MSE " + Rounded(*found.product) + ", RMSE " +
+                                       (root ? Rounded(*root) : "below the references' noise"));
   }
   if (d.pixels_not_finite > 0)
     text += Line("not finite", Counted(static_cast<std::uint64_t>(d.pixels_not_finite), "pixel") + ", left out above");

@@ -11,6 +11,7 @@
 #include "source/app/report/Info.h"
 #include "source/app/report/Messages.h"
 #include "source/text/Number.h"
+#include "source/text/NumberText.h"
 #include "source/text/Quoting.h"
 #include "source/text/Words.h"
 
@@ -39,7 +40,7 @@ void RefuseInterrupted(const std::vector<std::string>& names, const std::vector<
 void WarnOfUnknownSeeds(const std::vector<std::string>& names, const std::vector<ImageSettings>& settings) {
   for (std::size_t i = 0; i < names.size(); ++i)
     if (Seeds(settings[i]).empty())
-      PrintError("rayimg: warning: " + Quoted(names[i]) + " does not tell its seed, and is taken to be independent");
+      PrintError("rayimg: warning: " + Quoted(names[i]) + " records no seed; assuming it is independent");
 }
 
 /// The first pass: what is said of the pictures, which decides whether and how they are merged.
@@ -58,14 +59,19 @@ std::vector<ImageSettings> ReadSettings(const std::vector<std::string>& names) {
   return settings;
 }
 
-/// Of all pictures, or nothing.
-std::optional<std::vector<double>> StoredSamples(const std::vector<ImageSettings>& settings) {
-  constexpr std::int64_t most = std::int64_t{1} << 53;  // beyond, sums would not be exact
+/// Of all pictures, or nothing. Means over the pixels, and not whole where an error or a clock decided.
+std::optional<std::vector<double>> StoredSamples(const std::vector<std::string>& names,
+                                                 const std::vector<ImageSettings>& settings) {
+  constexpr double most = 9007199254740992;  // 2^53: beyond, sums would not be exact
   std::vector<double> samples;
-  for (const ImageSettings& one : settings) {
-    const auto number = ParseWhole(Setting(one, "samples"));
-    if (number.problem || number.value < 1 || number.value > most) return {};
-    samples.push_back(static_cast<double>(number.value));
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const auto number = ParseNumber(Setting(settings[i], "samples"));
+    if (number.problem || !(number.value > 0 && number.value <= most)) {
+      PrintError("rayimg: warning: " + Quoted(names[i]) +
+                 " does not record its samples per pixel; all pictures get the same weight");
+      return {};
+    }
+    samples.push_back(number.value);
   }
   return samples;
 }
@@ -103,7 +109,7 @@ ImageSettings MergedSettings(const std::vector<ImageSettings>& settings, bool by
   });
   merged.erase("samples");
   merged.erase("seconds");
-  if (by_samples) merged["samples"] = Fixed(samples, 0);
+  if (by_samples) merged["samples"] = CountText(samples);
   std::string seeds;
   for (const ImageSettings& one : settings)
     for (const std::string& seed : Seeds(one)) seeds += (seeds.empty() ? "" : " ") + seed;
@@ -125,7 +131,7 @@ int Merge(const Options& options, const std::string& command_line) {
     WarnOfUnknownSeeds(names, settings);
   }
 
-  const auto samples = options.weights.empty() ? StoredSamples(settings) : std::nullopt;
+  const auto samples = options.weights.empty() ? StoredSamples(names, settings) : std::nullopt;
   const std::vector<double> equal(names.size(), 1.0);
   const std::vector<double>& weights = samples ? *samples : options.weights.empty() ? equal : options.weights;
   const double total = std::accumulate(weights.begin(), weights.end(), 0.0);

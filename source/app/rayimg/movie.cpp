@@ -107,7 +107,7 @@ Bytes StreamFormat(const R2::ImageSize& size) {
   Append32(format, width);
   Append32(format, height);
   Append16(format, 1);   // planes
-  Append16(format, 24);  // bits a pixel
+  Append16(format, 24);  // bits per pixel
   Append(format, "MJPG");
   Append32(format, std::min(3 * width * height, most_bytes));  // bytes of a picture; a player's hint
   for (int i = 0; i < 4; ++i) Append32(format, 0);             // pixels per meter, twice; colors of a palette, twice

@@ -65,7 +65,7 @@ PanelSettings LoadPanelHabits(const std::string& file) {
   std::ifstream in(file, std::ios::binary);
   const std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
   const auto look = std::filesystem::is_regular_file(file, error) && in ? ReadPanelHabits(text) : std::nullopt;
-  if (!look) PrintError("rayview: " + file + " is not understood; the panels look as usual");
+  if (!look) PrintError("rayview: " + file + " cannot be parsed; using the default panel layout");
   return look.value_or(PanelSettings());
 }
 
@@ -76,7 +76,7 @@ void SavePanelHabits(const std::string& file, const PanelSettings& look) {
     std::filesystem::create_directories(std::filesystem::path(file).parent_path());
     WriteWhole(CheckOutput(file, {}), {reinterpret_cast<const unsigned char*>(text.data()), text.size()});
   } catch (const std::exception& problem) {
-    PrintError("rayview: how the panels look is not kept: " + std::string(problem.what()));
+    PrintError("rayview: cannot save the panel layout: " + std::string(problem.what()));
   }
 }
 

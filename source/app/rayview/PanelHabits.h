@@ -15,13 +15,13 @@ namespace ray {
 /// absolute counts as none, as the XDG Base Directory Specification has it.
 std::string PanelHabitsFile();
 
-/// Nothing when the text is not understood; what it does not name is as usual.
+/// Nothing when the text cannot be parsed; what it does not name is as usual.
 std::optional<PanelSettings> ReadPanelHabits(const std::string& text);
 
-/// Those of the file; the usual ones where there is none, and with a message where it is not understood.
+/// Those of the file; the usual ones where there is none, and with a message where it cannot be parsed.
 PanelSettings LoadPanelHabits(const std::string& file);
 
-/// Makes the folder where it is missing. What fails is told, and costs nothing else.
+/// Makes the folder where it is missing. Failures are reported and otherwise harmless.
 void SavePanelHabits(const std::string& file, const PanelSettings& look);
 
 }  // namespace ray

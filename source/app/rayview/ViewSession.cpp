@@ -6,6 +6,7 @@
 #include <fstream>
 #include <iostream>
 #include <iterator>
+#include <span>
 #include <thread>
 #include <utility>
 
@@ -37,6 +38,10 @@ double SecondsSince(Clock::time_point then) { return std::chrono::duration<doubl
 
 std::string AllOf(std::istream& in) { return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()}; }
 
+std::span<const unsigned char> BytesOf(const std::string& text) {
+  return {reinterpret_cast<const unsigned char*>(text.data()), text.size()};
+}
+
 std::vector<ScriptStep> ReadScript(const std::string& name) {
   if (name == "-") return ReadEventScript({"standard input", AllOf(std::cin)});
   std::ifstream in(name, std::ios::binary);
@@ -53,8 +58,7 @@ std::shared_ptr<const R2::Image> ReadPictureFile(const std::string& name) {
   std::ifstream in(name, std::ios::binary);
   const std::string bytes = AllOf(in);
   try {
-    return std::make_shared<const R2::Image>(
-        R2::DecodeImage({reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()}).image);
+    return std::make_shared<const R2::Image>(R2::DecodeImage(BytesOf(bytes)).image);
   } catch (const R2::ImageError&) {
     return nullptr;
   }
@@ -125,7 +129,7 @@ class Recorder {
     if (!file_) return;
     // Messages fade after the last event, too.
     const std::string text = text_ + (passed_ > 0 ? ScriptLine(TickEvent{passed_}) : "");
-    WriteWhole(*file_, {reinterpret_cast<const unsigned char*>(text.data()), text.size()});
+    WriteWhole(*file_, BytesOf(text));
   }
 
  private:
@@ -163,6 +167,7 @@ class Session : public ViewerHost {
     else if (window_ && !options_.view.exit_immediately)
       Interact();
     Draw();
+    RefuseInputs(outputs_, FilesOfScene());
     for (const auto& output : {outputs_.output_image, outputs_.screenshot})
       if (output) ray::SaveDrawing(*output, painter_.canvas.Read(), options_);
     recorder_.Write();
@@ -176,6 +181,7 @@ class Session : public ViewerHost {
     options.render.threads = options_.render.threads;  // a job fills in how many it took
     std::erase_if(options.given, [](const std::string& option) { return IsOfBudget(option); });
     return Attempt([&] {
+      if (outputs_.image) RefuseInputs(outputs_.image->file, job.scene().parsed.scene.files);
       std::string line = ray::SaveTraced(outputs_.image ? &*outputs_.image : nullptr, options, job.scene(),
                                          *job.Result(), job.Seconds());
       if (!line.empty() && line.back() == '\n') line.pop_back();
@@ -187,9 +193,17 @@ class Session : public ViewerHost {
   std::string SaveRays(const std::string& obj) override {
     return Attempt([&] {
       const std::string name = FreeRaysName();
-      WriteWhole(CheckOutput(name, {}), {reinterpret_cast<const unsigned char*>(obj.data()), obj.size()});
+      WriteWhole(CheckOutput(name, {}), BytesOf(obj));
       return "rays saved to " + name;
     });
+  }
+  std::string SaveText(const std::string& file, const std::string& text) override {
+    try {
+      WriteWhole(CheckOutput(file, FilesRead()), BytesOf(text));
+      return {};
+    } catch (const OutputError& error) {
+      return error.what();
+    }
   }
   std::shared_ptr<const R2::Image> ReadPicture(const std::string& file) override { return ReadPictureFile(file); }
   void SetClipboard(const std::string& text) override {
@@ -312,7 +326,7 @@ class Session : public ViewerHost {
         for (const auto start = Clock::now(); SecondsSince(start) < wait->seconds && StopSignal() == 0;) Pause();
       } else if (const auto* screenshot = std::get_if<Screenshot>(&step)) {
         Draw();
-        ray::SaveDrawing(CheckPictureOutput(screenshot->file, {}), painter_.canvas.Read(), options_);
+        ray::SaveDrawing(CheckPictureOutput(screenshot->file, FilesRead()), painter_.canvas.Read(), options_);
       } else if (const auto* panel = std::get_if<ClickPanel>(&step)) {
         Click(*panel);
       } else {
@@ -321,6 +335,15 @@ class Session : public ViewerHost {
       }
     }
   }
+  /// Not those of the start, which the command line's outputs were checked against: others are dropped and reloaded.
+  const std::vector<std::string>& FilesOfScene() const { return viewer_.scene().parsed.scene.files; }
+  std::vector<std::string> FilesRead() const {
+    std::vector<std::string> files = FilesOfScene();
+    for (const std::string& file : {options_.view.events, options_.view.reference})
+      if (!file.empty()) files.push_back(file);
+    return files;
+  }
+
   void Click(const ClickPanel& panel) {
     viewer_.Show();  // where things are by now
     const auto& items = viewer_.ItemsOfPanels();

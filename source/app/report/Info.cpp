@@ -1,12 +1,13 @@
 #include "source/app/report/Info.h"
 
+#include <array>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 
 #include "R2/ImageFile.h"
 #include "source/app/report/Memory.h"
 #include "source/app/report/Resources.h"
+#include "source/parse/Files.h"
 #include "source/parse/SceneError.h"
 #include "source/parse/Text.h"
 
@@ -17,14 +18,30 @@ namespace {
   throw SceneErrors({ErrorIn(file, reason)});
 }
 
+/// Files and pipes can be read.
+void RefuseUnreadable(const std::string& file) {
+  std::error_code error;
+  const std::filesystem::file_status status = std::filesystem::status(file, error);
+  if (status.type() == std::filesystem::file_type::not_found) Refuse(file, "no such file");
+  if (error) Refuse(file, error.message());
+  if (std::filesystem::is_directory(status)) Refuse(file, "it is a folder");
+  if (!std::filesystem::is_regular_file(status) && !std::filesystem::is_fifo(status))
+    Refuse(file, "it is neither a regular file nor a pipe");
+}
+
 }  // namespace
 
 std::vector<unsigned char> ReadBytes(const std::string& file) {
-  std::error_code ignored;
-  if (!std::filesystem::is_regular_file(file, ignored)) Refuse(file, "no such file");
+  RefuseUnreadable(file);
   std::ifstream stream(file, std::ios::binary);
-  if (!stream) Refuse(file, "the file cannot be read");
-  return {std::istreambuf_iterator<char>(stream), {}};
+  std::vector<unsigned char> bytes;
+  std::array<char, 65536> block{};
+  while (stream.read(block.data(), block.size()), stream.gcount() > 0) {
+    bytes.insert(bytes.end(), block.begin(), block.begin() + stream.gcount());
+    if (bytes.size() > Files::max_bytes) Refuse(file, "it exceeds the limit of 1 GiB");  // a pipe may never end
+  }
+  if (!stream.eof()) Refuse(file, "the file cannot be read");
+  return bytes;
 }
 
 R2::DecodedImage DecodePicture(const std::string& file, std::span<const unsigned char> bytes) {

@@ -18,14 +18,16 @@ std::string PixelsText(const RunStats& record) {
   return std::to_string(record.pixels_done) + " of " + std::to_string(record.pixels_total) + " pixels done";
 }
 
+std::string ShortCountText(double count) { return count == std::floor(count) ? CountText(count) : Fixed(count, 1); }
+
 /// As asked for, where that decided; as they became, where a clock or an error did.
-std::string SamplesText(const RunStats& record) {
+std::string SamplesText(const RunStats& record, std::string (*text_of)(double)) {
   const RenderSettings& render = record.options.render;
   const bool is_asked_for = !render.budget.IsOpen() && !render.denoise && record.options.replay.empty();
   if (is_asked_for) return std::to_string(render.samples);
   const double mean = record.samples.mean;
   if (mean < 1) return "1 at " + Fixed(100 * mean, 1) + " % of the pixels, the others interpolated";
-  return mean == std::floor(mean) ? std::to_string(static_cast<std::int64_t>(mean)) : Fixed(mean, 1);
+  return text_of(mean);
 }
 
 double MegaraysPerSecond(const RunStats& record) {
@@ -53,16 +55,22 @@ std::string DarknessText(const RunStats& record) {
   return record.share_cut > 0 ? " (too dark by about " + Rounded(100 * record.share_cut, 2) + " %)" : "";
 }
 
-/// "; limited by -max_depth 3, -min_luminance 0.01 (too dark by about 2 %)"; nothing for no limits.
+bool CutsLight(const std::string& setting) {
+  return setting.starts_with("max_depth") || setting.starts_with("min_luminance");
+}
+
+/// "; limited by -max_depth 3, -min_luminance 0.01 (too dark by about 2 %), biased by -adaptive tile"; nothing for no
+/// limits.
 std::string LimitsText(const RunStats& record) {
-  std::string text;
+  std::string cut, moved;
   for (const std::string& setting : record.biased) {
     if (setting == "denoise") continue;  // told with the error
-    const bool cuts_light = setting.starts_with("max_depth") || setting.starts_with("min_luminance");
-    if (cuts_light && record.share_cut == 0) continue;
-    text += (text.empty() ? "; limited by -" : ", -") + setting;
+    if (CutsLight(setting) && record.share_cut == 0) continue;
+    std::string& list = CutsLight(setting) ? cut : moved;
+    list += (list.empty() ? "-" : ", -") + setting;
   }
-  return text + DarknessText(record);
+  return (cut.empty() ? "" : "; limited by " + cut + DarknessText(record)) +
+         (moved.empty() ? "" : (cut.empty() ? "; biased by " : ", biased by ") + moved);
 }
 
 /// ", nu 12: few pixels hold the error, and the truth itself varies by 41 %", two deviations of a root of a mean square
@@ -124,6 +132,14 @@ std::string ErrorLines(const RunStats& record, const Line& line) {
   return text;
 }
 
+/// "rays saved: 153600 of 360000 camera rays, where neighboring pixels are alike"
+std::string SavedText(const RunStats& record) {
+  const double pixels = static_cast<double>(record.pixels_total);
+  const double all = pixels * record.planned_samples, saved = all - pixels * record.samples.mean;
+  return "rays saved: " + Fixed(saved, 0) + " of " + Fixed(all, 0) +
+         " camera rays, where neighboring pixels are alike\n";
+}
+
 }  // namespace
 
 void RunStats::Take(const RenderResult& result) {
@@ -164,7 +180,7 @@ R2::ImageSettings SettingsInPicture(const RunStats& record) {
       {"command", record.options.as_course ? record.command : RayproCommand(record.options)},
       {"scene_hash", record.scene.hash},
       {"seed", std::to_string(record.options.render.seed)},
-      {"samples", SamplesText(record)},
+      {"samples", SamplesText(record, CountText)},  // a weight for what merges pictures
       {"accel", record.options.accelerator.name},
       {"pixels", PixelsText(record)},
   };
@@ -181,17 +197,9 @@ R2::ImageSettings SettingsInPicture(const RunStats& record) {
 
 std::string FinalLine(const RunStats& record) {
   return Escaped(record.picture) + " " + std::to_string(record.width) + "x" + std::to_string(record.height) + " " +
-         SamplesText(record) + " spp " + Fixed(record.seconds.wall, 2) + " s " + Fixed(MegaraysPerSecond(record), 1) +
-         " Mrays/s" + (record.IsComplete() ? "" : " (stopped by " + record.stop + ", " + PixelsText(record) + ")") +
-         "\n";
-}
-
-/// "rays saved: 153600 of 360000 camera rays, where neighboring pixels are alike"
-std::string SavedText(const RunStats& record) {
-  const double pixels = static_cast<double>(record.pixels_total);
-  const double all = pixels * record.planned_samples, saved = all - pixels * record.samples.mean;
-  return "rays saved: " + Fixed(saved, 0) + " of " + Fixed(all, 0) +
-         " camera rays, where neighboring pixels are alike\n";
+         SamplesText(record, ShortCountText) + " spp " + Fixed(record.seconds.wall, 2) + " s " +
+         Fixed(MegaraysPerSecond(record), 1) + " Mrays/s" +
+         (record.IsComplete() ? "" : " (stopped by " + record.stop + ", " + PixelsText(record) + ")") + "\n";
 }
 
 std::string QualityLines(const RunStats& record) {

@@ -17,11 +17,23 @@ std::string Line(std::string name, Number number) {
     return name + std::to_string(number) + "\n";
 }
 
-std::string ThreeDecimals(const R3::Point& p) { return Fixed(p.x, 3) + " " + Fixed(p.y, 3) + " " + Fixed(p.z, 3); }
-std::string ThreeDecimals(const R3::Vector& v) { return Fixed(v.x, 3) + " " + Fixed(v.y, 3) + " " + Fixed(v.z, 3); }
+template <class Triple>
+std::string WithDecimals(int decimals, const Triple& t) {
+  return Fixed(t.x, decimals) + " " + Fixed(t.y, decimals) + " " + Fixed(t.z, decimals);
+}
+
+/// Of positions: three, and more in a scene that is smaller than one unit.
+int DecimalsFor(const R3::Box& box) {
+  constexpr int usual = 3, most = 20;
+  int decimals = usual;
+  if (box.IsEmpty()) return decimals;
+  for (double size = Length(box.Size()); size > 0 && size < 1 && decimals < most; size *= 10) ++decimals;
+  return decimals;
+}
 
 std::string BoundsText(const R3::Box& box) {
-  return box.IsEmpty() ? "empty" : ThreeDecimals(box.low) + "  to  " + ThreeDecimals(box.high);
+  const int decimals = DecimalsFor(box);
+  return box.IsEmpty() ? "empty" : WithDecimals(decimals, box.low) + "  to  " + WithDecimals(decimals, box.high);
 }
 
 /// Meshes and textures may be used many times; each is there once.
@@ -72,9 +84,9 @@ std::string SceneSummary(const World& world, const RenderSettings& settings) {
       Line("meshes", std::to_string(shared.meshes.size()) + " with " + Counted(Triangles(shared), "triangle")) +
       Line("materials", scene.materials.size()) + Line("textures", shared.textures.size()) +
       Line("bounds", BoundsText(scene.root.bounds)) +
-      Line("camera", "at " + ThreeDecimals(scene.camera.eye) + ", towards " + ThreeDecimals(scene.camera.towards) +
-                         ", half angle " + Fixed(scene.camera.xfov, 3) + " rad" +
-                         (scene.has_default_camera ? " (the default: the scene names none)" : "")) +
+      Line("camera", "at " + WithDecimals(DecimalsFor(scene.root.bounds), scene.camera.eye) + ", towards " +
+                         WithDecimals(3, scene.camera.towards) + ", half angle " + Fixed(scene.camera.xfov, 3) +
+                         " rad" + (scene.has_default_camera ? " (the default: the scene names none)" : "")) +
       Line("lights", std::to_string(scene.lights.size()) +
                          (scene.has_default_lights ? " (the default: the scene names none)" : ""));
   for (const auto& light : scene.lights) text += "  " + light->Describe() + "\n";

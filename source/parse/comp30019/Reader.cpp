@@ -66,14 +66,14 @@ std::vector<SceneSetting> Rules() {
   return settings;
 }
 
-Scene ReadComp30019(const Files& files, const ParseOptions& options, Report& report) {
-  return Reader(files, options, report).Read();
+Scene ReadComp30019(const Files& files, const ParseOptions& options, Assets& assets, Report& report) {
+  return Reader(files, options, assets, report).Read();
 }
 
 }  // namespace
 
-Reader::Reader(const Files& files, const ParseOptions& options, Report& report)
-    : files_(files), options_(options), report_(report), assets_(files, report, options) {}
+Reader::Reader(const Files& files, const ParseOptions& options, Assets& assets, Report& report)
+    : files_(files), options_(options), report_(report), assets_(assets) {}
 
 Scene Reader::Read() {
   builder_.has_camera = builder_.has_light = true;  // the course fills nothing in

@@ -23,7 +23,7 @@ inline R2::Color ColorOf(const Triple& c) { return {c[0].value, c[1].value, c[2]
 /// Commands; this class keeps what they share: names, and the scene as it grows.
 class Reader {
  public:
-  Reader(const Files& files, const ParseOptions& options, Report& report);
+  Reader(const Files& files, const ParseOptions& options, Assets& assets, Report& report);
 
   /// Reads the top scene to its end. Mistakes go to the report.
   Scene Read();
@@ -63,7 +63,7 @@ class Reader {
   const Files& files_;
   const ParseOptions& options_;
   Report& report_;
-  Assets assets_;
+  Assets& assets_;
   SceneBuilder builder_;
   Text text_;
   std::map<std::string_view, std::size_t> lines_of_materials_;      // all of the file's

@@ -15,8 +15,8 @@
 namespace ray {
 namespace {
 
-Scene ReadCs315(const Files& files, const ParseOptions& options, const Document& document, Report& report) {
-  return Cs315Reader(files, options, document, report).Read();
+Scene ReadCs315(const ParseOptions& options, const Document& document, Assets& assets, Report& report) {
+  return Cs315Reader(options, document, assets, report).Read();
 }
 
 }  // namespace

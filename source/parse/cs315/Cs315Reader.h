@@ -11,8 +11,8 @@ namespace ray {
 /// Sphere and Triangle, may be joined by those of ObjectReader, in lower case and with their keys there.
 class Cs315Reader {
  public:
-  Cs315Reader(const Files& files, const ParseOptions& options, const Document& document, Report& report)
-      : report_(document, report), objects_(files, options, report_, report) {}
+  Cs315Reader(const ParseOptions& options, const Document& document, Assets& assets, Report& report)
+      : report_(document, report), objects_(options, assets, report_) {}
 
   Scene Read();
 

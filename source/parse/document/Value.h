@@ -42,7 +42,7 @@ struct Collection {
   int height = 1;          // levels of collections, itself included
 };
 
-/// "mapping", "list", "number or word", "nothing": for messages.
+/// "a mapping", "a list", "a single value", "nothing": for messages.
 const char* NameOf(Value::Kind kind);
 
 }  // namespace ray

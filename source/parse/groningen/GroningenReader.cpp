@@ -7,8 +7,8 @@
 namespace ray {
 namespace {
 
-Scene ReadGroningen(const Files& files, const ParseOptions& options, const Document& document, Report& report) {
-  return GroningenReader(files, options, document, report).Read();
+Scene ReadGroningen(const ParseOptions& options, const Document& document, Assets& assets, Report& report) {
+  return GroningenReader(options, document, assets, report).Read();
 }
 
 }  // namespace

@@ -11,8 +11,8 @@ namespace ray {
 /// as JSON. What the course decides otherwise than others becomes settings of the scene.
 class GroningenReader {
  public:
-  GroningenReader(const Files& files, const ParseOptions& options, const Document& document, Report& report)
-      : report_(document, report), objects_(files, options, report_, report) {}
+  GroningenReader(const ParseOptions& options, const Document& document, Assets& assets, Report& report)
+      : report_(document, report), objects_(options, assets, report_) {}
 
   Scene Read();
 

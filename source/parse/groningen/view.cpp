@@ -74,9 +74,9 @@ void GroningenReader::ReadCamera(const Field& field) {
   const AimedCamera aimed = Aim(eye, towards, up);
   if (aimed.up_was_replaced) return report_.Error(camera->What(), "has an up vector along the view direction");
   Made().camera = aimed.camera;
-  if (const R3::Vector way = exposure_time_ * velocity; !(way == R3::Vector{})) {
-    Made().camera.eye = eye - way / 2;  // it is at its place in the middle of the exposure
-    Set("motion", ToText(way.x) + " " + ToText(way.y) + " " + ToText(way.z), &field.What());
+  if (const R3::Vector displacement = exposure_time_ * velocity; !(displacement == R3::Vector{})) {
+    Made().camera.eye = eye - displacement / 2;  // it is at its place in the middle of the exposure
+    Set("motion", ToText(displacement.x) + " " + ToText(displacement.y) + " " + ToText(displacement.z), &field.What());
   }
   // A pixel is as wide as `up` is long, in the plane through the center.
   Made().camera.xfov = R1::Atan2(width / 2 * Length(up), Length(towards));
@@ -107,7 +107,8 @@ void GroningenReader::ReadLens(Mapping& camera, double focus) {
   exposure_time_ = camera.Number({"exposureTime"}, not_negative, 0);
   const auto moments = camera.Find({"exposureSamples"});
   const std::int64_t time_samples = moments ? moments->Whole(1, most).value_or(1) : 1;
-  if (!(exposure_time_ > 0) || time_samples == 1) return;
+  if (time_samples == 1) exposure_time_ = 0;  // one sample is the sharp picture of the middle
+  if (!(exposure_time_ > 0)) return;
   time_samples_ = time_samples;
   Set("shutter_samples", ToText(time_samples), &moments->What());
 }

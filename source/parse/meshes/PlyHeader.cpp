@@ -103,6 +103,7 @@ class HeaderReader {
   std::size_t BehindLine() const {
     const std::string_view bytes = words_.Source().bytes;
     const std::size_t end = bytes.find_first_of("\r\n");
+    if (end == std::string_view::npos) return bytes.size();
     const std::string_view kind = bytes.substr(end).starts_with("\r\n") ? "\r\n" : bytes.substr(end, 1);
     const auto behind = static_cast<std::size_t>(words_.Last().text.data() + words_.Last().text.size() - bytes.data());
     const std::size_t line_end = bytes.find(kind, behind);

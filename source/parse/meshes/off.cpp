@@ -53,7 +53,7 @@ class OffReader {
     CheckPromise(words_, vertices, "vertices", 6);  // "0 0 0\n"
     const std::size_t faces = ReadCount(words_, "the number of faces");
     CheckPromise(words_, faces, "faces", 2);  // "0\n"
-    words_.SkipLine();                        // the number of edges, which many files get wrong
+    PassOverEdges();
     for (std::size_t i = 0; i < vertices; ++i) ReadVertex(header, i);
     ReadFaces(faces);
     Warn();
@@ -61,6 +61,13 @@ class OffReader {
   }
 
  private:
+  /// Their number, which many files get wrong and some leave out, is on the line of the other two or alone on the next.
+  void PassOverEdges() {
+    if (words_.SkipLine() > 0) return;
+    MeshWords ahead = words_;
+    if (ahead.Next() && !ahead.HasMoreOnLine()) words_.Next();
+  }
+
   void ReadVertex(const Header& header, std::size_t i) {
     mesh_.positions.push_back(words_.Place("vertex", i));
     if (header.has_normal) {
@@ -101,8 +108,8 @@ class OffReader {
 
   void Warn() {
     if (long_vertices_ > 0)
-      WarnOf(std::to_string(long_vertices_) +
-             " vertices have more numbers than the header declares; the rest is ignored");
+      WarnOf(std::to_string(long_vertices_) + (long_vertices_ == 1 ? " vertex has" : " vertices have") +
+             " more numbers than the header declares; the rest is ignored");
   }
   void WarnOf(const std::string& message) { report_.Warn(Escaped(words_.Source().name), message); }
 

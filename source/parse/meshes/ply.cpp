@@ -1,11 +1,11 @@
 #include <array>
-#include <charconv>
 #include <cmath>
 
 #include "source/parse/Coordinate.h"
 #include "source/parse/meshes/Faces.h"
 #include "source/parse/meshes/MeshFormat.h"
 #include "source/parse/meshes/PlyValues.h"
+#include "source/text/NumberText.h"
 
 namespace ray {
 namespace {
@@ -15,11 +15,6 @@ struct Row {
   std::vector<double> numbers;
   std::vector<double> list;
 };
-
-std::string Shortest(double value) {
-  std::array<char, 32> digits;  // 24 are enough for any double
-  return {digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr};
-}
 
 /// The vertices, faces and triangle strips of a file of any scalar types; all other elements and properties are passed
 /// over.
@@ -143,7 +138,7 @@ class PlyReader {
     const std::size_t least = values_.LeastBytes(property.type);
     const auto most = static_cast<double>((values_.BytesLeft() + 1) / least);
     if (!(count >= 0 && count <= most && count == std::floor(count)))
-      values_.Fail(place, "a list of " + Shortest(count) + " numbers does not fit in the remaining " +
+      values_.Fail(place, "a list of " + ToText(count) + " numbers does not fit in the remaining " +
                               std::to_string(values_.BytesLeft()) + " bytes");
     for (auto left = static_cast<std::size_t>(count); left > 0; --left) {
       const double value = values_.Next(property.type, place);
@@ -154,7 +149,7 @@ class PlyReader {
   std::uint32_t IndexOf(double value, const PlyPlace& place) const {
     const std::size_t known = mesh_.positions.size();
     if (!(value >= 0 && value < static_cast<double>(known) && value == std::floor(value)))
-      values_.Fail(place, "a corner must be an index below " + std::to_string(known) + ", got " + Shortest(value));
+      values_.Fail(place, "a corner must be an index below " + std::to_string(known) + ", got " + ToText(value));
     return static_cast<std::uint32_t>(value);
   }
 

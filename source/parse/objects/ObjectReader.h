@@ -26,14 +26,15 @@ struct PlacedShape {
 /// keys are those of Groningen's scenes and the spellings that its students use.
 class ObjectReader {
  public:
-  ObjectReader(const Files& files, const ParseOptions& options, DocumentReport& report, Report& file_report)
-      : report_(report), options_(options), assets_(files, file_report, options) {}
+  ObjectReader(const ParseOptions& options, Assets& assets, DocumentReport& report)
+      : report_(report), options_(options), assets_(assets) {}
 
   /// Every name of a kind that Read knows, aliases included.
   static std::vector<std::string_view> Kinds();
   static bool IsKind(std::string_view name);
 
-  /// Where a sphere's texture lies; the others have but one way.
+  /// Whether a sphere is to have the texture coordinates of these languages, whose poles are on the z axis. Other
+  /// shapes have one kind of them only.
   struct Options {
     bool wants_texture_coordinates = false;
   };
@@ -61,7 +62,7 @@ class ObjectReader {
 
   DocumentReport& report_;
   const ParseOptions& options_;
-  Assets assets_;
+  Assets& assets_;
   SceneBuilder builder_;
 };
 

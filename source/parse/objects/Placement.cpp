@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "R1/Elementary.h"
+#include "R3/LeastAxis.h"
 
 namespace ray {
 namespace {
@@ -59,12 +60,7 @@ R3::Matrix SmallestRotation(const R3::Vector& from, const R3::Vector& to) {
   const double c = Dot(from, to);
   if (c < 0) {
     R3::Vector middle = from + to;
-    if (!(Length(middle) > 0)) {
-      const R3::Vector a = Abs(from);
-      middle = Cross(from, a.x <= a.y && a.x <= a.z ? R3::Vector{1, 0, 0}
-                           : a.y <= a.z             ? R3::Vector{0, 1, 0}
-                                                    : R3::Vector{0, 0, 1});
-    }
+    if (!(Length(middle) > 0)) middle = Cross(from, R3::LeastAxis(from));
     const R3::Vector half = Unit(middle);
     return SmallestRotation(half, to) * SmallestRotation(from, half);
   }

@@ -77,6 +77,14 @@ std::optional<PlacedShape> ParallelogramOf(Mapping& object) {
                 {{0, 0}, {1, 0}, {1, 1}, {0, 1}});
 }
 
+/// Some say `name` for the file; beside another key for it, it is the name of the object.
+std::optional<Field> NeedFile(Mapping& object) {
+  if (!object.Has({"file", "filename", "fileName", "path", "model", "modelPath"}))
+    return object.Need({"file", "filename", "fileName", "path", "model", "modelPath", "name"});
+  object.Ignore({"name"});
+  return object.Need({"file", "filename", "fileName", "path", "model", "modelPath"});
+}
+
 }  // namespace
 
 std::optional<PlacedShape> ReadTriangle(ObjectReader&, Mapping& object, const ObjectReader::Options&) {
@@ -124,7 +132,7 @@ std::optional<PlacedShape> ReadPolygon(ObjectReader&, Mapping& object, const Obj
 }
 
 std::optional<PlacedShape> ReadMeshFile(ObjectReader& reader, Mapping& object, const ObjectReader::Options&) {
-  const auto file = object.Need({"file", "filename", "fileName", "path", "model", "modelPath", "name"});
+  const auto file = NeedFile(object);
   const bool smooth = object.Bool({"smooth"}, false);
   const R3::Vector position = object.Vector({"position", "offset"}).value_or(R3::Vector{});
   const R3::Vector turn = object.Vector({"rotation"}).value_or(R3::Vector{});

@@ -24,8 +24,8 @@ std::string KnownMaterials(std::size_t count) {
   return "this file defines materials 0 to " + std::to_string(count - 1) + " before this line";
 }
 
-Scene ReadScn(const Files& files, const ParseOptions& options, Report& report) {
-  return ScnReader(files, options, report).Read();
+Scene ReadScn(const Files& files, const ParseOptions& options, Assets& assets, Report& report) {
+  return ScnReader(files, options, assets, report).Read();
 }
 
 }  // namespace
@@ -37,8 +37,8 @@ extern const SceneFormat scn_scene_format{
     .read = ReadScn,
 };
 
-ScnReader::ScnReader(const Files& files, const ParseOptions& options, Report& report)
-    : files_(files), options_(options), report_(report), assets_(files, report, options) {}
+ScnReader::ScnReader(const Files& files, const ParseOptions& options, Assets& assets, Report& report)
+    : files_(files), options_(options), report_(report), assets_(assets) {}
 
 Scene ScnReader::Read() {
   const std::string top = files_.TopName();
@@ -88,10 +88,18 @@ void ScnReader::CloseFile() {
   open_files_.pop_back();
 }
 
-void ScnReader::ReadStatement(const Token& word) {
-  const Command* command = FindCommand(word.text);
-  if (!command) return UnknownCommand(word);
+void ScnReader::ReadStatement(Token word) {
   OpenFile& file = Current();
+  const Command* command = FindCommand(word.text);
+  if (const std::size_t hash = word.text.find('#'); !command && hash != std::string_view::npos) {
+    // A comment glued to a command, as "end#close": other words may be names of files, where it is a letter.
+    command = FindCommand(word.text.substr(0, hash));
+    if (command) {
+      word.text = word.text.substr(0, hash);
+      file.tokens.SkipLine(word.line);
+    }
+  }
+  if (!command) return UnknownCommand(word);
   file.last_command = command;
   file.statement = word;
   Statement statement(*command, word, file.tokens);

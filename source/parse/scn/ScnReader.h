@@ -23,7 +23,7 @@ namespace ray {
 /// Command.h; this class keeps what they share: the files being read, innermost last, and the scene as it grows.
 class ScnReader {
  public:
-  ScnReader(const Files& files, const ParseOptions& options, Report& report);
+  ScnReader(const Files& files, const ParseOptions& options, Assets& assets, Report& report);
 
   /// Reads the top scene to its end. Mistakes go to the report.
   Scene Read();
@@ -82,7 +82,7 @@ class ScnReader {
   void Open(const FoundFile& file);
   KnownText TextOf(const FoundFile& file);
   void CloseFile();
-  void ReadStatement(const Token& word);
+  void ReadStatement(Token word);
   void UnknownCommand(const Token& word);
   void CheckNodes(const Statement& statement);
   void Error(SceneError error);
@@ -92,7 +92,7 @@ class ScnReader {
   const Files& files_;
   const ParseOptions& options_;
   Report& report_;
-  Assets assets_;
+  Assets& assets_;
   SceneBuilder builder_;
   std::deque<OpenFile> open_files_;  // a deque: opening a file must not move the one whose statement asked for it
   std::map<std::string, KnownText> texts_;

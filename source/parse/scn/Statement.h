@@ -19,7 +19,8 @@ struct Arguments {
 };
 
 /// One command while its arguments are read. A wrong argument is noted and reading goes on, so that one run tells all
-/// that is wrong with a line; a missing one ends the command. A statement with errors must have no effect.
+/// that is wrong with a line; a missing one ends the command. What a statement with errors leaves in the scene does not
+/// matter: the scene is refused.
 class Statement {
  public:
   /// Thrown when the command ends before its arguments do; the error has been noted.

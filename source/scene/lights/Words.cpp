@@ -1,7 +1,6 @@
 #include "source/scene/lights/Words.h"
 
-#include <array>
-#include <charconv>
+#include "source/text/NumberText.h"
 
 namespace ray {
 namespace {
@@ -10,12 +9,7 @@ std::string Triple(double a, double b, double c) { return Words(a) + " " + Words
 
 }  // namespace
 
-std::string Words(double number) {
-  std::array<char, 32> digits;  // 24 are enough for any double
-  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr;
-  return {digits.data(), end};
-}
-
+std::string Words(double number) { return ToText(number); }
 std::string Words(const R2::Color& color) { return Triple(color.r, color.g, color.b); }
 std::string Words(const R3::Point& place) { return Triple(place.x, place.y, place.z); }
 std::string Words(const R3::Vector& direction) { return Triple(direction.x, direction.y, direction.z); }

@@ -8,14 +8,17 @@
 
 namespace ray {
 
-/// Cameras under the digits 1 to 9, kept in a file beside the scene: lines of a digit and a camera line.
+/// Cameras under the digits 1 to 9, which are kept in a file beside the scene: lines of a digit and a camera line.
 class Bookmarks {
  public:
+  /// With those that the file has; "-", standard input, has no file beside it.
   explicit Bookmarks(const std::string& scene);
 
   std::optional<Camera> Find(int digit) const;
-  /// Also into the file; false when it cannot be written, and the bookmark lasts as long as the program.
-  bool Keep(int digit, const Camera& camera);
+  void Set(int digit, const Camera& camera) { cameras_.insert_or_assign(digit, camera); }
+  /// What the file is to hold.
+  std::string Text() const;
+  /// Empty where there is none.
   const std::string& File() const { return file_; }
 
  private:

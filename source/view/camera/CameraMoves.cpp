@@ -140,18 +140,10 @@ ClipMatrix ClipFromDrawing(const Camera& camera, const DrawingSpace& space, cons
     nearest = std::max(middle - widened * radius, 1e-3 * farthest);
   }
   const double sx = 1 / camera.HalfWidth(), sy = 1 / HalfHeight(camera, size);
-  const double a = (farthest + nearest) / (farthest - nearest), b = -2 * farthest * nearest / (farthest - nearest);
   const R3::Vector eye = (camera.eye - space.center) / space.radius, middle = TowardsMiddle(camera);
   const R3::Vector x = sx * (camera.right - Dot(camera.right, middle) * camera.towards),
                    y = sy * (camera.up - Dot(camera.up, middle) * camera.towards);
-  const auto row = [](const R3::Vector& v, double last) { return std::array{v.x, v.y, v.z, last}; };
-  const std::array rows{row(x, -Dot(x, eye)), row(y, -Dot(y, eye)),
-                        row(a * camera.towards, b - a * Dot(camera.towards, eye)),
-                        row(camera.towards, -Dot(camera.towards, eye))};
-  ClipMatrix matrix{};
-  for (std::size_t r = 0; r < 4; ++r)
-    for (std::size_t c = 0; c < 4; ++c) matrix[4 * c + r] = rows[r][c];
-  return matrix;
+  return Perspective(eye, camera.towards, x, y, nearest, farthest);
 }
 
 }  // namespace ray

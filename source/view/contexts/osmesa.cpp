@@ -6,7 +6,9 @@
 
 #include <array>
 #include <functional>
+#include <memory>
 #include <optional>
+#include <type_traits>
 
 #include "source/view/contexts/ContextKind.h"
 
@@ -54,7 +56,7 @@ class Functions {
     USE(PixelStorei) USE(PolygonMode) USE(PolygonOffset) USE(ReadPixels) USE(RenderbufferStorage) USE(Scissor)
     USE(ShaderSource) USE(TexImage2D) USE(TexImage3D) USE(TexParameteri) USE(TexSubImage2D) USE(Uniform1f)
     USE(Uniform1i) USE(Uniform2f) USE(Uniform3fv) USE(UniformBlockBinding) USE(UniformMatrix4fv) USE(UseProgram)
-    USE(VertexAttrib4f) USE(VertexAttribPointer) USE(Viewport)
+    USE(VertexAttribPointer) USE(Viewport)
 #undef USE
   }
   // clang-format on
@@ -91,27 +93,22 @@ class OsMesaContext : public Context {
                                          3,
                                          0};
     const auto make_current = FindInLibrary<decltype(&OSMesaMakeCurrent)>("OSMesaMakeCurrent");
-    destroy_ = FindInLibrary<decltype(&OSMesaDestroyContext)>("OSMesaDestroyContext");
-    context_ =
-        FindInLibrary<decltype(&OSMesaCreateContextAttribs)>("OSMesaCreateContextAttribs")(wanted.data(), nullptr);
+    const auto create = FindInLibrary<decltype(&OSMesaCreateContextAttribs)>("OSMesaCreateContextAttribs");
+    const auto destroy = FindInLibrary<decltype(&OSMesaDestroyContext)>("OSMesaDestroyContext");
+    context_ = {create(wanted.data(), nullptr), destroy};
     if (!context_) throw ContextError("the library has no OpenGL 3.3 core");
-    if (!make_current(context_, pixel_.data(), GL_UNSIGNED_BYTE, 1, 1)) {
-      destroy_(context_);
+    if (!make_current(context_.get(), pixel_.data(), GL_UNSIGNED_BYTE, 1, 1))
       throw ContextError("the context cannot be used on this thread");
-    }
     functions_.emplace();
     name_ = "osmesa: " + CurrentRenderer();
   }
-
-  // Takes it from the thread as well.
-  ~OsMesaContext() override { destroy_(context_); }
 
   std::string Name() const override { return name_; }
 
  private:
   std::array<unsigned char, 4> pixel_{};  // a context wants something to draw into, though we never do
-  decltype(&OSMesaDestroyContext) destroy_ = nullptr;
-  OSMesaContext context_ = nullptr;
+  using Handle = std::unique_ptr<std::remove_pointer_t<OSMesaContext>, decltype(&OSMesaDestroyContext)>;
+  Handle context_{nullptr, nullptr};  // destroying it takes it from the thread as well
   std::optional<Functions> functions_;
   std::string name_;
 };

@@ -9,7 +9,7 @@ namespace ray {
 
 namespace {
 
-constexpr GLsizei side = 1024;  // texels; a scene seen from outside is then told apart to 1/500 of its radius
+constexpr GLsizei side = 1024;  // texels; a scene seen from outside is then resolved to 1/500 of its radius
 
 }  // namespace
 

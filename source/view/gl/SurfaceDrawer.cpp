@@ -9,6 +9,7 @@
 #include "source/view/gl/Canvas.h"
 #include "source/view/gl/Target.h"
 #include "source/view/gl/Upload.h"
+#include "source/view/preview/Floats.h"
 
 namespace ray {
 
@@ -59,13 +60,6 @@ constexpr int most_texels = 2048;  // per side of a texture or environment: 24 M
 constexpr double rim = 0.25;       // brightness at the rim of a full mirror that shows nothing
 
 constexpr float most_half = 65504;  // that a half-precision float can hold
-
-float AsFloat(double x) {
-  constexpr double most = std::numeric_limits<float>::max();
-  return static_cast<float>(std::clamp(x, -most, most));
-}
-
-std::array<float, 3> AsFloats(const R2::Color& c) { return {AsFloat(c.r), AsFloat(c.g), AsFloat(c.b)}; }
 
 void Set(const ShaderProgram& program, const char* name, const R2::Color& color) {
   glUniform3fv(program[name], 1, AsFloats(color).data());

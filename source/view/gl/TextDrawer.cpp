@@ -4,6 +4,7 @@
 #include <cstddef>
 
 #include "source/view/gl/Font.h"
+#include "source/view/gl/Upload.h"
 
 namespace ray {
 
@@ -80,14 +81,9 @@ void Add(std::vector<TextVertex>& vertices, const Label& label, float size) {
 TextDrawer::TextDrawer() : program_("text", vertex_shader, fragment_shader) {
   glBindVertexArray(vertex_array_.Name());
   glBindBuffer(GL_ARRAY_BUFFER, vertices_.Name());
-  const auto describe = [](GLuint location, GLint count, GLenum type, std::size_t offset) {
-    glEnableVertexAttribArray(location);
-    glVertexAttribPointer(location, count, type, type == GL_UNSIGNED_BYTE, sizeof(TextVertex),
-                          reinterpret_cast<const void*>(offset));
-  };
-  describe(0, 2, GL_FLOAT, offsetof(TextVertex, x));
-  describe(1, 2, GL_FLOAT, offsetof(TextVertex, sheet_x));
-  describe(2, 4, GL_UNSIGNED_BYTE, offsetof(TextVertex, color));
+  Describe(0, 2, GL_FLOAT, sizeof(TextVertex), offsetof(TextVertex, x));
+  Describe(1, 2, GL_FLOAT, sizeof(TextVertex), offsetof(TextVertex, sheet_x));
+  Describe(2, 4, GL_UNSIGNED_BYTE, sizeof(TextVertex), offsetof(TextVertex, color));
   glBindTexture(GL_TEXTURE_2D, sheet_.Name());
   glTexImage2D(GL_TEXTURE_2D, 0, GL_R8, glyph_count * glyph_width, glyph_height, 0, GL_RED, GL_UNSIGNED_BYTE,
                GlyphSheet().data());

@@ -127,10 +127,6 @@ Lines LinesOf(const Light& light, const DrawingSpace& space) {
   return lines;
 }
 
-}  // namespace
-
-namespace {
-
 /// Boxes that hide the scene say less than faint ones.
 void Fade(BoxLines& boxes) {
   constexpr std::size_t most_opaque = 500;

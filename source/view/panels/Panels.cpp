@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <set>
 #include <utility>
 
 #include "source/view/panels/Panel.h"
@@ -65,6 +67,27 @@ std::shared_ptr<const PanelDrawing> AsDrawing(const ImDrawData& data, std::share
   return drawing;
 }
 
+/// What keys of ours that panels understand are to Dear ImGui.
+constexpr std::pair<ImGuiKey, Key> key_names[] = {
+    {ImGuiKey_LeftArrow, Key::left},
+    {ImGuiKey_RightArrow, Key::right},
+    {ImGuiKey_UpArrow, Key::up},
+    {ImGuiKey_DownArrow, Key::down},
+    {ImGuiKey_PageUp, Key::page_up},
+    {ImGuiKey_PageDown, Key::page_down},
+    {ImGuiKey_Home, Key::home},
+    {ImGuiKey_End, Key::end},
+    {ImGuiKey_Backspace, Key::backspace},
+    {ImGuiKey_Enter, Key::enter},
+    {ImGuiKey_Escape, Key::escape},
+    {ImGuiKey_A, Key::a},
+    {ImGuiKey_C, Key::c},
+    {ImGuiKey_V, Key::v},
+    {ImGuiKey_X, Key::x},
+    {ImGuiKey_Y, Key::y},
+    {ImGuiKey_Z, Key::z},
+};
+
 /// Those of Dear ImGui, in a context of their own. A frame is made for every event, so that what it leads to does not
 /// depend on when something is drawn.
 class ImGuiPanels : public Panels {
@@ -98,7 +121,7 @@ class ImGuiPanels : public Panels {
   void LetGo() override {
     Use();
     ImGuiIO& io = ImGui::GetIO();
-    std::ranges::fill(io.KeysDown, false);
+    for (const Key key : std::exchange(keys_down_, {})) PutKey(key, false);
     std::ranges::fill(io.MouseDown, false);
     io.MousePos = {nowhere, nowhere};
     ImGui::ClearActiveID();
@@ -154,28 +177,30 @@ class ImGuiPanels : public Panels {
     is_dressed_ = false;
   }
 
-  static void NameKeys(ImGuiIO& io) {
-    constexpr std::pair<ImGuiKey_, Key> names[] = {
-        {ImGuiKey_LeftArrow, Key::left},
-        {ImGuiKey_RightArrow, Key::right},
-        {ImGuiKey_UpArrow, Key::up},
-        {ImGuiKey_DownArrow, Key::down},
-        {ImGuiKey_PageUp, Key::page_up},
-        {ImGuiKey_PageDown, Key::page_down},
-        {ImGuiKey_Home, Key::home},
-        {ImGuiKey_End, Key::end},
-        {ImGuiKey_Backspace, Key::backspace},
-        {ImGuiKey_Enter, Key::enter},
-        {ImGuiKey_Escape, Key::escape},
-        {ImGuiKey_A, Key::a},
-        {ImGuiKey_C, Key::c},
-        {ImGuiKey_V, Key::v},
-        {ImGuiKey_X, Key::x},
-        {ImGuiKey_Y, Key::y},
-        {ImGuiKey_Z, Key::z},
-    };
-    for (const auto& [theirs, ours] : names) io.KeyMap[theirs] = static_cast<int>(ours);
+#if IMGUI_VERSION_NUM >= 18900
+  // Keys are events of their own from 1.87 on, as modifiers are from 1.89 on; the arrays are gone since 1.91.5.
+  static void NameKeys(ImGuiIO& io) { io.ConfigInputTrickleEventQueue = false; }  // a frame takes all that came
+  static void PutKey(Key key, bool is_down) {
+    for (const auto& [theirs, ours] : key_names)
+      if (ours == key) ImGui::GetIO().AddKeyEvent(theirs, is_down);
   }
+  static void PutModifiers(const Modifiers& modifiers) {
+    ImGui::GetIO().AddKeyEvent(ImGuiMod_Ctrl, modifiers.control);
+    ImGui::GetIO().AddKeyEvent(ImGuiMod_Shift, modifiers.shift);
+  }
+#else
+  static void NameKeys(ImGuiIO& io) {
+    for (const auto& [theirs, ours] : key_names) io.KeyMap[theirs] = static_cast<int>(ours);
+  }
+  static void PutKey(Key key, bool is_down) {
+    const auto index = static_cast<std::size_t>(key);
+    if (auto& down = ImGui::GetIO().KeysDown; index < std::size(down)) down[index] = is_down;
+  }
+  static void PutModifiers(const Modifiers& modifiers) {
+    ImGui::GetIO().KeyCtrl = modifiers.control;
+    ImGui::GetIO().KeyShift = modifiers.shift;
+  }
+#endif
 
   /// Whether text is being entered. Dear ImGui tells of the end of that a frame late.
   bool TakesText(Viewer& viewer) {
@@ -184,17 +209,22 @@ class ImGuiPanels : public Panels {
   }
 
   bool On(const KeyEvent& event, Viewer& viewer) {
-    ImGuiIO& io = ImGui::GetIO();
-    const auto key = static_cast<std::size_t>(event.key);
-    if (event.key == Key::tab || key >= std::size(io.KeysDown)) return false;
-    if (event.is_pressed ? !TakesText(viewer) : !io.KeysDown[key]) return false;
-    if (event.is_pressed && std::exchange(io.KeysDown[key], false)) MakeFrame(viewer);  // it is held, and counts again
-    io.KeysDown[key] = event.is_pressed;
-    io.KeyCtrl = event.modifiers.control;
-    io.KeyShift = event.modifiers.shift;
-    if (event.is_pressed && event.key == Key::space) io.AddInputCharacter(' ');
+    const Key key = event.key;
+    if (key == Key::tab) return false;
+    if (event.is_pressed ? !TakesText(viewer) : !keys_down_.contains(key)) return false;
+    if (event.is_pressed && keys_down_.contains(key)) {  // it is held, and counts again
+      PutKey(key, false);
+      MakeFrame(viewer);
+    }
+    if (event.is_pressed)
+      keys_down_.insert(key);
+    else
+      keys_down_.erase(key);
+    PutKey(key, event.is_pressed);
+    PutModifiers(event.modifiers);
+    if (event.is_pressed && key == Key::space) ImGui::GetIO().AddInputCharacter(' ');
     MakeFrame(viewer);
-    io.KeyCtrl = io.KeyShift = false;  // nobody tells when they are let go
+    PutModifiers({});  // nobody tells when they are let go
     return true;
   }
 
@@ -311,6 +341,7 @@ class ImGuiPanels : public Panels {
   double screen_ = 1;  // pixels per unit of length
   bool is_dressed_ = false, wants_text_ = false;
   float passed_ = 0;                // seconds since the last frame
+  std::set<Key> keys_down_;         // of those that panels have got
   Holder holder_ = Holder::nobody;  // who got the press of the buttons that are down
   Viewer* viewer_ = nullptr;        // of the last frame
   std::vector<PanelItem> items_;

@@ -2,32 +2,27 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 
+#include "source/text/LowerCase.h"
 #include "source/view/panels/Panel.h"
 
 // What mouse and keys do, to be searched.
 namespace ray {
 namespace {
 
-std::string InLowerCase(std::string text) {
-  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return text;
-}
-
 class HelpPanel : public Panel {
  public:
   void Draw(PanelFrame& frame) override {
     ImGui::InputTextWithHint("##search", "search", search_.data(), search_.size());
     frame.Note("search");
-    const std::string searched = InLowerCase(search_.data());
+    const std::string searched = LowerCase(search_.data());
     const HelpRow* heading = nullptr;
     for (const HelpRow& row : rows_) {
       if (row.keys.empty()) {
         heading = &row;
         continue;
       }
-      if (InLowerCase(row.keys + " " + row.text).find(searched) == std::string::npos) continue;
+      if (LowerCase(row.keys + " " + row.text).find(searched) == std::string::npos) continue;
       if (heading) frame.Say(heading->text);
       heading = nullptr;
       DrawRow(frame, row);

@@ -78,29 +78,29 @@ class PixelPanel : public Panel {
     if (frame.viewer.Picked()) ImGui::Separator();
     frame.Say("rays of pixel " + std::to_string(pixel.column) + " " + std::to_string(pixel.row) + ": " +
               Brief(pixel.Mean()));
-    frame.Say("kind, luminance it brings | length, what it hits");
+    frame.Say("kind, luminance it contributes | length, what it hits");
     Read(frame, pixel);
     DrawTree(frame, pixel);
     const auto chosen = frame.viewer.Rays().Look().chosen;
     if (!chosen) return;
     DrawRay(frame, pixel.rays[*chosen]);
-    frame.Fact("brings", Brief(brought_[*chosen]) + (children_[*chosen].empty() ? "" : " with what it leads to"));
+    frame.Fact("subtree", Brief(contribution_[*chosen]) + " contributed in all");
   }
 
-  /// What each ray leads to, and what all of that brings; read again for each trace of a pixel.
+  /// What each ray leads to, and what all of that contributes; read again for each trace of a pixel.
   void Read(const PanelFrame& frame, const PixelTrace& pixel) {
     const int trace = frame.viewer.Rays().TraceNumber();
     if (std::exchange(trace_, trace) == trace) return;
     rays_.Forget();
     children_.assign(pixel.rays.size(), {});
-    brought_.clear();
+    contribution_.clear();
     roots_.clear();
-    for (const RecordedRay& ray : pixel.rays) brought_.push_back(ray.contribution);
+    for (const RecordedRay& ray : pixel.rays) contribution_.push_back(ray.contribution);
     for (std::size_t i = pixel.rays.size(); i-- > 0;) {
       const int parent = pixel.rays[i].parent;
       if (parent == RecordedRay::none) continue;
       children_[static_cast<std::size_t>(parent)].push_back(i);
-      brought_[static_cast<std::size_t>(parent)] += brought_[i];
+      contribution_[static_cast<std::size_t>(parent)] += contribution_[i];
     }
     for (std::size_t i = 0; i < pixel.rays.size(); ++i) {
       std::ranges::reverse(children_[i]);
@@ -115,7 +115,7 @@ class PixelPanel : public Panel {
       const RecordedRay& ray = pixel.rays[i];
       const std::string hit = HitBy(ray, world);
       std::string text = ray_kind_names[static_cast<std::size_t>(ray.kind)];
-      text += " " + Rounded(Luminance(brought_[i]), 3) + " | " + LengthOf(ray);
+      text += " " + Rounded(Luminance(contribution_[i]), 3) + " | " + LengthOf(ray);
       if (!hit.empty()) text += (ray.kind == RayKind::shadow ? " blocked by " : " to ") + hit;
       return text;
     };
@@ -135,15 +135,15 @@ class PixelPanel : public Panel {
     const std::string hit = HitBy(ray, frame.viewer.scene().world);
     if (!hit.empty()) frame.Fact(ray.kind == RayKind::shadow ? "blocked" : "hits", hit);
     if (ray.at) frame.Fact("normal", Brief(AsVector(ray.at->shading_normal)));
-    frame.Fact("passes", Brief(ray.throughput));
-    frame.Fact("adds", Brief(ray.contribution));
+    frame.Fact("throughput", Brief(ray.throughput));
+    frame.Fact("contribution", Brief(ray.contribution));
   }
 
   int trace_ = 0;  // as RayInspector counts, from 1
   Tree rays_;
   std::vector<std::size_t> roots_;                  // the rays from the camera
   std::vector<std::vector<std::size_t>> children_;  // of each ray
-  std::vector<R2::Color> brought_;                  // by each, with all that it leads to
+  std::vector<R2::Color> contribution_;             // of each, with all that it leads to
 };
 
 }  // namespace

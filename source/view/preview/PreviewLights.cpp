@@ -8,13 +8,10 @@
 #include "R1/Elementary.h"
 #include "source/integrate/lights/EmissiveShape.h"
 #include "source/integrate/lights/EmissiveTriangle.h"
+#include "source/view/preview/Floats.h"
 
 namespace ray {
 namespace {
-
-std::array<float, 3> AsFloats(const R3::Vector& v) {
-  return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
-}
 
 /// Attenuation in the world, of distances in the drawing space.
 void SetFalloff(PreviewLight& light, double constant, double linear, double quadratic, double radius) {

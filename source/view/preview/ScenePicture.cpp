@@ -11,6 +11,7 @@
 
 #include "R1/Elementary.h"
 #include "source/integrate/Bsdf.h"
+#include "source/view/preview/Floats.h"
 
 namespace ray {
 namespace {
@@ -95,12 +96,6 @@ R3::MeshData CornersOf(const R3::Box& box) {
     data.triangles.push_back({0, right | upward, right});
   }
   return data;
-}
-
-/// A number that floats can hold.
-float AsFloat(double x) {
-  constexpr double most = std::numeric_limits<float>::max();
-  return static_cast<float>(std::clamp(x, -most, most));
 }
 
 /// The angle at which Phong's lobe is half as strong as in the middle, on both sides.

@@ -18,29 +18,17 @@ constexpr double nearest_of_farthest = 1e-3;  // with 24 bits of depth
 
 R3::Vector AsVector(const std::array<float, 3>& v) { return {v[0], v[1], v[2]}; }
 
-/// Of rows of four numbers; OpenGL wants columns.
-ClipMatrix FromRows(const std::array<std::array<double, 4>, 4>& rows) {
-  ClipMatrix matrix{};
-  for (std::size_t r = 0; r < 4; ++r)
-    for (std::size_t c = 0; c < 4; ++c) matrix[4 * c + r] = rows[r][c];
-  return matrix;
-}
-
-std::array<double, 4> Row(const R3::Vector& v, double last) { return {v.x, v.y, v.z, last}; }
-
 ClipMatrix Along(const R3::Vector& towards) {
   const R3::Tangents across = R3::TangentsOf(towards);
   return FromRows({Row(across.first / reach, 0), Row(across.second / reach, 0), Row(towards / reach, 0), Row({}, 1)});
 }
 
-/// `right` and `up` are as long as what is seen at distance 1 is wide and high, inverted.
+/// As Perspective has it.
 ClipMatrix From(const PreviewLight& light, const R3::Vector& towards, const R3::Vector& right, const R3::Vector& up) {
   const R3::Vector eye = AsVector(light.place);
   const double distance = Length(eye), farthest = distance + reach;
   const double nearest = std::max({light.radius, distance - reach, nearest_of_farthest * farthest});
-  const double a = (farthest + nearest) / (farthest - nearest), b = -2 * farthest * nearest / (farthest - nearest);
-  return FromRows({Row(right, -Dot(right, eye)), Row(up, -Dot(up, eye)), Row(a * towards, b - a * Dot(towards, eye)),
-                   Row(towards, -Dot(towards, eye))});
+  return Perspective(eye, towards, right, up, nearest, farthest);
 }
 
 ClipMatrix Cone(const PreviewLight& light, const R3::Vector& towards, double half_angle) {

@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <thread>
+#include <tuple>
 
 #include "R2/Image.h"
 #include "R2/ImageFile.h"
@@ -64,7 +65,7 @@ TEST_F(Rayview, AScriptNeitherKnowsNorChangesTheHabitsOfAUser) {
   const std::string habits = WriteFile(folder / "config/raypro/rayview", "theme pink\n");
   const Finished viewed = Follow(Scene("hello.scn"), "resize 800 800\nkey Tab\n", {"-quiet"});
   EXPECT_EQ(viewed.status, 0);
-  EXPECT_EQ(viewed.error.find("understood"), std::string::npos) << viewed.error;
+  EXPECT_EQ(viewed.error.find("cannot be parsed"), std::string::npos) << viewed.error;
   EXPECT_EQ(ReadFile(habits), "theme pink\n");
 }
 
@@ -129,6 +130,36 @@ TEST_F(Rayview, ThePrintedCameraReloadsToThePicture) {
   const Finished again = testing::RunProgram({scene, folder / "again.ppm", "-width", "96", "-height", "64", "-quiet"});
   ASSERT_EQ(again.status, 0) << again.error;
   EXPECT_EQ(ReadFile(folder / "moved.ppm"), ReadFile(folder / "again.ppm"));
+}
+
+// A texture, of the scene at first or of one that was opened later, is no place for a picture.
+TEST_F(Rayview, NoPictureTakesThePlaceOfAFileThatTheSceneWasReadFrom) {
+  const std::string texture = folder / "texture.ppm", pixel = "P3 1 1 255 9 9 9\n";
+  const std::string textured =
+      WriteFile(folder / "textured.scn", "material 1 1 1 1 1 1 0 0 0 0 0 0 0 0 0 9 1 texture.ppm\nsphere 0 0 0 0 1\n");
+  const std::string plain = WriteFile(folder / "plain.scn", testing::small_scene);
+  WriteFile(texture, pixel);
+  const std::string drop = "drop " + textured + "\n", trace = "key S\nwait trace\n";
+  for (const auto& [scene, script, more] :
+       {std::tuple{textured, "screenshot " + texture + "\n", std::vector<std::string>{}},
+        {plain, drop + "screenshot " + texture + "\n", {}},
+        {plain, drop + trace, {"-image", texture}},
+        {plain, drop, {"-screenshot", texture}}}) {
+    const Finished viewed = Follow(scene, script, more);
+    EXPECT_EQ(viewed.status, 4) << script;
+    EXPECT_NE(viewed.error.find("is the input"), std::string::npos) << viewed.error;
+    EXPECT_EQ(ReadFile(texture), pixel) << script;
+  }
+}
+
+TEST_F(Rayview, ABookmarkIsWrittenBesideTheSceneAndTouchesNoOtherFile) {
+  const std::string scene = WriteFile(folder / "in.scn", testing::small_scene);
+  const std::string other = WriteFile(folder / "in.scn.views.new", "mine\n");
+  const Finished viewed = Follow(scene, "key Control+3\n");
+  ASSERT_EQ(viewed.status, 0) << viewed.error;
+  EXPECT_EQ(ReadFile(scene + ".views").substr(0, 9), "3 camera ");
+  EXPECT_EQ(ReadFile(other), "mine\n");
+  EXPECT_EQ(folder.Others({"in.scn", "in.scn.views", "in.scn.views.new", "script.events"}), testing::nothing);
 }
 
 TEST_F(Rayview, WithoutAnImageNameNothingIsOverwritten) {
@@ -333,7 +364,7 @@ TEST_F(RayviewWindow, IgnoresBrokenHabitsWithAMessage) {
   const std::string habits = WriteFile(folder / "config/raypro/rayview", "theme pink\n");
   const Finished viewed = Run({Scene("hello.scn"), "-exit_immediately"});
   EXPECT_EQ(viewed.status, 0);
-  EXPECT_NE(viewed.error.find(habits + " is not understood"), std::string::npos) << viewed.error;
+  EXPECT_NE(viewed.error.find(habits + " cannot be parsed"), std::string::npos) << viewed.error;
   EXPECT_EQ(ReadFile(habits), "theme pink\n");
 }
 

@@ -77,6 +77,16 @@ TEST(Off, CountsMayStandOnTheHeadersLineOrTheNext) {
       fan);
 }
 
+TEST(Off, CountsMayStandOnLinesOfTheirOwn) {
+  const std::string rest = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n";
+  for (const char* counts : {"4\n1\n0\n", "4 1\n0\n", "4\n1 0\n", "4\n1\n"}) {
+    const auto read = Read("a.off", "OFF\n" + std::string(counts) + rest);
+    EXPECT_EQ(read.data.triangles, fan) << counts;
+    EXPECT_EQ(read.data.positions.at(1), (R3::Point{1, 0, 0})) << counts;
+    EXPECT_TRUE(read.warnings.empty()) << counts;
+  }
+}
+
 TEST(Off, HeadersWithColorsNormalsAndTextureCoordinatesAreUnderstood) {
   const auto colored = Read("a.off", "COFF 3 1 0\n0 0 0 1 0 0 1\n1 0 0 1 0 0 1\n0 1 0 1 0 0 1\n3 0 1 2\n");
   EXPECT_EQ(colored.data.positions.at(1), (R3::Point{1, 0, 0}));
@@ -95,6 +105,8 @@ TEST(Off, NumbersThatTheHeaderDoesNotNameAreNotDroppedSilently) {
   ASSERT_EQ(read.warnings.size(), 1u);
   EXPECT_EQ(read.warnings[0],
             "a.off: warning: 3 vertices have more numbers than the header declares; the rest is ignored");
+  EXPECT_EQ(Read("a.off", "OFF 3 1 0\n0 0 0 1\n1 0 0\n0 1 0\n3 0 1 2\n").warnings.at(0),
+            "a.off: warning: 1 vertex has more numbers than the header declares; the rest is ignored");
 }
 
 TEST(Off, FacesMissingOrToSpareAreAWarning) {
@@ -104,6 +116,14 @@ TEST(Off, FacesMissingOrToSpareAreAWarning) {
   const auto many = Read("a.off", "OFF 3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 0 1 2\n");
   EXPECT_EQ(many.data.triangles.size(), 1u);
   EXPECT_EQ(many.warnings.at(0), "a.off: warning: the file has more data than the header declares");
+}
+
+// Without a line end there is no telling where data begin: none do.
+TEST(Ply, AHeaderWithoutAnyLineEndHasNoDataBehindIt) {
+  EXPECT_TRUE(Read("a.ply", "ply format ascii 1.0 end_header").data.positions.empty());
+  const std::string promised =
+      "ply format ascii 1.0 element vertex 1 property float x property float y property float z";
+  EXPECT_TRUE(Contains(ErrorOf("a.ply", promised + " end_header"), "a.ply:1:")) << ErrorOf("a.ply", promised);
 }
 
 TEST(Extremes, D8_FacesOfTooFewCornersAreCountedAndLeftOut) {

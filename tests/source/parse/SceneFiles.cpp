@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "tests/Project.h"
+#include "tests/source/parse/Folder.h"
 
 namespace {
 
@@ -17,6 +18,37 @@ TEST(SceneFiles, NameTheSceneItsIncludesItsMeshesAndItsTexturesOnceEach) {
   EXPECT_EQ(names("include.scn"), (std::vector<std::string>{"include.scn", "lines.scn", "sphere.scn"}));
   EXPECT_EQ(names("hello.scn"), (std::vector<std::string>{"hello.scn", "icosahedron.off", "checker.png"}));
   EXPECT_EQ(names("smooth.scn"), (std::vector<std::string>{"smooth.scn", "knot.obj"}));
+}
+
+const std::string named_sky = "environment sky.ppm\nsphere -1 0 0 0 1\n", white = "P3 2 1 255 9 9 9 9 9 9\n";
+
+TEST(SceneFiles, AnEnvironmentOfTheUsersTakesThePlaceOfTheScenesWhichIsThenNotDecoded) {
+  const ray::Folder folder;
+  folder.Write("sky.ppm", "no picture");
+  ray::ParseOptions options;
+  EXPECT_NE(ray::ReportOf(folder, folder.Write("in.scn", named_sky).filename(), options), "");
+  const ray::Folder elsewhere;
+  options.environment = elsewhere.Write("mine.ppm", white);
+  const ray::Scene scene = ray::Parse(folder / "in.scn", options).scene;
+  ASSERT_TRUE(scene.environment);
+  EXPECT_EQ(scene.environment->File(), options.environment);
+  ASSERT_EQ(scene.files.size(), 3u);
+  EXPECT_EQ(scene.files[1], folder / "sky.ppm") << "it is the scene's, and not to be overwritten";
+}
+
+TEST(SceneFiles, TheUsersEnvironmentCountsBesideTheTexturesAndTheHintIsShown) {
+  const ray::Folder folder;
+  folder.Write("texture.ppm", white);
+  const std::string scene = "material 1 1 1 1 1 1 0 0 0 0 0 0 0 0 0 9 1 texture.ppm\nsphere 0 0 0 0 1\n";
+  folder.Write("in.scn", scene);
+  ray::ParseOptions options;
+  options.environment = folder.Write("mine.ppm", white);
+  options.max_texture_bytes = 48;  // 12 for each texel
+  EXPECT_EQ(ray::ReportOf(folder, "in.scn", options), "");
+  options.max_texture_bytes = 47;
+  const std::string report = ray::ReportOf(folder, "in.scn", options);
+  EXPECT_TRUE(ray::Contains(report, "mine.ppm: error: the scene's textures take")) << report;
+  EXPECT_TRUE(ray::Contains(report, "-memory sets another limit")) << report;
 }
 
 }  // namespace

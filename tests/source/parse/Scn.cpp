@@ -219,6 +219,14 @@ TEST(Scn, CommentsMayStandBetweenAnyTwoWords) {
   EXPECT_EQ(scene.root.children.size(), 1u);
 }
 
+TEST(Scn, ACommentMayBeGluedToACommandOrANumberButNotToAName) {
+  const Scene scene = ParseText("begin -1" + identity + "sphere#a ball\n -1 0 0 0 1#unit\nend#close sphere\n").scene;
+  ASSERT_EQ(scene.root.children.size(), 1u);
+  EXPECT_EQ(scene.root.children[0].children.size(), 1u);
+  EXPECT_TRUE(Contains(ReportOf("mesh -1 a#b.off"), "a#b.off"));
+  EXPECT_TRUE(Contains(ReportOf("spere#a -1 0 0 0 1"), "unknown command 'spere#a'")) << ReportOf("spere#a -1 0 0 0 1");
+}
+
 TEST(Scn, ANodeKnowsWhereItStands) {
   const Folder folder;
   folder.Write("inner.scn", "\n\n  sphere -1 0 0 0 1");

@@ -30,6 +30,18 @@ TEST(EventScript, WhatIsWrittenReadsBackAsTheSame) {
   EXPECT_EQ(Written(Read(script)), script);
 }
 
+// Whatever a user did is to be done again: letters that mean something to scripts, a window put away, a long pause.
+TEST(EventScript, WhatIsRecordedCanBeRead) {
+  for (const char* script : {"type #\n", "type #1\n", "type a#\n", "drop #1 of 2.scn\n", "type tick\n"})
+    EXPECT_EQ(Written(Read(script)), script);
+  EXPECT_EQ(ScriptLine(ResizeEvent{0, 0, 1}), "");
+  EXPECT_EQ(ScriptLine(ResizeEvent{640, 0, 1}), "");
+  EXPECT_EQ(ScriptLine(TickEvent{3600}), "tick 3600\n");
+  const std::string pause = ScriptLine(TickEvent{7500.5});
+  EXPECT_EQ(pause, "tick 3600\ntick 3600\ntick 300.5\n");
+  EXPECT_EQ(Written(Read(pause)), pause);
+}
+
 TEST(EventScript, EveryKeyHasANameOfItsOwn) {
   int keys = 0;
   for (int k = 1; k < 500; ++k) {

@@ -145,6 +145,19 @@ TEST_F(ViewerTest, BookmarksOutliveTheProgram) {
   EXPECT_TRUE(IsCameraOf(kept));
 }
 
+TEST_F(ViewerTest, ABookmarkThatCannotBeWrittenLastsForTheSession) {
+  {
+    const CopiedScenes folder;
+    Open(folder / "hello.scn");
+  }
+  Do("drag left 10 10 30 30\nkey Control+3");
+  EXPECT_NE(viewer_->Message().find("bookmark 3 lasts for this session only: cannot write "), std::string::npos)
+      << viewer_->Message();
+  const Camera kept = camera();
+  Do("drag left 10 10 30 30\nkey 3");
+  EXPECT_TRUE(IsCameraOf(kept));
+}
+
 TEST_F(ViewerTest, NonsenseIsBorne) {
   Do("up left 5 5\nmove 1 1\nmove -1e9 1e9\ndown left 5 5\ndown right 6 6\nup right 6 6\nmove 1e300 1e300\nup left 5 "
      "5\n"

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <fstream>
 #include <memory>
 #include <string>
 #include <vector>
@@ -20,6 +21,10 @@ class Witness : public ViewerHost {
   std::string SaveRays(const std::string& obj) override {
     rays = obj;
     return "rays";
+  }
+  std::string SaveText(const std::string& file, const std::string& text) override {
+    std::ofstream out(file);
+    return out << text << std::flush ? "" : "cannot write " + file;
   }
   std::shared_ptr<const R2::Image> ReadPicture(const std::string& file) override {
     return file == "picture" ? std::make_shared<const R2::Image>(8, 8) : nullptr;

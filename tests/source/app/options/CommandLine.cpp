@@ -363,6 +363,12 @@ TEST(CommandLine, NamesAreTwoAndNotEmpty) {
   EXPECT_EQ(ErrorOf({"a", "-version"}), "unexpected extra argument 'a'");
 }
 
+TEST(CommandLine, AnExtensionMayBeInCapitals) {
+  EXPECT_EQ(Parsed({"S.YAML"}).picture, "S.png");
+  EXPECT_EQ(Parsed({"s.Yml"}).picture, "s.png");
+  EXPECT_TRUE(Has(ErrorOf({"a.scn", "B.SCN"}), "is a scene")) << ErrorOf({"a.scn", "B.SCN"});
+}
+
 TEST(CommandLine, ContradictionsAreRefused) {
   EXPECT_NE(ErrorBeside({"-quiet", "-verbose"}), "");
   EXPECT_EQ(ErrorOf({"-version", "-man"}), "'-man' cannot be combined with another request");

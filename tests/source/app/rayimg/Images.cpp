@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "R2/Color.h"
+#include "tests/Project.h"
 #include "tests/source/app/rayimg/Rayimg.h"
 
 namespace ray::rayimg {
@@ -26,6 +27,19 @@ TEST(RayimgInfo, TellsStatisticsAndSettings) {
 
   const std::string png = Save(folder / "b.png", Filled(3, 1, {1, 1, 1}), {{"seed", "7"}});
   EXPECT_TRUE(Has(Rayimg({"info", png}).output, "seed: 7\n"));
+}
+
+TEST(RayimgInfo, AFolderIsCalledThatAndAPipeIsRead) {
+  NEEDS_RAYIMG();
+  const TemporaryFolder folder;
+  const Finished refused = Rayimg({"info", folder.Path().string()});
+  EXPECT_EQ(refused.status, 3);
+  EXPECT_TRUE(Has(refused.error, "it is a folder")) << refused.error;
+  const std::string file = Save(folder / "a.pfm", Filled(3, 2, {0, 1, 2})), said = folder / "said";
+  const std::string command =
+      "cat '" + file + "' | '" + testing::ProgramName("RAYIMG") + "' info /dev/stdin > '" + said + "'";
+  EXPECT_EQ(std::system(command.c_str()), 0);
+  EXPECT_TRUE(Has(ReadFile(said), "3x2")) << ReadFile(said);
 }
 
 TEST(RayimgInfo, OneBadFileDoesNotHideTheOthers) {
@@ -127,6 +141,43 @@ TEST(RayimgMerge, WeighsBySamplesAndAddsThemUp) {
   EXPECT_FALSE(merged.settings.contains("samples")) << "with weights of one's own, a sum means nothing";
 }
 
+// An error or a clock ends a render anywhere, and its samples are then a mean over the pixels.
+TEST(RayimgMerge, SamplesThatAreNotWholeAreWeightsAsWell) {
+  NEEDS_RAYIMG();
+  NEEDS_THE_PROGRAM();
+  if (!HasExr()) GTEST_SKIP() << "no EXR in this build";
+  const TemporaryFolder folder;
+  const std::string a = Save(folder / "a.exr", Filled(3, 2, {0, 1, 2}), {{"seed", "1"}, {"samples", "2.5"}});
+  const std::string b = Save(folder / "b.exr", Filled(3, 2, {4, 1, 0}), {{"seed", "2"}, {"samples", "7.5"}});
+  const Finished done = Rayimg({"merge", a, b, "-out", folder / "out.exr"});
+  ASSERT_EQ(done.status, 0) << done.error;
+  EXPECT_EQ(done.error, "");
+  auto merged = Decode(folder / "out.exr");
+  EXPECT_EQ(merged.image.At(2, 1), (R2::Color{3, 1, 0.5}));
+  EXPECT_EQ(merged.settings["samples"], "10");
+
+  const std::string scene = (project::Root() / "scenes/area_light.scn").string();
+  const Words render{scene, folder / "c.exr", "-width", "96",      "-height",        "64", "-shadow_samples",
+                     "1",   "-error",         "2",      "-report", folder / "c.json"};
+  ASSERT_EQ(testing::RunProgram(render).status, 0);
+  const std::string report = ReadFile(folder / "c.json"), stored = Decode(folder / "c.exr").settings["samples"];
+  EXPECT_NE(stored.find('.'), std::string::npos) << "a whole mean tries nothing";
+  EXPECT_TRUE(Has(report, "\"mean\": " + stored)) << stored << "\n" << report;
+}
+
+TEST(RayimgMerge, OnePictureWithoutItsSamplesMakesAllWeighTheSameWithAWarning) {
+  NEEDS_RAYIMG();
+  if (!HasExr()) GTEST_SKIP() << "no EXR in this build";
+  const TemporaryFolder folder;
+  const std::string a = Save(folder / "a.exr", Filled(3, 2, {0, 1, 2}), {{"seed", "1"}, {"samples", "1"}});
+  const std::string b = Save(folder / "b.exr", Filled(3, 2, {4, 1, 0}), {{"seed", "2"}});
+  const Finished done = Rayimg({"merge", a, b, "-out", folder / "out.exr"});
+  ASSERT_EQ(done.status, 0) << done.error;
+  EXPECT_TRUE(Has(done.error, "b.exr' does not record its samples per pixel; all pictures get the same weight"))
+      << done.error;
+  EXPECT_EQ(Decode(folder / "out.exr").image.At(2, 1), (R2::Color{2, 1, 1}));
+}
+
 TEST(RayimgMerge, PicturesWithoutSettingsWeighTheSame) {
   NEEDS_RAYIMG();
   const TemporaryFolder folder;
@@ -135,7 +186,7 @@ TEST(RayimgMerge, PicturesWithoutSettingsWeighTheSame) {
     words.push_back(Save(folder / (std::to_string(i) + ".pfm"), Filled(4, 4, {i * 0.1, i * 1e6, 7})));
   const Finished done = Rayimg(words);
   EXPECT_EQ(done.status, 0);
-  EXPECT_TRUE(Has(done.error, "does not tell its seed")) << done.error;
+  EXPECT_TRUE(Has(done.error, "records no seed; assuming it is independent")) << done.error;
   const R2::Color mean = Decode(folder / "mean.pfm").image.At(3, 3);
   EXPECT_NEAR(mean.r, 0.55, 1e-7);
   EXPECT_EQ(mean.g, 5.5e6);

@@ -39,7 +39,7 @@ TEST(PanelHabits, ABrokenFileIsIgnoredWithAMessage) {
     ::testing::internal::CaptureStderr();
     EXPECT_EQ(LoadPanelHabits(file), PanelSettings()) << text;
     EXPECT_EQ(::testing::internal::GetCapturedStderr(),
-              "rayview: " + file + " is not understood; the panels look as usual\n")
+              "rayview: " + file + " cannot be parsed; using the default panel layout\n")
         << text;
   }
 }
@@ -49,7 +49,7 @@ TEST(PanelHabits, WhatCannotBeKeptIsTold) {
   testing::WriteFile(folder / "raypro", "a file, no folder");
   ::testing::internal::CaptureStderr();
   SavePanelHabits(folder / "raypro/rayview", PanelSettings());
-  EXPECT_TRUE(::testing::internal::GetCapturedStderr().starts_with("rayview: how the panels look is not kept: "));
+  EXPECT_TRUE(::testing::internal::GetCapturedStderr().starts_with("rayview: cannot save the panel layout: "));
 }
 
 TEST(PanelHabits, AreInTheFolderForThat) {

@@ -135,6 +135,11 @@ TEST(Check, TheSummaryCountsWhatIsThere) {
   EXPECT_TRUE(Has(summary, "camera        at 0.000 0.000 9.000")) << summary;
 }
 
+TEST(Check, PositionsInASmallSceneHaveMoreDecimals) {
+  const std::string summary = SceneSummary(Example("sphere -1  0 0 0  .0001\n").TheWorld(), {});
+  EXPECT_TRUE(Has(summary, "bounds        -0.0001000 -0.0001000 -0.0001000  to  0.0001000")) << summary;
+}
+
 // The published test vectors of the hash, so that another program can check a picture's scene.
 TEST(SceneHash, IsFnv1a64) {
   const TemporaryFolder folder;

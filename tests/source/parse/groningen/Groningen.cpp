@@ -197,6 +197,25 @@ TEST(Groningen, AnObjectIsAtItsPlaceInTheMiddleOfTheExposure) {
   EXPECT_TRUE(is_hit(2.5, 1));
 }
 
+TEST(Groningen, AnExposureOfOneSampleIsTheSharpPictureOfItsMiddle) {
+  std::string moving = red_ball;
+  moving.insert(moving.size() - 1, ", 'velocity': [10, 0, 0]");
+  for (const char* samples : {"", ", 'exposureSamples': 1"}) {
+    const Scene scene = Groningen(
+                            "{'Camera': {'eye': [0, 0, 9], 'center': [0, 0, 0], 'velocity': [8, 0, 0], 'exposureTime': "
+                            "0.5" +
+                            std::string(samples) + "}, 'Objects': [" + moving + "]}")
+                            .scene;
+    EXPECT_EQ(SettingOf(scene, "motion"), "(none)");
+    EXPECT_EQ(scene.camera.eye.x, 0);
+    for (const double time : {0.0, 0.5, 1.0}) {
+      R3::Ray ray{{0, 0, 9}, {0, 0, -1}};
+      ray.time = time;
+      EXPECT_TRUE(Trace(scene, ray)) << time;
+    }
+  }
+}
+
 TEST(Groningen, ACameraIsAtItsPlaceInTheMiddleOfTheExposure) {
   const auto moving = [](const std::string& time) {
     return Groningen("{'Camera': {'eye': [0, 0, 9], 'center': [0, 0, 0], 'velocity': [8, 0, -2], 'exposureTime': " +
@@ -449,6 +468,19 @@ TEST(Groningen, AMeshIsFoundWithoutItsExtensionScaledTurnedAndMoved) {
     EXPECT_FALSE(Trace(scene, {{10.5, 1, 9}, {0, 0, -1}})) << key;
     EXPECT_EQ(scene.files.size(), 2u);
   }
+}
+
+TEST(Groningen, AMeshMayHaveANameBesideItsFile) {
+  const Folder folder;
+  folder.Write("flag.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  ParseOptions options;
+  options.format = "groningen";
+  const auto file = folder.Write(
+      "scene.json", R"({"Eye": [0, 0, 9], "Objects": [{"type": "mesh", "name": "a flag", "file": "flag", "material": )"
+                    R"({"color": [1, 1, 1]}}]})");
+  const ParsedScene parsed = Parse(file, options);
+  EXPECT_TRUE(Trace(parsed.scene, {{0.25, 0.25, 9}, {0, 0, -1}}));
+  for (const std::string& warning : parsed.warnings) EXPECT_FALSE(Contains(warning, "name")) << warning;
 }
 
 #ifdef RAYPRO_YAML

@@ -159,7 +159,7 @@ TEST_F(PanelTest, ADragThatBeganInThePictureMayEndOverThem) {
   EXPECT_EQ(CameraLine(viewer_->navigator().camera()), turned) << "as without panels";
 }
 
-TEST_F(PanelTest, RaysOfAPixelAreListedWithWhatTheyBring) {
+TEST_F(PanelTest, RaysOfAPixelAreListedWithWhatTheyContribute) {
   Do("key Tab\nclick right 200 250");
   const PixelTrace& pixel = *viewer_->Rays().Pixel();
   ASSERT_EQ(pixel.samples.size(), 1u);
@@ -169,13 +169,13 @@ TEST_F(PanelTest, RaysOfAPixelAreListedWithWhatTheyBring) {
   // The rays of a sample add up to it.
   Click("camera ");
   const std::string text = viewer_->TextOfPanels();
-  ASSERT_NE(text.find("brings "), std::string::npos) << text;
-  std::istringstream sum(text.substr(text.rfind("brings ") + 7));
-  R2::Color brought;
-  sum >> brought.r >> brought.g >> brought.b;
-  EXPECT_NEAR(brought.r, pixel.Mean().r, 1e-3);
-  EXPECT_NEAR(brought.g, pixel.Mean().g, 1e-3);
-  EXPECT_NEAR(brought.b, pixel.Mean().b, 1e-3);
+  ASSERT_NE(text.find("subtree "), std::string::npos) << text;
+  std::istringstream sum(text.substr(text.rfind("subtree ") + 8));
+  R2::Color total;
+  sum >> total.r >> total.g >> total.b;
+  EXPECT_NEAR(total.r, pixel.Mean().r, 1e-3);
+  EXPECT_NEAR(total.g, pixel.Mean().g, 1e-3);
+  EXPECT_NEAR(total.b, pixel.Mean().b, 1e-3);
   EXPECT_TRUE(HasItem("shadow ")) << "its children are listed at once";
 }
 

@@ -1,0 +1,99 @@
+// Scripts that users run: what they promise, and that a program which fails is not passed over.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+
+#include "tests/Project.h"
+#include "tests/source/app/Program.h"
+
+namespace ray {
+namespace {
+
+using testing::Has;
+using testing::ReadFile;
+using testing::SceneFolder;
+using testing::TemporaryFolder;
+using testing::WriteFile;
+
+struct Ended {
+  int status;
+  std::string said;
+};
+
+/// Runs a script of script/ in a folder of its own; `words` as the shell takes them.
+Ended RunScript(const TemporaryFolder& place, const std::string& script, const std::string& words,
+                const std::string& environment = {}) {
+  const std::string command = "cd '" + place.Path().string() + "' && " + environment + " '" +
+                              (std::filesystem::canonical(project::Root()) / "script" / script).string() + "' " +
+                              words + " > said 2>&1";
+  const int status = std::system(command.c_str());
+  return {WEXITSTATUS(status), ReadFile(place / "said")};
+}
+
+const std::string small_frames = " -width 32 -height 24 -frames 2 -keep";
+
+/// The frames of a movie that was kept, in the folder that its script names.
+std::filesystem::path FramesOf(const TemporaryFolder& place, const Ended& ended) {
+  const std::string before = "the frames are in ";
+  const std::size_t at = ended.said.find(before);
+  if (at == std::string::npos) return {};
+  const std::size_t start = at + before.size();
+  return place.Path() / ended.said.substr(start, ended.said.find('\n', start) - start);
+}
+
+constexpr const char* rolled = "camera 1 2 6  -.1 -.3 -1  1 1 0  0.4  0.1 100\nview 2 .5 0\nbox -1  -1 -1 -1  1 1 1\n";
+
+TEST(MovieScript, AnOptionThatChangesLeavesTheCameraAsItIs) {
+  NEEDS_THE_PROGRAM();
+  NEEDS_RAYIMG();
+  const SceneFolder place(rolled);
+  const Ended ended = RunScript(place, "movie.sh", "-sweep seed 1 1 in.scn out.avi" + small_frames);
+  ASSERT_EQ(ended.status, 0) << ended.said;
+  ASSERT_EQ(
+      testing::RunProgram({place.Scene(), place / "one.jpg", "-width", "32", "-height", "24", "-seed", "1", "-quiet"})
+          .status,
+      0);
+  EXPECT_EQ(testing::Decode(FramesOf(place, ended) / "frame00001.jpg").image, testing::Decode(place / "one.jpg").image);
+}
+
+// Among them a camera that is rolled, and one of a scene a ten-thousandth of a unit wide.
+TEST(MovieScript, TheFirstFrameOfAnOrbitIsWhatTheScenesOwnCameraSees) {
+  NEEDS_THE_PROGRAM();
+  NEEDS_RAYIMG();
+  for (const char* scene :
+       {rolled,
+        "camera 0 .0001 .0004  0 -.2 -1  0 1 0  0.3  .0001 1\nbox -1  -.0001 -.0001 -.0001  .0001 .0001 .0001\n"}) {
+    const SceneFolder place(scene);
+    const Ended ended = RunScript(place, "movie.sh", "-turntable in.scn out.avi" + small_frames);
+    ASSERT_EQ(ended.status, 0) << ended.said;
+    ASSERT_EQ(testing::RunProgram({place.Scene(), place / "one.jpg", "-width", "32", "-height", "24", "-quiet"}).status,
+              0);
+    const auto frames = FramesOf(place, ended);
+    const R2::Image own = testing::Decode(place / "one.jpg").image;
+    EXPECT_EQ(testing::Decode(frames / "frame00000.jpg").image, own);
+    EXPECT_TRUE(Has(ReadFile(frames / "frame00001.scn"), "camera ")) << "half an orbit later";
+  }
+}
+
+TEST(MovieScript, OnlyScnScenesAreTaken) {
+  NEEDS_THE_PROGRAM();
+  const TemporaryFolder place;
+  WriteFile(place / "in.yaml", "Eye: [0, 0, 9]\n");
+  const Ended ended = RunScript(place, "movie.sh", "-turntable in.yaml out.avi");
+  EXPECT_EQ(ended.status, 2);
+  EXPECT_TRUE(Has(ended.said, "must be a .scn file")) << ended.said;
+}
+
+TEST(PreviewDifferenceScript, AProgramThatFailsIsAFailure) {
+  NEEDS_THE_PROGRAM();
+  NEEDS_RAYIMG();
+  const SceneFolder place;
+  const Ended ended = RunScript(place, "preview_difference.sh", "-size 16 in.scn", "RAYVIEW=/bin/false");
+  EXPECT_NE(ended.status, 0) << ended.said;
+  EXPECT_TRUE(Has(ended.said, "/bin/false failed")) << ended.said;
+  EXPECT_FALSE(Has(ended.said, "mean of")) << ended.said;
+}
+
+}  // namespace
+}  // namespace ray
