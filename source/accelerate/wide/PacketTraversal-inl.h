@@ -161,7 +161,7 @@ class PacketTraversal {
   HWY_INLINE std::uint32_t NotEndingOn(std::int64_t primitive, std::uint32_t rays) const {
     std::uint32_t rest = 0;
     ForEachBit(rays, [&](int i) HWY_ATTR {
-      const bool is_end = (Ray(i).leaving == primitive) | (Ray(i).reaching == primitive);
+      const bool is_end = Ray(i).leaving == primitive || Ray(i).reaching == primitive;
       rest |= static_cast<std::uint32_t>(!is_end) << i;
     });
     return rest;
