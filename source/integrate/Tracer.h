@@ -11,6 +11,9 @@
 
 namespace ray {
 
+/// Hits of camera rays go to state.hits.
+void IntersectCameraRays(const Accelerator& accelerator, std::span<const CameraSample> samples, TraceState& state);
+
 /// The rays of an integrator: traces them, together where they go nearly the same way, counts what they cost and tells
 /// the recorder, if there is one.
 class Tracer {
