@@ -12,11 +12,6 @@ constexpr double pi = std::numbers::pi;
 
 }  // namespace
 
-R2::Point OnTriangle(const R2::Point& u) {
-  const double root = std::sqrt(u.x);
-  return {root * (1 - u.y), root * u.y};
-}
-
 Vector OnPowerLobe(const R2::Point& u, double n) {
   // The cosine to the power n + 1 is even in [0, 1]; at 0, which only u = 1 gives, its logarithm is still taken as
   // finite, so that a huge n makes no NaN of it.

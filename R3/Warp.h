@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -46,10 +47,12 @@ inline R2::Point OnDisc(const R2::Point& square) {
   return {radius * (is_wide ? cosine : sine), radius * (is_wide ? sine : cosine)};
 }
 
-/// Barycentric coordinates of a triangle's corners 1 and 2 (corner 0 has the rest), evenly by area: both >= 0, their
-/// sum at most 1 + 2^-52.
+/// Barycentric coordinates in a triangle, uniformly by area: each >= 0, their sum within 2^-52 of 1.
 /// Source: Turk, Generating random points in triangles, Graphics Gems (1990), first method.
-R2::Point OnTriangle(const R2::Point& u);
+inline std::array<double, 3> OnTriangle(const R2::Point& u) {
+  const double root = std::sqrt(u.x);
+  return {1 - root, root * (1 - u.y), root * u.y};
+}
 
 /// A direction above the plane, its pdf proportional to its cosine with +z: a point of the disc lifted onto the
 /// hemisphere. z may be 0, where the pdf is 0 too.

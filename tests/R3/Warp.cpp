@@ -70,7 +70,8 @@ TEST(Extremes, I3_TheTriangleIsCoveredEvenly) {
   // 16 rows along the side opposite to corner 2 cut the triangle into 256 that are alike.
   std::vector<double> counts(256);
   for (int i = 0; i < points; ++i) {
-    const R2::Point p = R3::OnTriangle(Random(i));
+    const auto barycentric = R3::OnTriangle(Random(i));
+    const R2::Point p{barycentric[1], barycentric[2]};
     const int row = Slice(p.y, 16), column = Slice(p.x, 16);
     const bool is_upper = p.x * 16 - column + p.y * 16 - row > 1;
     // A row of k upright triangles and k - 1 upside down ones: (16 - row) and (15 - row).
@@ -160,11 +161,12 @@ TEST(Warp, DirectionsAreUnitAndFiniteAlsoAtTheEdgesOfTheSquare) {
       ASSERT_TRUE(std::isfinite(R3::PowerPdf(d.z, n))) << n;
     }
     ASSERT_GE(R3::OnCosineHemisphere(u).z, 0);
-    const R2::Point disc = R3::OnDisc(u), triangle = R3::OnTriangle(u);
+    const R2::Point disc = R3::OnDisc(u);
+    const auto triangle = R3::OnTriangle(u);
     ASSERT_LE(std::hypot(disc.x, disc.y), 1 + 1e-15);
-    ASSERT_GE(triangle.x, 0);
-    ASSERT_GE(triangle.y, 0);
-    ASSERT_LE(triangle.x + triangle.y, 1 + 0x1p-52);
+    for (const double coordinate : triangle) ASSERT_GE(coordinate, 0);
+    ASSERT_LE(triangle[1] + triangle[2], 1 + 0x1p-52);
+    ASSERT_NEAR(triangle[0] + triangle[1] + triangle[2], 1, 0x1p-52);
   }
 }
 

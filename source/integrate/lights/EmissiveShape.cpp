@@ -138,12 +138,11 @@ double EmissiveShape::ApparentArea() const {
   return Length(Cross(a, b)) + Length(Cross(b, c)) + Length(Cross(c, a));
 }
 
-std::string EmissiveShape::Describe() const { return "shape that shines, primitive " + std::to_string(Primitive()); }
+std::string EmissiveShape::Describe() const { return "emissive shape, primitive " + std::to_string(Primitive()); }
 
 LightBound EmissiveShape::Bound() const {
-  const R3::Box box = world_->InWorld(instance_->frame, instance_->shape->Bounds(element_));
-  const double rounding_of_box = 1 + 0x1p-40;
-  return {box.Center(), rounding_of_box * box.Radius(), Luminance(Emission()), 1, 0, 0, false};
+  return BoundWithoutFalloff(world_->InWorld(instance_->frame, instance_->shape->Bounds(element_)),
+                             Luminance(Emission()));
 }
 
 std::vector<EmissiveShape> EmissiveShapes(const World& world) {
