@@ -2,6 +2,7 @@
 
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -12,13 +13,6 @@ namespace {
 
 PixelRectangle Around(const PixelRectangle& r, int apron) {
   return {r.x0 - apron, r.y0 - apron, r.x1 + apron, r.y1 + apron};
-}
-
-/// What goes into an image of floats: never infinite, never NaN. Values beyond the largest float become it; a channel
-/// that is no number (which would be a fault of ours) becomes 0.
-double Storable(double x) {
-  constexpr double largest = std::numeric_limits<float>::max();
-  return std::isnan(x) ? 0 : std::clamp(x, -largest, largest);
 }
 
 /// The float next to x whose byte is that of x, where bytes are truncated: rounding to float must not lift a value over
@@ -35,7 +29,7 @@ R2::Color Normalized(const WeightedSum& sum, R2::Quantization quantization) {
   // Weights of a filter with negative lobes may cancel where samples are few; such a pixel has nothing to show.
   if (sum.weight == 0) return {};
   const R2::Color mean = sum.color / sum.weight;
-  const R2::Color storable{Storable(mean.r), Storable(mean.g), Storable(mean.b)};
+  const R2::Color storable{R2::Storable(mean.r), R2::Storable(mean.g), R2::Storable(mean.b)};
   if (quantization == R2::Quantization::rounded) return storable;
   return {TruncatedAlike(storable.r), TruncatedAlike(storable.g), TruncatedAlike(storable.b)};
 }

@@ -5,11 +5,11 @@
 #include <cmath>
 
 #include "R3/Numeric.h"
+#include "source/sample/Random.h"
 
 namespace ray {
 namespace {
 
-constexpr double below_one = 1 - 0x1p-53;
 constexpr double least_weight = 0x1p-24, least_cosine = 0.1;
 // Numbers are kept between these, so that sums and quotients of them are finite and above 0.
 constexpr double tiny = 1e-300, huge = 1e300;
