@@ -41,7 +41,7 @@ void Path::Li(std::span<const CameraSample> samples, std::span<R2::Color> radian
 }
 
 R2::Color Path::StartAt(const ShadingPoint& p, TraceState& state) const {
-  const R2::Color seen = p.path.throughput * (p.material->emission + p.AmbientReflectance() * world_.scene().ambient);
+  const R2::Color seen = p.path.throughput * p.EmittedAndAmbient(world_.scene());
   Tracer::RecordHit(p, seen, state);
   return seen;
 }
