@@ -24,8 +24,9 @@ struct ShadowTarget {
 
 /// What reaches a point from one point on a light, if nothing is in between.
 struct LightSample {
-  /// Before the surface's own cosine. Of a light with a pdf: radiance over pdf. Of others: what the scene language says
-  /// arrives, pi times smaller than the irradiance in the theory of a diffuse surface.
+  /// On a surface that faces the light: its own cosine is still to come. Where there is a pdf, an estimate from this
+  /// one sample, which is radiance over pdf. Else what the scene language says arrives, pi times smaller than the
+  /// irradiance in the theory of a diffuse surface.
   R2::Color irradiance{};
   R3::Vector to_light;         // from the point; reaches the light at t = 1 unless the light is infinitely far
   bool is_infinite = false;    // the light has a direction but no place
