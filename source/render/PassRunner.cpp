@@ -31,12 +31,6 @@ void MergeParts(Film::Block& block) {
   block.samples[1] = 0;
 }
 
-/// Of 0, for as many as usual, or a number of them; asked once, since more than usual are tried by making them.
-int ThreadsFor(int asked) {
-  const int usual = tbb::info::default_concurrency();
-  return asked > usual ? ThreadsAvailable(asked) : asked > 0 ? asked : usual;
-}
-
 }  // namespace
 
 PassRunner::PassRunner(const PassWork& work)

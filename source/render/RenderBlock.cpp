@@ -1,5 +1,7 @@
 #include "source/render/RenderBlock.h"
 
+#include <cassert>
+
 namespace ray {
 namespace {
 
@@ -21,6 +23,7 @@ void ForPixels(const PixelRectangle& pixels, const Function& function) {
 /// Samples of which some are known already, added in the order of all others.
 bool RenderAroundLooks(const SampleSource& source, const SamplesDue& due, const Filter& filter, TraceState& state,
                        BlockSums& sums) {
+  assert(due.stream == 0 && due.first == 0 && due.last == 1);
   std::vector<R2::Color> all(due.first_looks.begin(), due.first_looks.end());
   all.resize(BlockOrder::places);
   BatchTracer tracer(source, state, KeepIn(all));
