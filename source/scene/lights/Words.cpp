@@ -3,6 +3,8 @@
 #include <array>
 #include <charconv>
 
+#include "source/text/NumberText.h"
+
 namespace ray {
 namespace {
 
@@ -18,6 +20,9 @@ std::string Words(double number) {
 
 std::string Words(const R2::Color& color) { return Triple(color.r, color.g, color.b); }
 std::string Words(const R3::Point& place) { return Triple(place.x, place.y, place.z); }
-std::string Words(const R3::Vector& direction) { return Triple(direction.x, direction.y, direction.z); }
+std::string Words(const R3::Vector& direction) {
+  constexpr int digits = 5;  // of a unit vector, which has 16 where the scene's author wrote a few
+  return Rounded(direction.x, digits) + " " + Rounded(direction.y, digits) + " " + Rounded(direction.z, digits);
+}
 
 }  // namespace ray
