@@ -115,20 +115,20 @@ struct BsdfSample {
   Lobe lobe = Lobe::diffuse;
 };
 
-/// How the surface at a point scatters light towards wo: kd / pi, a glossy lobe or a mirror of weight ks, and kt
-/// straight on or refracted, ks and kt being the SpecularWeights. The glossy lobe is Phong's, normalized over the
+/// How the surface at a point scatters light towards wo: kd / pi, a glossy lobe or a mirror of weight kr, and kt
+/// straight on or refracted, kr and kt being the SpecularWeights. The glossy lobe is Phong's, normalized over the
 /// hemisphere about R, wo mirrored about N. Radiance that it scatters per radiance and solid angle is
 ///
-///     ks (n + 1) / (2 pi) (wi.R)^n,   nothing where wi.R <= 0 or wi.N <= 0,
+///     kr (n + 1) / (2 pi) (wi.R)^n,   nothing where wi.R <= 0 or wi.N <= 0,
 ///
 /// and no cosine wi.N is in it: it is the BRDF times that cosine. What is below the surface is lost, so that with wo at
 /// an angle t to N it reflects of an evenly lit hemisphere
 ///
-///     ks * integral of cos^n from t - pi/2 to pi/2 / integral of cos^n from -pi/2 to pi/2:
+///     kr * integral of cos^n from t - pi/2 to pi/2 / integral of cos^n from -pi/2 to pi/2:
 ///
-/// ks from straight above, half of it at the horizon. A lobe with the cosine and the norm (n + 2) / (2 pi), as other
+/// kr from straight above, half of it at the horizon. A lobe with the cosine and the norm (n + 2) / (2 pi), as other
 /// renderers have it, is as strong from straight above and (n + 2) / (n + 1) cos t times as strong in the middle at an
-/// angle t, so that the same ks looks fainter there.
+/// angle t, so that the same kr looks fainter there.
 ///
 /// wo is fixed when a Bsdf is made, because Fresnel's share and the middle of the lobe depend on it alone. The point
 /// must outlive it. Directions are unit and point away from the surface.

@@ -1,6 +1,9 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
+#include <optional>
+#include <span>
 
 #include "source/integrate/Bsdf.h"
 #include "source/integrate/Integrator.h"
@@ -10,10 +13,10 @@
 namespace ray {
 
 /// Path tracing with next-event estimation: light arrives over every number of bounces up to max_depth, each bounce
-/// going one way, chosen by the Bsdf. Units are the course's: kd and ks are the shares that are scattered, so an
+/// going one way, chosen by the Bsdf. Units are the course's: kd and kr are the shares that are scattered, so an
 /// emission or an environment L is a radiance and is scattered as
 ///
-///     kd / pi * cosine + ks (n + 1) / (2 pi) (V.R)^n      (the second term only with `glossy`)
+///     kd / pi * cosine + kr (n + 1) / (2 pi) (V.R)^n      (the second term only where IsGlossy)
 ///
 /// while lights of the scene language scatter by Phong's formula as they do in Whitted. Every shape that emits is a
 /// light, on both sides of its surface.

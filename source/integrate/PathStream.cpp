@@ -1,7 +1,7 @@
 #include "source/integrate/PathStream.h"
 
 #include <algorithm>
-#include <utility>
+#include <cmath>
 
 #include "R3/Numeric.h"
 #include "source/integrate/ShadingPoints.h"
@@ -184,7 +184,12 @@ void PathStream::LightPoints(const Front& front, TraceState& state) const {
   const std::span<const ShadingPoint> points = front.points;
   state.arrived.assign(points.size(), {});
   if (!SamplesAllLights()) {
-    for (std::size_t i = 0; i < points.size(); ++i) SampleChosenLights(points[i], Bsdf(points[i], settings_), i, state);
+    auto bsdf = front.bsdfs.begin();
+    for (std::size_t i = 0; i < points.size(); ++i)
+      if (front.are_diffuse[i] != 0)
+        SampleChosenLights(points[i], Bsdf(points[i], settings_), i, state);
+      else
+        SampleChosenLights(points[i], *bsdf++, i, state);
     return tracer_.TraceShadowRays(state);
   }
   PointsOfEach<2> random;
