@@ -1,7 +1,6 @@
 #include "source/integrate/lights/LightSampler.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 
 #include "R3/Warp.h"
