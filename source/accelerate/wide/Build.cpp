@@ -186,12 +186,13 @@ class Builder {
     return node;
   }
 
-  /// The largest box is the one most rays would go through. Of boxes alike, and of all deep down, the one that holds
-  /// most comes first, so that the children of a node hold about as much.
+  /// The largest box is the one most rays would go through. Of boxes nearly alike, and of all deep down, the one that
+  /// holds most comes first, so that the children of a node hold about as much.
   static bool IsSplitBefore(const Range& a, const Range& b, int depth) {
+    constexpr float alike = 1 - 1.0f / 64;
     const float area = a.box.HalfArea(), other = b.box.HalfArea();
-    if (depth < sah_depth && area != other) return area > other;
-    return a.Size() > b.Size();
+    const bool are_alike = std::min(area, other) >= alike * std::max(area, other);
+    return depth < sah_depth && !are_alike ? area > other : a.Size() > b.Size();
   }
 
   BuildChild Leaf(const Range& range) const {
