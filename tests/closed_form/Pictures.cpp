@@ -162,8 +162,10 @@ TEST(Extremes, F6_EveryRayThatIsNotFollowedForItsManyRelativesIsCounted) {
   ray::RenderSettings settings;
   settings.width = settings.height = 1;
   settings.trace.max_depth = 2;
+  settings.trace.min_luminance = 0;
   const auto result =
       project::Render(project::Stage(project::FromText("camera 0 0 0  0 0 -1  0 1 0  0.1  0.01 100 "
+                                                       "point_light 0 0 0  0 0 0  1 0 0 "
                                                        "material 0 0 0  0 0 0  1 1 1  0 0 0  0 0 0  1 1 0 "
                                                        "gloss 0 1e9 1024\nbox 0  -9 -9 -9  9 9 9")),
                       settings);

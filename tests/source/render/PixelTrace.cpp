@@ -136,7 +136,7 @@ TEST(PixelTrace, ABlackSampleOnAnOutlineIsSaidToBeOne) {
     outlined += is_said;
   }
   EXPECT_GT(outlined, 2);
-  EXPECT_LT(outlined, 40);
+  EXPECT_LT(outlined, 60);
 }
 
 TEST(PixelTrace, ACostIsSaidToBeOne) {
