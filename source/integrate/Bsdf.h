@@ -100,7 +100,7 @@ std::optional<R3::Vector> Refraction(const ShadingPoint& p);
 
 /// Of the diffuse lobe about N.
 inline R3::Vector DiffuseDirection(const R3::Vector& N, const R2::Point& u) {
-  return R3::FromTangents(R3::OnCosineHemisphere(u), N);
+  return R3::FromTangents(R3::SampleCosineHemisphere(u), N);
 }
 
 /// The lobes of a BSDF. A specular one is a delta distribution: it scatters into one direction alone.
@@ -142,8 +142,8 @@ class Bsdf {
   R2::Color Eval(const R3::Vector& wi) const;
   /// Of Sample giving wi by a non-specular lobe, per solid angle.
   double Pdf(const R3::Vector& wi) const;
-  /// Whether surfaces of a material have the diffuse lobe alone. Then Eval is CosinePdf times kd, Pdf is CosinePdf
-  /// where kd is not black and else 0, and Sample gives the diffuse direction.
+  /// Whether surfaces of a material have the diffuse lobe alone. Then Eval is CosineHemispherePdf times kd, Pdf is
+  /// CosineHemispherePdf where kd is not black and else 0, and Sample gives the diffuse direction.
   static bool IsDiffuse(const Material& m) { return m.coat == 0 && IsBlack(m.kr) && IsBlack(m.kt); }
   /// Importance sampling: a lobe with a probability proportional to the luminance of its weight, then a direction by
   /// that lobe. Nothing where no light is scattered, or it would have to come from inside the surface.

@@ -101,7 +101,7 @@ struct PathStream::Loops {
     if (!MakeCosines(front.normals, samples, cosines)) return false;
     ColorOfEach colors;  // of its own, so that it is clear that nothing overlaps
     for (std::uint32_t i = 0; i < samples.count; ++i) {
-      const double cosine_pdf = R3::CosinePdf(cosines[i]);
+      const double cosine_pdf = R3::CosineHemispherePdf(cosines[i]);
       const double weight = 1 - std::min(most_weight, BalanceHeuristic(cosine_pdf, pdfs[i]));
       const R2::Color color = samples.Color(i), eval = cosine_pdf * front.kd[i];
       const double cosine_if_sampled = pdfs[i] > 0 ? cosines[i] : 0;
@@ -124,7 +124,7 @@ struct PathStream::Loops {
     const std::size_t count = front.points.size();
     for (std::size_t i = 0; i < count; ++i) {
       const R2::Color kd = front.kd[i];
-      const double pdf = R3::CosinePdf(Dot(front.normals[i], directions[i]));
+      const double pdf = R3::CosineHemispherePdf(Dot(front.normals[i], directions[i]));
       const R2::Color throughput = front.throughputs[i] * (pdf * kd) / pdf;
       const double survival = std::max(least_survival, SurvivalProbability(throughput));
       // Nested, since g++ makes no vector instructions of several conditions in one.

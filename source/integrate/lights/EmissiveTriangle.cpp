@@ -24,7 +24,7 @@ R3::Vector Largest(const R3::Vector& a, const R3::Vector& b) {
 }  // namespace
 
 R3::Point EmissiveTriangle::PointTowards(const R3::Point& seen_from, const R2::Point& random, double time) const {
-  const auto [a, b, c] = R3::OnTriangle(random);
+  const auto [a, b, c] = R3::SampleUniformTriangle(random);
   R3::Intersection at;
   at.position = R3::Point{} +
                 (a * FromOrigin(corners[0]) + b * FromOrigin(corners[1]) + c * FromOrigin(corners[2]) + time * motion);

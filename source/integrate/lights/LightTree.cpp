@@ -271,7 +271,7 @@ LightTree::Weights LightTree::OfChildren(const Node& node, const R3::Point& p, c
 
 std::optional<LightTree::Choice> LightTree::Choose(const R3::Point& p, const R3::Vector& N, double u) const {
   double probability = 1;
-  // One of the weights by u, which becomes an even number again.
+  // One of the weights by u, which becomes a uniform number again.
   const auto choose = [&](const Weights& weights) {
     const double target = std::min(u, below_one) * weights.sum;
     std::size_t chosen = 0;
