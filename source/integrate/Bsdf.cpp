@@ -15,7 +15,7 @@ R3::Vector Mirrored(const ShadingPoint& p) { return Unit(Reflect(-p.wo, p.N)); }
 RayKind KindOf(Lobe lobe) {
   switch (lobe) {
     case Lobe::diffuse:
-      return RayKind::scattering;
+      return RayKind::diffuse;
     case Lobe::glossy:
     case Lobe::mirror:
       return RayKind::reflection;

@@ -92,7 +92,7 @@ std::optional<Path::Step> Path::StepTowards(const ShadingPoint& p, const R3::Vec
 
 R2::Color Path::Escape(const ShadingPoint& from, const Step& step, TraceState& state) const {
   const R3::Vector& direction = step.path.ray.direction;
-  const Environment* environment = lights_.GetEnvironment();
+  const Environment* environment = lights_.environment();
   const R2::Color emitted = environment ? EscapeTo(environment->SeenTowards(direction), from, step)
                                         : step.path.throughput * Background(world_.scene(), direction);
   Tracer::RecordMiss(step.path, emitted, state);

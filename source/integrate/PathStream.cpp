@@ -280,7 +280,7 @@ void PathStream::TakeStep(const Front& front, std::span<R2::Color> gathered, Fro
 
 void PathStream::EscapeEach(const Front& front, std::span<const StepFrom* const> steps, std::span<R2::Color> gathered,
                             TraceState& state) const {
-  const Environment* environment = lights_.GetEnvironment();
+  const Environment* environment = lights_.environment();
   if (!environment) {
     for (const auto* s : steps) gathered[front.paths[s->from]] += Escape(front.points[s->from], s->step, state);
     return;
