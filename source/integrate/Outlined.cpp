@@ -46,7 +46,7 @@ class Outlined : public Integrator {
  private:
   Glance Look(const R3::Ray& ray, TraceState& state) const {
     const auto hit = accelerator_.Intersect(ray, state.workspace);
-    state.Book(RayKind::camera, 1);
+    state.Count(RayKind::camera, 1);
     if (!hit) return {};
     const R3::Vector n = AsVector(world_.At(ray, *hit).shading_normal);
     return {1 / hit->t, Dot(n, ray.direction) <= 0 ? n : -n};

@@ -11,7 +11,7 @@ void IntersectCameraRays(const Accelerator& accelerator, std::span<const CameraS
   for (const CameraSample& sample : samples) state.batch.push_back(sample.ray);
   state.hits.assign(samples.size(), {});
   accelerator.Intersect(state.batch, state.hits.data(), state.workspace);
-  state.Book(RayKind::camera, samples.size());
+  state.Count(RayKind::camera, samples.size());
 }
 
 std::vector<ShadingPoint> Tracer::CameraHits(std::span<const CameraSample> samples, TraceState& state) const {
@@ -44,7 +44,7 @@ void Tracer::TraceShadowRays(TraceState& state) const {
       are_occluded[0] = accelerator_.IsOccluded(shadows.rays[0], state.workspace);
     else
       accelerator_.IsOccluded(shadows.Rays(), are_occluded.data(), state.workspace);
-    state.Book(RayKind::shadow, shadows.count);
+    state.Count(RayKind::shadow, shadows.count);
   }
   if (state.recorder) [[unlikely]]
     state.recorder->EndShadows([&](std::size_t i) { return are_occluded[i]; }, world_, accelerator_, state.workspace);
