@@ -131,7 +131,7 @@ double EmissiveShape::Pdf(const R3::Point& seen_from, const R3::Vector& towards,
   return instance_->shape->Pdf(Local(seen_from, time), way, local_normal, element_) * SolidAngleRatio(towards, way);
 }
 
-double EmissiveShape::ApparentArea() const {
+double EmissiveShape::ProjectedAreaOfBounds() const {
   const R3::Vector size = instance_->shape->Bounds(element_).Size();
   const R3::Matrix& forward = world_->Frames()[instance_->frame].Forward();
   const R3::Vector a = size.x * Column(forward, 0), b = size.y * Column(forward, 1), c = size.z * Column(forward, 2);

@@ -49,7 +49,7 @@ LightSampler::LightSampler(const World& world, const TraceSettings& settings)
   }
   for (const EmissiveShape& shape : shapes_) {
     light_of_primitive_.emplace(shape.Primitive(), static_cast<int>(bounds.size()));
-    bounds.push_back(RadiantBound(shape.Bound(), shape.ApparentArea()));
+    bounds.push_back(RadiantBound(shape.Bound(), shape.ProjectedAreaOfBounds()));
   }
   if (scene.environment && !scene.environment->IsBlack()) {
     environment_ = scene.environment.get();
