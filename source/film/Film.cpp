@@ -121,8 +121,8 @@ void Film::FillUnsampled(R2::Image& image) const {
     for (int y = pixels.y0; y < pixels.y1; ++y)
       for (int x = pixels.x0; x < pixels.x1; ++x) {
         const auto place = static_cast<std::size_t>(BlockOrder::PlaceOf(x, y));
-        const bool is_seen = place < block.first_looks.size();
-        if (is_seen) image.Set(x - region_.x0, y - region_.y0, block.first_looks[place]);
+        const bool is_seen = place < block.first_samples.size();
+        if (is_seen) image.Set(x - region_.x0, y - region_.y0, block.first_samples[place]);
         is_known[static_cast<std::size_t>(y - region_.y0) * static_cast<std::size_t>(region_.Width()) +
                  static_cast<std::size_t>(x - region_.x0)] = is_seen;
       }

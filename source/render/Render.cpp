@@ -29,7 +29,7 @@ ErrorMeasure MeasureFor(const RenderSettings& settings) {
 std::int64_t PixelsLookedAt(const Film& film, int block) {
   const PixelRectangle pixels = film.PixelsInRegion(block);
   std::int64_t count = 0;
-  for (std::size_t place = 0; place < film[block].first_looks.size(); ++place) {
+  for (std::size_t place = 0; place < film[block].first_samples.size(); ++place) {
     const auto [column, row] = BlockOrder::PixelAt(static_cast<int>(place), film.PixelsOf(block));
     count += pixels.Contains(column, row);
   }
@@ -57,7 +57,7 @@ double SamplesTaken(const Film& film) {
   double sum = 0;
   for (int i = 0; i < film.Blocks(); ++i)
     sum += static_cast<double>(film.PixelsOf(i).Area()) * film[i].Samples() +
-           static_cast<double>(film[i].first_looks.size());
+           static_cast<double>(film[i].first_samples.size());
   return sum;
 }
 
@@ -321,7 +321,7 @@ class Job {
     result.pixels_total = film_.Region().Area();
     for (int i = 0; i < film_.Blocks(); ++i) {
       result.block_samples.push_back(film_[i].SamplesPerStream(result.two_streams));
-      result.block_places.push_back(static_cast<std::uint8_t>(film_[i].first_looks.size()));
+      result.block_places.push_back(static_cast<std::uint8_t>(film_[i].first_samples.size()));
       result.pixels_done += film_[i].Samples() > 0 ? film_.PixelsInRegion(i).Area() : PixelsLookedAt(film_, i);
     }
     // Of costs no error is known: they are what is summed, not the colors shown.

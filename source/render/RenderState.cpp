@@ -168,8 +168,8 @@ void PutBlock(Writer& writer, const Film::Block& block) {
     writer.Put(block.samples[part]);
     if (block.samples[part] > 0) writer.PutAll(block.sums[part].Sums());
   }
-  writer.Put(static_cast<std::uint8_t>(block.first_looks.size()));
-  writer.PutAll(block.first_looks);
+  writer.Put(static_cast<std::uint8_t>(block.first_samples.size()));
+  writer.PutAll(block.first_samples);
 }
 
 Film::Block TakeBlock(Reader& reader, const BlockSums& empty) {
@@ -180,8 +180,8 @@ Film::Block TakeBlock(Reader& reader, const BlockSums& empty) {
     block.sums[part] = empty;
     reader.TakeAll(block.sums[part].Sums());
   }
-  block.first_looks.resize(reader.Take<std::uint8_t>());
-  reader.TakeAll(block.first_looks);
+  block.first_samples.resize(reader.Take<std::uint8_t>());
+  reader.TakeAll(block.first_samples);
   return block;
 }
 
@@ -237,7 +237,7 @@ void CheckBlock(const Film::Block& block, const Film& film, std::uint32_t target
   Require(ArePartsOfOneBlock(block, has_two_streams), "the samples of a block are split wrongly");
   const std::uint64_t second = has_two_streams ? 0 : block.samples[1];
   Require(block.samples[0] + second <= target, "a block with more samples than were due");
-  Require(block.first_looks.size() <= (block.Samples() == 0 ? BlockOrder::places : 0u),
+  Require(block.first_samples.size() <= (block.Samples() == 0 ? BlockOrder::places : 0u),
           "looks at a block that has samples");
   for (int part = 0; part < Film::parts; ++part)
     for (const WeightedSum& sum : block.sums[part].Sums())
