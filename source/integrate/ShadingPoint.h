@@ -29,13 +29,13 @@ struct ShadingPoint {
   bool IsBehindSurface(const R3::Vector& direction) const {
     return is_smoothed && !(Dot(entering ? AsVector(at.normal) : -AsVector(at.normal), direction) > 0);
   }
+  bool HasReflectance() const { return !IsBlack(kd) || !IsBlack(material->ks); }
   /// What it scatters of light from everywhere, about.
   R2::Color Albedo() const { return kd + material->kr + material->kt; }
   /// What it sends back before any light is sampled.
   R2::Color EmittedAndAmbient(const Scene& scene) const {
     return material->emission + AmbientReflectance() * scene.ambient;
   }
-  bool HasReflectance() const { return !IsBlack(kd) || !IsBlack(material->ks); }
 };
 
 /// The surface where a ray was found to hit. What the inside of a solid absorbed on the way, see LeftAfter, is taken
