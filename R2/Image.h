@@ -1,7 +1,10 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "R2/Color.h"
@@ -10,6 +13,13 @@ namespace R2 {
 
 /// The most pixels an image may have, 2^28: a header that promises more is refused before memory is asked for.
 inline constexpr std::int64_t max_pixels = std::int64_t{1} << 28;
+
+/// What goes into an image of floats: never infinite, never NaN. Values beyond the largest float become it; a channel
+/// that is no number (which would be a fault of ours) becomes 0.
+inline double Storable(double channel) {
+  constexpr double largest = std::numeric_limits<float>::max();
+  return std::isnan(channel) ? 0 : std::clamp(channel, -largest, largest);
+}
 
 /// A rectangle of colors. Row 0 is the bottom row, as the course stores pictures. Channels are kept as
 /// floats (24 bits, more than any file format here asks for); a value set and read back is rounded to float.

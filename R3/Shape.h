@@ -21,8 +21,8 @@ struct SurfaceSample {
   double pdf = 0;   // per solid angle, > 0; may be infinite
 };
 
-/// Per solid angle, of a place drawn evenly by area: how many times farther than 1 it is, squared, over the area as it
-/// looks from there.
+/// Per solid angle, of a place drawn uniformly by area: how many times farther than 1 it is, squared, over the area as
+/// it looks from there.
 ///   towards, t   the place is t lengths of `towards` away
 ///   normal       of the surface there, unit, on either side
 ///   returns      0 where the area is seen edge on
@@ -84,7 +84,7 @@ class Shape {
   virtual double Pdf(const Point& from, const Vector& way, const Normal& normal, int element) const;
   /// The area that DrawPlace draws from: all that `from` sees of the element is in it.
   virtual double SampledArea(const Point& /*from*/, int /*element*/) const { return 0; }
-  /// A place of that area, all alike.
+  /// A place of that area, uniformly.
   virtual Intersection DrawPlace(const Point& /*from*/, const R2::Point& /*u*/, int /*element*/) const { return {}; }
 
   /// Of each of its elements.

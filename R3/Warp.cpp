@@ -12,23 +12,18 @@ constexpr double pi = std::numbers::pi;
 
 }  // namespace
 
-R2::Point OnTriangle(const R2::Point& u) {
-  const double root = std::sqrt(u.x);
-  return {root * (1 - u.y), root * u.y};
-}
-
-Vector OnPowerLobe(const R2::Point& u, double n) {
-  // The cosine to the power n + 1 is even in [0, 1]; at 0, which only u = 1 gives, its logarithm is still taken as
+Vector SamplePhongLobe(const R2::Point& u, double n) {
+  // The cosine to the power n + 1 is uniform in [0, 1]; at 0, which only u = 1 gives, its logarithm is still taken as
   // finite, so that a huge n makes no NaN of it.
   const double logarithm = R1::Log1p(-std::min(u.x, 1 - 0x1p-53)) / (n + 1);
   return FromPolar(std::sqrt(-R1::Expm1(2 * logarithm)), R1::Exp(logarithm), u.y);
 }
 
-double PowerPdf(double cosine, double n) {
+double PhongLobePdf(double cosine, double n) {
   if (!(cosine >= 0)) return 0;
   return (n + 1) / (2 * pi) * R1::Pow(cosine, n);
 }
 
-Vector OnSphere(const R2::Point& u) { return InCone(u, 2); }
+Vector SampleUniformSphere(const R2::Point& u) { return SampleUniformCone(u, 2); }
 
 }  // namespace R3

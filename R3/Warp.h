@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -38,7 +39,7 @@ inline Vector FromTangents(const Vector& local, const Vector& about) {
 
 /// A point of the unit disc from one of the unit square, keeping shares of area; within 1e-15 of the disc.
 /// Source: Shirley, Chiu, A low distortion map between disk and square (1997).
-inline R2::Point OnDisc(const R2::Point& square) {
+inline R2::Point SampleUniformDiskConcentric(const R2::Point& square) {
   const double a = 2 * square.x - 1, b = 2 * square.y - 1;
   const bool is_wide = std::abs(a) > std::abs(b);
   const double radius = is_wide ? a : b, other = is_wide ? b : a;
@@ -46,20 +47,22 @@ inline R2::Point OnDisc(const R2::Point& square) {
   return {radius * (is_wide ? cosine : sine), radius * (is_wide ? sine : cosine)};
 }
 
-/// Barycentric coordinates of a triangle's corners 1 and 2 (corner 0 has the rest), evenly by area: both >= 0, their
-/// sum at most 1 + 2^-52.
+/// Barycentric coordinates in a triangle, uniformly by area: each >= 0, their sum within 2^-52 of 1.
 /// Source: Turk, Generating random points in triangles, Graphics Gems (1990), first method.
-R2::Point OnTriangle(const R2::Point& u);
+inline std::array<double, 3> SampleUniformTriangle(const R2::Point& u) {
+  const double root = std::sqrt(u.x);
+  return {1 - root, root * (1 - u.y), root * u.y};
+}
 
 /// A direction above the plane, its pdf proportional to its cosine with +z: a point of the disc lifted onto the
 /// hemisphere. z may be 0, where the pdf is 0 too.
 /// Source: Malley's method, in Pharr, Jakob, Humphreys, Physically Based Rendering (2023), section A.5.3.
-inline Vector OnCosineHemisphere(const R2::Point& u) {
-  const R2::Point p = OnDisc(u);
+inline Vector SampleCosineHemisphere(const R2::Point& u) {
+  const R2::Point p = SampleUniformDiskConcentric(u);
   return {p.x, p.y, std::sqrt(std::max(0.0, 1 - p.x * p.x - p.y * p.y))};
 }
 /// cosine / pi; 0 below the plane.
-inline double CosinePdf(double cosine) { return std::max(0.0, cosine) / std::numbers::pi; }
+inline double CosineHemispherePdf(double cosine) { return std::max(0.0, cosine) / std::numbers::pi; }
 
 /// A direction by its sine and cosine from +z and the turns from +x by +y.
 inline Vector FromPolar(double sine, double cosine, double turns) {
@@ -68,28 +71,28 @@ inline Vector FromPolar(double sine, double cosine, double turns) {
 }
 
 /// A direction above the plane, its pdf proportional to the n-th power of its cosine with +z: Phong's lobe.
-///   n        >= 0 and finite; tested from 0, which is even over the hemisphere, to 1e6
+///   n        >= 0 and finite; tested from 0, which is uniform over the hemisphere, to 1e6
 ///   source   Lafortune, Willems, Using the modified Phong reflectance model for physically based rendering (1994),
 ///            eq. 10; through logarithms, since for large n the cosine alone would round the angle away
-Vector OnPowerLobe(const R2::Point& u, double n);
+Vector SamplePhongLobe(const R2::Point& u, double n);
 /// (n + 1) / (2 pi) cosine^n; 0 below the plane. Relative error n 2^-53 from that of the cosine.
-double PowerPdf(double cosine, double n);
+double PhongLobePdf(double cosine, double n);
 
-/// A direction, all alike.
+/// A direction, uniformly.
 /// Source: Archimedes' theorem that a sphere's zones have areas as their heights.
-Vector OnSphere(const R2::Point& u);
-inline constexpr double sphere_pdf = 1 / (4 * std::numbers::pi);
+Vector SampleUniformSphere(const R2::Point& u);
+inline constexpr double uniform_sphere_pdf = 1 / (4 * std::numbers::pi);
 
-/// A direction in the cone about +z, all alike.
+/// A direction in the cone about +z, uniformly.
 ///   one_minus_cosine   of the cone's half angle, in [0, 2]: 1 is the hemisphere, 2 the sphere, 0 only +z. Not the
 ///                      cosine, because that of a narrow cone rounds to 1
 ///   accuracy           the angle from +z within 1e-15 relative, however narrow the cone
 ///   source             Pharr, Jakob, Humphreys, Physically Based Rendering (2023), section A.5.4
-inline Vector InCone(const R2::Point& u, double one_minus_cosine) {
+inline Vector SampleUniformCone(const R2::Point& u, double one_minus_cosine) {
   const double height = u.x * one_minus_cosine;  // down from the top of the sphere
   return FromPolar(std::sqrt(height * (2 - height)), 1 - height, u.y);
 }
 /// 1 over the cone's solid angle; infinite for the cone of only +z.
-inline double ConePdf(double one_minus_cosine) { return 1 / (2 * std::numbers::pi * one_minus_cosine); }
+inline double UniformConePdf(double one_minus_cosine) { return 1 / (2 * std::numbers::pi * one_minus_cosine); }
 
 }  // namespace R3

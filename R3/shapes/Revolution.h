@@ -40,9 +40,9 @@ inline Intersection AtCap(const Point& p, const Point& center, double radius, do
   return at;
 }
 
-/// A place on the flat end, all alike.
+/// A place on the flat end, uniformly.
 inline Intersection DrawOnCap(const R2::Point& u, const Point& center, double radius, double y, double side) {
-  const R2::Point on_disc = OnDisc(u);
+  const R2::Point on_disc = SampleUniformDiskConcentric(u);
   return AtCap({center.x + radius * on_disc.x, y, center.z + radius * on_disc.y}, center, radius, y, side);
 }
 

@@ -7,7 +7,7 @@
 #include "R2/Point.h"
 #include "R3/Vector.h"
 
-/// What shapes whose places are drawn evenly by area have in common.
+/// What shapes whose places are drawn uniformly by area have in common.
 namespace R3 {
 
 template <std::size_t parts>

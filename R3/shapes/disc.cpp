@@ -37,7 +37,7 @@ class Disc : public Shape {
   bool CanBeSampled() const override { return true; }
   double SampledArea(const Point&, int) const override { return std::numbers::pi * radius_ * radius_; }
   Intersection DrawPlace(const Point&, const R2::Point& u, int) const override {
-    const R2::Point on_disc = OnDisc(u);
+    const R2::Point on_disc = SampleUniformDiskConcentric(u);
     const Vector off = radius_ * (on_disc.x * across_.first + on_disc.y * across_.second);
     return InPlane(off, Gamma(8) * radius_);
   }

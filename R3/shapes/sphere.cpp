@@ -31,7 +31,8 @@ class Sphere : public Shape {
 
   bool CanBeSampled() const override { return !IsDegenerate(); }
 
-  /// From outside a direction is drawn evenly in the cone that the sphere subtends; from inside a place evenly by area.
+  /// From outside a direction is drawn uniformly in the cone that the sphere subtends; from inside a place uniformly by
+  /// area.
   ///   source   Shirley, Wang, Zimmerman, Monte Carlo techniques for direct lighting calculations (1996), section 3.2
   std::optional<SurfaceSample> Sample(const Point& from, const R2::Point& u, int element) const override {
     const Vector from_center = from - center_;
@@ -40,7 +41,7 @@ class Sphere : public Shape {
     const double one_minus_cosine = OneMinusCosine(distance, sine);
     if (one_minus_cosine == 0) return {};  // farther than doubles can tell
     const Vector outward = DrawInCone(Unit(from_center), sine, one_minus_cosine, u);
-    return SurfaceSample{OnSurface(Unit(outward)), ConePdf(one_minus_cosine)};
+    return SurfaceSample{OnSurface(Unit(outward)), UniformConePdf(one_minus_cosine)};
   }
 
   void SampleEach(SurfaceSamples& samples, int element) const override {
@@ -54,11 +55,13 @@ class Sphere : public Shape {
   double Pdf(const Point& from, const Vector& way, const Normal& normal, int element) const override {
     const double distance = Length(from - center_), sine = radius_ / distance;
     if (!(sine < 1)) return Shape::Pdf(from, way, normal, element);
-    return ConePdf(OneMinusCosine(distance, sine));
+    return UniformConePdf(OneMinusCosine(distance, sine));
   }
 
   double SampledArea(const Point&, int) const override { return 4 * std::numbers::pi * radius_ * radius_; }
-  Intersection DrawPlace(const Point&, const R2::Point& u, int) const override { return OnSurface(OnSphere(u)); }
+  Intersection DrawPlace(const Point&, const R2::Point& u, int) const override {
+    return OnSurface(SampleUniformSphere(u));
+  }
 
   MeshData Tessellate(int fineness) const override {
     MeshData data;
@@ -108,7 +111,7 @@ class Sphere : public Shape {
   /// center, as long as 1 but for rounding. There the angle s to the normal has sin s = sin a / sine, a being the angle
   /// off the cone's axis, and seen from the center the place is s - a off the axis.
   static Vector DrawInCone(const Vector& axis, double sine, double one_minus_cosine, const R2::Point& u) {
-    const Vector w = InCone(u, one_minus_cosine);
+    const Vector w = SampleUniformCone(u, one_minus_cosine);
     const double sine_squared = w.x * w.x + w.y * w.y;
     const double cosine_of_s = std::sqrt(std::max(0.0, 1 - sine_squared / sine / sine));
     const double aside = w.z / sine - cosine_of_s, ahead = w.z * cosine_of_s + sine_squared / sine;
@@ -131,7 +134,7 @@ class Sphere : public Shape {
       are_outside &= one_minus_cosine > 0;
       const Vector outward = drawn / std::sqrt(drawn_square);
       const Point position = center_ + radius_ * outward;
-      samples.Set(i, position, ErrorAt(outward, position), outward, ConePdf(one_minus_cosine));
+      samples.Set(i, position, ErrorAt(outward, position), outward, UniformConePdf(one_minus_cosine));
     }
     return are_outside != 0;
   }

@@ -64,7 +64,7 @@ double SecondsFor(const Accelerator& accelerator, const std::vector<R3::Ray>& ra
 std::unique_ptr<Accelerator> Take(const std::string& name, const std::string& reason, const World& world,
                                   const AcceleratorSettings& settings) {
   auto accelerator = FindAcceleratorKind(name)->Make(world, settings);
-  accelerator->reasons.push_back("auto takes " + name + ": " + reason);
+  accelerator->reasons.push_back("auto chose " + name + ": " + reason);
   return accelerator;
 }
 
@@ -83,7 +83,7 @@ std::unique_ptr<Accelerator> Try(const std::string& shown, const World& world, c
   auto faster = std::move(grid_seconds < bvh_seconds ? grid : bvh);
   faster->reasons = {"auto tried " + std::to_string(rays.size()) + " rays: bvh " + Fixed(bvh_seconds * per_ray, 0) +
                          " ns, grid " + Fixed(grid_seconds * per_ray, 0) + " ns per ray",
-                     "auto takes " + faster->kind + ": the faster one; it tried because " + shown};
+                     "auto chose " + faster->kind + ": the faster one; both were tried because " + shown};
   return faster;
 }
 
@@ -91,21 +91,21 @@ std::unique_ptr<Accelerator> Try(const std::string& shown, const World& world, c
 std::unique_ptr<Accelerator> Choose(const World& world, const AcceleratorSettings& settings) {
   const auto take = [&](const char* name, const std::string& reason) { return Take(name, reason, world, settings); };
   if (world.Primitives() <= few_primitives)
-    return take("none", std::to_string(world.Primitives()) + " primitives are tested faster than sorted");
+    return take("none", "few primitives (" + std::to_string(world.Primitives()) + "): testing all is faster");
   const PrimitiveSet primitives(world);
   const double thinness = Thinness(primitives);
-  const std::string shown = "the boxes of its triangles have " + Fixed(thinness, 1) + " times their area";
+  const std::string shown = "bounding boxes have " + Fixed(thinness, 1) + " times the triangles' area";
   if (thinness < thin_from)
     return take("bvh",
                 "more than " + std::to_string(few_primitives) + " primitives, and " +
                     (thinness > 0 ? shown + " (thin from " + Fixed(thin_from, 1) + ")" : "no triangles in the world"));
   if (settings.expected_rays < pays_from * static_cast<double>(primitives.Size()))
-    return take("grid", shown + ": too thin for boxes; too few rays to try others");
+    return take("grid", shown + ": too thin for a BVH; too few rays to try both");
   return Try(shown, world, settings);
 }
 
 }  // namespace
 
-extern const AcceleratorKind auto_kind{"auto", "the one that suits the scene; -explain says which and why", Choose};
+extern const AcceleratorKind auto_kind{"auto", "chooses one for the scene; -explain says which and why", Choose};
 
 }  // namespace ray

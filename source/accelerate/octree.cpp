@@ -2,7 +2,6 @@
 #include <tbb/task_group.h>
 
 #include <algorithm>
-#include <vector>
 
 #include "source/accelerate/wide/ClippedPrimitive.h"
 #include "source/accelerate/wide/Kernels.h"

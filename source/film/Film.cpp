@@ -2,6 +2,7 @@
 
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -12,13 +13,6 @@ namespace {
 
 PixelRectangle Around(const PixelRectangle& r, int apron) {
   return {r.x0 - apron, r.y0 - apron, r.x1 + apron, r.y1 + apron};
-}
-
-/// What goes into an image of floats: never infinite, never NaN. Values beyond the largest float become it; a channel
-/// that is no number (which would be a fault of ours) becomes 0.
-double Storable(double x) {
-  constexpr double largest = std::numeric_limits<float>::max();
-  return std::isnan(x) ? 0 : std::clamp(x, -largest, largest);
 }
 
 /// The float next to x whose byte is that of x, where bytes are truncated: rounding to float must not lift a value over
@@ -35,7 +29,7 @@ R2::Color Normalized(const WeightedSum& sum, R2::Quantization quantization) {
   // Weights of a filter with negative lobes may cancel where samples are few; such a pixel has nothing to show.
   if (sum.weight == 0) return {};
   const R2::Color mean = sum.color / sum.weight;
-  const R2::Color storable{Storable(mean.r), Storable(mean.g), Storable(mean.b)};
+  const R2::Color storable{R2::Storable(mean.r), R2::Storable(mean.g), R2::Storable(mean.b)};
   if (quantization == R2::Quantization::rounded) return storable;
   return {TruncatedAlike(storable.r), TruncatedAlike(storable.g), TruncatedAlike(storable.b)};
 }
@@ -127,8 +121,8 @@ void Film::FillUnsampled(R2::Image& image) const {
     for (int y = pixels.y0; y < pixels.y1; ++y)
       for (int x = pixels.x0; x < pixels.x1; ++x) {
         const auto place = static_cast<std::size_t>(BlockOrder::PlaceOf(x, y));
-        const bool is_seen = place < block.first_looks.size();
-        if (is_seen) image.Set(x - region_.x0, y - region_.y0, block.first_looks[place]);
+        const bool is_seen = place < block.first_samples.size();
+        if (is_seen) image.Set(x - region_.x0, y - region_.y0, block.first_samples[place]);
         is_known[static_cast<std::size_t>(y - region_.y0) * static_cast<std::size_t>(region_.Width()) +
                  static_cast<std::size_t>(x - region_.x0)] = is_seen;
       }

@@ -90,7 +90,7 @@ class Film {
     std::uint32_t samples[parts] = {0, 0};  // per pixel
     // As long as there are no samples: the first one of the first stream, at so many places of BlockOrder; black where
     // the picture has no pixel.
-    std::vector<R2::Color> first_looks;
+    std::vector<R2::Color> first_samples;
 
     std::uint32_t Samples() const { return samples[0] + samples[1]; }
     /// Where the parts are two streams each has as many, else one stream is in both.

@@ -204,7 +204,7 @@ void KeepFrom(const BlockErrors& before, BlockErrors& now) {
 
 /// How many times larger squared errors are than if they had fallen as 1 / samples since `before`, over the blocks that
 /// gained any: 1 to 4, where they did not even fall.
-double Stubbornness(const BlockErrors& now, const BlockErrors* before, const std::vector<double>& areas) {
+double ExcessOverMonteCarloRate(const BlockErrors& now, const BlockErrors* before, const std::vector<double>& areas) {
   if (!before || before->IsEmpty()) return 1;
   double energy_now = 0, energy_before = 0;
   for (std::size_t i = 0; i < areas.size(); ++i) {
@@ -329,10 +329,10 @@ std::optional<MeasuredError> MeasureError(const Film& film, const ErrorMeasure& 
   BlockErrors differences{MeansOfBlocks(film, errors.squares), {}};
   for (int i = 0; i < film.Blocks(); ++i) differences.samples.push_back(film[i].Samples());
   if (before) KeepFrom(*before, differences);
-  const double stubbornness = Stubbornness(differences, before, film.AreasInRegion());
+  const double excess = ExcessOverMonteCarloRate(differences, before, film.AreasInRegion());
   std::vector<double> blocks = differences.squares;
   for (std::size_t i = 0; i < blocks.size(); ++i)
-    blocks[i] = std::max(stubbornness * blocks[i], blocks[i] + errors.cut[i]);
+    blocks[i] = std::max(excess * blocks[i], blocks[i] + errors.cut[i]);
   MeasuredError measured = Summarize(film, std::move(blocks), errors.squares, errors.correlation.ShareOfVariance(),
                                      MeanOf(errors.picture), measure);
   measured.differences = std::move(differences);

@@ -19,7 +19,7 @@ R3::Vector Mirrored(const ShadingPoint& p) {
 RayKind KindOf(Lobe lobe) {
   switch (lobe) {
     case Lobe::diffuse:
-      return RayKind::scattering;
+      return RayKind::diffuse;
     case Lobe::glossy:
     case Lobe::mirror:
       return RayKind::reflection;
@@ -116,7 +116,7 @@ SpecularWeights SpecularWeightsOf(const ShadingPoint& p, bool fresnel) {
 std::optional<R3::Vector> SampleReflection(const ShadingPoint& p, bool glossy, const R2::Point& u) {
   const R3::Vector mirrored = Mirrored(p);
   if (!glossy) return mirrored;
-  const R3::Vector wi = R3::FromTangents(R3::OnPowerLobe(u, GlossExponent(*p.material)), mirrored);
+  const R3::Vector wi = R3::FromTangents(R3::SamplePhongLobe(u, GlossExponent(*p.material)), mirrored);
   if (!(Dot(wi, p.N) > 0)) return {};
   return wi;
 }
@@ -142,14 +142,15 @@ Bsdf::Bsdf(const ShadingPoint& p, const TraceSettings& settings)
 R2::Color Bsdf::Eval(const R3::Vector& wi) const {
   const double cosine = Dot(p_.N, wi);
   if (!(cosine > 0)) return {};
-  R2::Color sum = R3::CosinePdf(cosine) * DiffuseReflectance(p_, cosine);
-  if (is_glossy_) sum += R3::PowerPdf(Dot(wi, mirrored_), GlossExponent(*p_.material)) * specular_.reflected;
+  R2::Color sum = R3::CosineHemispherePdf(cosine) * DiffuseReflectance(p_, cosine);
+  if (is_glossy_) sum += R3::PhongLobePdf(Dot(wi, mirrored_), GlossExponent(*p_.material)) * specular_.reflected;
   return sum;
 }
 
 double Bsdf::Pdf(const R3::Vector& wi) const {
-  const double by_glossy = is_glossy_ ? reflection_ * R3::PowerPdf(Dot(wi, mirrored_), GlossExponent(*p_.material)) : 0;
-  return diffuse_ * R3::CosinePdf(Dot(p_.N, wi)) + by_glossy;
+  const double by_glossy =
+      is_glossy_ ? reflection_ * R3::PhongLobePdf(Dot(wi, mirrored_), GlossExponent(*p_.material)) : 0;
+  return diffuse_ * R3::CosineHemispherePdf(Dot(p_.N, wi)) + by_glossy;
 }
 
 std::optional<BsdfSample> Bsdf::Sample(const R2::Point& u, double choice, const R3::Vector& diffuse) const {

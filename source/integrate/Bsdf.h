@@ -102,7 +102,7 @@ std::optional<R3::Vector> Refraction(const ShadingPoint& p);
 
 /// Of the diffuse lobe about N.
 inline R3::Vector DiffuseDirection(const R3::Vector& N, const R2::Point& u) {
-  return R3::FromTangents(R3::OnCosineHemisphere(u), N);
+  return R3::FromTangents(R3::SampleCosineHemisphere(u), N);
 }
 
 /// The lobes of a BSDF. A specular one is a delta distribution: it scatters into one direction alone.
@@ -117,20 +117,20 @@ struct BsdfSample {
   Lobe lobe = Lobe::diffuse;
 };
 
-/// How the surface at a point scatters light towards wo: kd / pi, a glossy lobe or a mirror of weight ks, and kt
-/// straight on or refracted, ks and kt being the SpecularWeights. The glossy lobe is Phong's, normalized over the
+/// How the surface at a point scatters light towards wo: kd / pi, a glossy lobe or a mirror of weight kr, and kt
+/// straight on or refracted, kr and kt being the SpecularWeights. The glossy lobe is Phong's, normalized over the
 /// hemisphere about R, wo mirrored about N. Radiance that it scatters per radiance and solid angle is
 ///
-///     ks (n + 1) / (2 pi) (wi.R)^n,   nothing where wi.R <= 0 or wi.N <= 0,
+///     kr (n + 1) / (2 pi) (wi.R)^n,   nothing where wi.R <= 0 or wi.N <= 0,
 ///
 /// and no cosine wi.N is in it: it is the BRDF times that cosine. What is below the surface is lost, so that with wo at
 /// an angle t to N it reflects of an evenly lit hemisphere
 ///
-///     ks * integral of cos^n from t - pi/2 to pi/2 / integral of cos^n from -pi/2 to pi/2:
+///     kr * integral of cos^n from t - pi/2 to pi/2 / integral of cos^n from -pi/2 to pi/2:
 ///
-/// ks from straight above, half of it at the horizon. A lobe with the cosine and the norm (n + 2) / (2 pi), as other
+/// kr from straight above, half of it at the horizon. A lobe with the cosine and the norm (n + 2) / (2 pi), as other
 /// renderers have it, is as strong from straight above and (n + 2) / (n + 1) cos t times as strong in the middle at an
-/// angle t, so that the same ks looks fainter there.
+/// angle t, so that the same kr looks fainter there.
 ///
 /// wo is fixed when a Bsdf is made, because Fresnel's share and the middle of the lobe depend on it alone. The point
 /// must outlive it. Directions are unit and point away from the surface.
@@ -144,8 +144,8 @@ class Bsdf {
   R2::Color Eval(const R3::Vector& wi) const;
   /// Of Sample giving wi by a non-specular lobe, per solid angle.
   double Pdf(const R3::Vector& wi) const;
-  /// Whether surfaces of a material have the diffuse lobe alone. Then Eval is CosinePdf times kd, Pdf is CosinePdf
-  /// where kd is not black and else 0, and Sample gives the diffuse direction.
+  /// Whether surfaces of a material have the diffuse lobe alone. Then Eval is CosineHemispherePdf times kd, Pdf is
+  /// CosineHemispherePdf where kd is not black and else 0, and Sample gives the diffuse direction.
   static bool IsDiffuse(const Material& m) { return m.coat == 0 && IsBlack(m.kr) && IsBlack(m.kt); }
   /// Importance sampling: a lobe with a probability proportional to the luminance of its weight, then a direction by
   /// that lobe. Nothing where no light is scattered, or it would have to come from inside the surface.

@@ -21,10 +21,10 @@ R2::Point Slope(const Texture& texture, const R2::Point& uv) {
 /// From one texture coordinate to another nearby, over the seam where that is shorter.
 double Wrapped(double difference) { return difference - std::round(difference); }
 
-/// How texture coordinates run over a surface around a point that was hit, found by asking the shape a little aside.
-class TextureWays {
+/// How texture coordinates change over a surface around a point that was hit, found by asking the shape a little aside.
+class UvDerivatives {
  public:
-  TextureWays(const World& world, const R3::Ray& ray, const WorldHit& hit, const R3::Intersection& at)
+  UvDerivatives(const World& world, const R3::Ray& ray, const WorldHit& hit, const R3::Intersection& at)
       : world_(world), ray_(ray), hit_(hit), at_(at), n_(AsVector(at.normal)) {
     const Instance& instance = world.Instances()[hit.instance];
     // What has no end repeats its texture at every unit.
@@ -35,12 +35,11 @@ class TextureWays {
 
   /// False on what is a point.
   bool AreKnown() const { return step_ > 0; }
-  /// What u and v change by along a unit vector of the tangent plane, and over which way; 0 where nothing is to either
-  /// side.
-  struct Change {
-    double u = 0, v = 0, way = 1;
+  /// du/dx and dv/dx along a unit vector of the tangent plane, not divided yet; 0 where nothing is to either side.
+  struct Quotient {
+    double du = 0, dv = 0, dx = 1;
   };
-  Change Along(const R3::Vector& tangent) const {
+  Quotient Along(const R3::Vector& tangent) const {
     const auto ahead = UvAt(step_ * tangent), behind = UvAt(-step_ * tangent);
     if (!ahead && !behind) return {};
     const R2::Point from = behind.value_or(at_.uv), to = ahead.value_or(at_.uv);
@@ -69,12 +68,12 @@ class TextureWays {
 
 R3::Vector Bumped(const World& world, const R3::Ray& ray, const WorldHit& hit, const R3::Intersection& at,
                   const Material& material, const R3::Vector& N, bool entering) {
-  const TextureWays ways(world, ray, hit, at);
-  if (!ways.AreKnown()) return N;
+  const UvDerivatives uv(world, ray, hit, at);
+  if (!uv.AreKnown()) return N;
   const R2::Point slope = Slope(*material.bump, at.uv);
   const auto rise_along = [&](const R3::Vector& tangent) {
-    const TextureWays::Change change = ways.Along(tangent);
-    return (slope.x * change.u + slope.y * change.v) / change.way;
+    const UvDerivatives::Quotient change = uv.Along(tangent);
+    return (slope.x * change.du + slope.y * change.dv) / change.dx;
   };
   const R3::Tangents tangents = R3::TangentsOf(AsVector(at.normal));
   const R3::Vector rise = rise_along(tangents.first) * tangents.first + rise_along(tangents.second) * tangents.second;
@@ -85,16 +84,16 @@ R3::Vector Bumped(const World& world, const R3::Ray& ray, const WorldHit& hit, c
 
 R3::Vector NormalMapped(const World& world, const R3::Ray& ray, const WorldHit& hit, const R3::Intersection& at,
                         const Material& material, const R3::Vector& N, bool entering) {
-  const TextureWays ways(world, ray, hit, at);
-  if (!ways.AreKnown()) return N;
+  const UvDerivatives uv(world, ray, hit, at);
+  if (!uv.AreKnown()) return N;
   const R3::Tangents tangents = R3::TangentsOf(AsVector(at.normal));
-  const TextureWays::Change a = ways.Along(tangents.first), b = ways.Along(tangents.second);
+  const UvDerivatives::Quotient a = uv.Along(tangents.first), b = uv.Along(tangents.second);
   // Along u grows what v does not change along, and the other way round; the sign says which of both ways.
-  const double turn = (a.u * b.v - a.v * b.u) / (a.way * b.way);
+  const double turn = (a.du * b.dv - a.dv * b.du) / (a.dx * b.dx);
   if (!(turn != 0)) return N;
   const double sign = turn > 0 ? 1 : -1;
-  const R3::Vector along_u = sign * (b.v / b.way * tangents.first - a.v / a.way * tangents.second);
-  const R3::Vector along_v = sign * (a.u / a.way * tangents.second - b.u / b.way * tangents.first);
+  const R3::Vector along_u = sign * (b.dv / b.dx * tangents.first - a.dv / a.dx * tangents.second);
+  const R3::Vector along_v = sign * (a.du / a.dx * tangents.second - b.du / b.dx * tangents.first);
   const R2::Color c = material.normal_map->At(at.uv);
   const double side = entering ? 1 : -1;
   const R3::Vector mapped = side * ((2 * c.r - 1) * Unit(along_u) + (2 * c.g - 1) * Unit(along_v)) + (2 * c.b - 1) * N;

@@ -65,7 +65,7 @@ const char* CameraRays::Kernel() const {
 /// In the unit disc. The spirals of places that follow each other in a row are turned and grown against each other, so
 /// that their points together are even too.
 R2::Point CameraRays::OnLens(int column, int row, std::uint32_t index, const R2::Point& random) const {
-  if (effects_.lens == LensPattern::random) return R3::OnDisc(random);
+  if (effects_.lens == LensPattern::random) return R3::SampleUniformDiskConcentric(random);
   const std::uint32_t n = index % effects_.SamplesOfOnePlace() % static_cast<std::uint32_t>(effects_.lens_samples);
   if (effects_.lens == LensPattern::fixed_spiral) return OnSpiral(n, n, effects_.lens_samples);
   const double pixel = static_cast<double>(height_ - 1 - row) * width_ + column;

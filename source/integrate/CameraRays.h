@@ -25,8 +25,8 @@ struct CameraEffects {
   double focus = 0;     // distance along the axis of the plane that is sharp, > 0 where there is a lens
   LensPattern lens = LensPattern::random;
   int lens_samples = 1;  // of a spiral, >= 1
-  int shutter_samples =
-      1;  // even moments for each place in the pixel of a grid sampler, >= 1; 1: as the sampler has it
+  // Even moments for each place in the pixel of a grid sampler, >= 1; 1: as the sampler has it.
+  int shutter_samples = 1;
 
   bool HasMotion() const { return !(motion == R3::Vector{}); }
   bool HasLens() const { return aperture > 0; }

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <algorithm>
-
 namespace ray {
 
 /// A clear coat over a diffuse base, n its index of refraction against 1 outside. Of light at an angle of cosine c it

@@ -1,15 +1,11 @@
 #include "source/integrate/FirstHit.h"
 
-#include "source/integrate/debug/RayRecorder.h"
+#include "source/integrate/Tracer.h"
 
 namespace ray {
 
 void FirstHit::Li(std::span<const CameraSample> samples, std::span<R2::Color> radiances, TraceState& state) const {
-  state.batch.clear();
-  for (const CameraSample& sample : samples) state.batch.push_back(sample.ray);
-  state.hits.assign(samples.size(), {});
-  accelerator_.Intersect(state.batch, state.hits.data(), state.workspace);
-  state.Book(RayKind::camera, samples.size());
+  IntersectCameraRays(accelerator_, samples, state);
   for (std::size_t i = 0; i < samples.size(); ++i) radiances[i] = SeenBy(samples[i], state.hits[i], state);
 }
 
@@ -18,12 +14,12 @@ R2::Color FirstHit::SeenBy(const CameraSample& sample, const std::optional<World
   if (state.recorder) path.record = state.recorder->Begin(path);
   if (!hit) {
     const R2::Color seen = Missed(sample.ray.direction);
-    if (state.recorder) state.recorder->Misses(path.record, seen);
+    Tracer::RecordMiss(path, seen, state);
     return seen;
   }
   const ShadingPoint p = ShadingPointAt(world_, path, *hit);
   const R2::Color seen = Seen(p);
-  if (state.recorder) state.recorder->Hits(p, seen);
+  Tracer::RecordHit(p, seen, state);
   return seen;
 }
 

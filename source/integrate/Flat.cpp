@@ -7,9 +7,7 @@ namespace {
 /// The material's own color, unlit.
 class Flat : public FirstHit {
   using FirstHit::FirstHit;
-  R2::Color Seen(const ShadingPoint& p) const override {
-    return p.material->color.value_or(p.kd + p.material->kr + p.material->kt);
-  }
+  R2::Color Seen(const ShadingPoint& p) const override { return p.material->color.value_or(p.Albedo()); }
   R2::Color Missed(const R3::Vector& direction) const override { return Background(world().scene(), direction); }
 };
 

@@ -6,8 +6,8 @@ namespace {
 
 /// Shading for technical illustration, from cool away from a light to warm towards it, with Phong's highlight; no
 /// shadows and no reflections. Summed over the lights of color C, areas taken at their middle:
-///     cool (1 - N.L) / 2 + warm (1 + N.L) / 2 + ks (V.R)^n C,   cool = (0, 0, b) + alpha kd C,  warm = (y, y, 0) +
-///     beta kd C
+///     cool (1 - N.L) / 2 + warm (1 + N.L) / 2 + ks (V.R)^n C,
+///     cool = (0, 0, b) + alpha kd C,  warm = (y, y, 0) + beta kd C
 ///   source   A. Gooch, B. Gooch, Shirley, Cohen, A non-photorealistic lighting model for automatic technical
 ///            illustration (1998), equation 2
 class Gooch : public FirstHit {

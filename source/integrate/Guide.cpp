@@ -32,7 +32,7 @@ double Bounded(double light) { return light < most_light ? light : most_light; }
 
 void GuideTracer::Unshadowed::Shade(std::span<ShadingPoint> points, TraceState&) const {
   for (ShadingPoint& p : points) {
-    p.radiance = p.material->emission + p.AmbientReflectance() * world().scene().ambient;
+    p.radiance = p.EmittedAndAmbient(world().scene());
     if (Lights().empty() || Lights().size() > most_lights) {
       p.radiance += p.kd;
       continue;
@@ -56,7 +56,7 @@ void GuideTracer::Trace(std::span<const CameraSample> samples, std::span<Guide> 
     R2::Color albedo = Background(world_.scene(), samples[i].ray.direction);
     if (state.hits[i]) {
       const ShadingPoint p = ShadingPointAt(world_, {.ray = samples[i].ray, .index = samples[i].index}, *state.hits[i]);
-      albedo = p.kd + p.material->kr + p.material->kt;
+      albedo = p.Albedo();
       guide[6] = p.N.x, guide[7] = p.N.y, guide[8] = p.N.z;
       guide[9] = 1 / (1 + DistanceFromEye(p));
     }

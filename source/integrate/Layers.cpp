@@ -24,7 +24,7 @@ class UvLayer : public FirstHit {
 
 class AlbedoLayer : public FirstHit {
   using FirstHit::FirstHit;
-  R2::Color Seen(const ShadingPoint& p) const override { return p.kd + p.material->kr + p.material->kt; }
+  R2::Color Seen(const ShadingPoint& p) const override { return p.Albedo(); }
   R2::Color Missed(const R3::Vector& direction) const override { return Background(world().scene(), direction); }
 };
 

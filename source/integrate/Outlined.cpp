@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "source/integrate/debug/RayRecorder.h"
+
 namespace ray {
 namespace {
 
@@ -31,15 +33,20 @@ class Outlined : public Integrator {
   }
 
   void Li(std::span<const CameraSample> samples, std::span<R2::Color> radiances, TraceState& state) const override {
+    // Camera rays are recorded before the rays that come from their ends.
+    const std::size_t first_record = state.recorder ? state.recorder->Rays().size() : 0;
     inner_->Li(samples, radiances, state);
-    for (std::size_t i = 0; i < samples.size() && !state.IsStopped(); ++i)
-      if (IsOnLine(samples[i].ray, state)) radiances[i] = {};
+    for (std::size_t i = 0; i < samples.size() && !state.IsStopped(); ++i) {
+      if (!IsOnLine(samples[i].ray, state)) continue;
+      radiances[i] = {};
+      if (state.recorder) state.recorder->OnOutline(static_cast<int>(first_record + i));
+    }
   }
 
  private:
   Glance Look(const R3::Ray& ray, TraceState& state) const {
     const auto hit = accelerator_.Intersect(ray, state.workspace);
-    state.Book(RayKind::camera, 1);
+    state.Count(RayKind::camera, 1);
     if (!hit) return {};
     const R3::Vector n = AsVector(world_.At(ray, *hit).shading_normal);
     return {1 / hit->t, Dot(n, ray.direction) <= 0 ? n : -n};

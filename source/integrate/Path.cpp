@@ -34,14 +34,14 @@ void Path::Li(std::span<const CameraSample> samples, std::span<R2::Color> radian
       radiances[i] = Background(world_.scene(), samples[i].ray.direction);
       continue;
     }
-    radiances[i] = StartAt(*point, state);
+    radiances[i] = EmittedAndAmbient(*point, state);
     radiances[i] += DirectLight(*point, Bsdf(*point, settings_), state);
     radiances[i] += IndirectLight(std::move(*point++), state);
   }
 }
 
-R2::Color Path::StartAt(const ShadingPoint& p, TraceState& state) const {
-  const R2::Color seen = p.path.throughput * (p.material->emission + p.AmbientReflectance() * world_.scene().ambient);
+R2::Color Path::EmittedAndAmbient(const ShadingPoint& p, TraceState& state) const {
+  const R2::Color seen = p.path.throughput * p.EmittedAndAmbient(world_.scene());
   Tracer::RecordHit(p, seen, state);
   return seen;
 }
@@ -52,54 +52,54 @@ R2::Color Path::IndirectLight(ShadingPoint&& p, TraceState& state) const {
   for (bool is_first = true;; is_first = false) {
     const Bsdf bsdf(p, settings_);
     if (!is_first) radiance += DirectLight(p, bsdf, state);
-    if (IsLast(p)) BookEnd(p, state);
-    if (!MayGoOn(p)) return radiance;
+    if (IsLast(p)) CountCutThroughput(p, state);
+    if (!MayContinue(p)) return radiance;
     const Points points(settings_.sampler, p.path.index.key.Child(scatter_key), settings_.samples);
     const Choices choices = points.Get<4>(p.path.index.sample);
-    auto step = GoOn(p, bsdf, choices, DiffuseDirection(p.N, {choices[0], choices[1]}));
+    auto step = SampleBsdf(p, bsdf, choices, DiffuseDirection(p.N, {choices[0], choices[1]}));
     if (!step) return radiance;
     const auto hit = tracer_.Intersect(step->path, state);
-    if (!hit) return radiance + Escape(p, *step, state);
+    if (!hit) return radiance + BackgroundSeen(p, *step, state);
     ShadingPoint next = ShadingPointAt(world_, step->path, *hit);
-    Arrive(p, *step, next, radiance, state);
+    AddEmitted(p, *step, next, radiance, state);
     if (IsLast(p)) return radiance;
     p = std::move(next);
   }
 }
 
-void Path::BookEnd(const ShadingPoint& p, TraceState& state) const {
+void Path::CountCutThroughput(const ShadingPoint& p, TraceState& state) const {
   state.rays.EndAt(Luminance(p.path.throughput * (p.kd + SpecularReflectance(p, settings_.fresnel))));
 }
 
-std::optional<Path::Step> Path::GoOn(const ShadingPoint& p, const Bsdf& bsdf, const Choices& choices,
-                                     const R3::Vector& diffuse) const {
+std::optional<Path::Step> Path::SampleBsdf(const ShadingPoint& p, const Bsdf& bsdf, const Choices& choices,
+                                           const R3::Vector& diffuse) const {
   const auto scattered = bsdf.Sample({choices[0], choices[1]}, choices[2], diffuse);
   if (!scattered || (IsLast(p) && IsSpecular(scattered->lobe))) return {};
   const R2::Color throughput = p.path.throughput * scattered->value / scattered->pdf;
   const auto surviving =
       RussianRoulette(throughput, std::max(LeastSurvival(p.path.depth), SurvivalProbability(throughput)), choices[3]);
   if (!surviving) return {};
-  return StepTowards(p, scattered->wi, scattered->lobe, scattered->pdf, *surviving);
+  return ExtendPath(p, scattered->wi, scattered->lobe, scattered->pdf, *surviving);
 }
 
-std::optional<Path::Step> Path::StepTowards(const ShadingPoint& p, const R3::Vector& wi, Lobe lobe, double pdf,
-                                            const R2::Color& throughput) const {
+std::optional<Path::Step> Path::ExtendPath(const ShadingPoint& p, const R3::Vector& wi, Lobe lobe, double pdf,
+                                           const R2::Color& throughput) const {
   if (IsBlack(throughput)) return {};
   Step step{Extend(p, wi, lobe, throughput, p.path.index.Child(bounce_key)), lobe, pdf};
   if (IsLast(p) && !lights_.MayBeHitBy(step.path.ray)) return {};
   return step;
 }
 
-R2::Color Path::Escape(const ShadingPoint& from, const Step& step, TraceState& state) const {
+R2::Color Path::BackgroundSeen(const ShadingPoint& from, const Step& step, TraceState& state) const {
   const R3::Vector& direction = step.path.ray.direction;
-  const Environment* environment = lights_.GetEnvironment();
-  const R2::Color emitted = environment ? EscapeTo(environment->SeenTowards(direction), from, step)
+  const Environment* environment = lights_.environment();
+  const R2::Color emitted = environment ? EnvironmentSeen(environment->SeenTowards(direction), from, step)
                                         : step.path.throughput * Background(world_.scene(), direction);
   Tracer::RecordMiss(step.path, emitted, state);
   return emitted;
 }
 
-R2::Color Path::EscapeTo(const Environment::Seen& seen, const ShadingPoint& from, const Step& step) const {
+R2::Color Path::EnvironmentSeen(const Environment::Seen& seen, const ShadingPoint& from, const Step& step) const {
   const R2::Color reaching = step.path.throughput * seen.radiance;
   if (IsSpecular(step.lobe)) return reaching;
   const double light_pdf = lights_.PdfOfEnvironment(from, seen, lights_at_once_ > 0);
@@ -107,8 +107,8 @@ R2::Color Path::EscapeTo(const Environment::Seen& seen, const ShadingPoint& from
   return sampled_.WeightOfBsdf(step.pdf, light_pdf * std::max(1, lights_at_once_)) * reaching;
 }
 
-void Path::Arrive(const ShadingPoint& from, const Step& step, const ShadingPoint& hit, R2::Color& radiance,
-                  TraceState& state) const {
+void Path::AddEmitted(const ShadingPoint& from, const Step& step, const ShadingPoint& hit, R2::Color& radiance,
+                      TraceState& state) const {
   const R2::Color emitted = Emitted(from, step, hit);
   const R2::Color ambient =
       IsLast(from) ? R2::Color{} : hit.path.throughput * hit.AmbientReflectance() * world_.scene().ambient;

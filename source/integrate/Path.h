@@ -1,6 +1,9 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
+#include <optional>
+#include <span>
 
 #include "source/integrate/Bsdf.h"
 #include "source/integrate/Integrator.h"
@@ -10,10 +13,10 @@
 namespace ray {
 
 /// Path tracing with next-event estimation: light arrives over every number of bounces up to max_depth, each bounce
-/// going one way, chosen by the Bsdf. Units are the course's: kd and ks are the shares that are scattered, so an
+/// going one way, chosen by the Bsdf. Units are the course's: kd and kr are the shares that are scattered, so an
 /// emission or an environment L is a radiance and is scattered as
 ///
-///     kd / pi * cosine + ks (n + 1) / (2 pi) (V.R)^n      (the second term only with `glossy`)
+///     kd / pi * cosine + kr (n + 1) / (2 pi) (V.R)^n      (the second term only where IsGlossy)
 ///
 /// while lights of the scene language scatter by Phong's formula as they do in Whitted. Every shape that emits is a
 /// light, on both sides of its surface.
@@ -38,26 +41,26 @@ class Path : public Integrator {
   using Choices = std::array<double, 4>;
 
   /// What a camera ray's surface gives of itself: its emission and what it reflects of ambient light.
-  R2::Color StartAt(const ShadingPoint& p, TraceState& state) const;
+  R2::Color EmittedAndAmbient(const ShadingPoint& p, TraceState& state) const;
   /// Whether light may be found by going on from points of this depth.
-  bool MayGoOn(const ShadingPoint& p) const { return !IsLast(p) || lights_.CanBeHit(); }
+  bool MayContinue(const ShadingPoint& p) const { return !IsLast(p) || lights_.CanBeHit(); }
   bool IsLast(const ShadingPoint& p) const { return p.path.depth >= settings_.max_depth; }
-  /// Books what is cut off at a point of the last depth.
-  void BookEnd(const ShadingPoint& p, TraceState& state) const;
+  /// Counts what is cut off at a point of the last depth.
+  void CountCutThroughput(const ShadingPoint& p, TraceState& state) const;
   /// Nothing for a path that ends here. `diffuse`: DiffuseDirection of the first two choices.
-  std::optional<Step> GoOn(const ShadingPoint& p, const Bsdf& bsdf, const Choices& choices,
-                           const R3::Vector& diffuse) const;
+  std::optional<Step> SampleBsdf(const ShadingPoint& p, const Bsdf& bsdf, const Choices& choices,
+                                 const R3::Vector& diffuse) const;
   /// What the step's ray sees where it hits nothing, throughput included.
-  R2::Color Escape(const ShadingPoint& from, const Step& step, TraceState& state) const;
+  R2::Color BackgroundSeen(const ShadingPoint& from, const Step& step, TraceState& state) const;
   /// The same where the environment shines and what is seen of it is known.
-  R2::Color EscapeTo(const Environment::Seen& seen, const ShadingPoint& from, const Step& step) const;
+  R2::Color EnvironmentSeen(const Environment::Seen& seen, const ShadingPoint& from, const Step& step) const;
   /// Adds what it sees of the surface that it hits.
-  void Arrive(const ShadingPoint& from, const Step& step, const ShadingPoint& hit, R2::Color& radiance,
-              TraceState& state) const;
+  void AddEmitted(const ShadingPoint& from, const Step& step, const ShadingPoint& hit, R2::Color& radiance,
+                  TraceState& state) const;
 
   /// The same where a direction has been chosen, and what throughput survives.
-  std::optional<Step> StepTowards(const ShadingPoint& p, const R3::Vector& wi, Lobe lobe, double pdf,
-                                  const R2::Color& throughput) const;
+  std::optional<Step> ExtendPath(const ShadingPoint& p, const R3::Vector& wi, Lobe lobe, double pdf,
+                                 const R2::Color& throughput) const;
   /// With what probability a path survives Russian roulette, which from points of a depth is at least so much: 1 where
   /// none is played.
   double LeastSurvival(std::int64_t depth) const;

@@ -1,7 +1,7 @@
 #include "source/integrate/PathStream.h"
 
 #include <algorithm>
-#include <utility>
+#include <cmath>
 
 #include "R3/Numeric.h"
 #include "source/integrate/ShadingPoints.h"
@@ -101,7 +101,7 @@ struct PathStream::Loops {
     if (!MakeCosines(front.normals, samples, cosines)) return false;
     ColorOfEach colors;  // of its own, so that it is clear that nothing overlaps
     for (std::uint32_t i = 0; i < samples.count; ++i) {
-      const double cosine_pdf = R3::CosinePdf(cosines[i]);
+      const double cosine_pdf = R3::CosineHemispherePdf(cosines[i]);
       const double weight = 1 - std::min(most_weight, BalanceHeuristic(cosine_pdf, pdfs[i]));
       const R2::Color color = samples.Color(i), eval = cosine_pdf * front.kd[i];
       const double cosine_if_sampled = pdfs[i] > 0 ? cosines[i] : 0;
@@ -124,7 +124,7 @@ struct PathStream::Loops {
     const std::size_t count = front.points.size();
     for (std::size_t i = 0; i < count; ++i) {
       const R2::Color kd = front.kd[i];
-      const double pdf = R3::CosinePdf(Dot(front.normals[i], directions[i]));
+      const double pdf = R3::CosineHemispherePdf(Dot(front.normals[i], directions[i]));
       const R2::Color throughput = front.throughputs[i] * (pdf * kd) / pdf;
       const double survival = std::max(least_survival, SurvivalProbability(throughput));
       // Nested, since g++ makes no vector instructions of several conditions in one.
@@ -163,7 +163,7 @@ void PathStream::TraceTogether(std::span<const CameraSample> samples, std::span<
       continue;
     }
     const ShadingPoint& p = front->points[point++];
-    radiances[i] = StartAt(p, state);
+    radiances[i] = EmittedAndAmbient(p, state);
     front->paths.push_back(i);
   }
   const std::vector<std::uint32_t> paths = front->paths;
@@ -184,7 +184,12 @@ void PathStream::LightPoints(const Front& front, TraceState& state) const {
   const std::span<const ShadingPoint> points = front.points;
   state.arrived.assign(points.size(), {});
   if (!SamplesAllLights()) {
-    for (std::size_t i = 0; i < points.size(); ++i) SampleChosenLights(points[i], Bsdf(points[i], settings_), i, state);
+    auto bsdf = front.bsdfs.begin();
+    for (std::size_t i = 0; i < points.size(); ++i)
+      if (front.are_diffuse[i] != 0)
+        SampleChosenLights(points[i], Bsdf(points[i], settings_), i, state);
+      else
+        SampleChosenLights(points[i], *bsdf++, i, state);
     return tracer_.TraceShadowRays(state);
   }
   PointsOfEach<2> random;
@@ -250,9 +255,9 @@ void PathStream::ReflectEach(const Front& front, const LightSamples::Each& pdfs,
 void PathStream::TakeStep(const Front& front, std::span<R2::Color> gathered, Front& next, TraceState& state) const {
   const std::span<const ShadingPoint> points = front.points;
   if (IsLast(points[0]))  // all have gone as far
-    for (const ShadingPoint& p : points) BookEnd(p, state);
-  if (!MayGoOn(points[0])) return;
-  const Steps steps = GoOnEach(front);
+    for (const ShadingPoint& p : points) CountCutThroughput(p, state);
+  if (!MayContinue(points[0])) return;
+  const Steps steps = SampleBsdfs(front);
   TraceSteps(steps, state);
   std::array<const StepFrom*, most_paths> arriving, escaping;
   std::size_t escaped = 0;
@@ -264,20 +269,20 @@ void PathStream::TakeStep(const Front& front, std::span<R2::Color> gathered, Fro
       escaping[escaped++] = &steps[k];
     }
   }
-  EscapeEach(front, {escaping.data(), escaped}, gathered, state);
+  AddBackgrounds(front, {escaping.data(), escaped}, gathered, state);
   CompleteShadingPoints(world_, next.points);
   for (std::size_t i = 0; i < next.points.size(); ++i) {
     const auto& [step, from] = *arriving[i];
-    Arrive(points[from], step, next.points[i], gathered[next.paths[i]], state);
+    AddEmitted(points[from], step, next.points[i], gathered[next.paths[i]], state);
   }
   if (IsLast(points[0])) next.Clear();
 }
 
-void PathStream::EscapeEach(const Front& front, std::span<const StepFrom* const> steps, std::span<R2::Color> gathered,
-                            TraceState& state) const {
-  const Environment* environment = lights_.GetEnvironment();
+void PathStream::AddBackgrounds(const Front& front, std::span<const StepFrom* const> steps,
+                                std::span<R2::Color> gathered, TraceState& state) const {
+  const Environment* environment = lights_.environment();
   if (!environment) {
-    for (const auto* s : steps) gathered[front.paths[s->from]] += Escape(front.points[s->from], s->step, state);
+    for (const auto* s : steps) gathered[front.paths[s->from]] += BackgroundSeen(front.points[s->from], s->step, state);
     return;
   }
   LightSamples seen;
@@ -287,11 +292,11 @@ void PathStream::EscapeEach(const Front& front, std::span<const StepFrom* const>
   environment->SeeEach(seen, pdfs);
   for (std::uint32_t i = 0; i < seen.count; ++i) {
     const auto& [step, from] = *steps[i];
-    gathered[front.paths[from]] += EscapeTo({seen.Color(i), pdfs[i]}, front.points[from], step);
+    gathered[front.paths[from]] += EnvironmentSeen({seen.Color(i), pdfs[i]}, front.points[from], step);
   }
 }
 
-PathStream::Steps PathStream::GoOnEach(const Front& front) const {
+PathStream::Steps PathStream::SampleBsdfs(const Front& front) const {
   PointsOfEach<4> random;
   GetOfEachAlone(front.indices, scatter_key, settings_.sampler, settings_.samples, random);
   VectorOfEach directions;
@@ -303,14 +308,15 @@ PathStream::Steps PathStream::GoOnEach(const Front& front) const {
   for (std::uint32_t i = 0; i < front.points.size(); ++i) {
     const ShadingPoint& p = front.points[i];
     if (p.IsBehindSurface(directions[i])) continue;
-    if (const auto step = StepTowards(p, directions[i], Lobe::diffuse, scattered.pdfs[i], scattered.throughputs[i]))
+    if (const auto step = ExtendPath(p, directions[i], Lobe::diffuse, scattered.pdfs[i], scattered.throughputs[i]))
       steps.push_back({*step, i});
   }
   const auto& u = random.coordinates;
   for (std::size_t k = 0; k < front.others.size(); ++k) {
     const std::uint32_t i = front.others[k];
     const Choices choices{u[0][i], u[1][i], u[2][i], u[3][i]};
-    if (const auto step = GoOn(front.points[i], front.bsdfs[k], choices, directions[i])) steps.push_back({*step, i});
+    if (const auto step = SampleBsdf(front.points[i], front.bsdfs[k], choices, directions[i]))
+      steps.push_back({*step, i});
   }
   return steps;
 }

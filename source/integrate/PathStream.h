@@ -50,10 +50,10 @@ class PathStream : public Path {
   void ReflectEach(const Front& front, const LightSamples::Each& pdfs, LightSamples& samples) const;
   /// To the next surfaces, which come to `next`.
   void TakeStep(const Front& front, std::span<R2::Color> gathered, Front& next, TraceState& state) const;
-  Steps GoOnEach(const Front& front) const;
+  Steps SampleBsdfs(const Front& front) const;
   /// What the rays of these steps, which hit nothing, see.
-  void EscapeEach(const Front& front, std::span<const StepFrom* const> steps, std::span<R2::Color> gathered,
-                  TraceState& state) const;
+  void AddBackgrounds(const Front& front, std::span<const StepFrom* const> steps, std::span<R2::Color> gathered,
+                      TraceState& state) const;
   /// What each step's ray hits goes to state.hits.
   void TraceSteps(const Steps& steps, TraceState& state) const;
 };

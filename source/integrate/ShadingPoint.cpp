@@ -1,8 +1,5 @@
 #include "source/integrate/ShadingPoint.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "source/integrate/Absorption.h"
 #include "source/integrate/Bump.h"
 

@@ -30,6 +30,12 @@ struct ShadingPoint {
   /// Whether a direction that N faces leads into the surface itself: from there no light can arrive.
   bool IsBehindSurface(const R3::Vector& direction) const { return is_smoothed && !(Dot(Outward(), direction) > 0); }
   bool HasReflectance() const { return !IsBlack(kd) || !IsBlack(material->ks); }
+  /// What it scatters of light from everywhere, about.
+  R2::Color Albedo() const { return kd + material->kr + material->kt; }
+  /// What it sends back before any light is sampled.
+  R2::Color EmittedAndAmbient(const Scene& scene) const {
+    return material->emission + AmbientReflectance() * scene.ambient;
+  }
 };
 
 /// The surface where a ray was found to hit. What the inside of a solid absorbed on the way, see LeftAfter, is taken

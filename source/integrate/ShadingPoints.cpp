@@ -1,6 +1,5 @@
 #include "source/integrate/ShadingPoints.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "R3/FlatTriangle.h"

@@ -18,7 +18,7 @@ class Toon : public FirstHit {
 
  private:
   R2::Color Seen(const ShadingPoint& p) const override {
-    R2::Color sum = p.material->emission + p.AmbientReflectance() * world().scene().ambient;
+    R2::Color sum = p.EmittedAndAmbient(world().scene());
     for (const auto& light : world().scene().lights)
       if (const auto sample = light->Illuminate(p.shadow_origin, {0.5, 0.5})) sum += Shade(p, *sample);
     return sum;
@@ -40,7 +40,7 @@ class Toon : public FirstHit {
 
 }  // namespace
 
-extern const IntegratorKind toon_kind{"light in a few even tones, as in cartoons",
+extern const IntegratorKind toon_kind{"cel shading: light quantized to a few tones",
                                       [](const World& world, const Accelerator& accelerator,
                                          const TraceSettings& settings) -> std::unique_ptr<const Integrator> {
                                         return std::make_unique<Toon>(world, accelerator, settings.toon_bands);

@@ -58,11 +58,11 @@ struct TraceState {
   /// Then what is being traced is of no use to anybody, and loops may end early.
   bool IsStopped() const { return stop && stop->load(std::memory_order_relaxed); }
 
-  /// Books rays of one kind and what the workspace has counted since the last.
-  void Book(RayKind kind, std::size_t count) {
-    RayCounts::Kind& account = rays[kind];
-    account.rays += count;
-    account.cost += workspace.counts;
+  /// Counts rays of one kind and what the workspace has counted since the last.
+  void Count(RayKind kind, std::size_t count) {
+    RayCounts::Kind& of_kind = rays[kind];
+    of_kind.rays += count;
+    of_kind.cost += workspace.counts;
     workspace.counts = {};
   }
 };

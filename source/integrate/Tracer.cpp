@@ -6,13 +6,16 @@
 
 namespace ray {
 
-std::vector<ShadingPoint> Tracer::CameraHits(std::span<const CameraSample> samples, TraceState& state) const {
+void IntersectCameraRays(const Accelerator& accelerator, std::span<const CameraSample> samples, TraceState& state) {
   state.batch.clear();
   for (const CameraSample& sample : samples) state.batch.push_back(sample.ray);
   state.hits.assign(samples.size(), {});
-  accelerator_.Intersect(state.batch, state.hits.data(), state.workspace);
-  state.Book(RayKind::camera, samples.size());
+  accelerator.Intersect(state.batch, state.hits.data(), state.workspace);
+  state.Count(RayKind::camera, samples.size());
+}
 
+std::vector<ShadingPoint> Tracer::CameraHits(std::span<const CameraSample> samples, TraceState& state) const {
+  IntersectCameraRays(accelerator_, samples, state);
   std::vector<ShadingPoint> points;
   points.reserve(samples.size());
   for (std::size_t i = 0; i < samples.size(); ++i) {
@@ -26,7 +29,10 @@ std::vector<ShadingPoint> Tracer::CameraHits(std::span<const CameraSample> sampl
       RecordMiss(path, Background(world_.scene(), path.ray.direction), state);
     }
   }
-  CompleteShadingPoints(world_, points);
+  if (state.recorder)  // which shows texture coordinates, whether the material has a use for them or not
+    for (ShadingPoint& p : points) p = ShadingPointAt(world_, p.path, p.hit);
+  else
+    CompleteShadingPoints(world_, points);
   return points;
 }
 
@@ -38,7 +44,7 @@ void Tracer::TraceShadowRays(TraceState& state) const {
       are_occluded[0] = accelerator_.IsOccluded(shadows.rays[0], state.workspace);
     else
       accelerator_.IsOccluded(shadows.Rays(), are_occluded.data(), state.workspace);
-    state.Book(RayKind::shadow, shadows.count);
+    state.Count(RayKind::shadow, shadows.count);
   }
   if (state.recorder) [[unlikely]]
     state.recorder->EndShadows([&](std::size_t i) { return are_occluded[i]; }, world_, accelerator_, state.workspace);

@@ -11,6 +11,9 @@
 
 namespace ray {
 
+/// Hits of camera rays go to state.hits.
+void IntersectCameraRays(const Accelerator& accelerator, std::span<const CameraSample> samples, TraceState& state);
+
 /// The rays of an integrator: traces them, together where they go nearly the same way, counts what they cost and tells
 /// the recorder, if there is one.
 class Tracer {
@@ -26,14 +29,14 @@ class Tracer {
     if (state.recorder) [[unlikely]]
       path.record = state.recorder->Begin(path);
     auto hit = accelerator_.Intersect(path.ray, state.workspace);
-    state.Book(path.kind, 1);
+    state.Count(path.kind, 1);
     return hit;
   }
   /// The same of rays of one kind that nobody records; where each hits goes to `hits`.
   void IntersectEach(RayKind kind, std::span<const R3::Ray> rays, std::optional<WorldHit>* hits,
                      TraceState& state) const {
     accelerator_.Intersect(rays, hits, state.workspace);
-    state.Book(kind, rays.size());
+    state.Count(kind, rays.size());
   }
   static void RecordHit(const ShadingPoint& p, const R2::Color& contribution, TraceState& state) {
     if (state.recorder) [[unlikely]]

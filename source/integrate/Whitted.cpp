@@ -53,7 +53,7 @@ std::optional<LightSample> SampleLight(const ShadingPoint& p, const EmissiveShap
 }
 std::optional<LightSample> SampleLight(const ShadingPoint&, const Environment& environment, const R2::Point& u) {
   const Environment::Sample drawn = environment.Draw(u);
-  return LightSample{drawn.radiance / (std::numbers::pi * drawn.pdf), drawn.direction, true, drawn.pdf};
+  return LightSample{drawn.radiance / (std::numbers::pi * drawn.pdf), drawn.direction, true};
 }
 
 /// What the surface makes of it.
@@ -111,13 +111,15 @@ R2::Color Whitted::Follow(const ShadingPoint& first, TraceState& state) const {
       state.rays.EndAt(Luminance(p.path.throughput * SpecularReflectance(p, settings_.fresnel)));
       return;
     }
-    if (descendants >= most_descendants) {
-      ++state.rays.cut;
-      return;
-    }
     const std::size_t before = state.pending.size();
     Spawn(p, state);
-    descendants += static_cast<int>(state.pending.size() - before);
+    const std::size_t spawned = state.pending.size() - before;
+    if (descendants < most_descendants) {
+      descendants += static_cast<int>(spawned);
+    } else {
+      state.rays.cut += spawned;
+      state.pending.resize(before);
+    }
   };
   spawn(first);
   while (!state.pending.empty() && !state.IsStopped()) {
@@ -140,7 +142,7 @@ R2::Color Whitted::Follow(const ShadingPoint& first, TraceState& state) const {
 
 void Whitted::Shade(std::span<ShadingPoint> points, TraceState& state) const {
   for (ShadingPoint& p : points) {
-    p.radiance = p.material->emission + p.AmbientReflectance() * world_.scene().ambient;
+    p.radiance = p.EmittedAndAmbient(world_.scene());
     Tracer::RecordHit(p, p.path.throughput * p.radiance, state);
   }
   if (tree_) {
@@ -279,7 +281,7 @@ inline std::optional<R2::Color> Whitted::Continued(const R2::Color& throughput, 
   return RussianRoulette(throughput, luminance / settings_.min_luminance, points.Get2D(index.sample).x);
 }
 
-extern const IntegratorKind whitted_kind{"the course's recursion: light from lights, mirrors, and what is clear",
+extern const IntegratorKind whitted_kind{"Whitted ray tracing: direct light, mirror reflection, refraction",
                                          [](const World& world, const Accelerator& accelerator,
                                             const TraceSettings& settings) -> std::unique_ptr<const Integrator> {
                                            return std::make_unique<Whitted>(world, accelerator, settings);

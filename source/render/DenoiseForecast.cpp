@@ -1,18 +1,18 @@
 #include "source/render/DenoiseForecast.h"
 
-#include <tbb/info.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <vector>
 
 #include "source/film/SpreadRectangles.h"
+#include "source/film/denoise/Denoise.h"
 #include "source/film/denoise/DenoisedError.h"
 #include "source/render/GatherGuides.h"
 #include "source/render/SecondsOf.h"
+#include "source/render/Threads.h"
 #include "source/sample/Random.h"
 
 namespace ray {
@@ -26,12 +26,8 @@ constexpr double growth_between_looks = 1.3;  // of the samples, at least
 
 template <typename Work>
 void InArena(int threads, const Work& work) {
-  tbb::task_arena arena(threads > 0 ? threads : tbb::info::default_concurrency());
+  tbb::task_arena arena(ThreadsFor(threads));
   arena.execute(work);
-}
-
-PixelRectangle RegionOf(const RenderSettings& settings) {
-  return settings.crop.value_or(PixelRectangle{0, 0, settings.width, settings.height});
 }
 
 R2::Image Noise(int side, std::uint64_t seed) {

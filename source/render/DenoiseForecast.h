@@ -7,7 +7,6 @@
 #include "source/accelerate/World.h"
 #include "source/film/Film.h"
 #include "source/film/PictureError.h"
-#include "source/film/denoise/DenoiseFilters.h"
 #include "source/render/RenderSettings.h"
 
 namespace ray {

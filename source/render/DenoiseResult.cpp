@@ -1,19 +1,18 @@
 #include "source/render/DenoiseResult.h"
 
-#include <tbb/info.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
 
 #include "source/film/denoise/DenoisedError.h"
 #include "source/render/GatherGuides.h"
+#include "source/render/SecondsOf.h"
+#include "source/render/Threads.h"
 
 namespace ray {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-double SecondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 WorkMeter MeterOf(RenderPhase phase, const RenderMonitor& monitor) {
   const auto tell = [&monitor, phase](std::int64_t done, std::int64_t total) {
@@ -74,7 +73,7 @@ void DenoiseResult(const World& world, const Accelerator& accelerator, const Ren
                    const RenderMonitor& monitor, RenderResult& result) {
   if (!film.HasBothParts()) return;
   const auto start = Clock::now();
-  tbb::task_arena arena(settings.threads > 0 ? settings.threads : tbb::info::default_concurrency());
+  tbb::task_arena arena(ThreadsFor(settings.threads));
   try {
     arena.execute([&] {
       const DenoiseFilters filters(settings.denoiser, settings.threads);

@@ -1,7 +1,6 @@
 #include "source/render/Forecast.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "R1/Elementary.h"

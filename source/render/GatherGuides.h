@@ -24,10 +24,10 @@ struct GatheredGuides {
 using RefiningBudget = std::function<Refinement(std::uint64_t following_rays)>;
 
 /// The guides of the film's pixels: over the camera rays that the film's samples came from, two streams as many each;
-/// and, at edges, over others, which both streams' best guides share. Filters
-/// wider than a pixel are left out of account. The same, bit for bit, for any number of threads.
+/// and, at edges, over others, which both streams' best guides share. Filters wider than a pixel are left out of
+/// account. The same, bit for bit, for any number of threads.
 ///   refining   tells how many those others may be: they are spread so that they help most
-///   meter                told of parts of rows of pixels; once it is stopped, what comes out is of no use
+///   meter      told of parts of rows of pixels; once it is stopped, what comes out is of no use
 GatheredGuides GatherGuides(const World& world, const Accelerator& accelerator, const RenderSettings& settings,
                             const Film& film, const RefiningBudget& refining, WorkMeter& meter);
 

@@ -31,12 +31,6 @@ void MergeParts(Film::Block& block) {
   block.samples[1] = 0;
 }
 
-/// Of 0, for as many as usual, or a number of them; asked once, since more than usual are tried by making them.
-int ThreadsFor(int asked) {
-  const int usual = tbb::info::default_concurrency();
-  return asked > usual ? ThreadsAvailable(asked) : asked > 0 ? asked : usual;
-}
-
 }  // namespace
 
 PassRunner::PassRunner(const PassWork& work)
@@ -47,7 +41,7 @@ bool PassRunner::IsStepEnd(std::uint32_t samples) { return samples == 0 || StepE
 bool PassRunner::IsAtTarget(int block) const {
   const std::uint32_t samples = SamplesOf(block), target = TargetOf(block);
   if (target > 0 || samples > 0) return samples >= target;
-  return work_.film[block].first_looks.size() >= static_cast<std::size_t>(targets_->PlacesOf(block));
+  return work_.film[block].first_samples.size() >= static_cast<std::size_t>(targets_->PlacesOf(block));
 }
 
 PassRunner::End PassRunner::Run(const PassTargets& targets, std::optional<Clock::time_point> pause_at) {
@@ -102,14 +96,14 @@ bool PassRunner::Advance(int block, TraceState& state) {
       if (!work_.has_two_streams && part != (done == 0 ? 0 : 1)) continue;
       if (next.sums[part].IsEmpty()) next.sums[part] = work_.film.EmptySums(block);
       SamplesDue due{work_.film.PixelsOf(block), work_.has_two_streams ? part : 0, done, end};
-      if (part == 0) due.first_looks = next.first_looks;
+      if (part == 0) due.first_samples = next.first_samples;
       if (!RenderBlock(work_.source, due, work_.film.filter(), state, next.sums[part])) {
         state.rays = rays_before;
         return false;
       }
       next.samples[part] += end - done;
     }
-    next.first_looks.clear();
+    next.first_samples.clear();
     work_.film[block] = std::move(next);
     ++progress_;
   }
@@ -121,7 +115,7 @@ bool PassRunner::Look(int block, TraceState& state) {
   state.workspace.ForgetLastHits();
   const RayCounts rays_before = state.rays;
   if (!LookAtPlaces(work_.source, work_.film.PixelsOf(block), targets_->PlacesOf(block), state,
-                    work_.film[block].first_looks)) {
+                    work_.film[block].first_samples)) {
     state.rays = rays_before;
     return false;
   }

@@ -1,11 +1,10 @@
 #include "source/render/PixelTrace.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 
 #include "source/render/Render.h"
 #include "source/render/RenderBlock.h"
+#include "source/render/Schedule.h"
 #include "source/text/EnumNames.h"
 #include "source/text/NumberText.h"
 
@@ -34,10 +33,7 @@ class TreeWriter {
     std::size_t sample = 0;
     for (std::size_t i = 0; i < trace_.rays.size(); ++i) {
       if (trace_.rays[i].parent != RecordedRay::none) continue;
-      const CameraSample& taken = trace_.samples[sample];
-      text_ += "sample " + std::to_string(sample + 1) + " at " + Text(taken.x) + " " + Text(taken.y) + ": " +
-               Text(trace_.radiances[sample]) + "\n";
-      ++sample;
+      WriteSample(sample++);
       WriteFrom(i);
     }
     if (cut_ > 0) text_ += std::to_string(cut_) + " more rays are not shown\n";
@@ -45,6 +41,14 @@ class TreeWriter {
   }
 
  private:
+  void WriteSample(std::size_t i) {
+    const CameraSample& taken = trace_.samples[i];
+    text_ += "sample " + std::to_string(i + 1) + " at " + Text(taken.x) + " " + Text(taken.y) + ": " +
+             Text(trace_.radiances[i]);
+    if (trace_.Counted(i) != trace_.radiances[i]) text_ += ", clamped to " + Text(trace_.Counted(i));
+    text_ += "\n";
+  }
+
   /// Depth first, on a stack: trees may be as deep as mirrors facing each other make them.
   void WriteFrom(std::size_t root) {
     std::vector<std::pair<std::size_t, int>> open{{root, 1}};
@@ -66,6 +70,7 @@ class TreeWriter {
     constexpr int deepest_indent = 40;  // columns
     const std::string margin(static_cast<std::size_t>(std::min(2 * indent, deepest_indent)), ' ');
     text_ += margin + ray_kind_names[static_cast<std::size_t>(ray.kind)] + " ray";
+    if (ray.is_outlined) text_ += ", on an outline, which is black";
     if (!ray.towards.empty()) text_ += " to " + LightText(ray.towards);
     text_ += "\n" + margin + "  from " + Text(ray.ray.origin) + " along " + Text(ray.ray.direction);
     if (ray.is_inside) text_ += ", inside";
@@ -105,27 +110,33 @@ class TreeWriter {
   std::string text_;
 };
 
+int StreamsOf(const RenderSettings& settings) { return HasTwoStreams(settings) ? 2 : 1; }
+
 }  // namespace
 
 R2::Color PixelTrace::Mean() const {
   R2::Color sum;
-  for (const R2::Color& radiance : radiances) sum += radiance;
+  for (std::size_t i = 0; i < radiances.size(); ++i) sum += Counted(i);
   return radiances.empty() ? sum : sum / static_cast<double>(radiances.size());
 }
 
 PixelTracer::PixelTracer(const World& world, const Accelerator& accelerator, const RenderSettings& settings)
     : seed_(settings.seed),
+      clamps_samples_(settings.clamp == Clamp::samples),
+      streams_(StreamsOf(settings)),
       integrator_(IntegratorOf(world, accelerator, settings)),
       camera_(CameraRaysOf(world, settings)) {}
 
 PixelTrace PixelTracer::Trace(int column, int row, int samples) const {
-  PixelTrace trace{column, row, {}, {}, {}};
-  const RandomKey key = SampleSource{*integrator_, camera_, seed_}.PixelKey(column, row);
+  PixelTrace trace{column, row, {}, {}, {}, clamps_samples_};
+  const SampleSource source{*integrator_, camera_, seed_, clamps_samples_};
   RayRecorder recorder;
   TraceState state;
   state.recorder = &recorder;
   for (int i = 0; i < samples; ++i) {
-    const CameraSample& sample = trace.samples.emplace_back(camera_(column, row, key, static_cast<std::uint32_t>(i)));
+    const RandomKey key = source.PixelKey(column, row, i % streams_);
+    const CameraSample& sample =
+        trace.samples.emplace_back(camera_(column, row, key, static_cast<std::uint32_t>(i / streams_)));
     integrator_->Li({&sample, 1}, {&trace.radiances.emplace_back(), 1}, state);
   }
   trace.rays = recorder.Rays();
@@ -136,14 +147,15 @@ std::string RayTree(const PixelTrace& trace, const World& world, const RenderSet
                     std::size_t most_rays) {
   return "pixel " + std::to_string(trace.column) + " " + std::to_string(trace.row) + " of " +
          std::to_string(settings.width) + " x " + std::to_string(settings.height) + ", " + NameOf(settings.mode) +
-         ": " + Text(trace.Mean()) +
+         ": " + Text(trace.Mean()) + (ShowsCosts(settings.mode) ? ", a cost of rays that contribute light" : "") +
          (trace.samples.size() > 1 ? ", the mean of " + std::to_string(trace.samples.size()) + " samples" : "") + "\n" +
          TreeWriter(trace, world, most_rays).Write();
 }
 
 std::string DebugPixel(const World& world, const Accelerator& accelerator, const RenderSettings& settings, int column,
                        int row) {
-  return RayTree(PixelTracer(world, accelerator, settings).Trace(column, row, settings.samples), world, settings);
+  const int streams = StreamsOf(settings), samples = streams * std::max(1, settings.samples / streams);
+  return RayTree(PixelTracer(world, accelerator, settings).Trace(column, row, samples), world, settings);
 }
 
 }  // namespace ray

@@ -16,7 +16,10 @@ struct PixelTrace {
   std::vector<RecordedRay> rays;  // of all its samples; parents before children
   std::vector<CameraSample> samples;
   std::vector<R2::Color> radiances;  // what each sample saw
+  bool clamps_samples = false;       // before they count, see Clamp
 
+  /// What sample number `i` counts as.
+  R2::Color Counted(std::size_t i) const { return clamps_samples ? Clamped(radiances[i]) : radiances[i]; }
   R2::Color Mean() const;
 };
 
@@ -27,11 +30,13 @@ class PixelTracer {
   /// All must outlive it.
   PixelTracer(const World& world, const Accelerator& accelerator, const RenderSettings& settings);
 
-  /// The first `samples` samples of a pixel of the whole picture.
+  /// The first `samples` samples of a pixel of the whole picture; where it has two streams, of each in turn.
   PixelTrace Trace(int column, int row, int samples) const;
 
  private:
   RandomKey seed_;
+  bool clamps_samples_;
+  int streams_;
   std::unique_ptr<const Integrator> integrator_;
   CameraRays camera_;
 };
@@ -41,7 +46,7 @@ class PixelTracer {
 std::string RayTree(const PixelTrace& trace, const World& world, const RenderSettings& settings,
                     std::size_t most_rays = 1000);
 
-/// For a program's user: all samples of one pixel.
+/// For a program's user: all samples of one pixel; of a picture that stops by itself, as many as it may have.
 std::string DebugPixel(const World& world, const Accelerator& accelerator, const RenderSettings& settings, int column,
                        int row);
 

@@ -4,8 +4,9 @@
 #include <tbb/parallel_reduce.h>
 
 #include <algorithm>
+#include <cassert>
 #include <chrono>
-#include <functional>
+#include <cmath>
 
 #include "source/film/Contrast.h"
 #include "source/integrate/debug/Heat.h"
@@ -14,6 +15,7 @@
 #include "source/render/FinishForecast.h"
 #include "source/render/Forecast.h"
 #include "source/render/PassRunner.h"
+#include "source/render/SecondsOf.h"
 
 namespace ray {
 namespace {
@@ -27,7 +29,7 @@ ErrorMeasure MeasureFor(const RenderSettings& settings) {
 std::int64_t PixelsLookedAt(const Film& film, int block) {
   const PixelRectangle pixels = film.PixelsInRegion(block);
   std::int64_t count = 0;
-  for (std::size_t place = 0; place < film[block].first_looks.size(); ++place) {
+  for (std::size_t place = 0; place < film[block].first_samples.size(); ++place) {
     const auto [column, row] = BlockOrder::PixelAt(static_cast<int>(place), film.PixelsOf(block));
     count += pixels.Contains(column, row);
   }
@@ -55,7 +57,7 @@ double SamplesTaken(const Film& film) {
   double sum = 0;
   for (int i = 0; i < film.Blocks(); ++i)
     sum += static_cast<double>(film.PixelsOf(i).Area()) * film[i].Samples() +
-           static_cast<double>(film[i].first_looks.size());
+           static_cast<double>(film[i].first_samples.size());
   return sum;
 }
 
@@ -64,9 +66,13 @@ void ColorCosts(R2::Image& image) {
     for (int x = 0; x < image.Width(); ++x) image.Set(x, y, HeatColor(image.At(x, y).r));
 }
 
+Camera CameraOf(const World& world, const RenderSettings& settings) {
+  return settings.view.value_or(world.scene().camera);
+}
+
 /// The distances of the nearest and the farthest surface seen through the middles of the whole picture's pixels.
 ZBufferRange RangeOfPicture(const World& world, const Accelerator& accelerator, const RenderSettings& settings) {
-  const Camera camera = settings.view.value_or(world.scene().camera);
+  const Camera camera = CameraOf(world, settings);
   const auto range_of_row = [&](int row, ZBufferRange so_far) {
     Workspace workspace;
     for (int column = 0; column < settings.width; ++column) {
@@ -153,9 +159,7 @@ class Job {
     double idle_pixels = 0;  // of blocks that are at their target before
   };
 
-  double Seconds() const {
-    return monitor_.seconds_before + std::chrono::duration<double>(Clock::now() - start_).count();
-  }
+  double Seconds() const { return monitor_.seconds_before + SecondsSince(start_); }
 
   void Resume(RenderState&& state) {
     for (int i = 0; i < film_.Blocks(); ++i) film_[i] = std::move(state.blocks[static_cast<std::size_t>(i)]);
@@ -317,7 +321,7 @@ class Job {
     result.pixels_total = film_.Region().Area();
     for (int i = 0; i < film_.Blocks(); ++i) {
       result.block_samples.push_back(film_[i].SamplesPerStream(result.two_streams));
-      result.block_places.push_back(static_cast<std::uint8_t>(film_[i].first_looks.size()));
+      result.block_places.push_back(static_cast<std::uint8_t>(film_[i].first_samples.size()));
       result.pixels_done += film_[i].Samples() > 0 ? film_.PixelsInRegion(i).Area() : PixelsLookedAt(film_, i);
     }
     // Of costs no error is known: they are what is summed, not the colors shown.
@@ -367,15 +371,13 @@ double ExpectedRays(const RenderSettings& settings) {
   constexpr double rays_per_camera_ray = 3;  // with shadows and reflections, in scenes of the course
   constexpr double rays_per_second = 1e6;
   if (settings.budget.seconds > 0) return rays_per_second * settings.budget.seconds;
-  const double pixels = settings.crop ? static_cast<double>(settings.crop->Area())
-                                      : static_cast<double>(settings.width) * settings.height;
-  return rays_per_camera_ray * pixels * settings.samples;
+  return rays_per_camera_ray * static_cast<double>(RegionOf(settings).Area()) * settings.samples;
 }
 
 std::unique_ptr<const Integrator> IntegratorOf(const World& world, const Accelerator& accelerator,
                                                const RenderSettings& settings) {
   TraceSettings trace = TraceSettingsOf(settings);
-  const Camera camera = settings.view.value_or(world.scene().camera);
+  const Camera camera = CameraOf(world, settings);
   trace.outline.right = 2 * camera.HalfWidth() / settings.width * camera.right;
   trace.outline.up = 2 * camera.HalfHeight(settings.width, settings.height) / settings.height * camera.up;
   if (settings.mode == RenderMode::zbuffer && trace.zbuffer.IsOfPicture())
@@ -394,13 +396,12 @@ CameraRays CameraRaysOf(const World& world, const RenderSettings& settings) {
 }
 
 CameraRays CameraRaysOf(const World& world, const RenderSettings& settings, std::uint32_t samples) {
-  return CameraRays(settings.view.value_or(world.scene().camera), settings.camera, world.Moves(), settings.width,
-                    settings.height, settings.trace.sampler, samples);
+  return CameraRays(CameraOf(world, settings), settings.camera, world.Moves(), settings.width, settings.height,
+                    settings.trace.sampler, samples);
 }
 
 Film EmptyFilmOf(const RenderSettings& settings) {
-  return Film(settings.width, settings.height,
-              settings.crop.value_or(PixelRectangle{0, 0, settings.width, settings.height}), settings.filter);
+  return Film(settings.width, settings.height, RegionOf(settings), settings.filter);
 }
 
 RenderResult Render(const World& world, const Accelerator& accelerator, const RenderSettings& settings,
@@ -422,6 +423,7 @@ RenderResult Render(const World& world, const Accelerator& accelerator, const Re
 
 RenderResult Render(const World& world, const Integrator& integrator, const RenderSettings& settings,
                     const RenderMonitor& monitor) {
+  assert(!settings.denoise);
   return Job(world, integrator, settings, monitor, Job::Clock::now()).Run();
 }
 

@@ -94,7 +94,8 @@ double ExpectedRays(const RenderSettings& settings);
 /// any thread count and tile size.
 RenderResult Render(const World& world, const Accelerator& accelerator, const RenderSettings& settings,
                     const RenderMonitor& monitor = {});
-/// The same with an integrator made before, so that many small parts of a picture need not each make their own.
+/// The same with an integrator made before, so that many small parts of a picture need not each make their own; of
+/// pictures that are not to be denoised.
 RenderResult Render(const World& world, const Integrator& integrator, const RenderSettings& settings,
                     const RenderMonitor& monitor = {});
 

@@ -1,5 +1,7 @@
 #include "source/render/RenderBlock.h"
 
+#include <cassert>
+
 namespace ray {
 namespace {
 
@@ -19,14 +21,15 @@ void ForPixels(const PixelRectangle& pixels, const Function& function) {
 }
 
 /// Samples of which some are known already, added in the order of all others.
-bool RenderAroundLooks(const SampleSource& source, const SamplesDue& due, const Filter& filter, TraceState& state,
-                       BlockSums& sums) {
-  std::vector<R2::Color> all(due.first_looks.begin(), due.first_looks.end());
+bool RenderAroundFirstSamples(const SampleSource& source, const SamplesDue& due, const Filter& filter,
+                              TraceState& state, BlockSums& sums) {
+  assert(due.stream == 0 && due.first == 0 && due.last == 1);
+  std::vector<R2::Color> all(due.first_samples.begin(), due.first_samples.end());
   all.resize(BlockOrder::places);
   BatchTracer tracer(source, state, KeepIn(all));
   bool goes_on = true;
   ForPixels(due.pixels, [&](int column, int row) {
-    if (goes_on && PlaceOf(column, row) >= due.first_looks.size())
+    if (goes_on && PlaceOf(column, row) >= due.first_samples.size())
       goes_on = tracer.Add(column, row, source.FirstSample(column, row));
   });
   if (!goes_on || !tracer.Finish()) return false;
@@ -56,7 +59,7 @@ bool LookAtPlaces(const SampleSource& source, const PixelRectangle& pixels, int 
 
 bool RenderBlock(const SampleSource& source, const SamplesDue& due, const Filter& filter, TraceState& state,
                  BlockSums& sums) {
-  if (!due.first_looks.empty()) return RenderAroundLooks(source, due, filter, state, sums);
+  if (!due.first_samples.empty()) return RenderAroundFirstSamples(source, due, filter, state, sums);
   BatchTracer tracer(source, state, [&](int column, int row, const CameraSample& sample, const R2::Color& radiance) {
     sums.Add(column, row, sample.x, sample.y, radiance, filter);
   });

@@ -81,7 +81,7 @@ struct SamplesDue {
   PixelRectangle pixels;
   int stream = 0;
   std::uint32_t first = 0, last = 0;
-  std::span<const R2::Color> first_looks{};  // of sample 0, where they were taken before the others: see Film::Block
+  std::span<const R2::Color> first_samples{};  // of sample 0, where they were taken before the others: see Film::Block
 };
 
 /// The road of every sample: pixel, camera ray, integrator, film. Adds the samples that are due to `sums`.

@@ -92,6 +92,11 @@ struct RenderSettings {
   int tile_size = 32;  // side of a work item in pixels, rounded up to whole blocks of the film; 0: the whole picture
 };
 
+/// The part of the picture that is rendered.
+inline PixelRectangle RegionOf(const RenderSettings& settings) {
+  return settings.crop.value_or(PixelRectangle{0, 0, settings.width, settings.height});
+}
+
 /// Whether blocks of like pixels get one sample alone.
 inline bool SamplesWhereNeighborsDiffer(const RenderSettings& settings) {
   return settings.budget.adaptive == Adaptive::neighbors && !settings.budget.IsOpen() && !settings.replay &&

@@ -13,7 +13,7 @@
 namespace ray {
 namespace {
 
-constexpr std::string_view magic = "raypro checkpoint 3\n";
+constexpr std::string_view magic = "raypro checkpoint 4\n";
 
 std::uint64_t Checksum(std::span<const unsigned char> bytes) {
   Hash hash;
@@ -64,7 +64,7 @@ class Reader {
   /// Exactly as many as there are places in `values`.
   template <typename T>
   void TakeAll(std::vector<T>& values) {
-    if (Take<std::uint64_t>() != values.size()) throw CheckpointError("it is of a picture of another size");
+    if (Take<std::uint64_t>() != values.size()) throw CheckpointError("it belongs to a picture of a different size");
     const auto taken = TakeBytes(values.size() * sizeof(T));
     std::ranges::copy(taken,
                       reinterpret_cast<unsigned char*>(values.data()));  // memcpy takes no null, even for nothing
@@ -104,12 +104,37 @@ std::string FirstDifference(std::string_view a, std::string_view b) {
   return {};
 }
 
+/// Field by field: between some of them there are bytes that nobody sets.
+void PutError(Writer& writer, const ErrorEstimate& error) {
+  writer.Put(error.unit);
+  writer.Put(error.estimate);
+  writer.Put(error.low);
+  writer.Put(error.high);
+  writer.Put(error.worst_block);
+  writer.Put(error.worst_block_at);
+  writer.Put(error.outlier_share);
+  writer.Put(error.freedom);
+}
+
+ErrorEstimate TakeError(Reader& reader) {
+  ErrorEstimate error;
+  error.unit = reader.Take<ErrorUnit>();
+  error.estimate = reader.Take<double>();
+  error.low = reader.Take<double>();
+  error.high = reader.Take<double>();
+  error.worst_block = reader.Take<double>();
+  error.worst_block_at = reader.Take<PixelRectangle>();
+  error.outlier_share = reader.Take<double>();
+  error.freedom = reader.Take<double>();
+  return error;
+}
+
 void PutPass(Writer& writer, const Pass& pass) {
   writer.Put(pass.end);
   writer.Put(pass.samples);
   writer.Put(pass.seconds);
   writer.Put(pass.error.has_value());
-  writer.Put(pass.error.value_or(ErrorEstimate{}));
+  if (pass.error) PutError(writer, *pass.error);
 }
 
 Pass TakePass(Reader& reader) {
@@ -117,9 +142,7 @@ Pass TakePass(Reader& reader) {
   pass.end = reader.Take<std::uint32_t>();
   pass.samples = reader.Take<double>();
   pass.seconds = reader.Take<double>();
-  const bool has_error = reader.Take<char>() != 0;
-  const auto error = reader.Take<ErrorEstimate>();
-  if (has_error) pass.error = error;
+  if (reader.Take<char>() != 0) pass.error = TakeError(reader);
   return pass;
 }
 
@@ -145,8 +168,8 @@ void PutBlock(Writer& writer, const Film::Block& block) {
     writer.Put(block.samples[part]);
     if (block.samples[part] > 0) writer.PutAll(block.sums[part].Sums());
   }
-  writer.Put(static_cast<std::uint8_t>(block.first_looks.size()));
-  writer.PutAll(block.first_looks);
+  writer.Put(static_cast<std::uint8_t>(block.first_samples.size()));
+  writer.PutAll(block.first_samples);
 }
 
 Film::Block TakeBlock(Reader& reader, const BlockSums& empty) {
@@ -157,8 +180,8 @@ Film::Block TakeBlock(Reader& reader, const BlockSums& empty) {
     block.sums[part] = empty;
     reader.TakeAll(block.sums[part].Sums());
   }
-  block.first_looks.resize(reader.Take<std::uint8_t>());
-  reader.TakeAll(block.first_looks);
+  block.first_samples.resize(reader.Take<std::uint8_t>());
+  reader.TakeAll(block.first_samples);
   return block;
 }
 
@@ -175,7 +198,7 @@ std::span<const unsigned char> CheckedBody(std::span<const unsigned char> bytes)
 }
 
 void Require(bool is_so, const char* what) {
-  if (!is_so) throw CheckpointError(std::string("no such render can be: ") + what);
+  if (!is_so) throw CheckpointError(std::string("the checkpoint is inconsistent: ") + what);
 }
 
 bool AreSquares(const std::vector<double>& squares) {
@@ -211,10 +234,10 @@ bool ArePartsOfOneBlock(const Film::Block& block, bool has_two_streams) {
 }
 
 void CheckBlock(const Film::Block& block, const Film& film, std::uint32_t target, bool has_two_streams) {
-  Require(ArePartsOfOneBlock(block, has_two_streams), "samples that are not shared out as blocks share them out");
+  Require(ArePartsOfOneBlock(block, has_two_streams), "the samples of a block are split wrongly");
   const std::uint64_t second = has_two_streams ? 0 : block.samples[1];
   Require(block.samples[0] + second <= target, "a block with more samples than were due");
-  Require(block.first_looks.size() <= (block.Samples() == 0 ? BlockOrder::places : 0u),
+  Require(block.first_samples.size() <= (block.Samples() == 0 ? BlockOrder::places : 0u),
           "looks at a block that has samples");
   for (int part = 0; part < Film::parts; ++part)
     for (const WeightedSum& sum : block.sums[part].Sums())
@@ -267,7 +290,7 @@ void CheckPlan(const RenderState& state, const RenderSettings& settings) {
                           std::to_string(now) + ": " + why);
   };
   if (now < then) refuse("samples can be added, not taken away");
-  if (settings.budget.error) refuse("with -error, what was decided before would be decided otherwise");
+  if (settings.budget.error) refuse("with -error, earlier decisions would have been different");
   const SamplerKind sampler = settings.trace.sampler;
   if (sampler == SamplerKind::stratified || IsGrid(sampler))
     refuse(std::string("the ") + sampler_names[static_cast<std::size_t>(sampler)] +

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "source/integrate/lights/LightSampler.h"
+#include "source/render/Schedule.h"
 #include "source/text/EnumNames.h"
 
 namespace ray {
@@ -28,7 +29,7 @@ SceneFeatures FeaturesOf(const World& world, const RenderSettings& settings) {
   features.motion = settings.camera.HasMotion() || world.Moves();
   features.lens = settings.camera.HasLens();
   features.wide_filter = settings.filter != FilterKind::box;
-  features.two_streams = settings.denoise || settings.budget.error.has_value();
+  features.two_streams = HasTwoStreams(settings);
   if (!IsTraced(settings.mode)) return features;
 
   std::size_t lights = 0;
@@ -94,6 +95,7 @@ std::vector<std::string> SourcesOfBias(const SceneFeatures& features, const Rend
   if (settings.clamp == Clamp::samples) sources.emplace_back("clamp samples");
   if (IsGrid(settings.trace.sampler)) sources.push_back(std::string("sampler ") + NameOf(settings.trace.sampler));
   if (SamplesWhereNeighborsDiffer(settings)) sources.emplace_back("adaptive neighbors");
+  if (settings.budget.error && settings.budget.adaptive != Adaptive::off) sources.emplace_back("adaptive tile");
   if (!IsTraced(settings.mode)) return sources;
   const TraceSettings& trace = settings.trace;
   const bool is_path = settings.mode == RenderMode::path;
@@ -103,7 +105,6 @@ std::vector<std::string> SourcesOfBias(const SceneFeatures& features, const Rend
     sources.push_back("min_luminance " + SettingText(trace.min_luminance));
   if (!trace.shadows) sources.emplace_back("shadows off");
   if (features.shadow_bias) sources.emplace_back("shadow_bias");
-  if (settings.budget.error && settings.budget.adaptive != Adaptive::off) sources.emplace_back("adaptive tile");
   return sources;
 }
 

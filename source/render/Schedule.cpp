@@ -125,7 +125,7 @@ void Schedule::Resume(ScheduleState state) {
 
 std::optional<Stop> Schedule::Next(const PassOutcome& pass) {
   if (replay_) return NextOfReplay();
-  if (state_.end == 0) return NextOfLooks(pass);
+  if (state_.end == 0) return NextOfFirstSamples(pass);
   if (looks_at_neighbors_) return NextOfNeighbors(pass);
   const MeasuredError* error = DecidesByError() && pass.error ? &*pass.error : nullptr;
   if (pass.error && Suffices(*pass.error)) return Stop::error;
@@ -154,7 +154,7 @@ bool Schedule::Suffices(const MeasuredError& error) const {
 }
 
 /// Until every pixel has its first sample, or where that takes long, first at twice as many places.
-std::optional<Stop> Schedule::NextOfLooks(const PassOutcome& pass) {
+std::optional<Stop> Schedule::NextOfFirstSamples(const PassOutcome& pass) {
   const int places = state_.targets.places.front();
   const double samples_left = (two_streams_ ? 2 : 1) - static_cast<double>(places) / BlockOrder::places;
   const double pace = pass.samples_taken > 0 ? pass.seconds_taken / pass.samples_taken : 0;  // seconds for a sample

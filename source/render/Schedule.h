@@ -88,7 +88,7 @@ class Schedule {
   void ReplayTo(std::uint32_t end);
   void SampleTo(std::uint32_t end);
   void LookAt(int places);
-  std::optional<Stop> NextOfLooks(const PassOutcome& pass);
+  std::optional<Stop> NextOfFirstSamples(const PassOutcome& pass);
   std::optional<Stop> NextOfNeighbors(const PassOutcome& pass);
   double SecondsLeft(const PassOutcome& pass) const;
   std::uint32_t NextEnd(const MeasuredError* error) const;

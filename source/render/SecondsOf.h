@@ -6,12 +6,16 @@
 
 namespace ray {
 
+inline double SecondsSince(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
 /// How long work takes, by the clock.
 template <typename Work>
 double SecondsOf(const Work& work) {
   const auto start = std::chrono::steady_clock::now();
   work();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return SecondsSince(start);
 }
 
 /// The least of several attempts: the first may have to make what is made once only, and others may have to wait for a

@@ -1,5 +1,7 @@
 #include "source/render/Threads.h"
 
+#include <tbb/info.h>
+
 #include <atomic>
 #include <system_error>
 #include <thread>
@@ -17,6 +19,11 @@ int ThreadsAvailable(int wanted) {
   all_are_made = true;
   all_are_made.notify_all();
   return static_cast<int>(others.size()) + 1;
+}
+
+int ThreadsFor(int asked) {
+  const int usual = tbb::info::default_concurrency();
+  return asked > usual ? ThreadsAvailable(asked) : asked > 0 ? asked : usual;
 }
 
 }  // namespace ray

@@ -6,4 +6,8 @@ namespace ray {
 /// the system limits them. oneTBB, asked for more, would throw in the middle of its work.
 int ThreadsAvailable(int wanted);
 
+/// How many to work with where `asked` are, 0 for as many as usual. More than usual are tried by making them, so this
+/// is best asked once.
+int ThreadsFor(int asked);
+
 }  // namespace ray

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <iterator>
 
+#include "source/sample/Random.h"
+
 namespace ray {
 
 DiscreteDistribution::DiscreteDistribution(std::span<const double> weights) {
@@ -26,7 +28,6 @@ std::size_t DiscreteDistribution::PartOf(double sum) const {
 }
 
 DiscreteDistribution::Drawn DiscreteDistribution::Draw(double u) const {
-  constexpr double below_one = 1 - 0x1p-53;
   const double target = std::min(u, below_one) * sums_.back();  // less than the last sum, also when rounded
   // The first sum beyond the target: the step to it is never empty, so no index of weight 0 is drawn.
   const std::size_t part = PartOf(target);

@@ -9,8 +9,7 @@ namespace ray {
 
 /// Importance sampling of indices: draws them with probabilities proportional to given weights.
 ///   source   inversion of the running sums, as in Pharr, Jakob, Humphreys, Physically Based Rendering (2023), A.1,
-///   begun
-///            near the end as by Chen, Asau, On generating random variates from an empirical distribution (1974)
+///            begun near the end as by Chen, Asau, On generating random variates from an empirical distribution (1974)
 class DiscreteDistribution {
  public:
   struct Drawn {

@@ -52,8 +52,6 @@ inline void SobolOfEach(const SampleIndex* at, std::size_t count, std::uint64_t 
   if constexpr (size == 4) PairOfEach<2>(index, keys, count, to[2].data(), to[3].data());
 }
 
-bool IsSobol(SamplerKind kind) { return kind == SamplerKind::sobol || IsGrid(kind); }
-
 R3_VECTORIZED
 void SobolPairs(const SampleIndex* at, std::size_t count, std::uint64_t which, PointsOfEach<2>& points) {
   SobolOfEach(at, count, which, points);
@@ -76,14 +74,14 @@ void OneByOne(std::span<const SampleIndex> at, PointsOfEach<size>& points, const
 
 void GetOfEach(std::span<const SampleIndex> at, std::uint64_t which, SamplerKind kind, std::uint32_t samples,
                PointsOfEach<2>& points) {
-  if (!at.empty() && at[0].camera_dimensions == 0 && IsSobol(kind))
+  if (!at.empty() && at[0].camera_dimensions == 0 && UsesSobol(kind))
     return SobolPairs(at.data(), at.size(), which, points);
   OneByOne(at, points, [&](const SampleIndex& index) { return index.PointsFor(which, kind, samples); });
 }
 
 void GetOfEachAlone(std::span<const SampleIndex> at, std::uint64_t which, SamplerKind kind, std::uint32_t samples,
                     PointsOfEach<4>& points) {
-  if (IsSobol(kind)) return SobolFours(at.data(), at.size(), which, points);
+  if (UsesSobol(kind)) return SobolFours(at.data(), at.size(), which, points);
   OneByOne(at, points, [&](const SampleIndex& index) { return Points(kind, index.key.Child(which), samples); });
 }
 

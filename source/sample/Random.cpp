@@ -52,7 +52,6 @@ R2::Point Stratified::InCell(Whole cell, std::uint32_t index) const {
   const double y = (static_cast<double>(first) + jitter.Child(1).Number() * static_cast<double>(after - first)) /
                    static_cast<double>(n);
   // The sums may round up to 1.
-  constexpr double below_one = 1 - 0x1p-53;
   return {std::min(x, below_one), std::min(y, below_one)};
 }
 

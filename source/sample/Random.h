@@ -6,6 +6,8 @@
 
 namespace ray {
 
+inline constexpr double below_one = 1 - 0x1p-53;  // the largest random number
+
 /// Random numbers without state: a number is a function of where it is used. A key stands for one use (seed, pixel,
 /// sample, bounce, light ...) and is hashed from the key of the one around it.
 class RandomKey {

@@ -6,7 +6,7 @@ namespace ray {
 
 R3_VECTORIZED
 void Points::GetEach2D(std::uint32_t first, std::uint32_t count, double* x, double* y) const {
-  if ((kind_ == SamplerKind::sobol || IsGrid(kind_)) && dimension_ == 0) {
+  if (UsesSobol(kind_) && dimension_ == 0) {
     for (std::uint32_t i = 0; i < count; ++i) {
       const auto point = SobolPoint<2>(first + i, std::integral_constant<int, 0>());
       x[i] = point[0], y[i] = point[1];

@@ -20,6 +20,8 @@ inline constexpr std::array sampler_names{"sobol", "random", "stratified", "grid
 constexpr const auto& NamesOf(SamplerKind) { return sampler_names; }
 /// Whether places in a pixel are laid out for a square number of them.
 constexpr bool IsGrid(SamplerKind kind) { return kind == SamplerKind::grid || kind == SamplerKind::rotated_grid; }
+/// Whether all random choices but places in a pixel are Sobol's.
+constexpr bool UsesSobol(SamplerKind kind) { return kind == SamplerKind::sobol || IsGrid(kind); }
 
 /// The points of the unit square, or hypercube, that one kind of random choice at one vertex of the tree of rays uses
 /// in the samples of one pixel. Point `index` is a function of (kind, key, index), and of `count` for stratified
@@ -36,7 +38,7 @@ class Points {
   /// As many coordinates as `size`, at most Sobol::dimensions, each in [0, 1).
   template <std::size_t size>
   std::array<double, size> Get(std::uint32_t index) const {
-    if (kind_ == SamplerKind::sobol || IsGrid(kind_))
+    if (UsesSobol(kind_))
       return dimension_ == 0 ? SobolPoint<size>(index, std::integral_constant<int, 0>())
                              : SobolPoint<size>(index, dimension_);
     std::array<double, size> coordinates;

@@ -60,9 +60,9 @@ class Environment {
   ///   u        in [0, 1]^2
   ///   source   Pharr, Jakob, Humphreys, Physically Based Rendering (2023), section 12.5.2: first a row by the
   ///            luminance of its texels times their solid angle, then a texel of the row, then, unlike there, a point
-  ///            of the texel evenly by solid angle: evenly in longitude and in the sine of latitude, as a sphere's
-  ///            zones have areas as their heights (Archimedes). With luminance L of the texel and its solid angle A,
-  ///            the pdf is (L A / sum of L A) / A, with no sine left in it.
+  ///            of the texel uniformly by solid angle: uniformly in longitude and in the sine of latitude, as a
+  ///            sphere's zones have areas as their heights (Archimedes). With luminance L of the texel and its solid
+  ///            angle A, the pdf is (L A / sum of L A) / A, with no sine left in it.
   Sample Draw(const R2::Point& u) const;
 
   /// The same, bit for bit, of many: of each sample's u and v the way to the light, radiance / pdf as its irradiance,

@@ -24,8 +24,9 @@ struct ShadowTarget {
 
 /// What reaches a point from one point on a light, if nothing is in between.
 struct LightSample {
-  /// Before the surface's own cosine. Of a light with a pdf: radiance over pdf. Of others: what the scene language says
-  /// arrives, pi times smaller than the irradiance in the theory of a diffuse surface.
+  /// On a surface that faces the light: its own cosine is still to come. Where there is a pdf, an estimate from this
+  /// one sample, which is radiance over pdf. Else what the scene language says arrives, pi times smaller than the
+  /// irradiance in the theory of a diffuse surface.
   R2::Color irradiance{};
   R3::Vector to_light;         // from the point; reaches the light at t = 1 unless the light is infinitely far
   bool is_infinite = false;    // the light has a direction but no place
@@ -41,7 +42,7 @@ class Light {
  public:
   virtual ~Light() = default;
 
-  /// Light arriving at `p` from the place on the light that `random`, in [0, 1)^2, picks evenly by area (point-like
+  /// Light arriving at `p` from the place on the light that `random`, in [0, 1)^2, picks uniformly by area (point-like
   /// lights ignore it). Nothing where the light does not shine, and where p lies on the very place picked.
   virtual std::optional<LightSample> Illuminate(const R3::Point& p, const R2::Point& random) const = 0;
   /// The same, bit for bit, at each of the points from each of the places that the samples' u and v pick; of lights

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "R3/Point.h"
+#include "R3/Box.h"
 
 namespace ray {
 
@@ -12,5 +12,11 @@ struct LightBound {
   double ca = 0, la = 0, qa = 1;  // it falls off by 1 / (ca + la d + qa d^2), each finite and >= 0; not at all where 0
   bool is_infinite = false;       // then `power` is what arrives everywhere, and place and fall-off do not count
 };
+
+/// Of a light of that power in a box, which does not fall off.
+inline LightBound BoundWithoutFalloff(const R3::Box& box, double power) {
+  constexpr double rounding_of_box = 1 + 0x1p-40;
+  return {.center = box.Center(), .radius = rounding_of_box * box.Radius(), .power = power, .ca = 1, .la = 0, .qa = 0};
+}
 
 }  // namespace ray

@@ -60,7 +60,7 @@ std::vector<R2::Point> Extremes() {
 
 TEST(Extremes, I3_TheDiscIsCoveredEvenly) {
   EXPECT_LT(OverQuantile([](const R2::Point& u) {
-              const R2::Point p = R3::OnDisc(u);
+              const R2::Point p = R3::SampleUniformDiskConcentric(u);
               return R2::Point{p.x * p.x + p.y * p.y, Turns(p.x, p.y)};
             }),
             1);
@@ -70,7 +70,8 @@ TEST(Extremes, I3_TheTriangleIsCoveredEvenly) {
   // 16 rows along the side opposite to corner 2 cut the triangle into 256 that are alike.
   std::vector<double> counts(256);
   for (int i = 0; i < points; ++i) {
-    const R2::Point p = R3::OnTriangle(Random(i));
+    const auto barycentric = R3::SampleUniformTriangle(Random(i));
+    const R2::Point p{barycentric[1], barycentric[2]};
     const int row = Slice(p.y, 16), column = Slice(p.x, 16);
     const bool is_upper = p.x * 16 - column + p.y * 16 - row > 1;
     // A row of k upright triangles and k - 1 upside down ones: (16 - row) and (15 - row).
@@ -82,27 +83,27 @@ TEST(Extremes, I3_TheTriangleIsCoveredEvenly) {
 
 TEST(Extremes, I3_TheHemisphereIsCoveredByTheCosine) {
   EXPECT_LT(OverQuantile([](const R2::Point& u) {
-              const R3::Vector d = R3::OnCosineHemisphere(u);
+              const R3::Vector d = R3::SampleCosineHemisphere(u);
               return R2::Point{1 - d.z * d.z, Turns(d.x, d.y)};
             }),
             1);
   // The same rings by the stated pdf.
   for (int k = 0; k < 16; ++k)
-    EXPECT_NEAR(Share(R3::CosinePdf, std::sqrt(k / 16.0), std::sqrt((k + 1) / 16.0)), 1.0 / 16, 1e-6);
-  EXPECT_NEAR(Share(R3::CosinePdf, -1, 1), 1, 1e-4);
+    EXPECT_NEAR(Share(R3::CosineHemispherePdf, std::sqrt(k / 16.0), std::sqrt((k + 1) / 16.0)), 1.0 / 16, 1e-6);
+  EXPECT_NEAR(Share(R3::CosineHemispherePdf, -1, 1), 1, 1e-4);
 }
 
 TEST(Extremes, I3_PhongsLobeIsCoveredByThePowerOfTheCosine) {
   for (const double n : exponents) {
     EXPECT_LT(OverQuantile([&](const R2::Point& u) {
-                const R3::Vector d = R3::OnPowerLobe(u, n);
+                const R3::Vector d = R3::SamplePhongLobe(u, n);
                 const double square_of_sine = d.x * d.x + d.y * d.y;
                 return R2::Point{std::exp(0.5 * (n + 1) * std::log1p(-std::min(square_of_sine, largest_random))),
                                  Turns(d.x, d.y)};
               }),
               1)
         << n;
-    const auto pdf = [&](double cosine) { return R3::PowerPdf(cosine, n); };
+    const auto pdf = [&](double cosine) { return R3::PhongLobePdf(cosine, n); };
     const auto ring = [&](double share) { return std::pow(share, 1 / (n + 1)); };
     double all = Share(pdf, 0, ring(1e-6));
     for (int k = 0; k < 16; ++k) {
@@ -111,23 +112,23 @@ TEST(Extremes, I3_PhongsLobeIsCoveredByThePowerOfTheCosine) {
       all += share;
     }
     EXPECT_NEAR(all, 1, 1e-4) << n;
-    EXPECT_EQ(R3::PowerPdf(-0.5, n), 0);
+    EXPECT_EQ(R3::PhongLobePdf(-0.5, n), 0);
   }
 }
 
 TEST(Extremes, I3_TheSphereIsCoveredEvenly) {
   EXPECT_LT(OverQuantile([](const R2::Point& u) {
-              const R3::Vector d = R3::OnSphere(u);
+              const R3::Vector d = R3::SampleUniformSphere(u);
               return R2::Point{(1 - d.z) / 2, Turns(d.x, d.y)};
             }),
             1);
-  EXPECT_NEAR(Share([](double) { return R3::sphere_pdf; }, -1, 1), 1, 1e-12);
+  EXPECT_NEAR(Share([](double) { return R3::uniform_sphere_pdf; }, -1, 1), 1, 1e-12);
 }
 
 TEST(Extremes, I3_ConesAreCoveredEvenlyHoweverNarrow) {
   for (const double c : cones) {
     EXPECT_LT(OverQuantile([&](const R2::Point& u) {
-                const R3::Vector d = R3::InCone(u, c);
+                const R3::Vector d = R3::SampleUniformCone(u, c);
                 // 1 - z, which has no digits left in a narrow cone, from the sine.
                 const double square_of_sine = d.x * d.x + d.y * d.y;
                 const double height = d.z > 0 ? square_of_sine / (1 + d.z) : 1 - d.z;
@@ -135,17 +136,17 @@ TEST(Extremes, I3_ConesAreCoveredEvenlyHoweverNarrow) {
               }),
               1)
         << c;
-    EXPECT_NEAR(2 * pi * c * R3::ConePdf(c), 1, 1e-14) << c;
+    EXPECT_NEAR(2 * pi * c * R3::UniformConePdf(c), 1, 1e-14) << c;
   }
 }
 
 TEST(Warp, DirectionsAreUnitAndFiniteAlsoAtTheEdgesOfTheSquare) {
   const R3::Vector abouts[] = {{0, 0, 1}, {0, 0, -1}, {0, 0.6, -0.8}, {1, 0, -0.0}, Unit(R3::Vector{1e-9, 2e-9, -1})};
   for (const R2::Point& u : Extremes()) {
-    std::vector<R3::Vector> directions{R3::OnCosineHemisphere(u), R3::OnSphere(u)};
-    for (const double n : exponents) directions.push_back(R3::OnPowerLobe(u, n));
-    for (const double c : cones) directions.push_back(R3::InCone(u, c));
-    directions.push_back(R3::InCone(u, 0));
+    std::vector<R3::Vector> directions{R3::SampleCosineHemisphere(u), R3::SampleUniformSphere(u)};
+    for (const double n : exponents) directions.push_back(R3::SamplePhongLobe(u, n));
+    for (const double c : cones) directions.push_back(R3::SampleUniformCone(u, c));
+    directions.push_back(R3::SampleUniformCone(u, 0));
     for (const R3::Vector& d : directions) {
       ASSERT_NEAR(Length(d), 1, 1e-14) << u.x << " " << u.y;
       for (const R3::Vector& about : abouts) {
@@ -155,22 +156,23 @@ TEST(Warp, DirectionsAreUnitAndFiniteAlsoAtTheEdgesOfTheSquare) {
       }
     }
     for (const double n : exponents) {
-      const R3::Vector d = R3::OnPowerLobe(u, n);
+      const R3::Vector d = R3::SamplePhongLobe(u, n);
       ASSERT_GE(d.z, 0);
-      ASSERT_TRUE(std::isfinite(R3::PowerPdf(d.z, n))) << n;
+      ASSERT_TRUE(std::isfinite(R3::PhongLobePdf(d.z, n))) << n;
     }
-    ASSERT_GE(R3::OnCosineHemisphere(u).z, 0);
-    const R2::Point disc = R3::OnDisc(u), triangle = R3::OnTriangle(u);
+    ASSERT_GE(R3::SampleCosineHemisphere(u).z, 0);
+    const R2::Point disc = R3::SampleUniformDiskConcentric(u);
+    const auto triangle = R3::SampleUniformTriangle(u);
     ASSERT_LE(std::hypot(disc.x, disc.y), 1 + 1e-15);
-    ASSERT_GE(triangle.x, 0);
-    ASSERT_GE(triangle.y, 0);
-    ASSERT_LE(triangle.x + triangle.y, 1 + 0x1p-52);
+    for (const double coordinate : triangle) ASSERT_GE(coordinate, 0);
+    ASSERT_LE(triangle[1] + triangle[2], 1 + 0x1p-52);
+    ASSERT_NEAR(triangle[0] + triangle[1] + triangle[2], 1, 0x1p-52);
   }
 }
 
 TEST(Warp, TangentsMakeARightHandedFrame) {
   for (int i = 0; i < 10'000; ++i) {
-    const R3::Vector n = R3::OnSphere(Random(i));
+    const R3::Vector n = R3::SampleUniformSphere(Random(i));
     const R3::Tangents t = R3::TangentsOf(n);
     ASSERT_NEAR(Length(Cross(t.first, t.second) - n), 0, 4e-15);
   }

@@ -157,4 +157,22 @@ TEST(Extremes, F6_MirrorsThatSplitTheLightStopAtTheStatedNumberOfDescendants) {
   EXPECT_LE(result.rays.Total(), static_cast<std::uint64_t>(ray::most_descendants) + 3);
 }
 
+// A count of surfaces would be a thousand times too small here, and the user is told how many rays are missing.
+TEST(Extremes, F6_EveryRayThatIsNotFollowedForItsManyRelativesIsCounted) {
+  ray::RenderSettings settings;
+  settings.width = settings.height = 1;
+  settings.trace.max_depth = 2;
+  settings.trace.min_luminance = 0;
+  const auto result =
+      project::Render(project::Stage(project::FromText("camera 0 0 0  0 0 -1  0 1 0  0.1  0.01 100 "
+                                                       "point_light 0 0 0  0 0 0  1 0 0 "
+                                                       "material 0 0 0  0 0 0  1 1 1  0 0 0  0 0 0  1 1 0 "
+                                                       "gloss 0 1e9 1024\nbox 0  -9 -9 -9  9 9 9")),
+                      settings);
+  // The first surface sends 1024 rays, and the surfaces that they meet as many each until there are too many.
+  constexpr std::uint64_t each = 1024, met = ray::most_descendants / each;
+  EXPECT_EQ(result.rays.Total(), 1 + each + met * each);
+  EXPECT_EQ(result.rays.cut, (each - met) * each);
+}
+
 }  // namespace

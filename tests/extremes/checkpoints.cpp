@@ -182,7 +182,7 @@ TEST(Extremes, L9_ACheckpointWithNumbersThatNoRenderKeepsIsRefused) {
       },
       [](State& s) { s.schedule.targets.places.assign(s.blocks.size(), 65); },
       [](State& s) { s.differences.squares.assign(s.blocks.size(), -1); },
-      [](State& s) { s.blocks[0].first_looks.resize(1); },
+      [](State& s) { s.blocks[0].first_samples.resize(1); },
       [](State& s) {
         s.passes.push_back({1, nan, 1, {}});
       },

@@ -32,7 +32,7 @@ void WithInstructionSet(const std::string& name, void (*choose)(void* result), v
     hwy::GetChosenTarget().Update(hwy::SupportedTargets());
     return;
   }
-  throw std::invalid_argument("this machine has no instruction set " + name);
+  throw std::invalid_argument("this CPU does not support " + name);
 }
 
 }  // namespace ray

@@ -9,10 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <cmath>
 #include <deque>
-#include <limits>
-#include <vector>
 
 #include "source/accelerate/wide/Layout.h"
 
@@ -110,6 +107,9 @@ class Builder {
 
  private:
   static constexpr std::uint32_t parallel_from = 4096;  // smaller ranges are one task
+  // Deeper down the children of a node are about as many primitives each, so that a dozen more levels hold 2^29,
+  // whatever the scene.
+  static constexpr int sah_depth = 40;
 
   Range Collect() {
     const std::uint32_t count = tree_.primitives.Size();
@@ -161,10 +161,9 @@ class Builder {
     std::array<Range, width> ranges{whole};
     std::size_t children = 1;
     while (children < width) {
-      // The largest box is the one most rays would go through.
       Range* next = nullptr;
       for (std::size_t i = 0; i < children; ++i)
-        if (!IsLeaf(ranges[i]) && (!next || ranges[i].box.HalfArea() > next->box.HalfArea())) next = &ranges[i];
+        if (!IsLeaf(ranges[i]) && (!next || IsSplitBefore(ranges[i], *next, depth))) next = &ranges[i];
       if (!next) break;
       Halve(*next, ranges[children++], depth);
     }
@@ -187,6 +186,15 @@ class Builder {
     return node;
   }
 
+  /// The largest box is the one most rays would go through. Of boxes nearly alike, and of all deep down, the one that
+  /// holds most comes first, so that the children of a node hold about as much.
+  static bool IsSplitBefore(const Range& a, const Range& b, int depth) {
+    constexpr float alike = 1 - 1.0f / 64;
+    const float area = a.box.HalfArea(), other = b.box.HalfArea();
+    const bool are_alike = std::min(area, other) >= alike * std::max(area, other);
+    return depth < sah_depth && !are_alike ? area > other : a.Size() > b.Size();
+  }
+
   BuildChild Leaf(const Range& range) const {
     BuildChild leaf{range.box, nullptr, static_cast<int>(range.triangles), {}};
     for (std::uint32_t i = 0; i < range.Size(); ++i) leaf.primitives[i] = references_[range.begin + i].Primitive();
@@ -197,7 +205,6 @@ class Builder {
   void Halve(Range& whole, Range& second, int depth) {
     const std::uint32_t size = whole.Size();
     const Binning binning(whole.middles, size < 128 ? most_bins / 2 : most_bins);
-    constexpr int sah_depth = 40;  // deeper down halves bound the depth, whatever the scene
     Split split;
     if (depth < sah_depth) split = BestSplit(whole, binning);
     if (split.axis < 0 || !Partition(whole, second, binning, split)) HalveByNumber(whole, second);

@@ -44,6 +44,7 @@ class LayoutPass {
       const StackEntry next = stack.back();
       stack.pop_back();
       tree_.depth = std::max(tree_.depth, next.depth);
+      if (next.depth > most_depth) throw std::length_error("the scene is too large: its tree would be too deep");
       if (nodes.size() > first) nodes[next.parent].child[next.child] = Child::Make(Child::Kind::node, end);
       const std::size_t self = nodes.size();
       nodes.push_back({next.node, end, {}});

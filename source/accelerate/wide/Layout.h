@@ -59,7 +59,8 @@ inline BuildChild ChildOf(const BuildNode& node) {
 }
 
 /// Fills the tree, which has its primitives and coordinates, from these children and what is below them: depth first,
-/// each node followed by its blocks. Returns what each has become. Throws std::length_error when it would be too large.
+/// each node followed by its blocks. Returns what each has become. Throws std::length_error when it would be too large
+/// or too deep.
 std::vector<std::uint32_t> Flatten(std::span<const BuildChild> roots, Tree& tree);
 
 }  // namespace ray::wide

@@ -2,6 +2,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string>
+#include <vector>
 
 #include "source/accelerate/HugeArray.h"
 #include "source/accelerate/twolevel/TwoLevel.h"
@@ -36,7 +38,8 @@ struct alignas(unit) Node {
   std::uint32_t child[width];
 };
 
-/// A node pushes at most `width` - 1 children, so a stack of most_depth * width always suffices.
+/// Levels of nodes, which Flatten checks. A node pushes at most `width` - 1 children, so a stack of most_depth * width
+/// always suffices.
 inline constexpr int most_depth = 64;
 
 /// One structure over one set of primitives.

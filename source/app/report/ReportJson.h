@@ -17,7 +17,7 @@ namespace ray {
 ///   |                    | primitives, lights                                                          |
 ///   | settings           | every option in force by its name: numbers, true/false, names; crop is      |
 ///   |                    | [x0, y0, x1, y1] or null, allow_path a list                                 |
-///   | rays               | camera, shadow, reflection, transmission, scattering, cut (wanted but over  |
+///   | rays               | camera, shadow, reflection, transmission, diffuse, cut (wanted but over     |
 ///   |                    | a camera ray's limit), total (all but cut), guides (of those, what -denoise |
 ///   |                    | took), refining (of other camera rays than the samples' own: most, samples |
 ///   |                    | (of a pixel); null where not denoised), costs (the counts of each kind)     |

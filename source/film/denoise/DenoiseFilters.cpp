@@ -1,11 +1,17 @@
 #include "source/film/denoise/DenoiseFilters.h"
 
 namespace ray {
+namespace {
+
+std::unique_ptr<const OpenImageDenoise> LibraryFor(Denoiser denoiser, int threads) {
+  if (denoiser == Denoiser::regression) return {};
+  return std::make_unique<const OpenImageDenoise>(threads);
+}
+
+}  // namespace
 
 DenoiseFilters::DenoiseFilters(Denoiser denoiser, int threads)
-    : DenoiseFilters(Resolved(denoiser) != Denoiser::oidn, Resolved(denoiser) != Denoiser::regression
-                                                               ? std::make_unique<OpenImageDenoise>(threads)
-                                                               : nullptr) {}
+    : DenoiseFilters(denoiser != Denoiser::oidn, LibraryFor(Resolved(denoiser), threads)) {}
 
 DenoiseFilters::DenoiseFilters(bool has_regression, std::unique_ptr<const OpenImageDenoise> library)
     : has_regression_(has_regression), library_(std::move(library)) {}

@@ -2,7 +2,6 @@
 
 #include <dlfcn.h>
 
-#include <array>
 #include <cstddef>
 
 namespace ray {
@@ -26,8 +25,7 @@ void* Library() {
 void* FindInLibrary(const char* name) {
   if (!Library())
     throw DenoiserError(
-        "Open Image Denoise is not installed: there is no libOpenImageDenoise.so.2 (or .so.1) where "
-        "libraries are looked for (LD_LIBRARY_PATH adds folders)");
+        "Open Image Denoise is not installed: libOpenImageDenoise.so.2 (or .so.1) was not found (set LD_LIBRARY_PATH)");
   return dlsym(Library(), name);
 }
 
@@ -37,7 +35,7 @@ void Find(Function*& function, const OpenImageDenoise::FindFunction& find, const
           const char* former_name = nullptr) {
   void* found = find(name);
   if (!found && former_name) found = find(former_name);
-  if (!found) throw DenoiserError(std::string("Open Image Denoise of this machine lacks ") + name);
+  if (!found) throw DenoiserError(std::string("the installed Open Image Denoise has no function ") + name);
   function = reinterpret_cast<Function*>(found);
 }
 
@@ -124,12 +122,15 @@ void OpenImageDenoise::ThrowIfFailed() const {
 }
 
 bool OpenImageDenoise::IsPresent() {
-  try {
-    OpenImageDenoise(0);
-    return true;
-  } catch (const DenoiserError&) {
-    return false;
-  }
+  static const bool is_present = [] {
+    try {
+      OpenImageDenoise(0);
+      return true;
+    } catch (const DenoiserError&) {
+      return false;
+    }
+  }();
+  return is_present;
 }
 
 std::string OpenImageDenoise::Version() const {

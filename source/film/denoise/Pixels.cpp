@@ -2,18 +2,12 @@
 
 #include <tbb/parallel_for.h>
 
-#include <cmath>
-#include <limits>
-
 namespace ray {
 namespace {
 
 using Sum = std::array<double, 3>;
 
-float Finite(double x) {
-  constexpr double largest = std::numeric_limits<float>::max();
-  return std::isnan(x) ? 0.0F : static_cast<float>(std::clamp(x, -largest, largest));
-}
+float Finite(double x) { return static_cast<float>(R2::Storable(x)); }
 
 /// The sums over the pixels of a row and of those below it, left of column x: at (x, y) of rows and columns before.
 class SumTable {

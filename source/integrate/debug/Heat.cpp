@@ -64,8 +64,8 @@ std::unique_ptr<const Integrator> MakeCost(const World& world, const Accelerator
 
 }  // namespace
 
-extern const IntegratorKind heat_kind{"what each pixel cost in mode whitted: nodes and primitives looked at",
+extern const IntegratorKind heat_kind{"cost per pixel in mode whitted: nodes visited plus primitives tested",
                                       MakeCost<false>, true};
-extern const IntegratorKind rays_kind{"how many rays each pixel took in mode whitted", MakeCost<true>, true};
+extern const IntegratorKind rays_kind{"rays traced per pixel in mode whitted", MakeCost<true>, true};
 
 }  // namespace ray

@@ -22,8 +22,10 @@ struct RecordedRay {
   std::string towards{};   // the light of a shadow ray, in words
   std::optional<WorldHit> hit{};         // where it ends; the nearest thing in the way of a shadow ray
   std::optional<R3::Intersection> at{};  // the same, in the world
-  R2::Color contribution{};  // to its sample, throughput included, besides what its children bring: all of them sum to
-                             // the sample
+  // To its sample, throughput included, besides what its children bring: all of them sum to the sample, unless that is
+  // on an outline, or shows a cost in place of light.
+  R2::Color contribution{};
+  bool is_outlined = false;  // of a camera ray, whether its sample is black since it is on an outline
 
   /// Where it ends, if it does.
   std::optional<R3::Point> End() const {
@@ -42,6 +44,9 @@ class RayRecorder {
   /// It ends on a surface, or nowhere; `contribution` as above.
   void Hits(const ShadingPoint& surface, const R2::Color& contribution);
   void Misses(int number, const R2::Color& contribution) { (*this)[number].contribution = contribution; }
+
+  /// A camera ray is on an outline.
+  void OnOutline(int number) { (*this)[number].is_outlined = true; }
 
   /// A shadow ray of a surface. `reflected`: what arrives if nothing is in between, throughput included.
   void BeginShadow(const ShadingPoint& surface, const R3::Ray& ray, const R2::Color& reflected, std::string towards);

@@ -129,19 +129,18 @@ double EmissiveShape::Pdf(const R3::Point& seen_from, const R3::Vector& towards,
   return instance_->shape->Pdf(Local(seen_from, time), way, local_normal, element_) * SolidAngleRatio(towards, way);
 }
 
-double EmissiveShape::ApparentArea() const {
+double EmissiveShape::ProjectedAreaOfBounds() const {
   const R3::Vector size = instance_->shape->Bounds(element_).Size();
   const R3::Matrix& forward = world_->Frames()[instance_->frame].Forward();
   const R3::Vector a = size.x * Column(forward, 0), b = size.y * Column(forward, 1), c = size.z * Column(forward, 2);
   return Length(Cross(a, b)) + Length(Cross(b, c)) + Length(Cross(c, a));
 }
 
-std::string EmissiveShape::Describe() const { return "shape that shines, primitive " + std::to_string(Primitive()); }
+std::string EmissiveShape::Describe() const { return "emissive shape, primitive " + std::to_string(Primitive()); }
 
 LightBound EmissiveShape::Bound() const {
-  const R3::Box box = world_->InWorld(instance_->frame, instance_->shape->Bounds(element_));
-  const double rounding_of_box = 1 + 0x1p-40;
-  return {box.Center(), rounding_of_box * box.Radius(), Luminance(Emission()), 1, 0, 0, false};
+  return BoundWithoutFalloff(world_->InWorld(instance_->frame, instance_->shape->Bounds(element_)),
+                             Luminance(Emission()));
 }
 
 std::vector<EmissiveShape> EmissiveShapes(const World& world) {

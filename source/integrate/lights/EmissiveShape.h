@@ -43,7 +43,7 @@ class EmissiveShape {
   /// R3::Ray::reaching of rays to places drawn.
   std::int64_t Reached() const { return instance_->shape->DrawsInSight() ? Primitive() : -1; }
   /// How large it looks, roughly: half the area of the box around it, as of a triangle one of two sides.
-  double ApparentArea() const;
+  double ProjectedAreaOfBounds() const;
   std::string Describe() const;
   /// What choosing among lights goes by, without fall-off as the course has it.
   LightBound Bound() const;

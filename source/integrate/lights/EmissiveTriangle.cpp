@@ -5,6 +5,7 @@
 #include <set>
 
 #include "R3/Mesh.h"
+#include "R3/Warp.h"
 
 namespace ray {
 namespace {
@@ -31,8 +32,7 @@ R3::Vector Largest(const R3::Vector& a, const R3::Vector& b) {
 }  // namespace
 
 R3::Point EmissiveTriangle::PointTowards(const R3::Point& seen_from, const R2::Point& random, double time) const {
-  const double root = std::sqrt(random.x);
-  const double a = 1 - root, b = root * (1 - random.y), c = root * random.y;
+  const auto [a, b, c] = R3::SampleUniformTriangle(random);
   R3::Intersection at;
   at.position = R3::Point{} +
                 (a * FromOrigin(corners[0]) + b * FromOrigin(corners[1]) + c * FromOrigin(corners[2]) + time * motion);
@@ -41,16 +41,12 @@ R3::Point EmissiveTriangle::PointTowards(const R3::Point& seen_from, const R2::P
   return SpawnPoint(at, seen_from - at.position);
 }
 
-std::string EmissiveTriangle::Describe() const {
-  return "triangle that shines, primitive " + std::to_string(primitive);
-}
+std::string EmissiveTriangle::Describe() const { return "emissive triangle, primitive " + std::to_string(primitive); }
 
 LightBound EmissiveTriangle::Bound() const {
   R3::Box box;
   for (const R3::Point& corner : corners) box.Extend(corner);
-  box = Along(box, motion);
-  const double rounding_of_box = 1 + 0x1p-40;
-  return {box.Center(), rounding_of_box * box.Radius(), Luminance(emission), 1, 0, 0, false};
+  return BoundWithoutFalloff(Along(box, motion), Luminance(emission));
 }
 
 std::vector<EmissiveTriangle> EmissiveTriangles(const World& world) {

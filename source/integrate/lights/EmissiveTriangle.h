@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <string>
 #include <vector>
 
 #include "R3/Intersection.h"
@@ -22,9 +24,6 @@ struct EmissiveTriangle {
 
   /// The point that `random`, in [0, 1)^2, picks evenly by area at a time in [0, 1), moved off the triangle to the side
   /// of `seen_from`, so that a ray from there to it stops short of the triangle.
-  ///   source   Turk, Generating random points in triangles, Graphics Gems (1990), first method: barycentric
-  ///   coordinates
-  ///            that keep strata whole
   R3::Point PointTowards(const R3::Point& seen_from, const R2::Point& random, double time) const;
 
   /// What arrives from one of its points, that far away.

@@ -1,7 +1,6 @@
 #include "source/integrate/lights/LightSampler.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 
 #include "R3/Warp.h"
@@ -56,7 +55,7 @@ LightSampler::LightSampler(const World& world, const TraceSettings& settings)
   }
   for (const EmissiveShape& shape : shapes_) {
     light_of_primitive_.emplace(shape.Primitive(), static_cast<int>(bounds.size()));
-    bounds.push_back(RadiantBound(shape.Bound(), shape.ApparentArea()));
+    bounds.push_back(RadiantBound(shape.Bound(), shape.ProjectedAreaOfBounds()));
   }
   if (scene.environment && !scene.environment->IsBlack()) {
     environment_ = scene.environment.get();
@@ -128,8 +127,9 @@ std::optional<LightSample> LightSampler::Sample(const ShadingPoint& p, int light
     return LightSample{drawn->radiance / drawn->pdf, drawn->towards, false, drawn->pdf, light, shapes_[i].Reached()};
   }
   if (IsUniform()) {
-    const R3::Vector direction = R3::OnSphere(u);
-    return LightSample{environment_->Radiance(direction) / R3::sphere_pdf, direction, true, R3::sphere_pdf, light};
+    const R3::Vector direction = R3::SampleUniformSphere(u);
+    return LightSample{environment_->Radiance(direction) / R3::uniform_sphere_pdf, direction, true,
+                       R3::uniform_sphere_pdf, light};
   }
   const Environment::Sample drawn = environment_->Draw(u);
   return LightSample{drawn.radiance / drawn.pdf, drawn.direction, true, drawn.pdf, light};
@@ -149,7 +149,7 @@ void LightSampler::SampleEach(std::span<const ShadingPoint> points, int light, L
 }
 
 double LightSampler::PdfOfEnvironment(const ShadingPoint& from, const Environment::Seen& seen, bool choosing) const {
-  const double pdf = IsUniform() ? R3::sphere_pdf : seen.pdf;
+  const double pdf = IsUniform() ? R3::uniform_sphere_pdf : seen.pdf;
   return choosing ? pdf * ProbabilityOf(from, count_ - 1) : pdf;
 }
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <memory>
 #include <optional>
 #include <span>
 #include <unordered_map>
@@ -59,7 +58,7 @@ class LightSampler {
   bool IsInfinite(int light) const { return environment_ && light == count_ - 1; }
 
   /// Null where it does not shine.
-  const Environment* GetEnvironment() const { return environment_; }
+  const Environment* environment() const { return environment_; }
   /// The pdf with which a point would have chosen a direction to the environment, where this is seen, or to the light
   /// that a ray from it hit, nothing for what is no light. `choosing`: by SampleOne, else by Sample.
   double PdfOfEnvironment(const ShadingPoint& from, const Environment::Seen& seen, bool choosing) const;

@@ -5,11 +5,11 @@
 #include <cmath>
 
 #include "R3/Numeric.h"
+#include "source/sample/Random.h"
 
 namespace ray {
 namespace {
 
-constexpr double below_one = 1 - 0x1p-53;
 constexpr double least_weight = 0x1p-24, least_cosine = 0.1;
 // Numbers are kept between these, so that sums and quotients of them are finite and above 0.
 constexpr double tiny = 1e-300, huge = 1e300;
@@ -271,7 +271,7 @@ LightTree::Weights LightTree::OfChildren(const Node& node, const R3::Point& p, c
 
 std::optional<LightTree::Choice> LightTree::Choose(const R3::Point& p, const R3::Vector& N, double u) const {
   double probability = 1;
-  // One of the weights by u, which becomes an even number again.
+  // One of the weights by u, which becomes a uniform number again.
   const auto choose = [&](const Weights& weights) {
     const double target = std::min(u, below_one) * weights.sum;
     std::size_t chosen = 0;

@@ -21,7 +21,7 @@ class AreaLight : public Light {
         falloff_(falloff) {}
 
   std::optional<LightSample> Illuminate(const R3::Point& p, const R2::Point& random) const override {
-    const R3::Vector to_light = ToPlace(R3::OnDisc(random), p);
+    const R3::Vector to_light = ToPlace(R3::SampleUniformDiskConcentric(random), p);
     const double distance = Length(to_light);
     if (!(distance > 0)) return {};
     const double cosine = Cosine(Unit(to_light));
@@ -52,7 +52,7 @@ class AreaLight : public Light {
   R3_VECTORIZED bool IlluminateNear(LightSamples& samples) const {
     const std::uint32_t count = samples.count;
     for (std::uint32_t i = 0; i < count; ++i) {
-      const R2::Point on_disc = R3::OnDisc({samples.u[i], samples.v[i]});
+      const R2::Point on_disc = R3::SampleUniformDiskConcentric({samples.u[i], samples.v[i]});
       samples.r[i] = on_disc.x, samples.g[i] = on_disc.y;
     }
     std::uint64_t are_near = 1;

@@ -26,7 +26,7 @@ class SphereLight : public Light {
     const double sine_squared = radius_ / D * (radius_ / D);
     if (sine_squared == 0) return LightSample{falloff_(color_, D), to_center};
     const double one_minus_cosine = sine_squared / (1 + std::sqrt(1 - sine_squared));
-    const R3::Vector direction = R3::FromTangents(R3::InCone(random, one_minus_cosine), to_center / D);
+    const R3::Vector direction = R3::FromTangents(R3::SampleUniformCone(random, one_minus_cosine), to_center / D);
     const double aside = Length(Cross(to_center, direction)), ahead = Dot(to_center, direction);
     const double distance = ahead - std::sqrt(std::max(0.0, (radius_ - aside) * (radius_ + aside)));
     if (!(distance > 0)) return {};

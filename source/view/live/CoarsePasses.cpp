@@ -94,7 +94,7 @@ RenderState CoarsePasses::TakeState() {
   state.schedule.targets = {std::vector<std::uint32_t>(blocks, 0),
                             std::vector<std::uint8_t>(blocks, BlockOrder::places)};
   for (int i = 0; i < film_.Blocks(); ++i) {
-    std::vector<R2::Color>& looks = state.blocks[static_cast<std::size_t>(i)].first_looks;
+    std::vector<R2::Color>& looks = state.blocks[static_cast<std::size_t>(i)].first_samples;
     looks.resize(BlockOrder::places);
     const PixelRectangle pixels = film_.PixelsOf(i);
     for (int row = pixels.y0; row < pixels.y1; ++row)

@@ -37,10 +37,6 @@ RenderSettings ForJob(RenderSettings settings, RenderJob::Order order) {
   return settings;
 }
 
-PixelRectangle RegionOf(const RenderSettings& settings) {
-  return settings.crop.value_or(PixelRectangle{0, 0, settings.width, settings.height});
-}
-
 /// Rows that are rendered together. What a pixel costs may depend on those before it in its block of the film, so heat
 /// needs whole blocks, which a wide filter's apron does not give.
 int BandHeight(const RenderSettings& settings) {

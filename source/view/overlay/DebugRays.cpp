@@ -21,7 +21,7 @@ ShownRays ShownAs(RayKind kind) {
     case RayKind::shadow:
       return ShownRays::shadow;
     case RayKind::reflection:
-    case RayKind::scattering:
+    case RayKind::diffuse:
       return ShownRays::reflection;
     case RayKind::transmission:
       return ShownRays::transmission;
@@ -42,7 +42,7 @@ Rgba ColorOf(RayKind kind) {
       return {80, 180, 255, 255};
     case RayKind::transmission:
       return {90, 230, 120, 255};
-    case RayKind::scattering:
+    case RayKind::diffuse:
       return {255, 150, 60, 255};
   }
   return {};

@@ -71,7 +71,7 @@ Glow GlowOf(const Light& light, double distance) {
   for (int i = 0; i < count; ++i) {
     // Evenly by area along a spiral: turned by the golden section from one to the next.
     const double turn = i * (std::numbers::phi - 1);
-    const R3::Vector direction = R3::OnSphere({(i + 0.5) / count, turn - std::floor(turn)});
+    const R3::Vector direction = R3::SampleUniformSphere({(i + 0.5) / count, turn - std::floor(turn)});
     const auto from = light.Illuminate(bound.center + distance * direction, {0.5, 0.5});
     if (!from) continue;
     const double strength = Luminance(from->irradiance);

@@ -119,7 +119,8 @@ PreviewLights PreviewLightsOf(const World& world, const RenderSettings& settings
   for (const Emitter& emitter : EmittingMeshes(world)) lights.push_back(LightOf(emitter, is_path, space));
   if (is_path || settings.trace.emissive_solids_light)
     for (const EmissiveShape& shape : EmissiveShapes(world))
-      lights.push_back(LightOf({shape.Emission(), shape.Bound().center, shape.ApparentArea()}, is_path, space));
+      lights.push_back(
+          LightOf({shape.Emission(), shape.Bound().center, shape.ProjectedAreaOfBounds()}, is_path, space));
 
   std::stable_sort(lights.begin(), lights.end(),
                    [](const PreviewLight& a, const PreviewLight& b) { return Strength(a) > Strength(b); });

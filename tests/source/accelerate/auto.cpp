@@ -36,20 +36,19 @@ TEST(Auto, AsksAHandfulOfPrimitivesDirectly) {
   ray::Scene scene;
   for (int i = 0; i < 3; ++i) scene.root.children.push_back(accelerators::Leaf(R3::MakeShape("sphere", {0, 0, 0, 1})));
   SetBounds(scene.root);
-  EXPECT_EQ(Choice(scene, 1e6), "auto takes none: 3 primitives are tested faster than sorted\n");
+  EXPECT_EQ(Choice(scene, 1e6), "auto chose none: few primitives (3): testing all is faster\n");
 }
 
 TEST(Auto, PutsATreeOverCompactTriangles) {
   const std::string lines = Choice(Hairs(0.5, 2000), 1e6);
-  EXPECT_TRUE(lines.starts_with("auto takes bvh: more than 3 primitives, and the boxes of its triangles have "))
-      << lines;
+  EXPECT_TRUE(lines.starts_with("auto chose bvh: more than 3 primitives, and bounding boxes have ")) << lines;
 }
 
 TEST(Auto, TakesAGridForHairAndTriesBothWhenThereIsTime) {
-  EXPECT_TRUE(Choice(Hairs(0.002, 2000), 100).starts_with("auto takes grid: the boxes of its triangles have "));
+  EXPECT_TRUE(Choice(Hairs(0.002, 2000), 100).starts_with("auto chose grid: bounding boxes have "));
   const std::string lines = Choice(Hairs(0.002, 2000), 1e7);
   EXPECT_TRUE(lines.starts_with("auto tried ")) << lines;
-  EXPECT_NE(lines.find(": the faster one; it tried because the boxes"), std::string::npos) << lines;
+  EXPECT_NE(lines.find(": the faster one; both were tried because bounding boxes"), std::string::npos) << lines;
 }
 
 TEST(Auto, GivesBackWhatItChoseWhichKnowsItsKind) {

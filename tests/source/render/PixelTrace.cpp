@@ -77,6 +77,76 @@ TEST(PixelTrace, SamplesAreThoseOfThePicture) {
   }
 }
 
+// A picture whose error is measured is two pictures of half the samples. The pixel's rays were once all of the first.
+TEST(PixelTrace, SamplesOfAPictureWithTwoStreamsAreHalfOfEach) {
+  RenderSettings settings = Settings("whitted", 40, 8);
+  settings.trace.shadow_samples = 1;
+  settings.budget.error = ErrorTarget{1e-4};
+  settings.budget.adaptive = Adaptive::off;
+  const Traced traced("area_light.scn", settings);
+  const R2::Image image = Render(traced.stage.world, *traced.accelerator, settings).image;
+  for (int column = 0; column < 40; column += 3) {
+    constexpr double float_rounding = 1e-6;
+    const double shown = image.At(column, 12).r;
+    EXPECT_NEAR(traced.Pixel(column, 12).Mean().r, shown, float_rounding * (1 + shown)) << column;
+  }
+}
+
+TEST(PixelTrace, SamplesThatAreClampedCountAsThePictureCountsThem) {
+  RenderSettings settings = Settings("whitted", 1, 4);
+  settings.trace.sampler = SamplerKind::grid;
+  settings.clamp = Clamp::samples;
+  const project::Stage stage(
+      project::FromText("camera 0 0 5  0 0 -1  0 1 0  0.5  0.01 100 dir_light 0 0 0 0 0 -1 "
+                        "material 0 0 0  0 0 0  0 0 0  0 0 0  4 4 .5  10 1 0 box 0  0 -9 0  9 9 1"));
+  const auto accelerator = FindAcceleratorKind("bvh")->Make(stage.world, {});
+  EXPECT_EQ(PixelTracer(stage.world, *accelerator, settings).Trace(0, 0, 4).Mean(), (R2::Color{0.5, 0.5, 0.25}));
+  const std::string tree = DebugPixel(stage.world, *accelerator, settings, 0, 0);
+  EXPECT_NE(tree.find(": 4 4 0.5, clamped to 1 1 0.5\n"), std::string::npos) << tree;
+  EXPECT_NE(tree.find(": 0 0 0\n"), std::string::npos) << tree;
+}
+
+// Camera rays are traced together, and then points of triangles have no texture coordinates unless they need them.
+TEST(PixelTrace, TextureCoordinatesAreThoseOfModeUvThoughTheMaterialHasNoUseForThem) {
+  const project::Stage stage(
+      project::FromText("camera 0 0 3  0 0 -1  0 1 0  .3 .01 100\n"
+                        "material 0 0 0  .5 .5 .5  0 0 0  0 0 0  0 0 0  1 1 0\n"
+                        "quad 0  -1 -1 0  1 -1 0  1 1 0  -1 1 0\n"));
+  const auto accelerator = FindAcceleratorKind("bvh")->Make(stage.world, {});
+  for (const char* mode : {"whitted", "path"}) {
+    const PixelTrace uv = PixelTracer(stage.world, *accelerator, Settings("uv", 9)).Trace(6, 5, 1);
+    const PixelTrace trace = PixelTracer(stage.world, *accelerator, Settings(mode, 9)).Trace(6, 5, 1);
+    ASSERT_TRUE(trace.rays[0].at);
+    EXPECT_EQ(trace.rays[0].at->uv.x, uv.radiances[0].r) << mode;
+    EXPECT_EQ(trace.rays[0].at->uv.y, uv.radiances[0].g) << mode;
+    EXPECT_GT(uv.radiances[0].r * uv.radiances[0].g, 0);
+  }
+}
+
+TEST(PixelTrace, ABlackSampleOnAnOutlineIsSaidToBeOne) {
+  RenderSettings settings = Settings("whitted", 60);
+  settings.trace.outline.width = 4;
+  const Traced traced("hello.scn", settings);
+  int outlined = 0;
+  for (int column = 0; column < 60; ++column) {
+    const PixelTrace trace = traced.Pixel(column, 30);
+    const bool is_said = RayTree(trace, traced.stage.world, settings).find("on an outline") != std::string::npos;
+    EXPECT_EQ(is_said, trace.rays[0].is_outlined);
+    EXPECT_EQ(is_said, trace.radiances[0] == R2::Color{}) << column;
+    outlined += is_said;
+  }
+  EXPECT_GT(outlined, 2);
+  EXPECT_LT(outlined, 60);
+}
+
+TEST(PixelTrace, ACostIsSaidToBeOne) {
+  for (const char* mode : {"heat", "rays"}) {
+    const Traced traced("hello.scn", Settings(mode, 20));
+    const std::string tree = DebugPixel(traced.stage.world, *traced.accelerator, traced.settings, 10, 10);
+    EXPECT_NE(tree.find(", a cost of rays that contribute light\n"), std::string::npos) << tree;
+  }
+}
+
 TEST(PixelTrace, RaysStartWhereTheirParentsEnd) {
   const Traced traced("glass.scn", Settings("whitted", 100));
   std::size_t children = 0;

@@ -143,7 +143,7 @@ TEST(Environment, AnglesInAProbeGrowEvenlyFromTheMiddle) {
     for (int x = 0; x < 400; ++x) image.Set(x, y, {std::hypot((x + 0.5) / 200 - 1, (y + 0.5) / 200 - 1), 1, 1});
   const Environment environment(image);
   for (std::uint64_t i = 0; i < 1000; ++i) {
-    const R3::Vector d = R3::OnSphere(Random(i));
+    const R3::Vector d = R3::SampleUniformSphere(Random(i));
     EXPECT_NEAR(environment.Radiance(d).r, std::acos(-d.z) / pi, 1.5 / 200);
   }
 }
@@ -201,7 +201,7 @@ TEST(Environment, FacesOfACrossAreTurnedSoThatTheirEdgesMeet) {
   for (const bool is_upright : {true, false}) {
     const Environment environment(DirectionsOnACross(is_upright, 128));
     for (std::uint64_t i = 0; i < 10'000; ++i) {
-      const R3::Vector d = R3::OnSphere(Random(i));
+      const R3::Vector d = R3::SampleUniformSphere(Random(i));
       const R2::Color c = environment.Radiance(d);
       // Off by half a pixel of the face and half a texel of the map.
       ASSERT_NEAR(Length(R3::Vector{c.r - 1, c.g - 1, c.b - 1} - d), 0, 0.02) << d.x << " " << d.y << " " << d.z;
@@ -253,7 +253,7 @@ TEST(Environment, TheDensityIsLuminanceOverItsIntegralInEveryLayout) {
       }
     EXPECT_NEAR(pdf, 1, 1e-9);
     for (std::uint64_t i = 0; i < 1000; ++i) {
-      const R3::Vector d = R3::OnSphere(Random(i));
+      const R3::Vector d = R3::SampleUniformSphere(Random(i));
       EXPECT_NEAR(environment.SeenTowards(d).pdf, Luminance(environment.Radiance(d)) / luminance, 1e-12);
     }
   }
@@ -304,7 +304,7 @@ TEST(Environment, ManySeenTogetherAreThoseSeenOneByOneBitForBit) {
   const Environment environment(RandomImage(512, 256));
   std::vector<R3::Vector> directions;
   for (std::uint64_t i = 0; i < 20'000; ++i)
-    directions.push_back(std::ldexp(1, static_cast<int>(i % 400) - 200) * R3::OnSphere(Random(i)));
+    directions.push_back(std::ldexp(1, static_cast<int>(i % 400) - 200) * R3::SampleUniformSphere(Random(i)));
   const double ends[] = {0, -0.0, 1, -1, 1e-300, -1e300, 0x1p-1074, 1 + 0x1p-52};  // seams, poles, out of range
   for (const double x : ends)
     for (const double y : ends)
@@ -373,7 +373,7 @@ TEST(Environment, ABlackOneIsDrawnEvenlyAndSaysSo) {
   for (const R2::Image& image : {R2::Image(8, 4), R2::Image(4, 4)}) {
     const Environment environment(image);
     EXPECT_TRUE(environment.IsBlack());
-    for (std::uint64_t i = 0; i < 100; ++i) EXPECT_NEAR(environment.Draw(Random(i)).pdf, R3::sphere_pdf, 1e-12);
+    for (std::uint64_t i = 0; i < 100; ++i) EXPECT_NEAR(environment.Draw(Random(i)).pdf, R3::uniform_sphere_pdf, 1e-12);
   }
   EXPECT_FALSE(Environment(RandomImage(8, 4)).IsBlack());
 }
@@ -385,7 +385,7 @@ TEST(Environment, HugeAndTinyValuesNeitherOverflowNorVanish) {
       const Environment environment(image);
       const Environment::Sample sample = environment.Draw({0.3, 0.6});
       EXPECT_EQ(sample.radiance.g, value);
-      EXPECT_NEAR(sample.pdf, R3::sphere_pdf, 1e-12);
+      EXPECT_NEAR(sample.pdf, R3::uniform_sphere_pdf, 1e-12);
     }
 }
 
@@ -396,7 +396,7 @@ TEST(Environment, ASingleBrightPixelIsNotLostOnTheWayToTheMap) {
     EXPECT_FALSE(Environment(image).IsBlack()) << width << " x " << height << ": " << x << " " << y;
   };
   for (std::uint64_t i = 0; i < 40; ++i) {
-    const R2::Point u = Random(i), on_disc = R3::OnDisc(u);
+    const R2::Point u = Random(i), on_disc = R3::SampleUniformDiskConcentric(u);
     expect_kept(128, 128, static_cast<int>(64 + 0.8 * 64 * on_disc.x), static_cast<int>(64 + 0.8 * 64 * on_disc.y));
     const int x = static_cast<int>(64 * u.x), y = static_cast<int>(64 * u.y), face = static_cast<int>(i % 4);
     expect_kept(192, 256, 64 + x, 64 * face + y);

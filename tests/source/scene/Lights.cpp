@@ -13,6 +13,12 @@ std::unique_ptr<const Light> Make(const std::string& name, const std::vector<dou
   return FindLightKind(name)->make(arguments);
 }
 
+// Directions are made unit, so that all 16 digits count where the author wrote three.
+TEST(Lights, AreDescribedInFewDigits) {
+  EXPECT_EQ(Make("dir_light", {1, 1, 1, 1, 2, 3})->Describe(),
+            "directional light along 0.26726 0.53452 0.80178, color 1 1 1");
+}
+
 TEST(Lights, EveryKindHasAnExampleThatFitsItsArguments) {
   EXPECT_EQ(LightKinds().size(), 5u);
   for (const LightKind* kind : LightKinds()) {

@@ -139,7 +139,7 @@ class InstalledOpenImageDenoise : public testing::Test {
 TEST_F(OpenImageDenoiseOf, AVersionWithoutAFunctionIsRefusedByTheFunctionsName) {
   for (const char* name : {"oidnNewDevice", "oidnSetFilterBool", "oidnExecuteFilter"}) {
     fake.missing = {name};
-    EXPECT_EQ(FaultOfLoading(), "Open Image Denoise of this machine lacks " + std::string(name));
+    EXPECT_EQ(FaultOfLoading(), "the installed Open Image Denoise has no function " + std::string(name));
     EXPECT_EQ(fake.devices, 0);
   }
 }

@@ -86,7 +86,9 @@ struct Cells {
     if (sine < 1) axis = Unit(to_center), one_minus_cosine = 1 - std::sqrt(1 - sine * sine);
   }
 
-  R3::Vector Direction(const R2::Point& u) const { return FromTangents(R3::InCone(u, one_minus_cosine), axis); }
+  R3::Vector Direction(const R2::Point& u) const {
+    return FromTangents(R3::SampleUniformCone(u, one_minus_cosine), axis);
+  }
   std::size_t CellOf(const R3::Vector& direction) const {
     const R3::Tangents tangents = TangentsOf(axis);
     const R3::Vector d = Unit(direction);

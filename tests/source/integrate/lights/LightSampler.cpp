@@ -23,8 +23,8 @@ TEST(LightSampler, NamesEachOfItsLightsByItsKind) {
     const std::string said = lights.Describe(i);
     kinds.push_back(said.substr(0, said.find(' ', said.find(' ') + 1)));
   }
-  const std::vector<std::string> expected{"point light",   "directional light", "triangle that",
-                                          "triangle that", "shape that",        "shape that"};
+  const std::vector<std::string> expected{"point light",        "directional light", "emissive triangle,",
+                                          "emissive triangle,", "emissive shape,",   "emissive shape,"};
   EXPECT_EQ(kinds, expected);
 }
 

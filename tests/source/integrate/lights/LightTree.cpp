@@ -35,7 +35,7 @@ R3::Point RandomPoint(Numbers& numbers) {
 
 R3::Vector RandomUnit(Numbers& numbers) {
   const double x = numbers(), y = numbers();
-  return R3::OnSphere({x, y});
+  return R3::SampleUniformSphere({x, y});
 }
 
 // Of all sorts: some at one place, some with a size, some without power, some infinite, every fall-off.

@@ -57,7 +57,7 @@ TEST(CoarsePasses, TakeTheSameSamplesInAnyOrderOnAnyThreads) {
       const RenderState state = passes.TakeState();
       ASSERT_EQ(state.blocks.size(), expected.blocks.size());
       for (std::size_t i = 0; i < state.blocks.size(); ++i)
-        EXPECT_TRUE(state.blocks[i].first_looks == expected.blocks[i].first_looks) << i;
+        EXPECT_TRUE(state.blocks[i].first_samples == expected.blocks[i].first_samples) << i;
     }
 }
 

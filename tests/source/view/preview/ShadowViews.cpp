@@ -36,7 +36,7 @@ TEST(ShadowViews, SeeEveryPlaceOfTheSceneThatIsNotInsideTheLight) {
     const std::size_t expected = found.first.at(0) > 0 ? 1 : 6;
     ASSERT_EQ(found.clip_from_drawing.size(), expected);
     for (int i = 0; i < 1000; ++i) {
-      const R3::Vector p = draw.Between(0, 1) * R3::OnSphere({draw.Between(0, 1), draw.Between(0, 1)});
+      const R3::Vector p = draw.Between(0, 1) * R3::SampleUniformSphere({draw.Between(0, 1), draw.Between(0, 1)});
       const R3::Vector place{light.place[0], light.place[1], light.place[2]};
       if (!light.is_infinite && Length(p - place) < 2 * light.radius + 0.01) continue;
       int views = 0;

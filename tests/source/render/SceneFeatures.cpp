@@ -1,0 +1,42 @@
+#include "source/render/SceneFeatures.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/Project.h"
+
+namespace ray {
+namespace {
+
+const char* const ball = "sphere -1  0 0 0  1";
+
+bool Has(const std::vector<std::string>& words, const std::string& word) { return std::ranges::count(words, word) > 0; }
+
+TEST(SceneFeatures, TwoStreamsAreThoseOfTheRenderThatIsReplayed) {
+  const project::Stage stage(project::FromText(ball));
+  RenderSettings settings;
+  EXPECT_FALSE(Has(FeaturesOf(stage.world, settings).Names(), "two streams"));
+  settings.budget.error = ErrorTarget{1};
+  EXPECT_TRUE(Has(FeaturesOf(stage.world, settings).Names(), "two streams"));
+  settings.replay.emplace();
+  EXPECT_FALSE(Has(FeaturesOf(stage.world, settings).Names(), "two streams"));
+  settings.replay->two_streams = true;
+  EXPECT_TRUE(Has(FeaturesOf(stage.world, settings).Names(), "two streams"));
+}
+
+TEST(SceneFeatures, BlocksThatStopEarlyAreASourceOfBiasInEveryMode) {
+  const project::Stage stage(project::FromText(ball));
+  RenderSettings settings;
+  settings.budget.error = ErrorTarget{1};
+  for (const RenderMode mode : {RenderMode::whitted, RenderMode::path, RenderMode::flat, RenderMode::toon}) {
+    settings.mode = mode;
+    settings.budget.adaptive = Adaptive::automatic;
+    EXPECT_TRUE(Has(SourcesOfBias(FeaturesOf(stage.world, settings), settings), "adaptive tile"));
+    settings.budget.adaptive = Adaptive::off;
+    EXPECT_FALSE(Has(SourcesOfBias(FeaturesOf(stage.world, settings), settings), "adaptive tile"));
+  }
+}
+
+}  // namespace
+}  // namespace ray
