@@ -151,8 +151,8 @@ class PixelErrorsOf {
 
   /// The mean squared error of a block whose pixels all miss an equal part of the light that was cut, as far as more of
   /// it would be seen. Where other pixels are steadily too bright, the noisy ones are the rim of that, and for each of
-  /// them at most one more belongs there: of pixels that something covers by any share alike, about as many are found by
-  /// none of n samples as by one.
+  /// them at most one more belongs there: of pixels that something covers by any share alike, about as many are found
+  /// by none of n samples as by one.
   double SquareOf(const std::array<CutOfBlock, 3>& cut, const PixelRectangle& pixels) const {
     const auto area = static_cast<double>(pixels.Area());
     const Channels missing{cut[0].light / area, cut[1].light / area, cut[2].light / area};
@@ -331,8 +331,7 @@ std::optional<MeasuredError> MeasureError(const Film& film, const ErrorMeasure& 
   if (before) KeepFrom(*before, differences);
   const double excess = ExcessOverMonteCarloRate(differences, before, film.AreasInRegion());
   std::vector<double> blocks = differences.squares;
-  for (std::size_t i = 0; i < blocks.size(); ++i)
-    blocks[i] = std::max(excess * blocks[i], blocks[i] + errors.cut[i]);
+  for (std::size_t i = 0; i < blocks.size(); ++i) blocks[i] = std::max(excess * blocks[i], blocks[i] + errors.cut[i]);
   MeasuredError measured = Summarize(film, std::move(blocks), errors.squares, errors.correlation.ShareOfVariance(),
                                      MeanOf(errors.picture), measure);
   measured.differences = std::move(differences);

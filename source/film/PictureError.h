@@ -72,8 +72,8 @@ struct MeasuredError {
 /// and three things are added: the bias of clamping, which is what the parts' mean shown differs from the mean of the
 /// parts shown (the jackknife; Quenouille, Notes on bias in estimation, 1956); that the error may not fall as the root
 /// of the samples, by how it fell since `before`, at most to a quarter of that; and where clamping took energy from
-/// noisy pixels, that it belongs to others of their block. The larger of the last two counts. What the error of a block
-/// was before counts as far as more samples cannot explain that it fell.
+/// noisy pixels, that it belongs to others of their block, as far as these can show it. The larger of the last two
+/// counts. What the error of a block was before counts as far as more samples cannot explain that it fell.
 ///
 /// The interval is that of the ratio of two mean squares, the claim and the truth, with half as many degrees of freedom
 /// each: where few pixels hold the error, both are from few.

@@ -95,18 +95,19 @@ void PhongReflectionOfEach(const ShadingPoint& p, double weight, LightSamples& s
 
 namespace {
 
-SpecularWeights WithoutCoat(const ShadingPoint& p, double cosine, bool fresnel) {
+SpecularWeights WithoutCoat(const ShadingPoint& p, double cosine, const TraceSettings& settings) {
   const Material& m = *p.material;
-  if (!fresnel || IsBlack(m.kt) || m.ir == 1) return {m.kr, m.kt};
+  if (!(settings.fresnel || settings.internal_reflection) || IsBlack(m.kt) || m.ir == 1) return {m.kr, m.kt};
+  if (!settings.fresnel) return Refraction(p) ? SpecularWeights{m.kr, m.kt} : SpecularWeights{m.kr + m.kt, {}};
   const double share = FresnelReflectance(cosine, RelativeIndex(p));
   return {m.kr + share * m.kt, (1 - share) * m.kt};
 }
 
 }  // namespace
 
-SpecularWeights SpecularWeightsOf(const ShadingPoint& p, bool fresnel) {
+SpecularWeights SpecularWeightsOf(const ShadingPoint& p, const TraceSettings& settings) {
   const double coat = p.material->coat, cosine = std::clamp(Dot(p.N, p.wo), 0.0, 1.0);
-  const SpecularWeights under = WithoutCoat(p, cosine, fresnel);
+  const SpecularWeights under = WithoutCoat(p, cosine, settings);
   if (!(coat > 0)) [[likely]]
     return under;
   const double mirrored = Coat(coat).Reflectance(cosine);
@@ -123,11 +124,12 @@ std::optional<R3::Vector> SampleReflection(const ShadingPoint& p, bool glossy, c
 
 std::optional<R3::Vector> Refraction(const ShadingPoint& p) {
   if (p.material->ir == 1) return -p.wo;
-  return Refract(-p.wo, p.N, RelativeIndex(p));
+  const double cosine = Dot(p.N, p.wo);
+  const R3::Vector N = cosine < 0 ? Unit(p.N - cosine * p.wo) : p.N;
+  return Refract(-p.wo, N, RelativeIndex(p));
 }
 
-Bsdf::Bsdf(const ShadingPoint& p, const TraceSettings& settings)
-    : p_(p), specular_(SpecularWeightsOf(p, settings.fresnel)) {
+Bsdf::Bsdf(const ShadingPoint& p, const TraceSettings& settings) : p_(p), specular_(SpecularWeightsOf(p, settings)) {
   const double d = Luminance(p.kd), r = Luminance(specular_.reflected), t = Luminance(specular_.transmitted);
   const double sum = d + r + t;
   if (sum > 0) {

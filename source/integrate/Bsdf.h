@@ -75,10 +75,10 @@ void PhongReflectionOfEach(const ShadingPoint& p, double weight, LightSamples& s
 struct SpecularWeights {
   R2::Color reflected, transmitted;
 };
-SpecularWeights SpecularWeightsOf(const ShadingPoint& p, bool fresnel);
+SpecularWeights SpecularWeightsOf(const ShadingPoint& p, const TraceSettings& settings);
 /// Their sum, 0 for what is diffuse alone.
-inline R2::Color SpecularReflectance(const ShadingPoint& p, bool fresnel) {
-  const SpecularWeights shares = SpecularWeightsOf(p, fresnel);
+inline R2::Color SpecularReflectance(const ShadingPoint& p, const TraceSettings& settings) {
+  const SpecularWeights shares = SpecularWeightsOf(p, settings);
   return shares.reflected + shares.transmitted;
 }
 
@@ -87,8 +87,7 @@ inline bool IsGlossy(const Material& m, const TraceSettings& settings) { return 
 inline double GlossExponent(const Material& m) { return m.gloss > 0 ? m.gloss : m.n; }
 /// Whether highlights or the non-specular lobes of a Bsdf may reflect light, so that lights are worth sampling.
 inline bool ReflectsLights(const ShadingPoint& p, const TraceSettings& settings) {
-  return p.HasReflectance() ||
-         (IsGlossy(*p.material, settings) && !IsBlack(SpecularWeightsOf(p, settings.fresnel).reflected));
+  return p.HasReflectance() || (IsGlossy(*p.material, settings) && !IsBlack(SpecularWeightsOf(p, settings).reflected));
 }
 
 /// wo mirrored about N, never into the surface, or with a glossy reflection a direction of Phong's lobe around that;
@@ -97,7 +96,7 @@ inline bool ReflectsLights(const ShadingPoint& p, const TraceSettings& settings)
 ///   returns   nothing when the direction is below the surface
 std::optional<R3::Vector> SampleReflection(const ShadingPoint& p, bool glossy, const R2::Point& u);
 /// The direction on the other side: straight on for an index of 1, else refracted; unit. Nothing on total internal
-/// reflection.
+/// reflection. A smoothed normal that faces away from wo is taken to be at a right angle to it.
 std::optional<R3::Vector> Refraction(const ShadingPoint& p);
 
 /// Of the diffuse lobe about N.

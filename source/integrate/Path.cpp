@@ -68,7 +68,7 @@ R2::Color Path::IndirectLight(ShadingPoint&& p, TraceState& state) const {
 }
 
 void Path::CountCutThroughput(const ShadingPoint& p, TraceState& state) const {
-  state.rays.EndAt(Luminance(p.path.throughput * (p.kd + SpecularReflectance(p, settings_.fresnel))));
+  state.rays.EndAt(Luminance(p.path.throughput * (p.kd + SpecularReflectance(p, settings_))));
 }
 
 std::optional<Path::Step> Path::SampleBsdf(const ShadingPoint& p, const Bsdf& bsdf, const Choices& choices,

@@ -108,7 +108,7 @@ R2::Color Whitted::Follow(const ShadingPoint& first, TraceState& state) const {
   state.pending.clear();
   const auto spawn = [&](const ShadingPoint& p) {
     if (p.path.depth >= settings_.max_depth) {
-      state.rays.EndAt(Luminance(p.path.throughput * SpecularReflectance(p, settings_.fresnel)));
+      state.rays.EndAt(Luminance(p.path.throughput * SpecularReflectance(p, settings_)));
       return;
     }
     const std::size_t before = state.pending.size();
@@ -242,7 +242,7 @@ void Whitted::AddArrived(std::span<ShadingPoint> points, TraceState& state) cons
 }
 
 void Whitted::Spawn(const ShadingPoint& p, TraceState& state) const {
-  const SpecularWeights weights = SpecularWeightsOf(p, settings_.fresnel);
+  const SpecularWeights weights = SpecularWeightsOf(p, settings_);
   // Pushed first, traced last.
   const SampleIndex through = p.path.index.Child(transmission_key), back = p.path.index.Child(reflection_key);
   if (const auto throughput = Continued(p.path.throughput * weights.transmitted, through, state))

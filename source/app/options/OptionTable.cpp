@@ -215,6 +215,8 @@ std::vector<OptionKind> LightOptions() {
        "sample glossy reflections from the Phong lobe"},
       {"fresnel", both, {}, {}, Flag{AT(render.trace.fresnel)}, "", "light",
        "Fresnel reflection on refractive surfaces"},
+      {"internal_reflection", both, {}, {"on|off"}, OnOff{AT(render.trace.internal_reflection)}, "", "light",
+       "without -fresnel, whether total internal reflection mirrors light (off: it is lost)"},
       {"roulette", both, {}, {"name"}, OneOfEnum<Roulette>(AT(render.trace.roulette)), "", "light",
        "Russian roulette, unbiased (auto: path on; whitted off, cut at -min_luminance)"},
       {"strategy", both, {}, {"name"}, OneOfEnum<LightStrategy>(AT(render.trace.strategy)), "", "light",

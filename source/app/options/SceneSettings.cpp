@@ -17,13 +17,34 @@ namespace {
 
 /// What decides how a picture looks. What decides how long it takes, or which files are read and written, is the
 /// user's alone: a scene may come from a stranger.
-constexpr std::array<std::string_view, 27> of_scenes{
-    "adaptive",      "aperture",       "bytes",        "clamp",           "emissive_solids",
-    "filter",        "focus",          "fresnel",      "glossy",          "gooch",
-    "height",        "lens",           "lens_samples", "lights",          "max_depth",
-    "min_luminance", "mode",           "motion",       "outline",         "sampler",
-    "samples",       "shadow_samples", "shadows",      "shutter_samples", "toon_bands",
-    "width",         "zbuffer_range"};
+constexpr std::array<std::string_view, 28> of_scenes{"adaptive",
+                                                     "aperture",
+                                                     "bytes",
+                                                     "clamp",
+                                                     "emissive_solids",
+                                                     "filter",
+                                                     "focus",
+                                                     "fresnel",
+                                                     "glossy",
+                                                     "gooch",
+                                                     "height",
+                                                     "internal_reflection",
+                                                     "lens",
+                                                     "lens_samples",
+                                                     "lights",
+                                                     "max_depth",
+                                                     "min_luminance",
+                                                     "mode",
+                                                     "motion",
+                                                     "outline",
+                                                     "sampler",
+                                                     "samples",
+                                                     "shadow_samples",
+                                                     "shadows",
+                                                     "shutter_samples",
+                                                     "toon_bands",
+                                                     "width",
+                                                     "zbuffer_range"};
 
 bool IsDecided(const Options& options, const std::string& option) {
   // Samples on a grid cannot be had one pass after another, which budgets need.

@@ -17,6 +17,7 @@
 #include "source/app/report/Messages.h"
 #include "source/integrate/lights/LightSampler.h"
 #include "source/render/SceneFeatures.h"
+#include "source/render/Schedule.h"
 #include "source/text/Quoting.h"
 #include "source/text/Words.h"
 
@@ -47,6 +48,7 @@ std::vector<std::string> OptionsWithoutEffect(const Options& options) {
       {"emissive_solids", render.mode == RenderMode::whitted, "without -mode whitted"},
       {"adaptive", render.budget.adaptive != Adaptive::tile || render.budget.error, "without -error"},
       {"adaptive", render.budget.adaptive != Adaptive::neighbors || render.samples > 1, "without -samples"},
+      {"samples", render.samples > 1 || !render.budget.IsOpen(), "with -time or -error unless it is 2 or more"},
       {"node_boxes", is_graph, with_accelerator},
       {"front_to_back", is_graph, with_accelerator},
       {"last_hit", is_graph, with_accelerator},
@@ -54,6 +56,10 @@ std::vector<std::string> OptionsWithoutEffect(const Options& options) {
   std::vector<std::string> lines;
   for (const auto& [option, is_used, why] : uses)
     if (options.IsGiven(option) && !is_used) lines.push_back("-" + std::string(option) + " has no effect " + why);
+  if (options.IsGiven("samples") && render.samples > 1 && render.samples % 2 == 1 && HasTwoStreams(render))
+    lines.push_back("-samples " + std::to_string(render.samples) +
+                    ": errors are told by comparing two halves, so that " + std::to_string(render.samples - 1) +
+                    " are taken");
   return lines;
 }
 

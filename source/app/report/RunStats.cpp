@@ -13,18 +13,22 @@
 namespace ray {
 namespace {
 
-std::string PixelsText(const RunStats& record) {
-  if (record.IsComplete()) return "complete";
-  return std::to_string(record.pixels_done) + " of " + std::to_string(record.pixels_total) + " pixels done";
-}
-
 std::string ShortCountText(double count) { return count == std::floor(count) ? CountText(count) : Fixed(count, 1); }
 
-/// As asked for, where that decided; as they became, where a clock or an error did.
+std::string PixelsText(const RunStats& record) {
+  if (record.IsComplete()) return "complete";
+  if (record.pixels_done < record.pixels_total)
+    return std::to_string(record.pixels_done) + " of " + std::to_string(record.pixels_total) + " pixels done";
+  const std::string wanted =
+      record.options.render.budget.IsOpen() ? "" : " of " + std::to_string(record.options.render.samples);
+  return ShortCountText(record.samples.mean) + wanted + " samples per pixel done";
+}
+
+/// As asked for, where that decided; as they became, where a clock, an error or a signal did.
 std::string SamplesText(const RunStats& record, std::string (*text_of)(double)) {
   const RenderSettings& render = record.options.render;
   const bool is_asked_for = !render.budget.IsOpen() && !render.denoise && record.options.replay.empty();
-  if (is_asked_for) return std::to_string(render.samples);
+  if (is_asked_for && record.IsComplete()) return std::to_string(render.samples);
   const double mean = record.samples.mean;
   if (mean < 1) return "1 at " + Fixed(100 * mean, 1) + " % of the pixels, the others interpolated";
   return text_of(mean);

@@ -12,6 +12,7 @@ void GroningenReader::ReadPicture(Mapping& scene) {
   Set("clamp", "samples");
   Set("bytes", "truncated");
   Set("min_luminance", "0");
+  Set("internal_reflection", "on");
   Set("shadows", "off");
   Set("max_depth", "0");
   if (const auto shadows = scene.Find({"Shadows", "shadows"}))

@@ -227,6 +227,22 @@ TEST(Raypro, WarnsOfOptionsThatDoNothing) {
   EXPECT_TRUE(Has(done.error, "warning: -max_depth 1000000000 exceeds the hard limit of 1000 bounces")) << done.error;
 }
 
+TEST(Raypro, SaysHowManySamplesItTakesWhereThatAreNotThoseAskedFor) {
+  NEEDS_THE_PROGRAM();
+  const SceneFolder place;
+  const auto warnings = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> words{place.Scene(), place / "out.png", "-width", "16", "-height", "16", "-restart"};
+    words.insert(words.end(), more.begin(), more.end());
+    return RunProgram(words).error;
+  };
+  const std::string no_effect = "-samples has no effect with -time or -error unless it is 2 or more";
+  EXPECT_TRUE(Has(warnings({"-samples", "1", "-error", "8"}), no_effect));
+  EXPECT_TRUE(
+      Has(warnings({"-samples", "3", "-denoise"}), "-samples 3: errors are told by comparing two halves, so that 2"));
+  EXPECT_FALSE(Has(warnings({"-samples", "3"}), "-samples"));
+  EXPECT_FALSE(Has(warnings({"-samples", "4", "-error", "8"}), "-samples"));
+}
+
 TEST(Raypro, ASizeThatTheFormatCannotHoldIsRefusedBeforeRendering) {
   NEEDS_THE_PROGRAM();
   const SceneFolder place;

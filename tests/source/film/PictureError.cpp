@@ -175,10 +175,28 @@ TEST(PictureError, ClampingIsNoErrorWhereItIsSteadyAndOneWhereItHidesNoise) {
   };
   EXPECT_EQ(MeasureError(film_of(7, 7), {})->square, 0);
   EXPECT_EQ(MeasureError(film_of(1.5, 1.9), {})->square, 0) << "brighter than the difference of the parts explains";
-  EXPECT_NEAR(MeasureError(film_of(1.1, 2.3), {})->square, 0.5 * 0.5, 1e-6) << "mean 1.7, difference 1.2";
-  const double difference = 0.8 / 2, bias = 0.6 - 1, cut = 0.6;
-  EXPECT_NEAR(MeasureError(film_of(0.2, 3), {})->square, difference * difference + bias * bias + cut * cut, 1e-6);
+  EXPECT_EQ(MeasureError(film_of(1.1, 2.3), {})->square, 0) << "no pixel can show more";
+  const double difference = 0.8 / 2, bias = 0.6 - 1;
+  EXPECT_NEAR(MeasureError(film_of(0.2, 3), {})->square, difference * difference + bias * bias, 1e-6);
   EXPECT_NEAR(MeasureError(film_of(0.2, 3), {.unit = ErrorUnit::linear})->square, 1.4 * 1.4, 1e-6);
+}
+
+// One pixel of a dark block is found bright by one of the parts alone.
+TEST(PictureError, LightCutFromANoisyPixelMayBelongToItsWholeBlockOrToARim) {
+  const auto square = [](double found, double steady) {
+    const Film film = TwoPartFilm(8, {1, 1}, FilterKind::box, [&](int part, int x, int y, std::uint32_t) {
+      const double light = x + y == 0 ? part * found : x + y == 14 ? steady : 0;
+      return FilmSample{light * R2::Color{1, 1, 1}};
+    });
+    return MeasureError(film, {})->square;
+  };
+  const double itself = 0.5;  // a quarter for what differs, and one for the bias of clamping
+  const double cut_in_all = (10.0 - 1) / 64;
+  EXPECT_NEAR(square(20, 0), (63 * cut_in_all * cut_in_all + itself) / 64, 1e-6) << "an equal part for each pixel";
+  for (const double found : {1e3, 1e6, 1e30}) {
+    EXPECT_NEAR(square(found, 0), (63 + itself) / 64, 1e-6) << "no pixel shows more than 1";
+    EXPECT_NEAR(square(found, 5), (1 + itself) / 64, 1e-6) << "beside what is bright in both, one pixel more";
+  }
 }
 
 TEST(PictureError, AnErrorThatDoesNotFallIsTakenToBeLarger) {

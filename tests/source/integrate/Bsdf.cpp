@@ -234,8 +234,9 @@ TEST(Bsdf, BeyondTheCriticalAngleNothingIsTransmitted) {
   const ShadingPoint p = PointOf(glass, {0.8, 0.6, 0}, false);  // 1.5 * 0.8 > 1
   const Bsdf without(p, SettingsOf(false)), with(p, SettingsOf(false, true));
   EXPECT_FALSE(Refraction(p));
-  EXPECT_EQ(SpecularWeightsOf(p, true).transmitted, (R2::Color{}));
-  EXPECT_NEAR(SpecularWeightsOf(p, true).reflected.r, 1, 1e-15);
+  const SpecularWeights weights = SpecularWeightsOf(p, SettingsOf(false, true));
+  EXPECT_EQ(weights.transmitted, (R2::Color{}));
+  EXPECT_NEAR(weights.reflected.r, 1, 1e-15);
   for (double choice = 0; choice < 1; choice += 0.01) {
     const auto lost = without.Sample({0.5, 0.5}, choice), kept = with.Sample({0.5, 0.5}, choice);
     EXPECT_TRUE(!lost || lost->lobe == Lobe::mirror);
@@ -244,6 +245,32 @@ TEST(Bsdf, BeyondTheCriticalAngleNothingIsTransmitted) {
     EXPECT_NEAR(kept->wi.x, -0.8, 1e-15);
     EXPECT_NEAR(kept->wi.y, 0.6, 1e-15);
   }
+}
+
+TEST(Bsdf, TotalInternalReflectionMirrorsLightWithoutFresnelOnlyWhereAskedTo) {
+  const Material glass = MaterialOf({}, {0.1, 0.1, 0.1}, {0.9, 0.8, 0.7});
+  const ShadingPoint beyond = PointOf(glass, {0.8, 0.6, 0}, false), before = PointOf(glass, {0.6, 0.8, 0}, false);
+  TraceSettings settings = SettingsOf(false);
+  EXPECT_EQ(SpecularWeightsOf(beyond, settings).reflected, glass.kr);
+  settings.internal_reflection = true;
+  EXPECT_EQ(SpecularWeightsOf(beyond, settings).reflected, glass.kr + glass.kt);
+  EXPECT_EQ(SpecularWeightsOf(beyond, settings).transmitted, (R2::Color{}));
+  EXPECT_EQ(SpecularWeightsOf(before, settings).reflected, glass.kr);
+  EXPECT_EQ(SpecularWeightsOf(before, settings).transmitted, glass.kt);
+}
+
+// Interpolated normals of coarse meshes do, near silhouettes.
+TEST(Bsdf, ANormalThatFacesAwayBendsLightNoMoreThanOneAtARightAngle) {
+  const double most = std::acos(1 / 1.5);
+  for (const double ir : {1.0001, 1.5})
+    for (double angle = 0; angle < 2; angle += 0.01) {
+      const Material glass = MaterialOf({}, {}, {1, 1, 1}, 10, ir);
+      ShadingPoint p = PointOf(glass, {1, 0, 0});
+      p.N = {std::cos(angle), std::sin(angle), 0};
+      const auto wi = Refraction(p);
+      ASSERT_TRUE(wi) << angle;
+      EXPECT_LE(std::acos(std::min(1.0, Dot(*wi, -p.wo))), (ir < 1.1 ? 0.0142 : most) + 1e-9) << ir << ' ' << angle;
+    }
 }
 
 TEST(Bsdf, AnIndexOfOneLetsTheSameRayGoOnBeyondItsHit) {
@@ -268,7 +295,8 @@ TEST(Bsdf, FresnelSplitsWhatIsClearAndKeepsItsSum) {
   for (const double aside : {0.0, 0.5, 0.9, 0.999}) {
     const double cosine = std::sqrt(1 - aside * aside);
     const ShadingPoint p = PointOf(m, {aside, cosine, 0});
-    const SpecularWeights plain = SpecularWeightsOf(p, false), split = SpecularWeightsOf(p, true);
+    const SpecularWeights plain = SpecularWeightsOf(p, SettingsOf(false)),
+                          split = SpecularWeightsOf(p, SettingsOf(false, true));
     EXPECT_EQ(plain.reflected, m.ks);
     EXPECT_EQ(plain.transmitted, m.kt);
     const double share = FresnelReflectance(cosine, 1 / 1.5);

@@ -23,6 +23,7 @@ RunStats ExampleStats() {
   record.pixels_total = 4;
   record.width = record.height = 2;
   record.stop = "SIGINT";
+  record.samples.mean = 1;
   return record;
 }
 
@@ -89,12 +90,16 @@ TEST(RunStats, TheLastLineOfARunSaysWhatItMade) {
   record.seconds.wall = 2;
   record.rays[ray::RayKind::camera].rays = 28'399'991;
   EXPECT_EQ(FinalLine(record), "out.png 2x2 1 spp 2.00 s 14.2 Mrays/s (stopped by SIGINT, 3 of 4 pixels done)\n");
-  // A signal may come when every pixel has some of its samples.
+  // A signal may come when every pixel has some of its samples. They are a weight for what merges pictures.
   record.pixels_done = 4;
-  EXPECT_EQ(FinalLine(record), "out.png 2x2 1 spp 2.00 s 14.2 Mrays/s (stopped by SIGINT, 4 of 4 pixels done)\n");
+  record.options.render.samples = 1000;
+  record.samples.mean = 5.5;
+  EXPECT_EQ(FinalLine(record),
+            "out.png 2x2 5.5 spp 2.00 s 14.2 Mrays/s (stopped by SIGINT, 5.5 of 1000 samples per pixel done)\n");
+  EXPECT_EQ(SettingsInPicture(record)["samples"], "5.5");
   for (const char* stop : {"samples", "time", "error"}) {
     record.stop = stop;
-    EXPECT_EQ(FinalLine(record), "out.png 2x2 1 spp 2.00 s 14.2 Mrays/s\n");
+    EXPECT_EQ(FinalLine(record), "out.png 2x2 1000 spp 2.00 s 14.2 Mrays/s\n");
   }
 }
 

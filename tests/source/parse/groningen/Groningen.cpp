@@ -101,6 +101,7 @@ TEST(Groningen, WhatTheCourseDecidesAreSettingsThatTheFileOverrides) {
                                       {"clamp", "samples"},
                                       {"bytes", "truncated"},
                                       {"min_luminance", "0"},
+                                      {"internal_reflection", "on"},
                                       {"mode", "(none)"},
                                       {"zbuffer_range", "(none)"}})
     EXPECT_EQ(SettingOf(plain, option), value) << option;
