@@ -132,10 +132,11 @@ extern const Command bump_command{"bump", "bump mat_id file height", "bump map: 
                                   ReadBump};
 extern const Command mirror_command{"mirror", "mirror mat_id r g b", "weight of the mirrored ray, where it is not ks",
                                     ReadColorOfMaterial<&Material::kr>};
-extern const Command absorb_command{
-    "absorb", "absorb mat_id r g b",
-    "absorption in clear solids: light is scaled by exp(-r d), exp(-g d), exp(-b d) over a distance d",
-    ReadColorOfMaterial<&Material::absorb>};
+extern const Command absorb_command{"absorb", "absorb mat_id r g b",
+                                    "absorption in clear solids: light is scaled by exp(-r d), exp(-g d), exp(-b d) "
+                                    "over a distance d inside, up to the "
+                                    "solid's own surface; on the way to another shape inside it nothing is absorbed",
+                                    ReadColorOfMaterial<&Material::absorb>};
 extern const Command coat_command{
     "coat", "coat mat_id ir",
     "a clear coat of that index of refraction over what is diffuse: it mirrors more towards grazing angles", ReadCoat};
