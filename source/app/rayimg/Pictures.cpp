@@ -2,6 +2,7 @@
 
 #include <array>
 #include <charconv>
+#include <cmath>
 
 #include "source/app/Status.h"
 #include "source/app/report/Info.h"
@@ -41,6 +42,7 @@ void Write(const PictureOutput& output, const R2::Image& image, const R2::ImageE
 }
 
 std::string Rounded(double number) {
+  if (std::isnan(number)) return "nan";  // whose sign says nothing
   std::array<char, 64> text{};
   const auto [end, error] =
       std::to_chars(text.data(), text.data() + text.size(), number, std::chars_format::general, 6);
