@@ -12,6 +12,7 @@
 #include "R2/ImageFile.h"
 #include "source/app/Interrupt.h"
 #include "source/app/Status.h"
+#include "source/app/files/ReadInputs.h"
 #include "source/app/options/RayproCommand.h"
 #include "source/app/options/SceneSettings.h"
 #include "source/app/rayview/PanelHabits.h"
@@ -39,9 +40,7 @@ std::string AllOf(std::istream& in) { return {std::istreambuf_iterator<char>(in)
 
 std::vector<ScriptStep> ReadScript(const std::string& name) {
   if (name == "-") return ReadEventScript({"standard input", AllOf(std::cin)});
-  std::ifstream in(name, std::ios::binary);
-  if (!std::filesystem::is_regular_file(name) || !in) throw SceneErrors({ErrorIn(name, "the file cannot be read")});
-  return ReadEventScript({name, AllOf(in)});
+  return ReadEventScript({name, Contents(name)});
 }
 
 std::string NameOfFile(const std::string& path) { return std::filesystem::path(path).filename().string(); }
@@ -85,6 +84,7 @@ std::string HabitsFile(const Options& options) {
 
 ViewerSettings WithReference(ViewerSettings settings, const std::string& reference) {
   if (reference.empty()) return settings;
+  Contents(reference);  // which says so where there is none
   settings.reference = ReadPictureFile(reference);
   if (!settings.reference) throw SceneErrors({ErrorIn(reference, "the file cannot be read as a picture")});
   return settings;
@@ -164,8 +164,13 @@ class Session : public ViewerHost {
       Interact();
     Draw();
     for (const auto& output : {outputs_.output_image, outputs_.screenshot})
-      if (output) ray::SaveDrawing(*output, painter_.canvas.Read(), options_);
-    recorder_.Write();
+      if (output) Attempt([&] { return SaveDrawingTo(*output); });
+    if (outputs_.record)
+      Attempt([&] {
+        RefuseInputs(*outputs_.record, inputs_);
+        recorder_.Write();
+        return std::string();
+      });
     if (!habits_file_.empty() && viewer_.PanelLook() != first_look_) SavePanelHabits(habits_file_, viewer_.PanelLook());
     return StopSignal() != 0 ? status::killed_by + StopSignal() : status_;
   }
@@ -176,6 +181,7 @@ class Session : public ViewerHost {
     options.render.threads = options_.render.threads;  // a job fills in how many it took
     std::erase_if(options.given, [](const std::string& option) { return IsOfBudget(option); });
     return Attempt([&] {
+      if (outputs_.image) RefuseInputs(outputs_.image->file, inputs_);
       std::string line = ray::SaveTraced(outputs_.image ? &*outputs_.image : nullptr, options, job.scene(),
                                          *job.Result(), job.Seconds());
       if (!line.empty() && line.back() == '\n') line.pop_back();
@@ -191,7 +197,10 @@ class Session : public ViewerHost {
       return "rays saved to " + name;
     });
   }
-  std::shared_ptr<const R2::Image> ReadPicture(const std::string& file) override { return ReadPictureFile(file); }
+  std::shared_ptr<const R2::Image> ReadPicture(const std::string& file) override {
+    inputs_.push_back(file);
+    return ReadPictureFile(file);
+  }
   void SetClipboard(const std::string& text) override {
     if (window_) window_->SetClipboard(text);
   }
@@ -205,6 +214,7 @@ class Session : public ViewerHost {
     return SettingsFor(options_);
   }
   std::optional<ViewerSettings> SettingsWith(const Scene& scene) override {
+    inputs_.insert(inputs_.end(), scene.files.begin(), scene.files.end());
     Options options = WithSettingsOf(scene, asked_);
     for (const auto& [name, value] : changes_) options = WithOption(options, name, value);
     options_ = std::move(options);
@@ -214,7 +224,7 @@ class Session : public ViewerHost {
     Options options = options_;
     options.render = settings;
     options.render.threads = options_.render.threads;
-    options.render.budget = {};  // key S takes all samples
+    options.render.budget = WithoutLimits(settings.budget);  // key S takes all samples
     std::erase_if(options.given, IsOfBudget);
     if (options.picture.empty()) options.picture = "image.png";
     return RayproCommand(options);
@@ -231,6 +241,13 @@ class Session : public ViewerHost {
       PrintError("rayview: " + std::string(error.what()));
       return error.what();
     }
+  }
+
+  /// Nothing is said of it; throws OutputError where that would replace what was dropped on the window.
+  std::string SaveDrawingTo(const PictureOutput& output) {
+    RefuseInputs(output.file, inputs_);
+    ray::SaveDrawing(output, painter_.canvas.Read(), options_);
+    return {};
   }
 
   void Happen(const Event& event) {
@@ -355,6 +372,7 @@ class Session : public ViewerHost {
   Options options_;                                           // with these, and as changed in panels
   std::vector<std::pair<std::string, std::string>> changes_;  // made there
   const ViewOutputs outputs_;
+  std::vector<std::string> inputs_;  // read since the start
   const std::unique_ptr<Window> window_;
   const std::unique_ptr<Context> offscreen_;
   Painter painter_;
