@@ -6,6 +6,7 @@
 #include "R1/Elementary.h"
 #include "source/accelerate/Accelerator.h"
 #include "source/accelerate/twolevel/PrimitiveSet.h"
+#include "source/text/Words.h"
 
 namespace ray {
 namespace {
@@ -97,7 +98,8 @@ std::unique_ptr<Accelerator> Try(const std::string& shown, const World& world, c
 std::unique_ptr<Accelerator> Choose(const World& world, const AcceleratorSettings& settings) {
   const auto take = [&](const char* name, const std::string& reason) { return Take(name, reason, world, settings); };
   if (world.Primitives() <= few_primitives)
-    return take("none", std::to_string(world.Primitives()) + " primitives are tested faster than sorted");
+    return take("none", Counted(static_cast<std::uint64_t>(world.Primitives()), "primitive") +
+                            " can be tested faster than sorted");
   const PrimitiveSet primitives(world);
   const double thinness = Thinness(primitives);
   const std::string shown = "the boxes of its triangles have " + Rounded(thinness) + " times their area";
