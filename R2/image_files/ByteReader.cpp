@@ -73,7 +73,8 @@ int ByteReader::WholeNumber(const char* what, int least, int most) {
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
   // The word itself stays out of the message: it comes from a stranger and may be long or steer a terminal.
   if (error != std::errc() || end != word.data() + word.size() || number < least || number > most) {
-    Fail(std::string(what) + " must be a whole number from " + std::to_string(least) + " to " + std::to_string(most));
+    Fail("is wrong: " + std::string(what) + " must be a whole number from " + std::to_string(least) + " to " +
+         std::to_string(most));
   }
   return number;
 }

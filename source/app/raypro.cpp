@@ -1,5 +1,7 @@
+#include <algorithm>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,6 +25,7 @@
 #include "source/app/report/Progress.h"
 #include "source/app/report/ReadReplay.h"
 #include "source/app/report/RunLog.h"
+#include "source/parse/SceneError.h"
 #include "source/render/DenoiseForecast.h"
 #include "source/text/Quoting.h"
 
@@ -121,16 +124,62 @@ int DoOne(const Options& options, const Words& words) {
   return status::done;
 }
 
+/// Every file that one of the scenes is read from. A scene that cannot be read says so in its turn.
+std::vector<std::string> InputsOfAll(const Options& all) {
+  std::vector<std::string> inputs;
+  for (const std::string& scene : all.scenes) {
+    inputs.push_back(scene);
+    try {
+      const ParsedScene parsed = Parse(scene, all.parse);
+      inputs.insert(inputs.end(), parsed.scene.files.begin(), parsed.scene.files.end());
+    } catch (const SceneErrors&) {
+    }
+  }
+  return inputs;
+}
+
+/// Whether a picture, or what is written with it, would take the place of a file.
+bool ReplacesAny(const Outputs& outputs) {
+  const auto is_there = [](const OutputFile& output) { return std::filesystem::exists(output.target); };
+  return is_there(outputs.picture) || is_there(outputs.partial) || std::ranges::any_of(outputs.layers, is_there);
+}
+
+/// The picture of one scene must not become the texture of the next. All scenes are read before the first is rendered
+/// only where a file would be replaced, for that takes its time.
+class InputsOfBatch {
+ public:
+  explicit InputsOfBatch(const Options& all) : all_(all) {}
+
+  /// Throws OutputError.
+  void Protect(const Options& one) {
+    const Outputs outputs = CheckOutputs(one);
+    if (!ReplacesAny(outputs)) return;
+    if (!inputs_) inputs_ = InputsOfAll(all_);
+    RefuseInputs(outputs, *inputs_);
+  }
+
+ private:
+  const Options& all_;
+  std::optional<std::vector<std::string>> inputs_;
+};
+
 /// Each scene for itself: what is wrong with one keeps none of the others from being rendered.
 int DoEach(const Options& all, const Words& words) {
   if (!std::filesystem::is_directory(all.out_folder))
     throw OutputError("cannot write into " + Quoted(all.out_folder) + ": there is no such folder");
   int first_failure = status::done;
+  InputsOfBatch inputs(all);
   for (const std::string& scene : all.scenes) {
     Options one = all;
     one.scene = scene;
     one.picture = PictureInFolder(all, scene);
-    const int ended = Guarded(Program::raypro, [&] { return DoOne(one, words); });
+    const int ended = Guarded(Program::raypro, [&] {
+      if (one.task == Task::render)
+        inputs.Protect(one);
+      else if (!one.quiet)
+        WriteStandardOutput(Escaped(scene) + "\n");
+      return DoOne(one, words);
+    });
     if (StopSignal() != 0) return ended;
     if (first_failure == status::done) first_failure = ended;
   }

@@ -8,6 +8,8 @@ namespace {
 /// shadows and no reflections. Summed over the lights of color C, areas taken at their middle:
 ///     cool (1 - N.L) / 2 + warm (1 + N.L) / 2 + ks (V.R)^n C,
 ///     cool = (0, 0, b) + alpha kd C,  warm = (y, y, 0) + beta kd C
+/// A black light is none, as everywhere: a scene without lights is the same picture once it is written as .scn, which
+/// has a black one say so.
 ///   source   A. Gooch, B. Gooch, Shirley, Cohen, A non-photorealistic lighting model for automatic technical
 ///            illustration (1998), equation 2
 class Gooch : public FirstHit {
@@ -18,8 +20,10 @@ class Gooch : public FirstHit {
  private:
   R2::Color Seen(const ShadingPoint& p) const override {
     R2::Color sum;
-    for (const auto& light : world().scene().lights)
+    for (const auto& light : world().scene().lights) {
+      if (light->IsBlack()) continue;
       if (const auto sample = light->Illuminate(p.shadow_origin, {0.5, 0.5})) sum += Shade(p, *sample);
+    }
     return sum;
   }
   R2::Color Missed(const R3::Vector& direction) const override { return Background(world().scene(), direction); }

@@ -1,11 +1,15 @@
 #include "source/parse/Assets.h"
 
+#include <algorithm>
+#include <cmath>
 #include <span>
 #include <stdexcept>
+#include <vector>
 
 #include "R2/ImageFile.h"
 #include "source/parse/Text.h"
 #include "source/parse/meshes/MeshFormat.h"
+#include "source/text/NumberText.h"
 
 namespace ray {
 namespace {
@@ -18,6 +22,21 @@ R2::Image Linear(R2::Image image) {
   for (int y = 0; y < image.Height(); ++y)
     for (int x = 0; x < image.Width(); ++x) image.Set(x, y, R2::DecodeSrgb(image.At(x, y)));
   return image;
+}
+
+/// Colors are light, or weights of light; heights and directions may be negative.
+void CheckTexels(const R2::Image& image, const FoundFile& file, Assets::Use use) {
+  const bool is_color = use == Assets::Use::color;
+  const auto is_fit = [&](float value) { return std::isfinite(value) && (value >= 0 || !is_color); };
+  const std::vector<float>& values = image.Channels();
+  const auto bad = std::ranges::find_if_not(values, is_fit);
+  if (bad == values.end()) return;
+  const auto pixel = (bad - values.begin()) / 3;
+  throw FileError{"cannot use " + QuotedPath(file.shown) + " as a texture: values must be finite" +
+                      (is_color ? " and not negative" : "") + ", but pixel " + std::to_string(pixel % image.Width()) +
+                      " " + std::to_string(pixel / image.Width()) + " (from the left, from the bottom) has " +
+                      ToText(double{*bad}),
+                  {}};
 }
 
 }  // namespace
@@ -65,8 +84,11 @@ Assets::BoxedMesh Assets::ReadMesh(const FoundFile& file, Normals use) {
 std::shared_ptr<const Texture> Assets::Image(const std::string& name, const std::string& named_in, Use use) {
   const FoundFile file = files_.Find(name, named_in);
   const auto [place, is_new] = images_.try_emplace({file.canonical, use});
-  if (is_new)
-    place->second = std::make_shared<const Texture>(Texture{DecodeImage(file, Read(file), use), file.canonical});
+  if (is_new) {
+    R2::Image image = DecodeImage(file, Read(file), use);
+    CheckTexels(image, file, use);
+    place->second = std::make_shared<const Texture>(Texture{std::move(image), file.canonical});
+  }
   return place->second;
 }
 

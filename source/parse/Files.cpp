@@ -118,8 +118,13 @@ Files::Files(const std::string& top_scene, const std::vector<std::string>& allow
     : top_(top_scene == "-" ? standard_input_name : top_scene) {
   for (const fs::path& folder : {fs::path(top_).parent_path(), fs::path(".")})
     if (auto root = CanonicalFolder(folder)) roots_.push_back(std::move(*root));
-  for (const std::string& folder : allowed_folders)
-    if (auto root = CanonicalFolder(folder)) roots_.push_back(std::move(*root));
+  for (const std::string& folder : allowed_folders) {
+    auto root = CanonicalFolder(folder);
+    // Else it would be allowed without a word, and its files be refused.
+    if (!root) throw FileError{"-allow_path " + QuotedPath(folder) + ": there is no such folder", {}};
+    if (!fs::is_directory(*root)) throw FileError{"-allow_path " + QuotedPath(folder) + ": it is no folder", {}};
+    roots_.push_back(std::move(*root));
+  }
 }
 
 FoundFile Files::Top() const {

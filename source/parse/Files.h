@@ -30,7 +30,7 @@ class Files {
   static constexpr std::size_t max_bytes = std::size_t{1} << 30;
 
   /// Opens the top scene wherever it lies: the user named it. "-" is standard input, as if it lay in the current
-  /// folder.
+  /// folder. Throws FileError when a folder that is to be allowed is none.
   Files(const std::string& top_scene, const std::vector<std::string>& allowed_folders);
 
   const std::string& TopName() const { return top_; }

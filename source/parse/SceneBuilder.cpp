@@ -32,8 +32,7 @@ Scene SceneBuilder::Finish() {
   if (!has_camera) {
     const Camera named = scene.camera;
     scene.camera = DefaultCamera(scene.root.bounds);
-    scene.camera.aspect = named.aspect;
-    scene.camera.shift = named.shift;
+    scene.camera.TakeViewOf(named);
   }
   if (!has_light) scene.lights = DefaultLights();
   return std::move(scene);

@@ -48,6 +48,13 @@ struct Budget {
   bool IsOpen() const { return seconds > 0 || error || is_endless; }
 };
 
+/// What is left of it for a picture that takes all its samples: which blocks may do with one.
+inline Budget WithoutLimits(const Budget& budget) {
+  Budget none;
+  if (budget.adaptive == Adaptive::neighbors) none.adaptive = Adaptive::neighbors;
+  return none;
+}
+
 /// How many rays guides may take at edges besides those of the samples' own camera rays.
 struct Refinement {
   std::uint64_t rays = 0;  // of all kinds, about

@@ -268,7 +268,12 @@ RenderState DecodedState(std::span<const unsigned char> bytes, const std::string
   Reader reader(CheckedBody(bytes));
   const auto length = reader.Take<std::uint64_t>();
   const std::string theirs = reader.TakeText(length);
-  if (theirs != identity) throw CheckpointError("the checkpoint was made with " + FirstDifference(theirs, identity));
+  if (theirs != identity) {
+    const std::string difference = FirstDifference(theirs, identity);
+    const bool is_scene = difference.starts_with("scene ");  // whose hash would tell nobody anything
+    throw CheckpointError(is_scene ? "the checkpoint is of another scene"
+                                   : "the checkpoint was made with " + difference);
+  }
   RenderState state;
   state.schedule = TakeSchedule(reader, film.Blocks());
   state.rays = reader.Take<RayCounts>();

@@ -17,6 +17,12 @@ constexpr double parallel_angle = 1e-9;
 
 }  // namespace
 
+void Camera::TakeViewOf(const Camera& other) {
+  aspect = other.aspect;
+  shift = other.shift;
+  if (IsMirrored() != other.IsMirrored()) right = -right;
+}
+
 double Camera::HalfWidth() const { return R1::Tan(xfov); }
 
 double Camera::HalfHeight(int width, int height) const {

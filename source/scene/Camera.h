@@ -6,7 +6,8 @@
 
 namespace ray {
 
-/// A pinhole at `eye`. The three directions are unit and perpendicular.
+/// A pinhole at `eye`. The three directions are unit and perpendicular; `right` is towards x up, or its opposite where
+/// the picture is mirrored.
 struct Camera {
   R3::Point eye;
   R3::Vector towards{0, 0, -1}, up{0, 1, 0}, right{1, 0, 0};
@@ -15,6 +16,9 @@ struct Camera {
   R2::Vector shift{0, 0};         // of the picture's middle off the axis, to the right and up, in half widths
   double near = 0.01, far = 100;  // kept for the viewer; rays are not clipped
 
+  bool IsMirrored() const { return Dot(Cross(towards, up), right) < 0; }
+  /// Takes over what a picture is besides what square pixels around the axis make it: aspect, shift, mirroring.
+  void TakeViewOf(const Camera& other);
   /// Half the width of what is seen at distance 1 from the eye.
   double HalfWidth() const;
   /// Half the height of a picture of width x height pixels, at distance 1 from the eye: tan(xfov) height / width, or

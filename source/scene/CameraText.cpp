@@ -10,7 +10,7 @@
 namespace ray {
 namespace {
 
-constexpr const char* view_word = "view";
+constexpr const char *view_word = "view", *mirrored_word = "mirrored";
 
 }  // namespace
 
@@ -23,9 +23,10 @@ std::string CameraLine(const Camera& camera) {
   triple(camera.towards.x, camera.towards.y, camera.towards.z);
   triple(camera.up.x, camera.up.y, camera.up.z);
   line += " " + ToText(camera.xfov) + "  " + ToText(camera.near) + " " + ToText(camera.far);
-  if (camera.aspect == 0 && camera.shift.x == 0 && camera.shift.y == 0) return line;
-  return line + " " + view_word + " " + ToText(camera.aspect) + " " + ToText(camera.shift.x) + " " +
-         ToText(camera.shift.y);
+  if (camera.aspect == 0 && camera.shift.x == 0 && camera.shift.y == 0 && !camera.IsMirrored()) return line;
+  line += std::string(" ") + view_word + " " + ToText(camera.aspect) + " " + ToText(camera.shift.x) + " " +
+          ToText(camera.shift.y);
+  return camera.IsMirrored() ? line + " " + mirrored_word : line;
 }
 
 std::optional<Camera> ReadCameraLine(const std::string& line) {
@@ -34,8 +35,12 @@ std::optional<Camera> ReadCameraLine(const std::string& line) {
   std::string word;
   if (!(words >> word) || word != "camera") return {};
   std::vector<double> n;
+  bool is_mirrored = false;
   while (words >> word) {
+    if (is_mirrored) return {};
     if (n.size() == of_camera && word == view_word) continue;
+    is_mirrored = n.size() == of_camera + of_view && word == mirrored_word;
+    if (is_mirrored) continue;
     const auto [value, problem] = ParseNumber(word);
     if (problem) return {};
     n.push_back(value);
@@ -51,6 +56,7 @@ std::optional<Camera> ReadCameraLine(const std::string& line) {
   camera.far = n[11];
   camera.aspect = n[12];
   camera.shift = {n[13], n[14]};
+  if (is_mirrored) camera.right = -camera.right;
   return camera;
 }
 

@@ -35,6 +35,16 @@ PictureOutput StandardOutput() {
   return {FormatOfPicture(standard_stream), {.name = "<stdout>", .target = {}, .is_standard_output = true}};
 }
 
+/// Besides the picture a render writes files whose names nobody typed.
+void RefuseOwnFile(const OutputFile& report, const Options& options) {
+  const std::string partial = PartialName(options.picture);
+  std::vector<std::string> names{partial, options.picture + ".checkpoint", partial + ".checkpoint"};
+  for (const Layer layer : options.layers) names.push_back(NameBeside(options.picture, NameOf(layer)));
+  for (const std::string& name : names)
+    if (report.target.lexically_normal() == std::filesystem::path(name).lexically_normal())
+      throw UsageError("the report cannot be " + Quoted(report.name) + ": the render has a file of that name");
+}
+
 }  // namespace
 
 /// Some formats hold no more than 65,535 pixels a side. They say so when asked to write a picture of one row or one
@@ -94,6 +104,7 @@ Outputs CheckOutputs(const Options& options) {
   outputs.report = CheckOutput(options.report, inputs);
   if (outputs.report->target == outputs.picture.target)
     throw UsageError("the picture and the report are the same file, " + Quoted(options.report));
+  if (!is_standard_output) RefuseOwnFile(*outputs.report, options);
   return outputs;
 }
 

@@ -1,5 +1,8 @@
 #include "source/app/files/ReadInputs.h"
 
+#include <filesystem>
+#include <system_error>
+
 #include "source/app/Status.h"
 #include "source/parse/Files.h"
 #include "source/parse/SceneError.h"
@@ -41,6 +44,10 @@ std::string Contents(const std::string& name) {
 }
 
 std::vector<R2::Image> ReadReferences(const Options& options) {
+  std::error_code ignored;
+  if (options.reference.size() == 2 && std::filesystem::equivalent(options.reference[0], options.reference[1], ignored))
+    throw UsageError("-reference takes two independent images, and " + Quoted(options.reference[0]) + " and " +
+                     Quoted(options.reference[1]) + " are the same file");
   const PixelRectangle part = PartOf(options.render);
   std::vector<R2::Image> references;
   for (const std::string& name : options.reference) references.push_back(ReadReference(name, part));

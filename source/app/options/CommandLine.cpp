@@ -81,9 +81,16 @@ Task TaskOf(const OptionKind& option) {
   return std::get<Request>(option.value).task;
 }
 
+/// The name of the option that asked for the task.
+std::string NameOfRequest(Task task, Program program) {
+  for (const OptionKind& option : OptionTable(program))
+    if (!IsSetting(option) && TaskOf(option) == task) return option.name;
+  return {};
+}
+
 void RefuseSecondTask(const OptionKind& option, const std::string& word, const Options& options) {
   if (IsSetting(option) || options.task == Defaults(options.program).task || options.task == TaskOf(option)) return;
-  throw UsageError(Quoted(word) + " cannot be combined with another request");
+  throw UsageError(Quoted(word) + " cannot be combined with -" + NameOfRequest(options.task, options.program));
 }
 
 const CommandKind& KnownCommand(Program program, const std::string& word) {

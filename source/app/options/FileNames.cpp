@@ -70,12 +70,16 @@ void CheckStandardOutput(const Options& options) {
   if (!options.layers.empty()) throw UsageError("-layers needs a picture with a name, not standard output");
 }
 
-void CheckPicture(const Options& options, std::span<const std::string> words) {
+void CheckSecondName(const Options& options) {
   const auto is_picture = [](const std::string& name) { return R2::FormatForName(name) != nullptr; };
   if (!options.picture.empty() && is_picture(options.scene) && !is_picture(options.picture))
     throw UsageError("the scene is named first: raypro " + ShellLine(std::vector{options.picture, options.scene}));
   if (IsScene(options.picture) && options.picture != options.scene)
     throw UsageError(Quoted(options.picture) + " is a scene" + several_scenes);
+}
+
+void CheckPicture(const Options& options, std::span<const std::string> words) {
+  const auto is_picture = [](const std::string& name) { return R2::FormatForName(name) != nullptr; };
   if (options.picture == options.report && !options.picture.empty())
     throw UsageError("the picture and the report are the same file, " + Quoted(options.report));
   if (!options.picture.empty()) return;
@@ -123,6 +127,7 @@ void CheckNames(const Options& options, std::span<const std::string> words) {
     throw UsageError("no scene is named" + (options.task == Task::render
                                                 ? "; for example: " + LikelyCommand(options, words)
                                                 : UsageOf(options)));
+  CheckSecondName(options);
   if (options.task == Task::render) CheckPicture(options, words);
 }
 

@@ -154,5 +154,7 @@ std::optional<FileKind> FileOf(const OptionKind& option);
 std::string Synopsis(const OptionKind& option);
 /// Whether it chooses how a picture is made, rather than what the program does.
 bool IsSetting(const OptionKind& option);
+/// Whether it says what a picture shows; those of speed do not.
+bool ChoosesThePicture(const OptionKind& option);
 
 }  // namespace ray

@@ -175,6 +175,11 @@ bool IsSetting(const OptionKind& option) {
   return !std::holds_alternative<Request>(option.value) && !std::holds_alternative<PixelRequest>(option.value);
 }
 
+bool ChoosesThePicture(const OptionKind& option) {
+  const std::string topic = option.topic;
+  return IsSetting(option) && (topic == "picture" || topic == "light");
+}
+
 std::string Show(const OptionKind& option, const Options& options) {
   return std::visit(Overloaded{
                         [&]<class T>(const Number<T>& number) { return ToText(number.member.read(options)); },

@@ -80,7 +80,8 @@ Values are multiplied by 2^exposure, go through the tone curve, channel by chann
 )"},
     CommandKind{"merge", "picture...", 2, any_number, "average float pictures of different seeds", R"(
 Writes the weighted mean of pictures of floats (pfm, hdr, exr) of one size to the file that -out names. Refuses those
-that are not independent (the same scene or command, and a seed in common) and those that were interrupted.
+that are not independent (the same scene or command, and a seed in common), those of different scenes or settings and
+those that were interrupted.
 )"},
     CommandKind{"movie", "out.avi frame.jpg...", 2, any_number, "make a movie from JPEG pictures", R"(
 Writes an AVI file of motion JPEG: the frames as they are, in the order named, and an index. Nothing is encoded again,
@@ -138,7 +139,7 @@ std::vector<OptionKind> OptionsOfCommands() {
         "numbers above 0, separated by commas"), "", "",
        "one per picture; by default the samples in the metadata, if all have them, else equal", {"merge"}},
       {"force", rayimg, {}, {}, Flag{AT(image.force)}, "", "",
-       "merge pictures even if they are not independent or were interrupted", {"merge"}},
+       "merge pictures even if they are not independent, not alike or were interrupted", {"merge"}},
 
       {"fps", rayimg, {}, {"n"}, Number<double>{AT(image.fps), slowest_movie, fastest_movie}, "", "",
        "frames per second", {"movie"}},
@@ -148,6 +149,7 @@ std::vector<OptionKind> OptionsOfCommands() {
 
 void CheckTogether(const CommandKind& command, const Options& options) {
   if (options.fail_percent && !options.fail) throw UsageError("-fail_percent has no effect without -fail");
+  if (options.map_of != Options().map_of && options.map.empty()) throw UsageError("-map_of has no effect without -map");
   if (std::string_view(command.name) == "merge" && options.out.empty())
     throw UsageError("merge needs -out picture, the picture to write");
   if (!options.weights.empty() && options.weights.size() != options.names.size())

@@ -65,7 +65,11 @@ void Apply(const OptionKind& option, const SceneSetting& setting, Options& optio
   std::vector<std::string> words = WordsOf(setting.value);
   if (std::holds_alternative<Flag>(option.value)) {
     if (setting.value == "off") return;
-    if (setting.value == "on") words.clear();
+    if (setting.value != "on")
+      throw UsageError("-" + std::string(option.name) + " must be on or off, got " + Quoted(setting.value));
+    words.clear();
+  } else if (words.empty()) {
+    throw UsageError("-" + std::string(option.name) + " needs a value");
   }
   if (words.size() < FewestArguments(option) || words.size() > MostArguments(option))
     throw UsageError("usage: " + Synopsis(option));
@@ -107,6 +111,29 @@ std::vector<std::pair<const OptionKind*, const SceneSetting*>> InForce(const Sce
   return all;
 }
 
+/// Whether a message speaks of the option: "-focus", but not of "-focus_distance".
+bool Names(const std::string& message, const std::string& option) {
+  const auto is_of_word = [](char c) { return (c >= 'a' && c <= 'z') || c == '_'; };
+  const std::string word = "-" + option;
+  for (std::size_t i = message.find(word); i != std::string::npos; i = message.find(word, i + 1))
+    if (i + word.size() == message.size() || !is_of_word(message[i + word.size()])) return true;
+  return false;
+}
+
+/// Settings that contradict each other are the scene's mistake where it makes all of them, and told at the first;
+/// beside options they are the user's, who may not know what the scene sets.
+[[noreturn]] void Blame(const UsageError& error, const Scene& scene, const Options& asked) {
+  const std::string message = error.what();
+  for (const auto& [option, setting] : InForce(scene, asked)) {
+    if (!Names(message, option->name)) continue;
+    const bool is_of_both =
+        std::ranges::any_of(asked.given, [&](const std::string& given) { return Names(message, given); });
+    if (!is_of_both) throw SceneErrors({ErrorIn(setting->origin, message)});
+    throw UsageError(message + "; -" + option->name + " is set by " + Escaped(setting->origin));
+  }
+  throw error;
+}
+
 }  // namespace
 
 std::optional<SettingProblem> ProblemOf(const SceneSetting& setting) {
@@ -127,7 +154,11 @@ Options WithSettingsOf(const Scene& scene, const Options& options) {
   CheckSettings(scene);
   Options all = options;
   for (const auto& [option, setting] : InForce(scene, options)) Apply(*option, *setting, all);
-  CompleteForScene(all);
+  try {
+    CompleteForScene(all);
+  } catch (const UsageError& error) {
+    Blame(error, scene, options);
+  }
   return all;
 }
 

@@ -1,5 +1,7 @@
 #include "source/app/rayimg/Pictures.h"
 
+#include <cmath>
+
 #include "source/app/Status.h"
 #include "source/app/report/Info.h"
 #include "source/app/report/Messages.h"
@@ -38,6 +40,8 @@ void Write(const PictureOutput& output, const R2::Image& image, const R2::ImageE
   WriteWhole(output.file, output.format->encode(image, encoding, settings));
 }
 
-std::string Rounded(double number) { return ray::Rounded(number, 6); }
+std::string Rounded(double number) {
+  return std::isnan(number) ? "nan" : ray::Rounded(number, 6);  // whose sign says nothing
+}
 
 }  // namespace ray::rayimg

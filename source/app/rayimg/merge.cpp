@@ -1,10 +1,13 @@
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <optional>
+#include <sstream>
 #include <vector>
 
 #include "source/app/Status.h"
 #include "source/app/options/Help.h"
+#include "source/app/options/OptionTable.h"
 #include "source/app/rayimg/Commands.h"
 #include "source/app/rayimg/Independence.h"
 #include "source/app/rayimg/Pictures.h"
@@ -27,6 +30,41 @@ void RefuseDependent(const std::vector<std::string>& names, const std::vector<Im
     for (std::size_t j = 0; j < i; ++j)
       if (const auto why = WhyDependent(names[j], settings[j], names[i], settings[i]))
         throw UsageError(*why + unless_forced);
+}
+
+/// The options of the render behind a picture that say what it shows, as they were typed; all but its seed and its
+/// samples. Nothing where another program made it.
+std::optional<std::string> Look(const ImageSettings& settings) {
+  std::istringstream words(Setting(settings, "command"));
+  std::string word, look;
+  if (!(words >> word) || word != NameOf(Program::raypro)) return {};
+  for (bool is_of_look = false; words >> word;) {
+    if (LooksLikeOption(word)) {
+      const OptionKind* option = FindOption(Program::raypro, SplitOption(word).name);
+      const std::string name = option ? option->name : "";
+      is_of_look = option && ChoosesThePicture(*option) && name != "seed" && name != "samples";
+    }
+    if (is_of_look) look += (look.empty() ? "" : " ") + word;
+  }
+  return look;
+}
+
+/// Why one of two pictures shows something else than the other, as far as they tell.
+std::optional<std::string> WhyUnlike(const ImageSettings& a, const ImageSettings& b) {
+  const auto differ = [&](const std::string& key) {
+    return !Setting(a, key).empty() && !Setting(b, key).empty() && !Agree(a, b, key);
+  };
+  if (differ("scene_hash")) return "are of different scenes";
+  if (Setting(a, "camera") != Setting(b, "camera")) return "are seen by different cameras";
+  const auto look_of_a = Look(a), look_of_b = Look(b);
+  if (!look_of_a || !look_of_b || *look_of_a == *look_of_b) return {};
+  return "were rendered with different settings, " + Quoted(*look_of_a) + " and " + Quoted(*look_of_b);
+}
+
+void RefuseUnlike(const std::vector<std::string>& names, const std::vector<ImageSettings>& settings) {
+  for (std::size_t i = 1; i < names.size(); ++i)
+    if (const auto why = WhyUnlike(settings[0], settings[i]))
+      throw UsageError(Quoted(names[0]) + " and " + Quoted(names[i]) + " " + *why + unless_forced);
 }
 
 void RefuseInterrupted(const std::vector<std::string>& names, const std::vector<ImageSettings>& settings) {
@@ -74,6 +112,14 @@ std::optional<std::vector<double>> StoredSamples(const std::vector<std::string>&
     samples.push_back(number.value);
   }
   return samples;
+}
+
+/// The same weights but for a power of two, the largest below 1, so that no sum overflows; no mean changes by a bit.
+std::vector<double> Scaled(std::vector<double> weights) {
+  int exponent = 0;
+  std::frexp(std::ranges::max(weights), &exponent);
+  for (double& weight : weights) weight = std::ldexp(weight, -exponent);
+  return weights;
 }
 
 /// The second pass: pictures are read again one by one, so that a hundred of them need no more memory than two.
@@ -127,6 +173,7 @@ int Merge(const Options& options, const std::string& command_line) {
   const std::vector<ImageSettings> settings = ReadSettings(names);
   if (!options.force) {
     RefuseDependent(names, settings);
+    RefuseUnlike(names, settings);
     RefuseInterrupted(names, settings);
     WarnOfUnknownSeeds(names, settings);
   }
@@ -135,7 +182,8 @@ int Merge(const Options& options, const std::string& command_line) {
   const std::vector<double> equal(names.size(), 1.0);
   const std::vector<double>& weights = samples ? *samples : options.weights.empty() ? equal : options.weights;
   const double total = std::accumulate(weights.begin(), weights.end(), 0.0);
-  Write(output, WeightedMean(names, weights), {}, MergedSettings(settings, samples.has_value(), total, command_line));
+  Write(output, WeightedMean(names, Scaled(weights)), {},
+        MergedSettings(settings, samples.has_value(), total, command_line));
   return status::done;
 }
 

@@ -13,6 +13,7 @@
 #include "R2/ImageFile.h"
 #include "source/app/Interrupt.h"
 #include "source/app/Status.h"
+#include "source/app/files/ReadInputs.h"
 #include "source/app/options/RayproCommand.h"
 #include "source/app/options/SceneSettings.h"
 #include "source/app/rayview/PanelHabits.h"
@@ -44,9 +45,7 @@ std::span<const unsigned char> BytesOf(const std::string& text) {
 
 std::vector<ScriptStep> ReadScript(const std::string& name) {
   if (name == "-") return ReadEventScript({"standard input", AllOf(std::cin)});
-  std::ifstream in(name, std::ios::binary);
-  if (!std::filesystem::is_regular_file(name) || !in) throw SceneErrors({ErrorIn(name, "the file cannot be read")});
-  return ReadEventScript({name, AllOf(in)});
+  return ReadEventScript({name, Contents(name)});
 }
 
 std::string NameOfFile(const std::string& path) { return std::filesystem::path(path).filename().string(); }
@@ -89,6 +88,7 @@ std::string HabitsFile(const Options& options) {
 
 ViewerSettings WithReference(ViewerSettings settings, const std::string& reference) {
   if (reference.empty()) return settings;
+  Contents(reference);  // which says so where there is none
   settings.reference = ReadPictureFile(reference);
   if (!settings.reference) throw SceneErrors({ErrorIn(reference, "the file cannot be read as a picture")});
   return settings;
@@ -167,10 +167,14 @@ class Session : public ViewerHost {
     else if (window_ && !options_.view.exit_immediately)
       Interact();
     Draw();
-    RefuseInputs(outputs_, FilesOfScene());
     for (const auto& output : {outputs_.output_image, outputs_.screenshot})
-      if (output) ray::SaveDrawing(*output, painter_.canvas.Read(), options_);
-    recorder_.Write();
+      if (output) Attempt([&] { return SaveDrawingTo(*output); });
+    if (outputs_.record)
+      Attempt([&] {
+        RefuseInputs(*outputs_.record, inputs_);
+        recorder_.Write();
+        return std::string();
+      });
     if (!habits_file_.empty() && viewer_.PanelLook() != first_look_) SavePanelHabits(habits_file_, viewer_.PanelLook());
     return StopSignal() != 0 ? status::killed_by + StopSignal() : status_;
   }
@@ -181,7 +185,7 @@ class Session : public ViewerHost {
     options.render.threads = options_.render.threads;  // a job fills in how many it took
     std::erase_if(options.given, [](const std::string& option) { return IsOfBudget(option); });
     return Attempt([&] {
-      if (outputs_.image) RefuseInputs(outputs_.image->file, job.scene().parsed.scene.files);
+      if (outputs_.image) RefuseInputs(outputs_.image->file, FilesRead());
       std::string line = ray::SaveTraced(outputs_.image ? &*outputs_.image : nullptr, options, job.scene(),
                                          *job.Result(), job.Seconds());
       if (!line.empty() && line.back() == '\n') line.pop_back();
@@ -205,7 +209,10 @@ class Session : public ViewerHost {
       return error.what();
     }
   }
-  std::shared_ptr<const R2::Image> ReadPicture(const std::string& file) override { return ReadPictureFile(file); }
+  std::shared_ptr<const R2::Image> ReadPicture(const std::string& file) override {
+    inputs_.push_back(file);
+    return ReadPictureFile(file);
+  }
   void SetClipboard(const std::string& text) override {
     if (window_) window_->SetClipboard(text);
   }
@@ -219,6 +226,7 @@ class Session : public ViewerHost {
     return SettingsFor(options_);
   }
   std::optional<ViewerSettings> SettingsWith(const Scene& scene) override {
+    inputs_.insert(inputs_.end(), scene.files.begin(), scene.files.end());
     Options options = WithSettingsOf(scene, asked_);
     for (const auto& [name, value] : changes_) options = WithOption(options, name, value);
     options_ = std::move(options);
@@ -228,7 +236,7 @@ class Session : public ViewerHost {
     Options options = options_;
     options.render = settings;
     options.render.threads = options_.render.threads;
-    options.render.budget = {};  // key S takes all samples
+    options.render.budget = WithoutLimits(settings.budget);  // key S takes all samples
     std::erase_if(options.given, IsOfBudget);
     if (options.picture.empty()) options.picture = "image.png";
     return RayproCommand(options);
@@ -245,6 +253,13 @@ class Session : public ViewerHost {
       PrintError("rayview: " + std::string(error.what()));
       return error.what();
     }
+  }
+
+  /// Nothing is said of it; throws OutputError where that would replace what was dropped on the window.
+  std::string SaveDrawingTo(const PictureOutput& output) {
+    RefuseInputs(output.file, FilesRead());
+    ray::SaveDrawing(output, painter_.canvas.Read(), options_);
+    return {};
   }
 
   void Happen(const Event& event) {
@@ -335,10 +350,11 @@ class Session : public ViewerHost {
       }
     }
   }
-  /// Not those of the start, which the command line's outputs were checked against: others are dropped and reloaded.
-  const std::vector<std::string>& FilesOfScene() const { return viewer_.scene().parsed.scene.files; }
+  /// All that was: scenes and pictures are dropped and read again after the outputs were checked at the start.
   std::vector<std::string> FilesRead() const {
-    std::vector<std::string> files = FilesOfScene();
+    std::vector<std::string> files = inputs_;
+    const std::vector<std::string>& of_scene = viewer_.scene().parsed.scene.files;
+    files.insert(files.end(), of_scene.begin(), of_scene.end());
     for (const std::string& file : {options_.view.events, options_.view.reference})
       if (!file.empty()) files.push_back(file);
     return files;
@@ -378,6 +394,7 @@ class Session : public ViewerHost {
   Options options_;                                           // with these, and as changed in panels
   std::vector<std::pair<std::string, std::string>> changes_;  // made there
   const ViewOutputs outputs_;
+  std::vector<std::string> inputs_;  // read since the start
   const std::unique_ptr<Window> window_;
   const std::unique_ptr<Context> offscreen_;
   Painter painter_;

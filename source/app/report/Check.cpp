@@ -85,6 +85,12 @@ bool ShinesItself(const World& world) {
   return std::ranges::any_of(world.Instances(), [](const Instance& i) { return !IsBlack(i.material->emission); });
 }
 
+/// Whether the lights of the scene bear on the picture.
+bool ShowsLight(RenderMode mode) {
+  return mode == RenderMode::whitted || mode == RenderMode::path || mode == RenderMode::gooch ||
+         mode == RenderMode::toon;
+}
+
 bool IsLit(const World& world) {
   const Scene& scene = world.scene();
   return scene.environment || ShinesItself(world) ||
@@ -117,17 +123,26 @@ std::vector<std::string> SceneMistakes(const World& world, const RenderSettings&
     mistakes.push_back(warning + "nothing in the scene can be seen");
   else if (std::ranges::all_of(world.Instances(), is_outside))
     mistakes.push_back(warning + "nothing in the scene is in view of the camera");
-  if (!IsLit(world))
+  if (ShowsLight(settings.mode) && !IsLit(world))
     mistakes.push_back(warning + "the scene is unlit" + (scene.lights.empty() ? "" : "; every light is black"));
   if (const int solids = ObstaclesAround(world, camera.eye, ask_meshes); solids > 0)
     mistakes.push_back(warning + "the camera is inside " + Counted(static_cast<std::uint64_t>(solids), "shape"));
   return mistakes;
 }
 
+/// In languages whose materials have a color and the weights of it.
+bool HasUnusedColor(const Material& m) {
+  const bool is_black = IsBlack(m.ka) && IsBlack(m.kd) && IsBlack(m.ks) && IsBlack(m.kr) && IsBlack(m.kt);
+  return m.color && !IsBlack(*m.color) && is_black && IsBlack(m.emission) && m.coat == 0;
+}
+
 /// Those of single shapes.
 void AddShapeMistakes(std::vector<std::string>& mistakes, const World& world, const RenderSettings& settings) {
   Point(mistakes, world, "has a texture but no texture coordinates",
         [](const Instance& i) { return i.material->texture && !i.shape->HasTextureCoordinates(); });
+  if (ShowsLight(settings.mode) && settings.mode != RenderMode::gooch)  // whose tones are no material's
+    Point(mistakes, world, "has a color but no ka, kd or ks, and is black",
+          [](const Instance& i) { return HasUnusedColor(*i.material); });
   if (settings.mode == RenderMode::whitted && !settings.trace.emissive_solids_light)
     Point(mistakes, world, "emits but lights nothing in mode whitted; -mode path makes it a light",
           [](const Instance& i) { return !IsBlack(i.material->emission) && !i.mesh; });

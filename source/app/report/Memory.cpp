@@ -25,7 +25,12 @@ std::int64_t DenoiseBytesPerPixel(const RenderSettings& render) {
   return render.denoiser == Denoiser::regression ? denoise_bytes_per_pixel : library_bytes_per_pixel;
 }
 
-std::string InGib(std::int64_t bytes) { return Fixed(static_cast<double>(bytes) / gib, 2) + " GiB"; }
+/// "1.25 GiB", and what would round to nothing in bytes.
+std::string InGib(std::int64_t bytes) {
+  constexpr double least = 0.005;
+  const double number = static_cast<double>(bytes) / gib;
+  return number >= least || bytes == 0 ? Fixed(number, 2) + " GiB" : Counted(static_cast<std::uint64_t>(bytes), "byte");
+}
 
 }  // namespace
 

@@ -40,17 +40,14 @@ std::string Shown(const Json& value) {
   return text.size() <= most_quoted ? Escaped(text) : Quoted(text);
 }
 
-/// Options that say what a picture shows; those of speed may differ.
-bool ChoosesThePicture(const OptionKind& option) {
-  const std::string topic = option.topic;
-  return IsSetting(option) && (topic == "picture" || topic == "light");
-}
+/// The report says how many samples are taken; who asks for another number besides is mistaken.
+bool MayDiffer(const std::string& name, const Options& options) { return name == "samples" && !options.IsGiven(name); }
 
 void RequireSameSettings(const Json& settings, const Options& options) {
   const Json ours = SettingsJson(options);
   for (const OptionKind& option : OptionTable(options.program)) {
     const std::string name = option.name;
-    if (!ChoosesThePicture(option) || name == "samples") continue;
+    if (!ChoosesThePicture(option) || MayDiffer(name, options)) continue;
     const Json& then = settings.at(name);
     if (then != ours.at(name))
       throw UsageError("the report was made with -" + name + " " + Shown(then) + ", not " + Shown(ours.at(name)));
@@ -120,8 +117,10 @@ std::optional<Replay> ReadReplay(const Options& options, const std::string& scen
     Replay replay = SamplesOf(report, options.replay);
     RequireSamplesOfAllBlocks(replay, options);
     return replay;
-  } catch (const Json::exception& error) {
-    throw Refusal(options.replay, Escaped(error.what()));
+  } catch (const Json::parse_error& error) {
+    throw Refusal(options.replay, "it is not JSON, by its byte " + std::to_string(error.byte));
+  } catch (const Json::exception&) {
+    throw Refusal(options.replay, "it is not a report that -report has written");
   }
 }
 

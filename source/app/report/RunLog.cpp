@@ -3,7 +3,9 @@
 #include <signal.h>
 
 #include <algorithm>
+#include <initializer_list>
 #include <tuple>
+#include <utility>
 
 #include "source/app/Interrupt.h"
 #include "source/app/Status.h"
@@ -24,6 +26,14 @@
 namespace ray {
 namespace {
 
+/// "without -aperture and -sampler grid": those of what an option needs that are not there.
+std::string Without(std::initializer_list<std::pair<bool, const char*>> needed) {
+  std::string text;
+  for (const auto& [is_there, what] : needed)
+    if (!is_there) text += (text.empty() ? "without " : " and ") + std::string(what);
+  return text;
+}
+
 /// "-focus has no effect without -aperture": options that were typed and this picture, or this accelerator, makes no
 /// use of.
 std::vector<std::string> OptionsWithoutEffect(const Options& options) {
@@ -31,7 +41,12 @@ std::vector<std::string> OptionsWithoutEffect(const Options& options) {
   const std::string kind = format ? format->name : "", on_format = "on the format " + kind;
   const RenderSettings& render = options.render;
   const bool is_grid = IsGrid(render.trace.sampler), has_lens = render.camera.HasLens();
-  const bool is_graph = options.accelerator.name == "graph";
+  const bool is_spiral = render.camera.lens != LensPattern::random;
+  const std::pair lens{has_lens, "-aperture"}, grid{is_grid, "-sampler grid"};
+  const std::string& accel = options.accelerator.name;
+  const bool is_graph = accel == "graph";
+  const bool has_error = render.budget.IsOpen() || render.denoise || options.stats || !options.report.empty() ||
+                         !options.reference.empty();
   const std::string with_accelerator = "with -accel " + options.accelerator.name;
   const std::tuple<const char*, bool, std::string> uses[] = {
       {"bits", kind == "png", on_format},
@@ -39,8 +54,8 @@ std::vector<std::string> OptionsWithoutEffect(const Options& options) {
       {"bytes", format && !format->is_linear, on_format},
       {"denoiser", render.denoise, "without -denoise"},
       {"focus", has_lens, "without -aperture"},
-      {"lens", has_lens && is_grid, "without -aperture and -sampler grid"},
-      {"lens_samples", has_lens && is_grid && render.camera.lens != LensPattern::random, "without -lens spiral"},
+      {"lens", has_lens && is_grid, Without({lens, grid})},
+      {"lens_samples", has_lens && is_grid && is_spiral, Without({lens, grid, {is_spiral, "-lens spiral"}})},
       {"shutter_samples", is_grid, "without -sampler grid"},
       {"zbuffer_range", render.mode == RenderMode::zbuffer, "without -mode zbuffer"},
       {"gooch", render.mode == RenderMode::gooch, "without -mode gooch"},
@@ -49,6 +64,12 @@ std::vector<std::string> OptionsWithoutEffect(const Options& options) {
       {"adaptive", render.budget.adaptive != Adaptive::tile || render.budget.error, "without -error"},
       {"adaptive", render.budget.adaptive != Adaptive::neighbors || render.samples > 1, "without -samples"},
       {"samples", render.samples > 1 || !render.budget.IsOpen(), "with -time or -error unless it is 2 or more"},
+      {"strategy", render.mode == RenderMode::path, "without -mode path"},
+      {"confidence", has_error, "without -error, -time, -denoise, -reference, -stats or -report"},
+      {"out_format", !options.out_folder.empty(), "without -out_folder"},
+      {"accel_res", accel != "none" && !is_graph, with_accelerator},
+      {"accel_res", accel != "bvh" || options.accelerator.resolution <= 8, "above 8 with -accel bvh"},
+      {"accel_depth", accel == "octree", with_accelerator},
       {"node_boxes", is_graph, with_accelerator},
       {"front_to_back", is_graph, with_accelerator},
       {"last_hit", is_graph, with_accelerator},
@@ -159,7 +180,8 @@ void RunLog::Rendered(const RenderResult& result) {
   stats_.seconds.wall = watch_.Total();
   stats_.Take(result);
   if (!result.IsComplete()) stats_.stop = StopSignal() == SIGTERM ? "SIGTERM" : "SIGINT";
-  if (result.has_outliers)
+  constexpr std::int64_t fewest = 1000;  // of whose pixels 0.1 % is one
+  if (result.has_outliers && result.pixels_total >= fewest)
     Warn(
         "raypro: warning: 0.1 % of the pixels hold more than half of the squared error; where light is found so "
         "rarely, the true error may be larger than estimated");
@@ -187,6 +209,8 @@ void RunLog::Written(const std::string& picture) {
   else if (!stats_.IsComplete() && has_file && picture != stats_.options.picture)
     PrintError("raypro: " + QuotedPath(stats_.options.picture) + " is left as it was; the picture so far is " +
                QuotedPath(picture));
+  if (!stats_.IsComplete() && !stats_.options.layers.empty())
+    PrintError("raypro: -layers are rendered once the picture is complete; none are written");
   if (!stats_.IsComplete() && has_file) PrintError("raypro: progress saved; -resume continues from it");
 }
 

@@ -1,5 +1,6 @@
 #include "source/app/report/RunStats.h"
 
+#include <algorithm>
 #include <cmath>
 #include <thread>
 #include <tuple>
@@ -106,7 +107,7 @@ std::string ForecastText(const RunStats& record) {
   const auto forecast = target ? ForecastOf(record.passes, *target) : std::nullopt;
   if (!forecast || !(forecast->samples > record.samples.mean)) return {};
   constexpr double most = 1e9;  // that a render takes
-  return ", about " + (forecast->samples < most ? Rounded(forecast->samples, 2) : "more than 1e9") + " for " +
+  return (forecast->samples < most ? ", about " + Rounded(forecast->samples, 2) : ", more than 1e9") + " for " +
          ErrorText(target->value, target->unit);
 }
 
@@ -199,9 +200,15 @@ R2::ImageSettings SettingsInPicture(const RunStats& record) {
   return settings;
 }
 
+/// "16 spp", "1 spp at 3.1 % of the pixels, the others interpolated,": the unit stands behind the number.
+std::string SppText(const std::string& samples) {
+  const std::size_t end = std::min(samples.find(' '), samples.size());
+  return samples.substr(0, end) + " spp" + samples.substr(end) + (end < samples.size() ? "," : "");
+}
+
 std::string FinalLine(const RunStats& record) {
   return Escaped(record.picture) + " " + std::to_string(record.width) + "x" + std::to_string(record.height) + " " +
-         SamplesText(record, ShortCountText) + " spp " + Fixed(record.seconds.wall, 2) + " s " +
+         SppText(SamplesText(record, ShortCountText)) + " " + Fixed(record.seconds.wall, 2) + " s " +
          Fixed(MegaraysPerSecond(record), 1) + " Mrays/s" +
          (record.IsComplete() ? "" : " (stopped by " + record.stop + ", " + PixelsText(record) + ")") + "\n";
 }

@@ -11,6 +11,8 @@
 #include "source/parse/Format.h"
 #include "source/parse/Tokenizer.h"
 #include "source/parse/comp30019/View.h"
+#include "source/parse/scn/Command.h"
+#include "source/text/LowerCase.h"
 #include "source/text/Suggestion.h"
 
 namespace ray {
@@ -121,9 +123,12 @@ void Reader::ReadLine(std::span<const Token> tokens) {
 
 void Reader::UnknownCommand(const Token& word) {
   const bool is_comment = word.text.starts_with('#') || word.text.starts_with("//");
-  report_.Error(
-      ErrorAt(text_, word, "unknown command " + Quoted(word.text),
-              is_comment ? "this language has no comments" : Suggestion(word.text, CommandNames(), "commands")));
+  const auto is_meant = [&](std::string_view name) { return LowerCase(std::string(name)) == word.text; };
+  const bool is_of_scn = ray::FindCommand(word.text) && std::ranges::none_of(CommandNames(), is_meant);
+  report_.Error(ErrorAt(text_, word, "unknown command " + Quoted(word.text),
+                        is_comment  ? "this language has no comments"
+                        : is_of_scn ? "it is one of .scn, which -format scn reads"
+                                    : Suggestion(word.text, CommandNames(), "commands")));
 }
 
 Token Reader::Declare(Space space, Line& line) {

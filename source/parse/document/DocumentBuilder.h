@@ -23,6 +23,7 @@ class DocumentBuilder {
   void AddAlias(Value value, const Extent& extent);
 
   bool ExpectsKey() const { return !open_.empty() && open_.back().expects_key; }
+  bool IsInSequence() const { return !open_.empty() && open_.back().value.kind == Value::Kind::sequence; }
   /// Where an absent value is said to be: at its key, or else at the beginning of the collection.
   Extent LastKey() const;
   /// The beginning of the collection that is open, if any is.

@@ -42,6 +42,12 @@ bool Field::IsScalar(const std::string& wanted) const {
   return false;
 }
 
+bool Field::MayBeNumber(const std::string& wanted) const {
+  if (value_->may_be_number) return true;
+  Error("must be " + wanted + ", got " + Shown(*value_) + " in quotation marks");
+  return false;
+}
+
 std::optional<double> Field::Number(const Range& range) const {
   if (!IsScalar("a number")) return {};
   const auto [number, problem] = ParseNumber(value_->scalar);
@@ -49,6 +55,7 @@ std::optional<double> Field::Number(const Range& range) const {
     Error(std::string(problem) + ", got " + Shown(*value_));
     return {};
   }
+  if (!MayBeNumber("a number")) return {};
   if (!IsWithin(number, range)) {
     Error(Rule(range) + ", got " + Escaped(value_->scalar));
     return {};
@@ -63,6 +70,7 @@ std::optional<std::int64_t> Field::Whole(std::int64_t low, std::int64_t high) co
     Error(std::string(problem) + ", got " + Shown(*value_));
     return {};
   }
+  if (!MayBeNumber("a whole number")) return {};
   if (number < low || number > high) {
     Error("must be from " + ToText(low) + " to " + ToText(high) + ", got " + Escaped(value_->scalar));
     return {};

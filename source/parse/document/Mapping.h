@@ -55,6 +55,7 @@ class Field {
 
  private:
   bool IsScalar(const std::string& wanted) const;
+  bool MayBeNumber(const std::string& wanted) const;
   /// The numbers of a list of three.
   std::optional<std::vector<double>> Triple(const Range& range) const;
 

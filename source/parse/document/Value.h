@@ -19,10 +19,11 @@ struct Value {
   enum class Kind { null, scalar, sequence, mapping };
 
   Kind kind = Kind::null;
-  bool is_quoted = false;  // a scalar that can only be text
-  bool is_alias = false;   // stands here by a YAML alias; its place is that of the anchor
-  Extent extent;           // of a collection, the beginning only
-  std::string scalar;      // numbers as they are written
+  bool is_quoted = false;     // a scalar that can only be text
+  bool may_be_number = true;  // not in JSON's quotation marks; in those of YAML students write numbers
+  bool is_alias = false;      // stands here by a YAML alias; its place is that of the anchor
+  Extent extent;              // of a collection, the beginning only
+  std::string scalar;         // numbers as they are written
   std::shared_ptr<const Collection> collection;
 
   /// The entries of a collection, none of anything else.

@@ -50,6 +50,7 @@ class JsonEvents : public nlohmann::json_sax<nlohmann::json> {
     Value value;
     value.kind = Value::Kind::scalar;
     value.is_quoted = true;
+    value.may_be_number = false;
     value.extent = Next();
     value.scalar = std::move(text);
     builder_.Add(std::move(value));

@@ -27,6 +27,18 @@ struct SecondDocument {
   Extent extent;
 };
 
+std::size_t BeginOfLine(std::string_view bytes, std::size_t offset) {
+  std::size_t begin = std::min(offset, bytes.size());
+  while (begin > 0 && !EndsLine(bytes[begin - 1])) --begin;
+  return begin;
+}
+
+std::string_view WithoutComment(std::string_view line) {
+  for (std::size_t i = line.find('#'); i != std::string_view::npos; i = line.find('#', i + 1))
+    if (i == 0 || line[i - 1] == ' ' || line[i - 1] == '\t') return line.substr(0, i);
+  return line;
+}
+
 // Every level of the text is a few frames of yaml-cpp's stack; the builder's limit ends that by an exception.
 class YamlEvents : public YAML::EventHandler {
  public:
@@ -41,7 +53,10 @@ class YamlEvents : public YAML::EventHandler {
   void OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) override {
     Value null;
     // What is absent has the mark of what follows it.
-    null.extent = builder_.ExpectsKey() ? Extent{OffsetOf(mark), 1} : builder_.LastKey();
+    if (builder_.IsInSequence())
+      null.extent = ExtentOfItem(OffsetOf(mark));
+    else
+      null.extent = builder_.ExpectsKey() ? Extent{OffsetOf(mark), 1} : builder_.LastKey();
     Name(anchor, builder_.Add(std::move(null)));
   }
 
@@ -120,6 +135,23 @@ class YamlEvents : public YAML::EventHandler {
     return {offset, rest.starts_with(scalar) ? scalar.size() : 1};
   }
 
+  /// Of an item that is nothing: the last word before `offset`, which is its dash, comments left out; what is at
+  /// `offset` where that says "null".
+  Extent ExtentOfItem(std::size_t offset) const {
+    const std::string_view bytes = text_.bytes;
+    const std::string_view word = bytes.substr(std::min(offset, bytes.size()), WordLength(offset));
+    for (const std::string_view null : {"~", "null", "Null", "NULL"})
+      if (word == null) return {offset, null.size()};
+    for (std::size_t end = offset;;) {
+      const std::size_t begin = BeginOfLine(bytes, end);
+      const std::string_view line = WithoutComment(bytes.substr(begin, end - begin));
+      const std::size_t last = line.find_last_not_of(" \t\r\n");
+      if (last != std::string_view::npos) return {begin + last, 1};
+      if (begin == 0) return {offset, 1};
+      end = begin - 1;
+    }
+  }
+
   /// yaml-cpp closes a quotation at the end of the file itself.
   std::size_t QuotedLength(std::size_t offset) const {
     const std::string& bytes = text_.bytes;
@@ -148,8 +180,7 @@ class YamlEvents : public YAML::EventHandler {
 constexpr std::size_t max_bytes = std::size_t{1} << 25;
 
 bool HasTabInIndentation(const Text& text, std::size_t offset) {
-  std::size_t begin = std::min(offset, text.bytes.size());
-  while (begin > 0 && !EndsLine(text.bytes[begin - 1])) --begin;
+  const std::size_t begin = BeginOfLine(text.bytes, offset);
   const std::size_t end = std::min(text.bytes.find_first_not_of(" \t", begin), text.bytes.size());
   return text.bytes.substr(begin, end - begin).find('\t') != std::string::npos;
 }
@@ -170,12 +201,30 @@ std::string Explained(const std::string& message) {
   return message;
 }
 
+/// The colon that is none for want of a space behind it, where that explains a mistake at `offset`: in the word before,
+/// or, as yaml-cpp takes the word to go on in the next line, at the beginning of the line above.
+std::optional<std::size_t> ColonWithoutSpace(const std::string& bytes, std::size_t offset) {
+  if (offset > 0 && offset < bytes.size() && bytes[offset - 1] == ':') return offset - 1;
+  const std::size_t line = BeginOfLine(bytes, offset);
+  if (line == 0) return {};
+  const std::size_t above = BeginOfLine(bytes, line - 1);
+  const std::size_t colon = bytes.find(':', above);
+  if (colon >= line || std::string_view(" \t\r\n").find(bytes[colon + 1]) != std::string_view::npos) return {};
+  const std::string_view before = std::string_view(bytes).substr(above, colon - above);
+  const bool is_key = before.find_first_of("#\"'[]{},") == std::string_view::npos;
+  return is_key ? std::optional(colon) : std::nullopt;
+}
+
 SceneError ErrorOf(const YAML::Exception& error, const Extent& extent, const std::optional<Extent>& innermost,
                    const Text& text, const TextPlaces& places) {
   const Token token = places.At(extent);
   if (HasTabInIndentation(text, extent.offset))
     return ErrorAt(text, token, "tab in the indentation", "YAML takes spaces only");
   namespace Says = YAML::ErrorMsg;
+  const bool is_of_colon =
+      error.msg == Says::MAP_VALUE || error.msg == Says::END_OF_MAP_FLOW || error.msg == Says::END_OF_SEQ_FLOW;
+  if (const auto colon = is_of_colon ? ColonWithoutSpace(text.bytes, extent.offset) : std::nullopt)
+    return ErrorAt(text, places.At({*colon, 1}), "a space is missing after this colon");
   std::string hint;
   if (error.msg == Says::MAP_VALUE) hint = "is the indentation that of the line above?";
   if (innermost && (error.msg == Says::END_OF_MAP_FLOW || error.msg == Says::END_OF_SEQ_FLOW))

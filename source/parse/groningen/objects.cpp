@@ -42,7 +42,7 @@ void GroningenReader::ReadObject(const Field& field) {
   if (!kind) return object->Finish();
   if (!ObjectReader::IsKind(*kind)) {
     const auto kinds = ObjectReader::Kinds();
-    return report_.Warn(type->What().extent, "objects of type " + Quoted(*kind) + " are not supported; it is left out" +
+    return report_.Warn(type->What().extent, "type " + Quoted(*kind) + " is not supported; the object is left out" +
                                                  DidYouMean(*kind, {kinds.begin(), kinds.end()}));
   }
   Mapping named(report_, object->What(), "a " + *kind);

@@ -2,8 +2,13 @@
 
 #include "source/parse/Coordinate.h"
 #include "source/text/Number.h"
+#include "source/text/Words.h"
 
 namespace ray {
+
+std::string BytesThatFollow(std::size_t bytes) {
+  return Counted(bytes, "byte") + (bytes == 1 ? " follows" : " follow");
+}
 
 std::optional<Token> MeshWords::Next() {
   auto next = tokens_.Next();

@@ -20,6 +20,9 @@ struct Part {
   }
 };
 
+/// "7 bytes follow"
+std::string BytesThatFollow(std::size_t bytes);
+
 /// The words of a mesh file in text form. Everything throws SceneError with the place in the file.
 class MeshWords {
  public:

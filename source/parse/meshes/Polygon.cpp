@@ -18,8 +18,7 @@ R3::Vector NewellNormal(std::span<const R3::Point> polygon) {
 }
 
 /// The polygon as seen along the axis of its normal's largest component, turning counter-clockwise.
-std::vector<R2::Point> Flattened(std::span<const R3::Point> polygon) {
-  const R3::Vector normal = NewellNormal(polygon);
+std::vector<R2::Point> Flattened(std::span<const R3::Point> polygon, const R3::Vector& normal) {
   const int axis = MaxAxis(normal);
   int x = (axis + 1) % 3, y = (axis + 2) % 3;
   if (normal[axis] < 0) std::swap(x, y);
@@ -104,7 +103,68 @@ class EarClipping {
   std::vector<bool> is_ear_;
 };
 
+double Extent(std::span<const R3::Point> polygon) {
+  double extent = 0;
+  for (const R3::Point& p : polygon) extent = std::max(extent, Length(p - polygon[0]));
+  return extent;
+}
+
+/// Corners typed by hand, rounded to a digit or two, are off by less: those of scenes/solids.yaml by a third of this.
+constexpr double flatness = 0.05;  // of the polygon's extent
+
+/// Newell's normal, but where the polygon crosses itself and turns about as much either way: then that of its largest
+/// triangle from the first corner.
+R3::Vector NormalOfAny(std::span<const R3::Point> polygon) {
+  constexpr double least = 1e-3;  // of the square around it
+  R3::Vector normal = NewellNormal(polygon);
+  const double extent = Extent(polygon);
+  if (Length(normal) > least * extent * extent) return normal;
+  for (std::size_t i = 2; i < polygon.size(); ++i) {
+    const R3::Vector of_triangle = Cross(polygon[i - 1] - polygon[0], polygon[i] - polygon[0]);
+    if (Length(of_triangle) > Length(normal)) normal = of_triangle;
+  }
+  return normal;
+}
+
+bool IsFlat(std::span<const R3::Point> polygon, const R3::Vector& normal) {
+  if (!(Length(normal) > 0)) return true;  // a line, which is no surface either
+  const auto distance = [&](const R3::Point& p) { return Dot(p - polygon[0], normal) / Length(normal); };
+  double low = 0, high = 0;
+  for (const R3::Point& p : polygon) {
+    low = std::min(low, distance(p));
+    high = std::max(high, distance(p));
+  }
+  return high - low <= flatness * Extent(polygon);
+}
+
+/// Whether the sides a-b and c-d cross, by more than `least` of twice an area: sides may touch.
+bool DoCross(const R2::Point& a, const R2::Point& b, const R2::Point& c, const R2::Point& d, double least) {
+  const auto on_both_sides = [&](double s, double t) { return std::min(s, t) < -least && std::max(s, t) > least; };
+  return on_both_sides(Turn(a, b, c), Turn(a, b, d)) && on_both_sides(Turn(c, d, a), Turn(c, d, b));
+}
+
+/// In quadratic time.
+bool CrossesItself(std::span<const R2::Point> polygon, double least) {
+  const std::size_t n = polygon.size();
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = i + 2; j < n; ++j)
+      if (DoCross(polygon[i], polygon[i + 1], polygon[j], polygon[(j + 1) % n], least)) return true;
+  return false;
+}
+
 }  // namespace
+
+const char* FaultOfPolygon(std::span<const R3::Point> polygon) {
+  if (polygon.size() == 3) return nullptr;
+  const R3::Vector normal = NormalOfAny(polygon);
+  if (!IsFlat(polygon, normal)) return "has corners that are not in one plane";
+  constexpr double rounding = 1e-6;  // of the square around it
+  const double extent = Extent(polygon);
+  // Larger ones are convex, or refused.
+  const bool is_small = polygon.size() <= max_concave_corners;
+  return is_small && CrossesItself(Flattened(polygon, normal), rounding * extent * extent) ? "has sides that cross"
+                                                                                           : nullptr;
+}
 
 Cuts Fan(std::size_t corners) {
   Cuts fan;
@@ -113,9 +173,11 @@ Cuts Fan(std::size_t corners) {
   return fan;
 }
 
+std::vector<R2::Point> QuadUvs() { return {{0, 0}, {1, 0}, {1, 1}, {0, 1}}; }
+
 std::optional<Cuts> Triangulate(std::span<const R3::Point> polygon) {
   if (polygon.size() == 3) return Fan(3);
-  const std::vector<R2::Point> flat = Flattened(polygon);
+  const std::vector<R2::Point> flat = Flattened(polygon, NewellNormal(polygon));
   if (FanFits(flat)) return Fan(polygon.size());
   if (polygon.size() > max_concave_corners) return {};
   return EarClipping(flat).CutAll();

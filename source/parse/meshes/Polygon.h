@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "R2/Point.h"
 #include "R3/Point.h"
 
 namespace ray {
@@ -17,6 +18,13 @@ inline constexpr std::size_t max_concave_corners = 256;
 
 /// Triangles from the first corner of a polygon, which has at least 3 corners.
 Cuts Fan(std::size_t corners);
+
+/// Why a polygon that should be flat is none, for a message about it: "has corners that are not in one plane", "has
+/// sides that cross"; null where it is one, as far as its corners were rounded.
+const char* FaultOfPolygon(std::span<const R3::Point> polygon);
+
+/// The texture coordinates that the corners of a `quad` have.
+std::vector<R2::Point> QuadUvs();
 
 /// Cuts a polygon into triangles of its own corners, given as indices into it, so that faces that met along an edge
 /// still do. A fan from the first corner, as the course has it, unless a triangle of it would be turned over, which

@@ -42,15 +42,28 @@ class ObjReader {
   }
 
  private:
-  void ReadPlace() { mesh_.positions.push_back(words_.Place("vertex", mesh_.positions.size() + 1)); }
+  void ReadPlace() { mesh_.positions.push_back(PlaceOf("vertex", mesh_.positions.size() + 1)); }
 
   void ReadUv() {
     const std::size_t number = uvs_.size() + 1;
-    const double u = words_.Coordinate({"u", "texture vertex", number});
-    uvs_.push_back({u, words_.HasMoreOnLine() ? words_.Coordinate({"v", "texture vertex", number}) : 0});
+    const double u = Coordinate({"u", "texture vertex", number});
+    uvs_.push_back({u, ContinuesStatement() ? words_.Coordinate({"v", "texture vertex", number}) : 0});
   }
 
-  void ReadNormal() { normals_.push_back(AsNormal(words_.Place("normal", normals_.size() + 1) - R3::Point{})); }
+  void ReadNormal() { normals_.push_back(AsNormal(PlaceOf("normal", normals_.size() + 1) - R3::Point{})); }
+
+  R3::Point PlaceOf(const char* of, std::size_t number) {
+    const double x = Coordinate({"x", of, number});
+    const double y = Coordinate({"y", of, number});
+    const double z = Coordinate({"z", of, number});
+    return {x, y, z};
+  }
+
+  /// Unlike words elsewhere, those of a statement end with its line.
+  double Coordinate(const Part& part) {
+    if (!ContinuesStatement()) words_.Fail(words_.Last(), part.Words() + " is missing");
+    return words_.Coordinate(part);
+  }
 
   void ReadFace() {
     const Token command = words_.Last();

@@ -40,7 +40,7 @@ std::size_t ReadCount(MeshWords& words, const char* what) {
 void CheckPromise(const MeshWords& words, std::size_t count, const char* what, std::size_t least_bytes) {
   if (count <= words.BytesLeft() / least_bytes + 1) return;
   words.Fail(words.Last(), "the header declares " + std::to_string(count) + " " + what + ", but only " +
-                               std::to_string(words.BytesLeft()) + " bytes follow");
+                               BytesThatFollow(words.BytesLeft()));
 }
 
 class OffReader {

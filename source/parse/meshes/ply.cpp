@@ -47,7 +47,7 @@ class PlyReader {
       least += values_.LeastBytes(property.count_type.value_or(property.type));
     if (least == 0 || element.count <= (values_.BytesLeft() + 1) / least) return;
     words_.Fail(element.where, "the header declares " + std::to_string(element.count) + " elements, but only " +
-                                   std::to_string(values_.BytesLeft()) + " bytes follow");
+                                   BytesThatFollow(values_.BytesLeft()));
   }
 
   void ReadVertices(const PlyElement& element) {

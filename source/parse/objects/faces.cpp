@@ -27,6 +27,8 @@ std::optional<Corners> ReadCorners(Mapping& object, const Spellings& spellings) 
 
 /// Corners of a flat mesh, its texture spread from corner to corner.
 std::optional<PlacedShape> MeshOf(Mapping& object, const Corners& corners, std::vector<R2::Point> uvs) {
+  if (const char* const fault = FaultOfPolygon(corners))
+    object.Reporter().Warn(object.What().extent, std::string("this shape ") + fault);
   const auto cuts = Triangulate(corners);
   if (!cuts) {
     object.Reporter().Error(object.What(),
@@ -73,8 +75,7 @@ std::optional<PlacedShape> ParallelogramOf(Mapping& object) {
   const R3::Point position = object.NeedPoint({"position"});
   const R3::Vector up = object.NeedVector({"up"}), side = object.NeedVector({"side"});
   if (!object.IsGood()) return {};
-  return MeshOf(object, {position, position + side, position + side + up, position + up},
-                {{0, 0}, {1, 0}, {1, 1}, {0, 1}});
+  return MeshOf(object, {position, position + side, position + side + up, position + up}, QuadUvs());
 }
 
 /// Some say `name` for the file; beside another key for it, it is the name of the object.
@@ -117,7 +118,7 @@ std::optional<PlacedShape> ReadQuad(ObjectReader&, Mapping& object, const Object
                            "the sides of this quad cross; its last two corners are taken in the other order");
     std::swap((*corners)[2], (*corners)[3]);
   }
-  return MeshOf(object, *corners, {{0, 0}, {1, 0}, {1, 1}, {0, 1}});
+  return MeshOf(object, *corners, QuadUvs());
 }
 
 std::optional<PlacedShape> ReadPolygon(ObjectReader&, Mapping& object, const ObjectReader::Options&) {

@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <filesystem>
 #include <limits>
 #include <utility>
 
 #include "source/parse/Format.h"
+#include "source/parse/meshes/MeshFormat.h"
+#include "source/text/LowerCase.h"
 #include "source/text/Number.h"
 #include "source/text/Suggestion.h"
 
@@ -26,6 +29,19 @@ std::string KnownMaterials(std::size_t count) {
 
 Scene ReadScn(const Files& files, const ParseOptions& options, Assets& assets, Report& report) {
   return ScnReader(files, options, assets, report).Read();
+}
+
+/// Whatever else a file may be called, by these extensions it holds no statements.
+void RefuseOtherLanguage(const FoundFile& file) {
+  if (MeshFormatForName(file.shown))
+    throw FileError{"cannot include a mesh, " + QuotedPath(file.shown), "'mesh mat_id file' reads it"};
+  const std::string extension = LowerCase(std::filesystem::path(file.shown).extension().string());
+  const bool is_document = std::ranges::any_of(SceneFormats(), [&](const SceneFormat* format) {
+    return format->read_document && std::ranges::find(format->extensions, extension) != format->extensions.end();
+  });
+  if (is_document)
+    throw FileError{"cannot include " + QuotedPath(file.shown) + ": an include is a .scn file",
+                    "raypro -convert writes a scene as .scn"};
 }
 
 }  // namespace
@@ -205,6 +221,7 @@ void ScnReader::CloseGroup(Statement& statement) {
 void ScnReader::Include(Statement& statement, const Token& name) {
   WithFile(statement, name, [&] {
     const FoundFile file = files_.Find(std::string(name.text), CurrentFile());
+    RefuseOtherLanguage(file);
     const auto same = std::find_if(open_files_.begin(), open_files_.end(),
                                    [&](const OpenFile& open) { return open.canonical == file.canonical; });
     if (same != open_files_.end()) {

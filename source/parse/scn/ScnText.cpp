@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "R3/Mesh.h"
+#include "source/parse/meshes/Polygon.h"
 #include "source/parse/scn/ObjText.h"
 #include "source/scene/CameraText.h"
 #include "source/text/NumberText.h"
@@ -30,6 +31,17 @@ std::string TextOf(const std::vector<double>& numbers) {
   std::string text;
   for (const double number : numbers) text += (text.empty() ? "" : " ") + ToText(number);
   return text;
+}
+
+/// The command that makes this very mesh of its corners, triangle by triangle; null when none does.
+const char* PolygonCommandOf(const R3::Mesh& mesh) {
+  const R3::MeshData& data = mesh.Data();
+  const std::size_t corners = data.positions.size();
+  if (!mesh.File().empty() || mesh.IsSmooth() || corners < 3 || corners > most_spelled_out) return nullptr;
+  const auto cuts = Triangulate(data.positions);
+  if (!cuts || !std::equal(cuts->begin(), cuts->end(), data.triangles.begin(), data.triangles.end())) return nullptr;
+  if (data.uvs.empty()) return "polygon";
+  return corners == 4 && data.uvs == QuadUvs() ? "quad" : nullptr;
 }
 
 class ScnWriter {
@@ -158,11 +170,20 @@ class ScnWriter {
     if (const auto made = node.shape->MadeFrom()) return Say(made->kind, id, made->arguments);
     const auto* mesh = dynamic_cast<const R3::Mesh*>(node.shape.get());
     assert(mesh);  // what is no mesh is of a kind
+    if (const char* const command = PolygonCommandOf(*mesh)) return SayPolygon(command, *mesh, id);
     if (IsSaidByTriangles(*mesh, material)) return SayTriangles(*mesh, id);
     if (mesh->IsSmooth())
       Say("mesh", id, FileOf(*mesh), "smooth");
     else
       Say("mesh", id, FileOf(*mesh));
+  }
+
+  void SayPolygon(const std::string& command, const R3::Mesh& mesh, int id) {
+    const std::vector<R3::Point>& corners = mesh.Data().positions;
+    std::vector<double> numbers;
+    if (command == "polygon") numbers.push_back(static_cast<double>(corners.size()));
+    for (const R3::Point& p : corners) numbers.insert(numbers.end(), {p.x, p.y, p.z});
+    Say(command.c_str(), id, numbers);
   }
 
   /// Whether a `tri` for each triangle makes the same picture, though they have texture coordinates of their own and

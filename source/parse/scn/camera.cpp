@@ -46,8 +46,7 @@ void ReadCamera(ScnReader& reader, Statement& statement) {
   aimed.camera.xfov = a[9];
   aimed.camera.near = a[10];
   aimed.camera.far = a[11];
-  aimed.camera.aspect = before.aspect;  // of a view line, which may come first
-  aimed.camera.shift = before.shift;
+  aimed.camera.TakeViewOf(before);  // a view line may come first
   reader.Builder().scene.camera = aimed.camera;
 }
 
@@ -56,9 +55,12 @@ const std::array<R3::Argument, 3> view_arguments{{{"aspect", false}, {"shift_x"}
 /// An extension: a picture that is not what square pixels around the axis make it.
 void ReadView(ScnReader& reader, Statement& statement) {
   const auto a = statement.Numbers(view_arguments).values;
+  const bool is_mirrored = statement.Takes("mirrored");
   if (!statement.IsGood()) return;
-  reader.Builder().scene.camera.aspect = a[0];
-  reader.Builder().scene.camera.shift = {a[1], a[2]};
+  Camera& camera = reader.Builder().scene.camera;
+  camera.aspect = a[0];
+  camera.shift = {a[1], a[2]};
+  if (camera.IsMirrored() != is_mirrored) camera.right = -camera.right;
 }
 
 }  // namespace
@@ -68,9 +70,9 @@ extern const Command camera_command{
     "eye, view direction, up, half the horizontal field of view in radians, clipping planes of the viewer", ReadCamera};
 
 extern const Command view_command{
-    "view", "view" + ArgumentNames(view_arguments),
+    "view", "view" + ArgumentNames(view_arguments) + " [mirrored]",
     "width over height of what the camera sees, 0 for that of the picture; how far the middle of the picture is off "
-    "the axis, to the right and up, in half widths",
+    "the axis, to the right and up, in half widths; whether left and right change places",
     ReadView};
 
 }  // namespace ray

@@ -27,6 +27,8 @@ std::vector<R3::Point> ReadCorners(Statement& statement, std::size_t count) {
 /// Triangles of the corners' own, which face where the corners are counter-clockwise.
 void AddFlat(ScnReader& reader, Statement& statement, int material, const std::vector<R3::Point>& corners,
              std::vector<R2::Point> uvs) {
+  if (const char* const fault = FaultOfPolygon(corners))
+    reader.Warn(statement, "this " + statement.What().name + " " + fault);
   const auto cuts = Triangulate(corners);
   R3::MeshData data;
   data.positions = corners;
@@ -39,7 +41,7 @@ void AddFlat(ScnReader& reader, Statement& statement, int material, const std::v
 void ReadQuad(ScnReader& reader, Statement& statement) {
   const int material = reader.ReadMaterial(statement);
   const std::vector<R3::Point> corners = ReadCorners(statement, 4);
-  if (statement.IsGood()) AddFlat(reader, statement, material, corners, {{0, 0}, {1, 0}, {1, 1}, {0, 1}});
+  if (statement.IsGood()) AddFlat(reader, statement, material, corners, QuadUvs());
 }
 
 /// An extension: as many triangles as it takes.

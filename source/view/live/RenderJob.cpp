@@ -32,7 +32,7 @@ void GiveWay() {
 
 RenderSettings ForJob(RenderSettings settings, RenderJob::Order order) {
   if (settings.threads <= 0) settings.threads = std::max(1, tbb::info::default_concurrency() - 1);
-  if (order == RenderJob::Order::rows) settings.budget = {};
+  if (order == RenderJob::Order::rows) settings.budget = WithoutLimits(settings.budget);
   settings.replay.reset();
   return settings;
 }
@@ -152,7 +152,24 @@ std::optional<RenderResult> RenderJob::RenderCoarseFirst(const Integrator& integ
   return result;
 }
 
+std::optional<RenderResult> RenderJob::RenderAtOnce(const Integrator& integrator) {
+  RenderMonitor monitor;
+  monitor.stop = &stop_;
+  monitor.tile_done = [&](const RenderProgress& progress) {
+    rays_ = progress.rays;
+    share_ = static_cast<double>(progress.done) / static_cast<double>(progress.total);
+  };
+  RenderResult result = Render(scene_->world, integrator, settings_, monitor);
+  if (!result.IsComplete()) return {};
+  Show(result.image, 0);
+  rows_done_.store(result.image.Height(), std::memory_order_release);
+  samples_.store(static_cast<int>(std::lround(result.samples.mean)), std::memory_order_release);
+  return result;
+}
+
 std::optional<RenderResult> RenderJob::RenderRows(const Integrator& integrator) {
+  // Whether a block goes on depends on its neighbors, so no row is done before all have their first sample.
+  if (SamplesWhereNeighborsDiffer(settings_)) return RenderAtOnce(integrator);
   const PixelRectangle region = RegionOf(settings_);
   const auto samples = static_cast<std::uint32_t>(settings_.samples);
   const int band = BandHeight(settings_);

@@ -20,13 +20,15 @@ class RenderJob {
  public:
   /// coarse_first   pixels 8 apart (or more, see first_stride), then 4, 2 and 1 apart, each traced once; then more
   ///                samples, twice as many pass by pass, until the budget or the count of samples is reached
-  /// rows           row by row from the bottom, each with all its samples; with a filter wider than a pixel in bands
+  /// rows           row by row from the bottom, each with all its samples; with a filter wider than a pixel in bands;
+  /// all
+  ///                at once where samples are taken where neighboring pixels differ
   enum class Order { coarse_first, rows };
 
   /// Starts at once. `settings.view` is the camera if it is not the scene's. Without `settings.threads` one core is
   /// left to whoever shows the picture, until each pixel has its first sample in order coarse_first. Time counts from
-  /// the start of the job, and ends no earlier than with that sample. Budgets are ignored in order rows, and replays.
-  /// Strides are powers of two, others are rounded down.
+  /// the start of the job, and ends no earlier than with that sample. Limits of budgets are ignored in order rows, and
+  /// replays. Strides are powers of two, others are rounded down.
   RenderJob(std::shared_ptr<const LoadedScene> scene, const RenderSettings& settings, Order order,
             int first_stride = 8);
   /// Cancels, and waits for the pixels that were started.
@@ -73,6 +75,7 @@ class RenderJob {
  private:
   void Run();
   std::optional<RenderResult> RenderCoarseFirst(const Integrator& integrator);
+  std::optional<RenderResult> RenderAtOnce(const Integrator& integrator);
   std::optional<RenderResult> RenderRows(const Integrator& integrator);
   /// A whole picture, or rows of it from `first` up.
   void Show(const R2::Image& image, int first);

@@ -47,6 +47,18 @@ TEST(Extremes, L5_ASignalEndsTheRunWithinASecondAndSavesThePictureSoFar) {
   std::printf("%d signals, %d of them before the first pixel\n", rounds, early);
 }
 
+TEST(Interrupt, LayersThatWereNotRenderedAreToldOf) {
+  NEEDS_THE_PROGRAM();
+  const SceneFolder place;
+  Running running(
+      {place.Scene(), place / "out.ppm", "-width", "3000", "-height", "3000", "-samples", "64", "-layers", "depth"});
+  std::this_thread::sleep_for(400ms);
+  running.Send(SIGINT);
+  const Finished done = running.Wait();
+  EXPECT_TRUE(Has(done.error, "-layers are rendered once the picture is complete; none are written")) << done.error;
+  EXPECT_FALSE(fs::exists(place / "out.depth.ppm"));
+}
+
 // Two billion rays for one sample: stopping was once looked for between samples only.
 TEST(Extremes, L5_ASignalEndsALoopOverManyLightSamples) {
   NEEDS_THE_PROGRAM();

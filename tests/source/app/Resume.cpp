@@ -75,6 +75,11 @@ TEST(Resume, RefusesWhatWouldNotBeThePictureOfOneRun) {
     EXPECT_TRUE(Has(done.error, reason)) << done.error;
     EXPECT_TRUE(ReadFile(picture) == before);
   }
+  // Not by its hash, which nobody knows.
+  WriteFile(scene, soft_shadow + std::string("sphere -1  0 9 0  .1\n"));
+  const Finished other = RenderWith(scene, picture, {"-samples", "4", "-resume"});
+  EXPECT_EQ(other.status, 3);
+  EXPECT_TRUE(Has(other.error, "cannot resume: the checkpoint is of another scene\n")) << other.error;
 }
 
 /// A render of some seconds, and what it leaves when a signal ends it after half of one.

@@ -240,6 +240,7 @@ TEST(Replay, RefusesAnotherSceneOtherSettingsAndWhatIsNoReport) {
   ASSERT_EQ(place.Run("a.ppm", {"-samples", "4", "-report", place / "r.json"}).status, 0);
   EXPECT_EQ(place.Run("b.ppm", {"-replay", place / "r.json"}).status, 0);
   EXPECT_EQ(ReadFile(place / "a.ppm"), ReadFile(place / "b.ppm"));
+  EXPECT_EQ(place.Run("b.ppm", {"-replay", place / "r.json", "-samples", "4"}).status, 0);
   const struct {
     List words;
     const char* message;
@@ -248,6 +249,7 @@ TEST(Replay, RefusesAnotherSceneOtherSettingsAndWhatIsNoReport) {
                 {{"-mode", "path"}, "-mode"},
                 {{"-max_depth", "4"}, "-max_depth"},
                 {{"-shadow_samples", "3"}, "-shadow_samples"},
+                {{"-samples", "2"}, "was made with -samples 4, not 2"},
                 {{"-crop", "0", "0", "4", "4"}, "-crop"}};
   for (const auto& [words, message] : others) {
     const Finished done = place.Run("c.ppm", With({"-replay", place / "r.json"}, words));
@@ -260,7 +262,7 @@ TEST(Replay, RefusesAnotherSceneOtherSettingsAndWhatIsNoReport) {
     WriteFile(place / "bad.json", bad);
     const Finished done = place.Run("c.ppm", {"-replay", place / "bad.json"});
     EXPECT_EQ(done.status, 3) << bad;
-    EXPECT_TRUE(Has(done.error, "cannot be replayed")) << done.error;
+    EXPECT_TRUE(Has(done.error, "cannot be replayed: it is not ")) << done.error;
   }
   EXPECT_EQ(place.Run("c.ppm", {"-replay", place / "missing.json"}).status, 3);
   WriteFile(place / "in.scn", soft_scene + "sphere -1  3 0 0  0.1\n");
@@ -384,6 +386,38 @@ TEST(Reference, MustBeAPictureOfTheSameSize) {
                                      "4", "-crop", "1", "2", "9", "12", "-reference", place / "a.pfm"});
   EXPECT_EQ(right.status, 0) << right.error;
   EXPECT_TRUE(Has(right.output, "true error 0/255")) << right.output;
+}
+
+TEST(Reference, ASecondOneIsAnotherFile) {
+  NEEDS_THE_PROGRAM();
+  const Place place;
+  ASSERT_EQ(place.Run("a.pfm", {}).status, 0);
+  const Finished same = place.Run("b.pfm", {"-reference", (place / "a.pfm") + "," + (place / "./a.pfm")});
+  EXPECT_EQ(same.status, 2);
+  EXPECT_TRUE(Has(same.error, "are the same file")) << same.error;
+  ASSERT_EQ(place.Run("c.pfm", {"-seed", "1"}).status, 0);
+  EXPECT_EQ(place.Run("b.pfm", {"-reference", (place / "a.pfm") + "," + (place / "c.pfm")}).status, 0);
+}
+
+// The report of one render once was where the next one looks for a checkpoint, and refused to render.
+TEST(Report, IsNoFileThatARenderWritesBesidesThePicture) {
+  NEEDS_THE_PROGRAM();
+  const Place place;
+  for (const char* name : {"a.ppm.checkpoint", "a.partial.ppm.checkpoint", "a.partial.ppm", "a.depth.ppm"}) {
+    const Finished done = place.Run("a.ppm", {"-report", place / name, "-layers", "depth"});
+    EXPECT_EQ(done.status, 2) << name;
+    EXPECT_TRUE(Has(done.error, "the report cannot be")) << done.error;
+  }
+  EXPECT_EQ(place.Others({"in.scn"}), List{});
+}
+
+// Of so few pixels the worst thousandth is a quarter.
+TEST(Outliers, AreNotWarnedOfInAPictureOfAFewPixels) {
+  NEEDS_THE_PROGRAM();
+  const Place place;
+  const Finished done = place.Run("a.ppm", {"-crop", "18", "14", "20", "16", "-error", "2"});
+  EXPECT_EQ(done.status, 0);
+  EXPECT_EQ(done.error, "");
 }
 
 std::string Pfm(int width, int height, float value) {

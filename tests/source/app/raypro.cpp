@@ -135,6 +135,38 @@ TEST(Raypro, RendersSeveralScenesIntoAFolderAndOneThatFailsStopsNoOther) {
   EXPECT_FALSE(fs::exists(place / "images/last.png"));
 }
 
+// The picture of one scene once took the place of another's texture, which then was rendered with it.
+TEST(Raypro, APictureOfSeveralScenesNeverReplacesWhatAnotherOfThemReads) {
+  NEEDS_THE_PROGRAM();
+  if (!R2::FormatForName("a.png")) GTEST_SKIP() << "no PNG in this build";
+  const SceneFolder place;
+  const std::vector<std::string> more{"-out_folder", place.Path(), "-width", "8", "-height", "8", "-layers", "depth"};
+  ASSERT_EQ(RunProgram(With({place.Scene()}, more)).status, 0);
+  for (const char* texture : {"in.png", "in.depth.png"}) {
+    const std::string before = ReadFile(place / texture);
+    const std::string other = WriteFile(place / "other.scn", "material 0 0 0  1 1 1  0 0 0  0 0 0  0 0 0  1 1 " +
+                                                                 std::string(texture) + "\n" + small_scene);
+    const Finished done = RunProgram(With({place.Scene(), other}, With(more, {"-samples", "4"})));
+    EXPECT_EQ(done.status, 4) << done.error;
+    EXPECT_TRUE(Has(done.error, "it is the input")) << done.error;
+    EXPECT_TRUE(ReadFile(place / texture) == before) << texture;
+    EXPECT_EQ(Decode(place / "other.png").settings["samples"], "4") << "what is wrong with one stops no other";
+  }
+}
+
+TEST(Raypro, WhatIsSaidOfSeveralScenesNamesEach) {
+  NEEDS_THE_PROGRAM();
+  const SceneFolder place;
+  const std::string last = WriteFile(place / "last.scn", small_scene);
+  const Finished done = RunProgram({place.Scene(), last, "-check", "-out_folder", place.Path()});
+  EXPECT_EQ(done.status, 0) << done.error;
+  EXPECT_TRUE(done.output.starts_with(place.Scene() + "\nfiles ")) << done.output;
+  EXPECT_TRUE(Has(done.output, "\n" + last + "\nfiles ")) << done.output;
+  const Finished without = RunProgram({place.Scene(), last, "-check"});
+  EXPECT_EQ(without.status, 2);
+  EXPECT_TRUE(Has(without.error, "several scenes need -out_folder")) << without.error;
+}
+
 TEST(Raypro, ExitStatusSaysWhatWentWrongAndNoFileIsLeft) {
   NEEDS_THE_PROGRAM();
   const SceneFolder place;
@@ -241,6 +273,34 @@ TEST(Raypro, SaysHowManySamplesItTakesWhereThatAreNotThoseAskedFor) {
       Has(warnings({"-samples", "3", "-denoise"}), "-samples 3: errors are told by comparing two halves, so that 2"));
   EXPECT_FALSE(Has(warnings({"-samples", "3"}), "-samples"));
   EXPECT_FALSE(Has(warnings({"-samples", "4", "-error", "8"}), "-samples"));
+}
+
+TEST(Raypro, WarnsOfOptionsForWantOfOthers) {
+  NEEDS_THE_PROGRAM();
+  const SceneFolder place;
+  const struct {
+    std::vector<std::string> words;
+    std::string warning;
+  } cases[] = {
+      {{"-lens", "spiral", "-lens_samples", "3", "-aperture", ".1", "-focus", "3", "-samples", "16"},
+       "-lens_samples has no effect without -sampler grid\n"},
+      {{"-strategy", "uniform"}, "-strategy has no effect without -mode path\n"},
+      {{"-confidence", ".99"}, "-confidence has no effect without -error, -time"},
+      {{"-out_format", "ppm"}, "-out_format has no effect without -out_folder\n"},
+      {{"-accel", "none", "-accel_res", "3"}, "-accel_res has no effect with -accel none\n"},
+      {{"-accel", "bvh", "-accel_res", "9"}, "-accel_res has no effect above 8 with -accel bvh\n"},
+      {{"-accel", "bvh", "-accel_depth", "9"}, "-accel_depth has no effect with -accel bvh\n"},
+  };
+  for (const auto& [words, warning] : cases) {
+    const Finished done = RunProgram(With({place.Scene(), place / "out.ppm", "-width", "8", "-height", "8"}, words));
+    EXPECT_EQ(done.status, 0) << done.error;
+    EXPECT_TRUE(Has(done.error, "warning: " + warning)) << done.error;
+  }
+  const Finished used = RunProgram({place.Scene(), place / "out.ppm", "-width",     "8",         "-height",
+                                    "8",           "-mode",           "path",       "-strategy", "uniform",
+                                    "-accel",      "octree",          "-accel_res", "9",         "-accel_depth",
+                                    "4",           "-confidence",     ".9",         "-error",    "50"});
+  EXPECT_EQ(used.error, "");
 }
 
 TEST(Raypro, ASizeThatTheFormatCannotHoldIsRefusedBeforeRendering) {

@@ -162,6 +162,55 @@ TEST_F(Rayview, ABookmarkIsWrittenBesideTheSceneAndTouchesNoOtherFile) {
   EXPECT_EQ(folder.Others({"in.scn", "in.scn.views", "in.scn.views.new", "script.events"}), testing::nothing);
 }
 
+// Which blocks go on depends on their neighbors', so that rows cannot be traced one by one.
+TEST_F(Rayview, KeySTakesSamplesWhereNeighborsDifferAsRayproDoes) {
+  const std::string own = ReadFile(Scene("sphere.scn")) + "\nset samples 16\nset adaptive neighbors\n";
+  for (const auto& [scene, more] : {std::pair{WriteFile(folder / "own.scn", own), std::vector<std::string>{}},
+                                    {Scene("sphere.scn"), {"-samples", "16", "-adaptive", "neighbors"}}}) {
+    const Finished viewed = Follow(scene, "key S\nwait trace\n", testing::With({"-image", folder / "view.png"}, more));
+    ASSERT_EQ(viewed.status, 0) << viewed.error;
+    const Finished rendered = testing::RunProgram(
+        testing::With({scene, folder / "pro.png", "-width", "96", "-height", "64", "-quiet"}, more));
+    ASSERT_EQ(rendered.status, 0) << rendered.error;
+    EXPECT_TRUE(Picture(folder / "view.png") == Picture(folder / "pro.png")) << scene;
+    EXPECT_TRUE(testing::Has(testing::Decode(folder / "view.png").settings["command"], "-adaptive neighbors"));
+  }
+}
+
+// What was dropped was read after the names of all outputs had been checked.
+TEST_F(Rayview, WhatWasDroppedIsNeverOverwritten) {
+  const std::string texture = folder / "texture.ppm", plain = WriteFile(folder / "plain.scn", testing::small_scene);
+  ASSERT_EQ(testing::RunProgram({plain, texture, "-width", "8", "-height", "8"}).status, 0);
+  const std::string bytes = ReadFile(texture);
+  const std::string textured = WriteFile(
+      folder / "textured.scn", "material 0 0 0  1 1 1  0 0 0  0 0 0  0 0 0  1 1 texture.ppm\n" + testing::small_scene);
+  const std::string drop = "drop " + textured + "\n", drop_reference = "drop " + texture + "\n",
+                    trace = "key S\nwait trace\n", image = folder / "image.ppm";
+  const struct {
+    std::string script;
+    std::vector<std::string> words;
+  } runs[] = {
+      {drop + trace, {"-image", texture}},           {drop + "drop " + plain + "\n" + trace, {"-image", texture}},
+      {drop + "tick 1\n", {"-screenshot", texture}}, {drop + "tick 1\n", {"-output_image", texture}},
+      {drop_reference + trace, {"-image", texture}}, {drop_reference + "tick 1\n", {"-screenshot", texture}},
+      {drop + "tick 1\n", {"-record", textured}}};
+  for (const auto& [script, words] : runs) {
+    const Finished done = Follow(plain, script, words);
+    EXPECT_EQ(done.status, 4) << script << words[0] << done.error;
+    EXPECT_TRUE(testing::Has(done.error, "it is the input")) << done.error;
+    EXPECT_TRUE(ReadFile(texture) == bytes) << script << words[0];
+    EXPECT_TRUE(ReadFile(textured).starts_with("material")) << script << words[0];
+  }
+}
+
+TEST_F(Rayview, AFileThatIsNotThereIsSaidToBeMissing) {
+  for (const char* option : {"-events", "-reference"}) {
+    const Finished done = Run({Scene("hello.scn"), "-headless", option, folder / "none"});
+    EXPECT_EQ(done.status, 3);
+    EXPECT_TRUE(testing::Has(done.error, "none: error: no such file")) << done.error;
+  }
+}
+
 TEST_F(Rayview, WithoutAnImageNameNothingIsOverwritten) {
   const auto here = std::filesystem::current_path();
   std::filesystem::current_path(folder.Path());

@@ -124,6 +124,9 @@ TEST(FirstHit, GoochGoesFromCoolToWarmTowardsTheLight) {
   EXPECT_NEAR(warm.b, 0, 1e-6);
   EXPECT_NEAR(cool.g, 0.25 * 0.25, 1e-6);
   EXPECT_NEAR(cool.b, 0.4, 1e-6);
+  // A black one is none: .scn has no other way to say that there is none.
+  const R2::Color dark = seen("point_light 0 0 0  0 0 5  1 0 0");
+  EXPECT_EQ(dark, (R2::Color{}));
 }
 
 TEST(FirstHit, NormalsLookBackFromTheInsideToo) {

@@ -34,6 +34,15 @@ class ScopedCurrentFolder {
   fs::path before_;
 };
 
+// A misspelled one once was allowed without a word.
+TEST(Files, AFolderThatIsAllowedIsThere) {
+  const Folder folder;
+  const std::string file = folder.Write("a.off", "top").string(), none = (folder / "none").string();
+  EXPECT_EQ(ErrorOf([&] { Files("x.scn", {none}); }), "-allow_path '" + none + "': there is no such folder");
+  EXPECT_EQ(ErrorOf([&] { Files("x.scn", {file}); }), "-allow_path '" + file + "': it is no folder");
+  EXPECT_EQ(ErrorOf([&] { Files("x.scn", {(folder / ".").string()}); }), "(none)");
+}
+
 TEST(Files, AreLookedForBesideTheFileThatNamesThem) {
   const Folder folder;
   folder.Write("sub/a.off", "sub");

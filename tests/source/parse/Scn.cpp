@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstring>
+#include <limits>
 
 #include "R3/Mesh.h"
 #include "R3/ShapeKind.h"
@@ -58,6 +60,13 @@ TEST(Scn, AViewStaysBesideTheCameraWhicheverComesFirst) {
     EXPECT_EQ(c.shift.x, 0.5) << text;
     EXPECT_EQ(c.shift.y, -1) << text;
   }
+}
+
+TEST(Scn, AMirroredViewExchangesLeftAndRightWhereverItStands) {
+  const std::string camera = "camera 0 0 9  0 0 -1  0 1 0  .5 1 2\n", view = "view 0 0 0 mirrored\n";
+  for (const std::string& text : {camera + view, view + camera, view})
+    EXPECT_EQ(ParseText(text).scene.camera.right, (R3::Vector{-1, 0, 0})) << text;
+  EXPECT_EQ(ParseText(camera + view + "view 0 0 0\n").scene.camera.right, (R3::Vector{1, 0, 0}));
 }
 
 TEST(Scn, ASettingIsKeptInWordsWithItsPlace) {
@@ -279,6 +288,48 @@ TEST(Scn, ATextureIsReadOnceAndDecodedWhenTheWorkflowIsLinear) {
   options.decode_srgb = true;
   const Scene linear = Parse(folder / "scene.scn", options).scene;
   EXPECT_NEAR(linear.materials.at(1).texture->image.At(0, 0).r, R2::DecodeSrgb(128 / 255.0), 1e-7);
+}
+
+// Such light once was in the picture without a word, while an environment of it was refused.
+TEST(Scn, ATextureOfNoColorsIsRefused) {
+  const Folder folder;
+  const auto refusal = [&](const std::string& use, float value) {
+    std::string pixel(3 * sizeof value, '\0');
+    for (std::size_t i = 0; i < 3; ++i) std::memcpy(pixel.data() + i * sizeof value, &value, sizeof value);
+    folder.Write("t.pfm", "PF\n1 1\n-1.0\n" + pixel);
+    folder.Write("scene.scn", use);
+    try {
+      Parse(folder / "scene.scn", {});
+    } catch (const SceneErrors& errors) {
+      return errors.All().at(0).message;
+    }
+    return std::string("none");
+  };
+  const std::string material = "material 0 0 0  1 1 1  0 0 0  0 0 0  0 0 0  10 1 ";
+  const float nan = std::numeric_limits<float>::quiet_NaN(), infinity = std::numeric_limits<float>::infinity();
+  for (const float bad : {nan, infinity, -infinity, -1.0f})
+    EXPECT_TRUE(Contains(refusal(material + "t.pfm", bad), "values must be finite and not negative, but pixel 0 0"))
+        << bad;
+  EXPECT_EQ(refusal(material + "t.pfm", 2), "none");
+  const std::string bump = material + "0\nbump 0 t.pfm 1";
+  EXPECT_TRUE(Contains(refusal(bump, nan), "values must be finite, but pixel 0 0"));
+  EXPECT_EQ(refusal(bump, -1), "none") << "a height may be below zero";
+}
+
+TEST(Scn, PolygonsThatAreNotFlatOrCrossThemselvesAreToldOf) {
+  const auto warning = [](const std::string& text) {
+    const ParsedScene parsed = ParseText(text);
+    return parsed.warnings.empty() ? "" : parsed.warnings[0].substr(parsed.warnings[0].find("warning"));
+  };
+  const std::string bent = "warning: this polygon has corners that are not in one plane";
+  EXPECT_EQ(warning("polygon -1 4  0 0 0  1 0 0  1 1 5  0 1 0"), bent);
+  EXPECT_EQ(warning("quad -1  0 0 0  1 1 0  1 0 0  0 1 0"), "warning: this quad has sides that cross");
+  EXPECT_EQ(warning("polygon -1 5  0 3 0  2 -3 0  -3 1 0  3 1 0  -2 -3 0"),
+            "warning: this polygon has sides that cross");
+  // Corners rounded to two digits, sides that touch, and a notch.
+  EXPECT_EQ(warning("polygon -1 4  0 0 0  .71 0 .71  .71 1 .71  0 1 .01"), "");
+  EXPECT_EQ(warning("polygon -1 8  0 0 0  3 0 0  3 3 0  1 1 0  2 1 0  1 1 0  3 3 0  0 3 0"), "");
+  EXPECT_EQ(warning("polygon -1 4  0 0 0  2 -1 0  0.5 0 0  2 1 0"), "");
 }
 
 TEST(Scn, AQuadAndAPolygonAreTrianglesOfTheirCornersThatFaceWhereThoseTurnLeft) {

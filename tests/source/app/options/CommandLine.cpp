@@ -371,7 +371,8 @@ TEST(CommandLine, AnExtensionMayBeInCapitals) {
 
 TEST(CommandLine, ContradictionsAreRefused) {
   EXPECT_NE(ErrorBeside({"-quiet", "-verbose"}), "");
-  EXPECT_EQ(ErrorOf({"-version", "-man"}), "'-man' cannot be combined with another request");
+  EXPECT_EQ(ErrorOf({"-version", "-man"}), "'-man' cannot be combined with -version");
+  EXPECT_EQ(ErrorOf({"-debugpixel", "1", "2", "in.scn", "-check"}), "'-check' cannot be combined with -debugpixel");
 }
 
 TEST(CommandLine, HelpAnywhereIsAnsweredWhateverElseIsWrong) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "source/app/Status.h"
 #include "source/app/options/CommandLine.h"
 #include "source/parse/SceneError.h"
 
@@ -80,6 +81,42 @@ TEST(SceneSettings, ValuesOutOfRangeAreRefusedAtTheirPlace) {
 TEST(SceneSettings, ASceneMayNotAskForMorePixelsThanTheLimit) {
   const Scene scene = With({{"width", "1000000", "a.scn:1:5"}, {"height", "1000000", "a.scn:2:5"}});
   EXPECT_THROW(WithSettingsOf(scene, Typed({})), std::exception);
+}
+
+TEST(SceneSettings, OfAFlagTheValueIsOnOrOff) {
+  for (const char* value : {"true", "1", "yes"})
+    EXPECT_EQ(RefusalOf({"fresnel", value, "a.scn:1:5"}),
+              "a.scn:1:5: error: -fresnel must be on or off, got '" + std::string(value) + "'");
+}
+
+// An author once read of "-aperture" without a file or a line, as if it had been typed.
+TEST(SceneSettings, ThatContradictEachOtherAreTheScenesMistakeAtItsPlace) {
+  const auto refusal = [](const std::vector<SceneSetting>& settings) {
+    try {
+      WithSettingsOf(With(settings), Typed({}));
+    } catch (const SceneErrors& error) {
+      return std::string(error.what());
+    }
+    return std::string("none");
+  };
+  EXPECT_EQ(refusal({{"aperture", "1", "a.scn:1:5"}}), "a.scn:1:5: error: -aperture needs -focus, the focus distance");
+  EXPECT_EQ(refusal({{"max_depth", "2", "a.scn:1:5"}, {"sampler", "grid", "a.scn:2:5"}, {"samples", "5", "a.scn:3:5"}}),
+            "a.scn:2:5: error: -samples 5: -sampler grid needs a square number, such as 4 or 9");
+}
+
+TEST(SceneSettings, ThatContradictWhatWasTypedAreNamedWithTheirPlace) {
+  const auto refusal = [](const std::vector<SceneSetting>& settings, const std::vector<std::string>& words) {
+    try {
+      WithSettingsOf(With(settings), Typed(words));
+    } catch (const UsageError& error) {
+      return std::string(error.what());
+    }
+    return std::string("none");
+  };
+  EXPECT_EQ(refusal({{"samples", "5", "a.scn:3:5"}}, {"-sampler", "grid"}),
+            "-samples 5: -sampler grid needs a square number, such as 4 or 9; -samples is set by a.scn:3:5");
+  EXPECT_EQ(refusal({{"lens", "spiral", "a.scn:3:5"}}, {"-aperture", "1"}),
+            "-aperture needs -focus, the focus distance");
 }
 
 }  // namespace

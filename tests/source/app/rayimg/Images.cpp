@@ -209,7 +209,7 @@ TEST(RayimgMerge, RefusesWhatIsNotIndependentOrNotFinishedUnlessForced) {
   const std::string stopped = saved("e.exr", {{"seed", "9"}, {"scene_hash", "ab"}, {"pixels", "3 of 4 pixels done"}});
   const std::string other_scene = saved("f.exr", {{"seed", "1"}, {"scene_hash", "cd"}});
   const std::string other_seed = saved("g.exr", {{"seed", "11"}, {"scene_hash", "ab"}, {"pixels", "complete"}});
-  for (const std::string& second : {a, same_scene, same_command, merged, stopped}) {
+  for (const std::string& second : {a, same_scene, same_command, merged, stopped, other_scene}) {
     const Finished refused = Rayimg({"merge", a, second, "-out", folder / "out.exr"});
     EXPECT_EQ(refused.status, 2) << second;
     EXPECT_TRUE(Has(refused.error, "-force")) << refused.error;
@@ -217,8 +217,47 @@ TEST(RayimgMerge, RefusesWhatIsNotIndependentOrNotFinishedUnlessForced) {
     EXPECT_EQ(Rayimg({"merge", a, second, "-out", folder / "out.exr", "-force"}).status, 0) << second;
     std::filesystem::remove(folder / "out.exr");
   }
-  for (const std::string& second : {other_scene, other_seed})
-    EXPECT_EQ(Rayimg({"merge", a, second, "-out", folder / "out.exr"}).status, 0) << second;
+  EXPECT_EQ(Rayimg({"merge", a, other_seed, "-out", folder / "out.exr"}).status, 0);
+}
+
+// The mean of two scenes, or of a deep and a shallow render, is a picture of nothing.
+TEST(RayimgMerge, RefusesPicturesOfOtherSettingsUnlessForced) {
+  NEEDS_RAYIMG();
+  if (!HasExr()) GTEST_SKIP() << "no EXR in this build";
+  const TemporaryFolder folder;
+  int seed = 0;
+  const auto saved = [&](const std::string& options, const std::string& camera = {}) {
+    const std::string number = std::to_string(++seed), name = number + ".exr";
+    R2::ImageSettings settings{{"seed", number},
+                               {"scene_hash", "ab"},
+                               {"command", "raypro s.scn " + name + " -seed " + number + " " + options}};
+    if (!camera.empty()) settings["camera"] = camera;
+    return Save(folder / name, Filled(2, 2, {0.5, 0.5, 0.5}), settings);
+  };
+  const std::string first = saved("-samples 4 -mode path"), out = folder / "out.exr";
+  for (const std::string& other :
+       {saved("-mode whitted"), saved(""), saved("-mode path -max_depth 9"), saved("-mode path", "camera 1")}) {
+    const Finished refused = Rayimg({"merge", first, other, "-out", out});
+    EXPECT_EQ(refused.status, 2) << other;
+    EXPECT_TRUE(Has(refused.error, "different") && Has(refused.error, "-force")) << refused.error;
+    EXPECT_EQ(Rayimg({"merge", first, other, "-out", out, "-force"}).status, 0);
+  }
+  for (const std::string& like : {saved("-mode path"), saved("-samples 64 -mode path -accel grid -quiet")}) {
+    const Finished done = Rayimg({"merge", first, like, "-out", out});
+    EXPECT_EQ(done.status, 0) << done.error;
+  }
+}
+
+TEST(RayimgMerge, WeightsOfAnySizeGiveTheMean) {
+  NEEDS_RAYIMG();
+  const TemporaryFolder folder;
+  const std::string a = Save(folder / "a.pfm", Filled(2, 2, {0, 1, 1e30})),
+                    b = Save(folder / "b.pfm", Filled(2, 2, {2, 1, 3e30})), out = folder / "out.pfm";
+  for (const char* weights : {"1,1", "1e308,1e308", "1e-300,1e-300", "3,3"}) {
+    ASSERT_EQ(Rayimg({"merge", a, b, "-out", out, "-force", "-weights", weights}).status, 0);
+    EXPECT_EQ(Decode(out).image.At(1, 1).r, 1) << weights;
+    EXPECT_EQ(Decode(out).image.At(1, 1).b, static_cast<double>(2e30f)) << weights;
+  }
 }
 
 // --- movie ---

@@ -51,6 +51,7 @@ TEST(Rayimg, WrongInputIsNamedInOneLineAndNothingIsWritten) {
       {{"diff", a, a, "-fail", "-1"}, 2, "-fail must be a number, at least 0, got '-1'"},
       {{"diff", a, a, "-fail", "nan"}, 2, "got 'nan'"},
       {{"diff", a, a, "-fail_percent", "1"}, 2, "-fail_percent has no effect without -fail"},
+      {{"diff", a, a, "-map_of", "display"}, 2, "-map_of has no effect without -map"},
       {{"diff", a, a, "-fail", "0", "-fail_percent", "101"}, 2, "0 to 100"},
       {{"diff", a, a, "-json=yes"}, 2, "'-json' takes no value"},
       {{"diff", a, a, "-map_of", "flop", "-map", out}, 2, "flip or display, got 'flop'; did you mean 'flip'?"},

@@ -85,6 +85,30 @@ TEST(Check, ASceneInTheDarkIsPointedOut) {
   EXPECT_FALSE(Has(Example(glowing + black + "sphere 0  1 0 0  1\n").Mistakes(), "no light"));
 }
 
+RenderSettings Of(RenderMode mode) {
+  RenderSettings settings;
+  settings.mode = mode;
+  return settings;
+}
+
+TEST(Check, ASceneInTheDarkIsNoMistakeWhereLightsDoNotBear) {
+  const Example dark(camera + "sphere -1  0 0 0  1\npoint_light 0 0 0  0 5 0  1 0 0\n");
+  for (const RenderMode mode : {RenderMode::whitted, RenderMode::path, RenderMode::gooch, RenderMode::toon})
+    EXPECT_TRUE(Has(dark.Mistakes(Of(mode)), "the scene is unlit")) << static_cast<int>(mode);
+  for (const RenderMode mode : {RenderMode::flat, RenderMode::zbuffer, RenderMode::normal, RenderMode::uv})
+    EXPECT_EQ(dark.Mistakes(Of(mode)), "") << static_cast<int>(mode);
+}
+
+// {color: [1, 0, 0]} without ka, kd and ks, in the languages that have colors apart.
+TEST(Check, AColorThatNoWeightUsesIsPointedOut) {
+  const std::string black = "material 0 0 0  0 0 0  0 0 0  0 0 0  0 0 0  1 1 0\nflat_color 0  1 0 0\n";
+  const Example example(camera + black + "sphere 0  0 0 0  1\n");
+  EXPECT_TRUE(Has(example.Mistakes(), "has a color but no ka, kd or ks, and is black")) << example.Mistakes();
+  EXPECT_EQ(example.Mistakes(Of(RenderMode::flat)), "");
+  const std::string red = "material 0 0 0  1 0 0  0 0 0  0 0 0  0 0 0  1 1 0\nflat_color 0  1 0 0\n";
+  EXPECT_EQ(Example(camera + red + "sphere 0  0 0 0  1\n").Mistakes(), "");
+}
+
 TEST(Check, InsideOfGlassTheCameraMayBe) {
   const std::string glass = "material 0 0 0  0 0 0  0 0 0  .9 .9 .9  0 0 0  1 1.5 0\n";
   EXPECT_EQ(Example(camera + glass + "sphere 0  0 0 9  1\n").Mistakes(), "");

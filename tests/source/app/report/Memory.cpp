@@ -4,6 +4,8 @@
 
 #include <cstdlib>
 
+#include "source/accelerate/World.h"
+#include "source/app/Status.h"
 #include "source/app/report/Resources.h"
 #include "tests/BlackPng.h"
 #include "tests/source/app/Program.h"
@@ -42,6 +44,19 @@ TEST(Memory, TheLimitIsThreeQuartersOfTheMachineUnlessGiven) {
   EXPECT_GT(MemoryLimit(options), MachineMemory() / 2);
   options.memory = 1.5;
   EXPECT_EQ(MemoryLimit(options), std::int64_t{3} << 29);
+}
+
+TEST(Memory, ALimitOfAFewBytesIsNotSaidToBeNone) {
+  Options options;
+  options.memory = 1e-8;
+  const Scene nothing;
+  const World world(nothing);
+  try {
+    CheckMemory(world, options);
+    FAIL() << "it was allowed";
+  } catch (const UsageError& error) {
+    EXPECT_NE(std::string(error.what()).find("more than the limit of 10 bytes:"), std::string::npos) << error.what();
+  }
 }
 
 // The oracle is the system's own count of what the process held.

@@ -101,6 +101,10 @@ TEST(RunStats, TheLastLineOfARunSaysWhatItMade) {
     record.stop = stop;
     EXPECT_EQ(FinalLine(record), "out.png 2x2 1000 spp 2.00 s 14.2 Mrays/s\n");
   }
+  record.options.render.budget.seconds = 2;
+  record.samples.mean = 0.031;
+  EXPECT_EQ(FinalLine(record),
+            "out.png 2x2 1 spp at 3.1 % of the pixels, the others interpolated, 2.00 s 14.2 Mrays/s\n");
 }
 
 }  // namespace

@@ -296,8 +296,8 @@ TEST(Groningen, WhatIsUnknownIsToldOnceAndTheRestIsRead) {
   const ParsedScene parsed = WithKeys("'Sahdows': true", "{'type': 'blob', 'what': 1}, {'type': 'spher'}, " + red_ball);
   EXPECT_EQ(parsed.scene.root.children.size(), 1u);
   ASSERT_EQ(parsed.warnings.size(), 3u);
-  EXPECT_TRUE(Contains(parsed.warnings[0], "objects of type 'blob' are not supported; it is left out"));
-  EXPECT_TRUE(Contains(parsed.warnings[1], "'spher' are not supported; it is left out; did you mean 'sphere'?"));
+  EXPECT_TRUE(Contains(parsed.warnings[0], "type 'blob' is not supported; the object is left out"));
+  EXPECT_TRUE(Contains(parsed.warnings[1], "'spher' is not supported; the object is left out; did you mean 'sphere'?"));
   EXPECT_TRUE(Contains(parsed.warnings[2], "unknown key 'Sahdows' in a scene is ignored; did you mean 'Shadows'?"));
 }
 
@@ -403,6 +403,15 @@ TEST(Groningen, AQuadGivenRowByRowIsToldAndTaken) {
   EXPECT_TRUE(Contains(parsed.warnings[0], "the sides of this quad cross"));
   for (const R3::Point& p : {R3::Point{1, 2, 9}, {3, 2, 9}, {2, 1, 9}, {2, 3, 9}})
     EXPECT_TRUE(Trace(parsed.scene, {p, {0, 0, -1}})) << p.x << " " << p.y;
+}
+
+TEST(Groningen, APolygonThatIsNotFlatIsToldOf) {
+  const ParsedScene parsed =
+      WithKeys("",
+               "{'type': 'polygon', 'vertices': [[0, 0, 0], [1, 0, 0], [1, 1, 1], [0, 1, 0]], 'material': "
+               "{'color': [1, 0, 0], 'kd': 1}}");
+  ASSERT_EQ(parsed.warnings.size(), 1u);
+  EXPECT_TRUE(parsed.warnings[0].ends_with("this shape has corners that are not in one plane")) << parsed.warnings[0];
 }
 
 TEST(Groningen, AConcavePolygonHasItsNotch) {

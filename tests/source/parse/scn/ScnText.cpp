@@ -171,6 +171,27 @@ TEST(ScnText, AMeshOfNoFileIsTriangles) {
   EXPECT_TRUE(text.text.ends_with("tri 0 0 0 0 1 0 0 1 1 0.1\ntri 0 0 0 0 1 1 0.1 0 1 0.3\n")) << text.text;
 }
 
+// As triangles they had other texture coordinates, which -mode uv shows.
+TEST(ScnText, QuadsAndPolygonsStayWhatTheyAre) {
+  const std::string lines =
+      "quad 0 0 0 0 1 0 0 1 1 0 0 1 0\npolygon 0 4 0 0 0 2 -1 0 0.5 0 0 2 1 0\npolygon 0 3 0 0 0 1 0 0 0 1 0\n";
+  const std::string lamp = "material 0 0 0  1 1 1  0 0 0  0 0 0  1 1 1  1 1 0\n";
+  const ScnText text = WriteScn(ParseText(lamp + lines).scene, "/nowhere/out.scn");
+  EXPECT_TRUE(text.meshes.empty());
+  EXPECT_TRUE(text.text.ends_with(lines)) << text.text;
+}
+
+TEST(ScnText, APictureThatIsMirroredStaysSo) {
+  Scene scene;
+  scene.camera = Aim({1, 2, -9}, {0, 0, 1}, {0, 1, 0}).camera;
+  scene.camera.shift = {0.5, 0};
+  scene.camera.right = -scene.camera.right;
+  const Folder folder;
+  const std::string text = WrittenTo(folder, "out.scn", scene);
+  EXPECT_TRUE(Contains(text, " view 0 0.5 0 mirrored\n")) << text;
+  EXPECT_EQ(Parse(folder / "out.scn", {}).scene.camera.right, scene.camera.right);
+}
+
 TEST(ScnText, AMeshOfNoFileThatIsSmoothOrALampIsOneFileHoweverOftenItIsUsed) {
   Material lamp;
   lamp.emission = {1, 1, 1};
