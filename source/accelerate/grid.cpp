@@ -64,9 +64,7 @@ struct Grid : wide::Tree {
   static std::uint32_t LevelInside(std::uint32_t cell) {
     return wide::Child::IsNothing(cell) ? cell - wide::Child::nothing : 0;
   }
-  static std::uint32_t CellWithLevel(std::uint32_t level) {
-    return wide::Child::nothing + level;
-  }
+  static std::uint32_t CellWithLevel(std::uint32_t level) { return wide::Child::nothing + level; }
 
   /// Cells are no boxes within boxes.
   int BoxLevels() const { return 0; }

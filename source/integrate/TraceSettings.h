@@ -48,7 +48,7 @@ struct TraceSettings {
   bool emissive_solids_light = false;  // in mode whitted as triangles do; in mode path all that emits is a light
   bool fresnel = false;  // clear surfaces reflect by Fresnel's equations, and all of what they cannot let through
   bool internal_reflection = false;  // and the latter without Fresnel's equations too; else it is lost
-  int lights = -1;       // chosen at each point by importance; 0: every light; -1: see LightsChosenByPath, whitted all
+  int lights = -1;  // chosen at each point by importance; 0: every light; -1: see LightsChosenByPath, whitted all
   Roulette roulette = Roulette::automatic;
   LightStrategy strategy = LightStrategy::mis;
   SamplerKind sampler = SamplerKind::sobol;

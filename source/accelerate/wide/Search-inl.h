@@ -392,8 +392,8 @@ HWY_NOINLINE HWY_FLATTEN bool TestSphere(const SphereLeaf& leaf, const R3::Ray& 
   return hit.has_value();
 }
 
-/// Tests a primitive that is neither a triangle nor a sphere of the structure's frame: any other shape, or a whole shared
-/// mesh. True when there is a hit of `any`.
+/// Tests a primitive that is neither a triangle nor a sphere of the structure's frame: any other shape, or a whole
+/// shared mesh. True when there is a hit of `any`.
 template <bool any, typename Structure>
 bool TestPrimitive(const TwoLevel<Structure>& two_level, const Structure& structure, std::uint32_t primitive,
                    const R3::Ray& ray, double distance_in_world, NearestHit& nearest, Counts& counts) {

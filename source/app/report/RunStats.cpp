@@ -25,14 +25,17 @@ std::string PixelsText(const RunStats& record) {
   return ShortCountText(record.samples.mean) + wanted + " samples per pixel done";
 }
 
-/// As asked for, where that decided; as they became, where a clock, an error or a signal did.
-std::string SamplesText(const RunStats& record, std::string (*text_of)(double)) {
+/// Per pixel: as asked for, where that decided; as they became, where a clock, an error or a signal did.
+double SamplesOf(const RunStats& record) {
   const RenderSettings& render = record.options.render;
   const bool is_asked_for = !render.budget.IsOpen() && !render.denoise && record.options.replay.empty();
-  if (is_asked_for && record.IsComplete()) return std::to_string(render.samples);
-  const double mean = record.samples.mean;
-  if (mean < 1) return "1 at " + Fixed(100 * mean, 1) + " % of the pixels, the others interpolated";
-  return text_of(mean);
+  return is_asked_for && record.IsComplete() ? render.samples : record.samples.mean;
+}
+
+std::string SamplesText(const RunStats& record) {
+  const double samples = SamplesOf(record);
+  if (samples < 1) return "1 at " + Fixed(100 * samples, 1) + " % of the pixels, the others interpolated";
+  return ShortCountText(samples);
 }
 
 double MegaraysPerSecond(const RunStats& record) {
@@ -185,7 +188,7 @@ R2::ImageSettings SettingsInPicture(const RunStats& record) {
       {"command", record.options.as_course ? record.command : RayproCommand(record.options)},
       {"scene_hash", record.scene.hash},
       {"seed", std::to_string(record.options.render.seed)},
-      {"samples", SamplesText(record, CountText)},  // a weight for what merges pictures
+      {"samples", CountText(SamplesOf(record))},  // a weight for what merges pictures
       {"accel", record.options.accelerator.name},
       {"pixels", PixelsText(record)},
   };
@@ -208,7 +211,7 @@ std::string SppText(const std::string& samples) {
 
 std::string FinalLine(const RunStats& record) {
   return Escaped(record.picture) + " " + std::to_string(record.width) + "x" + std::to_string(record.height) + " " +
-         SppText(SamplesText(record, ShortCountText)) + " " + Fixed(record.seconds.wall, 2) + " s " +
+         SppText(SamplesText(record)) + " " + Fixed(record.seconds.wall, 2) + " s " +
          Fixed(MegaraysPerSecond(record), 1) + " Mrays/s" +
          (record.IsComplete() ? "" : " (stopped by " + record.stop + ", " + PixelsText(record) + ")") + "\n";
 }

@@ -39,7 +39,8 @@ TEST(Extremes, L5_ASignalEndsTheRunWithinASecondAndSavesThePictureSoFar) {
     ASSERT_TRUE(fs::exists(place / "out.png")) << done.error;
     auto settings = Decode(place / "out.png").settings;
     EXPECT_TRUE(Has(settings["pixels"], " of 9000000 pixels done")) << settings["pixels"];
-    EXPECT_EQ(settings["samples"], "64");
+    EXPECT_GT(std::stod(settings["samples"]), 0);
+    EXPECT_LT(std::stod(settings["samples"]), 64);
     EXPECT_TRUE(Has(done.output, signal == SIGINT ? "stopped by SIGINT" : "stopped by SIGTERM")) << done.output;
     EXPECT_EQ(place.Others({"in.scn", "out.png", "out.png.checkpoint"}), nothing);
   }
