@@ -49,15 +49,16 @@ inline ray::RenderResult Render(const Stage& stage, const ray::RenderSettings& s
 /// A scene written in place, read as if it lay in scenes/.
 inline ray::Scene FromText(const std::string& text) {
   std::string name = (std::filesystem::temp_directory_path() / "raypro-test-XXXXXX").string();
-  const std::filesystem::path folder = mkdtemp(name.data());
-  const auto file = folder / "scene.scn";
+  const struct Folder {
+    std::filesystem::path path;
+    ~Folder() { std::filesystem::remove_all(path); }  // also where the text is refused
+  } folder{mkdtemp(name.data())};
+  const auto file = folder.path / "scene.scn";
   if (FILE* out = std::fopen(file.c_str(), "wb")) {
     std::fwrite(text.data(), 1, text.size(), out);
     std::fclose(out);
   }
-  ray::ParsedScene parsed = ray::Parse(file, {});
-  std::filesystem::remove_all(folder);
-  return std::move(parsed.scene);
+  return ray::Parse(file, {}).scene;
 }
 
 }  // namespace project
