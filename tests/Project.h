@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <memory>
@@ -46,19 +48,24 @@ inline ray::RenderResult Render(const Stage& stage, const ray::RenderSettings& s
   return ray::Render(stage.world, *accelerator, settings);
 }
 
-/// A scene written in place, read as if it lay in scenes/.
+/// A scene written in place, read as if it lay in scenes/. Nothing of it stays where the text is refused or an
+/// allocation fails.
 inline ray::Scene FromText(const std::string& text) {
-  std::string name = (std::filesystem::temp_directory_path() / "raypro-test-XXXXXX").string();
-  const struct Folder {
-    std::filesystem::path path;
-    ~Folder() { std::filesystem::remove_all(path); }  // also where the text is refused
-  } folder{mkdtemp(name.data())};
-  const auto file = folder.path / "scene.scn";
-  if (FILE* out = std::fopen(file.c_str(), "wb")) {
+  struct Files {
+    std::string folder, scene;
+    ~Files() {  // allocates nothing
+      std::remove(scene.c_str());
+      std::remove(folder.c_str());
+    }
+  } files{(std::filesystem::temp_directory_path() / "raypro-test-XXXXXX").string(), {}};
+  files.scene = files.folder + "/scene.scn";
+  mkdtemp(files.folder.data());
+  files.folder.copy(files.scene.data(), files.folder.size());
+  if (FILE* out = std::fopen(files.scene.c_str(), "wb")) {
     std::fwrite(text.data(), 1, text.size(), out);
     std::fclose(out);
   }
-  return ray::Parse(file, {}).scene;
+  return ray::Parse(files.scene, {}).scene;
 }
 
 }  // namespace project
