@@ -118,7 +118,7 @@ std::optional<R3::Vector> SampleReflection(const ShadingPoint& p, bool glossy, c
   const R3::Vector mirrored = Mirrored(p);
   if (!glossy) return mirrored;
   const R3::Vector wi = R3::FromTangents(R3::SamplePhongLobe(u, GlossExponent(*p.material)), mirrored);
-  if (!(Dot(wi, p.N) > 0)) return {};
+  if (!(Dot(wi, p.N) > 0) || p.IsBehindSurface(wi)) return {};
   return wi;
 }
 

@@ -90,10 +90,9 @@ inline bool ReflectsLights(const ShadingPoint& p, const TraceSettings& settings)
   return p.HasReflectance() || (IsGlossy(*p.material, settings) && !IsBlack(SpecularWeightsOf(p, settings).reflected));
 }
 
-/// wo mirrored about N, never into the surface, or with a glossy reflection a direction of Phong's lobe around that;
-/// unit.
+/// wo mirrored about N and never into the surface, or with a glossy reflection a direction of Phong's lobe around that.
 ///   u         uniform in [0, 1)^2
-///   returns   nothing when the direction is below the surface
+///   returns   a unit vector; nothing where one of the lobe leads below N's horizon or into the surface
 std::optional<R3::Vector> SampleReflection(const ShadingPoint& p, bool glossy, const R2::Point& u);
 /// The direction on the other side: straight on for an index of 1, else refracted; unit. Nothing on total internal
 /// reflection. A smoothed normal that faces away from wo is taken to be at a right angle to it.

@@ -13,6 +13,7 @@ namespace statistics {
 namespace {
 
 using ray::RenderSettings;
+using ray::TraceSettings;
 
 /// A floor, a wall and a ball, diffuse and glossy.
 const std::string room =
@@ -58,12 +59,28 @@ RenderSettings Compared(const char* mode, int samples) {
   return settings;
 }
 
+using Ways = std::vector<std::pair<std::string, RenderSettings>>;
+
 /// Against the first of some settings; each with seeds of its own.
-void ExpectAllAlike(const project::Stage& stage, const std::vector<std::pair<std::string, RenderSettings>>& settings) {
+void ExpectAllAlike(const project::Stage& stage, const Ways& settings) {
   const auto first = Pictures(stage, settings[0].second, few, 0);
   for (std::size_t i = 1; i < settings.size(); ++i)
     ExpectSameMeans(first, Pictures(stage, settings[i].second, few, 1000 * i),
                     settings[0].first + " and " + settings[i].first);
+}
+
+/// Of paths: each strategy that needs no environment, with all lights and with a chosen one.
+Ways EveryStrategyAndCountOfLights(bool glossy) {
+  Ways ways;
+  for (const char* strategy : {"bsdf", "mis", "light"})
+    for (const int lights : {0, 1}) {
+      ways.emplace_back(std::string(strategy) + (lights > 0 ? ", chosen" : ""), Compared("path", 256));
+      TraceSettings& trace = ways.back().second.trace;
+      trace.strategy = project::Named{strategy};
+      trace.glossy = glossy;
+      trace.lights = lights;
+    }
+  return ways;
 }
 
 TEST(Extremes, I5_LightIsFoundAlikeOnLightsByScatteringAndByBoth) {
@@ -73,7 +90,7 @@ TEST(Extremes, I5_LightIsFoundAlikeOnLightsByScatteringAndByBoth) {
       const project::Stage stage =
           sky ? StageOf(room + no_light, SunnySky())
               : StageOf(room + no_light + Material(0, 0, 0, 5) + "tri 2 -3 2.5 0  1 3 0  -1 2.5 3 ");
-      std::vector<std::pair<std::string, RenderSettings>> ways;
+      Ways ways;
       for (const char* strategy : {"mis", "light", "bsdf", "uniform"}) {
         if (!sky && strategy == std::string("uniform")) continue;
         ways.emplace_back(strategy, Compared("path", 256));
@@ -94,15 +111,7 @@ TEST(Extremes, I5_AGlossyMirrorThatHasNothingElseShowsLightsAlikeByEveryStrategy
         "begin -1  1 0 0 0  0 1 0 0  0 0 1 0  0 0 0 1 motion 0.2 0 0 sphere 1 0 4 -1  2.5 end "}) {
     SCOPED_TRACE(lamp.empty() ? "sky" : lamp);
     const project::Stage stage = lamp.empty() ? StageOf(mirror, SunnySky()) : StageOf(mirror + lamp);
-    std::vector<std::pair<std::string, RenderSettings>> ways;
-    for (const char* strategy : {"bsdf", "mis", "light"})
-      for (const int lights : {0, 1}) {
-        ways.emplace_back(std::string(strategy) + (lights > 0 ? ", chosen" : ""), Compared("path", 256));
-        ways.back().second.trace.strategy = project::Named{strategy};
-        ways.back().second.trace.glossy = true;
-        ways.back().second.trace.lights = lights;
-      }
-    ExpectAllAlike(stage, ways);
+    ExpectAllAlike(stage, EveryStrategyAndCountOfLights(true));
   }
 }
 
@@ -113,14 +122,7 @@ TEST(Extremes, I5_OfLampsInTheSamePlaceTheFirstShinesAlikeByEveryStrategy) {
     SCOPED_TRACE(where);
     const std::string lamp = where.size() < 12 ? "sphere " : "tri ";
     const project::Stage stage = StageOf(floor + lamp + "1 " + where + lamp + "2 " + where);
-    std::vector<std::pair<std::string, RenderSettings>> ways;
-    for (const char* strategy : {"bsdf", "mis", "light"})
-      for (const int lights : {0, 1}) {
-        ways.emplace_back(std::string(strategy) + (lights > 0 ? ", chosen" : ""), Compared("path", 256));
-        ways.back().second.trace.strategy = project::Named{strategy};
-        ways.back().second.trace.lights = lights;
-      }
-    ExpectAllAlike(stage, ways);
+    ExpectAllAlike(stage, EveryStrategyAndCountOfLights(false));
   }
 }
 
@@ -131,7 +133,7 @@ TEST(Extremes, I5_ALampThatIsChosenShinesAlikeInABlurredMirror) {
               Material(1, 0, 0, 0) +
               "quad 0 -1 0 -1  -1 0 1  1 0 1  1 0 -1 quad 1 -9 3 -9  9 3 -9  9 3 9  -9 3 9 "
               "quad 1 0 2.2 -9  0 2.2 9  9 2.2 9  9 2.2 -9 area_light 1 1 1  0 1.5 0  0 1 0  3  1 0 0 ");
-  std::vector<std::pair<std::string, RenderSettings>> ways;
+  Ways ways;
   for (const int lights : {0, 1}) {
     ways.emplace_back(lights > 0 ? "chosen" : "all", Compared("whitted", 256));
     ways.back().second.trace.lights = lights;
@@ -148,7 +150,7 @@ TEST(Extremes, I5_ShiningSolidsThatAbsorbLightTheirInsideAlikeByEveryStrategy) {
         "tri 1 -9 -1 -9  9 -1 -9  0 -1 9 "}) {
     SCOPED_TRACE(lamp);
     const project::Stage stage = StageOf(inside + shining + lamp);
-    std::vector<std::pair<std::string, RenderSettings>> ways;
+    Ways ways;
     for (const char* strategy : {"bsdf", "mis", "light"}) {
       ways.emplace_back(strategy, Compared("path", 288));
       ways.back().second.trace.strategy = project::Named{strategy};
@@ -160,7 +162,7 @@ TEST(Extremes, I5_ShiningSolidsThatAbsorbLightTheirInsideAlikeByEveryStrategy) {
 TEST(Extremes, I5_OneLightOrAFewStandForAll) {
   for (const char* mode : {"whitted", "path"}) {
     const project::Stage stage = StageOf(room + Lamps(true));
-    std::vector<std::pair<std::string, RenderSettings>> ways;
+    Ways ways;
     for (const int lights : {0, 1, 3}) {
       ways.emplace_back(std::to_string(lights) + " lights in " + mode, Compared(mode, 32));
       ways.back().second.trace.lights = lights;
@@ -174,7 +176,7 @@ TEST(Extremes, I5_TheCoursesModeAndPathsAgreeOnLightThatComesStraight) {
   std::string diffuse = room;
   const std::string glossy = Material(0.5, 0.3, 0, 0, 20);
   diffuse.replace(diffuse.find(glossy), glossy.size(), Material(0.5, 0, 0, 0));
-  std::vector<std::pair<std::string, RenderSettings>> ways;
+  Ways ways;
   for (const char* mode : {"whitted", "path"}) {
     ways.emplace_back(mode, Compared(mode, 64));
     ways.back().second.trace.max_depth = 0;
@@ -184,7 +186,7 @@ TEST(Extremes, I5_TheCoursesModeAndPathsAgreeOnLightThatComesStraight) {
 
 TEST(Extremes, I5_EverySamplerGivesTheSameMean) {
   for (const char* mode : {"whitted", "path"}) {
-    std::vector<std::pair<std::string, RenderSettings>> ways;
+    Ways ways;
     for (const char* sampler : ray::sampler_names) {
       if (std::string(sampler).ends_with("grid")) continue;  // their few places in a pixel are always the same
       ways.emplace_back(std::string(sampler) + " in " + mode, Compared(mode, 40));  // no square and no power of two

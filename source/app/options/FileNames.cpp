@@ -70,22 +70,22 @@ void CheckStandardOutput(const Options& options) {
   if (!options.layers.empty()) throw UsageError("-layers needs a picture with a name, not standard output");
 }
 
+bool IsPicture(const std::string& name) { return R2::FormatForName(name) != nullptr; }
+
 void CheckSecondName(const Options& options) {
-  const auto is_picture = [](const std::string& name) { return R2::FormatForName(name) != nullptr; };
-  if (!options.picture.empty() && is_picture(options.scene) && !is_picture(options.picture))
+  if (!options.picture.empty() && IsPicture(options.scene) && !IsPicture(options.picture))
     throw UsageError("the scene is named first: raypro " + ShellLine(std::vector{options.picture, options.scene}));
   if (IsScene(options.picture) && options.picture != options.scene)
     throw UsageError(Quoted(options.picture) + " is a scene" + several_scenes);
 }
 
 void CheckPicture(const Options& options, std::span<const std::string> words) {
-  const auto is_picture = [](const std::string& name) { return R2::FormatForName(name) != nullptr; };
   if (options.picture == options.report && !options.picture.empty())
     throw UsageError("the picture and the report are the same file, " + Quoted(options.report));
   if (!options.picture.empty()) return;
   if (FindOption(options.program, options.scene))
     throw UsageError("options begin with a dash: raypro -" + options.scene);
-  if (is_picture(options.scene))
+  if (IsPicture(options.scene))
     throw UsageError("no scene is named; for example: raypro scenes/hello.scn " + options.scene);
   throw UsageError("no picture is named; for example: " + LikelyCommand(options, words));
 }

@@ -21,6 +21,7 @@
 #include "source/app/rayview/SavePicture.h"
 #include "source/app/report/Messages.h"
 #include "source/parse/Text.h"
+#include "source/render/SecondsOf.h"
 #include "source/text/Quoting.h"
 #include "source/view/EventScript.h"
 #include "source/view/MotionDetail.h"
@@ -34,8 +35,6 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr double seconds_while_busy = 1.0 / 60, seconds_while_idle = 0.25;  // between two looks
-
-double SecondsSince(Clock::time_point then) { return std::chrono::duration<double>(Clock::now() - then).count(); }
 
 std::string AllOf(std::istream& in) { return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()}; }
 

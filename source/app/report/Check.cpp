@@ -81,10 +81,6 @@ void Point(std::vector<std::string>& mistakes, const World& world, const std::st
                      (count > 1 ? " (and " + std::to_string(count - 1) + " more)" : ""));
 }
 
-bool ShinesItself(const World& world) {
-  return std::ranges::any_of(world.Instances(), [](const Instance& i) { return !IsBlack(i.material->emission); });
-}
-
 /// Whether the lights of the scene bear on the picture.
 bool ShowsLight(RenderMode mode) {
   return mode == RenderMode::whitted || mode == RenderMode::path || mode == RenderMode::gooch ||
@@ -93,7 +89,7 @@ bool ShowsLight(RenderMode mode) {
 
 bool IsLit(const World& world) {
   const Scene& scene = world.scene();
-  return scene.environment || ShinesItself(world) ||
+  return scene.environment || std::ranges::any_of(world.Instances(), &Instance::Emits) ||
          !std::ranges::all_of(scene.lights, [](const auto& light) { return light->IsBlack(); });
 }
 

@@ -32,10 +32,11 @@ double SamplesOf(const RunStats& record) {
   return is_asked_for && record.IsComplete() ? render.samples : record.samples.mean;
 }
 
-std::string SamplesText(const RunStats& record) {
+/// "16 spp", "1 spp at 3.1 % of the pixels, the others interpolated,"
+std::string SppText(const RunStats& record) {
   const double samples = SamplesOf(record);
-  if (samples < 1) return "1 at " + Fixed(100 * samples, 1) + " % of the pixels, the others interpolated";
-  return ShortCountText(samples);
+  if (samples < 1) return "1 spp at " + Fixed(100 * samples, 1) + " % of the pixels, the others interpolated,";
+  return ShortCountText(samples) + " spp";
 }
 
 double MegaraysPerSecond(const RunStats& record) {
@@ -203,17 +204,11 @@ R2::ImageSettings SettingsInPicture(const RunStats& record) {
   return settings;
 }
 
-/// "16 spp", "1 spp at 3.1 % of the pixels, the others interpolated,": the unit stands behind the number.
-std::string SppText(const std::string& samples) {
-  const std::size_t end = std::min(samples.find(' '), samples.size());
-  return samples.substr(0, end) + " spp" + samples.substr(end) + (end < samples.size() ? "," : "");
-}
-
 std::string FinalLine(const RunStats& record) {
   return Escaped(record.picture) + " " + std::to_string(record.width) + "x" + std::to_string(record.height) + " " +
-         SppText(SamplesText(record)) + " " + Fixed(record.seconds.wall, 2) + " s " +
-         Fixed(MegaraysPerSecond(record), 1) + " Mrays/s" +
-         (record.IsComplete() ? "" : " (stopped by " + record.stop + ", " + PixelsText(record) + ")") + "\n";
+         SppText(record) + " " + Fixed(record.seconds.wall, 2) + " s " + Fixed(MegaraysPerSecond(record), 1) +
+         " Mrays/s" + (record.IsComplete() ? "" : " (stopped by " + record.stop + ", " + PixelsText(record) + ")") +
+         "\n";
 }
 
 std::string QualityLines(const RunStats& record) {

@@ -2,6 +2,7 @@
 
 #include "R3/Mesh.h"
 #include "source/app/report/Check.h"
+#include "source/integrate/lights/LightSampler.h"
 #include "source/text/Words.h"
 
 namespace ray {
@@ -36,6 +37,17 @@ std::string BoundsText(const R3::Box& box) {
   return box.IsEmpty() ? "empty" : WithDecimals(decimals, box.low) + "  to  " + WithDecimals(decimals, box.high);
 }
 
+/// The lights that the scene names, or what shines in their place.
+std::string LightLines(const World& world, RenderMode mode) {
+  const Scene& scene = world.scene();
+  if (scene.has_default_lights && mode == RenderMode::path && LightsOfPath(world).empty())
+    return Line("lights", "0 (the scene names none, and what emits lights it)");
+  std::string text = Line("lights", std::to_string(scene.lights.size()) +
+                                        (scene.has_default_lights ? " (the default: the scene names none)" : ""));
+  for (const auto& light : scene.lights) text += "  " + light->Describe() + "\n";
+  return text;
+}
+
 /// Meshes and textures may be used many times; each is there once.
 struct Shared {
   std::set<const R3::Mesh*> meshes;
@@ -64,10 +76,9 @@ std::size_t Triangles(const Shared& shared) {
 
 /// The scene, its flattened form and the picture; what an accelerator adds depends on which.
 std::size_t Memory(const World& world, const Shared& shared, const RenderSettings& settings) {
-  const PixelRectangle part = settings.crop.value_or(PixelRectangle{0, 0, settings.width, settings.height});
   std::size_t bytes = world.Nodes().size() * (sizeof(Node) + sizeof(FlatNode)) +
                       world.Instances().size() * sizeof(Instance) + world.Frames().size() * sizeof(R3::Transform) +
-                      static_cast<std::size_t>(part.Area()) * 3 * sizeof(float);
+                      static_cast<std::size_t>(RegionOf(settings).Area()) * 3 * sizeof(float);
   for (const R3::Mesh* mesh : shared.meshes) bytes += Bytes(mesh->Data());
   for (const Texture* texture : shared.textures) bytes += texture->image.Channels().size() * sizeof(float);
   return bytes;
@@ -87,9 +98,7 @@ std::string SceneSummary(const World& world, const RenderSettings& settings) {
       Line("camera", "at " + WithDecimals(DecimalsFor(scene.root.bounds), scene.camera.eye) + ", towards " +
                          WithDecimals(3, scene.camera.towards) + ", half angle " + Fixed(scene.camera.xfov, 3) +
                          " rad" + (scene.has_default_camera ? " (the default: the scene names none)" : "")) +
-      Line("lights", std::to_string(scene.lights.size()) +
-                         (scene.has_default_lights ? " (the default: the scene names none)" : ""));
-  for (const auto& light : scene.lights) text += "  " + light->Describe() + "\n";
+      LightLines(world, settings.mode);
   const double megabytes = 1e-6 * static_cast<double>(Memory(world, shared, settings));
   return text + Line("memory", "about " + Fixed(megabytes, 1) + " MB with the picture");
 }

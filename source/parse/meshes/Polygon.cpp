@@ -115,7 +115,8 @@ constexpr double flatness = 0.05;  // of the polygon's extent
 /// Newell's normal, but where the polygon crosses itself and turns about as much either way: then that of its largest
 /// triangle from the first corner.
 R3::Vector NormalOfAny(std::span<const R3::Point> polygon) {
-  constexpr double least = 1e-3;  // of the square around it
+  // Of the square around it. Slivers of less have the normal of their largest triangle, which is theirs as well.
+  constexpr double least = 1e-3;
   R3::Vector normal = NewellNormal(polygon);
   const double extent = Extent(polygon);
   if (Length(normal) > least * extent * extent) return normal;
@@ -158,7 +159,8 @@ const char* FaultOfPolygon(std::span<const R3::Point> polygon) {
   if (polygon.size() == 3) return nullptr;
   const R3::Vector normal = NormalOfAny(polygon);
   if (!IsFlat(polygon, normal)) return "has corners that are not in one plane";
-  constexpr double rounding = 1e-6;  // of the square around it
+  // Of the square around it: corners that were rounded to seven digits may turn as much where they lie on a line.
+  constexpr double rounding = 1e-6;
   const double extent = Extent(polygon);
   // Larger ones are convex, or refused.
   const bool is_small = polygon.size() <= max_concave_corners;

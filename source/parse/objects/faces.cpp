@@ -80,10 +80,11 @@ std::optional<PlacedShape> ParallelogramOf(Mapping& object) {
 
 /// Some say `name` for the file; beside another key for it, it is the name of the object.
 std::optional<Field> NeedFile(Mapping& object) {
-  if (!object.Has({"file", "filename", "fileName", "path", "model", "modelPath"}))
-    return object.Need({"file", "filename", "fileName", "path", "model", "modelPath", "name"});
-  object.Ignore({"name"});
-  return object.Need({"file", "filename", "fileName", "path", "model", "modelPath"});
+  if (auto file = object.Find({"file", "filename", "fileName", "path", "model", "modelPath"})) {
+    object.Ignore({"name"});
+    return file;
+  }
+  return object.Need({"file", "name"});
 }
 
 }  // namespace

@@ -134,8 +134,8 @@ extern const Command mirror_command{"mirror", "mirror mat_id r g b", "weight of 
                                     ReadColorOfMaterial<&Material::kr>};
 extern const Command absorb_command{"absorb", "absorb mat_id r g b",
                                     "absorption in clear solids: light is scaled by exp(-r d), exp(-g d), exp(-b d) "
-                                    "over a distance d inside, up to the "
-                                    "solid's own surface; on the way to another shape inside it nothing is absorbed",
+                                    "over a distance d inside, up to the solid's own surface; on the way to another "
+                                    "shape inside it nothing is absorbed",
                                     ReadColorOfMaterial<&Material::absorb>};
 extern const Command coat_command{
     "coat", "coat mat_id ir",

@@ -2,8 +2,6 @@
 
 #include "source/text/NumberText.h"
 
-#include "source/text/NumberText.h"
-
 namespace ray {
 namespace {
 

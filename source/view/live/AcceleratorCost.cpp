@@ -5,13 +5,10 @@
 #include <cmath>
 
 #include "source/render/Render.h"
+#include "source/render/SecondsOf.h"
 
 namespace ray {
 namespace {
-
-double SecondsSince(std::chrono::steady_clock::time_point since) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - since).count();
-}
 
 /// The same view, with its longer side as long as time allows.
 RenderSettings Small(RenderSettings settings, const World& world) {

@@ -21,8 +21,7 @@ class RenderJob {
   /// coarse_first   pixels 8 apart (or more, see first_stride), then 4, 2 and 1 apart, each traced once; then more
   ///                samples, twice as many pass by pass, until the budget or the count of samples is reached
   /// rows           row by row from the bottom, each with all its samples; with a filter wider than a pixel in bands;
-  /// all
-  ///                at once where samples are taken where neighboring pixels differ
+  ///                all at once where neighboring pixels decide who gets samples
   enum class Order { coarse_first, rows };
 
   /// Starts at once. `settings.view` is the camera if it is not the scene's. Without `settings.threads` one core is

@@ -211,6 +211,8 @@ TEST(Bsdf, AMirrorWithASmoothedNormalSendsNothingIntoTheSurface) {
     EXPECT_NEAR(sample->wi.y, std::abs(plain.y), 1e-14);
     EXPECT_NEAR(sample->wi.x, plain.x, 1e-14);
     turned += plain.y < 0;
+    const auto blurred = SampleReflection(p, true, {draw.Between(0, 1), draw.Between(0, 1)});
+    EXPECT_TRUE(!blurred || blurred->y > 0);
   }
   EXPECT_GT(turned, 50);
 }

@@ -141,6 +141,15 @@ TEST(Check, SaysWhereTheDefaultsAreInForce) {
   EXPECT_FALSE(Has(SceneSummary(Example(camera + "point_light 1 1 1  0 5 0  1 0 0\n").TheWorld(), {}), "default"));
 }
 
+TEST(Check, SaysThatNoDefaultLightsShineWherePathsFindWhatEmits) {
+  const std::string lamp = "material 0 0 0  0 0 0  0 0 0  0 0 0  3 3 3  1 1 0\nsphere 0  0 0 0  1\n";
+  const Example example(camera + lamp);
+  const std::string path = SceneSummary(example.TheWorld(), Of(RenderMode::path));
+  EXPECT_TRUE(Has(path, "lights        0 (the scene names none, and what emits lights it)\n")) << path;
+  const std::string whitted = SceneSummary(example.TheWorld(), Of(RenderMode::whitted));
+  EXPECT_TRUE(Has(whitted, "lights        2 (the default: the scene names none)\n")) << whitted;
+}
+
 TEST(Check, AnEmptySceneIsPointedOut) { EXPECT_TRUE(Has(Example("").Mistakes(), "nothing in the scene")); }
 
 TEST(Check, ShapesOutsideTheViewAreCountedAtTheFirst) {
