@@ -6,8 +6,7 @@
 namespace ray {
 namespace {
 
-/// Light in a few even tones, as in cartoons: of each light of color C, areas taken at their middle and without
-/// shadows,
+/// Light in a few even tones, as in cartoons: of each light of color C, areas at their middle and without shadows,
 ///     kd C ceil(bands N.L) / bands,   and ks C where Phong's highlight (V.R)^n is above a half,
 /// with emission and ambient light as ever.
 ///   source   Lake, Marshall, Harris, Blackstein, Stylized rendering techniques for scalable real-time 3D animation

@@ -10,10 +10,9 @@
 #include "source/accelerate/wide/Packet-inl.h"
 
 // With f from the center to the origin, a line of direction d meets the sphere where |f x d| <= radius |d|. In single
-// precision, with u and r as in Search-inl.h:
+// precision, with u and r as in TraversalRay-inl.h:
 //   - Components of f are at most r and off by 2 u r, those of d at most 2 and off by 2 u, so a component of f x d is
-//   off
-//     by (2 * 6 + 8) u r = 20 u r, the vector by less than e = 6 plane errors = 48 u r; and f . d by 30 u r.
+//     off by (2 * 6 + 8) u r = 20 u r, the vector by less than e = 6 plane errors = 48 u r; and f . d by 30 u r.
 //   - |d| < 3.5, so a line that misses for certain has |f x d|^2 > radius^2 d^2 + 7 e radius + e^2, one that meets it
 //     |f x d|^2 + 7 e radius + e^2 < radius^2 d^2. Squares and products round by less than 16 u together.
 // A ray whose line meets the sphere leaves it at t = (-f . d + something from 0 to radius |d|) / d^2. If that lies

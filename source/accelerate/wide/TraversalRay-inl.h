@@ -1,0 +1,189 @@
+// A ray as traversal sees it, in single precision, and how far that may be off: included once for each instruction set.
+
+#if defined(RAY_ACCELERATE_WIDE_TRAVERSAL_RAY_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef RAY_ACCELERATE_WIDE_TRAVERSAL_RAY_INL_H_
+#undef RAY_ACCELERATE_WIDE_TRAVERSAL_RAY_INL_H_
+#else
+#define RAY_ACCELERATE_WIDE_TRAVERSAL_RAY_INL_H_
+#endif
+
+#include <hwy/highway.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+
+#include "source/accelerate/twolevel/TwoLevel.h"
+
+// Traversal is watertight and conservative: where single precision may err, it errs on the side of testing once more in
+// double precision. All coordinates are the structure's, so at most 1 in boxes and triangles; directions are scaled so
+// that their largest component lies in [1, 2); u is 2^-24. With r = 1 + the largest coordinate of the ray's origin:
+//   - A plane rounded to float is off by u/2, the origin by u r, their product with 1/d by u r, 1/d itself (with d
+//     rounded before) by 2 u of the distance, at most 2 u r, the difference by u r: together less than 8 u r in terms
+//     of where the plane is. So each ray moves all planes outward by 8 u r: its plane error bound.
+//   - With |e| the sum of magnitudes of an edge's components: corner - origin is off by 2 u r and at most r in each, so
+//     R = (corner - origin) x d, at most 4 r, is off by 20 u r in each, R . e by (20 + 12 + 4) u r |e|. The normal n is
+//     off by 5 u |e1| |e2| in each component, n . d by 32 u |e1| |e2|, n . (corner - origin) by 16 u r |e1| |e2|.
+//   - What doubles lose is 2^-50 of the origin's distance before it was moved near; 2^-20 u of it is in r.
+// So a triangle whose edge functions (its barycentric coordinates, undivided) all exceed their error bound is hit for
+// certain, by the exact test too; its distance then is known between two bounds, of which the upper one already ends
+// the search. The exact test in doubles decides about the few candidates that remain in the end.
+HWY_BEFORE_NAMESPACE();
+namespace ray {
+namespace HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+using Lanes = hn::CappedTag<float, width>;
+using Floats = hn::Vec<Lanes>;
+
+inline constexpr float u = 0x1p-24f;
+
+// The bounds above: of planes, times r; of edge functions, times r (|e1| + |e2|), 36 u and something for sums of the
+// bounds themselves; of n . (corner - origin), times (r + 1) |e1| |e2|; of n . d, times |e1| |e2|.
+inline constexpr float relative_plane_error = 8 * u, relative_edge_error = 40 * u, relative_height_error = 16 * u,
+                       relative_facing_error = 32 * u;
+/// What the error bounds of triangles have besides, for products below the normal range of floats, 2^-126. An edge
+/// function has some 30 terms, each off by at most 2^-126 if such products became 0, times at most 4 for what it is
+/// multiplied with later: together less than 2^-119. A height has the corner as a factor, which may be large; but
+/// heights count only where n . d is above twice this, and there |e1| |e2| is above 2^-101, so that what is lost,
+/// 2^-149 r at most for each component of n, is far less than the height's own bound.
+inline constexpr float underflow_error = 0x1p-99f;
+/// So much of the distance that a ray came from is added to r, for what doubles lose on the way.
+inline constexpr double translation_error = 0x1p-20;
+/// Computed distances times these are bounds, where a division or a conversion rounds, and so does the product.
+inline constexpr float rounded_up = 1 + 4 * u, rounded_down = 1 - 4 * u;
+
+/// Rays begin where they are when their origin is no farther, in half boxes: that makes r, and so the error bounds, at
+/// most 7 times what they are inside, and saves finding where they enter.
+inline constexpr double near_enough = 6;
+/// Above these, and below 1 over them, products of doubles leave their range, and what is certain in a structure's
+/// coordinates need not be found in the scene's.
+inline constexpr double most_scale = 0x1p200, most_per_t = 0x1p700;
+/// No direction is nearer to being along a plane: that moves rays by less than their error bound, and keeps products
+/// finite.
+inline constexpr float flattest = 0x1p-40f;
+/// Single precision cannot tell one place from another long before r is so large; and r / flattest is still finite.
+inline constexpr double most_reach = 0x1p60;
+
+/// 2^-e for the x in [2^e, 2^(e+1)), which must be finite and not 0; at least 2^-1022 and at most 2^1022.
+HWY_INLINE double PowerOfTwoBelowInverse(double x) {
+  const std::uint64_t exponent = std::bit_cast<std::uint64_t>(x) >> 52 & 0x7ff;
+  return std::bit_cast<double>(std::clamp<std::uint64_t>(2046 - exponent, 1, 2045) << 52);
+}
+/// 1 / x of a power of two that the above gave.
+HWY_INLINE double InverseOfPowerOfTwo(double x) {
+  return std::bit_cast<double>((std::uint64_t{2046} << 52) - std::bit_cast<std::uint64_t>(x));
+}
+
+// Four numbers at once, as the compilers know them; the fourth is whatever lies behind the third in memory.
+using Double4 = double __attribute__((vector_size(32)));
+using Float4 = float __attribute__((vector_size(16)));
+using Whole4 = std::int32_t __attribute__((vector_size(16)));
+
+HWY_INLINE void Load(const double* xyz, Double4& v) { std::memcpy(&v, xyz, sizeof v); }
+template <typename V>
+HWY_INLINE auto LargestOf(const V& v) {
+  const auto larger = [](auto a, auto b) {
+    return a > b ? a : b;
+  };  // values, so that it is an instruction, not a branch
+  return larger(larger(std::abs(v[0]), std::abs(v[1])), std::abs(v[2]));
+}
+
+/// A ray in a structure's coordinates, begun where it enters the structure's box if it comes from afar.
+struct TraversalRay {
+  Double4 start, along;  // where it begins, and its direction
+  Float4 origin, direction, inverse;
+  Float4 near_shift, far_shift;  // (origin +- plane_error) * inverse
+  Whole4 signs;                  // below 0 where the direction is
+  float plane_error;
+  float edge_error;      // times |e1| + |e2|
+  float height_error;    // times |e1| |e2|
+  double per_t, begin;   // distance along this ray = t * per_t - begin
+  bool is_lost = false;  // it misses the structure's box
+
+  bool IsDownward(int axis) const { return signs[axis] < 0; }
+  /// An upper bound.
+  float Distance(double t) const { return static_cast<float>(t * per_t - begin) * rounded_up + plane_error; }
+
+  HWY_INLINE TraversalRay(const Coordinates& coordinates, double padding_per_distance, const R3::Ray& ray,
+                          double distance_in_world) {
+    static_assert(sizeof(R3::Ray) >= 8 * sizeof(double) && sizeof(R3::Point) == 3 * sizeof(double));
+    const Double4 center{coordinates.center.x, coordinates.center.y, coordinates.center.z, 0};
+    Double4 eye, heading;
+    Load(&ray.origin.x, eye), Load(&ray.direction.x, heading);
+    const Double4 from = coordinates.scale * (eye - center);
+    const double power = PowerOfTwoBelowInverse(LargestOf(heading));
+    along = power * heading;
+    per_t = coordinates.scale * InverseOfPowerOfTwo(power);
+
+    const double far = LargestOf(from);
+    const double padding = padding_per_distance * distance_in_world * coordinates.scale;
+    begin = ray.t_min == 0 ? 0 : ray.t_min * per_t;
+    if (HWY_UNLIKELY(far > near_enough + padding) && !EnterBox(from, far, padding, ray.t_max * per_t)) {
+      is_lost = true;
+      return;
+    }
+    const bool is_in_range = std::abs(begin) < 0x1p1000 && per_t < most_per_t && per_t > 1 / most_per_t &&
+                             coordinates.scale <= most_scale && coordinates.scale >= 1 / most_scale;
+    start = begin == 0 ? from : from + begin * along;
+    const double reach =
+        1 + LargestOf(start) + translation_error * (far + std::abs(begin)) + padding * (1 / relative_plane_error);
+    SetErrorBounds(static_cast<float>(reach));
+    Round();
+    if (HWY_UNLIKELY(!is_in_range || !(reach < most_reach))) AcceptEverything();
+  }
+
+ private:
+  /// Begins where the ray enters the structure's box, generously widened, so that coordinates are no larger than they
+  /// need be; false when it misses the box.
+  HWY_INLINE bool EnterBox(const Double4& from, double far, double padding, double leave) {
+    const double reach = 1 + 0x1p-10 + 0x1p-40 * far + padding;
+    double enter = begin;
+    for (int axis = 0; axis < 3; ++axis) {
+      const double a = (-reach - from[axis]) / along[axis], b = (reach - from[axis]) / along[axis];
+      enter = std::max(enter, std::min(a, b));  // a NaN, from a ray in the plane, leaves things as they were
+      leave = std::min(leave, std::max(a, b));
+    }
+    if (enter > leave * (1 + 0x1p-40) + 0x1p-40 * far) return false;
+    begin = enter;
+    return true;
+  }
+
+  HWY_INLINE void SetErrorBounds(float r) {
+    plane_error = relative_plane_error * r;
+    edge_error = relative_edge_error * r;
+    height_error = relative_height_error * (r + 1);
+  }
+
+  /// To single precision, and what boxes are tested with.
+  HWY_INLINE void Round() {
+    origin = __builtin_convertvector(start, Float4);
+    direction = __builtin_convertvector(along, Float4);
+    signs = std::bit_cast<Whole4>(direction);
+    const Whole4 sign = signs & std::bit_cast<std::int32_t>(-0.0f);
+    const Float4 steepness = std::bit_cast<Float4>(signs ^ sign), flat = Float4{} + flattest;
+    const Float4 steep = std::bit_cast<Float4>(std::bit_cast<Whole4>(steepness > flat ? steepness : flat) | sign);
+    inverse = 1 / steep;
+    const Float4 outward = std::bit_cast<Float4>(std::bit_cast<Whole4>(Float4{} + plane_error) | sign);
+    near_shift = (origin + outward) * inverse;
+    far_shift = (origin - outward) * inverse;
+  }
+
+  /// Where single precision cannot tell one place from another.
+  void AcceptEverything() {
+    constexpr float infinity = std::numeric_limits<float>::infinity();
+    plane_error = edge_error = height_error = infinity;
+    per_t = 1, begin = 0;
+    origin = inverse = Float4{};
+    near_shift = Float4{} + infinity, far_shift = -near_shift;
+  }
+};
+
+}  // namespace HWY_NAMESPACE
+}  // namespace ray
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,155 @@
+// Triangles against rays in single precision, many at once: which are certainly missed, which certainly hit. The bounds
+// are derived in TraversalRay-inl.h. Included once for each instruction set.
+
+#if defined(RAY_ACCELERATE_WIDE_TRIANGLES_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef RAY_ACCELERATE_WIDE_TRIANGLES_INL_H_
+#undef RAY_ACCELERATE_WIDE_TRIANGLES_INL_H_
+#else
+#define RAY_ACCELERATE_WIDE_TRIANGLES_INL_H_
+#endif
+
+#include "source/accelerate/wide/TraversalRay-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace ray {
+namespace HWY_NAMESPACE {
+
+/// Triangles in lanes, one each or all the same.
+template <typename D>
+struct TriangleLanes {
+  using V = hn::Vec<D>;
+  V edge1_x, edge1_y, edge1_z, edge2_x, edge2_y, edge2_z, normal_x, normal_y, normal_z;
+  V edges, area;  // sum and product of the edges' magnitudes
+};
+
+/// From the edges of the block's triangles.
+template <typename D>
+HWY_INLINE TriangleLanes<D> LoadTriangles(D d, const TriangleBlock& block, std::size_t first) {
+  using V = hn::Vec<D>;
+  const V ax = hn::Load(d, block.edge1[0] + first), bx = hn::Load(d, block.edge2[0] + first);
+  const V ay = hn::Load(d, block.edge1[1] + first), by = hn::Load(d, block.edge2[1] + first);
+  const V az = hn::Load(d, block.edge1[2] + first), bz = hn::Load(d, block.edge2[2] + first);
+  const auto minus = [](V p, V q, V r, V s) { return hn::MulSub(p, q, hn::Mul(r, s)); };
+  const auto sum = [](V x, V y, V z) { return hn::Add(hn::Abs(x), hn::Add(hn::Abs(y), hn::Abs(z))); };
+  const V a = sum(ax, ay, az), b = sum(bx, by, bz);
+  return {ax,
+          ay,
+          az,
+          bx,
+          by,
+          bz,
+          minus(ay, bz, az, by),
+          minus(az, bx, ax, bz),
+          minus(ax, by, ay, bx),
+          hn::Add(a, b),
+          hn::Mul(a, b)};
+}
+
+/// Rays in lanes, one each or all the same.
+template <typename D>
+struct RayLanes {
+  using V = hn::Vec<D>;
+  V direction_x, direction_y, direction_z, plane_error, edge_error, height_error, limit;
+};
+
+/// Which lanes may hit, and where.
+template <typename D>
+struct TriangleMask {
+  HWY_INLINE TriangleMask() {}  // one that compilers make for themselves is not compiled for the instruction set
+
+  hn::Mask<D> maybe, certain;  // the certain ones are in maybe too
+  hn::Vec<D> nearest;          // bounds on the distance; of those that are not clear 0
+  hn::Vec<D> farthest;         // of the certain
+};
+
+/// Which triangles are not certainly missed by their ray before its limit; false when none, and then no more is said.
+///   to_corner   from the ray's origin to the triangle's first corner
+///   v, w, rest  the hit's barycentric coordinates times n . d
+///   source      the edge functions of Moller, Trumbore, Fast, minimum storage ray/triangle intersection (1997),
+///               undivided
+template <typename D, typename V = hn::Vec<D>>
+HWY_INLINE bool TestLanes(D d, const TriangleLanes<D>& triangle, V cx, V cy, V cz, const RayLanes<D>& ray,
+                          TriangleMask<D>& mask) {
+  const auto set = [&](float x) { return hn::Set(d, x); };
+  const auto minus = [](V p, V q, V r, V s) { return hn::MulSub(p, q, hn::Mul(r, s)); };
+  const auto dot = [](V px, V py, V pz, V qx, V qy, V qz) {
+    return hn::MulAdd(px, qx, hn::MulAdd(py, qy, hn::Mul(pz, qz)));
+  };
+  const V dx = ray.direction_x, dy = ray.direction_y, dz = ray.direction_z;
+  const V rx = minus(cy, dz, cz, dy), ry = minus(cz, dx, cx, dz), rz = minus(cx, dy, cy, dx);
+  const V facing = dot(triangle.normal_x, triangle.normal_y, triangle.normal_z, dx, dy, dz);
+  const V v = dot(rx, ry, rz, triangle.edge2_x, triangle.edge2_y, triangle.edge2_z);
+  const V w = hn::Neg(dot(rx, ry, rz, triangle.edge1_x, triangle.edge1_y, triangle.edge1_z));
+  const V rest = hn::Sub(hn::Sub(facing, v), w);
+  const V facing_error = hn::MulAdd(triangle.area, set(relative_facing_error), set(underflow_error));
+  const V edge_error = hn::MulAdd(triangle.edges, ray.edge_error, facing_error);
+  const V least = hn::Min(v, hn::Min(w, rest)), most = hn::Max(v, hn::Max(w, rest));
+  auto maybe = hn::Or(hn::Ge(least, hn::Neg(edge_error)), hn::Le(most, edge_error));
+  if (hn::AllFalse(d, maybe)) return false;
+
+  // Edge-on, nothing is known of distances.
+  const V height = dot(triangle.normal_x, triangle.normal_y, triangle.normal_z, cx, cy, cz), steep = hn::Abs(facing);
+  const V ahead = hn::Xor(height, hn::And(facing, hn::SignBit(d)));
+  const V height_error = hn::MulAdd(triangle.area, ray.height_error, set(underflow_error));
+  const auto is_clear = hn::Gt(steep, hn::Add(facing_error, facing_error));
+  const V low = hn::Sub(ahead, height_error), high = hn::Add(ahead, height_error);
+  const V wide = hn::Add(steep, facing_error), narrow = hn::Sub(steep, facing_error);
+  // Dividing may round by u; so may what follows.
+  const V nearest = hn::Mul(hn::Div(low, hn::IfThenElse(hn::Ge(low, hn::Zero(d)), wide, narrow)), set(rounded_down));
+  const auto is_far = hn::Gt(nearest, ray.limit), is_behind = hn::Lt(high, hn::Zero(d));
+  maybe = hn::AndNot(hn::And(is_clear, hn::Or(is_far, is_behind)), maybe);
+  if (hn::AllFalse(d, maybe)) return false;
+  const auto is_inside = hn::Or(hn::Gt(least, edge_error), hn::Lt(most, hn::Neg(edge_error)));
+  const auto is_in_front = hn::Gt(nearest, ray.plane_error);
+  mask.maybe = maybe;
+  mask.certain = hn::And(maybe, hn::And(is_clear, hn::And(is_inside, is_in_front)));
+  mask.nearest = hn::IfThenElseZero(is_clear, nearest);
+  mask.farthest = hn::Mul(hn::Div(high, narrow), set(rounded_up));
+  return true;
+}
+
+/// The lanes that are set, as bits.
+template <typename D, typename M>
+HWY_INLINE std::uint32_t Bits(D d, M mask) {
+  std::uint8_t bytes[8] = {};
+  hn::StoreMaskBits(d, mask, bytes);
+  return bytes[0] | static_cast<std::uint32_t>(bytes[1]) << 8;
+}
+
+/// The same for the triangles of a block: the lanes as bits and places in arrays.
+struct BlockMask {
+  std::uint32_t maybe = 0, certain = 0;
+  alignas(32) float nearest[width], farthest[width];
+};
+
+/// One ray, a TraversalRay or one of a packet, against the triangles of a block.
+template <typename RayInBoxes>
+HWY_INLINE void TestTriangles(const TriangleBlock& block, const RayInBoxes& ray, float limit, BlockMask& mask) {
+  const Lanes d;
+  const auto set = [&](float x) { return hn::Set(d, x); };
+  mask.maybe = mask.certain = 0;
+  for (std::size_t i = 0; i < width; i += hn::Lanes(d)) {
+    const auto to_corner = [&](int axis) {
+      return hn::Sub(hn::Load(d, block.corner[axis] + i), set(ray.origin[axis]));
+    };
+    const RayLanes<Lanes> rays{set(ray.direction[0]),
+                               set(ray.direction[1]),
+                               set(ray.direction[2]),
+                               set(ray.plane_error),
+                               set(ray.edge_error),
+                               set(ray.height_error),
+                               set(limit)};
+    TriangleMask<Lanes> lanes;
+    if (!TestLanes(d, LoadTriangles(d, block, i), to_corner(0), to_corner(1), to_corner(2), rays, lanes)) continue;
+    hn::Store(lanes.nearest, d, mask.nearest + i);
+    hn::Store(lanes.farthest, d, mask.farthest + i);
+    mask.maybe |= Bits(d, lanes.maybe) << i;
+    mask.certain |= Bits(d, lanes.certain) << i;
+  }
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace ray
+HWY_AFTER_NAMESPACE();
+
+#endif
