@@ -344,6 +344,18 @@ MeasuredError SummarizeErrors(const Film& film, const std::vector<float>& square
   return Summarize(film, MeansOfBlocks(film, squares), squares, share_where_channels_are_one, MeanOf(picture), measure);
 }
 
+void AllowFor(const UnseenLight& unseen, const ErrorMeasure& measure, MeasuredError& error) {
+  if (!(unseen.most > 0)) return;
+  const double mean = unseen.most * -R1::Log((1 - measure.confidence) / 2) / unseen.samples;
+  // The mean square of what is missing is largest where all of it is in as few pixels as can show it, or, where dark
+  // light is shown brighter than it is, where it is in all.
+  const double brightest = IsOfLight(measure.unit) ? unseen.most : 1, spread = AsMeasured(mean, measure);
+  const double square = std::max(std::min(mean, brightest) * brightest, spread * spread);
+  error.square_high += square;
+  error.estimate.high = InUnit(error.square_high, measure, error.mean);
+  error.estimate.unseen_share = square / error.square_high;
+}
+
 double TrueError(const R2::Image& picture, const R2::Image& reference, const R2::Image* second,
                  const ErrorMeasure& measure) {
   double sum = 0;

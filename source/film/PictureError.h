@@ -37,7 +37,10 @@ struct ErrorEstimate {
   // Where they are few, the true error of another picture of the same kind is another one.
   double freedom = 0;
 
+  double unseen_share = 0;  // of the square of `high`, for light that no sample has found, see UnseenLight
+
   bool IsMostlyOutliers() const { return outlier_share > 0.5; }
+  bool IsMostlyUnseen() const { return unseen_share > 0.5; }
 };
 
 /// How errors are counted: the unit, the confidence of the interval in (0, 1), and whether the picture is sRGB encoded.
@@ -85,6 +88,17 @@ std::optional<MeasuredError> MeasureError(const Film& film, const ErrorMeasure& 
 /// the mean of their channels and true on average; single ones may be negative. The interval is as above.
 MeasuredError SummarizeErrors(const Film& film, const std::vector<float>& squares, const R2::Image& picture,
                               const ErrorMeasure& measure);
+
+/// Light that may be there though none of the picture's samples found any.
+struct UnseenLight {
+  double most = 0;     // that it brings to a sample, and so to a pixel, in the scene's units; 0: there is none
+  double samples = 0;  // of the picture
+};
+
+/// Widens an interval for such light: with the confidence of the interval, at most -ln((1 - confidence) / 2) / samples
+/// of all samples find it (the rule of three; Hanley, Lippman-Hand, If nothing goes wrong, is everything all right?,
+/// 1983), wherever in the picture that is.
+void AllowFor(const UnseenLight& unseen, const ErrorMeasure& measure, MeasuredError& error);
 
 /// A channel as the measure looks at it.
 double AsMeasured(double channel, const ErrorMeasure& measure);

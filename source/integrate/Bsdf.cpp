@@ -33,7 +33,7 @@ RayKind KindOf(Lobe lobe) {
 /// the first is now outside the interval: nothing moves, nothing is hit twice.
 R3::Ray StraightOn(const ShadingPoint& p) {
   R3::Ray ray = p.path.ray;
-  ray.t_min = p.hit.t;
+  ray.t_min = p.hit.t + LeastT(p, ray.direction);
   return ray;
 }
 
@@ -179,8 +179,8 @@ std::optional<BsdfSample> Bsdf::Scatter(const R3::Vector& wi, Lobe lobe) const {
 PathState Extend(const ShadingPoint& p, const R3::Vector& wi, Lobe lobe, const R2::Color& throughput,
                  const SampleIndex& index) {
   const bool is_straight = lobe == Lobe::transmission && p.material->ir == 1;
-  return {
-      is_straight ? StraightOn(p) : SpawnRay(p, wi), throughput, p.path.depth + 1, index, KindOf(lobe), p.path.record};
+  return {is_straight ? StraightOn(p) : SpawnRay(p, wi), throughput,   p.path.depth + 1, index, KindOf(lobe),
+          p.path.is_scattered || !IsSpecular(lobe),      p.path.record};
 }
 
 }  // namespace ray

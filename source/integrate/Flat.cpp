@@ -4,10 +4,14 @@
 namespace ray {
 namespace {
 
-/// The material's own color, unlit.
+/// The material's own color, unlit; its texture multiplies it.
 class Flat : public FirstHit {
   using FirstHit::FirstHit;
-  R2::Color Seen(const ShadingPoint& p) const override { return p.material->color.value_or(p.Albedo()); }
+  R2::Color Seen(const ShadingPoint& p) const override {
+    const Material& m = *p.material;
+    if (!m.color) return p.Albedo();
+    return m.texture ? *m.color * m.texture->At(p.at.uv) : *m.color;
+  }
   R2::Color Missed(const R3::Vector& direction) const override { return Background(world().scene(), direction); }
 };
 

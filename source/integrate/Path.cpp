@@ -19,6 +19,7 @@ Path::Path(const World& world, const Accelerator& accelerator, const TraceSettin
       tracer_(world, accelerator, settings.shadows),
       settings_(settings),
       lights_(world, settings),
+      caustics_(CausticsOf(world, settings)),
       sampled_{settings.strategy != LightStrategy::bsdf,
                settings.strategy == LightStrategy::mis || settings.strategy == LightStrategy::bsdf},
       has_roulette_(settings.roulette != Roulette::off),
@@ -93,13 +94,15 @@ std::optional<Path::Step> Path::ExtendPath(const ShadingPoint& p, const R3::Vect
 R2::Color Path::BackgroundSeen(const ShadingPoint& from, const Step& step, TraceState& state) const {
   const R3::Vector& direction = step.path.ray.direction;
   const Environment* environment = lights_.environment();
-  const R2::Color emitted = environment ? EnvironmentSeen(environment->SeenTowards(direction), from, step)
+  const R2::Color emitted = environment ? EnvironmentSeen(environment->SeenTowards(direction), from, step, state)
                                         : step.path.throughput * Background(world_.scene(), direction);
   Tracer::RecordMiss(step.path, emitted, state);
   return emitted;
 }
 
-R2::Color Path::EnvironmentSeen(const Environment::Seen& seen, const ShadingPoint& from, const Step& step) const {
+R2::Color Path::EnvironmentSeen(const Environment::Seen& seen, const ShadingPoint& from, const Step& step,
+                                TraceState& state) const {
+  CountCaustic(step, seen.radiance, state);
   const R2::Color reaching = step.path.throughput * seen.radiance;
   if (IsSpecular(step.lobe)) return reaching;
   const double light_pdf = lights_.PdfOfEnvironment(from, seen, lights_at_once_ > 0);
@@ -109,6 +112,7 @@ R2::Color Path::EnvironmentSeen(const Environment::Seen& seen, const ShadingPoin
 
 void Path::AddEmitted(const ShadingPoint& from, const Step& step, const ShadingPoint& hit, R2::Color& radiance,
                       TraceState& state) const {
+  CountCaustic(step, hit.material->emission, state);
   const R2::Color emitted = Emitted(from, step, hit);
   const R2::Color ambient =
       IsLast(from) ? R2::Color{} : hit.path.throughput * hit.AmbientReflectance() * world_.scene().ambient;

@@ -8,6 +8,7 @@
 #include "source/integrate/Bsdf.h"
 #include "source/integrate/Integrator.h"
 #include "source/integrate/Tracer.h"
+#include "source/integrate/lights/Caustics.h"
 #include "source/integrate/lights/LightSampler.h"
 
 namespace ray {
@@ -53,10 +54,15 @@ class Path : public Integrator {
   /// What the step's ray sees where it hits nothing, throughput included.
   R2::Color BackgroundSeen(const ShadingPoint& from, const Step& step, TraceState& state) const;
   /// The same where the environment shines and what is seen of it is known.
-  R2::Color EnvironmentSeen(const Environment::Seen& seen, const ShadingPoint& from, const Step& step) const;
+  R2::Color EnvironmentSeen(const Environment::Seen& seen, const ShadingPoint& from, const Step& step,
+                            TraceState& state) const;
   /// Adds what it sees of the surface that it hits.
   void AddEmitted(const ShadingPoint& from, const Step& step, const ShadingPoint& hit, R2::Color& radiance,
                   TraceState& state) const;
+  /// Counts the path where what its step found makes it one.
+  void CountCaustic(const Step& step, const R2::Color& emission, TraceState& state) const {
+    if (step.path.is_scattered && IsSpecular(step.lobe)) state.rays.caustics += caustics_.Counts(emission);
+  }
 
   /// The same where a direction has been chosen, and what throughput survives.
   std::optional<Step> ExtendPath(const ShadingPoint& p, const R3::Vector& wi, Lobe lobe, double pdf,
@@ -96,6 +102,7 @@ class Path : public Integrator {
   Tracer tracer_;
   TraceSettings settings_;
   LightSampler lights_;
+  Caustics caustics_;
   Sampled sampled_;
 
  private:

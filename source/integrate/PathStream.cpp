@@ -292,7 +292,7 @@ void PathStream::AddBackgrounds(const Front& front, std::span<const StepFrom* co
   environment->SeeEach(seen, pdfs);
   for (std::uint32_t i = 0; i < seen.count; ++i) {
     const auto& [step, from] = *steps[i];
-    gathered[front.paths[from]] += EnvironmentSeen({seen.Color(i), pdfs[i]}, front.points[from], step);
+    gathered[front.paths[from]] += EnvironmentSeen({seen.Color(i), pdfs[i]}, front.points[from], step, state);
   }
 }
 

@@ -25,6 +25,7 @@ struct RayCounts {
   // the same in any order.
   std::uint64_t throughput_cut = 0;
   static constexpr double throughput_unit = 65536;
+  std::uint64_t caustics = 0;  // paths that found the brightest light behind mirrors or glass, see Caustics
 
   /// A path of this luminance, at least 0 or NaN, ends though a longer one might carry light.
   void EndAt(double luminance) {
@@ -49,6 +50,7 @@ struct RayCounts {
     for (std::size_t i = 0; i < kinds.size(); ++i) kinds[i].rays += o.kinds[i].rays, kinds[i].cost += o.kinds[i].cost;
     cut += o.cut;
     throughput_cut += o.throughput_cut;
+    caustics += o.caustics;
     return *this;
   }
   friend bool operator==(const RayCounts&, const RayCounts&) = default;

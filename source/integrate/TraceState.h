@@ -23,7 +23,8 @@ struct PathState {
   std::int64_t depth = 0;  // bounces before it
   SampleIndex index;
   RayKind kind = RayKind::camera;
-  int record = -1;  // where rays are recorded: its number; until it is traced that of the ray it comes from
+  bool is_scattered = false;  // by some surface, not only mirrored and refracted
+  int record = -1;            // where rays are recorded: its number; until it is traced that of the ray it comes from
 };
 
 /// Shadow rays still to be traced together, and which of the points being shaded reflects how much unless its ray is

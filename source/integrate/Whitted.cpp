@@ -1,6 +1,7 @@
 #include "source/integrate/Whitted.h"
 
 #include <algorithm>
+#include <bit>
 #include <numbers>
 
 #include "source/integrate/Bsdf.h"
@@ -19,7 +20,7 @@ enum WhittedKey : std::uint64_t {
   first_light_key
 };
 // Of the rays that share a reflection, and of lights that are chosen; no surface has as many lights.
-constexpr std::uint64_t gloss_key = camera_key - 1, chosen_lights_key = camera_key - 2;
+constexpr std::uint64_t gloss_key = camera_key - 1, chosen_lights_key = camera_key - 2, again_key = camera_key - 3;
 
 bool IsExtended(const Light& light) { return light.IsExtended(); }
 bool IsExtended(const EmissiveTriangle&) { return true; }
@@ -47,7 +48,16 @@ std::optional<LightSample> SampleLight(const ShadingPoint& p, const EmissiveTria
   return LightSample{.irradiance = triangle.RadianceAlong(way), .to_light = way, .reaching = triangle.primitive};
 }
 std::optional<LightSample> SampleLight(const ShadingPoint& p, const EmissiveShape& shape, const R2::Point& u) {
-  const auto drawn = shape.SampleTowards(p.shadow_origin, u, p.path.ray.time);
+  const R3::Point& from = p.shadow_origin;
+  const double time = p.path.ray.time;
+  auto drawn = shape.SampleTowards(from, u, time);
+  if (!drawn && shape.Reached() < 0) {
+    // Of some shapes, what hides itself is drawn as well. The mean is that over what does not.
+    constexpr std::uint32_t most_attempts = 64;
+    const RandomKey key = p.path.index.key.Child(again_key).Child(std::bit_cast<std::uint64_t>(u.x));
+    const Points again(SamplerKind::random, key.Child(std::bit_cast<std::uint64_t>(u.y)), most_attempts);
+    for (std::uint32_t k = 0; k < most_attempts && !drawn; ++k) drawn = shape.SampleTowards(from, again.Get2D(k), time);
+  }
   if (!drawn) return {};
   return LightSample{.irradiance = drawn->radiance, .to_light = drawn->towards, .reaching = shape.Reached()};
 }

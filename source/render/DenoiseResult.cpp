@@ -86,7 +86,9 @@ void DenoiseResult(const World& world, const Accelerator& accelerator, const Ren
       result.image = denoised.Mean();
       result.denoised_by = filters.Name();
       result.error_before_denoising = result.error;
-      result.error = MeasureDenoisedError(film, denoised, measure).estimate;
+      MeasuredError measured = MeasureDenoisedError(film, denoised, measure);
+      AllowFor(result.unseen, measure, measured);
+      result.error = measured.estimate;
     });
   } catch (const DenoiserError& error) {
     result.denoise_failure = error.what();

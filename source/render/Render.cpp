@@ -10,6 +10,7 @@
 
 #include "source/film/Contrast.h"
 #include "source/integrate/debug/Heat.h"
+#include "source/integrate/lights/Caustics.h"
 #include "source/render/DenoiseForecast.h"
 #include "source/render/DenoiseResult.h"
 #include "source/render/FinishForecast.h"
@@ -43,9 +44,10 @@ SampleCounts CountSamples(const Film& film) {
     const auto area = static_cast<double>(film.PixelsInRegion(i).Area());
     if (area == 0) continue;
     const std::uint32_t samples = film[i].Samples();
-    counts.least = std::min(counts.least, samples);
-    counts.most = std::max(counts.most, samples);
-    sum += area * samples + static_cast<double>(PixelsLookedAt(film, i));
+    const std::int64_t places = PixelsLookedAt(film, i);  // 0 where all have samples
+    counts.least = std::min(counts.least, places == film.PixelsInRegion(i).Area() ? 1 : samples);
+    counts.most = std::max(counts.most, places > 0 ? 1 : samples);
+    sum += area * samples + static_cast<double>(places);
     pixels += area;
   }
   counts.mean = sum / pixels;
@@ -111,6 +113,7 @@ class Job {
         settings_(settings),
         monitor_(monitor),
         camera_(CameraRaysOf(world, settings)),
+        caustics_(settings.mode == RenderMode::path ? CausticsOf(world, settings.trace) : Caustics()),
         source_{integrator, camera_, RandomKey(settings.seed), settings.clamp == Clamp::samples},
         film_(EmptyFilmOf(settings)),
         schedule_(settings, {film_.Columns(), film_.AreasInRegion()}, settings.wants_passes || monitor.pass_done),
@@ -223,17 +226,21 @@ class Job {
     // Looks are no pass that anybody counts, nor are those of a render that has nothing to decide.
     const bool are_counted =
         settings_.budget.IsOpen() || settings_.wants_passes || settings_.replay || monitor_.pass_done;
-    if (!passes_.empty() && (!are_counted || passes_.back().end == 0)) passes_.pop_back();
     const double samples = CountSamples(film_).mean;
-    passes_.push_back({schedule_.State().end, samples, Seconds() - monitor_.seconds_before, {}});
+    // One that was over when it was kept is noted already, and what came before it is known no more.
+    const std::uint32_t end = schedule_.State().end;
+    const bool is_noted = !passes_.empty() && passes_.back().end == end && passes_.back().samples == samples;
+    if (!passes_.empty() && !is_noted && (!are_counted || passes_.back().end == 0)) passes_.pop_back();
+    if (!is_noted) passes_.push_back({end, samples, Seconds() - monitor_.seconds_before, {}});
     PassOutcome pass;
     pass.seconds_taken = Seconds() - pass_begin_.seconds;
     pass.samples_taken = samples - pass_begin_.samples;
-    if (schedule_.LooksAtError() || (settings_.wants_passes && !settings_.replay)) pass.error = Measure();
+    const bool measures = schedule_.LooksAtError() || settings_.wants_passes;
+    if (measures && !ShowsCosts(settings_.mode)) pass.error = Measure();
     if (pass.error) {
       // Errors that a report alone asks for must not bear on those that decide.
-      if (schedule_.LooksAtError() || !settings_.budget.error) differences_ = pass.error->differences;
-      passes_.back().error = pass.error->estimate;
+      if (!is_noted && (schedule_.LooksAtError() || !settings_.budget.error)) differences_ = pass.error->differences;
+      if (!is_noted) passes_.back().error = pass.error->estimate;
       Foretell(pass);
     }
     if (schedule_.LooksAtContrast()) pass.contrasts = NeighborContrasts(film_, MeasureFor(settings_));
@@ -327,13 +334,24 @@ class Job {
     // Of costs no error is known: they are what is summed, not the colors shown.
     if (!ShowsCosts(settings_.mode)) result.error = LastError(stop);
     if (result.error && !passes_.empty()) passes_.back().error = result.error;
+    result.unseen = Unseen();
     result.has_outliers = result.error && result.two_streams && result.error->IsMostlyOutliers() &&
                           result.samples.least == result.samples.most;
     result.passes = passes_;
     return result;
   }
 
-  std::optional<MeasuredError> Measure() const { return MeasureError(film_, MeasureFor(settings_), &differences_); }
+  UnseenLight Unseen() const {
+    if (runner_.Rays().caustics > 0) return {};
+    return {caustics_.most, SamplesTaken(film_)};
+  }
+
+  std::optional<MeasuredError> Measure() const {
+    const ErrorMeasure measure = MeasureFor(settings_);
+    auto measured = MeasureError(film_, measure, &differences_);
+    if (measured) AllowFor(Unseen(), measure, *measured);
+    return measured;
+  }
 
   /// That of the last pass, unless samples have come since.
   std::optional<ErrorEstimate> LastError(Stop stop) const {
@@ -348,6 +366,7 @@ class Job {
   const RenderSettings& settings_;
   const RenderMonitor& monitor_;
   const CameraRays camera_;
+  const Caustics caustics_;
   const SampleSource source_;
   Film film_;
   Schedule schedule_;

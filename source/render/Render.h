@@ -82,6 +82,7 @@ struct RenderResult {
   double denoise_seconds = 0, guide_seconds = 0;  // the latter a part of the former
   std::uint64_t guide_rays = 0;                   // a part of `rays`
   std::optional<Refinement> refinement;           // nothing where it was not denoised
+  UnseenLight unseen;                             // the error's interval allows for it
   bool has_outliers = false;                      // they hold most of the error, and no block was stopped early
 
   bool IsComplete() const { return stop != Stop::request; }

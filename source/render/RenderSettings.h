@@ -77,9 +77,10 @@ struct Replay {
 
 /// What picture to make of a scene, and how the work is spread; the latter never changes a bit of the former.
 struct RenderSettings {
-  int width = 256, height = 256;       // of the whole picture
-  std::optional<PixelRectangle> crop;  // the part that is rendered; its pixels equal those of the whole
-  int samples = 1;                     // camera rays per pixel, >= 1; a ceiling where there is a budget, unless it is 1
+  int width = 256, height = 256;  // of the whole picture
+  // The part that is rendered; its pixels equal those of the whole, but where neighbors decide about samples.
+  std::optional<PixelRectangle> crop;
+  int samples = 1;  // camera rays per pixel, >= 1; a ceiling where there is a budget, unless it is 1
   std::uint64_t seed = 0;
   RenderMode mode = RenderMode::whitted;
   FilterKind filter = FilterKind::box;
@@ -93,7 +94,7 @@ struct RenderSettings {
   bool denoise = false;  // filter the picture of light once it is complete; takes two streams
   Denoiser denoiser = Denoiser::regression;
   bool srgb = false;          // the picture will be sRGB encoded, so display errors are counted after that
-  bool wants_passes = false;  // double the samples pass by pass even without a budget, to see the error fall
+  bool wants_passes = false;  // measure the error pass by pass, to see it fall: that bears on what is claimed
 
   int threads = 0;     // 0: as many as the machine has
   int tile_size = 32;  // side of a work item in pixels, rounded up to whole blocks of the film; 0: the whole picture

@@ -13,7 +13,7 @@
 namespace ray {
 namespace {
 
-constexpr std::string_view magic = "raypro checkpoint 4\n";
+constexpr std::string_view magic = "raypro checkpoint 5\n";
 
 std::uint64_t Checksum(std::span<const unsigned char> bytes) {
   Hash hash;
@@ -113,6 +113,7 @@ void PutError(Writer& writer, const ErrorEstimate& error) {
   writer.Put(error.worst_block);
   writer.Put(error.worst_block_at);
   writer.Put(error.outlier_share);
+  writer.Put(error.unseen_share);
   writer.Put(error.freedom);
 }
 
@@ -125,6 +126,7 @@ ErrorEstimate TakeError(Reader& reader) {
   error.worst_block = reader.Take<double>();
   error.worst_block_at = reader.Take<PixelRectangle>();
   error.outlier_share = reader.Take<double>();
+  error.unseen_share = reader.Take<double>();
   error.freedom = reader.Take<double>();
   return error;
 }
@@ -295,6 +297,7 @@ void CheckPlan(const RenderState& state, const RenderSettings& settings) {
                           std::to_string(now) + ": " + why);
   };
   if (now < then) refuse("samples can be added, not taken away");
+  if (then == 1) refuse("one sample is in the middle of its pixel, where the first of several is not");
   if (settings.budget.error) refuse("with -error, earlier decisions would have been different");
   const SamplerKind sampler = settings.trace.sampler;
   if (sampler == SamplerKind::stratified || IsGrid(sampler))

@@ -19,6 +19,13 @@ double SolidAngle(int row, int rows) {
   return longitudes * 2 * R1::SinCosTurns(middle).sine * R1::SinCosTurns(0.25 / rows).sine;
 }
 
+double LargestLuminance(const R2::Image& map) {
+  double largest = 0;
+  for (int y = 0; y < map.Height(); ++y)
+    for (int x = 0; x < map.Width(); ++x) largest = std::max(largest, Luminance(map.At(x, y)));
+  return largest;
+}
+
 bool IsAllBlack(const R2::Image& image) {
   return std::all_of(image.Channels().begin(), image.Channels().end(), [](float c) { return c == 0; });
 }
@@ -135,6 +142,7 @@ Environment::Environment(R2::Image image, std::string file)
       layout_(LayoutOf(image)),
       map_(Unfolded(std::move(image), layout_)),
       is_black_(IsAllBlack(map_)),
+      brightest_(LargestLuminance(map_)),
       sines_(OfRows(map_.Height() + 1, [&](int edge) { return SineOfEdge(edge, map_.Height()); })),
       solid_angles_(OfRows(map_.Height(), [&](int row) { return SolidAngle(row, map_.Height()); })),
       columns_(Columns(map_, is_black_)),

@@ -72,6 +72,8 @@ class Environment {
   void SeeEach(LightSamples& samples, LightSamples::Each& pdfs) const;
 
   bool IsBlack() const { return is_black_; }
+  /// The largest luminance of a texel.
+  double Brightest() const { return brightest_; }
   /// The latitude-longitude map that it was turned into: width twice the height.
   const R2::Image& Map() const { return map_; }
 
@@ -103,6 +105,7 @@ class Environment {
   EnvironmentLayout layout_;
   R2::Image map_;  // latitude-longitude
   bool is_black_;
+  double brightest_;
   std::vector<double> sines_;                  // of the latitudes of the rows' lower edges, and of the last one's upper
   std::vector<double> solid_angles_;           // of a texel in each row
   std::vector<DiscreteDistribution> columns_;  // one for each row, by luminance

@@ -284,8 +284,8 @@ TEST(Emission, InModeWhittedSolidsLightLikeTrianglesWhereThatIsAskedForAndElseNo
   settings.mode = ray::RenderMode::whitted;
   for (const int lights : {-1, 1}) {
     settings.trace.lights = lights;
-    for (const char* shape :
-         {"sphere 1  0 2 0  1e-4", "box 1  -1e-4 2 -1e-4  1e-4 2.0001 1e-4", "cylinder 1  0 2 0  1e-4 1e-4"}) {
+    for (const char* shape : {"sphere 1  0 2 0  1e-4", "box 1  -1e-4 2 -1e-4  1e-4 2.0001 1e-4",
+                              "cylinder 1  0 2 0  1e-4 1e-4", "torus 1  0 2 0  1e-4 4e-5"}) {
       settings.trace.emissive_solids_light = true;
       EXPECT_NEAR(Shown(floor_seen + shape, settings).mean, kd * emission, 1e-6) << shape << ", lights " << lights;
       settings.trace.emissive_solids_light = false;

@@ -262,6 +262,7 @@ TEST(RandomScenes, PathsTakenTogetherAreThoseTakenOneByOneBitForBit) {
     stream.Li(samples, together, of_all);
     EXPECT_TRUE(together == alone);
     EXPECT_EQ(of_all.rays.throughput_cut, of_one.rays.throughput_cut);
+    EXPECT_EQ(of_all.rays.caustics, of_one.rays.caustics);
     for (std::size_t kind = 0; kind < of_one.rays.kinds.size(); ++kind)
       EXPECT_EQ(of_all.rays.kinds[kind].rays, of_one.rays.kinds[kind].rays) << "kind " << kind;
   });

@@ -265,7 +265,6 @@ void CheckNeighbors(const RenderSettings& render) {
 void CheckBudget(const Options& options) {
   const Budget& budget = options.render.budget;
   if (!options.replay.empty() && budget.IsOpen()) throw UsageError("-replay and -time or -error contradict each other");
-  if (!options.replay.empty() && options.resume) throw UsageError("-replay and -resume contradict each other");
   if (options.resume && options.restart) throw UsageError("-resume and -restart contradict each other");
   if (ShowsCosts(options.render.mode) && budget.error)
     throw UsageError(std::string("-error has no effect with -mode ") + NameOf(options.render.mode) +
@@ -286,10 +285,11 @@ void CheckTogether(const Options& options, std::span<const std::string> words) {
 
 /// What follows from other options.
 void Derive(Options& options) {
-  const R2::ImageFormat* format = FormatOfPicture(options.picture);
-  options.render.srgb = options.encoding.srgb && !(format && format->is_linear);
-  options.render.quantization = options.encoding.quantization;
-  options.render.wants_passes = !options.report.empty() && options.render.samples > 1 && options.replay.empty();
+  RenderSettings& render = options.render;
+  render.srgb = options.encoding.srgb;  // as displayed, though a format of light keeps light
+  render.quantization = options.encoding.quantization;
+  const bool claims_error = render.budget.IsOpen() || render.denoise || !options.reference.empty() || options.stats;
+  render.wants_passes = claims_error || (!options.report.empty() && render.samples > 1);
   options.parse.problem_of = ProblemOf;
   options.parse.max_texture_bytes = MemoryLimit(options);
   options.parse.decode_srgb = options.encoding.srgb;  // a linear workflow is linear from end to end

@@ -80,6 +80,7 @@ void CheckSecondName(const Options& options) {
 }
 
 void CheckPicture(const Options& options, std::span<const std::string> words) {
+  if (options.report == standard_stream) throw UsageError("-report needs the name of a file, not standard output");
   if (options.picture == options.report && !options.picture.empty())
     throw UsageError("the picture and the report are the same file, " + Quoted(options.report));
   if (!options.picture.empty()) return;

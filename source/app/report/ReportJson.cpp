@@ -63,6 +63,7 @@ Json Rays(const RayCounts& rays, std::uint64_t guides, const std::optional<Refin
     costs[ray_kind_names[i]] = CostJson(rays.kinds[i].cost);
   }
   json["cut"] = rays.cut;
+  json["caustics"] = rays.caustics;
   json["total"] = rays.Total();
   json["guides"] = guides;
   json["refining"] = refinement ? Json{{"most", refinement->rays}, {"samples", refinement->samples}} : Json();
@@ -84,7 +85,8 @@ Json ErrorJson(const RunStats& record) {
                                                : "halves"},
                {"worst_block", {{"error", e.worst_block}, {"at", {w.x0, w.y0, w.x1, w.y1}}}},
                {"freedom", e.freedom},
-               {"outlier_share", e.outlier_share}};
+               {"outlier_share", e.outlier_share},
+               {"unseen_share", e.unseen_share}};
   if (record.true_error) json["true_error"] = *record.true_error;
   if (before) {
     json["before_denoising"] = before->estimate;

@@ -18,7 +18,8 @@ namespace ray {
 ///   | settings           | every option in force by its name: numbers, true/false, names; crop is      |
 ///   |                    | [x0, y0, x1, y1] or null, allow_path a list                                 |
 ///   | rays               | camera, shadow, reflection, transmission, diffuse, cut (wanted but over     |
-///   |                    | a camera ray's limit), total (all but cut), guides (of those, what -denoise |
+///   |                    | a camera ray's limit), caustics (paths that found the brightest light by    |
+///   |                    | way of mirrors or glass), total (all but cut), guides (of those, what -denoise |
 ///   |                    | took), refining (of other camera rays than the samples' own: most, samples |
 ///   |                    | (of a pixel); null where not denoised), costs (the counts of each kind)     |
 ///   | counts             | node_visits, box_tests, primitive_tests, hits, cache_tests, cache_hits,     |
@@ -48,7 +49,8 @@ namespace ray {
 ///   | error              | estimate, low, high, unit, method ("two streams": true on average, with     |
 ///   |                    | ", denoised": of the picture that was denoised; "halves": at most about),   |
 ///   |                    | worst_block (error, at), freedom (the degrees of freedom that hold it),     |
-///   |                    | outlier_share, true_error beside a reference, and                           |
+///   |                    | outlier_share, unseen_share (of the square of high, for caustics that no    |
+///   |                    | path has found), true_error beside a reference, and                         |
 ///   |                    | before_denoising (an estimate), denoised_by (filters and their version);    |
 ///   |                    | null below two samples                                                      |
 ///   | passes             | of each: end (samples a pixel and stream), samples (mean a pixel), seconds  |

@@ -164,10 +164,14 @@ void RunLog::Compared(double true_error) { stats_.true_error = true_error; }
 
 void RunLog::WillFinishIn(const Budget& budget) {
   const RenderSettings& render = stats_.options.render;
+  const double so_far = SecondsSoFar();
   const auto warn_if_too_long = [&](double seconds, const std::string& work, const std::string& consequence) {
-    if (SecondsSoFar() + seconds > budget.seconds)
-      Warn("raypro: warning: -time " + ShowDuration(budget.seconds) + " is too short" + work + " " +
-           PixelsAcross(render) + " pixels alone takes about " + Rounded(seconds, 2) + " s" + consequence);
+    if (so_far + seconds <= budget.seconds) return;
+    const std::string reason =
+        seconds > budget.seconds
+            ? work + " " + PixelsAcross(render) + " pixels alone takes about " + Rounded(seconds, 2) + " s"
+            : ": what comes before the first ray took " + Rounded(so_far, 2) + " s";
+    Warn("raypro: warning: -time " + ShowDuration(budget.seconds) + " is too short" + reason + consequence);
   };
   warn_if_too_long(budget.seconds_to_finish, ": filling and writing", "");
   if (render.denoise)
@@ -180,18 +184,24 @@ void RunLog::Rendered(const RenderResult& result) {
   stats_.seconds.wall = watch_.Total();
   stats_.Take(result);
   if (!result.IsComplete()) stats_.stop = StopSignal() == SIGTERM ? "SIGTERM" : "SIGINT";
+  const RenderSettings& render = stats_.options.render;
   constexpr std::int64_t fewest = 1000;  // of whose pixels 0.1 % is one
   if (result.has_outliers && result.pixels_total >= fewest)
     Warn(
         "raypro: warning: 0.1 % of the pixels hold more than half of the squared error; where light is found so "
         "rarely, the true error may be larger than estimated");
+  if (result.error && result.error->IsMostlyUnseen() && (render.budget.IsOpen() || render.denoise))
+    Warn(
+        "raypro: warning: no path from a surface to a lamp by way of mirrors or glass was found; caustics that are so "
+        "rare may make the true error larger than estimated, up to " +
+        ErrorText(result.error->high, result.error->unit));
   if (result.rays.cut > 0)
     Warn("raypro: warning: " + Counted(result.rays.cut, "ray") + " were terminated; a camera ray may have at most " +
          std::to_string(most_descendants) + " descendants");
   PrintStep("traced " + Counted(result.rays.Total(), "ray"), stats_.seconds.render);
   if (!result.denoise_failure.empty()) Warn("raypro: the image is not denoised: " + result.denoise_failure);
   if (result.had_no_time_to_denoise)
-    Warn("raypro: warning: the image is not denoised: -time " + ShowDuration(stats_.options.render.budget.seconds) +
+    Warn("raypro: warning: the image is not denoised: -time " + ShowDuration(render.budget.seconds) +
          " left too little for two samples per pixel and their filter");
   if (result.error_before_denoising) PrintStep("of that, denoised", result.denoise_seconds);
 }

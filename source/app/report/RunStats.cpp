@@ -20,8 +20,8 @@ std::string PixelsText(const RunStats& record) {
   if (record.IsComplete()) return "complete";
   if (record.pixels_done < record.pixels_total)
     return std::to_string(record.pixels_done) + " of " + std::to_string(record.pixels_total) + " pixels done";
-  const std::string wanted =
-      record.options.render.budget.IsOpen() ? "" : " of " + std::to_string(record.options.render.samples);
+  const bool is_known = !record.options.render.budget.IsOpen() && record.options.replay.empty();
+  const std::string wanted = is_known ? " of " + std::to_string(record.options.render.samples) : "";
   return ShortCountText(record.samples.mean) + wanted + " samples per pixel done";
 }
 

@@ -142,7 +142,7 @@ extern const Command coat_command{
     "a clear coat of that index of refraction over what is diffuse: it mirrors more towards grazing angles", ReadCoat};
 extern const Command flat_color_command{
     "flat_color", "flat_color mat_id r g b",
-    "what mode flat shows, where it is not the sum of kd, the mirror's weight and kt",
+    "what mode flat shows, times the texture; by default kd (times the texture), the mirror's weight and kt together",
     ReadColorOfMaterial<&Material::color>};
 extern const Command texture_ambient_command{"texture_ambient", "texture_ambient mat_id",
                                              "the material's texture multiplies ka as well as kd", ReadTextureAmbient};

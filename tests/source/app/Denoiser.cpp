@@ -6,19 +6,19 @@
 
 #include "source/app/Status.h"
 #include "source/app/options/CommandLine.h"
-#include "tests/source/app/Program.h"
+#include "tests/source/app/Place.h"
 
 namespace ray {
 namespace {
 
 using testing::Finished;
 using testing::Has;
+using testing::List;
 using testing::ReadFile;
 using testing::RunProgram;
 using testing::SceneFolder;
 using testing::With;
 using testing::WriteFile;
-using List = std::vector<std::string>;
 
 Options OptionsOfDenoiser(const List& more) {
   return ReadCommandLine(Program::raypro, With({"in.scn", "out.ppm"}, more));

@@ -64,6 +64,7 @@ TEST(Resume, RefusesWhatWouldNotBeThePictureOfOneRun) {
       {{"-samples", "6", "-filter", "mitchell"}, {"-samples", "8", "-filter", "mitchell"}, "1, 2, 4, ... 64, 128"},
       {{"-samples", "4", "-error", "100"}, {"-samples", "8", "-error", "100"}, "with -error"},
       {{"-samples", "4"}, {"-samples", "8", "-seed", "3"}, "-seed 0"},
+      {{"-samples", "1"}, {"-samples", "4"}, "in the middle of its pixel"},
   };
   for (auto [first, then, reason] : cases) {
     first.insert(first.end(), {"-keep_checkpoint", "-restart"});

@@ -5,6 +5,7 @@
 #include <cstring>
 #include <filesystem>
 #include <limits>
+#include <thread>
 
 #include "R2/ImageFile.h"
 #include "source/app/Status.h"
@@ -12,20 +13,22 @@
 #include "source/app/options/BudgetWords.h"
 #include "source/app/options/CommandLine.h"
 #include "source/app/options/Preset.h"
-#include "tests/source/app/Program.h"
+#include "tests/source/app/Place.h"
 
 namespace ray {
 namespace {
 
 using testing::Finished;
 using testing::Has;
+using testing::List;
+using testing::Place;
 using testing::ReadFile;
+using testing::Running;
 using testing::RunProgram;
-using testing::SceneFolder;
+using testing::soft_scene;
 using testing::TemporaryFolder;
 using testing::With;
 using testing::WriteFile;
-using List = std::vector<std::string>;
 
 Options Parsed(const List& more) { return ReadCommandLine(Program::raypro, With({"in.scn", "out.ppm"}, more)); }
 
@@ -147,18 +150,6 @@ TEST(TradeWords, ContradictionsAreRefused) {
 
 // From outside.
 
-const std::string soft_scene =
-    "camera 0 1 6  0 0 -1  0 1 0  0.3  0.1 100\nbox -1  -4 -1 -4  4 0 4\nsphere -1  0 0.8 0  0.8\n"
-    "area_light 9 9 9  2 4 2  -1 -2 -1  1  0 0 1\n";
-
-struct Place : SceneFolder {
-  explicit Place(const std::string& text = soft_scene) : SceneFolder(text) {}
-  /// Runs with small pictures and the words given.
-  Finished Run(const std::string& picture, const List& more) const {
-    return RunProgram(With({Scene(), *this / picture, "-width", "40", "-height", "30", "-quiet"}, more));
-  }
-};
-
 TEST(Replay, MakesARenderThatItsErrorOrTheClockEndedAgainToTheByte) {
   NEEDS_THE_PROGRAM();
   for (const List& budget : {List{"-error", "6"},
@@ -178,6 +169,44 @@ TEST(Replay, MakesARenderThatItsErrorOrTheClockEndedAgainToTheByte) {
     const std::string report = ReadFile(place / "r.json");
     EXPECT_TRUE(Has(report, "\"reason\": \"time\"") || Has(report, "\"reason\": \"error\"")) << report;
   }
+}
+
+TEST(Replay, ThatASignalEndedIsResumed) {
+  NEEDS_THE_PROGRAM();
+  const Place place;
+  const List settings{"-mode", "path", "-width", "150", "-height", "100"};
+  ASSERT_EQ(place.Run("a.pfm", With(settings, {"-samples", "256", "-report", place / "r.json"})).status, 0);
+  const List replay = With(settings, {"-replay", place / "r.json"});
+  const List command = With({place.Scene(), place / "b.pfm"}, replay);
+  Running running(command);
+  std::this_thread::sleep_for(std::chrono::milliseconds(150));
+  running.Send(SIGINT);
+  const Finished stopped = running.Wait();
+  if (stopped.status == 0) GTEST_SKIP() << "it was faster than the signal";
+  EXPECT_FALSE(Has(stopped.output, " of 1 samples")) << stopped.output;
+  const Finished resumed = RunProgram(With(command, {"-resume"}));
+  EXPECT_EQ(resumed.status, 0) << resumed.error;
+  EXPECT_TRUE(ReadFile(place / "a.pfm") == ReadFile(place / "b.pfm"));
+}
+
+TEST(Report, OfAFinishedRenderThatIsResumedHasEachPassOnce) {
+  NEEDS_THE_PROGRAM();
+  const Place place;
+  const List settings{"-mode", "path", "-samples", "16", "-denoise", "-keep_checkpoint"};
+  const auto passes = [&](const char* more) {
+    List words = With(settings, {"-report", place / "r.json"});
+    if (*more) words.emplace_back(more);
+    EXPECT_EQ(place.Run("a.pfm", words).status, 0);
+    const std::string report = ReadFile(place / "r.json");
+    std::string ends;
+    for (std::size_t at = report.find("\"passes\""); (at = report.find("\"end\": ", at)) != std::string::npos; ++at)
+      ends += report.substr(at + 7, 3);
+    const std::size_t before = report.find("before_denoising");
+    return ends + report.substr(before, report.find(',', before) - before);
+  };
+  const std::string first = passes("");
+  EXPECT_TRUE(Has(first, "before_denoising")) << first;
+  EXPECT_EQ(passes("-resume"), first);
 }
 
 TEST(Time, TooShortForTheImageAloneIsToldAndTheImageMade) {
@@ -403,21 +432,13 @@ TEST(Reference, ASecondOneIsAnotherFile) {
 TEST(Report, IsNoFileThatARenderWritesBesidesThePicture) {
   NEEDS_THE_PROGRAM();
   const Place place;
+  EXPECT_EQ(place.Run("a.ppm", {"-report", "-"}).status, 2);
   for (const char* name : {"a.ppm.checkpoint", "a.partial.ppm.checkpoint", "a.partial.ppm", "a.depth.ppm"}) {
     const Finished done = place.Run("a.ppm", {"-report", place / name, "-layers", "depth"});
     EXPECT_EQ(done.status, 2) << name;
     EXPECT_TRUE(Has(done.error, "the report cannot be")) << done.error;
   }
   EXPECT_EQ(place.Others({"in.scn"}), List{});
-}
-
-// Of so few pixels the worst thousandth is a quarter.
-TEST(Outliers, AreNotWarnedOfInAPictureOfAFewPixels) {
-  NEEDS_THE_PROGRAM();
-  const Place place;
-  const Finished done = place.Run("a.ppm", {"-crop", "18", "14", "20", "16", "-error", "2"});
-  EXPECT_EQ(done.status, 0);
-  EXPECT_EQ(done.error, "");
 }
 
 std::string Pfm(int width, int height, float value) {

@@ -239,6 +239,34 @@ TEST(PictureError, TheWorstBlockAndTheOutliersAreFound) {
   EXPECT_LT(MeasureError(Noisy(32, 2, 2, 0.01, 5), {.unit = ErrorUnit::linear})->estimate.outlier_share, 0.02);
 }
 
+TEST(PictureError, TheIntervalAllowsForLightThatNoSampleHasFound) {
+  const double rule_of_three = std::log(40.0);  // 3.7 with both ends of a 95 % interval
+  for (const ErrorUnit unit : {ErrorUnit::display, ErrorUnit::linear}) {
+    const ErrorMeasure measure{.unit = unit};
+    MeasuredError error = *MeasureError(Noisy(32, 2, 2, 0.01, 5), measure);
+    const MeasuredError before = error;
+    AllowFor({}, measure, error);
+    EXPECT_EQ(error.estimate.high, before.estimate.high);
+    EXPECT_EQ(error.estimate.unseen_share, 0);
+    AllowFor({.most = 20, .samples = 4096}, measure, error);
+    // All of it in pixels that are as bright as can be: 1 on a screen, else 20.
+    const double brightest = unit == ErrorUnit::display ? 1 : 20;
+    const double unseen = 20 * rule_of_three / 4096 * brightest;
+    EXPECT_NEAR(error.square_high, before.square_high + unseen, 1e-12);
+    EXPECT_NEAR(error.estimate.unseen_share, unseen / error.square_high, 1e-12);
+    EXPECT_EQ(error.square, before.square);
+    EXPECT_EQ(error.estimate.low, before.estimate.low);
+    EXPECT_NEAR(error.estimate.high, (unit == ErrorUnit::display ? 255 : 1) * std::sqrt(error.square_high), 1e-9);
+  }
+}
+
+TEST(PictureError, WhatNoSampleHasFoundIsNoBrighterThanAScreen) {
+  MeasuredError error = *MeasureError(Noisy(32, 2, 2, 0.01, 5), {});
+  const double before = error.square_high;
+  AllowFor({.most = 1e9, .samples = 4096}, {}, error);
+  EXPECT_NEAR(error.square_high, before + 1, 1e-12);
+}
+
 R2::Image Gray(int side, double value) {
   R2::Image image(side, side);
   for (int y = 0; y < side; ++y)

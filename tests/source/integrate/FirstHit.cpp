@@ -38,6 +38,17 @@ double Distance(const R3::Vector& d) {
   return along - root;
 }
 
+TEST(FirstHit, AMaterialsOwnColorIsMultipliedByItsTexture) {
+  Scene scene = project::FromText(
+      "camera 0 0 5  0 0 -1  0 1 0  0.5  0.01 100 "
+      "material 0 0 0  0.5 0.5 0.5  0 0 0  0 0 0  0 0 0  10 1 0 sphere 0  0 0 0  1 flat_color 0 1 0.5 1 ");
+  R2::Image red(1, 1);
+  red.Set(0, 0, {1, 0.5, 0});
+  for (Material& material : scene.materials) material.texture = std::make_shared<Texture>(Texture{red});
+  const R2::Color shown = Shown(project::Stage(std::move(scene)), "flat", 1).At(0, 0);
+  EXPECT_EQ(shown, (R2::Color{1, 0.25, 0}));
+}
+
 TEST(FirstHit, ShowsWhatGeometrySaysOfABall) {
   const project::Stage stage = Balls();
   constexpr int side = 33;

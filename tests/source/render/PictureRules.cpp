@@ -79,5 +79,29 @@ TEST(PictureRules, AShadowBiasLetsNearThingsCastNoShadow) {
   EXPECT_EQ(seen("shadow_bias .3"), 1);
 }
 
+TEST(PictureRules, AShadowBiasLetsNearThingsNotBeSeenThroughGlassOfAnyIndex) {
+  const auto seen = [](const std::string& bias, const std::string& index) {
+    RenderSettings settings;
+    settings.width = settings.height = 1;
+    // A lamp .1 behind a pane.
+    return project::Render(project::Stage(project::FromText(
+                               bias +
+                               " camera 0 0 5  0 0 -1  0 1 0  .1  0.01 100 point_light 0 0 0  0 0 0  1 0 0 "
+                               "material 0 0 0  0 0 0  0 0 0  1 1 1  0 0 0  1 " +
+                               index +
+                               " 0 "
+                               "material 0 0 0  0 0 0  0 0 0  0 0 0  .5 0 0  1 1 0 "
+                               "disc 0  0 0 0  0 0 1  1 disc 1  0 0 -.1  0 0 1  1")),
+                           settings)
+        .image.At(0, 0)
+        .r;
+  };
+  for (const std::string index : {"1", "1.000001"}) {
+    EXPECT_EQ(seen("", index), 0.5) << index;
+    EXPECT_EQ(seen("shadow_bias .05", index), 0.5) << index;
+    EXPECT_EQ(seen("shadow_bias .3", index), 0) << index;
+  }
+}
+
 }  // namespace
 }  // namespace ray
