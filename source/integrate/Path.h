@@ -61,7 +61,7 @@ class Path : public Integrator {
                   TraceState& state) const;
   /// Counts the path where what its step found makes it one.
   void CountCaustic(const Step& step, const R2::Color& emission, TraceState& state) const {
-    if (step.path.is_scattered && IsSpecular(step.lobe)) state.rays.caustics += caustics_.Counts(emission);
+    if (IsSpecular(step.lobe) && step.path.is_scattered) state.rays.caustics += caustics_.Counts(emission);
   }
 
   /// The same where a direction has been chosen, and what throughput survives.

@@ -9,7 +9,7 @@
 namespace ray {
 
 /// What a ray is for. Transmission is straight or refracted; diffuse rays are those that diffuse surfaces scatter.
-enum class RayKind { camera, shadow, reflection, transmission, diffuse };
+enum class RayKind : std::uint8_t { camera, shadow, reflection, transmission, diffuse };
 inline constexpr std::array ray_kind_names{"camera", "shadow", "reflection", "transmission", "diffuse"};
 
 /// Rays by what they were for, and what tracing them cost.

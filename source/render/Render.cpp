@@ -238,8 +238,8 @@ class Job {
     const bool measures = schedule_.LooksAtError() || settings_.wants_passes;
     if (measures && !ShowsCosts(settings_.mode)) pass.error = Measure();
     if (pass.error) {
-      // Errors that a report alone asks for must not bear on those that decide.
-      if (!is_noted && (schedule_.LooksAtError() || !settings_.budget.error)) differences_ = pass.error->differences;
+      // Errors that a report alone asks for must not bear on those that decide, nor on what is claimed.
+      if (!is_noted && schedule_.LooksAtError()) differences_ = pass.error->differences;
       if (!is_noted) passes_.back().error = pass.error->estimate;
       Foretell(pass);
     }

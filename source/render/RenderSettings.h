@@ -73,6 +73,7 @@ struct Replay {
   std::vector<std::uint8_t> places;        // looked at, of blocks that have none; empty when all have some
   bool denoised = true;                    // where that is asked for: else there was no time
   std::optional<Refinement> refinement{};  // nothing: as many rays as the render takes
+  bool looked_at_error = false;            // decided by it, so that how it fell bears on what it claims
 };
 
 /// What picture to make of a scene, and how the work is spread; the latter never changes a bit of the former.
@@ -94,7 +95,7 @@ struct RenderSettings {
   bool denoise = false;  // filter the picture of light once it is complete; takes two streams
   Denoiser denoiser = Denoiser::regression;
   bool srgb = false;          // the picture will be sRGB encoded, so display errors are counted after that
-  bool wants_passes = false;  // measure the error pass by pass, to see it fall: that bears on what is claimed
+  bool wants_passes = false;  // measure the error pass by pass, to see it fall
 
   int threads = 0;     // 0: as many as the machine has
   int tile_size = 32;  // side of a work item in pixels, rounded up to whole blocks of the film; 0: the whole picture

@@ -33,6 +33,13 @@ std::uint32_t Ceiling(const RenderSettings& settings) {
   return HasTwoStreams(settings) ? std::max(1u, samples / 2) : samples;
 }
 
+/// Samples per pixel and stream.
+std::uint32_t FirstDecision(const RenderSettings& settings) {
+  const std::uint32_t planned = settings.replay ? settings.replay->planned_samples / 2 : Ceiling(settings);
+  const bool looks_at_error = settings.replay ? settings.replay->looked_at_error : settings.budget.error.has_value();
+  return std::clamp(planned, 1u, looks_at_error ? first_with_error_target : 1u);
+}
+
 /// Blocks that gain a sample where there is no time for one of all: so many of those that have fewest, spread evenly.
 void RaiseSome(std::vector<std::uint32_t>& targets, const std::vector<std::uint32_t>& done, double blocks) {
   std::uint32_t fewest = most_samples;
@@ -95,7 +102,7 @@ Schedule::Schedule(const RenderSettings& settings, BlockGrid blocks, bool in_pas
       two_streams_(HasTwoStreams(settings)),
       looks_at_neighbors_(SamplesWhereNeighborsDiffer(settings)),
       ceiling_(Ceiling(settings)),
-      first_decision_(std::min(ceiling_, budget_.error ? first_with_error_target : 1u)) {
+      first_decision_(FirstDecision(settings)) {
   if (replay_)
     ReplayTo(replay_->ends.front());
   else if (!ShowsCosts(settings.mode))

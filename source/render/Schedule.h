@@ -72,8 +72,12 @@ class Schedule {
   const ScheduleState& State() const { return state_; }
   /// Whether the error of the picture, after the pass that runs, bears on what is next.
   bool DecidesByError() const { return budget_.error && !replay_ && state_.end >= first_decision_; }
-  /// Or on the first error that does, since that is compared with it; and if it is small enough it ends the render.
-  bool LooksAtError() const { return budget_.error && !replay_ && 2 * state_.end >= first_decision_; }
+  /// Or on the first error that does, since that is compared with it; and if it is small enough it ends the render. In
+  /// a replay, whether it did.
+  bool LooksAtError() const {
+    const bool looks = replay_ ? replay_->looked_at_error : budget_.error.has_value();
+    return looks && 2 * state_.end >= first_decision_;
+  }
   /// Whether what is next depends on how neighboring pixels differ after the pass that runs.
   bool LooksAtContrast() const { return looks_at_neighbors_ && state_.end == 1; }
   /// Goes on where another schedule of this picture stood.

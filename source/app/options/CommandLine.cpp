@@ -288,8 +288,7 @@ void Derive(Options& options) {
   RenderSettings& render = options.render;
   render.srgb = options.encoding.srgb;  // as displayed, though a format of light keeps light
   render.quantization = options.encoding.quantization;
-  const bool claims_error = render.budget.IsOpen() || render.denoise || !options.reference.empty() || options.stats;
-  render.wants_passes = claims_error || (!options.report.empty() && render.samples > 1);
+  render.wants_passes = !options.report.empty() && render.samples > 1;
   options.parse.problem_of = ProblemOf;
   options.parse.max_texture_bytes = MemoryLimit(options);
   options.parse.decode_srgb = options.encoding.srgb;  // a linear workflow is linear from end to end

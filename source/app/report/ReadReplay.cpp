@@ -84,6 +84,7 @@ Replay SamplesOf(const Json& report, const std::string& file) {
   Replay replay;
   replay.two_streams = taken.at("two_streams");
   replay.planned_samples = samples(taken.at("planned_samples"));
+  replay.looked_at_error = !report.at("stop").at("error").is_null();
   replay.denoised = IsDenoised(report);
   if (replay.denoised) replay.refinement = RefinementOf(report, file);
   for (const Json& pass : report.at("passes")) replay.ends.push_back(samples(pass.at("end")));

@@ -21,6 +21,9 @@ TEST(Claims, AreThoseOfTheSameRenderWithAReportAndOfItsReplay) {
   EXPECT_TRUE(Has(plain, "estimated error at most")) << plain;
   EXPECT_EQ(claim({"-samples", "16", "-report", place / "r.json"}), plain);
   EXPECT_EQ(claim({"-replay", place / "r.json"}), plain);
+  const std::string decided = claim({"-error", "4", "-report", place / "e.json"});
+  EXPECT_EQ(claim({"-error", "4"}), decided);
+  EXPECT_EQ(claim({"-replay", place / "e.json"}), decided);
 }
 
 TEST(Claims, AreOfWhatIsDisplayedThoughTheFormatKeepsLight) {
