@@ -242,7 +242,9 @@ void CheckGrid(const RenderSettings& render) {
   if (!IsGrid(render.trace.sampler)) return;
   const std::string sampler = std::string("-sampler ") + NameOf(render.trace.sampler);
   if (render.budget.IsOpen() || render.denoise)
-    throw UsageError(sampler + " takes all its samples; it cannot be combined with -time, -error or -denoise");
+    throw UsageError(
+        sampler +
+        " takes all its samples; it cannot be combined with -time, -error or -denoise, as -sampler sobol can");
   const auto samples = static_cast<std::uint32_t>(render.samples), each = render.camera.SamplesOfOnePlace();
   const std::uint32_t side = GridSide(samples / each);
   if (side * side * each == samples) return;
