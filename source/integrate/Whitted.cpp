@@ -51,7 +51,7 @@ std::optional<LightSample> SampleLight(const ShadingPoint& p, const EmissiveShap
   const R3::Point& from = p.shadow_origin;
   const double time = p.path.ray.time;
   auto drawn = shape.SampleTowards(from, u, time);
-  if (!drawn && shape.Reached() < 0) {
+  if (!drawn && !shape.DrawsInSight()) {
     // Of some shapes, what hides itself is drawn as well. The mean is that over what does not.
     constexpr std::uint32_t most_attempts = 64;
     const RandomKey key = p.path.index.key.Child(again_key).Child(std::bit_cast<std::uint64_t>(u.x));

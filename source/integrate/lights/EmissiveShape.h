@@ -40,8 +40,10 @@ class EmissiveShape {
 
   const R2::Color& Emission() const { return instance_->material->emission; }
   std::int64_t Primitive() const { return instance_->first_primitive + element_; }
+  /// Whether no place drawn is hidden by the shape itself.
+  bool DrawsInSight() const { return instance_->shape->DrawsInSight(); }
   /// R3::Ray::reaching of rays to places drawn.
-  std::int64_t Reached() const { return instance_->shape->DrawsInSight() ? Primitive() : -1; }
+  std::int64_t Reached() const { return DrawsInSight() ? Primitive() : -1; }
   /// How large it looks, roughly: half the area of the box around it, as of a triangle one of two sides.
   double ProjectedAreaOfBounds() const;
   std::string Describe() const;

@@ -3,6 +3,7 @@
 #include "source/view/preview/Floats.h"
 
 namespace ray {
+
 PreviewView ViewFrom(const Camera& camera, const DrawingSpace& space, const DrawingSize& size,
                      const Exposure& exposure) {
   const auto towards = [&](double x, double y) { return camera.Through(x, y, size.width, size.height).direction; };
