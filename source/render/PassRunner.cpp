@@ -47,7 +47,7 @@ bool PassRunner::IsAtTarget(int block) const {
 PassRunner::End PassRunner::Run(const PassTargets& targets, std::optional<Clock::time_point> pause_at) {
   targets_ = &targets;
   pause_at_ = pause_at;
-  progress_ = 0;
+  progress_ = looks_begun_ = 0;
   least_progress_ = targets.places.empty() ? 1 : least_looks;
   pixels_done_ = 0;
   for (int i = 0; i < work_.film.Blocks(); ++i)
@@ -71,8 +71,8 @@ void PassRunner::RunTile(int i) {
   state.rays = {};
   state.stop = work_.stop;
   std::int64_t pixels = 0;
-  // What is done of first looks when they are broken off is to show all of the picture.
-  for (const int block : tiles_.BlocksOf(targets_->places.empty() ? i : tiles_.Spread(i))) {
+  // What is done of first looks when they are broken off is to show all of the picture, whichever thread came when.
+  for (const int block : tiles_.BlocksOf(targets_->places.empty() ? i : tiles_.Spread(looks_begun_++))) {
     if (IsAtTarget(block)) continue;
     if (!(TargetOf(block) > 0 ? Advance(block, state) : Look(block, state))) break;
     pixels += work_.film.PixelsOf(block).Area();

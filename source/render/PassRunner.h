@@ -69,6 +69,7 @@ class PassRunner {
   // Since Run began, and before it may pause: steps of blocks.
   std::atomic<int> progress_ = 0;
   int least_progress_ = 1;
+  std::atomic<int> looks_begun_ = 0;  // since Run began: tiles of them
   tbb::enumerable_thread_specific<TraceState> states_;
   std::mutex mutex_;  // guards the counts below and tile_done; a block belongs to one tile and needs no guard
   std::int64_t pixels_done_ = 0;  // at their targets
