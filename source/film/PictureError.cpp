@@ -238,6 +238,12 @@ double DegreesOfFreedom(const std::vector<float>& squares, double share_of_varia
   return 2 / share_of_variance * std::max(1.0, sum * sum / sum_of_squares);
 }
 
+/// Fewer degrees of freedom, for the claim and for the truth each: noise of pixels has longer tails than normal noise,
+/// and where degrees are few, their number is itself uncertain.
+///   accuracy   on 20 scenes 95 % intervals hold 96 % of 720 true errors as displayed, 97 % of 360 of light; of those
+///              with less than 270 degrees as many as of the others
+double FreedomOfIntervals(double freedom) { return freedom / std::min(3.0, 1.4 + 30 / freedom); }
+
 /// How much of the sum of all squares is in the largest thousandth of them; estimates below 0 count as 0.
 double OutlierShare(std::vector<float> squares) {
   for (float& square : squares) square = std::max(0.0F, square);
@@ -257,9 +263,8 @@ MeasuredError Summarize(const Film& film, std::vector<double> blocks, const std:
   measured.square = MeanOfBlocks(blocks, areas);
   ErrorEstimate& e = measured.estimate;
   e.freedom = DegreesOfFreedom(squares, share_of_variance);
-  // Noise of pixels has longer tails than normal noise: with half of the degrees, 95 % intervals of 17 scenes held
-  // 98 % of 306 true errors as displayed, and 97 % of 153 of light; with all of them 93 % and 92 %.
-  const double ratio = FQuantile((1 + measure.confidence) / 2, e.freedom / 2, e.freedom / 2);
+  const double freedom = FreedomOfIntervals(e.freedom);
+  const double ratio = FQuantile((1 + measure.confidence) / 2, freedom, freedom);
   measured.square_high = measured.square * ratio;
   e.unit = measure.unit;
   e.estimate = InUnit(measured.square, measure, mean);

@@ -78,8 +78,8 @@ struct MeasuredError {
 /// noisy pixels, that it belongs to others of their block, as far as these can show it. The larger of the last two
 /// counts. What the error of a block was before counts as far as more samples cannot explain that it fell.
 ///
-/// The interval is that of the ratio of two mean squares, the claim and the truth, with half as many degrees of freedom
-/// each: where few pixels hold the error, both are from few.
+/// The interval is that of the ratio of two mean squares, the claim and the truth, of two thirds as many degrees of
+/// freedom or fewer: where few pixels hold the error, both are from few.
 ///   before   the differences at fewer samples; null or empty where none were measured
 std::optional<MeasuredError> MeasureError(const Film& film, const ErrorMeasure& measure,
                                           const BlockErrors* before = nullptr);

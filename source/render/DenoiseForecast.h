@@ -27,6 +27,8 @@ class DenoiseForecast {
   /// What the film tells, if every block has samples of both parts. `samples` per pixel, `rays` of the render, both so
   /// far; `stop` as in RenderMonitor.
   void Look(const Film& film, double samples, std::uint64_t rays, const std::atomic<bool>* stop);
+  /// Forgets what was seen of guides, for instance because other programs seem to have run meanwhile.
+  void Forget() { guides_ = {}, looked_at_ = 0; }
   /// Whether anything is known of this picture's guides.
   bool HasLooked() const { return guides_.rays > 0; }
 
@@ -47,7 +49,7 @@ class DenoiseForecast {
   const Accelerator& accelerator_;
   const RenderSettings& settings_;
   const ErrorMeasure measure_;
-  struct {
+  struct GuidesSeen {
     double seconds = 0, rays = 0;  // of all looks, each times its samples: rays are faster where a pixel has many
     // Sums over the pixels of all looks, each times the weight of its look.
     double pixels = 0;

@@ -213,12 +213,22 @@ class Job {
     constexpr double most_late = 0.2;  // of the time; a little late is better than not denoised
     // Until it is known guides are taken to take as long as samples.
     const bool has_looked = denoise_forecast_->HasLooked();
-    after_.seconds_of_sample = has_looked ? denoise_forecast_->SecondsOfSample(samples) : seconds_of_sample;
-    after_.seconds = denoise_forecast_->Seconds(samples) + (has_looked ? 0 : seconds_of_sample * samples);
+    TimeAfter now;
+    now.seconds_of_sample = has_looked ? denoise_forecast_->SecondsOfSample(samples) : seconds_of_sample;
+    now.seconds = denoise_forecast_->Seconds(samples) + (has_looked ? 0 : seconds_of_sample * samples);
     const double to_least = std::max(0.0, 2 - samples) * seconds_of_sample;  // samples per pixel
     const double left = settings_.budget.seconds - finish_forecast_.Seconds() - Seconds();
     const double late = to_least + denoise_forecast_->Seconds(samples) - left;
-    if (late > (samples > 0 ? most_late * settings_.budget.seconds : 0)) after_ = {.is_in_time = false};
+    const bool is_late = late > (samples > 0 ? most_late * settings_.budget.seconds : 0);
+    if (!is_late) {
+      after_ = now;
+    } else if (samples > 0 && !after_.is_in_doubt) {
+      // Other programs may have held up so short a pass, or look at denoising: the next one has to agree.
+      after_.is_in_doubt = true;
+      denoise_forecast_->Forget();
+    } else {
+      after_ = {.is_in_time = false};
+    }
   }
 
   /// Notes the pass that is over.
@@ -377,11 +387,12 @@ class Job {
     double seconds = 0, samples = 0;  // per pixel, on average
   } pass_begin_;
   PassWork pass_work_;
-  struct {
-    bool is_in_time = true;
+  /// What comes after the last sample.
+  struct TimeAfter {
+    bool is_in_time = true, is_in_doubt = false;
     double seconds = 0, seconds_of_sample = 0;  // after the samples so far, and for each more per pixel
-  } after_;                                     // what comes after the last sample
-  double samples_foretold_ = 0;                 // per pixel, that reach the error asked for; 0: unknown
+  } after_;
+  double samples_foretold_ = 0;  // per pixel, that reach the error asked for; 0: unknown
 };
 
 }  // namespace

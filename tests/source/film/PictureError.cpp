@@ -89,6 +89,7 @@ TEST(PictureError, TheIntervalHoldsTheErrorOfThePictureAsOftenAsItSays) {
   for (const double confidence : {0.8, 0.95})
     for (const int side : {8, 32}) {
       int held = 0;
+      double freedom = 0;
       const int trials = Count(1000, 20000);
       for (int i = 0; i < trials; ++i) {
         // Eight samples of each part are nearly normal.
@@ -96,11 +97,12 @@ TEST(PictureError, TheIntervalHoldsTheErrorOfThePictureAsOftenAsItSays) {
         const auto measured = MeasureError(film, {.unit = ErrorUnit::linear, .confidence = confidence});
         const double truth = std::sqrt(TrueSquare(film));
         held += measured->estimate.low <= truth && truth <= measured->estimate.high;
+        freedom += measured->estimate.freedom / trials;
       }
       // The interval is made for noise with longer tails than this, which is normal: the logarithm of the ratio has
-      // half of the variance that it allows for.
-      const double inner = NormalQuantile((1 + confidence) / 2);
-      const double expected = std::erf(std::numbers::sqrt2 * inner / std::numbers::sqrt2);
+      // less variance than it allows for.
+      const double inner = std::sqrt(1.4 + 30 / freedom) * NormalQuantile((1 + confidence) / 2);
+      const double expected = std::erf(inner / std::numbers::sqrt2);
       const double share = static_cast<double>(held) / trials, noise = std::sqrt(expected * (1 - expected) / trials);
       EXPECT_NEAR(share, expected, 4 * noise + 0.01) << confidence << ", side " << side;
     }

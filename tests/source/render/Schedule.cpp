@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <numeric>
 
@@ -181,6 +182,22 @@ TEST(Schedule, TakesFewerThanTwiceTheSamplesWhenTheErrorIsNearItsTarget) {
   EXPECT_FALSE(near.Next(Found(1)));
   EXPECT_GT(near.State().end, 8u);
   EXPECT_LT(near.State().end, 12u);
+}
+
+// In between (0,2)-sequences are worse than they were with fewer samples.
+TEST(Schedule, EveryPassToATargetEndsAtAMultipleOfAQuarterOfTheLastPowerOfTwo) {
+  for (const double square : {0.92, 1.0, 1.2, 1.5, 2.0, 3.0}) {
+    Schedule schedule = Deciding(ToErrorOne());
+    std::uint32_t last = schedule.State().end;
+    while (last < 10000) {
+      EXPECT_FALSE(schedule.Next(Found(square)));
+      const std::uint32_t end = schedule.State().end;
+      EXPECT_GT(end, last);
+      EXPECT_LE(end, 2 * last);
+      EXPECT_EQ(end % (std::bit_floor(last) / 4), 0u) << last << " to " << end;
+      last = end;
+    }
+  }
 }
 
 TEST(Schedule, TooFewSamplesDecideNothingByTheirError) {
