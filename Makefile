@@ -163,7 +163,8 @@ $(BUILD)/compile_commands.json: $(BUILD)/flags
 	  printf ',\n{"directory":"%s","file":"%s","command":"%s -c %s"}' "$$PWD" $$file \
 	    "$$(sed 's/[\"]/\\&/g' $(BUILD)/flags)" $$file; done | sed '1s/,/[/; $$s/$$/\n]/' > $@
 
-test: check test-binary $(PROGRAMS)
+# Benchmarks that need no further package are compiled too, lest nobody notice that they no longer do.
+test: check test-binary $(PROGRAMS) $(patsubst %.cpp,$(BUILD)/obj/%.o,$(call present,bench/live.cpp bench/trade.cpp bench/view.cpp))
 	$(FOR_TESTS) $(BUILD)/raytests $(GTEST)
 	$(FOR_TESTS) sh script/runray.sh -fast
 test-binary: $(BUILD)/raytests

@@ -10,25 +10,21 @@
 
 namespace R3 {
 
-/// A ray made ready for triangle tests: axes permuted so that the direction's largest component is the third, and the
-/// shear that turns the direction into that axis.
-struct ShearedRay {
-  explicit ShearedRay(const Ray& ray) : z_axis(MaxAxis(ray.direction)), t_min(ray.t_min), t_max(ray.t_max) {
+/// The axes in the order of a ray's shear: the direction's largest component is the third's, the others follow it in a
+/// cycle.
+struct ShearAxes {
+  explicit ShearAxes(const Vector& direction) : z(MaxAxis(direction)) {
     constexpr int next[3] = {1, 2, 0};
-    x_axis = next[z_axis];
-    y_axis = next[x_axis];
-    z_scale = 1 / LookUp(ray.direction, z_axis);
-    x_shear = LookUp(ray.direction, x_axis) * z_scale;
-    y_shear = LookUp(ray.direction, y_axis) * z_scale;
-    origin = Permuted(ray.origin);
+    x = next[z];
+    y = next[x];
   }
 
-  Vector Permuted(const Point& p) const { return {LookUp(p, x_axis), LookUp(p, y_axis), LookUp(p, z_axis)}; }
+  template <typename Xyz>
+  Vector Permuted(const Xyz& p) const {
+    return {LookUp(p, x), LookUp(p, y), LookUp(p, z)};
+  }
 
-  int x_axis, y_axis, z_axis;
-  Vector origin;  // permuted
-  double x_shear, y_shear, z_scale;
-  double t_min, t_max;
+  int x, y, z;
 
  private:
   /// In memory rather than by branches: rays of all directions come in no order.
@@ -40,6 +36,22 @@ struct ShearedRay {
                 sizeof coordinate);
     return coordinate;
   }
+};
+
+/// A ray made ready for triangle tests: axes permuted, and the shear that turns the direction into the third.
+struct ShearedRay {
+  explicit ShearedRay(const Ray& ray)
+      : axes(ray.direction), origin(axes.Permuted(ray.origin)), t_min(ray.t_min), t_max(ray.t_max) {
+    const Vector along = axes.Permuted(ray.direction);
+    z_scale = 1 / along.z;
+    x_shear = along.x * z_scale;
+    y_shear = along.y * z_scale;
+  }
+
+  ShearAxes axes;
+  Vector origin;  // permuted
+  double x_shear, y_shear, z_scale;
+  double t_min, t_max;
 };
 
 /// Nearest crossing with a triangle seen from either side; Hit::u and v are the weights of corners 1 and 2.
@@ -85,7 +97,7 @@ inline std::optional<Hit> IntersectTriangleInline(const ShearedRay& ray, const s
   double x[3], y[3], z[3];
 #pragma GCC unroll 3
   for (std::size_t i = 0; i < 3; ++i) {
-    const Vector v = ray.Permuted(*corners[i]) - ray.origin;
+    const Vector v = ray.axes.Permuted(*corners[i]) - ray.origin;
     z[i] = v.z;
     x[i] = v.x - ray.x_shear * v.z;
     y[i] = v.y - ray.y_shear * v.z;

@@ -24,6 +24,7 @@ class Nobody : public ViewerHost {
   std::string SaveTraced(const RenderJob&) override { return {}; }
   void SaveDrawing() override {}
   std::string SaveRays(const std::string&) override { return {}; }
+  std::string SaveText(const std::string&, const std::string&) override { return {}; }
   std::shared_ptr<const R2::Image> ReadPicture(const std::string&) override { return nullptr; }
   void SetClipboard(const std::string&) override {}
   void Print(const std::string&) override {}

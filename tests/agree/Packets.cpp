@@ -59,6 +59,42 @@ TEST(Packets, AgreeAtCornersAndEdgesOfAClosedMesh) {
   Compare(world, rays, EveryWay());
 }
 
+// Such trees are visited by all rays of a packet together though each goes its own way.
+TEST(Packets, AgreeInSmallTreesWhicheverWayTheyGo) {
+  const auto ways = EveryWay();
+  for (int seed = 0; seed < Count(40, 20000); ++seed) {
+    Draw draw(static_cast<std::uint64_t>(seed) + 1700);
+    // Triangles that share corners, lie in planes of axes, are thin or large, of lengths from far below 1 to far above.
+    R3::MeshData data;
+    const double length = draw.Whole(0, 3) ? 1 : draw.Scale(-90, 90);
+    const bool is_on_lattice = draw.Whole(0, 1);
+    const auto coordinate = [&] { return length * (is_on_lattice ? draw.Whole(-2, 2) : draw.Between(-2, 2)); };
+    const int corners = draw.Whole(3, 40);
+    for (int i = 0; i < corners; ++i) data.positions.push_back({coordinate(), coordinate(), coordinate()});
+    const auto corner = [&] { return static_cast<std::uint32_t>(draw.Whole(0, corners - 1)); };
+    for (int i = draw.Whole(1, 60); i > 0; --i) data.triangles.push_back({corner(), corner(), corner()});
+    const ray::Scene scene = SceneOf(data);
+    const ray::World world(scene);
+    const auto on_triangle = [&] {
+      const auto& triangle =
+          data.triangles[static_cast<std::size_t>(draw.Whole(0, static_cast<int>(data.triangles.size()) - 1))];
+      const R3::Point a = data.positions[triangle[0]], b = data.positions[triangle[1]], c = data.positions[triangle[2]];
+      const int kind = draw.Whole(0, 2);  // a corner, on an edge, inside
+      const double s = kind > 0 ? draw.Between(0, 1) : 0, t = kind > 1 ? draw.Between(0, 1 - s) : 0;
+      return a + s * (b - a) + t * (c - a);
+    };
+    std::vector<R3::Ray> rays;
+    for (int i = 0; i < 64; ++i) {
+      const R3::Point from = draw.Whole(0, 1) ? on_triangle() : R3::Point{coordinate(), coordinate(), coordinate()};
+      R3::Ray ray{from, on_triangle() - from};
+      if (draw.Whole(0, 3) == 0) ray.t_max = draw.Whole(0, 1) ? 1 : draw.Between(0, 2);
+      if (Length(ray.direction) > 0) rays.push_back(ray);
+    }
+    SCOPED_TRACE("seed " + std::to_string(seed + 1700));
+    Compare(world, rays, ways);
+  }
+}
+
 /// Sixteen rays from one place, outside, on or inside of a sphere, past its silhouette as nearly as `share` of its
 /// radius says, or that end as nearly where they meet it.
 std::vector<R3::Ray> BundleThatGrazes(const R3::Point& center, double radius, double share, Draw& draw) {

@@ -110,7 +110,9 @@ struct Packet {
     return reached;
   }
 
-  /// Which rays enter a child of a node before their limits, as bits.
+  /// Which rays enter a child of a node before their limits, as bits. Those of a coherent packet all have the same near
+  /// planes.
+  template <bool coherent>
   HWY_INLINE std::uint32_t RaysThrough(const Node& node, int child) const {
     const PacketFloats f;
     const float* const all = node.planes + child;
@@ -118,8 +120,13 @@ struct Packet {
     for (std::size_t i = 0; i < packet_size; i += hn::Lanes(f)) {
       auto entry = hn::Zero(f), exit = hn::Load(f, limit + i);
       for (int axis = 0; axis < 3; ++axis) {
-        const auto near = hn::Set(f, all[planes[axis]]), far = hn::Set(f, all[planes[axis] ^ width]);
+        const std::uint32_t first = coherent ? planes[axis] : 2 * width * static_cast<std::uint32_t>(axis);
+        auto near = hn::Set(f, all[first]), far = hn::Set(f, all[first ^ width]);
         const auto slope = hn::Load(f, inverse[axis] + i);
+        if constexpr (!coherent) {
+          const auto low = near, high = far;
+          near = hn::IfNegativeThenElse(slope, high, low), far = hn::IfNegativeThenElse(slope, low, high);
+        }
         entry = hn::Max(entry, hn::MulSub(near, slope, hn::Load(f, near_shift[axis] + i)));
         exit = hn::Min(exit, hn::MulSub(far, slope, hn::Load(f, far_shift[axis] + i)));
       }

@@ -12,6 +12,7 @@
 #include <type_traits>
 
 #include "source/accelerate/wide/Packet-inl.h"
+#include "source/accelerate/wide/PacketExact-inl.h"
 #include "source/accelerate/wide/PacketSphere-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -25,7 +26,8 @@ HWY_INLINE void ForEachBit(std::uint32_t bits, const Work& work) {
 
 /// Packet traversal. Whether a node is reached is asked of the whole packet, eight children at a time; whether a child
 /// is, of its rays, all at a time; and so are triangles. Where few rays go on, they go alone; and so do all of a packet
-/// that is not coherent, made ready together nevertheless.
+/// that is not coherent, made ready together nevertheless, unless the tree is so small that most of its boxes are
+/// reached by many of them: then these are asked one after the other.
 ///   source  Wald, Slusallek, Benthin, Wagner, Interactive rendering with coherent ray tracing (2001);
 ///           Reshetov, Soupikov, Hurley, Multi-level ray tracing algorithm (2005), for the bounds of a packet
 template <bool any>
@@ -42,15 +44,17 @@ class PacketTraversal {
   bool IsAnswered(int i) const { return answered_ >> i & 1; }
 
   HWY_INLINE void Search() {
+    if (Child::IsNothing(tree_.root)) return;
     if (Size() > few_rays && packet_.Begin(tree_.coordinates, tree_.primitives.PaddingPerDistance(), rays_)) {
-      if (!packet_.Enclose()) {
-        for (int i = 0; i < Size(); ++i) TraverseAlone(i, tree_.root);
-        return;
-      }
       if constexpr (any) {
         for (int i = 0; i < packet_size; ++i) limit_for_certain_[i] = packet_.limit[i] - 4 * packet_.plane_error[i];
       }
-      Traverse();
+      if (packet_.Enclose())
+        Traverse();
+      else if (tree_.nodes <= nodes_of_small_tree)
+        VisitAll(tree_.root, AllRays());
+      else
+        for (int i = 0; i < Size(); ++i) TraverseAlone(i, tree_.root);
       TestAllCandidates();
     } else {
       for (int i = 0; i < Size(); ++i)
@@ -62,12 +66,14 @@ class PacketTraversal {
 
  private:
   static constexpr int few_rays = 2;  // rays that are faster alone than together
+  static constexpr std::size_t nodes_of_small_tree = 8;
   static constexpr int most_candidates = 8;
   struct Candidate {
     std::uint32_t primitive;
     float nearest;
   };
 
+  std::uint32_t AllRays() const { return (std::uint32_t{1} << Size()) - 1; }
   const R3::Ray& Ray(int i) const { return rays_[static_cast<std::size_t>(i)]; }
   double DistanceInWorld(int i) const { return MaxComponent(Abs(FromOrigin(Ray(i).origin))); }
   NearestHit& MakeNearest(int place, int i) {
@@ -88,7 +94,7 @@ class PacketTraversal {
   HWY_INLINE void Traverse() {
     StackEntry stack[wide::most_depth * width];
     StackEntry* top = stack;
-    std::uint32_t child = tree_.root, rays = (std::uint32_t{1} << Size()) - 1;
+    std::uint32_t child = tree_.root, rays = AllRays();
     std::uint64_t nodes = 0, leaves = 0;
     float limit = packet_.LargestLimit();
 
@@ -109,13 +115,26 @@ class PacketTraversal {
         rays = 0;
         if (DistanceOf(top->distance_and_lane) > limit) continue;
         const int lane = static_cast<int>(static_cast<std::uint32_t>(top->distance_and_lane));
-        rays = packet_.RaysThrough(*top->parent, lane);
+        rays = packet_.template RaysThrough<true>(*top->parent, lane);
         child = top->parent->child[lane];
       } while (rays == 0);
     }
   done:
     counts_.node_visits += nodes + leaves;
     counts_.box_tests += nodes * width;
+  }
+
+  /// A child that `rays` reach, and what is below, in the order of memory.
+  void VisitAll(std::uint32_t child, std::uint32_t rays) {
+    ++counts_.node_visits;
+    if (Child::KindOf(child) != Child::Kind::node || std::popcount(rays) <= few_rays) return VisitLeaf(child, rays);
+    counts_.box_tests += width;
+    const Node& node = tree_.At<Node>(child);
+    for (int lane = 0; lane < width; ++lane) {
+      if (Child::IsNothing(node.child[lane])) continue;
+      const std::uint32_t through = packet_.template RaysThrough<false>(node, lane) & rays;
+      if (through != 0) VisitAll(node.child[lane], through);
+    }
   }
 
   /// The children that the packet reaches, nearest on top; returns the new top.
@@ -152,8 +171,9 @@ class PacketTraversal {
                                               Nearest(i), counts_);
     visitor.limit = std::min(visitor.limit, packet_.limit[i]);
     TraverseFrom<any>(child, tree_, NodeRay(ray), visitor, counts_);
-    if constexpr (!any) visitor.TestCandidates();
     packet_.limit[i] = visitor.limit;
+    if constexpr (!any)
+      visitor.HandOver([&](std::uint32_t primitive, float nearest) HWY_ATTR { Keep(i, primitive, nearest); });
     if (visitor.is_answered) Answer(i);
   }
 
@@ -261,13 +281,13 @@ class PacketTraversal {
       const auto least = hn::Min(limit, mask.farthest);
       hn::Store(hn::IfThenElse(mask.certain, least, limit), f, packet_.limit + i);
       hn::Store(mask.nearest, f, nearest_now_ + i);
-      ForEachBit(maybe, [&](int j) HWY_ATTR { Keep(j, block.primitive[k]); });
+      ForEachBit(maybe, [&](int j) HWY_ATTR { Keep(j, block.primitive[k], nearest_now_[j]); });
     }
   }
 
-  HWY_INLINE void Keep(int i, std::uint32_t primitive) {
+  HWY_INLINE void Keep(int i, std::uint32_t primitive, float nearest) {
     if (candidate_count_[i] == most_candidates) TestCandidates(i);
-    candidates_[i][candidate_count_[i]++] = {primitive, nearest_now_[i]};
+    candidates_[i][candidate_count_[i]++] = {primitive, nearest};
   }
 
   HWY_INLINE void TestCandidates(int i) {
@@ -280,15 +300,47 @@ class PacketTraversal {
     }
   }
 
+  /// Decides about all candidates: first about one of each ray, which nearly always are all, together.
   HWY_INLINE void TestAllCandidates() {
     if constexpr (any) return;
-    const auto each_last = [&](const auto& prefetch) {
-      for (int i = 0; i < Size(); ++i)
-        if (candidate_count_[i] > 0) prefetch(ExactTestOf(i).Locate(candidates_[i][candidate_count_[i] - 1].primitive));
+    if constexpr (ExactTriangleLanes::are_compiled) TestLastCandidates();
+    for (int i = 0; i < Size(); ++i)
+      if (candidate_count_[i] > 0) TestCandidates(i);
+  }
+
+  HWY_INLINE void TestLastCandidates() {
+    struct Test {
+      int ray;
+      typename ExactTriangleTest<Tree>::TriangleRef triangle;
     };
-    each_last([](const auto& triangle) { triangle.PrefetchIndices(); });
-    each_last([](const auto& triangle) { triangle.PrefetchCorners(); });
-    for (int i = 0; i < Size(); ++i) TestCandidates(i);
+    Test tests[packet_size];
+    int count = 0;
+    for (int i = 0; i < Size(); ++i) {
+      while (candidate_count_[i] > 0) {
+        const Candidate& candidate = candidates_[i][--candidate_count_[i]];
+        if (candidate.nearest > packet_.limit[i]) continue;
+        const auto triangle = ExactTestOf(i).Locate(candidate.primitive);
+        if (triangle.primitive == Ray(i).leaving || triangle.primitive == Ray(i).reaching) continue;
+        triangle.PrefetchIndices();
+        tests[count++] = {i, triangle};
+        break;
+      }
+    }
+    if (tree_.is_large)
+      for (int k = 0; k < count; ++k) tests[k].triangle.PrefetchCorners();
+    ExactTriangleLanes lanes;
+    for (int k = 0; k < count; ++k)
+      lanes.Add(Ray(tests[k].ray), Nearest(tests[k].ray).TMaxOf(Ray(tests[k].ray)),
+                tests[k].triangle.mesh->CornersInPlace(tests[k].triangle.element));
+    const ExactMask mask = lanes.Test();
+    counts_.primitive_tests += static_cast<std::uint64_t>(std::popcount(~mask.unsure & ((1U << count) - 1)));
+    ForEachBit(mask.hit, [&](int k) HWY_ATTR {
+      const int i = tests[k].ray;
+      Nearest(i).Offer({lanes.HitOf(k), tests[k].triangle.instance, tests[k].triangle.element});
+      if (candidate_count_[i] > 0)
+        packet_.limit[i] = std::min(packet_.limit[i], packet_.Distance(i, Nearest(i).Limit()));
+    });
+    ForEachBit(mask.unsure, [&](int k) HWY_ATTR { ExactTestOf(tests[k].ray).Test(tests[k].triangle); });
   }
 
   const TwoLevel<Tree>& two_level_;

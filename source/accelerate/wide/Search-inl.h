@@ -171,6 +171,14 @@ class LeafVisitor {
     return false;
   }
 
+  /// Gives the candidates that may still be the nearest to `keep`, which is to decide about them.
+  template <typename Keeper>
+  HWY_INLINE void HandOver(const Keeper& keep) {
+    for (int i = 0; i < count_; ++i)
+      if (candidates_[i].nearest <= limit) keep(candidates_[i].primitive, candidates_[i].nearest);
+    count_ = 0;
+  }
+
   /// Decides about the candidates that may still be the nearest, last found first.
   HWY_INLINE void TestCandidates() {
     if (count_ == 0) return;
