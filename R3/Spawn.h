@@ -11,7 +11,7 @@ namespace R3 {
 
 /// NextUp(x) where `way` is above 0, NextDown(x) where it is below, else x.
 inline double NextAlong(double x, double way) {
-  const double mirrored = way < 0 ? -x : x;  // so that the next is up
+  const double mirrored = way < 0 ? -x : x;                        // so that the next is up
   const std::uint64_t one = mirrored > 0 ? 1 : ~std::uint64_t{0};  // modulo 2^64: of -0 it is not used
   const double beyond = std::bit_cast<double>(std::bit_cast<std::uint64_t>(mirrored) + one);
   const double from_0 = mirrored == 0 ? std::numeric_limits<double>::denorm_min() : beyond;
