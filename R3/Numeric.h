@@ -19,20 +19,21 @@ inline constexpr double unit_roundoff = 0x1p-53;
 /// Source: Higham, Accuracy and Stability of Numerical Algorithms (2002), lemma 3.1.
 constexpr double Gamma(int n) { return n * unit_roundoff / (1 - n * unit_roundoff); }
 
-/// Compiles a function twice on x86-64, with and without the fused multiply-add instruction, and chooses at
-/// start-up; without it std::fma is a library call. What the function calls is compiled into it, so that it is chosen
-/// too. Both give the same bits, because fma is exact by definition and contraction is off. Sanitizers cannot run the
-/// start-up choice.
+/// Compiles a function several times on x86-64, with fused multiply-add instructions and without, where std::fma is a
+/// library call; the best that the processor runs is chosen at start-up. What the function calls is compiled into it,
+/// so that it is chosen too. All give the same bits, because fma is exact by definition and contraction is off.
+/// Sanitizers cannot run the start-up choice. Levels, not names of processors: "arch=haswell" is that one only.
 #if defined(__x86_64__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) && !defined(__FMA__) && \
     defined(__GNUC__) && !defined(__clang__)
-#define R3_USES_FMA __attribute__((flatten, target_clones("default", "arch=haswell")))
+#define R3_COMPILED_FOR(...) __attribute__((flatten, target_clones("default", __VA_ARGS__)))
 #else
-#define R3_USES_FMA
+#define R3_COMPILED_FOR(...)
 #endif
+#define R3_USES_FMA R3_COMPILED_FOR("arch=x86-64-v3")
 
-/// The same for loops over arrays, which become instructions on four doubles at once instead of two. Bodies without
-/// branches, please: selections are fine.
-#define R3_VECTORIZED R3_USES_FMA
+/// The same for loops over arrays, which become instructions on four or eight doubles at once instead of two. Bodies
+/// without branches, please: selections are fine.
+#define R3_VECTORIZED R3_COMPILED_FOR("arch=x86-64-v3", "arch=x86-64-v4")
 
 /// a b - c d with an error of at most 1.5 ulp and the exact sign, barring underflow.
 /// Source: Jeannerod, Louvet, Muller, Further analysis of Kahan's algorithm (2013), theorem 1.1.

@@ -292,12 +292,16 @@ RenderState DecodedState(std::span<const unsigned char> bytes, const std::string
 void CheckPlan(const RenderState& state, const RenderSettings& settings) {
   const std::uint32_t then = state.planned_samples, now = PlannedSamples(settings);
   if (then == now) return;
+  const std::uint64_t due =
+      (HasTwoStreams(settings) ? 2 : 1) * std::uint64_t{std::ranges::max(state.schedule.targets.samples)};
+  if (due > now)
+    throw CheckpointError("the checkpoint is of " + std::to_string(due) + " samples per pixel, more than -samples " +
+                          std::to_string(now) + ": samples can be added, not taken away");
   const auto refuse = [&](const std::string& why) {
-    throw CheckpointError("the checkpoint was made with -samples " + std::to_string(then) + ", not " +
+    throw CheckpointError("the checkpoint's samples were laid out for " + std::to_string(then) + " per pixel, not " +
                           std::to_string(now) + ": " + why);
   };
-  if (now < then) refuse("samples can be added, not taken away");
-  if (then == 1) refuse("one sample is in the middle of its pixel, where the first of several is not");
+  if (std::min(then, now) == 1) refuse("a single sample is in the middle of its pixel, the first of several is not");
   if (settings.budget.error) refuse("with -error, earlier decisions would have been different");
   const SamplerKind sampler = settings.trace.sampler;
   if (sampler == SamplerKind::stratified || IsGrid(sampler))

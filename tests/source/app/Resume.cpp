@@ -65,6 +65,7 @@ TEST(Resume, RefusesWhatWouldNotBeThePictureOfOneRun) {
       {{"-samples", "4", "-error", "100"}, {"-samples", "8", "-error", "100"}, "with -error"},
       {{"-samples", "4"}, {"-samples", "8", "-seed", "3"}, "-seed 0"},
       {{"-samples", "1"}, {"-samples", "4"}, "in the middle of its pixel"},
+      {{"-time", "0.1"}, {}, "more than -samples 1: samples can be added, not taken away"},
   };
   for (auto [first, then, reason] : cases) {
     first.insert(first.end(), {"-keep_checkpoint", "-restart"});
@@ -156,6 +157,15 @@ TEST_F(Interrupted, ARendersCheckpointIsNoOtherRendersToTake) {
   EXPECT_EQ(RenderWith(scene, place / "out.png", {"-restart"}).status, 0);
   EXPECT_TRUE(Has(Info("out.png"), "pixels: complete"));
   EXPECT_EQ(place.Others({"in.scn", "out.png"}), Names{});
+}
+
+TEST_F(Interrupted, ARenderGoesOnToFewerSamplesThanItWasToTake) {
+  NEEDS_THE_PROGRAM();
+  ASSERT_EQ(Interrupt("out.pfm").status, 130);
+  const Finished resumed = RunProgram(Command("out.pfm", {"-samples", "2900", "-resume"}));
+  EXPECT_EQ(resumed.status, 0) << resumed.error;
+  ASSERT_EQ(RunProgram(Command("whole.pfm", {"-samples", "2900"})).status, 0);
+  EXPECT_TRUE(ReadFile(place / "out.pfm") == ReadFile(place / "whole.pfm"));
 }
 
 TEST_F(Interrupted, AddingSamplesLeavesTheFinishedPictureAndItsCheckpoint) {
