@@ -37,6 +37,8 @@ class Image {
     const float* p = &channels_[Index(x, y)];
     return {p[0], p[1], p[2]};
   }
+  /// For a color that is asked for a little later.
+  void Prefetch(int x, int y) const { __builtin_prefetch(&channels_[Index(x, y)]); }
   void Set(int x, int y, const Color& c) {
     float* p = &channels_[Index(x, y)];
     p[0] = static_cast<float>(c.r);

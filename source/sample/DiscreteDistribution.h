@@ -1,9 +1,12 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
+
+#include "source/sample/Random.h"
 
 namespace ray {
 
@@ -25,6 +28,11 @@ class DiscreteDistribution {
   ///   u   in [0, 1]; of its 53 bits about log2(1 / probability) are used up, the others are left in `rest`
   Drawn Draw(double u) const;
 
+  /// For many draws from tables that are larger than the processor's caches: asks memory for what Draw(u) will look at
+  /// first, and, once that is there, for what it will look at next.
+  void PrefetchPart(double u) const { __builtin_prefetch(&first_of_part_[PartOf(SumAt(u))]); }
+  void PrefetchSums(double u) const { __builtin_prefetch(&sums_[first_of_part_[PartOf(SumAt(u))]]); }
+
   /// Of Draw giving `index` by an even u: weight / sum of weights, within Size() 2^-53. Exactly what Draw does rather
   /// than what the weight says, so a weight lost in the rounding of the sum has probability 0 and is never drawn.
   double Probability(std::size_t index) const;
@@ -32,10 +40,13 @@ class DiscreteDistribution {
   std::size_t Size() const { return sums_.size() - 1; }
 
  private:
+  /// Less than the last sum, also when rounded.
+  double SumAt(double u) const { return std::min(u, below_one) * sum_; }
   /// Of Size() equal parts of the sum of all weights, the one that a sum is in; grows with it.
-  std::size_t PartOf(double sum) const;
+  std::size_t PartOf(double sum) const { return std::min(static_cast<std::size_t>(sum * parts_per_sum_), Size()); }
 
   std::vector<double> sums_;  // of the weights before each index, and of all, in units of the largest weight
+  double sum_;                // the last of them
   double parts_per_sum_;
   std::vector<std::uint32_t> first_of_part_;  // the least index whose weight's end is in a part or beyond
 };

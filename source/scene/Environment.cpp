@@ -184,13 +184,13 @@ R2::Color Environment::Radiance(const R3::Vector& direction) const {
   return RadianceOf(At(direction));
 }
 
-Environment::Drawn Environment::DrawTexel(const R2::Point& u) const {
-  const DiscreteDistribution::Drawn row = rows_.Draw(u.y), column = columns_[row.index].Draw(u.x);
+Environment::Drawn Environment::DrawInRow(const DiscreteDistribution::Drawn& row, double u) const {
+  const DiscreteDistribution::Drawn column = columns_[row.index].Draw(u);
   return {{static_cast<int>(column.index), static_cast<int>(row.index)}, {column.rest, row.rest}};
 }
 
 Environment::Sample Environment::Draw(const R2::Point& u) const {
-  const auto [texel, shares] = DrawTexel(u);
+  const auto [texel, shares] = DrawInRow(rows_.Draw(u.y), u.x);
   return {Kept(Inside(texel, shares), texel, shares), RadianceOf(texel), Pdf(texel)};
 }
 
@@ -200,10 +200,19 @@ Environment::Seen Environment::SeenTowards(const R3::Vector& direction) const {
 }
 
 void Environment::DrawEach(LightSamples& samples, LightSamples::Each& pdfs) const {
+  std::array<DiscreteDistribution::Drawn, LightSamples::most> rows;
   std::array<Drawn, LightSamples::most> drawn;
   PlacesOfEach places;
+  // The tables of large maps are in no cache; those of all samples come at once.
   for (std::uint32_t i = 0; i < samples.count; ++i) {
-    drawn[i] = DrawTexel({samples.u[i], samples.v[i]});
+    rows[i] = rows_.Draw(samples.v[i]);
+    __builtin_prefetch(&columns_[rows[i].index]);
+  }
+  for (std::uint32_t i = 0; i < samples.count; ++i) columns_[rows[i].index].PrefetchPart(samples.u[i]);
+  for (std::uint32_t i = 0; i < samples.count; ++i) columns_[rows[i].index].PrefetchSums(samples.u[i]);
+  for (std::uint32_t i = 0; i < samples.count; ++i) {
+    drawn[i] = DrawInRow(rows[i], samples.u[i]);
+    map_.Prefetch(drawn[i].texel.column, drawn[i].texel.row);
     const auto row = static_cast<std::size_t>(drawn[i].texel.row);
     places.low[i] = sines_[row], places.high[i] = sines_[row + 1];
     places.column[i] = drawn[i].texel.column, places.x[i] = drawn[i].shares.x, places.y[i] = drawn[i].shares.y;

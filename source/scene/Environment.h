@@ -92,7 +92,7 @@ class Environment {
   Texel At(const R3::Vector& direction) const;
   /// The place's, or where that is not sure the one that exact arctangents of the direction say.
   Texel TexelOf(const QuickPlace& place, const R3::Vector& direction) const;
-  Drawn DrawTexel(const R2::Point& u) const;
+  Drawn DrawInRow(const DiscreteDistribution::Drawn& row, double u) const;
   double Pdf(const Texel& texel) const;
   R2::Color RadianceOf(const Texel& texel) const { return map_.At(texel.column, texel.row); }
   /// The direction at shares of the texel's longitude and of its sine of latitude.
