@@ -68,9 +68,7 @@ struct PathStream::Front {
 
   /// What is known of a point at first.
   void Add(const PathState& arriving, const WorldHit& hit, std::uint32_t path) {
-    points.emplace_back();
-    points.back().path = arriving;
-    points.back().hit = hit;
+    points.emplace_back(arriving, hit);
     paths.push_back(path);
   }
   void Complete(const TraceSettings& settings) {

@@ -11,9 +11,7 @@ R3::Vector Facing(const R3::Normal& n, bool entering) { return entering ? AsVect
 }  // namespace
 
 ShadingPoint ShadingPointAt(const World& world, const PathState& ray, const WorldHit& hit) {
-  ShadingPoint s{};
-  s.path = ray;
-  s.hit = hit;
+  ShadingPoint s(ray, hit);
   s.at = world.At(ray.ray, hit);
   s.material = &world.MaterialAt(hit);
   s.bias = world.scene().shadow_bias;

@@ -8,19 +8,22 @@ namespace ray {
 
 /// A point being shaded.
 struct ShadingPoint {
+  /// What is known at first.
+  ShadingPoint(const PathState& arriving, const WorldHit& surface) : path(arriving), hit(surface) {}
+
   PathState path;  // that led here; its throughput is what is left after the way
   WorldHit hit;
   R3::Intersection at;
-  const Material* material;
-  R2::Color kd;             // the material's, times its texture
-  R3::Vector wo;            // unit
-  bool entering;            // whether the ray came from the side of the outward normal
-  R3::Vector N;             // unit shading normal on the viewer's side
-  bool is_smoothed;         // N is not the surface's own normal
-  R3::Point shadow_origin;  // where shadow rays and reflections start: off the surface, on the viewer's side
+  const Material* material = nullptr;
+  R2::Color kd;              // the material's, times its texture
+  R3::Vector wo;             // unit
+  bool entering = false;     // whether the ray came from the side of the outward normal
+  R3::Vector N;              // unit shading normal on the viewer's side
+  bool is_smoothed = false;  // N is not the surface's own normal
+  R3::Point shadow_origin;   // where shadow rays and reflections start: off the surface, on the viewer's side
   // R3::Ray::leaving of rays that start here on the viewer's side, and of those on the other.
-  std::int64_t leaving, leaving_behind;
-  double bias;         // where they may first hit something, in distance from there
+  std::int64_t leaving = -1, leaving_behind = -1;
+  double bias = 0;     // where they may first hit something, in distance from there
   R2::Color radiance;  // back along the ray, as far as it is known
 
   /// What of the scene's ambient light is reflected.

@@ -22,9 +22,7 @@ std::vector<ShadingPoint> Tracer::CameraHits(std::span<const CameraSample> sampl
     PathState path{.ray = samples[i].ray, .index = samples[i].index};
     if (state.recorder) path.record = state.recorder->Begin(path);
     if (state.hits[i]) {
-      points.emplace_back();
-      points.back().path = path;
-      points.back().hit = *state.hits[i];
+      points.emplace_back(path, *state.hits[i]);
     } else if (state.recorder) {
       RecordMiss(path, Background(world_.scene(), path.ray.direction), state);
     }

@@ -80,9 +80,8 @@ TEST(ShadingPoints, MadeTogetherAreThoseMadeOneByOneToTheBit) {
                         .time = draw.Between(0, 1)};
       const auto hit = accelerator->Intersect(ray, workspace);
       if (!hit) continue;
-      together.emplace_back();
+      together.emplace_back(PathState{}, *hit);
       together.back().path.ray = ray;
-      together.back().hit = *hit;
     }
     ASSERT_GT(together.size(), 40u);
     CompleteShadingPoints(stage.world, together);
