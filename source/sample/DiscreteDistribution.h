@@ -28,10 +28,10 @@ class DiscreteDistribution {
   ///   u   in [0, 1]; of its 53 bits about log2(1 / probability) are used up, the others are left in `rest`
   Drawn Draw(double u) const;
 
-  /// For many draws from tables that are larger than the processor's caches: asks memory for what Draw(u) will look at
-  /// first, and, once that is there, for what it will look at next.
-  void PrefetchPart(double u) const { __builtin_prefetch(&first_of_part_[PartOf(SumAt(u))]); }
-  void PrefetchSums(double u) const { __builtin_prefetch(&sums_[first_of_part_[PartOf(SumAt(u))]]); }
+  /// Where Draw(u) looks first, and, found by that, where it looks next: for those who prefetch what many draws from
+  /// large tables will need.
+  const std::uint32_t* FirstLookup(double u) const { return &first_of_part_[PartOf(SumAt(u))]; }
+  const double* NextLookup(double u) const { return &sums_[*FirstLookup(u)]; }
 
   /// Of Draw giving `index` by an even u: weight / sum of weights, within Size() 2^-53. Exactly what Draw does rather
   /// than what the weight says, so a weight lost in the rounding of the sum has probability 0 and is never drawn.

@@ -208,8 +208,10 @@ void Environment::DrawEach(LightSamples& samples, LightSamples::Each& pdfs) cons
     rows[i] = rows_.Draw(samples.v[i]);
     __builtin_prefetch(&columns_[rows[i].index]);
   }
-  for (std::uint32_t i = 0; i < samples.count; ++i) columns_[rows[i].index].PrefetchPart(samples.u[i]);
-  for (std::uint32_t i = 0; i < samples.count; ++i) columns_[rows[i].index].PrefetchSums(samples.u[i]);
+  for (std::uint32_t i = 0; i < samples.count; ++i)
+    __builtin_prefetch(columns_[rows[i].index].FirstLookup(samples.u[i]));
+  for (std::uint32_t i = 0; i < samples.count; ++i)
+    __builtin_prefetch(columns_[rows[i].index].NextLookup(samples.u[i]));
   for (std::uint32_t i = 0; i < samples.count; ++i) {
     drawn[i] = DrawInRow(rows[i], samples.u[i]);
     map_.Prefetch(drawn[i].texel.column, drawn[i].texel.row);

@@ -321,7 +321,7 @@ class PacketTraversal {
         if (candidate.nearest > packet_.limit[i]) continue;
         const auto triangle = ExactTestOf(i).Locate(candidate.primitive);
         if (triangle.primitive == Ray(i).leaving || triangle.primitive == Ray(i).reaching) continue;
-        triangle.PrefetchIndices();
+        if (tree_.is_large) triangle.PrefetchIndices();
         tests[count++] = {i, triangle};
         break;
       }
