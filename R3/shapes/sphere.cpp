@@ -91,15 +91,11 @@ class Sphere : public Shape {
  private:
   /// The place in a unit direction from the center.
   Intersection OnSurface(const Vector& outward) const {
+    const SpherePlace place = PlaceOnSphere(center_, radius_, outward);
     Intersection at;
-    at.position = center_ + radius_ * outward;
-    at.error = ErrorAt(outward, at.position);
+    at.position = place.position, at.error = place.error;
     at.normal = at.shading_normal = AsNormal(outward);
     return at;
-  }
-  /// Unit errs by 4 u, the product by one more, the sum by one of the result.
-  Vector ErrorAt(const Vector& outward, const Point& position) const {
-    return Gamma(6) * radius_ * Abs(outward) + Gamma(2) * Abs(FromOrigin(position));
   }
 
   /// Of half the angle that the sphere is seen under from outside, whose sine is radius / D: factored so that it is
@@ -133,8 +129,8 @@ class Sphere : public Shape {
       are_outside &= sine < 1;
       are_outside &= one_minus_cosine > 0;
       const Vector outward = drawn / std::sqrt(drawn_square);
-      const Point position = center_ + radius_ * outward;
-      samples.Set(i, position, ErrorAt(outward, position), outward, UniformConePdf(one_minus_cosine));
+      const SpherePlace place = PlaceOnSphere(center_, radius_, outward);
+      samples.Set(i, place.position, place.error, outward, UniformConePdf(one_minus_cosine));
     }
     return are_outside != 0;
   }

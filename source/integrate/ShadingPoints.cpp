@@ -5,6 +5,7 @@
 #include "R3/FlatTriangle.h"
 #include "R3/Numeric.h"
 #include "R3/Spawn.h"
+#include "R3/Sphere.h"
 
 namespace ray {
 namespace {
@@ -51,10 +52,22 @@ struct FlatSurfaces : Surfaces {
   }
 };
 
-// Both of these return false, with nothing to rely on, where lengths or areas leave the range of doubles.
+/// Those of spheres of the world.
+struct RoundSurfaces : Surfaces {
+  Vectors<most> met, center;  // `met`: where the ray says that they meet
+  alignas(64) double radius[most];
+
+  void Add(ShadingPoint& p, const R3::SphereData& sphere) {
+    met.Set(count, p.path.ray.At(p.hit.t)), center.Set(count, sphere.center);
+    radius[count] = sphere.radius;
+    Surfaces::Add(p);
+  }
+};
+
+// All of these return false, with nothing to rely on, where lengths or areas leave the range of doubles.
 
 R3_VECTORIZED
-bool PutOnTriangles(FlatSurfaces& all) {
+bool PutInPlace(FlatSurfaces& all) {
   std::uint64_t are_safe = 1;
   for (std::size_t i = 0; i < all.count; ++i) {
     const R3::Point p = all.corners[0].At(i), q = all.corners[1].At(i), r = all.corners[2].At(i);
@@ -66,6 +79,21 @@ bool PutOnTriangles(FlatSurfaces& all) {
     are_safe &= R3::IsSafeSquare(square);
     all.position.Set(i, place.position), all.error.Set(i, place.error);
     all.normal.Set(i, normal), all.shading_normal.Set(i, normal);
+  }
+  return are_safe != 0;
+}
+
+R3_VECTORIZED
+bool PutInPlace(RoundSurfaces& all) {
+  std::uint64_t are_safe = 1;
+  for (std::size_t i = 0; i < all.count; ++i) {
+    const R3::Vector from_center = all.met.At(i) - all.center.At(i);
+    const double square = Dot(from_center, from_center);
+    const R3::Vector outward = from_center / std::sqrt(square);
+    are_safe &= R3::IsSafeSquare(square);
+    const R3::SpherePlace place = R3::PlaceOnSphere(all.center.At(i), all.radius[i], outward);
+    all.position.Set(i, place.position), all.error.Set(i, place.error);
+    all.normal.Set(i, outward), all.shading_normal.Set(i, outward);
   }
   return are_safe != 0;
 }
@@ -107,7 +135,7 @@ void MakeOneByOne(const World& world, const Surfaces& all) {
     *all.points[i] = ShadingPointAt(world, all.points[i]->path, all.points[i]->hit);
 }
 
-/// Points on flat triangles, and on any other surfaces.
+/// Points on flat triangles, on spheres, and on any other surfaces.
 class Completion {
  public:
   explicit Completion(const World& world) : world_(world) {}
@@ -115,37 +143,37 @@ class Completion {
   void Add(ShadingPoint& p) {
     const Instance& instance = world_.Instances()[p.hit.instance];
     p.material = instance.material;
+    const bool is_plain = instance.frame == 0 && !p.material->texture;  // it needs no texture coordinates either
     if (p.material->bump || p.material->normal_map)
       p = ShadingPointAt(world_, p.path, p.hit);
-    else if (IsFlat(instance, *p.material))
-      AddFlat(p, *instance.mesh);
+    else if (is_plain && instance.mesh && !instance.mesh->IsSmooth())
+      AddTo(flat_, p, *instance.mesh);
+    else if (const auto sphere = is_plain ? instance.shape->AsSphere() : std::nullopt)
+      AddTo(round_, p, *sphere);
     else
       AddOther(p);
   }
-  void CompleteAll() { CompleteFlat(), CompleteOthers(); }
+  void CompleteAll() { Complete(flat_), Complete(round_), CompleteOthers(); }
 
  private:
-  /// Whether the surface is that of a triangle in the world, and needs no texture coordinates.
-  static bool IsFlat(const Instance& instance, const Material& material) {
-    return instance.mesh && instance.frame == 0 && !instance.mesh->IsSmooth() && !material.texture;
+  template <typename Kind, typename Surface>
+  void AddTo(Kind& surfaces, ShadingPoint& p, const Surface& surface) {
+    surfaces.Add(p, surface);
+    if (surfaces.IsFull()) Complete(surfaces);
   }
-
-  void AddFlat(ShadingPoint& p, const R3::Mesh& mesh) {
-    flat_.Add(p, mesh);
-    if (flat_.IsFull()) CompleteFlat();
-  }
-  void CompleteFlat() {
-    if (PutOnTriangles(flat_) && FaceRays(flat_)) [[likely]] {
-      for (std::size_t i = 0; i < flat_.count; ++i) {
-        R3::Intersection& at = flat_.points[i]->at;
-        at.position = flat_.position.At(i), at.error = flat_.error[i];
-        at.normal = at.shading_normal = AsNormal(flat_.normal[i]);
+  template <typename Kind>
+  void Complete(Kind& surfaces) {
+    if (PutInPlace(surfaces) && FaceRays(surfaces)) [[likely]] {
+      for (std::size_t i = 0; i < surfaces.count; ++i) {
+        R3::Intersection& at = surfaces.points[i]->at;
+        at.position = surfaces.position.At(i), at.error = surfaces.error[i];
+        at.normal = at.shading_normal = AsNormal(surfaces.normal[i]);
       }
-      Finish(world_, flat_);
+      Finish(world_, surfaces);
     } else {
-      MakeOneByOne(world_, flat_);
+      MakeOneByOne(world_, surfaces);
     }
-    flat_.count = 0;
+    surfaces.count = 0;
   }
 
   void AddOther(ShadingPoint& p) {
@@ -166,6 +194,7 @@ class Completion {
 
   const World& world_;
   FlatSurfaces flat_;
+  RoundSurfaces round_;
   Surfaces others_;
 };
 

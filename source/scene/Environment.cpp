@@ -186,12 +186,14 @@ R2::Color Environment::Radiance(const R3::Vector& direction) const {
 
 Environment::Drawn Environment::DrawInRow(const DiscreteDistribution::Drawn& row, double u) const {
   const DiscreteDistribution::Drawn column = columns_[row.index].Draw(u);
-  return {{static_cast<int>(column.index), static_cast<int>(row.index)}, {column.rest, row.rest}};
+  return {{static_cast<int>(column.index), static_cast<int>(row.index)},
+          {column.rest, row.rest},
+          row.probability * column.probability / solid_angles_[row.index]};
 }
 
 Environment::Sample Environment::Draw(const R2::Point& u) const {
-  const auto [texel, shares] = DrawInRow(rows_.Draw(u.y), u.x);
-  return {Kept(Inside(texel, shares), texel, shares), RadianceOf(texel), Pdf(texel)};
+  const auto [texel, shares, pdf] = DrawInRow(rows_.Draw(u.y), u.x);
+  return {Kept(Inside(texel, shares), texel, shares), RadianceOf(texel), pdf};
 }
 
 Environment::Seen Environment::SeenTowards(const R3::Vector& direction) const {
@@ -221,9 +223,9 @@ void Environment::DrawEach(LightSamples& samples, LightSamples::Each& pdfs) cons
   }
   GoToEach(places, map_.Height(), samples);
   for (std::uint32_t i = 0; i < samples.count; ++i) {
-    const auto& [texel, shares] = drawn[i];
-    pdfs[i] = Pdf(texel);
-    samples.Set(i, Kept(samples.ToLight(i), texel, shares), RadianceOf(texel) / pdfs[i]);
+    const auto& [texel, shares, pdf] = drawn[i];
+    pdfs[i] = pdf;
+    samples.Set(i, Kept(samples.ToLight(i), texel, shares), RadianceOf(texel) / pdf);
   }
 }
 

@@ -83,10 +83,11 @@ class Environment {
     friend bool operator==(const Texel&, const Texel&) = default;
   };
 
-  /// A texel, and shares of its longitude and of its sine of latitude.
+  /// A texel, shares of its longitude and of its sine of latitude, and its Pdf.
   struct Drawn {
     Texel texel;
     R2::Point shares;
+    double pdf = 0;
   };
 
   Texel At(const R3::Vector& direction) const;
