@@ -37,6 +37,9 @@ class DiscreteDistribution {
   /// than what the weight says, so a weight lost in the rounding of the sum has probability 0 and is never drawn.
   double Probability(std::size_t index) const;
 
+  /// Where Probability(index) looks.
+  const double* LookupOf(std::size_t index) const { return &sums_[index]; }
+
   std::size_t Size() const { return sums_.size() - 1; }
 
  private:

@@ -232,10 +232,18 @@ void Environment::DrawEach(LightSamples& samples, LightSamples::Each& pdfs) cons
 void Environment::SeeEach(LightSamples& samples, LightSamples::Each& pdfs) const {
   QuickPlaces places;
   PlaceEachQuickly(samples, map_.Width(), map_.Height(), places);
+  std::array<Texel, LightSamples::most> texels;
   for (std::uint32_t i = 0; i < samples.count; ++i) {
-    const Texel texel = TexelOf(places[i], samples.ToLight(i));
-    pdfs[i] = Pdf(texel);
-    samples.SetColor(i, RadianceOf(texel));
+    texels[i] = TexelOf(places[i], samples.ToLight(i));
+    map_.Prefetch(texels[i].column, texels[i].row);
+    __builtin_prefetch(&columns_[static_cast<std::size_t>(texels[i].row)]);
+  }
+  for (std::uint32_t i = 0; i < samples.count; ++i)
+    __builtin_prefetch(
+        columns_[static_cast<std::size_t>(texels[i].row)].LookupOf(static_cast<std::size_t>(texels[i].column)));
+  for (std::uint32_t i = 0; i < samples.count; ++i) {
+    pdfs[i] = Pdf(texels[i]);
+    samples.SetColor(i, RadianceOf(texels[i]));
   }
 }
 
