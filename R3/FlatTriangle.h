@@ -3,22 +3,16 @@
 #include <algorithm>
 
 #include "R3/Numeric.h"
-#include "R3/Point.h"
+#include "R3/SurfacePlace.h"
 
 /// Places on flat triangles, without branches, so that loops over many of them become vector instructions.
 namespace R3 {
-
-/// A place on a triangle, and a bound on its distance from the true one, per axis.
-struct TrianglePlace {
-  Point position;
-  Vector error;
-};
 
 /// The mean of the corners by weights whose sum is 1.
 ///   accuracy   Physically Based Rendering (2023), section 6.8.5: gamma(7) for the sum. The next test of the same
 ///              triangle sums its corners' distances, so its t errs by a share of the largest of them whichever way the
 ///              triangle lies: a triangle in the plane z = 0 must not be left from z = 0 exactly
-inline TrianglePlace PlaceOnTriangle(const Point& p, const Point& q, const Point& r, const Vector& weights) {
+inline SurfacePlace PlaceOnTriangle(const Point& p, const Point& q, const Point& r, const Vector& weights) {
   const Vector a = weights.x * FromOrigin(p), b = weights.y * FromOrigin(q), c = weights.z * FromOrigin(r);
   const Point place = Point{} + (a + b + c);
   const auto distance = [&](const Point& corner) { return MaxComponent(Abs(corner - place)); };

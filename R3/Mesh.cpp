@@ -24,7 +24,7 @@ R3_USES_FMA
 Intersection AtWeights(const std::array<const Point*, 3>& corners, const std::array<double, 3>& weights) {
   Intersection at;
   const auto& [p, q, r] = corners;
-  const TrianglePlace place = PlaceOnTriangle(*p, *q, *r, {weights[0], weights[1], weights[2]});
+  const SurfacePlace place = PlaceOnTriangle(*p, *q, *r, {weights[0], weights[1], weights[2]});
   at.position = place.position, at.error = place.error;
   at.normal = at.shading_normal = AsNormal(FaceDirection(*p, *q, *r));
   return at;

@@ -5,6 +5,7 @@
 #include "R3/Hit.h"
 #include "R3/Ray.h"
 #include "R3/SphereData.h"
+#include "R3/SurfacePlace.h"
 #include "R3/shapes/Quadric.h"
 #include "R3/shapes/Span.h"
 
@@ -22,15 +23,9 @@ inline std::optional<Hit> IntersectSphereInline(const Ray& ray, const SphereData
   return Span{roots->first, roots->second, 0, 0}.First(ray.t_min, t_max);
 }
 
-/// A place on a sphere, and a bound on its distance from the true one, per axis.
-struct SpherePlace {
-  Point position;
-  Vector error;
-};
-
 /// The place in a unit direction from the center, without branches, so that loops over many become vector instructions.
 ///   accuracy   the direction errs by 4 u, its product with the radius by one more, the sum by one of the result
-inline SpherePlace PlaceOnSphere(const Point& center, double radius, const Vector& outward) {
+inline SurfacePlace PlaceOnSphere(const Point& center, double radius, const Vector& outward) {
   const Point place = center + radius * outward;
   return {{place.x, place.y, place.z}, Gamma(6) * radius * Abs(outward) + Gamma(2) * Abs(FromOrigin(place))};
 }

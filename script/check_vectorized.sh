@@ -15,7 +15,8 @@ for file in $(grep -rlE '^ *R3_VECTORIZED' R1 R2 R3 source --include='*.cpp' | s
   object=build/vectorized/obj/$(dirname "$file")/all.o
   if [ "$object" != "$compiled" ]; then
     rm -f "$object"
-    make -s BUILD=build/vectorized CXX="$cxx" CXXFLAGS=-fopt-info-vec-optimized "$object" 2> "$remarks" > /dev/null
+    make -s BUILD=build/vectorized CXX="$cxx" CXXFLAGS=-fopt-info-vec-optimized "$object" 2> "$remarks" > /dev/null ||
+      { cat "$remarks" >&2; exit 1; }
     compiled=$object
   fi
   # Remarks: "./file:line:column: optimized: loop vectorized using 32 byte vectors". A function without a loop has those
@@ -27,7 +28,11 @@ for file in $(grep -rlE '^ *R3_VECTORIZED' R1 R2 R3 source --include='*.cpp' | s
       next
     }
     FNR == 1 { for (line in is_vectorized) ++all }
-    /^ *R3_VECTORIZED/ { match($0, /^ */); indent = RLENGTH; start = FNR; name = $0; sub(/^ *R3_VECTORIZED */, "", name); found = loops = 0; next }
+    /^ *R3_VECTORIZED/ {
+      match($0, /^ */); indent = RLENGTH; start = FNR; found = loops = 0
+      name = $0; sub(/^ *R3_VECTORIZED */, "", name)
+      next
+    }
     start {
       if (name == "") { name = $0; sub(/^ */, "", name) }
       loops += / for \(/

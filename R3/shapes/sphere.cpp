@@ -91,7 +91,7 @@ class Sphere : public Shape {
  private:
   /// The place in a unit direction from the center.
   Intersection OnSurface(const Vector& outward) const {
-    const SpherePlace place = PlaceOnSphere(center_, radius_, outward);
+    const SurfacePlace place = PlaceOnSphere(center_, radius_, outward);
     Intersection at;
     at.position = place.position, at.error = place.error;
     at.normal = at.shading_normal = AsNormal(outward);
@@ -129,7 +129,7 @@ class Sphere : public Shape {
       are_outside &= sine < 1;
       are_outside &= one_minus_cosine > 0;
       const Vector outward = drawn / std::sqrt(drawn_square);
-      const SpherePlace place = PlaceOnSphere(center_, radius_, outward);
+      const SurfacePlace place = PlaceOnSphere(center_, radius_, outward);
       samples.Set(i, place.position, place.error, outward, UniformConePdf(one_minus_cosine));
     }
     return are_outside != 0;

@@ -71,7 +71,7 @@ bool PutInPlace(FlatSurfaces& all) {
   std::uint64_t are_safe = 1;
   for (std::size_t i = 0; i < all.count; ++i) {
     const R3::Point p = all.corners[0].At(i), q = all.corners[1].At(i), r = all.corners[2].At(i);
-    const R3::TrianglePlace place = R3::PlaceOnTriangle(p, q, r, all.weights[i]);
+    const R3::SurfacePlace place = R3::PlaceOnTriangle(p, q, r, all.weights[i]);
     const R3::Vector area = R3::AreaOfTriangle(p, q, r);
     const double square = Dot(area, area);
     const R3::Vector normal = area / std::sqrt(square);
@@ -91,7 +91,7 @@ bool PutInPlace(RoundSurfaces& all) {
     const double square = Dot(from_center, from_center);
     const R3::Vector outward = from_center / std::sqrt(square);
     are_safe &= R3::IsSafeSquare(square);
-    const R3::SpherePlace place = R3::PlaceOnSphere(all.center.At(i), all.radius[i], outward);
+    const R3::SurfacePlace place = R3::PlaceOnSphere(all.center.At(i), all.radius[i], outward);
     all.position.Set(i, place.position), all.error.Set(i, place.error);
     all.normal.Set(i, outward), all.shading_normal.Set(i, outward);
   }
