@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "R2/Color.h"
+#include "R2/ZeroedMemory.h"
 
 namespace R2 {
 
@@ -25,6 +26,8 @@ inline double Storable(double channel) {
 /// floats (24 bits, more than any file format here asks for); a value set and read back is rounded to float.
 class Image {
  public:
+  using Floats = std::vector<float, ZeroedMemory<float>>;
+
   Image() = default;
   /// A black image; width and height at least 1, width * height at most max_pixels (asserted).
   Image(int width, int height);
@@ -48,7 +51,7 @@ class Image {
 
   /// All channels, three floats (r, g, b) per pixel, rows from the bottom: for writers and for comparing pictures byte
   /// by byte.
-  const std::vector<float>& Channels() const { return channels_; }
+  const Floats& Channels() const { return channels_; }
 
   friend bool operator==(const Image&, const Image&) = default;
 
@@ -58,7 +61,7 @@ class Image {
   }
 
   int width_ = 0, height_ = 0;
-  std::vector<float> channels_;
+  Floats channels_;
 };
 
 }  // namespace R2

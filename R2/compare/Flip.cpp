@@ -182,7 +182,7 @@ Triple TripleAt(const Planes& planes, std::size_t i) {
 Planes Opponents(const Image& image) {
   const Plane empty(image.Width(), image.Height());
   Planes opponents{empty, empty, empty};
-  const std::vector<float>& channels = image.Channels();
+  const Image::Floats& channels = image.Channels();
   for (std::size_t i = 0; i < empty.values.size(); ++i) {
     const Color shown{Clamped(channels[3 * i]), Clamped(channels[3 * i + 1]), Clamped(channels[3 * i + 2])};
     SetTriple(opponents, i, YCxCz(RelativeXyz(DecodeSrgb(shown))));

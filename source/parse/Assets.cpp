@@ -28,7 +28,7 @@ R2::Image Linear(R2::Image image) {
 void CheckTexels(const R2::Image& image, const FoundFile& file, Assets::Use use) {
   const bool is_color = use == Assets::Use::color;
   const auto is_fit = [&](float value) { return std::isfinite(value) && (value >= 0 || !is_color); };
-  const std::vector<float>& values = image.Channels();
+  const R2::Image::Floats& values = image.Channels();
   const auto bad = std::ranges::find_if_not(values, is_fit);
   if (bad == values.end()) return;
   const auto pixel = (bad - values.begin()) / 3;

@@ -38,6 +38,10 @@ R2::Color ColorOfId(const R2::Color& id) {
 
 }  // namespace
 
+bool IsShownAsItIs(RenderMode mode) {
+  return mode != RenderMode::depth && mode != RenderMode::id && mode != RenderMode::normal;
+}
+
 R2::Image LayerAsShown(RenderMode mode, const R2::Image& image) {
   if (mode == RenderMode::depth) return ShownDepth(image);
   if (mode == RenderMode::id) return Changed(image, ColorOfId);

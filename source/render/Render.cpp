@@ -29,8 +29,10 @@ ErrorMeasure MeasureFor(const RenderSettings& settings) {
 /// How many of the block's pixels have no sample but their first, which is not in the film's sums yet.
 std::int64_t PixelsLookedAt(const Film& film, int block) {
   const PixelRectangle pixels = film.PixelsInRegion(block);
+  const std::size_t places = film[block].first_samples.size();
+  if (pixels.Area() == BlockOrder::places) return static_cast<std::int64_t>(places);  // a block that is no rim
   std::int64_t count = 0;
-  for (std::size_t place = 0; place < film[block].first_samples.size(); ++place) {
+  for (std::size_t place = 0; place < places; ++place) {
     const auto [column, row] = BlockOrder::PixelAt(static_cast<int>(place), film.PixelsOf(block));
     count += pixels.Contains(column, row);
   }

@@ -27,7 +27,7 @@ double SecondsToEncodeAPixel(const R2::ImageFormat& format, const R2::ImageEncod
 
 double FinishingTimeOf(const R2::ImageFormat& format, const Options& options) {
   // Of pictures of 16 and 67 million pixels, a 64th of which had a sample, on two threads.
-  constexpr double seconds_to_compose_a_pixel = 20e-9, price_beside_slope = 1.5;
+  constexpr double seconds_to_compose_a_pixel = 20e-9, price_beside_slope = 1.2;
   const RenderSettings& render = options.render;
   const double pixels = render.crop ? static_cast<double>(render.crop->Area())
                                     : static_cast<double>(render.width) * static_cast<double>(render.height);

@@ -125,7 +125,9 @@ OutputFile WritePicture(const Outputs& outputs, const RenderResult& result, cons
   const R2::ImageSettings settings = SettingsInPicture(record);
   const std::vector<Layer>& kinds = record.options.layers;
   const auto encode = [&](RenderMode mode, const R2::Image& image) {
-    return format.encode(format.is_linear ? image : LayerAsShown(mode, image), record.options.encoding, settings);
+    const R2::ImageEncoding& encoding = record.options.encoding;
+    if (format.is_linear || IsShownAsItIs(mode)) return format.encode(image, encoding, settings);  // without a copy
+    return format.encode(LayerAsShown(mode, image), encoding, settings);
   };
   if (format.encode_layers && !kinds.empty()) {
     std::vector<R2::ImageLayer> channels;

@@ -40,7 +40,7 @@ struct Statistics {
 
 std::string StatisticsText(const R2::Image& image) {
   std::array<Statistics, 3> channels;
-  const std::vector<float>& values = image.Channels();
+  const R2::Image::Floats& values = image.Channels();
   for (std::size_t i = 0; i < values.size(); ++i) channels[i % 3].Add(values[i]);
   const auto& [r, g, b] = channels;
   return "r: " + r.Text() + "g: " + g.Text() + "b: " + b.Text() +

@@ -97,7 +97,7 @@ void FillTexture(const R2::Image& original, bool has_slopes) {
   R2::Image image = Shrunk(original, most_texels, most_texels);
   const GLint format = !has_slopes && IsOfBytes(image) ? GL_RGB8 : GL_RGB16F;
   for (GLint level = 0;; ++level) {
-    std::vector<float> channels = image.Channels();
+    R2::Image::Floats channels = image.Channels();
     for (float& c : channels) c = std::clamp(c, -most_half, most_half);
     glTexImage2D(GL_TEXTURE_2D, level, format, image.Width(), image.Height(), 0, GL_RGB, GL_FLOAT, channels.data());
     if (image.Width() == 1 && image.Height() == 1) break;

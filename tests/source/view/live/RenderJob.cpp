@@ -46,7 +46,7 @@ bool Ends(const RenderJob& job) {
 bool Shows(const Frame& frame, const R2::Image& image) {
   std::vector<float> shown;
   frame.Copy(0, frame.Height(), shown);
-  return shown == image.Channels();
+  return std::ranges::equal(shown, image.Channels());
 }
 
 std::array<std::uint64_t, ray_kind_names.size()> RaysByKind(const RayCounts& counts) {
