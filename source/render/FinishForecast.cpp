@@ -15,7 +15,7 @@ constexpr int side_of_part = 128, most_parts = 8;
 constexpr double most_looked_at = 1.0 / 32;
 // What pictures of 4 to 67 million pixels took beside their parts, as PNG and as JPEG, by pixel: for memory that the
 // system must find and caches do not hold.
-constexpr double seconds_of_memory = 15e-9;
+constexpr double seconds_of_memory = 10e-9;
 
 /// The parts' pictures one above the other, so that what each file costs apart from its pixels counts once.
 R2::Image Stacked(std::span<const Film> parts, R2::Quantization quantization) {
