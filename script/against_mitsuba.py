@@ -2,6 +2,7 @@
 """Path tracing beside Mitsuba 3: the same three scenes written in both languages, rendered on one thread.
 
     script/against_mitsuba.py [-samples 16] [-width 256] [-reference 512] [-mesh scan.obj] [-variant llvm_ad_rgb]
+                              [-sampler multijitter]
 
 Needs `pip install mitsuba numpy`. RAYPRO names the program (default build/raypro).
 
@@ -197,7 +198,7 @@ def ours(scene, width, samples, seed=0):
         return np.frombuffer(f.read(), "<f4").reshape(h, w, 3)[::-1].astype(float), seconds
 
 
-def theirs(scene, width, samples, seed=0):
+def theirs(scene, width, samples, sampler, seed=0):
     import numpy as np
 
     mi = scene.mi
@@ -207,7 +208,7 @@ def theirs(scene, width, samples, seed=0):
         **parts["sensor"],
         "film": {"type": "hdrfilm", "width": width, "height": width, "rfilter": {"type": "box"},
                  "pixel_format": "rgb", "component_format": "float32"},
-        "sampler": {"type": "multijitter", "sample_count": samples},
+        "sampler": {"type": sampler, "sample_count": samples},
     }
     loaded = mi.load_dict(parts)
     np.array(mi.render(loaded, seed=seed + 1000))  # compiles
@@ -229,6 +230,7 @@ def main():
     parser.add_argument("-reference", type=int, default=512, help="samples of the references")
     parser.add_argument("-mesh", help="an OBJ for the scene scan; without it a ball with bumps")
     parser.add_argument("-variant", default="llvm_ad_rgb", help="of Mitsuba; also scalar_rgb")
+    parser.add_argument("-sampler", default="multijitter", help="of Mitsuba, whose own default is independent")
     asked = parser.parse_args()
     try:
         import mitsuba as mi
@@ -237,8 +239,8 @@ def main():
         sys.exit("against_mitsuba.py: %s; pip install mitsuba numpy" % missing)
     mi.set_variant(asked.variant)
     mi.set_log_level(mi.LogLevel.Error)
-    print("raypro beside Mitsuba %s %s, %dx%d, %d samples, %d bounces, one thread; %s; %s" % (
-        mi.__version__, asked.variant, asked.width, asked.width, asked.samples, max_depth, beside.processor(),
+    print("raypro beside Mitsuba %s %s, %s, %dx%d, %d samples, %d bounces, one thread; %s; %s" % (
+        mi.__version__, asked.variant, asked.sampler, asked.width, asked.width, asked.samples, max_depth, beside.processor(),
         time.strftime("%Y-%m-%d")))
     print("%-9s%11s%11s%8s%12s%12s%12s%12s" % (
         "scene", "ours M/s", "theirs M/s", "ratio", "our error", "their error", "efficiency", "means differ"))
@@ -246,11 +248,11 @@ def main():
         folder = Path(name)
         for scene in (scan(folder, asked.mesh), cornell(folder), spheres(folder)):
             our_reference, _ = ours(scene, asked.width, asked.reference, seed=7)
-            their_reference, _ = theirs(scene, asked.width, asked.reference, seed=7)
+            their_reference, _ = theirs(scene, asked.width, asked.reference, asked.sampler, seed=7)
             truth = (our_reference + their_reference) / 2
             million = asked.width**2 * asked.samples * 1e-6
             our_image, our_seconds = ours(scene, asked.width, asked.samples)
-            their_image, their_seconds = theirs(scene, asked.width, asked.samples)
+            their_image, their_seconds = theirs(scene, asked.width, asked.samples, asked.sampler)
             our_error, their_error = relative_error(our_image, truth), relative_error(their_image, truth)
             print("%-9s%11.3f%11.3f%8.2f%12.5f%12.5f%12.2f%11.2f%%" % (
                 scene.name, million / our_seconds, million / their_seconds, their_seconds / our_seconds, our_error,
