@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Path tracing beside Mitsuba 3: the same three scenes written in both languages, rendered on one thread.
+"""Path tracing beside Mitsuba 3: the same five scenes written in both languages, rendered on one thread.
 
     script/against_mitsuba.py [-samples 16] [-width 256] [-reference 512] [-mesh scan.obj] [-variant llvm_ad_rgb]
                               [-sampler multijitter]
@@ -25,16 +25,17 @@ import beside
 
 root = Path(__file__).resolve().parent.parent
 raypro = os.environ.get("RAYPRO", str(root / "build/raypro"))
-max_depth = 6  # bounces
+most_bounces = 6
 
 
 class Scene:
     """One scene in both languages, built a thing at a time."""
 
-    def __init__(self, folder, name, eye, target, half_angle):
+    def __init__(self, folder, name, eye, target, half_angle, bounces=most_bounces):
         import mitsuba as mi
 
-        self.mi, self.folder, self.name = mi, folder, name
+        self.mi, self.folder, self.name, self.bounces = mi, folder, name, bounces
+        self.options = []  # of raypro
         towards = [t - e for e, t in zip(eye, target)]
         self.lines = ["camera %r %r %r %r %r %r 0 1 0 %r 0.01 100" % (*eye, *towards, half_angle),
                       "point_light 0 0 0  0 0 0  1 0 0"]  # so that there are no default lights
@@ -89,6 +90,10 @@ class Scene:
         corners = [(x[i & 1], y[i >> 1 & 1], z[i >> 2]) for i in range(8)]
         sides = [(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)]
         self.mesh(corners, [f for s in sides for f in ((s[0], s[1], s[2]), (s[0], s[2], s[3]))], color)
+
+    def lens(self, radius, distance):
+        self.options += ["-aperture", str(radius), "-focus", str(distance)]
+        self.parts["sensor"].update(type="thinlens", aperture_radius=radius, focus_distance=distance)
 
     def environment(self, sky):
         """`sky`: radiance by row from the top, by column from -z by +x."""
@@ -147,9 +152,9 @@ def scan(folder, path):
     return s.save()
 
 
-def cornell(folder):
+def cornell(folder, name="cornell", bounces=most_bounces):
     """A closed room with two boxes, lit by one ball."""
-    s = Scene(folder, "cornell", (0, 1, 3.9), (0, 1, 0), 0.26)
+    s = Scene(folder, name, (0, 1, 3.9), (0, 1, 0), 0.26, bounces)
     white = (0.75, 0.75, 0.75)
     s.quad((-1, 0, 4), (1, 0, 4), (1, 0, -1), (-1, 0, -1), white)
     s.quad((-1, 2, 4), (-1, 2, -1), (1, 2, -1), (1, 2, 4), white)
@@ -163,9 +168,14 @@ def cornell(folder):
     return s.save()
 
 
-def spheres(folder):
+def direct(folder):
+    """The same room, light that comes straight from the ball."""
+    return cornell(folder, "direct", 0)
+
+
+def spheres(folder, name="spheres"):
     """Balls on a floor under a sky and two lamps."""
-    s = Scene(folder, "spheres", (0, 3, 8), (0, 0.6, 0), 0.35)
+    s = Scene(folder, name, (0, 3, 8), (0, 0.6, 0), 0.35)
     s.quad((-20, 0, 20), (20, 0, 20), (20, 0, -20), (-20, 0, -20), (0.5, 0.5, 0.5))
     for i in range(36):
         x, z = (i % 6 - 2.5) * 1.1, (i // 6 - 2.5) * 1.1
@@ -177,6 +187,13 @@ def spheres(folder):
     return s.save()
 
 
+def lens(folder):
+    """The same balls through a lens that shows those in the middle sharp."""
+    s = spheres(folder, "lens")
+    s.lens(0.1, 8.4)
+    return s
+
+
 def ours(scene, width, samples, seed=0):
     import numpy as np
 
@@ -184,7 +201,8 @@ def ours(scene, width, samples, seed=0):
         before = beside.children_seconds()
         subprocess.run(
             [raypro, str(scene.path), str(out), "-width", str(width), "-height", str(width), "-samples", str(samples),
-             "-mode", "path", "-max_depth", str(max_depth), "-threads", "1", "-seed", str(seed), "-quiet", "-restart"],
+             "-mode", "path", "-max_depth", str(scene.bounces), "-threads", "1", "-seed", str(seed), "-quiet", "-restart",
+             *scene.options],
             check=True)
         return beside.children_seconds() - before
 
@@ -203,7 +221,7 @@ def theirs(scene, width, samples, sampler, seed=0):
 
     mi = scene.mi
     parts = dict(scene.parts)
-    parts["integrator"] = {"type": "path", "max_depth": max_depth + 2}
+    parts["integrator"] = {"type": "path", "max_depth": scene.bounces + 2}
     parts["sensor"] = {
         **parts["sensor"],
         "film": {"type": "hdrfilm", "width": width, "height": width, "rfilter": {"type": "box"},
@@ -240,13 +258,13 @@ def main():
     mi.set_variant(asked.variant)
     mi.set_log_level(mi.LogLevel.Error)
     print("raypro beside Mitsuba %s %s, %s, %dx%d, %d samples, %d bounces, one thread; %s; %s" % (
-        mi.__version__, asked.variant, asked.sampler, asked.width, asked.width, asked.samples, max_depth, beside.processor(),
+        mi.__version__, asked.variant, asked.sampler, asked.width, asked.width, asked.samples, most_bounces, beside.processor(),
         time.strftime("%Y-%m-%d")))
     print("%-9s%11s%11s%8s%12s%12s%12s%12s" % (
         "scene", "ours M/s", "theirs M/s", "ratio", "our error", "their error", "efficiency", "means differ"))
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
-        for scene in (scan(folder, asked.mesh), cornell(folder), spheres(folder)):
+        for scene in (scan(folder, asked.mesh), cornell(folder), spheres(folder), direct(folder), lens(folder)):
             our_reference, _ = ours(scene, asked.width, asked.reference, seed=7)
             their_reference, _ = theirs(scene, asked.width, asked.reference, asked.sampler, seed=7)
             truth = (our_reference + their_reference) / 2
