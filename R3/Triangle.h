@@ -104,8 +104,12 @@ inline std::optional<Hit> IntersectTriangleInline(const ShearedRay& ray, const s
   }
   const EdgeFunctions edges(x, y);
   if (edges.HaveBothSigns()) return {};
-  if (!IsInRange(std::abs(edges.Sum()))) [[unlikely]]  // seen edge-on it is 0
-    return IntersectScaledTriangle(ray, x, y, z);
+  if (!IsInRange(std::abs(edges.Sum()))) [[unlikely]] {  // seen edge-on it is 0
+    // From copies and through one: what is passed by address would have to be in memory for all triangles.
+    const auto scaled = IntersectScaledTriangle(ray, {x[0], x[1], x[2]}, {y[0], y[1], y[2]}, {z[0], z[1], z[2]});
+    if (!scaled) return {};
+    return Hit{scaled->t, scaled->u, scaled->v, scaled->part};
+  }
   return TriangleHit(ray, edges, z);
 }
 

@@ -20,12 +20,13 @@ std::span<const AcceleratorKind* const> AcceleratorKinds() {
 }
 
 void Accelerator::OfferUnbounded(const R3::Ray& ray, std::optional<WorldHit>& hit, Workspace& workspace) const {
-  NearestHit nearest(*unbounded_, ray);
+  std::optional<WorldHit> best;
+  NearestHit nearest(*unbounded_, ray, best);
   if (hit) nearest.Offer(*hit);
   LocalRays local(*unbounded_, ray);
   for (const std::uint32_t instance : unbounded_->Unbounded())
     nearest.Test(instance, 0, local.In(unbounded_->Instances()[instance].frame), workspace.counts);
-  hit = nearest.Best();
+  hit = best;
 }
 
 bool Accelerator::IsBehindUnbounded(const R3::Ray& ray, Workspace& workspace) const {

@@ -9,9 +9,14 @@
 namespace ray {
 
 /// The nearest hit so far, by the rule that makes all accelerators agree: smallest t, among equals lowest primitive id.
+/// It is kept where the answer is wanted.
 class NearestHit {
  public:
-  NearestHit(const World& world, const R3::Ray& ray) : world_(world), limit_(ray.t_max) {}
+  /// Of a ray that has hit nothing yet: `best` becomes empty.
+  NearestHit(const World& world, const R3::Ray& ray, std::optional<WorldHit>& best)
+      : world_(world), best_(best), limit_(ray.t_max) {
+    best_.reset();
+  }
 
   /// No hit at a larger t is wanted any more; one at exactly this t still is.
   double Limit() const { return limit_; }
@@ -31,7 +36,10 @@ class NearestHit {
   /// Takes a hit that is no farther than Limit, unless it is as far and of a higher primitive.
   void Offer(const WorldHit& candidate) {
     if (best_ && candidate.t == best_->t && world_.PrimitiveId(candidate) >= world_.PrimitiveId(*best_)) return;
-    best_ = candidate;
+    // Number by number: a copy of the whole, in wider pieces than were stored, waits until the stores are in the cache.
+    WorldHit& best = best_ ? *best_ : best_.emplace();
+    best.t = candidate.t, best.u = candidate.u, best.v = candidate.v, best.part = candidate.part;
+    best.instance = candidate.instance, best.element = candidate.element;
     limit_ = candidate.t;
   }
 
@@ -42,7 +50,7 @@ class NearestHit {
   }
 
   const World& world_;
-  std::optional<WorldHit> best_;
+  std::optional<WorldHit>& best_;
   double limit_;
 };
 

@@ -18,7 +18,8 @@ class Graph : public Accelerator {
 
  private:
   std::optional<WorldHit> Nearest(const R3::Ray& ray, Workspace& workspace) const override {
-    NearestHit nearest(world_, ray);
+    std::optional<WorldHit> best;
+    NearestHit nearest(world_, ray, best);
     LocalRays local(world_, ray);
     std::optional<Workspace::LastHit> cached;
     if (settings_.last_hit && workspace.last_hit) {
@@ -36,8 +37,8 @@ class Graph : public Accelerator {
       limit = nearest.Limit();
       return false;
     });
-    if (nearest.Best()) workspace.last_hit = {nearest.Best()->instance, nearest.Best()->element};
-    return nearest.Best();
+    if (best) workspace.last_hit = {best->instance, best->element};
+    return best;
   }
 
   bool Any(const R3::Ray& ray, Workspace& workspace) const override {

@@ -11,7 +11,8 @@ class BruteForce : public Accelerator {
 
  private:
   std::optional<WorldHit> Nearest(const R3::Ray& ray, Workspace& workspace) const override {
-    NearestHit nearest(world_, ray);
+    std::optional<WorldHit> best;
+    NearestHit nearest(world_, ray, best);
     LocalRays local(world_, ray);
     for (std::uint32_t i = 0; i < world_.Instances().size(); ++i) {
       const Instance& instance = world_.Instances()[i];
@@ -19,7 +20,7 @@ class BruteForce : public Accelerator {
       const int elements = instance.shape->Elements();
       for (int e = 0; e < elements; ++e) nearest.Test(i, e, local.In(instance.frame), workspace.counts);
     }
-    return nearest.Best();
+    return best;
   }
 
   bool Any(const R3::Ray& ray, Workspace& workspace) const override {

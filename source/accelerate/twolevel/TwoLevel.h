@@ -94,9 +94,10 @@ class TwoLevelAccelerator : public Accelerator {
 
  private:
   std::optional<WorldHit> Nearest(const R3::Ray& ray, Workspace& workspace) const override {
-    NearestHit nearest(*two_level_.world, ray);
+    std::optional<WorldHit> best;
+    NearestHit nearest(*two_level_.world, ray, best);
     kernels_.nearest(two_level_, ray, nearest, workspace.counts);
-    return nearest.Best();
+    return best;
   }
 
   bool Any(const R3::Ray& ray, Workspace& workspace) const override {

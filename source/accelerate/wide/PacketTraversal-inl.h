@@ -33,14 +33,15 @@ HWY_INLINE void ForEachBit(std::uint32_t bits, const Work& work) {
 template <bool any>
 class PacketTraversal {
  public:
-  HWY_INLINE PacketTraversal(const TwoLevel<Tree>& two_level, std::span<const R3::Ray> rays, Counts& counts)
-      : two_level_(two_level), tree_(two_level.structures[0]), rays_(rays), counts_(counts) {
+  /// The nearest hits go to `hits`; of `any` that is one place, which stays empty.
+  HWY_INLINE PacketTraversal(const TwoLevel<Tree>& two_level, std::span<const R3::Ray> rays,
+                             std::optional<WorldHit>* hits, Counts& counts)
+      : two_level_(two_level), tree_(two_level.structures[0]), rays_(rays), hits_(hits), counts_(counts) {
     if constexpr (!any)
       for (int i = 0; i < Size(); ++i) MakeNearest(i, i);
   }
 
   int Size() const { return static_cast<int>(rays_.size()); }
-  const std::optional<WorldHit>& Best(int i) { return Nearest(i).Best(); }
   bool IsAnswered(int i) const { return answered_ >> i & 1; }
 
   HWY_INLINE void Search() {
@@ -77,7 +78,8 @@ class PacketTraversal {
   const R3::Ray& Ray(int i) const { return rays_[static_cast<std::size_t>(i)]; }
   double DistanceInWorld(int i) const { return MaxComponent(Abs(FromOrigin(Ray(i).origin))); }
   NearestHit& MakeNearest(int place, int i) {
-    return *new (nearest_ + place * static_cast<int>(sizeof(NearestHit))) NearestHit(*two_level_.world, Ray(i));
+    return *new (nearest_ + place * static_cast<int>(sizeof(NearestHit)))
+        NearestHit(*two_level_.world, Ray(i), hits_[place]);
   }
   /// Of a ray, which with `any` has no hit as long as it is asked: one place is enough for all.
   NearestHit& Nearest(int i) {
@@ -346,6 +348,7 @@ class PacketTraversal {
   const TwoLevel<Tree>& two_level_;
   const Tree& tree_;
   std::span<const R3::Ray> rays_;
+  std::optional<WorldHit>* hits_;
   Counts& counts_;
   std::uint32_t answered_ = 0;  // rays of `any` that have hit something, as bits
   Packet packet_;
@@ -360,16 +363,16 @@ class PacketTraversal {
 template <bool any>
 void TracePackets(const TwoLevel<Tree>& two_level, std::span<const R3::Ray> rays,
                   std::conditional_t<any, bool, std::optional<WorldHit>>* answers, Counts& counts) {
-  while (!rays.empty()) {
-    PacketTraversal<any> traversal(two_level, rays.first(std::min<std::size_t>(rays.size(), packet_size)), counts);
-    traversal.Search();
-    for (int i = 0; i < traversal.Size(); ++i) {
-      if constexpr (any)
-        *answers++ = traversal.IsAnswered(i);
-      else
-        *answers++ = traversal.Best(i);
+  for (std::size_t first = 0; first < rays.size(); first += packet_size) {
+    const auto packet = rays.subspan(first, std::min<std::size_t>(rays.size() - first, packet_size));
+    if constexpr (any) {
+      std::optional<WorldHit> none;
+      PacketTraversal<true> traversal(two_level, packet, &none, counts);
+      traversal.Search();
+      for (int i = 0; i < traversal.Size(); ++i) *answers++ = traversal.IsAnswered(i);
+    } else {
+      PacketTraversal<false>(two_level, packet, answers + first, counts).Search();
     }
-    rays = rays.subspan(static_cast<std::size_t>(traversal.Size()));
   }
 }
 

@@ -251,7 +251,8 @@ void FindNearest(const TwoLevel<Structure>& two_level, const R3::Ray& ray, Neare
 
 template <typename Structure>
 bool FindAny(const TwoLevel<Structure>& two_level, const R3::Ray& ray, Counts& counts) {
-  NearestHit nearest(*two_level.world, ray);
+  std::optional<WorldHit> best;
+  NearestHit nearest(*two_level.world, ray, best);
   return Search<true>(two_level, two_level.structures[0], ray, MaxComponent(Abs(FromOrigin(ray.origin))), std::nullopt,
                       nearest, counts);
 }
