@@ -76,7 +76,7 @@ std::unique_ptr<const Mesh> Mesh::Moved(const Transform& move) const {
 
 Box Mesh::Bounds(int element) const {
   Box box;
-  for (const Point& corner : Corners(element)) box.Extend(corner);
+  for (const Point* corner : CornersInPlace(element)) box.Extend(*corner);
   return box;
 }
 

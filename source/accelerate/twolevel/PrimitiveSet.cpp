@@ -56,14 +56,12 @@ R3::Box PrimitiveSet::Bounds(std::uint32_t i) const {
   if (mesh_) return Widened(mesh_->Bounds(static_cast<int>(i)), 0);
   const PrimRef primitive = (*this)[i];
   const Instance& instance = world_.Instances()[primitive.instance];
-  R3::Box box;
-  if (primitive.element == PrimRef::whole)
-    box = instance.node->bounds;  // a shared shape is the node's own, and a primitive's node has no transform
-  else
-    box = instance.shape->Bounds(primitive.element);
-  if (instance.frame == 0) return Widened(box, 0);
+  // A shared shape is the node's own, and a primitive's node has no transform.
+  const R3::Box local =
+      primitive.element == PrimRef::whole ? instance.node->bounds : instance.shape->Bounds(primitive.element);
+  if (instance.frame == 0) return Widened(local, 0);
   const R3::Transform& frame = world_.Frames()[instance.frame];
-  box = world_.InWorld(instance.frame, box);
+  const R3::Box box = world_.InWorld(instance.frame, local);
   return Widened(box, WorldBoundsPadding(frame, Reach(box)).constant);
 }
 

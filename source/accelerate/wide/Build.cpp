@@ -10,6 +10,7 @@
 #include <array>
 #include <bit>
 #include <deque>
+#include <memory>
 
 #include "source/accelerate/wide/Layout.h"
 
@@ -25,7 +26,7 @@ struct Reference {
   Float4 Middle() const { return low + high; }  // twice it
   static constexpr std::uint32_t usual = 0x40000000;
   std::uint32_t Primitive() const { return std::bit_cast<std::uint32_t>(static_cast<float>(low[3])) ^ usual; }
-  bool IsTriangle() const { return high[3] != 0; }
+  bool IsTriangle() const { return std::bit_cast<std::uint32_t>(static_cast<float>(high[3])) != 0; }
 };
 
 /// A row of references that share a subtree.
@@ -39,32 +40,34 @@ struct Range {
 
 constexpr int most_bins = 32;
 
+/// What falls between two planes.
+struct Bin {
+  Extent box;
+  std::uint64_t counts = 0;  // of triangles, and in the high half of others
+
+  void Add(const Reference& reference) {
+    box.Extend(reference.Box());
+    counts += reference.IsTriangle() ? 1 : std::uint64_t{1} << 32;
+  }
+  void Add(const Bin& o) { box.Extend(o.box), counts += o.counts; }
+  std::uint32_t Triangles() const { return static_cast<std::uint32_t>(counts); }
+  std::uint32_t Others() const { return static_cast<std::uint32_t>(counts >> 32); }
+};
+
 /// Only the bins in use are set: most ranges are small and have few.
 struct Bins {
   int count;
-  Float4 low[3][most_bins], high[3][most_bins];
-  std::uint32_t triangles[3][most_bins], others[3][most_bins];
+  union {
+    Bin of[3][most_bins];
+  };
 
   explicit Bins(int bins) : count(bins) {
-    const Extent nothing;
-    for (int axis = 0; axis < 3; ++axis)
-      for (int i = 0; i < count; ++i) {
-        low[axis][i] = nothing.low, high[axis][i] = nothing.high;
-        triangles[axis][i] = others[axis][i] = 0;
-      }
-  }
-  void Add(int axis, int i, const Reference& reference) {
-    low[axis][i] = Least(low[axis][i], reference.low), high[axis][i] = Most(high[axis][i], reference.high);
-    ++(reference.IsTriangle() ? triangles : others)[axis][i];
+    for (auto& axis : of) std::uninitialized_fill_n(axis, count, Bin());
   }
   void Add(const Bins& o) {
     for (int axis = 0; axis < 3; ++axis)
-      for (int i = 0; i < count; ++i) {
-        low[axis][i] = Least(low[axis][i], o.low[axis][i]), high[axis][i] = Most(high[axis][i], o.high[axis][i]);
-        triangles[axis][i] += o.triangles[axis][i], others[axis][i] += o.others[axis][i];
-      }
+      for (int i = 0; i < count; ++i) of[axis][i].Add(o.of[axis][i]);
   }
-  Extent Box(int axis, int i) const { return {low[axis][i], high[axis][i]}; }
 };
 
 /// Which bin a middle falls into, the same for every instruction set: one subtraction, one product.
@@ -80,10 +83,8 @@ struct Binning {
     }
   }
   bool IsFlat(int axis) const { return scale[axis] == 0; }
-  std::array<int, 3> operator()(Float4 middle) const {
-    const Float4 bins = (middle - low) * scale;
-    const auto bin = [&](int axis) { return std::min(static_cast<int>(bins[axis]), count - 1); };
-    return {bin(0), bin(1), bin(2)};
+  Whole4 operator()(Float4 middle) const {
+    return __builtin_convertvector(Least((middle - low) * scale, Float4{} + static_cast<float>(count - 1)), Whole4);
   }
 };
 
@@ -213,8 +214,9 @@ class Builder {
   void FillBins(Bins& bins, const Binning& binning, std::uint32_t begin, std::uint32_t end) const {
     for (std::uint32_t i = begin; i != end; ++i) {
       const Reference& reference = references_[i];
-      const auto at = binning(reference.Middle());
-      for (int axis = 0; axis < 3; ++axis) bins.Add(axis, at[static_cast<std::size_t>(axis)], reference);
+      const Whole4 at = binning(reference.Middle());
+#pragma GCC unroll 3
+      for (int axis = 0; axis < 3; ++axis) bins.of[axis][at[axis]].Add(reference);
     }
   }
 
@@ -241,15 +243,13 @@ class Builder {
     for (int axis = 0; axis < 3; ++axis) {
       if (binning.IsFlat(axis)) continue;
       std::array<float, most_bins> behind;  // cost of bins i and up
-      Extent box;
-      std::uint32_t triangles = 0, others = 0;
+      Bin sum;
       const auto cost_with = [&](int i) {
-        box.Extend(bins.Box(axis, i));
-        triangles += bins.triangles[axis][i], others += bins.others[axis][i];
-        return triangles + others > 0 ? box.HalfArea() * Tests(triangles, others) : infinity;
+        sum.Add(bins.of[axis][i]);
+        return sum.counts > 0 ? sum.box.HalfArea() * Tests(sum.Triangles(), sum.Others()) : infinity;
       };
       for (int i = binning.count - 1; i > 0; --i) behind[static_cast<std::size_t>(i)] = cost_with(i);
-      box = {}, triangles = others = 0;
+      sum = {};
       for (int i = 1; i < binning.count; ++i) {
         const float cost = cost_with(i - 1) + behind[static_cast<std::size_t>(i)];
         if (cost < best.cost) best = {cost, axis, i};

@@ -11,8 +11,9 @@
 /// A tree while it is being built, and how it is laid out in memory.
 namespace ray::wide {
 
-// Four floats at once, as both compilers know them; the fourth is padding.
+// Four numbers at once, as both compilers know them; the fourth is padding.
 using Float4 = float __attribute__((vector_size(16)));
+using Whole4 = std::int32_t __attribute__((vector_size(16)));
 
 inline Float4 Least(Float4 a, Float4 b) { return a < b ? a : b; }
 inline Float4 Most(Float4 a, Float4 b) { return a > b ? a : b; }
