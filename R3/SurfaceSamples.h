@@ -2,6 +2,7 @@
 
 #include <cstdint>
 
+#include "R1/BatchSize.h"
 #include "R2/Point.h"
 #include "R3/Normal.h"
 #include "R3/Point.h"
@@ -11,7 +12,7 @@ namespace R3 {
 /// Places on one surface drawn at random, each as a point of its own sees it: what a SurfaceSample holds, but each
 /// number an array over the samples, so that loops become vector instructions.
 struct SurfaceSamples {
-  static constexpr std::uint32_t most = 64;
+  static constexpr std::uint32_t most = R1::batch_size;
   using Each = double[most];
 
   std::uint32_t count = 0;

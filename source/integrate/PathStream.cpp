@@ -3,14 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "R1/BatchSize.h"
 #include "R3/Numeric.h"
 #include "source/integrate/ShadingPoints.h"
 
 namespace ray {
 namespace {
 
-constexpr std::size_t most_paths = PointsOfEach<2>::most;
-static_assert(most_paths <= LightSamples::most);
+constexpr std::size_t most_paths = R1::batch_size;
 using Each = LightSamples::Each;
 
 R3_VECTORIZED

@@ -41,7 +41,7 @@ class PathStream : public Path {
   struct StepFrom;
   using Steps = std::vector<StepFrom>;
 
-  /// At most PointsOfEach<2>::most samples.
+  /// At most R1::batch_size samples.
   void TraceTogether(std::span<const CameraSample> samples, std::span<R2::Color> radiances, TraceState& state) const;
   /// Light that reaches each point straight from lights goes to state.arrived.
   void LightPoints(const Front& front, TraceState& state) const;

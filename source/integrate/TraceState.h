@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "R1/BatchSize.h"
 #include "R2/Color.h"
 #include "R3/Ray.h"
 #include "source/accelerate/Workspace.h"
@@ -30,7 +31,7 @@ struct PathState {
 /// Shadow rays still to be traced together, and which of the points being shaded reflects how much unless its ray is
 /// stopped.
 struct ShadowRays {
-  static constexpr std::size_t capacity = 64;
+  static constexpr std::size_t capacity = R1::batch_size;
 
   std::size_t count = 0;
   std::array<R3::Ray, capacity> rays;

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "R1/BatchSize.h"
 #include "source/film/Film.h"
 #include "source/integrate/CameraRays.h"
 #include "source/integrate/Integrator.h"
@@ -30,7 +31,7 @@ struct SampleSource {
   CameraSample FirstSample(int column, int row) const { return camera(column, row, PixelKey(column, row), 0); }
 };
 
-/// Traces camera rays a few dozen at a time, which integrators do faster than one by one, and gives each to
+/// Traces camera rays a batch at a time, which integrators do faster than one by one, and gives each to
 /// splat(column, row, sample, radiance) in the order they were added. What a ray brings back depends on its pixel,
 /// stream and index alone, never on which others are in its batch or came before it, but for the modes that show costs,
 /// where an accelerator remembers the last hit.
@@ -62,8 +63,7 @@ class BatchTracer {
   bool IsEmpty() const { return size_ == 0; }
 
  private:
-  // What mode path takes together; with 16 its samples take 5 to 9 % more instructions.
-  static constexpr std::size_t capacity = 64;
+  static constexpr std::size_t capacity = R1::batch_size;
   struct Pixel {
     int column, row;
   };

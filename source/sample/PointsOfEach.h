@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <span>
 
+#include "R1/BatchSize.h"
 #include "source/sample/Sampler.h"
 
 namespace ray {
@@ -13,7 +14,7 @@ namespace ray {
 /// so that loops become vector instructions.
 template <std::size_t size>
 struct PointsOfEach {
-  static constexpr std::size_t most = 64;
+  static constexpr std::size_t most = R1::batch_size;
   alignas(64) std::array<std::array<double, most>, size> coordinates;
 
   R2::Point Get2D(std::size_t i) const { return {coordinates[0][i], coordinates[1][i]}; }

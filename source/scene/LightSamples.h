@@ -2,6 +2,7 @@
 
 #include <cstdint>
 
+#include "R1/BatchSize.h"
 #include "R2/Color.h"
 #include "R3/Point.h"
 
@@ -10,7 +11,7 @@ namespace ray {
 /// Samples of one light that has a place, each as seen from a point of its own or all from one: what a LightSample
 /// holds, but each number an array over the samples, so that loops become vector instructions.
 struct LightSamples {
-  static constexpr std::uint32_t most = 64;
+  static constexpr std::uint32_t most = R1::batch_size;
   using Each = double[most];
 
   std::uint32_t count = 0;
