@@ -76,8 +76,12 @@ struct SpecularWeights {
   R2::Color reflected, transmitted;
 };
 SpecularWeights SpecularWeightsOf(const ShadingPoint& p, const TraceSettings& settings);
+/// Whether surfaces of a material have the diffuse lobe alone. Of their Bsdf, Eval is CosineHemispherePdf times kd, Pdf
+/// is CosineHemispherePdf where kd is not black and else 0, and Sample gives the diffuse direction.
+inline bool IsDiffuse(const Material& m) { return m.coat == 0 && IsBlack(m.kr) && IsBlack(m.kt); }
 /// Their sum, 0 for what is diffuse alone.
 inline R2::Color SpecularReflectance(const ShadingPoint& p, const TraceSettings& settings) {
+  if (IsDiffuse(*p.material)) return {};
   const SpecularWeights shares = SpecularWeightsOf(p, settings);
   return shares.reflected + shares.transmitted;
 }
@@ -142,9 +146,6 @@ class Bsdf {
   R2::Color Eval(const R3::Vector& wi) const;
   /// Of Sample giving wi by a non-specular lobe, per solid angle.
   double Pdf(const R3::Vector& wi) const;
-  /// Whether surfaces of a material have the diffuse lobe alone. Then Eval is CosineHemispherePdf times kd, Pdf is
-  /// CosineHemispherePdf where kd is not black and else 0, and Sample gives the diffuse direction.
-  static bool IsDiffuse(const Material& m) { return m.coat == 0 && IsBlack(m.kr) && IsBlack(m.kt); }
   /// Importance sampling: a lobe with a probability proportional to the luminance of its weight, then a direction by
   /// that lobe. Nothing where no light is scattered, or it would have to come from inside the surface.
   ///   u, choice   uniform in [0, 1)

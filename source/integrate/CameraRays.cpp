@@ -4,7 +4,9 @@
 #include <numbers>
 
 #include "R1/Elementary.h"
+#include "R3/Numeric.h"
 #include "R3/Warp.h"
+#include "source/sample/PointsOfEach.h"
 
 namespace ray {
 namespace {
@@ -41,6 +43,15 @@ R2::Point OnSpiral(double index, double turn, int count) {
   return {radius * cosine, radius * sine};
 }
 
+/// Of the unit square to those of the unit disc.
+R3_VECTORIZED
+void PutOnDisks(std::size_t count, double* x, double* y) {
+  for (std::size_t i = 0; i < count; ++i) {
+    const R2::Point p = R3::SampleUniformDiskConcentric({x[i], y[i]});
+    x[i] = p.x, y[i] = p.y;
+  }
+}
+
 }  // namespace
 
 CameraRays::CameraRays(const Camera& camera, const CameraEffects& effects, bool things_move, int width, int height,
@@ -54,65 +65,75 @@ CameraRays::CameraRays(const Camera& camera, const CameraEffects& effects, bool 
       sampler_(sampler),
       samples_(samples),
       grid_side_(GridSide(samples / effects_.SamplesOfOnePlace())),
-      kernel_(effects.HasLens() ? (has_time_ ? &CameraRays::At<true, true> : &CameraRays::At<true, false>)
-                                : (has_time_ ? &CameraRays::At<false, true> : &CameraRays::At<false, false>)) {}
+      kernel_(effects.HasLens() ? (has_time_ ? &CameraRays::Make<true, true> : &CameraRays::Make<true, false>)
+                                : (has_time_ ? &CameraRays::Make<false, true> : &CameraRays::Make<false, false>)) {}
 
 const char* CameraRays::Kernel() const {
   if (effects_.HasLens()) return has_time_ ? "moving lens" : "lens";
   return has_time_ ? "moving pinhole" : "pinhole";
 }
 
-/// In the unit disc. The spirals of places that follow each other in a row are turned and grown against each other, so
-/// that their points together are even too.
-R2::Point CameraRays::OnLens(int column, int row, std::uint32_t index, const R2::Point& random) const {
-  if (effects_.lens == LensPattern::random) return R3::SampleUniformDiskConcentric(random);
-  const std::uint32_t n = index % effects_.SamplesOfOnePlace() % static_cast<std::uint32_t>(effects_.lens_samples);
+/// In [0, 1]^2. One sample alone goes through the middle.
+R2::Point CameraRays::InPixel(std::uint32_t index, const R2::Point& random) const {
+  const std::uint32_t number = index / effects_.SamplesOfOnePlace();
+  if (sampler_ == SamplerKind::grid) return OnGrid(number, grid_side_);
+  if (sampler_ == SamplerKind::rotated_grid) return OnRotatedGrid(number, grid_side_);
+  return samples_ == 1 ? R2::Point{0.5, 0.5} : random;
+}
+
+/// In the unit disc, where a random place is already. The spirals of places that follow each other in a row are turned
+/// and grown against each other, so that their points together are even too.
+R2::Point CameraRays::OnLens(const PixelSample& of, const R2::Point& random) const {
+  if (effects_.lens == LensPattern::random) return random;
+  const std::uint32_t n = of.index % effects_.SamplesOfOnePlace() % static_cast<std::uint32_t>(effects_.lens_samples);
   if (effects_.lens == LensPattern::fixed_spiral) return OnSpiral(n, n, effects_.lens_samples);
-  const double pixel = static_cast<double>(height_ - 1 - row) * width_ + column;
-  const double place = pixel * grid_side_ * grid_side_ + index / effects_.SamplesOfOnePlace();
+  const double pixel = static_cast<double>(height_ - 1 - of.row) * width_ + of.column;
+  const double place = pixel * grid_side_ * grid_side_ + of.index / effects_.SamplesOfOnePlace();
   const double grown = place * std::numbers::phi;
   return OnSpiral(n + (grown - std::floor(grown)), n + place, effects_.lens_samples);
 }
 
-/// The middle of one of the shutter's equal parts; each goes with all places on the lens.
-double CameraRays::Moment(std::uint32_t index) const {
+/// In [0, 1): random, or the middle of one of the shutter's equal parts; each goes with all places on the lens.
+double CameraRays::Moment(std::uint32_t index, double random) const {
+  if (effects_.shutter_samples <= 1) return random;
   const auto moments = static_cast<std::uint32_t>(effects_.shutter_samples);
   const std::uint32_t each = effects_.SamplesOfOnePlace(), lens = each / moments;
   return (index % each / lens + 0.5) / moments;
 }
 
+/// A ray through the lens's middle to one through this place of it. The direction's part along the axis is 1, so the
+/// plane that is sharp is `focus` directions away.
+void CameraRays::MoveOnLens(const R2::Point& on_lens, R3::Ray& ray) const {
+  const R3::Vector aside = effects_.aperture * (on_lens.x * camera_.right + on_lens.y * camera_.up);
+  ray.origin = ray.origin + aside;
+  ray.direction = ray.direction - aside / effects_.focus;
+}
+
 template <bool has_lens, bool has_time>
-CameraSample CameraRays::At(int column, int row, const RandomKey& pixel, std::uint32_t index) const {
+void CameraRays::Make(std::span<const PixelSample> of, std::span<CameraSample> samples) const {
   constexpr std::size_t dimensions = 2 + (has_lens ? 2 : 0) + (has_time ? 1 : 0);
-  CameraSample sample;
-  sample.index = {pixel.Child(tree_key), index, has_lens || has_time ? static_cast<int>(dimensions) : 0};
-  const Points points(sampler_, sample.index.key.Child(camera_key), samples_);
-  std::array<double, dimensions> random{0.5, 0.5};
-  if (samples_ > 1 || dimensions > 2) {
-    random = points.Get<dimensions>(index);
-    if (samples_ == 1) random[0] = random[1] = 0.5;
+  std::array<SampleIndex, R1::batch_size> indices;
+  for (std::size_t i = 0; i < of.size(); ++i)
+    indices[i] = {of[i].pixel.Child(tree_key), of[i].index, dimensions > 2 ? static_cast<int>(dimensions) : 0};
+  PointsOfEach<dimensions> random;
+  if (dimensions == 2 && samples_ == 1)  // no choices
+    for (auto& coordinate : random.coordinates) coordinate.fill(0.5);
+  else
+    GetOfEachAlone(std::span<const SampleIndex>(indices).first(of.size()), camera_key, sampler_, samples_, random);
+  if constexpr (has_lens) PutOnDisks(of.size(), random.coordinates[2].data(), random.coordinates[3].data());
+  for (std::size_t i = 0; i < of.size(); ++i) {
+    CameraSample& sample = samples[i];
+    sample.index = indices[i];
+    const R2::Point in_pixel = InPixel(of[i].index, random.Get2D(i));
+    sample.x = of[i].column + in_pixel.x, sample.y = of[i].row + in_pixel.y;
+    sample.ray = camera_.Through(sample.x, sample.y, width_, height_, half_size_);
+    if constexpr (has_lens)
+      MoveOnLens(OnLens(of[i], {random.coordinates[2][i], random.coordinates[3][i]}), sample.ray);
+    if constexpr (has_time) {
+      sample.ray.time = Moment(of[i].index, random.coordinates[dimensions - 1][i]);
+      sample.ray.origin = sample.ray.origin + sample.ray.time * effects_.motion;
+    }
   }
-  if (IsGrid(sampler_)) {
-    const std::uint32_t number = index / effects_.SamplesOfOnePlace();
-    const R2::Point place =
-        sampler_ == SamplerKind::grid ? OnGrid(number, grid_side_) : OnRotatedGrid(number, grid_side_);
-    random[0] = place.x, random[1] = place.y;
-  }
-  sample.x = column + random[0];
-  sample.y = row + random[1];
-  sample.ray = camera_.Through(sample.x, sample.y, width_, height_, half_size_);
-  if constexpr (has_lens) {
-    // The direction's part along the axis is 1, so the plane that is sharp is `focus` directions away.
-    const R2::Point on_lens = OnLens(column, row, index, {random[2], random[3]});
-    const R3::Vector aside = effects_.aperture * (on_lens.x * camera_.right + on_lens.y * camera_.up);
-    sample.ray.origin = sample.ray.origin + aside;
-    sample.ray.direction = sample.ray.direction - aside / effects_.focus;
-  }
-  if constexpr (has_time) {
-    sample.ray.time = effects_.shutter_samples > 1 ? Moment(index) : random[dimensions - 1];
-    sample.ray.origin = sample.ray.origin + sample.ray.time * effects_.motion;
-  }
-  return sample;
 }
 
 }  // namespace ray

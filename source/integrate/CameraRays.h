@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <span>
 
 #include "source/integrate/Integrator.h"
 #include "source/scene/Camera.h"
@@ -43,6 +44,13 @@ inline std::uint32_t GridSide(std::uint32_t samples) {
   return std::max(1u, static_cast<std::uint32_t>(std::sqrt(static_cast<double>(samples))));
 }
 
+/// A sample of a pixel, which is what a camera ray is made from.
+struct PixelSample {
+  int column = 0, row = 0;
+  RandomKey pixel{0};       // the key of the pixel's random choices
+  std::uint32_t index = 0;  // the sample's number in the pixel
+};
+
 /// The random choices of a camera ray, all from one set of points so that they are even together: the place in the
 /// pixel, then on the lens if there is one, then the time if anything moves. What a scene lacks takes no dimension.
 class CameraRays {
@@ -52,19 +60,27 @@ class CameraRays {
   CameraRays(const Camera& camera, const CameraEffects& effects, bool things_move, int width, int height,
              SamplerKind sampler, std::uint32_t samples);
 
-  /// Sample `index` of the pixel in a column and a row. `pixel` is the key of its random choices.
+  /// `pixel` and `index` as in PixelSample.
   CameraSample operator()(int column, int row, const RandomKey& pixel, std::uint32_t index) const {
-    return (this->*kernel_)(column, row, pixel, index);
+    CameraSample sample;
+    MakeEach(std::array{PixelSample{column, row, pixel, index}}, std::span(&sample, 1));
+    return sample;
+  }
+  /// The same of at most R1::batch_size samples, which together take less time.
+  void MakeEach(std::span<const PixelSample> of, std::span<CameraSample> samples) const {
+    (this->*kernel_)(of, samples);
   }
 
   /// Which of the kernels was chosen: "pinhole", "lens", "moving pinhole", "moving lens".
   const char* Kernel() const;
 
  private:
-  double Moment(std::uint32_t index) const;
-  R2::Point OnLens(int column, int row, std::uint32_t index, const R2::Point& random) const;
+  R2::Point InPixel(std::uint32_t index, const R2::Point& random) const;
+  R2::Point OnLens(const PixelSample& of, const R2::Point& random) const;
+  double Moment(std::uint32_t index, double random) const;
+  void MoveOnLens(const R2::Point& on_lens, R3::Ray& ray) const;
   template <bool has_lens, bool has_time>
-  CameraSample At(int column, int row, const RandomKey& pixel, std::uint32_t index) const;
+  void Make(std::span<const PixelSample> of, std::span<CameraSample> samples) const;
 
   Camera camera_;
   CameraEffects effects_;
@@ -73,7 +89,7 @@ class CameraRays {
   R2::Vector half_size_;  // of the picture at distance 1
   SamplerKind sampler_;
   std::uint32_t samples_, grid_side_;
-  CameraSample (CameraRays::*kernel_)(int, int, const RandomKey&, std::uint32_t) const;
+  void (CameraRays::*kernel_)(std::span<const PixelSample>, std::span<CameraSample>) const;
 };
 
 }  // namespace ray

@@ -79,15 +79,9 @@ std::optional<Path::Step> Path::SampleBsdf(const ShadingPoint& p, const Bsdf& bs
   const R2::Color throughput = p.path.throughput * scattered->value / scattered->pdf;
   const auto surviving =
       RussianRoulette(throughput, std::max(LeastSurvival(p.path.depth), SurvivalProbability(throughput)), choices[3]);
-  if (!surviving) return {};
-  return ExtendPath(p, scattered->wi, scattered->lobe, scattered->pdf, *surviving);
-}
-
-std::optional<Path::Step> Path::ExtendPath(const ShadingPoint& p, const R3::Vector& wi, Lobe lobe, double pdf,
-                                           const R2::Color& throughput) const {
-  if (IsBlack(throughput)) return {};
-  Step step{Extend(p, wi, lobe, throughput, p.path.index.Child(bounce_key)), lobe, pdf};
-  if (IsLast(p) && !lights_.MayBeHitBy(step.path.ray)) return {};
+  if (!surviving || IsBlack(*surviving)) return {};
+  const Step step = ExtendPath(p, scattered->wi, scattered->lobe, scattered->pdf, *surviving);
+  if (!MayFindLight(p, step)) return {};
   return step;
 }
 

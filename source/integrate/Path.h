@@ -64,9 +64,15 @@ class Path : public Integrator {
     if (IsSpecular(step.lobe) && step.path.is_scattered) state.rays.caustics += caustics_.Counts(emission);
   }
 
-  /// The same where a direction has been chosen, and what throughput survives.
-  std::optional<Step> ExtendPath(const ShadingPoint& p, const R3::Vector& wi, Lobe lobe, double pdf,
-                                 const R2::Color& throughput) const;
+  /// The step where a direction has been chosen, and what throughput survives, which is not black.
+  Step ExtendPath(const ShadingPoint& p, const R3::Vector& wi, Lobe lobe, double pdf,
+                  const R2::Color& throughput) const {
+    return {Extend(p, wi, lobe, throughput, p.path.index.Child(bounce_key)), lobe, pdf};
+  }
+  /// Whether it may find light; the last one of a path ends where none is seen.
+  bool MayFindLight(const ShadingPoint& from, const Step& step) const {
+    return !IsLast(from) || lights_.MayBeHitBy(step.path.ray);
+  }
   /// With what probability a path survives Russian roulette, which from points of a depth is at least so much: 1 where
   /// none is played.
   double LeastSurvival(std::int64_t depth) const;

@@ -79,7 +79,7 @@ struct PathStream::Front {
       normals.Set(i, p.N);
       kd.Set(i, p.kd);
       throughputs.Set(i, p.path.throughput);
-      are_diffuse[i] = Bsdf::IsDiffuse(*p.material) ? 1 : 0;
+      are_diffuse[i] = IsDiffuse(*p.material) ? 1 : 0;
       if (are_diffuse[i] != 0) continue;
       others.push_back(i);
       bsdfs.emplace_back(p, settings);
@@ -305,9 +305,10 @@ PathStream::Steps PathStream::SampleBsdfs(const Front& front) const {
   steps.reserve(front.points.size());
   for (std::uint32_t i = 0; i < front.points.size(); ++i) {
     const ShadingPoint& p = front.points[i];
-    if (p.IsBehindSurface(directions[i])) continue;
-    if (const auto step = ExtendPath(p, directions[i], Lobe::diffuse, scattered.pdfs[i], scattered.throughputs[i]))
-      steps.push_back({*step, i});
+    const R2::Color throughput = scattered.throughputs[i];
+    if (IsBlack(throughput) || p.IsBehindSurface(directions[i])) continue;
+    steps.push_back({ExtendPath(p, directions[i], Lobe::diffuse, scattered.pdfs[i], throughput), i});
+    if (!MayFindLight(p, steps.back().step)) steps.pop_back();
   }
   const auto& u = random.coordinates;
   for (std::size_t k = 0; k < front.others.size(); ++k) {

@@ -205,12 +205,14 @@ class Gathering {
   Tally Trace(int x, int y, int stream, const CameraRays& camera, std::uint32_t count, TraceState& state) const {
     const int column = film_.Region().x0 + x, row = film_.Region().y0 + y;
     const RandomKey key = PixelKey(seed_, column, row, stream);
+    std::array<PixelSample, GuideTracer::most_at_once> due;
     std::array<CameraSample, GuideTracer::most_at_once> samples;
     std::array<Guide, GuideTracer::most_at_once> guides;
     Tally tally;
     for (std::uint32_t first = 0; first < count; first += samples.size()) {
       const auto size = std::min<std::size_t>(samples.size(), count - first);
-      for (std::uint32_t i = 0; i < size; ++i) samples[i] = camera(column, row, key, first + i);
+      for (std::uint32_t i = 0; i < size; ++i) due[i] = {column, row, key, first + i};
+      camera.MakeEach(std::span(due).first(size), samples);
       tracer_.Trace(std::span(samples).first(size), std::span(guides).first(size), state);
       for (std::size_t i = 0; i < size; ++i) tally.Add(guides[i]);
     }

@@ -30,12 +30,13 @@ bool RenderAroundFirstSamples(const SampleSource& source, const SamplesDue& due,
   bool goes_on = true;
   ForPixels(due.pixels, [&](int column, int row) {
     if (goes_on && PlaceOf(column, row) >= due.first_samples.size())
-      goes_on = tracer.Add(column, row, source.FirstSample(column, row));
+      goes_on = tracer.Add(source.FirstSample(column, row));
   });
   if (!goes_on || !tracer.Finish()) return false;
   ForPixels(due.pixels, [&](int column, int row) {
     // Where a sample is in its pixel makes no difference to the box filter.
-    const CameraSample sample = filter.IsBox() ? CameraSample{} : source.FirstSample(column, row);
+    const CameraSample sample =
+        filter.IsBox() ? CameraSample{} : source.camera(column, row, source.PixelKey(column, row), 0);
     sums.Add(column, row, sample.x, sample.y, all[PlaceOf(column, row)], filter);
   });
   return true;
@@ -50,7 +51,7 @@ bool LookAtPlaces(const SampleSource& source, const PixelRectangle& pixels, int 
   BatchTracer tracer(source, state, KeepIn(all));
   for (int place = static_cast<int>(looks.size()); place < places; ++place) {
     const auto [column, row] = BlockOrder::PixelAt(place, pixels);
-    if (pixels.Contains(column, row) && !tracer.Add(column, row, source.FirstSample(column, row))) return false;
+    if (pixels.Contains(column, row) && !tracer.Add(source.FirstSample(column, row))) return false;
   }
   if (!tracer.Finish()) return false;
   looks = std::move(all);
@@ -67,7 +68,7 @@ bool RenderBlock(const SampleSource& source, const SamplesDue& due, const Filter
     for (int column = due.pixels.x0; column < due.pixels.x1; ++column) {
       const RandomKey key = source.PixelKey(column, row, due.stream);
       for (std::uint32_t index = due.first; index < due.last; ++index)
-        if (!tracer.Add(column, row, source.camera(column, row, key, index))) return false;
+        if (!tracer.Add({column, row, key, index})) return false;
     }
   return tracer.Finish();
 }

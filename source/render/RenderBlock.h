@@ -28,7 +28,7 @@ struct SampleSource {
 
   RandomKey PixelKey(int column, int row, int stream = 0) const { return ray::PixelKey(seed, column, row, stream); }
   /// Of the first stream.
-  CameraSample FirstSample(int column, int row) const { return camera(column, row, PixelKey(column, row), 0); }
+  PixelSample FirstSample(int column, int row) const { return {column, row, PixelKey(column, row), 0}; }
 };
 
 /// Traces camera rays a batch at a time, which integrators do faster than one by one, and gives each to
@@ -44,17 +44,17 @@ class BatchTracer {
 
   /// Traces the batch once it is full. As Finish gives whether nobody asked to stop by state.stop, looked at before a
   /// batch, which then is left as it is, and after it, when integrators may have left off.
-  bool Add(int column, int row, const CameraSample& sample) {
-    samples_[size_] = sample;
-    pixels_[size_++] = {column, row};
+  bool Add(const PixelSample& sample) {
+    due_[size_++] = sample;
     return size_ < capacity || Finish();
   }
   /// Traces what has not been.
   bool Finish() {
     if (state_.IsStopped()) return false;
+    source_.camera.MakeEach(std::span(due_).first(size_), std::span(samples_).first(size_));
     source_.integrator.Li(std::span(samples_).first(size_), std::span(radiances_).first(size_), state_);
     for (std::size_t i = 0; i < size_; ++i)
-      splat_(pixels_[i].column, pixels_[i].row, samples_[i],
+      splat_(due_[i].column, due_[i].row, samples_[i],
              source_.clamps_samples ? Clamped(radiances_[i]) : radiances_[i]);
     size_ = 0;
     return !state_.IsStopped();
@@ -64,15 +64,12 @@ class BatchTracer {
 
  private:
   static constexpr std::size_t capacity = R1::batch_size;
-  struct Pixel {
-    int column, row;
-  };
   const SampleSource& source_;
   TraceState& state_;
   const Splat splat_;
   std::size_t size_ = 0;
+  std::array<PixelSample, capacity> due_;
   std::array<CameraSample, capacity> samples_;
-  std::array<Pixel, capacity> pixels_;
   std::array<R2::Color, capacity> radiances_;
 };
 

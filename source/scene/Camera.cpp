@@ -29,12 +29,6 @@ double Camera::HalfHeight(int width, int height) const {
   return aspect > 0 ? HalfWidth() / aspect : HalfWidth() * height / width;
 }
 
-R3::Ray Camera::Through(double x, double y, int width, int height, const R2::Vector& half) const {
-  const double across = (2 * x / width - 1 + shift.x) * half.x,
-               upward = (2 * y / height - 1) * half.y + shift.y * half.x;
-  return {eye, towards + across * right + upward * up};
-}
-
 AimedCamera Aim(const R3::Point& eye, const R3::Vector& towards, const R3::Vector& up) {
   AimedCamera aimed;
   Camera& c = aimed.camera;

@@ -30,7 +30,11 @@ struct Camera {
     return Through(x, y, width, height, {HalfWidth(), HalfHeight(width, height)});
   }
   /// The same where half the width and the height are known, which take a tangent to find.
-  R3::Ray Through(double x, double y, int width, int height, const R2::Vector& half) const;
+  R3::Ray Through(double x, double y, int width, int height, const R2::Vector& half) const {
+    const double across = (2 * x / width - 1 + shift.x) * half.x,
+                 upward = (2 * y / height - 1) * half.y + shift.y * half.x;
+    return {eye, towards + across * right + upward * up};
+  }
 };
 
 /// A camera looking along `towards` (not zero) with `up` straightened: right = unit(towards x up),

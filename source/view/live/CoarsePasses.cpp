@@ -61,7 +61,7 @@ bool CoarsePasses::TraceItem(const Item& item, Worker& worker) {
   };
   for (int row = pixels.y0; row < pixels.y1; row += item.stride)
     for (int column = pixels.x0; column < pixels.x1; column += item.stride)
-      if (!is_traced(column, row) && !reported(tracer.Add(column, row, source_.FirstSample(column, row)))) return false;
+      if (!is_traced(column, row) && !reported(tracer.Add(source_.FirstSample(column, row)))) return false;
   if (!reported(tracer.Finish())) return false;
   const int bottom = film_.Region().y0;
   for (int row = std::max(pixels.y0, bottom); row < std::min(pixels.y1, film_.Region().y1); ++row)

@@ -9,6 +9,7 @@
 #include <set>
 #include <tuple>
 #include <utility>
+#include <vector>
 
 namespace ray {
 namespace {
@@ -161,6 +162,34 @@ TEST(CameraRays, LensSamplesFillTheLensEvenly) {
     EXPECT_NEAR(within_half_radius / double(many), 0.25, 4 * deviation);
     EXPECT_NEAR(right / double(many), 0.5, 4 * deviation);
   }
+}
+
+TEST(CameraRays, ManyMadeTogetherAreThoseMadeOneByOne) {
+  // A picture must not depend on which samples happen to be in a batch.
+  CameraEffects lens{.motion = {}, .aperture = 0.3, .focus = 4}, spiral = lens, moving = lens;
+  spiral.lens = LensPattern::spiral, spiral.lens_samples = 4;
+  moving.motion = {1, 0, 2};
+  for (const SamplerKind sampler : {SamplerKind::sobol, SamplerKind::stratified, SamplerKind::grid})
+    for (const CameraEffects& effects : {CameraEffects{}, lens, spiral, moving, CameraEffects{.motion = {0, 1, 0}}})
+      for (const std::uint32_t count : {1u, samples}) {
+        const CameraRays rays = Make(effects, sampler, count);
+        std::vector<PixelSample> due;
+        for (std::uint32_t i = 0; i < R1::batch_size - 3; ++i)
+          due.push_back({static_cast<int>(i / 7), static_cast<int>(i / 30), RandomKey(i / 7), i % count});
+        std::vector<CameraSample> together(due.size());
+        rays.MakeEach(due, together);
+        for (std::size_t i = 0; i < due.size(); ++i) {
+          const CameraSample alone = rays(due[i].column, due[i].row, due[i].pixel, due[i].index);
+          ASSERT_EQ(together[i].ray.origin, alone.ray.origin) << rays.Kernel() << " " << i;
+          ASSERT_EQ(together[i].ray.direction, alone.ray.direction) << rays.Kernel() << " " << i;
+          ASSERT_EQ(together[i].ray.time, alone.ray.time);
+          ASSERT_EQ(together[i].x, alone.x);
+          ASSERT_EQ(together[i].y, alone.y);
+          ASSERT_EQ(together[i].index.key.Bits(), alone.index.key.Bits());
+          ASSERT_EQ(together[i].index.sample, due[i].index);
+          ASSERT_EQ(together[i].index.camera_dimensions, alone.index.camera_dimensions);
+        }
+      }
 }
 
 // What is stated without effect must not cost a bit of the picture.

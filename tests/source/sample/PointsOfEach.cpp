@@ -32,18 +32,26 @@ TEST(PointsOfEach, ArePathByPathThePointsOfItsOwn) {
       }
 }
 
-TEST(PointsOfEach, OfFourCoordinatesAreSoToo) {
+template <std::size_t size>
+void ExpectPointsOfTheirOwn() {
   for (const SamplerKind kind : all_kinds) {
     const auto paths = SomePaths(61, 3);
-    PointsOfEach<4> points;
+    PointsOfEach<size> points;
     GetOfEachAlone(paths, 1, kind, 16, points);
     for (std::size_t i = 0; i < paths.size(); ++i) {
-      const auto alone = Points(kind, paths[i].key.Child(1), 16).Get<4>(paths[i].sample);
-      for (std::size_t c = 0; c < 4; ++c)
+      const auto alone = Points(kind, paths[i].key.Child(1), 16).Get<size>(paths[i].sample);
+      for (std::size_t c = 0; c < size; ++c)
         EXPECT_EQ(points.coordinates[c][i], alone[c])
-            << sampler_names[static_cast<std::size_t>(kind)] << ", path " << i;
+            << sampler_names[static_cast<std::size_t>(kind)] << ", path " << i << ", " << c << " of " << size;
     }
   }
+}
+
+TEST(PointsOfEach, OfTwoToFiveCoordinatesAreSoToo) {
+  ExpectPointsOfTheirOwn<2>();
+  ExpectPointsOfTheirOwn<3>();
+  ExpectPointsOfTheirOwn<4>();
+  ExpectPointsOfTheirOwn<5>();
 }
 
 }  // namespace
