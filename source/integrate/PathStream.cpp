@@ -100,7 +100,7 @@ struct PathStream::Loops {
     ColorOfEach colors;  // of its own, so that it is clear that nothing overlaps
     for (std::uint32_t i = 0; i < samples.count; ++i) {
       const double cosine_pdf = R3::CosineHemispherePdf(cosines[i]);
-      const double weight = 1 - std::min(most_weight, BalanceHeuristic(cosine_pdf, pdfs[i]));
+      const double weight = 1 - std::min(most_weight, MisWeight(cosine_pdf, pdfs[i]));
       const R2::Color color = samples.Color(i), eval = cosine_pdf * front.kd[i];
       const double cosine_if_sampled = pdfs[i] > 0 ? cosines[i] : 0;
       const R2::Color reflected = Chosen(cosine_if_sampled > 0, weight * eval * color, {});
