@@ -20,9 +20,8 @@ constexpr double share_of_time_at_once = 0.6;         // of what is left, by a p
 constexpr double share_of_time_not_used = 0.01;       // is too little for another pass
 constexpr double seconds_without_news = 1;            // that the first sample of all pixels may take in one pass
 constexpr double fall_of_error = 0.75;                // error ~ samples^-this, for guessing how many are needed
-// No block stops early where most of the error is in outliers and blocks that seemed good enough before the last pass
-// hold more than this share of the squared error now: there light is found so seldom that nothing tells where it will
-// be found next. (Along the edge of a lamp few pixels hold the error as well, but stay few.)
+// No block stops early where blocks that seem good enough may hold more than this share of the squared error: see
+// HidesAnywhere.
 constexpr double most_surprise = 0.05;
 
 bool HasCeiling(const RenderSettings& settings) { return !settings.budget.IsOpen() || settings.samples > 1; }
@@ -237,12 +236,12 @@ std::vector<std::uint32_t> Schedule::ChooseBlocks(std::uint32_t end, const Measu
   const std::vector<double>& last = state_.last_squared_errors;
   std::vector<double> squares = error.square_of_blocks;
   const bool has_looked_before = !last.empty();
-  const bool is_risky = error.estimate.IsMostlyOutliers() && ShareOfSurprise(squares, target) > most_surprise;
+  const bool hides_anywhere = HidesAnywhere(error, squares);
   for (std::size_t i = 0; i < last.size(); ++i) squares[i] = std::max(squares[i], fall * last[i]);
   state_.last_squared_errors = error.square_of_blocks;
 
   std::vector<std::uint32_t> targets(blocks_.areas.size(), end);
-  if (!has_looked_before || is_risky) return targets;
+  if (!has_looked_before || hides_anywhere) return targets;
   bool any = false;
   for (double limit = target; !any && limit > 0; limit /= 2)
     for (std::size_t i = 0; i < targets.size(); ++i) {
@@ -260,6 +259,15 @@ bool Schedule::IsOpen(std::size_t block, const std::vector<double>& squares, dou
     for (int c = std::max(0, column - 1); c <= std::min(columns - 1, column + 1); ++c)
       if (squares[static_cast<std::size_t>(r * columns + c)] > limit) return true;
   return false;
+}
+
+/// Whether light is found so seldom that nothing tells in which blocks it will be found next: where none of the samples
+/// has found light that may be there, which raises the upper end of the error and no block's; or where most of the
+/// error is in outliers, and blocks that seemed good enough before the last pass hold much of it now. (Along the edge of
+/// a lamp few pixels hold the error as well, but stay few.)
+bool Schedule::HidesAnywhere(const MeasuredError& error, const std::vector<double>& squares) const {
+  if (error.estimate.unseen_share > most_surprise) return true;
+  return error.estimate.IsMostlyOutliers() && ShareOfSurprise(squares, SquaredTargetOf(error)) > most_surprise;
 }
 
 /// How much of the squared error is in blocks that would have stopped before the last pass; all of it before there was

@@ -98,6 +98,7 @@ class Schedule {
   std::uint32_t NextEnd(const MeasuredError* error) const;
   std::vector<std::uint32_t> ChooseBlocks(std::uint32_t end, const MeasuredError& error);
   bool IsOpen(std::size_t block, const std::vector<double>& squares, double limit) const;
+  bool HidesAnywhere(const MeasuredError& error, const std::vector<double>& squares) const;
   double ShareOfSurprise(const std::vector<double>& squares, double target) const;
   std::uint32_t ShortenToTime(std::vector<std::uint32_t>& targets, std::uint32_t end, const PassOutcome& pass) const;
   double SquaredTargetOf(const MeasuredError& error) const;

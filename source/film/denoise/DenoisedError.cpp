@@ -2,8 +2,18 @@
 
 #include <cassert>
 
+#include "source/film/denoise/PositiveGuess.h"
+
 namespace ray {
 namespace {
+
+// What the squared bias is of the variance where nothing tells. A filter's strength has the least error where they are
+// one to two: over windows of radius h in the plane variance falls as h^-2, and what the planes of a local fit miss
+// grows as h^2, so its square as h^4 (Ruppert, Wand, Multivariate locally weighted least squares regression, 1994,
+// theorem 2.1).
+//   accuracy   of what three denoisers made of 15 scenes at 16 samples, nine seeds each beside two references, the
+//              shares have a median of .53 and a mean of .56, and are 0 to 1.4
+constexpr double expected_bias = 0.5;
 
 /// What the two streams say of a pixel's squared error, the mean of its channels.
 struct PixelClaim {
@@ -31,18 +41,19 @@ class Claims {
   }
 
   MeasuredError Summary(const Film& film) const {
-    double variance = 0, noise = 0;  // of all pixels; of the sum of their squared biases, its variance
+    double variance = 0, measured = 0, noise = 0;  // of all pixels; the sum of their squared biases, and its variance
     for (const PixelClaim& pixel : pixels_) {
       variance += pixel.variance;
+      measured += pixel.squared_bias;
       noise += pixel.squared_bias * pixel.squared_bias;
     }
-    // The mean of two guesses of the squared bias, weighted by the inverses of their variances: what was measured, and
-    // as much as the variance, give or take as much.
-    const double spread = variance * variance;
-    const double trust = spread > 0 ? spread / (spread + noise) : 1;
+    // Measured alone, the bias would be noise where that is large, and below 0 as often as not.
+    PositiveGuess bias{measured, 1};
+    if (variance > 0 && noise > 0) bias = GuessPositive(measured, noise, expected_bias * variance);
+    const double rest = variance > 0 ? (bias.mean - bias.slope * measured) / variance : 0;
     std::vector<float> squares;
     for (const PixelClaim& pixel : pixels_)
-      squares.push_back(static_cast<float>(pixel.variance + trust * pixel.squared_bias + (1 - trust) * pixel.variance));
+      squares.push_back(static_cast<float>((1 + rest) * pixel.variance + bias.slope * pixel.squared_bias));
     return SummarizeErrors(film, squares, picture_, measure_);
   }
 

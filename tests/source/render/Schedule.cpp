@@ -277,6 +277,19 @@ TEST(Schedule, OutliersThatStayWhereTheyWereKeepOnlyTheirBlocksOpen) {
   EXPECT_EQ(schedule.State().targets.samples.back(), 16u);
 }
 
+// What no sample has found raises no block's error. If blocks stopped nevertheless, the rest would go on until the whole
+// picture seemed good enough, and the light that then is found would be missing from all that had stopped.
+TEST(Schedule, LightThatNoSampleHasFoundKeepsAllBlocksOpen) {
+  for (const double unseen_share : {0.0, 0.04, 0.06, 0.9}) {
+    Schedule schedule = Deciding(ToErrorOne());
+    PassOutcome pass = FoundInCorner(1000, 0.1);
+    pass.error->estimate.unseen_share = unseen_share;
+    ASSERT_FALSE(schedule.Next(pass));
+    ASSERT_FALSE(schedule.Next(pass));
+    EXPECT_EQ(schedule.State().targets.samples == AllAt(32), unseen_share > 0.05) << unseen_share;
+  }
+}
+
 /// The samples per pixel of a render that takes `seconds_per_sample` when it ends, and when that is.
 std::pair<double, double> RunOnClock(double budget, double seconds_per_sample) {
   Schedule schedule = Sampling(Within(budget));

@@ -189,6 +189,24 @@ TEST(DenoisedError, ClaimsAreTrueOnAverage) {
   }
 }
 
+// Beside noise a thousand times as large as what filtered streams differ by, no bias of that size can be seen. A filter
+// of the best strength has half of its variance as its squared bias.
+TEST(DenoisedError, ABiasThatNoiseHidesIsTakenForHalfTheVariance) {
+  const Subject gray;
+  constexpr double step = 0.001;  // from one filtered stream to the other
+  DenoisedPicture denoised{{R2::Image(side, side), R2::Image(side, side)}};
+  for (int y = 0; y < side; ++y)
+    for (int x = 0; x < side; ++x)
+      for (int i = 0; i < 2; ++i) {
+        const double value = 0.5 + i * step;
+        denoised.of_stream[i].Set(x, y, {value, value, value});
+      }
+  const Film film = FilmOf(Stream(gray, 12, 1000 * step), Stream(gray, 13, 1000 * step));
+  const double square = MeasureDenoisedError(film, denoised, {.unit = ErrorUnit::linear}).square;
+  constexpr double variance = step * step / 4;  // of the mean of both
+  EXPECT_NEAR(square, 1.5 * variance, 0.05 * variance);
+}
+
 TEST(DenoisedError, APictureWithoutNoiseHasNone) {
   const Subject gray;
   const R2::Image image = Stream(gray, 1, 0);
