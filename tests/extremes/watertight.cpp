@@ -66,7 +66,7 @@ TEST(Extremes, D1_D2_NoAcceleratorThatTracesRaysTogetherLetsOneThrough) {
     const auto accelerator = ray::FindAcceleratorKind(way.settings.name)->Make(world, way.settings);
     ray::Workspace workspace;
     int leaks = 0;
-    for (int i = 0; i < Count(2'000, 1'000'000); ++i) {
+    for (int i = 0; i < Count(2'000, 6'250'000); ++i) {
       // From one eye at edges and corners that are near each other.
       const R3::Point eye = R3::Point{} + 0.3 * draw.Between(0, 1) * draw.Direction();
       auto which = static_cast<std::size_t>(draw.Whole(0, static_cast<int>(data.triangles.size()) - 1));

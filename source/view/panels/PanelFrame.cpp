@@ -35,7 +35,7 @@ void PanelFrame::Say(const std::string& text) {
 }
 
 void PanelFrame::Fact(const std::string& name, const std::string& value) {
-  constexpr float letters = 13;  // of the longest usual name
+  constexpr float letters = 14;  // of the margin, the longest usual name and a space
   ImGui::TextDisabled("%s", name.c_str());
   ImGui::SameLine(letters * ImGui::CalcTextSize("0").x);
   Say(value);
