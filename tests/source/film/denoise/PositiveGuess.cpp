@@ -25,22 +25,22 @@ double IntegratedMean(double measured, double variance, double expected) {
 }
 
 TEST(PositiveGuess, IsTheMeanOfItsDistributionIntegrated) {
-  for (const double deviation : {0.01, 0.3, 1.0, 3.0, 30.0})
+  for (const double noise : {0.01, 0.3, 1.0, 3.0, 30.0})
     for (const double measured : {-3.0, -1.0, 0.0, 0.5, 2.0, 40.0}) {
-      const double expected = 0.7, mean = IntegratedMean(measured * deviation, deviation * deviation, expected);
-      EXPECT_NEAR(GuessPositive(measured * deviation, deviation * deviation, expected).mean, mean, 1e-9 * mean)
-          << deviation << ' ' << measured;
+      const double expected = 0.7, mean = IntegratedMean(measured * noise, noise * noise, expected);
+      EXPECT_NEAR(GuessPositive(measured * noise, noise * noise, expected).mean, mean, 1e-9 * mean)
+          << noise << ' ' << measured;
     }
 }
 
 TEST(PositiveGuess, ItsSlopeIsHowItsMeanGrowsWithTheMeasurement) {
-  for (const double deviation : {0.1, 1.0, 10.0})
+  for (const double noise : {0.1, 1.0, 10.0})
     for (const double measured : {-4.0, -2.0, 0.0, 1.0, 20.0}) {
       constexpr double step = 1e-4;
-      const auto mean_at = [&](double x) { return GuessPositive(x * deviation, deviation * deviation, 1).mean; };
-      const double growth = (mean_at(measured + step) - mean_at(measured - step)) / (2 * step * deviation);
-      EXPECT_NEAR(GuessPositive(measured * deviation, deviation * deviation, 1).slope, growth, 1e-6)
-          << deviation << ' ' << measured;
+      const auto mean_at = [&](double x) { return GuessPositive(x * noise, noise * noise, 1).mean; };
+      const double growth = (mean_at(measured + step) - mean_at(measured - step)) / (2 * step * noise);
+      EXPECT_NEAR(GuessPositive(measured * noise, noise * noise, 1).slope, growth, 1e-6)
+          << noise << ' ' << measured;
     }
 }
 
