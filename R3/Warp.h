@@ -89,7 +89,7 @@ inline constexpr double uniform_sphere_pdf = 1 / (4 * std::numbers::pi);
 ///   accuracy           the angle from +z within 1e-15 relative, however narrow the cone
 ///   source             Shirley, Chiu, A low distortion map between disk and square (1997), the disk lifted by Archimedes'
 ///                      theorem, as above. A shadow's edge cuts fewer of its strata than of those between circles and
-///                      radii: direct light from a ball has .87 of the error
+///                      radii: direct light from a ball has .95 of the error
 inline Vector SampleUniformCone(const R2::Point& u, double one_minus_cosine) {
   const R2::Point p = SampleUniformDiskConcentric(u);
   const double distance = std::max(std::abs(2 * u.x - 1), std::abs(2 * u.y - 1));  // of p from the middle

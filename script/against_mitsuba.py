@@ -265,7 +265,7 @@ def main():
     print("raypro beside Mitsuba %s %s, %s, %dx%d, %d samples, %d bounces, one thread; %s; %s" % (
         mi.__version__, asked.variant, asked.sampler, asked.width, asked.width, asked.samples, most_bounces, beside.processor(),
         time.strftime("%Y-%m-%d")))
-    print("%-9s%11s%11s%8s%12s%12s%12s%12s" % (
+    print("%-9s%11s%11s%8s%12s%12s%12s%14s" % (
         "scene", "ours M/s", "theirs M/s", "ratio", "our error", "their error", "efficiency", "means differ"))
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
@@ -277,7 +277,7 @@ def main():
             our_image, our_seconds = ours(scene, asked.width, asked.samples, asked.runs)
             their_image, their_seconds = theirs(scene, asked.width, asked.samples, asked.sampler, asked.runs)
             our_error, their_error = relative_error(our_image, truth), relative_error(their_image, truth)
-            print("%-9s%11.3f%11.3f%8.2f%12.5f%12.5f%12.2f%11.2f%%" % (
+            print("%-9s%11.3f%11.3f%8.2f%12.3g%12.3g%12.2f%13.2f%%" % (
                 scene.name, million / our_seconds, million / their_seconds, their_seconds / our_seconds, our_error,
                 their_error, their_error * their_seconds / (our_error * our_seconds),
                 100 * (our_reference.mean() / their_reference.mean() - 1)), flush=True)

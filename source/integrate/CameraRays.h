@@ -60,13 +60,12 @@ class CameraRays {
   CameraRays(const Camera& camera, const CameraEffects& effects, bool things_move, int width, int height,
              SamplerKind sampler, std::uint32_t samples);
 
-  /// `pixel` and `index` as in PixelSample.
-  CameraSample operator()(int column, int row, const RandomKey& pixel, std::uint32_t index) const {
+  CameraSample operator()(const PixelSample& of) const {
     CameraSample sample;
-    MakeEach(std::array{PixelSample{column, row, pixel, index}}, std::span(&sample, 1));
+    MakeEach(std::span(&of, 1), std::span(&sample, 1));
     return sample;
   }
-  /// The same of at most R1::batch_size samples, which together take less time.
+  /// Those of at most R1::batch_size samples, which together take less time.
   void MakeEach(std::span<const PixelSample> of, std::span<CameraSample> samples) const {
     (this->*kernel_)(of, samples);
   }

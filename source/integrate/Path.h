@@ -90,7 +90,7 @@ class Path : public Integrator {
   /// The MIS weight of one of two ways to sample the same direction: the balance heuristic, but of pdfs less than a
   /// tenth as large as the other's, where the cutoff heuristic gives nothing, smoothly less. A lamp that one BSDF sample
   /// in a hundred meets is noise in the pixels that meet it, and light samples do as well without. Against the balance
-  /// heuristic, direct light from a small lamp has .92 of the error, four other scenes within 1 % as much; the power
+  /// heuristic, direct light from a small lamp has .92 of the error, eight other scenes within 1 % as much; by the power
   /// heuristic .91, and up to 1.04 under skies.
   ///   source   Veach and Guibas, Optimally combining sampling techniques (1995), section 3.4
   static double MisWeight(double pdf, double other_pdf) {

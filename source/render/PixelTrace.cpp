@@ -136,7 +136,7 @@ PixelTrace PixelTracer::Trace(int column, int row, int samples) const {
   for (int i = 0; i < samples; ++i) {
     const RandomKey key = source.PixelKey(column, row, i % streams_);
     const CameraSample& sample =
-        trace.samples.emplace_back(camera_(column, row, key, static_cast<std::uint32_t>(i / streams_)));
+        trace.samples.emplace_back(camera_({column, row, key, static_cast<std::uint32_t>(i / streams_)}));
     integrator_->Li({&sample, 1}, {&trace.radiances.emplace_back(), 1}, state);
   }
   trace.rays = recorder.Rays();

@@ -33,12 +33,14 @@ bool RenderAroundFirstSamples(const SampleSource& source, const SamplesDue& due,
       goes_on = tracer.Add(source.FirstSample(column, row));
   });
   if (!goes_on || !tracer.Finish()) return false;
-  ForPixels(due.pixels, [&](int column, int row) {
-    // Where a sample is in its pixel makes no difference to the box filter.
-    const CameraSample sample =
-        filter.IsBox() ? CameraSample{} : source.camera(column, row, source.PixelKey(column, row), 0);
-    sums.Add(column, row, sample.x, sample.y, all[PlaceOf(column, row)], filter);
-  });
+  static_assert(BlockOrder::places <= R1::batch_size);
+  std::vector<PixelSample> of;
+  ForPixels(due.pixels, [&](int column, int row) { of.push_back(source.FirstSample(column, row)); });
+  std::vector<CameraSample> samples(of.size());
+  // Where a sample is in its pixel makes no difference to the box filter.
+  if (!filter.IsBox()) source.camera.MakeEach(of, samples);
+  for (std::size_t i = 0; i < of.size(); ++i)
+    sums.Add(of[i].column, of[i].row, samples[i].x, samples[i].y, all[PlaceOf(of[i].column, of[i].row)], filter);
   return true;
 }
 

@@ -53,20 +53,9 @@ inline void SobolOfEach(const SampleIndex* at, std::size_t count, std::uint64_t 
   if constexpr (size > 4) PairOfEach<4>(first + 4, index, keys, count, points);
 }
 
+template <std::size_t size>
 R3_VECTORIZED
-void SobolAlone(const SampleIndex* at, std::size_t count, std::uint64_t which, PointsOfEach<2>& points) {
-  SobolOfEach(at, count, which, which, 0, points);
-}
-R3_VECTORIZED
-void SobolAlone(const SampleIndex* at, std::size_t count, std::uint64_t which, PointsOfEach<3>& points) {
-  SobolOfEach(at, count, which, which, 0, points);
-}
-R3_VECTORIZED
-void SobolAlone(const SampleIndex* at, std::size_t count, std::uint64_t which, PointsOfEach<4>& points) {
-  SobolOfEach(at, count, which, which, 0, points);
-}
-R3_VECTORIZED
-void SobolAlone(const SampleIndex* at, std::size_t count, std::uint64_t which, PointsOfEach<5>& points) {
+void SobolAlone(const SampleIndex* at, std::size_t count, std::uint64_t which, PointsOfEach<size>& points) {
   SobolOfEach(at, count, which, which, 0, points);
 }
 /// More coordinates of the camera's own points, from `dimension` on.

@@ -243,7 +243,7 @@ std::vector<ray::CameraSample> SamplesOf(const project::Stage& stage, const Rend
   for (int row = 0; row < s.height; ++row)
     for (int column = 0; column < s.width; ++column)
       for (std::uint32_t i = 0; i < count; ++i)
-        samples.push_back(camera(column, row, ray::PixelKey(ray::RandomKey(s.seed), column, row, 0), i));
+        samples.push_back(camera({column, row, ray::PixelKey(ray::RandomKey(s.seed), column, row, 0), i}));
   return samples;
 }
 

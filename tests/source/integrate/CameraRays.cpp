@@ -40,7 +40,7 @@ TEST(CameraRays, WhatLiesInFocusIsSharpFromEveryPlaceOfTheLens) {
     const CameraRays rays = Make({.motion = {}, .aperture = 0.3, .focus = focus});
     for (int pixel = 0; pixel < image_width; pixel += 13)
       for (std::uint32_t i = 0; i < samples; ++i) {
-        const CameraSample sample = rays(pixel, pixel / 2, RandomKey(3), i);
+        const CameraSample sample = rays({pixel, pixel / 2, RandomKey(3), i});
         // The pinhole's ray through the same place of the picture.
         const R3::Point sharp = OnPlane(Slanted().Through(sample.x, sample.y, image_width, image_height), focus);
         EXPECT_LT(Length(OnPlane(sample.ray, focus) - sharp), 1e-12 * (focus + 5)) << focus;
@@ -56,7 +56,7 @@ TEST(CameraRays, WhatLiesElsewhereIsBlurredByTheThinLensEquation) {
   for (const double distance : {2.0, 6.0, 12.0}) {
     double widest = 0;
     for (std::uint32_t i = 0; i < 4096; ++i) {
-      const CameraSample sample = rays(7, 9, RandomKey(3), i);
+      const CameraSample sample = rays({7, 9, RandomKey(3), i});
       const R3::Point middle = OnPlane(Slanted().Through(sample.x, sample.y, image_width, image_height), distance);
       widest = std::max(widest, Length(OnPlane(sample.ray, distance) - middle));
     }
@@ -70,7 +70,7 @@ TEST(CameraRays, AGridGoesThroughTheMiddlesOfEqualPartsOfThePixel) {
   for (const std::uint32_t side : {1u, 2u, 3u, 7u}) {
     const CameraRays rays = Make({}, SamplerKind::grid, side * side);
     for (std::uint32_t i = 0; i < side * side; ++i) {
-      const CameraSample sample = rays(7, 9, RandomKey(3), i);
+      const CameraSample sample = rays({7, 9, RandomKey(3), i});
       EXPECT_EQ(sample.x, 7 + (i % side + 0.5) / side);
       EXPECT_EQ(sample.y, 9 + (i / side + 0.5) / side);
     }
@@ -84,7 +84,7 @@ TEST(CameraRays, ARotatedGridHasNoTwoPlacesInARowOrAColumn) {
     std::set<std::int64_t> columns, rows;
     std::set<std::pair<std::int64_t, std::int64_t>> places, turned;
     for (std::uint32_t i = 0; i < side * side; ++i) {
-      const CameraSample sample = rays(7, 9, RandomKey(3), i);
+      const CameraSample sample = rays({7, 9, RandomKey(3), i});
       // In units of half a part, from the middle.
       const double x = 2 * side * side * (sample.x - 7.5), y = 2 * side * side * (sample.y - 9.5);
       EXPECT_NEAR(x, std::round(x), 1e-9);
@@ -109,7 +109,7 @@ TEST(CameraRays, EvenMomentsAreTheMiddlesOfTheShuttersPartsForEveryPlaceOfTheGri
   std::set<std::tuple<double, double, double, double>> all;
   std::map<double, int> times;
   for (std::uint32_t i = 0; i < places * on_lens * moments; ++i) {
-    const CameraSample sample = rays(7, 9, RandomKey(3), i);
+    const CameraSample sample = rays({7, 9, RandomKey(3), i});
     const R3::Vector on_the_lens = sample.ray.origin - Slanted().eye - sample.ray.time * effects.motion;
     all.insert({sample.x, sample.y, sample.ray.time, std::round(1e6 * Dot(on_the_lens, Slanted().right))});
     ++times[sample.ray.time];
@@ -125,7 +125,7 @@ TEST(CameraRays, ASpiralStartsAtItsPlacesForEveryPlaceOfTheGrid) {
       Make({.motion = {}, .aperture = 2, .focus = 4, .lens = LensPattern::fixed_spiral, .lens_samples = each},
            SamplerKind::grid, places * each);
   for (std::uint32_t i = 0; i < places * each; ++i) {
-    const CameraSample sample = rays(7, 9, RandomKey(3), i);
+    const CameraSample sample = rays({7, 9, RandomKey(3), i});
     const std::uint32_t place = i / each, n = i % each;
     EXPECT_EQ(sample.x, 7 + (place % 2 + 0.5) / 2);
     EXPECT_EQ(sample.y, 9 + (place / 2 + 0.5) / 2);
@@ -141,7 +141,7 @@ TEST(CameraRays, TurnedSpiralsStayOnTheLensAndDifferFromPixelToPixel) {
   std::set<double> across;
   for (int column = 0; column < image_width; ++column)
     for (std::uint32_t i = 0; i < 8; ++i) {
-      const R3::Vector aside = rays(column, 9, RandomKey(3), i).ray.origin - Slanted().eye;
+      const R3::Vector aside = rays({column, 9, RandomKey(3), i}).ray.origin - Slanted().eye;
       EXPECT_LE(Length(aside), 2 * (1 + 1e-12));
       across.insert(Dot(aside, Slanted().right));
     }
@@ -154,7 +154,7 @@ TEST(CameraRays, LensSamplesFillTheLensEvenly) {
     const CameraRays rays = Make({.motion = {}, .aperture = 2, .focus = 4}, sampler, many);
     int within_half_radius = 0, right = 0;
     for (std::uint32_t i = 0; i < many; ++i) {
-      const R3::Vector aside = rays(7, 9, RandomKey(3), i).ray.origin - Slanted().eye;
+      const R3::Vector aside = rays({7, 9, RandomKey(3), i}).ray.origin - Slanted().eye;
       within_half_radius += Length(aside) <= 1;
       right += Dot(aside, Slanted().right) > 0;
     }
@@ -179,7 +179,7 @@ TEST(CameraRays, ManyMadeTogetherAreThoseMadeOneByOne) {
         std::vector<CameraSample> together(due.size());
         rays.MakeEach(due, together);
         for (std::size_t i = 0; i < due.size(); ++i) {
-          const CameraSample alone = rays(due[i].column, due[i].row, due[i].pixel, due[i].index);
+          const CameraSample alone = rays(due[i]);
           ASSERT_EQ(together[i].ray.origin, alone.ray.origin) << rays.Kernel() << " " << i;
           ASSERT_EQ(together[i].ray.direction, alone.ray.direction) << rays.Kernel() << " " << i;
           ASSERT_EQ(together[i].ray.time, alone.ray.time);
@@ -197,7 +197,7 @@ TEST(CameraRays, ALensOfNoSizeAndAMotionOfNothingAreThePinholeToTheBit) {
   const CameraRays pinhole = Make({}), none = Make({.motion = {0, 0, 0}, .aperture = 0, .focus = 7});
   EXPECT_STREQ(none.Kernel(), "pinhole");
   for (std::uint32_t i = 0; i < samples; ++i) {
-    const CameraSample a = pinhole(5, 6, RandomKey(1), i), b = none(5, 6, RandomKey(1), i);
+    const CameraSample a = pinhole({5, 6, RandomKey(1), i}), b = none({5, 6, RandomKey(1), i});
     EXPECT_EQ(a.ray.origin, b.ray.origin);
     EXPECT_EQ(a.ray.direction, b.ray.direction);
     EXPECT_EQ(a.ray.time, b.ray.time);
@@ -224,13 +224,13 @@ TEST(CameraRays, TheEyeMovesEvenlyWhileTheShutterIsOpen) {
   const CameraRays rays = Make({.motion = motion}), at_rest = Make({}, SamplerKind::sobol, samples, true);
   std::vector<double> times;
   for (std::uint32_t i = 0; i < samples; ++i) {
-    const CameraSample sample = rays(5, 6, RandomKey(1), i);
+    const CameraSample sample = rays({5, 6, RandomKey(1), i});
     times.push_back(sample.ray.time);
     EXPECT_GE(sample.ray.time, 0);
     EXPECT_LT(sample.ray.time, 1);
     EXPECT_LT(Length(sample.ray.origin - (Slanted().eye + sample.ray.time * motion)), 1e-14);
     // The view does not turn: the direction is that of the camera at rest, in the same moment.
-    const CameraSample rest = at_rest(5, 6, RandomKey(1), i);
+    const CameraSample rest = at_rest({5, 6, RandomKey(1), i});
     EXPECT_EQ(sample.ray.direction, rest.ray.direction);
     EXPECT_EQ(sample.ray.time, rest.ray.time);
     EXPECT_EQ(rest.ray.origin, Slanted().eye);
@@ -252,7 +252,7 @@ TEST(CameraRays, OneSampleGoesThroughTheMiddleAndManyFillThePixel) {
     const CameraRays rays = Make({}, sampler);
     double x = 0, y = 0;
     for (std::uint32_t i = 0; i < samples; ++i) {
-      const CameraSample sample = rays(5, 6, RandomKey(1), i);
+      const CameraSample sample = rays({5, 6, RandomKey(1), i});
       EXPECT_TRUE(sample.x >= 5 && sample.x < 6 && sample.y >= 6 && sample.y < 7);
       x += sample.x / samples, y += sample.y / samples;
     }

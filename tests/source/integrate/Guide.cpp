@@ -24,7 +24,7 @@ std::vector<Guide> GuidesOf(const project::Stage& stage) {
   TraceState state;
   for (int i = 0; i < settings.width * settings.height; ++i) {
     const int column = i % settings.width, row = i / settings.width;
-    const CameraSample sample = camera(column, row, RandomKey(0), 0);
+    const CameraSample sample = camera({column, row, RandomKey(0), 0});
     tracer.Trace({&sample, 1}, std::span(guides).subspan(static_cast<std::size_t>(i), 1), state);
   }
   return guides;
