@@ -241,11 +241,11 @@ TEST(CameraRays, TheEyeMovesEvenlyWhileTheShutterIsOpen) {
 }
 
 TEST(CameraRays, OneSampleGoesThroughTheMiddleAndManyFillThePixel) {
-  const CameraSample middle = Make({}, SamplerKind::sobol, 1)(5, 6, RandomKey(1), 0);
+  const CameraSample middle = Make({}, SamplerKind::sobol, 1)({5, 6, RandomKey(1), 0});
   EXPECT_EQ(middle.x, 5.5);
   EXPECT_EQ(middle.y, 6.5);
   const CameraSample with_lens =
-      Make({.motion = {}, .aperture = 1, .focus = 2}, SamplerKind::sobol, 1)(5, 6, RandomKey(1), 0);
+      Make({.motion = {}, .aperture = 1, .focus = 2}, SamplerKind::sobol, 1)({5, 6, RandomKey(1), 0});
   EXPECT_EQ(with_lens.x, 5.5);
   EXPECT_EQ(with_lens.y, 6.5);
   for (const SamplerKind sampler : {SamplerKind::sobol, SamplerKind::random, SamplerKind::stratified}) {
