@@ -89,7 +89,7 @@ class Interrupted : public ::testing::Test {
  protected:
   std::vector<std::string> Command(const std::string& picture, const std::vector<std::string>& more = {}) const {
     std::vector<std::string> words{place / "in.scn", place / picture, "-width", "64", "-height", "64",
-                                   "-samples",       "3000"};
+                                   "-samples",       "10000"};
     words.insert(words.end(), more.begin(), more.end());
     return words;
   }
