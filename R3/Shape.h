@@ -8,6 +8,7 @@
 #include "R3/Hit.h"
 #include "R3/Intersection.h"
 #include "R3/MeshData.h"
+#include "R3/Profile.h"
 #include "R3/Ray.h"
 #include "R3/Recipe.h"
 #include "R3/SphereData.h"
@@ -95,6 +96,8 @@ class Shape {
   virtual bool HasTextureCoordinates() const { return true; }
   /// Whether nothing can ever hit it (zero radius or height).
   virtual bool IsDegenerate() const { return false; }
+  /// How round it is within its Bounds.
+  virtual Profile ProfileInBounds() const { return {}; }
   /// The sphere that the shape is, if it is one: IntersectSphere then is its Intersect.
   virtual std::optional<SphereData> AsSphere() const { return {}; }
   /// Nothing for a shape that is not of a kind of shapes.def.

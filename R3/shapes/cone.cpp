@@ -27,6 +27,8 @@ class Cone : public Shape {
     return {{center_.x - radius_, low_, center_.z - radius_}, {center_.x + radius_, high_, center_.z + radius_}};
   }
 
+  Profile ProfileInBounds() const override { return Profile::Pointed(); }
+
   std::optional<Hit> Intersect(const Ray& ray, int) const override {
     if (IsDegenerate()) return {};
     if (!IsInRange(radius_ * radius_ + height_ * height_)) [[unlikely]]

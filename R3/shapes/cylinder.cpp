@@ -22,6 +22,8 @@ class Cylinder : public Shape {
     return {{center_.x - radius_, low_, center_.z - radius_}, {center_.x + radius_, high_, center_.z + radius_}};
   }
 
+  Profile ProfileInBounds() const override { return Profile::Upright(); }
+
   // A cylinder is convex, so the ray is inside it where it is inside both the round and the slab: no rim to leak
   // through.
   std::optional<Hit> Intersect(const Ray& ray, int) const override {

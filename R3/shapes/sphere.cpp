@@ -18,6 +18,8 @@ class Sphere : public Shape {
     return {center_ - r, center_ + r};
   }
 
+  Profile ProfileInBounds() const override { return Profile::Ball(); }
+
   std::optional<Hit> Intersect(const Ray& ray, int) const override {
     return IntersectSphere(ray, {center_, radius_}, ray.t_max);
   }

@@ -87,6 +87,8 @@ class Torus : public Shape {
     return {center_ - reach, center_ + reach};
   }
 
+  Profile ProfileInBounds() const override { return Profile::Upright(); }
+
   std::optional<Hit> Intersect(const Ray& ray, int) const override {
     if (IsDegenerate() || !IsFinite(ray.direction) || !IsFinite(FromOrigin(ray.origin))) return {};
     for (const double t : Crossings(ray).at)

@@ -65,6 +65,17 @@ R3::Box PrimitiveSet::Bounds(std::uint32_t i) const {
   return Widened(box, WorldBoundsPadding(frame, Reach(box)).constant);
 }
 
+Hull PrimitiveSet::HullOf(std::uint32_t i) const {
+  const PrimRef primitive = (*this)[i];
+  const Instance& instance = world_.Instances()[primitive.instance];
+  if (!(world_.MotionOf(instance.frame) == R3::Vector{})) return {Bounds(i), {}, &world_.Frames()[0].Inverse(), 0};
+  const R3::Transform& frame = world_.Frames()[instance.frame];
+  const R3::Box in_world = world_.InWorld(instance.frame, instance.node->bounds);
+  const double padding = instance.frame == 0 ? 0 : WorldBoundsPadding(frame, Reach(in_world)).constant;
+  if (primitive.element == PrimRef::whole) return {instance.node->bounds, {}, &frame.Inverse(), padding};
+  return {instance.shape->Bounds(primitive.element), instance.shape->ProfileInBounds(), &frame.Inverse(), padding};
+}
+
 const R3::Mesh* PrimitiveSet::MeshOf(std::uint32_t i) const {
   if (mesh_) return mesh_;
   const Run& run = RunOf(i);

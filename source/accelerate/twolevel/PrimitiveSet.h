@@ -25,6 +25,14 @@ struct alignas(32) SphereLeaf {
   std::uint32_t instance = 0;
 };
 
+/// Where a primitive is, more closely than by its Bounds.
+struct Hull {
+  R3::Box box;  // of its own frame
+  R3::Profile profile;
+  const R3::Matrix* local_from_world;
+  double padding;  // in the world: by how much hits may lie outside, besides what grows with the distance of origins
+};
+
 /// What one structure is built over: the world, or the inside of one shared mesh in that mesh's own frame. Its
 /// primitives are numbered from 0 in the order of their primitive ids.
 class PrimitiveSet {
@@ -44,6 +52,9 @@ class PrimitiveSet {
   /// to PaddingPerDistance * (largest component of its origin in the world) outside. Finite.
   R3::Box Bounds(std::uint32_t i) const;
   double PaddingPerDistance() const { return padding_per_distance_; }
+
+  /// Of a primitive of the world.
+  Hull HullOf(std::uint32_t i) const;
 
   /// The mesh whose triangle the primitive is, if that lies in the set's own frame: what batches of triangle tests
   /// can work on. Null for others.

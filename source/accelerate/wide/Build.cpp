@@ -26,16 +26,26 @@ struct Reference {
   Float4 Middle() const { return low + high; }  // twice it
   static constexpr std::uint32_t usual = 0x40000000;
   std::uint32_t Primitive() const { return std::bit_cast<std::uint32_t>(static_cast<float>(low[3])) ^ usual; }
-  bool IsTriangle() const { return std::bit_cast<std::uint32_t>(static_cast<float>(high[3])) != 0; }
+  Child::Kind Kind() const { return static_cast<Child::Kind>(static_cast<std::uint32_t>(high[3])); }
+  bool IsOf(Child::Kind kind) const { return static_cast<float>(high[3]) == AsFloat(kind); }
+  static constexpr float AsFloat(Child::Kind kind) { return static_cast<float>(static_cast<std::uint32_t>(kind)); }
 };
 
 /// A row of references that share a subtree.
 struct Range {
-  std::uint32_t begin = 0, end = 0, triangles = 0;
+  std::uint32_t begin = 0, end = 0, triangles = 0, hulls = 0;
   Extent box, middles;
 
   std::uint32_t Size() const { return end - begin; }
-  std::uint32_t Others() const { return Size() - triangles; }
+  /// Not all triangles, all hulls, or all others.
+  bool IsMixed() const { return std::max({triangles, hulls, Size() - triangles - hulls}) < Size(); }
+  /// For a reference, by which the range grows or has grown.
+  void Extend(const Reference& r) {
+    box.Extend(r.Box());
+    middles.Extend(r.Middle());
+    triangles += r.IsOf(Child::Kind::triangles) ? 1 : 0;
+    hulls += r.IsOf(Child::Kind::hulls) ? 1 : 0;
+  }
 };
 
 constexpr int most_bins = 32;
@@ -47,7 +57,7 @@ struct Bin {
 
   void Add(const Reference& reference) {
     box.Extend(reference.Box());
-    counts += reference.IsTriangle() ? 1 : std::uint64_t{1} << 32;
+    counts += reference.IsOf(Child::Kind::triangles) ? 1 : std::uint64_t{1} << 32;
   }
   void Add(const Bin& o) { box.Extend(o.box), counts += o.counts; }
   std::uint32_t Triangles() const { return static_cast<std::uint32_t>(counts); }
@@ -102,7 +112,7 @@ class Builder {
     if (count == 0) return;
     tree_.coordinates = FitCoordinates(tree_.primitives);
     Range all = Collect();
-    BuildChild root = IsLeaf(all) ? Leaf(all) : BuildChild{all.box, BuildNodeOf(all, 1), 0, {}};
+    BuildChild root = IsLeaf(all) ? Leaf(all) : BuildChild{.box = all.box, .below = BuildNodeOf(all, 1)};
     tree_.root = Flatten({&root, 1}, tree_)[0];
   }
 
@@ -116,7 +126,7 @@ class Builder {
     const std::uint32_t count = tree_.primitives.Size();
     references_ = HugeArray<Reference>(count);
     const auto add = [](Range a, const Range& b) {
-      a.triangles += b.triangles;
+      a.triangles += b.triangles, a.hulls += b.hulls;
       a.box.Extend(b.box);
       a.middles.Extend(b.middles);
       return a;
@@ -138,19 +148,23 @@ class Builder {
       const R3::Vector v = tree_.coordinates(p);
       return Float4{static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z), 0};
     };
-    const bool is_triangle = tree_.primitives.MeshOf(primitive) != nullptr;
     Reference& reference = references_[primitive];
     reference.low = rounded(bounds.low), reference.high = rounded(bounds.high);
     Range one;
-    one.triangles = is_triangle ? 1 : 0;
     one.box = reference.Box();
     one.middles.Extend(reference.Middle());
     reference.low[3] = std::bit_cast<float>(primitive ^ Reference::usual);
-    reference.high[3] = is_triangle ? 1 : 0;
+    reference.high[3] = Reference::AsFloat(LeafKindOf(tree_, primitive));
+    one.triangles = reference.IsOf(Child::Kind::triangles) ? 1 : 0;
+    one.hulls = reference.IsOf(Child::Kind::hulls) ? 1 : 0;
     return one;
   }
 
-  bool IsLeaf(const Range& r) const { return r.triangles == r.Size() ? r.Size() <= leaf_ : r.Size() == 1; }
+  bool IsLeaf(const Range& r) const {
+    return r.Size() == 1 || (!r.IsMixed() && r.Size() <= (r.triangles > 0 ? leaf_ : MostOf(KindOf(r))));
+  }
+  /// Of the first, and so of all that are not mixed.
+  Child::Kind KindOf(const Range& r) const { return references_[r.begin].Kind(); }
 
   /// How much it costs to test everything in a range, in block tests.
   float Tests(std::uint32_t triangles, std::uint32_t others) const {
@@ -173,7 +187,7 @@ class Builder {
     bool are_tasks = false;
     for (std::size_t i = 0; i < children; ++i) {
       const Range& r = ranges[i];
-      node->Add(IsLeaf(r) ? Leaf(r) : BuildChild{r.box, nullptr, 0, {}});
+      node->Add(IsLeaf(r) ? Leaf(r) : BuildChild{.box = r.box});
       if (IsLeaf(r)) continue;
       const BuildNode*& below = node->children[i].below;
       if (r.Size() >= parallel_from) {
@@ -197,7 +211,7 @@ class Builder {
   }
 
   BuildChild Leaf(const Range& range) const {
-    BuildChild leaf{range.box, nullptr, static_cast<int>(range.triangles), {}};
+    BuildChild leaf{range.box, nullptr, KindOf(range), static_cast<int>(range.Size()), {}};
     for (std::uint32_t i = 0; i < range.Size(); ++i) leaf.primitives[i] = references_[range.begin + i].Primitive();
     return leaf;
   }
@@ -266,15 +280,10 @@ class Builder {
       const float bin = (r.Middle()[split.axis] - binning.low[split.axis]) * binning.scale[split.axis];
       return std::min(static_cast<int>(bin), binning.count - 1) < split.bin;
     };
-    const auto take = [](Range& range, const Reference& r) {
-      range.box.Extend(r.Box());
-      range.middles.Extend(r.Middle());
-      range.triangles += r.IsTriangle() ? 1 : 0;
-    };
     std::uint32_t i = begin, k = end;
     while (true) {
-      while (i < k && is_first(references_[i])) take(first, references_[i++]);
-      while (i < k && !is_first(references_[k - 1])) take(rest, references_[--k]);
+      while (i < k && is_first(references_[i])) first.Extend(references_[i++]);
+      while (i < k && !is_first(references_[k - 1])) rest.Extend(references_[--k]);
       if (i == k) break;
       std::swap(references_[i], references_[k - 1]);
     }
@@ -284,7 +293,8 @@ class Builder {
     return true;
   }
 
-  /// Middles that coincide, or a tree too deep: as many primitives here as there, triangles first.
+  /// Middles that coincide, or a tree too deep: as many primitives here as there; of a mixed range those of
+  /// one kind here.
   void HalveByNumber(Range& whole, Range& second) {
     const std::uint32_t begin = whole.begin, end = whole.end;
     int axis = 0;
@@ -292,11 +302,12 @@ class Builder {
     for (int a = 1; a < 3; ++a)
       if (size[a] > size[axis]) axis = a;
     std::uint32_t middle = begin + whole.Size() / 2;
-    const bool are_mixed = whole.triangles > 0 && whole.Others() > 0;
-    if (are_mixed) middle = begin + whole.triangles;
+    const bool are_mixed = whole.IsMixed();
+    const Child::Kind first_kind = whole.triangles > 0 ? Child::Kind::triangles : Child::Kind::hulls;
+    if (are_mixed) middle = begin + (whole.triangles > 0 ? whole.triangles : whole.hulls);
     std::nth_element(references_.Data() + begin, references_.Data() + middle, references_.Data() + end,
                      [&](const Reference& a, const Reference& b) {
-                       if (are_mixed && a.IsTriangle() != b.IsTriangle()) return a.IsTriangle();
+                       if (are_mixed && a.IsOf(first_kind) != b.IsOf(first_kind)) return a.IsOf(first_kind);
                        const float x = a.Middle()[axis], y = b.Middle()[axis];
                        return x != y ? x < y : a.Primitive() < b.Primitive();
                      });
@@ -307,11 +318,7 @@ class Builder {
   Range RangeOf(std::uint32_t begin, std::uint32_t end) const {
     Range range;
     range.begin = begin, range.end = end;
-    for (std::uint32_t i = begin; i != end; ++i) {
-      range.box.Extend(references_[i].Box());
-      range.middles.Extend(references_[i].Middle());
-      range.triangles += references_[i].IsTriangle() ? 1 : 0;
-    }
+    for (std::uint32_t i = begin; i != end; ++i) range.Extend(references_[i]);
     return range;
   }
 

@@ -38,12 +38,12 @@ ClippedPrimitive Unclipped(const Tree& tree, std::uint32_t primitive) {
   const R3::Box bounds = tree.primitives.Bounds(primitive);
   return {{Floats(tree.coordinates(bounds.low)), Floats(tree.coordinates(bounds.high))},
           primitive,
-          tree.primitives.MeshOf(primitive) != nullptr};
+          LeafKindOf(tree, primitive)};
 }
 
 bool ClipTo(const R3::Box& cell, const Tree& tree, ClippedPrimitive& clipped) {
   Extent box{Floats(FromOrigin(cell.low)), Floats(FromOrigin(cell.high))};
-  if (clipped.is_triangle) {
+  if (clipped.kind == Child::Kind::triangles) {
     const auto corners = tree.primitives.MeshOf(clipped.primitive)->Corners(tree.primitives[clipped.primitive].element);
     const std::array triangle{tree.coordinates(corners[0]), tree.coordinates(corners[1]), tree.coordinates(corners[2])};
     if (!ClippedBounds(cell, triangle, box)) return false;
@@ -63,17 +63,20 @@ BuildChild SubtreeBuilder::Build(std::span<ClippedPrimitive> primitives) {
   int axis = size[1] > size[0] ? 1 : 0;
   if (size[2] > size[axis]) axis = 2;
   std::sort(primitives.begin(), primitives.end(), [&](const ClippedPrimitive& a, const ClippedPrimitive& b) {
-    if (a.is_triangle != b.is_triangle) return a.is_triangle;
+    if (a.kind != b.kind) return a.kind < b.kind;
     const float x = a.box.low[axis] + a.box.high[axis], y = b.box.low[axis] + b.box.high[axis];
     return x != y ? x < y : a.primitive < b.primitive;
   });
   std::vector<BuildChild> children;
   for (const ClippedPrimitive& primitive : primitives) {
-    const bool is_next = primitive.is_triangle && !children.empty() && children.back().triangles < width;
+    const auto has_room = [&](const BuildChild& leaf) {
+      return leaf.kind == primitive.kind && static_cast<std::uint32_t>(leaf.count) < MostOf(leaf.kind);
+    };
+    const bool is_next = !children.empty() && has_room(children.back());
     BuildChild& child = is_next ? children.back() : children.emplace_back();
+    child.kind = primitive.kind;
     child.box.Extend(primitive.box);
-    child.primitives[static_cast<std::size_t>(child.triangles)] = primitive.primitive;
-    if (primitive.is_triangle) ++child.triangles;
+    child.primitives[static_cast<std::size_t>(child.count++)] = primitive.primitive;
   }
   return Group(children);
 }

@@ -15,7 +15,7 @@ namespace ray::wide {
 struct ClippedPrimitive {
   Extent box;  // within box_rounding
   std::uint32_t primitive = 0;
-  bool is_triangle = false;
+  Child::Kind kind = Child::Kind::triangles;  // of leaves that it may be in
 };
 using ClippedPrimitives = std::vector<ClippedPrimitive>;
 
@@ -30,8 +30,8 @@ ClippedPrimitive Unclipped(const Tree& tree, std::uint32_t primitive);
 ///   source  Sutherland, Hodgman, Reentrant polygon clipping (1974)
 bool ClipTo(const R3::Box& cell, const Tree& tree, ClippedPrimitive& clipped);
 
-/// Makes subtrees of what lies in cells, in parallel: where it fits, one block of triangles or one other primitive;
-/// otherwise nodes of blocks of triangles that lie next to each other along the longest side of it all, and of others.
+/// Makes subtrees of what lies in cells, in parallel: where it fits, one leaf; otherwise nodes of leaves of primitives
+/// that lie next to each other along the longest side of it all.
 class SubtreeBuilder {
  public:
   /// Reorders the primitives. Of none it makes an empty child.

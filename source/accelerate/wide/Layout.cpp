@@ -8,11 +8,13 @@
 #include <stdexcept>
 #include <vector>
 
+#include "source/accelerate/wide/HullBlock.h"
+
 namespace ray::wide {
 namespace {
 
 constexpr std::uint32_t units_of_node = sizeof(Node) / unit, units_of_block = sizeof(TriangleBlock) / unit;
-constexpr std::uint32_t units_of_sphere = sizeof(SphereLeaf) / unit;
+constexpr std::uint32_t units_of_sphere = sizeof(SphereLeaf) / unit, units_of_hulls = sizeof(HullBlock) / unit;
 constexpr std::uint32_t most_units = (std::uint32_t{1} << Child::kind_shift) - 64;
 constexpr std::size_t own_cache = std::size_t{1} << 22;  // of a core, about
 
@@ -21,15 +23,12 @@ struct NodeAt {
   std::uint32_t first_unit;
   std::array<std::uint32_t, width> child;
 };
-struct BlockAt {
+struct LeafAt {
   const BuildChild* child;
   std::uint32_t first_unit;
 };
-struct SphereAt {
-  std::uint32_t primitive, first_unit;
-};
 
-/// Gives nodes, blocks and spheres their units of memory, one child and what is below it after the other.
+/// Gives nodes and leaves their units of memory, one child and what is below it after the other.
 class LayoutPass {
  public:
   explicit LayoutPass(Tree& tree) : tree_(tree) {}
@@ -52,7 +51,7 @@ class LayoutPass {
       const auto children = static_cast<std::size_t>(next.node->count);
       for (std::size_t i = 0; i < children; ++i)
         if (!next.node->children[i].below) nodes[self].child[i] = AddLeaf(next.node->children[i]);
-      if (end > most_units) throw std::length_error("the scene is too large: its tree would take more than 32 GB");
+      if (end > most_units) throw std::length_error("the scene is too large: its tree would take more than 16 GB");
       for (std::size_t i = children; i-- > 0;)
         if (const BuildNode* below = next.node->children[i].below) stack.push_back({below, self, i, next.depth + 1});
     }
@@ -60,8 +59,8 @@ class LayoutPass {
   }
 
   std::vector<NodeAt> nodes;
-  std::vector<BlockAt> blocks;
-  std::vector<SphereAt> spheres;
+  std::vector<LeafAt> leaves;
+  std::size_t blocks = 0;  // of triangles
   std::uint32_t end = 0;
 
  private:
@@ -71,19 +70,17 @@ class LayoutPass {
     int depth;
   };
 
-  std::uint32_t AddLeaf(const BuildChild& child) {
-    if (child.triangles == 0) return AddPrimitive(child.primitives[0]);
-    const std::uint32_t self = Child::Make(Child::Kind::triangles, end);
-    blocks.push_back({&child, end});
-    end += units_of_block;
-    return self;
+  static std::uint32_t UnitsOf(Child::Kind kind) {
+    if (kind == Child::Kind::triangles) return units_of_block;
+    return kind == Child::Kind::sphere ? units_of_sphere : units_of_hulls;
   }
 
-  std::uint32_t AddPrimitive(std::uint32_t primitive) {
-    if (!tree_.primitives.SphereOf(primitive)) return Child::Make(Child::Kind::primitive, primitive);
-    const std::uint32_t self = Child::Make(Child::Kind::sphere, end);
-    spheres.push_back({primitive, end});
-    end += units_of_sphere;
+  std::uint32_t AddLeaf(const BuildChild& child) {
+    if (child.kind == Child::Kind::primitive) return Child::Make(child.kind, child.primitives[0]);
+    if (child.kind == Child::Kind::triangles) ++blocks;
+    const std::uint32_t self = Child::Make(child.kind, end);
+    leaves.push_back({&child, end});
+    end += UnitsOf(child.kind);
     return self;
   }
 
@@ -105,6 +102,18 @@ void Fill(const NodeAt& from, Tree& tree) {
   }
 }
 
+void Fill(const LeafAt& from, Tree& tree) {
+  const BuildChild& leaf = *from.child;
+  const std::uint32_t* const which = leaf.primitives.data();
+  void* const place = &tree.memory[from.first_unit];
+  if (leaf.kind == Child::Kind::triangles)
+    FillBlock(*new (place) TriangleBlock, tree.primitives, tree.coordinates, which, leaf.count);
+  else if (leaf.kind == Child::Kind::sphere)
+    new (place) SphereLeaf(*tree.primitives.SphereOf(which[0]));
+  else
+    FillHulls(*new (place) HullBlock, tree.primitives, tree.coordinates, which, leaf.count);
+}
+
 template <typename Body>
 void ForAll(std::size_t count, const Body& body) {
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 64), [&](const auto& r) {
@@ -114,23 +123,21 @@ void ForAll(std::size_t count, const Body& body) {
 
 }  // namespace
 
+Child::Kind LeafKindOf(const Tree& tree, std::uint32_t primitive) {
+  if (tree.primitives.MeshOf(primitive)) return Child::Kind::triangles;
+  if (tree.primitives.SphereOf(primitive)) return Child::Kind::sphere;
+  return IsHullTighter(tree.primitives, tree.coordinates, primitive) ? Child::Kind::hulls : Child::Kind::primitive;
+}
+
 std::vector<std::uint32_t> Flatten(std::span<const BuildChild> roots, Tree& tree) {
   LayoutPass layout(tree);
   std::vector<std::uint32_t> children;
   children.reserve(roots.size());
   for (const BuildChild& root : roots) children.push_back(layout.Add(root));
   tree.memory = HugeArray<Tree::Unit>(layout.end);
-  tree.nodes = layout.nodes.size(), tree.blocks = layout.blocks.size();
+  tree.nodes = layout.nodes.size(), tree.blocks = layout.blocks;
   ForAll(layout.nodes.size(), [&](std::size_t i) { Fill(layout.nodes[i], tree); });
-  ForAll(layout.blocks.size(), [&](std::size_t i) {
-    const auto& [child, first_unit] = layout.blocks[i];
-    FillBlock(*new (&tree.memory[first_unit]) TriangleBlock, tree.primitives, tree.coordinates,
-              child->primitives.data(), child->triangles);
-  });
-  ForAll(layout.spheres.size(), [&](std::size_t i) {
-    const auto& [primitive, first_unit] = layout.spheres[i];
-    new (&tree.memory[first_unit]) SphereLeaf(*tree.primitives.SphereOf(primitive));
-  });
+  ForAll(layout.leaves.size(), [&](std::size_t i) { Fill(layout.leaves[i], tree); });
   tree.is_large = tree.Bytes() > own_cache;
   return children;
 }

@@ -34,11 +34,18 @@ struct Extent {
 
 struct BuildNode;
 
-/// A child: a node below, or up to eight triangles, or one primitive of another kind.
+/// The kind of leaf for a primitive of a tree that has its coordinates, and the most of them that such a leaf holds.
+Child::Kind LeafKindOf(const Tree& tree, std::uint32_t primitive);
+inline std::uint32_t MostOf(Child::Kind leaf) {
+  return leaf == Child::Kind::triangles || leaf == Child::Kind::hulls ? width : 1;
+}
+
+/// A child: a node below, or a leaf of one or more primitives of a kind.
 struct BuildChild {
   Extent box;
   const BuildNode* below = nullptr;
-  int triangles = 0;
+  Child::Kind kind = Child::Kind::primitive;
+  int count = 0;
   std::array<std::uint32_t, width> primitives{};
 
   bool IsEmpty() const { return box.low[0] > box.high[0]; }

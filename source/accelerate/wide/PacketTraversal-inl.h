@@ -160,6 +160,8 @@ class PacketTraversal {
       VisitTriangles(tree_.At<TriangleBlock>(child), rays);
     else if (kind == Child::Kind::sphere)
       VisitSphere(tree_.At<SphereLeaf>(child), rays);
+    else if (kind == Child::Kind::hulls && std::popcount(rays) > few_rays)
+      VisitHulls(tree_.At<HullBlock>(child), rays);
     else if (kind == Child::Kind::primitive)
       VisitPrimitive(Child::Index(child), rays);
     else
@@ -205,6 +207,31 @@ class PacketTraversal {
       else
         packet_.limit[i] = std::min(packet_.limit[i], packet_.Distance(i, Nearest(i).Limit()));
     });
+  }
+
+  HWY_INLINE void VisitHulls(const HullBlock& block, std::uint32_t rays) {
+    for (std::uint32_t k = 0; k < block.count; ++k) {
+      const std::uint32_t maybe = TestHull(block, k) & rays;
+      if (maybe != 0) VisitPrimitive(block.primitive[k], maybe);
+    }
+  }
+
+  /// Which rays do not certainly miss one hull of a block.
+  HWY_INLINE std::uint32_t TestHull(const HullBlock& block, std::uint32_t k) const {
+    const PacketFloats f;
+    const HullLanes<PacketFloats> hull(block, [&](const float* numbers) { return hn::Set(f, numbers[k]); });
+    std::uint32_t maybe = 0;
+    for (std::size_t i = 0; i < packet_size; i += hn::Lanes(f)) {
+      const auto load = [&](const FloatEach& each) { return hn::Load(f, each + i); };
+      const HullRays<PacketFloats> rays{
+          {load(packet_.origin[0]), load(packet_.origin[1]), load(packet_.origin[2])},
+          {load(packet_.direction[0]), load(packet_.direction[1]), load(packet_.direction[2])},
+          load(packet_.plane_error),
+          load(packet_.limit)};
+      hn::Vec<PacketFloats> entry;
+      maybe |= Bits(f, TestHullLanes(f, hull, rays, entry)) << i;
+    }
+    return maybe;
   }
 
   HWY_INLINE void VisitPrimitive(std::uint32_t primitive, std::uint32_t rays) {

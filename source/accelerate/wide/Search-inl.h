@@ -16,6 +16,7 @@
 #include "R3/Sphere.h"
 #include "R3/Triangle.h"
 #include "source/accelerate/NearestHit.h"
+#include "source/accelerate/wide/Hulls-inl.h"
 #include "source/accelerate/wide/Triangles-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -172,6 +173,19 @@ class LeafVisitor {
     return false;
   }
 
+  /// The same for some, by their hulls, the nearest first.
+  bool VisitHulls(const HullBlock& block) {
+    alignas(32) float entries[width];
+    std::uint32_t rest = TestHulls(block, traversal_ray_, limit, entries);
+    while (rest != 0) {
+      const int i = any ? std::countr_zero(rest) : NearestOf(rest, entries);
+      rest &= ~(std::uint32_t{1} << i);
+      if (entries[i] > limit) return false;
+      if (VisitPrimitive(block.primitive[i])) return true;
+    }
+    return false;
+  }
+
   /// Gives the candidates that may still be the nearest to `keep`, which is to decide about them.
   template <typename Keeper>
   HWY_INLINE void HandOver(const Keeper& keep) {
@@ -192,6 +206,13 @@ class LeafVisitor {
   }
 
  private:
+  static int NearestOf(std::uint32_t some, const float* entries) {
+    int nearest = std::countr_zero(some);
+    for (some &= some - 1; some != 0; some &= some - 1)
+      if (entries[std::countr_zero(some)] < entries[nearest]) nearest = std::countr_zero(some);
+    return nearest;
+  }
+
   struct Candidate {
     std::uint32_t primitive;
     float nearest;

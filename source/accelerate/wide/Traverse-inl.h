@@ -159,11 +159,12 @@ HWY_INLINE Pushed PushSorted(const Tree& tree, const Node& node, const float* HW
   return {static_cast<std::uint32_t>(*top), top};
 }
 
-/// A sphere or another primitive that is a child of its own; true when that ends the search. Out of line, so that the
-/// traversal of triangles keeps its registers.
+/// A leaf of another kind than triangles; true when that ends the search. Out of line, so that the traversal of
+/// triangles keeps its registers.
 template <typename LeafVisitor>
-HWY_NOINLINE bool VisitSingle(const Tree& tree, std::uint32_t child, LeafVisitor& visitor) {
+HWY_NOINLINE bool VisitOthers(const Tree& tree, std::uint32_t child, LeafVisitor& visitor) {
   if (Child::KindOf(child) == Child::Kind::sphere) return visitor.VisitSphere(tree.At<SphereLeaf>(child));
+  if (Child::KindOf(child) == Child::Kind::hulls) return visitor.VisitHulls(tree.At<HullBlock>(child));
   return visitor.VisitPrimitive(Child::Index(child));
 }
 
@@ -200,7 +201,7 @@ HWY_INLINE void TraverseFrom(std::uint32_t child, const Tree& tree, const NodeRa
       if (visitor.VisitTriangles(tree.At<TriangleBlock>(child))) break;
     } else if (!Child::IsNothing(child)) {
       ++leaves;
-      if (VisitSingle(tree, child, visitor)) break;
+      if (VisitOthers(tree, child, visitor)) break;
     }
     do {
       if (top == stack) goto done;

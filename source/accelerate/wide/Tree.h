@@ -14,12 +14,12 @@ namespace ray::wide {
 
 inline constexpr std::size_t unit = 32;  // bytes in which memory is counted
 
-/// What a child is and where, in 32 bits: nodes, blocks and spheres by their first unit of Tree::memory, primitives by
-/// their number, which is less than 2^29. From `nothing` on it is no child at all.
+/// What a child is and where, in 32 bits: its first unit in Tree::memory, or the number of a primitive alone. From
+/// `nothing` on it is no child at all.
 struct Child {
-  enum class Kind : std::uint32_t { node, triangles, sphere, primitive };
-  static constexpr int kind_shift = 30;
-  static constexpr std::uint32_t nothing = std::uint32_t{7} << 29;
+  enum class Kind : std::uint32_t { node, triangles, sphere, hulls, primitive };
+  static constexpr int kind_shift = 29;
+  static constexpr std::uint32_t nothing = std::uint32_t{7} << kind_shift;
 
   static constexpr std::uint32_t Make(Kind kind, std::uint32_t index) {
     return static_cast<std::uint32_t>(kind) << kind_shift | index;

@@ -13,6 +13,7 @@ namespace fs = std::filesystem;
 
 // With less, the process used to die by a signal.
 TEST(Extremes, L12_WhereNoThreadCanBeMadeOneDoesAllTheWork) {
+  NEEDS_THE_PROGRAM();
   const TemporaryFolder folder;
   std::filesystem::permissions(folder.Path(), std::filesystem::perms::all);
   Surroundings alone;
