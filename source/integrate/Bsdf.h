@@ -109,6 +109,7 @@ inline R3::Vector DiffuseDirection(const R3::Vector& N, const R2::Point& u) {
 
 /// The lobes of a BSDF. A specular one is a delta distribution: it scatters into one direction alone.
 enum class Lobe { diffuse, glossy, mirror, transmission };
+inline constexpr std::size_t lobes = 4;
 constexpr bool IsSpecular(Lobe lobe) { return lobe == Lobe::mirror || lobe == Lobe::transmission; }
 
 /// A direction that light may come from. value / pdf estimates the reflectance.

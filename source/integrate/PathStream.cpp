@@ -255,16 +255,18 @@ void PathStream::TakeStep(const Front& front, std::span<R2::Color> gathered, Fro
   if (IsLast(points[0]))  // all have gone as far
     for (const ShadingPoint& p : points) CountCutThroughput(p, state);
   if (!MayContinue(points[0])) return;
-  const Steps steps = SampleBsdfs(front);
-  TraceSteps(steps, state);
+  const StepsByLobe steps_by_lobe = SampleBsdfs(front);
   std::array<const StepFrom*, most_paths> arriving, escaping;
   std::size_t escaped = 0;
-  for (std::size_t k = 0; k < steps.size(); ++k) {
-    if (state.hits[k]) {
-      arriving[next.points.size()] = &steps[k];
-      next.Add(steps[k].step.path, *state.hits[k], front.paths[steps[k].from]);
-    } else {
-      escaping[escaped++] = &steps[k];
+  for (const Steps& steps : steps_by_lobe) {
+    TraceSteps(steps, state);
+    for (std::size_t k = 0; k < steps.size(); ++k) {
+      if (state.hits[k]) {
+        arriving[next.points.size()] = &steps[k];
+        next.Add(steps[k].step.path, *state.hits[k], front.paths[steps[k].from]);
+      } else {
+        escaping[escaped++] = &steps[k];
+      }
     }
   }
   AddBackgrounds(front, {escaping.data(), escaped}, gathered, state);
@@ -294,45 +296,40 @@ void PathStream::AddBackgrounds(const Front& front, std::span<const StepFrom* co
   }
 }
 
-PathStream::Steps PathStream::SampleBsdfs(const Front& front) const {
+PathStream::StepsByLobe PathStream::SampleBsdfs(const Front& front) const {
   PointsOfEach<4> random;
   GetOfEachAlone(front.indices, scatter_key, settings_.sampler, settings_.samples, random);
   VectorOfEach directions;
   TurnAboutNormals(front.normals, random, front.points.size(), directions);
   const std::int64_t depth = front.points[0].path.depth;  // all have gone as far
   const Loops::Scattered scattered = Loops::Scatter(front, LeastSurvival(depth), random.coordinates[3], directions);
-  Steps steps;
-  steps.reserve(front.points.size());
+  StepsByLobe steps;
+  for (Steps& of_lobe : steps) of_lobe.reserve(front.others.size());
+  Steps& diffuse = steps[static_cast<std::size_t>(Lobe::diffuse)];
+  diffuse.reserve(front.points.size());
   for (std::uint32_t i = 0; i < front.points.size(); ++i) {
     const ShadingPoint& p = front.points[i];
     const R2::Color throughput = scattered.throughputs[i];
     if (IsBlack(throughput) || p.IsBehindSurface(directions[i])) continue;
-    steps.push_back({ExtendPath(p, directions[i], Lobe::diffuse, scattered.pdfs[i], throughput), i});
-    if (!MayFindLight(p, steps.back().step)) steps.pop_back();
+    diffuse.push_back({ExtendPath(p, directions[i], Lobe::diffuse, scattered.pdfs[i], throughput), i});
+    if (!MayFindLight(p, diffuse.back().step)) diffuse.pop_back();
   }
   const auto& u = random.coordinates;
   for (std::size_t k = 0; k < front.others.size(); ++k) {
     const std::uint32_t i = front.others[k];
     const Choices choices{u[0][i], u[1][i], u[2][i], u[3][i]};
     if (const auto step = SampleBsdf(front.points[i], front.bsdfs[k], choices, directions[i]))
-      steps.push_back({*step, i});
+      steps[static_cast<std::size_t>(step->lobe)].push_back({*step, i});
   }
   return steps;
 }
 
 void PathStream::TraceSteps(const Steps& steps, TraceState& state) const {
   state.hits.resize(steps.size());
-  const auto is_first_kind = [&](const StepFrom& s) { return s.step.path.kind == steps[0].step.path.kind; };
-  if (!std::ranges::all_of(steps, is_first_kind)) {  // rays are counted by kind
-    for (std::size_t k = 0; k < steps.size(); ++k) {
-      PathState path = steps[k].step.path;
-      state.hits[k] = tracer_.Intersect(path, state);
-    }
-    return;
-  }
+  if (steps.empty()) return;
   state.batch.clear();
   for (const StepFrom& s : steps) state.batch.push_back(s.step.path.ray);
-  if (!steps.empty()) tracer_.IntersectEach(steps[0].step.path.kind, state.batch, state.hits.data(), state);
+  tracer_.IntersectEach(steps[0].step.path.kind, state.batch, state.hits.data(), state);
 }
 
 extern const IntegratorKind path_kind{"path tracing: light over many bounces",

@@ -40,6 +40,9 @@ class PathStream : public Path {
   /// Of the point of that number in a front.
   struct StepFrom;
   using Steps = std::vector<StepFrom>;
+  /// Rays of one lobe are traced together: they are of one kind, and those that mirrors and glass send on go nearly the
+  /// same way.
+  using StepsByLobe = std::array<Steps, lobes>;
 
   /// At most R1::batch_size samples.
   void TraceTogether(std::span<const CameraSample> samples, std::span<R2::Color> radiances, TraceState& state) const;
@@ -50,11 +53,11 @@ class PathStream : public Path {
   void ReflectEach(const Front& front, const LightSamples::Each& pdfs, LightSamples& samples) const;
   /// To the next surfaces, which come to `next`.
   void TakeStep(const Front& front, std::span<R2::Color> gathered, Front& next, TraceState& state) const;
-  Steps SampleBsdfs(const Front& front) const;
+  StepsByLobe SampleBsdfs(const Front& front) const;
   /// What the rays of these steps, which hit nothing, see.
   void AddBackgrounds(const Front& front, std::span<const StepFrom* const> steps, std::span<R2::Color> gathered,
                       TraceState& state) const;
-  /// What each step's ray hits goes to state.hits.
+  /// Of one lobe; what each step's ray hits goes to state.hits.
   void TraceSteps(const Steps& steps, TraceState& state) const;
 };
 
