@@ -114,12 +114,20 @@ SpecularWeights SpecularWeightsOf(const ShadingPoint& p, const TraceSettings& se
   return {mirrored * R2::Color{1, 1, 1} + (1 - mirrored) * under.reflected, (1 - mirrored) * under.transmitted};
 }
 
-std::optional<R3::Vector> SampleReflection(const ShadingPoint& p, bool glossy, const R2::Point& u) {
-  const R3::Vector mirrored = Mirrored(p);
-  if (!glossy) return mirrored;
+namespace {
+
+/// A direction of Phong's lobe about `mirrored`; nothing where it leads below N's horizon or into the surface.
+std::optional<R3::Vector> SampleLobe(const ShadingPoint& p, const R3::Vector& mirrored, const R2::Point& u) {
   const R3::Vector wi = R3::FromTangents(R3::SamplePhongLobe(u, GlossExponent(*p.material)), mirrored);
   if (!(Dot(wi, p.N) > 0) || p.IsBehindSurface(wi)) return {};
   return wi;
+}
+
+}  // namespace
+
+std::optional<R3::Vector> SampleReflection(const ShadingPoint& p, bool glossy, const R2::Point& u) {
+  const R3::Vector mirrored = Mirrored(p);
+  return glossy ? SampleLobe(p, mirrored, u) : mirrored;
 }
 
 std::optional<R3::Vector> Refraction(const ShadingPoint& p) {
@@ -141,27 +149,23 @@ Bsdf::Bsdf(const ShadingPoint& p, const TraceSettings& settings) : p_(p), specul
   if (is_glossy_) mirrored_ = Mirrored(p);
 }
 
-R2::Color Bsdf::Eval(const R3::Vector& wi) const {
-  const double cosine = Dot(p_.N, wi);
-  if (!(cosine > 0)) return {};
-  R2::Color sum = R3::CosineHemispherePdf(cosine) * DiffuseReflectance(p_, cosine);
-  if (is_glossy_) sum += R3::PhongLobePdf(Dot(wi, mirrored_), GlossExponent(*p_.material)) * specular_.reflected;
-  return sum;
-}
-
-double Bsdf::Pdf(const R3::Vector& wi) const {
-  const double by_glossy =
-      is_glossy_ ? reflection_ * R3::PhongLobePdf(Dot(wi, mirrored_), GlossExponent(*p_.material)) : 0;
-  return diffuse_ * R3::CosineHemispherePdf(Dot(p_.N, wi)) + by_glossy;
+Bsdf::ValueAndPdf Bsdf::EvalWithPdf(const R3::Vector& wi) const {
+  const double cosine = Dot(p_.N, wi), diffuse_pdf = R3::CosineHemispherePdf(cosine);
+  const double glossy_pdf = is_glossy_ ? R3::PhongLobePdf(Dot(wi, mirrored_), GlossExponent(*p_.material)) : 0;
+  const double pdf = diffuse_ * diffuse_pdf + (is_glossy_ ? reflection_ * glossy_pdf : 0);
+  if (!(cosine > 0)) return {{}, pdf};
+  R2::Color value = diffuse_pdf * DiffuseReflectance(p_, cosine);
+  if (is_glossy_) value += glossy_pdf * specular_.reflected;
+  return {value, pdf};
 }
 
 std::optional<BsdfSample> Bsdf::Sample(const R2::Point& u, double choice, const R3::Vector& diffuse) const {
   if (choice < diffuse_) return Scatter(diffuse, Lobe::diffuse);
   if (choice < diffuse_ + reflection_) {
-    const auto wi = SampleReflection(p_, is_glossy_, u);
+    if (!is_glossy_) return BsdfSample{Mirrored(p_), specular_.reflected, reflection_, Lobe::mirror};
+    const auto wi = SampleLobe(p_, mirrored_, u);
     if (!wi) return {};
-    if (is_glossy_) return Scatter(*wi, Lobe::glossy);
-    return BsdfSample{*wi, specular_.reflected, reflection_, Lobe::mirror};
+    return Scatter(*wi, Lobe::glossy);
   }
   if (!(transmission_ > 0)) return {};
   const auto wi = Refraction(p_);
@@ -171,9 +175,9 @@ std::optional<BsdfSample> Bsdf::Sample(const R2::Point& u, double choice, const 
 
 /// What heads into the surface, by the glossy lobe or by a smoothed normal, is lost there.
 std::optional<BsdfSample> Bsdf::Scatter(const R3::Vector& wi, Lobe lobe) const {
-  const double pdf = Pdf(wi);
+  const auto [value, pdf] = EvalWithPdf(wi);
   if (!(pdf > 0) || !(Dot(p_.Outward(), wi) > 0)) return {};
-  return BsdfSample{wi, Eval(wi), pdf, lobe};
+  return BsdfSample{wi, value, pdf, lobe};
 }
 
 PathState Extend(const ShadingPoint& p, const R3::Vector& wi, Lobe lobe, const R2::Color& throughput,

@@ -144,9 +144,15 @@ class Bsdf {
   Bsdf(const ShadingPoint& p, const TraceSettings& settings);
 
   /// The non-specular lobes: radiance scattered to wo per radiance from wi and solid angle, the cosine included.
-  R2::Color Eval(const R3::Vector& wi) const;
+  R2::Color Eval(const R3::Vector& wi) const { return EvalWithPdf(wi).value; }
   /// Of Sample giving wi by a non-specular lobe, per solid angle.
-  double Pdf(const R3::Vector& wi) const;
+  double Pdf(const R3::Vector& wi) const { return EvalWithPdf(wi).pdf; }
+  /// Both, for the price of one: the glossy lobe takes a power.
+  struct ValueAndPdf {
+    R2::Color value;
+    double pdf;
+  };
+  ValueAndPdf EvalWithPdf(const R3::Vector& wi) const;
   /// Importance sampling: a lobe with a probability proportional to the luminance of its weight, then a direction by
   /// that lobe. Nothing where no light is scattered, or it would have to come from inside the surface.
   ///   u, choice   uniform in [0, 1)

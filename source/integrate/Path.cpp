@@ -154,7 +154,8 @@ R2::Color Path::Reflected(const ShadingPoint& p, const Bsdf& bsdf, const LightSa
   const R3::Vector wi = Unit(light.to_light);
   if (light.pdf == 0) return PhongReflection(p, wi, light.irradiance);
   if (!sampled_.lights) return {};
-  return (1 - sampled_.WeightOfBsdf(bsdf.Pdf(wi), light.pdf)) * bsdf.Eval(wi) * light.irradiance;
+  const auto [value, pdf] = bsdf.EvalWithPdf(wi);
+  return (1 - sampled_.WeightOfBsdf(pdf, light.pdf)) * value * light.irradiance;
 }
 
 void Path::AddLightSample(const ShadingPoint& p, const R2::Color& reflected, const LightSample& light,
