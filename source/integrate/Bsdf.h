@@ -39,7 +39,10 @@ inline R2::Color DiffuseReflection(const ShadingPoint& p, const R3::Vector& L) {
 }
 
 /// V.R of a light towards L.
-inline double LobeCosine(const ShadingPoint& p, const R3::Vector& L) { return Dot(p.wo, 2 * Dot(p.N, L) * p.N - L); }
+inline double LobeCosine(const R3::Vector& wo, const R3::Vector& N, const R3::Vector& L) {
+  return Dot(wo, 2 * Dot(N, L) * N - L);
+}
+inline double LobeCosine(const ShadingPoint& p, const R3::Vector& L) { return LobeCosine(p.wo, p.N, L); }
 
 /// Exponents that are whole and no larger are raised to by squaring.
 inline constexpr double most_whole_exponent = 1024;

@@ -39,20 +39,6 @@ bool MakeCosines(const VectorOfEach& normals, const LightSamples& samples, Each&
   return are_safe != 0;
 }
 
-/// PhongReflection of each sample at its own point.
-void ReflectEachByPhong(std::span<const ShadingPoint> points, const VectorOfEach& normals, LightSamples& samples) {
-  alignas(64) Each cosines;
-  const bool are_safe = MakeCosines(normals, samples, cosines);
-  for (std::uint32_t i = 0; i < samples.count; ++i) {
-    const ShadingPoint& p = points[i];
-    const R2::Color color = samples.Color(i);
-    if (are_safe && p.material->coat == 0 && R2::IsBlack(p.material->ks))
-      samples.SetColor(i, cosines[i] > 0 ? (cosines[i] * p.kd) * color : R2::Color{});
-    else
-      samples.SetColor(i, PhongReflection(p, Unit(samples.ToLight(i)), color));
-  }
-}
-
 }  // namespace
 
 struct PathStream::Front {
@@ -65,6 +51,13 @@ struct PathStream::Front {
   alignas(64) Each are_diffuse;       // 1 where the surface is diffuse alone, else 0
   std::vector<std::uint32_t> others;  // those that are not
   std::vector<Bsdf> bsdfs;            // of others
+  // Of highlights, if there are any, or coats.
+  bool has_highlights = false;
+  VectorOfEach wo;
+  ColorOfEach ks{};
+  std::array<std::uint64_t, most_paths> exponents;  // 0 where they are not whole
+  std::uint64_t exponent_bits = 0;                  // those that any of them has
+  std::vector<std::uint32_t> others_by_phong;       // with a coat or an exponent that is not whole
 
   /// What is known of a point at first.
   void Add(const PathState& arriving, const WorldHit& hit, std::uint32_t path) {
@@ -79,19 +72,33 @@ struct PathStream::Front {
       normals.Set(i, p.N);
       kd.Set(i, p.kd);
       throughputs.Set(i, p.path.throughput);
+      has_highlights |= !IsBlack(p.material->ks) || p.material->coat != 0;
       are_diffuse[i] = IsDiffuse(*p.material) ? 1 : 0;
       if (are_diffuse[i] != 0) continue;
       others.push_back(i);
       bsdfs.emplace_back(p, settings);
     }
+    if (has_highlights) AddHighlights();
+  }
+  void AddHighlights() {
+    exponent_bits = 0;
+    others_by_phong.clear();
+    for (std::uint32_t i = 0; i < points.size(); ++i) {
+      const Material& m = *points[i].material;
+      const bool is_plain = m.coat == 0 && (IsBlack(m.ks) || IsWholeExponent(m.n));
+      wo.Set(i, points[i].wo);
+      ks.Set(i, m.ks);
+      exponents[i] = is_plain && !IsBlack(m.ks) ? static_cast<std::uint64_t>(m.n) : 0;
+      exponent_bits |= exponents[i];
+      if (!is_plain) others_by_phong.push_back(i);
+    }
   }
   void Clear() { points.clear(), paths.clear(), indices.clear(), others.clear(), bsdfs.clear(); }
 };
 
-/// Of points whose surface is diffuse alone.
 struct PathStream::Loops {
-  /// What is reflected of light samples with pdfs; false, with the samples as they were, where lengths leave the range
-  /// of doubles.
+  /// What surfaces that are diffuse alone reflect of light samples with pdfs; false, with the samples as they were,
+  /// where lengths leave the range of doubles.
   ///   most_weight   of BSDF sampling
   R3_VECTORIZED
   static bool Reflect(const Front& front, double most_weight, const Each& pdfs, LightSamples& samples) {
@@ -110,11 +117,48 @@ struct PathStream::Loops {
     return true;
   }
 
+  /// HighlightPower of each sample.
+  R3_VECTORIZED
+  static void RaiseLobes(const Front& front, const LightSamples& samples, Each& powers) {
+    alignas(64) Each lobe;
+    alignas(64) std::array<std::uint64_t, most_paths> exponents;
+    for (std::uint32_t i = 0; i < samples.count; ++i) {
+      const R3::Vector to_light = samples.ToLight(i), L = to_light / std::sqrt(Dot(to_light, to_light));
+      lobe[i] = LobeCosine(front.wo[i], front.normals[i], L);
+      powers[i] = lobe[i] > 0 ? 1 : 0;
+      exponents[i] = front.exponents[i];
+    }
+    for (std::uint64_t bits = front.exponent_bits; bits != 0; bits >>= 1) {
+      for (std::uint32_t i = 0; i < samples.count; ++i) {
+        powers[i] *= exponents[i] & 1 ? lobe[i] : 1;
+        lobe[i] *= lobe[i];
+        exponents[i] >>= 1;
+      }
+    }
+  }
+  /// PhongReflection of each sample, but of others_by_phong, which stay as they were; false as Reflect.
+  R3_VECTORIZED
+  static bool ReflectByPhong(const Front& front, LightSamples& samples) {
+    alignas(64) Each cosines, powers{};
+    if (!MakeCosines(front.normals, samples, cosines)) return false;
+    if (front.has_highlights) RaiseLobes(front, samples, powers);
+    ColorOfEach colors;
+    for (std::uint32_t i = 0; i < samples.count; ++i) {
+      const R2::Color kd = front.kd[i], ks = front.ks[i], both = kd + ks;
+      const double cosine_if_reflected = both.r + both.g + both.b > 0 ? cosines[i] : 0;
+      const R2::Color reflected = (cosines[i] * kd + ks * powers[i]) * samples.Color(i);
+      colors.Set(i, Chosen(cosine_if_reflected > 0, reflected, {}));
+    }
+    for (const std::uint32_t i : front.others_by_phong) colors.Set(i, samples.Color(i));
+    for (std::uint32_t i = 0; i < samples.count; ++i) samples.SetColor(i, colors[i]);
+    return true;
+  }
+
   struct Scattered {
     ColorOfEach throughputs;  // what survives, 0 where nothing does
     alignas(64) Each pdfs;
   };
-  /// Into each direction. No path survives less likely than `least_survival`.
+  /// Of surfaces that are diffuse alone into each direction. No path survives less likely than `least_survival`.
   R3_VECTORIZED
   static Scattered Scatter(const Front& front, double least_survival, const std::array<double, most_paths>& choices,
                            const VectorOfEach& directions) {
@@ -190,24 +234,16 @@ void PathStream::LightPoints(const Front& front, TraceState& state) const {
         SampleChosenLights(points[i], *bsdf++, i, state);
     return tracer_.TraceShadowRays(state);
   }
-  PointsOfEach<2> random;
+  PointsOfEach<2> random{};
   for (int light = 0; light < lights_.Count() && !state.IsStopped(); ++light) {
-    if (lights_.IsExtended(light)) {
+    if (lights_.IsExtended(light))
       GetOfEach(front.indices, KeyOf(light), settings_.sampler, settings_.samples, random);
-      AddExtendedLight(light, front, random, state);
-      continue;
-    }
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      const ShadingPoint& p = points[i];
-      const auto sample = p.HasReflectance() ? lights_.Sample(p, light, {}) : std::nullopt;
-      if (sample) AddLightSample(p, PhongReflection(p, Unit(sample->to_light), sample->irradiance), *sample, i, state);
-    }
+    AddLight(light, front, random, state);
   }
   tracer_.TraceShadowRays(state);
 }
 
-void PathStream::AddExtendedLight(int light, const Front& front, const PointsOfEach<2>& random,
-                                  TraceState& state) const {
+void PathStream::AddLight(int light, const Front& front, const PointsOfEach<2>& random, TraceState& state) const {
   LightSamples samples;
   samples.count = static_cast<std::uint32_t>(front.points.size());
   for (std::uint32_t i = 0; i < samples.count; ++i) {
@@ -216,7 +252,7 @@ void PathStream::AddExtendedLight(int light, const Front& front, const PointsOfE
   }
   if (lights_.SceneLight(light)) {
     lights_.SceneLight(light)->IlluminateEach(samples);
-    ReflectEachByPhong(front.points, front.normals, samples);
+    ReflectEachByPhong(front, samples);
   } else {
     alignas(64) Each pdfs;
     lights_.SampleEach(front.points, light, samples, pdfs);
@@ -248,6 +284,18 @@ void PathStream::ReflectEach(const Front& front, const LightSamples::Each& pdfs,
     return;
   }
   for (std::size_t k = 0; k < front.others.size(); ++k) reflect(front.others[k], front.bsdfs[k]);
+}
+
+void PathStream::ReflectEachByPhong(const Front& front, LightSamples& samples) const {
+  const auto reflect = [&](std::uint32_t i) {
+    const ShadingPoint& p = front.points[i];
+    const bool is_lit = p.HasReflectance() && !IsBlack(samples.Color(i));
+    samples.SetColor(i, is_lit ? PhongReflection(p, Unit(samples.ToLight(i)), samples.Color(i)) : R2::Color{});
+  };
+  if (Loops::ReflectByPhong(front, samples)) [[likely]]
+    for (const std::uint32_t i : front.others_by_phong) reflect(i);
+  else
+    for (std::uint32_t i = 0; i < samples.count; ++i) reflect(i);
 }
 
 void PathStream::TakeStep(const Front& front, std::span<R2::Color> gathered, Front& next, TraceState& state) const {

@@ -48,9 +48,11 @@ class PathStream : public Path {
   void TraceTogether(std::span<const CameraSample> samples, std::span<R2::Color> radiances, TraceState& state) const;
   /// Light that reaches each point straight from lights goes to state.arrived.
   void LightPoints(const Front& front, TraceState& state) const;
-  void AddExtendedLight(int light, const Front& front, const PointsOfEach<2>& random, TraceState& state) const;
+  void AddLight(int light, const Front& front, const PointsOfEach<2>& random, TraceState& state) const;
   /// Of light samples with pdfs, what is reflected.
   void ReflectEach(const Front& front, const LightSamples::Each& pdfs, LightSamples& samples) const;
+  /// The same of samples of a light of the scene language.
+  void ReflectEachByPhong(const Front& front, LightSamples& samples) const;
   /// To the next surfaces, which come to `next`.
   void TakeStep(const Front& front, std::span<R2::Color> gathered, Front& next, TraceState& state) const;
   StepsByLobe SampleBsdfs(const Front& front) const;

@@ -8,7 +8,7 @@
 
 namespace ray {
 
-/// Samples of one light that has a place, each as seen from a point of its own or all from one: what a LightSample
+/// Samples of one light, each as seen from a point of its own or all from one: what a LightSample
 /// holds, but each number an array over the samples, so that loops become vector instructions.
 struct LightSamples {
   static constexpr std::uint32_t most = R1::batch_size;

@@ -55,7 +55,10 @@ class LightSampler {
                   LightSamples::Each& pdfs) const;
   /// R3::Ray::reaching of rays to a light.
   std::int64_t Reached(int light) const;
-  bool IsInfinite(int light) const { return environment_ && light == count_ - 1; }
+  bool IsInfinite(int light) const {
+    const Light* of_scene = SceneLight(light);
+    return of_scene ? of_scene->Bound().is_infinite : environment_ && light == count_ - 1;
+  }
 
   /// Null where it does not shine.
   const Environment* environment() const { return environment_; }

@@ -13,6 +13,10 @@ class DirLight : public Light {
     return LightSample{color_, -direction_, true};
   }
 
+  void IlluminateEach(LightSamples& samples) const override {
+    for (std::uint32_t i = 0; i < samples.count; ++i) samples.Set(i, -direction_, color_);
+  }
+
   LightBound Bound() const override { return {.power = Luminance(color_), .is_infinite = true}; }
   bool IsBlack() const override { return R2::IsBlack(color_); }
   std::string Describe() const override {

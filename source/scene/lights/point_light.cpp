@@ -1,3 +1,6 @@
+#include <cmath>
+
+#include "R3/Numeric.h"
 #include "source/scene/Light.h"
 #include "source/scene/lights/Falloff.h"
 #include "source/scene/lights/Words.h"
@@ -17,6 +20,11 @@ class PointLight : public Light {
     return LightSample{falloff_(color_, distance), to_light};
   }
 
+  void IlluminateEach(LightSamples& samples) const override {
+    if (!IlluminateNear(samples)) [[unlikely]]
+      Light::IlluminateEach(samples);
+  }
+
   LightBound Bound() const override { return falloff_.BoundOf(color_, place_, 0); }
   bool IsBlack() const override { return R2::IsBlack(color_); }
   std::string Describe() const override { return "point light at " + Words(place_) + ", color " + Words(color_); }
@@ -27,6 +35,18 @@ class PointLight : public Light {
   }
 
  private:
+  /// IlluminateEach; false, with nothing to rely on, where squares of distances leave the range of doubles.
+  R3_VECTORIZED bool IlluminateNear(LightSamples& samples) const {
+    std::uint64_t are_near = 1;
+    for (std::uint32_t i = 0; i < samples.count; ++i) {
+      const R3::Vector to_light = place_ - samples.From(i);
+      const double square = Dot(to_light, to_light);
+      are_near &= R3::IsSafeSquare(square);
+      samples.Set(i, to_light, falloff_(color_, std::sqrt(square)));
+    }
+    return are_near != 0;
+  }
+
   R2::Color color_;
   R3::Point place_;
   Falloff falloff_;

@@ -1,0 +1,54 @@
+#include "source/integrate/PathStream.h"
+
+#include <gtest/gtest.h>
+
+#include "source/integrate/CameraRays.h"
+#include "source/render/RenderBlock.h"
+#include "tests/Project.h"
+
+namespace ray {
+namespace {
+
+constexpr const char* surfaces_of_every_lobe =
+    "camera 0 2 8  0 -0.2 -1  0 1 0  0.4  0.01 100  background 0.2 0.3 0.4  ambient 0.1 0.1 0.1 "
+    "point_light 3 3 3  -3 5 4  0.1 0.1 0.1  dir_light 0.4 0.4 0.3  1 -2 -1 "
+    "spot_light 9 8 7  0 6 2  0 -1 -0.3  0 0 1  0.7 3  area_light 2 2 2  3 5 1  -0.5 -1 0  0.5  0 0 0.1 "
+    "material 0 0 0  0.4 0.4 0.3  0.3 0.3 0.3  0 0 0  0 0 0  20 1 0 "  // both diffuse and a mirror
+    "material 0 0 0  0.1 0.1 0.1  0.6 0.5 0.4  0 0 0  0 0 0  40 1 0 gloss 1  50 4 "
+    "material 0 0 0  0 0 0  0.1 0.1 0.1  0.8 0.8 0.9  0 0 0  80 1.5 0 "       // glass
+    "material 0 0 0  0.6 0.2 0.1  0 0 0  0 0 0  0 0 0  7.5 1 0 coat 3  1.5 "  // under a coat
+    "material 0 0 0  0.3 0.5 0.3  0 0 0  0 0 0  0 0 0  7.5 1 0 "              // no whole exponent
+    "material 0 0 0  0 0 0  0 0 0  0 0 0  2 2 1  1 1 0 "
+    "box 0  -5 -1 -5  5 0 5  sphere 1  -2 1 0  1  sphere 2  0.3 1 1  1  sphere 3  2.4 1 0  1  sphere 4  0 0.5 3  0.5 "
+    "sphere 5  0 4 -1  0.4 ";
+
+TEST(PathStream, TakesPathsOfEveryLobeTogetherAsPathTakesThemOneByOne) {
+  const project::Stage stage(project::FromText(surfaces_of_every_lobe));
+  const auto accelerator = FindAcceleratorKind("bvh")->Make(stage.world, {});
+  constexpr int size = 12;
+  constexpr std::uint32_t count = 4;
+  for (const bool glossy : {false, true})
+    for (const bool fresnel : {false, true})
+      for (const int lights : {0, 2}) {
+        TraceSettings settings;
+        settings.glossy = glossy, settings.fresnel = fresnel, settings.lights = lights, settings.samples = count;
+        const CameraRays camera(stage.scene->camera, {}, true, size, size, settings.sampler, count);
+        std::vector<CameraSample> seen;
+        for (int y = 0; y < size; ++y)
+          for (int x = 0; x < size; ++x)
+            for (std::uint32_t i = 0; i < count; ++i)
+              seen.push_back(camera({x, y, PixelKey(RandomKey(1), x, y, 0), i}));
+        std::vector<R2::Color> alone(seen.size()), together(seen.size());
+        TraceState of_one, of_all;
+        Path(stage.world, *accelerator, settings).Li(seen, alone, of_one);
+        PathStream(stage.world, *accelerator, settings).Li(seen, together, of_all);
+        EXPECT_TRUE(together == alone) << glossy << fresnel << lights;
+        for (std::size_t kind = 0; kind < ray_kind_names.size(); ++kind) {
+          EXPECT_EQ(of_all.rays.kinds[kind].rays, of_one.rays.kinds[kind].rays) << ray_kind_names[kind];
+          EXPECT_GT(of_all.rays.kinds[kind].rays, 0u) << ray_kind_names[kind];
+        }
+      }
+}
+
+}  // namespace
+}  // namespace ray
