@@ -17,7 +17,7 @@ constexpr const char* surfaces_of_every_lobe =
     "material 0 0 0  0.1 0.1 0.1  0.6 0.5 0.4  0 0 0  0 0 0  40 1 0 gloss 1  50 4 "
     "material 0 0 0  0 0 0  0.1 0.1 0.1  0.8 0.8 0.9  0 0 0  80 1.5 0 "       // glass
     "material 0 0 0  0.6 0.2 0.1  0 0 0  0 0 0  0 0 0  7.5 1 0 coat 3  1.5 "  // under a coat
-    "material 0 0 0  0.3 0.5 0.3  0 0 0  0 0 0  0 0 0  7.5 1 0 "              // no whole exponent
+    "material 0 0 0  0.3 0.5 0.3  0.2 0.2 0.2  0 0 0  0 0 0  7.5 1 0 "        // no whole exponent
     "material 0 0 0  0 0 0  0 0 0  0 0 0  2 2 1  1 1 0 "
     "box 0  -5 -1 -5  5 0 5  sphere 1  -2 1 0  1  sphere 2  0.3 1 1  1  sphere 3  2.4 1 0  1  sphere 4  0 0.5 3  0.5 "
     "sphere 5  0 4 -1  0.4 ";
