@@ -51,12 +51,12 @@ struct PathStream::Front {
   alignas(64) Each are_diffuse;       // 1 where the surface is diffuse alone, else 0
   std::vector<std::uint32_t> others;  // those that are not
   std::vector<Bsdf> bsdfs;            // of others
-  // Of highlights, if there are any, or coats.
-  bool has_highlights = false;
+  // For lights of the scene language.
+  bool has_highlights;
   VectorOfEach wo;
-  ColorOfEach ks{};
+  ColorOfEach ks;
   std::array<std::uint64_t, most_paths> exponents;  // 0 where they are not whole
-  std::uint64_t exponent_bits = 0;                  // those that any of them has
+  std::uint64_t exponent_bits;                      // those that any of them has
   std::vector<std::uint32_t> others_by_phong;       // with a coat or an exponent that is not whole
 
   /// What is known of a point at first.
@@ -72,20 +72,19 @@ struct PathStream::Front {
       normals.Set(i, p.N);
       kd.Set(i, p.kd);
       throughputs.Set(i, p.path.throughput);
-      has_highlights |= !IsBlack(p.material->ks) || p.material->coat != 0;
       are_diffuse[i] = IsDiffuse(*p.material) ? 1 : 0;
       if (are_diffuse[i] != 0) continue;
       others.push_back(i);
       bsdfs.emplace_back(p, settings);
     }
-    if (has_highlights) AddHighlights();
   }
-  void AddHighlights() {
-    exponent_bits = 0;
+  void CompleteHighlights() {
+    has_highlights = false, exponent_bits = 0;
     others_by_phong.clear();
     for (std::uint32_t i = 0; i < points.size(); ++i) {
       const Material& m = *points[i].material;
       const bool is_plain = m.coat == 0 && (IsBlack(m.ks) || IsWholeExponent(m.n));
+      has_highlights |= !IsBlack(m.ks);
       wo.Set(i, points[i].wo);
       ks.Set(i, m.ks);
       exponents[i] = is_plain && !IsBlack(m.ks) ? static_cast<std::uint64_t>(m.n) : 0;
@@ -211,6 +210,7 @@ void PathStream::TraceTogether(std::span<const CameraSample> samples, std::span<
   const std::vector<std::uint32_t> paths = front->paths;
   for (bool is_first = true; !front->points.empty(); is_first = false) {
     front->Complete(settings_);
+    if (HasSceneLights()) front->CompleteHighlights();
     LightPoints(*front, state);
     for (std::size_t i = 0; i < front->points.size(); ++i)
       (is_first ? radiances[front->paths[i]] : gathered[front->paths[i]]) += state.arrived[i];
@@ -234,16 +234,16 @@ void PathStream::LightPoints(const Front& front, TraceState& state) const {
         SampleChosenLights(points[i], *bsdf++, i, state);
     return tracer_.TraceShadowRays(state);
   }
-  PointsOfEach<2> random{};
-  for (int light = 0; light < lights_.Count() && !state.IsStopped(); ++light) {
-    if (lights_.IsExtended(light))
-      GetOfEach(front.indices, KeyOf(light), settings_.sampler, settings_.samples, random);
-    AddLight(light, front, random, state);
-  }
+  for (int light = 0; light < lights_.Count() && !state.IsStopped(); ++light) AddLight(light, front, state);
   tracer_.TraceShadowRays(state);
 }
 
-void PathStream::AddLight(int light, const Front& front, const PointsOfEach<2>& random, TraceState& state) const {
+void PathStream::AddLight(int light, const Front& front, TraceState& state) const {
+  PointsOfEach<2> random;
+  if (lights_.IsExtended(light))
+    GetOfEach(front.indices, KeyOf(light), settings_.sampler, settings_.samples, random);
+  else
+    random = {};
   LightSamples samples;
   samples.count = static_cast<std::uint32_t>(front.points.size());
   for (std::uint32_t i = 0; i < samples.count; ++i) {

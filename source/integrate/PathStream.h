@@ -46,9 +46,11 @@ class PathStream : public Path {
 
   /// At most R1::batch_size samples.
   void TraceTogether(std::span<const CameraSample> samples, std::span<R2::Color> radiances, TraceState& state) const;
+  /// Whether all points sample lights of the scene language, which come first.
+  bool HasSceneLights() const { return SamplesAllLights() && !lights_.IsEmpty() && lights_.SceneLight(0); }
   /// Light that reaches each point straight from lights goes to state.arrived.
   void LightPoints(const Front& front, TraceState& state) const;
-  void AddLight(int light, const Front& front, const PointsOfEach<2>& random, TraceState& state) const;
+  void AddLight(int light, const Front& front, TraceState& state) const;
   /// Of light samples with pdfs, what is reflected.
   void ReflectEach(const Front& front, const LightSamples::Each& pdfs, LightSamples& samples) const;
   /// The same of samples of a light of the scene language.
