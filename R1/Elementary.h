@@ -53,6 +53,15 @@ inline double WholePower(double x, std::uint32_t n) {
   return power;
 }
 
+/// Exponents that are whole and no larger are raised to by squaring.
+inline constexpr double most_whole_exponent = 1024;
+inline bool IsWholeExponent(double n) { return n <= most_whole_exponent && n == std::floor(n); }
+
+/// cosine^n of Phong's lobe, the cosine in (0, 1], n >= 0; within n 2^-53 relative.
+inline double CosinePower(double cosine, double n) {
+  return IsWholeExponent(n) ? WholePower(cosine, static_cast<std::uint32_t>(n)) : Pow(cosine, n);
+}
+
 /// Sine and cosine of high + low, |high| <= pi/4 but for rounding, |low| <= ulp(high)/2.
 inline SineCosine SinCosNearZero(double high, double low) {
   return {high + SineLessAngle(high, low), CosineNearZero(high, low)};

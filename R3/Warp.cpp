@@ -21,7 +21,7 @@ Vector SamplePhongLobe(const R2::Point& u, double n) {
 
 double PhongLobePdf(double cosine, double n) {
   if (!(cosine >= 0)) return 0;
-  return (n + 1) / (2 * pi) * R1::Pow(cosine, n);
+  return (n + 1) / (2 * pi) * R1::CosinePower(cosine, n);
 }
 
 Vector SampleUniformSphere(const R2::Point& u) { return SampleUniformCone(u, 2); }

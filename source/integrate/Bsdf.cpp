@@ -50,10 +50,10 @@ double FresnelReflectance(double cosine, double eta) {
 
 namespace {
 
-/// HighlightPower of each, 0 of cosines that are not above 0. The exponent is the same for all, so that its bits are
+/// R1::CosinePower of each, 0 of cosines that are not above 0. The exponent is the same for all, so that its bits are
 /// gone through once.
 inline void RaiseEach(LightSamples::Each& cosine, std::uint32_t count, double exponent, LightSamples::Each& power) {
-  if (!IsWholeExponent(exponent)) {
+  if (!R1::IsWholeExponent(exponent)) {
     for (std::uint32_t i = 0; i < count; ++i) power[i] = cosine[i] > 0 ? R1::Pow(cosine[i], exponent) : 0;
     return;
   }

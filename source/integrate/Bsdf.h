@@ -44,20 +44,11 @@ inline double LobeCosine(const R3::Vector& wo, const R3::Vector& N, const R3::Ve
 }
 inline double LobeCosine(const ShadingPoint& p, const R3::Vector& L) { return LobeCosine(p.wo, p.N, L); }
 
-/// Exponents that are whole and no larger are raised to by squaring.
-inline constexpr double most_whole_exponent = 1024;
-inline bool IsWholeExponent(double n) { return n <= most_whole_exponent && n == std::floor(n); }
-
-/// cosine^n of Phong's highlight, the cosine in (0, 1]; within n 2^-53 relative.
-inline double HighlightPower(double cosine, double n) {
-  return IsWholeExponent(n) ? R1::WholePower(cosine, static_cast<std::uint32_t>(n)) : R1::Pow(cosine, n);
-}
-
 /// Phong's highlight of a light towards L: ks (V.R)^n, nothing when V.R <= 0.
 inline R2::Color Highlight(const ShadingPoint& p, const R3::Vector& L) {
   const double lobe = LobeCosine(p, L);
   const Material& m = *p.material;
-  return m.ks * (lobe > 0 && !IsBlack(m.ks) ? HighlightPower(lobe, m.n) : 0);
+  return m.ks * (lobe > 0 && !IsBlack(m.ks) ? R1::CosinePower(lobe, m.n) : 0);
 }
 
 /// What a surface reflects of a light of the scene language, in its units (no 1/pi, no normalized lobe):

@@ -83,7 +83,7 @@ struct PathStream::Front {
     others_by_phong.clear();
     for (std::uint32_t i = 0; i < points.size(); ++i) {
       const Material& m = *points[i].material;
-      const bool is_plain = m.coat == 0 && (IsBlack(m.ks) || IsWholeExponent(m.n));
+      const bool is_plain = m.coat == 0 && (IsBlack(m.ks) || R1::IsWholeExponent(m.n));
       has_highlights |= !IsBlack(m.ks);
       wo.Set(i, points[i].wo);
       ks.Set(i, m.ks);
@@ -116,7 +116,7 @@ struct PathStream::Loops {
     return true;
   }
 
-  /// HighlightPower of each sample.
+  /// R1::CosinePower of each sample.
   R3_VECTORIZED
   static void RaiseLobes(const Front& front, const LightSamples& samples, Each& powers) {
     alignas(64) Each lobe;

@@ -30,7 +30,7 @@ class Toon : public FirstHit {
     const double cosine = Dot(p.N, L), lobe = LobeCosine(p, L);
     if (!(cosine > 0)) return {};
     const double tone = std::ceil(bands_ * std::min(cosine, 1.0)) / bands_;
-    const bool shines = lobe > 0 && HighlightPower(lobe, p.material->n) > bright;
+    const bool shines = lobe > 0 && R1::CosinePower(lobe, p.material->n) > bright;
     return (tone * p.kd + (shines ? p.material->ks : R2::Color{})) * light.irradiance;
   }
 

@@ -81,7 +81,7 @@ TEST(Bsdf, AHighlightOfAWholeExponentIsThePowerWithinItsRoundings) {
   for (const double n : {1.0, 2.0, 3.0, 20.0, 255.0, 1000.0, 1024.0})
     for (const double cosine : {0.1, 0.5, 0.9, 0.99, 0.9999, 1.0}) {
       const double truth = static_cast<double>(std::pow(static_cast<long double>(cosine), static_cast<long double>(n)));
-      EXPECT_NEAR(HighlightPower(cosine, n), truth, n * 0x1p-53 * truth + 0x1p-1060) << cosine << "^" << n;
+      EXPECT_NEAR(R1::CosinePower(cosine, n), truth, n * 0x1p-53 * truth + 0x1p-1060) << cosine << "^" << n;
     }
 }
 
