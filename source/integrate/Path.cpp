@@ -152,7 +152,7 @@ void Path::SampleChosenLights(const ShadingPoint& p, const Bsdf& bsdf, std::size
 
 R2::Color Path::Reflected(const ShadingPoint& p, const Bsdf& bsdf, const LightSample& light) const {
   const R3::Vector wi = Unit(light.to_light);
-  if (light.pdf == 0) return PhongReflection(p, wi, light.irradiance);
+  if (light.pdf == 0) return p.HasReflectance() ? PhongReflection(p, wi, light.irradiance) : R2::Color{};
   if (!sampled_.lights) return {};
   const auto [value, pdf] = bsdf.EvalWithPdf(wi);
   return (1 - sampled_.WeightOfBsdf(pdf, light.pdf)) * value * light.irradiance;

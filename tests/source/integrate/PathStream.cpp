@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "source/integrate/CameraRays.h"
 #include "source/render/RenderBlock.h"
 #include "tests/Project.h"
@@ -22,22 +24,28 @@ constexpr const char* surfaces_of_every_lobe =
     "box 0  -5 -1 -5  5 0 5  sphere 1  -2 1 0  1  sphere 2  0.3 1 1  1  sphere 3  2.4 1 0  1  sphere 4  0 0.5 3  0.5 "
     "sphere 5  0 4 -1  0.4 ";
 
+constexpr std::uint32_t samples_per_pixel = 4;
+
+std::vector<CameraSample> CameraSamples(const Scene& scene) {
+  constexpr int size = 12;
+  const CameraRays camera(scene.camera, {}, true, size, size, TraceSettings().sampler, samples_per_pixel);
+  std::vector<CameraSample> seen;
+  for (int y = 0; y < size; ++y)
+    for (int x = 0; x < size; ++x)
+      for (std::uint32_t i = 0; i < samples_per_pixel; ++i)
+        seen.push_back(camera({x, y, PixelKey(RandomKey(1), x, y, 0), i}));
+  return seen;
+}
+
 TEST(PathStream, TakesPathsOfEveryLobeTogetherAsPathTakesThemOneByOne) {
   const project::Stage stage(project::FromText(surfaces_of_every_lobe));
   const auto accelerator = FindAcceleratorKind("bvh")->Make(stage.world, {});
-  constexpr int size = 12;
-  constexpr std::uint32_t count = 4;
+  const std::vector<CameraSample> seen = CameraSamples(*stage.scene);
   for (const bool glossy : {false, true})
     for (const bool fresnel : {false, true})
       for (const int lights : {0, 2}) {
         TraceSettings settings;
-        settings.glossy = glossy, settings.fresnel = fresnel, settings.lights = lights, settings.samples = count;
-        const CameraRays camera(stage.scene->camera, {}, true, size, size, settings.sampler, count);
-        std::vector<CameraSample> seen;
-        for (int y = 0; y < size; ++y)
-          for (int x = 0; x < size; ++x)
-            for (std::uint32_t i = 0; i < count; ++i)
-              seen.push_back(camera({x, y, PixelKey(RandomKey(1), x, y, 0), i}));
+        settings.glossy = glossy, settings.fresnel = fresnel, settings.lights = lights, settings.samples = samples_per_pixel;
         std::vector<R2::Color> alone(seen.size()), together(seen.size());
         TraceState of_one, of_all;
         Path(stage.world, *accelerator, settings).Li(seen, alone, of_one);
@@ -48,6 +56,23 @@ TEST(PathStream, TakesPathsOfEveryLobeTogetherAsPathTakesThemOneByOne) {
           EXPECT_GT(of_all.rays.kinds[kind].rays, 0u) << ray_kind_names[kind];
         }
       }
+}
+
+// Nothing times infinity would be no number.
+TEST(PathStream, FindsASurfaceThatOnlyMirrorsBlackUnderALightBeyondAllNumbersAsPathDoes) {
+  const project::Stage stage(project::FromText(
+      "camera 0 0 5  0 0 -1  0 1 0  0.4  0.01 100  background 0.2 0.3 0.4  point_light 1 1 1  3 4 5  1e-320 0 0 "
+      "material 0 0 0  0 0 0  0 0 0  0 0 0  0 0 0  50 1 0  mirror 0  0.5 0.5 0.5  gloss 0  50 4  sphere 0  0 0 0  1 "));
+  const auto accelerator = FindAcceleratorKind("bvh")->Make(stage.world, {});
+  const std::vector<CameraSample> seen = CameraSamples(*stage.scene);
+  TraceSettings settings;
+  settings.samples = samples_per_pixel;
+  std::vector<R2::Color> alone(seen.size()), together(seen.size());
+  TraceState of_one, of_all;
+  Path(stage.world, *accelerator, settings).Li(seen, alone, of_one);
+  PathStream(stage.world, *accelerator, settings).Li(seen, together, of_all);
+  EXPECT_TRUE(together == alone);
+  for (const R2::Color& color : alone) EXPECT_TRUE(std::isfinite(Luminance(color)));
 }
 
 }  // namespace
