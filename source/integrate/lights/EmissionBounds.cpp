@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "R3/shapes/Span.h"
 #include "source/accelerate/BoundsPadding.h"
 
 namespace ray {
@@ -24,8 +25,13 @@ EmissionBounds::EmissionBounds(const World& world) {
 
 bool EmissionBounds::MayBeHitBy(const R3::Ray& ray) const {
   if (is_unbounded_) return true;
-  const double distance = MaxComponent(Abs(FromOrigin(ray.origin)));
-  return Entry(box_, R3::BoxRay(ray), padding_per_distance_ * distance).has_value();
+  const double padding = padding_per_distance_ * MaxComponent(Abs(FromOrigin(ray.origin)));
+  const auto leaves = [&](int axis) {
+    return R3::IsLeavingSlab(box_.low[axis] - padding, box_.high[axis] + padding, ray.origin[axis], ray.direction[axis]);
+  };
+  // Most rays do, and a division takes longer. A sum, so that it is one branch.
+  if (leaves(0) + leaves(1) + leaves(2) > 0 && ray.t_min >= 0) return false;
+  return Entry(box_, R3::BoxRay(ray), padding).has_value();
 }
 
 }  // namespace ray
