@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "R3/Box.h"
 #include "R3/Hit.h"
 #include "R3/Ray.h"
 
@@ -31,6 +32,14 @@ struct Span {
 /// Whether a ray begins beyond a slab and heads away from it: without a division, that ClipToSlab leaves no t > 0.
 inline bool IsLeavingSlab(double low, double high, double origin, double direction) {
   return ((origin >= high) & (direction > 0)) | ((origin <= low) & (direction < 0));
+}
+
+/// The same of a box and any t >= 0.
+inline bool IsLeavingBox(const Box& box, const Ray& ray) {
+  const auto leaves = [&](int axis) {
+    return IsLeavingSlab(box.low[axis], box.high[axis], ray.origin[axis], ray.direction[axis]);
+  };
+  return leaves(0) + leaves(1) + leaves(2) > 0 && ray.t_min >= 0;  // a sum, so that it is one branch
 }
 
 /// Clips to low <= coordinate <= high along one axis. Division, not a reciprocal: one rounding fewer in t.

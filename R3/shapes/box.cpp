@@ -16,7 +16,7 @@ class BoxShape : public Shape {
   Box Bounds(int) const override { return box_; }
 
   std::optional<Hit> Intersect(const Ray& ray, int) const override {
-    if (is_degenerate_ || IsLeaving(ray)) return {};
+    if (is_degenerate_ || IsLeavingBox(box_, ray)) return {};  // as most rays do that begin on a face
     Span span;
     for (int axis = 0; axis < 3; ++axis)
       ClipToSlab(span, box_.low[axis], box_.high[axis], ray.origin[axis], ray.direction[axis], 2 * axis, 2 * axis + 1);
@@ -75,14 +75,6 @@ class BoxShape : public Shape {
 
  private:
   static bool IsLineOrLess(const Vector& size) { return (size.x > 0) + (size.y > 0) + (size.z > 0) < 2; }
-
-  /// As most rays do that begin on a face.
-  bool IsLeaving(const Ray& ray) const {
-    const auto leaves = [&](int axis) {
-      return IsLeavingSlab(box_.low[axis], box_.high[axis], ray.origin[axis], ray.direction[axis]);
-    };
-    return leaves(0) + leaves(1) + leaves(2) > 0 && ray.t_min >= 0;  // a sum, so that it is one branch
-  }
 
   /// The place on a face with these coordinates along the other axes.
   template <typename Coordinate>

@@ -151,8 +151,11 @@ Bsdf::Bsdf(const ShadingPoint& p, const TraceSettings& settings) : p_(p), specul
 
 Bsdf::ValueAndPdf Bsdf::EvalWithPdf(const R3::Vector& wi) const {
   const double cosine = Dot(p_.N, wi), diffuse_pdf = R3::CosineHemispherePdf(cosine);
-  const double glossy_pdf = is_glossy_ ? R3::PhongLobePdf(Dot(wi, mirrored_), GlossExponent(*p_.material)) : 0;
-  const double pdf = diffuse_ * diffuse_pdf + (is_glossy_ ? reflection_ * glossy_pdf : 0);
+  double pdf = diffuse_ * diffuse_pdf, glossy_pdf = 0;
+  if (is_glossy_) {
+    glossy_pdf = R3::PhongLobePdf(Dot(wi, mirrored_), GlossExponent(*p_.material));
+    pdf += reflection_ * glossy_pdf;
+  }
   if (!(cosine > 0)) return {{}, pdf};
   R2::Color value = diffuse_pdf * DiffuseReflectance(p_, cosine);
   if (is_glossy_) value += glossy_pdf * specular_.reflected;

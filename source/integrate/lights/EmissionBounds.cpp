@@ -26,11 +26,9 @@ EmissionBounds::EmissionBounds(const World& world) {
 bool EmissionBounds::MayBeHitBy(const R3::Ray& ray) const {
   if (is_unbounded_) return true;
   const double padding = padding_per_distance_ * MaxComponent(Abs(FromOrigin(ray.origin)));
-  const auto leaves = [&](int axis) {
-    return R3::IsLeavingSlab(box_.low[axis] - padding, box_.high[axis] + padding, ray.origin[axis], ray.direction[axis]);
-  };
-  // Most rays do, and a division takes longer. A sum, so that it is one branch.
-  if (leaves(0) + leaves(1) + leaves(2) > 0 && ray.t_min >= 0) return false;
+  const R3::Vector margin{padding, padding, padding};
+  // Most rays leave it, and a division takes longer.
+  if (R3::IsLeavingBox({box_.low - margin, box_.high + margin}, ray)) return false;
   return Entry(box_, R3::BoxRay(ray), padding).has_value();
 }
 
