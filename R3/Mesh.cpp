@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <numeric>
 
 #include "R3/FlatTriangle.h"
 #include "R3/Triangle.h"
@@ -104,6 +105,61 @@ Intersection Mesh::At(const Ray&, const Hit& hit, int element) const {
       at.uv.y += weights[i] * data_.uvs[indices[i]].y;
     }
   return at;
+}
+
+namespace {
+
+/// The number of the first corner in the same place, for each corner.
+std::vector<std::uint32_t> MergedCorners(const std::vector<Point>& positions) {
+  const auto as_array = [&](std::uint32_t i) { return std::array{positions[i].x, positions[i].y, positions[i].z}; };
+  std::vector<std::uint32_t> order(positions.size()), merged(positions.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+    const auto p = as_array(a), q = as_array(b);
+    return p != q ? p < q : a < b;
+  });
+  for (std::size_t i = 0; i < order.size(); ++i)
+    merged[order[i]] = i > 0 && positions[order[i]] == positions[order[i - 1]] ? merged[order[i - 1]] : order[i];
+  return merged;
+}
+
+/// Whether no edge is passed more often one way than the other.
+bool AreEdgesPaired(const std::vector<std::array<std::uint32_t, 3>>& triangles,
+                    const std::vector<std::uint32_t>& merged) {
+  struct Edge {
+    std::uint32_t low, high;
+    int way;
+  };
+  std::vector<Edge> edges;
+  edges.reserve(3 * triangles.size());
+  for (const auto& triangle : triangles)
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::uint32_t from = merged[triangle[i]], to = merged[triangle[(i + 1) % 3]];
+      edges.push_back({std::min(from, to), std::max(from, to), from < to ? 1 : -1});
+    }
+  std::sort(edges.begin(), edges.end(),
+            [](const Edge& a, const Edge& b) { return a.low != b.low ? a.low < b.low : a.high < b.high; });
+  int sum = 0;
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    sum += edges[i].way;
+    const bool is_last =
+        i + 1 == edges.size() || edges[i + 1].low != edges[i].low || edges[i + 1].high != edges[i].high;
+    if (is_last && sum != 0) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+bool Mesh::IsClosed() const {
+  if (data_.triangles.empty() || !AreEdgesPaired(data_.triangles, MergedCorners(data_.positions))) return false;
+  const Point center = R3::Bounds(*this).Center();
+  double volume = 0;  // six times
+  for (int i = 0; i < Elements(); ++i) {
+    const auto corners = Corners(i);
+    volume += Dot(corners[0] - center, Cross(corners[1] - center, corners[2] - center));
+  }
+  return volume > 0;
 }
 
 MeshData Mesh::Tessellate(int fineness) const {

@@ -38,6 +38,10 @@ class Mesh : public Shape {
   /// a triangle would be left without area.
   std::unique_ptr<const Mesh> Moved(const Transform& move) const;
 
+  /// Whether the triangles bound a volume, their fronts outward: every edge is passed as often one way as the other.
+  /// Corners in the same place are one.
+  bool IsClosed() const;
+
   /// As given, but zero or (unless moved) unit normals.
   const MeshData& Data() const { return data_; }
   bool IsSmooth() const { return smooth_; }

@@ -61,7 +61,7 @@ R2::Color Path::IndirectLight(ShadingPoint&& p, TraceState& state) const {
     if (!step) return radiance;
     const auto hit = tracer_.Intersect(step->path, state);
     if (!hit) return radiance + BackgroundSeen(p, *step, state);
-    ShadingPoint next = ShadingPointAt(world_, step->path, *hit);
+    ShadingPoint next = tracer_.PointAt(step->path, *hit, state);
     AddEmitted(p, *step, next, radiance, state);
     if (IsLast(p)) return radiance;
     p = std::move(next);

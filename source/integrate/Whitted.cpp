@@ -41,14 +41,14 @@ bool IsOn(const ShadingPoint&, const Other&, const World&) {
 
 /// A point on the light, picked by `u`.
 std::optional<LightSample> SampleLight(const ShadingPoint& p, const Light& light, const R2::Point& u) {
-  return light.Illuminate(p.shadow_origin, u);
+  return light.Illuminate(p.free_point, u);
 }
 std::optional<LightSample> SampleLight(const ShadingPoint& p, const EmissiveTriangle& triangle, const R2::Point& u) {
-  const R3::Vector way = triangle.PointTowards(p.shadow_origin, u, p.path.ray.time) - p.shadow_origin;
+  const R3::Vector way = triangle.PointTowards(p.free_point, u, p.path.ray.time) - p.free_point;
   return LightSample{.irradiance = triangle.RadianceAlong(way), .to_light = way, .reaching = triangle.primitive};
 }
 std::optional<LightSample> SampleLight(const ShadingPoint& p, const EmissiveShape& shape, const R2::Point& u) {
-  const R3::Point& from = p.shadow_origin;
+  const R3::Point& from = p.free_point;
   const double time = p.path.ray.time;
   auto drawn = shape.SampleTowards(from, u, time);
   if (!drawn && !shape.DrawsInSight()) {
@@ -73,6 +73,13 @@ R2::Color Reflection(const AnyLight&, const ShadingPoint& p, const LightSample& 
 }
 R2::Color Reflection(const Environment&, const ShadingPoint& p, const LightSample& light) {
   return DiffuseReflection(p, light.to_light) * light.irradiance;
+}
+
+/// Paths wait longer than the point that they start from stays.
+void KeepDeparture(const R3::Departure& departure, std::span<PathState> spawned, TraceState& state) {
+  const R3::Departure& kept = state.departures.Add(departure);
+  for (PathState& path : spawned)
+    if (path.ray.departure == &departure) path.ray.departure = &kept;
 }
 
 /// What a recording calls it.
@@ -116,6 +123,7 @@ R2::Color Whitted::Follow(const ShadingPoint& first, TraceState& state) const {
   R2::Color sum = first.path.throughput * first.radiance;
   int descendants = 0;
   state.pending.clear();
+  const std::size_t departures = state.departures.Count();
   const auto spawn = [&](const ShadingPoint& p) {
     if (p.path.depth >= settings_.max_depth) {
       state.rays.EndAt(Luminance(p.path.throughput * SpecularReflectance(p, settings_)));
@@ -124,6 +132,7 @@ R2::Color Whitted::Follow(const ShadingPoint& first, TraceState& state) const {
     const std::size_t before = state.pending.size();
     Spawn(p, state);
     const std::size_t spawned = state.pending.size() - before;
+    if (spawned > 0) KeepDeparture(p.departure, std::span(state.pending).last(spawned), state);
     if (descendants < most_descendants) {
       descendants += static_cast<int>(spawned);
     } else {
@@ -142,11 +151,12 @@ R2::Color Whitted::Follow(const ShadingPoint& first, TraceState& state) const {
       sum += seen;
       continue;
     }
-    ShadingPoint p = ShadingPointAt(world_, path, *hit);
+    ShadingPoint p = tracer_.PointAt(path, *hit, state);
     Shade({&p, 1}, state);
     sum += p.path.throughput * p.radiance;
     spawn(p);
   }
+  state.departures.Shrink(departures);
   return sum;
 }
 
@@ -196,7 +206,7 @@ void Whitted::AddChosenLights(std::span<ShadingPoint> points, TraceState& state)
     const Points random_points = p.path.index.PointsFor(chosen_lights_key, settings_.sampler, settings_.samples, count);
     for (std::uint32_t k = 0; k < count && !state.IsStopped(); ++k) {
       const auto random = random_points.Get<3>(p.path.index.sample * count + k);
-      const auto choice = tree_->Choose(p.shadow_origin, p.N, random[2]);
+      const auto choice = tree_->Choose(p.free_point, p.N, random[2]);
       if (!choice) continue;
       AddChosenLight(static_cast<std::size_t>(choice->light), p, i, {random[0], random[1]},
                      1 / (choice->probability * count), state);
@@ -239,7 +249,7 @@ void Whitted::AddSamples(const Light& light, const ShadingPoint& p, std::size_t 
   LightSamples samples;
   samples.count = count;
   random.GetEach2D(first, count, samples.u, samples.v);
-  samples.SetFrom(p.shadow_origin);
+  samples.SetFrom(p.free_point);
   light.IlluminateEach(samples);
   PhongReflectionOfEach(p, weight, samples);
   tracer_.AddShadowRays(

@@ -94,8 +94,16 @@ constexpr const char* about_files =
 
 constexpr std::pair<const char*, const char*> extensions[] = {
     {"mesh id file smooth", "Without the word smooth a mesh is flat, as in the course."},
-    {"absorb, bump, coat, flat_color, gloss, mirror, normal_map, texture_ambient",
+    {"absorb, bump, coat, flat_color, gloss, mirror, normal_map, priority, texture_ambient",
      "Of a material of the same file, stated before."},
+    {"priority",
+     "Solids that light goes through may contain one another, touch and overlap: rays are refracted between what is on "
+     "both sides of a surface, and a surface with one material on both sides is not there. So water may overlap the "
+     "wall "
+     "of its glass by a hair, with the higher priority given to the glass. What stands on a floor is seen as if there "
+     "were "
+     "a gap. This needs closed solids: spheres, boxes, cylinders, cones, tori, and meshes whose triangles bound a "
+     "volume."},
     {"mirror", "The weight of the mirrored ray, instead of ks, which stays that of the highlights."},
     {"coat",
      "Mirrors Schlick's share for the index ir, besides ks, and leaves the rest to what is diffuse below; the light of "

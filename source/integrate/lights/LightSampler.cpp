@@ -97,32 +97,32 @@ std::int64_t LightSampler::Reached(int light) const {
 
 std::optional<LightTree::Choice> LightSampler::Choose(const ShadingPoint& p, double choice) const {
   if (IsUniform()) return LightTree::Choice{std::min(count_ - 1, static_cast<int>(choice * count_)), 1.0 / count_};
-  return tree_->Choose(p.shadow_origin, p.N, choice);
+  return tree_->Choose(p.free_point, p.N, choice);
 }
 
 double LightSampler::ProbabilityOf(const ShadingPoint& p, int light) const {
   if (count_ == 1) return 1;
-  return IsUniform() ? 1.0 / count_ : tree_->Probability(p.shadow_origin, p.N, light);
+  return IsUniform() ? 1.0 / count_ : tree_->Probability(p.free_point, p.N, light);
 }
 
 std::optional<LightSample> LightSampler::Sample(const ShadingPoint& p, int light, const R2::Point& u) const {
   auto i = static_cast<std::size_t>(light);
   if (i < lights_.size()) {
-    auto sample = lights_[i]->Illuminate(p.shadow_origin, u);
+    auto sample = lights_[i]->Illuminate(p.free_point, u);
     if (sample) sample->light = light;
     return sample;
   }
   i -= lights_.size();
   if (i < triangles_.size()) {
     const EmissiveTriangle& triangle = triangles_[i];
-    const R3::Vector towards = triangle.PointTowards(p.shadow_origin, u, p.path.ray.time) - p.shadow_origin;
+    const R3::Vector towards = triangle.PointTowards(p.free_point, u, p.path.ray.time) - p.free_point;
     const double pdf = Pdf(triangle, towards, 1);
     if (!(pdf > 0)) return {};
     return LightSample{triangle.RadianceAlong(towards) / pdf, towards, false, pdf, light, triangle.primitive};
   }
   i -= triangles_.size();
   if (i < shapes_.size()) {
-    const auto drawn = shapes_[i].SampleTowards(p.shadow_origin, u, p.path.ray.time);
+    const auto drawn = shapes_[i].SampleTowards(p.free_point, u, p.path.ray.time);
     if (!drawn) return {};
     return LightSample{drawn->radiance / drawn->pdf, drawn->towards, false, drawn->pdf, light, shapes_[i].Reached()};
   }
@@ -159,10 +159,9 @@ std::optional<double> LightSampler::PdfOfHit(const ShadingPoint& from, const R3:
   if (found == light_of_primitive_.end()) return {};
   const auto [primitive, light] = *found;
   const std::size_t i = static_cast<std::size_t>(light) - lights_.size();
-  const double pdf =
-      i < triangles_.size()
-          ? Pdf(triangles_[i], ray.direction, hit.hit.t)
-          : shapes_[i - triangles_.size()].Pdf(from.shadow_origin, hit.hit.t * ray.direction, hit.at.normal, ray.time);
+  const double pdf = i < triangles_.size() ? Pdf(triangles_[i], ray.direction, hit.hit.t)
+                                           : shapes_[i - triangles_.size()].Pdf(
+                                                 from.free_point, hit.hit.t * ray.direction, hit.at.normal, ray.time);
   return choosing ? pdf * ProbabilityOf(from, light) : pdf;
 }
 

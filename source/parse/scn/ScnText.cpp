@@ -108,6 +108,7 @@ class ScnWriter {
     Say("material", m.ka, m.kd, m.ks, m.kt, m.emission, m.n, m.ir, texture.value_or("0"));
     if (m.kr != m.ks) Say("mirror", id, m.kr);
     if (!IsBlack(m.absorb)) Say("absorb", id, m.absorb);
+    if (m.priority != 0) Say("priority", id, m.priority);
     if (m.coat != 0) Say("coat", id, m.coat);
     if (m.texture_multiplies_ka) Say("texture_ambient", id);
     if (m.color) Say("flat_color", id, *m.color);
