@@ -93,7 +93,10 @@ constexpr const char* about_files =
     "and must lie below the top scene's folder or the current one, unless -allow_path opens another.\n";
 
 constexpr std::pair<const char*, const char*> extensions[] = {
-    {"mesh id file smooth", "Without the word smooth a mesh is flat, as in the course."},
+    {"mesh id file smooth",
+     "Without the word smooth a mesh is flat, as in the course, and the order of a face's corners decides which side "
+     "is its front. The front of a smooth mesh is where its vertex normals point: a surface that is wound the other "
+     "way, as exporters that mirror leave it, is turned around as a whole, and raypro -check counts its triangles."},
     {"absorb, bump, coat, flat_color, gloss, mirror, normal_map, texture_ambient",
      "Of a material of the same file, stated before."},
     {"mirror", "The weight of the mirrored ray, instead of ks, which stays that of the highlights."},

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <set>
 #include <span>
 
 #include "source/text/Quoting.h"
@@ -144,6 +145,22 @@ void AddShapeMistakes(std::vector<std::string>& mistakes, const World& world, co
           [](const Instance& i) { return !IsBlack(i.material->emission) && !i.mesh; });
 }
 
+/// Reports each mesh some of whose triangles were turned around to agree with their vertex normals.
+void AddTurnedMeshes(std::vector<std::string>& mistakes, const World& world) {
+  std::set<const R3::Shape*> seen;
+  for (const Instance& instance : world.Instances()) {
+    if (!instance.mesh || instance.mesh->TurnedTriangles() == 0 || !seen.insert(instance.node->shape.get()).second)
+      continue;
+    const auto turned = static_cast<std::uint64_t>(instance.mesh->TurnedTriangles());
+    const std::uint32_t line = instance.mesh->FirstTurnedLine();
+    mistakes.push_back(PlaceOf(world, instance) + ": warning: " + Counted(turned, "triangle") + " of " +
+                       std::to_string(instance.mesh->Elements()) + " in this mesh " + (turned == 1 ? "is" : "are") +
+                       " wound against the vertex normals" +
+                       (line > 0 ? ", the first on line " + std::to_string(line) + " of its file" : "") +
+                       "; the normals decide which side is the front");
+  }
+}
+
 }  // namespace
 
 int SolidsAround(const World& world, const R3::Point& point, const std::function<bool(const Instance&)>& counts) {
@@ -167,6 +184,7 @@ std::vector<std::string> LikelyMistakes(const World& world, const RenderSettings
   const auto inward = InwardSides(settings.view.value_or(world.scene().camera), settings);
   Point(mistakes, world, "lies outside the view",
         [&](const Instance& i) { return IsOutsideView(world, i, eye, inward); });
+  AddTurnedMeshes(mistakes, world);
   return mistakes;
 }
 
