@@ -18,6 +18,7 @@ struct MeshData {
   std::vector<Normal> normals;                          // any length; a zero one has no say in its blends
   std::vector<R2::Point> uvs;                           // finite
   std::vector<std::uint32_t> lines;                     // of the file, 1-based, of each triangle; 0: unknown
+  bool is_one_polygon = false;                          // cut into its triangles: as a lamp it is one
 };
 
 }  // namespace R3

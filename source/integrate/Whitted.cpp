@@ -23,13 +23,13 @@ enum WhittedKey : std::uint64_t {
 constexpr std::uint64_t gloss_key = camera_key - 1, chosen_lights_key = camera_key - 2, again_key = camera_key - 3;
 
 bool IsExtended(const Light& light) { return light.IsExtended(); }
-bool IsExtended(const EmissiveTriangle&) { return true; }
+bool IsExtended(const TriangleLamp&) { return true; }
 bool IsExtended(const EmissiveShape&) { return true; }
 bool IsExtended(const Environment&) { return true; }
 
 /// Whether a surface is itself the light.
-bool IsOn(const ShadingPoint& p, const EmissiveTriangle& triangle, const World& world) {
-  return triangle.primitive == world.PrimitiveId(p.hit);
+bool IsOn(const ShadingPoint& p, const TriangleLamp& lamp, const World& world) {
+  return lamp.Holds(world.PrimitiveId(p.hit));
 }
 bool IsOn(const ShadingPoint& p, const EmissiveShape& shape, const World& world) {
   return shape.Primitive() == world.PrimitiveId(p.hit);
@@ -43,9 +43,8 @@ bool IsOn(const ShadingPoint&, const Other&, const World&) {
 std::optional<LightSample> SampleLight(const ShadingPoint& p, const Light& light, const R2::Point& u) {
   return light.Illuminate(p.shadow_origin, u);
 }
-std::optional<LightSample> SampleLight(const ShadingPoint& p, const EmissiveTriangle& triangle, const R2::Point& u) {
-  const R3::Vector way = triangle.PointTowards(p.shadow_origin, u, p.path.ray.time) - p.shadow_origin;
-  return LightSample{.irradiance = triangle.RadianceAlong(way), .to_light = way, .reaching = triangle.primitive};
+std::optional<LightSample> SampleLight(const ShadingPoint& p, const TriangleLamp& lamp, const R2::Point& u) {
+  return lamp.SampleTowards(p.shadow_origin, u, p.path.ray.time);
 }
 std::optional<LightSample> SampleLight(const ShadingPoint& p, const EmissiveShape& shape, const R2::Point& u) {
   const R3::Point& from = p.shadow_origin;
@@ -77,7 +76,7 @@ R2::Color Reflection(const Environment&, const ShadingPoint& p, const LightSampl
 
 /// What a recording calls it.
 std::string Described(const Light& light) { return light.Describe(); }
-std::string Described(const EmissiveTriangle& triangle) { return triangle.Describe(); }
+std::string Described(const TriangleLamp& lamp) { return lamp.Describe(); }
 std::string Described(const EmissiveShape& shape) { return shape.Describe(); }
 std::string Described(const Environment&) { return "environment"; }
 
@@ -89,7 +88,7 @@ Whitted::Whitted(const World& world, const Accelerator& accelerator, const Trace
       settings_(settings),
       has_roulette_(settings.roulette == Roulette::on),
       lights_(LightsOf(world.scene())),
-      triangles_(EmissiveTriangles(world)) {
+      lamps_(TriangleLamps(world)) {
   if (settings.emissive_solids_light) shapes_ = EmissiveShapes(world);
   settings_.max_depth = std::min<std::int64_t>(settings_.max_depth, most_bounces);
   const Scene& scene = world.scene();
@@ -97,7 +96,7 @@ Whitted::Whitted(const World& world, const Accelerator& accelerator, const Trace
   if (settings_.lights <= 0) return;
   std::vector<LightBound> bounds;
   for (const Light* light : lights_) bounds.push_back(light->Bound());
-  for (const EmissiveTriangle& triangle : triangles_) bounds.push_back(triangle.Bound());
+  for (const TriangleLamp& lamp : lamps_) bounds.push_back(lamp.Bound());
   for (const EmissiveShape& shape : shapes_) bounds.push_back(shape.Bound());
   tree_.emplace(std::move(bounds));
 }
@@ -160,7 +159,7 @@ void Whitted::Shade(std::span<ShadingPoint> points, TraceState& state) const {
   } else {
     std::uint64_t which = first_light_key;
     for (const Light* light : lights_) AddLight(*light, which++, points, state);
-    for (const EmissiveTriangle& triangle : triangles_) AddLight(triangle, which++, points, state);
+    for (const TriangleLamp& lamp : lamps_) AddLight(lamp, which++, points, state);
     for (const EmissiveShape& shape : shapes_) AddLight(shape, which++, points, state);
   }
   if (environment_) AddLight(*environment_, environment_key, points, state);
@@ -212,8 +211,8 @@ void Whitted::AddChosenLight(std::size_t which, const ShadingPoint& p, std::size
   };
   if (which < lights_.size()) return add(*lights_[which]);
   which -= lights_.size();
-  if (which < triangles_.size()) return add(triangles_[which]);
-  add(shapes_[which - triangles_.size()]);
+  if (which < lamps_.size()) return add(lamps_[which]);
+  add(shapes_[which - lamps_.size()]);
 }
 
 template <typename AnyLight>

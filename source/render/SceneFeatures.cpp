@@ -19,6 +19,12 @@ std::string SettingText(double number) {
   return std::string(text.data(), end);
 }
 
+/// How many lights the instance is, if it emits and may be a light.
+std::size_t LightsOf(const Instance& instance, bool is_path) {
+  const bool is_one = !is_path && instance.mesh && instance.mesh->Data().is_one_polygon;
+  return is_one ? 1 : static_cast<std::size_t>(instance.shape->Elements());
+}
+
 bool IsTraced(RenderMode mode) { return mode == RenderMode::whitted || mode == RenderMode::path || ShowsCosts(mode); }
 
 }  // namespace
@@ -46,7 +52,7 @@ SceneFeatures FeaturesOf(const World& world, const RenderSettings& settings) {
     const Material& m = *instance.material;
     if (instance.Emits() && (instance.mesh || (shapes_light && instance.shape->CanBeSampled()))) {
       (instance.mesh ? features.emissive_triangles : features.emissive_shapes) = true;
-      lights += static_cast<std::size_t>(instance.shape->Elements());
+      lights += LightsOf(instance, is_path);
     }
     features.mirrors |= (!IsBlack(m.kr) || m.coat > 0) && settings.trace.max_depth > 0;
     features.clear |= !IsBlack(m.kt) && settings.trace.max_depth > 0;

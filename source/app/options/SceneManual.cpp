@@ -66,9 +66,7 @@ constexpr std::pair<const char*, const char*> material_words[] = {
     {"kd", "Diffuse weight, multiplied by the cosine and by the texture, where there is one."},
     {"ks", "Weight of the highlights of lights and of the mirrored ray; see below for each mode."},
     {"kt", "Weight of what is seen through the surface, at each surface crossed."},
-    {"e",
-     "Emission: always added. A triangle that emits is a lamp as well; in mode path every shape is, on both sides of "
-     "its surface."},
+    {"e", "Emission: always added. What emits is a lamp as well, see LAMPS."},
     {"n", "Phong's exponent of the highlight, at least 0."},
     {"ir", "Index of refraction against 1 outside; 0 means 1."},
     {"texture", "The name of a picture, or 0 for none."},
@@ -87,6 +85,19 @@ constexpr const char* about_ids =
     "whose Phong lobe is ks (n + 2)/(2 pi) (V.R)^n (N.L) show a fainter highlight for the same ks, by the cosine at "
     "which it is seen.\n"
     "A scene that names no light is lit by two default ones; in mode path only if nothing in it emits light.\n";
+
+constexpr const char* about_lamps =
+    "The modes whitted and path read the emission e of a shape differently.\n"
+    "Mode whitted reads it as the course does, as the full color of a light without falloff. From each of its points a "
+    "triangle shines like a point_light of the color e with the attenuation 1 0 0, to both sides but not onto itself, "
+    "and what arrives is the mean over -shadow_samples of its points. So a lamp is as strong whatever its size and "
+    "distance. Each tri and each triangle of a mesh is a lamp: a mesh that is cut into twice as many triangles gives "
+    "twice the light. A quad or polygon is one lamp, however many triangles it is cut into. Spheres, boxes and other "
+    "shapes are seen to glow but light nothing, unless -emissive_solids on makes lamps of all but planes.\n"
+    "Mode path reads e as a radiance. Every shape that emits is a lamp, on both sides of its surface, and its light "
+    "grows with its area and falls off with the square of the distance, as real light does. A lamp of area A that "
+    "faces a surface at a distance d, far against its size, lights it A / (pi d^2) times as strongly as in mode "
+    "whitted.\n";
 
 constexpr const char* about_files =
     "Files that a scene names are looked for in the folder of the file that names them, then in the current folder, "
@@ -146,8 +157,9 @@ std::string SceneManualPage() {
          ".SH DESCRIPTION\n" +
          Paragraphs(lexical) + ".SH COMMANDS\n" + Entries(Family::statement) + ".SS shapes\n" + Entries(Family::shape) +
          ".SS lights\n" + Entries(Family::light) + ".SH PLACES AND DIRECTIONS\n" + Paragraphs(placing) +
-         ".SH MATERIALS\n" + Tagged(material_words) + ".PP\n" + Paragraphs(about_ids) + ".SH FILES\n" +
-         Paragraphs(about_files) + ".TP\n.B meshes\n" + Roff(MeshExtensions()) + "\n.TP\n.B pictures\n" +
+         ".SH MATERIALS\n" + Tagged(material_words) + ".PP\n" + Paragraphs(about_ids) + ".SH LAMPS\n" +
+         Paragraphs(about_lamps) + ".SH FILES\n" + Paragraphs(about_files) + ".TP\n.B meshes\n" +
+         Roff(MeshExtensions()) + "\n.TP\n.B pictures\n" +
          Roff(ImageExtensions()) +
          "\n.SH EXTENSIONS\nWhat the course's language lacks is stated in words of its own:\n" + Tagged(extensions) +
          ".SH MISTAKES\n" +

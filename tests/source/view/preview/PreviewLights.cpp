@@ -48,6 +48,15 @@ TEST(PreviewLights, HaveOneForTheTrianglesOfAMeshThatEmits) {
   }
 }
 
+TEST(PreviewLights, OfAQuadIsAsStrongAsThatOfATriangle) {
+  const project::Stage stage(
+      project::FromText("point_light 0 0 0  0 0 0  1 0 0\nmaterial  0 0 0  0 0 0  0 0 0  0 0 0  2 1 0.5  1 1 0\n"
+                        "quad 0  -1 -1 0  1 -1 0  1 1 0  -1 1 0\n"));
+  const auto lights = LightsOf(stage).lights;
+  ASSERT_EQ(lights.size(), 1u);
+  EXPECT_EQ(lights[0].color, (R2::Color{2, 1, 0.5}));
+}
+
 TEST(PreviewLights, ComeFromTheEyeOnlyWhereNothingElseShines) {
   const std::string unlit = "point_light 0 0 0  0 0 0  1 0 0\nsphere -1  0 0 0  1\n";
   EXPECT_TRUE(LightsOf(project::Stage(project::FromText(unlit))).head_light);

@@ -1,0 +1,75 @@
+#include "source/integrate/lights/TriangleLamp.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "source/text/Words.h"
+
+namespace ray {
+namespace {
+
+/// Areas of triangles at the end of the range of doubles are not numbers any more.
+double Weight(const EmissiveTriangle& triangle) {
+  return triangle.area < std::numeric_limits<double>::max() ? triangle.area : std::numeric_limits<double>::max();
+}
+
+DiscreteDistribution ByArea(const std::vector<EmissiveTriangle>& triangles) {
+  std::vector<double> weights;
+  for (const EmissiveTriangle& triangle : triangles) weights.push_back(Weight(triangle));
+  return DiscreteDistribution(weights);
+}
+
+bool IsOneLamp(const EmissiveTriangle& a, const EmissiveTriangle& b) {
+  return a.instance == b.instance && a.instance->mesh->Data().is_one_polygon;
+}
+
+}  // namespace
+
+TriangleLamp::TriangleLamp(std::vector<EmissiveTriangle> triangles) : triangles_(std::move(triangles)) {
+  if (triangles_.size() > 1) by_area_ = ByArea(triangles_);
+}
+
+LightSample TriangleLamp::SampleTowards(const R3::Point& seen_from, const R2::Point& random, double time) const {
+  R2::Point u = random;
+  std::size_t which = 0;
+  if (by_area_) {
+    const DiscreteDistribution::Drawn drawn = by_area_->Draw(random.x);
+    which = drawn.index;
+    u.x = drawn.rest;
+  }
+  const EmissiveTriangle& triangle = triangles_[which];
+  const R3::Vector way = triangle.PointTowards(seen_from, u, time) - seen_from;
+  return {.irradiance = triangle.RadianceAlong(way), .to_light = way, .reaching = triangle.primitive};
+}
+
+double TriangleLamp::Area() const {
+  double area = 0;
+  for (const EmissiveTriangle& triangle : triangles_) area += triangle.area;
+  return area;
+}
+
+std::string TriangleLamp::Describe() const {
+  if (triangles_.size() == 1) return triangles_[0].Describe();
+  return "lamp of " + Counted(triangles_.size(), "emissive triangle") + ", primitives " +
+         std::to_string(triangles_.front().primitive) + " to " + std::to_string(triangles_.back().primitive);
+}
+
+LightBound TriangleLamp::Bound() const {
+  if (triangles_.size() == 1) return triangles_[0].Bound();
+  R3::Box box;
+  for (const EmissiveTriangle& triangle : triangles_) box.Extend(triangle.Bounds());
+  return BoundWithoutFalloff(box, Luminance(Emission()));
+}
+
+std::vector<TriangleLamp> TriangleLamps(const World& world) {
+  std::vector<TriangleLamp> lamps;
+  const std::vector<EmissiveTriangle> triangles = EmissiveTriangles(world);
+  for (auto first = triangles.begin(); first != triangles.end();) {
+    const auto end = std::find_if_not(first + 1, triangles.end(), [&](const auto& t) { return IsOneLamp(*first, t); });
+    lamps.emplace_back(std::vector(first, end));
+    first = end;
+  }
+  return lamps;
+}
+
+}  // namespace ray

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "source/integrate/lights/EmissiveTriangle.h"
+#include "source/sample/DiscreteDistribution.h"
+#include "source/scene/Light.h"
+
+namespace ray {
+
+/// Triangles that emit and are one light together, as the 2008 course has it: from each point of them it shines like a
+/// point light of its emission without fall-off, and what arrives is the mean over its points. So it is as strong as
+/// any other lamp of its emission, whatever its size and however many triangles it is cut into.
+class TriangleLamp {
+ public:
+  /// At least one, all of one instance.
+  explicit TriangleLamp(std::vector<EmissiveTriangle> triangles);
+
+  /// What arrives from the point of it that `random`, in [0, 1)^2, picks evenly by area at a time in [0, 1).
+  LightSample SampleTowards(const R3::Point& seen_from, const R2::Point& random, double time) const;
+  /// Whether the primitive is one of its triangles, which it does not light.
+  bool Holds(std::int64_t primitive) const {
+    return triangles_.front().primitive <= primitive && primitive <= triangles_.back().primitive;
+  }
+  const R2::Color& Emission() const { return triangles_[0].emission; }
+  const Instance* instance() const { return triangles_[0].instance; }
+  double Area() const;
+  std::string Describe() const;
+  /// What choosing among lights goes by, without fall-off as the course has it.
+  LightBound Bound() const;
+
+ private:
+  std::vector<EmissiveTriangle> triangles_;        // ascending by primitive
+  std::optional<DiscreteDistribution> by_area_{};  // of several
+};
+
+/// Every emissive triangle, a face of a mesh too, is a lamp, as the course has it. Those of a quad or polygon, which
+/// the course does not have, are one together.
+std::vector<TriangleLamp> TriangleLamps(const World& world);
+
+}  // namespace ray
