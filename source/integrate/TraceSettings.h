@@ -20,6 +20,11 @@ enum class LightStrategy { mis, light, bsdf, uniform };
 inline constexpr std::array strategy_names{"mis", "light", "bsdf", "uniform"};
 constexpr const auto& NamesOf(LightStrategy) { return strategy_names; }
 
+/// What is one lamp in mode whitted: each triangle of an emissive mesh, as the course has it, or the mesh as a whole.
+enum class EmissiveMeshes { faces, whole };
+inline constexpr std::array emissive_mesh_names{"faces", "whole"};
+constexpr const auto& NamesOf(EmissiveMeshes) { return emissive_mesh_names; }
+
 /// The distances that mode zbuffer shows as white and as black.
 struct ZBufferRange {
   double near = 0, far = 0;  // both 0: those of the nearest and the farthest surface in the picture
@@ -46,6 +51,7 @@ struct TraceSettings {
   bool shadows = true;
   bool glossy = false;                 // reflections are spread over the Phong lobe, not only along its axis
   bool emissive_solids_light = false;  // in mode whitted as triangles do; in mode path all that emits is a light
+  EmissiveMeshes emissive_meshes = EmissiveMeshes::faces;
   bool fresnel = false;  // clear surfaces reflect by Fresnel's equations, and all of what they cannot let through
   bool internal_reflection = false;  // and the latter without Fresnel's equations too; else it is lost
   int lights = -1;  // chosen at each point by importance; 0: every light; -1: see LightsChosenByPath, whitted all

@@ -88,7 +88,7 @@ Whitted::Whitted(const World& world, const Accelerator& accelerator, const Trace
       settings_(settings),
       has_roulette_(settings.roulette == Roulette::on),
       lights_(LightsOf(world.scene())),
-      lamps_(TriangleLamps(world)) {
+      lamps_(TriangleLamps(world, settings.emissive_meshes)) {
   if (settings.emissive_solids_light) shapes_ = EmissiveShapes(world);
   settings_.max_depth = std::min<std::int64_t>(settings_.max_depth, most_bounces);
   const Scene& scene = world.scene();

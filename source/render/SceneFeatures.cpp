@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "source/integrate/lights/LightSampler.h"
+#include "source/integrate/lights/TriangleLamp.h"
 #include "source/render/Schedule.h"
 #include "source/text/EnumNames.h"
 
@@ -20,8 +21,9 @@ std::string SettingText(double number) {
 }
 
 /// How many lights the instance is, if it emits and may be a light.
-std::size_t LightsOf(const Instance& instance, bool is_path) {
-  const bool is_one = !is_path && instance.mesh && instance.mesh->Data().is_one_polygon;
+std::size_t LightsOf(const Instance& instance, const RenderSettings& settings) {
+  const bool is_path = settings.mode == RenderMode::path;
+  const bool is_one = !is_path && instance.mesh && IsOneLamp(instance, settings.trace.emissive_meshes);
   return is_one ? 1 : static_cast<std::size_t>(instance.shape->Elements());
 }
 
@@ -52,7 +54,7 @@ SceneFeatures FeaturesOf(const World& world, const RenderSettings& settings) {
     const Material& m = *instance.material;
     if (instance.Emits() && (instance.mesh || (shapes_light && instance.shape->CanBeSampled()))) {
       (instance.mesh ? features.emissive_triangles : features.emissive_shapes) = true;
-      lights += LightsOf(instance, is_path);
+      lights += LightsOf(instance, settings);
     }
     features.mirrors |= (!IsBlack(m.kr) || m.coat > 0) && settings.trace.max_depth > 0;
     features.clear |= !IsBlack(m.kt) && settings.trace.max_depth > 0;

@@ -223,6 +223,8 @@ std::vector<OptionKind> LightOptions() {
        "path: mis, light sampling, BSDF sampling, or uniform for comparison"},
       {"emissive_solids", both, {}, {"on|off"}, OnOff{AT(render.trace.emissive_solids_light)}, "", "light",
        "whether emissive solids are lamps in mode whitted, as triangles are (in mode path they are)"},
+      {"emissive_meshes", both, {}, {"faces|whole"}, OneOfEnum<EmissiveMeshes>(AT(render.trace.emissive_meshes)), "",
+       "light", "whether each triangle of an emissive mesh is a lamp in mode whitted, or the whole mesh is one"},
       {"shadows", both, {}, {"on|off"}, OnOff{AT(render.trace.shadows)}, "", "light", "whether objects cast shadows"},
   };
 }

@@ -60,6 +60,7 @@ std::vector<std::string> OptionsWithoutEffect(const Options& options) {
       {"zbuffer_range", render.mode == RenderMode::zbuffer, "without -mode zbuffer"},
       {"gooch", render.mode == RenderMode::gooch, "without -mode gooch"},
       {"toon_bands", render.mode == RenderMode::toon, "without -mode toon"},
+      {"emissive_meshes", render.mode == RenderMode::whitted, "without -mode whitted"},
       {"emissive_solids", render.mode == RenderMode::whitted, "without -mode whitted"},
       {"adaptive", render.budget.adaptive != Adaptive::tile || render.budget.error, "without -error"},
       {"adaptive", render.budget.adaptive != Adaptive::neighbors || render.samples > 1, "without -samples"},

@@ -19,10 +19,6 @@ DiscreteDistribution ByArea(const std::vector<EmissiveTriangle>& triangles) {
   return DiscreteDistribution(weights);
 }
 
-bool IsOneLamp(const EmissiveTriangle& a, const EmissiveTriangle& b) {
-  return a.instance == b.instance && a.instance->mesh->Data().is_one_polygon;
-}
-
 }  // namespace
 
 TriangleLamp::TriangleLamp(std::vector<EmissiveTriangle> triangles) : triangles_(std::move(triangles)) {
@@ -61,11 +57,13 @@ LightBound TriangleLamp::Bound() const {
   return BoundWithoutFalloff(box, Luminance(Emission()));
 }
 
-std::vector<TriangleLamp> TriangleLamps(const World& world) {
+std::vector<TriangleLamp> TriangleLamps(const World& world, EmissiveMeshes meshes) {
   std::vector<TriangleLamp> lamps;
   const std::vector<EmissiveTriangle> triangles = EmissiveTriangles(world);
   for (auto first = triangles.begin(); first != triangles.end();) {
-    const auto end = std::find_if_not(first + 1, triangles.end(), [&](const auto& t) { return IsOneLamp(*first, t); });
+    const bool is_alone = !IsOneLamp(*first->instance, meshes);
+    const auto is_other = [&](const EmissiveTriangle& t) { return is_alone || t.instance != first->instance; };
+    const auto end = std::find_if(first + 1, triangles.end(), is_other);
     lamps.emplace_back(std::vector(first, end));
     first = end;
   }

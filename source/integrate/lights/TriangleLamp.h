@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "source/integrate/TraceSettings.h"
 #include "source/integrate/lights/EmissiveTriangle.h"
 #include "source/sample/DiscreteDistribution.h"
 #include "source/scene/Light.h"
@@ -36,8 +37,13 @@ class TriangleLamp {
   std::optional<DiscreteDistribution> by_area_{};  // of several
 };
 
-/// Every emissive triangle, a face of a mesh too, is a lamp, as the course has it. Those of a quad or polygon, which
-/// the course does not have, are one together.
-std::vector<TriangleLamp> TriangleLamps(const World& world);
+/// Whether all triangles of an instance, which is a mesh, are one lamp: those of a quad or polygon, which the course
+/// does not have, always are.
+inline bool IsOneLamp(const Instance& instance, EmissiveMeshes meshes) {
+  return meshes == EmissiveMeshes::whole || instance.mesh->Data().is_one_polygon;
+}
+
+/// Every lamp that is made of triangles.
+std::vector<TriangleLamp> TriangleLamps(const World& world, EmissiveMeshes meshes);
 
 }  // namespace ray

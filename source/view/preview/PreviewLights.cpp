@@ -69,10 +69,10 @@ PreviewLight LightOf(const Emitter& emitter, bool is_path, const DrawingSpace& s
 }
 
 /// The lamps of one instance, which follow each other, are one emitter.
-std::vector<Emitter> EmittingMeshes(const World& world) {
+std::vector<Emitter> EmittingMeshes(const World& world, EmissiveMeshes meshes) {
   std::vector<Emitter> emitters;
   const Instance* last = nullptr;
-  for (const TriangleLamp& lamp : TriangleLamps(world)) {
+  for (const TriangleLamp& lamp : TriangleLamps(world, meshes)) {
     const R3::Point middle = lamp.Bound().center;
     const double area = lamp.Area() / 2;  // turned this way and that, a triangle looks half as large as it is
     if (lamp.instance() != last) {
@@ -111,7 +111,8 @@ PreviewLights PreviewLightsOf(const World& world, const RenderSettings& settings
   auto& lights = found.lights;
   for (const auto& light : scene.lights)
     if (!light->IsBlack()) lights.push_back(Known(*light, space));
-  for (const Emitter& emitter : EmittingMeshes(world)) lights.push_back(LightOf(emitter, is_path, space));
+  for (const Emitter& emitter : EmittingMeshes(world, settings.trace.emissive_meshes))
+    lights.push_back(LightOf(emitter, is_path, space));
   if (is_path || settings.trace.emissive_solids_light)
     for (const EmissiveShape& shape : EmissiveShapes(world))
       lights.push_back(

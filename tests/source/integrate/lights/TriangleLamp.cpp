@@ -56,7 +56,7 @@ TEST(TriangleLamp, EachTriangleIsALamp) {
   EXPECT_GT(sum, 1.7 * FloorUnder(as_quad).mean);
 }
 
-TEST(TriangleLamp, EachFaceOfAMeshIsALamp) {
+TEST(TriangleLamp, EachFaceOfAMeshIsALampUnlessTheWholeIs) {
   R3::MeshData data;
   data.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
   data.triangles = {{0, 1, 2}, {0, 2, 3}};
@@ -64,13 +64,15 @@ TEST(TriangleLamp, EachFaceOfAMeshIsALamp) {
   for (const bool is_one : {false, true}) {
     data.is_one_polygon = is_one;
     scene.root.children.back().shape = std::make_shared<const R3::Mesh>(data);
-    EXPECT_EQ(TriangleLamps(World(scene)).size(), is_one ? 1u : 2u);
+    const World world(scene);
+    EXPECT_EQ(TriangleLamps(world, EmissiveMeshes::faces).size(), is_one ? 1u : 2u);
+    EXPECT_EQ(TriangleLamps(world, EmissiveMeshes::whole).size(), 1u);
   }
 }
 
 TEST(TriangleLamp, ManyPointsOfOneAreSpreadAsEvenlyAsThoseOfATriangle) {
   const project::Stage stage(project::FromText(emissive + as_polygon));
-  const std::vector<TriangleLamp> lamps = TriangleLamps(stage.world);
+  const std::vector<TriangleLamp> lamps = TriangleLamps(stage.world, EmissiveMeshes::faces);
   ASSERT_EQ(lamps.size(), 1u);
   // Strata of equal area: shares of the random numbers' square are shares of the lamp.
   constexpr int n = 512;
@@ -88,7 +90,7 @@ TEST(TriangleLamp, ManyPointsOfOneAreSpreadAsEvenlyAsThoseOfATriangle) {
 TEST(TriangleLamp, DoesNotLightItself) {
   const project::Stage stage(
       project::FromText(emissive + "quad 0  0 0 0  1 0 0  1 1 0  0 1 0 tri 0  2 0 0 3 0 0 2 1 0"));
-  const std::vector<TriangleLamp> lamps = TriangleLamps(stage.world);
+  const std::vector<TriangleLamp> lamps = TriangleLamps(stage.world, EmissiveMeshes::faces);
   ASSERT_EQ(lamps.size(), 2u);
   for (std::int64_t primitive = 0; primitive < 3; ++primitive) {
     EXPECT_EQ(lamps[0].Holds(primitive), primitive < 2);
@@ -98,7 +100,7 @@ TEST(TriangleLamp, DoesNotLightItself) {
 
 TEST(TriangleLamp, KnowsItsAreaItsBoundsAndItsTriangles) {
   const project::Stage stage(project::FromText(emissive + as_polygon));
-  const TriangleLamp lamp = TriangleLamps(stage.world).at(0);
+  const TriangleLamp lamp = TriangleLamps(stage.world, EmissiveMeshes::faces).at(0);
   EXPECT_NEAR(lamp.Area(), 6, 1e-12);
   EXPECT_EQ(lamp.Bound().center, (R3::Point{0.5, 1.5, 0}));
   EXPECT_NEAR(lamp.Bound().radius, std::hypot(1.5, 1), 1e-9);
@@ -111,7 +113,7 @@ TEST(TriangleLamp, OfAnySizeGivesFinitePoints) {
     const std::string s = size;
     const project::Stage stage(project::FromText(emissive + "begin -1  " + s + " 0 0 0  0 " + s + " 0 0  0 0 " + s +
                                                  " 0  0 0 0 1 quad 0  0 0 0  1 0 0  1 1 0  0 1 0 end"));
-    for (const TriangleLamp& lamp : TriangleLamps(stage.world))
+    for (const TriangleLamp& lamp : TriangleLamps(stage.world, EmissiveMeshes::faces))
       for (const double u : {0.1, 0.6, 0.9})
         EXPECT_TRUE(R3::IsFinite(lamp.SampleTowards({1, 1, 1}, {u, 0.5}, 0).to_light)) << size;
   }
