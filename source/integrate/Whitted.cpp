@@ -1,11 +1,11 @@
 #include "source/integrate/Whitted.h"
 
 #include <algorithm>
-#include <bit>
 #include <numbers>
 
 #include "source/integrate/Bsdf.h"
 #include "source/integrate/RussianRoulette.h"
+#include "source/integrate/lights/LampSample.h"
 
 namespace ray {
 namespace {
@@ -20,45 +20,19 @@ enum WhittedKey : std::uint64_t {
   first_light_key
 };
 // Of the rays that share a reflection, and of lights that are chosen; no surface has as many lights.
-constexpr std::uint64_t gloss_key = camera_key - 1, chosen_lights_key = camera_key - 2, again_key = camera_key - 3;
+constexpr std::uint64_t gloss_key = camera_key - 1, chosen_lights_key = camera_key - 2;
 
 bool IsExtended(const Light& light) { return light.IsExtended(); }
 bool IsExtended(const TriangleLamp&) { return true; }
 bool IsExtended(const EmissiveShape&) { return true; }
 bool IsExtended(const Environment&) { return true; }
 
-/// Whether a surface is itself the light.
-bool IsOn(const ShadingPoint& p, const TriangleLamp& lamp, const World& world) {
-  return lamp.Holds(world.PrimitiveId(p.hit));
-}
-bool IsOn(const ShadingPoint& p, const EmissiveShape& shape, const World& world) {
-  return shape.Primitive() == world.PrimitiveId(p.hit);
-}
-template <typename Other>
-bool IsOn(const ShadingPoint&, const Other&, const World&) {
-  return false;
-}
+bool IsOn(const ShadingPoint&, const Light&, const World&) { return false; }
+bool IsOn(const ShadingPoint&, const Environment&, const World&) { return false; }
 
 /// A point on the light, picked by `u`.
 std::optional<LightSample> SampleLight(const ShadingPoint& p, const Light& light, const R2::Point& u) {
   return light.Illuminate(p.shadow_origin, u);
-}
-std::optional<LightSample> SampleLight(const ShadingPoint& p, const TriangleLamp& lamp, const R2::Point& u) {
-  return lamp.SampleTowards(p.shadow_origin, u, p.path.ray.time);
-}
-std::optional<LightSample> SampleLight(const ShadingPoint& p, const EmissiveShape& shape, const R2::Point& u) {
-  const R3::Point& from = p.shadow_origin;
-  const double time = p.path.ray.time;
-  auto drawn = shape.SampleTowards(from, u, time);
-  if (!drawn && !shape.DrawsInSight()) {
-    // Of some shapes, what hides itself is drawn as well. The mean is that over what does not.
-    constexpr std::uint32_t most_attempts = 64;
-    const RandomKey key = p.path.index.key.Child(again_key).Child(std::bit_cast<std::uint64_t>(u.x));
-    const Points again(SamplerKind::random, key.Child(std::bit_cast<std::uint64_t>(u.y)), most_attempts);
-    for (std::uint32_t k = 0; k < most_attempts && !drawn; ++k) drawn = shape.SampleTowards(from, again.Get2D(k), time);
-  }
-  if (!drawn) return {};
-  return LightSample{.irradiance = drawn->radiance, .to_light = drawn->towards, .reaching = shape.Reached()};
 }
 std::optional<LightSample> SampleLight(const ShadingPoint&, const Environment& environment, const R2::Point& u) {
   const Environment::Sample drawn = environment.Draw(u);

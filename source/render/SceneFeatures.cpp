@@ -22,8 +22,7 @@ std::string SettingText(double number) {
 
 /// How many lights the instance is, if it emits and may be a light.
 std::size_t LightsOf(const Instance& instance, const RenderSettings& settings) {
-  const bool is_path = settings.mode == RenderMode::path;
-  const bool is_one = !is_path && instance.mesh && IsOneLamp(instance, settings.trace.emissive_meshes);
+  const bool is_one = !EmitsRadiance(settings) && instance.mesh && IsOneLamp(instance, settings.trace.emissive_meshes);
   return is_one ? 1 : static_cast<std::size_t>(instance.shape->Elements());
 }
 
@@ -49,7 +48,7 @@ SceneFeatures FeaturesOf(const World& world, const RenderSettings& settings) {
   }
   features.shadow_bias = scene.shadow_bias > 0;
   features.environment = scene.environment && !scene.environment->IsBlack();
-  const bool shapes_light = is_path || settings.trace.emissive_solids_light;
+  const bool shapes_light = EmitsRadiance(settings) || settings.trace.emissive_solids_light;
   for (const Instance& instance : world.Instances()) {
     const Material& m = *instance.material;
     if (instance.Emits() && (instance.mesh || (shapes_light && instance.shape->CanBeSampled()))) {

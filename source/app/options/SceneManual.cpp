@@ -98,7 +98,8 @@ constexpr const char* about_lamps =
     "Mode path reads e as a radiance. Every shape that emits is a lamp, on both sides of its surface, and its light "
     "grows with its area and falls off with the square of the distance, as real light does. A lamp of area A that "
     "faces a surface at a distance d, far against its size, lights it A / (pi d^2) times as strongly as in mode "
-    "whitted.\n";
+    "whitted. With -emission color mode path reads e as mode whitted does, so that its paths only add to that what "
+    "surfaces reflect of each other; mirrors still show the lamps.\n";
 
 constexpr const char* about_files =
     "Files that a scene names are looked for in the folder of the file that names them, then in the current folder, "

@@ -56,15 +56,15 @@ struct Emitter {
   R2::Color emission;
   R3::Point middle;
   double area = 0;  // as it looks from somewhere
-  int lamps = 1;    // each of which shines, in mode whitted
+  int lamps = 1;    // each of which shines with its full color, where emission is no radiance
 };
 
-PreviewLight LightOf(const Emitter& emitter, bool is_path, const DrawingSpace& space) {
+PreviewLight LightOf(const Emitter& emitter, bool is_radiance, const DrawingSpace& space) {
   PreviewLight light;
   light.place = space.At(emitter.middle);
   light.casts_shadows = false;  // it would be in that of its own surface
-  light.color = (is_path ? emitter.area / std::numbers::pi : emitter.lamps) * emitter.emission;
-  if (is_path) SetFalloff(light, 0, 0, 1, space.radius);
+  light.color = (is_radiance ? emitter.area / std::numbers::pi : emitter.lamps) * emitter.emission;
+  if (is_radiance) SetFalloff(light, 0, 0, 1, space.radius);
   return light;
 }
 
@@ -106,17 +106,17 @@ bool Shines(const Instance& instance) { return !IsBlack(instance.material->emiss
 
 PreviewLights PreviewLightsOf(const World& world, const RenderSettings& settings, const DrawingSpace& space) {
   const Scene& scene = world.scene();
-  const bool is_path = settings.mode == RenderMode::path;
+  const bool is_radiance = EmitsRadiance(settings);
   PreviewLights found;
   auto& lights = found.lights;
   for (const auto& light : scene.lights)
     if (!light->IsBlack()) lights.push_back(Known(*light, space));
   for (const Emitter& emitter : EmittingMeshes(world, settings.trace.emissive_meshes))
-    lights.push_back(LightOf(emitter, is_path, space));
-  if (is_path || settings.trace.emissive_solids_light)
+    lights.push_back(LightOf(emitter, is_radiance, space));
+  if (is_radiance || settings.trace.emissive_solids_light)
     for (const EmissiveShape& shape : EmissiveShapes(world))
       lights.push_back(
-          LightOf({shape.Emission(), shape.Bound().center, shape.ProjectedAreaOfBounds()}, is_path, space));
+          LightOf({shape.Emission(), shape.Bound().center, shape.ProjectedAreaOfBounds()}, is_radiance, space));
 
   std::stable_sort(lights.begin(), lights.end(),
                    [](const PreviewLight& a, const PreviewLight& b) { return Strength(a) > Strength(b); });
@@ -125,7 +125,7 @@ PreviewLights PreviewLightsOf(const World& world, const RenderSettings& settings
     lights.resize(most_preview_lights);
   }
   const bool has_environment = scene.environment && !scene.environment->IsBlack();
-  const bool is_lit_by_background = is_path && !IsBlack(scene.background);
+  const bool is_lit_by_background = settings.mode == RenderMode::path && !IsBlack(scene.background);
   found.head_light = lights.empty() && !has_environment && !is_lit_by_background && IsBlack(scene.ambient) &&
                      std::ranges::none_of(world.Instances(), Shines);
   return found;

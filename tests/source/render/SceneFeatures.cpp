@@ -47,6 +47,8 @@ TEST(SceneFeatures, AQuadIsOneLightInModeWhittedAndTwoInModePath) {
   EXPECT_FALSE(Has(FeaturesOf(stage.world, settings).Names(), "choice of lights"));
   settings.mode = RenderMode::path;
   EXPECT_TRUE(Has(FeaturesOf(stage.world, settings).Names(), "choice of lights"));
+  settings.trace.emission = Emission::color;
+  EXPECT_FALSE(Has(FeaturesOf(stage.world, settings).Names(), "choice of lights"));
 }
 
 }  // namespace

@@ -46,6 +46,11 @@ TEST(PreviewLights, HaveOneForTheTrianglesOfAMeshThatEmits) {
     EXPECT_EQ(light.constant, 0);
     EXPECT_GT(light.quadratic, 0);
   }
+  settings.trace.emission = ray::Emission::color;
+  const auto colored = LightsOf(stage, settings).lights;
+  ASSERT_EQ(colored.size(), 1u);
+  EXPECT_EQ(colored[0].color, whitted[0].color);
+  EXPECT_EQ(colored[0].quadratic, 0);
 }
 
 TEST(PreviewLights, OfAQuadIsAsStrongAsThatOfATriangle) {
