@@ -13,19 +13,6 @@
 namespace ray {
 namespace {
 
-std::string PlaceOf(const World& world, const Instance& instance) {
-  const Scene& scene = world.scene();
-  const Location& location = instance.node->location;
-  if (location.line == 0 || location.file >= scene.files.size()) return "scene";
-  return Place(scene.files[location.file], location.line, location.column);
-}
-
-// A shape's own transform is the identity, so its node's box is the shape's, in the frame of the instance.
-R3::Box WorldBounds(const World& world, const Instance& instance) {
-  const R3::Box& local = instance.node->bounds;
-  return local.IsEmpty() ? local : world.Frames()[instance.frame] * local;
-}
-
 // Rational directions meet edges and vertices of what people model; these do not.
 const std::array<R3::Vector, 3> odd_directions{R3::Vector{0.5772156649, 0.6931471806, 0.4342944819},
                                                R3::Vector{-0.3678794412, 0.8346268417, 0.2614972128},
@@ -162,6 +149,21 @@ void AddTurnedMeshes(std::vector<std::string>& mistakes, const World& world) {
 }
 
 }  // namespace
+
+std::string PlaceOf(const World& world, const Instance& instance) {
+  const Scene& scene = world.scene();
+  const Location& location = instance.node->location;
+  if (location.line == 0 || location.file >= scene.files.size()) return "scene";
+  return Place(scene.files[location.file], location.line, location.column);
+}
+
+R3::Box WorldBounds(const World& world, const Instance& instance) {
+  const bool is_baked = instance.shape != instance.node->shape.get();
+  // A shape's own transform is the identity, so its node's box is the shape's, in the frame of the instance. That of a
+  // baked mesh is in the frame that the mesh has left; looking at its corners takes little beside reading them.
+  const R3::Box local = is_baked ? R3::Bounds(*instance.shape) : instance.node->bounds;
+  return local.IsEmpty() ? local : world.Frames()[instance.frame] * local;
+}
 
 int SolidsAround(const World& world, const R3::Point& point, const std::function<bool(const Instance&)>& counts) {
   return static_cast<int>(std::ranges::count_if(world.Instances(), [&](const Instance& instance) {

@@ -122,6 +122,16 @@ TEST(Check, InsideOfGlassTheCameraMayBe) {
   EXPECT_EQ(Example(camera + glass + "sphere 0  0 0 9  1\n").Mistakes(), "");
 }
 
+// Its box was looked for where its file puts it, not where its group does.
+TEST(Check, AMeshThatAGroupMovesIntoViewIsSeen) {
+  const std::map<std::string, std::string> files{{"a.obj", "v 49 0 0\nv 51 0 0\nv 50 1 0\nf 1 2 3\n"}};
+  const auto placed = [](const std::string& x) {
+    return camera + "begin -1  1 0 0 " + x + "  0 1 0 0  0 0 1 0  0 0 0 1\nmesh -1 a.obj\nend\n";
+  };
+  EXPECT_EQ(Example(placed("-50"), files).Mistakes(), "");
+  EXPECT_TRUE(Has(Example(placed("50"), files).Mistakes(), "this shape lies outside the view"));
+}
+
 TEST(Check, ASceneWithNothingInViewIsPointedOut) {
   const std::string warning = "warning: nothing in the scene is in view of the camera";
   EXPECT_TRUE(Has(Example(camera + "sphere -1  0 0 20  1\n").Mistakes(), warning));
