@@ -99,7 +99,9 @@ constexpr const char* about_lamps =
     "grows with its area and falls off with the square of the distance, as real light does. A lamp of area A that "
     "faces a surface at a distance d, far against its size, lights it A / (pi d^2) times as strongly as in mode "
     "whitted. With -emission color mode path reads e as mode whitted does, so that its paths only add to that what "
-    "surfaces reflect of each other; mirrors still show the lamps.\n";
+    "surfaces reflect of each other; mirrors still show the lamps.\n"
+    "raypro -check says where the light of lamps differs by more than a factor of two between the modes, and which "
+    "meshes are as many lamps as they have triangles.\n";
 
 constexpr const char* about_files =
     "Files that a scene names are looked for in the folder of the file that names them, then in the current folder, "

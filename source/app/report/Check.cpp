@@ -7,6 +7,7 @@
 #include <set>
 #include <span>
 
+#include "source/app/report/LampCheck.h"
 #include "source/text/Quoting.h"
 #include "source/text/Words.h"
 
@@ -127,9 +128,12 @@ void AddShapeMistakes(std::vector<std::string>& mistakes, const World& world, co
   if (ShowsLight(settings.mode) && settings.mode != RenderMode::gooch)  // whose tones are no material's
     Point(mistakes, world, "has a color but no ka, kd or ks, and is black",
           [](const Instance& i) { return HasUnusedColor(*i.material); });
+  const auto is_emissive_solid = [](const Instance& i) { return !IsBlack(i.material->emission) && !i.mesh; };
   if (settings.mode == RenderMode::whitted && !settings.trace.emissive_solids_light)
-    Point(mistakes, world, "emits but lights nothing in mode whitted; -mode path makes it a light",
-          [](const Instance& i) { return !IsBlack(i.material->emission) && !i.mesh; });
+    Point(mistakes, world, "emits but lights nothing in mode whitted; -mode path makes it a light", is_emissive_solid);
+  if (settings.mode == RenderMode::path && !EmitsRadiance(settings) && !settings.trace.emissive_solids_light)
+    Point(mistakes, world, "emits but lights nothing with -emission color; -emissive_solids on makes it a light",
+          is_emissive_solid);
 }
 
 /// Reports each mesh some of whose triangles were turned around to agree with their vertex normals.
@@ -187,6 +191,7 @@ std::vector<std::string> LikelyMistakes(const World& world, const RenderSettings
   Point(mistakes, world, "lies outside the view",
         [&](const Instance& i) { return IsOutsideView(world, i, eye, inward); });
   AddTurnedMeshes(mistakes, world);
+  for (std::string& mistake : LampMistakes(world, settings)) mistakes.push_back(std::move(mistake));
   return mistakes;
 }
 

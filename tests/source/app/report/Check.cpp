@@ -61,6 +61,10 @@ TEST(Check, AnEmissiveSolidThatLightsNothingIsPointedOut) {
   path.mode = RenderMode::path;
   lit.trace.emissive_solids_light = true;
   EXPECT_EQ(sphere.Mistakes(path) + sphere.Mistakes(lit), "");
+  path.trace.emission = Emission::color;
+  EXPECT_TRUE(Has(sphere.Mistakes(path),
+                  ":3:1: warning: this shape emits but lights nothing with -emission color; -emissive_solids on makes "
+                  "it a light"));
 }
 
 TEST(Check, InsideTheBoxAroundASolidIsNotInsideTheSolid) {
