@@ -25,17 +25,9 @@ TriangleLamp::TriangleLamp(std::vector<EmissiveTriangle> triangles) : triangles_
   if (triangles_.size() > 1) by_area_ = ByArea(triangles_);
 }
 
-LightSample TriangleLamp::SampleTowards(const R3::Point& seen_from, const R2::Point& random, double time) const {
-  R2::Point u = random;
-  std::size_t which = 0;
-  if (by_area_) {
-    const DiscreteDistribution::Drawn drawn = by_area_->Draw(random.x);
-    which = drawn.index;
-    u.x = drawn.rest;
-  }
-  const EmissiveTriangle& triangle = triangles_[which];
-  const R3::Vector way = triangle.PointTowards(seen_from, u, time) - seen_from;
-  return {.irradiance = triangle.RadianceAlong(way), .to_light = way, .reaching = triangle.primitive};
+TriangleLamp::Pick TriangleLamp::PickByArea(const R2::Point& random) const {
+  const DiscreteDistribution::Drawn drawn = by_area_->Draw(random.x);
+  return {&triangles_[drawn.index], {drawn.rest, random.y}};
 }
 
 double TriangleLamp::Area() const {

@@ -20,7 +20,11 @@ class TriangleLamp {
   explicit TriangleLamp(std::vector<EmissiveTriangle> triangles);
 
   /// What arrives from the point of it that `random`, in [0, 1)^2, picks evenly by area at a time in [0, 1).
-  LightSample SampleTowards(const R3::Point& seen_from, const R2::Point& random, double time) const;
+  LightSample SampleTowards(const R3::Point& seen_from, const R2::Point& random, double time) const {
+    const auto [triangle, u] = by_area_ ? PickByArea(random) : Pick{&triangles_[0], random};
+    const R3::Vector way = triangle->PointTowards(seen_from, u, time) - seen_from;
+    return {.irradiance = triangle->RadianceAlong(way), .to_light = way, .reaching = triangle->primitive};
+  }
   /// Whether the primitive is one of its triangles, which it does not light.
   bool Holds(std::int64_t primitive) const {
     return triangles_.front().primitive <= primitive && primitive <= triangles_.back().primitive;
@@ -33,6 +37,13 @@ class TriangleLamp {
   LightBound Bound() const;
 
  private:
+  /// One of the triangles, and a random point for the place on it.
+  struct Pick {
+    const EmissiveTriangle* triangle;
+    R2::Point random;
+  };
+  Pick PickByArea(const R2::Point& random) const;
+
   std::vector<EmissiveTriangle> triangles_;        // ascending by primitive
   std::optional<DiscreteDistribution> by_area_{};  // of several
 };
