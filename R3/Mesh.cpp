@@ -2,23 +2,13 @@
 
 #include <algorithm>
 #include <cassert>
-#include <numeric>
 
 #include "R3/FlatTriangle.h"
 #include "R3/Triangle.h"
+#include "R3/Winding.h"
 
 namespace R3 {
 namespace {
-
-/// Unit, on the side from which the corners turn counter-clockwise; zero for a triangle without area.
-Vector FaceDirection(const Point& p, const Point& q, const Point& r) {
-  const Vector area = AreaOfTriangle(p, q, r);
-  if (IsSafeArea(area)) return Unit(area);
-  const Vector a = q - p, b = r - p;
-  const double longest_a = MaxComponent(Abs(a)), longest_b = MaxComponent(Abs(b));
-  if (!(longest_a > 0 && longest_b > 0 && longest_a < infinity && longest_b < infinity)) return Unit(area);
-  return Unit(Cross(ScaledByPower(a, -std::ilogb(longest_a)), ScaledByPower(b, -std::ilogb(longest_b))));
-}
 
 /// The place of a flat triangle that is the mean of its corners by weights whose sum is 1.
 R3_USES_FMA
@@ -39,12 +29,31 @@ Mesh::Mesh(MeshData data, bool smooth, std::string file)
     : data_(std::move(data)), smooth_(smooth && !data_.normals.empty()), file_(std::move(file)) {
   assert(data_.normals.empty() || data_.normals.size() == data_.positions.size());
   assert(data_.uvs.empty() || data_.uvs.size() == data_.positions.size());
-  const std::size_t before = data_.triangles.size();
-  std::erase_if(data_.triangles, [&](const auto& t) {
-    return FaceDirection(data_.positions[t[0]], data_.positions[t[1]], data_.positions[t[2]]) == Vector{};
-  });
-  dropped_ = static_cast<int>(before - data_.triangles.size());
+  assert(data_.lines.empty() || data_.lines.size() == data_.triangles.size());
+  DropTrianglesWithoutArea();
   for (Normal& normal : data_.normals) normal = AsNormal(Unit(AsVector(normal)));
+  if (smooth_) TurnToNormals();
+  data_.lines = {};
+}
+
+void Mesh::DropTrianglesWithoutArea() {
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < data_.triangles.size(); ++i) {
+    const auto& t = data_.triangles[i];
+    if (FaceDirection(data_.positions[t[0]], data_.positions[t[1]], data_.positions[t[2]]) == Vector{}) continue;
+    data_.triangles[kept] = t;
+    if (!data_.lines.empty()) data_.lines[kept] = data_.lines[i];
+    ++kept;
+  }
+  dropped_ = static_cast<int>(data_.triangles.size() - kept);
+  data_.triangles.resize(kept);
+}
+
+void Mesh::TurnToNormals() {
+  const std::vector<std::uint32_t> against = TrianglesAgainstNormals(data_);
+  for (const std::uint32_t t : against) std::swap(data_.triangles[t][1], data_.triangles[t][2]);
+  turned_ = static_cast<int>(against.size());
+  if (turned_ > 0 && !data_.lines.empty()) first_turned_line_ = data_.lines[against[0]];
 }
 
 std::optional<Recipe> Mesh::MadeFrom() const {
@@ -61,6 +70,8 @@ std::unique_ptr<const Mesh> Mesh::Moved(const Transform& move) const {
   moved->data_ = data_;
   moved->smooth_ = smooth_;
   moved->dropped_ = dropped_;
+  moved->turned_ = turned_;
+  moved->first_turned_line_ = first_turned_line_;
   for (Point& p : moved->data_.positions) {
     p = move * p;
     if (!IsFinite(FromOrigin(p))) return nullptr;
@@ -107,60 +118,7 @@ Intersection Mesh::At(const Ray&, const Hit& hit, int element) const {
   return at;
 }
 
-namespace {
-
-/// The number of the first corner in the same place, for each corner.
-std::vector<std::uint32_t> MergedCorners(const std::vector<Point>& positions) {
-  const auto as_array = [&](std::uint32_t i) { return std::array{positions[i].x, positions[i].y, positions[i].z}; };
-  std::vector<std::uint32_t> order(positions.size()), merged(positions.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-    const auto p = as_array(a), q = as_array(b);
-    return p != q ? p < q : a < b;
-  });
-  for (std::size_t i = 0; i < order.size(); ++i)
-    merged[order[i]] = i > 0 && positions[order[i]] == positions[order[i - 1]] ? merged[order[i - 1]] : order[i];
-  return merged;
-}
-
-/// Whether no edge is passed more often one way than the other.
-bool AreEdgesPaired(const std::vector<std::array<std::uint32_t, 3>>& triangles,
-                    const std::vector<std::uint32_t>& merged) {
-  struct Edge {
-    std::uint32_t low, high;
-    int way;
-  };
-  std::vector<Edge> edges;
-  edges.reserve(3 * triangles.size());
-  for (const auto& triangle : triangles)
-    for (std::size_t i = 0; i < 3; ++i) {
-      const std::uint32_t from = merged[triangle[i]], to = merged[triangle[(i + 1) % 3]];
-      edges.push_back({std::min(from, to), std::max(from, to), from < to ? 1 : -1});
-    }
-  std::sort(edges.begin(), edges.end(),
-            [](const Edge& a, const Edge& b) { return a.low != b.low ? a.low < b.low : a.high < b.high; });
-  int sum = 0;
-  for (std::size_t i = 0; i < edges.size(); ++i) {
-    sum += edges[i].way;
-    const bool is_last =
-        i + 1 == edges.size() || edges[i + 1].low != edges[i].low || edges[i + 1].high != edges[i].high;
-    if (is_last && sum != 0) return false;
-  }
-  return true;
-}
-
-}  // namespace
-
-bool Mesh::IsClosed() const {
-  if (data_.triangles.empty() || !AreEdgesPaired(data_.triangles, MergedCorners(data_.positions))) return false;
-  const Point center = R3::Bounds(*this).Center();
-  double volume = 0;  // six times
-  for (int i = 0; i < Elements(); ++i) {
-    const auto corners = Corners(i);
-    volume += Dot(corners[0] - center, Cross(corners[1] - center, corners[2] - center));
-  }
-  return volume > 0;
-}
+bool Mesh::IsClosed() const { return R3::IsClosed(data_); }
 
 MeshData Mesh::Tessellate(int fineness) const {
   const double shares = fineness / (4 * std::sqrt(std::max(1.0, static_cast<double>(Elements()))));

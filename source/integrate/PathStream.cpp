@@ -246,6 +246,7 @@ void PathStream::AddLight(int light, const Front& front, TraceState& state) cons
     random = {};
   LightSamples samples;
   samples.count = static_cast<std::uint32_t>(front.points.size());
+  if (lights_.IsLamp(light)) return AddLamp(light, front, random, state);
   for (std::uint32_t i = 0; i < samples.count; ++i) {
     samples.SetFrom(i, front.points[i].free_point);
     samples.u[i] = random.coordinates[0][i], samples.v[i] = random.coordinates[1][i];
@@ -267,6 +268,16 @@ void PathStream::AddLight(int light, const Front& front, TraceState& state) cons
     tracer_.AddShadowRay(
         front.points[i], i, {.to_light = samples.ToLight(i), .is_infinite = is_infinite, .reaching = reached},
         front.throughputs[i] * reflected, no_more, [&] { return lights_.Describe(light); }, state);
+  }
+}
+
+void PathStream::AddLamp(int lamp, const Front& front, const PointsOfEach<2>& random, TraceState& state) const {
+  const auto& u = random.coordinates;
+  for (std::size_t i = 0; i < front.points.size(); ++i) {
+    const ShadingPoint& p = front.points[i];
+    if (!ReflectsLights(p, settings_)) continue;
+    if (const auto sample = lights_.Sample(p, lamp, {u[0][i], u[1][i]}))
+      AddLightSample(p, Reflected(p, Bsdf(p, settings_), *sample), *sample, i, state);
   }
 }
 

@@ -1,11 +1,11 @@
 #include "source/integrate/Whitted.h"
 
 #include <algorithm>
-#include <bit>
 #include <numbers>
 
 #include "source/integrate/Bsdf.h"
 #include "source/integrate/RussianRoulette.h"
+#include "source/integrate/lights/LampSample.h"
 
 namespace ray {
 namespace {
@@ -20,46 +20,19 @@ enum WhittedKey : std::uint64_t {
   first_light_key
 };
 // Of the rays that share a reflection, and of lights that are chosen; no surface has as many lights.
-constexpr std::uint64_t gloss_key = camera_key - 1, chosen_lights_key = camera_key - 2, again_key = camera_key - 3;
+constexpr std::uint64_t gloss_key = camera_key - 1, chosen_lights_key = camera_key - 2;
 
 bool IsExtended(const Light& light) { return light.IsExtended(); }
-bool IsExtended(const EmissiveTriangle&) { return true; }
+bool IsExtended(const TriangleLamp&) { return true; }
 bool IsExtended(const EmissiveShape&) { return true; }
 bool IsExtended(const Environment&) { return true; }
 
-/// Whether a surface is itself the light.
-bool IsOn(const ShadingPoint& p, const EmissiveTriangle& triangle, const World& world) {
-  return triangle.primitive == world.PrimitiveId(p.hit);
-}
-bool IsOn(const ShadingPoint& p, const EmissiveShape& shape, const World& world) {
-  return shape.Primitive() == world.PrimitiveId(p.hit);
-}
-template <typename Other>
-bool IsOn(const ShadingPoint&, const Other&, const World&) {
-  return false;
-}
+bool IsOn(const ShadingPoint&, const Light&, const World&) { return false; }
+bool IsOn(const ShadingPoint&, const Environment&, const World&) { return false; }
 
 /// A point on the light, picked by `u`.
 std::optional<LightSample> SampleLight(const ShadingPoint& p, const Light& light, const R2::Point& u) {
   return light.Illuminate(p.free_point, u);
-}
-std::optional<LightSample> SampleLight(const ShadingPoint& p, const EmissiveTriangle& triangle, const R2::Point& u) {
-  const R3::Vector way = triangle.PointTowards(p.free_point, u, p.path.ray.time) - p.free_point;
-  return LightSample{.irradiance = triangle.RadianceAlong(way), .to_light = way, .reaching = triangle.primitive};
-}
-std::optional<LightSample> SampleLight(const ShadingPoint& p, const EmissiveShape& shape, const R2::Point& u) {
-  const R3::Point& from = p.free_point;
-  const double time = p.path.ray.time;
-  auto drawn = shape.SampleTowards(from, u, time);
-  if (!drawn && !shape.DrawsInSight()) {
-    // Of some shapes, what hides itself is drawn as well. The mean is that over what does not.
-    constexpr std::uint32_t most_attempts = 64;
-    const RandomKey key = p.path.index.key.Child(again_key).Child(std::bit_cast<std::uint64_t>(u.x));
-    const Points again(SamplerKind::random, key.Child(std::bit_cast<std::uint64_t>(u.y)), most_attempts);
-    for (std::uint32_t k = 0; k < most_attempts && !drawn; ++k) drawn = shape.SampleTowards(from, again.Get2D(k), time);
-  }
-  if (!drawn) return {};
-  return LightSample{.irradiance = drawn->radiance, .to_light = drawn->towards, .reaching = shape.Reached()};
 }
 std::optional<LightSample> SampleLight(const ShadingPoint&, const Environment& environment, const R2::Point& u) {
   const Environment::Sample drawn = environment.Draw(u);
@@ -84,7 +57,7 @@ void KeepDeparture(const R3::Departure& departure, std::span<PathState> spawned,
 
 /// What a recording calls it.
 std::string Described(const Light& light) { return light.Describe(); }
-std::string Described(const EmissiveTriangle& triangle) { return triangle.Describe(); }
+std::string Described(const TriangleLamp& lamp) { return lamp.Describe(); }
 std::string Described(const EmissiveShape& shape) { return shape.Describe(); }
 std::string Described(const Environment&) { return "environment"; }
 
@@ -96,7 +69,7 @@ Whitted::Whitted(const World& world, const Accelerator& accelerator, const Trace
       settings_(settings),
       has_roulette_(settings.roulette == Roulette::on),
       lights_(LightsOf(world.scene())),
-      triangles_(EmissiveTriangles(world)) {
+      lamps_(TriangleLamps(world, settings.emissive_meshes)) {
   if (settings.emissive_solids_light) shapes_ = EmissiveShapes(world);
   settings_.max_depth = std::min<std::int64_t>(settings_.max_depth, most_bounces);
   const Scene& scene = world.scene();
@@ -104,7 +77,7 @@ Whitted::Whitted(const World& world, const Accelerator& accelerator, const Trace
   if (settings_.lights <= 0) return;
   std::vector<LightBound> bounds;
   for (const Light* light : lights_) bounds.push_back(light->Bound());
-  for (const EmissiveTriangle& triangle : triangles_) bounds.push_back(triangle.Bound());
+  for (const TriangleLamp& lamp : lamps_) bounds.push_back(lamp.Bound());
   for (const EmissiveShape& shape : shapes_) bounds.push_back(shape.Bound());
   tree_.emplace(std::move(bounds));
 }
@@ -170,7 +143,7 @@ void Whitted::Shade(std::span<ShadingPoint> points, TraceState& state) const {
   } else {
     std::uint64_t which = first_light_key;
     for (const Light* light : lights_) AddLight(*light, which++, points, state);
-    for (const EmissiveTriangle& triangle : triangles_) AddLight(triangle, which++, points, state);
+    for (const TriangleLamp& lamp : lamps_) AddLight(lamp, which++, points, state);
     for (const EmissiveShape& shape : shapes_) AddLight(shape, which++, points, state);
   }
   if (environment_) AddLight(*environment_, environment_key, points, state);
@@ -222,8 +195,8 @@ void Whitted::AddChosenLight(std::size_t which, const ShadingPoint& p, std::size
   };
   if (which < lights_.size()) return add(*lights_[which]);
   which -= lights_.size();
-  if (which < triangles_.size()) return add(triangles_[which]);
-  add(shapes_[which - triangles_.size()]);
+  if (which < lamps_.size()) return add(lamps_[which]);
+  add(shapes_[which - lamps_.size()]);
 }
 
 template <typename AnyLight>

@@ -25,7 +25,7 @@ std::map<std::string, std::string> Cases() {
 }
 
 bool IsNumber(const std::string& word) {
-  if (word.size() < 2 || word[0] < 'A' || word[0] > 'L') return false;
+  if (word.size() < 2 || word[0] < 'A' || word[0] > 'M') return false;
   return std::all_of(word.begin() + 1, word.end(), [](unsigned char c) { return std::isdigit(c); });
 }
 

@@ -1,10 +1,12 @@
 #include "source/integrate/lights/LightSampler.h"
 
 #include <algorithm>
+#include <cassert>
 #include <numbers>
 
 #include "R3/Warp.h"
 #include "source/integrate/Bsdf.h"
+#include "source/integrate/lights/LampSample.h"
 
 namespace ray {
 namespace {
@@ -38,11 +40,13 @@ std::vector<const Light*> LightsOfPath(const World& world) {
 }
 
 LightSampler::LightSampler(const World& world, const TraceSettings& settings)
-    : triangles_(EmissiveTriangles(world)),
-      shapes_(EmissiveShapes(world)),
+    : world_(world),
+      settings_(settings),
       emission_bounds_(world),
-      has_unsampled_emission_(HasUnsampledEmission(world)),
-      settings_(settings) {
+      has_unsampled_emission_(!EmitsColor() && HasUnsampledEmission(world)) {
+  if (!EmitsColor()) triangles_ = EmissiveTriangles(world);
+  if (EmitsColor()) lamps_ = TriangleLamps(world, settings.emissive_meshes);
+  if (!EmitsColor() || settings.emissive_solids_light) shapes_ = EmissiveShapes(world);
   const Scene& scene = world.scene();
   std::vector<LightBound> bounds;
   for (const Light* light : LightsOfPath(world)) {
@@ -53,9 +57,10 @@ LightSampler::LightSampler(const World& world, const TraceSettings& settings)
     light_of_primitive_.emplace(triangle.primitive, static_cast<int>(bounds.size()));
     bounds.push_back(RadiantBound(triangle.Bound(), triangle.area));
   }
+  for (const TriangleLamp& lamp : lamps_) bounds.push_back(lamp.Bound());
   for (const EmissiveShape& shape : shapes_) {
-    light_of_primitive_.emplace(shape.Primitive(), static_cast<int>(bounds.size()));
-    bounds.push_back(RadiantBound(shape.Bound(), shape.ProjectedAreaOfBounds()));
+    if (!EmitsColor()) light_of_primitive_.emplace(shape.Primitive(), static_cast<int>(bounds.size()));
+    bounds.push_back(EmitsColor() ? shape.Bound() : RadiantBound(shape.Bound(), shape.ProjectedAreaOfBounds()));
   }
   if (scene.environment && !scene.environment->IsBlack()) {
     environment_ = scene.environment.get();
@@ -83,10 +88,13 @@ std::string LightSampler::Describe(int light) const {
   i -= lights_.size();
   if (i < triangles_.size()) return triangles_[i].Describe();
   i -= triangles_.size();
+  if (i < lamps_.size()) return lamps_[i].Describe();
+  i -= lamps_.size();
   return i < shapes_.size() ? shapes_[i].Describe() : "environment";
 }
 
 std::int64_t LightSampler::Reached(int light) const {
+  assert(!IsLamp(light));
   auto i = static_cast<std::size_t>(light);
   if (i < lights_.size()) return -1;
   i -= lights_.size();
@@ -113,6 +121,11 @@ std::optional<LightSample> LightSampler::Sample(const ShadingPoint& p, int light
     return sample;
   }
   i -= lights_.size();
+  if (IsLamp(light)) {
+    auto sample = SampleLamp(p, i, u);
+    if (sample) sample->light = light;
+    return sample;
+  }
   if (i < triangles_.size()) {
     const EmissiveTriangle& triangle = triangles_[i];
     const R3::Vector towards = triangle.PointTowards(p.free_point, u, p.path.ray.time) - p.free_point;
@@ -135,8 +148,16 @@ std::optional<LightSample> LightSampler::Sample(const ShadingPoint& p, int light
   return LightSample{drawn.radiance / drawn.pdf, drawn.direction, true, drawn.pdf, light};
 }
 
+std::optional<LightSample> LightSampler::SampleLamp(const ShadingPoint& p, std::size_t lamp, const R2::Point& u) const {
+  const auto sample = [&](const auto& light) {
+    return IsOn(p, light, world_) ? std::nullopt : SampleLight(p, light, u);
+  };
+  return lamp < lamps_.size() ? sample(lamps_[lamp]) : sample(shapes_[lamp - lamps_.size()]);
+}
+
 void LightSampler::SampleEach(std::span<const ShadingPoint> points, int light, LightSamples& samples,
                               LightSamples::Each& pdfs) const {
+  assert(!IsLamp(light));
   const std::size_t shape = static_cast<std::size_t>(light) - lights_.size() - triangles_.size();
   if (shape < shapes_.size() && shapes_[shape].CanSampleEach()) return shapes_[shape].SampleEach(samples, pdfs);
   if (IsInfinite(light) && !IsUniform()) return environment_->DrawEach(samples, pdfs);
