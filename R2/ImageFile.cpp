@@ -49,14 +49,13 @@ const ImageFormat* FormatForName(const std::string& name) {
 
 DecodedImage DecodeImage(std::span<const unsigned char> bytes) {
   const ImageFormat& format = FormatOfContent(bytes);
-  DecodedImage decoded;
-  decoded.format = &format;
   try {
-    decoded.image = format.decode(bytes, &decoded.settings);
+    DecodedImage decoded = format.decode(bytes);
+    decoded.format = &format;
+    return decoded;
   } catch (const std::bad_alloc&) {
     throw ImageError("not enough memory for the picture");
   }
-  return decoded;
 }
 
 ImageSize ReadImageSize(std::span<const unsigned char> bytes) { return FormatOfContent(bytes).read_size(bytes); }

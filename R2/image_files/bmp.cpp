@@ -81,7 +81,7 @@ std::span<const unsigned char> ReadPalette(std::span<const unsigned char> bytes,
 
 Color FromBlueGreenRed(std::span<const unsigned char> b) { return {b[2] / 255.0, b[1] / 255.0, b[0] / 255.0}; }
 
-Image Decode(std::span<const unsigned char> bytes, ImageSettings*) {
+DecodedImage Decode(std::span<const unsigned char> bytes) {
   ByteReader reader("BMP", bytes);
   const Header header = ReadHeader(reader);
   const auto palette = header.bits == 8 ? ReadPalette(bytes, header) : std::span<const unsigned char>{};
@@ -92,7 +92,8 @@ Image Decode(std::span<const unsigned char> bytes, ImageSettings*) {
   const auto height = static_cast<std::uint64_t>(header.size.height);
   const auto raster = pixels.Take(header.RowStride() * (height - 1) + header.RowBytes(), "the picture");
 
-  Image image(header.size.width, header.size.height);
+  DecodedImage decoded{Image(header.size.width, header.size.height)};
+  Image& image = decoded.image;
   const auto pixel_size = static_cast<std::size_t>(header.bits / 8);
   for (int row = 0; row < image.Height(); ++row) {
     const int y = header.is_top_down ? image.Height() - 1 - row : row;
@@ -107,7 +108,7 @@ Image Decode(std::span<const unsigned char> bytes, ImageSettings*) {
       image.Set(x, y, FromBlueGreenRed(pixel));
     }
   }
-  return image;
+  return decoded;
 }
 
 void AppendLittle(std::vector<unsigned char>& bytes, std::uint32_t number, int count) {

@@ -142,14 +142,15 @@ Image ReadPixels(Imf::InputFile& file, ImageSize size) {
   return image;
 }
 
-Image Decode(std::span<const unsigned char> bytes, ImageSettings* settings) {
+DecodedImage Decode(std::span<const unsigned char> bytes) {
   const ExrLayout layout = ReadExrLayout(bytes);
   CheckExrBlocks(bytes, layout);
   try {
     InputStream stream(bytes);
     Imf::InputFile file(stream, 0);  // no threads of the library's own
-    if (settings) *settings = SettingsOf(file.header());
-    return ReadPixels(file, layout.size);
+    DecodedImage decoded{ReadPixels(file, layout.size)};
+    decoded.settings = SettingsOf(file.header());
+    return decoded;
   } catch (const ImageError&) {
     throw;
   } catch (const std::bad_alloc&) {

@@ -144,19 +144,20 @@ std::vector<Pixel> ReadRow(ByteReader& reader, int width) {
   return ReadEncodedRow(reader, static_cast<std::size_t>(width));
 }
 
-Image Decode(std::span<const unsigned char> bytes, ImageSettings* settings) {
+DecodedImage Decode(std::span<const unsigned char> bytes) {
   ByteReader reader("HDR", bytes);
-  const ImageSize size = ReadHeader(reader, settings);
+  DecodedImage decoded;
+  const ImageSize size = ReadHeader(reader, &decoded.settings);
   // A run may stand for many pixels, yet no row takes less than one pixel's bytes. The picture is asked for only
   // once its first row is there, so that wide ones have shown their bytes too.
   reader.Need(std::uint64_t{4} * static_cast<unsigned>(size.height), "the picture");
-  Image image;
+  Image& image = decoded.image;
   for (int y = size.height - 1; y >= 0; --y) {
     const std::vector<Pixel> row = ReadRow(reader, size.width);
     if (image.Width() == 0) image = Image(size.width, size.height);
     for (int x = 0; x < size.width; ++x) image.Set(x, y, FromPixel(row[static_cast<std::size_t>(x)]));
   }
-  return image;
+  return decoded;
 }
 
 /// How many equal bytes start at `x`, 127 at most.

@@ -195,21 +195,22 @@ bool Recognizes(std::span<const unsigned char> bytes) {
 
 ImageSize ReadSize(std::span<const unsigned char> bytes) { return Decoder().ReadHeader(bytes); }
 
-Image Decode(std::span<const unsigned char> bytes, ImageSettings* settings) {
+DecodedImage Decode(std::span<const unsigned char> bytes) {
   Decoder decoder;
   const ImageSize size = decoder.ReadHeader(bytes);
   decoder.Start();
   // The picture is asked for only once its first row is there: the header alone may promise anything.
-  Image image;
+  DecodedImage decoded;
+  Image& image = decoded.image;
   std::vector<unsigned char> row(3 * static_cast<std::size_t>(size.width));
   for (int y = size.height - 1; y >= 0; --y) {
     decoder.ReadRow(row);
     if (image.Width() == 0) image = Image(size.width, size.height);
     SetByteRow(image, y, row);
   }
-  if (settings) *settings = decoder.Settings();
+  decoded.settings = decoder.Settings();
   decoder.Finish();
-  return image;
+  return decoded;
 }
 
 /// Comments between the scans of a progressive file are not met.

@@ -63,16 +63,18 @@ Color ReadPixel(ByteReader& reader, const Header& header) {
   return {r, g, b};
 }
 
-Image Decode(std::span<const unsigned char> bytes, ImageSettings*) {
+DecodedImage Decode(std::span<const unsigned char> bytes) {
   ByteReader reader("PFM", bytes);
   const Header header = ReadHeader(reader);
   const auto bytes_per_pixel = 4 * static_cast<std::uint64_t>(header.channels);
   reader.Need(bytes_per_pixel * static_cast<unsigned>(header.size.width) * static_cast<unsigned>(header.size.height),
               "the picture");
-  Image image(header.size.width, header.size.height);
+  DecodedImage decoded{Image(header.size.width, header.size.height)};
+  Image& image = decoded.image;
   for (int y = 0; y < image.Height(); ++y)
     for (int x = 0; x < image.Width(); ++x) image.Set(x, y, ReadPixel(reader, header));
-  return image;
+  WarnOfBytesBehind(decoded, "PFM", reader.Left());
+  return decoded;
 }
 
 std::vector<unsigned char> Encode(const Image& image, const ImageEncoding&, const ImageSettings&) {

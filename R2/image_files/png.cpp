@@ -233,7 +233,7 @@ void SetRow(Image& image, int y, std::span<const unsigned char> row, bool is_16_
   }
 }
 
-Image Decode(std::span<const unsigned char> bytes, ImageSettings* settings) {
+DecodedImage Decode(std::span<const unsigned char> bytes) {
   const ImageSize size = ReadSize(bytes);
   CheckChunks(bytes);
   Reader reader(bytes);
@@ -246,7 +246,8 @@ Image Decode(std::span<const unsigned char> bytes, ImageSettings* settings) {
   }
 
   const bool is_16_bit = reader.Is16Bit();
-  Image image(size.width, size.height);
+  DecodedImage decoded{Image(size.width, size.height)};
+  Image& image = decoded.image;
   if (reader.IsInterlaced()) {
     const auto rows = reader.ReadInterlaced();
     std::span<const unsigned char> rest = rows;
@@ -260,9 +261,8 @@ Image Decode(std::span<const unsigned char> bytes, ImageSettings* settings) {
       SetRow(image, y, row, is_16_bit);
     }
   }
-  ImageSettings read = reader.Finish();
-  if (settings) *settings = std::move(read);
-  return image;
+  decoded.settings = reader.Finish();
+  return decoded;
 }
 
 /// The file with its pixels at the end, and only begun: there the library stops. So text behind them counts, and none

@@ -63,17 +63,18 @@ Color ReadPixel(ByteReader& reader, const Header& header) {
   return {r, g, b};
 }
 
-Image Decode(std::span<const unsigned char> bytes, ImageSettings*) {
+DecodedImage Decode(std::span<const unsigned char> bytes) {
   ByteReader reader("PPM", bytes);
   const Header header = ReadHeader(reader);
   if (!header.is_text) reader.OneSpace();
   // In text, a sample takes a digit at least and all have white space before them.
   const auto bytes_per_sample = header.is_text ? 2u : static_cast<unsigned>(header.BytesPerSample());
   reader.Need(header.Samples() * bytes_per_sample, "the picture");
-  Image image(header.size.width, header.size.height);
+  DecodedImage decoded{Image(header.size.width, header.size.height)};
+  Image& image = decoded.image;
   for (int y = image.Height() - 1; y >= 0; --y)
     for (int x = 0; x < image.Width(); ++x) image.Set(x, y, ReadPixel(reader, header));
-  return image;
+  return decoded;
 }
 
 std::vector<unsigned char> Encode(const Image& image, const ImageEncoding& encoding, const ImageSettings&) {

@@ -22,6 +22,12 @@ TEST(Pfm, GrayIsReadInBothByteOrders) {
   EXPECT_EQ(DecodeImage(ToBytes("Pf 1 1 -1\n") + Bytes{0, 0, 0, 0xc0}).image.At(0, 0), (Color{-2, -2, -2}));
 }
 
+TEST(Pfm, BytesLeftOverAreTold) {
+  const DecodedImage decoded = DecodeImage(ToBytes("Pf 1 1 1\n") + one + Bytes{0, 0, 0});
+  EXPECT_EQ(decoded.image.At(0, 0).g, 1);
+  EXPECT_EQ(decoded.warnings, std::vector<std::string>{"PFM has 3 bytes behind its image, which are ignored"});
+}
+
 TEST(Pfm, IsWrittenByteForByteAsTheFormatSays) {
   Image image(1, 1);
   image.Set(0, 0, {1, -2, 0.5});

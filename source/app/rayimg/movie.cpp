@@ -150,6 +150,7 @@ Frames ReadFrames(const std::vector<std::string>& names) {
   for (const std::string& name : names) {
     Bytes jpeg = ReadBytes(name);
     const R2::DecodedImage picture = DecodePicture(name, jpeg);
+    PrintWarnings(name, picture.warnings);
     if (std::string_view(picture.format->name) != "jpeg")
       throw UsageError(Quoted(name) + " is a " + picture.format->name + "; the frames of a movie are jpeg");
     if (frames.jpegs.empty()) first = picture.image;
