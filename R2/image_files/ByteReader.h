@@ -15,6 +15,7 @@ class ByteReader {
   ByteReader(const char* kind, std::span<const unsigned char> bytes) : kind_(kind), bytes_(bytes) {}
 
   std::uint64_t Left() const { return bytes_.size() - position_; }
+  std::span<const unsigned char> Rest() const { return bytes_.subspan(position_); }
   /// Throws unless `count` bytes are left, `what` being what they hold.
   void Need(std::uint64_t count, const char* what) const;
 
