@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <new>
+#include <optional>
 
 #include "R2/image_files/ByteReader.h"
 #include "R2/image_files/formats.h"
@@ -116,13 +117,15 @@ std::span<const unsigned char> Block(std::span<const unsigned char> bytes, std::
   return reader.Take(reader.Little32("a block"), "a block");
 }
 
-/// Whether the block at `place` is in the file and holds so many bytes of pixels.
-bool IsThere(std::span<const unsigned char> bytes, const ExrLayout& layout, std::uint64_t place,
-             std::uint64_t expected) {
+/// Where the block at `place` ends; nothing unless it is in the file and holds so many bytes of pixels.
+std::optional<std::uint64_t> EndOfBlock(std::span<const unsigned char> bytes, const ExrLayout& layout,
+                                        std::uint64_t place, std::uint64_t expected) {
   try {
-    return Holds(Block(bytes, place, layout.is_tiled ? 4 : 1), expected, layout.compression);
+    const auto block = Block(bytes, place, layout.is_tiled ? 4 : 1);
+    if (!Holds(block, expected, layout.compression)) return {};
+    return static_cast<std::uint64_t>(block.data() + block.size() - bytes.data());
   } catch (const ImageError&) {
-    return false;  // beyond the end
+    return {};  // beyond the end
   }
 }
 
@@ -135,8 +138,8 @@ ExrLayout ReadExrLayout(std::span<const unsigned char> bytes) {
   reader.Take(4, "the magic number");
   const std::uint32_t version = reader.Little32("the version");
   if ((version & 0xff) != 2) reader.Fail("has a version other than 2");
-  if (version & (deep_flag | multipart_flag))
-    reader.Fail("has several parts or deep pixels; a single flat part is read");
+  if (version & deep_flag) reader.Fail("has deep pixels, of several samples each; flat ones are read");
+  if (version & multipart_flag) reader.Fail("has several parts, each an image of its own; files of one part are read");
 
   ExrLayout layout;
   layout.is_tiled = version & tiled_flag;
@@ -149,6 +152,8 @@ ExrLayout ReadExrLayout(std::span<const unsigned char> bytes) {
     if (name == "tiles") {
       layout.tile_width = value.Little32("the tile size");
       layout.tile_height = value.Little32("the tile size");
+      layout.has_smaller_copies =
+          (value.Byte("the tile levels") & 15) != 0;  // the higher bits say how sizes are rounded
     }
   }
   if (layout.size.width == 0) reader.Fail("has no data window");
@@ -158,7 +163,7 @@ ExrLayout ReadExrLayout(std::span<const unsigned char> bytes) {
   return layout;
 }
 
-void CheckExrBlocks(std::span<const unsigned char> bytes, const ExrLayout& layout) {
+std::uint64_t CheckExrBlocks(std::span<const unsigned char> bytes, const ExrLayout& layout) {
   ByteReader table("EXR", bytes);
   table.Take(layout.table, "the header");
   const auto [width, height] = layout.size;
@@ -169,16 +174,21 @@ void CheckExrBlocks(std::span<const unsigned char> bytes, const ExrLayout& layou
   const std::int64_t blocks = Quotient(width, columns_together) * Quotient(height, rows_together);
   table.Need(8 * static_cast<std::uint64_t>(blocks), "the table of blocks");
 
+  std::uint64_t last_end = layout.table;
   // Of a file with smaller copies of the picture, the picture itself comes first.
   for (int y = 0; y < height; y += rows_together) {
     for (int x = 0; x < width; x += columns_together) {
       const std::uint64_t low = table.Little32("the table of blocks"), high = table.Little32("the table of blocks");
       const int block_width = std::min(columns_together, width - x);
       const std::uint64_t expected = PixelBytes(layout, block_width, y, std::min(y + rows_together, height));
-      if (IsThere(bytes, layout, low | high << 32, expected)) continue;
-      table.Fail("is truncated or damaged: " + std::to_string(y) + " of " + std::to_string(height) + " rows are there");
+      const auto end = EndOfBlock(bytes, layout, low | high << 32, expected);
+      if (!end)
+        table.Fail("is truncated or damaged: " + std::to_string(y) + " of " + std::to_string(height) +
+                   " rows are there");
+      last_end = std::max(last_end, *end);
     }
   }
+  return last_end;
 }
 
 }  // namespace R2
