@@ -6,6 +6,7 @@
 #include <array>
 #include <new>
 #include <optional>
+#include <utility>
 
 #include "R2/image_files/ByteReader.h"
 #include "R2/image_files/formats.h"
@@ -36,6 +37,33 @@ std::vector<ExrChannel> ReadChannels(ByteReader& value) {
     channels.push_back(channel);
   }
   return channels;
+}
+
+/// Whether the library reads as many bytes of an attribute as the file states. Of most types it reads so many whatever
+/// the file states, and would take what follows for something else, down to sizes that it makes room for.
+///   source   OpenEXR File Layout (2013), "Attribute Types"
+bool HasSizeOfType(std::string_view type, ByteReader value) {
+  constexpr std::array<std::pair<std::string_view, std::uint64_t>, 23> sizes{
+      {{"box2f", 16},      {"box2i", 16},   {"chromaticities", 32},
+       {"compression", 1}, {"double", 8},   {"envmap", 1},
+       {"float", 4},       {"int", 4},      {"keycode", 28},
+       {"lineOrder", 1},   {"m33d", 72},    {"m33f", 36},
+       {"m44d", 128},      {"m44f", 64},    {"rational", 8},
+       {"tiledesc", 9},    {"timecode", 8}, {"v2d", 16},
+       {"v2f", 8},         {"v2i", 8},      {"v3d", 24},
+       {"v3f", 12},        {"v3i", 12}}};
+  const auto fixed = std::ranges::find(sizes, type, &std::pair<std::string_view, std::uint64_t>::first);
+  if (fixed != sizes.end()) return value.Left() == fixed->second;
+  if (type == "deepImageState") return value.Left() == 1;
+  if (type == "chlist") ReadChannels(value);
+  if (type == "preview") {
+    // Bounded, lest the product overflows.
+    const auto side = [&] { return std::min<std::uint64_t>(value.Little32("a size"), max_pixels); };
+    value.Take(4 * side() * side(), "a preview");
+  }
+  while (type == "stringvector" && value.Left() > 0) value.Take(value.Little32("a length"), "a text");
+  const bool is_read_to_its_end = type == "chlist" || type == "preview" || type == "stringvector";
+  return !is_read_to_its_end || value.Left() == 0;
 }
 
 /// How many rows are compressed together; a number that is no compression is left to the library to refuse.
@@ -144,8 +172,9 @@ ExrLayout ReadExrLayout(std::span<const unsigned char> bytes) {
   ExrLayout layout;
   layout.is_tiled = version & tiled_flag;
   for (std::string_view name; !(name = reader.Until('\0', "the header")).empty();) {
-    reader.Until('\0', "the header");
+    const std::string_view type = reader.Until('\0', "the header");
     ByteReader value("EXR", reader.Take(reader.Little32("the header"), "an attribute"));
+    if (!HasSizeOfType(type, value)) reader.Fail("has an attribute whose size is not that of its type");
     if (name == "dataWindow") layout.size = ReadDataWindow(value);
     if (name == "channels") layout.channels = ReadChannels(value);
     if (name == "compression") layout.compression = value.Byte("the compression");

@@ -13,6 +13,7 @@
 #include <ImfRgbaYca.h>
 #include <ImfStandardAttributes.h>
 #include <ImfStringAttribute.h>
+#include <ImfVersion.h>
 #include <OpenEXRConfig.h>
 
 #include <algorithm>
@@ -273,11 +274,17 @@ DecodedImage Decode(std::span<const unsigned char> bytes) {
   }
 }
 
+/// Reads the header alone: a file that is opened by the library gets room for rows as wide as the header promises.
 ImageSettings ReadSettings(std::span<const unsigned char> bytes) {
+  constexpr std::uint64_t behind_version = 8;
   ReadExrLayout(bytes);
   try {
     InputStream stream(bytes);
-    return SettingsOf(Imf::InputFile(stream, 0).header());
+    stream.seekg(behind_version);
+    Imf::Header header;
+    int version = Imf::EXR_VERSION;
+    header.readFrom(stream, version);
+    return SettingsOf(header);
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::exception& error) {
