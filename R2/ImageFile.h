@@ -53,6 +53,7 @@ struct DecodedImage {
   const ImageFormat* format = nullptr;
   ImageSettings settings{};
   std::vector<std::string> warnings{};  // what is odd about the file, or left out of it; sentences that name no file
+  bool is_turned = false;               // from how the file stores it, as the file asks
 };
 
 /// One line of image_formats.def.

@@ -110,7 +110,7 @@ TEST(Samples, AreReadAsOthersReadThem) {
       ADD_FAILURE() << error.what();
     }
   }
-  EXPECT_GE(read, 20);
+  EXPECT_GE(read, 35);
 }
 
 TEST(Samples, ThatCannotBeReadAreRefusedInWordsThatNameWhy) {
