@@ -110,7 +110,7 @@ TEST(Samples, AreReadAsOthersReadThem) {
       ADD_FAILURE() << error.what();
     }
   }
-  EXPECT_GE(read, 54);
+  EXPECT_GE(read, 70);
 }
 
 TEST(Samples, ThatCannotBeReadAreRefusedInWordsThatNameWhy) {
