@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <new>
 
+#include "R2/LooksLike.h"
 #include "R2/image_files/formats.h"
 
 namespace R2 {
@@ -22,7 +23,9 @@ const ImageFormat& FormatOfContent(std::span<const unsigned char> bytes) {
     known += format.name;
   }
   if (bytes.empty()) throw ImageError("the image file is empty");
-  throw ImageError("unknown image format; supported: " + known);
+  const std::string look = LooksLike(bytes);
+  throw ImageError("unknown image format" + (look.empty() ? "" : ": the file looks like " + look) +
+                   "; supported: " + known);
 }
 
 }  // namespace
