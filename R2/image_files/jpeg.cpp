@@ -8,6 +8,7 @@
 #include <array>
 #include <string_view>
 
+#include "R2/image_files/ColorProfile.h"
 #include "R2/image_files/CommentSettings.h"
 #include "R2/image_files/Jump.h"
 #include "R2/image_files/Orientation.h"
@@ -98,18 +99,30 @@ ImageSettings SettingsOf(const jpeg_decompress_struct& codec) {
   return SettingsOfComment(text);
 }
 
-constexpr int exif_marker = JPEG_APP0 + 1;
+constexpr int exif_marker = JPEG_APP0 + 1, profile_marker = JPEG_APP0 + 2;
+
+/// What the markers of a number hold that begin with such bytes, behind these.
+std::vector<std::span<const unsigned char>> MarkersOf(const jpeg_decompress_struct& codec, int number,
+                                                      std::string_view start) {
+  std::vector<std::span<const unsigned char>> found;
+  for (const jpeg_marker_struct* marker = codec.marker_list; marker; marker = marker->next) {
+    const std::span<const unsigned char> data(marker->data, marker->data_length);
+    if (marker->marker == number && data.size() >= start.size() && std::equal(start.begin(), start.end(), data.begin()))
+      found.push_back(data.subspan(start.size()));
+  }
+  return found;
+}
 
 /// Cameras state how they were held in a block of EXIF, of which the first counts.
 Orientation OrientationOf(const jpeg_decompress_struct& codec) {
-  constexpr std::string_view start("Exif\0\0", 6);
-  for (const jpeg_marker_struct* marker = codec.marker_list; marker; marker = marker->next) {
-    const std::span<const unsigned char> data(marker->data, marker->data_length);
-    if (marker->marker == exif_marker && data.size() >= start.size() &&
-        std::equal(start.begin(), start.end(), data.begin()))
-      return ExifOrientation(data.subspan(start.size()));
-  }
-  return {};
+  const auto blocks = MarkersOf(codec, exif_marker, std::string_view("Exif\0\0", 6));
+  return blocks.empty() ? Orientation{} : ExifOrientation(blocks[0]);
+}
+
+/// A profile may be cut in pieces. Its name stands in the first.
+bool HasOtherProfile(const jpeg_decompress_struct& codec) {
+  const auto pieces = MarkersOf(codec, profile_marker, std::string_view("ICC_PROFILE\0", 12));
+  return !pieces.empty() && std::ranges::none_of(pieces, IsNamedSrgb);
 }
 
 /// A progressive file may describe the picture in ever new scans; a small file with thousands of them over a large
@@ -140,6 +153,7 @@ class Decoder {
       jpeg_mem_src(&codec_, bytes.data(), static_cast<unsigned long>(bytes.size()));
       jpeg_save_markers(&codec_, JPEG_COM, 0xffff);
       jpeg_save_markers(&codec_, exif_marker, 0xffff);
+      jpeg_save_markers(&codec_, profile_marker, 0xffff);
       jpeg_read_header(&codec_, TRUE);
     });
     if (codec_.num_components != 1 && codec_.num_components != 3 && !HasInks()) {
@@ -154,6 +168,9 @@ class Decoder {
 
   /// Whether pixels are cyan, magenta, yellow and black.
   bool HasInks() const { return codec_.num_components == 4; }
+
+  /// Whether the header has a color profile other than that of sRGB; to be asked for before Finish.
+  bool HasOtherColors() const { return HasOtherProfile(codec_); }
 
   /// The orientation that the header asks for.
   Orientation StatedOrientation() const { return OrientationOf(codec_); }
@@ -240,8 +257,10 @@ DecodedImage Decode(std::span<const unsigned char> bytes) {
   }
   Turn(decoded, decoder.StatedOrientation());
   decoded.settings = decoder.Settings();
+  const bool has_other_colors = decoder.HasOtherColors();
   decoder.Finish();
   decoded.warnings = decoder.WarningTexts();
+  if (has_other_colors) decoded.warnings.push_back(std::string("JPEG") + other_profile);
   WarnOfBytesBehind(decoded, "JPEG", decoder.BytesBehind());
   return decoded;
 }

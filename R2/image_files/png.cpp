@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstring>
 #include <new>
 #include <string_view>
 
 #include "R2/image_files/ByteReader.h"
+#include "R2/image_files/ColorProfile.h"
 #include "R2/image_files/Jump.h"
 #include "R2/image_files/PngChunks.h"
 #include "R2/image_files/PngText.h"
@@ -123,6 +125,26 @@ class Reader {
     return Texts();
   }
 
+  /// Whether the file states colors other than those of sRGB, by a profile or by a gamma alone.
+  bool HasOtherColors() {
+    png_charp name = nullptr;
+    png_bytep profile = nullptr;
+    png_uint_32 length = 0;
+    int ignored = 0;
+    double gamma = 0;
+    bool has_profile = false, has_srgb = false, has_gamma = false;
+    Do([&] {
+      has_srgb = png_get_sRGB(png_, info_, &ignored) != 0;
+      has_profile = png_get_iCCP(png_, info_, &name, &ignored, &profile, &length) != 0;
+      has_gamma = png_get_gAMA(png_, info_, &gamma) != 0;
+    });
+    if (has_srgb) return false;
+    if (has_profile) return !IsNamedSrgb({profile, length});
+    // Writers round 1/2.2 to anything from .45 to .4546.
+    constexpr double usual_gamma = 1 / 2.2, rounding = 0.01;
+    return has_gamma && std::abs(gamma - usual_gamma) > rounding;
+  }
+
   bool IsInterlaced() const { return passes_ > 1; }
   RowLayout Layout() const { return {png_get_bit_depth(png_, info_) == 16, png_get_channels(png_, info_) == 4}; }
   std::size_t RowBytes() const { return png_get_rowbytes(png_, info_); }
@@ -144,8 +166,8 @@ class Reader {
     return rows;
   }
 
-  /// Reads up to the end, so that text behind the picture counts. Where the file merely lacks its end, the whole picture
-  /// has been read by then.
+  /// Reads up to the end, so that text behind the picture counts. Where the file merely lacks its end, the whole
+  /// picture has been read by then.
   ImageSettings Finish() {
     if (!Completes(jump_, [&] { png_read_end(png_, info_); }) && !is_truncated_) Refuse();
     return Texts();
@@ -248,6 +270,8 @@ DecodedImage Decode(std::span<const unsigned char> bytes) {
   Turn(decoded, PngOrientation(bytes));
   if (!is_opaque)
     decoded.warnings.push_back("PNG has transparent pixels: alpha is ignored, their colors count in full");
+  if (reader.HasOtherColors())
+    decoded.warnings.push_back("PNG has a color profile or a gamma other than sRGB's, which is not applied");
   if (!end.has_end_chunk) decoded.warnings.push_back("PNG has no end chunk (IEND), yet all its rows are there");
   WarnOfBytesBehind(decoded, "PNG", end.bytes_behind);
   return decoded;
