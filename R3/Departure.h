@@ -18,7 +18,8 @@
 /// e being more than eight times what the surface itself may be off by, and is hence on the near side of any other
 /// surface that meets there and is tilted against the ray by more than 2^-13 of what the hit's own surface is. It is at
 /// most 2^-8 of the arriving ray away from the hit: far from the world's origin, where m would be larger than what is
-/// to be seen, less is as good as can be had.
+/// to be seen, less is as good as can be had. Its clearance counts as 2^10 u S at the least, so that a path that goes
+/// less than 2^18 u S has not moved, see below.
 ///
 /// What the ray is nearly parallel to may have the free point behind it all the same, by some u S. So whether a new ray
 /// meets a surface near its start is not decided by the sign of t. A surface whose distance from the free point is
@@ -67,6 +68,9 @@ struct Departure {
 /// No free point is farther before a hit than this share of the way to it.
 inline constexpr double most_of_way = 0x1p-8;
 
+/// What is nearer to a free point than this times u S is not told from its surface, so no clearance is less.
+inline constexpr double least_clearance = 0x1p10;
+
 /// A free point, and its clearance.
 struct FreePoint {
   Point place;
@@ -83,7 +87,7 @@ inline FreePoint FreePointBefore(const Point& origin, const Vector& direction, d
   const double size = MaxComponent(Abs(FromOrigin(origin))) + t * MaxComponent(Abs(direction));
   const double clearance = share_of_size * size + error;
   const double back = std::min(clearance / std::abs(facing), most_of_way * (t - begin));
-  return {origin + (t - back) * direction, back * std::abs(facing)};
+  return {origin + (t - back) * direction, std::max(back * std::abs(facing), least_clearance * unit_roundoff * size)};
 }
 
 /// How far a ray that leaves a surface may go, as a multiple of -t_min, before no surface is nearer to its start than

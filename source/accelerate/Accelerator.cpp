@@ -48,7 +48,7 @@ WorldHit Accelerator::Seen(const R3::Ray& ray, const WorldHit& nearest, Workspac
   std::optional<WorldHit> none;
   NearestHit all(world_, near, none, hits);
   Search(near, all, workspace);
-  return SeenOf(world_, ray, hits);
+  return SeenOf(world_, ray, std::move(hits));
 }
 
 std::unique_ptr<Accelerator> AcceleratorKind::Make(const World& world, const AcceleratorSettings& settings) const {

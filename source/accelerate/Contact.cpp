@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
-#include <vector>
 
 namespace ray {
 namespace {
@@ -52,13 +50,25 @@ double RadiusOf(const World& world, const WorldHit& hit) {
   return world.InWorld(instance.frame, instance.shape->Bounds(hit.element)).Radius();
 }
 
-bool AreCoincident(const World& world, const R3::Ray& ray, const WorldHit& nearest, const WorldHit& other) {
-  const Crossing a(world, ray, nearest), b(world, ray, other);
-  const double error = a.off + b.off;
-  if (!(std::abs(other.t - nearest.t) * std::abs(a.along) <= error)) return false;
-  const double sine = Length(Cross(a.normal, b.normal));
-  return sine == 0 || sine * std::min(RadiusOf(world, nearest), RadiusOf(world, other)) <= 4 * error;
-}
+/// A hit with which others are compared.
+struct Reference {
+  Reference(const World& world, const R3::Ray& ray, const WorldHit& hit)
+      : t(hit.t), primitive(world.PrimitiveId(hit)), crossing(world, ray, hit), radius(RadiusOf(world, hit)) {}
+
+  bool IsCoincidentWith(const World& world, const R3::Ray& ray, const WorldHit& other) const {
+    if (world.PrimitiveId(other) == primitive) return true;
+    const Crossing b(world, ray, other);
+    const double error = crossing.off + b.off;
+    if (!(std::abs(other.t - t) * std::abs(crossing.along) <= error)) return false;
+    const double sine = Length(Cross(crossing.normal, b.normal));
+    return sine == 0 || sine * std::min(radius, RadiusOf(world, other)) <= 4 * error;
+  }
+
+  double t;
+  std::int64_t primitive;
+  Crossing crossing;
+  double radius;
+};
 
 /// What crossing a surface does to what a path is inside of.
 enum class MediumCrossing { none, entry, exit };
@@ -90,29 +100,24 @@ bool IsInTheWay(const World& world, const R3::Ray& ray, const WorldHit& hit) {
   return world.PrimitiveId(hit) < ray.reaching;
 }
 
-WorldHit SeenOf(const World& world, const R3::Ray& ray, std::span<const WorldHit> hits) {
+WorldHit SeenOf(const World& world, const R3::Ray& ray, std::vector<WorldHit> hits) {
   const auto is_before = [&](const WorldHit& a, const WorldHit& b) {
     return a.t != b.t ? a.t < b.t : world.PrimitiveId(a) < world.PrimitiveId(b);
   };
-  const WorldHit nearest = *std::min_element(hits.begin(), hits.end(), is_before);
-  std::vector<WorldHit> coincident;
-  for (const WorldHit& hit : hits)
-    if (world.PrimitiveId(hit) == world.PrimitiveId(nearest) || AreCoincident(world, ray, nearest, hit))
-      coincident.push_back(hit);
-  const auto first_of = [&](const auto& is_one) {
-    std::optional<WorldHit> first;
-    for (const WorldHit& hit : coincident)
-      if (is_one(hit) && (!first || world.PrimitiveId(hit) < world.PrimitiveId(*first))) first = hit;
-    return first;
+  const Reference nearest(world, ray, *std::ranges::min_element(hits, is_before));
+  // Of many in one place, few need a look.
+  std::ranges::sort(hits, {}, [&](const WorldHit& hit) { return world.PrimitiveId(hit); });
+  const auto first_that = [&](const auto& is_one) {
+    return std::ranges::find_if(
+        hits, [&](const WorldHit& hit) { return is_one(hit) && nearest.IsCoincidentWith(world, ray, hit); });
   };
   const auto crosses = [&](const WorldHit& hit) { return CrossingOf(world, ray, hit); };
-  if (const auto exit = first_of([&](const WorldHit& hit) { return crosses(hit) == MediumCrossing::exit; })) {
-    const bool is_between_media =
-        std::ranges::none_of(coincident, [&](const WorldHit& hit) { return crosses(hit) == MediumCrossing::none; });
-    const auto entry = first_of([&](const WorldHit& hit) { return crosses(hit) == MediumCrossing::entry; });
-    return is_between_media && entry ? *entry : *exit;
-  }
-  return *first_of([](const WorldHit&) { return true; });
+  const auto exit = first_that([&](const WorldHit& hit) { return crosses(hit) == MediumCrossing::exit; });
+  if (exit == hits.end()) return *first_that([](const WorldHit&) { return true; });
+  const auto entry = first_that([&](const WorldHit& hit) { return crosses(hit) == MediumCrossing::entry; });
+  if (entry == hits.end()) return *exit;
+  const auto other = first_that([&](const WorldHit& hit) { return crosses(hit) == MediumCrossing::none; });
+  return other == hits.end() ? *entry : *exit;
 }
 
 }  // namespace ray

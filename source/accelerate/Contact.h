@@ -1,7 +1,7 @@
 #pragma once
 
 #include <cmath>
-#include <span>
+#include <vector>
 
 #include "R3/Departure.h"
 #include "source/accelerate/World.h"
@@ -39,7 +39,7 @@ inline constexpr double end_of_certainty = 0.9375;
 inline constexpr double beyond_target = 1 + 0x1p-20;
 
 /// Of hits of one ray, the nearest among them, the one that is seen.
-WorldHit SeenOf(const World& world, const R3::Ray& ray, std::span<const WorldHit> hits);
+WorldHit SeenOf(const World& world, const R3::Ray& ray, std::vector<WorldHit> hits);
 
 /// Where the search for hits that are coincident with one at t ends, in t, of rays whose direction is not much shorter
 /// than 1. Of surfaces that are seen at an angle of less than 2^-10 some are not found, the same whatever searches.

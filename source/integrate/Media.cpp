@@ -56,7 +56,7 @@ MediumSets::Number Media::Find(const R3::Ray& ray, TraceState& state) const {
 
 void Media::Arrive(PathState& path, std::optional<WorldHit>& hit, TraceState& state) const {
   for (int passed = 0; hit; ++passed) {
-    if (path.media != 0) {
+    if (path.media != 0 && are_absorbing_) {
       const double distance = (hit->t - std::max(path.ray.t_min, 0.0)) * Length(path.ray.direction);
       path.throughput = LeftOf(path.throughput, path.media, distance, state);
     }

@@ -25,6 +25,7 @@ class Media {
 
   /// Whether rays may go through something, or be inside of something that absorbs.
   bool AreNeeded() const { return are_needed_; }
+  bool AreAbsorbing() const { return are_absorbing_; }
 
   /// What a camera ray starts inside of.
   MediumSets::Number At(const R3::Ray& ray, TraceState& state) const;

@@ -49,46 +49,99 @@ R3::Vector Scattered(Draw& draw, const ShadingPoint& p) {
   return Dot(d, p.N) < 0 ? -d : d;
 }
 
-TEST(Extremes, M1_NoPathLeavesAClosedRoom) {
-  constexpr int bounces = 8;
-  std::uint64_t rays = 0, leaks = 0;
-  for (int number = 0; number < Count(48, 1000); ++number) {
-    Draw draw(static_cast<std::uint64_t>(number) + 7000);
-    const std::string kind = Room::kinds[static_cast<std::size_t>(number) % Room::kinds.size()];
-    const R3::Matrix frame = Frame(draw, number / static_cast<int>(Room::kinds.size()));
-    Room room(draw, kind, frame);
-    const project::Stage stage(FromFiles(room.text, {{"room.off", room.mesh}}));
+/// A room, in which one way to find hits is tried.
+struct RoomStage {
+  RoomStage(Draw& draw, int number, const R3::Matrix& frame)
+      : kind(Room::kinds[static_cast<std::size_t>(number) % Room::kinds.size()]),
+        room(draw, kind, frame),
+        stage(FromFiles(room.text, {{"room.off", room.mesh}})) {
     const auto ways = accelerators::EveryWay();
     const auto& way = ways[static_cast<std::size_t>(number) % ways.size()];
-    const auto accelerator = FindAcceleratorKind(way.settings.name)->Make(stage.world, way.settings);
-    Workspace workspace;
-    std::uint64_t here = 0;
-    for (int i = 0; i < Count(1500, 12'500); ++i) {
-      R3::Ray ray{.origin = room.Inside()};
-      ray.direction = Unit((i % 3 > 0 ? room.OnSeam() : room.OnWall()) - ray.origin);
-      ShadingPoint p({}, {});
-      for (int bounce = 0; bounce <= bounces; ++bounce) {
-        ++rays;
-        const auto hit = accelerator->Intersect(ray, workspace);
-        if (!hit) {
-          if (++here == 1)
-            ADD_FAILURE() << way.name << ": " << kind << " " << number << " path " << i << " bounce " << bounce << " "
-                          << oracle::Hex(ray) << "\n"
-                          << room.text;
-          break;
-        }
-        p = ShadingPointAt(stage.world, {.ray = ray, .index = {}}, *hit);
-        const R3::Vector mirrored = ray.direction - 2 * Dot(p.N, ray.direction) * p.N;
-        R3::Vector aimed = Unit(room.OnSeam() - p.free_point);
-        if (!(Dot(aimed, p.N) > 0) || room.IsAlongWall(p.free_point, aimed)) aimed = Scattered(draw, p);
-        const int how = draw.Whole(0, 2);
-        ray = SpawnRay(p, how == 0 ? mirrored : how == 1 ? aimed : Scattered(draw, p));
-      }
+    accelerator = FindAcceleratorKind(way.settings.name)->Make(stage.world, way.settings);
+    what = way.name + ": " + kind + " " + std::to_string(number);
+  }
+
+  std::string kind, what;
+  Room room;
+  project::Stage stage;
+  std::unique_ptr<const Accelerator> accelerator;
+  Workspace workspace;
+};
+
+/// Follows a path from inside the room, aimed at its seams; false if it leaves.
+bool StaysInside(RoomStage& r, Draw& draw, bool at_seam, std::uint64_t& rays) {
+  constexpr int bounces = 8;
+  R3::Ray ray{.origin = r.room.Inside()};
+  ray.direction = Unit((at_seam ? r.room.OnSeam() : r.room.OnWall()) - ray.origin);
+  ShadingPoint p({}, {});
+  for (int bounce = 0; bounce <= bounces; ++bounce) {
+    ++rays;
+    const auto hit = r.accelerator->Intersect(ray, r.workspace);
+    if (!hit) {
+      std::printf("%s: bounce %d %s\n%s", r.what.c_str(), bounce, oracle::Hex(ray).c_str(), r.room.text.c_str());
+      return false;
     }
-    leaks += here;
+    p = ShadingPointAt(r.stage.world, {.ray = ray, .index = {}}, *hit);
+    const R3::Vector mirrored = ray.direction - 2 * Dot(p.N, ray.direction) * p.N;
+    R3::Vector aimed = Unit(r.room.OnSeam() - p.free_point);
+    if (!(Dot(aimed, p.N) > 0) || r.room.IsAlongWall(p.free_point, aimed)) aimed = Scattered(draw, p);
+    const int how = draw.Whole(0, 2);
+    ray = SpawnRay(p, how == 0 ? mirrored : how == 1 ? aimed : Scattered(draw, p));
+  }
+  return true;
+}
+
+void ExpectNoLeaks(int rooms, int paths, R3::Matrix (*frame_of)(Draw&, int)) {
+  std::uint64_t rays = 0, leaks = 0;
+  for (int number = 0; number < rooms; ++number) {
+    Draw draw(static_cast<std::uint64_t>(number) + 7000);
+    RoomStage r(draw, number, frame_of(draw, number / static_cast<int>(Room::kinds.size())));
+    for (int i = 0; i < paths; ++i) leaks += !StaysInside(r, draw, i % 3 > 0, rays);
   }
   EXPECT_EQ(leaks, 0u) << "of " << rays;
   std::printf("%llu rays, %llu leaks\n", static_cast<unsigned long long>(rays), static_cast<unsigned long long>(leaks));
+}
+
+TEST(Extremes, M1_NoPathLeavesAClosedRoom) { ExpectNoLeaks(Count(48, 1000), Count(1500, 12'500), Frame); }
+
+// Where coordinates are a hundred millionth of the room apart; in rooms of 100, with 10^-6, 2 of 100,000 rays leave.
+TEST(Extremes, M8_NoPathLeavesARoomFarAway) {
+  ExpectNoLeaks(Count(24, 240), Count(500, 5000), [](Draw& draw, int) {
+    R3::Matrix frame;
+    const double scale = std::exp2(draw.Whole(12, 16));
+    for (auto& row : frame.m) {
+      for (std::size_t j = 0; j < 3; ++j) row[j] *= scale;
+      row[3] = std::round(1e12 * draw.Between(-1, 1));
+    }
+    return frame;
+  });
+}
+
+// Nothing is between two places of a convex room, wherever on its walls and seams they are.
+TEST(Extremes, M2_NoShadowRayInAConvexRoomIsBlocked) {
+  std::uint64_t rays = 0, blocked = 0;
+  for (int number = 0; number < Count(48, 1000); ++number) {
+    Draw draw(static_cast<std::uint64_t>(number) + 7200);
+    RoomStage r(draw, number, Frame(draw, number / static_cast<int>(Room::kinds.size())));
+    if (r.kind == "concave") continue;
+    for (int i = 0; i < Count(1500, 12'500); ++i) {
+      R3::Ray ray{.origin = r.room.Inside()};
+      ray.direction = Unit((i % 3 > 0 ? r.room.OnSeam() : r.room.OnWall()) - ray.origin);
+      const auto hit = r.accelerator->Intersect(ray, r.workspace);
+      ASSERT_TRUE(hit) << r.what;
+      const ShadingPoint p = ShadingPointAt(r.stage.world, {.ray = ray, .index = {}}, *hit);
+      const R3::Point lamp = i % 4 == 0 ? r.room.Inside() : i % 4 == 1 ? r.room.OnWall() : r.room.OnSeam();
+      const R3::Vector to_light = lamp - p.free_point;
+      if (!(Dot(p.N, to_light) > 0) || r.room.IsAlongWall(p.free_point, to_light)) continue;
+      ++rays;
+      const R3::Ray shadow = ShadowRay(p, {.to_light = to_light, .is_infinite = false});
+      if (!r.accelerator->IsOccluded(shadow, r.workspace)) continue;
+      if (++blocked < 4) std::printf("%s: %s\n%s", r.what.c_str(), oracle::Hex(shadow).c_str(), r.room.text.c_str());
+    }
+  }
+  EXPECT_EQ(blocked, 0u) << "of " << rays;
+  std::printf("%llu shadow rays, %llu blocked\n", static_cast<unsigned long long>(rays),
+              static_cast<unsigned long long>(blocked));
 }
 
 }  // namespace

@@ -147,7 +147,7 @@ struct Packet {
         origin[0][i] = ray.origin.x, origin[1][i] = ray.origin.y, origin[2][i] = ray.origin.z;
         direction[0][i] = ray.direction.x, direction[1][i] = ray.direction.y, direction[2][i] = ray.direction.z;
         t_min[i] = ray.t_min, t_max[i] = ray.t_max;
-        all_begin_at_once = all_begin_at_once && (ray.t_min == 0 || IsDeparting(ray));
+        all_begin_at_once &= (ray.t_min == 0) | ((ray.t_min < 0) & (ray.departure != nullptr));
       }
       return all_begin_at_once;
     }

@@ -48,8 +48,9 @@ class PacketTraversal {
     if (Child::IsNothing(tree_.root)) return;
     if (Size() > few_rays && packet_.Begin(tree_.coordinates, tree_.primitives.PaddingPerDistance(), rays_)) {
       if constexpr (any) {
-        for (int i = 0; i < Size(); ++i)
-          limit_for_certain_[i] = packet_.Distance(i, end_of_certainty * Ray(i).t_max) - 4 * packet_.plane_error[i];
+        constexpr auto share = static_cast<float>(end_of_certainty);
+        for (int i = 0; i < packet_size; ++i)
+          limit_for_certain_[i] = share * packet_.limit[i] - 4 * packet_.plane_error[i];
       }
       if (packet_.Enclose())
         Traverse();
