@@ -17,7 +17,7 @@
 ///     m = 2^15 u S + e,
 /// e being more than eight times what the surface itself may be off by, and is hence on the near side of any other
 /// surface that meets there and is tilted against the ray by more than 2^-13 of what the hit's own surface is. It is at
-/// most 2^-8 of the arriving ray away from the hit: far from the world's origin, where m would be larger than what is
+/// most a quarter of the arriving ray away from the hit: far from the world's origin, where m would be larger than what is
 /// to be seen, less is as good as can be had. Its clearance counts as 2^10 u S at the least, so that a path that goes
 /// less than 2^18 u S has not moved, see below.
 ///
@@ -66,7 +66,7 @@ struct Departure {
 };
 
 /// No free point is farther before a hit than this share of the way to it.
-inline constexpr double most_of_way = 0x1p-8;
+inline constexpr double most_of_way = 0x1p-2;
 
 /// What is nearer to a free point than this times u S is not told from its surface, so no clearance is less.
 inline constexpr double least_clearance = 0x1p10;
@@ -107,8 +107,8 @@ inline void ForgetDeparture(Ray& ray) {
   ray.t_min = std::max(ray.t_min, 0.0);
 }
 
-/// Whether a ray that hits a surface at t has not moved from where it departed. Had it, its next free point, so near to
-/// the hit as a share of the way is, would be less clear of surfaces than the last one.
-inline bool HasNotMoved(const Ray& ray, double t) { return t < -ray.t_min / most_of_way; }
+/// Whether a ray that hits a surface at t has not moved from where it departed: it has gone less than 2^8 times as far as
+/// its line may be behind the surface that it left.
+inline bool HasNotMoved(const Ray& ray, double t) { return t < -0x1p8 * ray.t_min; }
 
 }  // namespace R3

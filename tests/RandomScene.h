@@ -12,7 +12,8 @@
 #include "tests/Draw.h"
 
 /// A scene file of anything that the language has, drawn at random; what shapes and lights there are it takes from
-/// their tables.
+/// their tables. In one of three, things stand on a lattice, so that they share faces, edges and corners, seen from
+/// frames that round differently.
 class RandomScene {
  public:
   struct Light {
@@ -20,7 +21,7 @@ class RandomScene {
     bool is_furnace = false;  // only an even gray sky of 1 shines, on surfaces that give back no more than they get
   };
 
-  RandomScene(std::uint64_t seed, const Light& light) : draw_(seed), light_(light) {
+  RandomScene(std::uint64_t seed, const Light& light) : draw_(seed), light_(light), touches_(seed % 3 == 2) {
     AddFiles();
     AddSurroundings();
     for (int i = draw_.Whole(1, 4); i > 0; --i) AddMaterial();
@@ -63,6 +64,8 @@ class RandomScene {
     if (Chance(0.2)) text += "absorb" + id, Reflectance(1), text += '\n';
     if (Chance(0.2)) text += "bump" + id + " texture.ppm", Numbers({draw_.Between(-1, 1)}), text += '\n';
     if (Chance(0.2)) text += "texture_ambient" + id + '\n';
+    if (touches_ && Chance(0.3))
+      text += "priority" + id, Numbers({static_cast<double>(draw_.Whole(0, 2))}), text += '\n';
     if (light_.is_furnace) return;
     if (Chance(0.2)) text += "mirror" + id, Reflectance(1), text += '\n';
     if (Chance(0.2)) text += "coat" + id, Numbers({draw_.Between(1, 2)}), text += '\n';
@@ -99,11 +102,12 @@ class RandomScene {
   }
 
   void AddGroup(int levels, double powers) {
+    if (touches_ && Chance(0.5)) return AddTurnedBack(levels);
     text += "begin" + Material();
-    const R3::Matrix transform = Chance(0.7) ? draw_.Affine(powers) : R3::Matrix{};
+    const R3::Matrix transform = !touches_ && Chance(0.7) ? draw_.Affine(powers) : R3::Matrix{};
     for (const auto& row : transform.m) Numbers({row[0], row[1], row[2], row[3]});
     text += " 0 0 0 1\n";
-    if (Chance(0.2)) Add("motion", {draw_.Between(-1, 1), draw_.Between(-1, 1), draw_.Between(-1, 1)});
+    if (!touches_ && Chance(0.2)) Add("motion", {draw_.Between(-1, 1), draw_.Between(-1, 1), draw_.Between(-1, 1)});
     for (int i = draw_.Whole(1, 4); i > 0; --i)
       if (levels > 0 && Chance(0.4))
         AddGroup(levels - 1, powers);
@@ -112,8 +116,27 @@ class RandomScene {
     text += "end\n";
   }
 
+  /// A group that is turned, and one in it that is turned back.
+  void AddTurnedBack(int levels) {
+    const R3::Matrix turn = draw_.Rotation();
+    for (const bool back : {false, true}) {
+      text += "begin" + Material();
+      for (std::size_t i = 0; i < 3; ++i)
+        back ? Numbers({turn.m[0][i], turn.m[1][i], turn.m[2][i], 0})
+             : Numbers({turn.m[i][0], turn.m[i][1], turn.m[i][2], 0});
+      text += " 0 0 0 1\n";
+    }
+    for (int i = draw_.Whole(1, 4); i > 0; --i)
+      if (levels > 0 && Chance(0.3))
+        AddGroup(levels - 1, 0);
+      else
+        AddShape();
+    text += "end end\n";
+  }
+
   void AddArgument(const R3::Argument& argument, double example) {
-    Numbers({argument.may_be_negative ? example + draw_.Between(-1, 1) : example * draw_.Scale(-0.5, 0.5)});
+    if (!argument.may_be_negative) return Numbers({example * draw_.Scale(-0.5, 0.5)});
+    Numbers({example + (touches_ ? 0.5 * draw_.Whole(-2, 2) : draw_.Between(-1, 1))});
   }
 
   bool Chance(double probability) { return draw_.Between(0, 1) < probability; }
@@ -186,5 +209,6 @@ class RandomScene {
 
   Draw draw_;
   Light light_;
+  bool touches_;
   int materials_ = 0;
 };

@@ -41,14 +41,27 @@ bool Accelerator::IsBehindUnbounded(const R3::Ray& ray, Workspace& workspace) co
   return false;
 }
 
-WorldHit Accelerator::Seen(const R3::Ray& ray, const WorldHit& nearest, Workspace& workspace) const {
+std::vector<WorldHit> Accelerator::HitsNear(const R3::Ray& ray, const WorldHit& nearest, Workspace& workspace) const {
   R3::Ray near = ray;
   near.t_max = std::min(ray.t_max, EndOfCoincidence(world_, nearest.t));
   std::vector<WorldHit> hits{nearest};  // found again, unless t is so small that nothing is a little larger
   std::optional<WorldHit> none;
   NearestHit all(world_, near, none, hits);
   Search(near, all, workspace);
-  return SeenOf(world_, ray, std::move(hits));
+  return hits;
+}
+
+WorldHit Accelerator::Seen(const R3::Ray& ray, const WorldHit& nearest, Workspace& workspace) const {
+  return SeenOf(world_, ray, HitsNear(ray, nearest, workspace));
+}
+
+std::vector<WorldHit> Accelerator::Coincident(const R3::Ray& ray, const WorldHit& hit, Workspace& workspace) const {
+  std::vector<WorldHit> hits = CoincidentOf(world_, ray, HitsNear(ray, hit, workspace));
+  const auto is_same = [](const WorldHit& a, const WorldHit& b) {
+    return a.instance == b.instance && a.element == b.element;
+  };
+  hits.erase(std::ranges::unique(hits, is_same).begin(), hits.end());
+  return hits;
 }
 
 std::unique_ptr<Accelerator> AcceleratorKind::Make(const World& world, const AcceleratorSettings& settings) const {

@@ -79,6 +79,9 @@ class Accelerator {
     }
   }
 
+  /// Of a hit that Intersect found, all that are coincident with it, the lowest primitive first; see Contact.h.
+  std::vector<WorldHit> Coincident(const R3::Ray& ray, const WorldHit& hit, Workspace& workspace) const;
+
   std::string kind;                  // a line of accelerators.def; where `auto` was asked for, what it chose
   std::vector<std::string> reasons;  // why `auto` chose it
   /// What was built, in lines for the reader of -explain.
@@ -116,6 +119,8 @@ class Accelerator {
   void TestUnbounded(const R3::Ray& ray, NearestHit& nearest, Workspace& workspace) const;
   void OfferUnbounded(const R3::Ray& ray, std::optional<WorldHit>& hit, Workspace& workspace) const;
   bool IsBehindUnbounded(const R3::Ray& ray, Workspace& workspace) const;
+  /// The nearest hit, and all that are near enough to be coincident with it.
+  std::vector<WorldHit> HitsNear(const R3::Ray& ray, const WorldHit& nearest, Workspace& workspace) const;
   /// Of the nearest hit and what is coincident with it, the one that is seen.
   WorldHit Seen(const R3::Ray& ray, const WorldHit& nearest, Workspace& workspace) const;
 

@@ -100,6 +100,13 @@ bool IsInTheWay(const World& world, const R3::Ray& ray, const WorldHit& hit) {
   return world.PrimitiveId(hit) < ray.reaching;
 }
 
+std::vector<WorldHit> CoincidentOf(const World& world, const R3::Ray& ray, std::vector<WorldHit> hits) {
+  const Reference nearest(world, ray, *std::ranges::min_element(hits, {}, &WorldHit::t));
+  std::erase_if(hits, [&](const WorldHit& hit) { return !nearest.IsCoincidentWith(world, ray, hit); });
+  std::ranges::sort(hits, {}, [&](const WorldHit& hit) { return world.PrimitiveId(hit); });
+  return hits;
+}
+
 WorldHit SeenOf(const World& world, const R3::Ray& ray, std::vector<WorldHit> hits) {
   const auto is_before = [&](const WorldHit& a, const WorldHit& b) {
     return a.t != b.t ? a.t < b.t : world.PrimitiveId(a) < world.PrimitiveId(b);

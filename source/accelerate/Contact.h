@@ -41,6 +41,9 @@ inline constexpr double beyond_target = 1 + 0x1p-20;
 /// Of hits of one ray, the nearest among them, the one that is seen.
 WorldHit SeenOf(const World& world, const R3::Ray& ray, std::vector<WorldHit> hits);
 
+/// Of hits of one ray, those that are coincident with the nearest among them, it included, the lowest primitive first.
+std::vector<WorldHit> CoincidentOf(const World& world, const R3::Ray& ray, std::vector<WorldHit> hits);
+
 /// Where the search for hits that are coincident with one at t ends, in t, of rays whose direction is not much shorter
 /// than 1. Of surfaces that are seen at an angle of less than 2^-10 some are not found, the same whatever searches.
 inline double EndOfCoincidence(const World& world, double t) {

@@ -7,6 +7,7 @@
 #include <set>
 #include <span>
 
+#include "source/app/report/ContactCheck.h"
 #include "source/app/report/LampCheck.h"
 #include "source/text/Quoting.h"
 #include "source/text/Words.h"
@@ -192,6 +193,7 @@ std::vector<std::string> LikelyMistakes(const World& world, const RenderSettings
         [&](const Instance& i) { return IsOutsideView(world, i, eye, inward); });
   AddTurnedMeshes(mistakes, world);
   for (std::string& mistake : LampMistakes(world, settings)) mistakes.push_back(std::move(mistake));
+  for (std::string& mistake : ContactMistakes(world, settings)) mistakes.push_back(std::move(mistake));
   return mistakes;
 }
 
