@@ -106,6 +106,14 @@ Intersection Mesh::At(const Ray&, const Hit& hit, int element) const {
   return at;
 }
 
+UvTangents Mesh::UvTangentsAt(const Ray&, const Hit&, int element) const {
+  if (data_.uvs.empty()) return {};
+  const auto [p, q, r] = CornersInPlace(element);
+  const auto& indices = data_.triangles[static_cast<std::size_t>(element)];
+  const auto uv = [&](std::size_t corner) { return data_.uvs[indices[corner]]; };
+  return {*q - *p, *r - *p, uv(1) - uv(0), uv(2) - uv(0)};
+}
+
 MeshData Mesh::Tessellate(int fineness) const {
   const double shares = fineness / (4 * std::sqrt(std::max(1.0, static_cast<double>(Elements()))));
   const auto pieces = static_cast<std::uint32_t>(std::max(1.0, shares));  // of each side of a triangle

@@ -54,6 +54,14 @@ class Cone : public Shape {
     return at;
   }
 
+  UvTangents UvTangentsAt(const Ray& ray, const Hit& hit, int) const override {
+    if (hit.part == base) return UvTangentsAtCap(radius_);
+    const Point p = ray.At(hit.t);
+    const Vector outward = Unit({p.x - center_.x, 0, p.z - center_.z});
+    return {AlongTurn(outward, slope_ * (high_ - std::clamp(p.y, low_, high_))),
+            {-radius_ * outward.x, height_, -radius_ * outward.z}};
+  }
+
   MeshData Tessellate(int fineness) const override {
     MeshData data;
     if (IsDegenerate()) return data;

@@ -43,6 +43,12 @@ class Cylinder : public Shape {
     return at;
   }
 
+  UvTangents UvTangentsAt(const Ray& ray, const Hit& hit, int) const override {
+    if (hit.part != side) return UvTangentsAtCap(radius_);
+    const Point p = ray.At(hit.t);
+    return {AlongTurn(Unit({p.x - center_.x, 0, p.z - center_.z}), radius_), {0, height_, 0}};
+  }
+
   MeshData Tessellate(int fineness) const override {
     MeshData data;
     if (IsDegenerate()) return data;

@@ -20,8 +20,8 @@ ShadingPoint ShadingPointAt(const World& world, const PathState& ray, const Worl
   s.entering = Dot(s.at.normal, ray.ray.direction) <= 0;
   SetLeaving(world, s);
   s.N = Facing(s.at.shading_normal, s.entering);
-  if (s.material->normal_map) s.N = NormalMapped(world, ray.ray, hit, s.at, *s.material, s.N, s.entering);
-  if (s.material->bump) s.N = Bumped(world, ray.ray, hit, s.at, *s.material, s.N, s.entering);
+  if (s.material->normal_map) s.N = NormalMapped(s, world.UvTangentsAt(ray.ray, hit));
+  if (s.material->bump) s.N = Bumped(s, world.UvTangentsAt(ray.ray, hit));
   s.is_smoothed = !(s.N == Facing(s.at.normal, s.entering));
   s.shadow_origin = SpawnPoint(s.at, s.wo);
   AbsorbOnTheWay(s);
