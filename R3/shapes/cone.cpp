@@ -51,6 +51,7 @@ class Cone : public Shape {
     const Vector outward = Unit({p.x - center_.x, 0, p.z - center_.z});  // zero at the apex
     Intersection at = OnSide(outward, std::clamp(p.y, low_, high_));
     at.uv = {outward == Vector{} ? 0 : TurnAboutY(outward), (at.position.y - low_) / height_};
+    at.v_ends = {VEnd::rim, VEnd::pole};
     return at;
   }
 

@@ -40,6 +40,7 @@ class Cylinder : public Shape {
     const Vector outward = Unit({p.x - center_.x, 0, p.z - center_.z});
     Intersection at = OnSide(outward, std::clamp(p.y, low_, high_));
     at.uv = {TurnAboutY(outward), (at.position.y - low_) / height_};
+    at.v_ends = {VEnd::rim, VEnd::rim};
     return at;
   }
 

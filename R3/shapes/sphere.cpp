@@ -28,6 +28,7 @@ class Sphere : public Shape {
     const Vector outward = Unit(ray.At(hit.t) - center_);
     Intersection at = OnSurface(outward);  // pushed back onto the surface
     at.uv = TextureCoordinates(outward);
+    at.v_ends = {VEnd::pole, VEnd::pole};
     return at;
   }
 

@@ -5,9 +5,11 @@ namespace {
 
 /// The slope of the texture's luminance along u and v: of its lookup, smoothed over one texel along either, since the
 /// slope of bilinear blends alone jumps at the center of every texel, and shading with it.
-R2::Vector Slope(const Texture& texture, const R2::Point& uv) {
+R2::Vector Slope(const Texture& texture, const R3::Intersection& at) {
   const double u = 0.5 / texture.image.Width(), v = 0.5 / texture.image.Height();
-  const auto height = [&](double du, double dv) { return Luminance(texture.At({uv.x + du, uv.y + dv})); };
+  const auto height = [&](double du, double dv) {
+    return Luminance(texture.At({at.uv.x + du, at.uv.y + dv}, at.v_ends));
+  };
   return {(height(u, 0) - height(-u, 0)) / (2 * u), (height(0, v) - height(0, -v)) / (2 * v)};
 }
 
@@ -25,7 +27,7 @@ double SideOf(const ShadingPoint& p) { return p.entering ? 1 : -1; }
 R3::Vector Bumped(const ShadingPoint& p, const R3::UvTangents& uv) {
   const R3::Vector n = AsVector(p.at.normal), first = Unit(uv.first), second = Unit(uv.second);
   const double area = Dot(n, Cross(first, second));  // 0, and what follows not finite, where they are parallel
-  const R2::Vector slope = Slope(*p.material->bump, p.at.uv);
+  const R2::Vector slope = Slope(*p.material->bump, p.at);
   const double along_first = Dot(slope, uv.gain_first) / Length(uv.first),
                along_second = Dot(slope, uv.gain_second) / Length(uv.second);
   const R3::Vector gradient = (along_first * Cross(second, n) + along_second * Cross(n, first)) / area;
@@ -40,7 +42,7 @@ R3::Vector NormalMapped(const ShadingPoint& p, const R3::UvTangents& uv) {
   const double sign = turn > 0 ? 1 : -1;
   const R3::Vector along_u = Unit(sign * (dv_second * uv.first - dv_first * uv.second)),
                    along_v = Unit(sign * (du_first * uv.second - du_second * uv.first));
-  const R2::Color c = p.material->normal_map->At(p.at.uv);
+  const R2::Color c = p.material->normal_map->On(p.at);
   if (turn == 0 || c == R2::Color{}) return p.N;
   return UnitOr(p.N, SideOf(p) * ((2 * c.r - 1) * along_u + (2 * c.g - 1) * along_v) + (2 * c.b - 1) * p.N);
 }

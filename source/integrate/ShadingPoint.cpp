@@ -36,7 +36,7 @@ void AbsorbOnTheWay(ShadingPoint& p) {
 
 R2::Color ShadingPoint::AmbientReflectance() const {
   if (!material->texture_multiplies_ka || !material->texture) return material->ka;
-  return material->ka * material->texture->At(at.uv);
+  return material->ka * material->texture->On(at);
 }
 
 R2::Color Background(const Scene& scene, const R3::Vector& direction) {

@@ -37,4 +37,33 @@ TEST(Texture, RepeatsBeyondTheUnitSquareAndStaysInsideTheImageAtAnyCoordinate) {
   }
 }
 
+// Half a turn from column 0 of three is the middle between columns 1 and 2.
+TEST(Texture, BeyondAPoleLiesTheSameRowHalfATurnFurther) {
+  R2::Image image(3, 2);
+  for (int x = 0; x < 3; ++x) image.Set(x, 0, {1, 1, 1}), image.Set(x, 1, {0.25 * x, 0, 0});
+  const ray::Texture texture{image};
+  const R3::VEnds ends{R3::VEnd::pole, R3::VEnd::pole};
+  EXPECT_EQ(texture.At({0.5 / 3, 1}, ends), (R2::Color{(0 + 0.375) / 2, 0, 0}));
+  EXPECT_EQ(texture.At({0.5 / 3, 1.25}, ends), (R2::Color{0.375, 0, 0}));
+  EXPECT_EQ(texture.At({0.5 / 3, 0}, ends), (R2::Color{1, 1, 1}));
+  EXPECT_EQ(texture.At({0.5 / 3, 0.75}, ends), texture.At({0.5 / 3, 0.75}));
+}
+
+TEST(Texture, BeyondARimTheLastRowGoesOn) {
+  const ray::Texture texture = TwoByTwo();
+  const R3::VEnds ends{R3::VEnd::rim, R3::VEnd::rim};
+  for (const double v : {0.75, 0.9, 1.0, 1.25}) EXPECT_EQ(texture.At({0.25, v}, ends), (R2::Color{0, 0, 1})) << v;
+  for (const double v : {0.25, 0.1, 0.0, -0.25}) EXPECT_EQ(texture.At({0.25, v}, ends), (R2::Color{1, 0, 0})) << v;
+}
+
+// Slopes are asked for half a row beyond each end.
+TEST(Texture, OfASingleTexelIsThatTexelEverywhere) {
+  R2::Image image(1, 1);
+  image.Set(0, 0, {1, 0.5, 0.25});
+  const ray::Texture texture{image};
+  for (const auto end : {R3::VEnd::repeated, R3::VEnd::rim, R3::VEnd::pole})
+    for (const double v : {-0.5, -0.25, 0.0, 0.5, 1.0, 1.5})
+      EXPECT_EQ(texture.At({0.3, v}, {end, end}), (R2::Color{1, 0.5, 0.25})) << v;
+}
+
 }  // namespace
