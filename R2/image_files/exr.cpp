@@ -16,8 +16,8 @@
 #include "R2/image_files/formats.h"
 
 // OpenEXR through its library: channels R G B, or Y for gray, of a single flat part, of any pixel type, in scan lines
-// or tiles. What is read is the data window; the display window around it, and alpha, are left out. Written as
-// float scan lines, ZIP compressed. Settings live in string attributes.
+// or tiles. The image is the display window: black where the data window holds none of it; what is stored beyond it,
+// and alpha, are left out. Written as float scan lines, ZIP compressed. Settings live in string attributes.
 // source: Kainz, Bogart, Stanczyk, Hillman, Technical Introduction to OpenEXR (2013); OpenEXR File Layout (2013)
 namespace R2 {
 
@@ -33,7 +33,7 @@ bool Recognizes(std::span<const unsigned char> bytes) {
   return bytes.size() >= magic.size() && std::equal(magic.begin(), magic.end(), bytes.begin());
 }
 
-ImageSize ReadSize(std::span<const unsigned char> bytes) { return ReadExrLayout(bytes).size; }
+ImageSize ReadSize(std::span<const unsigned char> bytes) { return ReadExrLayout(bytes).display.size; }
 
 /// The bytes of a file, for the library.
 class InputStream : public Imf::IStream {
@@ -110,36 +110,44 @@ ImageSettings SettingsOf(const Imf::Header& header) {
   return settings;
 }
 
-Image ReadPixels(Imf::InputFile& file, ImageSize size) {
+/// The rows and columns that both windows have.
+ExrWindow InBoth(const ExrWindow& a, const ExrWindow& b) {
+  ExrWindow both{std::max(a.left, b.left), std::max(a.top, b.top), {}};
+  both.size.width = static_cast<int>(std::max<std::int64_t>(0, std::min(a.Right(), b.Right()) - both.left));
+  both.size.height = static_cast<int>(std::max<std::int64_t>(0, std::min(a.Bottom(), b.Bottom()) - both.top));
+  return both;
+}
+
+Image ReadPixels(Imf::InputFile& file, const ExrLayout& layout) {
   const auto& channels = file.header().channels();
   const bool has_color = channels.findChannel("R") && channels.findChannel("G") && channels.findChannel("B");
   if (!has_color && !channels.findChannel("Y")) throw ImageError("EXR has neither the channels R, G and B nor Y");
 
-  const Imath::Box2i window = file.header().dataWindow();
-  std::vector<float> row(3 * static_cast<std::size_t>(size.width));
+  const ExrWindow &data = layout.data, &display = layout.display, read = InBoth(data, display);
+  std::vector<float> row(3 * static_cast<std::size_t>(data.size.width));
   Imf::FrameBuffer frame;
   if (has_color)
-    AddToFrame(frame, row, window.min.x, color_channels);
+    AddToFrame(frame, row, static_cast<int>(data.left), color_channels);
   else
-    AddToFrame(frame, row, window.min.x, gray_channel);
+    AddToFrame(frame, row, static_cast<int>(data.left), gray_channel);
   file.setFrameBuffer(frame);
   // The picture is asked for only once its first row is there: the header alone may promise anything.
   Image image;
-  for (int y = size.height - 1; y >= 0; --y) {
-    const int line = window.min.y + (size.height - 1 - y);
+  for (std::int64_t line = read.top; line < read.Bottom(); ++line) {
     try {
-      file.readPixels(line, line);
+      file.readPixels(static_cast<int>(line), static_cast<int>(line));
     } catch (const std::exception& error) {
-      throw ImageError("EXR is truncated or damaged: " + std::to_string(size.height - 1 - y) + " of " +
-                       std::to_string(size.height) + " rows are there: " + Printable(error.what()));
+      throw ImageError("EXR is truncated or damaged: " + std::to_string(line - data.top) + " of " +
+                       std::to_string(data.size.height) + " rows are there: " + Printable(error.what()));
     }
-    if (image.Width() == 0) image = Image(size.width, size.height);
-    for (int x = 0; x < size.width; ++x) {
-      const float* p = &row[3 * static_cast<std::size_t>(x)];
-      image.Set(x, y, {p[0], p[has_color ? 1 : 0], p[has_color ? 2 : 0]});
+    if (image.Width() == 0) image = Image(display.size.width, display.size.height);
+    const int y = static_cast<int>(display.Bottom() - 1 - line);
+    for (std::int64_t x = read.left; x < read.Right(); ++x) {
+      const float* p = &row[3 * static_cast<std::size_t>(x - data.left)];
+      image.Set(static_cast<int>(x - display.left), y, {p[0], p[has_color ? 1 : 0], p[has_color ? 2 : 0]});
     }
   }
-  return image;
+  return image.Width() > 0 ? std::move(image) : Image(display.size.width, display.size.height);
 }
 
 Image Decode(std::span<const unsigned char> bytes, ImageSettings* settings) {
@@ -149,7 +157,7 @@ Image Decode(std::span<const unsigned char> bytes, ImageSettings* settings) {
     InputStream stream(bytes);
     Imf::InputFile file(stream, 0);  // no threads of the library's own
     if (settings) *settings = SettingsOf(file.header());
-    return ReadPixels(file, layout.size);
+    return ReadPixels(file, layout);
   } catch (const ImageError&) {
     throw;
   } catch (const std::bad_alloc&) {
