@@ -12,13 +12,20 @@ struct Neighbors {
   double share;
 };
 
+/// How far a place is from the middle of one texel to that of the next. What rounding may have made of a coordinate,
+/// 8 u, counts for nothing: at the middle of a texel that one is seen alone, and beside a white one black is black.
+double Share(double position, double floor, int texels) {
+  const double share = position - floor, noise = 0x1p-50 * texels;
+  return share < noise ? 0 : share > 1 - noise ? 1 : share;
+}
+
 Neighbors Around(double coordinate, int texels) {
   const double wrapped = coordinate - std::floor(coordinate);  // in [0, 1]; 1 only by rounding
   const double position = wrapped * texels - 0.5;
   const double floor = std::floor(position);
   const auto wrap = [&](int k) { return k < 0 ? k + texels : k >= texels ? k - texels : k; };
   const int k = static_cast<int>(floor);
-  return {wrap(k), wrap(k + 1), position - floor};
+  return {wrap(k), wrap(k + 1), Share(position, floor, texels)};
 }
 
 R2::Color Between(const R2::Color& a, const R2::Color& b, double share) { return (1 - share) * a + share * b; }
@@ -45,7 +52,8 @@ R2::Color Texture::At(const R2::Point& uv, const R3::VEnds& ends) const {
   }
   const double position = uv.y * image.Height() - 0.5, floor = std::floor(position);
   const int row = static_cast<int>(floor);
-  return Between(InRowOrBeyond(image, uv.x, row, ends), InRowOrBeyond(image, uv.x, row + 1, ends), position - floor);
+  return Between(InRowOrBeyond(image, uv.x, row, ends), InRowOrBeyond(image, uv.x, row + 1, ends),
+                 Share(position, floor, image.Height()));
 }
 
 }  // namespace ray

@@ -21,6 +21,19 @@ TEST(Texture, ShowsEachTexelPureAtItsCenter) {
   EXPECT_EQ(texture.At({0.75, 0.75}), (R2::Color{1, 1, 1}));
 }
 
+// A ray never meets a middle exactly.
+TEST(Texture, ShowsATexelPureAtItsCenterAlsoWhereTheCoordinateIsRounded) {
+  for (const int columns : {2, 3, 16, 1000}) {
+    R2::Image image(columns, 1);
+    for (int x = 1; x < columns; x += 2) image.Set(x, 0, {1, 1, 1});
+    const ray::Texture texture{image};
+    for (const R3::VEnds ends : {R3::VEnds{}, R3::VEnds{R3::VEnd::rim, R3::VEnd::rim}})
+      for (int x = 0; x < columns; ++x)
+        for (const double off : {-0x1p-51, -0x1p-53, 0.0, 0x1p-53, 0x1p-51})
+          EXPECT_EQ(texture.At({(x + 0.5) / columns + off, 0.5}, ends), image.At(x, 0)) << columns << " " << x;
+  }
+}
+
 TEST(Texture, BlendsBetweenCentersAndAcrossTheSeam) {
   const ray::Texture texture = TwoByTwo();
   EXPECT_EQ(texture.At({0.5, 0.25}), (R2::Color{0.5, 0.5, 0}));
