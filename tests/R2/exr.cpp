@@ -7,9 +7,12 @@
 #include <ImfOutputFile.h>
 #include <ImfTiledOutputFile.h>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include <algorithm>
+#include <array>
 #include <cstring>
+#include <fstream>
 
 #include "source/app/report/Info.h"
 #include "tests/Project.h"
@@ -133,7 +136,20 @@ TEST(Exr, TilesAreReadWhetherTheyFitOrNot) {
 TEST(Exr, LuminanceAloneIsGrayAndOtherChannelsAreLeftOut) {
   ExpectTheValues(ScanLines({"Y"}, Imf::ZIP_COMPRESSION), true);
   ExpectTheValues(ScanLines({"R", "G", "B", "A", "Z"}, Imf::ZIP_COMPRESSION));
-  EXPECT_EQ(Complaint(ScanLines({"Z"}, Imf::ZIP_COMPRESSION)), "EXR has neither the channels R, G and B nor Y");
+  EXPECT_EQ(Complaint(ScanLines({"Z"}, Imf::ZIP_COMPRESSION)),
+            "EXR has neither the channels R, G and B nor Y; it has Z");
+  EXPECT_EQ(Complaint(ScanLines({"a", "b", "c", "d", "e", "f", "g", "h"}, Imf::ZIP_COMPRESSION)),
+            "EXR has neither the channels R, G and B nor Y; it has a, b, c, d, e, f and 2 more");
+}
+
+// What the library of this build does not know yet, whoever wrote it.
+TEST(Exr, NewerCompressionsAreNamed) {
+  Bytes bytes = ScanLines({"R", "G", "B"}, Imf::ZIP_COMPRESSION);
+  for (const auto& [method, name] :
+       {std::pair<unsigned char, const char*>{10, "method 10 (HTJ2K256)"}, {200, "method 200,"}}) {
+    bytes.at(ValueOf(bytes, "compression", "compression")) = method;
+    EXPECT_NE(Complaint(bytes).find(name), std::string::npos) << Complaint(bytes);
+  }
 }
 
 TEST(Exr, FloatsComeBackBitForBit) {
@@ -201,6 +217,33 @@ TEST(Exr, TheImageIsTheDisplayWindowAndBlackWhereNothingIsStored) {
   }
 }
 
+TEST(Exr, ThatHoldsForLuminanceAndChromaToo) {
+  for (const char* file : {"chroma.exr", "chroma-full.exr", "chroma-from-bottom.exr"}) {
+    SCOPED_TRACE(file);
+    Bytes bytes = ray::ReadBytes((project::Root() / "tests/R2/samples" / file).string());
+    const Image whole = DecodeImage(bytes).image;
+    const std::size_t data = ValueOf(bytes, "dataWindow", "box2i"), display = ValueOf(bytes, "displayWindow", "box2i");
+    ASSERT_TRUE(std::equal(bytes.begin() + static_cast<std::ptrdiff_t>(data),
+                           bytes.begin() + static_cast<std::ptrdiff_t>(data + 16),
+                           bytes.begin() + static_cast<std::ptrdiff_t>(display)));
+    constexpr int aside = 3, down = 2;  // by which the image is moved over what is stored
+    for (const std::size_t corner : {std::size_t{0}, std::size_t{8}}) {
+      std::array<std::int32_t, 2> at;
+      std::memcpy(at.data(), &bytes[display + corner], sizeof at);
+      SetLittle(bytes, display + corner, static_cast<std::uint32_t>(at[0] + aside));
+      SetLittle(bytes, display + corner + 4, static_cast<std::uint32_t>(at[1] + down));
+    }
+    const Image moved = DecodeImage(bytes).image;
+    ASSERT_EQ(moved.Width(), whole.Width());
+    ASSERT_EQ(moved.Height(), whole.Height());
+    for (int y = 0; y < whole.Height(); ++y)
+      for (int x = 0; x < whole.Width(); ++x) {
+        const bool is_stored = x + aside < whole.Width() && y - down >= 0;
+        EXPECT_EQ(moved.At(x, y), is_stored ? whole.At(x + aside, y - down) : Color{}) << x << " " << y;
+      }
+  }
+}
+
 // What is not stored takes no bytes of the file, and could be any amount of memory.
 TEST(Exr, AnImageThatIsHardlyMoreThanMarginIsRefusedBeforeMemoryIsAskedFor) {
   const Bytes plain = Format("exr").encode(Gradient(9, 3), {}, {});
@@ -225,6 +268,51 @@ TEST(Exr, AHeaderWithoutADisplayWindowIsRefused) {
   Bytes bytes = Format("exr").encode(Gradient(9, 3), {}, {});
   bytes.at(ValueOf(bytes, "displayWindow", "box2i") - 4 - 6 - 1 - 2) = 'x';
   EXPECT_EQ(Complaint(bytes), "EXR has no display window");
+}
+
+// The library would read the attributes behind one of a wrong size from wrong places, and make room for any size there.
+TEST(Exr, AnAttributeWhoseSizeIsNotThatOfItsTypeIsRefused) {
+  const Bytes plain = ScanLines({"R", "G", "B"}, Imf::ZIP_COMPRESSION);
+  for (const auto& [name, type] : {std::pair<std::string, std::string>{"channels", "chlist"},
+                                   {"dataWindow", "box2i"},
+                                   {"pixelAspectRatio", "float"},
+                                   {"screenWindowCenter", "v2f"}}) {
+    const std::size_t value = ValueOf(plain, name, type);
+    Bytes longer(plain.begin(), plain.begin() + static_cast<std::ptrdiff_t>(value));
+    ++longer[value - 4];
+    longer = longer + Bytes{0} + Bytes(plain.begin() + static_cast<std::ptrdiff_t>(value), plain.end());
+    EXPECT_EQ(Complaint(longer), "EXR has an attribute whose size is not that of its type") << name;
+  }
+  const auto with = [&](const std::string& type, const Bytes& value) {
+    const Bytes attribute = ToBytes("x") + Bytes{0} + ToBytes(type) + Bytes{0} +
+                            Bytes{static_cast<unsigned char>(value.size()), 0, 0, 0} + value;
+    return Complaint(Bytes(plain.begin(), plain.begin() + 8) + attribute + Bytes(plain.begin() + 8, plain.end()));
+  };
+  EXPECT_NE(with("preview", {255, 255, 255, 0, 255, 1, 0, 0}).find("a preview takes"), std::string::npos);
+  EXPECT_NE(with("stringvector", {255, 255, 255, 127}).find("a text takes"), std::string::npos);
+}
+
+// A header that promises wide rows costs nothing while only the header is read.
+TEST(Extremes, K3_WhatAnExrSaysOfItselfIsReadWithoutRoomForItsRows) {
+  Bytes bytes = ScanLines({"R", "G", "B"}, Imf::ZIP_COMPRESSION);
+  for (const char* window : {"dataWindow", "displayWindow"}) {
+    const std::size_t left = ValueOf(bytes, window, "box2i"), right = left + 8;
+    SetLittle(bytes, left, 0);
+    SetLittle(bytes, right, (1u << 26) - 1);
+  }
+  const auto address_space = [] {
+    std::ifstream pages("/proc/self/statm");
+    long count = 0;
+    pages >> count;
+    return count * 4096;
+  };
+  const long before = address_space();
+  rlimit limit = {};
+  getrlimit(RLIMIT_AS, &limit);
+  const rlimit tight = {static_cast<rlim_t>(before) + (rlim_t{1} << 28), limit.rlim_max};
+  setrlimit(RLIMIT_AS, &tight);
+  EXPECT_EQ(ReadImageHeader(bytes).size.width, 1 << 26);
+  setrlimit(RLIMIT_AS, &limit);
 }
 
 // The library would hand out what its memory held before as the missing pixels.

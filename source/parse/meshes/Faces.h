@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -10,7 +11,7 @@
 
 namespace ray {
 
-/// Turns the faces of a file into the triangles of a mesh.
+/// Turns the faces of a file into the triangles of a mesh, and notes the line of each.
 class Faces {
  public:
   explicit Faces(R3::MeshData& mesh) : mesh_(mesh) {}
@@ -26,6 +27,8 @@ class Faces {
   void Warn(const Text& file, Report& report) const;
 
  private:
+  void AddTriangle(std::span<const std::uint32_t> names, const std::array<std::uint32_t, 3>& cut, const Token& where);
+
   R3::MeshData& mesh_;
   std::size_t too_small_ = 0, fanned_ = 0;
   Token first_too_small_;

@@ -81,7 +81,7 @@ TEST(Bump, NearAnEdgeThereIsStillANormal) {
 }
 
 /// A picture whose luminance is .6 u + .3 v, but near its edges, where it repeats.
-std::shared_ptr<const Texture> Slanted() {
+std::shared_ptr<const Texture> SlantedTexture() {
   constexpr int size = 64;
   R2::Image image(size, size);
   for (int x = 0; x < size; ++x)
@@ -139,7 +139,7 @@ TEST(Bump, TheNormalIsThatOfTheSurfaceMovedByTheHeight) {
         {"begin -1  1 .5 0 1  0 -1 0 0  0 0 3 0  0 0 0 1 motion 1 2 3 cone 0  0 0 0  1 2 end", .5},
         {"begin -1  -1 0 0 0  .2 1 0 0  0 0 1 0  0 0 0 1 tri 0  -5 -5 0  5 -5 0  0 9 1 end", 5}}) {
     const double height = 1e-3 * size;
-    const Looking at(WithBump(SceneOf(text), Slanted(), height));
+    const Looking at(WithBump(SceneOf(text), SlantedTexture(), height));
     int compared = 0;
     for (int i = 0; i < 400; ++i) {
       const double a = 0.37 * i, b = std::sin(1.7 * i), c = 1e-3 * (i % 20);
@@ -192,7 +192,7 @@ TEST(Bump, SlopesAreRightForOneRepetitionAndForAMillion) {
 
 // There is no dp/dv then, but the slope along x is still what both coordinates make of it.
 TEST(Bump, BothCoordinatesMayRunTheSameWay) {
-  const Looking at(WithBump(SceneOf(Tiled(1, 0)), Slanted(), 1));
+  const Looking at(WithBump(SceneOf(Tiled(1, 0)), SlantedTexture(), 1));
   const auto seen = at.Along({{0.2, 0.3, 3}, {0, 0, -1}});
   EXPECT_LT(Length(seen->N - Unit(R3::Vector{-(0.6 / 2 + 0.3 / 4), 0, 1})), 1e-6);
 }
@@ -212,7 +212,7 @@ constexpr std::array with_a_pole{"sphere 0  0 0 0  1",
 
 TEST(Bump, AtAPoleAndAnApexTheNormalStays) {
   for (const char* shape : with_a_pole) {
-    const Looking at(WithBump(SceneOf(shape), Slanted(), 0.1));
+    const Looking at(WithBump(SceneOf(shape), SlantedTexture(), 0.1));
     const auto seen = at.Along({{0, 0, 3}, {0, 0, -1}});
     ASSERT_TRUE(seen) << shape;
     EXPECT_EQ(seen->N, (R3::Vector{0, 0, 1})) << shape;
@@ -222,7 +222,7 @@ TEST(Bump, AtAPoleAndAnApexTheNormalStays) {
 TEST(Bump, TextureCoordinatesThatDoNotChangeTiltNothing) {
   R3::MeshData data = Tiled(1, 1)->Data();
   for (R2::Point& uv : data.uvs) uv = {0.3, 0.6};
-  const Looking at(WithBump(SceneOf(std::make_shared<const R3::Mesh>(std::move(data))), Slanted(), 0.1));
+  const Looking at(WithBump(SceneOf(std::make_shared<const R3::Mesh>(std::move(data))), SlantedTexture(), 0.1));
   EXPECT_EQ(at.Along({{0.2, 0.3, 3}, {0, 0, -1}})->N, (R3::Vector{0, 0, 1}));
 }
 
