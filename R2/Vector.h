@@ -12,5 +12,6 @@ struct Vector {
 inline Vector operator-(Point a, Point b) { return {a.x - b.x, a.y - b.y}; }
 inline Point operator+(Point a, Vector v) { return {a.x + v.x, a.y + v.y}; }
 inline Vector operator*(double s, Vector v) { return {s * v.x, s * v.y}; }
+inline double Dot(Vector a, Vector b) { return a.x * b.x + a.y * b.y; }
 
 }  // namespace R2

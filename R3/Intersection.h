@@ -7,6 +7,17 @@
 
 namespace R3 {
 
+/// What a texture shows beyond an end of v, as blending between the middles of its rows asks at the first and the last.
+enum class VEnd : unsigned char {
+  repeated,  // the other end: v is a circle, or says nothing about where the surface ends
+  rim,       // the last row: the surface ends
+  pole       // the last row, half a turn of u further: all of the row meets in a point, and beyond is its other side
+};
+/// At v = 0 and at v = 1. Both are repeated or neither is; then v is within them.
+struct VEnds {
+  VEnd low = VEnd::repeated, high = VEnd::repeated;
+};
+
 /// All that shading needs to know of a point on a surface; made once per ray, for the nearest hit.
 struct Intersection {
   Point position;
@@ -14,6 +25,7 @@ struct Intersection {
   Normal normal;  // geometric, unit, outward: away from the inside of a solid, by the right-hand rule for a triangle
   Normal shading_normal;  // what light sees; the geometric one unless a mesh brings smooth normals and the scene asks
   R2::Point uv;
+  VEnds v_ends;
 };
 
 /// Where a new ray towards `direction` may start: on the side of the surface that it heads for, outside the

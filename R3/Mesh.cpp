@@ -118,6 +118,14 @@ Intersection Mesh::At(const Ray&, const Hit& hit, int element) const {
   return at;
 }
 
+UvTangents Mesh::UvTangentsAt(const Ray&, const Hit&, int element) const {
+  if (data_.uvs.empty()) return {};
+  const auto [p, q, r] = CornersInPlace(element);
+  const auto& indices = data_.triangles[static_cast<std::size_t>(element)];
+  const auto uv = [&](std::size_t corner) { return data_.uvs[indices[corner]]; };
+  return {*q - *p, *r - *p, uv(1) - uv(0), uv(2) - uv(0)};
+}
+
 bool Mesh::IsClosed() const { return R3::IsClosed(data_); }
 
 MeshData Mesh::Tessellate(int fineness) const {

@@ -25,6 +25,7 @@ class Mesh : public Shape {
   Box Bounds(int element) const override;
   std::optional<Hit> Intersect(const Ray& ray, int element) const override;
   Intersection At(const Ray& ray, const Hit& hit, int element) const override;
+  UvTangents UvTangentsAt(const Ray& ray, const Hit& hit, int element) const override;
   /// Its own triangles; those of a mesh of few cut into equal smaller ones, so that what is shown at corners alone,
   /// such as a texture or the light of a lamp nearby, is seen between them too.
   MeshData Tessellate(int fineness) const override;

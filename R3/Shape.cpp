@@ -1,6 +1,7 @@
 #include "R3/Shape.h"
 
 #include "R3/TessellateByRays.h"
+#include "R3/UvTangentsByRays.h"
 
 namespace R3 {
 
@@ -8,6 +9,10 @@ MeshData Shape::Tessellate(int fineness) const {
   if (IsDegenerate()) return {};
   constexpr int least = 600;
   return TessellateByRays(*this, std::max(least, fineness * fineness));
+}
+
+UvTangents Shape::UvTangentsAt(const Ray& ray, const Hit& hit, int element) const {
+  return UvTangentsByRays(*this, ray, hit, element);
 }
 
 std::optional<SurfaceSample> Shape::Sample(const Point& from, const R2::Point& u, int element) const {

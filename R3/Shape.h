@@ -13,6 +13,7 @@
 #include "R3/Recipe.h"
 #include "R3/SphereData.h"
 #include "R3/SurfaceSamples.h"
+#include "R3/UvTangents.h"
 
 namespace R3 {
 
@@ -59,6 +60,11 @@ class Shape {
 
   /// The surface at a hit that Intersect returned for the same ray and element.
   virtual Intersection At(const Ray& ray, const Hit& hit, int element) const = 0;
+
+  /// How the texture coordinates of At run over the surface there; only bump and normal maps ask for it. Tangents are 0
+  /// or parallel where there is no telling, as at the pole of a sphere; maps tilt nothing there. Unless a shape says
+  /// how, rays find it, which is right where the shape is about as long as it is wide; closed forms are right for any.
+  virtual UvTangents UvTangentsAt(const Ray& ray, const Hit& hit, int element) const;
 
   /// Triangles near the surface, to be looked at and never traced: corners on the surface, fronts outward, a solid
   /// closed where corners in the same place are taken for one. Normals where the surface is smooth or has faces of its

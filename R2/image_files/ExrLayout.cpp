@@ -18,10 +18,23 @@ namespace {
 // The file's numbers for those compressions that are looked at here.
 constexpr int none = 0, run_length = 1, zip_of_one_row = 2, zip = 3;
 
-ImageSize ReadDataWindow(ByteReader& value) {
-  const std::int64_t x_min = value.LittleSigned32("the data window"), y_min = value.LittleSigned32("the data window");
-  const std::int64_t x_max = value.LittleSigned32("the data window"), y_max = value.LittleSigned32("the data window");
-  return CheckedSize("EXR", x_max - x_min + 1, y_max - y_min + 1);
+ExrWindow ReadWindow(ByteReader& value) {
+  const std::int64_t x_min = value.LittleSigned32("a window"), y_min = value.LittleSigned32("a window");
+  const std::int64_t x_max = value.LittleSigned32("a window"), y_max = value.LittleSigned32("a window");
+  return {x_min, y_min, CheckedSize("EXR", x_max - x_min + 1, y_max - y_min + 1)};
+}
+
+std::int64_t Area(const ImageSize& size) { return std::int64_t{size.width} * size.height; }
+
+/// The margin around the data window is in no file, so that a few bytes could ask for any size: up to 8192 x 8192
+/// pixels are made of any file, more where at least a sixteenth of them is stored.
+void CheckMargin(const ByteReader& reader, const ExrLayout& layout) {
+  constexpr std::int64_t made_of_any_file = 8192 * 8192, most_made_of_one = 16;
+  const std::int64_t area = Area(layout.display.size);
+  if (area <= made_of_any_file || area / most_made_of_one <= Area(layout.data.size)) return;
+  reader.Fail("has " + std::to_string(layout.data.size.width) + " x " + std::to_string(layout.data.size.height) +
+              " pixels for an image of " + std::to_string(layout.display.size.width) + " x " +
+              std::to_string(layout.display.size.height));
 }
 
 std::vector<ExrChannel> ReadChannels(ByteReader& value) {
@@ -73,8 +86,8 @@ int RowsTogether(int compression) {
 }
 
 void CheckTiles(const ByteReader& reader, const ExrLayout& layout) {
-  const auto width = static_cast<std::uint64_t>(layout.size.width);
-  const auto height = static_cast<std::uint64_t>(layout.size.height);
+  const auto width = static_cast<std::uint64_t>(layout.data.size.width);
+  const auto height = static_cast<std::uint64_t>(layout.data.size.height);
   constexpr std::uint64_t usual_tile = 1024 * 1024;
   const std::uint64_t most = std::max(width * height, usual_tile);
   if (layout.tile_width < 1 || layout.tile_height < 1 || layout.tile_width > most / layout.tile_height) {
@@ -175,7 +188,8 @@ ExrLayout ReadExrLayout(std::span<const unsigned char> bytes) {
     const std::string_view type = reader.Until('\0', "the header");
     ByteReader value("EXR", reader.Take(reader.Little32("the header"), "an attribute"));
     if (!HasSizeOfType(type, value)) reader.Fail("has an attribute whose size is not that of its type");
-    if (name == "dataWindow") layout.size = ReadDataWindow(value);
+    if (name == "dataWindow") layout.data = ReadWindow(value);
+    if (name == "displayWindow") layout.display = ReadWindow(value);
     if (name == "channels") layout.channels = ReadChannels(value);
     if (name == "compression") layout.compression = value.Byte("the compression");
     if (name == "tiles") {
@@ -185,7 +199,9 @@ ExrLayout ReadExrLayout(std::span<const unsigned char> bytes) {
           (value.Byte("the tile levels") & 15) != 0;  // the higher bits say how sizes are rounded
     }
   }
-  if (layout.size.width == 0) reader.Fail("has no data window");
+  if (layout.data.size.width == 0) reader.Fail("has no data window");
+  if (layout.display.size.width == 0) reader.Fail("has no display window");
+  CheckMargin(reader, layout);
   if (layout.channels.empty()) reader.Fail("has no channels");
   if (layout.is_tiled) CheckTiles(reader, layout);
   layout.table = bytes.size() - reader.Left();
@@ -195,7 +211,7 @@ ExrLayout ReadExrLayout(std::span<const unsigned char> bytes) {
 std::uint64_t CheckExrBlocks(std::span<const unsigned char> bytes, const ExrLayout& layout) {
   ByteReader table("EXR", bytes);
   table.Take(layout.table, "the header");
-  const auto [width, height] = layout.size;
+  const auto [width, height] = layout.data.size;
   // A tile may be wider than any picture.
   const int tile_width = static_cast<int>(std::min<std::uint64_t>(layout.tile_width, max_pixels));
   const int columns_together = layout.is_tiled ? tile_width : width;

@@ -26,9 +26,10 @@
 #include "R2/image_files/formats.h"
 
 // OpenEXR through its library: channels R G B, Y RY BY for luminance and chroma, or Y for gray, of a single flat part,
-// of any pixel type, in scan lines or tiles. What is read is the data window; the display window around it, and alpha,
-// are left out. Written as float scan lines, ZIP compressed. Settings live in string attributes. source: Kainz, Bogart,
-// Stanczyk, Hillman, Technical Introduction to OpenEXR (2013); OpenEXR File Layout (2013)
+// of any pixel type, in scan lines or tiles. The image is the display window: black where the data window holds none of
+// it; what is stored beyond it, and alpha, are left out. Written as float scan lines, ZIP compressed. Settings live in
+// string attributes. source: Kainz, Bogart, Stanczyk, Hillman, Technical Introduction to OpenEXR (2013); OpenEXR File
+// Layout (2013)
 namespace R2 {
 
 namespace exr {
@@ -43,7 +44,7 @@ bool Recognizes(std::span<const unsigned char> bytes) {
   return bytes.size() >= magic.size() && std::equal(magic.begin(), magic.end(), bytes.begin());
 }
 
-ImageSize ReadSize(std::span<const unsigned char> bytes) { return ReadExrLayout(bytes).size; }
+ImageSize ReadSize(std::span<const unsigned char> bytes) { return ReadExrLayout(bytes).display.size; }
 
 /// The bytes of a file, for the library.
 class InputStream : public Imf::IStream {
@@ -120,6 +121,14 @@ ImageSettings SettingsOf(const Imf::Header& header) {
   return settings;
 }
 
+/// The rows and columns that both windows have.
+ExrWindow InBoth(const ExrWindow& a, const ExrWindow& b) {
+  ExrWindow both{std::max(a.left, b.left), std::max(a.top, b.top), {}};
+  both.size.width = static_cast<int>(std::max<std::int64_t>(0, std::min(a.Right(), b.Right()) - both.left));
+  both.size.height = static_cast<int>(std::max<std::int64_t>(0, std::min(a.Bottom(), b.Bottom()) - both.top));
+  return both;
+}
+
 /// The names of the channels, up to a few.
 std::string NamesOf(const Imf::ChannelList& channels) {
   constexpr int most_names = 6;
@@ -139,31 +148,42 @@ std::span<const char* const> ChannelsToRead(const Imf::ChannelList& channels) {
   throw ImageError("EXR has neither the channels R, G and B nor Y; it has " + NamesOf(channels));
 }
 
-Image ReadPixels(Imf::InputFile& file, ImageSize size) {
+/// The display window, with the colors of those pixels that are stored.
+///   read_line   reads one line of the file
+///   color_at    the color of a pixel of the line that was read last, counted from the left end of the data window
+template <typename ReadLine, typename ColorAt>
+Image ImageOfLines(const ExrLayout& layout, const ReadLine& read_line, const ColorAt& color_at) {
+  const ExrWindow &data = layout.data, &display = layout.display, read = InBoth(data, display);
+  // The image is asked for only once its first row is there: the header alone may promise anything.
+  Image image;
+  for (std::int64_t line = read.top; line < read.Bottom(); ++line) {
+    try {
+      read_line(static_cast<int>(line));
+    } catch (const std::exception& error) {
+      throw ImageError("EXR is truncated or damaged: " + std::to_string(line - data.top) + " of " +
+                       std::to_string(data.size.height) + " rows are there: " + Printable(error.what()));
+    }
+    if (image.Width() == 0) image = Image(display.size.width, display.size.height);
+    const int y = static_cast<int>(display.Bottom() - 1 - line);
+    for (std::int64_t x = read.left; x < read.Right(); ++x)
+      image.Set(static_cast<int>(x - display.left), y, color_at(static_cast<std::size_t>(x - data.left)));
+  }
+  return image.Width() > 0 ? std::move(image) : Image(display.size.width, display.size.height);
+}
+
+Image ReadPixels(Imf::InputFile& file, const ExrLayout& layout) {
   const auto channels = ChannelsToRead(file.header().channels());
   const bool is_gray = channels.size() == 1;
-  const Imath::Box2i window = file.header().dataWindow();
-  std::vector<float> row(3 * static_cast<std::size_t>(size.width));
+  std::vector<float> row(3 * static_cast<std::size_t>(layout.data.size.width));
   Imf::FrameBuffer frame;
-  AddToFrame(frame, row, window.min.x, channels);
+  AddToFrame(frame, row, static_cast<int>(layout.data.left), channels);
   file.setFrameBuffer(frame);
-  // The picture is asked for only once its first row is there: the header alone may promise anything.
-  Image image;
-  for (int y = size.height - 1; y >= 0; --y) {
-    const int line = window.min.y + (size.height - 1 - y);
-    try {
-      file.readPixels(line, line);
-    } catch (const std::exception& error) {
-      throw ImageError("EXR is truncated or damaged: " + std::to_string(size.height - 1 - y) + " of " +
-                       std::to_string(size.height) + " rows are there: " + Printable(error.what()));
-    }
-    if (image.Width() == 0) image = Image(size.width, size.height);
-    for (int x = 0; x < size.width; ++x) {
-      const float* p = &row[3 * static_cast<std::size_t>(x)];
-      image.Set(x, y, {p[0], p[is_gray ? 0 : 1], p[is_gray ? 0 : 2]});
-    }
-  }
-  return image;
+  return ImageOfLines(
+      layout, [&](int line) { file.readPixels(line, line); },
+      [&](std::size_t x) {
+        const float* p = &row[3 * x];
+        return Color{p[0], p[is_gray ? 0 : 1], p[is_gray ? 0 : 2]};
+      });
 }
 
 /// Whether chroma has a sample for every `step` pixels in every `step` rows.
@@ -192,36 +212,30 @@ void ConvertChroma(Image& image, const Imf::Header& header) {
 
 /// Chroma for every second pixel of every second row, filtered as the library does for everybody. It computes with
 /// halves, which such pictures consist of.
-Image ReadSampledChroma(std::span<const unsigned char> bytes, ImageSize size) {
+Image ReadSampledChroma(std::span<const unsigned char> bytes, const ExrLayout& layout) {
   InputStream stream(bytes);
   Imf::RgbaInputFile file(stream, 0);
-  const Imath::Box2i window = file.dataWindow();
-  std::vector<Imf::Rgba> row(static_cast<std::size_t>(size.width));
+  std::vector<Imf::Rgba> row(static_cast<std::size_t>(layout.data.size.width));
   // The address of the pixel at x = 0, where there is no memory; see AddToFrame.
   const auto address = reinterpret_cast<std::intptr_t>(row.data()) -
-                       static_cast<std::intptr_t>(window.min.x) * static_cast<std::intptr_t>(sizeof(Imf::Rgba));
+                       static_cast<std::intptr_t>(layout.data.left) * static_cast<std::intptr_t>(sizeof(Imf::Rgba));
   file.setFrameBuffer(reinterpret_cast<Imf::Rgba*>(address), 1, 0);
-  Image image;
-  for (int y = 0; y < size.height; ++y) {
-    file.readPixels(window.min.y + y);
-    if (image.Width() == 0) image = Image(size.width, size.height);
-    for (int x = 0; x < size.width; ++x) {
-      const Imf::Rgba& p = row[static_cast<std::size_t>(x)];
-      image.Set(x, size.height - 1 - y, {p.r, p.g, p.b});
-    }
-  }
-  return image;
+  return ImageOfLines(
+      layout, [&](int line) { file.readPixels(line); },
+      [&](std::size_t x) {
+        return Color{row[x].r, row[x].g, row[x].b};
+      });
 }
 
-Image ReadColors(Imf::InputFile& file, std::span<const unsigned char> bytes, ImageSize size) {
+Image ReadColors(Imf::InputFile& file, std::span<const unsigned char> bytes, const ExrLayout& layout) {
   const Imf::ChannelList& channels = file.header().channels();
   const bool has_chroma = ChannelsToRead(channels).data() == chroma_channels.data();
-  if (!has_chroma) return ReadPixels(file, size);
-  if (HasChromaOf(channels, 2)) return ReadSampledChroma(bytes, size);
+  if (!has_chroma) return ReadPixels(file, layout);
+  if (HasChromaOf(channels, 2)) return ReadSampledChroma(bytes, layout);
   if (!HasChromaOf(channels, 1))
     throw ImageError(
         "EXR has chroma that is sampled otherwise than for every pixel or every second one in both directions");
-  Image image = ReadPixels(file, size);
+  Image image = ReadPixels(file, layout);
   ConvertChroma(image, file.header());
   return image;
 }
@@ -259,7 +273,7 @@ DecodedImage Decode(std::span<const unsigned char> bytes) {
     Imf::InputFile file(stream, 0);  // no threads of the library's own
     DecodedImage decoded;
     decoded.settings = SettingsOf(file.header());
-    decoded.image = ReadColors(file, bytes, layout.size);
+    decoded.image = ReadColors(file, bytes, layout);
     if (HasOtherPrimaries(file.header()))
       decoded.warnings.push_back(
           "EXR states chromaticities of its own; its colors are taken as sRGB's, without the curve");

@@ -7,6 +7,7 @@
 #include "R3/GridMesh.h"
 #include "R3/Intersection.h"
 #include "R3/Numeric.h"
+#include "R3/UvTangents.h"
 #include "R3/Warp.h"
 #include "R3/shapes/Quadric.h"
 #include "R3/shapes/Span.h"
@@ -38,6 +39,13 @@ inline Intersection AtCap(const Point& p, const Point& center, double radius, do
   at.normal = at.shading_normal = {0, side, 0};
   at.uv = {0.5 + (p.x - center.x) / (2 * radius), 0.5 - (p.z - center.z) / (2 * radius)};
   return at;
+}
+
+inline UvTangents UvTangentsAtCap(double radius) { return {{2 * radius, 0, 0}, {0, 0, -2 * radius}}; }
+
+/// dp/du where u is TurnAboutY, at a radius from the axis in the unit direction `outward`.
+inline Vector AlongTurn(const Vector& outward, double radius) {
+  return 2 * std::numbers::pi * radius * Vector{-outward.z, 0, outward.x};
 }
 
 /// A place on the flat end, uniformly.

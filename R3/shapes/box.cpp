@@ -30,6 +30,18 @@ class BoxShape : public Shape {
     return at;
   }
 
+  UvTangents UvTangentsAt(const Ray&, const Hit& hit, int) const override {
+    const int right = (hit.part / 2 + 1) % 3, up = (hit.part / 2 + 2) % 3;
+    const auto side = [&](int along) {
+      const auto reach = [&](int axis) { return axis == along ? box_.high[axis] - box_.low[axis] : 0; };
+      return Vector{reach(0), reach(1), reach(2)};
+    };
+    const auto gain = [&](int along) {
+      return TextureCoordinates(box_.low + side(along), hit.part) - TextureCoordinates(box_.low, hit.part);
+    };
+    return {side(right), side(up), gain(right), gain(up)};
+  }
+
   MeshData Tessellate(int fineness) const override {
     MeshData data;
     if (IsDegenerate()) return data;

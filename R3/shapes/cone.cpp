@@ -51,7 +51,16 @@ class Cone : public Shape {
     const Vector outward = Unit({p.x - center_.x, 0, p.z - center_.z});  // zero at the apex
     Intersection at = OnSide(outward, std::clamp(p.y, low_, high_));
     at.uv = {outward == Vector{} ? 0 : TurnAboutY(outward), (at.position.y - low_) / height_};
+    at.v_ends = {VEnd::rim, VEnd::pole};
     return at;
+  }
+
+  UvTangents UvTangentsAt(const Ray& ray, const Hit& hit, int) const override {
+    if (hit.part == base) return UvTangentsAtCap(radius_);
+    const Point p = ray.At(hit.t);
+    const Vector outward = Unit({p.x - center_.x, 0, p.z - center_.z});
+    return {AlongTurn(outward, slope_ * (high_ - std::clamp(p.y, low_, high_))),
+            {-radius_ * outward.x, height_, -radius_ * outward.z}};
   }
 
   MeshData Tessellate(int fineness) const override {

@@ -40,7 +40,14 @@ class Cylinder : public Shape {
     const Vector outward = Unit({p.x - center_.x, 0, p.z - center_.z});
     Intersection at = OnSide(outward, std::clamp(p.y, low_, high_));
     at.uv = {TurnAboutY(outward), (at.position.y - low_) / height_};
+    at.v_ends = {VEnd::rim, VEnd::rim};
     return at;
+  }
+
+  UvTangents UvTangentsAt(const Ray& ray, const Hit& hit, int) const override {
+    if (hit.part != side) return UvTangentsAtCap(radius_);
+    const Point p = ray.At(hit.t);
+    return {AlongTurn(Unit({p.x - center_.x, 0, p.z - center_.z}), radius_), {0, height_, 0}};
   }
 
   MeshData Tessellate(int fineness) const override {

@@ -34,6 +34,10 @@ class Disc : public Shape {
     return InPlane(off - Dot(off, unit_) * unit_, Gamma(8) * Length(off));
   }
 
+  UvTangents UvTangentsAt(const Ray&, const Hit&, int) const override {
+    return {2 * radius_ * across_.first, 2 * radius_ * across_.second};
+  }
+
   bool CanBeSampled() const override { return true; }
   double SampledArea(const Point&, int) const override { return std::numbers::pi * radius_ * radius_; }
   Intersection DrawPlace(const Point&, const R2::Point& u, int) const override {

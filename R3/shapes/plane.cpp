@@ -41,6 +41,8 @@ class Plane : public Shape {
     return at;
   }
 
+  UvTangents UvTangentsAt(const Ray&, const Hit&, int) const override { return {across_, Cross(unit_, across_)}; }
+
   /// The square within 1 of the point, the finer the nearer to that; the viewer makes it, and its texture coordinates,
   /// as large as it needs.
   MeshData Tessellate(int fineness) const override {

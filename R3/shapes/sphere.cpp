@@ -26,7 +26,18 @@ class Sphere : public Shape {
     const Vector outward = Unit(ray.At(hit.t) - center_);
     Intersection at = OnSurface(outward);  // pushed back onto the surface
     at.uv = TextureCoordinates(outward);
+    at.v_ends = {VEnd::pole, VEnd::pole};
     return at;
+  }
+
+  UvTangents UvTangentsAt(const Ray& ray, const Hit& hit, int) const override {
+    const Vector n = Unit(ray.At(hit.t) - center_);
+    const double across = std::sqrt(n.x * n.x + n.y * n.y);
+    // dp/du, and dp/dv times `across`: both are 0 at the poles, where they have no directions.
+    return {2 * std::numbers::pi * radius_ * Vector{n.y, -n.x, 0},
+            std::numbers::pi * radius_ * Vector{-n.z * n.x, -n.z * n.y, across * across},
+            {1, 0},
+            {0, across}};
   }
 
   bool CanBeSampled() const override { return !IsDegenerate(); }

@@ -97,12 +97,16 @@ class Torus : public Shape {
   }
 
   Intersection At(const Ray& ray, const Hit& hit, int) const override {
-    const Vector p = ray.At(hit.t) - center_;
-    const Vector outward = Unit({p.x, 0, p.z});  // from the axis
-    const Vector from_tube = Unit({R1::Hypot(p.x, p.z) - major_, p.y, 0});
+    const auto [outward, from_tube] = DirectionsTo(ray.At(hit.t));
     Intersection at = OnTube(outward, from_tube);
     at.uv = {TurnAboutY(outward), 0.5 + R1::Atan2(from_tube.y, from_tube.x) / (2 * std::numbers::pi)};
     return at;
+  }
+
+  UvTangents UvTangentsAt(const Ray& ray, const Hit& hit, int) const override {
+    const auto [outward, from_tube] = DirectionsTo(ray.At(hit.t));
+    const Vector along_tube{-from_tube.y * outward.x, from_tube.x, -from_tube.y * outward.z};
+    return {AlongTurn(outward, major_ + minor_ * from_tube.x), 2 * std::numbers::pi * minor_ * along_tube};
   }
 
   bool CanBeSampled() const override { return !IsDegenerate(); }
@@ -137,6 +141,16 @@ class Torus : public Shape {
   }
 
  private:
+  /// Both are unit.
+  struct Directions {
+    Vector outward;    // from the axis
+    Vector from_tube;  // from the circle within the tube, in the plane of the axis, with x across it
+  };
+  Directions DirectionsTo(const Point& place) const {
+    const Vector p = place - center_;
+    return {Unit({p.x, 0, p.z}), Unit({R1::Hypot(p.x, p.z) - major_, p.y, 0})};
+  }
+
   /// `outward` from the axis and `from_tube`, in the plane of the axis with x across it, are unit.
   Intersection OnTube(const Vector& outward, const Vector& from_tube) const {
     const double radius = major_ + minor_ * from_tube.x;  // about the axis

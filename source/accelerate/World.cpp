@@ -177,6 +177,13 @@ R3::Intersection World::At(const R3::Ray& ray, const WorldHit& hit) const {
   return at;
 }
 
+R3::UvTangents World::UvTangentsAt(const R3::Ray& ray, const WorldHit& hit) const {
+  const Instance& instance = instances_[hit.instance];
+  R3::UvTangents uv = instance.shape->UvTangentsAt(Back(instance.frame, ray), hit, hit.element);
+  uv.first = frames_[instance.frame] * uv.first, uv.second = frames_[instance.frame] * uv.second;
+  return uv;
+}
+
 void World::BringToWorld(std::uint32_t frame, double time, R3::Intersection& at) const {
   if (frame == 0) return;  // the world itself, which stands still
   if (!frames_[frame].IsIdentity()) Transform(frames_[frame], at);

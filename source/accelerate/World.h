@@ -111,6 +111,8 @@ class World {
 
   /// The surface at a hit of `ray`, in world coordinates, as BringToWorld brings it there.
   R3::Intersection At(const R3::Ray& ray, const WorldHit& hit) const;
+  /// How texture coordinates run over the surface there, with tangents in the world.
+  R3::UvTangents UvTangentsAt(const R3::Ray& ray, const WorldHit& hit) const;
 
  private:
   void FlattenGraph();

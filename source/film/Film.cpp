@@ -11,10 +11,6 @@
 namespace ray {
 namespace {
 
-PixelRectangle Around(const PixelRectangle& r, int apron) {
-  return {r.x0 - apron, r.y0 - apron, r.x1 + apron, r.y1 + apron};
-}
-
 /// The float next to x whose byte is that of x, where bytes are truncated: rounding to float must not lift a value over
 /// a whole number.
 double TruncatedAlike(double x) {
@@ -44,7 +40,7 @@ void BlockSums::Add(int column, int row, double x, double y, const R2::Color& sa
     return;
   }
   const int apron = filter.Apron();
-  const PixelRectangle near = Common(reach_, Around({column, row, column + 1, row + 1}, apron));
+  const PixelRectangle near = Common(reach_, Grown({column, row, column + 1, row + 1}, apron));
   double along_x[16];  // 2 apron + 1 of them
   for (int i = near.x0; i < near.x1; ++i) along_x[i - near.x0] = filter(x - (i + 0.5));
   for (int j = near.y0; j < near.y1; ++j) {
@@ -61,10 +57,11 @@ BlockSums& BlockSums::operator+=(const BlockSums& o) {
   return *this;
 }
 
-Film::Film(int width, int height, const PixelRectangle& region, FilterKind filter)
+Film::Film(int picture_width, int picture_height, const PixelRectangle& region, FilterKind filter, int surroundings)
     : filter_(filter),
       region_(region),
-      sampled_(Common({0, 0, width, height}, Around(region, filter_.Apron()))),
+      made_(Common({0, 0, picture_width, picture_height}, Grown(region, surroundings))),
+      sampled_(Common({0, 0, picture_width, picture_height}, Grown(made_, filter_.Apron()))),
       first_column_(sampled_.x0 / block_side),
       first_row_(sampled_.y0 / block_side),
       columns_((sampled_.x1 + block_side - 1) / block_side - first_column_),
@@ -101,9 +98,13 @@ Film Film::Cut(const PixelRectangle& part) const {
   return cut;
 }
 
-BlockSums Film::EmptySums(int block) const {
-  return BlockSums(Common(region_, Around(PixelsOf(block), filter_.Apron())));
+Film Film::WithSurroundings() const {
+  Film all = *this;
+  all.region_ = made_;
+  return all;
 }
+
+BlockSums Film::EmptySums(int block) const { return BlockSums(Common(made_, Grown(PixelsOf(block), filter_.Apron()))); }
 
 bool Film::HasGaps() const {
   for (int i = 0; i < Blocks(); ++i)

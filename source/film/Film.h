@@ -67,9 +67,10 @@ class Film {
  public:
   static constexpr int block_side = BlockOrder::side, parts = 2;
 
-  /// `region`: the part of the picture of `width` x `height` that is wanted. Samples from pixels around it that count
-  /// for it are taken too, so that it equals the same part of the whole.
-  Film(int width, int height, const PixelRectangle& region, FilterKind filter);
+  /// `region`: the part of the picture that is wanted. Samples from pixels around it that count for it are taken too,
+  /// so that it equals the same part of the whole. `surroundings`: how many pixels around it are made as well, for
+  /// denoisers and other neighbors to look at.
+  Film(int picture_width, int picture_height, const PixelRectangle& region, FilterKind filter, int surroundings = 0);
 
   int Columns() const { return columns_; }
   int Blocks() const { return columns_ * rows_; }
@@ -81,7 +82,9 @@ class Film {
   std::vector<double> AreasInRegion() const;
   const Filter& filter() const { return filter_; }
   const PixelRectangle& Region() const { return region_; }
-  /// The pixels that samples are taken of: the region, and those around it that a wide filter reaches it from.
+  /// The region and its surroundings, as far as there is a picture.
+  const PixelRectangle& Made() const { return made_; }
+  /// The pixels that samples are taken of: those made, and those around them that a wide filter reaches them from.
   const PixelRectangle& Sampled() const { return sampled_; }
 
   /// What one block has collected.
@@ -109,6 +112,9 @@ class Film {
   R2::Image Part(int part) const;
   /// The film of a part of the region, with what its blocks have collected.
   Film Cut(const PixelRectangle& part) const;
+  bool HasSurroundings() const { return !(made_ == region_); }
+  /// A copy whose region is all that is made.
+  Film WithSurroundings() const;
   /// Whether every block of the region has samples of both parts.
   bool HasBothParts() const;
   /// The block of a pixel of the region.
@@ -121,7 +127,7 @@ class Film {
   R2::Image Composed(R2::Quantization quantization, const Blend& blend) const;
 
   Filter filter_;
-  PixelRectangle region_, sampled_;
+  PixelRectangle region_, made_, sampled_;
   int first_column_, first_row_, columns_, rows_;
   std::vector<Block> blocks_;
 };

@@ -22,4 +22,7 @@ inline PixelRectangle Common(const PixelRectangle& a, const PixelRectangle& b) {
   return {x0, y0, std::max(x0, std::min(a.x1, b.x1)), std::max(y0, std::min(a.y1, b.y1))};
 }
 
+/// The rectangle and `by` pixels on each side of it.
+inline PixelRectangle Grown(const PixelRectangle& r, int by) { return {r.x0 - by, r.y0 - by, r.x1 + by, r.y1 + by}; }
+
 }  // namespace ray

@@ -141,7 +141,7 @@ void Path::SampleChosenLights(const ShadingPoint& p, const Bsdf& bsdf, std::size
   const auto count = static_cast<std::uint32_t>(lights_at_once_);
   const Points points = p.path.index.PointsFor(next_event_key, settings_.sampler, settings_.samples, count);
   for (std::uint32_t k = 0; k < count && !state.IsStopped(); ++k) {
-    const auto random = points.Get<3>(p.path.index.sample * count + k);
+    const auto random = points.Get<3>(p.path.index.FirstOf(count) + k);
     auto sample = lights_.SampleOne(p, {random[0], random[1]}, random[2]);
     if (!sample) continue;
     sample->irradiance = sample->irradiance / count;

@@ -21,8 +21,8 @@ ShadingPoint ShadingPointAt(const World& world, const PathState& ray, const Worl
   s.entering = Dot(s.at.normal, ray.ray.direction) <= 0;
   SetLeaving(world, s);
   s.N = Facing(s.at.shading_normal, s.entering);
-  if (s.material->normal_map) s.N = NormalMapped(world, ray.ray, hit, s.at, *s.material, s.N, s.entering);
-  if (s.material->bump) s.N = Bumped(world, ray.ray, hit, s.at, *s.material, s.N, s.entering);
+  if (s.material->normal_map) s.N = NormalMapped(s, world.UvTangentsAt(ray.ray, hit));
+  if (s.material->bump) s.N = Bumped(s, world.UvTangentsAt(ray.ray, hit));
   s.is_smoothed = !(s.N == Facing(s.at.normal, s.entering));
   SetDeparture(world, s);
   AbsorbOnTheWay(s);
@@ -51,7 +51,7 @@ void AbsorbOnTheWay(ShadingPoint& p) {
 
 R2::Color ShadingPoint::AmbientReflectance() const {
   if (!material->texture_multiplies_ka || !material->texture) return material->ka;
-  return material->ka * material->texture->At(at.uv);
+  return material->ka * material->texture->On(at);
 }
 
 R2::Color Background(const Scene& scene, const R3::Vector& direction) {

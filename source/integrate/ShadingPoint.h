@@ -78,7 +78,7 @@ void SetDeparture(const World& world, ShadingPoint& p);
 
 /// Of a point whose surface is known, its kd; and the last of these.
 inline R2::Color KdAt(const ShadingPoint& p) {
-  return p.material->texture ? p.material->kd * p.material->texture->At(p.at.uv) : p.material->kd;
+  return p.material->texture ? p.material->kd * p.material->texture->On(p.at) : p.material->kd;
 }
 void AbsorbOnTheWay(ShadingPoint& p);
 

@@ -164,7 +164,7 @@ void Whitted::AddLight(const AnyLight& light, std::uint64_t which, std::span<Sha
     // One light's samples from all of a pixel's camera rays are one set of points.
     const Points random = p.path.index.PointsFor(which, settings_.sampler, settings_.samples, count);
     for (std::uint32_t k = 0; k < count && !state.IsStopped(); k += LightSamples::most)
-      AddSamples(light, p, i, random, p.path.index.sample * count + k, std::min(count - k, LightSamples::most),
+      AddSamples(light, p, i, random, p.path.index.FirstOf(count) + k, std::min(count - k, LightSamples::most),
                  1.0 / count, state);
   }
   AddArrived(points, state);
@@ -178,7 +178,7 @@ void Whitted::AddChosenLights(std::span<ShadingPoint> points, TraceState& state)
     if (!p.HasReflectance()) continue;
     const Points random_points = p.path.index.PointsFor(chosen_lights_key, settings_.sampler, settings_.samples, count);
     for (std::uint32_t k = 0; k < count && !state.IsStopped(); ++k) {
-      const auto random = random_points.Get<3>(p.path.index.sample * count + k);
+      const auto random = random_points.Get<3>(p.path.index.FirstOf(count) + k);
       const auto choice = tree_->Choose(p.free_point, p.N, random[2]);
       if (!choice) continue;
       AddChosenLight(static_cast<std::size_t>(choice->light), p, i, {random[0], random[1]},
@@ -213,12 +213,12 @@ void Whitted::AddSample(const AnyLight& light, const ShadingPoint& p, std::size_
 
 template <typename AnyLight>
 void Whitted::AddSamples(const AnyLight& light, const ShadingPoint& p, std::size_t index, const Points& random,
-                         std::uint32_t first, std::uint32_t count, double weight, TraceState& state) const {
+                         std::uint64_t first, std::uint32_t count, double weight, TraceState& state) const {
   for (std::uint32_t k = 0; k < count; ++k) AddSample(light, p, index, random.Get2D(first + k), weight, state);
 }
 
 void Whitted::AddSamples(const Light& light, const ShadingPoint& p, std::size_t index, const Points& random,
-                         std::uint32_t first, std::uint32_t count, double weight, TraceState& state) const {
+                         std::uint64_t first, std::uint32_t count, double weight, TraceState& state) const {
   LightSamples samples;
   samples.count = count;
   random.GetEach2D(first, count, samples.u, samples.v);
@@ -254,10 +254,10 @@ void Whitted::Spawn(const ShadingPoint& p, TraceState& state) const {
 void Whitted::SpawnGlossy(const ShadingPoint& p, const R2::Color& throughput, const SampleIndex& back,
                           std::vector<PathState>& pending) const {
   const auto count = static_cast<std::uint32_t>(p.material->gloss_samples);
-  const Points points(settings_.sampler, back.key.Child(gloss_direction_key), settings_.samples * count);
+  const Points points = back.PointsFor(gloss_direction_key, settings_.sampler, settings_.samples, count);
   const SampleIndex each = back.Child(gloss_key);
   for (std::uint32_t k = 0; k < count; ++k)
-    if (const auto wi = SampleReflection(p, true, points.Get2D(back.sample * count + k)))
+    if (const auto wi = SampleReflection(p, true, points.Get2D(back.FirstOf(count) + k)))
       pending.push_back(Extend(p, *wi, Lobe::mirror, throughput / count, each.Child(k)));
 }
 

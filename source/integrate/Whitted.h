@@ -47,9 +47,9 @@ class Whitted : public Integrator {
   /// Those that points number `first` and on pick, at most LightSamples::most.
   template <typename AnyLight>
   void AddSamples(const AnyLight& light, const ShadingPoint& p, std::size_t index, const Points& random,
-                  std::uint32_t first, std::uint32_t count, double weight, TraceState& state) const;
+                  std::uint64_t first, std::uint32_t count, double weight, TraceState& state) const;
   void AddSamples(const Light& light, const ShadingPoint& p, std::size_t index, const Points& random,
-                  std::uint32_t first, std::uint32_t count, double weight, TraceState& state) const;
+                  std::uint64_t first, std::uint32_t count, double weight, TraceState& state) const;
   void AddArrived(std::span<ShadingPoint> points, TraceState& state) const;
   /// The rays that a surface reflects and transmits.
   void Spawn(const ShadingPoint& p, TraceState& state) const;

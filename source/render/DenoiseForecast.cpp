@@ -68,7 +68,7 @@ double SecondsToFilter(const RenderSettings& settings) {
     const DenoiseFilters filters(settings.denoiser, settings.threads);
     const double of_small = SecondsToFilterNoise(small, filters), of_large = SecondsToFilterNoise(large, filters);
     const double of_pixel = std::max(0.0, of_large - of_small) / (large * large - small * small);
-    const auto pixels = static_cast<double>(RegionOf(settings).Area());
+    const auto pixels = static_cast<double>(MadeRegionOf(settings).Area());
     seconds = std::max(0.0, of_large + of_pixel * (pixels - large * large));
   });
   return seconds;
@@ -80,7 +80,7 @@ DenoiseForecast::DenoiseForecast(const World& world, const Accelerator& accelera
       accelerator_(accelerator),
       settings_(settings),
       measure_(measure),
-      pixels_(static_cast<double>(RegionOf(settings).Area())),
+      pixels_(static_cast<double>(MadeRegionOf(settings).Area())),
       filter_seconds_(settings.budget.seconds_to_filter) {}
 
 void DenoiseForecast::Look(const Film& film, double samples, std::uint64_t rays, const std::atomic<bool>* stop) {
@@ -108,7 +108,7 @@ void DenoiseForecast::LookAtGuides(const Film& film, double samples, const std::
     tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t i) {
       WorkMeter meter({}, stop);
       const double rays = render_rays_ * samples * static_cast<double>(parts[i].Region().Area());
-      const auto refining = [=](std::uint64_t) { return Refinement{static_cast<std::uint64_t>(rays)}; };
+      const auto refining = [=](std::uint64_t) { return std::optional(Refinement{static_cast<std::uint64_t>(rays)}); };
       gathered[i] = GatherGuides(world_, accelerator_, settings_, parts[i], refining, meter);
     });
   });

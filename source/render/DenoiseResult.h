@@ -11,8 +11,8 @@
 namespace ray {
 
 /// Filters the picture of a render that is complete, from its film, and measures what error is left; adds the rays that
-/// took. Guides are refined by about as many rays as the render took at most, or, where they have an end, as there is
-/// time for, or as many as a replay says. Tells the monitor how far it is.
+/// took. Guides are refined in proportion to the samples, or, where they have an end, by as many rays as there is time
+/// for, or as a replay says. Tells the monitor how far it is.
 /// Where a library fails, the picture stays as it is, and the result says why; where the monitor asks to stop, it stays
 /// too, and the render is no longer complete.
 void DenoiseResult(const World& world, const Accelerator& accelerator, const RenderSettings& settings, const Film& film,

@@ -255,7 +255,7 @@ class Job {
       if (!is_noted) passes_.back().error = pass.error->estimate;
       Foretell(pass);
     }
-    if (schedule_.LooksAtContrast()) pass.contrasts = NeighborContrasts(film_, MeasureFor(settings_));
+    if (schedule_.LooksAtContrast()) pass.contrasts = Contrasts();
     if (denoise_forecast_ && after_.is_in_time) {
       denoise_forecast_->Look(film_, samples, runner_.Rays().Total(), monitor_.stop);
       NoteTimeAfter(samples, pass.samples_taken > 0 ? pass.seconds_taken / pass.samples_taken : 0);
@@ -358,6 +358,12 @@ class Job {
     return {caustics_.most, SamplesTaken(film_)};
   }
 
+  std::vector<double> Contrasts() const {
+    const ErrorMeasure measure = MeasureFor(settings_);
+    return film_.HasSurroundings() ? NeighborContrasts(film_.WithSurroundings(), measure)
+                                   : NeighborContrasts(film_, measure);
+  }
+
   std::optional<MeasuredError> Measure() const {
     const ErrorMeasure measure = MeasureFor(settings_);
     auto measured = MeasureError(film_, measure, &differences_);
@@ -403,7 +409,7 @@ double ExpectedRays(const RenderSettings& settings) {
   constexpr double rays_per_camera_ray = 3;  // with shadows and reflections, in scenes of the course
   constexpr double rays_per_second = 1e6;
   if (settings.budget.seconds > 0) return rays_per_second * settings.budget.seconds;
-  return rays_per_camera_ray * static_cast<double>(RegionOf(settings).Area()) * settings.samples;
+  return rays_per_camera_ray * static_cast<double>(MadeRegionOf(settings).Area()) * settings.samples;
 }
 
 std::unique_ptr<const Integrator> IntegratorOf(const World& world, const Accelerator& accelerator,
@@ -433,7 +439,7 @@ CameraRays CameraRaysOf(const World& world, const RenderSettings& settings, std:
 }
 
 Film EmptyFilmOf(const RenderSettings& settings) {
-  return Film(settings.width, settings.height, RegionOf(settings), settings.filter);
+  return Film(settings.width, settings.height, RegionOf(settings), settings.filter, SurroundingsOf(settings));
 }
 
 RenderResult Render(const World& world, const Accelerator& accelerator, const RenderSettings& settings,

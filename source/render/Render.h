@@ -81,7 +81,7 @@ struct RenderResult {
   bool had_no_time_to_denoise = false;  // though it was asked for; then, too, `image` is as it was rendered
   double denoise_seconds = 0, guide_seconds = 0;  // the latter a part of the former
   std::uint64_t guide_rays = 0;                   // a part of `rays`
-  std::optional<Refinement> refinement;           // nothing where it was not denoised
+  std::optional<Refinement> refinement;           // nothing where it was not denoised, or without a clock
   UnseenLight unseen;                             // the error's interval allows for it
   bool has_outliers = false;                      // they hold most of the error, and no block was stopped early
 

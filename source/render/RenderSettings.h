@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "source/film/BlockOrder.h"
 #include "source/film/Filter.h"
 #include "source/film/PictureError.h"
 #include "source/film/PixelRectangle.h"
@@ -55,7 +56,8 @@ inline Budget WithoutLimits(const Budget& budget) {
   return none;
 }
 
-/// How many rays guides may take at edges besides those of the samples' own camera rays.
+/// How many rays guides may take at edges besides those of the samples' own camera rays, where there is a clock; else
+/// they are in proportion to the samples, see GatherGuides.
 struct Refinement {
   std::uint64_t rays = 0;  // of all kinds, about
   // Camera rays of a pixel, or as many as its samples. 32 had a tenth more error on the scenes of
@@ -72,16 +74,15 @@ struct Replay {
   std::vector<std::uint32_t> samples;      // per pixel and stream of each block; empty when all have the last of `ends`
   std::vector<std::uint8_t> places;        // looked at, of blocks that have none; empty when all have some
   bool denoised = true;                    // where that is asked for: else there was no time
-  std::optional<Refinement> refinement{};  // nothing: as many rays as the render takes
+  std::optional<Refinement> refinement{};  // nothing: in proportion to the samples
   bool looked_at_error = false;            // decided by it, so that how it fell bears on what it claims
 };
 
 /// What picture to make of a scene, and how the work is spread; the latter never changes a bit of the former.
 struct RenderSettings {
-  int width = 256, height = 256;  // of the whole picture
-  // The part that is rendered; its pixels equal those of the whole, but where neighbors decide about samples.
-  std::optional<PixelRectangle> crop;
-  int samples = 1;  // camera rays per pixel, >= 1; a ceiling where there is a budget, unless it is 1
+  int width = 256, height = 256;       // of the whole picture
+  std::optional<PixelRectangle> crop;  // the part that is rendered: pixels of the whole, but for CropDifferences
+  int samples = 1;                     // camera rays per pixel, >= 1; a ceiling where there is a budget, unless it is 1
   std::uint64_t seed = 0;
   RenderMode mode = RenderMode::whitted;
   FilterKind filter = FilterKind::box;
@@ -94,8 +95,9 @@ struct RenderSettings {
   std::optional<Replay> replay;
   bool denoise = false;  // filter the picture of light once it is complete; takes two streams
   Denoiser denoiser = Denoiser::regression;
-  bool srgb = false;          // the picture will be sRGB encoded, so display errors are counted after that
-  bool wants_passes = false;  // measure the error pass by pass, to see it fall
+  bool denoises_beyond_crop = true;  // or, for whoever only wants to know what it costs, the crop as if it were all
+  bool srgb = false;                 // the picture will be sRGB encoded, so display errors are counted after that
+  bool wants_passes = false;         // measure the error pass by pass, to see it fall
 
   int threads = 0;     // 0: as many as the machine has
   int tile_size = 32;  // side of a work item in pixels, rounded up to whole blocks of the film; 0: the whole picture
@@ -111,10 +113,24 @@ inline PixelRectangle RegionOf(const RenderSettings& settings) {
   return settings.crop.value_or(PixelRectangle{0, 0, settings.width, settings.height});
 }
 
-/// Whether blocks of like pixels get one sample alone.
+/// Whether blocks of like pixels get one sample alone; so they have in a replay, which says it of each block.
+inline bool HasSamplesWhereNeighborsDiffer(const RenderSettings& settings) {
+  return settings.budget.adaptive == Adaptive::neighbors && !settings.budget.IsOpen() && !ShowsCosts(settings.mode);
+}
+/// Whether neighbors decide about it.
 inline bool SamplesWhereNeighborsDiffer(const RenderSettings& settings) {
-  return settings.budget.adaptive == Adaptive::neighbors && !settings.budget.IsOpen() && !settings.replay &&
-         !ShowsCosts(settings.mode);
+  return HasSamplesWhereNeighborsDiffer(settings) && !settings.replay;
+}
+
+/// How many pixels around that part are made, so that what looks at neighbors sees those of the whole: the denoiser, or
+/// whoever compares the pixels of blocks. Blocks that a wide filter reaches the part from are compared as well.
+inline int SurroundingsOf(const RenderSettings& settings) {
+  if (HasSamplesWhereNeighborsDiffer(settings)) return BlockOrder::side + Filter(settings.filter).Apron();
+  return settings.denoise && settings.denoises_beyond_crop ? denoise_reach : 0;
+}
+/// The part that is rendered and, as far as there is a picture, what is made around it.
+inline PixelRectangle MadeRegionOf(const RenderSettings& settings) {
+  return Common({0, 0, settings.width, settings.height}, Grown(RegionOf(settings), SurroundingsOf(settings)));
 }
 
 }  // namespace ray

@@ -115,4 +115,15 @@ std::vector<std::string> SourcesOfBias(const SceneFeatures& features, const Rend
   return sources;
 }
 
+std::vector<std::string> CropDifferences(const RenderSettings& settings) {
+  std::vector<std::string> differences;
+  if (!settings.crop) return differences;
+  if (settings.budget.seconds > 0) differences.emplace_back("time");
+  if (settings.budget.error) differences.emplace_back("error");
+  if (settings.replay) differences.emplace_back("replay");
+  const bool has_library = settings.denoise && Resolved(settings.denoiser) != Denoiser::regression;
+  if (has_library) differences.push_back(std::string("denoiser ") + NameOf(settings.denoiser));
+  return differences;
+}
+
 }  // namespace ray

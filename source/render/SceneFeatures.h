@@ -29,4 +29,8 @@ std::string KernelName(const SceneFeatures& features, const RenderSettings& sett
 /// The settings in force that move the mean of the picture away from that of its mode without limits: "max_depth 3".
 std::vector<std::string> SourcesOfBias(const SceneFeatures& features, const RenderSettings& settings);
 
+/// The settings in force for which the pixels of a crop are not those of the whole: they decide by all that is
+/// rendered, or by the clock. "error 2". None where all is rendered.
+std::vector<std::string> CropDifferences(const RenderSettings& settings);
+
 }  // namespace ray

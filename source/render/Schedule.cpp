@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <numeric>
 
@@ -42,7 +43,7 @@ std::uint32_t FirstDecision(const RenderSettings& settings) {
 
 /// Blocks that gain a sample where there is no time for one of all: so many of those that have fewest, spread evenly.
 void RaiseSome(std::vector<std::uint32_t>& targets, const std::vector<std::uint32_t>& done, double blocks) {
-  std::uint32_t fewest = most_samples;
+  std::uint32_t fewest = std::numeric_limits<std::uint32_t>::max();
   for (std::size_t i = 0; i < done.size(); ++i)
     if (targets[i] > done[i]) fewest = std::min(fewest, done[i]);
   const auto is_raised = [&](std::size_t i) { return targets[i] > done[i] && done[i] == fewest; };
@@ -219,7 +220,7 @@ void Schedule::ReplayTo(std::uint32_t end) {
 /// sequences are well distributed. In between errors may even rise: of scenes/camera_motion.scn from .95 / 255 at 16
 /// samples of each stream to 1.10 at 19, before they fall to .76 at 24 and .54 at 32.
 std::uint32_t Schedule::NextEnd(const MeasuredError* error) const {
-  const std::uint32_t end = state_.end, twice = end > most_samples / 2 ? most_samples : 2 * end;
+  const std::uint32_t end = state_.end, twice = 2 * end;  // fits, since -samples is an int
   if (!error) return twice;
   const double growth = R1::Pow(error->square_high / SquaredTargetOf(*error), 0.5 / fall_of_error);
   if (!(growth < 1.7)) return twice;

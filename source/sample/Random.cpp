@@ -5,10 +5,16 @@
 #include <cmath>
 
 namespace ray {
+namespace {
+
+/// The next power of two, less 1, which is what fits into 32 bits of it for any count.
+std::uint32_t MaskOf(std::uint32_t count) { return count > 1 ? ~0u >> std::countl_zero(count - 1) : 0; }
+
+}  // namespace
 
 Shuffle::Shuffle(std::uint32_t count, const RandomKey& key)
     : count_(count),
-      mask_(std::bit_ceil(std::max(count, 1u)) - 1),
+      mask_(MaskOf(count)),
       half_(std::max(1, static_cast<int>(std::bit_width(mask_)) / 2)),
       salts_{key.Bits(), key.Child(0).Bits()} {}
 

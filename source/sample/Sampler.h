@@ -28,34 +28,39 @@ constexpr bool UsesSobol(SamplerKind kind) { return kind == SamplerKind::sobol |
 /// points.
 class Points {
  public:
-  /// `count`: how many there will be; beyond it stratified points begin anew with other strata.
-  Points(SamplerKind kind, const RandomKey& key, std::uint32_t count) : Points(kind, key, count, key, 0) {}
+  /// `count`: how many there will be; beyond it, and beyond 2^32 - 1, stratified points begin anew with other strata.
+  Points(SamplerKind kind, const RandomKey& key, std::uint64_t count) : Points(kind, key, count, key, 0) {}
   /// More coordinates of the points that `first` has the first ones of, even together with them: from number
   /// `dimension` on, so that with `size` at most Sobol::dimensions. Only Sobol's points have anything in common.
-  Points(SamplerKind kind, const RandomKey& key, std::uint32_t count, const RandomKey& first, int dimension)
-      : kind_(kind), key_(key), count_(std::max(count, 1u)), order_(High(first)), dimension_(dimension) {}
+  Points(SamplerKind kind, const RandomKey& key, std::uint64_t count, const RandomKey& first, int dimension)
+      : kind_(kind), key_(key), count_(CountOfStrata(count)), order_(High(first)), dimension_(dimension) {}
 
   /// As many coordinates as `size`, at most Sobol::dimensions, each in [0, 1).
   template <std::size_t size>
-  std::array<double, size> Get(std::uint32_t index) const {
-    if (UsesSobol(kind_))
-      return dimension_ == 0 ? SobolPoint<size>(index, std::integral_constant<int, 0>())
-                             : SobolPoint<size>(index, dimension_);
+  std::array<double, size> Get(std::uint64_t index) const {
+    if (UsesSobol(kind_)) {
+      const auto in_sequence = static_cast<std::uint32_t>(index);  // which repeats after 2^32 points
+      return dimension_ == 0 ? SobolPoint<size>(in_sequence, std::integral_constant<int, 0>())
+                             : SobolPoint<size>(in_sequence, dimension_);
+    }
     std::array<double, size> coordinates;
     Fill(index, coordinates.data(), size);
     return coordinates;
   }
 
   /// The first two coordinates, in [0, 1)^2.
-  R2::Point Get2D(std::uint32_t index) const {
+  R2::Point Get2D(std::uint64_t index) const {
     const auto [x, y] = Get<2>(index);
     return {x, y};
   }
 
   /// Those of `count` points from number `first` on.
-  void GetEach2D(std::uint32_t first, std::uint32_t count, double* x, double* y) const;
+  void GetEach2D(std::uint64_t first, std::uint32_t count, double* x, double* y) const;
 
  private:
+  static std::uint32_t CountOfStrata(std::uint64_t count) {
+    return static_cast<std::uint32_t>(std::clamp<std::uint64_t>(count, 1, ~0u));
+  }
   static std::uint32_t High(const RandomKey& key) { return static_cast<std::uint32_t>(key.Bits() >> 32); }
   static std::uint32_t Low(const RandomKey& key) { return static_cast<std::uint32_t>(key.Bits()); }
   /// `first`: the dimension of the first coordinate, as a type where it is always the same.
@@ -71,8 +76,8 @@ class Points {
     return coordinates;
   }
   /// Of samplers other than Sobol's.
-  void Fill(std::uint32_t index, double* coordinates, std::size_t size) const;
-  Stratified PairOf(std::uint32_t index, std::uint64_t pair) const;
+  void Fill(std::uint64_t index, double* coordinates, std::size_t size) const;
+  Stratified PairOf(std::uint64_t index, std::uint64_t pair) const;
 
   SamplerKind kind_;
   RandomKey key_;
@@ -92,12 +97,14 @@ struct SampleIndex {
 
   /// Of the vertex numbered `which` beneath.
   SampleIndex Child(std::uint64_t which) const { return {key.Child(which), sample}; }
-  /// The points for choices numbered `which` here; `each` of them a sample, of which this has the numbers
-  /// sample * each and on.
+  /// The points for choices numbered `which` here; `each` of them a sample, of which this has the numbers FirstOf(each)
+  /// and on.
   Points PointsFor(std::uint64_t which, SamplerKind kind, std::uint32_t samples, std::uint32_t each = 1) const {
-    if (camera_dimensions == 0 || each > 1) return Points(kind, key.Child(which), samples * each);
+    if (camera_dimensions == 0 || each > 1) return Points(kind, key.Child(which), std::uint64_t{samples} * each);
     return Points(kind, key.Child(which), samples, key.Child(camera_key), camera_dimensions);
   }
+  /// In 64 bits, which samples times shadow rays may need.
+  std::uint64_t FirstOf(std::uint32_t each) const { return std::uint64_t{sample} * each; }
 };
 
 }  // namespace ray

@@ -1,5 +1,6 @@
 #include "source/scene/Texture.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace ray {
@@ -11,24 +12,48 @@ struct Neighbors {
   double share;
 };
 
+/// How far a place is from the middle of one texel to that of the next. What rounding may have made of a coordinate,
+/// 8 u, counts for nothing: at the middle of a texel that one is seen alone, and beside a white one black is black.
+double Share(double position, double floor, int texels) {
+  const double share = position - floor, noise = 0x1p-50 * texels;
+  return share < noise ? 0 : share > 1 - noise ? 1 : share;
+}
+
 Neighbors Around(double coordinate, int texels) {
   const double wrapped = coordinate - std::floor(coordinate);  // in [0, 1]; 1 only by rounding
   const double position = wrapped * texels - 0.5;
   const double floor = std::floor(position);
   const auto wrap = [&](int k) { return k < 0 ? k + texels : k >= texels ? k - texels : k; };
   const int k = static_cast<int>(floor);
-  return {wrap(k), wrap(k + 1), position - floor};
+  return {wrap(k), wrap(k + 1), Share(position, floor, texels)};
 }
 
 R2::Color Between(const R2::Color& a, const R2::Color& b, double share) { return (1 - share) * a + share * b; }
 
+R2::Color InRow(const R2::Image& image, const Neighbors& x, int row) {
+  return Between(image.At(x.first, row), image.At(x.second, row), x.share);
+}
+
+/// The color at u in a row that may be beyond an end of v, which is no place where it is repeated.
+R2::Color InRowOrBeyond(const R2::Image& image, double u, int row, const R3::VEnds& ends) {
+  const int rows = image.Height(), inside = std::clamp(row, 0, rows - 1);
+  const bool is_beyond_pole = row != inside && (row < 0 ? ends.low : ends.high) == R3::VEnd::pole;
+  if (!is_beyond_pole) return InRow(image, Around(u, image.Width()), inside);
+  const int on_other_side = row < 0 ? -1 - row : 2 * rows - 1 - row;
+  return InRow(image, Around(u + 0.5, image.Width()), std::clamp(on_other_side, 0, rows - 1));
+}
+
 }  // namespace
 
-R2::Color Texture::At(const R2::Point& uv) const {
-  const Neighbors x = Around(uv.x, image.Width()), y = Around(uv.y, image.Height());
-  const R2::Color below = Between(image.At(x.first, y.first), image.At(x.second, y.first), x.share);
-  const R2::Color above = Between(image.At(x.first, y.second), image.At(x.second, y.second), x.share);
-  return Between(below, above, y.share);
+R2::Color Texture::At(const R2::Point& uv, const R3::VEnds& ends) const {
+  if (ends.low == R3::VEnd::repeated) {
+    const Neighbors x = Around(uv.x, image.Width()), y = Around(uv.y, image.Height());
+    return Between(InRow(image, x, y.first), InRow(image, x, y.second), y.share);
+  }
+  const double position = uv.y * image.Height() - 0.5, floor = std::floor(position);
+  const int row = static_cast<int>(floor);
+  return Between(InRowOrBeyond(image, uv.x, row, ends), InRowOrBeyond(image, uv.x, row + 1, ends),
+                 Share(position, floor, image.Height()));
 }
 
 }  // namespace ray

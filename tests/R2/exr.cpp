@@ -10,9 +10,12 @@
 #include <sys/resource.h>
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 #include <fstream>
 
+#include "source/app/report/Info.h"
+#include "tests/Project.h"
 #include "tests/R2/image_bytes.h"
 
 namespace R2 {
@@ -37,10 +40,10 @@ class Stream : public Imf::OStream {
 
 constexpr int width = 5, height = 3;
 
-/// A header for 5 by 3 pixels whose data window is not at the origin.
+/// A header for 5 by 3 pixels, all of the image, whose windows are not at the origin.
 Imf::Header OffsetHeader() {
   const Imath::Box2i window({-2, 10}, {-2 + width - 1, 10 + height - 1});
-  return Imf::Header(Imath::Box2i({0, 0}, {99, 99}), window);
+  return Imf::Header(window, window);
 }
 
 /// Value of the pixel `x` from the left and `y` from the top, exact as a half.
@@ -179,6 +182,94 @@ TEST(Exr, HeadersThatPromiseTooMuchAreRefused) {
   EXPECT_NE(Complaint(tiled).find("tiles much larger"), std::string::npos);
 }
 
+struct Windows {
+  const char* file;
+  int left, top, right, bottom;                              // of the image, inclusive
+  int stored_left, stored_top, stored_right, stored_bottom;  // of what the file holds
+  bool is_gray = false;
+};
+
+// Compositing programs store the part of a frame that they know of, or more than the frame. The files come from
+// exr/write.py.
+TEST(Exr, TheImageIsTheDisplayWindowAndBlackWhereNothingIsStored) {
+  for (const Windows& w : {Windows{"within.exr", 0, 0, 7, 4, 2, 1, 5, 3},
+                           {"beyond.exr", 1, 2, 4, 4, -2, -1, 8, 6},
+                           {"aside.exr", -1, -2, 5, 3, -3, 1, 2, 9},
+                           {"apart.exr", 0, 0, 3, 1, 10, 10, 12, 11},
+                           {"gray.exr", -2, -1, 2, 2, -1, 0, 1, 1, true},
+                           {"tiled.exr", 0, 0, 4, 6, 1, -1, 6, 4}}) {
+    SCOPED_TRACE(w.file);
+    const Bytes bytes = ray::ReadBytes((project::Root() / "tests/R2/exr" / w.file).string());
+    const ImageSize size = ReadImageSize(bytes);
+    const Image image = DecodeImage(bytes).image;
+    ASSERT_EQ(size.width, w.right - w.left + 1);
+    ASSERT_EQ(size.height, w.bottom - w.top + 1);
+    ASSERT_EQ(image.Width(), size.width);
+    ASSERT_EQ(image.Height(), size.height);
+    for (int y = w.top; y <= w.bottom; ++y)
+      for (int x = w.left; x <= w.right; ++x) {
+        const bool is_stored = x >= w.stored_left && x <= w.stored_right && y >= w.stored_top && y <= w.stored_bottom;
+        const double value = x + 10 * y;
+        const Color expected =
+            is_stored ? Color{value, value + (w.is_gray ? 0 : 0.25), value + (w.is_gray ? 0 : 0.5)} : Color{};
+        EXPECT_EQ(image.At(x - w.left, w.bottom - y), expected) << x << " " << y;
+      }
+  }
+}
+
+TEST(Exr, ThatHoldsForLuminanceAndChromaToo) {
+  for (const char* file : {"chroma.exr", "chroma-full.exr", "chroma-from-bottom.exr"}) {
+    SCOPED_TRACE(file);
+    Bytes bytes = ray::ReadBytes((project::Root() / "tests/R2/samples" / file).string());
+    const Image whole = DecodeImage(bytes).image;
+    const std::size_t data = ValueOf(bytes, "dataWindow", "box2i"), display = ValueOf(bytes, "displayWindow", "box2i");
+    ASSERT_TRUE(std::equal(bytes.begin() + static_cast<std::ptrdiff_t>(data),
+                           bytes.begin() + static_cast<std::ptrdiff_t>(data + 16),
+                           bytes.begin() + static_cast<std::ptrdiff_t>(display)));
+    constexpr int aside = 3, down = 2;  // by which the image is moved over what is stored
+    for (const std::size_t corner : {std::size_t{0}, std::size_t{8}}) {
+      std::array<std::int32_t, 2> at;
+      std::memcpy(at.data(), &bytes[display + corner], sizeof at);
+      SetLittle(bytes, display + corner, static_cast<std::uint32_t>(at[0] + aside));
+      SetLittle(bytes, display + corner + 4, static_cast<std::uint32_t>(at[1] + down));
+    }
+    const Image moved = DecodeImage(bytes).image;
+    ASSERT_EQ(moved.Width(), whole.Width());
+    ASSERT_EQ(moved.Height(), whole.Height());
+    for (int y = 0; y < whole.Height(); ++y)
+      for (int x = 0; x < whole.Width(); ++x) {
+        const bool is_stored = x + aside < whole.Width() && y - down >= 0;
+        EXPECT_EQ(moved.At(x, y), is_stored ? whole.At(x + aside, y - down) : Color{}) << x << " " << y;
+      }
+  }
+}
+
+// What is not stored takes no bytes of the file, and could be any amount of memory.
+TEST(Exr, AnImageThatIsHardlyMoreThanMarginIsRefusedBeforeMemoryIsAskedFor) {
+  const Bytes plain = Format("exr").encode(Gradient(9, 3), {}, {});
+  const std::size_t window = ValueOf(plain, "displayWindow", "box2i");
+  const auto displayed = [&](std::uint32_t right, std::uint32_t bottom) {
+    Bytes bytes = plain;
+    SetLittle(bytes, window + 8, right);
+    SetLittle(bytes, window + 12, bottom);
+    return bytes;
+  };
+  for (const std::uint32_t most : {0x7fffffffu, 65534u, 0x80000000u})
+    EXPECT_EQ(Complaint(displayed(most, most)).substr(0, 13), "EXR promises ");
+  EXPECT_EQ(Complaint(displayed(16383, 16383)), "EXR has 9 x 3 pixels for an image of 16384 x 16384");
+  EXPECT_EQ(Complaint(displayed((1u << 26), 0)), "EXR has 9 x 3 pixels for an image of 67108865 x 1");
+  EXPECT_EQ(Complaint(displayed(99, 9)), "");
+  const ImageSize size = ReadImageSize(displayed(8191, 8191));
+  EXPECT_EQ(size.width, 8192);
+  EXPECT_EQ(size.height, 8192);
+}
+
+TEST(Exr, AHeaderWithoutADisplayWindowIsRefused) {
+  Bytes bytes = Format("exr").encode(Gradient(9, 3), {}, {});
+  bytes.at(ValueOf(bytes, "displayWindow", "box2i") - 4 - 6 - 1 - 2) = 'x';
+  EXPECT_EQ(Complaint(bytes), "EXR has no display window");
+}
+
 // The library would read the attributes behind one of a wrong size from wrong places, and make room for any size there.
 TEST(Exr, AnAttributeWhoseSizeIsNotThatOfItsTypeIsRefused) {
   const Bytes plain = ScanLines({"R", "G", "B"}, Imf::ZIP_COMPRESSION);
@@ -204,8 +295,11 @@ TEST(Exr, AnAttributeWhoseSizeIsNotThatOfItsTypeIsRefused) {
 // A header that promises wide rows costs nothing while only the header is read.
 TEST(Extremes, K3_WhatAnExrSaysOfItselfIsReadWithoutRoomForItsRows) {
   Bytes bytes = ScanLines({"R", "G", "B"}, Imf::ZIP_COMPRESSION);
-  const std::size_t far_corner = ValueOf(bytes, "dataWindow", "box2i") + 8;
-  SetLittle(bytes, far_corner, (1u << 26) - 3);
+  for (const char* window : {"dataWindow", "displayWindow"}) {
+    const std::size_t left = ValueOf(bytes, window, "box2i"), right = left + 8;
+    SetLittle(bytes, left, 0);
+    SetLittle(bytes, right, (1u << 26) - 1);
+  }
   const auto address_space = [] {
     std::ifstream pages("/proc/self/statm");
     long count = 0;

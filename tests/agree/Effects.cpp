@@ -179,4 +179,40 @@ TEST(Effects, StatedWithoutEffectTheyChangeNoBit) {
   EXPECT_TRUE(picture(scene + "absorb 0  1 1 1 point_light 0 0 0  0 3 3  1 0 0", stated) == expected);
 }
 
+// Blocks of like pixels take one sample, and whether they are alike is seen in whole blocks and their neighbors.
+TEST(Extremes, G6_CropsHoldThePixelsOfTheWholeWhereNeighborsDecideAboutSamples) {
+  const project::Stage stage = EverythingAtOnce();
+  for (const char* filter : ray::filter_names) {
+    RenderSettings settings = Everything("whitted", filter);
+    settings.width = 60, settings.height = 50;
+    settings.samples = 4;
+    settings.budget.adaptive = ray::Adaptive::neighbors;
+    const auto whole = project::Render(stage, settings);
+    EXPECT_LT(whole.samples.least, whole.samples.most) << filter;
+    for (const PixelRectangle& crop :
+         {PixelRectangle{0, 0, 1, 1}, PixelRectangle{8, 8, 16, 16}, PixelRectangle{15, 15, 17, 17},
+          PixelRectangle{23, 0, 24, 50}, PixelRectangle{5, 30, 30, 47}, PixelRectangle{0, 0, 60, 50}}) {
+      settings.crop = crop;
+      ExpectPart(project::Render(stage, settings).image, crop, whole.image, filter);
+    }
+  }
+}
+
+// A target is that of the crop, and so are the samples that it takes: docs/accuracy.md says so.
+TEST(Extremes, G6_ACropToAnErrorTakesSamplesByItsOwnError) {
+  const project::Stage stage(project::FromText(
+      "camera 0 2 6  0 -.3 -1  0 1 0  .5  .1 100 background .2 .3 .4 area_light 1 1 1  0 4 1  0 -1 0  1  1 0 0 "
+      "material 0 0 0  .8 .8 .8  0 0 0  0 0 0  0 0 0  1 1 0 box 0  -4 -.1 -4  4 0 4 sphere 0  0 .8 0  .8"));
+  RenderSettings settings;
+  settings.width = settings.height = 48;
+  settings.samples = 64;
+  settings.trace.shadow_samples = 1;
+  settings.budget.error = ray::ErrorTarget{2, ray::ErrorUnit::display};
+  const auto whole = project::Render(stage, settings);
+  settings.crop = PixelRectangle{0, 44, 48, 48};  // of the background alone
+  const auto part = project::Render(stage, settings);
+  EXPECT_LT(part.samples.most, whole.samples.least);
+  EXPECT_EQ(part.error->estimate, 0);
+}
+
 }  // namespace

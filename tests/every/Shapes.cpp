@@ -141,6 +141,28 @@ TEST(EveryShape, HasTextureCoordinatesBetweenZeroAndOne) {
   });
 }
 
+TEST(EveryShape, HasTextureCoordinatesThatRunAsItsUvTangentsSay) {
+  ForManyHits(707, [](const Subject& s, const R3::Ray& ray, const R3::Hit& hit) {
+    const auto at = s.shape->At(ray, hit, 0);
+    const R3::UvTangents uv = s.shape->UvTangentsAt(ray, hit, 0);
+    const R3::Vector n = AsVector(at.normal);
+    // Tangents of less than a hundredth of the shape's size are beside a pole or an apex, where curves are short.
+    const double size = Bounds(*s.shape).Radius(), step = 1e-6 * size;
+    for (const auto& [tangent, gain] : {std::pair(uv.first, uv.gain_first), std::pair(uv.second, uv.gain_second)}) {
+      const double length = Length(tangent);
+      if (length < 1e-2 * size) continue;
+      EXPECT_LE(std::abs(Dot(n, tangent)), 1e-14 * length) << s.kind->name;
+      const R3::Ray down{at.position + step / length * tangent + step * n, -n, 0, 2 * step};
+      const auto beside = s.shape->Intersect(down, 0);
+      if (!beside || beside->part != hit.part) continue;
+      const R2::Vector found = s.shape->At(down, *beside, 0).uv - at.uv, told = step / length * gain;
+      const auto over_seam = [](double difference) { return difference - std::round(difference); };
+      EXPECT_NEAR(over_seam(found.x), told.x, 1e-9) << s.kind->name << ' ' << oracle::Hex(ray);
+      EXPECT_NEAR(over_seam(found.y), told.y, 1e-9) << s.kind->name << ' ' << oracle::Hex(ray);
+    }
+  });
+}
+
 TEST(EveryShape, OfNoSizeIsNeverHit) {
   for (const auto& [name, arguments] :
        std::vector<std::pair<const char*, std::vector<double>>>{{"sphere", {0, 0, 0, 0}},

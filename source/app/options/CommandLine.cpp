@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <filesystem>
+#include <limits>
 #include <optional>
 #include <set>
 #include <tuple>
@@ -246,14 +247,15 @@ void CheckGrid(const RenderSettings& render) {
         sampler +
         " takes all its samples; it cannot be combined with -time, -error or -denoise, as -sampler sobol can");
   const auto samples = static_cast<std::uint32_t>(render.samples), each = render.camera.SamplesOfOnePlace();
-  const std::uint32_t side = GridSide(samples / each);
-  if (side * side * each == samples) return;
+  const std::int64_t side = GridSide(samples / each);
+  const std::int64_t fewer = side * side * each, more = (side + 1) * (side + 1) * each;
+  if (fewer == samples) return;
   const int moments = render.camera.shutter_samples, places = static_cast<int>(each) / moments;
   const std::string lens = places > 1 ? " times -lens_samples " + std::to_string(places) : "";
   const std::string shutter = moments > 1 ? " times -shutter_samples " + std::to_string(moments) : "";
   throw UsageError("-samples " + std::to_string(samples) + ": " + sampler + " needs a square number" + lens + shutter +
-                   ", such as " + std::to_string(side * side * each) + " or " +
-                   std::to_string((side + 1) * (side + 1) * each));
+                   ", such as " + std::to_string(fewer) +
+                   (more <= std::numeric_limits<int>::max() ? " or " + std::to_string(more) : ""));
 }
 
 /// Budgets decide by errors.

@@ -69,7 +69,10 @@ constexpr std::pair<const char*, const char*> material_words[] = {
     {"e", "Emission: always added. What emits is a lamp as well, see LAMPS."},
     {"n", "Phong's exponent of the highlight, at least 0."},
     {"ir", "Index of refraction against 1 outside; 0 means 1."},
-    {"texture", "The name of a picture, or 0 for none."},
+    {"texture",
+     "The name of a picture, or 0 for none. It repeats in u and v, blended between the middles of four texels; but at "
+     "the poles of a ball and the apex of a cone the last row is blended with its own other side, and at the rims of "
+     "cones and cylinders it stays as it is."},
 };
 
 constexpr const char* about_ids =

@@ -40,7 +40,7 @@ std::int64_t MemoryLimit(const Options& options) {
 
 std::int64_t PictureBytes(const Options& options) {
   const RenderSettings& render = options.render;
-  const PixelRectangle part = render.crop.value_or(PixelRectangle{0, 0, render.width, render.height});
+  const PixelRectangle part = MadeRegionOf(render);
   // Sums of blocks reach as far as the filter, and a checkpoint needs them twice more: copied, and encoded.
   const std::int64_t side = Film::block_side, reach = side + 2 * Filter(render.filter).Apron();
   const std::int64_t blocks = (part.Width() / side + 3) * (part.Height() / side + 3);

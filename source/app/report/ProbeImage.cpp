@@ -39,6 +39,7 @@ RenderSettings ForProbing(RenderSettings settings) {
   settings.replay.reset();
   settings.wants_passes = false;
   settings.threads = 1;
+  settings.denoises_beyond_crop = false;
   return settings;
 }
 

@@ -71,8 +71,9 @@ std::uint32_t Count(const Json& number, std::uint32_t most, const char* of_what,
   return number.get<std::uint32_t>();
 }
 
-Refinement RefinementOf(const Json& report, const std::string& file) {
+std::optional<Refinement> RefinementOf(const Json& report, const std::string& file) {
   const Json& refining = report.at("rays").at("refining");
+  if (refining.is_null()) return {};
   if (!refining.at("most").is_number_unsigned())
     throw Refusal(file, Shown(refining.at("most")) + " is not a number of rays");
   return Refinement{refining.at("most"), Count(refining.at("samples"), most_samples, "samples", file)};

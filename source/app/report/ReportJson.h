@@ -21,7 +21,7 @@ namespace ray {
 ///   |                    | a camera ray's limit), caustics (paths that found the brightest light by    |
 ///   |                    | way of mirrors or glass), total (all but cut), guides (of those, what -denoise |
 ///   |                    | took), refining (of other camera rays than the samples' own: most, samples |
-///   |                    | (of a pixel); null where not denoised), costs (the counts of each kind)     |
+///   |                    | (of a pixel); null without a clock), costs (the counts of each kind)        |
 ///   | counts             | node_visits, box_tests, primitive_tests, hits, cache_tests, cache_hits,     |
 ///   |                    | bad_rays                                                                    |
 ///   | accelerator        | the kind that was built; settings.accel says which was asked for            |

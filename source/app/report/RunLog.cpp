@@ -94,6 +94,18 @@ std::string PixelsAcross(const RenderSettings& render) {
   return std::to_string(part.Width()) + "x" + std::to_string(part.Height());
 }
 
+/// What -crop changes, and what is rendered for its sake.
+std::string CropLine(const RenderSettings& render) {
+  const std::vector<std::string> differences = CropDifferences(render);
+  std::string line = "the crop: the same pixels, bit for bit, as in the whole image";
+  if (!differences.empty()) {
+    line = "the crop: not the pixels of the whole image, because of";
+    for (const std::string& setting : differences) line += (setting == differences[0] ? " -" : ", -") + setting;
+  }
+  const int around = SurroundingsOf(render);
+  return around > 0 ? line + "; " + std::to_string(around) + " pixels around it are rendered too" : line;
+}
+
 std::vector<std::string> ExplainRender(const World& world, const RunStats& stats) {
   const auto listed = [](const std::vector<std::string>& words) {
     std::string list;
@@ -107,6 +119,7 @@ std::vector<std::string> ExplainRender(const World& world, const RunStats& stats
     if (IsSetting(option) && std::string(option.topic) != "messages" && !Show(option, stats.options).empty())
       settings += " -" + std::string(option.name) + " " + Show(option, stats.options);
   lines.push_back("all settings:" + settings);
+  if (stats.options.render.crop) lines.push_back(CropLine(stats.options.render));
   if (world.scene().has_default_camera) lines.emplace_back("the scene names no camera: the default one is used");
   if (world.scene().has_default_lights) {
     const bool is_lit_by_itself = stats.options.render.mode == RenderMode::path && LightsOfPath(world).empty();

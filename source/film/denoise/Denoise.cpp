@@ -7,6 +7,8 @@
 #include <cstdint>
 
 #include "R1/Elementary.h"
+#include "source/film/denoise/Denoiser.h"
+#include "source/film/denoise/FitTile.h"
 #include "source/film/denoise/LocalFit.h"
 
 namespace ray {
@@ -22,6 +24,8 @@ constexpr int noise_radius = 3, noise_hole = 1;
 // hole keeps a pixel's own noise from choosing.
 constexpr int error_radius = 7, error_hole = 3, blend_radius = 2;
 static_assert(blend_radius < error_hole);
+static_assert(denoise_reach_of_best_guides == blend_radius + error_radius);
+static_assert(denoise_reach == denoise_reach_of_best_guides + FitTile::margin + noise_radius);
 
 /// A regression to choose from. Of strengths from 0.5 to 6, with a guide ignored or not, these two had the least error
 /// among pairs; a third filter had 3 % less for half as much time again.

@@ -16,4 +16,11 @@ constexpr const auto& NamesOf(Denoiser) { return denoiser_names; }
 /// What `automatic` means on this machine; others stay what they are.
 Denoiser Resolved(Denoiser denoiser);
 
+/// How many columns and rows away what a denoised pixel depends on may be: noise around the pixels that pixels are
+/// likened to, for choices made by errors around. So much of a picture around a part makes that part equal to the same
+/// part of the whole. A library looks farther.
+inline constexpr int denoise_reach = 16;
+/// The same for the best guides, which are read where pixels are fitted.
+inline constexpr int denoise_reach_of_best_guides = 9;
+
 }  // namespace ray

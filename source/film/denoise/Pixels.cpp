@@ -5,40 +5,39 @@
 namespace ray {
 namespace {
 
-using Sum = std::array<double, 3>;
-
 float Finite(double x) { return static_cast<float>(R2::Storable(x)); }
 
-/// The sums over the pixels of a row and of those below it, left of column x: at (x, y) of rows and columns before.
-class SumTable {
+/// Sums of squares of pixels, one for each pixel of a row, channel after channel.
+template <std::size_t count>
+class SquaresOfRow {
  public:
-  explicit SumTable(const Pixels<Rgb>& values) : sums_(values.Width() + 1, values.Height() + 1) {
-    for (int y = 0; y < values.Height(); ++y) {
-      Sum row{};
-      for (int x = 0; x < values.Width(); ++x)
-        for (std::size_t k = 0; k < row.size(); ++k) {
-          row[k] += values.At(x, y)[k];
-          sums_.At(x + 1, y + 1)[k] = sums_.At(x + 1, y)[k] + row[k];
-        }
+  /// Of the pixels at most `reach` columns and rows from those of row y; of none where `reach` is negative.
+  SquaresOfRow(const Pixels<std::array<float, count>>& values, int y, int reach)
+      : width_(values.Width()), reach_(reach), sums_(count * static_cast<std::size_t>(width_)) {
+    const int first = std::max(0, y - reach), last = std::min(values.Height() - 1, y + reach);
+    rows_ = std::max(0, last - first + 1);
+    std::vector<double> columns(sums_.size());
+    for (int row = first; row <= last; ++row) {
+      const float* from = values.At(0, row).data();
+      for (std::size_t i = 0; i < columns.size(); ++i) columns[i] += from[i];
+    }
+    for (int aside = -reach; aside <= reach; ++aside) {
+      // In this order whatever the width, so that a part of a picture has the sums of the whole.
+      const int begin = std::max(0, -aside), end = width_ - std::max(0, aside);
+      for (int i = static_cast<int>(count) * begin; i < static_cast<int>(count) * end; ++i)
+        sums_[static_cast<std::size_t>(i)] += columns[static_cast<std::size_t>(i + static_cast<int>(count) * aside)];
     }
   }
 
-  struct Square {
-    Sum sum;
-    double pixels;
-  };
-  /// What is in the picture of the pixels at most `reach` columns and rows from x, y.
-  Square Around(int x, int y, int reach) const {
-    const int x0 = std::max(0, x - reach), x1 = std::min(sums_.Width() - 1, x + reach + 1);
-    const int y0 = std::max(0, y - reach), y1 = std::min(sums_.Height() - 1, y + reach + 1);
-    Square square{{}, static_cast<double>(x1 - x0) * (y1 - y0)};
-    for (std::size_t k = 0; k < square.sum.size(); ++k)
-      square.sum[k] = (sums_.At(x1, y1)[k] - sums_.At(x0, y1)[k]) - (sums_.At(x1, y0)[k] - sums_.At(x0, y0)[k]);
-    return square;
+  double Sum(int x, std::size_t channel) const { return sums_[count * static_cast<std::size_t>(x) + channel]; }
+  double PixelsAround(int x) const {
+    const int columns = std::min(width_ - 1, x + reach_) - std::max(0, x - reach_) + 1;
+    return static_cast<double>(std::max(0, columns)) * rows_;
   }
 
  private:
-  Pixels<Sum> sums_;
+  int width_, reach_, rows_ = 0;
+  std::vector<double> sums_;
 };
 
 }  // namespace
@@ -63,18 +62,20 @@ R2::Image ImageOf(const Pixels<Rgb>& pixels) {
   return image;
 }
 
-Pixels<Rgb> MeansAround(const Pixels<Rgb>& values, int radius, int hole) {
-  const SumTable sums(values);
-  Pixels<Rgb> means(values.Width(), values.Height());
+template <std::size_t count>
+Pixels<std::array<float, count>> MeansAround(const Pixels<std::array<float, count>>& values, int radius, int hole) {
+  Pixels<std::array<float, count>> means(values.Width(), values.Height());
   tbb::parallel_for(0, values.Height(), [&](int y) {
+    const SquaresOfRow<count> outer(values, y, radius), inner(values, y, hole);
     for (int x = 0; x < values.Width(); ++x) {
-      const SumTable::Square outer = sums.Around(x, y, radius), inner = sums.Around(x, y, hole);
-      const double pixels = outer.pixels - inner.pixels;
-      for (std::size_t k = 0; k < 3; ++k)
-        means.At(x, y)[k] = pixels > 0 ? Finite((outer.sum[k] - inner.sum[k]) / pixels) : values.At(x, y)[k];
+      const double pixels = outer.PixelsAround(x) - inner.PixelsAround(x);
+      for (std::size_t k = 0; k < count; ++k)
+        means.At(x, y)[k] = pixels > 0 ? Finite((outer.Sum(x, k) - inner.Sum(x, k)) / pixels) : values.At(x, y)[k];
     }
   });
   return means;
 }
+template Pixels<std::array<float, 1>> MeansAround(const Pixels<std::array<float, 1>>&, int, int);
+template Pixels<Rgb> MeansAround(const Pixels<Rgb>&, int, int);
 
 }  // namespace ray

@@ -40,7 +40,9 @@ Pixels<Rgb> PixelsOf(const R2::Image& image);
 R2::Image ImageOf(const Pixels<Rgb>& pixels);
 
 /// The means over squares of 2 radius + 1 pixels around each, as far as they are in the picture, without the inner
-/// 2 hole + 1: so a mean knows nothing of the noise of its own pixel. 0 <= hole < radius.
-Pixels<Rgb> MeansAround(const Pixels<Rgb>& values, int radius, int hole);
+/// 2 hole + 1: so a mean knows nothing of the noise of its own pixel. -1 <= hole < radius; -1 leaves out nothing. No
+/// bit of a mean depends on pixels elsewhere: a part of a picture has the means of the whole.
+template <std::size_t count>
+Pixels<std::array<float, count>> MeansAround(const Pixels<std::array<float, count>>& values, int radius, int hole);
 
 }  // namespace ray

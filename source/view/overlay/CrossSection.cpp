@@ -10,7 +10,6 @@ namespace ray {
 namespace {
 
 double Cross(const R2::Vector& a, const R2::Vector& b) { return a.x * b.y - a.y * b.x; }
-double Dot(const R2::Vector& a, const R2::Vector& b) { return a.x * b.x + a.y * b.y; }
 
 Slice Around(const R3::Point& on_plane, const R3::Vector& u, const R3::Vector& v, const R3::Box& scene) {
   constexpr double margin = 1.05;

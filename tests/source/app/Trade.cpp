@@ -79,6 +79,9 @@ TEST(TradeWords, NeighborsDecideWithoutABudgetAndGridsNeedSquaresTimesPlacesAndM
   EXPECT_EQ(ErrorOf({"-sampler", "rotated_grid", "-samples", "12", "-shutter_samples", "3"}), "");
   EXPECT_EQ(ErrorOf({"-sampler", "rotated_grid", "-samples", "9", "-shutter_samples", "3"}),
             "-samples 9: -sampler rotated_grid needs a square number times -shutter_samples 3, such as 3 or 12");
+  // Four times as many would be more than -samples takes.
+  EXPECT_EQ(ErrorOf({"-sampler", "grid", "-samples", "9", "-shutter_samples", "1500000000"}),
+            "-samples 9: -sampler grid needs a square number times -shutter_samples 1500000000, such as 1500000000");
 }
 
 TEST(TradeWords, AnErrorHasAUnitBehindItsNumber) {

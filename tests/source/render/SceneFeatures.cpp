@@ -38,6 +38,30 @@ TEST(SceneFeatures, BlocksThatStopEarlyAreASourceOfBiasInEveryMode) {
   }
 }
 
+TEST(CropDifferences, AreOfWhatDecidesByAllThatIsRendered) {
+  using Words = std::vector<std::string>;
+  RenderSettings settings;
+  settings.budget.error = ErrorTarget{1};
+  EXPECT_EQ(CropDifferences(settings), Words{}) << "all of the image is rendered";
+  settings.crop = PixelRectangle{0, 0, 9, 9};
+  EXPECT_EQ(CropDifferences(settings), Words{"error"});
+  settings.budget = {};
+  settings.budget.seconds = 3;
+  EXPECT_EQ(CropDifferences(settings), Words{"time"});
+  settings.budget = {};
+  settings.budget.adaptive = Adaptive::neighbors;
+  EXPECT_EQ(CropDifferences(settings), Words{});
+  settings.replay.emplace();
+  EXPECT_EQ(CropDifferences(settings), Words{"replay"});
+  settings.replay.reset();
+  settings.denoise = true;
+  EXPECT_EQ(CropDifferences(settings), Words{});
+  settings.denoiser = Denoiser::oidn;
+  EXPECT_EQ(CropDifferences(settings), Words{"denoiser oidn"});
+  settings.denoise = false;
+  EXPECT_EQ(CropDifferences(settings), Words{}) << "nothing is filtered";
+}
+
 TEST(SceneFeatures, AQuadIsOneLightInModeWhittedAndTwoInModePath) {
   const project::Stage stage(project::FromText(
       "point_light 0 0 0  0 0 0  1 0 0 material 0 0 0  0 0 0  0 0 0  0 0 0  1 1 1  1 1 0 "

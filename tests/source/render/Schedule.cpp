@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace ray {
@@ -77,6 +78,14 @@ Schedule Deciding(const RenderSettings& settings) {
   }
   EXPECT_TRUE(schedule.DecidesByError());
   return schedule;
+}
+
+TEST(Schedule, TakesAllSamplesThatAreAskedForHoweverMany) {
+  for (const int samples : {3, 1'000'000, 1 << 30, (1 << 30) + 1, std::numeric_limits<int>::max()}) {
+    Schedule schedule = Sampling(UpTo(samples));
+    while (!schedule.Next(quick_look)) continue;
+    EXPECT_EQ(schedule.State().targets.samples, AllAt(static_cast<std::uint32_t>(samples)));
+  }
 }
 
 TEST(Schedule, BeginsWithALookAtAPixelOfEachBlock) {

@@ -1,4 +1,4 @@
-#include "source/sample/Random.h"
+#include "source/sample/Sampler.h"
 
 #include <gtest/gtest.h>
 
@@ -32,6 +32,54 @@ TEST(Shuffled, SendsEveryIndexEverywhereEquallyOften) {
   for (const auto& row : table)
     for (const int n : row) chi_square += (n - expected) * (n - expected) / expected;
   EXPECT_LT(chi_square, 76);
+}
+
+// The next power of two does not fit into 32 bits. (All indices once went to 0 there.)
+TEST(Shuffled, SendsIndicesEverywhereForCountsBeyondHalfOfAllNumbers) {
+  for (const std::uint32_t count : {(1u << 31) - 1, 1u << 31, (1u << 31) + 1, 3'000'000'000u, ~0u}) {
+    const ray::Shuffle shuffle(count, ray::RandomKey(4));
+    std::set<std::uint32_t> seen;
+    constexpr std::uint32_t asked = 20'000;
+    for (std::uint32_t i = 0; i < asked / 2; ++i) seen.insert({shuffle(i), shuffle(count - 1 - i)});
+    EXPECT_EQ(seen.size(), asked) << count;
+    EXPECT_LT(*seen.rbegin(), count);
+    // Of so many places at random, the mean has a standard error of sqrt(1 / 12 / 20,000) = .002.
+    double sum = 0;
+    for (const std::uint32_t place : seen) sum += static_cast<double>(place) / count;
+    EXPECT_NEAR(sum / asked, 0.5, 4 * 0.002) << count;
+  }
+}
+
+// Samples of a pixel times shadow rays of each may be more than 32 bits hold: strata then are as many as fit, and no
+// number is drawn twice.
+TEST(Points, AreSpreadEvenlyHoweverManyThereAre) {
+  constexpr std::uint32_t samples = 2'000'000'000, each = 9, asked = 300;
+  for (const ray::SamplerKind kind :
+       {ray::SamplerKind::stratified, ray::SamplerKind::random, ray::SamplerKind::sobol}) {
+    std::set<double> xs;
+    double sum = 0;
+    for (const std::uint32_t sample : {0u, 477'218'589u, samples - asked})  // 9 * 477218589 is 2^32 + 5
+      for (std::uint32_t i = 0; i < asked; ++i) {
+        const ray::SampleIndex at{ray::RandomKey(5), sample + i};
+        const ray::Points points = at.PointsFor(1, kind, samples, each);
+        for (std::uint32_t k = 0; k < each; ++k) {
+          const R2::Point p = points.Get2D(at.FirstOf(each) + k);
+          if (kind != ray::SamplerKind::sobol) xs.insert(p.x);
+          sum += p.x + 2 * p.y;
+        }
+      }
+    // 8,100 points, whose mean has a standard error of sqrt(5 / 12 / 8,100) = .0072.
+    EXPECT_NEAR(sum / (3 * asked * each), 1.5, 4 * 0.0072) << static_cast<int>(kind);
+    EXPECT_EQ(xs.size(), kind == ray::SamplerKind::sobol ? 0 : 3 * asked * each) << static_cast<int>(kind);
+  }
+}
+
+TEST(Points, OfMoreThanFitInto32BitsAreInAsManyStrataAsFit) {
+  const ray::SampleIndex at{ray::RandomKey(5), 3};
+  const auto stratified = ray::SamplerKind::stratified;
+  const ray::Points points = at.PointsFor(1, stratified, 1u << 30, 4),
+                    most = ray::Points(stratified, at.key.Child(1), ~0u);
+  for (std::uint64_t i = 0; i < 100; ++i) EXPECT_EQ(points.Get2D(i), most.Get2D(i)) << i;
 }
 
 TEST(Stratified, PutsOnePointIntoEachCellForEveryCount) {
