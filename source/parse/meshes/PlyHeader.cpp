@@ -141,6 +141,12 @@ std::optional<std::size_t> PlyElement::Find(std::string_view property, bool is_l
   return {};
 }
 
+std::string PlyElement::PropertyNames() const {
+  std::string names;
+  for (const PlyProperty& property : properties) names += (names.empty() ? "" : ", ") + Escaped(property.name);
+  return names;
+}
+
 PlyHeader ReadPlyHeader(MeshWords& words) { return HeaderReader(words).Read(); }
 
 }  // namespace ray

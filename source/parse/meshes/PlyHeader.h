@@ -29,6 +29,8 @@ struct PlyElement {
 
   /// Index into `properties`, of a list or of a plain number as asked; nothing when there is none.
   std::optional<std::size_t> Find(std::string_view property, bool is_list) const;
+  /// "x, y, z", for messages
+  std::string PropertyNames() const;
 };
 
 struct PlyHeader {

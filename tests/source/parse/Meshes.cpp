@@ -104,9 +104,10 @@ TEST(Off, NumbersThatTheHeaderDoesNotNameAreNotDroppedSilently) {
   const auto read = Read("a.off", "OFF 3 1 0\n0 0 0 1\n1 0 0 1\n0 1 0 1\n3 0 1 2\n");
   ASSERT_EQ(read.warnings.size(), 1u);
   EXPECT_EQ(read.warnings[0],
-            "a.off: warning: 3 vertices have more numbers than the header declares; the rest is ignored");
+            "a.off:2:7: warning: 3 vertices have ignored numbers behind those that the header declares, the first of "
+            "them here");
   EXPECT_EQ(Read("a.off", "OFF 3 1 0\n0 0 0 1\n1 0 0\n0 1 0\n3 0 1 2\n").warnings.at(0),
-            "a.off: warning: 1 vertex has more numbers than the header declares; the rest is ignored");
+            "a.off:2:7: warning: 1 vertex has ignored numbers behind those that the header declares");
 }
 
 TEST(Off, FacesMissingOrToSpareAreAWarning) {
@@ -161,10 +162,13 @@ TEST(Extremes, D8_IndicesThatNameNoVertexAreErrorsWithTheirPlace) {
     const std::string ray = std::string("#vertex 0 0 0 0 0 1 0 0\n#shape_triangle 0 0 0 ") + index;
     EXPECT_TRUE(Contains(ErrorOf("a.ray", ray), "a.ray:2:23: error: a corner of face 0 must be")) << index;
   }
-  for (const char* index : {"4", "-4", "0", "2147483648", "4294967297", "1.5", "x", "", "/1"})
-    EXPECT_TRUE(
-        Contains(ErrorOf("a.obj", std::string("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3/1/1") + index), "a.obj:4:7: error:"))
-        << index;
+  const std::string vertices = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+  for (const std::string index : {"4", "-4", "0", "2147483648", "4294967297", "1.5", "x"}) {
+    EXPECT_TRUE(Contains(ErrorOf("a.obj", vertices + "f 1 2 " + index), "a.obj:4:7: error:")) << index;
+    EXPECT_TRUE(Contains(ErrorOf("a.obj", vertices + "vt 0 0\nvt 1 0\nf 1/1 2/1 3/" + index), "a.obj:6:11: error:"));
+    EXPECT_TRUE(Contains(ErrorOf("a.obj", vertices + "vn 0 0 1\nf 1 2 3//" + index), "a.obj:5:7: error:")) << index;
+  }
+  EXPECT_TRUE(Contains(ErrorOf("a.obj", vertices + "f 1 2 3/1/1/1"), "a.obj:4:7: error:"));
 }
 
 TEST(Extremes, D8_AFaceOf65536CornersIsCutUp) {
