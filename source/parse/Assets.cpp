@@ -63,7 +63,7 @@ Assets::BoxedMesh Assets::ReadMesh(const FoundFile& file, Normals use) {
   R3::MeshData data;
   {
     const Text text{file.shown, Read(file)};  // gone before the mesh is built from its data
-    data = format->read(text, report_);
+    data = ReadMeshFile(*format, text, report_);
   }
   const bool has_triangles = !data.triangles.empty(), has_normals = !data.normals.empty();
   // A link may have an extension that tells more than that of the file it leads to.

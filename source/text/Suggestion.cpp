@@ -38,17 +38,21 @@ std::size_t Distance(std::string_view a, std::string_view b, std::size_t most) {
 
 }  // namespace
 
-std::string Suggestion(std::string_view word, std::span<const std::string_view> choices, const std::string& plural) {
-  // A third of the letters may be wrong: 'spere', 'poinlight', but not 'cat' for 'box'.
-  std::size_t nearest = word.size() / 3 + 1;
+std::string_view Nearest(std::string_view word, std::span<const std::string_view> choices) {
+  if (word.size() > max_word) return {};
+  std::size_t nearest = word.size() / 3 + 1;  // 'spere', 'poinlight', but not 'cat' for 'box'
   std::string_view best;
-  if (word.size() <= max_word)
-    for (const std::string_view choice : choices) {
-      const std::size_t distance = Distance(word, choice, nearest);
-      if (distance >= nearest) continue;
-      nearest = distance;
-      best = choice;
-    }
+  for (const std::string_view choice : choices) {
+    const std::size_t distance = Distance(word, choice, nearest);
+    if (distance >= nearest) continue;
+    nearest = distance;
+    best = choice;
+  }
+  return best;
+}
+
+std::string Suggestion(std::string_view word, std::span<const std::string_view> choices, const std::string& plural) {
+  const std::string_view best = Nearest(word, choices);
   if (!best.empty()) return "did you mean '" + std::string(best) + "'?";
   std::string all;
   for (const std::string_view choice : choices) all += (all.empty() ? "" : ", ") + std::string(choice);

@@ -20,6 +20,9 @@ struct MeshFormat {
 std::span<const MeshFormat* const> MeshFormats();
 /// By extension, in any letter case; null when no format has it.
 const MeshFormat* MeshFormatForName(const std::string& name);
+/// What the format reads. Where that fails, or finds no face, and the file looks like something else, the error says
+/// that.
+R3::MeshData ReadMeshFile(const MeshFormat& format, const Text& file, Report& report);
 /// ".off, .ray, ..."
 std::string MeshExtensions();
 

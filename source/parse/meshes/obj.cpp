@@ -12,7 +12,72 @@
 namespace ray {
 namespace {
 
-/// Reads v, vt, vn and f; every other statement is passed over.
+/// What a statement is to this reader.
+enum class ObjStatement { vertex, uv, normal, face, invisible, line, curve, unknown };
+
+struct ObjKeyword {
+  std::string_view word;
+  ObjStatement statement;
+};
+
+// The first are the most frequent. "fo" is an old name of "f"; a group, a name or an attribute of rendering shows
+// nothing.
+constexpr ObjKeyword obj_keywords[] = {
+    {"v", ObjStatement::vertex},
+    {"f", ObjStatement::face},
+    {"vt", ObjStatement::uv},
+    {"vn", ObjStatement::normal},
+    {"fo", ObjStatement::face},
+    {"g", ObjStatement::invisible},
+    {"o", ObjStatement::invisible},
+    {"s", ObjStatement::invisible},
+    {"usemtl", ObjStatement::invisible},
+    {"mtllib", ObjStatement::invisible},
+    {"mg", ObjStatement::invisible},
+    {"lod", ObjStatement::invisible},
+    {"usemap", ObjStatement::invisible},
+    {"maplib", ObjStatement::invisible},
+    {"bevel", ObjStatement::invisible},
+    {"c_interp", ObjStatement::invisible},
+    {"d_interp", ObjStatement::invisible},
+    {"shadow_obj", ObjStatement::invisible},
+    {"trace_obj", ObjStatement::invisible},
+    {"l", ObjStatement::line},
+    {"p", ObjStatement::line},
+    {"vp", ObjStatement::curve},
+    {"cstype", ObjStatement::curve},
+    {"deg", ObjStatement::curve},
+    {"bmat", ObjStatement::curve},
+    {"step", ObjStatement::curve},
+    {"curv", ObjStatement::curve},
+    {"curv2", ObjStatement::curve},
+    {"surf", ObjStatement::curve},
+    {"parm", ObjStatement::curve},
+    {"trim", ObjStatement::curve},
+    {"hole", ObjStatement::curve},
+    {"scrv", ObjStatement::curve},
+    {"sp", ObjStatement::curve},
+    {"end", ObjStatement::curve},
+    {"con", ObjStatement::curve},
+    {"ctech", ObjStatement::curve},
+    {"stech", ObjStatement::curve},
+    {"bzp", ObjStatement::curve},
+    {"bsp", ObjStatement::curve},
+    {"cdc", ObjStatement::curve},
+    {"cdp", ObjStatement::curve},
+    {"res", ObjStatement::curve},
+    {"csh", ObjStatement::invisible},
+    {"call", ObjStatement::curve},
+};
+
+ObjStatement StatementOf(std::string_view word) {
+  for (const ObjKeyword& keyword : obj_keywords)
+    if (keyword.word == word) return keyword.statement;
+  return ObjStatement::unknown;
+}
+
+/// Reads vertices and faces. Statements without a meaning for them are passed over; what would be seen and is not, and
+/// what no statement is, with a warning.
 /// Source: Wavefront, Advanced Visualizer manual, appendix B1: object files.
 class ObjReader {
  public:
@@ -20,12 +85,12 @@ class ObjReader {
 
   R3::MeshData Read(Report& report) {
     while (const auto word = words_.Next()) {
-      if (word->text == "v") ReadPlace();
-      if (word->text == "vt") ReadUv();
-      if (word->text == "vn") ReadNormal();
-      if (word->text == "f") ReadFace();
+      ReadStatement(*word);
       SkipStatement();
     }
+    if (mesh_.positions.empty() && !unknown_.IsEmpty())
+      words_.Fail(unknown_.First(),
+                  "not one line defines a vertex in OBJ; unknown statement " + Quoted(unknown_.First().text));
     CheckMissing(missing_uvs_, uvs_.size(), "texture vertex");
     CheckMissing(missing_normals_, normals_.size(), "normal");
     Warn(report);
@@ -34,6 +99,27 @@ class ObjReader {
   }
 
  private:
+  void ReadStatement(const Token& word) {
+    switch (StatementOf(word.text)) {
+      case ObjStatement::vertex:
+        return ReadPlace();
+      case ObjStatement::uv:
+        return ReadUv();
+      case ObjStatement::normal:
+        return ReadNormal();
+      case ObjStatement::face:
+        return ReadFace();
+      case ObjStatement::invisible:
+        return;
+      case ObjStatement::line:
+        return lines_.Add(word);
+      case ObjStatement::curve:
+        return curves_.Add(word);
+      case ObjStatement::unknown:
+        return unknown_.Add(word);
+    }
+  }
+
   void ReadPlace() {
     const std::size_t number = mesh_.positions.size() + 1;
     const double x = Coordinate({"x", "vertex", number});
@@ -179,6 +265,9 @@ class ObjReader {
     missing_normals_.Warn(file, report, "corner has an index of a normal, but the file has none",
                           "corners have an index of a normal, but the file has none");
     WarnOfAbsent(absent_normals_, absent_uvs_, file, report);
+    lines_.Warn(file, report, "statement of lines or points skipped", "statements of lines or points skipped");
+    curves_.Warn(file, report, "statement of curves or surfaces skipped", "statements of curves or surfaces skipped");
+    unknown_.Warn(file, report, "unknown statement skipped", "unknown statements skipped");
   }
 
   bool ContinuesStatement() { return words_.Peek() && !words_.Peek()->starts_line; }
@@ -194,6 +283,7 @@ class ObjReader {
   std::vector<Corner> corners_;
   Faces faces_{mesh_};
   Tally missing_uvs_, missing_normals_, absent_uvs_, absent_normals_;
+  Tally lines_, curves_, unknown_;
   std::vector<std::uint32_t> places_, names_;
 };
 

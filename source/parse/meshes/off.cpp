@@ -65,6 +65,8 @@ class OffReader {
 
   R3::MeshData Read() {
     header_ = ReadHeader(words_);
+    if (words_.NextIs("BINARY"))
+      words_.Fail(*words_.Peek(), "binary .off files are not supported", "save it as text, or as .ply");
     vertices_ = CountIn(words_, header_.vertices ? *header_.vertices : words_.Need({"the number of vertices"}),
                         "the number of vertices");
     CheckPromise(words_, vertices_, "vertices", 6);  // "0 0 0\n"

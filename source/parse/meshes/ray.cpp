@@ -13,11 +13,16 @@ class RayReader {
   explicit RayReader(const Text& file) : words_(file, Tokenizer::Comments::none) {}
 
   R3::MeshData Read(Report& report) {
+    const std::optional<Token> first = words_.Peek();
+    bool has_command = false;
     while (const auto word = words_.Next()) {
+      has_command = has_command || word->text[0] == '#';
       if (word->text == "#vertex") ReadVertex();
       if (word->text == "#shape_triangle") ReadFace(3);
       if (word->text == "#shape_polygon") ReadPolygon();
     }
+    if (first && !has_command)
+      words_.Fail(*first, "a .ray file holds commands such as #vertex; this one begins with " + Quoted(first->text));
     faces_.Warn(words_.Source(), report);
     WarnOfAbsent(absent_normals_, absent_uvs_, words_.Source(), report);
     return std::move(mesh_);
