@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <new>
 
+#include "R2/LooksLike.h"
 #include "R2/image_files/formats.h"
 
 namespace R2 {
@@ -22,7 +23,9 @@ const ImageFormat& FormatOfContent(std::span<const unsigned char> bytes) {
     known += format.name;
   }
   if (bytes.empty()) throw ImageError("the image file is empty");
-  throw ImageError("unknown image format; supported: " + known);
+  const std::string look = LooksLike(bytes);
+  throw ImageError("unknown image format" + (look.empty() ? "" : ": the file looks like " + look) +
+                   "; supported: " + known);
 }
 
 }  // namespace
@@ -49,14 +52,13 @@ const ImageFormat* FormatForName(const std::string& name) {
 
 DecodedImage DecodeImage(std::span<const unsigned char> bytes) {
   const ImageFormat& format = FormatOfContent(bytes);
-  DecodedImage decoded;
-  decoded.format = &format;
   try {
-    decoded.image = format.decode(bytes, &decoded.settings);
+    DecodedImage decoded = format.decode(bytes);
+    decoded.format = &format;
+    return decoded;
   } catch (const std::bad_alloc&) {
     throw ImageError("not enough memory for the picture");
   }
-  return decoded;
 }
 
 ImageSize ReadImageSize(std::span<const unsigned char> bytes) { return FormatOfContent(bytes).read_size(bytes); }

@@ -45,14 +45,24 @@ struct ImageSize {
   int width = 0, height = 0;
 };
 
+struct ImageFormat;
+
+/// What an image decodes to.
+struct DecodedImage {
+  Image image;
+  const ImageFormat* format = nullptr;
+  ImageSettings settings{};
+  std::vector<std::string> warnings{};  // what is odd about the file, or left out of it; sentences that name no file
+  bool is_turned = false;               // from how the file stores it, as the file asks
+};
+
 /// One line of image_formats.def.
 struct ImageFormat {
   const char* name;                                              // "png"
   std::vector<const char*> extensions;                           // lower case, without the dot
   bool (*recognizes)(std::span<const unsigned char> bytes);      // by content, never by name
   ImageSize (*read_size)(std::span<const unsigned char> bytes);  // from the header; throws ImageError
-  Image (*decode)(std::span<const unsigned char> bytes,
-                  ImageSettings* settings);  // throws ImageError; settings may be null
+  DecodedImage (*decode)(std::span<const unsigned char> bytes);  // throws ImageError; sets no format
   std::vector<unsigned char> (*encode)(const Image& image, const ImageEncoding& encoding,
                                        const ImageSettings& settings);
   bool is_linear;  // PFM, HDR, EXR hold linear light: never sRGB-decoded, never clamped
@@ -68,13 +78,6 @@ std::span<const ImageFormat> ImageFormats();
 
 /// The format for an output name, by its extension in any letter case; null when there is none.
 const ImageFormat* FormatForName(const std::string& name);
-
-/// What an image decodes to.
-struct DecodedImage {
-  Image image;
-  const ImageFormat* format = nullptr;
-  ImageSettings settings;
-};
 
 /// Reads an image from the bytes of its file; the kind is decided by content. 8-bit kinds give value/255 (16-bit
 /// value/65535), without any curve. Throws ImageError on anything truncated, malformed or over max_pixels,

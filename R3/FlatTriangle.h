@@ -29,4 +29,14 @@ inline bool IsSafeArea(const Vector& area) {
   return (largest >= least_square) & (largest <= most_square);
 }
 
+/// Unit, on the side from which the corners turn counter-clockwise; zero for a triangle without area.
+inline Vector FaceDirection(const Point& p, const Point& q, const Point& r) {
+  const Vector area = AreaOfTriangle(p, q, r);
+  if (IsSafeArea(area)) return Unit(area);
+  const Vector a = q - p, b = r - p;
+  const double longest_a = MaxComponent(Abs(a)), longest_b = MaxComponent(Abs(b));
+  if (!(longest_a > 0 && longest_b > 0 && longest_a < infinity && longest_b < infinity)) return Unit(area);
+  return Unit(Cross(ScaledByPower(a, -std::ilogb(longest_a)), ScaledByPower(b, -std::ilogb(longest_b))));
+}
+
 }  // namespace R3

@@ -5,19 +5,10 @@
 
 #include "R3/FlatTriangle.h"
 #include "R3/Triangle.h"
+#include "R3/Winding.h"
 
 namespace R3 {
 namespace {
-
-/// Unit, on the side from which the corners turn counter-clockwise; zero for a triangle without area.
-Vector FaceDirection(const Point& p, const Point& q, const Point& r) {
-  const Vector area = AreaOfTriangle(p, q, r);
-  if (IsSafeArea(area)) return Unit(area);
-  const Vector a = q - p, b = r - p;
-  const double longest_a = MaxComponent(Abs(a)), longest_b = MaxComponent(Abs(b));
-  if (!(longest_a > 0 && longest_b > 0 && longest_a < infinity && longest_b < infinity)) return Unit(area);
-  return Unit(Cross(ScaledByPower(a, -std::ilogb(longest_a)), ScaledByPower(b, -std::ilogb(longest_b))));
-}
 
 /// The place of a flat triangle that is the mean of its corners by weights whose sum is 1.
 R3_USES_FMA
@@ -38,12 +29,31 @@ Mesh::Mesh(MeshData data, bool smooth, std::string file)
     : data_(std::move(data)), smooth_(smooth && !data_.normals.empty()), file_(std::move(file)) {
   assert(data_.normals.empty() || data_.normals.size() == data_.positions.size());
   assert(data_.uvs.empty() || data_.uvs.size() == data_.positions.size());
-  const std::size_t before = data_.triangles.size();
-  std::erase_if(data_.triangles, [&](const auto& t) {
-    return FaceDirection(data_.positions[t[0]], data_.positions[t[1]], data_.positions[t[2]]) == Vector{};
-  });
-  dropped_ = static_cast<int>(before - data_.triangles.size());
+  assert(data_.lines.empty() || data_.lines.size() == data_.triangles.size());
+  DropTrianglesWithoutArea();
   for (Normal& normal : data_.normals) normal = AsNormal(Unit(AsVector(normal)));
+  if (smooth_) TurnToNormals();
+  data_.lines = {};
+}
+
+void Mesh::DropTrianglesWithoutArea() {
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < data_.triangles.size(); ++i) {
+    const auto& t = data_.triangles[i];
+    if (FaceDirection(data_.positions[t[0]], data_.positions[t[1]], data_.positions[t[2]]) == Vector{}) continue;
+    data_.triangles[kept] = t;
+    if (!data_.lines.empty()) data_.lines[kept] = data_.lines[i];
+    ++kept;
+  }
+  dropped_ = static_cast<int>(data_.triangles.size() - kept);
+  data_.triangles.resize(kept);
+}
+
+void Mesh::TurnToNormals() {
+  const std::vector<std::uint32_t> against = TrianglesAgainstNormals(data_);
+  for (const std::uint32_t t : against) std::swap(data_.triangles[t][1], data_.triangles[t][2]);
+  turned_ = static_cast<int>(against.size());
+  if (turned_ > 0 && !data_.lines.empty()) first_turned_line_ = data_.lines[against[0]];
 }
 
 std::optional<Recipe> Mesh::MadeFrom() const {
@@ -60,6 +70,8 @@ std::unique_ptr<const Mesh> Mesh::Moved(const Transform& move) const {
   moved->data_ = data_;
   moved->smooth_ = smooth_;
   moved->dropped_ = dropped_;
+  moved->turned_ = turned_;
+  moved->first_turned_line_ = first_turned_line_;
   for (Point& p : moved->data_.positions) {
     p = move * p;
     if (!IsFinite(FromOrigin(p))) return nullptr;
@@ -105,6 +117,8 @@ Intersection Mesh::At(const Ray&, const Hit& hit, int element) const {
     }
   return at;
 }
+
+bool Mesh::IsClosed() const { return R3::IsClosed(data_); }
 
 MeshData Mesh::Tessellate(int fineness) const {
   const double shares = fineness / (4 * std::sqrt(std::max(1.0, static_cast<double>(Elements()))));

@@ -12,7 +12,9 @@ namespace R3 {
 
 /// A triangle mesh, shaded flat as the course does unless asked to be smooth.
 /// Triangles without area (decided by an exactly vanishing cross product of their edges) are dropped at construction
-/// and counted: nothing could say which way they face.
+/// and counted: nothing could say which way they face. In a smooth mesh the vertex normals decide which side of a
+/// triangle is its front: those that TrianglesAgainstNormals finds are turned around at construction, so that shading,
+/// refraction, maps, emission and the viewer agree about the side.
 class Mesh : public Shape {
  public:
   /// Asserts what MeshData says. `smooth` asks for the normals that the data brings; without any it is flat.
@@ -38,13 +40,19 @@ class Mesh : public Shape {
   /// a triangle would be left without area.
   std::unique_ptr<const Mesh> Moved(const Transform& move) const;
 
-  /// As given, but zero or (unless moved) unit normals.
+  /// As IsClosed in Winding.h says.
+  bool IsClosed() const;
+
+  /// As given, but with zero or (unless moved) unit normals, with triangles turned as their normals say, without lines.
   const MeshData& Data() const { return data_; }
   bool IsSmooth() const { return smooth_; }
   /// Empty for a mesh that was made otherwise, or moved.
   const std::string& File() const { return file_; }
   /// How many triangles had no area.
   int DroppedTriangles() const { return dropped_; }
+  /// How many triangles were turned around, and the line of the file that the first of them is on; 0: unknown.
+  int TurnedTriangles() const { return turned_; }
+  std::uint32_t FirstTurnedLine() const { return first_turned_line_; }
   std::array<Point, 3> Corners(int element) const {
     const auto& t = data_.triangles[static_cast<std::size_t>(element)];
     return {data_.positions[t[0]], data_.positions[t[1]], data_.positions[t[2]]};
@@ -57,11 +65,14 @@ class Mesh : public Shape {
 
  private:
   Mesh() = default;
+  void DropTrianglesWithoutArea();
+  void TurnToNormals();
 
   MeshData data_;
   bool smooth_ = false;
   std::string file_;
-  int dropped_ = 0;
+  int dropped_ = 0, turned_ = 0;
+  std::uint32_t first_turned_line_ = 0;
 };
 
 /// The texture coordinates that the corners of a `tri` have.

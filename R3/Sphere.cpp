@@ -3,8 +3,8 @@
 namespace R3 {
 
 R3_USES_FMA
-std::optional<Hit> IntersectSphere(const Ray& ray, const SphereData& sphere, double t_max) {
-  return IntersectSphereInline(ray, sphere, t_max);
+std::optional<Hit> IntersectSphere(const Ray& ray, const SphereData& sphere) {
+  return IntersectSphereInline(ray, sphere, ray.t_min, ray.t_max);
 }
 
 }  // namespace R3

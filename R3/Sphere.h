@@ -11,16 +11,20 @@
 
 namespace R3 {
 
-/// Nearest crossing of a ray with a sphere, strictly between ray.t_min and `t_max`.
-std::optional<Hit> IntersectSphere(const Ray& ray, const SphereData& sphere, double t_max);
+/// Nearest crossing of a ray with a sphere, strictly between ray.t_min and ray.t_max.
+std::optional<Hit> IntersectSphere(const Ray& ray, const SphereData& sphere);
 
-/// The same, compiled into its caller: for callers that are themselves compiled for an instruction set.
-inline std::optional<Hit> IntersectSphereInline(const Ray& ray, const SphereData& sphere, double t_max) {
+/// IntersectSphere strictly between other limits, compiled into its caller: for callers that are themselves compiled
+/// for an instruction set.
+inline std::optional<Hit> IntersectSphereInline(const Ray& ray, const SphereData& sphere, double t_min, double t_max) {
   if (!(sphere.radius > 0)) return {};
-  if (IsCertainlyLeaving(ray.origin - sphere.center, ray.direction, sphere.radius) && ray.t_min >= 0) return {};
+  const auto leaves_from = [&](const Point& p) {
+    return IsCertainlyLeaving(p - sphere.center, ray.direction, sphere.radius);
+  };
+  if (leaves_from(ray.origin) && (t_min >= 0 || leaves_from(ray.At(BeforeHits(t_min))))) return {};
   const auto roots = QuadricRootsInline(ray.origin, ray.direction, sphere.center, sphere.radius);
   if (!roots) return {};
-  return Span{roots->first, roots->second, 0, 0}.First(ray.t_min, t_max);
+  return Span{roots->first, roots->second, 0, 0}.First(t_min, t_max);
 }
 
 /// The place in a unit direction from the center, without branches, so that loops over many become vector instructions.

@@ -49,7 +49,9 @@ class Transform {
 
   /// The ray as seen from before the map: same t.
   Ray Back(const Ray& ray) const {
-    return {inverse_ * ray.origin, inverse_ * ray.direction, ray.t_min, ray.t_max, ray.time, ray.leaving, ray.reaching};
+    Ray local = ray;
+    local.origin = inverse_ * ray.origin, local.direction = inverse_ * ray.direction;
+    return local;
   }
 
  private:

@@ -1,4 +1,6 @@
-// Every format, known by its content.
+// Every format, known by its content. What a header says of the size must hold for the picture.
+#include <cstdlib>
+
 #include "R2/ImageFile.h"
 #include "fuzz/Fuzz.h"
 
@@ -7,7 +9,8 @@ int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size) {
   try {
     const R2::ImageHeader header = R2::ReadImageHeader({data, size});
     if (std::int64_t{header.size.width} * header.size.height > most_pixels) return 0;
-    R2::DecodeImage({data, size});
+    const R2::Image image = R2::DecodeImage({data, size}).image;
+    if (image.Width() != header.size.width || image.Height() != header.size.height) std::abort();
   } catch (const R2::ImageError&) {
   }
   return 0;

@@ -43,7 +43,7 @@ seed() {
     groningen_yaml) cp scenes/*.yaml scenes/*.yml "$corpus" ;;
     groningen_json | cs315) cp scenes/*.json "$corpus" ;;
     comp30019) cp scenes/comp30019/*.txt "$corpus" ;;
-    images) cp scenes/thumbnails/*.jpg scenes/textures/* "$corpus" ;;
+    images) cp scenes/thumbnails/*.jpg scenes/textures/* tests/R2/samples/*.[behjp]* "$corpus" ;;
     meshes)
       for file in scenes/meshes/*; do
         case $file in

@@ -54,17 +54,28 @@ std::string_view ByteReader::Until(char end, const char* what) {
   return Text(rest.first(length));
 }
 
-std::string_view ByteReader::Word(const char* what) {
+void ByteReader::SkipSpace() {
   while (Left() > 0 && (IsSpace(bytes_[position_]) || bytes_[position_] == '#')) {
     const bool is_comment = bytes_[position_] == '#';
     ++position_;
     // A lone carriage return ends a line too.
     while (is_comment && Left() > 0 && bytes_[position_] != '\n' && bytes_[position_] != '\r') ++position_;
   }
+}
+
+std::string_view ByteReader::Word(const char* what) {
+  SkipSpace();
   const std::size_t start = position_;
   while (Left() > 0 && !IsSpace(bytes_[position_]) && bytes_[position_] != '#') ++position_;
   if (start == position_) Fail("is truncated: " + std::string(what) + " is missing");
   return Text(bytes_.subspan(start, position_ - start));
+}
+
+bool ByteReader::Bit(const char* what) {
+  SkipSpace();
+  const std::uint8_t digit = Byte(what);
+  if (digit != '0' && digit != '1') Fail("is wrong: " + std::string(what) + " must be 0 or 1");
+  return digit == '1';
 }
 
 int ByteReader::WholeNumber(const char* what, int least, int most) {
@@ -81,6 +92,19 @@ int ByteReader::WholeNumber(const char* what, int least, int most) {
 
 void ByteReader::OneSpace() {
   if (!IsSpace(Byte("the header"))) Fail("header lacks white space where it has to have some");
+}
+
+void ByteReader::SpaceBefore(std::uint64_t pixel_bytes) {
+  const std::size_t start = position_;
+  OneSpace();
+  if (bytes_[start] == '\n' || Left() <= pixel_bytes) return;
+  std::size_t end = position_;
+  while (end < bytes_.size() && (bytes_[end] == ' ' || bytes_[end] == '\t' || bytes_[end] == '\r')) ++end;
+  if (end == bytes_.size() || bytes_[end] != '\n') return;
+  ++end;
+  // CR LF is an end of line even where more bytes are left over.
+  const bool is_windows_line = bytes_[start] == '\r' && end == start + 2;
+  if (is_windows_line || bytes_.size() - end == pixel_bytes) position_ = end;
 }
 
 void ByteReader::Fail(const std::string& message) const { throw ImageError(std::string(kind_) + " " + message); }

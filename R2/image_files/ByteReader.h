@@ -15,6 +15,7 @@ class ByteReader {
   ByteReader(const char* kind, std::span<const unsigned char> bytes) : kind_(kind), bytes_(bytes) {}
 
   std::uint64_t Left() const { return bytes_.size() - position_; }
+  std::span<const unsigned char> Rest() const { return bytes_.subspan(position_); }
   /// Throws unless `count` bytes are left, `what` being what they hold.
   void Need(std::uint64_t count, const char* what) const;
 
@@ -29,11 +30,18 @@ class ByteReader {
   std::string_view Until(char end, const char* what);
 
   // Words of the Netpbm family: separated by white space; # starts a comment that goes on to the end of its line.
+  void SkipSpace();
   std::string_view Word(const char* what);
+  /// A digit 0 or 1, before which there may be white space.
+  bool Bit(const char* what);
   /// A word that is a whole number in [least, most].
   int WholeNumber(const char* what, int least, int most);
-  /// The one byte of white space that ends the magic number, and the header before binary pixels.
+  /// The one byte of white space that ends the magic number.
   void OneSpace();
+  /// The white space between the header and `pixel_bytes` of binary pixels: one byte. Some writers end the line in CR
+  /// LF, or with blanks before its end. Since a pixel may look like white space, these are passed over only where the
+  /// file is longer for them.
+  void SpaceBefore(std::uint64_t pixel_bytes);
 
   /// Throws an ImageError that starts with the kind.
   [[noreturn]] void Fail(const std::string& message) const;

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <new>
+#include <optional>
+#include <utility>
 
 #include "R2/image_files/ByteReader.h"
 #include "R2/image_files/formats.h"
@@ -35,6 +37,33 @@ std::vector<ExrChannel> ReadChannels(ByteReader& value) {
     channels.push_back(channel);
   }
   return channels;
+}
+
+/// Whether the library reads as many bytes of an attribute as the file states. Of most types it reads so many whatever
+/// the file states, and would take what follows for something else, down to sizes that it makes room for.
+///   source   OpenEXR File Layout (2013), "Attribute Types"
+bool HasSizeOfType(std::string_view type, ByteReader value) {
+  constexpr std::array<std::pair<std::string_view, std::uint64_t>, 23> sizes{
+      {{"box2f", 16},      {"box2i", 16},   {"chromaticities", 32},
+       {"compression", 1}, {"double", 8},   {"envmap", 1},
+       {"float", 4},       {"int", 4},      {"keycode", 28},
+       {"lineOrder", 1},   {"m33d", 72},    {"m33f", 36},
+       {"m44d", 128},      {"m44f", 64},    {"rational", 8},
+       {"tiledesc", 9},    {"timecode", 8}, {"v2d", 16},
+       {"v2f", 8},         {"v2i", 8},      {"v3d", 24},
+       {"v3f", 12},        {"v3i", 12}}};
+  const auto fixed = std::ranges::find(sizes, type, &std::pair<std::string_view, std::uint64_t>::first);
+  if (fixed != sizes.end()) return value.Left() == fixed->second;
+  if (type == "deepImageState") return value.Left() == 1;
+  if (type == "chlist") ReadChannels(value);
+  if (type == "preview") {
+    // Bounded, lest the product overflows.
+    const auto side = [&] { return std::min<std::uint64_t>(value.Little32("a size"), max_pixels); };
+    value.Take(4 * side() * side(), "a preview");
+  }
+  while (type == "stringvector" && value.Left() > 0) value.Take(value.Little32("a length"), "a text");
+  const bool is_read_to_its_end = type == "chlist" || type == "preview" || type == "stringvector";
+  return !is_read_to_its_end || value.Left() == 0;
 }
 
 /// How many rows are compressed together; a number that is no compression is left to the library to refuse.
@@ -116,13 +145,15 @@ std::span<const unsigned char> Block(std::span<const unsigned char> bytes, std::
   return reader.Take(reader.Little32("a block"), "a block");
 }
 
-/// Whether the block at `place` is in the file and holds so many bytes of pixels.
-bool IsThere(std::span<const unsigned char> bytes, const ExrLayout& layout, std::uint64_t place,
-             std::uint64_t expected) {
+/// Where the block at `place` ends; nothing unless it is in the file and holds so many bytes of pixels.
+std::optional<std::uint64_t> EndOfBlock(std::span<const unsigned char> bytes, const ExrLayout& layout,
+                                        std::uint64_t place, std::uint64_t expected) {
   try {
-    return Holds(Block(bytes, place, layout.is_tiled ? 4 : 1), expected, layout.compression);
+    const auto block = Block(bytes, place, layout.is_tiled ? 4 : 1);
+    if (!Holds(block, expected, layout.compression)) return {};
+    return static_cast<std::uint64_t>(block.data() + block.size() - bytes.data());
   } catch (const ImageError&) {
-    return false;  // beyond the end
+    return {};  // beyond the end
   }
 }
 
@@ -135,20 +166,23 @@ ExrLayout ReadExrLayout(std::span<const unsigned char> bytes) {
   reader.Take(4, "the magic number");
   const std::uint32_t version = reader.Little32("the version");
   if ((version & 0xff) != 2) reader.Fail("has a version other than 2");
-  if (version & (deep_flag | multipart_flag))
-    reader.Fail("has several parts or deep pixels; a single flat part is read");
+  if (version & deep_flag) reader.Fail("has deep pixels, of several samples each; flat ones are read");
+  if (version & multipart_flag) reader.Fail("has several parts, each an image of its own; files of one part are read");
 
   ExrLayout layout;
   layout.is_tiled = version & tiled_flag;
   for (std::string_view name; !(name = reader.Until('\0', "the header")).empty();) {
-    reader.Until('\0', "the header");
+    const std::string_view type = reader.Until('\0', "the header");
     ByteReader value("EXR", reader.Take(reader.Little32("the header"), "an attribute"));
+    if (!HasSizeOfType(type, value)) reader.Fail("has an attribute whose size is not that of its type");
     if (name == "dataWindow") layout.size = ReadDataWindow(value);
     if (name == "channels") layout.channels = ReadChannels(value);
     if (name == "compression") layout.compression = value.Byte("the compression");
     if (name == "tiles") {
       layout.tile_width = value.Little32("the tile size");
       layout.tile_height = value.Little32("the tile size");
+      layout.has_smaller_copies =
+          (value.Byte("the tile levels") & 15) != 0;  // the higher bits say how sizes are rounded
     }
   }
   if (layout.size.width == 0) reader.Fail("has no data window");
@@ -158,7 +192,7 @@ ExrLayout ReadExrLayout(std::span<const unsigned char> bytes) {
   return layout;
 }
 
-void CheckExrBlocks(std::span<const unsigned char> bytes, const ExrLayout& layout) {
+std::uint64_t CheckExrBlocks(std::span<const unsigned char> bytes, const ExrLayout& layout) {
   ByteReader table("EXR", bytes);
   table.Take(layout.table, "the header");
   const auto [width, height] = layout.size;
@@ -169,16 +203,21 @@ void CheckExrBlocks(std::span<const unsigned char> bytes, const ExrLayout& layou
   const std::int64_t blocks = Quotient(width, columns_together) * Quotient(height, rows_together);
   table.Need(8 * static_cast<std::uint64_t>(blocks), "the table of blocks");
 
+  std::uint64_t last_end = layout.table;
   // Of a file with smaller copies of the picture, the picture itself comes first.
   for (int y = 0; y < height; y += rows_together) {
     for (int x = 0; x < width; x += columns_together) {
       const std::uint64_t low = table.Little32("the table of blocks"), high = table.Little32("the table of blocks");
       const int block_width = std::min(columns_together, width - x);
       const std::uint64_t expected = PixelBytes(layout, block_width, y, std::min(y + rows_together, height));
-      if (IsThere(bytes, layout, low | high << 32, expected)) continue;
-      table.Fail("is truncated or damaged: " + std::to_string(y) + " of " + std::to_string(height) + " rows are there");
+      const auto end = EndOfBlock(bytes, layout, low | high << 32, expected);
+      if (!end)
+        table.Fail("is truncated or damaged: " + std::to_string(y) + " of " + std::to_string(height) +
+                   " rows are there");
+      last_end = std::max(last_end, *end);
     }
   }
+  return last_end;
 }
 
 }  // namespace R2

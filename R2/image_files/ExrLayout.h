@@ -22,6 +22,7 @@ struct ExrLayout {
   int compression = 0;  // by the number that the file has
   bool is_tiled = false;
   std::uint64_t tile_width = 0, tile_height = 0;
+  bool has_smaller_copies = false;
   std::uint64_t table = 0;  // where the header ends and the table of the blocks' places starts
 };
 
@@ -30,6 +31,7 @@ ExrLayout ReadExrLayout(std::span<const unsigned char> bytes);
 
 /// Throws ImageError unless every block of rows or tiles lies within the file and holds all its pixels. The library
 /// does not ask, and fills the rest with what its memory held before.
-void CheckExrBlocks(std::span<const unsigned char> bytes, const ExrLayout& layout);
+///   returns   where the last of them ends
+std::uint64_t CheckExrBlocks(std::span<const unsigned char> bytes, const ExrLayout& layout);
 
 }  // namespace R2

@@ -1,113 +1,130 @@
+#include <algorithm>
+
+#include "R2/image_files/BmpHeader.h"
+#include "R2/image_files/BmpRunLength.h"
 #include "R2/image_files/ByteReader.h"
 #include "R2/image_files/formats.h"
 
-// Windows bitmaps, uncompressed. Written with 24 bits per pixel, bottom row first, as most programs expect.
-// source: Microsoft, "BITMAPINFOHEADER" and "BITMAPV5HEADER", Win32 reference
+// Bitmaps of Windows and OS/2, with palettes, bit fields and run lengths. Written with 24 bits per pixel, bottom row
+// first, as most programs expect.
+// source: see BmpHeader.h and BmpRunLength.h
 namespace R2 {
 
 namespace bmp {
 namespace {
 
-constexpr int file_header_size = 14;
-constexpr int info_header_size = 40;
-
-struct Header {
-  std::uint32_t pixels_offset = 0;
-  std::uint32_t info_size = 0;
-  ImageSize size;
-  bool is_top_down = false;
-  int bits = 24;  // per pixel: 8 with a palette, 24, 32
-  std::uint32_t palette_size = 0;
-
-  std::uint64_t RowBytes() const {
-    return std::uint64_t{1} * static_cast<unsigned>(size.width) * static_cast<unsigned>(bits / 8);
-  }
-  /// Rows start at multiples of four bytes.
-  std::uint64_t RowStride() const { return (RowBytes() + 3) / 4 * 4; }
-};
-
 bool Recognizes(std::span<const unsigned char> bytes) {
   return bytes.size() >= 2 && bytes[0] == 'B' && bytes[1] == 'M';
 }
 
-/// Bit fields are read only where they say what a plain 32-bit pixel has anyway: blue, green, red, unused or alpha.
-void CheckBitFields(ByteReader& reader) {
-  const std::uint32_t red = reader.Little32("the bit fields");
-  const std::uint32_t green = reader.Little32("the bit fields");
-  const std::uint32_t blue = reader.Little32("the bit fields");
-  if (red != 0xff0000 || green != 0xff00 || blue != 0xff)
-    reader.Fail("has bit fields other than 8-bit blue, green, red");
-}
-
-Header ReadHeader(ByteReader& reader) {
-  Header header;
-  reader.Take(10, "the file header");
-  header.pixels_offset = reader.Little32("the file header");
-  header.info_size = reader.Little32("the info header");
-  if (header.info_size < info_header_size) reader.Fail("has a header of an unknown kind");
-  const std::int64_t width = reader.LittleSigned32("the width");
-  const std::int64_t height = reader.LittleSigned32("the height");
-  header.size = CheckedSize("BMP", width, height < 0 ? -height : height);
-  header.is_top_down = height < 0;
-  reader.Little16("the planes");
-  header.bits = reader.Little16("the bits per pixel");
-  const std::uint32_t compression = reader.Little32("the compression");
-  reader.Take(12, "the info header");
-  header.palette_size = reader.Little32("the palette size");
-  reader.Take(4, "the info header");
-
-  if (header.bits != 8 && header.bits != 24 && header.bits != 32) {
-    reader.Fail("has " + std::to_string(header.bits) + " bits per pixel; 8, 24 and 32 are read");
-  }
-  const bool has_bit_fields = compression == 3 && header.bits == 32;
-  if (has_bit_fields) CheckBitFields(reader);
-  if (compression != 0 && !has_bit_fields) reader.Fail("is compressed; only uncompressed ones are read");
-  if (header.palette_size > 256) reader.Fail("has a palette of more than 256 colors");
-  if (header.palette_size == 0) header.palette_size = 256;
-  return header;
-}
-
-ImageSize ReadSize(std::span<const unsigned char> bytes) {
-  ByteReader reader("BMP", bytes);
-  return ReadHeader(reader).size;
-}
-
-/// The palette, 4 bytes a color, behind the headers.
-std::span<const unsigned char> ReadPalette(std::span<const unsigned char> bytes, const Header& header) {
-  ByteReader reader("BMP", bytes);
-  reader.Take(std::uint64_t{file_header_size} + header.info_size, "the header");
-  return reader.Take(std::uint64_t{4} * header.palette_size, "the palette");
-}
+ImageSize ReadSize(std::span<const unsigned char> bytes) { return ReadHeader(bytes).size; }
 
 Color FromBlueGreenRed(std::span<const unsigned char> b) { return {b[2] / 255.0, b[1] / 255.0, b[0] / 255.0}; }
 
-Image Decode(std::span<const unsigned char> bytes, ImageSettings*) {
-  ByteReader reader("BMP", bytes);
-  const Header header = ReadHeader(reader);
-  const auto palette = header.bits == 8 ? ReadPalette(bytes, header) : std::span<const unsigned char>{};
+/// The palette as colors.
+std::vector<Color> ColorsOf(const Header& header) {
+  std::vector<Color> colors;
+  for (auto rest = header.palette; !rest.empty(); rest = rest.subspan(header.palette_entry))
+    colors.push_back(FromBlueGreenRed(rest));
+  return colors;
+}
 
-  ByteReader pixels("BMP", bytes);
-  pixels.Take(header.pixels_offset, "what comes before the pixels");
-  // The last row may lack the bytes that only fill it up.
-  const auto height = static_cast<std::uint64_t>(header.size.height);
-  const auto raster = pixels.Take(header.RowStride() * (height - 1) + header.RowBytes(), "the picture");
+/// Where a row of the file is in the picture.
+int PictureRow(const Header& header, int row) { return header.is_top_down ? header.size.height - 1 - row : row; }
 
-  Image image(header.size.width, header.size.height);
-  const auto pixel_size = static_cast<std::size_t>(header.bits / 8);
-  for (int row = 0; row < image.Height(); ++row) {
-    const int y = header.is_top_down ? image.Height() - 1 - row : row;
-    const auto line = raster.subspan(static_cast<std::size_t>(row) * header.RowStride(), header.RowBytes());
-    for (int x = 0; x < image.Width(); ++x) {
-      // The fourth byte of a 32-bit pixel is unused or alpha; a picture here has no alpha, so it is dropped.
-      auto pixel = line.subspan(static_cast<std::size_t>(x) * pixel_size, pixel_size);
-      if (header.bits == 8) {
-        if (pixel[0] >= header.palette_size) reader.Fail("has a pixel that is not in its palette");
-        pixel = palette.subspan(std::size_t{4} * pixel[0], 4);
-      }
-      image.Set(x, y, FromBlueGreenRed(pixel));
-    }
+const Color& ColorAt(const std::vector<Color>& colors, unsigned place) {
+  if (place >= colors.size()) throw ImageError("BMP has a pixel that is not in its palette");
+  return colors[place];
+}
+
+/// The number of `bits` bits, 1 to 8, at `x`; the first is in the highest bits.
+unsigned PlaceAt(std::span<const unsigned char> row, int x, int bits) {
+  const std::size_t bit = static_cast<std::size_t>(x) * static_cast<std::size_t>(bits);
+  const int shift = 8 - bits - static_cast<int>(bit % 8);
+  return static_cast<unsigned>(row[bit / 8] >> shift) & ((1u << bits) - 1);
+}
+
+/// What is known of the alpha of the pixels so far.
+struct AlphaRange {
+  double least = 1, most = 0;
+  void Add(double alpha) {
+    least = std::min(least, alpha);
+    most = std::max(most, alpha);
   }
-  return image;
+  /// Writers that know nothing of alpha leave all of it at zero.
+  bool IsTransparent() const { return least < 1 && most > 0; }
+};
+
+std::uint32_t Little(std::span<const unsigned char> bytes) {
+  std::uint32_t number = 0;
+  for (std::size_t i = 0; i < bytes.size(); ++i) number |= std::uint32_t{bytes[i]} << 8 * i;
+  return number;
+}
+
+void SetRowOfFields(Image& image, int y, std::span<const unsigned char> row, const Header& header, AlphaRange& alpha) {
+  const auto pixel_size = static_cast<std::size_t>(header.bits / 8);
+  const BitFields& fields = header.fields;
+  for (int x = 0; x < image.Width(); ++x) {
+    const std::uint32_t pixel = Little(row.subspan(static_cast<std::size_t>(x) * pixel_size, pixel_size));
+    image.Set(x, y, {fields.red.Value(pixel), fields.green.Value(pixel), fields.blue.Value(pixel)});
+    if (fields.alpha.mask != 0) alpha.Add(fields.alpha.Value(pixel));
+  }
+}
+
+/// Three or four bytes a pixel, of which the fourth is unused.
+void SetRowOfBytes(Image& image, int y, std::span<const unsigned char> row, std::size_t pixel_size) {
+  for (int x = 0; x < image.Width(); ++x)
+    image.Set(x, y, FromBlueGreenRed(row.subspan(static_cast<std::size_t>(x) * pixel_size, pixel_size)));
+}
+
+DecodedImage DecodeRunLengths(std::span<const unsigned char> pixels, const Header& header) {
+  const Places read = ReadRunLengths(pixels, header);
+  const std::vector<Color> colors = ColorsOf(header);
+  DecodedImage decoded{Image(header.size.width, header.size.height)};
+  auto place = read.places.begin();
+  for (int row = 0; row < header.size.height; ++row)
+    for (int x = 0; x < header.size.width; ++x)
+      decoded.image.Set(x, PictureRow(header, row), ColorAt(colors, *place++));
+  decoded.warnings = read.warnings;
+  WarnOfBytesBehind(decoded, "BMP", read.bytes_behind);
+  return decoded;
+}
+
+DecodedImage DecodeRows(std::span<const unsigned char> pixels, const Header& header) {
+  const auto height = static_cast<std::uint64_t>(header.size.height);
+  const std::vector<Color> colors = ColorsOf(header);
+  const bool is_bytes = header.bits == 24 || (header.bits == 32 && header.fields == BitFields{});
+  DecodedImage decoded{Image(header.size.width, header.size.height)};
+  Image& image = decoded.image;
+  AlphaRange alpha;
+  for (int row = 0; row < image.Height(); ++row) {
+    const int y = PictureRow(header, row);
+    const auto line = pixels.subspan(static_cast<std::size_t>(row) * header.RowStride(), header.RowBytes());
+    if (is_bytes)
+      SetRowOfBytes(image, y, line, static_cast<std::size_t>(header.bits / 8));
+    else if (!header.HasPalette())
+      SetRowOfFields(image, y, line, header, alpha);
+    else
+      for (int x = 0; x < image.Width(); ++x) image.Set(x, y, ColorAt(colors, PlaceAt(line, x, header.bits)));
+  }
+  if (alpha.IsTransparent())
+    decoded.warnings.push_back("BMP has transparent pixels: alpha is ignored, their colors count in full");
+  const std::uint64_t used = header.RowStride() * height + header.profile_bytes;
+  if (pixels.size() > used) WarnOfBytesBehind(decoded, "BMP", pixels.size() - used);
+  return decoded;
+}
+
+DecodedImage Decode(std::span<const unsigned char> bytes) {
+  const Header header = ReadHeader(bytes);
+  ByteReader reader("BMP", bytes);
+  reader.Take(header.pixels_start, "what comes before the pixels");
+  // The last row may lack the bytes that only fill it up.
+  if (!header.is_run_length)
+    reader.Need(header.RowStride() * static_cast<unsigned>(header.size.height - 1) + header.RowBytes(), "the picture");
+  DecodedImage decoded =
+      header.is_run_length ? DecodeRunLengths(reader.Rest(), header) : DecodeRows(reader.Rest(), header);
+  decoded.warnings.insert(decoded.warnings.begin(), header.warnings.begin(), header.warnings.end());
+  return decoded;
 }
 
 void AppendLittle(std::vector<unsigned char>& bytes, std::uint32_t number, int count) {
@@ -115,12 +132,13 @@ void AppendLittle(std::vector<unsigned char>& bytes, std::uint32_t number, int c
 }
 
 std::vector<unsigned char> Encode(const Image& image, const ImageEncoding& encoding, const ImageSettings&) {
+  constexpr std::uint32_t file_header_bytes = 14, info_header_bytes = 40;
   Header header;
   header.size = {image.Width(), image.Height()};
   // With the filling of its row a pixel takes at most 4 bytes, and max_pixels of them far less than the 2^32 bytes
   // that the header can name.
   const auto raster_size = static_cast<std::uint32_t>(header.RowStride() * static_cast<std::uint64_t>(image.Height()));
-  constexpr std::uint32_t pixels_offset = file_header_size + info_header_size;
+  constexpr std::uint32_t pixels_offset = file_header_bytes + info_header_bytes;
   constexpr std::uint32_t dots_per_metre = 2835;  // 72 an inch; readers want a number, nobody looks at it
 
   std::vector<unsigned char> bytes{'B', 'M'};
@@ -128,7 +146,7 @@ std::vector<unsigned char> Encode(const Image& image, const ImageEncoding& encod
   AppendLittle(bytes, pixels_offset + raster_size, 4);
   AppendLittle(bytes, 0, 4);  // reserved
   AppendLittle(bytes, pixels_offset, 4);
-  AppendLittle(bytes, info_header_size, 4);
+  AppendLittle(bytes, info_header_bytes, 4);
   AppendLittle(bytes, static_cast<std::uint32_t>(image.Width()), 4);
   AppendLittle(bytes, static_cast<std::uint32_t>(image.Height()), 4);
   AppendLittle(bytes, 1, 2);  // planes

@@ -1,24 +1,34 @@
+// Without its table of all halves, which is copied when the program starts: 256 KiB for those who read no such file.
+#define IMATH_HALF_NO_LOOKUP_TABLE
 #include <ImathBox.h>
+#include <ImathVec.h>
 #include <ImfChannelList.h>
+#include <ImfCompression.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
 #include <ImfIO.h>
 #include <ImfInputFile.h>
 #include <ImfOutputFile.h>
+#include <ImfRgbaFile.h>
+#include <ImfRgbaYca.h>
+#include <ImfStandardAttributes.h>
 #include <ImfStringAttribute.h>
+#include <ImfVersion.h>
+#include <OpenEXRConfig.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstring>
 #include <string_view>
 
 #include "R2/image_files/ExrLayout.h"
 #include "R2/image_files/formats.h"
 
-// OpenEXR through its library: channels R G B, or Y for gray, of a single flat part, of any pixel type, in scan lines
-// or tiles. What is read is the data window; the display window around it, and alpha, are left out. Written as
-// float scan lines, ZIP compressed. Settings live in string attributes.
-// source: Kainz, Bogart, Stanczyk, Hillman, Technical Introduction to OpenEXR (2013); OpenEXR File Layout (2013)
+// OpenEXR through its library: channels R G B, Y RY BY for luminance and chroma, or Y for gray, of a single flat part,
+// of any pixel type, in scan lines or tiles. What is read is the data window; the display window around it, and alpha,
+// are left out. Written as float scan lines, ZIP compressed. Settings live in string attributes. source: Kainz, Bogart,
+// Stanczyk, Hillman, Technical Introduction to OpenEXR (2013); OpenEXR File Layout (2013)
 namespace R2 {
 
 namespace exr {
@@ -75,7 +85,7 @@ class OutputStream : public Imf::OStream {
   std::uint64_t position_ = 0;
 };
 
-constexpr std::array color_channels{"R", "G", "B"};
+constexpr std::array color_channels{"R", "G", "B"}, chroma_channels{"RY", "Y", "BY"};
 constexpr std::array gray_channel{"Y"};
 
 /// Adds one row of r g b floats, whose first pixel is at x = `x_min`, to the library's frame for any y. One channel
@@ -110,18 +120,32 @@ ImageSettings SettingsOf(const Imf::Header& header) {
   return settings;
 }
 
-Image ReadPixels(Imf::InputFile& file, ImageSize size) {
-  const auto& channels = file.header().channels();
-  const bool has_color = channels.findChannel("R") && channels.findChannel("G") && channels.findChannel("B");
-  if (!has_color && !channels.findChannel("Y")) throw ImageError("EXR has neither the channels R, G and B nor Y");
+/// The names of the channels, up to a few.
+std::string NamesOf(const Imf::ChannelList& channels) {
+  constexpr int most_names = 6;
+  std::string names;
+  int count = 0;
+  for (auto channel = channels.begin(); channel != channels.end(); ++channel, ++count)
+    if (count < most_names) names += (names.empty() ? "" : ", ") + Printable(channel.name());
+  return names + (count > most_names ? " and " + std::to_string(count - most_names) + " more" : "");
+}
 
+/// The channels that make r, g and b; one alone is gray. Luminance with chroma is left for ConvertChroma.
+std::span<const char* const> ChannelsToRead(const Imf::ChannelList& channels) {
+  const auto has = [&](const char* name) { return channels.findChannel(name) != nullptr; };
+  if (std::ranges::all_of(color_channels, has)) return color_channels;
+  if (std::ranges::all_of(chroma_channels, has)) return chroma_channels;
+  if (has(gray_channel[0])) return gray_channel;
+  throw ImageError("EXR has neither the channels R, G and B nor Y; it has " + NamesOf(channels));
+}
+
+Image ReadPixels(Imf::InputFile& file, ImageSize size) {
+  const auto channels = ChannelsToRead(file.header().channels());
+  const bool is_gray = channels.size() == 1;
   const Imath::Box2i window = file.header().dataWindow();
   std::vector<float> row(3 * static_cast<std::size_t>(size.width));
   Imf::FrameBuffer frame;
-  if (has_color)
-    AddToFrame(frame, row, window.min.x, color_channels);
-  else
-    AddToFrame(frame, row, window.min.x, gray_channel);
+  AddToFrame(frame, row, window.min.x, channels);
   file.setFrameBuffer(frame);
   // The picture is asked for only once its first row is there: the header alone may promise anything.
   Image image;
@@ -136,20 +160,111 @@ Image ReadPixels(Imf::InputFile& file, ImageSize size) {
     if (image.Width() == 0) image = Image(size.width, size.height);
     for (int x = 0; x < size.width; ++x) {
       const float* p = &row[3 * static_cast<std::size_t>(x)];
-      image.Set(x, y, {p[0], p[has_color ? 1 : 0], p[has_color ? 2 : 0]});
+      image.Set(x, y, {p[0], p[is_gray ? 0 : 1], p[is_gray ? 0 : 2]});
     }
   }
   return image;
 }
 
-Image Decode(std::span<const unsigned char> bytes, ImageSettings* settings) {
+/// Whether chroma has a sample for every `step` pixels in every `step` rows.
+bool HasChromaOf(const Imf::ChannelList& channels, int step) {
+  return std::ranges::all_of(std::array{"RY", "BY"}, [&](const char* name) {
+    const Imf::Channel& channel = *channels.findChannel(name);
+    return channel.xSampling == step && channel.ySampling == step;
+  });
+}
+
+Imf::Chromaticities ChromaticitiesOf(const Imf::Header& header) {
+  return Imf::hasChromaticities(header) ? Imf::chromaticities(header) : Imf::Chromaticities();
+}
+
+/// Turns luminance Y and chroma, RY = (R - Y) / Y and BY = (B - Y) / Y, which an image holds as its r, g and b in the
+/// order RY, Y, BY, into colors. The weights of luminance are those of the file's primaries.
+void ConvertChroma(Image& image, const Imf::Header& header) {
+  const Imath::V3f weights = Imf::RgbaYca::computeYw(ChromaticitiesOf(header));
+  for (int y = 0; y < image.Height(); ++y)
+    for (int x = 0; x < image.Width(); ++x) {
+      const auto [ry, luminance, by] = image.At(x, y);
+      const double r = (ry + 1) * luminance, b = (by + 1) * luminance;
+      image.Set(x, y, {r, (luminance - weights.x * r - weights.z * b) / weights.y, b});
+    }
+}
+
+/// Chroma for every second pixel of every second row, filtered as the library does for everybody. It computes with
+/// halves, which such pictures consist of.
+Image ReadSampledChroma(std::span<const unsigned char> bytes, ImageSize size) {
+  InputStream stream(bytes);
+  Imf::RgbaInputFile file(stream, 0);
+  const Imath::Box2i window = file.dataWindow();
+  std::vector<Imf::Rgba> row(static_cast<std::size_t>(size.width));
+  // The address of the pixel at x = 0, where there is no memory; see AddToFrame.
+  const auto address = reinterpret_cast<std::intptr_t>(row.data()) -
+                       static_cast<std::intptr_t>(window.min.x) * static_cast<std::intptr_t>(sizeof(Imf::Rgba));
+  file.setFrameBuffer(reinterpret_cast<Imf::Rgba*>(address), 1, 0);
+  Image image;
+  for (int y = 0; y < size.height; ++y) {
+    file.readPixels(window.min.y + y);
+    if (image.Width() == 0) image = Image(size.width, size.height);
+    for (int x = 0; x < size.width; ++x) {
+      const Imf::Rgba& p = row[static_cast<std::size_t>(x)];
+      image.Set(x, size.height - 1 - y, {p.r, p.g, p.b});
+    }
+  }
+  return image;
+}
+
+Image ReadColors(Imf::InputFile& file, std::span<const unsigned char> bytes, ImageSize size) {
+  const Imf::ChannelList& channels = file.header().channels();
+  const bool has_chroma = ChannelsToRead(channels).data() == chroma_channels.data();
+  if (!has_chroma) return ReadPixels(file, size);
+  if (HasChromaOf(channels, 2)) return ReadSampledChroma(bytes, size);
+  if (!HasChromaOf(channels, 1))
+    throw ImageError(
+        "EXR has chroma that is sampled otherwise than for every pixel or every second one in both directions");
+  Image image = ReadPixels(file, size);
+  ConvertChroma(image, file.header());
+  return image;
+}
+
+/// Names a compression that this library is too old for.
+void RefuseUnknownCompression(int compression) {
+  if (compression < Imf::NUM_COMPRESSION_METHODS) return;
+  constexpr int first_name = 10;
+  constexpr std::array newer{"HTJ2K256", "HTJ2K32", "LJ2K", "ZSTD"};
+  const auto index = static_cast<std::size_t>(std::max(compression - first_name, 0));
+  const std::string name = index < newer.size() ? std::string(" (") + newer[index] + ")" : "";
+  throw ImageError("EXR is compressed by method " + std::to_string(compression) + name +
+                   ", which the library of this build, OpenEXR " OPENEXR_VERSION_STRING
+                   ", does not know; save it with another, such as ZIP");
+}
+
+/// Primaries other than those of sRGB, which is what every other picture has.
+bool HasOtherPrimaries(const Imf::Header& header) {
+  if (!Imf::hasChromaticities(header)) return false;
+  constexpr float rounding = 0.0006f;  // of the three digits that are written
+  const Imf::Chromaticities usual, stated = Imf::chromaticities(header);
+  const auto are_near = [&](Imath::V2f a, Imath::V2f b) {
+    return std::abs(a.x - b.x) < rounding && std::abs(a.y - b.y) < rounding;
+  };
+  return !are_near(stated.red, usual.red) || !are_near(stated.green, usual.green) ||
+         !are_near(stated.blue, usual.blue) || !are_near(stated.white, usual.white);
+}
+
+DecodedImage Decode(std::span<const unsigned char> bytes) {
   const ExrLayout layout = ReadExrLayout(bytes);
-  CheckExrBlocks(bytes, layout);
+  RefuseUnknownCompression(layout.compression);
+  const std::uint64_t end = CheckExrBlocks(bytes, layout);
   try {
     InputStream stream(bytes);
     Imf::InputFile file(stream, 0);  // no threads of the library's own
-    if (settings) *settings = SettingsOf(file.header());
-    return ReadPixels(file, layout.size);
+    DecodedImage decoded;
+    decoded.settings = SettingsOf(file.header());
+    decoded.image = ReadColors(file, bytes, layout.size);
+    if (HasOtherPrimaries(file.header()))
+      decoded.warnings.push_back(
+          "EXR states chromaticities of its own; its colors are taken as sRGB's, without the curve");
+    if (!layout.has_smaller_copies) WarnOfBytesBehind(decoded, "EXR", bytes.size() - end);
+    return decoded;
   } catch (const ImageError&) {
     throw;
   } catch (const std::bad_alloc&) {
@@ -159,11 +274,17 @@ Image Decode(std::span<const unsigned char> bytes, ImageSettings* settings) {
   }
 }
 
+/// Reads the header alone: a file that is opened by the library gets room for rows as wide as the header promises.
 ImageSettings ReadSettings(std::span<const unsigned char> bytes) {
+  constexpr std::uint64_t behind_version = 8;
   ReadExrLayout(bytes);
   try {
     InputStream stream(bytes);
-    return SettingsOf(Imf::InputFile(stream, 0).header());
+    stream.seekg(behind_version);
+    Imf::Header header;
+    int version = Imf::EXR_VERSION;
+    header.readFrom(stream, version);
+    return SettingsOf(header);
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::exception& error) {

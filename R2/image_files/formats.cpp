@@ -34,4 +34,11 @@ void SetByteRow(Image& image, int y, std::span<const unsigned char> bytes) {
   }
 }
 
+void WarnOfBytesBehind(DecodedImage& decoded, const char* kind, std::uint64_t bytes) {
+  if (bytes == 0) return;
+  decoded.warnings.push_back(
+      std::string(kind) + " has " + std::to_string(bytes) +
+      (bytes == 1 ? " byte behind its image, which is ignored" : " bytes behind its image, which are ignored"));
+}
+
 }  // namespace R2

@@ -28,4 +28,7 @@ std::vector<unsigned char> ByteRow(const Image& image, int y, const ImageEncodin
 /// The inverse, without any curve; `bytes` holds three (r, g, b) per pixel of the row.
 void SetByteRow(Image& image, int y, std::span<const unsigned char> bytes);
 
+/// Adds a warning when bytes are left over behind the picture: the header may say something else than its writer meant.
+void WarnOfBytesBehind(DecodedImage& decoded, const char* kind, std::uint64_t bytes);
+
 }  // namespace R2

@@ -4,13 +4,16 @@
 #include <cmath>
 #include <limits>
 
+#include "R1/Elementary.h"
 #include "R2/image_files/ByteReader.h"
+#include "R2/image_files/Orientation.h"
 #include "R2/image_files/formats.h"
 
 // Radiance pictures: linear light, three mantissas of 8 bits and the exponent of the largest, run-length encoded.
-// source: Ward, Real Pixels (1991), Graphics Gems II, ch. II.5; Radiance's src/common/color.c for the two run-length
-//         encodings. A mantissa m means m/256 exactly, as in most readers today; Radiance itself adds half a step,
-//         because it cuts off when it writes, where we round.
+// source: Ward, Real Pixels (1991), Graphics Gems II, ch. II.5; Ward, Radiance File Formats, "Picture File Format", for
+//         the header; Radiance's src/common/color.c for the two run-length encodings. A mantissa m means m/256 exactly,
+//         as in most readers today; Radiance itself adds half a step, because it cuts off when it writes, where we
+//         round.
 namespace R2 {
 
 namespace hdr {
@@ -53,46 +56,150 @@ bool Recognizes(std::span<const unsigned char> bytes) {
   return bytes.size() >= 2 && bytes[0] == '#' && bytes[1] == '?';
 }
 
-int Side(const ByteReader& reader, std::string_view word) {
-  int side = 0;
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), side);
-  if (error != std::errc() || end != word.data() + word.size()) reader.Fail("width or height is not a whole number");
-  return side;
+/// What the header says, as far as it matters here.
+struct Header {
+  ImageSize stored;  // the width is that of a scan line
+  Orientation orientation;
+  ImageSettings settings;  // lines of "name=value"; of a name that comes again the last one
+  // Factors that stand for all lines of a name.
+  double exposure = 1, pixel_aspect = 1;
+  std::array<double, 3> color_correction{1, 1, 1};
+  bool has_other_primaries = false;
+};
+
+/// A line without its end, which is CR LF where a writer on Windows took the file for text.
+std::string_view ReadLine(ByteReader& reader, const char* what) {
+  std::string_view line = reader.Until('\n', what);
+  if (line.ends_with('\r')) line.remove_suffix(1);
+  return line;
 }
 
-/// "-Y 480 +X 640": rows from the top, pixels from the left.
-ImageSize ReadResolution(ByteReader& reader) {
-  std::string_view line = reader.Until('\n', "the resolution");
-  constexpr std::string_view before_height = "-Y ", before_width = " +X ";
-  const auto middle = line.find(before_width);
-  if (!line.starts_with(before_height) || middle == std::string_view::npos || middle < before_height.size()) {
-    reader.Fail("has an orientation other than -Y height +X width, the only one that is read");
+/// The numbers of a text, separated by blanks, up to `count` of them and up to the first that is none.
+std::vector<double> Numbers(std::string_view text, std::size_t count) {
+  std::vector<double> numbers;
+  while (numbers.size() < count) {
+    text.remove_prefix(std::min(text.find_first_not_of(" \t"), text.size()));
+    double number = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    if (error != std::errc()) break;
+    numbers.push_back(number);
+    text.remove_prefix(static_cast<std::size_t>(end - text.data()));
   }
-  const int height = Side(reader, line.substr(before_height.size(), middle - before_height.size()));
-  const int width = Side(reader, line.substr(middle + before_width.size()));
-  return CheckedSize("HDR", width, height);
+  return numbers;
 }
 
-/// Lines of "name=value" up to an empty one, then the resolution. Pixel values are given as they are stored; an
-/// EXPOSURE the file may name is among the settings, for whoever wants to divide by it.
-ImageSize ReadHeader(ByteReader& reader, ImageSettings* settings) {
-  reader.Until('\n', "the first line");
-  for (std::string_view line; !(line = reader.Until('\n', "the header")).empty();) {
+/// A factor that a line states; 1 where it states none that can be one.
+double Factor(std::string_view value) {
+  const std::vector<double> numbers = Numbers(value, 1);
+  return !numbers.empty() && numbers[0] > 0 && std::isfinite(numbers[0]) ? numbers[0] : 1;
+}
+
+/// Whether chromaticities are neither those of Radiance, which a picture without them has, nor those of sRGB.
+bool AreOtherPrimaries(std::string_view value) {
+  using Chromaticities = std::array<double, 8>;  // x and y of red, green, blue and white
+  constexpr Chromaticities radiance{0.64, 0.33, 0.29, 0.6, 0.15, 0.06, 1 / 3.0, 1 / 3.0};
+  constexpr Chromaticities srgb{0.64, 0.33, 0.3, 0.6, 0.15, 0.06, 0.3127, 0.329};
+  constexpr double rounding = 0.0006;  // of the three digits that are written
+  const std::vector<double> stated = Numbers(value, radiance.size());
+  const auto is_near = [](double a, double b) { return std::abs(a - b) < rounding; };
+  return std::ranges::none_of(std::array{radiance, srgb}, [&](const Chromaticities& known) {
+    return std::equal(stated.begin(), stated.end(), known.begin(), known.end(), is_near);
+  });
+}
+
+void ReadVariable(const ByteReader& reader, Header& header, std::string_view name, std::string_view value) {
+  if (name == "FORMAT") {
+    if (value != "32-bit_rle_rgbe") reader.Fail("has a pixel format other than 32-bit_rle_rgbe");
+    return;
+  }
+  if (name == "EXPOSURE") header.exposure *= Factor(value);
+  if (name == "PIXASPECT") header.pixel_aspect *= Factor(value);
+  if (name == "PRIMARIES") header.has_other_primaries = AreOtherPrimaries(value);
+  if (name == "COLORCORR") {
+    const std::vector<double> factors = Numbers(value, 3);
+    for (std::size_t i = 0; i < factors.size(); ++i) header.color_correction[i] *= factors[i];
+  }
+  header.settings.insert_or_assign(std::string(name), std::string(value));
+}
+
+/// "+X" or "-Y" and a length.
+struct Axis {
+  bool is_x = false, is_rising = false;  // x to the right, y upwards
+  int length = 0;
+};
+
+Axis ReadAxis(const ByteReader& reader, std::string_view sign_and_name, std::string_view length) {
+  Axis axis;
+  if (sign_and_name.size() != 2 || (sign_and_name[0] != '+' && sign_and_name[0] != '-') ||
+      (sign_and_name[1] != 'X' && sign_and_name[1] != 'Y'))
+    reader.Fail("has a resolution other than '-Y height +X width' with any signs and in any order");
+  axis.is_x = sign_and_name[1] == 'X';
+  axis.is_rising = sign_and_name[0] == '+';
+  const auto [end, error] = std::from_chars(length.data(), length.data() + length.size(), axis.length);
+  if (error != std::errc() || end != length.data() + length.size())
+    reader.Fail("width or height is not a whole number");
+  return axis;
+}
+
+/// "-Y 480 +X 640" as a rule: 480 scan lines from the top down, of 640 pixels from left to right.
+void ReadResolution(ByteReader& reader, Header& header) {
+  std::string_view line = ReadLine(reader, "the resolution");
+  std::array<std::string_view, 4> words;
+  for (std::string_view& word : words) {
+    word = line.substr(0, line.find(' '));
+    line.remove_prefix(std::min(word.size() + 1, line.size()));
+  }
+  const Axis slow = ReadAxis(reader, words[0], words[1]), fast = ReadAxis(reader, words[2], words[3]);
+  if (slow.is_x == fast.is_x || !line.empty()) reader.Fail("has a resolution that does not state X and Y once each");
+  const Axis& x = slow.is_x ? slow : fast;
+  const Axis& y = slow.is_x ? fast : slow;
+  header.orientation = {slow.is_x, !x.is_rising, y.is_rising};
+  header.stored = CheckedSize("HDR", fast.length, slow.length);
+}
+
+/// Lines of "name=value" up to an empty one, then the resolution.
+Header ReadHeader(ByteReader& reader) {
+  Header header;
+  ReadLine(reader, "the first line");
+  for (std::string_view line; !(line = ReadLine(reader, "the header")).empty();) {
     const auto equals = line.find('=');
     if (line.starts_with('#') || equals == std::string_view::npos) continue;
-    const std::string_view name = line.substr(0, equals), value = line.substr(equals + 1);
-    if (name == "FORMAT") {
-      if (value != "32-bit_rle_rgbe") reader.Fail("has a pixel format other than 32-bit_rle_rgbe");
-    } else if (settings) {
-      settings->insert_or_assign(std::string(name), std::string(value));
-    }
+    ReadVariable(reader, header, line.substr(0, equals), line.substr(equals + 1));
   }
-  return ReadResolution(reader);
+  ReadResolution(reader, header);
+  return header;
+}
+
+/// A number for people, in up to six digits.
+std::string Text(double number) {
+  std::array<char, 32> text{};
+  return {text.data(),
+          std::to_chars(text.data(), text.data() + text.size(), number, std::chars_format::general, 6).ptr};
+}
+
+/// Values are given as they are stored, as all readers of textures do. What the header says of them besides is told,
+/// unless it says nothing new.
+std::vector<std::string> Warnings(const Header& header) {
+  std::vector<std::string> warnings;
+  if (header.exposure != 1)
+    warnings.push_back("HDR states that its values have been multiplied by an EXPOSURE of " + Text(header.exposure) +
+                       ", which is not undone; rayimg convert -exposure " +
+                       Text(-R1::Log(header.exposure) / R1::Log(2)) + " undoes it");
+  const auto& [r, g, b] = header.color_correction;
+  if (r != 1 || g != 1 || b != 1)
+    warnings.push_back("HDR states a COLORCORR of " + Text(r) + " " + Text(g) + " " + Text(b) +
+                       ", which is not undone");
+  if (header.pixel_aspect != 1)
+    warnings.push_back("HDR states pixels that are not square, a PIXASPECT of " + Text(header.pixel_aspect) +
+                       "; they are taken as square");
+  if (header.has_other_primaries) warnings.push_back("HDR states PRIMARIES of its own, which are taken as sRGB's");
+  return warnings;
 }
 
 ImageSize ReadSize(std::span<const unsigned char> bytes) {
   ByteReader reader("HDR", bytes);
-  return ReadHeader(reader, nullptr);
+  const Header header = ReadHeader(reader);
+  return Turned(header.stored, header.orientation);
 }
 
 Pixel ReadPixel(ByteReader& reader) {
@@ -144,9 +251,10 @@ std::vector<Pixel> ReadRow(ByteReader& reader, int width) {
   return ReadEncodedRow(reader, static_cast<std::size_t>(width));
 }
 
-Image Decode(std::span<const unsigned char> bytes, ImageSettings* settings) {
+DecodedImage Decode(std::span<const unsigned char> bytes) {
   ByteReader reader("HDR", bytes);
-  const ImageSize size = ReadHeader(reader, settings);
+  Header header = ReadHeader(reader);
+  const ImageSize size = header.stored;
   // A run may stand for many pixels, yet no row takes less than one pixel's bytes. The picture is asked for only
   // once its first row is there, so that wide ones have shown their bytes too.
   reader.Need(std::uint64_t{4} * static_cast<unsigned>(size.height), "the picture");
@@ -156,7 +264,12 @@ Image Decode(std::span<const unsigned char> bytes, ImageSettings* settings) {
     if (image.Width() == 0) image = Image(size.width, size.height);
     for (int x = 0; x < size.width; ++x) image.Set(x, y, FromPixel(row[static_cast<std::size_t>(x)]));
   }
-  return image;
+  DecodedImage decoded{std::move(image)};
+  Turn(decoded, header.orientation);
+  decoded.settings = std::move(header.settings);
+  decoded.warnings = Warnings(header);
+  WarnOfBytesBehind(decoded, "HDR", reader.Left());
+  return decoded;
 }
 
 /// How many equal bytes start at `x`, 127 at most.

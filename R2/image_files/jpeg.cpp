@@ -5,9 +5,13 @@
 #include <jpeglib.h>
 
 #include <algorithm>
+#include <array>
 #include <string_view>
 
+#include "R2/image_files/ColorProfile.h"
+#include "R2/image_files/CommentSettings.h"
 #include "R2/image_files/Jump.h"
+#include "R2/image_files/Orientation.h"
 #include "R2/image_files/formats.h"
 
 // JPEG through libjpeg. Settings live in the comment marker, a line of "key: value" each.
@@ -22,13 +26,25 @@ constexpr std::size_t marker_capacity = 65533;  // a marker's length has 16 bits
 // pictures of art/ at quality 88), or a quarter fewer where most is even. For that libjpeg keeps all coefficients, 6
 // bytes per pixel, here 384 MiB.
 constexpr std::int64_t most_to_optimize = std::int64_t{1} << 26;
+// Every 8 by 8 pixels take a bit at least.
+constexpr std::uint64_t most_pixels_per_byte = 8 * 64;
+
+/// The library's warnings about a picture that is read all the same. Nothing here allocates, since the library calls.
+struct Warnings {
+  bool are_errors = false;               // nothing is passed over
+  bool is_damaged = false;               // pixels may be wrong; otherwise the file is unusual only
+  int count = 0;                         // of all warnings
+  char first[JMSG_LENGTH_MAX + 1] = "";  // the first one, or the first of damage
+};
 
 struct ErrorManager {
   jpeg_error_mgr base;  // first, so that the library's pointer to it is also a pointer to this
   Jump jump;
+  Warnings* warnings = nullptr;  // what a reader passes over; null for writers, to whom each is an error
 };
 
-Jump& JumpOf(j_common_ptr codec) { return reinterpret_cast<ErrorManager*>(codec->err)->jump; }
+ErrorManager& ErrorsOf(j_common_ptr codec) { return *reinterpret_cast<ErrorManager*>(codec->err); }
+Jump& JumpOf(j_common_ptr codec) { return ErrorsOf(codec).jump; }
 
 [[noreturn]] void OnError(j_common_ptr codec) {
   char message[JMSG_LENGTH_MAX];
@@ -36,9 +52,31 @@ Jump& JumpOf(j_common_ptr codec) { return reinterpret_cast<ErrorManager*>(codec-
   JumpOf(codec).Leave(message);
 }
 
-/// Level -1 is a warning: data is missing or corrupt and the library would go on with gray. Others are chatter.
+/// Whether no pixel depends on what a warning is about.
+bool IsHarmless(int code) {
+  constexpr std::array harmless{JWRN_ADOBE_XFORM, JWRN_EXTRANEOUS_DATA, JWRN_JFIF_MAJOR, JWRN_NOT_SEQUENTIAL,
+                                JWRN_TOO_MUCH_DATA};
+  return std::ranges::find(harmless, code) != harmless.end();
+}
+
+/// Whether the data end before the picture does, so that the library would fill the rest with gray. Within a file that
+/// has restart markers, one of them ends only a stretch of the picture.
+bool EndsTooSoon(j_decompress_ptr codec) {
+  const int code = codec->err->msg_code;
+  const bool is_at_restart =
+      codec->restart_interval > 0 && codec->unread_marker >= JPEG_RST0 && codec->unread_marker <= JPEG_RST0 + 7;
+  return code == JWRN_JPEG_EOF || ((code == JWRN_HIT_MARKER || code == JWRN_MUST_RESYNC) && !is_at_restart);
+}
+
+/// Level -1 is a warning; others are chatter.
 void OnMessage(j_common_ptr codec, int level) {
-  if (level < 0) OnError(codec);
+  if (level >= 0) return;
+  Warnings* const warnings = ErrorsOf(codec).warnings;
+  if (!warnings || warnings->are_errors || EndsTooSoon(reinterpret_cast<j_decompress_ptr>(codec))) OnError(codec);
+  const bool is_damage = !IsHarmless(codec->err->msg_code);
+  if (warnings->count == 0 || (is_damage && !warnings->is_damaged)) codec->err->format_message(codec, warnings->first);
+  warnings->is_damaged = warnings->is_damaged || is_damage;
+  ++warnings->count;
 }
 
 jpeg_error_mgr* Prepare(ErrorManager& errors) {
@@ -48,78 +86,44 @@ jpeg_error_mgr* Prepare(ErrorManager& errors) {
   return &errors.base;
 }
 
-// --- settings ---
-
-/// One line without line breaks; a colon is escaped in keys only, so that the first bare one ends the key.
-std::string Escaped(const std::string& text, bool is_key) {
-  std::string escaped;
-  for (char c : text) {
-    if (c == '\n') {
-      escaped += "\\n";
-    } else if (c == '\r') {
-      escaped += "\\r";
-    } else if (c == '\\' || (is_key && c == ':')) {
-      escaped += {'\\', c};
-    } else {
-      escaped += c;
-    }
-  }
-  return escaped;
-}
-
-std::string Unescaped(std::string_view text) {
-  std::string plain;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const bool is_escape = text[i] == '\\' && i + 1 < text.size();
-    const char next = is_escape ? text[i + 1] : '\0';
-    if (next == 'n' || next == 'r') {
-      plain += next == 'n' ? '\n' : '\r';
-      ++i;
-    } else if (next == '\\' || next == ':') {
-      plain += next;
-      ++i;
-    } else {
-      plain += text[i];
-    }
-  }
-  return plain;
-}
-
-std::string CommentText(const ImageSettings& settings) {
-  std::string text;
-  for (const auto& [key, value] : settings) text += Escaped(key, true) + ": " + Escaped(value, false) + "\n";
-  return text;
-}
-
-/// A line of another program's without a key is kept under "comment".
-void AddLine(ImageSettings& settings, std::string_view line) {
-  std::size_t colon = 0;
-  while (colon < line.size() && line[colon] != ':') colon += line[colon] == '\\' ? 2 : 1;
-  if (colon + 1 < line.size() && line[colon + 1] == ' ') {
-    settings.insert_or_assign(Unescaped(line.substr(0, colon)), Unescaped(line.substr(colon + 2)));
-    return;
-  }
-  std::string& comment = settings["comment"];
-  comment += (comment.empty() ? "" : "\n") + std::string(line);
-}
+// --- reading ---
 
 /// A full comment marker goes on in the next one; any other ends with a line.
 ImageSettings SettingsOf(const jpeg_decompress_struct& codec) {
   std::string text;
   for (const jpeg_marker_struct* marker = codec.marker_list; marker; marker = marker->next) {
+    if (marker->marker != JPEG_COM) continue;
     text.append(reinterpret_cast<const char*>(marker->data), marker->data_length);
     if (marker->data_length < marker_capacity) text += '\n';
   }
-  ImageSettings settings;
-  for (std::string_view rest = text; !rest.empty();) {
-    const std::string_view line = rest.substr(0, rest.find('\n'));
-    rest.remove_prefix(std::min(line.size() + 1, rest.size()));
-    if (!line.empty()) AddLine(settings, line);
-  }
-  return settings;
+  return SettingsOfComment(text);
 }
 
-// --- reading ---
+constexpr int exif_marker = JPEG_APP0 + 1, profile_marker = JPEG_APP0 + 2;
+
+/// What the markers of a number hold that begin with such bytes, behind these.
+std::vector<std::span<const unsigned char>> MarkersOf(const jpeg_decompress_struct& codec, int number,
+                                                      std::string_view start) {
+  std::vector<std::span<const unsigned char>> found;
+  for (const jpeg_marker_struct* marker = codec.marker_list; marker; marker = marker->next) {
+    const std::span<const unsigned char> data(marker->data, marker->data_length);
+    if (marker->marker == number && data.size() >= start.size() && std::equal(start.begin(), start.end(), data.begin()))
+      found.push_back(data.subspan(start.size()));
+  }
+  return found;
+}
+
+/// Cameras state how they were held in a block of EXIF, of which the first counts.
+Orientation OrientationOf(const jpeg_decompress_struct& codec) {
+  const auto blocks = MarkersOf(codec, exif_marker, std::string_view("Exif\0\0", 6));
+  return blocks.empty() ? Orientation{} : ExifOrientation(blocks[0]);
+}
+
+/// A profile may be cut in pieces. Its name stands in the first.
+bool HasOtherProfile(const jpeg_decompress_struct& codec) {
+  const auto pieces = MarkersOf(codec, profile_marker, std::string_view("ICC_PROFILE\0", 12));
+  return !pieces.empty() && std::ranges::none_of(pieces, IsNamedSrgb);
+}
 
 /// A progressive file may describe the picture in ever new scans; a small file with thousands of them over a large
 /// picture would take hours. Ten are usual.
@@ -132,7 +136,10 @@ void StopAtManyScans(j_common_ptr codec) {
 /// Owns the library's decoder of one picture.
 class Decoder {
  public:
-  Decoder() { codec_.err = Prepare(errors_); }
+  Decoder() {
+    codec_.err = Prepare(errors_);
+    errors_.warnings = &warnings_;
+  }
   // Does nothing to a codec that was never created: its memory manager is null.
   ~Decoder() { jpeg_destroy_decompress(&codec_); }
   Decoder(const Decoder&) = delete;
@@ -145,23 +152,37 @@ class Decoder {
       codec_.progress = &progress_;
       jpeg_mem_src(&codec_, bytes.data(), static_cast<unsigned long>(bytes.size()));
       jpeg_save_markers(&codec_, JPEG_COM, 0xffff);
+      jpeg_save_markers(&codec_, exif_marker, 0xffff);
+      jpeg_save_markers(&codec_, profile_marker, 0xffff);
       jpeg_read_header(&codec_, TRUE);
     });
-    if (codec_.num_components != 1 && codec_.num_components != 3) {
+    if (codec_.num_components != 1 && codec_.num_components != 3 && !HasInks()) {
       throw ImageError("JPEG has " + std::to_string(codec_.num_components) +
-                       " components (CMYK?); only 1 (gray) and 3 (color) are supported");
+                       " components; 1 (gray), 3 (color) and 4 (CMYK) are read");
     }
+    // A file that is too small for its pixels would live from what is missing, at no cost to who wrote it.
+    const std::uint64_t pixels = std::uint64_t{codec_.image_width} * codec_.image_height;
+    warnings_.are_errors = pixels > most_pixels_per_byte * bytes.size();
     return CheckedSize("JPEG", codec_.image_width, codec_.image_height);
   }
 
+  /// Whether pixels are cyan, magenta, yellow and black.
+  bool HasInks() const { return codec_.num_components == 4; }
+
+  /// Whether the header has a color profile other than that of sRGB; to be asked for before Finish.
+  bool HasOtherColors() const { return HasOtherProfile(codec_); }
+
+  /// The orientation that the header asks for.
+  Orientation StatedOrientation() const { return OrientationOf(codec_); }
+
   void Start() {
-    codec_.out_color_space = JCS_RGB;
+    codec_.out_color_space = HasInks() ? JCS_CMYK : JCS_RGB;
     Do([&] { jpeg_start_decompress(&codec_); });
   }
 
   void ReadRow(std::span<unsigned char> row) {
     JSAMPROW rows[1] = {row.data()};
-    // Without a warning, which is an error here, the library always delivers the row.
+    // Without an error the library always delivers the row.
     Do([&] { jpeg_read_scanlines(&codec_, rows, 1); });
   }
 
@@ -171,6 +192,18 @@ class Decoder {
   /// Reads up to the end marker, so that a missing end is noticed.
   void Finish() {
     Do([&] { jpeg_finish_decompress(&codec_); });
+  }
+
+  /// Bytes behind the end marker, once that is read.
+  std::size_t BytesBehind() const { return codec_.src->bytes_in_buffer; }
+
+  /// Sentences about what was odd so far.
+  std::vector<std::string> WarningTexts() const {
+    if (warnings_.count == 0) return {};
+    const std::string more = warnings_.count > 1 ? " (and " + std::to_string(warnings_.count - 1) + " more)" : "";
+    return {(warnings_.is_damaged ? "JPEG is damaged, and parts of the image may be wrong: "
+                                  : "JPEG is unusual, yet the whole image was read: ") +
+            std::string(warnings_.first) + more};
   }
 
  private:
@@ -184,6 +217,7 @@ class Decoder {
     throw ImageError("JPEG is damaged or of an unknown kind, after " + rows + " rows: " + errors_.jump.message);
   }
 
+  Warnings warnings_{};
   ErrorManager errors_{};
   jpeg_progress_mgr progress_{};
   jpeg_decompress_struct codec_{};
@@ -193,23 +227,42 @@ bool Recognizes(std::span<const unsigned char> bytes) {
   return bytes.size() >= 3 && bytes[0] == 0xff && bytes[1] == 0xd8 && bytes[2] == 0xff;
 }
 
-ImageSize ReadSize(std::span<const unsigned char> bytes) { return Decoder().ReadHeader(bytes); }
+ImageSize ReadSize(std::span<const unsigned char> bytes) {
+  Decoder decoder;
+  const ImageSize stored = decoder.ReadHeader(bytes);
+  return Turned(stored, decoder.StatedOrientation());
+}
 
-Image Decode(std::span<const unsigned char> bytes, ImageSettings* settings) {
+/// One row of inks without a color profile, of which 255 is none: what everybody took over from Adobe's programs.
+void SetInkRow(Image& image, int y, std::span<const unsigned char> row) {
+  for (int x = 0; x < image.Width(); ++x) {
+    const auto ink = row.subspan(4 * static_cast<std::size_t>(x), 4);
+    const double unprinted = ink[3] / 255.0;
+    image.Set(x, y, {ink[0] / 255.0 * unprinted, ink[1] / 255.0 * unprinted, ink[2] / 255.0 * unprinted});
+  }
+}
+
+DecodedImage Decode(std::span<const unsigned char> bytes) {
   Decoder decoder;
   const ImageSize size = decoder.ReadHeader(bytes);
   decoder.Start();
   // The picture is asked for only once its first row is there: the header alone may promise anything.
-  Image image;
-  std::vector<unsigned char> row(3 * static_cast<std::size_t>(size.width));
+  DecodedImage decoded;
+  Image& image = decoded.image;
+  std::vector<unsigned char> row((decoder.HasInks() ? 4 : 3) * static_cast<std::size_t>(size.width));
   for (int y = size.height - 1; y >= 0; --y) {
     decoder.ReadRow(row);
     if (image.Width() == 0) image = Image(size.width, size.height);
-    SetByteRow(image, y, row);
+    decoder.HasInks() ? SetInkRow(image, y, row) : SetByteRow(image, y, row);
   }
-  if (settings) *settings = decoder.Settings();
+  Turn(decoded, decoder.StatedOrientation());
+  decoded.settings = decoder.Settings();
+  const bool has_other_colors = decoder.HasOtherColors();
   decoder.Finish();
-  return image;
+  decoded.warnings = decoder.WarningTexts();
+  if (has_other_colors) decoded.warnings.push_back(std::string("JPEG") + other_profile);
+  WarnOfBytesBehind(decoded, "JPEG", decoder.BytesBehind());
+  return decoded;
 }
 
 /// Comments between the scans of a progressive file are not met.

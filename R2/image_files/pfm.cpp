@@ -16,14 +16,19 @@ namespace {
 struct Header {
   int channels = 3;
   ImageSize size;
+  double scale = 1;
   bool is_little_endian = true;
+
+  std::uint64_t PixelBytes() const {
+    return std::uint64_t{4} * static_cast<unsigned>(channels) * static_cast<unsigned>(size.width) *
+           static_cast<unsigned>(size.height);
+  }
 };
 
 bool Recognizes(std::span<const unsigned char> bytes) {
   return bytes.size() >= 2 && bytes[0] == 'P' && (bytes[1] == 'F' || bytes[1] == 'f');
 }
 
-/// The sign is the byte order. The size is a unit of light that no program agrees on, so the values stay as they are.
 double ReadScale(ByteReader& reader) {
   const std::string_view word = reader.Word("the scale");
   double scale = 0;
@@ -41,8 +46,10 @@ Header ReadHeader(ByteReader& reader) {
   const int width = reader.WholeNumber("width", 1, std::numeric_limits<int>::max());
   const int height = reader.WholeNumber("height", 1, std::numeric_limits<int>::max());
   header.size = CheckedSize("PFM", width, height);
-  header.is_little_endian = ReadScale(reader) < 0;
-  reader.OneSpace();
+  const double scale = ReadScale(reader);
+  header.scale = std::abs(scale);
+  header.is_little_endian = scale < 0;
+  reader.SpaceBefore(header.PixelBytes());
   return header;
 }
 
@@ -63,16 +70,18 @@ Color ReadPixel(ByteReader& reader, const Header& header) {
   return {r, g, b};
 }
 
-Image Decode(std::span<const unsigned char> bytes, ImageSettings*) {
+DecodedImage Decode(std::span<const unsigned char> bytes) {
   ByteReader reader("PFM", bytes);
   const Header header = ReadHeader(reader);
-  const auto bytes_per_pixel = 4 * static_cast<std::uint64_t>(header.channels);
-  reader.Need(bytes_per_pixel * static_cast<unsigned>(header.size.width) * static_cast<unsigned>(header.size.height),
-              "the picture");
-  Image image(header.size.width, header.size.height);
+  reader.Need(header.PixelBytes(), "the picture");
+  DecodedImage decoded{Image(header.size.width, header.size.height)};
+  Image& image = decoded.image;
   for (int y = 0; y < image.Height(); ++y)
     for (int x = 0; x < image.Width(); ++x) image.Set(x, y, ReadPixel(reader, header));
-  return image;
+  // A unit of light, which no program agrees on.
+  if (header.scale != 1) decoded.warnings.push_back("PFM states a scale other than 1, which is not applied");
+  WarnOfBytesBehind(decoded, "PFM", reader.Left());
+  return decoded;
 }
 
 std::vector<unsigned char> Encode(const Image& image, const ImageEncoding&, const ImageSettings&) {

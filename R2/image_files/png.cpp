@@ -2,16 +2,20 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstring>
 #include <new>
 #include <string_view>
 
 #include "R2/image_files/ByteReader.h"
+#include "R2/image_files/ColorProfile.h"
 #include "R2/image_files/Jump.h"
+#include "R2/image_files/PngChunks.h"
+#include "R2/image_files/PngText.h"
 #include "R2/image_files/formats.h"
 
-// PNG through libpng: every color type, depth and interlace is read, 8 and 16 bit color written. Alpha is dropped,
-// since a picture here has none; nothing is put behind it. Settings live in text chunks, one a key.
+// PNG through libpng: every color type, depth and interlace is read, 8 and 16 bit color written. Alpha is dropped with
+// a warning, since a picture here has none; nothing is put behind it. Settings live in text chunks, one a key.
 // source: W3C, Portable Network Graphics (PNG) Specification, 2nd ed. (2003); libpng-manual.txt
 namespace R2 {
 
@@ -36,7 +40,8 @@ bool Recognizes(std::span<const unsigned char> bytes) {
   return bytes.size() >= signature.size() && std::equal(signature.begin(), signature.end(), bytes.begin());
 }
 
-ImageSize ReadSize(std::span<const unsigned char> bytes) {
+/// The size by the header alone, before the picture is turned.
+ImageSize ReadStoredSize(std::span<const unsigned char> bytes) {
   ByteReader reader("PNG", bytes);
   reader.Take(signature.size(), "the signature");
   reader.Take(4, "the length of the header");
@@ -47,19 +52,8 @@ ImageSize ReadSize(std::span<const unsigned char> bytes) {
   return CheckedSize("PNG", width, height);
 }
 
-/// The library makes room for a whole chunk before it reads any of it, so a length has to be within the file. Pixels
-/// are read piece by piece, and a file cut short among them is better told by its rows.
-void CheckChunks(std::span<const unsigned char> bytes) {
-  ByteReader reader("PNG", bytes);
-  reader.Take(signature.size(), "the signature");
-  while (reader.Left() > 0) {
-    const std::uint64_t length = reader.Big32("a chunk");
-    const auto name = reader.Take(4, "a chunk");
-    const std::uint64_t length_and_checksum = length + 4;
-    if (length_and_checksum > reader.Left() && std::memcmp(name.data(), "IDAT", 4) == 0) return;
-    reader.Take(length_and_checksum, "a chunk");
-    if (std::memcmp(name.data(), "IEND", 4) == 0) return;
-  }
+ImageSize ReadSize(std::span<const unsigned char> bytes) {
+  return Turned(ReadStoredSize(bytes), PngOrientation(bytes));
 }
 
 [[noreturn]] void OnError(png_structp png, png_const_charp message) {
@@ -71,26 +65,12 @@ void OnWarning(png_structp, png_const_charp) {}
 
 // --- settings ---
 
-/// Latin-1, which plain text chunks are in, as UTF-8.
-std::string FromLatin1(std::string_view text) {
-  std::string utf8;
-  for (char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (byte < 0x80) {
-      utf8 += c;
-    } else {
-      utf8 += {static_cast<char>(0xc0 | byte >> 6), static_cast<char>(0x80 | (byte & 0x3f))};
-    }
-  }
-  return utf8;
-}
-
 ImageSettings FromText(std::span<const png_text> texts) {
   ImageSettings settings;
   for (const png_text& text : texts) {
     const bool is_utf8 = text.compression == PNG_ITXT_COMPRESSION_NONE || text.compression == PNG_ITXT_COMPRESSION_zTXt;
     const std::string_view value(text.text, is_utf8 ? text.itxt_length : text.text_length);
-    settings.insert_or_assign(FromLatin1(text.key), is_utf8 ? std::string(value) : FromLatin1(value));
+    settings.insert_or_assign(Utf8OfLatin1(text.key), is_utf8 ? std::string(value) : Utf8OfLatin1(value));
   }
   return settings;
 }
@@ -99,30 +79,12 @@ bool IsAscii(const std::string& text) {
   return std::all_of(text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 0x80; });
 }
 
-/// Keywords are 1 to 79 printable characters, with single spaces inside only.
-bool IsKeyword(const std::string& key) {
-  if (key.empty() || key.size() > 79 || key.front() == ' ' || key.back() == ' ') return false;
-  const auto is_printable = [](char c) { return c >= ' ' && c <= '~'; };
-  return std::all_of(key.begin(), key.end(), is_printable) && key.find("  ") == std::string::npos;
-}
-
-/// A zero byte would end the text.
-std::string WithoutZeros(std::string text) {
-  std::replace(text.begin(), text.end(), '\0', ' ');
-  return text;
-}
-
-/// As the file can hold them: a key that is no keyword stands before its value in a comment.
-ImageSettings Writable(const ImageSettings& settings) {
-  ImageSettings writable;
-  for (const auto& [key, value] : settings) {
-    std::string& text = writable[IsKeyword(key) ? key : "Comment"];
-    text += WithoutZeros(IsKeyword(key) ? value : key + ": " + value + "\n");
-  }
-  return writable;
-}
-
 // --- reading ---
+
+/// What the library makes of a row: r g b, or r g b and alpha, with the high byte first.
+struct RowLayout {
+  bool is_16_bit = false, has_alpha = false;
+};
 
 /// Owns the library's reader of one picture.
 class Reader {
@@ -143,13 +105,14 @@ class Reader {
   Reader(const Reader&) = delete;
   Reader& operator=(const Reader&) = delete;
 
-  /// Reads all that comes before the pixels and asks for r g b in 8 or 16 bits, whatever the file has.
+  /// Reads all that comes before the pixels and asks for r g b in 8 or 16 bits, whatever the file has, and for alpha
+  /// where it has some.
   void Start() {
     Do([&] {
       png_read_info(png_, info_);
-      png_set_expand(png_);  // palettes to colors, 1, 2 and 4 bits to 8
+      packed_row_bytes_ = png_get_rowbytes(png_, info_);
+      png_set_expand(png_);  // palettes to colors, 1, 2 and 4 bits to 8, a transparent color to alpha
       png_set_gray_to_rgb(png_);
-      png_set_strip_alpha(png_);
       passes_ = png_set_interlace_handling(png_);
       png_read_update_info(png_, info_);
     });
@@ -162,9 +125,30 @@ class Reader {
     return Texts();
   }
 
+  /// Whether the file states colors other than those of sRGB, by a profile or by a gamma alone.
+  bool HasOtherColors() {
+    png_charp name = nullptr;
+    png_bytep profile = nullptr;
+    png_uint_32 length = 0;
+    int ignored = 0;
+    double gamma = 0;
+    bool has_profile = false, has_srgb = false, has_gamma = false;
+    Do([&] {
+      has_srgb = png_get_sRGB(png_, info_, &ignored) != 0;
+      has_profile = png_get_iCCP(png_, info_, &name, &ignored, &profile, &length) != 0;
+      has_gamma = png_get_gAMA(png_, info_, &gamma) != 0;
+    });
+    if (has_srgb) return false;
+    if (has_profile) return !IsNamedSrgb({profile, length});
+    // Writers round 1/2.2 to anything from .45 to .4546.
+    constexpr double usual_gamma = 1 / 2.2, rounding = 0.01;
+    return has_gamma && std::abs(gamma - usual_gamma) > rounding;
+  }
+
   bool IsInterlaced() const { return passes_ > 1; }
-  bool Is16Bit() const { return png_get_bit_depth(png_, info_) == 16; }
+  RowLayout Layout() const { return {png_get_bit_depth(png_, info_) == 16, png_get_channels(png_, info_) == 4}; }
   std::size_t RowBytes() const { return png_get_rowbytes(png_, info_); }
+  std::size_t PackedRowBytes() const { return packed_row_bytes_; }  // as the file has them
 
   void ReadRow(std::span<unsigned char> row) {
     Do([&] { png_read_row(png_, row.data(), nullptr); });
@@ -182,9 +166,10 @@ class Reader {
     return rows;
   }
 
-  /// Reads up to the end chunk, so that text behind the picture counts and a missing end is noticed.
+  /// Reads up to the end, so that text behind the picture counts. Where the file merely lacks its end, the whole
+  /// picture has been read by then.
   ImageSettings Finish() {
-    Do([&] { png_read_end(png_, info_); });
+    if (!Completes(jump_, [&] { png_read_end(png_, info_); }) && !is_truncated_) Refuse();
     return Texts();
   }
 
@@ -208,11 +193,16 @@ class Reader {
 
   template <typename Call>
   void Do(const Call& call) {
-    if (Completes(jump_, call)) return;
+    if (!Completes(jump_, call)) Refuse();
+  }
+
+  /// Throws the ImageError that says what the library said, and how much of the picture is there.
+  [[noreturn]] void Refuse() const {
     const std::size_t rows = is_last_pass_ || !IsInterlaced() ? rows_read_ : 0;
     const std::string there = std::to_string(rows) + " of " + std::to_string(height_) + " rows";
-    if (is_truncated_) throw ImageError("PNG is truncated: " + (height_ ? there + " are there" : "it has no pixels"));
-    throw ImageError("PNG is damaged" + (height_ ? ", after " + there : "") + ": " + jump_.message);
+    if (!is_truncated_) throw ImageError("PNG is damaged" + (height_ ? ", after " + there : "") + ": " + jump_.message);
+    if (height_ == 0) throw ImageError("PNG is truncated: it has no pixels");
+    throw ImageError("PNG is truncated: " + there + " are there");
   }
 
   std::span<const unsigned char> rest_;
@@ -220,71 +210,76 @@ class Reader {
   png_structp png_ = nullptr;
   png_infop info_ = nullptr;
   int passes_ = 1;
-  std::size_t height_ = 0, rows_read_ = 0;
+  std::size_t height_ = 0, rows_read_ = 0, packed_row_bytes_ = 0;
   bool is_last_pass_ = false, is_truncated_ = false;
 };
 
-void SetRow(Image& image, int y, std::span<const unsigned char> row, bool is_16_bit) {
-  if (!is_16_bit) return SetByteRow(image, y, row);
-  for (int x = 0; x < image.Width(); ++x) {
-    const auto pixel = row.subspan(6 * static_cast<std::size_t>(x), 6);
-    const auto channel = [&](std::size_t i) { return (pixel[2 * i] << 8 | pixel[2 * i + 1]) / 65535.0; };
-    image.Set(x, y, {channel(0), channel(1), channel(2)});
+/// Takes over the colors of a row of so many channels of so many bytes. Returns whether all its pixels are opaque.
+template <std::size_t channels, std::size_t bytes>
+bool SetRowOf(Image& image, int y, std::span<const unsigned char> row) {
+  constexpr int largest = bytes == 2 ? 65535 : 255;
+  bool is_opaque = true;
+  const unsigned char* p = row.data();
+  for (int x = 0; x < image.Width(); ++x, p += channels * bytes) {
+    const auto channel = [&](std::size_t i) { return bytes == 2 ? p[2 * i] << 8 | p[2 * i + 1] : p[i]; };
+    constexpr double scale = largest;
+    image.Set(x, y, {channel(0) / scale, channel(1) / scale, channel(2) / scale});
+    if constexpr (channels == 4) is_opaque &= channel(3) == largest;
   }
+  return is_opaque;
 }
 
-Image Decode(std::span<const unsigned char> bytes, ImageSettings* settings) {
-  const ImageSize size = ReadSize(bytes);
-  CheckChunks(bytes);
+bool SetRow(Image& image, int y, std::span<const unsigned char> row, const RowLayout& layout) {
+  if (layout.has_alpha) return layout.is_16_bit ? SetRowOf<4, 2>(image, y, row) : SetRowOf<4, 1>(image, y, row);
+  return layout.is_16_bit ? SetRowOf<3, 2>(image, y, row) : SetRowOf<3, 1>(image, y, row);
+}
+
+/// All rows of the picture. Returns whether all pixels are opaque.
+bool ReadRows(Reader& reader, Image& image) {
+  const RowLayout layout = reader.Layout();
+  bool is_opaque = true;
+  if (reader.IsInterlaced()) {
+    const auto rows = reader.ReadInterlaced();
+    std::span<const unsigned char> rest = rows;
+    for (int y = image.Height() - 1; y >= 0; --y, rest = rest.subspan(reader.RowBytes()))
+      is_opaque &= SetRow(image, y, rest.first(reader.RowBytes()), layout);
+    return is_opaque;
+  }
+  std::vector<unsigned char> row(reader.RowBytes());
+  for (int y = image.Height() - 1; y >= 0; --y) {
+    reader.ReadRow(row);
+    is_opaque &= SetRow(image, y, row, layout);
+  }
+  return is_opaque;
+}
+
+DecodedImage Decode(std::span<const unsigned char> bytes) {
+  const ImageSize size = ReadStoredSize(bytes);
+  CheckPngChunks(bytes);
   Reader reader(bytes);
   reader.Start();
-  // A palette's or gray picture's rows are packed, at worst 24 times tighter than the rows asked for.
-  const std::uint64_t least_packed = reader.RowBytes() / (reader.Is16Bit() ? 3 : 24);
-  if (least_packed * static_cast<unsigned>(size.height) > most_deflate_ratio * bytes.size()) {
+  if (reader.PackedRowBytes() * static_cast<unsigned>(size.height) > most_deflate_ratio * bytes.size()) {
     throw ImageError("PNG is truncated: its " + std::to_string(size.width) + " x " + std::to_string(size.height) +
                      " pixels cannot come out of " + std::to_string(bytes.size()) + " bytes");
   }
 
-  const bool is_16_bit = reader.Is16Bit();
-  Image image(size.width, size.height);
-  if (reader.IsInterlaced()) {
-    const auto rows = reader.ReadInterlaced();
-    std::span<const unsigned char> rest = rows;
-    for (int y = size.height - 1; y >= 0; --y, rest = rest.subspan(reader.RowBytes())) {
-      SetRow(image, y, rest.first(reader.RowBytes()), is_16_bit);
-    }
-  } else {
-    std::vector<unsigned char> row(reader.RowBytes());
-    for (int y = size.height - 1; y >= 0; --y) {
-      reader.ReadRow(row);
-      SetRow(image, y, row, is_16_bit);
-    }
-  }
-  ImageSettings read = reader.Finish();
-  if (settings) *settings = std::move(read);
-  return image;
-}
-
-/// The file with its pixels at the end, and only begun: there the library stops. So text behind them counts, and none
-/// is unpacked. A file cut short among its pixels has no more than stands before them.
-std::vector<unsigned char> WithoutPixels(std::span<const unsigned char> bytes) {
-  std::vector<unsigned char> rest(bytes.begin(), bytes.begin() + signature.size());
-  const auto name_of = [&](std::size_t at) {
-    return std::string_view(reinterpret_cast<const char*>(bytes.data() + at + 4), 4);
-  };
-  for (std::size_t at = signature.size(); at + 8 <= bytes.size() && name_of(at) != "IEND";) {
-    const std::uint64_t length = ByteReader("PNG", bytes.subspan(at)).Big32("a chunk") + std::uint64_t{12};
-    const auto chunk = bytes.subspan(at, std::min<std::uint64_t>(length, bytes.size() - at));
-    if (name_of(at) != "IDAT") rest.insert(rest.end(), chunk.begin(), chunk.end());
-    at += chunk.size();
-  }
-  rest.insert(rest.end(), {0, 0, 0, 0, 'I', 'D', 'A', 'T'});
-  return rest;
+  DecodedImage decoded{Image(size.width, size.height)};
+  const bool is_opaque = ReadRows(reader, decoded.image);
+  const PngEnd end = FindPngEnd(bytes);
+  decoded.settings = reader.Finish();
+  Turn(decoded, PngOrientation(bytes));
+  if (!is_opaque)
+    decoded.warnings.push_back("PNG has transparent pixels: alpha is ignored, their colors count in full");
+  if (reader.HasOtherColors())
+    decoded.warnings.push_back("PNG has a color profile or a gamma other than sRGB's, which is not applied");
+  if (!end.has_end_chunk) decoded.warnings.push_back("PNG has no end chunk (IEND), yet all its rows are there");
+  WarnOfBytesBehind(decoded, "PNG", end.bytes_behind);
+  return decoded;
 }
 
 ImageSettings ReadSettings(std::span<const unsigned char> bytes) {
-  CheckChunks(bytes);
-  const std::vector<unsigned char> rest = WithoutPixels(bytes);
+  CheckPngChunks(bytes);
+  const std::vector<unsigned char> rest = PngWithoutPixels(bytes);
   return Reader(rest).Settings();
 }
 
@@ -373,7 +368,7 @@ class Writer {
 
 std::vector<unsigned char> Encode(const Image& image, const ImageEncoding& encoding, const ImageSettings& settings) {
   Writer writer;
-  writer.Start({image.Width(), image.Height()}, encoding, Writable(settings));
+  writer.Start({image.Width(), image.Height()}, encoding, WritableAsPng(settings));
   for (int y = image.Height() - 1; y >= 0; --y) {
     writer.WriteRow(encoding.bits == 16 ? ShortRow(image, y, encoding) : ByteRow(image, y, encoding));
   }

@@ -3,15 +3,16 @@
 #include "R2/image_files/ByteReader.h"
 #include "R2/image_files/formats.h"
 
-// Netpbm's pixmaps: P3 and P6 in color, P2 and P5 in gray; 3 and 2 are text, 6 and 5 binary. Written as P6.
-// source: Poskanzer, ppm(5) and pgm(5), netpbm.sourceforge.net/doc/ppm.html
+// Netpbm's images: P3 and P6 in color, P2 and P5 in gray, P1 and P4 in black and white; the lower numbers are text, the
+// higher ones binary. Written as P6.
+// source: Poskanzer, ppm(5), pgm(5) and pbm(5), netpbm.sourceforge.net/doc/ppm.html
 namespace R2 {
 
 namespace ppm {
 namespace {
 
 struct Header {
-  bool is_text = false;
+  bool is_text = false, is_bits = false;  // of bits, 1 is black
   int channels = 3;
   ImageSize size;
   int largest = 255;  // the sample that means 1
@@ -21,23 +22,29 @@ struct Header {
     return std::uint64_t{1} * static_cast<unsigned>(channels) * static_cast<unsigned>(size.width) *
            static_cast<unsigned>(size.height);
   }
+  /// Rows of bits start at whole bytes.
+  std::uint64_t RowOfBits() const { return (static_cast<std::uint64_t>(size.width) + 7) / 8; }
+  std::uint64_t BinaryBytes() const {
+    return is_bits ? RowOfBits() * static_cast<unsigned>(size.height)
+                   : Samples() * static_cast<unsigned>(BytesPerSample());
+  }
 };
 
 bool Recognizes(std::span<const unsigned char> bytes) {
-  return bytes.size() >= 2 && bytes[0] == 'P' &&
-         (bytes[1] == '2' || bytes[1] == '3' || bytes[1] == '5' || bytes[1] == '6');
+  return bytes.size() >= 2 && bytes[0] == 'P' && bytes[1] >= '1' && bytes[1] <= '6';
 }
 
 Header ReadHeader(ByteReader& reader) {
   const int digit = reader.Take(2, "the magic number")[1] - '0';
   reader.OneSpace();
   Header header;
-  header.is_text = digit == 2 || digit == 3;
-  header.channels = digit == 2 || digit == 5 ? 1 : 3;
+  header.is_text = digit <= 3;
+  header.is_bits = digit == 1 || digit == 4;
+  header.channels = digit == 3 || digit == 6 ? 3 : 1;
   const int width = reader.WholeNumber("width", 1, std::numeric_limits<int>::max());
   const int height = reader.WholeNumber("height", 1, std::numeric_limits<int>::max());
   header.size = CheckedSize("PPM", width, height);
-  header.largest = reader.WholeNumber("the largest value", 1, 65535);
+  header.largest = header.is_bits ? 1 : reader.WholeNumber("the largest value", 1, 65535);
   return header;
 }
 
@@ -63,17 +70,43 @@ Color ReadPixel(ByteReader& reader, const Header& header) {
   return {r, g, b};
 }
 
-Image Decode(std::span<const unsigned char> bytes, ImageSettings*) {
+/// One row of bits, of which 1 is black. In text, white space between them may be left out.
+void ReadRowOfBits(ByteReader& reader, const Header& header, Image& image, int y) {
+  const auto set = [&](int x, bool is_black) { image.Set(x, y, is_black ? Color{} : Color{1, 1, 1}); };
+  if (header.is_text) {
+    for (int x = 0; x < image.Width(); ++x) set(x, reader.Bit("a pixel"));
+    return;
+  }
+  const auto row = reader.Take(header.RowOfBits(), "a row");
+  for (int x = 0; x < image.Width(); ++x) set(x, row[static_cast<std::size_t>(x) / 8] >> (7 - x % 8) & 1);
+}
+
+void ReadRow(ByteReader& reader, const Header& header, Image& image, int y) {
+  if (header.is_bits) return ReadRowOfBits(reader, header, image, y);
+  for (int x = 0; x < image.Width(); ++x) image.Set(x, y, ReadPixel(reader, header));
+}
+
+/// Several images may follow each other in one file.
+void WarnOfRest(DecodedImage& decoded, ByteReader& reader, bool is_text) {
+  if (is_text) reader.SkipSpace();
+  if (reader.Left() == 0) return;
+  if (Recognizes(reader.Rest()))
+    decoded.warnings.push_back("PPM holds further images behind the first, which are ignored");
+  else
+    WarnOfBytesBehind(decoded, "PPM", reader.Left());
+}
+
+DecodedImage Decode(std::span<const unsigned char> bytes) {
   ByteReader reader("PPM", bytes);
   const Header header = ReadHeader(reader);
-  if (!header.is_text) reader.OneSpace();
-  // In text, a sample takes a digit at least and all have white space before them.
-  const auto bytes_per_sample = header.is_text ? 2u : static_cast<unsigned>(header.BytesPerSample());
-  reader.Need(header.Samples() * bytes_per_sample, "the picture");
-  Image image(header.size.width, header.size.height);
-  for (int y = image.Height() - 1; y >= 0; --y)
-    for (int x = 0; x < image.Width(); ++x) image.Set(x, y, ReadPixel(reader, header));
-  return image;
+  if (!header.is_text) reader.SpaceBefore(header.BinaryBytes());
+  // In text, a sample takes a digit at least, and all but bits have white space before them.
+  const std::uint64_t bytes_of_text = header.Samples() * (header.is_bits ? 1 : 2);
+  reader.Need(header.is_text ? bytes_of_text : header.BinaryBytes(), "the picture");
+  DecodedImage decoded{Image(header.size.width, header.size.height)};
+  for (int y = header.size.height - 1; y >= 0; --y) ReadRow(reader, header, decoded.image, y);
+  WarnOfRest(decoded, reader, header.is_text);
+  return decoded;
 }
 
 std::vector<unsigned char> Encode(const Image& image, const ImageEncoding& encoding, const ImageSettings&) {

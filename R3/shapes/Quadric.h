@@ -15,9 +15,9 @@ struct Roots {
   double first = 0, second = 0;
 };
 
-/// Whether a ray certainly begins outside and heads away from the center, as most do that begin on the surface: then
-/// it has no crossing at t > 0. At a place outside by a few u of the radius it is nearly always certain.
-///   from_center   origin - center, as it is rounded
+/// Whether a point is certainly outside and heads away from the center, as most do from which rays leave the surface:
+/// then there is no crossing ahead. At a place outside by a few u of the radius it is nearly always certain.
+///   from_center   point - center, as it is rounded
 ///   accuracy      the sum of squares and that of the radius together are off by less than 8 u, as is the product with
 ///                 the direction; rays that begin outside by a share e of the radius and still meet the sphere have a
 ///                 cosine of -sqrt(2 e), which is far from a rounding error

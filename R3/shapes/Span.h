@@ -29,17 +29,24 @@ struct Span {
   }
 };
 
-/// Whether a ray begins beyond a slab and heads away from it: without a division, that ClipToSlab leaves no t > 0.
-inline bool IsLeavingSlab(double low, double high, double origin, double direction) {
-  return ((origin >= high) & (direction > 0)) | ((origin <= low) & (direction < 0));
+/// A t that no hit is below where t_min is below 0: clearly less than it.
+inline double BeforeHits(double t_min) { return 2 * t_min; }
+
+/// Whether a point is beyond a slab and heads away from it: a line that does so leaves no later t to ClipToSlab, which
+/// is told without a division.
+inline bool IsLeavingSlab(double low, double high, double from, double direction) {
+  return ((from >= high) & (direction > 0)) | ((from <= low) & (direction < 0));
 }
 
-/// The same of a box and any t >= 0.
+/// Whether a ray begins beyond a box and heads away from it, as most rays do that begin on a face.
 inline bool IsLeavingBox(const Box& box, const Ray& ray) {
-  const auto leaves = [&](int axis) {
-    return IsLeavingSlab(box.low[axis], box.high[axis], ray.origin[axis], ray.direction[axis]);
+  const auto leaves_from = [&](const Point& p) {
+    const auto leaves = [&](int axis) {
+      return IsLeavingSlab(box.low[axis], box.high[axis], p[axis], ray.direction[axis]);
+    };
+    return leaves(0) + leaves(1) + leaves(2) > 0;  // a sum, so that it is one branch
   };
-  return leaves(0) + leaves(1) + leaves(2) > 0 && ray.t_min >= 0;  // a sum, so that it is one branch
+  return leaves_from(ray.origin) && (ray.t_min >= 0 || leaves_from(ray.At(BeforeHits(ray.t_min))));
 }
 
 /// Clips to low <= coordinate <= high along one axis. Division, not a reciprocal: one rounding fewer in t.

@@ -16,7 +16,7 @@ class BoxShape : public Shape {
   Box Bounds(int) const override { return box_; }
 
   std::optional<Hit> Intersect(const Ray& ray, int) const override {
-    if (is_degenerate_ || IsLeavingBox(box_, ray)) return {};  // as most rays do that begin on a face
+    if (is_degenerate_ || IsLeavingBox(box_, ray)) return {};
     Span span;
     for (int axis = 0; axis < 3; ++axis)
       ClipToSlab(span, box_.low[axis], box_.high[axis], ray.origin[axis], ray.direction[axis], 2 * axis, 2 * axis + 1);

@@ -82,10 +82,12 @@ class Cylinder : public Shape {
 
   /// As most rays do that begin on the surface.
   bool IsLeaving(const Ray& ray) const {
-    const Vector from_axis{ray.origin.x - center_.x, 0, ray.origin.z - center_.z};
-    return (IsLeavingSlab(low_, high_, ray.origin.y, ray.direction.y) ||
-            IsCertainlyLeaving(from_axis, {ray.direction.x, 0, ray.direction.z}, radius_)) &&
-           ray.t_min >= 0;
+    const Vector across{ray.direction.x, 0, ray.direction.z};
+    const auto leaves_from = [&](const Point& p) {
+      return IsLeavingSlab(low_, high_, p.y, ray.direction.y) ||
+             IsCertainlyLeaving({p.x - center_.x, 0, p.z - center_.z}, across, radius_);
+    };
+    return leaves_from(ray.origin) && (ray.t_min >= 0 || leaves_from(ray.At(BeforeHits(ray.t_min))));
   }
 
   Intersection OnSide(const Vector& outward, double y) const {

@@ -20,9 +20,7 @@ class Sphere : public Shape {
 
   Profile ProfileInBounds() const override { return Profile::Ball(); }
 
-  std::optional<Hit> Intersect(const Ray& ray, int) const override {
-    return IntersectSphere(ray, {center_, radius_}, ray.t_max);
-  }
+  std::optional<Hit> Intersect(const Ray& ray, int) const override { return IntersectSphere(ray, {center_, radius_}); }
 
   Intersection At(const Ray& ray, const Hit& hit, int) const override {
     const Vector outward = Unit(ray.At(hit.t) - center_);

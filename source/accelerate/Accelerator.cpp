@@ -19,30 +19,40 @@ std::span<const AcceleratorKind* const> AcceleratorKinds() {
   return kinds;
 }
 
+void Accelerator::TestUnbounded(const R3::Ray& ray, NearestHit& nearest, Workspace& workspace) const {
+  LocalRays local(world_, ray);
+  for (const std::uint32_t instance : world_.Unbounded())
+    nearest.Test(instance, 0, local.In(world_.Instances()[instance].frame), workspace.counts);
+}
+
 void Accelerator::OfferUnbounded(const R3::Ray& ray, std::optional<WorldHit>& hit, Workspace& workspace) const {
   std::optional<WorldHit> best;
-  NearestHit nearest(*unbounded_, ray, best);
+  NearestHit nearest(world_, ray, best);
   if (hit) nearest.Offer(*hit);
-  LocalRays local(*unbounded_, ray);
-  for (const std::uint32_t instance : unbounded_->Unbounded())
-    nearest.Test(instance, 0, local.In(unbounded_->Instances()[instance].frame), workspace.counts);
+  TestUnbounded(ray, nearest, workspace);
   hit = best;
 }
 
 bool Accelerator::IsBehindUnbounded(const R3::Ray& ray, Workspace& workspace) const {
-  LocalRays local(*unbounded_, ray);
-  for (const std::uint32_t index : unbounded_->Unbounded()) {
-    const Instance& instance = unbounded_->Instances()[index];
-    if (instance.IsEndOf(ray, 0)) continue;
-    ++workspace.counts.primitive_tests;
-    if (instance.shape->Intersect(local.In(instance.frame), 0)) return true;
-  }
+  LocalRays local(world_, ray);
+  for (const std::uint32_t instance : world_.Unbounded())
+    if (IsInTheWay(world_, ray, local.In(world_.Instances()[instance].frame), instance, 0, workspace.counts))
+      return true;
   return false;
+}
+
+WorldHit Accelerator::Seen(const R3::Ray& ray, const WorldHit& nearest, Workspace& workspace) const {
+  R3::Ray near = ray;
+  near.t_max = std::min(ray.t_max, EndOfCoincidence(world_, nearest.t));
+  std::vector<WorldHit> hits{nearest};  // found again, unless t is so small that nothing is a little larger
+  std::optional<WorldHit> none;
+  NearestHit all(world_, near, none, hits);
+  Search(near, all, workspace);
+  return SeenOf(world_, ray, std::move(hits));
 }
 
 std::unique_ptr<Accelerator> AcceleratorKind::Make(const World& world, const AcceleratorSettings& settings) const {
   auto accelerator = build(world, settings);
-  if (!world.Unbounded().empty()) accelerator->unbounded_ = &world;
   if (accelerator->kind.empty()) accelerator->kind = name;  // `auto` gives back one of another kind
   return accelerator;
 }

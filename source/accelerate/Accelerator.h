@@ -8,26 +8,32 @@
 #include <vector>
 
 #include "source/accelerate/AcceleratorSettings.h"
+#include "source/accelerate/NearestHit.h"
 #include "source/accelerate/Workspace.h"
 #include "source/accelerate/World.h"
 
 namespace ray {
 
 /// Decides which primitives a ray is tested against; never what a test answers. Every accelerator gives the same
-/// hits bit for bit: the nearest t, and among equal t the lowest primitive id.
+/// hits bit for bit: the nearest t, and among equal t the lowest primitive id; and what Contact.h says where surfaces
+/// touch.
 class Accelerator {
  public:
+  /// `world` outlives it.
+  explicit Accelerator(const World& world) : world_(world), has_unbounded_(!world.Unbounded().empty()) {}
   virtual ~Accelerator() = default;
 
   /// Nearest hit in (ray.t_min, ray.t_max).
   std::optional<WorldHit> Intersect(const R3::Ray& ray, Workspace& workspace) const {
+    std::optional<WorldHit> hit;
     if (!IsRay(ray)) {
       ++workspace.counts.bad_rays;
-      return {};
+      return hit;
     }
-    std::optional<WorldHit> hit = Nearest(ray, workspace);
-    if (unbounded_) [[unlikely]]
-      OfferUnbounded(ray, hit, workspace);
+    NearestHit nearest(world_, ray, hit);
+    Search(ray, nearest, workspace);
+    if (hit && hit->is_contested) [[unlikely]]
+      *hit = Seen(ray, *hit, workspace);
     workspace.counts.hits += hit.has_value();
     return hit;
   }
@@ -36,7 +42,7 @@ class Accelerator {
   bool IsOccluded(const R3::Ray& ray, Workspace& workspace) const {
     bool is_occluded = false;
     if (IsRay(ray))
-      is_occluded = Any(ray, workspace) || (unbounded_ && IsBehindUnbounded(ray, workspace));
+      is_occluded = Any(ray, workspace) || (has_unbounded_ && IsBehindUnbounded(ray, workspace));
     else
       ++workspace.counts.bad_rays;
     if (is_occluded) ++workspace.counts.hits;
@@ -48,10 +54,14 @@ class Accelerator {
   void Intersect(std::span<const R3::Ray> rays, std::optional<WorldHit>* hits, Workspace& workspace) const {
     if (AreRays(rays)) {
       NearestOfEach(rays, hits, workspace);
-      if (unbounded_) [[unlikely]]
-        for (std::size_t i = 0; i < rays.size(); ++i) OfferUnbounded(rays[i], hits[i], workspace);
-      for (std::size_t i = 0; i < rays.size(); ++i)
-        if (hits[i]) ++workspace.counts.hits;
+      for (std::size_t i = 0; i < rays.size(); ++i) {
+        if (has_unbounded_) [[unlikely]]
+          OfferUnbounded(rays[i], hits[i], workspace);
+        if (!hits[i]) continue;
+        if (hits[i]->is_contested) [[unlikely]]
+          *hits[i] = Seen(rays[i], *hits[i], workspace);
+        ++workspace.counts.hits;
+      }
     } else {
       for (std::size_t i = 0; i < rays.size(); ++i) hits[i] = Intersect(rays[i], workspace);
     }
@@ -59,7 +69,7 @@ class Accelerator {
   void IsOccluded(std::span<const R3::Ray> rays, bool* are_occluded, Workspace& workspace) const {
     if (AreRays(rays)) {
       AnyOfEach(rays, are_occluded, workspace);
-      if (unbounded_) [[unlikely]]
+      if (has_unbounded_) [[unlikely]]
         for (std::size_t i = 0; i < rays.size(); ++i)
           are_occluded[i] = are_occluded[i] || IsBehindUnbounded(rays[i], workspace);
       for (std::size_t i = 0; i < rays.size(); ++i)
@@ -82,20 +92,32 @@ class Accelerator {
   virtual std::size_t Bytes() const { return 0; }
 
  protected:
+  /// What Nearest finds for each of the rays.
   virtual void NearestOfEach(std::span<const R3::Ray> rays, std::optional<WorldHit>* hits, Workspace& workspace) const {
-    for (std::size_t i = 0; i < rays.size(); ++i) hits[i] = Nearest(rays[i], workspace);
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+      NearestHit nearest(world_, rays[i], hits[i]);
+      Nearest(rays[i], nearest, workspace);
+    }
   }
   virtual void AnyOfEach(std::span<const R3::Ray> rays, bool* are_occluded, Workspace& workspace) const {
     for (std::size_t i = 0; i < rays.size(); ++i) are_occluded[i] = Any(rays[i], workspace);
   }
 
+  const World& world_;
+
  private:
-  friend struct AcceleratorKind;
+  /// Everything that the ray may hit.
+  void Search(const R3::Ray& ray, NearestHit& nearest, Workspace& workspace) const {
+    Nearest(ray, nearest, workspace);
+    if (has_unbounded_) [[unlikely]]
+      TestUnbounded(ray, nearest, workspace);
+  }
   /// Shapes that no box holds, and so no structure: every ray asks them.
+  void TestUnbounded(const R3::Ray& ray, NearestHit& nearest, Workspace& workspace) const;
   void OfferUnbounded(const R3::Ray& ray, std::optional<WorldHit>& hit, Workspace& workspace) const;
   bool IsBehindUnbounded(const R3::Ray& ray, Workspace& workspace) const;
-
-  const World* unbounded_ = nullptr;  // null where there are none
+  /// Of the nearest hit and what is coincident with it, the one that is seen.
+  WorldHit Seen(const R3::Ray& ray, const WorldHit& nearest, Workspace& workspace) const;
 
   /// Finite, and going somewhere; no other ray hits anything.
   static bool IsRay(const R3::Ray& ray) {
@@ -120,8 +142,11 @@ class Accelerator {
     return are_ahead && nought == 0 && least_heading > 0;
   }
 
-  virtual std::optional<WorldHit> Nearest(const R3::Ray& ray, Workspace& workspace) const = 0;
+  /// Offers all that may be the nearest hit.
+  virtual void Nearest(const R3::Ray& ray, NearestHit& nearest, Workspace& workspace) const = 0;
   virtual bool Any(const R3::Ray& ray, Workspace& workspace) const = 0;
+
+  bool has_unbounded_;
 };
 
 /// One line of accelerators.def.

@@ -2,45 +2,105 @@
 
 #include <algorithm>
 #include <optional>
+#include <vector>
 
-#include "source/accelerate/Workspace.h"
+#include "source/accelerate/Contact.h"
+#include "source/accelerate/Counts.h"
 #include "source/accelerate/World.h"
 
 namespace ray {
 
+// How a ray meets an element of an instance: `ray` is in the world, `local` in the instance's frame and may end
+// earlier.
+
+/// The first crossing from `begin` on that counts.
+std::optional<R3::Hit> FirstAhead(const World& world, const R3::Ray& ray, const R3::Ray& local, std::uint32_t instance,
+                                  int element, double begin);
+
+/// The first crossing that counts; nothing where the ray starts or ends on the element and cannot meet it.
+inline std::optional<R3::Hit> FirstCrossing(const World& world, const R3::Ray& ray, const R3::Ray& local,
+                                            std::uint32_t instance, int element, Counts& counts) {
+  const Instance& met = world.Instances()[instance];
+  const double begin = met.BeginOf(ray, element);
+  if (begin == R3::infinity) return {};
+  ++counts.primitive_tests;
+  if (begin != ray.t_min) [[unlikely]]
+    return FirstAhead(world, ray, local, instance, element, begin);
+  auto hit = met.shape->Intersect(local, element);
+  if (hit && IsNearStart(ray, hit->t)) [[unlikely]]
+    hit = FirstAhead(world, ray, local, instance, element, begin);
+  return hit;
+}
+
+/// Whether the element is in the way of a shadow ray, if only from `begin` on.
+bool IsInTheWayFrom(const World& world, const R3::Ray& ray, const R3::Ray& local, std::uint32_t instance, int element,
+                    double begin);
+
+/// Whether the element is in the way of a shadow ray.
+inline bool IsInTheWay(const World& world, const R3::Ray& ray, const R3::Ray& local, std::uint32_t instance,
+                       int element, Counts& counts) {
+  const Instance& met = world.Instances()[instance];
+  const double begin = met.BeginOf(ray, element);
+  if (begin == R3::infinity) return false;
+  ++counts.primitive_tests;
+  if (begin == ray.t_min && !met.shape->Intersect(local, element)) return false;
+  return IsInTheWayFrom(world, ray, local, instance, element, begin);
+}
+
 /// The nearest hit so far, by the rule that makes all accelerators agree: smallest t, among equals lowest primitive id.
-/// It is kept where the answer is wanted.
+/// It is kept where the answer is wanted. Whether others may be coincident with it is noted.
 class NearestHit {
  public:
-  /// Of a ray that has hit nothing yet: `best` becomes empty.
+  /// Of a ray in the world that has hit nothing yet: `best` becomes empty.
   NearestHit(const World& world, const R3::Ray& ray, std::optional<WorldHit>& best)
-      : world_(world), best_(best), limit_(ray.t_max) {
+      : world_(world), ray_(ray), best_(best), limit_(ray.t_max) {
     best_.reset();
   }
+  /// Keeps all hits up to the ray's t_max in `all`, and no nearest one.
+  NearestHit(const World& world, const R3::Ray& ray, std::optional<WorldHit>& none, std::vector<WorldHit>& all)
+      : NearestHit(world, ray, none) {
+    all_ = &all;
+  }
 
-  /// No hit at a larger t is wanted any more; one at exactly this t still is.
+  /// No hit at a larger t is wanted any more.
   double Limit() const { return limit_; }
   const std::optional<WorldHit>& Best() const { return best_; }
   /// The t_max of the ray, or less: a test that keeps below it misses no hit that is wanted.
-  double TMaxOf(const R3::Ray& ray) const { return best_ ? std::min(ray.t_max, R3::NextUp(limit_)) : ray.t_max; }
+  double TMaxOf(const R3::Ray& ray) const { return std::min(ray.t_max, limit_); }
 
   /// Tests one element, with the ray already in the instance's frame.
   void Test(std::uint32_t instance, int element, const R3::Ray& local, Counts& counts) {
-    if (world_.Instances()[instance].IsEndOf(local, element)) return;
-    ++counts.primitive_tests;
-    const R3::Shape& shape = *world_.Instances()[instance].shape;
-    const auto hit = best_ ? shape.Intersect(Shortened(local), element) : shape.Intersect(local, element);
+    const auto hit = best_ ? FirstCrossing(world_, ray_, Shortened(local), instance, element, counts)
+                           : FirstCrossing(world_, ray_, local, instance, element, counts);
     if (hit) Offer({*hit, instance, element});
   }
+  /// Whether the element is in the way of a shadow ray.
+  bool IsInTheWay(std::uint32_t instance, int element, const R3::Ray& local, Counts& counts) const {
+    return ray::IsInTheWay(world_, ray_, local, instance, element, counts);
+  }
 
-  /// Takes a hit that is no farther than Limit, unless it is as far and of a higher primitive.
-  void Offer(const WorldHit& candidate) {
-    if (best_ && candidate.t == best_->t && world_.PrimitiveId(candidate) >= world_.PrimitiveId(*best_)) return;
-    // Number by number: a copy of the whole, in wider pieces than were stored, waits until the stores are in the cache.
-    WorldHit& best = best_ ? *best_ : best_.emplace();
-    best.t = candidate.t, best.u = candidate.u, best.v = candidate.v, best.part = candidate.part;
-    best.instance = candidate.instance, best.element = candidate.element;
-    limit_ = candidate.t;
+  // The same two of an element whose crossing is known, and which the ray crosses only once.
+  void TakeIfAhead(const WorldHit& hit) {
+    if (!IsNearStart(ray_, hit.t) || IsAhead(world_, ray_, hit)) [[likely]]
+      Offer(hit);
+  }
+  bool IsInTheWay(const WorldHit& hit) const {
+    return (!IsNearStart(ray_, hit.t) || IsAhead(world_, ray_, hit)) && ray::IsInTheWay(world_, ray_, hit);
+  }
+
+  /// Takes a hit that is no farther than Limit, unless it is farther than the nearest or as far and of a higher
+  /// primitive.
+  inline void Offer(const WorldHit& candidate) {
+    if (all_) [[unlikely]]
+      return all_->push_back(candidate);
+    if (!best_) return Take(candidate, candidate.is_contested);
+    const bool is_farther = candidate.t > best_->t;
+    const bool is_contested =
+        is_farther || best_->t <= EndOfCoincidence(world_, candidate.t);  // farther ones are within the window
+    if (is_farther || (candidate.t == best_->t && world_.PrimitiveId(candidate) >= world_.PrimitiveId(*best_)))
+      best_->is_contested = true;
+    else
+      Take(candidate, is_contested);
   }
 
  private:
@@ -49,29 +109,41 @@ class NearestHit {
     return ray;
   }
 
+  void Take(const WorldHit& candidate, bool is_contested) {
+    // Number by number: a copy of the whole, in wider pieces than were stored, waits until the stores are in the cache.
+    WorldHit& best = best_ ? *best_ : best_.emplace();
+    best.t = candidate.t, best.u = candidate.u, best.v = candidate.v, best.part = candidate.part;
+    best.instance = candidate.instance, best.element = candidate.element;
+    best.is_contested = is_contested;
+    limit_ = EndOfCoincidence(world_, candidate.t);
+  }
+
   const World& world_;
+  const R3::Ray& ray_;
   std::optional<WorldHit>& best_;
   double limit_;
+  std::vector<WorldHit>* all_ = nullptr;
 };
 
 /// Sees a ray from one frame after the other, transforming it only when the frame changes.
 class LocalRays {
  public:
-  LocalRays(const World& world, const R3::Ray& ray) : world_(world), ray_(ray), local_(ray) {}
+  LocalRays(const World& world, const R3::Ray& ray) : world_(world), ray_(ray) {}
 
   const R3::Ray& In(std::uint32_t frame) {
+    if (frame == 0) return ray_;
     if (frame != frame_) {
       frame_ = frame;
       local_ = world_.Back(frame, ray_);
     }
-    return local_;
+    return *local_;
   }
 
  private:
   const World& world_;
   const R3::Ray& ray_;
   std::uint32_t frame_ = 0;
-  R3::Ray local_;
+  std::optional<R3::Ray> local_;
 };
 
 }  // namespace ray

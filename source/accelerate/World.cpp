@@ -3,6 +3,7 @@
 #include <cassert>
 #include <unordered_map>
 
+#include "source/accelerate/BoundsPadding.h"
 #include "source/accelerate/HugePages.h"
 #include "source/accelerate/Repetitions.h"
 #include "source/scene/Singular.h"
@@ -36,8 +37,10 @@ void PutOnHugePages(const R3::Mesh& mesh) {
 World::World(const Scene& scene) : scene_(scene) {
   FlattenGraph();
   NumberInstances();
+  BoundInstances();
   BakeOrShareMeshes();
   MarkRepetitions(instances_, frames_, motions_);
+  MarkMedia();
   std::erase_if(unbounded_, [&](std::uint32_t i) { return instances_[i].is_repeated; });
   for (const R3::Mesh* mesh : shared_meshes_) PutOnHugePages(*mesh);
   for (const Instance& instance : instances_)
@@ -141,6 +144,29 @@ void World::BakeOrShareMeshes() {
       instance.frame = 0;
       baked_meshes_.push_back(std::move(moved));
     }
+  }
+}
+
+void World::MarkMedia() {
+  std::unordered_map<const R3::Mesh*, bool> are_closed;
+  const auto is_closed = [&](const Instance& instance) {
+    if (!instance.mesh) return instance.is_bounded && instance.shape->IsSolid() && !instance.shape->IsDegenerate();
+    const auto [found, is_new] = are_closed.try_emplace(instance.mesh, false);
+    if (is_new) found->second = instance.mesh->IsClosed();
+    return found->second;
+  };
+  for (Instance& instance : instances_) {
+    const bool matters = instance.IsClear() || !IsBlack(instance.material->absorb);
+    instance.is_medium = matters && !instance.is_repeated && is_closed(instance);
+  }
+}
+
+void World::BoundInstances() {
+  for (Instance& instance : instances_) {
+    if (instance.is_bounded) instance.bounds = InWorld(instance.frame, instance.node->bounds);
+    // The padding is that much larger than the error; what grows with the distance of rays is in R3/Departure.h.
+    instance.error = WorldBoundsPadding(frames_[instance.frame], Reach(instance.bounds)).constant;
+    coincidence_window_ = std::max(coincidence_window_, 0x1p14 * R3::unit_roundoff * Reach(instance.bounds));
   }
 }
 

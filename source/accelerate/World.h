@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
+#include <iterator>
 #include <memory>
 #include <optional>
 #include <string>
@@ -21,18 +23,24 @@ struct Instance {
   R3::Form form = R3::Form::other;   // of the shape's elements
   bool is_bounded = true;            // the shape lies in a box
   bool is_repeated = false;          // an earlier instance is the same to the bit: this one is never the hit
+  R3::Box bounds{};                  // in the world, wherever it goes while the shutter is open; empty if not bounded
+  double error = 0;                  // more than eight times as much as its surface may be off by in the world
+  bool is_medium = false;            // its inside matters to rays: a closed solid that is clear or absorbs
   const Material* material = nullptr;
   const Node* node = nullptr;
   std::uint32_t frame = 0;           // index into World::frames; 0 when baked
   std::int32_t shared = not_shared;  // index into World::SharedMeshes
   std::int64_t first_primitive = 0;  // its elements are the primitives first_primitive, first_primitive + 1, ...
 
+  /// Whether light goes through its surface.
+  bool IsClear() const { return !IsBlack(material->kt); }
   /// Whether its surface is ever seen to shine.
   bool Emits() const { return !is_repeated && !IsBlack(material->emission); }
-  /// Whether the ray starts or ends on the element and cannot meet it in between.
-  bool IsEndOf(const R3::Ray& ray, int element) const {
+  /// From where on a ray may meet the element: its t_min, or later where it starts on the element, or never.
+  double BeginOf(const R3::Ray& ray, int element) const {
     const std::int64_t primitive = first_primitive + element;
-    return ray.leaving == primitive || ray.reaching == primitive;
+    if (primitive == ray.leaving) return ray.leaving_until;
+    return primitive == ray.reaching ? R3::infinity : ray.t_min;
   }
 };
 
@@ -40,6 +48,7 @@ struct Instance {
 struct WorldHit : R3::Hit {
   std::uint32_t instance = 0;
   int element = 0;
+  bool is_contested = false;  // others were found so near to it that they may be coincident
 };
 
 /// A node of the scene graph in one array, parents before children, the children of a node side by side.
@@ -87,11 +96,16 @@ class World {
   /// A place of a frame's surface, in the world at a time. Its error also covers the rounding of seeing the point from
   /// the frame again, so a ray that starts outside it starts outside the shape.
   void BringToWorld(std::uint32_t frame, double time, R3::Intersection& at) const;
+  /// The least distance up to which hits that are coincident, but for errors, are looked for.
+  double CoincidenceWindow() const { return coincidence_window_; }
   /// The meshes that several instances use, in the order of their first use.
   const std::vector<const R3::Mesh*>& SharedMeshes() const { return shared_meshes_; }
   /// Lines for the scene's author: groups left out because all transforms above them together cannot be inverted.
   const std::vector<std::string>& Warnings() const { return warnings_; }
 
+  const Instance& InstanceOf(std::int64_t primitive) const {
+    return *std::prev(std::ranges::upper_bound(instances_, primitive, {}, &Instance::first_primitive));
+  }
   std::int64_t PrimitiveId(const WorldHit& hit) const { return instances_[hit.instance].first_primitive + hit.element; }
   const Material& MaterialAt(const WorldHit& hit) const { return *instances_[hit.instance].material; }
 
@@ -102,6 +116,8 @@ class World {
   void FlattenGraph();
   void NumberInstances();
   void BakeOrShareMeshes();
+  void MarkMedia();
+  void BoundInstances();
   static void Transform(const R3::Transform& world_from_local, R3::Intersection& at);
   static void Shift(const R3::Vector& way, R3::Intersection& at);
 
@@ -112,6 +128,7 @@ class World {
   std::vector<R3::Transform> frames_;
   std::vector<R3::Vector> motions_;  // of frames_
   bool moves_ = false;
+  double coincidence_window_ = 0;
   std::vector<const R3::Mesh*> shared_meshes_;
   std::vector<std::unique_ptr<const R3::Mesh>> baked_meshes_;
   std::int64_t primitives_ = 0;

@@ -14,12 +14,10 @@ namespace {
 class Graph : public Accelerator {
  public:
   Graph(const World& world, const AcceleratorSettings& settings)
-      : world_(world), settings_(settings), paddings_(PaddingOfNodes(world)) {}
+      : Accelerator(world), settings_(settings), paddings_(PaddingOfNodes(world)) {}
 
  private:
-  std::optional<WorldHit> Nearest(const R3::Ray& ray, Workspace& workspace) const override {
-    std::optional<WorldHit> best;
-    NearestHit nearest(world_, ray, best);
+  void Nearest(const R3::Ray& ray, NearestHit& nearest, Workspace& workspace) const override {
     LocalRays local(world_, ray);
     std::optional<Workspace::LastHit> cached;
     if (settings_.last_hit && workspace.last_hit) {
@@ -37,16 +35,13 @@ class Graph : public Accelerator {
       limit = nearest.Limit();
       return false;
     });
-    if (best) workspace.last_hit = {best->instance, best->element};
-    return best;
+    if (const auto& best = nearest.Best()) workspace.last_hit = {best->instance, best->element};
   }
 
   bool Any(const R3::Ray& ray, Workspace& workspace) const override {
     LocalRays local(world_, ray);
     const auto blocks = [&](std::uint32_t instance, int element, const R3::Ray& seen) {
-      if (world_.Instances()[instance].IsEndOf(seen, element)) return false;
-      ++workspace.counts.primitive_tests;
-      return world_.Instances()[instance].shape->Intersect(seen, element).has_value();
+      return IsInTheWay(world_, ray, seen, instance, element, workspace.counts);
     };
     std::optional<Workspace::LastHit> cached;
     if (settings_.last_hit && workspace.last_occluder) {
@@ -122,7 +117,6 @@ class Graph : public Accelerator {
       workspace.stack.push_back({seen.t_min, node});
   }
 
-  const World& world_;
   AcceleratorSettings settings_;
   std::vector<NodeBoundsPadding> paddings_;
 };

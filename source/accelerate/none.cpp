@@ -7,37 +7,38 @@ namespace {
 // Tests every primitive: the oracle of all the others, and right for a handful of primitives.
 class BruteForce : public Accelerator {
  public:
-  explicit BruteForce(const World& world) : world_(world) {}
+  using Accelerator::Accelerator;
 
  private:
-  std::optional<WorldHit> Nearest(const R3::Ray& ray, Workspace& workspace) const override {
-    std::optional<WorldHit> best;
-    NearestHit nearest(world_, ray, best);
+  void Nearest(const R3::Ray& ray, NearestHit& nearest, Workspace& workspace) const override {
     LocalRays local(world_, ray);
-    for (std::uint32_t i = 0; i < world_.Instances().size(); ++i) {
-      const Instance& instance = world_.Instances()[i];
-      if (!instance.is_bounded) continue;
+    std::uint32_t i = 0;
+    for (const Instance& instance : world_.Instances()) {
+      const std::uint32_t number = i++;
+      if (!instance.is_bounded || instance.is_repeated) continue;
       const int elements = instance.shape->Elements();
-      for (int e = 0; e < elements; ++e) nearest.Test(i, e, local.In(instance.frame), workspace.counts);
+      for (int e = 0; e < elements; ++e) nearest.Test(number, e, local.In(instance.frame), workspace.counts);
     }
-    return best;
   }
 
   bool Any(const R3::Ray& ray, Workspace& workspace) const override {
     LocalRays local(world_, ray);
+    std::uint32_t i = 0;
     for (const Instance& instance : world_.Instances()) {
-      if (!instance.is_bounded) continue;
+      const std::uint32_t number = i++;
+      if (!instance.is_bounded || instance.is_repeated) continue;
       const int elements = instance.shape->Elements();
       for (int e = 0; e < elements; ++e) {
-        if (instance.IsEndOf(ray, e)) continue;
+        const double begin = instance.BeginOf(ray, e);
+        if (begin == R3::infinity) continue;
         ++workspace.counts.primitive_tests;
-        if (instance.shape->Intersect(local.In(instance.frame), e)) return true;
+        const R3::Ray& seen = local.In(instance.frame);
+        if (begin == ray.t_min && !instance.shape->Intersect(seen, e)) continue;
+        if (IsInTheWayFrom(world_, ray, seen, number, e, begin)) return true;
       }
     }
     return false;
   }
-
-  const World& world_;
 };
 
 }  // namespace

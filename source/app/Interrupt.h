@@ -7,6 +7,7 @@ namespace ray {
 
 /// Makes the program outlive its terminal and its readers: writing to a closed pipe or beyond a file size limit is an
 /// error to be reported, not a signal; and descriptors 0, 1 and 2 are open, so that no picture is ever opened as one.
+/// One that was closed reads as empty and refuses whatever is written.
 void GuardStandardStreams();
 
 /// The stack that the programs need for anything they are given: 88 KiB are used at most (measured by ulimit -s), and

@@ -7,9 +7,6 @@
 namespace ray {
 namespace {
 
-/// Index of refraction on the side of wo over that on the other.
-double RelativeIndex(const ShadingPoint& p) { return p.entering ? 1 / p.material->ir : p.material->ir; }
-
 /// wo mirrored about N; where a smoothed normal sends that into the surface, mirrored back out of it.
 R3::Vector Mirrored(const ShadingPoint& p) {
   const R3::Vector mirrored = Unit(Reflect(-p.wo, p.N));
@@ -27,14 +24,6 @@ RayKind KindOf(Lobe lobe) {
       return RayKind::transmission;
   }
   return {};
-}
-
-/// The same ray beyond its hit. It asks every shape the same question as before and so gets the same answers, of which
-/// the first is now outside the interval: nothing moves, nothing is hit twice.
-R3::Ray StraightOn(const ShadingPoint& p) {
-  R3::Ray ray = p.path.ray;
-  ray.t_min = p.hit.t + LeastT(p, ray.direction);
-  return ray;
 }
 
 }  // namespace
@@ -97,9 +86,10 @@ namespace {
 
 SpecularWeights WithoutCoat(const ShadingPoint& p, double cosine, const TraceSettings& settings) {
   const Material& m = *p.material;
-  if (!(settings.fresnel || settings.internal_reflection) || IsBlack(m.kt) || m.ir == 1) return {m.kr, m.kt};
+  if (!(settings.fresnel || settings.internal_reflection) || IsBlack(m.kt) || p.RelativeIndex() == 1)
+    return {m.kr, m.kt};
   if (!settings.fresnel) return Refraction(p) ? SpecularWeights{m.kr, m.kt} : SpecularWeights{m.kr + m.kt, {}};
-  const double share = FresnelReflectance(cosine, RelativeIndex(p));
+  const double share = FresnelReflectance(cosine, p.RelativeIndex());
   return {m.kr + share * m.kt, (1 - share) * m.kt};
 }
 
@@ -131,10 +121,11 @@ std::optional<R3::Vector> SampleReflection(const ShadingPoint& p, bool glossy, c
 }
 
 std::optional<R3::Vector> Refraction(const ShadingPoint& p) {
-  if (p.material->ir == 1) return -p.wo;
+  const double index = p.RelativeIndex();
+  if (index == 1) return -p.wo;
   const double cosine = Dot(p.N, p.wo);
   const R3::Vector N = cosine < 0 ? Unit(p.N - cosine * p.wo) : p.N;
-  return Refract(-p.wo, N, RelativeIndex(p));
+  return Refract(-p.wo, N, index);
 }
 
 Bsdf::Bsdf(const ShadingPoint& p, const TraceSettings& settings) : p_(p), specular_(SpecularWeightsOf(p, settings)) {
@@ -185,9 +176,14 @@ std::optional<BsdfSample> Bsdf::Scatter(const R3::Vector& wi, Lobe lobe) const {
 
 PathState Extend(const ShadingPoint& p, const R3::Vector& wi, Lobe lobe, const R2::Color& throughput,
                  const SampleIndex& index) {
-  const bool is_straight = lobe == Lobe::transmission && p.material->ir == 1;
-  return {is_straight ? StraightOn(p) : SpawnRay(p, wi), throughput,   p.path.depth + 1, index, KindOf(lobe),
-          p.path.is_scattered || !IsSpecular(lobe),      p.path.record};
+  return {.ray = SpawnRay(p, wi),
+          .throughput = throughput,
+          .depth = p.path.depth + 1,
+          .index = index,
+          .kind = KindOf(lobe),
+          .is_scattered = p.path.is_scattered || !IsSpecular(lobe),
+          .media = lobe == Lobe::transmission ? p.media_beyond : p.path.media,
+          .record = p.path.record};
 }
 
 }  // namespace ray

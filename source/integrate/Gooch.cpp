@@ -22,7 +22,7 @@ class Gooch : public FirstHit {
     R2::Color sum;
     for (const auto& light : world().scene().lights) {
       if (light->IsBlack()) continue;
-      if (const auto sample = light->Illuminate(p.shadow_origin, {0.5, 0.5})) sum += Shade(p, *sample);
+      if (const auto sample = light->Illuminate(p.free_point, {0.5, 0.5})) sum += Shade(p, *sample);
     }
     return sum;
   }

@@ -38,7 +38,7 @@ void GuideTracer::Unshadowed::Shade(std::span<ShadingPoint> points, TraceState&)
       continue;
     }
     for (const Light* light : Lights())
-      if (const auto sample = light->Illuminate(p.shadow_origin, {0.5, 0.5}))
+      if (const auto sample = light->Illuminate(p.free_point, {0.5, 0.5}))
         p.radiance += PhongReflection(p, Unit(sample->to_light), sample->irradiance);
   }
 }

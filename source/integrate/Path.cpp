@@ -61,7 +61,7 @@ R2::Color Path::IndirectLight(ShadingPoint&& p, TraceState& state) const {
     if (!step) return radiance;
     const auto hit = tracer_.Intersect(step->path, state);
     if (!hit) return radiance + BackgroundSeen(p, *step, state);
-    ShadingPoint next = ShadingPointAt(world_, step->path, *hit);
+    ShadingPoint next = tracer_.PointAt(step->path, *hit, state);
     AddEmitted(p, *step, next, radiance, state);
     if (IsLast(p)) return radiance;
     p = std::move(next);
@@ -170,6 +170,8 @@ void Path::AddLightSample(const ShadingPoint& p, const R2::Color& reflected, con
 R2::Color Path::Emitted(const ShadingPoint& from, const Step& step, const ShadingPoint& hit) const {
   if (IsBlack(hit.material->emission)) return {};
   const R2::Color seen = hit.path.throughput * hit.material->emission;
+  // A lamp of a color is found by its samples, and shown in mirrors, which as in mode whitted go no deeper than others.
+  if (lights_.EmitsColor()) return step.lobe == Lobe::diffuse || IsLast(from) ? R2::Color{} : seen;
   if (IsSpecular(step.lobe)) return seen;
   const auto light_pdf = lights_.PdfOfHit(from, hit.path.ray, hit, world_, lights_at_once_ > 0);
   if (!light_pdf) return seen;  // found by scattering alone

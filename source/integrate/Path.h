@@ -20,7 +20,8 @@ namespace ray {
 ///     kd / pi * cosine + kr (n + 1) / (2 pi) (V.R)^n      (the second term only where IsGlossy)
 ///
 /// while lights of the scene language scatter by Phong's formula as they do in Whitted. Every shape that emits is a
-/// light, on both sides of its surface.
+/// light, on both sides of its surface. With Emission::color what emits is a light as in Whitted, too; then paths add
+/// to the light of Whitted what surfaces reflect of each other.
 ///   source   Kajiya, The rendering equation (1986), eq. 6; Cook, Porter, Carpenter, Distributed ray tracing (1984);
 ///            light and BSDF sampling combined by multiple importance sampling, see MisWeight; Russian roulette after
 ///            Arvo and Kirk (1990)

@@ -246,8 +246,9 @@ void PathStream::AddLight(int light, const Front& front, TraceState& state) cons
     random = {};
   LightSamples samples;
   samples.count = static_cast<std::uint32_t>(front.points.size());
+  if (lights_.IsLamp(light)) return AddLamp(light, front, random, state);
   for (std::uint32_t i = 0; i < samples.count; ++i) {
-    samples.SetFrom(i, front.points[i].shadow_origin);
+    samples.SetFrom(i, front.points[i].free_point);
     samples.u[i] = random.coordinates[0][i], samples.v[i] = random.coordinates[1][i];
   }
   if (lights_.SceneLight(light)) {
@@ -267,6 +268,16 @@ void PathStream::AddLight(int light, const Front& front, TraceState& state) cons
     tracer_.AddShadowRay(
         front.points[i], i, {.to_light = samples.ToLight(i), .is_infinite = is_infinite, .reaching = reached},
         front.throughputs[i] * reflected, no_more, [&] { return lights_.Describe(light); }, state);
+  }
+}
+
+void PathStream::AddLamp(int lamp, const Front& front, const PointsOfEach<2>& random, TraceState& state) const {
+  const auto& u = random.coordinates;
+  for (std::size_t i = 0; i < front.points.size(); ++i) {
+    const ShadingPoint& p = front.points[i];
+    if (!ReflectsLights(p, settings_)) continue;
+    if (const auto sample = lights_.Sample(p, lamp, {u[0][i], u[1][i]}))
+      AddLightSample(p, Reflected(p, Bsdf(p, settings_), *sample), *sample, i, state);
   }
 }
 
@@ -303,12 +314,13 @@ void PathStream::TakeStep(const Front& front, std::span<R2::Color> gathered, Fro
   if (IsLast(points[0]))  // all have gone as far
     for (const ShadingPoint& p : points) CountCutThroughput(p, state);
   if (!MayContinue(points[0])) return;
-  const StepsByLobe steps_by_lobe = SampleBsdfs(front);
+  StepsByLobe steps_by_lobe = SampleBsdfs(front);
   std::array<const StepFrom*, most_paths> arriving, escaping;
   std::size_t escaped = 0;
-  for (const Steps& steps : steps_by_lobe) {
+  for (Steps& steps : steps_by_lobe) {
     TraceSteps(steps, state);
     for (std::size_t k = 0; k < steps.size(); ++k) {
+      tracer_.Arrive(steps[k].step.path, state.hits[k], state);
       if (state.hits[k]) {
         arriving[next.points.size()] = &steps[k];
         next.Add(steps[k].step.path, *state.hits[k], front.paths[steps[k].from]);
@@ -321,6 +333,7 @@ void PathStream::TakeStep(const Front& front, std::span<R2::Color> gathered, Fro
   CompleteShadingPoints(world_, next.points);
   for (std::size_t i = 0; i < next.points.size(); ++i) {
     const auto& [step, from] = *arriving[i];
+    tracer_.SetSides(next.points[i], state);
     AddEmitted(points[from], step, next.points[i], gathered[next.paths[i]], state);
   }
   if (IsLast(points[0])) next.Clear();

@@ -51,6 +51,8 @@ class PathStream : public Path {
   /// Light that reaches each point straight from lights goes to state.arrived.
   void LightPoints(const Front& front, TraceState& state) const;
   void AddLight(int light, const Front& front, TraceState& state) const;
+  /// Of a lamp whose emission is a color, point by point.
+  void AddLamp(int lamp, const Front& front, const PointsOfEach<2>& random, TraceState& state) const;
   /// Of light samples with pdfs, what is reflected.
   void ReflectEach(const Front& front, const LightSamples::Each& pdfs, LightSamples& samples) const;
   /// The same of samples of a light of the scene language.

@@ -13,6 +13,7 @@ R3::Vector Facing(const R3::Normal& n, bool entering) { return entering ? AsVect
 ShadingPoint ShadingPointAt(const World& world, const PathState& ray, const WorldHit& hit) {
   ShadingPoint s(ray, hit);
   s.at = world.At(ray.ray, hit);
+  s.at.error = {};
   s.material = &world.MaterialAt(hit);
   s.bias = world.scene().shadow_bias;
   s.kd = KdAt(s);
@@ -23,13 +24,27 @@ ShadingPoint ShadingPointAt(const World& world, const PathState& ray, const Worl
   if (s.material->normal_map) s.N = NormalMapped(world, ray.ray, hit, s.at, *s.material, s.N, s.entering);
   if (s.material->bump) s.N = Bumped(world, ray.ray, hit, s.at, *s.material, s.N, s.entering);
   s.is_smoothed = !(s.N == Facing(s.at.normal, s.entering));
-  s.shadow_origin = SpawnPoint(s.at, s.wo);
+  SetDeparture(world, s);
   AbsorbOnTheWay(s);
   return s;
 }
 
+void SetDeparture(const World& world, ShadingPoint& p) {
+  R3::Ray& ray = p.path.ray;
+  if (HasNotMoved(ray, p.hit.t)) {
+    p.free_point = ray.origin, p.departure = *ray.departure;
+  } else {
+    const R3::FreePoint free =
+        R3::FreePointBefore(ray.origin, ray.direction, std::max(ray.t_min, 0.0), p.hit.t,
+                            Dot(p.at.normal, ray.direction), world.Instances()[p.hit.instance].error);
+    p.free_point = free.place;
+    p.departure = {free.clearance, ray.direction, nullptr};
+  }
+  ForgetDeparture(ray);
+}
+
 void AbsorbOnTheWay(ShadingPoint& p) {
-  if (p.entering || IsBlack(p.material->absorb)) return;
+  if (p.entering || p.path.media != 0 || IsBlack(p.material->absorb)) return;
   const double distance = (p.hit.t - p.path.ray.t_min) * Length(p.path.ray.direction);
   p.path.throughput = p.path.throughput * LeftAfter(p.material->absorb, distance);
 }
@@ -44,13 +59,18 @@ R2::Color Background(const Scene& scene, const R3::Vector& direction) {
 }
 
 R3::Ray SpawnRay(const ShadingPoint& surface, const R3::Vector& direction) {
-  const R3::Vector n = AsVector(surface.at.normal);
-  const bool is_towards_viewer = (Dot(n, direction) < 0) == (Dot(n, surface.wo) < 0);
-  return {.origin = is_towards_viewer ? surface.shadow_origin : SpawnPoint(surface.at, direction),
-          .direction = direction,
-          .t_min = LeastT(surface, direction),
-          .time = surface.path.ray.time,
-          .leaving = is_towards_viewer ? surface.leaving : surface.leaving_behind};
+  const double along = Dot(surface.at.normal, direction);
+  const bool is_towards_viewer = (along < 0) == (Dot(surface.at.normal, surface.wo) < 0);
+  R3::Ray ray{.origin = surface.free_point,
+              .direction = direction,
+              .t_min = BeginTowards(surface, direction),
+              .time = surface.path.ray.time,
+              .leaving = is_towards_viewer ? surface.leaving : surface.leaving_behind,
+              .departure = &surface.departure};
+  if (is_towards_viewer) return ray;
+  if (surface.is_met_again) ray.leaving_until = surface.departure.Reach(ray.origin) / std::abs(along);
+  if (surface.beyond) ray.departure = surface.beyond;
+  return ray;
 }
 
 }  // namespace ray

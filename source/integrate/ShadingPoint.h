@@ -1,6 +1,8 @@
 #pragma once
 
+#include "R3/Departure.h"
 #include "R3/Intersection.h"
+#include "source/accelerate/Contact.h"
 #include "source/integrate/TraceState.h"
 #include "source/scene/Light.h"
 
@@ -10,26 +12,41 @@ namespace ray {
 struct ShadingPoint {
   /// What is known at first.
   ShadingPoint(const PathState& arriving, const WorldHit& surface) : path(arriving), hit(surface) {}
+  ShadingPoint(const R3::Ray& camera_ray, const SampleIndex& index, const WorldHit& surface)
+      : path{.ray = camera_ray, .index = index}, hit(surface) {}
 
   PathState path;  // that led here; its throughput is what is left after the way
   WorldHit hit;
-  R3::Intersection at;
+  R3::Intersection at;  // without its error
   const Material* material = nullptr;
   R2::Color kd;              // the material's, times its texture
   R3::Vector wo;             // unit
   bool entering = false;     // whether the ray came from the side of the outward normal
   R3::Vector N;              // unit shading normal on the viewer's side
   bool is_smoothed = false;  // N is not the surface's own normal
-  R3::Point shadow_origin;   // where shadow rays and reflections start: off the surface, on the viewer's side
-  // R3::Ray::leaving of rays that start here on the viewer's side, and of those on the other.
+  R3::Point free_point;      // where rays from here start, on the viewer's side
+  R3::Departure departure;   // what is known there of other surfaces
+  // R3::Ray::leaving of rays that stay on the viewer's side, and of those that go through the surface; these meet the
+  // primitive again where `is_met_again`.
   std::int64_t leaving = -1, leaving_behind = -1;
-  double bias = 0;     // where they may first hit something, in distance from there
+  bool is_met_again = false;
+  // Of a surface that light goes through, see Media: where rays start that have gone through it, what they are inside
+  // of, and the index of refraction on this side over that on the other; 0: that of the material over 1, or 1 over it.
+  const R3::Departure* beyond = nullptr;
+  MediumSets::Number media_beyond = 0;
+  double relative_index = 0;
+  double bias = 0;     // where rays may first hit something, in distance from where they start
   R2::Color radiance;  // back along the ray, as far as it is known
 
   /// What of the scene's ambient light is reflected.
   R2::Color AmbientReflectance() const;
   /// The surface's own normal on the viewer's side.
   R3::Vector Outward() const { return entering ? AsVector(at.normal) : -AsVector(at.normal); }
+  /// Index of refraction on the viewer's side over that on the other.
+  double RelativeIndex() const {
+    if (relative_index > 0) return relative_index;
+    return entering ? 1 / material->ir : material->ir;
+  }
   /// Whether a direction that N faces leads into the surface itself: from there no light can arrive.
   bool IsBehindSurface(const R3::Vector& direction) const { return is_smoothed && !(Dot(Outward(), direction) > 0); }
   bool HasReflectance() const { return !IsBlack(kd) || !IsBlack(material->ks); }
@@ -42,18 +59,22 @@ struct ShadingPoint {
 };
 
 /// The surface where a ray was found to hit. What the inside of a solid absorbed on the way, see LeftAfter, is taken
-/// from the path's throughput.
+/// from the path's throughput, unless Media have done so.
 ShadingPoint ShadingPointAt(const World& world, const PathState& ray, const WorldHit& hit);
 
 /// Of a point whose hit and viewer's side are known, what rays from there leave.
 inline void SetLeaving(const World& world, ShadingPoint& p) {
   const R3::Form form = world.Instances()[p.hit.instance].form;
   const std::int64_t primitive = world.PrimitiveId(p.hit);
-  const auto leaving_if = [&](bool is_outward) {
-    return form == R3::Form::flat || (form == R3::Form::convex && is_outward) ? primitive : -1;
+  const auto is_met = [&](bool is_outward) {
+    return !(form == R3::Form::flat || (form == R3::Form::convex && is_outward));
   };
-  p.leaving = leaving_if(p.entering), p.leaving_behind = leaving_if(!p.entering);
+  p.leaving = is_met(p.entering) ? -1 : primitive;
+  p.leaving_behind = primitive, p.is_met_again = is_met(!p.entering);
 }
+
+/// Of a point whose normal is known, where rays from there start.
+void SetDeparture(const World& world, ShadingPoint& p);
 
 /// Of a point whose surface is known, its kd; and the last of these.
 inline R2::Color KdAt(const ShadingPoint& p) {
@@ -64,25 +85,29 @@ void AbsorbOnTheWay(ShadingPoint& p);
 /// What a ray that hits nothing sees.
 R2::Color Background(const Scene& scene, const R3::Vector& direction);
 
-/// Where a ray may first hit something, as a share of its direction's length.
-inline double LeastT(const ShadingPoint& surface, const R3::Vector& direction) {
-  return surface.bias > 0 ? surface.bias / Length(direction) : 0;
+/// The t_min of a ray from the point.
+inline double BeginTowards(const ShadingPoint& surface, const R3::Vector& direction) {
+  if (surface.bias > 0) [[unlikely]]
+    return surface.bias / Length(direction);
+  return surface.departure.BeginTowards(direction);
 }
 
-/// The same place, a new direction: off the surface on the side it heads for, in the same moment.
+/// A ray from the point in a new direction, on either side, in the same moment. It must not outlive the point.
 R3::Ray SpawnRay(const ShadingPoint& surface, const R3::Vector& direction);
-/// Sends a ray from the viewer's side towards a light.
+/// Sends a ray from the point towards a light.
 inline void AimShadowRay(const ShadingPoint& surface, const R3::Vector& to_light, R3::Ray& ray) {
   ray.direction = to_light;
-  ray.t_min = LeastT(surface, to_light);
+  ray.t_min = BeginTowards(surface, to_light);
   ray.leaving = Dot(surface.N, to_light) > 0 ? surface.leaving : -1;
 }
 inline R3::Ray ShadowRay(const ShadingPoint& surface, const ShadowTarget& light) {
-  R3::Ray ray{.origin = surface.shadow_origin,
-              .direction = light.to_light,
-              .t_max = light.is_infinite ? R3::infinity : 1,
+  R3::Ray ray{.origin = surface.free_point,
+              .t_max = light.is_infinite    ? R3::infinity
+                       : light.reaching < 0 ? 1
+                                            : beyond_target,
               .time = surface.path.ray.time,
-              .reaching = light.reaching};
+              .reaching = light.reaching,
+              .departure = &surface.departure};
   AimShadowRay(surface, light.to_light, ray);
   return ray;
 }

@@ -4,7 +4,6 @@
 
 #include "R3/FlatTriangle.h"
 #include "R3/Numeric.h"
-#include "R3/Spawn.h"
 #include "R3/Sphere.h"
 
 namespace ray {
@@ -29,14 +28,19 @@ constexpr std::size_t most = 16;  // so that all numbers of a surface fit into a
 struct Surfaces {
   std::size_t count = 0;
   std::array<ShadingPoint*, most> points;
-  Vectors<most> direction, position, error, normal, shading_normal;
-  Vectors<most> N, wo, shadow_origin;
-  alignas(64) double facing[most];  // of the normal to the ray
+  Vectors<most> origin, direction, position, normal, shading_normal;
+  Vectors<most> N, wo, free_point;
+  alignas(64) double begin[most], t[most], error[most];  // of the rays, and of what they hit
+  alignas(64) double facing[most], clearance[most];      // n . direction, and of departures
 
   bool IsFull() const { return count == most; }
-  void Add(ShadingPoint& p) {
+  void Add(ShadingPoint& p, const Instance& instance) {
+    const R3::Ray& ray = p.path.ray;
     points[count] = &p;
-    direction.Set(count++, p.path.ray.direction);
+    error[count] = instance.error;
+    origin.Set(count, ray.origin), direction.Set(count, ray.direction);
+    begin[count] = std::max(ray.t_min, 0.0), t[count] = p.hit.t;
+    ++count;
   }
 };
 
@@ -44,11 +48,11 @@ struct Surfaces {
 struct FlatSurfaces : Surfaces {
   Vectors<most> corners[3], weights;
 
-  void Add(ShadingPoint& p, const R3::Mesh& mesh) {
-    const auto places = mesh.CornersInPlace(p.hit.element);
+  void Add(ShadingPoint& p, const Instance& instance) {
+    const auto places = instance.mesh->CornersInPlace(p.hit.element);
     for (std::size_t k = 0; k < 3; ++k) corners[k].Set(count, *places[k]);
     weights.Set(count, R3::Vector{1 - p.hit.u - p.hit.v, p.hit.u, p.hit.v});
-    Surfaces::Add(p);
+    Surfaces::Add(p, instance);
   }
 };
 
@@ -57,10 +61,10 @@ struct RoundSurfaces : Surfaces {
   Vectors<most> met, center;  // `met`: where the ray says that they meet
   alignas(64) double radius[most];
 
-  void Add(ShadingPoint& p, const R3::SphereData& sphere) {
+  void Add(ShadingPoint& p, const Instance& instance, const R3::SphereData& sphere) {
     met.Set(count, p.path.ray.At(p.hit.t)), center.Set(count, sphere.center);
     radius[count] = sphere.radius;
-    Surfaces::Add(p);
+    Surfaces::Add(p, instance);
   }
 };
 
@@ -77,7 +81,7 @@ bool PutInPlace(FlatSurfaces& all) {
     const R3::Vector normal = area / std::sqrt(square);
     are_safe &= R3::IsSafeArea(area);
     are_safe &= R3::IsSafeSquare(square);
-    all.position.Set(i, place.position), all.error.Set(i, place.error);
+    all.position.Set(i, place.position);
     all.normal.Set(i, normal), all.shading_normal.Set(i, normal);
   }
   return are_safe != 0;
@@ -92,7 +96,7 @@ bool PutInPlace(RoundSurfaces& all) {
     const R3::Vector outward = from_center / std::sqrt(square);
     are_safe &= R3::IsSafeSquare(square);
     const R3::SurfacePlace place = R3::PlaceOnSphere(all.center.At(i), all.radius[i], outward);
-    all.position.Set(i, place.position), all.error.Set(i, place.error);
+    all.position.Set(i, place.position);
     all.normal.Set(i, outward), all.shading_normal.Set(i, outward);
   }
   return are_safe != 0;
@@ -109,7 +113,9 @@ bool FaceRays(Surfaces& all) {
     all.wo.Set(i, wo);
     all.facing[i] = Dot(normal, direction);
     all.N.Set(i, all.facing[i] <= 0 ? shading_normal : -shading_normal);
-    all.shadow_origin.Set(i, R3::SpawnedFrom(all.position.At(i), all.error[i], normal, wo));
+    const R3::FreePoint free =
+        R3::FreePointBefore(all.origin.At(i), direction, all.begin[i], all.t[i], all.facing[i], all.error[i]);
+    all.free_point.Set(i, free.place), all.clearance[i] = free.clearance;
   }
   return are_safe != 0;
 }
@@ -123,7 +129,13 @@ void Finish(const World& world, const Surfaces& all) {
     p.entering = all.facing[i] <= 0;
     p.N = all.N[i];
     p.is_smoothed = !(all.normal[i] == all.shading_normal[i]);
-    p.shadow_origin = all.shadow_origin.At(i);
+    if (HasNotMoved(p.path.ray, p.hit.t)) [[unlikely]] {
+      SetDeparture(world, p);
+    } else {
+      p.free_point = all.free_point.At(i);
+      p.departure = {all.clearance[i], all.direction[i], nullptr};
+      ForgetDeparture(p.path.ray);
+    }
     SetLeaving(world, p);
     p.bias = world.scene().shadow_bias;
     AbsorbOnTheWay(p);
@@ -147,18 +159,18 @@ class Completion {
     if (p.material->bump || p.material->normal_map)
       p = ShadingPointAt(world_, p.path, p.hit);
     else if (is_plain && instance.mesh && !instance.mesh->IsSmooth())
-      AddTo(flat_, p, *instance.mesh);
+      AddTo(flat_, p, instance);
     else if (const auto sphere = is_plain ? instance.shape->AsSphere() : std::nullopt)
-      AddTo(round_, p, *sphere);
+      AddTo(round_, p, instance, *sphere);
     else
-      AddOther(p);
+      AddOther(p, instance);
   }
   void CompleteAll() { Complete(flat_), Complete(round_), CompleteOthers(); }
 
  private:
-  template <typename Kind, typename Surface>
-  void AddTo(Kind& surfaces, ShadingPoint& p, const Surface& surface) {
-    surfaces.Add(p, surface);
+  template <typename Kind, typename... Surface>
+  void AddTo(Kind& surfaces, ShadingPoint& p, const Surface&... surface) {
+    surfaces.Add(p, surface...);
     if (surfaces.IsFull()) Complete(surfaces);
   }
   template <typename Kind>
@@ -166,7 +178,7 @@ class Completion {
     if (PutInPlace(surfaces) && FaceRays(surfaces)) [[likely]] {
       for (std::size_t i = 0; i < surfaces.count; ++i) {
         R3::Intersection& at = surfaces.points[i]->at;
-        at.position = surfaces.position.At(i), at.error = surfaces.error[i];
+        at.position = surfaces.position.At(i);
         at.normal = at.shading_normal = AsNormal(surfaces.normal[i]);
       }
       Finish(world_, surfaces);
@@ -176,12 +188,13 @@ class Completion {
     surfaces.count = 0;
   }
 
-  void AddOther(ShadingPoint& p) {
+  void AddOther(ShadingPoint& p, const Instance& instance) {
     p.at = world_.At(p.path.ray, p.hit);
+    p.at.error = {};
     const std::size_t i = others_.count;
-    others_.position.Set(i, p.at.position), others_.error.Set(i, p.at.error);
+    others_.position.Set(i, p.at.position);
     others_.normal.Set(i, p.at.normal), others_.shading_normal.Set(i, p.at.shading_normal);
-    others_.Add(p);
+    others_.Add(p, instance);
     if (others_.IsFull()) CompleteOthers();
   }
   void CompleteOthers() {

@@ -19,7 +19,7 @@ class Toon : public FirstHit {
   R2::Color Seen(const ShadingPoint& p) const override {
     R2::Color sum = p.EmittedAndAmbient(world().scene());
     for (const auto& light : world().scene().lights)
-      if (const auto sample = light->Illuminate(p.shadow_origin, {0.5, 0.5})) sum += Shade(p, *sample);
+      if (const auto sample = light->Illuminate(p.free_point, {0.5, 0.5})) sum += Shade(p, *sample);
     return sum;
   }
   R2::Color Missed(const R3::Vector& direction) const override { return Background(world().scene(), direction); }

@@ -20,6 +20,18 @@ enum class LightStrategy { mis, light, bsdf, uniform };
 inline constexpr std::array strategy_names{"mis", "light", "bsdf", "uniform"};
 constexpr const auto& NamesOf(LightStrategy) { return strategy_names; }
 
+/// How mode path reads what shapes emit: as a radiance, or as mode whitted does, as the full color of a light that
+/// shines from each of its points without fall-off.
+enum class Emission { radiance, color };
+inline constexpr std::array emission_names{"radiance", "color"};
+constexpr const auto& NamesOf(Emission) { return emission_names; }
+
+/// What is one lamp where emission is a color: each triangle of an emissive mesh, as the course has it, or the mesh as a
+/// whole.
+enum class EmissiveMeshes { faces, whole };
+inline constexpr std::array emissive_mesh_names{"faces", "whole"};
+constexpr const auto& NamesOf(EmissiveMeshes) { return emissive_mesh_names; }
+
 /// The distances that mode zbuffer shows as white and as black.
 struct ZBufferRange {
   double near = 0, far = 0;  // both 0: those of the nearest and the farthest surface in the picture
@@ -45,7 +57,9 @@ struct TraceSettings {
   int shadow_samples = 16;      // rays to each light that has an area, >= 1
   bool shadows = true;
   bool glossy = false;                 // reflections are spread over the Phong lobe, not only along its axis
-  bool emissive_solids_light = false;  // in mode whitted as triangles do; in mode path all that emits is a light
+  Emission emission = Emission::radiance;
+  bool emissive_solids_light = false;  // as triangles do where emission is a color; as a radiance all that emits does
+  EmissiveMeshes emissive_meshes = EmissiveMeshes::faces;
   bool fresnel = false;  // clear surfaces reflect by Fresnel's equations, and all of what they cannot let through
   bool internal_reflection = false;  // and the latter without Fresnel's equations too; else it is lost
   int lights = -1;  // chosen at each point by importance; 0: every light; -1: see LightsChosenByPath, whitted all

@@ -9,9 +9,12 @@
 
 #include "R1/BatchSize.h"
 #include "R2/Color.h"
+#include "R3/Departure.h"
 #include "R3/Ray.h"
 #include "source/accelerate/Workspace.h"
 #include "source/accelerate/World.h"
+#include "source/integrate/Arena.h"
+#include "source/integrate/MediumSets.h"
 #include "source/integrate/RayCounts.h"
 #include "source/sample/Sampler.h"
 
@@ -25,6 +28,7 @@ struct PathState {
   SampleIndex index;
   RayKind kind = RayKind::camera;
   bool is_scattered = false;  // by some surface, not only mirrored and refracted
+  MediumSets::Number media = 0;  // what it is inside of
   int record = -1;            // where rays are recorded: its number; until it is traced that of the ray it comes from
 };
 
@@ -52,10 +56,27 @@ struct TraceState {
   std::vector<R3::Ray> batch;  // camera rays
   std::vector<std::optional<WorldHit>> hits;
   std::vector<PathState> pending;
+  // What rays point to that wait, or that have gone through a surface.
+  Arena<R3::Departure> departures;
+  Arena<R3::Crossed> crossings;
+  MediumSets media;
+  struct CameraRay {
+    R3::Point origin;
+    double time;
+    MediumSets::Number media;
+  };
+  std::optional<CameraRay> last_camera_ray;  // whose media are known
   ShadowRays shadows;
   std::vector<R2::Color> arrived;           // at each point
   RayRecorder* recorder = nullptr;          // told of every ray; null for none
   const std::atomic<bool>* stop = nullptr;  // looked at before each few rays; null for none
+
+  /// Before camera rays are traced, all before being done.
+  void Begin() {
+    departures.Shrink(0), crossings.Shrink(0);
+    media.Clear();
+    last_camera_ray.reset();
+  }
 
   /// Then what is being traced is of no use to anybody, and loops may end early.
   bool IsStopped() const { return stop && stop->load(std::memory_order_relaxed); }

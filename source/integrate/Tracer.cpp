@@ -15,23 +15,43 @@ void IntersectCameraRays(const Accelerator& accelerator, std::span<const CameraS
 }
 
 std::vector<ShadingPoint> Tracer::CameraHits(std::span<const CameraSample> samples, TraceState& state) const {
+  state.Begin();
   IntersectCameraRays(accelerator_, samples, state);
   std::vector<ShadingPoint> points;
   points.reserve(samples.size());
   for (std::size_t i = 0; i < samples.size(); ++i) {
-    PathState path{.ray = samples[i].ray, .index = samples[i].index};
-    if (state.recorder) path.record = state.recorder->Begin(path);
-    if (state.hits[i]) {
-      points.emplace_back(path, *state.hits[i]);
-    } else if (state.recorder) {
-      RecordMiss(path, Background(world_.scene(), path.ray.direction), state);
+    if (state.hits[i]) points.emplace_back(samples[i].ray, samples[i].index, *state.hits[i]);
+    if (state.hits[i] && media_.AreNeeded() && !StartInMedia(points.back(), state)) {
+      points.pop_back();
+      state.hits[i].reset();
     }
+    if (state.recorder) [[unlikely]]
+      RecordCameraRay(samples[i], state.hits[i] ? &points.back() : nullptr, state);
   }
   if (state.recorder)  // which shows texture coordinates, whether the material has a use for them or not
     for (ShadingPoint& p : points) p = ShadingPointAt(world_, p.path, p.hit);
   else
     CompleteShadingPoints(world_, points);
+  if (media_.AreNeeded())
+    for (ShadingPoint& p : points) SetSides(p, state);
   return points;
+}
+
+bool Tracer::StartInMedia(ShadingPoint& p, TraceState& state) const {
+  p.path.media = media_.At(p.path.ray, state);
+  if (media_.IsPlain(p.path, p.hit)) return true;
+  std::optional<WorldHit> seen = p.hit;
+  media_.Arrive(p.path, seen, state);
+  if (seen) p.hit = *seen;
+  return seen.has_value();
+}
+
+void Tracer::RecordCameraRay(const CameraSample& sample, ShadingPoint* hit, TraceState& state) const {
+  const int record = state.recorder->Begin({.ray = sample.ray, .index = sample.index});
+  if (hit)
+    hit->path.record = record;
+  else
+    state.recorder->Misses(record, Background(world_.scene(), sample.ray.direction));
 }
 
 void Tracer::TraceShadowRays(TraceState& state) const {

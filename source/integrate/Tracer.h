@@ -5,6 +5,7 @@
 
 #include "source/accelerate/Accelerator.h"
 #include "source/integrate/Integrator.h"
+#include "source/integrate/Media.h"
 #include "source/integrate/ShadingPoint.h"
 #include "source/integrate/debug/RayRecorder.h"
 #include "source/scene/Light.h"
@@ -19,7 +20,7 @@ void IntersectCameraRays(const Accelerator& accelerator, std::span<const CameraS
 class Tracer {
  public:
   Tracer(const World& world, const Accelerator& accelerator, bool shadows)
-      : world_(world), accelerator_(accelerator), shadows_(shadows) {}
+      : world_(world), accelerator_(accelerator), media_(world, accelerator), shadows_(shadows) {}
 
   /// Hits of camera rays go to state.hits.
   ///   returns   the points of those that hit something, in order
@@ -30,6 +31,7 @@ class Tracer {
       path.record = state.recorder->Begin(path);
     auto hit = accelerator_.Intersect(path.ray, state.workspace);
     state.Count(path.kind, 1);
+    Arrive(path, hit, state);
     return hit;
   }
   /// The same of rays of one kind that nobody records; where each hits goes to `hits`.
@@ -37,6 +39,19 @@ class Tracer {
                      TraceState& state) const {
     accelerator_.Intersect(rays, hits, state.workspace);
     state.Count(kind, rays.size());
+  }
+  /// A path that is found to hit something arrives at the surface that it sees.
+  void Arrive(PathState& path, std::optional<WorldHit>& hit, TraceState& state) const {
+    if (media_.AreNeeded() && hit && !media_.IsPlain(path, *hit)) media_.Arrive(path, hit, state);
+  }
+  /// The surface where a path has arrived.
+  ShadingPoint PointAt(const PathState& path, const WorldHit& hit, TraceState& state) const {
+    ShadingPoint p = ShadingPointAt(world_, path, hit);
+    SetSides(p, state);
+    return p;
+  }
+  void SetSides(ShadingPoint& p, TraceState& state) const {
+    if (media_.AreNeeded() && !IsBlack(p.material->kt)) media_.SetSides(p, state);
   }
   static void RecordHit(const ShadingPoint& p, const R2::Color& contribution, TraceState& state) {
     if (state.recorder) [[unlikely]]
@@ -76,6 +91,10 @@ class Tracer {
   void TraceShadowRays(TraceState& state) const;
 
  private:
+  /// Takes a camera ray on to the surface that it sees; false where it sees none.
+  bool StartInMedia(ShadingPoint& p, TraceState& state) const;
+  /// `hit` is null where it hits nothing.
+  void RecordCameraRay(const CameraSample& sample, ShadingPoint* hit, TraceState& state) const;
   /// What the next ray is for.
   template <typename Describe>
   void AddReflected(const ShadingPoint& p, std::size_t index, const R2::Color& reflected, const R2::Color& throughput,
@@ -84,13 +103,16 @@ class Tracer {
     const std::size_t i = shadows.count++;
     shadows.point[i] = index;
     shadows.reflected[i] = reflected;
+    if (p.path.media != 0 && media_.AreAbsorbing())
+      shadows.reflected[i] = media_.LeftOf(reflected, p.path.media, Length(shadows.rays[i].direction), state);
     if (state.recorder) [[unlikely]]
-      state.recorder->BeginShadow(p, shadows.rays[i], throughput * reflected, describe());
+      state.recorder->BeginShadow(p, shadows.rays[i], throughput * shadows.reflected[i], describe());
     if (shadows.IsFull()) TraceShadowRays(state);
   }
 
   const World& world_;
   const Accelerator& accelerator_;
+  Media media_;
   bool shadows_;
 };
 

@@ -1,11 +1,11 @@
 #include "source/integrate/Whitted.h"
 
 #include <algorithm>
-#include <bit>
 #include <numbers>
 
 #include "source/integrate/Bsdf.h"
 #include "source/integrate/RussianRoulette.h"
+#include "source/integrate/lights/LampSample.h"
 
 namespace ray {
 namespace {
@@ -20,46 +20,19 @@ enum WhittedKey : std::uint64_t {
   first_light_key
 };
 // Of the rays that share a reflection, and of lights that are chosen; no surface has as many lights.
-constexpr std::uint64_t gloss_key = camera_key - 1, chosen_lights_key = camera_key - 2, again_key = camera_key - 3;
+constexpr std::uint64_t gloss_key = camera_key - 1, chosen_lights_key = camera_key - 2;
 
 bool IsExtended(const Light& light) { return light.IsExtended(); }
-bool IsExtended(const EmissiveTriangle&) { return true; }
+bool IsExtended(const TriangleLamp&) { return true; }
 bool IsExtended(const EmissiveShape&) { return true; }
 bool IsExtended(const Environment&) { return true; }
 
-/// Whether a surface is itself the light.
-bool IsOn(const ShadingPoint& p, const EmissiveTriangle& triangle, const World& world) {
-  return triangle.primitive == world.PrimitiveId(p.hit);
-}
-bool IsOn(const ShadingPoint& p, const EmissiveShape& shape, const World& world) {
-  return shape.Primitive() == world.PrimitiveId(p.hit);
-}
-template <typename Other>
-bool IsOn(const ShadingPoint&, const Other&, const World&) {
-  return false;
-}
+bool IsOn(const ShadingPoint&, const Light&, const World&) { return false; }
+bool IsOn(const ShadingPoint&, const Environment&, const World&) { return false; }
 
 /// A point on the light, picked by `u`.
 std::optional<LightSample> SampleLight(const ShadingPoint& p, const Light& light, const R2::Point& u) {
-  return light.Illuminate(p.shadow_origin, u);
-}
-std::optional<LightSample> SampleLight(const ShadingPoint& p, const EmissiveTriangle& triangle, const R2::Point& u) {
-  const R3::Vector way = triangle.PointTowards(p.shadow_origin, u, p.path.ray.time) - p.shadow_origin;
-  return LightSample{.irradiance = triangle.RadianceAlong(way), .to_light = way, .reaching = triangle.primitive};
-}
-std::optional<LightSample> SampleLight(const ShadingPoint& p, const EmissiveShape& shape, const R2::Point& u) {
-  const R3::Point& from = p.shadow_origin;
-  const double time = p.path.ray.time;
-  auto drawn = shape.SampleTowards(from, u, time);
-  if (!drawn && !shape.DrawsInSight()) {
-    // Of some shapes, what hides itself is drawn as well. The mean is that over what does not.
-    constexpr std::uint32_t most_attempts = 64;
-    const RandomKey key = p.path.index.key.Child(again_key).Child(std::bit_cast<std::uint64_t>(u.x));
-    const Points again(SamplerKind::random, key.Child(std::bit_cast<std::uint64_t>(u.y)), most_attempts);
-    for (std::uint32_t k = 0; k < most_attempts && !drawn; ++k) drawn = shape.SampleTowards(from, again.Get2D(k), time);
-  }
-  if (!drawn) return {};
-  return LightSample{.irradiance = drawn->radiance, .to_light = drawn->towards, .reaching = shape.Reached()};
+  return light.Illuminate(p.free_point, u);
 }
 std::optional<LightSample> SampleLight(const ShadingPoint&, const Environment& environment, const R2::Point& u) {
   const Environment::Sample drawn = environment.Draw(u);
@@ -75,9 +48,16 @@ R2::Color Reflection(const Environment&, const ShadingPoint& p, const LightSampl
   return DiffuseReflection(p, light.to_light) * light.irradiance;
 }
 
+/// Paths wait longer than the point that they start from stays.
+void KeepDeparture(const R3::Departure& departure, std::span<PathState> spawned, TraceState& state) {
+  const R3::Departure& kept = state.departures.Add(departure);
+  for (PathState& path : spawned)
+    if (path.ray.departure == &departure) path.ray.departure = &kept;
+}
+
 /// What a recording calls it.
 std::string Described(const Light& light) { return light.Describe(); }
-std::string Described(const EmissiveTriangle& triangle) { return triangle.Describe(); }
+std::string Described(const TriangleLamp& lamp) { return lamp.Describe(); }
 std::string Described(const EmissiveShape& shape) { return shape.Describe(); }
 std::string Described(const Environment&) { return "environment"; }
 
@@ -89,7 +69,7 @@ Whitted::Whitted(const World& world, const Accelerator& accelerator, const Trace
       settings_(settings),
       has_roulette_(settings.roulette == Roulette::on),
       lights_(LightsOf(world.scene())),
-      triangles_(EmissiveTriangles(world)) {
+      lamps_(TriangleLamps(world, settings.emissive_meshes)) {
   if (settings.emissive_solids_light) shapes_ = EmissiveShapes(world);
   settings_.max_depth = std::min<std::int64_t>(settings_.max_depth, most_bounces);
   const Scene& scene = world.scene();
@@ -97,7 +77,7 @@ Whitted::Whitted(const World& world, const Accelerator& accelerator, const Trace
   if (settings_.lights <= 0) return;
   std::vector<LightBound> bounds;
   for (const Light* light : lights_) bounds.push_back(light->Bound());
-  for (const EmissiveTriangle& triangle : triangles_) bounds.push_back(triangle.Bound());
+  for (const TriangleLamp& lamp : lamps_) bounds.push_back(lamp.Bound());
   for (const EmissiveShape& shape : shapes_) bounds.push_back(shape.Bound());
   tree_.emplace(std::move(bounds));
 }
@@ -116,6 +96,7 @@ R2::Color Whitted::Follow(const ShadingPoint& first, TraceState& state) const {
   R2::Color sum = first.path.throughput * first.radiance;
   int descendants = 0;
   state.pending.clear();
+  const std::size_t departures = state.departures.Count();
   const auto spawn = [&](const ShadingPoint& p) {
     if (p.path.depth >= settings_.max_depth) {
       state.rays.EndAt(Luminance(p.path.throughput * SpecularReflectance(p, settings_)));
@@ -124,6 +105,7 @@ R2::Color Whitted::Follow(const ShadingPoint& first, TraceState& state) const {
     const std::size_t before = state.pending.size();
     Spawn(p, state);
     const std::size_t spawned = state.pending.size() - before;
+    if (spawned > 0) KeepDeparture(p.departure, std::span(state.pending).last(spawned), state);
     if (descendants < most_descendants) {
       descendants += static_cast<int>(spawned);
     } else {
@@ -142,11 +124,12 @@ R2::Color Whitted::Follow(const ShadingPoint& first, TraceState& state) const {
       sum += seen;
       continue;
     }
-    ShadingPoint p = ShadingPointAt(world_, path, *hit);
+    ShadingPoint p = tracer_.PointAt(path, *hit, state);
     Shade({&p, 1}, state);
     sum += p.path.throughput * p.radiance;
     spawn(p);
   }
+  state.departures.Shrink(departures);
   return sum;
 }
 
@@ -160,7 +143,7 @@ void Whitted::Shade(std::span<ShadingPoint> points, TraceState& state) const {
   } else {
     std::uint64_t which = first_light_key;
     for (const Light* light : lights_) AddLight(*light, which++, points, state);
-    for (const EmissiveTriangle& triangle : triangles_) AddLight(triangle, which++, points, state);
+    for (const TriangleLamp& lamp : lamps_) AddLight(lamp, which++, points, state);
     for (const EmissiveShape& shape : shapes_) AddLight(shape, which++, points, state);
   }
   if (environment_) AddLight(*environment_, environment_key, points, state);
@@ -196,7 +179,7 @@ void Whitted::AddChosenLights(std::span<ShadingPoint> points, TraceState& state)
     const Points random_points = p.path.index.PointsFor(chosen_lights_key, settings_.sampler, settings_.samples, count);
     for (std::uint32_t k = 0; k < count && !state.IsStopped(); ++k) {
       const auto random = random_points.Get<3>(p.path.index.sample * count + k);
-      const auto choice = tree_->Choose(p.shadow_origin, p.N, random[2]);
+      const auto choice = tree_->Choose(p.free_point, p.N, random[2]);
       if (!choice) continue;
       AddChosenLight(static_cast<std::size_t>(choice->light), p, i, {random[0], random[1]},
                      1 / (choice->probability * count), state);
@@ -212,8 +195,8 @@ void Whitted::AddChosenLight(std::size_t which, const ShadingPoint& p, std::size
   };
   if (which < lights_.size()) return add(*lights_[which]);
   which -= lights_.size();
-  if (which < triangles_.size()) return add(triangles_[which]);
-  add(shapes_[which - triangles_.size()]);
+  if (which < lamps_.size()) return add(lamps_[which]);
+  add(shapes_[which - lamps_.size()]);
 }
 
 template <typename AnyLight>
@@ -239,7 +222,7 @@ void Whitted::AddSamples(const Light& light, const ShadingPoint& p, std::size_t 
   LightSamples samples;
   samples.count = count;
   random.GetEach2D(first, count, samples.u, samples.v);
-  samples.SetFrom(p.shadow_origin);
+  samples.SetFrom(p.free_point);
   light.IlluminateEach(samples);
   PhongReflectionOfEach(p, weight, samples);
   tracer_.AddShadowRays(

@@ -7,8 +7,8 @@
 #include "source/integrate/Integrator.h"
 #include "source/integrate/Tracer.h"
 #include "source/integrate/lights/EmissiveShape.h"
-#include "source/integrate/lights/EmissiveTriangle.h"
 #include "source/integrate/lights/LightTree.h"
+#include "source/integrate/lights/TriangleLamp.h"
 
 namespace ray {
 
@@ -63,10 +63,10 @@ class Whitted : public Integrator {
   TraceSettings settings_;
   bool has_roulette_;
   std::vector<const Light*> lights_;  // those that are not black
-  std::vector<EmissiveTriangle> triangles_;
+  std::vector<TriangleLamp> lamps_;
   std::vector<EmissiveShape> shapes_;         // those that are lights
   const Environment* environment_ = nullptr;  // if it shines
-  std::optional<LightTree> tree_;             // over lights, triangles, shapes, if they are chosen among
+  std::optional<LightTree> tree_;             // over lights, lamps, shapes, if they are chosen among
 };
 
 }  // namespace ray

@@ -129,6 +129,7 @@ R2::Image Assets::DecodeImage(const FoundFile& file, const std::string& bytes, U
                           " MiB decoded, more than the limit of " + std::to_string(max_texture_bytes_ >> 20) + " MiB",
                       "-memory sets another limit"};
     R2::DecodedImage decoded = R2::DecodeImage(BytesOf(bytes));
+    for (const std::string& warning : decoded.warnings) report_.Warn(Escaped(file.shown), warning);
     const bool is_encoded = decode_srgb_ && use == Use::color && !decoded.format->is_linear;
     return is_encoded ? Linear(std::move(decoded.image)) : std::move(decoded.image);
   } catch (const R2::ImageError& error) {

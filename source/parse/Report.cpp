@@ -1,5 +1,6 @@
 #include "source/parse/Report.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace ray {
@@ -15,8 +16,11 @@ void Report::Error(SceneError error) {
 }
 
 void Report::Warn(const std::string& place, const std::string& message) {
+  std::string line = place + ": warning: " + message;
+  // A file that is read twice, for two uses, says the same twice.
+  if (std::ranges::find(warnings_, line) != warnings_.end()) return;
   if (warnings_.size() < max_warnings)
-    warnings_.push_back(place + ": warning: " + message);
+    warnings_.push_back(std::move(line));
   else
     ++warnings_left_out_;
 }

@@ -12,7 +12,7 @@ class Report {
  public:
   /// Throws SceneErrors when there are too many to go on.
   void Error(SceneError error);
-  /// One line; beyond a hundred they are counted only.
+  /// One line, which is kept once however often it is said; beyond a hundred they are counted only.
   void Warn(const std::string& place, const std::string& message);
 
   /// Throws SceneErrors if there was any.

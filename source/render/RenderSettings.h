@@ -101,6 +101,11 @@ struct RenderSettings {
   int tile_size = 32;  // side of a work item in pixels, rounded up to whole blocks of the film; 0: the whole picture
 };
 
+/// Whether emission is a radiance and everything that emits a lamp; else it is a color, as mode whitted reads it.
+inline bool EmitsRadiance(const RenderSettings& settings) {
+  return settings.mode == RenderMode::path && settings.trace.emission == Emission::radiance;
+}
+
 /// The part of the picture that is rendered.
 inline PixelRectangle RegionOf(const RenderSettings& settings) {
   return settings.crop.value_or(PixelRectangle{0, 0, settings.width, settings.height});

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "source/integrate/lights/LightSampler.h"
+#include "source/integrate/lights/TriangleLamp.h"
 #include "source/render/Schedule.h"
 #include "source/text/EnumNames.h"
 
@@ -17,6 +18,12 @@ std::string SettingText(double number) {
   std::array<char, 64> text{};
   const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), number);
   return std::string(text.data(), end);
+}
+
+/// How many lights the instance is, if it emits and may be a light.
+std::size_t LightsOf(const Instance& instance, const RenderSettings& settings) {
+  const bool is_one = !EmitsRadiance(settings) && instance.mesh && IsOneLamp(instance, settings.trace.emissive_meshes);
+  return is_one ? 1 : static_cast<std::size_t>(instance.shape->Elements());
 }
 
 bool IsTraced(RenderMode mode) { return mode == RenderMode::whitted || mode == RenderMode::path || ShowsCosts(mode); }
@@ -41,12 +48,12 @@ SceneFeatures FeaturesOf(const World& world, const RenderSettings& settings) {
   }
   features.shadow_bias = scene.shadow_bias > 0;
   features.environment = scene.environment && !scene.environment->IsBlack();
-  const bool shapes_light = is_path || settings.trace.emissive_solids_light;
+  const bool shapes_light = EmitsRadiance(settings) || settings.trace.emissive_solids_light;
   for (const Instance& instance : world.Instances()) {
     const Material& m = *instance.material;
     if (instance.Emits() && (instance.mesh || (shapes_light && instance.shape->CanBeSampled()))) {
       (instance.mesh ? features.emissive_triangles : features.emissive_shapes) = true;
-      lights += static_cast<std::size_t>(instance.shape->Elements());
+      lights += LightsOf(instance, settings);
     }
     features.mirrors |= (!IsBlack(m.kr) || m.coat > 0) && settings.trace.max_depth > 0;
     features.clear |= !IsBlack(m.kt) && settings.trace.max_depth > 0;

@@ -12,6 +12,7 @@ namespace ray {
 struct Material {
   /// As many rays as a reflection can be shared by: a picture of 64 samples per pixel then has 65,536 of them.
   static constexpr int most_gloss_samples = 1024;
+  static constexpr int most_priority = 1'000'000;
 
   R2::Color ka{0.2, 0.2, 0.2};  // ambient reflectance
   R2::Color kd{0.5, 0.5, 0.5};  // diffuse reflectance; a texture multiplies it
@@ -24,6 +25,7 @@ struct Material {
   std::shared_ptr<const Texture> texture;
   bool texture_multiplies_ka = false;  // as well as kd
   R2::Color absorb{0, 0, 0};  // what the inside takes from light, per unit of length; by the extension of that name
+  int priority = 0;           // where solids overlap, the material with the highest fills the place
   std::shared_ptr<const Texture> bump;  // its luminance times bump_height is how far the surface seems to rise
   double bump_height = 0;
   std::shared_ptr<const Texture> normal_map;  // normals as colors 2 c - 1: along u, along v, outward

@@ -51,15 +51,48 @@ TEST(Hdr, DamagedRunsAreRefused) {
   EXPECT_NE(Complaint(Header("-Y 1 +X 8") + Bytes{2, 2, 0, 8} + Bytes{9} + Bytes(100)), "");
 }
 
-TEST(Hdr, OtherOrientationsAndColorSpacesAreNamed) {
-  EXPECT_NE(Complaint(Header("+Y 1 +X 1") + white).find("orientation"), std::string::npos);
-  EXPECT_NE(Complaint(Header("-Y 1 -X 1") + white).find("orientation"), std::string::npos);
-  EXPECT_NE(Complaint(Header("+X 1 -Y 1") + white).find("orientation"), std::string::npos);
+// Two by one pixels, red first: the first letter is the axis along which scan lines follow each other, and a sign says
+// whether its coordinate rises, y upwards (Ward, Radiance File Formats).
+TEST(Hdr, TheResolutionSaysWhereTheFirstPixelIs) {
+  const struct {
+    const char* resolution;
+    int width, red_x, red_y;
+  } cases[] = {{"-Y 1 +X 2", 2, 0, 0}, {"+Y 1 +X 2", 2, 0, 0}, {"-Y 1 -X 2", 2, 1, 0}, {"+Y 1 -X 2", 2, 1, 0},
+               {"+X 1 -Y 2", 1, 0, 1}, {"-X 1 -Y 2", 1, 0, 1}, {"+X 1 +Y 2", 1, 0, 0}, {"-X 1 +Y 2", 1, 0, 0},
+               {"+X 2 -Y 1", 2, 0, 0}, {"-X 2 -Y 1", 2, 1, 0}, {"+Y 2 +X 1", 1, 0, 0}, {"-Y 2 +X 1", 1, 0, 1}};
+  for (const auto& c : cases) {
+    const Bytes bytes = Header(c.resolution) + red + blue;
+    const Image image = DecodeImage(bytes).image;
+    ASSERT_EQ(image.Width(), c.width) << c.resolution;
+    EXPECT_EQ(ReadImageSize(bytes).width, c.width) << c.resolution;
+    EXPECT_EQ(image.At(c.red_x, c.red_y), (Color{1, 0, 0})) << c.resolution;
+  }
+}
+
+TEST(Hdr, BrokenResolutionsAndOtherColorSpacesAreNamed) {
   EXPECT_NE(Complaint(ToBytes("#?RADIANCE\nFORMAT=32-bit_rle_xyze\n\n-Y 1 +X 1\n") + white).find("32-bit_rle_rgbe"),
             std::string::npos);
-  for (const char* bad : {"-Y 1 +X", "-Y +X 1", "-Y 1.5 +X 1", "-Y 1 +X 1 ", "-Y 0 +X 1", "-Y -1 +X 1", ""}) {
-    EXPECT_NE(Complaint(Header(bad) + white), "") << bad;
+  for (const char* bad : {"-Y 1 +X", "-Y +X 1", "-Y 1.5 +X 1", "-Y 1 +X 1 +X 1", "-Y 0 +X 1", "-Y -1 +X 1", "",
+                          "-Y 1 +Y 1", "+X 1 -X 1", "Y 1 X 1", "-Z 1 +X 1"}) {
+    EXPECT_EQ(Complaint(Header(bad) + white).substr(0, 4), "HDR ") << bad;
   }
+  EXPECT_EQ(Complaint(Header("-Y 1 +X 1 ") + white), "");
+}
+
+// The last of a name is kept as a setting, and all of them count.
+TEST(Hdr, FactorsOfALineThatComesAgainAreMultiplied) {
+  const auto warnings = [](const std::string& lines) {
+    return DecodeImage(ToBytes("#?RADIANCE\n" + lines + "\n-Y 1 +X 1\n") + white).warnings;
+  };
+  EXPECT_EQ(
+      warnings("EXPOSURE=2\nEXPOSURE=4\n"),
+      std::vector<std::string>{"HDR states that its values have been multiplied by an EXPOSURE of 8, which is not "
+                               "undone; rayimg convert -exposure -3 undoes it"});
+  EXPECT_TRUE(warnings("EXPOSURE=2\nEXPOSURE=0.5\n").empty());
+  EXPECT_TRUE(warnings("EXPOSURE=bright\nEXPOSURE=0\nEXPOSURE=-1\nEXPOSURE=inf\nEXPOSURE=\n").empty());
+  EXPECT_EQ(warnings("COLORCORR=2 1 1\nCOLORCORR=2 1\n").size(), 1u);
+  EXPECT_EQ(warnings("PRIMARIES=1 0 0 1 0 0 0.333 0.333\n").size(), 1u);
+  EXPECT_EQ(warnings("PRIMARIES=\n").size(), 1u);
 }
 
 // Flat stretches are what run-length encoding is for; noise must not grow by more than a count every 128 bytes.

@@ -5,6 +5,7 @@
 #include <jpeglib.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 
 #include "tests/R2/image_bytes.h"
@@ -14,7 +15,8 @@ namespace R2 {
 namespace {
 
 /// One flat color of `components` channels, as another program would write it.
-Bytes Flat(JDIMENSION size, int components, J_COLOR_SPACE space, bool is_progressive = false) {
+Bytes Flat(JDIMENSION size, int components, J_COLOR_SPACE space, bool is_progressive = false,
+           J_COLOR_SPACE stored = JCS_UNKNOWN) {
   jpeg_error_mgr errors;
   jpeg_compress_struct codec;
   codec.err = jpeg_std_error(&errors);
@@ -26,6 +28,7 @@ Bytes Flat(JDIMENSION size, int components, J_COLOR_SPACE space, bool is_progres
   codec.input_components = components;
   codec.in_color_space = space;
   jpeg_set_defaults(&codec);
+  if (stored != JCS_UNKNOWN) jpeg_set_colorspace(&codec, stored);
   if (is_progressive) jpeg_simple_progression(&codec);
   jpeg_start_compress(&codec, TRUE);
   std::vector<JSAMPLE> row(size * static_cast<std::size_t>(components), 102);
@@ -52,9 +55,103 @@ TEST(Jpeg, GrayAndProgressivePicturesAreRead) {
   EXPECT_NEAR(DecodeImage(Flat(9, 3, JCS_RGB, true)).image.At(4, 4).b, 0.4, 0.005);
 }
 
-TEST(Jpeg, InksAreRefusedByName) {
-  EXPECT_EQ(Complaint(Flat(9, 4, JCS_CMYK)),
-            "JPEG has 4 components (CMYK?); only 1 (gray) and 3 (color) are supported");
+// 102 of 255 of every ink lets .4 of the light through, twice: once for black.
+TEST(Jpeg, InksAreReadAsAdobeHasThem) {
+  for (const J_COLOR_SPACE stored : {JCS_CMYK, JCS_YCCK})
+    EXPECT_NEAR(DecodeImage(Flat(9, 4, JCS_CMYK, false, stored)).image.At(4, 4).g, 0.4 * 0.4, 0.005) << stored;
+  EXPECT_EQ(Complaint(Flat(9, 2, JCS_UNKNOWN)), "JPEG has 2 components; 1 (gray), 3 (color) and 4 (CMYK) are read");
+}
+
+/// A block of EXIF with one entry, in the byte order of Intel or of Motorola.
+Bytes Exif(unsigned char orientation, bool is_big, unsigned char type = 3) {
+  const auto number = [&](std::uint32_t value, int count) {
+    Bytes bytes;
+    for (int i = 0; i < count; ++i)
+      bytes.push_back(static_cast<unsigned char>(value >> 8 * (is_big ? count - 1 - i : i)));
+    return bytes;
+  };
+  const Bytes value = is_big ? Bytes{0, orientation, 0, 0} : Bytes{orientation, 0, 0, 0};
+  return ToBytes(is_big ? "MM" : "II") + number(42, 2) + number(8, 4) + number(1, 2) + number(0x112, 2) +
+         number(type, 2) + number(1, 4) + value;
+}
+
+Bytes WithExif(const Bytes& jpeg, const Bytes& exif) {
+  const Bytes start = ToBytes(std::string_view("Exif\0\0", 6));
+  const auto length = static_cast<unsigned char>(2 + start.size() + exif.size());
+  return Bytes(jpeg.begin(), jpeg.begin() + 2) + Bytes{0xff, 0xe1, 0, length} + start + exif +
+         Bytes(jpeg.begin() + 2, jpeg.end());
+}
+
+// Where the first pixel of the first row lies, by the table of Exif 2.3: row 0 and column 0 are top and left, top and
+// right, bottom and right, bottom and left, and the other way round left and top, right and top, and so on.
+TEST(Jpeg, OrientationsOfExifTurnThePicture) {
+  Image corner(16, 32);
+  for (int y = 24; y < 32; ++y)
+    for (int x = 0; x < 8; ++x) corner.Set(x, y, {1, 1, 1});
+  const Bytes plain = Format("jpeg").encode(corner, {}, {});
+  for (const bool is_big : {false, true}) {
+    for (unsigned char orientation = 1; orientation <= 8; ++orientation) {
+      const Bytes turned = WithExif(plain, Exif(orientation, is_big));
+      const Image image = DecodeImage(turned).image;
+      const bool is_wide = orientation >= 5;
+      const bool is_right = std::array{0, 1, 1, 0, 0, 1, 1, 0}[orientation - 1u];
+      const bool is_top = std::array{1, 1, 0, 0, 1, 1, 0, 0}[orientation - 1u];
+      ASSERT_EQ(image.Width(), is_wide ? 32 : 16) << int{orientation};
+      EXPECT_EQ(ReadImageSize(turned).width, image.Width());
+      EXPECT_TRUE(DecodeImage(turned).settings.empty());
+      EXPECT_GT(image.At(is_right ? image.Width() - 3 : 3, is_top ? image.Height() - 3 : 3).g, 0.9) << int{orientation};
+      EXPECT_LT(image.At(is_right ? 3 : image.Width() - 3, is_top ? 3 : image.Height() - 3).g, 0.1) << int{orientation};
+    }
+  }
+}
+
+// No viewer refuses a picture for them.
+TEST(Jpeg, BrokenBlocksOfExifTurnNothing) {
+  const Bytes plain = Format("jpeg").encode(Gradient(16, 8), {}, {});
+  const Image image = DecodeImage(plain).image;
+  const Bytes good = Exif(6, false);
+  for (std::size_t length = 0; length < good.size() - 4; ++length)
+    EXPECT_EQ(DecodeImage(WithExif(plain, {good.begin(), good.begin() + static_cast<std::ptrdiff_t>(length)})).image,
+              image);
+  for (const unsigned char orientation : Bytes{0, 9, 255})
+    EXPECT_EQ(DecodeImage(WithExif(plain, Exif(orientation, true))).image, image);
+  EXPECT_EQ(DecodeImage(WithExif(plain, Exif(6, false, 2))).image, image);  // letters
+  for (const std::size_t byte : {0u, 2u, 4u, 7u, 10u, 12u}) {
+    Bytes bad = good;
+    bad[byte] ^= 0x80;
+    EXPECT_EQ(DecodeImage(WithExif(plain, bad)).image, image) << byte;
+  }
+  EXPECT_EQ(DecodeImage(WithExif(WithExif(plain, Exif(6, false)), Exif(1, false))).image, image);  // the first counts
+}
+
+// Bits that flip on a disk: every viewer shows the rest, and here somebody is told.
+TEST(Jpeg, DamageWithinThePixelsIsToldOnce) {
+  Bytes bytes = Format("jpeg").encode(Gradient(64, 64), {}, {});
+  int told = 0;
+  for (std::size_t i = bytes.size() - 40; i < bytes.size() - 4; ++i) {
+    bytes[i] ^= 0x14;
+    try {
+      const DecodedImage decoded = DecodeImage(bytes);
+      EXPECT_LE(decoded.warnings.size(), 1u);
+      if (!decoded.warnings.empty()) told += decoded.warnings[0].starts_with("JPEG is damaged, and parts of the image");
+    } catch (const ImageError&) {
+    }
+    bytes[i] ^= 0x14;
+  }
+  EXPECT_GT(told, 0);
+}
+
+// A stretch between two restart markers may stand for 65,535 blocks of pixels and take two bytes.
+TEST(Jpeg, AFileTooSmallForItsPixelsIsNotFilledWithGray) {
+  Bytes bytes = Flat(9, 1, JCS_GRAYSCALE);
+  const std::size_t size = Frame(bytes, 0xc0) + 5;
+  for (std::size_t i = 0; i < 4; ++i) bytes[size + i] = i % 2 ? 0 : 0x20;  // 8,192
+  const std::size_t scan = Frame(bytes, 0xda);
+  Bytes bomb = Bytes(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(scan)) +
+               Bytes{0xff, 0xdd, 0, 4, 0xff, 0xff} +
+               Bytes(bytes.begin() + static_cast<std::ptrdiff_t>(scan), bytes.end() - 3);
+  for (unsigned char i = 0; i < 32; ++i) bomb = bomb + Bytes{0xff, static_cast<unsigned char>(0xd0 + i % 8)};
+  EXPECT_NE(Complaint(bomb + Bytes{0xff, 0xd9}).find("premature end of data segment"), std::string::npos);
 }
 
 // Half the color resolution puts colored fringes on rendered edges.

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <bit>
+
 #include "tests/R2/image_bytes.h"
 
 namespace R2 {
@@ -20,6 +22,24 @@ TEST(Pfm, APositiveScaleMeansBigEndianAndTheFirstRowIsTheBottomOne) {
 TEST(Pfm, GrayIsReadInBothByteOrders) {
   EXPECT_EQ(DecodeImage(ToBytes("Pf 1 1 1\n") + minus_two).image.At(0, 0), (Color{-2, -2, -2}));
   EXPECT_EQ(DecodeImage(ToBytes("Pf 1 1 -1\n") + Bytes{0, 0, 0, 0xc0}).image.At(0, 0), (Color{-2, -2, -2}));
+}
+
+// A float may begin like white space: only the length of the file tells.
+TEST(Pfm, BlanksBehindTheScaleAreHeaderOnlyWhereTheFileIsLongerForThem) {
+  const Bytes blank_and_line{' ', '\n', 0x80, 0x3f};  // a float, little-endian
+  const float as_pixel = std::bit_cast<float>(0x3f800a20u);
+  EXPECT_EQ(DecodeImage(ToBytes("Pf 1 1 -1\n") + blank_and_line).image.At(0, 0).g, double{as_pixel});
+  EXPECT_EQ(DecodeImage(ToBytes("Pf 1 1 -1\r") + blank_and_line).image.At(0, 0).g, double{as_pixel});
+  EXPECT_EQ(DecodeImage(ToBytes("Pf 1 1 -1 \n") + blank_and_line).image.At(0, 0).g, double{as_pixel});
+  EXPECT_EQ(DecodeImage(ToBytes("Pf 1 1 -1 \t\r\n") + blank_and_line).image.At(0, 0).g, double{as_pixel});
+  for (const char* header : {"Pf 1 1 1\n", "Pf 1 1 1\r\n", "Pf\r\n1 1\r\n1\r\n", "Pf 1 1 1  \n"})
+    EXPECT_TRUE(DecodeImage(ToBytes(header) + one).warnings.empty()) << header;
+}
+
+TEST(Pfm, BytesLeftOverAreTold) {
+  const DecodedImage decoded = DecodeImage(ToBytes("Pf 1 1 1\r\n") + one + Bytes{0, 0, 0});
+  EXPECT_EQ(decoded.image.At(0, 0).g, 1);
+  EXPECT_EQ(decoded.warnings, std::vector<std::string>{"PFM has 3 bytes behind its image, which are ignored"});
 }
 
 TEST(Pfm, IsWrittenByteForByteAsTheFormatSays) {

@@ -102,6 +102,54 @@ TEST(Png, AlphaIsDroppedAndTheColorBehindItKept) {
   EXPECT_EQ(DecodeImage(Start(1, 1, 8, gray) + transparent_gray + End({0, 255})).image.At(0, 0), (Color{1, 1, 1}));
 }
 
+// A picture that was cut out for the web has colors that nobody was meant to see.
+TEST(Png, TransparentPixelsAreToldAndOpaqueOnesAreNot) {
+  const auto warnings = [](const Bytes& bytes) { return DecodeImage(bytes).warnings.size(); };
+  EXPECT_EQ(warnings(Start(1, 1, 8, rgb_alpha) + End({0, 255, 0, 255, 254})), 1u);
+  EXPECT_EQ(warnings(Start(1, 1, 8, rgb_alpha) + End({0, 255, 0, 255, 255})), 0u);
+  EXPECT_EQ(warnings(Start(1, 1, 16, gray_alpha) + End({0, 255, 0, 255, 254})), 1u);
+  EXPECT_EQ(warnings(Start(1, 1, 16, gray_alpha) + End({0, 255, 0, 255, 255})), 0u);
+  const Bytes transparent_gray = Chunk("tRNS", {0, 255});
+  EXPECT_EQ(warnings(Start(1, 1, 8, gray) + transparent_gray + End({0, 255})), 1u);
+  EXPECT_EQ(warnings(Start(1, 1, 8, gray) + transparent_gray + End({0, 254})), 0u);
+  EXPECT_EQ(
+      warnings(Start(2, 2, 8, rgb_alpha, true) + End({0, 1, 2, 3, 255, 0, 1, 2, 3, 255, 0, 1, 2, 3, 9, 1, 2, 3, 9})),
+      1u);
+}
+
+/// A block of EXIF that asks for rows to be columns from the right.
+const Bytes exif_6{'M', 'M', 0, 42, 0, 0, 0, 8, 0, 1, 1, 0x12, 0, 3, 0, 0, 0, 1, 0, 6, 0, 0};
+
+TEST(Png, OrientationsOfExifTurnThePictureWhereverTheyStand) {
+  const Bytes start = Start(2, 1, 8, gray), pixels = Chunk("IDAT", Stored({0, 10, 20})), end = Chunk("IEND", {});
+  const Bytes exif = Chunk("eXIf", exif_6);
+  for (const Bytes& bytes : {start + exif + pixels + end, start + pixels + exif + end}) {
+    const Image image = DecodeImage(bytes).image;
+    ASSERT_EQ(image.Width(), 1);
+    EXPECT_EQ(ReadImageSize(bytes).height, 2);
+    EXPECT_EQ(ToByte(image.At(0, 1).g), 10);
+    EXPECT_EQ(ToByte(image.At(0, 0).g), 20);
+  }
+  Bytes damaged = exif;
+  damaged[damaged.size() - 5] ^= 1;  // which its checksum tells
+  EXPECT_EQ(DecodeImage(start + damaged + pixels + end).image.Width(), 2);
+}
+
+TEST(Png, AMissingEndIsToldAndACutChunkRefused) {
+  const Bytes whole = Start(1, 2, 8, rgb) + End({0, 255, 0, 0, 0, 0, 0, 255});
+  const auto without = [&](std::ptrdiff_t bytes) { return Bytes(whole.begin(), whole.end() - bytes); };
+  EXPECT_EQ(DecodeImage(without(12)).warnings,
+            std::vector<std::string>{"PNG has no end chunk (IEND), yet all its rows are there"});
+  EXPECT_EQ(DecodeImage(without(12)).image, DecodeImage(whole).image);
+  for (std::ptrdiff_t bytes = 1; bytes < std::ssize(whole) - 8; ++bytes) {
+    if (bytes == 12) continue;
+    EXPECT_EQ(Complaint(without(bytes)).substr(0, 17), "PNG is truncated:") << bytes;
+    EXPECT_EQ(Complaint(without(bytes)).find("2 of 2 rows"), std::string::npos) << bytes;
+  }
+  EXPECT_EQ(DecodeImage(whole + Bytes{0}).warnings,
+            std::vector<std::string>{"PNG has 1 byte behind its image, which is ignored"});
+}
+
 // Adam7: of three by three pixels, pass 1 has (0,0), pass 5 (0,2) and (2,2), pass 4 (2,0), pass 6 (1,0) (1,2), 7 row 1.
 TEST(Png, InterlacedPicturesAreReadAsIfTheyWereNot) {
   const Bytes passes{0, 10, 0, 12, 0, 30, 32, 0, 11, 0, 31, 0, 20, 21, 22};

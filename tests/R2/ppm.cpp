@@ -22,6 +22,51 @@ TEST(Ppm, GrayIsReadAsTextAndAsBytes) {
   EXPECT_EQ(binary.At(0, 1), (Color{0, 0, 0}));
 }
 
+// In text, bits may stand without white space between them; rows of bytes begin at whole bytes. One is black.
+TEST(Ppm, BlackAndWhiteIsReadAsTextAndAsBits) {
+  const Bytes pictures[] = {ToBytes("P1\n# bits\n9 2\n1 0 1 0 0 0 0 0 1\n000 000 110"),
+                            ToBytes("P1 9 2 101000001000000110"), ToBytes("P4 9 2\n") + Bytes{0xa0, 0x80, 0x03, 0x00}};
+  for (const Bytes& bytes : pictures) {
+    const Image image = DecodeImage(bytes).image;
+    EXPECT_EQ(image.At(0, 1), (Color{0, 0, 0}));
+    EXPECT_EQ(image.At(1, 1), (Color{1, 1, 1}));
+    EXPECT_EQ(image.At(8, 1), (Color{0, 0, 0}));
+    EXPECT_EQ(image.At(7, 0), (Color{0, 0, 0}));
+    EXPECT_EQ(image.At(8, 0), (Color{1, 1, 1}));
+  }
+  EXPECT_EQ(Complaint(ToBytes("P1 1 1 2")), "PPM is wrong: a pixel must be 0 or 1");
+  EXPECT_NE(Complaint(ToBytes("P1 2 1 1")), "");
+  EXPECT_NE(Complaint(ToBytes("P4 9 2\n") + Bytes{0xa0, 0x80, 0x03}), "");
+}
+
+// A pixel may be 10, which is also the end of a line: only the length of the file tells.
+TEST(Ppm, WhiteSpaceIsHeaderOnlyWhereTheFileIsLongerForIt) {
+  const Bytes line_and_51{'\n', 51};
+  for (const char* header : {"P5 2 1 255\n", "P5 2 1 255\r", "P5 2 1 255\r\n", "P5 2 1 255 \n"}) {
+    const DecodedImage decoded = DecodeImage(ToBytes(header) + line_and_51);
+    EXPECT_EQ(ToByte(decoded.image.At(0, 0).r), 10) << header;
+    EXPECT_EQ(ToByte(decoded.image.At(1, 0).r), 51) << header;
+    EXPECT_TRUE(decoded.warnings.empty()) << header;
+  }
+}
+
+// Then nothing speaks for the blank being one too many.
+TEST(Ppm, ABlankIsTheEndOfTheHeaderWhereTheFileIsLongerByMore) {
+  const DecodedImage decoded = DecodeImage(ToBytes("P5 2 1 255 ") + Bytes{'\n', 51, 1, 2});
+  EXPECT_EQ(ToByte(decoded.image.At(0, 0).r), 10);
+  EXPECT_EQ(decoded.warnings, std::vector<std::string>{"PPM has 2 bytes behind its image, which are ignored"});
+}
+
+TEST(Ppm, WhatIsLeftOverIsTold) {
+  const auto warnings = [](const std::string& text) { return DecodeImage(ToBytes(text)).warnings; };
+  EXPECT_TRUE(warnings("P2 1 1 9 5\n\n # the end\n").empty());
+  EXPECT_EQ(warnings("P2 1 1 9 5 6"), std::vector<std::string>{"PPM has 1 byte behind its image, which is ignored"});
+  EXPECT_EQ(warnings("P5 1 1 255\nabc"),
+            std::vector<std::string>{"PPM has 2 bytes behind its image, which are ignored"});
+  EXPECT_EQ(warnings("P5 1 1 255\naP5 1 1 255\nb"),
+            std::vector<std::string>{"PPM holds further images behind the first, which are ignored"});
+}
+
 TEST(Ppm, ValuesAbove255AreTwoBytesTheHighOneFirst) {
   const Image image = DecodeImage(ToBytes("P6 1 1 65535\n") + Bytes{0xff, 0xff, 0x00, 0x01, 0x80, 0x00}).image;
   EXPECT_EQ(image.At(0, 0).r, 1);

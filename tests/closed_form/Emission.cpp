@@ -294,4 +294,108 @@ TEST(Emission, InModeWhittedSolidsLightLikeTrianglesWhereThatIsAskedForAndElseNo
   }
 }
 
+// The settings of a picture in mode path whose lamps shine as in mode whitted.
+ray::RenderSettings ColorSettings(const char* strategy, int lights) {
+  ray::RenderSettings settings = PathSettings(strategy);
+  settings.trace.emission = ray::Emission::color;
+  settings.trace.emissive_solids_light = true;
+  settings.trace.lights = lights;
+  return settings;
+}
+
+TEST(Emission, OfAColorLightsByItsFullColorInModePathTooWhateverTheSizeAndDistance) {
+  for (const char* strategy : {"mis", "bsdf"})
+    for (const int lights : {0, 1})
+      for (const std::string shape : {"sphere 1  0 2 0  1e-4", "box 1  -1e-4 2 -1e-4  1e-4 2.0001 1e-4",
+                                      "torus 1  0 2 0  1e-4 4e-5", "tri 1  0 2 0  1e-4 2 0  0 2 1e-4",
+                                      "quad 1  0 9 0  1e-4 9 0  1e-4 9 1e-4  0 9 1e-4"}) {
+        const ray::RenderSettings settings = ColorSettings(strategy, lights);
+        const std::string what = shape + ", " + strategy + ", " + std::to_string(lights) + " at once";
+        EXPECT_NEAR(Shown(floor_seen + shape, settings).mean, kd * emission, 1e-6) << what;
+        // Straight above the floor again, so that the one is in the other's shadow.
+        ExpectMean(Shown(floor_seen + shape + " sphere 1  3 4 0  1e-4", settings), kd * emission * (1 + 0.8), 1e-6,
+                   what + ", and another");
+      }
+}
+
+TEST(Emission, OfAColorIsFoundOnceThoughScatteredRaysMeetTheLamp) {
+  // The mean cosine over a cone of directions with a half angle a is (1 + cos a) / 2.
+  const double cosine = std::sqrt(1 - 0.8 * 0.8 / 4);
+  for (const char* strategy : strategies)
+    for (const std::int64_t depth : {0, 3}) {
+      ray::RenderSettings settings = ColorSettings(strategy, 0);
+      settings.trace.max_depth = depth;
+      ExpectMean(Shown(floor_seen + "sphere 1  0 2 0  0.8", settings), kd * emission * (1 + cosine) / 2, 1e-6,
+                 strategy);
+    }
+}
+
+TEST(Emission, OfAColorIsReflectedFromWallToWall) {
+  // In a hollow sphere every wall sends kd e straight from the middle, and kd of what all others send.
+  for (const char* strategy : {"mis", "bsdf"}) {
+    ray::RenderSettings settings = ColorSettings(strategy, 0);
+    settings.trace.max_depth = 60;
+    ExpectMean(Shown("camera 0.1 0.2 0.3  0.3 0.1 -1  0 1 0  0.3  0.01 100 " + materials +
+                         "sphere 0  0 0 0  1 sphere 1  0 0 0  1e-3",
+                     settings),
+               kd * emission / (1 - kd), 1e-3, strategy);
+  }
+}
+
+TEST(Emission, OfAColorIsShownByMirrorsAndThroughGlass) {
+  const std::string mirror = "material 0 0 0  0 0 0  0 0 0  0 0 0  0 0 0  10 1 0 mirror 3  0.5 0.5 0.5 ",
+                    glass = "material 0 0 0  0 0 0  0 0 0  0.5 0.5 0.5  0 0 0  10 1 0 ";
+  ray::RenderSettings settings = ColorSettings("mis", 0);
+  settings.trace.max_depth = 2;
+  for (const std::string& material : {mirror, glass}) {
+    const std::string lamp = material == mirror ? "sphere 1  0 0 9  3 " : "sphere 1  0 0 -9  3 ";
+    const std::string scene = "camera 0 0 5  0 0 -1  0 1 0  0.01  0.01 100 " + materials + material + lamp;
+    EXPECT_NEAR(Shown(scene + "quad 3  -1 -1 0  1 -1 0  1 1 0  -1 1 0", settings).mean, 0.5 * emission, 1e-6)
+        << material;
+  }
+}
+
+TEST(Emission, OfAColorIsInNoBlurredMirrorBeyondTheLastBounce) {
+  const std::string scene =
+      "camera 0 0 5  0 0 -1  0 1 0  0.01  0.01 100 background 0.1 0.1 0.1 " + materials +
+      "material 0 0 0  0 0 0  0 0 0  0 0 0  0 0 0  1 1 0 mirror 3  0.5 0.5 0.5 gloss 3  50 1 "
+      "quad 3  -1 -1 0  1 -1 0  1 1 0  -1 1 0 sphere 1  0 0 20  14 ";
+  ray::RenderSettings settings = ColorSettings("mis", 0);
+  EXPECT_LE(Shown(scene, settings).mean, 0.5 * 0.1) << "the lamp fills the lobe";
+  settings.trace.max_depth = 1;
+  EXPECT_GT(Shown(scene, settings).mean, 0.4 * emission);
+}
+
+TEST(Emission, OfAColorDoesNotLightTheLampItself) {
+  for (const char* shape :
+       {"sphere 2  0 0 0  1", "torus 2  0 0 0  1.5 0.5", "quad 2  -1 -1 0  1 -1 0.1  1 1 0  -1 1 0.1"})
+    for (const int lights : {0, 1}) {
+      const ray::RenderSettings settings = ColorSettings("mis", lights);
+      const Mean m = Shown("camera 2 1 4  -2 -1 -4  0 1 0  0.05  0.01 100 " + materials + shape, settings);
+      EXPECT_NEAR(m.mean, 1, 1e-6) << shape << ", " << lights << " at once";
+    }
+}
+
+// One of everything, so that each light has its own number: lamps come between lights and the environment.
+TEST(Emission, OfAColorMakesBothModesAgreeOnDirectLight) {
+  const std::string scene = floor_seen + "dir_light 1 1 1  0 -1 0 environment " +
+                            (project::Root() / "scenes/textures/sky.hdr").string() +
+                            " tri 1  1 2 0  2 2 0  1 2 1 quad 1  -2 3 0  -1 3 0  -1 3 2  -2 3 1 sphere 1  0 2 1  0.3 "
+                            "torus 1  -1 2 -1  0.3 0.1 box 1  1 1 -1  1.5 1.5 -0.5";
+  for (const bool solids : {false, true}) {
+    ray::RenderSettings settings = ColorSettings("mis", 0);
+    settings.trace.emissive_solids_light = solids;
+    ray::RenderSettings whitted = settings;
+    whitted.mode = ray::RenderMode::whitted;
+    const Mean truth = Shown(scene, whitted);
+    for (const int lights : {0, 1}) {
+      settings.trace.lights = lights;
+      const Mean m = Shown(scene, settings);
+      const double deviation = std::hypot(m.deviation, truth.deviation);
+      EXPECT_LT(std::abs(m.mean - truth.mean), 4 * deviation) << solids << ", " << lights << " at once";
+      EXPECT_LT(deviation, 0.01 * truth.mean) << "too noisy to tell";
+    }
+  }
+}
+
 }  // namespace

@@ -142,7 +142,8 @@ TEST(Extremes, G8_AnEmptySceneIsItsBackground) {
 }
 
 TEST(Extremes, F6_MirrorsThatSplitTheLightStopAtTheStatedNumberOfDescendants) {
-  // Each hit both reflects and transmits with weight 1: without a limit 2^depth rays.
+  // Each hit both reflects and transmits with weight 1: without a limit 2^depth rays. The spheres are of two materials,
+  // since a surface with one on both sides is not there for rays.
   ray::RenderSettings settings;
   settings.width = settings.height = 1;
   settings.trace.max_depth = 1'000'000'000;
@@ -150,7 +151,8 @@ TEST(Extremes, F6_MirrorsThatSplitTheLightStopAtTheStatedNumberOfDescendants) {
   const auto result =
       project::Render(project::Stage(project::FromText(
                           "camera 0.1 0 0 0.2 0.1 -1 0 1 0 0.3 0.01 100 point_light 0 0 0 0 0 0 1 0 0 "
-                          "material 0 0 0 0 0 0 1 1 1 1 1 1 0 0 0 10 1 0 sphere 0 0 0 0 1 sphere 0 0 0 0 2")),
+                          "material 0 0 0 0 0 0 1 1 1 1 1 1 0 0 0 10 1 0 material 0 0 0 0 0 0 1 1 1 1 1 1 0 0 0 10 1 0 "
+                          "sphere 0 0 0 0 1 sphere 1 0 0 0 2")),
                       settings);
   EXPECT_GT(result.rays.cut, 0u);
   EXPECT_LE(result.rays.cut, result.rays.Total());

@@ -91,6 +91,7 @@ TEST(Extremes, D11_NormalsThatSayNothingGiveTheFacesAndOnesThatLieNoLight) {
                     cancelling = "vn 0 0 1\nvn 0 0 -1\nvn 0 0 0\n";
   for (const bool shadows : {true, false}) {
     EXPECT_NEAR(shown(zero, "0 0 -1", shadows), 1, 1e-6);
+    EXPECT_NEAR(shown(opposite, "0 0 -1", shadows), 1, 1e-6);  // its corners turn clockwise round its normals
     EXPECT_TRUE(std::isfinite(shown(cancelling, "0 0 -1", shadows)));
     for (const std::string& normals : {zero, opposite, cancelling})
       EXPECT_EQ(shown(normals, "0 0 1", shadows), 0) << normals;  // from behind

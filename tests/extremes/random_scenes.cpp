@@ -92,6 +92,8 @@ RenderSettings RandomSettings(Draw& draw) {
   s.trace.roulette = OneOf<ray::Roulette>(draw, ray::roulette_names);
   s.trace.strategy = OneOf<ray::LightStrategy>(draw, ray::strategy_names);
   s.trace.sampler = OneOf<ray::SamplerKind>(draw, ray::sampler_names);
+  s.trace.emission = OneOf<ray::Emission>(draw, ray::emission_names);
+  s.trace.emissive_meshes = OneOf<ray::EmissiveMeshes>(draw, ray::emissive_mesh_names);
   return s;
 }
 

@@ -190,8 +190,11 @@ TEST(Extremes, C12_AHitAtTheEndOfTheRayIsAMissAndOneUlpBeyondItIsAHit) {
       for (const auto& [end, expected] :
            {std::pair{R3::NextDown(t), false}, std::pair{t, false}, std::pair{R3::NextUp(t), true}}) {
         EXPECT_EQ(single.Hit({ray.origin, ray.direction, 0, end}).has_value(), expected);
-        EXPECT_EQ(single.accelerator->IsOccluded({ray.origin, ray.direction, 0, end}, single.workspace), expected);
+        // A shadow ray is not blocked by the surface that it ends on, on whichever side of it rounding puts its end.
+        EXPECT_FALSE(single.accelerator->IsOccluded({ray.origin, ray.direction, 0, end}, single.workspace));
       }
+      if (std::abs(Dot(single.world->At(ray, *hit).normal, Unit(ray.direction))) < 0.01) continue;
+      EXPECT_TRUE(single.accelerator->IsOccluded({ray.origin, ray.direction, 0, (1 + 0x1p-20) * t}, single.workspace));
     }
   }
 }

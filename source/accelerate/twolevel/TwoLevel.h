@@ -64,7 +64,8 @@ class TwoLevelAccelerator : public Accelerator {
  public:
   template <typename Build>
   TwoLevelAccelerator(const World& world, const AcceleratorSettings& settings, void (*choose)(void*),
-                      const Build& build) {
+                      const Build& build)
+      : Accelerator(world) {
     WithInstructionSet(settings.instruction_set, choose, &kernels_);
     two_level_.world = &world;
     two_level_.structures.push_back(build(PrimitiveSet(world)));
@@ -93,11 +94,8 @@ class TwoLevelAccelerator : public Accelerator {
   }
 
  private:
-  std::optional<WorldHit> Nearest(const R3::Ray& ray, Workspace& workspace) const override {
-    std::optional<WorldHit> best;
-    NearestHit nearest(*two_level_.world, ray, best);
+  void Nearest(const R3::Ray& ray, NearestHit& nearest, Workspace& workspace) const override {
     kernels_.nearest(two_level_, ray, nearest, workspace.counts);
-    return best;
   }
 
   bool Any(const R3::Ray& ray, Workspace& workspace) const override {

@@ -27,7 +27,7 @@ using DoubleEach = double[packet_size];
 /// The traversal rays of a packet side by side, and what encloses them all.
 struct Packet {
   alignas(64) FloatEach origin[3], direction[3], inverse[3], near_shift[3], far_shift[3];
-  alignas(64) FloatEach plane_error, edge_error, height_error;
+  alignas(64) FloatEach plane_error, certain_from, edge_error, height_error;
   alignas(64) FloatEach limit;  // below 0 for a ray that wants nothing any more
   alignas(64) DoubleEach per_t;
   // Of all rays: where they begin, moved outward, the side that is farther from near planes first; their inverse
@@ -41,8 +41,8 @@ struct Packet {
   /// to be made ready one by one.
   HWY_INLINE bool Begin(const Coordinates& coordinates, double padding_per_distance, std::span<const R3::Ray> rays) {
     SceneRays from;
-    const bool all_begin_at_0 = from.Load(rays);
-    if (!all_begin_at_0 || !(coordinates.scale <= most_scale && coordinates.scale >= 1 / most_scale)) return false;
+    const bool all_begin_at_once = from.Load(rays);
+    if (!all_begin_at_once || !(coordinates.scale <= most_scale && coordinates.scale >= 1 / most_scale)) return false;
     bool is_ordinary = true;
     for (std::size_t i = 0; i < packet_size; i += hn::Lanes(PacketDoubles()))
       is_ordinary &= BeginLanes(coordinates, padding_per_distance, from, i);
@@ -137,19 +137,19 @@ struct Packet {
 
  private:
   struct SceneRays {
-    alignas(64) DoubleEach origin[3], direction[3], t_max;
+    alignas(64) DoubleEach origin[3], direction[3], t_min, t_max;
 
-    /// Lanes without a ray repeat the last one. Returns whether all begin at t = 0.
+    /// Lanes without a ray repeat the last one. Returns whether all begin at t = 0, or before.
     HWY_INLINE bool Load(std::span<const R3::Ray> rays) {
-      bool all_begin_at_0 = true;
+      bool all_begin_at_once = true;
       for (std::size_t i = 0; i < packet_size; ++i) {
         const R3::Ray& ray = rays[std::min(i, rays.size() - 1)];
         origin[0][i] = ray.origin.x, origin[1][i] = ray.origin.y, origin[2][i] = ray.origin.z;
         direction[0][i] = ray.direction.x, direction[1][i] = ray.direction.y, direction[2][i] = ray.direction.z;
-        t_max[i] = ray.t_max;
-        all_begin_at_0 = all_begin_at_0 && ray.t_min == 0;
+        t_min[i] = ray.t_min, t_max[i] = ray.t_max;
+        all_begin_at_once &= (ray.t_min == 0) | ((ray.t_min < 0) & (ray.departure != nullptr));
       }
-      return all_begin_at_0;
+      return all_begin_at_once;
     }
   };
 
@@ -184,7 +184,9 @@ struct Packet {
                                hn::Mul(padding, hn::Set(d, 1 / static_cast<double>(relative_plane_error))));
     const auto along = hn::Mul(scale, inverse_power);
     hn::Store(along, d, per_t + i);
-    SetErrorBounds(hn::DemoteTo(f, reach), hn::DemoteTo(f, hn::Mul(hn::Load(d, from.t_max + i), along)), i);
+    const auto departure = hn::Mul(hn::Load(d, from.t_min + i), hn::Set(d, -R3::departure_end));
+    SetErrorBounds(hn::DemoteTo(f, reach), hn::DemoteTo(f, hn::Mul(hn::Load(d, from.t_max + i), along)),
+                   hn::DemoteTo(f, hn::Mul(departure, along)), i);
     return hn::AllTrue(
         d, hn::And(
                hn::And(hn::Lt(steepest, hn::Set(d, most_heading)), hn::Gt(steepest, hn::Set(d, 1 / most_heading))),
@@ -192,10 +194,11 @@ struct Packet {
   }
 
   template <typename V>
-  HWY_INLINE void SetErrorBounds(V r, V end, std::size_t i) {
+  HWY_INLINE void SetErrorBounds(V r, V end, V departure, std::size_t i) {
     const hn::Rebind<float, PacketDoubles> f;
     const auto error = hn::Mul(hn::Set(f, relative_plane_error), r);
     hn::Store(error, f, plane_error + i);
+    hn::Store(hn::Add(departure, error), f, certain_from + i);
     hn::Store(hn::Mul(hn::Set(f, relative_edge_error), r), f, edge_error + i);
     hn::Store(hn::Mul(hn::Set(f, relative_height_error), hn::Add(r, hn::Set(f, 1))), f, height_error + i);
     hn::Store(hn::MulAdd(end, hn::Set(f, rounded_up), error), f, limit + i);
@@ -222,7 +225,7 @@ struct PacketRay {
     HWY_INLINE float operator[](int axis) const { return each[axis][i]; }
   };
   Each origin, direction, inverse, near_shift, far_shift;
-  float plane_error, edge_error, height_error;
+  float plane_error, certain_from, edge_error, height_error;
 
   HWY_INLINE PacketRay(const Packet& packet, int i)
       : origin{packet.origin, i},
@@ -231,6 +234,7 @@ struct PacketRay {
         near_shift{packet.near_shift, i},
         far_shift{packet.far_shift, i},
         plane_error(packet.plane_error[i]),
+        certain_from(packet.certain_from[i]),
         edge_error(packet.edge_error[i]),
         height_error(packet.height_error[i]),
         packet_(packet) {}

@@ -70,7 +70,8 @@ HWY_INLINE SphereMask TestSphereLanes(const RoundedSphere& sphere, const Packet&
       const V farthest = hn::MulAdd(set(sphere.radius), hn::Sqrt(square), hn::Add(ahead, error));
       const auto is_met = hn::Lt(hn::Mul(hn::Add(distance, slack), set(1 + rounding)), reach);
       const auto is_before = hn::Lt(hn::Mul(farthest, set(1 + rounding)), hn::Mul(hn::Load(f, limit + i), square));
-      mask.certain |= Bits(f, hn::And(is_met, hn::And(hn::Gt(ahead, error), is_before))) << i;
+      const V least_ahead = hn::MulAdd(hn::Load(f, packet.certain_from + i), square, error);
+      mask.certain |= Bits(f, hn::And(is_met, hn::And(hn::Gt(ahead, least_ahead), is_before))) << i;
     }
   }
   return mask;

@@ -48,7 +48,9 @@ class PacketTraversal {
     if (Child::IsNothing(tree_.root)) return;
     if (Size() > few_rays && packet_.Begin(tree_.coordinates, tree_.primitives.PaddingPerDistance(), rays_)) {
       if constexpr (any) {
-        for (int i = 0; i < packet_size; ++i) limit_for_certain_[i] = packet_.limit[i] - 4 * packet_.plane_error[i];
+        constexpr auto share = static_cast<float>(end_of_certainty);
+        for (int i = 0; i < packet_size; ++i)
+          limit_for_certain_[i] = share * packet_.limit[i] - 4 * packet_.plane_error[i];
       }
       if (packet_.Enclose())
         Traverse();
@@ -86,7 +88,9 @@ class PacketTraversal {
     if constexpr (any) return MakeNearest(0, i);
     return reinterpret_cast<NearestHit*>(nearest_)[i];
   }
-  ExactTriangleTest<Tree> ExactTestOf(int i) { return {two_level_, tree_, Ray(i), std::nullopt, Nearest(i), counts_}; }
+  ExactTriangleTest<any, Tree> ExactTestOf(int i) {
+    return {two_level_, tree_, Ray(i), std::nullopt, Nearest(i), counts_};
+  }
 
   struct StackEntry {
     std::uint64_t distance_and_lane;  // PackEntry
@@ -181,18 +185,20 @@ class PacketTraversal {
     if (visitor.is_answered) Answer(i);
   }
 
-  /// Those of `rays` that do not start or end on a primitive, as the world numbers them.
-  HWY_INLINE std::uint32_t NotEndingOn(std::int64_t primitive, std::uint32_t rays) const {
+  /// Those of `rays` that may meet a primitive, as the world numbers them, though they start or end on it.
+  HWY_INLINE std::uint32_t MayMeet(std::int64_t primitive, std::uint32_t rays) const {
     std::uint32_t rest = 0;
     ForEachBit(rays, [&](int i) HWY_ATTR {
-      const bool is_end = Ray(i).leaving == primitive || Ray(i).reaching == primitive;
+      const R3::Ray& ray = Ray(i);
+      const bool has_left = ray.leaving == primitive && ray.leaving_until == R3::infinity;
+      const bool is_end = has_left || ray.reaching == primitive;
       rest |= static_cast<std::uint32_t>(!is_end) << i;
     });
     return rest;
   }
 
   HWY_INLINE void VisitSphere(const SphereLeaf& leaf, std::uint32_t rays) {
-    rays = NotEndingOn(leaf.primitive, rays);
+    rays = MayMeet(leaf.primitive, rays);
     if (std::popcount(rays) > few_rays) {
       const SphereMask mask =
           TestSphereLanes<any>(RoundedSphere(tree_.coordinates, leaf.sphere), packet_, limit_for_certain_);
@@ -237,7 +243,7 @@ class PacketTraversal {
   HWY_INLINE void VisitPrimitive(std::uint32_t primitive, std::uint32_t rays) {
     const PrimRef what = tree_.primitives[primitive];
     if (what.element != PrimRef::whole)
-      rays = NotEndingOn(two_level_.world->Instances()[what.instance].first_primitive + what.element, rays);
+      rays = MayMeet(two_level_.world->Instances()[what.instance].first_primitive + what.element, rays);
     ForEachBit(rays, [&](int i) HWY_ATTR {
       if (TestPrimitive<any>(two_level_, tree_, primitive, Ray(i), DistanceInWorld(i), Nearest(i), counts_))
         Answer(i);
@@ -291,7 +297,7 @@ class PacketTraversal {
     const RayLanes<PacketFloats> ray{load(packet_.direction[0]),
                                      load(packet_.direction[1]),
                                      load(packet_.direction[2]),
-                                     load(packet_.plane_error),
+                                     load(packet_.certain_from),
                                      load(packet_.edge_error),
                                      load(packet_.height_error),
                                      limit};
@@ -340,7 +346,7 @@ class PacketTraversal {
   HWY_INLINE void TestLastCandidates() {
     struct Test {
       int ray;
-      typename ExactTriangleTest<Tree>::TriangleRef triangle;
+      typename ExactTriangleTest<any, Tree>::TriangleRef triangle;
     };
     Test tests[packet_size];
     int count = 0;
@@ -365,7 +371,7 @@ class PacketTraversal {
     counts_.primitive_tests += static_cast<std::uint64_t>(std::popcount(~mask.unsure & ((1U << count) - 1)));
     ForEachBit(mask.hit, [&](int k) HWY_ATTR {
       const int i = tests[k].ray;
-      Nearest(i).Offer({lanes.HitOf(k), tests[k].triangle.instance, tests[k].triangle.element});
+      Nearest(i).TakeIfAhead({lanes.HitOf(k), tests[k].triangle.instance, tests[k].triangle.element});
       if (candidate_count_[i] > 0)
         packet_.limit[i] = std::min(packet_.limit[i], packet_.Distance(i, Nearest(i).Limit()));
     });

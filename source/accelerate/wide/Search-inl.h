@@ -28,7 +28,7 @@ bool Search(const TwoLevel<Structure>& two_level, const Structure& structure, co
             double distance_in_world, std::optional<std::uint32_t> instance, NearestHit& nearest, Counts& counts);
 
 /// The watertight ray/triangle test in double precision, for one ray and the triangles of one structure.
-template <typename Structure>
+template <bool any, typename Structure>
 class ExactTriangleTest {
  public:
   struct TriangleRef {
@@ -64,14 +64,17 @@ class ExactTriangleTest {
     return {instance.mesh, of, what.element, instance.first_primitive + what.element};
   }
 
+  /// Whether there is a hit that may be wanted, which with `any` ends the search.
   HWY_FLATTEN bool Test(const TriangleRef& triangle) {
     if (triangle.primitive == ray_.leaving || triangle.primitive == ray_.reaching) return false;
     if (!sheared_) sheared_.emplace(ray_);  // most rays never ask
-    if (nearest_.Best()) sheared_->t_max = std::min(sheared_->t_max, R3::NextUp(nearest_.Limit()));
+    if constexpr (!any) sheared_->t_max = nearest_.TMaxOf(ray_);
     ++counts_.primitive_tests;
     const auto hit = R3::IntersectTriangleInline(*sheared_, triangle.mesh->CornersInPlace(triangle.element));
     if (!hit) return false;
-    nearest_.Offer({*hit, triangle.instance, triangle.element});
+    const WorldHit found{*hit, triangle.instance, triangle.element};
+    if constexpr (any) return nearest_.IsInTheWay(found);
+    nearest_.TakeIfAhead(found);
     return true;
   }
 
@@ -85,15 +88,32 @@ class ExactTriangleTest {
   std::optional<R3::ShearedRay> sheared_;
 };
 
-/// The sphere's own test, compiled for the instruction set. Whether there is a hit no farther than the nearest so far.
+/// The test of an element by its shape. Whether there is a hit that may be wanted, which with `any` ends the search.
+template <bool any>
+bool TestElement(std::uint32_t instance, int element, const R3::Ray& local, NearestHit& nearest, Counts& counts) {
+  if constexpr (any) return nearest.IsInTheWay(instance, element, local, counts);
+  nearest.Test(instance, element, local, counts);
+  return true;
+}
+
+/// The same for a sphere, compiled for the instruction set.
 template <bool any>
 HWY_NOINLINE HWY_FLATTEN bool TestSphere(const SphereLeaf& leaf, const R3::Ray& ray, NearestHit& nearest,
                                          Counts& counts) {
-  if (leaf.primitive == ray.leaving || leaf.primitive == ray.reaching) return false;
+  double begin = ray.t_min;
+  if (leaf.primitive == ray.leaving || leaf.primitive == ray.reaching) {
+    if (leaf.primitive == ray.reaching || ray.leaving_until == R3::infinity) return false;
+    begin = ray.leaving_until;
+  }
+  const auto hit = R3::IntersectSphereInline(ray, leaf.sphere, begin, nearest.TMaxOf(ray));
+  if (hit && IsNearStart(ray, hit->t)) [[unlikely]]
+    return TestElement<any>(leaf.instance, 0, ray, nearest, counts);
   ++counts.primitive_tests;
-  const auto hit = R3::IntersectSphereInline(ray, leaf.sphere, nearest.TMaxOf(ray));
-  if (hit && !any) nearest.Offer({*hit, leaf.instance, 0});
-  return hit.has_value();
+  if (!hit) return false;
+  const WorldHit found{*hit, leaf.instance, 0};
+  if constexpr (any) return nearest.IsInTheWay(found);
+  nearest.Offer(found);
+  return true;
 }
 
 /// Tests a primitive that is neither a triangle nor a sphere of the structure's frame: any other shape, or a whole
@@ -103,15 +123,13 @@ bool TestPrimitive(const TwoLevel<Structure>& two_level, const Structure& struct
                    const R3::Ray& ray, double distance_in_world, NearestHit& nearest, Counts& counts) {
   const PrimRef what = structure.primitives[primitive];
   const Instance& instance = two_level.world->Instances()[what.instance];
-  if (what.element != PrimRef::whole && instance.IsEndOf(ray, what.element)) return false;
+  if (what.element != PrimRef::whole && instance.BeginOf(ray, what.element) == R3::infinity) return false;
   std::optional<R3::Ray> there;
   const R3::Ray& local = instance.frame == 0 ? ray : there.emplace(two_level.world->Back(instance.frame, ray));
   if (what.element == PrimRef::whole)
     return Search<any>(two_level, two_level.structures[static_cast<std::size_t>(instance.shared) + 1], local,
-                       distance_in_world, what.instance, nearest, counts) ||
-           (any && nearest.Best());
-  nearest.Test(what.instance, what.element, local, counts);
-  return any && nearest.Best();
+                       distance_in_world, what.instance, nearest, counts);
+  return TestElement<any>(what.instance, what.element, local, nearest, counts) && any;
 }
 
 /// Tests what a traversal comes by. With `any`, an occlusion ray's, the first hit answers. Otherwise triangles that the
@@ -131,7 +149,8 @@ class LeafVisitor {
         distance_in_world_(distance_in_world),
         nearest_(nearest),
         counts_(counts),
-        limit_for_certain_(limit - 4 * traversal_ray.plane_error),
+        limit_for_certain_(any ? traversal_ray.Distance(end_of_certainty * ray.t_max) - 4 * traversal_ray.plane_error
+                               : 0),
         exact_test_(two_level, structure, ray, instance, nearest, counts) {}
 
   float limit;               // what is farther along the traversal ray than this is not wanted any more
@@ -216,7 +235,7 @@ class LeafVisitor {
   struct Candidate {
     std::uint32_t primitive;
     float nearest;
-    typename ExactTriangleTest<Structure>::TriangleRef triangle;
+    typename ExactTriangleTest<any, Structure>::TriangleRef triangle;
   };
   static constexpr int most_candidates = 16;
 
@@ -242,8 +261,8 @@ class LeafVisitor {
   double distance_in_world_;
   NearestHit& nearest_;
   Counts& counts_;
-  float limit_for_certain_;
-  ExactTriangleTest<Structure> exact_test_;
+  float limit_for_certain_;  // up to where hits of a shadow ray that are certain are in its way
+  ExactTriangleTest<any, Structure> exact_test_;
   int count_ = 0;
   Candidate candidates_[most_candidates];
 };

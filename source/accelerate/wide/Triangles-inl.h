@@ -49,7 +49,7 @@ HWY_INLINE TriangleLanes<D> LoadTriangles(D d, const TriangleBlock& block, std::
 template <typename D>
 struct RayLanes {
   using V = hn::Vec<D>;
-  V direction_x, direction_y, direction_z, plane_error, edge_error, height_error, limit;
+  V direction_x, direction_y, direction_z, certain_from, edge_error, height_error, limit;
 };
 
 /// Which lanes may hit, and where.
@@ -100,7 +100,7 @@ HWY_INLINE bool TestLanes(D d, const TriangleLanes<D>& triangle, V cx, V cy, V c
   maybe = hn::AndNot(hn::And(is_clear, hn::Or(is_far, is_behind)), maybe);
   if (hn::AllFalse(d, maybe)) return false;
   const auto is_inside = hn::Or(hn::Gt(least, edge_error), hn::Lt(most, hn::Neg(edge_error)));
-  const auto is_in_front = hn::Gt(nearest, ray.plane_error);
+  const auto is_in_front = hn::Gt(nearest, ray.certain_from);
   mask.maybe = maybe;
   mask.certain = hn::And(maybe, hn::And(is_clear, hn::And(is_inside, is_in_front)));
   mask.nearest = hn::IfThenElseZero(is_clear, nearest);
@@ -135,7 +135,7 @@ HWY_INLINE void TestTriangles(const TriangleBlock& block, const RayInBoxes& ray,
     const RayLanes<Lanes> rays{set(ray.direction[0]),
                                set(ray.direction[1]),
                                set(ray.direction[2]),
-                               set(ray.plane_error),
+                               set(ray.certain_from),
                                set(ray.edge_error),
                                set(ray.height_error),
                                set(limit)};

@@ -58,8 +58,9 @@ void RefuseUnfitFolder(const OutputFile& output) {
   }
 }
 
-void WriteAt(const fs::path& target, std::span<const unsigned char> bytes) {
-  TemporaryFile file(target);
+/// `replaced` is the file whose rights it gets.
+void WriteAt(const fs::path& target, const fs::path& replaced, std::span<const unsigned char> bytes) {
+  TemporaryFile file(target, replaced);
   file.Write(bytes);
   file.Become();
 }
@@ -72,7 +73,7 @@ void WriteAt(const fs::path& target, std::span<const unsigned char> bytes) {
   if (error) Refuse(output.name, reason + "; there is no temporary folder to keep it in");
   const fs::path refuge = folder / ("raypro-" + std::to_string(getpid()) + "-" + output.target.filename().string());
   try {
-    WriteAt(refuge, bytes);
+    WriteAt(refuge, output.target, bytes);
   } catch (const std::system_error& failure) {
     Refuse(output.name,
            reason + "; nor can it be kept as " + QuotedPath(refuge.string()) + ": " + failure.code().message());
@@ -109,7 +110,7 @@ void WriteWhole(const OutputFile& output, std::span<const unsigned char> bytes) 
   if (output.is_standard_output)
     return WriteStandardOutput(std::string(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
   try {
-    WriteAt(output.target, bytes);
+    WriteAt(output.target, output.target, bytes);
   } catch (const std::system_error& failure) {
     KeepElsewhere(output, bytes, failure.code().message());
   }

@@ -1,8 +1,11 @@
 #include "source/app/files/Outputs.h"
 
+#include <fcntl.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <filesystem>
+#include <system_error>
 
 #include "source/app/Status.h"
 #include "source/app/files/LayerPictures.h"
@@ -30,7 +33,15 @@ std::span<const unsigned char> BytesOf(const std::string& text) {
   return {reinterpret_cast<const unsigned char*>(text.data()), text.size()};
 }
 
+/// Standard output that is closed is found out before the work begins.
+void RefuseClosedOutput() {
+  const int flags = fcntl(STDOUT_FILENO, F_GETFL);
+  if (flags < 0 || (flags & O_ACCMODE) == O_RDONLY)
+    throw OutputError("cannot write 'standard output': " + std::generic_category().message(EBADF));
+}
+
 PictureOutput StandardOutput() {
+  RefuseClosedOutput();
   if (isatty(STDOUT_FILENO)) throw UsageError("the picture would go to a terminal; redirect it, or name a file");
   return {FormatOfPicture(standard_stream), {.name = "<stdout>", .target = {}, .is_standard_output = true}};
 }

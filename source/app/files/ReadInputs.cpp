@@ -2,8 +2,10 @@
 
 #include <filesystem>
 #include <system_error>
+#include <utility>
 
 #include "source/app/Status.h"
+#include "source/app/report/Messages.h"
 #include "source/parse/Files.h"
 #include "source/parse/SceneError.h"
 #include "source/parse/Text.h"
@@ -22,7 +24,9 @@ R2::Image ReadReference(const std::string& name, const PixelRectangle& part) {
     if (size.width != part.Width() || size.height != part.Height())
       throw UsageError("the reference " + Quoted(name) + " is " + SizeText(size.width, size.height) + ", the picture " +
                        SizeText(part.Width(), part.Height()));
-    return R2::DecodeImage(bytes).image;
+    R2::DecodedImage decoded = R2::DecodeImage(bytes);
+    PrintWarnings(name, decoded.warnings);
+    return std::move(decoded.image);
   } catch (const R2::ImageError& error) {
     throw SceneErrors({ErrorIn(name, error.what())});
   }

@@ -8,6 +8,7 @@
 
 #include <cerrno>
 #include <memory>
+#include <optional>
 #include <string_view>
 #include <system_error>
 #include <utility>
@@ -58,22 +59,44 @@ void RemoveIfDead(const std::string& file) {
   close(descriptor);
 }
 
+std::optional<struct stat> StatusOfFile(const fs::path& file) {
+  struct stat status = {};
+  if (stat(file.c_str(), &status) != 0 || !S_ISREG(status.st_mode)) return {};
+  return status;
+}
+
+/// Gives an open file the owner, the group and the mode bits of another. Only the superuser may give a file away, and
+/// others may only choose one of their own groups; where the group stays another one, its members get no more rights
+/// than everybody. A file system that knows no rights costs no picture.
+void Resemble(int descriptor, const struct stat& other) {
+  constexpr auto unchanged = static_cast<uid_t>(-1);
+  mode_t mode = other.st_mode & 0777;
+  const bool has_its_group =
+      fchown(descriptor, other.st_uid, other.st_gid) == 0 || fchown(descriptor, unchanged, other.st_gid) == 0;
+  if (!has_its_group) mode &= ~mode_t{070} | (mode & 07) << 3;
+  fchmod(descriptor, mode);
+}
+
 }  // namespace
 
-TemporaryFile::TemporaryFile(const fs::path& target) : target_(target) {
+TemporaryFile::TemporaryFile(const fs::path& target, const fs::path& replaced) : target_(target) {
+  const auto before = StatusOfFile(replaced);
+  // Nobody else reads it before it has the rights that it is to have.
+  const unsigned mode = before ? 0600 : 0666;
   const std::string start = (Folder(target) / Prefix(target)).string() + std::to_string(getpid());
   name_ = start + suffix;
   // The name is taken when a process of the same number works on the same folder from another container.
   constexpr int most_attempts = 100;
-  for (int attempt = 2; !CreateAndLock(); ++attempt) {
+  for (int attempt = 2; !CreateAndLock(mode); ++attempt) {
     if (attempt > most_attempts) ThrowErrno();
     name_ = start + "-" + std::to_string(attempt) + suffix;
   }
+  if (before) Resemble(descriptor_, *before);
 }
 
 // False when the name is taken. Where the file system has no locks nobody can remove the file as left over either.
-bool TemporaryFile::CreateAndLock() {
-  descriptor_ = open(name_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+bool TemporaryFile::CreateAndLock(unsigned mode) {
+  descriptor_ = open(name_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
   if (descriptor_ < 0 && errno == EEXIST) return false;
   if (descriptor_ < 0) ThrowErrno();
   flock(descriptor_, LOCK_EX);

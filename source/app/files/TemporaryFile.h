@@ -10,8 +10,12 @@ namespace ray {
 /// locked, so that another process can tell it from what a killed one left behind. Everything throws std::system_error.
 class TemporaryFile {
  public:
-  /// Its mode bits are those of any new file: 666 less the umask.
-  explicit TemporaryFile(const std::filesystem::path& target);
+  /// Its mode bits, and where the system lets us its owner and group, are those of the file that it takes the place of:
+  /// whoever shut a picture off does not find it open after the next render. Where there is none, they are those of any
+  /// new file: 666 less the umask.
+  explicit TemporaryFile(const std::filesystem::path& target) : TemporaryFile(target, target) {}
+  /// For a target that takes the place of another file, `replaced`.
+  TemporaryFile(const std::filesystem::path& target, const std::filesystem::path& replaced);
   ~TemporaryFile();  // removes the file, unless it has become the target
   TemporaryFile(const TemporaryFile&) = delete;
   TemporaryFile& operator=(const TemporaryFile&) = delete;
@@ -21,7 +25,7 @@ class TemporaryFile {
   void Become();
 
  private:
-  bool CreateAndLock();
+  bool CreateAndLock(unsigned mode);
   static void Close(int descriptor);
 
   std::filesystem::path target_;

@@ -221,8 +221,12 @@ std::vector<OptionKind> LightOptions() {
        "Russian roulette, unbiased (auto: path on; whitted off, cut at -min_luminance)"},
       {"strategy", both, {}, {"name"}, OneOfEnum<LightStrategy>(AT(render.trace.strategy)), "", "light",
        "path: mis, light sampling, BSDF sampling, or uniform for comparison"},
+      {"emission", both, {}, {"radiance|color"}, OneOfEnum<Emission>(AT(render.trace.emission)), "", "light",
+       "path: emission is a radiance, or as in mode whitted a lamp's full color, whatever its size"},
       {"emissive_solids", both, {}, {"on|off"}, OnOff{AT(render.trace.emissive_solids_light)}, "", "light",
        "whether emissive solids are lamps in mode whitted, as triangles are (in mode path they are)"},
+      {"emissive_meshes", both, {}, {"faces|whole"}, OneOfEnum<EmissiveMeshes>(AT(render.trace.emissive_meshes)), "",
+       "light", "whether each triangle of an emissive mesh is a lamp in mode whitted, or the whole mesh is one"},
       {"shadows", both, {}, {"on|off"}, OnOff{AT(render.trace.shadows)}, "", "light", "whether objects cast shadows"},
   };
 }

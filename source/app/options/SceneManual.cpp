@@ -66,9 +66,7 @@ constexpr std::pair<const char*, const char*> material_words[] = {
     {"kd", "Diffuse weight, multiplied by the cosine and by the texture, where there is one."},
     {"ks", "Weight of the highlights of lights and of the mirrored ray; see below for each mode."},
     {"kt", "Weight of what is seen through the surface, at each surface crossed."},
-    {"e",
-     "Emission: always added. A triangle that emits is a lamp as well; in mode path every shape is, on both sides of "
-     "its surface."},
+    {"e", "Emission: always added. What emits is a lamp as well, see LAMPS."},
     {"n", "Phong's exponent of the highlight, at least 0."},
     {"ir", "Index of refraction against 1 outside; 0 means 1."},
     {"texture", "The name of a picture, or 0 for none."},
@@ -88,14 +86,40 @@ constexpr const char* about_ids =
     "which it is seen.\n"
     "A scene that names no light is lit by two default ones; in mode path only if nothing in it emits light.\n";
 
+constexpr const char* about_lamps =
+    "The modes whitted and path read the emission e of a shape differently.\n"
+    "Mode whitted reads it as the course does, as the full color of a light without falloff. From each of its points a "
+    "triangle shines like a point_light of the color e with the attenuation 1 0 0, to both sides but not onto itself, "
+    "and what arrives is the mean over -shadow_samples of its points. So a lamp is as strong whatever its size and "
+    "distance. Each tri and each triangle of a mesh is a lamp: a mesh that is cut into twice as many triangles gives "
+    "twice the light, unless -emissive_meshes whole makes one lamp of a mesh. A quad or polygon is one lamp, however "
+    "many triangles it is cut into. Spheres, boxes and other "
+    "shapes are seen to glow but light nothing, unless -emissive_solids on makes lamps of all but planes.\n"
+    "Mode path reads e as a radiance. Every shape that emits is a lamp, on both sides of its surface, and its light "
+    "grows with its area and falls off with the square of the distance, as real light does. A lamp of area A that "
+    "faces a surface at a distance d, far against its size, lights it A / (pi d^2) times as strongly as in mode "
+    "whitted. With -emission color mode path reads e as mode whitted does, so that its paths only add to that what "
+    "surfaces reflect of each other; mirrors still show the lamps.\n"
+    "raypro -check says where the light of lamps differs by more than a factor of two between the modes, and which "
+    "meshes are as many lamps as they have triangles.\n";
+
 constexpr const char* about_files =
     "Files that a scene names are looked for in the folder of the file that names them, then in the current folder, "
     "and must lie below the top scene's folder or the current one, unless -allow_path opens another.\n";
 
 constexpr std::pair<const char*, const char*> extensions[] = {
-    {"mesh id file smooth", "Without the word smooth a mesh is flat, as in the course."},
-    {"absorb, bump, coat, flat_color, gloss, mirror, normal_map, texture_ambient",
+    {"mesh id file smooth",
+     "Without the word smooth a mesh is flat, as in the course, and the order of a face's corners decides which side "
+     "is its front. The front of a smooth mesh is where its vertex normals point: a surface that is wound the other "
+     "way, as exporters that mirror leave it, is turned around as a whole, and raypro -check counts its triangles."},
+    {"absorb, bump, coat, flat_color, gloss, mirror, normal_map, priority, texture_ambient",
      "Of a material of the same file, stated before."},
+    {"priority",
+     "Solids that light goes through may contain one another, touch and overlap: rays are refracted between what is on "
+     "both sides of a surface, and a surface with one material on both sides is not there. So water may overlap the "
+     "wall of its glass by a hair, with the higher priority given to the glass. What stands on a floor is seen as if "
+     "there were a gap. This needs closed solids: spheres, boxes, cylinders, cones, tori, and meshes whose triangles "
+     "bound a volume."},
     {"mirror", "The weight of the mirrored ray, instead of ks, which stays that of the highlights."},
     {"coat",
      "Mirrors Schlick's share for the index ir, besides ks, and leaves the rest to what is diffuse below; the light of "
@@ -143,8 +167,9 @@ std::string SceneManualPage() {
          ".SH DESCRIPTION\n" +
          Paragraphs(lexical) + ".SH COMMANDS\n" + Entries(Family::statement) + ".SS shapes\n" + Entries(Family::shape) +
          ".SS lights\n" + Entries(Family::light) + ".SH PLACES AND DIRECTIONS\n" + Paragraphs(placing) +
-         ".SH MATERIALS\n" + Tagged(material_words) + ".PP\n" + Paragraphs(about_ids) + ".SH FILES\n" +
-         Paragraphs(about_files) + ".TP\n.B meshes\n" + Roff(MeshExtensions()) + "\n.TP\n.B pictures\n" +
+         ".SH MATERIALS\n" + Tagged(material_words) + ".PP\n" + Paragraphs(about_ids) + ".SH LAMPS\n" +
+         Paragraphs(about_lamps) + ".SH FILES\n" + Paragraphs(about_files) + ".TP\n.B meshes\n" +
+         Roff(MeshExtensions()) + "\n.TP\n.B pictures\n" +
          Roff(ImageExtensions()) +
          "\n.SH EXTENSIONS\nWhat the course's language lacks is stated in words of its own:\n" + Tagged(extensions) +
          ".SH MISTAKES\n" +

@@ -17,10 +17,12 @@ namespace {
 
 /// What decides how a picture looks. What decides how long it takes, or which files are read and written, is the
 /// user's alone: a scene may come from a stranger.
-constexpr std::array<std::string_view, 28> of_scenes{"adaptive",
+constexpr std::array<std::string_view, 30> of_scenes{"adaptive",
                                                      "aperture",
                                                      "bytes",
                                                      "clamp",
+                                                     "emission",
+                                                     "emissive_meshes",
                                                      "emissive_solids",
                                                      "filter",
                                                      "focus",

@@ -122,12 +122,13 @@ std::vector<double> Scaled(std::vector<double> weights) {
   return weights;
 }
 
-/// The second pass: pictures are read again one by one, so that a hundred of them need no more memory than two.
+/// The second pass: pictures are read again one by one, so that a hundred of them need no more memory than two. Their
+/// warnings have been printed.
 R2::Image WeightedMean(const std::vector<std::string>& names, const std::vector<double>& weights) {
   R2::Image mean;
   std::vector<double> sums;
   for (std::size_t i = 0; i < names.size(); ++i) {
-    const R2::Image image = ReadPicture(names[i]).image;
+    const R2::Image image = DecodePicture(names[i], ReadBytes(names[i])).image;
     if (i == 0) {
       mean = image;
       sums.resize(image.Channels().size());

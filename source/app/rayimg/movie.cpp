@@ -150,8 +150,11 @@ Frames ReadFrames(const std::vector<std::string>& names) {
   for (const std::string& name : names) {
     Bytes jpeg = ReadBytes(name);
     const R2::DecodedImage picture = DecodePicture(name, jpeg);
+    PrintWarnings(name, picture.warnings);
     if (std::string_view(picture.format->name) != "jpeg")
       throw UsageError(Quoted(name) + " is a " + picture.format->name + "; the frames of a movie are jpeg");
+    if (picture.is_turned)
+      throw UsageError(Quoted(name) + " asks to be turned, which players of movies do not do; rayimg convert turns it");
     if (frames.jpegs.empty()) first = picture.image;
     RefuseOtherSize(names[0], first, name, picture.image);
     bytes += jpeg.size() + 8 + 16 + 1;  // with its chunk's head, its line in the index, and what makes it even

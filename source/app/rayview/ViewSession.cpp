@@ -56,7 +56,9 @@ std::shared_ptr<const R2::Image> ReadPictureFile(const std::string& name) {
   std::ifstream in(name, std::ios::binary);
   const std::string bytes = AllOf(in);
   try {
-    return std::make_shared<const R2::Image>(R2::DecodeImage(BytesOf(bytes)).image);
+    R2::DecodedImage decoded = R2::DecodeImage(BytesOf(bytes));
+    PrintWarnings(name, decoded.warnings);
+    return std::make_shared<const R2::Image>(std::move(decoded.image));
   } catch (const R2::ImageError&) {
     return nullptr;
   }

@@ -4,26 +4,15 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <set>
 #include <span>
 
+#include "source/app/report/LampCheck.h"
 #include "source/text/Quoting.h"
 #include "source/text/Words.h"
 
 namespace ray {
 namespace {
-
-std::string PlaceOf(const World& world, const Instance& instance) {
-  const Scene& scene = world.scene();
-  const Location& location = instance.node->location;
-  if (location.line == 0 || location.file >= scene.files.size()) return "scene";
-  return Place(scene.files[location.file], location.line, location.column);
-}
-
-// A shape's own transform is the identity, so its node's box is the shape's, in the frame of the instance.
-R3::Box WorldBounds(const World& world, const Instance& instance) {
-  const R3::Box& local = instance.node->bounds;
-  return local.IsEmpty() ? local : world.Frames()[instance.frame] * local;
-}
 
 // Rational directions meet edges and vertices of what people model; these do not.
 const std::array<R3::Vector, 3> odd_directions{R3::Vector{0.5772156649, 0.6931471806, 0.4342944819},
@@ -139,12 +128,46 @@ void AddShapeMistakes(std::vector<std::string>& mistakes, const World& world, co
   if (ShowsLight(settings.mode) && settings.mode != RenderMode::gooch)  // whose tones are no material's
     Point(mistakes, world, "has a color but no ka, kd or ks, and is black",
           [](const Instance& i) { return HasUnusedColor(*i.material); });
+  const auto is_emissive_solid = [](const Instance& i) { return !IsBlack(i.material->emission) && !i.mesh; };
   if (settings.mode == RenderMode::whitted && !settings.trace.emissive_solids_light)
-    Point(mistakes, world, "emits but lights nothing in mode whitted; -mode path makes it a light",
-          [](const Instance& i) { return !IsBlack(i.material->emission) && !i.mesh; });
+    Point(mistakes, world, "emits but lights nothing in mode whitted; -mode path makes it a light", is_emissive_solid);
+  if (settings.mode == RenderMode::path && !EmitsRadiance(settings) && !settings.trace.emissive_solids_light)
+    Point(mistakes, world, "emits but lights nothing with -emission color; -emissive_solids on makes it a light",
+          is_emissive_solid);
+}
+
+/// Reports each mesh some of whose triangles were turned around to agree with their vertex normals.
+void AddTurnedMeshes(std::vector<std::string>& mistakes, const World& world) {
+  std::set<const R3::Shape*> seen;
+  for (const Instance& instance : world.Instances()) {
+    if (!instance.mesh || instance.mesh->TurnedTriangles() == 0 || !seen.insert(instance.node->shape.get()).second)
+      continue;
+    const auto turned = static_cast<std::uint64_t>(instance.mesh->TurnedTriangles());
+    const std::uint32_t line = instance.mesh->FirstTurnedLine();
+    mistakes.push_back(PlaceOf(world, instance) + ": warning: " + Counted(turned, "triangle") + " of " +
+                       std::to_string(instance.mesh->Elements()) + " in this mesh " + (turned == 1 ? "is" : "are") +
+                       " wound against the vertex normals" +
+                       (line > 0 ? ", the first on line " + std::to_string(line) + " of its file" : "") +
+                       "; the normals decide which side is the front");
+  }
 }
 
 }  // namespace
+
+std::string PlaceOf(const World& world, const Instance& instance) {
+  const Scene& scene = world.scene();
+  const Location& location = instance.node->location;
+  if (location.line == 0 || location.file >= scene.files.size()) return "scene";
+  return Place(scene.files[location.file], location.line, location.column);
+}
+
+R3::Box WorldBounds(const World& world, const Instance& instance) {
+  const bool is_baked = instance.shape != instance.node->shape.get();
+  // A shape's own transform is the identity, so its node's box is the shape's, in the frame of the instance. That of a
+  // baked mesh is in the frame that the mesh has left; looking at its corners takes little beside reading them.
+  const R3::Box local = is_baked ? R3::Bounds(*instance.shape) : instance.node->bounds;
+  return local.IsEmpty() ? local : world.Frames()[instance.frame] * local;
+}
 
 int SolidsAround(const World& world, const R3::Point& point, const std::function<bool(const Instance&)>& counts) {
   return static_cast<int>(std::ranges::count_if(world.Instances(), [&](const Instance& instance) {
@@ -167,6 +190,8 @@ std::vector<std::string> LikelyMistakes(const World& world, const RenderSettings
   const auto inward = InwardSides(settings.view.value_or(world.scene().camera), settings);
   Point(mistakes, world, "lies outside the view",
         [&](const Instance& i) { return IsOutsideView(world, i, eye, inward); });
+  AddTurnedMeshes(mistakes, world);
+  for (std::string& mistake : LampMistakes(world, settings)) mistakes.push_back(std::move(mistake));
   return mistakes;
 }
 

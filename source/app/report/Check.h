@@ -19,6 +19,12 @@ std::vector<std::string> PlainMistakes(const World& world, const RenderSettings&
 /// What -check points out: the same in any scene, and also shapes outside the view and meshes around the camera.
 std::vector<std::string> LikelyMistakes(const World& world, const RenderSettings& settings);
 
+/// The place of an instance in its scene file, "room.scn:12:1".
+std::string PlaceOf(const World& world, const Instance& instance);
+
+/// A box around an instance, in the world; empty for what has no end.
+R3::Box WorldBounds(const World& world, const Instance& instance);
+
 /// How many of the solids and meshes hold the point inside: a ray from it crosses their surface an odd number of times.
 /// A mesh counts only if three rays agree, for it may be open. `counts`: which of them are asked for.
 int SolidsAround(

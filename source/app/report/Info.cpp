@@ -6,6 +6,7 @@
 
 #include "R2/ImageFile.h"
 #include "source/app/report/Memory.h"
+#include "source/app/report/Messages.h"
 #include "source/app/report/Resources.h"
 #include "source/parse/Files.h"
 #include "source/parse/SceneError.h"
@@ -57,7 +58,11 @@ R2::DecodedImage DecodePicture(const std::string& file, std::span<const unsigned
   }
 }
 
-R2::DecodedImage ReadPicture(const std::string& file) { return DecodePicture(file, ReadBytes(file)); }
+R2::DecodedImage ReadPicture(const std::string& file) {
+  R2::DecodedImage picture = DecodePicture(file, ReadBytes(file));
+  PrintWarnings(file, picture.warnings);
+  return picture;
+}
 
 std::string PictureText(const std::string& file, const R2::ImageHeader& picture) {
   std::string text = Escaped(file) + ": " + picture.format->name + ", " + std::to_string(picture.size.width) + "x" +

@@ -10,9 +10,9 @@ namespace ray {
 
 /// Throws SceneErrors when it is missing.
 std::vector<unsigned char> ReadBytes(const std::string& file);
-/// Throws SceneErrors, which name the file, when the bytes are no picture.
+/// Throws SceneErrors, which name the file, when the bytes are no picture. Its warnings are left to the caller.
 R2::DecodedImage DecodePicture(const std::string& file, std::span<const unsigned char> bytes);
-/// Both.
+/// Reads and decodes a picture, and prints its warnings.
 R2::DecodedImage ReadPicture(const std::string& file);
 
 /// "out.png: png, 512x512" and a line for each setting kept in the picture.

@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include "source/app/report/Terminal.h"
+#include "source/text/Quoting.h"
 
 namespace ray {
 
@@ -17,6 +18,10 @@ void PrintFailure(const std::string& line) { TellPart((HasColors() ? ColoredFail
 
 void TellAll(std::span<const std::string> lines) {
   for (const std::string& line : lines) PrintError(line);
+}
+
+void PrintWarnings(const std::string& file, std::span<const std::string> warnings) {
+  for (const std::string& warning : warnings) PrintError(Escaped(file) + ": warning: " + warning);
 }
 
 }  // namespace ray

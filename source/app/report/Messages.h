@@ -11,6 +11,8 @@ void PrintError(const std::string& line);
 /// The same for what ends the program.
 void PrintFailure(const std::string& line);
 void TellAll(std::span<const std::string> lines);
+/// Writes a line "file: warning: ..." for each of the warnings about a file.
+void PrintWarnings(const std::string& file, std::span<const std::string> warnings);
 /// The same without an end of line.
 void TellPart(const std::string& text);
 

@@ -45,6 +45,8 @@ std::vector<std::string> OptionsWithoutEffect(const Options& options) {
   const std::pair lens{has_lens, "-aperture"}, grid{is_grid, "-sampler grid"};
   const std::string& accel = options.accelerator.name;
   const bool is_graph = accel == "graph";
+  const bool has_colored_lamps =
+      render.mode == RenderMode::whitted || (render.mode == RenderMode::path && !EmitsRadiance(render));
   const bool has_error = render.budget.IsOpen() || render.denoise || options.stats || !options.report.empty() ||
                          !options.reference.empty();
   const std::string with_accelerator = "with -accel " + options.accelerator.name;
@@ -60,7 +62,9 @@ std::vector<std::string> OptionsWithoutEffect(const Options& options) {
       {"zbuffer_range", render.mode == RenderMode::zbuffer, "without -mode zbuffer"},
       {"gooch", render.mode == RenderMode::gooch, "without -mode gooch"},
       {"toon_bands", render.mode == RenderMode::toon, "without -mode toon"},
-      {"emissive_solids", render.mode == RenderMode::whitted, "without -mode whitted"},
+      {"emission", render.mode == RenderMode::path, "without -mode path"},
+      {"emissive_meshes", has_colored_lamps, "without -mode whitted or -emission color"},
+      {"emissive_solids", has_colored_lamps, "without -mode whitted or -emission color"},
       {"adaptive", render.budget.adaptive != Adaptive::tile || render.budget.error, "without -error"},
       {"adaptive", render.budget.adaptive != Adaptive::neighbors || render.samples > 1, "without -samples"},
       {"samples", render.samples > 1 || !render.budget.IsOpen(), "with -time or -error unless it is 2 or more"},

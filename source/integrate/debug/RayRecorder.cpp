@@ -5,11 +5,13 @@
 namespace ray {
 
 int RayRecorder::Begin(const PathState& ray) {
-  return Keep({.kind = ray.kind,
-               .parent = ray.record,
-               .depth = static_cast<int>(ray.depth),
-               .ray = ray.ray,
-               .throughput = ray.throughput});
+  RecordedRay begun{.kind = ray.kind,
+                    .parent = ray.record,
+                    .depth = static_cast<int>(ray.depth),
+                    .ray = ray.ray,
+                    .throughput = ray.throughput};
+  ForgetDeparture(begun.ray);
+  return Keep(std::move(begun));
 }
 
 void RayRecorder::Hits(const ShadingPoint& surface, const R2::Color& contribution) {
@@ -33,12 +35,13 @@ void RayRecorder::BeginShadow(const ShadingPoint& surface, const R3::Ray& ray, c
 void RayRecorder::EndShadow(int number, bool is_occluded, const World& world, const Accelerator& accelerator,
                             Workspace& workspace) {
   RecordedRay& ray = (*this)[number];
-  if (!is_occluded) {
+  if (is_occluded) {
+    ray.hit = accelerator.Intersect(ray.ray, workspace);
+    if (ray.hit) ray.at = world.At(ray.ray, *ray.hit);
+  } else {
     ray.contribution = ray.throughput;
-    return;
   }
-  ray.hit = accelerator.Intersect(ray.ray, workspace);
-  if (ray.hit) ray.at = world.At(ray.ray, *ray.hit);
+  ForgetDeparture(ray.ray);
 }
 
 int RayRecorder::Keep(RecordedRay ray) {

@@ -16,7 +16,7 @@ struct RecordedRay {
   RayKind kind = RayKind::camera;
   int parent = none;       // the ray whose end this one started from, by its number; a camera ray has none
   int depth = 0;           // bounces before it
-  R3::Ray ray;             // a shadow ray's t_max is 1 at its light, unless that is infinitely far
+  R3::Ray ray;             // a shadow ray ends at its light at t = 1, unless that is infinitely far
   R2::Color throughput;    // of what it sees, in its sample; of a shadow ray: what arrives if nothing is in between
   bool is_inside = false;  // whether it starts on the inside of the surface it comes from
   std::string towards{};   // the light of a shadow ray, in words
@@ -30,7 +30,7 @@ struct RecordedRay {
   /// Where it ends, if it does.
   std::optional<R3::Point> End() const {
     if (at) return at->position;
-    if (kind == RayKind::shadow && ray.t_max == 1) return ray.At(1);
+    if (kind == RayKind::shadow && ray.t_max < R3::infinity) return ray.At(1);
     return {};
   }
 };

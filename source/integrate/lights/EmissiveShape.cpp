@@ -73,7 +73,7 @@ std::optional<EmissiveShape::Sample> EmissiveShape::SampleTowards(const R3::Poin
   if (!(share > 0)) return {};
   const double pdf = local->pdf * SolidAngleRatio(way, local->at.position - local_from);
   if (!(pdf > 0)) return {};
-  return Sample{share * way, pdf, EmittedBackAlong(way, at.normal, Emission(), instance_->material->absorb)};
+  return Sample{share * way, pdf, EmittedBackAlong(way, at.normal, Emission(), Absorb())};
 }
 
 void EmissiveShape::SampleEach(LightSamples& samples, LightSamples::Each& pdfs) const {

@@ -43,11 +43,13 @@ R3::Point EmissiveTriangle::PointTowards(const R3::Point& seen_from, const R2::P
 
 std::string EmissiveTriangle::Describe() const { return "emissive triangle, primitive " + std::to_string(primitive); }
 
-LightBound EmissiveTriangle::Bound() const {
+R3::Box EmissiveTriangle::Bounds() const {
   R3::Box box;
   for (const R3::Point& corner : corners) box.Extend(corner);
-  return BoundWithoutFalloff(Along(box, motion), Luminance(emission));
+  return Along(box, motion);
 }
+
+LightBound EmissiveTriangle::Bound() const { return BoundWithoutFalloff(Bounds(), Luminance(emission)); }
 
 std::vector<EmissiveTriangle> EmissiveTriangles(const World& world) {
   std::vector<EmissiveTriangle> triangles;
@@ -68,7 +70,8 @@ std::vector<EmissiveTriangle> EmissiveTriangles(const World& world) {
       t.normal = world_from_local * R3::AsNormal(Unit(Cross(local[1] - local[0], local[2] - local[0])));
       t.area = Length(Cross(t.corners[1] - t.corners[0], t.corners[2] - t.corners[0])) / 2;
       t.emission = instance.material->emission;
-      t.absorb = instance.material->absorb;
+      if (!instance.is_medium) t.absorb = instance.material->absorb;  // else paths inside lose it on the way
+      t.instance = &instance;
       t.primitive = instance.first_primitive + i;
       triangles.push_back(t);
     }

@@ -20,6 +20,7 @@ struct EmissiveTriangle {
   R3::Normal normal;
   double area = 0;
   R2::Color emission, absorb;
+  const Instance* instance = nullptr;
   std::int64_t primitive = 0;
 
   /// The point that `random`, in [0, 1)^2, picks evenly by area at a time in [0, 1), moved off the triangle to the side
@@ -29,6 +30,8 @@ struct EmissiveTriangle {
   /// What arrives from one of its points, that far away.
   R2::Color RadianceAlong(const R3::Vector& way) const { return EmittedBackAlong(way, normal, emission, absorb); }
 
+  /// Around wherever it is while the shutter is open.
+  R3::Box Bounds() const;
   std::string Describe() const;
   /// What choosing among lights goes by, without fall-off as the course has it.
   LightBound Bound() const;

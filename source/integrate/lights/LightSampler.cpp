@@ -1,10 +1,12 @@
 #include "source/integrate/lights/LightSampler.h"
 
 #include <algorithm>
+#include <cassert>
 #include <numbers>
 
 #include "R3/Warp.h"
 #include "source/integrate/Bsdf.h"
+#include "source/integrate/lights/LampSample.h"
 
 namespace ray {
 namespace {
@@ -38,11 +40,13 @@ std::vector<const Light*> LightsOfPath(const World& world) {
 }
 
 LightSampler::LightSampler(const World& world, const TraceSettings& settings)
-    : triangles_(EmissiveTriangles(world)),
-      shapes_(EmissiveShapes(world)),
+    : world_(world),
+      settings_(settings),
       emission_bounds_(world),
-      has_unsampled_emission_(HasUnsampledEmission(world)),
-      settings_(settings) {
+      has_unsampled_emission_(!EmitsColor() && HasUnsampledEmission(world)) {
+  if (!EmitsColor()) triangles_ = EmissiveTriangles(world);
+  if (EmitsColor()) lamps_ = TriangleLamps(world, settings.emissive_meshes);
+  if (!EmitsColor() || settings.emissive_solids_light) shapes_ = EmissiveShapes(world);
   const Scene& scene = world.scene();
   std::vector<LightBound> bounds;
   for (const Light* light : LightsOfPath(world)) {
@@ -53,9 +57,10 @@ LightSampler::LightSampler(const World& world, const TraceSettings& settings)
     light_of_primitive_.emplace(triangle.primitive, static_cast<int>(bounds.size()));
     bounds.push_back(RadiantBound(triangle.Bound(), triangle.area));
   }
+  for (const TriangleLamp& lamp : lamps_) bounds.push_back(lamp.Bound());
   for (const EmissiveShape& shape : shapes_) {
-    light_of_primitive_.emplace(shape.Primitive(), static_cast<int>(bounds.size()));
-    bounds.push_back(RadiantBound(shape.Bound(), shape.ProjectedAreaOfBounds()));
+    if (!EmitsColor()) light_of_primitive_.emplace(shape.Primitive(), static_cast<int>(bounds.size()));
+    bounds.push_back(EmitsColor() ? shape.Bound() : RadiantBound(shape.Bound(), shape.ProjectedAreaOfBounds()));
   }
   if (scene.environment && !scene.environment->IsBlack()) {
     environment_ = scene.environment.get();
@@ -83,10 +88,13 @@ std::string LightSampler::Describe(int light) const {
   i -= lights_.size();
   if (i < triangles_.size()) return triangles_[i].Describe();
   i -= triangles_.size();
+  if (i < lamps_.size()) return lamps_[i].Describe();
+  i -= lamps_.size();
   return i < shapes_.size() ? shapes_[i].Describe() : "environment";
 }
 
 std::int64_t LightSampler::Reached(int light) const {
+  assert(!IsLamp(light));
   auto i = static_cast<std::size_t>(light);
   if (i < lights_.size()) return -1;
   i -= lights_.size();
@@ -97,32 +105,37 @@ std::int64_t LightSampler::Reached(int light) const {
 
 std::optional<LightTree::Choice> LightSampler::Choose(const ShadingPoint& p, double choice) const {
   if (IsUniform()) return LightTree::Choice{std::min(count_ - 1, static_cast<int>(choice * count_)), 1.0 / count_};
-  return tree_->Choose(p.shadow_origin, p.N, choice);
+  return tree_->Choose(p.free_point, p.N, choice);
 }
 
 double LightSampler::ProbabilityOf(const ShadingPoint& p, int light) const {
   if (count_ == 1) return 1;
-  return IsUniform() ? 1.0 / count_ : tree_->Probability(p.shadow_origin, p.N, light);
+  return IsUniform() ? 1.0 / count_ : tree_->Probability(p.free_point, p.N, light);
 }
 
 std::optional<LightSample> LightSampler::Sample(const ShadingPoint& p, int light, const R2::Point& u) const {
   auto i = static_cast<std::size_t>(light);
   if (i < lights_.size()) {
-    auto sample = lights_[i]->Illuminate(p.shadow_origin, u);
+    auto sample = lights_[i]->Illuminate(p.free_point, u);
     if (sample) sample->light = light;
     return sample;
   }
   i -= lights_.size();
+  if (IsLamp(light)) {
+    auto sample = SampleLamp(p, i, u);
+    if (sample) sample->light = light;
+    return sample;
+  }
   if (i < triangles_.size()) {
     const EmissiveTriangle& triangle = triangles_[i];
-    const R3::Vector towards = triangle.PointTowards(p.shadow_origin, u, p.path.ray.time) - p.shadow_origin;
+    const R3::Vector towards = triangle.PointTowards(p.free_point, u, p.path.ray.time) - p.free_point;
     const double pdf = Pdf(triangle, towards, 1);
     if (!(pdf > 0)) return {};
     return LightSample{triangle.RadianceAlong(towards) / pdf, towards, false, pdf, light, triangle.primitive};
   }
   i -= triangles_.size();
   if (i < shapes_.size()) {
-    const auto drawn = shapes_[i].SampleTowards(p.shadow_origin, u, p.path.ray.time);
+    const auto drawn = shapes_[i].SampleTowards(p.free_point, u, p.path.ray.time);
     if (!drawn) return {};
     return LightSample{drawn->radiance / drawn->pdf, drawn->towards, false, drawn->pdf, light, shapes_[i].Reached()};
   }
@@ -135,8 +148,16 @@ std::optional<LightSample> LightSampler::Sample(const ShadingPoint& p, int light
   return LightSample{drawn.radiance / drawn.pdf, drawn.direction, true, drawn.pdf, light};
 }
 
+std::optional<LightSample> LightSampler::SampleLamp(const ShadingPoint& p, std::size_t lamp, const R2::Point& u) const {
+  const auto sample = [&](const auto& light) {
+    return IsOn(p, light, world_) ? std::nullopt : SampleLight(p, light, u);
+  };
+  return lamp < lamps_.size() ? sample(lamps_[lamp]) : sample(shapes_[lamp - lamps_.size()]);
+}
+
 void LightSampler::SampleEach(std::span<const ShadingPoint> points, int light, LightSamples& samples,
                               LightSamples::Each& pdfs) const {
+  assert(!IsLamp(light));
   const std::size_t shape = static_cast<std::size_t>(light) - lights_.size() - triangles_.size();
   if (shape < shapes_.size() && shapes_[shape].CanSampleEach()) return shapes_[shape].SampleEach(samples, pdfs);
   if (IsInfinite(light) && !IsUniform()) return environment_->DrawEach(samples, pdfs);
@@ -159,10 +180,9 @@ std::optional<double> LightSampler::PdfOfHit(const ShadingPoint& from, const R3:
   if (found == light_of_primitive_.end()) return {};
   const auto [primitive, light] = *found;
   const std::size_t i = static_cast<std::size_t>(light) - lights_.size();
-  const double pdf =
-      i < triangles_.size()
-          ? Pdf(triangles_[i], ray.direction, hit.hit.t)
-          : shapes_[i - triangles_.size()].Pdf(from.shadow_origin, hit.hit.t * ray.direction, hit.at.normal, ray.time);
+  const double pdf = i < triangles_.size() ? Pdf(triangles_[i], ray.direction, hit.hit.t)
+                                           : shapes_[i - triangles_.size()].Pdf(
+                                                 from.free_point, hit.hit.t * ray.direction, hit.at.normal, ray.time);
   return choosing ? pdf * ProbabilityOf(from, light) : pdf;
 }
 

@@ -11,6 +11,7 @@
 #include "source/integrate/lights/EmissiveShape.h"
 #include "source/integrate/lights/EmissiveTriangle.h"
 #include "source/integrate/lights/LightTree.h"
+#include "source/integrate/lights/TriangleLamp.h"
 
 namespace ray {
 
@@ -18,8 +19,8 @@ namespace ray {
 std::vector<const Light*> LightsOfPath(const World& world);
 
 /// Next-event estimation: all lights as path tracing sees them: those of the scene language, which no ray can hit;
-/// emissive triangles and other shapes, whose emission is a radiance; and the environment. A point chooses among them
-/// by importance sampling, or uniformly with the strategy of that name.
+/// emissive triangles and other shapes, whose emission is a radiance, or lamps of a color if the settings say so; and
+/// the environment. A point chooses among them by importance sampling, or uniformly with the strategy of that name.
 class LightSampler {
  public:
   LightSampler(const World& world, const TraceSettings& settings);
@@ -34,6 +35,13 @@ class LightSampler {
     return environment_ || has_background_ || emission_bounds_.MayBeHitBy(ray);
   }
 
+  /// Whether emission is a color, as in mode whitted: no ray that a surface scatters diffusely counts it.
+  bool EmitsColor() const { return settings_.emission == Emission::color; }
+  /// Whether it is such a lamp, whose samples have no pdf.
+  bool IsLamp(int light) const {
+    const std::size_t i = static_cast<std::size_t>(light);
+    return EmitsColor() && i >= lights_.size() && i < lights_.size() + lamps_.size() + shapes_.size();
+  }
   /// Of the scene language's; null for other lights.
   const Light* SceneLight(int light) const {
     return static_cast<std::size_t>(light) < lights_.size() ? lights_[static_cast<std::size_t>(light)] : nullptr;
@@ -49,11 +57,11 @@ class LightSampler {
   /// A point on light number `light`.
   std::optional<LightSample> Sample(const ShadingPoint& p, int light, const R2::Point& u) const;
 
-  /// The same, bit for bit, from each of the points by the samples' u and v, of a light that rays can hit: the ways to
-  /// it, the irradiance, black where there is none, and the pdfs.
+  /// The same, bit for bit, from each of the points by the samples' u and v, of a light that rays can hit and that is no
+  /// lamp: the ways to it, the irradiance, black where there is none, and the pdfs.
   void SampleEach(std::span<const ShadingPoint> points, int light, LightSamples& samples,
                   LightSamples::Each& pdfs) const;
-  /// R3::Ray::reaching of rays to a light.
+  /// R3::Ray::reaching of rays to a light, which is no lamp.
   std::int64_t Reached(int light) const;
   bool IsInfinite(int light) const {
     const Light* of_scene = SceneLight(light);
@@ -75,15 +83,20 @@ class LightSampler {
   std::optional<LightTree::Choice> Choose(const ShadingPoint& p, double choice) const;
   double ProbabilityOf(const ShadingPoint& p, int light) const;
 
+  /// From a lamp by its number among the lamps and shapes.
+  std::optional<LightSample> SampleLamp(const ShadingPoint& p, std::size_t lamp, const R2::Point& u) const;
+
+  const World& world_;
+  TraceSettings settings_;
   std::vector<const Light*> lights_;
-  std::vector<EmissiveTriangle> triangles_;
+  std::vector<EmissiveTriangle> triangles_;  // where emission is a radiance
+  std::vector<TriangleLamp> lamps_;          // where it is a color
   std::vector<EmissiveShape> shapes_;
   std::unordered_map<std::int64_t, int> light_of_primitive_;
   EmissionBounds emission_bounds_;
   const Environment* environment_ = nullptr;
   bool has_background_ = false;  // that is not black
   bool has_unsampled_emission_;
-  TraceSettings settings_;
   int count_ = 0;
   std::optional<LightTree> tree_;
 };

@@ -19,11 +19,14 @@ namespace ray {
 namespace comp30019 {
 namespace {
 
-// The course's rules that no file can change. Its reference pictures fit a recursion of 8 to 10 bounces best.
+// The course's rules that no file can change. Its reference pictures fit a recursion of 8 to 10 bounces best. Each
+// emissive entity is one light with the full color of its material; of models the course does not say so, but does of
+// spheres and triangles. Ambient light, which mode path traces, adds to that.
 constexpr std::array rules{
     std::pair{"width", "400"},  std::pair{"height", "400"},      std::pair{"sampler", "grid"},
     std::pair{"samples", "1"},  std::pair{"max_depth", "10"},    std::pair{"min_luminance", "0"},
     std::pair{"fresnel", "on"}, std::pair{"bytes", "truncated"}, std::pair{"emissive_solids", "on"},
+    std::pair{"emissive_meshes", "whole"}, std::pair{"emission", "color"},
 };
 
 constexpr std::size_t most_suggested = 100;  // materials; a longer list helps nobody, and takes long to compare with

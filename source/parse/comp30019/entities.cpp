@@ -3,10 +3,10 @@
 namespace ray::comp30019 {
 namespace {
 
-/// A plane has no end to be sampled; a model would do, but is many lamps.
-void WarnOfEmission(Reader& reader, const Line& line, int material, const char* consequence) {
+/// A plane has no end to be sampled.
+void WarnOfEmission(Reader& reader, const Line& plane, int material) {
   if (!IsBlack(reader.MaterialAt(material).emission))
-    reader.Warn(line.Command(), "an emissive " + std::string(line.Command().text) + " " + consequence);
+    reader.Warn(plane.Command(), "an emissive Plane is seen but gives no light");
 }
 
 }  // namespace
@@ -26,7 +26,7 @@ void ReadPlane(Reader& reader, Line& line) {
   const int material = reader.ReadMaterial(line);
   if (!line.IsGood()) return;
   if (n == R3::Point{}) return line.Error(normal[0].token, "normal must not be 0 0 0");
-  WarnOfEmission(reader, line, material, "is seen but gives no light");
+  WarnOfEmission(reader, line, material);
   reader.AddShape(line, "plane", {p.x, p.y, p.z, n.x, n.y, n.z}, material);
 }
 
@@ -58,7 +58,6 @@ void ReadObjModel(Reader& reader, Line& line) {
   const Number scale = reader.ReadCoordinate(line, "scale");
   const int material = reader.ReadMaterial(line);
   if (line.IsGood() && scale.value == 0) line.Error(scale.token, "scale must not be 0");
-  if (line.IsGood()) WarnOfEmission(reader, line, material, "is a lamp for each of its triangles, which takes long");
   reader.AddModel(line, file, offset, scale.value, material);
 }
 

@@ -17,7 +17,7 @@ const char* Faces::Add(std::span<const std::uint32_t> places, std::span<const st
   }
   if (places.size() > max_triangles - mesh_.triangles.size()) return "the mesh has more than 2^28 triangles";
   if (places.size() == 3) {
-    mesh_.triangles.push_back({names[0], names[1], names[2]});
+    AddTriangle(names, {0, 1, 2}, where);
     return nullptr;
   }
   polygon_.clear();
@@ -28,8 +28,14 @@ const char* Faces::Add(std::span<const std::uint32_t> places, std::span<const st
     ++fanned_;
     cuts = Fan(places.size());
   }
-  for (const auto& cut : *cuts) mesh_.triangles.push_back({names[cut[0]], names[cut[1]], names[cut[2]]});
+  for (const auto& cut : *cuts) AddTriangle(names, cut, where);
   return nullptr;
+}
+
+void Faces::AddTriangle(std::span<const std::uint32_t> names, const std::array<std::uint32_t, 3>& cut,
+                        const Token& where) {
+  mesh_.triangles.push_back({names[cut[0]], names[cut[1]], names[cut[2]]});
+  mesh_.lines.push_back(LocationOf(0, where).line);
 }
 
 void Faces::Warn(const Text& file, Report& report) const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -11,7 +12,7 @@
 
 namespace ray {
 
-/// Turns the faces of a file into the triangles of a mesh.
+/// Turns the faces of a file into the triangles of a mesh, and notes the line of each.
 class Faces {
  public:
   explicit Faces(R3::MeshData& mesh) : mesh_(mesh) {}
@@ -27,6 +28,8 @@ class Faces {
   void Warn(const Text& file, Report& report) const;
 
  private:
+  void AddTriangle(std::span<const std::uint32_t> names, const std::array<std::uint32_t, 3>& cut, const Token& where);
+
   R3::MeshData& mesh_;
   Tally too_small_;
   std::size_t fanned_ = 0;

@@ -39,6 +39,7 @@ std::optional<PlacedShape> MeshOf(Mapping& object, const Corners& corners, std::
   data.positions = corners;
   data.triangles.assign(cuts->begin(), cuts->end());
   data.uvs = std::move(uvs);
+  data.is_one_polygon = true;
   auto mesh = std::make_shared<const R3::Mesh>(std::move(data));
   if (mesh->IsDegenerate()) {
     object.Reporter().Error(object.What(), "has no area: its corners are on one line");

@@ -33,13 +33,19 @@ std::string TextOf(const std::vector<double>& numbers) {
   return text;
 }
 
-/// The command that makes this very mesh of its corners, triangle by triangle; null when none does.
-const char* PolygonCommandOf(const R3::Mesh& mesh) {
+/// The command that makes this very mesh of its corners, triangle by triangle; null when none does, or where the mesh
+/// that it makes would be another lamp.
+const char* PolygonCommandOf(const R3::Mesh& mesh, const Material& material) {
   const R3::MeshData& data = mesh.Data();
   const std::size_t corners = data.positions.size();
-  if (!mesh.File().empty() || mesh.IsSmooth() || corners < 3 || corners > most_spelled_out) return nullptr;
+  const std::size_t most_corners = IsBlack(material.emission) ? most_spelled_out : max_concave_corners;
+  if (!data.is_one_polygon || corners < 3 || corners > most_corners) return nullptr;
   const auto cuts = Triangulate(data.positions);
-  if (!cuts || !std::equal(cuts->begin(), cuts->end(), data.triangles.begin(), data.triangles.end())) return nullptr;
+  if (!cuts) return nullptr;
+  R3::MeshData again;
+  again.positions = data.positions;
+  again.triangles.assign(cuts->begin(), cuts->end());
+  if (R3::Mesh(std::move(again)).Data().triangles != data.triangles) return nullptr;
   if (data.uvs.empty()) return "polygon";
   return corners == 4 && data.uvs == QuadUvs() ? "quad" : nullptr;
 }
@@ -108,6 +114,7 @@ class ScnWriter {
     Say("material", m.ka, m.kd, m.ks, m.kt, m.emission, m.n, m.ir, texture.value_or("0"));
     if (m.kr != m.ks) Say("mirror", id, m.kr);
     if (!IsBlack(m.absorb)) Say("absorb", id, m.absorb);
+    if (m.priority != 0) Say("priority", id, m.priority);
     if (m.coat != 0) Say("coat", id, m.coat);
     if (m.texture_multiplies_ka) Say("texture_ambient", id);
     if (m.color) Say("flat_color", id, *m.color);
@@ -170,8 +177,11 @@ class ScnWriter {
     if (const auto made = node.shape->MadeFrom()) return Say(made->kind, id, made->arguments);
     const auto* mesh = dynamic_cast<const R3::Mesh*>(node.shape.get());
     assert(mesh);  // what is no mesh is of a kind
-    if (const char* const command = PolygonCommandOf(*mesh)) return SayPolygon(command, *mesh, id);
+    if (const char* const command = PolygonCommandOf(*mesh, material)) return SayPolygon(command, *mesh, id);
     if (IsSaidByTriangles(*mesh, material)) return SayTriangles(*mesh, id);
+    if (mesh->Data().is_one_polygon && mesh->Elements() > 1 && !IsBlack(material.emission))
+      written_.warnings.emplace_back("a polygon that emits is written as a mesh: in mode whitted each of its triangles "
+                                     "is a lamp of its own");
     if (mesh->IsSmooth())
       Say("mesh", id, FileOf(*mesh), "smooth");
     else

@@ -59,6 +59,21 @@ void ReadColorOfMaterial(ScnReader& reader, Statement& statement) {
   if (material && statement.IsGood()) material->*member = R2::Color{a[0], a[1], a[2]};
 }
 
+const std::array<R3::Argument, 1> priority_argument{{{"priority"}}};
+
+/// An extension: which of overlapping solids fills the place.
+void ReadPriority(ScnReader& reader, Statement& statement) {
+  Material* material = reader.ReadOwnMaterial(statement);
+  const Arguments priority = statement.Numbers(priority_argument);
+  if (!material || !statement.IsGood()) return;
+  const double value = priority.values[0];
+  if (!(std::abs(value) <= Material::most_priority && value == std::floor(value)))
+    return statement.Error(priority.words[0],
+                           "priority must be a whole number from -" + std::to_string(Material::most_priority) + " to " +
+                               std::to_string(Material::most_priority) + ", got " + Escaped(priority.words[0].text));
+  material->priority = static_cast<int>(value);
+}
+
 const std::array<R3::Argument, 1> coat_index{{{"ir"}}};
 
 /// An extension: a clear coat over what is diffuse.
@@ -133,10 +148,14 @@ extern const Command bump_command{"bump", "bump mat_id file height", "bump map: 
 extern const Command mirror_command{"mirror", "mirror mat_id r g b", "weight of the mirrored ray, where it is not ks",
                                     ReadColorOfMaterial<&Material::kr>};
 extern const Command absorb_command{"absorb", "absorb mat_id r g b",
-                                    "absorption in clear solids: light is scaled by exp(-r d), exp(-g d), exp(-b d) "
-                                    "over a distance d inside, up to the solid's own surface; on the way to another "
-                                    "shape inside it nothing is absorbed",
+                                    "absorption in closed solids: light is scaled by exp(-r d), exp(-g d), exp(-b d) "
+                                    "over a distance d inside",
                                     ReadColorOfMaterial<&Material::absorb>};
+extern const Command priority_command{"priority", "priority mat_id n",
+                                      "where clear solids overlap, the material with the highest priority fills the "
+                                      "place, by default 0; among equals the "
+                                      "first solid of the file refracts and all of them absorb",
+                                      ReadPriority};
 extern const Command coat_command{
     "coat", "coat mat_id ir",
     "a clear coat of that index of refraction over what is diffuse: it mirrors more towards grazing angles", ReadCoat};

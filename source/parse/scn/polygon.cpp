@@ -34,6 +34,7 @@ void AddFlat(ScnReader& reader, Statement& statement, int material, const std::v
   data.positions = corners;
   data.triangles.assign(cuts->begin(), cuts->end());
   data.uvs = std::move(uvs);
+  data.is_one_polygon = true;
   reader.AddShape(statement, material, std::make_unique<const R3::Mesh>(std::move(data)));
 }
 

@@ -103,7 +103,8 @@ Lines RayLines(const std::vector<PixelTrace>& traces, const DrawingSpace& space,
       const R3::Point end = EndOf(ray, space.radius);
       add(StartOf(ray), end, ColorOf(ray.kind));
       if (ray.kind == RayKind::shadow && ray.at)
-        add(end, ray.ray.t_max == 1 ? ray.ray.At(1) : end + 0.2 * space.radius * Unit(ray.ray.direction), blocked);
+        add(end, ray.ray.t_max < R3::infinity ? ray.ray.At(1) : end + 0.2 * space.radius * Unit(ray.ray.direction),
+            blocked);
       if (look.normals && ray.at && ray.kind != RayKind::shadow)
         add(end, end + normal_length * space.radius * AsVector(ray.at->shading_normal), normal_color);
     }

@@ -7,7 +7,7 @@
 
 #include "R1/Elementary.h"
 #include "source/integrate/lights/EmissiveShape.h"
-#include "source/integrate/lights/EmissiveTriangle.h"
+#include "source/integrate/lights/TriangleLamp.h"
 #include "source/view/preview/Floats.h"
 
 namespace ray {
@@ -56,39 +56,34 @@ struct Emitter {
   R2::Color emission;
   R3::Point middle;
   double area = 0;  // as it looks from somewhere
-  int parts = 1;    // each of which shines, in mode whitted
+  int lamps = 1;    // each of which shines with its full color, where emission is no radiance
 };
 
-PreviewLight LightOf(const Emitter& emitter, bool is_path, const DrawingSpace& space) {
+PreviewLight LightOf(const Emitter& emitter, bool is_radiance, const DrawingSpace& space) {
   PreviewLight light;
   light.place = space.At(emitter.middle);
   light.casts_shadows = false;  // it would be in that of its own surface
-  light.color = (is_path ? emitter.area / std::numbers::pi : emitter.parts) * emitter.emission;
-  if (is_path) SetFalloff(light, 0, 0, 1, space.radius);
+  light.color = (is_radiance ? emitter.area / std::numbers::pi : emitter.lamps) * emitter.emission;
+  if (is_radiance) SetFalloff(light, 0, 0, 1, space.radius);
   return light;
 }
 
-/// The triangles of one instance, which follow each other, are one emitter.
-std::vector<Emitter> EmittingMeshes(const World& world) {
+/// The lamps of one instance, which follow each other, are one emitter.
+std::vector<Emitter> EmittingMeshes(const World& world, EmissiveMeshes meshes) {
   std::vector<Emitter> emitters;
   const Instance* last = nullptr;
-  for (const EmissiveTriangle& triangle : EmissiveTriangles(world)) {
-    const auto& instances = world.Instances();
-    const auto next =
-        std::upper_bound(instances.begin(), instances.end(), triangle.primitive,
-                         [](std::int64_t primitive, const Instance& i) { return primitive < i.first_primitive; });
-    const Instance* instance = &*std::prev(next);
-    const LightBound bound = triangle.Bound();
-    // Turned this way and that, a triangle looks half as large as it is.
-    if (instance != last) {
-      emitters.push_back({triangle.emission, bound.center, triangle.area / 2, 1});
+  for (const TriangleLamp& lamp : TriangleLamps(world, meshes)) {
+    const R3::Point middle = lamp.Bound().center;
+    const double area = lamp.Area() / 2;  // turned this way and that, a triangle looks half as large as it is
+    if (lamp.instance() != last) {
+      emitters.push_back({lamp.Emission(), middle, area, 1});
     } else {
       Emitter& emitter = emitters.back();
-      ++emitter.parts;
-      emitter.area += triangle.area / 2;
-      emitter.middle = emitter.middle + (bound.center - emitter.middle) / emitter.parts;
+      ++emitter.lamps;
+      emitter.area += area;
+      emitter.middle = emitter.middle + (middle - emitter.middle) / emitter.lamps;
     }
-    last = instance;
+    last = lamp.instance();
   }
   return emitters;
 }
@@ -111,16 +106,17 @@ bool Shines(const Instance& instance) { return !IsBlack(instance.material->emiss
 
 PreviewLights PreviewLightsOf(const World& world, const RenderSettings& settings, const DrawingSpace& space) {
   const Scene& scene = world.scene();
-  const bool is_path = settings.mode == RenderMode::path;
+  const bool is_radiance = EmitsRadiance(settings);
   PreviewLights found;
   auto& lights = found.lights;
   for (const auto& light : scene.lights)
     if (!light->IsBlack()) lights.push_back(Known(*light, space));
-  for (const Emitter& emitter : EmittingMeshes(world)) lights.push_back(LightOf(emitter, is_path, space));
-  if (is_path || settings.trace.emissive_solids_light)
+  for (const Emitter& emitter : EmittingMeshes(world, settings.trace.emissive_meshes))
+    lights.push_back(LightOf(emitter, is_radiance, space));
+  if (is_radiance || settings.trace.emissive_solids_light)
     for (const EmissiveShape& shape : EmissiveShapes(world))
       lights.push_back(
-          LightOf({shape.Emission(), shape.Bound().center, shape.ProjectedAreaOfBounds()}, is_path, space));
+          LightOf({shape.Emission(), shape.Bound().center, shape.ProjectedAreaOfBounds()}, is_radiance, space));
 
   std::stable_sort(lights.begin(), lights.end(),
                    [](const PreviewLight& a, const PreviewLight& b) { return Strength(a) > Strength(b); });
@@ -129,7 +125,7 @@ PreviewLights PreviewLightsOf(const World& world, const RenderSettings& settings
     lights.resize(most_preview_lights);
   }
   const bool has_environment = scene.environment && !scene.environment->IsBlack();
-  const bool is_lit_by_background = is_path && !IsBlack(scene.background);
+  const bool is_lit_by_background = settings.mode == RenderMode::path && !IsBlack(scene.background);
   found.head_light = lights.empty() && !has_environment && !is_lit_by_background && IsBlack(scene.ambient) &&
                      std::ranges::none_of(world.Instances(), Shines);
   return found;

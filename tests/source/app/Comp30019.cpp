@@ -60,6 +60,35 @@ TEST(Comp30019Program, TheGradersCallsMakeTheirPictures) {
   }
 }
 
+/// The mean over each eighth of a picture's width and height.
+std::vector<double> Eighths(const R2::Image& image) {
+  std::vector<double> means(64);
+  for (int y = 0; y < image.Height(); ++y)
+    for (int x = 0; x < image.Width(); ++x)
+      means[static_cast<std::size_t>(8 * (8 * y / image.Height()) + 8 * x / image.Width())] +=
+          64 * Luminance(image.At(x, y)) / image.Width() / image.Height();
+  return means;
+}
+
+// Emission was a radiance with -l, and what had been lit well without was nearly black.
+TEST(Comp30019Program, AmbientLightAddsToThatOfLamps) {
+  NEEDS_THE_PROGRAM();
+  const TemporaryFolder folder;
+  const auto shown = [&](const CourseCall& more) {
+    CourseCall words{"-f", CourseScene("lamps"), "-o", folder / "out.png", "-w", "64", "-h", "64"};
+    words.insert(words.end(), more.begin(), more.end());
+    EXPECT_EQ(RunCourse(words).status, 0);
+    return Eighths(Decode(folder / "out.png").image);
+  };
+  const std::vector<double> direct = shown({}), all = shown({"-l"});
+  double sum = 0, direct_sum = 0;
+  for (std::size_t i = 0; i < direct.size(); ++i) {
+    EXPECT_GT(all[i], direct[i] - 0.02) << "darker in eighth " << i;  // noise
+    sum += all[i], direct_sum += direct[i];
+  }
+  EXPECT_GT(sum, 1.5 * direct_sum) << "walls of albedo .75 around all sides send on most of what they get";
+}
+
 TEST(Comp30019Program, TheSizeIs400x400UnlessItIsAskedFor) {
   NEEDS_THE_PROGRAM();
   const TemporaryFolder folder;

@@ -6,6 +6,7 @@
 
 #include "source/integrate/CameraRays.h"
 #include "source/render/RenderBlock.h"
+#include "source/text/EnumNames.h"
 #include "tests/Project.h"
 
 namespace ray {
@@ -43,14 +44,17 @@ TEST(PathStream, TakesPathsOfEveryLobeTogetherAsPathTakesThemOneByOne) {
   const std::vector<CameraSample> seen = CameraSamples(*stage.scene);
   for (const bool glossy : {false, true})
     for (const bool fresnel : {false, true})
-      for (const int lights : {0, 2}) {
+      for (const auto& [lights, emission] : {std::pair{0, Emission::radiance}, {2, Emission::radiance},
+                                             {0, Emission::color}, {2, Emission::color}}) {
         TraceSettings settings;
-        settings.glossy = glossy, settings.fresnel = fresnel, settings.lights = lights, settings.samples = samples_per_pixel;
+        settings.glossy = glossy, settings.fresnel = fresnel, settings.lights = lights;
+        settings.samples = samples_per_pixel;
+        settings.emission = emission, settings.emissive_solids_light = true;
         std::vector<R2::Color> alone(seen.size()), together(seen.size());
         TraceState of_one, of_all;
         Path(stage.world, *accelerator, settings).Li(seen, alone, of_one);
         PathStream(stage.world, *accelerator, settings).Li(seen, together, of_all);
-        EXPECT_TRUE(together == alone) << glossy << fresnel << lights;
+        EXPECT_TRUE(together == alone) << glossy << fresnel << lights << NameOf(emission);
         for (std::size_t kind = 0; kind < ray_kind_names.size(); ++kind) {
           EXPECT_EQ(of_all.rays.kinds[kind].rays, of_one.rays.kinds[kind].rays) << ray_kind_names[kind];
           EXPECT_GT(of_all.rays.kinds[kind].rays, 0u) << ray_kind_names[kind];

@@ -51,4 +51,28 @@ TEST(SceneFiles, TheUsersEnvironmentCountsBesideTheTexturesAndTheHintIsShown) {
   EXPECT_TRUE(ray::Contains(report, "-memory sets another limit")) << report;
 }
 
+// A texture cut out for the web has colors behind its transparent pixels. A file of two uses is read twice.
+TEST(SceneFiles, WhatIsOddAboutAnImageIsWarnedOfOnce) {
+  const ray::Folder folder;
+  std::filesystem::copy(project::Root() / "tests/R2/samples/palette-alpha.png", folder / "leaf.png");
+  const auto scene = folder.Write("in.scn",
+                                  "material 1 1 1 1 1 1 0 0 0 0 0 0 0 0 0 1 1 leaf.png\nnormal_map 0 leaf.png\n"
+                                  "sphere 0 0 0 0 1\n");
+  const std::vector<std::string> warnings = ray::Parse(scene, {}).warnings;
+  const auto is_of_leaf = [&](const std::string& warning) {
+    return warning == (folder / "leaf.png").string() +
+                          ": warning: PNG has transparent pixels: alpha is ignored, their colors count in full";
+  };
+  EXPECT_EQ(std::ranges::count_if(warnings, is_of_leaf), 1) << (warnings.empty() ? "" : warnings[0]);
+}
+
+// Somebody saved the page that shows an image instead of the image.
+TEST(SceneFiles, ATextureThatIsNoImageIsCalledWhatItLooksLike) {
+  const ray::Folder folder;
+  folder.Write("leaf.png", "<!DOCTYPE html><html><body>Sign in to see leaf.png</body></html>");
+  folder.Write("in.scn", "material 1 1 1 1 1 1 0 0 0 0 0 0 0 0 0 1 1 leaf.png\nsphere 0 0 0 0 1\n");
+  const std::string report = ray::ReportOf(folder, "in.scn");
+  EXPECT_NE(report.find("the file looks like a web page (HTML)"), std::string::npos) << report;
+}
+
 }  // namespace

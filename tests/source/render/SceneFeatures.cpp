@@ -38,5 +38,18 @@ TEST(SceneFeatures, BlocksThatStopEarlyAreASourceOfBiasInEveryMode) {
   }
 }
 
+TEST(SceneFeatures, AQuadIsOneLightInModeWhittedAndTwoInModePath) {
+  const project::Stage stage(project::FromText(
+      "point_light 0 0 0  0 0 0  1 0 0 material 0 0 0  0 0 0  0 0 0  0 0 0  1 1 1  1 1 0 "
+      "quad 0  0 0 0  1 0 0  1 1 0  0 1 0"));
+  RenderSettings settings;
+  settings.trace.lights = 1;
+  EXPECT_FALSE(Has(FeaturesOf(stage.world, settings).Names(), "choice of lights"));
+  settings.mode = RenderMode::path;
+  EXPECT_TRUE(Has(FeaturesOf(stage.world, settings).Names(), "choice of lights"));
+  settings.trace.emission = Emission::color;
+  EXPECT_FALSE(Has(FeaturesOf(stage.world, settings).Names(), "choice of lights"));
+}
+
 }  // namespace
 }  // namespace ray

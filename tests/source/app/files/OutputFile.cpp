@@ -60,7 +60,84 @@ TEST(OutputFile, HasTheModeBitsThatTheUmaskLeaves) {
     struct stat now = {};
     stat((folder / "out.ppm").c_str(), &now);
     EXPECT_EQ(now.st_mode & 0777, 0666 & ~mask);
+    fs::remove(folder / "out.ppm");
   }
+}
+
+/// Root may write anywhere; as long as this lives, we are nobody in particular.
+class WithoutRights {
+ public:
+  WithoutRights() { is_nobody_ = seteuid(geteuid() == 0 ? nobody : geteuid()) == 0; }
+  ~WithoutRights() {
+    if (seteuid(before_) != 0) ADD_FAILURE() << "the rights did not come back";
+  }
+  bool Hold() const { return is_nobody_; }
+
+ private:
+  static constexpr uid_t nobody = 65534;
+  uid_t before_ = geteuid();
+  bool is_nobody_ = false;
+};
+
+struct stat StatusOf(const std::string& file) {
+  struct stat status = {};
+  EXPECT_EQ(stat(file.c_str(), &status), 0) << file;
+  return status;
+}
+
+// Whoever shut a picture off found it open to everybody after the next render.
+TEST(OutputFile, KeepsTheModeBitsOfTheFileThatItReplaces) {
+  const TemporaryFolder folder;
+  const std::string file = WriteFile(folder / "out.ppm", "old");
+  fs::create_symlink("out.ppm", folder / "link.ppm");
+  for (const mode_t mode : {mode_t{0600}, mode_t{0664}, mode_t{0640}, mode_t{0666}, mode_t{0700}}) {
+    ASSERT_EQ(chmod(file.c_str(), mode), 0);
+    for (const char* name : {"out.ppm", "link.ppm"}) {
+      WriteWhole(CheckOutput(folder / name, {}), Bytes("new"));
+      EXPECT_EQ(StatusOf(file).st_mode & 07777, mode) << name;
+    }
+  }
+  EXPECT_EQ(ReadFile(file), "new");
+}
+
+TEST(TemporaryFile, IsClosedToOthersFromItsFirstByteWhereItReplacesAClosedFile) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(chmod(WriteFile(folder / "out.ppm", "old").c_str(), 0600), 0);
+  TemporaryFile file(folder / "out.ppm");
+  file.Write(Bytes("new"));
+  const auto names = folder.Others({"out.ppm"});
+  ASSERT_EQ(names.size(), 1u);
+  EXPECT_EQ(StatusOf(folder / names[0]).st_mode & 0777, 0600u);
+}
+
+TEST(OutputFile, KeepsOwnerAndGroupWhereTheSystemLetsIt) {
+  if (geteuid() != 0) GTEST_SKIP() << "only the superuser may give files away";
+  const TemporaryFolder folder;
+  const std::string file = WriteFile(folder / "out.ppm", "old");
+  ASSERT_EQ(chown(file.c_str(), 65534, 65533), 0);
+  ASSERT_EQ(chmod(file.c_str(), 0640), 0);
+  WriteWhole(CheckOutput(file, {}), Bytes("new"));
+  EXPECT_EQ(StatusOf(file).st_uid, 65534u);
+  EXPECT_EQ(StatusOf(file).st_gid, 65533u);
+  EXPECT_EQ(StatusOf(file).st_mode & 0777, 0640u);
+}
+
+// A group that cannot be kept must not hand its rights to another group.
+TEST(OutputFile, AGroupOfOursGetsNoRightsThatAnotherGroupHad) {
+  if (geteuid() != 0) GTEST_SKIP() << "only the superuser may give files away";
+  const TemporaryFolder folder;
+  ASSERT_EQ(chmod(folder.Path().c_str(), 0777), 0);
+  const std::string file = WriteFile(folder / "out.ppm", "old");
+  ASSERT_EQ(chown(file.c_str(), 0, 65533), 0);
+  ASSERT_EQ(chmod(file.c_str(), 0662), 0);
+  {
+    const WithoutRights rights;
+    ASSERT_TRUE(rights.Hold());
+    WriteWhole(CheckOutput(file, {}), Bytes("new"));
+  }
+  EXPECT_EQ(ReadFile(file), "new");
+  EXPECT_NE(StatusOf(file).st_gid, 65533u);
+  EXPECT_EQ(StatusOf(file).st_mode & 0777, 0622u);
 }
 
 TEST(Extremes, K11_WhatCannotBeAPictureIsRefusedBeforeTheFirstRay) {
@@ -107,21 +184,6 @@ TEST(Extremes, K11_ALinkStaysALinkAndItsTargetIsReplaced) {
   fs::create_symlink("ring.ppm", folder / "ring.ppm");
   EXPECT_TRUE(Has(Refusal(folder / "ring.ppm"), "lead nowhere"));
 }
-
-/// Root may write anywhere; as long as this lives, we are nobody in particular.
-class WithoutRights {
- public:
-  WithoutRights() { is_nobody_ = seteuid(geteuid() == 0 ? nobody : geteuid()) == 0; }
-  ~WithoutRights() {
-    if (seteuid(before_) != 0) ADD_FAILURE() << "the rights did not come back";
-  }
-  bool Hold() const { return is_nobody_; }
-
- private:
-  static constexpr uid_t nobody = 65534;
-  uid_t before_ = geteuid();
-  bool is_nobody_ = false;
-};
 
 TEST(Extremes, L3_AFolderOrFileThatTakesNothingIsFoundOutBeforeRendering) {
   const TemporaryFolder folder;

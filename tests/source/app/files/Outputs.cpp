@@ -181,19 +181,23 @@ TEST(Extremes, L2_AFullDiskLeavesTheOldPictureAndKeepsTheNewElsewhere) {
 TEST(Extremes, L6_NobodyListeningCostsNoPicture) {
   NEEDS_THE_PROGRAM();
   const SceneFolder place;
-  const Surroundings silences[] = {
-      {.close_output = true},
-      {.close_error = true},
-      {.close_output = true, .close_error = true},
-      {.break_output = true},
-      {.standard_output = "/dev/full", .standard_error = "/dev/full"},  // only this is a failure: -stats was asked for
+  // -stats was asked for: it is a failure where it cannot be written, and none where its reader has left.
+  const struct {
+    Surroundings silence;
+    int status;
+  } cases[] = {
+      {{.close_output = true}, 4},
+      {{.close_error = true}, 0},
+      {{.close_output = true, .close_error = true}, 4},
+      {{.break_output = true}, 0},
+      {{.standard_output = "/dev/full", .standard_error = "/dev/full"}, 4},
   };
   const auto words = With({place.Scene(), place / "out.ppm", "-stats", "-verbose"}, picture_size);
   std::string first;
-  for (const Surroundings& silence : silences) {
+  for (const auto& [silence, status] : cases) {
     fs::remove(place / "out.ppm");
     const Finished done = RunProgram(words, silence);
-    EXPECT_EQ(done.status, silence.standard_output.empty() ? 0 : 4);
+    EXPECT_EQ(done.status, status);
     const std::string picture = ReadFile(place / "out.ppm");
     if (first.empty()) first = picture;
     EXPECT_EQ(static_cast<long>(picture.size()), picture_bytes);
@@ -210,6 +214,40 @@ TEST(Extremes, K11_StatisticsThatCannotBeWrittenAreAFailureAndTheLineNobodyAsked
   EXPECT_TRUE(Has(asked.error, "cannot write 'standard output': No space left on device")) << asked.error;
   EXPECT_EQ(static_cast<long>(ReadFile(place / "out.ppm").size()), picture_bytes);
   EXPECT_EQ(RunProgram(words, {.standard_output = "/dev/full"}).status, 0);
+}
+
+// A script that shut standard output would take an answer that went nowhere for one that arrived.
+TEST(Extremes, L6_ClosedStandardOutputIsAnErrorWhereverSomethingGoesThere) {
+  NEEDS_THE_PROGRAM();
+  NEEDS_RAYIMG();
+  const SceneFolder place;
+  const std::string picture = place / "out.ppm";
+  ASSERT_EQ(RunProgram(With({place.Scene(), picture, "-quiet"}, picture_size)).status, 0);
+  struct Case {
+    const char* program;
+    std::vector<std::string> words;
+  };
+  std::vector<Case> cases{
+      {"RAYPRO", With({place.Scene(), "-"}, picture_size)},
+      {"RAYPRO", {place.Scene(), "-check"}},
+      {"RAYPRO", {place.Scene(), "-advise"}},
+      {"RAYPRO", {place.Scene(), "-debugpixel", "1", "1"}},
+      {"RAYPRO", {"-info", picture}},
+      {"RAYPRO", {"-list", "shapes"}},
+      {"RAYPRO", {"-complete", "bash"}},
+      {"RAYIMG", {"info", picture}},
+      {"RAYIMG", {"diff", picture, picture}},
+  };
+  for (const char* program : {"RAYPRO", "RAYIMG", "RAYVIEW"})
+    for (const char* word : {"-help", "-man", "-version"})
+      if (ProgramName(program)) cases.push_back({program, {word}});
+  for (const Case& one : cases) {
+    const Finished open = RunProgram(one.words, {.program = one.program});
+    EXPECT_EQ(open.status, 0) << one.program << " " << one.words[0] << open.error;
+    const Finished closed = RunProgram(one.words, {.program = one.program, .close_output = true});
+    EXPECT_EQ(closed.status, 4) << one.program << " " << one.words[0];
+    EXPECT_TRUE(Has(closed.error, "cannot write 'standard output': Bad file descriptor")) << closed.error;
+  }
 }
 
 TEST(Extremes, L10_ManyRunsWithOneOutputLeaveOneWholePicture) {

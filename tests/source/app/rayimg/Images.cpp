@@ -60,6 +60,21 @@ TEST(RayimgInfo, APictureWithoutOneFiniteValueSaysSo) {
   EXPECT_TRUE(Has(done.output, "r: no finite value\n")) << done.output;
 }
 
+// Nothing about a file is left out in silence, and nothing is said twice.
+TEST(RayimgInfo, WhatIsOddAboutAFileIsPrintedOnce) {
+  NEEDS_RAYIMG();
+  const TemporaryFolder folder;
+  const std::string plain = Save(folder / "a.pfm", Filled(2, 2, {0.5, 1, 0}));
+  const std::string odd = WriteFile(folder / "b.pfm", ReadFile(plain) + "!");
+  const std::string warning = odd + ": warning: PFM has 1 byte behind its image, which is ignored\n";
+  EXPECT_EQ(Rayimg({"info", plain, odd}).error, warning);
+  // Pictures are read twice.
+  const Finished merged = Rayimg({"merge", plain, odd, "-force", "-out", folder / "c.pfm"});
+  EXPECT_EQ(merged.status, 0) << merged.error;
+  EXPECT_NE(merged.error.find(warning), std::string::npos) << merged.error;
+  EXPECT_EQ(merged.error.find(warning), merged.error.rfind(warning)) << merged.error;
+}
+
 // --- convert ---
 
 TEST(RayimgConvert, AppliesExposureThenTheCurve) {

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <optional>
 
+#include "tests/Project.h"
 #include "tests/source/app/rayimg/Rayimg.h"
 
 namespace ray::rayimg {
@@ -133,6 +134,16 @@ TEST(RayimgMovie, AnOlderMovieStaysWhenAFrameIsBad) {
   EXPECT_EQ(ReadFile(out), "an older movie");
   EXPECT_EQ(Rayimg({"movie", out, good}).status, 0);
   EXPECT_TRUE(ReadFile(out).starts_with("RIFF"));
+}
+
+// A movie keeps the bytes of its frames, and players do not look for EXIF in them.
+TEST(RayimgMovie, AFrameThatAsksToBeTurnedIsRefused) {
+  NEEDS_RAYIMG();
+  const TemporaryFolder folder;
+  const Finished done =
+      Rayimg({"movie", folder / "out.avi", (project::Root() / "tests/R2/samples/orientation-3.jpg").string()});
+  EXPECT_EQ(done.status, 2);
+  EXPECT_TRUE(Has(done.error, "asks to be turned")) << done.error;
 }
 
 // --- wrong input ---

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
+
 #include "source/app/files/SceneHash.h"
 #include "tests/source/app/Program.h"
 
@@ -15,8 +17,9 @@ using testing::WriteFile;
 /// A scene from its text, flattened.
 class Example {
  public:
-  explicit Example(const std::string& text)
-      : parsed_(Parse(WriteFile(folder_ / "example.scn", text), {})), world_(parsed_.scene) {}
+  /// `files`: others in its folder, by name.
+  explicit Example(const std::string& text, const std::map<std::string, std::string>& files = {})
+      : parsed_(Parse(Written(text, files), {})), world_(parsed_.scene) {}
 
   const World& TheWorld() const { return world_; }
   /// The likely mistakes, one a line.
@@ -27,6 +30,11 @@ class Example {
   }
 
  private:
+  std::string Written(const std::string& text, const std::map<std::string, std::string>& files) {
+    for (const auto& [name, bytes] : files) WriteFile(folder_ / name, bytes);
+    return WriteFile(folder_ / "example.scn", text);
+  }
+
   TemporaryFolder folder_;
   ParsedScene parsed_;
   World world_;
@@ -53,6 +61,10 @@ TEST(Check, AnEmissiveSolidThatLightsNothingIsPointedOut) {
   path.mode = RenderMode::path;
   lit.trace.emissive_solids_light = true;
   EXPECT_EQ(sphere.Mistakes(path) + sphere.Mistakes(lit), "");
+  path.trace.emission = Emission::color;
+  EXPECT_TRUE(Has(sphere.Mistakes(path),
+                  ":3:1: warning: this shape emits but lights nothing with -emission color; -emissive_solids on makes "
+                  "it a light"));
 }
 
 TEST(Check, InsideTheBoxAroundASolidIsNotInsideTheSolid) {
@@ -114,6 +126,16 @@ TEST(Check, InsideOfGlassTheCameraMayBe) {
   EXPECT_EQ(Example(camera + glass + "sphere 0  0 0 9  1\n").Mistakes(), "");
 }
 
+// Its box was looked for where its file puts it, not where its group does.
+TEST(Check, AMeshThatAGroupMovesIntoViewIsSeen) {
+  const std::map<std::string, std::string> files{{"a.obj", "v 49 0 0\nv 51 0 0\nv 50 1 0\nf 1 2 3\n"}};
+  const auto placed = [](const std::string& x) {
+    return camera + "begin -1  1 0 0 " + x + "  0 1 0 0  0 0 1 0  0 0 0 1\nmesh -1 a.obj\nend\n";
+  };
+  EXPECT_EQ(Example(placed("-50"), files).Mistakes(), "");
+  EXPECT_TRUE(Has(Example(placed("50"), files).Mistakes(), "this shape lies outside the view"));
+}
+
 TEST(Check, ASceneWithNothingInViewIsPointedOut) {
   const std::string warning = "warning: nothing in the scene is in view of the camera";
   EXPECT_TRUE(Has(Example(camera + "sphere -1  0 0 20  1\n").Mistakes(), warning));
@@ -157,6 +179,20 @@ TEST(Check, ShapesOutsideTheViewAreCountedAtTheFirst) {
       Example(camera + "sphere -1  0 0 0  1\nsphere -1  0 0 20  1\nsphere -1  90 0 0  1\n").Mistakes();
   EXPECT_TRUE(Has(mistakes, "example.scn:3:1: warning: this shape lies outside the view (and 1 more)")) << mistakes;
   EXPECT_FALSE(Has(mistakes, "example.scn:2"));
+}
+
+TEST(Check, TrianglesWoundAgainstTheirNormalsAreCountedAtTheFirst) {
+  const std::string corners = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 2 0 0\nv 3 0 0\nv 2 1 0\nvn 0 0 1\n";
+  const std::string right = "f 1//1 2//1 3//1\n", left = "f 4//1 6//1 5//1\n";
+  const std::string scene = camera + "mesh -1 a.obj smooth\nmesh -1 a.obj smooth\n";
+  const std::string mistakes = Example(scene, {{"a.obj", corners + right + left}}).Mistakes();
+  EXPECT_TRUE(Has(mistakes,
+                  "example.scn:2:1: warning: 1 triangle of 2 in this mesh is wound against the vertex normals, the "
+                  "first on line 9 of its file; the normals decide which side is the front\n"))
+      << mistakes;
+  EXPECT_FALSE(Has(mistakes, "example.scn:3")) << "a mesh is reported once";
+  EXPECT_EQ(Example(scene, {{"a.obj", corners + right}}).Mistakes(), "");
+  EXPECT_EQ(Example(camera + "mesh -1 a.obj\n", {{"a.obj", corners + left}}).Mistakes(), "") << "flat";
 }
 
 TEST(Check, TheSummaryCountsWhatIsThere) {

@@ -10,14 +10,14 @@ namespace ray {
 namespace {
 
 // Emission on a shape of each kind, one of them in a group that is turned, squeezed and moves.
-const std::string lamps =
+const std::string lamp_shapes =
     "camera 0 0 9  0 0 -1  0 1 0  0.4  0.01 100 "
     "material 0 0 0  0.5 0.5 0.5  0 0 0  0 0 0  0 0 0  1 1 0 material 0 0 0  0 0 0  0 0 0  0 0 0  1 2 3  1 1 0 "
     "sphere 1  3 1 0  0.5 tri 1  -1 2 -1  1 2 -1  0 2.5 1 tri 0  -9 -1 -9  9 -1 -9  0 -1 9 "
     "begin 1  0.6 0 0.8 1  0 0.1 0 0  -0.8 0 0.6 -2  0 0 0 1 motion 0.5 1 0 box -1  -1 -1 -1  1 1 1 end ";
 
 TEST(EmissionBounds, ARayThatIsKeptFromThemHitsNothingThatEmits) {
-  const project::Stage stage(project::FromText(lamps));
+  const project::Stage stage(project::FromText(lamp_shapes));
   const EmissionBounds bounds(stage.world);
   const auto accelerator = FindAcceleratorKind("none")->Make(stage.world, {});
   Workspace workspace;

@@ -57,7 +57,8 @@ TEST(Comp30019, TheCoursesRulesAreSettingsOfTheScene) {
   }
   const std::map<std::string, std::string> rules{{"width", "400"},  {"height", "400"},      {"sampler", "grid"},
                                                  {"samples", "1"},  {"max_depth", "10"},    {"min_luminance", "0"},
-                                                 {"fresnel", "on"}, {"bytes", "truncated"}, {"emissive_solids", "on"}};
+                                                 {"fresnel", "on"}, {"bytes", "truncated"}, {"emissive_solids", "on"},
+                                                 {"emissive_meshes", "whole"}, {"emission", "color"}};
   EXPECT_EQ(settings, rules);
 }
 

@@ -3,13 +3,16 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstring>
+#include <numbers>
 
 #include "R3/Mesh.h"
 #include "source/app/options/CommandLine.h"
 #include "source/app/options/SceneSettings.h"
 #include "source/parse/meshes/MeshFormat.h"
 #include "source/parse/scn/ObjText.h"
+#include "source/text/NumberText.h"
 #include "tests/Project.h"
 #include "tests/source/parse/Folder.h"
 
@@ -179,6 +182,23 @@ TEST(ScnText, QuadsAndPolygonsStayWhatTheyAre) {
   const ScnText text = WriteScn(ParseText(lamp + lines).scene, "/nowhere/out.scn");
   EXPECT_TRUE(text.meshes.empty());
   EXPECT_TRUE(text.text.ends_with(lines)) << text.text;
+}
+
+// In mode whitted a quad or polygon is one lamp, however many triangles it is cut into.
+TEST(ScnText, AnEmissivePolygonStaysOneLampWhateverItsCorners) {
+  const std::string lamp = "material 0 0 0  1 1 1  0 0 0  0 0 0  1 1 1  1 1 0\n";
+  std::string ring = "polygon 0 200", one_corner_twice = "polygon 0 5 0 0 0 1 0 0 1 0 0 1 1 0 0 1 0\n";
+  for (int i = 0; i < 200; ++i) {
+    const double angle = i * std::numbers::pi / 100;
+    ring += " " + ToText(std::cos(angle)) + " " + ToText(std::sin(angle)) + " 0";
+  }
+  const ScnText text = WriteScn(ParseText(lamp + ring + "\n" + one_corner_twice).scene, "/nowhere/out.scn");
+  EXPECT_TRUE(text.warnings.empty());
+  EXPECT_TRUE(text.text.ends_with(ring + "\n" + one_corner_twice)) << text.text;
+  EXPECT_EQ(WriteScn(ParseText("material 0 0 0  1 1 1  0 0 0  0 0 0  0 0 0  1 1 0\n" + ring).scene, "/nowhere/out.scn")
+                .meshes.size(),
+            1u)
+      << "what is no lamp does not bury the scene in corners";
 }
 
 TEST(ScnText, APictureThatIsMirroredStaysSo) {

@@ -14,8 +14,8 @@ namespace ray::testing {
 /// An accelerator that does as another does, once it may.
 class Gate : public Accelerator {
  public:
-  explicit Gate(std::unique_ptr<const Accelerator> inner, std::int64_t open_for = 0)
-      : inner_(std::move(inner)), left_(open_for) {}
+  explicit Gate(const World& world, std::unique_ptr<const Accelerator> inner, std::int64_t open_for = 0)
+      : Accelerator(world), inner_(std::move(inner)), left_(open_for) {}
   void Open(std::int64_t rays) const { left_ += rays; }
   bool IsShut() const { return left_ <= 0; }
   std::int64_t Waiting() const { return waiting_; }
@@ -29,9 +29,9 @@ class Gate : public Accelerator {
     }
     --waiting_;
   }
-  std::optional<WorldHit> Nearest(const R3::Ray& ray, Workspace& workspace) const override {
+  void Nearest(const R3::Ray& ray, NearestHit& nearest, Workspace& workspace) const override {
     Pass();
-    return inner_->Intersect(ray, workspace);
+    if (const auto hit = inner_->Intersect(ray, workspace)) nearest.Offer(*hit);
   }
   bool Any(const R3::Ray& ray, Workspace& workspace) const override { return inner_->IsOccluded(ray, workspace); }
 
@@ -44,7 +44,7 @@ struct Gated {
   explicit Gated(std::int64_t open_for)
       : scene(std::make_shared<LoadedScene>(project::Root() / "scenes/area_light.scn", ParseOptions{},
                                             AcceleratorSettings{})) {
-    auto held = std::make_unique<Gate>(std::move(scene->accelerator), open_for);
+    auto held = std::make_unique<Gate>(scene->world, std::move(scene->accelerator), open_for);
     gate = held.get();
     scene->accelerator = std::move(held);
   }

@@ -424,12 +424,11 @@ TEST(RenderJob, LeavesNoPixelBegunAfterCancelToTheThreads) {
 /// Runs out of memory at some ray.
 class Exhausted : public Accelerator {
  public:
-  explicit Exhausted(std::int64_t rays) : left_(rays) {}
+  Exhausted(const World& world, std::int64_t rays) : Accelerator(world), left_(rays) {}
 
  private:
-  std::optional<WorldHit> Nearest(const R3::Ray&, Workspace&) const override {
+  void Nearest(const R3::Ray&, NearestHit&, Workspace&) const override {
     if (left_.fetch_sub(1) <= 0) throw std::bad_alloc();
-    return {};
   }
   bool Any(const R3::Ray&, Workspace&) const override { return false; }
 
@@ -440,7 +439,7 @@ TEST(RenderJob, AThreadThatFailsEndsTheJobAndSaysWhy) {
   for (const Order order : {Order::coarse_first, Order::rows})
     for (const std::int64_t rays : {0, 100, 1024 + 700}) {
       const auto scene = Loaded("hello");
-      scene->accelerator = std::make_unique<Exhausted>(rays);
+      scene->accelerator = std::make_unique<Exhausted>(scene->world, rays);
       RenderSettings settings = Sized(32, 32);
       settings.samples = 4;
       const RenderJob job(scene, settings, order);

@@ -46,6 +46,38 @@ TEST(PreviewLights, HaveOneForTheTrianglesOfAMeshThatEmits) {
     EXPECT_EQ(light.constant, 0);
     EXPECT_GT(light.quadratic, 0);
   }
+  settings.trace.emission = ray::Emission::color;
+  const auto colored = LightsOf(stage, settings).lights;
+  ASSERT_EQ(colored.size(), 1u);
+  EXPECT_EQ(colored[0].color, whitted[0].color);
+  EXPECT_EQ(colored[0].quadratic, 0);
+}
+
+TEST(PreviewLights, OfAQuadIsAsStrongAsThatOfATriangle) {
+  const project::Stage stage(
+      project::FromText("point_light 0 0 0  0 0 0  1 0 0\nmaterial  0 0 0  0 0 0  0 0 0  0 0 0  2 1 0.5  1 1 0\n"
+                        "quad 0  -1 -1 0  1 -1 0  1 1 0  -1 1 0\n"));
+  const auto lights = LightsOf(stage).lights;
+  ASSERT_EQ(lights.size(), 1u);
+  EXPECT_EQ(lights[0].color, (R2::Color{2, 1, 0.5}));
+}
+
+TEST(PreviewLights, OfAMeshIsAsStrongAsItsLampsTogether) {
+  R3::MeshData data;
+  data.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+  data.triangles = {{0, 1, 2}, {0, 2, 3}};
+  ray::Scene scene = project::FromText(
+      "point_light 0 0 0  0 0 0  1 0 0 material  0 0 0  0 0 0  0 0 0  0 0 0  2 1 0.5  1 1 0 tri 0 0 0 0 1 0 0 0 1 0");
+  scene.root.children.back().shape = std::make_shared<const R3::Mesh>(data);
+  const project::Stage stage(std::move(scene));
+  ray::RenderSettings settings;
+  for (const auto& [meshes, strength] :
+       {std::pair{ray::EmissiveMeshes::faces, 2}, std::pair{ray::EmissiveMeshes::whole, 1}}) {
+    settings.trace.emissive_meshes = meshes;
+    const auto lights = LightsOf(stage, settings).lights;
+    ASSERT_EQ(lights.size(), 1u);
+    EXPECT_EQ(lights[0].color, strength * R2::Color(2, 1, 0.5));
+  }
 }
 
 TEST(PreviewLights, ComeFromTheEyeOnlyWhereNothingElseShines) {

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cmath>
+#include <vector>
+
+#include "R3/Departure.h"
+#include "source/accelerate/World.h"
+
+/// What a hit counts for where surfaces touch: at the start of a ray, at the end of a shadow ray, and where surfaces
+/// lie in one place. Accelerators find crossings; these functions, the same for all, decide what they mean. Everything
+/// is compared along the normal n of the surface, since that is how its error is bounded: a crossing at t lies within
+///     off = n . (error of the surface there, per axis), and
+///     round = 64 u (|o| + t |d|), which the shape's own test and the rounding of the ray's points add,
+/// of where the exact ray crosses the exact surface, both rounded up generously. How far along the ray that is depends
+/// on the angle, and may be anything.
+///
+///   Starts.  See R3/Departure.h.
+///
+///   Ends.  A lamp in the plane of a ceiling is not in its shadow. A surface that contains the place where a shadow ray
+///   ends, within the errors, is not in between. It hides the place only if that is on a surface too, by the next rule.
+///
+///   Coincident surfaces.  Hits are coincident with the nearest if they are at the same place within the errors and
+///   their tangent planes agree: over the smaller of the two, they part by no more than that. Of coincident surfaces
+///   the one with the lowest primitive id is seen, everywhere, whatever rounding makes of the distances; it is compared
+///   with the nearest alone, so that the order in which hits are found does not matter. A path leaves a clear solid
+///   before it meets what the solid stands on, as if there were a gap; but between two clear solids there is none, and
+///   it enters the one before it leaves the other.
+namespace ray {
+
+/// Whether a crossing near the start of `ray`, whose t_min is below 0, is ahead of the path: always where nothing is
+/// known of a departure.
+bool IsAhead(const World& world, const R3::Ray& ray, const WorldHit& hit);
+
+/// Whether a crossing is in the way of a shadow ray, which ends at its t_max or, where it reaches a primitive, there.
+bool IsInTheWay(const World& world, const R3::Ray& ray, const WorldHit& hit);
+/// What is nearer than this share of t_max is in the way for certain.
+inline constexpr double end_of_certainty = 0.9375;
+/// The t_max of a ray that reaches a primitive at t, so much beyond that surfaces coincident with it are found.
+inline constexpr double beyond_target = 1 + 0x1p-20;
+
+/// Of hits of one ray, the nearest among them, the one that is seen.
+WorldHit SeenOf(const World& world, const R3::Ray& ray, std::vector<WorldHit> hits);
+
+/// Where the search for hits that are coincident with one at t ends, in t, of rays whose direction is not much shorter
+/// than 1. Of surfaces that are seen at an angle of less than 2^-10 some are not found, the same whatever searches.
+inline double EndOfCoincidence(const World& world, double t) {
+  return t + 0x1p-20 * std::abs(t) + world.CoincidenceWindow();
+}
+
+}  // namespace ray

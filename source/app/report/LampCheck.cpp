@@ -1,0 +1,206 @@
+#include "source/app/report/LampCheck.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "R1/Elementary.h"
+#include "source/app/report/Check.h"
+#include "source/integrate/lights/EmissiveShape.h"
+#include "source/integrate/lights/LightSampler.h"
+#include "source/text/Quoting.h"
+#include "source/text/Words.h"
+
+namespace ray {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+using Places = std::vector<R3::Point>;
+
+bool IsToBeLit(const Instance& instance) {
+  const Material& m = *instance.material;
+  return !instance.Emits() && !(IsBlack(m.kd) && IsBlack(m.ks));
+}
+
+/// Where light is compared: in a few of the shapes that reflect it, the middles of the eight parts of the box around
+/// each, since the middle of all may lie in the plane of a lamp. None where nothing reflects light.
+Places PlacesToCompare(const World& world) {
+  std::vector<R3::Box> lit;
+  for (const Instance& instance : world.Instances())
+    if (instance.is_bounded && IsToBeLit(instance)) lit.push_back(WorldBounds(world, instance));
+  // Planes, which have no middle: what stands on them is as far from the lamps.
+  if (lit.empty() && std::ranges::any_of(world.Instances(), IsToBeLit)) lit.push_back(world.scene().root.bounds);
+  constexpr std::size_t most_boxes = 8;  // 64 places, times 1 s per ten million lamps
+  const std::size_t step = (lit.size() + most_boxes - 1) / most_boxes;
+  Places places;
+  for (std::size_t i = 0; i < lit.size(); i += step)
+    for (int k = 0; k < 8 && !lit[i].IsEmpty(); ++k)
+      places.push_back(lit[i].Center() + 0.5 * (lit[i].Corner(k) - lit[i].Center()));
+  return places;
+}
+
+/// How large a triangle looks from a point, in [0, 2 pi].
+///   source   Van Oosterom, Strackee, The solid angle of a plane triangle (1983), eq. 8
+double SolidAngle(const EmissiveTriangle& triangle, const R3::Point& from) {
+  const auto& [p, q, r] = triangle.corners;
+  const R3::Vector a = Unit(p - from), b = Unit(q - from), c = Unit(r - from);
+  return 2 * R1::Atan2(std::abs(Dot(a, Cross(b, c))), 1 + Dot(a, b) + Dot(b, c) + Dot(c, a));
+}
+
+/// How large a shape looks from a point: the mean of 1 / pdf over places drawn on it, which for a sphere is exact.
+double SolidAngle(const EmissiveShape& shape, const R3::Point& from) {
+  constexpr int strata = 8;
+  double sum = 0;
+  for (int i = 0; i < strata; ++i)
+    for (int k = 0; k < strata; ++k)
+      if (const auto drawn = shape.SampleTowards(from, {(i + 0.5) / strata, (k + 0.5) / strata}, 0.5))
+        sum += 1 / drawn->pdf;
+  return sum / (strata * strata);
+}
+
+/// A white diffuse surface shows of a radiance from a small solid angle W around its normal W / pi, and all of it if
+/// that comes from the whole hemisphere.
+double ShownOfRadiance(double solid_angle) { return std::min(1.0, solid_angle / pi); }
+
+R2::Color EmissionOf(const EmissiveTriangle& triangle) { return triangle.emission; }
+R2::Color EmissionOf(const EmissiveShape& shape) { return shape.Emission(); }
+
+template <typename Emitter>
+double ShownOf(const std::vector<Emitter>& emitters, const Places& places) {
+  double sum = 0;
+  for (const Emitter& emitter : emitters)
+    for (const R3::Point& place : places)
+      sum += Luminance(EmissionOf(emitter)) * ShownOfRadiance(SolidAngle(emitter, place));
+  return sum / static_cast<double>(places.size());
+}
+
+/// What all lamps give in mode path, or those made of triangles.
+double LampsOfPath(const World& world, const Places& places, bool counts_solids) {
+  const double triangles = ShownOf(EmissiveTriangles(world), places);
+  if (!counts_solids) return triangles;
+  double planes = 0;  // which fill half of what is seen
+  for (const Instance& instance : world.Instances())
+    if (instance.Emits() && !instance.is_bounded) planes += Luminance(instance.material->emission);
+  return triangles + ShownOf(EmissiveShapes(world), places) + planes;
+}
+
+/// What lamps give in mode whitted, wherever they are.
+double LampsOfWhitted(const World& world, const TraceSettings& settings) {
+  double sum = 0;
+  for (const TriangleLamp& lamp : TriangleLamps(world, settings.emissive_meshes)) sum += Luminance(lamp.Emission());
+  if (!settings.emissive_solids_light) return sum;
+  for (const EmissiveShape& shape : EmissiveShapes(world)) sum += Luminance(shape.Emission());
+  return sum;
+}
+
+double LightOf(const std::vector<const Light*>& lights, const Places& places) {
+  double sum = 0;
+  for (const Light* light : lights)
+    for (const R3::Point& place : places) {
+      const LightBound bound = light->Bound();
+      const double d = Length(bound.center - place), falloff = bound.ca + bound.la * d + bound.qa * d * d;
+      sum += bound.is_infinite || !(falloff > 0) ? bound.power : bound.power / falloff;
+    }
+  return sum / static_cast<double>(places.size());
+}
+
+/// The mean radiance of the environment.
+double RadianceAround(const Scene& scene) {
+  if (!scene.environment || scene.environment->IsBlack()) return 0;
+  const Environment::Sample any = scene.environment->Draw({0.5, 0.5});  // luminance over pdf is alike for all
+  return Luminance(any.radiance) / any.pdf / (4 * pi);
+}
+
+/// "about 6.3 times", "about 630 times"
+std::string Times(double factor) {
+  if (!(factor < 1e6)) return "more than a million times";
+  double unit = 1;
+  while (factor / unit >= 100) unit *= 10;
+  return "about " + (unit == 1 ? Rounded(factor, 2) : Fixed(unit * std::round(factor / unit), 0)) + " times";
+}
+
+/// Light that arrives in one of the modes, in the units of the scene language.
+struct ModeLight {
+  double lamps, all;  // from shapes that emit; from these and from all else
+
+  /// Whether lamps are more than twice as strong, and most of the light, which is twice as strong too.
+  bool IsTwice(const ModeLight& other) const {
+    return lamps > 2 * other.lamps && 2 * lamps > all && all > 2 * other.all;
+  }
+};
+
+ModeLight LightOfPath(const World& world, const Places& places, double around, bool counts_solids) {
+  const Scene& scene = world.scene();
+  const double lamps = LampsOfPath(world, places, counts_solids);
+  const double background = scene.environment ? 0 : Luminance(scene.background);  // lights as an environment does
+  return {lamps, lamps + LightOf(LightsOfPath(world), places) + around + background};
+}
+
+ModeLight LightOfWhitted(const World& world, const Places& places, double around, const TraceSettings& settings) {
+  const double lamps = LampsOfWhitted(world, settings);
+  return {lamps, lamps + LightOf(LightsOf(world.scene()), places) + around};
+}
+
+/// How the modes whitted and path differ, if lamps make the light of the one more than twice that of the other; else
+/// empty.
+std::string DifferenceOfModes(const World& world, const RenderSettings& settings) {
+  const Scene& scene = world.scene();
+  const Places places = PlacesToCompare(world);
+  if (places.empty()) return {};
+  // Solids that light nothing in mode whitted are pointed out there one by one.
+  const bool counts_solids =
+      settings.trace.emissive_solids_light || settings.mode == RenderMode::path || scene.has_default_lights;
+  const double around = Luminance(scene.ambient) + RadianceAround(scene);
+  const ModeLight path = LightOfPath(world, places, around, counts_solids),
+                  whitted = LightOfWhitted(world, places, around, settings.trace);
+  if (scene.has_default_lights && whitted.all > 2 * path.all)
+    return "the scene names no light: two default lights shine in mode whitted, where it is " +
+           Times(whitted.all / path.all) + " as bright as in mode path, where only what emits lights it";
+  if (whitted.IsTwice(path))
+    return "lamps light the scene " + Times(whitted.lamps / path.lamps) +
+           " as strongly in mode whitted, where each has its full color whatever its size and distance, as in mode "
+           "path, where emission is a radiance; -emission color makes mode path do as whitted does";
+  if (path.IsTwice(whitted) && whitted.lamps == 0)
+    return "what emits lights the scene in mode path only; with -emissive_solids on it does in mode whitted too";
+  if (path.IsTwice(whitted))
+    return "lamps light the scene " + Times(path.lamps / whitted.lamps) +
+           " as strongly in mode path, where everything that emits is a lamp, as in mode whitted; -emissive_solids on "
+           "adds those that mode whitted leaves out";
+  return {};
+}
+
+/// Points out meshes that are as many lamps as they have triangles.
+void AddMeshesOfLamps(std::vector<std::string>& mistakes, const World& world, const RenderSettings& settings) {
+  if (EmitsRadiance(settings)) return;
+  const auto is_many = [&](const Instance& i) {
+    return i.mesh && i.Emits() && i.mesh->Elements() > 1 && !IsOneLamp(i, settings.trace.emissive_meshes);
+  };
+  for (const Instance& instance : world.Instances()) {
+    if (!is_many(instance)) continue;
+    const std::string triangles = std::to_string(instance.mesh->Elements());
+    const auto more = std::ranges::count_if(world.Instances(), is_many) - 1;
+    mistakes.push_back(PlaceOf(world, instance) + ": warning: each of the " + triangles +
+                       " triangles of this mesh is a lamp, and all together light up to " + triangles +
+                       " times as strongly as one: a finer mesh would be brighter; -emissive_meshes whole makes the "
+                       "mesh one lamp" +
+                       (more > 0 ? " (and " + std::to_string(more) + " more)" : ""));
+    return;
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> LampMistakes(const World& world, const RenderSettings& settings) {
+  std::vector<std::string> mistakes;
+  const bool is_of_light = settings.mode == RenderMode::whitted || settings.mode == RenderMode::path;
+  if (!is_of_light || std::ranges::none_of(world.Instances(), &Instance::Emits)) return mistakes;
+  AddMeshesOfLamps(mistakes, world, settings);
+  if (settings.trace.emission == Emission::color) return mistakes;  // then the modes are alike
+  if (const std::string difference = DifferenceOfModes(world, settings); !difference.empty())
+    mistakes.push_back((world.scene().files.empty() ? "scene" : Escaped(world.scene().files[0])) + ": warning: " +
+                       difference);
+  return mistakes;
+}
+
+}  // namespace ray
