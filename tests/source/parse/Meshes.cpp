@@ -13,24 +13,14 @@
 #include "source/parse/meshes/Polygon.h"
 #include "tests/Project.h"
 #include "tests/source/parse/Folder.h"
+#include "tests/source/parse/ReadMesh.h"
 
 namespace ray {
 namespace {
 
 using Triangles = std::vector<std::array<std::uint32_t, 3>>;
 
-struct ReadMesh {
-  R3::MeshData data;
-  std::vector<std::string> warnings;
-};
-
-ReadMesh Read(const std::string& name, std::string bytes) {
-  Report report;
-  const Text text{name, std::move(bytes)};
-  ReadMesh read{MeshFormatForName(name)->read(text, report), {}};
-  read.warnings = report.Warnings();
-  return read;
-}
+ReadMesh Read(const std::string& name, std::string bytes) { return MeshOfBytes(name, std::move(bytes)); }
 
 std::string ErrorOf(const std::string& name, std::string bytes) {
   try {

@@ -8,27 +8,18 @@
 #include <map>
 #include <sstream>
 
-#include "source/parse/meshes/MeshFormat.h"
 #include "tests/source/parse/Folder.h"
+#include "tests/source/parse/ReadMesh.h"
 
 namespace ray {
 namespace {
 
 std::filesystem::path Files() { return ProjectRoot() / "tests/source/parse/meshes/files"; }
 
-struct ReadMesh {
-  R3::MeshData data;
-  std::vector<std::string> warnings;
-};
-
-ReadMesh Read(const std::string& name) {
+ReadMesh WrittenMesh(const std::string& name) {
   std::ostringstream bytes;
   bytes << std::ifstream(Files() / name, std::ios::binary).rdbuf();
-  Report report;
-  const Text text{name, bytes.str()};
-  ReadMesh read{MeshFormatForName(name)->read(text, report), {}};
-  read.warnings = report.Warnings();
-  return read;
+  return MeshOfBytes(name, bytes.str());
 }
 
 /// The lines of a table, without comments, as words.
@@ -66,7 +57,7 @@ TEST(WrittenMeshes, EachHasTheTrianglesThatOtherProgramsReadFromIt) {
   const auto table = Table("expected.txt");
   ASSERT_GE(table.size(), 45u);
   for (const auto& row : table) {
-    const ReadMesh read = Read(row[0]);
+    const ReadMesh read = WrittenMesh(row[0]);
     const auto numbers = NumbersOf(read.data);
     for (std::size_t i = 0; i < numbers.size(); ++i) {
       const double expected = std::stod(row[i + 1]);
@@ -94,7 +85,7 @@ TEST(WrittenMeshes, WhatCountsAsAbsentOrIsIgnoredIsTold) {
   };
   for (const auto& row : Table("expected.txt")) {
     std::string all;
-    for (const std::string& warning : Read(row[0]).warnings) all += warning + "\n";
+    for (const std::string& warning : WrittenMesh(row[0]).warnings) all += warning + "\n";
     const auto expected = told.find(row[0]);
     if (expected == told.end())
       EXPECT_EQ(all, "") << row[0];
@@ -106,7 +97,7 @@ TEST(WrittenMeshes, WhatCountsAsAbsentOrIsIgnoredIsTold) {
 // A vertex has one pair of texture coordinates, so that those at the seams between faces are split.
 TEST(WrittenMeshes, FacesOfPlyKeepTheirOwnTextureCoordinates) {
   for (const auto& row : Table("texcoords.txt")) {
-    const R3::MeshData data = Read(row[0]).data;
+    const R3::MeshData data = WrittenMesh(row[0]).data;
     ASSERT_EQ(data.uvs.size(), data.positions.size()) << row[0];
     std::vector<R2::Point> expected;
     for (std::size_t i = 1; i + 1 < row.size(); i += 2) expected.push_back({std::stof(row[i]), std::stof(row[i + 1])});
@@ -127,14 +118,14 @@ TEST(WrittenMeshes, FacesOfPlyKeepTheirOwnTextureCoordinates) {
 
 TEST(WrittenMeshes, CornersOfPlyThatAgreeAreOneVertex) {
   // MeshLab spread the cone flat, so that every vertex has one pair of texture coordinates.
-  EXPECT_EQ(Read("wedges_flat.ply").data.positions.size(), 11u);
+  EXPECT_EQ(WrittenMesh("wedges_flat.ply").data.positions.size(), 11u);
   // The two quads of the other file share two places with other coordinates.
-  EXPECT_EQ(Read("wedges_quads.ply").data.positions.size(), 8u);
+  EXPECT_EQ(WrittenMesh("wedges_quads.ply").data.positions.size(), 8u);
 }
 
 TEST(WrittenMeshes, NormalsOfOffFollowTheColorsWhereMeshLabWroteThem) {
   // Its corners' normals point away from the box's middle, and are no colors of 0 or 255.
-  const R3::MeshData data = Read("ncst.off").data;
+  const R3::MeshData data = WrittenMesh("ncst.off").data;
   ASSERT_EQ(data.normals.size(), 8u);
   for (std::size_t i = 0; i < 8; ++i) {
     const R3::Vector away = data.positions[i] - R3::Point{1, 0.5, 1.5};
