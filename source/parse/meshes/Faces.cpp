@@ -24,7 +24,6 @@ const char* Faces::Add(std::span<const std::uint32_t> places, std::span<const st
   for (const std::uint32_t place : places) polygon_.push_back(mesh_.positions[place]);
   auto cuts = Triangulate(polygon_);
   if (!cuts) {
-    // Mostly a disc that the rounding of its coordinates has dented, where a fan is as good as it gets.
     ++fanned_;
     cuts = Fan(places.size());
   }
@@ -40,8 +39,8 @@ void Faces::AddTriangle(std::span<const std::uint32_t> names, const std::array<s
 
 void Faces::Warn(const Text& file, Report& report) const {
   if (fanned_ > 0)
-    report.Warn(Escaped(file.name), "concave faces with more than " + std::to_string(max_concave_corners) +
-                                        " corners, triangulated as if convex: " + std::to_string(fanned_));
+    report.Warn(Escaped(file.name),
+                "concave faces with very many corners, triangulated as if convex: " + std::to_string(fanned_));
   too_small_.Warn(file, report, "face with fewer than 3 corners skipped", "faces with fewer than 3 corners skipped");
 }
 

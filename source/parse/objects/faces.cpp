@@ -30,7 +30,7 @@ std::optional<PlacedShape> MeshOf(Mapping& object, const Corners& corners, std::
   if (const char* const fault = FaultOfPolygon(corners))
     object.Reporter().Warn(object.What().extent, std::string("this shape ") + fault);
   const auto cuts = Triangulate(corners);
-  if (!cuts) {
+  if (!cuts || (corners.size() > max_concave_corners && cuts != Fan(corners.size()))) {
     object.Reporter().Error(object.What(),
                             "has more than " + std::to_string(max_concave_corners) + " corners and is not convex");
     return {};
