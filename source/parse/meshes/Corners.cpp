@@ -25,12 +25,15 @@ void MakeVertices(R3::MeshData& mesh, std::span<const Corner> corners, std::span
                                         different.begin());
 
   std::vector<R3::Point> positions;
+  std::vector<std::array<float, 3>> colors;
   for (const Corner& corner : different) {
     positions.push_back(mesh.positions[corner.place]);
+    if (!mesh.colors.empty()) colors.push_back(mesh.colors[corner.place]);
     if (!uvs.empty()) mesh.uvs.push_back(corner.uv == Corner::none ? R2::Point{} : uvs[corner.uv]);
     if (!normals.empty()) mesh.normals.push_back(corner.normal == Corner::none ? R3::Normal{} : normals[corner.normal]);
   }
   mesh.positions = std::move(positions);
+  mesh.colors = std::move(colors);
 }
 
 }  // namespace ray

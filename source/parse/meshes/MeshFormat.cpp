@@ -31,13 +31,13 @@ const MeshFormat* MeshFormatForName(const std::string& name) {
   return nullptr;
 }
 
-R3::MeshData ReadMeshFile(const MeshFormat& format, const Text& file, Report& report) {
+MeshFile ReadMeshFile(const MeshFormat& format, const Text& file, Report& report) {
   const FileLook look = LookOf(file.bytes);
   const bool looks_right = !look.what || std::string_view(look.hint).ends_with(format.extension);
   if (looks_right) return format.read(file, report);
   try {
-    R3::MeshData data = format.read(file, report);
-    if (!data.triangles.empty()) return data;
+    MeshFile read = format.read(file, report);
+    if (!read.data.triangles.empty()) return read;
   } catch (const SceneError&) {
     // What it looks like says more.
   }

@@ -1,5 +1,6 @@
 #include "source/parse/meshes/MeshWords.h"
 
+#include <algorithm>
 #include <limits>
 
 #include "source/parse/Coordinate.h"
@@ -76,6 +77,17 @@ std::uint32_t MeshWords::Index(const Part& part, std::size_t below) {
 }
 
 bool MeshWords::HasMoreOnLine() { return tokens_.Peek() && tokens_.Peek()->line == last_.line; }
+
+Token MeshWords::RestOfLine() {
+  const std::string_view bytes = Source().bytes;
+  const auto behind = static_cast<std::size_t>(last_.text.data() + last_.text.size() - bytes.data());
+  std::string_view line = bytes.substr(behind, bytes.find_first_of("\r\n", behind) - behind);
+  const std::size_t first = std::min(line.find_first_not_of(" \t"), line.size());
+  line = line.substr(first, line.find_last_not_of(" \t") + 1 - first);
+  const Token rest{line, last_.line, last_.column + CountCharacters(last_.text) + first};
+  while (HasMoreOnLine()) Next();
+  return rest;
+}
 
 std::size_t MeshWords::LinesLeft() const {
   Tokenizer ahead = tokens_;

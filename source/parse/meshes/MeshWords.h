@@ -52,6 +52,9 @@ class MeshWords {
   /// Whether another word follows on the line of the last one.
   bool HasMoreOnLine();
   bool NextIs(std::string_view word) { return !AtEnd() && Peek()->text == word; }
+  /// What follows the last word on its line, as it stands, blanks within it and what looks like a comment included: a
+  /// name. Passes over its words.
+  Token RestOfLine();
   /// How many words were left on the line of the last one.
   std::size_t SkipLine() { return tokens_.SkipLine(last_.line); }
   /// How many lines with words follow the line of the last one; looks through the rest of the file.

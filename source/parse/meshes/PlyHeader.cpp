@@ -44,10 +44,20 @@ class HeaderReader {
       ReadElement();
     else if (keyword.text == "property")
       ReadProperty();
-    else if (keyword.text == "comment" || keyword.text == "obj_info")
+    else if (keyword.text == "comment")
+      ReadComment();
+    else if (keyword.text == "obj_info")
       words_.SkipLine();
     else
       words_.Fail(keyword, "unknown header keyword " + Quoted(keyword.text));
+  }
+
+  void ReadComment() {
+    if (words_.HasMoreOnLine() && words_.NextIs("TextureFile")) {
+      words_.Next();
+      if (const Token name = words_.RestOfLine(); !name.text.empty()) header_.textures.push_back(name);
+    }
+    words_.SkipLine();
   }
 
   void ReadFormat() {

@@ -36,7 +36,8 @@ struct PlyElement {
 struct PlyHeader {
   PlyEncoding encoding = PlyEncoding::ascii;
   std::vector<PlyElement> elements;
-  std::size_t data_offset = 0;  // of the first byte behind the header
+  std::vector<Token> textures{};  // names of image files, which VCGlib writes in comments
+  std::size_t data_offset = 0;    // of the first byte behind the header
 };
 
 /// Reads up to and with the word end_header. Throws SceneError.

@@ -1,19 +1,22 @@
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <numeric>
+#include <unordered_map>
 
 #include "source/parse/Coordinate.h"
 #include "source/parse/meshes/Corners.h"
 #include "source/parse/meshes/Faces.h"
 #include "source/parse/meshes/MeshFormat.h"
 #include "source/parse/meshes/MeshWords.h"
+#include "source/parse/meshes/VertexColors.h"
 #include "source/text/Number.h"
 
 namespace ray {
 namespace {
 
 /// What a statement is to this reader.
-enum class ObjStatement { vertex, uv, normal, face, invisible, line, curve, unknown };
+enum class ObjStatement { vertex, uv, normal, face, material, library, smoothing, invisible, line, curve, unknown };
 
 struct ObjKeyword {
   std::string_view word;
@@ -30,9 +33,9 @@ constexpr ObjKeyword obj_keywords[] = {
     {"fo", ObjStatement::face},
     {"g", ObjStatement::invisible},
     {"o", ObjStatement::invisible},
-    {"s", ObjStatement::invisible},
-    {"usemtl", ObjStatement::invisible},
-    {"mtllib", ObjStatement::invisible},
+    {"s", ObjStatement::smoothing},
+    {"usemtl", ObjStatement::material},
+    {"mtllib", ObjStatement::library},
     {"mg", ObjStatement::invisible},
     {"lod", ObjStatement::invisible},
     {"usemap", ObjStatement::invisible},
@@ -83,7 +86,7 @@ class ObjReader {
  public:
   explicit ObjReader(const Text& file) : words_(file, Tokenizer::Comments::hash, Tokenizer::Joints::backslash) {}
 
-  R3::MeshData Read(Report& report) {
+  MeshFile Read(Report& report) {
     while (const auto word = words_.Next()) {
       ReadStatement(*word);
       SkipStatement();
@@ -94,8 +97,10 @@ class ObjReader {
     CheckMissing(missing_uvs_, uvs_.size(), "texture vertex");
     CheckMissing(missing_normals_, normals_.size(), "normal");
     Warn(report);
+    mesh_.colors = colors_.Take(mesh_.positions.size());
+    read_.has_8_bit_colors = colors_.WereBytes();
     MakeVertices(mesh_, corners_, uvs_, normals_);
-    return std::move(mesh_);
+    return std::move(read_);
   }
 
  private:
@@ -109,6 +114,12 @@ class ObjReader {
         return ReadNormal();
       case ObjStatement::face:
         return ReadFace();
+      case ObjStatement::material:
+        return ReadMaterial();
+      case ObjStatement::library:
+        return ReadLibraries();
+      case ObjStatement::smoothing:
+        return ReadSmoothing();
       case ObjStatement::invisible:
         return;
       case ObjStatement::line:
@@ -126,14 +137,20 @@ class ObjReader {
     const double y = Coordinate({"y", "vertex", number});
     const double z = Coordinate({"z", "vertex", number});
     mesh_.positions.push_back({x, y, z});
-    if (ContinuesStatement()) PassOverBehindPlace(number);
+    if (ContinuesStatement()) ReadBehindPlace(number);
   }
 
   /// A weight, which only curves have a use for, or a color without or with alpha.
-  void PassOverBehindPlace(std::size_t number) {
+  void ReadBehindPlace(std::size_t number) {
+    const Token first = *words_.Peek();
+    std::array<double, 3> color{};
     std::size_t numbers = 3;
-    for (; ContinuesStatement(); ++numbers) words_.AnyNumber({"a number", "vertex", number});
-    if (numbers == 5 || numbers > 7)
+    for (; ContinuesStatement(); ++numbers) {
+      const double value = words_.AnyNumber({"a number", "vertex", number});
+      if (numbers < 6) color[numbers - 3] = value;
+    }
+    if (numbers == 6 || numbers == 7) return colors_.Add(number - 1, color, first);
+    if (numbers != 4)
       words_.Fail(words_.Last(), "vertex " + std::to_string(number) + " has " + std::to_string(numbers) + " numbers",
                   "known are x y z, and behind them a weight w, or a color r g b or r g b a");
   }
@@ -189,6 +206,39 @@ class ObjReader {
     names_.resize(places_.size());
     std::iota(names_.begin(), names_.end(), static_cast<std::uint32_t>(first));
     if (const char* problem = faces_.Add(places_, names_, command)) words_.Fail(command, problem);
+  }
+
+  void ReadMaterial() {
+    const Token name = words_.RestOfLine();
+    std::uint32_t material = MeshFile::no_material;
+    if (!name.text.empty()) {
+      const auto number = static_cast<std::uint32_t>(read_.materials.size());
+      const auto [known, is_new] = numbers_of_materials_.try_emplace(std::string(name.text), number);
+      if (is_new) read_.materials.push_back(NameAt(name));
+      material = known->second;
+    }
+    BeginRun(read_.material_runs, material);
+  }
+
+  void ReadLibraries() {
+    const Token names = words_.RestOfLine();
+    if (!names.text.empty()) read_.material_files.push_back(NameAt(names));
+  }
+
+  /// A number, or "off" or 0.
+  void ReadSmoothing() {
+    const std::int64_t group = ContinuesStatement() ? ParseWhole(words_.Next()->text).value : 0;
+    BeginRun(read_.smoothing_runs, static_cast<std::uint32_t>(group));
+  }
+
+  void BeginRun(std::vector<TriangleRun>& runs, std::uint32_t value) const {
+    const std::size_t first = mesh_.triangles.size();
+    if (!runs.empty() && runs.back().first_triangle == first) runs.pop_back();
+    runs.push_back({first, value});
+  }
+
+  MeshName NameAt(const Token& name) const {
+    return {std::string(name.text), Place(words_.Source().name, name.line, name.column)};
   }
 
   /// place, place/uv, place//normal or place/uv/normal
@@ -265,6 +315,7 @@ class ObjReader {
     missing_normals_.Warn(file, report, "corner has an index of a normal, but the file has none",
                           "corners have an index of a normal, but the file has none");
     WarnOfAbsent(absent_normals_, absent_uvs_, file, report);
+    colors_.Warn(file, report);
     lines_.Warn(file, report, "statement of lines or points skipped", "statements of lines or points skipped");
     curves_.Warn(file, report, "statement of curves or surfaces skipped", "statements of curves or surfaces skipped");
     unknown_.Warn(file, report, "unknown statement skipped", "unknown statements skipped");
@@ -277,7 +328,10 @@ class ObjReader {
   }
 
   MeshWords words_;
-  R3::MeshData mesh_;
+  MeshFile read_;
+  R3::MeshData& mesh_ = read_.data;
+  VertexColors colors_;
+  std::unordered_map<std::string, std::uint32_t> numbers_of_materials_;
   std::vector<R2::Point> uvs_;       // NaN where they are not usable
   std::vector<R3::Normal> normals_;  // likewise
   std::vector<Corner> corners_;
@@ -287,7 +341,7 @@ class ObjReader {
   std::vector<std::uint32_t> places_, names_;
 };
 
-R3::MeshData ReadObj(const Text& file, Report& report) { return ObjReader(file).Read(report); }
+MeshFile ReadObj(const Text& file, Report& report) { return ObjReader(file).Read(report); }
 
 }  // namespace
 

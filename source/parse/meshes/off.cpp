@@ -3,6 +3,7 @@
 #include "source/parse/meshes/Faces.h"
 #include "source/parse/meshes/MeshFormat.h"
 #include "source/parse/meshes/MeshWords.h"
+#include "source/parse/meshes/VertexColors.h"
 #include "source/text/Number.h"
 
 namespace ray {
@@ -63,7 +64,7 @@ class OffReader {
  public:
   OffReader(const Text& file, Report& report) : words_(file, Tokenizer::Comments::hash), report_(report) {}
 
-  R3::MeshData Read() {
+  MeshFile Read() {
     header_ = ReadHeader(words_);
     if (words_.NextIs("BINARY"))
       words_.Fail(*words_.Peek(), "binary .off files are not supported", "save it as text, or as .ply");
@@ -81,7 +82,8 @@ class OffReader {
       throw;
     }
     Warn();
-    return std::move(mesh_);
+    mesh_.colors = colors_.Take(mesh_.positions.size());
+    return {.data = std::move(mesh_), .has_8_bit_colors = colors_.WereBytes()};
   }
 
  private:
@@ -111,9 +113,9 @@ class OffReader {
   void ReadVertex(std::size_t i) {
     mesh_.positions.push_back(words_.Place("vertex", i));
     if (i == 0) CountNumbersOfColor();
-    if (header_.has_color && header_.color_is_first) PassOverColor(i);
+    if (header_.has_color && header_.color_is_first) ReadColor(i);
     if (header_.has_normal) ReadNormal(i);
-    if (header_.has_color && !header_.color_is_first) PassOverColor(i);
+    if (header_.has_color && !header_.color_is_first) ReadColor(i);
     if (header_.has_uv) ReadUv(i);
   }
 
@@ -135,9 +137,13 @@ class OffReader {
     numbers_of_color_ = 3 + ahead.SkipLine() == header_.NumbersOfVertex(3) ? 3 : 4;
   }
 
-  void PassOverColor(std::size_t i) {
-    constexpr const char* channels[] = {"red", "green", "blue", "alpha"};
-    for (std::size_t k = 0; k < numbers_of_color_; ++k) words_.NumberIfUsable({channels[k], "vertex", i});
+  void ReadColor(std::size_t i) {
+    const double red = words_.AnyNumber({"red", "vertex", i});
+    const Token first = words_.Last();
+    const double green = words_.AnyNumber({"green", "vertex", i});
+    const double blue = words_.AnyNumber({"blue", "vertex", i});
+    if (numbers_of_color_ == 4) words_.AnyNumber({"alpha", "vertex", i});
+    colors_.Add(i, {red, green, blue}, first);
   }
 
   void ReadFaces() {
@@ -200,6 +206,7 @@ class OffReader {
     long_faces_.Warn(words_.Source(), report_, "face has ignored numbers behind its corners, more than a color has",
                      "faces have ignored numbers behind their corners, more than a color has");
     WarnOfAbsent(absent_normals_, absent_uvs_, words_.Source(), report_);
+    colors_.Warn(words_.Source(), report_);
   }
   void WarnOf(const std::string& message) { report_.Warn(Escaped(words_.Source().name), message); }
 
@@ -210,10 +217,11 @@ class OffReader {
   std::size_t numbers_of_color_ = 4;
   std::optional<bool> has_line_each_;  // vertices; known once one of them does not end with its line
   R3::MeshData mesh_;
+  VertexColors colors_;
   Tally long_vertices_, long_faces_, hidden_faces_, absent_normals_, absent_uvs_;
 };
 
-R3::MeshData ReadOff(const Text& file, Report& report) { return OffReader(file, report).Read(); }
+MeshFile ReadOff(const Text& file, Report& report) { return OffReader(file, report).Read(); }
 
 }  // namespace
 

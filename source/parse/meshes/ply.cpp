@@ -8,6 +8,7 @@
 #include "source/parse/meshes/Faces.h"
 #include "source/parse/meshes/MeshFormat.h"
 #include "source/parse/meshes/PlyRows.h"
+#include "source/parse/meshes/VertexColors.h"
 #include "source/text/NumberText.h"
 
 namespace ray {
@@ -26,7 +27,7 @@ class PlyReader {
     });
   }
 
-  R3::MeshData Read(Report& report) {
+  MeshFile Read(Report& report) {
     try {
       for (const PlyElement& element : header_.elements) ReadElement(element);
       CheckEnd(report);
@@ -34,9 +35,13 @@ class PlyReader {
       if (error.hint.empty()) error.hint = rows_.Hint();
       throw;
     }
+    mesh_.colors = colors_.Take(mesh_.positions.size());
     Warn(report);
     if (has_texcoords_) MakeVertices();
-    return std::move(mesh_);
+    MeshFile read{.data = std::move(mesh_), .has_8_bit_colors = has_8_bit_colors_ || colors_.WereBytes()};
+    for (const Token& name : header_.textures)
+      read.textures.push_back({std::string(name.text), Place(words_.Source().name, name.line, name.column)});
+    return read;
   }
 
  private:
@@ -65,6 +70,9 @@ class PlyReader {
     rows_.LongFaces().Warn(file, report, "face has ignored numbers behind those that the header declares",
                            "faces have ignored numbers behind those that the header declares");
     WarnOfAbsent(absent_normals_, absent_uvs_, file, report);
+    colors_.Warn(file, report);
+    if (has_face_colors_)
+      report.Warn(Escaped(file.name), "the colors of faces are ignored; those of vertices are used");
   }
 
   void CheckPromise(const PlyElement& element) {
@@ -86,6 +94,8 @@ class PlyReader {
     if (!uvs) uvs = FindAll<2>(element, {"u", "v"});
     if (!uvs) uvs = FindAll<2>(element, {"texture_u", "texture_v"});
 
+    const auto colors = FindColors(element);
+
     const PlyColumns columns{.coordinates{places->begin(), places->end()}};
     PlyRow row;
     for (std::size_t i = 0; i < element.count; ++i) {
@@ -94,7 +104,26 @@ class PlyReader {
       mesh_.positions.push_back({n[(*places)[0]], n[(*places)[1]], n[(*places)[2]]});
       if (normals) AddNormal({n[(*normals)[0]], n[(*normals)[1]], n[(*normals)[2]]}, row.unusable);
       if (uvs) mesh_.uvs.push_back(Usable({n[(*uvs)[0]], n[(*uvs)[1]]}, row.unusable));
+      if (colors) AddColor(i, element, *colors, row);
     }
+  }
+
+  static std::optional<std::array<std::size_t, 3>> FindColors(const PlyElement& element) {
+    const auto colors = FindAll<3>(element, {"red", "green", "blue"});
+    return colors ? colors : FindAll<3>(element, {"diffuse_red", "diffuse_green", "diffuse_blue"});
+  }
+
+  /// Whole numbers are shares of the greatest of their type.
+  void AddColor(std::size_t i, const PlyElement& element, const std::array<std::size_t, 3>& columns,
+                const PlyRow& row) {
+    std::array<double, 3> channels{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const PlyType type = element.properties[columns[k]].type;
+      const double greatest = type == PlyType::uint8 ? 255 : type == PlyType::uint16 ? 65535 : 1;
+      channels[k] = row.numbers[columns[k]] / greatest;
+      has_8_bit_colors_ = has_8_bit_colors_ || type == PlyType::uint8;
+    }
+    colors_.Add(i, channels, row.unusable);
   }
 
   void AddNormal(const R3::Vector& n, const Token& unusable) {
@@ -111,6 +140,7 @@ class PlyReader {
 
   void ReadFaces(const PlyElement& element) {
     const PlyColumns columns{.corners = FindIndices(element), .uvs = element.Find(texcoord, true)};
+    has_face_colors_ = FindColors(element).has_value();
     PlyRow row;
     std::vector<std::uint32_t> corners;
     for (std::size_t i = 0; i < element.count; ++i) {
@@ -235,6 +265,8 @@ class PlyReader {
   R3::MeshData mesh_;
   Faces faces_{mesh_};
   Tally absent_normals_, absent_uvs_;
+  VertexColors colors_;
+  bool has_8_bit_colors_ = false, has_face_colors_ = false;
   // Where faces have texture coordinates of their own, triangles are first made of corners.
   bool has_texcoords_ = false;
   std::vector<Corner> corners_;
@@ -242,7 +274,7 @@ class PlyReader {
   std::vector<std::uint32_t> names_;
 };
 
-R3::MeshData ReadPly(const Text& file, Report& report) { return PlyReader(file).Read(report); }
+MeshFile ReadPly(const Text& file, Report& report) { return PlyReader(file).Read(report); }
 
 }  // namespace
 

@@ -83,7 +83,7 @@ class RayReader {
   std::size_t face_number_ = 0;
 };
 
-R3::MeshData ReadRay(const Text& file, Report& report) { return RayReader(file).Read(report); }
+MeshFile ReadRay(const Text& file, Report& report) { return {RayReader(file).Read(report)}; }
 
 }  // namespace
 

@@ -150,8 +150,8 @@ bool IsText(const Text& file) {
   return BeginsWithSolid(bytes) ? head.find('\0') == std::string_view::npos : IsAsciiText(head);
 }
 
-R3::MeshData ReadStl(const Text& file, Report& report) {
-  return IsText(file) ? AsciiReader(file).Read() : ReadBinary(file, report);
+MeshFile ReadStl(const Text& file, Report& report) {
+  return {IsText(file) ? AsciiReader(file).Read() : ReadBinary(file, report)};
 }
 
 }  // namespace

@@ -87,12 +87,12 @@ std::shared_ptr<const Environment> ObjectReader::EnvironmentNamed(const Field& n
   return environment;
 }
 
-Assets::BoxedMesh ObjectReader::MeshNamed(const Field& name, bool smooth) {
+Assets::BoxedMesh ObjectReader::MeshNamed(const Field& name, const Assets::Shading& shading) {
   Assets::BoxedMesh boxed;
   WithFile(name, [&](const std::string& word) {
     const std::size_t slash = word.find_last_of('/');
     const bool has_extension = word.find('.', slash == std::string::npos ? 0 : slash + 1) != std::string::npos;
-    boxed = assets_.Mesh(has_extension ? word : word + ".obj", report_.Source().Source().name, smooth);
+    boxed = assets_.Mesh(has_extension ? word : word + ".obj", report_.Source().Source().name, shading);
   });
   return boxed;
 }

@@ -49,7 +49,7 @@ class ObjectReader {
   /// Null, and a mistake told, where the file cannot be read.
   std::shared_ptr<const Texture> Image(const Field& name, Assets::Use use);
   std::shared_ptr<const Environment> EnvironmentNamed(const Field& name);
-  Assets::BoxedMesh MeshNamed(const Field& name, bool smooth);
+  Assets::BoxedMesh MeshNamed(const Field& name, const Assets::Shading& shading);
 
   SceneBuilder& Builder() { return builder_; }
   DocumentReport& Reporter() { return report_; }

@@ -136,6 +136,7 @@ std::optional<PlacedShape> ReadPolygon(ObjectReader&, Mapping& object, const Obj
 
 std::optional<PlacedShape> ReadMeshFile(ObjectReader& reader, Mapping& object, const ObjectReader::Options&) {
   const auto file = NeedFile(object);
+  using Normals = Assets::Shading::Normals;
   const bool smooth = object.Bool({"smooth"}, false);
   const R3::Vector position = object.Vector({"position", "offset"}).value_or(R3::Vector{});
   const R3::Vector turn = object.Vector({"rotation"}).value_or(R3::Vector{});
@@ -147,8 +148,8 @@ std::optional<PlacedShape> ReadMeshFile(ObjectReader& reader, Mapping& object, c
       scale = {*all, *all, *all};
   }
   if (!file) return {};
-  const Assets::BoxedMesh boxed =
-      reader.MeshNamed(*file, smooth);  // whatever else is wrong: all files missing are told
+  const Assets::BoxedMesh boxed = reader.MeshNamed(
+      *file, {smooth ? Normals::wanted : Normals::of_triangles});  // whatever else is wrong: all files missing are told
   if (!boxed.mesh || !object.IsGood()) return {};
   return PlacedShape{boxed.mesh, Translation(position) * TurnOf(turn) * Scaling(scale), boxed.bounds};
 }

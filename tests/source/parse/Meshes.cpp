@@ -551,7 +551,7 @@ TEST(Meshes, AFileOfAMeshIsASceneOfItsOwn) {
   const ParsedScene parsed = Parse(file, {});
   EXPECT_EQ(parsed.warnings, std::vector<std::string>{}) << "nobody asked for normals";
   const Scene& scene = parsed.scene;
-  ASSERT_EQ(scene.root.children.size(), 1u);
+  ASSERT_EQ(scene.root.children.size(), 2u) << "and the ground";
   EXPECT_EQ(scene.root.children[0].shape->Elements(), 20);
   EXPECT_EQ(scene.files, std::vector<std::string>{file.string()});
   EXPECT_FALSE(scene.lights.empty());

@@ -17,7 +17,7 @@ struct ReadMesh {
 inline ReadMesh MeshOfBytes(const std::string& name, std::string bytes) {
   Report report;
   const Text text{name, std::move(bytes)};
-  ReadMesh read{MeshFormatForName(name)->read(text, report), {}};
+  ReadMesh read{MeshFormatForName(name)->read(text, report).data, {}};
   read.warnings = report.Warnings();
   return read;
 }

@@ -113,7 +113,7 @@ TEST(Looks, StatementsOfObjThatAreNotSeenAreCounted) {
   const std::string text =
       "o a\ng b\ns off\nv 0 0 0\nv 1 0 0\nv 0 1 0\nfo 1 2 3\nl 1 2\nl 2 3\np 1\ncstype bezier\ncurv 0 1 1 2\nend\n"
       "vertex 1\nfoo 2\n";
-  const R3::MeshData data = MeshFormatForName("a.obj")->read({"a.obj", text}, report);
+  const R3::MeshData data = MeshFormatForName("a.obj")->read({"a.obj", text}, report).data;
   EXPECT_EQ(data.triangles.size(), 1u);
   EXPECT_EQ(report.Warnings(),
             (std::vector<std::string>{

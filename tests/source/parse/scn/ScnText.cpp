@@ -70,7 +70,8 @@ void ExpectTheSameAgain(const fs::path& file) {
 }
 
 TEST(ScnText, OfEveryOwnSceneMakesTheSamePictureAndIsTheSameTextWhenWrittenAgain) {
-  for (const char* folder : {"scenes", "writeup/scenes"})
+  for (const char* folder :
+       {"scenes", "writeup/scenes", "tests/source/parse/models", "tests/source/parse/meshes/files"})
     for (const fs::path& file : ScenesBelow(project::Root() / folder)) ExpectTheSameAgain(file);
 }
 
@@ -261,7 +262,7 @@ TEST(ObjText, ReadsBackAsTheSameMeshToTheBit) {
   for (const bool smooth : {false, true}) {
     const R3::Mesh mesh(Fan(smooth), smooth);
     Report report;
-    const R3::Mesh again(MeshFormatForName("a.obj")->read(Text{"a.obj", ObjText(mesh)}, report), smooth);
+    const R3::Mesh again(MeshFormatForName("a.obj")->read(Text{"a.obj", ObjText(mesh)}, report).data, smooth);
     EXPECT_EQ(again.Data().positions, mesh.Data().positions);
     EXPECT_EQ(again.Data().triangles, mesh.Data().triangles);
     EXPECT_EQ(again.Data().uvs, mesh.Data().uvs);
