@@ -247,7 +247,8 @@ class ScnWriter {
       return {};
     }
     if (name.starts_with("../")) written_.other_folders.insert(std::filesystem::path(file).parent_path().string());
-    const bool means_something_else = name == "0" || name.starts_with('#');  // no texture; a comment
+    // No texture; a comment, also behind a number.
+    const bool means_something_else = name == "0" || name.find('#') != std::string::npos;
     return means_something_else ? "./" + name : name;
   }
 

@@ -249,6 +249,16 @@ TEST(ScnText, ANameWithASpaceIsWarnedOfAndAMeshOfThatNameIsWrittenAgain) {
   EXPECT_EQ(text.meshes.size(), 1u);
 }
 
+TEST(ScnText, NamesThatLookLikeCommentsAreReadBack) {
+  const Folder folder;
+  for (const char* name : {"#cube.off", "1#cube.off", "-2.5e3#x.off", "cube#1.off"}) {
+    folder.Write(name, "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+    const Scene scene = Parse(folder / name, {}).scene;
+    const Scene again = Parse(folder.Write("out.scn", WriteScn(scene, folder / "out.scn").text), {}).scene;
+    EXPECT_EQ(again.files.back(), (folder / name).string());
+  }
+}
+
 TEST(ScnText, GroupsAHundredThousandDeepAreWritten) {
   constexpr int depth = 100'000;
   std::string text;
