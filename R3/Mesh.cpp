@@ -29,6 +29,7 @@ Mesh::Mesh(MeshData data, bool smooth, std::string file)
     : data_(std::move(data)), smooth_(smooth && !data_.normals.empty()), file_(std::move(file)) {
   assert(data_.normals.empty() || data_.normals.size() == data_.positions.size());
   assert(data_.uvs.empty() || data_.uvs.size() == data_.positions.size());
+  assert(data_.colors.empty() || data_.colors.size() == data_.positions.size());
   assert(data_.lines.empty() || data_.lines.size() == data_.triangles.size());
   DropTrianglesWithoutArea();
   for (Normal& normal : data_.normals) normal = AsNormal(Unit(AsVector(normal)));
@@ -126,6 +127,17 @@ UvTangents Mesh::UvTangentsAt(const Ray&, const Hit&, int element) const {
   return {*q - *p, *r - *p, uv(1) - uv(0), uv(2) - uv(0)};
 }
 
+R2::Color Mesh::ColorAt(const Hit& hit, int element) const {
+  if (data_.colors.empty()) return {1, 1, 1};
+  const std::array weights{1 - hit.u - hit.v, hit.u, hit.v};
+  R2::Color blend;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto& c = data_.colors[data_.triangles[static_cast<std::size_t>(element)][i]];
+    blend += weights[i] * R2::Color{c[0], c[1], c[2]};
+  }
+  return blend;
+}
+
 bool Mesh::IsClosed() const { return R3::IsClosed(data_); }
 
 MeshData Mesh::Tessellate(int fineness) const {
@@ -147,15 +159,20 @@ MeshData Mesh::Tessellate(int fineness) const {
                                  static_cast<double>(i) / pieces};
         Vector position, normal;
         R2::Point uv;
+        std::array<float, 3> color{};
         for (std::size_t k = 0; k < 3; ++k) {
           position = position + weights[k] * FromOrigin(data_.positions[triangle[k]]);
           if (smooth_) normal = normal + weights[k] * AsVector(data_.normals[triangle[k]]);
           if (!data_.uvs.empty()) uv.x += weights[k] * data_.uvs[triangle[k]].x;
           if (!data_.uvs.empty()) uv.y += weights[k] * data_.uvs[triangle[k]].y;
+          if (!data_.colors.empty())
+            for (std::size_t c = 0; c < 3; ++c)
+              color[c] += static_cast<float>(weights[k]) * data_.colors[triangle[k]][c];
         }
         cut.positions.push_back(Point{} + position);
         if (smooth_) cut.normals.push_back(AsNormal(Unit(normal)));
         if (!data_.uvs.empty()) cut.uvs.push_back(uv);
+        if (!data_.colors.empty()) cut.colors.push_back(color);
       }
     for (std::uint32_t row = 0; row < pieces; ++row)
       for (std::uint32_t i = 0; i <= row; ++i) {

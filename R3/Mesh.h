@@ -4,6 +4,7 @@
 #include <memory>
 #include <string>
 
+#include "R2/Color.h"
 #include "R3/MeshData.h"
 #include "R3/Shape.h"
 #include "R3/Transform.h"
@@ -40,6 +41,9 @@ class Mesh : public Shape {
   /// corner of triangles, which keep their numbers. Null when something would be lost: a corner would not be finite, or
   /// a triangle would be left without area.
   std::unique_ptr<const Mesh> Moved(const Transform& move) const;
+
+  /// The blend of the corners' colors at a hit; white where the mesh has none.
+  R2::Color ColorAt(const Hit& hit, int element) const;
 
   /// As IsClosed in Winding.h says.
   bool IsClosed() const;

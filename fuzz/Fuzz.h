@@ -18,6 +18,10 @@ namespace fuzz {
 
 using Bytes = std::span<const unsigned char>;
 
+inline Bytes BytesOf(const std::string& text) {
+  return {reinterpret_cast<const unsigned char*>(text.data()), text.size()};
+}
+
 /// A file of its own for this process, in memory where the system has such a folder; written anew for each input.
 inline std::string FileOf(const std::string& name, Bytes bytes) {
   namespace fs = std::filesystem;

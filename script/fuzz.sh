@@ -51,6 +51,10 @@ seed() {
         esac
         { printf %s $byte; head -c 4000 "$file"; } > "$corpus/$(basename "$file")"
       done ;;
+    materials)
+      cp tests/source/parse/models/*.mtl "$corpus"
+      printf 'newmtl a\nKd 1 .5 0\nmap_Kd -s 2 2 -o 0 .5 g.ppm\nbump -bm 2 g.ppm\nnewmtl b c\nnorm c.ppm\nTf 1 0 0\nd .5\n' \
+        > "$corpus/maps" ;;
     events) printf 'key S\nwait trace\ndrag left 10 10 90 40\nscreenshot a.png\n' > "$corpus/script" ;;
     environments)  # of the smallest of each layout; light, and where to draw
       for size in '\001\000' '\003\003' '\002\003'; do

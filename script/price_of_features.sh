@@ -28,7 +28,7 @@ while [ $# -gt 0 ]; do
   esac
   shift
 done
-known="lens motion environment textures bump absorption fresnel glossy roulette choice_of_lights wide_filter"
+known="lens motion environment textures vertex_colors bump absorption fresnel glossy roulette choice_of_lights wide_filter"
 [ $# -gt 0 ] || set -- $known  # words
 for feature; do
   echo "$known" | tr ' ' '\n' | grep -qx "$feature" || { echo "price_of_features.sh: no feature '$feature'; there are" $known >&2; exit 2; }

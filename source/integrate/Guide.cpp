@@ -32,7 +32,7 @@ double Bounded(double light) { return light < most_light ? light : most_light; }
 
 void GuideTracer::Unshadowed::Shade(std::span<ShadingPoint> points, TraceState&) const {
   for (ShadingPoint& p : points) {
-    p.radiance = p.EmittedAndAmbient(world().scene());
+    p.radiance = p.EmittedAndAmbient(world());
     if (Lights().empty() || Lights().size() > most_lights) {
       p.radiance += p.kd;
       continue;

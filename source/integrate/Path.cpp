@@ -42,7 +42,7 @@ void Path::Li(std::span<const CameraSample> samples, std::span<R2::Color> radian
 }
 
 R2::Color Path::EmittedAndAmbient(const ShadingPoint& p, TraceState& state) const {
-  const R2::Color seen = p.path.throughput * p.EmittedAndAmbient(world_.scene());
+  const R2::Color seen = p.path.throughput * p.EmittedAndAmbient(world_);
   Tracer::RecordHit(p, seen, state);
   return seen;
 }
@@ -109,7 +109,7 @@ void Path::AddEmitted(const ShadingPoint& from, const Step& step, const ShadingP
   CountCaustic(step, hit.material->emission, state);
   const R2::Color emitted = Emitted(from, step, hit);
   const R2::Color ambient =
-      IsLast(from) ? R2::Color{} : hit.path.throughput * hit.AmbientReflectance() * world_.scene().ambient;
+      IsLast(from) ? R2::Color{} : hit.path.throughput * hit.AmbientReflectance(world_) * world_.scene().ambient;
   Tracer::RecordHit(hit, emitted + ambient, state);
   radiance += emitted;
   radiance += ambient;

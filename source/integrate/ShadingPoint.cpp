@@ -16,7 +16,7 @@ ShadingPoint ShadingPointAt(const World& world, const PathState& ray, const Worl
   s.at.error = {};
   s.material = &world.MaterialAt(hit);
   s.bias = world.scene().shadow_bias;
-  s.kd = KdAt(s);
+  s.kd = KdAt(world, s);
   s.wo = -Unit(ray.ray.direction);
   s.entering = Dot(s.at.normal, ray.ray.direction) <= 0;
   SetLeaving(world, s);
@@ -49,9 +49,15 @@ void AbsorbOnTheWay(ShadingPoint& p) {
   p.path.throughput = p.path.throughput * LeftAfter(p.material->absorb, distance);
 }
 
-R2::Color ShadingPoint::AmbientReflectance() const {
-  if (!material->texture_multiplies_ka || !material->texture) return material->ka;
-  return material->ka * material->texture->On(at);
+R2::Color VertexColorAt(const World& world, const WorldHit& hit) {
+  const R3::Mesh* mesh = world.Instances()[hit.instance].mesh;
+  return mesh ? mesh->ColorAt(hit, hit.element) : R2::Color{1, 1, 1};
+}
+
+R2::Color ShadingPoint::AmbientReflectance(const World& world) const {
+  if (!material->texture_multiplies_ka) return material->ka;
+  const R2::Color ka = material->texture ? material->ka * material->texture->On(at) : material->ka;
+  return material->has_vertex_colors ? ka * VertexColorAt(world, hit) : ka;
 }
 
 R2::Color Background(const Scene& scene, const R3::Vector& direction) {

@@ -19,7 +19,7 @@ struct ShadingPoint {
   WorldHit hit;
   R3::Intersection at;  // without its error
   const Material* material = nullptr;
-  R2::Color kd;              // the material's, times its texture
+  R2::Color kd;              // the material's, times its texture and vertex colors
   R3::Vector wo;             // unit
   bool entering = false;     // whether the ray came from the side of the outward normal
   R3::Vector N;              // unit shading normal on the viewer's side
@@ -39,7 +39,7 @@ struct ShadingPoint {
   R2::Color radiance;  // back along the ray, as far as it is known
 
   /// What of the scene's ambient light is reflected.
-  R2::Color AmbientReflectance() const;
+  R2::Color AmbientReflectance(const World& world) const;
   /// The surface's own normal on the viewer's side.
   R3::Vector Outward() const { return entering ? AsVector(at.normal) : -AsVector(at.normal); }
   /// Index of refraction on the viewer's side over that on the other.
@@ -53,8 +53,8 @@ struct ShadingPoint {
   /// What it scatters of light from everywhere, about.
   R2::Color Albedo() const { return kd + material->kr + material->kt; }
   /// What it sends back before any light is sampled.
-  R2::Color EmittedAndAmbient(const Scene& scene) const {
-    return material->emission + AmbientReflectance() * scene.ambient;
+  R2::Color EmittedAndAmbient(const World& world) const {
+    return material->emission + AmbientReflectance(world) * world.scene().ambient;
   }
 };
 
@@ -76,10 +76,15 @@ inline void SetLeaving(const World& world, ShadingPoint& p) {
 /// Of a point whose normal is known, where rays from there start.
 void SetDeparture(const World& world, ShadingPoint& p);
 
-/// Of a point whose surface is known, its kd; and the last of these.
-inline R2::Color KdAt(const ShadingPoint& p) {
-  return p.material->texture ? p.material->kd * p.material->texture->On(p.at) : p.material->kd;
+/// The colors of a mesh's vertices where a ray hits; white for other shapes.
+R2::Color VertexColorAt(const World& world, const WorldHit& hit);
+/// The kd of a point whose surface is known.
+inline R2::Color KdAt(const World& world, const ShadingPoint& p) {
+  const Material& m = *p.material;
+  const R2::Color kd = m.texture ? m.kd * m.texture->On(p.at) : m.kd;
+  return m.has_vertex_colors ? kd * VertexColorAt(world, p.hit) : kd;
 }
+/// Of a point whose kd is known, the last of these.
 void AbsorbOnTheWay(ShadingPoint& p);
 
 /// What a ray that hits nothing sees.

@@ -124,7 +124,7 @@ bool FaceRays(Surfaces& all) {
 void Finish(const World& world, const Surfaces& all) {
   for (std::size_t i = 0; i < all.count; ++i) {
     ShadingPoint& p = *all.points[i];
-    p.kd = KdAt(p);
+    p.kd = KdAt(world, p);
     p.wo = all.wo[i];
     p.entering = all.facing[i] <= 0;
     p.N = all.N[i];

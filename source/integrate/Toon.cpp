@@ -17,7 +17,7 @@ class Toon : public FirstHit {
 
  private:
   R2::Color Seen(const ShadingPoint& p) const override {
-    R2::Color sum = p.EmittedAndAmbient(world().scene());
+    R2::Color sum = p.EmittedAndAmbient(world());
     for (const auto& light : world().scene().lights)
       if (const auto sample = light->Illuminate(p.free_point, {0.5, 0.5})) sum += Shade(p, *sample);
     return sum;

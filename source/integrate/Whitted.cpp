@@ -135,7 +135,7 @@ R2::Color Whitted::Follow(const ShadingPoint& first, TraceState& state) const {
 
 void Whitted::Shade(std::span<ShadingPoint> points, TraceState& state) const {
   for (ShadingPoint& p : points) {
-    p.radiance = p.EmittedAndAmbient(world_.scene());
+    p.radiance = p.EmittedAndAmbient(world_);
     Tracer::RecordHit(p, p.path.throughput * p.radiance, state);
   }
   if (tree_) {

@@ -7,9 +7,12 @@
 #include <vector>
 
 #include "R2/ImageFile.h"
+#include "source/parse/Model.h"
 #include "source/parse/Text.h"
 #include "source/parse/meshes/MeshFormat.h"
+#include "source/parse/meshes/SmoothNormals.h"
 #include "source/text/NumberText.h"
+#include "source/text/Words.h"
 
 namespace ray {
 namespace {
@@ -39,6 +42,21 @@ void CheckTexels(const R2::Image& image, const FoundFile& file, Assets::Use use)
                   {}};
 }
 
+/// The name by which the very same mesh can be read again, if there is one. A link may have an extension that tells
+/// more than that of the file it leads to.
+std::string KnownAs(const FoundFile& file, const Assets::Shading& shading) {
+  const bool is_of_file = shading.normals != Assets::Shading::Normals::by_angle;
+  const bool says_format = MeshFormatForName(file.canonical) == MeshFormatForName(file.shown);
+  return is_of_file && says_format ? file.canonical : std::string();
+}
+
+Assets::BoxedMesh Boxed(R3::MeshData data, const Assets::Shading& shading, std::string known_as) {
+  const bool is_smooth = shading.normals != Assets::Shading::Normals::of_triangles;
+  Assets::BoxedMesh boxed{std::make_shared<const R3::Mesh>(std::move(data), is_smooth, std::move(known_as)), {}};
+  boxed.bounds = Bounds(*boxed.mesh);
+  return boxed;
+}
+
 }  // namespace
 
 std::string Assets::Read(const FoundFile& file) {
@@ -46,39 +64,67 @@ std::string Assets::Read(const FoundFile& file) {
   return files_.Read(file);
 }
 
-Assets::BoxedMesh Assets::Mesh(const std::string& name, const std::string& named_in, bool smooth) {
-  return MeshOf(files_.Find(name, named_in), smooth ? Normals::wanted : Normals::unused);
+Assets::BoxedMesh Assets::Mesh(const std::string& name, const std::string& named_in, const Shading& shading) {
+  return MeshOf(files_.Find(name, named_in), shading);
 }
 
-Assets::BoxedMesh Assets::MeshOf(const FoundFile& file, Normals use) {
-  const auto [place, is_new] = meshes_.try_emplace({file.canonical, use});
-  if (is_new) place->second = ReadMesh(file, use);
+Assets::BoxedMesh Assets::MeshOf(const FoundFile& file, const Shading& shading) {
+  const auto [place, is_new] = meshes_.try_emplace({file.canonical, shading});
+  if (!is_new) return place->second;
+  MeshFile read = ReadMesh(file, shading);
+  const std::size_t triangles = read.data.triangles.size();
+  const bool has_look = read.HasLook();
+  place->second = Boxed(std::move(read.data), shading, KnownAs(file, shading));
+  place->second.has_look = has_look;
+  WarnOfMesh(file, triangles, place->second.mesh->DroppedTriangles());
   return place->second;
 }
 
-Assets::BoxedMesh Assets::ReadMesh(const FoundFile& file, Normals use) {
+std::shared_ptr<const Assets::Model> Assets::ModelNamed(const std::string& name, const std::string& named_in,
+                                                        const Shading& shading) {
+  return ModelOf(files_.Find(name, named_in), shading);
+}
+
+std::shared_ptr<const Assets::Model> Assets::ModelOf(const FoundFile& file, const Shading& shading) {
+  const auto [place, is_new] = models_.try_emplace({file.canonical, shading});
+  if (!is_new) return place->second;
+  MeshFile read = ReadMesh(file, shading);
+  const std::size_t triangles = read.data.triangles.size();
+  ModelData cut = CutByMaterial(std::move(read), file, *this, report_);
+  auto model = std::make_shared<Model>();
+  model->materials = std::move(cut.materials);
+  int dropped = 0;
+  for (ModelData::Part& part : cut.parts) {
+    const std::string known_as = part.is_whole ? KnownAs(file, shading) : std::string();
+    model->parts.push_back({Boxed(std::move(part.data), shading, known_as), part.material});
+    dropped += model->parts.back().mesh.mesh->DroppedTriangles();
+  }
+  WarnOfMesh(file, triangles, dropped);
+  return place->second = std::move(model);
+}
+
+MeshFile Assets::ReadMesh(const FoundFile& file, const Shading& shading) {
   const MeshFormat* format = MeshFormatForName(file.shown);
   if (!format)
     throw FileError{"cannot read " + QuotedPath(file.shown) + " as a mesh", "supported: " + MeshExtensions()};
-  R3::MeshData data;
-  {
-    const Text text{file.shown, Read(file)};  // gone before the mesh is built from its data
-    data = format->read(text, report_);
-  }
-  const bool has_triangles = !data.triangles.empty(), has_normals = !data.normals.empty();
-  // A link may have an extension that tells more than that of the file it leads to.
-  const std::string known_as = MeshFormatForName(file.canonical) == format ? file.canonical : std::string();
-  BoxedMesh boxed{std::make_shared<const R3::Mesh>(std::move(data), use != Normals::unused, known_as), {}};
-  boxed.bounds = Bounds(*boxed.mesh);
+  MeshFile read = ReadMeshFile(*format, {file.shown, Read(file)}, report_);
+  using enum Shading::Normals;
+  const bool takes_groups = shading.normals == wanted || shading.normals == of_file_or_groups;
+  if (shading.normals == by_angle) SmoothByAngle(read.data, shading.degrees);
+  if (takes_groups && !read.smoothing_runs.empty()) SmoothByGroups(read.data, read.smoothing_runs);
+  if (shading.normals == wanted && read.data.normals.empty())
+    report_.Warn(Escaped(file.shown), "the mesh has no vertex normals: 'smooth' has no effect");
+  if (decode_srgb_ && read.has_8_bit_colors)
+    for (auto& color : read.data.colors)
+      for (float& channel : color) channel = static_cast<float>(R2::DecodeSrgb(double{channel}));
+  return read;
+}
 
+void Assets::WarnOfMesh(const FoundFile& file, std::size_t triangles, int dropped) {
   const std::string place = Escaped(file.shown);
-  if (!has_triangles) report_.Warn(place, "the mesh has no faces");
-  if (const int dropped = boxed.mesh->DroppedTriangles(); dropped > 0)
-    report_.Warn(place, dropped == 1 ? "1 degenerate triangle skipped"
-                                     : std::to_string(dropped) + " degenerate triangles skipped");
-  if (use == Normals::wanted && !has_normals)
-    report_.Warn(place, "the mesh has no vertex normals: 'smooth' has no effect");
-  return boxed;
+  if (triangles == 0) report_.Warn(place, "the mesh has no faces");
+  if (dropped > 0)
+    report_.Warn(place, Counted(static_cast<std::uint64_t>(dropped), "degenerate triangle") + " skipped");
 }
 
 std::shared_ptr<const Texture> Assets::Image(const std::string& name, const std::string& named_in, Use use) {

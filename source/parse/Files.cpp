@@ -13,6 +13,8 @@
 #include <utility>
 
 #include "source/parse/Text.h"
+#include "source/text/LowerCase.h"
+#include "source/text/SimilarFile.h"
 
 namespace ray {
 namespace fs = std::filesystem;
@@ -101,6 +103,9 @@ std::string ReadAll(const Handle& handle, const struct stat& status, const std::
   return bytes;
 }
 
+/// A hint, or none.
+std::string Meaning(const std::string& file) { return file.empty() ? "" : "did you mean " + Quoted(file) + "?"; }
+
 }  // namespace
 
 const std::string& StandardInput() {
@@ -131,9 +136,11 @@ FoundFile Files::Top() const {
   if (IsStandardInput()) return {top_, top_};
   std::error_code error;
   const fs::path canonical = fs::canonical(top_, error);
-  if (error == std::errc::no_such_file_or_directory)
-    throw FileError{"no such file",
-                    fs::exists(top_ + ".scn", error) ? "did you mean " + Quoted(top_ + ".scn") + "?" : ""};
+  if (error == std::errc::no_such_file_or_directory) {
+    const bool lacks_extension = fs::exists(top_ + ".scn", error);
+    const auto may_list = [](const fs::path&) { return true; };  // the user named it
+    throw FileError{"no such file", Meaning(lacks_extension ? top_ + ".scn" : SimilarFile({}, top_, {}, may_list))};
+  }
   if (error) throw FileError{"cannot be opened: " + error.message(), {}};
   return {top_, canonical.string()};
 }
@@ -157,7 +164,19 @@ FoundFile Files::FindIn(std::span<const std::string> folders, const std::string&
     }
     return {candidate.lexically_normal().string(), canonical.string()};
   }
-  throw FileError{"no such file: " + Quoted(name), {}};
+  throw FileError{"no such file: " + Quoted(name), Meaning(SimilarIn(folders, name))};
+}
+
+/// Looks only where the file might have been read from.
+std::string Files::SimilarIn(std::span<const std::string> folders, const std::string& name) const {
+  const std::string extension = LowerCase(fs::path(top_).extension().string());
+  const auto may_list = [&](const fs::path& folder) {
+    const auto canonical = CanonicalFolder(folder);
+    return canonical && IsAllowed(*canonical);
+  };
+  for (const std::string& folder : folders)
+    if (std::string similar = SimilarFile(folder, name, extension, may_list); !similar.empty()) return similar;
+  return {};
 }
 
 std::string Files::Read(const FoundFile& file) const {

@@ -37,7 +37,8 @@ class Files {
   bool IsStandardInput() const { return top_ == standard_input_name; }
   /// The top scene; throws FileError.
   FoundFile Top() const;
-  /// Looks in the folder of the file that names it, then in the current folder. Throws FileError.
+  /// Looks in the folder of the file that names it, then in the current folder. Throws FileError, with the file that
+  /// was probably meant where there is none of that name.
   FoundFile Find(const std::string& name, const std::string& named_in) const;
   /// Looks in these folders, the first first; "" is the current one. Throws FileError.
   FoundFile FindIn(std::span<const std::string> folders, const std::string& name) const;
@@ -46,6 +47,7 @@ class Files {
 
  private:
   bool IsAllowed(const std::string& canonical) const;
+  std::string SimilarIn(std::span<const std::string> folders, const std::string& name) const;
 
   std::string top_;
   std::vector<std::string> roots_;  // canonical

@@ -118,7 +118,7 @@ Scene ReadScene(const Files& files, const ParseOptions& options, Assets& assets,
     if (candidates.front()->read_document) return ReadDocumentScene(candidates, files, options, assets, report);
     return candidates.front()->read(files, options, assets, report);
   }
-  if (MeshFormatForName(files.TopName())) return ReadMeshScene(files, assets, report);
+  if (MeshFormatForName(files.TopName())) return ReadMeshScene(files, options, assets, report);
   const std::string extension = ExtensionOf(files);
   if (extension.empty()) files.Top();  // that there is no such file says more
   throw ErrorIn(files.TopName(), extension.empty() ? "no file extension" : "cannot read " + Quoted(extension),

@@ -23,6 +23,7 @@ struct ParseOptions {
   std::vector<std::string> allowed_folders;
   std::string format;                            // a name of formats.def; empty: by extension, and keys of JSON
   bool decode_srgb = false;                      // 8-bit textures are sRGB and become linear
+  double aspect = 1;                             // of the picture, for scenes that name no camera and are shown whole
   std::string environment;                       // file that takes the place of the scene's own; empty for none
   int include_depth = 64;                        // how deep includes may nest
   std::size_t max_nodes = std::size_t{1} << 24;  // about 5 GB of them; includes that double would never end

@@ -5,6 +5,19 @@
 
 namespace ray {
 
+std::vector<Node> SceneBuilder::NodesOf(const std::shared_ptr<const Assets::Model>& model, int material) {
+  const auto [known, is_new] = first_materials.try_emplace(model, static_cast<int>(scene.materials.size()));
+  if (is_new) scene.materials.insert(scene.materials.end(), model->materials.begin(), model->materials.end());
+  std::vector<Node> nodes_of_parts;
+  for (const Assets::Model::Part& part : model->parts) {
+    Node& node = nodes_of_parts.emplace_back();
+    node.shape = part.mesh.mesh;
+    node.bounds = part.mesh.bounds;
+    node.material = part.material ? known->second + static_cast<int>(*part.material) : material;
+  }
+  return nodes_of_parts;
+}
+
 void SceneBuilder::Add(Node node) {
   ++nodes;
   open_groups.back().children.push_back(std::move(node));

@@ -15,14 +15,15 @@ bool IsSpace(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
 
 std::string_view WithoutComment(std::string_view word) {
   const std::size_t hash = word.find('#');
-  if (hash == std::string_view::npos || ParseNumber(word.substr(0, hash)).problem) return word;
+  if (hash == std::string_view::npos || ParseNumber(word.substr(0, hash)).problem || SaysNanOrInfinity(word))
+    return word;
   return word.substr(0, hash);
 }
 
 }  // namespace
 
-Tokenizer::Tokenizer(const Text& text, Comments comments)
-    : text_(text), comments_(comments), next_(text.bytes.data()), end_(next_ + text.bytes.size()) {
+Tokenizer::Tokenizer(const Text& text, Comments comments, Joints joints)
+    : text_(text), comments_(comments), joints_(joints), next_(text.bytes.data()), end_(next_ + text.bytes.size()) {
   if (std::string_view(text.bytes).starts_with(byte_order_mark)) next_ += byte_order_mark.size();
 }
 
@@ -55,6 +56,7 @@ std::optional<Token> Tokenizer::Scan() {
   Token token{{}, line_, column_, std::exchange(at_line_start_, false)};
   while (next_ != end_ && !IsSpace(*next_)) ++next_;
   token.text = {first, static_cast<std::size_t>(next_ - first)};
+  if (IsJoint(next_ - 1)) token.text.remove_suffix(1);
   if (comments_ == Comments::hash) token.text = WithoutComment(token.text);
   next_ = first + token.text.size();
   column_ += CountCharacters(token.text);
@@ -62,14 +64,25 @@ std::optional<Token> Tokenizer::Scan() {
 }
 
 void Tokenizer::SkipWhiteSpace() {
-  for (; next_ != end_ && IsSpace(*next_); ++next_) {
+  bool is_joined = false;
+  for (; next_ != end_ && (IsSpace(*next_) || IsJoint(next_)); ++next_) {
     ++column_;
+    if (*next_ == '\\') is_joined = true;
     if (!EndsLine(*next_)) continue;
     if (*next_ == '\r' && next_ + 1 != end_ && next_[1] == '\n') ++next_;
     ++line_;
     column_ = 1;
-    at_line_start_ = true;
+    if (!is_joined) at_line_start_ = true;
+    is_joined = false;
   }
+}
+
+/// A backslash, blanks behind it, which are easily left there, and the end of the line or of the file.
+bool Tokenizer::IsJoint(const char* backslash) const {
+  if (*backslash != '\\' || joints_ == Joints::none) return false;
+  const char* behind = backslash + 1;
+  while (behind != end_ && IsSpace(*behind) && !EndsLine(*behind)) ++behind;
+  return behind == end_ || EndsLine(*behind);
 }
 
 void Tokenizer::SkipToLineEnd() {

@@ -11,11 +11,14 @@ namespace ray {
 class Tokenizer {
  public:
   /// Whether a # hides the rest of its line: one that begins a word, or is glued to a number ("1.9#object"), as the
-  /// course's reader has it. In any other word, which may name a file, it is a letter.
+  /// course's reader has it. In any other word, which may name a file, it is a letter, and so it is in "1.#QNAN".
   enum class Comments { none, hash };
 
+  /// Whether a backslash at the end of a line joins the next one to it: words there do not start a line.
+  enum class Joints { none, backslash };
+
   /// `text` must outlive the tokenizer and its tokens.
-  Tokenizer(const Text& text, Comments comments);
+  Tokenizer(const Text& text, Comments comments, Joints joints = Joints::none);
 
   /// Nothing at the end of the text.
   std::optional<Token> Next();
@@ -30,10 +33,12 @@ class Tokenizer {
  private:
   std::optional<Token> Scan();
   void SkipWhiteSpace();
+  bool IsJoint(const char* backslash) const;
   void SkipToLineEnd();
 
   const Text& text_;
   Comments comments_;
+  Joints joints_;
   const char* next_;
   const char* end_;
   std::size_t line_ = 1, column_ = 1;

@@ -23,7 +23,8 @@ struct Material {
   double n = 10;  // Phong exponent, >= 0
   double ir = 1;  // index of refraction against 1 outside, > 0
   std::shared_ptr<const Texture> texture;
-  bool texture_multiplies_ka = false;  // as well as kd
+  bool texture_multiplies_ka = false;  // as well as kd; vertex colors likewise
+  bool has_vertex_colors = false;      // kd is multiplied by the colors of a mesh's vertices
   R2::Color absorb{0, 0, 0};  // what the inside takes from light, per unit of length; by the extension of that name
   int priority = 0;           // where solids overlap, the material with the highest fills the place
   std::shared_ptr<const Texture> bump;  // its luminance times bump_height is how far the surface seems to rise

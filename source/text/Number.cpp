@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <charconv>
 
+#include "source/text/LowerCase.h"
+
 namespace ray {
 namespace {
 
@@ -14,18 +16,32 @@ std::string_view WithoutPlus(std::string_view word) {
   return word;
 }
 
-bool SaysNanOrInfinity(std::string_view word) {
-  std::string_view rest = word;
-  if (!rest.empty() && (rest[0] == '-' || rest[0] == '+')) rest.remove_prefix(1);
-  const auto says = [&](std::string_view lower) {
-    return rest.size() >= lower.size() &&
-           std::equal(lower.begin(), lower.end(), rest.begin(), [](char a, char b) { return a == (b | 0x20); });
-  };
-  return says("nan") || says("inf");
+std::string_view WithoutSign(std::string_view word) {
+  if (word.starts_with('-') || word.starts_with('+')) word.remove_prefix(1);
+  return word;
+}
+
+/// What printf of Microsoft's libraries up to 2013 puts behind "1.#" for NaN and infinity: a name, filled up with zeros
+/// and an exponent. Asked for fewer digits than the name has letters, it rounds the last letter up: "1.#INF" to two
+/// digits is "1.#J". The whole word must be that, since behind a number a # may also begin a comment.
+bool IsWindowsName(std::string_view name) {
+  constexpr std::string_view whole[] = {"inf", "ind", "qnan", "snan", "nan"};
+  constexpr std::string_view rounded[] = {"J", "IO", "R", "QO", "QNB", "T", "SO", "SNB"};
+  if (std::ranges::find(rounded, name) != std::end(rounded)) return true;
+  for (const std::string_view letters : whole) {
+    if (!BeginsInAnyCase(name, letters)) continue;
+    name.remove_prefix(letters.size());
+    name.remove_prefix(std::min(name.find_first_not_of('0'), name.size()));
+    if (name.empty()) return true;
+    if ((name[0] | 0x20) != 'e') return false;
+    name = WithoutSign(name.substr(1));
+    return !name.empty() && std::ranges::all_of(name, IsDigit);
+  }
+  return false;
 }
 
 bool SaysHexadecimal(std::string_view word) {
-  if (!word.empty() && (word[0] == '-' || word[0] == '+')) word.remove_prefix(1);
+  word = WithoutSign(word);
   return word.size() > 2 && word[0] == '0' && (word[1] | 0x20) == 'x';
 }
 
@@ -70,6 +86,15 @@ ReadNumber<double> ParseNumber(std::string_view word) {
     return {0, nullptr};
   }
   return {value, nullptr};
+}
+
+bool SaysNanOrInfinity(std::string_view word) {
+  const std::string_view rest = WithoutSign(word);
+  if (rest.starts_with("1.#")) return IsWindowsName(rest.substr(3));
+  if (IsInAnyCase(rest, "inf") || IsInAnyCase(rest, "infinity")) return true;
+  if (!BeginsInAnyCase(rest, "nan")) return false;
+  const std::string_view kind = rest.substr(3);  // "nan(0x7ff)" of C; "NaNQ" of AIX
+  return kind.empty() || kind == "Q" || kind == "S" || (kind[0] == '(' && kind.ends_with(')'));
 }
 
 ReadNumber<std::int64_t> ParseWhole(std::string_view word) {

@@ -16,6 +16,10 @@ struct ReadNumber {
 /// what is too small becomes 0 or a denormal number. Never asks the locale.
 ReadNumber<double> ParseNumber(std::string_view word);
 
+/// Whether a word is how a program prints what is no finite number: "nan", "-inf", "-nan(ind)", "NaNQ", and of older
+/// Windows libraries "1.#QNAN", "-1.#IND00" or, rounded to few digits as if it were one, "1.#J".
+bool SaysNanOrInfinity(std::string_view word);
+
 /// A decimal integer, the whole word, a leading + allowed.
 ReadNumber<std::int64_t> ParseWhole(std::string_view word);
 

@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <vector>
 
+#include "source/text/LowerCase.h"
+
 namespace ray {
 namespace {
 
 // Longer words are no slips of the keyboard; the bound keeps the quadratic comparison small.
 constexpr std::size_t max_word = 40;
-
-char Lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
 
 /// Insertions, deletions, changes and swaps of neighbors that lead from one word to the other, letter case apart;
 /// `most` where it takes as many or more, which is often plain from the first letters. Source: Damerau, A technique for
@@ -25,9 +25,9 @@ std::size_t Distance(std::string_view a, std::string_view b, std::size_t most) {
     last.swap(row);
     std::size_t least = row[0] = i;
     for (std::size_t j = 1; j <= b.size(); ++j) {
-      const bool same = Lower(a[i - 1]) == Lower(b[j - 1]);
+      const bool same = LowerCase(a[i - 1]) == LowerCase(b[j - 1]);
       row[j] = std::min(std::min(last[j], row[j - 1]) + 1, last[j - 1] + (same ? 0 : 1));
-      if (i > 1 && j > 1 && Lower(a[i - 1]) == Lower(b[j - 2]) && Lower(a[i - 2]) == Lower(b[j - 1]))
+      if (i > 1 && j > 1 && LowerCase(a[i - 1]) == LowerCase(b[j - 2]) && LowerCase(a[i - 2]) == LowerCase(b[j - 1]))
         row[j] = std::min(row[j], before_last[j - 2] + 1);
       least = std::min(least, row[j]);
     }
@@ -38,17 +38,21 @@ std::size_t Distance(std::string_view a, std::string_view b, std::size_t most) {
 
 }  // namespace
 
-std::string Suggestion(std::string_view word, std::span<const std::string_view> choices, const std::string& plural) {
-  // A third of the letters may be wrong: 'spere', 'poinlight', but not 'cat' for 'box'.
-  std::size_t nearest = word.size() / 3 + 1;
+std::string_view Nearest(std::string_view word, std::span<const std::string_view> choices) {
+  if (word.size() > max_word) return {};
+  std::size_t nearest = word.size() / 3 + 1;  // 'spere', 'poinlight', but not 'cat' for 'box'
   std::string_view best;
-  if (word.size() <= max_word)
-    for (const std::string_view choice : choices) {
-      const std::size_t distance = Distance(word, choice, nearest);
-      if (distance >= nearest) continue;
-      nearest = distance;
-      best = choice;
-    }
+  for (const std::string_view choice : choices) {
+    const std::size_t distance = Distance(word, choice, nearest);
+    if (distance >= nearest) continue;
+    nearest = distance;
+    best = choice;
+  }
+  return best;
+}
+
+std::string Suggestion(std::string_view word, std::span<const std::string_view> choices, const std::string& plural) {
+  const std::string_view best = Nearest(word, choices);
   if (!best.empty()) return "did you mean '" + std::string(best) + "'?";
   std::string all;
   for (const std::string_view choice : choices) all += (all.empty() ? "" : ", ") + std::string(choice);

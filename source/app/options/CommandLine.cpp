@@ -295,6 +295,7 @@ void Derive(Options& options) {
   render.wants_passes = !options.report.empty() && render.samples > 1;
   options.parse.problem_of = ProblemOf;
   options.parse.max_texture_bytes = MemoryLimit(options);
+  options.parse.aspect = static_cast<double>(options.render.width) / options.render.height;
   options.parse.decode_srgb = options.encoding.srgb;  // a linear workflow is linear from end to end
 }
 

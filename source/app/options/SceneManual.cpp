@@ -115,7 +115,12 @@ constexpr std::pair<const char*, const char*> extensions[] = {
      "Without the word smooth a mesh is flat, as in the course, and the order of a face's corners decides which side "
      "is its front. The front of a smooth mesh is where its vertex normals point: a surface that is wound the other "
      "way, as exporters that mirror leave it, is turned around as a whole, and raypro -check counts its triangles."},
-    {"absorb, bump, coat, flat_color, gloss, mirror, normal_map, priority, texture_ambient",
+    {"mesh id file smooth degrees",
+     "Normals are made of the triangles around each corner that differ by up to so many degrees from its own."},
+    {"mesh id file materials",
+     "Faces have the materials that the file gives them, and colors of its vertices; the material id is for all "
+     "others."},
+    {"absorb, bump, coat, flat_color, gloss, mirror, normal_map, priority, texture_ambient, vertex_colors",
      "Of a material of the same file, stated before."},
     {"priority",
      "Solids that light goes through may contain one another, touch and overlap: rays are refracted between what is on "

@@ -211,7 +211,8 @@ void Reader::AddModel(Line& line, const Token& file, const R3::Point& offset, do
   const std::array folders{std::string(), folder.string(), (folder / "..").string()};
   Node model;
   try {
-    const auto boxed = assets_.MeshOf(files_.FindIn(folders, std::string(file.text)));
+    const auto boxed =
+        assets_.MeshOf(files_.FindIn(folders, std::string(file.text)), {Assets::Shading::Normals::of_file});
     model.shape = boxed.mesh;
     model.bounds = boxed.bounds;
   } catch (const FileError& error) {

@@ -12,7 +12,7 @@ constexpr std::size_t max_triangles = std::size_t{1} << 28;  // 3 GB of indices,
 const char* Faces::Add(std::span<const std::uint32_t> places, std::span<const std::uint32_t> names,
                        const Token& where) {
   if (places.size() < 3) {
-    if (too_small_++ == 0) first_too_small_ = where;
+    too_small_.Add(where);
     return nullptr;
   }
   if (places.size() > max_triangles - mesh_.triangles.size()) return "the mesh has more than 2^28 triangles";
@@ -24,7 +24,6 @@ const char* Faces::Add(std::span<const std::uint32_t> places, std::span<const st
   for (const std::uint32_t place : places) polygon_.push_back(mesh_.positions[place]);
   auto cuts = Triangulate(polygon_);
   if (!cuts) {
-    // Mostly a disc that the rounding of its coordinates has dented, where a fan is as good as it gets.
     ++fanned_;
     cuts = Fan(places.size());
   }
@@ -39,15 +38,10 @@ void Faces::AddTriangle(std::span<const std::uint32_t> names, const std::array<s
 }
 
 void Faces::Warn(const Text& file, Report& report) const {
-  const std::string place = Escaped(file.name);
   if (fanned_ > 0)
-    report.Warn(place, "concave faces with more than " + std::to_string(max_concave_corners) +
-                           " corners, triangulated as if convex: " + std::to_string(fanned_));
-  if (too_small_ == 0) return;
-  const std::string first = Place(file.name, first_too_small_.line, first_too_small_.column);
-  report.Warn(first, too_small_ == 1 ? "1 face with fewer than 3 corners skipped"
-                                     : std::to_string(too_small_) + " faces with fewer than 3 corners skipped" +
-                                           (first_too_small_.line > 0 ? ", the first of them here" : ""));
+    report.Warn(Escaped(file.name),
+                "concave faces with very many corners, triangulated as if convex: " + std::to_string(fanned_));
+  too_small_.Warn(file, report, "face with fewer than 3 corners skipped", "faces with fewer than 3 corners skipped");
 }
 
 }  // namespace ray

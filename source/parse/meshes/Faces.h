@@ -8,6 +8,7 @@
 #include "R3/Mesh.h"
 #include "source/parse/Report.h"
 #include "source/parse/Text.h"
+#include "source/parse/meshes/Tally.h"
 
 namespace ray {
 
@@ -30,8 +31,8 @@ class Faces {
   void AddTriangle(std::span<const std::uint32_t> names, const std::array<std::uint32_t, 3>& cut, const Token& where);
 
   R3::MeshData& mesh_;
-  std::size_t too_small_ = 0, fanned_ = 0;
-  Token first_too_small_;
+  Tally too_small_;
+  std::size_t fanned_ = 0;
   std::vector<R3::Point> polygon_;
 };
 

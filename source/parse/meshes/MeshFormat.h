@@ -3,9 +3,9 @@
 #include <span>
 #include <string>
 
-#include "R3/Mesh.h"
 #include "source/parse/Report.h"
 #include "source/parse/Text.h"
+#include "source/parse/meshes/MeshFile.h"
 
 namespace ray {
 
@@ -13,13 +13,16 @@ namespace ray {
 struct MeshFormat {
   const char* extension;  // lower case, with the dot
   /// Reads a mesh in time and memory linear in the file's length. Throws SceneError pointing into the file.
-  R3::MeshData (*read)(const Text& file, Report& report);
+  MeshFile (*read)(const Text& file, Report& report);
 };
 
 /// Every one, in the order of mesh_formats.def.
 std::span<const MeshFormat* const> MeshFormats();
 /// By extension, in any letter case; null when no format has it.
 const MeshFormat* MeshFormatForName(const std::string& name);
+/// What the format reads. Where that fails, or finds no face, and the file looks like something else, the error says
+/// that.
+MeshFile ReadMeshFile(const MeshFormat& format, const Text& file, Report& report);
 /// ".off, .ray, ..."
 std::string MeshExtensions();
 

@@ -44,10 +44,20 @@ class HeaderReader {
       ReadElement();
     else if (keyword.text == "property")
       ReadProperty();
-    else if (keyword.text == "comment" || keyword.text == "obj_info")
+    else if (keyword.text == "comment")
+      ReadComment();
+    else if (keyword.text == "obj_info")
       words_.SkipLine();
     else
       words_.Fail(keyword, "unknown header keyword " + Quoted(keyword.text));
+  }
+
+  void ReadComment() {
+    if (words_.HasMoreOnLine() && words_.NextIs("TextureFile")) {
+      words_.Next();
+      if (const Token name = words_.RestOfLine(); !name.text.empty()) header_.textures.push_back(name);
+    }
+    words_.SkipLine();
   }
 
   void ReadFormat() {
@@ -139,6 +149,12 @@ std::optional<std::size_t> PlyElement::Find(std::string_view property, bool is_l
   for (std::size_t i = 0; i < properties.size(); ++i)
     if (properties[i].name == property && properties[i].count_type.has_value() == is_list) return i;
   return {};
+}
+
+std::string PlyElement::PropertyNames() const {
+  std::string names;
+  for (const PlyProperty& property : properties) names += (names.empty() ? "" : ", ") + Escaped(property.name);
+  return names;
 }
 
 PlyHeader ReadPlyHeader(MeshWords& words) { return HeaderReader(words).Read(); }

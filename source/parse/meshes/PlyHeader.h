@@ -29,12 +29,15 @@ struct PlyElement {
 
   /// Index into `properties`, of a list or of a plain number as asked; nothing when there is none.
   std::optional<std::size_t> Find(std::string_view property, bool is_list) const;
+  /// "x, y, z", for messages
+  std::string PropertyNames() const;
 };
 
 struct PlyHeader {
   PlyEncoding encoding = PlyEncoding::ascii;
   std::vector<PlyElement> elements;
-  std::size_t data_offset = 0;  // of the first byte behind the header
+  std::vector<Token> textures{};  // names of image files, which VCGlib writes in comments
+  std::size_t data_offset = 0;    // of the first byte behind the header
 };
 
 /// Reads up to and with the word end_header. Throws SceneError.

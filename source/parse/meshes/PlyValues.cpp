@@ -8,8 +8,8 @@ PlyValues::PlyValues(MeshWords& words, const PlyHeader& header)
              header.encoding == PlyEncoding::big_endian ? std::endian::big : std::endian::little),
       is_text_(header.encoding == PlyEncoding::ascii) {}
 
-double PlyValues::Next(PlyType type, const PlyPlace& place) {
-  if (is_text_) return words_.Number({"a number", place.element.c_str(), place.number});
+double PlyValues::Next(PlyType type, const PlyPlace& place, const std::string& property) {
+  if (is_text_) return words_.AnyNumber({property.c_str(), place.element.c_str(), place.number});
   last_offset_ = bytes_.Offset();
   if (bytes_.Left() < SizeOf(type)) Fail(place, "the file ends here");
   return NextBinary(type);

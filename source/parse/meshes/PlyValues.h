@@ -23,10 +23,12 @@ class PlyValues {
   /// `words` must have just read the header.
   PlyValues(MeshWords& words, const PlyHeader& header);
 
-  /// Throws SceneError when there is none left.
-  double Next(PlyType type, const PlyPlace& place);
+  /// NaN and infinities where the file has them. Throws SceneError when there is none left.
+  double Next(PlyType type, const PlyPlace& place, const std::string& property);
 
   bool AtEnd();
+  /// Whether the file is text and has more on the line of the last number.
+  bool HasMoreOnLine() { return is_text_ && words_.HasMoreOnLine(); }
   std::size_t BytesLeft() const { return is_text_ ? words_.BytesLeft() : bytes_.Left(); }
   /// The fewest bytes that one number can take.
   std::size_t LeastBytes(PlyType type) const { return is_text_ ? 2 : SizeOf(type); }

@@ -1,68 +1,197 @@
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <numeric>
+#include <unordered_map>
 
+#include "source/parse/Coordinate.h"
+#include "source/parse/meshes/Corners.h"
 #include "source/parse/meshes/Faces.h"
 #include "source/parse/meshes/MeshFormat.h"
 #include "source/parse/meshes/MeshWords.h"
+#include "source/parse/meshes/VertexColors.h"
 #include "source/text/Number.h"
 
 namespace ray {
 namespace {
 
-/// A corner of a face as the file gives it: where it is, its texture coordinates, its normal.
-struct Corner {
-  static constexpr std::uint32_t none = 0xFFFFFFFF;
-  std::uint32_t place, uv = none, normal = none;
+/// What a statement is to this reader.
+enum class ObjStatement { vertex, uv, normal, face, material, library, smoothing, invisible, line, curve, unknown };
 
-  friend auto operator<=>(const Corner&, const Corner&) = default;
+struct ObjKeyword {
+  std::string_view word;
+  ObjStatement statement;
 };
 
-/// Reads v, vt, vn and f; every other statement is passed over.
+// The first are the most frequent. "fo" is an old name of "f"; a group, a name or an attribute of rendering shows
+// nothing.
+constexpr ObjKeyword obj_keywords[] = {
+    {"v", ObjStatement::vertex},
+    {"f", ObjStatement::face},
+    {"vt", ObjStatement::uv},
+    {"vn", ObjStatement::normal},
+    {"fo", ObjStatement::face},
+    {"g", ObjStatement::invisible},
+    {"o", ObjStatement::invisible},
+    {"s", ObjStatement::smoothing},
+    {"usemtl", ObjStatement::material},
+    {"mtllib", ObjStatement::library},
+    {"mg", ObjStatement::invisible},
+    {"lod", ObjStatement::invisible},
+    {"usemap", ObjStatement::invisible},
+    {"maplib", ObjStatement::invisible},
+    {"bevel", ObjStatement::invisible},
+    {"c_interp", ObjStatement::invisible},
+    {"d_interp", ObjStatement::invisible},
+    {"shadow_obj", ObjStatement::invisible},
+    {"trace_obj", ObjStatement::invisible},
+    {"l", ObjStatement::line},
+    {"p", ObjStatement::line},
+    {"vp", ObjStatement::curve},
+    {"cstype", ObjStatement::curve},
+    {"deg", ObjStatement::curve},
+    {"bmat", ObjStatement::curve},
+    {"step", ObjStatement::curve},
+    {"curv", ObjStatement::curve},
+    {"curv2", ObjStatement::curve},
+    {"surf", ObjStatement::curve},
+    {"parm", ObjStatement::curve},
+    {"trim", ObjStatement::curve},
+    {"hole", ObjStatement::curve},
+    {"scrv", ObjStatement::curve},
+    {"sp", ObjStatement::curve},
+    {"end", ObjStatement::curve},
+    {"con", ObjStatement::curve},
+    {"ctech", ObjStatement::curve},
+    {"stech", ObjStatement::curve},
+    {"bzp", ObjStatement::curve},
+    {"bsp", ObjStatement::curve},
+    {"cdc", ObjStatement::curve},
+    {"cdp", ObjStatement::curve},
+    {"res", ObjStatement::curve},
+    {"csh", ObjStatement::invisible},
+    {"call", ObjStatement::curve},
+};
+
+ObjStatement StatementOf(std::string_view word) {
+  for (const ObjKeyword& keyword : obj_keywords)
+    if (keyword.word == word) return keyword.statement;
+  return ObjStatement::unknown;
+}
+
+/// Reads vertices and faces. Statements without a meaning for them are passed over; what would be seen and is not, and
+/// what no statement is, with a warning.
 /// Source: Wavefront, Advanced Visualizer manual, appendix B1: object files.
 class ObjReader {
  public:
-  explicit ObjReader(const Text& file) : words_(file, Tokenizer::Comments::hash) {}
+  explicit ObjReader(const Text& file) : words_(file, Tokenizer::Comments::hash, Tokenizer::Joints::backslash) {}
 
-  R3::MeshData Read(Report& report) {
+  MeshFile Read(Report& report) {
     while (const auto word = words_.Next()) {
-      if (word->text == "v") ReadPlace();
-      if (word->text == "vt") ReadUv();
-      if (word->text == "vn") ReadNormal();
-      if (word->text == "f") ReadFace();
+      ReadStatement(*word);
       SkipStatement();
     }
-    faces_.Warn(words_.Source(), report);
-    const auto is_plain = [](const Corner& c) { return c.uv == Corner::none && c.normal == Corner::none; };
-    if (std::all_of(corners_.begin(), corners_.end(), is_plain))
-      NameByPlace();
-    else
-      NameByCorner();
-    return std::move(mesh_);
+    if (mesh_.positions.empty() && !unknown_.IsEmpty())
+      words_.Fail(unknown_.First(),
+                  "not one line defines a vertex in OBJ; unknown statement " + Quoted(unknown_.First().text));
+    CheckMissing(missing_uvs_, uvs_.size(), "texture vertex");
+    CheckMissing(missing_normals_, normals_.size(), "normal");
+    Warn(report);
+    mesh_.colors = colors_.Take(mesh_.positions.size());
+    read_.has_8_bit_colors = colors_.WereBytes();
+    MakeVertices(mesh_, corners_, uvs_, normals_);
+    return std::move(read_);
   }
 
  private:
-  void ReadPlace() { mesh_.positions.push_back(PlaceOf("vertex", mesh_.positions.size() + 1)); }
+  void ReadStatement(const Token& word) {
+    switch (StatementOf(word.text)) {
+      case ObjStatement::vertex:
+        return ReadPlace();
+      case ObjStatement::uv:
+        return ReadUv();
+      case ObjStatement::normal:
+        return ReadNormal();
+      case ObjStatement::face:
+        return ReadFace();
+      case ObjStatement::material:
+        return ReadMaterial();
+      case ObjStatement::library:
+        return ReadLibraries();
+      case ObjStatement::smoothing:
+        return ReadSmoothing();
+      case ObjStatement::invisible:
+        return;
+      case ObjStatement::line:
+        return lines_.Add(word);
+      case ObjStatement::curve:
+        return curves_.Add(word);
+      case ObjStatement::unknown:
+        return unknown_.Add(word);
+    }
+  }
+
+  void ReadPlace() {
+    const std::size_t number = mesh_.positions.size() + 1;
+    const double x = Coordinate({"x", "vertex", number});
+    const double y = Coordinate({"y", "vertex", number});
+    const double z = Coordinate({"z", "vertex", number});
+    mesh_.positions.push_back({x, y, z});
+    if (ContinuesStatement()) ReadBehindPlace(number);
+  }
+
+  /// A weight, which only curves have a use for, or a color without or with alpha.
+  void ReadBehindPlace(std::size_t number) {
+    const Token first = *words_.Peek();
+    std::array<double, 3> color{};
+    std::size_t numbers = 3;
+    for (; ContinuesStatement(); ++numbers) {
+      const double value = words_.AnyNumber({"a number", "vertex", number});
+      if (numbers < 6) color[numbers - 3] = value;
+    }
+    if (numbers == 6 || numbers == 7) return colors_.Add(number - 1, color, first);
+    if (numbers != 4)
+      words_.Fail(words_.Last(), "vertex " + std::to_string(number) + " has " + std::to_string(numbers) + " numbers",
+                  "known are x y z, and behind them a weight w, or a color r g b or r g b a");
+  }
 
   void ReadUv() {
     const std::size_t number = uvs_.size() + 1;
-    const double u = Coordinate({"u", "texture vertex", number});
-    uvs_.push_back({u, ContinuesStatement() ? words_.Coordinate({"v", "texture vertex", number}) : 0});
+    const double u = NumberOrNan({"u", "texture vertex", number});
+    const double v = ContinuesStatement() ? NumberOrNan({"v", "texture vertex", number}) : 0;
+    if (ContinuesStatement()) words_.AnyNumber({"w", "texture vertex", number});
+    if (ContinuesStatement()) FailAtNext("a texture vertex has at most 3 numbers");
+    uvs_.push_back({u, v});
   }
 
-  void ReadNormal() { normals_.push_back(AsNormal(PlaceOf("normal", normals_.size() + 1) - R3::Point{})); }
-
-  R3::Point PlaceOf(const char* of, std::size_t number) {
-    const double x = Coordinate({"x", of, number});
-    const double y = Coordinate({"y", of, number});
-    const double z = Coordinate({"z", of, number});
-    return {x, y, z};
+  void ReadNormal() {
+    const std::size_t number = normals_.size() + 1;
+    const double x = NumberOrNan({"x", "normal", number});
+    const double y = NumberOrNan({"y", "normal", number});
+    const double z = NumberOrNan({"z", "normal", number});
+    if (ContinuesStatement()) FailAtNext("a normal has 3 numbers");
+    normals_.push_back(AsNormal(R3::Vector{x, y, z}));
   }
 
   /// Unlike words elsewhere, those of a statement end with its line.
   double Coordinate(const Part& part) {
-    if (!ContinuesStatement()) words_.Fail(words_.Last(), part.Words() + " is missing");
+    CheckContinues(part);
     return words_.Coordinate(part);
+  }
+
+  /// NaN for what is not finite or too large, which counts only where a face uses it.
+  double NumberOrNan(const Part& part) {
+    CheckContinues(part);
+    return words_.NumberIfUsable(part).value_or(std::numeric_limits<double>::quiet_NaN());
+  }
+
+  void CheckContinues(const Part& part) {
+    if (!ContinuesStatement()) words_.Fail(words_.Last(), part.Words() + " is missing");
+  }
+
+  [[noreturn]] void FailAtNext(const char* rule) {
+    words_.Next();
+    words_.Fail(words_.Last(), std::string(rule) + ", unexpected " + Quoted(words_.Last().text));
   }
 
   void ReadFace() {
@@ -79,8 +208,41 @@ class ObjReader {
     if (const char* problem = faces_.Add(places_, names_, command)) words_.Fail(command, problem);
   }
 
+  void ReadMaterial() {
+    const Token name = words_.RestOfLine();
+    std::uint32_t material = MeshFile::no_material;
+    if (!name.text.empty()) {
+      const auto number = static_cast<std::uint32_t>(read_.materials.size());
+      const auto [known, is_new] = numbers_of_materials_.try_emplace(std::string(name.text), number);
+      if (is_new) read_.materials.push_back(NameAt(name));
+      material = known->second;
+    }
+    BeginRun(read_.material_runs, material);
+  }
+
+  void ReadLibraries() {
+    const Token names = words_.RestOfLine();
+    if (!names.text.empty()) read_.material_files.push_back(NameAt(names));
+  }
+
+  /// A number, or "off" or 0.
+  void ReadSmoothing() {
+    const std::int64_t group = ContinuesStatement() ? ParseWhole(words_.Next()->text).value : 0;
+    BeginRun(read_.smoothing_runs, static_cast<std::uint32_t>(group));
+  }
+
+  void BeginRun(std::vector<TriangleRun>& runs, std::uint32_t value) const {
+    const std::size_t first = mesh_.triangles.size();
+    if (!runs.empty() && runs.back().first_triangle == first) runs.pop_back();
+    runs.push_back({first, value});
+  }
+
+  MeshName NameAt(const Token& name) const {
+    return {std::string(name.text), Place(words_.Source().name, name.line, name.column)};
+  }
+
   /// place, place/uv, place//normal or place/uv/normal
-  Corner ReadCorner(const Token& word) const {
+  Corner ReadCorner(const Token& word) {
     std::string_view rest = word.text;
     const auto next = [&] {
       const std::size_t slash = std::min(rest.find('/'), rest.size());
@@ -91,73 +253,95 @@ class ObjReader {
     const std::string_view place = next(), uv = next(), normal = next();
     if (!rest.empty()) words_.Fail(word, "a corner must be vertex/texture/normal, got " + Quoted(word.text));
     Corner corner{IndexOf(word, place, mesh_.positions.size(), "vertex")};
-    if (!uv.empty()) corner.uv = IndexOf(word, uv, uvs_.size(), "texture vertex");
-    if (!normal.empty()) corner.normal = IndexOf(word, normal, normals_.size(), "normal");
+    if (!uv.empty()) corner.uv = UvOf(word, uv);
+    if (!normal.empty()) corner.normal = NormalOf(word, normal);
     return corner;
+  }
+
+  std::uint32_t UvOf(const Token& word, std::string_view text) {
+    if (uvs_.empty()) return Missing(word, text, "texture vertex", missing_uvs_);
+    const std::uint32_t index = IndexOf(word, text, uvs_.size(), "texture vertex");
+    if (IsCoordinate(uvs_[index].x) && IsCoordinate(uvs_[index].y)) return index;
+    absent_uvs_.Add(word);
+    return Corner::none;
+  }
+
+  std::uint32_t NormalOf(const Token& word, std::string_view text) {
+    if (normals_.empty()) return Missing(word, text, "normal", missing_normals_);
+    const std::uint32_t index = IndexOf(word, text, normals_.size(), "normal");
+    const R3::Normal& n = normals_[index];
+    if (IsCoordinate(n.x) && IsCoordinate(n.y) && IsCoordinate(n.z)) return index;
+    absent_normals_.Add(word);
+    return Corner::none;
   }
 
   /// From 1; negative ones count back from the last so far.
   std::uint32_t IndexOf(const Token& word, std::string_view text, std::size_t count, const char* what) const {
-    const auto [number, problem] = ParseWhole(text);
-    if (problem) words_.Fail(word, std::string("a ") + what + " " + problem + ", got " + Quoted(word.text));
+    const std::int64_t number = WholeIn(word, text, what);
     const auto known = static_cast<std::int64_t>(count);
-    if (number == 0 || number > known || number < -known)
-      words_.Fail(word, std::string("no ") + what + " " + Escaped(text),
-                  std::to_string(count) + " defined before this line, numbered from 1");
+    if (number == 0 || number > known || number < -known) FailOfIndex(word, text, count, what);
     return static_cast<std::uint32_t>(number > 0 ? number - 1 : known + number);
   }
 
-  // A backslash at the end of a line joins the next one to it.
-  bool ContinuesStatement() {
-    bool is_joined = words_.Last().text == "\\";
-    while (!words_.AtEnd() && (words_.HasMoreOnLine() || is_joined)) {
-      if (!words_.NextIs("\\")) return true;
-      words_.Next();
-      is_joined = true;
-    }
-    return false;
+  std::int64_t WholeIn(const Token& word, std::string_view text, const char* what) const {
+    const auto [number, problem] = ParseWhole(text);
+    if (problem) words_.Fail(word, std::string("a ") + what + " " + problem + ", got " + Quoted(word.text));
+    return number;
   }
+
+  [[noreturn]] void FailOfIndex(const Token& word, std::string_view text, std::size_t count, const char* what) const {
+    words_.Fail(word, std::string("no ") + what + " " + Escaped(text),
+                std::to_string(count) + " defined before this line, numbered from 1");
+  }
+
+  /// Some programs write indices, often all 0 or 1, into lists that they leave out.
+  std::uint32_t Missing(const Token& word, std::string_view text, const char* what, Tally& missing) const {
+    WholeIn(word, text, what);
+    missing.Add(word);
+    return Corner::none;
+  }
+
+  /// A list that begins behind faces that index it is no missing one.
+  void CheckMissing(const Tally& missing, std::size_t count, const char* what) const {
+    if (missing.IsEmpty() || count == 0) return;
+    words_.Fail(missing.First(), std::string("a ") + what + " is used before the first is defined");
+  }
+
+  void Warn(Report& report) const {
+    const Text& file = words_.Source();
+    faces_.Warn(file, report);
+    missing_uvs_.Warn(file, report, "corner has an index of texture coordinates, but the file has none",
+                      "corners have an index of texture coordinates, but the file has none");
+    missing_normals_.Warn(file, report, "corner has an index of a normal, but the file has none",
+                          "corners have an index of a normal, but the file has none");
+    WarnOfAbsent(absent_normals_, absent_uvs_, file, report);
+    colors_.Warn(file, report);
+    lines_.Warn(file, report, "statement of lines or points skipped", "statements of lines or points skipped");
+    curves_.Warn(file, report, "statement of curves or surfaces skipped", "statements of curves or surfaces skipped");
+    unknown_.Warn(file, report, "unknown statement skipped", "unknown statements skipped");
+  }
+
+  bool ContinuesStatement() { return words_.Peek() && !words_.Peek()->starts_line; }
 
   void SkipStatement() {
     while (ContinuesStatement()) words_.Next();
   }
 
-  void NameByPlace() {
-    for (auto& triangle : mesh_.triangles)
-      for (std::uint32_t& name : triangle) name = corners_[name].place;
-  }
-
-  // A vertex of a mesh has one normal and one pair of texture coordinates; where a file gives a place several of them,
-  // it becomes several vertices. Sorting finds the different corners in n log n time whatever the file.
-  void NameByCorner() {
-    std::vector<Corner> different = corners_;
-    std::sort(different.begin(), different.end());
-    different.erase(std::unique(different.begin(), different.end()), different.end());
-    for (auto& triangle : mesh_.triangles)
-      for (std::uint32_t& name : triangle)
-        name = static_cast<std::uint32_t>(std::lower_bound(different.begin(), different.end(), corners_[name]) -
-                                          different.begin());
-
-    std::vector<R3::Point> positions;
-    for (const Corner& corner : different) {
-      positions.push_back(mesh_.positions[corner.place]);
-      if (!uvs_.empty()) mesh_.uvs.push_back(corner.uv == Corner::none ? R2::Point{} : uvs_[corner.uv]);
-      if (!normals_.empty())
-        mesh_.normals.push_back(corner.normal == Corner::none ? R3::Normal{} : normals_[corner.normal]);
-    }
-    mesh_.positions = std::move(positions);
-  }
-
   MeshWords words_;
-  R3::MeshData mesh_;
-  std::vector<R2::Point> uvs_;
-  std::vector<R3::Normal> normals_;
+  MeshFile read_;
+  R3::MeshData& mesh_ = read_.data;
+  VertexColors colors_;
+  std::unordered_map<std::string, std::uint32_t> numbers_of_materials_;
+  std::vector<R2::Point> uvs_;       // NaN where they are not usable
+  std::vector<R3::Normal> normals_;  // likewise
   std::vector<Corner> corners_;
   Faces faces_{mesh_};
+  Tally missing_uvs_, missing_normals_, absent_uvs_, absent_normals_;
+  Tally lines_, curves_, unknown_;
   std::vector<std::uint32_t> places_, names_;
 };
 
-R3::MeshData ReadObj(const Text& file, Report& report) { return ObjReader(file).Read(report); }
+MeshFile ReadObj(const Text& file, Report& report) { return ObjReader(file).Read(report); }
 
 }  // namespace
 

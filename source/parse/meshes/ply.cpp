@@ -1,53 +1,88 @@
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "source/parse/Coordinate.h"
+#include "source/parse/meshes/Corners.h"
 #include "source/parse/meshes/Faces.h"
 #include "source/parse/meshes/MeshFormat.h"
-#include "source/parse/meshes/PlyValues.h"
+#include "source/parse/meshes/PlyRows.h"
+#include "source/parse/meshes/VertexColors.h"
 #include "source/text/NumberText.h"
 
 namespace ray {
 namespace {
 
-/// The numbers of one vertex, face or strip: plain ones by property, and the list that was asked for.
-struct Row {
-  std::vector<double> numbers;
-  std::vector<double> list;
-};
+constexpr const char* texcoord = "texcoord";
 
 /// The vertices, faces and triangle strips of a file of any scalar types; all other elements and properties are passed
 /// over.
 class PlyReader {
  public:
   explicit PlyReader(const Text& file)
-      : words_(file, Tokenizer::Comments::none), header_(ReadPlyHeader(words_)), values_(words_, header_) {}
+      : words_(file, Tokenizer::Comments::none), header_(ReadPlyHeader(words_)), rows_(words_, header_) {
+    has_texcoords_ = std::ranges::any_of(header_.elements, [](const PlyElement& element) {
+      return element.name == "face" && element.Find(texcoord, true);
+    });
+  }
 
-  R3::MeshData Read(Report& report) {
-    for (const PlyElement& element : header_.elements) {
-      CheckPromise(element);
-      if (element.name == "vertex")
-        ReadVertices(element);
-      else if (element.name == "face")
-        ReadFaces(element);
-      else if (element.name == "tristrips")
-        ReadStrips(element);
-      else
-        Skip(element);
+  MeshFile Read(Report& report) {
+    try {
+      for (const PlyElement& element : header_.elements) ReadElement(element);
+      CheckEnd(report);
+    } catch (SceneError& error) {
+      if (error.hint.empty()) error.hint = rows_.Hint();
+      throw;
     }
-    if (!values_.AtEnd()) report.Warn(Escaped(words_.Source().name), "the file has more data than the header declares");
-    faces_.Warn(words_.Source(), report);
-    return std::move(mesh_);
+    mesh_.colors = colors_.Take(mesh_.positions.size());
+    Warn(report);
+    if (has_texcoords_) MakeVertices();
+    MeshFile read{.data = std::move(mesh_), .has_8_bit_colors = has_8_bit_colors_ || colors_.WereBytes()};
+    for (const Token& name : header_.textures)
+      read.textures.push_back({std::string(name.text), Place(words_.Source().name, name.line, name.column)});
+    return read;
   }
 
  private:
+  void ReadElement(const PlyElement& element) {
+    CheckPromise(element);
+    if (element.name == "vertex")
+      ReadVertices(element);
+    else if (element.name == "face")
+      ReadFaces(element);
+    else if (element.name == "tristrips")
+      ReadStrips(element);
+    else
+      Skip(element);
+  }
+
+  void CheckEnd(Report& report) {
+    if (rows_.Values().AtEnd()) return;
+    const std::string message = "the file has more data than the header declares";
+    if (rows_.IsIrregular()) words_.Fail(*words_.Peek(), message);
+    report.Warn(Escaped(words_.Source().name), message);
+  }
+
+  void Warn(Report& report) const {
+    const Text& file = words_.Source();
+    faces_.Warn(file, report);
+    rows_.LongFaces().Warn(file, report, "face has ignored numbers behind those that the header declares",
+                           "faces have ignored numbers behind those that the header declares");
+    WarnOfAbsent(absent_normals_, absent_uvs_, file, report);
+    colors_.Warn(file, report);
+    if (has_face_colors_)
+      report.Warn(Escaped(file.name), "the colors of faces are ignored; those of vertices are used");
+  }
+
   void CheckPromise(const PlyElement& element) {
+    const PlyValues& values = rows_.Values();
     std::size_t least = 0;
     for (const PlyProperty& property : element.properties)
-      least += values_.LeastBytes(property.count_type.value_or(property.type));
-    if (least == 0 || element.count <= (values_.BytesLeft() + 1) / least) return;
+      least += values.LeastBytes(property.count_type.value_or(property.type));
+    if (least == 0 || element.count <= (values.BytesLeft() + 1) / least) return;
     words_.Fail(element.where, "the header declares " + std::to_string(element.count) + " elements, but only " +
-                                   BytesThatFollow(values_.BytesLeft()));
+                                   BytesThatFollow(values.BytesLeft()));
   }
 
   void ReadVertices(const PlyElement& element) {
@@ -59,37 +94,74 @@ class PlyReader {
     if (!uvs) uvs = FindAll<2>(element, {"u", "v"});
     if (!uvs) uvs = FindAll<2>(element, {"texture_u", "texture_v"});
 
-    Row row;
+    const auto colors = FindColors(element);
+
+    const PlyColumns columns{.coordinates{places->begin(), places->end()}};
+    PlyRow row;
     for (std::size_t i = 0; i < element.count; ++i) {
-      ReadRow(element, i, {}, row);
+      rows_.Read(element, i, columns, row);
       const auto& n = row.numbers;
       mesh_.positions.push_back({n[(*places)[0]], n[(*places)[1]], n[(*places)[2]]});
-      if (normals) mesh_.normals.push_back({n[(*normals)[0]], n[(*normals)[1]], n[(*normals)[2]]});
-      if (uvs) mesh_.uvs.push_back({n[(*uvs)[0]], n[(*uvs)[1]]});
+      if (normals) AddNormal({n[(*normals)[0]], n[(*normals)[1]], n[(*normals)[2]]}, row.unusable);
+      if (uvs) mesh_.uvs.push_back(Usable({n[(*uvs)[0]], n[(*uvs)[1]]}, row.unusable));
+      if (colors) AddColor(i, element, *colors, row);
     }
   }
 
+  static std::optional<std::array<std::size_t, 3>> FindColors(const PlyElement& element) {
+    const auto colors = FindAll<3>(element, {"red", "green", "blue"});
+    return colors ? colors : FindAll<3>(element, {"diffuse_red", "diffuse_green", "diffuse_blue"});
+  }
+
+  /// Whole numbers are shares of the greatest of their type.
+  void AddColor(std::size_t i, const PlyElement& element, const std::array<std::size_t, 3>& columns,
+                const PlyRow& row) {
+    std::array<double, 3> channels{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const PlyType type = element.properties[columns[k]].type;
+      const double greatest = type == PlyType::uint8 ? 255 : type == PlyType::uint16 ? 65535 : 1;
+      channels[k] = row.numbers[columns[k]] / greatest;
+      has_8_bit_colors_ = has_8_bit_colors_ || type == PlyType::uint8;
+    }
+    colors_.Add(i, channels, row.unusable);
+  }
+
+  void AddNormal(const R3::Vector& n, const Token& unusable) {
+    const bool is_usable = IsCoordinate(n.x) && IsCoordinate(n.y) && IsCoordinate(n.z);
+    if (!is_usable) absent_normals_.Add(unusable);
+    mesh_.normals.push_back(is_usable ? AsNormal(n) : R3::Normal{});
+  }
+
+  R2::Point Usable(const R2::Point& uv, const Token& unusable) {
+    if (IsCoordinate(uv.x) && IsCoordinate(uv.y)) return uv;
+    absent_uvs_.Add(unusable);
+    return {};
+  }
+
   void ReadFaces(const PlyElement& element) {
-    const std::size_t list = FindIndices(element);
-    Row row;
+    const PlyColumns columns{.corners = FindIndices(element), .uvs = element.Find(texcoord, true)};
+    has_face_colors_ = FindColors(element).has_value();
+    PlyRow row;
     std::vector<std::uint32_t> corners;
     for (std::size_t i = 0; i < element.count; ++i) {
-      ReadRow(element, i, list, row);
+      const PlyPlace place{element.name, i};
+      rows_.Read(element, i, columns, row);
       corners.clear();
-      for (const double value : row.list) corners.push_back(IndexOf(value, {element.name, i}));
-      AddFace(corners, {element.name, i});
+      for (const double value : row.corners) corners.push_back(IndexOf(value, place));
+      if (corners.size() < 3 && rows_.IsIrregular()) rows_.Values().Fail(place, "has fewer than 3 corners");
+      AddFace(corners, row.uvs, place);
     }
   }
 
   /// Every three neighbors of a strip are a triangle, every second one turned over; -1 begins another strip.
   void ReadStrips(const PlyElement& element) {
-    const std::size_t list = FindIndices(element);
-    Row row;
+    const PlyColumns columns{.corners = FindIndices(element)};
+    PlyRow row;
     for (std::size_t i = 0; i < element.count; ++i) {
-      ReadRow(element, i, list, row);
+      rows_.Read(element, i, columns, row);
       std::array<std::uint32_t, 3> last{};
       std::size_t length = 0;
-      for (const double value : row.list) {
+      for (const double value : row.corners) {
         if (value == -1) {
           length = 0;
           continue;
@@ -104,52 +176,68 @@ class PlyReader {
   void AddOfStrip(std::array<std::uint32_t, 3> t, bool is_turned, const PlyPlace& place) {
     if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) return;
     if (is_turned) std::swap(t[0], t[1]);
-    AddFace(t, place);
+    AddFace(t, {}, place);
   }
 
-  void AddFace(std::span<const std::uint32_t> corners, const PlyPlace& place) {
-    if (const char* problem = faces_.Add(corners, values_.Last())) values_.Fail(place, problem);
+  void AddFace(std::span<const std::uint32_t> places, std::span<const double> uvs, const PlyPlace& place) {
+    const auto names = has_texcoords_ ? AddCorners(places, uvs, place) : places;
+    if (const char* problem = faces_.Add(places, names, rows_.Values().Last())) rows_.Values().Fail(place, problem);
+  }
+
+  /// Gives the indices of the corners. A face may have texture coordinates of its own, as VCGlib writes them: two for
+  /// each corner, or none.
+  std::span<const std::uint32_t> AddCorners(std::span<const std::uint32_t> places, std::span<const double> uvs,
+                                            const PlyPlace& place) {
+    if (!uvs.empty() && uvs.size() != 2 * places.size())
+      rows_.Values().Fail(place, "texcoord must have two numbers for each of the " + std::to_string(places.size()) +
+                                     " corners, got " + std::to_string(uvs.size()));
+    names_.clear();
+    for (std::size_t k = 0; k < places.size(); ++k) {
+      names_.push_back(static_cast<std::uint32_t>(corners_.size()));
+      corners_.push_back({places[k]});
+      if (uvs.empty()) continue;
+      corners_.back().uv = static_cast<std::uint32_t>(uvs_.size());
+      uvs_.push_back(Usable({uvs[2 * k], uvs[2 * k + 1]}, rows_.Values().Last()));
+    }
+    return names_;
+  }
+
+  void MakeVertices() {
+    UniteUvs();
+    const auto first = static_cast<std::uint32_t>(uvs_.size());
+    uvs_.insert(uvs_.end(), mesh_.uvs.begin(), mesh_.uvs.end());
+    for (Corner& corner : corners_) {
+      if (corner.uv == Corner::none && !mesh_.uvs.empty()) corner.uv = first + corner.place;
+      if (!mesh_.normals.empty()) corner.normal = corner.place;
+    }
+    mesh_.uvs.clear();
+    ray::MakeVertices(mesh_, corners_, uvs_, std::exchange(mesh_.normals, {}));
+  }
+
+  /// Gives equal texture coordinates one index, so that faces that share them share vertices.
+  void UniteUvs() {
+    const auto less = [](const R2::Point& a, const R2::Point& b) { return a.x != b.x ? a.x < b.x : a.y < b.y; };
+    std::vector<R2::Point> different = uvs_;
+    std::ranges::sort(different, less);
+    const auto repeated = std::ranges::unique(different);
+    different.erase(repeated.begin(), repeated.end());
+    for (Corner& corner : corners_)
+      if (corner.uv != Corner::none)
+        corner.uv =
+            static_cast<std::uint32_t>(std::ranges::lower_bound(different, uvs_[corner.uv], less) - different.begin());
+    uvs_ = std::move(different);
   }
 
   void Skip(const PlyElement& element) {
     if (element.properties.empty()) return;  // its count is then only a number
-    Row row;
-    for (std::size_t i = 0; i < element.count; ++i) ReadRow(element, i, {}, row);
+    PlyRow row;
+    for (std::size_t i = 0; i < element.count; ++i) rows_.Read(element, i, {}, row);
   }
 
-  void ReadRow(const PlyElement& element, std::size_t number, std::optional<std::size_t> wanted_list, Row& row) {
-    const PlyPlace place{element.name, number};
-    row.numbers.assign(element.properties.size(), 0);
-    row.list.clear();
-    for (std::size_t p = 0; p < element.properties.size(); ++p) {
-      const PlyProperty& property = element.properties[p];
-      if (property.count_type) {
-        ReadList(property, place, p == wanted_list ? &row.list : nullptr);
-        continue;
-      }
-      row.numbers[p] = values_.Next(property.type, place);
-      if (!IsCoordinate(row.numbers[p]))
-        values_.Fail(place, Escaped(property.name) + " must be finite and must not exceed 1e150 in magnitude");
-    }
-  }
-
-  void ReadList(const PlyProperty& property, const PlyPlace& place, std::vector<double>* list) {
-    const double count = values_.Next(*property.count_type, place);
-    const std::size_t least = values_.LeastBytes(property.type);
-    const auto most = static_cast<double>((values_.BytesLeft() + 1) / least);
-    if (!(count >= 0 && count <= most && count == std::floor(count)))
-      values_.Fail(place, "a list of " + ToText(count) + " numbers does not fit in the remaining " +
-                              std::to_string(values_.BytesLeft()) + " bytes");
-    for (auto left = static_cast<std::size_t>(count); left > 0; --left) {
-      const double value = values_.Next(property.type, place);
-      if (list) list->push_back(value);
-    }
-  }
-
-  std::uint32_t IndexOf(double value, const PlyPlace& place) const {
+  std::uint32_t IndexOf(double value, const PlyPlace& place) {
     const std::size_t known = mesh_.positions.size();
     if (!(value >= 0 && value < static_cast<double>(known) && value == std::floor(value)))
-      values_.Fail(place, "a corner must be an index below " + std::to_string(known) + ", got " + ToText(value));
+      rows_.Values().Fail(place, "a corner must be an index below " + std::to_string(known) + ", got " + ToText(value));
     return static_cast<std::uint32_t>(value);
   }
 
@@ -173,12 +261,20 @@ class PlyReader {
 
   MeshWords words_;
   PlyHeader header_;
-  PlyValues values_;
+  PlyRows rows_;
   R3::MeshData mesh_;
   Faces faces_{mesh_};
+  Tally absent_normals_, absent_uvs_;
+  VertexColors colors_;
+  bool has_8_bit_colors_ = false, has_face_colors_ = false;
+  // Where faces have texture coordinates of their own, triangles are first made of corners.
+  bool has_texcoords_ = false;
+  std::vector<Corner> corners_;
+  std::vector<R2::Point> uvs_;
+  std::vector<std::uint32_t> names_;
 };
 
-R3::MeshData ReadPly(const Text& file, Report& report) { return PlyReader(file).Read(report); }
+MeshFile ReadPly(const Text& file, Report& report) { return PlyReader(file).Read(report); }
 
 }  // namespace
 

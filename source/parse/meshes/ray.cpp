@@ -1,23 +1,30 @@
 #include "source/parse/meshes/Faces.h"
 #include "source/parse/meshes/MeshFormat.h"
 #include "source/parse/meshes/MeshWords.h"
+#include "source/text/Number.h"
 
 namespace ray {
 namespace {
 
-// Commands begin with #, so there are no comments. Of all commands only vertices and faces matter here; the words of
+// Commands begin with #, so there are no comments. Only the commands of vertices and faces matter here; the words of
 // the others are passed over one by one, as the course's reader does.
 class RayReader {
  public:
   explicit RayReader(const Text& file) : words_(file, Tokenizer::Comments::none) {}
 
   R3::MeshData Read(Report& report) {
+    const std::optional<Token> first = words_.Peek();
+    bool has_command = false;
     while (const auto word = words_.Next()) {
+      has_command = has_command || word->text[0] == '#';
       if (word->text == "#vertex") ReadVertex();
       if (word->text == "#shape_triangle") ReadFace(3);
       if (word->text == "#shape_polygon") ReadPolygon();
     }
+    if (first && !has_command)
+      words_.Fail(*first, "a .ray file holds commands such as #vertex; this one begins with " + Quoted(first->text));
     faces_.Warn(words_.Source(), report);
+    WarnOfAbsent(absent_normals_, absent_uvs_, words_.Source(), report);
     return std::move(mesh_);
   }
 
@@ -25,15 +32,20 @@ class RayReader {
   void ReadVertex() {
     const std::size_t i = mesh_.positions.size();
     mesh_.positions.push_back(words_.Place("vertex", i));
-    mesh_.normals.push_back(AsNormal(words_.Place("the normal of vertex", i) - R3::Point{}));
-    const double s = words_.Coordinate({"s", "vertex", i});
-    mesh_.uvs.push_back({s, words_.Coordinate({"t", "vertex", i})});
+    const auto normal = words_.VectorIfUsable("the normal of vertex", i);
+    if (!normal) absent_normals_.Add(words_.Last());
+    mesh_.normals.push_back(AsNormal(normal.value_or(R3::Vector{})));
+    const auto s = words_.NumberIfUsable({"s", "vertex", i}), t = words_.NumberIfUsable({"t", "vertex", i});
+    if (!s || !t) absent_uvs_.Add(words_.Last());
+    mesh_.uvs.push_back(s && t ? R2::Point{*s, *t} : R2::Point{});
+    RefuseNumberBehind("a vertex has 8 numbers");
   }
 
   void ReadFace(std::size_t corner_count) {
     const Token command = words_.Last();
     words_.Whole({"the material", "face", face_number_});
     ReadCorners(command, corner_count);
+    RefuseNumberBehind("a triangle has a material and 3 corners");
   }
 
   void ReadPolygon() {
@@ -44,6 +56,7 @@ class RayReader {
       words_.Fail(words_.Last(),
                   "face " + std::to_string(face_number_) + " cannot have " + Escaped(words_.Last().text) + " corners");
     ReadCorners(command, static_cast<std::size_t>(count));
+    RefuseNumberBehind("a polygon has a material, the number of its corners, and its corners");
   }
 
   void ReadCorners(const Token& command, std::size_t count) {
@@ -54,14 +67,23 @@ class RayReader {
     ++face_number_;
   }
 
+  /// It would be dropped, and what was counted wrong be drawn.
+  void RefuseNumberBehind(const char* hint) {
+    const auto& next = words_.Peek();
+    if (!next || next->text[0] == '#') return;
+    if (!ParseNumber(next->text).problem || SaysNanOrInfinity(next->text))
+      words_.Fail(*next, "unexpected number " + Quoted(next->text), hint);
+  }
+
   MeshWords words_;
+  Tally absent_normals_, absent_uvs_;
   R3::MeshData mesh_;
   Faces faces_{mesh_};
   std::vector<std::uint32_t> corners_;
   std::size_t face_number_ = 0;
 };
 
-R3::MeshData ReadRay(const Text& file, Report& report) { return RayReader(file).Read(report); }
+MeshFile ReadRay(const Text& file, Report& report) { return {RayReader(file).Read(report)}; }
 
 }  // namespace
 

@@ -1,14 +1,18 @@
+#include <algorithm>
+
 #include "source/parse/Coordinate.h"
 #include "source/parse/meshes/Bytes.h"
 #include "source/parse/meshes/MeshFormat.h"
 #include "source/parse/meshes/MeshWords.h"
+#include "source/text/LowerCase.h"
+#include "source/text/Words.h"
 
 namespace ray {
 namespace {
 
 // Source: 3D Systems, Stereolithography interface specification (1988): 80 bytes of anything, a count, and for each
 // triangle a normal, three corners and two bytes of anything; little-endian.
-constexpr std::size_t header_bytes = 80, triangle_bytes = 50;
+constexpr std::size_t header_bytes = 80, first_triangle = header_bytes + sizeof(std::uint32_t), triangle_bytes = 50;
 
 void AddTriangle(R3::MeshData& mesh) {
   const auto last = static_cast<std::uint32_t>(mesh.positions.size() - 1);
@@ -26,8 +30,8 @@ double ReadCoordinate(Bytes& bytes, const Text& file, const char* axis, std::siz
   return value;
 }
 
-R3::MeshData ReadBinary(const Text& file, std::size_t triangles) {
-  Bytes bytes(file.bytes, header_bytes + sizeof(std::uint32_t), std::endian::little);
+R3::MeshData ReadTriangles(const Text& file, std::size_t triangles) {
+  Bytes bytes(file.bytes, first_triangle, std::endian::little);
   R3::MeshData mesh;
   mesh.positions.reserve(3 * triangles);
   mesh.triangles.reserve(triangles);
@@ -44,17 +48,43 @@ R3::MeshData ReadBinary(const Text& file, std::size_t triangles) {
   return mesh;
 }
 
+std::size_t DeclaredTriangles(const Text& file) {
+  return Bytes(file.bytes, header_bytes, std::endian::little).Next<std::uint32_t>();
+}
+
+R3::MeshData ReadBinary(const Text& file, Report& report) {
+  const std::size_t size = file.bytes.size();
+  if (size < first_triangle)
+    Fail(file, "an .stl file must begin with 'solid', or be binary and have at least 84 bytes; this one has " +
+                   std::to_string(size));
+  const std::size_t triangles = DeclaredTriangles(file), end = first_triangle + triangle_bytes * triangles;
+  const std::string declared = "the header declares " + Counted(triangles, "face");
+  if (size < end)
+    Fail(file, declared + ", which need " + std::to_string(end) + " bytes, but the file has " + std::to_string(size));
+  const std::size_t surplus = size - end;
+  if (surplus > 0 && surplus % triangle_bytes == 0)
+    Fail(file, declared + ", but the file has " + std::to_string(surplus / triangle_bytes) + " more");
+  if (surplus > 0)
+    report.Warn(Escaped(file.name), Counted(surplus, "byte") + " behind the last face ignored; " + declared);
+  return ReadTriangles(file, triangles);
+}
+
 /// Reads: facet normal x y z, outer loop, three times vertex x y z, endloop, endfacet.
 class AsciiReader {
  public:
   explicit AsciiReader(const Text& file) : words_(file, Tokenizer::Comments::none) {}
 
   R3::MeshData Read() {
+    if (const auto& first = words_.Peek(); first && !IsInAnyCase(first->text, "solid"))
+      words_.Fail(*first, "an .stl file in text form must begin with 'solid', got " + Quoted(first->text));
     while (words_.Next()) {
-      if (words_.Last().text == "solid" || words_.Last().text == "endsolid") {
-        is_open_ = words_.Last().text == "solid";
+      if (IsLast("solid")) {
+        is_open_ = true;
         words_.SkipLine();  // its name
-      } else if (words_.Last().text == "facet") {
+      } else if (IsLast("endsolid")) {
+        is_open_ = false;
+        words_.SkipLine();
+      } else if (IsLast("facet")) {
         ReadFacet();
       } else {
         words_.Fail(words_.Last(), "expected facet, solid or endsolid, got " + Quoted(words_.Last().text));
@@ -68,7 +98,7 @@ class AsciiReader {
   void ReadFacet() {
     const std::size_t i = mesh_.triangles.size();
     Expect("normal", i);
-    for (const char* axis : {"x", "y", "z"}) words_.Number({axis, "the normal of face", i});
+    for (const char* axis : {"x", "y", "z"}) words_.AnyNumber({axis, "the normal of face", i});
     Expect("outer", i);
     Expect("loop", i);
     for (int corner = 0; corner < 3; ++corner) {
@@ -82,7 +112,18 @@ class AsciiReader {
 
   void Expect(const char* wanted, std::size_t face) {
     const Token word = words_.Need({wanted, "face", face});
-    if (word.text != wanted) words_.Fail(word, std::string("expected ") + wanted + ", got " + Quoted(word.text));
+    if (!IsLast(wanted)) words_.Fail(word, std::string("expected ") + wanted + ", got " + Quoted(word.text));
+  }
+
+  /// Whether the last word is this one, in capitals or not. "end solid" counts as "endsolid": then its second word has
+  /// been taken as well.
+  bool IsLast(std::string_view wanted) {
+    if (IsInAnyCase(words_.Last().text, wanted)) return true;
+    if (!wanted.starts_with("end") || !IsInAnyCase(words_.Last().text, "end")) return false;
+    const auto& next = words_.Peek();
+    if (!next || !IsInAnyCase(next->text, wanted.substr(3))) return false;
+    words_.Next();
+    return true;
   }
 
   MeshWords words_;
@@ -90,23 +131,27 @@ class AsciiReader {
   bool is_open_ = false;
 };
 
-// The two kinds do not say which they are: binary files, too, may begin with "solid". Only a binary one has exactly the
-// length that its count asks for.
-R3::MeshData ReadStl(const Text& file, Report&) {
-  const std::size_t size = file.bytes.size();
-  constexpr std::size_t start = header_bytes + sizeof(std::uint32_t);
-  const bool begins_with_solid = std::string_view(file.bytes).starts_with("solid");
-  if (size < start) {
-    if (begins_with_solid) return AsciiReader(file).Read();
-    Fail(file, "an .stl file must begin with 'solid', or be binary and have at least 84 bytes; this one has " +
-                   std::to_string(size));
-  }
-  const std::size_t triangles = Bytes(file.bytes, header_bytes, std::endian::little).Next<std::uint32_t>();
-  const std::size_t wanted = start + triangle_bytes * triangles;
-  if (size == wanted) return ReadBinary(file, triangles);
-  if (begins_with_solid) return AsciiReader(file).Read();
-  Fail(file, "the header declares " + std::to_string(triangles) + " faces, which need " + std::to_string(wanted) +
-                 " bytes, but the file has " + std::to_string(size));
+bool IsAsciiText(std::string_view bytes) {
+  return std::ranges::all_of(bytes, [](char c) { return (c >= ' ' && c <= '~') || (c >= '\t' && c <= '\r'); });
+}
+
+bool BeginsWithSolid(std::string_view bytes) {
+  const std::size_t first = bytes.find_first_not_of(" \t\r\n\xEF\xBB\xBF");  // or a byte order mark
+  return first != std::string_view::npos && BeginsInAnyCase(bytes.substr(first), "solid");
+}
+
+/// Whether a file is text. The two kinds do not say which they are, since binary files may begin with "solid" as well.
+/// One that is as long as its count asks for is binary. Otherwise no text has a NUL byte, but the count of a file of up
+/// to 800 MB has one.
+bool IsText(const Text& file) {
+  const std::string_view bytes = file.bytes, head = bytes.substr(0, first_triangle);
+  if (head.size() < first_triangle) return BeginsWithSolid(bytes);
+  if (bytes.size() == first_triangle + triangle_bytes * DeclaredTriangles(file)) return false;
+  return BeginsWithSolid(bytes) ? head.find('\0') == std::string_view::npos : IsAsciiText(head);
+}
+
+MeshFile ReadStl(const Text& file, Report& report) {
+  return {IsText(file) ? AsciiReader(file).Read() : ReadBinary(file, report)};
 }
 
 }  // namespace

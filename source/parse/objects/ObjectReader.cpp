@@ -16,6 +16,12 @@ const ObjectKind* FindKind(std::string_view name) {
   return nullptr;
 }
 
+std::string WithExtension(const std::string& mesh) {
+  const std::size_t slash = mesh.find_last_of('/');
+  const bool has_extension = mesh.find('.', slash == std::string::npos ? 0 : slash + 1) != std::string::npos;
+  return has_extension ? mesh : mesh + ".obj";
+}
+
 }  // namespace
 
 std::vector<std::string_view> ObjectReader::Kinds() {
@@ -35,31 +41,39 @@ std::optional<PlacedShape> ObjectReader::Read(std::string_view kind, Mapping& ob
   }
 }
 
+std::vector<Node> ObjectReader::NodesOf(Mapping& object, const PlacedShape& placed, int material) {
+  if (placed.model) return builder_.NodesOf(placed.model, material);
+  if (placed.shape->IsDegenerate()) report_.Warn(object.What().extent, "degenerate: no ray can hit it");
+  std::vector<Node> nodes(1);
+  nodes[0].shape = placed.shape;
+  nodes[0].material = material;
+  if (placed.bounds)
+    nodes[0].bounds = *placed.bounds;
+  else
+    SetBounds(nodes[0]);
+  return nodes;
+}
+
 void ObjectReader::Add(Mapping& object, PlacedShape placed, const std::optional<R3::Matrix>& transform,
                        const R3::Vector& motion, int material) {
   const Location location = LocationOf(0, report_.At(object.What().extent));
-  if (builder_.nodes >= options_.max_nodes)
+  const bool needs_group = placed.placement || transform || !(motion == R3::Vector{});
+  std::vector<Node> nodes = NodesOf(object, placed, material);
+  if (builder_.nodes + nodes.size() > options_.max_nodes)
     return report_.Error(object.What(), "is one node too many: the scene has more than " +
                                             std::to_string(options_.max_nodes) + " nodes");
-  if (placed.shape->IsDegenerate()) report_.Warn(object.What().extent, "degenerate: no ray can hit it");
-  Node node;
-  node.shape = std::move(placed.shape);
-  node.material = material;
-  node.location = location;
-  if (placed.bounds)
-    node.bounds = *placed.bounds;
-  else
-    SetBounds(node);
-  if (!placed.placement && !transform && motion == R3::Vector{}) return builder_.Add(std::move(node));
   Node group;
   group.location = location;
   group.motion = motion;
   const R3::Matrix outer = transform.value_or(R3::Matrix{});
   group.transform = placed.placement ? outer * *placed.placement : outer;
   if (IsSingular(group.transform)) report_.Warn(object.What().extent, "singular transform: it is not rendered");
-  builder_.OpenGroup(std::move(group));
-  builder_.Add(std::move(node));
-  builder_.CloseGroup();
+  if (needs_group) builder_.OpenGroup(std::move(group));
+  for (Node& node : nodes) {
+    node.location = location;
+    builder_.Add(std::move(node));
+  }
+  if (needs_group) builder_.CloseGroup();
 }
 
 template <class Function>
@@ -87,14 +101,20 @@ std::shared_ptr<const Environment> ObjectReader::EnvironmentNamed(const Field& n
   return environment;
 }
 
-Assets::BoxedMesh ObjectReader::MeshNamed(const Field& name, bool smooth) {
+Assets::BoxedMesh ObjectReader::MeshNamed(const Field& name, const Assets::Shading& shading) {
   Assets::BoxedMesh boxed;
   WithFile(name, [&](const std::string& word) {
-    const std::size_t slash = word.find_last_of('/');
-    const bool has_extension = word.find('.', slash == std::string::npos ? 0 : slash + 1) != std::string::npos;
-    boxed = assets_.Mesh(has_extension ? word : word + ".obj", report_.Source().Source().name, smooth);
+    boxed = assets_.Mesh(WithExtension(word), report_.Source().Source().name, shading);
   });
   return boxed;
+}
+
+std::shared_ptr<const Assets::Model> ObjectReader::ModelNamed(const Field& name, const Assets::Shading& shading) {
+  std::shared_ptr<const Assets::Model> model;
+  WithFile(name, [&](const std::string& word) {
+    model = assets_.ModelNamed(WithExtension(word), report_.Source().Source().name, shading);
+  });
+  return model;
 }
 
 Scene ObjectReader::Finish() {

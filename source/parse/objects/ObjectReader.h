@@ -18,8 +18,9 @@ namespace ray {
 /// A shape and where it stands.
 struct PlacedShape {
   std::shared_ptr<const R3::Shape> shape;
-  std::optional<R3::Matrix> placement{};  // of the shape in its object's coordinates
-  std::optional<R3::Box> bounds{};        // of the shape, where they are known already
+  std::optional<R3::Matrix> placement{};         // of the shape in its object's coordinates
+  std::optional<R3::Box> bounds{};               // of the shape, where they are known already
+  std::shared_ptr<const Assets::Model> model{};  // instead of a shape
 };
 
 /// The geometry of objects in YAML and JSON scenes. Each kind is a line of a table with the keys that describe it; the
@@ -49,7 +50,8 @@ class ObjectReader {
   /// Null, and a mistake told, where the file cannot be read.
   std::shared_ptr<const Texture> Image(const Field& name, Assets::Use use);
   std::shared_ptr<const Environment> EnvironmentNamed(const Field& name);
-  Assets::BoxedMesh MeshNamed(const Field& name, bool smooth);
+  Assets::BoxedMesh MeshNamed(const Field& name, const Assets::Shading& shading);
+  std::shared_ptr<const Assets::Model> ModelNamed(const Field& name, const Assets::Shading& shading);
 
   SceneBuilder& Builder() { return builder_; }
   DocumentReport& Reporter() { return report_; }
@@ -59,6 +61,8 @@ class ObjectReader {
  private:
   template <class Function>
   void WithFile(const Field& name, const Function& read);
+  /// What a placed shape is made of, in one material unless it has its own.
+  std::vector<Node> NodesOf(Mapping& object, const PlacedShape& placed, int material);
 
   DocumentReport& report_;
   const ParseOptions& options_;

@@ -30,7 +30,7 @@ std::optional<PlacedShape> MeshOf(Mapping& object, const Corners& corners, std::
   if (const char* const fault = FaultOfPolygon(corners))
     object.Reporter().Warn(object.What().extent, std::string("this shape ") + fault);
   const auto cuts = Triangulate(corners);
-  if (!cuts) {
+  if (!cuts || (corners.size() > max_concave_corners && cuts != Fan(corners.size()))) {
     object.Reporter().Error(object.What(),
                             "has more than " + std::to_string(max_concave_corners) + " corners and is not convex");
     return {};
@@ -88,6 +88,44 @@ std::optional<Field> NeedFile(Mapping& object) {
   return object.Need({"file", "name"});
 }
 
+Assets::Shading ReadShading(Mapping& object) {
+  using Normals = Assets::Shading::Normals;
+  const bool is_smooth = object.Bool({"smooth"}, false);
+  constexpr Range angles{0, 180, true};
+  if (const auto angle = object.Find({"smooth_angle"})) return {Normals::by_angle, angle->Number(angles).value_or(0)};
+  return {is_smooth ? Normals::wanted : Normals::of_triangles};
+}
+
+/// One positive number, or three numbers.
+R3::Vector FactorsOf(const std::optional<Field>& field) {
+  const R3::Vector none{1, 1, 1};
+  if (!field) return none;
+  if (field->IsList()) return field->Vector().value_or(none);
+  const double all = field->Number(positive).value_or(1);
+  return {all, all, all};
+}
+
+/// Moves a box to the origin and makes its longest side 2, as the library GLM of Nate Robins does with models.
+R3::Matrix Unitizing(const R3::Box& box) {
+  if (box.IsEmpty() || !(MaxComponent(box.Size()) > 0)) return {};
+  const double factor = 2 / MaxComponent(box.Size());
+  return Scaling({factor, factor, factor}) * Translation(R3::Point{} - box.Center());
+}
+
+/// Without bounds after a mistake.
+PlacedShape NamedMesh(ObjectReader& reader, const Field& file, const Assets::Shading& shading, bool has_materials) {
+  if (!has_materials) {
+    const Assets::BoxedMesh boxed = reader.MeshNamed(file, shading);
+    if (!boxed.mesh) return {};
+    return {.shape = boxed.mesh, .bounds = boxed.bounds};
+  }
+  const auto model = reader.ModelNamed(file, shading);
+  if (!model) return {};
+  R3::Box bounds;
+  for (const Assets::Model::Part& part : model->parts) bounds.Extend(part.mesh.bounds);
+  return {.shape = nullptr, .bounds = bounds, .model = model};
+}
+
 }  // namespace
 
 std::optional<PlacedShape> ReadTriangle(ObjectReader&, Mapping& object, const ObjectReader::Options&) {
@@ -136,21 +174,20 @@ std::optional<PlacedShape> ReadPolygon(ObjectReader&, Mapping& object, const Obj
 
 std::optional<PlacedShape> ReadMeshFile(ObjectReader& reader, Mapping& object, const ObjectReader::Options&) {
   const auto file = NeedFile(object);
-  const bool smooth = object.Bool({"smooth"}, false);
+  const Assets::Shading shading = ReadShading(object);
+  const bool has_materials = object.Bool({"materials"}, false);
   const R3::Vector position = object.Vector({"position", "offset"}).value_or(R3::Vector{});
   const R3::Vector turn = object.Vector({"rotation"}).value_or(R3::Vector{});
-  R3::Vector scale{1, 1, 1};
-  if (const auto field = object.Find({"scale", "size", "scalefactor", "scaleFactor"})) {
-    if (field->IsList())
-      scale = field->Vector().value_or(scale);
-    else if (const auto all = field->Number(positive))
-      scale = {*all, *all, *all};
-  }
+  const R3::Vector scale = FactorsOf(object.Find({"scale", "scalefactor", "scaleFactor"}));
+  const auto size = object.Find({"size"});
+  const R3::Vector half_size = FactorsOf(size);
   if (!file) return {};
-  const Assets::BoxedMesh boxed =
-      reader.MeshNamed(*file, smooth);  // whatever else is wrong: all files missing are told
-  if (!boxed.mesh || !object.IsGood()) return {};
-  return PlacedShape{boxed.mesh, Translation(position) * TurnOf(turn) * Scaling(scale), boxed.bounds};
+  PlacedShape placed =
+      NamedMesh(reader, *file, shading, has_materials);  // whatever else is wrong: all files missing are told
+  if (!placed.bounds || !object.IsGood()) return {};
+  const R3::Matrix placement = Translation(position) * TurnOf(turn) * Scaling(scale);
+  placed.placement = size ? placement * Scaling(half_size) * Unitizing(*placed.bounds) : placement;
+  return placed;
 }
 
 }  // namespace ray

@@ -15,6 +15,11 @@ R3::Vector BeforeUnit(const R3::Vector& unit) {
   return unit;
 }
 
+template <class Number>
+std::string Numbers(Number a, Number b, Number c) {
+  return " " + ToText(a) + " " + ToText(b) + " " + ToText(c);
+}
+
 std::string Corner(std::uint32_t index, bool has_uv, bool has_normal) {
   const std::string number = std::to_string(index + 1);
   if (!has_uv && !has_normal) return number;
@@ -27,13 +32,18 @@ std::string ObjText(const R3::Mesh& mesh) {
   const R3::MeshData& data = mesh.Data();
   const bool has_uv = !data.uvs.empty(), has_normal = mesh.IsSmooth();
   std::string text;
-  const auto triple = [&](const char* command, const R3::Vector& v) {
-    text += command + ToText(v.x) + " " + ToText(v.y) + " " + ToText(v.z) + "\n";
-  };
-  for (const R3::Point& place : data.positions) triple("v ", FromOrigin(place));
+  for (std::size_t i = 0; i < data.positions.size(); ++i) {
+    const R3::Point& p = data.positions[i];
+    text += "v" + Numbers(p.x, p.y, p.z);
+    if (!data.colors.empty()) text += Numbers(data.colors[i][0], data.colors[i][1], data.colors[i][2]);
+    text += "\n";
+  }
   for (const R2::Point& uv : data.uvs) text += "vt " + ToText(uv.x) + " " + ToText(uv.y) + "\n";
   if (has_normal)
-    for (const R3::Normal& normal : data.normals) triple("vn ", BeforeUnit(AsVector(normal)));
+    for (const R3::Normal& normal : data.normals) {
+      const R3::Vector n = BeforeUnit(AsVector(normal));
+      text += "vn" + Numbers(n.x, n.y, n.z) + "\n";
+    }
   for (const auto& triangle : data.triangles) {
     text += "f";
     for (const std::uint32_t index : triangle) text += " " + Corner(index, has_uv, has_normal);

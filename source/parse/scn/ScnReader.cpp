@@ -165,6 +165,13 @@ int ScnReader::ReadMaterial(Statement& statement) {
   return known[static_cast<std::size_t>(id)];
 }
 
+bool ScnReader::IsDefaultGray(int material) const {
+  if (material != Node::inherit) return material == default_material;
+  return std::ranges::all_of(builder_.open_groups, [](const Node& group) {
+    return group.material == Node::inherit || group.material == default_material;
+  });
+}
+
 Node* ScnReader::InnermostGroup() { return Current().begins.empty() ? nullptr : &builder_.open_groups.back(); }
 
 Material* ScnReader::ReadOwnMaterial(Statement& statement) {

@@ -33,6 +33,8 @@ class ScnReader {
   /// Reads a material id; gives an index into Scene::materials, or Node::inherit. At the top level of an included file,
   /// inheriting means the default material and not the enclosing group's: so the course's reader has it.
   int ReadMaterial(Statement& statement);
+  /// Whether that material is the default one here, since no group around gives another.
+  bool IsDefaultGray(int material) const;
   /// A material that the file itself has defined, to be added to; null after an error.
   Material* ReadOwnMaterial(Statement& statement);
   /// The material of the file's next id, to be filled in; valid until the next.

@@ -39,7 +39,7 @@ const char* PolygonCommandOf(const R3::Mesh& mesh, const Material& material) {
   const R3::MeshData& data = mesh.Data();
   const std::size_t corners = data.positions.size();
   const std::size_t most_corners = IsBlack(material.emission) ? most_spelled_out : max_concave_corners;
-  if (!data.is_one_polygon || corners < 3 || corners > most_corners) return nullptr;
+  if (!data.is_one_polygon || !data.colors.empty() || corners < 3 || corners > most_corners) return nullptr;
   const auto cuts = Triangulate(data.positions);
   if (!cuts) return nullptr;
   R3::MeshData again;
@@ -117,6 +117,7 @@ class ScnWriter {
     if (m.priority != 0) Say("priority", id, m.priority);
     if (m.coat != 0) Say("coat", id, m.coat);
     if (m.texture_multiplies_ka) Say("texture_ambient", id);
+    if (m.has_vertex_colors) Say("vertex_colors", id);
     if (m.color) Say("flat_color", id, *m.color);
     if (m.gloss > 0) Say("gloss", id, m.gloss, m.gloss_samples);
     if (m.normal_map)
@@ -204,7 +205,7 @@ class ScnWriter {
              (setting.value == "uv" || setting.value == "uv_color" || setting.value == "id");
     };
     return mesh.File().empty() && !mesh.IsSmooth() && mesh.Elements() <= most_spelled_out && !material.texture &&
-           !material.bump && !material.normal_map && IsBlack(material.emission) &&
+           !material.bump && !material.normal_map && !material.has_vertex_colors && IsBlack(material.emission) &&
            std::none_of(scene_.settings.begin(), scene_.settings.end(), shows_more);
   }
 
@@ -246,7 +247,8 @@ class ScnWriter {
       return {};
     }
     if (name.starts_with("../")) written_.other_folders.insert(std::filesystem::path(file).parent_path().string());
-    const bool means_something_else = name == "0" || name.starts_with('#');  // no texture; a comment
+    // No texture; a comment, also behind a number.
+    const bool means_something_else = name == "0" || name.find('#') != std::string::npos;
     return means_something_else ? "./" + name : name;
   }
 

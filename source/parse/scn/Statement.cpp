@@ -71,6 +71,12 @@ bool Statement::Takes(std::string_view word) {
   return true;
 }
 
+std::optional<Token> Statement::TakesNumber() {
+  const auto& next = tokens_.Peek();
+  if (!next || next->starts_line || (ParseNumber(next->text).problem && !SaysNanOrInfinity(next->text))) return {};
+  return tokens_.Next();
+}
+
 void Statement::Error(const Token& at, std::string message, std::string hint) {
   errors_.push_back(ErrorAt(tokens_.Source(), at, std::move(message), std::move(hint)));
 }

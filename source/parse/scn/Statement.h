@@ -38,6 +38,8 @@ class Statement {
   std::vector<Token> RestOfLine();
   /// Whether the next word is this one, which is then taken.
   bool Takes(std::string_view word);
+  /// The next word if it is, or was meant as, a number, which then is taken; no statement begins with one.
+  std::optional<Token> TakesNumber();
 
   void Error(const Token& at, std::string message, std::string hint = {});
   const Command& What() const { return command_; }

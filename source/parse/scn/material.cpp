@@ -92,6 +92,12 @@ void ReadTextureAmbient(ScnReader& reader, Statement& statement) {
   if (material && statement.IsGood()) material->texture_multiplies_ka = true;
 }
 
+/// An extension: what scanners and painting programs give to vertices.
+void ReadVertexColors(ScnReader& reader, Statement& statement) {
+  Material* material = reader.ReadOwnMaterial(statement);
+  if (material && statement.IsGood()) material->has_vertex_colors = true;
+}
+
 const std::array<R3::Argument, 1> height{{{"height"}}};
 
 /// An extension: the luminance of a picture, times a height, is how far the surface seems to rise.
@@ -165,6 +171,9 @@ extern const Command flat_color_command{
     ReadColorOfMaterial<&Material::color>};
 extern const Command texture_ambient_command{"texture_ambient", "texture_ambient mat_id",
                                              "the material's texture multiplies ka as well as kd", ReadTextureAmbient};
+extern const Command vertex_colors_command{
+    "vertex_colors", "vertex_colors mat_id",
+    "the colors that a mesh gives to its vertices multiply kd, and ka with 'texture_ambient'", ReadVertexColors};
 extern const Command material_command{
     "material", "material" + ArgumentNames(material_arguments) + " texture",
     "ambient, diffuse, specular, transmission, emission, Phong exponent, index of refraction, image file or 0; ids "

@@ -3,6 +3,7 @@
 #include "R3/Segment.h"
 #include "R3/ShapeKind.h"
 #include "source/parse/scn/ScnReader.h"
+#include "source/text/Number.h"
 
 namespace ray {
 namespace {
@@ -18,17 +19,45 @@ void ReadShape(const R3::ShapeKind& kind, ScnReader& reader, Statement& statemen
   }
 }
 
+/// "smooth", "smooth 30" or neither.
+Assets::Shading ReadShading(Statement& statement) {
+  using Normals = Assets::Shading::Normals;
+  if (!statement.Takes("smooth")) return {Normals::of_triangles};
+  const auto number = statement.TakesNumber();
+  if (!number) return {Normals::wanted};
+  const auto [degrees, problem] = ParseNumber(number->text);
+  if (problem || !(degrees > 0 && degrees <= 180))
+    statement.Error(*number, "smooth must be followed by degrees above 0, up to 180, got " + Quoted(number->text));
+  return {Normals::by_angle, degrees};
+}
+
+/// With the materials of the file for what it gives some to.
+void ReadModel(ScnReader& reader, Statement& statement, int material, const Token& name,
+               const Assets::Shading& shading) {
+  std::shared_ptr<const Assets::Model> model;
+  reader.WithFile(statement, name,
+                  [&] { model = reader.Library().ModelNamed(std::string(name.text), reader.CurrentFile(), shading); });
+  if (!model || !statement.IsGood()) return;
+  for (Node& node : reader.Builder().NodesOf(model, material)) reader.AddNode(statement, std::move(node));
+}
+
 void ReadMesh(ScnReader& reader, Statement& statement) {
   Node node;
   node.material = reader.ReadMaterial(statement);
   const Token name = statement.Word("file name");
-  const bool smooth = statement.Takes("smooth");
+  const Assets::Shading shading = ReadShading(statement);
+  if (statement.Takes("materials")) return ReadModel(reader, statement, node.material, name, shading);
+  bool has_look = false;
   reader.WithFile(statement, name, [&] {
-    const auto boxed = reader.Library().Mesh(std::string(name.text), reader.CurrentFile(), smooth);
+    const auto boxed = reader.Library().Mesh(std::string(name.text), reader.CurrentFile(), shading);
     node.shape = boxed.mesh;
     node.bounds = boxed.bounds;  // not SetBounds, which would walk over all triangles again at each use
+    has_look = boxed.has_look;
   });
-  if (node.shape && statement.IsGood()) reader.AddNode(statement, std::move(node));
+  if (!node.shape || !statement.IsGood()) return;
+  if (has_look && reader.IsDefaultGray(node.material))
+    reader.Warn(statement, "the mesh is gray; 'materials' behind its name shows those of its file");
+  reader.AddNode(statement, std::move(node));
 }
 
 const std::array<R3::Argument, 6> line_arguments{{{"x1"}, {"y1"}, {"z1"}, {"x2"}, {"y2"}, {"z2"}}};
@@ -51,8 +80,12 @@ Command ShapeCommand(const R3::ShapeKind& kind) {
           [&kind](ScnReader& reader, Statement& statement) { ReadShape(kind, reader, statement); }};
 }
 
-extern const Command mesh_command{"mesh", "mesh mat_id file [smooth]",
-                                  "the triangles of a file, flat-shaded, or smooth with the vertex normals of the file",
+extern const Command mesh_command{"mesh", "mesh mat_id file [smooth [degrees]] [materials]",
+                                  "the triangles of a file, flat-shaded; smooth with the file's vertex normals or "
+                                  "smoothing groups, or with normals made "
+                                  "of triangles that differ by up to so many degrees; with the file's own materials "
+                                  "and vertex colors, mat_id for the "
+                                  "rest",
                                   ReadMesh};
 extern const Command line_command{"line", "line mat_id" + ArgumentNames(line_arguments),
                                   "a line segment that the viewer draws and no ray hits", ReadLine};

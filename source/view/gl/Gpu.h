@@ -14,7 +14,7 @@
 namespace ray {
 
 struct GpuSurfaces {
-  Buffer vertices, uvs, indices, lights;
+  Buffer vertices, uvs, colors, indices, lights;
   VertexArray shaded;  // with normals and texture coordinates
   VertexArray plain;   // with positions alone
   std::vector<SurfaceBatch> batches;

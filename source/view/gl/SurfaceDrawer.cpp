@@ -54,7 +54,7 @@ out vec4 color;
 void main() { color = vec4(ink, strength); }
 )";
 
-constexpr GLuint at_location = 0, normal_location = 1, uv_location = 2, lights_binding = 0;
+constexpr GLuint at_location = 0, normal_location = 1, uv_location = 2, color_location = 3, lights_binding = 0;
 constexpr GLint paint_unit = 0, relief_unit = 1, environment_unit = 2, shadows_unit = 3, normal_map_unit = 4;
 constexpr int most_texels = 2048;  // per side of a texture or environment: 24 MB in half precision
 constexpr double rim = 0.25;       // brightness at the rim of a full mirror that shows nothing
@@ -121,7 +121,8 @@ SurfaceFeatures FeaturesOf(const ScenePicture& picture) {
       std::ranges::any_of(picture.diffuse_light.factors, [](const R2::Color& c) { return !IsBlack(c); });
   features.discs = std::ranges::any_of(picture.lights.lights, &PreviewLight::is_disc);
   for (const SurfaceBatch& batch : picture.surfaces.batches) {
-    features.textures |= batch.material.texture != nullptr;
+    features.vertex_colors |= batch.material.has_vertex_colors;
+    features.textures |= batch.material.texture || batch.material.has_vertex_colors;
     features.bumps |= batch.material.bump != nullptr;
     features.normal_maps |= batch.material.normal_map != nullptr;
     features.clear |= !IsBlack(batch.material.kt);
@@ -150,6 +151,12 @@ void UploadTriangles(GpuSurfaces& uploaded, const Surfaces& surfaces) {
     glBindBuffer(GL_ARRAY_BUFFER, uploaded.uvs.Name());
     glBufferData(GL_ARRAY_BUFFER, Bytes(surfaces.uvs), surfaces.uvs.data(), GL_STATIC_DRAW);
     Describe(uv_location, 2, GL_FLOAT, sizeof(surfaces.uvs[0]), 0);
+    glBindBuffer(GL_ARRAY_BUFFER, uploaded.vertices.Name());
+  }
+  if (!surfaces.colors.empty()) {
+    glBindBuffer(GL_ARRAY_BUFFER, uploaded.colors.Name());
+    glBufferData(GL_ARRAY_BUFFER, Bytes(surfaces.colors), surfaces.colors.data(), GL_STATIC_DRAW);
+    Describe(color_location, 3, GL_FLOAT, sizeof(surfaces.colors[0]), 0);
     glBindBuffer(GL_ARRAY_BUFFER, uploaded.vertices.Name());
   }
   glBindVertexArray(uploaded.plain.Name());
@@ -288,7 +295,7 @@ void SurfaceDrawer::UseMaterial(const ShaderProgram& program, const GpuSurfaces&
   Set(program, "least_rim", rim * std::max(Luminance(m.kr), Luminance(m.kt)));
   if (surfaces.features.textures) {
     glUniform1i(program["is_painted"], m.texture ? 1 : 0);
-    glUniform1i(program["is_ambient_painted"], m.texture && m.texture_multiplies_ambient ? 1 : 0);
+    glUniform1i(program["is_ambient_painted"], m.texture_multiplies_ambient ? 1 : 0);
     if (m.texture) glBindTexture(GL_TEXTURE_2D, surfaces.textures.at(m.texture.get()).Name());
   }
   const auto bind = [&](GLint unit, const Texture& relief) {

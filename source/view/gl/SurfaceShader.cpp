@@ -9,15 +9,14 @@ constexpr const char* vertex_shader = R"(
 layout(location = 0) in vec3 at;
 layout(location = 1) in vec4 normal;
 layout(location = 2) in vec2 uv;
+layout(location = 3) in vec3 color;
 uniform mat4 clip_from_drawing;
-out vec3 position;
-out vec3 outward;
+out vec3 position, outward, vertex_color;
 out vec2 place;  // on the texture
 void main() {
   gl_Position = clip_from_drawing * vec4(at, 1);
-  position = at;
-  outward = normal.xyz;
-  place = uv;
+  position = at, outward = normal.xyz;
+  place = uv, vertex_color = color;
 }
 )";
 
@@ -321,6 +320,9 @@ void main() {
   vec3 diffuse = kd, sum = emission, mirrored = kr, transmitted = through;
 #ifdef TEXTURES
   vec3 painted = is_painted != 0 ? texture(paint, place).rgb : vec3(1);
+#ifdef VERTEX_COLORS
+  painted *= vertex_color;
+#endif
   diffuse *= painted;
   sum += (is_ambient_painted != 0 ? painted : vec3(1)) * ambient;
 #else
@@ -375,6 +377,7 @@ std::string SurfaceFragmentShader(const SurfaceFeatures& features) {
   text += lights;
   text += features.environment ? environment : background;
   add(features.textures, "TEXTURES", textures);
+  add(features.vertex_colors, "VERTEX_COLORS", "in vec3 vertex_color;\n");
   add(features.bumps, "BUMPS", bumps);
   add(features.normal_maps, "NORMAL_MAPS", normal_maps);
   add(features.diffuse_light, "DIFFUSE_LIGHT", diffuse_light);

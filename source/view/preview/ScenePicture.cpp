@@ -110,6 +110,7 @@ SurfaceMaterial LookOf(const Material& m, const Scene& scene, const DrawingSpace
   look.lobe = IsGlossy(m, trace) ? LobeWidth(GlossExponent(m)) : 0;
   look.texture = m.texture, look.bump = m.bump, look.normal_map = m.normal_map;
   look.texture_multiplies_ambient = m.texture_multiplies_ka;
+  look.has_vertex_colors = m.has_vertex_colors;
   look.bump_height = m.bump_height / space.radius;
   return look;
 }
@@ -134,6 +135,7 @@ class Builder {
       : world_(world), trace_(trace), space_(space), budget_(budget), plan_(PlanFor(world, budget)) {
     for (const Instance& instance : world.Instances())
       has_textures_ |= instance.material->texture || instance.material->bump || instance.material->normal_map;
+    for (const Instance& instance : world.Instances()) has_colors_ |= instance.material->has_vertex_colors;
   }
 
   ScenePicture Run() {
@@ -190,10 +192,14 @@ class Builder {
     const std::size_t first = vertices.size();
     vertices.resize(first + (is_flat ? 3 * data.triangles.size() : data.positions.size()));
     if (has_textures_) uvs.resize(vertices.size());
+    auto& colors = picture_.surfaces.colors;
+    if (has_colors_) colors.resize(vertices.size(), {1, 1, 1});
+    const bool is_colored = instance.material->has_vertex_colors && !data.colors.empty();
 
     const auto set = [&](std::size_t vertex, std::size_t i, const R3::Normal& normal) {
       const R3::Vector N = AsVector(world_from_local * normal);
       vertices[vertex] = {space_.At(world_from_local * data.positions[i]), Packed(N.x, N.y, N.z)};
+      if (is_colored) colors[vertex] = data.colors[i];
       if (has_textures_ && !data.uvs.empty()) uvs[vertex] = {AsFloat(data.uvs[i].x), AsFloat(data.uvs[i].y)};
     };
     if (is_flat)
@@ -268,7 +274,7 @@ class Builder {
   const DrawingSpace& space_;
   const PictureBudget& budget_;
   Plan plan_;
-  bool has_textures_ = false;
+  bool has_textures_ = false, has_colors_ = false;
   std::vector<Draft> drafts_;
   std::unordered_map<const Material*, std::size_t> number_of_;
   R3::MeshData data_;

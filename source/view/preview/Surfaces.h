@@ -22,7 +22,8 @@ struct SurfaceMaterial {
   double n = 1, ir = 1, coat = 0;
   double lobe = 0;  // angle, in radians, over which a glossy reflection is spread; 0: mirrored
   std::shared_ptr<const Texture> texture, bump, normal_map;  // null for none
-  bool texture_multiplies_ambient = false;
+  bool texture_multiplies_ambient = false;                   // and vertex colors
+  bool has_vertex_colors = false;
   double bump_height = 0;  // in the drawing space
 };
 
@@ -36,8 +37,9 @@ struct SurfaceBatch {
 /// Triangles in batches, the opaque ones first. Fronts are outside.
 struct Surfaces {
   std::vector<SurfaceVertex> vertices;
-  std::vector<std::array<float, 2>> uvs;  // one per vertex, or none where no material has a texture
-  std::vector<std::uint32_t> indices;     // three per triangle
+  std::vector<std::array<float, 2>> uvs;     // one per vertex, or none where no material has a texture
+  std::vector<std::array<float, 3>> colors;  // one per vertex, or none where no material has them
+  std::vector<std::uint32_t> indices;        // three per triangle
   std::vector<SurfaceBatch> batches;
 };
 

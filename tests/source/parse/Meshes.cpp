@@ -13,24 +13,14 @@
 #include "source/parse/meshes/Polygon.h"
 #include "tests/Project.h"
 #include "tests/source/parse/Folder.h"
+#include "tests/source/parse/ReadMesh.h"
 
 namespace ray {
 namespace {
 
 using Triangles = std::vector<std::array<std::uint32_t, 3>>;
 
-struct ReadMesh {
-  R3::MeshData data;
-  std::vector<std::string> warnings;
-};
-
-ReadMesh Read(const std::string& name, std::string bytes) {
-  Report report;
-  const Text text{name, std::move(bytes)};
-  ReadMesh read{MeshFormatForName(name)->read(text, report), {}};
-  read.warnings = report.Warnings();
-  return read;
-}
+ReadMesh Read(const std::string& name, std::string bytes) { return MeshOfBytes(name, std::move(bytes)); }
 
 std::string ErrorOf(const std::string& name, std::string bytes) {
   try {
@@ -104,9 +94,10 @@ TEST(Off, NumbersThatTheHeaderDoesNotNameAreNotDroppedSilently) {
   const auto read = Read("a.off", "OFF 3 1 0\n0 0 0 1\n1 0 0 1\n0 1 0 1\n3 0 1 2\n");
   ASSERT_EQ(read.warnings.size(), 1u);
   EXPECT_EQ(read.warnings[0],
-            "a.off: warning: 3 vertices have more numbers than the header declares; the rest is ignored");
+            "a.off:2:7: warning: 3 vertices have ignored numbers behind those that the header declares, the first of "
+            "them here");
   EXPECT_EQ(Read("a.off", "OFF 3 1 0\n0 0 0 1\n1 0 0\n0 1 0\n3 0 1 2\n").warnings.at(0),
-            "a.off: warning: 1 vertex has more numbers than the header declares; the rest is ignored");
+            "a.off:2:7: warning: 1 vertex has ignored numbers behind those that the header declares");
 }
 
 TEST(Off, FacesMissingOrToSpareAreAWarning) {
@@ -161,10 +152,13 @@ TEST(Extremes, D8_IndicesThatNameNoVertexAreErrorsWithTheirPlace) {
     const std::string ray = std::string("#vertex 0 0 0 0 0 1 0 0\n#shape_triangle 0 0 0 ") + index;
     EXPECT_TRUE(Contains(ErrorOf("a.ray", ray), "a.ray:2:23: error: a corner of face 0 must be")) << index;
   }
-  for (const char* index : {"4", "-4", "0", "2147483648", "4294967297", "1.5", "x", "", "/1"})
-    EXPECT_TRUE(
-        Contains(ErrorOf("a.obj", std::string("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3/1/1") + index), "a.obj:4:7: error:"))
-        << index;
+  const std::string vertices = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+  for (const std::string index : {"4", "-4", "0", "2147483648", "4294967297", "1.5", "x"}) {
+    EXPECT_TRUE(Contains(ErrorOf("a.obj", vertices + "f 1 2 " + index), "a.obj:4:7: error:")) << index;
+    EXPECT_TRUE(Contains(ErrorOf("a.obj", vertices + "vt 0 0\nvt 1 0\nf 1/1 2/1 3/" + index), "a.obj:6:11: error:"));
+    EXPECT_TRUE(Contains(ErrorOf("a.obj", vertices + "vn 0 0 1\nf 1 2 3//" + index), "a.obj:5:7: error:")) << index;
+  }
+  EXPECT_TRUE(Contains(ErrorOf("a.obj", vertices + "f 1 2 3/1/1/1"), "a.obj:4:7: error:"));
 }
 
 TEST(Extremes, D8_AFaceOf65536CornersIsCutUp) {
@@ -177,18 +171,6 @@ TEST(Extremes, D8_AFaceOf65536CornersIsCutUp) {
     face += " " + std::to_string(i);
   }
   EXPECT_EQ(Read("a.off", off + face).data.triangles.size(), n - 2u);
-}
-
-TEST(Extremes, D8_AConcaveFaceOfMoreThan256CornersIsCutAsAFanWithAWarning) {
-  std::string off = "OFF 1026 1 0\n", face = "1026";
-  for (int i = 0; i < 1026; ++i) {
-    off += std::to_string(i) + " " + std::to_string(i % 2 ? 0 : i == 0 || i == 1025 ? 9 : 1) + " 0\n";
-    face += " " + std::to_string(i);
-  }
-  const auto read = Read("a.off", off + face);
-  EXPECT_EQ(read.data.triangles.size(), 1024u);
-  ASSERT_EQ(read.warnings.size(), 1u);
-  EXPECT_EQ(read.warnings[0], "a.off: warning: concave faces with more than 256 corners, triangulated as if convex: 1");
 }
 
 double AreaOf(const Triangles& cuts, std::span<const R3::Point> polygon) {
@@ -209,6 +191,58 @@ TEST(Extremes, D9_AConcaveFaceIsCutIntoTrianglesThatCoverItOnce) {
                                     {3, 2, 0}, {2, 2, 0}, {2, 1, 0}, {1, 1, 0}, {1, 2, 0}, {0, 2, 0}};
   EXPECT_NEAR(AreaOf(*Triangulate(comb), comb), 8, 1e-12);
   EXPECT_EQ(Triangulate(comb)->size(), comb.size() - 2);
+}
+
+double Shoelace(std::span<const R3::Point> polygon) {
+  double twice = 0;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const R3::Point &p = polygon[i], &q = polygon[(i + 1) % polygon.size()];
+    twice += p.x * q.y - q.x * p.y;
+  }
+  return twice / 2;
+}
+
+/// Counter-clockwise, of n corners: a comb whose teeth are of different lengths, a star, and a strip that winds to the
+/// middle and is as wide as the gaps between its turns.
+std::vector<std::vector<R3::Point>> ConcavePolygons(int n) {
+  std::vector<R3::Point> comb{{0, -9, 0}, {n - 1.0, -9, 0}}, star, spiral;
+  for (int i = n - 3; i >= 0; --i) comb.push_back({i + 0.5, i % 2 ? 0 : 5.0 + i * 37 % 101, 0});
+  for (int i = 0; i < n; ++i) {
+    const double angle = 2 * 3.14159265358979 * i / n, radius = i % 2 ? 1 : 5 + i * 37 % 101;
+    star.push_back({radius * std::cos(angle), radius * std::sin(angle), 0});
+  }
+  const auto wound = [](double t, double radius) { return R3::Point{radius * std::cos(t), radius * std::sin(t), 0}; };
+  for (int i = 0; i < n / 2; ++i) spiral.push_back(wound(0.05 * i, 10 + 0.05 * i));
+  for (int i = n / 2; i-- > 0;) spiral.push_back(wound(0.05 * i, 10 + 0.05 * i - 3.14159));
+  if (Shoelace(spiral) < 0) std::ranges::reverse(spiral);
+  return {comb, star, spiral};
+}
+
+TEST(Extremes, D9_AConcaveFaceOf5000CornersIsCutIntoTrianglesThatCoverItOnce) {
+  for (const int n : {300, 5000})
+    for (const auto& polygon : ConcavePolygons(n)) {
+      const auto cuts = Triangulate(polygon);
+      ASSERT_TRUE(cuts);
+      EXPECT_EQ(cuts->size(), polygon.size() - 2);
+      const double area = Shoelace(polygon);
+      EXPECT_NEAR(AreaOf(*cuts, polygon), area, 1e-9 * area);
+    }
+}
+
+TEST(Extremes, D9_AFaceThatTakesTooLongIsCutAsAFanWithAWarning) {
+  // Crosses itself very often, so that hardly any corner is an ear.
+  constexpr int n = 20'001;
+  std::string off = "OFF " + std::to_string(n) + " 1 0\n", face = std::to_string(n);
+  for (int i = 0; i < n; ++i) {
+    const double angle = 2 * 3.14159265358979 * i * (n / 2) / n;
+    off += std::to_string(std::cos(angle) * 1e6) + " " + std::to_string(std::sin(angle) * 1e6) + " 0\n";
+    face += " " + std::to_string(i);
+  }
+  const auto read = Read("a.off", off + face);
+  EXPECT_EQ(read.data.triangles.size(), n - 2u);
+  EXPECT_EQ(
+      read.warnings,
+      (std::vector<std::string>{"a.off: warning: concave faces with very many corners, triangulated as if convex: 1"}));
 }
 
 TEST(Extremes, D9_EveryEdgeOfAFaceStaysAnEdgeOfItsTriangles) {
@@ -517,7 +551,7 @@ TEST(Meshes, AFileOfAMeshIsASceneOfItsOwn) {
   const ParsedScene parsed = Parse(file, {});
   EXPECT_EQ(parsed.warnings, std::vector<std::string>{}) << "nobody asked for normals";
   const Scene& scene = parsed.scene;
-  ASSERT_EQ(scene.root.children.size(), 1u);
+  ASSERT_EQ(scene.root.children.size(), 2u) << "and the ground";
   EXPECT_EQ(scene.root.children[0].shape->Elements(), 20);
   EXPECT_EQ(scene.files, std::vector<std::string>{file.string()});
   EXPECT_FALSE(scene.lights.empty());

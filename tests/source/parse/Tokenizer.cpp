@@ -48,6 +48,31 @@ TEST(Tokenizer, ACommentBeginsOnlyAtTheStartOfAWord) {
   EXPECT_EQ(Words("#vertex 1", Tokenizer::Comments::none), "#vertex@1:1! 1@1:9 ");
 }
 
+// Else the number before the # would be read, and the words behind it would be left out.
+TEST(Tokenizer, ANanOfOlderWindowsLibrariesIsNoNumberWithAComment) {
+  EXPECT_EQ(Words("2 1.#QNAN 3"), "2@1:1! 1.#QNAN@1:3 3@1:11 ");
+  EXPECT_EQ(Words("-1.#IND00 1.#INF"), "-1.#IND00@1:1! 1.#INF@1:11 ");
+  EXPECT_EQ(Words("1#comment 1.#comment\n1.#information"), "1@1:1! 1.@2:1! ");
+}
+
+TEST(Tokenizer, ABackslashJoinsLinesWhereItIsAskedTo) {
+  const auto words = [](const std::string& bytes) {
+    const Text text{"t", bytes};
+    Tokenizer tokens(text, Tokenizer::Comments::hash, Tokenizer::Joints::backslash);
+    std::string all;
+    while (const auto t = tokens.Next())
+      all += std::string(t->text) + "@" + std::to_string(t->line) + (t->starts_line ? "! " : " ");
+    return all;
+  };
+  EXPECT_EQ(words("a b\\\nc\nd"), "a@1! b@1 c@2 d@3! ");
+  EXPECT_EQ(words("a b \\\r\n c\\\r\n\r\nd"), "a@1! b@1 c@2 d@4! ");
+  EXPECT_EQ(words("a\\ \t\n b"), "a@1! b@2 ") << "blanks are easily left behind it";
+  EXPECT_EQ(words("a\\b c\\"), "a\\b@1! c@1 ");
+  EXPECT_EQ(words("a\\\n\\\n\\\nb"), "a@1! b@4 ");
+  EXPECT_EQ(words("a # b\\\nc"), "a@1! c@2! ") << "a comment ends with its line";
+  EXPECT_EQ(Words("a\\\nb"), "a\\@1:1! b@2:1! ");
+}
+
 TEST(Tokenizer, AnEmptyTextHasNoWords) {
   EXPECT_EQ(Words(""), "");
   EXPECT_EQ(Words(" \n\t"), "");

@@ -41,6 +41,21 @@ TEST(Number, TheProblemSaysWhatToDo) {
   EXPECT_STREQ(ParseNumber("1,5").problem, "must be a number, with a point and no comma");
 }
 
+// What printf of several systems makes of NaN and infinity. Microsoft's up to 2013 rounds the letters to the digits
+// that were asked for, as if they were some.
+TEST(Number, WhatOtherSystemsPrintForNanAndInfinityIsNoFiniteNumber) {
+  for (const char* word :
+       {"1.#QNAN", "-1.#IND",   "1.#INF",    "+1.#INF", "1.#SNAN", "1.#INF00", "-1.#IND000",     "1.#QNAN0",
+        "1.#J",    "-1.#J",     "1.#IO",     "1.#R",    "1.#QO",   "1.#QNB",   "1.#INF000e+000", "1.#inf",
+        "1.#NAN",  "-nan(ind)", "nan(snan)", "NaNQ",    "NaNS",    "Infinity", "-INF",           "+nan"}) {
+    EXPECT_TRUE(SaysNanOrInfinity(word)) << word;
+    EXPECT_STREQ(ParseNumber(word).problem, "must be a finite number") << word;
+  }
+  for (const char* word : {"1", "", "-", "1.#", "1.#comment", "1.#INFO", "1.#index", "1.#Jack", "2.#INF", "1#INF",
+                           "1.#INFe", "1.#INFe+", "nancy", "info", "information", "nan(", "#QNAN"})
+    EXPECT_FALSE(SaysNanOrInfinity(word)) << word;
+}
+
 TEST(Extremes, K6_OverflowIsAnErrorAndUnderflowIsNone) {
   EXPECT_TRUE(ParseNumber("1e400").problem);
   EXPECT_TRUE(ParseNumber("-1e999999999999999999999").problem);

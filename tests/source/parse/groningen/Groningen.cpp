@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <numbers>
 
+#include "R3/Mesh.h"
 #include "tests/Project.h"
 #include "tests/source/parse/Folder.h"
 
@@ -477,6 +478,53 @@ TEST(Groningen, AMeshIsFoundWithoutItsExtensionScaledTurnedAndMoved) {
     EXPECT_TRUE(Trace(scene, {{9.5, 2, 9}, {0, 0, -1}})) << key;
     EXPECT_FALSE(Trace(scene, {{10.5, 1, 9}, {0, 0, -1}})) << key;
     EXPECT_EQ(scene.files.size(), 2u);
+  }
+}
+
+TEST(Groningen, AMeshWithASizeIsCenteredAndItsLongestSideTwiceAsLong) {
+  const Folder folder;
+  folder.Write("flag.obj", "v 10 0 0\nv 14 0 0\nv 10 2 0\nv 14 2 0\nf 1 2 4 3\n");
+  ParseOptions options;
+  options.format = "groningen";
+  const auto file =
+      folder.Write("scene.json", R"({"Eye": [0, 0, 9], "Objects": [{"type": "mesh", "file": "flag", "size": 50, )"
+                                 R"("position": [7, 0, 0], "material": {"color": [1, 1, 1]}}]})");
+  const Scene scene = Parse(file, options).scene;
+  for (const double sign : {-1.0, 1.0}) {  // 100 wide, 50 high
+    EXPECT_TRUE(Trace(scene, {{7 + sign * 49.9, 0, 9}, {0, 0, -1}}));
+    EXPECT_FALSE(Trace(scene, {{7 + sign * 50.1, 0, 9}, {0, 0, -1}}));
+    EXPECT_TRUE(Trace(scene, {{7, sign * 24.9, 9}, {0, 0, -1}}));
+    EXPECT_FALSE(Trace(scene, {{7, sign * 25.1, 9}, {0, 0, -1}}));
+  }
+}
+
+TEST(Groningen, AMeshMayHaveTheMaterialsOfItsFileAndNormalsOfItsTriangles) {
+  const Folder folder;
+  folder.Write("roof.mtl", "newmtl red\nKd 1 0 0\n");
+  folder.Write("roof.obj", "mtllib roof.mtl\nv 0 0 0\nv 1 0 0.1\nv 1 1 0.1\nv 2 0 0\nf 1 2 3\nusemtl red\nf 2 4 3\n");
+  ParseOptions options;
+  options.format = "groningen";
+  const auto file = folder.Write(
+      "scene.json", R"({"Eye": [0, 0, 9], "Objects": [{"type": "mesh", "file": "roof", "materials": true, )"
+                    R"("smooth_angle": 40, "material": {"color": [0, 0, 1], "kd": 1}}]})");
+  const ParsedScene parsed = Parse(file, options);
+  EXPECT_TRUE(parsed.warnings.empty());
+  const auto& group = parsed.scene.root.children.at(0);
+  ASSERT_EQ(group.children.size(), 2u);
+  const auto kd = [&](std::size_t i) {
+    return parsed.scene.materials.at(static_cast<std::size_t>(group.children[i].material)).kd;
+  };
+  EXPECT_EQ(kd(0), (R2::Color{0, 0, 1}));
+  EXPECT_EQ(kd(1), (R2::Color{1, 0, 0}));
+  for (const Node& node : group.children) {
+    const auto& mesh = dynamic_cast<const R3::Mesh&>(*node.shape);
+    ASSERT_TRUE(mesh.IsSmooth());
+    // On the ridge both have the mean of the slopes, which are 5.7 degrees either way, weighted by their angles.
+    for (std::size_t i = 0; i < mesh.Data().positions.size(); ++i) {
+      if (mesh.Data().positions[i] == R3::Point{1, 1, 0.1}) {
+        EXPECT_NEAR(mesh.Data().normals[i].x, 0, 1e-2);
+      }
+    }
   }
 }
 

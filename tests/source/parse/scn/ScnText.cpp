@@ -70,7 +70,8 @@ void ExpectTheSameAgain(const fs::path& file) {
 }
 
 TEST(ScnText, OfEveryOwnSceneMakesTheSamePictureAndIsTheSameTextWhenWrittenAgain) {
-  for (const char* folder : {"scenes", "writeup/scenes"})
+  for (const char* folder :
+       {"scenes", "writeup/scenes", "tests/source/parse/models", "tests/source/parse/meshes/files"})
     for (const fs::path& file : ScenesBelow(project::Root() / folder)) ExpectTheSameAgain(file);
 }
 
@@ -248,6 +249,16 @@ TEST(ScnText, ANameWithASpaceIsWarnedOfAndAMeshOfThatNameIsWrittenAgain) {
   EXPECT_EQ(text.meshes.size(), 1u);
 }
 
+TEST(ScnText, NamesThatLookLikeCommentsAreReadBack) {
+  const Folder folder;
+  for (const char* name : {"#cube.off", "1#cube.off", "-2.5e3#x.off", "cube#1.off"}) {
+    folder.Write(name, "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+    const Scene scene = Parse(folder / name, {}).scene;
+    const Scene again = Parse(folder.Write("out.scn", WriteScn(scene, folder / "out.scn").text), {}).scene;
+    EXPECT_EQ(again.files.back(), (folder / name).string());
+  }
+}
+
 TEST(ScnText, GroupsAHundredThousandDeepAreWritten) {
   constexpr int depth = 100'000;
   std::string text;
@@ -261,7 +272,7 @@ TEST(ObjText, ReadsBackAsTheSameMeshToTheBit) {
   for (const bool smooth : {false, true}) {
     const R3::Mesh mesh(Fan(smooth), smooth);
     Report report;
-    const R3::Mesh again(MeshFormatForName("a.obj")->read(Text{"a.obj", ObjText(mesh)}, report), smooth);
+    const R3::Mesh again(MeshFormatForName("a.obj")->read(Text{"a.obj", ObjText(mesh)}, report).data, smooth);
     EXPECT_EQ(again.Data().positions, mesh.Data().positions);
     EXPECT_EQ(again.Data().triangles, mesh.Data().triangles);
     EXPECT_EQ(again.Data().uvs, mesh.Data().uvs);

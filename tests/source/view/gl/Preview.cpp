@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 
+#include "R3/Mesh.h"
 #include "source/view/camera/CameraMoves.h"
 #include "source/view/gl/Painter.h"
 #include "tests/Project.h"
@@ -70,6 +71,27 @@ TEST_P(Preview, IsLitAsTheTracerIsByLightsOfEveryKind) {
                                                  Material("0.5 0.6 0.7  0.4 0.3 0.2  0 0 0  0.05 0 0  20 1 0") + ball));
     EXPECT_LT(Differing(stage), outline) << kind->name;
   }
+}
+
+TEST_P(Preview, ShowsTheColorsOfVertices) {
+  R3::MeshData data;
+  data.positions = {{-2, -2, 0}, {2, -2, 0}, {2, 2, 0}, {-2, 2, 0}};
+  data.triangles = {{0, 1, 2}, {0, 2, 3}};
+  data.colors = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 0}};
+  const auto stage = [&](bool asks) {
+    ray::Scene scene = project::FromText(camera + "ambient 0.3 0.3 0.3  dir_light 0.8 0.7 0.6  -1 -1 -2\n" +
+                                         Material("0.5 0.6 0.7  0 0 0  0 0 0  0 0 0  20 1 0"));
+    ray::Node node;
+    node.shape = std::make_shared<const R3::Mesh>(data);
+    node.material = 1;
+    SetBounds(node);
+    scene.root.children.push_back(std::move(node));
+    SetBounds(scene.root);
+    scene.materials[1].has_vertex_colors = asks;
+    return project::Stage(std::move(scene));
+  };
+  EXPECT_EQ(Differing(stage(true)), 0);
+  EXPECT_EQ(Differing(stage(false)), 0);
 }
 
 TEST_P(Preview, IsLitByAWideDiscAsTheTracerIs) {

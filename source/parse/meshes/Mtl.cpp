@@ -1,0 +1,212 @@
+#include "source/parse/meshes/Mtl.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <unordered_map>
+
+#include "source/parse/meshes/MeshWords.h"
+#include "source/text/LowerCase.h"
+#include "source/text/Number.h"
+
+namespace ray {
+namespace {
+
+/// The statements of one file. Keywords are known in any letter case, as most programs have it.
+class MtlReader {
+ public:
+  MtlReader(const Text& file, Report& report)
+      : words_(file, Tokenizer::Comments::hash, Tokenizer::Joints::backslash), report_(report) {}
+
+  std::vector<MtlMaterial> Read() {
+    while (const auto word = words_.Next()) {
+      keyword_ = *word;
+      ReadStatement(LowerCase(std::string(word->text)));
+      while (ContinuesStatement()) words_.Next();
+    }
+    WarnOfMapsOfKa();
+    for (const Remark& remark : remarks_)
+      report_.Warn(PlaceOf(remark.first), remark.message + (remark.count == 1 ? ""
+                                                                              : ", " + std::to_string(remark.count) +
+                                                                                    " times, the first of them here"));
+    return std::move(materials_);
+  }
+
+ private:
+  struct MapOfKa {
+    std::size_t material;
+    Token keyword, rest;
+  };
+  /// What every material may repeat.
+  struct Remark {
+    std::string message;
+    Token first;
+    std::size_t count = 0;
+  };
+
+  void ReadStatement(const std::string& keyword) {
+    if (keyword == "newmtl") return BeginMaterial();
+    if (materials_.empty()) return Warn(keyword_, Quoted(keyword_.text) + " before the first newmtl ignored");
+    if (ReadNumberOrColor(keyword)) return;
+    if (keyword == "map_kd") return ReadMap(Last().map_Kd);
+    if (keyword == "map_bump" || keyword == "bump") return ReadMap(Last().bump);
+    if (keyword == "norm") return ReadMap(Last().norm);
+    if (keyword == "map_ka") return maps_of_ka_.push_back({materials_.size() - 1, keyword_, words_.RestOfLine()});
+    Warn(keyword_, Quoted(keyword_.text) + " is not supported and ignored");
+  }
+
+  void BeginMaterial() {
+    const Token name = words_.RestOfLine();
+    if (name.text.empty()) words_.Fail(keyword_, "the material's name is missing");
+    MtlMaterial& material = materials_.emplace_back();
+    material.name = name.text;
+    material.place = PlaceOf(name);
+  }
+
+  bool ReadNumberOrColor(const std::string& keyword) {
+    if (keyword == "ka") return ReadColor(Last().Ka);
+    if (keyword == "kd") return ReadColor(Last().Kd);
+    if (keyword == "ks") return ReadColor(Last().Ks);
+    if (keyword == "ke") return ReadColor(Last().Ke);
+    if (keyword == "tf") return ReadColor(Last().Tf);
+    if (keyword == "ns") return ReadNumber(Last().Ns);
+    if (keyword == "ni") return ReadNumber(Last().Ni);
+    if (keyword == "d") return ReadNumber(Last().d);
+    if (keyword == "tr") return ReadNumber(Last().Tr);
+    if (keyword == "illum") return ReadIllumination();
+    return false;
+  }
+
+  /// One number stands for all three channels.
+  bool ReadColor(std::optional<R2::Color>& color) {
+    if (NextIs("spectral") || NextIs("xyz")) {
+      Warn(*words_.Peek(), "a color must be r g b; " + Quoted(words_.Peek()->text) + " is not supported and ignored");
+      return true;
+    }
+    const double r = Number();
+    color = R2::Color{r, r, r};
+    if (!ContinuesStatement()) return true;
+    color->g = Number();
+    color->b = Number();
+    return true;
+  }
+
+  bool ReadNumber(std::optional<double>& number) {
+    if (NextIs("-halo")) {
+      Warn(*words_.Peek(), "'-halo' is not supported and ignored");
+      words_.Next();
+    }
+    number = Number();
+    return true;
+  }
+
+  bool ReadIllumination() {
+    const double model = Number();
+    constexpr int last_model = 10;
+    if (model > last_model || model != std::floor(model))
+      words_.Fail(words_.Last(), "illum must be a whole number from 0 to 10, got " + Escaped(words_.Last().text));
+    Last().illum = static_cast<int>(model);
+    return true;
+  }
+
+  /// Not negative.
+  double Number() {
+    const double value = AnyNumber();
+    if (value < 0)
+      words_.Fail(words_.Last(), Escaped(keyword_.text) + " must not be negative, got " + Escaped(words_.Last().text));
+    return value;
+  }
+
+  double AnyNumber() {
+    if (!ContinuesStatement()) words_.Fail(words_.Last(), Escaped(keyword_.text) + ": a number is missing");
+    const Token word = *words_.Next();
+    const auto [value, problem] = ParseNumber(word.text);
+    if (problem) words_.Fail(word, Escaped(keyword_.text) + " " + problem + ", got " + Quoted(word.text));
+    return value;
+  }
+
+  void ReadMap(std::optional<MtlMap>& map) {
+    MtlMap read;
+    while (ContinuesStatement() && words_.Peek()->text[0] == '-') ReadOption(read, *words_.Next());
+    const Token file = words_.RestOfLine();
+    if (file.text.empty()) words_.Fail(keyword_, Escaped(keyword_.text) + ": the file is missing");
+    read.file = file.text;
+    read.place = PlaceOf(file);
+    map = std::move(read);
+  }
+
+  void ReadOption(MtlMap& map, const Token& option) {
+    if (option.text == "-s") return ReadVector(map.scale, 1);
+    if (option.text == "-o") return ReadVector(map.offset, 0);
+    if (option.text == "-bm") {
+      map.multiplier = AnyNumber();
+    } else if (option.text == "-clamp") {
+      map.is_clamped = ReadSwitch();
+    } else {
+      PassOverOption(option);
+    }
+  }
+
+  /// Up to three numbers, u v w; v is `missing` without a number of its own.
+  void ReadVector(R2::Vector& v, double missing) {
+    v = {AnyNumber(), missing};
+    if (NextIsNumber()) v.y = AnyNumber();
+    if (NextIsNumber()) AnyNumber();
+  }
+
+  bool ReadSwitch() {
+    const bool is_on = NextIs("on");
+    if (!is_on && !NextIs("off")) words_.Fail(words_.Last(), "-clamp must be followed by on or off");
+    words_.Next();
+    return is_on;
+  }
+
+  /// -mm has two numbers, -t up to three, -texres and -boost one; -imfchan, -type and the blends have a word.
+  void PassOverOption(const Token& option) {
+    constexpr std::array with_word{"-blendu", "-blendv", "-cc", "-imfchan", "-type", "-colorspace"};
+    constexpr std::array with_numbers{"-mm", "-t", "-texres", "-boost"};
+    const bool has_word = std::ranges::find(with_word, option.text) != with_word.end();
+    if (!has_word && std::ranges::find(with_numbers, option.text) == with_numbers.end())
+      words_.Fail(option, "unknown option " + Quoted(option.text) + " of a texture");
+    if (has_word && ContinuesStatement()) words_.Next();
+    while (!has_word && NextIsNumber()) words_.Next();
+    // Blending of texels, and their channel where that is the luminance, are what happens anyway.
+    if (option.text == "-blendu" || option.text == "-blendv" || option.text == "-imfchan") return;
+    Warn(option, Quoted(option.text) + " is not supported and ignored");
+  }
+
+  /// Programs repeat the image of kd as that of ka, which textures multiply anyway.
+  void WarnOfMapsOfKa() {
+    for (const MapOfKa& map : maps_of_ka_) {
+      const auto& map_Kd = materials_[map.material].map_Kd;
+      if (!map_Kd || !map.rest.text.ends_with(map_Kd->file))
+        Warn(map.keyword, Quoted(map.keyword.text) + " is not supported and ignored");
+    }
+  }
+
+  bool ContinuesStatement() { return words_.Peek() && !words_.Peek()->starts_line; }
+  bool NextIs(std::string_view word) { return ContinuesStatement() && words_.Peek()->text == word; }
+  bool NextIsNumber() { return ContinuesStatement() && !ParseNumber(words_.Peek()->text).problem; }
+  MtlMaterial& Last() { return materials_.back(); }
+  std::string PlaceOf(const Token& word) const { return Place(words_.Source().name, word.line, word.column); }
+  void Warn(const Token& at, const std::string& message) {
+    const auto [known, is_new] = number_of_remark_.try_emplace(message, remarks_.size());
+    if (is_new) remarks_.push_back({message, at});
+    ++remarks_[known->second].count;
+  }
+
+  MeshWords words_;
+  Report& report_;
+  Token keyword_;
+  std::vector<MtlMaterial> materials_;
+  std::vector<MapOfKa> maps_of_ka_;
+  std::vector<Remark> remarks_;
+  std::unordered_map<std::string, std::size_t> number_of_remark_;  // by message
+};
+
+}  // namespace
+
+std::vector<MtlMaterial> ReadMtl(const Text& file, Report& report) { return MtlReader(file, report).Read(); }
+
+}  // namespace ray

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "R2/Color.h"
+#include "R2/Vector.h"
+#include "source/parse/Report.h"
+#include "source/parse/Text.h"
+
+namespace ray {
+
+/// An image of a material, and how it lies on the surface.
+struct MtlMap {
+  std::string file;
+  std::string place;                     // "car.mtl:7:8"
+  R2::Vector scale{1, 1}, offset{0, 0};  // of texture coordinates: uv scale + offset
+  bool is_clamped = false;               // shown once and not repeated
+  double multiplier = 1;                 // of heights
+};
+
+/// A material as a file says it; what is missing was not said.
+struct MtlMaterial {
+  std::string name;
+  std::string place;
+  std::optional<R2::Color> Ka, Kd, Ks, Ke, Tf;
+  std::optional<double> Ns, Ni, d, Tr;
+  std::optional<int> illum;
+  std::optional<MtlMap> map_Kd, bump, norm;
+};
+
+/// Reads a material library. What it says beyond that is told in warnings, one for each kind of statement, with the
+/// place of the first. Throws SceneError.
+///   source   Wavefront, Advanced Visualizer manual, MTL material format (1995); Ke and norm as Blender writes them
+std::vector<MtlMaterial> ReadMtl(const Text& file, Report& report);
+
+}  // namespace ray
