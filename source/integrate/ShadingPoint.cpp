@@ -1,5 +1,7 @@
 #include "source/integrate/ShadingPoint.h"
 
+#include <algorithm>
+
 #include "source/integrate/Absorption.h"
 #include "source/integrate/Bump.h"
 
@@ -74,7 +76,8 @@ R3::Ray SpawnRay(const ShadingPoint& surface, const R3::Vector& direction) {
               .leaving = is_towards_viewer ? surface.leaving : surface.leaving_behind,
               .departure = &surface.departure};
   if (is_towards_viewer) return ray;
-  if (surface.is_met_again) ray.leaving_until = surface.departure.Reach(ray.origin) / std::abs(along);
+  if (surface.is_met_again)
+    ray.leaving_until = std::max(ray.t_min, surface.departure.Reach(ray.origin) / std::abs(along));
   if (surface.beyond) ray.departure = surface.beyond;
   return ray;
 }
