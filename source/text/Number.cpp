@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <limits>
 
 #include "source/text/LowerCase.h"
 
@@ -82,7 +83,8 @@ ReadNumber<double> ParseNumber(std::string_view word) {
   const auto [stop, error] = std::from_chars(number.data(), end, value);
   if (stop != end || error == std::errc::invalid_argument) return {0, WhyNoNumber(word)};
   if (error == std::errc::result_out_of_range) {
-    if (!IsBelowOne(number)) return {0, "must fit a double, whose largest is 1.8e308"};
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    if (!IsBelowOne(number)) return {infinity, "must fit a double, whose largest is 1.8e308"};
     return {0, nullptr};
   }
   return {value, nullptr};

@@ -1,6 +1,7 @@
 #include "source/parse/meshes/MeshWords.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "source/parse/Coordinate.h"
@@ -29,7 +30,7 @@ double MeshWords::AnyNumber(const Part& part) {
   const Token word = Need(part);
   const auto [value, problem] = ParseNumber(word.text);
   if (!problem) return value;
-  if (SaysNanOrInfinity(word.text)) return std::numeric_limits<double>::quiet_NaN();
+  if (SaysNanOrInfinity(word.text) || std::isinf(value)) return std::numeric_limits<double>::quiet_NaN();
   Fail(word, part.Words() + " " + problem + ", got " + Quoted(word.text));
 }
 
