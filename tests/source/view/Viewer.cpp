@@ -118,7 +118,7 @@ TEST_F(ViewerTest, DroppedFilesAreScenesOrReferences) {
   EXPECT_NE(StateLine("scene").find("glass.scn"), std::string::npos);
   EXPECT_TRUE(IsCameraOf(viewer_->scene().parsed.scene.camera));
   Do("drop " + (project::Root() / "scenes/meshes/icosahedron.off").string());
-  EXPECT_EQ(viewer_->scene().world.Primitives(), 20);
+  EXPECT_EQ(viewer_->scene().world.Primitives(), 21);  // and the ground that it stands on
   Do("drop " + (project::Root() / "scenes/glass.scn").string() + "\ndrop picture");
   EXPECT_EQ(StateLine("reference"), "yes");
   Do("drop no/such/file");
