@@ -17,8 +17,8 @@
 ///     m = 2^15 u S + e,
 /// e being more than eight times what the surface itself may be off by, and is hence on the near side of any other
 /// surface that meets there and is tilted against the ray by more than 2^-13 of what the hit's own surface is. It is at
-/// most a quarter of the arriving ray away from the hit: far from the world's origin, where m would be larger than what is
-/// to be seen, less is as good as can be had. Its clearance counts as 2^10 u S at the least, so that a path that goes
+/// most a quarter of the arriving ray away from the hit: far from the world's origin, where m would be larger than what
+/// is to be seen, less is as good as can be had. Its clearance counts as 2^10 u S at the least, so that a path that goes
 /// less than 2^18 u S has not moved, see below.
 ///
 /// What the ray is nearly parallel to may have the free point behind it all the same, by some u S. So whether a new ray
@@ -107,8 +107,11 @@ inline void ForgetDeparture(Ray& ray) {
   ray.t_min = std::max(ray.t_min, 0.0);
 }
 
-/// Whether a ray that hits a surface at t has not moved from where it departed: it has gone less than 2^8 times as far as
-/// its line may be behind the surface that it left.
-inline bool HasNotMoved(const Ray& ray, double t) { return t < -0x1p8 * ray.t_min; }
+/// Whether a ray that hits a surface at t has not moved from where it departed: it has gone less than 2^8 times as far
+/// as its line may be behind the surface that it left.
+inline bool HasNotMoved(const Ray& ray, double t) {
+  constexpr double least_way = 0x1p8;
+  return t < -least_way * ray.t_min;
+}
 
 }  // namespace R3

@@ -1,11 +1,21 @@
 #include "R3/Intersection.h"
 
-#include "R3/Spawn.h"
+#include "R3/Numeric.h"
 
 namespace R3 {
+namespace {
+
+/// The next double in the direction of `way`; x itself where that is 0.
+double NextAlong(double x, double way) { return way < 0 ? NextDown(x) : way > 0 ? NextUp(x) : x; }
+
+}  // namespace
 
 Point SpawnPoint(const Intersection& surface, const Vector& direction) {
-  return SpawnedFrom(surface.position, surface.error, AsVector(surface.normal), direction);
+  const Vector n = AsVector(surface.normal);
+  const double reach = Dot(Abs(n), surface.error);  // of the corners of the error's box, along the normal
+  const Vector way = (Dot(n, direction) < 0 ? -reach : reach) * n;
+  const Point to = surface.position + way;
+  return {NextAlong(to.x, way.x), NextAlong(to.y, way.y), NextAlong(to.z, way.z)};
 }
 
 }  // namespace R3

@@ -45,10 +45,10 @@ class Mesh : public Shape {
   /// The blend of the corners' colors at a hit; white where the mesh has none.
   R2::Color ColorAt(const Hit& hit, int element) const;
 
-  /// As IsClosed in Winding.h says.
+  /// Whether the triangles bound a volume, their fronts outward; see Winding.h.
   bool IsClosed() const;
 
-  /// As given, but with zero or (unless moved) unit normals, with triangles turned as their normals say, without lines.
+  /// What was given, but without lines; normals are zero or (unless moved) unit, and triangles turned as normals say.
   const MeshData& Data() const { return data_; }
   bool IsSmooth() const { return smooth_; }
   /// Empty for a mesh that was made otherwise, or moved.

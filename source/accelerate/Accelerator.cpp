@@ -56,12 +56,7 @@ WorldHit Accelerator::Seen(const R3::Ray& ray, const WorldHit& nearest, Workspac
 }
 
 std::vector<WorldHit> Accelerator::Coincident(const R3::Ray& ray, const WorldHit& hit, Workspace& workspace) const {
-  std::vector<WorldHit> hits = CoincidentOf(world_, ray, HitsNear(ray, hit, workspace));
-  const auto is_same = [](const WorldHit& a, const WorldHit& b) {
-    return a.instance == b.instance && a.element == b.element;
-  };
-  hits.erase(std::ranges::unique(hits, is_same).begin(), hits.end());
-  return hits;
+  return CoincidentOf(world_, ray, HitsNear(ray, hit, workspace));
 }
 
 std::unique_ptr<Accelerator> AcceleratorKind::Make(const World& world, const AcceleratorSettings& settings) const {

@@ -79,7 +79,8 @@ class Accelerator {
     }
   }
 
-  /// Of a hit that Intersect found, all that are coincident with it, the lowest primitive first; see Contact.h.
+  /// The hits that are coincident with one that Intersect found, it included, the lowest primitive first; see
+  /// Contact.h.
   std::vector<WorldHit> Coincident(const R3::Ray& ray, const WorldHit& hit, Workspace& workspace) const;
 
   std::string kind;                  // a line of accelerators.def; where `auto` was asked for, what it chose
@@ -121,7 +122,7 @@ class Accelerator {
   bool IsBehindUnbounded(const R3::Ray& ray, Workspace& workspace) const;
   /// The nearest hit, and all that are near enough to be coincident with it.
   std::vector<WorldHit> HitsNear(const R3::Ray& ray, const WorldHit& nearest, Workspace& workspace) const;
-  /// Of the nearest hit and what is coincident with it, the one that is seen.
+  /// Which one is seen where others may be coincident with the nearest hit.
   WorldHit Seen(const R3::Ray& ray, const WorldHit& nearest, Workspace& workspace) const;
 
   /// Finite, and going somewhere; no other ray hits anything.

@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace ray {
 namespace {
+
+constexpr double rounding_share = 64 * R3::unit_roundoff;  // see Contact.h
 
 /// A crossing as it is compared with others.
 struct Crossing {
@@ -17,7 +20,7 @@ struct Crossing {
     normal = AsVector(at.normal);
     along = Dot(normal, ray.direction);
     const double size = MaxComponent(Abs(FromOrigin(ray.origin))) + std::abs(hit.t) * MaxComponent(Abs(ray.direction));
-    off = Dot(Abs(normal), at.error) + 64 * R3::unit_roundoff * size;
+    off = Dot(Abs(normal), at.error) + rounding_share * size;
   }
 };
 
@@ -101,30 +104,27 @@ bool IsInTheWay(const World& world, const R3::Ray& ray, const WorldHit& hit) {
 }
 
 std::vector<WorldHit> CoincidentOf(const World& world, const R3::Ray& ray, std::vector<WorldHit> hits) {
-  const Reference nearest(world, ray, *std::ranges::min_element(hits, {}, &WorldHit::t));
+  const auto primitive = [&](const WorldHit& hit) { return world.PrimitiveId(hit); };
+  const auto is_before = [&](const WorldHit& a, const WorldHit& b) {
+    return a.t != b.t ? a.t < b.t : primitive(a) < primitive(b);
+  };
+  const Reference nearest(world, ray, *std::ranges::min_element(hits, is_before));
   std::erase_if(hits, [&](const WorldHit& hit) { return !nearest.IsCoincidentWith(world, ray, hit); });
-  std::ranges::sort(hits, {}, [&](const WorldHit& hit) { return world.PrimitiveId(hit); });
+  std::ranges::sort(hits, {}, primitive);
+  const auto again = std::ranges::unique(hits, {}, primitive);
+  hits.erase(again.begin(), again.end());
   return hits;
 }
 
 WorldHit SeenOf(const World& world, const R3::Ray& ray, std::vector<WorldHit> hits) {
-  const auto is_before = [&](const WorldHit& a, const WorldHit& b) {
-    return a.t != b.t ? a.t < b.t : world.PrimitiveId(a) < world.PrimitiveId(b);
+  hits = CoincidentOf(world, ray, std::move(hits));
+  const auto first = [&](MediumCrossing crossing) {
+    return std::ranges::find(hits, crossing, [&](const WorldHit& hit) { return CrossingOf(world, ray, hit); });
   };
-  const Reference nearest(world, ray, *std::ranges::min_element(hits, is_before));
-  // Of many in one place, few need a look.
-  std::ranges::sort(hits, {}, [&](const WorldHit& hit) { return world.PrimitiveId(hit); });
-  const auto first_that = [&](const auto& is_one) {
-    return std::ranges::find_if(
-        hits, [&](const WorldHit& hit) { return is_one(hit) && nearest.IsCoincidentWith(world, ray, hit); });
-  };
-  const auto crosses = [&](const WorldHit& hit) { return CrossingOf(world, ray, hit); };
-  const auto exit = first_that([&](const WorldHit& hit) { return crosses(hit) == MediumCrossing::exit; });
-  if (exit == hits.end()) return *first_that([](const WorldHit&) { return true; });
-  const auto entry = first_that([&](const WorldHit& hit) { return crosses(hit) == MediumCrossing::entry; });
-  if (entry == hits.end()) return *exit;
-  const auto other = first_that([&](const WorldHit& hit) { return crosses(hit) == MediumCrossing::none; });
-  return other == hits.end() ? *entry : *exit;
+  const auto exit = first(MediumCrossing::exit), entry = first(MediumCrossing::entry);
+  if (exit == hits.end()) return hits[0];
+  const bool is_between_media = first(MediumCrossing::none) == hits.end();
+  return is_between_media && entry != hits.end() ? *entry : *exit;
 }
 
 }  // namespace ray

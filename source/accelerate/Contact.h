@@ -38,14 +38,18 @@ inline constexpr double end_of_certainty = 0.9375;
 /// The t_max of a ray that reaches a primitive at t, so much beyond that surfaces coincident with it are found.
 inline constexpr double beyond_target = 1 + 0x1p-20;
 
-/// Of hits of one ray, the nearest among them, the one that is seen.
+/// Which hit of a ray is seen.
+///   hits   the nearest one, and whatever may be coincident with it, in any order
 WorldHit SeenOf(const World& world, const R3::Ray& ray, std::vector<WorldHit> hits);
 
-/// Of hits of one ray, those that are coincident with the nearest among them, it included, the lowest primitive first.
+/// The nearest hit of a ray and those that are coincident with it, each once, the lowest primitive first.
+///   hits   as for SeenOf
 std::vector<WorldHit> CoincidentOf(const World& world, const R3::Ray& ray, std::vector<WorldHit> hits);
 
 /// Where the search for hits that are coincident with one at t ends, in t, of rays whose direction is not much shorter
-/// than 1. Of surfaces that are seen at an angle of less than 2^-10 some are not found, the same whatever searches.
+/// than 1. Coincident hits part by at most 2^8 u S along the normal, S being the ray's largest coordinates as above.
+/// This looks 2^33 u t and 2^18 u times the scene's size farther along the ray: for all but some that are seen at an
+/// angle of less than 2^-10, which are the same whatever searches.
 inline double EndOfCoincidence(const World& world, double t) {
   return t + 0x1p-20 * std::abs(t) + world.CoincidenceWindow();
 }

@@ -51,7 +51,7 @@ inline bool IsInTheWay(const World& world, const R3::Ray& ray, const R3::Ray& lo
 /// It is kept where the answer is wanted. Whether others may be coincident with it is noted.
 class NearestHit {
  public:
-  /// Of a ray in the world that has hit nothing yet: `best` becomes empty.
+  /// Begins the search of a ray in the world: `best` becomes empty.
   NearestHit(const World& world, const R3::Ray& ray, std::optional<WorldHit>& best)
       : world_(world), ray_(ray), best_(best), limit_(ray.t_max) {
     best_.reset();
@@ -79,7 +79,7 @@ class NearestHit {
     return ray::IsInTheWay(world_, ray_, local, instance, element, counts);
   }
 
-  // The same two of an element whose crossing is known, and which the ray crosses only once.
+  // Test and IsInTheWay for an element whose crossing is known, and which the ray crosses only once.
   void TakeIfAhead(const WorldHit& hit) {
     if (!IsNearStart(ray_, hit.t) || IsAhead(world_, ray_, hit)) [[likely]]
       Offer(hit);
@@ -95,8 +95,8 @@ class NearestHit {
       return all_->push_back(candidate);
     if (!best_) return Take(candidate, candidate.is_contested);
     const bool is_farther = candidate.t > best_->t;
-    const bool is_contested =
-        is_farther || best_->t <= EndOfCoincidence(world_, candidate.t);  // farther ones are within the window
+    // What is farther is offered only within the window.
+    const bool is_contested = is_farther || best_->t <= EndOfCoincidence(world_, candidate.t);
     if (is_farther || (candidate.t == best_->t && world_.PrimitiveId(candidate) >= world_.PrimitiveId(*best_)))
       best_->is_contested = true;
     else

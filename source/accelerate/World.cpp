@@ -166,7 +166,8 @@ void World::BoundInstances() {
     if (instance.is_bounded) instance.bounds = InWorld(instance.frame, instance.node->bounds);
     // The padding is that much larger than the error; what grows with the distance of rays is in R3/Departure.h.
     instance.error = WorldBoundsPadding(frames_[instance.frame], Reach(instance.bounds)).constant;
-    coincidence_window_ = std::max(coincidence_window_, 0x1p14 * R3::unit_roundoff * Reach(instance.bounds));
+    constexpr double window = 0x1p18 * R3::unit_roundoff;  // see EndOfCoincidence
+    coincidence_window_ = std::max(coincidence_window_, window * Reach(instance.bounds));
   }
 }
 

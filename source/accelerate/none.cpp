@@ -11,31 +11,28 @@ class BruteForce : public Accelerator {
 
  private:
   void Nearest(const R3::Ray& ray, NearestHit& nearest, Workspace& workspace) const override {
-    LocalRays local(world_, ray);
-    std::uint32_t i = 0;
-    for (const Instance& instance : world_.Instances()) {
-      const std::uint32_t number = i++;
-      if (!instance.is_bounded || instance.is_repeated) continue;
-      const int elements = instance.shape->Elements();
-      for (int e = 0; e < elements; ++e) nearest.Test(number, e, local.In(instance.frame), workspace.counts);
-    }
+    ForEachUntil(ray, [&](std::uint32_t instance, int element, const R3::Ray& local) {
+      nearest.Test(instance, element, local, workspace.counts);
+      return false;
+    });
   }
 
   bool Any(const R3::Ray& ray, Workspace& workspace) const override {
+    return ForEachUntil(ray, [&](std::uint32_t instance, int element, const R3::Ray& local) {
+      return IsInTheWay(world_, ray, local, instance, element, workspace.counts);
+    });
+  }
+
+  /// Goes through all elements until one is found that ends the search; whether there is one.
+  template <typename Test>
+  bool ForEachUntil(const R3::Ray& ray, const Test& ends) const {
     LocalRays local(world_, ray);
-    std::uint32_t i = 0;
-    for (const Instance& instance : world_.Instances()) {
-      const std::uint32_t number = i++;
+    for (std::uint32_t i = 0; i < world_.Instances().size(); ++i) {
+      const Instance& instance = world_.Instances()[i];
       if (!instance.is_bounded || instance.is_repeated) continue;
       const int elements = instance.shape->Elements();
-      for (int e = 0; e < elements; ++e) {
-        const double begin = instance.BeginOf(ray, e);
-        if (begin == R3::infinity) continue;
-        ++workspace.counts.primitive_tests;
-        const R3::Ray& seen = local.In(instance.frame);
-        if (begin == ray.t_min && !instance.shape->Intersect(seen, e)) continue;
-        if (IsInTheWayFrom(world_, ray, seen, number, e, begin)) return true;
-      }
+      for (int e = 0; e < elements; ++e)
+        if (ends(i, e, local.In(instance.frame))) return true;
     }
     return false;
   }

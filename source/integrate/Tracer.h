@@ -103,7 +103,7 @@ class Tracer {
     const std::size_t i = shadows.count++;
     shadows.point[i] = index;
     shadows.reflected[i] = reflected;
-    if (p.path.media != 0 && media_.AreAbsorbing())
+    if (p.path.media != 0 && media_.AreAbsorbing() && shadows.rays[i].t_max < R3::infinity)
       shadows.reflected[i] = media_.LeftOf(reflected, p.path.media, Length(shadows.rays[i].direction), state);
     if (state.recorder) [[unlikely]]
       state.recorder->BeginShadow(p, shadows.rays[i], throughput * shadows.reflected[i], describe());

@@ -69,11 +69,8 @@ void Light(Scene& scene, const Camera& camera, const Stand& stand) {
   AddLight(scene, {0.2, 0.21, 0.23}, -camera.right + 0.5 * camera.towards - 0.5 * stand.up);
 }
 
-int AddMatte(Scene& scene, const R2::Color& kd) {
-  Material material;
-  material.ka = material.kd = kd;
-  material.ks = material.kr = {0, 0, 0};
-  scene.materials.push_back(material);
+int AddDiffuse(Scene& scene, const R2::Color& kd) {
+  scene.materials.push_back(DiffuseMaterial(kd));
   return static_cast<int>(scene.materials.size()) - 1;
 }
 
@@ -83,7 +80,7 @@ Node Ground(Scene& scene, const R3::Box& box, const Stand& stand) {
   const R3::Point p = box.low - gap * box.Radius() * stand.up;
   const R3::Vector n = stand.up;
   Node node;
-  node.material = AddMatte(scene, {0.5, 0.49, 0.45});
+  node.material = AddDiffuse(scene, {0.5, 0.49, 0.45});
   node.shape = R3::MakeShape("plane", {p.x, p.y, p.z, n.x, n.y, n.z});
   SetBounds(node);
   return node;
@@ -94,7 +91,7 @@ void AddModel(SceneBuilder& builder, const FoundFile& file, const std::shared_pt
   Scene& scene = builder.scene;
   const Stand stand = StandOf(file.shown);
   R3::Box box;
-  for (Node& node : builder.NodesOf(model, AddMatte(scene, default_gray))) {
+  for (Node& node : builder.NodesOf(model, AddDiffuse(scene, default_gray))) {
     box.Extend(node.bounds);
     builder.Add(std::move(node));
   }

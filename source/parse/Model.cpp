@@ -28,15 +28,6 @@ std::vector<std::string> WordsOf(const std::string& text) {
   return words;
 }
 
-/// Matte, with a color of its own for ambient light as well.
-Material Matte(const R2::Color& kd) {
-  Material material;
-  material.ka = material.kd = kd;
-  material.ks = material.kr = {0, 0, 0};
-  material.texture_multiplies_ka = true;
-  return material;
-}
-
 /// A material of a library that was read, and where that lies.
 struct LibraryMaterial {
   MtlMaterial material;
@@ -67,7 +58,7 @@ Material WithoutImages(const MtlMaterial& m) {
   const int illum = m.illum.value_or(2);
   const bool has_highlights = illum >= 2 && m.Ns.value_or(0) > 0, has_mirror = illum >= 3 && illum != 10;
   const bool is_refractive = illum == 6 || illum == 7;
-  Material material = Matte(m.Kd.value_or(m.map_Kd ? white : default_gray));
+  Material material = DiffuseMaterial(m.Kd.value_or(m.map_Kd ? white : default_gray));
   // Programs that know no ambient color write a white one, whatever the material is.
   if (m.Ka && *m.Ka != white) material.ka = *m.Ka;
   if (has_highlights) material.ks = m.Ks.value_or(R2::Color{});
@@ -278,7 +269,7 @@ void MapTexture(const MtlMap& map, ModelData::Part& part, Report& report) {
 std::optional<Material> LookWithoutMaterial(const MeshFile& mesh, bool has_colors, const FoundFile& file,
                                             MaterialMaker& maker, Report& report) {
   if (!has_colors && mesh.textures.empty()) return {};
-  Material material = Matte(white);
+  Material material = DiffuseMaterial(white);
   if (mesh.textures.empty()) return material;
   const MeshName& image = mesh.textures.front();
   material.texture = maker.Image({.file = image.name, .place = image.place}, file.shown, Assets::Use::color);
@@ -289,6 +280,14 @@ std::optional<Material> LookWithoutMaterial(const MeshFile& mesh, bool has_color
 }
 
 }  // namespace
+
+Material DiffuseMaterial(const R2::Color& kd) {
+  Material material;
+  material.ka = material.kd = kd;
+  material.ks = material.kr = {0, 0, 0};
+  material.texture_multiplies_ka = true;
+  return material;
+}
 
 ModelData CutByMaterial(MeshFile mesh, const FoundFile& file, Assets& assets, Report& report) {
   ModelData model;

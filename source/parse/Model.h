@@ -12,6 +12,9 @@ namespace ray {
 /// The color of what says none.
 inline constexpr R2::Color default_gray{0.6, 0.6, 0.6};
 
+/// It reflects as much of ambient light as of any other.
+Material DiffuseMaterial(const R2::Color& kd);
+
 /// A mesh in parts of one material.
 struct ModelData {
   struct Part {

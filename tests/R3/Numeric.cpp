@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "R1/DoubleDouble.h"
-#include "R3/Spawn.h"
+#include "R3/Numeric.h"
 #include "tests/Draw.h"
 #include "tests/Quad.h"
 
@@ -30,16 +30,6 @@ TEST(NextUpAndNextDown, AgreeWithTheLibrary) {
   }
   EXPECT_EQ(R3::NextUp(R3::infinity), R3::infinity);
   EXPECT_TRUE(std::isnan(R3::NextUp(std::nan(""))));
-}
-
-TEST(NextAlong, IsTheNextUpOrDownAndNothingElseWithoutAWay) {
-  for (const double x : {0.0, -0.0, 1.0, -1.0, 0x1p-1074, -0x1p-1074, 1e300, -0x1p-1022, R3::infinity, -R3::infinity}) {
-    EXPECT_EQ(R3::NextAlong(x, 0x1p-1074), R3::NextUp(x));
-    EXPECT_EQ(R3::NextAlong(x, -1), R3::NextDown(x));
-    EXPECT_EQ(R3::NextAlong(x, 0), x);
-    EXPECT_EQ(R3::NextAlong(x, std::nan("")), x);
-  }
-  EXPECT_TRUE(std::isnan(R3::NextAlong(std::nan(""), 1)));
 }
 
 TEST(DoubleDouble, SumsProductsAndQuotientsCarryAHundredBits) {

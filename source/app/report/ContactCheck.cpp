@@ -62,14 +62,13 @@ void AddPairsInOnePlane(std::vector<std::string>& mistakes, const World& world, 
 /// out.
 void AddLightsInSolids(std::vector<std::string>& mistakes, const World& world) {
   const auto is_closed_to_light = [](const Instance& i) { return i.shape->IsSolid() && IsBlack(i.material->kt); };
+  if (SolidsAround(world, world.scene().camera.eye, is_closed_to_light) > 0) return;  // it may be a room
   std::string first;
   std::size_t count = 0;
   for (const Light* light : LightsOf(world.scene())) {
     const LightBound bound = light->Bound();
     if (bound.is_infinite || light->IsExtended()) continue;
-    const R3::Point place = bound.center;
-    const bool holds_camera = SolidsAround(world, world.scene().camera.eye, is_closed_to_light) > 0;
-    if (holds_camera || SolidsAround(world, place, is_closed_to_light) == 0) continue;
+    if (SolidsAround(world, bound.center, is_closed_to_light) == 0) continue;
     if (++count == 1) first = light->Describe();
   }
   if (count == 0) return;
