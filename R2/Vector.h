@@ -7,6 +7,8 @@ namespace R2 {
 /// A displacement in the plane.
 struct Vector {
   double x = 0, y = 0;
+
+  friend bool operator==(const Vector&, const Vector&) = default;
 };
 
 inline Vector operator-(Point a, Point b) { return {a.x - b.x, a.y - b.y}; }

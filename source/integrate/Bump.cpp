@@ -5,12 +5,13 @@ namespace {
 
 /// The slope of the texture's luminance along u and v: of its lookup, smoothed over one texel along either, since the
 /// slope of bilinear blends alone jumps at the center of every texel, and shading with it.
-R2::Vector Slope(const Texture& texture, const R3::Intersection& at) {
+R2::Vector Slope(const Texture& texture, const R3::Intersection& surface, const R2::Vector& scale) {
+  const TexturePlace at = PlaceOnTexture(surface, scale);
   const double u = 0.5 / texture.image.Width(), v = 0.5 / texture.image.Height();
   const auto height = [&](double du, double dv) {
     return Luminance(texture.At({at.uv.x + du, at.uv.y + dv}, at.v_ends));
   };
-  return {(height(u, 0) - height(-u, 0)) / (2 * u), (height(0, v) - height(0, -v)) / (2 * v)};
+  return {scale.x * ((height(u, 0) - height(-u, 0)) / (2 * u)), scale.y * ((height(0, v) - height(0, -v)) / (2 * v))};
 }
 
 /// The direction of `v`, or another where it has none: where it is 0 or not finite.
@@ -27,7 +28,7 @@ double SideOf(const ShadingPoint& p) { return p.entering ? 1 : -1; }
 R3::Vector Bumped(const ShadingPoint& p, const R3::UvTangents& uv) {
   const R3::Vector n = AsVector(p.at.normal), first = Unit(uv.first), second = Unit(uv.second);
   const double area = Dot(n, Cross(first, second));  // 0, and what follows not finite, where they are parallel
-  const R2::Vector slope = Slope(*p.material->bump, p.at);
+  const R2::Vector slope = Slope(*p.material->bump, p.at, p.material->texture_scale);
   const double along_first = Dot(slope, uv.gain_first) / Length(uv.first),
                along_second = Dot(slope, uv.gain_second) / Length(uv.second);
   const R3::Vector gradient = (along_first * Cross(second, n) + along_second * Cross(n, first)) / area;
@@ -42,7 +43,7 @@ R3::Vector NormalMapped(const ShadingPoint& p, const R3::UvTangents& uv) {
   const double sign = turn > 0 ? 1 : -1;
   const R3::Vector along_u = Unit(sign * (dv_second * uv.first - dv_first * uv.second)),
                    along_v = Unit(sign * (du_first * uv.second - du_second * uv.first));
-  const R2::Color c = p.material->normal_map->On(p.at);
+  const R2::Color c = p.material->normal_map->On(p.at, p.material->texture_scale);
   if (turn == 0 || c == R2::Color{}) return p.N;
   return UnitOr(p.N, SideOf(p) * ((2 * c.r - 1) * along_u + (2 * c.g - 1) * along_v) + (2 * c.b - 1) * p.N);
 }

@@ -10,7 +10,7 @@ class Flat : public FirstHit {
   R2::Color Seen(const ShadingPoint& p) const override {
     const Material& m = *p.material;
     if (!m.color) return p.Albedo();
-    return m.texture ? *m.color * m.texture->On(p.at) : *m.color;
+    return m.texture ? *m.color * m.texture->On(p.at, m.texture_scale) : *m.color;
   }
   R2::Color Missed(const R3::Vector& direction) const override { return Background(world().scene(), direction); }
 };

@@ -58,7 +58,8 @@ R2::Color VertexColorAt(const World& world, const WorldHit& hit) {
 
 R2::Color ShadingPoint::AmbientReflectance(const World& world) const {
   if (!material->texture_multiplies_ka) return material->ka;
-  const R2::Color ka = material->texture ? material->ka * material->texture->On(at) : material->ka;
+  const R2::Color ka =
+      material->texture ? material->ka * material->texture->On(at, material->texture_scale) : material->ka;
   return material->has_vertex_colors ? ka * VertexColorAt(world, hit) : ka;
 }
 

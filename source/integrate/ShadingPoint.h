@@ -81,7 +81,7 @@ R2::Color VertexColorAt(const World& world, const WorldHit& hit);
 /// The kd of a point whose surface is known.
 inline R2::Color KdAt(const World& world, const ShadingPoint& p) {
   const Material& m = *p.material;
-  const R2::Color kd = m.texture ? m.kd * m.texture->On(p.at) : m.kd;
+  const R2::Color kd = m.texture ? m.kd * m.texture->On(p.at, m.texture_scale) : m.kd;
   return m.has_vertex_colors ? kd * VertexColorAt(world, p.hit) : kd;
 }
 /// Of a point whose kd is known, the last of these.

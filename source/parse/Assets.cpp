@@ -127,6 +127,12 @@ void Assets::WarnOfMesh(const FoundFile& file, std::size_t triangles, int droppe
     report_.Warn(place, Counted(static_cast<std::uint64_t>(dropped), "degenerate triangle") + " skipped");
 }
 
+bool Assets::DecodeSrgb() {
+  const bool is_first = images_.empty() && environments_.empty() && meshes_.empty() && models_.empty();
+  decode_srgb_ |= is_first;
+  return decode_srgb_;
+}
+
 std::shared_ptr<const Texture> Assets::Image(const std::string& name, const std::string& named_in, Use use) {
   const FoundFile file = files_.Find(name, named_in);
   const auto [place, is_new] = images_.try_emplace({file.canonical, use});

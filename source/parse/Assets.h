@@ -76,6 +76,9 @@ class Assets {
   /// Its bytes; it then counts as read. Throws FileError.
   std::string Read(const FoundFile& file);
 
+  /// From now on 8-bit colors are sRGB. False, and nothing done, where images or meshes were read otherwise before.
+  bool DecodeSrgb();
+
   /// What a picture's values are: colors, which a linear workflow decodes from 8 bits, or numbers, which it does not.
   enum class Use { color, data };
   /// Throws FileError; null when the file failed before.

@@ -22,8 +22,13 @@ std::string_view WithoutComment(std::string_view word) {
 
 }  // namespace
 
-Tokenizer::Tokenizer(const Text& text, Comments comments, Joints joints)
-    : text_(text), comments_(comments), joints_(joints), next_(text.bytes.data()), end_(next_ + text.bytes.size()) {
+Tokenizer::Tokenizer(const Text& text, Comments comments, Joints joints, Quotes quotes)
+    : text_(text),
+      comments_(comments),
+      joints_(joints),
+      quotes_(quotes),
+      next_(text.bytes.data()),
+      end_(next_ + text.bytes.size()) {
   if (std::string_view(text.bytes).starts_with(byte_order_mark)) next_ += byte_order_mark.size();
 }
 
@@ -54,13 +59,29 @@ std::optional<Token> Tokenizer::Scan() {
   if (next_ == end_) return {};
   const char* const first = next_;
   Token token{{}, line_, column_, std::exchange(at_line_start_, false)};
-  while (next_ != end_ && !IsSpace(*next_)) ++next_;
-  token.text = {first, static_cast<std::size_t>(next_ - first)};
-  if (IsJoint(next_ - 1)) token.text.remove_suffix(1);
-  if (comments_ == Comments::hash) token.text = WithoutComment(token.text);
+  const bool is_quoted = quotes_ == Quotes::names && *first == '"';
+  token.text = {first, is_quoted ? LengthOfQuoted() : LengthOfWord()};
   next_ = first + token.text.size();
   column_ += CountCharacters(token.text);
   return token;
+}
+
+std::size_t Tokenizer::LengthOfWord() const {
+  const char* behind = next_;
+  while (behind != end_ && !IsSpace(*behind)) ++behind;
+  if (IsJoint(behind - 1)) --behind;
+  const std::string_view word(next_, static_cast<std::size_t>(behind - next_));
+  return comments_ == Comments::hash ? WithoutComment(word).size() : word.size();
+}
+
+/// Up to the closing quote; where it is missing, up to the end of the line.
+std::size_t Tokenizer::LengthOfQuoted() const {
+  const char* behind = next_ + 1;
+  for (; behind != end_ && !EndsLine(*behind); ++behind) {
+    if (*behind == '"') return static_cast<std::size_t>(behind + 1 - next_);
+    if (*behind == '\\' && behind + 1 != end_ && !EndsLine(behind[1])) ++behind;
+  }
+  return static_cast<std::size_t>(behind - next_);
 }
 
 void Tokenizer::SkipWhiteSpace() {

@@ -17,8 +17,12 @@ class Tokenizer {
   /// Whether a backslash at the end of a line joins the next one to it: words there do not start a line.
   enum class Joints { none, backslash };
 
+  /// Whether a word that begins with a quote goes on to the next one on its line, blanks and all; behind a backslash a
+  /// quote is a letter of it. The word's text has its quotes.
+  enum class Quotes { none, names };
+
   /// `text` must outlive the tokenizer and its tokens.
-  Tokenizer(const Text& text, Comments comments, Joints joints = Joints::none);
+  Tokenizer(const Text& text, Comments comments, Joints joints = Joints::none, Quotes quotes = Quotes::none);
 
   /// Nothing at the end of the text.
   std::optional<Token> Next();
@@ -32,6 +36,8 @@ class Tokenizer {
 
  private:
   std::optional<Token> Scan();
+  std::size_t LengthOfWord() const;
+  std::size_t LengthOfQuoted() const;
   void SkipWhiteSpace();
   bool IsJoint(const char* backslash) const;
   void SkipToLineEnd();
@@ -39,6 +45,7 @@ class Tokenizer {
   const Text& text_;
   Comments comments_;
   Joints joints_;
+  Quotes quotes_;
   const char* next_;
   const char* end_;
   std::size_t line_ = 1, column_ = 1;

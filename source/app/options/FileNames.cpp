@@ -91,10 +91,9 @@ void CheckPicture(const Options& options, std::span<const std::string> words) {
   throw UsageError("no picture is named; for example: " + LikelyCommand(options, words));
 }
 
-/// Groningen's command names the scene alone; its picture lies beside it.
-void NamePictureOfYaml(Options& options) {
-  const std::string extension = ExtensionOf(options.scene);
-  if (options.task == Task::render && options.picture.empty() && (extension == ".yaml" || extension == ".yml"))
+/// A scene may be named alone; its picture then lies beside it.
+void NamePictureOfScene(Options& options) {
+  if (options.task == Task::render && options.picture.empty() && IsScene(options.scene))
     options.picture = std::filesystem::path(options.scene).replace_extension(".png").string();
 }
 
@@ -113,7 +112,7 @@ void ShareNames(Options& options) {
   if (names.size() > 2) RefuseName(names[2], IsScene(names[2]) ? several_scenes : UsageOf(options));
   options.scene = names[0];
   if (names.size() == 2) options.picture = names[1];
-  NamePictureOfYaml(options);
+  NamePictureOfScene(options);
 }
 
 void CheckNames(const Options& options, std::span<const std::string> words) {

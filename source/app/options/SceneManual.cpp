@@ -46,18 +46,25 @@ constexpr const char* lexical =
     "and as many numbers and names as it takes.\n"
     "A # that begins a word, or follows a number or a command, starts a comment, which ends with the line.\n"
     "Commands are in lower case. Numbers are decimal, such as 2, -.5, +20 or 1e-3; angles are in radians. Colors are "
-    "three numbers, red, green and blue, that may exceed 1. Names of files hold no white space.\n"
+    "three numbers, red, green and blue, that may exceed 1. A name of a file that holds blanks or a # stands in "
+    "quotes, as in "
+    "\"my wood.png\"; \\\" is a quote in it, \\\\ a backslash, \\n the end of a line.\n"
     "Statements may come in any order, except that a material must precede its first use. Of several cameras, "
     "backgrounds, ambients or environments the last one counts.\n";
 
 constexpr const char* placing =
     "A matrix has 16 numbers, row by row, and moves points written as columns: the fourth column is the translation. "
     "Its last row is 0 0 0 1. Groups may hold groups; what is inside is placed by the inner matrix first.\n"
+    "Instead of a matrix, begin takes words, each of which moves what the words behind it have placed: begin -1 "
+    "translate 0 1 0 rotate 45 0 1 0 scale 2 makes its shapes twice as large, turns them by 45 degrees about the y "
+    "axis, counter-clockwise seen from above, and then lifts them by 1. look_at brings the origin to ex ey ez and "
+    "turns the z axis towards the point tx ty tz, y as near to ux uy uz as it can be.\n"
     "Cameras, lights and what surrounds the scene are never moved by a group.\n"
     "The camera's view is a direction, not a place to look at. Its angle is half of the horizontal view; the height of "
     "the picture decides the vertical one.\n"
     "A light's direction is the way the light travels. Its attenuation ca la qa divides it by ca + la d + qa d^2 at a "
     "distance d. Of the two numbers behind a spot_light the cut-off angle is the first, the exponent the second.\n"
+    "camera look_at takes a point to look at, and the whole horizontal view in degrees.\n"
     "Without any camera the scene is looked at along -z from three times the radius of its box; without any light two "
     "dir_light shine, of color 1 along -3 -4 -5 and of color .5 along 3 2 3. A black light keeps them away.\n";
 
@@ -120,7 +127,8 @@ constexpr std::pair<const char*, const char*> extensions[] = {
     {"mesh id file materials",
      "Faces have the materials that the file gives them, and colors of its vertices; the material id is for all "
      "others."},
-    {"absorb, bump, coat, flat_color, gloss, mirror, normal_map, priority, texture_ambient, vertex_colors",
+    {"absorb, bump, coat, flat_color, gloss, mirror, normal_map, priority, texture_ambient, texture_scale, "
+     "vertex_colors",
      "Of a material of the same file, stated before."},
     {"priority",
      "Solids that light goes through may contain one another, touch and overlap: rays are refracted between what is on "
@@ -149,6 +157,7 @@ constexpr std::pair<const char*, const char*> extensions[] = {
     {"set",
      "What decides how the image looks, by the name of its option without the dash, such as max_depth 2; presets and "
      "the command line override it, and -explain tells who set what."},
+    {"set srgb", "Stands before the first image that is read, whose colors it decodes."},
     {"motion", "Between begin and end."},
     {"environment", "A latitude-longitude picture, an angular probe or a cross; -env takes its place."},
     {"sphere_light", "A lamp with a size, not itself seen; from afar a point_light of that color."},
@@ -177,8 +186,7 @@ std::string SceneManualPage() {
          ".SS lights\n" + Entries(Family::light) + ".SH PLACES AND DIRECTIONS\n" + Paragraphs(placing) +
          ".SH MATERIALS\n" + Tagged(material_words) + ".PP\n" + Paragraphs(about_ids) + ".SH LAMPS\n" +
          Paragraphs(about_lamps) + ".SH FILES\n" + Paragraphs(about_files) + ".TP\n.B meshes\n" +
-         Roff(MeshExtensions()) + "\n.TP\n.B pictures\n" +
-         Roff(ImageExtensions()) +
+         Roff(MeshExtensions()) + "\n.TP\n.B pictures\n" + Roff(ImageExtensions()) +
          "\n.SH EXTENSIONS\nWhat the course's language lacks is stated in words of its own:\n" + Tagged(extensions) +
          ".SH MISTAKES\n" +
          Roff("Each is reported with file, line and column; raypro -check looks for them without rendering.\n") +

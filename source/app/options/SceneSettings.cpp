@@ -17,7 +17,7 @@ namespace {
 
 /// What decides how a picture looks. What decides how long it takes, or which files are read and written, is the
 /// user's alone: a scene may come from a stranger.
-constexpr std::array<std::string_view, 30> of_scenes{"adaptive",
+constexpr std::array<std::string_view, 31> of_scenes{"adaptive",
                                                      "aperture",
                                                      "bytes",
                                                      "clamp",
@@ -44,6 +44,7 @@ constexpr std::array<std::string_view, 30> of_scenes{"adaptive",
                                                      "shadow_samples",
                                                      "shadows",
                                                      "shutter_samples",
+                                                     "srgb",
                                                      "toon_bands",
                                                      "width",
                                                      "zbuffer_range"};
@@ -67,7 +68,7 @@ void Apply(const OptionKind& option, const SceneSetting& setting, Options& optio
   std::vector<std::string> words = WordsOf(setting.value);
   if (std::holds_alternative<Flag>(option.value)) {
     if (setting.value == "off") return;
-    if (setting.value != "on")
+    if (setting.value != "on" && !setting.value.empty())
       throw UsageError("-" + std::string(option.name) + " must be on or off, got " + Quoted(setting.value));
     words.clear();
   } else if (words.empty()) {

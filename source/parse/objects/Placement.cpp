@@ -48,6 +48,20 @@ R3::Matrix RotationAbout(int axis, double degrees) {
   return matrix;
 }
 
+// Rodrigues' formula, cos I + sin [a] + (1 - cos) a a^T.
+R3::Matrix RotationAbout(const R3::Vector& axis, double degrees) {
+  const auto [s, c] = OfDegrees(degrees);
+  const R3::Vector a = Unit(axis);
+  const auto column = [&](const R3::Vector& e) { return c * e + s * Cross(a, e) + (1 - c) * Dot(a, e) * a; };
+  return Frame({}, column({1, 0, 0}), column({0, 1, 0}), column({0, 0, 1}));
+}
+
+std::optional<R3::Matrix> LookingAt(const R3::Point& eye, const R3::Point& target, const R3::Vector& up) {
+  const R3::Vector z = Unit(target - eye), x = Unit(Cross(Unit(up), z));
+  if (z == R3::Vector{} || x == R3::Vector{}) return {};
+  return Frame(eye, x, Cross(z, x), z);
+}
+
 R3::Matrix operator*(const R3::Matrix& a, const R3::Matrix& b) {
   const auto column = [&](std::size_t i) { return a * R3::Vector{b.m[0][i], b.m[1][i], b.m[2][i]}; };
   return Frame(a * R3::Point{b.m[0][3], b.m[1][3], b.m[2][3]}, column(0), column(1), column(2));

@@ -50,6 +50,9 @@ constexpr std::string_view shapes_of_triangles = "use a tri for each triangle, o
 constexpr std::string_view kinds_of_lights =
     "lights are area_light, dir_light, point_light, sphere_light and spot_light";
 constexpr std::string_view with_matrix = "use 'begin mat_id', a 4x4 matrix in rows, shapes, 'end'";
+constexpr std::string_view behind_begin =
+    "translate, rotate, scale and look_at stand behind begin: 'begin mat_id rotate 45 0 1 0', shapes, 'end'";
+constexpr std::string_view behind_camera = "use 'camera look_at ex ey ez tx ty tz ux uy uz fov', in degrees";
 constexpr std::string_view with_material = "use 'material', and its number behind the word of a shape";
 constexpr std::string_view size_setting = "use 'set width n' and 'set height n', or the options";
 constexpr std::string_view of_pbrt = "this looks like a scene of pbrt; raypro -list scenes lists what can be read";
@@ -79,10 +82,10 @@ constexpr std::array elsewhere{
     Foreign{"distant_light", "dir_light"},
     Foreign{"sun", "dir_light"},
     Foreign{"matrix", with_matrix},
-    Foreign{"rotate", with_matrix},
+    Foreign{"rotate", behind_begin},
     Foreign{"transform", with_matrix},
-    Foreign{"scale", "use 'begin mat_id  x 0 0 0  0 y 0 0  0 0 z 0  0 0 0 1', shapes, 'end'"},
-    Foreign{"translate", "use 'begin mat_id  1 0 0 x  0 1 0 y  0 0 1 z  0 0 0 1', shapes, 'end'"},
+    Foreign{"scale", behind_begin},
+    Foreign{"translate", behind_begin},
     Foreign{"color", with_material},
     Foreign{"colour", with_material},
     Foreign{"diffuse", with_material},
@@ -93,8 +96,8 @@ constexpr std::array elsewhere{
     Foreign{"texture", "a texture is the last word of 'material'"},
     Foreign{"eye", "camera"},
     Foreign{"fov", "the field of view is the half angle of 'camera', in radians"},
-    Foreign{"lookat", "camera"},
-    Foreign{"look_at", "camera"},
+    Foreign{"lookat", behind_camera},
+    Foreign{"look_at", behind_camera},
     Foreign{"perspective", "camera"},
     Foreign{"film", size_setting},
     Foreign{"image", size_setting},

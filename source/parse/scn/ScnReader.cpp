@@ -82,7 +82,8 @@ void ScnReader::Open(const FoundFile& file) {
   bytes_ += text->bytes.size();
   if (bytes_ > max_bytes) Stop(ErrorIn(text->name, "the scene's files together exceed 1 GiB"));
   open_files_.push_back(
-      {text, file.canonical, index, builder_.open_groups.size(), Tokenizer(*text, Tokenizer::Comments::hash)});
+      {text, file.canonical, index, builder_.open_groups.size(),
+       Tokenizer(*text, Tokenizer::Comments::hash, Tokenizer::Joints::none, Tokenizer::Quotes::names)});
 }
 
 ScnReader::KnownText ScnReader::TextOf(const FoundFile& file) {
@@ -225,9 +226,9 @@ void ScnReader::CloseGroup(Statement& statement) {
   builder_.CloseGroup();
 }
 
-void ScnReader::Include(Statement& statement, const Token& name) {
-  WithFile(statement, name, [&] {
-    const FoundFile file = files_.Find(std::string(name.text), CurrentFile());
+void ScnReader::Include(Statement& statement, const FileWord& named) {
+  WithFile(statement, named.word, [&] {
+    const FoundFile file = files_.Find(named.name, CurrentFile());
     RefuseOtherLanguage(file);
     const auto same = std::find_if(open_files_.begin(), open_files_.end(),
                                    [&](const OpenFile& open) { return open.canonical == file.canonical; });
@@ -240,7 +241,7 @@ void ScnReader::Include(Statement& statement, const Token& name) {
       throw FileError{"includes are nested deeper than " + std::to_string(options_.include_depth) + " files",
                       "-include_depth n allows more"};
     if (++includes_ > max_includes)
-      Stop(ErrorAt(*Current().text, name, "more than " + std::to_string(max_includes) + " includes"));
+      Stop(ErrorAt(*Current().text, named.word, "more than " + std::to_string(max_includes) + " includes"));
     Open(file);
   });
 }

@@ -47,7 +47,7 @@ class ScnReader {
   /// The one that this file opened last and has not closed; null at its top level.
   Node* InnermostGroup();
   /// Goes on with another file; the words behind this statement come after its end.
-  void Include(Statement& statement, const Token& name);
+  void Include(Statement& statement, const FileWord& named);
   /// "room.scn:12:3"
   std::string PlaceOf(const Token& word) const { return Place(CurrentFile(), word.line, word.column); }
   /// Nothing where a scene may make the setting.

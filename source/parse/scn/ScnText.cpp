@@ -9,6 +9,7 @@
 #include "R3/Mesh.h"
 #include "source/parse/meshes/Polygon.h"
 #include "source/parse/scn/ObjText.h"
+#include "source/parse/scn/QuotedName.h"
 #include "source/scene/CameraText.h"
 #include "source/text/NumberText.h"
 #include "source/text/Quoting.h"
@@ -26,6 +27,7 @@ std::string TextOf(int number) { return std::to_string(number); }
 std::string TextOf(double number) { return ToText(number); }
 std::string TextOf(const R2::Color& c) { return ToText(c.r) + " " + ToText(c.g) + " " + ToText(c.b); }
 std::string TextOf(const R3::Vector& v) { return ToText(v.x) + " " + ToText(v.y) + " " + ToText(v.z); }
+std::string TextOf(const R2::Vector& v) { return ToText(v.x) + " " + ToText(v.y); }
 std::string TextOf(const R3::Point& p) { return TextOf(FromOrigin(p)); }
 std::string TextOf(const std::vector<double>& numbers) {
   std::string text;
@@ -117,6 +119,7 @@ class ScnWriter {
     if (m.priority != 0) Say("priority", id, m.priority);
     if (m.coat != 0) Say("coat", id, m.coat);
     if (m.texture_multiplies_ka) Say("texture_ambient", id);
+    if (m.texture_scale != R2::Vector{1, 1}) Say("texture_scale", id, m.texture_scale);
     if (m.has_vertex_colors) Say("vertex_colors", id);
     if (m.color) Say("flat_color", id, *m.color);
     if (m.gloss > 0) Say("gloss", id, m.gloss, m.gloss_samples);
@@ -181,8 +184,9 @@ class ScnWriter {
     if (const char* const command = PolygonCommandOf(*mesh, material)) return SayPolygon(command, *mesh, id);
     if (IsSaidByTriangles(*mesh, material)) return SayTriangles(*mesh, id);
     if (mesh->Data().is_one_polygon && mesh->Elements() > 1 && !IsBlack(material.emission))
-      written_.warnings.emplace_back("a polygon that emits is written as a mesh: in mode whitted each of its triangles "
-                                     "is a lamp of its own");
+      written_.warnings.emplace_back(
+          "a polygon that emits is written as a mesh: in mode whitted each of its triangles "
+          "is a lamp of its own");
     if (mesh->IsSmooth())
       Say("mesh", id, FileOf(*mesh), "smooth");
     else
@@ -225,7 +229,7 @@ class ScnWriter {
         return place->second = *name;
     const std::string name = stem_ + "-" + std::to_string(written_.meshes.size() + 1) + ".obj";
     written_.meshes.push_back({name, ObjText(mesh)});
-    return place->second = name;
+    return place->second = QuotedWhereNeeded(name);
   }
 
   /// -1 to inherit.
@@ -235,21 +239,15 @@ class ScnWriter {
     return static_cast<int>(scene_.materials.size()) - 1;
   }
 
-  /// How the text names a file. Nothing, and a warning, where the language has no way to.
+  /// How the text names a file. Nothing, and a warning, for what came from no file.
   std::optional<std::string> NameOf(const std::string& file, const std::string& otherwise) {
-    const std::string name = std::filesystem::path(file).lexically_relative(folder_).string();
-    const bool has_space =
-        std::any_of(name.begin(), name.end(), [](char c) { return c == ' ' || (c >= '\t' && c <= '\r'); });
-    if (file.empty() || has_space) {
-      written_.warnings.push_back(file.empty() ? "an image came from no file: " + otherwise
-                                               : "a name with white space cannot be written in a .scn file: " +
-                                                     Quoted(name) + "; " + otherwise);
+    if (file.empty()) {
+      written_.warnings.push_back("an image came from no file: " + otherwise);
       return {};
     }
+    const std::string name = std::filesystem::path(file).lexically_relative(folder_).string();
     if (name.starts_with("../")) written_.other_folders.insert(std::filesystem::path(file).parent_path().string());
-    // No texture; a comment, also behind a number.
-    const bool means_something_else = name == "0" || name.find('#') != std::string::npos;
-    return means_something_else ? "./" + name : name;
+    return QuotedWhereNeeded(name);
   }
 
   const Scene& scene_;

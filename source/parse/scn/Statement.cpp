@@ -1,6 +1,7 @@
 #include "source/parse/scn/Statement.h"
 
 #include "source/parse/Coordinate.h"
+#include "source/parse/scn/QuotedName.h"
 #include "source/text/Number.h"
 
 namespace ray {
@@ -24,7 +25,7 @@ Arguments Statement::Numbers(std::span<const R3::Argument> wanted) {
   read.words.reserve(wanted.size());
   for (const R3::Argument& argument : wanted) {
     if (const auto& next = tokens_.Peek(); !next || BeginsStatement(*next)) {
-      Error(word_, command_.name + ": " + argument.name + " is missing", command_.usage);
+      Error(word_, name_ + ": " + argument.name + " is missing", usage_);
       throw Incomplete{};
     }
     const Token word = *tokens_.Next();
@@ -52,10 +53,20 @@ Arguments Statement::Coordinates(std::span<const R3::Argument> wanted) {
 Token Statement::Word(const char* name) {
   const auto& next = tokens_.Peek();
   if (!next || (next->starts_line && FindCommand(next->text))) {
-    Error(word_, command_.name + ": " + name + " is missing", command_.usage);
+    Error(word_, name_ + ": " + name + " is missing", usage_);
     throw Incomplete{};
   }
   return *tokens_.Next();
+}
+
+FileWord Statement::FileName(const char* name) {
+  const Token word = Word(name);
+  auto [text, problem] = Unquoted(word.text);
+  if (problem) {
+    Error(word, problem, quoting_rules);
+    throw Incomplete{};
+  }
+  return {word, std::move(text)};
 }
 
 std::vector<Token> Statement::RestOfLine() {

@@ -4,6 +4,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "R3/ShapeKind.h"
@@ -18,6 +19,12 @@ struct Arguments {
   std::vector<Token> words;
 };
 
+/// The name of a file, and the word that says it.
+struct FileWord {
+  Token word;
+  std::string name;
+};
+
 /// One command while its arguments are read. A wrong argument is noted and reading goes on, so that one run tells all
 /// that is wrong with a line; a missing one ends the command. What a statement with errors leaves in the scene does not
 /// matter: the scene is refused.
@@ -27,13 +34,20 @@ class Statement {
   struct Incomplete {};
 
   Statement(const Command& command, const Token& word, Tokenizer& tokens)
-      : command_(command), word_(word), tokens_(tokens) {}
+      : command_(command), word_(word), tokens_(tokens), name_(command.name), usage_(command.usage) {}
+
+  /// What lacks from here on is said of this word of the command, and of how that one is used.
+  void BeginPart(std::string name, std::string usage) { name_ = std::move(name), usage_ = std::move(usage); }
 
   Arguments Numbers(std::span<const R3::Argument> wanted);
   /// The same, of which none is beyond what coordinates may be.
   Arguments Coordinates(std::span<const R3::Argument> wanted);
-  /// The word of an argument that is no number: an id or a file's name.
+  /// The word of an argument that is no number.
   Token Word(const char* name);
+  /// The name of a file, which may stand in quotes.
+  FileWord FileName(const char* name = "file name");
+  /// The word that comes next, without taking it.
+  const std::optional<Token>& Peek() { return tokens_.Peek(); }
   /// The words that are left on the line.
   std::vector<Token> RestOfLine();
   /// Whether the next word is this one, which is then taken.
@@ -51,6 +65,7 @@ class Statement {
   const Command& command_;
   const Token word_;
   Tokenizer& tokens_;
+  std::string name_, usage_;
   std::vector<SceneError> errors_;
 };
 

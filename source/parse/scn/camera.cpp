@@ -2,6 +2,7 @@
 #include <numbers>
 #include <utility>
 
+#include "source/parse/scn/Placing.h"
 #include "source/parse/scn/ScnReader.h"
 
 namespace ray {
@@ -32,22 +33,49 @@ void CheckView(Statement& statement, const Arguments& read) {
                     "half the horizontal field of view, in radians");
 }
 
-void ReadCamera(ScnReader& reader, Statement& statement) {
-  if (std::exchange(reader.Builder().has_camera, true))
-    reader.Warn(statement, "the scene has a camera already; the last one counts");
+/// An eye, a direction and half an angle in radians, as in the course.
+std::optional<AimedCamera> ReadDirected(Statement& statement) {
   const Arguments read = statement.Numbers(camera_arguments);
   if (statement.IsGood()) CheckView(statement, read);
-  if (!statement.IsGood()) return;
+  if (!statement.IsGood()) return {};
   const auto& a = read.values;
-  const Camera before = reader.Builder().scene.camera;
   AimedCamera aimed = Aim({a[0], a[1], a[2]}, {a[3], a[4], a[5]}, {a[6], a[7], a[8]});
-  if (aimed.up_was_replaced)
-    reader.Warn(statement, "the up vector is parallel to the view direction; another one is used");
   aimed.camera.xfov = a[9];
   aimed.camera.near = a[10];
   aimed.camera.far = a[11];
-  aimed.camera.TakeViewOf(before);  // a view line may come first
-  reader.Builder().scene.camera = aimed.camera;
+  return aimed;
+}
+
+constexpr std::string_view look_at_usage = "camera look_at ex ey ez tx ty tz ux uy uz fov";
+const std::array<R3::Argument, 1> whole_angle{{{"fov"}}};
+
+/// An extension: an eye, a point to look at and a whole angle in degrees.
+std::optional<AimedCamera> ReadLookingAt(Statement& statement) {
+  statement.BeginPart("camera look_at", std::string(look_at_usage));
+  const Arguments read = statement.Coordinates(look_at_arguments), angle = statement.Numbers(whole_angle);
+  const double fov = angle.values[0];
+  if (!statement.IsGood()) return {};
+  const auto& a = read.values;
+  const R3::Point eye{a[0], a[1], a[2]}, target{a[3], a[4], a[5]};
+  if (eye == target) statement.Error(read.words[3], "the camera must not stand at the point that it looks at");
+  if (!(fov > 0 && fov < 180))
+    statement.Error(angle.words[0], "fov must be between 0 and 180, got " + Escaped(angle.words[0].text),
+                    "the whole horizontal field of view, in degrees");
+  if (!statement.IsGood()) return {};
+  AimedCamera aimed = Aim(eye, target - eye, {a[6], a[7], a[8]});
+  aimed.camera.xfov = fov / 360 * std::numbers::pi;
+  return aimed;
+}
+
+void ReadCamera(ScnReader& reader, Statement& statement) {
+  if (std::exchange(reader.Builder().has_camera, true))
+    reader.Warn(statement, "the scene has a camera already; the last one counts");
+  auto aimed = statement.Takes("look_at") ? ReadLookingAt(statement) : ReadDirected(statement);
+  if (!aimed) return;
+  if (aimed->up_was_replaced)
+    reader.Warn(statement, "the up vector is parallel to the view direction; another one is used");
+  aimed->camera.TakeViewOf(reader.Builder().scene.camera);  // a view line may come first
+  reader.Builder().scene.camera = aimed->camera;
 }
 
 const std::array<R3::Argument, 3> view_arguments{{{"aspect", false}, {"shift_x"}, {"shift_y"}}};
@@ -67,7 +95,10 @@ void ReadView(ScnReader& reader, Statement& statement) {
 
 extern const Command camera_command{
     "camera", "camera" + ArgumentNames(camera_arguments),
-    "eye, view direction, up, half the horizontal field of view in radians, clipping planes of the viewer", ReadCamera};
+    "eye, view direction, up, half the horizontal field of view in radians, clipping planes of the viewer; or "
+    "look_at ex ey ez tx ty tz ux uy uz fov: eye, a point to look at, up, the whole horizontal field of view in "
+    "degrees",
+    ReadCamera};
 
 extern const Command view_command{
     "view", "view" + ArgumentNames(view_arguments) + " [mirrored]",

@@ -1,7 +1,9 @@
 #include <array>
 
+#include "source/parse/scn/Placing.h"
 #include "source/parse/scn/ScnReader.h"
 #include "source/scene/Singular.h"
+#include "source/text/Number.h"
 
 namespace ray {
 namespace {
@@ -49,14 +51,29 @@ void WarnOfCondition(ScnReader& reader, const Statement& statement, const R3::Ma
     reader.Warn(statement, "nearly singular matrix: precision may suffer");
 }
 
+/// A word in the place of a matrix that can be no other statement.
+bool IsWordForMatrix(const std::optional<Token>& next) {
+  return next && !BeginsStatement(*next) && ParseNumber(next->text).problem && !SaysNanOrInfinity(next->text);
+}
+
+/// 16 numbers, as in the course; or words, an extension.
+R3::Matrix ReadMatrix(Statement& statement) {
+  if (BeginsPlacement(statement)) return ReadPlacement(statement);
+  if (IsWordForMatrix(statement.Peek())) {
+    RefusePlacement(statement);
+    throw Statement::Incomplete{};
+  }
+  const Arguments read = statement.Numbers(entries);
+  if (statement.IsGood()) CheckLastRow(statement, read);
+  return MatrixOf(read.values);
+}
+
 // The group is opened whatever is wrong with its numbers, so that its end finds it.
 void ReadBegin(ScnReader& reader, Statement& statement) {
   Node group;
   try {
     group.material = reader.ReadMaterial(statement);
-    const Arguments read = statement.Numbers(entries);
-    if (statement.IsGood()) CheckLastRow(statement, read);
-    group.transform = MatrixOf(read.values);
+    group.transform = ReadMatrix(statement);
     if (statement.IsGood()) WarnOfCondition(reader, statement, group.transform);
   } catch (const Statement::Incomplete&) {
     reader.OpenGroup(statement, std::move(group));
@@ -81,8 +98,10 @@ void ReadMotion(ScnReader& reader, Statement& statement) {
 
 extern const Command motion_command{"motion", "motion dx dy dz",
                                     "how far the enclosing group moves while the shutter is open", ReadMotion};
-extern const Command begin_command{"begin", "begin mat_id m00 m01 m02 m03 m10 ... m33",
-                                   "opens a group with a material and a 4x4 matrix, row by row", ReadBegin};
+extern const Command begin_command{
+    "begin", "begin mat_id m00 m01 m02 m03 m10 ... m33, or begin mat_id translate x y z ...",
+    "opens a group with a material and a 4x4 matrix, row by row, or any number of " + std::string(placing_usage),
+    ReadBegin};
 extern const Command end_command{"end", "end", "closes the innermost group of the file", ReadEnd};
 
 }  // namespace ray

@@ -3,7 +3,7 @@
 namespace ray {
 namespace {
 
-void ReadInclude(ScnReader& reader, Statement& statement) { reader.Include(statement, statement.Word("file name")); }
+void ReadInclude(ScnReader& reader, Statement& statement) { reader.Include(statement, statement.FileName()); }
 
 }  // namespace
 

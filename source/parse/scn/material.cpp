@@ -42,10 +42,10 @@ void ReadMaterial(ScnReader& reader, Statement& statement) {
   // First of all, so that one with mistakes has its id too, and no error is reported again wherever the id is used.
   Material& material = reader.NewMaterial();
   SetNumbers(material, statement.Numbers(material_arguments).values);
-  const Token texture = statement.Word("texture");
-  if (texture.text == "0") return;
-  reader.WithFile(statement, texture, [&] {
-    material.texture = reader.Library().Image(std::string(texture.text), reader.CurrentFile(), Assets::Use::color);
+  const FileWord texture = statement.FileName("texture");
+  if (texture.word.text == "0") return;
+  reader.WithFile(statement, texture.word, [&] {
+    material.texture = reader.Library().Image(texture.name, reader.CurrentFile(), Assets::Use::color);
   });
 }
 
@@ -92,6 +92,19 @@ void ReadTextureAmbient(ScnReader& reader, Statement& statement) {
   if (material && statement.IsGood()) material->texture_multiplies_ka = true;
 }
 
+const std::array<R3::Argument, 2> repetitions{{{"su"}, {"sv"}}};
+
+/// An extension: how often images repeat where texture coordinates run from 0 to 1.
+void ReadTextureScale(ScnReader& reader, Statement& statement) {
+  Material* material = reader.ReadOwnMaterial(statement);
+  const Arguments scale = statement.Coordinates(repetitions);
+  for (std::size_t i = 0; i < scale.values.size(); ++i)
+    if (!(scale.values[i] > 0))
+      statement.Error(scale.words[i],
+                      std::string(repetitions[i].name) + " must be positive, got " + Escaped(scale.words[i].text));
+  if (material && statement.IsGood()) material->texture_scale = {scale.values[0], scale.values[1]};
+}
+
 /// An extension: what scanners and painting programs give to vertices.
 void ReadVertexColors(ScnReader& reader, Statement& statement) {
   Material* material = reader.ReadOwnMaterial(statement);
@@ -103,12 +116,11 @@ const std::array<R3::Argument, 1> height{{{"height"}}};
 /// An extension: the luminance of a picture, times a height, is how far the surface seems to rise.
 void ReadBump(ScnReader& reader, Statement& statement) {
   Material* material = reader.ReadOwnMaterial(statement);
-  const Token file = statement.Word("file name");
+  const FileWord file = statement.FileName();
   const double most = statement.Numbers(height).values[0];
   if (!material) return;
-  reader.WithFile(statement, file, [&] {
-    material->bump = reader.Library().Image(std::string(file.text), reader.CurrentFile(), Assets::Use::data);
-  });
+  reader.WithFile(statement, file.word,
+                  [&] { material->bump = reader.Library().Image(file.name, reader.CurrentFile(), Assets::Use::data); });
   material->bump_height = most;
   if (most == 0) material->bump = nullptr;  // flat
 }
@@ -116,10 +128,10 @@ void ReadBump(ScnReader& reader, Statement& statement) {
 /// An extension: normals in tangent space.
 void ReadNormalMap(ScnReader& reader, Statement& statement) {
   Material* material = reader.ReadOwnMaterial(statement);
-  const Token file = statement.Word("file name");
+  const FileWord file = statement.FileName();
   if (!material) return;
-  reader.WithFile(statement, file, [&] {
-    material->normal_map = reader.Library().Image(std::string(file.text), reader.CurrentFile(), Assets::Use::data);
+  reader.WithFile(statement, file.word, [&] {
+    material->normal_map = reader.Library().Image(file.name, reader.CurrentFile(), Assets::Use::data);
   });
 }
 
@@ -171,6 +183,10 @@ extern const Command flat_color_command{
     ReadColorOfMaterial<&Material::color>};
 extern const Command texture_ambient_command{"texture_ambient", "texture_ambient mat_id",
                                              "the material's texture multiplies ka as well as kd", ReadTextureAmbient};
+extern const Command texture_scale_command{
+    "texture_scale", "texture_scale mat_id su sv",
+    "the material's texture, bump and normal map repeat so often where u and v run from 0 to 1 (default 1 1)",
+    ReadTextureScale};
 extern const Command vertex_colors_command{
     "vertex_colors", "vertex_colors mat_id",
     "the colors that a mesh gives to its vertices multiply kd, and ka with 'texture_ambient'", ReadVertexColors};

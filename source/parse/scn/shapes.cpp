@@ -32,11 +32,11 @@ Assets::Shading ReadShading(Statement& statement) {
 }
 
 /// With the materials of the file for what it gives some to.
-void ReadModel(ScnReader& reader, Statement& statement, int material, const Token& name,
+void ReadModel(ScnReader& reader, Statement& statement, int material, const FileWord& file,
                const Assets::Shading& shading) {
   std::shared_ptr<const Assets::Model> model;
-  reader.WithFile(statement, name,
-                  [&] { model = reader.Library().ModelNamed(std::string(name.text), reader.CurrentFile(), shading); });
+  reader.WithFile(statement, file.word,
+                  [&] { model = reader.Library().ModelNamed(file.name, reader.CurrentFile(), shading); });
   if (!model || !statement.IsGood()) return;
   for (Node& node : reader.Builder().NodesOf(model, material)) reader.AddNode(statement, std::move(node));
 }
@@ -44,12 +44,12 @@ void ReadModel(ScnReader& reader, Statement& statement, int material, const Toke
 void ReadMesh(ScnReader& reader, Statement& statement) {
   Node node;
   node.material = reader.ReadMaterial(statement);
-  const Token name = statement.Word("file name");
+  const FileWord file = statement.FileName();
   const Assets::Shading shading = ReadShading(statement);
-  if (statement.Takes("materials")) return ReadModel(reader, statement, node.material, name, shading);
+  if (statement.Takes("materials")) return ReadModel(reader, statement, node.material, file, shading);
   bool has_look = false;
-  reader.WithFile(statement, name, [&] {
-    const auto boxed = reader.Library().Mesh(std::string(name.text), reader.CurrentFile(), shading);
+  reader.WithFile(statement, file.word, [&] {
+    const auto boxed = reader.Library().Mesh(file.name, reader.CurrentFile(), shading);
     node.shape = boxed.mesh;
     node.bounds = boxed.bounds;  // not SetBounds, which would walk over all triangles again at each use
     has_look = boxed.has_look;

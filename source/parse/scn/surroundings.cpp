@@ -24,10 +24,9 @@ void ReadShadowBias(ScnReader& reader, Statement& statement) {
 
 /// An extension: the course names environments on the command line only.
 void ReadEnvironment(ScnReader& reader, Statement& statement) {
-  const Token name = statement.Word("file name");
-  reader.WithFile(statement, name, [&] {
-    reader.Builder().scene.environment =
-        reader.Library().EnvironmentNamed(std::string(name.text), reader.CurrentFile());
+  const FileWord file = statement.FileName();
+  reader.WithFile(statement, file.word, [&] {
+    reader.Builder().scene.environment = reader.Library().EnvironmentNamed(file.name, reader.CurrentFile());
   });
 }
 

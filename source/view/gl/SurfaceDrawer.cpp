@@ -293,6 +293,7 @@ void SurfaceDrawer::UseMaterial(const ShaderProgram& program, const GpuSurfaces&
   Set(program, "ir", m.ir);
   Set(program, "coat", m.coat);
   Set(program, "least_rim", rim * std::max(Luminance(m.kr), Luminance(m.kt)));
+  glUniform2f(program["texture_scale"], static_cast<float>(m.texture_scale.x), static_cast<float>(m.texture_scale.y));
   if (surfaces.features.textures) {
     glUniform1i(program["is_painted"], m.texture ? 1 : 0);
     glUniform1i(program["is_ambient_painted"], m.texture_multiplies_ambient ? 1 : 0);

@@ -11,12 +11,13 @@ layout(location = 1) in vec4 normal;
 layout(location = 2) in vec2 uv;
 layout(location = 3) in vec3 color;
 uniform mat4 clip_from_drawing;
+uniform vec2 texture_scale;
 out vec3 position, outward, vertex_color;
 out vec2 place;  // on the texture
 void main() {
   gl_Position = clip_from_drawing * vec4(at, 1);
   position = at, outward = normal.xyz;
-  place = uv, vertex_color = color;
+  place = texture_scale * uv, vertex_color = color;
 }
 )";
 

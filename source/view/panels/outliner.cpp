@@ -36,6 +36,8 @@ void DrawMaterial(PanelFrame& frame, const Material& m) {
   if (m.ir != 1) frame.Fact("ir", Brief(m.ir));
   if (m.coat > 0) frame.Fact("coat", Brief(m.coat));
   if (m.texture) frame.Fact("texture", m.texture->file);
+  if (m.texture_scale != R2::Vector{1, 1})
+    frame.Fact("texture_scale", Brief(m.texture_scale.x) + " " + Brief(m.texture_scale.y));
   if (m.gloss > 0) frame.Fact("gloss", Brief(m.gloss));
   if (m.normal_map) frame.Fact("normal_map", m.normal_map->file);
   if (m.bump) frame.Fact("bump", m.bump->file + " " + Brief(m.bump_height));

@@ -109,6 +109,7 @@ SurfaceMaterial LookOf(const Material& m, const Scene& scene, const DrawingSpace
   look.n = m.n, look.ir = m.ir, look.coat = m.coat;
   look.lobe = IsGlossy(m, trace) ? LobeWidth(GlossExponent(m)) : 0;
   look.texture = m.texture, look.bump = m.bump, look.normal_map = m.normal_map;
+  look.texture_scale = m.texture_scale;
   look.texture_multiplies_ambient = m.texture_multiplies_ka;
   look.has_vertex_colors = m.has_vertex_colors;
   look.bump_height = m.bump_height / space.radius;

@@ -78,14 +78,13 @@ TEST(Convert, ASettingThatIsWrongIsFoundAndNothingIsWritten) {
 TEST(Convert, AMeshTakesNoFileFromItsPlace) {
   NEEDS_THE_PROGRAM();
   const TemporaryFolder place;
-  // A name that .scn cannot say, so that the mesh is written again.
-  WriteFile(place / "two words.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
-  const std::string scene = WriteFile(place / "in.json", R"({"camera": {"eye": [0, 0, 5], "at": [0, 0, 0],
-      "up": [0, 1, 0], "fovy": 40}, "lights": [], "materials": [{"kd": [1, 0, 0]}],
-      "surfaces": [{"shape": "mesh", "material": 0, "file": "two words.off"}]})");
+  // A polygon of so many corners that it is written as a mesh.
+  std::string text = "polygon -1 100";
+  for (int i = 0; i < 100; ++i) text += " " + std::to_string(i) + " " + std::to_string(i * i) + " 0";
+  const std::string scene = WriteFile(place / "in.scn", text + "\n");
   const Finished first = RunProgram({"-convert", place / "out.scn", scene});
   EXPECT_EQ(first.status, 0) << first.error;
-  const auto meshes = place.Others({"in.json", "out.scn", "two words.off"});
+  const auto meshes = place.Others({"in.scn", "out.scn"});
   ASSERT_EQ(meshes.size(), 1u);
   EXPECT_EQ(RunProgram({"-convert", place / "out.scn", scene}).status, 0) << "the same file again";
   WriteFile(place / meshes[0], "mine\n");

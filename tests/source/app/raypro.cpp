@@ -177,7 +177,7 @@ TEST(Raypro, ExitStatusSaysWhatWentWrongAndNoFileIsLeft) {
     const char* message;
   } cases[] = {
       {{}, 2, "no scene is named"},
-      {{place.Scene()}, 2, "no picture is named"},
+      {{"-"}, 2, "no picture is named"},
       {{place.Scene(), place / "out.xyz"}, 2, ".png"},
       {{place.Scene(), place / "out"}, 2, "extension"},
       {{place.Scene(), place / "out.ppm", "-widht", "3"}, 2, "-width"},

@@ -79,6 +79,46 @@ TEST(Scn, ASettingIsKeptInWordsWithItsPlace) {
   EXPECT_EQ(scene.root.children.size(), 1u);
 }
 
+TEST(Scn, ASwitchIsSetByItsNameAlone) {
+  const Scene scene = ParseText("set glossy\nset fresnel off\n").scene;
+  EXPECT_EQ(scene.settings.at(0).value, "on");
+  EXPECT_EQ(scene.settings.at(1).value, "off");
+}
+
+TEST(Scn, SrgbIsSetBeforeTheFirstImage) {
+  const Folder folder;
+  folder.Write("half.ppm", "P3 1 1 255 188 188 188 ");
+  const std::string ball = "material 0 0 0 1 1 1 0 0 0 0 0 0 0 0 0 10 1 half.ppm\nsphere 0 0 0 0 1\n";
+  folder.Write("linear.scn", "set srgb\n" + ball);
+  folder.Write("off.scn", "set srgb off\n" + ball);
+  folder.Write("late.scn", ball + "set srgb\n");
+  const auto red = [&](const char* name) {
+    return Parse(folder / name, {}).scene.materials.at(1).texture->image.At(0, 0).r;
+  };
+  EXPECT_NEAR(red("linear.scn"), 0.5029, 1e-4);  // IEC 61966-2-1
+  EXPECT_NEAR(red("off.scn"), 188 / 255.0, 1e-7);
+  EXPECT_TRUE(Contains(ReportOf(folder, "late.scn"), "'set srgb' must come before the first image"));
+}
+
+TEST(Scn, NamesInQuotesMayHoldBlanksAndTheirMistakesAreTold) {
+  const Folder folder;
+  folder.Write("my \"wood\" #1.ppm", "P3 1 1 255 255 0 0 ");
+  folder.Write("in.scn", "material 0 0 0 1 1 1 0 0 0 0 0 0 0 0 0 10 1 \"my \\\"wood\\\" #1.ppm\"\nsphere 0 0 0 0 1\n");
+  EXPECT_TRUE(Parse(folder / "in.scn", {}).scene.materials.at(1).texture);
+  EXPECT_TRUE(Contains(ReportOf("mesh -1 \"a b"), "scene.scn:1:9: error: the closing quote is missing"));
+  EXPECT_TRUE(Contains(ReportOf("mesh -1 \"a\\q\""), "a backslash in quotes must be followed by"));
+  EXPECT_TRUE(Contains(ReportOf("mesh -1 \"\""), "between the quotes is empty"));
+  EXPECT_TRUE(Contains(ReportOf("include \"no such.scn\""), "no such file: 'no such.scn'"));
+}
+
+TEST(Scn, ATextureScaleIsPositive) {
+  const std::string material = "material 0 0 0 1 1 1 0 0 0 0 0 0 0 0 0 10 1 0\n";
+  EXPECT_EQ(ParseText(material + "texture_scale 0 2 .5").scene.materials.at(1).texture_scale, (R2::Vector{2, 0.5}));
+  EXPECT_TRUE(Contains(ReportOf(material + "texture_scale 0 0 1"), "su must be positive, got 0"));
+  EXPECT_TRUE(Contains(ReportOf(material + "texture_scale 0 1 -1"), "sv must be positive, got -1"));
+  EXPECT_TRUE(Contains(ReportOf("texture_scale 0 1 1"), "no material 0"));
+}
+
 TEST(Scn, Trap3_ABoxWithReversedCornersIsTheSameBox) {
   const Scene scene = ParseText("box -1  1 -1 -1  3 -3 1\nbox -1  1 -3 -1  3 -1 1\n").scene;
   EXPECT_EQ(scene.root.children.at(0).bounds, scene.root.children.at(1).bounds);

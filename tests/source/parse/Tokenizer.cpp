@@ -55,6 +55,24 @@ TEST(Tokenizer, ANanOfOlderWindowsLibrariesIsNoNumberWithAComment) {
   EXPECT_EQ(Words("1#comment 1.#comment\n1.#information"), "1@1:1! 1.@2:1! ");
 }
 
+TEST(Tokenizer, AQuotedNameIsOneWordUpToItsQuoteOrTheEndOfItsLine) {
+  const auto words = [](const std::string& bytes) {
+    const Text text{"t", bytes};
+    Tokenizer tokens(text, Tokenizer::Comments::hash, Tokenizer::Joints::none, Tokenizer::Quotes::names);
+    std::vector<std::string> all;
+    while (const auto t = tokens.Next()) all.emplace_back(t->text);
+    return all;
+  };
+  using Words = std::vector<std::string>;
+  EXPECT_EQ(words("a \"b c\" d"), (Words{"a", "\"b c\"", "d"}));
+  EXPECT_EQ(words("\"1 # 2\" # 3"), (Words{"\"1 # 2\""}));
+  EXPECT_EQ(words(R"("a \" b \\" c)"), (Words{R"("a \" b \\")", "c"}));
+  EXPECT_EQ(words("\"a b\nc\""), (Words{"\"a b", "c\""}));
+  EXPECT_EQ(words("\"a\"b"), (Words{"\"a\"", "b"}));
+  EXPECT_EQ(words("\"a\\"), (Words{"\"a\\"}));
+  EXPECT_EQ(words("a\"b c\""), (Words{"a\"b", "c\""}));
+}
+
 TEST(Tokenizer, ABackslashJoinsLinesWhereItIsAskedTo) {
   const auto words = [](const std::string& bytes) {
     const Text text{"t", bytes};

@@ -348,9 +348,9 @@ TEST(CommandLine, TooFewArgumentsAreCounted) {
 TEST(CommandLine, NamesAreTwoAndNotEmpty) {
   EXPECT_TRUE(Has(ErrorOf({}), "no scene is named"));
   EXPECT_EQ(ErrorOf({}), "no scene is named; for example: raypro scenes/hello.scn hello.png -width 512");
-  EXPECT_EQ(ErrorOf({"my/in.scn"}), "no picture is named; for example: raypro my/in.scn in.png -width 512");
-  EXPECT_EQ(ErrorOf({"-width", "64", "in.scn", "-srgb"}),
-            "no picture is named; for example: raypro -width 64 in.scn in.png -srgb");
+  EXPECT_EQ(ErrorOf({"my/in"}), "no picture is named; for example: raypro my/in in.png -width 512");
+  EXPECT_EQ(ErrorOf({"-width", "64", "in", "-srgb"}),
+            "no picture is named; for example: raypro -width 64 in in.png -srgb");
   EXPECT_EQ(ErrorOf({"out.png"}), "no scene is named; for example: raypro scenes/hello.scn out.png");
   EXPECT_EQ(ErrorOf({"out.png", "in.scn"}), "the scene is named first: raypro in.scn out.png");
   EXPECT_EQ(ErrorOf({"-"}), "no picture is named; for example: raypro - out.png -width 512");

@@ -114,6 +114,7 @@ TEST(ScnText, SaysEverythingThatTheLanguageHasAWordFor) {
       "absorb 0 0.5 0.25 0.125\n"
       "coat 0 1.25\n"
       "texture_ambient 0\n"
+      "texture_scale 0 2 0.5\n"
       "flat_color 0 0.75 0.5 0.25\n"
       "gloss 0 20.5 16\n"
       "sphere -1 0 0 0 1\n"
@@ -239,24 +240,37 @@ TEST(ScnText, FilesAreNamedAsSeenFromTheFolderOfTheText) {
   EXPECT_EQ(below.other_folders, std::set<std::string>{(folder / "models").string()});
 }
 
-TEST(ScnText, ANameWithASpaceIsWarnedOfAndAMeshOfThatNameIsWrittenAgain) {
-  const Folder folder;
-  folder.Write("a mesh.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
-  const Scene scene = Parse(folder / "a mesh.off", {}).scene;
-  const ScnText text = WriteScn(scene, folder / "out.scn");
-  ASSERT_EQ(text.warnings.size(), 1u);
-  EXPECT_TRUE(Contains(text.warnings[0], "'a mesh.off'")) << text.warnings[0];
-  EXPECT_EQ(text.meshes.size(), 1u);
+TEST(ScnText, NamesWithAnyCharacterAreReadBack) {
+  for (const char* name : {"#cube.off", "1#cube.off", "-2.5e3#x.off", "cube#1.off", "a mesh.off", "\"quoted\".off",
+                           "tab\there.off", "two\nlines.off", "cr\r.off", "back\\slash.off", " \\\" .off", "-1.off"}) {
+    const Folder folder;
+    folder.Write(name, "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+    const ScnText text = WriteScn(Parse(folder / name, {}).scene, folder / "out.scn");
+    EXPECT_TRUE(text.warnings.empty());
+    EXPECT_TRUE(text.meshes.empty());
+    const Scene again = Parse(folder.Write("out.scn", text.text), {}).scene;
+    EXPECT_EQ(again.files.back(), (folder / name).string());
+    EXPECT_EQ(WriteScn(again, folder / "out.scn").text, text.text);
+  }
 }
 
-TEST(ScnText, NamesThatLookLikeCommentsAreReadBack) {
+TEST(ScnText, ATextureCalled0IsReadBackAsOne) {
   const Folder folder;
-  for (const char* name : {"#cube.off", "1#cube.off", "-2.5e3#x.off", "cube#1.off"}) {
-    folder.Write(name, "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
-    const Scene scene = Parse(folder / name, {}).scene;
-    const Scene again = Parse(folder.Write("out.scn", WriteScn(scene, folder / "out.scn").text), {}).scene;
-    EXPECT_EQ(again.files.back(), (folder / name).string());
-  }
+  folder.Write("0", "P3 1 1 255 255 0 0 ");
+  folder.Write("in.scn", "material 0 0 0 1 1 1 0 0 0 0 0 0 0 0 0 10 1 \"0\"\nsphere 0 0 0 0 1\n");
+  const std::string text = WriteScn(Parse(folder / "in.scn", {}).scene, folder / "out.scn").text;
+  EXPECT_TRUE(Parse(folder.Write("out.scn", text), {}).scene.materials.at(1).texture) << text;
+}
+
+TEST(ScnText, AMeshWrittenBesideASceneWithABlankInItsNameIsFound) {
+  const Folder folder;
+  folder.Write("in.scn", "material 0 0 0 1 1 1 0 0 0 0 0 0 1 1 1 10 1 0\nmesh 0 m.off smooth\n");
+  folder.Write("m.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+  Scene scene = Parse(folder / "in.scn", {}).scene;
+  R3::MeshData data = dynamic_cast<const R3::Mesh&>(*scene.root.children.at(0).shape).Data();
+  scene.root.children[0].shape = std::make_shared<const R3::Mesh>(std::move(data));  // of no file
+  EXPECT_TRUE(Contains(WrittenTo(folder, "my scene.scn", scene), "mesh 0 \"my scene-1.obj\""));
+  EXPECT_NO_THROW(Parse(folder / "my scene.scn", {}));
 }
 
 TEST(ScnText, GroupsAHundredThousandDeepAreWritten) {

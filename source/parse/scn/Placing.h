@@ -1,0 +1,27 @@
+#pragma once
+
+#include <array>
+#include <string>
+
+#include "R3/Matrix.h"
+#include "source/parse/scn/Statement.h"
+
+namespace ray {
+
+inline constexpr const char* placing_usage =
+    "translate x y z, rotate degrees ax ay az, scale s or scale sx sy sz, look_at ex ey ez tx ty tz ux uy uz";
+
+/// Whether the next word is one of these.
+bool BeginsPlacement(Statement& statement);
+/// As many of them as stand in a row, as one matrix: each moves what the ones behind it have placed, as groups within
+/// groups do. So "translate 0 1 0 rotate 45 0 1 0" turns about the origin and then lifts.
+R3::Matrix ReadPlacement(Statement& statement);
+
+/// Says what is wrong with the next word, where a matrix or one of these should stand, and passes over its line.
+void RefusePlacement(Statement& statement);
+
+/// The arguments of look_at: an eye, a point to look at, and a vector that is up.
+inline const std::array<R3::Argument, 9> look_at_arguments{
+    {{"ex"}, {"ey"}, {"ez"}, {"tx"}, {"ty"}, {"tz"}, {"ux"}, {"uy"}, {"uz"}}};
+
+}  // namespace ray

@@ -1,0 +1,91 @@
+// Groups and cameras that are placed in words.
+#include "source/parse/scn/Placing.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "tests/source/parse/Folder.h"
+
+namespace ray {
+namespace {
+
+R3::Matrix Placed(const std::string& words) {
+  return ParseText("begin -1 " + words + " sphere -1 0 0 0 1 end").scene.root.children.at(0).transform;
+}
+
+void ExpectNear(const R3::Point& got, const R3::Point& wanted) {
+  EXPECT_NEAR(got.x, wanted.x, 1e-15);
+  EXPECT_NEAR(got.y, wanted.y, 1e-15);
+  EXPECT_NEAR(got.z, wanted.z, 1e-15);
+}
+
+TEST(Placing, EachWordIsAMatrixAndQuarterTurnsAreExact) {
+  EXPECT_EQ(Placed("translate 1 -2 .5"), Placed("1 0 0 1  0 1 0 -2  0 0 1 .5  0 0 0 1"));
+  EXPECT_EQ(Placed("scale 2"), Placed("2 0 0 0  0 2 0 0  0 0 2 0  0 0 0 1"));
+  EXPECT_EQ(Placed("scale 2 3 4"), Placed("2 0 0 0  0 3 0 0  0 0 4 0  0 0 0 1"));
+  EXPECT_EQ(Placed("rotate 90 0 0 3"), Placed("0 -1 0 0  1 0 0 0  0 0 1 0  0 0 0 1"));
+  EXPECT_EQ(Placed("rotate -90 1 0 0"), Placed("1 0 0 0  0 0 1 0  0 -1 0 0  0 0 0 1"));
+  EXPECT_EQ(Placed("rotate 540 0 1 0"), Placed("-1 0 0 0  0 1 0 0  0 0 -1 0  0 0 0 1"));
+}
+
+// A third of a turn about the diagonal of a cube exchanges its axes.
+TEST(Placing, TheAxisOfARotationMayBeAny) {
+  const R3::Matrix third = Placed("rotate 120 5 5 5");
+  ExpectNear(third * R3::Point{1, 0, 0}, {0, 1, 0});
+  ExpectNear(third * R3::Point{0, 1, 0}, {0, 0, 1});
+  ExpectNear(third * R3::Point{1, 2, 3}, {3, 1, 2});
+}
+
+TEST(Placing, WordsInARowAreGroupsWithinGroups) {
+  // Doubled, then turned from x to -z, then lifted.
+  const R3::Matrix all = Placed("translate 0 1 0\n rotate 90 0 1 0\n scale 2");
+  EXPECT_EQ(all * (R3::Point{1, 0, 0}), (R3::Point{0, 1, -2}));
+  const Scene nested =
+      ParseText("begin -1 translate 0 1 0 begin -1 rotate 90 0 1 0 begin -1 scale 2 end end end").scene;
+  const Node& outer = nested.root.children.at(0);
+  const Node& middle = outer.children.at(0);
+  EXPECT_EQ(outer.transform * (middle.transform * (middle.children.at(0).transform * R3::Point{1, 0, 0})),
+            (R3::Point{0, 1, -2}));
+}
+
+TEST(Placing, LookAtTurnsTheZAxisToItsTarget) {
+  const R3::Matrix frame = Placed("look_at 1 2 3  1 2 13  0 1 0");
+  EXPECT_EQ(frame, Placed("1 0 0 1  0 1 0 2  0 0 1 3  0 0 0 1"));
+  const R3::Matrix slanted = Placed("look_at 0 0 0  1 1 0  0 9 0");
+  const double h = std::numbers::sqrt2 / 2;
+  ExpectNear(slanted * R3::Point{0, 0, 1}, {h, h, 0});
+  ExpectNear(slanted * R3::Point{0, 1, 0}, {-h, h, 0});
+  ExpectNear(slanted * R3::Point{1, 0, 0}, {0, 0, -1});
+}
+
+TEST(Placing, ACameraLooksAtAPointUnderAWholeAngleInDegrees) {
+  const Camera words = ParseText("camera look_at 1 2 3  1 2 -4  0 1 0  60").scene.camera;
+  const Camera numbers =
+      ParseText("camera 1 2 3  0 0 -7  0 1 0  " + std::to_string(std::numbers::pi / 6) + " .01 100").scene.camera;
+  EXPECT_EQ(words.eye, numbers.eye);
+  EXPECT_EQ(words.towards, numbers.towards);
+  EXPECT_EQ(words.up, numbers.up);
+  EXPECT_DOUBLE_EQ(words.xfov, std::numbers::pi / 6);
+}
+
+TEST(Placing, MistakesPointAtTheirWords) {
+  const auto report = [](const std::string& text) { return ReportOf(text); };
+  EXPECT_TRUE(Contains(report("begin -1 rotate 45 0 0 0 end"), "scene.scn:1:20: error: rotate: the axis"));
+  EXPECT_TRUE(Contains(report("begin -1 roate 45 0 1 0\nend"), "did you mean 'rotate'?"));
+  EXPECT_TRUE(Contains(report("begin -1 translate 1 2\nend"), "translate: z is missing"));
+  EXPECT_TRUE(Contains(report("begin -1 translate 1 2 x end"), "z must be a number, got 'x'"));
+  EXPECT_TRUE(Contains(report("begin -1 translate 1 2 3 4 end"), "unexpected number '4'"));
+  EXPECT_TRUE(Contains(report("begin -1 look_at 0 0 0 0 1 0 0 2 0 end"), "up must lead off it"));
+  EXPECT_TRUE(Contains(report("begin -1 look_at 1 1 1 1 1 1 0 1 0 end"), "there must be a way"));
+  EXPECT_TRUE(Contains(report("begin -1 scale 1e140 scale 1e140 scale 1e140 end"), "beyond all numbers"));
+  EXPECT_TRUE(Contains(report("begin -1 translate 1e200 0 0 end"), "must not exceed 1e150"));
+  EXPECT_TRUE(Contains(report("translate 1 2 3"), "stand behind begin"));
+  EXPECT_TRUE(Contains(report("camera look_at 0 0 0 0 0 0 0 1 0 45"), "must not stand at the point"));
+  EXPECT_TRUE(Contains(report("camera look_at 0 0 5 0 0 0 0 1 0 180"), "fov must be between 0 and 180"));
+  EXPECT_TRUE(Contains(report("camera look_at 0 0 5 0 0 0 0 1 0"), "camera look_at: fov is missing"));
+}
+
+}  // namespace
+}  // namespace ray
