@@ -103,6 +103,8 @@ std::string ReadAll(const Handle& handle, const struct stat& status, const std::
   return bytes;
 }
 
+constexpr std::string_view one_up = "../";
+
 /// A hint, or none.
 std::string Meaning(const std::string& file) { return file.empty() ? "" : "did you mean " + Quoted(file) + "?"; }
 
@@ -151,20 +153,31 @@ FoundFile Files::Find(const std::string& name, const std::string& named_in) cons
 }
 
 FoundFile Files::FindIn(std::span<const std::string> folders, const std::string& name) const {
-  for (const std::string& folder : folders) {
-    const fs::path candidate = fs::path(folder) / name;  // the name alone where that is absolute
-    std::error_code error;
-    const fs::path canonical = fs::canonical(candidate, error);
-    if (error == std::errc::no_such_file_or_directory) continue;
-    if (error) throw FileError{"cannot open " + Quoted(name) + ": " + error.message(), {}};
-    if (!IsAllowed(canonical.string())) {
-      const std::string outside = Escaped(canonical.parent_path().string());
-      throw FileError{Quoted(name) + " is outside the scene's folder and the current folder",
-                      "-allow_path " + outside + " allows it"};
-    }
-    return {candidate.lexically_normal().string(), canonical.string()};
+  for (const std::string& folder : folders)
+    if (auto found = FindAt(folder, name)) return *found;
+  if (name.starts_with(one_up)) {
+    const std::string below = name.substr(one_up.size());
+    for (const std::string& folder : folders)
+      if (auto found = FindAt(folder, below)) {
+        remarks_.insert(Quoted(name) + " is not there; " + Quoted(found->shown) + " is read");
+        return *found;
+      }
   }
   throw FileError{"no such file: " + Quoted(name), Meaning(SimilarIn(folders, name))};
+}
+
+std::optional<FoundFile> Files::FindAt(const std::string& folder, const std::string& name) const {
+  const fs::path candidate = fs::path(folder) / name;  // the name alone where that is absolute
+  std::error_code error;
+  const fs::path canonical = fs::canonical(candidate, error);
+  if (error == std::errc::no_such_file_or_directory) return {};
+  if (error) throw FileError{"cannot open " + Quoted(name) + ": " + error.message(), {}};
+  if (!IsAllowed(canonical.string())) {
+    const std::string outside = Escaped(canonical.parent_path().string());
+    throw FileError{Quoted(name) + " is outside the scene's folder and the current folder",
+                    "-allow_path " + outside + " allows it"};
+  }
+  return FoundFile{candidate.lexically_normal().string(), canonical.string()};
 }
 
 /// Looks only where the file might have been read from.

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <vector>
@@ -37,20 +39,25 @@ class Files {
   bool IsStandardInput() const { return top_ == standard_input_name; }
   /// The top scene; throws FileError.
   FoundFile Top() const;
-  /// Looks in the folder of the file that names it, then in the current folder. Throws FileError, with the file that
-  /// was probably meant where there is none of that name.
+  /// Looks in the folder of the file that names it, then in the current folder; for a name that begins with "../", and
+  /// is not there, also without that. Throws FileError, with the file that was probably meant where there is none of
+  /// that name.
   FoundFile Find(const std::string& name, const std::string& named_in) const;
   /// Looks in these folders, the first first; "" is the current one. Throws FileError.
   FoundFile FindIn(std::span<const std::string> folders, const std::string& name) const;
+  /// What was found below a folder though it was said to be above it, in words; each once.
+  const std::set<std::string>& Remarks() const { return remarks_; }
   /// The whole file. Throws FileError, also when a link or another kind of file has taken its place since Find.
   std::string Read(const FoundFile& file) const;
 
  private:
+  std::optional<FoundFile> FindAt(const std::string& folder, const std::string& name) const;
   bool IsAllowed(const std::string& canonical) const;
   std::string SimilarIn(std::span<const std::string> folders, const std::string& name) const;
 
   std::string top_;
   std::vector<std::string> roots_;  // canonical
+  mutable std::set<std::string> remarks_;
 };
 
 }  // namespace ray

@@ -146,6 +146,7 @@ ParsedScene Parse(const std::string& file, const ParseOptions& options) {
     ParsedScene parsed{ReadScene(files, options, assets, report), {}};
     if (!options.environment.empty()) SetEnvironment(options.environment, assets, report, parsed.scene);
     report.ThrowErrors();
+    for (const std::string& remark : files.Remarks()) report.Warn(Escaped(files.TopName()), remark);
     parsed.warnings = report.Warnings();
     return parsed;
   } catch (const FileError& error) {

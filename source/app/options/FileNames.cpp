@@ -1,6 +1,7 @@
 #include "source/app/options/FileNames.h"
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <map>
 #include <vector>
@@ -91,9 +92,19 @@ void CheckPicture(const Options& options, std::span<const std::string> words) {
   throw UsageError("no picture is named; for example: " + LikelyCommand(options, words));
 }
 
-/// A scene may be named alone; its picture then lies beside it.
-void NamePictureOfScene(Options& options) {
-  if (options.task == Task::render && options.picture.empty() && IsScene(options.scene))
+/// `raypro scene.scn > out.png` asks for an image on standard output, which would get a line of text instead. Only
+/// Linux knows what the shell has opened.
+bool IsOutputSentToAnImage() {
+  std::error_code unknown;
+  return IsPicture(std::filesystem::read_symlink("/proc/self/fd/1", unknown).string());
+}
+
+/// A scene may be named alone, as in Groningen's course; its picture then lies beside it. Names that end in .txt or
+/// .json say too little about what a file holds, and beside a mesh there may be its texture.
+void NamePictureOfLoneScene(Options& options) {
+  constexpr std::array<std::string_view, 3> of_scenes_alone{".scn", ".yaml", ".yml"};
+  const bool is_alone = options.task == Task::render && options.picture.empty() && !IsOutputSentToAnImage();
+  if (is_alone && std::ranges::find(of_scenes_alone, ExtensionOf(options.scene)) != of_scenes_alone.end())
     options.picture = std::filesystem::path(options.scene).replace_extension(".png").string();
 }
 
@@ -112,7 +123,7 @@ void ShareNames(Options& options) {
   if (names.size() > 2) RefuseName(names[2], IsScene(names[2]) ? several_scenes : UsageOf(options));
   options.scene = names[0];
   if (names.size() == 2) options.picture = names[1];
-  NamePictureOfScene(options);
+  NamePictureOfLoneScene(options);
 }
 
 void CheckNames(const Options& options, std::span<const std::string> words) {

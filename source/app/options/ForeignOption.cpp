@@ -13,6 +13,8 @@ namespace {
 
 constexpr const char* name_image = "the image is named behind the scene: raypro scene.scn out.png";
 constexpr const char* name_scene = "the scene is named without an option: raypro scene.scn out.png";
+constexpr const char* of_comp30019 =
+    "raypro scene.scn out.png names both; '-as comp30019' before all else takes that course's options";
 constexpr const char* by_extension = "the extension of the image's name chooses its format";
 constexpr const char* both_sizes = "use -width and -height";
 constexpr const char* in_scene = "the scene states its camera, lights and background";
@@ -64,7 +66,7 @@ constexpr ForeignOption foreign_options[] = {
     {"-output", "-image"},
     {"-output", name_image},
     {"-render-output", name_image},
-    {"-f", name_scene},
+    {"-f", of_comp30019},
     {"-file", name_scene},
     {"-i", name_scene},
     {"-I", name_scene},
@@ -138,7 +140,7 @@ constexpr ForeignOption foreign_options[] = {
     {"-focal_length", "-focus"},
     {"-focus_distance", "-focus"},
     {"-background", "-headless"},
-    {"-background", no_window},
+    {"-background", "the background is the scene's: 'background r g b' in a .scn file"},
     {"-b", "-headless"},
     {"-b", no_window},
     {"-display", no_window},

@@ -115,7 +115,8 @@ constexpr const char* about_lamps =
 
 constexpr const char* about_files =
     "Files that a scene names are looked for in the folder of the file that names them, then in the current folder, "
-    "and must lie below the top scene's folder or the current one, unless -allow_path opens another.\n";
+    "and must lie below the top scene's folder or the current one, unless -allow_path opens another. A name such as "
+    "../textures/wood.png that leads to no file is looked for as textures/wood.png too, with a warning.\n";
 
 constexpr std::pair<const char*, const char*> extensions[] = {
     {"mesh id file smooth",

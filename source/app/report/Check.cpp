@@ -77,9 +77,13 @@ bool ShowsLight(RenderMode mode) {
          mode == RenderMode::toon;
 }
 
+bool ReflectsAmbientLight(const Instance& instance) { return !IsBlack(instance.material->ka); }
+
 bool IsLit(const World& world) {
   const Scene& scene = world.scene();
-  return scene.environment || std::ranges::any_of(world.Instances(), &Instance::Emits) ||
+  const bool has_ambient_light =
+      !IsBlack(scene.ambient) && std::ranges::any_of(world.Instances(), ReflectsAmbientLight);
+  return has_ambient_light || scene.environment || std::ranges::any_of(world.Instances(), &Instance::Emits) ||
          !std::ranges::all_of(scene.lights, [](const auto& light) { return light->IsBlack(); });
 }
 
@@ -88,6 +92,21 @@ bool IsOutsideView(const World& world, const Instance& instance, const R3::Point
                    std::span<const R3::Vector> inward) {
   const R3::Box box = WorldBounds(world, instance);
   return !box.IsEmpty() && std::ranges::any_of(inward, [&](const auto& side) { return IsOutside(box, eye, side); });
+}
+
+/// Whether the box is a wall of the room that the eye is in, such as the one behind the camera: the eye is in front of
+/// it, and no farther off than it is wide and high.
+bool IsWallAround(const R3::Box& box, const R3::Point& eye) {
+  const std::array<double, 3> at{eye.x, eye.y, eye.z}, low{box.low.x, box.low.y, box.low.z},
+      high{box.high.x, box.high.y, box.high.z};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const double distance = std::max(low[axis] - at[axis], at[axis] - high[axis]);
+    const auto spans = [&](std::size_t i) {
+      return low[i] <= at[i] && at[i] <= high[i] && high[i] - low[i] >= distance;
+    };
+    if (spans((axis + 1) % 3) && spans((axis + 2) % 3)) return true;
+  }
+  return false;
 }
 
 /// Solids around the point that are not clear: inside of glass one may well look out.
@@ -189,8 +208,9 @@ std::vector<std::string> LikelyMistakes(const World& world, const RenderSettings
   AddShapeMistakes(mistakes, world, settings);
   const R3::Point eye = settings.view.value_or(world.scene().camera).eye;
   const auto inward = InwardSides(settings.view.value_or(world.scene().camera), settings);
-  Point(mistakes, world, "lies outside the view",
-        [&](const Instance& i) { return IsOutsideView(world, i, eye, inward); });
+  Point(mistakes, world, "lies outside the view", [&](const Instance& i) {
+    return IsOutsideView(world, i, eye, inward) && !IsWallAround(WorldBounds(world, i), eye);
+  });
   AddTurnedMeshes(mistakes, world);
   for (std::string& mistake : LampMistakes(world, settings)) mistakes.push_back(std::move(mistake));
   for (std::string& mistake : ContactMistakes(world, settings)) mistakes.push_back(std::move(mistake));

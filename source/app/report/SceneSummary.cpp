@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <cstdint>
 #include <set>
 
 #include "R3/Mesh.h"
@@ -42,8 +44,12 @@ std::string LightLines(const World& world, RenderMode mode) {
   const Scene& scene = world.scene();
   if (scene.has_default_lights && mode == RenderMode::path && LightsOfPath(world).empty())
     return Line("lights", "0 (the scene names none, and what emits lights it)");
-  std::string text = Line("lights", std::to_string(scene.lights.size()) +
-                                        (scene.has_default_lights ? " (the default: the scene names none)" : ""));
+  const auto emitting = static_cast<std::uint64_t>(std::ranges::count_if(world.Instances(), &Instance::Emits));
+  const std::string lamps =
+      emitting > 0 ? ", and " + Counted(emitting, "shape") + " that emit" + (emitting == 1 ? "s" : "") : "";
+  std::string text =
+      Line("lights", std::to_string(scene.lights.size()) +
+                         (scene.has_default_lights ? " (the default: the scene names none)" : "") + lamps);
   for (const auto& light : scene.lights) text += "  " + light->Describe() + "\n";
   return text;
 }

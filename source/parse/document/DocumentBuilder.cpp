@@ -1,6 +1,8 @@
 #include "source/parse/document/DocumentBuilder.h"
 
 #include <algorithm>
+#include <numeric>
+#include <set>
 #include <utility>
 
 namespace ray {
@@ -22,12 +24,15 @@ void DocumentBuilder::Begin(Value::Kind kind, const Extent& extent) {
 const Value& DocumentBuilder::End() {
   Open open = std::move(open_.back());
   open_.pop_back();
+  if (open.value.kind == Value::Kind::mapping) {
+    DropRepeated(open.collection);
+    Merge(open.collection);
+  }
   for (const Entry& entry : open.collection.entries) {
     const Collection* below = entry.value.collection.get();
     open.collection.values += below ? below->values : 1;
     open.collection.height = std::max(open.collection.height, below ? below->height + 1 : 1);
   }
-  if (open.value.kind == Value::Kind::mapping) CheckKeys(open.collection);
   open.value.collection = std::make_shared<const Collection>(std::move(open.collection));
   return Place(std::move(open.value));
 }
@@ -86,16 +91,44 @@ void DocumentBuilder::CheckDepth(std::size_t depth, const Extent& extent) const 
     Fail(extent, "nested deeper than " + std::to_string(Document::max_depth) + " levels");
 }
 
-void DocumentBuilder::CheckKeys(const Collection& mapping) {
-  std::vector<const Entry*> sorted;
-  sorted.reserve(mapping.entries.size());
-  for (const Entry& entry : mapping.entries) sorted.push_back(&entry);
-  std::stable_sort(sorted.begin(), sorted.end(), [](const Entry* a, const Entry* b) { return a->key < b->key; });
+void DocumentBuilder::DropRepeated(Collection& mapping) {
+  std::vector<std::size_t> sorted(mapping.entries.size());
+  std::iota(sorted.begin(), sorted.end(), 0);
+  const auto key = [&](std::size_t i) -> const std::string& { return mapping.entries[i].key; };
+  std::stable_sort(sorted.begin(), sorted.end(), [&](std::size_t a, std::size_t b) { return key(a) < key(b); });
+  std::vector<bool> is_dropped(sorted.size());
   for (std::size_t i = 1; i < sorted.size(); ++i) {
-    if (sorted[i - 1]->key != sorted[i]->key) continue;
-    const std::size_t before = places_.At(sorted[i - 1]->key_extent).line;
-    report_.Error(ErrorAt(text_, places_.At(sorted[i]->key_extent), "duplicate key " + Quoted(sorted[i]->key),
-                          "already given in line " + std::to_string(before)));
+    if (key(sorted[i - 1]) != key(sorted[i])) continue;
+    const Token earlier = places_.At(mapping.entries[sorted[i - 1]].key_extent),
+                later = places_.At(mapping.entries[sorted[i]].key_extent);
+    const bool first_counts = repeated_ == Repeated::first_counts;
+    report_.Warn(ray::Place(text_.name, later.line, later.column),
+                 "duplicate key " + Quoted(key(sorted[i])) + ", already given in line " + std::to_string(earlier.line) +
+                     "; the " + (first_counts ? "first" : "last") + " one counts");
+    is_dropped[first_counts ? sorted[i] : sorted[i - 1]] = true;
+  }
+  std::size_t i = 0;
+  std::erase_if(mapping.entries, [&](const Entry&) { return is_dropped[i++]; });
+}
+
+// YAML's merge key: https://yaml.org/type/merge.html. What the mapping says itself counts, then the first of a list.
+void DocumentBuilder::Merge(Collection& mapping) {
+  const auto merge = std::ranges::find(mapping.entries, "<<", &Entry::key);
+  if (merge == mapping.entries.end() || repeated_ == Repeated::last_counts) return;  // a word like others in JSON
+  const Value from = std::move(merge->value);
+  mapping.entries.erase(merge);
+  const std::vector<Entry> one{{{}, {}, from}};
+  std::set<std::string> known;
+  for (const Entry& entry : mapping.entries) known.insert(entry.key);
+  for (const Entry& source : from.kind == Value::Kind::sequence ? from.Entries() : one) {
+    if (source.value.kind != Value::Kind::mapping)
+      Fail(from.extent, "<< must be followed by a mapping or a list of mappings, such as an alias of one");
+    for (const Entry& entry : source.value.Entries()) {
+      if (!known.insert(entry.key).second) continue;
+      Count(entry.value.collection ? entry.value.collection->values : 1, from.extent);
+      mapping.entries.push_back(entry);
+      mapping.entries.back().value.is_alias = true;
+    }
   }
 }
 

@@ -12,8 +12,12 @@ namespace ray {
 /// collections are on a stack, so that nothing recurses. In a mapping every other value is a key.
 class DocumentBuilder {
  public:
-  DocumentBuilder(const Text& text, const TextPlaces& places, Report& report)
-      : text_(text), places_(places), report_(report) {}
+  /// Which of several entries of one key counts, as in the courses' parsers: yaml-cpp finds the first, those of JSON
+  /// keep the last.
+  enum class Repeated { first_counts, last_counts };
+
+  DocumentBuilder(const Text& text, const TextPlaces& places, Report& report, Repeated repeated)
+      : text_(text), places_(places), report_(report), repeated_(repeated) {}
 
   void Begin(Value::Kind kind, const Extent& extent);
   /// These give the value where it now is, valid until the next event; of a key, nothing useful.
@@ -43,11 +47,13 @@ class DocumentBuilder {
   const Value& Place(Value value);
   void Count(std::size_t values, const Extent& extent);
   void CheckDepth(std::size_t depth, const Extent& extent) const;
-  void CheckKeys(const Collection& mapping);
+  void DropRepeated(Collection& mapping);
+  void Merge(Collection& mapping);
 
   const Text& text_;
   const TextPlaces& places_;
   Report& report_;
+  Repeated repeated_;
   std::vector<Open> open_;
   Value root_;
   std::size_t values_ = 0;

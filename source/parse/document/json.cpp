@@ -137,7 +137,7 @@ bool JsonEvents::parse_error(std::size_t position, const std::string& last_token
 
 Document ReadJson(const Text& text, const TextPlaces& places, Report& report) {
   CheckCharacters(text, places);
-  DocumentBuilder builder(text, places, report);
+  DocumentBuilder builder(text, places, report, DocumentBuilder::Repeated::last_counts);
   JsonEvents events(text, builder);
   nlohmann::json::sax_parse(text.bytes, &events);
   return {text, places, builder.TakeRoot()};

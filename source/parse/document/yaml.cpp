@@ -239,7 +239,7 @@ Document ReadYaml(const Text& text, const TextPlaces& places, Report& report) {
   CheckCharacters(text, places);
   BytesBuffer buffer(std::string_view(text.bytes).substr(ByteOrderMark(text)));
   std::istream stream(&buffer);
-  DocumentBuilder builder(text, places, report);
+  DocumentBuilder builder(text, places, report, DocumentBuilder::Repeated::first_counts);
   YamlEvents events(text, builder);
   try {
     YAML::Parser parser(stream);

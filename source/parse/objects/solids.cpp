@@ -89,6 +89,17 @@ std::optional<PlacedShape> ReadPlane(ObjectReader&, Mapping& object, const Objec
   return PlacedShape{ShapeOf("plane", std::array{point.x, point.y, point.z, normal.x, normal.y, normal.z})};
 }
 
+/// The third edge of a box; or its length alone, where the other two say its direction: away from one who sees side
+/// lead to the right and up lead up.
+R3::Vector BoxDepth(Mapping& object, const R3::Vector& side, const R3::Vector& up) {
+  const auto depth = object.Find({"depth"});
+  if (!depth || depth->What().kind != Value::Kind::scalar) return Direction(object, {"depth"});
+  const auto length = depth->Number();
+  const R3::Vector away = Cross(up, side);
+  if (length && away == R3::Vector{}) depth->Error("must be three numbers, since side and up lead the same way");
+  return length.value_or(0) * Unit(away);
+}
+
 std::optional<PlacedShape> ReadBox(ObjectReader&, Mapping& object, const ObjectReader::Options&) {
   if (object.Has({"dimension"})) {
     const R3::Point center = object.NeedPoint({"position", "center"});
@@ -100,7 +111,7 @@ std::optional<PlacedShape> ReadBox(ObjectReader&, Mapping& object, const ObjectR
   if (object.Has({"depth"})) {
     const R3::Point corner = object.NeedPoint({"position"});
     const R3::Vector up = Direction(object, {"up"}), side = Direction(object, {"side"}),
-                     depth = Direction(object, {"depth"});
+                     depth = BoxDepth(object, side, up);
     if (!object.IsGood()) return {};
     return PlacedShape{BoxBetween({0, 0, 0}, {1, 1, 1}), Frame(corner, side, up, depth)};
   }

@@ -38,7 +38,7 @@ const std::array<R3::Argument, 2> more_factors{{{"sy"}, {"sz"}}};
 R3::Matrix ReadScaling(Statement& statement) {
   const double x = statement.Coordinates(first_factor).values[0];
   const auto& next = statement.Peek();
-  if (!next || ParseNumber(next->text).problem) return Scaling({x, x, x});
+  if (!next || (ParseNumber(next->text).problem && !SaysNanOrInfinity(next->text))) return Scaling({x, x, x});
   const Arguments more = statement.Coordinates(more_factors);
   return Scaling({x, more.values[0], more.values[1]});
 }

@@ -10,8 +10,12 @@ struct Escape {
   char letter, meaning;
 };
 
-constexpr std::array escapes{Escape{'"', '"'}, Escape{'\\', '\\'}, Escape{'n', '\n'}, Escape{'r', '\r'},
-                             Escape{'t', '\t'}};
+constexpr std::array escapes{
+    Escape{'"', '"'},
+    Escape{'\\', '\\'},
+    Escape{'n', '\n'},
+    Escape{'r', '\r'},
+};
 
 bool IsSpace(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
 
@@ -34,7 +38,7 @@ NameOfWord Unquoted(std::string_view word) {
     }
     const char letter = ++i < word.size() ? word[i] : '\0';
     const auto escape = std::ranges::find(escapes, letter, &Escape::letter);
-    if (escape == escapes.end()) return {{}, "a backslash in quotes must be followed by \\, \", n, r or t"};
+    if (escape == escapes.end()) return {{}, "a backslash in quotes must be followed by \\, \", n or r"};
     read.name += escape->meaning;
   }
   return {{}, "the closing quote is missing"};

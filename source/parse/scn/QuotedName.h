@@ -6,7 +6,7 @@
 namespace ray {
 
 // Names of files in a .scn file. A name that holds blanks, a # or a line end stands in quotes, as in "my wood.png";
-// within them \" is a quote, \\ a backslash, and \n, \r and \t are the characters of that name in C.
+// within them \" is a quote, \\ a backslash, \n and \r are the line ends of that name in C.
 
 inline constexpr const char* quoting_rules = "a quoted name ends on its line; \\\" is a quote in it, \\\\ a backslash";
 

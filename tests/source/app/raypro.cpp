@@ -112,6 +112,21 @@ TEST(Raypro, WritesAPngAndNothingElseToStandardOutput) {
   EXPECT_EQ(RunProgram({place.Scene(), "-", "-resume"}).status, 2);
 }
 
+TEST(Raypro, ALoneSceneIsRenderedBesideItButNeverOverItsOwnTexture) {
+  NEEDS_THE_PROGRAM();
+  const SceneFolder place;
+  WriteFile(place / "in.png", "an earlier picture");
+  const Finished made = RunProgram({place.Scene(), "-width", "8", "-height", "6"});
+  EXPECT_EQ(made.status, 0) << made.error;
+  EXPECT_TRUE(made.output.starts_with(place / "in.png"));
+  EXPECT_EQ(Decode(place / "in.png").image.Width(), 8);
+
+  const std::string picture = ReadFile(place / "in.png");
+  WriteFile(place.Scene(), "material 0 0 0 1 1 1 0 0 0 0 0 0 0 0 0 1 1 in.png\n" + small_scene);
+  EXPECT_NE(RunProgram({place.Scene(), "-width", "8", "-height", "6"}).status, 0);
+  EXPECT_TRUE(ReadFile(place / "in.png") == picture);
+}
+
 TEST(Raypro, RendersSeveralScenesIntoAFolderAndOneThatFailsStopsNoOther) {
   NEEDS_THE_PROGRAM();
   const SceneFolder place;

@@ -64,6 +64,24 @@ TEST(Files, AreLookedForInTheCurrentFolderNext) {
   EXPECT_EQ(ReadNamed(files, "meshes/a.off", folder / "scene.scn"), "beside");
 }
 
+// Scenes that were written for a program started elsewhere.
+TEST(Files, ANameThatGoesUpToWhereNothingIsIsLookedForBesideTheScene) {
+  const Folder folder;
+  folder.Write("sub/textures/a.off", "beside");
+  const Files files(folder / "sub/scene.scn", {});
+  EXPECT_EQ(ReadNamed(files, "../textures/a.off", folder / "sub/scene.scn"), "beside");
+  ASSERT_EQ(files.Remarks().size(), 1u);
+  EXPECT_TRUE(Contains(*files.Remarks().begin(), "'../textures/a.off' is not there; "));
+  EXPECT_TRUE(
+      Contains(ErrorOf([&] { files.Find("../none.off", (folder / "sub/scene.scn").string()); }), "no such file"));
+  folder.Write("textures/a.off", "above");
+  EXPECT_EQ(ReadNamed(Files(folder / "sub/scene.scn", {folder.Path().string()}), "../textures/a.off",
+                      folder / "sub/scene.scn"),
+            "above");
+  EXPECT_TRUE(
+      Contains(ErrorOf([&] { files.Find("../textures/a.off", (folder / "sub/scene.scn").string()); }), "is outside"));
+}
+
 TEST(Files, ASceneWithoutFolderInItsNameLiesInTheCurrentOne) {
   const Folder folder;
   folder.Write("a.off", "x");

@@ -345,12 +345,23 @@ TEST(CommandLine, TooFewArgumentsAreCounted) {
   EXPECT_EQ(ErrorBeside({"-srgb=on"}), "'-srgb=on': '-srgb' takes no value");
 }
 
+TEST(CommandLine, ThePictureOfALoneSceneLiesBesideIt) {
+  const auto picture_of = [](std::vector<std::string> words) {
+    return ReadCommandLine(Program::raypro, words).picture;
+  };
+  EXPECT_EQ(picture_of({"my/in.scn"}), "my/in.png");
+  EXPECT_EQ(picture_of({"-width", "64", "In.SCN", "-srgb"}), "In.png");
+  EXPECT_EQ(picture_of({"my.v2/in.yaml"}), "my.v2/in.png");
+  EXPECT_EQ(picture_of({"in.scn", "out.jpg"}), "out.jpg");
+  EXPECT_EQ(picture_of({"in.scn", "-check"}), "");
+}
+
 TEST(CommandLine, NamesAreTwoAndNotEmpty) {
   EXPECT_TRUE(Has(ErrorOf({}), "no scene is named"));
   EXPECT_EQ(ErrorOf({}), "no scene is named; for example: raypro scenes/hello.scn hello.png -width 512");
-  EXPECT_EQ(ErrorOf({"my/in"}), "no picture is named; for example: raypro my/in in.png -width 512");
-  EXPECT_EQ(ErrorOf({"-width", "64", "in", "-srgb"}),
-            "no picture is named; for example: raypro -width 64 in in.png -srgb");
+  EXPECT_EQ(ErrorOf({"my/in.json"}), "no picture is named; for example: raypro my/in.json in.png -width 512");
+  EXPECT_EQ(ErrorOf({"-width", "64", "in.json", "-srgb"}),
+            "no picture is named; for example: raypro -width 64 in.json in.png -srgb");
   EXPECT_EQ(ErrorOf({"out.png"}), "no scene is named; for example: raypro scenes/hello.scn out.png");
   EXPECT_EQ(ErrorOf({"out.png", "in.scn"}), "the scene is named first: raypro in.scn out.png");
   EXPECT_EQ(ErrorOf({"-"}), "no picture is named; for example: raypro - out.png -width 512");

@@ -169,10 +169,22 @@ TEST(Check, SaysThatNoDefaultLightsShineWherePathsFindWhatEmits) {
   const std::string path = SceneSummary(example.TheWorld(), Of(RenderMode::path));
   EXPECT_TRUE(Has(path, "lights        0 (the scene names none, and what emits lights it)\n")) << path;
   const std::string whitted = SceneSummary(example.TheWorld(), Of(RenderMode::whitted));
-  EXPECT_TRUE(Has(whitted, "lights        2 (the default: the scene names none)\n")) << whitted;
+  EXPECT_TRUE(Has(whitted, "lights        2 (the default: the scene names none), and 1 shape that emits\n")) << whitted;
 }
 
 TEST(Check, AnEmptySceneIsPointedOut) { EXPECT_TRUE(Has(Example("").Mistakes(), "nothing in the scene")); }
+
+TEST(Check, TheWallBehindTheCameraIsNoMistake) {
+  const std::string room = "quad -1  -5 -1 12  5 -1 12  5 4 12  -5 4 12\nsphere -1 0 0 0 1\n";
+  EXPECT_FALSE(Has(Example(camera + room).Mistakes(), "outside the view")) << Example(camera + room).Mistakes();
+}
+
+TEST(Check, AmbientLightLightsWhatReflectsIt) {
+  const std::string dark = "ambient 1 1 1\npoint_light 0 0 0  0 5 0  1 0 0\n";
+  const std::string black = "material 0 0 0 1 1 1 0 0 0 0 0 0 0 0 0 1 1 0\nsphere 0  0 0 0  1\n";
+  EXPECT_FALSE(Has(Example(camera + dark + "sphere -1  0 0 0  1\n").Mistakes(), "unlit"));
+  EXPECT_TRUE(Has(Example(camera + dark + black).Mistakes(), "unlit"));
+}
 
 TEST(Check, ShapesOutsideTheViewAreCountedAtTheFirst) {
   const std::string mistakes =

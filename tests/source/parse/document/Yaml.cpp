@@ -115,7 +115,32 @@ TEST(YamlDocument, NothingBehindAControlCharacterIsLost) {
 }
 
 TEST(YamlDocument, EveryKeyGivenTwiceIsTold) {
-  EXPECT_TRUE(Contains(Yaml("a: 1\nb: 2\na: 3\n").message, "a.yaml:3:1: error: duplicate key 'a'"));
+  const Read read = Yaml("a: 1\nb: 2\na: 3\na: 4\n");
+  EXPECT_EQ(Written(read.Root()), "{a:1 b:2}");
+  EXPECT_EQ(read.report.Warnings(),
+            (std::vector<std::string>{
+                "a.yaml:3:1: warning: duplicate key 'a', already given in line 1; the first one counts",
+                "a.yaml:4:1: warning: duplicate key 'a', already given in line 3; the first one counts"}));
+}
+
+// https://yaml.org/type/merge.html, examples 4 to 7.
+TEST(YamlDocument, AMergeKeyAddsWhatItsMappingsHave) {
+  const std::string anchors = "- &center {x: 1, y: 2}\n- &left {x: 0, y: 2}\n- &big {r: 10}\n- &small {r: 1}\n";
+  const auto last = [&](const std::string& item) { return Written(Yaml(anchors + "- " + item + "\n").Root()); };
+  const std::string four = "[{x:1 y:2} {x:0 y:2} {r:10} {r:1} ";
+  EXPECT_EQ(last("{<<: *center, r: 10, label: a}"), four + "{r:10 label:a x:1 y:2}]");
+  EXPECT_EQ(last("{<<: [*center, *big], label: a}"), four + "{label:a x:1 y:2 r:10}]");
+  EXPECT_EQ(last("{<<: [*big, *left, *small], x: 1, label: a}"), four + "{x:1 label:a r:10 y:2}]");
+  EXPECT_TRUE(Contains(Yaml("a: {<<: 3}").message, "<< must be followed by a mapping"));
+  EXPECT_TRUE(Contains(Yaml("a: {<<: [{b: 1}, 3]}").message, "<< must be followed by a mapping"));
+}
+
+TEST(YamlDocument, MergedEntriesCountWithinTheLimit) {
+  std::string text = "- &m0 {a: 1, b: 2, c: 3}\n";
+  for (int i = 1; i < 20; ++i)
+    text += "- &m" + std::to_string(i) + " {x" + std::to_string(i) + ": *m" + std::to_string(i - 1) + ", y" +
+            std::to_string(i) + ": *m" + std::to_string(i - 1) + ", <<: *m" + std::to_string(i - 1) + "}\n";
+  EXPECT_TRUE(Contains(Yaml(text).message, "more than")) << Yaml(text).message;
 }
 
 TEST(YamlDocument, ASecondDocumentIsIgnoredWithAWarning) {

@@ -77,6 +77,8 @@ TEST(Placing, MistakesPointAtTheirWords) {
   EXPECT_TRUE(Contains(report("begin -1 translate 1 2\nend"), "translate: z is missing"));
   EXPECT_TRUE(Contains(report("begin -1 translate 1 2 x end"), "z must be a number, got 'x'"));
   EXPECT_TRUE(Contains(report("begin -1 translate 1 2 3 4 end"), "unexpected number '4'"));
+  EXPECT_TRUE(Contains(report("begin -1 scale 2 nan 3 end"), "sy must be a finite number, got 'nan'"));
+  EXPECT_TRUE(Contains(report("begin -1 scale 2 3\nend"), "scale: sz is missing"));
   EXPECT_TRUE(Contains(report("begin -1 look_at 0 0 0 0 1 0 0 2 0 end"), "up must lead off it"));
   EXPECT_TRUE(Contains(report("begin -1 look_at 1 1 1 1 1 1 0 1 0 end"), "there must be a way"));
   EXPECT_TRUE(Contains(report("begin -1 scale 1e140 scale 1e140 scale 1e140 end"), "beyond all numbers"));
