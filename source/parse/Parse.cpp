@@ -4,6 +4,7 @@
 #include <array>
 #include <filesystem>
 #include <new>
+#include <numbers>
 #include <utility>
 
 #include "source/parse/Assets.h"
@@ -136,6 +137,21 @@ void SetEnvironment(const std::string& file, Assets& assets, Report& report, Sce
   }
 }
 
+/// Throws FileError for an eye at its own target.
+void Change(Camera& camera, const CameraChange& change, Report& report, const std::string& file) {
+  const R3::Point eye = change.eye.value_or(camera.eye);
+  if (change.target && *change.target == eye) throw FileError{"the camera would stand at the point it looks at", {}};
+  if (change.eye || change.target || change.up) {
+    AimedCamera aimed = Aim(eye, change.target ? *change.target - eye : camera.towards, change.up.value_or(camera.up));
+    if (aimed.up_was_replaced)
+      report.Warn(Escaped(file), "the up vector is parallel to the view direction; another one is used");
+    aimed.camera.xfov = camera.xfov, aimed.camera.near = camera.near, aimed.camera.far = camera.far;
+    aimed.camera.TakeViewOf(camera);
+    camera = aimed.camera;
+  }
+  if (change.fov) camera.xfov = *change.fov / 360 * std::numbers::pi;
+}
+
 }  // namespace
 
 ParsedScene Parse(const std::string& file, const ParseOptions& options) {
@@ -145,6 +161,7 @@ ParsedScene Parse(const std::string& file, const ParseOptions& options) {
     Assets assets(files, report, options);
     ParsedScene parsed{ReadScene(files, options, assets, report), {}};
     if (!options.environment.empty()) SetEnvironment(options.environment, assets, report, parsed.scene);
+    Change(parsed.scene.camera, options.camera, report, files.TopName());
     report.ThrowErrors();
     for (const std::string& remark : files.Remarks()) report.Warn(Escaped(files.TopName()), remark);
     parsed.warnings = report.Warnings();

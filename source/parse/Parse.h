@@ -17,14 +17,24 @@ struct SettingProblem {
   std::string message, hint;  // the hint may be empty
 };
 
+/// What takes the place of a scene's own camera, part by part.
+struct CameraChange {
+  std::optional<R3::Point> eye, target;  // without a target the viewing direction stays
+  std::optional<R3::Vector> up;
+  std::optional<double> fov;  // whole horizontal field of view, degrees, in (0, 180)
+
+  friend bool operator==(const CameraChange&, const CameraChange&) = default;
+};
+
 /// How a scene is read.
 struct ParseOptions {
   // Where files named by a scene may lie, beside its own folder and the current one.
   std::vector<std::string> allowed_folders;
-  std::string format;                            // a name of formats.def; empty: by extension, and keys of JSON
-  bool decode_srgb = false;                      // 8-bit textures are sRGB and become linear
-  double aspect = 1;                             // of the picture, for scenes that name no camera and are shown whole
-  std::string environment;                       // file that takes the place of the scene's own; empty for none
+  std::string format;        // a name of formats.def; empty: by extension, and keys of JSON
+  bool decode_srgb = false;  // 8-bit textures are sRGB and become linear
+  double aspect = 1;         // of the picture, for scenes that name no camera and are shown whole
+  std::string environment;   // file that takes the place of the scene's own; empty for none
+  CameraChange camera;
   int include_depth = 64;                        // how deep includes may nest
   std::size_t max_nodes = std::size_t{1} << 24;  // about 5 GB of them; includes that double would never end
   std::int64_t max_texture_bytes = std::numeric_limits<std::int64_t>::max();  // of all of them, decoded

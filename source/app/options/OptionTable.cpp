@@ -2,6 +2,7 @@
 #include "source/app/options/OptionTable.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "source/accelerate/Accelerator.h"
@@ -23,6 +24,7 @@ constexpr int most_bands = 255;  // a tone for each level of a byte
 constexpr int most_threads = 4096;
 constexpr double most_memory = 1 << 20;
 constexpr int deepest_include = 1'000'000;
+constexpr double largest_place = 1e150;  // as of coordinates in scenes
 constexpr const char* duration_range = "a duration such as 30s, 5m or 1h";
 
 std::vector<std::string> AcceleratorNames() {
@@ -90,6 +92,35 @@ const NumberList motion_numbers{[](const Options& options) {
                                 },
                                 "three numbers"};
 
+bool IsPlace(const R3::Vector& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}) <= largest_place; }
+bool IsDirection(const R3::Vector& v) { return IsPlace(v) && !(v == R3::Vector{}); }
+
+/// Three numbers that take the place of the scene's, if they are given.
+template <auto member, class Triple, bool (*is_right)(const R3::Vector&), const char* const& range>
+const NumberList change_of_camera{[](const Options& options) {
+                                    const auto& place = options.parse.camera.*member;
+                                    return place ? std::vector{place->x, place->y, place->z} : std::vector<double>{};
+                                  },
+                                  [](Options& options, std::span<const double> n) {
+                                    options.parse.camera.*member = Triple{n[0], n[1], n[2]};
+                                    return is_right({n[0], n[1], n[2]});
+                                  },
+                                  range};
+constexpr const char *place_range = "three numbers", *direction_range = "three numbers, not 0 0 0";
+const NumberList& eye_of_camera = change_of_camera<&CameraChange::eye, R3::Point, IsPlace, place_range>;
+const NumberList& target_of_camera = change_of_camera<&CameraChange::target, R3::Point, IsPlace, place_range>;
+const NumberList& up_of_camera = change_of_camera<&CameraChange::up, R3::Vector, IsDirection, direction_range>;
+
+const NumberList field_of_view{[](const Options& options) {
+                                 const auto& fov = options.parse.camera.fov;
+                                 return fov ? std::vector{*fov} : std::vector<double>{};
+                               },
+                               [](Options& options, std::span<const double> n) {
+                                 options.parse.camera.fov = n[0];
+                                 return n[0] > 0 && n[0] < 180;
+                               },
+                               "degrees, above 0 and below 180"};
+
 const NumberList zbuffer_numbers{[](const Options& options) {
                                    const ZBufferRange& range = options.render.trace.zbuffer;
                                    return std::vector{range.near, range.far};
@@ -140,6 +171,13 @@ std::vector<OptionKind> PictureOptions() {
        "sample sequence (stratified: jittered)"},
       {"seed", both, {}, {"n"}, Number<std::uint64_t>{AT(render.seed), 0, highest<std::uint64_t>}, "", "picture",
        "random seed; the same seed gives a bit-identical image"},
+      {"eye", both, {}, {"x", "y", "z"}, eye_of_camera, "",
+       "picture", "where the camera stands, instead of where the scene says"},
+      {"target", both, {}, {"x", "y", "z"}, target_of_camera, "",
+       "picture", "the point that the camera looks at; without it the scene's viewing direction stays"},
+      {"up", both, {}, {"x", "y", "z"}, up_of_camera, "", "picture",
+       "what is up in the picture"},
+      {"fov", both, {}, {"degrees"}, field_of_view, "", "picture", "whole horizontal field of view"},
       {"motion", both, {}, {"dx", "dy", "dz"}, motion_numbers, "", "picture",
        "how far the camera moves while the shutter is open"},
       {"aperture", both, {}, {"r"}, Number<double>{AT(render.camera.aperture), 0, highest<double>}, "", "picture",

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cstdint>
+#include <numbers>
 #include <set>
 
 #include "R3/Mesh.h"
@@ -103,7 +104,8 @@ std::string SceneSummary(const World& world, const RenderSettings& settings) {
       Line("bounds", BoundsText(scene.root.bounds)) +
       Line("camera", "at " + WithDecimals(DecimalsFor(scene.root.bounds), scene.camera.eye) + ", towards " +
                          WithDecimals(3, scene.camera.towards) + ", half angle " + Fixed(scene.camera.xfov, 3) +
-                         " rad" + (scene.has_default_camera ? " (the default: the scene names none)" : "")) +
+                         " rad, " + Fixed(360 / std::numbers::pi * scene.camera.xfov, 1) + " degrees in all" +
+                         (scene.has_default_camera ? " (the default: the scene names none)" : "")) +
       LightLines(world, settings.mode);
   const double megabytes = 1e-6 * static_cast<double>(Memory(world, shared, settings));
   return text + Line("memory", "about " + Fixed(megabytes, 1) + " MB with the picture");

@@ -127,6 +127,35 @@ TEST(Raypro, ALoneSceneIsRenderedBesideItButNeverOverItsOwnTexture) {
   EXPECT_TRUE(ReadFile(place / "in.png") == picture);
 }
 
+TEST(Raypro, OptionsOfTheCameraTakeThePlaceOfTheScenesAndAreReplayed) {
+  NEEDS_THE_PROGRAM();
+  const SceneFolder place;
+  const std::string ball = "sphere -1 0 0 0 1\nbox -1 1 1 1 2 2 2\n";
+  WriteFile(place / "said.scn", "camera look_at 3 2 4  0 0 0  0 1 .2  40\n" + ball);
+  WriteFile(place / "asked.scn", "camera 0 0 9  0 0 -1  0 1 0  .5 .01 100\n" + ball);
+  const std::vector<std::string> size{"-width", "24", "-height", "18", "-quiet"};
+  const auto render = [&](std::vector<std::string> words) {
+    words.insert(words.end(), size.begin(), size.end());
+    const Finished done = RunProgram(words);
+    EXPECT_EQ(done.status, 0) << done.error;
+    return ReadFile(words[1]);
+  };
+  const std::string said = render({place / "said.scn", place / "a.ppm"});
+  const auto asked = [&](const std::string& picture, const std::string& request, const std::string& report) {
+    return render({place / "asked.scn", picture, "-eye", "3", "2", "4", "-target", "0", "0", "0", "-up", "0", "1", ".2",
+                   "-fov", "40", request, report});
+  };
+  EXPECT_TRUE(asked(place / "b.ppm", "-report", place / "b.json") == said);
+  EXPECT_TRUE(asked(place / "c.ppm", "-replay", place / "b.json") == said);
+  const Finished other = RunProgram({place / "asked.scn", place / "d.ppm", "-replay", place / "b.json"});
+  EXPECT_EQ(other.status, 2);
+  EXPECT_FALSE(render({place / "asked.scn", place / "d.ppm", "-eye", "0", "0", "8"}) == said);
+  const Finished inside =
+      RunProgram({place / "asked.scn", place / "e.ppm", "-eye", "1", "1", "1", "-target", "1", "1", "1"});
+  EXPECT_EQ(inside.status, 3);
+  EXPECT_TRUE(Has(inside.error, "the camera would stand at the point it looks at")) << inside.error;
+}
+
 TEST(Raypro, RendersSeveralScenesIntoAFolderAndOneThatFailsStopsNoOther) {
   NEEDS_THE_PROGRAM();
   const SceneFolder place;

@@ -158,7 +158,7 @@ TEST(Check, EveryRenderPointsOutWhatCannotBeMeantAndCostsNothing) {
 
 TEST(Check, SaysWhereTheDefaultsAreInForce) {
   const std::string none = SceneSummary(Example("sphere -1  0 0 0  1\n").TheWorld(), {});
-  EXPECT_TRUE(Has(none, " rad (the default: the scene names none)\n")) << none;
+  EXPECT_TRUE(Has(none, " degrees in all (the default: the scene names none)\n")) << none;
   EXPECT_TRUE(Has(none, "lights        2 (the default: the scene names none)\n")) << none;
   EXPECT_FALSE(Has(SceneSummary(Example(camera + "point_light 1 1 1  0 5 0  1 0 0\n").TheWorld(), {}), "default"));
 }
