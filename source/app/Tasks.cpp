@@ -52,7 +52,8 @@ std::string OfBuiltScene(const Options& asked, const Tell& tell) {
 }
 
 std::string RaysOfPixel(const World& world, const Accelerator& accelerator, const Options& options) {
-  return DebugPixel(world, accelerator, options.render, options.pixel->x, options.pixel->y);
+  return DebugPixel(world, accelerator, options.render, options.pixel->x, options.pixel->y,
+                    options.verbose ? Digits::all : Digits::five);
 }
 
 std::string ResultOf(const Options& options, const std::vector<std::string>& keys) {

@@ -11,19 +11,27 @@
 namespace ray {
 namespace {
 
-constexpr int digits = 5;  // of the numbers in a tree; all that a reader compares
+/// Numbers of a tree as text: with all that a reader compares, or with all that they have.
+struct NumberTexts {
+  Digits digits;
 
-std::string Text(double number) { return Rounded(number, digits); }
-std::string Text(double x, double y, double z) { return Text(x) + " " + Text(y) + " " + Text(z); }
-std::string Text(const R3::Point& p) { return Text(p.x, p.y, p.z); }
-std::string Text(const R3::Vector& v) { return Text(v.x, v.y, v.z); }
-std::string Text(const R2::Color& c) { return Text(c.r, c.g, c.b); }
+  std::string operator()(double number) const {
+    constexpr int few = 5;
+    return digits == Digits::all ? ToText(number) : Rounded(number, few);
+  }
+  std::string operator()(double x, double y, double z) const {
+    return (*this)(x) + " " + (*this)(y) + " " + (*this)(z);
+  }
+  std::string operator()(const R3::Point& p) const { return (*this)(p.x, p.y, p.z); }
+  std::string operator()(const R3::Vector& v) const { return (*this)(v.x, v.y, v.z); }
+  std::string operator()(const R2::Color& c) const { return (*this)(c.r, c.g, c.b); }
+};
 
 /// Writes the rays of one pixel, each below the one it came from.
 class TreeWriter {
  public:
-  TreeWriter(const PixelTrace& trace, const World& world, std::size_t most_rays)
-      : trace_(trace), world_(world), left_(most_rays), children_(trace.rays.size()) {
+  TreeWriter(const PixelTrace& trace, const World& world, std::size_t most_rays, Digits digits)
+      : trace_(trace), world_(world), text_of_{digits}, left_(most_rays), children_(trace.rays.size()) {
     for (std::size_t i = 0; i < trace.rays.size(); ++i)
       if (trace.rays[i].parent != RecordedRay::none)
         children_[static_cast<std::size_t>(trace.rays[i].parent)].push_back(i);
@@ -43,9 +51,9 @@ class TreeWriter {
  private:
   void WriteSample(std::size_t i) {
     const CameraSample& taken = trace_.samples[i];
-    text_ += "sample " + std::to_string(i + 1) + " at " + Text(taken.x) + " " + Text(taken.y) + ": " +
-             Text(trace_.radiances[i]);
-    if (trace_.Counted(i) != trace_.radiances[i]) text_ += ", clamped to " + Text(trace_.Counted(i));
+    text_ += "sample " + std::to_string(i + 1) + " at " + text_of_(taken.x) + " " + text_of_(taken.y) + ": " +
+             text_of_(trace_.radiances[i]);
+    if (trace_.Counted(i) != trace_.radiances[i]) text_ += ", clamped to " + text_of_(trace_.Counted(i));
     text_ += "\n";
   }
 
@@ -72,10 +80,10 @@ class TreeWriter {
     text_ += margin + ray_kind_names[static_cast<std::size_t>(ray.kind)] + " ray";
     if (ray.is_outlined) text_ += ", on an outline, which is black";
     if (!ray.towards.empty()) text_ += " to " + LightText(ray.towards);
-    text_ += "\n" + margin + "  from " + Text(ray.ray.origin) + " along " + Text(ray.ray.direction);
+    text_ += "\n" + margin + "  from " + text_of_(ray.ray.origin) + " along " + text_of_(ray.ray.direction);
     if (ray.is_inside) text_ += ", inside";
-    text_ += ", throughput " + Text(ray.throughput) + "\n";
-    text_ += margin + "  " + End(ray) + ", contributes " + Text(ray.contribution) + "\n";
+    text_ += ", throughput " + text_of_(ray.throughput) + "\n";
+    text_ += margin + "  " + End(ray) + ", contributes " + text_of_(ray.contribution) + "\n";
   }
 
   /// A light in full where it comes first, then its number.
@@ -94,16 +102,17 @@ class TreeWriter {
     std::string text = ray.kind == RayKind::shadow ? "blocked by " : "hits ";
     text += "primitive " + std::to_string(world_.PrimitiveId(*ray.hit));
     if (where.line > 0) text += " of " + world_.scene().files[where.file] + ":" + std::to_string(where.line);
-    text += " at t " + Text(ray.hit->t) + ", " + Text(ray.at->position);
+    text += " at t " + text_of_(ray.hit->t) + ", " + text_of_(ray.at->position);
     if (ray.kind == RayKind::shadow) return text;
-    text += ", normal " + Text(AsVector(ray.at->normal));
+    text += ", normal " + text_of_(AsVector(ray.at->normal));
     if (!(ray.at->shading_normal == ray.at->normal))
-      text += ", shading normal " + Text(AsVector(ray.at->shading_normal));
-    return text + ", uv " + Text(ray.at->uv.x) + " " + Text(ray.at->uv.y);
+      text += ", shading normal " + text_of_(AsVector(ray.at->shading_normal));
+    return text + ", uv " + text_of_(ray.at->uv.x) + " " + text_of_(ray.at->uv.y);
   }
 
   const PixelTrace& trace_;
   const World& world_;
+  NumberTexts text_of_;
   std::size_t left_, cut_ = 0;
   std::vector<std::vector<std::size_t>> children_;
   std::vector<std::string> lights_;  // mentioned so far
@@ -143,19 +152,21 @@ PixelTrace PixelTracer::Trace(int column, int row, int samples) const {
   return trace;
 }
 
-std::string RayTree(const PixelTrace& trace, const World& world, const RenderSettings& settings,
-                    std::size_t most_rays) {
+std::string RayTree(const PixelTrace& trace, const World& world, const RenderSettings& settings, std::size_t most_rays,
+                    Digits digits) {
   return "pixel " + std::to_string(trace.column) + " " + std::to_string(trace.row) + " of " +
          std::to_string(settings.width) + " x " + std::to_string(settings.height) + ", " + NameOf(settings.mode) +
-         ": " + Text(trace.Mean()) + (ShowsCosts(settings.mode) ? ", a cost of rays that contribute light" : "") +
+         ": " + NumberTexts{digits}(trace.Mean()) +
+         (ShowsCosts(settings.mode) ? ", a cost of rays that contribute light" : "") +
          (trace.samples.size() > 1 ? ", the mean of " + std::to_string(trace.samples.size()) + " samples" : "") + "\n" +
-         TreeWriter(trace, world, most_rays).Write();
+         TreeWriter(trace, world, most_rays, digits).Write();
 }
 
 std::string DebugPixel(const World& world, const Accelerator& accelerator, const RenderSettings& settings, int column,
-                       int row) {
+                       int row, Digits digits) {
   const int streams = StreamsOf(settings), samples = streams * std::max(1, settings.samples / streams);
-  return RayTree(PixelTracer(world, accelerator, settings).Trace(column, row, samples), world, settings);
+  return RayTree(PixelTracer(world, accelerator, settings).Trace(column, row, samples), world, settings,
+                 most_rays_of_tree, digits);
 }
 
 }  // namespace ray

@@ -41,13 +41,18 @@ class PixelTracer {
   CameraRays camera_;
 };
 
+/// How numbers are written: with five digits, or so that they read back as the same to the bit.
+enum class Digits { five, all };
+
+inline constexpr std::size_t most_rays_of_tree = 1000;
+
 /// The tree of a pixel's rays in lines of text: kind, origin, direction, where each ends and on what, its
 /// throughput and what it contributes. At most `most_rays` of them, then a count of the rest.
 std::string RayTree(const PixelTrace& trace, const World& world, const RenderSettings& settings,
-                    std::size_t most_rays = 1000);
+                    std::size_t most_rays = most_rays_of_tree, Digits digits = Digits::five);
 
 /// For a program's user: all samples of one pixel; of a picture that stops by itself, as many as it may have.
 std::string DebugPixel(const World& world, const Accelerator& accelerator, const RenderSettings& settings, int column,
-                       int row);
+                       int row, Digits digits = Digits::five);
 
 }  // namespace ray

@@ -99,10 +99,10 @@ bool IsOutputSentToAnImage() {
   return IsPicture(std::filesystem::read_symlink("/proc/self/fd/1", unknown).string());
 }
 
-/// A scene may be named alone, as in Groningen's course; its picture then lies beside it. Names that end in .txt or
-/// .json say too little about what a file holds, and beside a mesh there may be its texture.
+/// A scene may be named alone, as in Groningen's course; its picture then lies beside it. A name that ends in .txt
+/// says too little about what a file holds, and beside a mesh there may be its texture.
 void NamePictureOfLoneScene(Options& options) {
-  constexpr std::array<std::string_view, 3> of_scenes_alone{".scn", ".yaml", ".yml"};
+  constexpr std::array<std::string_view, 4> of_scenes_alone{".scn", ".yaml", ".yml", ".json"};
   const bool is_alone = options.task == Task::render && options.picture.empty() && !IsOutputSentToAnImage();
   if (is_alone && std::ranges::find(of_scenes_alone, ExtensionOf(options.scene)) != of_scenes_alone.end())
     options.picture = std::filesystem::path(options.scene).replace_extension(".png").string();

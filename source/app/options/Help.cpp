@@ -148,7 +148,8 @@ const ProgramText& TextOf(Program program) {
       .description =
           "Renders a scene file; the extensions choose the formats (raypro -list). The name - is standard input as a "
           "scene,\n"
-          "in .scn, and standard output as a picture, in PNG. A .scn or .yaml scene that is named alone is rendered "
+          "in .scn, and standard output as a picture, in PNG. A .scn, .yaml or .json scene that is named alone is "
+          "rendered "
           "to a\nPNG of its name beside it.\n",
       .examples =
           "  raypro scenes/hello.scn hello.jpg -width 512 -height 512 -samples 16\n"

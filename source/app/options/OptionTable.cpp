@@ -383,7 +383,7 @@ std::vector<OptionKind> MessageOptions() {
        "report which acceleration structure is used, why, and what was built"},
       {"stats", raypro, {}, {}, Flag{AT(stats)}, "", "messages", "print statistics of the render"},
       {"debugpixel", raypro, {}, {"x", "y"}, PixelRequest{AT(pixel), Task::debug_pixel}, "", "messages",
-       "print the ray tree of a pixel (x from the left, y from the bottom), without rendering"},
+       "print the ray tree of a pixel (x from the left, y from the bottom); -verbose: all digits"},
       {"report", raypro, {}, {"file.json"}, FileName{AT(report), FileKind::json}, "", "messages",
        "write settings and statistics as JSON"},
       {"keep_times", both, {}, {}, Flag{AT(keep_times)}, "", "messages",

@@ -80,8 +80,9 @@ void Cs315Reader::ReadCamera(Mapping& scene) {
   const double aspect = camera->Number({"aspect"}, positive, 1);
   if (const auto radius = camera->Find({"aperture"}))
     if (const auto lens = radius->Number(not_negative)) Set("aperture", ToText(*lens), &radius->What());
-  if (const auto depth = camera->Find({"focal_depth"}))
-    if (const auto focus = depth->Number(positive)) Set("focus", ToText(*focus), &depth->What());
+  for (Mapping* mapping : {&scene, &*camera})  // students' programs read it from either
+    if (const auto depth = mapping->Find({"focal_depth"}))
+      if (const auto focus = depth->Number(positive)) Set("focus", ToText(*focus), &depth->What());
   camera->Ignore({"name", "comment"});
   if (!camera->FinishedWell()) return;
   if (eye == at) return report_.Error(camera->What(), "has its eye at the point it looks at");
@@ -167,8 +168,10 @@ void Cs315Reader::ReadSurface(const Field& field) {
   const Material& look = Made().materials[static_cast<std::size_t>(used)];
   const bool has_texture = look.texture || look.bump || look.normal_map;
   auto placed = ReadShape(*name, surface, has_texture);
+  // While the shutter is open a unit of time passes.
+  const R3::Vector velocity = surface.Vector({"velocity"}).value_or(R3::Vector{});
   surface.Finish();
-  if (placed && surface.IsGood()) objects_.Add(surface, std::move(*placed), transform, {}, used);
+  if (placed && surface.IsGood()) objects_.Add(surface, std::move(*placed), transform, velocity, used);
 }
 
 std::optional<PlacedShape> Cs315Reader::ReadShape(const std::string& name, Mapping& surface, bool has_texture) {

@@ -63,6 +63,15 @@ void GroningenReader::FindRange(Mapping& mapping) {
   if (auto found = mapping.Find({"far", "Far", "DistMax"})) far_ = found;
 }
 
+namespace {
+
+bool IsNegative(const Field& field) {
+  const auto [value, problem] = ParseNumber(field.What().scalar);
+  return !problem && value < 0;
+}
+
+}  // namespace
+
 // Without them those of the picture itself are taken.
 void GroningenReader::ReadZBuffer(Mapping& scene) {
   FindRange(scene);
@@ -75,6 +84,8 @@ void GroningenReader::ReadZBuffer(Mapping& scene) {
   if (!near_ && !far_) return;
   if (!far_) return near_->Error("goes with far, which is missing");
   if (!near_) return far_->Error("goes with near, which is missing");
+  if (mode_ != Mode::zbuffer && IsNegative(*near_))
+    return report_.Warn(near_->What().extent, "a negative distance is left out; this picture does not use it");
   const auto near = near_->Number(not_negative), far = far_->Number(not_negative);
   if (!near || !far) return;
   if (!(*near < *far)) return far_->Error("must be greater than near, which is " + ToText(*near));

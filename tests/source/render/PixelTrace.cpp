@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
+#include "source/text/NumberText.h"
 #include "tests/Project.h"
 
 namespace ray {
@@ -107,6 +109,18 @@ TEST(PixelTrace, SamplesThatAreClampedCountAsThePictureCountsThem) {
 }
 
 // Camera rays are traced together, and then points of triangles have no texture coordinates unless they need them.
+// CS 315's assignment lists directions with eight digits.
+TEST(DebugPixel, WritesAllDigitsWhereAsked) {
+  const project::Stage stage(project::FromText("camera 0 0 0  0 0 -1  0 1 0  .39269908169872414 .01 100\n"));
+  const auto accelerator = FindAcceleratorKind("none")->Make(stage.world, {});
+  RenderSettings settings;
+  settings.width = settings.height = 512;
+  const double x = std::tan(std::numbers::pi / 8) / 512;  // of the pixel right of the middle
+  EXPECT_NE(DebugPixel(stage.world, *accelerator, settings, 256, 256, Digits::all).find("along " + ToText(x) + " "),
+            std::string::npos);
+  EXPECT_EQ(DebugPixel(stage.world, *accelerator, settings, 256, 256).find(ToText(x)), std::string::npos);
+}
+
 TEST(PixelTrace, TextureCoordinatesAreThoseOfModeUvThoughTheMaterialHasNoUseForThem) {
   const project::Stage stage(
       project::FromText("camera 0 0 3  0 0 -1  0 1 0  .3 .01 100\n"

@@ -352,6 +352,7 @@ TEST(CommandLine, ThePictureOfALoneSceneLiesBesideIt) {
   EXPECT_EQ(picture_of({"my/in.scn"}), "my/in.png");
   EXPECT_EQ(picture_of({"-width", "64", "In.SCN", "-srgb"}), "In.png");
   EXPECT_EQ(picture_of({"my.v2/in.yaml"}), "my.v2/in.png");
+  EXPECT_EQ(picture_of({"scene01.json"}), "scene01.png");
   EXPECT_EQ(picture_of({"in.scn", "out.jpg"}), "out.jpg");
   EXPECT_EQ(picture_of({"in.scn", "-check"}), "");
 }
@@ -359,9 +360,9 @@ TEST(CommandLine, ThePictureOfALoneSceneLiesBesideIt) {
 TEST(CommandLine, NamesAreTwoAndNotEmpty) {
   EXPECT_TRUE(Has(ErrorOf({}), "no scene is named"));
   EXPECT_EQ(ErrorOf({}), "no scene is named; for example: raypro scenes/hello.scn hello.png -width 512");
-  EXPECT_EQ(ErrorOf({"my/in.json"}), "no picture is named; for example: raypro my/in.json in.png -width 512");
-  EXPECT_EQ(ErrorOf({"-width", "64", "in.json", "-srgb"}),
-            "no picture is named; for example: raypro -width 64 in.json in.png -srgb");
+  EXPECT_EQ(ErrorOf({"my/in.txt"}), "no picture is named; for example: raypro my/in.txt in.png -width 512");
+  EXPECT_EQ(ErrorOf({"-width", "64", "in.txt", "-srgb"}),
+            "no picture is named; for example: raypro -width 64 in.txt in.png -srgb");
   EXPECT_EQ(ErrorOf({"out.png"}), "no scene is named; for example: raypro scenes/hello.scn out.png");
   EXPECT_EQ(ErrorOf({"out.png", "in.scn"}), "the scene is named first: raypro in.scn out.png");
   EXPECT_EQ(ErrorOf({"-"}), "no picture is named; for example: raypro - out.png -width 512");

@@ -79,6 +79,20 @@ TEST(Cs315, WhatTheCourseDecidesAreSettings) {
   EXPECT_EQ(told.shadow_bias, 0.005);
 }
 
+TEST(Cs315, ASurfaceMovesWithItsVelocityWhileTheShutterIsOpen) {
+  const Scene scene = WithSurface(
+                          "{'shape': 'Sphere', 'center': [0, 0, 0], 'radius': 1, 'material': 0, "
+                          "'velocity': [3, 0, 0]}")
+                          .scene;
+  EXPECT_EQ(Depth(scene, {.origin = {0, 0, 5}, .direction = {0, 0, -1}, .time = 0}), 4);
+  EXPECT_EQ(Depth(scene, {.origin = {0, 0, 5}, .direction = {0, 0, -1}, .time = 1}), std::nullopt);
+  EXPECT_EQ(Depth(scene, {.origin = {3, 0, 5}, .direction = {0, 0, -1}, .time = 1}), 4);
+}
+
+TEST(Cs315, AFocalDepthAtTheTopCountsAsTheCameras) {
+  EXPECT_EQ(ValueOf(Cs315("'focal_depth': 7").scene, "focus"), "7");
+}
+
 TEST(Cs315, LightsOfAllKindsAddUp) {
   const Scene scene =
       Cs315(

@@ -455,12 +455,24 @@ TEST(Groningen, SolidsStandWhereTheirKeysSay) {
   EXPECT_NEAR(
       depth("'type': 'box', 'position': [1, 0, -1], 'side': [2, 0, 0], 'up': [0, 2, 0], 'depth': [0, 0, 2]", along_x),
       11, 1e-12);
+  // A length alone leads away from one who sees side lead to the right and up lead up.
+  const std::string sides = "'side': [2, 0, 0], 'up': [0, 2, 0], 'depth': 2";
+  EXPECT_NEAR(depth("'type': 'box', 'position': [1, 0, 1], " + sides, along_x), 11, 1e-12);
+  EXPECT_NEAR(depth("'type': 'box', 'position': [1, 0, -1], " + sides, along_x), -1, 0);
   EXPECT_NEAR(depth("'type': 'cube', 'position': [0, 0, 0], 'size': 4", along_x), 8, 1e-12);
   EXPECT_NEAR(depth("'type': 'circle', 'center': [0, 3, 0], 'N': [0, 1, 0], 'radius': 1", down), 7, 1e-5);
   EXPECT_NEAR(depth("'type': 'circle', 'center': [1.5, 3, 0], 'N': [0, 1, 0], 'radius': 1", down), -1, 0);
   EXPECT_NEAR(depth("'type': 'plane', 'position': [0, 1, 0], 'normal': [0, 2, 0]", down), 9, 1e-12);
   EXPECT_NEAR(depth("'type': 'plane', 'O': [0, 1, 0], 'N': [0, 1, 0]", down), 9, 1e-12);
   EXPECT_NEAR(depth("'type': 'plane', 'normal': [0, 2, 0], 'distance': 3", down), 7, 1e-12);
+}
+
+TEST(Groningen, ADistanceThatThePictureDoesNotUseIsNoError) {
+  const ParsedScene phong = WithKeys("'DistMin': -5, 'DistMax': 900");
+  ASSERT_EQ(phong.warnings.size(), 1u);
+  EXPECT_TRUE(Contains(phong.warnings[0], "a negative distance is left out")) << phong.warnings[0];
+  EXPECT_EQ(SettingOf(phong.scene, "zbuffer_range"), "(none)");
+  EXPECT_THROW(WithKeys("'RenderMode': 'zbuffer', 'DistMin': -5, 'DistMax': 900"), SceneErrors);
 }
 
 TEST(Groningen, AMeshIsFoundWithoutItsExtensionScaledTurnedAndMoved) {
