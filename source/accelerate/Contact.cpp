@@ -111,8 +111,8 @@ std::vector<WorldHit> CoincidentOf(const World& world, const R3::Ray& ray, std::
   const Reference nearest(world, ray, *std::ranges::min_element(hits, is_before));
   std::erase_if(hits, [&](const WorldHit& hit) { return !nearest.IsCoincidentWith(world, ray, hit); });
   std::ranges::sort(hits, {}, primitive);
-  const auto again = std::ranges::unique(hits, {}, primitive);
-  hits.erase(again.begin(), again.end());
+  const auto is_same = [&](const WorldHit& a, const WorldHit& b) { return primitive(a) == primitive(b); };
+  hits.erase(std::unique(hits.begin(), hits.end(), is_same), hits.end());
   return hits;
 }
 

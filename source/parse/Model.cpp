@@ -82,7 +82,7 @@ bool IsGray(const R2::Image& image) {
 class MaterialMaker {
  public:
   MaterialMaker(const MeshFile& mesh, const FoundFile& file, Assets& assets, Report& report)
-      : mesh_(mesh), file_(file), assets_(assets), report_(report) {
+      : file_(file), assets_(assets), report_(report) {
     R3::Box box;
     for (const R3::Point& p : mesh.data.positions) box.Extend(p);
     extent_ = box.IsEmpty() ? 0 : MaxComponent(box.Size());
@@ -183,7 +183,6 @@ class MaterialMaker {
     }
   }
 
-  const MeshFile& mesh_;
   const FoundFile& file_;
   Assets& assets_;
   Report& report_;

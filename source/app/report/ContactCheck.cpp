@@ -44,7 +44,7 @@ std::vector<Pair> PairsInOnePlane(const World& world, const RenderSettings& sett
     }
   }
   std::ranges::sort(pairs);
-  pairs.erase(std::ranges::unique(pairs).begin(), pairs.end());
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
   return pairs;
 }
 

@@ -219,8 +219,7 @@ class PlyReader {
     const auto less = [](const R2::Point& a, const R2::Point& b) { return a.x != b.x ? a.x < b.x : a.y < b.y; };
     std::vector<R2::Point> different = uvs_;
     std::ranges::sort(different, less);
-    const auto repeated = std::ranges::unique(different);
-    different.erase(repeated.begin(), repeated.end());
+    different.erase(std::unique(different.begin(), different.end()), different.end());
     for (Corner& corner : corners_)
       if (corner.uv != Corner::none)
         corner.uv =

@@ -50,9 +50,11 @@ R3::Matrix RotationAbout(int axis, double degrees) {
 
 // Rodrigues' formula, cos I + sin [a] + (1 - cos) a a^T.
 R3::Matrix RotationAbout(const R3::Vector& axis, double degrees) {
-  const auto [s, c] = OfDegrees(degrees);
+  const R1::SineCosine turn = OfDegrees(degrees);
   const R3::Vector a = Unit(axis);
-  const auto column = [&](const R3::Vector& e) { return c * e + s * Cross(a, e) + (1 - c) * Dot(a, e) * a; };
+  const auto column = [&](const R3::Vector& e) {
+    return turn.cosine * e + turn.sine * Cross(a, e) + (1 - turn.cosine) * Dot(a, e) * a;
+  };
   return Frame({}, column({1, 0, 0}), column({0, 1, 0}), column({0, 0, 1}));
 }
 
