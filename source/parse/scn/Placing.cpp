@@ -84,7 +84,7 @@ R3::Matrix ReadPlacement(Statement& statement) {
   R3::Matrix all;
   while (const Placement* placement = NextPlacement(statement)) {
     statement.Takes(placement->word);
-    statement.BeginPart(std::string(placement->word), std::string(placement->usage));
+    statement.BeginPart(placement->word, placement->usage);
     all = all * placement->read(statement);
   }
   if (statement.IsGood() && !IsFinite(all))

@@ -25,7 +25,7 @@ Arguments Statement::Numbers(std::span<const R3::Argument> wanted) {
   read.words.reserve(wanted.size());
   for (const R3::Argument& argument : wanted) {
     if (const auto& next = tokens_.Peek(); !next || BeginsStatement(*next)) {
-      Error(word_, name_ + ": " + argument.name + " is missing", usage_);
+      Error(word_, std::string(name_) + ": " + argument.name + " is missing", std::string(usage_));
       throw Incomplete{};
     }
     const Token word = *tokens_.Next();
@@ -53,7 +53,7 @@ Arguments Statement::Coordinates(std::span<const R3::Argument> wanted) {
 Token Statement::Word(const char* name) {
   const auto& next = tokens_.Peek();
   if (!next || (next->starts_line && FindCommand(next->text))) {
-    Error(word_, name_ + ": " + name + " is missing", usage_);
+    Error(word_, std::string(name_) + ": " + name + " is missing", std::string(usage_));
     throw Incomplete{};
   }
   return *tokens_.Next();

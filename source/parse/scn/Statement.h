@@ -4,7 +4,6 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "R3/ShapeKind.h"
@@ -37,7 +36,8 @@ class Statement {
       : command_(command), word_(word), tokens_(tokens), name_(command.name), usage_(command.usage) {}
 
   /// What lacks from here on is said of this word of the command, and of how that one is used.
-  void BeginPart(std::string name, std::string usage) { name_ = std::move(name), usage_ = std::move(usage); }
+  /// Both must outlive the statement.
+  void BeginPart(std::string_view name, std::string_view usage) { name_ = name, usage_ = usage; }
 
   Arguments Numbers(std::span<const R3::Argument> wanted);
   /// The same, of which none is beyond what coordinates may be.
@@ -65,7 +65,7 @@ class Statement {
   const Command& command_;
   const Token word_;
   Tokenizer& tokens_;
-  std::string name_, usage_;
+  std::string_view name_, usage_;
   std::vector<SceneError> errors_;
 };
 

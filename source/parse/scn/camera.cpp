@@ -51,7 +51,7 @@ const std::array<R3::Argument, 1> whole_angle{{{"fov"}}};
 
 /// An extension: an eye, a point to look at and a whole angle in degrees.
 std::optional<AimedCamera> ReadLookingAt(Statement& statement) {
-  statement.BeginPart("camera look_at", std::string(look_at_usage));
+  statement.BeginPart("camera look_at", look_at_usage);
   const Arguments read = statement.Coordinates(look_at_arguments), angle = statement.Numbers(whole_angle);
   const double fov = angle.values[0];
   if (!statement.IsGood()) return {};
