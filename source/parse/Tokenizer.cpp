@@ -69,7 +69,7 @@ std::optional<Token> Tokenizer::Scan() {
 std::size_t Tokenizer::LengthOfWord() const {
   const char* behind = next_;
   while (behind != end_ && !IsSpace(*behind)) ++behind;
-  if (IsJoint(behind - 1)) --behind;
+  if (behind[-1] == '\\' && IsJoint(behind - 1)) --behind;
   const std::string_view word(next_, static_cast<std::size_t>(behind - next_));
   return comments_ == Comments::hash ? WithoutComment(word).size() : word.size();
 }
@@ -86,7 +86,7 @@ std::size_t Tokenizer::LengthOfQuoted() const {
 
 void Tokenizer::SkipWhiteSpace() {
   bool is_joined = false;
-  for (; next_ != end_ && (IsSpace(*next_) || IsJoint(next_)); ++next_) {
+  for (; next_ != end_ && (IsSpace(*next_) || (*next_ == '\\' && IsJoint(next_))); ++next_) {
     ++column_;
     if (*next_ == '\\') is_joined = true;
     if (!EndsLine(*next_)) continue;
@@ -98,9 +98,10 @@ void Tokenizer::SkipWhiteSpace() {
   }
 }
 
-/// A backslash, blanks behind it, which are easily left there, and the end of the line or of the file.
+/// Whether a backslash joins lines: behind it stand at most blanks, which are easily left there, and the end of the line
+/// or of the file.
 bool Tokenizer::IsJoint(const char* backslash) const {
-  if (*backslash != '\\' || joints_ == Joints::none) return false;
+  if (joints_ == Joints::none) return false;
   const char* behind = backslash + 1;
   while (behind != end_ && IsSpace(*behind) && !EndsLine(*behind)) ++behind;
   return behind == end_ || EndsLine(*behind);
