@@ -84,7 +84,7 @@ inline R2::Color KdAt(const World& world, const ShadingPoint& p) {
   const R2::Color kd = m.texture ? m.kd * m.texture->On(p.at, m.texture_scale) : m.kd;
   return m.has_vertex_colors ? kd * VertexColorAt(world, p.hit) : kd;
 }
-/// Of a point whose kd is known, the last of these.
+/// Takes from the throughput what the inside of a solid absorbed on the way here; the last step of making a point.
 void AbsorbOnTheWay(ShadingPoint& p);
 
 /// What a ray that hits nothing sees.

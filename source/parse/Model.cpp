@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <map>
 #include <span>
-#include <sstream>
 #include <unordered_map>
 #include <utility>
 
@@ -18,15 +17,8 @@ namespace {
 
 constexpr R2::Color white{1, 1, 1};
 
-/// Of a file's whole extent: how high a bump map of multiplier 1 rises, for which the format has no unit.
+/// How high a bump map of multiplier 1 rises, as a share of the file's whole extent: the format has no unit for it.
 constexpr double bump_height = 0.01;
-
-std::vector<std::string> WordsOf(const std::string& text) {
-  std::istringstream stream(text);
-  std::vector<std::string> words;
-  for (std::string word; stream >> word;) words.push_back(word);
-  return words;
-}
 
 /// A material of a library that was read, and where that lies.
 struct LibraryMaterial {
@@ -40,7 +32,7 @@ std::string WithoutComment(const std::string& name) {
   return hash == std::string::npos ? name : name.substr(0, name.find_last_not_of(" \t", hash) + 1);
 }
 
-/// Of 1 for what hides all behind it. Programs that write both d and Tr mean the first.
+/// 1 where all behind is hidden. Programs that write both d and Tr mean d.
 double OpacityOf(const MtlMaterial& m) {
   if (m.d) return std::min(1.0, *m.d);
   return m.Tr ? 1 - std::min(1.0, *m.Tr) : 1;
@@ -128,7 +120,7 @@ class MaterialMaker {
     } catch (const FileError& error) {
       if (names.name.find_first_of(" \t") == std::string::npos) return WarnOfMissing(names.place, error);
     }
-    for (const std::string& name : WordsOf(names.name)) {
+    for (const std::string& name : SplitWords(names.name)) {
       try {
         ReadLibrary(assets_.Find(name, file_.shown));
       } catch (const FileError& error) {
@@ -191,19 +183,6 @@ class MaterialMaker {
   bool is_complete_ = true;  // every library was found
 };
 
-/// The material of each triangle, as MeshFile numbers them.
-std::vector<std::uint32_t> MaterialsOfTriangles(const MeshFile& mesh) {
-  std::vector<std::uint32_t> materials(mesh.data.triangles.size(), MeshFile::no_material);
-  for (std::size_t i = 0; i < mesh.material_runs.size(); ++i) {
-    const auto first = materials.begin() + static_cast<std::ptrdiff_t>(mesh.material_runs[i].first_triangle);
-    const auto last = i + 1 < mesh.material_runs.size()
-                          ? materials.begin() + static_cast<std::ptrdiff_t>(mesh.material_runs[i + 1].first_triangle)
-                          : materials.end();
-    std::fill(first, last, mesh.material_runs[i].value);
-  }
-  return materials;
-}
-
 /// Makes meshes of some of the triangles of another one, with the vertices that these use.
 class Cutter {
  public:
@@ -244,7 +223,8 @@ class Cutter {
 std::vector<std::pair<std::uint32_t, std::vector<std::uint32_t>>> TrianglesByMaterial(const MeshFile& mesh) {
   std::vector<std::pair<std::uint32_t, std::vector<std::uint32_t>>> groups;
   std::unordered_map<std::uint32_t, std::size_t> number_of;
-  const std::vector<std::uint32_t> materials = MaterialsOfTriangles(mesh);
+  const std::vector<std::uint32_t> materials =
+      ValuesOfTriangles(mesh.material_runs, mesh.data.triangles.size(), MeshFile::no_material);
   for (std::uint32_t t = 0; t < materials.size(); ++t) {
     const auto [known, is_new] = number_of.try_emplace(materials[t], groups.size());
     if (is_new) groups.push_back({materials[t], {}});

@@ -4,7 +4,6 @@
 #include <array>
 #include <filesystem>
 #include <new>
-#include <numbers>
 #include <utility>
 
 #include "source/parse/Assets.h"
@@ -140,7 +139,8 @@ void SetEnvironment(const std::string& file, Assets& assets, Report& report, Sce
 /// Throws FileError for an eye at its own target.
 void Change(Camera& camera, const CameraChange& change, Report& report, const std::string& file) {
   const R3::Point eye = change.eye.value_or(camera.eye);
-  if (change.target && *change.target == eye) throw FileError{"the camera would stand at the point it looks at", {}};
+  if (change.target && *change.target == eye)
+    throw FileError{"the camera would stand at the point that -target names", "-eye moves it"};
   if (change.eye || change.target || change.up) {
     AimedCamera aimed = Aim(eye, change.target ? *change.target - eye : camera.towards, change.up.value_or(camera.up));
     if (aimed.up_was_replaced)
@@ -149,7 +149,7 @@ void Change(Camera& camera, const CameraChange& change, Report& report, const st
     aimed.camera.TakeViewOf(camera);
     camera = aimed.camera;
   }
-  if (change.fov) camera.xfov = *change.fov / 360 * std::numbers::pi;
+  if (change.fov) camera.SetFov(*change.fov);
 }
 
 }  // namespace

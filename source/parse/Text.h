@@ -23,6 +23,7 @@ struct Token {
   bool starts_line = false;
 };
 
+inline bool IsSpace(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
 inline bool EndsLine(char c) { return c == '\n' || c == '\r'; }
 
 /// Where a word stands, in the file of that index in Scene::files; lines and columns beyond 2^32 - 1 are that.

@@ -11,8 +11,6 @@ namespace {
 
 constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 
-bool IsSpace(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
-
 std::string_view WithoutComment(std::string_view word) {
   const std::size_t hash = word.find('#');
   if (hash == std::string_view::npos || ParseNumber(word.substr(0, hash)).problem || SaysNanOrInfinity(word))
@@ -98,8 +96,8 @@ void Tokenizer::SkipWhiteSpace() {
   }
 }
 
-/// Whether a backslash joins lines: behind it stand at most blanks, which are easily left there, and the end of the line
-/// or of the file.
+/// Whether a backslash joins lines: behind it stand at most blanks, which are easily left there, and the end of the
+/// line or of the file.
 bool Tokenizer::IsJoint(const char* backslash) const {
   if (joints_ == Joints::none) return false;
   const char* behind = backslash + 1;

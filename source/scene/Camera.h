@@ -1,5 +1,7 @@
 #pragma once
 
+#include <numbers>
+
 #include "R2/Vector.h"
 #include "R3/Box.h"
 #include "R3/Ray.h"
@@ -16,6 +18,9 @@ struct Camera {
   R2::Vector shift{0, 0};         // of the picture's middle off the axis, to the right and up, in half widths
   double near = 0.01, far = 100;  // kept for the viewer; rays are not clipped
 
+  /// The whole horizontal field of view in degrees, in (0, 180).
+  double Fov() const { return 360 / std::numbers::pi * xfov; }
+  void SetFov(double degrees) { xfov = degrees / 360 * std::numbers::pi; }
   bool IsMirrored() const { return Dot(Cross(towards, up), right) < 0; }
   /// Takes over what a picture is besides what square pixels around the axis make it: aspect, shift, mirroring.
   void TakeViewOf(const Camera& other);

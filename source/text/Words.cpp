@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <iterator>
+#include <sstream>
 #include <string_view>
 
 #include "source/text/Suggestion.h"
@@ -36,6 +38,11 @@ std::string LongestInCommon(const std::string& word, const std::vector<std::stri
 }
 
 }  // namespace
+
+std::vector<std::string> SplitWords(const std::string& text) {
+  std::istringstream stream(text);
+  return {std::istream_iterator<std::string>(stream), {}};
+}
 
 std::string ShellLine(std::span<const std::string> words) {
   std::string line;

@@ -11,6 +11,9 @@
 /// Words that users type and read.
 namespace ray {
 
+/// The words of a text, separated by any white space.
+std::vector<std::string> SplitWords(const std::string& text);
+
 /// The words as one would type them into a shell, quoted where needed.
 std::string ShellLine(std::span<const std::string> words);
 

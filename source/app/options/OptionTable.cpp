@@ -2,7 +2,6 @@
 #include "source/app/options/OptionTable.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "source/accelerate/Accelerator.h"
@@ -14,6 +13,7 @@
 #include "source/app/options/OptionEntry.h"
 #include "source/app/options/Preset.h"
 #include "source/app/options/RayimgTable.h"
+#include "source/parse/Coordinate.h"
 #include "source/parse/Format.h"
 
 namespace ray {
@@ -24,7 +24,6 @@ constexpr int most_bands = 255;  // a tone for each level of a byte
 constexpr int most_threads = 4096;
 constexpr double most_memory = 1 << 20;
 constexpr int deepest_include = 1'000'000;
-constexpr double largest_place = 1e150;  // as of coordinates in scenes
 constexpr const char* duration_range = "a duration such as 30s, 5m or 1h";
 
 std::vector<std::string> AcceleratorNames() {
@@ -92,7 +91,7 @@ const NumberList motion_numbers{[](const Options& options) {
                                 },
                                 "three numbers"};
 
-bool IsPlace(const R3::Vector& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}) <= largest_place; }
+bool IsPlace(const R3::Vector& v) { return IsCoordinate(v.x) && IsCoordinate(v.y) && IsCoordinate(v.z); }
 bool IsDirection(const R3::Vector& v) { return IsPlace(v) && !(v == R3::Vector{}); }
 
 /// Three numbers that take the place of the scene's, if they are given.

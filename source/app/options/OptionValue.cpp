@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <charconv>
 #include <limits>
-#include <sstream>
 #include <type_traits>
 #include <utility>
 
@@ -231,8 +230,7 @@ std::vector<std::string> Typed(const OptionKind& option, const Options& options)
     words.push_back(value);
     return words;
   }
-  std::istringstream parts(value);
-  for (std::string part; parts >> part;) words.push_back(part);
+  for (std::string& part : SplitWords(value)) words.push_back(std::move(part));
   return words;
 }
 

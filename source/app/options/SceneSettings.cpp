@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <sstream>
 #include <utility>
 
 #include "source/app/Status.h"
@@ -11,6 +10,7 @@
 #include "source/app/options/Preset.h"
 #include "source/parse/Text.h"
 #include "source/text/Suggestion.h"
+#include "source/text/Words.h"
 
 namespace ray {
 namespace {
@@ -56,16 +56,9 @@ bool IsDecided(const Options& options, const std::string& option) {
   return is_of_budget || options.IsGiven(option) || IsSetByPreset(options, option);
 }
 
-std::vector<std::string> WordsOf(const std::string& value) {
-  std::istringstream in(value);
-  std::vector<std::string> words;
-  for (std::string word; in >> word;) words.push_back(word);
-  return words;
-}
-
 /// Throws UsageError for a value that the option does not take.
 void Apply(const OptionKind& option, const SceneSetting& setting, Options& options) {
-  std::vector<std::string> words = WordsOf(setting.value);
+  std::vector<std::string> words = SplitWords(setting.value);
   if (std::holds_alternative<Flag>(option.value)) {
     if (setting.value == "off") return;
     if (setting.value != "on" && !setting.value.empty())

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <sstream>
 #include <string_view>
 
 #include "source/app/options/CommandLine.h"
 #include "source/app/options/OptionTable.h"
+#include "source/text/Words.h"
 
 namespace ray {
 namespace {
@@ -24,10 +24,7 @@ bool IsInPanels(const OptionKind& option) {
 std::vector<std::string> WordsFor(const OptionKind& option, const std::string& value) {
   if (std::holds_alternative<Flag>(option.value)) return {};
   if (MostArguments(option) == 1) return {value};
-  std::istringstream in(value);
-  std::vector<std::string> words;
-  for (std::string word; in >> word;) words.push_back(word);
-  return words;
+  return SplitWords(value);
 }
 
 }  // namespace

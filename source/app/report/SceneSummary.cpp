@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cstdint>
-#include <numbers>
 #include <set>
 
 #include "R3/Mesh.h"
@@ -104,7 +103,7 @@ std::string SceneSummary(const World& world, const RenderSettings& settings) {
       Line("bounds", BoundsText(scene.root.bounds)) +
       Line("camera", "at " + WithDecimals(DecimalsFor(scene.root.bounds), scene.camera.eye) + ", towards " +
                          WithDecimals(3, scene.camera.towards) + ", half angle " + Fixed(scene.camera.xfov, 3) +
-                         " rad, " + Fixed(360 / std::numbers::pi * scene.camera.xfov, 1) + " degrees in all" +
+                         " rad, " + Fixed(scene.camera.Fov(), 1) + " degrees in all" +
                          (scene.has_default_camera ? " (the default: the scene names none)" : "")) +
       LightLines(world, settings.mode);
   const double megabytes = 1e-6 * static_cast<double>(Memory(world, shared, settings));

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -19,6 +21,10 @@ struct TriangleRun {
   std::size_t first_triangle;
   std::uint32_t value;
 };
+
+/// The value of each of so many triangles; `before` for those ahead of the first run.
+std::vector<std::uint32_t> ValuesOfTriangles(std::span<const TriangleRun> runs, std::size_t triangles,
+                                             std::uint32_t before);
 
 /// What a mesh file holds: the mesh as a whole, and what tells its parts apart.
 struct MeshFile {

@@ -10,9 +10,9 @@
 namespace ray {
 namespace {
 
-/// Of ear clipping, so that reading a file takes linear time. Combs, stars and spirals of 5,000 corners need 60 to 390,
-/// and no polygon of up to max_concave_corners more than 1200: at most 1.3 n for each of the 3 n corners that are
-/// tried, and n / 2 to find the next ear.
+/// Ear clipping ends after so many looks at nodes and corners, so that reading a file takes linear time. Combs, stars
+/// and spirals of 5,000 corners need 60 to 390, and no polygon of up to max_concave_corners more than 1200: at most 1.3
+/// n for each of the 3 n corners that are tried, and n / 2 to find the next ear.
 constexpr std::size_t most_looks_a_corner = 2048;
 
 R3::Vector NewellNormal(std::span<const R3::Point> polygon) {

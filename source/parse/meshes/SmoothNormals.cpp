@@ -121,12 +121,7 @@ void SmoothByAngle(R3::MeshData& mesh, double degrees) {
 }
 
 void SmoothByGroups(R3::MeshData& mesh, std::span<const TriangleRun> runs) {
-  std::vector<std::uint32_t> groups(mesh.triangles.size(), 0);
-  for (std::size_t i = 0; i < runs.size(); ++i) {
-    const std::size_t end = i + 1 < runs.size() ? runs[i + 1].first_triangle : groups.size();
-    std::fill(groups.begin() + static_cast<std::ptrdiff_t>(runs[i].first_triangle),
-              groups.begin() + static_cast<std::ptrdiff_t>(end), runs[i].value);
-  }
+  const std::vector<std::uint32_t> groups = ValuesOfTriangles(runs, mesh.triangles.size(), 0);
   const auto belong = [&](const Wedge& a, const Wedge& b) {
     return a.triangle == b.triangle || (groups[a.triangle] != 0 && groups[a.triangle] == groups[b.triangle]);
   };

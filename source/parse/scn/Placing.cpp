@@ -61,7 +61,7 @@ struct Placement {
 
 constexpr std::array placements{Placement{"translate", "translate x y z", ReadTranslation},
                                 Placement{"rotate", "rotate degrees ax ay az", ReadRotation},
-                                Placement{"scale", "scale s, or scale sx sy sz", ReadScaling},
+                                Placement{"scale", "scale s or scale sx sy sz", ReadScaling},
                                 Placement{"look_at", "look_at ex ey ez tx ty tz ux uy uz", ReadLookAt}};
 
 const Placement* NextPlacement(Statement& statement) {
@@ -77,6 +77,12 @@ bool IsFinite(const R3::Matrix& matrix) {
 }
 
 }  // namespace
+
+std::string UsageOfPlacements() {
+  std::string all;
+  for (const Placement& placement : placements) all += (all.empty() ? "" : ", ") + std::string(placement.usage);
+  return all;
+}
 
 bool BeginsPlacement(Statement& statement) { return NextPlacement(statement) != nullptr; }
 

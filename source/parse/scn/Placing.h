@@ -8,12 +8,13 @@
 
 namespace ray {
 
-inline constexpr const char* placing_usage =
-    "translate x y z, rotate degrees ax ay az, scale s or scale sx sy sz, look_at ex ey ez tx ty tz ux uy uz";
+// Words that place a group, such as "translate 1 2 3".
 
-/// Whether the next word is one of these.
+/// How each is used, for the manual.
+std::string UsageOfPlacements();
+/// Whether the next word is one of them.
 bool BeginsPlacement(Statement& statement);
-/// As many of them as stand in a row, as one matrix: each moves what the ones behind it have placed, as groups within
+/// Reads all that stand in a row, as one matrix: each moves what the ones behind it have placed, as groups within
 /// groups do. So "translate 0 1 0 rotate 45 0 1 0" turns about the origin and then lifts.
 R3::Matrix ReadPlacement(Statement& statement);
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "source/parse/Text.h"
+
 namespace ray {
 namespace {
 
@@ -16,8 +18,6 @@ constexpr std::array escapes{
     Escape{'n', '\n'},
     Escape{'r', '\r'},
 };
-
-bool IsSpace(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
 
 /// The tokenizer ends words at white space, and may take a # for the beginning of a comment. A 0 is no texture.
 bool NeedsQuotes(const std::string& name) {

@@ -63,7 +63,7 @@ std::optional<AimedCamera> ReadLookingAt(Statement& statement) {
                     "the whole horizontal field of view, in degrees");
   if (!statement.IsGood()) return {};
   AimedCamera aimed = Aim(eye, target - eye, {a[6], a[7], a[8]});
-  aimed.camera.xfov = fov / 360 * std::numbers::pi;
+  aimed.camera.SetFov(fov);
   return aimed;
 }
 

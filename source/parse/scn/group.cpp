@@ -100,8 +100,7 @@ extern const Command motion_command{"motion", "motion dx dy dz",
                                     "how far the enclosing group moves while the shutter is open", ReadMotion};
 extern const Command begin_command{
     "begin", "begin mat_id m00 m01 m02 m03 m10 ... m33, or begin mat_id translate x y z ...",
-    "opens a group with a material and a 4x4 matrix, row by row, or any number of " + std::string(placing_usage),
-    ReadBegin};
+    "opens a group with a material and a 4x4 matrix, row by row, or any number of " + UsageOfPlacements(), ReadBegin};
 extern const Command end_command{"end", "end", "closes the innermost group of the file", ReadEnd};
 
 }  // namespace ray

@@ -153,7 +153,7 @@ TEST(Raypro, OptionsOfTheCameraTakeThePlaceOfTheScenesAndAreReplayed) {
   const Finished inside =
       RunProgram({place / "asked.scn", place / "e.ppm", "-eye", "1", "1", "1", "-target", "1", "1", "1"});
   EXPECT_EQ(inside.status, 3);
-  EXPECT_TRUE(Has(inside.error, "the camera would stand at the point it looks at")) << inside.error;
+  EXPECT_TRUE(Has(inside.error, "the camera would stand at the point that -target names")) << inside.error;
 }
 
 TEST(Raypro, RendersSeveralScenesIntoAFolderAndOneThatFailsStopsNoOther) {
