@@ -125,7 +125,7 @@ inline std::optional<R3::MeshData> Scan(const std::string& file) {
   bytes.resize(std::fread(bytes.data(), 1, bytes.size(), in));
   std::fclose(in);
   ray::Report report;
-  R3::MeshData data = ray::MeshFormatForName(file)->read({file, std::move(bytes)}, report);
+  R3::MeshData data = ray::MeshFormatForName(file)->read({file, std::move(bytes)}, report).data;
   for (auto& p : data.positions) p = Float(p);
   data.normals.clear(), data.uvs.clear();
   return data;
