@@ -3,6 +3,7 @@
 #include <cassert>
 #include <unordered_map>
 
+#include "R3/OneSided.h"
 #include "source/accelerate/BoundsPadding.h"
 #include "source/accelerate/HugePages.h"
 #include "source/accelerate/Repetitions.h"
@@ -39,6 +40,7 @@ World::World(const Scene& scene) : scene_(scene) {
   NumberInstances();
   BoundInstances();
   BakeOrShareMeshes();
+  TakeBacksAway();
   MarkRepetitions(instances_, frames_, motions_);
   MarkMedia();
   std::erase_if(unbounded_, [&](std::uint32_t i) { return instances_[i].is_repeated; });
@@ -124,10 +126,10 @@ void World::NumberInstances() {
 void World::BakeOrShareMeshes() {
   std::unordered_map<const R3::Mesh*, int> uses;
   for (const Instance& instance : instances_)
-    if (instance.mesh) ++uses[instance.mesh];
+    if (instance.TwoSidedMesh()) ++uses[instance.mesh];
   std::unordered_map<const R3::Mesh*, std::int32_t> numbers;
   for (Instance& instance : instances_) {
-    if (!instance.mesh || instance.mesh->Elements() == 0) continue;
+    if (!instance.TwoSidedMesh() || instance.mesh->Elements() == 0) continue;
     if (uses[instance.mesh] > 1) {
       const auto number = numbers.try_emplace(instance.mesh, static_cast<std::int32_t>(numbers.size()));
       if (number.second) shared_meshes_.push_back(instance.mesh);
@@ -147,10 +149,17 @@ void World::BakeOrShareMeshes() {
   }
 }
 
+void World::TakeBacksAway() {
+  for (Instance& instance : instances_)
+    if (instance.material->one_sided)
+      instance.shape = one_sided_shapes_.emplace_back(std::make_unique<R3::OneSided>(*instance.shape)).get();
+}
+
 void World::MarkMedia() {
   std::unordered_map<const R3::Mesh*, bool> are_closed;
   const auto is_closed = [&](const Instance& instance) {
-    if (!instance.mesh) return instance.is_bounded && instance.shape->IsSolid() && !instance.shape->IsDegenerate();
+    if (!instance.TwoSidedMesh())
+      return instance.is_bounded && instance.shape->IsSolid() && !instance.shape->IsDegenerate();
     const auto [found, is_new] = are_closed.try_emplace(instance.mesh, false);
     if (is_new) found->second = instance.mesh->IsClosed();
     return found->second;

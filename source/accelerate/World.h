@@ -18,8 +18,8 @@ namespace ray {
 struct Instance {
   static constexpr std::int32_t not_shared = -1;
 
-  const R3::Shape* shape = nullptr;  // the node's, or what it was baked into
-  const R3::Mesh* mesh = nullptr;    // the same, if it is one
+  const R3::Shape* shape = nullptr;  // the node's, or what it was baked into; of one side where its material is
+  const R3::Mesh* mesh = nullptr;    // the same, if it is one, with both sides
   R3::Form form = R3::Form::other;   // of the shape's elements
   bool is_bounded = true;            // the shape lies in a box
   bool is_repeated = false;          // an earlier instance is the same to the bit: this one is never the hit
@@ -34,6 +34,8 @@ struct Instance {
 
   /// Whether light goes through its surface.
   bool IsClear() const { return !IsBlack(material->kt); }
+  /// The mesh whose triangles its elements are to rays; null for other shapes, and where the mesh has one side.
+  const R3::Mesh* TwoSidedMesh() const { return material->one_sided ? nullptr : mesh; }
   /// Whether its surface is ever seen to shine.
   bool Emits() const { return !is_repeated && !IsBlack(material->emission); }
   /// From where on a ray may meet the element: its t_min, or later where it starts on the element, or never.
@@ -118,6 +120,7 @@ class World {
   void FlattenGraph();
   void NumberInstances();
   void BakeOrShareMeshes();
+  void TakeBacksAway();
   void MarkMedia();
   void BoundInstances();
   static void Transform(const R3::Transform& world_from_local, R3::Intersection& at);
@@ -133,6 +136,7 @@ class World {
   double coincidence_window_ = 0;
   std::vector<const R3::Mesh*> shared_meshes_;
   std::vector<std::unique_ptr<const R3::Mesh>> baked_meshes_;
+  std::vector<std::unique_ptr<const R3::Shape>> one_sided_shapes_;
   std::int64_t primitives_ = 0;
   std::vector<std::string> warnings_;
 };

@@ -161,6 +161,8 @@ ParsedScene Parse(const std::string& file, const ParseOptions& options) {
     Assets assets(files, report, options);
     ParsedScene parsed{ReadScene(files, options, assets, report), {}};
     if (!options.environment.empty()) SetEnvironment(options.environment, assets, report, parsed.scene);
+    if (options.one_sided)
+      for (Material& material : parsed.scene.materials) material.one_sided = true;
     Change(parsed.scene.camera, options.camera, report, files.TopName());
     report.ThrowErrors();
     for (const std::string& remark : files.Remarks()) report.Warn(Escaped(files.TopName()), remark);

@@ -79,7 +79,7 @@ Hull PrimitiveSet::HullOf(std::uint32_t i) const {
 const R3::Mesh* PrimitiveSet::MeshOf(std::uint32_t i) const {
   if (mesh_) return mesh_;
   const Run& run = RunOf(i);
-  return run.is_whole ? nullptr : world_.Instances()[run.instance].mesh;
+  return run.is_whole ? nullptr : world_.Instances()[run.instance].TwoSidedMesh();
 }
 
 std::optional<SphereLeaf> PrimitiveSet::SphereOf(std::uint32_t i) const {

@@ -237,6 +237,8 @@ std::vector<OptionKind> LightOptions() {
        "whitted, path: light; heat, rays: cost per pixel, black = 1, white = 10,000; or a layer"},
       {"env", both, {}, {"file"}, FileName{AT(parse.environment), FileKind::image}, "", "light",
        "environment light: a latitude-longitude image, an angular probe or a cross of six faces"},
+      {"one_sided", both, {}, {}, Flag{AT(parse.one_sided)}, "", "light",
+       "surfaces are there only for rays that arrive at their front"},
       {"max_depth", both, {"maxreflections", "max_reflections"}, {"n"},
        Number<std::int64_t>{AT(render.trace.max_depth), 0, highest<std::int64_t>}, "bounces", "light",
        "maximum number of successive reflections and transmissions"},

@@ -128,7 +128,7 @@ constexpr std::pair<const char*, const char*> extensions[] = {
     {"mesh id file materials",
      "Faces have the materials that the file gives them, and colors of its vertices; the material id is for all "
      "others."},
-    {"absorb, bump, coat, flat_color, gloss, mirror, normal_map, priority, texture_ambient, texture_scale, "
+    {"absorb, bump, coat, flat_color, gloss, mirror, normal_map, one_sided, priority, texture_ambient, texture_scale, "
      "vertex_colors",
      "Of a material of the same file, stated before."},
     {"priority",
@@ -137,6 +137,11 @@ constexpr std::pair<const char*, const char*> extensions[] = {
      "wall of its glass by a hair, with the higher priority given to the glass. What stands on a floor is seen as if "
      "there were a gap. This needs closed solids: spheres, boxes, cylinders, cones, tori, and meshes whose triangles "
      "bound a volume."},
+    {"one_sided",
+     "The front is the side from which a face's corners are counter-clockwise, the outside of a solid, where a plane's "
+     "or disc's normal points. Rays from the eye and from what is lit pass a surface that they would see from behind: "
+     "it casts a shadow only to where its front is seen, and a lamp shines forward. Glass needs both sides. Large "
+     "meshes are slower than with two; all else costs what it did."},
     {"mirror", "The weight of the mirrored ray, instead of ks, which stays that of the highlights."},
     {"coat",
      "Mirrors Schlick's share for the index ir, besides ks, and leaves the rest to what is diffuse below; the light of "

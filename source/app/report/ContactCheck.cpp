@@ -79,7 +79,20 @@ void AddLightsInSolids(std::vector<std::string>& mistakes, const World& world) {
 bool IsOpenGlass(const Instance& instance) {
   const Material& m = *instance.material;
   const bool needs_inside = (instance.IsClear() && m.ir != 1) || !IsBlack(m.absorb);
-  return instance.mesh && instance.mesh->Elements() > 3 && needs_inside && !instance.is_repeated && !instance.is_medium;
+  return instance.TwoSidedMesh() && instance.mesh->Elements() > 3 && needs_inside && !instance.is_repeated && !instance.is_medium;
+}
+
+/// Reports materials that need both sides and have one.
+void AddGlassOfOneSide(std::vector<std::string>& mistakes, const World& world) {
+  const auto is_glass = [](const Instance& i) {
+    return i.material->one_sided && (i.IsClear() || !IsBlack(i.material->absorb));
+  };
+  const auto& instances = world.Instances();
+  const auto first = std::ranges::find_if(instances, is_glass);
+  if (first == instances.end()) return;
+  mistakes.push_back(PlaceOf(world, *first) +
+                     ": warning: this surface is clear or absorbs, but has one side: what enters it does not leave" +
+                     AndMore(static_cast<std::size_t>(std::ranges::count_if(instances, is_glass))));
 }
 
 void AddOpenGlass(std::vector<std::string>& mistakes, const World& world) {
@@ -135,6 +148,7 @@ std::vector<std::string> ContactMistakes(const World& world, const RenderSetting
   AddPairsInOnePlane(mistakes, world, settings);
   AddLightsInSolids(mistakes, world);
   AddOpenGlass(mistakes, world);
+  AddGlassOfOneSide(mistakes, world);
   AddClaims(mistakes, world);
   return mistakes;
 }

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "R1/Elementary.h"
-#include "source/integrate/Absorption.h"
 
 namespace ray {
 namespace {
@@ -45,6 +44,7 @@ EmissiveShape::EmissiveShape(const World& world, const Instance& instance, int e
     : world_(&world),
       instance_(&instance),
       element_(element),
+      behind_(EmissionBehindOf(instance)),
       size_(instance.shape->Bounds(element).Radius()),
       mean_scale_(MeanScale(world.Frames()[instance.frame].Forward())) {}
 
@@ -73,7 +73,7 @@ std::optional<EmissiveShape::Sample> EmissiveShape::SampleTowards(const R3::Poin
   if (!(share > 0)) return {};
   const double pdf = local->pdf * SolidAngleRatio(way, local->at.position - local_from);
   if (!(pdf > 0)) return {};
-  return Sample{share * way, pdf, EmittedBackAlong(way, at.normal, Emission(), Absorb())};
+  return Sample{share * way, pdf, EmittedBackAlong(way, at.normal, Emission(), behind_)};
 }
 
 void EmissiveShape::SampleEach(LightSamples& samples, LightSamples::Each& pdfs) const {

@@ -6,6 +6,7 @@
 
 #include "R3/Shape.h"
 #include "source/accelerate/World.h"
+#include "source/integrate/Absorption.h"
 #include "source/scene/LightBound.h"
 #include "source/scene/LightSamples.h"
 
@@ -29,7 +30,7 @@ class EmissiveShape {
   std::optional<Sample> SampleTowards(const R3::Point& seen_from, const R2::Point& random, double time) const;
   /// Whether it stands in the world as it is, and sends all its light to either side, so that many samples can be drawn
   /// together.
-  bool CanSampleEach() const { return instance_->frame == 0 && mean_scale_ == 1 && IsBlack(Absorb()); }
+  bool CanSampleEach() const { return instance_->frame == 0 && mean_scale_ == 1 && behind_.IsAsFront(); }
   /// SampleTowards, bit for bit, from each of the points: the ways to the light, the radiance over the pdf, and the
   /// pdfs, 0 where no place can be seen. Of shapes that can.
   void SampleEach(LightSamples& samples, LightSamples::Each& pdfs) const;
@@ -49,8 +50,6 @@ class EmissiveShape {
   LightBound Bound() const;
 
  private:
-  /// What its inside takes from light that does not lose it on the way, see Media.
-  R2::Color Absorb() const { return instance_->is_medium ? R2::Color{} : instance_->material->absorb; }
   R3::Point Local(const R3::Point& point, double time) const;
   /// How much larger a solid angle around a way looks in the shape's frame than in the world.
   double SolidAngleRatio(const R3::Vector& way, const R3::Vector& local_way) const;
@@ -62,6 +61,7 @@ class EmissiveShape {
   const World* world_;
   const Instance* instance_;
   int element_;
+  EmissionBehind behind_;
   double size_;        // of the shape in its frame
   double mean_scale_;  // of the frame: the cube root of its determinant, without sign
 };

@@ -70,7 +70,7 @@ std::vector<EmissiveTriangle> EmissiveTriangles(const World& world) {
       t.normal = world_from_local * R3::AsNormal(Unit(Cross(local[1] - local[0], local[2] - local[0])));
       t.area = Length(Cross(t.corners[1] - t.corners[0], t.corners[2] - t.corners[0])) / 2;
       t.emission = instance.material->emission;
-      if (!instance.is_medium) t.absorb = instance.material->absorb;  // else paths inside lose it on the way
+      t.behind = EmissionBehindOf(instance);
       t.instance = &instance;
       t.primitive = instance.first_primitive + i;
       triangles.push_back(t);

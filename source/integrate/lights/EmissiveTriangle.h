@@ -19,7 +19,8 @@ struct EmissiveTriangle {
   R3::Vector motion;                 // while the shutter is open
   R3::Normal normal;
   double area = 0;
-  R2::Color emission, absorb;
+  R2::Color emission;
+  EmissionBehind behind;
   const Instance* instance = nullptr;
   std::int64_t primitive = 0;
 
@@ -28,7 +29,7 @@ struct EmissiveTriangle {
   R3::Point PointTowards(const R3::Point& seen_from, const R2::Point& random, double time) const;
 
   /// What arrives from one of its points, that far away.
-  R2::Color RadianceAlong(const R3::Vector& way) const { return EmittedBackAlong(way, normal, emission, absorb); }
+  R2::Color RadianceAlong(const R3::Vector& way) const { return EmittedBackAlong(way, normal, emission, behind); }
 
   /// Around wherever it is while the shutter is open.
   R3::Box Bounds() const;

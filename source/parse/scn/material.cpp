@@ -86,10 +86,12 @@ void ReadCoat(ScnReader& reader, Statement& statement) {
   material->coat = index.values[0];
 }
 
-/// An extension: some courses' textures color what ambient light shows as well.
-void ReadTextureAmbient(ScnReader& reader, Statement& statement) {
+/// Of extensions that say something of a material by their name alone: textures that color what ambient light shows as
+/// well, colors that scanners and painting programs give to vertices, surfaces without a back.
+template <auto member>
+void ReadSwitchOfMaterial(ScnReader& reader, Statement& statement) {
   Material* material = reader.ReadOwnMaterial(statement);
-  if (material && statement.IsGood()) material->texture_multiplies_ka = true;
+  if (material && statement.IsGood()) material->*member = true;
 }
 
 const std::array<R3::Argument, 2> repetitions{{{"su"}, {"sv"}}};
@@ -103,12 +105,6 @@ void ReadTextureScale(ScnReader& reader, Statement& statement) {
       statement.Error(scale.words[i],
                       std::string(repetitions[i].name) + " must be positive, got " + Escaped(scale.words[i].text));
   if (material && statement.IsGood()) material->texture_scale = {scale.values[0], scale.values[1]};
-}
-
-/// An extension: what scanners and painting programs give to vertices.
-void ReadVertexColors(ScnReader& reader, Statement& statement) {
-  Material* material = reader.ReadOwnMaterial(statement);
-  if (material && statement.IsGood()) material->has_vertex_colors = true;
 }
 
 const std::array<R3::Argument, 1> height{{{"height"}}};
@@ -182,14 +178,19 @@ extern const Command flat_color_command{
     "what mode flat shows, times the texture; by default kd (times the texture), the mirror's weight and kt together",
     ReadColorOfMaterial<&Material::color>};
 extern const Command texture_ambient_command{"texture_ambient", "texture_ambient mat_id",
-                                             "the material's texture multiplies ka as well as kd", ReadTextureAmbient};
+                                             "the material's texture multiplies ka as well as kd",
+                                             ReadSwitchOfMaterial<&Material::texture_multiplies_ka>};
 extern const Command texture_scale_command{
     "texture_scale", "texture_scale mat_id su sv",
     "the material's texture, bump and normal map repeat so often where u and v run from 0 to 1 (default 1 1)",
     ReadTextureScale};
 extern const Command vertex_colors_command{
     "vertex_colors", "vertex_colors mat_id",
-    "the colors that a mesh gives to its vertices multiply kd, and ka with 'texture_ambient'", ReadVertexColors};
+    "the colors that a mesh gives to its vertices multiply kd, and ka with 'texture_ambient'",
+    ReadSwitchOfMaterial<&Material::has_vertex_colors>};
+extern const Command one_sided_command{"one_sided", "one_sided mat_id",
+                                       "surfaces are there only for rays that arrive at their front; all others pass",
+                                       ReadSwitchOfMaterial<&Material::one_sided>};
 extern const Command material_command{
     "material", "material" + ArgumentNames(material_arguments) + " texture",
     "ambient, diffuse, specular, transmission, emission, Phong exponent, index of refraction, image file or 0; ids "

@@ -176,6 +176,15 @@ void UploadLights(const GpuSurfaces& surfaces) {
   glBufferData(GL_UNIFORM_BUFFER, Bytes(lights), lights.data(), GL_STATIC_DRAW);
 }
 
+void DrawOpaque(const SurfaceBatch& batch) {
+  if (batch.material.one_sided) {
+    glEnable(GL_CULL_FACE);
+    glCullFace(GL_BACK);
+  }
+  DrawTriangles(batch);
+  glDisable(GL_CULL_FACE);
+}
+
 /// The far side of a solid first; without writing depth, so that what comes later is seen behind.
 void DrawClear(const SurfaceBatch& batch) {
   glEnable(GL_BLEND);
@@ -362,7 +371,7 @@ void SurfaceDrawer::Draw(const GpuSurfaces& surfaces, const ClipMatrix& clip_fro
     if (batch.is_clear)
       DrawClear(batch);
     else
-      DrawTriangles(batch);
+      DrawOpaque(batch);
   }
   if (encodes) glDisable(GL_FRAMEBUFFER_SRGB);
   glDisable(GL_POLYGON_OFFSET_FILL);

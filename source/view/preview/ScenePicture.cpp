@@ -112,6 +112,7 @@ SurfaceMaterial LookOf(const Material& m, const Scene& scene, const DrawingSpace
   look.texture_scale = m.texture_scale;
   look.texture_multiplies_ambient = m.texture_multiplies_ka;
   look.has_vertex_colors = m.has_vertex_colors;
+  look.one_sided = m.one_sided;
   look.bump_height = m.bump_height / space.radius;
   return look;
 }

@@ -25,6 +25,7 @@ struct SurfaceMaterial {
   R2::Vector texture_scale{1, 1};                            // of all of these
   bool texture_multiplies_ambient = false;                   // and vertex colors
   bool has_vertex_colors = false;
+  bool one_sided = false;  // backs are not drawn
   double bump_height = 0;  // in the drawing space
 };
 

@@ -57,6 +57,11 @@ TEST(ContactCheck, PointsOutGlassWithHoles) {
   EXPECT_TRUE(Has(Mistakes(scene, open), "is not closed"));
 }
 
+TEST(ContactCheck, PointsOutGlassOfOneSide) {
+  EXPECT_TRUE(Has(Mistakes(clear_glass + "one_sided 0 sphere 0 0 0 0 1\n"), "has one side"));
+  EXPECT_EQ(Mistakes(matte + "one_sided 0 sphere 0 0 0 0 1\n"), "");
+}
+
 TEST(ContactCheck, PointsOutSolidsThatClaimTheSamePlace) {
   const std::string solids = "box 0 -1 -1 -1  1 1 1 sphere 1 0 0 0 .5\n";
   EXPECT_TRUE(Has(Mistakes(clear_glass + water + solids), "have the same priority"));
