@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "R3/MeshData.h"
+#include "source/parse/meshes/Faces.h"
 
 namespace ray {
 
@@ -21,8 +22,9 @@ struct Corner {
 /// coordinates; where a file gives a place several of them, it becomes several vertices. Takes n log n time for n
 /// corners.
 ///   mesh      positions, and colors of places, as the file has them; triangles that index `corners`
+///   added     vertices between those of corners, which are renamed like them
 ///   uvs       what the corners' uv and normal index, likewise `normals`; where they are empty the mesh has none
-void MakeVertices(R3::MeshData& mesh, std::span<const Corner> corners, std::span<const R2::Point> uvs,
-                  std::span<const R3::Normal> normals);
+void MakeVertices(R3::MeshData& mesh, std::span<const Corner> corners, std::span<AddedVertex> added,
+                  std::span<const R2::Point> uvs, std::span<const R3::Normal> normals);
 
 }  // namespace ray

@@ -8,9 +8,16 @@
 #include "R3/Mesh.h"
 #include "source/parse/Report.h"
 #include "source/parse/Text.h"
+#include "source/parse/meshes/Polygon.h"
 #include "source/parse/meshes/Tally.h"
 
 namespace ray {
+
+/// A vertex that a file lacks: where two sides of a face cross, at a share of the way from one vertex to another.
+struct AddedVertex {
+  std::uint32_t from, to;
+  double share;
+};
 
 /// Turns the faces of a file into the triangles of a mesh, and notes the line of each.
 class Faces {
@@ -24,13 +31,26 @@ class Faces {
   const char* Add(std::span<const std::uint32_t> places, std::span<const std::uint32_t> names, const Token& where);
   const char* Add(std::span<const std::uint32_t> places, const Token& where) { return Add(places, places, where); }
 
+  /// The vertices that are still to be added. Whoever renames those of the mesh renames theirs.
+  std::vector<AddedVertex>& Added() { return added_; }
+  /// Adds them, when all others are there.
+  void AddVertices();
+
   /// Of what could not be taken as it stands.
   void Warn(const Text& file, Report& report) const;
 
  private:
+  /// A corner of a triangle that is an added vertex.
+  struct Use {
+    std::size_t triangle, corner, added;
+  };
+
   void AddTriangle(std::span<const std::uint32_t> names, const std::array<std::uint32_t, 3>& cut, const Token& where);
+  void AddLoops(const Loops& cut, std::span<const std::uint32_t> names, const Token& where);
 
   R3::MeshData& mesh_;
+  std::vector<AddedVertex> added_;
+  std::vector<Use> uses_;
   Tally too_small_;
   std::size_t fanned_ = 0;
   std::vector<R3::Point> polygon_;

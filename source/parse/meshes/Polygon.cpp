@@ -246,13 +246,46 @@ bool DoCross(const R2::Point& a, const R2::Point& b, const R2::Point& c, const R
   return on_both_sides(Turn(a, b, c), Turn(a, b, d)) && on_both_sides(Turn(c, d, a), Turn(c, d, b));
 }
 
-/// In quadratic time.
-bool CrossesItself(std::span<const R2::Point> polygon, double least) {
+/// A place where two sides cross, as each of them passes it.
+struct Meeting {
+  SideCrossing on_first, on_second;
+};
+
+/// All of them, or the first alone; in quadratic time, so nothing of polygons with more than max_concave_corners. Those
+/// are convex, or refused by scenes.
+std::vector<Meeting> MeetingsOfSides(std::span<const R3::Point> polygon, const R3::Vector& normal, bool all) {
   const std::size_t n = polygon.size();
+  std::vector<Meeting> meetings;
+  if (n > max_concave_corners) return meetings;
+  // Of the square around it: corners that were rounded to seven digits may turn as much where they lie on a line.
+  constexpr double rounding = 1e-6;
+  const double extent = Extent(polygon), least = rounding * extent * extent;
+  const std::vector<R2::Point> flat = Flattened(polygon, normal);
   for (std::size_t i = 0; i < n; ++i)
-    for (std::size_t j = i + 2; j < n; ++j)
-      if (DoCross(polygon[i], polygon[i + 1], polygon[j], polygon[(j + 1) % n], least)) return true;
-  return false;
+    for (std::size_t j = i + 2; j < n; ++j) {
+      const R2::Point &a = flat[i], &b = flat[i + 1], &c = flat[j], &d = flat[(j + 1) % n];
+      if (!DoCross(a, b, c, d, least)) continue;
+      const double to_a = Turn(c, d, a), to_b = Turn(c, d, b), to_c = Turn(a, b, c), to_d = Turn(a, b, d);
+      meetings.push_back({{static_cast<std::uint32_t>(i), to_a / (to_a - to_b)},
+                          {static_cast<std::uint32_t>(j), to_c / (to_c - to_d)}});
+      if (!all) return meetings;
+    }
+  return meetings;
+}
+
+/// The way around a polygon past its corners and, twice each, its crossings.
+std::vector<std::uint32_t> WayAround(std::size_t corners, std::span<const Meeting> meetings) {
+  std::vector<std::vector<std::pair<double, std::uint32_t>>> on_side(corners);
+  for (std::uint32_t i = 0; i < meetings.size(); ++i)
+    for (const SideCrossing& crossing : {meetings[i].on_first, meetings[i].on_second})
+      on_side[crossing.side].push_back({crossing.share, static_cast<std::uint32_t>(corners) + i});
+  std::vector<std::uint32_t> way;
+  for (std::uint32_t i = 0; i < corners; ++i) {
+    way.push_back(i);
+    std::ranges::sort(on_side[i]);
+    for (const auto& crossing : on_side[i]) way.push_back(crossing.second);
+  }
+  return way;
 }
 
 }  // namespace
@@ -261,13 +294,29 @@ const char* FaultOfPolygon(std::span<const R3::Point> polygon) {
   if (polygon.size() == 3) return nullptr;
   const R3::Vector normal = NormalOfAny(polygon);
   if (!IsFlat(polygon, normal)) return "has corners that are not in one plane";
-  // Of the square around it: corners that were rounded to seven digits may turn as much where they lie on a line.
-  constexpr double rounding = 1e-6;
-  const double extent = Extent(polygon);
-  // Larger ones are convex, or refused.
-  const bool is_small = polygon.size() <= max_concave_corners;
-  return is_small && CrossesItself(Flattened(polygon, normal), rounding * extent * extent) ? "has sides that cross"
-                                                                                           : nullptr;
+  return MeetingsOfSides(polygon, normal, false).empty() ? nullptr : "has sides that cross";
+}
+
+std::optional<Loops> Uncrossed(std::span<const R3::Point> polygon) {
+  if (polygon.size() == 3) return {};
+  const R3::Vector normal = NormalOfAny(polygon);
+  if (FanFits(Flattened(polygon, normal)) || !IsFlat(polygon, normal)) return {};
+  const std::vector<Meeting> meetings = MeetingsOfSides(polygon, normal, true);
+  if (meetings.empty()) return {};
+  Loops cut;
+  for (const Meeting& meeting : meetings) cut.crossings.push_back(meeting.on_first);
+  // Where the way comes to a crossing for the second time it has closed a loop, which is taken off it.
+  std::vector<std::uint32_t> open;
+  for (const std::uint32_t place : WayAround(polygon.size(), meetings)) {
+    const auto before = std::ranges::find(open, place);
+    if (before != open.end()) {
+      if (open.end() - before >= 3) cut.loops.emplace_back(before, open.end());
+      open.erase(before, open.end());
+    }
+    open.push_back(place);
+  }
+  if (open.size() >= 3) cut.loops.push_back(std::move(open));
+  return cut;
 }
 
 Cuts Fan(std::size_t corners) {

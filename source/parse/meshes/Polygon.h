@@ -38,4 +38,21 @@ std::vector<R2::Point> QuadUvs();
 ///             clipping (2002). A polygon that crosses itself may run out of ears; any corner is cut off then.
 std::optional<Cuts> Triangulate(std::span<const R3::Point> polygon);
 
+/// Where one side of a polygon crosses another: at a share of the way from corner `side` to the next.
+struct SideCrossing {
+  std::uint32_t side = 0;
+  double share = 0;  // in (0, 1)
+};
+
+/// A flat polygon that crosses itself, as polygons that do not: closed loops of its corners and of its crossings, which
+/// are numbered on after the corners. Each turns as its part of the polygon does, so the two halves of a bow tie face
+/// opposite ways.
+struct Loops {
+  std::vector<std::vector<std::uint32_t>> loops;
+  std::vector<SideCrossing> crossings;
+};
+
+/// Nothing where the polygon is not flat, has no sides that cross, or more than max_concave_corners.
+std::optional<Loops> Uncrossed(std::span<const R3::Point> polygon);
+
 }  // namespace ray

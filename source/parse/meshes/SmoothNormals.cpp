@@ -103,7 +103,7 @@ class Smoothing {
     for (auto& triangle : mesh_.triangles)
       for (std::uint32_t& name : triangle) name = corner++;
     mesh_.normals.clear();
-    MakeVertices(mesh_, corners_, std::exchange(mesh_.uvs, {}), normals_);
+    MakeVertices(mesh_, corners_, {}, std::exchange(mesh_.uvs, {}), normals_);
   }
 
   R3::MeshData& mesh_;

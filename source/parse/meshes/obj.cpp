@@ -99,7 +99,8 @@ class ObjReader {
     Warn(report);
     mesh_.colors = colors_.Take(mesh_.positions.size());
     read_.has_8_bit_colors = colors_.WereBytes();
-    MakeVertices(mesh_, corners_, uvs_, normals_);
+    MakeVertices(mesh_, corners_, faces_.Added(), uvs_, normals_);
+    faces_.AddVertices();
     return std::move(read_);
   }
 

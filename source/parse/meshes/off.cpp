@@ -74,15 +74,17 @@ class OffReader {
     faces_ = CountIn(words_, words_.Need({"the number of faces"}), "the number of faces");
     CheckPromise(words_, faces_, "faces", 2);  // "0\n"
     PassOverEdges();
+    Faces faces(mesh_);
     try {
       ReadVertices();
-      ReadFaces();
+      ReadFaces(faces);
     } catch (SceneError& error) {
       if (error.hint.empty()) error.hint = HintOfVertices();
       throw;
     }
     Warn();
     mesh_.colors = colors_.Take(mesh_.positions.size());
+    faces.AddVertices();
     return {.data = std::move(mesh_), .has_8_bit_colors = colors_.WereBytes()};
   }
 
@@ -146,8 +148,7 @@ class OffReader {
     colors_.Add(i, {red, green, blue}, first);
   }
 
-  void ReadFaces() {
-    Faces faces(mesh_);
+  void ReadFaces(Faces& faces) {
     std::vector<std::uint32_t> corners;
     std::size_t i = 0;
     for (; i < faces_ && !words_.AtEnd(); ++i) {

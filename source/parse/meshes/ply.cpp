@@ -38,6 +38,7 @@ class PlyReader {
     mesh_.colors = colors_.Take(mesh_.positions.size());
     Warn(report);
     if (has_texcoords_) MakeVertices();
+    faces_.AddVertices();
     MeshFile read{.data = std::move(mesh_), .has_8_bit_colors = has_8_bit_colors_ || colors_.WereBytes()};
     for (const Token& name : header_.textures)
       read.textures.push_back({std::string(name.text), Place(words_.Source().name, name.line, name.column)});
@@ -211,7 +212,7 @@ class PlyReader {
       if (!mesh_.normals.empty()) corner.normal = corner.place;
     }
     mesh_.uvs.clear();
-    ray::MakeVertices(mesh_, corners_, uvs_, std::exchange(mesh_.normals, {}));
+    ray::MakeVertices(mesh_, corners_, faces_.Added(), uvs_, std::exchange(mesh_.normals, {}));
   }
 
   /// Gives equal texture coordinates one index, so that faces that share them share vertices.

@@ -23,6 +23,7 @@ class RayReader {
     }
     if (first && !has_command)
       words_.Fail(*first, "a .ray file holds commands such as #vertex; this one begins with " + Quoted(first->text));
+    faces_.AddVertices();
     faces_.Warn(words_.Source(), report);
     WarnOfAbsent(absent_normals_, absent_uvs_, words_.Source(), report);
     return std::move(mesh_);

@@ -7,6 +7,7 @@
 #include <cstring>
 #include <fstream>
 #include <map>
+#include <numbers>
 #include <sstream>
 
 #include "source/parse/meshes/MeshFormat.h"
@@ -227,6 +228,62 @@ TEST(Extremes, D9_AConcaveFaceOf5000CornersIsCutIntoTrianglesThatCoverItOnce) {
       const double area = Shoelace(polygon);
       EXPECT_NEAR(AreaOf(*cuts, polygon), area, 1e-9 * area);
     }
+}
+
+/// Of all triangles, whichever way they turn.
+double AreaOf(const R3::MeshData& mesh) {
+  double area = 0;
+  for (const auto& t : mesh.triangles) {
+    const R3::Point &a = mesh.positions[t[0]], &b = mesh.positions[t[1]], &c = mesh.positions[t[2]];
+    area += Length(Cross(b - a, c - a)) / 2;
+  }
+  return area;
+}
+
+TEST(Extremes, D9_AFaceWhoseSidesCrossIsCutWhereTheyDo) {
+  // A bow tie in any plane, its halves of the same size and of different ones, and a star of five points.
+  EXPECT_NEAR(AreaOf(Read("a.off", "OFF 4 1 0 0 0 0 1 1 0 1 0 0 0 1 0 4 0 1 2 3").data), 0.5, 1e-12);
+  EXPECT_NEAR(AreaOf(Read("a.off", "OFF 4 1 0 0 0 0 0 1 1 0 1 0 0 0 1 4 0 1 2 3").data), 0.5, 1e-12);
+  EXPECT_NEAR(AreaOf(Read("a.off", "OFF 4 1 0 0 0 0 3 3 0 3 0 0 0 1 0 4 0 1 2 3").data), 3 * 2.25 / 2 + 0.75 / 2,
+              1e-12);
+  std::string star = "OFF 5 1 0\n";
+  for (int i = 0; i < 5; ++i) {
+    const double angle = 2 * std::numbers::pi * 2 * i / 5;
+    star += std::to_string(std::cos(angle)) + " " + std::to_string(std::sin(angle)) + " 0\n";
+  }
+  // It goes around the pentagon in its middle twice, which may be there twice.
+  const double inner = 1 / std::pow((1 + std::sqrt(5)) / 2, 2), once = 5 * inner * std::sin(0.2 * std::numbers::pi),
+               pentagon = 2.5 * inner * inner * std::sin(0.4 * std::numbers::pi);
+  const double area = AreaOf(Read("a.off", star + "5 0 1 2 3 4").data);
+  EXPECT_LT(std::min(std::abs(area - once), std::abs(area - once - pentagon)), 1e-5) << area;
+}
+
+TEST(Extremes, D9_WhereSidesCrossAVertexIsBetweenTheirsInEveryWay) {
+  const auto expect_middle = [](const char* name, const std::string& text, std::size_t vertices) {
+    const R3::MeshData mesh = Read(name, text).data;
+    ASSERT_EQ(mesh.positions.size(), vertices) << text;
+    EXPECT_EQ(mesh.triangles.size(), 2u);
+    EXPECT_EQ(mesh.positions.back(), (R3::Point{0.5, 0.5, 0}));
+    EXPECT_TRUE(mesh.uvs.empty() || mesh.uvs.back() == (R2::Point{0.5, 0.25}));
+    EXPECT_TRUE(mesh.normals.empty() || mesh.normals.back().z == 0.5);
+    EXPECT_TRUE(mesh.colors.empty() || mesh.colors.back() == (std::array<float, 3>{0.5f, 0.5f, 0}));
+  };
+  const std::string obj = "v 0 0 0 0 0 0\nv 1 1 0 1 1 0\nv 1 0 0 1 0 0\nv 0 1 0 0 1 0\n";
+  expect_middle("a.obj", obj + "f 1 2 3 4\n", 5);
+  expect_middle("a.obj", obj + "vt 0 0\nvt 1 .5\nvt 1 0\nvt 0 .5\nvn 0 0 0\nvn 0 0 1\nf 1/1/1 2/2/2 3/3/2 4/4/1\n", 5);
+  expect_middle("a.off", "COFF 4 1 0\n0 0 0 0 0 0 1\n1 1 0 1. 1 0 1\n1 0 0 1. 0 0 1\n0 1 0 0 1. 0 1\n4 0 1 2 3\n", 5);
+  const std::string
+      ply = "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n",
+      face = "element face 1\nproperty list uchar int vertex_indices\n";
+  expect_middle("a.ply",
+                ply + "property float s\nproperty float t\n" + face +
+                    "end_header\n0 0 0 0 0\n1 1 0 1 .5\n1 0 0 1 0\n0 1 0 0 .5\n4 0 1 2 3\n",
+                5);
+  expect_middle(
+      "a.ply",
+      ply + face +
+          "property list uchar float texcoord\nend_header\n0 0 0\n1 1 0\n1 0 0\n0 1 0\n4 0 1 2 3 8 0 0 1 .5 1 0 0 .5\n",
+      5);
 }
 
 TEST(Extremes, D9_AFaceThatTakesTooLongIsCutAsAFanWithAWarning) {

@@ -312,7 +312,7 @@ TEST(Models, OfPlyHaveTheColorsOfTheirVerticesAndTheirTexture) {
 
 TEST(Models, ColorsOfVerticesThatAreNoneAreWhite) {
   const Folder folder;
-  folder.Write("a.obj", "v 0 0 0 .25 .5 .75\nv 1 0 0\nv 0 1 0 nan 0 0\nv 1 1 0 0 -1 0\nf 1 2 3 4\n");
+  folder.Write("a.obj", "v 0 0 0 .25 .5 .75\nv 1 0 0\nv 0 1 0 nan 0 0\nv 1 1 0 0 -1 0\nf 1 2 4 3\n");
   const ParsedScene parsed = Parse(folder / "a.obj", {});
   const auto& data = dynamic_cast<const R3::Mesh&>(*parsed.scene.root.children.at(0).shape).Data();
   const std::array<float, 3> white{1, 1, 1};
