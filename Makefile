@@ -148,6 +148,8 @@ $(BUILD)/raytests: $(call objects,$(TEST_SOURCES) $(OF_RAYIMG)) $(BUILD)/librayv
 $(BUILD)/bench/%: $(BUILD)/obj/bench/%.o $(BUILD)/librayview.a $(BUILD)/libray.a
 	$(call link,-lbenchmark)
 
+JOBS ?= $(shell nproc 2> /dev/null || getconf _NPROCESSORS_ONLN)
+
 # Tests find the programs and the project's files through these. The shell names the folders: make takes blanks in
 # their names for ends of words.
 FOR_TESTS := build=$$(cd $(BUILD) && pwd) && RAYPRO="$$build/raypro" RAYIMG="$$build/rayimg" RAYPRO_ROOT="$$(pwd)" \
@@ -163,9 +165,12 @@ $(BUILD)/compile_commands.json: $(BUILD)/flags
 	  printf ',\n{"directory":"%s","file":"%s","command":"%s -c %s"}' "$$PWD" $$file \
 	    "$$(sed 's/[\"]/\\&/g' $(BUILD)/flags)" $$file; done | sed '1s/,/[/; $$s/$$/\n]/' > $@
 
-# Benchmarks that need no further package are compiled too, lest nobody notice that they no longer do.
-test: check test-binary $(PROGRAMS) $(patsubst %.cpp,$(BUILD)/obj/%.o,$(call present,bench/live.cpp bench/trade.cpp bench/view.cpp))
-	$(FOR_TESTS) $(BUILD)/raytests $(GTEST)
+# Compiles and runs on all cores, unless -j said on how many. Benchmarks that need no further package are compiled too,
+# lest nobody notice that they no longer do.
+test:
+	$(MAKE) $(if $(findstring jobserver,$(MAKEFLAGS)),,-j$(JOBS)) check test-binary $(PROGRAMS) \
+	  $(patsubst %.cpp,$(BUILD)/obj/%.o,$(call present,bench/live.cpp bench/trade.cpp bench/view.cpp))
+	$(FOR_TESTS) JOBS=$(JOBS) sh script/run_tests.sh $(BUILD)/raytests $(GTEST)
 	$(FOR_TESTS) sh script/runray.sh -fast
 test-binary: $(BUILD)/raytests
 
