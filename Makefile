@@ -118,7 +118,7 @@ compile = @mkdir -p $(@D) && echo "  c++   $(1)" && \
 # instructions.
 $(BUILD)/obj/source/app/% $(BUILD)/obj/source/parse/%: OPTIMIZE_HERE := $(if $(filter -O2 -O3,$(OPTIMIZE)),-O1)
 $(BUILD)/obj/source/sample/% $(BUILD)/obj/source/scene/% $(BUILD)/obj/source/integrate/all.o \
-$(BUILD)/obj/source/integrate/lights/% $(BUILD)/obj/R3/shapes/%: \
+$(BUILD)/obj/source/integrate/lights/% $(BUILD)/obj/source/integrate/shading/% $(BUILD)/obj/R3/shapes/%: \
   OPTIMIZE_HERE := $(if $(filter -O2 -O3,$(OPTIMIZE)),-ftree-vectorize $(if $(CLANG),,-fvect-cost-model=dynamic))
 $(BUILD)/obj/%/all.o: $(BUILD)/jumbo/%/all.cpp $(BUILD)/flags
 	$(call compile,$*/*.cpp)

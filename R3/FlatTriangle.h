@@ -21,22 +21,16 @@ inline SurfacePlace PlaceOnTriangle(const Point& p, const Point& q, const Point&
   return {{place.x, place.y, place.z}, Gamma(7) * magnitude + Gamma(16) * Vector{farthest, farthest, farthest}};
 }
 
-/// Twice its area along the direction from which the corners turn counter-clockwise.
-inline Vector AreaOfTriangle(const Point& p, const Point& q, const Point& r) { return Cross(q - p, r - p); }
-/// Whether its unit vector is the triangle's normal to the last bits.
-inline bool IsSafeArea(const Vector& area) {
-  const double largest = MaxComponent(Abs(area));
-  return (largest >= least_square) & (largest <= most_square);
-}
-
-/// Unit, on the side from which the corners turn counter-clockwise; zero for a triangle without area.
+/// Unit, on the side from which the corners turn counter-clockwise; zero for a triangle without area. Where the area
+/// leaves the range of doubles, that of the same triangle with sides of about 1 is taken.
 inline Vector FaceDirection(const Point& p, const Point& q, const Point& r) {
-  const Vector area = AreaOfTriangle(p, q, r);
-  if (IsSafeArea(area)) return Unit(area);
   const Vector a = q - p, b = r - p;
-  const double longest_a = MaxComponent(Abs(a)), longest_b = MaxComponent(Abs(b));
-  if (!(longest_a > 0 && longest_b > 0 && longest_a < infinity && longest_b < infinity)) return Unit(area);
-  return Unit(Cross(ScaledByPower(a, -std::ilogb(longest_a)), ScaledByPower(b, -std::ilogb(longest_b))));
+  const double largest = MaxComponent(Abs(Cross(a, b)));
+  const auto scale_of = [&](const Vector& side) {
+    const double scale = InversePower(MaxComponent(Abs(side))), if_large = largest >= least_square ? 1 : scale;
+    return largest <= most_square ? if_large : scale;
+  };
+  return Unit(Cross(scale_of(a) * a, scale_of(b) * b));
 }
 
 }  // namespace R3

@@ -47,6 +47,15 @@ inline double DifferenceOfProducts(double a, double b, double c, double d) {
 inline constexpr double least_square = 0x1p-600, most_square = 0x1p600;
 inline bool IsInRange(double square) { return square >= least_square && square <= most_square; }
 
+/// A power of two that brings a number above 0 into [1, 2): exactly, denormal numbers too as near to that as 2^1022
+/// takes them. What it gives for 0, infinity and NaN is finite and above 0.
+inline double InversePower(double x) {
+  constexpr std::uint64_t exponent_bits = std::uint64_t{0x7FF} << 52, twice_the_bias = std::uint64_t{2046} << 52;
+  const double power = std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) & exponent_bits);
+  const double at_least = power > 0x1p-1022 ? power : 0x1p-1022, in_range = at_least < 0x1p1022 ? at_least : 0x1p1022;
+  return std::bit_cast<double>(twice_the_bias - std::bit_cast<std::uint64_t>(in_range));
+}
+
 /// The next double above x; infinity and NaN stay.
 inline double NextUp(double x) {
   if (!(x < infinity)) return x;

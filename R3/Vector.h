@@ -59,20 +59,29 @@ inline Vector Turned(const Vector& v, const Vector& axis, double angle) {
 
 // Sums of squares in this range have neither overflowed nor lost bits.
 inline constexpr double smallest_safe_square = 0x1p-960, largest_safe_square = 0x1p960;
-constexpr bool IsSafeSquare(double square) { return (square > smallest_safe_square) & (square < largest_safe_square); }
-double LengthOutOfRange(const Vector& v);
-Vector UnitOutOfRange(const Vector& v);
 
-/// Euclidean length within 3 u relative; scaled by a power of two first where squares would leave the range.
+/// The power of two that a vector is multiplied by before its square is taken, by what the square is without: nearly
+/// always 1. In two choices, since loops over many make no vector instructions of conditions joined by "and".
+inline double SafeScale(double square) {
+  const double if_small = square < smallest_safe_square ? 0x1p600 : 1;
+  return square > largest_safe_square ? 0x1p-600 : if_small;
+}
+
+/// Euclidean length within 3 u relative.
 inline double Length(const Vector& v) {
-  const double square = Dot(v, v);
-  return IsSafeSquare(square) ? std::sqrt(square) : LengthOutOfRange(v);
+  const double square = Dot(v, v), scale = SafeScale(square);
+  const Vector w = scale * v;
+  const double length = std::sqrt(Dot(w, w));
+  const double if_small = square < smallest_safe_square ? 0x1p-600 * length : length;
+  return square > largest_safe_square ? 0x1p600 * length : if_small;
 }
 
 /// v / |v| within 4 u; the zero vector (and one with NaN or infinity) gives the zero vector.
 inline Vector Unit(const Vector& v) {
-  const double square = Dot(v, v);
-  return IsSafeSquare(square) ? v / std::sqrt(square) : UnitOutOfRange(v);
+  const Vector w = SafeScale(Dot(v, v)) * v;
+  const double square = Dot(w, w), length = std::sqrt(square < infinity ? square : 0);
+  const Vector unit = w / length;
+  return {length > 0 ? unit.x : 0, length > 0 ? unit.y : 0, length > 0 ? unit.z : 0};
 }
 
 }  // namespace R3

@@ -20,15 +20,15 @@ struct Ring {
     return Sqrt(across * across + p.y * p.y) - minor;
   }
 
-  /// Places between which Outside rises or falls all the way, in order. Near its turns Outside is flat: their error, of
-  /// a long double's rounding, makes no difference in it.
-  std::vector<Quad> Breaks(const Line& line) const {
+  /// Places between which Outside rises or falls all the way, in order, the first and the last farther outside than
+  /// `around`. Near its turns Outside is flat: their error, of a long double's rounding, makes no difference in it.
+  std::vector<Quad> Breaks(const Line& line, Quad around) const {
     const Vector &p = line.o, &v = line.d;
     const Quad A = Dot(v, v), a = v.x * v.x + v.z * v.z, aside = p.x * v.z - p.z * v.x;
     const Quad nearest = -Dot(p, v) / A;  // all below counts from there
     const Vector m = line.At(nearest);
     const Quad b = m.x * v.x + m.z * v.z, c = m.x * m.x + m.z * m.z;
-    const Quad reach = 4 * (Size() + Length(m)) / Sqrt(A);
+    const Quad reach = 4 * (Size() + Length(m) + around) / Sqrt(A);
     const auto part = [&](Quad t) { return static_cast<long double>(t); };
     const auto slope = [&](long double t) {  // half the derivative of the squared distance
       const long double q = (part(a) * t + 2 * part(b)) * t + part(c);

@@ -121,7 +121,7 @@ class Crossings {
   static std::vector<Crossing> OfRing(const Ring& ring, const SeenLine& seen) {
     const Quad away = Length(seen.line.o), size = ring.Size();
     const Quad bar = of_shape * (away + size) + seen.ErrorWithin(away + size);
-    const std::vector<Quad> breaks = ring.Breaks(seen.line);
+    const std::vector<Quad> breaks = ring.Breaks(seen.line, bar);
     std::vector<Crossing> crossings;
     for (std::size_t i = 0; i + 1 < breaks.size(); ++i) {
       const Quad from = ring.Outside(seen.line.At(breaks[i])), to = ring.Outside(seen.line.At(breaks[i + 1]));

@@ -125,21 +125,16 @@ class Sphere : public Shape {
     return FromTangents({aside * w.x, aside * w.y, ahead}, axis);
   }
 
-  /// SampleEach; false, with nothing to rely on, where a point is inside or so far away that lengths leave the range of
-  /// doubles.
+  /// SampleEach; false, with nothing to rely on, where a point is inside, or so far away that the sphere has no size.
   R3_VECTORIZED bool SampleFromOutside(SurfaceSamples& samples) const {
     std::uint64_t are_outside = 1;
     for (std::uint32_t i = 0; i < samples.count; ++i) {
       const Vector from_center = samples.From(i) - center_;
-      const double square = Dot(from_center, from_center), distance = std::sqrt(square), sine = radius_ / distance;
+      const double distance = Length(from_center), sine = radius_ / distance;
       const double one_minus_cosine = OneMinusCosine(distance, sine);
-      const Vector drawn = DrawInCone(from_center / distance, sine, one_minus_cosine, samples.Random(i));
-      const double drawn_square = Dot(drawn, drawn);
-      are_outside &= IsSafeSquare(square);
-      are_outside &= IsSafeSquare(drawn_square);
       are_outside &= sine < 1;
       are_outside &= one_minus_cosine > 0;
-      const Vector outward = drawn / std::sqrt(drawn_square);
+      const Vector outward = Unit(DrawInCone(Unit(from_center), sine, one_minus_cosine, samples.Random(i)));
       const SurfacePlace place = PlaceOnSphere(center_, radius_, outward);
       samples.Set(i, place.position, place.error, outward, UniformConePdf(one_minus_cosine));
     }

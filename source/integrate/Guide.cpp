@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cassert>
 
-#include "source/integrate/Bsdf.h"
-#include "source/integrate/FirstHit.h"
+#include "source/integrate/modes/FirstHit.h"
+#include "source/integrate/shading/Bsdf.h"
 
 namespace ray {
 namespace {

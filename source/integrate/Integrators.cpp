@@ -1,6 +1,6 @@
 #include "source/integrate/Integrators.h"
 
-#include "source/integrate/Outlined.h"
+#include "source/integrate/modes/Outlined.h"
 
 namespace ray {
 

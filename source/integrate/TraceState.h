@@ -14,8 +14,8 @@
 #include "source/accelerate/Workspace.h"
 #include "source/accelerate/World.h"
 #include "source/integrate/Arena.h"
-#include "source/integrate/MediumSets.h"
 #include "source/integrate/RayCounts.h"
+#include "source/integrate/media/MediumSets.h"
 #include "source/sample/Sampler.h"
 
 namespace ray {
@@ -27,9 +27,9 @@ struct PathState {
   std::int64_t depth = 0;  // bounces before it
   SampleIndex index;
   RayKind kind = RayKind::camera;
-  bool is_scattered = false;  // by some surface, not only mirrored and refracted
+  bool is_scattered = false;     // by some surface, not only mirrored and refracted
   MediumSets::Number media = 0;  // what it is inside of
-  int record = -1;            // where rays are recorded: its number; until it is traced that of the ray it comes from
+  int record = -1;  // where rays are recorded: its number; until it is traced that of the ray it comes from
 };
 
 /// Shadow rays still to be traced together, and which of the points being shaded reflects how much unless its ray is

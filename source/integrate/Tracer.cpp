@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "source/integrate/ShadingPoints.h"
+#include "source/integrate/shading/ShadingPoints.h"
 
 namespace ray {
 
@@ -28,13 +28,17 @@ std::vector<ShadingPoint> Tracer::CameraHits(std::span<const CameraSample> sampl
     if (state.recorder) [[unlikely]]
       RecordCameraRay(samples[i], state.hits[i] ? &points.back() : nullptr, state);
   }
+  Complete(points, state);
+  return points;
+}
+
+void Tracer::Complete(std::span<ShadingPoint> points, TraceState& state) const {
   if (state.recorder)  // which shows texture coordinates, whether the material has a use for them or not
     for (ShadingPoint& p : points) p = ShadingPointAt(world_, p.path, p.hit);
   else
     CompleteShadingPoints(world_, points);
   if (media_.AreNeeded())
     for (ShadingPoint& p : points) SetSides(p, state);
-  return points;
 }
 
 bool Tracer::StartInMedia(ShadingPoint& p, TraceState& state) const {

@@ -5,9 +5,9 @@
 
 #include "source/accelerate/Accelerator.h"
 #include "source/integrate/Integrator.h"
-#include "source/integrate/Media.h"
-#include "source/integrate/ShadingPoint.h"
 #include "source/integrate/debug/RayRecorder.h"
+#include "source/integrate/media/Media.h"
+#include "source/integrate/shading/ShadingPoint.h"
 #include "source/scene/Light.h"
 
 namespace ray {
@@ -27,14 +27,13 @@ class Tracer {
   std::vector<ShadingPoint> CameraHits(std::span<const CameraSample> samples, TraceState& state) const;
 
   std::optional<WorldHit> Intersect(PathState& path, TraceState& state) const {
-    if (state.recorder) [[unlikely]]
-      path.record = state.recorder->Begin(path);
+    RecordRay(path, state);
     auto hit = accelerator_.Intersect(path.ray, state.workspace);
     state.Count(path.kind, 1);
     Arrive(path, hit, state);
     return hit;
   }
-  /// The same of rays of one kind that nobody records; where each hits goes to `hits`.
+  /// Traces rays of one kind together, which RecordRay has been told of; where each hits goes to `hits`.
   void IntersectEach(RayKind kind, std::span<const R3::Ray> rays, std::optional<WorldHit>* hits,
                      TraceState& state) const {
     accelerator_.Intersect(rays, hits, state.workspace);
@@ -44,6 +43,8 @@ class Tracer {
   void Arrive(PathState& path, std::optional<WorldHit>& hit, TraceState& state) const {
     if (media_.AreNeeded() && hit && !media_.IsPlain(path, *hit)) media_.Arrive(path, hit, state);
   }
+  /// Makes the rest of points whose paths and hits are known.
+  void Complete(std::span<ShadingPoint> points, TraceState& state) const;
   /// The surface where a path has arrived.
   ShadingPoint PointAt(const PathState& path, const WorldHit& hit, TraceState& state) const {
     ShadingPoint p = ShadingPointAt(world_, path, hit);
@@ -52,6 +53,10 @@ class Tracer {
   }
   void SetSides(ShadingPoint& p, TraceState& state) const {
     if (media_.AreNeeded() && !IsBlack(p.material->kt)) media_.SetSides(p, state);
+  }
+  static void RecordRay(PathState& path, TraceState& state) {
+    if (state.recorder) [[unlikely]]
+      path.record = state.recorder->Begin(path);
   }
   static void RecordHit(const ShadingPoint& p, const R2::Color& contribution, TraceState& state) {
     if (state.recorder) [[unlikely]]

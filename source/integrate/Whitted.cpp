@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <numbers>
 
-#include "source/integrate/Bsdf.h"
 #include "source/integrate/RussianRoulette.h"
 #include "source/integrate/lights/LampSample.h"
+#include "source/integrate/shading/Bsdf.h"
 
 namespace ray {
 namespace {

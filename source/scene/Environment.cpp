@@ -91,9 +91,8 @@ inline double Margin(double place, int count) {
 inline QuickPlace PlaceQuickly(const R3::Vector& d, int width, int height) {
   const double column = (QuickTurns(d.x, -d.z) + 0.5) * width,
                row = (QuickTurns(d.y, std::sqrt(d.x * d.x + d.z * d.z)) * 2 + 0.5) * height;
-  const double square = Dot(d, d);  // IsSafeSquare as two choices, since both conditions in one are a branch
-  const double if_large = square < R3::largest_safe_square ? Least(Margin(column, width), Margin(row, height)) : 0;
-  return {column, row, square > R3::smallest_safe_square ? if_large : 0};
+  const double margin = Least(Margin(column, width), Margin(row, height));
+  return {column, row, R3::SafeScale(Dot(d, d)) == 1 ? margin : 0};
 }
 
 /// Nearer to a texel's edge than this share of it, rounding may give a direction to the neighbor. The narrowest texels

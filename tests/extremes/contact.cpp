@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "source/integrate/ShadingPoint.h"
+#include "source/integrate/shading/ShadingPoint.h"
 #include "tests/Accelerators.h"
 #include "tests/Project.h"
 #include "tests/Room.h"

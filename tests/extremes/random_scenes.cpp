@@ -9,7 +9,8 @@
 #include <limits>
 
 #include "source/integrate/CameraRays.h"
-#include "source/integrate/PathStream.h"
+#include "source/integrate/Path.h"
+#include "source/integrate/debug/RayRecorder.h"
 #include "source/integrate/lights/EmissiveShape.h"
 #include "source/integrate/lights/EmissiveTriangle.h"
 #include "source/render/RenderBlock.h"
@@ -256,12 +257,13 @@ TEST(RandomScenes, PathsTakenTogetherAreThoseTakenOneByOneBitForBit) {
     s.trace.samples = static_cast<std::uint32_t>(s.samples);
     const auto accelerator = ray::FindAcceleratorKind("bvh")->Make(stage.world, {});
     const ray::Path path(stage.world, *accelerator, s.trace);
-    const ray::PathStream stream(stage.world, *accelerator, s.trace);
     const auto samples = SamplesOf(stage, s);
     std::vector<R2::Color> alone(samples.size()), together(samples.size());
     ray::TraceState of_one, of_all;
+    path.Li(samples, together, of_all);
+    ray::RayRecorder recorder;  // with which surfaces are made one by one, too
+    of_one.recorder = &recorder;
     path.Li(samples, alone, of_one);
-    stream.Li(samples, together, of_all);
     EXPECT_TRUE(together == alone);
     EXPECT_EQ(of_all.rays.throughput_cut, of_one.rays.throughput_cut);
     EXPECT_EQ(of_all.rays.caustics, of_one.rays.caustics);

@@ -47,7 +47,7 @@ struct Ring {
     Quad from = 0, outside_from = exact.Outside(line.o);
     Quad bar_from = Length(ray.origin - center) < 8 * Size() ? Quad(0x1p-90) * Size() : bar;
     std::size_t counted = 0;
-    for (const Quad to : exact.Breaks(line)) {
+    for (const Quad to : exact.Breaks(line, 0)) {
       if (!(to > from)) continue;
       const Quad outside_to = exact.Outside(line.At(to));
       const auto first = hits.begin() + static_cast<std::ptrdiff_t>(counted);

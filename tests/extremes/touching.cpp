@@ -12,8 +12,8 @@
 #include <string>
 #include <vector>
 
-#include "source/integrate/Bsdf.h"
 #include "source/integrate/Tracer.h"
+#include "source/integrate/shading/Bsdf.h"
 #include "tests/Accelerators.h"
 #include "tests/Project.h"
 #include "tests/Quad.h"

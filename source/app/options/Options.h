@@ -9,7 +9,7 @@
 #include "source/accelerate/AcceleratorSettings.h"
 #include "source/app/options/Program.h"
 #include "source/app/rayimg/Options.h"
-#include "source/integrate/Layer.h"
+#include "source/integrate/modes/Layer.h"
 #include "source/parse/Parse.h"
 #include "source/render/Render.h"
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "source/accelerate/Accelerator.h"
-#include "source/integrate/ShadingPoint.h"
+#include "source/integrate/shading/ShadingPoint.h"
 
 namespace ray {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "source/integrate/Bsdf.h"
+#include "source/integrate/shading/Bsdf.h"
 
 namespace ray {
 

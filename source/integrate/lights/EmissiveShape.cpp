@@ -84,21 +84,18 @@ void EmissiveShape::SampleEach(LightSamples& samples, LightSamples::Each& pdfs) 
     places.u[i] = samples.u[i], places.v[i] = samples.v[i];
   }
   instance_->shape->SampleEach(places, element_);
-  if (!CutOff(places, samples, pdfs)) [[unlikely]]
-    SampleOneByOne(samples, pdfs);
+  CutOff(places, samples, pdfs);
 }
 
 R3_VECTORIZED
-bool EmissiveShape::CutOff(const R3::SurfaceSamples& places, LightSamples& samples, LightSamples::Each& pdfs) const {
+void EmissiveShape::CutOff(const R3::SurfaceSamples& places, LightSamples& samples, LightSamples::Each& pdfs) const {
   const R2::Color emission = Emission();
   struct {
     alignas(64) LightSamples::Each x, y, z, r, g, b, pdf;
   } drawn;  // of its own, so that it is clear that nothing overlaps
-  std::uint64_t are_safe = 1;
   for (std::uint32_t i = 0; i < samples.count; ++i) {
     const R3::Vector way = places.Position(i) - places.From(i), normal = AsVector(places.NormalAt(i));
-    const double square = Dot(way, way), near = Nearness(std::sqrt(square), size_);
-    are_safe &= R3::IsSafeSquare(square);
+    const double near = Nearness(Length(way), size_);
     const double share = ShareOutside(way, normal, places.Error(i) + R3::Vector{near, near, near});
     const double pdf = share > 0 ? places.pdf[i] : 0;
     const R2::Color color{emission.r / pdf, emission.g / pdf, emission.b / pdf};
@@ -109,15 +106,6 @@ bool EmissiveShape::CutOff(const R3::SurfaceSamples& places, LightSamples& sampl
   for (std::uint32_t i = 0; i < samples.count; ++i) {
     samples.Set(i, {drawn.x[i], drawn.y[i], drawn.z[i]}, {drawn.r[i], drawn.g[i], drawn.b[i]});
     pdfs[i] = drawn.pdf[i];
-  }
-  return are_safe != 0;
-}
-
-void EmissiveShape::SampleOneByOne(LightSamples& samples, LightSamples::Each& pdfs) const {
-  for (std::uint32_t i = 0; i < samples.count; ++i) {
-    const auto drawn = SampleTowards(samples.From(i), {samples.u[i], samples.v[i]}, 0);
-    pdfs[i] = drawn ? drawn->pdf : 0;
-    samples.Set(i, drawn ? drawn->towards : R3::Vector{}, drawn ? drawn->radiance / drawn->pdf : R2::Color{});
   }
 }
 

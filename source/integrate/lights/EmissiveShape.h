@@ -6,7 +6,7 @@
 
 #include "R3/Shape.h"
 #include "source/accelerate/World.h"
-#include "source/integrate/Absorption.h"
+#include "source/integrate/shading/Absorption.h"
 #include "source/scene/LightBound.h"
 #include "source/scene/LightSamples.h"
 
@@ -53,10 +53,8 @@ class EmissiveShape {
   R3::Point Local(const R3::Point& point, double time) const;
   /// How much larger a solid angle around a way looks in the shape's frame than in the world.
   double SolidAngleRatio(const R3::Vector& way, const R3::Vector& local_way) const;
-  /// SampleEach of places that the shape has drawn; false, with nothing to rely on, where lengths leave the range of
-  /// doubles.
-  bool CutOff(const R3::SurfaceSamples& places, LightSamples& samples, LightSamples::Each& pdfs) const;
-  void SampleOneByOne(LightSamples& samples, LightSamples::Each& pdfs) const;
+  /// SampleEach of places that the shape has drawn.
+  void CutOff(const R3::SurfaceSamples& places, LightSamples& samples, LightSamples::Each& pdfs) const;
 
   const World* world_;
   const Instance* instance_;

@@ -6,7 +6,7 @@
 
 #include "R3/Intersection.h"
 #include "source/accelerate/World.h"
-#include "source/integrate/Absorption.h"
+#include "source/integrate/shading/Absorption.h"
 #include "source/scene/LightBound.h"
 
 namespace ray {

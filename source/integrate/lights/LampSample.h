@@ -2,9 +2,9 @@
 
 #include <optional>
 
-#include "source/integrate/ShadingPoint.h"
 #include "source/integrate/lights/EmissiveShape.h"
 #include "source/integrate/lights/TriangleLamp.h"
+#include "source/integrate/shading/ShadingPoint.h"
 
 /// Lamps whose emission is read as a color, which mode whitted does and -emission color asks for: each of their points
 /// shines like a point light without fall-off. The samples have no pdf, since light from a lamp is then no integral

@@ -5,8 +5,8 @@
 #include <numbers>
 
 #include "R3/Warp.h"
-#include "source/integrate/Bsdf.h"
 #include "source/integrate/lights/LampSample.h"
+#include "source/integrate/shading/Bsdf.h"
 
 namespace ray {
 namespace {

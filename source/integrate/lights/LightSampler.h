@@ -5,13 +5,13 @@
 #include <unordered_map>
 #include <vector>
 
-#include "source/integrate/ShadingPoint.h"
 #include "source/integrate/TraceSettings.h"
 #include "source/integrate/lights/EmissionBounds.h"
 #include "source/integrate/lights/EmissiveShape.h"
 #include "source/integrate/lights/EmissiveTriangle.h"
 #include "source/integrate/lights/LightTree.h"
 #include "source/integrate/lights/TriangleLamp.h"
+#include "source/integrate/shading/ShadingPoint.h"
 
 namespace ray {
 
@@ -57,8 +57,8 @@ class LightSampler {
   /// A point on light number `light`.
   std::optional<LightSample> Sample(const ShadingPoint& p, int light, const R2::Point& u) const;
 
-  /// The same, bit for bit, from each of the points by the samples' u and v, of a light that rays can hit and that is no
-  /// lamp: the ways to it, the irradiance, black where there is none, and the pdfs.
+  /// The same, bit for bit, from each of the points by the samples' u and v, of a light that rays can hit and that is
+  /// no lamp: the ways to it, the irradiance, black where there is none, and the pdfs.
   void SampleEach(std::span<const ShadingPoint> points, int light, LightSamples& samples,
                   LightSamples::Each& pdfs) const;
   /// R3::Ray::reaching of rays to a light, which is no lamp.

@@ -29,10 +29,7 @@ class AreaLight : public Light {
     return LightSample{cosine * falloff_(color_, distance), to_light};
   }
 
-  void IlluminateEach(LightSamples& samples) const override {
-    if (!IlluminateNear(samples)) [[unlikely]]
-      Light::IlluminateEach(samples);
-  }
+  void IlluminateEach(LightSamples& samples) const override { ReachEach(samples); }
 
   bool IsExtended() const override { return radius_ > 0; }
   LightBound Bound() const override { return falloff_.BoundOf(color_, center_, radius_); }
@@ -48,23 +45,19 @@ class AreaLight : public Light {
   }
 
  private:
-  /// IlluminateEach; false, with nothing to rely on, where squares of distances leave the range of doubles.
-  R3_VECTORIZED bool IlluminateNear(LightSamples& samples) const {
+  // Compiled for each instruction set, which a virtual function cannot be.
+  R3_VECTORIZED void ReachEach(LightSamples& samples) const {
     const std::uint32_t count = samples.count;
     for (std::uint32_t i = 0; i < count; ++i) {
       const R2::Point on_disc = R3::SampleUniformDiskConcentric({samples.u[i], samples.v[i]});
       samples.r[i] = on_disc.x, samples.g[i] = on_disc.y;
     }
-    std::uint64_t are_near = 1;
     for (std::uint32_t i = 0; i < count; ++i) {
       const R3::Vector to_light = ToPlace({samples.r[i], samples.g[i]}, samples.From(i));
-      const double square = Dot(to_light, to_light), distance = std::sqrt(square);
-      are_near &= R3::IsSafeSquare(square);
-      const double cosine = Cosine(to_light / distance);
-      const R2::Color reaching = cosine * falloff_(color_, distance);
+      const double cosine = Cosine(Unit(to_light));
+      const R2::Color reaching = cosine * falloff_(color_, Length(to_light));
       samples.Set(i, to_light, cosine > 0 ? reaching : R2::Color{});
     }
-    return are_near != 0;
   }
   /// From p to a place given on the unit disc.
   R3::Vector ToPlace(const R2::Point& on_disc, const R3::Point& p) const {

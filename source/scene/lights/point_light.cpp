@@ -20,10 +20,7 @@ class PointLight : public Light {
     return LightSample{falloff_(color_, distance), to_light};
   }
 
-  void IlluminateEach(LightSamples& samples) const override {
-    if (!IlluminateNear(samples)) [[unlikely]]
-      Light::IlluminateEach(samples);
-  }
+  void IlluminateEach(LightSamples& samples) const override { ReachEach(samples); }
 
   LightBound Bound() const override { return falloff_.BoundOf(color_, place_, 0); }
   bool IsBlack() const override { return R2::IsBlack(color_); }
@@ -35,16 +32,17 @@ class PointLight : public Light {
   }
 
  private:
-  /// IlluminateEach; false, with nothing to rely on, where squares of distances leave the range of doubles.
-  R3_VECTORIZED bool IlluminateNear(LightSamples& samples) const {
-    std::uint64_t are_near = 1;
+  // Compiled for each instruction set, which a virtual function cannot be.
+  R3_VECTORIZED void ReachEach(LightSamples& samples) const {
     for (std::uint32_t i = 0; i < samples.count; ++i) {
       const R3::Vector to_light = place_ - samples.From(i);
-      const double square = Dot(to_light, to_light);
-      are_near &= R3::IsSafeSquare(square);
-      samples.Set(i, to_light, falloff_(color_, std::sqrt(square)));
+      samples.Set(i, to_light, falloff_(color_, Length(to_light)));
     }
-    return are_near != 0;
+    for (std::uint32_t i = 0; i < samples.count;
+         ++i) {  // nothing at the very place, in a loop that has no other choice
+      const R2::Color reaching = samples.Color(i);
+      samples.SetColor(i, MaxComponent(Abs(samples.ToLight(i))) > 0 ? reaching : R2::Color{});
+    }
   }
 
   R2::Color color_;

@@ -10,7 +10,7 @@
 #include <unordered_map>
 
 #include "R1/Elementary.h"
-#include "source/integrate/Bsdf.h"
+#include "source/integrate/shading/Bsdf.h"
 #include "source/view/preview/Floats.h"
 
 namespace ray {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/Project.h"
+
 namespace ray {
 namespace {
 
@@ -16,6 +18,20 @@ TEST(Heat, GoesFromBlackOverBlueRedAndYellowToWhiteByPowersOfTen) {
 }
 
 TEST(Heat, CountsWhatWasLookedAt) { EXPECT_EQ(Heat({.node_visits = 3, .box_tests = 2, .primitive_tests = 4}), 7); }
+
+// Which solids a camera is inside of is found once by each thread.
+TEST(Heat, IsTheSameOnAnyThreadsThoughTheCameraIsInGlass) {
+  const project::Stage stage(project::FromText(
+      "camera 0 0 0  0 0 -1  0 1 0  0.5  0.01 100  material 0 0 0 .5 .5 .5 0 0 0 .5 .5 .5 0 0 0 10 1.5 0 "
+      "sphere 0 0 0 0 2 sphere 0 0.5 0 -4 1 "));
+  RenderSettings settings;
+  settings.mode = RenderMode::heat;
+  settings.width = settings.height = 32;
+  settings.threads = 1;
+  const R2::Image one = project::Render(stage, settings, {"none"}).image;
+  settings.threads = 4, settings.tile_size = 8;
+  EXPECT_TRUE(project::Render(stage, settings, {"none"}).image == one);
+}
 
 TEST(HeatColor, TellsTheCostThatItStandsFor) {
   for (double heat = 1; heat <= 10'000; heat *= 1.07) EXPECT_NEAR(HeatOf(HeatColor(heat)) / heat, 1, 1e-12) << heat;

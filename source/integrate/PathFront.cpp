@@ -1,0 +1,129 @@
+#include "source/integrate/PathFront.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "R3/Numeric.h"
+#include "R3/Warp.h"
+#include "source/integrate/MisWeight.h"
+#include "source/integrate/RussianRoulette.h"
+
+namespace ray {
+namespace {
+
+using Each = LightSamples::Each;
+
+/// Chooses by channel, since choosing between whole colors is a branch.
+R2::Color Chosen(bool first, const R2::Color& a, const R2::Color& b) {
+  return {first ? a.r : b.r, first ? a.g : b.g, first ? a.b : b.b};
+}
+
+/// Makes cosines of N and the way to the light.
+R3_VECTORIZED
+void MakeCosines(const VectorOfEach& normals, const LightSamples& samples, Each& cosines) {
+  for (std::uint32_t i = 0; i < samples.count; ++i) cosines[i] = Dot(normals[i], Unit(samples.ToLight(i)));
+}
+
+/// Makes R1::CosinePower of each highlight.
+R3_VECTORIZED
+void RaiseLobes(const PathFront& front, const LightSamples& samples, Each& powers) {
+  alignas(64) Each lobe;
+  alignas(64) std::array<std::uint64_t, LightSamples::most> exponents;
+  for (std::uint32_t i = 0; i < samples.count; ++i) {
+    lobe[i] = LobeCosine(front.wo[i], front.normals[i], Unit(samples.ToLight(i)));
+    powers[i] = lobe[i] > 0 ? 1 : 0;
+    exponents[i] = front.exponents[i];
+  }
+  for (std::uint64_t bits = front.exponent_bits; bits != 0; bits >>= 1) {
+    for (std::uint32_t i = 0; i < samples.count; ++i) {
+      powers[i] *= exponents[i] & 1 ? lobe[i] : 1;
+      lobe[i] *= lobe[i];
+      exponents[i] >>= 1;
+    }
+  }
+}
+
+}  // namespace
+
+void PathFront::MakeColumns(const TraceSettings& settings) {
+  indices.reserve(points.size());
+  for (std::uint32_t i = 0; i < points.size(); ++i) {
+    const ShadingPoint& p = points[i];
+    indices.push_back(p.path.index);
+    normals.Set(i, p.N);
+    kd.Set(i, p.kd);
+    throughputs.Set(i, p.path.throughput);
+    are_diffuse[i] = IsDiffuse(*p.material) ? 1 : 0;
+    if (are_diffuse[i] != 0) continue;
+    others.push_back(i);
+    bsdfs.emplace_back(p, settings);
+  }
+}
+
+void PathFront::MakeColumnsOfHighlights() {
+  has_highlights = false, exponent_bits = 0;
+  others_by_phong.clear();
+  for (std::uint32_t i = 0; i < points.size(); ++i) {
+    const Material& m = *points[i].material;
+    const bool is_plain = m.coat == 0 && (IsBlack(m.ks) || R1::IsWholeExponent(m.n));
+    has_highlights |= !IsBlack(m.ks);
+    wo.Set(i, points[i].wo);
+    ks.Set(i, m.ks);
+    exponents[i] = is_plain && !IsBlack(m.ks) ? static_cast<std::uint64_t>(m.n) : 0;
+    exponent_bits |= exponents[i];
+    if (!is_plain) others_by_phong.push_back(i);
+  }
+}
+
+R3_VECTORIZED
+void PathFront::ReflectDiffusely(double most_weight, const Each& pdfs, LightSamples& samples) const {
+  alignas(64) Each cosines;
+  MakeCosines(normals, samples, cosines);
+  ColorOfEach colors;  // of its own, so that it is clear that nothing overlaps
+  for (std::uint32_t i = 0; i < samples.count; ++i) {
+    const double cosine_pdf = R3::CosineHemispherePdf(cosines[i]);
+    const double weight = 1 - std::min(most_weight, MisWeight(cosine_pdf, pdfs[i]));
+    const R2::Color color = samples.Color(i), eval = cosine_pdf * kd[i];
+    const double cosine_if_sampled = pdfs[i] > 0 ? cosines[i] : 0;
+    const R2::Color reflected = Chosen(cosine_if_sampled > 0, weight * eval * color, {});
+    colors.Set(i, Chosen(are_diffuse[i] > 0, reflected, color));
+  }
+  for (std::uint32_t i = 0; i < samples.count; ++i) samples.SetColor(i, colors[i]);
+}
+
+R3_VECTORIZED
+void PathFront::ReflectByPhong(LightSamples& samples) const {
+  alignas(64) Each cosines, powers{};
+  MakeCosines(normals, samples, cosines);
+  if (has_highlights) RaiseLobes(*this, samples, powers);
+  ColorOfEach colors;
+  for (std::uint32_t i = 0; i < samples.count; ++i) {
+    const R2::Color both = kd[i] + ks[i];
+    const double cosine_if_reflected = both.r + both.g + both.b > 0 ? cosines[i] : 0;
+    const R2::Color reflected = (cosines[i] * kd[i] + ks[i] * powers[i]) * samples.Color(i);
+    colors.Set(i, Chosen(cosine_if_reflected > 0, reflected, {}));
+  }
+  for (const std::uint32_t i : others_by_phong) colors.Set(i, samples.Color(i));
+  for (std::uint32_t i = 0; i < samples.count; ++i) samples.SetColor(i, colors[i]);
+}
+
+R3_VECTORIZED
+PathFront::Scattered PathFront::ScatterDiffusely(double least_survival,
+                                                 const std::array<double, LightSamples::most>& choices,
+                                                 const VectorOfEach& directions) const {
+  Scattered scattered;
+  const std::size_t count = points.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const double pdf = R3::CosineHemispherePdf(Dot(normals[i], directions[i]));
+    const R2::Color throughput = throughputs[i] * (pdf * kd[i]) / pdf;
+    const double survival = std::max(least_survival, SurvivalProbability(throughput));
+    // Nested, since g++ makes no vector instructions of several conditions in one.
+    const double if_above = pdf > 0 ? survival : 0, if_reflected = Luminance(kd[i]) > 0 ? if_above : 0;
+    const bool goes_on = choices[i] < (are_diffuse[i] > 0 ? if_reflected : 0);
+    scattered.pdfs[i] = pdf;
+    scattered.throughputs.Set(i, Chosen(goes_on, throughput / survival, {}));
+  }
+  return scattered;
+}
+
+}  // namespace ray

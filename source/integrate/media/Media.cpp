@@ -1,0 +1,113 @@
+#include "source/integrate/media/Media.h"
+
+#include <algorithm>
+
+#include "source/integrate/shading/Absorption.h"
+
+namespace ray {
+namespace {
+
+// Surfaces in a row that are not there for a path. More are taken for surfaces, so that no scene takes forever.
+constexpr int most_passed = 1000;
+
+}  // namespace
+
+Media::Media(const World& world, const Accelerator& accelerator) : world_(world), accelerator_(accelerator) {
+  for (std::uint32_t i = 0; i < world.Instances().size(); ++i) {
+    const Instance& instance = world.Instances()[i];
+    are_needed_ |= instance.IsClear() || instance.is_medium;
+    are_absorbing_ |= instance.is_medium && !IsBlack(instance.material->absorb);
+    if (!instance.is_medium) continue;
+    media_.push_back(i);
+  }
+}
+
+std::vector<std::uint32_t> Media::Around(const R3::Point& p) const {
+  std::vector<std::uint32_t> around;
+  for (const std::uint32_t i : media_)
+    if (world_.Instances()[i].bounds.Contains(p)) around.push_back(i);
+  return around;
+}
+
+MediumSets::Number Media::At(const R3::Ray& ray, TraceState& state) const {
+  auto& last = state.last_camera_ray;
+  if (!last || !(last->origin == ray.origin && last->time == ray.time)) [[unlikely]]
+    last = {ray.origin, ray.time, Find(ray, state)};
+  return last->media;
+}
+
+/// Along the ray, a solid that is first left was around its start. Found once for many rays, this is no ray's cost, or
+/// costs would depend on which thread finds it.
+MediumSets::Number Media::Find(const R3::Ray& ray, TraceState& state) const {
+  const Counts so_far = state.workspace.counts;
+  std::vector<std::uint32_t> undecided = Around(ray.origin);
+  MediumSets::Number media = 0;
+  PathState path{.ray = ray, .index = {}};
+  for (int passed = 0; !undecided.empty() && passed < most_passed; ++passed) {
+    const auto hit = accelerator_.Intersect(path.ray, state.workspace);
+    if (!hit) break;
+    const auto found = std::ranges::find(undecided, hit->instance);
+    if (found != undecided.end()) {
+      if (Dot(world_.At(path.ray, *hit).normal, ray.direction) > 0) media = state.media.With(media, *found, world_);
+      undecided.erase(found);
+    }
+    path.ray = Beyond(path, *hit, state);
+  }
+  state.workspace.counts = so_far;
+  return media;
+}
+
+void Media::Arrive(PathState& path, std::optional<WorldHit>& hit, TraceState& state) const {
+  for (int passed = 0; hit; ++passed) {
+    if (path.media != 0 && are_absorbing_) {
+      const double distance = (hit->t - std::max(path.ray.t_min, 0.0)) * Length(path.ray.direction);
+      path.throughput = LeftOf(path.throughput, path.media, distance, state);
+    }
+    MediumSets::Number beyond = path.media;
+    if (passed == most_passed || !Passes(path, *hit, state, beyond)) return;
+    path.ray = Beyond(path, *hit, state);
+    path.media = beyond;
+    hit = accelerator_.Intersect(path.ray, state.workspace);
+    state.Count(path.kind, 1);
+  }
+}
+
+/// Whether the surface is not there for the path, and what it is inside of behind it.
+bool Media::Passes(const PathState& path, const WorldHit& hit, TraceState& state, MediumSets::Number& beyond) const {
+  const Instance& instance = world_.Instances()[hit.instance];
+  if (!instance.is_medium || !instance.IsClear()) return false;
+  const bool leaves = Dot(world_.At(path.ray, hit).normal, path.ray.direction) > 0;
+  // Where triangles of a mesh meet, a path may find that it has already gone in or out; elsewhere it has lost count, by
+  // an edge that rounding let it miss, and believes what it sees.
+  if (leaves != state.media.Has(path.media, hit.instance, world_)) return IsNearStart(path.ray, hit.t);
+  beyond = leaves ? state.media.Without(path.media, hit.instance, world_)
+                  : state.media.With(path.media, hit.instance, world_);
+  return state.media.At(beyond, world_).material == state.media.At(path.media, world_).material;
+}
+
+/// Straight on behind a surface.
+R3::Ray Media::Beyond(const PathState& path, const WorldHit& hit, TraceState& state) const {
+  ShadingPoint p = ShadingPointAt(world_, path, hit);
+  SetSides(p, state);
+  return SpawnRay(p, path.ray.direction);
+}
+
+void Media::SetSides(ShadingPoint& p, TraceState& state) const {
+  R3::Departure& beyond = state.departures.Add(p.departure);
+  beyond.crossed = &state.crossings.Add({world_.PrimitiveId(p.hit), AsVector(p.at.normal), p.departure.crossed});
+  p.beyond = &beyond;
+  p.media_beyond = p.path.media;
+  const std::uint32_t instance = p.hit.instance;
+  if (!world_.Instances()[instance].is_medium || p.entering == state.media.Has(p.path.media, instance, world_)) return;
+  p.media_beyond = p.entering ? state.media.With(p.path.media, instance, world_)
+                              : state.media.Without(p.path.media, instance, world_);
+  p.relative_index = state.media.At(p.path.media, world_).Index() / state.media.At(p.media_beyond, world_).Index();
+}
+
+R2::Color Media::LeftOf(const R2::Color& light, MediumSets::Number media, double distance,
+                        const TraceState& state) const {
+  const R2::Color absorb = state.media.At(media, world_).absorb;
+  return IsBlack(absorb) ? light : light * LeftAfter(absorb, distance);
+}
+
+}  // namespace ray

@@ -1,0 +1,85 @@
+#include "source/integrate/modes/Outlined.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "source/integrate/debug/RayRecorder.h"
+
+namespace ray {
+namespace {
+
+// A jump in depth: the second difference of 1 / depth, relative. On a plane it is 0 at any slant, since 1 / depth is
+// linear in the picture. A thirtieth is where a ball of 100 pixels' radius, seen at 45 degrees in 400 pixels, curves
+// away from the eye between its last two pixels; more would thin no line, less would thicken that ball's.
+constexpr double least_jump = 1.0 / 30;
+// A crease: normals 30 degrees apart. On a ball they are between neighboring pixels only at its rim, as long as its
+// radius is above 2 / (30 degrees)^2 = 7.3 pixels.
+constexpr double cosine_of_crease = 0.8660254037844386;
+
+/// What a ray beside a camera ray sees.
+struct Glance {
+  double nearness = 0;  // 1 / depth, depth in lengths of the camera's axis; 0 where there is nothing
+  R3::Vector N;         // unit, on the viewer's side, without bump maps: a relief is no outline
+};
+
+class Outlined : public Integrator {
+ public:
+  Outlined(std::unique_ptr<const Integrator> inner, const World& world, const Accelerator& accelerator,
+           const OutlineSettings& outline)
+      : inner_(std::move(inner)), world_(world), accelerator_(accelerator) {
+    const R3::Vector right = outline.width / 2 * outline.right, up = outline.width / 2 * outline.up;
+    asides_ = {right, -right, up, -up};
+  }
+
+  void Li(std::span<const CameraSample> samples, std::span<R2::Color> radiances, TraceState& state) const override {
+    // Camera rays are recorded before the rays that come from their ends.
+    const std::size_t first_record = state.recorder ? state.recorder->Rays().size() : 0;
+    inner_->Li(samples, radiances, state);
+    for (std::size_t i = 0; i < samples.size() && !state.IsStopped(); ++i) {
+      if (!IsOnLine(samples[i].ray, state)) continue;
+      radiances[i] = {};
+      if (state.recorder) state.recorder->OnOutline(static_cast<int>(first_record + i));
+    }
+  }
+
+ private:
+  Glance Look(const R3::Ray& ray, TraceState& state) const {
+    const auto hit = accelerator_.Intersect(ray, state.workspace);
+    state.Count(RayKind::camera, 1);
+    if (!hit) return {};
+    const R3::Vector n = AsVector(world_.At(ray, *hit).shading_normal);
+    return {1 / hit->t, Dot(n, ray.direction) <= 0 ? n : -n};
+  }
+
+  bool IsOnLine(const R3::Ray& ray, TraceState& state) const {
+    const Glance middle = Look(ray, state);
+    std::array<Glance, 4> beside;
+    for (std::size_t i = 0; i < beside.size(); ++i) {
+      R3::Ray aside = ray;
+      aside.direction = ray.direction + asides_[i];
+      beside[i] = Look(aside, state);
+      const bool are_surfaces = middle.nearness > 0 && beside[i].nearness > 0;
+      if (are_surfaces && Dot(middle.N, beside[i].N) < cosine_of_crease) return true;
+    }
+    const auto jumps = [&](const Glance& a, const Glance& b) {
+      const double most = std::max({a.nearness, b.nearness, middle.nearness});
+      return std::abs(a.nearness - 2 * middle.nearness + b.nearness) > least_jump * most;
+    };
+    return jumps(beside[0], beside[1]) || jumps(beside[2], beside[3]);
+  }
+
+  std::unique_ptr<const Integrator> inner_;
+  const World& world_;
+  const Accelerator& accelerator_;
+  std::array<R3::Vector, 4> asides_;  // what directions differ by, opposite ones together
+};
+
+}  // namespace
+
+std::unique_ptr<const Integrator> WithOutlines(std::unique_ptr<const Integrator> inner, const World& world,
+                                               const Accelerator& accelerator, const OutlineSettings& outline) {
+  return std::make_unique<Outlined>(std::move(inner), world, accelerator, outline);
+}
+
+}  // namespace ray

@@ -1,0 +1,195 @@
+#include "source/integrate/shading/ShadingPoints.h"
+
+#include <cmath>
+
+#include "R3/FlatTriangle.h"
+#include "R3/Numeric.h"
+#include "R3/Sphere.h"
+
+namespace ray {
+namespace {
+
+/// Some vectors, each coordinate an array.
+template <std::size_t most>
+struct Vectors {
+  alignas(64) double x[most], y[most], z[most];
+
+  R3::Vector operator[](std::size_t i) const { return {x[i], y[i], z[i]}; }
+  R3::Point At(std::size_t i) const { return {x[i], y[i], z[i]}; }
+  template <typename Xyz>
+  void Set(std::size_t i, const Xyz& v) {
+    x[i] = v.x, y[i] = v.y, z[i] = v.z;
+  }
+};
+
+constexpr std::size_t most = 16;  // so that all numbers of a surface fit into a core's first cache
+
+/// Surfaces that rays have hit, and what the points there become.
+struct Surfaces {
+  std::size_t count = 0;
+  std::array<ShadingPoint*, most> points;
+  Vectors<most> origin, direction, position, normal, shading_normal;
+  Vectors<most> N, wo, free_point;
+  alignas(64) double begin[most], t[most], error[most];  // of the rays, and of what they hit
+  alignas(64) double facing[most], clearance[most];      // n . direction, and of departures
+
+  bool IsFull() const { return count == most; }
+  void Add(ShadingPoint& p, const Instance& instance) {
+    const R3::Ray& ray = p.path.ray;
+    points[count] = &p;
+    error[count] = instance.error;
+    origin.Set(count, ray.origin), direction.Set(count, ray.direction);
+    begin[count] = std::max(ray.t_min, 0.0), t[count] = p.hit.t;
+    ++count;
+  }
+};
+
+/// Those of flat triangles: one object, so that it is clear that no arrays overlap.
+struct FlatSurfaces : Surfaces {
+  Vectors<most> corners[3], weights;
+
+  void Add(ShadingPoint& p, const Instance& instance) {
+    const auto places = instance.mesh->CornersInPlace(p.hit.element);
+    for (std::size_t k = 0; k < 3; ++k) corners[k].Set(count, *places[k]);
+    weights.Set(count, R3::Vector{1 - p.hit.u - p.hit.v, p.hit.u, p.hit.v});
+    Surfaces::Add(p, instance);
+  }
+};
+
+/// Those of spheres of the world.
+struct RoundSurfaces : Surfaces {
+  Vectors<most> met, center;  // `met`: where the ray says that they meet
+  alignas(64) double radius[most];
+
+  void Add(ShadingPoint& p, const Instance& instance, const R3::SphereData& sphere) {
+    met.Set(count, p.path.ray.At(p.hit.t)), center.Set(count, sphere.center);
+    radius[count] = sphere.radius;
+    Surfaces::Add(p, instance);
+  }
+};
+
+R3_VECTORIZED
+void PutInPlace(FlatSurfaces& all) {
+  for (std::size_t i = 0; i < all.count; ++i) {
+    const R3::Point p = all.corners[0].At(i), q = all.corners[1].At(i), r = all.corners[2].At(i);
+    const R3::SurfacePlace place = R3::PlaceOnTriangle(p, q, r, all.weights[i]);
+    const R3::Vector normal = R3::FaceDirection(p, q, r);
+    all.position.Set(i, place.position);
+    all.normal.Set(i, normal), all.shading_normal.Set(i, normal);
+  }
+}
+
+R3_VECTORIZED
+void PutInPlace(RoundSurfaces& all) {
+  for (std::size_t i = 0; i < all.count; ++i) {
+    const R3::Vector outward = Unit(all.met.At(i) - all.center.At(i));
+    const R3::SurfacePlace place = R3::PlaceOnSphere(all.center.At(i), all.radius[i], outward);
+    all.position.Set(i, place.position);
+    all.normal.Set(i, outward), all.shading_normal.Set(i, outward);
+  }
+}
+
+R3_VECTORIZED
+void FaceRays(Surfaces& all) {
+  for (std::size_t i = 0; i < all.count; ++i) {
+    const R3::Vector direction = all.direction[i], normal = all.normal[i], shading_normal = all.shading_normal[i];
+    all.wo.Set(i, -Unit(direction));
+    all.facing[i] = Dot(normal, direction);
+    all.N.Set(i, all.facing[i] <= 0 ? shading_normal : -shading_normal);
+    const R3::FreePoint free =
+        R3::FreePointBefore(all.origin.At(i), direction, all.begin[i], all.t[i], all.facing[i], all.error[i]);
+    all.free_point.Set(i, free.place), all.clearance[i] = free.clearance;
+  }
+}
+
+/// The rest, which each point has of its own.
+void Finish(const World& world, const Surfaces& all) {
+  for (std::size_t i = 0; i < all.count; ++i) {
+    ShadingPoint& p = *all.points[i];
+    p.kd = KdAt(world, p);
+    p.wo = all.wo[i];
+    p.entering = all.facing[i] <= 0;
+    p.N = all.N[i];
+    p.is_smoothed = !(all.normal[i] == all.shading_normal[i]);
+    if (HasNotMoved(p.path.ray, p.hit.t)) [[unlikely]] {
+      SetDeparture(world, p);
+    } else {
+      p.free_point = all.free_point.At(i);
+      p.departure = {all.clearance[i], all.direction[i], nullptr};
+      ForgetDeparture(p.path.ray);
+    }
+    SetLeaving(world, p);
+    p.bias = world.scene().shadow_bias;
+    AbsorbOnTheWay(p);
+  }
+}
+
+/// Points on flat triangles, on spheres, and on any other surfaces.
+class Completion {
+ public:
+  explicit Completion(const World& world) : world_(world) {}
+
+  void Add(ShadingPoint& p) {
+    const Instance& instance = world_.Instances()[p.hit.instance];
+    p.material = instance.material;
+    const bool is_plain = instance.frame == 0 && !p.material->texture;  // it needs no texture coordinates either
+    if (p.material->bump || p.material->normal_map)
+      p = ShadingPointAt(world_, p.path, p.hit);
+    else if (is_plain && instance.mesh && !instance.mesh->IsSmooth())
+      AddTo(flat_, p, instance);
+    else if (const auto sphere = is_plain ? instance.shape->AsSphere() : std::nullopt)
+      AddTo(round_, p, instance, *sphere);
+    else
+      AddOther(p, instance);
+  }
+  void CompleteAll() { Complete(flat_), Complete(round_), CompleteOthers(); }
+
+ private:
+  template <typename Kind, typename... Surface>
+  void AddTo(Kind& surfaces, ShadingPoint& p, const Surface&... surface) {
+    surfaces.Add(p, surface...);
+    if (surfaces.IsFull()) Complete(surfaces);
+  }
+  template <typename Kind>
+  void Complete(Kind& surfaces) {
+    PutInPlace(surfaces);
+    FaceRays(surfaces);
+    for (std::size_t i = 0; i < surfaces.count; ++i) {
+      R3::Intersection& at = surfaces.points[i]->at;
+      at.position = surfaces.position.At(i);
+      at.normal = at.shading_normal = AsNormal(surfaces.normal[i]);
+    }
+    Finish(world_, surfaces);
+    surfaces.count = 0;
+  }
+
+  void AddOther(ShadingPoint& p, const Instance& instance) {
+    p.at = world_.At(p.path.ray, p.hit);
+    p.at.error = {};
+    const std::size_t i = others_.count;
+    others_.position.Set(i, p.at.position);
+    others_.normal.Set(i, p.at.normal), others_.shading_normal.Set(i, p.at.shading_normal);
+    others_.Add(p, instance);
+    if (others_.IsFull()) CompleteOthers();
+  }
+  void CompleteOthers() {
+    FaceRays(others_);
+    Finish(world_, others_);
+    others_.count = 0;
+  }
+
+  const World& world_;
+  FlatSurfaces flat_;
+  RoundSurfaces round_;
+  Surfaces others_;
+};
+
+}  // namespace
+
+void CompleteShadingPoints(const World& world, std::span<ShadingPoint> points) {
+  Completion completion(world);
+  for (ShadingPoint& p : points) completion.Add(p);
+  completion.CompleteAll();
+}
+
+}  // namespace ray
