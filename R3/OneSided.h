@@ -33,6 +33,8 @@ class OneSided : public Shape {
   bool HasTextureCoordinates() const override { return shape_.HasTextureCoordinates(); }
   bool IsDegenerate() const override { return shape_.IsDegenerate(); }
   Profile ProfileInBounds() const override { return shape_.ProfileInBounds(); }
+  std::vector<int> MaterialsOfParts() const override { return shape_.MaterialsOfParts(); }
+  int MaterialOf(const Hit& hit) const override { return shape_.MaterialOf(hit); }
   std::optional<Recipe> MadeFrom() const override { return shape_.MadeFrom(); }
 
  private:

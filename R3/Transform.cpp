@@ -84,6 +84,23 @@ std::optional<Transform> Transform::Of(const Product& product) {
 
 Normal Transform::operator*(const Normal& n) const { return AsNormal(Unit(TransposeTimes(inverse_, AsVector(n)))); }
 
+Intersection Transform::operator*(const Intersection& at) const {
+  const Vector local = Abs(FromOrigin(at.position));
+  const auto shift = [](const Matrix& a) {
+    return Vector{std::abs(a.m[0][3]), std::abs(a.m[1][3]), std::abs(a.m[2][3])};
+  };
+  Intersection moved = at;
+  moved.position = forward_ * at.position;
+  // Rounding on the way out: entries, products and sums of forward * position ...
+  const Vector out = AbsTimes(forward_, local) + shift(forward_);
+  // ... and on the way back, inverse * position, brought to the size it has here.
+  const Vector back = AbsTimes(inverse_, Abs(FromOrigin(moved.position))) + shift(inverse_);
+  moved.error = AbsTimes(forward_, at.error + Gamma(6) * back) + Gamma(6) * out;
+  moved.normal = *this * at.normal;
+  moved.shading_normal = *this * at.shading_normal;
+  return moved;
+}
+
 Box Transform::operator*(const Box& b) const {
   Box result;
   if (b.IsEmpty()) return result;

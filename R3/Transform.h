@@ -5,6 +5,7 @@
 
 #include "R1/DoubleDouble.h"
 #include "R3/Box.h"
+#include "R3/Intersection.h"
 #include "R3/Matrix.h"
 #include "R3/Normal.h"
 #include "R3/Ray.h"
@@ -44,6 +45,9 @@ class Transform {
   /// By the inverse transpose; of unit length. The outward side stays outward under mirroring: the inverse
   /// transpose carries the gradient of the surface along, and a gradient points outward whichever hand is used.
   Normal operator*(const Normal& n) const;
+  /// The error also covers the rounding of seeing the place from before the map again, so that a ray that starts
+  /// outside it starts outside the surface.
+  Intersection operator*(const Intersection& at) const;
   /// The box around the eight corners' images.
   Box operator*(const Box& b) const;
 

@@ -42,6 +42,7 @@ World::World(const Scene& scene) : scene_(scene) {
   BakeOrShareMeshes();
   TakeBacksAway();
   MarkRepetitions(instances_, frames_, motions_);
+  MarkParts();
   MarkMedia();
   std::erase_if(unbounded_, [&](std::uint32_t i) { return instances_[i].is_repeated; });
   for (const R3::Mesh* mesh : shared_meshes_) PutOnHugePages(*mesh);
@@ -83,6 +84,7 @@ void World::FlattenGraph() {
     }
     nodes_[i].frame = group.frame;
     nodes_[i].first_child = static_cast<std::uint32_t>(nodes_.size());
+    if (node.shape) continue;  // the solids below it are in its shape
     nodes_[i].children = static_cast<std::uint32_t>(node.children.size());
     for (const Node& child : node.children) {
       nodes_.push_back({.node = &child});
@@ -155,6 +157,26 @@ void World::TakeBacksAway() {
       instance.shape = one_sided_shapes_.emplace_back(std::make_unique<R3::OneSided>(*instance.shape)).get();
 }
 
+void World::MarkParts() {
+  for (Instance& instance : instances_) {
+    instance.has_parts = !instance.shape->MaterialsOfParts().empty();
+    if (!instance.has_parts) continue;
+    for (const Material* material : MaterialsOf(instance)) instance.has_clear_parts |= !IsBlack(material->kt);
+  }
+}
+
+std::vector<const Material*> World::MaterialsOf(const Instance& instance) const {
+  std::vector<const Material*> materials{instance.material};
+  for (const int part : instance.shape->MaterialsOfParts())
+    materials.push_back(&scene_.materials[static_cast<std::size_t>(part)]);
+  return materials;
+}
+
+const Material& World::MaterialOfPart(const Instance& instance, const R3::Hit& hit) const {
+  const int part = instance.shape->MaterialOf(hit);
+  return part < 0 ? *instance.material : scene_.materials[static_cast<std::size_t>(part)];
+}
+
 void World::MarkMedia() {
   std::unordered_map<const R3::Mesh*, bool> are_closed;
   const auto is_closed = [&](const Instance& instance) {
@@ -196,24 +218,8 @@ R3::UvTangents World::UvTangentsAt(const R3::Ray& ray, const WorldHit& hit) cons
 
 void World::BringToWorld(std::uint32_t frame, double time, R3::Intersection& at) const {
   if (frame == 0) return;  // the world itself, which stands still
-  if (!frames_[frame].IsIdentity()) Transform(frames_[frame], at);
+  if (!frames_[frame].IsIdentity()) at = frames_[frame] * at;
   if (moves_) Shift(time * motions_[frame], at);
-}
-
-void World::Transform(const R3::Transform& world_from_local, R3::Intersection& at) {
-  const R3::Matrix &forward = world_from_local.Forward(), &inverse = world_from_local.Inverse();
-  const R3::Vector local_error = at.error;
-  const R3::Vector local = Abs(FromOrigin(at.position));
-  at.position = forward * at.position;
-  // Rounding on the way out: entries, products and sums of forward * position ...
-  const R3::Vector out = AbsTimes(forward, local) +
-                         R3::Vector{std::abs(forward.m[0][3]), std::abs(forward.m[1][3]), std::abs(forward.m[2][3])};
-  // ... and on the way back, inverse * position, brought to world size.
-  const R3::Vector back = AbsTimes(inverse, Abs(FromOrigin(at.position))) +
-                          R3::Vector{std::abs(inverse.m[0][3]), std::abs(inverse.m[1][3]), std::abs(inverse.m[2][3])};
-  at.error = AbsTimes(forward, local_error + R3::Gamma(6) * back) + R3::Gamma(6) * out;
-  at.normal = world_from_local * at.normal;
-  at.shading_normal = world_from_local * at.shading_normal;
 }
 
 void World::Shift(const R3::Vector& way, R3::Intersection& at) {

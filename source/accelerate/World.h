@@ -26,6 +26,8 @@ struct Instance {
   R3::Box bounds{};                  // in the world, wherever it goes while the shutter is open; empty if not bounded
   double error = 0;                  // more than eight times as much as its surface may be off by in the world
   bool is_medium = false;            // its inside matters to rays: a closed solid that is clear or absorbs
+  bool has_parts = false;            // of materials of their own
+  bool has_clear_parts = false;      // through which light goes
   const Material* material = nullptr;
   const Node* node = nullptr;
   std::uint32_t frame = 0;           // index into World::frames; 0 when baked
@@ -33,7 +35,7 @@ struct Instance {
   std::int64_t first_primitive = 0;  // its elements are the primitives first_primitive, first_primitive + 1, ...
 
   /// Whether light goes through its surface.
-  bool IsClear() const { return !IsBlack(material->kt); }
+  bool IsClear() const { return has_clear_parts || !IsBlack(material->kt); }
   /// The mesh whose triangles its elements are to rays; null for other shapes, and where the mesh has one side.
   const R3::Mesh* TwoSidedMesh() const { return material->one_sided ? nullptr : mesh; }
   /// Whether its surface is ever seen to shine.
@@ -109,7 +111,12 @@ class World {
     return *std::prev(std::ranges::upper_bound(instances_, primitive, {}, &Instance::first_primitive));
   }
   std::int64_t PrimitiveId(const WorldHit& hit) const { return instances_[hit.instance].first_primitive + hit.element; }
-  const Material& MaterialAt(const WorldHit& hit) const { return *instances_[hit.instance].material; }
+  const Material& MaterialAt(const WorldHit& hit) const {
+    const Instance& instance = instances_[hit.instance];
+    return instance.has_parts ? MaterialOfPart(instance, hit) : *instance.material;
+  }
+  /// All that the instance shows: its own, and those of parts.
+  std::vector<const Material*> MaterialsOf(const Instance& instance) const;
 
   /// The surface at a hit of `ray`, in world coordinates, as BringToWorld brings it there.
   R3::Intersection At(const R3::Ray& ray, const WorldHit& hit) const;
@@ -121,9 +128,10 @@ class World {
   void NumberInstances();
   void BakeOrShareMeshes();
   void TakeBacksAway();
+  void MarkParts();
   void MarkMedia();
+  const Material& MaterialOfPart(const Instance& instance, const R3::Hit& hit) const;
   void BoundInstances();
-  static void Transform(const R3::Transform& world_from_local, R3::Intersection& at);
   static void Shift(const R3::Vector& way, R3::Intersection& at);
 
   const Scene& scene_;

@@ -3,6 +3,8 @@
 #include <cassert>
 #include <utility>
 
+#include "source/parse/CsgOf.h"
+
 namespace ray {
 
 std::vector<Node> SceneBuilder::NodesOf(const std::shared_ptr<const Assets::Model>& model, int material) {
@@ -25,6 +27,7 @@ void SceneBuilder::Add(Node node) {
 
 void SceneBuilder::OpenGroup(Node group) {
   ++nodes;
+  if (group.operation) ++open_operations;
   open_groups.push_back(std::move(group));
 }
 
@@ -32,8 +35,35 @@ void SceneBuilder::CloseGroup() {
   assert(open_groups.size() > 1);
   Node group = std::move(open_groups.back());
   open_groups.pop_back();
+  if (group.operation && --open_operations == 0) group.shape = CsgOf(group);
   SetBounds(group);
   open_groups.back().children.push_back(std::move(group));
+}
+
+const Material& SceneBuilder::MaterialOf(int material) const {
+  for (std::size_t i = open_groups.size(); material == Node::inherit && i-- > 0;) material = open_groups[i].material;
+  constexpr int default_material = 0;
+  return scene.materials[static_cast<std::size_t>(material == Node::inherit ? default_material : material)];
+}
+
+std::optional<CsgFault> SceneBuilder::FaultOfCsg(const Node& node) {
+  constexpr std::size_t most_operations = 1000;  // a ray climbs from the innermost to the outermost
+  if (node.operation && open_operations >= most_operations)
+    return CsgFault{"csg is nested deeper than 1000 levels", "a union takes any number of solids"};
+  if (!IsBlack(MaterialOf(node.material).emission))
+    return CsgFault{"what csg combines cannot emit light, and its material does", "emission of 0 0 0 does not"};
+  if (node.line) return CsgFault{"csg combines solids, and a line is none", ""};
+  if (!node.shape) return {};
+  const auto* mesh = dynamic_cast<const R3::Mesh*>(node.shape.get());
+  if (!mesh) {
+    if (node.shape->IsBounded() && node.shape->IsSolid()) return {};
+    return CsgFault{"csg combines closed solids, and this shape is none", "a thin box has an inside"};
+  }
+  const auto [known, is_new] = are_closed.try_emplace(mesh, false);
+  if (is_new) known->second = mesh->IsClosed();
+  if (known->second) return {};
+  return CsgFault{"csg combines closed solids, and this mesh is open or turned inside out",
+                  "every edge needs two triangles, their fronts outward"};
 }
 
 Scene SceneBuilder::Finish() {

@@ -28,6 +28,14 @@ std::size_t LightsOf(const Instance& instance, const RenderSettings& settings) {
 
 bool IsTraced(RenderMode mode) { return mode == RenderMode::whitted || mode == RenderMode::path || ShowsCosts(mode); }
 
+void AddMaterial(SceneFeatures& features, const Material& m, const RenderSettings& settings) {
+  features.mirrors |= (!IsBlack(m.kr) || m.coat > 0) && settings.trace.max_depth > 0;
+  features.clear |= !IsBlack(m.kt) && settings.trace.max_depth > 0;
+  features.bending |= !IsBlack(m.kt) && m.ir != 1 && settings.trace.max_depth > 0;
+  features.absorbing |= !IsBlack(m.absorb);
+  features.textures |= m.texture != nullptr;
+}
+
 }  // namespace
 
 SceneFeatures FeaturesOf(const World& world, const RenderSettings& settings) {
@@ -50,16 +58,13 @@ SceneFeatures FeaturesOf(const World& world, const RenderSettings& settings) {
   features.environment = scene.environment && !scene.environment->IsBlack();
   const bool shapes_light = EmitsRadiance(settings) || settings.trace.emissive_solids_light;
   for (const Instance& instance : world.Instances()) {
-    const Material& m = *instance.material;
     if (instance.Emits() && (instance.mesh || (shapes_light && instance.shape->CanBeSampled()))) {
       (instance.mesh ? features.emissive_triangles : features.emissive_shapes) = true;
       lights += LightsOf(instance, settings);
     }
-    features.mirrors |= (!IsBlack(m.kr) || m.coat > 0) && settings.trace.max_depth > 0;
-    features.clear |= !IsBlack(m.kt) && settings.trace.max_depth > 0;
-    features.bending |= !IsBlack(m.kt) && m.ir != 1 && settings.trace.max_depth > 0;
-    features.absorbing |= !IsBlack(m.absorb);
-    features.textures |= m.texture != nullptr;
+    AddMaterial(features, *instance.material, settings);
+    if (instance.has_parts)
+      for (const Material* part : world.MaterialsOf(instance)) AddMaterial(features, *part, settings);
   }
   if (is_path && features.environment) ++lights;
   const int most = static_cast<int>(std::min<std::size_t>(lights, std::numeric_limits<int>::max()));

@@ -27,6 +27,7 @@ Node& Node::operator=(Node&& other) noexcept {
   shape = std::move(other.shape);
   line = std::move(other.line);
   material = other.material;
+  operation = other.operation;
   bounds = other.bounds;
   location = other.location;
   children = std::move(other.children);
@@ -40,7 +41,8 @@ void SetBounds(Node& node) {
     box.Extend(node.line->start);
     box.Extend(node.line->end);
   }
-  for (const Node& child : node.children) box.Extend(child.bounds);
+  if (!node.shape)
+    for (const Node& child : node.children) box.Extend(child.bounds);
   node.bounds = {};
   if (box.IsEmpty()) return;
   for (int i = 0; i < 8; ++i) node.bounds.Extend(node.transform * box.Corner(i));

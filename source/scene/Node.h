@@ -1,9 +1,11 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "R3/Box.h"
+#include "R3/CsgOperation.h"
 #include "R3/Matrix.h"
 #include "R3/Segment.h"
 #include "R3/Shape.h"
@@ -12,7 +14,9 @@
 namespace ray {
 
 /// A node of the scene graph: a group with children, or one primitive (a shape, or a line for the viewer).
-/// A primitive's own transform is the identity. Trees 100,000 levels deep are legal: nothing here recurses.
+/// A primitive's own transform is the identity. Solids that are combined are the children of a node with an operation,
+/// and what they make is the shape of the outermost such node: that shape is what rays hit, and the children say how it
+/// was made. Trees 100,000 levels deep are legal: nothing here recurses.
 struct Node {
   static constexpr int inherit = -1;
 
@@ -26,6 +30,7 @@ struct Node {
   std::shared_ptr<const R3::Shape> shape;   // null for a group
   std::unique_ptr<const R3::Segment> line;  // drawn by the viewer, ignored by the tracer
   int material = inherit;                   // index into Scene::materials, handed down to children that inherit
+  std::optional<R3::CsgOperation> operation;  // on the children
   R3::Box bounds;                           // in the PARENT's coordinates, wherever it goes; empty for an empty group
   Location location;
   std::vector<Node> children;

@@ -152,6 +152,12 @@ constexpr std::pair<const char*, const char*> extensions[] = {
     {"normal_map", "Needs no vertex normals or tangents: how texture coordinates run over a shape is found from them."},
     {"flat_color, texture_ambient",
      "What mode flat shows, where it is not kd + ks + kt; a texture that colors ambient light as well."},
+    {"csg",
+     "Stands before solids and closed meshes, groups of them and further csg, up to its end. A union is what is in any "
+     "of them, an intersection what is in all, a difference what is in the first and in none of the others. Faces may "
+     "lie in each other exactly; those that differ by rounding alone are one. Each solid shows its own material, also "
+     "on the wall of the hole that it leaves; what fills all of it, by ir, absorb and priority, is the material of csg. "
+     "Nothing of it may emit or move by itself."},
     {"plane",
      "Infinite, so it has no bounding box: accelerators leave it out, and every ray is tested against it separately."},
     {"view",

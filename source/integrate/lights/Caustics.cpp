@@ -10,14 +10,18 @@ Caustics CausticsOf(const World& world, const TraceSettings& settings) {
   constexpr std::int64_t least_depth = 2;  // from what scatters to what reflects, and on to what emits
   if (settings.max_depth < least_depth) return {};
   double scattered = 0, passed_on = 0, brightest = 0;  // the largest shares of light, and the brightest emission
-  for (const Instance& instance : world.Instances()) {
-    const Material& material = *instance.material;
+  const auto add = [&](const Instance& instance, const Material& material) {
     const bool is_glossy = IsGlossy(material, settings);
     scattered = std::max(scattered, Luminance(material.kd) + (is_glossy ? Luminance(material.kr) : 0));
     passed_on = std::max(passed_on, Luminance(material.kt) + (is_glossy ? 0 : Luminance(material.kr)));
     // Clear surfaces mirror more at grazing angles than kr says.
     if (material.coat > 0 || (settings.fresnel && !IsBlack(material.kt))) passed_on = std::max(passed_on, 1.0);
     if (instance.Emits()) brightest = std::max(brightest, Luminance(material.emission));
+  };
+  for (const Instance& instance : world.Instances()) {
+    add(instance, *instance.material);
+    if (instance.has_parts)
+      for (const Material* part : world.MaterialsOf(instance)) add(instance, *part);
   }
   if (!(scattered > 0 && passed_on > 0)) return {};
   if (const auto& environment = world.scene().environment) brightest = std::max(brightest, environment->Brightest());

@@ -131,7 +131,7 @@ class Completion {
 
   void Add(ShadingPoint& p) {
     const Instance& instance = world_.Instances()[p.hit.instance];
-    p.material = instance.material;
+    p.material = &world_.MaterialAt(p.hit);
     const bool is_plain = instance.frame == 0 && !p.material->texture;  // it needs no texture coordinates either
     if (p.material->bump || p.material->normal_map)
       p = ShadingPointAt(world_, p.path, p.hit);

@@ -99,7 +99,7 @@ void ScnReader::CloseFile() {
   OpenFile& file = Current();
   if (const std::size_t open = file.begins.size(); open > 0) {
     const std::string count = open == 1 ? "" : "the innermost of " + std::to_string(open) + " unclosed groups";
-    Error(ErrorAt(*file.text, file.begins.back(), "begin without end", count));
+    Error(ErrorAt(*file.text, file.begins.back(), std::string(file.begins.back().text) + " without end", count));
   }
   while (builder_.open_groups.size() > file.outer_groups) builder_.CloseGroup();
   open_files_.pop_back();
@@ -195,6 +195,9 @@ Material& ScnReader::NewMaterial() {
 void ScnReader::AddNode(Statement& statement, Node node) {
   CheckNodes(statement);
   node.location = LocationOf(Current().index, statement.CommandWord());
+  if (builder_.IsInCsg())
+    if (const auto fault = builder_.FaultOfCsg(node))
+      return statement.Error(statement.CommandWord(), fault->message, fault->hint);
   builder_.Add(std::move(node));
 }
 
@@ -222,8 +225,12 @@ void ScnReader::CloseGroup(Statement& statement) {
                     is_included ? "an end can only close a begin of the same file" : "no group is open here");
     return;
   }
+  const Token begin = file.begins.back();
   file.begins.pop_back();
   builder_.CloseGroup();
+  const Node& closed = builder_.open_groups.back().children.back();
+  if (closed.operation && closed.shape && closed.shape->IsDegenerate())
+    report_.Warn(Place(CurrentFile(), begin.line, begin.column), "this csg is empty: no ray can hit it");
 }
 
 void ScnReader::Include(Statement& statement, const FileWord& named) {

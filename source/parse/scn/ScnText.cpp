@@ -35,6 +35,18 @@ std::string TextOf(const std::vector<double>& numbers) {
   return text;
 }
 
+const char* WordFor(R3::CsgOperation operation) {
+  switch (operation) {
+    case R3::CsgOperation::unite:
+      return "union";
+    case R3::CsgOperation::intersect:
+      return "intersection";
+    case R3::CsgOperation::subtract:
+      return "difference";
+  }
+  return "";
+}
+
 /// The command that makes this very mesh of its corners, triangle by triangle; null when none does, or where the mesh
 /// that it makes would be another lamp.
 const char* PolygonCommandOf(const R3::Mesh& mesh, const Material& material) {
@@ -152,7 +164,7 @@ class ScnWriter {
       }
       const Node& node = innermost.group->children[innermost.next++];
       const int material = node.material == Node::inherit ? innermost.material : node.material;
-      if (node.shape || node.line) {
+      if (!node.operation && (node.shape || node.line)) {
         SayPrimitive(node, scene_.materials[static_cast<std::size_t>(material)]);
       } else {
         SayBegin(node);
@@ -170,6 +182,7 @@ class ScnWriter {
   }
 
   void SayBegin(const Node& group) {
+    if (group.operation) return Say("csg", WordFor(*group.operation), IdOf(group));
     std::vector<double> entries;
     for (const auto& row : group.transform.m) entries.insert(entries.end(), row.begin(), row.end());
     entries.insert(entries.end(), {0, 0, 0, 1});

@@ -91,6 +91,9 @@ void ReadMotion(ScnReader& reader, Statement& statement) {
   const Arguments read = statement.Numbers(way);
   Node* group = reader.InnermostGroup();
   if (!group) statement.Error(statement.CommandWord(), "motion is only allowed inside a group, between begin and end");
+  if (reader.Builder().IsInCsg())
+    return statement.Error(statement.CommandWord(), "what csg combines cannot move by itself",
+                           "motion of a group around all of the csg moves it");
   if (group && statement.IsGood()) group->motion = {read.values[0], read.values[1], read.values[2]};
 }
 

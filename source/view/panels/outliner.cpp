@@ -13,7 +13,9 @@ std::string NodeName(const FlatNode& flat) {
   const Node& node = *flat.node;
   std::string name = "group of " + std::to_string(flat.children);
   if (node.line) name = "line";
-  if (node.shape) {
+  if (node.operation) {
+    name = "csg";
+  } else if (node.shape) {
     const auto recipe = node.shape->MadeFrom();
     const int elements = node.shape->Elements();
     name = recipe ? recipe->kind : "mesh of " + std::to_string(elements) + (elements == 1 ? " triangle" : " triangles");
