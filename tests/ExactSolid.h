@@ -6,7 +6,7 @@
 
 #include "tests/Quad.h"
 
-/// Where lines pass through spheres, boxes, cylinders and cones, in 113 bits.
+/// Where lines pass through spheres, boxes, cylinders, cones and paraboloids, in 113 bits.
 namespace oracle {
 
 /// A stretch of a line; empty when leave < enter.
@@ -66,6 +66,16 @@ inline void KeepRound(Stretch& stretch, const Vector& o, const Vector& d, Quad R
   if (R1 < 0) stretch.Keep(-Quad(R3::infinity), one < other ? one : other);
 }
 
+/// Keeps x^2 + z^2 <= k (top - y).
+inline void KeepParaboloid(Stretch& stretch, const Vector& o, const Vector& d, Quad k, Quad top) {
+  const Quad a = d.x * d.x + d.z * d.z, b = -k * d.y / 2 - (o.x * d.x + o.z * d.z);
+  const Quad c = o.x * o.x + o.z * o.z - k * (top - o.y);
+  if (a > 0) return KeepBetweenRoots(stretch, a, b, c);
+  if (b > 0) stretch.Keep(c / (2 * b), Quad(R3::infinity));
+  if (b < 0) stretch.Keep(-Quad(R3::infinity), c / (2 * b));
+  if (b == 0 && c > 0) stretch.KeepNothing();
+}
+
 struct Solid {
   std::string kind;
   std::vector<double> arguments;
@@ -107,6 +117,10 @@ struct Solid {
     if (kind == "cylinder") {
       if (a[3] + more < 0) stretch.KeepNothing();
       KeepRound(stretch, o, d, a[3] + more, 0);
+    } else if (kind == "paraboloid") {
+      // Lifted so far that even at the rim, where it is steepest, it is larger by `more` across its surface.
+      const Quad r = a[3], rise = 2 * Quad(a[4]) / r;
+      KeepParaboloid(stretch, o, d, r * r / Quad(a[4]), half + more * Sqrt(1 + rise * rise));
     } else {
       const Quad slope = Quad(a[3]) / Quad(a[4]);
       KeepRound(stretch, o, d, slope * (half - o.y) + more * Sqrt(1 + slope * slope), -slope * d.y);

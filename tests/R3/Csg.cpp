@@ -106,7 +106,7 @@ TEST(Csg, BoundsAreThoseOfWhatIsLeft) {
 }
 
 /// A bumpy mesh, its fronts outward.
-std::shared_ptr<const R3::Mesh> Ball() {
+std::shared_ptr<const R3::Mesh> BumpySolid() {
   R3::MeshData data = accelerators::BumpyBall(12, 9);
   for (auto& triangle : data.triangles) std::swap(triangle[1], triangle[2]);
   auto ball = std::make_shared<const R3::Mesh>(std::move(data));
@@ -122,7 +122,7 @@ std::vector<Node> SomeSolids(const R3::Matrix& transform) {
     if (!shape->IsSolid()) continue;
     solids.push_back(Placed(transform, accelerators::Leaf(shape)));
   }
-  solids.push_back(Placed(transform, accelerators::Leaf(Ball())));
+  solids.push_back(Placed(transform, accelerators::Leaf(BumpySolid())));
   return solids;
 }
 
@@ -163,7 +163,7 @@ TEST(Csg, ASolidAloneIsHitAsItIs) {
 }
 
 TEST(Csg, AMeshIsEnteredAsOftenAsItIsLeftEvenAtItsCorners) {
-  const auto mesh = Ball();
+  const auto mesh = BumpySolid();
   const auto csg = CsgOf(Combined(unite, accelerators::Leaf(mesh)));
   Draw draw(41);
   for (int i = 0; i < Count(20'000, 1'000'000); ++i) {
@@ -224,6 +224,33 @@ TEST(Csg, RaysPassAHoleWhoseFacesAreRoundedOtherwise) {
     }
     EXPECT_EQ(stopped, 0);
   }
+}
+
+TEST(Csg, RaysPassAHoleWhoseFramesCameByWayOfFarAway) {
+  // Both solids are turned about a place 10^4 away and brought back, which costs digits that no number of the result
+  // shows.
+  Draw draw(48);
+  const R3::Vector axis{1, 2, 3}, away{1e4, -3e4, 2e4};
+  const auto turned = [&](const R3::Point& p) { return RotationAbout(axis, 40) * p; };
+  const R3::Matrix back = Translation(FromOrigin(turned(R3::Point{} + away)) - away);
+  const auto turned_there = [&](Node solid, const std::vector<double>& steps) {
+    Node node = Placed(Translation(-away), std::move(solid));
+    for (const double degrees : steps) node = Placed(RotationAbout(axis, degrees), std::move(node));
+    return Placed(back, Placed(Translation(away), std::move(node)));
+  };
+  const auto plate = CsgOf(Combined(subtract, turned_there(Solid("box", {-2, -1, -2, 2, 1, 2}), {40}),
+                                    turned_there(Solid("cylinder", {0, 0, 0, 1, 2}), {13, 7, 20})));
+  int stopped = 0;
+  for (int i = 0; i < Count(100'000, 1'000'000); ++i) {
+    const auto in_hole = [&](double y) {
+      const double r = 0.999 * std::sqrt(draw.Between(0, 1)), angle = draw.Between(0, 2 * std::numbers::pi);
+      return turned({r * std::cos(angle), y, r * std::sin(angle)});
+    };
+    const R3::Point top = in_hole(1), bottom = in_hole(-1);
+    stopped += !AllHits(*plate, {top - (bottom - top), bottom - top}).empty();
+  }
+  EXPECT_EQ(stopped, 0);
+  EXPECT_FALSE(AllHits(*plate, {turned({1.5, 5, 0}), turned({0, -1, 0}) - R3::Point{}}).empty());
 }
 
 TEST(Csg, BallsThatTouchAreHitAsIfApart) {
@@ -312,8 +339,8 @@ struct Tree {
 Tree RandomTree(Draw& draw, int levels, double scale) {
   if (levels == 0 || draw.Whole(0, 3) == 0) {
     const bool is_on_grid = draw.Whole(0, 1) == 1;
-    const auto at = [&] { return scale * (is_on_grid ? draw.Whole(-4, 4) * 0.5 : draw.Between(-2, 2)); };
-    const auto size = [&] { return scale * (is_on_grid ? draw.Whole(1, 4) * 0.5 : draw.Between(0.3, 2)); };
+    const auto at = [&] { return scale * (is_on_grid ? draw.Whole(-2, 1) : draw.Between(-2, 2)); };
+    const auto size = [&] { return scale * (is_on_grid ? draw.Whole(1, 2) : draw.Between(0.3, 2)); };
     Tree leaf;
     const R3::Point p{at(), at(), at()};
     switch (draw.Whole(0, 2)) {

@@ -95,7 +95,7 @@ R3::Ray RayNear(Draw& draw, const Solid& solid, double radius, double height) {
 
 TEST(Extremes, EverySolidOfAnyProportionsHasNeitherHolesNorHairs) {
   Draw draw(801);
-  for (const std::string kind : {"sphere", "box", "cylinder", "cone"})
+  for (const std::string kind : {"sphere", "box", "cylinder", "cone", "paraboloid"})
     for (int i = 0; i < Count(3'000, 300'000); ++i) {
       const double radius = draw.Scale(-6, 6), height = i % 2 ? radius * draw.Scale(-1, 1) : draw.Scale(-6, 6);
       const Solid solid = MakeSolid(draw, kind, radius, height, i % 3);

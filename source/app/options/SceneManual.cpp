@@ -135,8 +135,8 @@ constexpr std::pair<const char*, const char*> extensions[] = {
      "Solids that light goes through may contain one another, touch and overlap: rays are refracted between what is on "
      "both sides of a surface, and a surface with one material on both sides is not there. So water may overlap the "
      "wall of its glass by a hair, with the higher priority given to the glass. What stands on a floor is seen as if "
-     "there were a gap. This needs closed solids: spheres, boxes, cylinders, cones, tori, and meshes whose triangles "
-     "bound a volume."},
+     "there were a gap. This needs closed solids: spheres, boxes, cylinders, cones, paraboloids, tori, and meshes "
+     "whose triangles bound a volume."},
     {"one_sided",
      "The front is the side from which a face's corners are counter-clockwise, the outside of a solid, where a plane's "
      "or disc's normal points. Rays from the eye and from what is lit pass a surface that they would see from behind: "
