@@ -1,6 +1,4 @@
-#include <array>
 #include <cmath>
-#include <numbers>
 #include <vector>
 
 #include "R1/DoubleDouble.h"
@@ -8,20 +6,9 @@
 #include "R3/ShapeKind.h"
 #include "R3/shapes/Revolution.h"
 #include "R3/shapes/Span.h"
-#include "R3/shapes/SurfaceParts.h"
 
 namespace R3 {
 namespace {
-
-/// The w >= 1 whose cube is 1 + excess. Newton's method from above, where it falls until rounding stops it.
-double CubeRootOfOnePlus(double excess) {
-  double w = 1 + excess / 3;
-  for (;;) {
-    const double next = w - ((w - 1) * (w * w + w + 1) - excess) / (3 * w * w);
-    if (!(next < w)) return w;
-    w = next;
-  }
-}
 
 // Axis parallel to y, apex up; the center is at mid-height, the base is closed.
 class Paraboloid : public Shape {
@@ -76,28 +63,6 @@ class Paraboloid : public Shape {
     return data;
   }
 
-  bool CanBeSampled() const override { return !IsDegenerate(); }
-
-  /// From outside, what turns its back is hidden; from inside, nothing is.
-  std::optional<SurfaceSample> Sample(const Point& from, const R2::Point& u, int element) const override {
-    const auto sample = Shape::Sample(from, u, element);
-    if (!sample) return {};
-    const bool shows_outside = Dot(sample->at.normal, from - sample->at.position) > 0;
-    return shows_outside == IsInside(from) ? std::nullopt : sample;
-  }
-
-  double SampledArea(const Point&, int) const override { return Sum(Areas()); }
-
-  Intersection DrawPlace(const Point&, const R2::Point& u, int) const override {
-    const auto [part, on_part] = DrawPart(Areas(), u);
-    if (part == base) return DrawOnCap(on_part, center_, radius_, low_, -1);
-    const double w = CubeRootOfOnePlus(on_part.x * Excess());
-    const double excess = on_part.x * Excess() / (w * w + w + 1);  // w - 1, without cancellation
-    const double share = std::min(1.0, std::sqrt(excess * (w + 1)) * radius_ / (2 * height_));
-    const auto [sine, cosine] = R1::SinCosTurns(on_part.y);
-    return OnSide(Unit({sine, 0, -cosine}), share, std::lerp(high_, low_, share * share));
-  }
-
   Form FormOfElements() const override { return Form::convex; }
   bool IsDegenerate() const override { return !(radius_ > 0) || !(high_ > low_); }
 
@@ -147,22 +112,6 @@ class Paraboloid : public Shape {
                Vector{0, Gamma(8) * std::min(share * share, share) * height_, 0};
     at.normal = at.shading_normal = NormalAt(outward, share);
     return at;
-  }
-
-  bool IsInside(const Point& p) const {
-    const double share = R1::Hypot(p.x - center_.x, p.z - center_.z) / radius_;
-    return low_ < p.y && p.y < high_ - share * share * height_;
-  }
-
-  /// w^3 - 1 at the rim, where w^2 = 1 + (2 h / r)^2 (share of the radius)^2, as the stretching of a flat disc is w:
-  /// the area of the side up to a radius is pi r^4 / (6 h^2) (w^3 - 1).
-  double Excess() const {
-    const double slope = 2 * height_ / radius_, w = R1::Hypot(1.0, slope);
-    return slope * slope / (1 + w) * (w * w + w + 1);
-  }
-  std::array<double, 2> Areas() const {
-    const double disc = std::numbers::pi * radius_ * radius_, slope = 2 * height_ / radius_;
-    return {disc * (2.0 / 3) * Excess() / (slope * slope), disc};
   }
 
   /// Clips to the endless paraboloid, which is convex. With g and e the horizontal parts of origin (from the axis) and

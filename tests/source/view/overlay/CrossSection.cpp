@@ -176,6 +176,12 @@ const std::map<std::string, std::function<double(const R3::Point&)>> off_surface
      }},
     {"torus",
      [](const R3::Point& p) { return std::abs(std::hypot(std::hypot(p.x - 0.5, p.z - 1) - 1, p.y + 0.25) - 0.4); }},
+    {"paraboloid",
+     [](const R3::Point& p) {
+       const double k = 0.75 * 0.75 / 2, square = (p.x - 0.5) * (p.x - 0.5) + (p.z - 1) * (p.z - 1);
+       const double side = std::abs(square - k * (0.75 - p.y)) / std::sqrt(4 * square + k * k);
+       return std::min(side, std::abs(p.y + 1.25));
+     }},
     {"cone", [](const R3::Point& p) {
        const double side = std::abs(std::hypot(p.x - 0.5, p.z - 1) - 0.75 * (0.75 - p.y) / 2);
        return std::min(side, std::abs(p.y + 1.25));
