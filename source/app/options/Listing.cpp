@@ -22,11 +22,7 @@ std::string Line(std::string name, const std::string& about) {
 /// "sphere x y z r" for a kind of shape or light.
 template <class Kind>
 std::string LineWithArguments(const Kind& kind) {
-  std::string about = kind.about;
-  about += " (";
-  for (const R3::Argument& argument : kind.arguments)
-    about += std::string(about.back() == '(' ? "" : " ") + argument.name;
-  return Line(kind.name, about + ")");
+  return Line(kind.name, std::string(kind.about) + " (" + ArgumentNames(kind.arguments).substr(1) + ")");
 }
 
 std::string Shapes() {

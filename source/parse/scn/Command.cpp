@@ -168,8 +168,15 @@ std::string SurplusHint(const Command& command) {
 }
 
 std::string ArgumentNames(std::span<const R3::Argument> arguments) {
+  constexpr std::size_t most_named = 24, ends = 3;  // of more, as the corners of a patch, the first and the last
   std::string names;
-  for (const R3::Argument& argument : arguments) names += std::string(" ") + argument.name;
+  for (std::size_t i = 0; i < arguments.size(); ++i) {
+    const bool is_middle = arguments.size() > most_named && i >= ends && i + ends < arguments.size();
+    if (!is_middle)
+      names += std::string(" ") + arguments[i].name;
+    else if (i == ends)
+      names += " ...";
+  }
   return names;
 }
 
