@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 namespace R3 {
@@ -9,6 +10,7 @@ namespace R3 {
 struct Recipe {
   const char* kind;
   std::vector<double> arguments;
+  std::string text{};  // that comes before them, as a formula
 };
 
 }  // namespace R3

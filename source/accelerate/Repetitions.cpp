@@ -28,7 +28,8 @@ bool AreSame(const R3::Matrix& a, const R3::Matrix& b) {
 bool AreSame(const R3::Shape& a, const R3::Shape& b) {
   if (&a == &b) return true;
   const auto made = a.MadeFrom(), other = b.MadeFrom();
-  return made && other && made->kind == other->kind && AreSame(made->arguments, other->arguments);
+  return made && other && made->kind == other->kind && made->text == other->text &&
+         AreSame(made->arguments, other->arguments);
 }
 
 /// Of the kind of shape, its box in its own frame, and the frame: enough to tell most that are not the same, without

@@ -156,8 +156,15 @@ constexpr std::pair<const char*, const char*> extensions[] = {
      "Stands before solids and closed meshes, groups of them and further csg, up to its end. A union is what is in any "
      "of them, an intersection what is in all, a difference what is in the first and in none of the others. Faces may "
      "lie in each other exactly; those that differ by rounding alone are one. Each solid shows its own material, also "
-     "on the wall of the hole that it leaves; what fills all of it, by ir, absorb and priority, is the material of csg. "
+     "on the wall of the hole that it leaves; what fills all of it, by ir, absorb and priority, is the material of "
+     "csg. "
      "Nothing of it may emit or move by itself."},
+    {"implicit",
+     "The formula stands in quotes and has x, y, z, pi, numbers, + - * /, brackets, ^ with whole exponents up to 64, "
+     "sin, "
+     "cos, tan, exp, log, sqrt, abs, min and max; 3 x is 3 * x. The solid is where it is 0 or below, within the box, "
+     "whose "
+     "faces close it. Interval arithmetic finds the nearest surface for certain. It has no texture coordinates."},
     {"plane",
      "Infinite, so it has no bounding box: accelerators leave it out, and every ray is tested against it separately."},
     {"view",

@@ -192,7 +192,10 @@ class ScnWriter {
   void SayPrimitive(const Node& node, const Material& material) {
     const int id = IdOf(node);
     if (node.line) return Say("line", id, node.line->start, node.line->end);
-    if (const auto made = node.shape->MadeFrom()) return Say(made->kind, id, made->arguments);
+    if (const auto made = node.shape->MadeFrom()) {
+      if (made->text.empty()) return Say(made->kind, id, made->arguments);
+      return Say(made->kind, id, "\"" + made->text + "\"", made->arguments);
+    }
     const auto* mesh = dynamic_cast<const R3::Mesh*>(node.shape.get());
     assert(mesh);  // what is no mesh is of a kind
     if (const char* const command = PolygonCommandOf(*mesh, material)) return SayPolygon(command, *mesh, id);

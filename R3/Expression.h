@@ -1,0 +1,79 @@
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "R3/Interval.h"
+
+namespace R3 {
+
+/// What is wrong with a formula, and with which of its characters.
+struct ExpressionError : std::runtime_error {
+  ExpressionError(std::size_t first, std::size_t count, const std::string& message, std::string what_to_do = {})
+      : std::runtime_error(message), at(first), length(count), hint(std::move(what_to_do)) {}
+  std::size_t at, length;
+  std::string hint;
+};
+
+/// A number and how fast it changes along some direction.
+template <typename Number>
+struct Slope {
+  Number value{}, slope{};
+
+  Slope() = default;
+  Slope(double constant) : value(constant) {}  // that does not change
+  Slope(const Number& v, const Number& s) : value(v), slope(s) {}
+};
+
+/// A formula of x, y and z: + - * / ^ with whole exponents, sin cos tan exp log sqrt abs min max, pi. Two factors may
+/// stand beside each other, as in 3 x.
+class Expression {
+ public:
+  /// Throws ExpressionError.
+  explicit Expression(std::string_view text);
+
+  const std::string& Text() const { return text_; }
+
+  /// The value at a place.
+  ///   Number   double; Interval, then of all places within; or a Slope of one of them
+  ///   values   for all steps; kept between calls so that it is allocated once
+  template <typename Number>
+  Number At(const Number& x, const Number& y, const Number& z, std::vector<Number>& values) const;
+
+  enum class Operation {
+    x,
+    y,
+    z,
+    number,
+    negate,
+    add,
+    subtract,
+    multiply,
+    divide,
+    power,
+    sin,
+    cos,
+    exp,
+    log,
+    sqrt,
+    abs,
+    min,
+    max
+  };
+
+ private:
+  friend class ExpressionParser;
+  /// One operation on the results of earlier ones.
+  struct Step {
+    Operation operation;
+    std::size_t a = 0, b = 0;
+    double number = 0;  // or the exponent
+  };
+
+  std::string text_;
+  std::vector<Step> steps_;
+};
+
+}  // namespace R3

@@ -1,0 +1,48 @@
+#pragma once
+
+#include "R3/Expression.h"
+
+namespace R3 {
+
+/// Turns the text of an expression into its steps: one function for each level of precedence.
+///
+///     sum     = product { (+ | -) product }
+///     product = factor { [* | /] factor }
+///     factor  = (- | +) factor | power
+///     power   = primary [ ^ [-] whole number ]
+///     primary = number | x | y | z | pi | function ( sum [, sum] ) | ( sum )
+class ExpressionParser {
+ public:
+  explicit ExpressionParser(Expression& expression) : expression_(expression), text_(expression.text_) {}
+
+  /// Throws ExpressionError.
+  void Parse();
+
+ private:
+  using Operation = Expression::Operation;
+
+  std::size_t Sum();
+  std::size_t Product();
+  std::size_t Factor();
+  std::size_t Power();
+  std::size_t Primary();
+  std::size_t Number();
+  std::size_t Name();
+  std::size_t Call(std::string_view name, std::size_t start);
+  int Exponent();
+
+  std::size_t Add(Operation operation, std::size_t a = 0, std::size_t b = 0, double number = 0);
+  void SkipBlanks();
+  /// 0 at the end.
+  char Next();
+  bool Takes(char c);
+  void Expect(char c);
+  [[noreturn]] void Refuse();
+
+  Expression& expression_;
+  const std::string& text_;
+  std::size_t at_ = 0;
+  int depth_ = 0;
+};
+
+}  // namespace R3

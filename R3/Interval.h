@@ -1,0 +1,100 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "R1/Elementary.h"
+#include "R3/Numeric.h"
+
+/// Numbers of which only bounds are known. Every bound is rounded outward, so that the truth is never lost.
+///   source   Moore, Interval Analysis (1966)
+namespace R3 {
+
+struct Interval {
+  double low = 0, high = 0;
+
+  Interval() = default;
+  Interval(double x) : low(x), high(x) {}  // a number is an interval
+  Interval(double l, double h) : low(l), high(h) {}
+
+  static Interval Whole() { return {-infinity, infinity}; }
+  bool Holds(double x) const { return low <= x && x <= high; }
+};
+
+/// Wider by so many last bits at both ends; all numbers where an end is none.
+inline Interval Outward(double low, double high, int bits = 1) {
+  if (!(low <= high)) return Interval::Whole();
+  for (int i = 0; i < bits; ++i) low = NextDown(low), high = NextUp(high);
+  return {low, high};
+}
+
+inline Interval Hull(const Interval& a, const Interval& b) {
+  return {std::min(a.low, b.low), std::max(a.high, b.high)};
+}
+
+inline Interval operator-(const Interval& a) { return {-a.high, -a.low}; }
+inline Interval operator+(const Interval& a, const Interval& b) { return Outward(a.low + b.low, a.high + b.high); }
+inline Interval operator-(const Interval& a, const Interval& b) { return Outward(a.low - b.high, a.high - b.low); }
+inline Interval operator*(const Interval& a, const Interval& b) {
+  const double p = a.low * b.low, q = a.low * b.high, r = a.high * b.low, s = a.high * b.high;
+  if (std::isnan(p) || std::isnan(q) || std::isnan(r) || std::isnan(s)) return Interval::Whole();
+  return Outward(std::min(std::min(p, q), std::min(r, s)), std::max(std::max(p, q), std::max(r, s)));
+}
+inline Interval operator/(const Interval& a, const Interval& b) {
+  if (b.Holds(0)) return Interval::Whole();
+  return a * Outward(1 / b.high, 1 / b.low);
+}
+
+// Functions of R1 are off by less than an ulp.
+inline Interval Exp(const Interval& a) {
+  const Interval e = Outward(R1::Exp(a.low), R1::Exp(a.high), 2);
+  return {std::max(e.low, 0.0), e.high};
+}
+/// Nothing is known where the argument may not be positive.
+inline Interval Log(const Interval& a) {
+  return a.low > 0 ? Outward(R1::Log(a.low), R1::Log(a.high), 2) : Interval::Whole();
+}
+inline Interval Sqrt(const Interval& a) {
+  if (!(a.low >= 0)) return Interval::Whole();
+  const Interval root = Outward(std::sqrt(a.low), std::sqrt(a.high));
+  return {std::max(root.low, 0.0), root.high};
+}
+inline Interval Abs(const Interval& a) {
+  if (a.low >= 0) return a;
+  return a.high <= 0 ? -a : Interval{0, std::max(-a.low, a.high)};
+}
+
+/// Whether one of start + k period may lie within.
+inline bool MayHold(const Interval& a, double start, double period) {
+  // Rounding of these few operations is much less than this share, in periods.
+  const double pad = 0x1p-48 * (1 + std::abs(a.low) + std::abs(a.high));
+  return std::floor((a.high - start) / period + pad) >= std::ceil((a.low - start) / period - pad);
+}
+inline Interval Cos(const Interval& a) {
+  constexpr double turn = 2 * std::numbers::pi;
+  if (!(a.high - a.low < turn)) return {-1, 1};
+  const double p = R1::Cos(a.low), q = R1::Cos(a.high);
+  const Interval ends = Outward(std::min(p, q), std::max(p, q), 2);
+  return {MayHold(a, std::numbers::pi, turn) ? -1 : std::max(ends.low, -1.0),
+          MayHold(a, 0, turn) ? 1 : std::min(ends.high, 1.0)};
+}
+inline Interval Sin(const Interval& a) {
+  constexpr double turn = 2 * std::numbers::pi, quarter = std::numbers::pi / 2;
+  if (!(a.high - a.low < turn)) return {-1, 1};
+  const double p = R1::Sin(a.low), q = R1::Sin(a.high);
+  const Interval ends = Outward(std::min(p, q), std::max(p, q), 2);
+  return {MayHold(a, -quarter, turn) ? -1 : std::max(ends.low, -1.0),
+          MayHold(a, quarter, turn) ? 1 : std::min(ends.high, 1.0)};
+}
+
+/// a^n for n >= 1. WholePower is off by at most 2 n u.
+inline Interval WholePower(const Interval& a, std::uint32_t n) {
+  const Interval base = n % 2 == 0 ? Abs(a) : a;
+  const auto outward = [&](double power, double sign) {
+    return power + sign * std::abs(power) * (4 * n * unit_roundoff);
+  };
+  return Outward(outward(R1::WholePower(base.low, n), -1), outward(R1::WholePower(base.high, n), 1));
+}
+
+}  // namespace R3
