@@ -229,8 +229,9 @@ class Scene {
     if (placed.shape->IsDegenerate()) return {};
     const SeenLine seen = See(placed, ray);
     if (placed.mesh) return OfMesh(placed, seen);
-    const auto [name, a] = placed.shape->MadeFrom().value();
-    const std::string kind = name;
+    const R3::Recipe made = placed.shape->MadeFrom().value();
+    const std::vector<double>& a = made.arguments;
+    const std::string kind = made.kind;
     if (kind == "plane") return Crossings::OfPlane({a[0], a[1], a[2]}, {a[3], a[4], a[5]}, seen);
     if (kind == "disc") return Crossings::OfDisc({a[0], a[1], a[2]}, {a[3], a[4], a[5]}, a[6], seen);
     if (kind == "torus") {

@@ -9,6 +9,7 @@
 
 #include "R3/ShapeKind.h"
 #include "source/scene/Light.h"
+#include "tests/BoundedShapes.h"
 #include "tests/Draw.h"
 
 /// A scene file of anything that the language has, drawn at random; what shapes and lights there are it takes from
@@ -84,7 +85,7 @@ class RandomScene {
 
   /// Sizes keep their proportions, without which some shapes are none; groups change them.
   void AddShape() {
-    const auto kinds = R3::ShapeKinds();
+    const auto kinds = JudgedShapeKinds();
     const int which = draw_.Whole(0, static_cast<int>(kinds.size()) + 1);
     if (which >= static_cast<int>(kinds.size())) {
       text +=

@@ -8,13 +8,6 @@
 
 namespace {
 
-/// All but patches, which tests/R3/Bezier.cpp judges.
-std::vector<const R3::ShapeKind*> JudgedShapeKinds() {
-  std::vector<const R3::ShapeKind*> kinds = AllShapeKinds();
-  std::erase(kinds, R3::FindShapeKind("bezier"));
-  return kinds;
-}
-
 TEST(ExactScenes, RaysHitWhatTheyShouldInRandomScenesOfEveryShape) {
   for (const double powers : {0.0, 1.0, 2.0})
     for (int seed = 0; seed < Count(10, 1000); ++seed) {
