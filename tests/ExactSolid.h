@@ -119,8 +119,12 @@ struct Solid {
       KeepRound(stretch, o, d, a[3] + more, 0);
     } else if (kind == "paraboloid") {
       // Lifted so far that even at the rim, where it is steepest, it is larger by `more` across its surface.
+      // That is not enough where `more` is not small beside the radius: then the cylinder around all of it is taken.
       const Quad r = a[3], rise = 2 * Quad(a[4]) / r;
-      KeepParaboloid(stretch, o, d, r * r / Quad(a[4]), half + more * Sqrt(1 + rise * rise));
+      if (more > r / 16)
+        KeepRound(stretch, o, d, r + more, 0);
+      else
+        KeepParaboloid(stretch, o, d, r * r / Quad(a[4]), half + more * Sqrt(1 + rise * rise));
     } else {
       const Quad slope = Quad(a[3]) / Quad(a[4]);
       KeepRound(stretch, o, d, slope * (half - o.y) + more * Sqrt(1 + slope * slope), -slope * d.y);

@@ -148,7 +148,7 @@ void Cs315Reader::ReadSurface(const Field& field) {
   const auto shape = first->Need({"shape"});
   const auto name = shape ? shape->Word() : std::nullopt;
   if (!name) return first->Finish();
-  std::vector<std::string_view> shapes{"Sphere", "Triangle"};
+  std::vector<std::string_view> shapes{"Sphere", "Triangle", "csg"};
   const auto kinds = ObjectReader::Kinds();
   shapes.insert(shapes.end(), kinds.begin(), kinds.end());
   if (std::find(shapes.begin(), shapes.end(), *name) == shapes.end())
@@ -165,11 +165,14 @@ void Cs315Reader::ReadSurface(const Field& field) {
   const int used = is_known ? materials_[static_cast<std::size_t>(*index)] : 0;
   std::optional<R3::Matrix> transform;
   if (const auto transforms = surface.Find({"transforms"})) transform = ReadTransforms(*transforms);
+  // While the shutter is open a unit of time passes.
+  const R3::Vector velocity = surface.Vector({"velocity"}).value_or(R3::Vector{});
+  if (*name == "csg")
+    return objects_.AddCsg(surface, "surfaces", transform, velocity, used,
+                           [this](const Field& part) { ReadSurface(part); });
   const Material& look = Made().materials[static_cast<std::size_t>(used)];
   const bool has_texture = look.texture || look.bump || look.normal_map;
   auto placed = ReadShape(*name, surface, has_texture);
-  // While the shutter is open a unit of time passes.
-  const R3::Vector velocity = surface.Vector({"velocity"}).value_or(R3::Vector{});
   surface.Finish();
   if (placed && surface.IsGood()) objects_.Add(surface, std::move(*placed), transform, velocity, used);
 }

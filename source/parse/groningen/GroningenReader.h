@@ -41,6 +41,10 @@ class GroningenReader {
   void ReadLight(const Field& field);
   void ReadObjects(Mapping& scene);
   void ReadObject(const Field& field);
+  void ReadCsg(Mapping& object);
+  /// How far an object goes while the shutter is open, and what moves it to where it is then at first.
+  R3::Vector ReadMotion(Mapping& object) const;
+  static std::optional<R3::Matrix> StartOf(const R3::Vector& motion);
   int ReadMaterial(Mapping& object);
   void ReadColors(Mapping& material, bool has_texture, Material& read);
 

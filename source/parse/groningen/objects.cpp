@@ -1,6 +1,7 @@
 #include "source/parse/groningen/GroningenReader.h"
 #include "source/parse/objects/Gloss.h"
 #include "source/parse/objects/Lights.h"
+#include "source/parse/objects/Placement.h"
 #include "source/text/LowerCase.h"
 #include "source/text/Words.h"
 
@@ -40,6 +41,7 @@ void GroningenReader::ReadObject(const Field& field) {
   const auto type = object->Need({"type"});
   const auto kind = type ? type->Word() : std::nullopt;
   if (!kind) return object->Finish();
+  if (*kind == "csg") return ReadCsg(*object);
   if (!ObjectReader::IsKind(*kind)) {
     const auto kinds = ObjectReader::Kinds();
     return report_.Warn(type->What().extent, "type " + Quoted(*kind) + " is not supported; the object is left out" +
@@ -50,20 +52,29 @@ void GroningenReader::ReadObject(const Field& field) {
   const Material& used = Made().materials[static_cast<std::size_t>(material)];
   const bool wants_uv = used.texture || used.bump || used.normal_map || mode_ == Mode::uv;
   auto placed = objects_.Read(*kind, named, {wants_uv});
-  const R3::Vector velocity = named.Vector({"velocity"}).value_or(R3::Vector{});
+  const R3::Vector motion = ReadMotion(named);
   named.Ignore({"type", "comment", "name"});
   named.Finish();
-  if (!placed || !named.IsGood()) return;
-  // At its place in the middle of the exposure.
-  const R3::Vector motion = exposure_time_ * velocity;
-  std::optional<R3::Matrix> start;
-  if (!(motion == R3::Vector{})) {
-    start.emplace();
-    start->m[0][3] = -motion.x / 2;
-    start->m[1][3] = -motion.y / 2;
-    start->m[2][3] = -motion.z / 2;
-  }
-  objects_.Add(named, std::move(*placed), start, motion, material);
+  if (placed && named.IsGood()) objects_.Add(named, std::move(*placed), StartOf(motion), motion, material);
+}
+
+// An extension: solids made of the solids in its list.
+void GroningenReader::ReadCsg(Mapping& object) {
+  Mapping named(report_, object.What(), "a csg");
+  const int material = named.Has({"material"}) ? ReadMaterial(named) : Node::inherit;
+  const R3::Vector motion = ReadMotion(named);
+  named.Ignore({"type", "comment", "name"});
+  objects_.AddCsg(named, "objects", StartOf(motion), motion, material, [this](const Field& part) { ReadObject(part); });
+}
+
+R3::Vector GroningenReader::ReadMotion(Mapping& object) const {
+  return exposure_time_ * object.Vector({"velocity"}).value_or(R3::Vector{});
+}
+
+// It is at its place in the middle of the exposure.
+std::optional<R3::Matrix> GroningenReader::StartOf(const R3::Vector& motion) {
+  if (motion == R3::Vector{}) return {};
+  return Translation(-0.5 * motion);
 }
 
 int GroningenReader::ReadMaterial(Mapping& object) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "source/parse/CsgOf.h"
 #include "source/parse/objects/Kinds.h"
 #include "source/parse/objects/Placement.h"
 #include "source/scene/Singular.h"
@@ -56,24 +57,58 @@ std::vector<Node> ObjectReader::NodesOf(Mapping& object, const PlacedShape& plac
 
 void ObjectReader::Add(Mapping& object, PlacedShape placed, const std::optional<R3::Matrix>& transform,
                        const R3::Vector& motion, int material) {
-  const Location location = LocationOf(0, report_.At(object.What().extent));
   const bool needs_group = placed.placement || transform || !(motion == R3::Vector{});
   std::vector<Node> nodes = NodesOf(object, placed, material);
   if (builder_.nodes + nodes.size() > options_.max_nodes)
     return report_.Error(object.What(), "is one node too many: the scene has more than " +
                                             std::to_string(options_.max_nodes) + " nodes");
-  Node group;
-  group.location = location;
-  group.motion = motion;
+  for (const Node& node : nodes)
+    if (!MayAdd(object, node, motion)) return;
   const R3::Matrix outer = transform.value_or(R3::Matrix{});
-  group.transform = placed.placement ? outer * *placed.placement : outer;
-  if (IsSingular(group.transform)) report_.Warn(object.What().extent, "singular transform: it is not rendered");
-  if (needs_group) builder_.OpenGroup(std::move(group));
+  if (needs_group) OpenPlace(object, placed.placement ? outer * *placed.placement : outer, motion);
   for (Node& node : nodes) {
-    node.location = location;
+    node.location = LocationOf(0, report_.At(object.What().extent));
     builder_.Add(std::move(node));
   }
   if (needs_group) builder_.CloseGroup();
+}
+
+void ObjectReader::OpenPlace(Mapping& object, const R3::Matrix& transform, const R3::Vector& motion) {
+  if (IsSingular(transform)) report_.Warn(object.What().extent, "singular transform: it is not rendered");
+  Node group;
+  group.location = LocationOf(0, report_.At(object.What().extent));
+  group.transform = transform;
+  group.motion = motion;
+  builder_.OpenGroup(std::move(group));
+}
+
+bool ObjectReader::MayAdd(Mapping& object, const Node& node, const R3::Vector& motion) {
+  if (!builder_.IsInCsg() && !node.operation) return true;
+  auto fault = builder_.FaultOfCsg(node);
+  if (!fault && builder_.IsInCsg() && !(motion == R3::Vector{}))
+    fault = CsgFault{"what csg combines cannot move by itself", "velocity of all of the csg moves it"};
+  if (fault) report_.Error(object.What(), std::string(": ") + fault->message, fault->hint);
+  return !fault;
+}
+
+void ObjectReader::AddCsg(Mapping& object, std::string_view parts, const std::optional<R3::Matrix>& transform,
+                          const R3::Vector& motion, int material, const std::function<void(const Field&)>& read_part) {
+  const auto word = object.Need({"operation"}), list = object.Need({parts});
+  const auto operation = word ? word->Choice(csg_operations, "operations") : std::nullopt;
+  const auto solids = list ? list->List() : std::nullopt;
+  if (!object.FinishedWell() || !operation || !solids) return;
+  Node csg;
+  csg.location = LocationOf(0, report_.At(object.What().extent));
+  csg.operation = static_cast<R3::CsgOperation>(*operation);
+  csg.material = material;
+  if (!MayAdd(object, csg, motion)) return;
+  OpenPlace(object, transform.value_or(R3::Matrix{}), motion);
+  builder_.OpenGroup(std::move(csg));
+  for (const Field& solid : *solids) read_part(solid);
+  builder_.CloseGroup();
+  const Node& closed = builder_.open_groups.back().children.back();
+  if (closed.shape && closed.shape->IsDegenerate()) report_.Warn(object.What().extent, "empty: no ray can hit it");
+  builder_.CloseGroup();
 }
 
 template <class Function>

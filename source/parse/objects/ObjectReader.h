@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -47,6 +48,12 @@ class ObjectReader {
   void Add(Mapping& object, PlacedShape placed, const std::optional<R3::Matrix>& transform, const R3::Vector& motion,
            int material);
 
+  /// Adds what the solids of a csg make by its key `operation`: union, intersection or difference. Calls Finish.
+  ///   parts       the key of their list
+  ///   read_part   reads each of them and adds it as any object is added
+  void AddCsg(Mapping& object, std::string_view parts, const std::optional<R3::Matrix>& transform,
+              const R3::Vector& motion, int material, const std::function<void(const Field&)>& read_part);
+
   /// Null, and a mistake told, where the file cannot be read.
   std::shared_ptr<const Texture> Image(const Field& name, Assets::Use use);
   std::shared_ptr<const Environment> EnvironmentNamed(const Field& name);
@@ -61,6 +68,10 @@ class ObjectReader {
  private:
   template <class Function>
   void WithFile(const Field& name, const Function& read);
+  /// Opens what places a node, closed again by CloseGroup.
+  void OpenPlace(Mapping& object, const R3::Matrix& transform, const R3::Vector& motion);
+  /// Whether a node can be added where the builder stands; else it tells why not.
+  bool MayAdd(Mapping& object, const Node& node, const R3::Vector& motion);
   /// What a placed shape is made of, in one material unless it has its own.
   std::vector<Node> NodesOf(Mapping& object, const PlacedShape& placed, int material);
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "R3/Mesh.h"
+#include "source/parse/CsgOf.h"
 #include "source/parse/meshes/Polygon.h"
 #include "source/parse/scn/ObjText.h"
 #include "source/parse/scn/QuotedName.h"
@@ -33,18 +34,6 @@ std::string TextOf(const std::vector<double>& numbers) {
   std::string text;
   for (const double number : numbers) text += (text.empty() ? "" : " ") + ToText(number);
   return text;
-}
-
-const char* WordFor(R3::CsgOperation operation) {
-  switch (operation) {
-    case R3::CsgOperation::unite:
-      return "union";
-    case R3::CsgOperation::intersect:
-      return "intersection";
-    case R3::CsgOperation::subtract:
-      return "difference";
-  }
-  return "";
 }
 
 /// The command that makes this very mesh of its corners, triangle by triangle; null when none does, or where the mesh
@@ -182,7 +171,8 @@ class ScnWriter {
   }
 
   void SayBegin(const Node& group) {
-    if (group.operation) return Say("csg", WordFor(*group.operation), IdOf(group));
+    if (group.operation)
+      return Say("csg", std::string(csg_operations[static_cast<std::size_t>(*group.operation)]), IdOf(group));
     std::vector<double> entries;
     for (const auto& row : group.transform.m) entries.insert(entries.end(), row.begin(), row.end());
     entries.insert(entries.end(), {0, 0, 0, 1});

@@ -1,7 +1,6 @@
-#include <array>
-#include <string_view>
 #include <utility>
 
+#include "source/parse/CsgOf.h"
 #include "source/parse/scn/ScnReader.h"
 #include "source/text/Quoting.h"
 #include "source/text/Suggestion.h"
@@ -9,14 +8,12 @@
 namespace ray {
 namespace {
 
-constexpr std::array<std::string_view, 3> operations{"union", "intersection", "difference"};  // as in CsgOperation
-
 R3::CsgOperation ReadOperation(Statement& statement) {
   const Token word = statement.Word("operation");
-  for (std::size_t i = 0; i < operations.size(); ++i)
-    if (word.text == operations[i]) return static_cast<R3::CsgOperation>(i);
+  for (std::size_t i = 0; i < csg_operations.size(); ++i)
+    if (word.text == csg_operations[i]) return static_cast<R3::CsgOperation>(i);
   statement.Error(word, "csg must be followed by union, intersection or difference, got " + Quoted(word.text),
-                  Suggestion(word.text, operations, "operations"));
+                  Suggestion(word.text, csg_operations, "operations"));
   return {};
 }
 
