@@ -21,16 +21,15 @@ inline SurfacePlace PlaceOnTriangle(const Point& p, const Point& q, const Point&
   return {{place.x, place.y, place.z}, Gamma(7) * magnitude + Gamma(16) * Vector{farthest, farthest, farthest}};
 }
 
-/// Unit, on the side from which the corners turn counter-clockwise; zero for a triangle without area. Where the area
-/// leaves the range of doubles, that of the same triangle with sides of about 1 is taken.
+/// Unit, on the side from which the corners turn counter-clockwise; zero for a triangle without area. Sides so long or
+/// short that their products would leave the range of doubles are first brought to about 1, which changes no bit.
 inline Vector FaceDirection(const Point& p, const Point& q, const Point& r) {
-  const Vector a = q - p, b = r - p;
-  const double largest = MaxComponent(Abs(Cross(a, b)));
-  const auto scale_of = [&](const Vector& side) {
-    const double scale = InversePower(MaxComponent(Abs(side))), if_large = largest >= least_square ? 1 : scale;
-    return largest <= most_square ? if_large : scale;
+  const auto in_range = [](const Vector& side) {
+    const double largest = MaxComponent(Abs(side)), square = largest * largest, scale = InversePower(largest);
+    const double if_large = square >= least_square ? 1 : scale;
+    return (square <= most_square ? if_large : scale) * side;
   };
-  return Unit(Cross(scale_of(a) * a, scale_of(b) * b));
+  return BranchlessUnit(Cross(in_range(q - p), in_range(r - p)));
 }
 
 }  // namespace R3

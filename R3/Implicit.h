@@ -26,7 +26,7 @@ class Implicit : public Shape {
   std::optional<Recipe> MadeFrom() const override;
 
  private:
-  /// Of the formula's surface; the faces of the box are numbered from 0.
+  /// The part of a hit on the formula's surface; the faces of the box are the parts before it.
   static constexpr int surface = 6;
 
   Intersection OnFace(const Point& p, int face) const;

@@ -14,7 +14,7 @@ inline std::vector<const R3::ShapeKind*> BoundedShapeKinds() {
 
 inline std::vector<const R3::ShapeKind*> AllShapeKinds() { return {R3::ShapeKinds().begin(), R3::ShapeKinds().end()}; }
 
-/// Those that tests/ExactScene.h can judge: all but patches, which tests/R3/Bezier.cpp judges.
+/// The kinds that tests/ExactScene.h can judge: all but patches, which tests/R3/Bezier.cpp judges.
 inline std::vector<const R3::ShapeKind*> JudgedShapeKinds() {
   std::vector<const R3::ShapeKind*> kinds = AllShapeKinds();
   std::erase(kinds, R3::FindShapeKind("bezier"));

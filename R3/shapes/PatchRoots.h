@@ -128,9 +128,9 @@ struct Root {
 ///     K = m - Y f(m) + (1 - Y J) (cell - m)
 /// holds all zeros of f in the cell; if it lies within the cell there is exactly one. Else the cell is halved, with
 /// halves that overlap, so that a zero is well within one of them. The patch is continued a little beyond its edges for
-/// the same reason. What is left at the end is no longer,
-/// seen along the line, than the square root of rounding: where a line touches the patch or lies in it, or within some
-/// 10^-7 of the patch's size of a corner of coincident points. Newton's method is tried there too, but nothing proven.
+/// the same reason. What is left at the end is no longer, seen along the line, than the square root of rounding: where
+/// a line touches the patch or lies in it, or within some 10^-7 of the patch's size of a corner of coincident points.
+/// Newton's method is tried there too, but nothing proven.
 ///   source   Krawczyk, Newton-Algorithmen zur Bestimmung von Nullstellen mit Fehlerschranken (1969)
 class RootFinder {
  public:
@@ -163,11 +163,12 @@ class RootFinder {
     for (const auto& row : cell.net)
       for (const Miss& miss : row) x.Extend(miss.x), y.Extend(miss.y);
     if (!x.HoldsZero(pad_) || !y.HoldsZero(pad_)) return;
-    if (PassesBeside(cell.net) || IsDecided(cell)) return;
+    if (PassesBeside(cell.net)) return;
     const Slopes slopes = SlopesOf(cell.net);
+    if (IsDecided(cell, slopes)) return;
     const bool is_short = slopes.AlongU() < smallest_ && slopes.AlongV() < smallest_;
     if (is_short || ++cells_ > most_cells)
-      return AddRoot({cell.u + cell.du / 2, cell.v + cell.dv / 2, false, cell.du, cell.dv});
+      return roots_.push_back({cell.u + cell.du / 2, cell.v + cell.dv / 2, false, cell.du, cell.dv});
     Halve(cell, slopes.AlongU() >= slopes.AlongV());
   }
 
@@ -192,8 +193,7 @@ class RootFinder {
     waiting_.push_back(is_u ? cell.AlongU(0, first) : cell.AlongV(0, first));
   }
 
-  bool IsDecided(const Cell& cell) {
-    const Slopes s = SlopesOf(cell.net);
+  bool IsDecided(const Cell& cell, const Slopes& s) {
     const double a = s.x_of_u.Middle(), b = s.x_of_v.Middle(), c = s.y_of_u.Middle(), d = s.y_of_v.Middle();
     const double determinant = DifferenceOfProducts(a, d, b, c);
     if (!(std::abs(determinant) > 0)) return false;
@@ -210,15 +210,12 @@ class RootFinder {
     const double eu = ru + (std::abs(ya) + std::abs(yb)) * pad_, ev = rv + (std::abs(yc) + std::abs(yd)) * pad_;
     if (u + eu < 0 || u - eu > 1 || v + ev < 0 || v - ev > 1) return true;
     if (!(u - eu > 0 && u + eu < 1 && v - ev > 0 && v + ev < 1)) return false;
-    AddRoot({cell.u + u * cell.du, cell.v + v * cell.dv, true});
+    roots_.push_back({cell.u + u * cell.du, cell.v + v * cell.dv, true});
     return true;
   }
 
-  /// Overlapping cells find a zero twice, each within its own rounding, and a touch many times.
-  void AddRoot(const Root& root) { roots_.push_back(root); }
-
   std::vector<Cell> waiting_;
-  std::vector<Root> roots_;
+  std::vector<Root> roots_;  // cells that overlap find a zero twice, each within its own rounding, and a touch often
   double pad_ = 0, smallest_ = 0;
   int cells_ = 0;
 };

@@ -12,12 +12,13 @@ namespace {
 
 using namespace patch;
 
-// A bicubic patch; its front is where u runs to the right and v upward.
+/// A bicubic patch; its front is where u runs to the right and v upward.
 class Bezier : public Shape {
  public:
-  explicit Bezier(const Net<Point>& net) : net_(net) {
+  /// By control points, as vectors from the origin.
+  explicit Bezier(const Net<Vector>& net) : net_(net) {
     for (const auto& row : net_)
-      for (const Point& p : row) box_.Extend(p);
+      for (const Vector& p : row) box_.Extend(Point{} + p);
     const double size = MaxComponent(box_.Size());
     if (size > 0) to_unit_ = -std::ilogb(size);
     for (std::size_t j = 0; j < 4; ++j)
@@ -39,7 +40,7 @@ class Bezier : public Shape {
   Intersection At(const Ray&, const Hit& hit, int) const override {
     const auto along_u = Weights(hit.u), along_v = Weights(hit.v);
     Intersection at;
-    at.position = Point{} + Blend(Vectors(), along_u, along_v);
+    at.position = Point{} + Blend(net_, along_u, along_v);
     // Weights 4 u, their product and that with a point 2 u, sums 15 u; of the magnitudes, which weights do not exceed.
     at.error = Gamma(21) * Vector{Reach(0), Reach(1), Reach(2)};
     at.normal = at.shading_normal = NormalAt(hit.u, hit.v);
@@ -60,7 +61,7 @@ class Bezier : public Shape {
     const int pieces = std::max(4, fineness / 2);
     AddGrid(data, pieces, pieces, [&](int column, int row) {
       const double u = static_cast<double>(column) / pieces, v = static_cast<double>(row) / pieces;
-      return GridCorner{Point{} + Blend(Vectors(), Weights(u), Weights(v)), NormalAt(u, v), {u, v}};
+      return GridCorner{Point{} + Blend(net_, Weights(u), Weights(v)), NormalAt(u, v), {u, v}};
     });
     return data;
   }
@@ -71,17 +72,11 @@ class Bezier : public Shape {
   std::optional<Recipe> MadeFrom() const override {
     std::vector<double> arguments;
     for (const auto& row : net_)
-      for (const Point& p : row) arguments.insert(arguments.end(), {p.x, p.y, p.z});
+      for (const Vector& p : row) arguments.insert(arguments.end(), {p.x, p.y, p.z});
     return Recipe{"bezier", std::move(arguments)};
   }
 
  private:
-  Net<Vector> Vectors() const {
-    Net<Vector> vectors;
-    for (std::size_t j = 0; j < 4; ++j)
-      for (std::size_t i = 0; i < 4; ++i) vectors[j][i] = FromOrigin(net_[j][i]);
-    return vectors;
-  }
   double Reach(int axis) const { return std::max(std::abs(box_.low[axis]), std::abs(box_.high[axis])); }
 
   bool LiesInLine() const {
@@ -95,13 +90,15 @@ class Bezier : public Shape {
 
   /// Where corners coincide, a little towards the middle, where there is one.
   Normal NormalAt(double u, double v) const {
-    for (double step = 0; step<1; step = step> 0 ? 16 * step : 0x1p-40) {
+    double step = 0;
+    do {
       const double near_u = u + step * (0.5 - u), near_v = v + step * (0.5 - v);
       const Vector normal = Cross(Blend(unit_net_, WeightSlopes(near_u), Weights(near_v)),
                                   Blend(unit_net_, Weights(near_u), WeightSlopes(near_v)));
       // Less than this is what rounding makes of nothing, in units of the patch.
       if (MaxComponent(Abs(normal)) > 64 * unit_roundoff) return AsNormal(Unit(normal));
-    }
+      step = step > 0 ? 16 * step : 0x1p-40;
+    } while (step < 1);
     return {0, 0, 1};
   }
 
@@ -115,7 +112,7 @@ class Bezier : public Shape {
     Net<Miss> misses;
     for (std::size_t j = 0; j < 4; ++j)
       for (std::size_t i = 0; i < 4; ++i) {
-        from_origin[j][i] = ScaledByPower(net_[j][i] - ray.origin, to_unit_);
+        from_origin[j][i] = ScaledByPower(Point{} + net_[j][i] - ray.origin, to_unit_);
         misses[j][i] = {Dot(across, from_origin[j][i]), Dot(other, from_origin[j][i])};
       }
     const double length = std::scalbn(Length(ray.direction), to_unit_);
@@ -138,6 +135,7 @@ class Bezier : public Shape {
   /// and so is a corner of coincident points, whatever u is there.
   ///   length   of the ray's direction in units of the patch, for a zero that is not proven to be another
   static bool IsAmong(const std::vector<Hit>& hits, const Hit& hit, double length) {
+    // The square root of rounding, to which RootFinder's smallest cells go down, along u and v; and some such cells.
     constexpr double same = 0x1p-26, near = 0x1p-20;
     for (const Hit& known : hits) {
       if (std::abs(known.u - hit.u) < same && std::abs(known.v - hit.v) < same) return true;
@@ -172,7 +170,7 @@ class Bezier : public Shape {
     return place;
   }
 
-  Net<Point> net_;
+  Net<Vector> net_;
   Net<Vector> unit_net_;  // from its first corner, times 2^to_unit_, which brings its size into [1, 2)
   int to_unit_ = 0;
   Box box_;
@@ -194,7 +192,7 @@ extern const ShapeKind bezier_kind{
     "where u runs to the right and v upward",
     CornerNames(),
     [](std::span<const double> a) -> std::unique_ptr<const Shape> {
-      Net<Point> net;
+      Net<Vector> net;
       for (std::size_t k = 0; k < 16; ++k) net[k / 4][k % 4] = {a[3 * k], a[3 * k + 1], a[3 * k + 2]};
       return std::make_unique<Bezier>(net);
     },

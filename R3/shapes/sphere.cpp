@@ -130,11 +130,12 @@ class Sphere : public Shape {
     std::uint64_t are_outside = 1;
     for (std::uint32_t i = 0; i < samples.count; ++i) {
       const Vector from_center = samples.From(i) - center_;
-      const double distance = Length(from_center), sine = radius_ / distance;
+      const double distance = BranchlessLength(from_center), sine = radius_ / distance;
       const double one_minus_cosine = OneMinusCosine(distance, sine);
       are_outside &= sine < 1;
       are_outside &= one_minus_cosine > 0;
-      const Vector outward = Unit(DrawInCone(Unit(from_center), sine, one_minus_cosine, samples.Random(i)));
+      const Vector outward =
+          BranchlessUnit(DrawInCone(BranchlessUnit(from_center), sine, one_minus_cosine, samples.Random(i)));
       const SurfacePlace place = PlaceOnSphere(center_, radius_, outward);
       samples.Set(i, place.position, place.error, outward, UniformConePdf(one_minus_cosine));
     }

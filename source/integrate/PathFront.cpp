@@ -21,7 +21,7 @@ R2::Color Chosen(bool first, const R2::Color& a, const R2::Color& b) {
 /// Makes cosines of N and the way to the light.
 R3_VECTORIZED
 void MakeCosines(const VectorOfEach& normals, const LightSamples& samples, Each& cosines) {
-  for (std::uint32_t i = 0; i < samples.count; ++i) cosines[i] = Dot(normals[i], Unit(samples.ToLight(i)));
+  for (std::uint32_t i = 0; i < samples.count; ++i) cosines[i] = Dot(normals[i], BranchlessUnit(samples.ToLight(i)));
 }
 
 /// Makes R1::CosinePower of each highlight.
@@ -30,7 +30,7 @@ void RaiseLobes(const PathFront& front, const LightSamples& samples, Each& power
   alignas(64) Each lobe;
   alignas(64) std::array<std::uint64_t, LightSamples::most> exponents;
   for (std::uint32_t i = 0; i < samples.count; ++i) {
-    lobe[i] = LobeCosine(front.wo[i], front.normals[i], Unit(samples.ToLight(i)));
+    lobe[i] = LobeCosine(front.wo[i], front.normals[i], BranchlessUnit(samples.ToLight(i)));
     powers[i] = lobe[i] > 0 ? 1 : 0;
     exponents[i] = front.exponents[i];
   }

@@ -76,7 +76,7 @@ std::shared_ptr<const R3::Shape> CsgOf(const Node& csg) {
     }
     next.frame.Append(node.transform);
     int self = next.parent;
-    // Of long chains of groups, nothing is left.
+    // Groups that do nothing are left out, so that a long chain of them costs no ray anything.
     const auto is_group_in = [&](CsgOperation operation) {
       return parts[static_cast<std::size_t>(self)].operation == operation;
     };

@@ -162,7 +162,7 @@ ParsedScene Parse(const std::string& file, const ParseOptions& options) {
     ParsedScene parsed{ReadScene(files, options, assets, report), {}};
     if (!options.environment.empty()) SetEnvironment(options.environment, assets, report, parsed.scene);
     if (options.one_sided)
-      for (Material& material : parsed.scene.materials) material.one_sided = true;
+      for (Material& m : parsed.scene.materials) m.one_sided |= IsBlack(m.kt) && IsBlack(m.absorb);
     Change(parsed.scene.camera, options.camera, report, files.TopName());
     report.ThrowErrors();
     for (const std::string& remark : files.Remarks()) report.Warn(Escaped(files.TopName()), remark);

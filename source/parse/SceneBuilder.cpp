@@ -52,6 +52,9 @@ std::optional<CsgFault> SceneBuilder::FaultOfCsg(const Node& node) {
     return CsgFault{"csg is nested deeper than 1000 levels", "a union takes any number of solids"};
   if (!IsBlack(MaterialOf(node.material).emission))
     return CsgFault{"what csg combines cannot emit light, and its material does", "emission of 0 0 0 does not"};
+  if (MaterialOf(node.material).has_vertex_colors)
+    return CsgFault{"what csg combines shows no colors of vertices, and its material asks for them",
+                    "a material without vertex_colors"};
   if (node.line) return CsgFault{"csg combines solids, and a line is none", ""};
   if (!node.shape) return {};
   const auto* mesh = dynamic_cast<const R3::Mesh*>(node.shape.get());

@@ -48,7 +48,7 @@ class Path {
       radiance += throughput * surface->material->emission;
       const auto wi = Scatter(*surface, Unit(ray.direction), throughput);
       if (!wi) break;
-      constexpr double off = 1e-9;
+      constexpr double off = 1e-9;  // scenes of about 10, whose hits are off by 1e-14
       ray = {surface->place + off * *wi, *wi};
     }
     return radiance;
@@ -93,7 +93,7 @@ class Path {
     return eta * d + (eta * cosine - std::sqrt(1 - sine_squared)) * s.N;
   }
 
-  /// Of unpolarized light, by Fresnel's equations; none where nothing is refracted.
+  /// The share of unpolarized light that is reflected, by Fresnel's equations.
   static double Fresnel(double cosine, double eta) {
     if (eta == 1) return 0;
     const double sine_squared = eta * eta * (1 - cosine * cosine);

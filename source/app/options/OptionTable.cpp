@@ -238,7 +238,7 @@ std::vector<OptionKind> LightOptions() {
       {"env", both, {}, {"file"}, FileName{AT(parse.environment), FileKind::image}, "", "light",
        "environment light: a latitude-longitude image, an angular probe or a cross of six faces"},
       {"one_sided", both, {}, {}, Flag{AT(parse.one_sided)}, "", "light",
-       "surfaces are there only for rays that arrive at their front"},
+       "all but glass is there only for rays that arrive at its front"},
       {"max_depth", both, {"maxreflections", "max_reflections"}, {"n"},
        Number<std::int64_t>{AT(render.trace.max_depth), 0, highest<std::int64_t>}, "bounces", "light",
        "maximum number of successive reflections and transmissions"},

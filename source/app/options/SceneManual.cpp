@@ -140,8 +140,8 @@ constexpr std::pair<const char*, const char*> extensions[] = {
     {"one_sided",
      "The front is the side from which a face's corners are counter-clockwise, the outside of a solid, where a plane's "
      "or disc's normal points. Rays from the eye and from what is lit pass a surface that they would see from behind: "
-     "it casts a shadow only to where its front is seen, and a lamp shines forward. Glass needs both sides. Large "
-     "meshes are slower than with two; all else costs what it did."},
+     "it casts a shadow only to where its front is seen, and a lamp shines forward. Glass needs both sides, and keeps "
+     "them with -one_sided. Large meshes are slower than with two sides."},
     {"mirror", "The weight of the mirrored ray, instead of ks, which stays that of the highlights."},
     {"coat",
      "Mirrors Schlick's share for the index ir, besides ks, and leaves the rest to what is diffuse below; the light of "
@@ -157,14 +157,12 @@ constexpr std::pair<const char*, const char*> extensions[] = {
      "of them, an intersection what is in all, a difference what is in the first and in none of the others. Faces may "
      "lie in each other exactly; those that differ by rounding alone are one. Each solid shows its own material, also "
      "on the wall of the hole that it leaves; what fills all of it, by ir, absorb and priority, is the material of "
-     "csg. "
-     "Nothing of it may emit or move by itself."},
+     "csg. Nothing of it may emit, move by itself or have colors of vertices."},
     {"implicit",
      "The formula stands in quotes and has x, y, z, pi, numbers, + - * /, brackets, ^ with whole exponents up to 64, "
-     "sin, "
-     "cos, tan, exp, log, sqrt, abs, min and max; 3 x is 3 * x. The solid is where it is 0 or below, within the box, "
-     "whose "
-     "faces close it. Interval arithmetic finds the nearest surface for certain. It has no texture coordinates."},
+     "sin, cos, tan, exp, log, sqrt, abs, min and max; 3 x is 3 * x. The solid is where it is 0 or below, within the "
+     "box, whose faces close it. Interval arithmetic finds the nearest surface for certain. It has no texture "
+     "coordinates."},
     {"plane",
      "Infinite, so it has no bounding box: accelerators leave it out, and every ray is tested against it separately."},
     {"view",

@@ -79,7 +79,8 @@ void AddLightsInSolids(std::vector<std::string>& mistakes, const World& world) {
 bool IsOpenGlass(const Instance& instance) {
   const Material& m = *instance.material;
   const bool needs_inside = (instance.IsClear() && m.ir != 1) || !IsBlack(m.absorb);
-  return instance.TwoSidedMesh() && instance.mesh->Elements() > 3 && needs_inside && !instance.is_repeated && !instance.is_medium;
+  return instance.TwoSidedMesh() && instance.mesh->Elements() > 3 && needs_inside && !instance.is_repeated &&
+         !instance.is_medium;
 }
 
 /// Reports materials that need both sides and have one.

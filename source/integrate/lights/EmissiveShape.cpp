@@ -95,7 +95,7 @@ void EmissiveShape::CutOff(const R3::SurfaceSamples& places, LightSamples& sampl
   } drawn;  // of its own, so that it is clear that nothing overlaps
   for (std::uint32_t i = 0; i < samples.count; ++i) {
     const R3::Vector way = places.Position(i) - places.From(i), normal = AsVector(places.NormalAt(i));
-    const double near = Nearness(Length(way), size_);
+    const double near = Nearness(BranchlessLength(way), size_);
     const double share = ShareOutside(way, normal, places.Error(i) + R3::Vector{near, near, near});
     const double pdf = share > 0 ? places.pdf[i] : 0;
     const R2::Color color{emission.r / pdf, emission.g / pdf, emission.b / pdf};

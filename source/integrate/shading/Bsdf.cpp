@@ -67,7 +67,7 @@ void PhongReflectionOfEach(const ShadingPoint& p, double weight, LightSamples& s
     return;
   }
   for (std::uint32_t i = 0; i < count; ++i) {
-    const R3::Vector L = Unit(samples.ToLight(i));
+    const R3::Vector L = BranchlessUnit(samples.ToLight(i));
     cosine[i] = Dot(p.N, L);
     lobe[i] = LobeCosine(p, L);
     highlight[i] = 0;

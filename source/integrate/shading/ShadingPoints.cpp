@@ -82,7 +82,7 @@ void PutInPlace(FlatSurfaces& all) {
 R3_VECTORIZED
 void PutInPlace(RoundSurfaces& all) {
   for (std::size_t i = 0; i < all.count; ++i) {
-    const R3::Vector outward = Unit(all.met.At(i) - all.center.At(i));
+    const R3::Vector outward = BranchlessUnit(all.met.At(i) - all.center.At(i));
     const R3::SurfacePlace place = R3::PlaceOnSphere(all.center.At(i), all.radius[i], outward);
     all.position.Set(i, place.position);
     all.normal.Set(i, outward), all.shading_normal.Set(i, outward);
@@ -93,7 +93,7 @@ R3_VECTORIZED
 void FaceRays(Surfaces& all) {
   for (std::size_t i = 0; i < all.count; ++i) {
     const R3::Vector direction = all.direction[i], normal = all.normal[i], shading_normal = all.shading_normal[i];
-    all.wo.Set(i, -Unit(direction));
+    all.wo.Set(i, -BranchlessUnit(direction));
     all.facing[i] = Dot(normal, direction);
     all.N.Set(i, all.facing[i] <= 0 ? shading_normal : -shading_normal);
     const R3::FreePoint free =

@@ -1,5 +1,7 @@
 #include "source/parse/meshes/Faces.h"
 
+#include "source/parse/meshes/Polygon.h"
+
 namespace ray {
 namespace {
 
@@ -15,47 +17,29 @@ const char* Faces::Add(std::span<const std::uint32_t> places, std::span<const st
   }
   if (places.size() > max_triangles - mesh_.triangles.size()) return "the mesh has more than 2^28 triangles";
   if (places.size() == 3) {
-    AddTriangle(names, {0, 1, 2}, where);
+    AddTriangle({names[0], names[1], names[2]}, where);
     return nullptr;
   }
   polygon_.clear();
   for (const std::uint32_t place : places) polygon_.push_back(mesh_.positions[place]);
-  if (const auto loops = Uncrossed(polygon_)) {
-    AddLoops(*loops, names, where);
-    return nullptr;
-  }
-  auto cuts = Triangulate(polygon_);
-  if (!cuts) {
+  auto cut = CutApart(polygon_);
+  if (!cut) {
     ++fanned_;
-    cuts = Fan(places.size());
+    cut = CutPolygon{Fan(places.size())};
   }
-  for (const auto& cut : *cuts) AddTriangle(names, cut, where);
-  return nullptr;
-}
-
-void Faces::AddLoops(const Loops& cut, std::span<const std::uint32_t> names, const Token& where) {
   const std::size_t first_added = added_.size();
-  const auto corners = static_cast<std::uint32_t>(polygon_.size());
-  for (const auto& [side, share] : cut.crossings) {
-    const std::uint32_t next = (side + 1) % corners;
-    polygon_.push_back(polygon_[side] + share * (polygon_[next] - polygon_[side]));
-    added_.push_back({names[side], names[next], share});
+  for (const auto& [side, share] : cut->crossings)
+    added_.push_back({names[side], names[(side + 1) % places.size()], share});
+  for (const auto& triangle : cut->cuts) {
+    std::array<std::uint32_t, 3> of_names{};
+    for (std::size_t k = 0; k < 3; ++k)
+      if (triangle[k] < places.size())
+        of_names[k] = names[triangle[k]];
+      else
+        uses_.push_back({mesh_.triangles.size(), k, first_added + (triangle[k] - places.size())});
+    AddTriangle(of_names, where);
   }
-  for (const std::vector<std::uint32_t>& loop : cut.loops) {
-    std::vector<R3::Point> places;
-    for (const std::uint32_t i : loop) places.push_back(polygon_[i]);
-    for (const auto& triangle : Triangulate(places).value_or(Fan(places.size()))) {
-      std::array<std::uint32_t, 3> of_names{};
-      for (std::size_t k = 0; k < 3; ++k) {
-        const std::uint32_t i = loop[triangle[k]];
-        if (i < corners)
-          of_names[k] = names[i];
-        else
-          uses_.push_back({mesh_.triangles.size(), k, first_added + (i - corners)});
-      }
-      AddTriangle(of_names, {0, 1, 2}, where);
-    }
-  }
+  return nullptr;
 }
 
 void Faces::AddVertices() {
@@ -82,9 +66,8 @@ void Faces::AddVertices() {
     mesh_.triangles[use.triangle][use.corner] = first + static_cast<std::uint32_t>(use.added);
 }
 
-void Faces::AddTriangle(std::span<const std::uint32_t> names, const std::array<std::uint32_t, 3>& cut,
-                        const Token& where) {
-  mesh_.triangles.push_back({names[cut[0]], names[cut[1]], names[cut[2]]});
+void Faces::AddTriangle(const std::array<std::uint32_t, 3>& names, const Token& where) {
+  mesh_.triangles.push_back(names);
   mesh_.lines.push_back(LocationOf(0, where).line);
 }
 

@@ -8,7 +8,6 @@
 #include "R3/Mesh.h"
 #include "source/parse/Report.h"
 #include "source/parse/Text.h"
-#include "source/parse/meshes/Polygon.h"
 #include "source/parse/meshes/Tally.h"
 
 namespace ray {
@@ -45,8 +44,7 @@ class Faces {
     std::size_t triangle, corner, added;
   };
 
-  void AddTriangle(std::span<const std::uint32_t> names, const std::array<std::uint32_t, 3>& cut, const Token& where);
-  void AddLoops(const Loops& cut, std::span<const std::uint32_t> names, const Token& where);
+  void AddTriangle(const std::array<std::uint32_t, 3>& names, const Token& where);
 
   R3::MeshData& mesh_;
   std::vector<AddedVertex> added_;

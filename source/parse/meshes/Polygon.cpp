@@ -15,13 +15,22 @@ namespace {
 /// n for each of the 3 n corners that are tried, and n / 2 to find the next ear.
 constexpr std::size_t most_looks_a_corner = 2048;
 
-R3::Vector NewellNormal(std::span<const R3::Point> polygon) {
+/// Newell's normal, and whether it is shorter than one of its terms, since the polygon turns about as much either way.
+struct Newell {
   R3::Vector normal;
+  bool cancels = false;
+};
+
+Newell NewellOf(std::span<const R3::Point> polygon) {
+  R3::Vector normal;
+  double largest = 0;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const R3::Vector a = polygon[i] - polygon[0], b = polygon[(i + 1) % polygon.size()] - polygon[0];
-    normal = normal + Cross(a, b);
+    const R3::Vector term = Cross(a, b);
+    normal = normal + term;
+    largest = std::max(largest, MaxComponent(Abs(term)));
   }
-  return normal;
+  return {normal, MaxComponent(Abs(normal)) < largest};
 }
 
 /// The polygon as seen along the axis of its normal's largest component, turning counter-clockwise.
@@ -219,7 +228,7 @@ constexpr double flatness = 0.05;  // of the polygon's extent
 R3::Vector NormalOfAny(std::span<const R3::Point> polygon) {
   // Of the square around it. Slivers of less have the normal of their largest triangle, which is theirs as well.
   constexpr double least = 1e-3;
-  R3::Vector normal = NewellNormal(polygon);
+  R3::Vector normal = NewellOf(polygon).normal;
   const double extent = Extent(polygon);
   if (Length(normal) > least * extent * extent) return normal;
   for (std::size_t i = 2; i < polygon.size(); ++i) {
@@ -251,13 +260,14 @@ struct Meeting {
   SideCrossing on_first, on_second;
 };
 
-/// All of them, or the first alone; in quadratic time, so nothing of polygons with more than max_concave_corners. Those
-/// are convex, or refused by scenes.
-std::vector<Meeting> MeetingsOfSides(std::span<const R3::Point> polygon, const R3::Vector& normal, bool all) {
+/// Finds up to so many places where sides cross. Takes quadratic time, so nothing is found of polygons with more than
+/// max_concave_corners.
+std::vector<Meeting> MeetingsOfSides(std::span<const R3::Point> polygon, const R3::Vector& normal, std::size_t most) {
   const std::size_t n = polygon.size();
   std::vector<Meeting> meetings;
   if (n > max_concave_corners) return meetings;
-  // Of the square around it: corners that were rounded to seven digits may turn as much where they lie on a line.
+  // Corners that were rounded to seven digits may turn by such a share of the square around them where they lie on a
+  // line.
   constexpr double rounding = 1e-6;
   const double extent = Extent(polygon), least = rounding * extent * extent;
   const std::vector<R2::Point> flat = Flattened(polygon, normal);
@@ -268,7 +278,7 @@ std::vector<Meeting> MeetingsOfSides(std::span<const R3::Point> polygon, const R
       const double to_a = Turn(c, d, a), to_b = Turn(c, d, b), to_c = Turn(a, b, c), to_d = Turn(a, b, d);
       meetings.push_back({{static_cast<std::uint32_t>(i), to_a / (to_a - to_b)},
                           {static_cast<std::uint32_t>(j), to_c / (to_c - to_d)}});
-      if (!all) return meetings;
+      if (meetings.size() == most) return meetings;
     }
   return meetings;
 }
@@ -288,35 +298,53 @@ std::vector<std::uint32_t> WayAround(std::size_t corners, std::span<const Meetin
   return way;
 }
 
+/// The parts of a flat polygon that crosses itself, as loops of its corners and crossings; none of any other polygon.
+std::vector<std::vector<std::uint32_t>> LoopsOf(std::span<const R3::Point> polygon, std::span<const Meeting> meetings) {
+  // Where the way comes to a crossing for the second time it has closed a loop, which is taken off it.
+  std::vector<std::vector<std::uint32_t>> loops;
+  std::vector<std::uint32_t> open;
+  for (const std::uint32_t place : WayAround(polygon.size(), meetings)) {
+    const auto before = std::ranges::find(open, place);
+    if (before != open.end()) {
+      loops.emplace_back(before, open.end());
+      open.erase(before, open.end());
+    }
+    open.push_back(place);
+  }
+  loops.push_back(std::move(open));
+  std::erase_if(loops, [](const auto& loop) { return loop.size() < 3; });
+  return loops;
+}
+
+/// Cuts a polygon that crosses itself; nothing for one that does not, does so too often, or is not flat.
+std::optional<CutPolygon> CutWhereSidesCross(std::span<const R3::Point> polygon) {
+  const R3::Vector normal = NormalOfAny(polygon);
+  if (!IsFlat(polygon, normal)) return {};
+  const std::size_t too_many = polygon.size() + 1;  // so that a mesh takes no more memory than its file promises
+  const std::vector<Meeting> meetings = MeetingsOfSides(polygon, normal, too_many);
+  if (meetings.empty() || meetings.size() == too_many) return {};
+  std::vector<R3::Point> places(polygon.begin(), polygon.end());
+  CutPolygon cut;
+  for (const Meeting& meeting : meetings) {
+    const auto& [side, share] = cut.crossings.emplace_back(meeting.on_first);
+    places.push_back(polygon[side] + share * (polygon[(side + 1) % polygon.size()] - polygon[side]));
+  }
+  for (const auto& loop : LoopsOf(polygon, meetings)) {
+    std::vector<R3::Point> corners;
+    for (const std::uint32_t i : loop) corners.push_back(places[i]);
+    for (const auto& t : Triangulate(corners).value_or(Fan(corners.size())))
+      cut.cuts.push_back({loop[t[0]], loop[t[1]], loop[t[2]]});
+  }
+  return cut;
+}
+
 }  // namespace
 
 const char* FaultOfPolygon(std::span<const R3::Point> polygon) {
   if (polygon.size() == 3) return nullptr;
   const R3::Vector normal = NormalOfAny(polygon);
   if (!IsFlat(polygon, normal)) return "has corners that are not in one plane";
-  return MeetingsOfSides(polygon, normal, false).empty() ? nullptr : "has sides that cross";
-}
-
-std::optional<Loops> Uncrossed(std::span<const R3::Point> polygon) {
-  if (polygon.size() == 3) return {};
-  const R3::Vector normal = NormalOfAny(polygon);
-  if (FanFits(Flattened(polygon, normal)) || !IsFlat(polygon, normal)) return {};
-  const std::vector<Meeting> meetings = MeetingsOfSides(polygon, normal, true);
-  if (meetings.empty()) return {};
-  Loops cut;
-  for (const Meeting& meeting : meetings) cut.crossings.push_back(meeting.on_first);
-  // Where the way comes to a crossing for the second time it has closed a loop, which is taken off it.
-  std::vector<std::uint32_t> open;
-  for (const std::uint32_t place : WayAround(polygon.size(), meetings)) {
-    const auto before = std::ranges::find(open, place);
-    if (before != open.end()) {
-      if (open.end() - before >= 3) cut.loops.emplace_back(before, open.end());
-      open.erase(before, open.end());
-    }
-    open.push_back(place);
-  }
-  if (open.size() >= 3) cut.loops.push_back(std::move(open));
-  return cut;
+  return MeetingsOfSides(polygon, normal, 1).empty() ? nullptr : "has sides that cross";
 }
 
 Cuts Fan(std::size_t corners) {
@@ -330,9 +358,22 @@ std::vector<R2::Point> QuadUvs() { return {{0, 0}, {1, 0}, {1, 1}, {0, 1}}; }
 
 std::optional<Cuts> Triangulate(std::span<const R3::Point> polygon) {
   if (polygon.size() == 3) return Fan(3);
-  const std::vector<R2::Point> flat = Flattened(polygon, NewellNormal(polygon));
+  const std::vector<R2::Point> flat = Flattened(polygon, NewellOf(polygon).normal);
   if (FanFits(flat)) return Fan(polygon.size());
   return EarClipping(flat).CutAll();
+}
+
+std::optional<CutPolygon> CutApart(std::span<const R3::Point> polygon) {
+  if (polygon.size() == 3) return CutPolygon{Fan(3)};
+  const Newell newell = NewellOf(polygon);
+  const std::vector<R2::Point> flat = Flattened(polygon, newell.normal);
+  const bool is_fan = FanFits(flat);
+  // Where the terms cancel, it may be seen edge-on, and a fan tells nothing.
+  if (!is_fan || newell.cancels)
+    if (auto cut = CutWhereSidesCross(polygon)) return cut;
+  if (is_fan) return CutPolygon{Fan(polygon.size())};
+  if (auto cuts = EarClipping(flat).CutAll()) return CutPolygon{std::move(*cuts)};
+  return {};
 }
 
 }  // namespace ray

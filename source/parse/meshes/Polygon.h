@@ -44,15 +44,16 @@ struct SideCrossing {
   double share = 0;  // in (0, 1)
 };
 
-/// A flat polygon that crosses itself, as polygons that do not: closed loops of its corners and of its crossings, which
-/// are numbered on after the corners. Each turns as its part of the polygon does, so the two halves of a bow tie face
-/// opposite ways.
-struct Loops {
-  std::vector<std::vector<std::uint32_t>> loops;
-  std::vector<SideCrossing> crossings;
+/// A polygon cut into triangles of its corners and of places where its sides cross, which are numbered on after the
+/// corners.
+struct CutPolygon {
+  Cuts cuts;
+  std::vector<SideCrossing> crossings{};
 };
 
-/// Nothing where the polygon is not flat, has no sides that cross, or more than max_concave_corners.
-std::optional<Loops> Uncrossed(std::span<const R3::Point> polygon);
+/// Does as Triangulate, but flat polygons of up to max_concave_corners that cross themselves, at most as often as they
+/// have corners, are cut where they do. Each part turns as its corners do, so the two halves of a bow tie face opposite
+/// ways.
+std::optional<CutPolygon> CutApart(std::span<const R3::Point> polygon);
 
 }  // namespace ray

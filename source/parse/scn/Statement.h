@@ -36,7 +36,7 @@ class Statement {
       : command_(command), word_(word), tokens_(tokens), name_(command.name), usage_(command.usage) {}
 
   /// What lacks from here on is said of this word of the command, and of how that one is used.
-  /// Both must outlive the statement.
+  /// Name and usage must outlive the statement.
   void BeginPart(std::string_view name, std::string_view usage) { name_ = name, usage_ = usage; }
 
   Arguments Numbers(std::span<const R3::Argument> wanted);

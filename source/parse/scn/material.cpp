@@ -86,8 +86,7 @@ void ReadCoat(ScnReader& reader, Statement& statement) {
   material->coat = index.values[0];
 }
 
-/// Of extensions that say something of a material by their name alone: textures that color what ambient light shows as
-/// well, colors that scanners and painting programs give to vertices, surfaces without a back.
+/// Reads an extension that says something of a material by its name alone, as that its surfaces have no back.
 template <auto member>
 void ReadSwitchOfMaterial(ScnReader& reader, Statement& statement) {
   Material* material = reader.ReadOwnMaterial(statement);

@@ -24,7 +24,7 @@ class AreaLight : public Light {
     const R3::Vector to_light = ToPlace(R3::SampleUniformDiskConcentric(random), p);
     const double distance = Length(to_light);
     if (!(distance > 0)) return {};
-    const double cosine = Cosine(Unit(to_light));
+    const double cosine = Cosine(to_light / distance);
     if (!(cosine > 0)) return {};  // it shines to one side only
     return LightSample{cosine * falloff_(color_, distance), to_light};
   }
@@ -54,8 +54,8 @@ class AreaLight : public Light {
     }
     for (std::uint32_t i = 0; i < count; ++i) {
       const R3::Vector to_light = ToPlace({samples.r[i], samples.g[i]}, samples.From(i));
-      const double cosine = Cosine(Unit(to_light));
-      const R2::Color reaching = cosine * falloff_(color_, Length(to_light));
+      const double distance = BranchlessLength(to_light), cosine = Cosine(to_light / distance);
+      const R2::Color reaching = cosine * falloff_(color_, distance);
       samples.Set(i, to_light, cosine > 0 ? reaching : R2::Color{});
     }
   }
@@ -63,7 +63,11 @@ class AreaLight : public Light {
   R3::Vector ToPlace(const R2::Point& on_disc, const R3::Point& p) const {
     return center_ + (radius_ * on_disc.x * tangents_.first + radius_ * on_disc.y * tangents_.second) - p;
   }
-  double Cosine(const R3::Vector& unit_to_light) const { return std::min(1.0, -Dot(direction_, unit_to_light)); }
+  /// NaN of no direction.
+  double Cosine(const R3::Vector& unit_to_light) const {
+    const double cosine = -Dot(direction_, unit_to_light);
+    return cosine > 1 ? 1 : cosine;
+  }
 
   R2::Color color_;
   R3::Point center_;

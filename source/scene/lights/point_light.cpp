@@ -36,7 +36,7 @@ class PointLight : public Light {
   R3_VECTORIZED void ReachEach(LightSamples& samples) const {
     for (std::uint32_t i = 0; i < samples.count; ++i) {
       const R3::Vector to_light = place_ - samples.From(i);
-      samples.Set(i, to_light, falloff_(color_, Length(to_light)));
+      samples.Set(i, to_light, falloff_(color_, BranchlessLength(to_light)));
     }
     for (std::uint32_t i = 0; i < samples.count;
          ++i) {  // nothing at the very place, in a loop that has no other choice

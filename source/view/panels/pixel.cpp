@@ -21,7 +21,9 @@ std::string HitBy(const RecordedRay& ray, const World& world) {
   if (!ray.hit) return {};
   const Node& node = *world.Instances()[ray.hit->instance].node;
   const auto recipe = node.shape->MadeFrom();
-  return std::string(recipe ? recipe->kind : node.operation ? "csg" : "mesh") +
+  return std::string(recipe           ? recipe->kind
+                     : node.operation ? "csg"
+                                      : "mesh") +
          (node.location.line > 0 ? ", line " + std::to_string(node.location.line) : "");
 }
 

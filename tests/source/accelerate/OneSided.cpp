@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <unistd.h>
+
+#include <fstream>
+
 #include "tests/Accelerators.h"
 #include "tests/Project.h"
 
@@ -15,7 +19,7 @@ Scene RandomScene(std::uint64_t seed, bool one_sided) {
   return scene;
 }
 
-/// Of all crossings with both sides the first that arrives at a front, found without any structure.
+/// The first crossing that arrives at a front, of all with surfaces of both sides, found without any structure.
 std::optional<WorldHit> FirstFront(const World& both_sides, const R3::Ray& ray) {
   std::optional<WorldHit> first;
   for (std::uint32_t i = 0; i < both_sides.Instances().size(); ++i) {
@@ -65,6 +69,17 @@ TEST(OneSided, EveryAcceleratorFindsTheSame) {
     Draw draw(seed);
     accelerators::Compare(stage.world, accelerators::RaysAt(stage.world, draw, 40), accelerators::EveryWay());
   }
+}
+
+TEST(OneSided, AnOptionSaysItOfAllButGlass) {
+  const std::string file = testing::TempDir() + "one_sided_" + std::to_string(getpid()) + ".scn";
+  std::ofstream(file) << "material 0 0 0 1 1 1 0 0 0 0 0 0 0 0 0 1 1 0 material 0 0 0 0 0 0 0 0 0 1 1 1 0 0 0 1 1.5 0";
+  ParseOptions options;
+  options.one_sided = true;
+  const Scene scene = Parse(file, options).scene;
+  std::filesystem::remove(file);
+  EXPECT_TRUE(scene.materials.at(1).one_sided);
+  EXPECT_FALSE(scene.materials.at(2).one_sided);
 }
 
 /// Two floors, above and below a lamp whose front looks down.
