@@ -67,9 +67,9 @@ QUADMATH := $(if $(filter x86_64% i%86%,$(shell $(CXX) -dumpmachine 2>/dev/null)
 VIEWER_LIBS := $(if $(CONTEXTS),-lepoxy) $(if $(filter glfw,$(CONTEXTS)),-lglfw) $(if $(filter osmesa,$(CONTEXTS)),-ldl) \
                $(if $(filter yes,$(HAS_IMGUI)),$(IMGUI_LIBS))
 
-ALL_PROGRAMS := raypro rayimg rayview
+ALL_PROGRAMS := raypro rayimg raygrade rayview
 # rayview is built where there is something to draw with.
-PROGRAMS := raypro rayimg $(if $(CONTEXTS),rayview)
+PROGRAMS := raypro rayimg raygrade $(if $(CONTEXTS),rayview)
 LIBRARY_SOURCES := $(filter-out $(ALL_PROGRAMS:%=source/app/%.cpp),$(wildcard R1/*.cpp R2/*.cpp R2/*/*.cpp R3/*.cpp R3/*/*.cpp source/*/*.cpp source/*/*/*.cpp))
 TEST_SOURCES := $(wildcard tests/*.cpp tests/R1/*.cpp tests/R2/*.cpp tests/R2/*/*.cpp tests/R3/*.cpp tests/source/*/*.cpp tests/source/*/*/*.cpp \
                   $(foreach d,every agree extremes closed_form bad_scenes regressions images,tests/$(d)/*.cpp))
@@ -152,7 +152,7 @@ JOBS ?= $(shell nproc 2> /dev/null || getconf _NPROCESSORS_ONLN)
 
 # Tests find the programs and the project's files through these. The shell names the folders: make takes blanks in
 # their names for ends of words.
-FOR_TESTS := build=$$(cd $(BUILD) && pwd) && RAYPRO="$$build/raypro" RAYIMG="$$build/rayimg" RAYPRO_ROOT="$$(pwd)" \
+FOR_TESTS := build=$$(cd $(BUILD) && pwd) && RAYPRO="$$build/raypro" RAYIMG="$$build/rayimg" RAYGRADE="$$build/raygrade" RAYPRO_ROOT="$$(pwd)" \
              $(if $(filter rayview,$(PROGRAMS)),RAYVIEW="$$build/rayview")
 
 # The same tests with millions of cases where a commit has thousands; hours.

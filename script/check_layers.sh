@@ -19,7 +19,8 @@ find R1 R2 R3 source -type f \( -name '*.h' -o -name '*.cpp' -o -name '*.def' \)
     below["film"] = "R2"
     below["render"] = "parse integrate film"
     below["view"] = "render"
-    below["app"] = "view"
+    below["grade"] = "render"
+    below["app"] = "view grade"
     for (layer in below) allow(layer, layer)
   }
 

@@ -57,9 +57,9 @@ for file in README.md LICENSE CHANGELOG.md CITATION.cff docs/* art/valley.jpg wr
   put 644 "$file" "$docdir/$file"
 done
 # A loop behind a pipe would not stop the script when it fails.
-find scenes -type f ! -name '.*' > "$work/scenes"
+find scenes share/suites -type f ! -name '.*' > "$work/scenes"
 while IFS= read -r file; do
-  put 644 "$file" "$datadir/raypro/$file"
+  put 644 "$file" "$datadir/raypro/${file#share/}"
 done < "$work/scenes"
 
 # Files and folders of an earlier installation are still ours.

@@ -6,6 +6,7 @@ set -eu
 here=$(cd "$(dirname "$0")/.." && pwd)
 raypro=${RAYPRO:-$here/build/raypro}
 rayimg=${RAYIMG:-$here/build/rayimg}
+raygrade=${RAYGRADE:-$here/build/raygrade}
 rayview=${RAYVIEW:-$here/build/rayview}
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
@@ -23,6 +24,7 @@ fenced() { echo '```'; cat "$1"; echo '```'; }
 cp "$here/README.md" "$here/docs/options.md" "$work/"
 "$raypro" -help markdown | replace "$work/options.md" options
 "$rayimg" -help markdown | replace "$work/options.md" "rayimg options"
+"$raygrade" -help markdown | replace "$work/options.md" "raygrade options"
 if [ -x "$rayview" ]; then  # not every machine builds it
   "$rayview" -help markdown | replace "$work/options.md" "rayview options"
 fi

@@ -61,6 +61,7 @@ std::string ResultOf(const Options& options, const std::vector<std::string>& key
     case Task::render:
     case Task::view:
     case Task::command:
+    case Task::grade:
     case Task::as_course:
       break;  // not ours
     case Task::check:

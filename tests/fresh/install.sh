@@ -30,7 +30,7 @@ try_make install  # over itself
 listing > "$work/installed"
 
 programs=
-for program in raypro rayimg rayview; do
+for program in raypro rayimg raygrade rayview; do
   [ ! -x "$build/$program" ] || programs="$programs $program"
 done
 for program in $programs; do

@@ -103,7 +103,9 @@ const CommandKind& KnownCommand(Program program, const std::string& word) {
 
 void TakeName(const std::string& word, Options& options) {
   if (word.empty()) throw UsageError("a file name is empty");
-  if (options.command) {
+  if (options.program == Program::raygrade) {
+    options.grade.names.push_back(word);
+  } else if (options.command) {
     if (options.image.names.size() == options.command->most) RefuseName(word, UsageOf(options));
     options.image.names.push_back(word);
   } else if (!CommandsOf(options.program).empty()) {

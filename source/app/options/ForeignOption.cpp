@@ -241,7 +241,7 @@ bool IsOfPovRay(const std::string& word) {
 }
 
 std::string ForeignHint(Program program, const std::string& word) {
-  if (program == Program::rayimg) return {};
+  if (program == Program::rayimg || program == Program::raygrade) return {};
   if (IsOfPovRay(word)) {
     const ForeignOption* const foreign = FindPlus(word);
     return foreign ? AnswerText(program, foreign->answer, DigitsAtTheEnd(word)) : std::string();

@@ -196,7 +196,35 @@ const ProgramText& TextOf(Program program) {
                    {"2", "Wrong arguments."},
                    {"3", "A picture is missing, damaged or too large."},
                    {"4", "A file cannot be written."}}};
-  return program == Program::raypro ? of_raypro : program == Program::rayview ? of_rayview : of_rayimg;
+  static const ProgramText of_raygrade{
+      .names = "suite.yaml -- command",
+      .summary = "grade students' ray tracers and name their mistakes",
+      .description =
+          "Runs a ray tracer on the scenes of a suite, compares its images with ours where pixels are steady, and "
+          "names\n"
+          "the mistake that makes an image like it. In the command, {scene}, {image}, {width}, {height} and {student}\n"
+          "are replaced. docs/teachers.md says more.\n",
+      .examples =
+          "  raygrade share/suites/cos426/suite.yaml -- ./student {scene} {image} -width {width} -height {height}\n"
+          "  raygrade suite.yaml -students handed_in -out graded -- {student}/tracer {scene} {image}\n"
+          "  raygrade suite.yaml -matrix\n"
+          "  raygrade -new scenes\n",
+      .statuses = {{"0", "Success, whatever the points."},
+                   {"1", "Grading failed."},
+                   {"2", "Wrong arguments."},
+                   {"3", "The suite, or a scene, is wrong or missing."},
+                   {"4", "A file cannot be written."}}};
+  switch (program) {
+    case Program::raypro:
+      return of_raypro;
+    case Program::rayview:
+      return of_rayview;
+    case Program::rayimg:
+      return of_rayimg;
+    case Program::raygrade:
+      return of_raygrade;
+  }
+  return of_raypro;
 }
 
 std::string Usage(Program program, const CommandKind* command) {

@@ -12,6 +12,7 @@
 #include "source/app/options/Manual.h"
 #include "source/app/options/OptionEntry.h"
 #include "source/app/options/Preset.h"
+#include "source/app/options/RaygradeTable.h"
 #include "source/app/options/RayimgTable.h"
 #include "source/parse/Coordinate.h"
 #include "source/parse/Format.h"
@@ -429,9 +430,11 @@ bool IsKnown(KnownTo known_to, Program program) {
     case KnownTo::rayview:
       return program == Program::rayview;
     case KnownTo::both:
-      return program != Program::rayimg;
+      return program == Program::raypro || program == Program::rayview;
     case KnownTo::rayimg:
       return program == Program::rayimg;
+    case KnownTo::raygrade:
+      return program == Program::raygrade;
     case KnownTo::all:
       return true;
   }
@@ -442,6 +445,7 @@ template <Program program>
 std::vector<OptionKind> OptionsOf() {
   std::vector<OptionKind> table;
   if (program == Program::rayimg) table = rayimg::OptionsOfCommands();
+  if (program == Program::raygrade) table = raygrade::GradingOptions();
   for (const OptionKind& option : MakeTable<program>())
     if (IsKnown(option.known_to, program)) table.push_back(option);
   return table;
@@ -453,6 +457,7 @@ Options Defaults(Program program) {
   Options options;
   options.program = program;
   if (program == Program::rayimg) options.task = Task::command;
+  if (program == Program::raygrade) options.task = Task::grade;
   if (program != Program::rayview) return options;
   options.task = Task::view;
   options.render.width = options.render.height = 512;  // the course's window
@@ -461,7 +466,7 @@ Options Defaults(Program program) {
 
 std::span<const OptionKind> OptionTable(Program program) {
   static const std::array tables{OptionsOf<Program::raypro>(), OptionsOf<Program::rayview>(),
-                                 OptionsOf<Program::rayimg>()};
+                                 OptionsOf<Program::rayimg>(), OptionsOf<Program::raygrade>()};
   return tables[static_cast<std::size_t>(program)];
 }
 

@@ -90,7 +90,7 @@ using OptionValue =
                  OneNameOf, FileName, FolderList, FileList, Rectangle, NumberList, Word, PixelRequest, Request>;
 
 /// Whose option it is; `both` are raypro and rayview, which render scenes.
-enum class KnownTo { raypro, rayview, both, rayimg, all };
+enum class KnownTo { raypro, rayview, both, rayimg, raygrade, all };
 
 /// One option. The parser, -help, the manual page, the completions, the report and docs/options.md all come from this
 /// table.

@@ -8,6 +8,7 @@
 #include "R2/ImageFile.h"
 #include "source/accelerate/AcceleratorSettings.h"
 #include "source/app/options/Program.h"
+#include "source/app/raygrade/Options.h"
 #include "source/app/rayimg/Options.h"
 #include "source/integrate/modes/Layer.h"
 #include "source/parse/Parse.h"
@@ -18,11 +19,12 @@ namespace ray {
 struct CommandKind;
 
 /// What the program is asked to do; `render` is what raypro is for, `view` what rayview is for, `command` what rayimg
-/// is.
+/// is, `grade` what raygrade is.
 enum class Task {
   render,
   view,
   command,
+  grade,
   as_course,
   check,
   advise,
@@ -72,6 +74,7 @@ struct Options {
   ViewOptions view;
   const CommandKind* command = nullptr;  // of a program that has commands
   rayimg::Options image;
+  raygrade::Options grade;
 
   bool quiet = false, verbose = false, stats = false, explain = false;
   std::string report;       // file name; empty for no report

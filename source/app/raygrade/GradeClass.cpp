@@ -1,0 +1,133 @@
+#include "source/app/raygrade/GradeClass.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <span>
+
+#include "source/app/Interrupt.h"
+#include "source/app/Status.h"
+#include "source/app/files/OutputFile.h"
+#include "source/app/raygrade/LoadScene.h"
+#include "source/app/report/Messages.h"
+#include "source/grade/Grader.h"
+#include "source/grade/Matrix.h"
+#include "source/grade/Reports.h"
+#include "source/text/NumberText.h"
+#include "source/text/Quoting.h"
+#include "source/text/Words.h"
+
+namespace ray::raygrade {
+namespace {
+
+namespace fs = std::filesystem;
+using grade::StudentResult;
+
+void WriteText(const std::string& file, const std::string& text) {
+  WriteWhole(CheckOutput(file, {}), std::span(reinterpret_cast<const unsigned char*>(text.data()), text.size()));
+}
+
+void MakeFolder(const fs::path& folder) {
+  std::error_code failed;
+  fs::create_directories(folder, failed);
+  if (failed) throw OutputError("cannot make the folder " + Quoted(folder.string()) + ": " + failed.message());
+}
+
+std::vector<std::string> CommandOf(const Options& options, const grade::Suite& suite) {
+  std::vector<std::string> command(options.names.begin() + 1, options.names.end());
+  if (command.empty()) command = suite.command;
+  if (command.empty()) throw UsageError("no command: write it behind --, as in -- ./student {scene} {image}");
+  if (!options.students.empty() &&
+      std::ranges::none_of(command, [](const std::string& word) { return word.find("{student}") != word.npos; }))
+    throw UsageError("with -students the command needs {student}, the folder of each");
+  return command;
+}
+
+std::vector<std::string> StudentsIn(const std::string& folder) {
+  std::vector<std::string> students;
+  std::error_code failed;
+  for (const auto& entry : fs::directory_iterator(folder, failed))
+    if (entry.is_directory()) students.push_back(entry.path().filename().string());
+  if (failed || students.empty()) throw UsageError("-students " + Quoted(folder) + ": there are no folders in it");
+  std::ranges::sort(students);
+  return students;
+}
+
+std::string PointsOf(const StudentResult& student) {
+  return Rounded(student.Score(), 4) + " of " + Rounded(student.Points(), 4) + " points";
+}
+
+/// Grades one student; what is known is written after each scene.
+StudentResult GradeStudent(grade::Grader& grader, const std::string& name, const std::string& folder,
+                           const fs::path& out, const std::string& results) {
+  MakeFolder(out);
+  return grader.Grade(name, folder, [&](const StudentResult& so_far) {
+    WriteText(results, ResultsJson(so_far, grader.suite()));
+    WriteText((out / "index.html").string(), StudentPage(so_far, grader.suite(), grader.sandbox().Describe()));
+    const grade::SceneResult& last = so_far.scenes.back();
+    WriteStandardOutput((name.empty() ? "" : Escaped(name) + ": ") + Escaped(last.scene) + ": " +
+                        Rounded(last.score, 4) + "/" + Rounded(last.points, 4) + "  " + Escaped(last.headline) + "\n");
+  });
+}
+
+/// What an earlier run has found, if that is complete.
+bool IsKept(const fs::path& results, const grade::Suite& suite, StudentResult& student) {
+  std::ifstream file(results, std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  return ReadResultsJson(text, suite, student) && student.is_complete;
+}
+
+int GradeClass(grade::Grader& grader, const Options& options) {
+  const fs::path out = options.out;
+  std::vector<StudentResult> students;
+  for (const std::string& name : StudentsIn(options.students)) {
+    const fs::path page = out / name, results = page / "results.json";
+    StudentResult student;
+    if (!options.resume || !IsKept(results, grader.suite(), student))
+      student =
+          GradeStudent(grader, name, fs::absolute(fs::path(options.students) / name).string(), page, results.string());
+    students.push_back(std::move(student));
+    for (grade::SceneResult& scene : students.back().scenes) scene.expected = scene.actual = scene.difference = {};
+    WriteText((out / "class.csv").string(), ClassCsv(students));
+    WriteText((out / "index.html").string(), ClassPage(students, grader.suite()));
+  }
+  return status::done;
+}
+
+int PrintMatrix(grade::Grader& grader, int pairs) {
+  const grade::Verdicts verdicts = TryMistakes(grader.Scenes(), pairs);
+  for (const std::string& line : verdicts.lines) WriteStandardOutput(line + "\n");
+  WriteStandardOutput("right " + std::to_string(verdicts.right) + ", wrong " + std::to_string(verdicts.wrong) +
+                      ", silent " + std::to_string(verdicts.silent) + "; in no scene visible: " +
+                      Counted(static_cast<std::uint64_t>(verdicts.invisible), "mistake") + "\n");
+  return status::done;
+}
+
+grade::Sandbox::Mode ModeOf(SandboxMode mode) { return static_cast<grade::Sandbox::Mode>(mode); }
+
+}  // namespace
+
+int Grade(const Options& options) {
+  if (!options.new_suite.empty()) {
+    WriteStandardOutput(grade::NewSuite(options.new_suite));
+    return status::done;
+  }
+  if (options.names.empty()) throw UsageError("no suite is named: raygrade suite.yaml -- command");
+  const grade::Suite suite = grade::ReadSuite(options.names[0]);
+  grade::GraderSettings settings{
+      .command = {}, .seed = options.seed, .sandbox = ModeOf(options.sandbox), .image_extension = options.image};
+  if (!options.matrix) settings.command = CommandOf(options, suite);
+  grade::Grader grader(suite, settings, LoadScene);
+  if (options.matrix) return PrintMatrix(grader, options.pairs);
+  PrintError("raygrade: " + grader.sandbox().Describe());
+  MakeFolder(options.out);
+  if (!options.students.empty()) return GradeClass(grader, options);
+  const std::string results =
+      options.results.empty() ? (fs::path(options.out) / "results.json").string() : options.results;
+  const StudentResult student = GradeStudent(grader, "", "", options.out, results);
+  WriteStandardOutput(PointsOf(student) + "\n");
+  return status::done;
+}
+
+}  // namespace ray::raygrade

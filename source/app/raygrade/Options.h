@@ -1,0 +1,30 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace ray::raygrade {
+
+/// How students' programs are kept from doing harm.
+enum class SandboxMode { automatic, bubblewrap, limits };
+inline constexpr std::array sandbox_names{"auto", "bubblewrap", "limits"};
+constexpr const auto& NamesOf(SandboxMode) { return sandbox_names; }
+
+/// What raygrade is asked. Names, ranges and help are in source/app/options/RaygradeTable.cpp; the defaults are here.
+struct Options {
+  std::vector<std::string> names;  // the suite, then the words of a student's command
+  std::string out = "graded";      // folder for pages and tables
+  std::string results;             // file for Gradescope; empty: results.json in `out`
+  std::string students;            // folder with one folder per student; empty: one student
+  std::string image = "png";       // extension of {image}
+  std::uint64_t seed = 0;
+  SandboxMode sandbox = SandboxMode::automatic;
+  bool resume = false;
+  bool matrix = false;    // try every known mistake instead of grading
+  int pairs = 0;          // of mistakes, that the matrix tries as well
+  std::string new_suite;  // folder of scenes to make a suite of
+};
+
+}  // namespace ray::raygrade

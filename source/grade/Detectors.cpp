@@ -1,0 +1,78 @@
+#include "source/grade/Detectors.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "source/text/NumberText.h"
+
+namespace ray::grade {
+namespace {
+
+constexpr double dark = 2.0 / 255;
+
+bool IsDark(const R2::Color& c) { return std::max({c.r, c.g, c.b}) < dark; }
+
+bool IsOfOneColor(const R2::Image& image) {
+  const auto& channels = image.Channels();
+  for (std::size_t i = 3; i < channels.size(); ++i)
+    if (std::abs(channels[i] - channels[i - 3]) > 0.5F / 255) return false;
+  return true;
+}
+
+/// Where single pixels differ amid others that do not, by what they are instead.
+struct Specks {
+  std::int64_t darker = 0, background = 0;
+};
+
+Specks SpecksOf(const Submission& student, const Comparison& found, const SceneImages& images) {
+  Specks specks;
+  const R2::Image& expected = images.Reference();
+  const R2::Image& actual = student.image;
+  const int width = actual.Width(), height = actual.Height();
+  const auto differs = [&](int x, int y) { return found.differs[static_cast<std::size_t>(y * width + x)]; };
+  const R2::Color background = expected.At(0, height - 1);
+  for (int y = 1; y + 1 < height; ++y)
+    for (int x = 1; x + 1 < width; ++x) {
+      if (!differs(x, y)) continue;
+      int around = 0;
+      for (int j = -1; j <= 1; ++j)
+        for (int i = -1; i <= 1; ++i) around += differs(x + i, y + j);
+      if (around > 5) continue;
+      if (Luminance(actual.At(x, y)) < 0.8 * Luminance(expected.At(x, y))) ++specks.darker;
+      const R2::Color off = actual.At(x, y) - background;
+      if (!IsDark(expected.At(x, y)) && std::max({std::abs(off.r), std::abs(off.g), std::abs(off.b)}) < dark)
+        ++specks.background;
+    }
+  return specks;
+}
+
+std::string PercentOf(std::int64_t count, const Comparison& found) {
+  return Rounded(100.0 * static_cast<double>(count) / static_cast<double>(std::max<std::int64_t>(1, found.steady)), 2) +
+         "%";
+}
+
+}  // namespace
+
+std::vector<std::string> RemarksOn(const Submission& student, const Comparison& found, const SceneImages& images) {
+  constexpr double share_of_specks = 0.002;
+  const auto& channels = student.image.Channels();
+  if (std::ranges::all_of(channels, [](float channel) { return channel < dark; }))
+    return {"The whole image is black. Does the camera look at the scene, and does a camera ray find a hit at t > 0?"};
+  if (IsOfOneColor(student.image))
+    return {"The whole image has one color. Is the color of each pixel stored, and are camera rays different?"};
+  if (images.CellSide() > 1) return {};
+  std::vector<std::string> remarks;
+  const Specks specks = SpecksOf(student, found, images);
+  const auto least = static_cast<std::int64_t>(share_of_specks * static_cast<double>(found.steady));
+  if (specks.background > least && 2 * specks.background > found.differing)
+    remarks.push_back("Cracks: single pixels (" + PercentOf(specks.background, found) +
+                      ") show the background where a surface should be. A ray that meets an edge belongs to one of the "
+                      "two triangles; a test with < on both sides lets it through.");
+  else if (specks.darker > least && 2 * specks.darker > found.differing)
+    remarks.push_back("Shadow acne: single pixels (" + PercentOf(specks.darker, found) +
+                      ") are too dark on lit, smooth surfaces. A shadow ray that starts on a surface meets it again "
+                      "by rounding; start it a little off the surface.");
+  return remarks;
+}
+
+}  // namespace ray::grade

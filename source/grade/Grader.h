@@ -1,0 +1,61 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "source/grade/Results.h"
+#include "source/grade/SceneImages.h"
+
+namespace ray::grade {
+
+/// How students' programs are run.
+struct GraderSettings {
+  std::vector<std::string> command;  // with {scene}, {image}, {width}, {height} and {student}
+  std::uint64_t seed = 0;            // 0: scenes as they are; else varied as the suite says
+  Sandbox::Mode sandbox = Sandbox::Mode::automatic;
+  std::string image_extension = "png";
+};
+
+/// Grades programs by a suite. References, and images with mistakes, are rendered once for all of them.
+class Grader {
+ public:
+  /// Copies the scenes to a folder of their own, which is gone with the grader. Throws SceneErrors for a scene that
+  /// cannot be read, or a text to be varied that is not in it once.
+  Grader(const Suite& suite, const GraderSettings& settings, const Loader& load);
+  ~Grader();
+  Grader(const Grader&) = delete;
+
+  const Suite& suite() const { return suite_; }
+  const Sandbox& sandbox() const { return sandbox_; }
+  std::vector<std::unique_ptr<SceneImages>>& Scenes() { return scenes_; }
+
+  /// Runs the program of a student on every scene. `done` is called after each, with what is known so far, so that
+  /// nothing is lost when the grader is ended.
+  ///   student   the folder that {student} stands for; empty for none
+  StudentResult Grade(const std::string& name, const std::string& student,
+                      const std::function<void(const StudentResult&)>& done);
+
+ private:
+  SceneResult GradeScene(SceneImages& images, const std::string& file, const std::string& student, double seconds_left);
+  void Stage(const SuiteScene& scene);
+
+  const Suite& suite_;
+  GraderSettings settings_;
+  Loader load_;
+  Sandbox sandbox_;
+  std::filesystem::path folder_;
+  std::vector<std::string> files_;  // of the scenes, as students see them
+  std::vector<std::unique_ptr<SceneImages>> scenes_;
+};
+
+/// The text of a scene with its variations; see SuiteScene::vary. Throws SceneErrors.
+std::string Varied(const std::string& text, const SuiteScene& scene, std::uint64_t seed);
+
+/// What a student's image is worth: everything about it but how it came to be.
+void Judge(const std::vector<R2::Image>& runs, bool is_jpeg, const Suite& suite, SceneImages& images,
+           SceneResult& result);
+
+}  // namespace ray::grade

@@ -1,0 +1,91 @@
+#include <algorithm>
+#include <cmath>
+
+#include "source/grade/Detectors.h"
+#include "source/grade/Grader.h"
+#include "source/text/NumberText.h"
+
+namespace ray::grade {
+namespace {
+
+/// Black where equal; brighter where the student's is brighter, in red, or darker, in blue.
+R2::Image SignedDifference(const R2::Image& actual, const R2::Image& expected) {
+  constexpr double gain = 4;
+  R2::Image image(actual.Width(), actual.Height());
+  for (int y = 0; y < image.Height(); ++y)
+    for (int x = 0; x < image.Width(); ++x) {
+      const R2::Color d = gain * (actual.At(x, y) - expected.At(x, y));
+      const double more = std::max({d.r, d.g, d.b, 0.0}), less = -std::min({d.r, d.g, d.b, 0.0});
+      image.Set(x, y, {std::min(1.0, more), std::min(1.0, std::min(more, less)), std::min(1.0, less)});
+    }
+  return image;
+}
+
+std::string Percent(double share) { return Rounded(100 * share, 3) + "%"; }
+
+std::string TitlesOf(const MistakeList& mistakes) {
+  std::string titles;
+  for (const Mistake* mistake : mistakes) titles += (titles.empty() ? "" : ", and ") + std::string(mistake->title);
+  return titles;
+}
+
+void Name(const Explanation& explanation, SceneResult& result) {
+  result.verdict = SceneResult::Verdict::known_mistake;
+  result.explained = explanation.share;
+  for (const Mistake* mistake : explanation.mistakes)
+    result.mistakes += (result.mistakes.empty() ? "" : "+") + std::string(mistake->name);
+  result.headline = Percent(result.percent / 100) +
+                    " of the pixels differ, as with: " + TitlesOf(explanation.mistakes) + " (" +
+                    Percent(explanation.share) + " of the difference).";
+  for (const Mistake* mistake : explanation.mistakes) {
+    result.remarks.push_back(std::string("Expected: ") + mistake->expected);
+    result.remarks.push_back(std::string("Look here: ") + mistake->hint);
+  }
+  if (explanation.alternatives.empty() || explanation.mistakes.size() > 1) return;
+  std::string others;
+  for (const Mistake* mistake : explanation.alternatives)
+    others += (others.empty() ? "" : "; ") + std::string(mistake->title);
+  result.remarks.push_back("In this scene it looks the same as: " + others + ".");
+}
+
+/// Full points where all is well. Else fewer the more pixels differ, and never fewer than for known mistakes.
+double ScoreOf(const SceneResult& result, const Suite& suite, const SuiteScene& scene) {
+  constexpr double worthless = 25;  // percent of the pixels that differ
+  if (result.verdict == SceneResult::Verdict::right) return scene.points;
+  const double kept = std::clamp(1 - result.percent / worthless, 0.0, 1.0);
+  const bool is_known = result.verdict == SceneResult::Verdict::known_mistake;
+  return scene.points * std::max(kept, is_known ? suite.explained : 0.0);
+}
+
+}  // namespace
+
+void Judge(const std::vector<R2::Image>& runs, bool is_jpeg, const Suite& suite, SceneImages& images,
+           SceneResult& result) {
+  const Submission student = MakeSubmission(runs, is_jpeg, images);
+  const Comparison found = Compare(student, images);
+  result.percent = found.Percent();
+  result.expected = images.Reference();
+  result.actual = student.image;
+  result.difference = SignedDifference(student.image, images.Reference());
+  if (result.percent <= images.scene().allowed) {
+    result.verdict = SceneResult::Verdict::right;
+    result.headline = found.differing == 0 ? "The image is right."
+                                           : "The image is right, but for " + Percent(result.percent / 100) +
+                                                 " of its pixels, which is allowed.";
+  } else {
+    result.worst_x = found.worst_x, result.worst_y = found.worst_y;
+    result.ray_tree = images.RayTreeAt(found.worst_x, found.worst_y);
+    const std::vector<std::string> remarks = RemarksOn(student, found, images);
+    const Explanation explanation = remarks.empty() ? Explain(student, images) : Explanation{};
+    if (!explanation.mistakes.empty()) {
+      Name(explanation, result);
+    } else {
+      result.verdict = SceneResult::Verdict::different;
+      result.headline = Percent(result.percent / 100) + " of the pixels differ.";
+      result.remarks = remarks;
+    }
+  }
+  result.score = ScoreOf(result, suite, images.scene());
+}
+
+}  // namespace ray::grade

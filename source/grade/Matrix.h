@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "source/grade/SceneImages.h"
+
+namespace ray::grade {
+
+/// What is said of students who made known mistakes: our own image with the mistakes, from a camera a little aside, and
+/// of 8 bits.
+struct Verdicts {
+  int right = 0;      // named, or one that looks the same in the scene
+  int wrong = 0;      // another one is named
+  int silent = 0;     // visible, and none is named
+  int invisible = 0;  // no scene shows it
+
+  std::vector<std::string> lines;  // one per mistake: its name, then what is said in each scene
+};
+
+/// Tries every mistake of the table in each scene; with `pairs` above 0 so many pairs as well, chosen by a seed.
+Verdicts TryMistakes(std::vector<std::unique_ptr<SceneImages>>& scenes, int pairs);
+
+}  // namespace ray::grade

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "R2/Image.h"
+#include "source/grade/ShadingRules.h"
+#include "source/render/RenderSettings.h"
+#include "source/scene/Scene.h"
+
+namespace ray::grade {
+
+/// What a mistake does to a finished image of light.
+using ImageFilter = R2::Image (*)(const R2::Image&);
+
+/// All that decides an image, for mistakes to change: a scene and settings of its own, the surface equation, and what
+/// is done to the image in the end.
+struct Variant {
+  Scene& scene;
+  RenderSettings& settings;
+  ShadingRules& rules;
+  std::vector<ImageFilter>& filters;
+};
+
+/// A mistake that students make: one file of mistakes/ and one line of mistakes.def. The engine knows of none; a
+/// mistake is a change of data, and the image of it is rendered as any other.
+struct Mistake {
+  const char* name;      // "no_ambient": for tables
+  const char* title;     // "no ambient light": completes "as with"
+  const char* expected;  // what a correct program does, with its equation
+  const char* hint;      // where to look, which gives no code away
+  void (*make)(Variant& variant);
+};
+
+/// Every mistake, in the order of mistakes.def.
+std::span<const Mistake* const> Mistakes();
+/// Null when none has the name.
+const Mistake* FindMistake(const std::string& name);
+
+}  // namespace ray::grade

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "source/grade/Results.h"
+#include "source/grade/Suite.h"
+
+namespace ray::grade {
+
+/// The page of a student: one HTML file with its images in it.
+std::string StudentPage(const StudentResult& student, const Suite& suite, const std::string& sandbox);
+
+/// What Gradescope reads: one test per scene, with its output as HTML. What the other reports need to be made again is
+/// in "extra_data".
+///   source   Gradescope, Autograder specifications: results.json
+std::string ResultsJson(const StudentResult& student, const Suite& suite);
+/// What ResultsJson wrote, without images; nothing where the text is no such thing, or of another suite.
+bool ReadResultsJson(const std::string& text, const Suite& suite, StudentResult& student);
+
+/// One line per student and scene: student, scene, points, score, verdict, mistakes, percent differing, seconds.
+std::string ClassCsv(const std::vector<StudentResult>& students);
+
+/// A page for teachers: who has how many points, and which mistakes are common.
+std::string ClassPage(const std::vector<StudentResult>& students, const Suite& suite);
+
+}  // namespace ray::grade

@@ -1,0 +1,151 @@
+#include "source/grade/SceneImages.h"
+
+#include <algorithm>
+
+#include "R2/ImageFile.h"
+#include "source/accelerate/Accelerator.h"
+#include "source/grade/RuledShading.h"
+#include "source/render/PixelTrace.h"
+#include "source/render/Render.h"
+
+namespace ray::grade {
+namespace {
+
+// A quarter of a pixel to each side, as the samples of programs that smooth edges lie.
+constexpr R2::Vector shifts[]{{-0.3, -0.3}, {0.3, -0.3}, {-0.3, 0.3}, {0.3, 0.3}};
+
+/// The camera seen from a little aside, so that the whole image moves by so many pixels.
+void Shift(Scene& scene, RenderSettings& settings, R2::Vector pixels) {
+  if (pixels == R2::Vector{}) return;
+  Camera& camera = settings.view ? *settings.view : scene.camera;
+  const double pixel = 2.0 / settings.width;
+  camera.shift = {camera.shift.x + pixel * pixels.x, camera.shift.y + pixel * pixels.y};
+}
+
+R2::Image Shown(R2::Image image, std::span<const ImageFilter> filters) {
+  for (const ImageFilter filter : filters) image = filter(image);
+  return Displayed(image, R2::Display::straight);
+}
+
+double LargestDifference(const R2::Color& a, const R2::Color& b) {
+  return std::max({std::abs(a.r - b.r), std::abs(a.g - b.g), std::abs(a.b - b.b)});
+}
+
+}  // namespace
+
+/// The reference, ready for single rays.
+struct SceneImages::Built {
+  explicit Built(SceneToRender loaded)
+      : scene(std::move(loaded)),
+        world(scene.scene),
+        accelerator(FindAcceleratorKind(scene.accelerator.name)->Make(world, scene.accelerator)) {}
+  SceneToRender scene;
+  World world;
+  std::unique_ptr<const Accelerator> accelerator;
+};
+
+SceneImages::SceneImages(const SuiteScene& scene, const std::string& file, const Loader& load)
+    : scene_(scene), file_(file), load_(load), built_(std::make_unique<Built>(load(scene, file))) {
+  reference_ = Render({}, {});
+  FindSteadyPixels();
+  FindSmoothing();
+}
+
+// Of 4 samples as of 16, since twice and a half of what 16 say covers either. Where rays through the corners of pixels
+// are wrong, a steady pixel changes by more than that.
+void SceneImages::FindSmoothing() {
+  constexpr int many_samples = 16;
+  constexpr double factor = 2.5;
+  smoothing_.assign(steady_.size(), 0.0);
+  if (scene_.runs > 1) return;
+  const R2::Image smooth = Render({}, {}, many_samples);
+  const int width = reference_.Width();
+  for (int y = 0; y < reference_.Height(); ++y)
+    for (int x = 0; x < width; ++x)
+      smoothing_[static_cast<std::size_t>(y * width + x)] =
+          factor * LargestDifference(smooth.At(x, y), reference_.At(x, y));
+}
+
+SceneImages::~SceneImages() = default;
+
+double SceneImages::SteadyShare() const {
+  return static_cast<double>(std::ranges::count(steady_, true)) / static_cast<double>(steady_.size());
+}
+
+void SceneImages::FindSteadyPixels() {
+  const int width = reference_.Width(), height = reference_.Height();
+  steady_.assign(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), true);
+  if (scene_.runs > 1) return;  // blocks are compared, whose means an edge changes little
+  for (const R2::Vector& shift : shifts) {
+    const R2::Image moved = Render({}, shift);
+    for (int y = 0; y < height; ++y)
+      for (int x = 0; x < width; ++x)
+        if (LargestDifference(moved.At(x, y), reference_.At(x, y)) > scene_.tolerance)
+          steady_[static_cast<std::size_t>(y * width + x)] = false;
+  }
+  const auto& [scene, settings, accelerator] = built_->scene;
+  const Camera& camera = settings.view ? *settings.view : scene.camera;
+  Workspace workspace;
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) {
+      const auto hit = built_->accelerator->Intersect(camera.Through(x + 0.5, y + 0.5, width, height), workspace);
+      if (!hit || !hit->is_contested) continue;
+      steady_[static_cast<std::size_t>(y * width + x)] = false;
+    }
+}
+
+R2::Image SceneImages::Render(const MistakeList& mistakes, R2::Vector shift_in_pixels, int samples) const {
+  SceneToRender loaded = load_(scene_, file_);
+  ShadingRules rules;
+  std::vector<ImageFilter> filters;
+  Variant variant{loaded.scene, loaded.settings, rules, filters};
+  for (const Mistake* mistake : mistakes) mistake->make(variant);
+  Shift(loaded.scene, loaded.settings, shift_in_pixels);
+  if (samples > 0) loaded.settings.samples = samples;
+  const World world(loaded.scene);
+  const auto accelerator = FindAcceleratorKind(loaded.accelerator.name)->Make(world, loaded.accelerator);
+  const TraceSettings trace = TraceSettingsOf(loaded.settings);
+  if (rules == ShadingRules()) return Shown(ray::Render(world, *accelerator, loaded.settings).image, filters);
+  if (loaded.settings.mode != RenderMode::whitted || !RuledShading::CanShade(world, trace)) return {};
+  const RuledShading integrator(world, *accelerator, trace, rules);
+  return Shown(ray::Render(world, integrator, loaded.settings).image, filters);
+}
+
+const R2::Image* SceneImages::With(const MistakeList& mistakes) {
+  auto& made = made_[mistakes];
+  if (!made) made = std::make_unique<const R2::Image>(Render(mistakes, {}));
+  return made->Width() > 0 ? made.get() : nullptr;
+}
+
+R2::Image SceneImages::AsOfAnother(const MistakeList& mistakes) const {
+  R2::Image image = Render(mistakes, {0.11, -0.07});
+  for (int y = 0; y < image.Height(); ++y)
+    for (int x = 0; x < image.Width(); ++x) {
+      const R2::Color c = image.At(x, y);
+      image.Set(x, y, {R2::ToByte(c.r) / 255.0, R2::ToByte(c.g) / 255.0, R2::ToByte(c.b) / 255.0});
+    }
+  return image;
+}
+
+R2::Image SceneImages::Cells(const R2::Image& image) const {
+  const int side = CellSide();
+  if (side == 1) return image;
+  R2::Image cells((image.Width() + side - 1) / side, (image.Height() + side - 1) / side);
+  for (int y = 0; y < cells.Height(); ++y)
+    for (int x = 0; x < cells.Width(); ++x) {
+      R2::Color sum;
+      int count = 0;
+      for (int j = side * y; j < std::min(side * (y + 1), image.Height()); ++j)
+        for (int i = side * x; i < std::min(side * (x + 1), image.Width()); ++i) sum += image.At(i, j), ++count;
+      cells.Set(x, y, sum / count);
+    }
+  return cells;
+}
+
+std::string SceneImages::RayTreeAt(int x, int y) const {
+  constexpr std::size_t most_rays = 24;
+  const PixelTracer tracer(built_->world, *built_->accelerator, built_->scene.settings);
+  return RayTree(tracer.Trace(x, y, 1), built_->world, built_->scene.settings, most_rays);
+}
+
+}  // namespace ray::grade

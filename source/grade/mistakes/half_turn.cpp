@@ -1,0 +1,21 @@
+#include "source/grade/Changes.h"
+#include "source/grade/Mistake.h"
+
+namespace ray::grade {
+
+extern const Mistake half_turn_mistake{
+    .name = "half_turn",
+    .title = "the image is turned by half a turn",
+    .expected = "Both x and y of the image plane grow as those of the image.",
+    .hint = "A pinhole's own image is upside down; the image plane in front of the eye is not.",
+    .make =
+        [](Variant& v) {
+          v.filters.push_back([](const R2::Image& image) {
+            return Moved(image, image.Width(), image.Height(), [&](int x, int y) {
+              return PixelPlace{image.Width() - 1 - x, image.Height() - 1 - y};
+            });
+          });
+        },
+};
+
+}  // namespace ray::grade

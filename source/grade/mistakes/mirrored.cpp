@@ -1,0 +1,21 @@
+#include "source/grade/Changes.h"
+#include "source/grade/Mistake.h"
+
+namespace ray::grade {
+
+extern const Mistake mirrored_mistake{
+    .name = "mirrored",
+    .title = "the image is mirrored left to right",
+    .expected = "Right is towards x up: x grows along it.",
+    .hint = "In which order is the cross product taken?",
+    .make =
+        [](Variant& v) {
+          v.filters.push_back([](const R2::Image& image) {
+            return Moved(image, image.Width(), image.Height(), [&](int x, int y) {
+              return PixelPlace{image.Width() - 1 - x, y};
+            });
+          });
+        },
+};
+
+}  // namespace ray::grade

@@ -1,0 +1,3 @@
+#!/bin/sh
+# Writes a file without end in place of the image.
+exec cat /dev/zero > "$1"

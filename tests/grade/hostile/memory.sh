@@ -1,0 +1,3 @@
+#!/bin/sh
+# Asks for memory without end.
+exec tail /dev/zero

@@ -1,0 +1,110 @@
+#include "source/grade/Sandbox.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <filesystem>
+
+#include "tests/Project.h"
+#include "tests/source/app/Program.h"
+
+namespace ray::testing {
+namespace {
+
+namespace fs = std::filesystem;
+using grade::RunResult;
+using grade::Sandbox;
+
+/// A folder that the sandbox's user may write to, whoever runs the tests.
+struct Workplace : TemporaryFolder {
+  Workplace() { fs::permissions(Path(), fs::perms::all); }
+};
+
+std::string Hostile(const std::string& name) {
+  return fs::absolute(project::Root() / "tests/grade/hostile" / (name + ".sh")).string();
+}
+
+std::vector<Sandbox> Sandboxes() {
+  std::vector<Sandbox> all{Sandbox(Sandbox::Mode::limits)};
+  const Sandbox best(Sandbox::Mode::automatic);
+  if (best.IsolatesPrograms()) all.push_back(best);
+  return all;
+}
+
+RunResult RunHostile(const Sandbox& sandbox, const Workplace& place, const std::string& name) {
+  const grade::Limits limits{.seconds = 1, .memory = 256, .file_bytes = 1 << 20};
+  const auto begin = std::chrono::steady_clock::now();
+  const RunResult result = sandbox.Run({"/bin/sh", Hostile(name), place / "image.png", place / "scene", "/nowhere"},
+                                       place.Path(), {}, limits);
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(5)) << name;
+  return result;
+}
+
+TEST(Sandbox, AProgramThatNeverEndsIsStopped) {
+  for (const Sandbox& sandbox : Sandboxes()) {
+    const Workplace place;
+    EXPECT_EQ(RunHostile(sandbox, place, "sleeper").end, RunResult::End::timed_out) << sandbox.Describe();
+  }
+}
+
+TEST(Sandbox, EndlessOutputEndsAProgram) {
+  for (const Sandbox& sandbox : Sandboxes()) {
+    const Workplace place;
+    const RunResult result = RunHostile(sandbox, place, "endless_output");
+    EXPECT_EQ(result.end, RunResult::End::too_much_output) << result.Problem();
+    EXPECT_LE(result.output.size(), 16384U);
+  }
+}
+
+TEST(Sandbox, FilesStayBelowTheirLimit) {
+  for (const Sandbox& sandbox : Sandboxes()) {
+    const Workplace place;
+    EXPECT_FALSE(RunHostile(sandbox, place, "huge_file").IsGood());
+    EXPECT_LE(fs::file_size(place / "image.png"), std::uintmax_t{1} << 20);
+  }
+}
+
+TEST(Sandbox, ASignalIsToldByName) {
+  for (const Sandbox& sandbox : Sandboxes()) {
+    const Workplace place;
+    const RunResult result = RunHostile(sandbox, place, "crasher");
+    EXPECT_TRUE(Has(result.Problem(), "signal 11")) << result.Problem() << sandbox.Describe();
+  }
+}
+
+TEST(Sandbox, MemoryHasALimit) {
+  for (const Sandbox& sandbox : Sandboxes()) {
+    const Workplace place;
+    EXPECT_FALSE(RunHostile(sandbox, place, "memory").IsGood());
+  }
+}
+
+TEST(Sandbox, NothingThatAProgramStartedOutlivesIt) {
+  for (const Sandbox& sandbox : Sandboxes()) {
+    const Workplace place;
+    RunHostile(sandbox, place, "leaver");
+    for (const auto& process : fs::directory_iterator("/proc")) {
+      const std::string command = process.path() / "cmdline";
+      if (!fs::exists(command)) continue;
+      EXPECT_FALSE(Has(ReadFile(command), std::string("sleep\0"
+                                                      "611",
+                                                      9)))
+          << process.path();
+    }
+  }
+}
+
+TEST(Sandbox, BubblewrapHidesTheMachine) {
+  const Sandbox sandbox(Sandbox::Mode::automatic);
+  if (!sandbox.IsolatesPrograms()) GTEST_SKIP() << sandbox.Describe();
+  const Workplace place;
+  const TemporaryFolder other;
+  WriteFile(other / "secret", "secret");
+  const grade::Limits limits{.seconds = 2};
+  EXPECT_FALSE(sandbox.Run({"/bin/sh", "-c", "cat </etc/passwd"}, place.Path(), {}, limits).IsGood());
+  EXPECT_FALSE(sandbox.Run({"/bin/sh", "-c", "cat " + other / "secret"}, place.Path(), {}, limits).IsGood());
+  EXPECT_TRUE(sandbox.Run({"/bin/sh", "-c", "echo 1 > here"}, place.Path(), {}, limits).IsGood());
+}
+
+}  // namespace
+}  // namespace ray::testing
