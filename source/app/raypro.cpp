@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "source/accelerate/Accelerator.h"
+#include "source/app/Farm.h"
 #include "source/app/GuardedMain.h"
 #include "source/app/Interrupt.h"
 #include "source/app/Status.h"
@@ -14,6 +15,7 @@
 #include "source/app/files/FinishingTime.h"
 #include "source/app/files/LayerPictures.h"
 #include "source/app/files/Outputs.h"
+#include "source/app/files/PartFiles.h"
 #include "source/app/files/ReadInputs.h"
 #include "source/app/options/CommandLine.h"
 #include "source/app/options/Comp30019.h"
@@ -58,6 +60,8 @@ RenderResult RenderAndTell(const World& world, const Accelerator& accelerator, c
   monitor.saves_finished = options.keep_checkpoint;
   if (options.resume && checkpoint->Exists())
     monitor.resume = [&](const Film& film) { return checkpoint->Load(film, settings, hash); };
+  else if (!options.parts.empty())
+    monitor.resume = [&](const Film&) { return StateOfParts(options, hash); };
   else if (options.resume && !options.quiet)
     PrintError("raypro: nothing to resume, " + QuotedPath(checkpoint->Name()) +
                " does not exist: rendering from the start");
@@ -119,9 +123,10 @@ int MakePicture(const Options& asked, const Words& words) {
 }
 
 int DoOne(const Options& options, const Words& words) {
-  if (options.task == Task::render) return MakePicture(options, words);
-  DoTask(options);
-  return status::done;
+  if (options.task != Task::render) return DoTask(options), status::done;
+  if (options.render.part) return RenderOnePart(options);
+  if (options.missing > 0) return PrintMissingParts(options), status::done;
+  return MakePicture(options, words);
 }
 
 /// Every file that one of the scenes is read from. A scene that cannot be read says so in its turn.

@@ -51,7 +51,7 @@ PassRunner::End PassRunner::Run(const PassTargets& targets, std::optional<Clock:
   least_progress_ = targets.places.empty() ? 1 : least_looks;
   pixels_done_ = 0;
   for (int i = 0; i < work_.film.Blocks(); ++i)
-    if (IsAtTarget(i)) pixels_done_ += work_.film.PixelsOf(i).Area();
+    if (IsDone(i)) pixels_done_ += work_.film.PixelsOf(i).Area();
   // The arena bounds this render alone, others may run beside it; only more threads than usual need permission.
   std::optional<tbb::global_control> permission;
   if (threads_ > tbb::info::default_concurrency())
@@ -73,7 +73,7 @@ void PassRunner::RunTile(int i) {
   std::int64_t pixels = 0;
   // What is done of first looks when they are broken off is to show all of the picture, whichever thread came when.
   for (const int block : tiles_.BlocksOf(targets_->places.empty() ? i : tiles_.Spread(looks_begun_++))) {
-    if (IsAtTarget(block)) continue;
+    if (IsDone(block)) continue;
     if (!(TargetOf(block) > 0 ? Advance(block, state) : Look(block, state))) break;
     pixels += work_.film.PixelsOf(block).Area();
   }

@@ -26,6 +26,7 @@ struct PassWork {
   const std::atomic<bool>* stop = nullptr;  // looked at before each few rays; may be null
   /// Told after each tile, by one thread at a time: pixels at their targets, and rays of all passes. May be empty.
   std::function<void(std::int64_t pixels, const RayCounts& rays)> tile_done;
+  std::vector<bool> left_alone{};  // blocks of other parts; empty where all are rendered
 };
 
 /// Takes the samples that the blocks of a film are due, in tiles shared out to threads. The film is the same, bit for
@@ -48,6 +49,9 @@ class PassRunner {
   /// Of all passes: those whose samples the film has, so that a render which was broken off counts as many in the end
   /// as one that was not.
   const RayCounts& Rays() const { return rays_; }
+  bool IsLeftAlone(int block) const {
+    return !work_.left_alone.empty() && work_.left_alone[static_cast<std::size_t>(block)];
+  }
   /// Counts rays that were traced before a break.
   void AddRays(const RayCounts& rays) { rays_ += rays; }
 
@@ -57,6 +61,7 @@ class PassRunner {
   std::uint32_t TargetOf(int block) const { return targets_->samples[static_cast<std::size_t>(block)]; }
   std::uint32_t SamplesOf(int block) const { return work_.film[block].SamplesPerStream(work_.has_two_streams); }
   bool IsAtTarget(int block) const;
+  bool IsDone(int block) const { return IsLeftAlone(block) || IsAtTarget(block); }
   void RunTile(int i);
   bool Advance(int block, TraceState& state);
   bool Look(int block, TraceState& state);

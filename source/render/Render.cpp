@@ -15,6 +15,7 @@
 #include "source/render/DenoiseResult.h"
 #include "source/render/FinishForecast.h"
 #include "source/render/Forecast.h"
+#include "source/render/Parts.h"
 #include "source/render/PassRunner.h"
 #include "source/render/SecondsOf.h"
 
@@ -120,7 +121,8 @@ class Job {
         film_(EmptyFilmOf(settings)),
         schedule_(settings, {film_.Columns(), film_.AreasInRegion()}, settings.wants_passes || monitor.pass_done),
         runner_({source_, film_, HasTwoStreams(settings), settings.threads, settings.tile_size, monitor.stop,
-                 [this](std::int64_t pixels, const RayCounts& rays) { TellProgress(pixels, rays); }}) {}
+                 [this](std::int64_t pixels, const RayCounts& rays) { TellProgress(pixels, rays); },
+                 OthersThan(settings)}) {}
 
   RenderResult Run() {
     NoteTimeAfter(0, 0);
@@ -141,6 +143,23 @@ class Job {
     return Result(*stop);
   }
 
+  /// See RenderPart.
+  bool RunPart() {
+    Resume(monitor_.resume(film_));
+    const PassRunner::End end = RunPass();
+    monitor_.save(State());
+    return end == PassRunner::End::complete;
+  }
+
+  /// See NextRound.
+  std::optional<RenderState> NextRound(RenderState&& state) {
+    Resume(std::move(state));
+    if (!passes_.empty()) pass_begin_ = {passes_.back().seconds, passes_.back().samples};
+    if (schedule_.Next(EndPass())) return {};
+    schedule_.SkipToRound();
+    return State();
+  }
+
   const Film& film() const { return film_; }
   /// Whether the picture's time, if it has one, was enough for samples that can be denoised, and for that.
   bool HasTimeToDenoise() const { return !denoise_forecast_ || (after_.is_in_time && film_.HasBothParts()); }
@@ -159,6 +178,14 @@ class Job {
   }
 
  private:
+  /// The blocks of other parts; empty where the whole image is rendered.
+  std::vector<bool> OthersThan(const RenderSettings& settings) const {
+    std::vector<bool> others;
+    if (!settings.part) return others;
+    for (const int part : PartsOfBlocks(film_, settings.part->of)) others.push_back(part != settings.part->index);
+    return others;
+  }
+
   struct PassWork {
     double end = 0;          // samples per pixel after the pass, on average
     double idle_pixels = 0;  // of blocks that are at their target before
@@ -292,7 +319,8 @@ class Job {
       const std::uint32_t target = targets.samples[static_cast<std::size_t>(i)];
       samples += area * (target > 0 ? (has_two_streams ? 2.0 : 1.0) * target
                                     : targets.PlacesOf(i) / double{BlockOrder::places});
-      if (film_[i].SamplesPerStream(has_two_streams) >= target && target > 0) work.idle_pixels += area;
+      const bool is_done = film_[i].SamplesPerStream(has_two_streams) >= target && target > 0;
+      if (is_done || runner_.IsLeftAlone(i)) work.idle_pixels += area;
     }
     work.end = samples / static_cast<double>(film_.Sampled().Area());
     return work;
@@ -457,6 +485,19 @@ RenderResult Render(const World& world, const Accelerator& accelerator, const Re
   DenoiseResult(world, accelerator, settings, job.film(), measure, job.EndOfGuides(), monitor, result);
   if (!result.IsComplete() && monitor.save) monitor.save(job.State());
   return result;
+}
+
+bool RenderPart(const World& world, const Accelerator& accelerator, const RenderSettings& settings,
+                const RenderMonitor& monitor) {
+  const auto start = Job::Clock::now();
+  const auto integrator = IntegratorOf(world, accelerator, settings);
+  return Job(world, *integrator, settings, monitor, start).RunPart();
+}
+
+std::optional<RenderState> NextRound(const World& world, const Accelerator& accelerator, const RenderSettings& settings,
+                                     RenderState state, const RenderMonitor& monitor) {
+  const auto integrator = IntegratorOf(world, accelerator, settings);
+  return Job(world, *integrator, settings, monitor, Job::Clock::now()).NextRound(std::move(state));
 }
 
 RenderResult Render(const World& world, const Integrator& integrator, const RenderSettings& settings,

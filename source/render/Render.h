@@ -100,6 +100,17 @@ RenderResult Render(const World& world, const Accelerator& accelerator, const Re
 RenderResult Render(const World& world, const Integrator& integrator, const RenderSettings& settings,
                     const RenderMonitor& monitor = {});
 
+/// Renders the blocks of settings.part alone, from the state that monitor.resume gives, for one round (Parts.h), and
+/// gives each state to monitor.save, the last one always; both are needed.
+///   returns   whether the round is over; else a signal or the time limit ended the render
+bool RenderPart(const World& world, const Accelerator& accelerator, const RenderSettings& settings,
+                const RenderMonitor& monitor);
+
+/// Decides on the next round from a state in which every block has the samples of this one. It depends on the blocks
+/// and on monitor.seconds_before, which must count from when the first round began. Nothing when the image is done.
+std::optional<RenderState> NextRound(const World& world, const Accelerator& accelerator, const RenderSettings& settings,
+                                     RenderState state, const RenderMonitor& monitor = {});
+
 /// What Render works with, for whoever takes some of the samples in another order. None depends on which part of the
 /// picture is wanted but the film.
 std::unique_ptr<const Integrator> IntegratorOf(const World& world, const Accelerator& accelerator,

@@ -13,6 +13,7 @@
 #include "source/integrate/CameraRays.h"
 #include "source/integrate/Integrators.h"
 #include "source/integrate/TraceSettings.h"
+#include "source/render/ImagePart.h"
 
 namespace ray {
 
@@ -93,6 +94,7 @@ struct RenderSettings {
   TraceSettings trace;
   Budget budget;
   std::optional<Replay> replay;
+  std::optional<ImagePart> part;  // of which alone blocks are rendered, see RenderPart
   bool denoise = false;  // filter the picture of light once it is complete; takes two streams
   Denoiser denoiser = Denoiser::regression;
   bool denoises_beyond_crop = true;  // or, for whoever only wants to know what it costs, the crop as if it were all

@@ -190,7 +190,7 @@ Film::Block TakeBlock(Reader& reader, const BlockSums& empty) {
 /// What is between the first line of a checkpoint and its checksum, once these are what they should be.
 std::span<const unsigned char> CheckedBody(std::span<const unsigned char> bytes) {
   if (bytes.size() < magic.size() || !std::equal(magic.begin(), magic.end(), bytes.begin()))
-    throw CheckpointError("it is not a checkpoint of this version");
+    throw OtherImageError("it is not a checkpoint of this version");
   std::uint64_t checksum = 0;
   if (bytes.size() < magic.size() + sizeof checksum) throw CheckpointError("it is truncated");
   const auto checked = bytes.first(bytes.size() - sizeof checksum);
@@ -273,7 +273,7 @@ RenderState DecodedState(std::span<const unsigned char> bytes, const std::string
   if (theirs != identity) {
     const std::string difference = FirstDifference(theirs, identity);
     const bool is_scene = difference.starts_with("scene ");  // whose hash would tell nobody anything
-    throw CheckpointError(is_scene ? "the checkpoint is of another scene"
+    throw OtherImageError(is_scene ? "the checkpoint is of another scene"
                                    : "the checkpoint was made with " + difference);
   }
   RenderState state;

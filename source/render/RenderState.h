@@ -35,6 +35,11 @@ struct CheckpointError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// The checkpoint is whole, but of another image, version or machine type: nothing that may be rendered over.
+struct OtherImageError : CheckpointError {
+  using CheckpointError::CheckpointError;
+};
+
 /// The bytes of a checkpoint. `identity`: lines "name value" that say of which picture it is.
 std::vector<unsigned char> Encoded(const RenderState& state, const std::string& identity);
 

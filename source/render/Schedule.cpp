@@ -131,6 +131,10 @@ void Schedule::Resume(ScheduleState state) {
   }
 }
 
+void Schedule::SkipToRound() {
+  while (!NeedsWholePicture() && !Next({})) continue;
+}
+
 std::optional<Stop> Schedule::Next(const PassOutcome& pass) {
   if (replay_) return NextOfReplay();
   if (state_.end == 0) return NextOfFirstSamples(pass);

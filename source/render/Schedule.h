@@ -80,6 +80,13 @@ class Schedule {
   }
   /// Whether what is next depends on how neighboring pixels differ after the pass that runs.
   bool LooksAtContrast() const { return looks_at_neighbors_ && state_.end == 1; }
+  /// Whether what is next depends on the whole picture after the pass that runs, or on the time it took.
+  bool NeedsWholePicture() const {
+    return LooksAtError() || LooksAtContrast() || (budget_.seconds > 0 && state_.end > 0);
+  }
+  /// Goes on to the first pass after which a decision needs the whole picture, or to the last pass. No block's samples
+  /// depend on the passes in between.
+  void SkipToRound();
   /// Goes on where another schedule of this picture stood.
   void Resume(ScheduleState state);
 

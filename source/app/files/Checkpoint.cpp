@@ -15,19 +15,6 @@
 namespace ray {
 namespace {
 
-/// Everything that a bit of the picture depends on: version, scene, and the options that choose it.
-std::string Identity(const Options& options, const std::string& scene_hash) {
-  std::string text = "version " RAYPRO_VERSION "\nscene " + scene_hash + "\n";
-  for (const OptionKind& option : OptionTable(options.program)) {
-    const std::string topic = option.topic, name = option.name;
-    if (!IsSetting(option) || (topic != "picture" && topic != "light" && topic != "quality")) continue;
-    if (name == "checkpoint" || name == "resume" || name == "reference" || name == "time") continue;
-    if (name == "keep_checkpoint" || name == "restart" || name == "samples") continue;
-    text += "-" + name + " " + Show(option, options) + "\n";
-  }
-  return text;
-}
-
 bool IsThere(const OutputFile& file) {
   std::error_code ignored;
   return std::filesystem::exists(file.target, ignored);
@@ -39,6 +26,18 @@ void RemoveFile(const std::filesystem::path& file) {
 }
 
 }  // namespace
+
+std::string IdentityOf(const Options& options, const std::string& scene_hash) {
+  std::string text = "version " RAYPRO_VERSION "\nscene " + scene_hash + "\n";
+  for (const OptionKind& option : OptionTable(options.program)) {
+    const std::string topic = option.topic, name = option.name;
+    if (!IsSetting(option) || (topic != "picture" && topic != "light" && topic != "quality")) continue;
+    if (name == "checkpoint" || name == "resume" || name == "reference" || name == "time") continue;
+    if (name == "keep_checkpoint" || name == "restart" || name == "samples") continue;
+    text += "-" + name + " " + Show(option, options) + "\n";
+  }
+  return text;
+}
 
 Checkpoint::Checkpoint(const Options& options)
     : options_(options),
@@ -59,7 +58,7 @@ const OutputFile* Checkpoint::Found() const {
 
 void Checkpoint::Save(const RenderState& state, const std::string& scene_hash) {
   try {
-    WriteWhole(has_picture_ ? aside_ : beside_, Encoded(state, Identity(options_, scene_hash)));
+    WriteWhole(has_picture_ ? aside_ : beside_, Encoded(state, IdentityOf(options_, scene_hash)));
     if (!has_picture_) RemoveFile(aside_.target);  // it went on from there, and must not go back to it
     RemoveCopy();
   } catch (const OutputError& error) {
@@ -75,7 +74,7 @@ RenderState Checkpoint::Load(const Film& film, const RenderSettings& settings, c
     const Files files(name, {});
     const std::string bytes = files.Read(files.Top());
     RenderState state = DecodedState({reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()},
-                                     Identity(options_, scene_hash), film);
+                                     IdentityOf(options_, scene_hash), film);
     CheckPlan(state, settings);
     CheckState(state, film, settings);
     return state;

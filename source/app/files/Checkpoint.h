@@ -8,6 +8,10 @@
 
 namespace ray {
 
+/// Everything that a bit of the picture depends on: version, scene, and the options that choose it; lines "name value".
+/// But for the samples, which may become more.
+std::string IdentityOf(const Options& options, const std::string& scene_hash);
+
 /// The state of a render in a file beside the picture so far, from which -resume goes on: "out.jpg.checkpoint", or
 /// "out.partial.jpg.checkpoint" where a finished picture has the name. It is written every -checkpoint, and whenever a
 /// signal ends the run, whole or not at all; removed when the picture is finished, unless -keep_checkpoint wants

@@ -46,6 +46,18 @@ std::string ShowErrorTarget(const std::optional<ErrorTarget>& target) {
   return "";
 }
 
+std::optional<std::optional<ImagePart>> ReadPart(const std::string& word) {
+  const std::size_t slash = word.find('/');
+  if (slash == std::string::npos) return {};
+  const auto index = ParseWhole(word.substr(0, slash)), of = ParseWhole(word.substr(slash + 1));
+  if (index.problem || of.problem || index.value < 1 || index.value > of.value || of.value > most_image_parts) return {};
+  return ImagePart{static_cast<int>(index.value), static_cast<int>(of.value)};
+}
+
+std::string ShowPart(const std::optional<ImagePart>& part) {
+  return part ? std::to_string(part->index) + "/" + std::to_string(part->of) : "";
+}
+
 std::optional<int> ReadLightCount(const std::string& word) {
   if (word == "auto") return -1;
   if (word == "all") return 0;

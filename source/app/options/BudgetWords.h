@@ -20,4 +20,8 @@ std::string ShowErrorTarget(const std::optional<ErrorTarget>& target);
 std::optional<int> ReadLightCount(const std::string& word);
 std::string ShowLightCount(const int& count);
 
+/// "3/8", the third of eight parts. Nothing for anything else.
+std::optional<std::optional<ImagePart>> ReadPart(const std::string& word);
+std::string ShowPart(const std::optional<ImagePart>& part);
+
 }  // namespace ray

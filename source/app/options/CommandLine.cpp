@@ -277,6 +277,20 @@ void CheckBudget(const Options& options) {
                      ", which shows costs");
 }
 
+/// Each is of parts that one image is cut into; what only a finished image has, a part has not.
+void CheckParts(const Options& options) {
+  const bool is_part = options.render.part.has_value(), assembles = !options.parts.empty() && options.missing == 0;
+  if (is_part && options.missing > 0) throw UsageError("-part and -missing contradict each other");
+  if (is_part && !options.parts.empty()) throw UsageError("-part and -parts contradict each other");
+  if (assembles && options.resume)
+    throw UsageError("-parts and -resume contradict each other: the checkpoint of an assembled image has the parts");
+  if (!is_part && options.missing == 0) return;
+  for (const char* name : {"report", "stats", "reference", "keep_checkpoint"})
+    if (options.IsGiven(name))
+      throw UsageError("-" + std::string(name) + " is of a whole image; it cannot be combined with -" +
+                       (is_part ? "part" : "missing"));
+}
+
 /// Everything that is wrong together, though each word is right by itself.
 void CheckTogether(const Options& options, std::span<const std::string> words) {
   if (options.task == Task::as_course) throw UsageError("-as " + options.subject + " must come before all else");
@@ -286,6 +300,7 @@ void CheckTogether(const Options& options, std::span<const std::string> words) {
   CheckSize(options.render);
   CheckConvert(options);
   CheckView(options.view);
+  CheckParts(options);
   if (options.quiet && options.verbose) throw UsageError("-quiet and -verbose contradict each other");
 }
 

@@ -49,7 +49,7 @@ bool IsScene(const std::string& name) {
 
 /// Each makes a picture of its own name, which standard input has not.
 void CheckScenes(const Options& options) {
-  for (const char* name : {"report", "replay", "reference"})
+  for (const char* name : {"report", "replay", "reference", "part", "parts", "missing"})
     if (options.IsGiven(name))
       throw UsageError("-" + std::string(name) + " is of one picture; it cannot be combined with -out_folder");
   std::map<std::string, std::string> pictures;
@@ -65,7 +65,7 @@ void CheckScenes(const Options& options) {
 /// Standard output holds one picture, and nothing can be resumed from it.
 void CheckStandardOutput(const Options& options) {
   if (options.picture != standard_stream) return;
-  for (const char* name : {"resume", "restart", "checkpoint", "keep_checkpoint"})
+  for (const char* name : {"resume", "restart", "checkpoint", "keep_checkpoint", "part", "parts", "missing"})
     if (options.IsGiven(name))
       throw UsageError("-" + std::string(name) + " needs a picture with a name, not standard output");
   if (!options.layers.empty()) throw UsageError("-layers needs a picture with a name, not standard output");

@@ -87,6 +87,8 @@ struct Options {
   double checkpoint = 0;               // seconds between two; 0: only when a signal ends the run
   bool resume = false, restart = false, keep_checkpoint = false;
   std::string replay;  // file name of a report; empty for none
+  std::string parts;   // a pattern of file names, to assemble; empty for none
+  int missing = 0;     // of so many parts, those that are not rendered are printed; 0: render
 
   Task task = Task::render;
   std::string subject;         // of help, list, complete, info and manual; of convert the file to write

@@ -544,6 +544,7 @@ Words SomeValue(const OptionKind& option, const Options& defaults) {
   }
   if (std::holds_alternative<Rectangle>(option.value)) return {"0", "1", "5", "6"};
   if (std::string(option.name) == "layers") return {"depth,id"};
+  if (std::string(option.name) == "part") return {"3/8"};
   if (std::holds_alternative<FileName>(option.value) || std::holds_alternative<FolderList>(option.value))
     return {"a 'name'"};
   return {"7"};

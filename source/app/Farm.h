@@ -1,0 +1,18 @@
+#pragma once
+
+#include "source/app/options/Options.h"
+
+/// What raypro does where many machines render one image: it cuts, plans and says what is missing. Assembling is a
+/// render that begins with the samples of the parts.
+namespace ray {
+
+/// Renders options.render.part into its file, for one round. The blocks that the file holds already are not rendered
+/// again.
+///   returns   the exit status
+int RenderOnePart(const Options& options);
+
+/// Prints the parts that are to be rendered in this round, a number per line. Where none are, it decides on the next
+/// round and writes its plan; it prints nothing when all that is left is assembling.
+void PrintMissingParts(const Options& options);
+
+}  // namespace ray

@@ -1,0 +1,196 @@
+#include "source/app/files/PartFiles.h"
+
+#include <glob.h>
+#include <zlib.h>
+
+#include <bit>
+#include <charconv>
+#include <filesystem>
+#include <map>
+
+#include "source/app/Status.h"
+#include "source/app/files/Checkpoint.h"
+#include "source/app/files/Outputs.h"
+#include "source/app/files/ReadInputs.h"
+#include "source/app/report/Messages.h"
+#include "source/parse/SceneError.h"
+#include "source/parse/Text.h"
+#include "source/render/Parts.h"
+#include "source/text/Quoting.h"
+
+namespace ray {
+namespace {
+
+constexpr const char* byte_order = std::endian::native == std::endian::little ? "little-endian" : "big-endian";
+constexpr std::string_view first_word = "raypro ", plan_title = "plan";
+constexpr std::size_t most_compressed = 1032;  // times that deflate can make bytes fewer
+
+std::string TitleOf(const ImagePart& part) {
+  return "part " + std::to_string(part.index) + " of " + std::to_string(part.of);
+}
+
+/// The head of a file is a line "raypro part 3 of 8, little-endian, 123456 bytes".
+std::vector<unsigned char> Packed(const std::string& title, const std::vector<unsigned char>& bytes) {
+  const std::string head =
+      std::string(first_word) + title + ", " + byte_order + ", " + std::to_string(bytes.size()) + " bytes\n";
+  uLongf size = compressBound(bytes.size());
+  std::vector<unsigned char> packed(head.begin(), head.end());
+  packed.resize(head.size() + size);
+  if (compress2(packed.data() + head.size(), &size, bytes.data(), bytes.size(), Z_BEST_SPEED) != Z_OK)
+    throw std::bad_alloc();
+  packed.resize(head.size() + size);
+  return packed;
+}
+
+struct Unpacked {
+  std::string title;
+  std::vector<unsigned char> bytes;
+};
+
+/// The text up to the next of `end`, which it removes with it.
+std::string TakeUpTo(std::string_view end, std::string_view& text) {
+  const std::size_t at = text.find(end);
+  if (at == std::string_view::npos) throw CheckpointError("it is truncated or damaged");
+  const std::string taken(text.substr(0, at));
+  text.remove_prefix(at + end.size());
+  return taken;
+}
+
+/// Throws CheckpointError for anything but what Packed gave.
+Unpacked UnpackedFrom(std::string_view text) {
+  if (!text.starts_with(first_word)) throw CheckpointError("it is truncated or damaged");
+  text.remove_prefix(first_word.size());
+  Unpacked unpacked{TakeUpTo(", ", text), {}};
+  if (TakeUpTo(", ", text) != byte_order) throw OtherImageError("it was made on a machine of another byte order");
+  const std::string number = TakeUpTo(" bytes\n", text);
+  std::size_t size = 0;
+  const auto [stop, error] = std::from_chars(number.data(), number.data() + number.size(), size);
+  if (error != std::errc() || stop != number.data() + number.size() || size > most_compressed * text.size())
+    throw CheckpointError("it is truncated or damaged");
+  unpacked.bytes.resize(size);
+  uLongf got = size, used = text.size();
+  const int result =
+      uncompress2(unpacked.bytes.data(), &got, reinterpret_cast<const unsigned char*>(text.data()), &used);
+  if (result != Z_OK || got != size || used != text.size()) throw CheckpointError("it is truncated or damaged");
+  return unpacked;
+}
+
+std::optional<ImagePart> PartTitled(const std::string& title) {
+  ImagePart part;
+  std::string_view text = title;
+  if (!text.starts_with("part ")) return {};
+  const auto take = [&text](std::string_view before, int& number) {
+    if (!text.starts_with(before)) return false;
+    text.remove_prefix(before.size());
+    const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    text.remove_prefix(static_cast<std::size_t>(stop - text.data()));
+    return error == std::errc();
+  };
+  const bool is_title = take("part ", part.index) && take(" of ", part.of) && text.empty();
+  if (!is_title || part.index < 1 || part.index > part.of || part.of > most_image_parts) return {};
+  return part;
+}
+
+[[noreturn]] void RefusePart(const std::string& name, const std::string& why) {
+  throw SceneErrors({ErrorIn(name, "cannot use it for this image: " + why)});
+}
+
+}  // namespace
+
+std::string PartName(const std::string& picture, const ImagePart& part) {
+  return picture + ".part-" + std::to_string(part.index) + "-of-" + std::to_string(part.of);
+}
+
+std::string PlanName(const std::string& picture) { return picture + ".plan"; }
+
+std::vector<std::string> FilesLike(const std::string& pattern) {
+  glob_t found = {};
+  std::vector<std::string> names;
+  if (glob(pattern.c_str(), 0, nullptr, &found) == 0) names.assign(found.gl_pathv, found.gl_pathv + found.gl_pathc);
+  globfree(&found);
+  return names;
+}
+
+PartReader::PartReader(const Options& options, const std::string& scene_hash)
+    : options_(options), identity_(IdentityOf(options, scene_hash)), film_(EmptyFilmOf(options.render)) {}
+
+RenderState PartReader::Checked(const std::string& title, std::span<const unsigned char> bytes) const {
+  RenderState state = DecodedState(bytes, identity_, film_);
+  if (state.planned_samples != PlannedSamples(options_.render))
+    throw OtherImageError("its samples were laid out for " + std::to_string(state.planned_samples) +
+                          " per pixel, not " + std::to_string(PlannedSamples(options_.render)));
+  CheckState(state, film_, options_.render);
+  if (const auto part = PartTitled(title)) CheckPart(state, *part, film_);
+  return state;
+}
+
+std::optional<PartFile> PartReader::Read(const std::string& name) const {
+  try {
+    const Unpacked unpacked = UnpackedFrom(Contents(name));
+    const auto part = PartTitled(unpacked.title);
+    if (!part) throw CheckpointError("it is no part of an image");
+    return PartFile{name, *part, Checked(unpacked.title, unpacked.bytes)};
+  } catch (const OtherImageError& error) {
+    RefusePart(name, error.what());
+  } catch (const CheckpointError& error) {
+    PrintError(QuotedPath(name) + ": warning: " + error.what() + "; what it held is rendered again");
+    return {};
+  }
+}
+
+RenderState PartReader::Round() const {
+  const std::string name = PlanName(options_.picture);
+  std::error_code ignored;
+  if (!std::filesystem::exists(name, ignored)) return FirstRound(options_.render, film_);
+  try {
+    const Unpacked unpacked = UnpackedFrom(Contents(name));
+    if (unpacked.title != plan_title) throw CheckpointError("it is no plan of a round");
+    return Checked(unpacked.title, unpacked.bytes);
+  } catch (const CheckpointError& error) {
+    RefusePart(name, error.what());
+  }
+}
+
+RenderState PartReader::Joined(const std::vector<std::string>& names, int of) const {
+  std::map<int, PartFile> parts;
+  for (const std::string& name : names) {
+    auto file = Read(name);
+    if (!file) continue;
+    if (of == 0) of = file->part.of;
+    if (file->part.of != of)
+      RefusePart(name, "it is one of " + std::to_string(file->part.of) + " parts, others are of " + std::to_string(of));
+    const auto [other, is_new] = parts.try_emplace(file->part.index, std::move(*file));
+    if (is_new) continue;
+    if (!Agree(other->second.state, file->state))
+      RefusePart(name, "it differs from " + QuotedPath(other->second.name) +
+                           ", which is the same part; remove the one that is wrong");
+    if (SamplesOf(file->state) > SamplesOf(other->second.state)) other->second = std::move(*file);
+  }
+  RenderState round = Round();
+  for (auto& [index, file] : parts) Join(round, std::move(file.state), file.part, film_);
+  return round;
+}
+
+RenderState StateOfParts(const Options& options, const std::string& scene_hash) {
+  const std::vector<std::string> names = FilesLike(options.parts);
+  if (names.empty())
+    PrintError("raypro: warning: no file is named " + Quoted(options.parts) + "; the whole image is rendered here");
+  return PartReader(options, scene_hash).Joined(names, 0);
+}
+
+PartWriter::PartWriter(const Options& options, const std::string& scene_hash)
+    : options_(options), identity_(IdentityOf(options, scene_hash)) {}
+
+void PartWriter::WritePart(RenderState&& state) const {
+  const ImagePart& part = *options_.render.part;
+  WriteWhole(CheckOutput(PartName(options_.picture, part), InputsOf(options_)),
+             Packed(TitleOf(part), Encoded(ForPartFile(std::move(state)), identity_)));
+}
+
+void PartWriter::WritePlan(RenderState&& state) const {
+  const Film film = EmptyFilmOf(options_.render);
+  WriteWhole(CheckOutput(PlanName(options_.picture), InputsOf(options_)),
+             Packed(std::string(plan_title), Encoded(WithoutSamples(std::move(state), film), identity_)));
+}
+
+}  // namespace ray

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "source/app/files/OutputFile.h"
+#include "source/app/options/Options.h"
+#include "source/render/Render.h"
+
+/// Files by which machines that render an image together exchange samples: a part, "out.png.part-3-of-8", is a
+/// compressed checkpoint that holds the blocks of one part; a plan, "out.png.plan", is one without samples that says
+/// what the next round takes.
+namespace ray {
+
+std::string PartName(const std::string& picture, const ImagePart& part);
+std::string PlanName(const std::string& picture);
+
+/// Files whose names match a pattern of the shell, sorted; none where nothing does.
+std::vector<std::string> FilesLike(const std::string& pattern);
+
+/// A part and the file it was read from.
+struct PartFile {
+  std::string name;
+  ImagePart part;
+  RenderState state;
+};
+
+/// Reads parts of the image that the options ask for.
+class PartReader {
+ public:
+  PartReader(const Options& options, const std::string& scene_hash);
+
+  /// Nothing, and a warning, for a file that is damaged: its samples can be rendered again. Throws SceneErrors for one
+  /// that cannot be read, or is of another scene, other settings or another version.
+  std::optional<PartFile> Read(const std::string& name) const;
+  /// What the round begins with: the plan beside the image, else the first round. Throws SceneErrors.
+  RenderState Round() const;
+  /// The round with the samples of all parts in these files. Throws SceneErrors also when files are parts of different
+  /// divisions, or when two of one part disagree.
+  ///   of   how many parts there must be; 0: as many as the files say
+  RenderState Joined(const std::vector<std::string>& names, int of) const;
+
+  const Film& film() const { return film_; }
+
+ private:
+  RenderState Checked(const std::string& title, std::span<const unsigned char> bytes) const;
+
+  const Options& options_;
+  const std::string identity_;
+  const Film film_;
+};
+
+/// What assembling begins with: the samples of all files that options.parts names. Where it names none, a message says
+/// that all is rendered here. Throws SceneErrors.
+RenderState StateOfParts(const Options& options, const std::string& scene_hash);
+
+/// Writes files of parts, each whole or not at all.
+class PartWriter {
+ public:
+  PartWriter(const Options& options, const std::string& scene_hash);
+  /// Throws OutputError; the bytes are then kept elsewhere, see WriteWhole.
+  void WritePart(RenderState&& state) const;
+  void WritePlan(RenderState&& state) const;
+
+ private:
+  const Options& options_;
+  const std::string identity_;
+};
+
+}  // namespace ray

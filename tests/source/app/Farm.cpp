@@ -1,0 +1,332 @@
+// Images that several processes render together, from outside.
+#include "source/app/Farm.h"
+
+#include <gtest/gtest.h>
+#include <signal.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <thread>
+
+#include "source/app/files/PartFiles.h"
+#include "source/app/files/SceneHash.h"
+#include "source/app/options/CommandLine.h"
+#include "source/app/options/SceneSettings.h"
+#include "source/parse/SceneError.h"
+#include "source/render/Parts.h"
+#include "tests/source/app/Place.h"
+
+namespace ray::testing {
+namespace {
+
+/// The folder of an image that is rendered in parts.
+struct PartsPlace : Place {
+  Finished Part(int i, int n, const List& more = {}) const {
+    return Run("out.png", With({"-part", std::to_string(i) + "/" + std::to_string(n)}, more));
+  }
+  void AllParts(int n, const List& more = {}) const {
+    for (int i = n; i >= 1; --i) {
+      const Finished part = Part(i, n, more);
+      EXPECT_EQ(part.status, 0) << part.error;
+    }
+  }
+  Finished Assemble(const List& more = {}) const {
+    return Run("out.png", With({"-parts", *this / "out.png.part-*"}, more));
+  }
+  std::string Missing(int n, const List& more = {}) const {
+    const Finished done = Run("out.png", With({"-missing", std::to_string(n)}, more));
+    EXPECT_EQ(done.status, 0) << done.error;
+    return done.output;
+  }
+  /// The files of one render, by name; none of them stays.
+  std::map<std::string, std::string> OneRender(const List& more = {}) const {
+    const Finished done = Run("out.png", more);
+    EXPECT_EQ(done.status, 0) << done.error;
+    std::map<std::string, std::string> files;
+    for (const std::string& name : Others({"in.scn"})) {
+      files[name] = ReadFile(*this / name);
+      std::filesystem::remove(*this / name);
+    }
+    return files;
+  }
+  void ExpectFiles(const std::map<std::string, std::string>& files) const {
+    for (const auto& [name, bytes] : files) EXPECT_TRUE(ReadFile(*this / name) == bytes) << name;
+  }
+};
+
+std::string NameOfPart(int i, int n) { return "out.png.part-" + std::to_string(i) + "-of-" + std::to_string(n); }
+
+TEST(Farm, AssembledFilesAreThoseOfOneRender) {
+  NEEDS_THE_PROGRAM();
+  for (const List& more : {List{}, List{"-samples", "9", "-layers", "depth,id", "-filter", "lanczos"},
+                           List{"-mode", "path", "-samples", "16", "-denoise", "-srgb"}}) {
+    const PartsPlace place;
+    const auto expected = place.OneRender(more);
+    EXPECT_EQ(place.Missing(3, more), "1\n2\n3\n");
+    place.AllParts(3, more);
+    EXPECT_EQ(place.Missing(3, more), "");
+    const Finished done = place.Assemble(more);
+    EXPECT_EQ(done.status, 0) << done.error;
+    EXPECT_EQ(done.error, "");
+    place.ExpectFiles(expected);
+    List known{"in.scn", NameOfPart(1, 3), NameOfPart(2, 3), NameOfPart(3, 3)};
+    for (const auto& [name, bytes] : expected) known.push_back(name);
+    EXPECT_EQ(place.Others(known), List{});
+  }
+}
+
+TEST(Farm, WhatIsMissingIsRenderedWhereItIsAssembled) {
+  NEEDS_THE_PROGRAM();
+  const PartsPlace place;
+  const List more{"-samples", "4", "-mode", "path"};
+  const auto expected = place.OneRender(more);
+  for (const int i : {1, 4}) EXPECT_EQ(place.Part(i, 5, more).status, 0);
+  EXPECT_EQ(place.Missing(5, more), "2\n3\n5\n");
+  EXPECT_EQ(place.Assemble(more).status, 0);
+  place.ExpectFiles(expected);
+  std::filesystem::remove(place / NameOfPart(1, 5));
+  std::filesystem::remove(place / NameOfPart(4, 5));
+  const Finished none = place.Assemble(more);
+  EXPECT_EQ(none.status, 0);
+  EXPECT_TRUE(Has(none.error, "no file is named '" + place / "out.png.part-*'")) << none.error;
+  place.ExpectFiles(expected);
+}
+
+TEST(Farm, PartsOfAnotherImageAreRefusedByName) {
+  NEEDS_THE_PROGRAM();
+  const PartsPlace place;
+  const List more{"-samples", "4", "-seed", "3"};
+  place.AllParts(2, more);
+  const struct {
+    List other;
+    const char* reason;
+  } cases[] = {
+      {{"-samples", "4", "-seed", "4"}, "made with -seed 3"},
+      {{"-samples", "8", "-seed", "3"}, "laid out for 4 per pixel, not 8"},
+      {{"-samples", "4", "-seed", "3", "-filter", "gaussian"}, "made with -filter box"},
+      {{"-samples", "4", "-seed", "3", "-mode", "path"}, "made with -mode whitted"},
+  };
+  for (const auto& [other, reason] : cases)
+    for (const Finished& done :
+         {place.Assemble(other), place.Part(1, 2, other), place.Run("out.png", With({"-missing", "2"}, other))}) {
+      EXPECT_EQ(done.status, 3) << reason;
+      EXPECT_TRUE(Has(done.error, NameOfPart(1, 2)) && Has(done.error, reason)) << done.error;
+      EXPECT_FALSE(std::filesystem::exists(place / "out.png"));
+    }
+  EXPECT_EQ(place.Part(1, 2, With({"-restart"}, cases[0].other)).status, 0);
+  const Finished mixed = place.Assemble(more);
+  EXPECT_EQ(mixed.status, 3);
+  EXPECT_TRUE(Has(mixed.error, "made with -seed 4")) << mixed.error;
+  WriteFile(place.Scene(), soft_scene + "sphere -1  0 9 0  .1\n");
+  const Finished done = place.Assemble(more);
+  EXPECT_EQ(done.status, 3);
+  EXPECT_TRUE(Has(done.error, "of another scene")) << done.error;
+}
+
+TEST(Farm, PartsOfAnotherDivisionOrMachineTypeAreRefusedByName) {
+  NEEDS_THE_PROGRAM();
+  const PartsPlace place;
+  EXPECT_EQ(place.Part(1, 2).status, 0);
+  EXPECT_EQ(place.Part(3, 3).status, 0);
+  const Finished mixed = place.Assemble();
+  EXPECT_EQ(mixed.status, 3);
+  EXPECT_TRUE(Has(mixed.error, NameOfPart(3, 3)) && Has(mixed.error, "one of 3 parts, others are of 2")) << mixed.error;
+  std::filesystem::remove(place / NameOfPart(3, 3));
+  std::string bytes = ReadFile(place / NameOfPart(1, 2));
+  const std::string here = "little-endian", there = "big-endian";
+  ASSERT_TRUE(Has(bytes, here));
+  WriteFile(place / NameOfPart(1, 2), bytes.replace(bytes.find(here), here.size(), there));
+  const Finished foreign = place.Assemble();
+  EXPECT_EQ(foreign.status, 3);
+  EXPECT_TRUE(Has(foreign.error, "another byte order")) << foreign.error;
+}
+
+/// Options as the program reads them, and the hash of the scene.
+struct Asked {
+  explicit Asked(const PartsPlace& place, const List& more = {}) {
+    const List words = With({place.Scene(), place / "out.png", "-width", "40", "-height", "30", "-part", "1/2"}, more);
+    const ParsedScene parsed = Parse(place.Scene(), {});
+    options = WithSettingsOf(parsed.scene, ReadCommandLine(Program::raypro, words));
+    hash = SceneHash(parsed.scene.files);
+  }
+  Options options;
+  std::string hash;
+};
+
+TEST(Farm, APartThatIsThereTwiceMustHoldTheSameSums) {
+  NEEDS_THE_PROGRAM();
+  const PartsPlace place;
+  const auto expected = place.OneRender();
+  place.AllParts(2);
+  const std::string twin = place / "out.png.part-1-of-2-again";
+  std::filesystem::copy(place / NameOfPart(1, 2), twin);
+  EXPECT_EQ(place.Assemble().status, 0);
+  place.ExpectFiles(expected);
+  const Asked asked(place);
+  auto part = PartReader(asked.options, asked.hash).Read(twin);
+  ASSERT_TRUE(part);
+  for (Film::Block& block : part->state.blocks)
+    if (block.Samples() > 0) block.sums[0].Sums()[0].color.r += 1e-9;
+  PartWriter(asked.options, asked.hash).WritePart(std::move(part->state));
+  const Finished done = place.Assemble();
+  EXPECT_EQ(done.status, 3);
+  EXPECT_TRUE(Has(done.error, "out.png.part-1-of-2-again") && Has(done.error, "out.png.part-1-of-2'")) << done.error;
+}
+
+TEST(Farm, ADamagedPartIsNamedAndRenderedAgain) {
+  NEEDS_THE_PROGRAM();
+  const PartsPlace place;
+  const auto expected = place.OneRender();
+  place.AllParts(2);
+  const std::string whole = ReadFile(place / NameOfPart(2, 2));
+  for (const std::string& damaged : {whole.substr(0, whole.size() / 2), whole + "x", std::string("x"), std::string()}) {
+    WriteFile(place / NameOfPart(2, 2), damaged);
+    EXPECT_EQ(place.Missing(2), "2\n");
+    const Finished done = place.Assemble();
+    EXPECT_EQ(done.status, 0);
+    EXPECT_TRUE(Has(done.error, NameOfPart(2, 2)) && Has(done.error, "rendered again")) << done.error;
+    place.ExpectFiles(expected);
+  }
+  EXPECT_EQ(place.Part(2, 2).status, 0) << "renders over a damaged file of its own";
+  EXPECT_TRUE(ReadFile(place / NameOfPart(2, 2)) == whole);
+}
+
+// What is neither refused nor found damaged must be the part itself.
+TEST(Farm, NoChangedByteOfAPartGoesUnnoticed) {
+  NEEDS_THE_PROGRAM();
+  const PartsPlace place;
+  EXPECT_EQ(place.Part(1, 2).status, 0);
+  const Asked asked(place);
+  const PartReader reader(asked.options, asked.hash);
+  const std::string name = place / NameOfPart(1, 2), whole = ReadFile(name);
+  const auto original = reader.Read(name);
+  ASSERT_TRUE(original);
+  ::testing::internal::CaptureStderr();
+  int noticed = 0, tried = 0;
+  for (std::size_t i = 0; i < whole.size(); i += i < 60 ? 1 : 97, ++tried) {
+    std::string bytes = whole;
+    bytes[i] = static_cast<char>(bytes[i] ^ (1 << i % 8));
+    WriteFile(name, bytes);
+    try {
+      const auto part = reader.Read(name);
+      noticed += !part || (part->part == original->part && Agree(part->state, original->state) &&
+                           SamplesOf(part->state) == SamplesOf(original->state));
+    } catch (const SceneErrors&) {
+      ++noticed;
+    }
+  }
+  ::testing::internal::GetCapturedStderr();
+  EXPECT_GT(tried, 100);
+  EXPECT_EQ(noticed, tried);
+}
+
+TEST(Farm, APartThatIsTerminatedContinuesWhereItStopped) {
+  NEEDS_THE_PROGRAM();
+  const PartsPlace place;
+  const List more{"-samples", "600", "-mode", "path"};
+  const auto expected = place.OneRender(more);
+  Running running(
+      With({place.Scene(), place / "out.png", "-width", "40", "-height", "30"}, With({"-part", "1/2"}, more)));
+  std::this_thread::sleep_for(std::chrono::milliseconds(150));
+  running.Send(SIGTERM);
+  const Finished stopped = running.Wait();
+  EXPECT_TRUE(stopped.status == 143 || stopped.status == 0) << stopped.error;
+  EXPECT_EQ(place.Missing(2, more), stopped.status == 143 ? "1\n2\n" : "2\n");
+  place.AllParts(2, more);
+  EXPECT_EQ(place.Missing(2, more), "");
+  EXPECT_EQ(place.Assemble(more).status, 0);
+  place.ExpectFiles(expected);
+}
+
+TEST(Farm, AFullDiskNamesThePartAndTheImageComesOut) {
+  NEEDS_THE_PROGRAM();
+  const PartsPlace place;
+  const auto expected = place.OneRender();
+  Surroundings full;
+  full.file_size_limit = 2000;
+  full.environment["TMPDIR"] = place.Path().string();
+  const Finished done =
+      RunProgram({place.Scene(), place / "out.png", "-width", "40", "-height", "30", "-part", "1/2"}, full);
+  EXPECT_EQ(done.status, 4);
+  EXPECT_TRUE(Has(done.error, NameOfPart(1, 2))) << done.error;
+  EXPECT_EQ(place.Part(2, 2).status, 0);
+  EXPECT_EQ(place.Missing(2), "1\n");
+  EXPECT_EQ(place.Assemble().status, 0);
+  place.ExpectFiles(expected);
+}
+
+TEST(Farm, TwoJobsOfOneNameInOneFolderDoNoHarm) {
+  NEEDS_THE_PROGRAM();
+  const PartsPlace place;
+  const auto expected = place.OneRender();
+  for (int round = 0; round < 3; ++round) {
+    std::vector<std::unique_ptr<Running>> jobs;
+    for (int i = 0; i < 6; ++i)
+      jobs.push_back(std::make_unique<Running>(List{place.Scene(), place / "out.png", "-width", "40", "-height", "30",
+                                                    "-part", std::to_string(1 + i % 2) + "/2"}));
+    for (auto& job : jobs) EXPECT_EQ(job->Wait().status, 0);
+    EXPECT_EQ(place.Missing(2), "");
+    EXPECT_EQ(place.Assemble().status, 0);
+    place.ExpectFiles(expected);
+    EXPECT_EQ(place.Others({"in.scn", "out.png", NameOfPart(1, 2), NameOfPart(2, 2)}), List{}) << "nothing else stays";
+  }
+}
+
+/// Rounds until nothing is missing; how many there were.
+int RunRounds(const PartsPlace& place, int n, const List& more) {
+  for (int round = 0; round < 30; ++round) {
+    const std::string missing = place.Missing(n, more);
+    if (missing.empty()) return round;
+    for (int i = 1; i <= n; ++i)
+      if (Has("\n" + missing, "\n" + std::to_string(i) + "\n")) {
+        EXPECT_EQ(place.Part(i, n, more).status, 0);
+      }
+  }
+  ADD_FAILURE() << "no end of rounds";
+  return -1;
+}
+
+TEST(Farm, AnErrorTargetIsReachedInRoundsWithTheClaimOfOneRender) {
+  NEEDS_THE_PROGRAM();
+  for (const List& more :
+       {List{"-mode", "path", "-error", "4", "-samples", "512"}, List{"-samples", "16", "-adaptive", "neighbors"}}) {
+    const PartsPlace place;
+    const Finished one = RunProgram(With({place.Scene(), place / "out.png", "-width", "40", "-height", "30"}, more));
+    const auto expected = place.OneRender(more);
+    EXPECT_GT(RunRounds(place, 3, more), 1);
+    const Finished done = RunProgram(With(
+        {place.Scene(), place / "out.png", "-width", "40", "-height", "30", "-parts", place / "out.png.part-*"}, more));
+    EXPECT_EQ(done.status, 0) << done.error;
+    EXPECT_EQ(one.output.substr(one.output.find('\n')), done.output.substr(done.output.find('\n')))
+        << "the line of the error and its interval";
+    place.ExpectFiles(expected);
+  }
+}
+
+TEST(Farm, WhatHasNoMeaningForPartsIsRefused) {
+  const struct {
+    List words;
+    const char* reason;
+  } cases[] = {
+      {{"-part", "0/3"}, "i from 1 to n"},
+      {{"-part", "4/3"}, "i from 1 to n"},
+      {{"-part", "3"}, "i from 1 to n"},
+      {{"-part", "1/2000000"}, "i from 1 to n"},
+      {{"-part", "1/2", "-report", "r.json"}, "-report is of a whole image"},
+      {{"-part", "1/2", "-parts", "x"}, "contradict"},
+      {{"-part", "1/2", "-missing", "2"}, "contradict"},
+      {{"-parts", "x", "-resume"}, "contradict"},
+      {{"-missing", "2", "-stats"}, "-stats is of a whole image"},
+  };
+  for (const auto& [words, reason] : cases) {
+    try {
+      ReadCommandLine(Program::raypro, With({"a.scn", "b.png"}, words));
+      ADD_FAILURE() << words[0] << ' ' << words[1];
+    } catch (const std::runtime_error& error) {
+      EXPECT_TRUE(Has(error.what(), reason)) << error.what();
+    }
+  }
+}
+
+}  // namespace
+}  // namespace ray::testing
