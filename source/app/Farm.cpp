@@ -1,8 +1,6 @@
 #include "source/app/Farm.h"
 
-#include <filesystem>
-
-#include "source/accelerate/Accelerator.h"
+#include "source/app/BuildAccelerator.h"
 #include "source/app/Interrupt.h"
 #include "source/app/Status.h"
 #include "source/app/files/Outputs.h"
@@ -39,26 +37,16 @@ struct ReadScene {
   std::string hash;
 };
 
-std::unique_ptr<const Accelerator> Build(const World& world, const Options& options) {
-  AcceleratorSettings settings = options.accelerator;
-  settings.expected_rays = ExpectedRays(options.render) / (options.render.part ? options.render.part->of : 1);
-  return FindAcceleratorKind(settings.name)->Make(world, settings);
-}
-
-bool IsThere(const std::string& file) {
-  std::error_code ignored;
-  return std::filesystem::exists(file, ignored);
-}
-
 /// What the part begins with: the round, with what an earlier run left of it.
-RenderState BeginningOf(const PartReader& reader, const Options& options, const std::string& name) {
+RenderState BeginningOf(PartReader& reader, const Options& options, const std::string& name) {
   RenderState state = reader.Round();
   if (options.restart || !IsThere(name)) return state;
   auto earlier = reader.Read(name);
   if (!earlier) return state;
   if (earlier->part != *options.render.part)
     throw OutputError("cannot write " + QuotedPath(name) + ": it holds another part; -restart renders over it");
-  Join(state, std::move(earlier->state), earlier->part, reader.film());
+  state.rays = earlier->state.rays;
+  TakeBlocks(state, std::move(earlier->state), earlier->part.index, reader.PartsOf(earlier->part.of));
   return state;
 }
 
@@ -77,9 +65,9 @@ int RenderOnePart(const Options& asked) {
   for (const std::string& line : world.Warnings()) PrintError(line);
   CheckMemory(world, options);
   CheckOutput(name, scene.parsed.scene.files);
-  const PartReader reader(options, scene.hash);
+  PartReader reader(options, scene.hash);
   RenderState beginning = BeginningOf(reader, options, name);
-  const auto accelerator = Build(world, options);
+  const auto accelerator = BuildAccelerator(world, options);
 
   CatchInterrupts();
   Progress progress(ChooseProgressStyle(options.quiet));
@@ -104,11 +92,11 @@ int RenderOnePart(const Options& asked) {
 void PrintMissingParts(const Options& asked) {
   const ReadScene scene(asked);
   const Options& options = scene.options;
-  const PartReader reader(options, scene.hash);
+  PartReader reader(options, scene.hash);
   RenderState round = reader.Joined(FilesLike(FilesOfParts(options)), options.missing);
   const auto lines_of = [&](const RenderState& state) {
     std::string lines;
-    for (const int part : MissingParts(state, options.render, reader.film(), options.missing))
+    for (const int part : MissingParts(state, options.render, reader.PartsOf(options.missing)))
       lines += std::to_string(part) + "\n";
     return lines;
   };
@@ -116,7 +104,7 @@ void PrintMissingParts(const Options& asked) {
   if (!lines.empty() || IsOfOneRound(options.render, reader.film())) return WriteStandardOutput(lines);
   const World world(scene.parsed.scene);
   CheckMemory(world, options);
-  const auto accelerator = Build(world, options);
+  const auto accelerator = BuildAccelerator(world, options);
   auto next = NextRound(world, *accelerator, options.render, std::move(round));
   if (!next) return;
   const std::string of_next = lines_of(*next);

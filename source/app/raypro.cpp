@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "source/accelerate/Accelerator.h"
+#include "source/app/BuildAccelerator.h"
 #include "source/app/Farm.h"
 #include "source/app/GuardedMain.h"
 #include "source/app/Interrupt.h"
@@ -84,12 +84,6 @@ void Compare(const RenderResult& result, const std::vector<R2::Image>& reference
   account.Compared(TrueError(result.image, references[0], references.size() > 1 ? &references[1] : nullptr, measure));
 }
 
-std::unique_ptr<const Accelerator> Build(const World& world, const Options& options) {
-  AcceleratorSettings settings = options.accelerator;
-  settings.expected_rays = ExpectedRays(options.render);
-  return FindAcceleratorKind(settings.name)->Make(world, settings);
-}
-
 int MakePicture(const Options& asked, const Words& words) {
   CheckMachine(asked);
   RunLog account(asked, words);
@@ -104,7 +98,7 @@ int MakePicture(const Options& asked, const Words& words) {
 
   const World world(parsed.scene);
   CheckMemory(world, options);
-  const auto accelerator = Build(world, options);
+  const auto accelerator = BuildAccelerator(world, options);
   account.Built(world, *accelerator);
 
   if (options.restart) checkpoint->Remove();
@@ -123,10 +117,14 @@ int MakePicture(const Options& asked, const Words& words) {
 }
 
 int DoOne(const Options& options, const Words& words) {
-  if (options.task != Task::render) return DoTask(options), status::done;
+  if (options.task != Task::render) {
+    DoTask(options);
+    return status::done;
+  }
   if (options.render.part) return RenderOnePart(options);
-  if (options.missing > 0) return PrintMissingParts(options), status::done;
-  return MakePicture(options, words);
+  if (options.missing == 0) return MakePicture(options, words);
+  PrintMissingParts(options);
+  return status::done;
 }
 
 /// Every file that one of the scenes is read from. A scene that cannot be read says so in its turn.

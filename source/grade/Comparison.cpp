@@ -9,8 +9,6 @@
 namespace ray::grade {
 namespace {
 
-double LargestChannel(const R2::Color& c) { return std::max({std::abs(c.r), std::abs(c.g), std::abs(c.b)}); }
-
 double Square(double number) { return number * number; }
 
 std::size_t IndexOf(const R2::Image& image, int x, int y) {
@@ -79,7 +77,8 @@ class Misfit {
         ++counted;
         sum += SquareAt(cells, x, y);
       }
-    if (!(counted > 0.4 * steady)) return {};
+    constexpr double enough = 0.4;  // of the steady pixels: fewer would be taken for the others without being like them
+    if (!(counted > enough * steady)) return {};
     return sum * steady / counted;
   }
 
@@ -96,7 +95,7 @@ class Misfit {
     return Square(beyond(d.r)) + Square(beyond(d.g)) + Square(beyond(d.b));
   }
   bool IsCalm(const R2::Image& cells, int x, int y) const {
-    constexpr double calm = 0.08;
+    constexpr double calm = 0.08;  // four of the usual tolerances: shading does not change by that from pixel to pixel
     if (images_.CellSide() > 1) return true;
     const R2::Color c = cells.At(x, y);
     if (LargestChannel(c - reference_.At(x, y)) < calm) return true;
@@ -141,7 +140,7 @@ std::vector<Candidate> Ranked(const Misfit& misfit, double of_reference, SceneIm
 }
 
 MistakeList Alternatives(const std::vector<Candidate>& ranked) {
-  constexpr double as_good = 0.005;
+  constexpr double as_good = 0.005;  // of the difference: what bytes and a shifted camera leave of equal images
   MistakeList others;
   for (std::size_t i = 1; i < ranked.size() && ranked[i].share > ranked[0].share - as_good; ++i)
     others.push_back(ranked[i].mistakes.back());
@@ -176,13 +175,11 @@ Comparison Compare(const Submission& student, const SceneImages& images) {
       if (images.CellSide() == 1 && !images.Steady()[i]) continue;
       const double difference = LargestChannel(student.cells.At(x, y) - reference.At(x, y));
       ++found.steady;
-      found.mean += difference;
       if (!(difference > student.tolerance[i])) continue;
       ++found.differing;
       found.differs[i] = true;
       differences[i] = difference;
     }
-  found.mean /= static_cast<double>(std::max<std::int64_t>(1, found.steady));
   double most = 0;
   for (int y = 0; y < reference.Height(); ++y)
     for (int x = 0; x < reference.Width(); ++x) {

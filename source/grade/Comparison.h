@@ -13,7 +13,6 @@ namespace ray::grade {
 /// How a student's image differs from the reference where that can be relied on.
 struct Comparison {
   std::int64_t steady = 0, differing = 0;  // pixels, or blocks of them
-  double mean = 0;                         // mean |difference| over the steady ones, largest channel
   int worst_x = 0, worst_y = 0;            // the pixel in the midst of what differs most, from the lower left
   std::vector<bool> differs;               // by rows from the bottom
 

@@ -9,9 +9,6 @@
 
 #include "R2/ImageFile.h"
 #include "source/parse/Files.h"
-#include "source/text/Hash.h"
-#include "source/text/LowerCase.h"
-#include "source/text/Quoting.h"
 
 namespace ray::grade {
 namespace {
@@ -20,19 +17,10 @@ namespace fs = std::filesystem;
 
 constexpr std::int64_t most_image_bytes = std::int64_t{1} << 27;
 
-/// Of a superuser's grader the programs run as somebody else, who needs to get there.
+/// Where the grader is the superuser, programs run as another user, who needs to write here.
 void LetOthersWrite(const fs::path& folder) {
   if (geteuid() != 0) return;
   fs::permissions(folder, fs::perms::all);
-}
-
-fs::path MakeFolder() {
-  std::string pattern = (fs::temp_directory_path() / "raygrade.XXXXXX").string();
-  if (!mkdtemp(pattern.data()))
-    throw std::runtime_error("no folder can be made in " + fs::temp_directory_path().string());
-  fs::permissions(pattern, fs::perms::owner_all | fs::perms::group_exec | fs::perms::others_exec |
-                               fs::perms::group_read | fs::perms::others_read);
-  return pattern;
 }
 
 std::string ReplacedAll(std::string text, const std::string& what, const std::string& with) {
@@ -98,25 +86,40 @@ std::string WhyOfWrongSize(const R2::Image& image, const SuiteScene& scene) {
   return why;
 }
 
+std::string Contents(const std::string& file) {
+  const Files files(file, {});
+  return files.Read(files.Top());
+}
+
 }  // namespace
 
+ScratchFolder::ScratchFolder() {
+  std::string pattern = (fs::temp_directory_path() / "raygrade.XXXXXX").string();
+  if (!mkdtemp(pattern.data()))
+    throw std::runtime_error("no folder can be made in " + fs::temp_directory_path().string());
+  path_ = pattern;
+  fs::permissions(path_, fs::perms::owner_all | fs::perms::group_exec | fs::perms::others_exec | fs::perms::group_read |
+                             fs::perms::others_read);
+}
+
+ScratchFolder::~ScratchFolder() {
+  std::error_code ignored;
+  fs::remove_all(path_, ignored);
+}
+
 Grader::Grader(const Suite& suite, const GraderSettings& settings, const Loader& load)
-    : suite_(suite), settings_(settings), load_(load), sandbox_(settings.sandbox), folder_(MakeFolder()) {
+    : suite_(suite), settings_(settings), load_(load), sandbox_(settings.sandbox), inputs_{suite.file} {
   for (const SuiteScene& scene : suite_.scenes) {
     Stage(scene);
     scenes_.push_back(std::make_unique<SceneImages>(scene, files_.back(), load_));
   }
 }
 
-Grader::~Grader() {
-  std::error_code ignored;
-  fs::remove_all(folder_, ignored);
-}
-
 void Grader::Stage(const SuiteScene& scene) {
-  const fs::path from = fs::path(scene.file).parent_path(), to = folder_ / "scenes" / scene.name;
+  const fs::path from = fs::path(scene.file).parent_path(), to = folder_.Path() / "scenes" / scene.name;
   const SceneToRender loaded = load_(scene, scene.file);
   for (const std::string& file : loaded.scene.files) {
+    inputs_.push_back(file);
     const fs::path place = fs::path(file).lexically_relative(from.empty() ? fs::path(".") : from);
     if (place.empty() || place.begin()->string() == "..") continue;  // read where it is
     fs::create_directories((to / place).parent_path());
@@ -125,9 +128,7 @@ void Grader::Stage(const SuiteScene& scene) {
   const fs::path copy = to / fs::path(scene.file).filename();
   files_.push_back(copy.string());
   if (settings_.seed == 0 || scene.vary.empty()) return;
-  const Files files(scene.file, {});
-  const std::string text = files.Read(files.Top());
-  std::ofstream(copy, std::ios::binary) << Varied(text, scene, settings_.seed);
+  std::ofstream(copy, std::ios::binary) << Varied(Contents(scene.file), scene, settings_.seed);
 }
 
 StudentResult Grader::Grade(const std::string& name, const std::string& student,
@@ -136,7 +137,9 @@ StudentResult Grader::Grade(const std::string& name, const std::string& student,
   double used = 0;
   for (std::size_t i = 0; i < scenes_.size(); ++i) {
     const double left = suite_.budget > 0 ? suite_.budget - used : suite_.scenes[i].seconds;
-    result.scenes.push_back(GradeScene(*scenes_[i], files_[i], student, left));
+    SceneResult scene = GradeScene(*scenes_[i], files_[i], student, left);
+    if (settings_.stop && *settings_.stop) return result;
+    result.scenes.push_back(std::move(scene));
     used += result.scenes.back().seconds;
     result.is_complete = i + 1 == scenes_.size();
     done(result);
@@ -160,7 +163,7 @@ SceneResult Grader::GradeScene(SceneImages& images, const std::string& file, con
   std::vector<R2::Image> runs;
   bool is_jpeg = false;
   for (int run = 0; run < scene.runs; ++run) {
-    const fs::path folder = folder_ / "run";
+    const fs::path folder = folder_.Path() / "run";
     fs::remove_all(folder);
     fs::create_directory(folder);
     LetOthersWrite(folder);
@@ -176,7 +179,7 @@ SceneResult Grader::GradeScene(SceneImages& images, const std::string& file, con
     std::vector<fs::path> readable(suite_.readable.begin(), suite_.readable.end());
     readable.push_back(fs::path(file).parent_path());
     const Limits limits{.seconds = std::min(scene.seconds, seconds_left), .memory = suite_.memory};
-    const RunResult ran = sandbox_.Run(words, folder, readable, limits);
+    const RunResult ran = sandbox_.Run(words, folder, readable, limits, settings_.stop);
     result.seconds += ran.seconds;
     result.program_output = ran.output;
     if (!ran.IsGood()) return fail(ran.Problem());

@@ -30,7 +30,7 @@ std::string TitlesOf(const MistakeList& mistakes) {
 }
 
 void Name(const Explanation& explanation, SceneResult& result) {
-  result.verdict = SceneResult::Verdict::known_mistake;
+  result.outcome = SceneResult::Outcome::known_mistake;
   result.explained = explanation.share;
   for (const Mistake* mistake : explanation.mistakes)
     result.mistakes += (result.mistakes.empty() ? "" : "+") + std::string(mistake->name);
@@ -51,9 +51,9 @@ void Name(const Explanation& explanation, SceneResult& result) {
 /// Full points where all is well. Else fewer the more pixels differ, and never fewer than for known mistakes.
 double ScoreOf(const SceneResult& result, const Suite& suite, const SuiteScene& scene) {
   constexpr double worthless = 25;  // percent of the pixels that differ
-  if (result.verdict == SceneResult::Verdict::right) return scene.points;
+  if (result.outcome == SceneResult::Outcome::right) return scene.points;
   const double kept = std::clamp(1 - result.percent / worthless, 0.0, 1.0);
-  const bool is_known = result.verdict == SceneResult::Verdict::known_mistake;
+  const bool is_known = result.outcome == SceneResult::Outcome::known_mistake;
   return scene.points * std::max(kept, is_known ? suite.explained : 0.0);
 }
 
@@ -68,7 +68,7 @@ void Judge(const std::vector<R2::Image>& runs, bool is_jpeg, const Suite& suite,
   result.actual = student.image;
   result.difference = SignedDifference(student.image, images.Reference());
   if (result.percent <= images.scene().allowed) {
-    result.verdict = SceneResult::Verdict::right;
+    result.outcome = SceneResult::Outcome::right;
     result.headline = found.differing == 0 ? "The image is right."
                                            : "The image is right, but for " + Percent(result.percent / 100) +
                                                  " of its pixels, which is allowed.";
@@ -80,7 +80,7 @@ void Judge(const std::vector<R2::Image>& runs, bool is_jpeg, const Suite& suite,
     if (!explanation.mistakes.empty()) {
       Name(explanation, result);
     } else {
-      result.verdict = SceneResult::Verdict::different;
+      result.outcome = SceneResult::Outcome::different;
       result.headline = Percent(result.percent / 100) + " of the pixels differ.";
       result.remarks = remarks;
     }

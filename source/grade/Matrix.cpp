@@ -24,54 +24,54 @@ bool LookAlike(SceneImages& images, const MistakeList& a, const MistakeList& b) 
   return share && *share > alike;
 }
 
-enum class Verdict { right, wrong, silent, invisible };
+enum class Outcome { right, wrong, silent, invisible };
 
 struct Tried {
-  Verdict verdict;
+  Outcome outcome;
   std::string text;
 };
 
 Tried Try(SceneImages& images, const MistakeList& mistakes) {
-  if (!IsVisible(images, mistakes)) return {Verdict::invisible, "-"};
+  if (!IsVisible(images, mistakes)) return {Outcome::invisible, "-"};
   const Submission student = MakeSubmission({images.AsOfAnother(mistakes)}, false, images);
   const Explanation found = Explain(student, images);
-  if (found.mistakes.empty()) return {Verdict::silent, "silent"};
+  if (found.mistakes.empty()) return {Outcome::silent, "silent"};
   MistakeList any = found.alternatives;
   const bool is_among = mistakes.size() == 1 && std::ranges::find(any, mistakes[0]) != any.end();
   if (is_among || LookAlike(images, mistakes, found.mistakes))
-    return {Verdict::right,
+    return {Outcome::right,
             NamesOf(found.mistakes) == NamesOf(mistakes) ? "right" : "right, as " + NamesOf(found.mistakes)};
-  return {Verdict::wrong, "WRONG: " + NamesOf(found.mistakes)};
+  return {Outcome::wrong, "WRONG: " + NamesOf(found.mistakes)};
 }
 
-void TryInEach(std::vector<std::unique_ptr<SceneImages>>& scenes, const MistakeList& mistakes, Verdicts& verdicts) {
+void TryInEach(std::vector<std::unique_ptr<SceneImages>>& scenes, const MistakeList& mistakes, MatrixCounts& counts) {
   std::string line = NamesOf(mistakes) + ":";
   bool is_seen = false;
   for (const auto& images : scenes) {
     const Tried tried = Try(*images, mistakes);
     line += "  " + images->scene().name + " " + tried.text;
-    is_seen |= tried.verdict != Verdict::invisible;
-    verdicts.right += tried.verdict == Verdict::right;
-    verdicts.wrong += tried.verdict == Verdict::wrong;
-    verdicts.silent += tried.verdict == Verdict::silent;
+    is_seen |= tried.outcome != Outcome::invisible;
+    counts.right += tried.outcome == Outcome::right;
+    counts.wrong += tried.outcome == Outcome::wrong;
+    counts.silent += tried.outcome == Outcome::silent;
   }
-  verdicts.invisible += !is_seen;
-  verdicts.lines.push_back(line);
+  counts.invisible += !is_seen;
+  counts.lines.push_back(line);
 }
 
 }  // namespace
 
-Verdicts TryMistakes(std::vector<std::unique_ptr<SceneImages>>& scenes, int pairs) {
-  Verdicts verdicts;
-  for (const Mistake* mistake : Mistakes()) TryInEach(scenes, {mistake}, verdicts);
+MatrixCounts TryMistakes(std::vector<std::unique_ptr<SceneImages>>& scenes, int pairs) {
+  MatrixCounts counts;
+  for (const Mistake* mistake : Mistakes()) TryInEach(scenes, {mistake}, counts);
   const auto count = Mistakes().size();
   for (int i = 0; i < pairs; ++i) {
     const RandomKey key = RandomKey(7).Child(static_cast<std::uint64_t>(i));
     const Mistake* first = Mistakes()[key.Child(1).Bits() % count];
     const Mistake* second = Mistakes()[key.Child(2).Bits() % count];
-    if (first != second) TryInEach(scenes, {first, second}, verdicts);
+    if (first != second) TryInEach(scenes, {first, second}, counts);
   }
-  return verdicts;
+  return counts;
 }
 
 }  // namespace ray::grade

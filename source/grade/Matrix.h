@@ -9,7 +9,7 @@ namespace ray::grade {
 
 /// What is said of students who made known mistakes: our own image with the mistakes, from a camera a little aside, and
 /// of 8 bits.
-struct Verdicts {
+struct MatrixCounts {
   int right = 0;      // named, or one that looks the same in the scene
   int wrong = 0;      // another one is named
   int silent = 0;     // visible, and none is named
@@ -19,6 +19,6 @@ struct Verdicts {
 };
 
 /// Tries every mistake of the table in each scene; with `pairs` above 0 so many pairs as well, chosen by a seed.
-Verdicts TryMistakes(std::vector<std::unique_ptr<SceneImages>>& scenes, int pairs);
+MatrixCounts TryMistakes(std::vector<std::unique_ptr<SceneImages>>& scenes, int pairs);
 
 }  // namespace ray::grade

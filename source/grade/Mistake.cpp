@@ -1,6 +1,5 @@
 #include "source/grade/Mistake.h"
 
-#include <algorithm>
 #include <array>
 
 namespace ray::grade {
@@ -16,11 +15,6 @@ std::span<const Mistake* const> Mistakes() {
 #undef MISTAKE
   };
   return mistakes;
-}
-
-const Mistake* FindMistake(const std::string& name) {
-  const auto found = std::ranges::find_if(Mistakes(), [&](const Mistake* mistake) { return name == mistake->name; });
-  return found == Mistakes().end() ? nullptr : *found;
 }
 
 }  // namespace ray::grade

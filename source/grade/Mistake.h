@@ -35,7 +35,5 @@ struct Mistake {
 
 /// Every mistake, in the order of mistakes.def.
 std::span<const Mistake* const> Mistakes();
-/// Null when none has the name.
-const Mistake* FindMistake(const std::string& name);
 
 }  // namespace ray::grade

@@ -14,8 +14,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::array verdict_names{"right", "known", "different", "failed"};
-const char* NameOf(SceneResult::Verdict verdict) { return verdict_names[static_cast<std::size_t>(verdict)]; }
+constexpr std::array outcome_names{"right", "known", "different", "failed"};
+const char* NameOf(SceneResult::Outcome outcome) { return outcome_names[static_cast<std::size_t>(outcome)]; }
 
 std::string PointsText(double points) { return Rounded(points, 4); }
 
@@ -49,7 +49,7 @@ std::string SceneSection(const SceneResult& scene) {
   std::string html = "<h2 id=\"" + HtmlOf(scene.scene) + "\">" + HtmlOf(scene.title) + ": " + PointsText(scene.score) +
                      " of " + PointsText(scene.points) + " points</h2>\n";
   if (!scene.teaches.empty()) html += "<p><em>" + HtmlOf(scene.teaches) + "</em></p>\n";
-  html += "<p class=\"" + std::string(NameOf(scene.verdict)) + "\">" + HtmlOf(scene.headline) + "</p>\n" +
+  html += "<p class=\"" + std::string(NameOf(scene.outcome)) + "\">" + HtmlOf(scene.headline) + "</p>\n" +
           Paragraphs(scene.remarks) + ProgramOutput(scene);
   if (scene.expected.Width() > 0)
     html += Figure(scene.expected, "expected") + Figure(scene.actual, "yours") +
@@ -58,9 +58,9 @@ std::string SceneSection(const SceneResult& scene) {
 }
 
 std::string Overview(const StudentResult& student) {
-  std::string html = "<table><tr><th>scene<th>points<th>verdict</tr>\n";
+  std::string html = "<table><tr><th>scene<th>points<th>result</tr>\n";
   for (const SceneResult& scene : student.scenes)
-    html += "<tr class=\"" + std::string(NameOf(scene.verdict)) + "\"><td><a href=\"#" + HtmlOf(scene.scene) + "\">" +
+    html += "<tr class=\"" + std::string(NameOf(scene.outcome)) + "\"><td><a href=\"#" + HtmlOf(scene.scene) + "\">" +
             HtmlOf(scene.title) + "</a><td class=\"n\">" + PointsText(scene.score) + " / " + PointsText(scene.points) +
             "<td>" + HtmlOf(scene.headline) + "</tr>\n";
   return html + "</table>\n";
@@ -71,7 +71,7 @@ Json JsonOf(const SceneResult& scene) {
           {"title", scene.title},
           {"points", scene.points},
           {"score", scene.score},
-          {"verdict", NameOf(scene.verdict)},
+          {"outcome", NameOf(scene.outcome)},
           {"headline", scene.headline},
           {"mistakes", scene.mistakes},
           {"explained", scene.explained},
@@ -90,8 +90,9 @@ SceneResult ResultOf(const Json& json) {
   json.at("explained").get_to(scene.explained);
   json.at("percent").get_to(scene.percent);
   json.at("seconds").get_to(scene.seconds);
-  const auto name = std::ranges::find(verdict_names, json.at("verdict").get<std::string>());
-  scene.verdict = static_cast<SceneResult::Verdict>(name - verdict_names.begin());
+  const auto name = std::ranges::find(outcome_names, json.at("outcome").get<std::string>());
+  if (name == outcome_names.end()) throw Json::other_error::create(501, "no such outcome", &json);
+  scene.outcome = static_cast<SceneResult::Outcome>(name - outcome_names.begin());
   return scene;
 }
 
@@ -128,7 +129,7 @@ std::string ClassTable(const std::vector<StudentResult>& students, const Suite& 
     html += "<tr><td><a href=\"" + HtmlOf(student.name) + "/index.html\">" + HtmlOf(student.name) +
             "</a><td class=\"n\">" + PointsText(student.Score());
     for (const SceneResult& scene : student.scenes)
-      html += "<td class=\"n " + std::string(NameOf(scene.verdict)) + "\" title=\"" + HtmlOf(scene.headline) + "\">" +
+      html += "<td class=\"n " + std::string(NameOf(scene.outcome)) + "\" title=\"" + HtmlOf(scene.headline) + "\">" +
               PointsText(scene.score);
     html += "</tr>\n";
   }
@@ -158,47 +159,44 @@ std::string StudentPage(const StudentResult& student, const Suite& suite, const 
               body + "<p>" + HtmlOf(sandbox) + "</p>\n");
 }
 
-std::string ResultsJson(const StudentResult& student, const Suite& suite) {
+std::string ResultsJson(const StudentResult& student, const std::string& identity) {
   Json json{{"score", student.Score()}, {"visibility", "visible"}, {"tests", Json::array()}};
   Json scenes = Json::array();
   for (const SceneResult& scene : student.scenes) {
     json["tests"].push_back({{"name", scene.title},
                              {"score", scene.score},
                              {"max_score", scene.points},
-                             {"status", scene.verdict == SceneResult::Verdict::right ? "passed" : "failed"},
+                             {"status", scene.outcome == SceneResult::Outcome::right ? "passed" : "failed"},
                              {"output", SceneSection(scene)},
                              {"output_format", "html"},
                              {"visibility", "visible"}});
     scenes.push_back(JsonOf(scene));
   }
   json["extra_data"] = {
-      {"suite", suite.name}, {"student", student.name}, {"complete", student.is_complete}, {"scenes", scenes}};
+      {"graded_by", identity}, {"student", student.name}, {"complete", student.is_complete}, {"scenes", scenes}};
   return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-bool ReadResultsJson(const std::string& text, const Suite& suite, StudentResult& student) {
+std::optional<StudentResult> ReadResultsJson(const std::string& text, const std::string& identity) {
   try {
     const Json json = Json::parse(text).at("extra_data");
-    if (json.at("suite") != suite.name || json.at("scenes").size() > suite.scenes.size()) return false;
-    student = {};
+    if (json.at("graded_by") != identity) return {};
+    StudentResult student;
     json.at("student").get_to(student.name);
     json.at("complete").get_to(student.is_complete);
-    for (std::size_t i = 0; i < json.at("scenes").size(); ++i) {
-      student.scenes.push_back(ResultOf(json.at("scenes")[i]));
-      if (student.scenes.back().scene != suite.scenes[i].name) return false;
-    }
-    return true;
+    for (const Json& scene : json.at("scenes")) student.scenes.push_back(ResultOf(scene));
+    return student;
   } catch (const Json::exception&) {
-    return false;
+    return {};
   }
 }
 
 std::string ClassCsv(const std::vector<StudentResult>& students) {
-  std::string csv = "student,scene,points,score,verdict,mistakes,percent_differing,seconds\n";
+  std::string csv = "student,scene,points,score,outcome,mistakes,percent_differing,seconds\n";
   for (const StudentResult& student : students)
     for (const SceneResult& scene : student.scenes)
       csv += CsvField(student.name) + "," + CsvField(scene.scene) + "," + ToText(scene.points) + "," +
-             PointsText(scene.score) + "," + NameOf(scene.verdict) + "," + CsvField(scene.mistakes) + "," +
+             PointsText(scene.score) + "," + NameOf(scene.outcome) + "," + CsvField(scene.mistakes) + "," +
              Rounded(scene.percent, 4) + "," + Rounded(scene.seconds, 3) + "\n";
   return csv;
 }

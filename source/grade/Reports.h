@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,12 +14,13 @@ std::string StudentPage(const StudentResult& student, const Suite& suite, const 
 
 /// What Gradescope reads: one test per scene, with its output as HTML. What the other reports need to be made again is
 /// in "extra_data".
-///   source   Gradescope, Autograder specifications: results.json
-std::string ResultsJson(const StudentResult& student, const Suite& suite);
-/// What ResultsJson wrote, without images; nothing where the text is no such thing, or of another suite.
-bool ReadResultsJson(const std::string& text, const Suite& suite, StudentResult& student);
+///   identity   of all that results depend on but the student's program
+///   source     Gradescope, Autograder specifications: results.json
+std::string ResultsJson(const StudentResult& student, const std::string& identity);
+/// What ResultsJson wrote, without images; nothing where the text is no such thing, or of another identity.
+std::optional<StudentResult> ReadResultsJson(const std::string& text, const std::string& identity);
 
-/// One line per student and scene: student, scene, points, score, verdict, mistakes, percent differing, seconds.
+/// One line per student and scene: student, scene, points, score, outcome, mistakes, percent differing, seconds.
 std::string ClassCsv(const std::vector<StudentResult>& students);
 
 /// A page for teachers: who has how many points, and which mistakes are common.

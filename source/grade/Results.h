@@ -10,11 +10,11 @@ namespace ray::grade {
 
 /// What became of one scene.
 struct SceneResult {
-  enum class Verdict { right, known_mistake, different, failed };
+  enum class Outcome { right, known_mistake, different, failed };
 
   std::string scene, title, teaches;
   double points = 0, score = 0;
-  Verdict verdict = Verdict::failed;
+  Outcome outcome = Outcome::failed;
   std::string headline;              // one sentence, without markup
   std::vector<std::string> remarks;  // more sentences: expectations, hints, what detectors found
   std::string mistakes;              // names of those named, "gamma+mirrored"; empty for none

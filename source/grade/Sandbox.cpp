@@ -5,6 +5,7 @@
 #include <poll.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -37,13 +38,15 @@ bool IsSuperuser() { return geteuid() == 0; }
 
 double SecondsSince(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
 
-/// How many processes this user has, since the limit counts them all.
-rlim_t ProcessesOfUser() {
+/// How many threads this user has, since the limit counts them all.
+rlim_t ThreadsOfUser() {
   rlim_t count = 0;
   std::error_code ignored;
   for (const auto& entry : fs::directory_iterator("/proc", ignored)) {
     const std::string name = entry.path().filename().string();
     if (name.find_first_not_of("0123456789") != std::string::npos) continue;
+    struct stat status {};
+    if (stat(entry.path().c_str(), &status) != 0 || status.st_uid != geteuid()) continue;
     for (const auto& thread : fs::directory_iterator(entry.path() / "task", ignored)) count += thread.exists() ? 1 : 0;
   }
   return count;
@@ -77,7 +80,7 @@ struct Pipe {
   int ends[2];
 };
 
-/// Those whose parent is `process`.
+/// The processes that `process` is the parent of.
 std::vector<pid_t> ChildrenOf(pid_t process) {
   std::ifstream list("/proc/" + std::to_string(process) + "/task/" + std::to_string(process) + "/children");
   std::vector<pid_t> children;
@@ -114,6 +117,7 @@ void KillOrphans(const std::set<pid_t>& earlier) {
 [[noreturn]] void BecomeProgram(const std::vector<std::string>& words, const fs::path& folder, const Limits& limits,
                                 int output, bool is_wrapped, rlim_t processes) {
   setsid();
+  prctl(PR_SET_PDEATHSIG, SIGKILL);  // it does not outlive a grader that is killed
   const int nothing = open("/dev/null", O_RDONLY);
   dup2(nothing, 0);
   dup2(output, 1);
@@ -139,7 +143,8 @@ void KillOrphans(const std::set<pid_t>& earlier) {
 /// Reads until the program has ended; stops it where it takes too long or prints too much.
 class Watch {
  public:
-  Watch(pid_t process, int output, const Limits& limits) : process_(process), output_(output), limits_(limits) {}
+  Watch(pid_t process, int output, const Limits& limits, const std::atomic<bool>* stop)
+      : process_(process), output_(output), limits_(limits), stop_(stop) {}
 
   RunResult Wait() {
     int wait_status = 0;
@@ -148,6 +153,7 @@ class Watch {
       ReadWhatIsThere(has_ended ? 0 : 5);
       if (has_ended) break;
       if (SecondsSince(begin_) > limits_.seconds) return Stopped(RunResult::End::timed_out);
+      if (stop_ && *stop_) return Stopped(RunResult::End::interrupted);
       if (read_ > limits_.output_bytes) return Stopped(RunResult::End::too_much_output);
     }
     result_.seconds = SecondsSince(begin_);
@@ -183,16 +189,17 @@ class Watch {
   pid_t process_;
   int output_;
   const Limits& limits_;
+  const std::atomic<bool>* stop_;
   RunResult result_;
   Clock::time_point begin_ = Clock::now();
   std::int64_t read_ = 0;
   bool is_closed_ = false;
 };
 
-RunResult RunWords(const std::vector<std::string>& words, const fs::path& folder, const Limits& limits,
-                   bool is_wrapped) {
+RunResult RunWords(const std::vector<std::string>& words, const fs::path& folder, const Limits& limits, bool is_wrapped,
+                   const std::atomic<bool>* stop) {
   Pipe pipe;
-  const rlim_t processes = static_cast<rlim_t>(limits.processes) + (IsSuperuser() ? 0 : ProcessesOfUser());
+  const rlim_t processes = static_cast<rlim_t>(limits.processes) + (IsSuperuser() ? 0 : ThreadsOfUser());
   prctl(PR_SET_CHILD_SUBREAPER, 1);
   const auto children = ChildrenOf(getpid());
   const std::set<pid_t> earlier(children.begin(), children.end());
@@ -200,7 +207,7 @@ RunResult RunWords(const std::vector<std::string>& words, const fs::path& folder
   if (process < 0) return {};
   if (process == 0) BecomeProgram(words, folder, limits, pipe.ends[1], is_wrapped, processes);
   pipe.CloseWriting();
-  RunResult result = Watch(process, pipe.ends[0], limits).Wait();
+  RunResult result = Watch(process, pipe.ends[0], limits, stop).Wait();
   KillOrphans(earlier);
   // The wrapper tells of a signal as shells do.
   constexpr int shells_signal = 128;
@@ -247,6 +254,8 @@ std::string RunResult::Problem() const {
       return "was stopped after " + Rounded(seconds, 3) + " s";
     case End::too_much_output:
       return "was stopped since it printed without end";
+    case End::interrupted:
+      return "was stopped since the grader was";
     case End::not_started:
       return "could not be started";
   }
@@ -333,9 +342,10 @@ std::vector<std::string> Sandbox::Wrapped(const std::vector<std::string>& comman
 }
 
 RunResult Sandbox::Run(const std::vector<std::string>& command, const fs::path& folder,
-                       const std::vector<fs::path>& readable, const Limits& limits) const {
+                       const std::vector<fs::path>& readable, const Limits& limits,
+                       const std::atomic<bool>* stop) const {
   return RunWords(has_bubblewrap_ ? Wrapped(command, folder, readable, limits) : command, folder, limits,
-                  has_bubblewrap_);
+                  has_bubblewrap_, stop);
 }
 
 }  // namespace ray::grade

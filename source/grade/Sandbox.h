@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <filesystem>
 #include <string>
@@ -18,7 +19,7 @@ struct Limits {
 
 /// How a program ended.
 struct RunResult {
-  enum class End { exited, signaled, timed_out, too_much_output, not_started };
+  enum class End { exited, signaled, timed_out, too_much_output, interrupted, not_started };
 
   End end = End::not_started;
   int status = 0;      // exit status, or the signal's number
@@ -46,8 +47,10 @@ class Sandbox {
 
   /// Runs a command in `folder`, the only one that it may write to, which must exist; files that the words name may be
   /// read, with all beside them, and those of `readable`.
+  ///   stop   ends the program when it becomes true; may be null
   RunResult Run(const std::vector<std::string>& command, const std::filesystem::path& folder,
-                const std::vector<std::filesystem::path>& readable, const Limits& limits) const;
+                const std::vector<std::filesystem::path>& readable, const Limits& limits,
+                const std::atomic<bool>* stop = nullptr) const;
 
  private:
   std::vector<std::string> Wrapped(const std::vector<std::string>& command, const std::filesystem::path& folder,

@@ -11,7 +11,7 @@
 namespace ray::grade {
 namespace {
 
-// A quarter of a pixel to each side, as the samples of programs that smooth edges lie.
+// Further than the samples of programs that smooth edges with four rays lie, a quarter of a pixel to each side.
 constexpr R2::Vector shifts[]{{-0.3, -0.3}, {0.3, -0.3}, {-0.3, 0.3}, {0.3, 0.3}};
 
 /// The camera seen from a little aside, so that the whole image moves by so many pixels.
@@ -25,10 +25,6 @@ void Shift(Scene& scene, RenderSettings& settings, R2::Vector pixels) {
 R2::Image Shown(R2::Image image, std::span<const ImageFilter> filters) {
   for (const ImageFilter filter : filters) image = filter(image);
   return Displayed(image, R2::Display::straight);
-}
-
-double LargestDifference(const R2::Color& a, const R2::Color& b) {
-  return std::max({std::abs(a.r - b.r), std::abs(a.g - b.g), std::abs(a.b - b.b)});
 }
 
 }  // namespace
@@ -51,8 +47,8 @@ SceneImages::SceneImages(const SuiteScene& scene, const std::string& file, const
   FindSmoothing();
 }
 
-// Of 4 samples as of 16, since twice and a half of what 16 say covers either. Where rays through the corners of pixels
-// are wrong, a steady pixel changes by more than that.
+// Programs that smooth edges take 4 samples, or 16, or more; two and a half times what 16 samples change covers them
+// all. Rays through the corners of pixels, which are a mistake, change a pixel at an edge by more than that.
 void SceneImages::FindSmoothing() {
   constexpr int many_samples = 16;
   constexpr double factor = 2.5;
@@ -63,14 +59,10 @@ void SceneImages::FindSmoothing() {
   for (int y = 0; y < reference_.Height(); ++y)
     for (int x = 0; x < width; ++x)
       smoothing_[static_cast<std::size_t>(y * width + x)] =
-          factor * LargestDifference(smooth.At(x, y), reference_.At(x, y));
+          factor * LargestChannel(smooth.At(x, y) - reference_.At(x, y));
 }
 
 SceneImages::~SceneImages() = default;
-
-double SceneImages::SteadyShare() const {
-  return static_cast<double>(std::ranges::count(steady_, true)) / static_cast<double>(steady_.size());
-}
 
 void SceneImages::FindSteadyPixels() {
   const int width = reference_.Width(), height = reference_.Height();
@@ -80,7 +72,7 @@ void SceneImages::FindSteadyPixels() {
     const R2::Image moved = Render({}, shift);
     for (int y = 0; y < height; ++y)
       for (int x = 0; x < width; ++x)
-        if (LargestDifference(moved.At(x, y), reference_.At(x, y)) > scene_.tolerance)
+        if (LargestChannel(moved.At(x, y) - reference_.At(x, y)) > scene_.tolerance)
           steady_[static_cast<std::size_t>(y * width + x)] = false;
   }
   const auto& [scene, settings, accelerator] = built_->scene;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <functional>
 #include <map>
 #include <memory>
@@ -24,6 +26,9 @@ struct SceneToRender {
 /// Reads a scene anew, each time it is called; throws SceneErrors. Which options there are is known above this layer.
 using Loader = std::function<SceneToRender(const SuiteScene& scene, const std::string& file)>;
 
+/// The largest |channel|.
+inline double LargestChannel(const R2::Color& c) { return std::max({std::abs(c.r), std::abs(c.g), std::abs(c.b)}); }
+
 /// Mistakes that were made together, in this order.
 using MistakeList = std::vector<const Mistake*>;
 
@@ -41,7 +46,6 @@ class SceneImages {
   /// By rows from the bottom. A pixel is steady unless it changes by more than the tolerance when the camera is moved
   /// by less than half a pixel, or several surfaces are coincident there.
   const std::vector<bool>& Steady() const { return steady_; }
-  double SteadyShare() const;
   /// How far smoothed edges may be from the reference at each pixel: programs differ in where their samples lie.
   const std::vector<double>& Smoothing() const { return smoothing_; }
   /// Null where the mistakes cannot be made in this scene.

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <set>
 
 #include "source/parse/Files.h"
 #include "source/parse/Format.h"
 #include "source/parse/document/Mapping.h"
-#include "source/text/LowerCase.h"
 #include "source/text/Words.h"
 
 namespace ray::grade {
@@ -19,15 +19,21 @@ constexpr int most_pixels_a_side = 4096;
 constexpr double most_seconds = 3600, most_points = 1e6, most_memory = 1 << 20;
 constexpr int most_runs = 16;
 
+/// A number from 1 on.
+int Whole(Mapping& mapping, std::string_view name, int most, int otherwise) {
+  const auto field = mapping.Find({name});
+  return field ? static_cast<int>(field->Whole(1, most).value_or(otherwise)) : otherwise;
+}
+
 /// What a suite says for all of its scenes, and each scene for itself.
 void ReadShared(Mapping& mapping, SuiteScene& scene) {
   scene.points = mapping.Number({"points"}, {0, most_points}, scene.points);
-  scene.width = static_cast<int>(mapping.Whole({"width"}, 1, scene.width));
-  scene.height = static_cast<int>(mapping.Whole({"height"}, 1, scene.height));
+  scene.width = Whole(mapping, "width", most_pixels_a_side, scene.width);
+  scene.height = Whole(mapping, "height", most_pixels_a_side, scene.height);
   scene.seconds = mapping.Number({"seconds"}, {0, most_seconds, true}, scene.seconds);
   scene.tolerance = mapping.Number({"tolerance"}, {0, 1}, scene.tolerance);
   scene.allowed = mapping.Number({"allowed"}, {0, 100}, scene.allowed);
-  if (const auto field = mapping.Find({"runs"})) scene.runs = static_cast<int>(field->Whole(1, most_runs).value_or(1));
+  scene.runs = Whole(mapping, "runs", most_runs, scene.runs);
   if (const auto field = mapping.Find({"options"})) {
     const auto words = field->Word();
     scene.options = words.value_or("");
@@ -36,19 +42,14 @@ void ReadShared(Mapping& mapping, SuiteScene& scene) {
   }
 }
 
-void CheckSize(Mapping& mapping, const SuiteScene& scene) {
-  if (scene.width > most_pixels_a_side || scene.height > most_pixels_a_side)
-    mapping.Reporter().Error(mapping.What(),
-                             "is of more than " + std::to_string(most_pixels_a_side) + " pixels a side");
-}
-
 void ReadVary(Mapping& mapping, SuiteScene& scene) {
   const auto field = mapping.Find({"vary"});
   if (!field) return;
   if (!field->IsMapping()) return field->Error("must be a mapping from texts of the scene file to what they become");
   for (const Entry& entry : field->What().Entries()) {
     const auto text = Field(mapping.Reporter(), entry.value).Word();
-    if (text) scene.vary.emplace_back(entry.key, *text);
+    const Document& document = mapping.Reporter().Source();
+    if (text) scene.vary.push_back({entry.key, *text, ErrorAt(document.Source(), document.At(entry.key_extent), "")});
   }
 }
 
@@ -66,7 +67,6 @@ class SceneReader {
     scene.teaches = mapping->Word({"teaches"}).value_or("");
     ReadShared(*mapping, scene);
     ReadVary(*mapping, scene);
-    CheckSize(*mapping, scene);
     if (word) Place(*file, *word, scene);
     if (mapping->FinishedWell()) scenes.push_back(std::move(scene));
   }
@@ -77,23 +77,40 @@ class SceneReader {
     scene.file = path.string();
     scene.name = path.stem().string();
     std::error_code ignored;
-    if (!fs::is_regular_file(path, ignored)) return field.Error(" there is no file " + Quoted(scene.file));
+    if (!fs::is_regular_file(path, ignored)) return field.Error(": there is no file " + Quoted(scene.file));
     if (!names_.insert(scene.name).second)
-      field.Error(" another scene of the suite is called " + Quoted(scene.name) + " too");
+      field.Error(": another scene of the suite is called " + Quoted(scene.name) + " too");
   }
 
   std::string folder_;
   std::set<std::string> names_;
 };
 
-std::vector<std::string> ReadList(Mapping& mapping, std::string_view name) {
+std::vector<std::string> ReadCommand(Mapping& mapping) {
   std::vector<std::string> words;
-  const auto field = mapping.Find({name});
-  if (!field) return words;
-  if (const auto list = field->List())
-    for (const Field& each : *list)
-      if (const auto word = each.Word()) words.push_back(*word);
+  const auto field = mapping.Find({"command"});
+  const auto list = field ? field->List() : std::nullopt;
+  if (!list) return words;
+  for (const Field& each : *list)
+    if (const auto word = each.Word()) words.push_back(*word);
   return words;
+}
+
+/// Absolute, since programs run elsewhere.
+std::vector<std::string> ReadReadable(Mapping& mapping, const std::string& folder) {
+  std::vector<std::string> files;
+  const auto field = mapping.Find({"readable"});
+  const auto list = field ? field->List() : std::nullopt;
+  if (!list) return files;
+  for (const Field& each : *list) {
+    const auto word = each.Word();
+    if (!word) continue;
+    std::error_code failed;
+    const fs::path path = fs::canonical(fs::path(folder) / *word, failed);
+    if (failed) each.Error(": there is no file or folder " + Quoted(*word));
+    files.push_back(path.string());
+  }
+  return files;
 }
 
 void ReadScenes(Mapping& mapping, const SuiteScene& usual, Suite& suite) {
@@ -112,8 +129,8 @@ Suite ReadFrom(const Document& document, Report& report) {
   auto mapping = Field(places, document.Root()).AsMapping("a suite");
   if (!mapping) return suite;
   suite.name = mapping->Word({"name"}).value_or(fs::path(suite.file).stem().string());
-  suite.command = ReadList(*mapping, "command");
-  suite.readable = ReadList(*mapping, "readable");
+  suite.command = ReadCommand(*mapping);
+  suite.readable = ReadReadable(*mapping, fs::path(suite.file).parent_path().string());
   suite.memory = mapping->Number({"memory"}, {1, most_memory}, suite.memory);
   suite.budget = mapping->Number({"budget"}, {0, most_seconds}, suite.budget);
   suite.explained = mapping->Number({"explained"}, {0, 1}, suite.explained);
@@ -124,11 +141,9 @@ Suite ReadFrom(const Document& document, Report& report) {
   return suite;
 }
 
-bool IsScene(const fs::path& path) {
-  const std::string extension = LowerCase(path.extension().string());
-  return std::ranges::any_of(SceneFormats(), [&](const SceneFormat* format) {
-    return std::ranges::find(format->extensions, extension) != format->extensions.end();
-  });
+/// A scalar of YAML, whatever is in it.
+std::string InQuotationMarks(const std::string& text) {
+  return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
 }  // namespace
@@ -154,6 +169,7 @@ Suite ReadSuite(const std::string& file) {
     report.ThrowErrors();
     Suite suite = ReadFrom(document, report);
     report.ThrowErrors();
+    suite.warnings = report.Warnings();
     return suite;
   } catch (const SceneError& error) {
     throw SceneErrors({error});
@@ -164,19 +180,19 @@ std::string NewSuite(const std::string& folder) {
   std::error_code failed;
   std::vector<fs::path> scenes;
   for (fs::directory_iterator entry(folder, failed), end; !failed && entry != end; entry.increment(failed))
-    if (entry->is_regular_file() && IsScene(entry->path())) scenes.push_back(entry->path());
+    if (entry->is_regular_file() && IsSceneName(entry->path().string())) scenes.push_back(entry->path());
   std::erase_if(scenes, [](const fs::path& path) { return path.stem() == "suite"; });
   if (failed || scenes.empty()) throw SceneErrors({ErrorIn(folder, "there are no scenes in this folder")});
   std::ranges::sort(scenes);
   std::string text =
       "# A suite for raygrade. Scenes are relative to this file; what stands before them holds for all of them.\n"
-      "name: \"" +
-      fs::path(folder).lexically_normal().filename().string() +
-      "\"\n"
+      "name: " +
+      InQuotationMarks(fs::canonical(folder, failed).filename().string()) +
+      "\n"
       "width: 160\nheight: 120\nseconds: 10       # that the program may take for a scene\n"
       "tolerance: 0.02   # of a channel, 0 to 1\nallowed: 0.5      # percent of the steady pixels that may differ\n"
       "points: 1\nscenes:\n";
-  for (const fs::path& scene : scenes) text += "  - scene: " + scene.filename().string() + "\n";
+  for (const fs::path& scene : scenes) text += "  - scene: " + InQuotationMarks(scene.filename().string()) + "\n";
   return text;
 }
 

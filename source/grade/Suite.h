@@ -8,6 +8,12 @@
 
 namespace ray::grade {
 
+/// A text of a scene file and what it becomes with a seed: {a..b} is a number between a and b.
+struct Variation {
+  std::string text, becomes;
+  SceneError at{};  // where it stands in the suite
+};
+
 /// A scene that a student's program has to render.
 struct SuiteScene {
   std::string name;            // of its file, without folder and extension; no two are alike
@@ -21,8 +27,7 @@ struct SuiteScene {
   int runs = 1;             // of the program: above 1 where it samples at random, and then means of blocks are compared
   std::string options;      // of raypro, for the reference
   SceneError options_at{};  // where they stand
-  /// Texts of the scene file and what each becomes with a seed: {a..b} is a number between a and b.
-  std::vector<std::pair<std::string, std::string>> vary{};
+  std::vector<Variation> vary{};
 };
 
 /// What to grade by: a YAML file.
@@ -34,6 +39,7 @@ struct Suite {
   double explained = 0.5;             // share of a scene's points where known mistakes explain all that is wrong
   std::vector<std::string> readable;  // more files and folders that programs may read
   std::vector<SuiteScene> scenes;
+  std::vector<std::string> warnings;  // of what is in the file and has no effect, with its place
 
   double Points() const;
 };

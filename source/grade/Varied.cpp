@@ -36,16 +36,21 @@ std::string WithNumbers(std::string text, const SuiteScene& scene, std::uint64_t
   return text;
 }
 
+SceneError NotThereOnce(const SuiteScene& scene, const std::string& what, SceneError at) {
+  if (at.file.empty()) at.file = scene.file;
+  at.message = "the text to be varied, " + Quoted(what) + ", must be in " + QuotedPath(scene.file) + " exactly once";
+  return at;
+}
+
 }  // namespace
 
 std::string Varied(const std::string& text, const SuiteScene& scene, std::uint64_t seed) {
   std::string varied = text;
   std::uint64_t place = 0;
-  for (const auto& [what, with] : scene.vary) {
+  for (const auto& [what, with, at_suite] : scene.vary) {
     const std::size_t at = varied.find(what);
     if (at == std::string::npos || varied.find(what, at + 1) != std::string::npos)
-      throw SceneErrors({ErrorIn(
-          scene.file, "the text to be varied, " + Quoted(what) + ", must be there once; see 'vary' in the suite")});
+      throw SceneErrors({NotThereOnce(scene, what, at_suite)});
     varied.replace(at, what.size(), WithNumbers(with, scene, seed, place));
   }
   return varied;

@@ -30,4 +30,7 @@ struct SceneFormat {
 /// Every one, in the order of formats.def.
 std::span<const SceneFormat* const> SceneFormats();
 
+/// Whether a file's extension, in any letter case, is that of a scene or a mesh.
+bool IsSceneName(const std::string& file);
+
 }  // namespace ray

@@ -31,6 +31,13 @@ std::span<const SceneFormat* const> SceneFormats() {
   return formats;
 }
 
+bool IsSceneName(const std::string& file) {
+  const std::string extension = LowerCase(std::filesystem::path(file).extension().string());
+  return std::ranges::any_of(SceneFormats(), [&](const SceneFormat* format) {
+    return std::ranges::find(format->extensions, extension) != format->extensions.end();
+  });
+}
+
 namespace {
 
 std::string SceneExtensions() {

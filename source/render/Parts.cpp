@@ -60,18 +60,15 @@ bool IsOfOneRound(const RenderSettings& settings, const Film& film) {
   return !schedule.NeedsWholePicture();
 }
 
-void CheckPart(const RenderState& state, const ImagePart& part, const Film& film) {
-  const std::vector<int> parts = PartsOfBlocks(film, part.of);
+void CheckPart(const RenderState& state, int part, std::span<const int> parts) {
   for (std::size_t i = 0; i < parts.size(); ++i)
-    if (parts[i] != part.index && (state.blocks[i].Samples() > 0 || !state.blocks[i].first_samples.empty()))
+    if (parts[i] != part && (state.blocks[i].Samples() > 0 || !state.blocks[i].first_samples.empty()))
       throw CheckpointError("it has blocks of other parts");
 }
 
-void Join(RenderState& whole, RenderState&& of_part, const ImagePart& part, const Film& film) {
-  const std::vector<int> parts = PartsOfBlocks(film, part.of);
+void TakeBlocks(RenderState& whole, RenderState&& of_part, int part, std::span<const int> parts) {
   for (std::size_t i = 0; i < parts.size(); ++i)
-    if (parts[i] == part.index) whole.blocks[i] = std::move(of_part.blocks[i]);
-  whole.rays += of_part.rays;
+    if (parts[i] == part) whole.blocks[i] = std::move(of_part.blocks[i]);
 }
 
 bool Agree(const RenderState& a, const RenderState& b) {
@@ -86,8 +83,7 @@ double SamplesOf(const RenderState& state) {
   return sum;
 }
 
-std::vector<int> MissingParts(const RenderState& round, const RenderSettings& settings, const Film& film, int of) {
-  const std::vector<int> parts = PartsOfBlocks(film, of);
+std::vector<int> MissingParts(const RenderState& round, const RenderSettings& settings, std::span<const int> parts) {
   std::vector<int> missing;
   for (std::size_t i = 0; i < parts.size(); ++i)
     if (!IsAtTarget(round, i, HasTwoStreams(settings))) missing.push_back(parts[i]);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "source/render/ImagePart.h"
@@ -21,18 +22,19 @@ RenderState FirstRound(const RenderSettings& settings, const Film& film);
 bool IsOfOneRound(const RenderSettings& settings, const Film& film);
 
 /// Throws CheckpointError when a block has samples that does not belong to the part.
-void CheckPart(const RenderState& state, const ImagePart& part, const Film& film);
+///   parts   of each block, as from PartsOfBlocks; here and below
+void CheckPart(const RenderState& state, int part, std::span<const int> parts);
 
-/// Adds a part's blocks and rays to a state that has no samples of these blocks.
-void Join(RenderState& whole, RenderState&& of_part, const ImagePart& part, const Film& film);
+/// Moves the part's blocks to `whole`, in place of those that are there. The rays of `whole` are left as they are.
+void TakeBlocks(RenderState& whole, RenderState&& of_part, int part, std::span<const int> parts);
 
-/// Whether two renders of one part agree: blocks that have equally many samples must have equal sums, bit for bit.
+/// Whether two renders agree: blocks that have equally many samples must have equal sums, bit for bit.
 bool Agree(const RenderState& a, const RenderState& b);
-/// Samples of all blocks, to tell which of two renders of one part got further.
+/// Samples of all blocks, to tell which of two renders of a part got further.
 double SamplesOf(const RenderState& state);
 
 /// The parts, 1-based and ascending, that lack samples which the round is due.
-std::vector<int> MissingParts(const RenderState& round, const RenderSettings& settings, const Film& film, int of);
+std::vector<int> MissingParts(const RenderState& round, const RenderSettings& settings, std::span<const int> parts);
 
 /// What a file of a part keeps: blocks, rays and targets, but no times, so that its bytes do not depend on the
 /// machine's speed.

@@ -198,6 +198,7 @@ class Job {
     schedule_.Resume(std::move(state.schedule));
     passes_ = std::move(state.passes);
     runner_.AddRays(state.rays);
+    rays_before_ = state.rays.Total();
     differences_ = std::move(state.differences);
   }
 
@@ -359,6 +360,7 @@ class Job {
     RenderResult result;
     result.image = Picture();
     result.rays = runner_.Rays();
+    result.rays_before = rays_before_;
     if (const double samples = SamplesTaken(film_); samples > 0)
       result.share_cut = static_cast<double>(result.rays.throughput_cut) / RayCounts::throughput_unit / samples;
     result.stop = stop;
@@ -428,6 +430,7 @@ class Job {
     bool is_in_time = true, is_in_doubt = false;
     double seconds = 0, seconds_of_sample = 0;  // after the samples so far, and for each more per pixel
   } after_;
+  std::uint64_t rays_before_ = 0;
   double samples_foretold_ = 0;  // per pixel, that reach the error asked for; 0: unknown
 };
 
@@ -437,7 +440,8 @@ double ExpectedRays(const RenderSettings& settings) {
   constexpr double rays_per_camera_ray = 3;  // with shadows and reflections, in scenes of the course
   constexpr double rays_per_second = 1e6;
   if (settings.budget.seconds > 0) return rays_per_second * settings.budget.seconds;
-  return rays_per_camera_ray * static_cast<double>(MadeRegionOf(settings).Area()) * settings.samples;
+  const int parts = settings.part ? settings.part->of : 1;
+  return rays_per_camera_ray * static_cast<double>(MadeRegionOf(settings).Area()) * settings.samples / parts;
 }
 
 std::unique_ptr<const Integrator> IntegratorOf(const World& world, const Accelerator& accelerator,

@@ -81,6 +81,7 @@ struct RenderResult {
   bool had_no_time_to_denoise = false;  // though it was asked for; then, too, `image` is as it was rendered
   double denoise_seconds = 0, guide_seconds = 0;  // the latter a part of the former
   std::uint64_t guide_rays = 0;                   // a part of `rays`
+  std::uint64_t rays_before = 0;                  // a part of `rays` too: of the state that it went on from
   std::optional<Refinement> refinement;           // nothing where it was not denoised, or without a clock
   UnseenLight unseen;                             // the error's interval allows for it
   bool has_outliers = false;                      // they hold most of the error, and no block was stopped early
@@ -88,7 +89,7 @@ struct RenderResult {
   bool IsComplete() const { return stop != Stop::request; }
 };
 
-/// About how many rays a render will trace: what is known before it.
+/// About how many rays a render, or the part of it that settings.part names, will trace: what is known before it.
 double ExpectedRays(const RenderSettings& settings);
 
 /// Renders the world through its scene's camera, or the view of the settings. The image is the same, bit for bit, for

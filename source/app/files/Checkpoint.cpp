@@ -15,11 +15,6 @@
 namespace ray {
 namespace {
 
-bool IsThere(const OutputFile& file) {
-  std::error_code ignored;
-  return std::filesystem::exists(file.target, ignored);
-}
-
 void RemoveFile(const std::filesystem::path& file) {
   std::error_code ignored;
   std::filesystem::remove(file, ignored);
@@ -44,7 +39,7 @@ Checkpoint::Checkpoint(const Options& options)
       has_picture_(IsFinishedPicture(options.picture)),
       beside_(CheckOutput(options.picture + ".checkpoint", InputsOf(options))),
       aside_(CheckOutput(PartialName(options.picture) + ".checkpoint", InputsOf(options))),
-      had_aside_(IsThere(aside_)) {
+      had_aside_(IsThere(aside_.target)) {
   if (const OutputFile* found = Found(); found && !options.resume && !options.restart)
     throw UsageError("there is a checkpoint of an earlier render, " + QuotedPath(found->name) + "; " +
                      // The command line of a course has neither option.
@@ -53,7 +48,7 @@ Checkpoint::Checkpoint(const Options& options)
 }
 
 const OutputFile* Checkpoint::Found() const {
-  return IsThere(aside_) ? &aside_ : IsThere(beside_) ? &beside_ : nullptr;
+  return IsThere(aside_.target) ? &aside_ : IsThere(beside_.target) ? &beside_ : nullptr;
 }
 
 void Checkpoint::Save(const RenderState& state, const std::string& scene_hash) {

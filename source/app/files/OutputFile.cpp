@@ -101,6 +101,11 @@ OutputFile CheckOutput(const std::string& name, std::span<const std::string> inp
   return output;
 }
 
+bool IsThere(const std::filesystem::path& file) {
+  std::error_code ignored;
+  return std::filesystem::exists(file, ignored);
+}
+
 std::string NameBeside(const std::string& name, const std::string& word) {
   const fs::path path(name);
   return (path.parent_path() / (path.stem().string() + "." + word + path.extension().string())).string();

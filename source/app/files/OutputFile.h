@@ -22,6 +22,9 @@ OutputFile CheckOutput(const std::string& name, std::span<const std::string> inp
 /// Throws OutputError when the output is one of the files.
 void RefuseInputs(const OutputFile& output, std::span<const std::string> inputs);
 
+/// Whether there is something of that name, as far as can be told.
+bool IsThere(const std::filesystem::path& file);
+
 /// "out.depth.png" for "out.png" and "depth".
 std::string NameBeside(const std::string& name, const std::string& word);
 

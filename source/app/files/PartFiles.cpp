@@ -5,7 +5,6 @@
 
 #include <bit>
 #include <charconv>
-#include <filesystem>
 #include <map>
 
 #include "source/app/Status.h"
@@ -114,22 +113,29 @@ std::vector<std::string> FilesLike(const std::string& pattern) {
 PartReader::PartReader(const Options& options, const std::string& scene_hash)
     : options_(options), identity_(IdentityOf(options, scene_hash)), film_(EmptyFilmOf(options.render)) {}
 
-RenderState PartReader::Checked(const std::string& title, std::span<const unsigned char> bytes) const {
+const std::vector<int>& PartReader::PartsOf(int of) {
+  if (of != of_) parts_ = PartsOfBlocks(film_, of);
+  of_ = of;
+  return parts_;
+}
+
+RenderState PartReader::Decoded(std::span<const unsigned char> bytes) const {
   RenderState state = DecodedState(bytes, identity_, film_);
   if (state.planned_samples != PlannedSamples(options_.render))
     throw OtherImageError("its samples were laid out for " + std::to_string(state.planned_samples) +
                           " per pixel, not " + std::to_string(PlannedSamples(options_.render)));
   CheckState(state, film_, options_.render);
-  if (const auto part = PartTitled(title)) CheckPart(state, *part, film_);
   return state;
 }
 
-std::optional<PartFile> PartReader::Read(const std::string& name) const {
+std::optional<PartFile> PartReader::Read(const std::string& name) {
   try {
     const Unpacked unpacked = UnpackedFrom(Contents(name));
     const auto part = PartTitled(unpacked.title);
     if (!part) throw CheckpointError("it is no part of an image");
-    return PartFile{name, *part, Checked(unpacked.title, unpacked.bytes)};
+    PartFile file{*part, Decoded(unpacked.bytes)};
+    CheckPart(file.state, part->index, PartsOf(part->of));
+    return file;
   } catch (const OtherImageError& error) {
     RefusePart(name, error.what());
   } catch (const CheckpointError& error) {
@@ -140,34 +146,41 @@ std::optional<PartFile> PartReader::Read(const std::string& name) const {
 
 RenderState PartReader::Round() const {
   const std::string name = PlanName(options_.picture);
-  std::error_code ignored;
-  if (!std::filesystem::exists(name, ignored)) return FirstRound(options_.render, film_);
+  if (!IsThere(name)) return FirstRound(options_.render, film_);
   try {
     const Unpacked unpacked = UnpackedFrom(Contents(name));
     if (unpacked.title != plan_title) throw CheckpointError("it is no plan of a round");
-    return Checked(unpacked.title, unpacked.bytes);
+    return Decoded(unpacked.bytes);
   } catch (const CheckpointError& error) {
     RefusePart(name, error.what());
   }
 }
 
-RenderState PartReader::Joined(const std::vector<std::string>& names, int of) const {
-  std::map<int, PartFile> parts;
+RenderState PartReader::Joined(const std::vector<std::string>& names, int of) {
+  struct Known {
+    std::string file;
+    double samples;
+    RayCounts rays;
+  };
+  std::map<int, Known> known;
+  RenderState round = Round();
   for (const std::string& name : names) {
     auto file = Read(name);
     if (!file) continue;
-    if (of == 0) of = file->part.of;
-    if (file->part.of != of)
-      RefusePart(name, "it is one of " + std::to_string(file->part.of) + " parts, others are of " + std::to_string(of));
-    const auto [other, is_new] = parts.try_emplace(file->part.index, std::move(*file));
-    if (is_new) continue;
-    if (!Agree(other->second.state, file->state))
-      RefusePart(name, "it differs from " + QuotedPath(other->second.name) +
+    const auto& [index, their_of] = file->part;
+    if (of == 0) of = their_of;
+    if (their_of != of)
+      RefusePart(name, "it is one of " + std::to_string(their_of) + " parts, others are of " + std::to_string(of));
+    const Known now{name, SamplesOf(file->state), file->state.rays};
+    const auto [earlier, is_new] = known.try_emplace(index, now);
+    if (!is_new && !Agree(round, file->state))
+      RefusePart(name, "it differs from " + QuotedPath(earlier->second.file) +
                            ", which is the same part; remove the one that is wrong");
-    if (SamplesOf(file->state) > SamplesOf(other->second.state)) other->second = std::move(*file);
+    if (!is_new && now.samples <= earlier->second.samples) continue;
+    earlier->second = now;
+    TakeBlocks(round, std::move(file->state), index, PartsOf(of));
   }
-  RenderState round = Round();
-  for (auto& [index, file] : parts) Join(round, std::move(file.state), file.part, film_);
+  for (const auto& [index, part] : known) round.rays += part.rays;
   return round;
 }
 

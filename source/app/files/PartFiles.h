@@ -18,9 +18,8 @@ std::string PlanName(const std::string& picture);
 /// Files whose names match a pattern of the shell, sorted; none where nothing does.
 std::vector<std::string> FilesLike(const std::string& pattern);
 
-/// A part and the file it was read from.
+/// What a file of a part holds.
 struct PartFile {
-  std::string name;
   ImagePart part;
   RenderState state;
 };
@@ -32,22 +31,26 @@ class PartReader {
 
   /// Nothing, and a warning, for a file that is damaged: its samples can be rendered again. Throws SceneErrors for one
   /// that cannot be read, or is of another scene, other settings or another version.
-  std::optional<PartFile> Read(const std::string& name) const;
+  std::optional<PartFile> Read(const std::string& name);
   /// What the round begins with: the plan beside the image, else the first round. Throws SceneErrors.
   RenderState Round() const;
   /// The round with the samples of all parts in these files. Throws SceneErrors also when files are parts of different
   /// divisions, or when two of one part disagree.
   ///   of   how many parts there must be; 0: as many as the files say
-  RenderState Joined(const std::vector<std::string>& names, int of) const;
+  RenderState Joined(const std::vector<std::string>& names, int of);
 
   const Film& film() const { return film_; }
+  /// PartsOfBlocks, found once for as long as `of` stays the same.
+  const std::vector<int>& PartsOf(int of);
 
  private:
-  RenderState Checked(const std::string& title, std::span<const unsigned char> bytes) const;
+  RenderState Decoded(std::span<const unsigned char> bytes) const;
 
   const Options& options_;
   const std::string identity_;
   const Film film_;
+  int of_ = 0;
+  std::vector<int> parts_;  // of each block, where there are of_
 };
 
 /// What assembling begins with: the samples of all files that options.parts names. Where it names none, a message says

@@ -277,7 +277,7 @@ void CheckBudget(const Options& options) {
                      ", which shows costs");
 }
 
-/// Each is of parts that one image is cut into; what only a finished image has, a part has not.
+/// -part, -missing and -parts, with each other and with what only a finished image has.
 void CheckParts(const Options& options) {
   const bool is_part = options.render.part.has_value(), assembles = !options.parts.empty() && options.missing == 0;
   if (is_part && options.missing > 0) throw UsageError("-part and -missing contradict each other");
@@ -287,7 +287,7 @@ void CheckParts(const Options& options) {
   if (!is_part && options.missing == 0) return;
   for (const char* name : {"report", "stats", "reference", "keep_checkpoint"})
     if (options.IsGiven(name))
-      throw UsageError("-" + std::string(name) + " is of a whole image; it cannot be combined with -" +
+      throw UsageError("-" + std::string(name) + " needs the whole image; it cannot be combined with -" +
                        (is_part ? "part" : "missing"));
 }
 

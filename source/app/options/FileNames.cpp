@@ -40,12 +40,7 @@ constexpr const char* several_scenes = "; several scenes need -out_folder: raypr
 
 std::string ExtensionOf(const std::string& name) { return LowerCase(std::filesystem::path(name).extension().string()); }
 
-bool IsScene(const std::string& name) {
-  const std::string extension = ExtensionOf(name);
-  return !R2::FormatForName(name) && std::ranges::any_of(SceneFormats(), [&](const SceneFormat* format) {
-    return std::ranges::find(format->extensions, extension) != format->extensions.end();
-  });
-}
+bool IsScene(const std::string& name) { return !R2::FormatForName(name) && IsSceneName(name); }
 
 /// Each makes a picture of its own name, which standard input has not.
 void CheckScenes(const Options& options) {

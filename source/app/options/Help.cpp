@@ -200,10 +200,9 @@ const ProgramText& TextOf(Program program) {
       .names = "suite.yaml -- command",
       .summary = "grade students' ray tracers and name their mistakes",
       .description =
-          "Runs a ray tracer on the scenes of a suite, compares its images with ours where pixels are steady, and "
-          "names\n"
-          "the mistake that makes an image like it. In the command, {scene}, {image}, {width}, {height} and {student}\n"
-          "are replaced. docs/teachers.md says more.\n",
+          "Runs a ray tracer on the scenes of a suite, compares its images with ours where pixels are\n"
+          "steady, and names the mistake that makes an image like it. In the command, {scene}, {image},\n"
+          "{width}, {height} and {student} are replaced. docs/teachers.md says more.\n",
       .examples =
           "  raygrade share/suites/cos426/suite.yaml -- ./student {scene} {image} -width {width} -height {height}\n"
           "  raygrade suite.yaml -students handed_in -out graded -- {student}/tracer {scene} {image}\n"

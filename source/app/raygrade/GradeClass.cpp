@@ -9,6 +9,7 @@
 #include "source/app/Interrupt.h"
 #include "source/app/Status.h"
 #include "source/app/files/OutputFile.h"
+#include "source/app/files/SceneHash.h"
 #include "source/app/raygrade/LoadScene.h"
 #include "source/app/report/Messages.h"
 #include "source/grade/Grader.h"
@@ -60,10 +61,10 @@ std::string PointsOf(const StudentResult& student) {
 
 /// Grades one student; what is known is written after each scene.
 StudentResult GradeStudent(grade::Grader& grader, const std::string& name, const std::string& folder,
-                           const fs::path& out, const std::string& results) {
+                           const fs::path& out, const std::string& results, const std::string& identity) {
   MakeFolder(out);
   return grader.Grade(name, folder, [&](const StudentResult& so_far) {
-    WriteText(results, ResultsJson(so_far, grader.suite()));
+    WriteText(results, ResultsJson(so_far, identity));
     WriteText((out / "index.html").string(), StudentPage(so_far, grader.suite(), grader.sandbox().Describe()));
     const grade::SceneResult& last = so_far.scenes.back();
     WriteStandardOutput((name.empty() ? "" : Escaped(name) + ": ") + Escaped(last.scene) + ": " +
@@ -71,23 +72,33 @@ StudentResult GradeStudent(grade::Grader& grader, const std::string& name, const
   });
 }
 
-/// What an earlier run has found, if that is complete.
-bool IsKept(const fs::path& results, const grade::Suite& suite, StudentResult& student) {
-  std::ifstream file(results, std::ios::binary);
-  const std::string text{std::istreambuf_iterator<char>(file), {}};
-  return ReadResultsJson(text, suite, student) && student.is_complete;
+/// All that results depend on but a student's program.
+std::string IdentityOf(const grade::Grader& grader, const Options& options, std::span<const std::string> command) {
+  std::string text = "raygrade " RAYPRO_VERSION ", suite and scenes " + SceneHash(grader.Inputs()) + ", seed " +
+                     std::to_string(options.seed) + ":";
+  for (const std::string& word : command) text += " " + Quoted(word);
+  return text;
 }
 
-int GradeClass(grade::Grader& grader, const Options& options) {
+/// What an earlier run has found, if that is complete and of the same suite, seed and command.
+std::optional<StudentResult> Kept(const fs::path& results, const std::string& identity) {
+  std::ifstream file(results, std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  auto student = grade::ReadResultsJson(text, identity);
+  return student && student->is_complete ? student : std::nullopt;
+}
+
+int GradeClass(grade::Grader& grader, const Options& options, const std::string& identity) {
   const fs::path out = options.out;
   std::vector<StudentResult> students;
   for (const std::string& name : StudentsIn(options.students)) {
     const fs::path page = out / name, results = page / "results.json";
-    StudentResult student;
-    if (!options.resume || !IsKept(results, grader.suite(), student))
-      student =
-          GradeStudent(grader, name, fs::absolute(fs::path(options.students) / name).string(), page, results.string());
-    students.push_back(std::move(student));
+    auto student = options.resume ? Kept(results, identity) : std::nullopt;
+    if (!student)
+      student = GradeStudent(grader, name, fs::absolute(fs::path(options.students) / name).string(), page,
+                             results.string(), identity);
+    if (StopSignal() != 0) return status::killed_by + StopSignal();
+    students.push_back(std::move(*student));
     for (grade::SceneResult& scene : students.back().scenes) scene.expected = scene.actual = scene.difference = {};
     WriteText((out / "class.csv").string(), ClassCsv(students));
     WriteText((out / "index.html").string(), ClassPage(students, grader.suite()));
@@ -96,11 +107,11 @@ int GradeClass(grade::Grader& grader, const Options& options) {
 }
 
 int PrintMatrix(grade::Grader& grader, int pairs) {
-  const grade::Verdicts verdicts = TryMistakes(grader.Scenes(), pairs);
-  for (const std::string& line : verdicts.lines) WriteStandardOutput(line + "\n");
-  WriteStandardOutput("right " + std::to_string(verdicts.right) + ", wrong " + std::to_string(verdicts.wrong) +
-                      ", silent " + std::to_string(verdicts.silent) + "; in no scene visible: " +
-                      Counted(static_cast<std::uint64_t>(verdicts.invisible), "mistake") + "\n");
+  const grade::MatrixCounts counts = TryMistakes(grader.Scenes(), pairs);
+  for (const std::string& line : counts.lines) WriteStandardOutput(line + "\n");
+  WriteStandardOutput("right " + std::to_string(counts.right) + ", wrong " + std::to_string(counts.wrong) +
+                      ", silent " + std::to_string(counts.silent) + "; in no scene visible: " +
+                      Counted(static_cast<std::uint64_t>(counts.invisible), "mistake") + "\n");
   return status::done;
 }
 
@@ -115,17 +126,24 @@ int Grade(const Options& options) {
   }
   if (options.names.empty()) throw UsageError("no suite is named: raygrade suite.yaml -- command");
   const grade::Suite suite = grade::ReadSuite(options.names[0]);
-  grade::GraderSettings settings{
-      .command = {}, .seed = options.seed, .sandbox = ModeOf(options.sandbox), .image_extension = options.image};
+  for (const std::string& line : suite.warnings) PrintError(line);
+  grade::GraderSettings settings{.command = {},
+                                 .seed = options.seed,
+                                 .sandbox = ModeOf(options.sandbox),
+                                 .image_extension = options.image,
+                                 .stop = StopRequested()};
   if (!options.matrix) settings.command = CommandOf(options, suite);
   grade::Grader grader(suite, settings, LoadScene);
   if (options.matrix) return PrintMatrix(grader, options.pairs);
   PrintError("raygrade: " + grader.sandbox().Describe());
+  CatchInterrupts();
   MakeFolder(options.out);
-  if (!options.students.empty()) return GradeClass(grader, options);
+  const std::string identity = IdentityOf(grader, options, grader.Command());
+  if (!options.students.empty()) return GradeClass(grader, options, identity);
   const std::string results =
       options.results.empty() ? (fs::path(options.out) / "results.json").string() : options.results;
-  const StudentResult student = GradeStudent(grader, "", "", options.out, results);
+  const StudentResult student = GradeStudent(grader, "", "", options.out, results, identity);
+  if (StopSignal() != 0) return status::killed_by + StopSignal();
   WriteStandardOutput(PointsOf(student) + "\n");
   return status::done;
 }

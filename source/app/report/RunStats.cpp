@@ -40,7 +40,8 @@ std::string SppText(const RunStats& record) {
 }
 
 double MegaraysPerSecond(const RunStats& record) {
-  return record.seconds.wall > 0 ? 1e-6 * static_cast<double>(record.rays.Total()) / record.seconds.wall : 0;
+  const auto rays = static_cast<double>(record.rays.Total() - record.rays_before);
+  return record.seconds.wall > 0 ? 1e-6 * rays / record.seconds.wall : 0;
 }
 
 std::string Seconds(double seconds) { return Fixed(seconds, 3) + " s"; }
@@ -157,6 +158,7 @@ void RunStats::Take(const RenderResult& result) {
   pixels_done = result.pixels_done;
   pixels_total = result.pixels_total;
   rays = result.rays;
+  rays_before = result.rays_before;
   share_cut = result.share_cut;
   stop = stop_names[static_cast<std::size_t>(result.stop)];
   samples = result.samples;

@@ -25,6 +25,7 @@ struct RunStats {
 
   RayCounts rays;
   std::uint64_t guide_rays = 0;          // a part of them
+  std::uint64_t rays_before = 0;         // of an earlier run, or of the parts that were assembled
   std::optional<Refinement> refinement;  // see RenderResult
   double share_cut = 0;                  // see RenderResult
   std::string accelerator;               // the kind that was built

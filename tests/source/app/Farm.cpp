@@ -197,7 +197,7 @@ TEST(Farm, NoChangedByteOfAPartGoesUnnoticed) {
   const PartsPlace place;
   EXPECT_EQ(place.Part(1, 2).status, 0);
   const Asked asked(place);
-  const PartReader reader(asked.options, asked.hash);
+  PartReader reader(asked.options, asked.hash);
   const std::string name = place / NameOfPart(1, 2), whole = ReadFile(name);
   const auto original = reader.Read(name);
   ASSERT_TRUE(original);
@@ -312,11 +312,11 @@ TEST(Farm, WhatHasNoMeaningForPartsIsRefused) {
       {{"-part", "4/3"}, "i from 1 to n"},
       {{"-part", "3"}, "i from 1 to n"},
       {{"-part", "1/2000000"}, "i from 1 to n"},
-      {{"-part", "1/2", "-report", "r.json"}, "-report is of a whole image"},
+      {{"-part", "1/2", "-report", "r.json"}, "-report needs the whole image"},
       {{"-part", "1/2", "-parts", "x"}, "contradict"},
       {{"-part", "1/2", "-missing", "2"}, "contradict"},
       {{"-parts", "x", "-resume"}, "contradict"},
-      {{"-missing", "2", "-stats"}, "-stats is of a whole image"},
+      {{"-missing", "2", "-stats"}, "-stats needs the whole image"},
   };
   for (const auto& [words, reason] : cases) {
     try {

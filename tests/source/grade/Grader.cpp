@@ -14,7 +14,7 @@
 namespace ray::testing {
 namespace {
 
-using Verdict = grade::SceneResult::Verdict;
+using Outcome = grade::SceneResult::Outcome;
 
 grade::Suite MirrorSuite() {
   grade::Suite suite = grade::ReadSuite((project::Root() / "share/suites/cs315/suite.yaml").string());
@@ -35,14 +35,14 @@ grade::StudentResult GradeRaypro(const std::vector<std::string>& more, std::uint
 TEST(Grader, ARightProgramHasAllPoints) {
   NEEDS_THE_PROGRAM();
   const auto result = GradeRaypro({});
-  EXPECT_EQ(result.scenes[0].verdict, Verdict::right) << result.scenes[0].headline << result.scenes[0].program_output;
+  EXPECT_EQ(result.scenes[0].outcome, Outcome::right) << result.scenes[0].headline << result.scenes[0].program_output;
   EXPECT_EQ(result.Score(), result.Points());
   EXPECT_TRUE(result.is_complete);
 }
 
 TEST(Grader, SmoothedEdgesAreRight) {
   NEEDS_THE_PROGRAM();
-  EXPECT_EQ(GradeRaypro({"-samples", "16"}).scenes[0].verdict, Verdict::right);
+  EXPECT_EQ(GradeRaypro({"-samples", "16"}).scenes[0].outcome, Outcome::right);
 }
 
 TEST(Grader, AMistakeIsNamedAndKeepsAShareOfThePoints) {
@@ -63,18 +63,23 @@ TEST(Grader, TwoMistakesAreNamedTogether) {
 TEST(Grader, AnImageOfAnotherSizeSaysSo) {
   NEEDS_THE_PROGRAM();
   const auto scene = GradeRaypro({"-width", "90", "-height", "120"}).scenes[0];
-  EXPECT_EQ(scene.verdict, Verdict::failed);
+  EXPECT_EQ(scene.outcome, Outcome::failed);
   EXPECT_TRUE(Has(scene.headline, "swapped")) << scene.headline;
 }
 
 TEST(Grader, ResultsSurviveWritingAndReading) {
   NEEDS_THE_PROGRAM();
   const auto result = GradeRaypro({"-max_depth", "2"});
-  grade::StudentResult again;
-  ASSERT_TRUE(ReadResultsJson(ResultsJson(result, MirrorSuite()), MirrorSuite(), again));
-  EXPECT_EQ(again.Score(), result.Score());
-  EXPECT_EQ(grade::ClassCsv({again}), grade::ClassCsv({result}));
-  EXPECT_FALSE(ReadResultsJson("{}", MirrorSuite(), again));
+  const std::string json = ResultsJson(result, "suite 1");
+  const auto again = grade::ReadResultsJson(json, "suite 1");
+  ASSERT_TRUE(again);
+  EXPECT_EQ(again->Score(), result.Score());
+  EXPECT_EQ(grade::ClassCsv({*again}), grade::ClassCsv({result}));
+  EXPECT_FALSE(grade::ReadResultsJson(json, "suite 2"));
+  EXPECT_FALSE(grade::ReadResultsJson("{}", "suite 1"));
+  std::string damaged = json;
+  damaged.replace(damaged.find("\"known\""), 7, "\"other\"");
+  EXPECT_FALSE(grade::ReadResultsJson(damaged, "suite 1"));
 }
 
 TEST(Grader, PagesHoldNoScriptAndNoForeignText) {

@@ -94,6 +94,30 @@ TEST(Sandbox, NothingThatAProgramStartedOutlivesIt) {
   }
 }
 
+TEST(Sandbox, AStoppedGraderStopsTheProgram) {
+  for (const Sandbox& sandbox : Sandboxes()) {
+    const Workplace place;
+    const std::atomic<bool> stop = true;
+    const RunResult result = sandbox.Run({"/bin/sleep", "60"}, place.Path(), {}, {.seconds = 30}, &stop);
+    EXPECT_EQ(result.end, RunResult::End::interrupted) << sandbox.Describe();
+    EXPECT_LT(result.seconds, 5);
+  }
+}
+
+TEST(Sandbox, BubblewrapKeepsFilesAsTheyAre) {
+  const Sandbox sandbox(Sandbox::Mode::automatic);
+  if (!sandbox.IsolatesPrograms()) GTEST_SKIP() << sandbox.Describe();
+  const Workplace place, scenes, other;
+  WriteFile(scenes / "a.scn", "scene");
+  WriteFile(other / "diary", "dear diary");
+  const std::string vandal = WriteFile(scenes / "vandal.sh", ReadFile(Hostile("vandal")));
+  sandbox.Run({"/bin/sh", vandal, place / "image.png", scenes / "a.scn", other.Path().string()}, place.Path(), {},
+              {.seconds = 2});
+  EXPECT_EQ(ReadFile(scenes / "a.scn"), "scene");
+  EXPECT_EQ(ReadFile(other / "diary"), "dear diary");
+  EXPECT_FALSE(fs::exists(scenes / "vandal.sh.new"));
+}
+
 TEST(Sandbox, BubblewrapHidesTheMachine) {
   const Sandbox sandbox(Sandbox::Mode::automatic);
   if (!sandbox.IsolatesPrograms()) GTEST_SKIP() << sandbox.Describe();

@@ -45,6 +45,14 @@ TEST(Suite, SeveralMistakesAreToldAtOnce) {
   EXPECT_TRUE(Has(message, "points")) << message;
 }
 
+TEST(Suite, AnUnknownKeyIsWarnedOf) {
+  const SuiteFolder place;
+  const auto suite = grade::ReadSuite(place.Write("widht: 3\nscenes:\n  - scene: a.scn\n"));
+  ASSERT_EQ(suite.warnings.size(), 1U);
+  EXPECT_TRUE(Has(suite.warnings[0], "suite.yaml:1:1: warning: unknown key 'widht'")) << suite.warnings[0];
+  EXPECT_TRUE(Has(suite.warnings[0], "'width'")) << suite.warnings[0];
+}
+
 TEST(Suite, SyntaxErrorsHaveAPlace) {
   const SuiteFolder place;
   EXPECT_TRUE(Has(MessageOf(place.Write("scenes: [\n")), "suite.yaml:")) << MessageOf(place.Write("scenes: [\n"));
@@ -61,10 +69,29 @@ TEST(Suite, ANewSuiteOfAFolderCanBeRead) {
   EXPECT_EQ(grade::ReadSuite(place / "suite.yaml").scenes.size(), 1U);
 }
 
+TEST(Suite, ANewSuiteNamesFilesOfAnyName) {
+  const SuiteFolder place;
+  WriteFile(place / "b: #1 \"x\".scn", small_scene);
+  place.Write(grade::NewSuite(place.Path().string()));
+  EXPECT_EQ(grade::ReadSuite(place / "suite.yaml").scenes[1].name, "b: #1 \"x\"");
+}
+
+TEST(Suite, WhatProgramsMayReadMustBeThere) {
+  const SuiteFolder place;
+  const std::string message = MessageOf(place.Write("readable: [nowhere]\nscenes:\n  - scene: a.scn\n"));
+  EXPECT_TRUE(Has(message, "suite.yaml:1:12: error")) << message;
+}
+
+TEST(Suite, ImagesHaveAtMost4096PixelsASide) {
+  const SuiteFolder place;
+  const std::string message = MessageOf(place.Write("width: 5000\nscenes:\n  - scene: a.scn\n"));
+  EXPECT_TRUE(Has(message, "suite.yaml:1:8: error")) << message;
+}
+
 TEST(Suite, ASeedDecidesWhatVaries) {
   grade::SuiteScene scene;
   scene.name = "a";
-  scene.vary = {{"sphere -1", "sphere {1..2}"}};
+  scene.vary = {{"sphere -1", "sphere {1..2}", {}}};
   const std::string text = "camera\nsphere -1 0";
   EXPECT_EQ(Varied(text, scene, 3), Varied(text, scene, 3));
   EXPECT_NE(Varied(text, scene, 3), Varied(text, scene, 4));
@@ -73,7 +100,7 @@ TEST(Suite, ASeedDecidesWhatVaries) {
 
 TEST(Suite, ATextToBeVariedMustBeThereOnce) {
   grade::SuiteScene scene;
-  scene.vary = {{"1", "2"}};
+  scene.vary = {{"1", "2", {}}};
   EXPECT_THROW(Varied("1 1", scene, 3), SceneErrors);
   EXPECT_THROW(Varied("3", scene, 3), SceneErrors);
 }

@@ -73,7 +73,7 @@ class Machines {
     while (true) {
       RenderRound(plan);
       RenderState joined = Joined(plan);
-      EXPECT_EQ(MissingParts(joined, settings_, film_, of_), std::vector<int>{});
+      EXPECT_EQ(MissingParts(joined, settings_, parts_), std::vector<int>{});
       if (IsOfOneRound(settings_, film_)) return Assembled(std::move(joined));
       auto next = NextRound(stage_.world, *accelerators_[0], settings_, RenderState(joined));
       if (!next) return Assembled(std::move(joined));
@@ -98,7 +98,7 @@ class Machines {
     monitor.resume = [&](const Film& film) {
       RenderState state = plan;
       if (const auto earlier = files_.find(part.index); earlier != files_.end())
-        Join(state, DecodedState(earlier->second, identity, film), part, film);
+        Join(state, DecodedState(earlier->second, identity, film), part.index);
       return state;
     };
     monitor.save = [&](const RenderState& state) {
@@ -108,13 +108,18 @@ class Machines {
     EXPECT_TRUE(RenderPart(stage_.world, *accelerator, settings, monitor));
   }
 
+  void Join(RenderState& whole, RenderState&& part, int index) const {
+    whole.rays += part.rays;
+    TakeBlocks(whole, std::move(part), index, parts_);
+  }
+
   RenderState Joined(const RenderState& plan) const {
     RenderState state = plan;
     for (const auto& [index, bytes] : files_) {
       RenderState part = DecodedState(bytes, identity, film_);
-      CheckPart(part, {index, of_}, film_);
+      CheckPart(part, index, parts_);
       CheckState(part, film_, settings_);
-      Join(state, std::move(part), {index, of_}, film_);
+      Join(state, std::move(part), index);
     }
     return state;
   }
@@ -129,6 +134,7 @@ class Machines {
   const RenderSettings& settings_;
   const int of_;
   const Film film_;
+  const std::vector<int> parts_ = PartsOfBlocks(film_, of_);
   std::vector<std::unique_ptr<const Accelerator>> accelerators_;
   std::map<int, std::vector<unsigned char>> files_;
   std::minstd_rand random_{static_cast<unsigned>(of_)};
@@ -214,9 +220,9 @@ TEST(Parts, WithBlocksOfOthersAreRefusedAndOtherSumsAreFound) {
   RenderSettings settings = SettingsOf(*stage.scene, "-samples 4");
   const Film film = EmptyFilmOf(settings);
   RenderState state = StateOf(stage, settings, {2, 3});
-  EXPECT_NO_THROW(CheckPart(state, {2, 3}, film));
-  EXPECT_THROW(CheckPart(state, {1, 3}, film), CheckpointError);
-  EXPECT_THROW(CheckPart(state, {2, 4}, film), CheckpointError);
+  EXPECT_NO_THROW(CheckPart(state, 2, PartsOfBlocks(film, 3)));
+  EXPECT_THROW(CheckPart(state, 1, PartsOfBlocks(film, 3)), CheckpointError);
+  EXPECT_THROW(CheckPart(state, 2, PartsOfBlocks(film, 4)), CheckpointError);
   RenderState other = state;
   EXPECT_TRUE(Agree(state, other));
   for (Film::Block& block : other.blocks)
