@@ -49,6 +49,11 @@ if [ -L "$DESTDIR$bindir/comp30019" ] || [ ! -e "$DESTDIR$bindir/comp30019" ]; t
   echo "file $bindir/comp30019" >> "$list"
   put_output "$mandir/man1/comp30019.1" echo .so man1/raypro.1
 fi
+for engine in parallel slurm; do
+  put 755 "script/farm/$engine.sh" "$bindir/raypro-$engine"
+  put_output "$mandir/man1/raypro-$engine.1" echo .so man7/raypro-farm.7
+done
+put 644 share/man/man7/raypro-farm.7 "$mandir/man7/raypro-farm.7"
 put 644 share/mime/packages/raypro.xml "$datadir/mime/packages/raypro.xml"
 icon=icons/hicolor/scalable/apps/raypro.svg
 put 644 "share/$icon" "$datadir/$icon"

@@ -38,6 +38,14 @@ std::string CheckScene(const Options& asked) {
          (warnings.empty() ? "no warnings" : Counted(warnings.size(), "warning")) + "\n";
 }
 
+std::string FilesOfScene(const Options& options) {
+  const ParsedScene parsed = Parse(options.scene, options.parse);
+  TellAll(parsed.warnings);
+  std::string lines;
+  for (const std::string& file : parsed.scene.files) lines += file + "\n";  // as it is: for programs
+  return lines;
+}
+
 /// What `tell` says of a scene that is ready to be traced.
 template <typename Tell>
 std::string OfBuiltScene(const Options& asked, const Tell& tell) {
@@ -66,6 +74,8 @@ std::string ResultOf(const Options& options, const std::vector<std::string>& key
       break;  // not ours
     case Task::check:
       return CheckScene(options);
+    case Task::files:
+      return FilesOfScene(options);
     case Task::advise:
       return OfBuiltScene(options, Advice);
     case Task::convert:

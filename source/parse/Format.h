@@ -25,6 +25,7 @@ struct SceneFormat {
                          Report& report) = nullptr;
   /// Keys at the top of a document by which this language is known among those that share its extension.
   std::vector<const char*> keys{};
+  bool has_variables = false;  // ParseOptions::definitions are for it
 };
 
 /// Every one, in the order of formats.def.

@@ -121,6 +121,8 @@ std::vector<const SceneFormat*> FormatsFor(const Files& files, const ParseOption
 
 Scene ReadScene(const Files& files, const ParseOptions& options, Assets& assets, Report& report) {
   const auto candidates = FormatsFor(files, options);
+  if (!options.definitions.empty() && (candidates.empty() || !candidates.front()->has_variables))
+    report.Warn(Escaped(files.TopName()), "'-define' has no effect: only .scn scenes have variables");
   if (!candidates.empty()) {
     if (candidates.front()->read_document) return ReadDocumentScene(candidates, files, options, assets, report);
     return candidates.front()->read(files, options, assets, report);

@@ -34,6 +34,7 @@ struct ParseOptions {
   bool decode_srgb = false;  // 8-bit textures are sRGB and become linear
   double aspect = 1;         // of the picture, for scenes that name no camera and are shown whole
   bool one_sided = false;    // every material is, but of what is clear or absorbs
+  std::vector<std::string> definitions;  // of variables, "name=value"
   std::string environment;   // file that takes the place of the scene's own; empty for none
   CameraChange camera;
   int include_depth = 64;                        // how deep includes may nest

@@ -12,8 +12,9 @@ constexpr std::size_t max_line_shown = 200;  // bytes of a line; a mistake furth
 std::string LineAround(const Text& text, const Token& token) {
   const char* const begin = text.bytes.data();
   const char* const end = begin + text.bytes.size();
-  const char* first = token.text.data();
-  while (first != begin && !EndsLine(first[-1]) && token.text.data() - first < std::ptrdiff_t{max_line_shown}) --first;
+  const char* const word = token.InFile().data();
+  const char* first = word;
+  while (first != begin && !EndsLine(first[-1]) && word - first < std::ptrdiff_t{max_line_shown}) --first;
   if (first != begin && !EndsLine(first[-1])) return {};
   const char* const furthest = first + std::min<std::ptrdiff_t>(end - first, max_line_shown);
   std::string line(first, std::find_if(first, furthest, EndsLine));
@@ -37,7 +38,7 @@ SceneError ErrorAt(const Text& text, const Token& token, std::string message, st
   error.column = token.column;
   error.message = std::move(message);
   error.source_line = LineAround(text, token);
-  error.length = std::max<std::size_t>(1, CountCharacters(token.text.substr(0, most_quoted)));
+  error.length = std::max<std::size_t>(1, CountCharacters(token.InFile().substr(0, most_quoted)));
   error.hint = std::move(hint);
   return error;
 }

@@ -20,11 +20,12 @@ std::string_view WithoutComment(std::string_view word) {
 
 }  // namespace
 
-Tokenizer::Tokenizer(const Text& text, Comments comments, Joints joints, Quotes quotes)
+Tokenizer::Tokenizer(const Text& text, Comments comments, Joints joints, Quotes quotes, Variables* variables)
     : text_(text),
       comments_(comments),
       joints_(joints),
       quotes_(quotes),
+      variables_(variables),
       next_(text.bytes.data()),
       end_(next_ + text.bytes.size()) {
   if (std::string_view(text.bytes).starts_with(byte_order_mark)) next_ += byte_order_mark.size();
@@ -61,6 +62,10 @@ std::optional<Token> Tokenizer::Scan() {
   token.text = {first, is_quoted ? LengthOfQuoted() : LengthOfWord()};
   next_ = first + token.text.size();
   column_ += CountCharacters(token.text);
+  if (variables_ && *first == '$') {
+    if (const std::string* value = variables_->Find(token.text.substr(1)))
+      token.variable = std::exchange(token.text, *value);
+  }
   return token;
 }
 

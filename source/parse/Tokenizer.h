@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "source/parse/Text.h"
+#include "source/parse/Variables.h"
 
 namespace ray {
 
@@ -21,8 +22,10 @@ class Tokenizer {
   /// quote is a letter of it. The word's text has its quotes.
   enum class Quotes { none, names };
 
-  /// `text` must outlive the tokenizer and its tokens.
-  Tokenizer(const Text& text, Comments comments, Joints joints = Joints::none, Quotes quotes = Quotes::none);
+  /// `text` must outlive the tokenizer and its tokens, and so must `variables`, whose values take the place of words
+  /// that begin with a dollar sign; null for texts without variables.
+  Tokenizer(const Text& text, Comments comments, Joints joints = Joints::none, Quotes quotes = Quotes::none,
+            Variables* variables = nullptr);
 
   /// Nothing at the end of the text.
   std::optional<Token> Next();
@@ -46,6 +49,7 @@ class Tokenizer {
   Comments comments_;
   Joints joints_;
   Quotes quotes_;
+  Variables* variables_;
   const char* next_;
   const char* end_;
   std::size_t line_ = 1, column_ = 1;

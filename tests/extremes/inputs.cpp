@@ -141,7 +141,7 @@ TEST(Extremes, K12_ASceneSetsNothingThatReadsWritesOrRunsAnything) {
     const bool is_of_picture = topic == "picture" || topic == "light" || topic == "view";
     const bool names_files = std::holds_alternative<FileName>(option.value) ||
                              std::holds_alternative<FileList>(option.value) ||
-                             std::holds_alternative<FolderList>(option.value) || !IsSetting(option);
+                             std::holds_alternative<Repeated>(option.value) || !IsSetting(option);
     if (is_of_picture && !names_files) continue;
     for (const char* value : {"1", "on", "x.ppm", "", "|sh", "$(touch x)"})
       EXPECT_TRUE(ProblemOf({option.name, value, "in.scn:1"})) << option.name << ' ' << value;

@@ -42,7 +42,7 @@ for program in $programs; do
   "$stage/opt/ray/bin/$program" -version >/dev/null || fail "$program does not run"
 done
 "$stage/opt/ray/bin/comp30019" --help | grep -q aperture-radius || fail "comp30019 does not run"
-for file in man/man5/scn.5 mime/packages/raypro.xml icons/hicolor/scalable/apps/raypro.svg doc/raypro/README.md doc/raypro/LICENSE doc/raypro/CHANGELOG.md doc/raypro/docs/options.md \
+for file in man/man5/scn.5 man/man7/raypro-farm.7 man/man1/raypro-slurm.1 mime/packages/raypro.xml icons/hicolor/scalable/apps/raypro.svg doc/raypro/README.md doc/raypro/LICENSE doc/raypro/CHANGELOG.md doc/raypro/docs/options.md \
   raypro/scenes/hello.scn raypro/scenes/textures/checker.png raypro/installed.txt; do
   [ -s "$share/$file" ] || fail "share/$file is missing"
 done
@@ -53,7 +53,7 @@ unreadable=$(cd "$stage/opt/ray" && find . ! -perm -444; find . -type d ! -perm 
 [ -z "$unreadable" ] || fail "not for everybody: $unreadable"
 
 if command -v groff >/dev/null 2>&1; then
-  for page in "$share"/man/man1/ray*.1 "$share/man/man5/scn.5"; do
+  for page in "$share"/man/man1/ray*.1 "$share/man/man5/scn.5" "$share/man/man7/raypro-farm.7"; do
     words=$(groff -man -Tutf8 -ww "$page" 2>&1 >/dev/null)
     [ -z "$words" ] || fail "groff on $page: $words"
   done

@@ -289,6 +289,8 @@ void CheckParts(const Options& options) {
     if (options.IsGiven(name))
       throw UsageError("-" + std::string(name) + " needs the whole image; it cannot be combined with -" +
                        (is_part ? "part" : "missing"));
+  if (options.render.budget.seconds > 0)
+    throw UsageError("-time is of one machine, and parts know nothing of each other's; -error and -samples end parts");
 }
 
 /// Everything that is wrong together, though each word is right by itself.

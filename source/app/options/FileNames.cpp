@@ -19,7 +19,7 @@ namespace ray {
 namespace {
 
 bool NeedsScene(Task task) {
-  return task == Task::render || task == Task::view || task == Task::check || task == Task::advise ||
+  return task == Task::render || task == Task::view || task == Task::check || task == Task::files || task == Task::advise ||
          task == Task::convert || task == Task::debug_pixel;
 }
 

@@ -68,7 +68,7 @@ std::string SeeAlso(Program program) {
   std::string text;
   for (const Program other : programs)
     if (other != program) text += ".BR " + NameOf(other) + " (1),\n";
-  return ".SH SEE ALSO\n" + text + ".BR scn (5)\n";
+  return ".SH SEE ALSO\n" + text + ".BR scn (5),\n.BR raypro\\-farm (7)\n";
 }
 
 constexpr const char* interruption =

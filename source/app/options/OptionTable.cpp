@@ -16,6 +16,7 @@
 #include "source/app/options/RayimgTable.h"
 #include "source/parse/Coordinate.h"
 #include "source/parse/Format.h"
+#include "source/parse/Variables.h"
 
 namespace ray {
 namespace {
@@ -38,6 +39,8 @@ std::vector<std::string> InstructionSetNames() {
   names.insert(names.end(), instruction_set_names.begin(), instruction_set_names.end());
   return names;
 }
+
+bool IsSomething(const std::string& word) { return !word.empty(); }
 
 std::vector<std::string> SceneFormatNames() {
   std::vector<std::string> names;
@@ -357,8 +360,12 @@ std::vector<OptionKind> SceneOptions() {
        "language of the scene; by default that of its extension, and in JSON of its keys"},
       {"include_depth", both, {}, {"n"}, Whole{AT(parse.include_depth), 1, deepest_include}, "files", "scene",
        "how deep scene files may include one another"},
-      {"allow_path", both, {}, {"folder"}, FolderList{AT(parse.allowed_folders)}, "", "scene",
+      {"allow_path", both, {}, {"folder"}, Repeated{AT(parse.allowed_folders), IsSomething, "a folder name", FileKind::folder}, "", "scene",
        "let the scene also read files below this folder; may be repeated"},
+      {"define", both, {}, {"name=value"}, Repeated{AT(parse.definitions), IsDefinition, "such as t=0.5"}, "", "scene",
+       "what $name stands for in a .scn scene; may be repeated"},
+      {"files", raypro, {}, {}, Request{Task::files}, "", "scene",
+       "print the files that the scene is read from, one a line, without rendering"},
       {"check", raypro, {"dry-run"}, {}, Request{Task::check}, "", "scene",
        "describe the scene and point out likely mistakes, without rendering"},
       {"convert", raypro, {}, {"out.scn"}, Request{Task::convert, Request::always, nullptr, FileKind::scn}, "", "scene",

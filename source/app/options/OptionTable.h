@@ -54,8 +54,11 @@ struct FileList {  // one or two, separated by a comma
   Member<std::vector<std::string>> member;
   FileKind kind = FileKind::any;
 };
-struct FolderList {  // the only kind that may be repeated
+struct Repeated {  // the only kind that may be: a word each time
   Member<std::vector<std::string>> member;
+  bool (*is_good)(const std::string& word);
+  const char* range;  // in words
+  std::optional<FileKind> kind{};
 };
 /// As many as the option has arguments.
 struct NumberList {
@@ -87,7 +90,7 @@ struct Request {  // a task other than the program's own
 
 using OptionValue =
     std::variant<Number<int>, Number<std::int64_t>, Number<std::uint64_t>, Number<double>, Flag, OnOff, OneNumberOf,
-                 OneNameOf, FileName, FolderList, FileList, Rectangle, NumberList, Word, PixelRequest, Request>;
+                 OneNameOf, FileName, Repeated, FileList, Rectangle, NumberList, Word, PixelRequest, Request>;
 
 /// Whose option it is; `both` are raypro and rayview, which render scenes.
 enum class KnownTo { raypro, rayview, both, rayimg, raygrade, all };

@@ -150,8 +150,8 @@ void Store(const OptionKind& option, std::span<const std::string> words, Options
                    if (words[0].empty()) Refuse(option, words[0]);
                    file.member.write(options) = words[0];
                  },
-                 [&](const FolderList& list) {
-                   if (words[0].empty()) Refuse(option, words[0]);
+                 [&](const Repeated& list) {
+                   if (!list.is_good(words[0])) Refuse(option, words[0]);
                    list.member.write(options).emplace_back(words[0]);
                  },
                  [&](const Rectangle& rectangle) { rectangle.member.write(options) = ReadRectangle(option, words); },
@@ -168,7 +168,7 @@ std::size_t FewestArguments(const OptionKind& option) {
   return request && request->takes_subject == Request::perhaps ? 0 : option.arguments.size();
 }
 
-bool MayBeRepeated(const OptionKind& option) { return std::holds_alternative<FolderList>(option.value); }
+bool MayBeRepeated(const OptionKind& option) { return std::holds_alternative<Repeated>(option.value); }
 
 bool IsSetting(const OptionKind& option) {
   return !std::holds_alternative<Request>(option.value) && !std::holds_alternative<PixelRequest>(option.value);
@@ -197,7 +197,7 @@ std::string Show(const OptionKind& option, const Options& options) {
                           const auto& list = files.member.read(options);
                           return list.empty() ? std::string() : list.size() == 1 ? list[0] : list[0] + "," + list[1];
                         },
-                        [&](const FolderList& list) { return Joined(list.member.read(options)); },
+                        [&](const Repeated& list) { return Joined(list.member.read(options)); },
                         [&](const Rectangle& rectangle) {
                           const auto& crop = rectangle.member.read(options);
                           if (!crop) return std::string();
@@ -219,8 +219,8 @@ std::vector<std::string> Typed(const OptionKind& option, const Options& options)
   if (value.empty()) return {};
   if (std::holds_alternative<Flag>(option.value)) return {name};
   std::vector<std::string> words;
-  if (const auto* list = std::get_if<FolderList>(&option.value)) {
-    for (const auto& folder : list->member.read(options)) words.push_back(name + "=" + folder);
+  if (const auto* list = std::get_if<Repeated>(&option.value)) {
+    for (const auto& word : list->member.read(options)) words.push_back(name + "=" + word);
     return words;
   }
   // Only "=" lets a value begin like an option.
@@ -257,7 +257,7 @@ std::optional<FileKind> FileOf(const OptionKind& option) {
   return std::visit(Overloaded{
                         [](const FileName& file) { return std::optional(file.kind); },
                         [](const FileList& files) { return std::optional(files.kind); },
-                        [](const FolderList&) { return std::optional(FileKind::folder); },
+                        [](const Repeated& list) { return list.kind; },
                         [](const Request& request) {
                           const bool takes_file = request.takes_subject != Request::nothing && !request.subjects;
                           return takes_file ? std::optional(request.kind) : std::nullopt;
@@ -278,7 +278,7 @@ std::string Range(const OptionKind& option) {
           [&](const Word& word) { return std::string(word.range) + unit; },
           [&](const NumberList& list) { return std::string(list.range) + unit; },
           [&](const FileList&) { return std::string("a file name, or two separated by a comma"); },
-          [&](const FolderList&) { return std::string("a folder name"); },
+          [&](const Repeated& list) { return std::string(list.range); },
           [&](const Flag&) { return std::string(); },
           [&](const OneNameOf& one) {
             return OneOf(Choices(option)) + (one.by_number ? ", or its number from 0" : "") + unit;

@@ -27,6 +27,7 @@ enum class Task {
   grade,
   as_course,
   check,
+  files,
   advise,
   convert,
   debug_pixel,

@@ -20,10 +20,10 @@ struct ValueIn {
     return plain.member.read(options);
   }
   Json operator()(const OneNameOf& one) const { return one.read(options); }
-  Json operator()(const FolderList& list) const {
-    Json folders = Json::array();
-    for (const auto& folder : list.member.read(options)) folders.push_back(folder);
-    return folders;
+  Json operator()(const Repeated& list) const {
+    Json words = Json::array();
+    for (const auto& word : list.member.read(options)) words.push_back(word);
+    return words;
   }
   Json operator()(const Rectangle& rectangle) const {
     const auto& crop = rectangle.member.read(options);

@@ -130,6 +130,17 @@ std::vector<std::string> ExplainRender(const World& world, const RunStats& stats
   return lines;
 }
 
+/// Into how many parts the image may be cut, on machines like this one. Each of them reads and builds the scene again.
+std::string ExplainParts(const RunStats& stats) {
+  constexpr double most_overhead = 0.05;
+  const double again = stats.seconds.load + stats.seconds.build;
+  const double parts = again > 0 ? most_overhead * stats.seconds.render / again : most_image_parts;
+  return "parts: each reads and builds for " + Rounded(again, 2) + " s again; " +
+         (parts < 2 ? "two of them already lose more than 5 % to that"
+                    : "up to " + Rounded(std::floor(std::min<double>(parts, most_image_parts)), 7) +
+                          " lose less than 5 % to that");
+}
+
 }  // namespace
 
 RunLog::RunLog(const Options& options, std::span<const std::string> words) {
@@ -200,6 +211,7 @@ void RunLog::Rendered(const RenderResult& result) {
   stats_.seconds.render = watch_.Lap();
   stats_.seconds.wall = watch_.Total();
   stats_.Take(result);
+  if (stats_.options.explain && result.IsComplete()) PrintError("raypro: " + ExplainParts(stats_));
   if (!result.IsComplete()) stats_.stop = StopSignal() == SIGTERM ? "SIGTERM" : "SIGINT";
   const RenderSettings& render = stats_.options.render;
   constexpr std::int64_t fewest = 1000;  // of whose pixels 0.1 % is one

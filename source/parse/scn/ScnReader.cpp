@@ -51,10 +51,11 @@ extern const SceneFormat scn_scene_format{
     .extensions = {".scn"},
     .about = "COS426, Princeton (2008, 2011)",
     .read = ReadScn,
+    .has_variables = true,
 };
 
 ScnReader::ScnReader(const Files& files, const ParseOptions& options, Assets& assets, Report& report)
-    : files_(files), options_(options), report_(report), assets_(assets) {}
+    : files_(files), options_(options), variables_(options.definitions), report_(report), assets_(assets) {}
 
 Scene ScnReader::Read() {
   const std::string top = files_.TopName();
@@ -71,6 +72,8 @@ Scene ScnReader::Read() {
     else
       CloseFile();
   }
+  for (const std::string& name : variables_.Unused())
+    report_.Warn(Escaped(top), "'-define " + name + "=...' has no effect: there is no '$" + name + "' in the scene");
   // Behind the scene files, so that the indices that locations hold stay right.
   auto& files = builder_.scene.files;
   files.insert(files.end(), assets_.FilesRead().begin(), assets_.FilesRead().end());
@@ -83,7 +86,7 @@ void ScnReader::Open(const FoundFile& file) {
   if (bytes_ > max_bytes) Stop(ErrorIn(text->name, "the scene's files together exceed 1 GiB"));
   open_files_.push_back(
       {text, file.canonical, index, builder_.open_groups.size(),
-       Tokenizer(*text, Tokenizer::Comments::hash, Tokenizer::Joints::none, Tokenizer::Quotes::names)});
+       Tokenizer(*text, Tokenizer::Comments::hash, Tokenizer::Joints::none, Tokenizer::Quotes::names, &variables_)});
 }
 
 ScnReader::KnownText ScnReader::TextOf(const FoundFile& file) {

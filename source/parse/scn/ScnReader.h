@@ -33,6 +33,7 @@ class ScnReader {
   /// Reads a material id; gives an index into Scene::materials, or Node::inherit. At the top level of an included file,
   /// inheriting means the default material and not the enclosing group's: so the course's reader has it.
   int ReadMaterial(Statement& statement);
+  Variables& Definitions() { return variables_; }
   /// Whether that material is the default one here, since no group around gives another.
   bool IsDefaultGray(int material) const;
   /// A material that the file itself has defined, to be added to; null after an error.
@@ -93,6 +94,7 @@ class ScnReader {
 
   const Files& files_;
   const ParseOptions& options_;
+  Variables variables_;
   Report& report_;
   Assets& assets_;
   SceneBuilder builder_;

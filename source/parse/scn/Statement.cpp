@@ -89,6 +89,11 @@ std::optional<Token> Statement::TakesNumber() {
 }
 
 void Statement::Error(const Token& at, std::string message, std::string hint) {
+  if (hint.empty() && at.text.starts_with('$'))
+    hint = "nothing has defined it: 'define " + std::string(at.text.substr(1)) + " 0.5' does, or -define " +
+           std::string(at.text.substr(1)) + "=0.5";
+  else if (hint.empty() && !at.variable.empty())
+    hint = "that is what " + Escaped(at.variable) + " stands for";
   errors_.push_back(ErrorAt(tokens_.Source(), at, std::move(message), std::move(hint)));
 }
 

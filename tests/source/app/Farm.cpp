@@ -312,6 +312,7 @@ TEST(Farm, WhatHasNoMeaningForPartsIsRefused) {
       {{"-part", "4/3"}, "i from 1 to n"},
       {{"-part", "3"}, "i from 1 to n"},
       {{"-part", "1/2000000"}, "i from 1 to n"},
+      {{"-part", "1/2", "-time", "3"}, "-error and -samples end parts"},
       {{"-part", "1/2", "-report", "r.json"}, "-report needs the whole image"},
       {{"-part", "1/2", "-parts", "x"}, "contradict"},
       {{"-part", "1/2", "-missing", "2"}, "contradict"},

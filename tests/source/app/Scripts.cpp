@@ -76,13 +76,42 @@ TEST(MovieScript, TheFirstFrameOfAnOrbitIsWhatTheScenesOwnCameraSees) {
   }
 }
 
-TEST(MovieScript, OnlyScnScenesAreTaken) {
+TEST(MovieScript, ScenesOfAllLanguagesAreTaken) {
   NEEDS_THE_PROGRAM();
+  NEEDS_RAYIMG();
   const TemporaryFolder place;
-  WriteFile(place / "in.yaml", "Eye: [0, 0, 9]\n");
-  const Ended ended = RunScript(place, "movie.sh", "-turntable in.yaml out.avi");
+  WriteFile(place / "in.yaml", R"(Eye: [200, 200, 1000]
+Lights: [{position: [-200, 600, 1500], color: [1, 1, 1]}]
+Objects: [{type: sphere, position: [200, 200, 0], radius: 90,
+           material: {color: [0, 0, 1], ka: 0.2, kd: 0.7, ks: 0.5, n: 64}}]
+)");
+  const Ended ended = RunScript(place, "movie.sh", "-turntable in.yaml out.avi -width 16 -height 12 -frames 2");
+  EXPECT_EQ(ended.status, 0) << ended.said;
+  EXPECT_TRUE(std::filesystem::exists(place / "out.avi"));
+}
+
+TEST(MovieScript, AVariableGoesFromOneValueToAnother) {
+  NEEDS_THE_PROGRAM();
+  NEEDS_RAYIMG();
+  const SceneFolder place("define t 0\ncamera 0 0 6  0 0 -1  0 1 0  0.3  0.1 100\nsphere -1  $t 0 0  1\n");
+  const Ended ended = RunScript(place, "movie.sh", "-define t -1 0.5 in.scn out.avi" + small_frames);
+  ASSERT_EQ(ended.status, 0) << ended.said;
+  const auto frames = FramesOf(place, ended);
+  for (const auto& [frame, value] : {std::pair("frame00000.jpg", "t=-1"), std::pair("frame00001.jpg", "t=0.5")}) {
+    ASSERT_EQ(testing::RunProgram(
+                  {place.Scene(), place / "one.jpg", "-width", "32", "-height", "24", "-quiet", "-define", value})
+                  .status,
+              0);
+    EXPECT_EQ(testing::Decode(frames / frame).image, testing::Decode(place / "one.jpg").image) << value;
+  }
+}
+
+TEST(MovieScript, WhatCannotBeWrittenIsRefusedBeforeTheFirstFrame) {
+  NEEDS_THE_PROGRAM();
+  const SceneFolder place;
+  const Ended ended = RunScript(place, "movie.sh", "-turntable in.scn out.mov");
   EXPECT_EQ(ended.status, 2);
-  EXPECT_TRUE(Has(ended.said, "must be a .scn file")) << ended.said;
+  EXPECT_TRUE(Has(ended.said, "a movie is .avi, .webp or .mp4, got 'out.mov'")) << ended.said;
 }
 
 TEST(PreviewDifferenceScript, AProgramThatFailsIsAFailure) {

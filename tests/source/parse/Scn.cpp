@@ -452,6 +452,34 @@ TEST(Scn, AMeshThatFailsIsReportedOnce) {
   EXPECT_EQ(report.find("error"), report.rfind("error"));
 }
 
+double RadiusOfFirstSphere(const Folder& folder, const std::vector<std::string>& definitions) {
+  ParseOptions options;
+  options.definitions = definitions;
+  return Parse(folder / "top.scn", options).scene.root.children.at(0).shape->MadeFrom()->arguments.at(3);
+}
+
+TEST(Scn, WhoeverDefinesAVariableFirstDecidesItsValue) {
+  const Folder folder;
+  folder.Write("part.scn", "define r 3\nsphere -1 0 0 0 $r\n");
+  folder.Write("top.scn", "include part.scn\n");
+  EXPECT_EQ(RadiusOfFirstSphere(folder, {}), 3);
+  EXPECT_EQ(RadiusOfFirstSphere(folder, {"r=5"}), 5);
+  EXPECT_EQ(RadiusOfFirstSphere(folder, {"r=5", "r=7"}), 7);
+  folder.Write("top.scn", "define r 4\ninclude part.scn\n");
+  EXPECT_EQ(RadiusOfFirstSphere(folder, {}), 4);
+  EXPECT_EQ(RadiusOfFirstSphere(folder, {"r=5"}), 5);
+}
+
+TEST(Scn, ADefinitionThatNothingAsksForIsToldOf) {
+  const Folder folder;
+  folder.Write("top.scn", "define r 3\nsphere -1 0 0 0 $r\n");
+  ParseOptions options;
+  options.definitions = {"r=1", "s=2"};
+  const auto warnings = Parse(folder / "top.scn", options).warnings;
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_NE(warnings[0].find("there is no '$s' in the scene"), std::string::npos) << warnings[0];
+}
+
 TEST(Scn, TheScenesOfTheCourseAreReadWithoutAnError) {
   const std::filesystem::path scenes = ProjectRoot() / "../shared/scenes-cos426";
   if (!std::filesystem::exists(scenes)) GTEST_SKIP() << "no course scenes at " << scenes;

@@ -545,7 +545,8 @@ Words SomeValue(const OptionKind& option, const Options& defaults) {
   if (std::holds_alternative<Rectangle>(option.value)) return {"0", "1", "5", "6"};
   if (std::string(option.name) == "layers") return {"depth,id"};
   if (std::string(option.name) == "part") return {"3/8"};
-  if (std::holds_alternative<FileName>(option.value) || std::holds_alternative<FolderList>(option.value))
+  if (std::string(option.name) == "define") return {"name=it is"};
+  if (std::holds_alternative<FileName>(option.value) || std::holds_alternative<Repeated>(option.value))
     return {"a 'name'"};
   return {"7"};
 }

@@ -1,0 +1,56 @@
+#!/bin/sh
+# Renders one image on a Slurm cluster, to the bytes that one machine gives: an array of jobs, a part each, and behind
+# it a job that submits again what is missing, and then assembles the image. It submits and is done; squeue shows the
+# rest, and out.png.log has what the jobs said. After scancel the same command goes on.
+#
+#     script/farm/slurm.sh -parts 64 -sbatch "--partition=lab --time=1:00:00" scenes/glass.scn out.png -samples 256
+#
+#   -parts n       parts to cut the image into (default 16)
+#   -sbatch words  options for sbatch, such as a partition, a time limit or cores of each job
+#   -n             print the commands, and run nothing
+#
+# All further words are raypro's. RAYPRO names the program. Nodes must see this folder by this name. A minute before its
+# time limit a job writes what it has, and the next one goes on from there. See raypro-farm(7).
+set -eu
+fail() { printf 'slurm.sh: %s\n' "$2" >&2; exit "$1"; }
+need() { [ $# -ge 2 ] || fail 2 "$1 needs a value"; }
+raypro=${RAYPRO:-raypro} parts=16 sbatch='' show='' step=submit before='' self=$0
+while :; do
+  case ${1:-} in
+    -n) show=echo ;;
+    -parts) need "$@"; parts=$2; shift ;;
+    -sbatch) need "$@"; sbatch=$2; shift ;;
+    -step) step=$2 before=$3 self=$4; shift 3 ;;  # within a job: of the array, or behind it
+    *) break ;;
+  esac
+  shift
+done
+[ $# -ge 2 ] || fail 2 "a scene and an image are needed; see the top of $0"
+case $1 in -*) fail 2 "there is no option '$1'; options of raypro follow the scene and the image" ;; esac
+scene=$1 out=$2; shift 2
+case $parts in '' | *[!0-9]* | 0) fail 2 "-parts must be a whole number above 0, got '$parts'" ;; esac
+[ "$step" != part ] || exec "$raypro" "$scene" "$out" "$@" -quiet -part "$SLURM_ARRAY_TASK_ID/$parts"
+
+case $self in /*) ;; *) self=$(cd "$(dirname "$self")" && pwd)/$(basename "$self") ;; esac
+missing=$("$raypro" "$scene" "$out" "$@" -missing "$parts")
+missing=$(echo "$missing" | paste -s -d , -)
+if [ -z "$missing" ]; then
+  $show "$raypro" "$scene" "$out" "$@" -quiet -parts "$out.part-*-of-$parts"
+  $show rm -f "$out.part-"*"-of-$parts" "$out.plan" "$out.log"
+  exit
+fi
+[ "$show" ] || command -v sbatch > /dev/null || fail 1 "Slurm is not here: there is no sbatch"
+now=$({ echo "$missing"; cat "$out.part-"*"-of-$parts" "$out.plan" 2> /dev/null || true; } | cksum | tr ' ' -)
+[ "$now" != "$before" ] || fail 1 "these parts failed, and nothing came of trying again: $missing"
+
+submit() {  # array or dependency, step, and all that follows
+  when=$1 next=$2; shift 2
+  # shellcheck disable=SC2086  # words of sbatch
+  $show sbatch --parsable $sbatch --job-name="$(basename "$out")" --output="$out.log" --open-mode=append \
+    --signal=B:TERM@60 "$when" "$self" -step "$next" "$now" "$self" -parts "$parts" -sbatch "$sbatch" "$scene" "$out" "$@"
+}
+array=$(submit "--array=$missing" part "$@")
+[ ! "$show" ] || { echo "$array"; array='<array>'; }
+follow=$(submit "--dependency=afterany:${array%%;*}" follow "$@")
+[ ! "$show" ] || { echo "$follow"; exit; }
+echo "job $array renders parts $missing; job $follow behind it assembles $out, or submits again what is missing"
