@@ -5,7 +5,10 @@
 #include <signal.h>
 
 #include <algorithm>
+#include <chrono>
+#include <cstdio>
 #include <filesystem>
+#include <random>
 #include <thread>
 
 #include "source/app/files/PartFiles.h"
@@ -14,6 +17,7 @@
 #include "source/app/options/SceneSettings.h"
 #include "source/parse/SceneError.h"
 #include "source/render/Parts.h"
+#include "source/text/Words.h"
 #include "tests/source/app/Place.h"
 
 namespace ray::testing {
@@ -73,6 +77,83 @@ TEST(Farm, AssembledFilesAreThoseOfOneRender) {
     for (const auto& [name, bytes] : expected) known.push_back(name);
     EXPECT_EQ(place.Others(known), List{});
   }
+}
+
+/// Settings that reach into what blocks share: filters, borders, lenses, motion, layers, what is decided from the
+/// image.
+const List settings_of_all_kinds[] = {
+    {},
+    {"-samples", "4"},
+    {"-samples", "9", "-filter", "lanczos"},
+    {"-samples", "4", "-filter", "gaussian", "-bytes", "truncated"},
+    {"-samples", "4", "-filter", "mitchell", "-crop", "5", "4", "33", "21"},
+    {"-samples", "4", "-sampler", "stratified", "-seed", "9"},
+    {"-samples", "4", "-aperture", "0.3", "-focus", "5"},
+    {"-samples", "4", "-shadow_samples", "3"},
+    {"-samples", "2", "-mode", "normal"},
+    {"-samples", "2", "-mode", "toon"},
+    {"-samples", "4", "-layers", "depth,id"},
+    {"-samples", "4", "-layers", "normal,albedo", "-filter", "gaussian"},
+    {"-mode", "path"},
+    {"-mode", "path", "-samples", "16", "-srgb"},
+    {"-mode", "path", "-samples", "8", "-max_depth", "7", "-strategy", "bsdf"},
+    {"-mode", "path", "-samples", "16", "-denoise"},
+    {"-mode", "path", "-samples", "16", "-aperture", "0.2", "-focus", "6", "-layers", "depth"},
+    {"-mode", "path", "-samples", "128", "-error", "8"},
+    {"-mode", "path", "-samples", "128", "-error", "10", "-adaptive", "off"},
+    {"-samples", "16", "-adaptive", "neighbors"},
+};
+
+int RunRounds(const PartsPlace& place, int n, const List& more);
+
+TEST(Farm, PartsOfEveryKindInAnyOrderAndOnAnyMachineMakeOneImage) {
+  NEEDS_THE_PROGRAM();
+  for (const List& more : settings_of_all_kinds)
+    for (const int n : {1, 2, 5, 64}) {
+      if (n > Rounds("RAYTESTS_PARTS", 5)) continue;  // so many take a minute
+      const PartsPlace place;
+      const auto expected = place.OneRender(more);
+      ASSERT_FALSE(expected.empty());
+      RunRounds(place, n, more);
+      EXPECT_EQ(place.Assemble(more).status, 0);
+      SCOPED_TRACE(ShellLine(more) + " in " + std::to_string(n));
+      place.ExpectFiles(expected);
+      if (HasFailure()) return;
+    }
+}
+
+TEST(Farm, WorkersKilledAtRandomMomentsLoseNothing) {
+  NEEDS_THE_PROGRAM();
+  const PartsPlace place;
+  const List more{"-mode", "path", "-samples", "400", "-checkpoint", "0.01", "-threads", "1"};
+  const auto start = std::chrono::steady_clock::now();
+  const auto expected = place.OneRender(more);
+  const double whole = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  std::mt19937 random(1);
+  int killed = 0;
+  for (int round = 0; round < Rounds("RAYTESTS_KILLS", 8); ++round) {
+    for (const int i : {1, 2}) {
+      Running worker(With({place.Scene(), place / "out.png", "-width", "40", "-height", "30", "-part",
+                           std::to_string(i) + "/2", "-quiet"},
+                          more));
+      std::this_thread::sleep_for(std::chrono::duration<double>(std::uniform_real_distribution(0.0, whole)(random)));
+      worker.Send(SIGKILL);
+      killed += worker.Wait().signal == SIGKILL;
+    }
+    RunRounds(place, 2, more);
+    EXPECT_EQ(place.Assemble(more).status, 0);
+    place.ExpectFiles(expected);
+    List known{"in.scn", NameOfPart(1, 2), NameOfPart(2, 2)};
+    for (const auto& [name, bytes] : expected) known.push_back(name);
+    const List others = place.Others(known);
+    EXPECT_LE(others.size(), 2u * static_cast<std::size_t>(round + 1)) << "one unfinished file a kill at most";
+    for (const List& names : {known, others})
+      for (const std::string& name : names)
+        if (name != "in.scn") std::filesystem::remove(place / name);
+    if (HasFailure()) return;
+  }
+  EXPECT_GT(killed, 0);
+  std::printf("%d workers killed\n", killed);
 }
 
 TEST(Farm, WhatIsMissingIsRenderedWhereItIsAssembled) {
@@ -272,14 +353,14 @@ TEST(Farm, TwoJobsOfOneNameInOneFolderDoNoHarm) {
   }
 }
 
-/// Rounds until nothing is missing; how many there were.
+/// Rounds until nothing is missing, from the last part to the first, on machines that differ; how many there were.
 int RunRounds(const PartsPlace& place, int n, const List& more) {
   for (int round = 0; round < 30; ++round) {
     const std::string missing = place.Missing(n, more);
     if (missing.empty()) return round;
-    for (int i = 1; i <= n; ++i)
+    for (int i = n; i >= 1; --i)
       if (Has("\n" + missing, "\n" + std::to_string(i) + "\n")) {
-        EXPECT_EQ(place.Part(i, n, more).status, 0);
+        EXPECT_EQ(place.Part(i, n, With(more, {"-simd", i % 2 == 0 ? "sse4" : "avx2"})).status, 0);
       }
   }
   ADD_FAILURE() << "no end of rounds";
