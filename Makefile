@@ -8,6 +8,7 @@
 #   make fuzz       the fuzz targets, with clang, under build/fuzz; script/fuzz.sh runs them
 #   make fuzz-scenes  random scenes: hits in exact arithmetic, bounds on light, one mean; SCENES=100000 from SEED=1 on
 #   make bench      the benchmark programs
+#   make tiny       the smallest tracer, as source and as executable, and how small it is
 #   make tradeoff   error over seconds for every knob, as CSV and plots under build/tradeoff; FULL=1 for hours
 #   make price      what features cost scenes that do not use them
 #   make install    PREFIX=/usr/local DESTDIR= bindir= datadir= mandir= docdir=; make uninstall undoes it
@@ -96,7 +97,7 @@ together = $(filter-out $(ALONE),$(call present,$(1)))
 objects = $(patsubst %.cpp,$(BUILD)/obj/%.o,$(call alone,$(1))) \
           $(patsubst %,$(BUILD)/obj/%all.o,$(sort $(dir $(call together,$(1)))))
 
-.PHONY: all $(ALL_PROGRAMS) test night check asan tsan fuzz fuzz-targets fuzz-scenes bench tradeoff price install uninstall installcheck dist \
+.PHONY: all $(ALL_PROGRAMS) test night check asan tsan fuzz fuzz-targets fuzz-scenes bench tiny tradeoff price install uninstall installcheck dist \
         clean compile_commands test-binary FORCE
 .PRECIOUS: $(BUILD)/obj/%.o $(BUILD)/jumbo/%/all.cpp
 all: $(PROGRAMS) $(BUILD)/compile_commands.json
@@ -146,13 +147,24 @@ $(PROGRAMS:%=$(BUILD)/%): $(BUILD)/%: $(BUILD)/obj/source/app/%.o $(BUILD)/libra
 $(BUILD)/raytests: $(call objects,$(TEST_SOURCES) $(OF_RAYIMG)) $(BUILD)/librayview.a $(BUILD)/libray.a
 	$(call link,-lgtest $(QUADMATH))
 $(BUILD)/bench/%: $(BUILD)/obj/bench/%.o $(BUILD)/librayview.a $(BUILD)/libray.a
-	$(call link,-lbenchmark)
+	$(call link,$(if $(shell grep -l benchmark/benchmark.h bench/$*.cpp),-lbenchmark))
+
+# The smallest tracer. Its C is of 1989, where what is not declared is an int.
+MACHINE := $(shell $(CXX) -dumpmachine 2>/dev/null)
+TINY := $(BUILD)/tiny/tiny $(if $(and $(filter x86_64%,$(MACHINE)),$(findstring linux,$(MACHINE))),$(BUILD)/tiny/small)
+tiny: $(TINY)
+	@echo "tiny/tiny.c: $$(wc -c < tiny/tiny.c) characters"
+	@$(if $(filter %/small,$(TINY)),echo "$(BUILD)/tiny/small: $$(wc -c < $(BUILD)/tiny/small) bytes")
+$(BUILD)/tiny/tiny: tiny/tiny.c
+	@mkdir -p $(@D) && $(CXX) -x c -std=gnu89 -w -Wno-psabi -O2 -ffp-contract=off $< -x none -lm -o $@
+$(BUILD)/tiny/small: tiny/small.S
+	@mkdir -p $(@D) && $(CXX) -c $< -o $@.o && ld -Ttext=0x3b000000 --oformat binary -e 0 $@.o -o $@ && chmod +x $@
 
 JOBS ?= $(shell nproc 2> /dev/null || getconf _NPROCESSORS_ONLN)
 
 # Tests find the programs and the project's files through these. The shell names the folders: make takes blanks in
 # their names for ends of words.
-FOR_TESTS := build=$$(cd $(BUILD) && pwd) && RAYPRO="$$build/raypro" RAYIMG="$$build/rayimg" RAYGRADE="$$build/raygrade" RAYPRO_ROOT="$$(pwd)" \
+FOR_TESTS := build=$$(cd $(BUILD) && pwd) && RAYPRO="$$build/raypro" RAYIMG="$$build/rayimg" RAYGRADE="$$build/raygrade" RAYPRO_ROOT="$$(pwd)" TINY="$$build/tiny" \
              $(if $(filter rayview,$(PROGRAMS)),RAYVIEW="$$build/rayview")
 
 # The same tests with millions of cases where a commit has thousands; hours.
@@ -168,7 +180,7 @@ $(BUILD)/compile_commands.json: $(BUILD)/flags
 # Compiles and runs on all cores, unless -j said on how many. Benchmarks that need no further package are compiled too,
 # lest nobody notice that they no longer do.
 test:
-	$(MAKE) $(if $(findstring jobserver,$(MAKEFLAGS)),,-j$(JOBS)) check test-binary $(PROGRAMS) \
+	$(MAKE) $(if $(findstring jobserver,$(MAKEFLAGS)),,-j$(JOBS)) check test-binary $(PROGRAMS) $(TINY) \
 	  $(patsubst %.cpp,$(BUILD)/obj/%.o,$(call present,bench/live.cpp bench/trade.cpp bench/view.cpp))
 	$(FOR_TESTS) JOBS=$(JOBS) sh script/run_tests.sh $(BUILD)/raytests $(GTEST)
 	$(FOR_TESTS) sh script/runray.sh -fast

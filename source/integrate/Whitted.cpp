@@ -98,6 +98,7 @@ R2::Color Whitted::Follow(const ShadingPoint& first, TraceState& state) const {
   state.pending.clear();
   const std::size_t departures = state.departures.Count();
   const auto spawn = [&](const ShadingPoint& p) {
+    if (IsDiffuse(*p.material)) return;
     if (p.path.depth >= settings_.max_depth) {
       state.rays.EndAt(Luminance(p.path.throughput * SpecularReflectance(p, settings_)));
       return;

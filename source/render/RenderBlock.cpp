@@ -33,12 +33,16 @@ bool RenderAroundFirstSamples(const SampleSource& source, const SamplesDue& due,
       goes_on = tracer.Add(source.FirstSample(column, row));
   });
   if (!goes_on || !tracer.Finish()) return false;
+  if (filter.IsBox()) {  // to which it makes no difference where a sample is in its pixel
+    ForPixels(due.pixels,
+              [&](int column, int row) { sums.Add(column, row, column, row, all[PlaceOf(column, row)], filter); });
+    return true;
+  }
   static_assert(BlockOrder::places <= R1::batch_size);
   std::vector<PixelSample> of;
   ForPixels(due.pixels, [&](int column, int row) { of.push_back(source.FirstSample(column, row)); });
   std::vector<CameraSample> samples(of.size());
-  // Where a sample is in its pixel makes no difference to the box filter.
-  if (!filter.IsBox()) source.camera.MakeEach(of, samples);
+  source.camera.MakeEach(of, samples);
   for (std::size_t i = 0; i < of.size(); ++i)
     sums.Add(of[i].column, of[i].row, samples[i].x, samples[i].y, all[PlaceOf(of[i].column, of[i].row)], filter);
   return true;

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -45,32 +44,32 @@ class BatchTracer {
   /// Traces the batch once it is full. As Finish gives whether nobody asked to stop by state.stop, looked at before a
   /// batch, which then is left as it is, and after it, when integrators may have left off.
   bool Add(const PixelSample& sample) {
-    due_[size_++] = sample;
-    return size_ < capacity || Finish();
+    due_.push_back(sample);
+    return due_.size() < R1::batch_size || Finish();
   }
   /// Traces what has not been.
   bool Finish() {
     if (state_.IsStopped()) return false;
-    source_.camera.MakeEach(std::span(due_).first(size_), std::span(samples_).first(size_));
-    source_.integrator.Li(std::span(samples_).first(size_), std::span(radiances_).first(size_), state_);
-    for (std::size_t i = 0; i < size_; ++i)
-      splat_(due_[i].column, due_[i].row, samples_[i],
-             source_.clamps_samples ? Clamped(radiances_[i]) : radiances_[i]);
-    size_ = 0;
+    samples_.resize(due_.size()), radiances_.resize(due_.size());
+    source_.camera.MakeEach(due_, samples_);
+    source_.integrator.Li(samples_, radiances_, state_);
+    for (std::size_t i = 0; i < due_.size(); ++i)
+      splat_(due_[i].column, due_[i].row, samples_[i], source_.clamps_samples ? Clamped(radiances_[i]) : radiances_[i]);
+    due_.clear();
     return !state_.IsStopped();
   }
   /// Whether all that was added has been traced.
-  bool IsEmpty() const { return size_ == 0; }
+  bool IsEmpty() const { return due_.empty(); }
 
  private:
-  static constexpr std::size_t capacity = R1::batch_size;
   const SampleSource& source_;
   TraceState& state_;
   const Splat splat_;
-  std::size_t size_ = 0;
-  std::array<PixelSample, capacity> due_;
-  std::array<CameraSample, capacity> samples_;
-  std::array<R2::Color, capacity> radiances_;
+  // As long as batches are: a pass may take one sample of a block, and to fill arrays for more took a sixth of its
+  // time.
+  std::vector<PixelSample> due_;
+  std::vector<CameraSample> samples_;
+  std::vector<R2::Color> radiances_;
 };
 
 /// Which samples of a block are due: from `first` to `last` - 1 of each pixel, of one stream.
