@@ -45,6 +45,27 @@ struct ImageSize {
   int width = 0, height = 0;
 };
 
+/// A channel as a file stores it.
+struct ImageChannel {
+  enum class Type { uint32, half16, float32 };
+
+  std::string name;  // any bytes
+  Type type = Type::float32;
+};
+inline constexpr std::array channel_type_names{"uint", "half", "float"};
+constexpr const auto& NamesOf(ImageChannel::Type) { return channel_type_names; }
+
+/// A rectangle of pixels, as EXR counts them: columns x0 to x1 and rows y0 to y1, both included, y down.
+struct ImageWindow {
+  std::int64_t x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+};
+
+/// What a file of named channels holds.
+struct ImageChannels {
+  std::vector<ImageChannel> channels;  // in the file's order
+  ImageWindow data, display;           // the pixels that are stored, and those that are the image
+};
+
 struct ImageFormat;
 
 /// What an image decodes to.
@@ -71,6 +92,11 @@ struct ImageFormat {
                                               const ImageSettings& settings) = nullptr;
   /// Without decoding a pixel; throws ImageError. Null for formats that hold none.
   ImageSettings (*read_settings)(std::span<const unsigned char> bytes) = nullptr;
+  /// The channels by name, without decoding a pixel; throws ImageError. Null for formats whose channels have none.
+  ImageChannels (*read_channels)(std::span<const unsigned char> bytes) = nullptr;
+  /// Up to three channels of those names as the r, g and b of an image; one alone is gray, of two b is 0. Throws
+  /// ImageError, also where the file has none of a name.
+  DecodedImage (*decode_channels)(std::span<const unsigned char> bytes, std::span<const std::string> names) = nullptr;
 };
 
 /// Every format this build can read and write, in the order of image_formats.def.

@@ -123,4 +123,17 @@ Plane DisplayDifference(const Image& x, const Image& r, Display display) {
   return plane;
 }
 
+Image SignedDifference(const Image& x, const Image& r) {
+  assert(HaveOneSize(x, r));
+  constexpr double gain = 4;
+  Image image(x.Width(), x.Height());
+  for (int row = 0; row < image.Height(); ++row)
+    for (int column = 0; column < image.Width(); ++column) {
+      const Color d = gain * (x.At(column, row) - r.At(column, row));
+      const double more = std::max({d.r, d.g, d.b, 0.0}), less = -std::min({d.r, d.g, d.b, 0.0});
+      image.Set(column, row, {std::min(1.0, more), std::min(1.0, std::min(more, less)), std::min(1.0, less)});
+    }
+  return image;
+}
+
 }  // namespace R2

@@ -53,4 +53,8 @@ std::int64_t PixelsBeyond(const Image& x, const Image& r, double threshold);
 /// The largest difference of a displayed channel, 0 to 1, pixel by pixel.
 Plane DisplayDifference(const Image& x, const Image& r, Display display);
 
+/// Black where equal; brighter where x is brighter, in red, or darker, in blue; pink where channels disagree. Four
+/// times as bright as the largest difference of a channel.
+Image SignedDifference(const Image& x, const Image& r);
+
 }  // namespace R2

@@ -37,12 +37,20 @@ void CheckMargin(const ByteReader& reader, const ExrLayout& layout) {
               std::to_string(layout.display.size.height));
 }
 
+ImageChannel::Type TypeOf(std::uint32_t type) {
+  constexpr std::array types{ImageChannel::Type::uint32, ImageChannel::Type::half16};
+  return type < types.size() ? types[type] : ImageChannel::Type::float32;
+}
+
 std::vector<ExrChannel> ReadChannels(ByteReader& value) {
   constexpr int half = 1;
   std::vector<ExrChannel> channels;
-  while (!value.Until('\0', "the channels").empty()) {
+  for (std::string_view name; !(name = value.Until('\0', "the channels")).empty();) {
     ExrChannel channel;
-    channel.bytes = value.Little32("a channel") == half ? 2 : 4;
+    channel.name = name;
+    const std::uint32_t type = value.Little32("a channel");
+    channel.type = TypeOf(type);
+    channel.bytes = type == half ? 2 : 4;
     value.Take(4, "a channel");
     channel.x_sampling = value.LittleSigned32("a channel");
     channel.y_sampling = value.LittleSigned32("a channel");

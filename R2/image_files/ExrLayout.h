@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "R2/ImageFile.h"
@@ -9,6 +10,8 @@
 namespace R2 {
 
 struct ExrChannel {
+  std::string name;  // as the file has it: any bytes
+  ImageChannel::Type type = ImageChannel::Type::float32;
   int bytes = 4;  // a sample
   int x_sampling = 1, y_sampling = 1;
 };

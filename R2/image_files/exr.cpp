@@ -171,9 +171,10 @@ Image ImageOfLines(const ExrLayout& layout, const ReadLine& read_line, const Col
   return image.Width() > 0 ? std::move(image) : Image(display.size.width, display.size.height);
 }
 
-Image ReadPixels(Imf::InputFile& file, const ExrLayout& layout) {
-  const auto channels = ChannelsToRead(file.header().channels());
-  const bool is_gray = channels.size() == 1;
+/// Up to three channels as r, g and b; one alone is gray.
+template <typename Names>
+Image ReadPixels(Imf::InputFile& file, const ExrLayout& layout, const Names& channels) {
+  const bool is_gray = channels.size() == 1, has_blue = channels.size() > 2;
   std::vector<float> row(3 * static_cast<std::size_t>(layout.data.size.width));
   Imf::FrameBuffer frame;
   AddToFrame(frame, row, static_cast<int>(layout.data.left), channels);
@@ -182,7 +183,7 @@ Image ReadPixels(Imf::InputFile& file, const ExrLayout& layout) {
       layout, [&](int line) { file.readPixels(line, line); },
       [&](std::size_t x) {
         const float* p = &row[3 * x];
-        return Color{p[0], p[is_gray ? 0 : 1], p[is_gray ? 0 : 2]};
+        return Color{p[0], p[is_gray ? 0 : 1], is_gray ? p[0] : has_blue ? p[2] : 0};
       });
 }
 
@@ -229,13 +230,14 @@ Image ReadSampledChroma(std::span<const unsigned char> bytes, const ExrLayout& l
 
 Image ReadColors(Imf::InputFile& file, std::span<const unsigned char> bytes, const ExrLayout& layout) {
   const Imf::ChannelList& channels = file.header().channels();
-  const bool has_chroma = ChannelsToRead(channels).data() == chroma_channels.data();
-  if (!has_chroma) return ReadPixels(file, layout);
+  const auto to_read = ChannelsToRead(channels);
+  const bool has_chroma = to_read.data() == chroma_channels.data();
+  if (!has_chroma) return ReadPixels(file, layout, to_read);
   if (HasChromaOf(channels, 2)) return ReadSampledChroma(bytes, layout);
   if (!HasChromaOf(channels, 1))
     throw ImageError(
         "EXR has chroma that is sampled otherwise than for every pixel or every second one in both directions");
-  Image image = ReadPixels(file, layout);
+  Image image = ReadPixels(file, layout, to_read);
   ConvertChroma(image, file.header());
   return image;
 }
@@ -264,8 +266,10 @@ bool HasOtherPrimaries(const Imf::Header& header) {
          !are_near(stated.blue, usual.blue) || !are_near(stated.white, usual.white);
 }
 
-DecodedImage Decode(std::span<const unsigned char> bytes) {
-  const ExrLayout layout = ReadExrLayout(bytes);
+/// Opens the file, and words what the library says of it.
+///   read   Imf::InputFile&, DecodedImage&: fills in the image
+template <typename Read>
+DecodedImage DecodeWith(std::span<const unsigned char> bytes, const ExrLayout& layout, const Read& read) {
   RefuseUnknownCompression(layout.compression);
   const std::uint64_t end = CheckExrBlocks(bytes, layout);
   try {
@@ -273,10 +277,7 @@ DecodedImage Decode(std::span<const unsigned char> bytes) {
     Imf::InputFile file(stream, 0);  // no threads of the library's own
     DecodedImage decoded;
     decoded.settings = SettingsOf(file.header());
-    decoded.image = ReadColors(file, bytes, layout);
-    if (HasOtherPrimaries(file.header()))
-      decoded.warnings.push_back(
-          "EXR states chromaticities of its own; its colors are taken as sRGB's, without the curve");
+    read(file, decoded);
     if (!layout.has_smaller_copies) WarnOfBytesBehind(decoded, "EXR", bytes.size() - end);
     return decoded;
   } catch (const ImageError&) {
@@ -286,6 +287,52 @@ DecodedImage Decode(std::span<const unsigned char> bytes) {
   } catch (const std::exception& error) {
     throw ImageError("EXR is damaged: " + Printable(error.what()));
   }
+}
+
+DecodedImage Decode(std::span<const unsigned char> bytes) {
+  const ExrLayout layout = ReadExrLayout(bytes);
+  return DecodeWith(bytes, layout, [&](Imf::InputFile& file, DecodedImage& decoded) {
+    decoded.image = ReadColors(file, bytes, layout);
+    if (HasOtherPrimaries(file.header()))
+      decoded.warnings.push_back(
+          "EXR states chromaticities of its own; its colors are taken as sRGB's, without the curve");
+  });
+}
+
+ImageWindow WindowOf(const ExrWindow& window) {
+  return {window.left, window.top, window.Right() - 1, window.Bottom() - 1};
+}
+
+ImageChannels ReadChannelNames(std::span<const unsigned char> bytes) {
+  const ExrLayout layout = ReadExrLayout(bytes);
+  ImageChannels all{.channels = {}, .data = WindowOf(layout.data), .display = WindowOf(layout.display)};
+  for (const ExrChannel& channel : layout.channels) all.channels.push_back({channel.name, channel.type});
+  return all;
+}
+
+/// Whole numbers beyond 2^24 are not all floats.
+void WarnOfRoundedNumbers(DecodedImage& decoded) {
+  constexpr float first_rounded = 16'777'216;
+  if (std::ranges::any_of(decoded.image.Channels(), [](float number) { return number >= first_rounded; }))
+    decoded.warnings.push_back("EXR has whole numbers of 16777216 or more, which are rounded");
+}
+
+DecodedImage DecodeChannels(std::span<const unsigned char> bytes, std::span<const std::string> names) {
+  const ExrLayout layout = ReadExrLayout(bytes);
+  bool has_whole_numbers = false;
+  std::vector<const char*> channels;
+  for (const std::string& name : names) {
+    const auto channel = std::ranges::find(layout.channels, name, &ExrChannel::name);
+    if (channel == layout.channels.end()) throw ImageError("EXR has no channel " + Printable(name));
+    if (channel->x_sampling != 1 || channel->y_sampling != 1)
+      throw ImageError("EXR has a channel " + Printable(name) + " that does not have a sample for every pixel");
+    has_whole_numbers = has_whole_numbers || channel->type == ImageChannel::Type::uint32;
+    channels.push_back(name.c_str());
+  }
+  return DecodeWith(bytes, layout, [&](Imf::InputFile& file, DecodedImage& decoded) {
+    decoded.image = ReadPixels(file, layout, channels);
+    if (has_whole_numbers) WarnOfRoundedNumbers(decoded);
+  });
 }
 
 /// Reads the header alone: a file that is opened by the library gets room for rows as wide as the header promises.
@@ -350,7 +397,8 @@ std::vector<unsigned char> Encode(const Image& image, const ImageEncoding&, cons
 }  // namespace
 }  // namespace exr
 
-const ImageFormat exr_format{"exr",       {"exr"}, exr::Recognizes,   exr::ReadSize,    exr::Decode,
-                             exr::Encode, true,    exr::EncodeLayers, exr::ReadSettings};
+const ImageFormat exr_format{
+    "exr", {"exr"},           exr::Recognizes,   exr::ReadSize,         exr::Decode,        exr::Encode,
+    true,  exr::EncodeLayers, exr::ReadSettings, exr::ReadChannelNames, exr::DecodeChannels};
 
 }  // namespace R2

@@ -1,5 +1,5 @@
-// rayimg compares, describes, converts and merges pictures, and makes movies of them. Its commands and their options
-// are in options/RayimgTable.cpp.
+// rayimg compares, describes, converts, arranges and merges pictures, and makes movies of them. Its commands and their
+// options are in options/RayimgTable.cpp.
 #include <map>
 #include <string>
 #include <vector>
@@ -16,8 +16,16 @@ namespace ray {
 namespace {
 
 const std::map<std::string, int (*)(const rayimg::Options& options, const std::string& command_line)> commands{
-    {"diff", rayimg::Diff},   {"info", rayimg::Info},   {"convert", rayimg::Convert},
-    {"merge", rayimg::Merge}, {"movie", rayimg::Movie},
+    {"diff", rayimg::Diff},
+    {"info", rayimg::Info},
+    {"extract", rayimg::Extract},
+    {"convert", rayimg::Convert},
+    {"resize", rayimg::Resize},
+    {"crop", rayimg::Crop},
+    {"side-by-side", rayimg::SideBySide},
+    {"contact-sheet", rayimg::ContactSheet},
+    {"merge", rayimg::Merge},
+    {"movie", rayimg::Movie},
 };
 
 int Run(const std::vector<std::string>& words) {

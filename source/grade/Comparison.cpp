@@ -4,7 +4,7 @@
 #include <cmath>
 #include <optional>
 
-#include "R2/ImageFile.h"
+#include "source/grade/Compression.h"
 
 namespace ray::grade {
 namespace {
@@ -13,22 +13,6 @@ double Square(double number) { return number * number; }
 
 std::size_t IndexOf(const R2::Image& image, int x, int y) {
   return static_cast<std::size_t>(y) * static_cast<std::size_t>(image.Width()) + static_cast<std::size_t>(x);
-}
-
-/// What compressing the reference as badly as JPEG usually is changes at each pixel.
-R2::Image AsJpeg(const R2::Image& image) {
-  constexpr int usual_quality = 75;
-  const R2::ImageFormat* jpeg = R2::FormatForName("x.jpg");
-  return R2::DecodeImage(jpeg->encode(image, {.jpeg_quality = usual_quality}, {})).image;
-}
-
-/// The largest difference of two images at a pixel or beside it: compression spreads errors over blocks.
-double LargestAround(const R2::Image& a, const R2::Image& b, int x, int y) {
-  double largest = 0;
-  for (int j = std::max(0, y - 2); j <= std::min(a.Height() - 1, y + 2); ++j)
-    for (int i = std::max(0, x - 2); i <= std::min(a.Width() - 1, x + 2); ++i)
-      largest = std::max(largest, LargestChannel(a.At(i, j) - b.At(i, j)));
-  return largest;
 }
 
 /// Three standard deviations of the mean of the runs, of each cell.

@@ -18,8 +18,13 @@ constexpr const char* style =
     ".5em;text-align:left}td.n{text-align:right}"
     "pre{font-size:.8em;overflow-x:auto;background:#f6f6f6;padding:.5em;white-space:pre-wrap}"
     ".right{background:#dff0d8}.known{background:#fcf3cf}.different,.failed{background:#f8d7da}"
+    ".over{position:relative;display:inline-block;max-width:100%;overflow:auto}"
+    ".over img{display:block;max-width:none;min-width:0}"
+    ".over>div{position:absolute;top:0;left:0;width:50%;height:100%;max-width:100%;overflow:hidden;resize:horizontal;"
+    "border-right:2px solid #c00;box-sizing:border-box}"
     ".bar{background:#69c;height:.8em;display:inline-block}"
-    "@media print{body{max-width:none}h2,figure,tr{break-inside:avoid}}";
+    "@media print{body{max-width:none}h2,figure,tr{break-inside:avoid}"
+    ".over>div{position:static;width:auto;border:0}}";
 
 }  // namespace
 
@@ -46,6 +51,11 @@ std::string HtmlOf(const std::string& text) {
 std::string ImageTag(const R2::Image& image, const std::string& about) {
   const auto bytes = R2::FormatForName("x.png")->encode(image, {}, {});
   return "<img alt=\"" + HtmlOf(about) + "\" src=\"data:image/png;base64," + Base64(bytes) + "\">";
+}
+
+std::string Slider(const R2::Image& over, const std::string& about_over, const R2::Image& under,
+                   const std::string& about_under) {
+  return "<div class=\"over\">" + ImageTag(under, about_under) + "<div>" + ImageTag(over, about_over) + "</div></div>";
 }
 
 std::string Page(const std::string& title, const std::string& body) {

@@ -12,6 +12,10 @@ std::string HtmlOf(const std::string& text);
 /// The image itself, as a PNG within the page; pixels stay sharp when they are enlarged.
 ///   about   in words, for those who cannot see it
 std::string ImageTag(const R2::Image& image, const std::string& about);
+/// Two images of one size, the first over the left half of the second, up to an edge that can be dragged; one below the
+/// other in print.
+std::string Slider(const R2::Image& over, const std::string& about_over, const R2::Image& under,
+                   const std::string& about_under);
 /// A whole page.
 std::string Page(const std::string& title, const std::string& body);
 /// A part of an image around a pixel, marked, so many times as large.

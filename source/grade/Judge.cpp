@@ -1,25 +1,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "R2/compare/Difference.h"
 #include "source/grade/Detectors.h"
 #include "source/grade/Grader.h"
 #include "source/text/NumberText.h"
 
 namespace ray::grade {
 namespace {
-
-/// Black where equal; brighter where the student's is brighter, in red, or darker, in blue.
-R2::Image SignedDifference(const R2::Image& actual, const R2::Image& expected) {
-  constexpr double gain = 4;
-  R2::Image image(actual.Width(), actual.Height());
-  for (int y = 0; y < image.Height(); ++y)
-    for (int x = 0; x < image.Width(); ++x) {
-      const R2::Color d = gain * (actual.At(x, y) - expected.At(x, y));
-      const double more = std::max({d.r, d.g, d.b, 0.0}), less = -std::min({d.r, d.g, d.b, 0.0});
-      image.Set(x, y, {std::min(1.0, more), std::min(1.0, std::min(more, less)), std::min(1.0, less)});
-    }
-  return image;
-}
 
 std::string Percent(double share) { return Rounded(100 * share, 3) + "%"; }
 
@@ -66,7 +54,7 @@ void Judge(const std::vector<R2::Image>& runs, bool is_jpeg, const Suite& suite,
   result.percent = found.Percent();
   result.expected = images.Reference();
   result.actual = student.image;
-  result.difference = SignedDifference(student.image, images.Reference());
+  result.difference = R2::SignedDifference(student.image, images.Reference());
   if (result.percent <= images.scene().allowed) {
     result.outcome = SceneResult::Outcome::right;
     result.headline = found.differing == 0 ? "The image is right."

@@ -26,11 +26,12 @@ struct Variant {
 /// A mistake that students make: one file of mistakes/ and one line of mistakes.def. The engine knows of none; a
 /// mistake is a change of data, and the image of it is rendered as any other.
 struct Mistake {
-  const char* name;      // "no_ambient": for tables
-  const char* title;     // "no ambient light": completes "as with"
-  const char* expected;  // what a correct program does, with its equation
-  const char* hint;      // where to look, which gives no code away
-  void (*make)(Variant& variant);
+  const char* name;                          // "no_ambient": for tables
+  const char* title;                         // "no ambient light": completes "as with"
+  const char* expected;                      // what a correct program does, with its equation
+  const char* hint;                          // where to look, which gives no code away
+  ImageFilter of_image = nullptr;            // makes it of a finished image alone, so that two images show it
+  void (*make)(Variant& variant) = nullptr;  // makes it of the scene; null where the image is enough
 };
 
 /// Every mistake, in the order of mistakes.def.

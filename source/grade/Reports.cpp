@@ -8,6 +8,7 @@
 
 #include "source/grade/Html.h"
 #include "source/text/NumberText.h"
+#include "source/text/Quoting.h"
 
 namespace ray::grade {
 namespace {
@@ -94,13 +95,6 @@ SceneResult ResultOf(const Json& json) {
   if (name == outcome_names.end()) throw Json::other_error::create(501, "no such outcome", &json);
   scene.outcome = static_cast<SceneResult::Outcome>(name - outcome_names.begin());
   return scene;
-}
-
-std::string CsvField(const std::string& text) {
-  if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
-  return quoted + "\"";
 }
 
 std::string CommonMistakes(const std::vector<StudentResult>& students) {

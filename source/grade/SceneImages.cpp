@@ -91,7 +91,12 @@ R2::Image SceneImages::Render(const MistakeList& mistakes, R2::Vector shift_in_p
   ShadingRules rules;
   std::vector<ImageFilter> filters;
   Variant variant{loaded.scene, loaded.settings, rules, filters};
-  for (const Mistake* mistake : mistakes) mistake->make(variant);
+  for (const Mistake* mistake : mistakes) {
+    if (mistake->make)
+      mistake->make(variant);
+    else
+      filters.push_back(mistake->of_image);
+  }
   Shift(loaded.scene, loaded.settings, shift_in_pixels);
   if (samples > 0) loaded.settings.samples = samples;
   const World world(loaded.scene);

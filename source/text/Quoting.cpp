@@ -86,6 +86,13 @@ std::string ShownLine(std::string_view line) {
   return shown;
 }
 
+std::string CsvField(const std::string& text) {
+  if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
+  return quoted + "\"";
+}
+
 std::string Place(const std::string& file, std::size_t line, std::size_t column) {
   std::string place = Escaped(file);
   if (line > 0) place += ":" + std::to_string(line) + ":" + std::to_string(column);

@@ -20,6 +20,9 @@ std::string QuotedPath(std::string_view bytes);
 /// A line to be shown above a caret: as many characters as before, those that Escaped() would change as '?'.
 std::string ShownLine(std::string_view line);
 
+/// A field of a table in CSV, in quotes where it needs them. source: RFC 4180
+std::string CsvField(const std::string& text);
+
 /// "file:line:column", escaped; the file alone when line is 0.
 std::string Place(const std::string& file, std::size_t line, std::size_t column);
 

@@ -1,6 +1,8 @@
 #include "source/app/options/RayimgTable.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 
 #include "R2/ToneCurve.h"
@@ -41,10 +43,35 @@ std::optional<double> ReadThreshold(const std::string& word) {
   return number.value;
 }
 
+/// A whole number that is none unless given.
+template <int least, int most>
+std::optional<std::optional<int>> ReadWhole(const std::string& word) {
+  const auto number = ParseNumber(word);
+  if (number.problem || !(number.value >= least && number.value <= most) || number.value != std::floor(number.value))
+    return {};
+  return static_cast<int>(number.value);
+}
+
+/// "one,two": as many texts as there are commas, and one.
+std::optional<std::vector<std::string>> ReadTexts(const std::string& word) {
+  std::vector<std::string> texts;
+  for (std::size_t at = 0; at <= word.size();) {
+    const std::size_t end = std::min(word.find(',', at), word.size());
+    texts.push_back(word.substr(at, end - at));
+    at = end + 1;
+  }
+  return texts;
+}
+
 /// None of these has a default to show.
 template <class T>
 std::string ShowNothing(const T&) {
   return {};
+}
+
+template <int least, int most, class Lambda>
+Word Whole(Lambda member, const char* range) {
+  return WordOf<ReadWhole<least, most>, ShowNothing<std::optional<int>>>(member, range);
 }
 
 template <int most, class Lambda>
@@ -55,7 +82,7 @@ Word Threshold(Lambda member, const char* range) {
 // One entry stays one thought.
 // clang-format off
 constexpr std::array commands{
-    CommandKind{"diff", "picture reference", 2, 2, "print how far a picture is from a reference", R"(
+    CommandKind{"diff", "picture reference", 2, 2, "print how far a picture, or all of a folder, is from a reference", R"(
 Means are over all channels of all pixels that are finite in both pictures; x is the picture, r the reference.
   linear RMSE      sqrt(mean (x-r)^2)
   relMSE           mean (x-r)^2 / (r^2 + 0.01)
@@ -69,14 +96,45 @@ With -reference2 c, the same picture as r from another random seed, also mean (x
 without the noise of the reference, which the linear RMSE counts as error of x (how misleading that can be: Whittle et
 al. 2017).
 With thresholds the exit status is 1 when one is exceeded. Pixels that are NaN or infinite fail every threshold.
+Of two folders, images of one name are compared, in whatever formats; those that have no partner are named, and folders
+within them are not searched. A line for each pair, the most different first, says how far it is, and the likely cause
+where the images alone show one that explains more than 80 % of the squared difference of the displayed values: gamma,
+upside down, mirrored, transposed, turned, channels swapped, a constant factor, half a pixel, bytes that wrapped around,
+another size or format. The exit status is 1 as well for another size and for images without a partner, and 3 when an
+image cannot be read; the others are compared nonetheless.
+-html writes a page with the images, FLIP maps and signed differences in it, to be read without scripts.
 )"},
     CommandKind{"info", "picture...", 1, any_number, "print what is in pictures and how they were made", R"(
 Size, format and metadata; of the finite values as stored, the minimum, mean and maximum of each channel and the mean
-luminance (0.30 r + 0.59 g + 0.11 b); how many values are negative, and how many NaN or infinite.
+luminance (0.30 r + 0.59 g + 0.11 b); how many values are negative, and how many NaN or infinite. Of an EXR also its
+windows and layers, with the channels of each and their types.
+)"},
+    CommandKind{"extract", "in.exr layer out", 3, 3, "write one layer of an EXR as a picture of its own", R"(
+The layer N is the channels N.X, N.Y and N.Z, or N alone; R, G and B are the layer color. A channel can be named in
+full, and becomes a gray picture. The values are floats, and stay so: the output is an EXR, PFM or HDR.
 )"},
     CommandKind{"convert", "in out", 2, 2, "write a picture in another format, brighter, tone-mapped or encoded", R"(
 Values are multiplied by 2^exposure, go through the tone curve, channel by channel, and are encoded. Pictures of floats
 (pfm, hdr, exr) are never encoded. The metadata is kept, and the conversion added to it.
+)"},
+    CommandKind{"resize", "in out", 2, 2, "write a picture in another size", R"(
+With -width or -height alone the shape is kept. Pixels are weighted means of light: of values as they are, which is
+light where raypro wrote them, and with -srgb of what sRGB encodes. The filters are those of raypro, measured in pixels
+of the smaller picture: box counts by area and keeps the mean; mitchell and lanczos are sharper, and may overshoot at
+edges. Pictures of floats (pfm, hdr, exr) stay floats. Alpha and further layers of an EXR are left out, with a warning.
+)"},
+    CommandKind{"crop", "in out", 2, 2, "write a part of a picture", R"(
+The part is that of raypro -crop: columns x0..x1-1 from the left, rows y0..y1-1 from the bottom. From EXR to EXR all
+layers and alpha are cropped too. Pictures of floats stay floats.
+)"},
+    CommandKind{"side-by-side", "picture...", 1, any_number, "arrange pictures in a row, or in rows", R"(
+Writes the pictures, as they are, to the file that -out names. Those of a row must have one height; what a shorter row
+leaves is white. Pictures of floats stay floats.
+)"},
+    CommandKind{"contact-sheet", "picture|folder...", 1, any_number, "small pictures with their names on a sheet", R"(
+Of a folder, all images in it are shown, but not those of folders within it. Each is shrunk to fit into a square of
+-width pixels, by area. A picture that cannot be read is shown as a cross; the exit status is 3 then. Floats are shown
+as rayimg convert would write them.
 )"},
     CommandKind{"merge", "picture...", 2, any_number, "average float pictures of different seeds", R"(
 Writes the weighted mean of pictures of floats (pfm, hdr, exr) of one size to the file that -out names. Refuses those
@@ -99,12 +157,13 @@ std::span<const CommandKind> Commands() { return commands; }
 // clang-format off
 std::vector<OptionKind> OptionsOfCommands() {
   constexpr double most_stops = 64;
+  constexpr int most_side = 1'000'000, most_columns = 10'000, most_gap = 1000;
   constexpr double slowest_movie = 0.1, fastest_movie = 1000;
   using enum KnownTo;
   return {
       {"srgb", rayimg, {}, {}, Flag{AT(image.srgb)}, "", "",
        "linear workflow: decode 8 and 16 bit pictures from sRGB, encode what is shown or written",
-       {"diff", "convert"}},
+       {"diff", "convert", "resize", "side-by-side", "contact-sheet"}},
       {"reference2", rayimg, {}, {"picture"}, FileName{AT(image.reference2), FileKind::image}, "", "",
        "a second reference from another random seed, for the error without their noise", {"diff"}},
       {"map", rayimg, {}, {"picture"}, FileName{AT(image.map), FileKind::image}, "", "",
@@ -125,16 +184,40 @@ std::vector<OptionKind> OptionsOfCommands() {
       {"json", rayimg, {}, {}, Flag{AT(image.json)}, "", "",
        "print a JSON object; what is infinite or unknown is null", {"diff"}},
 
-      {"exposure", rayimg, {}, {"stops"}, Number<double>{AT(image.exposure), -most_stops, most_stops}, "", "",
-       "multiply by two to this power", {"convert"}},
-      {"tonemap", rayimg, {}, {"name"}, OneOfNames(AT(image.tonemap), ToneCurveNames), "", "",
-       "reinhard: x/(1+x), Reinhard 2002; aces: Narkowicz 2015; filmic: Hable 2010", {"convert"}},
-      {"bits", rayimg, {}, {"n"}, OneNumberOf{AT(image.bits), {8, 16}}, "bits per channel", "",
-       "bit depth of a PNG", {"convert"}},
-      {"jpeg_quality", rayimg, {}, {"n"}, Number<int>{AT(image.jpeg_quality), 1, 100}, "", "", "JPEG quality",
-       {"convert"}},
+      {"html", rayimg, {}, {"page.html"}, FileName{AT(image.html)}, "", "",
+       "write a page that shows each pair", {"diff"}},
+      {"csv", rayimg, {}, {"table.csv"}, FileName{AT(image.csv)}, "", "",
+       "write a table with a line for each pair", {"diff"}},
 
-      {"out", rayimg, {}, {"picture"}, FileName{AT(image.out), FileKind::image}, "", "", "the picture to write", {"merge"}},
+      {"width", rayimg, {}, {"n"}, Whole<1, most_side>(AT(image.width), "a whole number, 1 to 1000000"), "pixels", "",
+       "width of the new picture, or of each on a sheet (160 there by default)", {"resize", "contact-sheet"}},
+      {"height", rayimg, {}, {"n"}, Whole<1, most_side>(AT(image.height), "a whole number, 1 to 1000000"), "pixels", "",
+       "height of the new picture", {"resize"}},
+      {"filter", rayimg, {}, {"name"}, OneOfEnum<FilterKind>(AT(image.filter)), "", "",
+       "what a pixel is the mean of", {"resize"}},
+      {"crop", rayimg, {}, {"x0", "y0", "x1", "y1"}, ray::Rectangle{AT(image.crop)}, "pixels", "",
+       "only columns x0..x1-1 from the left, rows y0..y1-1 from the bottom", {"crop"}},
+      {"columns", rayimg, {}, {"n"}, Whole<1, most_columns>(AT(image.columns), "a whole number, 1 to 10000"), "", "",
+       "pictures in a row; by default all side by side, and a sheet about as wide as high",
+       {"side-by-side", "contact-sheet"}},
+      {"gap", rayimg, {}, {"n"}, Whole<0, most_gap>(AT(image.gap), "a whole number, 0 to 1000"), "pixels", "",
+       "white between pictures; by default 0 side by side and 8 on a sheet", {"side-by-side", "contact-sheet"}},
+      {"captions", rayimg, {}, {"a,b,..."}, WordOf<ReadTexts, ShowNothing<std::vector<std::string>>>(AT(image.captions),
+        "texts separated by commas"), "", "", "words below each picture, one text per picture", {"side-by-side"}},
+      {"names", rayimg, {}, {}, Flag{AT(image.captions_are_names)}, "", "", "write the file's name below each picture",
+       {"side-by-side"}},
+
+      {"exposure", rayimg, {}, {"stops"}, Number<double>{AT(image.exposure), -most_stops, most_stops}, "", "",
+       "multiply by two to this power", {"convert", "contact-sheet"}},
+      {"tonemap", rayimg, {}, {"name"}, OneOfNames(AT(image.tonemap), ToneCurveNames), "", "",
+       "reinhard: x/(1+x), Reinhard 2002; aces: Narkowicz 2015; filmic: Hable 2010", {"convert", "contact-sheet"}},
+      {"bits", rayimg, {}, {"n"}, OneNumberOf{AT(image.bits), {8, 16}}, "bits per channel", "",
+       "bit depth of a PNG", {"convert", "resize", "crop", "side-by-side"}},
+      {"jpeg_quality", rayimg, {}, {"n"}, Number<int>{AT(image.jpeg_quality), 1, 100}, "", "", "JPEG quality",
+       {"convert", "resize", "crop", "side-by-side", "contact-sheet"}},
+
+      {"out", rayimg, {}, {"picture"}, FileName{AT(image.out), FileKind::image}, "", "", "the picture to write",
+       {"side-by-side", "contact-sheet", "merge"}},
       {"weights", rayimg, {}, {"w1,w2,..."}, WordOf<ReadWeights, ShowNothing<std::vector<double>>>(AT(image.weights),
         "numbers above 0, separated by commas"), "", "",
        "one per picture; by default the samples in the metadata, if all have them, else equal", {"merge"}},
@@ -148,13 +231,22 @@ std::vector<OptionKind> OptionsOfCommands() {
 // clang-format on
 
 void CheckTogether(const CommandKind& command, const Options& options) {
+  const std::string name = command.name;
+  const auto count = [&](std::size_t given, const std::string& option, const std::string& noun) {
+    if (given > 0 && given != options.names.size())
+      throw UsageError(option + " has " + Counted(given, noun) + " for " + Counted(options.names.size(), "picture"));
+  };
   if (options.fail_percent && !options.fail) throw UsageError("-fail_percent has no effect without -fail");
   if (options.map_of != Options().map_of && options.map.empty()) throw UsageError("-map_of has no effect without -map");
-  if (std::string_view(command.name) == "merge" && options.out.empty())
-    throw UsageError("merge needs -out picture, the picture to write");
-  if (!options.weights.empty() && options.weights.size() != options.names.size())
-    throw UsageError("-weights has " + Counted(options.weights.size(), "number") + " for " +
-                     Counted(options.names.size(), "picture"));
+  const bool writes_one = name == "merge" || name == "side-by-side" || name == "contact-sheet";
+  if (writes_one && options.out.empty()) throw UsageError(name + " needs -out picture, the picture to write");
+  if (name == "resize" && !options.width && !options.height)
+    throw UsageError("resize needs -width n or -height n, in pixels, or both");
+  if (name == "crop" && !options.crop) throw UsageError("crop needs -crop x0 y0 x1 y1, in pixels from the lower left");
+  if (!options.captions.empty() && options.captions_are_names)
+    throw UsageError("-captions and -names contradict each other");
+  count(options.captions.size(), "-captions", "text");
+  count(options.weights.size(), "-weights", "number");
 }
 
 }  // namespace ray::rayimg

@@ -10,7 +10,12 @@ namespace ray::rayimg {
 
 int Diff(const Options& options, const std::string& command_line);
 int Info(const Options& options, const std::string& command_line);
+int Extract(const Options& options, const std::string& command_line);
 int Convert(const Options& options, const std::string& command_line);
+int Resize(const Options& options, const std::string& command_line);
+int Crop(const Options& options, const std::string& command_line);
+int SideBySide(const Options& options, const std::string& command_line);
+int ContactSheet(const Options& options, const std::string& command_line);
 int Merge(const Options& options, const std::string& command_line);
 int Movie(const Options& options, const std::string& command_line);
 

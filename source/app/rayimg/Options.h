@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "R2/compare/Flip.h"
+#include "source/film/Filter.h"
+#include "source/film/PixelRectangle.h"
 
 namespace ray::rayimg {
 
@@ -33,6 +35,16 @@ struct Options {
   double pixels_per_degree = R2::flip_pixels_per_degree;
   std::optional<double> fail, fail_percent, fail_rmse, fail_flip;
   bool json = false;
+  std::string html, csv;  // files to write
+
+  // arranging
+  std::optional<int> width, height;  // pixels
+  FilterKind filter = FilterKind::box;
+  std::optional<PixelRectangle> crop;
+  std::optional<int> columns;
+  std::optional<int> gap;             // pixels between pictures
+  std::vector<std::string> captions;  // one per picture
+  bool captions_are_names = false;
 
   // merging
   std::vector<double> weights;

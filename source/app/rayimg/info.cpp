@@ -8,9 +8,11 @@
 #include "source/app/Status.h"
 #include "source/app/files/OutputFile.h"
 #include "source/app/rayimg/Commands.h"
+#include "source/app/rayimg/Layers.h"
 #include "source/app/rayimg/Pictures.h"
 #include "source/app/report/Messages.h"
 #include "source/parse/SceneError.h"
+#include "source/parse/Text.h"
 
 namespace ray::rayimg {
 namespace {
@@ -49,6 +51,38 @@ std::string StatisticsText(const R2::Image& image) {
          "values negative: " + std::to_string(r.negative + g.negative + b.negative) + "\n";
 }
 
+std::string Text(const char* what, const R2::ImageWindow& window) {
+  const auto corner = [](std::int64_t x, std::int64_t y) { return std::to_string(x) + " " + std::to_string(y); };
+  return std::string(what) + ": " + corner(window.x0, window.y0) + " to " + corner(window.x1, window.y1) + "\n";
+}
+
+std::string LayersText(const R2::ImageChannels& channels) {
+  std::string text = Text("display window", channels.display) + Text("data window", channels.data);
+  for (const Layer& layer : LayersOf(channels)) text += "layer " + Description(layer) + "\n";
+  return text;
+}
+
+/// Size, format, metadata, layers, and statistics of the color; a file may have none.
+std::string TextOf(const std::string& name) {
+  const std::vector<unsigned char> bytes = ReadBytes(name);
+  try {
+    const R2::ImageHeader header = R2::ReadImageHeader(bytes);
+    std::string text = PictureText(name, header);
+    if (header.format->read_channels) {
+      const R2::ImageChannels channels = header.format->read_channels(bytes);
+      text += LayersText(channels);
+      const auto layers = LayersOf(channels);
+      if (std::ranges::find(layers, color_layer, &Layer::name) == layers.end())
+        return text + "no color: rayimg extract takes a layer\n";
+    }
+    const R2::DecodedImage picture = DecodePicture(name, bytes);
+    PrintWarnings(name, picture.warnings);
+    return text + StatisticsText(picture.image);
+  } catch (const R2::ImageError& error) {
+    throw SceneErrors({ErrorIn(name, error.what())});
+  }
+}
+
 }  // namespace
 
 int Info(const Options& options, const std::string&) {
@@ -57,10 +91,7 @@ int Info(const Options& options, const std::string&) {
   std::string gap;
   for (const std::string& name : options.names) {
     try {
-      const R2::DecodedImage picture = ReadPicture(name);
-      WriteStandardOutput(
-          gap + PictureText(name, {{picture.image.Width(), picture.image.Height()}, picture.format, picture.settings}) +
-          StatisticsText(picture.image));
+      WriteStandardOutput(gap + TextOf(name));
       gap = "\n";
     } catch (const SceneErrors& errors) {
       PrintError(errors.what());

@@ -8,13 +8,11 @@ extern const Mistake gray_mistake{
     .title = "the image has no colors",
     .expected = "The three channels are computed separately.",
     .hint = "Is one number returned where three are due?",
-    .make =
-        [](Variant& v) {
-          v.filters.push_back([](const R2::Image& image) {
-            return EachColor(image, [](const R2::Color& c) {
-              const double gray = (c.r + c.g + c.b) / 3;
-              return R2::Color{gray, gray, gray};
-            });
+    .of_image =
+        [](const R2::Image& image) {
+          return EachColor(image, [](const R2::Color& c) {
+            const double gray = (c.r + c.g + c.b) / 3;
+            return R2::Color{gray, gray, gray};
           });
         },
 };

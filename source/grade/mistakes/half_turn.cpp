@@ -8,12 +8,10 @@ extern const Mistake half_turn_mistake{
     .title = "the image is turned by half a turn",
     .expected = "Both x and y of the image plane grow as those of the image.",
     .hint = "A pinhole's own image is upside down; the image plane in front of the eye is not.",
-    .make =
-        [](Variant& v) {
-          v.filters.push_back([](const R2::Image& image) {
-            return Moved(image, image.Width(), image.Height(), [&](int x, int y) {
-              return PixelPlace{image.Width() - 1 - x, image.Height() - 1 - y};
-            });
+    .of_image =
+        [](const R2::Image& image) {
+          return Moved(image, image.Width(), image.Height(), [&](int x, int y) {
+            return PixelPlace{image.Width() - 1 - x, image.Height() - 1 - y};
           });
         },
 };

@@ -8,12 +8,10 @@ extern const Mistake mirrored_mistake{
     .title = "the image is mirrored left to right",
     .expected = "Right is towards x up: x grows along it.",
     .hint = "In which order is the cross product taken?",
-    .make =
-        [](Variant& v) {
-          v.filters.push_back([](const R2::Image& image) {
-            return Moved(image, image.Width(), image.Height(), [&](int x, int y) {
-              return PixelPlace{image.Width() - 1 - x, y};
-            });
+    .of_image =
+        [](const R2::Image& image) {
+          return Moved(image, image.Width(), image.Height(), [&](int x, int y) {
+            return PixelPlace{image.Width() - 1 - x, y};
           });
         },
 };

@@ -8,11 +8,9 @@ extern const Mistake red_and_blue_swapped_mistake{
     .title = "red and blue are swapped",
     .expected = "Image files hold red, green, blue; some libraries want blue first.",
     .hint = "Render a red sphere.",
-    .make =
-        [](Variant& v) {
-          v.filters.push_back([](const R2::Image& image) {
-            return EachColor(image, [](const R2::Color& c) { return R2::Color{c.b, c.g, c.r}; });
-          });
+    .of_image =
+        [](const R2::Image& image) {
+          return EachColor(image, [](const R2::Color& c) { return R2::Color{c.b, c.g, c.r}; });
         },
 };
 

@@ -10,11 +10,9 @@ extern const Mistake tone_mapped_mistake{
     .title = "the image is tone mapped",
     .expected = "Values are clamped to [0, 1] and nothing else.",
     .hint = "What is written for a value of 1?",
-    .make =
-        [](Variant& v) {
-          v.filters.push_back([](const R2::Image& image) {
-            return EachChannel(image, [](double channel) { return channel / (1 + std::max(0.0, channel)); });
-          });
+    .of_image =
+        [](const R2::Image& image) {
+          return EachChannel(image, [](double channel) { return channel / (1 + std::max(0.0, channel)); });
         },
 };
 

@@ -8,13 +8,11 @@ extern const Mistake transposed_mistake{
     .title = "rows and columns are swapped",
     .expected = "A pixel is at row times width plus column.",
     .hint = "Which of two loops is the outer one?",
-    .make =
-        [](Variant& v) {
-          v.filters.push_back([](const R2::Image& image) {
-            return Moved(image, image.Width(), image.Height(), [&](int x, int y) {
-              return PixelPlace{(image.Height() - 1 - y) * image.Width() / image.Height(),
-                                image.Height() - 1 - x * image.Height() / image.Width()};
-            });
+    .of_image =
+        [](const R2::Image& image) {
+          return Moved(image, image.Width(), image.Height(), [&](int x, int y) {
+            return PixelPlace{(image.Height() - 1 - y) * image.Width() / image.Height(),
+                              image.Height() - 1 - x * image.Height() / image.Width()};
           });
         },
 };

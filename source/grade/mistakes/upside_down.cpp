@@ -8,12 +8,10 @@ extern const Mistake upside_down_mistake{
     .title = "the image is upside down",
     .expected = "Row 0 is at the top in image files; the image plane's y points up.",
     .hint = "Which way does y grow in your image?",
-    .make =
-        [](Variant& v) {
-          v.filters.push_back([](const R2::Image& image) {
-            return Moved(image, image.Width(), image.Height(), [&](int x, int y) {
-              return PixelPlace{x, image.Height() - 1 - y};
-            });
+    .of_image =
+        [](const R2::Image& image) {
+          return Moved(image, image.Width(), image.Height(), [&](int x, int y) {
+            return PixelPlace{x, image.Height() - 1 - y};
           });
         },
 };

@@ -11,12 +11,10 @@ extern const Mistake wrapped_mistake{
     .title = "bright values wrap around",
     .expected = "Values above 1 become 255; a byte that is given more starts again at 0.",
     .hint = "Look at the brightest spots: do they have dark holes?",
-    .make =
-        [](Variant& v) {
-          v.filters.push_back([](const R2::Image& image) {
-            return EachChannel(
-                image, [](double channel) { return std::fmod(std::floor(255 * std::max(0.0, channel)), 256.0) / 255; });
-          });
+    .of_image =
+        [](const R2::Image& image) {
+          return EachChannel(
+              image, [](double channel) { return std::fmod(std::floor(255 * std::max(0.0, channel)), 256.0) / 255; });
         },
 };
 

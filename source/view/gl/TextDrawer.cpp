@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "source/view/gl/Font.h"
+#include "source/text/Font.h"
 #include "source/view/gl/Upload.h"
 
 namespace ray {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <string>
 
-#include "source/view/gl/Font.h"
+#include "source/text/Font.h"
 #include "tests/source/view/Contrast.h"
 #include "tests/source/view/ScriptedViewer.h"
 #include "tests/source/view/WithOptions.h"

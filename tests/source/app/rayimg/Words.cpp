@@ -34,19 +34,27 @@ TEST(Rayimg, WrongInputIsNamedInOneLineAndNothingIsWritten) {
     int status;
     const char* message;
   } cases[] = {
-      {{}, 2, "no command is named; it must be diff, info, convert, merge or movie"},
+      {{},
+       2,
+       "no command is named; it must be diff, info, extract, convert, resize, crop, side-by-side, contact-sheet, merge "
+       "or movie"},
       {{"dif", a, a}, 2, "unknown command 'dif'; did you mean 'diff'?"},
-      {{"frobnicate"}, 2, "it must be diff, info, convert, merge or movie"},
+      {{"frobnicate"},
+       2,
+       "it must be diff, info, extract, convert, resize, crop, side-by-side, contact-sheet, merge or movie"},
       {{"-versoin"}, 2, "did you mean '-version'?"},
       {{"-version", a}, 2, "unknown command"},
       {{"-complete"}, 2, "-complete needs a value: -complete shell"},
       {{"-complete", "csh"}, 2, "bash, zsh or fish"},
-      {{"-help", "nothing"}, 2, "-help must be diff, info, convert, merge, movie, about or markdown"},
+      {{"-help", "nothing"},
+       2,
+       "-help must be diff, info, extract, convert, resize, crop, side-by-side, contact-sheet, merge, movie, about or "
+       "markdown"},
       {{"diff"}, 2, "needs 2 file names, got 0 (usage: rayimg diff picture reference [options])"},
       {{"diff", a, a, a}, 2, "unexpected extra argument"},
       {{"diff", a, ""}, 2, "a file name is empty"},
       {{"diff", a, a, "-fial", "1"}, 2, "unknown option '-fial'; did you mean '-fail'?"},
-      {{"diff", a, a, "-exposure", "1"}, 2, "-exposure is an option of rayimg convert, not of diff"},
+      {{"diff", a, a, "-exposure", "1"}, 2, "-exposure is an option of rayimg convert or contact-sheet, not of diff"},
       {{"diff", a, a, "-fail"}, 2, "-fail needs a value: -fail x"},
       {{"diff", a, a, "-fail", "-1"}, 2, "-fail must be a number, at least 0, got '-1'"},
       {{"diff", a, a, "-fail", "nan"}, 2, "got 'nan'"},
@@ -62,7 +70,7 @@ TEST(Rayimg, WrongInputIsNamedInOneLineAndNothingIsWritten) {
       {{"diff", a, empty}, 3, "empty.exr: error: the image file is empty"},
       {{"diff", light, cut}, 3, "cut.pfm"},
       {{"diff", light, huge}, 3, "more than the limit"},
-      {{"diff", a, folder.Path().string()}, 3, "error"},
+      {{"diff", a, folder.Path().string()}, 2, "a.png' is none; diff compares two pictures or two folders"},
       {{"diff", a, a, "-reference2", missing}, 3, "missing.png"},
       {{"diff", a, a, "-map", a}, 4, "it is the input"},
       {{"diff", a, a, "-map", folder / "none/out.png"}, 4, "does not exist"},
@@ -77,6 +85,32 @@ TEST(Rayimg, WrongInputIsNamedInOneLineAndNothingIsWritten) {
       {{"convert", a, out, "-jpeg_quality", "0"}, 2, "a whole number, 1 to 100"},
       {{"convert", text, out}, 3, "text.png"},
       {{"convert", a, a}, 4, "it is the input"},
+      {{"diff", a, a, "-html", a}, 4, "it is the input"},
+      {{"diff", a, a, "-html", out, "-csv", out}, 2, "-html and -csv cannot both be"},
+      {{"diff", folder.Path().string(), a}, 2, "is a folder and"},
+      {{"resize", a, out}, 2, "resize needs -width n or -height n"},
+      {{"resize", a, out, "-width", "0"}, 2, "-width must be a whole number, 1 to 1000000 pixels, got '0'"},
+      {{"resize", a, out, "-width", "1.5"}, 2, "got '1.5'"},
+      {{"resize", a, out, "-width", "1000000"}, 2, "are more than the limit of 268435456"},
+      {{"resize", a, a, "-width", "2"}, 4, "it is the input"},
+      {{"resize", light, out, "-width", "2"},
+       2,
+       "holds floats, and a png only 0 to 1 in steps; write one of .pfm, .hdr"},
+      {{"resize", text, out, "-width", "2"}, 3, "text.png"},
+      {{"crop", a, out}, 2, "crop needs -crop x0 y0 x1 y1"},
+      {{"crop", a, out, "-crop", "0", "0", "5", "4"}, 2, "0 <= x0 < x1 <= 4 from the left, 0 <= y0 < y1 <= 4"},
+      {{"crop", a, out, "-crop", "2", "0", "2", "4"}, 2, "-crop 2 0 2 4 must lie within"},
+      {{"crop", light, out, "-crop", "0", "0", "2", "2"}, 2, "holds floats"},
+      {{"crop", a, a, "-crop", "0", "0", "2", "2"}, 4, "it is the input"},
+      {{"extract", a, "N", folder / "out.pfm"}, 2, "is a png, which has no layers"},
+      {{"extract", a, "N"}, 2, "needs 3 file names, got 2"},
+      {{"side-by-side", a}, 2, "side-by-side needs -out picture"},
+      {{"side-by-side", a, wide, "-out", out, "-captions", "one"}, 2, "-captions has 1 text for 2 pictures"},
+      {{"side-by-side", a, "-out", out, "-names", "-captions", "one"}, 2, "contradict each other"},
+      {{"side-by-side", light, a, "-out", out}, 2, "holds floats"},
+      {{"side-by-side", a, "-out", a}, 4, "it is the input"},
+      {{"contact-sheet", a}, 2, "contact-sheet needs -out picture"},
+      {{"contact-sheet", a, "-out", a}, 4, "it is the input"},
       {{"merge", light, cut}, 2, "needs -out"},
       {{"merge", light, "-out", out}, 2, "needs 2 file names"},
       {{"merge", light, a, "-out", out}, 2, "rounded and clamped; merge takes pfm, hdr and exr"},
@@ -171,7 +205,7 @@ std::string BashOffers(const std::string& words) {
 
 TEST(RayimgHelp, BashOffersCommandsTheirOptionsAndChoices) {
   if (std::system("command -v bash >/dev/null 2>&1") != 0) GTEST_SKIP() << "bash is not installed";
-  EXPECT_EQ(BashOffers("rayimg con"), "convert\n");
+  EXPECT_EQ(BashOffers("rayimg conv"), "convert\n");
   EXPECT_EQ(BashOffers("rayimg diff a.png -refer"), "-reference2\n");
   EXPECT_EQ(BashOffers("rayimg info -refer"), "\n");
   EXPECT_EQ(BashOffers("rayimg convert a b -tonemap f"), "filmic\n");

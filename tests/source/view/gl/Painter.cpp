@@ -8,7 +8,7 @@
 #include <random>
 
 #include "R2/ImageFile.h"
-#include "source/view/gl/Font.h"
+#include "source/text/Font.h"
 #include "tests/source/view/gl/WithPainter.h"
 
 namespace {

@@ -12,7 +12,7 @@ inline constexpr int box_glyph = glyph_count - 1;
 /// The glyph of a byte of text, in [0, glyph_count). No glyph stands for the further bytes of a character of UTF-8: -1.
 int GlyphOf(char byte);
 
-/// All cells side by side: 255 where there is ink, 0 elsewhere; rows from the bottom, as OpenGL counts.
+/// All cells side by side: 255 where there is ink, 0 elsewhere; rows from the bottom.
 std::vector<std::uint8_t> GlyphSheet();
 
 }  // namespace ray

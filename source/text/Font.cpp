@@ -1,4 +1,4 @@
-#include "source/view/gl/Font.h"
+#include "source/text/Font.h"
 
 #include <array>
 #include <cstddef>
