@@ -15,8 +15,8 @@ struct PixelShift {
 /// The shift that explains most; nothing where none does better than no shift, or the images are smaller than 24 x 24
 /// pixels.
 ///   image, reference   of one size, values for a screen
-///   accuracy           both are blurred, three times by a binomial of five pixels: an aliased edge that half a pixel moves is moved
-///   in
+///   accuracy           both are blurred, three times by a binomial of five pixels: an aliased edge that half a pixel
+///   moves is moved in
 ///                      half of its pixels by a whole one, which only their mean shows
 std::optional<PixelShift> BestShift(const R2::Image& image, const R2::Image& reference);
 
