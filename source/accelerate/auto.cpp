@@ -39,7 +39,9 @@ std::vector<R3::Ray> RaysOf(const World& world, const Accelerator& accelerator) 
   Workspace workspace;
   for (int y = 0; y < side; ++y)
     for (int x = 0; x < side; ++x) {
-      const R3::Ray ray = world.scene().camera.Through(x + 0.5, y + 0.5, side, side);
+      const auto seen = world.scene().camera.RayThrough(x + 0.5, y + 0.5, side, side);
+      if (!seen) continue;
+      const R3::Ray ray = *seen;
       rays.push_back(ray);
       const auto hit = accelerator.Intersect(ray, workspace);
       if (!hit) continue;

@@ -80,7 +80,8 @@ void SceneImages::FindSteadyPixels() {
   Workspace workspace;
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x) {
-      const auto hit = built_->accelerator->Intersect(camera.Through(x + 0.5, y + 0.5, width, height), workspace);
+      const auto ray = camera.RayThrough(x + 0.5, y + 0.5, width, height);
+      const auto hit = ray ? built_->accelerator->Intersect(*ray, workspace) : std::nullopt;
       if (!hit || !hit->is_contested) continue;
       steady_[static_cast<std::size_t>(y * width + x)] = false;
     }

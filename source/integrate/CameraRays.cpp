@@ -65,12 +65,19 @@ CameraRays::CameraRays(const Camera& camera, const CameraEffects& effects, bool 
       sampler_(sampler),
       samples_(samples),
       grid_side_(GridSide(samples / effects_.SamplesOfOnePlace())),
-      kernel_(effects.HasLens() ? (has_time_ ? &CameraRays::Make<true, true> : &CameraRays::Make<true, false>)
-                                : (has_time_ ? &CameraRays::Make<false, true> : &CameraRays::Make<false, false>)) {}
+      kernel_(camera.IsPinhole() ? KernelFor<true>() : KernelFor<false>()) {}
 
-const char* CameraRays::Kernel() const {
-  if (effects_.HasLens()) return has_time_ ? "moving lens" : "lens";
-  return has_time_ ? "moving pinhole" : "pinhole";
+template <bool is_pinhole>
+CameraRays::MakeSamples CameraRays::KernelFor() const {
+  if (effects_.HasLens())
+    return has_time_ ? &CameraRays::Make<is_pinhole, true, true> : &CameraRays::Make<is_pinhole, true, false>;
+  return has_time_ ? &CameraRays::Make<is_pinhole, false, true> : &CameraRays::Make<is_pinhole, false, false>;
+}
+
+std::string CameraRays::Kernel() const {
+  const std::string kind = camera_.kind->name, moving = has_time_ ? "moving " : "";
+  if (!effects_.HasLens()) return moving + kind;
+  return moving + (camera_.IsPinhole() ? "lens" : kind + " lens");
 }
 
 /// In [0, 1]^2. One sample alone goes through the middle.
@@ -102,14 +109,24 @@ double CameraRays::Moment(std::uint32_t index, double random) const {
 }
 
 /// A ray through the lens's middle to one through this place of it. The direction's part along the axis is 1, so the
-/// plane that is sharp is `focus` directions away.
-void CameraRays::MoveOnLens(const R2::Point& on_lens, R3::Ray& ray) const {
-  const R3::Vector aside = effects_.aperture * (on_lens.x * camera_.right + on_lens.y * camera_.up);
+/// plane that is sharp is `focus` directions away; other projections say what it is by theirs.
+void CameraRays::MoveOnLens(const R2::Point& on_lens, const R3::Vector& across, const R3::Vector& upward,
+                            R3::Ray& ray) const {
+  const R3::Vector aside = effects_.aperture * (on_lens.x * across + on_lens.y * upward);
   ray.origin = ray.origin + aside;
   ray.direction = ray.direction - aside / effects_.focus;
 }
 
-template <bool has_lens, bool has_time>
+/// The ray of a camera that is no pinhole. `on_lens`: in the unit disc; the middle where there is no lens.
+R3::Ray CameraRays::Projected(const CameraSample& at, const R2::Point& on_lens) const {
+  const auto sight = camera_.Sight(at.x, at.y, width_, height_);
+  if (!sight) return {camera_.eye, camera_.towards, 0, 0};
+  R3::Ray ray{sight->origin, sight->direction};
+  if (effects_.HasLens()) MoveOnLens(on_lens, sight->across, sight->upward, ray);
+  return ray;
+}
+
+template <bool is_pinhole, bool has_lens, bool has_time>
 void CameraRays::Make(std::span<const PixelSample> of, std::span<CameraSample> samples) const {
   constexpr std::size_t dimensions = 2 + (has_lens ? 2 : 0) + (has_time ? 1 : 0);
   std::array<SampleIndex, R1::batch_size> indices;
@@ -126,9 +143,14 @@ void CameraRays::Make(std::span<const PixelSample> of, std::span<CameraSample> s
     sample.index = indices[i];
     const R2::Point in_pixel = InPixel(of[i].index, random.Get2D(i));
     sample.x = of[i].column + in_pixel.x, sample.y = of[i].row + in_pixel.y;
-    sample.ray = camera_.Through(sample.x, sample.y, width_, height_, half_size_);
-    if constexpr (has_lens)
-      MoveOnLens(OnLens(of[i], {random.coordinates[2][i], random.coordinates[3][i]}), sample.ray);
+    R2::Point on_lens;
+    if constexpr (has_lens) on_lens = OnLens(of[i], {random.coordinates[2][i], random.coordinates[3][i]});
+    if constexpr (is_pinhole) {
+      sample.ray = camera_.Through(sample.x, sample.y, width_, height_, half_size_);
+      if constexpr (has_lens) MoveOnLens(on_lens, camera_.right, camera_.up, sample.ray);
+    } else {
+      sample.ray = Projected(sample, on_lens);
+    }
     if constexpr (has_time) {
       sample.ray.time = Moment(of[i].index, random.coordinates[dimensions - 1][i]);
       sample.ray.origin = sample.ray.origin + sample.ray.time * effects_.motion;

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <limits>
 #include <span>
+#include <string>
 
 #include "source/integrate/Integrator.h"
 #include "source/scene/Camera.h"
@@ -70,15 +71,21 @@ class CameraRays {
     (this->*kernel_)(of, samples);
   }
 
-  /// Which of the kernels was chosen: "pinhole", "lens", "moving pinhole", "moving lens".
-  const char* Kernel() const;
+  /// Whether all samples have rays; see CameraSample::HasRay.
+  bool SeesEverywhere() const { return camera_.IsPinhole(); }
+  /// Which of the kernels was chosen: "pinhole", "lens", "moving pinhole", "moving lens", or the same of a projection.
+  std::string Kernel() const;
 
  private:
   R2::Point InPixel(std::uint32_t index, const R2::Point& random) const;
   R2::Point OnLens(const PixelSample& of, const R2::Point& random) const;
   double Moment(std::uint32_t index, double random) const;
-  void MoveOnLens(const R2::Point& on_lens, R3::Ray& ray) const;
-  template <bool has_lens, bool has_time>
+  void MoveOnLens(const R2::Point& on_lens, const R3::Vector& across, const R3::Vector& upward, R3::Ray& ray) const;
+  R3::Ray Projected(const CameraSample& at, const R2::Point& on_lens) const;
+  using MakeSamples = void (CameraRays::*)(std::span<const PixelSample>, std::span<CameraSample>) const;
+  template <bool is_pinhole>
+  MakeSamples KernelFor() const;
+  template <bool is_pinhole, bool has_lens, bool has_time>
   void Make(std::span<const PixelSample> of, std::span<CameraSample> samples) const;
 
   Camera camera_;
@@ -88,7 +95,7 @@ class CameraRays {
   R2::Vector half_size_;  // of the picture at distance 1
   SamplerKind sampler_;
   std::uint32_t samples_, grid_side_;
-  void (CameraRays::*kernel_)(std::span<const PixelSample>, std::span<CameraSample>) const;
+  MakeSamples kernel_;
 };
 
 }  // namespace ray

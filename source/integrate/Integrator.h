@@ -14,6 +14,9 @@ struct CameraSample {
   R3::Ray ray;
   SampleIndex index;
   double x = 0, y = 0;  // where it crosses the picture, in pixels from the lower left corner
+
+  /// Whether the camera sees anything there; else no ray is to be traced, and the sample is black.
+  bool HasRay() const { return ray.t_max > 0; }
 };
 
 /// What a picture shows of a ray.

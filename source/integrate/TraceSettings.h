@@ -5,6 +5,7 @@
 
 #include "R3/Vector.h"
 #include "source/sample/Sampler.h"
+#include "source/scene/Camera.h"
 
 namespace ray {
 
@@ -26,8 +27,8 @@ enum class Emission { radiance, color };
 inline constexpr std::array emission_names{"radiance", "color"};
 constexpr const auto& NamesOf(Emission) { return emission_names; }
 
-/// What is one lamp where emission is a color: each triangle of an emissive mesh, as the course has it, or the mesh as a
-/// whole.
+/// What is one lamp where emission is a color: each triangle of an emissive mesh, as the course has it, or the mesh as
+/// a whole.
 enum class EmissiveMeshes { faces, whole };
 inline constexpr std::array emissive_mesh_names{"faces", "whole"};
 constexpr const auto& NamesOf(EmissiveMeshes) { return emissive_mesh_names; }
@@ -47,7 +48,9 @@ struct GoochTones {
 /// Black lines along silhouettes and creases.
 struct OutlineSettings {
   double width = 0;      // in pixels; 0: none
-  R3::Vector right, up;  // what directions of camera rays differ by from one pixel to the next
+  R3::Vector right, up;  // what directions of a pinhole's rays differ by from one pixel to the next
+  Camera camera;         // tells it of others, in a picture of this size
+  int picture_width = 1, picture_height = 1;
 };
 
 /// The course's recursion, and where it ends.
@@ -56,7 +59,7 @@ struct TraceSettings {
   double min_luminance = 0.01;  // a child ray is traced when its throughput's luminance is at least this, >= 0
   int shadow_samples = 16;      // rays to each light that has an area, >= 1
   bool shadows = true;
-  bool glossy = false;                 // reflections are spread over the Phong lobe, not only along its axis
+  bool glossy = false;  // reflections are spread over the Phong lobe, not only along its axis
   Emission emission = Emission::radiance;
   bool emissive_solids_light = false;  // as triangles do where emission is a color; as a radiance all that emits does
   EmissiveMeshes emissive_meshes = EmissiveMeshes::faces;

@@ -13,6 +13,7 @@
 #include "source/parse/document/Document.h"
 #include "source/parse/meshes/MeshFormat.h"
 #include "source/text/LowerCase.h"
+#include "source/text/NumberText.h"
 #include "source/text/Suggestion.h"
 #include "source/text/Words.h"
 
@@ -145,6 +146,20 @@ void SetEnvironment(const std::string& file, Assets& assets, Report& report, Sce
   }
 }
 
+/// Throws FileError for an angle that no camera of the kind has.
+void SetAngle(Camera& camera, double fov) {
+  const CameraKind& kind = *camera.kind;
+  if (kind.extent != CameraExtent::angle || !IsExtent(kind, fov))
+    throw FileError{
+        "projection " + std::string(kind.name) + " has " +
+            (kind.extent == CameraExtent::angle ? RangeOfExtent(kind) : "no angle") + ", and -fov is " + ToText(fov),
+        kind.extent == CameraExtent::width ? "in a scene, 'projection orthographic width' says how much it shows" : ""};
+  if (camera.IsPinhole())
+    camera.SetFov(fov);
+  else
+    camera.extent = fov;
+}
+
 /// Throws FileError for an eye at its own target.
 void Change(Camera& camera, const CameraChange& change, Report& report, const std::string& file) {
   const R3::Point eye = change.eye.value_or(camera.eye);
@@ -158,7 +173,20 @@ void Change(Camera& camera, const CameraChange& change, Report& report, const st
     aimed.camera.TakeViewOf(camera);
     camera = aimed.camera;
   }
-  if (change.fov) camera.SetFov(*change.fov);
+  if (!change.projection.empty() && change.projection != camera.kind->name) {
+    camera.kind = FindCameraKind(change.projection);
+    camera.extent = 0;
+  }
+  if (change.fov) SetAngle(camera, *change.fov);
+}
+
+/// What an orthographic camera sees that nobody gave a width: as much as the pinhole at the middle of the scene, or all
+/// of the scene where the eye is in it or beyond.
+void SetWidth(Camera& camera, const R3::Box& bounds) {
+  if (camera.kind->extent != CameraExtent::width || camera.extent > 0) return;
+  const double radius = bounds.IsEmpty() ? 0 : bounds.Radius();
+  const double depth = radius > 0 ? Dot(bounds.Center() - camera.eye, camera.towards) : 1;
+  camera.extent = depth > radius ? camera.Extent(depth) : 2 * radius;
 }
 
 }  // namespace
@@ -173,6 +201,7 @@ ParsedScene Parse(const std::string& file, const ParseOptions& options) {
     if (options.one_sided)
       for (Material& m : parsed.scene.materials) m.one_sided |= IsBlack(m.kt) && IsBlack(m.absorb);
     Change(parsed.scene.camera, options.camera, report, files.TopName());
+    SetWidth(parsed.scene.camera, parsed.scene.root.bounds);
     report.ThrowErrors();
     for (const std::string& remark : files.Remarks()) report.Warn(Escaped(files.TopName()), remark);
     parsed.warnings = report.Warnings();

@@ -21,7 +21,8 @@ struct SettingProblem {
 struct CameraChange {
   std::optional<R3::Point> eye, target;  // without a target the viewing direction stays
   std::optional<R3::Vector> up;
-  std::optional<double> fov;  // whole horizontal field of view, degrees, in (0, 180)
+  std::optional<double> fov;  // whole horizontal field of view, degrees, in (0, 360]
+  std::string projection;     // a name of cameras.def; empty for the scene's own
 
   friend bool operator==(const CameraChange&, const CameraChange&) = default;
 };

@@ -41,14 +41,26 @@ class TreeWriter {
     std::size_t sample = 0;
     for (std::size_t i = 0; i < trace_.rays.size(); ++i) {
       if (trace_.rays[i].parent != RecordedRay::none) continue;
+      sample = WriteSamplesWithoutRay(sample);
       WriteSample(sample++);
       WriteFrom(i);
     }
+    WriteSamplesWithoutRay(sample);
     if (cut_ > 0) text_ += std::to_string(cut_) + " more rays are not shown\n";
     return std::move(text_);
   }
 
  private:
+  /// Those in a row from number `i` on, which no recorded ray belongs to; the number of the next with one.
+  std::size_t WriteSamplesWithoutRay(std::size_t i) {
+    for (; i < trace_.samples.size() && !trace_.samples[i].HasRay(); ++i) {
+      const CameraSample& taken = trace_.samples[i];
+      text_ += "sample " + std::to_string(i + 1) + " at " + text_of_(taken.x) + " " + text_of_(taken.y) +
+               ": outside of what the camera sees, so black without a ray\n";
+    }
+    return i;
+  }
+
   void WriteSample(std::size_t i) {
     const CameraSample& taken = trace_.samples[i];
     text_ += "sample " + std::to_string(i + 1) + " at " + text_of_(taken.x) + " " + text_of_(taken.y) + ": " +
@@ -146,7 +158,7 @@ PixelTrace PixelTracer::Trace(int column, int row, int samples) const {
     const RandomKey key = source.PixelKey(column, row, i % streams_);
     const CameraSample& sample =
         trace.samples.emplace_back(camera_({column, row, key, static_cast<std::uint32_t>(i / streams_)}));
-    integrator_->Li({&sample, 1}, {&trace.radiances.emplace_back(), 1}, state);
+    TraceSamples(source, {&sample, 1}, {&trace.radiances.emplace_back(), 1}, state);
   }
   trace.rays = recorder.Rays();
   return trace;

@@ -81,10 +81,10 @@ ZBufferRange RangeOfPicture(const World& world, const Accelerator& accelerator, 
   const auto range_of_row = [&](int row, ZBufferRange so_far) {
     Workspace workspace;
     for (int column = 0; column < settings.width; ++column) {
-      const R3::Ray ray = camera.Through(column + 0.5, row + 0.5, settings.width, settings.height);
-      const auto hit = accelerator.Intersect(ray, workspace);
+      const auto ray = camera.RayThrough(column + 0.5, row + 0.5, settings.width, settings.height);
+      const auto hit = ray ? accelerator.Intersect(*ray, workspace) : std::nullopt;
       if (!hit) continue;
-      const double distance = hit->t * Length(ray.direction);
+      const double distance = hit->t * Length(ray->direction);
       so_far = {std::min(so_far.near, distance), std::max(so_far.far, distance)};
     }
     return so_far;
@@ -450,6 +450,8 @@ std::unique_ptr<const Integrator> IntegratorOf(const World& world, const Acceler
   const Camera camera = CameraOf(world, settings);
   trace.outline.right = 2 * camera.HalfWidth() / settings.width * camera.right;
   trace.outline.up = 2 * camera.HalfHeight(settings.width, settings.height) / settings.height * camera.up;
+  trace.outline.camera = camera;
+  trace.outline.picture_width = settings.width, trace.outline.picture_height = settings.height;
   if (settings.mode == RenderMode::zbuffer && trace.zbuffer.IsOfPicture())
     trace.zbuffer = RangeOfPicture(world, accelerator, settings);
   return MakeIntegrator(settings.mode, world, accelerator, trace);

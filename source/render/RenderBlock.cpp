@@ -1,6 +1,8 @@
 #include "source/render/RenderBlock.h"
 
+#include <algorithm>
 #include <cassert>
+#include <iterator>
 
 namespace ray {
 namespace {
@@ -49,6 +51,17 @@ bool RenderAroundFirstSamples(const SampleSource& source, const SamplesDue& due,
 }
 
 }  // namespace
+
+void TraceSamples(const SampleSource& source, std::span<const CameraSample> samples, std::span<R2::Color> radiances,
+                  TraceState& state) {
+  if (source.camera.SeesEverywhere()) return source.integrator.Li(samples, radiances, state);
+  std::vector<CameraSample> seen;
+  std::ranges::copy_if(samples, std::back_inserter(seen), &CameraSample::HasRay);
+  std::vector<R2::Color> of_seen(seen.size());
+  if (!seen.empty()) source.integrator.Li(seen, of_seen, state);
+  auto next = of_seen.begin();
+  for (std::size_t i = 0; i < samples.size(); ++i) radiances[i] = samples[i].HasRay() ? *next++ : R2::Color{};
+}
 
 bool LookAtPlaces(const SampleSource& source, const PixelRectangle& pixels, int places, TraceState& state,
                   std::vector<R2::Color>& looks) {

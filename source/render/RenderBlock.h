@@ -30,6 +30,10 @@ struct SampleSource {
   PixelSample FirstSample(int column, int row) const { return {column, row, PixelKey(column, row), 0}; }
 };
 
+/// The radiances of a batch of samples, black for those without a ray.
+void TraceSamples(const SampleSource& source, std::span<const CameraSample> samples, std::span<R2::Color> radiances,
+                  TraceState& state);
+
 /// Traces camera rays a batch at a time, which integrators do faster than one by one, and gives each to
 /// splat(column, row, sample, radiance) in the order they were added. What a ray brings back depends on its pixel,
 /// stream and index alone, never on which others are in its batch or came before it, but for the modes that show costs,
@@ -52,7 +56,7 @@ class BatchTracer {
     if (state_.IsStopped()) return false;
     samples_.resize(due_.size()), radiances_.resize(due_.size());
     source_.camera.MakeEach(due_, samples_);
-    source_.integrator.Li(samples_, radiances_, state_);
+    TraceSamples(source_, samples_, radiances_, state_);
     for (std::size_t i = 0; i < due_.size(); ++i)
       splat_(due_[i].column, due_[i].row, samples_[i], source_.clamps_samples ? Clamped(radiances_[i]) : radiances_[i]);
     due_.clear();

@@ -20,6 +20,8 @@ constexpr double parallel_angle = 1e-9;
 void Camera::TakeViewOf(const Camera& other) {
   aspect = other.aspect;
   shift = other.shift;
+  kind = other.kind;
+  extent = other.extent;
   if (IsMirrored() != other.IsMirrored()) right = -right;
 }
 
@@ -27,6 +29,24 @@ double Camera::HalfWidth() const { return R1::Tan(xfov); }
 
 double Camera::HalfHeight(int width, int height) const {
   return aspect > 0 ? HalfWidth() / aspect : HalfWidth() * height / width;
+}
+
+double Camera::Extent(double distance) const {
+  if (extent > 0) return extent;
+  return kind->extent == CameraExtent::width ? 2 * HalfWidth() * distance : Fov();
+}
+
+std::optional<SightLine> Camera::Sight(double x, double y, int width, int height) const {
+  const double seen = kind->aspect > 0 ? kind->aspect : aspect;
+  const double half_height = seen > 0 ? 1 / seen : static_cast<double>(height) / width;  // in half widths
+  return kind->sight(*this, {2 * x / width - 1 + shift.x, (2 * y / height - 1) * half_height + shift.y});
+}
+
+std::optional<R3::Ray> Camera::RayThrough(double x, double y, int width, int height) const {
+  if (IsPinhole()) return Through(x, y, width, height);
+  const auto sight = Sight(x, y, width, height);
+  if (!sight) return {};
+  return R3::Ray{sight->origin, sight->direction};
 }
 
 AimedCamera Aim(const R3::Point& eye, const R3::Vector& towards, const R3::Vector& up) {

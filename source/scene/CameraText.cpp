@@ -10,7 +10,35 @@
 namespace ray {
 namespace {
 
-constexpr const char *view_word = "view", *mirrored_word = "mirrored";
+constexpr const char *view_word = "view", *mirrored_word = "mirrored", *projection_word = "projection";
+
+/// " view 0 0 0 mirrored projection fisheye 180": what is unlike a pinhole's picture around its axis.
+std::string ViewWords(const Camera& camera) {
+  std::string words;
+  if (camera.aspect != 0 || camera.shift.x != 0 || camera.shift.y != 0 || camera.IsMirrored())
+    words += std::string(" ") + view_word + " " + ToText(camera.aspect) + " " + ToText(camera.shift.x) + " " +
+             ToText(camera.shift.y);
+  if (camera.IsMirrored()) words += std::string(" ") + mirrored_word;
+  if (camera.IsPinhole()) return words;
+  words += std::string(" ") + projection_word + " " + camera.kind->name;
+  return camera.extent > 0 ? words + " " + ToText(camera.extent) : words;
+}
+
+/// Takes "projection fisheye 180", if the line ends so, away from it and sets it. False for what is none.
+bool TakeProjection(std::string& line, Camera& camera) {
+  const std::size_t at = line.find(projection_word);
+  if (at == std::string::npos) return true;
+  std::istringstream words(line.substr(at));
+  std::string word, name, number;
+  words >> word >> name >> number;
+  camera.kind = FindCameraKind(name);
+  if (!camera.kind || words >> word) return false;
+  line.resize(at);
+  if (number.empty()) return true;
+  const auto [value, problem] = ParseNumber(number);
+  camera.extent = value;
+  return !problem && IsExtent(*camera.kind, value);
+}
 
 }  // namespace
 
@@ -23,14 +51,14 @@ std::string CameraLine(const Camera& camera) {
   triple(camera.towards.x, camera.towards.y, camera.towards.z);
   triple(camera.up.x, camera.up.y, camera.up.z);
   line += " " + ToText(camera.xfov) + "  " + ToText(camera.near) + " " + ToText(camera.far);
-  if (camera.aspect == 0 && camera.shift.x == 0 && camera.shift.y == 0 && !camera.IsMirrored()) return line;
-  line += std::string(" ") + view_word + " " + ToText(camera.aspect) + " " + ToText(camera.shift.x) + " " +
-          ToText(camera.shift.y);
-  return camera.IsMirrored() ? line + " " + mirrored_word : line;
+  return line + ViewWords(camera);
 }
 
-std::optional<Camera> ReadCameraLine(const std::string& line) {
+std::optional<Camera> ReadCameraLine(const std::string& text) {
   constexpr std::size_t of_camera = 12, of_view = 3;
+  Camera projected;
+  std::string line = text;
+  if (!TakeProjection(line, projected)) return {};
   std::istringstream words(line);
   std::string word;
   if (!(words >> word) || word != "camera") return {};
@@ -57,6 +85,8 @@ std::optional<Camera> ReadCameraLine(const std::string& line) {
   camera.aspect = n[12];
   camera.shift = {n[13], n[14]};
   if (is_mirrored) camera.right = -camera.right;
+  camera.kind = projected.kind;
+  camera.extent = projected.extent;
   return camera;
 }
 

@@ -278,6 +278,8 @@ class Viewer {
   int ColumnsOfText() const { return ColumnsOfText(size_.width); }
   int ColumnsOfText(int width) const;
   std::vector<Label> MakeLabels() const;
+  /// What the preview does not show of the camera; empty where it shows all.
+  std::string TextOfProjection() const;
   std::string BoxesInWords() const;
   std::optional<FrameState::Picture> CoveringPicture() const;
 

@@ -227,6 +227,7 @@ std::vector<Label> Viewer::MakeLabels() const {
   } else if (pick_ && !shows_panels_) {
     upper = pick_->text;
   }
+  if (const std::string text = TextOfProjection(); !text.empty() && help_page_ == 0) upper.insert(upper.begin(), text);
   if (section_.IsShown() && help_page_ == 0) {
     for (Label label : section_drawing_->labels) label.x += ViewSize().width, labels.push_back(std::move(label));
     if (const std::string text = TextOfSection(); !text.empty()) upper.insert(upper.begin(), text);
@@ -239,6 +240,12 @@ std::vector<Label> Viewer::MakeLabels() const {
       y -= line_step;
     }
   return labels;
+}
+
+std::string Viewer::TextOfProjection() const {
+  const Camera& camera = navigator_.camera();
+  if (camera.IsPinhole() || flat_.IsShown() || pictures_.IsLive()) return {};
+  return std::string("preview of a pinhole; S traces the true projection, ") + camera.kind->name;
 }
 
 std::string Viewer::BoxesInWords() const {

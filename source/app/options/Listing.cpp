@@ -7,6 +7,7 @@
 #include "source/integrate/Integrators.h"
 #include "source/parse/Format.h"
 #include "source/parse/scn/Command.h"
+#include "source/scene/CameraKind.h"
 #include "source/scene/Light.h"
 
 namespace ray {
@@ -34,6 +35,12 @@ std::string Shapes() {
 std::string Lights() {
   std::string text;
   for (const LightKind* kind : LightKinds()) text += LineWithArguments(*kind);
+  return text;
+}
+
+std::string Projections() {
+  std::string text;
+  for (const CameraKind* kind : CameraKinds()) text += Line(kind->name, kind->about);
   return text;
 }
 
@@ -101,9 +108,9 @@ struct Subject {
 };
 
 constexpr Subject list_subjects[] = {
-    {"shapes", Shapes}, {"lights", Lights}, {"accelerators", Accelerators}, {"modes", Modes},
-    {"images", Images}, {"scenes", Scenes}, {"commands", SceneCommands},    {"presets", PresetLines},
-    {"keys", nullptr}};
+    {"shapes", Shapes},       {"lights", Lights}, {"projections", Projections}, {"accelerators", Accelerators},
+    {"modes", Modes},         {"images", Images}, {"scenes", Scenes},           {"commands", SceneCommands},
+    {"presets", PresetLines}, {"keys", nullptr}};
 
 /// Presets are values of an option that only raypro has; keys are pressed in a window.
 bool Knows(Program program, const Subject& subject) {

@@ -63,6 +63,11 @@ std::vector<std::string> LayerNames() { return {layer_names.begin(), layer_names
 
 std::vector<std::string> LightCountNames() { return {"all", "one", "auto"}; }
 
+std::vector<std::string> ProjectionNames() {
+  const auto names = CameraKindNames();
+  return {names.begin(), names.end()};
+}
+
 std::vector<std::string> Shells() { return {"bash", "zsh", "fish"}; }
 
 std::vector<std::string> CommandLinesOfCourses() { return {"comp30019"}; }
@@ -120,9 +125,9 @@ const NumberList field_of_view{[](const Options& options) {
                                },
                                [](Options& options, std::span<const double> n) {
                                  options.parse.camera.fov = n[0];
-                                 return n[0] > 0 && n[0] < 180;
+                                 return n[0] > 0 && n[0] <= 360;
                                },
-                               "degrees, above 0 and below 180"};
+                               "degrees, above 0 and up to 360"};
 
 const NumberList zbuffer_numbers{[](const Options& options) {
                                    const ZBufferRange& range = options.render.trace.zbuffer;
@@ -181,6 +186,8 @@ std::vector<OptionKind> PictureOptions() {
       {"up", both, {}, {"x", "y", "z"}, up_of_camera, "", "picture",
        "what is up in the picture"},
       {"fov", both, {}, {"degrees"}, field_of_view, "", "picture", "whole horizontal field of view"},
+      {"projection", both, {}, {"name"}, OneOfNames(AT(parse.camera.projection), ProjectionNames), "", "picture",
+       "how the image is laid out (raypro -list projections), instead of as the scene says"},
       {"motion", both, {}, {"dx", "dy", "dz"}, motion_numbers, "", "picture",
        "how far the camera moves while the shutter is open"},
       {"aperture", both, {}, {"r"}, Number<double>{AT(render.camera.aperture), 0, highest<double>}, "", "picture",

@@ -116,6 +116,12 @@ bool Names(const std::string& message, const std::string& option) {
   return false;
 }
 
+void CheckLens(const Camera& camera, const Options& options) {
+  if (options.render.camera.HasLens() && !camera.kind->has_lens)
+    throw UsageError("-aperture has no meaning with -projection " + std::string(camera.kind->name) +
+                     ", which has no lens");
+}
+
 /// Settings that contradict each other are the scene's mistake where it makes all of them, and told at the first;
 /// beside options they are the user's, who may not know what the scene sets.
 [[noreturn]] void Blame(const UsageError& error, const Scene& scene, const Options& asked) {
@@ -152,6 +158,7 @@ Options WithSettingsOf(const Scene& scene, const Options& options) {
   for (const auto& [option, setting] : InForce(scene, options)) Apply(*option, *setting, all);
   try {
     CompleteForScene(all);
+    CheckLens(scene.camera, all);
   } catch (const UsageError& error) {
     Blame(error, scene, options);
   }

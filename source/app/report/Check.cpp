@@ -41,8 +41,10 @@ bool IsInside(const World& world, const Instance& instance, const R3::Point& poi
   return std::all_of(odd_directions.begin(), odd_directions.begin() + static_cast<std::ptrdiff_t>(rays), is_odd);
 }
 
-/// Planes through the eye; a box that lies on the outer side of one of them is not seen.
+/// Planes through the eye; a box that lies on the outer side of one of them is not seen. None where the camera is no
+/// pinhole, whose view planes do not bound.
 std::vector<R3::Vector> InwardSides(const Camera& camera, const RenderSettings& settings) {
+  if (!camera.IsPinhole()) return {};
   const double x = camera.HalfWidth(), y = camera.HalfHeight(settings.width, settings.height);
   const double left = x * (1 - camera.shift.x), right = x * (1 + camera.shift.x);
   const double below = y - x * camera.shift.y, above = y + x * camera.shift.y;

@@ -33,10 +33,10 @@ std::vector<Pair> PairsInOnePlane(const World& world, const RenderSettings& sett
   for (int i = 0; i < side * side; ++i) {
     // Places of the image that no model has its edges at.
     const double x = (i % side + 0.3719) / side * settings.width, y = (i / side + 0.4142) / side * settings.height;
-    const R3::Ray ray = camera.Through(x, y, settings.width, settings.height);
-    const auto hit = accelerator->Intersect(ray, workspace);
+    const auto ray = camera.RayThrough(x, y, settings.width, settings.height);
+    const auto hit = ray ? accelerator->Intersect(*ray, workspace) : std::nullopt;
     if (!hit || !hit->is_contested) continue;
-    const auto hits = accelerator->Coincident(ray, *hit, workspace);
+    const auto hits = accelerator->Coincident(*ray, *hit, workspace);
     for (const WorldHit& other : hits) {
       const Instance &first = world.Instances()[hits[0].instance], &second = world.Instances()[other.instance];
       if (first.material != second.material && !AreBothSeen(first, second))

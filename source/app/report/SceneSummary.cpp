@@ -5,6 +5,7 @@
 #include "R3/Mesh.h"
 #include "source/app/report/Check.h"
 #include "source/integrate/lights/LightSampler.h"
+#include "source/text/NumberText.h"
 #include "source/text/Words.h"
 
 namespace ray {
@@ -90,6 +91,21 @@ std::size_t Memory(const World& world, const Shared& shared, const RenderSetting
   return bytes;
 }
 
+/// ", projection fisheye of 180.0 degrees"; nothing of a pinhole.
+std::string ProjectionText(const Camera& camera) {
+  if (camera.IsPinhole()) return {};
+  const std::string name = std::string(", projection ") + camera.kind->name;
+  switch (camera.kind->extent) {
+    case CameraExtent::none:
+      return name;
+    case CameraExtent::angle:
+      return name + " of " + Fixed(camera.Extent(), 1) + " degrees";
+    case CameraExtent::width:
+      return name + ", " + ToText(camera.Extent()) + " wide";
+  }
+  return name;
+}
+
 }  // namespace
 
 std::string SceneSummary(const World& world, const RenderSettings& settings) {
@@ -103,7 +119,7 @@ std::string SceneSummary(const World& world, const RenderSettings& settings) {
       Line("bounds", BoundsText(scene.root.bounds)) +
       Line("camera", "at " + WithDecimals(DecimalsFor(scene.root.bounds), scene.camera.eye) + ", towards " +
                          WithDecimals(3, scene.camera.towards) + ", half angle " + Fixed(scene.camera.xfov, 3) +
-                         " rad, " + Fixed(scene.camera.Fov(), 1) + " degrees in all" +
+                         " rad, " + Fixed(scene.camera.Fov(), 1) + " degrees in all" + ProjectionText(scene.camera) +
                          (scene.has_default_camera ? " (the default: the scene names none)" : "")) +
       LightLines(world, settings.mode);
   const double megabytes = 1e-6 * static_cast<double>(Memory(world, shared, settings));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "source/integrate/debug/RayRecorder.h"
 
@@ -27,7 +28,7 @@ class Outlined : public Integrator {
  public:
   Outlined(std::unique_ptr<const Integrator> inner, const World& world, const Accelerator& accelerator,
            const OutlineSettings& outline)
-      : inner_(std::move(inner)), world_(world), accelerator_(accelerator) {
+      : inner_(std::move(inner)), world_(world), accelerator_(accelerator), outline_(outline) {
     const R3::Vector right = outline.width / 2 * outline.right, up = outline.width / 2 * outline.up;
     asides_ = {right, -right, up, -up};
   }
@@ -37,7 +38,7 @@ class Outlined : public Integrator {
     const std::size_t first_record = state.recorder ? state.recorder->Rays().size() : 0;
     inner_->Li(samples, radiances, state);
     for (std::size_t i = 0; i < samples.size() && !state.IsStopped(); ++i) {
-      if (!IsOnLine(samples[i].ray, state)) continue;
+      if (!IsOnLine(samples[i], state)) continue;
       radiances[i] = {};
       if (state.recorder) state.recorder->OnOutline(static_cast<int>(first_record + i));
     }
@@ -52,13 +53,31 @@ class Outlined : public Integrator {
     return {1 / hit->t, Dot(n, ray.direction) <= 0 ? n : -n};
   }
 
-  bool IsOnLine(const R3::Ray& ray, TraceState& state) const {
-    const Glance middle = Look(ray, state);
+  /// Number `i` of the rays beside that of a sample; nothing outside of what the camera sees.
+  std::optional<R3::Ray> Beside(const CameraSample& sample, std::size_t i) const {
+    R3::Ray aside = sample.ray;
+    if (outline_.camera.IsPinhole()) {
+      aside.direction = aside.direction + asides_[i];
+      return aside;
+    }
+    static constexpr std::array<R2::Vector, 4> ways{{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}};
+    const auto sight = [&](double pixels) {
+      return outline_.camera.Sight(sample.x + pixels * ways[i].x, sample.y + pixels * ways[i].y, outline_.picture_width,
+                                   outline_.picture_height);
+    };
+    const auto here = sight(0), there = sight(outline_.width / 2);
+    if (!here || !there) return {};
+    aside.origin = aside.origin + (there->origin - here->origin);
+    aside.direction = aside.direction + (there->direction - here->direction);
+    return aside;
+  }
+
+  bool IsOnLine(const CameraSample& sample, TraceState& state) const {
+    const Glance middle = Look(sample.ray, state);
     std::array<Glance, 4> beside;
     for (std::size_t i = 0; i < beside.size(); ++i) {
-      R3::Ray aside = ray;
-      aside.direction = ray.direction + asides_[i];
-      beside[i] = Look(aside, state);
+      const auto aside = Beside(sample, i);
+      beside[i] = aside ? Look(*aside, state) : middle;
       const bool are_surfaces = middle.nearness > 0 && beside[i].nearness > 0;
       if (are_surfaces && Dot(middle.N, beside[i].N) < cosine_of_crease) return true;
     }
@@ -72,7 +91,8 @@ class Outlined : public Integrator {
   std::unique_ptr<const Integrator> inner_;
   const World& world_;
   const Accelerator& accelerator_;
-  std::array<R3::Vector, 4> asides_;  // what directions differ by, opposite ones together
+  const OutlineSettings outline_;
+  std::array<R3::Vector, 4> asides_;  // what directions of a pinhole's rays differ by, opposite ones together
 };
 
 }  // namespace

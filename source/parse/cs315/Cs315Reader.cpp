@@ -9,6 +9,7 @@
 #include "source/parse/objects/Gloss.h"
 #include "source/parse/objects/Lights.h"
 #include "source/parse/objects/Placement.h"
+#include "source/parse/objects/Projection.h"
 #include "source/text/NumberText.h"
 #include "source/text/Suggestion.h"
 
@@ -83,12 +84,15 @@ void Cs315Reader::ReadCamera(Mapping& scene) {
   for (Mapping* mapping : {&scene, &*camera})  // students' programs read it from either
     if (const auto depth = mapping->Find({"focal_depth"}))
       if (const auto focus = depth->Number(positive)) Set("focus", ToText(*focus), &depth->What());
+  Camera projected;
+  ReadProjection(*camera, projected);
   camera->Ignore({"name", "comment"});
   if (!camera->FinishedWell()) return;
   if (eye == at) return report_.Error(camera->What(), "has its eye at the point it looks at");
   const AimedCamera aimed = Aim(eye, at - eye, up);
   if (aimed.up_was_replaced) return report_.Error(camera->What(), "has an up vector along the view direction");
   Made().camera = aimed.camera;
+  Made().camera.TakeViewOf(projected);
   Made().camera.aspect = aspect;
   Made().camera.xfov = R1::Atan(aspect * R1::Tan(degrees / 2 * std::numbers::pi / 180));
 }

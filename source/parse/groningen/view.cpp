@@ -5,6 +5,7 @@
 
 #include "R1/Elementary.h"
 #include "source/parse/groningen/GroningenReader.h"
+#include "source/parse/objects/Projection.h"
 #include "source/text/NumberText.h"
 
 namespace ray {
@@ -67,19 +68,22 @@ void GroningenReader::ReadCamera(const Field& field) {
   ReadLens(*camera, Length(towards));
   FindRange(*camera);
   const R3::Vector velocity = camera->Vector({"velocity"}).value_or(R3::Vector{});
-  camera->NotSupported({"projection"});
+  Camera projected;
+  ReadProjection(*camera, projected);
   camera->Ignore({"comment", "name"});
   if (!camera->FinishedWell()) return;
   if (towards == R3::Vector{}) return report_.Error(camera->What(), "has its eye at its center");
   const AimedCamera aimed = Aim(eye, towards, up);
   if (aimed.up_was_replaced) return report_.Error(camera->What(), "has an up vector along the view direction");
   Made().camera = aimed.camera;
+  Made().camera.TakeViewOf(projected);
   if (const R3::Vector displacement = exposure_time_ * velocity; !(displacement == R3::Vector{})) {
     Made().camera.eye = eye - displacement / 2;  // it is at its place in the middle of the exposure
     Set("motion", ToText(displacement.x) + " " + ToText(displacement.y) + " " + ToText(displacement.z), &field.What());
   }
   // A pixel is as wide as `up` is long, in the plane through the center.
   Made().camera.xfov = R1::Atan2(width / 2 * Length(up), Length(towards));
+  if (projected.kind->extent == CameraExtent::width && projected.extent == 0) Made().camera.extent = width * Length(up);
 }
 
 std::optional<double> GroningenReader::ReadSize(const Field& size) {

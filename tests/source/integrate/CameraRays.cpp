@@ -195,7 +195,7 @@ TEST(CameraRays, ManyMadeTogetherAreThoseMadeOneByOne) {
 // What is stated without effect must not cost a bit of the picture.
 TEST(CameraRays, ALensOfNoSizeAndAMotionOfNothingAreThePinholeToTheBit) {
   const CameraRays pinhole = Make({}), none = Make({.motion = {0, 0, 0}, .aperture = 0, .focus = 7});
-  EXPECT_STREQ(none.Kernel(), "pinhole");
+  EXPECT_EQ(none.Kernel(), "pinhole");
   for (std::uint32_t i = 0; i < samples; ++i) {
     const CameraSample a = pinhole({5, 6, RandomKey(1), i}), b = none({5, 6, RandomKey(1), i});
     EXPECT_EQ(a.ray.origin, b.ray.origin);
@@ -212,11 +212,75 @@ TEST(CameraRays, KernelsAreNamedAfterWhatTheyDo) {
       motion{.motion = {1, 0, 0}, .aperture = 0, .focus = 0};
   CameraEffects both = lens;
   both.motion = motion.motion;
-  EXPECT_STREQ(Make({}).Kernel(), "pinhole");
-  EXPECT_STREQ(Make(lens).Kernel(), "lens");
-  EXPECT_STREQ(Make(motion).Kernel(), "moving pinhole");
-  EXPECT_STREQ(Make(both).Kernel(), "moving lens");
-  EXPECT_STREQ(Make({}, SamplerKind::sobol, 4, true).Kernel(), "moving pinhole");
+  EXPECT_EQ(Make({}).Kernel(), "pinhole");
+  EXPECT_EQ(Make(lens).Kernel(), "lens");
+  EXPECT_EQ(Make(motion).Kernel(), "moving pinhole");
+  EXPECT_EQ(Make(both).Kernel(), "moving lens");
+  EXPECT_EQ(Make({}, SamplerKind::sobol, 4, true).Kernel(), "moving pinhole");
+}
+
+/// The cameras that are no pinholes, seeing what the other sees.
+std::vector<Camera> Projections() {
+  std::vector<Camera> cameras;
+  for (const CameraKind* kind : CameraKinds()) {
+    if (!kind->sight) continue;
+    cameras.push_back(Slanted());
+    cameras.back().kind = kind;
+    cameras.back().extent = kind->extent == CameraExtent::none ? 0 : 200;
+  }
+  return cameras;
+}
+
+TEST(CameraRays, InFocusEveryProjectionWithALensIsSharp) {
+  for (const Camera& camera : Projections()) {
+    if (!camera.kind->has_lens) continue;
+    const double focus = 3;
+    const CameraRays rays(camera, {.motion = {}, .aperture = 0.3, .focus = focus}, false, image_width, image_height,
+                          SamplerKind::sobol, samples);
+    double widest = 0;
+    for (int pixel = 5; pixel < image_width - 5; pixel += 7)
+      for (std::uint32_t i = 0; i < samples; ++i) {
+        const CameraSample sample = rays({pixel, 15, RandomKey(3), i});
+        const auto middle = camera.Sight(sample.x, sample.y, image_width, image_height);
+        ASSERT_TRUE(middle && sample.HasRay()) << camera.kind->name;
+        EXPECT_LT(Length(sample.ray.At(focus) - (middle->origin + focus * middle->direction)), 1e-12)
+            << camera.kind->name;
+        const double aside = Length(sample.ray.origin - middle->origin);
+        EXPECT_LE(aside, 0.3 * (1 + 1e-12)) << camera.kind->name;
+        widest = std::max(widest, aside);
+      }
+    EXPECT_GT(widest, 0.28) << camera.kind->name;
+  }
+}
+
+TEST(CameraRays, EveryProjectionMovesAndKeepsItsView) {
+  const R3::Vector motion{0.5, -0.25, 2};
+  for (const Camera& camera : Projections()) {
+    const CameraRays rays(camera, {.motion = motion}, false, image_width, image_height, SamplerKind::sobol, samples);
+    EXPECT_EQ(rays.Kernel(), std::string("moving ") + camera.kind->name);
+    for (std::uint32_t i = 0; i < samples; ++i) {
+      const CameraSample sample = rays({12, 16, RandomKey(1), i});
+      const auto rest = camera.RayThrough(sample.x, sample.y, image_width, image_height);
+      ASSERT_TRUE(rest) << camera.kind->name;
+      EXPECT_EQ(sample.ray.direction, rest->direction);
+      EXPECT_LT(Length(sample.ray.origin - (rest->origin + sample.ray.time * motion)), 1e-14);
+    }
+  }
+}
+
+TEST(CameraRays, WhereAProjectionSeesNothingThereIsNoRay) {
+  for (Camera camera : Projections()) {
+    camera.shift = {0.3, 0.3};
+    for (const CameraEffects& effects :
+         {CameraEffects(), CameraEffects{.motion = {1, 0, 0}, .aperture = 1, .focus = 2}}) {
+      const CameraRays rays(camera, effects, false, image_width, image_width, SamplerKind::sobol, samples);
+      for (int pixel = 0; pixel < image_width; ++pixel)
+        for (std::uint32_t i = 0; i < samples; ++i) {
+          const CameraSample sample = rays({pixel, pixel, RandomKey(3), i});
+          EXPECT_EQ(sample.HasRay(), camera.Sight(sample.x, sample.y, image_width, image_width).has_value());
+        }
+    }
+  }
 }
 
 TEST(CameraRays, TheEyeMovesEvenlyWhileTheShutterIsOpen) {

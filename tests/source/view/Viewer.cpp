@@ -56,6 +56,22 @@ TEST_F(ViewerTest, ADoubleClickSetsThePivotToThePointUnderIt) {
   EXPECT_NEAR(before->y, after->y, 0.5);
 }
 
+TEST_F(ViewerTest, APreviewThatIsNotTheProjectionSaysSo) {
+  const auto says = [&] {
+    std::string text;  // in lines that fit the small window, which cut words
+    for (const Label& label : viewer_->Show().labels) text += label.text;
+    std::erase(text, ' ');
+    return text.find("Stracesthetrueprojection,fisheye") != std::string::npos;
+  };
+  EXPECT_FALSE(says());
+  Open(project::Root() / "scenes/fisheye.scn");
+  EXPECT_TRUE(says());
+  const R2::Image preview_pinhole = Rendered(viewer_->SettingsOfView());
+  EXPECT_EQ(preview_pinhole.At(0, 0), R2::Color()) << "the corner of what S traces is outside of the circle";
+  Do("key F");
+  EXPECT_STREQ(camera().kind->name, "fisheye") << "a view that moves keeps its projection";
+}
+
 TEST_F(ViewerTest, ClicksThatAreFarApartInTimeAreNotDouble) {
   Do("click left 32 24\ntick 1\nclick left 32 24");
   EXPECT_FALSE(viewer_->navigator().Pivot());

@@ -1,0 +1,29 @@
+#include <numbers>
+
+#include "R1/Elementary.h"
+#include "source/scene/Camera.h"
+
+namespace ray {
+namespace {
+
+/// A picture on an upright cylinder around the eye: columns are angles, rows are heights on it, in perspective. Pixels
+/// of the middle row are as high as wide.
+std::optional<SightLine> CylinderSight(const Camera& camera, const R2::Vector& place) {
+  constexpr double radians_of_half_a_degree = std::numbers::pi / 360;
+  const double extent = camera.Extent();
+  const auto along = R1::SinCosTurns(place.x * extent / 720);
+  const R3::Vector level = along.cosine * camera.towards + along.sine * camera.right;
+  return SightLine{camera.eye, level + radians_of_half_a_degree * extent * place.y * camera.up,
+                   along.cosine * camera.right - along.sine * camera.towards, camera.up};
+}
+
+}  // namespace
+
+extern const CameraKind cylinder_camera{
+    .name = "cylinder",
+    .about = "columns are angles, up to 360 degrees across, rows are in perspective: upright lines stay straight",
+    .extent = CameraExtent::angle,
+    .is_panoramic = true,
+    .sight = CylinderSight};
+
+}  // namespace ray

@@ -1,0 +1,30 @@
+#include <cmath>
+
+#include "R1/Elementary.h"
+#include "source/scene/Camera.h"
+
+namespace ray {
+namespace {
+
+/// Columns are longitudes, rows latitudes, the axis in the middle, as environment maps have them: of one this makes the
+/// map again. Beyond the poles, where a shifted picture gets to, nothing is seen.
+std::optional<SightLine> LatlongSight(const Camera& camera, const R2::Vector& place) {
+  const double latitude = place.y / 2, longitude = place.x / 2;  // turns
+  if (!(std::abs(latitude) <= 0.25)) return {};
+  const auto around = R1::SinCosTurns(longitude), upward = R1::SinCosTurns(latitude);
+  const R3::Vector level = around.cosine * camera.towards + around.sine * camera.right;
+  return SightLine{camera.eye, upward.cosine * level + upward.sine * camera.up, camera.right, camera.up};
+}
+
+}  // namespace
+
+extern const CameraKind latlong_camera{
+    .name = "latlong",
+    .about =
+        "the whole sphere: columns are longitudes, rows latitudes, as in an environment map; twice as wide as "
+        "high, pixels of the middle row are square. It has no angle and no lens",
+    .aspect = 2,
+    .has_lens = false,
+    .sight = LatlongSight};
+
+}  // namespace ray
