@@ -166,11 +166,13 @@ PixelTrace PixelTracer::Trace(int column, int row, int samples) const {
 
 std::string RayTree(const PixelTrace& trace, const World& world, const RenderSettings& settings, std::size_t most_rays,
                     Digits digits) {
+  const bool is_left_out = IsSubsampled(settings) && BlockOrder::PlaceOf(trace.column, trace.row) >= settings.places;
   return "pixel " + std::to_string(trace.column) + " " + std::to_string(trace.row) + " of " +
          std::to_string(settings.width) + " x " + std::to_string(settings.height) + ", " + NameOf(settings.mode) +
          ": " + NumberTexts{digits}(trace.Mean()) +
          (ShowsCosts(settings.mode) ? ", a cost of rays that contribute light" : "") +
-         (trace.samples.size() > 1 ? ", the mean of " + std::to_string(trace.samples.size()) + " samples" : "") + "\n" +
+         (trace.samples.size() > 1 ? ", the mean of " + std::to_string(trace.samples.size()) + " samples" : "") +
+         (is_left_out ? ", left out by -samples: the image shows what pixels around it see" : "") + "\n" +
          TreeWriter(trace, world, most_rays, digits).Write();
 }
 

@@ -441,7 +441,8 @@ double ExpectedRays(const RenderSettings& settings) {
   constexpr double rays_per_second = 1e6;
   if (settings.budget.seconds > 0) return rays_per_second * settings.budget.seconds;
   const int parts = settings.part ? settings.part->of : 1;
-  return rays_per_camera_ray * static_cast<double>(MadeRegionOf(settings).Area()) * settings.samples / parts;
+  const double share = IsSubsampled(settings) ? static_cast<double>(settings.places) / BlockOrder::places : 1;
+  return rays_per_camera_ray * share * static_cast<double>(MadeRegionOf(settings).Area()) * settings.samples / parts;
 }
 
 std::unique_ptr<const Integrator> IntegratorOf(const World& world, const Accelerator& accelerator,

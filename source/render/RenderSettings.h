@@ -84,6 +84,9 @@ struct RenderSettings {
   int width = 256, height = 256;       // of the whole picture
   std::optional<PixelRectangle> crop;  // the part that is rendered: pixels of the whole, but for CropDifferences
   int samples = 1;                     // camera rays per pixel, >= 1; a ceiling where there is a budget, unless it is 1
+  // Of the 64 pixels of each block, in BlockOrder, how many are traced where `samples` is 1; the others are filled from
+  // those, see FillGaps. A power of two.
+  int places = BlockOrder::places;
   std::uint64_t seed = 0;
   RenderMode mode = RenderMode::whitted;
   FilterKind filter = FilterKind::box;
@@ -95,7 +98,7 @@ struct RenderSettings {
   Budget budget;
   std::optional<Replay> replay;
   std::optional<ImagePart> part;  // of which alone blocks are rendered, see RenderPart
-  bool denoise = false;  // filter the picture of light once it is complete; takes two streams
+  bool denoise = false;           // filter the picture of light once it is complete; takes two streams
   Denoiser denoiser = Denoiser::regression;
   bool denoises_beyond_crop = true;  // or, for whoever only wants to know what it costs, the crop as if it were all
   bool srgb = false;                 // the picture will be sRGB encoded, so display errors are counted after that
@@ -108,6 +111,11 @@ struct RenderSettings {
 /// Whether emission is a radiance and everything that emits a lamp; else it is a color, as mode whitted reads it.
 inline bool EmitsRadiance(const RenderSettings& settings) {
   return settings.mode == RenderMode::path && settings.trace.emission == Emission::radiance;
+}
+
+/// Whether some pixels are to have no sample at all.
+inline bool IsSubsampled(const RenderSettings& settings) {
+  return settings.samples == 1 && settings.places < BlockOrder::places;
 }
 
 /// The part of the picture that is rendered.

@@ -4,6 +4,7 @@
 #include <array>
 #include <charconv>
 #include <limits>
+#include <string_view>
 #include <utility>
 
 #include "source/integrate/lights/LightSampler.h"
@@ -43,6 +44,7 @@ SceneFeatures FeaturesOf(const World& world, const RenderSettings& settings) {
   SceneFeatures features;
   features.motion = settings.camera.HasMotion() || world.Moves();
   features.lens = settings.camera.HasLens();
+  features.projection = settings.view.value_or(world.scene().camera).kind->name;
   features.wide_filter = settings.filter != FilterKind::box;
   features.two_streams = HasTwoStreams(settings);
   if (!IsTraced(settings.mode)) return features;
@@ -97,8 +99,10 @@ std::vector<std::string> SceneFeatures::Names() const {
 }
 
 std::string KernelName(const SceneFeatures& features, const RenderSettings& settings) {
+  const bool is_pinhole = features.projection == std::string_view("pinhole");
   return std::string(NameOf(settings.mode)) + ", " + (features.motion ? "moving " : "") +
-         (features.lens ? "lens" : "pinhole") + ", " + NameOf(settings.filter) + " filter";
+         (features.lens ? is_pinhole ? "lens" : features.projection + std::string(" lens") : features.projection) +
+         ", " + NameOf(settings.filter) + " filter";
 }
 
 std::vector<std::string> SourcesOfBias(const SceneFeatures& features, const RenderSettings& settings) {
@@ -126,6 +130,7 @@ std::vector<std::string> CropDifferences(const RenderSettings& settings) {
   if (settings.budget.seconds > 0) differences.emplace_back("time");
   if (settings.budget.error) differences.emplace_back("error");
   if (settings.replay) differences.emplace_back("replay");
+  if (IsSubsampled(settings)) differences.emplace_back("samples");
   const bool has_library = settings.denoise && Resolved(settings.denoiser) != Denoiser::regression;
   if (has_library) differences.push_back(std::string("denoiser ") + NameOf(settings.denoiser));
   return differences;

@@ -12,6 +12,7 @@ namespace ray {
 /// no effect (an aperture of 0, equal poses, a kt of 0 on everything that is used, black lights) do not count.
 struct SceneFeatures {
   bool motion = false, lens = false;
+  const char* projection = "pinhole";
   bool lights = false, area_lights = false, emissive_triangles = false, emissive_shapes = false, environment = false,
        choice_of_lights = false;
   bool mirrors = false, clear = false, bending = false, absorbing = false, textures = false, shadow_bias = false;

@@ -102,6 +102,8 @@ Schedule::Schedule(const RenderSettings& settings, BlockGrid blocks, bool in_pas
       in_passes_(budget_.IsOpen() || in_passes || !ShowsCosts(settings.mode)),
       two_streams_(HasTwoStreams(settings)),
       looks_at_neighbors_(SamplesWhereNeighborsDiffer(settings)),
+      most_places_(IsSubsampled(settings) ? settings.places : BlockOrder::places),
+      is_subsampled_(IsSubsampled(settings)),
       ceiling_(Ceiling(settings)),
       first_decision_(FirstDecision(settings)) {
   if (replay_)
@@ -165,9 +167,19 @@ bool Schedule::Suffices(const MeasuredError& error) const {
   return (DecidesByError() ? 1 : 2) * error.square_high <= SquaredTargetOf(error);
 }
 
-/// Until every pixel has its first sample, or where that takes long, first at twice as many places.
+/// Looks at so many places, or takes the first sample of all where those are as many.
+void Schedule::LookOn(int places) {
+  if (!is_subsampled_ && places >= BlockOrder::places)
+    SampleTo(1);
+  else
+    LookAt(std::min(places, most_places_));
+}
+
+/// Until every pixel has its first sample, or all that are to have one; or where that takes long, first at twice as
+/// many places.
 std::optional<Stop> Schedule::NextOfFirstSamples(const PassOutcome& pass) {
   const int places = state_.targets.places.front();
+  if (is_subsampled_ && places >= most_places_) return Stop::samples;
   const double samples_left = (two_streams_ ? 2 : 1) - static_cast<double>(places) / BlockOrder::places;
   const double pace = pass.samples_taken > 0 ? pass.seconds_taken / pass.samples_taken : 0;  // seconds for a sample
   const bool is_short = pace * samples_left <= seconds_without_news;
@@ -179,14 +191,11 @@ std::optional<Stop> Schedule::NextOfFirstSamples(const PassOutcome& pass) {
       constexpr double place = 1.0 / BlockOrder::places;
       if (places == BlockOrder::places) return Stop::time;
       next = std::min(next, places + std::max(1, static_cast<int>(usable / (pace * place))));
-      LookAt(std::min(next, BlockOrder::places));
+      LookAt(std::min(next, most_places_));
       return {};
     }
   }
-  if (is_short || next >= BlockOrder::places)
-    SampleTo(1);
-  else
-    LookAt(next);
+  LookOn(is_short ? BlockOrder::places : next);
   return {};
 }
 
@@ -268,8 +277,8 @@ bool Schedule::IsOpen(std::size_t block, const std::vector<double>& squares, dou
 
 /// Whether light is found so seldom that nothing tells in which blocks it will be found next: where none of the samples
 /// has found light that may be there, which raises the upper end of the error and no block's; or where most of the
-/// error is in outliers, and blocks that seemed good enough before the last pass hold much of it now. (Along the edge of
-/// a lamp few pixels hold the error as well, but stay few.)
+/// error is in outliers, and blocks that seemed good enough before the last pass hold much of it now. (Along the edge
+/// of a lamp few pixels hold the error as well, but stay few.)
 bool Schedule::HidesAnywhere(const MeasuredError& error, const std::vector<double>& squares) const {
   if (error.estimate.unseen_share > most_surprise) return true;
   return error.estimate.IsMostlyOutliers() && ShareOfSurprise(squares, SquaredTargetOf(error)) > most_surprise;

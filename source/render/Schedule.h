@@ -100,6 +100,7 @@ class Schedule {
   void SampleTo(std::uint32_t end);
   void LookAt(int places);
   std::optional<Stop> NextOfFirstSamples(const PassOutcome& pass);
+  void LookOn(int places);
   std::optional<Stop> NextOfNeighbors(const PassOutcome& pass);
   double SecondsLeft(const PassOutcome& pass) const;
   std::uint32_t NextEnd(const MeasuredError* error) const;
@@ -115,6 +116,8 @@ class Schedule {
   BlockGrid blocks_;
   double pixels_;  // of the picture
   bool in_passes_, two_streams_, looks_at_neighbors_;
+  int most_places_;  // of a block that are looked at where it has no samples
+  bool is_subsampled_;
   std::uint32_t ceiling_, first_decision_;  // samples per pixel and stream
   ScheduleState state_;
 };

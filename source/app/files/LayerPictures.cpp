@@ -51,6 +51,7 @@ RenderSettings SettingsForLayer(const RenderSettings& picture, Layer layer) {
   settings.denoise = false;
   if (layer == Layer::id || layer == Layer::depth) {
     settings.samples = 1;
+    settings.places = BlockOrder::places;
     settings.filter = FilterKind::box;
   }
   return settings;

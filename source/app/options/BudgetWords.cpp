@@ -50,12 +50,33 @@ std::optional<std::optional<ImagePart>> ReadPart(const std::string& word) {
   const std::size_t slash = word.find('/');
   if (slash == std::string::npos) return {};
   const auto index = ParseWhole(word.substr(0, slash)), of = ParseWhole(word.substr(slash + 1));
-  if (index.problem || of.problem || index.value < 1 || index.value > of.value || of.value > most_image_parts) return {};
+  if (index.problem || of.problem || index.value < 1 || index.value > of.value || of.value > most_image_parts)
+    return {};
   return ImagePart{static_cast<int>(index.value), static_cast<int>(of.value)};
 }
 
 std::string ShowPart(const std::optional<ImagePart>& part) {
   return part ? std::to_string(part->index) + "/" + std::to_string(part->of) : "";
+}
+
+bool ReadSamples(const std::string& word, RenderSettings& render) {
+  constexpr int most_apart = 16;  // pixels for one that is traced
+  for (int apart = 2; apart <= most_apart; apart *= 2) {
+    if (word != "1/" + std::to_string(apart)) continue;
+    render.samples = 1;
+    render.places = BlockOrder::places / apart;
+    return true;
+  }
+  const auto whole = ParseWhole(word);
+  if (whole.problem || whole.value < 1 || !std::in_range<int>(whole.value)) return false;
+  render.samples = static_cast<int>(whole.value);
+  render.places = BlockOrder::places;
+  return true;
+}
+
+std::string ShowSamples(const RenderSettings& render) {
+  return IsSubsampled(render) ? "1/" + std::to_string(BlockOrder::places / render.places)
+                              : std::to_string(render.samples);
 }
 
 std::optional<int> ReadLightCount(const std::string& word) {

@@ -16,6 +16,10 @@ std::string ShowDuration(const double& seconds);
 std::optional<std::optional<ErrorTarget>> ReadErrorTarget(const std::string& word);
 std::string ShowErrorTarget(const std::optional<ErrorTarget>& target);
 
+/// "16", or of the pixels "1/2", "1/4", "1/8" or "1/16"; false for anything else.
+bool ReadSamples(const std::string& word, RenderSettings& render);
+std::string ShowSamples(const RenderSettings& render);
+
 /// "all" is 0, "one" is 1, or a whole number above 0; "auto" is -1.
 std::optional<int> ReadLightCount(const std::string& word);
 std::string ShowLightCount(const int& count);

@@ -11,6 +11,7 @@
 
 #include "source/accelerate/twolevel/InstructionSet.h"
 #include "source/app/Status.h"
+#include "source/app/options/BudgetWords.h"
 #include "source/app/options/FileNames.h"
 #include "source/app/options/ForeignOption.h"
 #include "source/app/options/Help.h"
@@ -268,6 +269,17 @@ void CheckNeighbors(const RenderSettings& render) {
         "-adaptive neighbors takes one sample or all of them; it cannot be combined with -time, -error or -denoise");
 }
 
+/// What is decided by errors needs samples of every pixel, and costs and numbers of primitives have no mean.
+void CheckSubsampling(const RenderSettings& render) {
+  if (!IsSubsampled(render)) return;
+  const std::string samples = "-samples " + ShowSamples(render) + " leaves pixels out; it cannot be combined with ";
+  if (render.budget.error) throw UsageError(samples + "-error");
+  if (render.denoise) throw UsageError(samples + "-denoise");
+  if (render.budget.adaptive == Adaptive::neighbors) throw UsageError(samples + "-adaptive neighbors");
+  if (ShowsCosts(render.mode) || render.mode == *Named<RenderMode>("id"))
+    throw UsageError(samples + "-mode " + NameOf(render.mode));
+}
+
 void CheckBudget(const Options& options) {
   const Budget& budget = options.render.budget;
   if (!options.replay.empty() && budget.IsOpen()) throw UsageError("-replay and -time or -error contradict each other");
@@ -356,6 +368,7 @@ Options ReadCommandLine(Program program, std::span<const std::string> words) {
 void CompleteForScene(Options& options) {
   if (options.render.denoise) options.render.denoiser = Resolved(options.render.denoiser);
   CheckEffects(options.render.camera);
+  CheckSubsampling(options.render);
   CheckDenoise(options);
   CheckGrid(options.render);
   CheckNeighbors(options.render);

@@ -149,6 +149,14 @@ const NumberList gooch_numbers{[](const Options& options) {
                                },
                                "four numbers"};
 
+const Word samples_per_pixel{
+    [](Options& options, const std::string& word) { return ReadSamples(word, options.render); },
+    [](const Options& options) { return ShowSamples(options.render); },
+    "a whole number, 1 to 2147483647, or 1/2, 1/4, 1/8 or 1/16",
+    nullptr,
+    false,
+    true};
+
 // One entry stays one thought.
 // clang-format off
 // One function for each topic, or two. What is `raypro`'s alone makes no sense beside a picture that changes while it is
@@ -165,8 +173,8 @@ std::vector<OptionKind> PictureOptions() {
        "initial width of the window, and so of the traced image"},
       {"height", rayview, {}, {"n"}, Whole{AT(render.height), 1, most_pixels_a_side}, "pixels", "picture",
        "initial height of the window, and so of the traced image"},
-      {"samples", both, {}, {"n"}, Whole{AT(render.samples), 1, highest<int>}, "camera rays per pixel", "picture",
-       "more samples, smoother edges and shadows"},
+      {"samples", both, {}, {"n"}, samples_per_pixel, "camera rays per pixel", "picture",
+       "more samples, smoother edges and shadows; 1/4, 1/16: so few of the pixels, others filled"},
       {"denoise", raypro, {}, {}, Flag{AT(render.denoise)}, "", "picture",
        "filter noise where that lowers the error, guided by surfaces; tells the error left"},
       {"denoiser", raypro, {}, {"name"}, OneOfEnum<Denoiser>(AT(render.denoiser)), "", "picture",

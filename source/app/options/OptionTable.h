@@ -73,6 +73,7 @@ struct Word {
   const char* range;                              // in words
   std::vector<std::string> (*names)() = nullptr;  // those of its values that have one
   bool is_list = false;                           // of names, separated by commas
+  bool may_be_number = false;                     // in a report, where it is one
 };
 struct Rectangle {
   Member<std::optional<PixelRectangle>> member;

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "source/app/options/OptionTable.h"
+#include "source/text/Number.h"
 
 namespace ray {
 namespace {
@@ -30,7 +31,11 @@ struct ValueIn {
     return crop ? Json{crop->x0, crop->y0, crop->x1, crop->y1} : Json();
   }
   Json operator()(const NumberList& list) const { return list.read(options); }
-  Json operator()(const Word& word) const { return word.show(options); }
+  Json operator()(const Word& word) const {
+    const std::string shown = word.show(options);
+    const auto [whole, problem] = ParseWhole(shown);
+    return word.may_be_number && !problem ? Json(whole) : Json(shown);
+  }
   Json operator()(const PixelRequest&) const { return {}; }
   Json operator()(const Request&) const { return {}; }
 };

@@ -55,6 +55,7 @@ std::vector<std::string> OptionsWithoutEffect(const Options& options) {
       {"jpeg_quality", kind == "jpeg", on_format},
       {"bytes", format && !format->is_linear, on_format},
       {"denoiser", render.denoise, "without -denoise"},
+      {"filter", !IsSubsampled(render), "where pixels have at most one sample, at their centers"},
       {"focus", has_lens, "without -aperture"},
       {"lens", has_lens && is_grid, Without({lens, grid})},
       {"lens_samples", has_lens && is_grid && is_spiral, Without({lens, grid, {is_spiral, "-lens spiral"}})},

@@ -17,7 +17,10 @@ namespace {
 std::string ShortCountText(double count) { return count == std::floor(count) ? CountText(count) : Fixed(count, 1); }
 
 std::string PixelsText(const RunStats& record) {
-  if (record.IsComplete()) return "complete";
+  if (record.IsComplete() && !IsSubsampled(record.options.render)) return "complete";
+  if (record.IsComplete())
+    return "complete: " + std::to_string(record.pixels_done) + " of " + std::to_string(record.pixels_total) +
+           " pixels traced, the others interpolated";
   if (record.pixels_done < record.pixels_total)
     return std::to_string(record.pixels_done) + " of " + std::to_string(record.pixels_total) + " pixels done";
   const bool is_known = !record.options.render.budget.IsOpen() && record.options.replay.empty();
@@ -29,7 +32,7 @@ std::string PixelsText(const RunStats& record) {
 double SamplesOf(const RunStats& record) {
   const RenderSettings& render = record.options.render;
   const bool is_asked_for = !render.budget.IsOpen() && !render.denoise && record.options.replay.empty();
-  return is_asked_for && record.IsComplete() ? render.samples : record.samples.mean;
+  return is_asked_for && record.IsComplete() && !IsSubsampled(render) ? render.samples : record.samples.mean;
 }
 
 /// "16 spp", "1 spp at 3.1 % of the pixels, the others interpolated,"

@@ -109,7 +109,7 @@ std::optional<RenderResult> RenderJob::RenderCoarseFirst(const Integrator& integ
   CoarsePasses passes(integrator, camera, film, settings_, {frame_, stop_, rays_, begun_late_});
   // What a pixel costs may depend on those before it, so Render takes all samples of heat, in one go; where they are
   // many, the first is worth being seen as fine as it is.
-  const bool is_kept = !ShowsCosts(settings_.mode);
+  const bool is_kept = !ShowsCosts(settings_.mode) && !IsSubsampled(settings_);
   const int last_stride = is_kept || settings_.samples > 1 ? 1 : 2;
   const double all_samples = settings_.samples * static_cast<double>(film.Sampled().Area());
   const auto begin = Clock::now();
@@ -169,7 +169,8 @@ std::optional<RenderResult> RenderJob::RenderAtOnce(const Integrator& integrator
 
 std::optional<RenderResult> RenderJob::RenderRows(const Integrator& integrator) {
   // Whether a block goes on depends on its neighbors, so no row is done before all have their first sample.
-  if (SamplesWhereNeighborsDiffer(settings_)) return RenderAtOnce(integrator);
+  // Where pixels are left out, what is around them fills them.
+  if (SamplesWhereNeighborsDiffer(settings_) || IsSubsampled(settings_)) return RenderAtOnce(integrator);
   const PixelRectangle region = RegionOf(settings_);
   const auto samples = static_cast<std::uint32_t>(settings_.samples);
   const int band = BandHeight(settings_);

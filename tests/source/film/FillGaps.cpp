@@ -128,5 +128,22 @@ TEST(FillGaps, WhereNothingIsKnownThePictureStaysAsItIs) {
   EXPECT_EQ(partly.image, before);
 }
 
+// Plain means would make a stair of grays of it.
+TEST(FillGaps, ADiagonalEdgeStaysSharp) {
+  for (const bool rises : {false, true}) {
+    const auto is_white = [&](int x, int y) { return rises ? x > y : x + y > 48; };
+    Partly partly;
+    for (int y = 0; y < rows; y += 2)
+      for (int x = 0; x < columns; x += 2) partly.Know(x, y, is_white(x, y) ? R2::Color{1, 1, 1} : R2::Color{});
+    FillGaps(partly.image, 0, 0, partly.is_known);
+    for (int i = 9; i < 40; i += 2) {
+      const int x = i, y = rises ? i : 48 - i;
+      EXPECT_EQ(partly.image.At(x, y), R2::Color()) << "on the edge, " << x << " " << y;
+      EXPECT_EQ(partly.image.At(x + 2, y), (R2::Color{1, 1, 1})) << x << " " << y;
+      EXPECT_EQ(partly.image.At(x - 2, y), R2::Color()) << x << " " << y;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace ray
