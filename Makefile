@@ -6,7 +6,8 @@
 #                   patches of script/price apply; and that all who name packages name the same
 #   make asan tsan  the tests again under the sanitizers
 #   make fuzz       the fuzz targets, with clang, under build/fuzz; script/fuzz.sh runs them
-#   make fuzz-scenes  random scenes: hits in exact arithmetic, bounds on light, one mean; SCENES=100000 from SEED=1 on
+#   make fuzz-scenes  random scenes: hits in exact arithmetic, bounds on light, one mean; SCENES=100000 from SEED=1 on,
+#                   SEED=2 STEP=3 for those whose surfaces touch
 #   make bench      the benchmark programs
 #   make tiny       the smallest tracer, as source and as executable, and how small it is
 #   make tradeoff   error over seconds for every knob, as CSV and plots under build/tradeoff; FULL=1 for hours
@@ -208,7 +209,7 @@ $(BUILD)/targets/%: $(BUILD)/obj/fuzz/%.o $(BUILD)/librayview.a $(BUILD)/libray.
 
 # An hour of one core for 100,000. The first scene that fails is kept and named.
 fuzz-scenes: test-binary
-	RAYTESTS_SCENES=$(or $(SCENES),100000) RAYTESTS_SEED=$(or $(SEED),1) $(BUILD)/raytests --gtest_filter='RandomScenes.*'
+	RAYTESTS_SCENES=$(or $(SCENES),100000) RAYTESTS_SEED=$(or $(SEED),1) RAYTESTS_STEP=$(or $(STEP),1) $(BUILD)/raytests --gtest_filter='RandomScenes.*'
 
 bench: $(patsubst bench/%.cpp,$(BUILD)/bench/%,$(call present,$(BENCH_SOURCES))) raypro
 

@@ -129,7 +129,7 @@ void TryOrders(Search& search, const Image& r) {
 }
 
 /// One factor for all, by least squares where neither is clamped.
-void TryFactor(Search& search, const Image& reference) {
+void TryFactor(Search& search, const Image& image, const Image& reference) {
   const auto &x = search.image().Channels(), &r = search.reference().Channels();
   double products = 0, squares = 0;
   for (std::size_t i = 0; i < x.size(); ++i) {
@@ -142,6 +142,10 @@ void TryFactor(Search& search, const Image& reference) {
   search.Try(EachColor(reference, [&](const Color& c) { return factor * c; }), "scaled",
              "every value is " + Rounded(factor, 3) + " times that of the reference",
              "Is there a constant factor, such as pi or a number of samples?");
+  if (!(factor > 0)) return;
+  search.TryInReference(EachColor(image, [&](const Color& c) { return c / factor; }), "scaled",
+                        "every value is " + Rounded(1 / factor, 3) + " times that of the image",
+                        "Does the image lack a factor, such as pi?");
 }
 
 /// A reference of bytes does not know how far beyond 1 a value was, but where: there, and nowhere else, it differs.
@@ -207,7 +211,7 @@ std::optional<Cause> LikelyCause(const R2::DecodedImage& image, const R2::Decode
   if (!have_one_size) return search.Best();
   TryMistakes(search, image.image, reference.image);
   TryOrders(search, reference.image);
-  TryFactor(search, reference.image);
+  TryFactor(search, image.image, reference.image);
   TryWrapped(search);
   constexpr double as_good_as_all = 0.98;
   if (!search.Best() || search.Best()->share < as_good_as_all) TryShift(search);

@@ -1,6 +1,7 @@
 // Scenes of everything that the language has, at random: what rays hit, by every structure and in 113 bits, and the
-// light in their pictures. RAYTESTS_SCENES tells how many, RAYTESTS_SEED which is the first; make fuzz-scenes tries
-// 100,000. A scene that fails is kept, with what it names beside it, and named.
+// light in their pictures. RAYTESTS_SCENES tells how many, RAYTESTS_SEED which is the first, RAYTESTS_STEP how far it
+// is to the next: seeds 2, 5, 8... make scenes whose surfaces touch. make fuzz-scenes tries 100,000. A scene that fails
+// is kept, with what it names beside it, and named.
 
 #include <gtest/gtest.h>
 
@@ -37,7 +38,8 @@ template <typename Check>
 void ForEachScene(int unless_set, const RandomScene::Light& light, const Check& check) {
   const auto first = static_cast<std::uint64_t>(ray::testing::Rounds("RAYTESTS_SEED", 1));
   const int count = ray::testing::Rounds("RAYTESTS_SCENES", unless_set);
-  for (std::uint64_t seed = first; seed < first + static_cast<std::uint64_t>(count); ++seed) {
+  const auto step = static_cast<std::uint64_t>(ray::testing::Rounds("RAYTESTS_STEP", 1));
+  for (std::uint64_t seed = first; seed < first + step * static_cast<std::uint64_t>(count); seed += step) {
     const TemporaryFolder folder;
     const project::Stage stage = StageIn(folder, RandomScene(seed, light));
     check(stage, seed);
@@ -46,7 +48,8 @@ void ForEachScene(int unless_set, const RandomScene::Light& light, const Check& 
     fs::copy(folder.Path(), kept, fs::copy_options::recursive | fs::copy_options::overwrite_existing);
     FAIL() << "the scene of seed " << seed << " is kept as " << kept / "scene.scn";
   }
-  std::printf("%d scenes, seeds from %llu\n", count, static_cast<unsigned long long>(first));
+  std::printf("%d scenes, seeds from %llu by %llu\n", count, static_cast<unsigned long long>(first),
+              static_cast<unsigned long long>(step));
 }
 
 TEST(RandomScenes, AreHitAsEveryStructureAndArithmeticOf113BitsSay) {

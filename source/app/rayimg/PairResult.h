@@ -18,7 +18,7 @@ struct Pair {
 
 /// What became of a pair, from the best to the worst.
 enum class Outcome { equal, differs, fails, other_size, unpaired, unreadable };
-inline constexpr std::array outcome_names{"equal", "differs", "fails", "other size", "unpaired", "unreadable"};
+inline constexpr std::array outcome_names{"equal", "different", "beyond the limit", "other size", "unpaired", "unreadable"};
 constexpr const auto& NamesOf(Outcome) { return outcome_names; }
 
 struct PairResult {

@@ -81,6 +81,16 @@ TEST(FolderDiff, NamesTheCauseOfEachDifference) {
   }
 }
 
+TEST(FolderDiff, AFactorIsNamedThoughTheReferenceIsClamped) {
+  NEEDS_RAYIMG();
+  const R2::Image dark = Scene(40, 32);
+  const TwoFolders folders;
+  Save(folders / "mine/a.png", dark);
+  Save(folders / "right/a.png", Made(40, 32, [&](int x, int y) { return 1.8 * dark.At(x, y); }));
+  const auto json = nlohmann::json::parse(folders.Diff({"-json"}).output);
+  EXPECT_EQ(json["images"][0]["cause"]["name"], "scaled_in_reference") << json;
+}
+
 TEST(FolderDiff, SortsByDifferenceAndLosesNothing) {
   NEEDS_RAYIMG();
   const TwoFolders folders;
