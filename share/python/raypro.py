@@ -1,0 +1,349 @@
+"""Renders scenes with raypro from Python and in notebooks.
+
+    import raypro
+    image = raypro.render("scenes/hello.scn", width=512, samples=16)
+    image                    # in a notebook: the picture
+    image.array[0][0]        # red, green and blue of the upper left pixel
+    image.report["seconds"]  # what raypro -report writes
+
+A scene is the name of a file, or a text with a line break in it, whose mistakes are told as those of <stdin>.
+
+Options are those of raypro, by name (raypro -help and docs/options.md have units, ranges and defaults), as values:
+    width=512, mode="path"        -width 512 -mode path
+    denoise=True, denoise=False   -denoise, and nothing: what the scene or raypro itself says
+    shadows=False                 -shadows off, for those that take on or off
+    eye=(0, 1, 5)                 -eye 0 1 5
+    layers=["depth", "normal"]    -layers depth,normal
+    define={"t": 0.5}             -define t=0.5, for each name
+    seed=None                     nothing
+raypro itself refuses what it does not know, as SceneError.
+
+The programs raypro and rayimg are looked for where the environment variable RAYPRO says, or else beside this file, in
+the installation or the sources that it belongs to, and on PATH. Needs Python 3.9 and nothing else; arrays are numpy's
+where numpy is installed.
+"""
+
+import array
+import functools
+import json
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import warnings
+
+try:
+    import numpy
+except ImportError:
+    numpy = None
+
+__all__ = ["Image", "SceneError", "debugpixel", "diff", "render", "tell"]
+
+
+class SceneError(Exception):
+    """What raypro or rayimg refused, in its own words, with line, column and caret where a file is to blame.
+
+    status: its exit status, 1 to 255: 1 failed while rendering, 2 wrong arguments, 3 the scene or a file that it names
+    is wrong or missing, 4 the picture cannot be written; minus the number of the signal that killed it.
+    """
+
+    def __init__(self, text, status):
+        super().__init__(text)
+        self.status = status
+
+
+class Image:
+    """A picture of floats, and what raypro said about it.
+
+    width, height: in pixels.
+    report: the dict that raypro -report writes; {} for a layer.
+    warnings: a list of texts, each with its caret.
+    summary: what raypro printed: size, samples per pixel, seconds, estimated error.
+    layers: a dict of Images by name, for layers=["depth", ...].
+    """
+
+    def __init__(self, pfm, report=None, told=(), summary="", layers=None, png=None):
+        self._pfm, self._png = pfm, png
+        self.report, self.warnings, self.summary = report or {}, list(told), summary
+        self.layers = layers or {}
+        _, size, scale, self._floats = pfm.split(b"\n", 3)
+        self.width, self.height = map(int, size.split())
+        self._byte_order = "little" if float(scale) < 0 else "big"
+
+    @functools.cached_property
+    def array(self):
+        """Floats in single precision, linear where srgb=True, not clamped: array[row][column] from the upper left.
+
+        A pixel is [red, green, blue]; what is one number, as a depth is, stands there three times. With numpy an array
+        of shape (height, width, 3), which matplotlib's imshow takes; without, nested lists.
+        """
+        if numpy:
+            order = "<f4" if self._byte_order == "little" else ">f4"
+            return numpy.frombuffer(self._floats, order).reshape(self.height, self.width, 3)[::-1].astype(numpy.float32)
+        floats = array.array("f", self._floats)
+        if self._byte_order != sys.byteorder:
+            floats.byteswap()
+        pixels = [list(floats[i : i + 3]) for i in range(0, len(floats), 3)]
+        return [pixels[i : i + self.width] for i in range(0, len(pixels), self.width)][::-1]
+
+    def pixel(self, x, y):
+        """The pixel of array in column x from the left and row y from the bottom, both from 0, as debugpixel counts."""
+        if not (0 <= x < self.width and 0 <= y < self.height):
+            raise IndexError(f"no pixel {x} {y} in a picture of {self.width} x {self.height}")
+        return self.array[self.height - 1 - y][x]
+
+    def save(self, name):
+        """Writes the picture; the extension says how: png, jpg, ppm, bmp, pfm, hdr, or exr where that was built in."""
+        with tempfile.TemporaryDirectory(prefix="raypro-") as folder:
+            source = _in_folder(folder, "picture.pfm", self._pfm)
+            encoding = {"srgb": self.report.get("settings", {}).get("srgb")}
+            _run("rayimg", ["convert", source, os.fspath(name), *_words(encoding)])
+
+    def _repr_png_(self):
+        if self._png is None:
+            with tempfile.TemporaryDirectory(prefix="raypro-") as folder:
+                self.save(os.path.join(folder, "picture.png"))
+                self._png = pathlib.Path(folder, "picture.png").read_bytes()
+        return self._png
+
+    def __repr__(self):
+        return f"<raypro.Image {self.width} x {self.height}>"
+
+
+def render(scene, *, progress=None, folder=None, **options):
+    """Renders a scene, a file or a text, and returns an Image.
+
+    progress: a function of the share that is done, 0 to 1, and a text such as "0:12 left  4.3 Mrays/s", called some ten
+    times a second; True or False: a line of progress or none; by default one in notebooks and on terminals.
+    folder: where relative names start, of files that a text names as well; by default the current folder.
+    Warnings are also given to Python's module warnings. Ctrl-C and what progress raises stop raypro; nothing is left.
+    """
+    if progress is None or progress is True:
+        progress = _ProgressLine() if progress or _is_watched() else None
+    of_png = {name: options.pop(name) for name in ("bits", "bytes") if name in options}
+    with tempfile.TemporaryDirectory(prefix="raypro-") as place:
+        picture, report = os.path.join(place, "picture.pfm"), os.path.join(place, "report.json")
+        summary, said = _run_scene(scene, [picture, "-report", report], options, folder, progress)
+        if not os.path.exists(picture):
+            raise ValueError("these options render no picture; raypro.tell(scene, ...) returns what raypro prints")
+        pfm, report = pathlib.Path(picture).read_bytes(), json.loads(pathlib.Path(report).read_text(encoding="utf-8"))
+        layers = {file.name.split(".")[1]: Image(file.read_bytes()) for file in pathlib.Path(place).glob("*.*.pfm")}
+        png = None
+        if of_png or report["settings"]["mode"] in _SHOWN_SCALED:
+            shown = os.path.join(place, "picture.png")
+            _run_scene(scene, [shown, "-quiet"], {**options, **of_png, "layers": None}, folder)
+            png = pathlib.Path(shown).read_bytes()
+    told = _split_warnings(said)
+    for text in told:
+        warnings.warn("\n" + text, stacklevel=2)
+    return Image(pfm, report, told, summary.replace(picture, "").strip(), layers, png)
+
+
+# Modes whose PNG raypro scales to black and white; they are fast enough to be rendered twice.
+_SHOWN_SCALED = ("depth", "normal", "id")
+
+
+def tell(scene, *, folder=None, **options):
+    """What raypro prints about a scene without a picture: tell(scene, check=True), files=True, advise=True."""
+    return _run_scene(scene, [], options, folder)[0]
+
+
+def debugpixel(scene, x, y, **options):
+    """The tree of the rays behind a pixel, as text: column x from the left, 0 to width - 1, row y from the bottom.
+
+    Options are those of render; width and height say how large the picture is. verbose=True prints all digits.
+    """
+    return tell(scene, debugpixel=(x, y), **options)
+
+
+def diff(picture, reference, **options):
+    """How far a picture is from a reference, each an Image or the name of a file: a dict, by rayimg diff -json.
+
+    "rmse": of the linear values. "display_rmse": in 255ths, clamped to 0..1. "psnr": in dB, None if both are equal.
+    "flip": mean perceived difference, 0 to 1. "largest": the largest difference, its pixel and channel. "bias": of each
+    channel. "failures": which of the limits given, such as fail_rmse=0.01, are exceeded. Options are those of rayimg
+    diff; map="where.png" writes a map.
+    """
+    with tempfile.TemporaryDirectory(prefix="raypro-") as folder:
+        names = [
+            _in_folder(folder, name, image._pfm) if isinstance(image, Image) else os.fspath(image)
+            for name, image in (("picture.pfm", picture), ("reference.pfm", reference))
+        ]
+        beyond_a_limit = 1
+        text, _ = _run("rayimg", ["diff", *names, "-json", *_words(options)], accepted=(0, beyond_a_limit))
+    found = json.loads(text)
+    return {**found, "picture": str(picture), "reference": str(reference)}
+
+
+def main():
+    """The command raypro or rayimg of a wheel: becomes the program of its own name."""
+    program = _find(os.path.basename(sys.argv[0]))
+    os.execv(program, [program, *sys.argv[1:]])
+
+
+# Words of the command line.
+
+
+@functools.lru_cache(maxsize=None)
+def _switches(program):
+    """The options of raypro that take on or off, from its help."""
+    text = subprocess.run([program, "-help"], stdout=subprocess.PIPE, text=True, check=True).stdout
+    blocks = re.split(r"^  -", text, flags=re.MULTILINE)[1:]
+    return {block.split()[0] for block in blocks if re.search(r"\bon or off;", block)}
+
+
+def _words(options):
+    return [word for name, value in options.items() for word in _words_of(name, value)]
+
+
+def _words_of(name, value):
+    option = "-" + name
+    if value is None:
+        return []
+    if isinstance(value, bool):
+        if name in _switches(_find("raypro")):
+            return [option, "on" if value else "off"]
+        return [option] if value else []
+    if isinstance(value, dict):
+        return [word for key, of_key in value.items() for word in (option, f"{key}={of_key}")]
+    if isinstance(value, (str, os.PathLike)) or not hasattr(value, "__iter__"):
+        return [option, str(value)]
+    values = list(value)
+    if name in ("define", "allow_path"):
+        return [word for each in values for word in (option, str(each))]
+    if values and isinstance(values[0], (str, os.PathLike)):
+        return [option, ",".join(map(str, values))]
+    return [option, *map(str, values)]
+
+
+# Running the programs.
+
+
+def _find(program):
+    named = os.environ.get(program.upper()) or os.environ.get("RAYPRO")
+    if named:
+        places = [pathlib.Path(named).parent.absolute()]
+    else:
+        here = pathlib.Path(__file__).resolve().parent
+        places = [here / "raypro_programs", here, here / "../../build", here / "../../../bin"]
+    found = shutil.which(program, path=os.pathsep.join(map(str, places))) or (not named and shutil.which(program))
+    if found:
+        return found
+    lack = f"no {program} in {places[0]}, where RAYPRO says" if named else f"no {program} beside {__file__} nor on PATH"
+    advice = "build it (script/setup.sh), install it, or say where it is, as by os.environ['RAYPRO'] = '/.../build/raypro'"
+    raise FileNotFoundError(f"{lack}; {advice}")
+
+
+def _run_scene(scene, words, options, folder=None, progress=None):
+    is_text = isinstance(scene, str) and "\n" in scene
+    name = "-" if is_text else os.fspath(scene)
+    return _run("raypro", [name, *words, *_words(options)], scene if is_text else "", folder, progress)
+
+
+def _run(program, words, text="", folder=None, progress=None, accepted=(0,)):
+    """Runs a program, gives it a text, and returns what it printed as output and as errors."""
+    with tempfile.TemporaryFile() as given, tempfile.TemporaryFile() as output:
+        given.write(text.encode("utf-8"))
+        given.seek(0)
+        reads, writes = _open_terminal() if progress else os.pipe()
+        with open(reads, "rb", buffering=0) as errors:
+            try:
+                process = subprocess.Popen(
+                    [_find(program), *words], stdin=given, stdout=output, stderr=writes, cwd=folder,
+                    env={**os.environ, "TERM": "xterm", "NO_COLOR": "1"}, start_new_session=True,
+                )  # fmt: skip
+            finally:
+                os.close(writes)
+            try:
+                said = _listen(errors, progress)
+                status = process.wait()
+            except BaseException:  # Ctrl-C among them, which in a session of its own raypro does not get
+                _stop(process)
+                raise
+            finally:
+                if hasattr(progress, "clear"):
+                    progress.clear()
+        output.seek(0)
+        printed = output.read().decode("utf-8", "replace")
+    if status not in accepted:
+        raise SceneError(said.strip() or f"{program} ended with status {status}", status)
+    return printed, said
+
+
+def _open_terminal():
+    """On a terminal raypro tells its progress ten times a second; where there is none to be had, every five seconds."""
+    try:
+        return os.openpty()
+    except OSError:
+        return os.pipe()
+
+
+def _listen(errors, progress):
+    """Reads to the end; passes lines of progress on and returns the others."""
+    kept, rest, told = [], "", ""
+    while True:
+        try:
+            read = errors.read(65536)
+        except OSError:  # how the end of a terminal looks on Linux
+            read = b""
+        rest += read.decode("utf-8", "replace").replace("\r\n", "\n").replace("\r\033[K", "\n")
+        *lines, rest = rest.split("\n")
+        for line in [*lines, rest]:
+            found = _PROGRESS.match(line)
+            if found and progress and line != told:
+                progress(int(found[1]) / 100, found[2] or "")
+                told = line
+        kept += [line for line in lines if not _PROGRESS.match(line)]
+        if not read:
+            return "\n".join(kept + ([] if _PROGRESS.match(rest) else [rest]))
+
+
+_PROGRESS = re.compile(r" *(\d+) %(?:  (.*))?$")
+
+
+def _stop(process):
+    process.terminate()
+    try:
+        process.wait(timeout=5)
+    except subprocess.TimeoutExpired:
+        process.kill()
+        process.wait()
+
+
+def _split_warnings(said):
+    """Each begins with a line that says so; the lines after it, with the caret, are its own."""
+    return [text.strip("\n") for text in re.split(r"^(?=[^\n|]*: warning: )", said, flags=re.MULTILINE) if text.strip()]
+
+
+def _in_folder(folder, name, content):
+    path = pathlib.Path(folder, name)
+    path.write_bytes(content)
+    return str(path)
+
+
+# Progress.
+
+
+def _is_watched():
+    return "ipykernel" in sys.modules or bool(getattr(sys.stdout, "isatty", bool)())
+
+
+class _ProgressLine:
+    """One line that is written over, and taken away at the end."""
+
+    def __init__(self):
+        self._length = 0
+
+    def __call__(self, share, text):
+        self._show(f"{share:4.0%}  {text}")
+
+    def clear(self):
+        if self._length:
+            self._show("")
+
+    def _show(self, line):
+        print("\r" + line.ljust(self._length), end="" if line else "\r", flush=True)
+        self._length = len(line)
