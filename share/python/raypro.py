@@ -233,7 +233,7 @@ def _find(program):
     if found:
         return found
     lack = f"no {program} in {places[0]}, where RAYPRO says" if named else f"no {program} beside {__file__} nor on PATH"
-    advice = "build it (script/setup.sh), install it, or say where it is, as by os.environ['RAYPRO'] = '/.../build/raypro'"
+    advice = "build it (script/setup.sh), install it, or say where it is: os.environ['RAYPRO'] = '/.../build/raypro'"
     raise FileNotFoundError(f"{lack}; {advice}")
 
 
@@ -283,22 +283,23 @@ def _open_terminal():
 
 def _listen(errors, progress):
     """Reads to the end; passes lines of progress on and returns the others."""
-    kept, rest, told = [], "", ""
+    kept, rest, told = [], b"", ""
     while True:
         try:
             read = errors.read(65536)
         except OSError:  # how the end of a terminal looks on Linux
             read = b""
-        rest += read.decode("utf-8", "replace").replace("\r\n", "\n").replace("\r\033[K", "\n")
-        *lines, rest = rest.split("\n")
-        for line in [*lines, rest]:
-            found = _PROGRESS.match(line)
-            if found and progress and line != told:
+        *lines, rest = re.split(rb"\r\n|\n|\r\033\[K", rest + read)  # the last may not be whole yet
+        for line in lines + [rest]:
+            text = line.decode("utf-8", "replace").strip("\r")
+            found = _PROGRESS.match(text)
+            if found and progress and text != told:
                 progress(int(found[1]) / 100, found[2] or "")
-                told = line
-        kept += [line for line in lines if not _PROGRESS.match(line)]
+                told = text
+            if not found and (line is not rest or not read):
+                kept.append(text)
         if not read:
-            return "\n".join(kept + ([] if _PROGRESS.match(rest) else [rest]))
+            return "\n".join(kept)
 
 
 _PROGRESS = re.compile(r" *(\d+) %(?:  (.*))?$")
