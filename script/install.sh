@@ -61,6 +61,9 @@ put 644 "share/$icon" "$datadir/$icon"
 for file in README.md LICENSE CHANGELOG.md CITATION.cff docs/* art/valley.jpg writeup/pictures/pixel.jpg; do
   put 644 "$file" "$docdir/$file"
 done
+for file in raypro.py first_steps.ipynb; do
+  put 644 "share/python/$file" "$datadir/raypro/python/$file"
+done
 # A loop behind a pipe would not stop the script when it fails.
 find scenes share/suites -type f ! -name '.*' > "$work/scenes"
 while IFS= read -r file; do

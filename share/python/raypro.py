@@ -180,8 +180,8 @@ def diff(picture, reference, **options):
 
 def main():
     """The command raypro or rayimg of a wheel: becomes the program of its own name."""
-    program = _find(os.path.basename(sys.argv[0]))
-    os.execv(program, [program, *sys.argv[1:]])
+    program = pathlib.Path(__file__).resolve().with_name("raypro_programs") / os.path.basename(sys.argv[0])
+    os.execv(program, [str(program), *sys.argv[1:]])
 
 
 # Words of the command line.

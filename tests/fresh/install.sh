@@ -43,7 +43,7 @@ for program in $programs; do
 done
 "$stage/opt/ray/bin/comp30019" --help | grep -q aperture-radius || fail "comp30019 does not run"
 for file in man/man5/scn.5 man/man7/raypro-farm.7 man/man1/raypro-slurm.1 mime/packages/raypro.xml icons/hicolor/scalable/apps/raypro.svg doc/raypro/README.md doc/raypro/LICENSE doc/raypro/CHANGELOG.md doc/raypro/docs/options.md \
-  raypro/scenes/hello.scn raypro/scenes/textures/checker.png raypro/installed.txt; do
+  raypro/scenes/hello.scn raypro/scenes/textures/checker.png raypro/python/first_steps.ipynb raypro/installed.txt; do
   [ -s "$share/$file" ] || fail "share/$file is missing"
 done
 case "$programs" in *rayview*) [ -s "$share/applications/rayview.desktop" ] || fail "rayview.desktop is missing" ;; esac
@@ -68,6 +68,13 @@ fi
 "$build/raypro" scenes/hello.scn "$work/built.ppm" -width 64 -height 64 -quiet
 (cd / && "$stage/opt/ray/bin/raypro" "$share/raypro/scenes/hello.scn" "$work/installed.ppm" -width 64 -height 64 -quiet)
 cmp "$work/built.ppm" "$work/installed.ppm" || fail "the installed program makes another picture"
+
+# raypro.py of the installation finds the program of the installation.
+if command -v python3 >/dev/null 2>&1; then
+  found=$(cd / && env -u RAYPRO PYTHONDONTWRITEBYTECODE=1 PYTHONPATH="$share/raypro/python" python3 -c \
+    "import os, raypro; print(raypro.render('$share/raypro/scenes/hello.scn', width=8), os.path.realpath(raypro._find('raypro')))")
+  [ "$found" = "<raypro.Image 8 x 256> $(realpath "$stage/opt/ray/bin/raypro")" ] || fail "raypro.py says $found"
+fi
 
 try_make uninstall
 listing > "$work/after"

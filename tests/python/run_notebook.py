@@ -38,8 +38,10 @@ def run_by_nbconvert(path):
 
     notebook = nbformat.read(path, as_version=4)
     nbformat.validate(notebook)
-    ExecutePreprocessor(timeout=120, kernel_name="python3").preprocess(notebook, {"metadata": {"path": str(path.parent)}})
-    pictures = sum("image/png" in output.get("data", {}) for cell in notebook.cells for output in cell.get("outputs", []))
+    execution = ExecutePreprocessor(timeout=120, kernel_name="python3")
+    execution.preprocess(notebook, {"metadata": {"path": str(path.parent)}})
+    outputs = [output for cell in notebook.cells for output in cell.get("outputs", [])]
+    pictures = sum("image/png" in output.get("data", {}) for output in outputs)
     print(f"nbconvert: {len(notebook.cells)} cells, {pictures} pictures shown")
 
 
