@@ -58,7 +58,7 @@ put 644 share/mime/packages/raypro.xml "$datadir/mime/packages/raypro.xml"
 icon=icons/hicolor/scalable/apps/raypro.svg
 put 644 "share/$icon" "$datadir/$icon"
 # With the images that they show.
-for file in README.md LICENSE CHANGELOG.md CITATION.cff docs/* art/valley.jpg writeup/pictures/pixel.jpg; do
+for file in README.md LICENSE CHANGELOG.md CITATION.cff docs/*.* docs/notes/* art/valley.jpg writeup/pictures/pixel.jpg; do
   put 644 "$file" "$docdir/$file"
 done
 for file in raypro.py first_steps.ipynb; do
