@@ -122,7 +122,7 @@ double RuledShading::CosineOf(const ShadingPoint& p, const R3::Vector& L) const 
 R2::Color RuledShading::HighlightOf(const ShadingPoint& p, const R3::Vector& L) const {
   if (!rules_.half_vector) return Highlight(p, L);
   const double lobe = Dot(p.N, Unit(L + p.wo));
-  return p.material->ks * (lobe > 0 && !IsBlack(p.material->ks) ? R1::Pow(lobe, p.material->n) : 0);
+  return p.Mapped(p.material->ks * (lobe > 0 && !IsBlack(p.material->ks) ? R1::Pow(lobe, p.material->n) : 0));
 }
 
 R3::Vector RuledShading::ShadowDirection(std::size_t which, const ShadingPoint& p, const LightSample& sample) const {

@@ -65,7 +65,7 @@ void PathFront::MakeColumnsOfHighlights() {
   others_by_phong.clear();
   for (std::uint32_t i = 0; i < points.size(); ++i) {
     const Material& m = *points[i].material;
-    const bool is_plain = m.coat == 0 && (IsBlack(m.ks) || R1::IsWholeExponent(m.n));
+    const bool is_plain = m.coat == 0 && !m.specular_map && (IsBlack(m.ks) || R1::IsWholeExponent(m.n));
     has_highlights |= !IsBlack(m.ks);
     wo.Set(i, points[i].wo);
     ks.Set(i, m.ks);

@@ -43,7 +43,7 @@ struct PathFront {
   ColorOfEach ks;
   std::array<std::uint64_t, LightSamples::most> exponents;  // 0 where they are not whole
   std::uint64_t exponent_bits;                              // those that any of them has
-  std::vector<std::uint32_t> others_by_phong;               // with a coat or an exponent that is not whole
+  std::vector<std::uint32_t> others_by_phong;               // with a coat, a map, or no whole exponent
 
   /// Adds a point of which the path and the hit are known.
   void Add(const PathState& arriving, const WorldHit& hit, std::uint32_t path) {

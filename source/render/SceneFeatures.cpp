@@ -34,7 +34,8 @@ void AddMaterial(SceneFeatures& features, const Material& m, const RenderSetting
   features.clear |= !IsBlack(m.kt) && settings.trace.max_depth > 0;
   features.bending |= !IsBlack(m.kt) && m.ir != 1 && settings.trace.max_depth > 0;
   features.absorbing |= !IsBlack(m.absorb);
-  features.textures |= m.texture != nullptr;
+  const bool is_specular = !IsBlack(m.ks) || !IsBlack(m.kr);
+  features.textures |= m.texture || (m.specular_map && is_specular);
 }
 
 }  // namespace

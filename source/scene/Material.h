@@ -31,7 +31,8 @@ struct Material {
   int priority = 0;           // where solids overlap, the material with the highest fills the place
   std::shared_ptr<const Texture> bump;  // its luminance times bump_height is how far the surface seems to rise
   double bump_height = 0;
-  std::shared_ptr<const Texture> normal_map;  // normals as colors 2 c - 1: along u, along v, outward
+  std::shared_ptr<const Texture> specular_map;  // multiplies ks and kr
+  std::shared_ptr<const Texture> normal_map;    // normals as colors 2 c - 1: along u, along v, outward
   double gloss = 0;       // exponent of the Phong lobe that reflections are spread over; 0: mirrored, or with -glossy n
   int gloss_samples = 1;  // rays of a reflection so spread, >= 1, in mode whitted
   double coat = 0;        // index of refraction, > 0, of a clear coat over what is diffuse; 0: none

@@ -128,8 +128,8 @@ constexpr std::pair<const char*, const char*> extensions[] = {
     {"mesh id file materials",
      "Faces have the materials that the file gives them, and colors of its vertices; the material id is for all "
      "others."},
-    {"absorb, bump, coat, flat_color, gloss, mirror, normal_map, one_sided, priority, texture_ambient, texture_scale, "
-     "vertex_colors",
+    {"absorb, bump, coat, flat_color, gloss, mirror, normal_map, one_sided, priority, specular_map, texture_ambient, "
+     "texture_scale, vertex_colors",
      "Of a material of the same file, stated before."},
     {"priority",
      "Solids that light goes through may contain one another, touch and overlap: rays are refracted between what is on "
@@ -150,6 +150,10 @@ constexpr std::pair<const char*, const char*> extensions[] = {
      "As -glossy for one material and with an exponent of its own, n staying that of highlights. Rays that share a "
      "reflection each have their share of its weight, which -min_luminance may cut at the next bounce."},
     {"normal_map", "Needs no vertex normals or tangents: how texture coordinates run over a shape is found from them."},
+    {"specular_map",
+     "Read, blended, repeated and with -srgb decoded as the texture is. It multiplies ks and what mirror says, each by "
+     "its own channel, so that black mirrors nothing and has no highlight; in mode path the weight of the glossy lobe. "
+     "What coat, -fresnel and -internal_reflection mirror, kt and kd stay as they are."},
     {"flat_color, texture_ambient",
      "What mode flat shows, where it is not kd + ks + kt; a texture that colors ambient light as well."},
     {"csg",

@@ -143,10 +143,17 @@ bool HasUnusedColor(const Material& m) {
   return m.color && !IsBlack(*m.color) && is_black && IsBlack(m.emission) && m.coat == 0;
 }
 
+bool HasSpecular(const Material& m) { return !IsBlack(m.ks) || !IsBlack(m.kr); }
+
 /// Those of single shapes.
 void AddShapeMistakes(std::vector<std::string>& mistakes, const World& world, const RenderSettings& settings) {
+  const auto has_no_uv = [](const Instance& i) { return !i.shape->HasTextureCoordinates(); };
   Point(mistakes, world, "has a texture but no texture coordinates",
-        [](const Instance& i) { return i.material->texture && !i.shape->HasTextureCoordinates(); });
+        [&](const Instance& i) { return i.material->texture && has_no_uv(i); });
+  Point(mistakes, world, "has a specular map but no texture coordinates",
+        [&](const Instance& i) { return i.material->specular_map && has_no_uv(i); });
+  Point(mistakes, world, "has a specular map but neither ks nor a mirror that it could multiply",
+        [](const Instance& i) { return i.material->specular_map && !HasSpecular(*i.material); });
   if (ShowsLight(settings.mode) && settings.mode != RenderMode::gooch)  // whose tones are no material's
     Point(mistakes, world, "has a color but no ka, kd or ks, and is black",
           [](const Instance& i) { return HasUnusedColor(*i.material); });

@@ -66,7 +66,8 @@ Shared FindShared(const World& world) {
   for (const Instance& instance : world.Instances())
     if (const auto* mesh = dynamic_cast<const R3::Mesh*>(instance.shape)) shared.meshes.insert(mesh);
   for (const Material& material : world.scene().materials)
-    if (material.texture) shared.textures.insert(material.texture.get());
+    for (const auto* map : {&material.texture, &material.specular_map})
+      if (*map) shared.textures.insert(map->get());
   return shared;
 }
 

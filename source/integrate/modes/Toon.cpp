@@ -31,7 +31,7 @@ class Toon : public FirstHit {
     if (!(cosine > 0)) return {};
     const double tone = std::ceil(bands_ * std::min(cosine, 1.0)) / bands_;
     const bool shines = lobe > 0 && R1::CosinePower(lobe, p.material->n) > bright;
-    return (tone * p.kd + (shines ? p.material->ks : R2::Color{})) * light.irradiance;
+    return (tone * p.kd + (shines ? p.Mapped(p.material->ks) : R2::Color{})) * light.irradiance;
   }
 
   int bands_;

@@ -61,7 +61,7 @@ void PhongReflectionOfEach(const ShadingPoint& p, double weight, LightSamples& s
   const Material& m = *p.material;
   const std::uint32_t count = samples.count;
   alignas(64) LightSamples::Each cosine, lobe, highlight;
-  if (m.coat > 0) [[unlikely]] {
+  if (m.coat > 0 || m.specular_map) [[unlikely]] {
     for (std::uint32_t i = 0; i < count; ++i)
       samples.SetColor(i, weight * PhongReflection(p, Unit(samples.ToLight(i)), samples.Color(i)));
     return;
@@ -83,11 +83,11 @@ namespace {
 
 SpecularWeights WithoutCoat(const ShadingPoint& p, double cosine, const TraceSettings& settings) {
   const Material& m = *p.material;
-  if (!(settings.fresnel || settings.internal_reflection) || IsBlack(m.kt) || p.RelativeIndex() == 1)
-    return {m.kr, m.kt};
-  if (!settings.fresnel) return Refraction(p) ? SpecularWeights{m.kr, m.kt} : SpecularWeights{m.kr + m.kt, {}};
+  const R2::Color kr = p.Mapped(m.kr);
+  if (!(settings.fresnel || settings.internal_reflection) || IsBlack(m.kt) || p.RelativeIndex() == 1) return {kr, m.kt};
+  if (!settings.fresnel) return Refraction(p) ? SpecularWeights{kr, m.kt} : SpecularWeights{kr + m.kt, {}};
   const double share = FresnelReflectance(cosine, p.RelativeIndex());
-  return {m.kr + share * m.kt, (1 - share) * m.kt};
+  return {kr + share * m.kt, (1 - share) * m.kt};
 }
 
 }  // namespace

@@ -45,10 +45,10 @@ inline double LobeCosine(const R3::Vector& wo, const R3::Vector& N, const R3::Ve
 inline double LobeCosine(const ShadingPoint& p, const R3::Vector& L) { return LobeCosine(p.wo, p.N, L); }
 
 /// Phong's highlight of a light towards L: ks (V.R)^n, nothing when V.R <= 0.
-inline R2::Color Highlight(const ShadingPoint& p, const R3::Vector& L) {
+[[gnu::always_inline]] inline R2::Color Highlight(const ShadingPoint& p, const R3::Vector& L) {
   const double lobe = LobeCosine(p, L);
   const Material& m = *p.material;
-  return m.ks * (lobe > 0 && !IsBlack(m.ks) ? R1::CosinePower(lobe, m.n) : 0);
+  return p.Mapped(m.ks * (lobe > 0 && !IsBlack(m.ks) ? R1::CosinePower(lobe, m.n) : 0));
 }
 
 /// What a surface reflects of a light of the scene language, in its units (no 1/pi, no normalized lobe):

@@ -19,6 +19,7 @@ ShadingPoint ShadingPointAt(const World& world, const PathState& ray, const Worl
   s.material = &world.MaterialAt(hit);
   s.bias = world.scene().shadow_bias;
   s.kd = KdAt(world, s);
+  MapSpecular(s);
   s.wo = -Unit(ray.ray.direction);
   s.entering = Dot(s.at.normal, ray.ray.direction) <= 0;
   SetLeaving(world, s);

@@ -20,6 +20,7 @@ struct ShadingPoint {
   R3::Intersection at;  // without its error
   const Material* material = nullptr;
   R2::Color kd;              // the material's, times its texture and vertex colors
+  R2::Color specular;        // what its specular map shows, where there is one
   R3::Vector wo;             // unit
   bool entering = false;     // whether the ray came from the side of the outward normal
   R3::Vector N;              // unit shading normal on the viewer's side
@@ -49,9 +50,15 @@ struct ShadingPoint {
   }
   /// Whether a direction that N faces leads into the surface itself: from there no light can arrive.
   bool IsBehindSurface(const R3::Vector& direction) const { return is_smoothed && !(Dot(Outward(), direction) > 0); }
+  /// What the specular map leaves of what is specular.
+  R2::Color Mapped(const R2::Color& reflected) const {
+    if (material->specular_map) [[unlikely]]
+      return specular * reflected;
+    return reflected;
+  }
   bool HasReflectance() const { return !IsBlack(kd) || !IsBlack(material->ks); }
   /// What it scatters of light from everywhere, about.
-  R2::Color Albedo() const { return kd + material->kr + material->kt; }
+  R2::Color Albedo() const { return kd + Mapped(material->kr) + material->kt; }
   /// What it sends back before any light is sampled.
   R2::Color EmittedAndAmbient(const World& world) const {
     return material->emission + AmbientReflectance(world) * world.scene().ambient;
@@ -83,6 +90,12 @@ inline R2::Color KdAt(const World& world, const ShadingPoint& p) {
   const Material& m = *p.material;
   const R2::Color kd = m.texture ? m.kd * m.texture->On(p.at, m.texture_scale) : m.kd;
   return m.has_vertex_colors ? kd * VertexColorAt(world, p.hit) : kd;
+}
+/// Looks up the specular map of a point whose surface is known.
+inline void MapSpecular(ShadingPoint& p) {
+  const Material& m = *p.material;
+  if (m.specular_map) [[unlikely]]
+    p.specular = m.specular_map->On(p.at, m.texture_scale);
 }
 /// Takes from the throughput what the inside of a solid absorbed on the way here; the last step of making a point.
 void AbsorbOnTheWay(ShadingPoint& p);

@@ -107,6 +107,7 @@ void Finish(const World& world, const Surfaces& all) {
   for (std::size_t i = 0; i < all.count; ++i) {
     ShadingPoint& p = *all.points[i];
     p.kd = KdAt(world, p);
+    MapSpecular(p);
     p.wo = all.wo[i];
     p.entering = all.facing[i] <= 0;
     p.N = all.N[i];
@@ -132,7 +133,8 @@ class Completion {
   void Add(ShadingPoint& p) {
     const Instance& instance = world_.Instances()[p.hit.instance];
     p.material = &world_.MaterialAt(p.hit);
-    const bool is_plain = instance.frame == 0 && !p.material->texture;  // it needs no texture coordinates either
+    const bool needs_uv = p.material->texture || p.material->specular_map;
+    const bool is_plain = instance.frame == 0 && !needs_uv;
     if (p.material->bump || p.material->normal_map)
       p = ShadingPointAt(world_, p.path, p.hit);
     else if (is_plain && instance.mesh && !instance.mesh->IsSmooth())

@@ -50,7 +50,7 @@ void GroningenReader::ReadObject(const Field& field) {
   Mapping named(report_, object->What(), "a " + *kind);
   const int material = ReadMaterial(named);
   const Material& used = Made().materials[static_cast<std::size_t>(material)];
-  const bool wants_uv = used.texture || used.bump || used.normal_map || mode_ == Mode::uv;
+  const bool wants_uv = used.texture || used.specular_map || used.bump || used.normal_map || mode_ == Mode::uv;
   auto placed = objects_.Read(*kind, named, {wants_uv});
   const R3::Vector motion = ReadMotion(named);
   named.Ignore({"type", "comment", "name"});
@@ -98,7 +98,9 @@ int GroningenReader::ReadMaterial(Mapping& object) {
     const auto map = normals ? normals->Word() : std::nullopt;
     if (map && *map != "none") read.normal_map = objects_.Image(*normals, Assets::Use::data);
     ReadGloss(*material, {"gloss"}, {"glossSamples"}, read);
-    material->NotSupported({"specularMap"});
+    const auto specular = material->Find({"specularMap"});
+    const auto specular_name = specular ? specular->Word() : std::nullopt;
+    if (specular_name && *specular_name != "none") read.specular_map = objects_.Image(*specular, Assets::Use::color);
     material->Ignore({"comment", "name"});
     material->Finish();
   }

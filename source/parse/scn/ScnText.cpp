@@ -125,6 +125,9 @@ class ScnWriter {
     if (m.has_vertex_colors) Say("vertex_colors", id);
     if (m.color) Say("flat_color", id, *m.color);
     if (m.gloss > 0) Say("gloss", id, m.gloss, m.gloss_samples);
+    if (m.specular_map)
+      if (const auto map = NameOf(m.specular_map->file, "a material is left without its specular map"))
+        Say("specular_map", id, *map);
     if (m.normal_map)
       if (const auto map = NameOf(m.normal_map->file, "a material is left without its normal map"))
         Say("normal_map", id, *map);
@@ -216,8 +219,8 @@ class ScnWriter {
              (setting.value == "uv" || setting.value == "uv_color" || setting.value == "id");
     };
     return mesh.File().empty() && !mesh.IsSmooth() && mesh.Elements() <= most_spelled_out && !material.texture &&
-           !material.bump && !material.normal_map && !material.has_vertex_colors && IsBlack(material.emission) &&
-           std::none_of(scene_.settings.begin(), scene_.settings.end(), shows_more);
+           !material.specular_map && !material.bump && !material.normal_map && !material.has_vertex_colors &&
+           IsBlack(material.emission) && std::none_of(scene_.settings.begin(), scene_.settings.end(), shows_more);
   }
 
   void SayTriangles(const R3::Mesh& mesh, int id) {

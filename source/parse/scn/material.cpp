@@ -120,14 +120,14 @@ void ReadBump(ScnReader& reader, Statement& statement) {
   if (most == 0) material->bump = nullptr;  // flat
 }
 
-/// An extension: normals in tangent space.
-void ReadNormalMap(ScnReader& reader, Statement& statement) {
+/// Reads an extension that gives a material one image more.
+template <auto member, Assets::Use use>
+void ReadMapOfMaterial(ScnReader& reader, Statement& statement) {
   Material* material = reader.ReadOwnMaterial(statement);
   const FileWord file = statement.FileName();
   if (!material) return;
-  reader.WithFile(statement, file.word, [&] {
-    material->normal_map = reader.Library().Image(file.name, reader.CurrentFile(), Assets::Use::data);
-  });
+  reader.WithFile(statement, file.word,
+                  [&] { material->*member = reader.Library().Image(file.name, reader.CurrentFile(), use); });
 }
 
 const std::array<R3::Argument, 2> gloss_arguments{{{"exponent"}, {"samples"}}};
@@ -152,7 +152,11 @@ void ReadGloss(ScnReader& reader, Statement& statement) {
 
 extern const Command normal_map_command{
     "normal_map", "normal_map mat_id file",
-    "normal map in tangent space: red along u, green along v, blue outward, each 2 c - 1", ReadNormalMap};
+    "normal map in tangent space: red along u, green along v, blue outward, each 2 c - 1",
+    ReadMapOfMaterial<&Material::normal_map, Assets::Use::data>};
+extern const Command specular_map_command{"specular_map", "specular_map mat_id file",
+                                          "an image multiplies ks and the weight of the mirrored ray",
+                                          ReadMapOfMaterial<&Material::specular_map, Assets::Use::color>};
 extern const Command gloss_command{
     "gloss", "gloss mat_id exponent samples",
     "blurs reflections over a Phong lobe of that exponent, in mode whitted by so many rays each", ReadGloss};
@@ -181,8 +185,7 @@ extern const Command texture_ambient_command{"texture_ambient", "texture_ambient
                                              ReadSwitchOfMaterial<&Material::texture_multiplies_ka>};
 extern const Command texture_scale_command{
     "texture_scale", "texture_scale mat_id su sv",
-    "the material's texture, bump and normal map repeat so often where u and v run from 0 to 1 (default 1 1)",
-    ReadTextureScale};
+    "all images of the material repeat so often where u and v run from 0 to 1 (default 1 1)", ReadTextureScale};
 extern const Command vertex_colors_command{
     "vertex_colors", "vertex_colors mat_id",
     "the colors that a mesh gives to its vertices multiply kd, and ka with 'texture_ambient'",

@@ -55,7 +55,8 @@ void main() { color = vec4(ink, strength); }
 )";
 
 constexpr GLuint at_location = 0, normal_location = 1, uv_location = 2, color_location = 3, lights_binding = 0;
-constexpr GLint paint_unit = 0, relief_unit = 1, environment_unit = 2, shadows_unit = 3, normal_map_unit = 4;
+constexpr GLint paint_unit = 0, relief_unit = 1, environment_unit = 2, shadows_unit = 3, normal_map_unit = 4,
+                specular_map_unit = 5;
 constexpr int most_texels = 2048;  // per side of a texture or environment: 24 MB in half precision
 constexpr double rim = 0.25;       // brightness at the rim of a full mirror that shows nothing
 
@@ -125,6 +126,7 @@ SurfaceFeatures FeaturesOf(const ScenePicture& picture) {
     features.textures |= batch.material.texture || batch.material.has_vertex_colors;
     features.bumps |= batch.material.bump != nullptr;
     features.normal_maps |= batch.material.normal_map != nullptr;
+    features.specular_maps |= batch.material.specular_map != nullptr;
     features.clear |= !IsBlack(batch.material.kt);
     features.coats |= batch.material.coat > 0;
   }
@@ -216,6 +218,7 @@ std::shared_ptr<GpuSurfaces> SurfaceDrawer::Upload(const ScenePicture& picture) 
   glActiveTexture(GL_TEXTURE0);
   for (const SurfaceBatch& batch : picture.surfaces.batches) {
     AddTexture(uploaded->textures, batch.material.texture.get(), false);
+    AddTexture(uploaded->textures, batch.material.specular_map.get(), false);
     AddTexture(uploaded->reliefs, batch.material.bump.get(), true);
     AddTexture(uploaded->reliefs, batch.material.normal_map.get(), true);
   }
@@ -257,6 +260,7 @@ const ShaderProgram& SurfaceDrawer::ProgramFor(const SurfaceFeatures& features) 
   glUniform1i(program["paint"], paint_unit);
   glUniform1i(program["relief"], relief_unit);
   glUniform1i(program["normal_map"], normal_map_unit);
+  glUniform1i(program["specular_map"], specular_map_unit);
   glUniform1i(program["environment"], environment_unit);
   glUniform1i(program["shadow_maps"], shadows_unit);
   glUniformBlockBinding(program.Name(), glGetUniformBlockIndex(program.Name(), "Lights"), lights_binding);
@@ -308,18 +312,22 @@ void SurfaceDrawer::UseMaterial(const ShaderProgram& program, const GpuSurfaces&
     glUniform1i(program["is_ambient_painted"], m.texture_multiplies_ambient ? 1 : 0);
     if (m.texture) glBindTexture(GL_TEXTURE_2D, surfaces.textures.at(m.texture.get()).Name());
   }
-  const auto bind = [&](GLint unit, const Texture& relief) {
+  const auto bind = [](GLint unit, const auto& images, const std::shared_ptr<const Texture>& image) {
     glActiveTexture(GL_TEXTURE0 + unit);
-    glBindTexture(GL_TEXTURE_2D, surfaces.reliefs.at(&relief).Name());
+    glBindTexture(GL_TEXTURE_2D, images.at(image.get()).Name());
     glActiveTexture(GL_TEXTURE0);
   };
+  if (surfaces.features.specular_maps) {
+    glUniform1i(program["is_specular_mapped"], m.specular_map ? 1 : 0);
+    if (m.specular_map) bind(specular_map_unit, surfaces.textures, m.specular_map);
+  }
   if (surfaces.features.bumps) {
     Set(program, "height", m.bump ? m.bump_height : 0);
-    if (m.bump) bind(relief_unit, *m.bump);
+    if (m.bump) bind(relief_unit, surfaces.reliefs, m.bump);
   }
   if (surfaces.features.normal_maps) {
     glUniform1i(program["is_mapped"], m.normal_map ? 1 : 0);
-    if (m.normal_map) bind(normal_map_unit, *m.normal_map);
+    if (m.normal_map) bind(normal_map_unit, surfaces.reliefs, m.normal_map);
   }
 }
 

@@ -171,6 +171,14 @@ vec3 NormalMapped(vec3 N, float side) {
 }
 )";
 
+constexpr const char* specular_maps = R"(
+uniform sampler2D specular_map;
+uniform int is_specular_mapped;
+vec3 Specular(vec3 weight) { return is_specular_mapped != 0 ? weight * texture(specular_map, place).rgb : weight; }
+)";
+
+constexpr const char* plain_specular = "vec3 Specular(vec3 weight) { return weight; }\n";
+
 // FresnelReflectance and Coat of the tracer.
 constexpr const char* fresnel = R"(
 float Fresnel(float cosine, float eta) {
@@ -223,6 +231,7 @@ float Unshadowed(Light light, vec3 at, vec3 normal) {
 
 // PhongReflection of one light; `left` is what a coat leaves on the way out.
 constexpr const char* reflection = R"(
+vec3 highlight;  // ks there
 vec3 Diffuse(float cosine, vec3 diffuse, float left) {
   float share = left * cosine;
 #ifdef COATS
@@ -232,7 +241,7 @@ vec3 Diffuse(float cosine, vec3 diffuse, float left) {
 }
 vec3 Lobe(vec3 N, vec3 V, vec3 L) {
   float in_lobe = dot(V, 2.0 * dot(N, L) * N - L);
-  return in_lobe > 0.0 ? pow(in_lobe, exponent) * ks : vec3(0);
+  return in_lobe > 0.0 ? pow(in_lobe, exponent) * highlight : vec3(0);
 }
 vec3 FromPoint(Light light, vec3 N, vec3 V, vec3 diffuse, float left) {
   vec3 L;
@@ -276,7 +285,7 @@ vec3 HighlightOfDisc(Light disc, vec3 N, vec3 V) {
     way += aside * min(1.0, radius / max(length(aside), 1e-6 * radius));
   }
   float d = length(way);
-  if (ks == vec3(0) || !(dot(N, way) > 0.0)) return vec3(0);
+  if (highlight == vec3(0) || !(dot(N, way) > 0.0)) return vec3(0);
   // Both as solid angles: the disc's, and 2 pi / (n + 1) of the lobe cos^n.
   float square = dot(to_middle, to_middle);
   float seen = 3.14159265 * radius * radius * max(-dot(D, to_middle), 0.0) / (square * sqrt(square));
@@ -318,7 +327,8 @@ void main() {
   if (height != 0.0) N = Bumped(N, side);
 #endif
   float towards_eye = clamp(dot(N, V), 0.0, 1.0);
-  vec3 diffuse = kd, sum = emission, mirrored = kr, transmitted = through;
+  vec3 diffuse = kd, sum = emission, mirrored = Specular(kr), transmitted = through;
+  highlight = Specular(ks);
 #ifdef TEXTURES
   vec3 painted = is_painted != 0 ? texture(paint, place).rgb : vec3(1);
 #ifdef VERTEX_COLORS
@@ -381,6 +391,10 @@ std::string SurfaceFragmentShader(const SurfaceFeatures& features) {
   add(features.vertex_colors, "VERTEX_COLORS", "in vec3 vertex_color;\n");
   add(features.bumps, "BUMPS", bumps);
   add(features.normal_maps, "NORMAL_MAPS", normal_maps);
+  if (features.specular_maps)
+    text += specular_maps;
+  else
+    text += plain_specular;
   add(features.diffuse_light, "DIFFUSE_LIGHT", diffuse_light);
   add(features.coats, "COATS", coats);
   add(features.fresnel, "FRESNEL", fresnel);

@@ -71,7 +71,7 @@ Pick PickPixel(const World& world, const Accelerator& accelerator, const RenderS
   pick.text.push_back("ka " + Text(m.ka) + ", kd " + Text(m.kd) + ", ks " + Text(m.ks) + ", kt " + Text(m.kt));
   pick.text.push_back("emission " + Text(m.emission) + ", n " + Text(m.n) + ", ir " + Text(m.ir) +
                       (m.texture ? ", texture" : "") + (m.bump ? ", bump" : "") + (m.normal_map ? ", normal map" : "") +
-                      (m.gloss > 0 ? ", gloss " + Text(m.gloss) : ""));
+                      (m.specular_map ? ", specular map" : "") + (m.gloss > 0 ? ", gloss " + Text(m.gloss) : ""));
   pick.text.push_back(RaysOf(pick.trace));
   return pick;
 }

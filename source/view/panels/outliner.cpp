@@ -42,6 +42,7 @@ void DrawMaterial(PanelFrame& frame, const Material& m) {
     frame.Fact("texture_scale", Brief(m.texture_scale.x) + " " + Brief(m.texture_scale.y));
   if (m.one_sided) frame.Fact("one_sided", "yes");
   if (m.gloss > 0) frame.Fact("gloss", Brief(m.gloss));
+  if (m.specular_map) frame.Fact("specular_map", m.specular_map->file);
   if (m.normal_map) frame.Fact("normal_map", m.normal_map->file);
   if (m.bump) frame.Fact("bump", m.bump->file + " " + Brief(m.bump_height));
 }

@@ -101,6 +101,8 @@ R3::MeshData CornersOf(const R3::Box& box) {
 /// The angle at which Phong's lobe is half as strong as in the middle, on both sides.
 double LobeWidth(double exponent) { return 2 * R1::Acos(R1::Pow(0.5, 1 / std::max(exponent, 1.0))); }
 
+bool HasImages(const Material& m) { return m.texture || m.specular_map || m.bump || m.normal_map; }
+
 SurfaceMaterial LookOf(const Material& m, const Scene& scene, const DrawingSpace& space, const TraceSettings& trace) {
   SurfaceMaterial look;
   look.emission = m.emission;
@@ -108,7 +110,7 @@ SurfaceMaterial LookOf(const Material& m, const Scene& scene, const DrawingSpace
   look.kd = m.kd, look.ks = m.ks, look.kr = m.kr, look.kt = m.kt;
   look.n = m.n, look.ir = m.ir, look.coat = m.coat;
   look.lobe = IsGlossy(m, trace) ? LobeWidth(GlossExponent(m)) : 0;
-  look.texture = m.texture, look.bump = m.bump, look.normal_map = m.normal_map;
+  look.texture = m.texture, look.specular_map = m.specular_map, look.bump = m.bump, look.normal_map = m.normal_map;
   look.texture_scale = m.texture_scale;
   look.texture_multiplies_ambient = m.texture_multiplies_ka;
   look.has_vertex_colors = m.has_vertex_colors;
@@ -135,8 +137,7 @@ class Builder {
  public:
   Builder(const World& world, const TraceSettings& trace, const DrawingSpace& space, const PictureBudget& budget)
       : world_(world), trace_(trace), space_(space), budget_(budget), plan_(PlanFor(world, budget)) {
-    for (const Instance& instance : world.Instances())
-      has_textures_ |= instance.material->texture || instance.material->bump || instance.material->normal_map;
+    for (const Instance& instance : world.Instances()) has_textures_ |= HasImages(*instance.material);
     for (const Instance& instance : world.Instances()) has_colors_ |= instance.material->has_vertex_colors;
   }
 

@@ -21,9 +21,9 @@ struct SurfaceMaterial {
   R2::Color kd, ks, kr, kt;
   double n = 1, ir = 1, coat = 0;
   double lobe = 0;  // angle, in radians, over which a glossy reflection is spread; 0: mirrored
-  std::shared_ptr<const Texture> texture, bump, normal_map;  // null for none
-  R2::Vector texture_scale{1, 1};                            // of all of these
-  bool texture_multiplies_ambient = false;                   // and vertex colors
+  std::shared_ptr<const Texture> texture, specular_map, bump, normal_map;  // null for none
+  R2::Vector texture_scale{1, 1};                                          // of all of these
+  bool texture_multiplies_ambient = false;                                 // and vertex colors
   bool has_vertex_colors = false;
   bool one_sided = false;  // backs are not drawn
   double bump_height = 0;  // in the drawing space

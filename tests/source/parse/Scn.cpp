@@ -100,6 +100,18 @@ TEST(Scn, SrgbIsSetBeforeTheFirstImage) {
   EXPECT_TRUE(Contains(ReportOf(folder, "late.scn"), "'set srgb' must come before the first image"));
 }
 
+TEST(Scn, ASpecularMapIsDecodedAsATextureIs) {
+  const Folder folder;
+  folder.Write("half.ppm", "P3 1 1 255 188 188 188 ");
+  const std::string ball = "material 0 0 0 1 1 1 .5 .5 .5 0 0 0 0 0 0 10 1 half.ppm\nspecular_map 0 half.ppm\n";
+  for (const std::string srgb : {"", "set srgb\n"}) {
+    const Material m = Parse(folder.Write("in.scn", srgb + ball), {}).scene.materials.at(1);
+    ASSERT_TRUE(m.specular_map);
+    EXPECT_EQ(m.specular_map, m.texture) << "read once";
+  }
+  EXPECT_TRUE(Contains(ReportOf("specular_map 0 half.ppm"), "no material 0"));
+}
+
 TEST(Scn, NamesInQuotesMayHoldBlanksAndTheirMistakesAreTold) {
   const Folder folder;
   folder.Write("my \"wood\" #1.ppm", "P3 1 1 255 255 0 0 ");

@@ -44,6 +44,20 @@ const std::string camera = "camera 0 0 9  0 0 -1  0 1 0  0.4  0.1 100\n";
 
 TEST(Check, AGoodSceneHasNoMistakes) { EXPECT_EQ(Example(camera + "sphere -1  0 0 0  1\n").Mistakes(), ""); }
 
+TEST(Check, ASpecularMapWithoutEffectIsPointedOut) {
+  const std::map<std::string, std::string> files{{"t.ppm", "P3 1 1 255 255 255 255 "}};
+  const auto mistakes = [&](const std::string& ks, const std::string& shape) {
+    return Example(camera + "material 0 0 0  1 1 1  " + ks + "  0 0 0  0 0 0  10 1 0\nspecular_map 0 t.ppm\n" + shape,
+                   files)
+        .Mistakes();
+  };
+  const std::string ball = "sphere 0  0 0 0  1\n", polygon = "polygon 0 3  0 0 0  1 0 0  0 1 0\n";
+  EXPECT_EQ(mistakes("1 1 1", ball), "");
+  EXPECT_TRUE(Has(mistakes("0 0 0", ball), ":4:1: warning: this shape has a specular map but neither ks nor a mirror"));
+  EXPECT_EQ(mistakes("0 0 0", "mirror 0 1 0 0\n" + ball), "");
+  EXPECT_TRUE(Has(mistakes("1 1 1", polygon), "this shape has a specular map but no texture coordinates"));
+}
+
 TEST(Check, ACameraInsideASolidIsPointedOut) {
   for (const char* shape :
        {"sphere -1  0 0 9  1", "box -1  -5 -5 -5  5 5 10", "cylinder -1  0 0 9  1 4", "cone -1  0 0 9  3 8"})

@@ -48,9 +48,10 @@ double Farthest(const R2::Image& a, const R2::Image& b) {
   return farthest;
 }
 
-TEST(TextureScale, RepeatsTextureBumpAndNormalMapAsTextureCoordinatesDo) {
+TEST(TextureScale, RepeatsAllImagesAsTextureCoordinatesDo) {
   const ScaledWall wall;
-  for (const std::string relief : {"", "bump 0 patches.ppm .2", "normal_map 0 patches.ppm"}) {
+  for (const std::string relief : {"", "bump 0 patches.ppm .2", "normal_map 0 patches.ppm",
+                                   "specular_map 0 patches.ppm mirror 0 .6 .6 .6 background .9 .8 .7"}) {
     const R2::Image plain = wall.Picture("once.obj", relief), often = wall.Picture("often.obj", relief);
     EXPECT_LT(Farthest(wall.Picture("once.obj", relief + " texture_scale 0 3 .5"), often), 1e-6) << relief;
     EXPECT_GT(Farthest(plain, often), 0.1) << relief;

@@ -266,6 +266,20 @@ TEST(Groningen, LongNamesAndGlassAreTaken) {
   EXPECT_FALSE(m.texture);
 }
 
+TEST(Groningen, ASpecularMapMultipliesKs) {
+  const auto maps = [](const std::string& name) {
+    return WithKeys("",
+                    "{'type': 'sphere', 'position': [0, 0, 0], 'radius': 1, 'material': {'color': [1, 1, 1], 'ka': 0, "
+                    "'kd': 0, 'ks': 1, 'n': 1, 'specularMap': '" +
+                        name + "'}}");
+  };
+  const std::string image = std::filesystem::absolute(ProjectRoot() / "scenes/textures/checker.png").string();
+  const Material m = maps(image).scene.materials.back();
+  ASSERT_TRUE(m.specular_map);
+  EXPECT_EQ(m.specular_map->image.Width(), m.specular_map->image.Height());
+  EXPECT_FALSE(maps("none").scene.materials.back().specular_map);
+}
+
 TEST(Groningen, AmbientLightIsTheSumOfTheLights) {
   const Scene scene = WithKeys(
                           "'Lights': [{'position': [0, 0, 9], 'color': [0.5, 1.5, 0]}, "

@@ -263,6 +263,15 @@ TEST(ScnText, ATextureCalled0IsReadBackAsOne) {
   EXPECT_TRUE(Parse(folder.Write("out.scn", text), {}).scene.materials.at(1).texture) << text;
 }
 
+TEST(ScnText, NamesTheMapsOfAMaterial) {
+  const Folder folder;
+  folder.Write("t.ppm", "P3 1 1 255 255 0 0 ");
+  const std::string maps = "specular_map 0 t.ppm\nnormal_map 0 t.ppm\nbump 0 t.ppm 0.5\n";
+  folder.Write("in.scn", "material 0 0 0 1 1 1 .5 .5 .5 0 0 0 0 0 0 10 1 t.ppm\n" + maps + "sphere 0 0 0 0 1\n");
+  const std::string text = WriteScn(Parse(folder / "in.scn", {}).scene, folder / "out.scn").text;
+  EXPECT_TRUE(Contains(text, maps)) << text;
+}
+
 TEST(ScnText, AMeshWrittenBesideASceneWithABlankInItsNameIsFound) {
   const Folder folder;
   folder.Write("in.scn", "material 0 0 0 1 1 1 0 0 0 0 0 0 1 1 1 10 1 0\nmesh 0 m.off smooth\n");

@@ -157,6 +157,15 @@ TEST_P(Preview, MirrorsItsBackgroundAndLetsItThrough) {
   EXPECT_LT(Differing(pane), outline);
 }
 
+TEST_P(Preview, MapsHighlightsAndMirrorsAsTheTracerDoes) {
+  R2::Image map(1, 1);
+  map.Set(0, 0, {0.75, 0.35, 0.1});
+  ray::Scene scene = project::FromText(camera + "background 0.5 0.6 0.7\ndir_light 0.5 0.5 0.5  -1 0 -1\n" +
+                                       Material("0.1 0.1 0.1  0.6 0.6 0.6  0 0 0  0 0 0  20 1 0") + ball);
+  scene.materials.back().specular_map = std::make_shared<const ray::Texture>(ray::Texture{map});
+  EXPECT_LT(Differing(project::Stage(std::move(scene))), outline);
+}
+
 TEST_P(Preview, FollowsFresnelAndCoats) {
   const std::string lit = camera + "background 0.5 0.6 0.7\ndir_light 0.5 0.5 0.5  -1 0 -1\n";
   const project::Stage coated(
