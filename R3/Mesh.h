@@ -37,6 +37,14 @@ class Mesh : public Shape {
   /// Of a single triangle with the texture coordinates of a `tri`.
   std::optional<Recipe> MadeFrom() const override;
 
+  /// Of a mesh without texture coordinates one with those of the place itself, on the axis that a triangle faces most:
+  ///
+  ///     -x: (z, y)   +x: (-z, y)   -y: (x, z)   +y: (x, -z)   -z: (-x, y)   +z: (x, y)
+  ///
+  /// Images are nowhere mirrored, and upright where the front faces sideways. A polygon faces one way as a whole. Where
+  /// two are as near, but for rounding, y comes before z and z before x. Corners between several ways are copied.
+  std::unique_ptr<const Mesh> Projected() const;
+
   /// The mesh with every corner moved by `move`, rounded once. Fronts stay fronts: a mirror swaps the second and third
   /// corner of triangles, which keep their numbers. Null when something would be lost: a corner would not be finite, or
   /// a triangle would be left without area.

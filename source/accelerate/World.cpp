@@ -39,6 +39,7 @@ World::World(const Scene& scene) : scene_(scene) {
   FlattenGraph();
   NumberInstances();
   BoundInstances();
+  ProjectTextures();
   BakeOrShareMeshes();
   TakeBacksAway();
   MarkRepetitions(instances_, frames_, motions_);
@@ -122,6 +123,16 @@ void World::NumberInstances() {
       primitives_ += node.shape->Elements();
     }
     for (std::uint32_t k = flat.children; k-- > 0;) stack.push_back({flat.first_child + k, material});
+  }
+}
+
+void World::ProjectTextures() {
+  std::unordered_map<const R3::Mesh*, const R3::Mesh*> projections;
+  for (Instance& instance : instances_) {
+    if (!instance.material->projects_textures || !instance.mesh || instance.mesh->HasTextureCoordinates()) continue;
+    const R3::Mesh*& projected = projections[instance.mesh];
+    if (!projected) projected = projected_meshes_.emplace_back(instance.mesh->Projected()).get();
+    instance.shape = instance.mesh = projected;
   }
 }
 

@@ -18,7 +18,7 @@ namespace ray {
 struct Instance {
   static constexpr std::int32_t not_shared = -1;
 
-  const R3::Shape* shape = nullptr;  // the node's, or what it was baked into; of one side where its material is
+  const R3::Shape* shape = nullptr;  // the node's, or what it was made into; of one side where its material is
   const R3::Mesh* mesh = nullptr;    // the same, if it is one, with both sides
   R3::Form form = R3::Form::other;   // of the shape's elements
   bool is_bounded = true;            // the shape lies in a box
@@ -126,6 +126,7 @@ class World {
  private:
   void FlattenGraph();
   void NumberInstances();
+  void ProjectTextures();
   void BakeOrShareMeshes();
   void TakeBacksAway();
   void MarkParts();
@@ -143,7 +144,7 @@ class World {
   bool moves_ = false;
   double coincidence_window_ = 0;
   std::vector<const R3::Mesh*> shared_meshes_;
-  std::vector<std::unique_ptr<const R3::Mesh>> baked_meshes_;
+  std::vector<std::unique_ptr<const R3::Mesh>> projected_meshes_, baked_meshes_;
   std::vector<std::unique_ptr<const R3::Shape>> one_sided_shapes_;
   std::int64_t primitives_ = 0;
   std::vector<std::string> warnings_;

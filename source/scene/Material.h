@@ -25,6 +25,7 @@ struct Material {
   std::shared_ptr<const Texture> texture;
   R2::Vector texture_scale{1, 1};      // how often all its images repeat over 0..1 of u and of v, > 0
   bool texture_multiplies_ka = false;  // as well as kd; vertex colors likewise
+  bool projects_textures = false;      // images lie over meshes without texture coordinates, see Mesh::Projected
   bool one_sided = false;              // surfaces are there only for rays that arrive at their front
   bool has_vertex_colors = false;      // kd is multiplied by the colors of a mesh's vertices
   R2::Color absorb{0, 0, 0};  // what the inside takes from light, per unit of length; by the extension of that name

@@ -129,7 +129,7 @@ constexpr std::pair<const char*, const char*> extensions[] = {
      "Faces have the materials that the file gives them, and colors of its vertices; the material id is for all "
      "others."},
     {"absorb, bump, coat, flat_color, gloss, mirror, normal_map, one_sided, priority, specular_map, texture_ambient, "
-     "texture_scale, vertex_colors",
+     "texture_project, texture_scale, vertex_colors",
      "Of a material of the same file, stated before."},
     {"priority",
      "Solids that light goes through may contain one another, touch and overlap: rays are refracted between what is on "
@@ -154,6 +154,14 @@ constexpr std::pair<const char*, const char*> extensions[] = {
      "Read, blended, repeated and with -srgb decoded as the texture is. It multiplies ks and what mirror says, each by "
      "its own channel, so that black mirrors nothing and has no highlight; in mode path the weight of the glossy lobe. "
      "What coat, -fresnel and -internal_reflection mirror, kt and kd stay as they are."},
+    {"texture_project",
+     "Without it all texture coordinates of a polygon, and of a mesh whose file has none, are 0, as in the course: it "
+     "has one color. With it they are those of the place itself, in the frame of the shape, so that an image is one "
+     "unit "
+     "wide and high and goes on from polygon to polygon; texture_scale says how many a unit has. They depend on where "
+     "the front of a triangle, or of a polygon as a whole, faces most: u v is z y towards -x, -z y towards +x, x z "
+     "towards -y, x -z towards +y, -x y towards -z and x y towards +z. So images are nowhere mirrored, and upright on "
+     "what faces sideways. Other shapes keep the coordinates they have."},
     {"flat_color, texture_ambient",
      "What mode flat shows, where it is not kd + ks + kt; a texture that colors ambient light as well."},
     {"csg",

@@ -121,6 +121,7 @@ class ScnWriter {
     if (m.coat != 0) Say("coat", id, m.coat);
     if (m.texture_multiplies_ka) Say("texture_ambient", id);
     if (m.texture_scale != R2::Vector{1, 1}) Say("texture_scale", id, m.texture_scale);
+    if (m.projects_textures) Say("texture_project", id);
     if (m.one_sided) Say("one_sided", id);
     if (m.has_vertex_colors) Say("vertex_colors", id);
     if (m.color) Say("flat_color", id, *m.color);

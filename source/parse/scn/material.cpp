@@ -186,6 +186,11 @@ extern const Command texture_ambient_command{"texture_ambient", "texture_ambient
 extern const Command texture_scale_command{
     "texture_scale", "texture_scale mat_id su sv",
     "all images of the material repeat so often where u and v run from 0 to 1 (default 1 1)", ReadTextureScale};
+extern const Command texture_project_command{
+    "texture_project", "texture_project mat_id",
+    "images lie over polygons and meshes without texture coordinates, from the side each triangle faces most, once per "
+    "unit of length",
+    ReadSwitchOfMaterial<&Material::projects_textures>};
 extern const Command vertex_colors_command{
     "vertex_colors", "vertex_colors mat_id",
     "the colors that a mesh gives to its vertices multiply kd, and ka with 'texture_ambient'",

@@ -40,6 +40,7 @@ void DrawMaterial(PanelFrame& frame, const Material& m) {
   if (m.texture) frame.Fact("texture", m.texture->file);
   if (m.texture_scale != R2::Vector{1, 1})
     frame.Fact("texture_scale", Brief(m.texture_scale.x) + " " + Brief(m.texture_scale.y));
+  if (m.projects_textures) frame.Fact("texture_project", "yes");
   if (m.one_sided) frame.Fact("one_sided", "yes");
   if (m.gloss > 0) frame.Fact("gloss", Brief(m.gloss));
   if (m.specular_map) frame.Fact("specular_map", m.specular_map->file);

@@ -58,6 +58,18 @@ TEST(Check, ASpecularMapWithoutEffectIsPointedOut) {
   EXPECT_TRUE(Has(mistakes("1 1 1", polygon), "this shape has a specular map but no texture coordinates"));
 }
 
+TEST(Check, AProjectedTextureNeedsNoTextureCoordinates) {
+  const std::map<std::string, std::string> files{{"t.ppm", "P3 1 1 255 255 255 255 "}};
+  const auto mistakes = [&](const std::string& more) {
+    return Example(camera + "material 0 0 0  1 1 1  0 0 0  0 0 0  0 0 0  10 1 t.ppm\n" + more +
+                       "polygon 0 3  0 0 0  1 0 0  0 1 0\n",
+                   files)
+        .Mistakes();
+  };
+  EXPECT_TRUE(Has(mistakes(""), "this shape has a texture but no texture coordinates"));
+  EXPECT_EQ(mistakes("texture_project 0\n"), "");
+}
+
 TEST(Check, ACameraInsideASolidIsPointedOut) {
   for (const char* shape :
        {"sphere -1  0 0 9  1", "box -1  -5 -5 -5  5 5 10", "cylinder -1  0 0 9  1 4", "cone -1  0 0 9  3 8"})

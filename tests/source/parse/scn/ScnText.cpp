@@ -115,6 +115,7 @@ TEST(ScnText, SaysEverythingThatTheLanguageHasAWordFor) {
       "coat 0 1.25\n"
       "texture_ambient 0\n"
       "texture_scale 0 2 0.5\n"
+      "texture_project 0\n"
       "one_sided 0\n"
       "flat_color 0 0.75 0.5 0.25\n"
       "gloss 0 20.5 16\n"
