@@ -54,7 +54,7 @@ unreadable=$(cd "$stage/opt/ray" && find . ! -perm -444; find . -type d ! -perm 
 
 if command -v groff >/dev/null 2>&1; then
   for page in "$share"/man/man1/ray*.1 "$share/man/man5/scn.5" "$share/man/man7/raypro-farm.7"; do
-    words=$(groff -man -Tutf8 -ww "$page" 2>&1 >/dev/null)
+    words=$(groff -I "$share/man" -man -Tutf8 -ww "$page" 2>&1 >/dev/null)
     [ -z "$words" ] || fail "groff on $page: $words"
   done
 fi

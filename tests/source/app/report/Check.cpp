@@ -51,10 +51,11 @@ TEST(Check, ASpecularMapWithoutEffectIsPointedOut) {
                    files)
         .Mistakes();
   };
-  const std::string ball = "sphere 0  0 0 0  1\n", polygon = "polygon 0 3  0 0 0  1 0 0  0 1 0\n";
-  EXPECT_EQ(mistakes("1 1 1", ball), "");
-  EXPECT_TRUE(Has(mistakes("0 0 0", ball), ":4:1: warning: this shape has a specular map but neither ks nor a mirror"));
-  EXPECT_EQ(mistakes("0 0 0", "mirror 0 1 0 0\n" + ball), "");
+  const std::string sphere = "sphere 0  0 0 0  1\n", polygon = "polygon 0 3  0 0 0  1 0 0  0 1 0\n";
+  EXPECT_EQ(mistakes("1 1 1", sphere), "");
+  EXPECT_TRUE(
+      Has(mistakes("0 0 0", sphere), ":4:1: warning: this shape has a specular map but neither ks nor a mirror"));
+  EXPECT_EQ(mistakes("0 0 0", "mirror 0 1 0 0\n" + sphere), "");
   EXPECT_TRUE(Has(mistakes("1 1 1", polygon), "this shape has a specular map but no texture coordinates"));
 }
 

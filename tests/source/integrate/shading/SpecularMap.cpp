@@ -9,6 +9,7 @@
 #include "source/integrate/Path.h"
 #include "source/integrate/debug/RayRecorder.h"
 #include "source/render/RenderBlock.h"
+#include "tests/Farthest.h"
 #include "tests/Named.h"
 #include "tests/Project.h"
 
@@ -40,13 +41,6 @@ RenderSettings Small(const std::string& mode) {
   settings.samples = 4;
   settings.mode = project::Named{mode};
   return settings;
-}
-
-double Farthest(const R2::Image& a, const R2::Image& b) {
-  double farthest = 0;
-  for (std::size_t i = 0; i < a.Channels().size(); ++i)
-    farthest = std::max(farthest, double{std::abs(a.Channels()[i] - b.Channels()[i])});
-  return farthest;
 }
 
 /// Shapes in the world and in a group, shiny by `ks` and `more` about their material, under a light and a sky.

@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "tests/Farthest.h"
 #include "tests/Project.h"
 #include "tests/source/parse/Folder.h"
 
@@ -37,16 +38,6 @@ class ScaledWall {
  private:
   Folder folder_;
 };
-
-double Farthest(const R2::Image& a, const R2::Image& b) {
-  double farthest = 0;
-  for (int y = 0; y < a.Height(); ++y)
-    for (int x = 0; x < a.Width(); ++x) {
-      const R2::Color difference = a.At(x, y) - b.At(x, y);
-      farthest = std::max({farthest, std::abs(difference.r), std::abs(difference.g), std::abs(difference.b)});
-    }
-  return farthest;
-}
 
 TEST(TextureScale, RepeatsAllImagesAsTextureCoordinatesDo) {
   const ScaledWall wall;
