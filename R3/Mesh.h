@@ -37,7 +37,8 @@ class Mesh : public Shape {
   /// Of a single triangle with the texture coordinates of a `tri`.
   std::optional<Recipe> MadeFrom() const override;
 
-  /// Of a mesh without texture coordinates one with those of the place itself, on the axis that a triangle faces most:
+  /// A copy of a mesh without texture coordinates that has them: the place itself, seen along the axis that a triangle
+  /// faces most:
   ///
   ///     -x: (z, y)   +x: (-z, y)   -y: (x, z)   +y: (x, -z)   -z: (-x, y)   +z: (x, y)
   ///

@@ -9,8 +9,8 @@
 namespace R3 {
 namespace {
 
-/// The axis that a normal is nearest to, 0..2; one that is as near, but for the rounding of what programs print, counts
-/// as nearer where it comes first.
+/// The axis that a normal is nearest to, 0..2. Of axes that are equally near, y comes before z and z before x; programs
+/// print six digits, so that a slope of 45 degrees is off by a millionth, which must not decide.
 int NearestAxis(const Vector& n) {
   constexpr double less = 1 - 1e-6;
   const double x = std::abs(n.x), y = std::abs(n.y), z = std::abs(n.z);
@@ -33,7 +33,7 @@ Vector AreaOf(const MeshData& data, const std::array<std::uint32_t, 3>& t) {
   return Cross(data.positions[t[1]] - data.positions[t[0]], data.positions[t[2]] - data.positions[t[0]]);
 }
 
-/// Of each triangle; a polygon has one.
+/// The side that each triangle faces; all triangles of a polygon face that of the whole.
 std::vector<int> SidesOf(const MeshData& data) {
   Vector whole;
   for (const auto& t : data.triangles) whole = whole + AreaOf(data, t);

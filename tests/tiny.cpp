@@ -4,8 +4,6 @@
 
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <string>
 #include <vector>
 
@@ -13,26 +11,26 @@
 #include "source/parse/Parse.h"
 #include "source/render/Render.h"
 #include "tests/Project.h"
+#include "tests/source/app/Program.h"
 
 namespace {
 
 using Bytes = std::vector<unsigned char>;
 
-Bytes OutputOf(const std::string& command, const std::string& name) {
-  const auto file = std::filesystem::temp_directory_path() / (name + std::to_string(std::rand()) + ".ppm");
-  EXPECT_EQ(std::system((command + " '" + file.string() + "'").c_str()), 0) << command;
-  std::ifstream in(file, std::ios::binary);
-  Bytes bytes{std::istreambuf_iterator<char>(in), {}};
-  std::filesystem::remove(file);
-  return bytes;
+/// What a command writes to the file that is named behind it.
+Bytes OutputOf(const std::string& command) {
+  const ray::testing::TemporaryFolder folder;
+  const std::string file = folder / "out.ppm";
+  EXPECT_EQ(std::system((command + " '" + file + "'").c_str()), 0) << command;
+  const std::string bytes = ray::testing::ReadFile(file);
+  return {bytes.begin(), bytes.end()};
 }
 
 Bytes PpmOfRaypro(const std::string& scene) {
   const char* const program = std::getenv("RAYPRO");
   if (!program) return {};
-  return OutputOf(
-      "'" + std::string(program) + "' '" + (project::Root() / scene).string() + "' -quiet -width 512 -height 512",
-      "raypro");
+  return OutputOf("'" + std::string(program) + "' '" + (project::Root() / scene).string() +
+                  "' -quiet -width 512 -height 512");
 }
 
 struct Differences {
@@ -56,7 +54,7 @@ void ExpectPictureOfRaypro(const char* name, int most_by_one, int most_by_more) 
   const auto program = std::filesystem::path(folder ? folder : "") / name;
   if (!folder || !std::filesystem::exists(program)) GTEST_SKIP() << "not built here: make tiny";
   const Bytes expected = PpmOfRaypro("scenes/tiny.scn");
-  const Bytes found = OutputOf("'" + program.string() + "' >", name);
+  const Bytes found = OutputOf("'" + program.string() + "' >");
   ASSERT_EQ(found.size(), std::size_t{15 + 512 * 512 * 3});
   ASSERT_EQ(found.size(), expected.size());
   const Differences differences = Compare(found, expected);

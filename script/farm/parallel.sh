@@ -8,13 +8,12 @@
 #   -parts n      parts to cut the image into (default: 4 per machine, so that a slow one holds up few)
 #   -copy         the machines share no folder with this one: send them the files of the scene, and fetch the parts
 #   -n            print the commands, and run nothing
-#
 # All further words are raypro's. RAYPRO names the program, here and there. Without -copy, the machines must see this
 # folder by this name. See raypro-farm(7).
 set -eu
 fail() { printf 'parallel.sh: %s\n' "$2" >&2; exit "$1"; }
 need() { [ $# -ge 2 ] || fail 2 "$1 needs a value"; }
-raypro=${RAYPRO:-raypro} hosts='' parts='' copy='' send='' show='' before='' round=0
+raypro=${RAYPRO:-raypro} hosts='' parts='' copy='' send='' show='' before='' round=0 machines=1
 while :; do
   case ${1:-} in
     -copy) copy="--cleanup --workdir raypro-farm-$(uname -n)-$$" ;;
@@ -29,7 +28,6 @@ done
 case $1 in -*) fail 2 "there is no option '$1'; options of raypro follow the scene and the image" ;; esac
 scene=$1 out=$2; shift 2
 case $parts in *[!0-9]* | 0*) fail 2 "-parts must be a whole number above 0, got '$parts'" ;; esac
-machines=1
 [ -z "$hosts" ] || machines=$(grep -c '^[[:space:]]*[^#[:space:]]' "$hosts") || fail 3 "'$hosts' names no machine"
 parts=${parts:-$((4 * machines))}
 command -v parallel > /dev/null || fail 1 "GNU parallel is not installed"
@@ -41,9 +39,9 @@ for file in ${copy:+$("$raypro" "$scene" "$@" -files)}; do
 done
 # One part at a time on each machine, whose cores it uses all. A machine that does not answer is given up after 20 s.
 export PARALLEL_SSH="${PARALLEL_SSH:-ssh -o BatchMode=yes -o ConnectTimeout=10 -o ServerAliveInterval=5 -o ServerAliveCountMax=4}"
+# shellcheck disable=SC2086  # words, of names without spaces
 render_parts() {
   plan=$([ ! -f "$out.plan" ] || echo "--basefile $out.plan") eta=$([ ! -t 2 ] || echo --eta)
-  # shellcheck disable=SC2086  # words, of names without spaces
   $show parallel -q --jobs 1 --retries 3 $eta --joblog "$out.joblog" ${hosts:+--sshloginfile "$hosts"} \
     ${copy:---workdir "$PWD"} ${copy:+$send --basefile "$out.joblog" $plan --return "$out.part-{}-of-$parts"} \
     "$raypro" "$scene" "$out" "$@" -quiet -part "{}/$parts"

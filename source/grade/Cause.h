@@ -22,7 +22,7 @@ struct Cause {
 /// Differences of up to 1.5 of 255 are rounding.
 ///   returns   nothing where the images are equal or nothing known explains the difference
 ///   accuracy  a shift by half a pixel is told in smooth images and in most aliased ones, whose edges are noisy: both
-///             images are blurred for it. Where an image has a symmetry, so have its verdicts
+///             images are blurred for it. Where an image has a symmetry, what is named may be the symmetric twin
 std::optional<Cause> LikelyCause(const R2::DecodedImage& image, const R2::DecodedImage& reference);
 
 }  // namespace ray::grade

@@ -31,12 +31,12 @@ struct CameraChange {
 struct ParseOptions {
   // Where files named by a scene may lie, beside its own folder and the current one.
   std::vector<std::string> allowed_folders;
-  std::string format;        // a name of formats.def; empty: by extension, and keys of JSON
-  bool decode_srgb = false;  // 8-bit textures are sRGB and become linear
-  double aspect = 1;         // of the picture, for scenes that name no camera and are shown whole
-  bool one_sided = false;    // every material is, but of what is clear or absorbs
+  std::string format;                    // a name of formats.def; empty: by extension, and keys of JSON
+  bool decode_srgb = false;              // 8-bit textures are sRGB and become linear
+  double aspect = 1;                     // of the picture, for scenes that name no camera and are shown whole
+  bool one_sided = false;                // every material is, but of what is clear or absorbs
   std::vector<std::string> definitions;  // of variables, "name=value"
-  std::string environment;   // file that takes the place of the scene's own; empty for none
+  std::string environment;               // file that takes the place of the scene's own; empty for none
   CameraChange camera;
   int include_depth = 64;                        // how deep includes may nest
   std::size_t max_nodes = std::size_t{1} << 24;  // about 5 GB of them; includes that double would never end

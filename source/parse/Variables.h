@@ -24,7 +24,7 @@ class Variables {
   void Define(std::string_view name, std::string_view value);
   /// The value, which stays in place; null where there is none.
   const std::string* Find(std::string_view name);
-  /// Of the command line, what no scene asked for.
+  /// Names that the command line gives a value and the scene does not use.
   const std::set<std::string>& Unused() const { return unused_; }
 
  private:

@@ -19,8 +19,8 @@ namespace ray {
 namespace {
 
 bool NeedsScene(Task task) {
-  return task == Task::render || task == Task::view || task == Task::check || task == Task::files || task == Task::advise ||
-         task == Task::convert || task == Task::debug_pixel;
+  return task == Task::render || task == Task::view || task == Task::check || task == Task::files ||
+         task == Task::advise || task == Task::convert || task == Task::debug_pixel;
 }
 
 /// What was probably meant: the words as typed, with a name for the picture behind the scene's.

@@ -92,16 +92,16 @@ PairResult Compared(const Pair& pair, const Options& options) {
   }
 }
 
-std::string Verdict(const PairResult& result) {
-  std::string verdict = result.remark;
-  const auto add = [&](const std::string& more) { verdict += (verdict.empty() ? "" : "; ") + more; };
+std::string Summary(const PairResult& result) {
+  std::string text = result.remark;
+  const auto add = [&](const std::string& more) { text += (text.empty() ? "" : "; ") + more; };
   if (result.outcome == Outcome::equal) add("equal");
   if (result.cause)
     add(result.cause->title +
         (result.cause->share < 1 ? " (" + ray::Rounded(100 * result.cause->share, 3) + " % of the difference)" : ""));
   if (result.found)
     for (const std::string& failure : result.found->failures) add("fails: " + failure);
-  return verdict;
+  return text;
 }
 
 }  // namespace ray::rayimg

@@ -18,7 +18,8 @@ struct Pair {
 
 /// What became of a pair, from the best to the worst.
 enum class Outcome { equal, differs, fails, other_size, unpaired, unreadable };
-inline constexpr std::array outcome_names{"equal", "different", "beyond the limit", "other size", "unpaired", "unreadable"};
+inline constexpr std::array outcome_names{"equal",      "different", "beyond the limit",
+                                          "other size", "unpaired",  "unreadable"};
 constexpr const auto& NamesOf(Outcome) { return outcome_names; }
 
 struct PairResult {
@@ -30,14 +31,14 @@ struct PairResult {
   std::string figures;  // HTML, with -html
 };
 
-/// Of two pictures of one size.
+/// What measuring two pictures of one size has given.
 PairResult ResultOf(const Pair& pair, const R2::DecodedImage& picture, const R2::DecodedImage& reference,
                     const Measurement& measured, const Options& options);
 
-/// Of two files: reads and measures them. What cannot be read is an outcome.
+/// Reads two files and measures them. That one cannot be read is an outcome, not an error.
 PairResult Compared(const Pair& pair, const Options& options);
 
 /// In one sentence, with the share of the cause; empty where there is nothing to say.
-std::string Verdict(const PairResult& result);
+std::string Summary(const PairResult& result);
 
 }  // namespace ray::rayimg

@@ -36,8 +36,8 @@ const char* ClassOf(Outcome outcome) {
 
 std::string Section(const PairResult& result, std::size_t number) {
   std::string html = "<h2 id=\"p" + std::to_string(number) + "\">" + HtmlOf(result.pair.name) + "</h2>\n";
-  const std::string verdict = Verdict(result);
-  if (!verdict.empty()) html += "<p>" + HtmlOf(verdict) + "</p>\n";
+  const std::string summary = Summary(result);
+  if (!summary.empty()) html += "<p>" + HtmlOf(summary) + "</p>\n";
   if (result.cause && !result.cause->hint.empty()) html += "<p><em>" + HtmlOf(result.cause->hint) + "</em></p>\n";
   return html + result.figures;
 }
@@ -70,8 +70,8 @@ std::string TextOf(const std::vector<PairResult>& results) {
   std::string table = cell("FLIP") + cell("linear RMSE") + cell("largest") + "image\n";
   for (const PairResult& result : results) {
     for (const std::string& number : Numbers(result)) table += cell(number.empty() ? "-" : number);
-    const std::string verdict = Verdict(result);
-    table += Escaped(result.pair.name) + (verdict.empty() ? "" : ": " + verdict) + "\n";
+    const std::string summary = Summary(result);
+    table += Escaped(result.pair.name) + (summary.empty() ? "" : ": " + summary) + "\n";
   }
   return table + Count(results) + "\n";
 }
@@ -126,7 +126,7 @@ std::string PageOf(const std::vector<PairResult>& results, const std::string& ti
     table += std::string("<tr class=\"") + ClassOf(result.outcome) + "\"><td><a href=\"#p" + std::to_string(i) + "\">" +
              HtmlOf(result.pair.name) + "</a>";
     for (const std::string& number : Numbers(result)) table += "<td class=\"n\">" + number;
-    table += "<td>" + HtmlOf(Verdict(result)) + "</tr>\n";
+    table += "<td>" + HtmlOf(Summary(result)) + "</tr>\n";
     sections += Section(result, i);
   }
   return grade::Page(title, table + "</table>\n" + sections);

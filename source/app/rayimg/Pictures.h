@@ -26,7 +26,7 @@ void Write(const PictureOutput& output, const R2::Image& image, const R2::ImageE
 ///   is_linear   whether the picture is one of floats
 void RefuseToRound(const std::string& name, bool is_linear, const PictureOutput& output);
 
-/// As -srgb, -bits and -jpeg_quality ask. Throws UsageError where the format has no 16 bits.
+/// The encoding that -srgb, -bits and -jpeg_quality ask for. Throws UsageError where the format has no 16 bits.
 R2::ImageEncoding EncodingOf(const Options& options, const PictureOutput& output);
 
 /// Throws UsageError where an image would have more than R2::max_pixels.

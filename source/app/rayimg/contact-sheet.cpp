@@ -41,7 +41,7 @@ R2::Image Cross(int side) {
   return cross;
 }
 
-/// As a screen shows it, in a square.
+/// The picture as a screen shows it, scaled to fit into a square of that side.
 R2::Image Thumbnail(const std::string& name, const Options& options, int side) {
   R2::Image image = ReadLight(name, options.srgb).image;
   Expose(image, options);

@@ -131,7 +131,8 @@ std::vector<std::string> ExplainRender(const World& world, const RunStats& stats
   return lines;
 }
 
-/// Into how many parts the image may be cut, on machines like this one. Each of them reads and builds the scene again.
+/// Says how many parts the image may be cut into, on machines like this one, before reading and building the scene
+/// again for each costs too much.
 std::string ExplainParts(const RunStats& stats) {
   constexpr double most_overhead = 0.05;
   const double again = stats.seconds.load + stats.seconds.build;
