@@ -47,19 +47,27 @@ class ExactTriangleTest {
     }
   };
 
-  HWY_INLINE ExactTriangleTest(const TwoLevel<Structure>& two_level, const Structure& structure, const R3::Ray& ray,
-                               std::optional<std::uint32_t> instance, NearestHit& nearest, Counts& counts)
-      : two_level_(two_level),
-        primitives_(structure.primitives),
-        instance_(instance),
-        nearest_(nearest),
-        counts_(counts),
-        ray_(ray) {}
+  HWY_INLINE ExactTriangleTest(const TwoLevel<Structure>& the_two_level, const Structure& the_structure,
+                               const R3::Ray& the_ray, std::optional<std::uint32_t> instance, NearestHit& the_nearest,
+                               Counts& the_counts)
+      : two_level(the_two_level),
+        structure(the_structure),
+        ray(the_ray),
+        nearest(the_nearest),
+        counts(the_counts),
+        instance_(instance) {}
+
+  // What is searched, and for which ray.
+  const TwoLevel<Structure>& two_level;
+  const Structure& structure;
+  const R3::Ray& ray;
+  NearestHit& nearest;
+  Counts& counts;
 
   HWY_INLINE TriangleRef Locate(const TriangleBlock& block, std::uint32_t lane) const {
-    const PrimRef what = primitives_[block.primitive[lane]];
+    const PrimRef what = structure.primitives[block.primitive[lane]];
     const std::uint32_t of = instance_.value_or(what.instance);
-    const Instance& instance = two_level_.world->Instances()[of];
+    const Instance& instance = two_level.world->Instances()[of];
     return {instance.mesh->Data().positions.data(),
             {block.positions[0][lane], block.positions[1][lane], block.positions[2][lane]},
             of,
@@ -69,25 +77,20 @@ class ExactTriangleTest {
 
   /// Whether there is a hit that may be wanted, which with `any` ends the search.
   HWY_FLATTEN bool Test(const TriangleRef& triangle) {
-    if (triangle.primitive == ray_.leaving || triangle.primitive == ray_.reaching) return false;
-    if (!sheared_) sheared_.emplace(ray_);  // most rays never ask
-    if constexpr (!any) sheared_->t_max = nearest_.TMaxOf(ray_);
-    ++counts_.primitive_tests;
+    if (triangle.primitive == ray.leaving || triangle.primitive == ray.reaching) return false;
+    if (!sheared_) sheared_.emplace(ray);  // most rays never ask
+    if constexpr (!any) sheared_->t_max = nearest.TMaxOf(ray);
+    ++counts.primitive_tests;
     const auto hit = R3::IntersectTriangleInline(*sheared_, triangle.Corners());
     if (!hit) return false;
     const WorldHit found{*hit, triangle.instance, triangle.element};
-    if constexpr (any) return nearest_.IsInTheWay(found);
-    nearest_.TakeIfAhead(found);
+    if constexpr (any) return nearest.IsInTheWay(found);
+    nearest.TakeIfAhead(found);
     return true;
   }
 
  private:
-  const TwoLevel<Structure>& two_level_;
-  const PrimitiveSet& primitives_;
   std::optional<std::uint32_t> instance_;
-  NearestHit& nearest_;
-  Counts& counts_;
-  const R3::Ray& ray_;
   std::optional<R3::ShearedRay> sheared_;
 };
 
@@ -145,13 +148,8 @@ class LeafVisitor {
                          const RayInBoxes& traversal_ray, double distance_in_world,
                          std::optional<std::uint32_t> instance, NearestHit& nearest, Counts& counts)
       : limit(traversal_ray.Distance(nearest.Limit())),
-        two_level_(two_level),
-        structure_(structure),
-        ray_(ray),
         traversal_ray_(traversal_ray),
         distance_in_world_(distance_in_world),
-        nearest_(nearest),
-        counts_(counts),
         limit_for_certain_(any ? traversal_ray.Distance(end_of_certainty * ray.t_max) - 4 * traversal_ray.plane_error
                                : 0),
         exact_test_(two_level, structure, ray, instance, nearest, counts) {}
@@ -180,18 +178,19 @@ class LeafVisitor {
 
   /// The same for a sphere.
   HWY_INLINE bool VisitSphere(const SphereLeaf& leaf) {
-    if (!TestSphere<any>(leaf, ray_, nearest_, counts_)) return false;
+    if (!TestSphere<any>(leaf, exact_test_.ray, exact_test_.nearest, exact_test_.counts)) return false;
     if constexpr (any) return is_answered = true;
-    limit = std::min(limit, traversal_ray_.Distance(nearest_.Limit()));
+    limit = std::min(limit, traversal_ray_.Distance(exact_test_.nearest.Limit()));
     return false;
   }
 
   /// The same for a primitive of another kind.
   bool VisitPrimitive(std::uint32_t primitive) {
     if constexpr (!any) TestCandidatesNow();
-    is_answered = TestPrimitive<any>(two_level_, structure_, primitive, ray_, distance_in_world_, nearest_, counts_);
+    is_answered = TestPrimitive<any>(exact_test_.two_level, exact_test_.structure, primitive, exact_test_.ray,
+                                     distance_in_world_, exact_test_.nearest, exact_test_.counts);
     if constexpr (any) return is_answered;
-    limit = std::min(limit, traversal_ray_.Distance(nearest_.Limit()));
+    limit = std::min(limit, traversal_ray_.Distance(exact_test_.nearest.Limit()));
     return false;
   }
 
@@ -221,7 +220,7 @@ class LeafVisitor {
     while (count_ > 0) {
       --count_;
       if (candidates_[count_].nearest <= limit && exact_test_.Test(candidates_[count_].triangle))
-        limit = std::min(limit, traversal_ray_.Distance(nearest_.Limit()));
+        limit = std::min(limit, traversal_ray_.Distance(exact_test_.nearest.Limit()));
     }
   }
 
@@ -249,19 +248,14 @@ class LeafVisitor {
     if constexpr (Structure::meets_primitives_again)
       if (count_ > 0 && candidates_[count_ - 1].triangle.primitive == triangle.primitive) return;
     if (count_ == most_candidates) TestCandidatesNow();
-    if (triangle.primitive == ray_.leaving) return;
+    if (triangle.primitive == exact_test_.ray.leaving) return;
     triangle.PrefetchCorners();
     candidates_[count_++] = {&block, lane, nearest, triangle};
     limit = std::min(limit, farthest);
   }
 
-  const TwoLevel<Structure>& two_level_;
-  const Structure& structure_;
-  const R3::Ray& ray_;
   const RayInBoxes& traversal_ray_;
   double distance_in_world_;
-  NearestHit& nearest_;
-  Counts& counts_;
   float limit_for_certain_;  // up to where hits of a shadow ray that are certain are in its way
   ExactTriangleTest<any, Structure> exact_test_;
   int count_ = 0;

@@ -111,7 +111,8 @@ struct TraversalRay {
   double per_t, begin;   // distance along this ray = t * per_t - begin
   bool is_lost = false;  // it misses the structure's box
 
-  bool IsDownward(int axis) const { return signs[axis] < 0; }
+  /// -1 where the ray goes down along the axis, else 0.
+  std::int32_t DownwardMask(int axis) const { return signs[axis] >> 31; }
   /// An upper bound.
   float Distance(double t) const { return static_cast<float>(t * per_t - begin) * rounded_up + plane_error; }
 
@@ -133,8 +134,6 @@ struct TraversalRay {
       is_lost = true;
       return;
     }
-    // Where `begin` is out of range, so is the reach.
-    const bool is_in_range = per_t < coordinates.largest_per_t && per_t > 1 / most_per_t;
     double far_from_start = far;
     start = from;
     if (begin != 0) start = from + begin * along, far_from_start = LargestOf(start);
@@ -144,7 +143,9 @@ struct TraversalRay {
     certain_from = plane_error;
     if (IsDeparting(ray)) certain_from += static_cast<float>(-R3::departure_end * per_t * ray.t_min);
     Round();
-    if (HWY_UNLIKELY(!is_in_range || !(reach < most_reach))) AcceptEverything();
+    // Where `begin` is out of range, so is the reach.
+    const bool is_in_range = (per_t < coordinates.largest_per_t) & (per_t > 1 / most_per_t) & (reach < most_reach);
+    if (HWY_UNLIKELY(!is_in_range)) AcceptEverything();
   }
 
  private:

@@ -23,7 +23,7 @@ using wide::Tree;
 /// A traversal ray as the slab test of eight boxes wants it: in registers during traversal.
 struct NodeRay {
   Floats inverse_x, inverse_y, inverse_z, near_x, near_y, near_z, far_x, far_y, far_z;
-  std::uint32_t x, y, z;  // the near planes in Node::plane, in floats
+  std::int64_t x, y, z;  // the near planes in Node::plane, in floats
 
   template <typename RayInBoxes>
   HWY_INLINE explicit NodeRay(const RayInBoxes& p)
@@ -36,19 +36,19 @@ struct NodeRay {
         far_x(hn::Set(Lanes(), p.far_shift[0])),
         far_y(hn::Set(Lanes(), p.far_shift[1])),
         far_z(hn::Set(Lanes(), p.far_shift[2])),
-        x(p.IsDownward(0) ? width : 0),
-        y(2 * width + (p.IsDownward(1) ? width : 0)),
-        z(4 * width + (p.IsDownward(2) ? width : 0)) {}
+        x(p.DownwardMask(0) & width),
+        y((p.DownwardMask(1) & width) + 2 * width),
+        z((p.DownwardMask(2) & width) + 4 * width) {}
 
   /// Which children of a node are entered before `limit`, as bits; and where.
   HWY_INLINE std::uint32_t Test(const Node& node, float limit, float* HWY_RESTRICT entries) const {
     const Lanes lanes;
     const float* planes = node.planes;
-    constexpr std::uint32_t other = width;  // low and high planes alternate: the far one is next door
+    constexpr std::int64_t other = width;  // low and high planes alternate: the far one is next door
     std::uint32_t reached = 0;
     for (std::size_t i = 0; i < width; i += hn::Lanes(lanes)) {
-      const auto at = [&](std::uint32_t plane, Floats inverse, Floats shift) {
-        return hn::MulSub(hn::Load(lanes, planes + plane + i), inverse, shift);
+      const auto at = [&](std::int64_t plane, Floats inverse, Floats shift) {
+        return hn::MulSub(hn::Load(lanes, planes + i + plane), inverse, shift);
       };
       const Floats entry = hn::Max(hn::Max(at(x, inverse_x, near_x), at(y, inverse_y, near_y)),
                                    hn::Max(at(z, inverse_z, near_z), hn::Zero(lanes)));
