@@ -3,7 +3,7 @@
 #   make test       the layer check, all tests, and a few pictures of the writeup
 #   make night      the tests with millions of cases; GTEST=--gtest_filter=... for some of them
 #   make check      the layer check alone: who may include whom; that elementary functions are our own; that the
-#                   patches of script/price apply; and that all who name packages name the same
+#                   patches of script/price apply and compile; and that all who name packages name the same
 #   make asan tsan  the tests again under the sanitizers
 #   make fuzz       the fuzz targets, with clang, under build/fuzz; script/fuzz.sh runs them
 #   make fuzz-scenes  random scenes: hits in exact arithmetic, bounds on light, one mean; SCENES=100000 from SEED=1 on,

@@ -10,7 +10,7 @@
 
 namespace ray {
 
-/// Memory for many plain values, not initialized; on huge pages where it is large.
+/// Memory for many plain values, not initialized; on huge pages where it fills half of one.
 template <typename T>
 class HugeArray {
   static_assert(std::is_trivially_copyable_v<T>);
@@ -20,7 +20,7 @@ class HugeArray {
   explicit HugeArray(std::size_t size) : size_(size) {
     if (size == 0) return;
     constexpr std::size_t line = 64;
-    const std::size_t alignment = Bytes() >= 2 * huge_page ? huge_page : line;
+    const std::size_t alignment = Bytes() >= huge_page / 2 ? huge_page : line;
     const std::size_t bytes = (Bytes() + alignment - 1) / alignment * alignment;
     data_.reset(static_cast<T*>(std::aligned_alloc(alignment, bytes)));
     if (!data_) throw std::bad_alloc();

@@ -15,11 +15,16 @@ namespace ray {
 
 inline constexpr int width = 8;  // triangles of a block, children of a wide node
 
+/// Above these, and below 1 over them, products of doubles leave their range, and what is certain in a structure's
+/// coordinates need not be found in the scene's.
+inline constexpr double most_scale = 0x1p200, most_per_t = 0x1p700;
+
 /// Where a structure computes in single precision: at (p - center) * scale, so that all its boxes lie in [-1, 1] and
 /// floats resolve them equally well wherever and however large the scene is. The scale is a power of two.
 struct Coordinates {
   R3::Point center;
   double scale = 1;
+  double largest_per_t = most_per_t;  // distance of a ray here per t; 0 where the scale is out of range
 
   R3::Vector operator()(const R3::Point& p) const { return scale * (p - center); }
   R3::Point Back(const R3::Vector& v) const { return center + v / scale; }
@@ -30,6 +35,8 @@ Coordinates FitCoordinates(const PrimitiveSet& primitives);
 struct alignas(32) TriangleBlock {
   float corner[3][width], edge1[3][width], edge2[3][width];  // corner 0, corner 1 - corner 0, corner 2 - corner 0
   std::uint32_t primitive[width];
+  std::uint32_t positions[3]
+                         [width];  // numbers of the corners in the mesh, so that the exact test need not wait for them
 };
 /// `count` of the primitives, all of them triangles in the set's own frame.
 void FillBlock(TriangleBlock& block, const PrimitiveSet& primitives, const Coordinates& coordinates,

@@ -239,7 +239,7 @@ struct PacketRay {
         height_error(packet.height_error[i]),
         packet_(packet) {}
 
-  HWY_INLINE bool IsDownward(int axis) const { return std::bit_cast<std::int32_t>(direction[axis]) < 0; }
+  HWY_INLINE std::int32_t DownwardMask(int axis) const { return std::bit_cast<std::int32_t>(direction[axis]) >> 31; }
   HWY_INLINE float Distance(double t) const { return packet_.Distance(direction.i, t); }
 
  private:

@@ -72,7 +72,8 @@ class PacketTraversal {
   static constexpr std::size_t nodes_of_small_tree = 8;  // scenes of 1 to 7 nodes gain, larger ones were not tried
   static constexpr int most_candidates = 8;
   struct Candidate {
-    std::uint32_t primitive;
+    const TriangleBlock* block;
+    std::uint32_t lane;
     float nearest;
   };
 
@@ -180,8 +181,7 @@ class PacketTraversal {
     visitor.limit = std::min(visitor.limit, packet_.limit[i]);
     TraverseFrom<any>(child, tree_, NodeRay(ray), visitor, counts_);
     packet_.limit[i] = visitor.limit;
-    if constexpr (!any)
-      visitor.HandOver([&](std::uint32_t primitive, float nearest) HWY_ATTR { Keep(i, primitive, nearest); });
+    if constexpr (!any) visitor.HandOver([&](const auto&... candidate) HWY_ATTR { Keep(i, candidate...); });
     if (visitor.is_answered) Answer(i);
   }
 
@@ -310,27 +310,27 @@ class PacketTraversal {
       ForEachBit(certain, [&](int j) { Answer(j); });
       ForEachBit(maybe & ~certain, [&](int j) HWY_ATTR {
         auto exact_test = ExactTestOf(j);
-        if (exact_test.Test(exact_test.Locate(block.primitive[k]))) Answer(j);
+        if (exact_test.Test(exact_test.Locate(block, static_cast<std::uint32_t>(k)))) Answer(j);
       });
     } else {
       const auto least = hn::Min(limit, mask.farthest);
       hn::Store(hn::IfThenElse(mask.certain, least, limit), f, packet_.limit + i);
       hn::Store(mask.nearest, f, nearest_now_ + i);
-      ForEachBit(maybe, [&](int j) HWY_ATTR { Keep(j, block.primitive[k], nearest_now_[j]); });
+      ForEachBit(maybe, [&](int j) HWY_ATTR { Keep(j, block, static_cast<std::uint32_t>(k), nearest_now_[j]); });
     }
   }
 
-  HWY_INLINE void Keep(int i, std::uint32_t primitive, float nearest) {
+  HWY_INLINE void Keep(int i, const TriangleBlock& block, std::uint32_t lane, float nearest) {
     if (candidate_count_[i] == most_candidates) TestCandidates(i);
-    candidates_[i][candidate_count_[i]++] = {primitive, nearest};
+    candidates_[i][candidate_count_[i]++] = {&block, lane, nearest};
   }
 
   HWY_INLINE void TestCandidates(int i) {
     auto exact_test = ExactTestOf(i);
     while (candidate_count_[i] > 0) {
       const Candidate& candidate = candidates_[i][--candidate_count_[i]];
-      if (candidate.nearest <= packet_.limit[i] && exact_test.Test(exact_test.Locate(candidate.primitive)) &&
-          candidate_count_[i] > 0)
+      if (candidate.nearest <= packet_.limit[i] &&
+          exact_test.Test(exact_test.Locate(*candidate.block, candidate.lane)) && candidate_count_[i] > 0)
         packet_.limit[i] = std::min(packet_.limit[i], packet_.Distance(i, Nearest(i).Limit()));
     }
   }
@@ -354,19 +354,16 @@ class PacketTraversal {
       while (candidate_count_[i] > 0) {
         const Candidate& candidate = candidates_[i][--candidate_count_[i]];
         if (candidate.nearest > packet_.limit[i]) continue;
-        const auto triangle = ExactTestOf(i).Locate(candidate.primitive);
+        const auto triangle = ExactTestOf(i).Locate(*candidate.block, candidate.lane);
         if (triangle.primitive == Ray(i).leaving || triangle.primitive == Ray(i).reaching) continue;
-        if (tree_.is_large) triangle.PrefetchIndices();
+        if (tree_.is_large) triangle.PrefetchCorners();
         tests[count++] = {i, triangle};
         break;
       }
     }
-    if (tree_.is_large)
-      for (int k = 0; k < count; ++k) tests[k].triangle.PrefetchCorners();
     ExactTriangleLanes lanes;
     for (int k = 0; k < count; ++k)
-      lanes.Add(Ray(tests[k].ray), Nearest(tests[k].ray).TMaxOf(Ray(tests[k].ray)),
-                tests[k].triangle.mesh->CornersInPlace(tests[k].triangle.element));
+      lanes.Add(Ray(tests[k].ray), Nearest(tests[k].ray).TMaxOf(Ray(tests[k].ray)), tests[k].triangle.Corners());
     const ExactMask mask = lanes.Test();
     counts_.primitive_tests += static_cast<std::uint64_t>(std::popcount(~mask.unsure & ((1U << count) - 1)));
     ForEachBit(mask.hit, [&](int k) HWY_ATTR {

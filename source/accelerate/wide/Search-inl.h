@@ -32,59 +32,65 @@ template <bool any, typename Structure>
 class ExactTriangleTest {
  public:
   struct TriangleRef {
-    const R3::Mesh* mesh;
+    const R3::Point* positions;  // of the mesh
+    std::array<std::uint32_t, 3> corners;
     std::uint32_t instance;
     std::int32_t element;
     std::int64_t primitive;  // as the world numbers them
 
-    const std::array<std::uint32_t, 3>& Indices() const {
-      return mesh->Data().triangles[static_cast<std::size_t>(element)];
+    std::array<const R3::Point*, 3> Corners() const {
+      return {positions + corners[0], positions + corners[1], positions + corners[2]};
     }
     // Always inlined: g++ takes calls of what only prefetches for calls that do nothing.
-    HWY_INLINE void PrefetchIndices() const { __builtin_prefetch(&Indices()); }
-    /// Once the indices are there.
     HWY_INLINE void PrefetchCorners() const {
-      for (const std::uint32_t corner : Indices()) __builtin_prefetch(&mesh->Data().positions[corner]);
+      for (const std::uint32_t corner : corners) __builtin_prefetch(positions + corner);
     }
   };
 
-  HWY_INLINE ExactTriangleTest(const TwoLevel<Structure>& two_level, const Structure& structure, const R3::Ray& ray,
-                               std::optional<std::uint32_t> instance, NearestHit& nearest, Counts& counts)
-      : two_level_(two_level),
-        primitives_(structure.primitives),
-        instance_(instance),
-        nearest_(nearest),
-        counts_(counts),
-        ray_(ray) {}
+  HWY_INLINE ExactTriangleTest(const TwoLevel<Structure>& the_two_level, const Structure& the_structure,
+                               const R3::Ray& the_ray, std::optional<std::uint32_t> instance, NearestHit& the_nearest,
+                               Counts& the_counts)
+      : two_level(the_two_level),
+        structure(the_structure),
+        ray(the_ray),
+        nearest(the_nearest),
+        counts(the_counts),
+        instance_(instance) {}
 
-  HWY_INLINE TriangleRef Locate(std::uint32_t primitive) const {
-    const PrimRef what = primitives_[primitive];
+  // What is searched, and for which ray.
+  const TwoLevel<Structure>& two_level;
+  const Structure& structure;
+  const R3::Ray& ray;
+  NearestHit& nearest;
+  Counts& counts;
+
+  HWY_INLINE TriangleRef Locate(const TriangleBlock& block, std::uint32_t lane) const {
+    const PrimRef what = structure.primitives[block.primitive[lane]];
     const std::uint32_t of = instance_.value_or(what.instance);
-    const Instance& instance = two_level_.world->Instances()[of];
-    return {instance.mesh, of, what.element, instance.first_primitive + what.element};
+    const Instance& instance = two_level.world->Instances()[of];
+    return {instance.mesh->Data().positions.data(),
+            {block.positions[0][lane], block.positions[1][lane], block.positions[2][lane]},
+            of,
+            what.element,
+            instance.first_primitive + what.element};
   }
 
   /// Whether there is a hit that may be wanted, which with `any` ends the search.
   HWY_FLATTEN bool Test(const TriangleRef& triangle) {
-    if (triangle.primitive == ray_.leaving || triangle.primitive == ray_.reaching) return false;
-    if (!sheared_) sheared_.emplace(ray_);  // most rays never ask
-    if constexpr (!any) sheared_->t_max = nearest_.TMaxOf(ray_);
-    ++counts_.primitive_tests;
-    const auto hit = R3::IntersectTriangleInline(*sheared_, triangle.mesh->CornersInPlace(triangle.element));
+    if (triangle.primitive == ray.leaving || triangle.primitive == ray.reaching) return false;
+    if (!sheared_) sheared_.emplace(ray);  // most rays never ask
+    if constexpr (!any) sheared_->t_max = nearest.TMaxOf(ray);
+    ++counts.primitive_tests;
+    const auto hit = R3::IntersectTriangleInline(*sheared_, triangle.Corners());
     if (!hit) return false;
     const WorldHit found{*hit, triangle.instance, triangle.element};
-    if constexpr (any) return nearest_.IsInTheWay(found);
-    nearest_.TakeIfAhead(found);
+    if constexpr (any) return nearest.IsInTheWay(found);
+    nearest.TakeIfAhead(found);
     return true;
   }
 
  private:
-  const TwoLevel<Structure>& two_level_;
-  const PrimitiveSet& primitives_;
   std::optional<std::uint32_t> instance_;
-  NearestHit& nearest_;
-  Counts& counts_;
-  const R3::Ray& ray_;
   std::optional<R3::ShearedRay> sheared_;
 };
 
@@ -142,13 +148,8 @@ class LeafVisitor {
                          const RayInBoxes& traversal_ray, double distance_in_world,
                          std::optional<std::uint32_t> instance, NearestHit& nearest, Counts& counts)
       : limit(traversal_ray.Distance(nearest.Limit())),
-        two_level_(two_level),
-        structure_(structure),
-        ray_(ray),
         traversal_ray_(traversal_ray),
         distance_in_world_(distance_in_world),
-        nearest_(nearest),
-        counts_(counts),
         limit_for_certain_(any ? traversal_ray.Distance(end_of_certainty * ray.t_max) - 4 * traversal_ray.plane_error
                                : 0),
         exact_test_(two_level, structure, ray, instance, nearest, counts) {}
@@ -161,15 +162,15 @@ class LeafVisitor {
     BlockMask mask;
     TestTriangles(block, traversal_ray_, limit, mask);
     for (std::uint32_t rest = mask.maybe; rest; rest &= rest - 1) {
-      const int i = std::countr_zero(rest);
+      const auto i = static_cast<std::uint32_t>(std::countr_zero(rest));
       const bool is_certain = mask.certain >> i & 1;
       if constexpr (any) {
-        is_answered = (is_certain && mask.farthest[i] < limit_for_certain_) ||
-                      exact_test_.Test(exact_test_.Locate(block.primitive[i]));
+        is_answered =
+            (is_certain && mask.farthest[i] < limit_for_certain_) || exact_test_.Test(exact_test_.Locate(block, i));
         if (is_answered) return true;
       } else {
         constexpr float none = std::numeric_limits<float>::infinity();
-        Keep(block.primitive[i], mask.nearest[i], is_certain ? mask.farthest[i] : none);
+        Keep(block, i, mask.nearest[i], is_certain ? mask.farthest[i] : none);
       }
     }
     return false;
@@ -177,18 +178,19 @@ class LeafVisitor {
 
   /// The same for a sphere.
   HWY_INLINE bool VisitSphere(const SphereLeaf& leaf) {
-    if (!TestSphere<any>(leaf, ray_, nearest_, counts_)) return false;
+    if (!TestSphere<any>(leaf, exact_test_.ray, exact_test_.nearest, exact_test_.counts)) return false;
     if constexpr (any) return is_answered = true;
-    limit = std::min(limit, traversal_ray_.Distance(nearest_.Limit()));
+    limit = std::min(limit, traversal_ray_.Distance(exact_test_.nearest.Limit()));
     return false;
   }
 
   /// The same for a primitive of another kind.
   bool VisitPrimitive(std::uint32_t primitive) {
     if constexpr (!any) TestCandidatesNow();
-    is_answered = TestPrimitive<any>(two_level_, structure_, primitive, ray_, distance_in_world_, nearest_, counts_);
+    is_answered = TestPrimitive<any>(exact_test_.two_level, exact_test_.structure, primitive, exact_test_.ray,
+                                     distance_in_world_, exact_test_.nearest, exact_test_.counts);
     if constexpr (any) return is_answered;
-    limit = std::min(limit, traversal_ray_.Distance(nearest_.Limit()));
+    limit = std::min(limit, traversal_ray_.Distance(exact_test_.nearest.Limit()));
     return false;
   }
 
@@ -209,18 +211,16 @@ class LeafVisitor {
   template <typename Keeper>
   HWY_INLINE void HandOver(const Keeper& keep) {
     for (int i = 0; i < count_; ++i)
-      if (candidates_[i].nearest <= limit) keep(candidates_[i].primitive, candidates_[i].nearest);
+      if (candidates_[i].nearest <= limit) keep(*candidates_[i].block, candidates_[i].lane, candidates_[i].nearest);
     count_ = 0;
   }
 
   /// Decides about the candidates that may still be the nearest, last found first.
   HWY_INLINE void TestCandidates() {
-    if (count_ == 0) return;
-    for (int i = 0; i + 1 < count_; ++i) candidates_[i].triangle.PrefetchCorners();
     while (count_ > 0) {
       --count_;
       if (candidates_[count_].nearest <= limit && exact_test_.Test(candidates_[count_].triangle))
-        limit = std::min(limit, traversal_ray_.Distance(nearest_.Limit()));
+        limit = std::min(limit, traversal_ray_.Distance(exact_test_.nearest.Limit()));
     }
   }
 
@@ -233,7 +233,8 @@ class LeafVisitor {
   }
 
   struct Candidate {
-    std::uint32_t primitive;
+    const TriangleBlock* block;
+    std::uint32_t lane;
     float nearest;
     typename ExactTriangleTest<any, Structure>::TriangleRef triangle;
   };
@@ -242,25 +243,19 @@ class LeafVisitor {
   /// Out of line where it is rare: the kernels are compiled many times.
   HWY_NOINLINE void TestCandidatesNow() { TestCandidates(); }
 
-  HWY_INLINE void Keep(std::uint32_t primitive, float nearest, float farthest) {
+  HWY_INLINE void Keep(const TriangleBlock& block, std::uint32_t lane, float nearest, float farthest) {
+    const auto triangle = exact_test_.Locate(block, lane);
     if constexpr (Structure::meets_primitives_again)
-      if (count_ > 0 && candidates_[count_ - 1].primitive == primitive) return;
+      if (count_ > 0 && candidates_[count_ - 1].triangle.primitive == triangle.primitive) return;
     if (count_ == most_candidates) TestCandidatesNow();
-    const auto triangle = exact_test_.Locate(primitive);
-    if (triangle.primitive == ray_.leaving) return;
-    candidates_[count_] = {primitive, nearest, triangle};
-    candidates_[count_].triangle.PrefetchIndices();
-    ++count_;
+    if (triangle.primitive == exact_test_.ray.leaving) return;
+    triangle.PrefetchCorners();
+    candidates_[count_++] = {&block, lane, nearest, triangle};
     limit = std::min(limit, farthest);
   }
 
-  const TwoLevel<Structure>& two_level_;
-  const Structure& structure_;
-  const R3::Ray& ray_;
   const RayInBoxes& traversal_ray_;
   double distance_in_world_;
-  NearestHit& nearest_;
-  Counts& counts_;
   float limit_for_certain_;  // up to where hits of a shadow ray that are certain are in its way
   ExactTriangleTest<any, Structure> exact_test_;
   int count_ = 0;
@@ -271,8 +266,9 @@ class LeafVisitor {
 /// structure brings a Traverse of its own, which visits leaves until Visit... returns true or nothing is left before
 /// the limit.
 template <bool any, typename Structure>
-bool Search(const TwoLevel<Structure>& two_level, const Structure& structure, const R3::Ray& ray,
-            double distance_in_world, std::optional<std::uint32_t> instance, NearestHit& nearest, Counts& counts) {
+HWY_INLINE bool SearchInline(const TwoLevel<Structure>& two_level, const Structure& structure, const R3::Ray& ray,
+                             double distance_in_world, std::optional<std::uint32_t> instance, NearestHit& nearest,
+                             Counts& counts) {
   const TraversalRay traversal_ray(structure.coordinates, structure.primitives.PaddingPerDistance(), ray,
                                    distance_in_world);
   if (traversal_ray.is_lost) return false;
@@ -283,18 +279,26 @@ bool Search(const TwoLevel<Structure>& two_level, const Structure& structure, co
   return visitor.is_answered;
 }
 
+/// The same, out of line: for the insides of shared meshes.
+template <bool any, typename Structure>
+HWY_NOINLINE bool Search(const TwoLevel<Structure>& two_level, const Structure& structure, const R3::Ray& ray,
+                         double distance_in_world, std::optional<std::uint32_t> instance, NearestHit& nearest,
+                         Counts& counts) {
+  return SearchInline<any>(two_level, structure, ray, distance_in_world, instance, nearest, counts);
+}
+
 template <typename Structure>
 void FindNearest(const TwoLevel<Structure>& two_level, const R3::Ray& ray, NearestHit& nearest, Counts& counts) {
-  Search<false>(two_level, two_level.structures[0], ray, MaxComponent(Abs(FromOrigin(ray.origin))), std::nullopt,
-                nearest, counts);
+  SearchInline<false>(two_level, two_level.structures[0], ray, MaxComponent(Abs(FromOrigin(ray.origin))), std::nullopt,
+                      nearest, counts);
 }
 
 template <typename Structure>
 bool FindAny(const TwoLevel<Structure>& two_level, const R3::Ray& ray, Counts& counts) {
   std::optional<WorldHit> best;
   NearestHit nearest(*two_level.world, ray, best);
-  return Search<true>(two_level, two_level.structures[0], ray, MaxComponent(Abs(FromOrigin(ray.origin))), std::nullopt,
-                      nearest, counts);
+  return SearchInline<true>(two_level, two_level.structures[0], ray, MaxComponent(Abs(FromOrigin(ray.origin))),
+                            std::nullopt, nearest, counts);
 }
 
 template <typename Structure>

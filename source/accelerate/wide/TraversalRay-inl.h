@@ -63,9 +63,6 @@ inline constexpr float rounded_up = 1 + 4 * u, rounded_down = 1 - 4 * u;
 /// Rays begin where they are when their origin is no farther, in half boxes: that makes r, and so the error bounds, at
 /// most 7 times what they are inside, and saves finding where they enter.
 inline constexpr double near_enough = 6;
-/// Above these, and below 1 over them, products of doubles leave their range, and what is certain in a structure's
-/// coordinates need not be found in the scene's.
-inline constexpr double most_scale = 0x1p200, most_per_t = 0x1p700;
 /// No direction is nearer to being along a plane: that moves rays by less than their error bound, and keeps products
 /// finite.
 inline constexpr float flattest = 0x1p-40f;
@@ -86,14 +83,19 @@ HWY_INLINE double InverseOfPowerOfTwo(double x) {
 using Double4 = double __attribute__((vector_size(32)));
 using Float4 = float __attribute__((vector_size(16)));
 using Whole4 = std::int32_t __attribute__((vector_size(16)));
+using Long4 = std::int64_t __attribute__((vector_size(32)));
 
 HWY_INLINE void Load(const double* xyz, Double4& v) { std::memcpy(&v, xyz, sizeof v); }
-template <typename V>
-HWY_INLINE auto LargestOf(const V& v) {
-  const auto larger = [](auto a, auto b) {
+HWY_INLINE double LargestOf(const Double4& v) {
+  const auto larger = [](double a, double b) {
     return a > b ? a : b;
   };  // values, so that it is an instruction, not a branch
-  return larger(larger(std::abs(v[0]), std::abs(v[1])), std::abs(v[2]));
+  Long4 bits;
+  std::memcpy(&bits, &v, sizeof bits);
+  bits &= std::numeric_limits<std::int64_t>::max();
+  Double4 size;
+  std::memcpy(&size, &bits, sizeof size);
+  return larger(larger(size[0], size[1]), size[2]);
 }
 
 /// A ray in a structure's coordinates, begun where it enters the structure's box if it comes from afar.
@@ -109,16 +111,17 @@ struct TraversalRay {
   double per_t, begin;   // distance along this ray = t * per_t - begin
   bool is_lost = false;  // it misses the structure's box
 
-  bool IsDownward(int axis) const { return signs[axis] < 0; }
+  /// -1 where the ray goes down along the axis, else 0.
+  std::int32_t DownwardMask(int axis) const { return signs[axis] >> 31; }
   /// An upper bound.
   float Distance(double t) const { return static_cast<float>(t * per_t - begin) * rounded_up + plane_error; }
 
   HWY_INLINE TraversalRay(const Coordinates& coordinates, double padding_per_distance, const R3::Ray& ray,
                           double distance_in_world) {
     static_assert(sizeof(R3::Ray) >= 8 * sizeof(double) && sizeof(R3::Point) == 3 * sizeof(double));
-    const Double4 center{coordinates.center.x, coordinates.center.y, coordinates.center.z, 0};
-    Double4 eye, heading;
-    Load(&ray.origin.x, eye), Load(&ray.direction.x, heading);
+    static_assert(sizeof(Coordinates) >= 4 * sizeof(double));
+    Double4 center, eye, heading;
+    Load(&coordinates.center.x, center), Load(&ray.origin.x, eye), Load(&ray.direction.x, heading);
     const Double4 from = coordinates.scale * (eye - center);
     const double power = PowerOfTwoBelowInverse(LargestOf(heading));
     along = power * heading;
@@ -131,16 +134,18 @@ struct TraversalRay {
       is_lost = true;
       return;
     }
-    const bool is_in_range = std::abs(begin) < 0x1p1000 && per_t < most_per_t && per_t > 1 / most_per_t &&
-                             coordinates.scale <= most_scale && coordinates.scale >= 1 / most_scale;
-    start = begin == 0 ? from : from + begin * along;
+    double far_from_start = far;
+    start = from;
+    if (begin != 0) start = from + begin * along, far_from_start = LargestOf(start);
     const double reach =
-        1 + LargestOf(start) + translation_error * (far + std::abs(begin)) + padding * (1 / relative_plane_error);
+        1 + far_from_start + translation_error * (far + std::abs(begin)) + padding * (1 / relative_plane_error);
     SetErrorBounds(static_cast<float>(reach));
     certain_from = plane_error;
     if (IsDeparting(ray)) certain_from += static_cast<float>(-R3::departure_end * per_t * ray.t_min);
     Round();
-    if (HWY_UNLIKELY(!is_in_range || !(reach < most_reach))) AcceptEverything();
+    // Where `begin` is out of range, so is the reach.
+    const bool is_in_range = (per_t < coordinates.largest_per_t) & (per_t > 1 / most_per_t) & (reach < most_reach);
+    if (HWY_UNLIKELY(!is_in_range)) AcceptEverything();
   }
 
  private:

@@ -7,6 +7,8 @@
 #define RAY_ACCELERATE_WIDE_TRAVERSE_INL_H_
 #endif
 
+#include <type_traits>
+
 #include "source/accelerate/wide/Search-inl.h"
 #include "source/accelerate/wide/Tree.h"
 
@@ -21,7 +23,7 @@ using wide::Tree;
 /// A traversal ray as the slab test of eight boxes wants it: in registers during traversal.
 struct NodeRay {
   Floats inverse_x, inverse_y, inverse_z, near_x, near_y, near_z, far_x, far_y, far_z;
-  std::uint32_t x, y, z;  // the near planes in Node::plane, in floats
+  std::int64_t x, y, z;  // the near planes in Node::plane, in floats
 
   template <typename RayInBoxes>
   HWY_INLINE explicit NodeRay(const RayInBoxes& p)
@@ -34,19 +36,19 @@ struct NodeRay {
         far_x(hn::Set(Lanes(), p.far_shift[0])),
         far_y(hn::Set(Lanes(), p.far_shift[1])),
         far_z(hn::Set(Lanes(), p.far_shift[2])),
-        x(p.IsDownward(0) ? width : 0),
-        y(2 * width + (p.IsDownward(1) ? width : 0)),
-        z(4 * width + (p.IsDownward(2) ? width : 0)) {}
+        x(p.DownwardMask(0) & width),
+        y((p.DownwardMask(1) & width) + 2 * width),
+        z((p.DownwardMask(2) & width) + 4 * width) {}
 
   /// Which children of a node are entered before `limit`, as bits; and where.
   HWY_INLINE std::uint32_t Test(const Node& node, float limit, float* HWY_RESTRICT entries) const {
     const Lanes lanes;
     const float* planes = node.planes;
-    constexpr std::uint32_t other = width;  // low and high planes alternate: the far one is next door
+    constexpr std::int64_t other = width;  // low and high planes alternate: the far one is next door
     std::uint32_t reached = 0;
     for (std::size_t i = 0; i < width; i += hn::Lanes(lanes)) {
-      const auto at = [&](std::uint32_t plane, Floats inverse, Floats shift) {
-        return hn::MulSub(hn::Load(lanes, planes + plane + i), inverse, shift);
+      const auto at = [&](std::int64_t plane, Floats inverse, Floats shift) {
+        return hn::MulSub(hn::Load(lanes, planes + i + plane), inverse, shift);
       };
       const Floats entry = hn::Max(hn::Max(at(x, inverse_x, near_x), at(y, inverse_y, near_y)),
                                    hn::Max(at(z, inverse_z, near_z), hn::Zero(lanes)));
@@ -75,88 +77,114 @@ HWY_INLINE void Order(std::uint64_t& farther, std::uint64_t& nearer) {
   farther ^= swap, nearer ^= swap;
 }
 
-/// Distances of the children reached, for ranking them; equal ones by their lane.
-class SortKeys {
- public:
-  HWY_INLINE SortKeys(const float* HWY_RESTRICT distances, std::uint32_t reached) {
-    const Wholes d;
-    for (std::size_t k = 0; k < width; k += hn::Lanes(d)) {
-      const auto bit = hn::Shl(hn::Set(d, 1), hn::Iota(d, static_cast<std::int32_t>(k)));
-      const auto is_reached = hn::TestBit(hn::Set(d, static_cast<std::int32_t>(reached)), bit);
-      const auto distance = hn::BitCast(d, hn::Load(Lanes(), distances + k));
-      const auto key = hn::Or(hn::AndNot(hn::Set(d, width - 1), distance), hn::Iota(d, static_cast<std::int32_t>(k)));
-      hn::Store(hn::IfThenElse(is_reached, key, hn::Set(d, -1)), d, keys_ + k);
-    }
-  }
+using Wholes = hn::CappedTag<std::int32_t, width>;
 
-  HWY_INLINE int CountFarther(int i) const {
-    const Wholes d;
-    std::uint32_t farther = 0;
-    for (std::size_t k = 0; k < width; k += hn::Lanes(d)) {
-      std::uint8_t bits[8] = {};
-      hn::StoreMaskBits(d, hn::Gt(hn::Load(d, keys_ + k), hn::Set(d, keys_[i])), bits);
-      farther |= static_cast<std::uint32_t>(bits[0]) << k;
-    }
-    return std::popcount(farther);
-  }
-
- private:
-  using Wholes = hn::CappedTag<std::int32_t, width>;
-  alignas(32) std::int32_t keys_[width];
-};
+/// Distances of the children reached, as whole numbers that order them, the lane in the lowest bits: equal ones go by
+/// that. Others have -1.
+template <typename D>
+HWY_INLINE hn::Vec<D> SortKeys(D d, const float* HWY_RESTRICT distances, std::uint32_t reached, std::size_t first) {
+  const auto lane = hn::Iota(d, static_cast<std::int32_t>(first));
+  const auto is_reached = hn::TestBit(hn::Set(d, static_cast<std::int32_t>(reached)), hn::Shl(hn::Set(d, 1), lane));
+  const auto distance = hn::BitCast(d, hn::Load(Lanes(), distances + first));
+  return hn::IfThenElse(is_reached, hn::Or(hn::AndNot(hn::Set(d, width - 1), distance), lane), hn::Set(d, -1));
+}
 
 HWY_INLINE void Prefetch(const Tree& tree, std::uint32_t child) {
   // Of a primitive this is some other place in memory or none: harmless.
   const char* at = reinterpret_cast<const char*>(tree.memory.Data() + Child::Index(child));
   for (int line = 0; line < 4; ++line) __builtin_prefetch(at + 64 * line);
 }
-
-/// What is visited next, and the new top of the stack.
-struct Pushed {
-  std::uint32_t next;
-  std::uint64_t* top;
-};
-
-/// For occlusion rays: the children reached, whichever comes first.
-HWY_INLINE Pushed PushUnsorted(const Tree& tree, const Node& node, const float* HWY_RESTRICT distances,
-                               std::uint32_t reached, std::uint64_t* top) {
-  do {
-    const int i = std::countr_zero(reached);
-    if (tree.is_large) Prefetch(tree, node.child[i]);
-    *top++ = PackEntry(distances[i], node.child[i]);
-    reached &= reached - 1;
-  } while (reached != 0);
-  --top;
-  return {static_cast<std::uint32_t>(*top), top};
+HWY_INLINE void PrefetchEach(const Tree& tree, const Node& node, std::uint32_t reached) {
+  for (; reached != 0; reached &= reached - 1) Prefetch(tree, node.child[std::countr_zero(reached)]);
 }
 
-/// For nearest hits: two or more children reached, the nearest first.
-HWY_INLINE Pushed PushSorted(const Tree& tree, const Node& node, const float* HWY_RESTRICT distances,
-                             const std::uint32_t reached, std::uint64_t* top) {
-  std::uint32_t rest = reached;
-  const auto take = [&] {
-    const int i = std::countr_zero(rest);
-    rest &= rest - 1;
-    return PackEntry(distances[i], node.child[i]);
+/// What is visited next, and the new top of the stack.
+template <typename Entry>
+struct Pushed {
+  std::uint32_t next;
+  Entry* top;
+};
+
+/// For occlusion rays: two or more children reached, whichever comes first. What is reached once is wanted to the end,
+/// so the stack need not know distances.
+HWY_INLINE Pushed<std::uint32_t> PushUnsorted(const Tree& tree, const Node& node, std::uint32_t reached,
+                                              std::uint32_t* top) {
+  if (tree.is_large) PrefetchEach(tree, node, reached);
+  const int last = std::bit_width(reached) - 1;
+  for (reached ^= std::uint32_t{1} << last; reached != 0; reached &= reached - 1)
+    *top++ = node.child[std::countr_zero(reached)];
+  return {node.child[last], top};
+}
+
+/// For nearest hits: three or more children reached, pushed farthest first. May write `width` entries from `top` on.
+#if HWY_TARGET != HWY_SCALAR && HWY_MAX_BYTES >= 32
+/// Eight numbers, the largest first, by a network of six rounds in each of which pairs of lanes compare.
+///   source  Batcher, Sorting networks and their applications (1968)
+template <typename D, typename V = hn::Vec<D>>
+HWY_INLINE V SortDescending(D d, V keys) {
+  const hn::Repartition<std::int64_t, D> pairs;
+  const auto compare = [&](V other, auto blend) HWY_ATTR { keys = blend(hn::Max(keys, other), hn::Min(keys, other)); };
+  const auto by_lane = [](V first, V second) HWY_ATTR { return hn::OddEven(second, first); };
+  const auto by_pair = [&](V first, V second) HWY_ATTR {
+    return hn::BitCast(d, hn::OddEven(hn::BitCast(pairs, second), hn::BitCast(pairs, first)));
   };
-  std::uint64_t first = take(), second = take();
-  if (tree.is_large) {
-    Prefetch(tree, static_cast<std::uint32_t>(first));
-    Prefetch(tree, static_cast<std::uint32_t>(second));
-  }
-  Order(second, first);
-  if (rest == 0) {
-    *top++ = second;
-    return {static_cast<std::uint32_t>(first), top};
-  }
-  const SortKeys keys(distances, reached);
-  for (rest = reached; rest != 0; rest &= rest - 1) {
+  const auto by_half = [&](V first, V second) HWY_ATTR { return hn::ConcatUpperLower(d, second, first); };
+  compare(hn::Shuffle2301(keys), by_lane);
+  compare(hn::Shuffle0123(keys), by_pair);
+  compare(hn::Shuffle2301(keys), by_lane);
+  compare(hn::Reverse(d, keys), by_half);
+  compare(hn::Shuffle1032(keys), by_pair);
+  compare(hn::Shuffle2301(keys), by_lane);
+  return keys;
+}
+
+HWY_INLINE Pushed<std::uint64_t> PushMany(const Node& node, const float* HWY_RESTRICT distances, std::uint32_t reached,
+                                          std::uint64_t* top) {
+  const Wholes d;
+  const hn::RebindToUnsigned<Wholes> u;
+  const auto keys = SortKeys(d, distances, reached, 0);
+  // Found apart from the others, so that traversal need not wait for their order.
+  const std::uint32_t first = hn::GetLane(hn::MinOfLanes(u, hn::BitCast(u, keys))) & (width - 1);
+  const auto lanes = hn::IndicesFromVec(d, hn::And(SortDescending(d, keys), hn::Set(d, width - 1)));
+  const auto children = hn::TableLookupLanes(hn::BitCast(d, hn::Load(u, node.child)), lanes);
+  const auto entries = hn::TableLookupLanes(hn::BitCast(d, hn::Load(Lanes(), distances)), lanes);
+  const auto even = hn::InterleaveLower(d, children, entries), odd = hn::InterleaveUpper(d, children, entries);
+  auto* const to = reinterpret_cast<std::int32_t*>(top);
+  hn::StoreU(hn::ConcatLowerLower(d, odd, even), d, to);
+  hn::StoreU(hn::ConcatUpperUpper(d, odd, even), d, to + width);
+  return {node.child[first], top + std::popcount(reached) - 1};
+}
+#else
+HWY_INLINE Pushed<std::uint64_t> PushMany(const Node& node, const float* HWY_RESTRICT distances, std::uint32_t reached,
+                                          std::uint64_t* top) {
+  const Wholes d;
+  alignas(32) std::int32_t keys[width];
+  for (std::size_t k = 0; k < width; k += hn::Lanes(d)) hn::Store(SortKeys(d, distances, reached, k), d, keys + k);
+  for (std::uint32_t rest = reached; rest != 0; rest &= rest - 1) {
     const int i = std::countr_zero(rest);
-    if (tree.is_large) Prefetch(tree, node.child[i]);
-    top[keys.CountFarther(i)] = PackEntry(distances[i], node.child[i]);
+    std::uint32_t farther = 0;
+    for (std::size_t k = 0; k < width; k += hn::Lanes(d)) {
+      std::uint8_t bits[8] = {};
+      hn::StoreMaskBits(d, hn::Gt(hn::Load(d, keys + k), hn::Set(d, keys[i])), bits);
+      farther |= static_cast<std::uint32_t>(bits[0]) << k;
+    }
+    top[std::popcount(farther)] = PackEntry(distances[i], node.child[i]);
   }
   top += std::popcount(reached) - 1;
   return {static_cast<std::uint32_t>(*top), top};
+}
+#endif
+
+/// For nearest hits: two or more children reached, the nearest first.
+HWY_INLINE Pushed<std::uint64_t> PushSorted(const Tree& tree, const Node& node, const float* HWY_RESTRICT distances,
+                                            std::uint32_t reached, std::uint64_t* top) {
+  if (tree.is_large) PrefetchEach(tree, node, reached);
+  const int i = std::countr_zero(reached), k = std::bit_width(reached) - 1;
+  if (reached != (std::uint32_t{1} << i | std::uint32_t{1} << k)) return PushMany(node, distances, reached, top);
+  std::uint64_t first = PackEntry(distances[i], node.child[i]), second = PackEntry(distances[k], node.child[k]);
+  Order(second, first);
+  *top++ = second;
+  return {static_cast<std::uint32_t>(first), top};
 }
 
 /// A leaf of another kind than triangles; true when that ends the search. Out of line, so that the traversal of
@@ -172,8 +200,9 @@ HWY_NOINLINE bool VisitOthers(const Tree& tree, std::uint32_t child, LeafVisitor
 template <bool any, typename LeafVisitor>
 HWY_INLINE void TraverseFrom(std::uint32_t child, const Tree& tree, const NodeRay& ray, LeafVisitor& visitor,
                              Counts& counts) {
-  std::uint64_t stack[wide::most_depth * width];
-  std::uint64_t* top = stack;  // one past the last entry
+  using Entry = std::conditional_t<any, std::uint32_t, std::uint64_t>;
+  Entry stack[(wide::most_depth + 1) * width];
+  Entry* top = stack;  // one past the last entry
   std::uint64_t nodes = 0, leaves = 0;
 
   while (true) {
@@ -188,9 +217,9 @@ HWY_INLINE void TraverseFrom(std::uint32_t child, const Tree& tree, const NodeRa
           child = node.child[std::countr_zero(reached)];
           continue;
         }
-        Pushed pushed;
+        Pushed<Entry> pushed;
         if constexpr (any)
-          pushed = PushUnsorted(tree, node, distances, reached, top);
+          pushed = PushUnsorted(tree, node, reached, top);
         else
           pushed = PushSorted(tree, node, distances, reached, top);
         child = pushed.next, top = pushed.top;
@@ -206,7 +235,7 @@ HWY_INLINE void TraverseFrom(std::uint32_t child, const Tree& tree, const NodeRa
     do {
       if (top == stack) goto done;
       --top;
-    } while (DistanceOf(*top) > visitor.limit);
+    } while (!any && DistanceOf(*top) > visitor.limit);
     child = static_cast<std::uint32_t>(*top);
   }
 done:
