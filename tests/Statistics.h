@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "R2/Image.h"
-#include "source/film/FQuantile.h"
+#include "source/film/error/FQuantile.h"
 #include "tests/ChiSquare.h"
 #include "tests/Project.h"
 

@@ -6,7 +6,7 @@
 #include "source/accelerate/Accelerator.h"
 #include "source/accelerate/World.h"
 #include "source/film/Film.h"
-#include "source/film/PictureError.h"
+#include "source/film/error/PictureError.h"
 #include "source/render/RenderSettings.h"
 
 namespace ray {

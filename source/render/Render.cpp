@@ -8,7 +8,7 @@
 #include <chrono>
 #include <cmath>
 
-#include "source/film/Contrast.h"
+#include "source/film/error/Contrast.h"
 #include "source/integrate/debug/Heat.h"
 #include "source/integrate/lights/Caustics.h"
 #include "source/render/DenoiseForecast.h"

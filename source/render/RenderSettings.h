@@ -7,9 +7,9 @@
 
 #include "source/film/BlockOrder.h"
 #include "source/film/Filter.h"
-#include "source/film/PictureError.h"
 #include "source/film/PixelRectangle.h"
 #include "source/film/denoise/Denoiser.h"
+#include "source/film/error/PictureError.h"
 #include "source/integrate/CameraRays.h"
 #include "source/integrate/Integrators.h"
 #include "source/integrate/TraceSettings.h"

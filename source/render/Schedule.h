@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "source/film/PictureError.h"
+#include "source/film/error/PictureError.h"
 #include "source/render/RenderSettings.h"
 
 namespace ray {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "source/film/PictureError.h"
 #include "source/film/denoise/Denoise.h"
+#include "source/film/error/PictureError.h"
 
 namespace ray {
 

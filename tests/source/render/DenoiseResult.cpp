@@ -6,8 +6,8 @@
 #include <cmath>
 #include <optional>
 
-#include "source/film/PictureError.h"
 #include "source/film/denoise/OpenImageDenoise.h"
+#include "source/film/error/PictureError.h"
 #include "source/render/GatherGuides.h"
 #include "source/render/Schedule.h"
 #include "tests/Project.h"

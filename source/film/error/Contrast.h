@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "source/film/Film.h"
-#include "source/film/PictureError.h"
+#include "source/film/error/PictureError.h"
 
 namespace ray {
 

@@ -1,4 +1,4 @@
-#include "source/film/FQuantile.h"
+#include "source/film/error/FQuantile.h"
 
 #include <array>
 #include <cmath>

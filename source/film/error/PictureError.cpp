@@ -1,4 +1,4 @@
-#include "source/film/PictureError.h"
+#include "source/film/error/PictureError.h"
 
 #include <tbb/parallel_for.h>
 
@@ -11,7 +11,7 @@
 #include <numeric>
 
 #include "R1/Elementary.h"
-#include "source/film/FQuantile.h"
+#include "source/film/error/FQuantile.h"
 
 namespace ray {
 namespace {

@@ -1,4 +1,4 @@
-#include "source/film/Contrast.h"
+#include "source/film/error/Contrast.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,11 +1,11 @@
-#include "source/film/PictureError.h"
+#include "source/film/error/PictureError.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "source/film/FQuantile.h"
+#include "source/film/error/FQuantile.h"
 #include "source/sample/Random.h"
 #include "tests/Draw.h"
 #include "tests/source/film/TwoPartFilm.h"
