@@ -72,8 +72,10 @@ VIEWER_LIBS := $(if $(CONTEXTS),-lepoxy) $(if $(filter glfw,$(CONTEXTS)),-lglfw)
 ALL_PROGRAMS := raypro rayimg raygrade rayview
 # rayview is built where there is something to draw with.
 PROGRAMS := raypro rayimg raygrade $(if $(CONTEXTS),rayview)
-LIBRARY_SOURCES := $(filter-out $(ALL_PROGRAMS:%=source/app/%.cpp),$(wildcard R1/*.cpp R2/*.cpp R2/*/*.cpp R3/*.cpp R3/*/*.cpp source/*/*.cpp source/*/*/*.cpp))
-TEST_SOURCES := $(wildcard tests/*.cpp tests/R1/*.cpp tests/R2/*.cpp tests/R2/*/*.cpp tests/R3/*.cpp tests/source/*/*.cpp tests/source/*/*/*.cpp \
+LIBRARY_SOURCES := $(filter-out $(ALL_PROGRAMS:%=source/app/%.cpp),$(wildcard R1/*.cpp R2/*.cpp R2/*/*.cpp R3/*.cpp R3/*/*.cpp \
+                     source/*/*.cpp source/*/*/*.cpp source/*/*/*/*.cpp))
+TEST_SOURCES := $(wildcard tests/*.cpp tests/R1/*.cpp tests/R2/*.cpp tests/R2/*/*.cpp tests/R3/*.cpp \
+                  tests/source/*/*.cpp tests/source/*/*/*.cpp tests/source/*/*/*/*.cpp \
                   $(foreach d,every agree extremes closed_form bad_scenes regressions images,tests/$(d)/*.cpp))
 BENCH_SOURCES := $(wildcard bench/*.cpp)
 FUZZ_SOURCES := $(wildcard fuzz/*.cpp)

@@ -9,7 +9,7 @@
 
 #include "R3/ShapeKind.h"
 #include "source/parse/CsgOf.h"
-#include "source/parse/objects/Placement.h"
+#include "source/parse/courses/objects/Placement.h"
 #include "tests/Accelerators.h"
 #include "tests/Draw.h"
 #include "tests/ExactScene.h"

@@ -9,7 +9,7 @@
 #include "source/app/Status.h"
 #include "source/app/options/CommandLine.h"
 #include "source/app/options/Overloaded.h"
-#include "source/parse/comp30019/View.h"
+#include "source/parse/courses/comp30019/View.h"
 #include "source/text/Number.h"
 #include "source/text/Quoting.h"
 #include "source/text/Words.h"

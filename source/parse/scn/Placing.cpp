@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string_view>
 
-#include "source/parse/objects/Placement.h"
+#include "source/parse/courses/objects/Placement.h"
 #include "source/text/Number.h"
 #include "source/text/Suggestion.h"
 

@@ -1,4 +1,4 @@
-#include "source/parse/objects/Projection.h"
+#include "source/parse/courses/objects/Projection.h"
 
 #include "source/text/Quoting.h"
 

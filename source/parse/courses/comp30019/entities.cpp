@@ -1,4 +1,4 @@
-#include "source/parse/comp30019/Reader.h"
+#include "source/parse/courses/comp30019/Reader.h"
 
 namespace ray::comp30019 {
 namespace {

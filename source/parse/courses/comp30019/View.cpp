@@ -1,4 +1,4 @@
-#include "source/parse/comp30019/View.h"
+#include "source/parse/courses/comp30019/View.h"
 
 #include <numbers>
 

@@ -1,6 +1,6 @@
 #include <array>
 
-#include "source/parse/comp30019/Reader.h"
+#include "source/parse/courses/comp30019/Reader.h"
 #include "source/text/Suggestion.h"
 
 namespace ray::comp30019 {

@@ -1,4 +1,4 @@
-#include "source/parse/comp30019/Line.h"
+#include "source/parse/courses/comp30019/Line.h"
 
 #include "source/parse/Tokenizer.h"
 #include "source/text/Number.h"

@@ -1,4 +1,4 @@
-#include "source/parse/objects/Gloss.h"
+#include "source/parse/courses/objects/Gloss.h"
 
 namespace ray {
 

@@ -1,4 +1,4 @@
-#include "source/parse/objects/Placement.h"
+#include "source/parse/courses/objects/Placement.h"
 
 #include <cmath>
 #include <numbers>

@@ -1,11 +1,11 @@
-#include "source/parse/objects/ObjectReader.h"
+#include "source/parse/courses/objects/ObjectReader.h"
 
 #include <algorithm>
 #include <limits>
 
 #include "source/parse/CsgOf.h"
-#include "source/parse/objects/Kinds.h"
-#include "source/parse/objects/Placement.h"
+#include "source/parse/courses/objects/Kinds.h"
+#include "source/parse/courses/objects/Placement.h"
 #include "source/scene/Singular.h"
 
 namespace ray {

@@ -1,4 +1,4 @@
-#include "source/parse/comp30019/Command.h"
+#include "source/parse/courses/comp30019/Command.h"
 
 #include <algorithm>
 #include <array>

@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "source/parse/objects/ObjectReader.h"
+#include "source/parse/courses/objects/ObjectReader.h"
 
 namespace ray {
 

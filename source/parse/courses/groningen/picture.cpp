@@ -1,6 +1,6 @@
 #include <array>
 
-#include "source/parse/groningen/GroningenReader.h"
+#include "source/parse/courses/groningen/GroningenReader.h"
 #include "source/text/LowerCase.h"
 #include "source/text/Number.h"
 #include "source/text/NumberText.h"

@@ -1,4 +1,4 @@
-#include "source/parse/cs315/Cs315Reader.h"
+#include "source/parse/courses/cs315/Cs315Reader.h"
 
 #include <array>
 #include <cmath>
@@ -6,10 +6,10 @@
 
 #include "R1/Elementary.h"
 #include "source/parse/Format.h"
-#include "source/parse/objects/Gloss.h"
-#include "source/parse/objects/Lights.h"
-#include "source/parse/objects/Placement.h"
-#include "source/parse/objects/Projection.h"
+#include "source/parse/courses/objects/Gloss.h"
+#include "source/parse/courses/objects/Lights.h"
+#include "source/parse/courses/objects/Placement.h"
+#include "source/parse/courses/objects/Projection.h"
 #include "source/text/NumberText.h"
 #include "source/text/Suggestion.h"
 

@@ -4,8 +4,8 @@
 #include <limits>
 
 #include "R1/Elementary.h"
-#include "source/parse/groningen/GroningenReader.h"
-#include "source/parse/objects/Projection.h"
+#include "source/parse/courses/groningen/GroningenReader.h"
+#include "source/parse/courses/objects/Projection.h"
 #include "source/text/NumberText.h"
 
 namespace ray {

@@ -1,4 +1,4 @@
-#include "source/parse/objects/Lights.h"
+#include "source/parse/courses/objects/Lights.h"
 
 #include <algorithm>
 #include <array>

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "R3/ShapeKind.h"
-#include "source/parse/objects/ObjectReader.h"
+#include "source/parse/courses/objects/ObjectReader.h"
 
 namespace ray {
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "source/parse/objects/ObjectReader.h"
+#include "source/parse/courses/objects/ObjectReader.h"
 
 namespace ray {
 

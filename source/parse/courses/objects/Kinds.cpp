@@ -1,4 +1,4 @@
-#include "source/parse/objects/Kinds.h"
+#include "source/parse/courses/objects/Kinds.h"
 
 namespace ray {
 

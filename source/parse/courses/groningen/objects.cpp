@@ -1,7 +1,7 @@
-#include "source/parse/groningen/GroningenReader.h"
-#include "source/parse/objects/Gloss.h"
-#include "source/parse/objects/Lights.h"
-#include "source/parse/objects/Placement.h"
+#include "source/parse/courses/groningen/GroningenReader.h"
+#include "source/parse/courses/objects/Gloss.h"
+#include "source/parse/courses/objects/Lights.h"
+#include "source/parse/courses/objects/Placement.h"
 #include "source/text/LowerCase.h"
 #include "source/text/Words.h"
 

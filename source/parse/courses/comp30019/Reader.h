@@ -9,8 +9,8 @@
 #include "source/parse/Parse.h"
 #include "source/parse/Report.h"
 #include "source/parse/SceneBuilder.h"
-#include "source/parse/comp30019/Command.h"
-#include "source/parse/comp30019/Line.h"
+#include "source/parse/courses/comp30019/Command.h"
+#include "source/parse/courses/comp30019/Line.h"
 
 namespace ray::comp30019 {
 

@@ -2,8 +2,8 @@
 #include <numbers>
 
 #include "R1/Elementary.h"
-#include "source/parse/objects/Kinds.h"
-#include "source/parse/objects/Placement.h"
+#include "source/parse/courses/objects/Kinds.h"
+#include "source/parse/courses/objects/Placement.h"
 
 namespace ray {
 namespace {

@@ -1,4 +1,4 @@
-#include "source/parse/groningen/GroningenReader.h"
+#include "source/parse/courses/groningen/GroningenReader.h"
 
 #include <algorithm>
 

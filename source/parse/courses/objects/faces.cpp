@@ -2,9 +2,9 @@
 #include <array>
 
 #include "R3/Mesh.h"
+#include "source/parse/courses/objects/Kinds.h"
+#include "source/parse/courses/objects/Placement.h"
 #include "source/parse/meshes/Polygon.h"
-#include "source/parse/objects/Kinds.h"
-#include "source/parse/objects/Placement.h"
 
 namespace ray {
 namespace {

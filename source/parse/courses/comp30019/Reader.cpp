@@ -1,4 +1,4 @@
-#include "source/parse/comp30019/Reader.h"
+#include "source/parse/courses/comp30019/Reader.h"
 
 #include <algorithm>
 #include <array>
@@ -10,7 +10,7 @@
 #include "source/parse/Coordinate.h"
 #include "source/parse/Format.h"
 #include "source/parse/Tokenizer.h"
-#include "source/parse/comp30019/View.h"
+#include "source/parse/courses/comp30019/View.h"
 #include "source/parse/scn/Command.h"
 #include "source/text/LowerCase.h"
 #include "source/text/Suggestion.h"
