@@ -11,10 +11,10 @@
 
 #include "source/accelerate/twolevel/InstructionSet.h"
 #include "source/app/Status.h"
+#include "source/app/manual/Help.h"
 #include "source/app/options/BudgetWords.h"
 #include "source/app/options/FileNames.h"
 #include "source/app/options/ForeignOption.h"
-#include "source/app/options/Help.h"
 #include "source/app/options/OptionTable.h"
 #include "source/app/options/PictureName.h"
 #include "source/app/options/Preset.h"

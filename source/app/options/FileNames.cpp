@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "source/app/Status.h"
-#include "source/app/options/Help.h"
+#include "source/app/manual/Help.h"
 #include "source/app/options/OptionTable.h"
 #include "source/app/options/PictureName.h"
 #include "source/parse/Format.h"

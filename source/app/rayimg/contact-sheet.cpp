@@ -3,7 +3,7 @@
 #include <filesystem>
 
 #include "source/app/Status.h"
-#include "source/app/options/Help.h"
+#include "source/app/manual/Help.h"
 #include "source/app/rayimg/Commands.h"
 #include "source/app/rayimg/ImageFolder.h"
 #include "source/app/rayimg/Pictures.h"

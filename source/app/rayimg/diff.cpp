@@ -6,7 +6,7 @@
 #include "R2/Ramp.h"
 #include "source/app/Status.h"
 #include "source/app/files/OutputFile.h"
-#include "source/app/options/Help.h"
+#include "source/app/manual/Help.h"
 #include "source/app/rayimg/Commands.h"
 #include "source/app/rayimg/Findings.h"
 #include "source/app/rayimg/FolderDiff.h"

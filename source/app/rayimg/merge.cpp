@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "source/app/Status.h"
-#include "source/app/options/Help.h"
+#include "source/app/manual/Help.h"
 #include "source/app/options/OptionTable.h"
 #include "source/app/rayimg/Commands.h"
 #include "source/app/rayimg/Independence.h"

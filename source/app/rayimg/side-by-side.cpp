@@ -1,7 +1,7 @@
 #include <filesystem>
 
 #include "source/app/Status.h"
-#include "source/app/options/Help.h"
+#include "source/app/manual/Help.h"
 #include "source/app/rayimg/Commands.h"
 #include "source/app/rayimg/Layers.h"
 #include "source/app/rayimg/Pictures.h"

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "source/app/files/SceneHash.h"
-#include "source/app/options/Help.h"
+#include "source/app/manual/Help.h"
 #include "source/app/options/SceneSettings.h"
 #include "source/scene/CameraText.h"
 

@@ -6,9 +6,9 @@
 #include <cstdlib>
 #include <sstream>
 
-#include "source/app/options/Completion.h"
-#include "source/app/options/Help.h"
-#include "source/app/options/Manual.h"
+#include "source/app/manual/Completion.h"
+#include "source/app/manual/Help.h"
+#include "source/app/manual/Manual.h"
 #include "source/app/options/RayimgTable.h"
 #include "tests/source/app/rayimg/Rayimg.h"
 

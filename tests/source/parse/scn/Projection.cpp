@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "source/app/options/Manual.h"
+#include "source/app/manual/Manual.h"
 #include "source/scene/CameraKind.h"
 #include "tests/source/parse/Folder.h"
 

@@ -1,4 +1,4 @@
-#include "source/app/options/Listing.h"
+#include "source/app/manual/Listing.h"
 
 #include "R2/ImageFile.h"
 #include "R3/ShapeKind.h"

@@ -1,4 +1,4 @@
-#include "source/app/options/Help.h"
+#include "source/app/manual/Help.h"
 
 #include <sstream>
 

@@ -1,10 +1,10 @@
-#include "source/app/options/SceneManual.h"
+#include "source/app/manual/SceneManual.h"
 
 #include <utility>
 
 #include "R2/ImageFile.h"
 #include "R3/ShapeKind.h"
-#include "source/app/options/Manual.h"
+#include "source/app/manual/Manual.h"
 #include "source/parse/meshes/MeshFormat.h"
 #include "source/parse/scn/Command.h"
 #include "source/scene/Light.h"

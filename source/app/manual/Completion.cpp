@@ -1,4 +1,4 @@
-#include "source/app/options/Completion.h"
+#include "source/app/manual/Completion.h"
 
 #include <algorithm>
 #include <iterator>

@@ -1,11 +1,11 @@
-#include "source/app/options/Manual.h"
+#include "source/app/manual/Manual.h"
 
 #include <algorithm>
 #include <utility>
 
-#include "source/app/options/Help.h"
+#include "source/app/manual/Help.h"
+#include "source/app/manual/SceneManual.h"
 #include "source/app/options/OptionTable.h"
-#include "source/app/options/SceneManual.h"
 
 namespace ray {
 

@@ -1,5 +1,5 @@
 // Completion scripts are tried in bash itself, in a folder with files of every kind.
-#include "source/app/options/Completion.h"
+#include "source/app/manual/Completion.h"
 
 #include <gtest/gtest.h>
 

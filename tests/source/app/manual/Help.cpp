@@ -1,4 +1,4 @@
-#include "source/app/options/Help.h"
+#include "source/app/manual/Help.h"
 
 #include <gtest/gtest.h>
 
@@ -6,9 +6,9 @@
 #include <cstdio>
 #include <sstream>
 
-#include "source/app/options/Completion.h"
-#include "source/app/options/Listing.h"
-#include "source/app/options/Manual.h"
+#include "source/app/manual/Completion.h"
+#include "source/app/manual/Listing.h"
+#include "source/app/manual/Manual.h"
 #include "source/app/options/OptionTable.h"
 #include "source/parse/scn/Command.h"
 #include "tests/source/app/Program.h"
