@@ -28,7 +28,7 @@
 #include "source/app/report/ReadReplay.h"
 #include "source/app/report/RunLog.h"
 #include "source/parse/SceneError.h"
-#include "source/render/DenoiseForecast.h"
+#include "source/render/forecast/DenoiseForecast.h"
 #include "source/text/Quoting.h"
 
 namespace ray {

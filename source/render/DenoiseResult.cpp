@@ -6,8 +6,8 @@
 
 #include "source/film/denoise/DenoisedError.h"
 #include "source/render/GatherGuides.h"
-#include "source/render/SecondsOf.h"
 #include "source/render/Threads.h"
+#include "source/render/forecast/SecondsOf.h"
 
 namespace ray {
 namespace {

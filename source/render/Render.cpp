@@ -11,13 +11,13 @@
 #include "source/film/error/Contrast.h"
 #include "source/integrate/debug/Heat.h"
 #include "source/integrate/lights/Caustics.h"
-#include "source/render/DenoiseForecast.h"
 #include "source/render/DenoiseResult.h"
-#include "source/render/FinishForecast.h"
-#include "source/render/Forecast.h"
 #include "source/render/Parts.h"
 #include "source/render/PassRunner.h"
-#include "source/render/SecondsOf.h"
+#include "source/render/forecast/DenoiseForecast.h"
+#include "source/render/forecast/ErrorForecast.h"
+#include "source/render/forecast/FinishForecast.h"
+#include "source/render/forecast/SecondsOf.h"
 
 namespace ray {
 namespace {

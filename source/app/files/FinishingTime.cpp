@@ -1,6 +1,6 @@
 #include "source/app/files/FinishingTime.h"
 
-#include "source/render/SecondsOf.h"
+#include "source/render/forecast/SecondsOf.h"
 
 namespace ray {
 namespace {

@@ -21,7 +21,7 @@
 #include "source/app/rayview/SavePicture.h"
 #include "source/app/report/Messages.h"
 #include "source/parse/Text.h"
-#include "source/render/SecondsOf.h"
+#include "source/render/forecast/SecondsOf.h"
 #include "source/text/Quoting.h"
 #include "source/view/EventScript.h"
 #include "source/view/MotionDetail.h"

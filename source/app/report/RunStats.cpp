@@ -6,7 +6,7 @@
 #include <tuple>
 
 #include "source/app/options/RayproCommand.h"
-#include "source/render/Forecast.h"
+#include "source/render/forecast/ErrorForecast.h"
 #include "source/scene/CameraText.h"
 #include "source/text/Quoting.h"
 #include "source/text/Words.h"

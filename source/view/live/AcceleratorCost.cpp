@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "source/render/Render.h"
-#include "source/render/SecondsOf.h"
+#include "source/render/forecast/SecondsOf.h"
 
 namespace ray {
 namespace {

@@ -1,4 +1,4 @@
-#include "source/render/DenoiseForecast.h"
+#include "source/render/forecast/DenoiseForecast.h"
 
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
@@ -11,8 +11,8 @@
 #include "source/film/denoise/Denoise.h"
 #include "source/film/denoise/DenoisedError.h"
 #include "source/render/GatherGuides.h"
-#include "source/render/SecondsOf.h"
 #include "source/render/Threads.h"
+#include "source/render/forecast/SecondsOf.h"
 #include "source/sample/Random.h"
 
 namespace ray {

@@ -1,4 +1,4 @@
-#include "source/render/DenoiseForecast.h"
+#include "source/render/forecast/DenoiseForecast.h"
 
 #include <gtest/gtest.h>
 

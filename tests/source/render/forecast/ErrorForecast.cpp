@@ -1,4 +1,4 @@
-#include "source/render/Forecast.h"
+#include "source/render/forecast/ErrorForecast.h"
 
 #include <gtest/gtest.h>
 

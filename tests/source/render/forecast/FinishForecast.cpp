@@ -1,4 +1,4 @@
-#include "source/render/FinishForecast.h"
+#include "source/render/forecast/FinishForecast.h"
 
 #include <gtest/gtest.h>
 

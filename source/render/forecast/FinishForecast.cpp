@@ -1,11 +1,11 @@
-#include "source/render/FinishForecast.h"
+#include "source/render/forecast/FinishForecast.h"
 
 #include <algorithm>
 #include <span>
 #include <vector>
 
 #include "source/film/SpreadRectangles.h"
-#include "source/render/SecondsOf.h"
+#include "source/render/forecast/SecondsOf.h"
 
 namespace ray {
 namespace {
