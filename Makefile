@@ -72,8 +72,8 @@ VIEWER_LIBS := $(if $(CONTEXTS),-lepoxy) $(if $(filter glfw,$(CONTEXTS)),-lglfw)
 ALL_PROGRAMS := raypro rayimg raygrade rayview
 # rayview is built where there is something to draw with.
 PROGRAMS := raypro rayimg raygrade $(if $(CONTEXTS),rayview)
-LIBRARY_SOURCES := $(filter-out $(ALL_PROGRAMS:%=source/app/%.cpp),$(wildcard R1/*.cpp R2/*.cpp R2/*/*.cpp R3/*.cpp R3/*/*.cpp \
-                     source/*/*.cpp source/*/*/*.cpp source/*/*/*/*.cpp))
+LIBRARY_SOURCES := $(filter-out source/web/% $(ALL_PROGRAMS:%=source/app/%.cpp),$(wildcard R1/*.cpp R2/*.cpp R2/*/*.cpp R3/*.cpp \
+                     R3/*/*.cpp source/*/*.cpp source/*/*/*.cpp source/*/*/*/*.cpp))
 TEST_SOURCES := $(wildcard tests/*.cpp tests/R1/*.cpp tests/R2/*.cpp tests/R2/*/*.cpp tests/R3/*.cpp \
                   tests/source/*/*.cpp tests/source/*/*/*.cpp tests/source/*/*/*/*.cpp \
                   $(foreach d,every agree extremes closed_form bad_scenes regressions images,tests/$(d)/*.cpp))
@@ -151,6 +151,8 @@ $(BUILD)/raytests: $(call objects,$(TEST_SOURCES) $(OF_RAYIMG)) $(BUILD)/librayv
 	$(call link,-lgtest $(QUADMATH))
 $(BUILD)/bench/%: $(BUILD)/obj/bench/%.o $(BUILD)/librayview.a $(BUILD)/libray.a
 	$(call link,$(if $(shell grep -l benchmark/benchmark.h bench/$*.cpp),-lbenchmark))
+
+include source/web/web.mk
 
 # The smallest tracer. Its C is of 1989, where what is not declared is an int.
 MACHINE := $(shell $(CXX) -dumpmachine 2>/dev/null)

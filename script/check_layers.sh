@@ -21,6 +21,7 @@ find R1 R2 R3 source -type f \( -name '*.h' -o -name '*.cpp' -o -name '*.def' \)
     below["view"] = "render"
     below["grade"] = "render"
     below["app"] = "view grade"
+    below["web"] = "app"
     for (layer in below) allow(layer, layer)
   }
 

@@ -67,7 +67,7 @@ constexpr std::array placements{Placement{"translate", "translate x y z", ReadTr
 const Placement* NextPlacement(Statement& statement) {
   const auto& next = statement.Peek();
   const auto found = next ? std::ranges::find(placements, next->text, &Placement::word) : placements.end();
-  return found == placements.end() ? nullptr : found;
+  return found == placements.end() ? nullptr : &*found;
 }
 
 bool IsFinite(const R3::Matrix& matrix) {
