@@ -9,7 +9,7 @@
 
 #include "source/app/Status.h"
 #include "source/app/options/CommandLine.h"
-#include "source/app/options/OptionTable.h"
+#include "source/app/options/Listing.h"
 #include "source/app/options/SceneSettings.h"
 #include "source/app/report/Check.h"
 #include "source/app/report/Memory.h"
@@ -232,6 +232,14 @@ EXPORT("check") int Check() {
   return Guarded([] {
     text = SceneSummary(*Opened().world, Opened().options.render);
     for (const std::string& mistake : LikelyMistakes(*Opened().world, Opened().options.render)) text += mistake + "\n";
+    return status::done;
+  });
+}
+
+/// The text is what -list prints of a subject.
+EXPORT("list") int List(const char* subject) {
+  return Guarded([&] {
+    text = Listing(Program::raypro, subject);
     return status::done;
   });
 }

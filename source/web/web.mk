@@ -26,7 +26,16 @@ WEB_LINK := -mexec-model=reactor -Wl,-z,stack-size=8388608 -Wl,--max-memory=4294
 TBB_HEADERS := blocked_range enumerable_thread_specific global_control info parallel_for parallel_reduce task_arena task_group
 
 .PHONY: web web-test
-web: $(WEB_PAGE)/raypro.wasm
+WEB_FILES := $(filter-out package.json,$(notdir $(wildcard source/web/page/*)))
+web: $(WEB_PAGE)/raypro.wasm $(WEB_PAGE)/examples.json $(WEB_FILES:%=$(WEB_PAGE)/%)
+	@echo "$(WEB_PAGE): python3 -m http.server -d $(WEB_PAGE), then http://localhost:8000"
+$(WEB_PAGE)/%: source/web/page/%
+	@mkdir -p $(@D) && cp $< $@
+$(WEB_PAGE)/examples.json: source/web/examples.py $(shell find scenes -type f)
+	@mkdir -p $(@D) && python3 $< > $@.new && mv $@.new $@
+
+web-test: web raypro rayimg
+	@sh tests/web/run.sh $(BUILD)
 
 # Says what is missing before anything is compiled.
 WEB_PACKAGES := clang-22 lld-22 libc++-22-dev-wasm32 libc++abi-22-dev-wasm32 libclang-rt-22-dev-wasm32 wasi-libc

@@ -85,6 +85,8 @@ export class Engine {
     this.#checked(this.#lend([words], ([at]) => this.exports.open(at)));
     return this.#text();
   }
+  /// What -list prints of a subject.
+  list(subject) { this.#checked(this.#lend([subject], ([at]) => this.exports.list(at))); return this.#text(); }
   check() { this.#checked(this.exports.check()); return this.#text(); }
   /// The rectangle of the whole image that is rendered; rows count from the bottom.
   get region() {

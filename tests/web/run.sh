@@ -1,0 +1,22 @@
+#!/bin/sh
+# Tests the page of build/web: its engine in Node, and the page in Chromium. What is missing is said and left out.
+#   usage: tests/web/run.sh [folder of the build]
+set -eu
+cd "$(dirname "$0")/../.."
+build=$(cd "${1:-build}" && pwd)
+RAYPRO=$build/raypro RAYIMG=$build/rayimg WEB=$build/web
+CHROMIUM=$(command -v chromium || command -v chromium-browser || command -v google-chrome || true)
+export RAYPRO RAYIMG WEB CHROMIUM
+
+if ! [ -f "$WEB/raypro.wasm" ]; then
+  echo "tests of the page: skipped, make web has not made it"
+elif ! command -v node > /dev/null; then
+  echo "tests of the page: skipped, there is no Node"
+else
+  node --test --test-reporter=spec tests/web/engine.mjs
+  if [ -n "$CHROMIUM" ]; then
+    node --test --test-reporter=spec tests/web/page.mjs
+  else
+    echo "tests of the page in a browser: skipped, there is no Chromium"
+  fi
+fi
