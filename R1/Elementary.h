@@ -67,7 +67,7 @@ inline SineCosine SinCosNearZero(double high, double low) {
   return {high + SineLessAngle(high, low), CosineNearZero(high, low)};
 }
 
-/// The same angle and as many quarter turns more, which count modulo 4.
+/// Sine and cosine of the angle turned by so many quarter turns, which count modulo 4.
 inline SineCosine Turned(const SineCosine& a, std::uint64_t quarters) {
   const double sine = quarters & 1 ? a.cosine : a.sine, cosine = quarters & 1 ? a.sine : a.cosine;
   return {quarters & 2 ? -sine : sine, (quarters + 1) & 2 ? -cosine : cosine};

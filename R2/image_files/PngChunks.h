@@ -26,7 +26,7 @@ class PngChunks {
   std::span<const unsigned char> All() const { return chunk_; }
   /// The data of a chunk that is not cut.
   std::span<const unsigned char> Data() const { return chunk_.subspan(8, chunk_.size() - 12); }
-  /// Of a chunk that is not cut.
+  /// Whether the checksum is right; only for a chunk that is not cut.
   bool HasRightChecksum() const;
   std::uint64_t BytesBehind() const { return rest_.size(); }
 

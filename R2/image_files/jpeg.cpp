@@ -186,7 +186,7 @@ class Decoder {
     Do([&] { jpeg_read_scanlines(&codec_, rows, 1); });
   }
 
-  /// Of the comments before the last row; to be asked for before Finish, which drops them.
+  /// Settings from the comments read so far. Must be called before Finish, which drops them.
   ImageSettings Settings() const { return SettingsOf(codec_); }
 
   /// Reads up to the end marker, so that a missing end is noticed.

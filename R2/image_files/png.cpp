@@ -119,7 +119,7 @@ class Reader {
     height_ = png_get_image_height(png_, info_);
   }
 
-  /// Of all that comes before the pixels.
+  /// Settings from all chunks before the pixels.
   ImageSettings Settings() {
     Do([&] { png_read_info(png_, info_); });
     return Texts();

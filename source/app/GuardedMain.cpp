@@ -28,7 +28,7 @@ int Fail(int exit_status, const std::string& message) {
 constexpr std::size_t reserve_bytes = std::size_t{1} << 20;
 std::atomic<void*> reserve{nullptr};
 
-/// Of operator new, which tries again when this returns.
+/// Handler for operator new, which tries again when this returns.
 void GiveReserveBack() {
   void* const given = reserve.exchange(nullptr);
   if (!given) throw std::bad_alloc();

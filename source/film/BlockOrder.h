@@ -15,7 +15,7 @@ class BlockOrder {
     int column, row;
   };
 
-  /// Of a pixel of the picture, in its block: 0 to places - 1.
+  /// The place of an image's pixel within its block: 0 to places - 1.
   static int PlaceOf(int column, int row) {
     int place = 0;
     for (int bit = 0, half = side / 2; half > 0; ++bit, half /= 2) {

@@ -76,9 +76,9 @@ class Film {
   int Blocks() const { return columns_ * rows_; }
   /// The pixels that a block takes samples of.
   PixelRectangle PixelsOf(int block) const;
-  /// Those of them that are in the region.
+  /// The block's pixels that are in the region.
   PixelRectangle PixelsInRegion(int block) const { return Common(PixelsOf(block), region_); }
-  /// How many those are, of each block.
+  /// The number of pixels in the region, of each block.
   std::vector<double> AreasInRegion() const;
   const Filter& filter() const { return filter_; }
   const PixelRectangle& Region() const { return region_; }
@@ -108,7 +108,7 @@ class Film {
   ///   quantization   how the picture will be made bytes; its floats are chosen so that theirs are those of the exact
   ///   sums
   R2::Image Picture(R2::Quantization quantization = R2::Quantization::rounded) const;
-  /// The same from one part alone; black where it has no samples.
+  /// The image from one part alone; black where it has no samples.
   R2::Image Part(int part) const;
   /// The film of a part of the region, with what its blocks have collected.
   Film Cut(const PixelRectangle& part) const;

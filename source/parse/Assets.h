@@ -87,7 +87,7 @@ class Assets {
   /// Light from all around. Throws FileError; null when the file failed before, or the options name another
   /// environment: then the file is found and not decoded.
   std::shared_ptr<const Environment> EnvironmentNamed(const std::string& name, const std::string& named_in);
-  /// Of the file at the top of `files`, which the user named and which may lie anywhere. Throws FileError.
+  /// Loads the file at the top of `files`, which the user named and which may lie anywhere. Throws FileError.
   std::shared_ptr<const Environment> EnvironmentAtTop(const Files& files);
 
   /// The files read so far, as they are shown to the user.

@@ -20,7 +20,7 @@ struct SceneFormat {
   /// Reads the scene that is at the top of `files`; mistakes and remarks go to `report`, and with one mistake there the
   /// scene is worth nothing.
   Scene (*read)(const Files& files, const ParseOptions& options, Assets& assets, Report& report) = nullptr;
-  /// The same for languages within YAML or JSON.
+  /// Reads a scene in a language within YAML or JSON.
   Scene (*read_document)(const ParseOptions& options, const Document& document, Assets& assets,
                          Report& report) = nullptr;
   /// Keys at the top of a document by which this language is known among those that share its extension.

@@ -71,7 +71,7 @@ bool HasKeyOf(const Value& root, const SceneFormat& format) {
   });
 }
 
-/// Of formats that share their extension, the one whose keys the document has.
+/// Chooses among formats that share their extension the one whose keys the document has.
 const SceneFormat& FormatByKeys(const std::vector<const SceneFormat*>& candidates, const Document& document) {
   if (candidates.size() == 1) return *candidates.front();
   std::vector<const SceneFormat*> fitting;
@@ -87,7 +87,7 @@ const SceneFormat& FormatByKeys(const std::vector<const SceneFormat*>& candidate
                 known + "; -format name decides");
 }
 
-/// Of standard input that of this program's own language, unless -format says otherwise.
+/// The extension of the scene. Standard input is in this program's own language, unless -format says otherwise.
 std::string ExtensionOf(const Files& files) {
   if (files.IsStandardInput()) return ".scn";
   return LowerCase(std::filesystem::path(files.TopName()).extension().string());

@@ -46,7 +46,7 @@ class PassRunner {
   /// Whether samples up to this number are added up alike however many more were planned, whatever the filter.
   static bool IsStepEnd(std::uint32_t samples);
 
-  /// Of all passes: those whose samples the film has, so that a render which was broken off counts as many in the end
+  /// Rays of all passes whose samples the film has, so that a render which was broken off counts as many in the end
   /// as one that was not.
   const RayCounts& Rays() const { return rays_; }
   bool IsLeftAlone(int block) const {

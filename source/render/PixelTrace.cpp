@@ -51,7 +51,7 @@ class TreeWriter {
   }
 
  private:
-  /// Those in a row from number `i` on, which no recorded ray belongs to; the number of the next with one.
+  /// Writes the samples from number `i` on that have no recorded ray. Returns the number of the next one that has.
   std::size_t WriteSamplesWithoutRay(std::size_t i) {
     for (; i < trace_.samples.size() && !trace_.samples[i].HasRay(); ++i) {
       const CameraSample& taken = trace_.samples[i];

@@ -26,7 +26,7 @@ struct SampleSource {
   bool clamps_samples = false;
 
   RandomKey PixelKey(int column, int row, int stream = 0) const { return ray::PixelKey(seed, column, row, stream); }
-  /// Of the first stream.
+  /// The first sample of the first stream.
   PixelSample FirstSample(int column, int row) const { return {column, row, PixelKey(column, row), 0}; }
 };
 

@@ -36,7 +36,7 @@ class Writer {
     const auto* first = reinterpret_cast<const unsigned char*>(values.data());
     bytes_.insert(bytes_.end(), first, first + values.size() * sizeof(T));
   }
-  /// Those of all blocks, or that there are none.
+  /// Writes the values of all blocks, or that there are none.
   template <typename T>
   void PutIfAny(const std::vector<T>& values) {
     Put(!values.empty());

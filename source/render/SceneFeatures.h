@@ -18,7 +18,7 @@ struct SceneFeatures {
   bool mirrors = false, clear = false, bending = false, absorbing = false, textures = false, shadow_bias = false;
   bool wide_filter = false, two_streams = false;
 
-  /// Of those that the picture has.
+  /// Names of the features that the image has.
   std::vector<std::string> Names() const;
 };
 

@@ -33,8 +33,9 @@ class DiscreteDistribution {
   const std::uint32_t* FirstLookup(double u) const { return &first_of_part_[PartOf(SumAt(u))]; }
   const double* NextLookup(double u) const { return &sums_[*FirstLookup(u)]; }
 
-  /// Of Draw giving `index` by an even u: weight / sum of weights, within Size() 2^-53. Exactly what Draw does rather
-  /// than what the weight says, so a weight lost in the rounding of the sum has probability 0 and is never drawn.
+  /// Probability that Draw returns `index` for a uniform u: weight / sum of weights, within Size() 2^-53. Exactly what
+  /// Draw does rather than what the weight says, so a weight lost in the rounding of the sum has probability 0 and is
+  /// never drawn.
   double Probability(std::size_t index) const;
 
   /// Where Probability(index) looks.
@@ -45,7 +46,7 @@ class DiscreteDistribution {
  private:
   /// Less than the last sum, also when rounded.
   double SumAt(double u) const { return std::min(u, below_one) * sum_; }
-  /// Of Size() equal parts of the sum of all weights, the one that a sum is in; grows with it.
+  /// Index of the part that `sum` is in when the sum of all weights is cut into Size() equal parts.
   std::size_t PartOf(double sum) const { return std::min(static_cast<std::size_t>(sum * parts_per_sum_), Size()); }
 
   std::vector<double> sums_;  // of the weights before each index, and of all, in units of the largest weight

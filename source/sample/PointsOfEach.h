@@ -24,7 +24,7 @@ struct PointsOfEach {
 /// whose camera_dimensions are alike.
 void GetOfEach(std::span<const SampleIndex> at, std::uint64_t which, SamplerKind kind, std::uint32_t samples,
                PointsOfEach<2>& points);
-/// The same with `Points(kind, at[i].key.Child(which), samples)`: choices that none of the camera's are even together
+/// Points of `Points(kind, at[i].key.Child(which), samples)`: choices that none of the camera's are even together
 /// with. There are two to five coordinates.
 template <std::size_t size>
 void GetOfEachAlone(std::span<const SampleIndex> at, std::uint64_t which, SamplerKind kind, std::uint32_t samples,

@@ -35,7 +35,7 @@ class Points {
   Points(SamplerKind kind, const RandomKey& key, std::uint64_t count, const RandomKey& first, int dimension)
       : kind_(kind), key_(key), count_(CountOfStrata(count)), order_(High(first)), dimension_(dimension) {}
 
-  /// As many coordinates as `size`, at most Sobol::dimensions, each in [0, 1).
+  /// Returns `size` coordinates, at most Sobol::dimensions, each in [0, 1).
   template <std::size_t size>
   std::array<double, size> Get(std::uint64_t index) const {
     if (UsesSobol(kind_)) {
@@ -54,7 +54,7 @@ class Points {
     return {x, y};
   }
 
-  /// Those of `count` points from number `first` on.
+  /// Writes the coordinates of `count` points from number `first` on.
   void GetEach2D(std::uint64_t first, std::uint32_t count, double* x, double* y) const;
 
  private:
@@ -75,7 +75,7 @@ class Points {
     }
     return coordinates;
   }
-  /// Of samplers other than Sobol's.
+  /// Fills in the coordinates of samplers other than Sobol's.
   void Fill(std::uint64_t index, double* coordinates, std::size_t size) const;
   Stratified PairOf(std::uint64_t index, std::uint64_t pair) const;
 
@@ -95,7 +95,7 @@ struct SampleIndex {
   std::uint32_t sample = 0;   // its number in the pixel
   int camera_dimensions = 0;  // at the first surface, that light's choices should be even together with; 0 for none
 
-  /// Of the vertex numbered `which` beneath.
+  /// The index for the vertex numbered `which` below this one.
   SampleIndex Child(std::uint64_t which) const { return {key.Child(which), sample}; }
   /// The points for choices numbered `which` here; `each` of them a sample, of which this has the numbers FirstOf(each)
   /// and on.

@@ -43,7 +43,7 @@ struct Camera {
   R3::Ray Through(double x, double y, int width, int height) const {
     return Through(x, y, width, height, {HalfWidth(), HalfHeight(width, height)});
   }
-  /// The same where half the width and the height are known, which take a tangent to find.
+  /// The ray through a place of the image when half of its width and height are known, which take a tangent to find.
   R3::Ray Through(double x, double y, int width, int height, const R2::Vector& half) const {
     const double across = (2 * x / width - 1 + shift.x) * half.x,
                  upward = (2 * y / height - 1) * half.y + shift.y * half.x;

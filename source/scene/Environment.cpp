@@ -13,7 +13,8 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// Of one texel in the row: width in longitude times height in the sine of latitude, without the difference of sines.
+/// Solid angle of one texel in the row: width in longitude times height in the sine of latitude, without the difference
+/// of sines.
 double SolidAngle(int row, int rows) {
   const double longitudes = pi / rows, middle = 0.5 * (row + 0.5) / rows;
   return longitudes * 2 * R1::SinCosTurns(middle).sine * R1::SinCosTurns(0.25 / rows).sine;

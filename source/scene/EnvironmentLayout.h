@@ -38,8 +38,8 @@ std::string_view Name(EnvironmentLayout layout);
 /// Known by the shape. Throws std::invalid_argument, with a message for the user, for an image of another shape.
 EnvironmentLayout LayoutOf(const R2::Image& image);
 
-/// The same light as a latitude-longitude map; see Environment. Throws std::invalid_argument, with a message for the
-/// user, where a value is negative or not finite.
+/// Turns an image of that layout into a latitude-longitude map; see Environment. Throws std::invalid_argument, with a
+/// message for the user, where a value is negative or not finite.
 R2::Image Unfolded(R2::Image image, EnvironmentLayout layout);
 
 // Places on a latitude-longitude map of `rows` rows and twice as many columns.
@@ -58,7 +58,7 @@ inline R3::Vector Towards(double sine_of_latitude, const R1::SineCosine& longitu
   return {radius * longitude.sine, sine_of_latitude, -radius * longitude.cosine};
 }
 
-/// Of `count` equal parts of 1 in a row, the one that a share of it falls into.
+/// Index of the part that `share` falls into when [0, 1] is cut into `count` equal parts.
 inline int Nearest(double share, int count) { return std::clamp(static_cast<int>(share * count), 0, count - 1); }
 
 }  // namespace ray

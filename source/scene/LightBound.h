@@ -13,7 +13,7 @@ struct LightBound {
   bool is_infinite = false;       // then `power` is what arrives everywhere, and place and fall-off do not count
 };
 
-/// Of a light of that power in a box, which does not fall off.
+/// Bound of a light in the box whose power does not fall off with distance.
 inline LightBound BoundWithoutFalloff(const R3::Box& box, double power) {
   constexpr double rounding_of_box = 1 + 0x1p-40;
   return {.center = box.Center(), .radius = rounding_of_box * box.Radius(), .power = power, .ca = 1, .la = 0, .qa = 0};

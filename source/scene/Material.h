@@ -10,7 +10,7 @@ namespace ray {
 
 /// How a surface looks. The defaults are the course's gray, used where nothing is inherited.
 struct Material {
-  /// As many rays as a reflection can be shared by: a picture of 64 samples per pixel then has 65,536 of them.
+  /// The most rays that a reflection can be split into: an image of 64 samples per pixel then has 65,536 of them.
   static constexpr int most_gloss_samples = 1024;
   static constexpr int most_priority = 1'000'000;
 

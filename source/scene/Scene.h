@@ -34,7 +34,7 @@ struct Scene {
   std::vector<std::string> files;  // what it was read from: scene files, the top one first, then meshes and textures
 };
 
-/// Those that are not black.
+/// The scene's lights that are not black.
 inline std::vector<const Light*> LightsOf(const Scene& scene) {
   std::vector<const Light*> lights;
   for (const auto& light : scene.lights)

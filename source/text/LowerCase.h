@@ -6,7 +6,7 @@
 
 namespace ray {
 
-/// Of ASCII letters only: what a name means does not depend on the locale.
+/// Lowers ASCII letters only: what a name means does not depend on the locale.
 inline char LowerCase(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
 inline std::string LowerCase(std::string text) {
   for (char& c : text) c = LowerCase(c);

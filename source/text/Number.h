@@ -12,8 +12,8 @@ struct ReadNumber {
   const char* problem = nullptr;
 };
 
-/// A decimal number, the whole word: .5, 5., +20, -1e-3. NaN, infinities, hexadecimal and what overflows are refused, the
-/// last with an infinite value; what is too small becomes 0 or a denormal number. Never asks the locale.
+/// A decimal number, the whole word: .5, 5., +20, -1e-3. NaN, infinities, hexadecimal and what overflows are refused,
+/// the last with an infinite value; what is too small becomes 0 or a denormal number. Never asks the locale.
 ReadNumber<double> ParseNumber(std::string_view word);
 
 /// Whether a word is how a program prints what is no finite number: "nan", "-inf", "-nan(ind)", "NaNQ", and of older

@@ -13,9 +13,10 @@ std::size_t CountCharacters(std::string_view bytes);
 
 /// Bytes from a stranger made fit for a terminal: control characters and what is not UTF-8 as \xNN.
 std::string Escaped(std::string_view bytes);
-/// The same in quotes, and shortened if long: 'spere'.
+/// Escapes bytes, puts them in quotes and shortens them if long: 'spere'.
 std::string Quoted(std::string_view bytes);
-/// The same for the path of a file that is there, and so not endless: whole, since its end says most.
+/// Escapes the path of a file that exists, and so is not endless, and puts it in quotes: whole, since its end says
+/// most.
 std::string QuotedPath(std::string_view bytes);
 /// A line to be shown above a caret: as many characters as before, those that Escaped() would change as '?'.
 std::string ShownLine(std::string_view line);

@@ -17,7 +17,7 @@
 namespace ray::rayimg {
 namespace {
 
-/// Of one channel, over its finite values.
+/// Statistics of one channel, over its finite values.
 struct Statistics {
   double min = std::numeric_limits<double>::infinity(), max = -min, sum = 0;
   std::int64_t finite = 0, not_finite = 0, negative = 0;

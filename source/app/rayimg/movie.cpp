@@ -42,7 +42,7 @@ void Append(Bytes& bytes, std::uint64_t number, int count) {
 void Append16(Bytes& bytes, std::uint64_t number) { Append(bytes, number, 2); }
 void Append32(Bytes& bytes, std::uint64_t number) { Append(bytes, number, 4); }
 
-/// Of odd size, a chunk is followed by a zero that its size does not count.
+/// Appends a chunk. One of odd size is followed by a zero that its size does not count.
 void AppendChunk(Bytes& bytes, std::string_view name, const Bytes& content) {
   Append(bytes, name);
   Append32(bytes, content.size());

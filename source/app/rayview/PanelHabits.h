@@ -18,7 +18,7 @@ std::string PanelHabitsFile();
 /// Nothing when the text cannot be parsed; what it does not name is as usual.
 std::optional<PanelSettings> ReadPanelHabits(const std::string& text);
 
-/// Those of the file; the usual ones where there is none, and with a message where it cannot be parsed.
+/// The settings in the file; the usual ones where there is none, and with a message where it cannot be parsed.
 PanelSettings LoadPanelHabits(const std::string& file);
 
 /// Makes the folder where it is missing. Failures are reported and otherwise harmless.

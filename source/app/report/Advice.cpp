@@ -40,7 +40,7 @@ struct Knob {
 
 bool IsWhitted(const Options& options) { return options.render.mode == RenderMode::whitted; }
 
-/// Those that change noise and time, and on average nothing else.
+/// Settings that change noise and time, and on average nothing else.
 std::vector<Knob> KnobsOfNoise(const World& world, const SceneFeatures& has, const Options& options) {
   const TraceSettings& trace = options.render.trace;
   const bool is_path = options.render.mode == RenderMode::path, takes_all = !has.choice_of_lights;
@@ -54,7 +54,7 @@ std::vector<Knob> KnobsOfNoise(const World& world, const SceneFeatures& has, con
   };
 }
 
-/// Those that find light which the settings cut away.
+/// Settings that find light which the current ones cut away.
 std::vector<Knob> KnobsOfLight(const SceneFeatures& has, const Options& options) {
   const TraceSettings& trace = options.render.trace;
   const bool goes_on = options.render.mode == RenderMode::path || has.mirrors || has.clear;

@@ -118,7 +118,7 @@ int ObstaclesAround(const World& world, const R3::Point& point, bool ask_meshes)
   });
 }
 
-/// Those of the scene as a whole.
+/// Mistakes in the scene as a whole.
 std::vector<std::string> SceneMistakes(const World& world, const RenderSettings& settings, bool ask_meshes) {
   const Scene& scene = world.scene();
   const Camera camera = settings.view.value_or(scene.camera);
@@ -145,7 +145,7 @@ bool HasUnusedColor(const Material& m) {
 
 bool HasSpecular(const Material& m) { return !IsBlack(m.ks) || !IsBlack(m.kr); }
 
-/// Those of single shapes.
+/// Adds the mistakes in single shapes.
 void AddShapeMistakes(std::vector<std::string>& mistakes, const World& world, const RenderSettings& settings) {
   const auto has_no_uv = [](const Instance& i) { return !i.shape->HasTextureCoordinates(); };
   Point(mistakes, world, "has a texture but no texture coordinates",

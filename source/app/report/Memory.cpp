@@ -10,7 +10,8 @@ namespace {
 
 constexpr double gib = 1024.0 * 1024.0 * 1024.0;
 
-/// Of a structure while it is built. Measured, bvh of triangles 155 and of spheres 170 bytes, grid and octree 190.
+/// Memory of a structure while it is built. Measured: bvh of triangles 155 and of spheres 170 bytes, grid and octree
+/// 190.
 constexpr std::int64_t bytes_per_primitive = 200;
 constexpr std::int64_t image_bytes_per_pixel = 3 * sizeof(float);
 constexpr std::int64_t encoded_bytes_per_pixel =

@@ -12,7 +12,7 @@ namespace {
 // Four by four blocks, so that a filter of noise sees about what it would see in the whole image.
 constexpr int side = 32;
 
-/// Of the i-th square, all of them different; fewer than `most` where the image has no more.
+/// The squares to probe, all of them different; fewer than `most` where the image has no more.
 std::vector<PixelRectangle> SquaresOf(const PixelRectangle& image, std::size_t most) {
   const int columns = (image.Width() + side - 1) / side, rows = (image.Height() + side - 1) / side;
   const double step_x = 0.7548776662466927, step_y = 0.5698402909980532;

@@ -11,7 +11,7 @@ double CpuSeconds();
 /// The most memory this process ever held, in bytes.
 std::int64_t PeakMemory();
 
-/// Of this machine, in bytes; the largest number where the system does not say.
+/// Memory of this machine, in bytes; the largest number where the system does not say.
 std::int64_t MachineMemory();
 
 /// Wall time since it was made, and since it was last asked.

@@ -26,7 +26,7 @@ std::string WithDecimals(int decimals, const Triple& t) {
   return Fixed(t.x, decimals) + " " + Fixed(t.y, decimals) + " " + Fixed(t.z, decimals);
 }
 
-/// Of positions: three, and more in a scene that is smaller than one unit.
+/// Decimals of positions: three, and more in a scene that is smaller than one unit.
 int DecimalsFor(const R3::Box& box) {
   constexpr int usual = 3, most = 20;
   int decimals = usual;

@@ -53,7 +53,7 @@ Pixels<Rgb> Made(int width, int height, const OfChannel& of_channel) {
   return pixels;
 }
 
-/// Of one stream's noise: half the squared difference of both, on average.
+/// Variance of one stream's noise: half the squared difference of both, on average.
 Pixels<Rgb> NoiseOf(const Pair& pair) {
   const Pixels<Rgb> squares = Made(pair[0].Width(), pair[0].Height(), [&](int x, int y, std::size_t k) {
     const float difference = pair[0].At(x, y)[k] - pair[1].At(x, y)[k];
@@ -122,7 +122,7 @@ Pixels<Counts> Choices(const std::vector<Pair>& candidates) {
   return choices;
 }
 
-/// Of the choices at most blend_radius columns and rows away.
+/// Counts the choices at most blend_radius columns and rows away from each pixel.
 Pixels<Counts> CountsAround(const Pixels<Counts>& choices) {
   const int width = choices.Width(), height = choices.Height();
   Pixels<Counts> counts(width, height);

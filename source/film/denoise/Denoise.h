@@ -26,7 +26,8 @@ struct DenoisedPicture {
 ///            percent of error and makes that choice, and the error told, right on average
 DenoisedPicture Denoise(const R2::Image& a, const R2::Image& b, const Guides& guides,
                         const DenoiseFilters& filters = DenoiseFilters());
-/// The same for somebody who waits. Once it is stopped, which a library is not, what comes out is of no use.
+/// Denoise that reports its progress and can be stopped, except for a library's filters. Once it is stopped, the result
+/// is unspecified.
 DenoisedPicture Denoise(const R2::Image& a, const R2::Image& b, const Guides& guides, const DenoiseFilters& filters,
                         WorkMeter& meter);
 

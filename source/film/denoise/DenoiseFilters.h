@@ -13,7 +13,7 @@ class DenoiseFilters {
  public:
   /// `threads` as in RenderSettings. Throws DenoiserError where a library is missing or does not work.
   explicit DenoiseFilters(Denoiser denoiser = Denoiser::regression, int threads = 0);
-  /// Of a library that is there.
+  /// Filters with a library that has been loaded.
   DenoiseFilters(bool has_regression, std::unique_ptr<const OpenImageDenoise> library);
 
   bool HasRegression() const { return has_regression_; }

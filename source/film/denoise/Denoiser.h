@@ -20,7 +20,7 @@ Denoiser Resolved(Denoiser denoiser);
 /// likened to, for choices made by errors around. So much of a picture around a part makes that part equal to the same
 /// part of the whole. A library looks farther.
 inline constexpr int denoise_reach = 16;
-/// The same for the best guides, which are read where pixels are fitted.
+/// How far, in pixels, the best guides are read from where pixels are fitted.
 inline constexpr int denoise_reach_of_best_guides = 9;
 
 }  // namespace ray

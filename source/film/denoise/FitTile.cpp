@@ -8,7 +8,7 @@ namespace {
 /// Guides are kept within this, so that sums of products of two of them are finite floats; no light comes near.
 constexpr float most_guide = 1e15F;
 
-/// As functions that loops take in.
+/// Lambdas rather than functions, so that loops inline them.
 constexpr auto limited = [](float guide) {
   return guide < most_guide ? std::max(guide, -most_guide) : guide >= most_guide ? most_guide : 0;  // NaN is 0
 };

@@ -42,7 +42,7 @@ class FitTile {
                                                               // picture those of the nearest pixel in it
 
  private:
-  /// Of the tile's pixels and of those `around` it.
+  /// Copies the values of the tile's pixels and of `around` pixels around it.
   template <std::size_t count, typename Function>
   void Copy(const Pixels<std::array<float, count>>& pixels, int around, const Function& function,
             std::array<Channel, count>& channels) const;

@@ -36,7 +36,7 @@ struct Neighborhood {
   static constexpr int side = 2 * FitTile::window + 1;
   static constexpr std::size_t size = side * side;
 
-  /// Of the neighbor that is dx, dy away.
+  /// Index of the neighbor that is dx, dy away.
   static constexpr std::size_t IndexOf(int dx, int dy) {
     return static_cast<std::size_t>((dy + FitTile::window) * side + dx + FitTile::window);
   }
@@ -118,7 +118,7 @@ HWY_INLINE Floats TripleDistance(const FitTile& tile, std::ptrdiff_t p, std::ptr
   return sum;
 }
 
-/// Of the neighbors that are dx, dy from the tile's pixels.
+/// Makes the weights of the neighbors that are dx, dy from the tile's pixels.
 void MakeWeights(FitWork& work, int dx, int dy) {
   static_assert(FitTile::patch == 1);
   const Lanes d;

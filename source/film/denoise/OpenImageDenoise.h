@@ -21,7 +21,7 @@ struct DenoiserError : std::runtime_error {
 ///   source   Open Image Denoise API reference (openimagedenoise.org/documentation.html), filter RT
 class OpenImageDenoise {
  public:
-  /// Of a name in the library; null where it has none of that name.
+  /// Returns the library's function of that name; null if there is none.
   using FindFunction = std::function<void*(const char* name)>;
 
   /// The library of this machine; `threads` as in RenderSettings. Throws DenoiserError where it is missing.

@@ -11,7 +11,8 @@ float Finite(double x) { return static_cast<float>(R2::Storable(x)); }
 template <std::size_t count>
 class SquaresOfRow {
  public:
-  /// Of the pixels at most `reach` columns and rows from those of row y; of none where `reach` is negative.
+  /// Sums squares over the pixels at most `reach` columns and rows from those of row y; over none if `reach` is
+  /// negative.
   SquaresOfRow(const Pixels<std::array<float, count>>& values, int y, int reach)
       : width_(values.Width()), reach_(reach), sums_(count * static_cast<std::size_t>(width_)) {
     const int first = std::max(0, y - reach), last = std::min(values.Height() - 1, y + reach);

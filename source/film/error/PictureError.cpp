@@ -215,7 +215,7 @@ double ExcessOverMonteCarloRate(const BlockErrors& now, const BlockErrors* befor
   return energy_before > 0 ? std::clamp(energy_now / energy_before, 1.0, 4.0) : 1;
 }
 
-/// Of all pixels, from those of blocks, which at the rim of the picture may be narrower.
+/// Mean over all pixels, from the means of blocks, which may be narrower at the rim of the image.
 double MeanOfBlocks(const std::vector<double>& blocks, const std::vector<double>& areas) {
   double total = 0, pixels = 0;
   for (std::size_t i = 0; i < blocks.size(); ++i) {
@@ -225,9 +225,9 @@ double MeanOfBlocks(const std::vector<double>& blocks, const std::vector<double>
   return total / pixels;
 }
 
-/// As a sum of independent squares would have whose variance is that of these, each of which has this share of its own
-/// square as its variance (Satterthwaite, An approximate distribution of estimates of variance components, 1946). At
-/// least those of one pixel: where squares are estimates below 0 too, they may cancel.
+/// Degrees of freedom of a sum of independent squares with the variance of these, each of which has this share of its
+/// own square as its variance (Satterthwaite, An approximate distribution of estimates of variance components, 1946).
+/// At least those of one pixel: where squares are estimates below 0 too, they may cancel.
 double DegreesOfFreedom(const std::vector<float>& squares, double share_of_variance) {
   double sum = 0, sum_of_squares = 0;
   for (const float square : squares) {

@@ -71,12 +71,12 @@ struct MeasuredError {
 /// at most about true where they are the first and the last samples of one well distributed sequence. Nothing while a
 /// block lacks a part.
 ///
-/// Of light, the mean of both parts has a quarter of the squared difference of theirs. What a screen shows is clamped,
-/// and three things are added: the bias of clamping, which is what the parts' mean shown differs from the mean of the
-/// parts shown (the jackknife; Quenouille, Notes on bias in estimation, 1956); that the error may not fall as the root
-/// of the samples, by how it fell since `before`, at most to a quarter of that; and where clamping took energy from
-/// noisy pixels, that it belongs to others of their block, as far as these can show it. The larger of the last two
-/// counts. What the error of a block was before counts as far as more samples cannot explain that it fell.
+/// In linear light, the squared error of the mean of both parts is a quarter of their squared difference. What a screen
+/// shows is clamped, and three things are added: the bias of clamping, which is what the parts' mean shown differs from
+/// the mean of the parts shown (the jackknife; Quenouille, Notes on bias in estimation, 1956); that the error may not
+/// fall as the root of the samples, by how it fell since `before`, at most to a quarter of that; and where clamping
+/// took energy from noisy pixels, that it belongs to others of their block, as far as these can show it. The larger of
+/// the last two counts. What the error of a block was before counts as far as more samples cannot explain that it fell.
 ///
 /// The interval is that of the ratio of two mean squares, the claim and the truth, of two thirds as many degrees of
 /// freedom or fewer: where few pixels hold the error, both are from few.
@@ -105,7 +105,7 @@ double AsMeasured(double channel, const ErrorMeasure& measure);
 
 /// What the mean square is at an error of `target` in the unit of `measure`. `mean` is of the picture.
 double SquaredTarget(double target, const ErrorMeasure& measure, double mean);
-/// Of all channels of all pixels.
+/// Mean over all channels of all pixels.
 double MeanOf(const R2::Image& picture);
 
 /// The error of a picture beside a reference of the same size. With a second reference, independent of the first, the

@@ -73,7 +73,7 @@ class Mapping {
 
   /// Null values count as absent. Two keys of one meaning are a mistake.
   std::optional<Field> Find(Names names);
-  /// The same of a key that must be there.
+  /// Takes the field of a key that must be there.
   std::optional<Field> Need(Names names);
   /// Whether one of them is there; nothing is noted as known by it.
   bool Has(Names names) const;

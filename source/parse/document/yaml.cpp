@@ -135,7 +135,7 @@ class YamlEvents : public YAML::EventHandler {
     return {offset, rest.starts_with(scalar) ? scalar.size() : 1};
   }
 
-  /// Of an item that is nothing: the last word before `offset`, which is its dash, comments left out; what is at
+  /// Extent of an empty item: the last word before `offset`, which is its dash, comments left out; or what is at
   /// `offset` where that says "null".
   Extent ExtentOfItem(std::size_t offset) const {
     const std::string_view bytes = text_.bytes;

@@ -35,7 +35,7 @@ class Faces {
   /// Adds them, when all others are there.
   void AddVertices();
 
-  /// Of what could not be taken as it stands.
+  /// Warns of what could not be taken as it stands.
   void Warn(const Text& file, Report& report) const;
 
  private:

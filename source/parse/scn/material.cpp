@@ -51,7 +51,7 @@ void ReadMaterial(ScnReader& reader, Statement& statement) {
 
 const std::array<R3::Argument, 3> channels_of_color{{{"r", not_negative}, {"g", not_negative}, {"b", not_negative}}};
 
-/// Of extensions that give a material one color more.
+/// Reads a command that gives a material one more color.
 template <auto member>
 void ReadColorOfMaterial(ScnReader& reader, Statement& statement) {
   Material* material = reader.ReadOwnMaterial(statement);

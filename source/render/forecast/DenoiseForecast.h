@@ -34,9 +34,9 @@ class DenoiseForecast {
 
   /// Seconds after so many samples per pixel.
   double Seconds(double samples) const;
-  /// Of these, those that come after the guides.
+  /// The part of these seconds that comes after the guides.
   double FilterSeconds() const { return filter_seconds_; }
-  /// How much a further sample per pixel adds.
+  /// Seconds that a further sample per pixel adds.
   double SecondsOfSample(double samples) const;
 
  private:

@@ -43,7 +43,7 @@ class Reader {
   Triple ReadPoint(Line& line, const char* what);
   /// Negative parts are errors.
   Triple ReadColor(Line& line, const char* what);
-  /// Of kinds of lights.def and shapes.def, with the numbers of a .scn file.
+  /// Adds a light or shape of a kind in lights.def or shapes.def, with the numbers of a .scn file.
   void AddLight(const char* kind, const std::vector<double>& numbers);
   void AddShape(const Line& line, const char* kind, const std::vector<double>& numbers, int material);
   /// A mesh of a file in a right-handed world, which is ours already: scaled, then moved by `offset`.

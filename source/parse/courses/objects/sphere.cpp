@@ -38,7 +38,7 @@ std::optional<R3::Matrix> FromSide(const Field& side, const R3::Vector& axis) {
   return Frame({}, Cross(Unit(y), axis), Unit(y), axis);
 }
 
-/// Of w, x, y, z.
+/// Rotation of the quaternion w, x, y, z.
 std::optional<R3::Matrix> FromQuaternion(const Field& field) {
   const auto fields = field.ListOf(4, "a list of four numbers: w, x, y, z");
   if (!fields) return {};
