@@ -11,7 +11,7 @@ WEB_PAGE := $(BUILD)/web
 WEB_SOURCES := $(filter-out %/jpeg.cpp %/png.cpp %/exr.cpp %/ReadFile.cpp %/Threads.cpp %/OpenImageDenoise.cpp, \
                  $(wildcard R1/*.cpp R2/*.cpp R2/image_files/*.cpp R3/*.cpp R3/*/*.cpp \
                    $(foreach d,text sample scene parse accelerate integrate film render,source/$(d)/*.cpp source/$(d)/*/*.cpp source/$(d)/*/*/*.cpp) \
-                   source/app/options/*.cpp source/web/*.cpp source/web/shim/*.cpp)) \
+                   source/app/options/*.cpp source/app/manual/Listing.cpp source/web/*.cpp source/web/shim/*.cpp)) \
                $(foreach f,Check ContactCheck LampCheck SceneSummary Memory,source/app/report/$(f).cpp) source/app/files/LayerPictures.cpp
 WEB_ALONE := $(filter $(ALONE),$(WEB_SOURCES))
 WEB_TOGETHER := $(filter-out $(WEB_ALONE),$(WEB_SOURCES))
