@@ -40,7 +40,9 @@ FILENAME ~ /pictures\.txt$/ {
   next
 }
 /^@pictures / {
-  put("<div class=\"pictures\">")
+  shown = 0
+  for (i = 1; i <= count; ++i) shown += section[order[i]] == $2
+  put("<div class=\"pictures" (shown == 1 ? " single" : "") "\">")
   for (i = 1; i <= count; ++i) if (section[order[i]] == $2) show(order[i])
   put("</div>")
   next
@@ -265,7 +267,7 @@ function readable(name) { gsub(/_/, " ", name); return name }
 
 function csv_table(file, text,   i) {
   read_csv(file)
-  if (!lines) { put("<p>Not measured here.</p>"); return }
+  if (lines < 2) { put("<p>Not measured here.</p>"); return }
   table_start(text)
   put("<thead>" row_of(1, "th") "</thead><tbody>")
   for (i = 2; i <= lines; ++i) put(row_of(i, "td"))

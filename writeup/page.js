@@ -52,3 +52,28 @@ if (navigator.clipboard)
       navigator.clipboard.writeText(text).then(() => (button.textContent = "copied")));
     command.append(button);
   }
+
+// On a phone every section but the first is folded to its heading; a link to it, or a tap, opens it.
+const sections = [...document.querySelectorAll("main > section[id]")];
+for (const section of sections.slice(1)) {
+  const heading = section.querySelector("h2");
+  const button = document.createElement("button");
+  button.className = "fold";
+  const fold = (isFolded) => {
+    section.classList.toggle("folded", isFolded);
+    button.textContent = isFolded ? "show" : "hide";
+    button.setAttribute("aria-expanded", String(!isFolded));
+  };
+  button.setAttribute("aria-label", "Section " + heading.textContent);
+  button.addEventListener("click", () => fold(!section.classList.contains("folded")));
+  heading.append(button);
+  section.unfold = () => fold(false);
+  fold(true);
+}
+const unfoldTarget = () => {
+  const target = document.getElementById(decodeURIComponent(location.hash.slice(1)));
+  target?.closest("section")?.unfold?.();
+  target?.scrollIntoView();
+};
+addEventListener("hashchange", unfoldTarget);
+if (location.hash) unfoldTarget();
