@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Packs scenes and the files they name into one JSON file for the page.
 
-usage: source/web/examples.py > examples.json
+usage: source/web/examples.py FOLDER... > examples.json
 
 {"scenes": [{"name", "about", "options"}], "files": {name: text}, "binary": {name: base64}}. A scene's first comment says
 what it shows and, behind "Seen with", which options.
@@ -10,9 +10,9 @@ import base64
 import json
 import pathlib
 import re
+import sys
 
 SCENES = {".scn", ".json", ".yaml", ".yml", ".txt"}
-ROOT = pathlib.Path("scenes")
 
 
 def first_comment(text):
@@ -35,7 +35,7 @@ def options_of(comment):
 
 def main():
     packed = {"scenes": [], "files": {}, "binary": {}}
-    for file in sorted(ROOT.rglob("*")):
+    for file in (file for folder in sys.argv[1:] for file in sorted(pathlib.Path(folder).rglob("*"))):
         name = file.as_posix()
         if file.is_dir() or "thumbnails" in file.parts or file.suffix == ".md":
             continue

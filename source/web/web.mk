@@ -1,5 +1,6 @@
 # The page in a browser: the engine as WebAssembly, with clang 22, and what stands around it. The Makefile includes this.
 #   make web        build/web/, which any static file server can serve: python3 -m http.server -d build/web
+#   make site       build/site/: the page, the writeup, the gallery and the docs, with links between them
 #   make web-test   its tests in Node and, where it is found, in Chromium
 # WEB_CXX names another compiler that knows the target wasm32-wasi, WEB_HEADERS where hwy/ and nlohmann/ are.
 
@@ -25,16 +26,18 @@ WEB_CPPFLAGS := -MD -MP -I. -Isource/web/shim -isystem $(WEB)/include \
 WEB_LINK := -mexec-model=reactor -Wl,-z,stack-size=8388608 -Wl,--max-memory=4294967296 -Wl,--strip-all
 TBB_HEADERS := blocked_range enumerable_thread_specific global_control info parallel_for parallel_reduce task_arena task_group
 
-.PHONY: web web-test
+.PHONY: web web-test site
 WEB_FILES := $(filter-out package.json,$(notdir $(wildcard source/web/page/*)))
 web: $(WEB_PAGE)/raypro.wasm $(WEB_PAGE)/examples.json $(WEB_FILES:%=$(WEB_PAGE)/%)
 	@echo "$(WEB_PAGE): python3 -m http.server -d $(WEB_PAGE), then http://localhost:8000"
 $(WEB_PAGE)/%: source/web/page/%
 	@mkdir -p $(@D) && cp $< $@
-$(WEB_PAGE)/examples.json: source/web/examples.py $(shell find scenes -type f)
-	@mkdir -p $(@D) && python3 $< > $@.new && mv $@.new $@
+$(WEB_PAGE)/examples.json: source/web/examples.py $(shell find scenes writeup/scenes -type f)
+	@mkdir -p $(@D) && python3 $< scenes writeup/scenes > $@.new && mv $@.new $@
 
-web-test: web raypro rayimg
+site: web
+	@python3 script/site.py $(WEB_PAGE) $(BUILD)/site
+web-test: site raypro rayimg
 	@sh tests/web/run.sh $(BUILD)
 
 # Says what is missing before anything is compiled.

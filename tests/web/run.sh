@@ -4,9 +4,9 @@
 set -eu
 cd "$(dirname "$0")/../.."
 build=$(cd "${1:-build}" && pwd)
-RAYPRO=$build/raypro RAYIMG=$build/rayimg WEB=$build/web
+RAYPRO=$build/raypro RAYIMG=$build/rayimg WEB=$build/web SITE=$build/site
 CHROMIUM=$(command -v chromium || command -v chromium-browser || command -v google-chrome || true)
-export RAYPRO RAYIMG WEB CHROMIUM
+export RAYPRO RAYIMG WEB SITE CHROMIUM
 
 if ! [ -f "$WEB/raypro.wasm" ]; then
   echo "tests of the page: skipped, make web has not made it"
@@ -19,4 +19,5 @@ else
   else
     echo "tests of the page in a browser: skipped, there is no Chromium"
   fi
+  if [ -d "$SITE" ]; then node --test --test-reporter=spec tests/web/site.mjs; fi
 fi

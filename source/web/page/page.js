@@ -352,10 +352,10 @@ function listExamples() {
   const courses = { "scenes/comp30019/": "COMP30019", ".json": "JSON courses", ".yaml": "Groningen", ".yml": "Groningen" };
   for (const { name, about } of examples.scenes) {
     const course = Object.keys(courses).find(key => name.startsWith(key) || name.endsWith(key));
-    const label = course ? courses[course] : "Scenes";
+    const label = course ? courses[course] : name.startsWith("scenes/") ? "Scenes" : "Writeup";
     const group = [...$("examples").children].find(one => one.label === label) ??
       $("examples").appendChild(Object.assign(document.createElement("optgroup"), { label }));
-    group.append(Object.assign(document.createElement("option"), { value: name, title: about, textContent: name.replace("scenes/", "") }));
+    group.append(Object.assign(document.createElement("option"), { value: name, title: about, textContent: name.replace(/^(writeup\/)?scenes\//, "") }));
   }
 }
 
