@@ -107,8 +107,12 @@ class Markdown:
 
     def inline(self, text):
         parts = re.split(r"(`+[^`]+`+)", text)
-        return "".join("<code>" + html.escape(part.strip("`")) + "</code>" if i % 2 else self.words(part)
+        return "".join(self.code_words(part.strip("`")) if i % 2 else self.words(part)
                        for i, part in enumerate(self.with_links(parts)))
+
+    def code_words(self, text):
+        """Options are not broken behind their dash."""
+        return "<code>" + re.sub(r"(?<!\S)-[a-z_]+", r"<span>\g<0></span>", html.escape(text)) + "</code>"
 
     def with_links(self, parts):
         """Code within the brackets of a link is kept with it."""
@@ -203,9 +207,26 @@ class Markdown:
 
     def table(self, lines):
         rows = [[cell.replace("\\|", "|").strip() for cell in re.split(r"(?<!\\)\|", line.strip().strip("|"))] for line in lines]
+        if any("![" in cell for row in rows[2:] for cell in row):
+            return self.cards(rows[0], rows[2:])
         cells = lambda row, tag: "<tr>" + "".join(f'<{tag} class="words">{self.inline(c)}</{tag}>' for c in row) + "</tr>"
         body = "\n".join(cells(row, "td") for row in rows[2:])
         return f'<div class="scroll" tabindex="0"><table><thead>{cells(rows[0], "th")}</thead><tbody>\n{body}</tbody></table></div>'
+
+
+    def cards(self, heads, rows):
+        """A table with an image in each row as figures, which fit any width. An image leads to its scene, or to itself."""
+        figures = []
+        for row in rows:
+            image = next(self.inline(cell) for cell in row if "![" in cell)
+            words = [self.inline(cell + " s" if head == "seconds" else cell)
+                     for head, cell in zip(heads, row) if cell and "![" not in cell]
+            scene = re.search(r'href="([^"]*#scene=[^"]*)"', " ".join(words))
+            goal = scene[1] if scene else re.search(r'src="([^"]*)"', image)[1]
+            image = image.replace("<img", '<img loading="lazy"')
+            figures.append(f'<figure><a href="{goal}">{image}</a>\n<figcaption>{" · ".join(words)}</figcaption></figure>')
+        small = " small" if "thumbnails/" in figures[0] else ""
+        return f'<div class="pictures{small}">\n' + "\n".join(figures) + "\n</div>"
 
 
 def convert(site, source):

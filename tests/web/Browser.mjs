@@ -99,8 +99,11 @@ export class Browser {
   }
 
   async close() {
-    this.process.kill();
-    await new Promise(resolve => this.process.once("exit", resolve));
-    rmSync(this.profile, { recursive: true, force: true, maxRetries: 5 });
+    const ended = new Promise(resolve => this.process.once("exit", resolve));
+    this.send("Browser.close", {}, undefined).catch(() => {});
+    const patience = setTimeout(() => this.process.kill("SIGKILL"), 5000);
+    await ended;
+    clearTimeout(patience);
+    rmSync(this.profile, { recursive: true, force: true, maxRetries: 10 });
   }
 }
