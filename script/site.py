@@ -3,9 +3,9 @@
 
 usage: script/site.py build/web build/site
 
-Markdown becomes HTML in the look of the writeup; links to scenes open them in the page, links to files that are not part
-of the site become plain text. Every image of the writeup whose command names a scene gets a link that opens that scene
-with its options. SITE_URL, if set, is where the site will be, for link previews. Only Python's standard library is used.
+Markdown becomes HTML in the look of the writeup; links to scenes open them in the page, links to files that are not
+part of the site become plain text. Every image of the writeup whose command names a scene gets a link that opens that
+scene with its options. SITE_URL, if set, is where the site will be, for link previews. Needs nothing but Python.
 """
 import html
 import json
@@ -26,12 +26,14 @@ COPIED = [("writeup", "*.css"), ("writeup", "*.js"), ("writeup/pictures", "*.jpg
 MENU = [("Home", "index.html"), ("Try it", "web/index.html"), ("Features", "writeup/assignment3.html"),
         ("Other courses", "writeup/courses.html"), ("Troubleshooting", "writeup/troubleshooting.html"),
         ("Gallery", "art/index.html"), ("Scenes", "scenes/index.html"), ("Docs", "docs/index.html")]
-REQUESTS = {"-check", "-debugpixel", "-explain", "-advise", "-files", "-layers", "-report", "-time", "-stats", "-reference"}
+REQUESTS = {"-check", "-debugpixel", "-explain", "-advise", "-files", "-layers", "-report", "-time", "-stats",
+            "-reference"}
 
 
 def target_of(source):
     """The name in the site of a Markdown file of the tree."""
-    return posixpath.join(posixpath.dirname(source), "index.html") if source.endswith("README.md") else source[:-3] + ".html"
+    folder, name = posixpath.split(source)
+    return posixpath.join(folder, "index.html" if name == "README.md" else name[:-3] + ".html")
 
 
 def slug(text):
@@ -87,9 +89,11 @@ class Site:
         if os.environ.get("SITE_URL"):
             preview += f'<meta property="og:image" content="{os.environ["SITE_URL"].rstrip("/")}/{picture}">\n'
         text = (f'<!DOCTYPE html>\n<html lang="en">\n<head>\n<meta charset="utf-8">\n'
-                f'<meta name="viewport" content="width=device-width, initial-scale=1">\n<title>{html.escape(title)}</title>\n'
-                f'{preview}<link rel="stylesheet" href="{up}/writeup/style.css">\n<link rel="icon" href="{up}/web/icon.svg">\n'
-                f'</head>\n<body>\n<header>\n{self.menu(target)}\n</header>\n<main class="text">\n{body}\n</main>\n</body>\n</html>\n')
+                f'<meta name="viewport" content="width=device-width, initial-scale=1">\n'
+                f'<title>{html.escape(title)}</title>\n{preview}'
+                f'<link rel="stylesheet" href="{up}/writeup/style.css">\n<link rel="icon" href="{up}/web/icon.svg">\n'
+                f'</head>\n<body>\n<header>\n{self.menu(target)}\n</header>\n<main class="text">\n{body}\n</main>\n'
+                f'</body>\n</html>\n')
         self.write(target, text)
 
     def write(self, target, text):
@@ -206,16 +210,19 @@ class Markdown:
         return f"<{tag}>" + "".join(f"<li>{self.inline(item)}</li>" for item in items) + f"</{tag}>"
 
     def table(self, lines):
-        rows = [[cell.replace("\\|", "|").strip() for cell in re.split(r"(?<!\\)\|", line.strip().strip("|"))] for line in lines]
+        split = lambda line: re.split(r"(?<!\\)\|", line.strip().strip("|"))
+        rows = [[cell.replace("\\|", "|").strip() for cell in split(line)] for line in lines]
         if any("![" in cell for row in rows[2:] for cell in row):
             return self.cards(rows[0], rows[2:])
-        cells = lambda row, tag: "<tr>" + "".join(f'<{tag} class="words">{self.inline(c)}</{tag}>' for c in row) + "</tr>"
+        cell = lambda text, tag: f'<{tag} class="words">{self.inline(text)}</{tag}>'
+        cells = lambda row, tag: "<tr>" + "".join(cell(text, tag) for text in row) + "</tr>"
         body = "\n".join(cells(row, "td") for row in rows[2:])
-        return f'<div class="scroll" tabindex="0"><table><thead>{cells(rows[0], "th")}</thead><tbody>\n{body}</tbody></table></div>'
+        return (f'<div class="scroll" tabindex="0"><table><thead>{cells(rows[0], "th")}</thead><tbody>\n'
+                f'{body}</tbody></table></div>')
 
 
     def cards(self, heads, rows):
-        """A table with an image in each row as figures, which fit any width. An image leads to its scene, or to itself."""
+        """Makes figures, which fit any width, of a table of images. An image leads to its scene, or to itself."""
         figures = []
         for row in rows:
             image = next(self.inline(cell) for cell in row if "![" in cell)
@@ -224,7 +231,8 @@ class Markdown:
             scene = re.search(r'href="([^"]*#scene=[^"]*)"', " ".join(words))
             goal = scene[1] if scene else re.search(r'src="([^"]*)"', image)[1]
             image = image.replace("<img", '<img loading="lazy"')
-            figures.append(f'<figure><a href="{goal}">{image}</a>\n<figcaption>{" · ".join(words)}</figcaption></figure>')
+            caption = " · ".join(words)
+            figures.append(f'<figure><a href="{goal}">{image}</a>\n<figcaption>{caption}</figcaption></figure>')
         small = " small" if "thumbnails/" in figures[0] else ""
         return f'<div class="pictures{small}">\n' + "\n".join(figures) + "\n</div>"
 
@@ -243,7 +251,8 @@ def edit_links(site, text):
 
     def with_link(found):
         words = shlex.split(html.unescape(re.sub(r"<[^>]*>", "", found[1])))
-        if words[0] != "build/raypro" or words[1] not in site.scenes or REQUESTS & set(words) or words[2].startswith("-"):
+        is_image = words[0] == "build/raypro" and not words[2].startswith("-") and not REQUESTS & set(words)
+        if not is_image or words[1] not in site.scenes:
             return found[0]
         goal = site.scene_link(words[1], words[3:])
         return found[0] + f'<a class="edit" href="../{html.escape(goal)}">edit this scene</a>'

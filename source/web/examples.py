@@ -3,8 +3,8 @@
 
 usage: source/web/examples.py FOLDER... > examples.json
 
-{"scenes": [{"name", "about", "options"}], "files": {name: text}, "binary": {name: base64}}. A scene's first comment says
-what it shows and, behind "Seen with", which options.
+{"scenes": [{"name", "about", "options"}], "files": {name: text}, "binary": {name: base64}}. A scene's first comment
+says what it shows and, behind "Seen with", which options.
 """
 import base64
 import json

@@ -1,4 +1,4 @@
-# The page in a browser: the engine as WebAssembly, with clang 22, and what stands around it. The Makefile includes this.
+# The page in a browser: the engine as WebAssembly, with clang 22, and what stands around it. Included by the Makefile.
 #   make web        build/web/, which any static file server can serve: python3 -m http.server -d build/web
 #   make site       build/site/: the page, the writeup, the gallery and the docs, with links between them
 #   make web-test   its tests in Node and, where it is found, in Chromium
@@ -11,9 +11,11 @@ WEB_PAGE := $(BUILD)/web
 # Nothing of the programs but their options and what -check says.
 WEB_SOURCES := $(filter-out %/jpeg.cpp %/png.cpp %/exr.cpp %/ReadFile.cpp %/Threads.cpp %/OpenImageDenoise.cpp, \
                  $(wildcard R1/*.cpp R2/*.cpp R2/image_files/*.cpp R3/*.cpp R3/*/*.cpp \
-                   $(foreach d,text sample scene parse accelerate integrate film render,source/$(d)/*.cpp source/$(d)/*/*.cpp source/$(d)/*/*/*.cpp) \
+                   $(foreach d,text sample scene parse accelerate integrate film render, \
+                     source/$(d)/*.cpp source/$(d)/*/*.cpp source/$(d)/*/*/*.cpp) \
                    source/app/options/*.cpp source/app/manual/Listing.cpp source/web/*.cpp source/web/shim/*.cpp)) \
-               $(foreach f,Check ContactCheck LampCheck SceneSummary Memory,source/app/report/$(f).cpp) source/app/files/LayerPictures.cpp
+               $(foreach f,Check ContactCheck LampCheck SceneSummary Memory,source/app/report/$(f).cpp) \
+               source/app/files/LayerPictures.cpp
 WEB_ALONE := $(filter $(ALONE),$(WEB_SOURCES))
 WEB_TOGETHER := $(filter-out $(WEB_ALONE),$(WEB_SOURCES))
 WEB_OBJECTS := $(WEB_ALONE:%.cpp=$(WEB)/obj/%.o) $(patsubst %,$(WEB)/obj/%all.o,$(sort $(dir $(WEB_TOGETHER))))
@@ -24,7 +26,8 @@ WEB_FLAGS := $(WEB_TARGET) -std=c++20 -O2 -ffp-contract=off -fno-math-errno -fno
 WEB_CPPFLAGS := -MD -MP -I. -Isource/web/shim -isystem $(WEB)/include \
                 -DRAYPRO_VERSION='"$(VERSION)"' -DRAYPRO_FEATURES='"web"'
 WEB_LINK := -mexec-model=reactor -Wl,-z,stack-size=8388608 -Wl,--max-memory=4294967296 -Wl,--strip-all
-TBB_HEADERS := blocked_range enumerable_thread_specific global_control info parallel_for parallel_reduce task_arena task_group
+TBB_HEADERS := blocked_range enumerable_thread_specific global_control info parallel_for parallel_reduce task_arena \
+               task_group
 
 .PHONY: web web-test site
 WEB_FILES := $(filter-out package.json,$(notdir $(wildcard source/web/page/*)))
@@ -42,7 +45,8 @@ web-test: site raypro rayimg
 
 # Says what is missing before anything is compiled.
 WEB_PACKAGES := clang-22 lld-22 libc++-22-dev-wasm32 libc++abi-22-dev-wasm32 libclang-rt-22-dev-wasm32 wasi-libc
-HAS_WEB = $(if $(shell echo 'int main() {}' | $(WEB_CXX) $(WEB_TARGET) -include vector -x c++ - -o /dev/null 2>&1 || echo no),,yes)
+WEB_PROBE = echo 'int main() {}' | $(WEB_CXX) $(WEB_TARGET) -include vector -x c++ - -o /dev/null 2>&1 || echo no
+HAS_WEB = $(if $(shell $(WEB_PROBE)),,yes)
 $(WEB)/flags: $(if $(filter web web-test site,$(MAKECMDGOALS)),$(if $(HAS_WEB),,web-missing))
 .PHONY: web-missing
 web-missing:

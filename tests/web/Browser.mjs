@@ -5,13 +5,24 @@ import { mkdtempSync, readFileSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { extname, join, normalize } from "node:path";
 
-const types = { ".html": "text/html", ".js": "text/javascript", ".css": "text/css", ".json": "application/json",
-  ".wasm": "application/wasm", ".svg": "image/svg+xml", ".png": "image/png", ".jpg": "image/jpeg" };
+const types = {
+  ".html": "text/html",
+  ".js": "text/javascript",
+  ".css": "text/css",
+  ".json": "application/json",
+  ".wasm": "application/wasm",
+  ".svg": "image/svg+xml",
+  ".png": "image/png",
+  ".jpg": "image/jpeg",
+};
 
 /// Serves a folder to this machine alone; returns its address and a function that ends it.
 export async function serve(folder) {
   const server = createServer((request, response) => {
-    const name = normalize(decodeURIComponent(new URL(request.url, "http://localhost").pathname)).replace(/\/$/, "/index.html");
+    const name = normalize(decodeURIComponent(new URL(request.url, "http://localhost").pathname)).replace(
+      /\/$/,
+      "/index.html",
+    );
     try {
       const bytes = readFileSync(join(folder, name));
       response.writeHead(200, { "Content-Type": types[extname(name)] ?? "application/octet-stream" }).end(bytes);
@@ -19,23 +30,37 @@ export async function serve(folder) {
       response.writeHead(404).end();
     }
   });
-  await new Promise(resolve => server.listen(0, "127.0.0.1", resolve));
+  await new Promise((resolve) => server.listen(0, "127.0.0.1", resolve));
   return { address: `http://127.0.0.1:${server.address().port}/`, close: () => server.close() };
 }
 
 export class Browser {
   static start(program) {
     const profile = mkdtempSync(join(tmpdir(), "raypro-chromium-"));
-    const process = spawn(program, ["--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run",
-      "--disable-background-networking", "--disable-component-update", "--disable-sync", "--remote-debugging-pipe",
-      "--user-data-dir=" + profile, "about:blank"], { stdio: ["ignore", "ignore", "ignore", "pipe", "pipe"] });
+    const process = spawn(
+      program,
+      [
+        "--headless",
+        "--no-sandbox",
+        "--disable-gpu",
+        "--disable-quic",
+        "--no-first-run",
+        "--disable-background-networking",
+        "--disable-component-update",
+        "--disable-sync",
+        "--remote-debugging-pipe",
+        "--user-data-dir=" + profile,
+        "about:blank",
+      ],
+      { stdio: ["ignore", "ignore", "ignore", "pipe", "pipe"] },
+    );
     return new Browser(process, profile);
   }
 
   constructor(process, profile) {
     Object.assign(this, { process, profile, calls: new Map(), last: 0, errors: [] });
     let rest = "";
-    process.stdio[4].on("data", data => {
+    process.stdio[4].on("data", (data) => {
       const messages = (rest + data).split("\0");
       rest = messages.pop();
       for (const message of messages) this.take(JSON.parse(message));
@@ -43,7 +68,8 @@ export class Browser {
   }
 
   take(message) {
-    if (message.method === "Runtime.exceptionThrown") this.errors.push(message.params.exceptionDetails.exception?.description);
+    if (message.method === "Runtime.exceptionThrown")
+      this.errors.push(message.params.exceptionDetails.exception?.description);
     const call = this.calls.get(message.id);
     if (!call) return;
     this.calls.delete(message.id);
@@ -72,16 +98,26 @@ export class Browser {
 
   /// The value of an expression; a promise is waited for.
   async value(expression) {
-    const { result, exceptionDetails } = await this.send("Runtime.evaluate", { expression, awaitPromise: true, returnByValue: true });
+    const { result, exceptionDetails } = await this.send("Runtime.evaluate", {
+      expression,
+      awaitPromise: true,
+      returnByValue: true,
+    });
     if (exceptionDetails) throw new Error(exceptionDetails.exception?.description ?? exceptionDetails.text);
     return result.value;
   }
 
   /// Waits until an expression is true.
   async until(expression, seconds = 60) {
-    for (const end = Date.now() + 1000 * seconds; Date.now() < end; await new Promise(resolve => setTimeout(resolve, 20)))
+    for (
+      const end = Date.now() + 1000 * seconds;
+      Date.now() < end;
+      await new Promise((resolve) => setTimeout(resolve, 20))
+    )
       if (await this.value(`Boolean(${expression})`)) return;
-    throw new Error(`never came true: ${expression}; the page says: ${await this.value("document.body?.innerText.slice(0, 600)")}`);
+    throw new Error(
+      `never came true: ${expression}; the page says: ${await this.value("document.body?.innerText.slice(0, 600)")}`,
+    );
   }
 
   async screenshot(whole = false) {
@@ -95,11 +131,17 @@ export class Browser {
 
   async key(key, modifiers = 0) {
     for (const type of ["keyDown", "keyUp"])
-      await this.send("Input.dispatchKeyEvent", { type, key, code: key, modifiers, windowsVirtualKeyCode: key === "Enter" ? 13 : 0 });
+      await this.send("Input.dispatchKeyEvent", {
+        type,
+        key,
+        code: key,
+        modifiers,
+        windowsVirtualKeyCode: key === "Enter" ? 13 : 0,
+      });
   }
 
   async close() {
-    const ended = new Promise(resolve => this.process.once("exit", resolve));
+    const ended = new Promise((resolve) => this.process.once("exit", resolve));
     this.send("Browser.close", {}, undefined).catch(() => {});
     const patience = setTimeout(() => this.process.kill("SIGKILL"), 5000);
     await ended;

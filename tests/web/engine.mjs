@@ -15,7 +15,7 @@ process.on("exit", () => rmSync(folder, { recursive: true }));
 const module = await WebAssembly.compile(readFileSync(WEB + "/raypro.wasm"));
 const examples = JSON.parse(readFileSync(WEB + "/examples.json"));
 const all = await files();
-const sha = bytes => createHash("sha256").update(bytes).digest("hex");
+const sha = (bytes) => createHash("sha256").update(bytes).digest("hex");
 
 async function engineWith(given = all) {
   const engine = await Engine.start(module);
@@ -39,7 +39,9 @@ async function inParts(scene, options, of, name = "image.pfm") {
       if (round && i > 0) engine.takeRound(round);
       while (engine.renderPart(i + 1, of).hasMore) continue;
     });
-    engines.forEach((engine, i) => { if (i > 0) engines[0].takePart(i + 1, of, engine.part()); });
+    engines.forEach((engine, i) => {
+      if (i > 0) engines[0].takePart(i + 1, of, engine.part());
+    });
     round = engines[0].finishRound();
     if (!round) return engines[0].film(name);
   }
@@ -67,15 +69,27 @@ test("every scene has the bytes of raypro", async () => {
 });
 
 test("three engines render what one does", async () => {
-  for (const options of [["-samples", "5"], ["-filter", "gaussian", "-samples", "4"], ["-error", "8", "-mode", "path"],
-    ["-denoise", "-samples", "4", "-mode", "path"], ["-adaptive", "neighbors", "-samples", "9"], ["-mode", "depth"]])
-    assert.equal(sha(await inParts("scenes/hello.scn", [...options, ...size], 3)),
-      sha(native("scenes/hello.scn", [...options, ...size])), options.join(" "));
+  for (const options of [
+    ["-samples", "5"],
+    ["-filter", "gaussian", "-samples", "4"],
+    ["-error", "8", "-mode", "path"],
+    ["-denoise", "-samples", "4", "-mode", "path"],
+    ["-adaptive", "neighbors", "-samples", "9"],
+    ["-mode", "depth"],
+  ])
+    assert.equal(
+      sha(await inParts("scenes/hello.scn", [...options, ...size], 3)),
+      sha(native("scenes/hello.scn", [...options, ...size])),
+      options.join(" "),
+    );
 });
 
 test("a displayed image has raypro's bytes", async () => {
   const options = ["-srgb", "-samples", "3", ...size];
-  assert.deepEqual(Buffer.from(await inParts("scenes/gloss.scn", options, 2, "image.ppm")), native("scenes/gloss.scn", options, "ppm"));
+  assert.deepEqual(
+    Buffer.from(await inParts("scenes/gloss.scn", options, 2, "image.ppm")),
+    native("scenes/gloss.scn", options, "ppm"),
+  );
 });
 
 test("a mistake is told in raypro's words", async () => {
@@ -87,14 +101,21 @@ test("a mistake is told in raypro's words", async () => {
 });
 
 test("a wrong option is named", async () => {
-  assert.match(await mistakeIn("sphere -1 0 0 0 1", ["-sampels", "4"]), /unknown option '-sampels'; did you mean '?-samples/);
+  assert.match(
+    await mistakeIn("sphere -1 0 0 0 1", ["-sampels", "4"]),
+    /unknown option '-sampels'; did you mean '?-samples/,
+  );
   assert.match(await mistakeIn("sphere -1 0 0 0 1", ["-time", "4"]), /-time has no meaning in a page/);
   assert.match(await mistakeIn("sphere -1 0 0 0 1", ["-check"]), /not requests/);
 });
 
 test("a file that is missing is named with the nearest", async () => {
-  const engine = await engineWith(new Map([["a/wood.ppm", Buffer.from("P6\n1 1\n255\nabc")],
-    ["a/scene.scn", Buffer.from("material 0 0 0 1 1 1 0 0 0 0 0 0 0 0 0 1 1 wod.ppm\n")]]));
+  const engine = await engineWith(
+    new Map([
+      ["a/wood.ppm", Buffer.from("P6\n1 1\n255\nabc")],
+      ["a/scene.scn", Buffer.from("material 0 0 0 1 1 1 0 0 0 0 0 0 0 0 0 1 1 wod.ppm\n")],
+    ]),
+  );
   assert.throws(() => engine.open("a/scene.scn"), /no such file: 'wod\.ppm'.*did you mean 'wood\.ppm'/s);
 });
 
@@ -106,21 +127,33 @@ test("a ray tree is that of -debugpixel", async () => {
 });
 
 test("a broken image is refused by its name", async () => {
-  for (const broken of [Buffer.from([0x89, 0x50, 0x4e, 0x47, 13, 10, 26, 10, 0, 0]), Buffer.from([0xff, 0xd8, 0xff, 0]),
-    Buffer.from("P6\n9999999 9999999\n255\n"), Buffer.from("nonsense")]) {
-    const engine = await engineWith(new Map([["t.png", broken],
-      ["s.scn", Buffer.from("material 0 0 0 1 1 1 0 0 0 0 0 0 0 0 0 1 1 t.png\n")]]));
+  for (const broken of [
+    Buffer.from([0x89, 0x50, 0x4e, 0x47, 13, 10, 26, 10, 0, 0]),
+    Buffer.from([0xff, 0xd8, 0xff, 0]),
+    Buffer.from("P6\n9999999 9999999\n255\n"),
+    Buffer.from("nonsense"),
+  ]) {
+    const engine = await engineWith(
+      new Map([
+        ["t.png", broken],
+        ["s.scn", Buffer.from("material 0 0 0 1 1 1 0 0 0 0 0 0 0 0 0 1 1 t.png\n")],
+      ]),
+    );
     assert.throws(() => engine.open("s.scn"), /s\.scn:1:\d+: .*t\.png/);
   }
 });
 
 test("an image beyond the memory is refused", async () => {
-  assert.match(await mistakeIn("sphere -1 0 0 0 1", ["-width", "16000", "-height", "16000"]), /more than the limit of 3\.00 GiB/);
+  assert.match(
+    await mistakeIn("sphere -1 0 0 0 1", ["-width", "16000", "-height", "16000"]),
+    /more than the limit of 3\.00 GiB/,
+  );
   assert.match(await mistakeIn("sphere -1 0 0 0 1", ["-memory", "0.01", "-width", "900"]), /more than the limit/);
 });
 
 test("a scene of 100,000 levels needs no deeper stack", async () => {
-  const deep = "begin -1 1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1\n".repeat(100_000) + "sphere -1 0 0 0 1\n" + "end\n".repeat(100_000);
+  const deep =
+    "begin -1 1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1\n".repeat(100_000) + "sphere -1 0 0 0 1\n" + "end\n".repeat(100_000);
   assert.equal(await mistakeIn(deep, ["-width", "8", "-height", "8"]), "");
 });
 
@@ -140,8 +173,11 @@ test("a PNG of any kind is read as raypro does, and written", async () => {
     const ours = await ppmOfPng(readFileSync(`scenes/textures/${file}.png`));
     assert.deepEqual(Buffer.from(ours), readFileSync(folder + "/as.ppm"), file);
   }
-  const rgba = Uint8Array.from({ length: 4 * 7 * 5 }, (_, i) => i % 4 === 3 ? 255 : i * 37);
-  writeFileSync(folder + "/ours.png", Buffer.from(await (await pngOfRgba(rgba, 7, 5, { command: "raypro a.scn" })).arrayBuffer()));
+  const rgba = Uint8Array.from({ length: 4 * 7 * 5 }, (_, i) => (i % 4 === 3 ? 255 : i * 37));
+  writeFileSync(
+    folder + "/ours.png",
+    Buffer.from(await (await pngOfRgba(rgba, 7, 5, { command: "raypro a.scn" })).arrayBuffer()),
+  );
   execFileSync(RAYIMG, ["convert", folder + "/ours.png", folder + "/back.ppm"]);
   assert.deepEqual(readFileSync(folder + "/back.ppm").subarray(-105), Buffer.from(rgba.filter((_, i) => i % 4 !== 3)));
 });

@@ -2,7 +2,7 @@
 import { readFileSync, readdirSync, statSync } from "node:fs";
 import { isPng, ppmOfPng } from "../../source/web/page/png.js";
 
-// Those that render in about a second with their own options; slower ones, and YAML, which a page does not read, are not.
+// Scenes that take more than about a second with their own options, and YAML, which a page does not read.
 const leftOut = /thumbnails|README|\.ya?ml$|many_lights|depth\.txt/;
 
 export const size = ["-width", "64", "-height", "48"];
@@ -22,6 +22,9 @@ export const files = () => read("scenes", new Map());
 
 /// At most 48 scenes with the options of their first comment: .scn, then JSON, then COMP30019's.
 export function scenes(examples) {
-  const order = name => name.endsWith(".txt") ? 0 : name.endsWith(".json") ? 1 : 2;
-  return examples.scenes.filter(({ name }) => !leftOut.test(name)).sort((a, b) => order(a.name) - order(b.name)).slice(0, 48);
+  const order = (name) => (name.endsWith(".txt") ? 0 : name.endsWith(".json") ? 1 : 2);
+  return examples.scenes
+    .filter(({ name }) => !leftOut.test(name))
+    .sort((a, b) => order(a.name) - order(b.name))
+    .slice(0, 48);
 }

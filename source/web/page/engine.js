@@ -3,8 +3,12 @@
 // What a page answers where a program would ask the system: no files, no arguments, a clock.
 function system(memory) {
   const view = () => new DataView(memory().buffer);
-  const none = 8;  // EBADF
-  const nothing = (count, size) => { view().setUint32(count, 0, true); view().setUint32(size, 0, true); return 0; };
+  const none = 8; // EBADF
+  const nothing = (count, size) => {
+    view().setUint32(count, 0, true);
+    view().setUint32(size, 0, true);
+    return 0;
+  };
   const known = {
     clock_time_get(clock, precision, at) {
       view().setBigUint64(at, BigInt(Math.round(1e6 * (performance.timeOrigin + performance.now()))), true);
@@ -14,7 +18,9 @@ function system(memory) {
     args_sizes_get: nothing,
     environ_get: () => 0,
     args_get: () => 0,
-    proc_exit(status) { throw new Error("the engine ended with status " + status); },
+    proc_exit(status) {
+      throw new Error("the engine ended with status " + status);
+    },
     fd_write(file, vectors, count, written) {
       let bytes = 0;
       for (let i = 0; i < count; ++i) bytes += view().getUint32(vectors + 8 * i + 4, true);
@@ -27,7 +33,10 @@ function system(memory) {
 
 /// A mistake in the scene or in the options, in raypro's own words.
 export class Mistake extends Error {
-  constructor(message, kind) { super(message); this.kind = kind; }
+  constructor(message, kind) {
+    super(message);
+    this.kind = kind;
+  }
 }
 
 export class Engine {
@@ -43,11 +52,13 @@ export class Engine {
     return new Engine(instance.exports);
   }
 
-  constructor(exports) { this.exports = exports; }
+  constructor(exports) {
+    this.exports = exports;
+  }
 
   /// Copies a string or bytes into the engine's memory for the time of a call.
   #lend(values, call) {
-    const lent = values.map(value => {
+    const lent = values.map((value) => {
       const bytes = typeof value === "string" ? new TextEncoder().encode(value + "\0") : value;
       const at = this.exports.allocate(bytes.length);
       if (at === 0) throw new Mistake("there is not enough memory", "memory");
@@ -78,7 +89,9 @@ export class Engine {
   putFile(name, bytes) {
     this.#checked(this.#lend(["/" + name, bytes], ([at], [data, size]) => this.exports.put_file(at, data, size)));
   }
-  removeFiles() { this.exports.remove_files(); }
+  removeFiles() {
+    this.exports.remove_files();
+  }
   /// Opens a scene that was put; `options` are words of raypro's command line. Returns the warnings.
   open(name, options = []) {
     const words = [name, "image.ppm", ...options].join("\n");
@@ -86,8 +99,14 @@ export class Engine {
     return this.#text();
   }
   /// What -list prints of a subject.
-  list(subject) { this.#checked(this.#lend([subject], ([at]) => this.exports.list(at))); return this.#text(); }
-  check() { this.#checked(this.exports.check()); return this.#text(); }
+  list(subject) {
+    this.#checked(this.#lend([subject], ([at]) => this.exports.list(at)));
+    return this.#text();
+  }
+  check() {
+    this.#checked(this.exports.check());
+    return this.#text();
+  }
   /// The rectangle of the whole image that is rendered; rows count from the bottom.
   get region() {
     const { left, bottom, width, height } = this.exports;
@@ -98,14 +117,27 @@ export class Engine {
     const hasMore = this.#checked(this.exports.render_part(index, of)) === 1;
     return { hasMore, rgba: this.#bytes() };
   }
-  part() { this.#checked(this.exports.part()); return this.#bytes(); }
+  part() {
+    this.#checked(this.exports.part());
+    return this.#bytes();
+  }
   takePart(index, of, bytes) {
     this.#checked(this.#lend([bytes], ([at, size]) => this.exports.take_part(index, of, at, size)));
   }
-  takeRound(bytes) { this.#checked(this.#lend([bytes], ([at, size]) => this.exports.take_round(at, size))); }
+  takeRound(bytes) {
+    this.#checked(this.#lend([bytes], ([at, size]) => this.exports.take_round(at, size)));
+  }
   /// The state of the next round; null when the image is finished.
-  finishRound() { return this.#checked(this.exports.finish_round()) === 1 ? this.#bytes() : null; }
+  finishRound() {
+    return this.#checked(this.exports.finish_round()) === 1 ? this.#bytes() : null;
+  }
   /// The finished image as a file.
-  film(name) { this.#checked(this.#lend([name], ([at]) => this.exports.film(at))); return this.#bytes(); }
-  debugPixel(x, y) { this.#checked(this.exports.debug_pixel(x, y)); return this.#text(); }
+  film(name) {
+    this.#checked(this.#lend([name], ([at]) => this.exports.film(at)));
+    return this.#bytes();
+  }
+  debugPixel(x, y) {
+    this.#checked(this.exports.debug_pixel(x, y));
+    return this.#text();
+  }
 }

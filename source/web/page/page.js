@@ -1,20 +1,20 @@
 // The page: an editor, a form, and workers that render parts of one image. No framework, no network but this folder.
 import { isPng, pngOfRgba, ppmOfPng } from "./png.js";
 
-const $ = id => document.getElementById(id);
-const delay = 60;                // milliseconds without a key before an edit renders
-const mostWorkers = 8;           // at first; each holds the scene in its own memory
-const mostLink = 100_000;        // characters; browsers and chats cut longer ones
+const $ = (id) => document.getElementById(id);
+const delay = 60; // milliseconds without a key before an edit renders
+const mostWorkers = 8; // at first; each holds the scene in its own memory
+const mostLink = 100_000; // characters; browsers and chats cut longer ones
 
 // --- files: examples, and what the user adds ---
 
 let examples = { scenes: [], files: {}, binary: {} };
-const added = new Map();         // name to bytes, as given
-const readable = new Map();      // name to bytes that the engine reads, of images
+const added = new Map(); // name to bytes, as given
+const readable = new Map(); // name to bytes that the engine reads, of images
 
-const bytesOf = text => new TextEncoder().encode(text);
-const fromBase64 = text => Uint8Array.from(atob(text), c => c.charCodeAt(0));
-const baseName = name => name.slice(name.lastIndexOf("/") + 1);
+const bytesOf = (text) => new TextEncoder().encode(text);
+const fromBase64 = (text) => Uint8Array.from(atob(text), (c) => c.charCodeAt(0));
+const baseName = (name) => name.slice(name.lastIndexOf("/") + 1);
 
 function storedBytes(name) {
   if (added.has(name)) return added.get(name);
@@ -28,9 +28,11 @@ async function ppmByBrowser(bytes) {
   const context = new OffscreenCanvas(bitmap.width, bitmap.height).getContext("2d");
   context.drawImage(bitmap, 0, 0);
   const { data } = context.getImageData(0, 0, bitmap.width, bitmap.height);
-  const head = bytesOf(`P6\n${bitmap.width} ${bitmap.height}\n255\n`), ppm = new Uint8Array(head.length + data.length / 4 * 3);
+  const head = bytesOf(`P6\n${bitmap.width} ${bitmap.height}\n255\n`),
+    ppm = new Uint8Array(head.length + (data.length / 4) * 3);
   ppm.set(head);
-  for (let from = 0, to = head.length; from < data.length; from += 4, to += 3) ppm.set(data.subarray(from, from + 3), to);
+  for (let from = 0, to = head.length; from < data.length; from += 4, to += 3)
+    ppm.set(data.subarray(from, from + 3), to);
   return ppm;
 }
 
@@ -40,9 +42,11 @@ async function readableBytes(name) {
   if (readable.has(name)) return readable.get(name);
   let bytes = storedBytes(name);
   try {
-    if (isPng(bytes)) bytes = await ppmOfPng(bytes) ?? await ppmByBrowser(bytes);
+    if (isPng(bytes)) bytes = (await ppmOfPng(bytes)) ?? (await ppmByBrowser(bytes));
     else if (bytes[0] === 0xff && bytes[1] === 0xd8) bytes = await ppmByBrowser(bytes);
-  } catch { /* the engine refuses it by its name */ }
+  } catch {
+    /* the engine refuses it by its name */
+  }
   readable.set(name, bytes);
   return bytes;
 }
@@ -50,7 +54,8 @@ async function readableBytes(name) {
 /// All files that are called like something in the text, or in a text file that is.
 function filesFor(text) {
   const names = [...new Set([...Object.keys(examples.files), ...Object.keys(examples.binary), ...added.keys()])];
-  const wanted = new Set(), texts = [text];
+  const wanted = new Set(),
+    texts = [text];
   while (texts.length > 0) {
     const now = texts.pop();
     for (const name of names) {
@@ -72,13 +77,16 @@ function placeOf(name, scene) {
 // --- workers ---
 
 let module = null;
-const spare = [];                // that are started and wait for a scene
-let job = null;                  // the image that is being made, or shown
+const spare = []; // that are started and wait for a scene
+let job = null; // the image that is being made, or shown
 
 function startWorker() {
   const worker = new Worker("worker.js", { type: "module" });
-  worker.ready = new Promise(resolve => {
-    worker.onmessage = ({ data }) => { listModes(data.modes); resolve(worker); };
+  worker.ready = new Promise((resolve) => {
+    worker.onmessage = ({ data }) => {
+      listModes(data.modes);
+      resolve(worker);
+    };
   });
   worker.postMessage({ module });
   return worker;
@@ -98,26 +106,44 @@ function optionWords() {
   const words = [];
   for (const option of ["mode", "width", "height", "samples", "seed"])
     if ($(option).value !== "") words.push("-" + option, $(option).value);
-  return [...words, ...$("more").value.split(/\s+/).filter(word => word !== "")];
+  return [
+    ...words,
+    ...$("more")
+      .value.split(/\s+/)
+      .filter((word) => word !== ""),
+  ];
 }
 
 async function render() {
   stop();
-  const of = Math.max(1, Math.min(64, Number($("workers").value) || 1)), name = $("name").value || "scene.scn";
-  const now = job = { name, of, options: optionWords(), workers: [], parts: [], begun: performance.now(), state: "opening",
-    text: $("scene").value };
+  const of = Math.max(1, Math.min(64, Number($("workers").value) || 1)),
+    name = $("name").value || "scene.scn";
+  const now = (job = {
+    name,
+    of,
+    options: optionWords(),
+    workers: [],
+    parts: [],
+    begun: performance.now(),
+    state: "opening",
+    text: $("scene").value,
+  });
   document.body.dataset.state = "opening";
-  const names = filesFor(now.text).filter(file => file !== name);
-  const files = await Promise.all(names.map(async file => [placeOf(file, name), await readableBytes(file)]));
+  const names = filesFor(now.text).filter((file) => file !== name);
+  const files = await Promise.all(names.map(async (file) => [placeOf(file, name), await readableBytes(file)]));
   files.push([name, bytesOf(now.text)]);
   keepSpares(of);
-  const workers = await Promise.all(spare.splice(0, of).map(worker => worker.ready));
+  const workers = await Promise.all(spare.splice(0, of).map((worker) => worker.ready));
   keepSpares(of);
-  if (job !== now) return workers.forEach(worker => worker.terminate());
+  if (job !== now) return workers.forEach((worker) => worker.terminate());
   now.workers = workers;
   workers.forEach((worker, i) => {
-    worker.onmessage = ({ data }) => { if (job === now) take(now, data); };
-    worker.onerror = event => { if (job === now) fail(now, { mistake: "the engine failed: " + event.message, kind: "engine" }); };
+    worker.onmessage = ({ data }) => {
+      if (job === now) take(now, data);
+    };
+    worker.onerror = (event) => {
+      if (job === now) fail(now, { mistake: "the engine failed: " + event.message, kind: "engine" });
+    };
     worker.postMessage({ files, scene: name, options: now.options, index: i + 1, of });
   });
 }
@@ -135,7 +161,7 @@ function take(now, message) {
 
 function opened(now, { opened: region, warnings, index }) {
   if (index === 1) tell(warnings, false);
-  if (now.region) return;  // any worker may be the first
+  if (now.region) return; // any worker may be the first
   now.region = region;
   const { width, height } = region;
   if ($("image").width !== width || $("image").height !== height) Object.assign($("image"), { width, height });
@@ -146,7 +172,8 @@ function opened(now, { opened: region, warnings, index }) {
 
 /// Pixels of other parts have alpha 0 and stay.
 function drawPass(now, { pass }) {
-  const to = new Uint32Array(now.pixels.data.buffer), from = new Uint32Array(pass.buffer);
+  const to = new Uint32Array(now.pixels.data.buffer),
+    from = new Uint32Array(pass.buffer);
   if (to.length !== from.length) return;
   for (let i = 0; i < from.length; ++i) if (from[i] >>> 24) to[i] = from[i];
   $("image").getContext("2d").putImageData(now.pixels, 0, 0);
@@ -163,14 +190,15 @@ function collect(now, { part, index }) {
 }
 
 function finish(now, ppm) {
-  const { width, height } = now.region, data = now.pixels.data;
+  const { width, height } = now.region,
+    data = now.pixels.data;
   for (let i = 0, from = ppm.length - 3 * width * height; i < data.length; i += 4) {
-    data.set(ppm.subarray(from, from += 3), i);
+    data.set(ppm.subarray(from, (from += 3)), i);
     data[i + 3] = 255;
   }
   $("image").getContext("2d").putImageData(now.pixels, 0, 0);
   now.seconds = (performance.now() - now.begun) / 1000;
-  now.workers.splice(1).forEach(worker => worker.terminate());
+  now.workers.splice(1).forEach((worker) => worker.terminate());
   setState(now, "finished");
 }
 
@@ -188,10 +216,13 @@ function setState(now, state) {
 }
 
 function status(now) {
+  const workers = `${now.of} worker${now.of > 1 ? "s" : ""}`;
   const size = now.region ? `${now.region.width}x${now.region.height}` : "";
   $("status").textContent = {
-    opening: "", failed: "Not rendered: see the message.", rendering: `${size}, rendering with ${now.of} worker${now.of > 1 ? "s" : ""}`,
-    finished: `${size}, ${now.seconds?.toFixed(2)} s, first image after ${Math.round(now.first)} ms, ${now.of} worker${now.of > 1 ? "s" : ""}`,
+    opening: "",
+    failed: "Not rendered: see the message.",
+    rendering: `${size}, rendering with ${workers}`,
+    finished: `${size}, ${now.seconds?.toFixed(2)} s, first image after ${Math.round(now.first)} ms, ${workers}`,
   }[now.state];
 }
 
@@ -205,21 +236,24 @@ function tell(text, isWrong, name = "") {
 
 /// Marks each place "name:line:column" of the messages in the text.
 function mark(messages, name) {
-  const places = [...messages.matchAll(/^(.*?):(\d+):(\d+): (?!warning)/gm)].filter(([, file]) => file === name)
+  const places = [...messages.matchAll(/^(.*?):(\d+):(\d+): (?!warning)/gm)]
+    .filter(([, file]) => file === name)
     .map(([, , line, column]) => [Number(line) - 1, Number(column) - 1]);
   const nodes = [];
-  $("scene").value.split("\n").forEach((line, i) => {
-    let done = 0;
-    const characters = [...line];
-    for (const [, column] of places.filter(([at]) => at === i).sort((a, b) => a[1] - b[1])) {
-      if (column < done) continue;
-      nodes.push(characters.slice(done, column).join(""));
-      const word = characters.slice(column).join("").match(/^\S*/)[0] || " ";
-      nodes.push(Object.assign(document.createElement("b"), { textContent: word }));
-      done = column + [...word].length;
-    }
-    nodes.push(characters.slice(done).join("") + "\n");
-  });
+  $("scene")
+    .value.split("\n")
+    .forEach((line, i) => {
+      let done = 0;
+      const characters = [...line];
+      for (const [, column] of places.filter(([at]) => at === i).sort((a, b) => a[1] - b[1])) {
+        if (column < done) continue;
+        nodes.push(characters.slice(done, column).join(""));
+        const word = characters.slice(column).join("").match(/^\S*/)[0] || " ";
+        nodes.push(Object.assign(document.createElement("b"), { textContent: word }));
+        done = column + [...word].length;
+      }
+      nodes.push(characters.slice(done).join("") + "\n");
+    });
   $("marks").replaceChildren(...nodes);
   scrollMarks();
 }
@@ -255,7 +289,10 @@ function moveCursor(event) {
   if (!step) return;
   event.preventDefault();
   const times = event.shiftKey ? 16 : 1;
-  cursor = [Math.min(width - 1, Math.max(0, cursor[0] + times * step[0])), Math.min(height - 1, Math.max(0, cursor[1] + times * step[1]))];
+  cursor = [
+    Math.min(width - 1, Math.max(0, cursor[0] + times * step[0])),
+    Math.min(height - 1, Math.max(0, cursor[1] + times * step[1])),
+  ];
   $("status").textContent = `column ${cursor[0]}, row ${height - 1 - cursor[1]} from the bottom: Enter shows its rays`;
 }
 
@@ -272,13 +309,22 @@ function download(blob, extension) {
 async function downloadPng() {
   if (!job?.region) return;
   const { width, height } = job.region;
-  download(await pngOfRgba(job.pixels.data, width, height, { Software: "raypro", command: ["raypro", job.name, ...job.options].join(" ") }), "png");
+  download(
+    await pngOfRgba(job.pixels.data, width, height, {
+      Software: "raypro",
+      command: ["raypro", job.name, ...job.options].join(" "),
+    }),
+    "png",
+  );
 }
 
 async function pack(text) {
   const packed = new Blob([text]).stream().pipeThrough(new CompressionStream("deflate-raw"));
   const bytes = new Uint8Array(await new Response(packed).arrayBuffer());
-  return btoa(bytes.reduce((all, byte) => all + String.fromCharCode(byte), "")).replaceAll("+", "-").replaceAll("/", "_").replaceAll("=", "");
+  return btoa(bytes.reduce((all, byte) => all + String.fromCharCode(byte), ""))
+    .replaceAll("+", "-")
+    .replaceAll("/", "_")
+    .replaceAll("=", "");
 }
 async function unpack(text) {
   const bytes = fromBase64(text.replaceAll("-", "+").replaceAll("_", "/"));
@@ -287,19 +333,21 @@ async function unpack(text) {
 
 async function share() {
   const link = new URL(location.href);
-  link.hash = "text=" + await pack(JSON.stringify([$("name").value, $("scene").value, optionWords()]));
+  link.hash = "text=" + (await pack(JSON.stringify([$("name").value, $("scene").value, optionWords()])));
   if (link.href.length > mostLink) return tell("The scene is too long for a link.", true);
   history.replaceState(null, "", link);
   try {
     await navigator.clipboard.writeText(link.href);
-    $("status").textContent = "The link is copied" + (added.size > 0 ? "; files that you added do not travel with it." : ".");
+    $("status").textContent =
+      "The link is copied" + (added.size > 0 ? "; files that you added do not travel with it." : ".");
   } catch {
     $("status").textContent = "The link is in the address bar.";
   }
 }
 
 function setOptions(words) {
-  const fields = ["mode", "width", "height", "samples", "seed"], more = [];
+  const fields = ["mode", "width", "height", "samples", "seed"],
+    more = [];
   for (const field of fields) $(field).value = "";
   for (let i = 0; i < words.length; ++i) {
     const field = words[i].replace(/^-/, "");
@@ -324,7 +372,7 @@ function show(name, text, options) {
 }
 
 function showExample(name, options) {
-  const scene = examples.scenes.find(one => one.name === name);
+  const scene = examples.scenes.find((one) => one.name === name);
   if (!scene) return tell(`There is no example ${name}.`, true);
   $("examples").value = name;
   show(name, examples.files[name], options ?? scene.options);
@@ -338,24 +386,45 @@ async function showFragment() {
   } catch {
     tell("The link is damaged: its scene cannot be read.", true);
   }
-  if (fragment.has("scene")) return showExample(fragment.get("scene"), fragment.get("options")?.split(" ").filter(word => word));
+  if (fragment.has("scene"))
+    return showExample(
+      fragment.get("scene"),
+      fragment
+        .get("options")
+        ?.split(" ")
+        .filter((word) => word),
+    );
   showExample("scenes/hello.scn");
 }
 
 function listModes(lines) {
   for (const [, mode, about] of (lines ?? "").matchAll(/^ {2}(\w+) *(.*)$/gm))
-    if (![...$("mode").options].some(option => option.value === mode))
-      $("mode").append(Object.assign(document.createElement("option"), { value: mode, textContent: mode, title: about }));
+    if (![...$("mode").options].some((option) => option.value === mode))
+      $("mode").append(
+        Object.assign(document.createElement("option"), { value: mode, textContent: mode, title: about }),
+      );
 }
 
 function listExamples() {
-  const courses = { "scenes/comp30019/": "COMP30019", ".json": "JSON courses", ".yaml": "Groningen", ".yml": "Groningen" };
+  const courses = {
+    "scenes/comp30019/": "COMP30019",
+    ".json": "JSON courses",
+    ".yaml": "Groningen",
+    ".yml": "Groningen",
+  };
   for (const { name, about } of examples.scenes) {
-    const course = Object.keys(courses).find(key => name.startsWith(key) || name.endsWith(key));
+    const course = Object.keys(courses).find((key) => name.startsWith(key) || name.endsWith(key));
     const label = course ? courses[course] : name.startsWith("scenes/") ? "Scenes" : "Writeup";
-    const group = [...$("examples").children].find(one => one.label === label) ??
+    const group =
+      [...$("examples").children].find((one) => one.label === label) ??
       $("examples").appendChild(Object.assign(document.createElement("optgroup"), { label }));
-    group.append(Object.assign(document.createElement("option"), { value: name, title: about, textContent: name.replace(/^(writeup\/)?scenes\//, "") }));
+    group.append(
+      Object.assign(document.createElement("option"), {
+        value: name,
+        title: about,
+        textContent: name.replace(/^(writeup\/)?scenes\//, ""),
+      }),
+    );
   }
 }
 
@@ -366,8 +435,11 @@ async function addFiles(files) {
     added.set(file.name, bytes);
     readable.delete(file.name);
   }
-  $("dropped").replaceChildren(...[...added].map(([name, bytes]) =>
-    Object.assign(document.createElement("li"), { textContent: `${name} (${Math.ceil(bytes.length / 1024)} kB)` })));
+  $("dropped").replaceChildren(
+    ...[...added].map(([name, bytes]) =>
+      Object.assign(document.createElement("li"), { textContent: `${name} (${Math.ceil(bytes.length / 1024)} kB)` }),
+    ),
+  );
   render();
 }
 
@@ -380,28 +452,49 @@ function renderSoon() {
 }
 
 function listen() {
-  $("scene").addEventListener("input", () => { mark("", ""); number(); renderSoon(); });
+  $("scene").addEventListener("input", () => {
+    mark("", "");
+    number();
+    renderSoon();
+  });
   $("scene").addEventListener("scroll", scrollMarks);
   $("name").addEventListener("change", render);
   $("options").addEventListener("input", renderSoon);
-  $("options").addEventListener("submit", event => event.preventDefault());
+  $("options").addEventListener("submit", (event) => event.preventDefault());
   $("render").addEventListener("click", render);
   $("share").addEventListener("click", share);
   $("png").addEventListener("click", downloadPng);
   $("pfm").addEventListener("click", () => job?.workers[0]?.postMessage({ film: "image.pfm" }));
   $("examples").addEventListener("change", () => showExample($("examples").value));
-  $("image").addEventListener("click", event => {
+  $("image").addEventListener("click", (event) => {
     const box = $("image").getBoundingClientRect();
-    cursor = [Math.floor((event.clientX - box.x) / box.width * $("image").width), Math.floor((event.clientY - box.y) / box.height * $("image").height)];
+    cursor = [
+      Math.floor(((event.clientX - box.x) / box.width) * $("image").width),
+      Math.floor(((event.clientY - box.y) / box.height) * $("image").height),
+    ];
     askFor(...cursor);
   });
   $("image").addEventListener("keydown", moveCursor);
   $("files").addEventListener("change", () => addFiles([...$("files").files]));
-  $("files").parentElement.addEventListener("keydown", event => { if (event.key === "Enter" || event.key === " ") $("files").click(); });
-  addEventListener("keydown", event => { if (event.ctrlKey && event.key === "Enter") { event.preventDefault(); render(); } });
-  addEventListener("dragover", event => { event.preventDefault(); document.body.classList.add("over"); });
+  $("files").parentElement.addEventListener("keydown", (event) => {
+    if (event.key === "Enter" || event.key === " ") $("files").click();
+  });
+  addEventListener("keydown", (event) => {
+    if (event.ctrlKey && event.key === "Enter") {
+      event.preventDefault();
+      render();
+    }
+  });
+  addEventListener("dragover", (event) => {
+    event.preventDefault();
+    document.body.classList.add("over");
+  });
   addEventListener("dragleave", () => document.body.classList.remove("over"));
-  addEventListener("drop", event => { event.preventDefault(); document.body.classList.remove("over"); addFiles([...event.dataTransfer.files]); });
+  addEventListener("drop", (event) => {
+    event.preventDefault();
+    document.body.classList.remove("over");
+    addFiles([...event.dataTransfer.files]);
+  });
   addEventListener("hashchange", showFragment);
 }
 
@@ -416,6 +509,10 @@ async function begin() {
 }
 
 /// For tests: what a script of clicks cannot see.
-globalThis.raypro = { job: () => job, addFiles, showExample,
-  optionsOf: name => examples.scenes.find(scene => scene.name === name).options };
-begin().catch(error => tell("The page could not start: " + error.message, true));
+globalThis.raypro = {
+  job: () => job,
+  addFiles,
+  showExample,
+  optionsOf: (name) => examples.scenes.find((scene) => scene.name === name).options,
+};
+begin().catch((error) => tell("The page could not start: " + error.message, true));

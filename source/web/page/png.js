@@ -9,7 +9,7 @@ async function through(stream, bytes) {
   return new Uint8Array(await new Response(new Blob([bytes]).stream().pipeThrough(stream)).arrayBuffer());
 }
 
-export const isPng = bytes => signature.every((byte, i) => bytes[i] === byte);
+export const isPng = (bytes) => signature.every((byte, i) => bytes[i] === byte);
 
 function chunksOf(bytes) {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
@@ -17,14 +17,20 @@ function chunksOf(bytes) {
   for (let at = 8; at + 12 <= bytes.length;) {
     const length = view.getUint32(at);
     if (at + 12 + length > bytes.length) throw new Error("the file is truncated");
-    chunks.push({ name: String.fromCharCode(...bytes.subarray(at + 4, at + 8)), data: bytes.subarray(at + 8, at + 8 + length) });
+    chunks.push({
+      name: String.fromCharCode(...bytes.subarray(at + 4, at + 8)),
+      data: bytes.subarray(at + 8, at + 8 + length),
+    });
     at += 12 + length;
   }
   return chunks;
 }
 
 function paeth(a, b, c) {
-  const p = a + b - c, pa = Math.abs(p - a), pb = Math.abs(p - b), pc = Math.abs(p - c);
+  const p = a + b - c,
+    pa = Math.abs(p - a),
+    pb = Math.abs(p - b),
+    pc = Math.abs(p - c);
   return pa <= pb && pa <= pc ? a : pb <= pc ? b : c;
 }
 
@@ -36,7 +42,8 @@ function unfiltered(raw, rowBytes, height, step) {
     if (filter > 4) throw new Error("a row has an unknown filter");
     for (let x = 0; x < rowBytes; ++x) {
       const at = y * rowBytes + x;
-      const left = x >= step ? rows[at - step] : 0, up = y > 0 ? rows[at - rowBytes] : 0;
+      const left = x >= step ? rows[at - step] : 0,
+        up = y > 0 ? rows[at - rowBytes] : 0;
       const both = x >= step && y > 0 ? rows[at - rowBytes - step] : 0;
       const guess = [0, left, up, (left + up) >> 1, filter === 4 ? paeth(left, up, both) : 0][filter];
       rows[at] = raw[y * (rowBytes + 1) + 1 + x] + guess;
@@ -45,31 +52,35 @@ function unfiltered(raw, rowBytes, height, step) {
   return rows;
 }
 
-/// A PNG as binary PPM of 8 or 16 bits, its values untouched; alpha is dropped, as raypro does. Null for what is left to
-/// the browser: interlaced files.
+/// A PNG as binary PPM of 8 or 16 bits, its values untouched; alpha is dropped, as raypro does. Null for interlaced
+/// files, which are left to the browser.
 export async function ppmOfPng(bytes) {
-  const chunks = chunksOf(bytes), header = chunks[0];
+  const chunks = chunksOf(bytes),
+    header = chunks[0];
   if (header?.name !== "IHDR" || header.data.length !== 13) throw new Error("the file does not start with its header");
   const view = new DataView(header.data.buffer, header.data.byteOffset);
-  const width = view.getUint32(0), height = view.getUint32(4);
+  const width = view.getUint32(0),
+    height = view.getUint32(4);
   const [depth, kind, , , interlaced] = header.data.subarray(8);
   if (interlaced) return null;
   if (width === 0 || height === 0 || width * height > mostPixels) throw new Error("the image is too large, or empty");
   const channels = { 0: 1, 2: 3, 3: 1, 4: 2, 6: 4 }[kind];
   if (!channels || ![1, 2, 4, 8, 16].includes(depth)) throw new Error("the header is damaged");
-  const packed = new Blob(chunks.filter(chunk => chunk.name === "IDAT").map(chunk => chunk.data));
+  const packed = new Blob(chunks.filter((chunk) => chunk.name === "IDAT").map((chunk) => chunk.data));
   const raw = await through(new DecompressionStream("deflate"), await packed.arrayBuffer());
-  const rowBytes = Math.ceil(width * channels * depth / 8);
+  const rowBytes = Math.ceil((width * channels * depth) / 8);
   if (raw.length < (rowBytes + 1) * height) throw new Error("the file is truncated");
-  const rows = unfiltered(raw, rowBytes, height, Math.max(1, channels * depth / 8));
-  const palette = chunks.find(chunk => chunk.name === "PLTE")?.data;
+  const rows = unfiltered(raw, rowBytes, height, Math.max(1, (channels * depth) / 8));
+  const palette = chunks.find((chunk) => chunk.name === "PLTE")?.data;
   if (kind === 3 && !palette) throw new Error("the palette is missing");
-  const wide = depth === 16 ? 2 : 1, isColor = kind === 2 || kind === 6;
+  const wide = depth === 16 ? 2 : 1,
+    isColor = kind === 2 || kind === 6;
   const head = new TextEncoder().encode(`P6\n${width} ${height}\n${wide === 2 ? 65535 : 255}\n`);
   const ppm = new Uint8Array(head.length + 3 * wide * width * height);
   ppm.set(head);
   const most = (1 << Math.min(depth, 8)) - 1;
-  const value = (y, i) => {  // of less than 8 bits, as it is
+  const value = (y, i) => {
+    // of less than 8 bits, as it is
     if (depth >= 8) return rows[y * rowBytes + i];
     const bit = i * depth;
     return (rows[y * rowBytes + (bit >> 3)] >> (8 - depth - (bit & 7))) & most;
@@ -79,7 +90,7 @@ export async function ppmOfPng(bytes) {
       for (let c = 0; c < 3; ++c)
         for (let byte = 0; byte < wide; ++byte) {
           if (kind === 3) ppm[to++] = palette[3 * value(y, x) + c] ?? 0;
-          else if (depth < 8) ppm[to++] = value(y, x) * 255 / most;
+          else if (depth < 8) ppm[to++] = (value(y, x) * 255) / most;
           else ppm[to++] = rows[y * rowBytes + (x * channels + (isColor ? c : 0)) * wide + byte];
         }
   return ppm;
@@ -89,10 +100,11 @@ const crcs = Array.from({ length: 256 }, (_, n) => {
   for (let k = 0; k < 8; ++k) n = n & 1 ? 0xedb88320 ^ (n >>> 1) : n >>> 1;
   return n >>> 0;
 });
-const crcOf = bytes => ~bytes.reduce((crc, byte) => crcs[(crc ^ byte) & 255] ^ (crc >>> 8), ~0) >>> 0;
+const crcOf = (bytes) => ~bytes.reduce((crc, byte) => crcs[(crc ^ byte) & 255] ^ (crc >>> 8), ~0) >>> 0;
 
 function chunk(name, data) {
-  const bytes = new Uint8Array(12 + data.length), view = new DataView(bytes.buffer);
+  const bytes = new Uint8Array(12 + data.length),
+    view = new DataView(bytes.buffer);
   view.setUint32(0, data.length);
   bytes.set(new TextEncoder().encode(name), 4);
   bytes.set(data, 8);
@@ -107,13 +119,22 @@ export async function pngOfRgba(rgba, width, height, settings = {}) {
     raw[to++] = 0;
     for (let x = 0; x < width; ++x, from += 4) for (let c = 0; c < 3; ++c) raw[to++] = rgba[from + c];
   }
-  const header = new Uint8Array(13), view = new DataView(header.buffer);
+  const header = new Uint8Array(13),
+    view = new DataView(header.buffer);
   view.setUint32(0, width);
   view.setUint32(4, height);
   header.set([8, 2, 0, 0, 0], 8);
   const texts = Object.entries(settings).map(([key, value]) =>
-    chunk("tEXt", new TextEncoder().encode(key + "\0" + value.replace(/[^\n\x20-\x7e]/g, "?"))));
-  return new Blob([new Uint8Array(signature), chunk("IHDR", header), ...texts,
-    chunk("IDAT", await through(new CompressionStream("deflate"), raw)), chunk("IEND", new Uint8Array(0))],
-    { type: "image/png" });
+    chunk("tEXt", new TextEncoder().encode(key + "\0" + value.replace(/[^\n\x20-\x7e]/g, "?"))),
+  );
+  return new Blob(
+    [
+      new Uint8Array(signature),
+      chunk("IHDR", header),
+      ...texts,
+      chunk("IDAT", await through(new CompressionStream("deflate"), raw)),
+      chunk("IEND", new Uint8Array(0)),
+    ],
+    { type: "image/png" },
+  );
 }

@@ -3,12 +3,17 @@
 //   out   {ready}, {opened}, {mistake}, {pass}, {part}, {round}, {finished}, {tree}, {file}
 import { Engine, Mistake } from "./engine.js";
 
-let engine = null, job = null;
+let engine = null,
+  job = null;
 
-const post = (message, transfer = []) => self.postMessage(message, transfer.map(bytes => bytes.buffer));
+const post = (message, transfer = []) =>
+  self.postMessage(
+    message,
+    transfer.map((bytes) => bytes.buffer),
+  );
 
 /// Lets messages in between two passes.
-const turn = () => new Promise(resolve => setTimeout(resolve));
+const turn = () => new Promise((resolve) => setTimeout(resolve));
 
 async function renderRound() {
   for (let hasMore = true; hasMore; await turn()) {
@@ -64,8 +69,18 @@ self.onmessage = async ({ data }) => {
     await answer(data);
   } catch (error) {
     const known = error instanceof Mistake;
-    const text = known ? error.message : "the engine failed: " + error.message +
-      (error instanceof RangeError || /unreachable|stack|memory/.test(error.message) ? " (too deep, or too little memory)" : "");
-    post({ mistake: text, kind: known ? error.kind : "engine", index: job?.index ?? 1, about: data.pixel ? "pixel" : "image" });
+    const text = known
+      ? error.message
+      : "the engine failed: " +
+        error.message +
+        (error instanceof RangeError || /unreachable|stack|memory/.test(error.message)
+          ? " (too deep, or too little memory)"
+          : "");
+    post({
+      mistake: text,
+      kind: known ? error.kind : "engine",
+      index: job?.index ?? 1,
+      about: data.pixel ? "pixel" : "image",
+    });
   }
 };
