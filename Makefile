@@ -5,6 +5,7 @@
 #   make check      the layer check alone: who may include whom; that elementary functions are our own; that the
 #                   patches of script/price apply and compile; and that all who name packages name the same
 #   make asan tsan  the tests again under the sanitizers
+#   make web        the page that renders in a browser, under build/web; make web-test tests it, make site adds the docs
 #   make fuzz       the fuzz targets, with clang, under build/fuzz; script/fuzz.sh runs them
 #   make fuzz-scenes  random scenes: hits in exact arithmetic, bounds on light, one mean; SCENES=100000 from SEED=1 on,
 #                   SEED=2 STEP=3 for those whose surfaces touch
@@ -189,6 +190,7 @@ test:
 	  $(patsubst %.cpp,$(BUILD)/obj/%.o,$(call present,bench/live.cpp bench/trade.cpp bench/view.cpp))
 	$(FOR_TESTS) JOBS=$(JOBS) sh script/run_tests.sh $(BUILD)/raytests $(GTEST)
 	$(FOR_TESTS) sh script/runray.sh -fast
+	@sh tests/web/run.sh $(BUILD)
 test-binary: $(BUILD)/raytests
 
 # Benches need libraries that not every machine has; this one needs none to be compiled.

@@ -41,6 +41,7 @@ struct Session {
   std::unique_ptr<const Accelerator> accelerator;
   std::optional<Film> empty_film;
   RenderState state;          // of the round: what is due, and the samples that are there
+  bool has_looked = false;
   std::uint32_t pass_end = 0;  // samples per pixel and stream of the pass that is over
   std::optional<RenderResult> result;
 };
@@ -126,12 +127,33 @@ std::uint32_t NextEnd(std::uint32_t done) {
   return done < most_at_once ? std::max(done * 2, std::uint32_t{1}) : done + most_at_once;
 }
 
+/// A first pass takes the first sample of few pixels, from which the others are filled: an image at once.
+PassTargets FirstLook(const PassTargets& due) {
+  constexpr std::uint8_t places = BlockOrder::places / 16;
+  return {std::vector<std::uint32_t>(due.samples.size(), 0), std::vector<std::uint8_t>(due.samples.size(), places)};
+}
+
+/// Costs depend on what was traced before, and subsampled images are looks already.
+bool BeginsWithLook(const Session& of) {
+  return !of.has_looked && of.state.schedule.targets.places.empty() && !ShowsCosts(of.options.render.mode);
+}
+
+/// Changes what is due in the round to what is due in the next pass.
+void LimitToPass(Session& of, PassTargets& due) {
+  if (BeginsWithLook(of)) {
+    due = FirstLook(due);
+  } else {
+    of.pass_end = NextEnd(of.pass_end);
+    for (std::uint32_t& samples : due.samples) samples = std::min(samples, of.pass_end);
+  }
+  of.has_looked = true;
+}
+
 /// Takes one more pass of samples in the blocks of a part. Returns whether more are due in this round.
 bool RenderPass(Session& of, const ImagePart& part) {
   RenderState pass = of.state;
   const std::uint32_t target = std::ranges::max(pass.schedule.targets.samples);
-  of.pass_end = NextEnd(of.pass_end);
-  for (std::uint32_t& samples : pass.schedule.targets.samples) samples = std::min(samples, of.pass_end);
+  LimitToPass(of, pass.schedule.targets);
   RenderSettings settings = of.options.render;
   settings.part = part;
   RenderMonitor monitor;
