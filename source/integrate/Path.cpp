@@ -1,8 +1,8 @@
 #include "source/integrate/Path.h"
 
 #include <algorithm>
+#include <new>
 
-#include "R3/Numeric.h"
 #include "source/integrate/RussianRoulette.h"
 
 namespace ray {
@@ -10,13 +10,6 @@ namespace {
 
 constexpr std::size_t most_paths = R1::batch_size;
 constexpr std::int64_t first_bounce_at_risk = 2;  // of Russian roulette
-
-R3_VECTORIZED
-void TurnAboutNormals(const VectorOfEach& normals, const PointsOfEach<4>& random, std::size_t count,
-                      VectorOfEach& directions) {
-  for (std::size_t i = 0; i < count; ++i)
-    directions.Set(i, DiffuseDirection(normals[i], {random.coordinates[0][i], random.coordinates[1][i]}));
-}
 
 }  // namespace
 
@@ -29,6 +22,7 @@ Path::Path(const World& world, const Accelerator& accelerator, const TraceSettin
       sampled_{settings.strategy != LightStrategy::bsdf,
                settings.strategy == LightStrategy::mis || settings.strategy == LightStrategy::bsdf},
       has_roulette_(settings.roulette != Roulette::off),
+      has_ambient_(!IsBlack(world.scene().ambient)),
       lights_at_once_(LightsChosenByPath(settings, lights_.Count())) {
   settings_.max_depth = std::min<std::int64_t>(settings_.max_depth, most_bounces);
 }
@@ -45,7 +39,7 @@ void Path::TraceTogether(std::span<const CameraSample> samples, std::span<R2::Co
                          TraceState& state) const {
   PathFront fronts[2];
   PathFront *front = &fronts[0], *next = &fronts[1];
-  next->points.reserve(samples.size());
+  next->Reserve(samples.size());
   SeeFirstSurfaces(samples, radiances, *front, state);
   const std::vector<std::uint32_t> paths = front->paths;
   std::array<R2::Color, most_paths> gathered{};  // beyond the first surface
@@ -196,130 +190,138 @@ void Path::TakeStep(const PathFront& front, std::span<R2::Color> gathered, PathF
   if (IsLast(points[0]))  // all have gone as far
     for (const ShadingPoint& p : points) CountCutThroughput(p, state);
   if (!MayContinue(points[0])) return;
-  StepsByLobe steps_by_lobe = SampleBsdfs(front);
-  std::array<const Step*, most_paths> arriving, escaping;
-  std::size_t escaped = 0;
-  for (Steps& steps : steps_by_lobe) {
-    TraceSteps(steps, state);
-    for (std::size_t k = 0; k < steps.size(); ++k) {
-      tracer_.Arrive(steps[k].path, state.hits[k], state);
-      if (state.hits[k]) {
-        arriving[next.points.size()] = &steps[k];
-        next.Add(steps[k].path, *state.hits[k], front.paths[steps[k].from]);
-      } else {
-        escaping[escaped++] = &steps[k];
-      }
-    }
-  }
-  AddBackgrounds(front, {escaping.data(), escaped}, gathered, state);
+  const PathFront::Scattered scattered = SampleBsdfs(front);
+  std::vector<Escaping> escaping;
+  escaping.reserve(points.size());
+  for (std::size_t lobe = 0; lobe < lobes; ++lobe)
+    Follow(front, scattered, static_cast<Lobe>(lobe), next, escaping, state);
+  AddBackgrounds(front, scattered, escaping, gathered, state);
   tracer_.Complete(next.points, state);
-  for (std::size_t i = 0; i < next.points.size(); ++i)
-    AddEmitted(points[arriving[i]->from], *arriving[i], next.points[i], gathered[next.paths[i]], state);
+  AddEmitted(front, scattered, next, gathered, state);
   if (IsLast(points[0])) next.Clear();
 }
 
-Path::StepsByLobe Path::SampleBsdfs(const PathFront& front) const {
+PathFront::Scattered Path::SampleBsdfs(const PathFront& front) const {
   PointsOfEach<4> random;
   GetOfEachAlone(front.indices, scatter_key, settings_.sampler, settings_.samples, random);
-  const auto& u = random.coordinates;
-  VectorOfEach directions;
-  TurnAboutNormals(front.normals, random, front.points.size(), directions);
   const std::int64_t depth = front.points[0].path.depth;  // all have gone as far
-  const PathFront::Scattered scattered = front.ScatterDiffusely(LeastSurvival(depth), u[3], directions);
-  StepsByLobe steps;
-  for (Steps& of_lobe : steps) of_lobe.reserve(front.others.size());
-  Steps& diffuse = steps[static_cast<std::size_t>(Lobe::diffuse)];
-  diffuse.reserve(front.points.size());
-  for (std::uint32_t i = 0; i < front.points.size(); ++i) {
-    const ShadingPoint& p = front.points[i];
-    const R2::Color throughput = scattered.throughputs[i];
-    if (IsBlack(throughput) || p.IsBehindSurface(directions[i])) continue;
-    diffuse.push_back(ExtendPath(p, directions[i], Lobe::diffuse, scattered.pdfs[i], throughput, i));
-    if (!MayFindLight(p, diffuse.back())) diffuse.pop_back();
-  }
+  PathFront::Scattered scattered = front.ScatterDiffusely(LeastSurvival(depth), random);
+  for (std::uint32_t i = 0; i < front.points.size(); ++i)
+    if (!IsBlack(scattered.throughputs[i]) && !front.points[i].IsBehindSurface(scattered.directions[i]))
+      scattered.Add(i, Lobe::diffuse);
+  const auto& u = random.coordinates;
   for (std::size_t k = 0; k < front.others.size(); ++k) {
     const std::uint32_t i = front.others[k];
-    const auto step =
-        SampleBsdf(front.points[i], front.bsdfs[k], {u[0][i], u[1][i], u[2][i], u[3][i]}, directions[i], i);
-    if (step) steps[static_cast<std::size_t>(step->lobe)].push_back(*step);
+    SampleBsdf(front.points[i], i, front.bsdfs[k], {u[0][i], u[1][i], u[2][i], u[3][i]}, scattered);
   }
-  return steps;
+  return scattered;
 }
 
-std::optional<Path::Step> Path::SampleBsdf(const ShadingPoint& p, const Bsdf& bsdf,
-                                           const std::array<double, 4>& choices, const R3::Vector& diffuse,
-                                           std::uint32_t from) const {
-  const auto scattered = bsdf.Sample({choices[0], choices[1]}, choices[2], diffuse);
-  if (!scattered || (IsLast(p) && IsSpecular(scattered->lobe))) return {};
-  const R2::Color throughput = p.path.throughput * scattered->value / scattered->pdf;
+void Path::SampleBsdf(const ShadingPoint& p, std::uint32_t i, const Bsdf& bsdf, const std::array<double, 4>& choices,
+                      PathFront::Scattered& scattered) const {
+  const auto sample = bsdf.Sample({choices[0], choices[1]}, choices[2], scattered.directions[i]);
+  if (!sample || (IsLast(p) && IsSpecular(sample->lobe))) return;
+  const R2::Color throughput = p.path.throughput * sample->value / sample->pdf;
   const auto surviving =
       RussianRoulette(throughput, std::max(LeastSurvival(p.path.depth), SurvivalProbability(throughput)), choices[3]);
-  if (!surviving || IsBlack(*surviving)) return {};
-  const Step step = ExtendPath(p, scattered->wi, scattered->lobe, scattered->pdf, *surviving, from);
-  if (!MayFindLight(p, step)) return {};
-  return step;
+  if (!surviving || IsBlack(*surviving)) return;
+  scattered.directions.Set(i, sample->wi), scattered.throughputs.Set(i, *surviving), scattered.pdfs[i] = sample->pdf;
+  scattered.Add(i, sample->lobe);
 }
 
-void Path::TraceSteps(Steps& steps, TraceState& state) const {
-  state.hits.resize(steps.size());
-  if (steps.empty()) return;
-  state.batch.clear();
-  for (Step& step : steps) {
-    Tracer::RecordRay(step.path, state);
-    state.batch.push_back(step.path.ray);
+void Path::Follow(const PathFront& front, const PathFront::Scattered& scattered, Lobe lobe, PathFront& next,
+                  std::vector<Escaping>& escaping, TraceState& state) const {
+  const std::vector<std::uint32_t> from = TraceFrom(front, scattered, lobe, state);
+  for (std::size_t k = 0; k < from.size(); ++k) {
+    const std::uint32_t i = from[k];
+    const ShadingPoint& p = front.points[i];
+    const R2::Color throughput = scattered.throughputs[i];
+    const auto path = [&] {
+      return Extend(p, state.batch[k], lobe, throughput, p.path.index.Child(bounce_key));
+    };
+    if (!state.hits[k]) {
+      escaping.push_back({i, scattered.directions[i], throughput, Tracer::RecordOf(path, state)});
+      continue;
+    }
+    ShadingPoint& arriving = next.Add(path, *state.hits[k], front.paths[i], i);
+    Tracer::RecordRay(arriving.path, state);
+    if (tracer_.Arrive(arriving, state)) continue;
+    const PathState& last = arriving.path;
+    escaping.push_back({i, last.ray.direction, last.throughput, last.record});
+    next.RemoveLast();
   }
-  tracer_.IntersectEach(steps[0].path.kind, state.batch, state.hits.data(), state);
 }
 
-void Path::AddBackgrounds(const PathFront& front, std::span<const Step* const> steps, std::span<R2::Color> gathered,
-                          TraceState& state) const {
-  const auto add = [&](const Step& step, const R2::Color& seen) {
-    gathered[front.paths[step.from]] += seen;
-    Tracer::RecordMiss(step.path, seen, state);
+std::vector<std::uint32_t> Path::TraceFrom(const PathFront& front, const PathFront::Scattered& scattered, Lobe lobe,
+                                           TraceState& state) const {
+  std::vector<std::uint32_t> from = scattered.by_lobe[static_cast<std::size_t>(lobe)];
+  if (from.empty()) return from;
+  state.batch.resize(std::max(state.batch.size(), from.size()));
+  std::size_t count = 0;
+  for (const std::uint32_t i : from) {
+    const ShadingPoint& p = front.points[i];
+    new (&state.batch[count]) R3::Ray(SpawnRay(p, scattered.directions[i]));  // made in place
+    if (MayFindLight(p, state.batch[count])) from[count++] = i;
+  }
+  from.resize(count), state.hits.resize(count);
+  if (count > 0) tracer_.IntersectEach(KindOf(lobe), std::span(state.batch).first(count), state.hits.data(), state);
+  return from;
+}
+
+void Path::AddBackgrounds(const PathFront& front, const PathFront::Scattered& scattered,
+                          std::span<const Escaping> escaping, std::span<R2::Color> gathered, TraceState& state) const {
+  const auto add = [&](const Escaping& ray, const R2::Color& seen) {
+    gathered[front.paths[ray.from]] += seen;
+    Tracer::RecordMiss(ray.record, seen, state);
   };
   const Environment* environment = lights_.environment();
   if (!environment) {
-    for (const Step* step : steps)
-      add(*step, step->path.throughput * Background(world_.scene(), step->path.ray.direction));
+    for (const Escaping& ray : escaping) add(ray, ray.throughput * Background(world_.scene(), ray.direction));
     return;
   }
   LightSamples seen;
   alignas(64) LightSamples::Each pdfs;
-  seen.count = static_cast<std::uint32_t>(steps.size());
-  for (std::uint32_t i = 0; i < seen.count; ++i) seen.Set(i, steps[i]->path.ray.direction, {});
+  seen.count = static_cast<std::uint32_t>(escaping.size());
+  for (std::uint32_t i = 0; i < seen.count; ++i) seen.Set(i, escaping[i].direction, {});
   environment->SeeEach(seen, pdfs);
-  for (std::uint32_t i = 0; i < seen.count; ++i)
-    add(*steps[i], EnvironmentSeen({seen.Color(i), pdfs[i]}, front.points[steps[i]->from], *steps[i], state));
+  for (std::uint32_t i = 0; i < seen.count; ++i) {
+    const Step step = StepFrom(front, scattered, escaping[i].from);
+    add(escaping[i], EnvironmentSeen({seen.Color(i), pdfs[i]}, step, escaping[i].throughput, state));
+  }
 }
 
-R2::Color Path::EnvironmentSeen(const Environment::Seen& seen, const ShadingPoint& from, const Step& step,
+R2::Color Path::EnvironmentSeen(const Environment::Seen& seen, const Step& step, const R2::Color& throughput,
                                 TraceState& state) const {
   CountCaustic(step, seen.radiance, state);
-  const R2::Color reaching = step.path.throughput * seen.radiance;
+  const R2::Color reaching = throughput * seen.radiance;
   if (IsSpecular(step.lobe)) return reaching;
-  const double light_pdf = lights_.PdfOfEnvironment(from, seen, lights_at_once_ > 0);
+  const double light_pdf = lights_.PdfOfEnvironment(step.from, seen, lights_at_once_ > 0);
   if (light_pdf == 0) return reaching;  // found by scattering alone
   return sampled_.WeightOfBsdf(step.pdf, light_pdf * std::max(1, lights_at_once_)) * reaching;
 }
 
-void Path::AddEmitted(const ShadingPoint& from, const Step& step, const ShadingPoint& hit, R2::Color& radiance,
-                      TraceState& state) const {
-  CountCaustic(step, hit.material->emission, state);
-  const R2::Color emitted = Emitted(from, step, hit);
-  const R2::Color ambient =
-      IsLast(from) ? R2::Color{} : hit.path.throughput * hit.AmbientReflectance(world_) * world_.scene().ambient;
-  Tracer::RecordHit(hit, emitted + ambient, state);
-  radiance += emitted;
-  radiance += ambient;
+void Path::AddEmitted(const PathFront& front, const PathFront::Scattered& scattered, const PathFront& next,
+                      std::span<R2::Color> gathered, TraceState& state) const {
+  for (std::size_t i = 0; i < next.points.size(); ++i) {
+    const ShadingPoint& hit = next.points[i];
+    const Step step = StepFrom(front, scattered, next.from[i]);
+    const bool has_ambient = has_ambient_ && !IsLast(step.from), emits = !IsBlack(hit.material->emission);
+    R2::Color emitted, ambient;
+    if (emits) CountCaustic(step, hit.material->emission, state);
+    if (emits) emitted = Emitted(step, hit);
+    if (has_ambient) ambient = hit.path.throughput * hit.AmbientReflectance(world_) * world_.scene().ambient;
+    if (emits) gathered[next.paths[i]] += emitted;
+    if (has_ambient) gathered[next.paths[i]] += ambient;
+    Tracer::RecordHit(hit, emitted + ambient, state);
+  }
 }
 
-R2::Color Path::Emitted(const ShadingPoint& from, const Step& step, const ShadingPoint& hit) const {
-  if (IsBlack(hit.material->emission)) return {};
+R2::Color Path::Emitted(const Step& step, const ShadingPoint& hit) const {
   const R2::Color seen = hit.path.throughput * hit.material->emission;
   // A lamp of a color is found by its samples, and shown in mirrors, which as in mode whitted go no deeper than others.
-  if (lights_.EmitsColor()) return step.lobe == Lobe::diffuse || IsLast(from) ? R2::Color{} : seen;
+  if (lights_.EmitsColor()) return step.lobe == Lobe::diffuse || IsLast(step.from) ? R2::Color{} : seen;
   if (IsSpecular(step.lobe)) return seen;
-  const auto light_pdf = lights_.PdfOfHit(from, hit.path.ray, hit, world_, lights_at_once_ > 0);
+  const auto light_pdf = lights_.PdfOfHit(step.from, hit.path.ray, hit, world_, lights_at_once_ > 0);
   if (!light_pdf) return seen;  // found by scattering alone
   return sampled_.WeightOfBsdf(step.pdf, *light_pdf * std::max(1, lights_at_once_)) * seen;
 }

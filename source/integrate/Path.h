@@ -39,17 +39,22 @@ class Path : public Integrator {
   void Li(std::span<const CameraSample> samples, std::span<R2::Color> radiances, TraceState& state) const override;
 
  private:
-  /// A ray that goes on from a point of a front, and what chose it.
+  /// What a ray that goes on from a point was chosen by.
   struct Step {
-    PathState path;
+    const ShadingPoint& from;
     Lobe lobe;
-    double pdf;          // of its direction, as of a BsdfSample
-    std::uint32_t from;  // the number of the point
+    double pdf;  // of its direction, as of a BsdfSample
   };
-  using Steps = std::vector<Step>;
-  /// Rays of one lobe are traced together: they are of one kind, and those that mirrors and glass send on go nearly the
-  /// same way.
-  using StepsByLobe = std::array<Steps, lobes>;
+  static Step StepFrom(const PathFront& front, const PathFront::Scattered& scattered, std::uint32_t point) {
+    return {front.points[point], scattered.lobe[point], scattered.pdfs[point]};
+  }
+  /// A ray from a point of a front that hits nothing.
+  struct Escaping {
+    std::uint32_t from;  // the number of the point
+    R3::Vector direction;
+    R2::Color throughput;
+    int record;  // as of a PathState
+  };
   /// By what light that rays can hit is found.
   struct Sampled {
     bool lights, bsdf;
@@ -92,37 +97,37 @@ class Path : public Integrator {
   // The way on.
   /// Goes on to the next surfaces, which come to `next`; light that is found on the way is gathered by path.
   void TakeStep(const PathFront& front, std::span<R2::Color> gathered, PathFront& next, TraceState& state) const;
-  StepsByLobe SampleBsdfs(const PathFront& front) const;
-  /// Nothing for a path that ends here.
-  ///   choices   uniform in [0, 1): two for a direction, one for a lobe, one for Russian roulette
-  ///   diffuse   DiffuseDirection of the first two
-  std::optional<Step> SampleBsdf(const ShadingPoint& p, const Bsdf& bsdf, const std::array<double, 4>& choices,
-                                 const R3::Vector& diffuse, std::uint32_t from) const;
-  /// The step where a direction has been chosen, and what throughput survives, which is not black.
-  Step ExtendPath(const ShadingPoint& p, const R3::Vector& wi, Lobe lobe, double pdf, const R2::Color& throughput,
-                  std::uint32_t from) const {
-    return {Extend(p, wi, lobe, throughput, p.path.index.Child(bounce_key)), lobe, pdf, from};
-  }
-  /// Traces the rays of one lobe; what each hits goes to state.hits.
-  void TraceSteps(Steps& steps, TraceState& state) const;
-  /// Adds what the rays of these steps, which hit nothing, see.
-  void AddBackgrounds(const PathFront& front, std::span<const Step* const> steps, std::span<R2::Color> gathered,
-                      TraceState& state) const;
-  R2::Color EnvironmentSeen(const Environment::Seen& seen, const ShadingPoint& from, const Step& step,
+  PathFront::Scattered SampleBsdfs(const PathFront& front) const;
+  /// Chooses where a path goes on from point number `i`, whose Bsdf this is, if it does not end there.
+  ///   choices   uniform in [0, 1): two for a direction, one for a lobe, one for Russian roulette; the direction that
+  ///             the diffuse lobe makes of the first two stands in `scattered`
+  void SampleBsdf(const ShadingPoint& p, std::uint32_t i, const Bsdf& bsdf, const std::array<double, 4>& choices,
+                  PathFront::Scattered& scattered) const;
+  /// Follows the rays of one lobe: what they hit comes to `next`, and those that hit nothing to `escaping`.
+  void Follow(const PathFront& front, const PathFront::Scattered& scattered, Lobe lobe, PathFront& next,
+              std::vector<Escaping>& escaping, TraceState& state) const;
+  /// Traces rays from these points; what each hits goes to state.hits.
+  ///   returns   the numbers of the points whose rays are state.batch: the others' would find nothing
+  std::vector<std::uint32_t> TraceFrom(const PathFront& front, const PathFront::Scattered& scattered, Lobe lobe,
+                                       TraceState& state) const;
+  /// Adds what rays that hit nothing see.
+  void AddBackgrounds(const PathFront& front, const PathFront::Scattered& scattered, std::span<const Escaping> escaping,
+                      std::span<R2::Color> gathered, TraceState& state) const;
+  R2::Color EnvironmentSeen(const Environment::Seen& seen, const Step& step, const R2::Color& throughput,
                             TraceState& state) const;
-  /// Adds what a step's ray sees of the surface that it hits.
-  void AddEmitted(const ShadingPoint& from, const Step& step, const ShadingPoint& hit, R2::Color& radiance,
-                  TraceState& state) const;
+  /// Adds what the rays that led to the points of `next` see of the surfaces there.
+  void AddEmitted(const PathFront& front, const PathFront::Scattered& scattered, const PathFront& next,
+                  std::span<R2::Color> gathered, TraceState& state) const;
   /// Emission of what a scattered ray hit, throughput included, weighted against SampleLights.
-  R2::Color Emitted(const ShadingPoint& from, const Step& step, const ShadingPoint& hit) const;
+  R2::Color Emitted(const Step& step, const ShadingPoint& hit) const;
 
   // Where paths end.
   bool IsLast(const ShadingPoint& p) const { return p.path.depth >= settings_.max_depth; }
   /// Whether light may be found by going on from points of this depth.
   bool MayContinue(const ShadingPoint& p) const { return !IsLast(p) || lights_.CanBeHit(); }
-  /// Whether a step may find light; the last one of a path ends where none is seen.
-  bool MayFindLight(const ShadingPoint& from, const Step& step) const {
-    return !IsLast(from) || lights_.MayBeHitBy(step.path.ray);
+  /// Whether a ray may find light; the last one of a path ends where none is seen.
+  bool MayFindLight(const ShadingPoint& from, const R3::Ray& ray) const {
+    return !IsLast(from) || lights_.MayBeHitBy(ray);
   }
   /// With what probability a path survives Russian roulette at least from points of a depth: 1 where none is played.
   double LeastSurvival(std::int64_t depth) const;
@@ -130,7 +135,7 @@ class Path : public Integrator {
   void CountCutThroughput(const ShadingPoint& p, TraceState& state) const;
   /// Counts the path where what its step found makes it a caustic.
   void CountCaustic(const Step& step, const R2::Color& emission, TraceState& state) const {
-    if (IsSpecular(step.lobe) && step.path.is_scattered) state.rays.caustics += caustics_.Counts(emission);
+    if (IsSpecular(step.lobe) && step.from.path.is_scattered) state.rays.caustics += caustics_.Counts(emission);
   }
 
   const World& world_;
@@ -139,7 +144,7 @@ class Path : public Integrator {
   LightSampler lights_;
   Caustics caustics_;
   Sampled sampled_;
-  bool has_roulette_;
+  bool has_roulette_, has_ambient_;
   int lights_at_once_;  // 0: all
 };
 

@@ -46,7 +46,6 @@ void RaiseLobes(const PathFront& front, const LightSamples& samples, Each& power
 }  // namespace
 
 void PathFront::MakeColumns(const TraceSettings& settings) {
-  indices.reserve(points.size());
   for (std::uint32_t i = 0; i < points.size(); ++i) {
     const ShadingPoint& p = points[i];
     indices.push_back(p.path.index);
@@ -108,13 +107,13 @@ void PathFront::ReflectByPhong(LightSamples& samples) const {
 }
 
 R3_VECTORIZED
-PathFront::Scattered PathFront::ScatterDiffusely(double least_survival,
-                                                 const std::array<double, LightSamples::most>& choices,
-                                                 const VectorOfEach& directions) const {
+PathFront::Scattered PathFront::ScatterDiffusely(double least_survival, const PointsOfEach<4>& random) const {
   Scattered scattered;
+  const auto& [u, v, of_lobe, choices] = random.coordinates;
   const std::size_t count = points.size();
+  for (std::size_t i = 0; i < count; ++i) scattered.directions.Set(i, DiffuseDirection(normals[i], {u[i], v[i]}));
   for (std::size_t i = 0; i < count; ++i) {
-    const double pdf = R3::CosineHemispherePdf(Dot(normals[i], directions[i]));
+    const double pdf = R3::CosineHemispherePdf(Dot(normals[i], scattered.directions[i]));
     const R2::Color throughput = throughputs[i] * (pdf * kd[i]) / pdf;
     const double survival = std::max(least_survival, SurvivalProbability(throughput));
     // Nested, since g++ makes no vector instructions of several conditions in one.

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "source/integrate/shading/Bsdf.h"
+#include "source/sample/PointsOfEach.h"
 
 namespace ray {
 
@@ -29,7 +30,8 @@ struct PathFront {
   using Each = LightSamples::Each;
 
   std::vector<ShadingPoint> points;
-  std::vector<std::uint32_t> paths;  // of each point: the number of its camera sample
+  // Of each point: the numbers of its camera sample, and of the point that its path came from.
+  std::vector<std::uint32_t> paths, from;
   // Made of all points, once they are known.
   std::vector<SampleIndex> indices;
   VectorOfEach normals;
@@ -45,12 +47,15 @@ struct PathFront {
   std::uint64_t exponent_bits;                              // those that any of them has
   std::vector<std::uint32_t> others_by_phong;               // with a coat, a map, or no whole exponent
 
-  /// Adds a point of which the path and the hit are known.
-  void Add(const PathState& arriving, const WorldHit& hit, std::uint32_t path) {
-    points.emplace_back(arriving, hit);
-    paths.push_back(path);
+  /// Adds a point of which the hit is known, and the path, which `make_path` gives.
+  template <typename MakePath>
+  ShadingPoint& Add(const MakePath& make_path, const WorldHit& hit, std::uint32_t path, std::uint32_t from_point) {
+    paths.push_back(path), from.push_back(from_point);
+    return points.emplace_back(make_path, hit);
   }
-  void Clear() { points.clear(), paths.clear(), indices.clear(), others.clear(), bsdfs.clear(); }
+  void Reserve(std::size_t most) { points.reserve(most), paths.reserve(most), from.reserve(most), indices.reserve(most); }
+  void RemoveLast() { points.pop_back(), paths.pop_back(), from.pop_back(); }
+  void Clear() { points.clear(), paths.clear(), from.clear(), indices.clear(), others.clear(), bsdfs.clear(); }
   /// Makes the columns, when all points are complete; those for lights of the scene language on demand.
   void MakeColumns(const TraceSettings& settings);
   void MakeColumnsOfHighlights();
@@ -62,16 +67,24 @@ struct PathFront {
   /// stay as they were.
   void ReflectByPhong(LightSamples& samples) const;
 
-  /// Where diffuse surfaces send their paths.
+  /// Where paths go on from the points: at most one way each.
   struct Scattered {
+    VectorOfEach directions;  // unit; diffuse ones where nothing else was chosen
     ColorOfEach throughputs;  // what survives Russian roulette, 0 where nothing does
-    alignas(64) Each pdfs;
+    alignas(64) Each pdfs;    // of the directions, as of a BsdfSample
+    std::array<Lobe, LightSamples::most> lobe;
+    /// The numbers of the points that scatter by each lobe. Rays of one lobe are traced together: they are of one kind,
+    /// and those that mirrors and glass send on go nearly the same way.
+    std::array<std::vector<std::uint32_t>, lobes> by_lobe;
+
+    void Add(std::uint32_t point, Lobe chosen) {
+      lobe[point] = chosen;
+      by_lobe[static_cast<std::size_t>(chosen)].push_back(point);
+    }
   };
-  /// Scatters at surfaces that are diffuse alone into each direction. No path survives less likely than
-  /// `least_survival`.
-  ///   choices   uniform in [0, 1), for Russian roulette
-  Scattered ScatterDiffusely(double least_survival, const std::array<double, LightSamples::most>& choices,
-                             const VectorOfEach& directions) const;
+  /// Scatters at surfaces that are diffuse alone. No path survives less likely than `least_survival`.
+  ///   random   two choices for a direction, and the last one for Russian roulette
+  Scattered ScatterDiffusely(double least_survival, const PointsOfEach<4>& random) const;
 };
 
 }  // namespace ray

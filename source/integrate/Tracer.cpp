@@ -43,11 +43,7 @@ void Tracer::Complete(std::span<ShadingPoint> points, TraceState& state) const {
 
 bool Tracer::StartInMedia(ShadingPoint& p, TraceState& state) const {
   p.path.media = media_.At(p.path.ray, state);
-  if (media_.IsPlain(p.path, p.hit)) return true;
-  std::optional<WorldHit> seen = p.hit;
-  media_.Arrive(p.path, seen, state);
-  if (seen) p.hit = *seen;
-  return seen.has_value();
+  return Arrive(p, state);
 }
 
 void Tracer::RecordCameraRay(const CameraSample& sample, ShadingPoint* hit, TraceState& state) const {

@@ -43,6 +43,14 @@ class Tracer {
   void Arrive(PathState& path, std::optional<WorldHit>& hit, TraceState& state) const {
     if (media_.AreNeeded() && hit && !media_.IsPlain(path, *hit)) media_.Arrive(path, hit, state);
   }
+  /// The same of a point whose path and hit are known. False where it sees none.
+  bool Arrive(ShadingPoint& p, TraceState& state) const {
+    if (!media_.AreNeeded() || media_.IsPlain(p.path, p.hit)) return true;
+    std::optional<WorldHit> seen = p.hit;
+    media_.Arrive(p.path, seen, state);
+    if (seen) p.hit = *seen;
+    return seen.has_value();
+  }
   /// Makes the rest of points whose paths and hits are known.
   void Complete(std::span<ShadingPoint> points, TraceState& state) const;
   /// The surface where a path has arrived.
@@ -58,13 +66,18 @@ class Tracer {
     if (state.recorder) [[unlikely]]
       path.record = state.recorder->Begin(path);
   }
+  /// What RecordRay makes the record of a path, which `make_path` gives.
+  template <typename MakePath>
+  static int RecordOf(const MakePath& make_path, TraceState& state) {
+    return state.recorder ? state.recorder->Begin(make_path()) : RecordedRay::none;
+  }
   static void RecordHit(const ShadingPoint& p, const R2::Color& contribution, TraceState& state) {
     if (state.recorder) [[unlikely]]
       state.recorder->Hits(p, contribution);
   }
-  static void RecordMiss(const PathState& path, const R2::Color& contribution, TraceState& state) {
+  static void RecordMiss(int record, const R2::Color& contribution, TraceState& state) {
     if (state.recorder) [[unlikely]]
-      state.recorder->Misses(path.record, contribution);
+      state.recorder->Misses(record, contribution);
   }
 
   /// A shadow ray of point number `index`: what reaches it, if nothing is in between, is added to state.arrived[index],

@@ -121,7 +121,7 @@ R2::Color Whitted::Follow(const ShadingPoint& first, TraceState& state) const {
     const auto hit = tracer_.Intersect(path, state);
     if (!hit) {
       const R2::Color seen = path.throughput * Background(world_.scene(), path.ray.direction);
-      Tracer::RecordMiss(path, seen, state);
+      Tracer::RecordMiss(path.record, seen, state);
       sum += seen;
       continue;
     }
@@ -241,13 +241,13 @@ void Whitted::Spawn(const ShadingPoint& p, TraceState& state) const {
   const SampleIndex through = p.path.index.Child(transmission_key), back = p.path.index.Child(reflection_key);
   if (const auto throughput = Continued(p.path.throughput * weights.transmitted, through, state))
     if (const auto wi = Refraction(p))
-      state.pending.push_back(Extend(p, *wi, Lobe::transmission, *throughput, through));
+      state.pending.push_back(Extend(p, SpawnRay(p, *wi), Lobe::transmission, *throughput, through));
   if (const auto throughput = Continued(p.path.throughput * weights.reflected, back, state)) {
     if (p.material->gloss_samples > 1) return SpawnGlossy(p, *throughput, back, state.pending);
     const bool glossy = IsGlossy(*p.material, settings_);
     const Points points(settings_.sampler, back.key.Child(gloss_direction_key), settings_.samples);
     if (const auto wi = SampleReflection(p, glossy, glossy ? points.Get2D(back.sample) : R2::Point{}))
-      state.pending.push_back(Extend(p, *wi, Lobe::mirror, *throughput, back));
+      state.pending.push_back(Extend(p, SpawnRay(p, *wi), Lobe::mirror, *throughput, back));
   }
 }
 
@@ -259,7 +259,7 @@ void Whitted::SpawnGlossy(const ShadingPoint& p, const R2::Color& throughput, co
   const SampleIndex each = back.Child(gloss_key);
   for (std::uint32_t k = 0; k < count; ++k)
     if (const auto wi = SampleReflection(p, true, points.Get2D(back.FirstOf(count) + k)))
-      pending.push_back(Extend(p, *wi, Lobe::mirror, throughput / count, each.Child(k)));
+      pending.push_back(Extend(p, SpawnRay(p, *wi), Lobe::mirror, throughput / count, each.Child(k)));
 }
 
 inline std::optional<R2::Color> Whitted::Continued(const R2::Color& throughput, const SampleIndex& index,

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/Draw.h"
 #include "tests/Statistics.h"
 
 namespace {

@@ -14,7 +14,7 @@ R2::Color FirstHit::SeenBy(const CameraSample& sample, const std::optional<World
   if (state.recorder) path.record = state.recorder->Begin(path);
   if (!hit) {
     const R2::Color seen = Missed(sample.ray.direction);
-    Tracer::RecordMiss(path, seen, state);
+    Tracer::RecordMiss(path.record, seen, state);
     return seen;
   }
   const ShadingPoint p = ShadingPointAt(world_, path, *hit);

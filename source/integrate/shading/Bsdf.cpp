@@ -13,6 +13,8 @@ R3::Vector Mirrored(const ShadingPoint& p) {
   return p.IsBehindSurface(mirrored) ? Unit(Reflect(mirrored, p.Outward())) : mirrored;
 }
 
+}  // namespace
+
 RayKind KindOf(Lobe lobe) {
   switch (lobe) {
     case Lobe::diffuse:
@@ -25,8 +27,6 @@ RayKind KindOf(Lobe lobe) {
   }
   return {};
 }
-
-}  // namespace
 
 double FresnelReflectance(double cosine, double eta) {
   const double sine_squared = eta * eta * std::max(0.0, 1 - cosine * cosine);
@@ -171,9 +171,9 @@ std::optional<BsdfSample> Bsdf::Scatter(const R3::Vector& wi, Lobe lobe) const {
   return BsdfSample{wi, value, pdf, lobe};
 }
 
-PathState Extend(const ShadingPoint& p, const R3::Vector& wi, Lobe lobe, const R2::Color& throughput,
+PathState Extend(const ShadingPoint& p, const R3::Ray& ray, Lobe lobe, const R2::Color& throughput,
                  const SampleIndex& index) {
-  return {.ray = SpawnRay(p, wi),
+  return {.ray = ray,
           .throughput = throughput,
           .depth = p.path.depth + 1,
           .index = index,

@@ -105,6 +105,8 @@ inline R3::Vector DiffuseDirection(const R3::Vector& N, const R2::Point& u) {
 enum class Lobe { diffuse, glossy, mirror, transmission };
 inline constexpr std::size_t lobes = 4;
 constexpr bool IsSpecular(Lobe lobe) { return lobe == Lobe::mirror || lobe == Lobe::transmission; }
+/// The rays that it sends on.
+RayKind KindOf(Lobe lobe);
 
 /// A direction that light may come from. value / pdf estimates the reflectance.
 struct BsdfSample {
@@ -166,8 +168,8 @@ class Bsdf {
   R3::Vector mirrored_;  // the middle of the glossy lobe, where there is one
 };
 
-/// A path extended from p towards wi, which its lobe has given.
-PathState Extend(const ShadingPoint& p, const R3::Vector& wi, Lobe lobe, const R2::Color& throughput,
+/// A path extended from p along a ray that SpawnRay has made, in a direction that the lobe has given.
+PathState Extend(const ShadingPoint& p, const R3::Ray& ray, Lobe lobe, const R2::Color& throughput,
                  const SampleIndex& index);
 
 }  // namespace ray

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <concepts>
+
 #include "R3/Departure.h"
 #include "R3/Intersection.h"
 #include "source/accelerate/Contact.h"
@@ -12,6 +14,9 @@ namespace ray {
 struct ShadingPoint {
   /// What is known at first.
   ShadingPoint(const PathState& arriving, const WorldHit& surface) : path(arriving), hit(surface) {}
+  /// The path is made in place: a copy would wait for what has just been stored.
+  template <std::invocable MakePath>
+  ShadingPoint(const MakePath& make_path, const WorldHit& surface) : path(make_path()), hit(surface) {}
   ShadingPoint(const R3::Ray& camera_ray, const SampleIndex& index, const WorldHit& surface)
       : path{.ray = camera_ray, .index = index}, hit(surface) {}
 

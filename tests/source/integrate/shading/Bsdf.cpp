@@ -283,7 +283,7 @@ TEST(Bsdf, AnIndexOfOneLetsTheRayGoOnStraight) {
   const auto sample = Bsdf(p, SettingsOf(false, true)).Sample({0.5, 0.5}, 0.5);
   ASSERT_TRUE(sample);
   EXPECT_EQ(sample->wi, -p.wo);
-  const PathState next = Extend(p, sample->wi, sample->lobe, {0.5, 0.5, 0.5}, {});
+  const PathState next = Extend(p, SpawnRay(p, sample->wi), sample->lobe, {0.5, 0.5, 0.5}, {});
   EXPECT_EQ(next.ray.origin, p.free_point);
   EXPECT_EQ(next.ray.direction, -p.wo);
   EXPECT_EQ(next.ray.time, 0.25);
