@@ -3,6 +3,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,6 +13,11 @@
 #include "source/scene/Scene.h"
 
 namespace ray {
+
+struct ScnPlaces;
+
+/// Texts that are read in place of files on the disk, by the canonical path of the file: absolute and without links.
+using EditedFiles = std::map<std::string, std::string>;
 
 /// Why a scene cannot make a setting.
 struct SettingProblem {
@@ -44,6 +51,8 @@ struct ParseOptions {
   // What is wrong with a setting, if anything: which options there are the program knows, and no reader. Without it
   // settings are taken as they stand.
   std::optional<SettingProblem> (*problem_of)(const SceneSetting&) = nullptr;
+  std::shared_ptr<const EditedFiles> edited{};  // null where the files of the disk are read; for .scn files only
+  ScnPlaces* places = nullptr;                  // filled in with where the statements of a .scn scene stand, if not null
 
   friend bool operator==(const ParseOptions&, const ParseOptions&) = default;
 };

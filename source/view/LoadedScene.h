@@ -6,6 +6,7 @@
 #include "source/accelerate/Accelerator.h"
 #include "source/accelerate/World.h"
 #include "source/parse/Parse.h"
+#include "source/parse/scn/ScnPlaces.h"
 
 namespace ray {
 
@@ -13,13 +14,20 @@ namespace ray {
 /// another by then.
 struct LoadedScene {
   LoadedScene(const std::string& file, const ParseOptions& options, const AcceleratorSettings& how)
-      : parsed(Parse(file, options)),
+      : parsed(Parse(file, WithPlaces(options, places))),
         world(parsed.scene),
         accelerator(FindAcceleratorKind(how.name)->Make(world, how)) {}
 
+  ScnPlaces places;  // empty where the scene is in another language than .scn
   ParsedScene parsed;
   World world;
   std::unique_ptr<const Accelerator> accelerator;
+
+ private:
+  static ParseOptions WithPlaces(ParseOptions options, ScnPlaces& places) {
+    options.places = &places;
+    return options;
+  }
 };
 
 }  // namespace ray

@@ -91,11 +91,19 @@ void ScnReader::Open(const FoundFile& file) {
 
 ScnReader::KnownText ScnReader::TextOf(const FoundFile& file) {
   if (const auto known = texts_.find(file.canonical); known != texts_.end()) return known->second;
-  auto text = std::make_shared<const Text>(Text{file.shown, files_.Read(file)});
+  auto text = std::make_shared<const Text>(Text{file.shown, BytesOf(file)});
   if (auto error = FindNul(*text)) throw std::move(*error);
   const auto index = static_cast<std::uint32_t>(builder_.scene.files.size());
   builder_.scene.files.push_back(file.shown);
+  if (options_.places) options_.places->files.push_back({file.canonical, text});
   return texts_.emplace(file.canonical, KnownText{std::move(text), index}).first->second;
+}
+
+std::string ScnReader::BytesOf(const FoundFile& file) const {
+  if (options_.edited)
+    if (const auto edited = options_.edited->find(file.canonical); edited != options_.edited->end())
+      return edited->second;
+  return files_.Read(file);
 }
 
 void ScnReader::CloseFile() {
@@ -122,13 +130,31 @@ void ScnReader::ReadStatement(Token word) {
   if (!command) return UnknownCommand(word);
   file.last_command = command;
   file.statement = word;
+  if (options_.places) BeginPlace(word);
   Statement statement(*command, word, file.tokens);
   try {
     command->read(*this, statement);
   } catch (const Statement::Incomplete&) {
     // What it lacks is among its errors.
   }
+  if (options_.places) EndPlace(*command);
   for (SceneError& error : std::move(statement).Errors()) Error(std::move(error));
+}
+
+void ScnReader::BeginPlace(const Token& word) {
+  const OpenFile& file = Current();
+  const auto begin = static_cast<std::uint32_t>(word.InFile().data() - file.text->bytes.data());
+  options_.places->statements.push_back({file.index, begin});
+  options_.places->materials.resize(builder_.scene.materials.size(), ScnPlaces::nowhere);
+}
+
+/// What the statement has made is at the end of the scene's lists. A model's materials are from another file.
+void ScnReader::EndPlace(const Command& command) {
+  ScnPlaces& places = *options_.places;
+  const auto statement = static_cast<std::uint32_t>(places.statements.size() - 1);
+  const bool is_material = command.name == "material";
+  places.materials.resize(builder_.scene.materials.size(), is_material ? statement : ScnPlaces::nowhere);
+  places.lights.resize(builder_.scene.lights.size(), statement);
 }
 
 // One mistake, one report: what follows on the line, and numbers on the next ones, belong to the unknown command.

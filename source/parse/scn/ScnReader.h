@@ -15,6 +15,7 @@
 #include "source/parse/Report.h"
 #include "source/parse/SceneBuilder.h"
 #include "source/parse/Tokenizer.h"
+#include "source/parse/scn/ScnPlaces.h"
 #include "source/parse/scn/Statement.h"
 
 namespace ray {
@@ -84,8 +85,12 @@ class ScnReader {
 
   void Open(const FoundFile& file);
   KnownText TextOf(const FoundFile& file);
+  /// The file as it is edited, or as the disk has it. Throws FileError.
+  std::string BytesOf(const FoundFile& file) const;
   void CloseFile();
   void ReadStatement(Token word);
+  void BeginPlace(const Token& word);
+  void EndPlace(const Command& command);
   void UnknownCommand(const Token& word);
   void CheckNodes(const Statement& statement);
   void Error(SceneError error);

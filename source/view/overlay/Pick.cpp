@@ -9,9 +9,9 @@ namespace {
 
 constexpr int digits = 7;
 
-std::string Text(double number) { return Rounded(number, digits); }
-std::string Text(double x, double y, double z) { return Text(x) + " " + Text(y) + " " + Text(z); }
-std::string Text(const R2::Color& c) { return Text(c.r, c.g, c.b); }
+std::string Shortly(double number) { return Rounded(number, digits); }
+std::string Shortly(double x, double y, double z) { return Shortly(x) + " " + Shortly(y) + " " + Shortly(z); }
+std::string Shortly(const R2::Color& c) { return Shortly(c.r, c.g, c.b); }
 
 std::string LocationOf(const Node& node, const Scene& scene) {
   if (node.location.line == 0) return "(built in)";
@@ -48,7 +48,7 @@ Pick PickPixel(const World& world, const Accelerator& accelerator, const RenderS
                int row) {
   Pick pick{PixelTracer(world, accelerator, settings).Trace(column, row, 1), {}, 0, {}};
   const RecordedRay& ray = pick.trace.rays.front();
-  pick.text.push_back("pixel " + std::to_string(column) + " " + std::to_string(row) + ": " + Text(pick.trace.Mean()));
+  pick.text.push_back("pixel " + std::to_string(column) + " " + std::to_string(row) + ": " + Shortly(pick.trace.Mean()));
   if (!ray.hit) {
     pick.text.emplace_back("hits nothing");
     return pick;
@@ -63,15 +63,15 @@ Pick PickPixel(const World& world, const Accelerator& accelerator, const RenderS
   const R3::Intersection& at = *ray.at;
   const Material& m = *instance.material;
   pick.text.push_back("node " + path);
-  pick.text.push_back("primitive " + std::to_string(world.PrimitiveId(*ray.hit)) + ", t " + Text(ray.hit->t) +
-                      ", distance " + Text(ray.hit->t * Length(ray.ray.direction)));
-  pick.text.push_back("at " + Text(at.position.x, at.position.y, at.position.z));
-  pick.text.push_back("normal " + Text(at.normal.x, at.normal.y, at.normal.z) + ", uv " + Text(at.uv.x) + " " +
-                      Text(at.uv.y));
-  pick.text.push_back("ka " + Text(m.ka) + ", kd " + Text(m.kd) + ", ks " + Text(m.ks) + ", kt " + Text(m.kt));
-  pick.text.push_back("emission " + Text(m.emission) + ", n " + Text(m.n) + ", ir " + Text(m.ir) +
+  pick.text.push_back("primitive " + std::to_string(world.PrimitiveId(*ray.hit)) + ", t " + Shortly(ray.hit->t) +
+                      ", distance " + Shortly(ray.hit->t * Length(ray.ray.direction)));
+  pick.text.push_back("at " + Shortly(at.position.x, at.position.y, at.position.z));
+  pick.text.push_back("normal " + Shortly(at.normal.x, at.normal.y, at.normal.z) + ", uv " + Shortly(at.uv.x) + " " +
+                      Shortly(at.uv.y));
+  pick.text.push_back("ka " + Shortly(m.ka) + ", kd " + Shortly(m.kd) + ", ks " + Shortly(m.ks) + ", kt " + Shortly(m.kt));
+  pick.text.push_back("emission " + Shortly(m.emission) + ", n " + Shortly(m.n) + ", ir " + Shortly(m.ir) +
                       (m.texture ? ", texture" : "") + (m.bump ? ", bump" : "") + (m.normal_map ? ", normal map" : "") +
-                      (m.specular_map ? ", specular map" : "") + (m.gloss > 0 ? ", gloss " + Text(m.gloss) : ""));
+                      (m.specular_map ? ", specular map" : "") + (m.gloss > 0 ? ", gloss " + Shortly(m.gloss) : ""));
   pick.text.push_back(RaysOf(pick.trace));
   return pick;
 }
