@@ -49,7 +49,7 @@ class Accelerator {
     return is_occluded;
   }
 
-  /// The same for each ray of a packet: faster for coherent rays, such as those of neighboring pixels, where an
+  /// Intersects each ray of a packet: faster for coherent rays, such as those of neighboring pixels, where an
   /// accelerator can trace packets. Answers go to hits[0], hits[1], ..., or are_occluded.
   void Intersect(std::span<const R3::Ray> rays, std::optional<WorldHit>* hits, Workspace& workspace) const {
     if (AreRays(rays)) {
@@ -92,7 +92,7 @@ class Accelerator {
   /// where it has no boxes of its own.
   virtual int BoxLevels() const { return 0; }
   virtual std::vector<R3::Box> BoxesAt(int /*level*/) const { return {}; }
-  /// Of memory, besides the world's own.
+  /// Bytes of memory that the structure takes, besides the world's own.
   virtual std::size_t Bytes() const { return 0; }
 
  protected:

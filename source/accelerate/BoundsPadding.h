@@ -22,7 +22,7 @@ struct NodeBoundsPadding {
 /// box do not exist.
 std::vector<NodeBoundsPadding> PaddingOfNodes(const World& world);
 
-/// The same for the boxes, in the world, of shapes in a frame; `reach` is the largest coordinate of such a box.
+/// Padding of the boxes, in the world, of shapes in a frame; `reach` is the largest coordinate of such a box.
 NodeBoundsPadding WorldBoundsPadding(const R3::Transform& frame, double reach);
 
 /// Largest magnitude of a coordinate in the box; 0 when empty.

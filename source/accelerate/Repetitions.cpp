@@ -32,8 +32,8 @@ bool AreSame(const R3::Shape& a, const R3::Shape& b) {
          AreSame(made->arguments, other->arguments);
 }
 
-/// Of the kind of shape, its box in its own frame, and the frame: enough to tell most that are not the same, without
-/// asking every shape of a large scene what it is made from.
+/// Hashes the kind of shape, its box in its own frame, and the frame: enough to tell most shapes apart without asking
+/// every one of a large scene what it is made from.
 std::uint64_t HashOf(const Instance& instance, std::span<const R3::Transform> frames) {
   const R3::Shape& shape = *instance.shape;
   Hash hash;

@@ -72,11 +72,11 @@ class World {
   World(const World&) = delete;
 
   const Scene& scene() const { return scene_; }
-  /// In the order of the scene file, which is the order of primitive ids.
+  /// All instances in the order of the scene file, which is the order of primitive ids.
   const std::vector<Instance>& Instances() const { return instances_; }
-  /// Those that lie in no box, into Instances: accelerators ask them beside their structure.
+  /// Indices of the instances that lie in no box: accelerators ask them beside their structure.
   const std::vector<std::uint32_t>& Unbounded() const { return unbounded_; }
-  /// The root first.
+  /// All nodes, the root first.
   const std::vector<FlatNode>& Nodes() const { return nodes_; }
   /// world_from_local of the groups; a group without a transform of its own shares its parent's. 0 is the world itself.
   const std::vector<R3::Transform>& Frames() const { return frames_; }

@@ -9,7 +9,7 @@ namespace ray {
 
 /// All the instruction sets that some machine may have, by name.
 inline constexpr std::array instruction_set_names{"avx512", "avx2", "sse4", "neon", "scalar"};
-/// Those of them that this machine has and this program was compiled for, the best first.
+/// The instruction sets that this machine has and this program was compiled for, the best first.
 std::vector<std::string> InstructionSets();
 std::string InstructionSetName(std::int64_t instruction_set);
 

@@ -53,7 +53,7 @@ class PrimitiveSet {
   R3::Box Bounds(std::uint32_t i) const;
   double PaddingPerDistance() const { return padding_per_distance_; }
 
-  /// Of a primitive of the world.
+  /// The hull of a primitive of the world.
   Hull HullOf(std::uint32_t i) const;
 
   /// The mesh whose triangle the primitive is, if that lies in the set's own frame: what batches of triangle tests

@@ -163,7 +163,7 @@ class Builder {
   bool IsLeaf(const Range& r) const {
     return r.Size() == 1 || (!r.IsMixed() && r.Size() <= (r.triangles > 0 ? leaf_ : MostOf(KindOf(r))));
   }
-  /// Of the first, and so of all that are not mixed.
+  /// The kind of the first primitive, and so of all in a range that is not mixed.
   Child::Kind KindOf(const Range& r) const { return references_[r.begin].Kind(); }
 
   /// How much it costs to test everything in a range, in block tests.

@@ -11,7 +11,7 @@
 /// What structures that cut space into cells have in common.
 namespace ray::wide {
 
-/// Of one primitive, what lies in one cell.
+/// The part of a primitive that lies in a cell.
 struct ClippedPrimitive {
   Extent box;  // within box_rounding
   std::uint32_t primitive = 0;
@@ -19,7 +19,8 @@ struct ClippedPrimitive {
 };
 using ClippedPrimitives = std::vector<ClippedPrimitive>;
 
-/// Of coordinates, which are about 1 at most, to floats, and of cutting; several times over. Cells need not be smaller.
+/// Bound on the rounding of coordinates, about 1 at most, to floats, and of cutting, several times over. Cells need not
+/// be smaller.
 inline constexpr float box_rounding = 0x1p-22f;
 
 /// All of a primitive.

@@ -48,7 +48,7 @@ class ExactTriangleLanes {
     return mask;
   }
 
-  /// Of a test that hit.
+  /// The hit of ray i, whose test must have hit.
   R3::Hit HitOf(int i) const { return {t_[i], u_[i], v_[i], 0}; }
 
  private:

@@ -84,7 +84,7 @@ class PacketTraversal {
     return *new (nearest_ + place * static_cast<int>(sizeof(NearestHit)))
         NearestHit(*two_level_.world, Ray(i), hits_[place]);
   }
-  /// Of a ray, which with `any` has no hit as long as it is asked: one place is enough for all.
+  /// Nearest hit of a ray. With `any` a ray has none as long as it is asked, so one place is enough for all.
   NearestHit& Nearest(int i) {
     if constexpr (any) return MakeNearest(0, i);
     return reinterpret_cast<NearestHit*>(nearest_)[i];
@@ -185,7 +185,7 @@ class PacketTraversal {
     if (visitor.is_answered) Answer(i);
   }
 
-  /// Those of `rays` that may meet a primitive, as the world numbers them, though they start or end on it.
+  /// Masks the `rays` that may meet a primitive of the world though they start or end on it.
   HWY_INLINE std::uint32_t MayMeet(std::int64_t primitive, std::uint32_t rays) const {
     std::uint32_t rest = 0;
     ForEachBit(rays, [&](int i) HWY_ATTR {

@@ -102,7 +102,7 @@ bool TestElement(std::uint32_t instance, int element, const R3::Ray& local, Near
   return true;
 }
 
-/// The same for a sphere, compiled for the instruction set.
+/// Tests a sphere, compiled for the instruction set.
 template <bool any>
 HWY_NOINLINE HWY_FLATTEN bool TestSphere(const SphereLeaf& leaf, const R3::Ray& ray, NearestHit& nearest,
                                          Counts& counts) {
@@ -176,7 +176,7 @@ class LeafVisitor {
     return false;
   }
 
-  /// The same for a sphere.
+  /// Visits a leaf of one sphere. Returns whether the question is answered.
   HWY_INLINE bool VisitSphere(const SphereLeaf& leaf) {
     if (!TestSphere<any>(leaf, exact_test_.ray, exact_test_.nearest, exact_test_.counts)) return false;
     if constexpr (any) return is_answered = true;
@@ -184,7 +184,7 @@ class LeafVisitor {
     return false;
   }
 
-  /// The same for a primitive of another kind.
+  /// Visits a primitive that is neither triangle nor sphere. Returns whether the question is answered.
   bool VisitPrimitive(std::uint32_t primitive) {
     if constexpr (!any) TestCandidatesNow();
     is_answered = TestPrimitive<any>(exact_test_.two_level, exact_test_.structure, primitive, exact_test_.ray,
@@ -194,7 +194,7 @@ class LeafVisitor {
     return false;
   }
 
-  /// The same for some, by their hulls, the nearest first.
+  /// Visits primitives by their hulls, the nearest first. Returns whether the question is answered.
   bool VisitHulls(const HullBlock& block) {
     alignas(32) float entries[width];
     std::uint32_t rest = TestHulls(block, traversal_ray_, limit, entries);

@@ -116,7 +116,7 @@ HWY_INLINE std::uint32_t Bits(D d, M mask) {
   return bytes[0] | static_cast<std::uint32_t>(bytes[1]) << 8;
 }
 
-/// The same for the triangles of a block: the lanes as bits and places in arrays.
+/// The masks of a block's triangles as bits, and their distances in arrays.
 struct BlockMask {
   std::uint32_t maybe = 0, certain = 0;
   alignas(32) float nearest[width], farthest[width];
