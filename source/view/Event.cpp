@@ -19,7 +19,7 @@ constexpr std::array named_keys{
     NamedKey{Key::enter, "Enter"},    NamedKey{Key::tab, "Tab"},         NamedKey{Key::backspace, "Backspace"},
     NamedKey{Key::left, "Left"},      NamedKey{Key::right, "Right"},     NamedKey{Key::up, "Up"},
     NamedKey{Key::down, "Down"},      NamedKey{Key::page_up, "PageUp"},  NamedKey{Key::page_down, "PageDown"},
-    NamedKey{Key::home, "Home"},      NamedKey{Key::end, "End"},
+    NamedKey{Key::home, "Home"},      NamedKey{Key::end, "End"},         NamedKey{Key::del, "Delete"},
 };
 
 bool IsBetween(Key key, Key first, Key last) { return first <= key && key <= last; }

@@ -15,7 +15,7 @@ enum class Key : int {
   equal = '=',
   a = 'A', b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u, v, w, x, y, z,
   left_bracket = '[', right_bracket = ']',
-  escape = 256, enter, tab, backspace, left, right, up, down, page_up, page_down, home, end,
+  escape = 256, enter, tab, backspace, left, right, up, down, page_up, page_down, home, end, del,
   f1 = 301, f2, f3, f4, f5, f6, f7, f8, f9, f10, f11, f12,
   pad_0 = 400, pad_1, pad_2, pad_3, pad_4, pad_5, pad_6, pad_7, pad_8, pad_9
 };

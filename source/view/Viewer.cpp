@@ -132,11 +132,18 @@ void Viewer::On(const ButtonEvent& event) {
     press_->moves_flat = FlatJob() && !press_->on_section;
     press_->moves_slider = press_->moves_flat && TakesSlider(event);
     if (press_->on_section || press_->moves_flat) return;
+    constexpr Modifiers of_moving{true, true};
+    press_->moves_chosen = event.button == Button::left && event.modifiers == of_moving;
+    if (press_->moves_chosen) {
+      editor_.BeginDrag(*this, RayAt(press_->at));
+      return;
+    }
     navigator_.BeginDrag(event, PointFinder());
     return;
   }
   if (!press_ || press_->button != event.button) return;
   const bool is_click = press_->is_click && !press_->on_section;
+  editor_.EndDrag(*this);
   needs_redraw_ |= press_->on_section;
   press_.reset();
   navigator_.EndDrag();
@@ -151,6 +158,7 @@ void Viewer::On(const MoveEvent& event) {
   press_->is_click = press_->is_click && !has_gone;
   if (press_->is_click) return;
   if (press_->moves_flat) return DragFlat(last, pointer_);
+  if (press_->moves_chosen) return editor_.DragTo(*this, RayAt(pointer_));
   navigator_.DragTo({event.x, event.y});
 }
 
@@ -212,7 +220,7 @@ void Viewer::On(const TickEvent& event) {
   navigator_.Advance(event.seconds);
   if (now_ - last_look_at_files_ < seconds_between_looks) return;
   last_look_at_files_ = now_;
-  if (watch_.HasChanged()) Reload();
+  if (watch_.HasChanged()) TellOfChangedFiles();
 }
 
 bool Viewer::Update() {
@@ -241,11 +249,13 @@ bool Viewer::Update() {
 void Viewer::SaveEnded(const RenderJob& job) {
   if (!job.Failure().empty()) return ShowMessage("rendering failed: " + job.Failure());
   if (!job.IsComplete()) return ShowMessage("rendering stopped; nothing was saved");
-  ShowMessage(host_.SaveTraced(job));
+  KeepImage(job);
+  ShowMessage(host_.SaveTraced(job) + (editor_.HasUnsaved() ? "; the scene's changes are not saved yet" : ""));
 }
 
 void Viewer::TellEndedLive(const RenderJob& job) {
   if (!job.Failure().empty()) return ShowMessage("rendering failed: " + job.Failure());
+  if (job.IsComplete()) KeepImage(job);
   if (job.IsComplete() && job.Settings().budget.IsOpen()) ShowMessage(ClaimOf(*job.Result()));
 }
 
@@ -297,10 +307,15 @@ void Viewer::Open(const std::string& file) {
     pictures_.SetReference(std::move(picture));
     return ShowMessage("the reference is " + file);
   }
+  if (!editor_.MayLose(*this, "open another scene")) return;
   try {
-    auto scene = Load(file, settings_);
+    ViewerSettings unedited = settings_;
+    unedited.parse.edited.reset();
+    auto scene = Load(file, unedited);
     TakeSettings(scene->parsed.scene);
     settings_.scene = file;
+    settings_.parse.edited.reset();
+    editor_.Forget();
     bookmarks_ = Bookmarks(file);
     pictures_.ForgetTrace();
     flat_.Hide();

@@ -12,6 +12,8 @@
 #include "source/view/HelpText.h"
 #include "source/view/camera/Bookmarks.h"
 #include "source/view/camera/Navigator.h"
+#include "source/view/compare/ImageStrip.h"
+#include "source/view/edit/SceneEditor.h"
 #include "source/view/live/AcceleratorCost.h"
 #include "source/view/live/TracedPictures.h"
 #include "source/view/overlay/Pick.h"
@@ -53,6 +55,10 @@ class ViewerHost {
   virtual std::string SaveRays(const std::string& obj) = 0;
   /// Writes a file whole or not at all. Returns why it could not, else nothing.
   virtual std::string SaveText(const std::string& file, const std::string& text) = 0;
+  /// Likewise, of the scene that is shown, which other files never take the place of.
+  virtual std::string SaveScene(const std::string& file, const std::string& text) { return SaveText(file, text); }
+  /// Scenes that were opened before, the last first.
+  virtual std::vector<std::string> RecentScenes() { return {}; }
   /// Null when it is no picture that can be read.
   virtual std::shared_ptr<const R2::Image> ReadPicture(const std::string& file) = 0;
   virtual void SetClipboard(const std::string& text) = 0;
@@ -127,6 +133,33 @@ class Viewer {
   /// How they look, or will when they are shown.
   PanelSettings PanelLook() const { return panels_ ? panels_->Look() : settings_.panels; }
 
+  /// Shows a message, of what the program around the viewer did for it.
+  void Tell(const std::string& message) { ShowMessage(message); }
+
+  // Editing, and other scenes: ViewerEdits.cpp.
+  const SceneEditor& Editor() const { return editor_; }
+  SceneEditor& Editor() { return editor_; }
+  /// Reads the scene with these texts in place of its files; camera, options and pictures stay. Returns why it could
+  /// not, and then shows what it did before; else nothing.
+  std::string ShowEdits(std::shared_ptr<const EditedFiles> texts);
+  /// Returns why it could not be written, else nothing.
+  std::string SaveScene(const std::string& file, const std::string& text);
+  /// Unless that would lose edits; then a message says so, and it is opened when it is asked for again.
+  void OpenScene(const std::string& file) { Open(file); }
+  /// Whether the scenes that can be opened are listed.
+  bool ListsScenes() const { return lists_scenes_; }
+  std::vector<std::string> RecentScenes() const { return host_.RecentScenes(); }
+  const std::string& SceneFile() const { return settings_.scene; }
+
+  // Images, compared: ViewerEdits.cpp.
+  double ExposureSteps() const { return exposure_steps_; }
+  /// In stops: each doubles the light.
+  void SetExposure(double steps);
+  const ImageStrip& Images() const { return images_; }
+  /// One of these in place of the current image; nothing for the current one. It is the reference as well.
+  void ShowImage(std::optional<std::size_t> index);
+  std::optional<std::size_t> ShownImage() const;
+
   // What panels ask for.
   void SetPanelLook(const PanelSettings& look);
   /// A node of the scene graph to look at, into World::Nodes; nothing for none. A picked one is chosen as well.
@@ -169,6 +202,7 @@ class Viewer {
     bool on_section = false;    // it measures the cross section
     bool moves_flat = false;    // it moves the flat picture,
     bool moves_slider = false;  // or its slider
+    bool moves_chosen = false;  // or what is chosen in the scene
   };
 
   void On(const KeyEvent& event);
@@ -179,11 +213,24 @@ class Viewer {
   void On(const ResizeEvent& event);
   void On(const DropEvent& event);
   void On(const TickEvent& event);
-  void On(const CloseEvent&) { is_closed_ = true; }
+  void On(const CloseEvent&) { Quit(); }
   void OnClick(const ButtonEvent& event);
   void PickAt(const R2::Point& position);
 
   struct BindingTable;
+  /// The ray through a position in the drawing.
+  R3::Ray RayAt(const R2::Point& position) const;
+  void FocusUnderPointer();
+  /// A finished image goes to the strip of them.
+  void KeepImage(const RenderJob& job);
+  void FlipImages(int by);
+  void ToggleDenoising();
+  void ToggleSceneList();
+  /// To the scene so many files behind this one in its folder, or before it.
+  void OpenNeighbor(int by);
+  /// What the disk has, in place of edits.
+  void ReadFromDisk();
+  void TellOfChangedFiles();
   void StartTrace();
   /// Ends the uppermost of what is open: the help, the pick, the cross section, the trace.
   void Peel();
@@ -295,6 +342,9 @@ class Viewer {
   RayInspector rays_;
   SectionView section_;
   FlatView flat_;
+  SceneEditor editor_;
+  ImageStrip images_;
+  std::shared_ptr<const R2::Image> shown_image_;  // of these; null for the current one
   std::optional<Pick> pick_;
   std::optional<std::size_t> chosen_node_;
   std::unique_ptr<Panels> panels_;  // once they were shown
@@ -304,7 +354,7 @@ class Viewer {
 
   DrawingSize size_;
   double scale_ = 1;  // of the screen
-  bool shows_panels_ = false;
+  bool shows_panels_ = false, lists_scenes_ = false;
   bool shows_faces_ = true, shows_edges_ = false, shows_camera_ = false, shows_lights_ = false;
   bool shows_quad_ = true, shows_shadows_ = false;
   int help_page_ = 0;  // from 1; 0 for none

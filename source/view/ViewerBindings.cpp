@@ -6,7 +6,7 @@
 namespace ray {
 namespace {
 
-constexpr Modifiers plain{}, shift{true, false}, control{false, true};
+constexpr Modifiers plain{}, shift{true, false}, control{false, true}, both{true, true};
 constexpr double wider = 1.1;
 
 /// What the pointer does, for the help.
@@ -17,6 +17,7 @@ constexpr std::array gestures{
     std::array{"wheel", "zoom toward the point under the pointer; over the cross section, move its plane"},
     std::array{"left click", "describe what is under the pointer"},
     std::array{"double click", "set the pivot to the point under the pointer"},
+    std::array{"Control+Shift+left drag", "move the chosen object or light along the axis of key A"},
     std::array{"right click", "trace this pixel and show its rays; arrow keys step to the next pixel"},
     std::array{"right button held", "look around; W A S D Q E fly, Shift faster, Control slower, wheel sets the speed"},
     std::array{"file dropped", "open a scene or mesh, or use an image as the reference"},
@@ -33,6 +34,7 @@ constexpr std::array headings{
     Heading{Key::f, plain, "Camera"},        Heading{Key::g, plain, "Rays"},
     Heading{Key::x, plain, "Cross section"}, Heading{Key::f7, plain, "False colors"},
     Heading{Key::r, plain, "Comparing"},     Heading{Key::up, control, "Exposure"},
+    Heading{Key::a, plain, "Editing"},       Heading{Key::o, control, "Scenes"},
     Heading{Key::f1, plain, "Program"},      Heading{Key::digit_1, plain, "Bookmarks"},
 };
 
@@ -84,6 +86,8 @@ struct Viewer::BindingTable {
          [](Viewer& v) { v.Peel(); }},
         {Key::q, plain, "quit; while a picture is being rendered, when pressed twice", [](Viewer& v) { v.Quit(); }},
         {Key::p, plain, "toggle live rendering", Live()},
+        {Key::m, plain, "toggle denoising, of images that get all their samples",
+         [](Viewer& v) { v.ToggleDenoising(); }},
         {Key::v, plain, "toggle the rendered image in space", Toggle("rendered image in space", &Viewer::shows_quad_)},
         {Key::c, plain, "print the camera as a scene-file line and copy it to the clipboard",
          [](Viewer& v) { v.PrintCamera(); }},
@@ -187,14 +191,55 @@ struct Viewer::BindingTable {
          }},
         {Key::d, plain, "toggle the difference from the reference",
          [](Viewer& v) { v.Compare(TracedPictures::Comparing::difference); }},
+        {Key::page_down, control, "flip through the images made so far: the next, or the current one",
+         [](Viewer& v) { v.FlipImages(1); }},
+        {Key::page_up, control, "the one before", [](Viewer& v) { v.FlipImages(-1); }},
         {Key::up, control, "one stop brighter", [](Viewer& v) { v.ChangeExposure(1); }},
         {Key::down, control, "one stop darker", [](Viewer& v) { v.ChangeExposure(-1); }},
+        {Key::up, both, "a quarter of a stop brighter", [](Viewer& v) { v.ChangeExposure(0.25); }},
+        {Key::down, both, "a quarter of a stop darker", [](Viewer& v) { v.ChangeExposure(-0.25); }},
         {Key::digit_0, control, "reset the exposure", [](Viewer& v) { v.ChangeExposure(0); }},
         {Key::f1, plain, "save a screenshot", [](Viewer& v) { v.host_.SaveDrawing(); }},
-        {Key::r, control, "reload the scene", [](Viewer& v) { v.Reload(); }},
+        {Key::r, control, "reload the scene", [](Viewer& v) { v.ReadFromDisk(); }},
         {Key::h, plain, "this help, page by page", [](Viewer& v) { v.TurnHelpPage(); }},
         {Key::slash, plain, "", [](Viewer& v) { v.TurnHelpPage(); }},
         {Key::slash, shift, "", [](Viewer& v) { v.TurnHelpPage(); }},
+    };
+  }
+
+  static std::vector<Binding> Editing() {
+    const auto edit = [](auto what) { return [what](Viewer& v) { what(v.editor_, v); }; };
+    const auto move = [&](double steps) {
+      return edit([steps](SceneEditor& e, Viewer& v) { e.MoveBySteps(v, steps); });
+    };
+    constexpr double many = 10;
+    return {
+        {Key::a, plain, "the axis that the chosen object or light moves along: x, y, z, the plane facing the camera",
+         edit([](SceneEditor& e, Viewer& v) { e.NextAxis(v); })},
+        {Key::equal, plain, "move it forward along the axis; with Shift ten steps", move(1)},
+        {Key::equal, shift, "", move(many)},
+        {Key::minus, plain, "move it backward along the axis; with Shift ten steps", move(-1)},
+        {Key::minus, shift, "", move(-many)},
+        {Key::d, control, "duplicate it", edit([](SceneEditor& e, Viewer& v) { e.Duplicate(v); })},
+        {Key::del, plain, "delete it", edit([](SceneEditor& e, Viewer& v) { e.Delete(v); })},
+        {Key::k, plain, "focus the lens on the point under the pointer", [](Viewer& v) { v.FocusUnderPointer(); }},
+        {Key::k, shift, "make the view the scene's camera", edit([](SceneEditor& e, Viewer& v) { e.KeepCamera(v); })},
+        {Key::z, control, "undo", edit([](SceneEditor& e, Viewer& v) { e.Undo(v); })},
+        {Key::y, control, "redo", edit([](SceneEditor& e, Viewer& v) { e.Redo(v); })},
+        {Key::z, both, "", edit([](SceneEditor& e, Viewer& v) { e.Redo(v); })},
+        {Key::s, control, "save the changed lines into the scene's files",
+         edit([](SceneEditor& e, Viewer& v) { e.Save(v); })},
+        {Key::s, both, "save the changed scene as a copy beside it",
+         edit([](SceneEditor& e, Viewer& v) { e.SaveCopy(v); })},
+    };
+  }
+
+  static std::vector<Binding> Scenes() {
+    return {
+        {Key::o, control, "list the scenes to open: of this folder, and recent ones",
+         [](Viewer& v) { v.ToggleSceneList(); }},
+        {Key::page_down, plain, "open the next scene of the folder", [](Viewer& v) { v.OpenNeighbor(1); }},
+        {Key::page_up, plain, "open the previous scene of the folder", [](Viewer& v) { v.OpenNeighbor(-1); }},
     };
   }
 
@@ -212,8 +257,8 @@ struct Viewer::BindingTable {
 
   static std::vector<Binding> All() {
     std::vector<Binding> all;
-    for (const auto& group : {Rendering(), WhatIsShown(), CameraMoves(), Rays(), CrossSection(), FalseColors(),
-                              ComparingAndTheRest(), OfBookmarks()})
+    for (const auto& group : {Rendering(), WhatIsShown(), Editing(), Scenes(), CameraMoves(), Rays(), CrossSection(),
+                              FalseColors(), ComparingAndTheRest(), OfBookmarks()})
       all.insert(all.end(), group.begin(), group.end());
     return all;
   }

@@ -35,6 +35,7 @@ void Viewer::Peel() {
 }
 
 void Viewer::Quit() {
+  if (!editor_.MayLose(*this, "quit")) return;
   if (!pictures_.IsTracing() || was_asked_to_quit_) {
     is_closed_ = true;
     return;
@@ -180,8 +181,7 @@ void Viewer::Compare(TracedPictures::Comparing how) {
 }
 
 void Viewer::ChangeExposure(double steps) {
-  exposure_steps_ = steps == 0 ? 0 : exposure_steps_ + steps;
-  ShowMessage("exposure " + ToText(exposure_steps_) + (std::abs(exposure_steps_) == 1 ? " stop" : " stops"));
+  SetExposure(steps == 0 ? 0 : exposure_steps_ + steps);
 }
 
 void Viewer::TurnHelpPage() {

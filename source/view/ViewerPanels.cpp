@@ -29,6 +29,7 @@ void Viewer::ChangeOption(const std::string& name, const std::string& value) {
     return ShowMessage(option_problem_);
   }
   option_problem_.clear();
+  changed.parse.edited = settings_.parse.edited;
   const bool is_read_again = changed.parse != settings_.parse || changed.accelerator != settings_.accelerator;
   settings_.parse = changed.parse;
   settings_.accelerator = changed.accelerator;

@@ -183,6 +183,7 @@ Lines Viewer::MakeMarks() const {
     return cross_size * std::max(0.0, DepthOf(camera, p)) * 2 * camera.HalfWidth() / ViewSize().width;
   };
   if (const auto& pivot = navigator_.Pivot()) Append(lines, AxesAt(*pivot, size_at(*pivot), space_));
+  if (shows_panels_ || editor_.IsDragging()) Append(lines, editor_.Marks(*this, space_, size_at));
   if (pick_ && pick_->point) Append(lines, CrossAt(*pick_->point, size_at(*pick_->point), space_, picked_color));
   return lines;
 }
@@ -259,7 +260,7 @@ std::string Viewer::BoxesInWords() const {
 
 std::string Viewer::Title() const {
   const std::string name = std::filesystem::path(settings_.scene).filename().string();
-  return name + " " + std::to_string(size_.width) + "x" + std::to_string(size_.height) +
+  return name + (editor_.HasUnsaved() ? "* " : " ") + std::to_string(size_.width) + "x" + std::to_string(size_.height) +
          (status_.empty() ? "" : " " + status_) + (notes_.empty() ? "" : " (" + notes_ + ")");
 }
 
@@ -301,6 +302,7 @@ std::string Viewer::State() {
   line("reference", yes_or_no(pictures_.Reference() != nullptr));
   line("help", std::to_string(help_page_));
   line("message", message_);
+  line("edits", editor_.Describe());
   line("panels", yes_or_no(shows_panels_));
   if (shows_panels_) text += TextOfPanels();
   return text;

@@ -27,9 +27,11 @@ std::string Hexadecimal(std::uint64_t number) {
 
 }  // namespace
 
-std::string SceneHash(std::span<const std::string> files) {
+std::string SceneHash(std::span<const std::string> files, std::span<const std::string_view> texts) {
   Hash hash;
-  for (const std::string& file : files) {
+  for (const std::string_view text : texts)
+    hash.Add(std::span(reinterpret_cast<const unsigned char*>(text.data()), text.size()));
+  for (const std::string& file : files.subspan(texts.size())) {
     if (file == standard_input_name) {
       std::istringstream bytes(StandardInput());
       Add(bytes, hash);

@@ -170,7 +170,7 @@ const ProgramText& TextOf(Program program) {
       .summary = "view a scene, and ray trace the view",
       .description =
           "Shows a scene file in a window; key H there lists the keys and what the mouse does. Key S traces the "
-          "view.\n",
+          "view. Scenes in .scn can be changed there, by the panel Edit of key Tab, and saved by Control+S.\n",
       .examples =
           "  rayview scenes/hello.scn -image hello.png -samples 16\n"
           "  rayview scenes/hello.scn -headless -events tour.txt -screenshot end.png\n"

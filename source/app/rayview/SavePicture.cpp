@@ -3,6 +3,7 @@
 #include <cassert>
 #include <filesystem>
 #include <optional>
+#include <string_view>
 #include <system_error>
 #include <vector>
 
@@ -14,11 +15,18 @@
 namespace ray {
 namespace {
 
+/// The texts of the scene's files as they were read, which may be edited and not saved yet.
+std::vector<std::string_view> TextsOf(const LoadedScene& scene) {
+  std::vector<std::string_view> texts;
+  for (const ScnPlaces::File& file : scene.places.files) texts.emplace_back(file.text->bytes);
+  return texts;
+}
+
 RunStats RecordOf(const Options& options, const LoadedScene& scene, const RenderResult& result, double seconds) {
   RunStats record;
   record.options = options;
   record.picture = options.picture;
-  record.scene.hash = SceneHash(scene.parsed.scene.files);
+  record.scene.hash = SceneHash(scene.parsed.scene.files, TextsOf(scene));
   record.scene.settings = SettingsInForce(scene.parsed.scene, options);
   record.threads = ThreadsOf(options.render);
   record.seconds.wall = seconds;

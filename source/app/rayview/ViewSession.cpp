@@ -18,6 +18,7 @@
 #include "source/app/options/SceneSettings.h"
 #include "source/app/rayview/PanelHabits.h"
 #include "source/app/rayview/PanelOptions.h"
+#include "source/app/rayview/RecentScenes.h"
 #include "source/app/rayview/SavePicture.h"
 #include "source/app/report/Messages.h"
 #include "source/parse/Text.h"
@@ -157,7 +158,9 @@ class Session : public ViewerHost {
         first_look_(FirstLook(LoadPanelHabits(habits_file_), options.view.panels)),
         viewer_(WithLook(WithReference(SettingsFor(options), options.view.reference), first_look_), std::move(scene),
                 *this),
-        recorder_(outputs_.record) {
+        recorder_(outputs_.record),
+        recent_(IsLookedAt(options) && options.view.record.empty() ? RecentScenesFile() : std::string()) {
+    recent_.Add(options.scene);
     if (options.view.panels != "off") viewer_.ShowPanels(first_look_);
   }
 
@@ -176,6 +179,7 @@ class Session : public ViewerHost {
         recorder_.Write();
         return std::string();
       });
+    recent_.Save();
     if (!habits_file_.empty() && viewer_.PanelLook() != first_look_) SavePanelHabits(habits_file_, viewer_.PanelLook());
     return StopSignal() != 0 ? status::killed_by + StopSignal() : status_;
   }
@@ -210,6 +214,15 @@ class Session : public ViewerHost {
       return error.what();
     }
   }
+  std::string SaveScene(const std::string& file, const std::string& text) override {
+    try {
+      WriteWhole(CheckOutput(file, {}), BytesOf(text));
+      return {};
+    } catch (const OutputError& error) {
+      return error.what();
+    }
+  }
+  std::vector<std::string> RecentScenes() override { return recent_.Files(); }
   std::shared_ptr<const R2::Image> ReadPicture(const std::string& file) override {
     inputs_.push_back(file);
     return ReadPictureFile(file);
@@ -227,7 +240,9 @@ class Session : public ViewerHost {
     return SettingsFor(options_);
   }
   std::optional<ViewerSettings> SettingsWith(const Scene& scene) override {
-    inputs_.insert(inputs_.end(), scene.files.begin(), scene.files.end());
+    for (const std::string& file : scene.files)  // of a scene that is edited they are the same again and again
+      if (std::ranges::find(inputs_, file) == inputs_.end()) inputs_.push_back(file);
+    if (!scene.files.empty()) recent_.Add(scene.files.front());
     Options options = WithSettingsOf(scene, asked_);
     for (const auto& [name, value] : changes_) options = WithOption(options, name, value);
     options_ = std::move(options);
@@ -404,6 +419,7 @@ class Session : public ViewerHost {
   const PanelSettings first_look_;
   Viewer viewer_;
   Recorder recorder_;
+  ray::RecentScenes recent_;
   const Clock::time_point start_ = Clock::now();
   MotionDetail detail_;
   std::string title_;

@@ -37,6 +37,7 @@ constexpr KeyRange key_ranges[] = {
     {GLFW_KEY_UP, GLFW_KEY_UP, Key::up},
     {GLFW_KEY_DOWN, GLFW_KEY_DOWN, Key::down},
     {GLFW_KEY_PAGE_UP, GLFW_KEY_END, Key::page_up},
+    {GLFW_KEY_DELETE, GLFW_KEY_DELETE, Key::del},
     {GLFW_KEY_F1, GLFW_KEY_F12, Key::f1},
     {GLFW_KEY_KP_0, GLFW_KEY_KP_9, Key::pad_0},
     {GLFW_KEY_KP_ENTER, GLFW_KEY_KP_ENTER, Key::enter},

@@ -141,7 +141,7 @@ std::optional<RenderResult> RenderJob::RenderCoarseFirst(const Integrator& integ
       samples_.store(streams * static_cast<int>(per_stream), std::memory_order_release);
     };
   }
-  RenderResult result = Render(scene_->world, integrator, settings, monitor);
+  RenderResult result = RenderAll(integrator, settings, monitor);
   if (!result.IsComplete()) return {};
   // Passes were made to be seen; Render has one unless it was asked for more.
   if (!settings_.wants_passes && !settings_.budget.IsOpen())
@@ -152,6 +152,13 @@ std::optional<RenderResult> RenderJob::RenderCoarseFirst(const Integrator& integ
   return result;
 }
 
+RenderResult RenderJob::RenderAll(const Integrator& integrator, const RenderSettings& settings,
+                                  const RenderMonitor& monitor) const {
+  // Filters of noise are guided by what the accelerator finds.
+  if (settings.denoise) return Render(scene_->world, *scene_->accelerator, settings, monitor);
+  return Render(scene_->world, integrator, settings, monitor);
+}
+
 std::optional<RenderResult> RenderJob::RenderAtOnce(const Integrator& integrator) {
   RenderMonitor monitor;
   monitor.stop = &stop_;
@@ -159,7 +166,7 @@ std::optional<RenderResult> RenderJob::RenderAtOnce(const Integrator& integrator
     rays_ = progress.rays;
     share_ = static_cast<double>(progress.done) / static_cast<double>(progress.total);
   };
-  RenderResult result = Render(scene_->world, integrator, settings_, monitor);
+  RenderResult result = RenderAll(integrator, settings_, monitor);
   if (!result.IsComplete()) return {};
   Show(result.image, 0);
   rows_done_.store(result.image.Height(), std::memory_order_release);
@@ -169,8 +176,8 @@ std::optional<RenderResult> RenderJob::RenderAtOnce(const Integrator& integrator
 
 std::optional<RenderResult> RenderJob::RenderRows(const Integrator& integrator) {
   // Whether a block goes on depends on its neighbors, so no row is done before all have their first sample.
-  // Where pixels are left out, what is around them fills them.
-  if (SamplesWhereNeighborsDiffer(settings_) || IsSubsampled(settings_)) return RenderAtOnce(integrator);
+  // Where pixels are left out, what is around them fills them; and noise is filtered in the whole image.
+  if (SamplesWhereNeighborsDiffer(settings_) || IsSubsampled(settings_) || settings_.denoise) return RenderAtOnce(integrator);
   const PixelRectangle region = RegionOf(settings_);
   const auto samples = static_cast<std::uint32_t>(settings_.samples);
   const int band = BandHeight(settings_);

@@ -74,6 +74,8 @@ class RenderJob {
  private:
   void Run();
   std::optional<RenderResult> RenderCoarseFirst(const Integrator& integrator);
+  RenderResult RenderAll(const Integrator& integrator, const RenderSettings& settings,
+                         const RenderMonitor& monitor) const;
   std::optional<RenderResult> RenderAtOnce(const Integrator& integrator);
   std::optional<RenderResult> RenderRows(const Integrator& integrator);
   /// A whole picture, or rows of it from `first` up.

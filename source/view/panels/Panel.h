@@ -26,7 +26,7 @@ class PanelFrame {
 
   /// Whether it was clicked.
   bool Button(const std::string& name);
-  /// A line that can be chosen; whether it was clicked.
+  /// A line that can be chosen, cut short where it has no room; whether it was clicked.
   bool Choice(const std::string& name, bool is_chosen);
   /// A switch; whether it was clicked.
   bool Check(const std::string& name, bool is_on);
@@ -43,6 +43,9 @@ class PanelFrame {
   std::vector<PanelItem>& items_;
   std::vector<std::function<void(Viewer&)>> actions_;
 };
+
+/// The text, or as much of its beginning as has room, in pixels; scripts are told all of it. Letters are of one width.
+std::string Fitting(const std::string& text, float room);
 
 /// One part of the column; it may remember what is open in it.
 class Panel {

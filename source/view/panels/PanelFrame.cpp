@@ -1,8 +1,18 @@
 #include <imgui.h>
+#include <imgui_internal.h>  // LogEnabled
+
+#include <algorithm>
 
 #include "source/view/panels/Panel.h"
 
 namespace ray {
+
+std::string Fitting(const std::string& text, float room) {
+  const auto letters = static_cast<std::size_t>(std::max(0.0F, room / ImGui::CalcTextSize("0").x));
+  if (text.size() <= letters || ImGui::GetCurrentContext()->LogEnabled) return text;
+  constexpr std::size_t dots = 2;
+  return text.substr(0, letters > dots ? letters - dots : 0) + "..";
+}
 
 bool PanelFrame::Button(const std::string& name) {
   const bool is_clicked = ImGui::Button(name.c_str());
@@ -11,8 +21,11 @@ bool PanelFrame::Button(const std::string& name) {
 }
 
 bool PanelFrame::Choice(const std::string& name, bool is_chosen) {
-  const bool is_clicked = ImGui::Selectable(name.c_str(), is_chosen);
+  // What is behind the signs tells lines apart that begin alike, and is not shown.
+  const std::string fitting = Fitting(name, ImGui::GetContentRegionAvail().x);
+  const bool is_clicked = ImGui::Selectable((fitting + "##" + name).c_str(), is_chosen);
   Note(name);
+  if (fitting != name && ImGui::IsItemHovered()) ImGui::SetTooltip("%s", name.c_str());
   return is_clicked;
 }
 

@@ -78,6 +78,7 @@ constexpr std::pair<ImGuiKey, Key> key_names[] = {
     {ImGuiKey_Home, Key::home},
     {ImGuiKey_End, Key::end},
     {ImGuiKey_Backspace, Key::backspace},
+    {ImGuiKey_Delete, Key::del},
     {ImGuiKey_Enter, Key::enter},
     {ImGuiKey_Escape, Key::escape},
     {ImGuiKey_A, Key::a},

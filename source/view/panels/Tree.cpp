@@ -1,24 +1,11 @@
 #include "source/view/panels/Tree.h"
 
 #include <imgui.h>
-#include <imgui_internal.h>  // LogEnabled
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace ray {
-namespace {
-
-/// The text, or as much of its beginning as has room; scripts are told all of it. Letters are of one width.
-std::string Fitting(const std::string& text, float room) {
-  const auto letters = static_cast<std::size_t>(std::max(0.0F, room / ImGui::CalcTextSize("0").x));
-  if (text.size() <= letters || ImGui::GetCurrentContext()->LogEnabled) return text;
-  constexpr std::size_t dots = 2;
-  return text.substr(0, letters > dots ? letters - dots : 0) + "..";
-}
-
-}  // namespace
 
 void Tree::SetOpen(std::size_t node, bool is_open) {
   if (is_open == IsOpen(node)) return;

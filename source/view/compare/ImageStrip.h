@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "R2/Image.h"
+
+namespace ray {
+
+/// An image that was made, and how.
+struct KeptImage {
+  std::shared_ptr<const R2::Image> image;
+  std::string scene;    // its file
+  std::string command;  // that makes it; empty where there is none
+  std::string claim;    // about its error; empty where none was made
+  double seconds = 0;   // that it took
+  double samples = 0;   // per pixel, the mean
+};
+
+/// The images made so far, the last at the end; of more than there is room for, the oldest go.
+class ImageStrip {
+ public:
+  static constexpr std::size_t most = 16;
+
+  void Add(KeptImage image);
+  const std::vector<KeptImage>& All() const { return images_; }
+  /// How many were ever added: another number for each change.
+  std::size_t Number() const { return added_; }
+  /// The number of an image, from 1, that it keeps while older ones go.
+  std::size_t NumberOf(std::size_t index) const { return added_ - images_.size() + index + 1; }
+
+ private:
+  std::vector<KeptImage> images_;
+  std::size_t added_ = 0;
+};
+
+}  // namespace ray

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "source/view/edit/TextEdit.h"
+
+namespace ray {
+
+/// Where something that can be chosen is said: the offset of its statement in a file, named by its canonical path.
+struct EditPlace {
+  std::string file;
+  std::size_t begin = 0;
+  friend bool operator==(const EditPlace&, const EditPlace&) = default;
+};
+
+/// One step of undo: what it is called, its edits, and what was chosen before and after them.
+struct Change {
+  std::string what;  // "move sphere, line 16"
+  std::string key;   // changes of one gesture, as of a slider that is dragged, have the same key and become one
+  TextEdits edits;
+  std::optional<EditPlace> chosen_before{}, chosen_after{};
+};
+
+/// What was done, and can be undone and redone.
+class EditHistory {
+ public:
+  /// Changes that were undone are forgotten. One that continues the last one becomes a part of it.
+  void Do(Change change, bool continues);
+  /// The change to take back or to do again; null where there is none.
+  const Change* ToUndo() const { return done_ > 0 ? &changes_[done_ - 1] : nullptr; }
+  const Change* ToRedo() const { return done_ < changes_.size() ? &changes_[done_] : nullptr; }
+  /// Moves on to the change before, or behind, which must be there.
+  void Undo();
+  void Redo();
+  void Forget();
+  /// Whether the next change could become a part of the last one.
+  bool Continues(const std::string& key) const { return can_continue_ && done_ > 0 && changes_[done_ - 1].key == key; }
+  std::size_t Done() const { return done_; }
+  std::size_t Undone() const { return changes_.size() - done_; }
+
+ private:
+  static constexpr std::size_t most_changes = 10'000;
+
+  std::vector<Change> changes_;
+  std::size_t done_ = 0;  // of changes_, from the first
+  bool can_continue_ = false;
+};
+
+}  // namespace ray

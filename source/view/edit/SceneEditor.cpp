@@ -1,0 +1,524 @@
+#include "source/view/edit/SceneEditor.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <utility>
+
+#include "source/parse/Files.h"
+#include "source/text/Number.h"
+#include "source/text/NumberText.h"
+#include "source/view/Viewer.h"
+#include "source/view/edit/SceneFiles.h"
+#include "source/view/overlay/SceneLines.h"
+
+namespace ray {
+namespace {
+
+constexpr double slow = 0.15;  // seconds of reading a scene: what is dragged is then moved once it is let go
+constexpr Rgba axis_color{255, 200, 60, 255};
+
+const ScnPlaces& PlacesOf(const Viewer& viewer) { return viewer.scene().places; }
+
+std::string Count(std::size_t count, const char* one, const char* more) {
+  return std::to_string(count) + " " + (count == 1 ? one : more);
+}
+
+/// The node that has a location; nothing where none has.
+std::optional<std::size_t> NodeAt(const World& world, const Location& location) {
+  const auto& nodes = world.Nodes();
+  const auto found = std::ranges::find_if(nodes, [&](const FlatNode& flat) {
+    const Location& at = flat.node->location;
+    return at.line == location.line && at.column == location.column && at.file == location.file;
+  });
+  if (found == nodes.end() || location.line == 0) return {};
+  return static_cast<std::size_t>(found - nodes.begin());
+}
+
+std::optional<std::size_t> ParentOf(const World& world, std::size_t node) {
+  const auto& nodes = world.Nodes();
+  const auto found = std::ranges::find_if(nodes, [&](const FlatNode& flat) {
+    return flat.first_child <= node && node - flat.first_child < flat.children;
+  });
+  if (found == nodes.end()) return {};
+  return static_cast<std::size_t>(found - nodes.begin());
+}
+
+bool HasPoints(const ScnPlaces& places, std::uint32_t statement) {
+  return std::ranges::any_of(FieldsOf(places, statement),
+                             [](const ScnField& field) { return field.kind == ScnField::Kind::point; });
+}
+
+/// 1, 2 or 5 times a power of ten, the greatest that is not above `x`.
+double RoundBelow(double x) {
+  constexpr double least = 1e-300, most = 1e300;
+  if (!(x > 0) || !std::isfinite(x)) return 1;
+  double power = 1;  // exact where it is a whole number, and otherwise rounded to digits below
+  while (power > x && power > least) power /= 10;
+  while (10 * power <= x && power < most) power *= 10;
+  for (const double factor : {5.0, 2.0})
+    if (factor * power <= x) return Decimal(factor * power);
+  return Decimal(power);
+}
+
+R3::Vector Snapped(const R3::Vector& way, double step) {
+  const auto snap = [&](double x) { return Decimal(std::round(x / step) * step); };
+  return {snap(way.x), snap(way.y), snap(way.z)};
+}
+
+/// Where on the line through `from` along `axis` a ray comes nearest, in lengths of `axis`; nothing where it runs along
+/// the line.
+///   source   Schneider, Eberly, Geometric Tools for Computer Graphics (2003), 10.8
+std::optional<double> NearestOnLine(const R3::Point& from, const R3::Vector& axis, const R3::Ray& ray) {
+  const R3::Vector between = from - ray.origin;
+  const double aa = Dot(axis, axis), ad = Dot(axis, ray.direction), dd = Dot(ray.direction, ray.direction);
+  const double determinant = aa * dd - ad * ad;
+  constexpr double least_sine = 0.02;  // nearer to the axis the point runs off to the horizon
+  if (!(determinant > least_sine * least_sine * aa * dd)) return {};
+  return (ad * Dot(ray.direction, between) - dd * Dot(axis, between)) / determinant;
+}
+
+/// Where a ray crosses the plane through `from`; nothing where it does not.
+std::optional<R3::Point> OnPlane(const R3::Point& from, const R3::Vector& normal, const R3::Ray& ray) {
+  const double t = Dot(from - ray.origin, normal) / Dot(ray.direction, normal);
+  if (!(t > 0) || !std::isfinite(t)) return {};
+  return ray.At(t);
+}
+
+const char* NameOf(MoveAxis axis) {
+  switch (axis) {
+    case MoveAxis::x:
+      return "x";
+    case MoveAxis::y:
+      return "y";
+    case MoveAxis::z:
+      return "z";
+    case MoveAxis::view:
+      return "the plane that faces the camera";
+  }
+  return "";
+}
+
+/// The distance of a point along the viewing direction.
+std::string FocusText(const Viewer& viewer, const R3::Point& point) {
+  constexpr int digits = 5;
+  const Camera& camera = viewer.navigator().camera();
+  return Rounded(Dot(point - camera.eye, camera.towards), digits);
+}
+
+std::string InWords(const std::vector<double>& values) {
+  std::string words;
+  for (const double value : values) words += " " + ToText(value);
+  return words;
+}
+
+}  // namespace
+
+std::string SceneEditor::WhyNot(const Viewer& viewer) {
+  if (!PlacesOf(viewer).files.empty()) return {};
+  return "only .scn scenes can be edited; raypro SCENE -convert out.scn writes one";
+}
+
+std::string SceneEditor::Describe() const {
+  if (history_.Done() == 0 && history_.Undone() == 0) return is_unsaved_ ? "not saved" : "none";
+  return Count(history_.Done(), "change", "changes") +
+         (history_.Undone() > 0 ? ", " + std::to_string(history_.Undone()) + " undone" : "") +
+         (is_unsaved_ ? ", not saved" : ", saved");
+}
+
+void SceneEditor::Forget() {
+  history_.Forget();
+  texts_.reset(), copied_.reset();
+  saved_.clear();
+  light_.reset(), material_.reset(), drag_.reset();
+  is_unsaved_ = was_asked_ = false;
+}
+
+bool SceneEditor::MayLose(Viewer& viewer, const std::string& next) {
+  const bool is_copied = copied_ && texts_ && *copied_ == *texts_;
+  if (!is_unsaved_ || is_copied || was_asked_) return true;
+  was_asked_ = true;
+  viewer.Tell("the scene has unsaved changes; Control+S saves them, again to " + next + " without");
+  return false;
+}
+
+void SceneEditor::CheckUnsaved() {
+  is_unsaved_ = texts_ && *texts_ != saved_;
+  was_asked_ = false;
+}
+
+std::optional<std::size_t> SceneEditor::ChosenLight(const Viewer& viewer) const {
+  if (viewer.ChosenNode() || !light_ || *light_ >= viewer.scene().parsed.scene.lights.size()) return {};
+  return light_;
+}
+
+void SceneEditor::ChooseLight(Viewer& viewer, std::size_t light) {
+  viewer.ChooseNode({});
+  light_ = light;
+}
+
+std::optional<std::uint32_t> SceneEditor::ChosenStatement(const Viewer& viewer) const {
+  const ScnPlaces& places = PlacesOf(viewer);
+  if (const auto node = viewer.ChosenNode())
+    return StatementAt(places, viewer.scene().world.Nodes()[*node].node->location);
+  const auto light = ChosenLight(viewer);
+  if (!light || *light >= places.lights.size()) return {};
+  return places.lights[*light];
+}
+
+std::optional<std::size_t> SceneEditor::ChosenMaterial(const Viewer& viewer) const {
+  const std::vector<Material>& materials = viewer.scene().parsed.scene.materials;
+  if (material_ && node_of_material_ == viewer.ChosenNode() && *material_ < materials.size()) return material_;
+  if (!viewer.ChosenNode()) return {};
+  const World& world = viewer.scene().world;
+  const std::int32_t instance = world.Nodes()[*viewer.ChosenNode()].instance;
+  if (instance < 0) return {};
+  const Material* const used = world.Instances()[static_cast<std::size_t>(instance)].material;
+  const auto found = std::ranges::find_if(materials, [&](const Material& m) { return &m == used; });
+  if (found == materials.end()) return {};
+  return static_cast<std::size_t>(found - materials.begin());
+}
+
+void SceneEditor::ChooseMaterial(const Viewer& viewer, std::size_t material) {
+  material_ = material;
+  node_of_material_ = viewer.ChosenNode();
+}
+
+std::string SceneEditor::Name(const Viewer& viewer, std::uint32_t statement) const {
+  return NameOf(PlacesOf(viewer), statement);
+}
+
+std::optional<EditPlace> SceneEditor::PlaceOf(const Viewer& viewer, std::optional<std::uint32_t> statement) const {
+  if (!statement) return {};
+  const ScnPlaces& places = PlacesOf(viewer);
+  const ScnPlaces::Statement& at = places.statements[*statement];
+  return EditPlace{places.files[at.file].canonical, at.begin};
+}
+
+void SceneEditor::Choose(Viewer& viewer, const EditPlace& place) {
+  const ScnPlaces& places = PlacesOf(viewer);
+  const auto file = std::ranges::find(places.files, place.file, &ScnPlaces::File::canonical);
+  if (file == places.files.end()) return;
+  const auto index = static_cast<std::uint32_t>(file - places.files.begin());
+  const auto statement = StatementAt(places, index, place.begin);
+  if (!statement) return;
+  if (const auto light = std::ranges::find(places.lights, *statement); light != places.lights.end())
+    return ChooseLight(viewer, static_cast<std::size_t>(light - places.lights.begin()));
+  viewer.ChooseNode(NodeAt(viewer.scene().world, LocationAt(places, index, place.begin)));
+}
+
+void SceneEditor::RefuseReadOnly(const Viewer& viewer, const TextEdits& edits) const {
+  const ScnPlaces& places = PlacesOf(viewer);
+  for (const TextEdit& edit : edits) {
+    const bool is_top = edit.file == places.files.front().canonical;  // of which a copy can be saved
+    if (!is_top && access(edit.file.c_str(), W_OK) != 0)
+      throw EditRefusal("the included file " + edit.file + " cannot be written");
+  }
+}
+
+bool SceneEditor::Do(Viewer& viewer, const std::string& what, const std::string& key, bool continues,
+                     const std::function<TextEdits()>& make, const std::optional<EditPlace>& chosen_after) {
+  if (const std::string why = WhyNot(viewer); !why.empty()) {
+    viewer.Tell(why);
+    return false;
+  }
+  TextEdits edits;
+  try {
+    edits = make();
+    RefuseReadOnly(viewer, edits);
+  } catch (const EditRefusal& refusal) {
+    viewer.Tell("cannot " + what + ": " + refusal.what());
+    return false;
+  }
+  if (edits.empty()) return false;  // it is so already
+  const auto before = PlaceOf(viewer, ChosenStatement(viewer));
+  auto after = chosen_after;
+  if (!after && before) after = EditPlace{before->file, OffsetAfter(edits, before->file, before->begin)};
+  if (!Apply(viewer, edits, after)) return false;
+  history_.Do({what, key, edits, before, after}, continues);
+  CheckUnsaved();
+  viewer.Tell(what);
+  return true;
+}
+
+bool SceneEditor::Apply(Viewer& viewer, const TextEdits& edits, const std::optional<EditPlace>& chosen) {
+  if (!texts_) {
+    saved_.clear();
+    for (const ScnPlaces::File& file : PlacesOf(viewer).files) saved_[file.canonical] = file.text->bytes;
+  }
+  const auto next = std::make_shared<const EditedFiles>(Edited(texts_ ? *texts_ : saved_, edits));
+  const bool had_material = material_ && node_of_material_ == viewer.ChosenNode();
+  const auto start = std::chrono::steady_clock::now();
+  const std::string problem = viewer.ShowEdits(next);
+  seconds_of_reading_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  if (!problem.empty()) {
+    viewer.Tell("refused: " + problem);
+    return false;
+  }
+  texts_ = next;
+  light_.reset();
+  if (chosen) Choose(viewer, *chosen);
+  if (had_material) node_of_material_ = viewer.ChosenNode();
+  return true;
+}
+
+void SceneEditor::SetField(Viewer& viewer, std::uint32_t statement, const ScnField& field,
+                           const std::vector<double>& values, bool continues) {
+  const auto place = PlaceOf(viewer, statement);
+  const std::string key = place ? field.name + "@" + std::to_string(place->begin) + place->file : "";
+  Do(viewer, "set " + field.name + " of " + Name(viewer, statement) + " to" + InWords(values), key, continues,
+     [&] { return WithValues(PlacesOf(viewer), statement, field, values); });
+}
+
+void SceneEditor::SetSetting(Viewer& viewer, const std::string& option, const std::string& value, bool continues) {
+  std::vector<std::pair<std::string, std::string>> settings{{option, value}};
+  // An open lens needs a distance to focus on.
+  const bool needs_focus = option == "aperture" && value != "0" && !(viewer.SettingsOfView().camera.focus > 0);
+  if (needs_focus) settings.emplace_back("focus", FocusText(viewer, viewer.navigator().Center()));
+  Do(viewer, "set " + option + " " + value, option, continues,
+     [&] { return WithSettings(PlacesOf(viewer), settings); });
+}
+
+void SceneEditor::SetAxis(Viewer& viewer, MoveAxis axis) {
+  axis_ = axis;
+  viewer.Tell(std::string("= and - move along ") + NameOf(axis_) + ", by " + ToText(StepOf(viewer)) +
+             "; so does a drag with Control and Shift");
+}
+
+void SceneEditor::NextAxis(Viewer& viewer) {
+  constexpr int axes = 4;
+  SetAxis(viewer, static_cast<MoveAxis>((static_cast<int>(axis_) + 1) % axes));
+}
+
+double SceneEditor::StepOf(const Viewer& viewer) {
+  constexpr double share_of_radius = 0.05;
+  return RoundBelow(share_of_radius * viewer.navigator().box().Radius());
+}
+
+R3::Vector SceneEditor::AxisVector(const Viewer& viewer) const {
+  switch (axis_) {
+    case MoveAxis::x:
+      return {1, 0, 0};
+    case MoveAxis::y:
+      return {0, 1, 0};
+    case MoveAxis::z:
+      return {0, 0, 1};
+    case MoveAxis::view:
+      return viewer.navigator().camera().right;
+  }
+  return {};
+}
+
+std::optional<SceneEditor::Target> SceneEditor::TargetOf(const Viewer& viewer) const {
+  const ScnPlaces& places = PlacesOf(viewer);
+  const auto statement = ChosenStatement(viewer);
+  if (!statement) return {};
+  const World& world = viewer.scene().world;
+  if (const auto light = ChosenLight(viewer)) {
+    const LightBound bound = viewer.scene().parsed.scene.lights[*light]->Bound();
+    Target target{*statement, 0, {}};
+    if (!bound.is_infinite) target.box = {bound.center, bound.center};
+    return target;
+  }
+  std::size_t node = *viewer.ChosenNode();
+  Target target{*statement, FrameAround(world, node), {}};
+  target.box = world.InWorld(target.frame, world.Nodes()[node].node->bounds);
+  // What says no place of its own is moved with the group that is around it alone.
+  const auto parent = ParentOf(world, node);
+  if (HasPoints(places, *statement) || !parent || world.Nodes()[*parent].children != 1) return target;
+  const auto group = StatementAt(places, world.Nodes()[*parent].node->location);
+  if (!group || CommandOf(places, *group) != "begin") return target;
+  target.statement = *group;
+  target.frame = FrameAround(world, *parent);
+  return target;
+}
+
+std::optional<SceneEditor::Target> SceneEditor::ChosenTarget(Viewer& viewer) const {
+  if (const std::string why = WhyNot(viewer); !why.empty())
+    viewer.Tell(why);
+  else if (!viewer.ChosenNode() && !ChosenLight(viewer))
+    viewer.Tell("nothing is chosen; click an object first");
+  else if (const auto target = TargetOf(viewer))
+    return target;
+  else
+    viewer.Tell("what is chosen stands in no scene file");
+  return {};
+}
+
+void SceneEditor::Move(Viewer& viewer, const R3::Vector& way, const std::string& key, bool continues) {
+  const auto target = ChosenTarget(viewer);
+  if (!target) return;
+  const R3::Vector local = viewer.scene().world.Frames()[target->frame].Inverse() * way;
+  Do(viewer, "move " + Name(viewer, target->statement), key, continues,
+     [&] { return Moved(PlacesOf(viewer), target->statement, local); });
+}
+
+void SceneEditor::MoveBySteps(Viewer& viewer, double steps) {
+  Move(viewer, steps * StepOf(viewer) * AxisVector(viewer), "", false);
+}
+
+void SceneEditor::Delete(Viewer& viewer) {
+  const auto target = ChosenTarget(viewer);
+  if (!target) return;
+  Do(viewer, "delete " + Name(viewer, target->statement), "", false,
+     [&] { return Removed(PlacesOf(viewer), target->statement); }, EditPlace{});
+}
+
+void SceneEditor::Duplicate(Viewer& viewer) {
+  const auto target = ChosenTarget(viewer);
+  if (!target) return;
+  const double width = target->box.IsEmpty() ? 0 : target->box.Size().x;
+  const double step = StepOf(viewer), gap = std::isfinite(width) ? std::ceil(width / step + 1) * step : step;
+  const bool is_placed = !target->box.IsEmpty() || viewer.ChosenNode();
+  const R3::Vector way = is_placed ? R3::Vector{Decimal(gap), 0, 0} : R3::Vector{};
+  const R3::Vector local = viewer.scene().world.Frames()[target->frame].Inverse() * way;
+  Copied copied;
+  try {
+    copied = Duplicated(PlacesOf(viewer), target->statement, local);
+  } catch (const EditRefusal& refusal) {
+    return viewer.Tell(std::string("cannot duplicate it: ") + refusal.what());
+  }
+  const auto place = PlaceOf(viewer, target->statement);
+  Do(viewer, "duplicate " + Name(viewer, target->statement), "", false, [&] { return copied.edits; },
+     EditPlace{place->file, copied.begin});
+}
+
+void SceneEditor::KeepCamera(Viewer& viewer) {
+  if (!viewer.HasMovedCamera() && LastOf(PlacesOf(viewer), "camera"))
+    return viewer.Tell("the view is the scene's camera already");
+  Do(viewer, "make the view the scene's camera", "", false,
+     [&] { return WithCamera(PlacesOf(viewer), viewer.navigator().camera()); });
+}
+
+void SceneEditor::FocusOn(Viewer& viewer, const std::optional<R3::Point>& point) {
+  if (!point) return viewer.Tell("nothing is under the pointer to focus on");
+  const std::string focus = FocusText(viewer, *point);
+  const bool has_lens = viewer.SettingsOfView().camera.HasLens();
+  constexpr double opening = 0.01;  // of the distance, where no lens was open
+  const std::string aperture = ToText(RoundBelow(opening * ParseNumber(focus).value));
+  std::vector<std::pair<std::string, std::string>> settings{{"focus", focus}};
+  if (!has_lens) settings.emplace_back("aperture", aperture);
+  Do(viewer, "focus at " + focus + (has_lens ? "" : ", aperture " + aperture), "", false,
+     [&] { return WithSettings(PlacesOf(viewer), settings); });
+}
+
+bool SceneEditor::BeginDrag(Viewer& viewer, const R3::Ray& ray) {
+  const auto target = ChosenTarget(viewer);
+  if (!target) return false;
+  if (target->box.IsEmpty()) {
+    viewer.Tell("it is infinite, empty or far away; = and - move it along the axis");
+    return false;
+  }
+  drag_ = Drag{target->box.Center(), ray, {}, {}};
+  return true;
+}
+
+void SceneEditor::DragTo(Viewer& viewer, const R3::Ray& ray) {
+  if (!drag_) return;
+  R3::Vector way;
+  if (axis_ == MoveAxis::view) {
+    const R3::Vector& normal = viewer.navigator().camera().towards;
+    const auto from = OnPlane(drag_->from, normal, drag_->pressed), to = OnPlane(drag_->from, normal, ray);
+    if (!from || !to) return;
+    way = *to - *from;
+  } else {
+    const R3::Vector axis = AxisVector(viewer);
+    const auto from = NearestOnLine(drag_->from, axis, drag_->pressed), to = NearestOnLine(drag_->from, axis, ray);
+    if (!from || !to) return;
+    way = (*to - *from) * axis;
+  }
+  constexpr double share_of_step = 0.1;
+  drag_->left = Snapped(way, share_of_step * StepOf(viewer)) - drag_->done;
+  if (seconds_of_reading_ > slow) return;
+  const Drag now = *drag_;
+  if (now.left == R3::Vector{}) return;
+  drag_->done = now.done + now.left, drag_->left = {};
+  Move(viewer, now.left, "drag", !(now.done == R3::Vector{}));
+}
+
+void SceneEditor::EndDrag(Viewer& viewer) {
+  if (!drag_) return;
+  const Drag last = *std::exchange(drag_, {});
+  if (!(last.left == R3::Vector{})) Move(viewer, last.left, "drag", !(last.done == R3::Vector{}));
+}
+
+void SceneEditor::Undo(Viewer& viewer) {
+  const Change* change = history_.ToUndo();
+  if (!change) return viewer.Tell("nothing to undo");
+  const auto now = PlaceOf(viewer, ChosenStatement(viewer));
+  const TextEdits edits = Reversed(change->edits);
+  auto chosen = change->chosen_before;
+  if (!chosen && now) chosen = EditPlace{now->file, OffsetAfter(edits, now->file, now->begin)};
+  const std::string what = change->what;
+  if (!Apply(viewer, edits, chosen)) return;
+  history_.Undo();
+  CheckUnsaved();
+  viewer.Tell("undone: " + what);
+}
+
+void SceneEditor::Redo(Viewer& viewer) {
+  const Change* change = history_.ToRedo();
+  if (!change) return viewer.Tell("nothing to redo");
+  const std::string what = change->what;
+  if (!Apply(viewer, change->edits, change->chosen_after)) return;
+  history_.Redo();
+  CheckUnsaved();
+  viewer.Tell("redone: " + what);
+}
+
+void SceneEditor::Save(Viewer& viewer) {
+  if (const std::string why = WhyNot(viewer); !why.empty()) return viewer.Tell(why);
+  if (!is_unsaved_) return viewer.Tell("there is nothing to save");
+  std::string saved;
+  for (const ScnPlaces::File& file : PlacesOf(viewer).files) {
+    const std::string& text = texts_->at(file.canonical);
+    if (text == saved_[file.canonical]) continue;
+    const std::string& name = file.text->name;
+    if (file.canonical == standard_input_name)
+      return viewer.Tell("the scene came from standard input; Control+Shift+S saves a copy");
+    if (ReadSceneFile(name) != saved_[file.canonical])
+      return viewer.Tell(name + " has changed on the disk since it was read; Control+Shift+S saves a copy");
+    if (const std::string problem = viewer.SaveScene(name, text); !problem.empty()) return viewer.Tell(problem);
+    saved_[file.canonical] = text;
+    saved += (saved.empty() ? "" : ", ") + name;
+  }
+  CheckUnsaved();
+  viewer.Tell("saved " + saved);
+}
+
+void SceneEditor::SaveCopy(Viewer& viewer) {
+  if (const std::string why = WhyNot(viewer); !why.empty()) return viewer.Tell(why);
+  const auto& files = PlacesOf(viewer).files;
+  const ScnPlaces::File& top = files.front();
+  for (const ScnPlaces::File& file : files)
+    if (texts_ && &file != &top && texts_->at(file.canonical) != saved_[file.canonical])
+      return viewer.Tell("a copy has no room for the changes of the included " + file.text->name +
+                         "; Control+S saves all");
+  const std::string name = FreeCopyName(top.canonical == standard_input_name ? "scene.scn" : top.text->name);
+  const std::string& text = texts_ ? texts_->at(top.canonical) : top.text->bytes;
+  if (const std::string problem = viewer.SaveScene(name, text); !problem.empty()) return viewer.Tell(problem);
+  copied_ = texts_;
+  viewer.Tell("a copy is saved as " + name);
+}
+
+Lines SceneEditor::Marks(const Viewer& viewer, const DrawingSpace& space,
+                         const std::function<double(const R3::Point&)>& size_at) const {
+  Lines lines;
+  if (!WhyNot(viewer).empty()) return lines;
+  const auto target = TargetOf(viewer);
+  if (!target || target->box.IsEmpty()) return lines;
+  const R3::Point at = target->box.Center();
+  constexpr double times_of_cross = 6;
+  const double size = times_of_cross * size_at(at);
+  const auto arrows = [&](const R3::Vector& way) {
+    Append(lines, ArrowAt(at, size * way, space, axis_color));
+    Append(lines, ArrowAt(at, -size * way, space, axis_color));
+  };
+  arrows(AxisVector(viewer));
+  if (axis_ == MoveAxis::view) arrows(viewer.navigator().camera().up);
+  return lines;
+}
+
+}  // namespace ray

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace ray {
+
+/// The bytes of a file; nothing where it cannot be read.
+std::optional<std::string> ReadSceneFile(const std::string& file);
+
+/// The first name beside the file that is free: "room-2.scn" for "room.scn", or "room-3.scn".
+std::string FreeCopyName(const std::string& file);
+
+/// The scenes and meshes in the folder of a file, by name, each as the file itself is named: with its folder, if it has
+/// one. At most 1000 of them.
+std::vector<std::string> ScenesBeside(const std::string& file);
+
+/// The one so many behind `file` among these, or before it; around the ends. Empty where there is no other.
+std::string NeighborOf(const std::string& file, const std::vector<std::string>& scenes, int by);
+
+}  // namespace ray

@@ -1,0 +1,169 @@
+#include <imgui.h>
+
+#include "source/text/NumberText.h"
+#include "source/view/panels/Brief.h"
+#include "source/view/panels/FieldWidgets.h"
+
+// What can be changed in the scene: the chosen object, materials, lights, the camera and its lens, the sky.
+namespace ray {
+namespace {
+
+constexpr std::size_t most_listed = 50;  // materials, or lights, that a reader goes through
+
+bool Section(PanelFrame& frame, const char* name) {
+  const bool is_open = ImGui::TreeNodeEx(name, ImGuiTreeNodeFlags_NoTreePushOnOpen | ImGuiTreeNodeFlags_DefaultOpen);
+  frame.Note(name);
+  return is_open;
+}
+
+class EditPanel : public Panel {
+ public:
+  void Draw(PanelFrame& frame) override {
+    const std::string why = SceneEditor::WhyNot(frame.viewer);
+    if (!why.empty()) return frame.Say(why);
+    DrawHistory(frame);
+    if (Section(frame, "Object")) DrawPart(frame, "object", [&] { DrawObject(frame); });
+    if (Section(frame, "Material")) DrawPart(frame, "material", [&] { DrawMaterials(frame); });
+    if (Section(frame, "Lights")) DrawPart(frame, "lights", [&] { DrawLights(frame); });
+    if (Section(frame, "Camera and lens")) DrawPart(frame, "camera", [&] { DrawCamera(frame); });
+    if (Section(frame, "Sky")) DrawPart(frame, "sky", [&] { DrawSky(frame); });
+  }
+
+ private:
+  template <typename Part>
+  static void DrawPart(PanelFrame&, const char* name, const Part& part) {
+    ImGui::PushID(name);
+    part();
+    ImGui::PopID();
+  }
+
+  static void DrawHistory(PanelFrame& frame) {
+    const SceneEditor& editor = frame.viewer.Editor();
+    if (frame.Button("undo")) frame.Ask([](Viewer& v) { v.Editor().Undo(v); });
+    ImGui::SameLine();
+    if (frame.Button("redo")) frame.Ask([](Viewer& v) { v.Editor().Redo(v); });
+    ImGui::SameLine();
+    if (frame.Button("save")) frame.Ask([](Viewer& v) { v.Editor().Save(v); });
+    ImGui::SameLine();
+    if (frame.Button("save a copy")) frame.Ask([](Viewer& v) { v.Editor().SaveCopy(v); });
+    frame.Fact("changes", editor.Describe());
+    if (const Change* last = editor.History().ToUndo()) frame.Fact("last", last->what);
+  }
+
+  void DrawObject(PanelFrame& frame) {
+    const Viewer& viewer = frame.viewer;
+    const auto statement = viewer.Editor().ChosenStatement(viewer);
+    if (viewer.Editor().ChosenLight(viewer)) return frame.Say("a light is chosen");
+    if (!viewer.ChosenNode()) return frame.Say("click an object to choose it");
+    if (!statement) return frame.Say("it stands in no scene file");
+    frame.Say(NameOf(viewer.scene().places, *statement));
+    object_fields_.Draw(frame, *statement);
+    DrawMoves(frame);
+  }
+
+  static void DrawMoves(PanelFrame& frame) {
+    if (frame.Button("duplicate")) frame.Ask([](Viewer& v) { v.Editor().Duplicate(v); });
+    ImGui::SameLine();
+    if (frame.Button("delete")) frame.Ask([](Viewer& v) { v.Editor().Delete(v); });
+    ImGui::SameLine();
+    if (frame.Button("- move")) frame.Ask([](Viewer& v) { v.Editor().MoveBySteps(v, -1); });
+    ImGui::SameLine();
+    if (frame.Button("+ move")) frame.Ask([](Viewer& v) { v.Editor().MoveBySteps(v, 1); });
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted("along");
+    constexpr std::pair<const char*, MoveAxis> axes[] = {
+        {"x", MoveAxis::x}, {"y", MoveAxis::y}, {"z", MoveAxis::z}, {"plane of view", MoveAxis::view}};
+    for (const auto& [name, axis] : axes) {
+      ImGui::SameLine();
+      if (frame.Check(name, frame.viewer.Editor().Axis() == axis))
+        frame.Ask([axis = axis](Viewer& v) { v.Editor().SetAxis(v, axis); });
+    }
+  }
+
+  void DrawMaterials(PanelFrame& frame) {
+    const Viewer& viewer = frame.viewer;
+    const ScnPlaces& places = viewer.scene().places;
+    const auto chosen = viewer.Editor().ChosenMaterial(viewer);
+    std::size_t listed = 0;
+    for (std::size_t i = 0; i < places.materials.size() && listed < most_listed; ++i) {
+      if (places.materials[i] == ScnPlaces::nowhere) continue;
+      ++listed;
+      ImGui::PushID(static_cast<int>(i));
+      const R2::Color& kd = viewer.scene().parsed.scene.materials[i].kd;
+      const std::string comment = CommentOf(places, places.materials[i]);
+      const std::string name = NameOf(places, places.materials[i]) + (comment.empty() ? "" : ": " + comment);
+      const bool by_swatch = DrawSwatch(frame, "swatch of " + name, {kd.r, kd.g, kd.b});
+      ImGui::SameLine();
+      if (frame.Choice(name, chosen == i) || by_swatch)
+        frame.Ask([i](Viewer& v) { v.Editor().ChooseMaterial(v, i); });
+      ImGui::PopID();
+    }
+    if (listed == 0) return frame.Say("the scene file has no material");
+    if (listed == most_listed) frame.Say("click an object to choose its material");
+    if (!chosen) return;
+    if (*chosen >= places.materials.size() || places.materials[*chosen] == ScnPlaces::nowhere)
+      return frame.Say("the chosen object's material stands in no scene file");
+    ImGui::Separator();
+    material_fields_.Draw(frame, places.materials[*chosen]);
+  }
+
+  void DrawLights(PanelFrame& frame) {
+    const Viewer& viewer = frame.viewer;
+    const ScnPlaces& places = viewer.scene().places;
+    const auto chosen = viewer.Editor().ChosenLight(viewer);
+    if (places.lights.empty()) frame.Say("the scene file has no light; these are the default ones");
+    for (std::size_t i = 0; i < std::min(places.lights.size(), most_listed); ++i) {
+      ImGui::PushID(static_cast<int>(i));
+      if (frame.Choice(NameOf(places, places.lights[i]), chosen == i))
+        frame.Ask([i](Viewer& v) { v.Editor().ChooseLight(v, i); });
+      ImGui::PopID();
+    }
+    if (!chosen || *chosen >= places.lights.size()) return;
+    ImGui::Separator();
+    light_fields_.Draw(frame, places.lights[*chosen]);
+    DrawMoves(frame);
+  }
+
+  void DrawCamera(PanelFrame& frame) {
+    const Viewer& viewer = frame.viewer;
+    if (const auto camera = LastOf(viewer.scene().places, "camera"))
+      camera_fields_.Draw(frame, *camera);
+    else
+      frame.Say("the scene file has no camera");
+    if (frame.Button("make the view the scene's camera")) frame.Ask([](Viewer& v) { v.Editor().KeepCamera(v); });
+    const CameraEffects lens = viewer.SettingsOfView().camera;
+    const double distance = Length(viewer.navigator().Center() - viewer.navigator().camera().eye);
+    const auto set = [&frame](const char* option) {
+      return [&frame, option](double value, bool continues) {
+        frame.Ask([option, value, continues](Viewer& v) {
+          v.Editor().SetSetting(v, option, ToText(value), continues);
+        });
+      };
+    };
+    constexpr double widest = 0.1, nearest = 0.05, farthest = 5;  // of the distance to the middle
+    FieldWidgets::DrawNumber(frame, "aperture", lens.aperture, {0, widest * distance}, set("aperture"));
+    FieldWidgets::DrawNumber(frame, "focus", lens.focus, {nearest * distance, farthest * distance}, set("focus"));
+    frame.Say("K focuses on what is under the pointer");
+  }
+
+  void DrawSky(PanelFrame& frame) {
+    const auto draw = [&](const char* command, FieldWidgets& fields) {
+      const auto statement = LastOf(frame.viewer.scene().places, command);
+      if (!statement) return;
+      ImGui::PushID(command);
+      frame.Say(command);
+      fields.Draw(frame, *statement);
+      ImGui::PopID();
+    };
+    draw("background", background_fields_);
+    draw("ambient", ambient_fields_);
+  }
+
+  FieldWidgets object_fields_, material_fields_, light_fields_, camera_fields_, background_fields_, ambient_fields_;
+};
+
+}  // namespace
+
+extern const PanelKind edit_panel{"Edit", false, [] { return std::unique_ptr<Panel>(new EditPanel); }};
+
+}  // namespace ray

@@ -1,0 +1,104 @@
+// Sessions of the real viewer by scripts, without a window: scenes are changed and saved, images denoised.
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <sstream>
+
+#include "tests/Project.h"
+#include "tests/source/app/Program.h"
+
+namespace ray {
+namespace {
+
+using testing::Finished;
+using testing::ReadFile;
+using testing::TemporaryFolder;
+using testing::WriteFile;
+
+class RayviewScripts : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    if (!testing::ProgramName("RAYVIEW")) GTEST_SKIP() << "rayview is not built here: nothing to draw with";
+#ifndef RAYVIEW_PANELS
+    GTEST_SKIP() << "panels are not built in";
+#endif
+    std::filesystem::copy(project::Root() / "scenes/textures", folder.Path() / "textures");
+    std::filesystem::copy(project::Root() / "scenes/meshes", folder.Path() / "meshes");
+    before = ReadFile(project::Root() / "scenes/hello.scn");
+    WriteFile(scene, before);
+    const Finished trial = testing::RunProgram({scene, "-headless"}, {.program = "RAYVIEW"});
+    if (trial.status == 1) GTEST_SKIP() << "this machine cannot draw: " << trial.error;
+  }
+  Finished Follow(const std::string& script, const std::vector<std::string>& more = {}) const {
+    return testing::RunProgram(
+        testing::With({scene, "-headless", "-events", WriteFile(folder / "script.events", script), "-image",
+                       folder / "view.png", "-quiet"},
+                      more),
+        {.program = "RAYVIEW"});
+  }
+  std::vector<std::string> ChangedLines() const {
+    std::istringstream was(before), is(ReadFile(scene));
+    std::vector<std::string> changed;
+    for (std::string old, now; std::getline(was, old);)
+      if (std::getline(is, now) && now != old) changed.push_back(now);
+    return changed;
+  }
+
+  TemporaryFolder folder;
+  const std::string scene = folder / "hello.scn";
+  std::string before;
+};
+
+TEST_F(RayviewScripts, TheRedConeTurnsGreenAndMovesAndIsSaved) {
+  const Finished viewed = Follow(
+      "resize 900 2000\nkey Tab\npanel cone, line 18\npanel Scene\npanel Edit\n"
+      "panel diffuse (kd)\ntype 0.1 0.6 0.15\nkey Enter\npanel pick diffuse\n"
+      "key =\nkey Control+Z\nkey Control+Y\nkey Control+S\n"
+      "key Tab\nresize 96 64\nkey S\nwait trace\nprint\n");
+  ASSERT_EQ(viewed.status, 0) << viewed.error;
+  EXPECT_NE(viewed.output.find("edits 2 changes, saved"), std::string::npos) << viewed.output;
+  const std::vector<std::string> changed = ChangedLines();
+  ASSERT_EQ(changed.size(), 2u);
+  EXPECT_NE(changed[0].find("0.1 0.6 0.15"), std::string::npos) << changed[0];
+  EXPECT_TRUE(changed[0].ends_with("# 3 red")) << changed[0];
+  EXPECT_EQ(changed[1], "cone      3    2.5 0.9 -1.1   0.75 1.8");
+  ASSERT_EQ(
+      testing::RunProgram({scene, folder / "pro.png", "-width", "96", "-height", "64", "-quiet"}).status, 0);
+  EXPECT_EQ(testing::Decode(folder / "view.png").image, testing::Decode(folder / "pro.png").image);
+}
+
+// The hash of an image tells which text of the scene it shows, whether that is saved or not.
+TEST_F(RayviewScripts, AnImageBeforeSavingKnowsTheTextItIsOf) {
+  const auto hash_after = [&](const std::string& script) {
+    EXPECT_EQ(Follow(script + "resize 32 24\nkey S\nwait trace\n").status, 0);
+    return testing::Decode(folder / "view.png").settings.at("scene_hash");
+  };
+  const std::string unchanged = hash_after("");
+  const std::string edited = hash_after("resize 900 2000\nkey Tab\npanel cone, line 18\nkey =\n");
+  EXPECT_NE(edited, unchanged);
+  EXPECT_EQ(ReadFile(scene), before) << "nothing was saved";
+  EXPECT_EQ(hash_after("resize 900 2000\nkey Tab\npanel cone, line 18\nkey =\nkey Control+S\n"), edited);
+  EXPECT_EQ(hash_after(""), edited);
+}
+
+TEST_F(RayviewScripts, FocusOnAPointIsWrittenIntoTheScene) {
+  ASSERT_EQ(Follow("resize 96 64\nmove 48 30\nkey K\nkey Control+S\nkey S\nwait trace\n").status, 0);
+  const std::string after = ReadFile(scene);
+  EXPECT_NE(after.find("\nset focus "), std::string::npos) << after;
+  EXPECT_NE(after.find("\nset aperture "), std::string::npos);
+  ASSERT_EQ(testing::RunProgram({scene, folder / "pro.png", "-width", "96", "-height", "64", "-quiet"}).status, 0);
+  EXPECT_EQ(testing::Decode(folder / "view.png").image, testing::Decode(folder / "pro.png").image);
+}
+
+TEST_F(RayviewScripts, KeyMDenoisesTheImageAsRayproDoes) {
+  const std::vector<std::string> options{"-width", "48", "-height", "32", "-samples", "4", "-mode", "path"};
+  ASSERT_EQ(Follow("key M\nkey S\nwait trace\n", options).status, 0);
+  ASSERT_EQ(testing::RunProgram(testing::With({scene, folder / "pro.png", "-denoise", "-quiet"}, options)).status, 0);
+  EXPECT_EQ(testing::Decode(folder / "view.png").image, testing::Decode(folder / "pro.png").image);
+  ASSERT_EQ(testing::RunProgram(testing::With({scene, folder / "pro.png", "-quiet"}, options)).status, 0);
+  EXPECT_NE(testing::Decode(folder / "view.png").image, testing::Decode(folder / "pro.png").image);
+}
+
+}  // namespace
+}  // namespace ray

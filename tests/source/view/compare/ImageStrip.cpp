@@ -1,0 +1,46 @@
+// The images made so far can be looked at again, and each is the reference for the next.
+
+#include "source/view/compare/ImageStrip.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/source/view/ScriptedViewer.h"
+
+namespace ray {
+namespace {
+
+TEST(ImageStrip, ForgetsTheOldestAndKeepsNumbers) {
+  ImageStrip strip;
+  for (std::size_t i = 0; i < ImageStrip::most + 3; ++i) strip.Add({nullptr, std::to_string(i), "", "", 0, 1});
+  EXPECT_EQ(strip.All().size(), ImageStrip::most);
+  EXPECT_EQ(strip.All().front().scene, "3");
+  EXPECT_EQ(strip.NumberOf(0), 4u);
+}
+
+TEST_F(ViewerTest, FlipsThroughTheImagesMadeSoFar) {
+  Do("key Control+PageUp");
+  EXPECT_NE(viewer_->Message().find("no image"), std::string::npos);
+  Do("key S\nwait trace\nkey [\nkey S\nwait trace");
+  ASSERT_EQ(viewer_->Images().All().size(), 2u);
+  Do("key Control+PageUp\nkey Control+PageUp");
+  EXPECT_EQ(viewer_->ShownImage(), 0u);
+  EXPECT_EQ(*viewer_->Pictures().Compared(), host_.traced[0]);
+  Do("key Control+PageDown");
+  EXPECT_EQ(*viewer_->Pictures().Compared(), host_.traced[1]);
+  Do("key Control+PageDown");
+  EXPECT_FALSE(viewer_->ShownImage());
+  EXPECT_FALSE(viewer_->Pictures().Compared());
+}
+
+TEST_F(ViewerTest, ChangesExposureInQuartersOfAStop) {
+  Do("key Control+Up\nkey Control+Shift+Down");
+  EXPECT_EQ(viewer_->ExposureSteps(), 0.75);
+  EXPECT_EQ(viewer_->Message(), "exposure 0.75 stops");
+  viewer_->SetExposure(-1.3);
+  EXPECT_DOUBLE_EQ(viewer_->Show().seen_from.exposure.factor, std::exp2(-1.3));
+}
+
+}  // namespace
+}  // namespace ray

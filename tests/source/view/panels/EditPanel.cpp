@@ -1,0 +1,105 @@
+// The panels that change a scene and open others, as a user clicks through them.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <optional>
+
+#include "tests/source/view/ScriptedViewer.h"
+#include "tests/source/view/WithOptions.h"
+
+namespace ray {
+namespace {
+
+class EditPanelTest : public ScriptedViewer<WithOptions, 900, 2400> {
+ protected:
+  void SetUp() override {
+    Open(scenes_ / "hello.scn");
+    Do("key Tab");
+    Click("cone, line 18");
+    Click("Scene");
+    Click("Edit");
+  }
+  std::optional<PanelItem> Find(const std::string& start) {
+    viewer_->Show();
+    const auto& items = viewer_->ItemsOfPanels();
+    const auto found = std::ranges::find_if(items, [&](const PanelItem& i) { return i.name.starts_with(start); });
+    return found == items.end() ? std::nullopt : std::optional(*found);
+  }
+  static std::string At(double x, double y) { return std::to_string(x) + " " + std::to_string(y); }
+  void Click(const std::string& start) {
+    const auto item = Find(start);
+    ASSERT_TRUE(item) << "there is no " << start << " in\n" << viewer_->TextOfPanels();
+    Do("click left " + At(item->x, item->y));
+  }
+  bool Says(const std::string& words) { return viewer_->TextOfPanels().find(words) != std::string::npos; }
+  const Material& Red() const { return viewer_->scene().parsed.scene.materials[4]; }
+
+  CopiedScenes scenes_;
+};
+
+TEST_F(EditPanelTest, ShowsTheMaterialOfTheChosenObjectByItsComment) {
+  EXPECT_TRUE(Says("material, line 11: 3 red"));
+  EXPECT_TRUE(Says("diffuse (kd)"));
+  EXPECT_TRUE(Says("0.8 0.22 0.12"));
+}
+
+TEST_F(EditPanelTest, TakesAColorThatIsTyped) {
+  Click("diffuse (kd)");
+  Do("type 0.1 0.6 0.15\nkey Enter");
+  EXPECT_EQ(Red().kd, (R2::Color{0.1, 0.6, 0.15})) << viewer_->Message();
+  Click("undo");
+  EXPECT_EQ(Red().kd, (R2::Color{0.8, 0.22, 0.12}));
+  Click("diffuse (kd)");
+  Do("type green\nkey Enter");
+  EXPECT_EQ(Red().kd, (R2::Color{0.8, 0.22, 0.12}));
+  EXPECT_EQ(viewer_->Message(), "diffuse (kd) must be three numbers with blanks between");
+}
+
+TEST_F(EditPanelTest, ThreeClicksChangeAColorAndSaveIt) {
+  Click("pick diffuse (kd)");
+  Click("picker of diffuse (kd)");
+  EXPECT_NE(Red().kd, (R2::Color{0.8, 0.22, 0.12}));
+  EXPECT_TRUE(viewer_->Editor().HasUnsaved());
+  Click("save");
+  EXPECT_FALSE(viewer_->Editor().HasUnsaved()) << viewer_->Message();
+}
+
+TEST_F(EditPanelTest, ADragOfASliderIsOneStep) {
+  const auto slider = Find("slide shininess (n)");
+  ASSERT_TRUE(slider);
+  Do("drag left " + At(slider->x, slider->y) + " " + At(slider->x + 60, slider->y));
+  EXPECT_NE(Red().n, 40);
+  EXPECT_EQ(viewer_->Editor().History().Done(), 1u);
+  Do("key Control+Z");
+  EXPECT_EQ(Red().n, 40);
+}
+
+TEST_F(EditPanelTest, ListsLightsAndChangesTheChosenOne) {
+  Click("point_light, line 6");
+  Click("color");
+  Do("type 2 2 2\nkey Enter");
+  EXPECT_EQ(viewer_->scene().parsed.scene.lights[1]->MadeFrom().arguments[0], 2) << viewer_->Message();
+}
+
+TEST_F(EditPanelTest, ExplainsWhatCannotBeEdited) {
+  std::ofstream(scenes_ / "hello.scn") << "define r 1\nsphere -1 0 0 0 $r\n";
+  Do("tick 1");
+  Click("Scene");
+  Click("sphere, line 2");
+  Click("Scene");
+  EXPECT_TRUE(Says("$r is a variable"));
+}
+
+TEST_F(EditPanelTest, AListOfTheFolderOpensScenes) {
+  EXPECT_FALSE(Find("glass.scn"));
+  Do("key Control+O");
+  Click("glass.scn");
+  EXPECT_EQ(viewer_->SceneFile(), scenes_ / "glass.scn");
+  Do("key Control+O");
+  EXPECT_FALSE(Find("hello.scn"));
+}
+
+}  // namespace
+}  // namespace ray
