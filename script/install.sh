@@ -57,9 +57,24 @@ put 644 share/man/man7/raypro-farm.7 "$mandir/man7/raypro-farm.7"
 put 644 share/mime/packages/raypro.xml "$datadir/mime/packages/raypro.xml"
 icon=icons/hicolor/scalable/apps/raypro.svg
 put 644 "share/$icon" "$datadir/$icon"
-# With the images that they show.
-for file in README.md LICENSE CHANGELOG.md CITATION.cff docs/*.* docs/notes/* art/valley.jpg writeup/pictures/pixel.jpg; do
-  put 644 "$file" "$docdir/$file"
+# With the images that they show, and the scenes by a link. What else they link to stays in the sources.
+docs="README.md LICENSE CHANGELOG.md CITATION.cff CONTRIBUTING.md $(echo docs/*.* docs/notes/*) art/valley.jpg
+  writeup/pictures/pixel.jpg"
+find scenes -type f ! -name '.*' > "$work/known"
+for file in $docs; do echo "$file" >> "$work/known"; done
+for file in $docs; do
+  case $file in
+    *.md) put_output "$docdir/$file" awk -v name="$file" -v known="$work/known" -f script/installed_links.awk "$file" ;;
+    *) put 644 "$file" "$docdir/$file" ;;
+  esac
+done
+if [ -L "$DESTDIR$docdir/scenes" ] || [ ! -e "$DESTDIR$docdir/scenes" ]; then
+  ln -sfn "$datadir/raypro/scenes" "$DESTDIR$docdir/scenes"
+  echo "file $docdir/scenes" >> "$list"
+fi
+for movie in movie session; do
+  put 755 "script/$movie.sh" "$bindir/raypro-$movie"
+  put 644 "share/man/man1/raypro-$movie.1" "$mandir/man1/raypro-$movie.1"
 done
 for file in raypro.py first_steps.ipynb; do
   put 644 "share/python/$file" "$datadir/raypro/python/$file"

@@ -26,8 +26,10 @@
 set -eu
 export LC_ALL=C  # numbers have a point
 here=$(cd "$(dirname "$0")/.." && pwd)
-raypro=${RAYPRO:-$here/build/raypro}
-rayimg=${RAYIMG:-$here/build/rayimg}
+# What lies in a build of the sources, or is installed.
+program() { if [ -x "$here/build/$1" ]; then echo "$here/build/$1"; else command -v "$1" || echo "$1"; fi; }
+raypro=${RAYPRO:-$(program raypro)}
+rayimg=${RAYIMG:-$(program rayimg)}
 usage() { echo "movie.sh: $1; see the top of $0" >&2; exit 2; }
 
 way='' turns=1 to='' sweep='' each='' low=0 high=0 define='' least=0 most=0 hosts='' slurm='' engine='' frames=48 fps=25 width=320 height=240 keep='' scene='' out=''
@@ -77,7 +79,7 @@ case $frames in '' | *[!0-9]* | 0) usage "-frames must be a whole number above 0
 [ -f "$scene" ] || { echo "movie.sh: no such scene: '$scene'" >&2; exit 3; }
 
 # Frames keep the command that made them, so the folder is a relative one where that is possible.
-mkdir -p build 2> /dev/null && [ -w build ] && base=build || base=${TMPDIR:-/tmp}
+[ -d build ] && [ -w build ] && base=build || base=${TMPDIR:-/tmp}
 work=$(mktemp -d "$base/movie.XXXXXX")
 trap '[ "$keep" ] || rm -rf "$work"' EXIT
 trap 'exit 130' INT

@@ -15,8 +15,10 @@ set -eu
 export LC_ALL=C  # numbers have a point
 here=$(cd "$(dirname "$0")/.." && pwd)
 absolute() { echo "$(cd "$(dirname "$1")" && pwd)/$(basename "$1")"; }
-rayview=$(absolute "${RAYVIEW:-$here/build/rayview}")
-rayimg=${RAYIMG:-$here/build/rayimg}
+# What lies in a build of the sources, or is installed.
+program() { if [ -x "$here/build/$1" ]; then echo "$here/build/$1"; else command -v "$1" || echo "$1"; fi; }
+rayview=$(absolute "${RAYVIEW:-$(program rayview)}")
+rayimg=${RAYIMG:-$(program rayimg)}
 usage() { echo "session.sh: $1; see the top of $0" >&2; exit 2; }
 
 fps=6 last='' width=400 height=300

@@ -69,6 +69,24 @@ fi
 (cd / && "$stage/opt/ray/bin/raypro" "$share/raypro/scenes/hello.scn" "$work/installed.ppm" -width 64 -height 64 -quiet)
 cmp "$work/built.ppm" "$work/installed.ppm" || fail "the installed program makes another picture"
 
+# The scripts of the installation find its programs.
+cp "$share/raypro/scenes/sphere.scn" "$work"  # names of scenes have no blanks there
+(cd "$work" && env -u RAYPRO -u RAYIMG PATH="$stage/opt/ray/bin:$PATH" "$stage/opt/ray/bin/raypro-movie" -turntable \
+  sphere.scn two.avi -frames 2 -width 16 -height 16) || fail "raypro-movie makes no movie"
+[ -s "$work/two.avi" ] || fail "raypro-movie leaves no movie"
+
+# Every link of the installed documents leads to a file.
+find "$share/doc/raypro" -name '*.md' > "$work/documents"
+while IFS= read -r document; do
+  grep -o '](\([^):#]*\)[#)]' "$document" | sed 's/^](//; s/[#)]$//' | grep . | sort -u > "$work/links" || true
+  while IFS= read -r link; do
+    # The folder of scenes is a link to where it will be.
+    at=$(dirname "$document")/$link
+    case $(realpath -ms "$at") in */doc/raypro/scenes/*) at=$share/raypro/scenes/${at##*/scenes/} ;; esac
+    [ -e "$at" ] || fail "$document links to $link"
+  done < "$work/links"
+done < "$work/documents"
+
 # raypro.py of the installation finds the program of the installation.
 if command -v python3 >/dev/null 2>&1; then
   found=$(cd / && env -u RAYPRO PYTHONDONTWRITEBYTECODE=1 PYTHONPATH="$share/raypro/python" python3 -c \
