@@ -1,6 +1,7 @@
 # raypro: two commands make a picture and a green test run: script/setup.sh, then make test.
 #   make            the programs, under build/ (another place: make BUILD=elsewhere)
 #   make test       the layer check, all tests, and a few pictures of the writeup
+#   make unit T=R3/Csg  builds and runs one test file, with nothing but the sources that it needs
 #   make night      the tests with millions of cases; GTEST=--gtest_filter=... for some of them
 #   make check      the layer check alone: who may include whom; that elementary functions are our own; that the
 #                   patches of script/price apply and compile; and that all who name packages name the same
@@ -49,18 +50,18 @@ include script/features.mk
 CLANG := $(shell $(CXX) --version 2>/dev/null | grep clang)
 NUMERIC := -ffp-contract=off -fno-math-errno -fno-trapping-math $(if $(CLANG),-fno-slp-vectorize,-fno-tree-slp-vectorize)
 WARNINGS := -Wall -Wextra -Wpedantic -Wshadow -Wconversion
-OUR_CPPFLAGS := -I. -MD -MP -DRAYPRO_VERSION='"$(VERSION)"' -DRAYPRO_FEATURES='"$(FEATURES)"'
+OUR_CPPFLAGS := -I. -MD -MP -DRAYPRO_VERSION='"$(VERSION)"'
 ifeq ($(HAS_EXR),yes)
 OUR_CPPFLAGS += -DRAYPRO_EXR $(EXR_CFLAGS)
 endif
 ifeq ($(HAS_YAML),yes)
 OUR_CPPFLAGS += -DRAYPRO_YAML $(YAML_CFLAGS)
 endif
-ifeq ($(HAS_IMGUI),yes)
-OUR_CPPFLAGS += -DRAYVIEW_PANELS $(IMGUI_CFLAGS)
-endif
-OUR_CPPFLAGS += $(if $(filter glfw,$(CONTEXTS)),-DRAYVIEW_GLFW) $(if $(filter egl,$(CONTEXTS)),-DRAYVIEW_EGL) \
-                $(if $(filter osmesa,$(CONTEXTS)),-DRAYVIEW_OSMESA)
+# Only for files that draw, or say what can be drawn: the others need not be compiled again once the viewer's packages
+# are installed.
+FEATURE_CPPFLAGS := -DRAYPRO_FEATURES='"$(FEATURES)"' $(if $(filter yes,$(HAS_IMGUI)),-DRAYVIEW_PANELS $(IMGUI_CFLAGS)) \
+                    $(if $(filter glfw,$(CONTEXTS)),-DRAYVIEW_GLFW) $(if $(filter egl,$(CONTEXTS)),-DRAYVIEW_EGL) \
+                    $(if $(filter osmesa,$(CONTEXTS)),-DRAYVIEW_OSMESA)
 OUR_CXXFLAGS := -std=c++20 $(OPTIMIZE) -g1 $(NUMERIC) $(WARNINGS) $(SANITIZE)
 LIBS := -ljpeg -lpng -lz -ltbb -lhwy $(if $(filter yes,$(HAS_EXR)),$(EXR_LIBS)) $(if $(filter yes,$(HAS_YAML)),$(YAML_LIBS)) \
         -pthread
@@ -94,15 +95,15 @@ JUMBO ?= yes
 ALONE := fuzz/% \
          source/view/gl/% source/view/contexts/% source/accelerate/grid.cpp source/accelerate/wide/Kernels.cpp \
          source/film/denoise/LocalFit.cpp \
-         $(if $(filter file,$(origin TEST_SOURCES)),,tests/%) $(if $(filter yes,$(JUMBO)),,%)
+         $(if $(UNIT)$(filter-out file,$(origin TEST_SOURCES)),tests/%) $(if $(filter yes,$(JUMBO)),,%)
 present = $(filter-out $(ABSENT),$(1))
 alone = $(filter $(ALONE),$(call present,$(1)))
 together = $(filter-out $(ALONE),$(call present,$(1)))
 objects = $(patsubst %.cpp,$(BUILD)/obj/%.o,$(call alone,$(1))) \
           $(patsubst %,$(BUILD)/obj/%all.o,$(sort $(dir $(call together,$(1)))))
 
-.PHONY: all $(ALL_PROGRAMS) test night check asan tsan fuzz fuzz-targets fuzz-scenes bench tiny tradeoff price install uninstall installcheck dist \
-        clean compile_commands test-binary FORCE
+.PHONY: all $(ALL_PROGRAMS) test unit unit-program night check asan tsan fuzz fuzz-targets fuzz-scenes bench tiny tradeoff \
+        price install uninstall installcheck dist clean compile_commands test-binary FORCE
 .PRECIOUS: $(BUILD)/obj/%.o $(BUILD)/jumbo/%/all.cpp
 all: $(PROGRAMS) $(BUILD)/compile_commands.json
 $(PROGRAMS): %: $(BUILD)/%
@@ -113,18 +114,26 @@ write = @mkdir -p $(@D) && printf '%s\n' $(1) | cmp -s - $@ || printf '%s\n' $(1
 FLAGS_LINE := $(CXX) $(OUR_CPPFLAGS) $(CPPFLAGS) $(OUR_CXXFLAGS) $(CXXFLAGS)
 $(BUILD)/flags: FORCE
 	$(call write,'$(subst ','\'',$(FLAGS_LINE))')
+$(BUILD)/features: FORCE
+	$(call write,'$(subst ','\'',$(FEATURE_CPPFLAGS))')
 $(BUILD)/jumbo/%/all.cpp: FORCE
-	$(call write,$(patsubst %,'#include "%"',$(call together,$(filter-out $(ALL_PROGRAMS:%=source/app/%.cpp),$(wildcard $*/*.cpp)))))
+	$(call write,$(patsubst %,'#include "%"',$(call together,$(filter-out $(ALL_PROGRAMS:%=source/app/%.cpp),\
+	  $(if $(UNIT),$(filter $(UNIT),$(wildcard $*/*.cpp)),$(wildcard $*/*.cpp))))))
 FORCE:
 
 compile = @mkdir -p $(@D) && echo "  c++   $(1)" && \
-          $(CXX) $(OUR_CPPFLAGS) $(CPPFLAGS) $(OUR_CXXFLAGS) $(OPTIMIZE_HERE) $(CXXFLAGS) -c $< -o $@
+          $(CXX) $(OUR_CPPFLAGS) $(FEATURES_HERE) $(CPPFLAGS) $(OUR_CXXFLAGS) $(OPTIMIZE_HERE) $(CXXFLAGS) -c $< -o $@
 # What runs once in a run is compiled the faster for it; where samples are made many at a time, loops become vector
 # instructions.
 $(BUILD)/obj/source/app/% $(BUILD)/obj/source/parse/%: OPTIMIZE_HERE := $(if $(filter -O2 -O3,$(OPTIMIZE)),-O1)
 $(BUILD)/obj/source/sample/% $(BUILD)/obj/source/scene/% $(BUILD)/obj/source/integrate/all.o \
 $(BUILD)/obj/source/integrate/lights/% $(BUILD)/obj/source/integrate/shading/% $(BUILD)/obj/R3/shapes/%: \
   OPTIMIZE_HERE := $(if $(filter -O2 -O3,$(OPTIMIZE)),-ftree-vectorize $(if $(CLANG),,-fvect-cost-model=dynamic))
+OF_FEATURES := $(filter-out source/view/camera/%,$(filter source/app/manual/% source/app/rayview/% source/view/% tests/%, \
+                 $(LIBRARY_SOURCES) $(TEST_SOURCES)))
+OF_FEATURES := $(call objects,$(OF_FEATURES)) $(BUILD)/obj/source/app/rayview.o $(BUILD)/obj/bench/view.o
+$(OF_FEATURES): FEATURES_HERE := $(FEATURE_CPPFLAGS)
+$(OF_FEATURES): $(BUILD)/features
 $(BUILD)/obj/%/all.o: $(BUILD)/jumbo/%/all.cpp $(BUILD)/flags
 	$(call compile,$*/*.cpp)
 $(BUILD)/obj/%.o: %.cpp $(BUILD)/flags
@@ -178,10 +187,10 @@ night: test-binary $(PROGRAMS)
 	RAYPRO_NIGHT=1 $(FOR_TESTS) $(BUILD)/raytests $(GTEST)
 
 # For editors: every file by itself, as JUMBO=no compiles it.
-$(BUILD)/compile_commands.json: $(BUILD)/flags
+$(BUILD)/compile_commands.json: $(BUILD)/flags $(BUILD)/features
 	@for file in $(call present,$(LIBRARY_SOURCES) $(TEST_SOURCES) $(BENCH_SOURCES) $(PROGRAMS:%=source/app/%.cpp)); do \
 	  printf ',\n{"directory":"%s","file":"%s","command":"%s -c %s"}' "$$PWD" $$file \
-	    "$$(sed 's/[\"]/\\&/g' $(BUILD)/flags)" $$file; done | sed '1s/,/[/; $$s/$$/\n]/' > $@
+	    "$$(cat $(BUILD)/flags $(BUILD)/features | tr '\n' ' ' | sed 's/[\"]/\\&/g')" $$file; done | sed '1s/,/[/; $$s/$$/\n]/' > $@
 
 # Compiles and runs on all cores, unless -j said on how many. Benchmarks that need no further package are compiled too,
 # lest nobody notice that they no longer do.
@@ -192,6 +201,17 @@ test:
 	$(FOR_TESTS) sh script/runray.sh -fast
 	@sh tests/web/run.sh $(BUILD)
 test-binary: $(BUILD)/raytests
+
+# One test file, in a program of its own with nothing but the sources that it needs, compiled for speed of compiling.
+unit:
+	@[ "$(T)" ] || { echo "which test? For tests/R3/Csg.cpp: make unit T=R3/Csg" >&2; exit 1; }
+	@[ -f tests/$(T).cpp ] || { echo "there is no tests/$(T).cpp" >&2; exit 1; }
+	@$(MAKE) $(if $(findstring jobserver,$(MAKEFLAGS)),,-j$(JOBS)) BUILD=$(BUILD)/unit/$(T) OPTIMIZE=-O0 \
+	  UNIT="$$(sh script/unit_sources.sh tests/$(T).cpp)" unit-program
+	$(FOR_TESTS) $(BUILD)/unit/$(T)/test $(GTEST)
+unit-program: $(BUILD)/test
+$(BUILD)/test: $(call objects,$(UNIT))
+	@echo "  link  $@" && $(CXX) $(OUR_CXXFLAGS) $(CXXFLAGS) $^ $(LDFLAGS) -lgtest $(QUADMATH) $(LIBS) $(VIEWER_LIBS) -o $@
 
 # Benches need libraries that not every machine has; this one needs none to be compiled.
 check: $(BUILD)/obj/bench/kernels.o

@@ -159,3 +159,8 @@ run_shown "$build/raypro" scenes/hello.scn "$build/sample.jpg" -width 512 -heigh
 build all
 # With sudo, what was built belongs to whoever called it, so that make test works without.
 [ "$(id -u)" != 0 ] || [ -z "${SUDO_UID-}" ] || run_shown chown -R "$SUDO_UID:${SUDO_GID-}" "$build"
+[ "$only_show" = no ] || exit 0
+echo "ready. Now try:"
+echo "  $build/raypro scenes/first.scn first.png -samples 16"
+[ ! -x "$build/rayview" ] || echo "  $build/rayview scenes/hello.scn"
+echo "  make test"
