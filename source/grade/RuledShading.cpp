@@ -5,6 +5,7 @@
 
 #include "R1/Elementary.h"
 #include "source/integrate/lights/EmissiveShape.h"
+#include "source/integrate/lights/TriangleLamp.h"
 #include "source/integrate/shading/Bsdf.h"
 
 namespace ray::grade {

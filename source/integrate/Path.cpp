@@ -73,7 +73,7 @@ void Path::SeeFirstSurfaces(std::span<const CameraSample> samples, std::span<R2:
 void Path::SampleLights(PathFront& front, TraceState& state) const {
   state.arrived.assign(front.points.size(), {});
   if (SamplesAllLights()) {
-    if (!lights_.IsEmpty() && lights_.SceneLight(0)) front.MakeColumnsOfHighlights();  // those lights come first
+    if (!lights_.IsEmpty() && lights_[0].OfScene()) front.MakeColumnsOfHighlights();  // those lights come first
     for (int light = 0; light < lights_.Count() && !state.IsStopped(); ++light) SampleLight(light, front, state);
   } else {
     SampleChosenLights(front, state);
@@ -82,19 +82,21 @@ void Path::SampleLights(PathFront& front, TraceState& state) const {
 }
 
 void Path::SampleLight(int light, const PathFront& front, TraceState& state) const {
+  const LightSource& source = lights_[light];
   PointsOfEach<2> random;
-  if (lights_.IsExtended(light))
+  if (source.IsExtended())
     GetOfEach(front.indices, KeyOf(light), settings_.sampler, settings_.samples, random);
   else
     random = {};
-  if (lights_.IsLamp(light)) return SampleLamp(light, front, random, state);
+  const Light* of_scene = source.OfScene();
+  if (!of_scene && !source.HasPdf()) return SampleLamp(light, front, random, state);
   LightSamples samples;
   samples.count = static_cast<std::uint32_t>(front.points.size());
   for (std::uint32_t i = 0; i < samples.count; ++i) {
     samples.SetFrom(i, front.points[i].free_point);
     samples.u[i] = random.coordinates[0][i], samples.v[i] = random.coordinates[1][i];
   }
-  if (const Light* of_scene = lights_.SceneLight(light)) {
+  if (of_scene) {
     of_scene->IlluminateEach(samples);
     ReflectByPhong(front, samples);
   } else {
@@ -102,15 +104,15 @@ void Path::SampleLight(int light, const PathFront& front, TraceState& state) con
     lights_.SampleEach(front.points, light, samples, pdfs);
     Reflect(front, pdfs, samples);
   }
-  const bool is_infinite = lights_.IsInfinite(light);
-  const std::int64_t reached = lights_.Reached(light);
+  const bool is_infinite = source.IsInfinite();
+  const std::int64_t reached = source.Reached();
   for (std::uint32_t i = 0; i < samples.count; ++i) {
     const R2::Color reflected = samples.Color(i);
     if (IsBlack(reflected)) continue;
     constexpr R2::Color no_more{1, 1, 1};
     tracer_.AddShadowRay(
         front.points[i], i, {.to_light = samples.ToLight(i), .is_infinite = is_infinite, .reaching = reached},
-        front.throughputs[i] * reflected, no_more, [&] { return lights_.Describe(light); }, state);
+        front.throughputs[i] * reflected, no_more, [&] { return source.Describe(); }, state);
   }
 }
 
@@ -181,7 +183,7 @@ void Path::AddLightSample(const ShadingPoint& p, const R2::Color& reflected, con
   if (IsBlack(reflected)) return;
   constexpr R2::Color no_more{1, 1, 1};
   tracer_.AddShadowRay(
-      p, index, light.Target(), p.path.throughput * reflected, no_more, [&] { return lights_.Describe(light.light); },
+      p, index, light.Target(), p.path.throughput * reflected, no_more, [&] { return lights_[light.light].Describe(); },
       state);
 }
 

@@ -4,7 +4,6 @@
 #include <numbers>
 
 #include "source/integrate/RussianRoulette.h"
-#include "source/integrate/lights/LampSample.h"
 #include "source/integrate/shading/Bsdf.h"
 
 namespace ray {
@@ -22,31 +21,22 @@ enum WhittedKey : std::uint64_t {
 // Of the rays that share a reflection, and of lights that are chosen; no surface has as many lights.
 constexpr std::uint64_t gloss_key = camera_key - 1, chosen_lights_key = camera_key - 2;
 
-bool IsExtended(const Light& light) { return light.IsExtended(); }
-bool IsExtended(const TriangleLamp&) { return true; }
-bool IsExtended(const EmissiveShape&) { return true; }
-bool IsExtended(const Environment&) { return true; }
+/// The environment, reflected by kd / pi.
+class LightAround : public LightSource {
+ public:
+  explicit LightAround(const Environment& environment) : environment_(environment) {}
 
-bool IsOn(const ShadingPoint&, const Light&, const World&) { return false; }
-bool IsOn(const ShadingPoint&, const Environment&, const World&) { return false; }
+  std::optional<LightSample> Sample(const ShadingPoint&, const R2::Point& u) const override {
+    const Environment::Sample drawn = environment_.Draw(u);
+    return LightSample{drawn.radiance / (std::numbers::pi * drawn.pdf), drawn.direction, true};
+  }
+  bool IsInfinite() const override { return true; }
+  LightBound Bound() const override { return {.is_infinite = true}; }
+  std::string Describe() const override { return "environment"; }
 
-/// A point on the light, picked by `u`.
-std::optional<LightSample> SampleLight(const ShadingPoint& p, const Light& light, const R2::Point& u) {
-  return light.Illuminate(p.free_point, u);
-}
-std::optional<LightSample> SampleLight(const ShadingPoint&, const Environment& environment, const R2::Point& u) {
-  const Environment::Sample drawn = environment.Draw(u);
-  return LightSample{drawn.radiance / (std::numbers::pi * drawn.pdf), drawn.direction, true};
-}
-
-/// What the surface makes of it.
-template <typename AnyLight>
-R2::Color Reflection(const AnyLight&, const ShadingPoint& p, const LightSample& light) {
-  return PhongReflection(p, Unit(light.to_light), light.irradiance);
-}
-R2::Color Reflection(const Environment&, const ShadingPoint& p, const LightSample& light) {
-  return DiffuseReflection(p, light.to_light) * light.irradiance;
-}
+ private:
+  const Environment& environment_;
+};
 
 /// Paths wait longer than the point that they start from stays.
 void KeepDeparture(const R3::Departure& departure, std::span<PathState> spawned, TraceState& state) {
@@ -55,12 +45,6 @@ void KeepDeparture(const R3::Departure& departure, std::span<PathState> spawned,
     if (path.ray.departure == &departure) path.ray.departure = &kept;
 }
 
-/// What a recording calls it.
-std::string Described(const Light& light) { return light.Describe(); }
-std::string Described(const TriangleLamp& lamp) { return lamp.Describe(); }
-std::string Described(const EmissiveShape& shape) { return shape.Describe(); }
-std::string Described(const Environment&) { return "environment"; }
-
 }  // namespace
 
 Whitted::Whitted(const World& world, const Accelerator& accelerator, const TraceSettings& settings)
@@ -68,17 +52,14 @@ Whitted::Whitted(const World& world, const Accelerator& accelerator, const Trace
       tracer_(world, accelerator, settings.shadows),
       settings_(settings),
       has_roulette_(settings.roulette == Roulette::on),
-      lights_(LightsOf(world.scene())),
-      lamps_(TriangleLamps(world, settings.emissive_meshes)) {
-  if (settings.emissive_solids_light) shapes_ = EmissiveShapes(world);
+      scene_lights_(LightsOf(world.scene())),
+      lights_(LightSourcesOfWhitted(world, settings)) {
   settings_.max_depth = std::min<std::int64_t>(settings_.max_depth, most_bounces);
-  const Scene& scene = world.scene();
-  if (scene.environment && !scene.environment->IsBlack()) environment_ = scene.environment.get();
+  const auto& environment = world.scene().environment;
+  if (environment && !environment->IsBlack()) environment_ = std::make_unique<LightAround>(*environment);
   if (settings_.lights <= 0) return;
   std::vector<LightBound> bounds;
-  for (const Light* light : lights_) bounds.push_back(light->Bound());
-  for (const TriangleLamp& lamp : lamps_) bounds.push_back(lamp.Bound());
-  for (const EmissiveShape& shape : shapes_) bounds.push_back(shape.Bound());
+  for (const auto& light : lights_) bounds.push_back(light->Bound());
   tree_.emplace(std::move(bounds));
 }
 
@@ -143,22 +124,20 @@ void Whitted::Shade(std::span<ShadingPoint> points, TraceState& state) const {
     AddChosenLights(points, state);
   } else {
     std::uint64_t which = first_light_key;
-    for (const Light* light : lights_) AddLight(*light, which++, points, state);
-    for (const TriangleLamp& lamp : lamps_) AddLight(lamp, which++, points, state);
-    for (const EmissiveShape& shape : shapes_) AddLight(shape, which++, points, state);
+    for (const auto& light : lights_) AddLight(*light, which++, points, state);
   }
   if (environment_) AddLight(*environment_, environment_key, points, state);
 }
 
-template <typename AnyLight>
-void Whitted::AddLight(const AnyLight& light, std::uint64_t which, std::span<ShadingPoint> points,
+void Whitted::AddLight(const LightSource& light, std::uint64_t which, std::span<ShadingPoint> points,
                        TraceState& state) const {
-  const auto count = static_cast<std::uint32_t>(IsExtended(light) ? settings_.shadow_samples : 1);
+  const bool is_extended = light.IsExtended();
+  const auto count = static_cast<std::uint32_t>(is_extended ? settings_.shadow_samples : 1);
   state.arrived.assign(points.size(), {});
   for (std::size_t i = 0; i < points.size(); ++i) {
     const ShadingPoint& p = points[i];
-    if (!p.HasReflectance() || IsOn(p, light, world_)) continue;
-    if (!IsExtended(light)) {
+    if (!p.HasReflectance()) continue;
+    if (!is_extended) {
       AddSample(light, p, i, {}, 1, state);
       continue;
     }
@@ -182,49 +161,38 @@ void Whitted::AddChosenLights(std::span<ShadingPoint> points, TraceState& state)
       const auto random = random_points.Get<3>(p.path.index.FirstOf(count) + k);
       const auto choice = tree_->Choose(p.free_point, p.N, random[2]);
       if (!choice) continue;
-      AddChosenLight(static_cast<std::size_t>(choice->light), p, i, {random[0], random[1]},
-                     1 / (choice->probability * count), state);
+      AddSample(*lights_[static_cast<std::size_t>(choice->light)], p, i, {random[0], random[1]},
+                1 / (choice->probability * count), state);
     }
   }
   AddArrived(points, state);
 }
 
-void Whitted::AddChosenLight(std::size_t which, const ShadingPoint& p, std::size_t index, const R2::Point& u,
-                             double weight, TraceState& state) const {
-  const auto add = [&](const auto& light) {
-    if (!IsOn(p, light, world_)) AddSample(light, p, index, u, weight, state);
-  };
-  if (which < lights_.size()) return add(*lights_[which]);
-  which -= lights_.size();
-  if (which < lamps_.size()) return add(lamps_[which]);
-  add(shapes_[which - lamps_.size()]);
-}
-
-template <typename AnyLight>
-void Whitted::AddSample(const AnyLight& light, const ShadingPoint& p, std::size_t index, const R2::Point& u,
+void Whitted::AddSample(const LightSource& light, const ShadingPoint& p, std::size_t index, const R2::Point& u,
                         double weight, TraceState& state) const {
-  const auto sample = SampleLight(p, light, u);
+  const auto sample = light.Sample(p, u);
   if (!sample) return;
-  const R2::Color unweighted = Reflection(light, p, *sample);
+  const bool is_around = &light == environment_.get();
+  const R2::Color unweighted = is_around ? DiffuseReflection(p, sample->to_light) * sample->irradiance
+                                         : PhongReflection(p, Unit(sample->to_light), sample->irradiance);
   if (IsBlack(unweighted)) return;
   const R2::Color reflected = weight * unweighted;
   tracer_.AddShadowRay(
-      p, index, sample->Target(), reflected, p.path.throughput, [&] { return Described(light); }, state);
+      p, index, sample->Target(), reflected, p.path.throughput, [&] { return light.Describe(); }, state);
 }
 
-template <typename AnyLight>
-void Whitted::AddSamples(const AnyLight& light, const ShadingPoint& p, std::size_t index, const Points& random,
+void Whitted::AddSamples(const LightSource& light, const ShadingPoint& p, std::size_t index, const Points& random,
                          std::uint64_t first, std::uint32_t count, double weight, TraceState& state) const {
-  for (std::uint32_t k = 0; k < count; ++k) AddSample(light, p, index, random.Get2D(first + k), weight, state);
-}
-
-void Whitted::AddSamples(const Light& light, const ShadingPoint& p, std::size_t index, const Points& random,
-                         std::uint64_t first, std::uint32_t count, double weight, TraceState& state) const {
+  const Light* of_scene = light.OfScene();
+  if (!of_scene) {
+    for (std::uint32_t k = 0; k < count; ++k) AddSample(light, p, index, random.Get2D(first + k), weight, state);
+    return;
+  }
   LightSamples samples;
   samples.count = count;
   random.GetEach2D(first, count, samples.u, samples.v);
   samples.SetFrom(p.free_point);
-  light.IlluminateEach(samples);
+  of_scene->IlluminateEach(samples);
   PhongReflectionOfEach(p, weight, samples);
   tracer_.AddShadowRays(
       p, index, samples, p.path.throughput, [&] { return light.Describe(); }, state);

@@ -1,14 +1,14 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
 
 #include "source/integrate/Integrator.h"
 #include "source/integrate/Tracer.h"
-#include "source/integrate/lights/EmissiveShape.h"
+#include "source/integrate/lights/LightSource.h"
 #include "source/integrate/lights/LightTree.h"
-#include "source/integrate/lights/TriangleLamp.h"
 
 namespace ray {
 
@@ -27,28 +27,20 @@ class Whitted : public Integrator {
  protected:
   const World& world() const { return world_; }
   /// Those that are not black.
-  std::span<const Light* const> Lights() const { return lights_; }
+  std::span<const Light* const> Lights() const { return scene_lights_; }
 
  private:
   R2::Color Follow(const ShadingPoint& first, TraceState& state) const;
   /// Sets each point's radiance to what its surface emits and reflects of the lights.
   virtual void Shade(std::span<ShadingPoint> points, TraceState& state) const;
   /// One light's share of that; `which` is its key beneath a surface.
-  template <typename AnyLight>
-  void AddLight(const AnyLight& light, std::uint64_t which, std::span<ShadingPoint> points, TraceState& state) const;
+  void AddLight(const LightSource& light, std::uint64_t which, std::span<ShadingPoint> points, TraceState& state) const;
   /// The share of a few lights, chosen by importance sampling, that stand for all.
   void AddChosenLights(std::span<ShadingPoint> points, TraceState& state) const;
-  /// One of them, by its number in the tree.
-  void AddChosenLight(std::size_t which, const ShadingPoint& p, std::size_t index, const R2::Point& u, double weight,
-                      TraceState& state) const;
-  template <typename AnyLight>
-  void AddSample(const AnyLight& light, const ShadingPoint& p, std::size_t index, const R2::Point& u, double weight,
+  void AddSample(const LightSource& light, const ShadingPoint& p, std::size_t index, const R2::Point& u, double weight,
                  TraceState& state) const;
   /// Those that points number `first` and on pick, at most LightSamples::most.
-  template <typename AnyLight>
-  void AddSamples(const AnyLight& light, const ShadingPoint& p, std::size_t index, const Points& random,
-                  std::uint64_t first, std::uint32_t count, double weight, TraceState& state) const;
-  void AddSamples(const Light& light, const ShadingPoint& p, std::size_t index, const Points& random,
+  void AddSamples(const LightSource& light, const ShadingPoint& p, std::size_t index, const Points& random,
                   std::uint64_t first, std::uint32_t count, double weight, TraceState& state) const;
   void AddArrived(std::span<ShadingPoint> points, TraceState& state) const;
   /// The rays that a surface reflects and transmits.
@@ -62,11 +54,10 @@ class Whitted : public Integrator {
   Tracer tracer_;
   TraceSettings settings_;
   bool has_roulette_;
-  std::vector<const Light*> lights_;  // those that are not black
-  std::vector<TriangleLamp> lamps_;
-  std::vector<EmissiveShape> shapes_;         // those that are lights
-  const Environment* environment_ = nullptr;  // if it shines
-  std::optional<LightTree> tree_;             // over lights, lamps, shapes, if they are chosen among
+  std::vector<const Light*> scene_lights_;          // those that are not black
+  LightSources lights_;                             // all but the environment
+  std::unique_ptr<const LightSource> environment_;  // if it shines
+  std::optional<LightTree> tree_;                   // over lights_, if they are chosen among
 };
 
 }  // namespace ray

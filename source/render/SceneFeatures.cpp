@@ -7,7 +7,7 @@
 #include <string_view>
 #include <utility>
 
-#include "source/integrate/lights/LightSampler.h"
+#include "source/integrate/lights/LightSource.h"
 #include "source/integrate/lights/TriangleLamp.h"
 #include "source/render/Schedule.h"
 #include "source/text/EnumNames.h"

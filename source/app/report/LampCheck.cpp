@@ -7,7 +7,8 @@
 #include "R1/Elementary.h"
 #include "source/app/report/Check.h"
 #include "source/integrate/lights/EmissiveShape.h"
-#include "source/integrate/lights/LightSampler.h"
+#include "source/integrate/lights/LightSource.h"
+#include "source/integrate/lights/TriangleLamp.h"
 #include "source/text/Quoting.h"
 #include "source/text/Words.h"
 

@@ -17,7 +17,7 @@
 #include "source/app/options/SceneSettings.h"
 #include "source/app/report/Check.h"
 #include "source/app/report/Messages.h"
-#include "source/integrate/lights/LightSampler.h"
+#include "source/integrate/lights/LightSource.h"
 #include "source/render/SceneFeatures.h"
 #include "source/render/Schedule.h"
 #include "source/text/Quoting.h"

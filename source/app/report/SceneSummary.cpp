@@ -4,7 +4,7 @@
 
 #include "R3/Mesh.h"
 #include "source/app/report/Check.h"
-#include "source/integrate/lights/LightSampler.h"
+#include "source/integrate/lights/LightSource.h"
 #include "source/text/NumberText.h"
 #include "source/text/Words.h"
 

@@ -20,7 +20,7 @@ TEST(LightSampler, NamesEachOfItsLightsByItsKind) {
   const LightSampler lights(stage.world, {});
   std::vector<std::string> kinds;
   for (int i = 0; i < lights.Count(); ++i) {
-    const std::string said = lights.Describe(i);
+    const std::string said = lights[i].Describe();
     kinds.push_back(said.substr(0, said.find(' ', said.find(' ') + 1)));
   }
   const std::vector<std::string> expected{"point light",        "directional light", "emissive triangle,",

@@ -199,14 +199,14 @@ TEST(Reaching, ChangesNoAnswerButThatALampNeverBlocksItsOwnLightByRounding) {
       const auto sample = lights.Sample(p, light, {draw.Between(0, 1), draw.Between(0, 1)});
       if (!sample || !(Dot(p.N, sample->to_light) > 0)) continue;
       const R3::Ray shadow = ShadowRay(p, sample->Target());
-      EXPECT_EQ(shadow.reaching, lights.Reached(light));
+      EXPECT_EQ(shadow.reaching, lights[light].Reached());
       R3::Ray testing = shadow;
       testing.leaving = testing.reaching = -1;
       testing.t_max = 1;
       const bool is_occluded = none->IsOccluded(testing, workspace);
       if (none->IsOccluded(shadow, workspace) != is_occluded) {
         const auto blocker = none->Intersect(testing, workspace);
-        ASSERT_TRUE(blocker) << lights.Describe(light);
+        ASSERT_TRUE(blocker) << lights[light].Describe();
         EXPECT_EQ(stage.world.PrimitiveId(*blocker), shadow.reaching);
         EXPECT_GT(blocker->t, 1 - 0x1p-50);
         ++rounded;
