@@ -198,9 +198,13 @@ R3::Box WorldBounds(const World& world, const Instance& instance) {
   return local.IsEmpty() ? local : world.Frames()[instance.frame] * local;
 }
 
+bool Holds(const World& world, const Instance& instance, const R3::Point& point) {
+  return WorldBounds(world, instance).Contains(point) && IsInside(world, instance, point);
+}
+
 int SolidsAround(const World& world, const R3::Point& point, const std::function<bool(const Instance&)>& counts) {
   return static_cast<int>(std::ranges::count_if(world.Instances(), [&](const Instance& instance) {
-    return counts(instance) && WorldBounds(world, instance).Contains(point) && IsInside(world, instance, point);
+    return counts(instance) && Holds(world, instance, point);
   }));
 }
 

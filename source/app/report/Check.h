@@ -25,8 +25,11 @@ std::string PlaceOf(const World& world, const Instance& instance);
 /// A box around an instance, in the world; empty for what has no end.
 R3::Box WorldBounds(const World& world, const Instance& instance);
 
-/// How many of the solids and meshes hold the point inside: a ray from it crosses their surface an odd number of times.
-/// A mesh counts only if three rays agree, for it may be open. `counts`: which of them are asked for.
+/// Whether a solid or mesh holds the point inside: a ray from it crosses the surface an odd number of times. A mesh does
+/// only if three rays agree, for it may be open.
+bool Holds(const World& world, const Instance& instance, const R3::Point& point);
+
+/// How many hold the point inside. `counts`: which of them are asked for.
 int SolidsAround(
     const World& world, const R3::Point& point,
     const std::function<bool(const Instance&)>& counts = [](const Instance&) { return true; });

@@ -25,18 +25,21 @@ bool AreBothSeen(const Instance& a, const Instance& b) {
 
 /// Pairs of different materials, one of which hides the other where the camera sees both in one plane.
 std::vector<Pair> PairsInOnePlane(const World& world, const RenderSettings& settings) {
-  constexpr int side = 64;  // of the grid of rays
+  constexpr int side = 64;                     // of the grid of rays
+  constexpr std::size_t most_hits = 1'000'000;  // of all rays: as many surfaces in one place are no more mistakes
   const Camera camera = settings.view.value_or(world.scene().camera);
   const auto accelerator = FindAcceleratorKind("auto")->Make(world, {});
   Workspace workspace;
   std::vector<Pair> pairs;
-  for (int i = 0; i < side * side; ++i) {
+  std::size_t hits_so_far = 0;
+  for (int i = 0; i < side * side && hits_so_far < most_hits; ++i) {
     // Places of the image that no model has its edges at.
     const double x = (i % side + 0.3719) / side * settings.width, y = (i / side + 0.4142) / side * settings.height;
     const auto ray = camera.RayThrough(x, y, settings.width, settings.height);
     const auto hit = ray ? accelerator->Intersect(*ray, workspace) : std::nullopt;
     if (!hit || !hit->is_contested) continue;
     const auto hits = accelerator->Coincident(*ray, *hit, workspace);
+    hits_so_far += hits.size();
     for (const WorldHit& other : hits) {
       const Instance &first = world.Instances()[hits[0].instance], &second = world.Instances()[other.instance];
       if (first.material != second.material && !AreBothSeen(first, second))
@@ -106,38 +109,69 @@ void AddOpenGlass(std::vector<std::string>& mistakes, const World& world) {
                      AndMore(static_cast<std::size_t>(std::ranges::count_if(instances, IsOpenGlass))));
 }
 
-/// Whether a place inside of both is found where their boxes overlap.
-bool Overlap(const World& world, const Instance& a, const Instance& b) {
-  constexpr std::uint32_t tries = 64;
-  const R3::Box &p = a.bounds, &q = b.bounds;
-  const R3::Point low{std::max(p.low.x, q.low.x), std::max(p.low.y, q.low.y), std::max(p.low.z, q.low.z)};
-  const R3::Point high{std::min(p.high.x, q.high.x), std::min(p.high.y, q.high.y), std::min(p.high.z, q.high.z)};
-  if (!(low.x < high.x && low.y < high.y && low.z < high.z)) return false;
-  const auto is_one = [&](const Instance& i) { return &i == &a || &i == &b; };
-  const Points points(SamplerKind::sobol, RandomKey(1), tries);
-  for (std::uint32_t i = 0; i < tries; ++i) {
+/// Some places of a box, evenly spread.
+std::vector<R3::Point> PlacesIn(const R3::Box& box) {
+  constexpr std::uint32_t count = 64;
+  const Points points(SamplerKind::sobol, RandomKey(1), count);
+  std::vector<R3::Point> places;
+  for (std::uint32_t i = 0; i < count; ++i) {
     const R2::Point xy = points.Get2D(i);
-    const R3::Vector size = high - low;
-    const R3::Point place = low + R3::Vector{xy.x * size.x, xy.y * size.y, (i + 0.5) / tries * size.z};
-    if (SolidsAround(world, place, is_one) == 2) return true;
+    const R3::Vector size = box.high - box.low;
+    places.push_back(box.low + R3::Vector{xy.x * size.x, xy.y * size.y, (i + 0.5) / count * size.z});
   }
-  return false;
+  return places;
 }
 
-/// Reports clear solids that overlap: which of them refracts there is decided by the order of the file.
+/// Whether a place inside of both is found where their boxes overlap.
+bool Overlap(const World& world, const Instance& a, const Instance& b) {
+  const R3::Box &p = a.bounds, &q = b.bounds;
+  const R3::Box both{{std::max(p.low.x, q.low.x), std::max(p.low.y, q.low.y), std::max(p.low.z, q.low.z)},
+                     {std::min(p.high.x, q.high.x), std::min(p.high.y, q.high.y), std::min(p.high.z, q.high.z)}};
+  if (!(both.low.x < both.high.x && both.low.y < both.high.y && both.low.z < both.high.z)) return false;
+  return std::ranges::any_of(
+      PlacesIn(both), [&](const R3::Point& place) { return Holds(world, a, place) && Holds(world, b, place); });
+}
+
+/// Whether places inside of one are found, and all of them inside of another.
+bool IsWithin(const World& world, const Instance& inner, const Instance& outer) {
+  if (!(outer.bounds.Contains(inner.bounds.low) && outer.bounds.Contains(inner.bounds.high))) return false;
+  bool has_inside = false;
+  for (const R3::Point& place : PlacesIn(inner.bounds)) {
+    if (!Holds(world, inner, place)) continue;
+    if (!Holds(world, outer, place)) return false;
+    has_inside = true;
+  }
+  return has_inside;
+}
+
+/// What is wrong with the priorities of two clear solids, the first of the file first; nothing where they are right.
+std::string ContradictionOf(const World& world, const Instance& first, const Instance& second) {
+  const Material &a = *first.material, &b = *second.material;
+  if (a.priority != b.priority) {
+    const Instance &lower = a.priority < b.priority ? first : second, &higher = &lower == &first ? second : first;
+    if (!IsWithin(world, lower, higher)) return {};
+    return PlaceOf(world, lower) + ": warning: this solid lies inside that of " + PlaceOf(world, higher) +
+           ", whose material has a higher priority and fills the place: nothing of it is seen";
+  }
+  if (a.ir == b.ir || !Overlap(world, first, second)) return {};
+  return PlaceOf(world, second) + ": warning: this solid and that of " + PlaceOf(world, first) +
+         " overlap, refract differently and have the same priority; the one that comes first fills the place, unless a "
+         "priority says otherwise";
+}
+
+/// Reports clear solids that claim the same place: which of them refracts there is decided by the order of the file, or
+/// by a priority that hides one of them.
 void AddClaims(std::vector<std::string>& mistakes, const World& world) {
   std::vector<const Instance*> clear;
   for (const Instance& instance : world.Instances())
     if (instance.is_medium && instance.IsClear()) clear.push_back(&instance);
   constexpr std::size_t most = 200;  // all pairs of these are looked at, in 0.1 s
   if (clear.size() > most) clear.resize(most);
-  for (const Instance* a : clear)
-    for (const Instance* b : clear) {
-      const Material &of_a = *a->material, &of_b = *b->material;
-      if (a >= b || of_a.ir == of_b.ir || of_a.priority != of_b.priority || !Overlap(world, *a, *b)) continue;
-      mistakes.push_back(PlaceOf(world, *b) + ": warning: this solid and that of " + PlaceOf(world, *a) +
-                         " overlap, refract differently and have the same priority; the one that comes first fills "
-                         "the place, unless a priority says otherwise");
+  for (std::size_t i = 0; i < clear.size(); ++i)
+    for (std::size_t j = i + 1; j < clear.size(); ++j) {
+      std::string contradiction = ContradictionOf(world, *clear[i], *clear[j]);
+      if (contradiction.empty()) continue;
+      mistakes.push_back(std::move(contradiction));
       return;
     }
 }

@@ -71,6 +71,9 @@ void ReadPriority(ScnReader& reader, Statement& statement) {
     return statement.Error(priority.words[0],
                            "priority must be a whole number from -" + std::to_string(Material::most_priority) + " to " +
                                std::to_string(Material::most_priority) + ", got " + Escaped(priority.words[0].text));
+  if (material->priority != 0 && material->priority != value)
+    reader.Warn(statement, "the material has the priority " + std::to_string(material->priority) +
+                               " already; the last one counts");
   material->priority = static_cast<int>(value);
 }
 

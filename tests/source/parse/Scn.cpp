@@ -52,6 +52,15 @@ TEST(Scn, AMirrorHasAWeightOfItsOwn) {
   EXPECT_EQ(m.kr, (R2::Color{0.1, 0.2, 0.3}));
 }
 
+TEST(Scn, APriorityThatContradictsAnEarlierOneCountsWithAWarning) {
+  const std::string material = "material 0 0 0  0 0 0  0 0 0  1 1 1  0 0 0  10 1.5 0\n";
+  const ParsedScene parsed = ParseText(material + "priority 0 1\npriority 0 2");
+  EXPECT_EQ(parsed.scene.materials.at(1).priority, 2);
+  ASSERT_EQ(parsed.warnings.size(), 1u);
+  EXPECT_TRUE(Contains(parsed.warnings[0], "scene.scn:3:1: warning: the material has the priority 1 already"));
+  EXPECT_TRUE(ParseText(material + "priority 0 1 priority 0 1").warnings.empty());
+}
+
 TEST(Scn, AViewStaysBesideTheCameraWhicheverComesFirst) {
   const std::string camera = "camera 0 0 9  0 0 -1  0 1 0  .5 1 2\n", view = "view 2 .5 -1\n";
   for (const std::string& text : {camera + view, view + camera, view}) {

@@ -69,5 +69,12 @@ TEST(ContactCheck, PointsOutSolidsThatClaimTheSamePlace) {
   EXPECT_EQ(Mistakes(clear_glass + water + "box 0 -1 -1 -1  1 1 1 sphere 1 1.5 0 0 .5\n"), "");  // they touch
 }
 
+TEST(ContactCheck, PointsOutASolidThatAHigherPriorityHides) {
+  const std::string solids = "box 0 -1 -1 -1  1 1 1\nsphere 1 0 0 0 .5\n";
+  EXPECT_TRUE(Has(Mistakes(clear_glass + water + solids + "priority 0 1\n"),
+                  "example.scn:5:1: warning: this solid lies inside that of "));
+  EXPECT_EQ(Mistakes(clear_glass + water + "box 0 -1 -1 -1  1 1 1 sphere 1 .9 0 0 .5\npriority 0 1\n"), "");
+}
+
 }  // namespace
 }  // namespace ray
