@@ -1,8 +1,11 @@
 #include "source/app/Farm.h"
 
+#include <algorithm>
+
 #include "source/app/BuildAccelerator.h"
 #include "source/app/Interrupt.h"
 #include "source/app/Status.h"
+#include "source/app/files/FinishingTime.h"
 #include "source/app/files/Outputs.h"
 #include "source/app/files/PartFiles.h"
 #include "source/app/files/SceneHash.h"
@@ -50,6 +53,37 @@ RenderState BeginningOf(PartReader& reader, const Options& options, const std::s
   return state;
 }
 
+/// What is rendered before the image is assembled has less time than that: whoever assembles reads and builds the scene
+/// as this process did, and filters the image.
+///   before_samples   what this process took for that, in seconds
+///   filters          whether to leave time for them
+RenderSettings SettingsInTime(const Options& options, double before_samples, bool filters) {
+  constexpr double least = 1e-3;  // seconds; 0 would be no limit
+  RenderSettings settings = options.render;
+  Budget& budget = settings.budget = BudgetWithFinish(options);
+  const double kept = before_samples + (filters ? budget.seconds_to_filter : 0);
+  if (budget.seconds > 0) budget.seconds = std::max(least, budget.seconds - kept);
+  return settings;
+}
+
+/// Whether the time that is left is as long as the first round took, which had the fewest samples.
+bool HasTimeForRound(const Options& options, const PartReader& reader, const RenderState& round) {
+  const double first = round.passes.empty() ? 0 : round.passes.front().seconds;
+  return reader.SecondsSinceBegin().value_or(0) + first < options.render.budget.seconds;
+}
+
+/// Decides on what follows a round that is over; nothing when the image is done.
+///   watch   runs since the process began
+std::optional<RenderState> PlannedRound(const ReadScene& scene, const PartReader& reader, RenderState&& round,
+                                        const Stopwatch& watch) {
+  const World world(scene.parsed.scene);
+  CheckMemory(world, scene.options);
+  const auto accelerator = BuildAccelerator(world, scene.options);
+  RenderMonitor monitor;
+  monitor.seconds_before = reader.SecondsSinceBegin().value_or(0);
+  return NextRound(world, *accelerator, SettingsInTime(scene.options, watch.Total(), false), std::move(round), monitor);
+}
+
 std::string FilesOfParts(const Options& options) {
   return options.parts.empty() ? options.picture + ".part-*-of-" + std::to_string(options.missing) : options.parts;
 }
@@ -57,6 +91,7 @@ std::string FilesOfParts(const Options& options) {
 }  // namespace
 
 int RenderOnePart(const Options& asked) {
+  const Stopwatch watch;
   CheckMachine(asked);
   const ReadScene scene(asked);
   const Options& options = scene.options;
@@ -66,6 +101,9 @@ int RenderOnePart(const Options& asked) {
   CheckMemory(world, options);
   CheckOutput(name, scene.parsed.scene.files);
   PartReader reader(options, scene.hash);
+  if (options.render.budget.seconds > 0 && !IsThere(PlanName(options.picture)))
+    throw UsageError("-part with -time needs " + QuotedPath(PlanName(options.picture)) +
+                     ", which says since when time counts; -missing n writes it");
   RenderState beginning = BeginningOf(reader, options, name);
   const auto accelerator = BuildAccelerator(world, options);
 
@@ -75,6 +113,7 @@ int RenderOnePart(const Options& asked) {
   std::uint64_t rays = 0;
   RenderMonitor monitor;
   monitor.stop = StopRequested();
+  monitor.seconds_before = reader.SecondsSinceBegin().value_or(0);
   monitor.tile_done = [&](const RenderProgress& now) { progress.Update(now); };
   monitor.save_every = options.checkpoint;
   monitor.resume = [&](const Film&) { return std::move(beginning); };
@@ -82,7 +121,7 @@ int RenderOnePart(const Options& asked) {
     rays = state.rays.Total();
     writer.WritePart(RenderState(state));
   };
-  const bool is_done = RenderPart(world, *accelerator, options.render, monitor);
+  const bool is_done = RenderPart(world, *accelerator, SettingsInTime(options, watch.Total(), true), monitor);
   if (!options.quiet)
     WriteStandardOutput(Escaped(name) + " " + Counted(rays, "ray") + " " + Fixed(CpuSeconds(), 2) + " s CPU" +
                         (is_done ? "" : " (stopped; the same command continues)") + "\n");
@@ -90,9 +129,13 @@ int RenderOnePart(const Options& asked) {
 }
 
 void PrintMissingParts(const Options& asked) {
+  const Stopwatch watch;
   const ReadScene scene(asked);
   const Options& options = scene.options;
+  const bool is_timed = options.render.budget.seconds > 0;
   PartReader reader(options, scene.hash);
+  const PartWriter writer(options, scene.hash);
+  if (is_timed && !reader.SecondsSinceBegin()) writer.WritePlan(reader.Round(), watch.Total());
   RenderState round = reader.Joined(FilesLike(FilesOfParts(options)), options.missing);
   const auto lines_of = [&](const RenderState& state) {
     std::string lines;
@@ -100,15 +143,14 @@ void PrintMissingParts(const Options& asked) {
       lines += std::to_string(part) + "\n";
     return lines;
   };
+  if (is_timed && !HasTimeForRound(options, reader, round)) return;
   const std::string lines = lines_of(round);
   if (!lines.empty() || IsOfOneRound(options.render, reader.film())) return WriteStandardOutput(lines);
-  const World world(scene.parsed.scene);
-  CheckMemory(world, options);
-  const auto accelerator = BuildAccelerator(world, options);
-  auto next = NextRound(world, *accelerator, options.render, std::move(round));
-  if (!next) return;
+  auto next = PlannedRound(scene, reader, std::move(round), watch);
+  if (!next || (is_timed && !HasTimeForRound(options, reader, *next))) return;
   const std::string of_next = lines_of(*next);
-  PartWriter(options, scene.hash).WritePlan(std::move(*next));  // before anyone is told to follow it
+  // Before anyone is told to follow it.
+  writer.WritePlan(std::move(*next), is_timed ? reader.SecondsSinceBegin().value_or(0) : 0);
   WriteStandardOutput(of_next);
 }
 

@@ -12,7 +12,8 @@ namespace ray {
 int RenderOnePart(const Options& options);
 
 /// Prints the parts that are to be rendered in this round, a number per line. Where none are, it decides on the next
-/// round and writes its plan; it prints nothing when all that is left is assembling.
+/// round and writes its plan; it prints nothing when all that is left is assembling. With -time the first call writes a
+/// plan, too, since time counts from then on.
 void PrintMissingParts(const Options& options);
 
 }  // namespace ray

@@ -28,7 +28,6 @@
 #include "source/app/report/ReadReplay.h"
 #include "source/app/report/RunLog.h"
 #include "source/parse/SceneError.h"
-#include "source/render/forecast/DenoiseForecast.h"
 #include "source/text/Quoting.h"
 
 namespace ray {
@@ -41,11 +40,8 @@ RenderResult RenderAndTell(const World& world, const Accelerator& accelerator, c
   const std::string& hash = account.stats().scene.hash;
   RenderSettings settings = options.render;
   settings.replay = ReadReplay(options, hash);
-  if (settings.budget.seconds > 0) {
-    settings.budget.seconds_to_finish = FinishingTimeOf(*FormatOfPicture(options.picture), options);
-    if (settings.denoise) settings.budget.seconds_to_filter = SecondsToFilter(settings);
-    account.WillFinishIn(settings.budget);
-  }
+  settings.budget = BudgetWithFinish(options);
+  if (settings.budget.seconds > 0) account.WillFinishIn(settings.budget);
   Progress progress(ChooseProgressStyle(options.quiet));
   const auto tile_done = [&](const RenderProgress& now) { progress.Update(now); };
   RenderMonitor monitor;
@@ -55,6 +51,11 @@ RenderResult RenderAndTell(const World& world, const Accelerator& accelerator, c
     FormatOfPicture(options.picture)->encode(image, options.encoding, {});
   };
   monitor.seconds_before = account.SecondsSoFar();
+  if (settings.budget.seconds > 0 && !options.parts.empty())
+    if (const auto since_begin = PartReader(options, hash).SecondsSinceBegin()) {
+      monitor.seconds_before = *since_begin;
+      account.BeganTogether(*since_begin);
+    }
   if (checkpoint) monitor.save = [&](const RenderState& state) { checkpoint->Save(state, hash); };
   monitor.save_every = options.checkpoint;
   monitor.saves_finished = options.keep_checkpoint;

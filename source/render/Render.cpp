@@ -155,7 +155,9 @@ class Job {
   std::optional<RenderState> NextRound(RenderState&& state) {
     Resume(std::move(state));
     if (!passes_.empty()) pass_begin_ = {passes_.back().seconds, passes_.back().samples};
-    if (schedule_.Next(EndPass())) return {};
+    PassOutcome round = EndPass();
+    round.is_of_many_machines = true;
+    if (schedule_.Next(round)) return {};
     schedule_.SkipToRound();
     return State();
   }
@@ -434,6 +436,13 @@ class Job {
   double samples_foretold_ = 0;  // per pixel, that reach the error asked for; 0: unknown
 };
 
+/// Of an image that is to be denoised in time; else nothing.
+std::optional<DenoiseForecast> DenoiseForecastOf(const World& world, const Accelerator& accelerator,
+                                          const RenderSettings& settings) {
+  if (!settings.denoise || settings.budget.seconds == 0) return {};
+  return std::optional<DenoiseForecast>(std::in_place, world, accelerator, settings, MeasureFor(settings));
+}
+
 }  // namespace
 
 double ExpectedRays(const RenderSettings& settings) {
@@ -481,15 +490,13 @@ RenderResult Render(const World& world, const Accelerator& accelerator, const Re
                     const RenderMonitor& monitor) {
   const auto start = Job::Clock::now();
   const auto integrator = IntegratorOf(world, accelerator, settings);
-  const ErrorMeasure measure = MeasureFor(settings);
-  std::optional<DenoiseForecast> forecast;
-  if (settings.denoise && settings.budget.seconds > 0) forecast.emplace(world, accelerator, settings, measure);
+  auto forecast = DenoiseForecastOf(world, accelerator, settings);
   Job job(world, *integrator, settings, monitor, start, forecast ? &*forecast : nullptr);
   RenderResult result = job.Run();
   if (!settings.denoise || !result.IsComplete() || (settings.replay && !settings.replay->denoised)) return result;
   result.had_no_time_to_denoise = !job.HasTimeToDenoise();
   if (result.had_no_time_to_denoise) return result;
-  DenoiseResult(world, accelerator, settings, job.film(), measure, job.EndOfGuides(), monitor, result);
+  DenoiseResult(world, accelerator, settings, job.film(), MeasureFor(settings), job.EndOfGuides(), monitor, result);
   if (!result.IsComplete() && monitor.save) monitor.save(job.State());
   return result;
 }
@@ -504,7 +511,13 @@ bool RenderPart(const World& world, const Accelerator& accelerator, const Render
 std::optional<RenderState> NextRound(const World& world, const Accelerator& accelerator, const RenderSettings& settings,
                                      RenderState state, const RenderMonitor& monitor) {
   const auto integrator = IntegratorOf(world, accelerator, settings);
-  return Job(world, *integrator, settings, monitor, Job::Clock::now()).NextRound(std::move(state));
+  const auto start = Job::Clock::now() - std::chrono::duration_cast<Job::Clock::duration>(
+                                             std::chrono::duration<double>(monitor.seconds_before));
+  RenderMonitor from_start = monitor;
+  from_start.seconds_before = 0;
+  auto forecast = DenoiseForecastOf(world, accelerator, settings);
+  return Job(world, *integrator, settings, from_start, start, forecast ? &*forecast : nullptr)
+      .NextRound(std::move(state));
 }
 
 RenderResult Render(const World& world, const Integrator& integrator, const RenderSettings& settings,

@@ -108,7 +108,7 @@ bool RenderPart(const World& world, const Accelerator& accelerator, const Render
                 const RenderMonitor& monitor);
 
 /// Decides on the next round from a state in which every block has the samples of this one. It depends on the blocks
-/// and on monitor.seconds_before, which must count from when the first round began. Nothing when the image is done.
+/// and on monitor.seconds_before, which counts from when the first round began. Nothing when the image is done.
 std::optional<RenderState> NextRound(const World& world, const Accelerator& accelerator, const RenderSettings& settings,
                                      RenderState state, const RenderMonitor& monitor = {});
 

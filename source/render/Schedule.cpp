@@ -144,7 +144,8 @@ std::optional<Stop> Schedule::Next(const PassOutcome& pass) {
   const MeasuredError* error = DecidesByError() && pass.error ? &*pass.error : nullptr;
   if (pass.error && Suffices(*pass.error)) return Stop::error;
   if (error && pass.has_stalled && ceiling_ == most_samples && budget_.seconds == 0) return Stop::stall;
-  std::uint32_t end = std::min(ceiling_, NextEnd(error));
+  const bool goes_as_far_as_time = pass.is_of_many_machines && budget_.seconds > 0 && !budget_.error;
+  std::uint32_t end = goes_as_far_as_time ? ceiling_ : std::min(ceiling_, NextEnd(error));
   std::vector<std::uint32_t> targets(blocks_.areas.size(), end);
   if (error && budget_.adaptive != Adaptive::off) targets = ChooseBlocks(end, *error);
   // After a pass that was shortened for some blocks others may have more already.

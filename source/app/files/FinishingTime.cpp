@@ -1,5 +1,7 @@
 #include "source/app/files/FinishingTime.h"
 
+#include "source/app/options/PictureName.h"
+#include "source/render/forecast/DenoiseForecast.h"
 #include "source/render/forecast/SecondsOf.h"
 
 namespace ray {
@@ -33,6 +35,14 @@ double FinishingTimeOf(const R2::ImageFormat& format, const Options& options) {
                                     : static_cast<double>(render.width) * static_cast<double>(render.height);
   return pixels *
          (price_beside_slope * SecondsToEncodeAPixel(format, options.encoding, Slope()) + seconds_to_compose_a_pixel);
+}
+
+Budget BudgetWithFinish(const Options& options) {
+  Budget budget = options.render.budget;
+  if (budget.seconds == 0) return budget;
+  budget.seconds_to_finish = FinishingTimeOf(*FormatOfPicture(options.picture), options);
+  if (options.render.denoise) budget.seconds_to_filter = SecondsToFilter(options.render);
+  return budget;
 }
 
 }  // namespace ray

@@ -9,4 +9,8 @@ namespace ray {
 /// milliseconds.
 double FinishingTimeOf(const R2::ImageFormat& format, const Options& options);
 
+/// The budget of a render with a time limit, which knows how long finishing and filtering take here. Throws
+/// DenoiserError.
+Budget BudgetWithFinish(const Options& options);
+
 }  // namespace ray

@@ -3,25 +3,30 @@
 #include <glob.h>
 #include <zlib.h>
 
+#include <algorithm>
 #include <bit>
 #include <charconv>
+#include <chrono>
+#include <filesystem>
 #include <map>
 
 #include "source/app/Status.h"
 #include "source/app/files/Checkpoint.h"
 #include "source/app/files/Outputs.h"
 #include "source/app/files/ReadInputs.h"
+#include "source/app/files/TemporaryFile.h"
 #include "source/app/report/Messages.h"
 #include "source/parse/SceneError.h"
 #include "source/parse/Text.h"
 #include "source/render/Parts.h"
+#include "source/text/NumberText.h"
 #include "source/text/Quoting.h"
 
 namespace ray {
 namespace {
 
 constexpr const char* byte_order = std::endian::native == std::endian::little ? "little-endian" : "big-endian";
-constexpr std::string_view first_word = "raypro ", plan_title = "plan";
+constexpr std::string_view first_word = "raypro ", plan_title = "plan after ";
 constexpr std::size_t most_compressed = 1032;  // times that deflate can make bytes fewer
 
 std::string TitleOf(const ImagePart& part) {
@@ -90,6 +95,17 @@ std::optional<ImagePart> PartTitled(const std::string& title) {
   return part;
 }
 
+/// How many seconds after the beginning of its render a plan was written.
+double SecondsTitled(const std::string& title) {
+  const bool is_plan = title.starts_with(plan_title);
+  const char *begin = title.data() + (is_plan ? plan_title.size() : 0), *end = title.data() + title.size();
+  double seconds = 0;
+  const auto [stop, error] = std::from_chars(begin, end, seconds);
+  if (!is_plan || error != std::errc() || std::string_view(stop, end) != " s" || !(seconds >= 0))
+    throw CheckpointError("it is no plan of a round");
+  return seconds;
+}
+
 [[noreturn]] void RefusePart(const std::string& name, const std::string& why) {
   throw SceneErrors({ErrorIn(name, "cannot use it for this image: " + why)});
 }
@@ -144,16 +160,27 @@ std::optional<PartFile> PartReader::Read(const std::string& name) {
   }
 }
 
-RenderState PartReader::Round() const {
-  const std::string name = PlanName(options_.picture);
-  if (!IsThere(name)) return FirstRound(options_.render, film_);
+Plan PartReader::ReadPlan(const std::string& name) const {
   try {
     const Unpacked unpacked = UnpackedFrom(Contents(name));
-    if (unpacked.title != plan_title) throw CheckpointError("it is no plan of a round");
-    return Decoded(unpacked.bytes);
+    const double seconds = SecondsTitled(unpacked.title);
+    return {seconds, Decoded(unpacked.bytes)};
   } catch (const CheckpointError& error) {
     RefusePart(name, error.what());
   }
+}
+
+RenderState PartReader::Round() const {
+  const std::string name = PlanName(options_.picture);
+  return IsThere(name) ? ReadPlan(name).state : FirstRound(options_.render, film_);
+}
+
+std::optional<double> PartReader::SecondsSinceBegin() const {
+  const std::string name = PlanName(options_.picture);
+  if (!IsThere(name)) return {};
+  const std::chrono::duration<double> since =
+      TemporaryFile(name).Time() - std::filesystem::last_write_time(name);
+  return ReadPlan(name).seconds + std::max(0.0, since.count());
 }
 
 RenderState PartReader::Joined(const std::vector<std::string>& names, int of) {
@@ -200,10 +227,10 @@ void PartWriter::WritePart(RenderState&& state) const {
              Packed(TitleOf(part), Encoded(ForPartFile(std::move(state)), identity_)));
 }
 
-void PartWriter::WritePlan(RenderState&& state) const {
+void PartWriter::WritePlan(RenderState&& state, double seconds) const {
   const Film film = EmptyFilmOf(options_.render);
   WriteWhole(CheckOutput(PlanName(options_.picture), InputsOf(options_)),
-             Packed(std::string(plan_title), Encoded(WithoutSamples(std::move(state), film), identity_)));
+             Packed(std::string(plan_title) + Fixed(seconds, 3) + " s", Encoded(WithoutSamples(std::move(state), film), identity_)));
 }
 
 }  // namespace ray

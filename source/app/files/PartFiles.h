@@ -24,6 +24,12 @@ struct PartFile {
   RenderState state;
 };
 
+/// What a file of a plan holds.
+struct Plan {
+  double seconds = 0;  // from the beginning of the render to the plan's writing
+  RenderState state;
+};
+
 /// Reads parts of the image that the options ask for.
 class PartReader {
  public:
@@ -34,6 +40,9 @@ class PartReader {
   std::optional<PartFile> Read(const std::string& name);
   /// What the round begins with: the plan beside the image, else the first round. Throws SceneErrors.
   RenderState Round() const;
+  /// How long ago the render began that the plan is of; nothing where there is no plan. Time passes here as the file
+  /// system of the image's folder counts it, so that machines need no clocks that agree. Throws SceneErrors.
+  std::optional<double> SecondsSinceBegin() const;
   /// The round with the samples of all parts in these files. Throws SceneErrors also when files are parts of different
   /// divisions, or when two of one part disagree.
   ///   of   how many parts there must be; 0: as many as the files say
@@ -45,6 +54,8 @@ class PartReader {
 
  private:
   RenderState Decoded(std::span<const unsigned char> bytes) const;
+  /// The file of that name; throws SceneErrors for one that is no plan.
+  Plan ReadPlan(const std::string& name) const;
 
   const Options& options_;
   const std::string identity_;
@@ -63,7 +74,8 @@ class PartWriter {
   PartWriter(const Options& options, const std::string& scene_hash);
   /// Throws OutputError; the bytes are then kept elsewhere, see WriteWhole.
   void WritePart(RenderState&& state) const;
-  void WritePlan(RenderState&& state) const;
+  ///   seconds   since the render began; some clock counts them only where -time is given
+  void WritePlan(RenderState&& state, double seconds) const;
 
  private:
   const Options& options_;

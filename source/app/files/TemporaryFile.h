@@ -20,6 +20,8 @@ class TemporaryFile {
   TemporaryFile(const TemporaryFile&) = delete;
   TemporaryFile& operator=(const TemporaryFile&) = delete;
 
+  /// When it was created, or last written to, by the clock of its file system.
+  std::filesystem::file_time_type Time() const { return std::filesystem::last_write_time(name_); }
   void Write(std::span<const unsigned char> bytes);
   /// Flushes it to the disk and renames it; the target is at every moment its old self or the new one.
   void Become();

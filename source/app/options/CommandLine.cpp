@@ -301,9 +301,6 @@ void CheckParts(const Options& options) {
     if (options.IsGiven(name))
       throw UsageError("-" + std::string(name) + " needs the whole image; it cannot be combined with -" +
                        (is_part ? "part" : "missing"));
-  if (options.render.budget.seconds > 0)
-    throw UsageError("-time cannot be combined with -" + std::string(is_part ? "part" : "missing") +
-                     ": machines do not share a clock; -error or -samples says when to stop");
 }
 
 /// Everything that is wrong together, though each word is right by itself.

@@ -398,7 +398,7 @@ std::vector<OptionKind> BatchOptions() {
       {"part", raypro, {}, {"i/n"}, WordOf<ReadPart, ShowPart>(AT(render.part), "i/n with i from 1 to n, such as 3/8"),
        "", "batch", "render one of n parts, to out.png.part-i-of-n: on any machine, in any order"},
       {"missing", raypro, {}, {"n"}, Number<int>{AT(missing), 0, most_image_parts}, "parts", "batch",
-       "print which of n parts are still to be rendered; with -error, plan the next round"},
+       "print which of n parts are still to be rendered; with -error or -time, plan the next round"},
       {"parts", raypro, {}, {"pattern"}, FileName{AT(parts)}, "", "batch",
        "assemble the parts of these names, and render what they lack: a bit-identical image"},
   };

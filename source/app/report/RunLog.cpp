@@ -242,6 +242,7 @@ void RunLog::Written(const std::string& picture) {
   const bool has_file = stats_.options.picture != standard_stream;
   stats_.seconds.write = watch_.Lap();
   stats_.seconds.wall = watch_.Total();
+  if (shared_before_) stats_.seconds.shared = *shared_before_ + stats_.seconds.wall;
   stats_.seconds.cpu = CpuSeconds();
   stats_.peak_memory = PeakMemory();
   PrintStep("wrote the picture", stats_.seconds.write);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "source/accelerate/World.h"
 #include "source/app/report/Resources.h"
 #include "source/app/report/RunStats.h"
@@ -18,6 +20,8 @@ class RunLog {
   /// Before the first sample of a render with a time limit: what its image takes without any, by the budget that the
   /// render has.
   void WillFinishIn(const Budget& budget);
+  /// With a time limit that machines share: since when, in seconds.
+  void BeganTogether(double seconds_ago) { shared_before_ = seconds_ago - SecondsSoFar(); }
   void Rendered(const RenderResult& result);
   /// With what -reference names, in the unit of the estimated error.
   void Compared(double true_error);
@@ -35,6 +39,7 @@ class RunLog {
   void PrintStep(const std::string& step, double seconds) const;
 
   Stopwatch watch_;
+  std::optional<double> shared_before_;  // seconds of other machines before this process began
   RunStats stats_;
 };
 

@@ -106,7 +106,9 @@ std::string DenoiserText(const RunStats& record) {
 }
 
 std::string StopText(const RunStats& record) {
-  return record.stop == stop_names[static_cast<std::size_t>(Stop::stall)] ? "an error that does not fall" : record.stop;
+  const bool has_stalled = record.stop == stop_names[static_cast<std::size_t>(Stop::stall)];
+  return (has_stalled ? "an error that does not fall" : record.stop) +
+         (record.seconds.shared > 0 ? " after " + Fixed(record.seconds.shared, 2) + " s" : "");
 }
 
 /// What an error that was asked for and not reached would take.

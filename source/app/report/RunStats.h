@@ -34,6 +34,7 @@ struct RunStats {
     double load = 0, build = 0, render = 0, write = 0, wall = 0, cpu = 0;
     double denoise = 0;  // a part of render
     double guides = 0;   // a part of that
+    double shared = 0;   // since machines began on this image together; 0 where no clock counts it
   } seconds;
   std::int64_t peak_memory = 0;  // bytes
   int threads = 1;               // that work

@@ -8,6 +8,7 @@
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <random>
 #include <thread>
 
@@ -89,6 +90,8 @@ const List settings_of_all_kinds[] = {
     {"-samples", "4", "-filter", "mitchell", "-crop", "5", "4", "33", "21"},
     {"-samples", "4", "-sampler", "stratified", "-seed", "9"},
     {"-samples", "4", "-aperture", "0.3", "-focus", "5"},
+    {"-samples", "7", "-motion", "0.1", "0", "0", "-filter", "gaussian"},
+    {"-mode", "path", "-samples", "9", "-motion", "0", "0.3", "0.1", "-sampler", "grid", "-shutter_samples", "2"},
     {"-samples", "4", "-shadow_samples", "3"},
     {"-samples", "2", "-mode", "normal"},
     {"-samples", "2", "-mode", "toon"},
@@ -353,15 +356,17 @@ TEST(Farm, TwoJobsOfOneNameInOneFolderDoNoHarm) {
   }
 }
 
-/// Rounds until nothing is missing, from the last part to the first, on machines that differ; how many there were.
+/// Rounds until nothing is missing, of parts in random orders, on machines that differ; how many there were.
 int RunRounds(const PartsPlace& place, int n, const List& more) {
+  std::mt19937 random(static_cast<unsigned>(n));
   for (int round = 0; round < 30; ++round) {
-    const std::string missing = place.Missing(n, more);
+    List missing = SplitWords(place.Missing(n, more));
     if (missing.empty()) return round;
-    for (int i = n; i >= 1; --i)
-      if (Has("\n" + missing, "\n" + std::to_string(i) + "\n")) {
-        EXPECT_EQ(place.Part(i, n, With(more, {"-simd", i % 2 == 0 ? "sse4" : "avx2"})).status, 0);
-      }
+    std::ranges::shuffle(missing, random);
+    for (const std::string& part : missing) {
+      const int i = std::stoi(part);
+      EXPECT_EQ(place.Part(i, n, With(more, {"-simd", i % 2 == 0 ? "sse4" : "avx2"})).status, 0);
+    }
   }
   ADD_FAILURE() << "no end of rounds";
   return -1;
@@ -384,6 +389,59 @@ TEST(Farm, AnErrorTargetIsReachedInRoundsWithTheClaimOfOneRender) {
   }
 }
 
+/// The plan's file, with a time this much later than it is.
+void ShiftPlan(const PartsPlace& place, std::chrono::seconds later) {
+  const std::string plan = place / "out.png.plan";
+  std::filesystem::last_write_time(plan, std::filesystem::last_write_time(plan) + later);
+}
+
+TEST(Farm, ATimeThatIsLongEnoughChangesNoByte) {
+  NEEDS_THE_PROGRAM();
+  for (const List& more : {List{"-mode", "path", "-samples", "16"},
+                           List{"-mode", "path", "-error", "4", "-samples", "512", "-filter", "gaussian"},
+                           List{"-mode", "path", "-samples", "16", "-denoise"}}) {
+    const PartsPlace place;
+    const List timed = With(more, {"-time", "1000"});
+    const auto expected = place.OneRender(timed);
+    EXPECT_EQ(place.Missing(3, timed), "1\n2\n3\n");
+    ShiftPlan(place, std::chrono::hours(1));  // by a server's clock that is wrong
+    RunRounds(place, 3, timed);
+    const Finished done = place.Assemble(timed);
+    EXPECT_EQ(done.status, 0) << done.error;
+    place.ExpectFiles(expected);
+  }
+}
+
+TEST(Farm, WhenTheTimeIsOverTheImageHasWhatTheMachinesGot) {
+  NEEDS_THE_PROGRAM();
+  const PartsPlace place;
+  const List more{"-mode", "path", "-time", "1000"};
+  place.Missing(4, more);
+  for (const int i : {1, 2, 4}) EXPECT_EQ(place.Part(i, 4, more).status, 0);
+  EXPECT_EQ(place.Missing(4, more), "3\n");
+  ShiftPlan(place, -std::chrono::seconds(2000));
+  EXPECT_EQ(place.Missing(4, more), "") << "nobody waits for the machine that is late";
+  const Finished late = place.Part(3, 4, more);
+  EXPECT_EQ(late.status, 0) << late.error;
+  std::filesystem::remove(place / NameOfPart(3, 4));
+  const Finished done = RunProgram(With({place.Scene(), place / "out.png", "-width", "40", "-height", "30", "-parts",
+                                         place / "out.png.part-*", "-report", place / "out.json"},
+                                        more));
+  EXPECT_EQ(done.status, 0) << done.error;
+  EXPECT_TRUE(Has(done.output, "stopped by time after 2")) << done.output;
+  const auto report = nlohmann::json::parse(ReadFile(place / "out.json"));
+  EXPECT_EQ(report["samples"]["least"], 0) << "of the late part";
+  EXPECT_EQ(report["samples"]["most"], 1);
+}
+
+TEST(Farm, APartThatKnowsNoBeginningOfTheTimeIsRefused) {
+  NEEDS_THE_PROGRAM();
+  const PartsPlace place;
+  const Finished part = place.Part(1, 2, {"-time", "5"});
+  EXPECT_EQ(part.status, 2);
+  EXPECT_TRUE(Has(part.error, "out.png.plan") && Has(part.error, "-missing n writes it")) << part.error;
+}
+
 TEST(Farm, WhatHasNoMeaningForPartsIsRefused) {
   const struct {
     List words;
@@ -393,7 +451,6 @@ TEST(Farm, WhatHasNoMeaningForPartsIsRefused) {
       {{"-part", "4/3"}, "i from 1 to n"},
       {{"-part", "3"}, "i from 1 to n"},
       {{"-part", "1/2000000"}, "i from 1 to n"},
-      {{"-part", "1/2", "-time", "3"}, "-error or -samples says when to stop"},
       {{"-part", "1/2", "-report", "r.json"}, "-report needs the whole image"},
       {{"-part", "1/2", "-parts", "x"}, "contradict"},
       {{"-part", "1/2", "-missing", "2"}, "contradict"},

@@ -366,6 +366,22 @@ PassOutcome Lifelike(const Schedule& schedule) {
   return Found(squares);
 }
 
+TEST(Schedule, ManyMachinesAreToldToGoAsFarAsTheirPaceAllows) {
+  Schedule one = Sampling(Within(100)), many = Sampling(Within(100));
+  PassOutcome pass{.now = 1, .seconds_taken = 1, .samples_taken = 1, .error = {}};
+  EXPECT_FALSE(one.Next(pass));
+  EXPECT_EQ(one.State().end, 2u);
+  pass.is_of_many_machines = true;
+  EXPECT_FALSE(many.Next(pass));
+  // They get 0.6 of the 96 seconds that are left until 97 % of the time, a second a sample, after the one that is there.
+  EXPECT_EQ(many.State().targets, PassTargets{AllAt(58)});
+  RenderSettings to_error = ToErrorOne();
+  to_error.budget.seconds = 100;
+  Schedule with_error = Sampling(to_error);
+  EXPECT_FALSE(with_error.Next(pass));
+  EXPECT_EQ(with_error.State().end, 2u) << "errors decide at samples that double";
+}
+
 TEST(Schedule, AReplayEndsWithTheSamplesOfTheRenderItRepeats) {
   Schedule schedule = Deciding(ToErrorOne());
   Replay replay{true, PlannedSamples(ToErrorOne()), {}, {}, {}};
