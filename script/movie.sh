@@ -79,7 +79,7 @@ case $frames in '' | *[!0-9]* | 0) usage "-frames must be a whole number above 0
 [ -f "$scene" ] || { echo "movie.sh: no such scene: '$scene'" >&2; exit 3; }
 
 # Frames keep the command that made them, so the folder is a relative one where that is possible.
-[ -d build ] && [ -w build ] && base=build || base=${TMPDIR:-/tmp}
+if [ -d build ] && [ -w build ]; then base=build; elif [ -w . ]; then base=.; else base=${TMPDIR:-/tmp}; fi
 work=$(mktemp -d "$base/movie.XXXXXX")
 trap '[ "$keep" ] || rm -rf "$work"' EXIT
 trap 'exit 130' INT

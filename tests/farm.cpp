@@ -41,6 +41,16 @@ TEST(Parallel, APartThatAlwaysFailsIsNamed) {
   RunScript("parallel.sh", "hopeless");
 }
 
+TEST(Parallel, ATimeLimitIsThatOfAllMachinesTogether) {
+  NEEDS_THE_PROGRAM();
+  RunScript("parallel.sh", "time");
+}
+
+TEST(Parallel, FramesOfAMovieAreThoseOfOneMachine) {
+  NEEDS_THE_PROGRAM();
+  RunScript("parallel.sh", "movie");
+}
+
 TEST(Parallel, TwoJobsOfOneNameDoNoHarm) {
   NEEDS_THE_PROGRAM();
   RunScript("parallel.sh", "twice");
@@ -54,6 +64,21 @@ TEST(Slurm, NothingThatHappensToAPartChangesTheImage) {
 TEST(Slurm, AnErrorTargetIsReachedInRounds) {
   NEEDS_THE_PROGRAM();
   RunScript("slurm.sh", "rounds");
+}
+
+TEST(Slurm, ATimeLimitIsThatOfAllMachinesTogether) {
+  NEEDS_THE_PROGRAM();
+  RunScript("slurm.sh", "time");
+}
+
+TEST(Slurm, FramesOfAMovieAreThoseOfOneMachine) {
+  NEEDS_THE_PROGRAM();
+  RunScript("slurm.sh", "movie");
+}
+
+TEST(Slurm, TwoJobsOfOneNameDoNoHarm) {
+  NEEDS_THE_PROGRAM();
+  RunScript("slurm.sh", "twice");
 }
 
 TEST(Slurm, ANodeThatVanishesIsDoneWithout) {

@@ -1,25 +1,25 @@
 #!/bin/sh
 # Renders one image on a Slurm cluster, to the bytes that one machine gives: an array of jobs, a part each, and behind
-# it a job that submits again what is missing, and then assembles the image. It submits and is done; squeue shows the
-# rest, and out.png.log has what the jobs said. After scancel the same command goes on.
+# it a job that submits again what is missing, and then assembles the image. out.png.log has what the jobs said. After
+# scancel the same command continues; a minute before its time limit a job writes what it has, for the next attempt.
 #
 #     script/farm/slurm.sh -parts 64 -sbatch "--partition=lab --time=1:00:00" scenes/glass.scn out.png -samples 256
 #
 #   -parts n       parts to cut the image into (default 16)
 #   -sbatch words  options for sbatch, such as a partition, a time limit or cores of each job
+#   -watch         stay until the image is there, and tell every few seconds what is done, and what runs where
 #   -n             print the commands, and run nothing
-#
-# All further words are raypro's. RAYPRO names the program. Nodes must see this folder by this name. A minute before its
-# time limit a job writes what it has, and the next one goes on from there. See raypro-farm(7).
+# All further words are raypro's. RAYPRO names the program. Nodes must see this folder by this name. See raypro-farm(7).
 set -eu
 fail() { printf 'slurm.sh: %s\n' "$2" >&2; exit "$1"; }
-need() { [ $# -ge 2 ] || fail 2 "$1 needs a value"; }
-raypro=${RAYPRO:-raypro} parts=16 sbatch='' show='' step=submit before='' self=$0
+raypro=${RAYPRO:-raypro} parts=16 sbatch='' show='' watch='' step=submit took=0 before='' self=$0
 while :; do
+  case ${1:-} in -parts | -sbatch) [ $# -ge 2 ] || fail 2 "$1 needs a value" ;; esac
   case ${1:-} in
     -n) show=echo ;;
-    -parts) need "$@"; parts=$2; shift ;;
-    -sbatch) need "$@"; sbatch=$2; shift ;;
+    -watch) watch=yes ;;
+    -parts) parts=$2; shift ;;
+    -sbatch) sbatch=$2; shift ;;
     -step) step=$2 before=$3 self=$4; shift 3 ;;  # within a job: of the array, or behind it
     *) break ;;
   esac
@@ -30,19 +30,16 @@ case $1 in -*) fail 2 "there is no option '$1'; options of raypro follow the sce
 scene=$1 out=$2; shift 2
 case $parts in '' | *[!0-9]* | 0) fail 2 "-parts must be a whole number above 0, got '$parts'" ;; esac
 [ "$step" != part ] || exec "$raypro" "$scene" "$out" "$@" -quiet -part "$SLURM_ARRAY_TASK_ID/$parts"
-
 case $self in /*) ;; *) self=$(cd "$(dirname "$self")" && pwd)/$(basename "$self") ;; esac
-missing=$("$raypro" "$scene" "$out" "$@" -missing "$parts")
+[ "$show" ] && missing=1-$parts || missing=$("$raypro" "$scene" "$out" "$@" -missing "$parts")
 missing=$(echo "$missing" | paste -s -d , -)
 if [ -z "$missing" ]; then
-  $show "$raypro" "$scene" "$out" "$@" -quiet -parts "$out.part-*-of-$parts"
-  $show rm -f "$out.part-"*"-of-$parts" "$out.plan" "$out.log"
-  exit
+  "$raypro" "$scene" "$out" "$@" -quiet -parts "$out.part-*-of-$parts"
+  exec rm -f "$out.part-"*"-of-$parts" "$out.plan" "$out.log"
 fi
 [ "$show" ] || command -v sbatch > /dev/null || fail 1 "Slurm is not here: there is no sbatch"
 now=$({ echo "$missing"; cat "$out.part-"*"-of-$parts" "$out.plan" 2> /dev/null || true; } | cksum | tr ' ' -)
 [ "$now" != "$before" ] || fail 1 "these parts failed, and nothing came of trying again: $missing"
-
 submit() {  # array or dependency, step, and all that follows
   when=$1 next=$2; shift 2
   # shellcheck disable=SC2086  # words of sbatch
@@ -54,3 +51,9 @@ array=$(submit "--array=$missing" part "$@")
 follow=$(submit "--dependency=afterany:${array%%;*}" follow "$@")
 [ ! "$show" ] || { echo "$follow"; exit; }
 echo "job $array renders parts $missing; job $follow behind it assembles $out, or submits again what is missing"
+while [ "$watch" ] && jobs=$(squeue -h -r -n "$(basename "$out")" -o '%T %N %M') && [ "$jobs" ]; do
+  echo "$jobs" | awk -v of="$parts" -v took="$took" '$1 == "RUNNING" { at = at " " $2 " (" $3 ")" } END { left = NR - 1
+    printf "%d of %d parts rendered, %d s left; at work:%s\n", of - left, of, took * left / (of - left + 0.1), at }'
+  sleep 5; took=$((took + 5))
+done
+[ ! "$watch" ] || [ ! -e "$out.log" ] || fail 1 "there is no image; $out.log says why"

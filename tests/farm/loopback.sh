@@ -59,6 +59,26 @@ killed='"$real" "$@" -samples 100000 & sleep 0.3; kill -9 $!; wait $!; exit 137'
 full_disk='ulimit -f 0; trap "" XFSZ; exec "$real" "$@"'
 late_clock='"$real" "$@"; for f in out.png.part-$part-*; do touch -d "1 hour" "$f"; done; exit'
 
+# A movie that this machine renders alone, to be compared with those of engines.
+movie() { (cd work && "$root/script/movie.sh" "$@" -frames 3 -width 24 -height 18) > said 2>&1 || fail "movie.sh: status $?"; }
+expect_movie() {  # options of movie.sh that name the engine
+  printf '%s\n' 'define x 0' 'include in.scn' 'sphere -1  $x 0.5 1  0.4' > work/moving.scn
+  movie -turntable -define x -1 1 moving.scn one.avi
+  movie -turntable -define x -1 1 "$@" moving.scn many.avi
+  # Frames keep the command that made them, and with it the name of a temporary folder.
+  sed -i 's/movie\.......//g' work/one.avi work/many.avi
+  cmp -s work/one.avi work/many.avi || fail "the movie of many machines is another one"
+  for kind in webp:img2webp mp4:ffmpeg; do
+    command -v "${kind#*:}" > /dev/null || continue
+    movie -turntable "$@" in.scn "many.${kind%:*}"
+    [ -s "work/many.${kind%:*}" ] || fail "there is no movie of that kind: $kind"
+  done
+  rm -f work/moving.scn work/one.avi work/many.*
+}
+
+# Further options of raypro, and the image that they make on one machine.
+render_with() { more=("$@"); (cd work && "$real" in.scn out.png "${more[@]}" -quiet && mv out.png "$place/expected.png"); }
+
 expect_image() {
   [ -s work/out.png ] || fail "$1: there is no image"
   cmp -s expected.png work/out.png || fail "$1: the image is another one"

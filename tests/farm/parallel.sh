@@ -74,6 +74,16 @@ VANISH
     rm always-2
     farm -hosts "$place/hosts" -parts 3 || fail "status $?"
     expect_image "a second command" ;;&
+  time | all)
+    render_with "${more[@]}" -time 600
+    farm -hosts "$place/hosts" -parts 3 || fail "status $?"
+    expect_image "a time that is long enough"
+    more=("${more[@]}" -time 1 -samples 1000000)
+    farm -hosts "$place/hosts" -parts 3 || fail "status $?"
+    grep -q 'stopped by time after' said || fail "nobody says that the time was over"
+    rm work/out.png ;;&
+  movie | all)
+    expect_movie -hosts "$place/hosts" ;;&
   twice | all)
     farm -hosts "$place/hosts" -parts 4 & first_job=$!
     (cd work && "$root/script/farm/parallel.sh" -parts 4 in.scn out.png "${more[@]}") > said2 2>&1 || fail "the second job"

@@ -78,11 +78,24 @@ case ${CASE:-all} in
     expect_image "a killed worker, a full disk, a damaged part, a wrong clock"
     grep -q 'part-4-of-5' said said-by-jobs || fail "nobody named the damaged part" ;;&
   rounds | all)
-    more=("${more[@]}" -error 6 -samples 512)
-    (cd work && "$real" in.scn out.png "${more[@]}" -quiet && mv out.png "$place/expected.png")
+    render_with "${more[@]}" -error 6 -samples 512
     farm -parts 2 || fail "status $?"
     wait_for_jobs
     expect_image "rounds" ;;&
+  time | all)
+    render_with "${more[@]}" -time 600
+    farm -parts 3 || fail "status $?"
+    wait_for_jobs
+    expect_image "a time that is long enough" ;;&
+  movie | all)
+    expect_movie -slurm "--cpus-per-task=1" ;;&
+  twice | all)
+    farm -parts 4 & first_job=$!
+    (cd work && "$root/script/farm/slurm.sh" -watch -parts 4 in.scn out.png "${more[@]}") > said2 2>&1 || fail "the second job"
+    wait "$first_job" || fail "the first job"
+    wait_for_jobs
+    grep -q 'of 4 parts rendered' said2 || fail "-watch says nothing"
+    expect_image "two jobs of one name" ;;&
   node | all)
     # The node goes, and with it what it was doing.
     cat > accidents/1 << 'VANISH'
