@@ -25,7 +25,7 @@ class Nobody : public ViewerHost {
   void SaveDrawing() override {}
   std::string SaveRays(const std::string&) override { return {}; }
   std::string SaveText(const std::string&, const std::string&) override { return {}; }
-  std::shared_ptr<const R2::Image> ReadPicture(const std::string&) override { return nullptr; }
+  ReferenceImage ReadPicture(const std::string&) override { return {}; }
   void SetClipboard(const std::string&) override {}
   void Print(const std::string&) override {}
 };

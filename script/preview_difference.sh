@@ -1,11 +1,11 @@
 #!/bin/sh
 # A table of how far the viewer's preview is from the traced image of the same view: mean FLIP, 0 equal to 1 opposite.
 #
-#     script/preview_difference.sh [-size N] [-keep folder] [-shadows] [scene ...]
+#     script/preview_difference.sh [-size N] [-keep folder] [-unshadowed] [scene ...]
 #
 # Scenes are by default twenty of the tree: lights, materials, textures, mirrors, glass, environments, many things. The
 # preview is drawn without a window or words over it; the image has 16 samples per pixel, traced at the first run with
-# -keep and then taken from there; -shadows as key Shift+L. RAYPRO, RAYIMG and RAYVIEW name the programs (default those
+# -keep and then taken from there; -unshadowed presses Shift+L. RAYPRO, RAYIMG and RAYVIEW name the programs (default those
 # of build/). When one of them fails, what it says is shown, and the table ends there.
 set -eu
 export LC_ALL=C  # numbers have a point
@@ -15,14 +15,14 @@ rayimg=${RAYIMG:-$here/build/rayimg}
 rayview=${RAYVIEW:-$here/build/rayview}
 size=256
 samples=16
-shadows=no
+shadows=yes
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 kept=$work
 while [ $# -gt 0 ]; do
   case $1 in
     -size) size=$2; shift 2 ;;
-    -shadows) shadows=yes; shift ;;
+    -unshadowed) shadows=no; shift ;;
     -keep) kept=$2; mkdir -p "$kept"; shift 2 ;;
     *) break ;;
   esac
@@ -38,7 +38,7 @@ fi
 
 # Words that are shown for a moment have gone by then.
 {
-  if [ "$shadows" = yes ]; then echo 'key Shift+L'; fi
+  if [ "$shadows" = no ]; then echo 'key Shift+L'; fi
   echo 'tick 60'
 } > "$work/events"
 quietly() { "$@" > "$work/said" 2>&1 || { cat "$work/said" >&2; echo "preview_difference.sh: $1 failed" >&2; exit 1; }; }

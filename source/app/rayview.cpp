@@ -1,6 +1,11 @@
 // rayview shows a scene and traces what is seen. Its options are in OptionTable.cpp, beside raypro's.
+#include <algorithm>
+#include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
+#include <system_error>
+#include <utility>
 #include <vector>
 
 #include "source/app/GuardedMain.h"
@@ -13,19 +18,45 @@
 #include "source/app/report/Messages.h"
 #include "source/view/LoadedScene.h"
 #include "source/view/Viewer.h"
+#include "source/view/contexts/Context.h"
 
 namespace ray {
 namespace {
 
+/// The scene; or nothing, with the files that are to be looked at again, where a user who edits them can see in a
+/// window what is wrong.
+std::shared_ptr<const LoadedScene> SceneFor(const Options& asked, std::optional<SceneErrors>& mistakes) {
+  try {
+    return std::make_shared<const LoadedScene>(asked.scene, asked.parse, asked.accelerator);
+  } catch (const SceneErrors& errors) {
+    const bool is_looked_at = !asked.view.headless && asked.view.events.empty() && !asked.view.exit_immediately;
+    std::error_code ignored;
+    if (!is_looked_at || !std::filesystem::is_regular_file(asked.scene, ignored)) throw;
+    mistakes = errors;
+    ParsedScene nothing;
+    nothing.scene.files = {asked.scene};
+    for (const SceneError& error : errors.All())
+      if (std::ranges::find(nothing.scene.files, error.file) == nothing.scene.files.end())
+        nothing.scene.files.push_back(error.file);
+    return std::make_shared<const LoadedScene>(std::move(nothing), asked.accelerator);
+  }
+}
+
 int ViewScene(const Options& asked) {
   CheckMachine(asked);
   const ViewOutputs outputs = CheckViewOutputs(asked);
-  const auto scene = std::make_shared<const LoadedScene>(asked.scene, asked.parse, asked.accelerator);
+  std::optional<SceneErrors> mistakes;
+  const auto scene = SceneFor(asked, mistakes);
   const Options options = WithSettingsOf(scene->parsed.scene, asked);
   RefuseInputs(outputs, scene->parsed.scene.files);
   TellAll(scene->parsed.warnings);
   TellAll(scene->world.Warnings());
-  return View(asked, options, outputs, scene);
+  try {
+    return View(asked, options, outputs, scene, mistakes ? &*mistakes : nullptr);
+  } catch (const ContextError&) {
+    if (mistakes) throw *mistakes;  // there is no window to show them in
+    throw;
+  }
 }
 
 int Run(const std::vector<std::string>& words) {

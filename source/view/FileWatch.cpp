@@ -1,5 +1,6 @@
 #include "source/view/FileWatch.h"
 
+#include <algorithm>
 #include <filesystem>
 
 namespace ray {
@@ -14,16 +15,22 @@ FileWatch::State FileWatch::Of(const std::string& file) {
 
 void FileWatch::Watch(const std::vector<std::string>& files) {
   files_.clear();
-  for (const std::string& file : files) files_.emplace_back(file, Of(file));
+  for (const std::string& file : files) files_.push_back({file, Of(file)});
 }
 
 bool FileWatch::HasChanged() {
+  constexpr int gone = 2;  // looks
   bool has = false;
-  for (auto& [file, known] : files_) {
-    const State now = Of(file);
-    if (now == known || now == State{}) continue;
-    known = now;
-    has = true;
+  for (Watched& watched : files_) {
+    const State now = Of(watched.file);
+    if (now == State{}) {
+      watched.times_missing = std::min(watched.times_missing + 1, gone + 1);
+      has |= watched.times_missing == gone;
+      continue;
+    }
+    has |= now != watched.known || watched.times_missing >= gone;
+    watched.known = now;
+    watched.times_missing = 0;
   }
   return has;
 }

@@ -2,16 +2,16 @@
 
 #include <cstdint>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace ray {
 
-/// Detects that files were written, by polling their times and sizes; no thread.
+/// Detects that files were written or removed, by polling their times and sizes; no thread.
 class FileWatch {
  public:
   void Watch(const std::vector<std::string>& files);
-  /// Whether one has changed since the last time this said so. One that is missing has not: editors save by renaming.
+  /// Whether one has changed since the last time this said so. A file that is missing has changed only once it is
+  /// missing for the second time in a row, since editors save by renaming; one that is there again has changed too.
   bool HasChanged();
 
  private:
@@ -20,9 +20,14 @@ class FileWatch {
     std::uintmax_t size = 0;
     friend bool operator==(const State&, const State&) = default;
   };
+  struct Watched {
+    std::string file;
+    State known;
+    int times_missing = 0;  // in a row
+  };
   static State Of(const std::string& file);
 
-  std::vector<std::pair<std::string, State>> files_;
+  std::vector<Watched> files_;
 };
 
 }  // namespace ray

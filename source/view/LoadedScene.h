@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <string>
+#include <utility>
 
 #include "source/accelerate/Accelerator.h"
 #include "source/accelerate/World.h"
@@ -15,6 +16,10 @@ namespace ray {
 struct LoadedScene {
   LoadedScene(const std::string& file, const ParseOptions& options, const AcceleratorSettings& how)
       : parsed(Parse(file, WithPlaces(options, places))),
+        world(parsed.scene),
+        accelerator(FindAcceleratorKind(how.name)->Make(world, how)) {}
+  LoadedScene(ParsedScene scene, const AcceleratorSettings& how)
+      : parsed(std::move(scene)),
         world(parsed.scene),
         accelerator(FindAcceleratorKind(how.name)->Make(world, how)) {}
 

@@ -22,7 +22,9 @@ int MotionDetail::StepFor(const ClipMatrix& view, const DrawingSize& size, doubl
   const bool has_moved = view_ && *view_ != view;
   if (has_moved) moved_at_ = now;
   const auto refinement = RefinementTime();
-  step_ = has_moved || (refinement && now < *refinement) ? StepInMotion(full_seconds_, size) : 1;
+  const bool moves = has_moved || (refinement && now < *refinement);
+  step_ = moves ? StepInMotion(full_seconds_, size) : 1;
+  is_smooth_ = !moves || full_seconds_ < seconds_of_frame / 2;
   view_ = view;
   return step_;
 }
@@ -34,7 +36,7 @@ void MotionDetail::Took(double seconds) {
 }
 
 std::optional<double> MotionDetail::RefinementTime() const {
-  if (step_ == 1) return {};
+  if (step_ == 1 && is_smooth_) return {};
   return moved_at_ + seconds_of_rest;
 }
 

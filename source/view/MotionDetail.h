@@ -14,6 +14,8 @@ class MotionDetail {
   /// How many pixels of the screen, each way, one of the drawing of this view is to fill, begun `now`; at least 1, and
   /// so few that a small window is still told apart.
   int StepFor(const ClipMatrix& view, const DrawingSize& size, double now);
+  /// Whether the drawing of StepFor is worth several samples per pixel: the view rests, or they take no time.
+  bool IsSmooth() const { return is_smooth_; }
   /// How long the drawing took for which StepFor was asked last.
   void Took(double seconds);
   /// When the last drawing is to be drawn again in full, unless the view moves before; nothing where it was in full.
@@ -22,6 +24,7 @@ class MotionDetail {
  private:
   std::optional<ClipMatrix> view_;  // drawn last
   int step_ = 1;                    // of that
+  bool is_smooth_ = true;           // likewise
   double moved_at_ = 0;
   double full_seconds_ = 0;  // that a drawing in full takes, or a bound of it; 0: not known yet
 };

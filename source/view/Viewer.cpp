@@ -6,6 +6,8 @@
 
 #include "R1/Elementary.h"
 #include "source/scene/CameraText.h"
+#include "source/text/EnumNames.h"
+#include "source/text/Words.h"
 #include "source/view/live/JobStatus.h"
 #include "source/view/overlay/SceneLines.h"
 
@@ -42,6 +44,10 @@ void Viewer::TakeScene(std::shared_ptr<const LoadedScene> scene) {
   scene_ = std::move(scene);
   ++scene_number_;
   chosen_node_.reset();
+  if (accelerators_) {
+    accelerators_->Stop();
+    ending_comparisons_.push_back(std::move(accelerators_));
+  }
   scene_problems_.clear();
   const R3::Box& box = scene_->parsed.scene.root.bounds;
   space_ = DrawingSpace::Of(box);
@@ -56,12 +62,17 @@ void Viewer::TakeScene(std::shared_ptr<const LoadedScene> scene) {
 }
 
 void Viewer::MakeFaces() {
+  pictures_.SetEncoding({settings_.render.srgb, settings_.render.quantization});
   ScenePicture picture = PictureOf(scene_->world, settings_.render, space_);
   notes_.clear();
-  if (picture.as_boxes > 0) AddNote(std::to_string(picture.as_boxes) + " primitives shown as boxes");
+  if (picture.as_boxes > 0)
+    AddNote(Counted(static_cast<std::uint64_t>(picture.as_boxes), "primitive") + " shown as boxes");
   if (picture.left_out > 0) AddNote(std::to_string(picture.left_out) + " not shown");
   if (picture.lights.left_out > 0)
-    AddNote(std::to_string(picture.lights.left_out) + " weaker lights left out of the preview");
+    AddNote(Counted(static_cast<std::uint64_t>(picture.lights.left_out), "weaker light") + " left out of the preview");
+  const RenderMode mode = settings_.render.mode;
+  if (mode != RenderMode::whitted)
+    AddNote(std::string("mode ") + NameOf(mode) + (IsPreviewed(mode) ? "" : ", which the preview does not show"));
   if (picture.lights.head_light) AddNote("the scene is unlit: seen by a light at the eye");
   faces_ = std::make_shared<const ScenePicture>(std::move(picture));
 }
@@ -108,17 +119,13 @@ void Viewer::On(const KeyEvent& event) {
       if (binding.key == event.key && binding.release) binding.release(*this);
     return;
   }
-  const char* help = "";
   for (const Binding& binding : Bindings()) {
-    if (*binding.help) help = binding.help;
     if (binding.key != event.key || binding.modifiers != event.modifiers) continue;
     if (event.key != Key::q) was_asked_to_quit_ = false;
     const std::string before = std::exchange(message_, {});
     binding.act(*this);
-    if (is_closed_)
-      message_ = before;  // what was seen last is what is saved
-    else if (message_.empty())
-      ShowMessage(help);
+    // What was seen last is what is saved, of the end and of a screenshot.
+    if (is_closed_ || message_.empty()) message_ = before;
     needs_redraw_ = true;
     return;
   }
@@ -226,14 +233,21 @@ void Viewer::On(const TickEvent& event) {
 bool Viewer::Update() {
   if (navigator_.Changes() != changes_seen_) {
     changes_seen_ = navigator_.Changes();
-    pictures_.Touch();
-    if (section_.Plane() == SlicePlane::camera_row) section_drawing_.reset();
+    pictures_.TouchView();
+    section_drawing_.reset();
+    if (ShowsQuad() && SeesAsTraced() == lines_have_quad_frame_) InvalidateLines();
     needs_redraw_ = true;
   }
   pictures_.Update(scene_, SettingsOfView(), settings_.live_is_endless);
   if (const RenderJob* job = pictures_.TakeEnded()) SaveEnded(*job);
   if (const RenderJob* job = pictures_.TakeEndedLive()) TellEndedLive(*job);
   UpdateStatus();
+
+  std::erase_if(ending_comparisons_, [](const auto& comparison) { return comparison->HasEnded(); });
+  if (accelerators_ && accelerators_->Version() != accelerators_seen_) {
+    accelerators_seen_ = accelerators_->Version();
+    needs_redraw_ = true;
+  }
 
   // Rows that were written since the last look.
   std::vector<std::uint32_t> versions;
@@ -248,7 +262,9 @@ bool Viewer::Update() {
 
 void Viewer::SaveEnded(const RenderJob& job) {
   if (!job.Failure().empty()) return ShowMessage("rendering failed: " + job.Failure());
-  if (!job.IsComplete()) return ShowMessage("rendering stopped; nothing was saved");
+  if (!job.IsComplete())
+    return ShowMessage("rendering stopped; nothing was saved" +
+                       std::string(job.Canceled() ? "; S continues it while view and options are the same" : ""));
   KeepImage(job);
   ShowMessage(host_.SaveTraced(job) + (editor_.HasUnsaved() ? "; the scene's changes are not saved yet" : ""));
 }
@@ -277,7 +293,9 @@ void Viewer::Reload() {
   try {
     auto scene = Load(settings_.scene, settings_);
     TakeSettings(scene->parsed.scene);
+    const bool showed_nothing = scene_->world.Instances().empty();
     TakeScene(std::move(scene));
+    if (showed_nothing) navigator_.Go(scene_->parsed.scene.camera);
     ShowMessage("scene reloaded" + (notes_.empty() ? "" : "; " + notes_));
   } catch (const std::exception& error) {
     // The scene that is shown stays until the new one can be read.
@@ -297,13 +315,14 @@ void Viewer::TellProblems(const std::string& file, const std::exception& error) 
   SceneError other;
   other.file = file;
   other.message = error.what();
+  problem_file_ = file;
   scene_problems_ = errors ? errors->All() : std::vector{other};
   host_.Print(error.what());
   ShowMessage(FirstLine(error.what()));
 }
 
 void Viewer::Open(const std::string& file) {
-  if (auto picture = host_.ReadPicture(file)) {
+  if (ReferenceImage picture = host_.ReadPicture(file)) {
     pictures_.SetReference(std::move(picture));
     return ShowMessage("the reference is " + file);
   }

@@ -29,7 +29,7 @@ struct ViewerSettings {
   ParseOptions parse;
   AcceleratorSettings accelerator;
   RenderSettings render;  // of traced pictures; their size is that of the drawing
-  std::shared_ptr<const R2::Image> reference;
+  ReferenceImage reference;
   bool live_is_endless = false;  // live rendering without a budget goes on until it is stopped
   PanelSettings panels{};        // how they look when they are first shown
 };
@@ -59,8 +59,8 @@ class ViewerHost {
   virtual std::string SaveScene(const std::string& file, const std::string& text) { return SaveText(file, text); }
   /// Scenes that were opened before, the last first.
   virtual std::vector<std::string> RecentScenes() { return {}; }
-  /// Null when it is no picture that can be read.
-  virtual std::shared_ptr<const R2::Image> ReadPicture(const std::string& file) = 0;
+  /// Without an image where the file is none that can be read.
+  virtual ReferenceImage ReadPicture(const std::string& file) = 0;
   virtual void SetClipboard(const std::string& text) = 0;
   /// To standard output.
   virtual void Print(const std::string& line) = 0;
@@ -91,7 +91,7 @@ class Viewer {
   /// Valid until the next call of Handle or Update.
   FrameState Show();
   /// Whether a picture is being traced, so that Update is soon worth a call.
-  bool IsBusy() const { return pictures_.IsBusy(); }
+  bool IsBusy() const { return pictures_.IsBusy() || (accelerators_ && !accelerators_->HasEnded()); }
   bool IsClosed() const { return is_closed_; }
   /// "hello.scn 512x512 4 of 16 samples 31 % 0.5 Mrays/s 12 s left": as of the last Update, and changed by time alone
   /// a few times a second.
@@ -133,6 +133,8 @@ class Viewer {
   /// How they look, or will when they are shown.
   PanelSettings PanelLook() const { return panels_ ? panels_->Look() : settings_.panels; }
 
+  /// The file of the settings has these mistakes, and the scene shown is another.
+  void TellMistakes(const SceneErrors& mistakes) { TellProblems(settings_.scene, mistakes); }
   /// Shows a message, of what the program around the viewer did for it.
   void Tell(const std::string& message) { ShowMessage(message); }
 
@@ -176,6 +178,8 @@ class Viewer {
   /// Of those that are drawn in space.
   void ToggleRays(ShownRays kind);
   void ToggleNormals();
+  /// How many rays are traced to be looked at from now on, and which.
+  void SetDebugRays(const DebugRayCounts& counts);
   /// The command that renders what is seen; but for the camera, where that was moved.
   std::string Command() const { return host_.CommandFor(SettingsOfView()); }
   bool HasMovedCamera() const { return SettingsOfView().view.has_value(); }
@@ -183,8 +187,11 @@ class Viewer {
   void ShowLayer(std::optional<RenderMode> mode);
   /// Where the pointer was last seen, in pixels of the picture; outside of it before that.
   R2::Point Pointer() const { return InPicture(pointer_); }
-  /// Of the present view; takes seconds.
-  std::vector<AcceleratorCost> CostsOfAccelerators() const;
+  /// Begins to find what accelerators cost in the present view, in the background.
+  void CompareAccelerators();
+  void StopComparingAccelerators();
+  /// What was begun last; null before that, and for another scene.
+  const AcceleratorComparison* ComparedAccelerators() const { return accelerators_.get(); }
   /// What is wrong with the scene's files as they are now, while an earlier scene stays; empty where nothing is.
   const std::vector<SceneError>& SceneProblems() const { return scene_problems_; }
   /// Into the clipboard.
@@ -218,6 +225,13 @@ class Viewer {
   void PickAt(const R2::Point& position);
 
   struct BindingTable;
+  /// What a picture of key S depends on.
+  struct TracedAs {
+    int scene = 0, options = 0;  // numbers
+    std::string camera;          // as a line
+    DrawingSize size;
+    friend bool operator==(const TracedAs&, const TracedAs&) = default;
+  };
   /// The ray through a position in the drawing.
   R3::Ray RayAt(const R2::Point& position) const;
   void FocusUnderPointer();
@@ -239,7 +253,10 @@ class Viewer {
   void PrintCamera();
   void CycleBoxes();
   void ChangeBoxLevel(int by);
+  void FrameScene();
   void FramePicked();
+  /// The angle that is seen from side to side.
+  std::string AngleInWords() const;
   void KeepBookmark(int digit);
   void RecallBookmark(int digit);
   void ToggleGrid();
@@ -259,7 +276,7 @@ class Viewer {
   void ToggleSection();
   void MoveSection(int by);
   /// The pieces of the drawing, from the left: the scene; the cross section, where it is shown; and the panels, where
-  /// both are. Of the whole height.
+  /// they are. Each has the whole height.
   DrawingSize ViewSize() const;
   DrawingSize SectionSize() const;
   int WidthBesidePanels() const;  // at least 1
@@ -316,6 +333,8 @@ class Viewer {
   /// The pixel of the traced picture that is seen there on its quad.
   std::optional<std::pair<int, int>> PixelOnQuad(const R2::Point& position) const;
   bool ShowsQuad() const { return shows_quad_ && pictures_.Trace() && !pictures_.IsLive(); }
+  /// Whether the view is that of the traced picture, whose frame would then be lines along the edges of the window.
+  bool SeesAsTraced() const;
   Lines MakeLines() const;
   /// Of messages and of the help, a whole number of times the usual, as the density of the screen asks for.
   int LetterSize() const;
@@ -327,8 +346,14 @@ class Viewer {
   std::vector<Label> MakeLabels() const;
   /// What the preview does not show of the camera; empty where it shows all.
   std::string TextOfProjection() const;
+  /// The mistakes of the file that was to be read, which stay to be seen until it is right; empty without any.
+  std::string TextOfProblems() const;
   std::string BoxesInWords() const;
   std::optional<FrameState::Picture> CoveringPicture() const;
+  /// The distances of the nearest and the farthest surface that the preview shows, as mode zbuffer or depth needs them.
+  ZBufferRange DepthsOfPreview() const;
+  /// As the tracer's mode shows it.
+  R2::Color BackgroundOfPreview() const;
 
   ViewerSettings settings_;
   ViewerHost& host_;
@@ -348,15 +373,20 @@ class Viewer {
   std::optional<Pick> pick_;
   std::optional<std::size_t> chosen_node_;
   std::unique_ptr<Panels> panels_;  // once they were shown
-  int scene_number_ = 0;
+  std::unique_ptr<AcceleratorComparison> accelerators_;
+  int accelerators_seen_ = 0;  // their version
+  std::vector<std::unique_ptr<AcceleratorComparison>> ending_comparisons_;  // of scenes from before
+  int scene_number_ = 0, options_number_ = 0;  // other ones for each scene, and after each change of an option
+  TracedAs traced_as_;                         // the picture of key S
   std::string option_problem_;
   std::vector<SceneError> scene_problems_;
+  std::string problem_file_;  // that was to be read when they were found
 
   DrawingSize size_;
   double scale_ = 1;  // of the screen
   bool shows_panels_ = false, lists_scenes_ = false;
   bool shows_faces_ = true, shows_edges_ = false, shows_camera_ = false, shows_lights_ = false;
-  bool shows_quad_ = true, shows_shadows_ = false;
+  bool shows_quad_ = true, shows_shadows_ = true;  // the latter where the scene has any
   int help_page_ = 0;  // from 1; 0 for none
   Boxes boxes_ = Boxes::none;
   int box_level_;
@@ -372,6 +402,7 @@ class Viewer {
   R2::Point last_click_at_, pointer_{-1, -1};
   std::uint64_t changes_seen_ = 0;
   std::shared_ptr<const Lines> lines_;                // null when they must be rebuilt
+  bool lines_have_quad_frame_ = false;
   std::shared_ptr<const SliceAxes> section_drawing_;  // likewise
   DrawingSize section_size_;                          // of that
   std::vector<std::uint32_t> versions_;               // of the rows of frames when last seen

@@ -8,6 +8,7 @@ namespace {
 
 constexpr Modifiers plain{}, shift{true, false}, control{false, true}, both{true, true};
 constexpr double wider = 1.1;
+constexpr const char* no_rays = "no rays are shown; press G or right-click a pixel first";
 
 /// What the pointer does, for the help.
 constexpr std::array gestures{
@@ -64,6 +65,7 @@ struct Viewer::BindingTable {
 
   static auto StepBounce(int by) {
     return [by](Viewer& v) {
+      if (v.rays_.Shown().empty()) return v.ShowMessage(no_rays);
       v.rays_.StepBounce(by);
       v.InvalidateLines();
       const int deepest = v.rays_.Look().deepest;
@@ -71,8 +73,18 @@ struct Viewer::BindingTable {
     };
   }
 
-  static auto Along(const R3::Vector& towards, const R3::Vector& up) {
-    return [towards, up](Viewer& v) { v.navigator_.LookAlong(towards, up); };
+  static auto Along(const R3::Vector& towards, const R3::Vector& up, const char* name) {
+    return [towards, up, name](Viewer& v) {
+      v.navigator_.LookAlong(towards, up);
+      v.ShowMessage(std::string("looking along ") + name + " at the " + (v.navigator_.Pivot() ? "pivot" : "scene"));
+    };
+  }
+
+  static auto Widen(double factor) {
+    return [factor](Viewer& v) {
+      v.navigator_.Widen(factor);
+      v.ShowMessage("field of view " + v.AngleInWords());
+    };
   }
 
   static std::vector<Binding> Rendering() {
@@ -113,21 +125,27 @@ struct Viewer::BindingTable {
 
   static std::vector<Binding> CameraMoves() {
     return {
-        {Key::f, plain, "frame the whole scene", [](Viewer& v) { v.navigator_.Frame(v.BoxToFrame()); }},
+        {Key::f, plain, "frame the whole scene", [](Viewer& v) { v.FrameScene(); }},
         {Key::f, shift, "frame the picked object", [](Viewer& v) { v.FramePicked(); }},
         {Key::t, plain, "rotation as a turntable, with a level horizon, or freely",
          [](Viewer& v) {
            v.navigator_.ToggleTurntable();
            v.ShowMessage(v.navigator_.IsTurntable() ? "rotates as a turntable" : "rotates freely");
          }},
-        {Key::left_bracket, plain, "narrow the field of view", [](Viewer& v) { v.navigator_.Widen(1 / wider); }},
-        {Key::right_bracket, plain, "widen the field of view", [](Viewer& v) { v.navigator_.Widen(wider); }},
-        {Key::z, plain, "previous view", [](Viewer& v) { v.navigator_.Back(); }},
-        {Key::z, shift, "next view", [](Viewer& v) { v.navigator_.Forward(); }},
-        {Key::pad_1, plain, "look along -z", Along({0, 0, -1}, {0, 1, 0})},
-        {Key::pad_3, plain, "look along -x", Along({-1, 0, 0}, {0, 1, 0})},
-        {Key::pad_7, plain, "look along -y", Along({0, -1, 0}, {0, 0, -1})},
-        {Key::pad_0, plain, "the scene's camera", [](Viewer& v) { v.navigator_.Go(v.scene_->parsed.scene.camera); }},
+        {Key::left_bracket, plain, "narrow the field of view", Widen(1 / wider)},
+        {Key::right_bracket, plain, "widen the field of view", Widen(wider)},
+        {Key::z, plain, "previous view",
+         [](Viewer& v) { v.ShowMessage(v.navigator_.Back() ? "back to the view before" : "there is no view before"); }},
+        {Key::z, shift, "next view",
+         [](Viewer& v) { v.ShowMessage(v.navigator_.Forward() ? "on to the view after" : "there is no view after"); }},
+        {Key::pad_1, plain, "look along -z", Along({0, 0, -1}, {0, 1, 0}, "-z")},
+        {Key::pad_3, plain, "look along -x", Along({-1, 0, 0}, {0, 1, 0}, "-x")},
+        {Key::pad_7, plain, "look along -y", Along({0, -1, 0}, {0, 0, -1}, "-y")},
+        {Key::pad_0, plain, "the scene's camera",
+         [](Viewer& v) {
+           v.navigator_.Go(v.scene_->parsed.scene.camera);
+           v.ShowMessage("back at the scene's camera");
+         }},
     };
   }
 
@@ -144,6 +162,7 @@ struct Viewer::BindingTable {
         {Key::o, plain, "save the rays as an .obj file", [](Viewer& v) { v.SaveRays(); }},
         {Key::backspace, plain, "clear the pixel's rays",
          [](Viewer& v) {
+           if (!v.rays_.Pixel()) return v.ShowMessage("no pixel's rays are shown; right-click a pixel first");
            v.rays_.ForgetPixel();
            v.InvalidateLines();
            v.ShowMessage("the pixel's rays are cleared");
@@ -186,8 +205,8 @@ struct Viewer::BindingTable {
         {Key::r, shift, "show the reference while held",
          [](Viewer& v) { v.Compare(TracedPictures::Comparing::reference); },
          [](Viewer& v) {
-           if (v.pictures_.HowCompared() == TracedPictures::Comparing::reference)
-             v.Compare(TracedPictures::Comparing::no);
+           if (v.pictures_.HowCompared() != TracedPictures::Comparing::reference) return;
+           v.Compare(TracedPictures::Comparing::no);
          }},
         {Key::d, plain, "toggle the difference from the reference",
          [](Viewer& v) { v.Compare(TracedPictures::Comparing::difference); }},

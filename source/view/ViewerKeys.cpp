@@ -1,9 +1,12 @@
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
+#include "R1/Elementary.h"
 #include "source/scene/CameraText.h"
 #include "source/text/EnumNames.h"
 #include "source/text/NumberText.h"
+#include "source/text/Words.h"
 #include "source/view/Viewer.h"
 #include "source/view/overlay/SceneLines.h"
 
@@ -11,10 +14,16 @@
 namespace ray {
 
 void Viewer::StartTrace() {
-  pictures_.StartTrace(scene_, SettingsOfView());
+  const TracedAs as{scene_number_, options_number_, CameraLine(navigator_.camera()), size_};
+  const bool continues = pictures_.CanContinue() && as == traced_as_;
+  traced_as_ = as;
+  if (continues)
+    pictures_.ContinueTrace(scene_, SettingsOfView());
+  else
+    pictures_.StartTrace(scene_, SettingsOfView());
   pictures_.HideLive();
   shows_quad_ = true;
-  ShowMessage("rendering");
+  ShowMessage(continues ? "rendering continues where it was stopped" : "rendering");
   InvalidateLines();
 }
 
@@ -30,6 +39,10 @@ void Viewer::Peel() {
     return ShowMessage("pick forgotten");
   }
   if (section_.IsShown()) return ToggleSection();
+  if (!scene_problems_.empty() && problem_file_ != settings_.scene) {
+    scene_problems_.clear();
+    return ShowMessage("mistakes of " + problem_file_ + " forgotten");
+  }
   ShowMessage(pictures_.StopTrace() || pictures_.StopLive() ? "rendering is being stopped"
                                                             : "nothing to close; Q quits");
 }
@@ -41,7 +54,7 @@ void Viewer::Quit() {
     return;
   }
   was_asked_to_quit_ = true;
-  ShowMessage("still rendering; Q again quits without saving");
+  ShowMessage("still rendering; Q, or closing the window, once more quits without saving");
 }
 
 void Viewer::ToggleLights() {
@@ -86,6 +99,18 @@ void Viewer::ChangeBoxLevel(int by) {
   ShowMessage(BoxesInWords());
 }
 
+void Viewer::FrameScene() {
+  const R3::Box box = BoxToFrame();
+  if (box.IsEmpty()) return ShowMessage("the scene is empty and cannot be framed");
+  navigator_.Frame(box);
+  ShowMessage(shows_lights_ ? "the whole scene and its lights are framed" : "the whole scene is framed");
+}
+
+std::string Viewer::AngleInWords() const {
+  constexpr double degrees = 180 / std::numbers::pi;
+  return Fixed(2 * degrees * R1::Atan(navigator_.camera().HalfWidth()), 1) + " degrees across";
+}
+
 void Viewer::FramePicked() {
   if (!pick_ || !pick_->point) return ShowMessage("nothing is picked; click an object first");
   const Instance& instance = scene_->world.Instances()[pick_->instance];
@@ -93,9 +118,11 @@ void Viewer::FramePicked() {
   const R3::Box box = scene_->world.InWorld(instance.frame, R3::Bounds(*instance.shape));
   navigator_.SetPivot(pick_->point);
   navigator_.Frame(box);
+  ShowMessage("the picked object is framed");
 }
 
 void Viewer::KeepBookmark(int digit) {
+  bookmarks_.ReadAgain();
   bookmarks_.Set(digit, navigator_.camera());
   const std::string problem = bookmarks_.File().empty() ? "the scene is no file for them to be kept beside"
                                                         : host_.SaveText(bookmarks_.File(), bookmarks_.Text());
@@ -104,8 +131,12 @@ void Viewer::KeepBookmark(int digit) {
 }
 
 void Viewer::RecallBookmark(int digit) {
-  if (const auto camera = bookmarks_.Find(digit)) return navigator_.Go(*camera);
-  ShowMessage("no bookmark " + std::to_string(digit));
+  const auto camera = bookmarks_.Find(digit);
+  const std::string name = "bookmark " + std::to_string(digit);
+  if (!camera)
+    return ShowMessage("there is no " + name + "; Control+" + std::to_string(digit) + " saves this view as it");
+  navigator_.Go(*camera);
+  ShowMessage("at " + name);
 }
 
 void Viewer::ToggleGrid() {
@@ -115,7 +146,7 @@ void Viewer::ToggleGrid() {
     return ShowMessage("rays off");
   }
   rays_.TraceGrid(*scene_, pictures_.Trace() ? pictures_.Trace()->Settings() : SettingsOfView());
-  ShowMessage("rays of " + std::to_string(rays_.Grid().size()) + " pixels; F2 to F5 choose kinds, N bounces");
+  ShowMessage("rays of " + Counted(rays_.Grid().size(), "pixel") + "; F2 to F5 choose kinds, N bounces");
 }
 
 void Viewer::DebugPixelAt(const R2::Point& position) {
@@ -135,7 +166,7 @@ void Viewer::ReportPixel() {
   const PixelTrace& pixel = *rays_.Pixel();
   host_.Print(RayTree(pixel, scene_->world, rays_.PixelSettings()));
   ShowMessage("pixel " + std::to_string(pixel.column) + " " + std::to_string(pixel.row) + ", " +
-              std::to_string(pixel.rays.size()) + " rays");
+              Counted(pixel.rays.size(), "ray") + rays_.WhatIsLeftOut());
   InvalidateLines();
 }
 
@@ -171,13 +202,13 @@ void Viewer::ToggleLive(std::optional<RenderMode> mode) {
 void Viewer::KeepReference() {
   const auto current = pictures_.Current();
   if (!current) return ShowMessage("nothing is rendered yet; press S or P first");
-  pictures_.SetReference(current);
+  pictures_.SetReference({current});
   ShowMessage("image kept as the reference");
 }
 
 void Viewer::Compare(TracedPictures::Comparing how) {
   pictures_.Compare(pictures_.HowCompared() == how ? TracedPictures::Comparing::no : how);
-  ShowMessage(pictures_.Comparison());
+  ShowMessage(pictures_.HowCompared() == TracedPictures::Comparing::no ? "comparing off" : pictures_.Comparison());
 }
 
 void Viewer::ChangeExposure(double steps) {
@@ -187,6 +218,8 @@ void Viewer::ChangeExposure(double steps) {
 void Viewer::TurnHelpPage() {
   const auto pages = static_cast<int>(HelpPages(HelpRows(), ColumnsOfText(), LinesOfText()).size());
   help_page_ = help_page_ >= pages ? 0 : help_page_ + 1;
+  ShowMessage(help_page_ == 0 ? "help closed"
+                              : "help, page " + std::to_string(help_page_) + " of " + std::to_string(pages));
   if (shows_panels_) panels_->LetGo();
 }
 

@@ -1,6 +1,7 @@
 #include <array>
 #include <stdexcept>
 
+#include "source/text/Words.h"
 #include "source/view/Viewer.h"
 #include "source/view/overlay/SceneLines.h"
 
@@ -30,6 +31,7 @@ void Viewer::ChangeOption(const std::string& name, const std::string& value) {
   }
   option_problem_.clear();
   changed.parse.edited = settings_.parse.edited;
+  ++options_number_;
   const bool is_read_again = changed.parse != settings_.parse || changed.accelerator != settings_.accelerator;
   settings_.parse = changed.parse;
   settings_.accelerator = changed.accelerator;
@@ -99,13 +101,31 @@ void Viewer::ToggleNormals() {
   ShowMessage(std::string("normals at hit points") + (rays_.Look().normals ? " on" : " off"));
 }
 
+void Viewer::SetDebugRays(const DebugRayCounts& counts) {
+  rays_.SetCounts(counts);
+  if (rays_.ShowsGrid()) rays_.TraceGrid(*scene_, pictures_.Trace() ? pictures_.Trace()->Settings() : SettingsOfView());
+  rays_.TraceAgain(*scene_);
+  section_drawing_.reset();
+  InvalidateLines();
+  ShowMessage(Counted(static_cast<std::uint64_t>(counts.camera), "camera ray") + " per pixel, " +
+              Counted(static_cast<std::uint64_t>(counts.shadow), "shadow ray") + " per light; cut: 1 of " +
+              Counted(static_cast<std::uint64_t>(counts.spacing), "pixel"));
+}
+
 void Viewer::ShowLayer(std::optional<RenderMode> mode) {
   if (mode ? !pictures_.IsLive() || pictures_.LiveMode() != mode : pictures_.IsLive())
     ToggleLive(mode ? mode : pictures_.LiveMode());
 }
 
-std::vector<AcceleratorCost> Viewer::CostsOfAccelerators() const {
-  return ray::CostsOfAccelerators(scene_->world, settings_.accelerator, SettingsOfView());
+void Viewer::CompareAccelerators() {
+  accelerators_ = std::make_unique<AcceleratorComparison>(scene_, settings_.accelerator, SettingsOfView());
+  accelerators_seen_ = 0;
+  ShowMessage("comparing accelerators");
+}
+
+void Viewer::StopComparingAccelerators() {
+  if (accelerators_) accelerators_->Stop();
+  ShowMessage("comparing stops after the accelerator that is being built");
 }
 
 void Viewer::FrameChosenNode() {

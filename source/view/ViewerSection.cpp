@@ -6,7 +6,7 @@
 namespace ray {
 
 DrawingSize Viewer::ViewSize() const {
-  if (!section_.IsShown()) return size_;
+  if (!section_.IsShown()) return {WidthBesidePanels(), size_.height};
   return {std::max(1, WidthBesidePanels() / 2), size_.height};
 }
 
@@ -50,13 +50,14 @@ void Viewer::MoveSection(int by) {
   section_.Move(by, size_.height);
   arrows_move_section_ = true;
   section_drawing_.reset();
-  needs_redraw_ = true;
+  if (section_.IsShown()) MakeSection();
+  ShowMessage("cross section: " + section_.Describe(size_.height));
 }
 
 void Viewer::MakeSection() {
   if (section_drawing_ && section_size_ == SectionSize()) return;
   section_size_ = SectionSize();
-  section_.Cut(*scene_, SettingsOfView(), navigator_.Center(), section_size_);
+  section_.Cut(*scene_, SettingsOfView(), navigator_.Center(), section_size_, rays_.Counts());
   section_drawing_ =
       std::make_shared<const SliceAxes>(section_.Drawing(*scene_, rays_.Look().WithoutChoice(), LetterSize()));
 }

@@ -7,6 +7,7 @@
 #include "source/scene/CameraText.h"
 #include "source/text/EnumNames.h"
 #include "source/text/NumberText.h"
+#include "source/text/Words.h"
 #include "source/view/Viewer.h"
 #include "source/view/overlay/SceneLines.h"
 
@@ -16,7 +17,7 @@ namespace {
 
 constexpr double quad_share_of_distance = 0.25;  // how far the traced picture hangs before its camera
 constexpr Rgba frustum_color{255, 255, 120, 255}, picked_color{255, 90, 90, 255}, chosen_color{255, 170, 60, 255},
-    text_color{255, 255, 255, 255};
+    text_color{255, 255, 255, 255}, problem_color{255, 196, 186, 255};
 constexpr double line_height = 17, letter_width = 8, margin = 6;  // of text, in pixels, at letter size 1
 constexpr double cross_size = 8;                                  // pixels from the middle of a mark to its end
 constexpr double seconds_of_message = 5, seconds_of_fading = 1;
@@ -30,7 +31,10 @@ bool IsLight(RenderMode mode) {
 }  // namespace
 
 FrameState Viewer::Show() {
-  if (!lines_) lines_ = std::make_shared<const Lines>(MakeLines());
+  if (!lines_) {
+    lines_ = std::make_shared<const Lines>(MakeLines());
+    lines_have_quad_frame_ = ShowsQuad() && !SeesAsTraced();
+  }
   FrameState shown;
   shown.size = size_;
   shown.view = ViewSize();
@@ -40,14 +44,19 @@ FrameState Viewer::Show() {
     shown.section = {section_drawing_, &section_drawing_->lines};
   }
   const Exposure exposure{R1::Exp2(exposure_steps_), settings_.render.srgb};
-  const R2::Color background = exposure.factor * scene_->parsed.scene.background;
+  const R2::Color background = exposure.factor * BackgroundOfPreview();
   shown.background = exposure.srgb ? EncodeSrgb(background) : background;
   shown.seen_from = ViewFrom(CameraOfPicture(), space_, SizeOfPreview(), exposure);
+  if (ShowsDepth(settings_.render.mode)) {
+    const ZBufferRange depths = DepthsOfPreview();
+    shown.seen_from.depths = {static_cast<float>(depths.near / space_.radius),
+                              static_cast<float>(depths.far / space_.radius)};
+  }
   shown.clip_from_drawing = ClipFromDrawing(CameraOfPicture(), space_, BoxOfDrawing(), SizeOfPreview());
   shown.faces = faces_;
   shown.shows_faces = shows_faces_;
   shown.shows_edges = shows_edges_;
-  shown.shows_shadows = shows_shadows_;
+  shown.shows_shadows = shows_shadows_ && settings_.render.trace.shadows;
   shown.edge_color = ray::Shown(InverseOf(shown.background));
   shown.lines = lines_;
   shown.marks = std::make_shared<const Lines>(MakeMarks());
@@ -69,6 +78,50 @@ FrameState Viewer::Show() {
   shown.labels = MakeLabels();
   if (DrawsPanels()) shown.panels = panels_->Draw(*this);
   return shown;
+}
+
+ZBufferRange Viewer::DepthsOfPreview() const {
+  const ZBufferRange& given = settings_.render.trace.zbuffer;
+  if (settings_.render.mode == RenderMode::zbuffer && !given.IsOfPicture()) return given;
+  constexpr int across = 64;  // rays each way: what is between them is hardly nearer or farther
+  const Camera camera = CameraOfPicture();
+  ZBufferRange range{R3::infinity, 0};
+  Workspace workspace;
+  for (int row = 0; row < across; ++row)
+    for (int column = 0; column < across; ++column) {
+      const double x = (column + 0.5) / across, y = (row + 0.5) / across;
+      const R3::Ray ray = camera.Through(x * SizeOfPreview().width, y * SizeOfPreview().height, SizeOfPreview().width,
+                                         SizeOfPreview().height);
+      const auto hit = scene_->accelerator->Intersect(ray, workspace);
+      if (!hit) continue;
+      const double distance = hit->t * Length(ray.direction);
+      range = {std::min(range.near, distance), std::max(range.far, distance)};
+    }
+  return range.far > 0 ? range : ZBufferRange{0, 1};
+}
+
+R2::Color Viewer::BackgroundOfPreview() const {
+  switch (settings_.render.mode) {
+    case RenderMode::depth:
+    case RenderMode::uv:
+    case RenderMode::normal_color:
+    case RenderMode::uv_color:
+    case RenderMode::zbuffer:
+      return {};
+    case RenderMode::normal:
+      return {0.5, 0.5, 0.5};
+    case RenderMode::whitted:
+    case RenderMode::path:
+    case RenderMode::heat:
+    case RenderMode::rays:
+    case RenderMode::albedo:
+    case RenderMode::id:
+    case RenderMode::flat:
+    case RenderMode::gooch:
+    case RenderMode::toon:
+      break;
+  }
+  return scene_->parsed.scene.background;
 }
 
 R3::Box Viewer::BoxToFrame() const {
@@ -101,6 +154,7 @@ std::optional<FrameState::Picture> Viewer::CoveringPicture() const {
   picture.place = PlaceOfPicture();
   if (auto compared = pictures_.Compared()) {
     picture.image = std::move(compared);
+    if (pictures_.ShowsEncodedDifference()) picture.exposure.srgb = false;
     return picture;
   }
   if (FlatJob() && !pictures_.IsLive()) {
@@ -109,12 +163,12 @@ std::optional<FrameState::Picture> Viewer::CoveringPicture() const {
     picture.rows = pictures_.Trace()->RowsDone();
     return picture;
   }
-  if (!pictures_.IsLive() || !pictures_.Live() || pictures_.Live()->Stride() == 0) return {};
-  const RenderJob& job = *pictures_.Live();
+  if (!pictures_.ShownLive()) return {};
+  const RenderJob& job = *pictures_.ShownLive();
   const RenderMode mode = job.Settings().mode;
   if (IsLight(mode)) {
     picture.frame = &job.frame();
-    picture.number = pictures_.LiveNumber();
+    picture.number = pictures_.ShownLiveNumber();
   } else {
     // Colors that stand for something else than light: as image files show them.
     picture.image = std::make_shared<const R2::Image>(LayerAsShown(mode, *TracedPictures::ImageOf(job.frame())));
@@ -133,6 +187,13 @@ std::array<R3::Point, 4> Viewer::QuadCorners() const {
   };
   const double w = traced.width, h = traced.height;
   return {corner(0, 0), corner(w, 0), corner(w, h), corner(0, h)};
+}
+
+bool Viewer::SeesAsTraced() const {
+  const RenderSettings& traced = pictures_.Trace()->Settings();
+  const DrawingSize view = ViewSize();
+  return CameraLine(traced.view.value_or(scene_->parsed.scene.camera)) == CameraLine(navigator_.camera()) &&
+         std::int64_t{traced.width} * view.height == std::int64_t{traced.height} * view.width;
 }
 
 std::optional<std::pair<int, int>> Viewer::PixelOnQuad(const R2::Point& position) const {
@@ -164,7 +225,7 @@ Lines Viewer::MakeLines() const {
     Append(lines,
            CameraLines(own, size_.width, size_.height, space_.radius * quad_share_of_distance, space_, frustum_color));
   }
-  if (ShowsQuad()) {
+  if (ShowsQuad() && !SeesAsTraced()) {
     const RenderSettings& traced = pictures_.Trace()->Settings();
     const Camera camera = traced.view.value_or(scene_->parsed.scene.camera);
     const double distance = Length(QuadCorners()[0] - camera.eye) > 0 ? DepthOf(camera, QuadCorners()[0]) : 0;
@@ -235,12 +296,29 @@ std::vector<Label> Viewer::MakeLabels() const {
     upper.insert(upper.begin(), "cross section: " + section_.Describe(size_.height));
   }
   double y = size_.height - line_step - edge;
+  if (!scene_problems_.empty())
+    for (const std::string& line : InLines(TextOfProblems(), columns)) {
+      labels.push_back({edge, y, line, problem_color});
+      y -= line_step;
+    }
   for (const std::string& text : upper)
     for (const std::string& line : help_page_ > 0 ? std::vector{text} : InLines(text, columns)) {
       labels.push_back({edge, y, line, text_color});
       y -= line_step;
     }
   return labels;
+}
+
+std::string Viewer::TextOfProblems() const {
+  if (scene_problems_.empty()) return {};
+  const SceneError& first = scene_problems_.front();
+  std::string text = first.file;
+  if (first.line > 0) text += ":" + std::to_string(first.line) + ":" + std::to_string(first.column);
+  text += (text.empty() ? "" : ": ") + first.message.substr(0, first.message.find('\n'));
+  const std::size_t more = scene_problems_.size() - 1;
+  if (more > 0) text += ", and " + Counted(more, "more mistake");
+  return text + (problem_file_ == settings_.scene ? ". The scene from before is shown until the file is right."
+                                                  : ". Escape closes this.");
 }
 
 std::string Viewer::TextOfProjection() const {
@@ -254,13 +332,15 @@ std::string Viewer::BoxesInWords() const {
   const std::string level = box_level_ == all_levels ? "of all levels" : "of level " + std::to_string(box_level_);
   const BoxLines boxes = boxes_ == Boxes::nodes ? NodeBoxLines(scene_->world, space_, box_level_)
                                                 : AcceleratorBoxLines(*scene_->accelerator, space_, box_level_);
-  return std::to_string(boxes.boxes) + (boxes_ == Boxes::nodes ? " boxes of nodes " : " boxes of the accelerator ") +
-         level + (boxes.left_out > 0 ? ", " + std::to_string(boxes.left_out) + " left out" : "");
+  return std::to_string(boxes.boxes) + (boxes.boxes == 1 ? " box" : " boxes") +
+         (boxes_ == Boxes::nodes ? " of nodes " : " of the accelerator ") + level +
+         (boxes.left_out > 0 ? ", " + std::to_string(boxes.left_out) + " left out" : "");
 }
 
 std::string Viewer::Title() const {
   const std::string name = std::filesystem::path(settings_.scene).filename().string();
   return name + (editor_.HasUnsaved() ? "* " : " ") + std::to_string(size_.width) + "x" + std::to_string(size_.height) +
+         (scene_problems_.empty() ? "" : " (mistakes in " + problem_file_ + ")") +
          (status_.empty() ? "" : " " + status_) + (notes_.empty() ? "" : " (" + notes_ + ")");
 }
 
@@ -301,6 +381,7 @@ std::string Viewer::State() {
   line("comparing", std::to_string(static_cast<int>(pictures_.HowCompared())));
   line("reference", yes_or_no(pictures_.Reference() != nullptr));
   line("help", std::to_string(help_page_));
+  line("problem", TextOfProblems());
   line("message", message_);
   line("edits", editor_.Describe());
   line("panels", yes_or_no(shows_panels_));

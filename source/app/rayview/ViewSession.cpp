@@ -50,18 +50,18 @@ std::vector<ScriptStep> ReadScript(const std::string& name) {
 
 std::string NameOfFile(const std::string& path) { return std::filesystem::path(path).filename().string(); }
 
-/// Nothing when it is no picture.
-std::shared_ptr<const R2::Image> ReadPictureFile(const std::string& name) {
+/// Without an image where the file is none.
+ReferenceImage ReadPictureFile(const std::string& name) {
   std::error_code error;
-  if (!std::filesystem::is_regular_file(name, error)) return nullptr;
+  if (!std::filesystem::is_regular_file(name, error)) return {};
   std::ifstream in(name, std::ios::binary);
   const std::string bytes = AllOf(in);
   try {
     R2::DecodedImage decoded = R2::DecodeImage(BytesOf(bytes));
     PrintWarnings(name, decoded.warnings);
-    return std::make_shared<const R2::Image>(std::move(decoded.image));
+    return ReferenceOf(std::move(decoded));
   } catch (const R2::ImageError&) {
-    return nullptr;
+    return {};
   }
 }
 
@@ -78,7 +78,7 @@ std::string FreeRaysName() {
 bool IsLookedAt(const Options& options) { return !options.view.headless && options.view.events.empty(); }
 
 ViewerSettings SettingsFor(const Options& options) {
-  ViewerSettings settings{options.scene, options.parse, options.accelerator, options.render, nullptr};
+  ViewerSettings settings{options.scene, options.parse, options.accelerator, options.render, {}};
   settings.live_is_endless = IsLookedAt(options) && !options.IsGiven("samples") && options.render.samples == 1;
   return settings;
 }
@@ -164,6 +164,9 @@ class Session : public ViewerHost {
     if (options.view.panels != "off") viewer_.ShowPanels(first_look_);
   }
 
+  /// The scene shown is not the file's, which has mistakes.
+  void Tell(const SceneErrors& mistakes) { viewer_.TellMistakes(mistakes); }
+
   int Run() {
     if (window_) Happen(ResizeEvent{window_->Width(), window_->Height(), window_->Scale()});
     if (!options_.view.events.empty())
@@ -223,7 +226,7 @@ class Session : public ViewerHost {
     }
   }
   std::vector<std::string> RecentScenes() override { return recent_.Files(); }
-  std::shared_ptr<const R2::Image> ReadPicture(const std::string& file) override {
+  ReferenceImage ReadPicture(const std::string& file) override {
     inputs_.push_back(file);
     return ReadPictureFile(file);
   }
@@ -284,13 +287,13 @@ class Session : public ViewerHost {
     if (!wants_drawing_) return;
     wants_drawing_ = false;
     Draw();
-    Attempt([&] {
+    viewer_.Tell(Attempt([&] {
       // Letters and lines suffer in a JPEG.
       const PictureOutput place = ClaimImageName(R2::FormatForName("image.png") ? "png" : "jpg");
       ray::SaveDrawing(place, painter_.canvas.Read(), options_);
       Print("screenshot saved to " + place.file.name);
-      return std::string();
-    });
+      return "screenshot saved to " + place.file.name;
+    }));
   }
 
   void Draw() {
@@ -308,6 +311,7 @@ class Session : public ViewerHost {
     if (has_news || (refinement && now >= *refinement)) {
       FrameState shown = viewer_.Show();
       shown.pixel_step = detail_.StepFor(shown.clip_from_drawing, shown.view, now);
+      shown.is_smooth = detail_.IsSmooth();
       drawer_.Draw(shown);
       Canvas::Finish();
       detail_.Took(SecondsSince(start_) - now);
@@ -430,9 +434,11 @@ class Session : public ViewerHost {
 }  // namespace
 
 int View(const Options& asked, const Options& options, const ViewOutputs& outputs,
-         std::shared_ptr<const LoadedScene> scene) {
+         std::shared_ptr<const LoadedScene> scene, const SceneErrors* mistakes) {
   CatchInterrupts();
-  return Session(asked, options, outputs, std::move(scene)).Run();
+  Session session(asked, options, outputs, std::move(scene));
+  if (mistakes) session.Tell(*mistakes);
+  return session.Run();
 }
 
 }  // namespace ray

@@ -11,9 +11,10 @@ namespace ray {
 /// Shows the scene until its user, or the script of events, has seen enough.
 ///   asked     what was typed; it is combined again with the settings of a scene that is read again
 ///   options   that, with the settings of this scene
+///   mistakes  why the scene is not the file's, to be shown; null where it is
 ///   returns   an exit status
 /// Throws ContextError when there is nothing to draw with.
 int View(const Options& asked, const Options& options, const ViewOutputs& outputs,
-         std::shared_ptr<const LoadedScene> scene);
+         std::shared_ptr<const LoadedScene> scene, const SceneErrors* mistakes = nullptr);
 
 }  // namespace ray

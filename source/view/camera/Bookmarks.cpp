@@ -6,7 +6,9 @@
 
 namespace ray {
 
-Bookmarks::Bookmarks(const std::string& scene) : file_(scene == "-" ? "" : scene + ".views") {
+Bookmarks::Bookmarks(const std::string& scene) : file_(scene == "-" ? "" : scene + ".views") { ReadAgain(); }
+
+void Bookmarks::ReadAgain() {
   std::ifstream in(file_);
   for (std::string line; std::getline(in, line);) {
     if (line.size() < 2 || line[0] < '1' || line[0] > '9' || line[1] != ' ') continue;

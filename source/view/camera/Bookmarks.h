@@ -14,6 +14,8 @@ class Bookmarks {
   /// With those that the file has; "-", standard input, has no file beside it.
   explicit Bookmarks(const std::string& scene);
 
+  /// Takes what another window has kept in the file since; what the file lacks stays.
+  void ReadAgain();
   std::optional<Camera> Find(int digit) const;
   void Set(int digit, const Camera& camera) { cameras_.insert_or_assign(digit, camera); }
   /// What the file is to hold.

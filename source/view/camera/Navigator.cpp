@@ -54,18 +54,20 @@ void Navigator::Go(const Camera& camera) {
   Set(camera);
 }
 
-void Navigator::Back() {
-  if (behind_.empty()) return;
+bool Navigator::Back() {
+  if (behind_.empty()) return false;
   ahead_.push_back(camera_);
   Set(behind_.back());
   behind_.pop_back();
+  return true;
 }
 
-void Navigator::Forward() {
-  if (ahead_.empty()) return;
+bool Navigator::Forward() {
+  if (ahead_.empty()) return false;
   behind_.push_back(camera_);
   Set(ahead_.back());
   ahead_.pop_back();
+  return true;
 }
 
 void Navigator::ToggleTurntable() {

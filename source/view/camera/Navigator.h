@@ -29,8 +29,9 @@ class Navigator {
 
   /// To another view, from which Back returns.
   void Go(const Camera& camera);
-  void Back();
-  void Forward();
+  /// Whether there was a view to return to.
+  bool Back();
+  bool Forward();
 
   /// The center of rotation and zoom: the pivot, or the center of the scene.
   R3::Point Center() const { return pivot_ ? *pivot_ : box_.IsEmpty() ? R3::Point{} : box_.Center(); }

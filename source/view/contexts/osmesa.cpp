@@ -43,20 +43,22 @@ class Functions {
   Functions() {
 #define USE(name) Use(epoxy_gl##name, "gl" #name);
     USE(ActiveTexture) USE(AttachShader) USE(BindBuffer) USE(BindBufferBase) USE(BindFramebuffer)
-    USE(BindRenderbuffer) USE(BindTexture) USE(BindVertexArray) USE(BlendFuncSeparate) USE(BufferData)
+    USE(BindRenderbuffer) USE(BindTexture) USE(BindVertexArray) USE(BlendFuncSeparate) USE(BlitFramebuffer) USE(BufferData)
     USE(BufferSubData) USE(CheckFramebufferStatus) USE(Clear) USE(ClearColor) USE(CompileShader)
     USE(CreateProgram) USE(CreateShader) USE(CullFace) USE(DeleteBuffers) USE(DeleteFramebuffers)
     USE(DeleteProgram) USE(DeleteRenderbuffers) USE(DeleteShader) USE(DeleteTextures) USE(DeleteVertexArrays)
     USE(DepthFunc) USE(DepthMask) USE(Disable) USE(DrawArrays) USE(DrawBuffer) USE(DrawElements) USE(Enable)
     USE(EnableVertexAttribArray) USE(Finish) USE(FramebufferRenderbuffer) USE(FramebufferTexture2D)
-    USE(FramebufferTextureLayer) USE(GenBuffers) USE(GenFramebuffers) USE(GenRenderbuffers) USE(GenTextures) USE(GenVertexArrays)
+    USE(FramebufferTextureLayer) USE(GenBuffers) USE(GenFramebuffers) USE(GenRenderbuffers)
+    USE(GenTextures) USE(GenVertexArrays) USE(GenerateMipmap)
     USE(GetError) USE(GetFloatv) USE(GetFramebufferAttachmentParameteriv) USE(GetIntegerv)
     USE(GetProgramInfoLog) USE(GetProgramiv) USE(GetShaderInfoLog) USE(GetShaderiv) USE(GetString)
     USE(GetTexImage) USE(GetUniformBlockIndex) USE(GetUniformLocation) USE(LineWidth) USE(LinkProgram)
-    USE(PixelStorei) USE(PolygonMode) USE(PolygonOffset) USE(ReadPixels) USE(RenderbufferStorage) USE(Scissor)
+    USE(PixelStorei) USE(PolygonMode) USE(PolygonOffset) USE(ReadPixels) USE(RenderbufferStorage)
+    USE(RenderbufferStorageMultisample) USE(Scissor)
     USE(ShaderSource) USE(TexImage2D) USE(TexImage3D) USE(TexParameteri) USE(TexSubImage2D) USE(Uniform1f)
-    USE(Uniform1i) USE(Uniform2f) USE(Uniform3fv) USE(UniformBlockBinding) USE(UniformMatrix4fv) USE(UseProgram)
-    USE(VertexAttribPointer) USE(Viewport)
+    USE(Uniform1i) USE(Uniform2f) USE(Uniform2fv) USE(Uniform3fv) USE(Uniform4f) USE(UniformBlockBinding)
+    USE(UniformMatrix4fv) USE(UseProgram) USE(VertexAttribPointer) USE(Viewport)
 #undef USE
   }
   // clang-format on

@@ -1,5 +1,6 @@
 #include "source/view/gl/CoarseDrawer.h"
 
+#include <algorithm>
 #include <array>
 #include <string>
 
@@ -56,6 +57,52 @@ void CoarseDrawer::Fit(int width, int height, bool is_srgb) const {
   if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
     throw ContextError("cannot draw " + std::to_string(width) + " x " + std::to_string(height) +
                        " pixels beside the window; the driver rejects the framebuffer");
+}
+
+bool CoarseDrawer::FitSamples(int width, int height, bool is_srgb) const {
+  if (samples_ && samples_->width == width && samples_->height == height && samples_->is_srgb == is_srgb)
+    return samples_->is_complete;
+  if (!samples_) samples_ = std::make_unique<Samples>();
+  samples_->width = width, samples_->height = height, samples_->is_srgb = is_srgb;
+  GLint most = 1;
+  glGetIntegerv(GL_MAX_SAMPLES, &most);
+  const GLsizei count = std::min(most, samples_of_smooth);
+  const auto describe = [&](const Renderbuffer& buffer, GLenum format) {
+    glBindRenderbuffer(GL_RENDERBUFFER, buffer.Name());
+    glRenderbufferStorageMultisample(GL_RENDERBUFFER, count, format, width, height);
+  };
+  describe(samples_->colors, is_srgb ? GL_SRGB8_ALPHA8 : GL_RGBA8);
+  describe(samples_->depths, GL_DEPTH_COMPONENT24);
+  glBindFramebuffer(GL_FRAMEBUFFER, samples_->framebuffer.Name());
+  glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, samples_->colors.Name());
+  glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, samples_->depths.Name());
+  samples_->is_complete = glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
+  return samples_->is_complete;
+}
+
+void CoarseDrawer::DrawSmoothly(const std::function<void()>& draw) const {
+  if (DrawSamples(draw))
+    Enlarge();
+  else
+    draw();
+}
+
+bool CoarseDrawer::DrawSamples(const std::function<void()>& draw) const {
+  const KeptTarget kept;
+  const int width = kept.Viewport()[2], height = kept.Viewport()[3];
+  if (width == 0 || height == 0) return false;
+  const bool is_srgb = CanEncodeSrgb();
+  Fit(width, height, is_srgb);
+  if (!FitSamples(width, height, is_srgb)) return false;
+  glBindFramebuffer(GL_FRAMEBUFFER, samples_->framebuffer.Name());
+  glViewport(0, 0, width, height);
+  glScissor(0, 0, width, height);
+  draw();
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, samples_->framebuffer.Name());
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, small_->framebuffer.Name());
+  // Means are of what a screen shows, as those of an image's bytes would be.
+  glBlitFramebuffer(0, 0, width, height, 0, 0, width, height, GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT, GL_NEAREST);
+  return true;
 }
 
 void CoarseDrawer::Enlarge() const {

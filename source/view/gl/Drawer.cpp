@@ -88,16 +88,21 @@ void Drawer::UploadNewRows(PictureSlot& slot, const Frame& frame, int end) {
 void Drawer::DrawScene(const FrameState& state) {
   const SurfaceDrawer& surfaces = painter_.surfaces;
   GpuSurfaces& faces = Upload(faces_, state.faces, surfaces);
-  if (state.shows_faces) surfaces.SetShadows(faces, state.shows_shadows);
+  if (state.shows_faces) {
+    surfaces.SetShadows(faces, state.shows_shadows);
+    surfaces.DrawProbes(faces);
+  }
   const auto draw = [&] {
     surfaces.DrawSky(faces, state.seen_from);
     if (state.shows_faces) surfaces.Draw(faces, state.clip_from_drawing, state.seen_from);
   };
-  if (state.pixel_step == 1) return draw();
-  painter_.coarse.Draw(state.pixel_step, [&] {
+  const auto draw_all = [&] {
     painter_.canvas.Fill(state.background);
     draw();
-  });
+  };
+  if (state.pixel_step > 1) return painter_.coarse.Draw(state.pixel_step, draw_all);
+  if (state.is_smooth) return painter_.coarse.DrawSmoothly(draw_all);
+  draw();
 }
 
 void Drawer::DrawPicture(const FrameState& state) {
@@ -140,9 +145,10 @@ void Drawer::Draw(const FrameState& state) {
     painter_.surfaces.DrawEdges(Upload(faces_, state.faces, painter_.surfaces), clip, state.edge_color);
   if (state.quad && !is_covered)
     painter_.pictures.Draw(Upload(quad_, *state.quad), *state.quad->corners, clip, LookOf(*state.quad));
-  lists.Draw(Upload(lines_, state.lines), clip, 1, hidden_lines);
-  if (state.marks) lists.Draw(Upload(marks_, state.marks), clip, 1, hidden_lines);
-  if (state.lit) lists.Draw(Upload(lit_, state.lit), clip, lit_width, hidden_lines);
+  const int width = state.letter_size;  // of lines, as of strokes of letters
+  lists.Draw(Upload(lines_, state.lines), clip, width, hidden_lines);
+  if (state.marks) lists.Draw(Upload(marks_, state.marks), clip, width, hidden_lines);
+  if (state.lit) lists.Draw(Upload(lit_, state.lit), clip, lit_width * width, hidden_lines);
   if (state.section) {
     canvas.SetViewport(state.view.width, 0, state.section_size.width, state.section_size.height);
     canvas.Fill(section_ground);

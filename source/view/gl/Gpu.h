@@ -27,6 +27,11 @@ struct GpuSurfaces {
   std::vector<PreviewLight> preview_lights;
   ShadowViews shadow_views;           // where there are shadows
   std::optional<GpuShadows> shadows;  // none until they are first asked for
+  std::vector<MirrorProbe> probes;
+  std::vector<Texture2D> probe_maps;  // of each of them, once they were drawn
+  bool probes_have_shadows = false;   // as they were drawn
+  int mirror_bounces = 0;
+  ModeLook look;
 };
 
 struct GpuLines {

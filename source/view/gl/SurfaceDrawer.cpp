@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "source/view/gl/Canvas.h"
+#include "source/view/gl/MirrorProbes.h"
 #include "source/view/gl/Target.h"
 #include "source/view/gl/Upload.h"
 #include "source/view/preview/Floats.h"
@@ -56,9 +57,17 @@ void main() { color = vec4(ink, strength); }
 
 constexpr GLuint at_location = 0, normal_location = 1, uv_location = 2, color_location = 3, lights_binding = 0;
 constexpr GLint paint_unit = 0, relief_unit = 1, environment_unit = 2, shadows_unit = 3, normal_map_unit = 4,
-                specular_map_unit = 5;
+                specular_map_unit = 5, probe_unit = 6;
 constexpr int most_texels = 2048;  // per side of a texture or environment: 24 MB in half precision
 constexpr double rim = 0.25;       // brightness at the rim of a full mirror that shows nothing
+
+constexpr int no_probe = -1;
+
+/// Whether a mode shows the background where there is no surface.
+bool ShowsBackground(RenderMode mode) {
+  return !ShowsDepth(mode) && mode != RenderMode::normal && mode != RenderMode::normal_color &&
+         mode != RenderMode::uv && mode != RenderMode::uv_color;
+}
 
 constexpr float most_half = 65504;  // that a half-precision float can hold
 
@@ -131,6 +140,7 @@ SurfaceFeatures FeaturesOf(const ScenePicture& picture) {
     features.coats |= batch.material.coat > 0;
   }
   features.fresnel = picture.fresnel && features.clear;
+  if (IsPreviewed(picture.look.mode) && picture.look.mode != RenderMode::path) features.mode = picture.look.mode;
   return features;
 }
 
@@ -167,12 +177,20 @@ void UploadTriangles(GpuSurfaces& uploaded, const Surfaces& surfaces) {
   CheckMemory();
 }
 
+/// Where the shadows of a light are, as the shader decodes it: the first view, and 64 for each place but the first.
+int ShadowCode(const ShadowViews& views, std::size_t light) {
+  static_assert(most_shadow_views < 64);
+  const int first = views.first[light], more = 64 * (views.places[light] - 1);
+  return first < 0 ? first - more : first + more;
+}
+
 void UploadLights(const GpuSurfaces& surfaces) {
   std::vector<GpuLight> lights;
   for (const bool are_discs : {true, false})
     for (std::size_t i = 0; i < surfaces.preview_lights.size(); ++i)
       if (surfaces.preview_lights[i].is_disc == are_discs)
-        lights.push_back(AsGpu(surfaces.preview_lights[i], surfaces.shadows ? surfaces.shadow_views.first[i] : 0));
+        lights.push_back(
+            AsGpu(surfaces.preview_lights[i], surfaces.shadows ? ShadowCode(surfaces.shadow_views, i) : 0));
   lights.resize(most_preview_lights);
   glBindBuffer(GL_UNIFORM_BUFFER, surfaces.lights.Name());
   glBufferData(GL_UNIFORM_BUFFER, Bytes(lights), lights.data(), GL_STATIC_DRAW);
@@ -212,6 +230,9 @@ std::shared_ptr<GpuSurfaces> SurfaceDrawer::Upload(const ScenePicture& picture) 
   uploaded->features = FeaturesOf(picture);
   uploaded->head_light = picture.lights.head_light;
   uploaded->preview_lights = picture.lights.lights;
+  uploaded->probes = picture.surfaces.probes;
+  uploaded->mirror_bounces = picture.mirror_bounces;
+  uploaded->look = picture.look;
   UploadTriangles(*uploaded, picture.surfaces);
 
   UploadLights(*uploaded);
@@ -263,13 +284,16 @@ const ShaderProgram& SurfaceDrawer::ProgramFor(const SurfaceFeatures& features) 
   glUniform1i(program["specular_map"], specular_map_unit);
   glUniform1i(program["environment"], environment_unit);
   glUniform1i(program["shadow_maps"], shadows_unit);
+  glUniform1i(program["probe"], probe_unit);
   glUniformBlockBinding(program.Name(), glGetUniformBlockIndex(program.Name(), "Lights"), lights_binding);
   return program;
 }
 
 /// What does not differ from material to material.
-void SurfaceDrawer::Use(const ShaderProgram& program, const GpuSurfaces& surfaces, const PreviewView& view) const {
+void SurfaceDrawer::Use(const ShaderProgram& program, const GpuSurfaces& surfaces, const PreviewView& view,
+                        bool for_probe) const {
   program.Use();
+  glUniform1i(program["for_probe"], for_probe ? 1 : 0);
   Set(program, "exposure", view.exposure.factor);
   glUniform1i(program["srgb"], view.exposure.srgb ? 1 : 0);
   if (!surfaces.environment) return Set(program, "background", surfaces.background);
@@ -278,14 +302,14 @@ void SurfaceDrawer::Use(const ShaderProgram& program, const GpuSurfaces& surface
   glActiveTexture(GL_TEXTURE0);
 }
 
-void SurfaceDrawer::DrawSky(const GpuSurfaces& surfaces, const PreviewView& view) const {
-  if (!surfaces.environment) return;
+void SurfaceDrawer::DrawSky(const GpuSurfaces& surfaces, const PreviewView& view, bool for_probe) const {
+  if (!surfaces.environment || !ShowsBackground(surfaces.look.mode)) return;
   if (!sky_) {
     sky_ = std::make_unique<ShaderProgram>("the environment", SkyVertexShader().c_str(), SkyFragmentShader().c_str());
     sky_->Use();
     glUniform1i((*sky_)["environment"], environment_unit);
   }
-  Use(*sky_, surfaces, view);
+  Use(*sky_, surfaces, view, for_probe);
   glUniform3fv((*sky_)["directions"], 3, view.directions[0].data());
   glBindVertexArray(nothing_.Name());
   glDisable(GL_DEPTH_TEST);  // which leaves depth unwritten as well
@@ -306,6 +330,8 @@ void SurfaceDrawer::UseMaterial(const ShaderProgram& program, const GpuSurfaces&
   Set(program, "ir", m.ir);
   Set(program, "coat", m.coat);
   Set(program, "least_rim", rim * std::max(Luminance(m.kr), Luminance(m.kt)));
+  Set(program, "flat_painted", m.flat_painted);
+  Set(program, "flat_plain", m.flat_plain);
   glUniform2f(program["texture_scale"], static_cast<float>(m.texture_scale.x), static_cast<float>(m.texture_scale.y));
   if (surfaces.features.textures) {
     glUniform1i(program["is_painted"], m.texture ? 1 : 0);
@@ -333,12 +359,12 @@ void SurfaceDrawer::UseMaterial(const ShaderProgram& program, const GpuSurfaces&
 
 /// What shines on the surfaces.
 void SurfaceDrawer::UseLights(const ShaderProgram& program, const GpuSurfaces& surfaces,
-                              const PreviewView& view) const {
+                              const SurfaceFeatures& features, const PreviewView& view) const {
   std::array<float, 27> diffuse_light{};
   for (std::size_t i = 0; i < 9; ++i)
     std::ranges::copy(AsFloats(surfaces.diffuse_light.factors[i]), diffuse_light.begin() + 3 * i);
   glUniform3fv(program["diffuse_light"], 9, diffuse_light.data());
-  if (surfaces.features.shadows) {
+  if (features.shadows) {
     glActiveTexture(GL_TEXTURE0 + shadows_unit);
     glBindTexture(GL_TEXTURE_2D_ARRAY, surfaces.shadows->maps.Name());
     glActiveTexture(GL_TEXTURE0);
@@ -358,33 +384,101 @@ void SurfaceDrawer::UseLights(const ShaderProgram& program, const GpuSurfaces& s
 void SurfaceDrawer::Draw(const GpuSurfaces& surfaces, const ClipMatrix& clip_from_drawing,
                          const PreviewView& view) const {
   if (surfaces.batches.empty()) return;
-  const ShaderProgram& program = ProgramFor(surfaces.features);
+  SurfaceFeatures features = surfaces.features;
+  features.probes = !surfaces.probe_maps.empty();
+  const ShaderProgram& program = ProgramFor(features);
   Use(program, surfaces, view);
   SetMatrix(program["clip_from_drawing"], clip_from_drawing);
   glUniform3fv(program["eye"], 1, view.eye.data());
-  UseLights(program, surfaces, view);
+  UseLights(program, surfaces, features, view);
+  UseMode(program, surfaces, view);
   const bool encodes = view.exposure.srgb && CanEncodeSrgb();
   if (encodes) {
     glUniform1i(program["srgb"], 0);
     glEnable(GL_FRAMEBUFFER_SRGB);
   }
 
-  glBindVertexArray(surfaces.shaded.Name());
   // Moved back a little, by their slope and the smallest step of depth, so that lines on them are seen.
   glEnable(GL_POLYGON_OFFSET_FILL);
   glPolygonOffset(1, 1);
-  glDisable(GL_BLEND);
-  for (const SurfaceBatch& batch : surfaces.batches) {
-    UseMaterial(program, surfaces, batch.material);
-    if (batch.is_clear)
-      DrawClear(batch);
-    else
-      DrawOpaque(batch);
-  }
+  DrawBatches(program, surfaces, features, no_probe);
   if (encodes) glDisable(GL_FRAMEBUFFER_SRGB);
   glDisable(GL_POLYGON_OFFSET_FILL);
   glEnable(GL_BLEND);
   UseAlpha();
+}
+
+void SurfaceDrawer::DrawBatches(const ShaderProgram& program, const GpuSurfaces& surfaces,
+                                const SurfaceFeatures& features, int left_out_probe) const {
+  glBindVertexArray(surfaces.shaded.Name());
+  glEnable(GL_DEPTH_CLAMP);  // what has no end goes on behind the farthest depth
+  glDisable(GL_BLEND);
+  for (const SurfaceBatch& batch : surfaces.batches) {
+    if (left_out_probe != no_probe && batch.probe == left_out_probe && batch.owns_probe) continue;
+    UseMaterial(program, surfaces, batch.material);
+    glUniform1i(program["bends"], batch.material.ir != 1 && !batch.is_clear ? 1 : 0);
+    if (features.probes) UseProbe(program, surfaces, batch.probe);
+    if (batch.is_clear && features.mode == RenderMode::whitted)
+      DrawClear(batch);
+    else
+      DrawOpaque(batch);
+  }
+  glDisable(GL_DEPTH_CLAMP);
+}
+
+void SurfaceDrawer::UseProbe(const ShaderProgram& program, const GpuSurfaces& surfaces, int probe) const {
+  glUniform1i(program["has_probe"], probe == no_probe ? 0 : 1);
+  if (probe == no_probe) return;
+  const auto i = static_cast<std::size_t>(probe);
+  glUniform3fv(program["probe_at"], 1, surfaces.probes[i].at.data());
+  glActiveTexture(GL_TEXTURE0 + probe_unit);
+  glBindTexture(GL_TEXTURE_CUBE_MAP, surfaces.probe_maps[i].Name());
+  glActiveTexture(GL_TEXTURE0);
+}
+
+void SurfaceDrawer::UseMode(const ShaderProgram& program, const GpuSurfaces& surfaces, const PreviewView& view) const {
+  constexpr double dimmest_of_layer = 0.1;  // see LayerAsShown
+  const ModeLook& look = surfaces.look;
+  if (ShowsDepth(look.mode)) {
+    glUniform2fv(program["depths"], 1, view.depths.data());
+    Set(program, "dimmest", look.mode == RenderMode::depth ? dimmest_of_layer : 0);
+  } else if (look.mode == RenderMode::gooch) {
+    glUniform4f(program["tones"], AsFloat(look.gooch.blue), AsFloat(look.gooch.yellow), AsFloat(look.gooch.alpha),
+                AsFloat(look.gooch.beta));
+  } else if (look.mode == RenderMode::toon) {
+    Set(program, "bands", look.toon_bands);
+  }
+}
+
+void SurfaceDrawer::DrawProbes(GpuSurfaces& surfaces) const {
+  const bool has_light = surfaces.features.mode == RenderMode::whitted;
+  const bool are_due = surfaces.probe_maps.empty() || surfaces.probes_have_shadows != surfaces.features.shadows;
+  if (!has_light || surfaces.probes.empty() || !are_due) return;
+  surfaces.probes_have_shadows = surfaces.features.shadows;
+  surfaces.probe_maps.clear();
+  SurfaceFeatures features = surfaces.features;
+  constexpr std::size_t few = 4;  // probes, for which there is time to be fine
+  const GLsizei texels = surfaces.probes.size() <= few ? 256 : 128;
+  // Mirrors of a later round show those of the one before.
+  for (int bounce = 0; bounce < surfaces.mirror_bounces; ++bounce) {
+    features.probes = bounce > 0;
+    std::vector<Texture2D> maps;
+    for (std::size_t i = 0; i < surfaces.probes.size(); ++i)
+      maps.push_back(FilledProbe(texels, [&](int side) { DrawSide(surfaces, features, i, side); }));
+    surfaces.probe_maps = std::move(maps);
+  }
+}
+
+void SurfaceDrawer::DrawSide(const GpuSurfaces& surfaces, const SurfaceFeatures& features, std::size_t probe,
+                             int side) const {
+  const ProbeSide seen = SideOf(surfaces.probes[probe], side);
+  DrawSky(surfaces, seen.view, true);
+  const ShaderProgram& program = ProgramFor(features);
+  Use(program, surfaces, seen.view, true);
+  SetMatrix(program["clip_from_drawing"], seen.clip_from_drawing);
+  glUniform3fv(program["eye"], 1, seen.view.eye.data());
+  UseLights(program, surfaces, features, seen.view);
+  DrawBatches(program, surfaces, features, static_cast<int>(probe));
 }
 
 void SurfaceDrawer::DrawEdges(const GpuSurfaces& surfaces, const ClipMatrix& clip_from_drawing,

@@ -18,18 +18,29 @@ class SurfaceDrawer {
   /// Draws the shadow maps, once: from now on lights cast shadows where `is_on`. Throws ContextError when memory is
   /// full.
   void SetShadows(GpuSurfaces& surfaces, bool is_on) const;
+  /// Draws what mirrors show, once for each state of the shadows.
+  void DrawProbes(GpuSurfaces& surfaces) const;
   /// The environment over all of the viewport, to be drawn first; nothing for a scene without one.
-  void DrawSky(const GpuSurfaces& surfaces, const PreviewView& view) const;
+  void DrawSky(const GpuSurfaces& surfaces, const PreviewView& view, bool for_probe = false) const;
   /// Opaque surfaces first, then clear ones without writing depth.
   void Draw(const GpuSurfaces& surfaces, const ClipMatrix& clip_from_drawing, const PreviewView& view) const;
   /// Edges of triangles in one color, those of triangles that are small on the screen the fainter.
   void DrawEdges(const GpuSurfaces& surfaces, const ClipMatrix& clip_from_drawing, const Rgba& color) const;
 
  private:
+  /// One side of the scene as a probe sees it; but for what shows that probe.
+  void DrawSide(const GpuSurfaces& surfaces, const SurfaceFeatures& features, std::size_t probe, int side) const;
+  /// All batches but those that show the probe, in the bound framebuffer.
+  void DrawBatches(const ShaderProgram& program, const GpuSurfaces& surfaces, const SurfaceFeatures& features,
+                   int left_out_probe) const;
+  void UseMode(const ShaderProgram& program, const GpuSurfaces& surfaces, const PreviewView& view) const;
   const ShaderProgram& ProgramFor(const SurfaceFeatures& features) const;
-  void Use(const ShaderProgram& program, const GpuSurfaces& surfaces, const PreviewView& view) const;
-  void UseLights(const ShaderProgram& program, const GpuSurfaces& surfaces, const PreviewView& view) const;
+  void Use(const ShaderProgram& program, const GpuSurfaces& surfaces, const PreviewView& view,
+           bool for_probe = false) const;
+  void UseLights(const ShaderProgram& program, const GpuSurfaces& surfaces, const SurfaceFeatures& features,
+                 const PreviewView& view) const;
   void UseMaterial(const ShaderProgram& program, const GpuSurfaces& surfaces, const SurfaceMaterial& material) const;
+  void UseProbe(const ShaderProgram& program, const GpuSurfaces& surfaces, int probe) const;
 
   VertexArray nothing_;
   // Made when a scene first asks for them, for to compile them all would take longer than to draw.

@@ -59,6 +59,7 @@ vec3 Seen(vec3 direction, float spread) { return background; }
 constexpr const char* screen = R"(
 uniform float exposure;
 uniform int srgb;
+uniform int for_probe;  // light is kept as it is, with its distance, to be seen in mirrors
 // R2::EncodeSrgb; clamping to 0..1 comes with the byte.
 vec3 Shown(vec3 light) {
   vec3 c = clamp(exposure * light, 0.0, 1.0);
@@ -70,9 +71,11 @@ vec3 Shown(vec3 light) {
 constexpr const char* sky = R"(
 in vec3 direction;
 out vec4 color;
+const float endless = 6e4;  // a distance that half precision holds
 void main() {
   vec3 d = normalize(direction);
-  color = vec4(Shown(Seen(d, max(length(dFdx(d)), length(dFdy(d))))), 1);
+  vec3 light = Seen(d, max(length(dFdx(d)), length(dFdy(d))));
+  color = for_probe != 0 ? vec4(light, endless) : vec4(Shown(light), 1);
 }
 )";
 
@@ -113,6 +116,8 @@ uniform vec3 through;  // kt, and what is left of it inside
 uniform float exponent, lobe, ir, coat, least_rim;
 layout(location = 0, index = 0) out vec4 color;
 layout(location = 0, index = 1) out vec4 behind;  // how much of what is behind is seen
+// At the outline of a mesh pixels show the back of a triangle whose normal, bent towards those around it, is a front's.
+bool IsFront() { return gl_FrontFacing || dot(outward, eye - position) > 0.0; }
 )";
 
 constexpr const char* diffuse_light = R"(
@@ -196,8 +201,44 @@ float FifthPower(float x) { return x * x * (x * x) * x; }
 float AtNormal() { return pow((coat - 1.0) / (coat + 1.0), 2.0); }
 )";
 
+// What a probe sees from the middle of a mirror, as it is seen from a place on the mirror: the ray is followed, in
+// steps that grow, to where it goes from before what the probe sees to behind it, and there to the place where both
+// meet.
+// source: Szirmay-Kalos, Aszodi, Lazanyi, Premecz, Approximate ray-tracing on the GPU with distance impostors (2005)
+constexpr const char* probes = R"(
+uniform samplerCube probe;
+uniform int has_probe;
+uniform vec3 probe_at;
+float Behind(vec3 from_probe) { return length(from_probe) - textureLod(probe, from_probe, 0.0).a; }
+vec3 SeenFrom(vec3 at, vec3 direction, float spread) {
+  if (has_probe == 0) return Seen(direction, spread);
+  // Radii of the scene. What lies further behind what the probe sees is hidden from it, and may be anything.
+  const float first_step = 0.02, growth = 1.25, tolerance = 0.002, thickness = 0.06;
+  vec3 d = normalize(direction), way = at - probe_at;
+  float before = 0.0, last = Behind(way + 0.5 * first_step * d);
+  float texel = 1.5707963 / float(textureSize(probe, 0).x), level = log2(max(spread / texel, 1e-6));
+  for (float t = first_step; t < 8.0; t *= growth) {
+    float behind = Behind(way + t * d);
+    if (behind > tolerance && last <= tolerance) {
+      float near = before, far = t;
+      for (int i = 0; i < 6; ++i) {
+        float middle = 0.5 * (near + far);
+        if (Behind(way + middle * d) > tolerance) far = middle; else near = middle;
+      }
+      if (Behind(way + far * d) < thickness) return textureLod(probe, way + far * d, level).rgb;
+    }
+    before = t, last = behind;
+  }
+  return Seen(direction, spread);
+}
+)";
+constexpr const char* no_probes = R"(
+vec3 SeenFrom(vec3 at, vec3 direction, float spread) { return Seen(direction, spread); }
+)";
+
 // As through a ball, where the way out is the mirror image of the way in: T turns by the same angle again.
 constexpr const char* bending = R"(
+uniform int bends;  // else what is behind is seen straight on, by blending
 vec3 Bent(vec3 V, vec3 N, bool entering) {
   vec3 T = refract(-V, N, entering ? 1.0 / ir : ir);
   if (T == vec3(0)) return reflect(-V, N);
@@ -212,8 +253,14 @@ constexpr const char* shadows = R"(
 uniform sampler2DArrayShadow shadow_maps;
 uniform mat4 shadow_views[24];
 const float off_surface = 4e-3;  // of the distance: about two texels of a map
+float UnshadowedIn(int view, vec3 at) {
+  vec4 seen = shadow_views[view] * vec4(at, 1);
+  vec3 place = 0.5 * seen.xyz / seen.w + 0.5;
+  if (seen.w <= 0.0 || any(lessThan(place.xy, vec2(0))) || any(greaterThan(place.xy, vec2(1)))) return 1.0;
+  return texture(shadow_maps, vec4(place.xy, view, clamp(place.z, 0.0, 1.0)));
+}
 float Unshadowed(Light light, vec3 at, vec3 normal) {
-  int view = int(abs(light.falloff.w)) - 1;
+  int code = int(abs(light.falloff.w)), view = code % 64 - 1, places = 1 + code / 64;
   if (view < 0) return 1.0;
   bool is_infinite = light.place.w > 0.0;
   vec3 from = at - light.place.xyz;
@@ -222,10 +269,10 @@ float Unshadowed(Light light, vec3 at, vec3 normal) {
     int axis = a.x >= a.y && a.x >= a.z ? 0 : a.y >= a.z ? 1 : 2;
     view += 2 * axis + (from[axis] < 0.0 ? 1 : 0);
   }
-  vec4 seen = shadow_views[view] * vec4(at + off_surface * (is_infinite ? 1.0 : length(from)) * normal, 1);
-  vec3 place = 0.5 * seen.xyz / seen.w + 0.5;
-  if (seen.w <= 0.0 || any(lessThan(place.xy, vec2(0))) || any(greaterThan(place.xy, vec2(1)))) return 1.0;
-  return texture(shadow_maps, vec4(place.xy, view, clamp(place.z, 0.0, 1.0)));
+  vec3 off = at + off_surface * (is_infinite ? 1.0 : length(from)) * normal;
+  float sum = 0.0;
+  for (int i = 0; i < places; ++i) sum += UnshadowedIn(view + i, off);
+  return sum / float(places);
 }
 )";
 
@@ -297,7 +344,7 @@ vec3 HighlightOfDisc(Light disc, vec3 N, vec3 V) {
 constexpr const char* all_lights = R"(
 vec3 Shadowed(vec3 arriving, Light light) {
 #ifdef SHADOWS
-  if (arriving != vec3(0)) arriving *= Unshadowed(light, position, (gl_FrontFacing ? 1.0 : -1.0) * normalize(outward));
+  if (arriving != vec3(0)) arriving *= Unshadowed(light, position, (IsFront() ? 1.0 : -1.0) * normalize(outward));
 #endif
   return arriving;
 }
@@ -317,7 +364,7 @@ vec3 FromLights(vec3 N, vec3 V, vec3 diffuse, float left) {
 constexpr const char* shading = R"(
 void main() {
   vec3 V = normalize(eye - position);
-  bool entering = gl_FrontFacing;
+  bool entering = IsFront();
   float side = entering ? 1.0 : -1.0;
   vec3 N = side * normalize(outward);
 #ifdef NORMAL_MAPS
@@ -358,21 +405,142 @@ void main() {
   sum += left_by_coat * diffuse * LightFromAround(N);
 #endif
   vec3 R = reflect(-V, N);
-  if (mirrored != vec3(0)) sum += mirrored * Seen(R, max(lobe, max(length(dFdx(R)), length(dFdy(R)))));
+  if (mirrored != vec3(0)) sum += mirrored * SeenFrom(position, R, max(lobe, max(length(dFdx(R)), length(dFdy(R)))));
 #ifdef BENDING
-  if (ir != 1.0 && transmitted != vec3(0)) {
+  if (bends != 0 && transmitted != vec3(0)) {
     vec3 T = Bent(V, N, entering);
-    sum += transmitted * Seen(T, max(length(dFdx(T)), length(dFdy(T))));
+    sum += transmitted * SeenFrom(position, T, max(length(dFdx(T)), length(dFdy(T))));
     transmitted = vec3(0);
   }
 #endif
   // Mirrors and glass that show nothing are seen by their rim.
   float brightest = max(sum.r, max(sum.g, sum.b));
   sum += max(least_rim - brightest, 0.0) * pow(1.0 - towards_eye, 3.0);
-  color = vec4(Shown(sum), 1);
+  color = for_probe != 0 ? vec4(min(sum, 6e4), distance(position, eye)) : vec4(Shown(sum), 1);
   behind = vec4(transmitted, 0);
 }
 )";
+
+// Modes that show a first surface; see source/integrate/modes.
+constexpr const char* first_surface = R"(
+void Show(vec3 c) { color = vec4(Shown(c), 1), behind = vec4(0); }
+vec3 Painted() {
+#ifdef TEXTURES
+  if (is_painted != 0) return texture(paint, place).rgb;
+#endif
+  return vec3(1);
+}
+vec3 ShadingNormal() {
+  float side = IsFront() ? 1.0 : -1.0;
+  vec3 N = side * normalize(outward);
+#ifdef NORMAL_MAPS
+  if (is_mapped != 0) N = NormalMapped(N, side);
+#endif
+#ifdef BUMPS
+  if (height != 0.0) N = Bumped(N, side);
+#endif
+  return N;
+}
+)";
+
+constexpr const char* flat_mode = R"(
+uniform vec3 flat_painted, flat_plain;
+void main() { Show(flat_painted * Painted() + flat_plain); }
+)";
+
+constexpr const char* normal_mode = "void main() { Show((ShadingNormal() + 1.0) / 2.0); }\n";
+constexpr const char* uv_mode = "void main() { Show(vec3(fract(place), 0)); }\n";
+constexpr const char* uv_color_mode = "void main() { Show(vec3(fract(place.x), 0, 1.0 - fract(place.y))); }\n";
+
+constexpr const char* depth_mode = R"(
+uniform vec2 depths;  // nearest, farthest
+uniform float dimmest;  // of the farthest
+void main() {
+  float length = depths.y - depths.x;
+  float nearness = length > 0.0 ? clamp((depths.y - distance(position, eye)) / length, 0.0, 1.0) : 1.0;
+  Show(vec3(mix(dimmest, 1.0, nearness)));
+}
+)";
+
+// Lights as points, discs at their middle and to the side that they shine to; without shadows.
+constexpr const char* lights_as_points = R"(
+vec3 ArrivingAt(int i, out vec3 L) {
+  vec3 arriving = Irradiance(lights[i], position, L);
+#ifdef DISCS
+  if (i < disc_count) {
+    vec3 way = lights[i].place.xyz - position;
+    float d = length(way);
+    L = way / d;
+    arriving = ArrivingFrom(lights[i], way, d);
+  }
+#endif
+  return arriving;
+}
+)";
+
+constexpr const char* gooch_mode = R"(
+uniform vec4 tones;  // blue, yellow, alpha, beta
+void main() {
+  vec3 N = ShadingNormal(), V = normalize(eye - position), sum = vec3(0), diffuse = kd * Painted(), L;
+  highlight = Specular(ks);
+  for (int i = 0; i < light_count; ++i) {
+    vec3 arriving = ArrivingAt(i, L), lit = diffuse * arriving;
+    float cosine = dot(N, L);
+    vec3 cool = vec3(0, 0, tones.x) + tones.z * lit, warm = vec3(tones.y, tones.y, 0) + tones.w * lit;
+    sum += (1.0 - cosine) / 2.0 * cool + (1.0 + cosine) / 2.0 * warm;
+    if (cosine > 0.0) sum += Lobe(N, V, L) * arriving;
+  }
+  Show(sum);
+}
+)";
+
+constexpr const char* toon_mode = R"(
+uniform float bands;
+void main() {
+  vec3 N = ShadingNormal(), V = normalize(eye - position), painted = Painted(), sum = emission, L;
+  sum += ambient * painted;
+  highlight = Specular(ks);
+  for (int i = 0; i < light_count; ++i) {
+    vec3 arriving = ArrivingAt(i, L);
+    float cosine = dot(N, L), lobe = dot(V, 2.0 * cosine * N - L);
+    if (!(cosine > 0.0)) continue;
+    float tone = ceil(bands * min(cosine, 1.0)) / bands;
+    bool shines = lobe > 0.0 && pow(lobe, exponent) > 0.5;
+    sum += (tone * kd * painted + (shines ? highlight : vec3(0))) * arriving;
+  }
+  Show(sum);
+}
+)";
+
+/// The main function of a mode; null where it is light's.
+const char* MainOf(RenderMode mode) {
+  switch (mode) {
+    case RenderMode::flat:
+    case RenderMode::albedo:
+      return flat_mode;
+    case RenderMode::normal:
+    case RenderMode::normal_color:
+      return normal_mode;
+    case RenderMode::uv:
+      return uv_mode;
+    case RenderMode::uv_color:
+      return uv_color_mode;
+    case RenderMode::zbuffer:
+    case RenderMode::depth:
+      return depth_mode;
+    case RenderMode::gooch:
+      return gooch_mode;
+    case RenderMode::toon:
+      return toon_mode;
+    case RenderMode::whitted:
+    case RenderMode::path:
+    case RenderMode::heat:
+    case RenderMode::rays:
+    case RenderMode::id:
+      break;
+  }
+  return nullptr;
+}
 
 }  // namespace
 
@@ -399,10 +567,11 @@ std::string SurfaceFragmentShader(const SurfaceFeatures& features) {
   add(features.coats, "COATS", coats);
   add(features.fresnel, "FRESNEL", fresnel);
   add(features.shadows, "SHADOWS", shadows);
-  add(features.clear && features.environment, "BENDING", bending);
+  add(features.clear, "BENDING", bending);
   text += reflection;
   add(features.discs, "DISCS", discs);
-  return text + all_lights + shading;
+  if (const char* main = MainOf(features.mode)) return text + lights_as_points + first_surface + main;
+  return text + (features.probes ? probes : no_probes) + all_lights + shading;
 }
 
 std::string DepthVertexShader() { return std::string(version) + depth_vertex_shader; }

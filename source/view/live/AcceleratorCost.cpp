@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <new>
+#include <optional>
+#include <utility>
 
 #include "source/render/Render.h"
 #include "source/render/forecast/SecondsOf.h"
@@ -10,7 +13,7 @@
 namespace ray {
 namespace {
 
-/// The same view, with its longer side as long as time allows.
+/// The settings of a small picture of the view, with its longer side as long as time allows.
 RenderSettings Small(RenderSettings settings, const World& world) {
   constexpr double most_tests = 3e8;  // about a second of them on one core
   constexpr double longest = 96;      // pixels: enough rays for means of three digits
@@ -30,28 +33,70 @@ RenderSettings Small(RenderSettings settings, const World& world) {
   return settings;
 }
 
+/// Nothing where it was stopped.
+std::optional<AcceleratorCost> CostOf(const AcceleratorKind& kind, const World& world, const AcceleratorSettings& how,
+                                      const RenderSettings& small, const std::atomic<bool>& stop) {
+  AcceleratorCost cost{.name = kind.name};
+  auto start = std::chrono::steady_clock::now();
+  const auto accelerator = kind.Make(world, how);
+  cost.build_seconds = SecondsSince(start);
+  cost.bytes = accelerator->Bytes();
+  start = std::chrono::steady_clock::now();
+  RenderMonitor monitor;
+  monitor.stop = &stop;
+  const RenderResult result = Render(world, *accelerator, small, monitor);
+  if (!result.IsComplete()) return {};
+  cost.render_seconds = SecondsSince(start);
+  const RayCounts& rays = result.rays;
+  const auto total = static_cast<double>(std::max<std::uint64_t>(rays.Total(), 1));
+  cost.boxes = static_cast<double>(rays.Cost().box_tests + rays.Cost().node_visits) / total;
+  cost.tests = static_cast<double>(rays.Cost().primitive_tests) / total;
+  return cost;
+}
+
 }  // namespace
 
-std::vector<AcceleratorCost> CostsOfAccelerators(const World& world, const AcceleratorSettings& how,
-                                                 const RenderSettings& settings) {
-  const RenderSettings small = Small(settings, world);
-  std::vector<AcceleratorCost> costs;
+AcceleratorComparison::AcceleratorComparison(std::shared_ptr<const LoadedScene> scene, const AcceleratorSettings& how,
+                                             const RenderSettings& settings)
+    : scene_(std::move(scene)), how_(how), settings_(Small(settings, scene_->world)), thread_([this] { Run(); }) {}
+
+AcceleratorComparison::~AcceleratorComparison() {
+  Stop();
+  thread_.join();
+}
+
+std::vector<AcceleratorCost> AcceleratorComparison::Costs() const {
+  const std::lock_guard lock(mutex_);
+  return costs_;
+}
+
+std::string AcceleratorComparison::Current() const {
+  const std::lock_guard lock(mutex_);
+  return current_;
+}
+
+void AcceleratorComparison::Begin(const std::string& kind) {
+  const std::lock_guard lock(mutex_);
+  current_ = kind;
+  ++version_;
+}
+
+void AcceleratorComparison::Run() {
   for (const AcceleratorKind* kind : AcceleratorKinds()) {
     if (std::string(kind->name) == "auto") continue;
-    AcceleratorCost cost{.name = kind->name};
-    auto start = std::chrono::steady_clock::now();
-    const auto accelerator = kind->Make(world, how);
-    cost.build_seconds = SecondsSince(start);
-    cost.bytes = accelerator->Bytes();
-    start = std::chrono::steady_clock::now();
-    const RayCounts rays = Render(world, *accelerator, small).rays;
-    cost.render_seconds = SecondsSince(start);
-    const auto total = static_cast<double>(std::max<std::uint64_t>(rays.Total(), 1));
-    cost.boxes = static_cast<double>(rays.Cost().box_tests + rays.Cost().node_visits) / total;
-    cost.tests = static_cast<double>(rays.Cost().primitive_tests) / total;
-    costs.push_back(std::move(cost));
+    if (stop_) break;
+    Begin(kind->name);
+    try {
+      auto cost = CostOf(*kind, scene_->world, how_, settings_, stop_);
+      if (!cost) break;
+      const std::lock_guard lock(mutex_);
+      costs_.push_back(std::move(*cost));
+    } catch (const std::bad_alloc&) {
+      continue;  // for this one there is no memory
+    }
   }
-  return costs;
+  Begin({});
+  has_ended_.store(true, std::memory_order_release);
 }
 
 }  // namespace ray

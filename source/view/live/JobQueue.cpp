@@ -1,5 +1,7 @@
 #include "source/view/live/JobQueue.h"
 
+#include <cassert>
+
 namespace ray {
 
 RenderJob& JobQueue::Start(std::shared_ptr<const LoadedScene> scene, const RenderSettings& settings,
@@ -9,11 +11,23 @@ RenderJob& JobQueue::Start(std::shared_ptr<const LoadedScene> scene, const Rende
   return *current_;
 }
 
+RenderJob& JobQueue::Continue(std::shared_ptr<const LoadedScene> scene, const RenderSettings& settings) {
+  assert(current_ && current_->Canceled());
+  current_ = std::make_unique<RenderJob>(std::move(scene), settings, *current_->Canceled());
+  return *current_;
+}
+
 void JobQueue::Abandon() {
   Collect();
   if (!current_) return;
   current_->Cancel();
-  abandoned_.push_back(std::move(current_));
+  if (current_->Stride() == 0) return abandoned_.push_back(std::move(current_));
+  ForgetLast();
+  last_ = std::move(current_);
+}
+
+void JobQueue::ForgetLast() {
+  if (last_) abandoned_.push_back(std::move(last_));
 }
 
 int JobQueue::Collect() {

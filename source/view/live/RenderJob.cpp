@@ -49,7 +49,17 @@ int BandHeight(const RenderSettings& settings) {
 
 RenderJob::RenderJob(std::shared_ptr<const LoadedScene> scene, const RenderSettings& settings, Order order,
                      int first_stride)
-    : scene_(std::move(scene)),
+    : RenderJob(std::move(scene), settings, order, first_stride, {}) {}
+
+RenderJob::RenderJob(std::shared_ptr<const LoadedScene> scene, const RenderSettings& settings, Rows before)
+    : RenderJob(std::move(scene), settings, Order::rows, 1, std::move(before)) {}
+
+RenderJob::RenderJob(std::shared_ptr<const LoadedScene> scene, const RenderSettings& settings, Order order,
+                     int first_stride, std::optional<Rows> before)
+    : before_(std::move(before)),
+      start_(Clock::now() - std::chrono::duration_cast<Clock::duration>(
+                                std::chrono::duration<double>(before_ ? before_->seconds : 0))),
+      scene_(std::move(scene)),
       settings_(ForJob(settings, order)),
       order_(order),
       threads_of_further_samples_(settings.threads),
@@ -68,6 +78,11 @@ std::string RenderJob::Failure() const { return HasEnded() ? failure_ : std::str
 
 const RenderResult* RenderJob::Result() const { return IsComplete() ? &*result_ : nullptr; }
 
+const std::optional<RenderJob::Rows>& RenderJob::Canceled() const {
+  static const std::optional<Rows> none;
+  return HasEnded() && !result_ && failure_.empty() ? canceled_ : none;
+}
+
 double RenderJob::Seconds() const {
   return HasEnded() ? seconds_ : std::chrono::duration<double>(Clock::now() - start_).count();
 }
@@ -85,6 +100,7 @@ void RenderJob::Run() {
     failure_ = "unknown error";
   }
   seconds_ = Seconds();
+  if (canceled_) canceled_->seconds = seconds_;
   has_ended_.store(true, std::memory_order_release);
 }
 
@@ -186,21 +202,32 @@ std::optional<RenderResult> RenderJob::RenderRows(const Integrator& integrator) 
   part_settings.wants_passes = false;
   RenderResult result;
   result.image = R2::Image(region.Width(), region.Height());
+  int first = region.y0;
+  if (before_) {
+    result.image = before_->image;
+    result.rays = before_->rays;
+    result.planned_samples = before_->planned_samples;
+    first += before_->rows;
+    Show(result.image, 0);
+    NoteRows(before_->rows);
+  }
   RenderMonitor monitor;
   monitor.stop = &stop_;
   monitor.tile_done = [&](const RenderProgress& progress) { rays_ = result.rays.Total() + progress.rays; };
-  for (int bottom = region.y0, top; bottom < region.y1; bottom = top) {
+  for (int bottom = first, top; bottom < region.y1; bottom = top) {
     top = std::min(region.y1, (bottom / band + 1) * band);
     part_settings.crop = {region.x0, bottom, region.x1, top};
     const RenderResult part = Render(scene_->world, integrator, part_settings, monitor);
-    if (!part.IsComplete()) return {};
+    if (!part.IsComplete()) {
+      if (RowsDone() > 0) canceled_ = Rows{std::move(result.image), RowsDone(), result.rays, result.planned_samples, 0};
+      return {};
+    }
     result.rays += part.rays;
     result.planned_samples = part.planned_samples;
     for (int y = 0; y < part.image.Height(); ++y)
       for (int x = 0; x < part.image.Width(); ++x) result.image.Set(x, bottom - region.y0 + y, part.image.At(x, y));
     Show(part.image, bottom - region.y0);
-    share_ = static_cast<double>(top - region.y0) / region.Height();
-    rows_done_.store(top - region.y0, std::memory_order_release);
+    NoteRows(top - region.y0);
   }
   result.pixels_done = result.pixels_total = region.Area();
   result.samples = {samples, samples, static_cast<double>(samples)};
@@ -208,6 +235,11 @@ std::optional<RenderResult> RenderJob::RenderRows(const Integrator& integrator) 
   result.passes = {{samples, static_cast<double>(samples), Seconds(), {}}};
   samples_.store(settings_.samples, std::memory_order_release);
   return result;
+}
+
+void RenderJob::NoteRows(int rows) {
+  share_ = static_cast<double>(rows) / frame_.Height();
+  rows_done_.store(rows, std::memory_order_release);
 }
 
 void RenderJob::Show(const R2::Image& image, int first) {

@@ -24,12 +24,24 @@ class RenderJob {
   ///                all at once where neighboring pixels decide who gets samples
   enum class Order { coarse_first, rows };
 
+  /// Rows that a job in order rows had done when it was canceled, for another to go on with.
+  struct Rows {
+    R2::Image image;  // black above the rows
+    int rows = 0;     // from the bottom, >= 1
+    RayCounts rays;
+    std::uint32_t planned_samples = 1;  // see RenderResult
+    double seconds = 0;
+  };
+
   /// Starts at once. `settings.view` is the camera if it is not the scene's. Without `settings.threads` one core is
   /// left to whoever shows the picture, until each pixel has its first sample in order coarse_first. Time counts from
   /// the start of the job, and ends no earlier than with that sample. Limits of budgets are ignored in order rows, and
   /// replays. Strides are powers of two, others are rounded down.
   RenderJob(std::shared_ptr<const LoadedScene> scene, const RenderSettings& settings, Order order,
             int first_stride = 8);
+  /// Continues, in order rows, a job of the same scene and settings; time counts on. The result is that of a job that
+  /// was never canceled, but for the bands of a filter wider than a pixel, some of whose rays count twice.
+  RenderJob(std::shared_ptr<const LoadedScene> scene, const RenderSettings& settings, Rows before);
   /// Cancels, and waits for the pixels that were started.
   ~RenderJob();
   RenderJob(const RenderJob&) = delete;
@@ -57,6 +69,8 @@ class RenderJob {
   int Stride() const { return stride_.load(std::memory_order_acquire); }
   /// Samples per pixel that the frame shows, where it is whole; their mean once it is complete, the most before.
   int Samples() const { return samples_.load(std::memory_order_acquire); }
+  /// What a job in order rows had done when it was canceled; nothing where that was no row, or it did not end so.
+  const std::optional<Rows>& Canceled() const;
   std::uint64_t Rays() const { return rays_.load(std::memory_order_relaxed); }
   /// Since the start, until the end.
   double Seconds() const;
@@ -72,17 +86,22 @@ class RenderJob {
   std::int64_t PixelsBegunAfterCancel() const { return begun_late_.load(); }
 
  private:
+  RenderJob(std::shared_ptr<const LoadedScene> scene, const RenderSettings& settings, Order order, int first_stride,
+            std::optional<Rows> before);
   void Run();
   std::optional<RenderResult> RenderCoarseFirst(const Integrator& integrator);
   RenderResult RenderAll(const Integrator& integrator, const RenderSettings& settings,
                          const RenderMonitor& monitor) const;
   std::optional<RenderResult> RenderAtOnce(const Integrator& integrator);
   std::optional<RenderResult> RenderRows(const Integrator& integrator);
+  /// So many rows are done.
+  void NoteRows(int rows);
   /// A whole picture, or rows of it from `first` up.
   void Show(const R2::Image& image, int first);
 
   using Clock = std::chrono::steady_clock;
-  const Clock::time_point start_ = Clock::now();
+  const std::optional<Rows> before_;
+  const Clock::time_point start_;
   const std::shared_ptr<const LoadedScene> scene_;
   const RenderSettings settings_;
   const Order order_;
@@ -96,6 +115,7 @@ class RenderJob {
   std::atomic<double> pixels_per_second_ = 0, share_ = 0;
   // Written before has_ended_, read after.
   std::optional<RenderResult> result_;
+  std::optional<Rows> canceled_;
   std::string failure_;
   double seconds_ = 0;
   std::thread thread_;  // the last, so that the other members exist when it starts

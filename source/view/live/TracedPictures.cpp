@@ -9,6 +9,7 @@ namespace ray {
 namespace {
 
 constexpr double seconds_of_first_pass = 0.03;  // so that a move is answered within 40 ms
+constexpr double most_seconds_of_first_pass = 0.2;  // that a move waits for the pass of the one before
 
 /// The settings of a live picture in its mode.
 RenderSettings ForLive(RenderSettings settings, bool is_layer, bool is_endless) {
@@ -30,6 +31,12 @@ void TracedPictures::StartTrace(std::shared_ptr<const LoadedScene> scene, const 
   has_reported_end_ = false;
 }
 
+void TracedPictures::ContinueTrace(std::shared_ptr<const LoadedScene> scene, const RenderSettings& settings) {
+  trace_.Continue(std::move(scene), settings);
+  trace_number_ = ++jobs_;
+  has_reported_end_ = false;
+}
+
 bool TracedPictures::StopTrace() {
   if (!IsTracing()) return false;
   trace_.Current()->Cancel();
@@ -46,6 +53,7 @@ const RenderJob* TracedPictures::TakeEnded() {
 
 void TracedPictures::ShowLive(std::optional<RenderMode> mode) {
   is_live_ = is_due_ = true;
+  moves_ = false;
   mode_ = mode;
 }
 
@@ -53,9 +61,11 @@ void TracedPictures::HideLive() {
   is_live_ = is_due_ = false;
   mode_.reset();
   live_.Abandon();
+  live_.ForgetLast();
 }
 
 bool TracedPictures::StopLive() {
+  if (!is_live_) return false;
   if (!is_due_ && (!Live() || Live()->HasEnded())) return false;
   is_due_ = false;
   has_reported_live_end_ = true;
@@ -73,7 +83,10 @@ void TracedPictures::Update(const std::shared_ptr<const LoadedScene>& scene, con
                             bool is_endless) {
   if (Live() && Live()->PixelsPerSecond() > 0) pixels_per_second_ = Live()->PixelsPerSecond();
   if (!is_live_ || !is_due_) return;
+  const bool has_nothing_yet = Live() && !Live()->HasEnded() && Live()->Stride() == 0;
+  if (moves_ && has_nothing_yet && Live()->Seconds() < most_seconds_of_first_pass) return;
   is_due_ = false;
+  if (Live() && Live()->Stride() > 0) last_number_ = live_number_;
   RenderSettings in_mode = settings;
   in_mode.mode = mode_.value_or(settings.mode);
   const auto pixels = static_cast<std::int64_t>(settings.width) * settings.height;
@@ -81,6 +94,16 @@ void TracedPictures::Update(const std::shared_ptr<const LoadedScene>& scene, con
               FirstStride(pixels, pixels_per_second_, seconds_of_first_pass));
   live_number_ = ++jobs_;
   has_reported_live_end_ = false;
+  if (!moves_) live_.ForgetLast();
+}
+
+const RenderJob* TracedPictures::ShownLive() const {
+  if (!is_live_ || !Live()) return nullptr;
+  if (Live()->Stride() > 0) return Live();
+  const RenderJob* last = live_.Last();
+  const bool is_alike = last && last->frame().Width() == Live()->frame().Width() &&
+                        last->frame().Height() == Live()->frame().Height();
+  return is_alike ? last : nullptr;
 }
 
 bool TracedPictures::IsBusy() const { return IsTracing() || (is_live_ && is_due_) || (Live() && !Live()->HasEnded()); }
@@ -97,27 +120,52 @@ std::shared_ptr<const R2::Image> TracedPictures::Current() const {
   return job ? ImageOf(job->frame()) : nullptr;
 }
 
+void TracedPictures::SetReference(ReferenceImage reference) {
+  reference_ = std::move(reference);
+  reference_light_ = reference_.AsLight(encoding_);
+}
+
+void TracedPictures::SetEncoding(const ByteEncoding& encoding) {
+  if (encoding == encoding_) return;
+  encoding_ = encoding;
+  reference_light_ = reference_.AsLight(encoding_);
+}
+
 std::string TracedPictures::Comparison() const {
   const auto current = Current();
   if (!reference_) return "no reference yet; press R to keep the rendered image as one";
   if (!current) return "nothing is rendered yet; press S or P first";
-  if (current->Width() != reference_->Width() || current->Height() != reference_->Height())
-    return "the reference is " + std::to_string(reference_->Width()) + "x" + std::to_string(reference_->Height()) +
+  const R2::Image& reference = *reference_.image;
+  if (current->Width() != reference.Width() || current->Height() != reference.Height())
+    return "the reference is " + std::to_string(reference.Width()) + "x" + std::to_string(reference.Height()) +
            " but the image is " + std::to_string(current->Width()) + "x" + std::to_string(current->Height());
-  const R2::Difference difference = R2::Compare(*current, *reference_, R2::Display::straight);
+  if (!reference_.IsLight()) return EncodedComparison(reference_.Comparable(*current, encoding_));
+  const R2::Difference difference = R2::Compare(*current, reference, R2::Display::straight);
   return "linear RMSE " + Rounded(difference.rmse, 4) + ", display RMSE " + Rounded(difference.display_rmse, 4) +
          " / 255";
 }
 
+std::string TracedPictures::EncodedComparison(const R2::Image& current) const {
+  const R2::Difference difference = R2::Compare(current, *reference_.image, R2::Display::straight);
+  const std::int64_t different = R2::PixelsBeyond(current, *reference_.image, 0.5 / reference_.levels);
+  const double bytes = 255;
+  return std::to_string(different) + " of " + std::to_string(difference.pixels) +
+         (reference_.levels == 255 ? " pixels differ as 8 bits" : " pixels differ as 16 bits") +
+         (different == 0 ? "" : ", RMSE " + Rounded(difference.display_rmse, 4) + " / 255, largest difference " +
+                                    Rounded(bytes * difference.largest.value, 4) + " / 255");
+}
+
 std::shared_ptr<const R2::Image> TracedPictures::Compared() const {
   if (comparing_ == Comparing::no || !reference_) return nullptr;
-  if (comparing_ == Comparing::reference) return reference_;
-  const auto current = Current();
-  if (!current || current->Width() != reference_->Width() || current->Height() != reference_->Height()) return nullptr;
-  auto difference = std::make_shared<R2::Image>(current->Width(), current->Height());
-  for (int y = 0; y < current->Height(); ++y)
-    for (int x = 0; x < current->Width(); ++x) {
-      const R2::Color d = current->At(x, y) - reference_->At(x, y);
+  if (comparing_ == Comparing::reference) return reference_light_;
+  const auto light = Current();
+  const R2::Image& reference = *reference_.image;
+  if (!light || light->Width() != reference.Width() || light->Height() != reference.Height()) return nullptr;
+  const R2::Image current = reference_.Comparable(*light, encoding_);
+  auto difference = std::make_shared<R2::Image>(current.Width(), current.Height());
+  for (int y = 0; y < current.Height(); ++y)
+    for (int x = 0; x < current.Width(); ++x) {
+      const R2::Color d = current.At(x, y) - reference.At(x, y);
       difference->Set(x, y, {std::abs(d.r), std::abs(d.g), std::abs(d.b)});
     }
   return difference;

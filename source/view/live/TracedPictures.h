@@ -6,6 +6,7 @@
 
 #include "source/view/FrameState.h"
 #include "source/view/live/JobQueue.h"
+#include "source/view/live/ReferenceImage.h"
 
 namespace ray {
 
@@ -17,6 +18,10 @@ class TracedPictures {
 
   // The picture of key S.
   void StartTrace(std::shared_ptr<const LoadedScene> scene, const RenderSettings& settings);
+  /// Continues the picture where it was stopped, for the same scene and settings; CanContinue.
+  void ContinueTrace(std::shared_ptr<const LoadedScene> scene, const RenderSettings& settings);
+  /// Whether the picture was stopped after a row was done.
+  bool CanContinue() const { return Trace() && Trace()->Canceled(); }
   /// Whether one was running. What it has so far stays.
   bool StopTrace();
   const RenderJob* Trace() const { return trace_.Current(); }
@@ -34,7 +39,20 @@ class TracedPictures {
   bool IsLive() const { return is_live_; }
   std::optional<RenderMode> LiveMode() const { return mode_; }
   /// Something has changed that the live picture shows: it starts over with the next Update.
-  void Touch() { is_due_ = true; }
+  void Touch() {
+    is_due_ = true;
+    moves_ = false;
+  }
+  /// The view has moved: the live picture starts over as soon as its first pass is whole, so that something traced is
+  /// seen in motion too.
+  void TouchView() {
+    moves_ = is_due_ ? moves_ : true;
+    is_due_ = true;
+  }
+  /// What there is to be seen of the live picture: it, or while it has nothing, that of a moment ago in a view nearby;
+  /// null where there is neither.
+  const RenderJob* ShownLive() const;
+  std::uint64_t ShownLiveNumber() const { return ShownLive() == Live() ? live_number_ : last_number_; }
   /// Starts the live picture over if it is due. `is_endless`: it takes more and more samples, where the settings have
   /// no budget and what is shown gains by them.
   void Update(const std::shared_ptr<const LoadedScene>& scene, const RenderSettings& settings, bool is_endless = false);
@@ -49,8 +67,11 @@ class TracedPictures {
   std::uint64_t LiveNumber() const { return live_number_; }
 
   // Comparing.
-  void SetReference(std::shared_ptr<const R2::Image> image) { reference_ = std::move(image); }
-  const std::shared_ptr<const R2::Image>& Reference() const { return reference_; }
+  void SetReference(ReferenceImage reference);
+  /// How files of bytes hold light: a reference that is one is compared with what they would hold.
+  void SetEncoding(const ByteEncoding& encoding);
+  /// The reference as light; null without one.
+  const std::shared_ptr<const R2::Image>& Reference() const { return reference_light_; }
   /// What is compared: the live picture where it is shown, else the trace, as far as they are; null without one.
   std::shared_ptr<const R2::Image> Current() const;
   void Compare(Comparing how) { comparing_ = how; }
@@ -59,18 +80,24 @@ class TracedPictures {
   std::string Comparison() const;
   /// The image shown instead of the current picture while comparing; null when none is.
   std::shared_ptr<const R2::Image> Compared() const;
+  /// Whether Compared is a difference of values that are encoded already.
+  bool ShowsEncodedDifference() const { return comparing_ == Comparing::difference && !reference_.IsLight(); }
 
   /// The pixels of a frame as they are now.
   static std::shared_ptr<const R2::Image> ImageOf(const Frame& frame);
 
  private:
+  std::string EncodedComparison(const R2::Image& current) const;
+
   JobQueue trace_, live_;
   bool has_reported_end_ = true, has_reported_live_end_ = true;
-  bool is_live_ = false, is_due_ = false;
+  bool is_live_ = false, is_due_ = false, moves_ = false;
   std::optional<RenderMode> mode_;
-  std::uint64_t jobs_ = 0, trace_number_ = 0, live_number_ = 0;
+  std::uint64_t jobs_ = 0, trace_number_ = 0, live_number_ = 0, last_number_ = 0;
   double pixels_per_second_ = 0;  // of the live picture's last pass
-  std::shared_ptr<const R2::Image> reference_;
+  ReferenceImage reference_;
+  std::shared_ptr<const R2::Image> reference_light_;
+  ByteEncoding encoding_;
   Comparing comparing_ = Comparing::no;
 };
 

@@ -204,7 +204,7 @@ Slice AxisSlice(SlicePlane plane, const R3::Point& through, const R3::Box& scene
     case SlicePlane::xz:
       return Around(through, x, z, scene);
     case SlicePlane::yz:
-      return Around(through, y, z, scene);
+      return Around(through, z, y, scene);
     case SlicePlane::xy:
       return Around(through, x, y, scene);
     case SlicePlane::camera_row:

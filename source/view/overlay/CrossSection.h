@@ -29,7 +29,8 @@ struct Slice {
 };
 
 /// The plane with those two axes through a point (`plane` is not camera_row), seen so that its first axis runs to the
-/// right and its second upward. The square is around the middle of the scene and holds all of its cut.
+/// right and its second upward, but for yz, where y runs upward. The square is around the middle of the scene and holds
+/// all of its cut.
 Slice AxisSlice(SlicePlane plane, const R3::Point& through, const R3::Box& scene);
 /// The plane through the eye, camera.right and the directions of view through row `y` of a picture (in pixels from its
 /// lower edge; y + 0.5 is the middle of row y): it holds every ray through that row. The direction of view is up. The

@@ -76,6 +76,11 @@ std::vector<Rgba> ColorsOf(ShownRays kind) {
 
 Rgba ColorOfNormals() { return normal_color; }
 
+RenderSettings DebugRayCounts::Thinned(RenderSettings settings) const {
+  settings.trace.shadow_samples = std::min(settings.trace.shadow_samples, shadow);
+  return settings;
+}
+
 std::vector<PixelTrace> TraceGrid(const World& world, const Accelerator& accelerator, const RenderSettings& settings,
                                   int spacing) {
   const PixelTracer tracer(world, accelerator, settings);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <string>
@@ -36,6 +37,19 @@ std::vector<Rgba> ColorsOf(ShownRays kind);
 Rgba ColorOfNormals();
 
 inline constexpr int debug_ray_spacing = 25;  // pixels whose column and row are multiples of it
+
+/// How many of the renderer's rays are traced to be looked at.
+struct DebugRayCounts {
+  int camera = 1;   // samples of a pixel, >= 1; at most those of the settings count
+  int shadow = 1;   // rays to each light, >= 1; likewise
+  int spacing = 10; // in the cross section: pixels from one that is traced to the next, >= 1
+  friend bool operator==(const DebugRayCounts&, const DebugRayCounts&) = default;
+
+  /// The settings with so few shadow rays.
+  RenderSettings Thinned(RenderSettings settings) const;
+  /// How many samples of a pixel are traced.
+  int SamplesOf(const RenderSettings& settings) const { return std::min(camera, settings.samples); }
+};
 
 /// The rays of the first sample of the pixels whose column and row are multiples of `spacing`.
 std::vector<PixelTrace> TraceGrid(const World& world, const Accelerator& accelerator, const RenderSettings& settings,

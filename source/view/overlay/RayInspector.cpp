@@ -5,9 +5,7 @@
 namespace ray {
 
 void RayInspector::TraceGrid(const LoadedScene& scene, const RenderSettings& settings) {
-  RenderSettings one = settings;
-  one.trace.shadow_samples = 1;
-  grid_ = ray::TraceGrid(scene.world, *scene.accelerator, one);
+  grid_ = ray::TraceGrid(scene.world, *scene.accelerator, counts_.Thinned(settings));
   shows_grid_ = true;
 }
 
@@ -15,7 +13,12 @@ void RayInspector::TracePixel(const LoadedScene& scene, const RenderSettings& se
   pixel_settings_ = settings;
   look_.chosen.reset();
   ++trace_number_;
-  pixel_ = PixelTracer(scene.world, *scene.accelerator, settings).Trace(column, row, settings.samples);
+  pixel_ = PixelTracer(scene.world, *scene.accelerator, counts_.Thinned(settings))
+               .Trace(column, row, counts_.SamplesOf(settings));
+}
+
+void RayInspector::TraceAgain(const LoadedScene& scene) {
+  if (pixel_) TracePixel(scene, pixel_settings_, pixel_->column, pixel_->row);
 }
 
 bool RayInspector::StepPixel(const LoadedScene& scene, int right, int up) {
@@ -34,6 +37,16 @@ void RayInspector::StepBounce(int by) {
   look_.deepest += by;
   if (look_.deepest >= deepest) look_.deepest = -1;
   if (look_.deepest < -1) look_.deepest = deepest - 1;
+}
+
+std::string RayInspector::WhatIsLeftOut() const {
+  const int samples = pixel_settings_.samples, shadows = pixel_settings_.trace.shadow_samples;
+  std::string text;
+  if (counts_.camera < samples)
+    text += ", " + std::to_string(counts_.camera) + " of " + std::to_string(samples) + " samples";
+  if (counts_.shadow < shadows)
+    text += ", " + std::to_string(counts_.shadow) + " of " + std::to_string(shadows) + " shadow rays to an area light";
+  return text;
 }
 
 void RayInspector::ForgetAll() {

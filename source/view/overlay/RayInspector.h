@@ -13,12 +13,20 @@ namespace ray {
 /// camera moves on.
 class RayInspector {
  public:
-  /// The grid of a picture; its settings say from where. One shadow ray goes to each light, however large.
+  /// The grid of a picture; its settings say from where.
   void TraceGrid(const LoadedScene& scene, const RenderSettings& settings);
-  /// One pixel, inside of the picture, with all its samples.
+  /// One pixel, inside of the picture.
   void TracePixel(const LoadedScene& scene, const RenderSettings& settings, int column, int row);
   /// The pixel next to it, in the same picture; false at the border, or when there is none.
   bool StepPixel(const LoadedScene& scene, int right, int up);
+  /// Traces the pixel again, if there is one, with the counts as they are now.
+  void TraceAgain(const LoadedScene& scene);
+  /// For what is traced from now on.
+  void SetCounts(const DebugRayCounts& counts) { counts_ = counts; }
+  const DebugRayCounts& Counts() const { return counts_; }
+  /// How many of the samples, and of the shadow rays to a light, the pixel's rays are, in words that follow others;
+  /// empty where they are all.
+  std::string WhatIsLeftOut() const;
   /// Shows more or fewer bounces.
   void StepBounce(int by);
   void Toggle(ShownRays kind) { look_.shows[static_cast<std::size_t>(kind)] ^= true; }
@@ -48,6 +56,7 @@ class RayInspector {
   std::optional<PixelTrace> pixel_;
   int trace_number_ = 0;
   RenderSettings pixel_settings_;
+  DebugRayCounts counts_;
 };
 
 }  // namespace ray

@@ -3,21 +3,26 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <set>
 #include <string>
 
 #include "R1/Elementary.h"
-#include "source/text/NumberText.h"
+#include "source/view/Plain.h"
 #include "source/view/overlay/CutDrawing.h"
 
 namespace ray {
 namespace {
 
 constexpr int cut_lines = 512;     // of the grid that searches, each way
-constexpr int rays_of_a_row = 20;  // so many pixels of it are traced, evenly spread
 constexpr double step = 0.02;      // of the axis planes, in radii of the scene
 constexpr double crossing_normal_length = 0.03;
 constexpr Rgba crossing_normal_color{255, 120, 220, 160};
-constexpr int normal_every = 16;  // crossings
+constexpr double normal_spacing = 0.04;  // between neighbors of one outline, in half sides of the slice
+// Rays are projected: where they are off the plane they are fainter, so that none seems to cross what it passes by.
+constexpr int pieces_of_ray = 16;
+constexpr double near_plane = 0.02;  // half sides of the slice away, where a ray has lost half of its alpha
+constexpr double faintest_of_row = 0.12, faintest_of_axes = 0.35;  // of axis planes most rays are projected
 constexpr Rgba camera_color{255, 230, 120, 255}, screen_color{120, 255, 160, 255};
 constexpr double dot_radius = 4;          // pixels at letter size 1
 constexpr double way_to_screen = 0.25;    // of the scene's radius, where no lens has a focus distance
@@ -38,8 +43,9 @@ R3::Vector NormalOf(SlicePlane plane) {
   return {};
 }
 
-std::string NameOfPlane(SlicePlane plane) {
-  return plane == SlicePlane::xz ? "xz" : plane == SlicePlane::yz ? "yz" : "xy";
+/// Of what runs to the right and upward.
+std::array<std::string, 2> NamesOfAxes(SlicePlane plane) {
+  return {plane == SlicePlane::yz ? "z" : "x", plane == SlicePlane::xz ? "z" : "y"};
 }
 
 }  // namespace
@@ -58,65 +64,98 @@ void SectionView::Move(int by, int height) {
 }
 
 void SectionView::Cut(const LoadedScene& scene, const RenderSettings& settings, const R3::Point& center,
-                      const DrawingSize& size) {
-  rays_.clear();
-  mark_.reset();
+                      const DrawingSize& size, const DebugRayCounts& counts) {
   R3::Box box = scene.parsed.scene.root.bounds;
+  const double radius = box.Radius() > 0 ? box.Radius() : 1;
+  const Camera camera = settings.view.value_or(scene.parsed.scene.camera);
   Slice slice;
+  PixelLine line{plane_ == SlicePlane::yz, plane_ == SlicePlane::yz ? settings.width / 2 : settings.height / 2};
   if (plane_ == SlicePlane::camera_row) {
     constexpr double middle = 0.5;  // of the row
-    const Camera camera = settings.view.value_or(scene.parsed.scene.camera);
-    slice = CameraSlice(camera, Row(settings.height) + middle, settings.width, settings.height, box);
-    const PixelTracer tracer(scene.world, *scene.accelerator, settings);
-    const int spacing = std::max(1, settings.width / rays_of_a_row);
-    for (int column = 0; column < settings.width; column += spacing)
-      rays_.push_back(tracer.Trace(column, Row(settings.height), 1));
+    line.at = Row(settings.height);
+    slice = CameraSlice(camera, line.at + middle, settings.width, settings.height, box);
     coordinates_ = {{"right", "ahead"}, slice.Project(camera.eye), "the eye"};
-    const double radius = box.Radius() > 0 ? box.Radius() : 1;
-    mark_ = MarkOf(camera, Row(settings.height) + middle, settings, slice, radius);
-    // A little behind it too, so that the numbers along the edge are not over the dot.
-    const R3::Vector way = camera.eye - box.Center();
-    if (!box.IsEmpty() && Length(way) < farthest_shown_eye * radius) box.Extend(camera.eye + room_behind_eye * way);
   } else {
-    const double radius = box.Radius() > 0 ? box.Radius() : 1;
     slice = AxisSlice(plane_, center + offset_ * radius * NormalOf(plane_), box);
-    const std::string names = NameOfPlane(plane_);
-    coordinates_ = {{names.substr(0, 1), names.substr(1)}, slice.Project(R3::Point{}), "the origin"};
+    coordinates_ = {NamesOfAxes(plane_), slice.Project(R3::Point{}), "the origin"};
   }
+  TraceLine(scene, settings, line, counts);
+  mark_ = MarkOf(camera, line, settings, slice, radius);
+  // A little behind the eye too, so that the numbers along the edge are not over its dot.
+  const R3::Vector way = camera.eye - box.Center();
+  if (!box.IsEmpty() && Length(way) < farthest_shown_eye * radius) box.Extend(camera.eye + room_behind_eye * way);
   view_ = SliceView::Of(slice, box, size);
   cut_ = CutOf(scene.world, *scene.accelerator, slice, cut_lines);
 }
 
+void SectionView::TraceLine(const LoadedScene& scene, const RenderSettings& settings, const PixelLine& line,
+                            const DebugRayCounts& counts) {
+  rays_.clear();
+  const PixelTracer tracer(scene.world, *scene.accelerator, counts.Thinned(settings));
+  const int end = line.is_column ? settings.height : settings.width;
+  for (int i = 0; i < end; i += std::max(1, counts.spacing))
+    rays_.push_back(line.is_column ? tracer.Trace(line.at, i, 1) : tracer.Trace(i, line.at, 1));
+}
+
 SliceAxes SectionView::Drawing(const LoadedScene& scene, const RayLook& look, int letter_size) const {
   SliceAxes drawing = AxesOf(view_, coordinates_, letter_size);
-  Lines& lines = drawing.lines;
-  Append(lines, CutFilling(*cut_, scene.world, view_));
-  Append(lines, CutLines(*cut_, scene.world, view_));
-  const Slice& slice = cut_->slice;
-  for (std::size_t i = 0; i < cut_->crossings.size(); i += normal_every) {
-    const Crossing& crossing = cut_->crossings[i];
-    const R2::Point tip = crossing.on_slice + crossing_normal_length * slice.extent * crossing.normal;
-    AddLine(lines, view_.At(crossing.on_slice), view_.At(tip), crossing_normal_color);
-  }
-  // Rays are drawn in a space of their own and dropped onto the plane from there.
-  const Lines in_space = RayLines(rays_, DrawingSpace{slice.center, slice.extent}, look);
-  for (const Vertex& v : in_space) {
-    const R3::Vector way{slice.extent * static_cast<double>(v.at[0]), slice.extent * static_cast<double>(v.at[1]),
-                         slice.extent * static_cast<double>(v.at[2])};
-    lines.push_back({view_.At(slice.Project(slice.center + way)), v.color});
-  }
-  if (mark_) AddMark(lines, letter_size);
+  Append(drawing.lines, CutFilling(*cut_, scene.world, view_));
+  Append(drawing.lines, CutLines(*cut_, scene.world, view_));
+  AddNormals(drawing.lines);
+  AddRays(drawing.lines, look);
+  if (mark_) AddMark(drawing.lines, letter_size);
   return drawing;
 }
 
-SectionView::CameraMark SectionView::MarkOf(const Camera& camera, double y, const RenderSettings& settings,
-                                            const Slice& slice, double scene_radius) {
+/// One of the crossings of an instance in each cell of a grid of squares.
+void SectionView::AddNormals(Lines& lines) const {
+  const Slice& slice = cut_->slice;
+  std::set<std::array<std::int64_t, 3>> taken;
+  const double side = normal_spacing * slice.extent;
+  const auto cell = [&](double x) { return static_cast<std::int64_t>(std::floor(x / side)); };
+  for (const Crossing& crossing : cut_->crossings) {
+    if (!taken.insert({crossing.instance, cell(crossing.on_slice.x), cell(crossing.on_slice.y)}).second) continue;
+    const R2::Point tip = crossing.on_slice + crossing_normal_length * slice.extent * crossing.normal;
+    AddLine(lines, view_.At(crossing.on_slice), view_.At(tip), crossing_normal_color);
+  }
+}
+
+/// Rays are drawn in a space of their own, and projected onto the plane from there.
+void SectionView::AddRays(Lines& lines, const RayLook& look) const {
+  const Slice& slice = cut_->slice;
+  const double faintest = plane_ == SlicePlane::camera_row ? faintest_of_row : faintest_of_axes;
+  const R3::Vector normal = Cross(slice.u, slice.v);
+  const Lines in_space = RayLines(rays_, DrawingSpace{slice.center, slice.extent}, look);
+  for (std::size_t i = 0; i + 1 < in_space.size(); i += 2) {
+    const auto vertex = [&](int piece) {
+      const double share = static_cast<double>(piece) / pieces_of_ray;
+      const auto along = [&](std::size_t k) {
+        const double from = in_space[i].at[k], to = in_space[i + 1].at[k];
+        return (1 - share) * from + share * to;
+      };
+      const R3::Vector way{along(0), along(1), along(2)};
+      const double off = Dot(way, normal) / near_plane;
+      Rgba color = in_space[i].color;
+      color[3] = static_cast<std::uint8_t>(color[3] * (faintest + (1 - faintest) / (1 + off * off)));
+      return Vertex{view_.At(slice.Project(slice.center + slice.extent * way)), color};
+    };
+    for (int piece = 0; piece < pieces_of_ray; ++piece) {
+      lines.push_back(vertex(piece));
+      lines.push_back(vertex(piece + 1));
+    }
+  }
+}
+
+SectionView::CameraMark SectionView::MarkOf(const Camera& camera, const PixelLine& line,
+                                            const RenderSettings& settings, const Slice& slice, double scene_radius) {
   const double way = settings.camera.HasLens() ? settings.camera.focus : way_to_screen * scene_radius;
-  const auto on_screen = [&](double x) {
+  const double middle = line.at + 0.5;
+  const auto on_screen = [&](double along) {
+    const R2::Point p = line.is_column ? R2::Point{middle, along} : R2::Point{along, middle};
     // Directions are 1 long along the axis.
-    return slice.Project(camera.eye + way * camera.Through(x, y, settings.width, settings.height).direction);
+    return slice.Project(camera.eye + way * camera.Through(p.x, p.y, settings.width, settings.height).direction);
   };
-  return {slice.Project(camera.eye), on_screen(0), on_screen(settings.width)};
+  return {slice.Project(camera.eye), on_screen(0), on_screen(line.is_column ? settings.height : settings.width)};
 }
 
 /// A dot, of a line for each row of pixels, and the line of the screen.
@@ -132,10 +171,10 @@ void SectionView::AddMark(Lines& lines, int letter_size) const {
 }
 
 std::string SectionView::Tell(const R2::Point& pixel, const std::optional<R2::Point>& from) const {
-  const auto length = [](const R2::Vector& v) { return Rounded(R1::Hypot(v.x, v.y), 4); };
+  const auto length = [](const R2::Vector& v) { return Plain(R1::Hypot(v.x, v.y), 4); };
   const R2::Point at = view_.InSlice(pixel);
   const R2::Vector way = at - coordinates_.origin;
-  return coordinates_.names[0] + " " + Rounded(way.x, 4) + ", " + coordinates_.names[1] + " " + Rounded(way.y, 4) +
+  return coordinates_.names[0] + " " + Plain(way.x, 4) + ", " + coordinates_.names[1] + " " + Plain(way.y, 4) +
          ": " + length(way) + " from " + coordinates_.origin_name +
          (from ? ", " + length(at - view_.InSlice(*from)) + " from where the button went down" : "");
 }
@@ -145,11 +184,11 @@ std::string SectionView::Describe(int height) const {
     case SlicePlane::camera_row:
       return "row " + std::to_string(Row(height));
     case SlicePlane::xz:
-      return "xz at y " + Rounded(cut_ ? cut_->slice.center.y : 0, 4);
+      return "xz at y " + Plain(cut_ ? cut_->slice.center.y : 0, 4);
     case SlicePlane::yz:
-      return "yz at x " + Rounded(cut_ ? cut_->slice.center.x : 0, 4);
+      return "yz at x " + Plain(cut_ ? cut_->slice.center.x : 0, 4);
     case SlicePlane::xy:
-      return "xy at z " + Rounded(cut_ ? cut_->slice.center.z : 0, 4);
+      return "xy at z " + Plain(cut_ ? cut_->slice.center.z : 0, 4);
   }
   return {};
 }

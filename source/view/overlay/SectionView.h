@@ -19,15 +19,16 @@ class SectionView {
   /// A row up or down of a picture so high, or a hundredth of the scene along the plane's normal.
   void Move(int by, int height);
   /// Cuts the scene again, for a drawing of that size; for camera_row as seen by `settings`, for others through
-  /// `center` of the scene.
-  void Cut(const LoadedScene& scene, const RenderSettings& settings, const R3::Point& center, const DrawingSize& size);
+  /// `center` of the scene. Rays are those of the row, or of the middle row (of the middle column for yz).
+  void Cut(const LoadedScene& scene, const RenderSettings& settings, const R3::Point& center, const DrawingSize& size,
+           const DebugRayCounts& counts = {});
 
   SlicePlane Plane() const { return plane_; }
   /// The row of the picture that camera_row is, from the bottom.
   int Row(int height) const { return row_ < 0 ? height / 2 : std::min(row_, height - 1); }
   /// Once it was cut.
   const std::optional<SceneCut>& cut() const { return cut_; }
-  /// The rays of every so many pixels of the row (camera_row), traced with the cut.
+  /// The rays of every so many pixels, traced with the cut.
   const std::vector<PixelTrace>& Rays() const { return rays_; }
   /// All of it, in the square from -1 to 1, and labels in pixels from its lower left corner. Once it was cut.
   SliceAxes Drawing(const LoadedScene& scene, const RayLook& look, int letter_size) const;
@@ -37,13 +38,22 @@ class SectionView {
   std::string Describe(int height) const;
 
  private:
-  /// The camera in the plane of one of its rows, in the slice's coordinates: the eye, and the ends of that row in a
-  /// picture before it.
+  /// The camera as the slice shows it, in its coordinates: the eye, and the ends of a row or column in a picture
+  /// before it.
   struct CameraMark {
     R2::Point eye, left, right;
   };
-  static CameraMark MarkOf(const Camera& camera, double y, const RenderSettings& settings, const Slice& slice,
-                           double scene_radius);
+  /// A row or a column of a picture.
+  struct PixelLine {
+    bool is_column = false;
+    int at = 0;
+  };
+  void TraceLine(const LoadedScene& scene, const RenderSettings& settings, const PixelLine& line,
+                 const DebugRayCounts& counts);
+  static CameraMark MarkOf(const Camera& camera, const PixelLine& line, const RenderSettings& settings,
+                           const Slice& slice, double scene_radius);
+  void AddNormals(Lines& lines) const;
+  void AddRays(Lines& lines, const RayLook& look) const;
   void AddMark(Lines& lines, int letter_size) const;
 
   bool is_shown_ = false;
@@ -54,7 +64,7 @@ class SectionView {
   SliceView view_;
   SliceCoordinates coordinates_;
   std::vector<PixelTrace> rays_;
-  std::optional<CameraMark> mark_;  // of camera_row
+  std::optional<CameraMark> mark_;
 };
 
 }  // namespace ray

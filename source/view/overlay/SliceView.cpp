@@ -21,14 +21,29 @@ constexpr double rows_of_a_number = 3;
 struct Ticks {
   double step = 0;
   std::vector<double> at;
+  int power = 0;  // numbers are shown in units of 10 to it, which the name of the axis says
 
   /// With digits enough to tell each from the next.
   std::string Text(double value) const {
-    const double largest = std::max(std::abs(at.front()), std::abs(at.back()));
-    const double needed = 1 + std::ceil(R1::Log10(std::max(1.0, largest / step)));
-    return Rounded(value, static_cast<int>(std::clamp(needed, 1.0, 17.0)));
+    constexpr double most_decimals = 15;  // of a double near 1
+    const double unit = R1::Pow(10, power), decimals = -std::floor(R1::Log10(step / unit) + rounding);
+    return Fixed(value / unit, static_cast<int>(std::clamp(decimals, 0.0, most_decimals)));
   }
+  /// "x", or "x, 10^6" where numbers are in millions.
+  std::string Name(const std::string& name) const {
+    return power == 0 ? name : name + ", 10^" + std::to_string(power);
+  }
+
+ private:
+  static constexpr double rounding = 1e-9;  // of a step's logarithm
 };
+
+/// Numbers from 1e-6 to below 1e9 are short enough in full.
+int PowerFor(double tick_step, double largest) {
+  constexpr double least_step = 1e-6, most = 1e9;
+  if (tick_step >= least_step && largest < most) return 0;
+  return 3 * static_cast<int>(std::floor(R1::Log10(largest) / 3));
+}
 
 Ticks TicksOf(double low, double high, double room_for) {
   Ticks ticks;
@@ -41,18 +56,23 @@ Ticks TicksOf(double low, double high, double room_for) {
     const double value = (first + i) * ticks.step + 0.0;  // which is never -0
     if (value <= high) ticks.at.push_back(value);
   }
+  if (!ticks.at.empty())
+    ticks.power = PowerFor(ticks.step, std::max({std::abs(ticks.at.front()), std::abs(ticks.at.back()), ticks.step}));
   return ticks;
 }
 
-void AddScale(SliceAxes& axes, const SliceView& view, const Ticks& ticks, int letter_size) {
+/// Nothing where there is no room for it to the right of `numbers_end`, a column of the drawing.
+void AddScale(SliceAxes& axes, const SliceView& view, const Ticks& ticks, int letter_size, double numbers_end) {
   const double letter = letter_size * letter_wide, line = letter_size * letter_high, edge = letter_size * gap;
-  const std::string text = Rounded(ticks.step, 3);
+  const std::string text = ticks.Text(ticks.step) + (ticks.power == 0 ? "" : " 10^" + std::to_string(ticks.power));
   const double right = view.size.width - edge, left = right - ticks.step / view.pixel, y = 2 * line;
+  const double wide = letter * static_cast<double>(text.size());
+  const double text_left = std::min((left + right - wide) / 2, right - wide);
+  if (std::min(left, text_left) < numbers_end + letter) return;
   const auto at = [&](double x, double height) { return view.At(view.InSlice({x, height})); };
   AddLine(axes.lines, at(left, y), at(right, y), scale_color);
   for (const double x : {left, right}) AddLine(axes.lines, at(x, y - edge), at(x, y + edge), scale_color);
-  const double wide = letter * static_cast<double>(text.size());
-  axes.labels.push_back({std::min((left + right - wide) / 2, right - wide), y + edge, text, scale_color});
+  axes.labels.push_back({text_left, y + edge, text, scale_color});
 }
 
 }  // namespace
@@ -87,9 +107,9 @@ SliceAxes AxesOf(const SliceView& view, const SliceCoordinates& coordinates, int
   const R2::Point low = view.InSlice({0, 0}),
                   high = view.InSlice(R2::Point{double(view.size.width), double(view.size.height)});
   const R2::Point& origin = coordinates.origin;
-  const auto& [right_name, up_name] = coordinates.names;
-  const double right_end = view.size.width - edge - letter * static_cast<double>(right_name.size());
   const Ticks across = TicksOf(low.x - origin.x, high.x - origin.x, view.size.width / (columns_of_a_number * letter));
+  const std::string right_name = across.Name(coordinates.names[0]);
+  const double right_end = view.size.width - edge - letter * static_cast<double>(right_name.size());
   double free_from = 0;  // numbers far from 0 are long
   for (const double x : across.at) {
     const R2::Point foot{x + origin.x, low.y};
@@ -101,18 +121,21 @@ SliceAxes AxesOf(const SliceView& view, const SliceCoordinates& coordinates, int
     free_from = left + wide + letter;
   }
   const Ticks upward = TicksOf(low.y - origin.y, high.y - origin.y, view.size.height / (rows_of_a_number * line));
+  double numbers_end = 0;
   for (const double y : upward.at) {
     const R2::Point foot{low.x, y + origin.y};
     AddLine(axes.lines, view.At(foot), view.At({high.x, foot.y}), y == 0 ? zero_color : grid_color);
     const double bottom = view.Pixel(foot).y - line / 2;
     // Above the numbers of the other axis, and below the name of this one.
-    if (bottom >= edge + line && bottom + 2 * line + edge <= view.size.height)
-      axes.labels.push_back({edge, bottom, upward.Text(y), number_color});
+    if (bottom < edge + line || bottom + 2 * line + edge > view.size.height) continue;
+    const std::string text = upward.Text(y);
+    axes.labels.push_back({edge, bottom, text, number_color});
+    numbers_end = std::max(numbers_end, edge + letter * static_cast<double>(text.size()));
   }
   if (across.at.empty() || upward.at.empty()) return axes;
   axes.labels.push_back({right_end, edge, right_name, scale_color});
-  axes.labels.push_back({edge, view.size.height - line - edge, up_name, scale_color});
-  AddScale(axes, view, across, letter_size);
+  axes.labels.push_back({edge, view.size.height - line - edge, upward.Name(coordinates.names[1]), scale_color});
+  AddScale(axes, view, across, letter_size, numbers_end);
   return axes;
 }
 

@@ -4,13 +4,13 @@
 #include <string_view>
 
 #include "source/text/Number.h"
-#include "source/text/NumberText.h"
+#include "source/view/Plain.h"
 
 namespace ray {
 
 std::string Brief(double number) {
   constexpr int digits = 4;  // an eye compares them
-  return Rounded(number, digits);
+  return Plain(number, digits);
 }
 std::string Brief(const R2::Color& c) { return Brief(c.r) + " " + Brief(c.g) + " " + Brief(c.b); }
 std::string Brief(const R3::Point& p) { return Brief(p.x) + " " + Brief(p.y) + " " + Brief(p.z); }

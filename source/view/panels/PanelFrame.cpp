@@ -42,9 +42,14 @@ bool PanelFrame::Heading(const char* name, bool is_open_at_first) {
 }
 
 void PanelFrame::Say(const std::string& text) {
-  ImGui::PushTextWrapPos(0);
-  ImGui::TextUnformatted(text.c_str());
-  ImGui::PopTextWrapPos();
+  const float room = ImGui::GetContentRegionAvail().x, letter = ImGui::CalcTextSize("0").x;
+  // Dear ImGui would break numbers at their point as well. Scripts are told the text in one line.
+  const bool is_logged = ImGui::GetCurrentContext()->LogEnabled;
+  if (is_logged || ImGui::CalcTextSize(text.c_str()).x <= room) return ImGui::TextUnformatted(text.c_str());
+  std::string lines;
+  for (const std::string& line : InLines(text, static_cast<int>(room / letter)))
+    lines += (lines.empty() ? "" : "\n") + line;
+  ImGui::TextUnformatted(lines.c_str());
 }
 
 void PanelFrame::Fact(const std::string& name, const std::string& value) {

@@ -11,7 +11,6 @@ namespace ray {
 namespace {
 
 constexpr double letter_height = 13;        // at scale 1: the height of Dear ImGui's own letters
-constexpr float opacity_of_column = 0.94F;  // what is behind can be guessed, and letters read
 
 /// Where Debian, Fedora and Arch keep it.
 constexpr std::array letter_files{"/usr/share/fonts/truetype/dejavu/DejaVuSansMono.ttf",
@@ -21,8 +20,8 @@ constexpr std::array letter_files{"/usr/share/fonts/truetype/dejavu/DejaVuSansMo
 /// A gray, or nearly: of equal red and green.
 ImVec4 Gray(float level, float blue) { return {level, level, blue, 1}; }
 
-/// Dear ImGui's own, but for those that are too faint: letters keep 4.5 : 1 to what is behind them, whatever is seen
-/// through the column, and the frames of what can be clicked 3 : 1.
+/// Dear ImGui's own, but for those that are too faint: letters keep 4.5 : 1 to what is behind them, and the
+/// frames of what can be clicked 3 : 1.
 ///   source   W3C, Web Content Accessibility Guidelines 2.1, 1.4.3 and 1.4.11
 void MakeReadable(PanelTheme theme, ImGuiStyle& style) {
   ImVec4* colors = style.Colors;
@@ -52,7 +51,7 @@ void UseLook(PanelTheme theme, double scale) {
   else
     ImGui::StyleColorsLight(&style);
   MakeReadable(theme, style);
-  style.Colors[ImGuiCol_WindowBg].w = opacity_of_column;
+  style.Colors[ImGuiCol_WindowBg].w = 1;  // nothing is behind: the view ends beside the column
   style.FrameBorderSize = static_cast<float>(std::max(1.0, std::floor(scale)));
   style.WindowRounding = style.ScrollbarRounding = style.GrabRounding = style.FrameRounding = 0;
   for (const int grip : {ImGuiCol_ResizeGrip, ImGuiCol_ResizeGripHovered, ImGuiCol_ResizeGripActive})
@@ -77,7 +76,11 @@ std::shared_ptr<const InkSheet> UseLetters(double scale) {
     std::error_code error;
     return std::filesystem::is_regular_file(name, error);
   });
-  if (file == letter_files.end() || !atlas.AddFontFromFileTTF(*file, whole_pixels.SizePixels, &whole_pixels)) {
+  // Latin with its accents, Greek, Cyrillic, dashes and arrows.
+  static constexpr std::array<ImWchar, 13> letters{0x20,  0x24F,  0x370,  0x3FF,  0x400,  0x52F, 0x2010,
+                                                   0x205E, 0x2190, 0x21FF, 0x2200, 0x22FF, 0};
+  if (file == letter_files.end() ||
+      !atlas.AddFontFromFileTTF(*file, whole_pixels.SizePixels, &whole_pixels, letters.data())) {
     // Drawn for one size; others are multiples of it.
     whole_pixels.SizePixels = static_cast<float>(letter_height * std::max(1.0, std::floor(scale)));
     atlas.AddFontDefault(&whole_pixels);

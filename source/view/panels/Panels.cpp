@@ -320,7 +320,8 @@ class ImGuiPanels : public Panels {
     constexpr auto flags = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                            ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoFocusOnAppearing;
     ImGui::Begin("column", nullptr, flags);
-    if (ImGui::GetWindowWidth() != width) look_.width = ImGui::GetWindowWidth() / Scale();  // its edge was dragged
+    // Its edge was dragged; what a small window leaves no room for is no choice of the user's.
+    if (holder_ == Holder::panels && ImGui::GetWindowWidth() != width) look_.width = ImGui::GetWindowWidth() / Scale();
     if (wants_text_) ImGui::LogToBuffer(0);
     for (std::size_t i = 0; i < panels_.size(); ++i) {
       if (!panels_[i]->IsOfUse(frame.viewer)) continue;

@@ -1,9 +1,9 @@
 #include <imgui.h>
 
 #include <cmath>
-#include <utility>
+#include <vector>
 
-#include "source/text/NumberText.h"
+#include "source/view/Plain.h"
 #include "source/view/live/AcceleratorCost.h"
 #include "source/view/panels/Panel.h"
 
@@ -11,7 +11,7 @@
 namespace ray {
 namespace {
 
-std::string Digits(double number) { return Rounded(number, 3); }
+std::string Digits(double number) { return Plain(number, 3); }
 
 /// To the microsecond, below which clocks tell little.
 std::string Milliseconds(double seconds) {
@@ -26,20 +26,24 @@ class AcceleratorsPanel : public Panel {
     frame.Fact("built", accelerator.kind);
     for (const std::string& reason : accelerator.reasons) frame.Say(reason);
     for (const std::string& line : accelerator.Explain()) frame.Say(line);
-    if (std::exchange(scene_number_, frame.viewer.SceneNumber()) != frame.viewer.SceneNumber()) costs_.clear();
-    // Done between frames, as it takes its time.
-    if (frame.Button("compare all")) frame.Ask([this](Viewer& v) { costs_ = v.CostsOfAccelerators(); });
-    if (!costs_.empty()) DrawCosts(frame, accelerator.kind);
+    const AcceleratorComparison* found = frame.viewer.ComparedAccelerators();
+    if (found && !found->HasEnded()) {
+      frame.Say("building and trying " + found->Current());
+      if (frame.Button("stop")) frame.Ask([](Viewer& v) { v.StopComparingAccelerators(); });
+    } else if (frame.Button("compare all")) {
+      frame.Ask([](Viewer& v) { v.CompareAccelerators(); });
+    }
+    if (found && !found->Costs().empty()) DrawCosts(frame, found->Costs(), accelerator.kind);
   }
 
  private:
-  void DrawCosts(PanelFrame& frame, const std::string& in_force) {
+  static void DrawCosts(PanelFrame& frame, const std::vector<AcceleratorCost>& costs, const std::string& in_force) {
     constexpr const char* titles[] = {"", "build", "draw", "box", "test", "kB"};
     if (!ImGui::BeginTable("costs", std::size(titles), ImGuiTableFlags_SizingFixedFit)) return;
     for (const char* title : titles) ImGui::TableSetupColumn(title);
     ImGui::TableHeadersRow();
     constexpr double kilo = 1e3;
-    for (const AcceleratorCost& cost : costs_) {
+    for (const AcceleratorCost& cost : costs) {
       ImGui::TableNextColumn();
       if (frame.Choice(cost.name, cost.name == in_force))
         frame.Ask([name = cost.name](Viewer& v) { v.ChangeOption("accel", name); });
@@ -55,9 +59,6 @@ class AcceleratorsPanel : public Panel {
         "ms to build, and to draw a small picture of this view; boxes and primitives tested per ray. A click takes "
         "one; the image stays the same.");
   }
-
-  int scene_number_ = 0;
-  std::vector<AcceleratorCost> costs_;  // empty until they are asked for
 };
 
 }  // namespace

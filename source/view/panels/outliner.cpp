@@ -1,5 +1,6 @@
 #include <imgui.h>
 
+#include "source/text/Words.h"
 #include "source/view/panels/Brief.h"
 #include "source/view/panels/Tree.h"
 
@@ -18,7 +19,7 @@ std::string NodeName(const FlatNode& flat) {
   } else if (node.shape) {
     const auto recipe = node.shape->MadeFrom();
     const int elements = node.shape->Elements();
-    name = recipe ? recipe->kind : "mesh of " + std::to_string(elements) + (elements == 1 ? " triangle" : " triangles");
+    name = recipe ? recipe->kind : "mesh of " + Counted(static_cast<std::uint64_t>(elements), "triangle");
   }
   return name + (node.location.line > 0 ? ", line " + std::to_string(node.location.line) : "");
 }
@@ -81,7 +82,8 @@ class Outliner : public Panel {
       return children;
     };
     const auto text_of = [&](std::size_t node) {
-      return node == 0 ? "scene, " + std::to_string(world.Primitives()) + " primitives" : NodeName(world.Nodes()[node]);
+      if (node != 0) return NodeName(world.Nodes()[node]);
+      return "scene, " + Counted(static_cast<std::uint64_t>(world.Primitives()), "primitive");
     };
     const auto clicked =
         nodes_.Draw(frame, "nodes", {{0}, children_of, text_of}, outliner_lines, frame.viewer.ChosenNode());

@@ -64,6 +64,25 @@ void DrawLegend(PanelFrame& frame) {
   if (frame.Check("normals", look.normals)) frame.Ask([](Viewer& v) { v.ToggleNormals(); });
 }
 
+/// How many rays are traced to be looked at, each a number that is typed.
+void DrawCounts(PanelFrame& frame) {
+  const DebugRayCounts now = frame.viewer.Rays().Counts();
+  constexpr int most = 4096;
+  const auto number = [&](const char* name, int DebugRayCounts::*count) {
+    int value = now.*count;
+    ImGui::SetNextItemWidth(8 * ImGui::CalcTextSize("0").x);
+    const bool is_typed = ImGui::InputInt(name, &value, 0, 0, ImGuiInputTextFlags_EnterReturnsTrue);
+    frame.Note(name);
+    if (!is_typed) return;
+    DebugRayCounts counts = now;
+    counts.*count = std::clamp(value, 1, most);
+    frame.Ask([counts](Viewer& v) { v.SetDebugRays(counts); });
+  };
+  number("camera rays per pixel", &DebugRayCounts::camera);
+  number("shadow rays per light", &DebugRayCounts::shadow);
+  number("pixels apart in the cut", &DebugRayCounts::spacing);
+}
+
 class PixelPanel : public Panel {
  public:
   void Draw(PanelFrame& frame) override {
@@ -72,7 +91,10 @@ class PixelPanel : public Panel {
     const auto& pixel = frame.viewer.Rays().Pixel();
     if (!pixel) frame.Say("Right-click a pixel: its rays are listed here.");
     if (pixel) DrawPixel(frame, *pixel);
-    if (pixel || frame.viewer.Rays().ShowsGrid()) DrawLegend(frame);
+    if (pixel || frame.viewer.Rays().ShowsGrid() || frame.viewer.Section().IsShown()) {
+      DrawLegend(frame);
+      DrawCounts(frame);
+    }
   }
 
  private:

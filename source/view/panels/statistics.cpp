@@ -2,6 +2,7 @@
 
 #include "source/text/EnumNames.h"
 #include "source/text/NumberText.h"
+#include "source/text/Words.h"
 #include "source/view/live/JobStatus.h"
 #include "source/view/panels/Brief.h"
 #include "source/view/panels/Panel.h"
@@ -29,16 +30,16 @@ void DrawRays(PanelFrame& frame, const RayCounts& rays) {
     row(ray_kind_names[kind], rays.kinds[kind].rays, rays.kinds[kind].cost);
   row("all", rays.Total(), rays.Cost());
   ImGui::EndTable();
-  if (rays.cut > 0) frame.Fact("cut", std::to_string(rays.cut) + " rays");
+  if (rays.cut > 0) frame.Fact("cut", Counted(rays.cut, "ray"));
 }
 
 class StatisticsPanel : public Panel {
  public:
   void Draw(PanelFrame& frame) override {
     const World& world = frame.viewer.scene().world;
-    frame.Fact("scene", std::to_string(world.Primitives()) + " primitives, " +
-                            std::to_string(world.Instances().size()) + " instances, " +
-                            std::to_string(world.Nodes().size()) + " nodes");
+    frame.Fact("scene", Counted(static_cast<std::uint64_t>(world.Primitives()), "primitive") + ", " +
+                            Counted(world.Instances().size(), "instance") + ", " +
+                            Counted(world.Nodes().size(), "node"));
     const TracedPictures& pictures = frame.viewer.Pictures();
     const RenderJob* job = pictures.IsLive() ? pictures.Live() : pictures.Trace();
     if (!job) return frame.Say("Nothing is rendered yet; P renders live, S an image.");

@@ -18,6 +18,7 @@ struct PreviewView {
   /// Towards the lower left corner; what is to be added for the lower right, and for the upper left one.
   std::array<std::array<float, 3>, 3> directions{};
   Exposure exposure;
+  std::array<float, 2> depths{};  // of the nearest and the farthest surface seen, where the mode shows how far they are
 };
 
 PreviewView ViewFrom(const Camera& camera, const DrawingSpace& space, const DrawingSize& size,

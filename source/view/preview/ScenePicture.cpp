@@ -7,7 +7,11 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <set>
+#include <tuple>
 #include <unordered_map>
+#include <utility>
 
 #include "R1/Elementary.h"
 #include "source/integrate/shading/Bsdf.h"
@@ -21,12 +25,14 @@ namespace {
 constexpr std::array finenesses{64, 40, 32, 24, 16, 12, 8, 6};
 constexpr int usual_fineness = 40;
 constexpr int only_boxes = 0;  // a fineness
+constexpr std::int64_t most_bounces_shown = 4;  // of mirrors in mirrors
 constexpr std::int64_t box_triangles = 12, box_vertices = 8;
 
 /// How finely to draw, and which share of what can be left out is drawn.
 struct Plan {
   int fineness = only_boxes;
   double share = 1;
+  std::int64_t triangles = 0;  // about as many
 };
 
 bool IsDrawn(const Instance& instance) { return !instance.shape->IsDegenerate(); }
@@ -51,8 +57,10 @@ Plan PlanFor(const World& world, const PictureBudget& budget) {
     const bool is_little = all - least <= budget.usual_triangles / 4;
     if (fineness > usual_fineness ? all > budget.quick_triangles : all > budget.usual_triangles && !is_little) continue;
     plan.fineness = fineness;
+    plan.triangles = all;
     break;
   }
+  if (plan.fineness == only_boxes) plan.triangles = least;
   std::int64_t thinned = 0, whole = 0;  // vertices
   for (const Instance& instance : world.Instances()) {
     if (!IsDrawn(instance)) continue;
@@ -116,6 +124,8 @@ SurfaceMaterial LookOf(const Material& m, const Scene& scene, const DrawingSpace
   look.has_vertex_colors = m.has_vertex_colors;
   look.one_sided = m.one_sided;
   look.bump_height = m.bump_height / space.radius;
+  look.flat_painted = m.color.value_or(m.kd);
+  if (!m.color) look.flat_plain = m.kr + m.kt;
   return look;
 }
 
@@ -139,6 +149,7 @@ class Builder {
       : world_(world), trace_(trace), space_(space), budget_(budget), plan_(PlanFor(world, budget)) {
     for (const Instance& instance : world.Instances()) has_textures_ |= HasImages(*instance.material);
     for (const Instance& instance : world.Instances()) has_colors_ |= instance.material->has_vertex_colors;
+    if (trace.max_depth > 0) PlaceProbes();
   }
 
   ScenePicture Run() {
@@ -175,12 +186,85 @@ class Builder {
   }
 
  private:
-  /// A piece of what has no end, made so large that the scene looks small on it.
+  /// An object that mirrors or bends light, and how large it looks from outside.
+  struct Mirror {
+    const Instance* instance;
+    R3::Point middle;
+    double size;
+  };
+
+  static bool Mirrors(const Material& m) {
+    const bool bends = m.ir != 1 && !IsBlack(m.kt);
+    return !IsBlack(m.kr) || bends || m.coat > 0;
+  }
+
+  /// Of what has no end, the place nearest to the middle of the scene, and a little off its surface.
+  R3::Point MiddleOfEndless(const Instance& instance) const {
+    constexpr double off_surface = 0.05;  // radii of the scene
+    const R3::MeshData data = instance.shape->Tessellate(finenesses.back());
+    const R3::Transform& world_from_local = world_.Frames()[instance.frame];
+    const R3::Point on = world_from_local * data.positions[data.positions.size() / 2];
+    const R3::Vector n = Unit(AsVector(world_from_local * data.normals.front()));
+    const double height = Dot(space_.center - on, n);
+    return space_.center - height * n + (height < 0 ? -off_surface : off_surface) * space_.radius * n;
+  }
+
+  /// The largest mirrors have a probe each, others share that of the nearest.
+  void PlaceProbes() {
+    std::vector<Mirror> mirrors;
+    for (const Instance& instance : world_.Instances()) {
+      if (!IsDrawn(instance) || !Mirrors(*instance.material)) continue;
+      if (!instance.is_bounded) {
+        mirrors.push_back({&instance, MiddleOfEndless(instance), R3::infinity});
+      } else {
+        const R3::Box box = world_.InWorld(instance.frame, Bounds(*instance.shape));
+        mirrors.push_back({&instance, box.Center(), box.Radius()});
+      }
+    }
+    std::ranges::stable_sort(mirrors, [](const Mirror& a, const Mirror& b) { return a.size > b.size; });
+    std::vector<R3::Point> places;
+    const auto most = static_cast<std::size_t>(std::min<std::int64_t>(TimesInProbes(1), most_mirror_probes));
+    if (most == 0) return;
+    for (const Mirror& mirror : mirrors) {
+      const double close = 1e-3 * space_.radius;  // as the two triangles of a square
+      const auto same = std::ranges::find_if(
+          places, [&](const R3::Point& place) { return Length(place - mirror.middle) < close; });
+      if (same != places.end()) {
+        probe_of_[mirror.instance] = static_cast<int>(same - places.begin());
+        owners_.insert(mirror.instance);
+        continue;
+      }
+      if (places.size() < most) {
+        probe_of_[mirror.instance] = static_cast<int>(places.size());
+        owners_.insert(mirror.instance);
+        places.push_back(mirror.middle);
+        picture_.surfaces.probes.push_back({space_.At(mirror.middle)});
+        continue;
+      }
+      const auto nearest = std::ranges::min_element(
+          places, {}, [&](const R3::Point& place) { return Length(place - mirror.middle); });
+      probe_of_[mirror.instance] = static_cast<int>(nearest - places.begin());
+    }
+    const auto probes = static_cast<std::int64_t>(places.size());
+    if (probes == 0) return;
+    const auto times = std::clamp<std::int64_t>(TimesInProbes(probes), 1, most_bounces_shown);
+    picture_.mirror_bounces = static_cast<int>(times);
+  }
+
+  /// How often so many probes can be filled in about a second of a renderer in software.
+  std::int64_t TimesInProbes(std::int64_t probes) const {
+    constexpr std::int64_t most_triangles = 24'000'000, sides = 6;
+    return most_triangles / std::max<std::int64_t>(1, sides * probes * plan_.triangles);
+  }
+
+  /// A piece of what has no end, made so large that its edge cannot be told from the horizon: at 10,000 radii, an eye
+  /// one radius above it sees the edge 1e-4 radians below that.
   R3::MeshData Spread(R3::MeshData data, const Instance& instance) const {
     const R3::Transform& world_from_local = world_.Frames()[instance.frame];
     const R3::Point &first = data.positions.front(), middle = first + 0.5 * (data.positions.back() - first);
     const R3::Point center = world_from_local * middle;
-    const double reach = times_the_scene * space_.radius + Length(center - space_.center);
+    constexpr double to_the_horizon = 1e4;  // radii of the scene
+    const double reach = to_the_horizon * space_.radius + Length(center - space_.center);
     const double factor = reach / Length(world_from_local * first - center);
     for (R3::Point& p : data.positions) p = middle + factor * (p - middle);
     for (R2::Point& uv : data.uvs) uv = {factor * uv.x, factor * uv.y};
@@ -231,12 +315,16 @@ class Builder {
 
   Draft& DraftFor(const Instance& instance) {
     const Material* material = instance.material;
-    const auto [found, is_new] = number_of_.try_emplace(material, drafts_.size());
+    const auto probe = probe_of_.find(&instance);
+    const std::tuple key{material, probe == probe_of_.end() ? -1 : probe->second, owners_.contains(&instance)};
+    const auto [found, is_new] = number_of_.try_emplace(key, drafts_.size());
     if (is_new) {
       drafts_.emplace_back();
+      drafts_.back().batch.probe = std::get<1>(key);
+      drafts_.back().batch.owns_probe = std::get<2>(key);
       drafts_.back().batch.material = LookOf(*material, world_.scene(), space_, trace_);
-      // Where light from the environment alone is shown bent, nothing else is seen through.
-      const bool is_bending = material->ir != 1 && world_.scene().environment;
+      // Where bent light is shown, nothing is seen through straight on.
+      const bool is_bending = material->ir != 1 && (world_.scene().environment || std::get<1>(key) >= 0);
       drafts_.back().batch.is_clear = Luminance(material->kt) > 0 && !is_bending;
     }
     Draft& draft = drafts_[found->second];
@@ -279,12 +367,38 @@ class Builder {
   Plan plan_;
   bool has_textures_ = false, has_colors_ = false;
   std::vector<Draft> drafts_;
-  std::unordered_map<const Material*, std::size_t> number_of_;
+  // By material, probe, and whether it owns that.
+  std::map<std::tuple<const Material*, int, bool>, std::size_t> number_of_;
+  std::set<const Instance*> owners_;  // of probes
+  std::unordered_map<const Instance*, int> probe_of_;                // of mirrors
   R3::MeshData data_;
   ScenePicture picture_;
 };
 
 }  // namespace
+
+bool IsPreviewed(RenderMode mode) {
+  switch (mode) {
+    case RenderMode::whitted:
+    case RenderMode::path:
+    case RenderMode::depth:
+    case RenderMode::normal:
+    case RenderMode::uv:
+    case RenderMode::albedo:
+    case RenderMode::flat:
+    case RenderMode::normal_color:
+    case RenderMode::uv_color:
+    case RenderMode::zbuffer:
+    case RenderMode::gooch:
+    case RenderMode::toon:
+      return true;
+    case RenderMode::heat:
+    case RenderMode::rays:
+    case RenderMode::id:
+      break;
+  }
+  return false;
+}
 
 ScenePicture PictureOf(const World& world, const RenderSettings& settings, const DrawingSpace& space,
                        const PictureBudget& budget) {
@@ -298,6 +412,9 @@ ScenePicture PictureOf(const World& world, const RenderSettings& settings, const
   else if (settings.mode == RenderMode::path)
     picture.diffuse_light = DiffuseLightOf(scene.background);
   picture.fresnel = settings.trace.fresnel;
+  picture.shadows = settings.trace.shadows;
+  picture.mirror_bounces = static_cast<int>(std::min<std::int64_t>(settings.trace.max_depth, picture.mirror_bounces));
+  picture.look = {settings.mode, settings.trace.gooch, settings.trace.toon_bands, settings.trace.zbuffer};
   return picture;
 }
 

@@ -9,6 +9,8 @@ namespace ray {
 
 /// So many views of the scene at most: 96 MB of depths.
 inline constexpr std::size_t most_shadow_views = 24;
+/// Of a light that is no point: its middle, and six about it at two thirds of its area.
+inline constexpr int places_of_light = 7;
 
 /// How lights see the scene, for shadow maps.
 struct ShadowViews {
@@ -16,11 +18,15 @@ struct ShadowViews {
   /// Of each light: 0 where it casts no shadows, k + 1 where view k sees all that it lights, -k - 1 where six do from k
   /// on, towards +x, -x, +y, -y, +z, -z.
   std::vector<int> first;
+  /// Of each light: from how many places on it views look that see all that it lights, each one; 1 with six views.
+  std::vector<int> places;
 };
 
 /// One view along a light that is infinitely far, and from one that is outside of the scene or a narrow spot; six from
-/// others. The first lights come first, as far as there is room. What is nearer to a light than its own radius casts no
-/// shadow: it may be the lamp. Only what is in the scene's sphere does, whatever is drawn around it.
+/// others. Discs, and spheres outside of the scene, are looked from at places_of_light places where there is room, for
+/// soft shadows; what lies more than 75 degrees to the side of a disc in the scene casts no shadow. The first lights
+/// come first, as far as there is room. What is nearer to a light than its own radius casts no shadow: it may be the
+/// lamp. Only what is in the scene's sphere does, whatever is drawn around it.
 ///   source   Williams, Casting curved shadows on curved surfaces (1978)
 ShadowViews ShadowViewsOf(const std::vector<PreviewLight>& lights);
 

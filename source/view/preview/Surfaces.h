@@ -27,6 +27,8 @@ struct SurfaceMaterial {
   bool has_vertex_colors = false;
   bool one_sided = false;  // backs are not drawn
   double bump_height = 0;  // in the drawing space
+  // Unlit, as mode flat shows it: the former times the texture, plus the latter.
+  R2::Color flat_painted, flat_plain;
 };
 
 /// The triangles of one material, `count` indices from `first` on.
@@ -34,7 +36,15 @@ struct SurfaceBatch {
   SurfaceMaterial material;
   std::uint32_t first = 0, count = 0;
   bool is_clear = false;  // what is behind is seen through it
+  int probe = -1;         // of Surfaces::probes, which its mirrors show; -1: none
+  bool owns_probe = false;  // the probe is in the middle of it, and does not see it
 };
+
+/// Where the scene is looked at from, to all sides, so that mirrors and glass about that place can show it.
+struct MirrorProbe {
+  std::array<float, 3> at{};  // in a DrawingSpace
+};
+inline constexpr std::size_t most_mirror_probes = 16;
 
 /// Triangles in batches, the opaque ones first. Fronts are outside.
 struct Surfaces {
@@ -43,6 +53,7 @@ struct Surfaces {
   std::vector<std::array<float, 3>> colors;  // one per vertex, or none where no material has them
   std::vector<std::uint32_t> indices;        // three per triangle
   std::vector<SurfaceBatch> batches;
+  std::vector<MirrorProbe> probes;  // at most most_mirror_probes
 };
 
 /// A normal as a vertex has it; `normal` is of length 1 at most.

@@ -33,8 +33,9 @@ auto ByPixels(double full) {
 
 TEST(MotionDetail, StaysInFullWhereADrawingIsAsFastAsAScreen) {
   MotionDetail detail;
-  EXPECT_EQ(StepsOf(detail, 4, ByPixels(0.016)), (std::vector{1, 1, 1, 1}));
+  EXPECT_EQ(StepsOf(detail, 4, ByPixels(0.008)), (std::vector{1, 1, 1, 1}));
   EXPECT_FALSE(detail.RefinementTime());
+  EXPECT_TRUE(detail.IsSmooth());
 }
 
 TEST(MotionDetail, TakesTheFewestPixelsLessThatMakeADrawingAsFastAsAScreen) {
@@ -52,6 +53,16 @@ TEST(MotionDetail, DrawsInFullOnceTheViewRests) {
   EXPECT_EQ(detail.StepFor(ViewOf(2), {3840, 2160}, due - 0.01), 2) << "what is drawn anew meanwhile does not flicker";
   EXPECT_EQ(*detail.RefinementTime(), due);
   EXPECT_EQ(detail.StepFor(ViewOf(2), {3840, 2160}, due), 1);
+  EXPECT_FALSE(detail.RefinementTime());
+}
+
+TEST(MotionDetail, IsSmoothOnceTheViewRests) {
+  MotionDetail detail;
+  StepsOf(detail, 4, ByPixels(0.012));
+  EXPECT_FALSE(detail.IsSmooth()) << "several samples per pixel would miss frames";
+  ASSERT_TRUE(detail.RefinementTime());
+  EXPECT_EQ(detail.StepFor(ViewOf(3), {3840, 2160}, *detail.RefinementTime()), 1);
+  EXPECT_TRUE(detail.IsSmooth());
   EXPECT_FALSE(detail.RefinementTime());
 }
 

@@ -20,6 +20,8 @@ TEST_F(ViewerTest, RotatesAsATurntableUntilKeyT) {
 }
 
 TEST_F(ViewerTest, APixelsRaysArePrintedAsRayproPrintsThem) {
+  const RenderSettings settings = viewer_->SettingsOfView();
+  viewer_->SetDebugRays({settings.samples, settings.trace.shadow_samples, 10});
   Do("click right 30 20");
   const LoadedScene& scene = viewer_->scene();
   EXPECT_NE(host_.printed.find(DebugPixel(scene.world, *scene.accelerator, viewer_->SettingsOfView(), 30, 20)),
@@ -127,6 +129,121 @@ TEST_F(ViewerTest, ASceneThatIsEditedIsReadAgainAndABrokenOneIsNot) {
   Do("tick 1");
   EXPECT_EQ(viewer_->scene().world.Instances().size(), 1u);
   std::filesystem::remove_all(folder);
+}
+
+/// A scene of its own that is written again and again.
+class EditedScene : public ViewerTest {
+ protected:
+  void SetUp() override {
+    std::string name = (std::filesystem::temp_directory_path() / "rayview-test-XXXXXX").string();
+    folder_ = mkdtemp(name.data());
+    Write("sphere -1  0 0 0  1\n");
+    Open(File());
+  }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+  std::filesystem::path File() const { return folder_ / "scene.scn"; }
+  void Write(const std::string& text) const { std::ofstream(File()) << text; }
+  bool IsSeen(const std::string& words) const {
+    std::string all;
+    for (const Label& label : viewer_->Show().labels) all += label.text + " ";
+    return all.find(words) != std::string::npos;
+  }
+
+ private:
+  std::filesystem::path folder_;
+};
+
+// It faded after five seconds, and the scene from before looked as if it were the file's.
+TEST_F(EditedScene, AMistakeStaysToBeSeenUntilTheFileIsRight) {
+  Do("resize 640 480\ntick 1");
+  Write("sphere -1  0 0 0  1\nspere -1  0 0 0  1\n");
+  Do("tick 1\ntick 60\ntick 60");
+  EXPECT_TRUE(IsSeen("unknown command 'spere'"));
+  EXPECT_TRUE(IsSeen("from before"));
+  EXPECT_NE(viewer_->Title().find("mistakes in"), std::string::npos) << viewer_->Title();
+  Do("key Escape");
+  EXPECT_TRUE(IsSeen("unknown command 'spere'")) << "it is no message to be closed";
+  Write("sphere -1  0 0 0  2\n");
+  Do("tick 1");
+  EXPECT_FALSE(IsSeen("spere"));
+  EXPECT_EQ(viewer_->Title().find("mistakes in"), std::string::npos) << viewer_->Title();
+}
+
+TEST_F(EditedScene, AFileThatIsGoneIsToldButNotOneThatIsBeingSaved) {
+  Do("resize 640 480\ntick 1");
+  std::filesystem::remove(File());
+  Do("tick 0.3");
+  EXPECT_EQ(StateLine("problem"), "");
+  Write("sphere -1  0 0 0  2\n");
+  Do("tick 0.3");
+  EXPECT_EQ(StateLine("problem"), "") << "an editor has saved it by renaming";
+  std::filesystem::remove(File());
+  Do("tick 0.3\ntick 0.3\ntick 60");
+  EXPECT_TRUE(IsSeen("scene.scn"));
+  EXPECT_TRUE(IsSeen("from before"));
+  Write("sphere -1  0 0 0  2\n");
+  Do("tick 0.3");
+  EXPECT_EQ(StateLine("problem"), "");
+}
+
+// There was no window at all, so that one had to start over and over.
+TEST_F(EditedScene, ASceneThatIsWrongFromTheStartIsShownOnceItIsRight) {
+  Write("camera 0 0 9  0 0 -1  0 1 0  0.3 1 100\nspere -1  0 0 0  1\n");
+  ParsedScene nothing;
+  nothing.scene.files = {File()};
+  ViewerSettings settings;
+  settings.scene = File();
+  settings.render.width = 640, settings.render.height = 480;
+  viewer_ = std::make_unique<Viewer>(
+      settings, std::make_shared<const LoadedScene>(std::move(nothing), settings.accelerator), host_);
+  try {
+    Parse(File(), {});
+    FAIL();
+  } catch (const SceneErrors& mistakes) {
+    viewer_->TellMistakes(mistakes);
+  }
+  Do("tick 60");
+  EXPECT_TRUE(IsSeen("unknown command 'spere'"));
+  Write("camera 0 0 9  0 0 -1  0 1 0  0.3 1 100\nsphere -1  0 0 0  1\n");
+  Do("tick 1");
+  EXPECT_EQ(viewer_->scene().world.Instances().size(), 1u);
+  EXPECT_TRUE(IsCameraOf(viewer_->scene().parsed.scene.camera));
+  EXPECT_FALSE(IsSeen("spere"));
+}
+
+TEST_F(EditedScene, AMistakeOfADroppedFileGoesWithEscape) {
+  Do("resize 640 480\ndrop no/such/file\ntick 60");
+  EXPECT_TRUE(IsSeen("no/such/file"));
+  Do("key Escape\ntick 60");
+  EXPECT_FALSE(IsSeen("no/such/file"));
+}
+
+// Each window wrote the file as it knew it.
+TEST_F(ViewerTest, BookmarksOfTwoWindowsAreAllKept) {
+  const CopiedScenes folder;
+  Open(folder / "hello.scn");
+  Do("key [");
+  const Camera first = camera();
+  const auto one = std::move(viewer_);
+  Open(folder / "hello.scn");
+  Do("key ]\nkey Control+2");
+  for (const ScriptStep& step : ReadEventScript({"test", "key Control+1"})) one->Handle(std::get<Event>(step));
+  Open(folder / "hello.scn");
+  Do("key 1");
+  EXPECT_TRUE(IsCameraOf(first));
+  EXPECT_EQ(viewer_->Message(), "at bookmark 1");
+  Do("key 2");
+  EXPECT_EQ(viewer_->Message(), "at bookmark 2");
+}
+
+TEST_F(ViewerTest, AModeOtherThanTheUsualIsNamed) {
+  RenderSettings render;
+  render.mode = RenderMode::gooch;
+  Open(project::Root() / "scenes/hello.scn", render);
+  EXPECT_NE(viewer_->Title().find("mode gooch"), std::string::npos) << viewer_->Title();
+  render.mode = RenderMode::heat;
+  Open(project::Root() / "scenes/hello.scn", render);
+  EXPECT_NE(viewer_->Title().find("mode heat, which the preview does not show"), std::string::npos);
 }
 
 TEST_F(ViewerTest, DroppedFilesAreScenesOrReferences) {

@@ -92,20 +92,48 @@ TEST_F(ViewerTest, QQuitsAtOnceOrAsksOnceWhileATraceRuns) {
   Open(project::Root() / "scenes/hello.scn", slow);
   Do("key S\nkey Q");
   EXPECT_FALSE(viewer_->IsClosed());
-  EXPECT_NE(viewer_->Message().find("Q again"), std::string::npos);
+  EXPECT_NE(viewer_->Message().find("once more quits"), std::string::npos);
   Do("key E\nkey Q");
   EXPECT_FALSE(viewer_->IsClosed()) << "another key is an answer too";
   Do("key Q");
   EXPECT_TRUE(viewer_->IsClosed());
 }
 
-TEST_F(ViewerTest, EveryKeyTellsWhatItDid) {
-  for (const Viewer::Binding& binding : Viewer::Bindings()) {
-    const CopiedScenes folder;
-    Open(folder / "hello.scn");
-    Do("press " + NameOf(binding.key, binding.modifiers));
-    if (viewer_->IsClosed()) continue;
-    EXPECT_NE(viewer_->Message(), "") << NameOf(binding.key, binding.modifiers);
+TEST_F(ViewerTest, ClosingTheWindowAsksOnceWhileATraceRuns) {
+  Do("close");
+  EXPECT_TRUE(viewer_->IsClosed());
+  RenderSettings slow;
+  slow.samples = 100'000;
+  Open(project::Root() / "scenes/hello.scn", slow);
+  Do("key S\nclose");
+  EXPECT_FALSE(viewer_->IsClosed());
+  EXPECT_NE(viewer_->Message().find("once more quits"), std::string::npos) << viewer_->Message();
+  Do("close");
+  EXPECT_TRUE(viewer_->IsClosed());
+}
+
+TEST_F(ViewerTest, EscapeWithNothingRunningSaysThatThereIsNothing) {
+  Do("key Escape");
+  EXPECT_EQ(viewer_->Message(), "nothing to close; Q quits");
+}
+
+// Some keys said again what the help says of them.
+TEST_F(ViewerTest, EveryKeyTellsWhatItDidAndNotWhatItIsFor) {
+  for (const bool has_something : {false, true}) {
+    std::string help;
+    for (const Viewer::Binding& binding : Viewer::Bindings()) {
+      const CopiedScenes folder;
+      Open(folder / "hello.scn");
+      if (has_something) Do("key [\nkey Control+1\nclick left 32 24\nclick right 32 24\nkey X");
+      if (*binding.help) help = binding.help;
+      const std::string name = NameOf(binding.key, binding.modifiers);
+      Do("tick 60\npress " + name);
+      if (viewer_->IsClosed()) continue;
+      // Once the file has its name, the program tells it.
+      if (name == "F1") continue;
+      EXPECT_NE(viewer_->Message(), "") << name;
+      EXPECT_NE(viewer_->Message(), help) << name;
+    }
   }
 }
 

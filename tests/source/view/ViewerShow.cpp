@@ -149,5 +149,42 @@ TEST_F(ViewerTest, TheCutFollowsItsRowAndPlanes) {
   }
 }
 
+// Lines along the edges of the window looked like a mistake while S ran from the same view.
+TEST_F(ViewerTest, TheFrameOfARenderedImageIsDrawnOnlyFromElsewhere) {
+  constexpr Rgba frame{255, 255, 120, 255};
+  const auto has_frame = [&] {
+    const FrameState shown = viewer_->Show();
+    return std::ranges::any_of(*shown.lines, [&](const Vertex& v) { return v.color == frame; });
+  };
+  Do("key S\nwait trace");
+  EXPECT_FALSE(has_frame());
+  Do("drag left 10 10 40 30");
+  EXPECT_TRUE(has_frame());
+  Do("key Z");
+  EXPECT_FALSE(has_frame());
+}
+
+// 16 samples were 16 equal rows of 53 rays each.
+TEST_F(ViewerTest, APixelHasOneCameraRayAndOneShadowRayPerLight) {
+  RenderSettings many;
+  many.samples = 16;
+  Open(project::Root() / "scenes/area_light.scn", many);
+  Do("click right 32 10");
+  ASSERT_TRUE(viewer_->Rays().Pixel());
+  const auto& rays = viewer_->Rays().Pixel()->rays;
+  const auto count = [&](RayKind kind, int parent) {
+    return std::ranges::count_if(rays, [&](const RecordedRay& r) { return r.kind == kind && r.parent == parent; });
+  };
+  EXPECT_EQ(count(RayKind::camera, RecordedRay::none), 1);
+  const auto lights = static_cast<long>(viewer_->scene().parsed.scene.lights.size());
+  for (int i = 0; i < static_cast<int>(rays.size()); ++i) EXPECT_LE(count(RayKind::shadow, i), lights);
+  EXPECT_NE(viewer_->Message().find("1 of 16 samples, 1 of 16 shadow rays"), std::string::npos) << viewer_->Message();
+}
+
+TEST_F(ViewerTest, OneOfAThingIsNotCalledMany) {
+  Do("key B\nkey ,\nkey .");
+  EXPECT_EQ(StateLine("boxes"), "1 box of nodes of level 0");
+}
+
 }  // namespace
 }  // namespace ray

@@ -26,8 +26,8 @@ class Witness : public ViewerHost {
     std::ofstream out(file);
     return out << text << std::flush ? "" : "cannot write " + file;
   }
-  std::shared_ptr<const R2::Image> ReadPicture(const std::string& file) override {
-    return file == "picture" ? std::make_shared<const R2::Image>(8, 8) : nullptr;
+  ReferenceImage ReadPicture(const std::string& file) override {
+    return file == "picture" ? picture : ReferenceImage();
   }
   void SetClipboard(const std::string& text) override { clipboard = text; }
   void Print(const std::string& line) override { printed += line + "\n"; }
@@ -36,6 +36,7 @@ class Witness : public ViewerHost {
   std::vector<RenderSettings> traced_settings;
   int drawings = 0;
   std::string rays, clipboard, printed;
+  ReferenceImage picture{std::make_shared<const R2::Image>(8, 8)};  // in the file of that name
 };
 
 }  // namespace ray

@@ -142,6 +142,78 @@ TEST_F(ViewerTest, ComparingTellsTheDifferenceOfThePictures) {
               std::abs(current->At(10, 10).r - viewer_->Pictures().Reference()->At(10, 10).r), 1e-6);
 }
 
+// A student was told of an error that was not there: the file that raypro writes is clamped and rounded.
+TEST_F(ViewerTest, AnImageDoesNotDifferFromItsOwnFileOfBytes) {
+  for (const bool srgb : {false, true}) {
+    RenderSettings render;
+    render.srgb = srgb;
+    Open(project::Root() / "scenes/hello.scn", render);
+    Do("key P\nwait trace");
+    const auto light = viewer_->Pictures().Current();
+    R2::Image bytes(width, height);
+    for (int y = 0; y < height; ++y)
+      for (int x = 0; x < width; ++x) {
+        const R2::Color c = srgb ? EncodeSrgb(Clamped(light->At(x, y))) : light->At(x, y);
+        bytes.Set(x, y, {R2::ToByte(c.r) / 255.0, R2::ToByte(c.g) / 255.0, R2::ToByte(c.b) / 255.0});
+      }
+    EXPECT_GT(R2::Compare(*light, bytes, R2::Display::straight).rmse, 0) << "else nothing is shown by this";
+    host_.picture = {std::make_shared<const R2::Image>(bytes), 255};
+    Do("drop picture\nkey D");
+    EXPECT_EQ(viewer_->Message(), "0 of 3072 pixels differ as 8 bits");
+    const FrameState shown = viewer_->Show();
+    ASSERT_TRUE(shown.picture && shown.picture->image);
+    for (const float channel : shown.picture->image->Channels()) ASSERT_LT(channel, 1e-6F);
+    const double before = bytes.At(3, 4).r;
+    bytes.Set(3, 4, {before < 0.5 ? before + 0.2 : before - 0.2, bytes.At(3, 4).g, bytes.At(3, 4).b});
+    host_.picture = {std::make_shared<const R2::Image>(bytes), 255};
+    Do("key D\ndrop picture\nkey D");
+    EXPECT_EQ(viewer_->Message().rfind("1 of 3072 pixels differ as 8 bits, RMSE ", 0), 0u) << viewer_->Message();
+  }
+}
+
+// An hour of rendering was gone when the window was closed by mistake, and when it was stopped on purpose.
+TEST_F(ViewerTest, ARenderThatWasStoppedGoesOnWhereItWas) {
+  RenderSettings slow;
+  slow.samples = 256;
+  Open(project::Root() / "scenes/hello.scn", slow);
+  const auto stop_after_some_rows = [&] {
+    Do("key S");
+    while (viewer_->Pictures().Trace()->RowsDone() < 5) std::this_thread::yield();
+    Do("key Escape\nwait trace");
+  };
+  stop_after_some_rows();
+  ASSERT_EQ(StateLine("trace"), "stopped");
+  EXPECT_NE(viewer_->Message().find("S continues it"), std::string::npos) << viewer_->Message();
+  const int done = viewer_->Pictures().Trace()->RowsDone();
+  stop_after_some_rows();
+  EXPECT_GE(viewer_->Pictures().Trace()->RowsDone(), done);
+  Do("key S\nwait trace");
+  ASSERT_EQ(host_.traced.size(), 1u);
+  const R2::Image whole = Rendered(host_.traced_settings[0]);
+  EXPECT_EQ(R2::PixelsBeyond(host_.traced[0], whole, 0), 0);
+  stop_after_some_rows();
+  Do("key [\nkey S");
+  EXPECT_EQ(viewer_->Message(), "rendering") << "another view is another image";
+  Do("key Escape\nwait trace");
+}
+
+// The preview took its place at each move, and its shadows and mirrors came and went.
+TEST_F(ViewerTest, InMotionALiveImageIsStillOneThatIsTraced) {
+  Do("key P\nwait trace\ndown left 20 20");
+  for (int x = 21; x < 60; ++x) {
+    viewer_->Handle(MoveEvent{static_cast<double>(x), 20});
+    viewer_->Update();
+    const FrameState shown = viewer_->Show();
+    ASSERT_TRUE(shown.picture && shown.picture->frame) << x;
+  }
+  Do("up left 60 20\nwait trace");
+  EXPECT_EQ(StateLine("trace"), "none");
+  const R2::Image whole = Rendered(viewer_->Pictures().Live()->Settings());
+  EXPECT_EQ(R2::PixelsBeyond(*viewer_->Pictures().Current(), whole, 0), 0) << "in the end it is of the view at rest";
+  Do("resize 80 60");
+  EXPECT_FALSE(viewer_->Show().picture && viewer_->Pictures().Live()->Stride() == 0) << "no other size is shown";
+}
+
 TEST_F(ViewerTest, IsNotBusyWhereNothingIsRendered) {
   EXPECT_FALSE(viewer_->IsBusy());
   Do("drag left 10 10 40 30\nresize 80 60");

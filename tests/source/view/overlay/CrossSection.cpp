@@ -353,9 +353,9 @@ TEST(CrossSection, IsDrawnWithinItsSquareAndInTheColorOfWhatIsCut) {
     EXPECT_EQ(vertex.color[0], 255);
     EXPECT_LT(vertex.color[1], 128);
   }
-  const auto projected = [&](const R3::Point& p) { return view.At(cut.slice.Project(p))[0]; };
-  EXPECT_NEAR(projected({0, 0, 1e12}), 0, 1e-6);
-  EXPECT_NEAR(projected({5, 1e3, 1e12}), 1e3 / (view.pixel * 150), 1e-6);
+  const auto height = [&](const R3::Point& p) { return view.At(cut.slice.Project(p))[1]; };
+  EXPECT_NEAR(height({0, 0, 1e12}), 0, 1e-6);
+  EXPECT_NEAR(height({5, 1e3, 1e12}), 1e3 / (view.pixel * 150), 1e-6);
 }
 
 }  // namespace

@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <vector>
 
 #include "tests/source/parse/Folder.h"
 
@@ -72,6 +74,78 @@ TEST(SectionView, LeavesACameraFarAwayOutsideSoThatTheSceneStaysLarge) {
   RenderSettings settings;
   settings.width = settings.height = 100;
   EXPECT_LT(MiddleOf(MarkFrom(100, dot, settings)).y, -10);
+}
+
+/// The cut of a ball of radius 1 with a light above it, by a plane so many keys after the camera's.
+SliceAxes CutOfBall(int plane, const DebugRayCounts& counts = {}) {
+  const Folder folder;
+  folder.Write("ball.scn",
+               "camera 0 1 4  0 -0.25 -1  0 1 0  0.4  0.01 100 point_light 1 1 1  0 5 0  1 0 0 sphere -1 0 0 0 1");
+  const LoadedScene scene(folder / "ball.scn", {}, {});
+  RenderSettings settings;
+  settings.width = settings.height = 100;
+  SectionView section;
+  section.Toggle();
+  for (int i = 0; i < plane; ++i) section.NextPlane();
+  section.Cut(scene, settings, {}, {400, 400}, counts);
+  return section.Drawing(scene, {}, 1);
+}
+
+std::vector<Vertex> OfColor(const SliceAxes& axes, const Rgba& color, bool with_alpha = true) {
+  std::vector<Vertex> found;
+  for (const Vertex& v : axes.lines)
+    if (std::equal(color.begin(), color.begin() + (with_alpha ? 4 : 3), v.color.begin())) found.push_back(v);
+  return found;
+}
+
+// Every sixteenth crossing was one that enters, since enters and leaves take turns: normals stood on one half alone.
+TEST(SectionView, NormalsStandEvenlyRoundAnOutline) {
+  const auto normals = OfColor(CutOfBall(3), {255, 120, 220, 160});
+  std::array<int, 8> by_octant{};
+  for (std::size_t i = 0; i + 1 < normals.size(); i += 2) {
+    const double x = normals[i + 1].at[0] - normals[i].at[0], y = normals[i + 1].at[1] - normals[i].at[1];
+    ++by_octant[static_cast<std::size_t>(std::floor(std::atan2(y, x) / (std::acos(-1.0) / 4))) & 7];
+  }
+  const auto [least, most] = std::ranges::minmax(by_octant);
+  EXPECT_GE(least, 5);
+  EXPECT_LE(most, 2 * least);
+}
+
+TEST(SectionView, EveryPlaneHasTheEyeItsScreenAndRays) {
+  for (int plane = 0; plane < 4; ++plane) {
+    const SliceAxes axes = CutOfBall(plane);
+    EXPECT_FALSE(OfColor(axes, dot).empty()) << plane;
+    EXPECT_EQ(OfColor(axes, screen).size(), 2u) << plane;
+    EXPECT_FALSE(OfColor(axes, {240, 240, 240, 255}, false).empty()) << plane;
+  }
+  // 0, spacing, and so on below 100 pixels, of 16 pieces each.
+  EXPECT_EQ(OfColor(CutOfBall(1, {1, 1, 25}), {240, 240, 240, 255}, false).size(), 4u * 2 * 16);
+  EXPECT_EQ(OfColor(CutOfBall(1), {240, 240, 240, 255}, false).size(), 10u * 2 * 16);
+}
+
+// Along x and y a floor lies flat; along y and z it stood on edge.
+TEST(SectionView, TheVerticalRunsUpwardWhereThePlaneHasIt) {
+  const auto names = [](int plane) {
+    std::string all;
+    for (const Label& label : CutOfBall(plane).labels)
+      if (label.text == "x" || label.text == "y" || label.text == "z") all += label.text;
+    return all;
+  };
+  EXPECT_EQ(names(1), "xz");
+  EXPECT_EQ(names(2), "zy");
+  EXPECT_EQ(names(3), "xy");
+}
+
+// Shadow rays to a light above the plane were drawn as if they crossed what lies between in it.
+TEST(SectionView, RaysAreFainterWhereTheyAreOffThePlane) {
+  const auto shadows = OfColor(CutOfBall(0), {255, 220, 60, 255}, false);
+  ASSERT_FALSE(shadows.empty());
+  int faint = 0;
+  for (std::size_t i = 0; i < shadows.size(); i += 2 * 16) {
+    EXPECT_GT(shadows[i].color[3], 200) << "it begins in the plane";
+    faint += shadows[i + 2 * 16 - 1].color[3] < 60;
+  }
+  EXPECT_GT(faint, 0);
 }
 
 }  // namespace

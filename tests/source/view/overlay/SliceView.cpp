@@ -118,10 +118,25 @@ TEST(SliceView, FarFromTheOriginNumbersStillDifferAndEnd) {
     if (std::abs(far) > 1e12) continue;  // no doubles are so near to each other
     std::map<double, int> across;
     for (const ray::Label& label : axes.labels)
-      if (label.y < 10 && label.text != "x") {
+      if (label.y < 10 && label.text[0] != 'x') {
         EXPECT_EQ(++across[std::stod(label.text)], 1) << label.text;
       }
     EXPECT_GE(across.size(), far > 1e6 ? 1u : 3u);
+  }
+}
+
+// "1.2e+02" stood for 120 and for 150.
+TEST(SliceView, NumbersAreNeverPowersAndNeverAlike) {
+  for (const double pixel : {1e-12, 1e-6, 1e-3, 0.01, 0.4, 1.0, 30.0, 1e3, 1e7, 1e12}) {
+    const ray::SliceAxes axes = ray::AxesOf({{0, 0}, pixel, {640, 480}}, {{"x", "z"}, {0, 0}, "the origin"}, 1);
+    std::map<std::string, int> across;
+    for (const ray::Label& label : axes.labels) {
+      EXPECT_EQ(label.text.find('e'), std::string::npos) << label.text;
+      EXPECT_LE(label.text.size(), 12u) << label.text;
+      if (label.y < 10) ++across[label.text];
+    }
+    EXPECT_GE(across.size(), 4u) << pixel;
+    for (const auto& [text, times] : across) EXPECT_EQ(times, 1) << text;
   }
 }
 

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <memory>
+
+#include "R2/Image.h"
+#include "R2/ImageFile.h"
+
+namespace ray {
+
+/// How an image file of bytes holds light.
+struct ByteEncoding {
+  bool srgb = false;
+  R2::Quantization quantization = R2::Quantization::rounded;
+  friend bool operator==(const ByteEncoding&, const ByteEncoding&) = default;
+};
+
+/// An image that others are compared with: linear light, or what a file of whole numbers holds of it, which can be
+/// compared only with what such a file would hold of the other.
+struct ReferenceImage {
+  std::shared_ptr<const R2::Image> image;  // as the file has it, 0 to 1 for whole numbers; null for none
+  int levels = 0;                          // the largest whole number of a channel, 255 or 65535; 0: the image is light
+
+  explicit operator bool() const { return image != nullptr; }
+  bool IsLight() const { return levels == 0; }
+  /// The image as linear light, which is the image itself where it holds light already.
+  std::shared_ptr<const R2::Image> AsLight(const ByteEncoding& encoding) const;
+  /// What `light` would be as such a file: clamped, encoded and quantized; unchanged where the reference is light.
+  R2::Image Comparable(const R2::Image& light, const ByteEncoding& encoding) const;
+};
+
+/// The reference that a decoded file is: light for formats of light, else of 255 levels, or of 65535 where values lie
+/// between those.
+ReferenceImage ReferenceOf(R2::DecodedImage decoded);
+
+}  // namespace ray
