@@ -57,7 +57,7 @@ DecodedImage DecodeImage(std::span<const unsigned char> bytes) {
     decoded.format = &format;
     return decoded;
   } catch (const std::bad_alloc&) {
-    throw ImageError("not enough memory for the picture");
+    throw ImageError("not enough memory for the image");
   }
 }
 

@@ -99,7 +99,7 @@ void CheckTiles(const ByteReader& reader, const ExrLayout& layout) {
   constexpr std::uint64_t usual_tile = 1024 * 1024;
   const std::uint64_t most = std::max(width * height, usual_tile);
   if (layout.tile_width < 1 || layout.tile_height < 1 || layout.tile_width > most / layout.tile_height) {
-    reader.Fail("has no tiles, or tiles much larger than the picture");
+    reader.Fail("has no tiles, or tiles much larger than the image");
   }
   // The library keeps one row of tiles unpacked.
   if (layout.tile_height > static_cast<std::uint64_t>(max_pixels) / width) {

@@ -120,7 +120,7 @@ DecodedImage Decode(std::span<const unsigned char> bytes) {
   reader.Take(header.pixels_start, "what comes before the pixels");
   // The last row may lack the bytes that only fill it up.
   if (!header.is_run_length)
-    reader.Need(header.RowStride() * static_cast<unsigned>(header.size.height - 1) + header.RowBytes(), "the picture");
+    reader.Need(header.RowStride() * static_cast<unsigned>(header.size.height - 1) + header.RowBytes(), "the image");
   DecodedImage decoded =
       header.is_run_length ? DecodeRunLengths(reader.Rest(), header) : DecodeRows(reader.Rest(), header);
   decoded.warnings.insert(decoded.warnings.begin(), header.warnings.begin(), header.warnings.end());

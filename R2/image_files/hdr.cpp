@@ -247,7 +247,7 @@ std::vector<Pixel> ReadRow(ByteReader& reader, int width) {
   const Pixel first = ReadPixel(reader);
   const bool is_encoded = CanBeEncoded(width) && first[0] == 2 && first[1] == 2 && first[2] < 128;
   if (!is_encoded) return ReadOldRow(reader, first, static_cast<std::size_t>(width));
-  if ((first[2] << 8 | first[3]) != width) reader.Fail("is damaged: a row has another width than the picture");
+  if ((first[2] << 8 | first[3]) != width) reader.Fail("is damaged: a row has another width than the image");
   return ReadEncodedRow(reader, static_cast<std::size_t>(width));
 }
 
@@ -257,7 +257,7 @@ DecodedImage Decode(std::span<const unsigned char> bytes) {
   const ImageSize size = header.stored;
   // A run may stand for many pixels, yet no row takes less than one pixel's bytes. The picture is asked for only
   // once its first row is there, so that wide ones have shown their bytes too.
-  reader.Need(std::uint64_t{4} * static_cast<unsigned>(size.height), "the picture");
+  reader.Need(std::uint64_t{4} * static_cast<unsigned>(size.height), "the image");
   Image image;
   for (int y = size.height - 1; y >= 0; --y) {
     const std::vector<Pixel> row = ReadRow(reader, size.width);

@@ -73,7 +73,7 @@ Color ReadPixel(ByteReader& reader, const Header& header) {
 DecodedImage Decode(std::span<const unsigned char> bytes) {
   ByteReader reader("PFM", bytes);
   const Header header = ReadHeader(reader);
-  reader.Need(header.PixelBytes(), "the picture");
+  reader.Need(header.PixelBytes(), "the image");
   DecodedImage decoded{Image(header.size.width, header.size.height)};
   Image& image = decoded.image;
   for (int y = 0; y < image.Height(); ++y)

@@ -102,7 +102,7 @@ DecodedImage Decode(std::span<const unsigned char> bytes) {
   if (!header.is_text) reader.SpaceBefore(header.BinaryBytes());
   // In text, a sample takes a digit at least, and all but bits have white space before them.
   const std::uint64_t bytes_of_text = header.Samples() * (header.is_bits ? 1 : 2);
-  reader.Need(header.is_text ? bytes_of_text : header.BinaryBytes(), "the picture");
+  reader.Need(header.is_text ? bytes_of_text : header.BinaryBytes(), "the image");
   DecodedImage decoded{Image(header.size.width, header.size.height)};
   for (int y = header.size.height - 1; y >= 0; --y) ReadRow(reader, header, decoded.image, y);
   WarnOfRest(decoded, reader, header.is_text);

@@ -4,9 +4,9 @@
 
 namespace ray {
 
-std::unique_ptr<const Accelerator> BuildAccelerator(const World& world, const Options& options) {
-  AcceleratorSettings settings = options.accelerator;
-  settings.expected_rays = ExpectedRays(options.render);
+std::unique_ptr<const Accelerator> BuildAccelerator(const World& world, AcceleratorSettings settings,
+                                                    const RenderSettings& render) {
+  settings.expected_rays = ExpectedRays(render);
   return FindAcceleratorKind(settings.name)->Make(world, settings);
 }
 

@@ -3,11 +3,12 @@
 #include <memory>
 
 #include "source/accelerate/Accelerator.h"
-#include "source/app/options/Options.h"
+#include "source/render/RenderSettings.h"
 
 namespace ray {
 
-/// The accelerator that the options ask for, built for about as many rays as they will trace.
-std::unique_ptr<const Accelerator> BuildAccelerator(const World& world, const Options& options);
+/// The accelerator of these settings, built for about as many rays as the render will trace.
+std::unique_ptr<const Accelerator> BuildAccelerator(const World& world, AcceleratorSettings settings,
+                                                    const RenderSettings& render);
 
 }  // namespace ray

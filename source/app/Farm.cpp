@@ -105,7 +105,7 @@ int RenderOnePart(const Options& asked) {
     throw UsageError("-part with -time needs " + QuotedPath(PlanName(options.picture)) +
                      ", which says since when time counts; -missing n writes it");
   RenderState beginning = BeginningOf(reader, options, name);
-  const auto accelerator = BuildAccelerator(world, options);
+  const auto accelerator = BuildAccelerator(world, options.accelerator, options.render);
 
   CatchInterrupts();
   Progress progress(ChooseProgressStyle(options.quiet));

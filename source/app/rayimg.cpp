@@ -15,7 +15,7 @@
 namespace ray {
 namespace {
 
-const std::map<std::string, int (*)(const rayimg::Options& options, const std::string& command_line)> commands{
+const std::map<std::string, int (*)(const rayimg::ImageOptions& options, const std::string& command_line)> commands{
     {"diff", rayimg::Diff},
     {"info", rayimg::Info},
     {"extract", rayimg::Extract},

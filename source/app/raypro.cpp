@@ -94,12 +94,12 @@ int MakePicture(const Options& asked, const Words& words) {
   const Options options = WithSettingsOf(parsed.scene, asked);
   RefuseSize(*outputs.format, options.render.width, options.render.height);
   const auto checkpoint = outputs.picture.is_standard_output ? nullptr : std::make_unique<Checkpoint>(options);
-  const std::vector<R2::Image> references = ReadReferences(options);
+  const std::vector<R2::Image> references = ReadReferences(options.reference, RegionOf(options.render));
   account.Loaded(parsed, options);
 
   const World world(parsed.scene);
   CheckMemory(world, options);
-  const auto accelerator = BuildAccelerator(world, options);
+  const auto accelerator = BuildAccelerator(world, options.accelerator, options.render);
   account.Built(world, *accelerator);
 
   if (options.restart) checkpoint->Remove();
@@ -176,7 +176,7 @@ int DoEach(const Options& all, const Words& words) {
   for (const std::string& scene : all.scenes) {
     Options one = all;
     one.scene = scene;
-    one.picture = PictureInFolder(all, scene);
+    one.picture = PictureInFolder(all.out_folder, scene, all.out_format);
     const int ended = Guarded(Program::raypro, [&] {
       if (one.task == Task::render)
         inputs.Protect(one);

@@ -85,8 +85,8 @@ class Filler {
 
   /// The mean of two pairs of opposite neighbors, which follow each other, weighted by how alike the two of each are:
   /// of an edge, one pair lies along it. Where pairs are as alike it is the plain mean.
-  ///   accuracy   in six scenes with a 4th and a 16th of the pixels, 2 to 11 % less RMSE against one sample of each
-  ///              than the plain mean has, and 6 to 21 % less FLIP
+  ///   accuracy   in six scenes with a 4th and a 16th of the pixels, 2 to 11% less RMSE against one sample of each
+  ///              than the plain mean has, and 6 to 21% less FLIP
   static R2::Color AlongEdge(const std::array<R2::Color, 4>& colors) {
     const auto unlike = [](const R2::Color& one, const R2::Color& other) {
       const R2::Color d = one - other;

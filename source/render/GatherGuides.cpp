@@ -21,7 +21,7 @@ namespace {
 constexpr double edge = 0.06;
 
 // Without a budget, guides are refined by so many rays for each camera ray of the pixels around, on average over a
-// square of them. On the scenes of script/denoise_table.sh this leaves 2 % more error than any number of rays, and
+// square of them. On the scenes of script/denoise_table.sh this leaves 2% more error than any number of rays, and
 // takes guides .2 to .65 times the rays of the render.
 constexpr double refining_rays = 6;
 constexpr int sharing_radius = 6;

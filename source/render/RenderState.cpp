@@ -64,7 +64,7 @@ class Reader {
   /// Exactly as many as there are places in `values`.
   template <typename T>
   void TakeAll(std::vector<T>& values) {
-    if (Take<std::uint64_t>() != values.size()) throw CheckpointError("it belongs to a picture of a different size");
+    if (Take<std::uint64_t>() != values.size()) throw CheckpointError("it belongs to an image of a different size");
     const auto taken = TakeBytes(values.size() * sizeof(T));
     std::ranges::copy(taken,
                       reinterpret_cast<unsigned char*>(values.data()));  // memcpy takes no null, even for nothing

@@ -268,7 +268,7 @@ TEST(Extremes, K3_K5_AHeaderThatPromisesTooMuchIsRefusedAtOnce) {
   const auto start = std::chrono::steady_clock::now();
   for (const Bytes& bomb : bombs) {
     EXPECT_NE(Complaint(bomb), "") << std::string(bomb.begin(), bomb.end());
-    EXPECT_NE(Complaint(bomb), "not enough memory for the picture");
+    EXPECT_NE(Complaint(bomb), "not enough memory for the image");
   }
   // Memory for any one of these pictures takes longer than this merely to be cleared.
   EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::milliseconds(500));

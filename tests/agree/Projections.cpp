@@ -216,7 +216,7 @@ TEST(Projections, TheErrorOfAFisheyeIsWhatItClaims) {
     ++renders;
     EXPECT_LT(error, 2 * result.error->high) << seed;
   }
-  EXPECT_GE(held, renders - 1) << "of intervals of 95 %";
+  EXPECT_GE(held, renders - 1) << "of intervals of 95%";
 }
 
 TEST(Projections, OutlinesFollowTheProjectionAndNotItsRim) {

@@ -53,7 +53,7 @@ TEST(Extremes, L1_J3_BrokenOffAgainAndAgainARenderEndsAsOneThatWasNot) {
     ASSERT_TRUE(now == whole || now == "old") << "after " << breaks << " breaks: " << now.size() << " bytes";
     breaks += done.status != 0;
     if (done.status != 0) continue;
-    ASSERT_TRUE(now == whole) << "after " << breaks << " breaks a resumed render is another picture";
+    ASSERT_TRUE(now == whole) << "after " << breaks << " breaks a resumed render is another image";
     EXPECT_EQ(place.Others({"in.scn", "out.pfm"}), nothing);
     WriteFile(picture, "old");
     ++finished;

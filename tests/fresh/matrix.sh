@@ -59,7 +59,7 @@ path_with_blanks() {
   if [ -n "${SEED-}" ]; then
     mkdir -p build/obj
     cp -R "$tree/$SEED/obj/R1" "$tree/$SEED/obj/R2" "$tree/$SEED/obj/R3" "$tree/$SEED/obj/source" build/obj/
-    cp "$tree/$SEED/flags" build/
+    cp "$tree/$SEED/flags" "$tree/$SEED/features" build/
     find build -exec touch {} +
   fi
   script/setup.sh 2>&1 | tee "$folder/setup.log"  # all packages are in: it only builds

@@ -25,12 +25,9 @@ void RemoveFile(const std::filesystem::path& file) {
 std::string IdentityOf(const Options& options, const std::string& scene_hash) {
   std::string text = "version " RAYPRO_VERSION "\nscene " + scene_hash + "\n";
   for (const OptionKind& option : OptionTable(options.program)) {
-    const std::string topic = option.topic, name = option.name;
-    const bool shows = topic == "picture" || topic == "light" || topic == "quality" || name == "define";
-    if (!IsSetting(option) || !shows) continue;
-    if (name == "checkpoint" || name == "resume" || name == "reference" || name == "time") continue;
-    if (name == "keep_checkpoint" || name == "restart" || name == "samples") continue;
-    text += "-" + name + " " + Show(option, options) + "\n";
+    const bool shows = option.facts.HasAny({Fact::image, Fact::samples, Fact::budget});
+    if (!shows || option.facts.Has(Fact::changes_on_resume)) continue;
+    text += "-" + std::string(option.name) + " " + Show(option, options) + "\n";
   }
   return text;
 }

@@ -40,6 +40,17 @@ R2::ImageLayer ChannelsOf(Layer layer, R2::Image image) {
   return {};
 }
 
+std::vector<std::pair<std::string, std::string>> ChannelsOfLayers() {
+  std::vector<std::pair<std::string, std::string>> all;
+  for (const char* name : layer_names) {
+    std::string channels;
+    for (const std::string& channel : ChannelsOf(*Named<Layer>(name), {}).channels)
+      channels += (channels.empty() ? "" : " ") + channel;
+    all.emplace_back(name, channels);
+  }
+  return all;
+}
+
 RenderMode ModeOf(Layer layer) { return *Named<RenderMode>(NameOf(layer)); }
 
 RenderSettings SettingsForLayer(const RenderSettings& picture, Layer layer) {

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "R2/ImageFile.h"
@@ -15,6 +16,8 @@ std::string ShowLayerList(const std::vector<Layer>& layers);
 
 /// The layer as channels of a file that holds several.
 R2::ImageLayer ChannelsOf(Layer layer, R2::Image image);
+/// The names of all layers, each with those of its channels, "N.X N.Y N.Z".
+std::vector<std::pair<std::string, std::string>> ChannelsOfLayers();
 
 /// The mode that shows nothing but the layer.
 RenderMode ModeOf(Layer layer);

@@ -42,7 +42,7 @@ void RefuseClosedOutput() {
 
 PictureOutput StandardOutput() {
   RefuseClosedOutput();
-  if (isatty(STDOUT_FILENO)) throw UsageError("the picture would go to a terminal; redirect it, or name a file");
+  if (isatty(STDOUT_FILENO)) throw UsageError("the image would go to a terminal; redirect it, or name a file");
   return {FormatOfPicture(standard_stream), {.name = "<stdout>", .target = {}, .is_standard_output = true}};
 }
 
@@ -66,7 +66,7 @@ void RefuseSize(const R2::ImageFormat& format, int width, int height) {
     if (width > every_format_holds) format.encode(R2::Image(width, 1), {}, {});
     if (height > every_format_holds) format.encode(R2::Image(1, height), {}, {});
   } catch (const R2::ImageError& error) {
-    throw UsageError("a picture of " + std::to_string(width) + "x" + std::to_string(height) + " cannot be saved as " +
+    throw UsageError("an image of " + std::to_string(width) + "x" + std::to_string(height) + " cannot be saved as " +
                      format.name + ": " + error.what());
   }
 }
@@ -83,7 +83,7 @@ PictureOutput CheckPictureOutput(const std::string& name, std::span<const std::s
 
 void TellOfLink(Program program, const OutputFile& picture) {
   if (picture.is_link)
-    PrintError(NameOf(program) + ": " + Quoted(picture.name) + " is a link; the picture goes to " +
+    PrintError(NameOf(program) + ": " + Quoted(picture.name) + " is a link; the image goes to " +
                QuotedPath(picture.target.string()));
 }
 
@@ -114,7 +114,7 @@ Outputs CheckOutputs(const Options& options) {
   if (options.report.empty()) return outputs;
   outputs.report = CheckOutput(options.report, inputs);
   if (outputs.report->target == outputs.picture.target)
-    throw UsageError("the picture and the report are the same file, " + Quoted(options.report));
+    throw UsageError("the image and the report are the same file, " + Quoted(options.report));
   if (!is_standard_output) RefuseOwnFile(*outputs.report, options);
   return outputs;
 }

@@ -22,7 +22,7 @@ R2::Image ReadReference(const std::string& name, const PixelRectangle& part) {
   try {
     const R2::ImageSize size = R2::ReadImageSize(bytes);
     if (size.width != part.Width() || size.height != part.Height())
-      throw UsageError("the reference " + Quoted(name) + " is " + SizeText(size.width, size.height) + ", the picture " +
+      throw UsageError("the reference " + Quoted(name) + " is " + SizeText(size.width, size.height) + ", the image " +
                        SizeText(part.Width(), part.Height()));
     R2::DecodedImage decoded = R2::DecodeImage(bytes);
     PrintWarnings(name, decoded.warnings);
@@ -30,10 +30,6 @@ R2::Image ReadReference(const std::string& name, const PixelRectangle& part) {
   } catch (const R2::ImageError& error) {
     throw SceneErrors({ErrorIn(name, error.what())});
   }
-}
-
-PixelRectangle PartOf(const RenderSettings& render) {
-  return render.crop.value_or(PixelRectangle{0, 0, render.width, render.height});
 }
 
 }  // namespace
@@ -47,14 +43,13 @@ std::string Contents(const std::string& name) {
   }
 }
 
-std::vector<R2::Image> ReadReferences(const Options& options) {
+std::vector<R2::Image> ReadReferences(const std::vector<std::string>& names, const PixelRectangle& region) {
   std::error_code ignored;
-  if (options.reference.size() == 2 && std::filesystem::equivalent(options.reference[0], options.reference[1], ignored))
-    throw UsageError("-reference takes two independent images, and " + Quoted(options.reference[0]) + " and " +
-                     Quoted(options.reference[1]) + " are the same file");
-  const PixelRectangle part = PartOf(options.render);
+  if (names.size() == 2 && std::filesystem::equivalent(names[0], names[1], ignored))
+    throw UsageError("-reference takes two independent images, and " + Quoted(names[0]) + " and " + Quoted(names[1]) +
+                     " are the same file");
   std::vector<R2::Image> references;
-  for (const std::string& name : options.reference) references.push_back(ReadReference(name, part));
+  for (const std::string& name : names) references.push_back(ReadReference(name, region));
   return references;
 }
 

@@ -173,9 +173,9 @@ std::string Zsh(Program program) {
   for (const OptionKind& option : OptionTable(program)) text += ZshSpecification(option);
   const std::string first = ZshFiles(FirstFiles(program));
   if (!CommandsOf(program).empty())
-    return text + "  '1:command:(" + Joined(CommandNamesOf(program)) + ")' \\\n  '*:picture:" + first + "'\n";
+    return text + "  '1:command:(" + Joined(CommandNamesOf(program)) + ")' \\\n  '*:image:" + first + "'\n";
   text += "  '1:scene:" + first + "'";
-  return text + (program == Program::raypro ? " \\\n  '2:picture:" + ZshFiles(FileKind::image) + "'\n" : "\n");
+  return text + (program == Program::raypro ? " \\\n  '2:image:" + ZshFiles(FileKind::image) + "'\n" : "\n");
 }
 
 /// Files of some extensions come before others, in this order.

@@ -2,8 +2,10 @@
 
 #include <sstream>
 
+#include "source/app/files/LayerPictures.h"
 #include "source/app/options/Comp30019.h"
 #include "source/app/options/OptionTable.h"
+#include "source/app/report/ReportFields.h"
 #include "source/text/Words.h"
 
 namespace ray {
@@ -120,6 +122,24 @@ std::string SharedOptions(Program program) {
   return text + "\n";
 }
 
+std::string MarkdownStatuses(Program program) {
+  std::string table = "\n| exit status | meaning |\n|---|---|\n";
+  for (const auto& [number, meaning] : TextOf(program).statuses)
+    table += "|" + MarkdownCell(number) + MarkdownCell(meaning) + "\n";
+  return table;
+}
+
+/// Channels of an EXR and keys of a report.
+std::string MarkdownOutputs() {
+  std::string text = "\n| layer in an EXR | channels |\n|---|---|\n";
+  for (const auto& [layer, channels] : ChannelsOfLayers())
+    text += "|" + MarkdownCell(MarkdownCode(layer)) + MarkdownCell(MarkdownCode(channels)) + "\n";
+  text += "\n| key of a report | value |\n|---|---|\n";
+  for (const auto& [name, meaning] : ReportFields())
+    text += "|" + MarkdownCell(MarkdownCode(name)) + MarkdownCell(meaning) + "\n";
+  return text;
+}
+
 std::string MarkdownTable(Program program) {
   const Options defaults = Defaults(program);
   const bool has_commands = !CommandsOf(program).empty();
@@ -134,8 +154,8 @@ std::string MarkdownTable(Program program) {
   for (const OptionKind& option : OptionTable(program))
     if (option.commands.empty() && (program == Program::raypro || !IsRaypros(option)))
       table += MarkdownRow(option, defaults);
-  return program == Program::raypro ? table
-                                    : table + "\nThe others are the same as raypro's:\n\n" + SharedOptions(program);
+  if (program == Program::raypro) return table + MarkdownOutputs() + MarkdownStatuses(program);
+  return table + "\nThe others are the same as raypro's:\n\n" + SharedOptions(program) + MarkdownStatuses(program);
 }
 
 }  // namespace
@@ -143,12 +163,12 @@ std::string MarkdownTable(Program program) {
 const ProgramText& TextOf(Program program) {
   constexpr const char* bad_scene = "The scene, or a file that it names, is wrong or missing.";
   static const ProgramText of_raypro{
-      .names = "scene picture",
+      .names = "scene image",
       .summary = "render a scene by ray tracing",
       .description =
           "Renders a scene file; the extensions choose the formats (raypro -list). The name - is standard input as a "
           "scene,\n"
-          "in .scn, and standard output as a picture, in PNG. A .scn, .yaml or .json scene that is named alone is "
+          "in .scn, and standard output as an image, in PNG. A .scn, .yaml or .json scene that is named alone is "
           "rendered "
           "to a\nPNG of its name beside it.\n",
       .examples =
@@ -163,8 +183,8 @@ const ProgramText& TextOf(Program program) {
           {"1", "Failed while rendering."},
           {"2", "Wrong arguments."},
           {"3", bad_scene},
-          {"4", "The picture cannot be written."},
-          {"130, 143", "Interrupted by SIGINT or SIGTERM; the picture so far is saved, never over a finished one."}}};
+          {"4", "The image cannot be written."},
+          {"130, 143", "Interrupted by SIGINT or SIGTERM; the image so far is saved, never over a finished one."}}};
   static const ProgramText of_rayview{
       .names = "scene",
       .summary = "view a scene, and ray trace the view",
@@ -181,10 +201,10 @@ const ProgramText& TextOf(Program program) {
                    {"3", bad_scene},
                    {"4", "A file cannot be written."}}};
   static const ProgramText of_rayimg{
-      .names = "command pictures",
-      .summary = "compare, describe, convert and merge pictures, and make movies of them",
+      .names = "command images",
+      .summary = "compare, describe, convert and merge images, and make movies of them",
       .description =
-          "Compares, describes, converts and merges pictures, and makes movies of them. Extensions choose the formats\n"
+          "Compares, describes, converts and merges images, and makes movies of them. Extensions choose the formats\n"
           "of those written, contents tell those of those read. rayimg -help command lists the options of a command.\n",
       .examples =
           "  rayimg diff noisy.exr clean.exr -map where.png -fail_flip 0.05\n"
@@ -194,7 +214,7 @@ const ProgramText& TextOf(Program program) {
       .statuses = {{"0", "Success."},
                    {"1", "diff: beyond a threshold."},
                    {"2", "Wrong arguments."},
-                   {"3", "A picture is missing, damaged or too large."},
+                   {"3", "An image is missing, damaged or too large."},
                    {"4", "A file cannot be written."}}};
   static const ProgramText of_raygrade{
       .names = "suite.yaml -- command",

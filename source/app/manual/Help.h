@@ -14,7 +14,7 @@ struct CommandKind;
 /// table. That of rayview leaves out what raypro's table has already, and names it.
 std::string Help(Program program, const std::string& subject);
 
-/// "raypro scene picture [options]", "rayimg convert in out [options]"
+/// "raypro scene image [options]", "rayimg convert in out [options]"
 std::string Usage(Program program, const CommandKind* command = nullptr);
 
 /// "raypro 0.1.0"

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <utility>
 
+#include "source/app/files/LayerPictures.h"
 #include "source/app/manual/Help.h"
 #include "source/app/manual/SceneManual.h"
 #include "source/app/options/OptionTable.h"
+#include "source/app/report/ReportFields.h"
 
 namespace ray {
 
@@ -72,8 +74,8 @@ std::string SeeAlso(Program program) {
 }
 
 constexpr const char* interruption =
-    "A render that is interrupted leaves the picture so far, whole and noisy, and a checkpoint from which \\-resume "
-    "continues: out.png and out.png.checkpoint, or, where a finished picture has the name and stays, out.partial.png "
+    "A render that is interrupted leaves the image so far, whole and noisy, and a checkpoint from which \\-resume "
+    "continues: out.png and out.png.checkpoint, or, where a finished image has the name and stays, out.partial.png "
     "and out.partial.png.checkpoint. Where there is a checkpoint, a render needs \\-resume or \\-restart.\n";
 
 std::string UpperCase(std::string text) {
@@ -81,9 +83,19 @@ std::string UpperCase(std::string text) {
   return text;
 }
 
+/// What only raypro writes.
+std::string OutputSections() {
+  std::string text = ".SH LAYERS\nAn EXR has each of \\-layers in channels of its own, as floating-point numbers:\n";
+  for (const auto& [layer, channels] : ChannelsOfLayers()) text += ".TP\n.B " + layer + "\n" + channels + "\n";
+  text += ".SH REPORT\n\\-report writes a JSON object with these keys:\n";
+  for (const auto& [name, meaning] : ReportFields())
+    text += ".TP\n.B " + Roff(name) + "\n" + Roff(meaning) + ".\n";
+  return text;
+}
+
 constexpr std::pair<const char*, const char*> environment[] = {
     {"NO_COLOR", "No color on the terminal."},
-    {"TMPDIR", "Where a picture is saved that cannot be written where it should be."},
+    {"TMPDIR", "Where an image is saved that cannot be written where it should be."},
 };
 
 }  // namespace
@@ -103,9 +115,10 @@ std::string ManualPage(Program program) {
          "\n.RI [ options ]\n.SH DESCRIPTION\n" + Roff(about.description) +
          (takes_scene ? "File name extensions choose the formats;\n.B " + name + " \\-list\nlists them.\n" : "") +
          "Options and names come in any order; \\-name value, \\-\\-name value and \\-name=value mean the same.\n"
-         "A picture is written to a temporary file beside its name and renamed when it is complete.\n" +
+         "An image is written to a temporary file beside its name and renamed when it is complete.\n" +
          (program == Program::raypro ? interruption : "") + CommandSections(program) + ".SH OPTIONS\n" +
-         Entries(program) + (takes_scene ? SceneLanguages() : "") + ".SH EXIT STATUS\n" + Tagged(about.statuses) +
+         Entries(program) + (takes_scene ? SceneLanguages() : "") +
+         (program == Program::raypro ? OutputSections() : "") + ".SH EXIT STATUS\n" + Tagged(about.statuses) +
          ".SH ENVIRONMENT\n" + Tagged(environment) + ".SH EXAMPLES\n.nf\n" + Roff(about.examples) + ".fi\n" +
          SeeAlso(program);
 }

@@ -61,7 +61,7 @@ constexpr const char* placing =
     "turns the z axis towards the point tx ty tz, y as near to ux uy uz as it can be.\n"
     "Cameras, lights and what surrounds the scene are never moved by a group.\n"
     "The camera's view is a direction, not a place to look at. Its angle is half of the horizontal view; the height of "
-    "the picture decides the vertical one.\n"
+    "the image decides the vertical one.\n"
     "A light's direction is the way the light travels. Its attenuation ca la qa divides it by ca + la d + qa d^2 at a "
     "distance d. Of the two numbers behind a spot_light the cut-off angle is the first, the exponent the second.\n"
     "camera look_at takes a point to look at, and the whole horizontal view in degrees.\n"
@@ -77,7 +77,7 @@ constexpr std::pair<const char*, const char*> material_words[] = {
     {"n", "Phong's exponent of the highlight, at least 0."},
     {"ir", "Index of refraction against 1 outside; 0 means 1."},
     {"texture",
-     "The name of a picture, or 0 for none. It repeats in u and v, blended between the middles of four texels; but at "
+     "The name of an image, or 0 for none. It repeats in u and v, blended between the middles of four texels; but at "
      "the poles of a ball and the apex of a cone the last row is blended with its own other side, and at the rims of "
      "cones and cylinders it stays as it is."},
 };
@@ -178,7 +178,7 @@ constexpr std::pair<const char*, const char*> extensions[] = {
     {"plane",
      "Infinite, so it has no bounding box: accelerators leave it out, and every ray is tested against it separately."},
     {"view",
-     "Before or behind the camera. A picture with another aspect shows the same part of the scene, squeezed; a shift "
+     "Before or behind the camera. An image with another aspect shows the same part of the scene, squeezed; a shift "
      "of 1 0 moves the axis to the left edge."},
     {"shadow_bias",
      "What secondary rays hit is at least this far away. 0, the default, needs no care: they start outside the error "
@@ -188,7 +188,7 @@ constexpr std::pair<const char*, const char*> extensions[] = {
      "the command line override it, and -explain tells who set what."},
     {"set srgb", "Stands before the first image that is read, whose colors it decodes."},
     {"motion", "Between begin and end."},
-    {"environment", "A latitude-longitude picture, an angular probe or a cross; -env takes its place."},
+    {"environment", "A latitude-longitude image, an angular probe or a cross; -env takes its place."},
     {"sphere_light", "A lamp with a size, not itself seen; from afar a point_light of that color."},
 };
 
@@ -215,7 +215,7 @@ std::string SceneManualPage() {
          ".SS lights\n" + Entries(Family::light) + ".SH PLACES AND DIRECTIONS\n" + Paragraphs(placing) +
          ".SH MATERIALS\n" + Tagged(material_words) + ".PP\n" + Paragraphs(about_ids) + ".SH LAMPS\n" +
          Paragraphs(about_lamps) + ".SH FILES\n" + Paragraphs(about_files) + ".TP\n.B meshes\n" +
-         Roff(MeshExtensions()) + "\n.TP\n.B pictures\n" + Roff(ImageExtensions()) +
+         Roff(MeshExtensions()) + "\n.TP\n.B images\n" + Roff(ImageExtensions()) +
          "\n.SH EXTENSIONS\nWhat the course's language lacks is stated in words of its own:\n" + Tagged(extensions) +
          ".SH MISTAKES\n" +
          Roff("Each is reported with file, line and column; raypro -check looks for them without rendering.\n") +

@@ -107,7 +107,8 @@ void TakeName(const std::string& word, Options& options) {
   if (options.program == Program::raygrade) {
     options.grade.names.push_back(word);
   } else if (options.command) {
-    if (options.image.names.size() == options.command->most) RefuseName(word, UsageOf(options));
+    if (options.image.names.size() == options.command->most)
+      RefuseName(word, UsageOf(options.program, options.command));
     options.image.names.push_back(word);
   } else if (!CommandsOf(options.program).empty()) {
     options.command = &KnownCommand(options.program, word);
@@ -116,7 +117,7 @@ void TakeName(const std::string& word, Options& options) {
   } else if (options.scene.empty()) {
     options.scene = word;
   } else {
-    RefuseName(word, UsageOf(options));
+    RefuseName(word, UsageOf(options.program, options.command));
   }
 }
 
@@ -156,7 +157,8 @@ void CheckCommand(const Options& options) {
     return;
   }
   if (!options.command)
-    throw UsageError("no command is named; it must be " + OneOf(CommandNamesOf(options.program)) + UsageOf(options));
+    throw UsageError("no command is named; it must be " + OneOf(CommandNamesOf(options.program)) +
+                     UsageOf(options.program));
   const CommandKind& command = *options.command;
   for (const std::string& name : options.given)
     if (const OptionKind* option = FindOption(options.program, name); !Takes(command, *option))
@@ -164,18 +166,18 @@ void CheckCommand(const Options& options) {
                        OneOf({option->commands.begin(), option->commands.end()}) + ", not of " + command.name);
   if (options.image.names.size() < command.fewest)
     throw UsageError(std::string(command.name) + " needs " + Counted(command.fewest, "file name") + ", got " +
-                     std::to_string(options.image.names.size()) + UsageOf(options));
+                     std::to_string(options.image.names.size()) + UsageOf(options.program, options.command));
   rayimg::CheckTogether(command, options.image);
 }
 
 /// What only renders has no effect; what decides how the scene is read has.
 void CheckConvert(const Options& options) {
   if (options.task != Task::convert) return;
-  if (!options.picture.empty()) RefuseName(options.picture, "; -convert writes no picture");
+  if (!options.picture.empty()) RefuseName(options.picture, "; -convert writes no image");
   for (const std::string& name : options.given) {
     const OptionKind& option = *FindOption(options.program, name);
-    const bool has_effect = option.topic == std::string_view("scene") || name == "env" || name == "quiet";
-    if (!has_effect) throw UsageError("-" + name + " has no effect with -convert, which renders nothing");
+    if (IsSetting(option) && !option.facts.Has(Fact::with_convert))
+      throw UsageError("-" + name + " has no effect with -convert, which renders nothing");
   }
 }
 
@@ -184,7 +186,7 @@ void CheckPixelIsInPicture(const Options& options) {
   const auto& [x, y] = *options.pixel;
   const auto& [width, height] = std::tie(options.render.width, options.render.height);
   if (x >= 0 && x < width && y >= 0 && y < height) return;
-  throw UsageError("-debugpixel " + std::to_string(x) + " " + std::to_string(y) + ": a picture of " +
+  throw UsageError("-debugpixel " + std::to_string(x) + " " + std::to_string(y) + ": an image of " +
                    std::to_string(width) + " x " + std::to_string(height) + " has columns 0 to " +
                    std::to_string(width - 1) + " and rows 0 to " + std::to_string(height - 1));
 }
@@ -192,8 +194,13 @@ void CheckPixelIsInPicture(const Options& options) {
 void CheckView(const ViewOptions& view) {
   if (view.context != ViewOptions().context && !view.headless)
     throw UsageError("-context has no effect without -headless; a window has its own");
-  if (view.exit_immediately && !view.events.empty())
-    throw UsageError("-exit_immediately and -events contradict each other");
+}
+
+void CheckContradictions(const Options& options) {
+  for (const OptionKind& option : OptionTable(options.program))
+    for (const char* other : option.facts.excludes)
+      if (options.IsGiven(option.name) && options.IsGiven(other))
+        throw UsageError("-" + std::string(option.name) + " and -" + other + " contradict each other");
 }
 
 void CheckSize(const RenderSettings& render) {
@@ -283,7 +290,6 @@ void CheckSubsampling(const RenderSettings& render) {
 void CheckBudget(const Options& options) {
   const Budget& budget = options.render.budget;
   if (!options.replay.empty() && budget.IsOpen()) throw UsageError("-replay and -time or -error contradict each other");
-  if (options.resume && options.restart) throw UsageError("-resume and -restart contradict each other");
   if (ShowsCosts(options.render.mode) && budget.error)
     throw UsageError(std::string("-error has no effect with -mode ") + NameOf(options.render.mode) +
                      ", which shows costs");
@@ -292,14 +298,12 @@ void CheckBudget(const Options& options) {
 /// -part, -missing and -parts, with each other and with what only a finished image has.
 void CheckParts(const Options& options) {
   const bool is_part = options.render.part.has_value(), assembles = !options.parts.empty() && options.missing == 0;
-  if (is_part && options.missing > 0) throw UsageError("-part and -missing contradict each other");
-  if (is_part && !options.parts.empty()) throw UsageError("-part and -parts contradict each other");
   if (assembles && options.resume)
     throw UsageError("-parts and -resume contradict each other: the checkpoint of an assembled image has the parts");
   if (!is_part && options.missing == 0) return;
-  for (const char* name : {"report", "stats", "reference", "keep_checkpoint"})
-    if (options.IsGiven(name))
-      throw UsageError("-" + std::string(name) + " needs the whole image; it cannot be combined with -" +
+  for (const std::string& name : options.given)
+    if (FindOption(options.program, name)->facts.Has(Fact::whole_image))
+      throw UsageError("-" + name + " needs the whole image; it cannot be combined with -" +
                        (is_part ? "part" : "missing"));
 }
 
@@ -312,8 +316,8 @@ void CheckTogether(const Options& options, std::span<const std::string> words) {
   CheckSize(options.render);
   CheckConvert(options);
   CheckView(options.view);
+  CheckContradictions(options);
   CheckParts(options);
-  if (options.quiet && options.verbose) throw UsageError("-quiet and -verbose contradict each other");
 }
 
 /// What follows from other options.
@@ -323,7 +327,7 @@ void Derive(Options& options) {
   render.quantization = options.encoding.quantization;
   render.wants_passes = !options.report.empty() && render.samples > 1;
   options.parse.problem_of = ProblemOf;
-  options.parse.max_texture_bytes = MemoryLimit(options);
+  options.parse.max_texture_bytes = MemoryLimit(options.memory);
   options.parse.aspect = static_cast<double>(options.render.width) / options.render.height;
   options.parse.decode_srgb = options.encoding.srgb;  // a linear workflow is linear from end to end
 }

@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <array>
+#include <cstring>
 #include <filesystem>
 #include <limits>
-#include <variant>
 
 #include "source/app/Status.h"
 #include "source/app/options/CommandLine.h"
-#include "source/app/options/Overloaded.h"
+#include "source/app/options/OptionEntry.h"
 #include "source/parse/courses/comp30019/View.h"
 #include "source/text/Number.h"
 #include "source/text/Quoting.h"
@@ -17,145 +17,117 @@
 namespace ray::comp30019 {
 namespace {
 
-/// Everything that the course's options decide, with their defaults.
-struct Asked {
-  std::string file, output;
-  std::int64_t width = 400, height = 400, samples_a_side = 1, quality = 0;
-  bool ambient = false;
-  R3::Vector position{0, 0, 0}, axis{0, 0, 1};
-  double angle = 0, aperture = 0, focus = 1;  // the angle in degrees
-};
+constexpr int most_pixels_a_side = 1 << 30;
+constexpr int most_samples_a_side = 1 << 12;
+constexpr int best_quality = 10;  // 16 million shadow rays per pixel
+constexpr double highest = std::numeric_limits<double>::max();
 
-struct WholeNumber {
-  std::int64_t Asked::*member;
-  std::int64_t low, high;
-};
-struct RealNumber {
-  double Asked::*member;
-  double low;
-};
-using Value = std::variant<std::string Asked::*, bool Asked::*, R3::Vector Asked::*, WholeNumber, RealNumber>;
-
-struct CourseOption {
-  char letter;
-  const char* name;
-  const char* value_name;  // empty for a flag
-  Value value;
-  const char* help;
-};
-
-constexpr std::int64_t most_pixels_a_side = 1 << 30;
-constexpr std::int64_t most_samples_a_side = 1 << 12;
-constexpr std::int64_t best_quality = 10;  // 16 million shadow rays per pixel
-constexpr double lowest = std::numeric_limits<double>::lowest();
-
-constexpr std::array course_options{
-    CourseOption{'f', "file", "path", &Asked::file, "scene to render (required)"},
-    CourseOption{'o', "output", "path", &Asked::output, "image to write, a PNG (required)"},
-    CourseOption{'w', "width", "n", WholeNumber{&Asked::width, 1, most_pixels_a_side}, "width of the image in pixels"},
-    CourseOption{'h', "height", "n", WholeNumber{&Asked::height, 1, most_pixels_a_side},
-                 "height of the image in pixels"},
-    CourseOption{'x', "aa-mult", "n", WholeNumber{&Asked::samples_a_side, 1, most_samples_a_side},
-                 "n x n samples per pixel"},
-    CourseOption{'l', "ambient", "", &Asked::ambient, "ambient light, by tracing paths over many bounces"},
-    CourseOption{'p', "cam-pos", "x,y,z", &Asked::position, "position of the camera"},
-    CourseOption{'a', "cam-axis", "x,y,z", &Asked::axis, "axis that the camera is turned about"},
-    CourseOption{'n', "cam-angle", "degrees", RealNumber{&Asked::angle, lowest}, "by how much it is turned"},
-    CourseOption{'r', "aperture-radius", "r", RealNumber{&Asked::aperture, 0}, "radius of the lens, 0 for a pinhole"},
-    CourseOption{'t', "focal-length", "d", RealNumber{&Asked::focus, 0}, "distance of what the lens sees sharply"},
-    CourseOption{'q', "quality", "n", WholeNumber{&Asked::quality, 0, best_quality},
-                 "each level halves the noise of soft shadows, ambient light and the lens"},
-};
-
-/// "-x, --aa-mult"
-std::string NamesOf(const CourseOption& option) { return std::string("-") + option.letter + ", --" + option.name; }
-
-[[noreturn]] void Refuse(const CourseOption& option, const std::string& rule, const std::string& word) {
-  throw UsageError(NamesOf(option) + " must be " + rule + ", got " + Quoted(word));
-}
-
-R3::Vector ReadVector(const CourseOption& option, const std::string& word) {
+std::optional<R3::Vector> ReadVector(const std::string& word) {
   std::array<double, 3> parts{};
   std::string_view rest = word;
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const std::size_t comma = i + 1 < parts.size() ? rest.find(',') : rest.size();
     const auto number = ParseNumber(rest.substr(0, comma));
-    if (comma == std::string_view::npos || number.problem)
-      Refuse(option, "three numbers with commas and no spaces between them, such as 0,2,-0.5", word);
+    if (comma == std::string_view::npos || number.problem) return {};
     parts[i] = number.value;
     rest.remove_prefix(std::min(comma + 1, rest.size()));
   }
-  return {parts[0], parts[1], parts[2]};
+  return R3::Vector{parts[0], parts[1], parts[2]};
 }
 
-void Store(const CourseOption& option, const std::string& word, Asked& asked) {
-  std::visit(Overloaded{
-                 [&](std::string Asked::*file) {
-                   if (word.empty()) Refuse(option, "a file name", word);
-                   asked.*file = word;
-                 },
-                 [&](bool Asked::*flag) { asked.*flag = true; },
-                 [&](R3::Vector Asked::*vector) { asked.*vector = ReadVector(option, word); },
-                 [&](const WholeNumber& whole) {
-                   const auto number = ParseWhole(word);
-                   if (number.problem || number.value < whole.low || number.value > whole.high)
-                     Refuse(option,
-                            "a whole number, " + std::to_string(whole.low) + " to " + std::to_string(whole.high), word);
-                   asked.*whole.member = number.value;
-                 },
-                 [&](const RealNumber& real) {
-                   const auto number = ParseNumber(word);
-                   if (number.problem || number.value < real.low)
-                     Refuse(option, real.low == lowest ? "a number" : "a number, at least " + ToText(real.low), word);
-                   asked.*real.member = number.value;
-                 },
-             },
-             option.value);
+std::string ShowVector(const R3::Vector& v) { return ToText(v.x) + "," + ToText(v.y) + "," + ToText(v.z); }
+
+template <class Lambda>
+Word Triple(Lambda member) {
+  return WordOf<ReadVector, ShowVector>(member,
+                                        "three numbers with commas and no spaces between them, such as 0,2,-0.5");
 }
 
-const CourseOption& Known(const std::string& word) {
+// One entry stays one thought.
+// clang-format off
+/// The course's options, in the rows that raypro's own have. Each is named as messages show it: "x, --aa-mult".
+std::span<const OptionKind> CourseOptions() {
+  using Whole = Number<int>;
+  using Real = Number<double>;
+  using enum KnownTo;
+  static const std::vector<OptionKind> table{
+      {"f, --file", raypro, {}, {}, {"path"}, FileName{AT(course.file)}, "", "", "scene to render (required)"},
+      {"o, --output", raypro, {}, {}, {"path"}, FileName{AT(course.output)}, "", "",
+       "image to write, a PNG (required)"},
+      {"w, --width", raypro, {}, {}, {"n"}, Whole{AT(course.width), 1, most_pixels_a_side}, "", "",
+       "width of the image in pixels"},
+      {"h, --height", raypro, {}, {}, {"n"}, Whole{AT(course.height), 1, most_pixels_a_side}, "", "",
+       "height of the image in pixels"},
+      {"x, --aa-mult", raypro, {}, {}, {"n"}, Whole{AT(course.samples_a_side), 1, most_samples_a_side}, "", "",
+       "n x n samples per pixel"},
+      {"l, --ambient", raypro, {}, {}, {}, Flag{AT(course.ambient)}, "", "",
+       "ambient light, by tracing paths over many bounces"},
+      {"p, --cam-pos", raypro, {}, {}, {"x,y,z"}, Triple(AT(course.position)), "", "", "position of the camera"},
+      {"a, --cam-axis", raypro, {}, {}, {"x,y,z"}, Triple(AT(course.axis)), "", "",
+       "axis that the camera is turned about"},
+      {"n, --cam-angle", raypro, {}, {}, {"degrees"}, Real{AT(course.angle), -highest, highest}, "", "",
+       "by how much it is turned"},
+      {"r, --aperture-radius", raypro, {}, {}, {"r"}, Real{AT(course.aperture), 0, highest}, "", "",
+       "radius of the lens, 0 for a pinhole"},
+      {"t, --focal-length", raypro, {}, {}, {"d"}, Real{AT(course.focus), 0, highest}, "", "",
+       "focus distance of the lens"},
+      {"q, --quality", raypro, {}, {}, {"n"}, Whole{AT(course.quality), 0, best_quality}, "", "",
+       "each level halves the noise of soft shadows, ambient light and the lens"},
+  };
+  return table;
+}
+// clang-format on
+
+/// "-x, --aa-mult"
+std::string NamesOf(const OptionKind& option) { return std::string("-") + option.name; }
+std::string LetterOf(const OptionKind& option) { return {option.name[0]}; }
+std::string LongNameOf(const OptionKind& option) { return std::string(option.name).substr(std::strlen("x, ")); }
+
+bool IsFile(const OptionKind& option) { return std::holds_alternative<FileName>(option.value); }
+
+const OptionKind& Known(const std::string& word) {
   const std::string name = SplitOption(word).name;
   const bool is_long = word.starts_with("--");
-  for (const CourseOption& option : course_options)
-    if (is_long ? name == option.name : name == std::string(1, option.letter)) return option;
+  for (const OptionKind& option : CourseOptions())
+    if (is_long ? "--" + name == LongNameOf(option) : name == LetterOf(option)) return option;
   std::vector<std::string> names{"--help"};
-  for (const CourseOption& option : course_options) names.push_back(std::string("--") + option.name);
+  for (const OptionKind& option : CourseOptions()) names.push_back(LongNameOf(option));
   throw UsageError("unknown option " + Quoted(word) + DidYouMean(word, names) + " (--help lists them all)");
 }
 
-/// The value of the option in front of `words`; takes the words from it.
-std::string TakeValue(const CourseOption& option, std::span<const std::string>& words) {
+/// The values of the option in front of `words`, one or none; takes the words from it.
+std::vector<std::string> TakeValue(const OptionKind& option, std::span<const std::string>& words) {
   const auto attached = SplitOption(words[0]).attached;
   words = words.subspan(1);
-  if (!*option.value_name) {
+  if (MostArguments(option) == 0) {
     if (attached) throw UsageError(NamesOf(option) + " takes no value");
     return {};
   }
-  if (attached) return *attached;
+  if (attached) return {*attached};
   if (words.empty() || LooksLikeOption(words[0]))
-    throw UsageError(NamesOf(option) + " needs a value: " + option.value_name);
+    throw UsageError(NamesOf(option) + " needs a value: " + option.arguments[0]);
   const std::string value = words[0];
   words = words.subspan(1);
-  return value;
+  return {value};
 }
 
 Asked Read(std::span<const std::string> words) {
-  Asked asked;
-  std::vector<const CourseOption*> seen;
+  Options options;
+  std::vector<const OptionKind*> seen;
   while (!words.empty()) {
     const std::string word = words[0];
     if (!LooksLikeOption(word))
       throw UsageError("unexpected extra argument " + Quoted(word) + "; the scene is named by --file");
-    const CourseOption& option = Known(word);
+    const OptionKind& option = Known(word);
     if (std::ranges::find(seen, &option) != seen.end()) throw UsageError(NamesOf(option) + " is given twice");
     seen.push_back(&option);
-    Store(option, TakeValue(option, words), asked);
+    Store(option, TakeValue(option, words), options);
   }
   std::string missing;
-  for (const CourseOption& option : course_options)
-    if (const auto* file = std::get_if<std::string Asked::*>(&option.value); file && (asked.**file).empty())
-      missing += (missing.empty() ? "" : " and ") + NamesOf(option);
+  for (const OptionKind& option : CourseOptions())
+    if (IsFile(option) && Show(option, options).empty()) missing += (missing.empty() ? "" : " and ") + NamesOf(option);
   if (!missing.empty()) throw UsageError("missing: " + missing + " (--help lists all options)");
+  const Asked& asked = options.course;
   if (asked.axis == R3::Vector{} && asked.angle != 0)
     throw UsageError("-a, --cam-axis must not be 0,0,0 where --cam-angle is not 0");
   if (asked.aperture > 0 && !(asked.focus > 0))
@@ -163,8 +135,8 @@ Asked Read(std::span<const std::string> words) {
   return asked;
 }
 
-/// The same in raypro's words. What is left to chance gets 16 samples per pixel at quality 0, and 4 times as many, half
-/// the noise, with each level: as shadow rays, or where every camera ray has its own chance, as camera rays.
+/// What was asked for, in raypro's words. What is left to chance gets 16 samples per pixel at quality 0, and 4 times as
+/// many, half the noise, with each level: as shadow rays, or where every camera ray has its own chance, as camera rays.
 std::vector<std::string> RayprosWords(const Asked& asked) {
   const bool is_lens = asked.aperture > 0;
   const bool is_random = asked.ambient || is_lens;
@@ -177,23 +149,6 @@ std::vector<std::string> RayprosWords(const Asked& asked) {
   if (is_lens) words.insert(words.end(), {"-aperture=" + ToText(asked.aperture), "-focus=" + ToText(asked.focus)});
   words.insert(words.end(), {"--", asked.file, asked.output});
   return words;
-}
-
-/// " [400]"; nothing for a flag, and for a file, which has none.
-std::string DefaultOf(const CourseOption& option) {
-  const Asked defaults;
-  const auto bracketed = [](const std::string& value) { return " [" + value + "]"; };
-  return std::visit(Overloaded{
-                        [](std::string Asked::*) { return std::string(); },
-                        [](bool Asked::*) { return std::string(); },
-                        [&](R3::Vector Asked::*vector) {
-                          const R3::Vector& v = defaults.*vector;
-                          return bracketed(ToText(v.x) + "," + ToText(v.y) + "," + ToText(v.z));
-                        },
-                        [&](const WholeNumber& whole) { return bracketed(ToText(defaults.*whole.member)); },
-                        [&](const RealNumber& real) { return bracketed(ToText(defaults.*real.member)); },
-                    },
-                    option.value);
 }
 
 bool IsHelp(const std::string& word) { return word == "--help"; }
@@ -243,10 +198,11 @@ std::string Help() {
       "usage: comp30019 -f scene.txt -o image.png [options]\n"
       "       raypro -as comp30019 -f scene.txt -o image.png [options]\n\n"
       "The command line of COMP30019, Graphics and Interaction.\n\noptions:\n";
-  for (const CourseOption& option : course_options) {
-    const std::string names = "  " + NamesOf(option) + (*option.value_name ? " " : "") + option.value_name;
+  for (const OptionKind& option : CourseOptions()) {
+    const std::string names = "  " + Synopsis(option), standard = Show(option, {});
     constexpr std::size_t column_of_help = 34;
-    text += names + std::string(column_of_help - names.size(), ' ') + option.help + DefaultOf(option) + "\n";
+    text += names + std::string(column_of_help - names.size(), ' ') + option.help +
+            (standard.empty() ? "" : " [" + standard + "]") + "\n";
   }
   return text +
          "      --help                      print this help\n\n"

@@ -19,7 +19,7 @@ std::vector<std::string> WithRequest(std::span<const std::string> words);
 /// raypro's, and the view. Throws UsageError.
 Options ReadCommandLine(std::span<const std::string> words);
 
-/// As --help prints it.
+/// The text that --help prints.
 std::string Help();
 
 }  // namespace ray::comp30019

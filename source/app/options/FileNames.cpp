@@ -42,28 +42,34 @@ std::string ExtensionOf(const std::string& name) { return LowerCase(std::filesys
 
 bool IsScene(const std::string& name) { return !R2::FormatForName(name) && IsSceneName(name); }
 
-/// Each makes a picture of its own name, which standard input has not.
+/// The first of the options that were given of which the fact is true; null where there is none.
+const OptionKind* FirstGiven(const Options& options, Fact fact) {
+  for (const OptionKind& option : OptionTable(options.program))
+    if (option.facts.Has(fact) && options.IsGiven(option.name)) return &option;
+  return nullptr;
+}
+
+/// Each scene makes an image of its own name, and standard input has no name.
 void CheckScenes(const Options& options) {
-  for (const char* name : {"report", "replay", "reference", "part", "parts", "missing"})
-    if (options.IsGiven(name))
-      throw UsageError("-" + std::string(name) + " is of one picture; it cannot be combined with -out_folder");
+  if (const OptionKind* option = FirstGiven(options, Fact::one_image))
+    throw UsageError("-" + std::string(option->name) +
+                     " works with one scene only; it cannot be combined with -out_folder");
   std::map<std::string, std::string> pictures;
   for (const std::string& scene : options.scenes) {
-    if (scene == standard_stream) throw UsageError("standard input has no name for a picture; -out_folder takes files");
-    const auto [other, is_new] = pictures.emplace(PictureInFolder(options, scene), scene);
+    if (scene == standard_stream) throw UsageError("standard input has no name for an image; -out_folder takes files");
+    const auto [other, is_new] =
+        pictures.emplace(PictureInFolder(options.out_folder, scene, options.out_format), scene);
     if (!is_new)
       throw UsageError(Quoted(other->second) + " and " + Quoted(scene) + " would both be written to " +
                        Quoted(other->first));
   }
 }
 
-/// Standard output holds one picture, and nothing can be resumed from it.
+/// Standard output holds one image, and nothing can be resumed from it.
 void CheckStandardOutput(const Options& options) {
   if (options.picture != standard_stream) return;
-  for (const char* name : {"resume", "restart", "checkpoint", "keep_checkpoint", "part", "parts", "missing"})
-    if (options.IsGiven(name))
-      throw UsageError("-" + std::string(name) + " needs a picture with a name, not standard output");
-  if (!options.layers.empty()) throw UsageError("-layers needs a picture with a name, not standard output");
+  if (const OptionKind* option = FirstGiven(options, Fact::named_image))
+    throw UsageError("-" + std::string(option->name) + " needs an image file, not standard output");
 }
 
 bool IsPicture(const std::string& name) { return R2::FormatForName(name) != nullptr; }
@@ -78,13 +84,13 @@ void CheckSecondName(const Options& options) {
 void CheckPicture(const Options& options, std::span<const std::string> words) {
   if (options.report == standard_stream) throw UsageError("-report needs the name of a file, not standard output");
   if (options.picture == options.report && !options.picture.empty())
-    throw UsageError("the picture and the report are the same file, " + Quoted(options.report));
+    throw UsageError("the image and the report are the same file, " + Quoted(options.report));
   if (!options.picture.empty()) return;
   if (FindOption(options.program, options.scene))
     throw UsageError("options begin with a dash: raypro -" + options.scene);
   if (IsPicture(options.scene))
     throw UsageError("no scene is named; for example: raypro scenes/hello.scn " + options.scene);
-  throw UsageError("no picture is named; for example: " + LikelyCommand(options, words));
+  throw UsageError("missing output file name; for example: " + LikelyCommand(options, words));
 }
 
 /// `raypro scene.scn > out.png` asks for an image on standard output, which would get a line of text instead. Only
@@ -105,7 +111,7 @@ void NamePictureOfLoneScene(Options& options) {
 
 }  // namespace
 
-std::string UsageOf(const Options& options) { return " (usage: " + Usage(options.program, options.command) + ")"; }
+std::string UsageOf(Program program, const CommandKind* command) { return " (usage: " + Usage(program, command) + ")"; }
 
 void RefuseName(const std::string& word, const std::string& why) {
   throw UsageError("unexpected extra argument " + Quoted(word) + why);
@@ -115,7 +121,7 @@ void ShareNames(Options& options) {
   if (!options.out_folder.empty() || options.scenes.empty()) return;
   const std::vector<std::string> names = std::move(options.scenes);
   options.scenes.clear();
-  if (names.size() > 2) RefuseName(names[2], IsScene(names[2]) ? several_scenes : UsageOf(options));
+  if (names.size() > 2) RefuseName(names[2], IsScene(names[2]) ? several_scenes : UsageOf(options.program));
   options.scene = names[0];
   if (names.size() == 2) options.picture = names[1];
   NamePictureOfLoneScene(options);
@@ -132,14 +138,14 @@ void CheckNames(const Options& options, std::span<const std::string> words) {
   if (options.scene.empty())
     throw UsageError("no scene is named" + (options.task == Task::render
                                                 ? "; for example: " + LikelyCommand(options, words)
-                                                : UsageOf(options)));
+                                                : UsageOf(options.program)));
   CheckSecondName(options);
   if (options.task == Task::render) CheckPicture(options, words);
 }
 
-std::string PictureInFolder(const Options& options, const std::string& scene) {
-  const std::filesystem::path name = std::filesystem::path(scene).stem().string() + "." + options.out_format;
-  return (std::filesystem::path(options.out_folder) / name).string();
+std::string PictureInFolder(const std::string& folder, const std::string& scene, const std::string& extension) {
+  const std::filesystem::path name = std::filesystem::path(scene).stem().string() + "." + extension;
+  return (std::filesystem::path(folder) / name).string();
 }
 
 }  // namespace ray

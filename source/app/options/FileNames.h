@@ -8,8 +8,8 @@
 /// The names of files on the command line: scenes and pictures.
 namespace ray {
 
-/// " (usage: raypro scene picture [options])"
-std::string UsageOf(const Options& options);
+/// " (usage: raypro scene image [options])"
+std::string UsageOf(Program program, const CommandKind* command = nullptr);
 
 /// Throws the UsageError of a word that is one too many; `why` ends it.
 [[noreturn]] void RefuseName(const std::string& word, const std::string& why);
@@ -23,6 +23,6 @@ void ShareNames(Options& options);
 void CheckNames(const Options& options, std::span<const std::string> words);
 
 /// "images/room.png": where -out_folder has the picture of a scene.
-std::string PictureInFolder(const Options& options, const std::string& scene);
+std::string PictureInFolder(const std::string& folder, const std::string& scene, const std::string& extension);
 
 }  // namespace ray

@@ -4,9 +4,11 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
+#include "source/app/options/OptionFacts.h"
 #include "source/app/options/Options.h"
 
 namespace ray {
@@ -60,7 +62,7 @@ struct Repeated {  // the only kind that may be: a word each time
   const char* range;  // in words
   std::optional<FileKind> kind{};
 };
-/// As many as the option has arguments.
+/// A list of as many numbers as the option has arguments.
 struct NumberList {
   std::vector<double> (*read)(const Options&);
   bool (*write)(Options&, std::span<const double>);  // false when they are out of range
@@ -101,6 +103,7 @@ enum class KnownTo { raypro, rayview, both, rayimg, raygrade, all };
 struct OptionKind {
   const char* name;                    // without the dash
   KnownTo known_to;                    // two programs may each have an option of the same name
+  OptionFacts facts;                   // what it changes, where it may stand, what it needs and excludes
   std::vector<const char*> aliases;    // understood everywhere, shown nowhere
   std::vector<const char*> arguments;  // their names
   OptionValue value;
@@ -158,7 +161,10 @@ std::optional<FileKind> FileOf(const OptionKind& option);
 std::string Synopsis(const OptionKind& option);
 /// Whether it chooses how a picture is made, rather than what the program does.
 bool IsSetting(const OptionKind& option);
-/// Whether it says what a picture shows; those of speed do not.
-bool ChoosesThePicture(const OptionKind& option);
+/// The names of all options of which the fact is true, in the order of the table.
+std::vector<std::string_view> OptionsWith(Program program, Fact fact);
+/// Ends the sentence that begins with "-focus has no effect": "without -aperture and -sampler grid". Empty where the
+/// option has an effect.
+std::string WhyWithoutEffect(const OptionKind& option, const Options& options);
 
 }  // namespace ray

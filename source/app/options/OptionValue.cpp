@@ -31,7 +31,8 @@ template <class T>
 std::string Interval(const Number<T>& number) {
   // No one needs the largest double spelled out; the largest integers are where counting ends.
   if constexpr (std::is_floating_point_v<T>)
-    if (number.high == std::numeric_limits<T>::max()) return "a number, at least " + ToText(number.low);
+    if (number.high == std::numeric_limits<T>::max())
+      return number.low == -number.high ? "a number" : "a number, at least " + ToText(number.low);
   return (std::is_floating_point_v<T> ? "a number, " : "a whole number, ") + ToText(number.low) + " to " +
          ToText(number.high);
 }
@@ -174,9 +175,25 @@ bool IsSetting(const OptionKind& option) {
   return !std::holds_alternative<Request>(option.value) && !std::holds_alternative<PixelRequest>(option.value);
 }
 
-bool ChoosesThePicture(const OptionKind& option) {
-  const std::string topic = option.topic;
-  return IsSetting(option) && (topic == "picture" || topic == "light");
+std::vector<std::string_view> OptionsWith(Program program, Fact fact) {
+  std::vector<std::string_view> names;
+  for (const OptionKind& option : OptionTable(program))
+    if (option.facts.Has(fact)) names.emplace_back(option.name);
+  return names;
+}
+
+std::string WhyWithoutEffect(const OptionKind& option, const Options& options) {
+  constexpr std::string_view without = "without ";
+  std::string text;
+  for (const auto& [is_met, otherwise] : option.facts.needs) {
+    if (is_met(options)) continue;
+    const std::string_view why = otherwise;
+    if (text.empty())
+      text = why;
+    else
+      text += " and " + std::string(why.starts_with(without) ? why.substr(without.size()) : why);
+  }
+  return text;
 }
 
 std::string Show(const OptionKind& option, const Options& options) {
@@ -272,8 +289,8 @@ std::string Range(const OptionKind& option) {
   return std::visit(
       Overloaded{
           [&]<class T>(const Number<T>& number) { return Interval(number) + unit; },
-          [&](const Rectangle&) { return std::string("whole numbers with x0 < x1 and y0 < y1, inside the picture"); },
-          [&](const PixelRequest&) { return std::string("whole numbers, a column and a row of the picture from 0"); },
+          [&](const Rectangle&) { return std::string("whole numbers with x0 < x1 and y0 < y1, inside the image"); },
+          [&](const PixelRequest&) { return std::string("whole numbers, a column and a row of the image from 0"); },
           [&](const FileName&) { return std::string("a file name"); },
           [&](const Word& word) { return std::string(word.range) + unit; },
           [&](const NumberList& list) { return std::string(list.range) + unit; },

@@ -7,6 +7,7 @@
 
 #include "R2/ImageFile.h"
 #include "source/accelerate/AcceleratorSettings.h"
+#include "source/app/options/Comp30019Asked.h"
 #include "source/app/options/Program.h"
 #include "source/app/raygrade/Options.h"
 #include "source/app/rayimg/Options.h"
@@ -74,8 +75,9 @@ struct Options {
   R2::ImageEncoding encoding;
   ViewOptions view;
   const CommandKind* command = nullptr;  // of a program that has commands
-  rayimg::Options image;
-  raygrade::Options grade;
+  rayimg::ImageOptions image;
+  raygrade::GradeOptions grade;
+  comp30019::Asked course;  // only while that course's command line is read
 
   bool quiet = false, verbose = false, stats = false, explain = false;
   std::string report;       // file name; empty for no report

@@ -6,10 +6,10 @@
 
 namespace ray {
 
-/// As the name of a scene standard input, as that of a picture standard output.
+/// The name that stands for standard input as a scene, and for standard output as an image.
 inline constexpr const char* standard_stream = "-";
 
-/// By its extension; PNG for standard output. Null when there is none.
+/// The format of an image by its extension; PNG for standard output. Null if there is none.
 inline const R2::ImageFormat* FormatOfPicture(const std::string& name) {
   return R2::FormatForName(name == standard_stream ? "-.png" : name);
 }

@@ -20,8 +20,8 @@ std::span<const Preset> Presets();
 /// "custom", which sets nothing, and the presets.
 std::vector<std::string> PresetNames();
 
-/// Whether the preset that options.quality names has a value for the option.
-bool IsSetByPreset(const Options& options, const std::string& option);
+/// Whether the preset of that name has a value for the option.
+bool IsSetByPreset(const std::string& preset, const std::string& option);
 /// Applies that preset, except for options that were given.
 void ApplyPreset(Options& options);
 

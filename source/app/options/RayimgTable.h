@@ -12,6 +12,6 @@ std::span<const CommandKind> Commands();
 std::vector<OptionKind> OptionsOfCommands();
 
 /// Throws UsageError where options of the command contradict each other, or one is missing.
-void CheckTogether(const CommandKind& command, const Options& options);
+void CheckTogether(const CommandKind& command, const ImageOptions& options);
 
 }  // namespace ray::rayimg

@@ -1,8 +1,5 @@
 #include "source/app/options/RayproCommand.h"
 
-#include <algorithm>
-#include <array>
-#include <string_view>
 #include <vector>
 
 #include "source/app/options/ForeignOption.h"
@@ -12,13 +9,10 @@
 namespace ray {
 namespace {
 
-constexpr std::array<std::string_view, 7> of_the_run{"threads", "memory",          "checkpoint", "resume",
-                                                     "restart", "keep_checkpoint", "reference"};
-
-bool IsOfThePicture(const OptionKind& option) {
-  const std::string_view topic = option.topic;
-  return IsSetting(option) && topic != "messages" && topic != "batch" &&
-         std::ranges::find(of_the_run, option.name) == of_the_run.end();
+/// Whether the option belongs into the command that makes the same image again.
+bool MakesTheImage(const OptionKind& option) {
+  return option.facts.HasAny({Fact::image, Fact::samples, Fact::budget, Fact::speed, Fact::reading}) &&
+         !option.facts.Has(Fact::run);
 }
 
 /// A file's name that is not taken for an option.
@@ -29,7 +23,7 @@ std::string AsName(const std::string& name) { return LooksLikeOption(name) || Is
 std::string RayproCommand(const Options& options) {
   std::vector<std::string> words{"raypro", AsName(options.scene), AsName(options.picture)};
   for (const OptionKind& option : OptionTable(Program::raypro)) {
-    if (!IsOfThePicture(option)) continue;
+    if (!MakesTheImage(option)) continue;
     // What was typed may be the default, and the scene may state another.
     const auto typed =
         options.IsGiven(option.name) ? Typed(option, options) : Typed(option, options, Defaults(Program::raypro));

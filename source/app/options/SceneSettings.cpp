@@ -1,7 +1,6 @@
 #include "source/app/options/SceneSettings.h"
 
 #include <algorithm>
-#include <array>
 #include <utility>
 
 #include "source/app/Status.h"
@@ -15,45 +14,19 @@
 namespace ray {
 namespace {
 
-/// What decides how a picture looks. What decides how long it takes, or which files are read and written, is the
-/// user's alone: a scene may come from a stranger.
-constexpr std::array<std::string_view, 31> of_scenes{"adaptive",
-                                                     "aperture",
-                                                     "bytes",
-                                                     "clamp",
-                                                     "emission",
-                                                     "emissive_meshes",
-                                                     "emissive_solids",
-                                                     "filter",
-                                                     "focus",
-                                                     "fresnel",
-                                                     "glossy",
-                                                     "gooch",
-                                                     "height",
-                                                     "internal_reflection",
-                                                     "lens",
-                                                     "lens_samples",
-                                                     "lights",
-                                                     "max_depth",
-                                                     "min_luminance",
-                                                     "mode",
-                                                     "motion",
-                                                     "outline",
-                                                     "sampler",
-                                                     "samples",
-                                                     "shadow_samples",
-                                                     "shadows",
-                                                     "shutter_samples",
-                                                     "srgb",
-                                                     "toon_bands",
-                                                     "width",
-                                                     "zbuffer_range"};
+/// What a scene may set: how its image looks. How long that takes, and which files are read and written, is the user's
+/// decision alone, since a scene may come from a stranger.
+std::vector<std::string_view> SettingNames() {
+  std::vector<std::string_view> names = OptionsWith(Program::raypro, Fact::in_scenes);
+  std::ranges::sort(names);
+  return names;
+}
 
-bool IsDecided(const Options& options, const std::string& option) {
-  // Samples on a grid cannot be had one pass after another, which budgets need.
-  const bool is_of_budget =
-      options.render.budget.IsOpen() && (option == "adaptive" || option == "sampler" || option == "samples");
-  return is_of_budget || options.IsGiven(option) || IsSetByPreset(options, option);
+/// Whether the command line leaves nothing for the scene to decide. Samples on a grid cannot be had one pass after
+/// another, which budgets need.
+bool IsDecided(const Options& options, const OptionKind& option) {
+  return (options.render.budget.IsOpen() && option.facts.Has(Fact::before_budgets)) || options.IsGiven(option.name) ||
+         IsSetByPreset(options.quality, option.name);
 }
 
 /// Throws UsageError for a value that the option does not take.
@@ -75,7 +48,7 @@ void Apply(const OptionKind& option, const SceneSetting& setting, Options& optio
 /// Null for what the program has no use for, such as a size of the picture in a window.
 const OptionKind* OptionOf(const SceneSetting& setting, Program program) {
   const OptionKind* option = FindOption(program, setting.option);
-  return option && std::ranges::find(of_scenes, option->name) != of_scenes.end() ? option : nullptr;
+  return option && option->facts.Has(Fact::in_scenes) ? option : nullptr;
 }
 
 /// Settings that scenes make without a reader's look at them, as courses do, are looked at here.
@@ -97,12 +70,12 @@ std::vector<const SceneSetting*> WithoutRepetitions(const std::vector<SceneSetti
   return last;
 }
 
-/// Those that the command line leaves to the scene, with their options.
+/// The settings that the command line leaves to the scene, with their options.
 std::vector<std::pair<const OptionKind*, const SceneSetting*>> InForce(const Scene& scene, const Options& options) {
   std::vector<std::pair<const OptionKind*, const SceneSetting*>> all;
   for (const SceneSetting* setting : WithoutRepetitions(scene.settings)) {
     const OptionKind* option = OptionOf(*setting, options.program);
-    if (option && !IsDecided(options, option->name)) all.emplace_back(option, setting);
+    if (option && !IsDecided(options, *option)) all.emplace_back(option, setting);
   }
   return all;
 }
@@ -142,7 +115,7 @@ std::optional<SettingProblem> ProblemOf(const SceneSetting& setting) {
   const OptionKind* option = OptionOf(setting, Program::raypro);
   if (!option)
     return SettingProblem{"a scene cannot set " + Quoted(setting.option),
-                          Suggestion(setting.option, of_scenes, "settings")};
+                          Suggestion(setting.option, SettingNames(), "settings")};
   try {
     Options scratch;
     Apply(*option, setting, scratch);

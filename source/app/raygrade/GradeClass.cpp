@@ -35,7 +35,7 @@ void MakeFolder(const fs::path& folder) {
   if (failed) throw OutputError("cannot make the folder " + Quoted(folder.string()) + ": " + failed.message());
 }
 
-std::vector<std::string> CommandOf(const Options& options, const grade::Suite& suite) {
+std::vector<std::string> CommandOf(const GradeOptions& options, const grade::Suite& suite) {
   std::vector<std::string> command(options.names.begin() + 1, options.names.end());
   if (command.empty()) command = suite.command;
   if (command.empty()) throw UsageError("no command: write it behind --, as in -- ./student {scene} {image}");
@@ -73,7 +73,7 @@ StudentResult GradeStudent(grade::Grader& grader, const std::string& name, const
 }
 
 /// All that results depend on but a student's program.
-std::string IdentityOf(const grade::Grader& grader, const Options& options, std::span<const std::string> command) {
+std::string IdentityOf(const grade::Grader& grader, const GradeOptions& options, std::span<const std::string> command) {
   std::string text = "raygrade " RAYPRO_VERSION ", suite and scenes " + SceneHash(grader.Inputs()) + ", seed " +
                      std::to_string(options.seed) + ":";
   for (const std::string& word : command) text += " " + Quoted(word);
@@ -88,7 +88,7 @@ std::optional<StudentResult> Kept(const fs::path& results, const std::string& id
   return student && student->is_complete ? student : std::nullopt;
 }
 
-int GradeClass(grade::Grader& grader, const Options& options, const std::string& identity) {
+int GradeClass(grade::Grader& grader, const GradeOptions& options, const std::string& identity) {
   const fs::path out = options.out;
   std::vector<StudentResult> students;
   for (const std::string& name : StudentsIn(options.students)) {
@@ -119,7 +119,7 @@ grade::Sandbox::Mode ModeOf(SandboxMode mode) { return static_cast<grade::Sandbo
 
 }  // namespace
 
-int Grade(const Options& options) {
+int Grade(const GradeOptions& options) {
   if (!options.new_suite.empty()) {
     WriteStandardOutput(grade::NewSuite(options.new_suite));
     return status::done;

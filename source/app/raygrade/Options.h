@@ -13,7 +13,7 @@ inline constexpr std::array sandbox_names{"auto", "bubblewrap", "limits"};
 constexpr const auto& NamesOf(SandboxMode) { return sandbox_names; }
 
 /// What raygrade is asked. Names, ranges and help are in source/app/options/RaygradeTable.cpp; the defaults are here.
-struct Options {
+struct GradeOptions {
   std::vector<std::string> names;  // the suite, then the words of a student's command
   std::string out = "graded";      // folder for pages and tables
   std::string results;             // file for Gradescope; empty: results.json in `out`

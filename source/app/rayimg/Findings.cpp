@@ -11,7 +11,7 @@ namespace ray::rayimg {
 namespace {
 
 /// Why the pictures differ by more than is allowed. A measure that is NaN is not within its limit.
-std::vector<std::string> Failures(const Findings& found, const Options& options) {
+std::vector<std::string> Failures(const Findings& found, const ImageOptions& options) {
   std::vector<std::string> failures;
   const auto limit = [&](const char* what, double value, std::optional<double> highest) {
     if (!highest) return;
@@ -22,8 +22,8 @@ std::vector<std::string> Failures(const Findings& found, const Options& options)
   };
   const double percent_allowed = options.fail_percent.value_or(0);
   if (found.pixels_beyond && !(found.PercentBeyond() <= percent_allowed))
-    failures.push_back(Rounded(found.PercentBeyond()) + " % of the pixels differ by more than " +
-                       ToText(*options.fail) + ", allowed are " + ToText(percent_allowed) + " %");
+    failures.push_back(Rounded(found.PercentBeyond()) + "% of the pixels differ by more than " +
+                       ToText(*options.fail) + ", allowed are " + ToText(percent_allowed) + "%");
   limit("linear RMSE", found.difference.rmse, options.fail_rmse);
   limit("FLIP", found.flip, options.fail_flip);
   return failures;
@@ -31,9 +31,9 @@ std::vector<std::string> Failures(const Findings& found, const Options& options)
 
 }  // namespace
 
-R2::Display DisplayOf(const Options& options) { return options.srgb ? R2::Display::srgb : R2::Display::straight; }
+R2::Display DisplayOf(const ImageOptions& options) { return options.srgb ? R2::Display::srgb : R2::Display::straight; }
 
-Measurement Measure(const R2::Image& x, const R2::Image& r, const Options& options) {
+Measurement Measure(const R2::Image& x, const R2::Image& r, const ImageOptions& options) {
   const R2::Display display = DisplayOf(options);
   R2::Plane flip = R2::Flip(Displayed(x, display), Displayed(r, display), options.pixels_per_degree);
   Findings found{

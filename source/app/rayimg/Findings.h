@@ -30,10 +30,10 @@ struct Measurement {
 };
 
 /// How values are shown: as -srgb asks.
-R2::Display DisplayOf(const Options& options);
+R2::Display DisplayOf(const ImageOptions& options);
 
 /// Both of one size. The product is left to the caller.
-Measurement Measure(const R2::Image& x, const R2::Image& r, const Options& options);
+Measurement Measure(const R2::Image& x, const R2::Image& r, const ImageOptions& options);
 
 /// "r", "g" or "b".
 const char* ChannelName(int channel);

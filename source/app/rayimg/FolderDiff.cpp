@@ -40,7 +40,7 @@ std::vector<Pair> TakePairs(Files& pictures, Files& references, std::string (*na
 PairResult WithoutPartner(const Pair& pair) {
   return {.pair = pair,
           .outcome = Outcome::unpaired,
-          .remark = pair.picture.empty() ? "there is no picture of that name" : "there is no reference of that name",
+          .remark = pair.picture.empty() ? "there is no image of that name" : "there is no reference of that name",
           .found = {},
           .cause = {},
           .figures = {}};
@@ -62,9 +62,9 @@ int ExitStatus(const std::vector<PairResult>& results) {
   return worst >= Outcome::fails ? status::failed : status::done;
 }
 
-void RefuseOptionsOfPictures(const Options& options) {
+void RefuseOptionsOfPictures(const ImageOptions& options) {
   const auto refuse = [](const std::string& value, const std::string& option) {
-    if (!value.empty()) throw UsageError(option + " needs two pictures; with folders, -html shows maps");
+    if (!value.empty()) throw UsageError(option + " needs two images; with folders, -html shows maps");
   };
   refuse(options.map, "-map");
   refuse(options.reference2, "-reference2");
@@ -82,7 +82,7 @@ std::vector<Pair> PairsOf(const Files& pictures, const Files& references) {
   return pairs;
 }
 
-int DiffFolders(const Options& options) {
+int DiffFolders(const ImageOptions& options) {
   RefuseOptionsOfPictures(options);
   const Files pictures = ImagesIn(options.names[0]), references = ImagesIn(options.names[1]);
   Files inputs = pictures;

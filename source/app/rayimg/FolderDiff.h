@@ -14,6 +14,6 @@ namespace ray::rayimg {
 std::vector<Pair> PairsOf(const std::vector<std::string>& pictures, const std::vector<std::string>& references);
 
 /// Compares the folders that the options name.
-int DiffFolders(const Options& options);
+int DiffFolders(const ImageOptions& options);
 
 }  // namespace ray::rayimg

@@ -18,7 +18,7 @@ constexpr const auto& NamesOf(MapOf) { return map_names; }
 
 /// What the commands of rayimg are asked. Names, ranges and help are in
 /// source/app/options/RayimgTable.cpp; the defaults are here.
-struct Options {
+struct ImageOptions {
   std::vector<std::string> names;  // of files, as typed
 
   // light and files

@@ -29,16 +29,16 @@ std::string Figure(const std::string& content, const std::string& caption) {
 
 /// Both pictures, one over the other; and where they differ.
 std::string Figures(const R2::Image& picture, const R2::Image& reference, const R2::Plane& flip,
-                    const Options& options) {
+                    const ImageOptions& options) {
   const R2::Image x = Displayed(picture, DisplayOf(options)), r = Displayed(reference, DisplayOf(options));
   return Figure(grade::Slider(ForPage(x), "picture", ForPage(r), "reference"),
-                "the picture over the reference; drag its lower right corner") +
+                "the image over the reference; drag its lower right corner") +
          Figure(grade::ImageTag(ForPage(RampImage(flip)), "FLIP"), "FLIP: black 0, white 1") +
          Figure(grade::ImageTag(ForPage(SignedDifference(x, r)), "difference"),
                 "difference times 4: red too bright, blue too dark");
 }
 
-std::string TwoFigures(const R2::Image& picture, const R2::Image& reference, const Options& options) {
+std::string TwoFigures(const R2::Image& picture, const R2::Image& reference, const ImageOptions& options) {
   return Figure(grade::ImageTag(ForPage(Displayed(picture, DisplayOf(options))), "picture"), "picture") +
          Figure(grade::ImageTag(ForPage(Displayed(reference, DisplayOf(options))), "reference"), "reference");
 }
@@ -49,7 +49,7 @@ std::string Formats(const R2::DecodedImage& picture, const R2::DecodedImage& ref
 }
 
 PairResult OfOtherSize(const Pair& pair, const R2::DecodedImage& picture, const R2::DecodedImage& reference,
-                       const Options& options) {
+                       const ImageOptions& options) {
   return {.pair = pair,
           .outcome = Outcome::other_size,
           .remark = "has " + SizeText(picture.image) + " pixels, the reference " + SizeText(reference.image),
@@ -61,7 +61,7 @@ PairResult OfOtherSize(const Pair& pair, const R2::DecodedImage& picture, const 
 }  // namespace
 
 PairResult ResultOf(const Pair& pair, const R2::DecodedImage& picture, const R2::DecodedImage& reference,
-                    const Measurement& measured, const Options& options) {
+                    const Measurement& measured, const ImageOptions& options) {
   const bool is_equal = picture.image == reference.image;
   return {.pair = pair,
           .outcome = !measured.found.failures.empty() ? Outcome::fails
@@ -73,7 +73,7 @@ PairResult ResultOf(const Pair& pair, const R2::DecodedImage& picture, const R2:
           .figures = options.html.empty() ? "" : Figures(picture.image, reference.image, measured.flip_map, options)};
 }
 
-PairResult Compared(const Pair& pair, const Options& options) {
+PairResult Compared(const Pair& pair, const ImageOptions& options) {
   try {
     const R2::DecodedImage picture = ReadLight(pair.picture, options.srgb);
     const R2::DecodedImage reference = ReadLight(pair.reference, options.srgb);
@@ -98,7 +98,7 @@ std::string Summary(const PairResult& result) {
   if (result.outcome == Outcome::equal) add("equal");
   if (result.cause)
     add(result.cause->title +
-        (result.cause->share < 1 ? " (" + ray::Rounded(100 * result.cause->share, 3) + " % of the difference)" : ""));
+        (result.cause->share < 1 ? " (" + ray::Rounded(100 * result.cause->share, 3) + "% of the difference)" : ""));
   if (result.found)
     for (const std::string& failure : result.found->failures) add("fails: " + failure);
   return text;

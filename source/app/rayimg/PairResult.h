@@ -33,10 +33,10 @@ struct PairResult {
 
 /// What measuring two pictures of one size has given.
 PairResult ResultOf(const Pair& pair, const R2::DecodedImage& picture, const R2::DecodedImage& reference,
-                    const Measurement& measured, const Options& options);
+                    const Measurement& measured, const ImageOptions& options);
 
 /// Reads two files and measures them. That one cannot be read is an outcome, not an error.
-PairResult Compared(const Pair& pair, const Options& options);
+PairResult Compared(const Pair& pair, const ImageOptions& options);
 
 /// In one sentence, with the share of the cause; empty where there is nothing to say.
 std::string Summary(const PairResult& result);

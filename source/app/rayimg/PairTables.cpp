@@ -48,7 +48,7 @@ std::span<const unsigned char> BytesOf(const std::string& text) {
 
 }  // namespace
 
-PairTables::PairTables(const Options& options, std::span<const std::string> inputs)
+PairTables::PairTables(const ImageOptions& options, std::span<const std::string> inputs)
     : title_(options.names[0] + " against " + options.names[1]) {
   if (!options.html.empty()) page_ = CheckOutput(options.html, inputs);
   if (!options.csv.empty()) table_ = CheckOutput(options.csv, inputs);
@@ -76,7 +76,7 @@ std::string TextOf(const std::vector<PairResult>& results) {
   return table + Count(results) + "\n";
 }
 
-std::string JsonOf(const std::vector<PairResult>& results, const Options& options) {
+std::string JsonOf(const std::vector<PairResult>& results, const ImageOptions& options) {
   using Json = nlohmann::ordered_json;
   Json images = Json::array();
   const auto text = [](const std::string& name) { return name.empty() ? Json() : Json(name); };

@@ -13,7 +13,7 @@ namespace ray::rayimg {
 class PairTables {
  public:
   /// Throws OutputError when one cannot be written, and UsageError when both are one.
-  PairTables(const Options& options, std::span<const std::string> inputs);
+  PairTables(const ImageOptions& options, std::span<const std::string> inputs);
 
   bool AreWanted() const { return page_ || table_; }
   /// Throws OutputError.
@@ -26,7 +26,7 @@ class PairTables {
 
 /// For people: a line for each pair, and one that counts them.
 std::string TextOf(const std::vector<PairResult>& results);
-std::string JsonOf(const std::vector<PairResult>& results, const Options& options);
+std::string JsonOf(const std::vector<PairResult>& results, const ImageOptions& options);
 std::string CsvOf(const std::vector<PairResult>& results);
 /// The page: one file, to be read without scripts.
 std::string PageOf(const std::vector<PairResult>& results, const std::string& title);

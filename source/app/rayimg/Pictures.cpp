@@ -29,7 +29,7 @@ R2::DecodedImage ReadLight(const std::string& file, bool srgb) {
   return picture;
 }
 
-void Expose(R2::Image& image, const Options& options) {
+void Expose(R2::Image& image, const ImageOptions& options) {
   const double factor = R1::Exp2(options.exposure);
   const R2::ToneCurve& curve =
       *std::ranges::find_if(R2::ToneCurves(), [&](const R2::ToneCurve& one) { return options.tonemap == one.name; });
@@ -39,14 +39,14 @@ void Expose(R2::Image& image, const Options& options) {
 
 void RefuseOtherSize(const std::string& a_name, const R2::Image& a, const std::string& b_name, const R2::Image& b) {
   if (a.Width() == b.Width() && a.Height() == b.Height()) return;
-  throw UsageError("pictures must have one size, but " + SizeOf(a_name, a) + " and " + SizeOf(b_name, b));
+  throw UsageError("images must have one size, but " + SizeOf(a_name, a) + " and " + SizeOf(b_name, b));
 }
 
 void Write(const PictureOutput& output, const R2::Image& image, const R2::ImageEncoding& encoding,
            const R2::ImageSettings& settings) {
   RefuseSize(*output.format, image.Width(), image.Height());
   if (output.file.is_link)
-    PrintError("rayimg: " + Quoted(output.file.name) + " is a link; the picture goes to " +
+    PrintError("rayimg: " + Quoted(output.file.name) + " is a link; the image goes to " +
                QuotedPath(output.file.target.string()));
   WriteWhole(output.file, output.format->encode(image, encoding, settings));
 }
@@ -60,7 +60,7 @@ void RefuseToRound(const std::string& name, bool is_linear, const PictureOutput&
                    " only 0 to 1 in steps; write one of " + keep + ", or say with rayimg convert how it is shown");
 }
 
-R2::ImageEncoding EncodingOf(const Options& options, const PictureOutput& output) {
+R2::ImageEncoding EncodingOf(const ImageOptions& options, const PictureOutput& output) {
   if (options.bits == 16 && std::string(output.format->name) != "png")
     throw UsageError("-bits 16 needs a PNG, not " + std::string(output.format->name));
   return {.srgb = options.srgb, .bits = options.bits, .jpeg_quality = options.jpeg_quality};

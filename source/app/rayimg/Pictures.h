@@ -13,7 +13,7 @@ namespace ray::rayimg {
 R2::DecodedImage ReadLight(const std::string& file, bool srgb);
 
 /// Makes a picture brighter and applies a tone curve, as -exposure and -tonemap ask.
-void Expose(R2::Image& image, const Options& options);
+void Expose(R2::Image& image, const ImageOptions& options);
 
 /// Throws UsageError unless both are as wide and as high.
 void RefuseOtherSize(const std::string& a_name, const R2::Image& a, const std::string& b_name, const R2::Image& b);
@@ -27,7 +27,7 @@ void Write(const PictureOutput& output, const R2::Image& image, const R2::ImageE
 void RefuseToRound(const std::string& name, bool is_linear, const PictureOutput& output);
 
 /// The encoding that -srgb, -bits and -jpeg_quality ask for. Throws UsageError where the format has no 16 bits.
-R2::ImageEncoding EncodingOf(const Options& options, const PictureOutput& output);
+R2::ImageEncoding EncodingOf(const ImageOptions& options, const PictureOutput& output);
 
 /// Throws UsageError where an image would have more than R2::max_pixels.
 void RefuseTooManyPixels(std::int64_t width, std::int64_t height);

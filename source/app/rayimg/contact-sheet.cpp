@@ -42,7 +42,7 @@ R2::Image Cross(int side) {
 }
 
 /// The picture as a screen shows it, scaled to fit into a square of that side.
-R2::Image Thumbnail(const std::string& name, const Options& options, int side) {
+R2::Image Thumbnail(const std::string& name, const ImageOptions& options, int side) {
   R2::Image image = ReadLight(name, options.srgb).image;
   Expose(image, options);
   const double scale =
@@ -53,7 +53,7 @@ R2::Image Thumbnail(const std::string& name, const Options& options, int side) {
 
 }  // namespace
 
-int ContactSheet(const Options& options, const std::string& command_line) {
+int ContactSheet(const ImageOptions& options, const std::string& command_line) {
   const std::vector<std::string> names = PicturesOf(options.names, options.out);
   const PictureOutput output = CheckPictureOutput(options.out, names);
   if (names.empty()) throw UsageError("there is no image but the sheet itself");

@@ -4,7 +4,7 @@
 
 namespace ray::rayimg {
 
-int Convert(const Options& options, const std::string& command_line) {
+int Convert(const ImageOptions& options, const std::string& command_line) {
   const std::string& in = options.names[0];
   const std::string inputs[] = {in};
   const PictureOutput output = CheckPictureOutput(options.names[1], inputs);

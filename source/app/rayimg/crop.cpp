@@ -48,7 +48,7 @@ std::vector<R2::ImageLayer> CroppedLayers(const R2::ImageFormat& format, std::sp
 
 }  // namespace
 
-int Crop(const Options& options, const std::string& command_line) {
+int Crop(const ImageOptions& options, const std::string& command_line) {
   const std::string& in = options.names[0];
   const std::string inputs[] = {in};
   const PictureOutput output = CheckPictureOutput(options.names[1], inputs);

@@ -26,7 +26,7 @@ std::string Line(std::string name, const std::string& value) {
   return name + value + "\n";
 }
 
-std::string TextOf(const Findings& found, const Options& options) {
+std::string TextOf(const Findings& found, const ImageOptions& options) {
   const R2::Difference& d = found.difference;
   std::string text = Escaped(options.names[0]) + " against " + Escaped(options.names[1]) + "\n";
   text += Line("linear RMSE", Rounded(d.rmse)) + Line("relMSE", Rounded(d.relative_mse)) +
@@ -44,7 +44,7 @@ std::string TextOf(const Findings& found, const Options& options) {
     text += Line("not finite", Counted(static_cast<std::uint64_t>(d.pixels_not_finite), "pixel") + ", left out above");
   if (found.pixels_beyond)
     text += Line("beyond " + ToText(*options.fail), Counted(static_cast<std::uint64_t>(*found.pixels_beyond), "pixel") +
-                                                        ", " + Rounded(found.PercentBeyond()) + " %");
+                                                        ", " + Rounded(found.PercentBeyond()) + "%");
   for (const std::string& failure : found.failures) text += "fails: " + failure + "\n";
   return text;
 }
@@ -60,18 +60,18 @@ void WarnOfSharedNoise(const std::vector<std::string>& names, const R2::ImageSet
 void RefuseDependent(const std::string& a_name, const R2::DecodedImage& a, const std::string& b_name,
                      const R2::DecodedImage& b) {
   if (const auto why = WhyDependent(a_name, a.settings, b_name, b.settings))
-    throw UsageError("-reference2 needs a picture of its own: " + *why);
+    throw UsageError("-reference2 needs an image of its own: " + *why);
 }
 
 /// Names may be any bytes; JSON holds UTF-8 only.
-std::string JsonText(const Findings& found, const Options& options) {
+std::string JsonText(const Findings& found, const ImageOptions& options) {
   nlohmann::ordered_json json{{"picture", options.names[0]}, {"reference", options.names[1]}};
   json.update(JsonOf(found, options.reference2));
   return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
 /// The error without the noise of the reference.
-double Product(const R2::DecodedImage& picture, const R2::DecodedImage& reference, const Options& options) {
+double Product(const R2::DecodedImage& picture, const R2::DecodedImage& reference, const ImageOptions& options) {
   const R2::DecodedImage second = ReadLight(options.reference2, options.srgb);
   RefuseOtherSize(options.names[0], picture.image, options.reference2, second.image);
   RefuseDependent(options.names[0], picture, options.reference2, second);
@@ -79,7 +79,7 @@ double Product(const R2::DecodedImage& picture, const R2::DecodedImage& referenc
   return ProductMse(picture.image, reference.image, second.image);
 }
 
-int DiffPictures(const Options& options, const std::string& command_line) {
+int DiffPictures(const ImageOptions& options, const std::string& command_line) {
   std::vector<std::string> inputs = options.names;
   if (!options.reference2.empty()) inputs.push_back(options.reference2);
   std::optional<PictureOutput> map_output;
@@ -114,12 +114,12 @@ bool IsFolder(const std::string& name) {
 
 }  // namespace
 
-int Diff(const Options& options, const std::string& command_line) {
+int Diff(const ImageOptions& options, const std::string& command_line) {
   const bool first = IsFolder(options.names[0]), second = IsFolder(options.names[1]);
   if (first && second) return DiffFolders(options);
   if (first || second)
     throw UsageError(QuotedPath(options.names[first ? 0 : 1]) + " is a folder and " +
-                     QuotedPath(options.names[first ? 1 : 0]) + " is none; diff compares two pictures or two folders");
+                     QuotedPath(options.names[first ? 1 : 0]) + " is none; diff compares two images or two folders");
   return DiffPictures(options, command_line);
 }
 

@@ -70,7 +70,7 @@ R2::DecodedImage DecodeLayer(const std::string& file, const Layer& layer, const 
 
 }  // namespace
 
-int Extract(const Options& options, const std::string& command_line) {
+int Extract(const ImageOptions& options, const std::string& command_line) {
   const std::string &in = options.names[0], &name = options.names[1];
   const std::string inputs[] = {in};
   const PictureOutput output = CheckPictureOutput(options.names[2], inputs);

@@ -85,7 +85,7 @@ std::string TextOf(const std::string& name) {
 
 }  // namespace
 
-int Info(const Options& options, const std::string&) {
+int Info(const ImageOptions& options, const std::string&) {
   // One bad file among many does not hide the others.
   int exit_status = status::done;
   std::string gap;

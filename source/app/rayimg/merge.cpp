@@ -41,8 +41,7 @@ std::optional<std::string> Look(const ImageSettings& settings) {
   for (bool is_of_look = false; words >> word;) {
     if (LooksLikeOption(word)) {
       const OptionKind* option = FindOption(Program::raypro, SplitOption(word).name);
-      const std::string name = option ? option->name : "";
-      is_of_look = option && ChoosesThePicture(*option) && name != "seed" && name != "samples";
+      is_of_look = option && option->facts.Has(Fact::image) && option->name != std::string("seed");
     }
     if (is_of_look) look += (look.empty() ? "" : " ") + word;
   }
@@ -97,7 +96,8 @@ std::vector<ImageSettings> ReadSettings(const std::vector<std::string>& names) {
   return settings;
 }
 
-/// Of all pictures, or nothing. Means over the pixels, and not whole where an error or a clock decided.
+/// Samples per pixel of all images, or nothing. They are means over the pixels, and not whole where an error or a clock
+/// decided.
 std::optional<std::vector<double>> StoredSamples(const std::vector<std::string>& names,
                                                  const std::vector<ImageSettings>& settings) {
   constexpr double most = 9007199254740992;  // 2^53: beyond, sums would not be exact
@@ -106,7 +106,7 @@ std::optional<std::vector<double>> StoredSamples(const std::vector<std::string>&
     const auto number = ParseNumber(Setting(settings[i], "samples"));
     if (number.problem || !(number.value > 0 && number.value <= most)) {
       PrintError("rayimg: warning: " + Quoted(names[i]) +
-                 " does not record its samples per pixel; all pictures get the same weight");
+                 " does not record its samples per pixel; all images get the same weight");
       return {};
     }
     samples.push_back(number.value);
@@ -114,7 +114,7 @@ std::optional<std::vector<double>> StoredSamples(const std::vector<std::string>&
   return samples;
 }
 
-/// The same weights but for a power of two, the largest below 1, so that no sum overflows; no mean changes by a bit.
+/// Scales weights by a power of two so that the largest is below 1 and no sum overflows; no mean changes by a bit.
 std::vector<double> Scaled(std::vector<double> weights) {
   int exponent = 0;
   std::frexp(std::ranges::max(weights), &exponent);
@@ -168,7 +168,7 @@ ImageSettings MergedSettings(const std::vector<ImageSettings>& settings, bool by
 
 }  // namespace
 
-int Merge(const Options& options, const std::string& command_line) {
+int Merge(const ImageOptions& options, const std::string& command_line) {
   const std::vector<std::string>& names = options.names;
   const PictureOutput output = CheckPictureOutput(options.out, names);
   const std::vector<ImageSettings> settings = ReadSettings(names);

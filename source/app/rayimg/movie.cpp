@@ -172,7 +172,7 @@ OutputFile CheckMovie(const std::string& name, const std::vector<std::string>& i
 
 }  // namespace
 
-int Movie(const Options& options, const std::string&) {
+int Movie(const ImageOptions& options, const std::string&) {
   const std::vector<std::string> names(options.names.begin() + 1, options.names.end());
   const OutputFile output = CheckMovie(options.names[0], names);
   const Frames frames = ReadFrames(names);

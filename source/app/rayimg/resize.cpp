@@ -12,7 +12,7 @@ namespace ray::rayimg {
 namespace {
 
 /// The side that is not named keeps the shape.
-R2::ImageSize NewSize(const R2::Image& image, const Options& options) {
+R2::ImageSize NewSize(const R2::Image& image, const ImageOptions& options) {
   const auto scaled = [](int side, int named, int other) {
     return std::max(std::int64_t{1},
                     static_cast<std::int64_t>(std::llround(static_cast<double>(side) * named / other)));
@@ -25,7 +25,7 @@ R2::ImageSize NewSize(const R2::Image& image, const Options& options) {
 
 }  // namespace
 
-int Resize(const Options& options, const std::string& command_line) {
+int Resize(const ImageOptions& options, const std::string& command_line) {
   const std::string& in = options.names[0];
   const std::string inputs[] = {in};
   const PictureOutput output = CheckPictureOutput(options.names[1], inputs);

@@ -12,27 +12,27 @@ namespace ray::rayimg {
 namespace {
 
 /// The number of pictures in a row.
-std::size_t Columns(const Options& options) {
+std::size_t Columns(const ImageOptions& options) {
   return options.columns ? static_cast<std::size_t>(*options.columns) : options.names.size();
 }
 
-void RefuseOtherHeight(const Options& options, const std::vector<Tile>& tiles) {
+void RefuseOtherHeight(const ImageOptions& options, const std::vector<Tile>& tiles) {
   const std::size_t first = (tiles.size() - 1) / Columns(options) * Columns(options), last = tiles.size() - 1;
   const int a = tiles[first].image.Height(), b = tiles[last].image.Height();
   if (a == b) return;
-  throw UsageError("pictures of a row must have one height, but " + Quoted(options.names[first]) + " has " +
+  throw UsageError("images of a row must have one height, but " + Quoted(options.names[first]) + " has " +
                    std::to_string(a) + " rows of pixels and " + Quoted(options.names[last]) + " " + std::to_string(b) +
                    "; rayimg resize -height " + std::to_string(a) + " changes that");
 }
 
-std::string CaptionOf(const Options& options, std::size_t i) {
+std::string CaptionOf(const ImageOptions& options, std::size_t i) {
   if (!options.captions.empty()) return options.captions[i];
   return options.captions_are_names ? std::filesystem::path(options.names[i]).filename().string() : "";
 }
 
 }  // namespace
 
-int SideBySide(const Options& options, const std::string& command_line) {
+int SideBySide(const ImageOptions& options, const std::string& command_line) {
   const PictureOutput output = CheckPictureOutput(options.out, options.names);
   std::vector<Tile> tiles;
   for (std::size_t i = 0; i < options.names.size(); ++i) {

@@ -1,9 +1,5 @@
 #include "source/app/rayview/PanelOptions.h"
 
-#include <algorithm>
-#include <array>
-#include <string_view>
-
 #include "source/app/options/CommandLine.h"
 #include "source/app/options/OptionTable.h"
 #include "source/text/Words.h"
@@ -11,13 +7,9 @@
 namespace ray {
 namespace {
 
-constexpr std::array<std::string_view, 4> topics_of_panels{"picture", "light", "quality", "speed"};
-/// Of the window, and of the start.
-constexpr std::array<std::string_view, 3> left_out{"width", "height", "memory"};
-
 bool IsInPanels(const OptionKind& option) {
-  return IsSetting(option) && std::ranges::find(topics_of_panels, option.topic) != topics_of_panels.end() &&
-         std::ranges::find(left_out, option.name) == left_out.end();
+  return option.facts.HasAny({Fact::image, Fact::samples, Fact::budget, Fact::speed}) &&
+         !option.facts.Has(Fact::reading);
 }
 
 /// Behind the option's name; a name of a file may have blanks in it.

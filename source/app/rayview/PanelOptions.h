@@ -9,11 +9,11 @@
 /// rayview's options, to be changed while it runs.
 namespace ray {
 
-/// Those that bear on pictures and can be changed by then, in the order of the option table.
+/// The options that bear on images and can still be changed, in the order of the option table.
 std::vector<ShownOption> OptionsOfPanels(const Options& options);
 
-/// As if all that is in force had been typed, with this value of one option of OptionsOfPanels, empty for its default.
-/// What the scene set counts as typed. Throws UsageError.
+/// The options as if all that is in force had been typed, with this value of one option of OptionsOfPanels, empty for
+/// its default. What the scene set counts as typed. Throws UsageError.
 Options WithOption(const Options& options, const std::string& name, const std::string& value);
 
 }  // namespace ray

@@ -54,11 +54,10 @@ std::string SaveTraced(const PictureOutput* output, Options options, const Loade
   return FinalLine(record);
 }
 
-void SaveDrawing(const PictureOutput& output, const R2::Image& drawing, const Options& options) {
-  R2::ImageEncoding encoding = options.encoding;
+void SaveDrawing(const PictureOutput& output, const R2::Image& drawing, R2::ImageEncoding encoding) {
   encoding.srgb = false;
-  TellOfLink(options.program, output.file);
-  WriteWhole(output.file, output.format->encode(drawing, encoding, {{"program", NameAndVersion(options.program)}}));
+  TellOfLink(Program::rayview, output.file);
+  WriteWhole(output.file, output.format->encode(drawing, encoding, {{"program", NameAndVersion(Program::rayview)}}));
 }
 
 }  // namespace ray

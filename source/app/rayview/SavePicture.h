@@ -18,7 +18,8 @@ namespace ray {
 std::string SaveTraced(const PictureOutput* output, Options options, const LoadedScene& scene,
                        const RenderResult& result, double seconds);
 
-/// Writes what was drawn, whose values are as they are shown. Throws likewise.
-void SaveDrawing(const PictureOutput& output, const R2::Image& drawing, const Options& options);
+/// Writes what was drawn, whose values are as they are shown. Throws OutputError, and R2::ImageError when the format
+/// cannot hold the size.
+void SaveDrawing(const PictureOutput& output, const R2::Image& drawing, R2::ImageEncoding encoding);
 
 }  // namespace ray

@@ -92,7 +92,7 @@ ViewerSettings WithReference(ViewerSettings settings, const std::string& referen
   if (reference.empty()) return settings;
   Contents(reference);  // which says so where there is none
   settings.reference = ReadPictureFile(reference);
-  if (!settings.reference) throw SceneErrors({ErrorIn(reference, "the file cannot be read as a picture")});
+  if (!settings.reference) throw SceneErrors({ErrorIn(reference, "the file cannot be read as an image")});
   return settings;
 }
 
@@ -108,9 +108,7 @@ ViewerSettings WithLook(ViewerSettings settings, const PanelSettings& look) {
 }
 
 /// What bears on live rendering alone.
-bool IsOfBudget(const std::string& option) {
-  return option == "time" || option == "error" || option == "confidence" || option == "adaptive";
-}
+bool IsOfBudget(const std::string& option) { return FindOption(Program::rayview, option)->facts.Has(Fact::budget); }
 
 /// Events as a script that makes them happen again. Times between events are added up.
 class Recorder {
@@ -191,7 +189,7 @@ class Session : public ViewerHost {
     Options options = options_;
     options.render = job.Settings();
     options.render.threads = options_.render.threads;  // a job fills in how many it took
-    std::erase_if(options.given, [](const std::string& option) { return IsOfBudget(option); });
+    std::erase_if(options.given, IsOfBudget);
     return Attempt([&] {
       if (outputs_.image) RefuseInputs(outputs_.image->file, FilesRead());
       std::string line = ray::SaveTraced(outputs_.image ? &*outputs_.image : nullptr, options, job.scene(),
@@ -277,7 +275,7 @@ class Session : public ViewerHost {
   /// Nothing is said of it; throws OutputError where that would replace what was dropped on the window.
   std::string SaveDrawingTo(const PictureOutput& output) {
     RefuseInputs(output.file, FilesRead());
-    ray::SaveDrawing(output, painter_.canvas.Read(), options_);
+    ray::SaveDrawing(output, painter_.canvas.Read(), options_.encoding);
     return {};
   }
 
@@ -290,7 +288,7 @@ class Session : public ViewerHost {
     viewer_.Tell(Attempt([&] {
       // Letters and lines suffer in a JPEG.
       const PictureOutput place = ClaimImageName(R2::FormatForName("image.png") ? "png" : "jpg");
-      ray::SaveDrawing(place, painter_.canvas.Read(), options_);
+      ray::SaveDrawing(place, painter_.canvas.Read(), options_.encoding);
       Print("screenshot saved to " + place.file.name);
       return "screenshot saved to " + place.file.name;
     }));
@@ -303,7 +301,7 @@ class Session : public ViewerHost {
     window_->Show();
     ShowTitle();
   }
-  /// As fast as the view moves, and in full once it rests.
+  /// Draws as fast as the view moves, and in full once it rests.
   void DrawForHand() {
     const bool has_news = viewer_.Update();
     const double now = SecondsSince(start_);
@@ -361,7 +359,7 @@ class Session : public ViewerHost {
         for (const auto start = Clock::now(); SecondsSince(start) < wait->seconds && StopSignal() == 0;) Pause();
       } else if (const auto* screenshot = std::get_if<Screenshot>(&step)) {
         Draw();
-        ray::SaveDrawing(CheckPictureOutput(screenshot->file, FilesRead()), painter_.canvas.Read(), options_);
+        ray::SaveDrawing(CheckPictureOutput(screenshot->file, FilesRead()), painter_.canvas.Read(), options_.encoding);
       } else if (const auto* panel = std::get_if<ClickPanel>(&step)) {
         Click(*panel);
       } else {

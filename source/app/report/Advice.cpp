@@ -219,7 +219,7 @@ class Advisor {
     constexpr double noticeable = 0.005;
     if (!forecast.is_light_sure || std::abs(forecast.light_gained) < noticeable) return {};
     return "With " + Typed(forecast.settings) + " the image has " + Rounded(100 * std::abs(forecast.light_gained), 2) +
-           " % " + (forecast.light_gained > 0 ? "more" : "less") + " light, which no number of samples changes.\n";
+           "% " + (forecast.light_gained > 0 ? "more" : "less") + " light, which no number of samples changes.\n";
   }
 
   const World& world_;

@@ -48,7 +48,7 @@ std::vector<unsigned char> ReadBytes(const std::string& file) {
 R2::DecodedImage DecodePicture(const std::string& file, std::span<const unsigned char> bytes) {
   try {
     const R2::ImageSize size = R2::ReadImageSize(bytes);
-    const std::int64_t needed = std::int64_t{3 * sizeof(float)} * size.width * size.height, limit = MemoryLimit({});
+    const std::int64_t needed = std::int64_t{3 * sizeof(float)} * size.width * size.height, limit = MemoryLimit(0);
     if (needed > limit - PeakMemory())
       Refuse(file, "decoding it takes " + std::to_string(needed >> 20) + " MiB, and this machine allows " +
                        std::to_string(limit >> 20) + " MiB in all");

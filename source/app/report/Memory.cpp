@@ -35,8 +35,8 @@ std::string InGib(std::int64_t bytes) {
 
 }  // namespace
 
-std::int64_t MemoryLimit(const Options& options) {
-  return options.memory > 0 ? static_cast<std::int64_t>(options.memory * gib) : MachineMemory() / 4 * 3;
+std::int64_t MemoryLimit(double gibibytes) {
+  return gibibytes > 0 ? static_cast<std::int64_t>(gibibytes * gib) : MachineMemory() / 4 * 3;
 }
 
 std::int64_t PictureBytes(const Options& options) {
@@ -55,12 +55,12 @@ std::int64_t PictureBytes(const Options& options) {
 }
 
 void CheckMemory(const World& world, const Options& options) {
-  const std::int64_t limit = MemoryLimit(options), held = PeakMemory(), picture = PictureBytes(options),
+  const std::int64_t limit = MemoryLimit(options.memory), held = PeakMemory(), picture = PictureBytes(options),
                      structure = bytes_per_primitive * world.Primitives();
   if (held + picture + structure <= limit) return;
   throw UsageError("rendering may take " + InGib(held + picture + structure) + " of memory, more than the limit of " +
                    InGib(limit) + ": the scene has " + InGib(held) + ", its structure may need " + InGib(structure) +
-                   ", the picture " + InGib(picture) + "; -memory sets another limit");
+                   ", the image " + InGib(picture) + "; -memory sets another limit");
 }
 
 }  // namespace ray

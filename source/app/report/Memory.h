@@ -7,8 +7,8 @@
 
 namespace ray {
 
-/// What -memory allows the program to take, in bytes: three quarters of this machine's memory unless given.
-std::int64_t MemoryLimit(const Options& options);
+/// The bytes that the program may take, for the GiB that -memory gives; three quarters of this machine's memory for 0.
+std::int64_t MemoryLimit(double gibibytes);
 
 /// Before anything is built or rendered, throws UsageError where what the process holds already, the largest that an
 /// acceleration structure may take, and the picture with its layers and references together exceed the limit.

@@ -36,10 +36,10 @@ std::string DurationText(double seconds) {
 
 std::string ProgressText(const RenderProgress& progress, double seconds) {
   const auto done = static_cast<double>(progress.done), total = static_cast<double>(progress.total);
-  const std::string percent = std::to_string(progress.done * 100 / progress.total) + " %";
+  const std::string percent = std::to_string(progress.done * 100 / progress.total) + "%";
   const double left = seconds * (total - done) / done;
   const double million_rays = static_cast<double>(progress.rays) * 1e-6;
-  return std::string(5 - std::min<std::size_t>(5, percent.size()), ' ') + percent +
+  return std::string(4 - std::min<std::size_t>(4, percent.size()), ' ') + percent +
          (progress.done > 0 ? "  " + DurationText(left) + " left" : "") +
          (progress.phase != RenderPhase::samples ? std::string("  ") + WordsOf(progress.phase)
           : seconds > 0                          ? "  " + Fixed(million_rays / seconds, 1) + " Mrays/s"

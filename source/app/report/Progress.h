@@ -13,7 +13,7 @@ enum class ProgressStyle { none, terminal, log };
 /// What standard error is good for.
 ProgressStyle ChooseProgressStyle(bool quiet);
 
-/// " 42 %  0:12 left  14.2 Mrays/s", `seconds` after the phase began; but for samples " 42 %  0:12 left  denoising".
+/// " 42%  0:12 left  14.2 Mrays/s", `seconds` after the phase began; but for samples " 42%  0:12 left  denoising".
 std::string ProgressText(const RenderProgress& progress, double seconds);
 /// "0:07", "1:02:03"
 std::string DurationText(double seconds);

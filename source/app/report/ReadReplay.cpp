@@ -40,14 +40,16 @@ std::string Shown(const Json& value) {
   return text.size() <= most_quoted ? Escaped(text) : Quoted(text);
 }
 
-/// The report says how many samples are taken; who asks for another number besides is mistaken.
-bool MayDiffer(const std::string& name, const Options& options) { return name == "samples" && !options.IsGiven(name); }
+/// The report says how many samples are taken; a user who asks for another number besides is mistaken.
+bool MustAgree(const OptionKind& option, const Options& options) {
+  return option.facts.Has(Fact::image) || (option.name == std::string("samples") && options.IsGiven("samples"));
+}
 
 void RequireSameSettings(const Json& settings, const Options& options) {
   const Json ours = SettingsJson(options);
   for (const OptionKind& option : OptionTable(options.program)) {
     const std::string name = option.name;
-    if (!ChoosesThePicture(option) || MayDiffer(name, options)) continue;
+    if (!MustAgree(option, options)) continue;
     const Json& then = settings.at(name);
     if (then != ours.at(name))
       throw UsageError("the report was made with -" + name + " " + Shown(then) + ", not " + Shown(ours.at(name)));
@@ -101,7 +103,7 @@ void RequireSamplesOfAllBlocks(const Replay& replay, const Options& options) {
   const auto blocks = static_cast<std::size_t>(EmptyFilmOf(options.render).Blocks());
   for (const std::size_t size : {replay.samples.size(), replay.places.size()})
     if (size != 0 && size != blocks)
-      throw refuse("it has " + std::to_string(size) + " blocks of pixels, the picture " + std::to_string(blocks));
+      throw refuse("it has " + std::to_string(size) + " blocks of pixels, the image " + std::to_string(blocks));
   const auto has_any = [](const auto& counts) { return std::ranges::any_of(counts, [](auto n) { return n > 0; }); };
   const bool has_samples = has_any(replay.ends) && (replay.samples.empty() || has_any(replay.samples));
   if (replay.planned_samples == 0 || !(has_samples || has_any(replay.places))) throw refuse("it has no samples");

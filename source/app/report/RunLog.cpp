@@ -3,8 +3,6 @@
 #include <signal.h>
 
 #include <algorithm>
-#include <initializer_list>
-#include <tuple>
 #include <utility>
 
 #include "source/app/Interrupt.h"
@@ -26,66 +24,18 @@
 namespace ray {
 namespace {
 
-/// "without -aperture and -sampler grid": those of what an option needs that are not there.
-std::string Without(std::initializer_list<std::pair<bool, const char*>> needed) {
-  std::string text;
-  for (const auto& [is_there, what] : needed)
-    if (!is_there) text += (text.empty() ? "without " : " and ") + std::string(what);
-  return text;
-}
-
-/// "-focus has no effect without -aperture": options that were typed and this picture, or this accelerator, makes no
-/// use of.
+/// "-focus has no effect without -aperture": options that were typed and that this image, or this acceleration
+/// structure, makes no use of.
 std::vector<std::string> OptionsWithoutEffect(const Options& options) {
-  const R2::ImageFormat* format = FormatOfPicture(options.picture);
-  const std::string kind = format ? format->name : "", on_format = "on the format " + kind;
-  const RenderSettings& render = options.render;
-  const bool is_grid = IsGrid(render.trace.sampler), has_lens = render.camera.HasLens();
-  const bool is_spiral = render.camera.lens != LensPattern::random;
-  const std::pair lens{has_lens, "-aperture"}, grid{is_grid, "-sampler grid"};
-  const std::string& accel = options.accelerator.name;
-  const bool is_graph = accel == "graph";
-  const bool has_colored_lamps =
-      render.mode == RenderMode::whitted || (render.mode == RenderMode::path && !EmitsRadiance(render));
-  const bool has_error = render.budget.IsOpen() || render.denoise || options.stats || !options.report.empty() ||
-                         !options.reference.empty();
-  const std::string with_accelerator = "with -accel " + options.accelerator.name;
-  const std::tuple<const char*, bool, std::string> uses[] = {
-      {"bits", kind == "png", on_format},
-      {"jpeg_quality", kind == "jpeg", on_format},
-      {"bytes", format && !format->is_linear, on_format},
-      {"denoiser", render.denoise, "without -denoise"},
-      {"filter", !IsSubsampled(render), "where pixels have at most one sample, at their centers"},
-      {"focus", has_lens, "without -aperture"},
-      {"lens", has_lens && is_grid, Without({lens, grid})},
-      {"lens_samples", has_lens && is_grid && is_spiral, Without({lens, grid, {is_spiral, "-lens spiral"}})},
-      {"shutter_samples", is_grid, "without -sampler grid"},
-      {"zbuffer_range", render.mode == RenderMode::zbuffer, "without -mode zbuffer"},
-      {"gooch", render.mode == RenderMode::gooch, "without -mode gooch"},
-      {"toon_bands", render.mode == RenderMode::toon, "without -mode toon"},
-      {"emission", render.mode == RenderMode::path, "without -mode path"},
-      {"emissive_meshes", has_colored_lamps, "without -mode whitted or -emission color"},
-      {"emissive_solids", has_colored_lamps, "without -mode whitted or -emission color"},
-      {"adaptive", render.budget.adaptive != Adaptive::tile || render.budget.error, "without -error"},
-      {"adaptive", render.budget.adaptive != Adaptive::neighbors || render.samples > 1, "without -samples"},
-      {"samples", render.samples > 1 || !render.budget.IsOpen(), "with -time or -error unless it is 2 or more"},
-      {"strategy", render.mode == RenderMode::path, "without -mode path"},
-      {"confidence", has_error, "without -error, -time, -denoise, -reference, -stats or -report"},
-      {"out_format", !options.out_folder.empty(), "without -out_folder"},
-      {"accel_res", accel != "none" && !is_graph, with_accelerator},
-      {"accel_res", accel != "bvh" || options.accelerator.resolution <= 8, "above 8 with -accel bvh"},
-      {"accel_depth", accel == "octree", with_accelerator},
-      {"node_boxes", is_graph, with_accelerator},
-      {"front_to_back", is_graph, with_accelerator},
-      {"last_hit", is_graph, with_accelerator},
-  };
   std::vector<std::string> lines;
-  for (const auto& [option, is_used, why] : uses)
-    if (options.IsGiven(option) && !is_used) lines.push_back("-" + std::string(option) + " has no effect " + why);
+  for (const OptionKind& option : OptionTable(options.program))
+    if (const std::string why = WhyWithoutEffect(option, options); options.IsGiven(option.name) && !why.empty())
+      lines.push_back("-" + std::string(option.name) + " has no effect " + why);
+  const RenderSettings& render = options.render;
   if (options.IsGiven("samples") && render.samples > 1 && render.samples % 2 == 1 && HasTwoStreams(render))
     lines.push_back("-samples " + std::to_string(render.samples) +
-                    ": errors are told by comparing two halves, so that " + std::to_string(render.samples - 1) +
-                    " are taken");
+                    ": the error estimate compares two halves of the samples, so " +
+                    std::to_string(render.samples - 1) + " are taken");
   return lines;
 }
 
@@ -117,7 +67,7 @@ std::vector<std::string> ExplainRender(const World& world, const RunStats& stats
                                  "sources of bias: " + listed(stats.biased)};
   std::string settings;
   for (const OptionKind& option : OptionTable(stats.options.program))
-    if (IsSetting(option) && std::string(option.topic) != "messages" && !Show(option, stats.options).empty())
+    if (IsSetting(option) && !option.facts.Has(Fact::messages) && !Show(option, stats.options).empty())
       settings += " -" + std::string(option.name) + " " + Show(option, stats.options);
   lines.push_back("all settings:" + settings);
   if (stats.options.render.crop) lines.push_back(CropLine(stats.options.render));
@@ -138,9 +88,9 @@ std::string ExplainParts(const RunStats& stats) {
   const double again = stats.seconds.load + stats.seconds.build;
   const double parts = again > 0 ? most_overhead * stats.seconds.render / again : most_image_parts;
   return "parts: each reads and builds for " + Rounded(again, 2) + " s again; " +
-         (parts < 2 ? "two of them already lose more than 5 % to that"
+         (parts < 2 ? "two of them already lose more than 5% to that"
                     : "up to " + Rounded(std::floor(std::min<double>(parts, most_image_parts)), 7) +
-                          " lose less than 5 % to that");
+                          " lose less than 5% to that");
 }
 
 }  // namespace
@@ -219,7 +169,7 @@ void RunLog::Rendered(const RenderResult& result) {
   constexpr std::int64_t fewest = 1000;  // of whose pixels 0.1 % is one
   if (result.has_outliers && result.pixels_total >= fewest)
     Warn(
-        "raypro: warning: 0.1 % of the pixels hold more than half of the squared error; where light is found so "
+        "raypro: warning: 0.1% of the pixels hold more than half of the squared error; where light is found so "
         "rarely, the true error may be larger than estimated");
   if (result.error && result.error->IsMostlyUnseen() && (render.budget.IsOpen() || render.denoise))
     Warn(
@@ -245,14 +195,14 @@ void RunLog::Written(const std::string& picture) {
   if (shared_before_) stats_.seconds.shared = *shared_before_ + stats_.seconds.wall;
   stats_.seconds.cpu = CpuSeconds();
   stats_.peak_memory = PeakMemory();
-  PrintStep("wrote the picture", stats_.seconds.write);
+  PrintStep("wrote the image", stats_.seconds.write);
   if (stats_.pixels_done == 0)
-    PrintError("raypro: stopped before the first pixel; there is no picture to save");
+    PrintError("raypro: stopped before the first pixel; there is no image to save");
   else if (!stats_.IsComplete() && has_file && picture != stats_.options.picture)
-    PrintError("raypro: " + QuotedPath(stats_.options.picture) + " is left as it was; the picture so far is " +
+    PrintError("raypro: " + QuotedPath(stats_.options.picture) + " is left as it was; the image so far is " +
                QuotedPath(picture));
   if (!stats_.IsComplete() && !stats_.options.layers.empty())
-    PrintError("raypro: -layers are rendered once the picture is complete; none are written");
+    PrintError("raypro: -layers are rendered once the image is complete; none are written");
   if (!stats_.IsComplete() && has_file) PrintError("raypro: progress saved; -resume continues from it");
 }
 

@@ -35,10 +35,10 @@ double SamplesOf(const RunStats& record) {
   return is_asked_for && record.IsComplete() && !IsSubsampled(render) ? render.samples : record.samples.mean;
 }
 
-/// "16 spp", "1 spp at 3.1 % of the pixels, the others interpolated,"
+/// "16 spp", "1 spp at 3.1% of the pixels, the others interpolated,"
 std::string SppText(const RunStats& record) {
   const double samples = SamplesOf(record);
-  if (samples < 1) return "1 spp at " + Fixed(100 * samples, 1) + " % of the pixels, the others interpolated,";
+  if (samples < 1) return "1 spp at " + Fixed(100 * samples, 1) + "% of the pixels, the others interpolated,";
   return ShortCountText(samples) + " spp";
 }
 
@@ -63,16 +63,16 @@ std::string CostPerRay(const RayCounts::Kind& kind) {
   return row;
 }
 
-/// " (too dark by about 2 %)" where settings cut off light.
+/// " (too dark by about 2%)" where settings cut off light.
 std::string DarknessText(const RunStats& record) {
-  return record.share_cut > 0 ? " (too dark by about " + Rounded(100 * record.share_cut, 2) + " %)" : "";
+  return record.share_cut > 0 ? " (too dark by about " + Rounded(100 * record.share_cut, 2) + "%)" : "";
 }
 
 bool CutsLight(const std::string& setting) {
   return setting.starts_with("max_depth") || setting.starts_with("min_luminance");
 }
 
-/// "; limited by -max_depth 3, -min_luminance 0.01 (too dark by about 2 %), biased by -adaptive tile"; nothing for no
+/// "; limited by -max_depth 3, -min_luminance 0.01 (too dark by about 2%), biased by -adaptive tile"; nothing for no
 /// limits.
 std::string LimitsText(const RunStats& record) {
   std::string cut, moved;
@@ -86,13 +86,13 @@ std::string LimitsText(const RunStats& record) {
          (moved.empty() ? "" : (cut.empty() ? "; biased by " : ", biased by ") + moved);
 }
 
-/// ", nu 12: few pixels hold the error, and the truth itself varies by 41 %", two deviations of a root of a mean square
+/// ", nu 12: few pixels hold the error, and the truth itself varies by 41%", two deviations of a root of a mean square
 /// of so many values; nothing where they are many.
 std::string FreedomText(const ErrorEstimate& error) {
-  constexpr double many = 270;  // from there on nine of ten claims are within 10 % of the truth
+  constexpr double many = 270;  // from there on nine of ten claims are within 10% of the truth
   if (!(error.freedom < many)) return {};
   return ", nu " + Fixed(error.freedom, 0) + ": few pixels hold the error, and the truth itself varies by " +
-         Fixed(100 * std::min(1.0, 2 / std::sqrt(2 * error.freedom)), 0) + " %";
+         Fixed(100 * std::min(1.0, 2 / std::sqrt(2 * error.freedom)), 0) + "%";
 }
 
 /// Another version of a library may make another picture.
@@ -139,7 +139,7 @@ std::string ErrorLines(const RunStats& record, const Line& line) {
            ErrorText(e.estimate, e.unit) + ", " + ErrorText(e.low, e.unit) + " to " + ErrorText(e.high, e.unit)) +
       line("worst block", ErrorText(e.worst_block, e.unit) + " at " + std::to_string(w.x0) + " " +
                               std::to_string(w.y0) + " " + std::to_string(w.x1) + " " + std::to_string(w.y1)) +
-      line("outliers", Fixed(100 * e.outlier_share, 1) + " % of it in the worst 0.1 % of the pixels");
+      line("outliers", Fixed(100 * e.outlier_share, 1) + "% of it in the worst 0.1% of the pixels");
   if (record.true_error) text += line("true error", ErrorText(*record.true_error, e.unit));
   if (const auto& before = record.error_before_denoising)
     text +=
@@ -227,7 +227,7 @@ std::string QualityLines(const RunStats& record) {
     const ErrorEstimate& e = *record.error;
     text = std::string(record.two_streams ? "estimated error " : "estimated error at most ") +
            ErrorText(e.estimate, e.unit) + " (" + Rounded(100 * record.options.render.budget.confidence, 6) +
-           " %: " + Rounded(e.low, 3) + " to " + Rounded(e.high, 3) + FreedomText(e) + ")";
+           "%: " + Rounded(e.low, 3) + " to " + Rounded(e.high, 3) + FreedomText(e) + ")";
     if (const auto& before = record.error_before_denoising)
       text += " denoised" + DenoiserText(record) + ", " + ErrorText(before->estimate, before->unit) + " before";
     if (record.true_error) text += ", true error " + ErrorText(*record.true_error, e.unit);
@@ -272,7 +272,7 @@ std::string Statistics(const RunStats& record) {
          line("structure", Fixed(1e-6 * static_cast<double>(record.structure_bytes), 1) + " MB") +
          line("peak memory", Fixed(1e-6 * static_cast<double>(record.peak_memory), 1) + " MB") +
          line("pixels", std::to_string(record.pixels_done) + " of " + std::to_string(record.pixels_total)) +
-         line("kernel", record.kernel) + "picture\n" +
+         line("kernel", record.kernel) + "image\n" +
          line("samples", std::to_string(record.samples.least) + " to " + std::to_string(record.samples.most) +
                              " per pixel, mean " + Fixed(record.samples.mean, 2)) +
          ErrorLines(record, line) + line("bias from", Listed(record.biased) + DarknessText(record)) +

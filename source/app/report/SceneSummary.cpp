@@ -124,7 +124,7 @@ std::string SceneSummary(const World& world, const RenderSettings& settings) {
                          (scene.has_default_camera ? " (the default: the scene names none)" : "")) +
       LightLines(world, settings.mode);
   const double megabytes = 1e-6 * static_cast<double>(Memory(world, shared, settings));
-  return text + Line("memory", "about " + Fixed(megabytes, 1) + " MB with the picture");
+  return text + Line("memory", "about " + Fixed(megabytes, 1) + " MB with the image");
 }
 
 }  // namespace ray

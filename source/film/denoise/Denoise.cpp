@@ -28,7 +28,7 @@ static_assert(denoise_reach_of_best_guides == blend_radius + error_radius);
 static_assert(denoise_reach == denoise_reach_of_best_guides + FitTile::margin + noise_radius);
 
 /// A regression to choose from. Of strengths from 0.5 to 6, with a guide ignored or not, these two had the least error
-/// among pairs; a third filter had 3 % less for half as much time again.
+/// among pairs; a third filter had 3% less for half as much time again.
 struct RegressionFilter {
   double strength;
   bool ignores_guide;  // compares pixels by what is left of their color without the first guide, the color expected

@@ -12,7 +12,7 @@ namespace ray {
 /// to half of the variance, which is where filters that are neither too weak nor too strong are.
 /// What clamping takes from noisy pixels is left out: counted as in MeasureError, it made claims of a clipped sun .89
 /// to 1.09 of the truth instead of .83 to .92, and those of fireflies two times too large or no truer.
-///   accuracy   of 135 renders, 9 seeds of 15 scenes with 16 samples 192 pixels wide, 133 within 20 % of the truth, 129
+///   accuracy   of 135 renders, 9 seeds of 15 scenes with 16 samples 192 pixels wide, 133 within 20% of the truth, 129
 ///              with Open Image Denoise alone and 128 with both (script/denoise_table.sh); below it where hardly a path
 ///              has found what is bright, and where most of the light is a sun that clamping cuts
 MeasuredError MeasureDenoisedError(const Film& film, const DenoisedPicture& denoised, const ErrorMeasure& measure);

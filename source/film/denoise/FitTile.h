@@ -11,8 +11,8 @@ namespace ray {
 /// on many pixels of a row at once.
 class FitTile {
  public:
-  // On the scenes of script/denoise_table.sh windows of 11 x 11 pixels had 3 % more error for twice the time, patches
-  // of 5 x 5 had 3 % less but made claims less true: noise that a pixel is compared by must not be its own.
+  // On the scenes of script/denoise_table.sh windows of 11 x 11 pixels had 3% more error for twice the time, patches
+  // of 5 x 5 had 3% less but made claims less true: noise that a pixel is compared by must not be its own.
   static constexpr int window = 3;               // pixels to each side that a fit looks at
   static constexpr int patch = 1;                // pixels to each side that surroundings are compared by
   static constexpr int columns = 32, rows = 16;  // of a tile that no edge of the picture cuts; they change no bit

@@ -19,11 +19,11 @@
 namespace ray {
 
 inline constexpr float least_variance = 1e-7F;  // a deviation of 0.08 255ths, which nobody sees
-inline constexpr float least_weight = 1e-4F;  // of a neighbor; all less than this hold is below 1 % of the pixel's own
+inline constexpr float least_weight = 1e-4F;  // of a neighbor; all less than this hold is below 1% of the pixel's own
 
 // How much a change of 1 in a regressor must explain, per unit of weight, to be believed by half: guides change by up
 // to about 1 over an edge, places by 1 from the middle of a window to its rim. From 1e-2 down to 5e-4 the error fell by
-// a tenth; 0.1 for places had 1 % less error than 0.01.
+// a tenth; 0.1 for places had 1% less error than 0.01.
 inline constexpr float ridge_of_guides = 5e-4F, ridge_of_places = 0.1F;
 // As much of its own sum of squares is added to each, so that what is wrong with sums of floats, some 1e-6 of them, is
 // less than what is added: then the fit is, but for a last bit or two of each, that of a ridge nearly the same.

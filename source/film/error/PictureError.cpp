@@ -240,7 +240,7 @@ double DegreesOfFreedom(const std::vector<float>& squares, double share_of_varia
 
 /// Fewer degrees of freedom, for the claim and for the truth each: noise of pixels has longer tails than normal noise,
 /// and where degrees are few, their number is itself uncertain. The numbers are fitted to half of the renders below.
-///   accuracy   on 20 scenes 95 % intervals hold 96 % of 720 true errors as displayed, 97 % of 360 of light; of those
+///   accuracy   on 20 scenes 95% intervals hold 96% of 720 true errors as displayed, 97% of 360 of light; of those
 ///              with less than 270 degrees as many as of the others
 double FreedomOfIntervals(double freedom) { return freedom / std::min(3.0, 1.4 + 30 / freedom); }
 
@@ -305,7 +305,9 @@ const char* ErrorUnitName(ErrorUnit unit) {
 std::string ErrorText(double error, ErrorUnit unit) {
   std::array<char, 64> text{};
   const auto [end, fault] = std::to_chars(text.data(), text.data() + text.size(), error, std::chars_format::general, 3);
-  return std::string(text.data(), end) + (unit == ErrorUnit::display ? "/255" : std::string(" ") + ErrorUnitName(unit));
+  const std::string number(text.data(), end);
+  if (unit == ErrorUnit::display) return number + "/255";
+  return number + (unit == ErrorUnit::relative ? "" : " ") + ErrorUnitName(unit);
 }
 
 double MeanOf(const R2::Image& picture) {

@@ -20,7 +20,7 @@ enum class ErrorUnit { display, relative, decibel, linear };
 /// Rather than of what a screen shows, which is clamped.
 constexpr bool IsOfLight(ErrorUnit unit) { return unit == ErrorUnit::relative || unit == ErrorUnit::linear; }
 
-/// "1.25/255", "3.1 %", "42 dB", "0.002 lin".
+/// "1.25/255", "3.1%", "42 dB", "0.002 lin".
 std::string ErrorText(double error, ErrorUnit unit);
 /// In reports: "255ths", "%", "dB", "lin".
 const char* ErrorUnitName(ErrorUnit unit);

@@ -102,7 +102,7 @@ extern const Command camera_command{
 
 extern const Command view_command{
     "view", "view" + ArgumentNames(view_arguments) + " [mirrored]",
-    "width over height of what the camera sees, 0 for that of the picture; how far the middle of the picture is off "
+    "width over height of what the camera sees, 0 for that of the image; how far the middle of the image is off "
     "the axis, to the right and up, in half widths; whether left and right change places",
     ReadView};
 

@@ -53,7 +53,7 @@ TEST(Convert, NonsenseIsRefusedWithTheReason) {
       {{"-convert", place / "out", scene}, "a scene is written as .scn"},
       {{"-convert", place / "no/out.scn", scene}, "does not exist"},
       {{"-convert", out, place / "absent.scn"}, "no such file"},
-      {{"-convert", out, scene, "picture.png"}, "-convert writes no picture"},
+      {{"-convert", out, scene, "picture.png"}, "-convert writes no image"},
       {{"-convert", out, scene, "-check"}, "cannot be combined"},
       {{"-convert", out, scene, "-width", "20"}, "-width has no effect with -convert"},
   };

@@ -31,7 +31,7 @@ TEST(Extremes, L5_ASignalEndsTheRunWithinASecondAndSavesThePictureSoFar) {
     // Encoding nine million pixels takes its time as well, and the machine may be busy or a sanitizer at work.
     EXPECT_LT(std::chrono::steady_clock::now() - sent, 10s);
     EXPECT_EQ(done.status, 128 + signal) << done.error;
-    if (Has(done.error, "stopped before the first pixel; there is no picture to save")) {
+    if (Has(done.error, "stopped before the first pixel; there is no image to save")) {
       EXPECT_EQ(place.Others({"in.scn", "out.png.checkpoint"}), nothing);
       ++early;
       continue;
@@ -56,7 +56,7 @@ TEST(Interrupt, LayersThatWereNotRenderedAreToldOf) {
   std::this_thread::sleep_for(400ms);
   running.Send(SIGINT);
   const Finished done = running.Wait();
-  EXPECT_TRUE(Has(done.error, "-layers are rendered once the picture is complete; none are written")) << done.error;
+  EXPECT_TRUE(Has(done.error, "-layers are rendered once the image is complete; none are written")) << done.error;
   EXPECT_FALSE(fs::exists(place / "out.depth.ppm"));
 }
 

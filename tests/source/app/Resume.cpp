@@ -115,7 +115,7 @@ TEST_F(Interrupted, ARenderLeavesAFinishedPictureAndWritesBesideIt) {
     const std::string before = ReadFile(place / picture);
     const Finished done = Interrupt(picture);
     EXPECT_EQ(done.status, 130) << done.error;
-    EXPECT_TRUE(Has(done.error, "is left as it was; the picture so far is '" + place / partial + "'")) << done.error;
+    EXPECT_TRUE(Has(done.error, "is left as it was; the image so far is '" + place / partial + "'")) << done.error;
     EXPECT_TRUE(Has(done.output, partial + " 64x64")) << done.output;
     EXPECT_TRUE(ReadFile(place / picture) == before);
     EXPECT_EQ(place.Others({"in.scn", picture, partial, partial + ".checkpoint"}), Names{});

@@ -115,7 +115,7 @@ TEST(Raypro, WritesAPngAndNothingElseToStandardOutput) {
 TEST(Raypro, ALoneSceneIsRenderedBesideItButNeverOverItsOwnTexture) {
   NEEDS_THE_PROGRAM();
   const SceneFolder place;
-  WriteFile(place / "in.png", "an earlier picture");
+  WriteFile(place / "in.png", "an earlier image");
   const Finished made = RunProgram({place.Scene(), "-width", "8", "-height", "6"});
   EXPECT_EQ(made.status, 0) << made.error;
   EXPECT_TRUE(made.output.starts_with(place / "in.png"));
@@ -221,7 +221,7 @@ TEST(Raypro, ExitStatusSaysWhatWentWrongAndNoFileIsLeft) {
     const char* message;
   } cases[] = {
       {{}, 2, "no scene is named"},
-      {{"-"}, 2, "no picture is named"},
+      {{"-"}, 2, "missing output file name"},
       {{place.Scene(), place / "out.xyz"}, 2, ".png"},
       {{place.Scene(), place / "out"}, 2, "extension"},
       {{place.Scene(), place / "out.ppm", "-widht", "3"}, 2, "-width"},
@@ -299,7 +299,7 @@ TEST(Raypro, WarnsOfOptionsThatDoNothing) {
   const SceneFolder place;
   const Finished done = RunProgram({place.Scene(), place / "out.ppm", "-bits", "16", "-max_depth", "1000000000"});
   EXPECT_EQ(done.status, 0);
-  EXPECT_TRUE(Has(done.error, "warning: -bits has no effect on the format ppm")) << done.error;
+  EXPECT_TRUE(Has(done.error, "warning: -bits has no effect unless the image is a PNG")) << done.error;
   EXPECT_TRUE(Has(done.error, "warning: -max_depth 1000000000 exceeds the hard limit of 1000 bounces")) << done.error;
 }
 
@@ -314,7 +314,7 @@ TEST(Raypro, SaysHowManySamplesItTakesWhereThatAreNotThoseAskedFor) {
   const std::string no_effect = "-samples has no effect with -time or -error unless it is 2 or more";
   EXPECT_TRUE(Has(warnings({"-samples", "1", "-error", "8"}), no_effect));
   EXPECT_TRUE(
-      Has(warnings({"-samples", "3", "-denoise"}), "-samples 3: errors are told by comparing two halves, so that 2"));
+      Has(warnings({"-samples", "3", "-denoise"}), "-samples 3: the error estimate compares two halves of the samples, so 2 are"));
   EXPECT_FALSE(Has(warnings({"-samples", "3"}), "-samples"));
   EXPECT_FALSE(Has(warnings({"-samples", "4", "-error", "8"}), "-samples"));
 }
@@ -336,9 +336,9 @@ TEST(Raypro, WarnsOfOptionsForWantOfOthers) {
        "-emissive_solids has no effect without -mode whitted or -emission color\n"},
       {{"-confidence", ".99"}, "-confidence has no effect without -error, -time"},
       {{"-out_format", "ppm"}, "-out_format has no effect without -out_folder\n"},
-      {{"-accel", "none", "-accel_res", "3"}, "-accel_res has no effect with -accel none\n"},
+      {{"-accel", "none", "-accel_res", "3"}, "-accel_res has no effect with -accel none or graph\n"},
       {{"-accel", "bvh", "-accel_res", "9"}, "-accel_res has no effect above 8 with -accel bvh\n"},
-      {{"-accel", "bvh", "-accel_depth", "9"}, "-accel_depth has no effect with -accel bvh\n"},
+      {{"-accel", "bvh", "-accel_depth", "9"}, "-accel_depth has no effect without -accel octree\n"},
   };
   for (const auto& [words, warning] : cases) {
     const Finished done = RunProgram(With({place.Scene(), place / "out.ppm", "-width", "8", "-height", "8"}, words));

@@ -347,7 +347,7 @@ TEST_F(Rayview, MistakesAreTold) {
   EXPECT_EQ(script.status, 3);
   EXPECT_NE(script.error.find("script.events:2:1"), std::string::npos) << script.error;
   EXPECT_EQ(Run({Scene("hello.scn"), "-headless", "-events", folder / "none.events"}).status, 3);
-  EXPECT_EQ(Run({Scene("hello.scn"), "-headless", "-reference", WriteFile(folder / "x.png", "no picture")}).status, 3);
+  EXPECT_EQ(Run({Scene("hello.scn"), "-headless", "-reference", WriteFile(folder / "x.png", "no image")}).status, 3);
 }
 
 /// The window itself: what no script of events can try.

@@ -160,7 +160,7 @@ const std::string triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
 TEST(Models, WhatTheirLibrariesLackIsTold) {
   const Folder folder;
   folder.Write("a.mtl", "newmtl red\nKd 1 0 0\nmap_Kd my wod.png\n");
-  folder.Write("my wood.png", "no picture");
+  folder.Write("my wood.png", "no image");
   folder.Write("a.obj", "mtllib b.mtl a.mtl\n" + triangle + "usemtl red\nf 1 2 3\n");
   EXPECT_EQ(WarningsOf(folder, "a.obj"),
             (std::vector<std::string>{

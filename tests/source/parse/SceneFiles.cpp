@@ -24,7 +24,7 @@ const std::string named_sky = "environment sky.ppm\nsphere -1 0 0 0 1\n", white 
 
 TEST(SceneFiles, AnEnvironmentOfTheUsersTakesThePlaceOfTheScenesWhichIsThenNotDecoded) {
   const ray::Folder folder;
-  folder.Write("sky.ppm", "no picture");
+  folder.Write("sky.ppm", "no image");
   ray::ParseOptions options;
   EXPECT_NE(ray::ReportOf(folder, folder.Write("in.scn", named_sky).filename(), options), "");
   const ray::Folder elsewhere;

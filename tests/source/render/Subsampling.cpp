@@ -83,7 +83,7 @@ TEST(Subsampling, TheProgramSaysHowManyPixelsItTraced) {
   const Finished ended =
       RunProgram({folder.Scene(), folder / "out.png", "-width", "64", "-height", "64", "-samples", "1/4"});
   EXPECT_EQ(ended.status, 0) << ended.error;
-  EXPECT_TRUE(Has(ended.error + ended.output, "1 spp at 25.0 % of the pixels, the others interpolated"))
+  EXPECT_TRUE(Has(ended.error + ended.output, "1 spp at 25.0% of the pixels, the others interpolated"))
       << ended.error << ended.output;
   EXPECT_TRUE(Has(Decode(folder / "out.png").settings.at("pixels"), "1024 of 4096 pixels traced"));
 }

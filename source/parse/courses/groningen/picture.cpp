@@ -85,7 +85,7 @@ void GroningenReader::ReadZBuffer(Mapping& scene) {
   if (!far_) return near_->Error("goes with far, which is missing");
   if (!near_) return far_->Error("goes with near, which is missing");
   if (mode_ != Mode::zbuffer && IsNegative(*near_))
-    return report_.Warn(near_->What().extent, "a negative distance is left out; this picture does not use it");
+    return report_.Warn(near_->What().extent, "a negative distance is left out; this image does not use it");
   const auto near = near_->Number(not_negative), far = far_->Number(not_negative);
   if (!near || !far) return;
   if (!(*near < *far)) return far_->Error("must be greater than near, which is " + ToText(*near));

@@ -48,7 +48,7 @@ void GroningenReader::ReadEye(const Field& field) {
   const auto eye = field.Vector();
   if (!eye) return;
   if (eye->z == 0)
-    return field.Error("must not have z = 0: the picture's plane is there",
+    return field.Error("must not have z = 0: the image's plane is there",
                        "a Camera with eye, center and up may be anywhere");
   constexpr double half = usual_side / 2.0;
   Camera& camera = Made().camera;

@@ -228,7 +228,7 @@ TEST(OutputFile, WhatADeadProcessLeftIsRemovedAndWhatALiveOneWritesIsNot) {
   const TemporaryFolder folder;
   WriteFile(folder / ".out.ppm.raypro-1.tmp", "dead");
   WriteFile(folder / ".out.ppm.raypro-2.tmp", "alive");
-  WriteFile(folder / ".other.ppm.raypro-1.tmp", "another picture's");
+  WriteFile(folder / ".other.ppm.raypro-1.tmp", "another image's");
   WriteFile(folder / "out.ppm.raypro-1.tmp", "somebody's own");
   const int alive = open((folder / ".out.ppm.raypro-2.tmp").c_str(), O_WRONLY);
   ASSERT_EQ(flock(alive, LOCK_EX), 0);

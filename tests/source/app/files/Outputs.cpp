@@ -42,7 +42,7 @@ TEST(Extremes, K11_ALinkIsFollowedButNotSilently) {
   fs::create_symlink("there/real.ppm", place / "link.ppm");
   const Finished done = RunProgram({place.Scene(), place / "link.ppm", "-width", "8", "-height", "8"});
   EXPECT_EQ(done.status, 0);
-  EXPECT_TRUE(Has(done.error, "is a link; the picture goes to '" + place / "there/real.ppm" + "'")) << done.error;
+  EXPECT_TRUE(Has(done.error, "is a link; the image goes to '" + place / "there/real.ppm" + "'")) << done.error;
   EXPECT_TRUE(fs::is_symlink(place / "link.ppm"));
   EXPECT_EQ(Decode(place / "there/real.ppm").image.Width(), 8);
 }

@@ -6,10 +6,10 @@
 #include <clocale>
 #include <iterator>
 #include <random>
+#include <set>
 #include <sstream>
 
 #include "source/app/Status.h"
-#include "source/app/options/ForeignOption.h"
 #include "source/app/options/OptionTable.h"
 #include "tests/source/app/Program.h"
 #include "tests/source/app/options/ScenePrograms.h"
@@ -251,7 +251,7 @@ TEST(Extremes, G5_SamplesAreAtLeastOneAndFitAnInteger) {
 }
 
 TEST(Extremes, G6_ACropIsInsideThePictureAndNotEmpty) {
-  const std::string rule = "whole numbers with x0 < x1 and y0 < y1, inside the picture of 256 x 256";
+  const std::string rule = "whole numbers with x0 < x1 and y0 < y1, inside the image of 256 x 256";
   EXPECT_EQ(ErrorBeside({"-crop", "-1", "0", "4", "4"}), "-crop -1 0 4 4: it must be " + rule);
   for (const char* outside : {"0 0 257 1", "0 0 1 257", "0 -1 1 1", "4 4 4 8", "4 4 8 4", "8 8 4 4"}) {
     Words words = Split(outside);
@@ -313,16 +313,30 @@ TEST(CommandLine, WordsOfOtherProgramsAreAnsweredWithOurs) {
             "unknown option '-o'; did you mean '-image'? (rayview -help lists them all)");
 }
 
-TEST(CommandLine, EveryAnswerToAnotherProgramsWordIsAnOptionAndNoneIsOurOwnWord) {
-  for (const ForeignOption& foreign : ForeignOptions()) {
-    const std::string word = foreign.word, answer = foreign.answer;
-    const auto is_known = [](const std::string& name) {
-      return FindOption(Program::raypro, name) || FindOption(Program::rayview, name);
-    };
-    EXPECT_FALSE(FindOption(Program::raypro, word.substr(1))) << word;
-    EXPECT_TRUE(!answer.starts_with('-') || is_known(answer.substr(1, answer.find(' ') - 1))) << answer;
-    EXPECT_NE(ForeignHint(Program::raypro, word) + ForeignHint(Program::rayview, word), "") << word;
+TEST(CommandLine, AnotherProgramsWordIsNoOptionAndMeansOneOnly) {
+  for (const Program program : {Program::raypro, Program::rayview}) {
+    std::set<std::string> words;
+    for (const OptionKind& option : OptionTable(program))
+      for (const std::string word : option.facts.elsewhere) {
+        EXPECT_FALSE(FindOption(program, word)) << word;
+        EXPECT_TRUE(words.insert(word).second) << word;
+      }
   }
+}
+
+TEST(CommandLine, OptionsExcludeOptionsThatExist) {
+  for (const Program program : programs)
+    for (const OptionKind& option : OptionTable(program))
+      for (const char* other : option.facts.excludes) EXPECT_TRUE(FindOption(program, other)) << other;
+}
+
+TEST(CommandLine, EverySettingOfARenderSaysWhatItChanges) {
+  for (const Program program : {Program::raypro, Program::rayview})
+    for (const OptionKind& option : OptionTable(program)) {
+      const bool says = option.facts.HasAny({Fact::image, Fact::samples, Fact::budget, Fact::speed, Fact::run,
+                                             Fact::reading, Fact::messages, Fact::window});
+      EXPECT_EQ(says, IsSetting(option)) << option.name;
+    }
 }
 
 TEST(CommandLine, HWithANumberWasToBeAHeight) {
@@ -360,16 +374,16 @@ TEST(CommandLine, ThePictureOfALoneSceneLiesBesideIt) {
 TEST(CommandLine, NamesAreTwoAndNotEmpty) {
   EXPECT_TRUE(Has(ErrorOf({}), "no scene is named"));
   EXPECT_EQ(ErrorOf({}), "no scene is named; for example: raypro scenes/hello.scn hello.png -width 512");
-  EXPECT_EQ(ErrorOf({"my/in.txt"}), "no picture is named; for example: raypro my/in.txt in.png -width 512");
+  EXPECT_EQ(ErrorOf({"my/in.txt"}), "missing output file name; for example: raypro my/in.txt in.png -width 512");
   EXPECT_EQ(ErrorOf({"-width", "64", "in.txt", "-srgb"}),
-            "no picture is named; for example: raypro -width 64 in.txt in.png -srgb");
+            "missing output file name; for example: raypro -width 64 in.txt in.png -srgb");
   EXPECT_EQ(ErrorOf({"out.png"}), "no scene is named; for example: raypro scenes/hello.scn out.png");
   EXPECT_EQ(ErrorOf({"out.png", "in.scn"}), "the scene is named first: raypro in.scn out.png");
-  EXPECT_EQ(ErrorOf({"-"}), "no picture is named; for example: raypro - out.png -width 512");
+  EXPECT_EQ(ErrorOf({"-"}), "missing output file name; for example: raypro - out.png -width 512");
   EXPECT_TRUE(Has(ErrorOf({"a.scn", "b.scn"}), "'b.scn' is a scene; several scenes need -out_folder"));
   EXPECT_TRUE(Has(ErrorOf({"a.scn", "b.png", "c.scn"}), "several scenes need -out_folder"));
   EXPECT_EQ(ErrorOf({"help"}), "options begin with a dash: raypro -help");
-  EXPECT_EQ(ErrorOf({"a", "b", "c"}), "unexpected extra argument 'c' (usage: raypro scene picture [options])");
+  EXPECT_EQ(ErrorOf({"a", "b", "c"}), "unexpected extra argument 'c' (usage: raypro scene image [options])");
   EXPECT_EQ(ErrorOf({"a", ""}), "a file name is empty");
   EXPECT_TRUE(Has(ErrorOf({"a", "b", "-report", "b"}), "the same file"));
   EXPECT_EQ(ErrorOf({"a", "-version"}), "unexpected extra argument 'a'");
@@ -510,11 +524,11 @@ TEST(CommandLine, DebugpixelTakesPixelsOfThePictureAndNoOthers) {
     return ErrorOf(words);
   };
   EXPECT_EQ(error({"19", "9"}), "");
-  EXPECT_EQ(error({"20", "9"}), "-debugpixel 20 9: a picture of 20 x 10 has columns 0 to 19 and rows 0 to 9");
+  EXPECT_EQ(error({"20", "9"}), "-debugpixel 20 9: an image of 20 x 10 has columns 0 to 19 and rows 0 to 9");
   EXPECT_TRUE(Has(error({"9", "10"}), "columns 0 to 19 and rows 0 to 9"));
   EXPECT_TRUE(Has(error({"-1", "3"}), "columns 0 to 19 and rows 0 to 9"));
   EXPECT_EQ(error({"1.5", "3"}),
-            "-debugpixel must be whole numbers, a column and a row of the picture from 0, got '1.5'");
+            "-debugpixel must be whole numbers, a column and a row of the image from 0, got '1.5'");
   EXPECT_EQ(error({"1"}), "-debugpixel needs 2 values, got 1: -debugpixel x y");
   EXPECT_NE(error({"1", "2", "-check"}), "");
 }

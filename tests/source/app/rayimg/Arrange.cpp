@@ -111,8 +111,8 @@ TEST(RayimgContactSheet, ShowsAFolderAndACrossForWhatCannotBeRead) {
   NEEDS_RAYIMG();
   const TemporaryFolder folder;
   Save(folder / "a.png", Filled(40, 20, {0, 1, 0}));
-  WriteFile(folder / "b.png", "no picture");
-  WriteFile(folder / "notes.txt", "no picture either");
+  WriteFile(folder / "b.png", "no image");
+  WriteFile(folder / "notes.txt", "no image either");
   const std::string out = folder / "sheet.png";
   for (int run = 0; run < 2; ++run) {  // the sheet is not in itself
     const Finished done = Rayimg({"contact-sheet", folder.Path().string(), "-out", out, "-width", "20", "-gap", "2"});

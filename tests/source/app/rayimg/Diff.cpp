@@ -63,10 +63,10 @@ TEST(RayimgDiff, ExitStatusAndWordsSayWhichThresholdIsExceeded) {
     const char* words;
   } cases[] = {
       {{}, 0, "linear RMSE"},
-      {{"-fail", "0.5"}, 0, "beyond 0.5      0 pixels, 0 %\n"},
-      {{"-fail", "0.49"}, 1, "fails: 12.5 % of the pixels differ by more than 0.49, allowed are 0 %\n"},
-      {{"-fail", "0.49", "-fail_percent", "12.4"}, 1, "allowed are 12.4 %"},
-      {{"-fail", "0.49", "-fail_percent", "12.5"}, 0, "beyond 0.49     1 pixel, 12.5 %\n"},
+      {{"-fail", "0.5"}, 0, "beyond 0.5      0 pixels, 0%\n"},
+      {{"-fail", "0.49"}, 1, "fails: 12.5% of the pixels differ by more than 0.49, allowed are 0%\n"},
+      {{"-fail", "0.49", "-fail_percent", "12.4"}, 1, "allowed are 12.4%"},
+      {{"-fail", "0.49", "-fail_percent", "12.5"}, 0, "beyond 0.49     1 pixel, 12.5%\n"},
       {{"-fail_rmse", "0.11"}, 0, ""},  // sqrt(0.25 / 24) = 0.102
       {{"-fail_rmse", "0.1"}, 1, "fails: linear RMSE 0.102062 is above 0.1\n"},
       {{"-fail_flip", "1"}, 0, ""},
@@ -158,7 +158,7 @@ TEST(RayimgDiff, AReferenceThatSharesItsNoiseIsRefusedOrWarnedOf) {
   const std::string other = Save(folder / "o.exr", image, {{"seed", "2"}, {"scene_hash", "ab"}, {"samples", "64"}});
   EXPECT_TRUE(Has(Rayimg({"diff", x, r}).error, "both have seed '1'"));
   EXPECT_EQ(Rayimg({"diff", x, other}).error, "");
-  EXPECT_EQ(Rayimg({"diff", x, x}).error, "") << "the same picture again is meant to be the same";
+  EXPECT_EQ(Rayimg({"diff", x, x}).error, "") << "the same image again is meant to be the same";
   EXPECT_EQ(Rayimg({"diff", x, other, "-reference2", r}).status, 2);
   EXPECT_EQ(Rayimg({"diff", x, other, "-reference2", other}).status, 2);
 }

@@ -103,12 +103,12 @@ TEST(FolderDiff, SortsByDifferenceAndLosesNothing) {
   Save(folders / "mine/near.png", Made(40, 32, [&](int x, int y) { return x == 3 ? R2::Color{} : r.At(x, y); }));
   Save(folders / "mine/far.png", Filled(40, 32, {1, 0, 1}));
   Save(folders / "mine/size.png", Scene(20, 16));
-  WriteFile(folders / "mine/bad.png", "no picture");
+  WriteFile(folders / "mine/bad.png", "no image");
   const Finished done = folders.Diff();
   EXPECT_EQ(done.status, 3);
   std::size_t at = 0;
   for (const char* name :
-       {"bad.png: ", "extra.png: there is no reference", "absent.png: there is no picture",
+       {"bad.png: ", "extra.png: there is no reference", "absent.png: there is no image",
         "size.png: has 20x16 pixels, the reference 40x32", "far.png", "near.png", "same.bmp: ", "7 images"}) {
     const std::size_t next = done.output.find(name, at);
     EXPECT_NE(next, std::string::npos) << name << "\n" << done.output;
@@ -141,7 +141,7 @@ TEST(FolderDiff, ThePageNeedsNoScriptAndTheTableHasALineEach) {
   EXPECT_FALSE(Has(html, "http")) << "nothing is loaded";
   std::size_t images = 0;
   for (std::size_t at = 0; (at = html.find("src=\"data:image/png;base64,", at)) != std::string::npos; ++at) ++images;
-  EXPECT_EQ(images, 4u) << "two pictures, FLIP and the difference";
+  EXPECT_EQ(images, 4u) << "two images, FLIP and the difference";
   EXPECT_EQ(std::ranges::count(csv, '\n'), 2);
   EXPECT_TRUE(Has(csv, "\n\"a<b,c.png\",")) << csv;
 }

@@ -188,7 +188,7 @@ TEST(RayimgMerge, OnePictureWithoutItsSamplesMakesAllWeighTheSameWithAWarning) {
   const std::string b = Save(folder / "b.exr", Filled(3, 2, {4, 1, 0}), {{"seed", "2"}});
   const Finished done = Rayimg({"merge", a, b, "-out", folder / "out.exr"});
   ASSERT_EQ(done.status, 0) << done.error;
-  EXPECT_TRUE(Has(done.error, "b.exr' does not record its samples per pixel; all pictures get the same weight"))
+  EXPECT_TRUE(Has(done.error, "b.exr' does not record its samples per pixel; all images get the same weight"))
       << done.error;
   EXPECT_EQ(Decode(folder / "out.exr").image.At(2, 1), (R2::Color{2, 1, 1}));
 }

@@ -21,7 +21,7 @@ TEST(Rayimg, WrongInputIsNamedInOneLineAndNothingIsWritten) {
   const std::string a = Save(folder / "a.png", Filled(4, 4, {0.5, 0.5, 0.5}));
   const std::string small = Save(folder / "small.png", Filled(2, 4, {}));
   const std::string light = Save(folder / "light.pfm", Filled(4, 4, {}));
-  const std::string text = WriteFile(folder / "text.png", "this is no picture\n");
+  const std::string text = WriteFile(folder / "text.png", "this is no image\n");
   const std::string empty = WriteFile(folder / "empty.exr", "");
   const std::string cut = WriteFile(folder / "cut.pfm", ReadFile(light).substr(0, 60));
   const std::string huge = WriteFile(folder / "huge.pfm", "PF\n1000000 1000000\n-1\n");
@@ -50,7 +50,7 @@ TEST(Rayimg, WrongInputIsNamedInOneLineAndNothingIsWritten) {
        2,
        "-help must be diff, info, extract, convert, resize, crop, side-by-side, contact-sheet, merge, movie, about or "
        "markdown"},
-      {{"diff"}, 2, "needs 2 file names, got 0 (usage: rayimg diff picture reference [options])"},
+      {{"diff"}, 2, "needs 2 file names, got 0 (usage: rayimg diff image reference [options])"},
       {{"diff", a, a, a}, 2, "unexpected extra argument"},
       {{"diff", a, ""}, 2, "a file name is empty"},
       {{"diff", a, a, "-fial", "1"}, 2, "unknown option '-fial'; did you mean '-fail'?"},
@@ -64,13 +64,13 @@ TEST(Rayimg, WrongInputIsNamedInOneLineAndNothingIsWritten) {
       {{"diff", a, a, "-json=yes"}, 2, "'-json' takes no value"},
       {{"diff", a, a, "-map_of", "flop", "-map", out}, 2, "flip or display, got 'flop'; did you mean 'flip'?"},
       {{"diff", a, a, "-map", folder / "out.xyz"}, 2, ".png"},
-      {{"diff", a, small}, 2, "pictures must have one size"},
+      {{"diff", a, small}, 2, "images must have one size"},
       {{"diff", a, missing, "-map", out}, 3, "missing.png"},
       {{"diff", a, text}, 3, "text.png: error: unknown image format"},
       {{"diff", a, empty}, 3, "empty.exr: error: the image file is empty"},
       {{"diff", light, cut}, 3, "cut.pfm"},
       {{"diff", light, huge}, 3, "more than the limit"},
-      {{"diff", a, folder.Path().string()}, 2, "a.png' is none; diff compares two pictures or two folders"},
+      {{"diff", a, folder.Path().string()}, 2, "a.png' is none; diff compares two images or two folders"},
       {{"diff", a, a, "-reference2", missing}, 3, "missing.png"},
       {{"diff", a, a, "-map", a}, 4, "it is the input"},
       {{"diff", a, a, "-map", folder / "none/out.png"}, 4, "does not exist"},
@@ -104,12 +104,12 @@ TEST(Rayimg, WrongInputIsNamedInOneLineAndNothingIsWritten) {
       {{"crop", a, a, "-crop", "0", "0", "2", "2"}, 4, "it is the input"},
       {{"extract", a, "N", folder / "out.pfm"}, 2, "is a png, which has no layers"},
       {{"extract", a, "N"}, 2, "needs 3 file names, got 2"},
-      {{"side-by-side", a}, 2, "side-by-side needs -out picture"},
-      {{"side-by-side", a, wide, "-out", out, "-captions", "one"}, 2, "-captions has 1 text for 2 pictures"},
+      {{"side-by-side", a}, 2, "side-by-side needs -out image"},
+      {{"side-by-side", a, wide, "-out", out, "-captions", "one"}, 2, "-captions has 1 text for 2 images"},
       {{"side-by-side", a, "-out", out, "-names", "-captions", "one"}, 2, "contradict each other"},
       {{"side-by-side", light, a, "-out", out}, 2, "holds floats"},
       {{"side-by-side", a, "-out", a}, 4, "it is the input"},
-      {{"contact-sheet", a}, 2, "contact-sheet needs -out picture"},
+      {{"contact-sheet", a}, 2, "contact-sheet needs -out image"},
       {{"contact-sheet", a, "-out", a}, 4, "it is the input"},
       {{"merge", light, cut}, 2, "needs -out"},
       {{"merge", light, "-out", out}, 2, "needs 2 file names"},
@@ -118,14 +118,14 @@ TEST(Rayimg, WrongInputIsNamedInOneLineAndNothingIsWritten) {
       {{"merge", light, cut, "-out", out}, 3, "cut.pfm"},
       {{"merge", light, light, "-out", out, "-weights", "1,,2"}, 2, "numbers above 0, separated by commas"},
       {{"merge", light, light, "-out", out, "-weights", "1,0"}, 2, "numbers above 0, separated by commas"},
-      {{"merge", light, light, "-out", out, "-weights", "1"}, 2, "-weights has 1 number for 2 pictures"},
+      {{"merge", light, light, "-out", out, "-weights", "1"}, 2, "-weights has 1 number for 2 images"},
       {{"merge", light, light, "-out", light}, 4, "it is the input"},
       {{"movie"}, 2, "needs 2 file names, got 0 (usage: rayimg movie out.avi frame.jpg... [options])"},
       {{"movie", avi}, 2, "needs 2 file names, got 1"},
       {{"movie", folder / "out.mp4", frame}, 2, "a movie's name ends in .avi, not"},
       {{"movie", frame, frame}, 2, "ends in .avi"},
       {{"movie", avi, frame, a}, 2, "is a png; the frames of a movie are jpeg"},
-      {{"movie", avi, frame, wide}, 2, "pictures must have one size"},
+      {{"movie", avi, frame, wide}, 2, "images must have one size"},
       {{"movie", avi, frame, text}, 3, "text.png: error: unknown image format"},
       {{"movie", avi, frame, missing}, 3, "missing.png"},
       {{"movie", avi, frame, "-fps", "0"}, 2, "-fps must be a number, 0.1 to 1000, got '0'"},

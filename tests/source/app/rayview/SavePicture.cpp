@@ -185,7 +185,7 @@ TEST(SavePicture, ADrawingKeepsTheValuesThatAreShown) {
   R2::Image drawing(2, 1);
   drawing.Set(0, 0, {128 / 255., 1, 0});
   for (const char* name : {"a.png", "a.ppm", "a.bmp"}) {
-    SaveDrawing(CheckPictureOutput(folder / name, {}), drawing, ViewOf("in.scn", {"-srgb"}));
+    SaveDrawing(CheckPictureOutput(folder / name, {}), drawing, ViewOf("in.scn", {"-srgb"}).encoding);
     const auto read = Decode(folder / name);
     EXPECT_NEAR(read.image.At(0, 0).r, 128 / 255., 1e-6) << name;
     const auto program = read.settings.find("program");

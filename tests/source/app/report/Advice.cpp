@@ -58,7 +58,7 @@ TEST(Advice, AnImageWithoutNoiseIsSaidToHaveNone) {
 TEST(Advice, TheTargetIsTheErrorAskedForInItsUnit) {
   EXPECT_TRUE(Has(AdviceOn(soft_light + ball), " to 2/255\n"));
   const std::string relative = AdviceOn(soft_light + ball, {"error", "3%"});
-  EXPECT_TRUE(Has(relative, " to 3 %\n") && Has(relative, " lin ")) << relative;
+  EXPECT_TRUE(Has(relative, " to 3%\n") && Has(relative, " lin ")) << relative;
   EXPECT_FALSE(Has(relative, "-error 2")) << relative;
 }
 

@@ -16,9 +16,9 @@ TEST(RunStats, WhatDarkensIsToldApartFromOtherBias) {
     return line.substr(line.find("samples per pixel") + 17);
   };
   EXPECT_EQ(limits({"max_depth 3", "adaptive tile"}),
-            "; limited by -max_depth 3 (too dark by about 2 %), biased by -adaptive tile\n");
+            "; limited by -max_depth 3 (too dark by about 2%), biased by -adaptive tile\n");
   EXPECT_EQ(limits({"max_depth 3", "min_luminance 0.01"}),
-            "; limited by -max_depth 3, -min_luminance 0.01 (too dark by about 2 %)\n");
+            "; limited by -max_depth 3, -min_luminance 0.01 (too dark by about 2%)\n");
   stats.share_cut = 0;
   EXPECT_EQ(limits({"max_depth 3", "adaptive tile"}), "; biased by -adaptive tile\n");
   EXPECT_EQ(limits({}), "\n");

@@ -312,7 +312,7 @@ TEST(TrueError, TwoNoisyReferencesTellTheErrorThatOneOfThemHides) {
 
 TEST(ErrorText, SaysTheNumberInItsUnit) {
   EXPECT_EQ(ErrorText(1.25, ErrorUnit::display), "1.25/255");
-  EXPECT_EQ(ErrorText(3.1, ErrorUnit::relative), "3.1 %");
+  EXPECT_EQ(ErrorText(3.1, ErrorUnit::relative), "3.1%");
   EXPECT_EQ(ErrorText(42, ErrorUnit::decibel), "42 dB");
   EXPECT_EQ(ErrorText(0.002, ErrorUnit::linear), "0.002 lin");
 }

@@ -154,7 +154,7 @@ TEST(Groningen, EveryRenderModeAndItsNumberIsTaken) {
     EXPECT_EQ(SettingOf(WithKeys("'RenderMode': " + std::string(word)).scene, "mode"), mode) << word;
   EXPECT_EQ(SettingOf(WithKeys("'RenderMode': 'gooch'").scene, "gooch"), "0.55 0.3 0.25 0.5");
   EXPECT_EQ(SettingOf(WithKeys("'GoochParameters': {'b': 1, 'beta': 0}").scene, "gooch"), "1 0.3 0.25 0");
-  EXPECT_EQ(SettingOf(WithKeys("'RenderMode': 'gooch'").scene, "outline"), "(none)") << "as in the course's picture";
+  EXPECT_EQ(SettingOf(WithKeys("'RenderMode': 'gooch'").scene, "outline"), "(none)") << "as in the course's image";
   for (const auto& [asked, width] : {std::pair{"true", "2"}, {"false", "0"}, {"'yes'", "2"}, {"1.5", "1.5"}})
     EXPECT_EQ(SettingOf(WithKeys("'GoochParameters': {'outline': " + std::string(asked) + "}").scene, "outline"), width)
         << asked;
