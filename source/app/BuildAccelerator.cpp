@@ -1,6 +1,6 @@
 #include "source/app/BuildAccelerator.h"
 
-#include "source/render/Render.h"
+#include "source/render/RenderInputs.h"
 
 namespace ray {
 

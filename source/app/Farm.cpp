@@ -5,17 +5,18 @@
 #include "source/app/BuildAccelerator.h"
 #include "source/app/Interrupt.h"
 #include "source/app/Status.h"
-#include "source/app/files/FinishingTime.h"
 #include "source/app/files/Outputs.h"
 #include "source/app/files/PartFiles.h"
 #include "source/app/files/SceneHash.h"
 #include "source/app/options/CommandLine.h"
+#include "source/app/options/PictureName.h"
 #include "source/app/options/SceneSettings.h"
 #include "source/app/report/Memory.h"
 #include "source/app/report/Messages.h"
 #include "source/app/report/Progress.h"
 #include "source/app/report/Resources.h"
 #include "source/render/Parts.h"
+#include "source/render/forecast/FinishForecast.h"
 #include "source/text/NumberText.h"
 #include "source/text/Quoting.h"
 #include "source/text/Words.h"
@@ -60,7 +61,7 @@ RenderState BeginningOf(PartReader& reader, const Options& options, const std::s
 RenderSettings SettingsInTime(const Options& options, double before_samples, bool filters) {
   constexpr double least = 1e-3;  // seconds; 0 would be no limit
   RenderSettings settings = options.render;
-  Budget& budget = settings.budget = BudgetWithFinish(options);
+  Budget& budget = settings.budget = BudgetWithFinish(settings, EncoderOf(options.picture, options.encoding));
   const double kept = before_samples + (filters ? budget.seconds_to_filter : 0);
   if (budget.seconds > 0) budget.seconds = std::max(least, budget.seconds - kept);
   return settings;
@@ -78,7 +79,7 @@ std::optional<RenderState> PlannedRound(const ReadScene& scene, const PartReader
                                         const Stopwatch& watch) {
   const World world(scene.parsed.scene);
   CheckMemory(world, scene.options);
-  const auto accelerator = BuildAccelerator(world, scene.options);
+  const auto accelerator = BuildAccelerator(world, scene.options.accelerator, scene.options.render);
   RenderMonitor monitor;
   monitor.seconds_before = reader.SecondsSinceBegin().value_or(0);
   return NextRound(world, *accelerator, SettingsInTime(scene.options, watch.Total(), false), std::move(round), monitor);

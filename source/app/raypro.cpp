@@ -12,7 +12,6 @@
 #include "source/app/Status.h"
 #include "source/app/Tasks.h"
 #include "source/app/files/Checkpoint.h"
-#include "source/app/files/FinishingTime.h"
 #include "source/app/files/LayerPictures.h"
 #include "source/app/files/Outputs.h"
 #include "source/app/files/PartFiles.h"
@@ -28,6 +27,7 @@
 #include "source/app/report/ReadReplay.h"
 #include "source/app/report/RunLog.h"
 #include "source/parse/SceneError.h"
+#include "source/render/forecast/FinishForecast.h"
 #include "source/text/Quoting.h"
 
 namespace ray {
@@ -40,16 +40,14 @@ RenderResult RenderAndTell(const World& world, const Accelerator& accelerator, c
   const std::string& hash = account.stats().scene.hash;
   RenderSettings settings = options.render;
   settings.replay = ReadReplay(options, hash);
-  settings.budget = BudgetWithFinish(options);
+  RenderMonitor monitor;
+  monitor.encode = EncoderOf(options.picture, options.encoding);
+  settings.budget = BudgetWithFinish(settings, monitor.encode);
   if (settings.budget.seconds > 0) account.WillFinishIn(settings.budget);
   Progress progress(ChooseProgressStyle(options.quiet));
   const auto tile_done = [&](const RenderProgress& now) { progress.Update(now); };
-  RenderMonitor monitor;
   monitor.stop = StopRequested();
   monitor.tile_done = tile_done;
-  monitor.encode = [&](const R2::Image& image) {
-    FormatOfPicture(options.picture)->encode(image, options.encoding, {});
-  };
   monitor.seconds_before = account.SecondsSoFar();
   if (settings.budget.seconds > 0 && !options.parts.empty())
     if (const auto since_begin = PartReader(options, hash).SecondsSinceBegin()) {

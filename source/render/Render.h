@@ -12,11 +12,11 @@
 #include "source/accelerate/Accelerator.h"
 #include "source/accelerate/World.h"
 #include "source/film/Film.h"
-#include "source/integrate/CameraRays.h"
-#include "source/integrate/Integrator.h"
 #include "source/integrate/RayCounts.h"
+#include "source/render/RenderInputs.h"
 #include "source/render/RenderSettings.h"
 #include "source/render/RenderState.h"
+#include "source/render/SampleCounts.h"
 
 namespace ray {
 
@@ -53,12 +53,6 @@ struct RenderMonitor {
   std::function<void(const R2::Image&, std::uint32_t)> pass_done;
 };
 
-/// Samples per pixel over the picture.
-struct SampleCounts {
-  std::uint32_t least = 0, most = 0;
-  double mean = 0;
-};
-
 /// What a render gives.
 struct RenderResult {
   R2::Image image;  // of the crop, or of the whole; filled where nothing was rendered yet
@@ -89,15 +83,12 @@ struct RenderResult {
   bool IsComplete() const { return stop != Stop::request; }
 };
 
-/// About how many rays a render, or the part of it that settings.part names, will trace: what is known before it.
-double ExpectedRays(const RenderSettings& settings);
-
 /// Renders the world through its scene's camera, or the view of the settings. The image is the same, bit for bit, for
 /// any thread count and tile size.
 RenderResult Render(const World& world, const Accelerator& accelerator, const RenderSettings& settings,
                     const RenderMonitor& monitor = {});
-/// The same with an integrator made before, so that many small parts of a picture need not each make their own; of
-/// pictures that are not to be denoised.
+/// Renders with an integrator made before, so that many small parts of an image need not each make their own. The image
+/// must not be one to denoise.
 RenderResult Render(const World& world, const Integrator& integrator, const RenderSettings& settings,
                     const RenderMonitor& monitor = {});
 
@@ -111,15 +102,5 @@ bool RenderPart(const World& world, const Accelerator& accelerator, const Render
 /// and on monitor.seconds_before, which counts from when the first round began. Nothing when the image is done.
 std::optional<RenderState> NextRound(const World& world, const Accelerator& accelerator, const RenderSettings& settings,
                                      RenderState state, const RenderMonitor& monitor = {});
-
-/// What Render works with, for whoever takes some of the samples in another order. None depends on which part of the
-/// picture is wanted but the film.
-std::unique_ptr<const Integrator> IntegratorOf(const World& world, const Accelerator& accelerator,
-                                               const RenderSettings& settings);
-TraceSettings TraceSettingsOf(const RenderSettings& settings);
-CameraRays CameraRaysOf(const World& world, const RenderSettings& settings);
-/// The same, laid out for another number of samples per pixel.
-CameraRays CameraRaysOf(const World& world, const RenderSettings& settings, std::uint32_t samples);
-Film EmptyFilmOf(const RenderSettings& settings);
 
 }  // namespace ray

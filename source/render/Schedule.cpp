@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "R1/Elementary.h"
+#include "source/render/forecast/TimeBudget.h"
 
 namespace ray {
 namespace {
@@ -16,7 +17,6 @@ constexpr std::uint32_t most_samples = 1u << 30;      // per pixel and stream, w
 constexpr std::uint32_t planned_if_unknown = 16;      // samples that strata are laid out for when no count is known
 constexpr std::uint32_t first_with_error_target = 8;  // of each stream, before anything else is decided
 constexpr std::uint32_t first_that_may_do = 4;        // before the error may be found small enough
-constexpr double share_of_time_aimed_at = 0.97;       // so that a pass may take longer than expected as well as shorter
 constexpr double share_of_time_at_once = 0.6;         // of what is left, by a pass: its speed is known from others
 constexpr double share_of_time_not_used = 0.01;       // is too little for another pass
 constexpr double seconds_without_news = 1;            // that the first sample of all pixels may take in one pass

@@ -46,9 +46,9 @@ struct PassOutcome {
   std::optional<MeasuredError> error;
   // That come once no more samples are taken, until the picture is written, and how many more a sample per pixel adds.
   double seconds_after = 0, seconds_after_per_sample = 0;
-  bool has_stalled = false;         // see ErrorForecast
+  bool has_stalled = false;          // see ErrorForecast
   bool is_of_many_machines = false;  // which begin anew for each pass, so that there should be few
-  std::vector<double> contrasts{};  // of neighboring pixels as displayed, in [0, 1], of each block; see LooksAtContrast
+  std::vector<double> contrasts{};   // of neighboring pixels as displayed, in [0, 1], of each block; see LooksAtContrast
 };
 
 /// Where a schedule stands; kept in checkpoints.

@@ -4,20 +4,30 @@
 
 #include "R2/Image.h"
 #include "source/film/Film.h"
+#include "source/render/RenderSettings.h"
 
 namespace ray {
 
-/// How long a picture takes from its last sample to the finished file: foretold by composing and encoding parts of it,
+/// How long an image of which nothing is known yet takes from its last sample to the finished file, in seconds: told by
+/// encoding a small image, as `encode` does it.
+///   accuracy   what is seen bears on it, so FinishForecast looks at the image itself
+double SecondsToFinish(const RenderSettings& settings, const std::function<void(const R2::Image&)>& encode);
+
+/// The budget of a render, told how long finishing and filtering take here; as it is where there is no time limit. Throws
+/// DenoiserError.
+Budget BudgetWithFinish(const RenderSettings& settings, const std::function<void(const R2::Image&)>& encode);
+
+/// Forecasts how long an image takes from its last sample to the finished file, by composing and encoding parts of it,
 /// since that depends on what is seen.
-///   accuracy   as docs/accuracy.md has it
+///   accuracy   measured in docs/accuracy.md
 class FinishForecast {
  public:
-  ///   seconds   as far as that is known before
-  ///   encode    encodes an image as it will be written; empty: nothing more is known
+  ///   seconds   the estimate until the first look
+  ///   encode    encodes an image as it will be written; may be empty, and then looks tell nothing
   FinishForecast(double seconds, std::function<void(const R2::Image&)> encode)
       : encode_(std::move(encode)), seconds_(seconds) {}
 
-  /// At the picture as it is, whose pixels will be made bytes in this way.
+  /// Looks at the image as it is; `quantization` says how its pixels will become bytes.
   void Look(const Film& film, R2::Quantization quantization);
   double Seconds() const { return seconds_; }
 

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <memory>
+
+#include "source/accelerate/Accelerator.h"
+#include "source/accelerate/World.h"
+#include "source/film/Film.h"
+#include "source/integrate/CameraRays.h"
+#include "source/integrate/Integrator.h"
+#include "source/render/RenderSettings.h"
+
+namespace ray {
+
+/// The inputs of Render, for callers that take samples in another order. None but the film depends on which part of the
+/// image is wanted.
+std::unique_ptr<const Integrator> IntegratorOf(const World& world, const Accelerator& accelerator,
+                                               const RenderSettings& settings);
+TraceSettings TraceSettingsOf(const RenderSettings& settings);
+CameraRays CameraRaysOf(const World& world, const RenderSettings& settings);
+/// Camera rays that are laid out for another number of samples per pixel than the settings plan.
+CameraRays CameraRaysOf(const World& world, const RenderSettings& settings, std::uint32_t samples);
+Film EmptyFilmOf(const RenderSettings& settings);
+
+/// About how many rays a render, or the part of it that settings.part names, will trace: what is known before it.
+double ExpectedRays(const RenderSettings& settings);
+
+}  // namespace ray
