@@ -81,8 +81,10 @@ std::vector<std::string> Lines(const char* all) {
   return lines;
 }
 
-/// What asks for files, clocks or other machines has no meaning in a page.
+/// What asks for files, clocks or other machines has no meaning in a page, and yaml-cpp is not there.
 void RefuseOthers(const Options& options) {
+  if (options.scene.ends_with(".yaml") || options.scene.ends_with(".yml"))
+    throw UsageError("a page does not read YAML; JSON with the same keys is read");
   if (options.task != Task::render) throw UsageError("a page takes the options of an image, not requests");
   for (const char* name : {"time", "part", "parts", "missing", "report", "replay", "reference", "layers", "out_folder",
                            "resume", "restart", "checkpoint", "keep_checkpoint", "allow_path"})
@@ -99,6 +101,7 @@ int Open(const std::vector<std::string>& words) {
   auto opened = std::make_unique<Session>();
   const Options asked = ReadCommandLine(Program::raypro, words);
   RefuseOthers(asked);
+  CheckMachine(asked);
   opened->parsed = Parse(asked.scene, asked.parse);
   opened->options = WithSettingsOf(opened->parsed.scene, asked);
   Warn(opened->parsed.warnings);
@@ -147,6 +150,11 @@ void LimitToPass(Session& of, PassTargets& due) {
     for (std::uint32_t& samples : due.samples) samples = std::min(samples, of.pass_end);
   }
   of.has_looked = true;
+}
+
+ImagePart PartOf(int index, int of) {
+  if (index < 1 || index > of || of > most_image_parts) throw UsageError("there is no such part of an image");
+  return {index, of};
 }
 
 /// Takes one more pass of samples in the blocks of a part. Returns whether more are due in this round.
@@ -275,8 +283,9 @@ EXPORT("height") int Height() { return session ? RegionOf(session->options.rende
 /// more samples are due in this round, 0 when they are there.
 EXPORT("render_part") int RenderPartOf(int index, int of) {
   return Guarded([&] {
-    const bool has_more = RenderPass(Opened(), {index, of});
-    bytes = Preview(Opened(), {index, of});
+    const ImagePart part = PartOf(index, of);
+    const bool has_more = RenderPass(Opened(), part);
+    bytes = Preview(Opened(), part);
     return has_more ? 1 : 0;
   });
 }
@@ -293,6 +302,7 @@ EXPORT("part") int Part() {
 EXPORT("take_part") int TakePart(int index, int of, const unsigned char* begin, std::size_t size) {
   return Guarded([&] {
     Session& s = Opened();
+    PartOf(index, of);
     RenderState theirs = DecodedState({begin, size}, identity, *s.empty_film);
     s.state.rays += theirs.rays;
     TakeBlocks(s.state, std::move(theirs), index, PartsOfBlocks(*s.empty_film, of));

@@ -107,6 +107,7 @@ test("a wrong option is named", async () => {
   );
   assert.match(await mistakeIn("sphere -1 0 0 0 1", ["-time", "4"]), /-time has no meaning in a page/);
   assert.match(await mistakeIn("sphere -1 0 0 0 1", ["-check"]), /not requests/);
+  assert.match(await mistakeIn("Objects: []", [], "scene.yaml"), /does not read YAML/);
 });
 
 test("a file that is missing is named with the nearest", async () => {
@@ -141,6 +142,15 @@ test("a broken image is refused by its name", async () => {
     );
     assert.throws(() => engine.open("s.scn"), /s\.scn:1:\d+: .*t\.png/);
   }
+});
+
+test("parts that no image has are refused", async () => {
+  const engine = await engineWith();
+  assert.throws(() => engine.renderPart(1, 1), /no scene is open/);
+  engine.open("scenes/sphere.scn", size);
+  for (const [index, of] of [[5, 2], [0, 0], [-1, 4], [1, 2 ** 21]])
+    assert.throws(() => engine.renderPart(index, of), /no such part/);
+  assert.throws(() => engine.takePart(1, 2, new Uint8Array(100)), /not a checkpoint/);
 });
 
 test("an image beyond the memory is refused", async () => {
