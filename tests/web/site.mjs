@@ -19,7 +19,7 @@ test("the site is smaller than 15 MB", () => {
   assert(pages.length > 20 && bytes < 15e6, `${pages.length} pages, ${bytes} bytes`);
 });
 
-test("every link leads to a file of the site, and to a place in it", () => {
+test("every link leads to a place in the site", () => {
   const examples = JSON.parse(textOf("web/examples.json")).scenes.map((scene) => scene.name);
   for (const page of pages)
     for (const [, address] of all(/(?:href|src)="([^"]*)"/g, textOf(page))) {
@@ -34,7 +34,7 @@ test("every link leads to a file of the site, and to a place in it", () => {
     }
 });
 
-test("pages have titles of their own, and images say what they show", () => {
+test("pages have titles, and images say what they show", () => {
   const titles = pages.map((page) => textOf(page).match(/<title>([^<]+)<\/title>/)?.[1]);
   assert(titles.every((title) => title));
   assert.deepEqual(
@@ -84,7 +84,7 @@ const faint = `(() => {
 })()`;
 
 test(
-  "no page scrolls sideways or without end on a phone, and all text has contrast",
+  "pages fit a phone, and their text has contrast",
   { skip: !CHROMIUM && "there is no Chromium" },
   async () => {
     for (const page of pages)
