@@ -199,7 +199,7 @@ test:
 	  $(patsubst %.cpp,$(BUILD)/obj/%.o,$(call present,bench/live.cpp bench/trade.cpp bench/view.cpp))
 	$(FOR_TESTS) JOBS=$(JOBS) sh script/run_tests.sh $(BUILD)/raytests $(GTEST)
 	$(FOR_TESTS) sh script/runray.sh -fast
-	@sh tests/web/run.sh $(BUILD)
+	$(if $(wildcard $(BUILD)/web/raypro.wasm),$(MAKE) web-test,@sh tests/web/run.sh $(BUILD))
 test-binary: $(BUILD)/raytests
 
 # One test file, in a program of its own with nothing but the sources that it needs, compiled for speed of compiling.
