@@ -26,7 +26,7 @@ const ShapeKind* FindShapeKind(const std::string& name) {
 
 std::unique_ptr<const Shape> MakeShape(const std::string& name, std::vector<double> arguments) {
   const ShapeKind* kind = FindShapeKind(name);
-  assert(kind && kind->arguments.size() == arguments.size());
+  assert(kind && kind->Takes(arguments.size()));
   return kind->make(arguments);
 }
 

@@ -31,6 +31,12 @@ struct ShapeKind {
   /// `arguments` are as many as above, finite, their signs checked; may throw ArgumentError.
   std::unique_ptr<const Shape> (*make)(std::span<const double> arguments);
   std::vector<double> example;  // a typical one: bounded, hit by a ray from afar to its middle
+  std::size_t repeated = 0;     // how many of the last arguments may come again together, any number of times
+
+  bool Takes(std::size_t count) const {
+    if (count == arguments.size() || repeated == 0) return count == arguments.size();
+    return count > arguments.size() && (count - arguments.size()) % repeated == 0;
+  }
 };
 
 /// Every kind that numbers alone describe, in the order of shapes.def.

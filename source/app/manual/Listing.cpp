@@ -20,21 +20,21 @@ std::string Line(std::string name, const std::string& about) {
   return "  " + name + about + "\n";
 }
 
-/// "sphere x y z r" for a kind of shape or light.
+/// "sphere x y z r" for a kind of shape or light, whose ArgumentNames are these.
 template <class Kind>
-std::string LineWithArguments(const Kind& kind) {
-  return Line(kind.name, std::string(kind.about) + " (" + ArgumentNames(kind.arguments).substr(1) + ")");
+std::string LineWithArguments(const Kind& kind, const std::string& names) {
+  return Line(kind.name, std::string(kind.about) + " (" + names.substr(1) + ")");
 }
 
 std::string Shapes() {
   std::string text;
-  for (const R3::ShapeKind* kind : R3::ShapeKinds()) text += LineWithArguments(*kind);
+  for (const R3::ShapeKind* kind : R3::ShapeKinds()) text += LineWithArguments(*kind, ArgumentNames(*kind));
   return text;
 }
 
 std::string Lights() {
   std::string text;
-  for (const LightKind* kind : LightKinds()) text += LineWithArguments(*kind);
+  for (const LightKind* kind : LightKinds()) text += LineWithArguments(*kind, ArgumentNames(kind->arguments));
   return text;
 }
 

@@ -180,4 +180,8 @@ std::string ArgumentNames(std::span<const R3::Argument> arguments) {
   return names;
 }
 
+std::string ArgumentNames(const R3::ShapeKind& kind) {
+  return ArgumentNames(kind.arguments) + (kind.repeated > 0 ? " ..." : "");
+}
+
 }  // namespace ray

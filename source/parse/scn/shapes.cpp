@@ -8,9 +8,21 @@
 namespace ray {
 namespace {
 
+/// What may be repeated is, up to the next statement.
+Arguments ReadArguments(const R3::ShapeKind& kind, Statement& statement) {
+  Arguments all = statement.Coordinates(kind.arguments);
+  const auto again = std::span(kind.arguments).last(kind.repeated);
+  while (!again.empty() && statement.Peek() && !BeginsStatement(*statement.Peek())) {
+    const Arguments more = statement.Coordinates(again);
+    all.values.insert(all.values.end(), more.values.begin(), more.values.end());
+    all.words.insert(all.words.end(), more.words.begin(), more.words.end());
+  }
+  return all;
+}
+
 void ReadShape(const R3::ShapeKind& kind, ScnReader& reader, Statement& statement) {
   const int material = reader.ReadMaterial(statement);
-  const Arguments read = statement.Coordinates(kind.arguments);
+  const Arguments read = ReadArguments(kind, statement);
   if (!statement.IsGood()) return;
   try {
     reader.AddShape(statement, material, kind.make(read.values));
@@ -76,7 +88,7 @@ void ReadLine(ScnReader& reader, Statement& statement) {
 }  // namespace
 
 Command ShapeCommand(const R3::ShapeKind& kind) {
-  return {kind.name, std::string(kind.name) + " mat_id" + ArgumentNames(kind.arguments), kind.about,
+  return {kind.name, std::string(kind.name) + " mat_id" + ArgumentNames(kind), kind.about,
           [&kind](ScnReader& reader, Statement& statement) { ReadShape(kind, reader, statement); }};
 }
 
