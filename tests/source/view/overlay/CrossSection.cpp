@@ -182,6 +182,21 @@ const std::map<std::string, std::function<double(const R3::Point&)>> off_surface
        const double side = std::abs(square - k * (0.75 - p.y)) / std::sqrt(4 * square + k * k);
        return std::min(side, std::abs(p.y + 1.25));
      }},
+    // Field less threshold over its slope, of the example.
+    {"blob",
+     [](const R3::Point& p) {
+       const std::array<std::array<double, 5>, 3> balls{
+           {{0, -0.25, 0.5, 1.2, 1}, {0.9, 0.25, 0.75, 1.2, 1}, {0.4, 0.6, 1.2, 0.8, -0.4}}};
+       double field = -0.4;
+       R3::Vector slope;
+       for (const auto& [x, y, z, radius, strength] : balls) {
+         const R3::Vector d = (p - R3::Point{x, y, z}) / radius;
+         const double q = std::max(0.0, 1 - Dot(d, d));
+         field += strength * q * q * q;
+         slope = slope - 6 * strength * q * q / radius * d;
+       }
+       return std::abs(field) / Length(slope);
+     }},
     {"cone", [](const R3::Point& p) {
        const double side = std::abs(std::hypot(p.x - 0.5, p.z - 1) - 0.75 * (0.75 - p.y) / 2);
        return std::min(side, std::abs(p.y + 1.25));
@@ -215,6 +230,20 @@ TEST(CrossSection, IsExactForEverySolidTurnedMirroredAndStretched) {
   }
   // Once in ten thousand times what happens within a cell, at a sharp tip, is guessed wrong.
   EXPECT_LE(torn, cuts / 2000);
+}
+
+TEST(CrossSection, OfASolidWithAHoleIsItsOutlineAndThatOfTheHole) {
+  const Model model(project::FromText("csg difference -1\nbox -1  -2 -1 -2  2 1 2\ncylinder -1  0 0 0  1 2\nend\n"));
+  const ray::SceneCut cut = model.Cut(ray::SlicePlane::xz, {0, 0.25, 0});
+  EXPECT_EQ(ClosedCurves(cut), 2);
+  int on_hole = 0;
+  for (const ray::Crossing& c : cut.crossings) {
+    const double from_axis = std::hypot(c.position.x, c.position.z);
+    const double to_outline = std::abs(std::max(std::abs(c.position.x), std::abs(c.position.z)) - 2);
+    EXPECT_LE(std::min(std::abs(from_axis - 1), to_outline), exact);
+    on_hole += std::abs(from_axis - 1) <= exact;
+  }
+  EXPECT_GT(on_hole, 20);
 }
 
 TEST(CrossSection, OfThreeSpheresIsThreeRings) {
