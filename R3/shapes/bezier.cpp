@@ -4,8 +4,7 @@
 
 #include "R3/GridMesh.h"
 #include "R3/Numeric.h"
-#include "R3/ShapeKind.h"
-#include "R3/shapes/PatchRoots.h"
+#include "R3/shapes/BezierPatch.h"
 
 namespace R3 {
 namespace {
@@ -16,7 +15,7 @@ using namespace patch;
 class Bezier : public Shape {
  public:
   /// By control points, as vectors from the origin.
-  explicit Bezier(const Net<Vector>& net) : net_(net) {
+  Bezier(const Net<Vector>& net, Recipe made_from) : net_(net), made_from_(std::move(made_from)) {
     for (const auto& row : net_)
       for (const Vector& p : row) box_.Extend(Point{} + p);
     const double size = MaxComponent(box_.Size());
@@ -69,12 +68,7 @@ class Bezier : public Shape {
   bool IsSolid() const override { return false; }
   bool IsDegenerate() const override { return is_degenerate_; }
 
-  std::optional<Recipe> MadeFrom() const override {
-    std::vector<double> arguments;
-    for (const auto& row : net_)
-      for (const Vector& p : row) arguments.insert(arguments.end(), {p.x, p.y, p.z});
-    return Recipe{"bezier", std::move(arguments)};
-  }
+  std::optional<Recipe> MadeFrom() const override { return made_from_; }
 
  private:
   double Reach(int axis) const { return std::max(std::abs(box_.low[axis]), std::abs(box_.high[axis])); }
@@ -171,31 +165,38 @@ class Bezier : public Shape {
   }
 
   Net<Vector> net_;
+  Recipe made_from_;
   Net<Vector> unit_net_;  // from its first corner, times 2^to_unit_, which brings its size into [1, 2)
   int to_unit_ = 0;
   Box box_;
   bool is_degenerate_ = false;
 };
 
-std::vector<Argument> CornerNames() {
+}  // namespace
+
+std::vector<Argument> PatchArguments() {
   return {{"x1"},  {"y1"},  {"z1"},  {"x2"},  {"y2"},  {"z2"},  {"x3"},  {"y3"},  {"z3"},  {"x4"},  {"y4"},  {"z4"},
           {"x5"},  {"y5"},  {"z5"},  {"x6"},  {"y6"},  {"z6"},  {"x7"},  {"y7"},  {"z7"},  {"x8"},  {"y8"},  {"z8"},
           {"x9"},  {"y9"},  {"z9"},  {"x10"}, {"y10"}, {"z10"}, {"x11"}, {"y11"}, {"z11"}, {"x12"}, {"y12"}, {"z12"},
           {"x13"}, {"y13"}, {"z13"}, {"x14"}, {"y14"}, {"z14"}, {"x15"}, {"y15"}, {"z15"}, {"x16"}, {"y16"}, {"z16"}};
 }
 
-}  // namespace
+Net<Vector> PatchNet(std::span<const double> a) {
+  Net<Vector> net;
+  for (std::size_t k = 0; k < 16; ++k) net[k / 4][k % 4] = {a[3 * k], a[3 * k + 1], a[3 * k + 2]};
+  return net;
+}
+
+std::unique_ptr<const Shape> BezierPatch(const Net<Vector>& net, Recipe made_from) {
+  return std::make_unique<Bezier>(net, std::move(made_from));
+}
 
 extern const ShapeKind bezier_kind{
     "bezier",
     "a bicubic patch by 16 control points, four rows of four: along a row u grows, from row to row v; its front is "
     "where u runs to the right and v upward",
-    CornerNames(),
-    [](std::span<const double> a) -> std::unique_ptr<const Shape> {
-      Net<Vector> net;
-      for (std::size_t k = 0; k < 16; ++k) net[k / 4][k % 4] = {a[3 * k], a[3 * k + 1], a[3 * k + 2]};
-      return std::make_unique<Bezier>(net);
-    },
+    PatchArguments(),
+    [](std::span<const double> a) { return BezierPatch(PatchNet(a), Recipe{"bezier", {a.begin(), a.end()}}); },
     {-1,  -0.2, -1,   -0.4, 0.5,  -1.1, 0.3, -0.3, -1,  1,   0.2, -1,   -1.1, 0.3, -0.4, -0.3,
      0.9, -0.3, 0.4,  0.6,  -0.3, 1.1,  0.1, -0.4, -1,  0.2, 0.3, -0.4, 0.8,  0.4, 0.3,  0.4,
      0.3, 1,    -0.3, 0.4,  -1,   -0.1, 1,   -0.3, 0.3, 1.1, 0.4, -0.2, 1,    1,   0.3,  1},

@@ -65,6 +65,33 @@ TEST(Bezier, OverAGridItIsTheCubicOfItsHeights) {
   }
 }
 
+TEST(Bezier, ARayThroughAPlaceOfACurvedPatchFindsItsCoordinates) {
+  // Where u and v are no straight functions of the place, a step of Newton's method is not enough.
+  Draw draw(82);
+  int judged = 0;
+  for (int n = 0; n < 40; ++n) {
+    Corners corners = Over([&](int, int) { return draw.Between(-1, 1); });
+    for (R3::Point& p : corners) p.x += draw.Between(-0.4, 0.4), p.z += draw.Between(-0.4, 0.4);
+    const auto patch = Patch(corners);
+    for (int k = 0; k < 50; ++k) {
+      const double u = draw.Between(0, 1), v = draw.Between(0, 1);
+      const R3::Intersection at = patch->At({}, {0, u, v, 0}, 0);
+      const R3::Vector direction = draw.Direction();
+      if (std::abs(Dot(at.normal, direction)) < 0.3) continue;
+      ++judged;
+      double nearest = R3::infinity;
+      R3::Ray ray{at.position - 2 * direction, direction};
+      while (const auto hit = patch->Intersect(ray, 0)) {
+        nearest = std::min(nearest, std::abs(hit->u - u) + std::abs(hit->v - v));
+        ray.t_min = hit->t;
+      }
+      // The ray passes within 10^-15 of the place, and the patch is 3 wide; slopes differ by a factor of some ten.
+      EXPECT_LE(nearest, 2e-14) << n << ' ' << k;
+    }
+  }
+  EXPECT_GT(judged, 1000);
+}
+
 TEST(Bezier, WithoutCurvatureItIsHitAsItsTwoTrianglesAre) {
   const auto patch = Patch(Over([](int i, int j) { return 0.3 * i - 0.2 * j; }));
   const auto at = [](double x, double z) { return R3::Point{x, 0.3 * x - 0.2 * (3 - z), z}; };
