@@ -6,7 +6,8 @@
 namespace R3 {
 namespace {
 
-constexpr int most_crossings = 64;  // of an element
+// Of an element: no more than a formula has that the halvings of Implicit can tell apart. Each costs another search.
+constexpr int most_crossings = 1 << 14;
 
 /// A crossing before it is known how it fits in with the others.
 struct Candidate {

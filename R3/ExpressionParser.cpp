@@ -50,12 +50,22 @@ std::size_t ExpressionParser::Product() {
   for (;;) {
     const char next = Next();
     if (Takes('/'))
-      product = Add(Operation::divide, product, Factor());
+      product = Add(Operation::divide, product, Divisor());
     else if (Takes('*') || IsDigit(next) || next == '.' || IsLetter(next) || next == '(')
       product = Add(Operation::multiply, product, Factor());
     else
       return product;
   }
+}
+
+std::size_t ExpressionParser::Divisor() {
+  SkipBlanks();
+  const std::size_t start = at_, divisor = Factor();
+  const Expression::Step& last = expression_.steps_[divisor];
+  if (last.operation == Operation::number && last.number == 0)
+    throw ExpressionError(start, text_.find_last_not_of(" \t", at_ - 1) + 1 - start,
+                          "this divides by zero, so the formula is defined nowhere");
+  return divisor;
 }
 
 std::size_t ExpressionParser::Factor() {

@@ -23,6 +23,7 @@ class ExpressionParser {
 
   std::size_t Sum();
   std::size_t Product();
+  std::size_t Divisor();
   std::size_t Factor();
   std::size_t Power();
   std::size_t Primary();

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "R3/shapes/PlanarUv.h"
 #include "R3/shapes/Span.h"
 
 namespace R3 {
@@ -69,13 +70,13 @@ class FormulaOnLine {
   /// What intervals say of the formula from `low` to `high`. Around the middle, the slope anywhere says how far its
   /// value may change, which for short stretches is much less than evaluating the formula on all of it.
   State StateOf(const Stretch& s) {
-    const auto along = [&](double o, double d, const Interval& t) {
-      return Slope<Interval>(Interval(o) + Interval(d) * t, Interval(d));
-    };
     const Interval all{s.low, s.high};
-    const auto f = formula_.At(along(ray_.origin.x, ray_.direction.x, all), along(ray_.origin.y, ray_.direction.y, all),
-                               along(ray_.origin.z, ray_.direction.z, all), slopes_);
-    if (!f.value.Holds(0)) return State::unchanged;
+    const auto place = [&](int axis) { return Interval(ray_.origin[axis]) + Interval(ray_.direction[axis]) * all; };
+    const Interval x = place(0), y = place(1), z = place(2);
+    // Most stretches are far from the surface, and slopes take three times as long.
+    if (!formula_.At(x, y, z, intervals_).Holds(0)) return State::unchanged;
+    const auto f = formula_.At(Slope<Interval>(x, ray_.direction.x), Slope<Interval>(y, ray_.direction.y),
+                               Slope<Interval>(z, ray_.direction.z), slopes_);
     if (!f.slope.Holds(0) && f.slope.low > -infinity && f.slope.high < infinity) return State::monotonic;
     const double middle = s.low + (s.high - s.low) / 2;
     const auto at = [&](double o, double d) { return Interval(o) + Interval(d) * Interval(middle); };
@@ -135,7 +136,13 @@ std::optional<Hit> Implicit::Intersect(const Ray& ray, int) const {
 
 Intersection Implicit::At(const Ray& ray, const Hit& hit, int) const {
   const Point p = ray.At(hit.t);
-  return hit.part == surface ? OnSurface(p) : OnFace(p, hit.part);
+  Intersection at = hit.part == surface ? OnSurface(p) : OnFace(p, hit.part);
+  SetPlanarUv(at, box_);
+  return at;
+}
+
+UvTangents Implicit::UvTangentsAt(const Ray& ray, const Hit& hit, int element) const {
+  return PlanarUvTangents(At(ray, hit, element).normal, box_);
 }
 
 Intersection Implicit::OnFace(const Point& p, int face) const {

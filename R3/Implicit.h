@@ -21,7 +21,7 @@ class Implicit : public Shape {
   Box Bounds(int) const override { return box_; }
   std::optional<Hit> Intersect(const Ray& ray, int) const override;
   Intersection At(const Ray& ray, const Hit& hit, int) const override;
-  bool HasTextureCoordinates() const override { return false; }
+  UvTangents UvTangentsAt(const Ray& ray, const Hit& hit, int element) const override;
   bool IsDegenerate() const override;
   std::optional<Recipe> MadeFrom() const override;
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "R3/Implicit.h"
 #include "R3/ShapeKind.h"
 #include "source/parse/CsgOf.h"
 #include "source/parse/courses/objects/Placement.h"
@@ -214,7 +215,7 @@ TEST(Csg, RaysPassAHoleWhoseFacesAreRoundedOtherwise) {
             Placed(Translation({0, 0, 1}),
                    Placed(about(degrees / 3), Placed(about(2 * degrees / 3), Solid("cylinder", {0, 0, 0, 1, 2})))))));
     int stopped = 0;
-    for (int i = 0; i < Count(100'000, 1'000'000); ++i) {
+    for (int i = 0; i < Asked("CSG_RAYS", 100'000, 1'000'000); ++i) {
       const auto in_hole = [&](double y) {
         const double r = 0.999 * std::sqrt(draw.Between(0, 1)), angle = draw.Between(0, 2 * std::numbers::pi);
         return away * (about(degrees) * R3::Point{r * std::cos(angle), y, r * std::sin(angle)});
@@ -386,14 +387,16 @@ std::optional<std::vector<double>> Expected(const Judged& judged, double scale) 
 
 TEST(Csg, RandomTreesAreHitWhereSetsOfPointsSay) {
   int judged = 0, undecided = 0;
+  // CSG_TREES is how many trees there are in all, with CSG_RAYS_OF_TREE rays each.
+  const int trees = Asked("CSG_TREES", 180, 9000) / 3, rays = Asked("CSG_RAYS_OF_TREE", 100, 1000);
   for (const double scale : {1.0, 1e-6, 1e6})
-    for (int seed = 0; seed < Count(60, 3000); ++seed) {
+    for (int seed = 0; seed < trees; ++seed) {
       Draw draw(static_cast<std::uint64_t>(seed) + 5900);
       Tree tree{.operation = static_cast<R3::CsgOperation>(seed % 3)};
       for (int i = 0; i < 3; ++i) tree.children.push_back(RandomTree(draw, 3, scale));
       const auto csg = CsgOf(tree.ToNode());
       if (csg->IsDegenerate()) continue;
-      for (int i = 0; i < Count(100, 1000); ++i) {
+      for (int i = 0; i < rays; ++i) {
         const R3::Ray ray = RayAt(draw, csg->Bounds(0));
         const auto expected = Expected(tree.Along(ray), scale);
         if (!expected) {
@@ -411,8 +414,26 @@ TEST(Csg, RandomTreesAreHitWhereSetsOfPointsSay) {
         EXPECT_TRUE(std::equal(rest.begin(), rest.end(), hits.begin() + 1, hits.end()));
       }
     }
-  EXPECT_GT(judged, 10'000);
+  EXPECT_GT(judged, 3 * trees * rays / 2);
   EXPECT_LT(undecided, judged / 100);
+}
+
+TEST(Csg, TakesAllCrossingsOfASolidThatIsMetVeryOften) {
+  // Plates one tenth apart, two hundred crossings along x, of which a ball keeps those within.
+  const auto plates = std::make_shared<R3::Implicit>(R3::Expression("sin(20 pi x) + 0.5"),
+                                                     R3::Box{{-5.01, -1, -1}, {5.01, 1, 1}});
+  const R3::Ray ray{{-9, 0.1, 0.2}, {1, 0, 0}};
+  const std::vector<double> all = AllHits(*plates, ray);
+  ASSERT_GT(all.size(), 190u);
+  const auto csg = CsgOf(Combined(intersect, accelerators::Leaf(plates), Solid("box", {-3, -2, -2, 3, 2, 2})));
+  std::vector<double> within{6};
+  for (const double t : all)
+    if (t > 6 && t < 12) within.push_back(t);
+  if (within.size() % 2 == 1) within.push_back(12);
+  std::vector<double> found = AllHits(*csg, ray);
+  EXPECT_GT(found.size(), 110u);
+  for (const double t : found)
+    EXPECT_TRUE(std::ranges::any_of(within, [&](double x) { return std::abs(x - t) < 1e-12; })) << t;
 }
 
 TEST(Csg, NormalsFaceOutOfWhatIsLeft) {

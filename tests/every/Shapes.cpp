@@ -6,6 +6,7 @@
 #include <map>
 #include <set>
 
+#include "R3/Implicit.h"
 #include "R3/ShapeKind.h"
 #include "tests/BoundedShapes.h"
 #include "tests/Draw.h"
@@ -14,13 +15,16 @@
 namespace {
 
 struct Subject {
-  const R3::ShapeKind* kind;
+  const char* name;
   std::unique_ptr<const R3::Shape> shape;
 };
 
+/// An example of every kind, and of what a formula and not numbers make.
 std::vector<Subject> EveryShape() {
   std::vector<Subject> subjects;
-  for (const auto* kind : BoundedShapeKinds()) subjects.push_back({kind, kind->make(kind->example)});
+  for (const auto* kind : BoundedShapeKinds()) subjects.push_back({kind->name, kind->make(kind->example)});
+  const R3::Expression formula("(x - 0.25)^2 + (y + 0.5)^2 + 1.5 z^2 - 1 - 0.2 sin(2 x)");
+  subjects.push_back({"implicit", std::make_unique<R3::Implicit>(formula, R3::Box{{-1.5, -2, -1.5}, {2, 0.25, 1}})});
   return subjects;
 }
 
@@ -46,7 +50,7 @@ void ForManyHits(std::uint64_t seed, const Check& check) {
         check(subject, ray, *hit);
       }
     }
-    EXPECT_GT(hits, 1000) << subject.kind->name << ": its example is hardly ever hit";
+    EXPECT_GT(hits, 1000) << subject.name << ": its example is hardly ever hit";
   }
 }
 
@@ -54,12 +58,12 @@ TEST(EveryShape, IsNeverHitOutsideItsBounds) {
   ForManyHits(701, [](const Subject& s, const R3::Ray& ray, const R3::Hit& hit) {
     const R3::Box box = Bounds(*s.shape);
     const auto at = s.shape->At(ray, hit, 0);
-    EXPECT_LE(box.low.x - at.error.x, at.position.x) << s.kind->name << ' ' << oracle::Hex(ray);
-    EXPECT_LE(box.low.y - at.error.y, at.position.y) << s.kind->name << ' ' << oracle::Hex(ray);
-    EXPECT_LE(box.low.z - at.error.z, at.position.z) << s.kind->name << ' ' << oracle::Hex(ray);
-    EXPECT_GE(box.high.x + at.error.x, at.position.x) << s.kind->name << ' ' << oracle::Hex(ray);
-    EXPECT_GE(box.high.y + at.error.y, at.position.y) << s.kind->name << ' ' << oracle::Hex(ray);
-    EXPECT_GE(box.high.z + at.error.z, at.position.z) << s.kind->name << ' ' << oracle::Hex(ray);
+    EXPECT_LE(box.low.x - at.error.x, at.position.x) << s.name << ' ' << oracle::Hex(ray);
+    EXPECT_LE(box.low.y - at.error.y, at.position.y) << s.name << ' ' << oracle::Hex(ray);
+    EXPECT_LE(box.low.z - at.error.z, at.position.z) << s.name << ' ' << oracle::Hex(ray);
+    EXPECT_GE(box.high.x + at.error.x, at.position.x) << s.name << ' ' << oracle::Hex(ray);
+    EXPECT_GE(box.high.y + at.error.y, at.position.y) << s.name << ' ' << oracle::Hex(ray);
+    EXPECT_GE(box.high.z + at.error.z, at.position.z) << s.name << ' ' << oracle::Hex(ray);
   });
 }
 
@@ -71,20 +75,20 @@ TEST(EveryShape, ReportsAPositionOnTheRayAsFarAsRoundingAllows) {
     const auto p = oracle::Of(ray.origin) + Quad(hit.t) * oracle::Of(ray.direction);
     const auto at = s.shape->At(ray, hit, 0);
     EXPECT_LE(oracle::Double(oracle::Length(p - oracle::Of(at.position))), 40 * R3::unit_roundoff * D)
-        << s.kind->name << ' ' << oracle::Hex(ray);
+        << s.name << ' ' << oracle::Hex(ray);
   });
 }
 
 TEST(EveryShape, HasUnitNormalsThatFaceOutwardOnTheWayInAndOnTheWayOut) {
   ForManyHits(703, [](const Subject& s, const R3::Ray& ray, const R3::Hit& hit) {
     const auto at = s.shape->At(ray, hit, 0);
-    EXPECT_NEAR(Length(AsVector(at.normal)), 1, 4 * R3::unit_roundoff) << s.kind->name;
+    EXPECT_NEAR(Length(AsVector(at.normal)), 1, 4 * R3::unit_roundoff) << s.name;
     if (!s.shape->IsSolid()) return;
     const double d = Length(ray.direction);
     // The origin is outside, so the first hit enters and the next one leaves.
-    EXPECT_LE(Dot(at.normal, ray.direction), 1e-6 * d) << s.kind->name << ' ' << oracle::Hex(ray);
+    EXPECT_LE(Dot(at.normal, ray.direction), 1e-6 * d) << s.name << ' ' << oracle::Hex(ray);
     const auto second = s.shape->Intersect({ray.origin, ray.direction, hit.t}, 0);
-    EXPECT_TRUE(!second || Dot(s.shape->At(ray, *second, 0).normal, ray.direction) >= -1e-6 * d) << s.kind->name;
+    EXPECT_TRUE(!second || Dot(s.shape->At(ray, *second, 0).normal, ray.direction) >= -1e-6 * d) << s.name;
   });
 }
 
@@ -103,19 +107,19 @@ TEST(EveryShape, HasNormalsPerpendicularToTheSurface) {
     if (!other || other->part != hit.part) return;
     const R3::Vector moved = s.shape->At(beside, *other, 0).position - at.position;
     if (Length(moved) > 20 * step || Length(moved) < step / 20) return;
-    EXPECT_LE(std::abs(Dot(n, moved)) / Length(moved), 1e-3) << s.kind->name << ' ' << oracle::Hex(ray);
+    EXPECT_LE(std::abs(Dot(n, moved)) / Length(moved), 1e-3) << s.name << ' ' << oracle::Hex(ray);
   });
 }
 
 TEST(EveryShape, NarrowingTheRayDropsCrossingsButNeverChangesThem) {
   ForManyHits(705, [](const Subject& s, const R3::Ray& ray, const R3::Hit& hit) {
     const auto same = s.shape->Intersect({ray.origin, ray.direction, hit.t / 2, R3::NextUp(hit.t)}, 0);
-    ASSERT_TRUE(same) << s.kind->name << ' ' << oracle::Hex(ray);
+    ASSERT_TRUE(same) << s.name << ' ' << oracle::Hex(ray);
     EXPECT_EQ(same->t, hit.t);
     EXPECT_EQ(same->part, hit.part);
-    EXPECT_FALSE(s.shape->Intersect({ray.origin, ray.direction, 0, hit.t}, 0)) << s.kind->name;
+    EXPECT_FALSE(s.shape->Intersect({ray.origin, ray.direction, 0, hit.t}, 0)) << s.name;
     const auto next = s.shape->Intersect({ray.origin, ray.direction, hit.t}, 0);
-    EXPECT_TRUE(!next || next->t > hit.t) << s.kind->name;
+    EXPECT_TRUE(!next || next->t > hit.t) << s.name;
   });
 }
 
@@ -123,13 +127,13 @@ TEST(EveryShape, IsMissedByRaysThatAreNoRays) {
   const double nan = std::nan("");
   for (const Subject& s : EveryShape()) {
     const R3::Point origin = Bounds(*s.shape).Center() + R3::Vector{0, 0, 10};
-    EXPECT_FALSE(s.shape->Intersect({origin, {0, 0, 0}}, 0)) << s.kind->name;
-    EXPECT_FALSE(s.shape->Intersect({origin, {nan, 0, -1}}, 0)) << s.kind->name;
-    EXPECT_FALSE(s.shape->Intersect({origin, {0, nan, -1}}, 0)) << s.kind->name;
-    EXPECT_FALSE(s.shape->Intersect({origin, {0, 0, nan}}, 0)) << s.kind->name;
-    EXPECT_FALSE(s.shape->Intersect({{nan, origin.y, origin.z}, {0, 0, -1}}, 0)) << s.kind->name;
-    EXPECT_FALSE(s.shape->Intersect({{origin.x, nan, origin.z}, {0, 0, -1}}, 0)) << s.kind->name;
-    EXPECT_FALSE(s.shape->Intersect({{origin.x, origin.y, nan}, {0, 0, -1}}, 0)) << s.kind->name;
+    EXPECT_FALSE(s.shape->Intersect({origin, {0, 0, 0}}, 0)) << s.name;
+    EXPECT_FALSE(s.shape->Intersect({origin, {nan, 0, -1}}, 0)) << s.name;
+    EXPECT_FALSE(s.shape->Intersect({origin, {0, nan, -1}}, 0)) << s.name;
+    EXPECT_FALSE(s.shape->Intersect({origin, {0, 0, nan}}, 0)) << s.name;
+    EXPECT_FALSE(s.shape->Intersect({{nan, origin.y, origin.z}, {0, 0, -1}}, 0)) << s.name;
+    EXPECT_FALSE(s.shape->Intersect({{origin.x, nan, origin.z}, {0, 0, -1}}, 0)) << s.name;
+    EXPECT_FALSE(s.shape->Intersect({{origin.x, origin.y, nan}, {0, 0, -1}}, 0)) << s.name;
   }
 }
 
@@ -137,7 +141,7 @@ TEST(EveryShape, HasTextureCoordinatesBetweenZeroAndOne) {
   ForManyHits(706, [](const Subject& s, const R3::Ray& ray, const R3::Hit& hit) {
     const R2::Point uv = s.shape->At(ray, hit, 0).uv;
     constexpr double slack = 1e-12;  // clamped or wrapped when a texture is looked up
-    EXPECT_TRUE(uv.x >= -slack && uv.x <= 1 + slack && uv.y >= -slack && uv.y <= 1 + slack) << s.kind->name;
+    EXPECT_TRUE(uv.x >= -slack && uv.x <= 1 + slack && uv.y >= -slack && uv.y <= 1 + slack) << s.name;
   });
 }
 
@@ -151,14 +155,14 @@ TEST(EveryShape, HasTextureCoordinatesThatRunAsItsUvTangentsSay) {
     for (const auto& [tangent, gain] : {std::pair(uv.first, uv.gain_first), std::pair(uv.second, uv.gain_second)}) {
       const double length = Length(tangent);
       if (length < 1e-2 * size) continue;
-      EXPECT_LE(std::abs(Dot(n, tangent)), 1e-14 * length) << s.kind->name;
+      EXPECT_LE(std::abs(Dot(n, tangent)), 1e-14 * length) << s.name;
       const R3::Ray down{at.position + step / length * tangent + step * n, -n, 0, 2 * step};
       const auto beside = s.shape->Intersect(down, 0);
       if (!beside || beside->part != hit.part) continue;
       const R2::Vector found = s.shape->At(down, *beside, 0).uv - at.uv, told = step / length * gain;
       const auto over_seam = [](double difference) { return difference - std::round(difference); };
-      EXPECT_NEAR(over_seam(found.x), told.x, 1e-9) << s.kind->name << ' ' << oracle::Hex(ray);
-      EXPECT_NEAR(over_seam(found.y), told.y, 1e-9) << s.kind->name << ' ' << oracle::Hex(ray);
+      EXPECT_NEAR(over_seam(found.x), told.x, 1e-9) << s.name << ' ' << oracle::Hex(ray);
+      EXPECT_NEAR(over_seam(found.y), told.y, 1e-9) << s.name << ' ' << oracle::Hex(ray);
     }
   });
 }
@@ -224,7 +228,7 @@ template <typename Check>
 void ForEveryTessellation(const Check& check) {
   for (const Subject& s : EveryShape())
     for (const int fineness : finenesses) {
-      const testing::ScopedTrace what(__FILE__, __LINE__, s.kind->name + (' ' + std::to_string(fineness)));
+      const testing::ScopedTrace what(__FILE__, __LINE__, s.name + (' ' + std::to_string(fineness)));
       check(*s.shape, s.shape->Tessellate(fineness));
       if (fineness < 12) continue;  // there the same
       const testing::ScopedTrace how(__FILE__, __LINE__, "by rays");
@@ -258,9 +262,9 @@ TEST(EveryShape, IsDrawnWithTheNormalsOfItsHits) {
       for (std::size_t i = 0; i < 3; ++i) {
         const R3::Point corner = facet.corners[i], beside = corner + 1e-6 * (Middle(facet.corners) - corner);
         const auto at = Nearest(*s.shape, beside, facet.normals[i], 1e-3 * Bounds(*s.shape).Radius());
-        ASSERT_TRUE(at) << s.kind->name;
+        ASSERT_TRUE(at) << s.name;
         // At a cone's apex it is meant for a column of triangles, half of one away.
-        EXPECT_GT(Dot(at->normal, facet.normals[i]), 0.99) << s.kind->name;
+        EXPECT_GT(Dot(at->normal, facet.normals[i]), 0.99) << s.name;
       }
 }
 
@@ -321,7 +325,7 @@ TEST(EveryShape, ThatIsSolidIsDrawnWithItsVolume) {
         const auto& c = facet.corners;
         volume += Dot(FromOrigin(c[0]), Cross(FromOrigin(c[1]), FromOrigin(c[2]))) / 6;
       }
-      EXPECT_NEAR(volume / Volume(*s.shape), 1, 0.04) << s.kind->name;
+      EXPECT_NEAR(volume / Volume(*s.shape), 1, 0.04) << s.name;
     }
 }
 
@@ -330,16 +334,16 @@ TEST(EveryShape, IsDrawnWithNoMoreTrianglesThanAskedFor) {
     for (const int fineness : finenesses) {
       const auto most = [&](int least) { return static_cast<std::size_t>(std::max(least, fineness * fineness)); };
       // Those that say how they are drawn need few.
-      const bool says_how = std::set<std::string>{"sphere", "box", "cylinder", "cone", "tri"}.contains(s.kind->name);
-      EXPECT_LE(s.shape->Tessellate(fineness).triangles.size(), most(says_how ? 12 : 1000)) << s.kind->name;
-      EXPECT_LE(s.shape->R3::Shape::Tessellate(fineness).triangles.size(), most(1000)) << s.kind->name;
+      const bool says_how = std::set<std::string>{"sphere", "box", "cylinder", "cone", "tri"}.contains(s.name);
+      EXPECT_LE(s.shape->Tessellate(fineness).triangles.size(), most(says_how ? 12 : 1000)) << s.name;
+      EXPECT_LE(s.shape->R3::Shape::Tessellate(fineness).triangles.size(), most(1000)) << s.name;
     }
 }
 
 TEST(EveryShape, IsDrawnWithTheTextureCoordinatesOfItsHits) {
   for (const Subject& s : EveryShape()) {
     const R3::MeshData data = s.shape->Tessellate(40);
-    ASSERT_EQ(data.uvs.size(), data.positions.size()) << s.kind->name;
+    ASSERT_EQ(data.uvs.size(), data.positions.size()) << s.name;
     const std::vector<Facet> facets = Facets(data);
     // In the middle of a triangle, where its corners' mean is near enough: a step of 1/40, less bending. Coordinates
     // that wrap around run on beyond 0 and 1.
@@ -348,8 +352,8 @@ TEST(EveryShape, IsDrawnWithTheTextureCoordinatesOfItsHits) {
       const auto& t = data.triangles[i];
       const auto at = Nearest(*s.shape, Middle(facets[i].corners), facets[i].front, Bounds(*s.shape).Radius());
       ASSERT_TRUE(at);
-      EXPECT_LE(off(at->uv.x, (data.uvs[t[0]].x + data.uvs[t[1]].x + data.uvs[t[2]].x) / 3), 0.02) << s.kind->name;
-      EXPECT_LE(off(at->uv.y, (data.uvs[t[0]].y + data.uvs[t[1]].y + data.uvs[t[2]].y) / 3), 0.02) << s.kind->name;
+      EXPECT_LE(off(at->uv.x, (data.uvs[t[0]].x + data.uvs[t[1]].x + data.uvs[t[2]].x) / 3), 0.02) << s.name;
+      EXPECT_LE(off(at->uv.y, (data.uvs[t[0]].y + data.uvs[t[1]].y + data.uvs[t[2]].y) / 3), 0.02) << s.name;
     }
   }
 }
