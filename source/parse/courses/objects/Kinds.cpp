@@ -16,6 +16,11 @@ std::span<const ObjectKind> ObjectKinds() {
       {{"cone"}, ReadCone},
       {{"torus"}, ReadTorus},
       {{"disc", "disk", "circle"}, ReadDisc},
+      {{"paraboloid"}, ReadParaboloid},
+      {{"blob", "metaball"}, ReadBlob},
+      {{"bezier"}, ReadBezier},
+      {{"bspline"}, ReadBspline},
+      {{"implicit"}, ReadImplicit},
   };
   return kinds;
 }

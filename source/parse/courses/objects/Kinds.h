@@ -36,5 +36,10 @@ std::optional<PlacedShape> ReadCylinder(ObjectReader& reader, Mapping& object, c
 std::optional<PlacedShape> ReadCone(ObjectReader& reader, Mapping& object, const ObjectReader::Options& options);
 std::optional<PlacedShape> ReadTorus(ObjectReader& reader, Mapping& object, const ObjectReader::Options& options);
 std::optional<PlacedShape> ReadDisc(ObjectReader& reader, Mapping& object, const ObjectReader::Options& options);
+std::optional<PlacedShape> ReadParaboloid(ObjectReader& reader, Mapping& object, const ObjectReader::Options& options);
+std::optional<PlacedShape> ReadBlob(ObjectReader& reader, Mapping& object, const ObjectReader::Options& options);
+std::optional<PlacedShape> ReadBezier(ObjectReader& reader, Mapping& object, const ObjectReader::Options& options);
+std::optional<PlacedShape> ReadBspline(ObjectReader& reader, Mapping& object, const ObjectReader::Options& options);
+std::optional<PlacedShape> ReadImplicit(ObjectReader& reader, Mapping& object, const ObjectReader::Options& options);
 
 }  // namespace ray

@@ -137,6 +137,10 @@ std::optional<PlacedShape> ReadCone(ObjectReader&, Mapping& object, const Object
   return ReadStanding("cone", object);
 }
 
+std::optional<PlacedShape> ReadParaboloid(ObjectReader&, Mapping& object, const ObjectReader::Options&) {
+  return ReadStanding("paraboloid", object);
+}
+
 std::optional<PlacedShape> ReadTorus(ObjectReader&, Mapping& object, const ObjectReader::Options&) {
   const R3::Point center = object.NeedPoint({"position", "center"});
   const R3::Vector direction = Direction(object, {"direction", "axis"}, R3::Vector{0, 0, 1});
