@@ -7,12 +7,15 @@
 #include "R3/Numeric.h"
 #include "R3/Warp.h"
 #include "source/sample/PointsOfEach.h"
+#include "source/sample/PoissonDisk.h"
 
 namespace ray {
 namespace {
 
 // The child of a pixel's key that its tree of rays grows from.
 constexpr std::uint64_t tree_key = 1;
+// And the child that places of the Poisson pattern come from.
+constexpr std::uint64_t poisson_key = 2;
 
 /// Spirals and even moments belong to places that are known ahead.
 CameraEffects WithRandomChoices(CameraEffects effects) {
@@ -41,6 +44,14 @@ R2::Point OnSpiral(double index, double turn, int count) {
   const double radius = std::sqrt(index / count);
   const auto [sine, cosine] = R1::SinCosTurns(turn * golden_turn);
   return {radius * cosine, radius * sine};
+}
+
+/// Places in the pixel that keep a distance from those of the pixel's other samples.
+void PutApart(std::span<const PixelSample> of, double* x, double* y) {
+  for (std::size_t i = 0; i < of.size(); ++i) {
+    const R2::Point p = PoissonDiskPlace(of[i].index, of[i].pixel.Child(poisson_key));
+    x[i] = p.x, y[i] = p.y;
+  }
 }
 
 /// Of the unit square to those of the unit disc.
@@ -137,6 +148,8 @@ void CameraRays::Make(std::span<const PixelSample> of, std::span<CameraSample> s
     for (auto& coordinate : random.coordinates) coordinate.fill(0.5);
   else
     GetOfEachAlone(std::span<const SampleIndex>(indices).first(of.size()), camera_key, sampler_, samples_, random);
+  if (sampler_ == SamplerKind::poisson && samples_ > 1)
+    PutApart(of, random.coordinates[0].data(), random.coordinates[1].data());
   if constexpr (has_lens) PutOnDisks(of.size(), random.coordinates[2].data(), random.coordinates[3].data());
   for (std::size_t i = 0; i < of.size(); ++i) {
     CameraSample& sample = samples[i];

@@ -121,7 +121,8 @@ void GroningenReader::ReadLens(Mapping& camera, double focus) {
 void GroningenReader::ReadSamples(Mapping& scene) {
   static constexpr std::array<std::string_view, 6> patterns{"grid",    "jitter",   "random",
                                                             "rotated", "adaptive", "poisson"};
-  constexpr std::array samplers{"grid", "stratified", "random", "rotated_grid", "grid"};
+  constexpr std::array samplers{"grid", "stratified", "random", "rotated_grid", "grid", "poisson"};
+  static_assert(samplers.size() == patterns.size());
   std::int64_t factor = 1;
   std::size_t pattern = 0;
   const Value* said = nullptr;
@@ -136,10 +137,6 @@ void GroningenReader::ReadSamples(Mapping& scene) {
     } else {
       factor = field->Whole(1, most).value_or(1);
     }
-  }
-  if (pattern >= samplers.size()) {
-    report_.Warn(said->extent, "the pattern '" + std::string(patterns[pattern]) + "' is not supported; grid is used");
-    pattern = 0;
   }
   const auto side = static_cast<double>(factor);
   const double samples = side * side * static_cast<double>(lens_samples_) * static_cast<double>(time_samples_);
