@@ -72,6 +72,7 @@ struct TraceSettings {
   ZBufferRange zbuffer;
   GoochTones gooch;
   int toon_bands = 3;  // tones of mode toon beside darkness, >= 1
+  double hatch_spacing = 6;  // of strokes of mode hatching, in pixels, > 0
   OutlineSettings outline;
   std::uint32_t samples = 1;  // camera rays per pixel, as far as known; stratified points are laid out for it
 };

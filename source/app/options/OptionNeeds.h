@@ -45,6 +45,7 @@ inline constexpr OptionNeed spiral{[](const Options& o) { return o.render.camera
 inline constexpr OptionNeed mode_zbuffer{HasMode<RenderMode::zbuffer>, "without -mode zbuffer"};
 inline constexpr OptionNeed mode_gooch{HasMode<RenderMode::gooch>, "without -mode gooch"};
 inline constexpr OptionNeed mode_toon{HasMode<RenderMode::toon>, "without -mode toon"};
+inline constexpr OptionNeed mode_hatching{HasMode<RenderMode::hatching>, "without -mode hatching"};
 inline constexpr OptionNeed mode_path{HasMode<RenderMode::path>, "without -mode path"};
 inline constexpr OptionNeed colored_lamps{[](const Options& o) { return HasColoredLamps(o.render); },
                                           "without -mode whitted or -emission color"};

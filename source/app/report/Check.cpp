@@ -76,7 +76,7 @@ void Point(std::vector<std::string>& mistakes, const World& world, const std::st
 /// Whether the lights of the scene bear on the picture.
 bool ShowsLight(RenderMode mode) {
   return mode == RenderMode::whitted || mode == RenderMode::path || mode == RenderMode::gooch ||
-         mode == RenderMode::toon;
+         mode == RenderMode::toon || mode == RenderMode::hatching;
 }
 
 bool ReflectsAmbientLight(const Instance& instance) { return !IsBlack(instance.material->ka); }

@@ -17,7 +17,7 @@ class GroningenReader {
   Scene Read();
 
  private:
-  enum class Mode { phong, zbuffer, normal, gooch, uv, flat, toon };
+  enum class Mode { phong, zbuffer, normal, gooch, uv, flat, toon, hatching };
 
   // view.cpp
   void ReadView(Mapping& scene);

@@ -41,6 +41,7 @@ void GroningenReader::ReadMode(Mapping& scene) {
       Name{"texturecoordinate", "", Mode::uv, "uv_color"},
       Name{"flat", "", Mode::flat, "flat"},
       Name{"toon", "", Mode::toon, "toon"},
+      Name{"hatching", "", Mode::hatching, "hatching"},
   };
   const auto field = scene.Find({"RenderMode", "renderMode", "rendermode"});
   const auto word = field ? field->Word() : std::nullopt;
