@@ -7,6 +7,7 @@
 #include "source/integrate/debug/Heat.h"
 #include "source/integrate/lights/Caustics.h"
 #include "source/render/DenoiseResult.h"
+#include "source/render/Flare.h"
 #include "source/render/Parts.h"
 #include "source/render/PassHistory.h"
 #include "source/render/PassProgress.h"
@@ -223,10 +224,8 @@ std::optional<DenoiseForecast> DenoiseForecastOf(const World& world, const Accel
   return std::optional<DenoiseForecast>(std::in_place, world, accelerator, settings, MeasureFor(settings));
 }
 
-}  // namespace
-
-RenderResult Render(const World& world, const Accelerator& accelerator, const RenderSettings& settings,
-                    const RenderMonitor& monitor) {
+RenderResult RenderWithoutFlare(const World& world, const Accelerator& accelerator, const RenderSettings& settings,
+                                const RenderMonitor& monitor) {
   const auto start = Job::Clock::now();
   const auto integrator = IntegratorOf(world, accelerator, settings);
   auto forecast = DenoiseForecastOf(world, accelerator, settings);
@@ -238,6 +237,16 @@ RenderResult Render(const World& world, const Accelerator& accelerator, const Re
   if (result.had_no_time_to_denoise) return result;
   DenoiseResult(world, accelerator, settings, job.film(), MeasureFor(settings), time.EndOfGuides(), monitor, result);
   if (!result.IsComplete() && monitor.save) monitor.save(job.State());
+  return result;
+}
+
+}  // namespace
+
+RenderResult Render(const World& world, const Accelerator& accelerator, const RenderSettings& settings,
+                    const RenderMonitor& monitor) {
+  RenderResult result = RenderWithoutFlare(world, accelerator, settings, monitor);
+  const Camera camera = CameraOf(world, settings);
+  if (settings.flare > 0 && camera.IsPinhole()) AddFlare(world, accelerator, camera, settings, result.image);
   return result;
 }
 

@@ -101,6 +101,7 @@ struct RenderSettings {
   bool denoise = false;           // filter the picture of light once it is complete; takes two streams
   Denoiser denoiser = Denoiser::regression;
   bool denoises_beyond_crop = true;  // or, for whoever only wants to know what it costs, the crop as if it were all
+  double flare = 0;  // how bright lens flares are that are added to the finished picture, see AddFlare; 0: none
   bool srgb = false;                 // the picture will be sRGB encoded, so display errors are counted after that
   bool wants_passes = false;         // measure the error pass by pass, to see it fall
 

@@ -173,8 +173,8 @@ constexpr std::pair<const char*, const char*> extensions[] = {
     {"implicit",
      "The formula stands in quotes and has x, y, z, pi, numbers, + - * /, brackets, ^ with whole exponents up to 64, "
      "sin, cos, tan, exp, log, sqrt, abs, min and max; 3 x is 3 * x. The solid is where it is 0 or below, within the "
-     "box, whose faces close it. Interval arithmetic finds the nearest surface for certain. It has no texture "
-     "coordinates."},
+     "box, whose faces close it. Interval arithmetic finds the nearest surface for certain. Images lie as if laid "
+     "through the box along z, u and v being the shares of it along x and y; on a blob likewise."},
     {"plane",
      "Infinite, so it has no bounding box: accelerators leave it out, and every ray is tested against it separately."},
     {"view",

@@ -337,9 +337,15 @@ std::vector<OptionKind> DrawnModeOptions() {
       {"toon_bands", both, image | in_scenes | Needs{needs::mode_toon},
        {}, {"n"}, Whole{AT(render.trace.toon_bands), 1, most_bands}, "tones", "light",
        "-mode toon: number of tones besides black"},
+      {"hatch_spacing", both, image | in_scenes | Needs{needs::mode_hatching},
+       {}, {"w"}, Number<double>{AT(render.trace.hatch_spacing), 1, highest<double>}, "pixels", "light",
+       "-mode hatching: distance between strokes"},
       {"outline", both, image | in_scenes,
        {}, {"w"}, Number<double>{AT(render.trace.outline.width), 0, highest<double>}, "pixels", "light",
        "draw black lines of this width along silhouettes and creases; 0: none"},
+      {"flare", raypro, image | in_scenes,
+       {}, {"s"}, Number<double>{AT(render.flare), 0, highest<double>}, "", "light",
+       "lens flares of lamps that the camera sees, so many times as bright; 0: none"},
   };
 }
 

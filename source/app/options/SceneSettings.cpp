@@ -95,6 +95,12 @@ void CheckLens(const Camera& camera, const Options& options) {
                      ", which has no lens");
 }
 
+void CheckFlare(const Camera& camera, const Options& options) {
+  if (options.render.flare > 0 && !camera.IsPinhole())
+    throw UsageError("-flare has no meaning with -projection " + std::string(camera.kind->name) +
+                     ": it belongs to the lenses of a pinhole's image");
+}
+
 /// Settings that contradict each other are the scene's mistake where it makes all of them, and told at the first;
 /// beside options they are the user's, who may not know what the scene sets.
 [[noreturn]] void Blame(const UsageError& error, const Scene& scene, const Options& asked) {
@@ -132,6 +138,7 @@ Options WithSettingsOf(const Scene& scene, const Options& options) {
   try {
     CompleteForScene(all);
     CheckLens(scene.camera, all);
+    CheckFlare(scene.camera, all);
   } catch (const UsageError& error) {
     Blame(error, scene, options);
   }

@@ -1,0 +1,98 @@
+// Lens flares: of lamps that are seen, where they are seen.
+#include "source/render/Flare.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "tests/Project.h"
+
+namespace ray {
+namespace {
+
+constexpr int width = 80, height = 60;
+
+/// Looking down -z; tan(0.4) = 0.4228 to the sides.
+std::string Scene(const std::string& more) {
+  return "camera 0 0 0  0 0 -1  0 1 0  .4  1 100 background 0 0 0 " + more + "\n";
+}
+
+R2::Image Picture(const std::string& more, double flare = 1, const char* accelerator = "auto",
+                  std::optional<PixelRectangle> crop = {}) {
+  RenderSettings settings;
+  settings.width = width, settings.height = height;
+  settings.flare = flare;
+  settings.crop = crop;
+  return project::Render(project::Stage(project::FromText(Scene(more))), settings, {.name = accelerator}).image;
+}
+
+R2::Point Brightest(const R2::Image& image) {
+  R2::Point at;
+  double most = -1;
+  for (int y = 0; y < image.Height(); ++y)
+    for (int x = 0; x < image.Width(); ++x)
+      if (Luminance(image.At(x, y)) > most) most = Luminance(image.At(x, y)), at = {x + 0.5, y + 0.5};
+  return at;
+}
+
+double Sum(const R2::Image& image) {
+  double sum = 0;
+  for (int y = 0; y < image.Height(); ++y)
+    for (int x = 0; x < image.Width(); ++x) sum += Luminance(image.At(x, y));
+  return sum;
+}
+
+TEST(Flare, IsBrightestWhereItsLampIsSeen) {
+  // 2 to the right and 1 up of 10 ahead: 40 + 40 0.2 / 0.4228, 30 + 40 0.1 / 0.4228.
+  const R2::Point at = Brightest(Picture("point_light 1 1 1  2 1 -10  1 0 0"));
+  EXPECT_NEAR(at.x, 58.9, 0.7);
+  EXPECT_NEAR(at.y, 39.5, 0.7);
+  const R2::Point of_sun = Brightest(Picture("dir_light 1 1 1  -2 -1 10"));
+  EXPECT_NEAR(of_sun.x, 58.9, 0.7);
+  EXPECT_NEAR(of_sun.y, 39.5, 0.7);
+}
+
+TEST(Flare, HasGhostsOppositeTheLampThroughTheMiddle) {
+  const R2::Image image = Picture("point_light 1 1 1  2 1 -10  1 0 0");
+  EXPECT_GT(Luminance(image.At(40 - 19 + 4, 30 - 9 + 2)), 0.01);
+  EXPECT_EQ(Luminance(image.At(40 - 19, 30 + 19)), 0);
+}
+
+TEST(Flare, OfWhatIsHiddenBehindOrBesideTheImageIsNone) {
+  EXPECT_GT(Sum(Picture("point_light 1 1 1  2 1 -10  1 0 0 material 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 1 1 0 "
+                        "sphere 0 -2 1 -5 .5")),
+            1);
+  for (const char* none : {"point_light 1 1 1  2 1 -10  1 0 0 material 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 1 1 0 "
+                           "sphere 0 1 .5 -5 .5",
+                           "point_light 1 1 1  2 1 10  1 0 0", "point_light 1 1 1  9 1 -10  1 0 0",
+                           "point_light 0 0 0  2 1 -10  1 0 0", "spot_light 1 1 1  2 1 -10  0 0 -1  1 0 0  .5 0"})
+    EXPECT_EQ(Sum(Picture(none)), 0) << none;
+}
+
+TEST(Flare, FadesAsItsLampGoesBehindAnEdge) {
+  double last = 0;
+  int between = 0;
+  for (int i = 0; i < 20; ++i) {
+    const std::string edge = std::to_string(0.95 + 0.005 * i);
+    const double sum = Sum(Picture("point_light 1 1 1  2 0 -10  1 0 0 material 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 1 1 0 "
+                                   "box 0 " + edge + " -9 -5.01 9 9 -5"));
+    EXPECT_GE(sum, last);
+    between += sum > last;
+    last = sum;
+  }
+  EXPECT_GE(between, 4);
+}
+
+TEST(Flare, IsThatOfTheWholeInAPartAndForEveryAccelerator) {
+  const std::string more =
+      "point_light 1 .8 .5  2 1 -10  1 0 0 sphere_light .5 .5 1  -1 -1 -10  .3  1 0 0 sphere -1  0 0 -20 3";
+  const R2::Image whole = Picture(more);
+  for (const AcceleratorKind* kind : AcceleratorKinds()) {
+    const R2::Image part = Picture(more, 1, kind->name, PixelRectangle{20, 10, 70, 50});
+    for (int y = 0; y < 40; ++y)
+      for (int x = 0; x < 50; ++x) ASSERT_EQ(part.At(x, y), whole.At(x + 20, y + 10)) << kind->name;
+  }
+}
+
+}  // namespace
+}  // namespace ray
