@@ -35,13 +35,22 @@ class Choices {
   std::size_t at_ = 0;
 };
 
+std::string Formula(Choices& choices) {
+  static const char* const formulas[] = {"x^2 + y^2 + z^2 - 1",  "sin(4 x) + sin(4 y) + sin(4 z)",
+                                         "x y z",                "sqrt(x) - y",
+                                         "1 / x + y",            "max(abs(x), abs(y)) - 1",
+                                         "exp(x) - log(y) - z",  "(x^2 + y^2 - z^2)^2 - 1e-6"};
+  return formulas[choices.Byte() % std::size(formulas)] + (" - 0 " + choices.Size());
+}
+
 std::string SceneOf(Choices& choices) {
   std::string text = "camera 0.3 0.2 4  -0.05 -0.03 -1  0 1 0  0.5  0.1 100\nbackground 0.2 0.3 0.4\n";
   text += "material 0.1 0.1 0.1  0.5 0.4 0.3  0.2 0.2 0.2  0.2 0.2 0.2  0.1 0 0  10 1.5 0\n";
+  text += "material 0.1 0.1 0.1  0.5 0.4 0.3  0.2 0.2 0.2  0.2 0.2 0.2  0 0 0  10 1.5 0\n";  // for csg, which cannot emit
   text += choices.Byte() % 2 ? "point_light 1 1 1  2 3 4  1 0 0\n" : "sphere_light 1 1 1  2 3 4  0.5  1 0 0\n";
   int open = 0;
   for (int i = 0; i < 24 && !choices.IsOver(); ++i) {
-    const unsigned kind = choices.Byte() % 9;
+    const unsigned kind = choices.Byte() % 14;
     const auto add = [&](const char* command, const char* arguments) {
       text += command;
       for (const char* a = arguments; *a; ++a) text += " " + (*a == 's' ? choices.Size() : choices.Number());
@@ -56,6 +65,17 @@ std::string SceneOf(Choices& choices) {
     if (kind == 6) add("plane 0", "nnnnnn");
     if (kind == 7 && open < 4) add("begin 0", "nnnnnnnnnnnn"), text.insert(text.size() - 1, " 0 0 0 1"), ++open;
     if (kind == 8 && open > 0) text += "end\n", --open;
+    if (kind == 9) add("paraboloid 0", "nnnss");
+    if (kind == 10) add("blob 0 0.5", "nnnsnnnnsnnnnsn");
+    if (kind == 11) add(choices.Byte() % 2 ? "bezier 0" : "bspline 0", std::string(48, 'n').c_str());
+    if (kind == 12) text += "implicit 0 \"" + Formula(choices) + "\"", add("", "nnnnnn");
+    // Solids alone, so that it is one.
+    if (kind == 13) {
+      static const char* const operations[] = {"union", "intersection", "difference"};
+      text += std::string("csg ") + operations[choices.Byte() % 3] + " 1\n";
+      add("sphere 1", "nnns"), add("box 1", "nnnnnn"), add("cylinder 1", "nnnss");
+      text += "end\n";
+    }
   }
   for (; open > 0; --open) text += "end\n";
   return text;

@@ -40,7 +40,7 @@ seed() {
   mkdir -p "$corpus"
   case $1 in
     scn) cp scenes/*.scn writeup/scenes/*.scn "$corpus" ;;
-    groningen_yaml) cp scenes/*.yaml scenes/*.yml "$corpus" ;;
+    groningen_yaml) cp scenes/*.yaml scenes/*.yml scenes/groningen/*.yaml "$corpus" ;;
     groningen_json | cs315) cp scenes/*.json "$corpus" ;;
     comp30019) cp scenes/comp30019/*.txt "$corpus" ;;
     images) cp scenes/thumbnails/*.jpg scenes/textures/* tests/R2/samples/*.[behjp]* "$corpus" ;;

@@ -8,11 +8,12 @@
 #include "source/render/Schedule.h"
 
 namespace ray {
-namespace {
 
 Camera CameraOf(const World& world, const RenderSettings& settings) {
   return settings.view.value_or(world.scene().camera);
 }
+
+namespace {
 
 /// The distances of the nearest and the farthest surface seen through the centers of the whole image's pixels.
 ZBufferRange RangeOfImage(const World& world, const Accelerator& accelerator, const RenderSettings& settings) {

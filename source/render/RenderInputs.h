@@ -11,8 +11,11 @@
 
 namespace ray {
 
-/// The inputs of Render, for callers that take samples in another order. None but the film depends on which part of the
-/// image is wanted.
+// The inputs of Render, for callers that take samples in another order. None but the film depends on which part of the
+// image is wanted.
+
+/// The camera of the settings, by default the scene's.
+Camera CameraOf(const World& world, const RenderSettings& settings);
 std::unique_ptr<const Integrator> IntegratorOf(const World& world, const Accelerator& accelerator,
                                                const RenderSettings& settings);
 TraceSettings TraceSettingsOf(const RenderSettings& settings);
