@@ -23,8 +23,9 @@ mkdir "$work/$name/licenses"
 while read -r library path; do
   cp -L "$path" "$work/$name/lib/$library"
   # Whoever passes a library on passes on its license.
-  package=$(dpkg -S "$(readlink -f "$path")" 2> /dev/null | sed 's/:.*//' | head -n 1) || true
-  if [ -f "/usr/share/doc/$package/copyright" ]; then cp "/usr/share/doc/$package/copyright" "$work/$name/licenses/$package"
+  package=$(dpkg -S "*/$(basename "$(readlink -f "$path")")" 2> /dev/null | sed 's/:.*//' | head -n 1) || true
+  license=/usr/share/doc/$package/copyright
+  if [ -f "$license" ]; then cp "$license" "$work/$name/licenses/$package"
   else echo "tarball.sh: the license of $library is not at hand; add it" >&2; fi
 done < "$work/libraries"
 for program in raypro rayimg; do
