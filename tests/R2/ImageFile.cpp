@@ -169,7 +169,7 @@ TEST(ImageFile, ATruncatedFileSaysHowMuchIsThere) {
   EXPECT_NE(half("png").find(" of 512 rows are there"), std::string::npos);
   EXPECT_EQ(half("jpeg").substr(0, 19), "JPEG is truncated: ");
   EXPECT_NE(half("jpeg").find(" of 512 rows are there"), std::string::npos);
-  EXPECT_EQ(half("ppm"), "PPM is truncated: the picture takes 98304 bytes, 49145 are there");
+  EXPECT_EQ(half("ppm"), "PPM is truncated: the image takes 98304 bytes, 49145 are there");
 }
 
 // Web pages and cameras name files as they like.

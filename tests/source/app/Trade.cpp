@@ -409,7 +409,7 @@ TEST(Reference, MustBeAPictureOfTheSameSize) {
   ASSERT_EQ(place.Run("a.pfm", {"-samples", "4", "-crop", "1", "2", "9", "12"}).status, 0);
   const Finished wrong = place.Run("b.ppm", {"-reference", place / "a.pfm"});
   EXPECT_EQ(wrong.status, 2);
-  EXPECT_TRUE(Has(wrong.error, "is 8x10, the picture 40x30")) << wrong.error;
+  EXPECT_TRUE(Has(wrong.error, "is 8x10, the image 40x30")) << wrong.error;
   EXPECT_EQ(place.Run("b.ppm", {"-reference", place / "missing.pfm"}).status, 3);
   EXPECT_EQ(place.Run("b.ppm", {"-reference", place / "in.scn"}).status, 3);
   EXPECT_EQ(place.Others({"in.scn", "a.pfm"}), List{});

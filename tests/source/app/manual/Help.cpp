@@ -94,7 +94,8 @@ TEST(Help, ShowsNoAlias) {
 }
 
 TEST(Help, TheMarkdownTableHasARowForEveryOptionWithFourCells) {
-  const auto lines = Lines(Help(Program::raypro, "markdown"));
+  auto lines = Lines(Help(Program::raypro, "markdown"));
+  lines.erase(std::ranges::find(lines, ""), lines.end());  // behind the table there are others
   ASSERT_EQ(lines.size(), OptionTable(Program::raypro).size() + 2);
   for (const std::string& line : lines) EXPECT_EQ(Count(line, "|") - Count(line, "\\|"), 5u) << line;
 }
