@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstring>
 #include <span>
 #include <vector>
 
@@ -96,13 +97,15 @@ class Tracer {
   template <typename Describe>
   void AddShadowRays(const ShadingPoint& p, std::size_t index, const LightSamples& samples, const R2::Color& throughput,
                      const Describe& describe, TraceState& state) const {
-    R3::Ray ray = ShadowRay(p, {});
+    const R3::Ray in_common = ShadowRay(p, {});
+    const ShadowAim aim(p);
     for (std::uint32_t k = 0; k < samples.count; ++k) {
       const R2::Color reflected = samples.Color(k);
       const R3::Vector to_light = samples.ToLight(k);
       if (IsBlack(reflected) || p.IsBehindSurface(to_light)) continue;
-      AimShadowRay(p, to_light, ray);
-      state.shadows.Next() = ray;
+      R3::Ray& ray = state.shadows.Next();
+      std::memcpy(&ray, &in_common, sizeof ray);  // takes half the instructions of an assignment, number by number
+      aim.At(to_light, ray);
       AddReflected(p, index, reflected, throughput, describe, state);
     }
   }
@@ -120,9 +123,10 @@ class Tracer {
     ShadowRays& shadows = state.shadows;
     const std::size_t i = shadows.count++;
     shadows.point[i] = index;
-    shadows.reflected[i] = reflected;
+    R2::Color& left = shadows.reflected[i];
+    left.r = reflected.r, left.g = reflected.g, left.b = reflected.b;  // number by number, see ShadowAim
     if (p.path.media != 0 && media_.AreAbsorbing() && shadows.rays[i].t_max < R3::infinity)
-      shadows.reflected[i] = media_.LeftOf(reflected, p.path.media, Length(shadows.rays[i].direction), state);
+      left = media_.LeftOf(left, p.path.media, Length(shadows.rays[i].direction), state);
     if (state.recorder) [[unlikely]]
       state.recorder->BeginShadow(p, shadows.rays[i], throughput * shadows.reflected[i], describe());
     if (shadows.IsFull()) TraceShadowRays(state);

@@ -48,6 +48,7 @@ class BatchTracer {
   /// Traces the batch once it is full. As Finish gives whether nobody asked to stop by state.stop, looked at before a
   /// batch, which then is left as it is, and after it, when integrators may have left off.
   bool Add(const PixelSample& sample) {
+    if (due_.empty()) due_.reserve(R1::batch_size);  // growing step by step takes longer
     due_.push_back(sample);
     return due_.size() < R1::batch_size || Finish();
   }

@@ -19,10 +19,12 @@ inline constexpr int packet_size = 16;
 
 using PacketFloats = hn::CappedTag<float, packet_size>;
 using PacketDoubles = hn::CappedTag<double, packet_size>;
+using PacketIds = hn::CappedTag<std::int64_t, packet_size>;
 
 /// One number of each ray.
 using FloatEach = float[packet_size];
 using DoubleEach = double[packet_size];
+using IdEach = std::int64_t[packet_size];
 
 /// The traversal rays of a packet side by side, and what encloses them all.
 struct Packet {
@@ -30,6 +32,8 @@ struct Packet {
   alignas(64) FloatEach plane_error, certain_from, edge_error, height_error;
   alignas(64) FloatEach limit;  // below 0 for a ray that wants nothing any more
   alignas(64) DoubleEach per_t;
+  // Primitives, as the world numbers them, that rays start and end on and do not meet; -1 for none.
+  alignas(64) IdEach start_on, end_on;
   // Of all rays: where they begin, moved outward, the side that is farther from near planes first; their inverse
   // directions; and where in Node::planes the near ones begin.
   float back[3], front[3], least_inverse[3], most_inverse[3];
@@ -41,8 +45,8 @@ struct Packet {
   /// to be made ready one by one.
   HWY_INLINE bool Begin(const Coordinates& coordinates, double padding_per_distance, std::span<const R3::Ray> rays) {
     SceneRays from;
-    const bool all_begin_at_once = from.Load(rays);
-    if (!all_begin_at_once || !(coordinates.scale <= most_scale && coordinates.scale >= 1 / most_scale)) return false;
+    Load(rays, from);
+    if (!(coordinates.scale <= most_scale && coordinates.scale >= 1 / most_scale)) return false;
     bool is_ordinary = true;
     for (std::size_t i = 0; i < packet_size; i += hn::Lanes(PacketDoubles()))
       is_ordinary &= BeginLanes(coordinates, padding_per_distance, from, i);
@@ -78,6 +82,16 @@ struct Packet {
       if (is_downward) std::swap(back[axis], front[axis]);
     }
     return true;
+  }
+
+  /// Which rays start or end on a primitive and do not meet it, as bits.
+  HWY_INLINE std::uint32_t StartOrEndOn(std::int64_t primitive) const {
+    const PacketIds d;
+    const auto it = hn::Set(d, primitive);
+    std::uint32_t bits = 0;
+    for (std::size_t i = 0; i < packet_size; i += hn::Lanes(d))
+      bits |= Bits(d, hn::Or(hn::Eq(hn::Load(d, start_on + i), it), hn::Eq(hn::Load(d, end_on + i), it))) << i;
+    return bits;
   }
 
   float LargestLimit() const {
@@ -138,20 +152,24 @@ struct Packet {
  private:
   struct SceneRays {
     alignas(64) DoubleEach origin[3], direction[3], t_min, t_max;
+    bool all_depart = true;
 
-    /// Lanes without a ray repeat the last one. Returns whether all begin at t = 0, or before.
-    HWY_INLINE bool Load(std::span<const R3::Ray> rays) {
-      bool all_begin_at_once = true;
-      for (std::size_t i = 0; i < packet_size; ++i) {
-        const R3::Ray& ray = rays[std::min(i, rays.size() - 1)];
-        origin[0][i] = ray.origin.x, origin[1][i] = ray.origin.y, origin[2][i] = ray.origin.z;
-        direction[0][i] = ray.direction.x, direction[1][i] = ray.direction.y, direction[2][i] = ray.direction.z;
-        t_min[i] = ray.t_min, t_max[i] = ray.t_max;
-        all_begin_at_once &= (ray.t_min == 0) | ((ray.t_min < 0) & (ray.departure != nullptr));
-      }
-      return all_begin_at_once;
-    }
+    /// No t_min is less; and none is above 0, since all rays begin at once.
+    double LeastTMin() const { return all_depart ? -std::numeric_limits<double>::infinity() : 0; }
   };
+
+  /// Lanes without a ray repeat the last one.
+  HWY_INLINE void Load(std::span<const R3::Ray> rays, SceneRays& from) {
+    for (std::size_t i = 0; i < packet_size; ++i) {
+      const R3::Ray& ray = rays[std::min(i, rays.size() - 1)];
+      from.origin[0][i] = ray.origin.x, from.origin[1][i] = ray.origin.y, from.origin[2][i] = ray.origin.z;
+      from.direction[0][i] = ray.direction.x, from.direction[1][i] = ray.direction.y;
+      from.direction[2][i] = ray.direction.z;
+      from.t_min[i] = ray.t_min, from.t_max[i] = ray.t_max;
+      from.all_depart &= ray.departure != nullptr;
+      start_on[i] = ray.leaving_until == R3::infinity ? ray.leaving : -1, end_on[i] = ray.reaching;
+    }
+  }
 
   /// The rays from number i on that fill the lanes; false when one of them is out of the ordinary.
   HWY_INLINE bool BeginLanes(const Coordinates& coordinates, double padding_per_distance, SceneRays& from,
@@ -184,13 +202,16 @@ struct Packet {
                                hn::Mul(padding, hn::Set(d, 1 / static_cast<double>(relative_plane_error))));
     const auto along = hn::Mul(scale, inverse_power);
     hn::Store(along, d, per_t + i);
-    const auto departure = hn::Mul(hn::Load(d, from.t_min + i), hn::Set(d, -R3::departure_end));
+    const auto t_min = hn::Load(d, from.t_min + i);
+    const auto departure = hn::Mul(t_min, hn::Set(d, -R3::departure_end));
     SetErrorBounds(hn::DemoteTo(f, reach), hn::DemoteTo(f, hn::Mul(hn::Load(d, from.t_max + i), along)),
                    hn::DemoteTo(f, hn::Mul(departure, along)), i);
-    return hn::AllTrue(
-        d, hn::And(
-               hn::And(hn::Lt(steepest, hn::Set(d, most_heading)), hn::Gt(steepest, hn::Set(d, 1 / most_heading))),
-               hn::And(hn::Le(far, hn::Add(hn::Set(d, near_enough), padding)), hn::Lt(reach, hn::Set(d, most_reach)))));
+    const auto begin_at_once = hn::And(hn::Ge(t_min, hn::Set(d, from.LeastTMin())), hn::Le(t_min, hn::Zero(d)));
+    const auto head_somewhere =
+        hn::And(hn::Lt(steepest, hn::Set(d, most_heading)), hn::Gt(steepest, hn::Set(d, 1 / most_heading)));
+    const auto are_near =
+        hn::And(hn::Le(far, hn::Add(hn::Set(d, near_enough), padding)), hn::Lt(reach, hn::Set(d, most_reach)));
+    return hn::AllTrue(d, hn::And(begin_at_once, hn::And(head_somewhere, are_near)));
   }
 
   template <typename V>

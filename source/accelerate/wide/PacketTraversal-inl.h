@@ -89,7 +89,8 @@ class PacketTraversal {
     if constexpr (any) return MakeNearest(0, i);
     return reinterpret_cast<NearestHit*>(nearest_)[i];
   }
-  ExactTriangleTest<any, Tree> ExactTestOf(int i) {
+  using ExactTest = ExactTriangleTest<any, Tree>;
+  ExactTest ExactTestOf(int i) {
     return {two_level_, tree_, Ray(i), std::nullopt, Nearest(i), counts_};
   }
 
@@ -185,20 +186,8 @@ class PacketTraversal {
     if (visitor.is_answered) Answer(i);
   }
 
-  /// Masks the `rays` that may meet a primitive of the world though they start or end on it.
-  HWY_INLINE std::uint32_t MayMeet(std::int64_t primitive, std::uint32_t rays) const {
-    std::uint32_t rest = 0;
-    ForEachBit(rays, [&](int i) HWY_ATTR {
-      const R3::Ray& ray = Ray(i);
-      const bool has_left = ray.leaving == primitive && ray.leaving_until == R3::infinity;
-      const bool is_end = has_left || ray.reaching == primitive;
-      rest |= static_cast<std::uint32_t>(!is_end) << i;
-    });
-    return rest;
-  }
-
   HWY_INLINE void VisitSphere(const SphereLeaf& leaf, std::uint32_t rays) {
-    rays = MayMeet(leaf.primitive, rays);
+    rays &= ~packet_.StartOrEndOn(leaf.primitive);
     if (std::popcount(rays) > few_rays) {
       const SphereMask mask =
           TestSphereLanes<any>(RoundedSphere(tree_.coordinates, leaf.sphere), packet_, limit_for_certain_);
@@ -243,7 +232,7 @@ class PacketTraversal {
   HWY_INLINE void VisitPrimitive(std::uint32_t primitive, std::uint32_t rays) {
     const PrimRef what = tree_.primitives[primitive];
     if (what.element != PrimRef::whole)
-      rays = MayMeet(two_level_.world->Instances()[what.instance].first_primitive + what.element, rays);
+      rays &= ~packet_.StartOrEndOn(two_level_.world->Instances()[what.instance].first_primitive + what.element);
     ForEachBit(rays, [&](int i) HWY_ATTR {
       if (TestPrimitive<any>(two_level_, tree_, primitive, Ray(i), DistanceInWorld(i), Nearest(i), counts_))
         Answer(i);
@@ -308,16 +297,21 @@ class PacketTraversal {
       const auto is_before = hn::Lt(mask.farthest, load(limit_for_certain_));
       const std::uint32_t certain = Bits(f, hn::And(mask.certain, is_before)) << i & maybe;
       ForEachBit(certain, [&](int j) { Answer(j); });
-      ForEachBit(maybe & ~certain, [&](int j) HWY_ATTR {
-        auto exact_test = ExactTestOf(j);
-        if (exact_test.Test(exact_test.Locate(block, static_cast<std::uint32_t>(k)))) Answer(j);
-      });
+      if ((maybe & ~certain) != 0) TestEach(block, static_cast<std::uint32_t>(k), maybe & ~certain);
     } else {
       const auto least = hn::Min(limit, mask.farthest);
       hn::Store(hn::IfThenElse(mask.certain, least, limit), f, packet_.limit + i);
       hn::Store(mask.nearest, f, nearest_now_ + i);
       ForEachBit(maybe, [&](int j) HWY_ATTR { Keep(j, block, static_cast<std::uint32_t>(k), nearest_now_[j]); });
     }
+  }
+
+  /// Decides about one triangle for each of some rays. Those that leave it nearly always are among them.
+  HWY_INLINE void TestEach(const TriangleBlock& block, std::uint32_t lane, std::uint32_t rays) {
+    const auto triangle = ExactTest::Locate(two_level_, tree_, std::nullopt, block, lane);
+    ForEachBit(rays & ~packet_.StartOrEndOn(triangle.primitive), [&](int i) HWY_ATTR {
+      if (ExactTestOf(i).Test(triangle)) Answer(i);
+    });
   }
 
   HWY_INLINE void Keep(int i, const TriangleBlock& block, std::uint32_t lane, float nearest) {
@@ -346,7 +340,7 @@ class PacketTraversal {
   HWY_INLINE void TestLastCandidates() {
     struct Test {
       int ray;
-      typename ExactTriangleTest<any, Tree>::TriangleRef triangle;
+      typename ExactTest::TriangleRef triangle;
     };
     Test tests[packet_size];
     int count = 0;
@@ -354,8 +348,8 @@ class PacketTraversal {
       while (candidate_count_[i] > 0) {
         const Candidate& candidate = candidates_[i][--candidate_count_[i]];
         if (candidate.nearest > packet_.limit[i]) continue;
-        const auto triangle = ExactTestOf(i).Locate(*candidate.block, candidate.lane);
-        if (triangle.primitive == Ray(i).leaving || triangle.primitive == Ray(i).reaching) continue;
+        const auto triangle = ExactTest::Locate(two_level_, tree_, std::nullopt, *candidate.block, candidate.lane);
+        if (triangle.IsAtAnEndOf(Ray(i))) continue;
         if (tree_.is_large) triangle.PrefetchCorners();
         tests[count++] = {i, triangle};
         break;

@@ -38,6 +38,8 @@ class ExactTriangleTest {
     std::int32_t element;
     std::int64_t primitive;  // as the world numbers them
 
+    /// Whether the ray starts or ends on it, and so does not meet it.
+    bool IsAtAnEndOf(const R3::Ray& of) const { return primitive == of.leaving || primitive == of.reaching; }
     std::array<const R3::Point*, 3> Corners() const {
       return {positions + corners[0], positions + corners[1], positions + corners[2]};
     }
@@ -65,8 +67,13 @@ class ExactTriangleTest {
   Counts& counts;
 
   HWY_INLINE TriangleRef Locate(const TriangleBlock& block, std::uint32_t lane) const {
+    return Locate(two_level, structure, instance_, block, lane);
+  }
+  static HWY_INLINE TriangleRef Locate(const TwoLevel<Structure>& two_level, const Structure& structure,
+                                       std::optional<std::uint32_t> instance_of_mesh, const TriangleBlock& block,
+                                       std::uint32_t lane) {
     const PrimRef what = structure.primitives[block.primitive[lane]];
-    const std::uint32_t of = instance_.value_or(what.instance);
+    const std::uint32_t of = instance_of_mesh.value_or(what.instance);
     const Instance& instance = two_level.world->Instances()[of];
     return {instance.mesh->Data().positions.data(),
             {block.positions[0][lane], block.positions[1][lane], block.positions[2][lane]},
@@ -77,7 +84,7 @@ class ExactTriangleTest {
 
   /// Whether there is a hit that may be wanted, which with `any` ends the search.
   HWY_FLATTEN bool Test(const TriangleRef& triangle) {
-    if (triangle.primitive == ray.leaving || triangle.primitive == ray.reaching) return false;
+    if (triangle.IsAtAnEndOf(ray)) return false;
     if (!sheared_) sheared_.emplace(ray);  // most rays never ask
     if constexpr (!any) sheared_->t_max = nearest.TMaxOf(ray);
     ++counts.primitive_tests;

@@ -63,6 +63,7 @@ void Media::Arrive(PathState& path, std::optional<WorldHit>& hit, TraceState& st
       const double distance = (hit->t - std::max(path.ray.t_min, 0.0)) * Length(path.ray.direction);
       path.throughput = LeftOf(path.throughput, path.media, distance, state);
     }
+    if (IsFirstOrLast(path, *hit)) return;
     MediumSets::Number beyond = path.media;
     if (passed == most_passed || !Passes(path, *hit, state, beyond)) return;
     path.ray = Beyond(path, *hit, state);
@@ -97,10 +98,13 @@ void Media::SetSides(ShadingPoint& p, TraceState& state) const {
   beyond.crossed = &state.crossings.Add({world_.PrimitiveId(p.hit), AsVector(p.at.normal), p.departure.crossed});
   p.beyond = &beyond;
   p.media_beyond = p.path.media;
-  const std::uint32_t instance = p.hit.instance;
-  if (!world_.Instances()[instance].is_medium || p.entering == state.media.Has(p.path.media, instance, world_)) return;
-  p.media_beyond = p.entering ? state.media.With(p.path.media, instance, world_)
-                              : state.media.Without(p.path.media, instance, world_);
+  const std::uint32_t number = p.hit.instance;
+  const Instance& instance = world_.Instances()[number];
+  if (!instance.is_medium || p.entering == state.media.Has(p.path.media, number, world_)) return;
+  p.media_beyond = p.entering ? state.media.With(p.path.media, number, world_)
+                              : state.media.Without(p.path.media, number, world_);
+  // The point itself knows the index of its material over nothing.
+  if (MediumSets::IsWithin(p.path.media, number) && !instance.has_parts) return;
   p.relative_index = state.media.At(p.path.media, world_).Index() / state.media.At(p.media_beyond, world_).Index();
 }
 

@@ -32,8 +32,7 @@ class Media {
   /// Whether Arrive does nothing to a path: it was not inside of several solids or one that absorbs, and goes into the
   /// first or out of the last.
   bool IsPlain(const PathState& path, const WorldHit& hit) const {
-    return (path.media == 0 || !are_absorbing_) && MediumSets::IsWithin(path.media, hit.instance) &&
-           !IsNearStart(path.ray, hit.t);
+    return (path.media == 0 || !are_absorbing_) && IsFirstOrLast(path, hit);
   }
   /// Takes a path that hits something on to the surface that it sees, past surfaces that are not there for it. The
   /// path's throughput loses what is absorbed on the way.
@@ -44,6 +43,10 @@ class Media {
   R2::Color LeftOf(const R2::Color& light, MediumSets::Number media, double distance, const TraceState& state) const;
 
  private:
+  /// Whether the path goes into the first solid or out of the last, whose surface is always there.
+  static bool IsFirstOrLast(const PathState& path, const WorldHit& hit) {
+    return MediumSets::IsWithin(path.media, hit.instance) && !IsNearStart(path.ray, hit.t);
+  }
   MediumSets::Number Find(const R3::Ray& ray, TraceState& state) const;
   bool Passes(const PathState& path, const WorldHit& hit, TraceState& state, MediumSets::Number& beyond) const;
   R3::Ray Beyond(const PathState& path, const WorldHit& hit, TraceState& state) const;

@@ -117,12 +117,27 @@ inline double BeginTowards(const ShadingPoint& surface, const R3::Vector& direct
 
 /// A ray from the point in a new direction, on either side, in the same moment. It must not outlive the point.
 R3::Ray SpawnRay(const ShadingPoint& surface, const R3::Vector& direction);
-/// Sends a ray from the point towards a light.
-inline void AimShadowRay(const ShadingPoint& surface, const R3::Vector& to_light, R3::Ray& ray) {
-  ray.direction = to_light;
-  ray.t_min = BeginTowards(surface, to_light);
-  ray.leaving = Dot(surface.N, to_light) > 0 ? surface.leaving : -1;
-}
+/// Sends rays from a point towards a light: a copy of what of the point matters to that, which compilers keep in
+/// registers while many rays are made.
+class ShadowAim {
+ public:
+  explicit ShadowAim(const ShadingPoint& p)
+      : normal_(p.N), clearance_(p.departure.clearance), bias_(p.bias), leaving_(p.leaving) {}
+
+  void At(const R3::Vector& to_light, R3::Ray& ray) const {
+    // Number by number: a whole vector would be copied by way of the stack.
+    ray.direction.x = to_light.x, ray.direction.y = to_light.y, ray.direction.z = to_light.z;
+    ray.t_min = R3::Departure{.clearance = clearance_}.BeginTowards(to_light);
+    if (bias_ > 0) [[unlikely]]
+      ray.t_min = bias_ / Length(ray.direction);
+    ray.leaving = Dot(normal_, to_light) > 0 ? leaving_ : -1;
+  }
+
+ private:
+  R3::Vector normal_;
+  double clearance_, bias_;
+  std::int64_t leaving_;
+};
 inline R3::Ray ShadowRay(const ShadingPoint& surface, const ShadowTarget& light) {
   R3::Ray ray{.origin = surface.free_point,
               .t_max = light.is_infinite    ? R3::infinity
@@ -131,7 +146,7 @@ inline R3::Ray ShadowRay(const ShadingPoint& surface, const ShadowTarget& light)
               .time = surface.path.ray.time,
               .reaching = light.reaching,
               .departure = &surface.departure};
-  AimShadowRay(surface, light.to_light, ray);
+  ShadowAim(surface).At(light.to_light, ray);
   return ray;
 }
 
