@@ -302,7 +302,7 @@ def _listen(errors, progress):
             return "\n".join(kept)
 
 
-_PROGRESS = re.compile(r" *(\d+) %(?:  (.*))?$")
+_PROGRESS = re.compile(r" *(\d+) ?%(?:  (.*))?$")
 
 
 def _stop(process):

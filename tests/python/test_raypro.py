@@ -227,7 +227,7 @@ class Progress(Folder):
             def read(self, _):
                 return self.left.pop(0) if self.left else b""
 
-        said = b"a.scn:1:1: warning: x\r\n\r\033[K    5 %  0:09 left\r\033[K   50 %  0:02 left\r\033[Kb: warning: y\r\n"
+        said = b"a.scn:1:1: warning: x\r\n\r\033[K  5%  0:09 left\r\033[K 50%  0:02 left\r\033[Kb: warning: y\r\n"
         for length in (1, 2, 3, 7, 1000):
             told = []
             kept = raypro._listen(Pieces(said, length), lambda *each: told.append(each))

@@ -47,7 +47,7 @@ TEST(Advice, LightThatDepthCutsAwayIsTold) {
       "box 0  -9 -9 -9  9 9 9\n";
   const std::string text = AdviceOn(room, {"mode", "path", "max_depth", "1"});
   EXPECT_TRUE(Has(text, "With -max_depth 2 the image has ")) << text;
-  EXPECT_TRUE(Has(text, " % more light")) << text;
+  EXPECT_TRUE(Has(text, "% more light")) << text;
   EXPECT_FALSE(Has(AdviceOn(soft_light + ball), "more light"));
 }
 
