@@ -147,8 +147,10 @@ class Builder {
  public:
   Builder(const World& world, const TraceSettings& trace, const DrawingSpace& space, const PictureBudget& budget)
       : world_(world), trace_(trace), space_(space), budget_(budget), plan_(PlanFor(world, budget)) {
-    for (const Instance& instance : world.Instances()) has_textures_ |= HasImages(*instance.material);
-    for (const Instance& instance : world.Instances()) has_colors_ |= instance.material->has_vertex_colors;
+    for (const Instance& instance : world.Instances()) {
+      for (const Material* material : world.MaterialsOf(instance)) has_textures_ |= HasImages(*material);
+      has_colors_ |= instance.material->has_vertex_colors;
+    }
     if (trace.max_depth > 0) PlaceProbes();
   }
 
@@ -299,22 +301,46 @@ class Builder {
       });
     else
       ForAll(data.positions.size(), [&](std::size_t i) { set(first + i, i, data.normals[i]); });
-    AddTriangles(DraftFor(instance), data, static_cast<std::uint32_t>(first), world_from_local.Mirrors());
+    AddTriangles(instance, data, static_cast<std::uint32_t>(first), world_from_local.Mirrors());
   }
 
-  static void AddTriangles(Draft& draft, const R3::MeshData& data, std::uint32_t first, bool is_mirrored) {
+  void AddTriangles(const Instance& instance, const R3::MeshData& data, std::uint32_t first, bool is_mirrored) {
     const bool is_flat = data.normals.empty();
+    const Material* last = nullptr;
+    Draft* draft = nullptr;
     for (std::size_t t = 0; t < data.triangles.size(); ++t) {
+      const Material& shown = instance.has_parts ? MaterialBeneath(instance, data, t) : *instance.material;
+      if (&shown != last) draft = &DraftFor(instance, shown), last = &shown;
       std::array<std::uint32_t, 3> corners = data.triangles[t];
       if (is_flat)
         for (std::size_t k = 0; k < 3; ++k) corners[k] = static_cast<std::uint32_t>(3 * t + k);
       if (is_mirrored) std::swap(corners[1], corners[2]);  // fronts stay outside
-      for (const std::uint32_t corner : corners) draft.indices.push_back(first + corner);
+      for (const std::uint32_t corner : corners) draft->indices.push_back(first + corner);
     }
   }
 
-  Draft& DraftFor(const Instance& instance) {
-    const Material* material = instance.material;
+  /// The material of the part whose surface is nearest to the middle of a triangle, on the line across it.
+  const Material& MaterialBeneath(const Instance& instance, const R3::MeshData& data, std::size_t triangle) const {
+    const auto& corners = data.triangles[triangle];
+    const R3::Point& a = data.positions[corners[0]];
+    const R3::Vector ab = data.positions[corners[1]] - a, ac = data.positions[corners[2]] - a;
+    const R3::Point middle = a + (ab + ac) / 3;
+    const R3::Vector reach = (Length(ab) + Length(ac)) * Unit(Cross(ab, ac));
+    R3::Ray ray{middle + reach, -reach, 0, 2};
+    WorldHit nearest;
+    nearest.instance = static_cast<std::uint32_t>(&instance - world_.Instances().data());
+    double least = R3::infinity;
+    while (const auto hit = instance.shape->Intersect(ray, 0)) {
+      const bool faces = Dot(instance.shape->At(ray, *hit, 0).normal, reach) > 0;
+      const double off = std::abs(hit->t - 1);
+      if (faces && off < least) static_cast<R3::Hit&>(nearest) = *hit, least = off;
+      ray.t_min = hit->t;
+    }
+    return least < R3::infinity ? world_.MaterialAt(nearest) : *instance.material;
+  }
+
+  Draft& DraftFor(const Instance& instance, const Material& shown) {
+    const Material* material = &shown;
     const auto probe = probe_of_.find(&instance);
     const std::tuple key{material, probe == probe_of_.end() ? -1 : probe->second, owners_.contains(&instance)};
     const auto [found, is_new] = number_of_.try_emplace(key, drafts_.size());

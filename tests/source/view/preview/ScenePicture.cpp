@@ -86,6 +86,24 @@ TEST(ScenePicture, HasABatchForEachMaterialWithClearOnesLast) {
   EXPECT_TRUE(surfaces.uvs.empty()) << "nothing has a texture";
 }
 
+TEST(ScenePicture, ShowsEachSolidOfACsgInItsOwnMaterial) {
+  const project::Stage stage(
+      project::FromText("material  0 0 0  1 0 0  0 0 0  0 0 0  0 0 0  1 1 0\n"
+                        "material  0 0 0  0 1 0  0 0 0  0 0 0  0 0 0  1 1 0\n"
+                        "csg difference 0\nbox 0  -2 -1 -2  2 1 2\ncylinder 1  0 0 0  1 2\nend\n"));
+  const ray::Surfaces surfaces = PictureOf(stage).surfaces;
+  ASSERT_EQ(surfaces.batches.size(), 2u);
+  // Green is the wall of the hole alone, within a radius of 1 of the axis but for the size of a triangle.
+  for (const ray::SurfaceBatch& batch : surfaces.batches) {
+    EXPECT_GT(batch.count, 100u);
+    if (batch.material.kd.g == 0) continue;
+    for (std::uint32_t i = batch.first; i < batch.first + batch.count; ++i) {
+      const auto& at = surfaces.vertices[surfaces.indices[i]].at;
+      EXPECT_LT(std::hypot(at[0], at[2]), 1.4 / 3);  // in radii of the scene
+    }
+  }
+}
+
 TEST(ScenePicture, HasTextureCoordinatesWhereThereAreTextures) {
   const project::Stage textured(project::Root() / "scenes/texture.scn");
   const ray::Surfaces surfaces = PictureOf(textured).surfaces;
