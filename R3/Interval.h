@@ -23,8 +23,8 @@ struct Interval {
   bool Holds(double x) const { return low <= x && x <= high; }
 };
 
-/// Wider by at least so many last bits at both ends; all numbers where an end is none. A share of 2^-52 is one last bit or
-/// two, and the least normal number is more where that is lost: cheaper than NextUp, since it needs no branch.
+/// Wider by at least so many last bits at both ends; all numbers where an end is none. A share of 2^-52 is one last bit
+/// or two, and the least normal number is more where that is lost: cheaper than NextUp, since it needs no branch.
 inline Interval Outward(double low, double high, int bits = 1) {
   constexpr double least = std::numeric_limits<double>::min();
   const double share = bits * 2 * unit_roundoff, ends = bits * least;

@@ -46,7 +46,7 @@ std::string Formula(Choices& choices) {
 std::string SceneOf(Choices& choices) {
   std::string text = "camera 0.3 0.2 4  -0.05 -0.03 -1  0 1 0  0.5  0.1 100\nbackground 0.2 0.3 0.4\n";
   text += "material 0.1 0.1 0.1  0.5 0.4 0.3  0.2 0.2 0.2  0.2 0.2 0.2  0.1 0 0  10 1.5 0\n";
-  text += "material 0.1 0.1 0.1  0.5 0.4 0.3  0.2 0.2 0.2  0.2 0.2 0.2  0 0 0  10 1.5 0\n";  // for csg, which cannot emit
+  text += "material 0.1 0.1 0.1  0.5 0.4 0.3  0.2 0.2 0.2  0.2 0.2 0.2  0 0 0  10 1.5 0\n";  // csg cannot emit
   text += choices.Byte() % 2 ? "point_light 1 1 1  2 3 4  1 0 0\n" : "sphere_light 1 1 1  2 3 4  0.5  1 0 0\n";
   int open = 0;
   for (int i = 0; i < 24 && !choices.IsOver(); ++i) {

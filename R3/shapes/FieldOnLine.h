@@ -11,8 +11,8 @@
 /// Where the sum of the fields of balls reaches 1 along a line.
 namespace R3::field {
 
-/// A ball as a line passes through it. Its field at s is strength q^3, with q = height - bend (s - middle)^2, where q is
-/// above 0.
+/// A ball as a line passes through it. Its field at s is strength q^3, with q = height - bend (s - middle)^2, where q
+/// is above 0.
 struct Chord {
   double middle, height, bend, strength;
   double enter, leave;
@@ -51,8 +51,8 @@ struct Cell {
 /// All crossings in order, each found when it is asked for.
 ///
 /// Between the places where the line enters or leaves a ball the field is a polynomial. A stretch whose coefficients
-/// have one sign holds no crossing; one whose coefficients change their sign once holds one, which Newton's method finds
-/// within it; others are halved, the nearer half first. So nothing is stepped over. What is left where all coefficients
+/// have one sign holds no crossing; one whose coefficients change their sign once holds one, which Newton's method
+/// finds within it; others are halved, the nearer half first. So nothing is stepped over. What is left where all coefficients
 /// are within rounding of 0, as where a line touches the surface, is decided by the signs at its ends. The sign at a
 /// place is that of one function, whatever stretch it is an end of: the line goes in and out by turns.
 ///   source   Descartes' rule of signs in Bernstein form: Lane, Riesenfeld, Bounds on a polynomial (1981)

@@ -6,8 +6,8 @@
 #include "R3/UvTangents.h"
 #include "R3/Warp.h"
 
-/// Texture coordinates for shapes of any form: the share of a box along x and along y, as if the image were laid through
-/// the shape from its +z side.
+/// Texture coordinates for shapes of any form: the share of a box along x and along y, as if the image were laid
+/// through the shape from its +z side.
 namespace R3 {
 
 inline void SetPlanarUv(Intersection& at, const Box& box) {

@@ -96,8 +96,8 @@ class Bounder {
 
 // The solid where the sum of strength (1 - (d / radius)^2)^3, over the balls whose centers are at a distance d below
 // their radius, is above a threshold.
-//   source   Wyvill, McPheeters, Wyvill, Data structure for soft objects (1986); this polynomial is zero with two of its
-//            derivatives at the radius, and of the sixth degree along a line
+//   source   Wyvill, McPheeters, Wyvill, Data structure for soft objects (1986); this polynomial is zero with two of
+//            its derivatives at the radius, and of the sixth degree along a line
 class Blob : public Shape {
  public:
   /// `numbers` are a threshold above 0 and, for each ball, center, radius and strength.

@@ -28,8 +28,8 @@ patch::Net<Vector> NetInBernsteinBasis(const patch::Net<Vector>& net) {
 
 extern const ShapeKind bspline_kind{
     "bspline",
-    "a bicubic patch of a uniform B-spline surface by 16 control points, four rows of four: u grows along a row, v from "
-    "row to row; patches that have twelve points in common join smoothly",
+    "a bicubic patch of a uniform B-spline surface by 16 control points, four rows of four: u grows along a row, v "
+    "from row to row; patches that have twelve points in common join smoothly",
     PatchArguments(),
     [](std::span<const double> a) {
       return BezierPatch(NetInBernsteinBasis(PatchNet(a)), Recipe{"bspline", {a.begin(), a.end()}});

@@ -85,7 +85,8 @@ class Flare {
     double across = 0, upward = 0, weight = 0;
     for (int i = 0; i < rays; ++i) {
       const R2::Point on_disc = OnDisc(i, rays);
-      const auto sample = light.IsBlack() ? std::nullopt : light.Illuminate(camera_.eye, {(i + 0.5) / rays, Radical(i)});
+      const R2::Point on_lamp{(i + 0.5) / rays, Radical(i)};
+      const auto sample = light.IsBlack() ? std::nullopt : light.Illuminate(camera_.eye, on_lamp);
       const auto place = sample ? PlaceOf(sample->to_light, camera_, settings_) : std::nullopt;
       if (!place || IsHidden(*sample, on_disc)) continue;
       const double luminance = Luminance(sample->irradiance);
@@ -132,7 +133,7 @@ class Flare {
     return sum;
   }
 
-  /// Adds what `light` gives for the way from a place and for the share of a radius, at the middle of each pixel within.
+  /// Adds what `light` gives for the way from a place and for the share of a radius, at the middle of each pixel.
   template <class LightAt>
   void AddWithin(R2::Image& image, const PixelRectangle& region, const R2::Point& place, double radius,
                  const LightAt& light) const {

@@ -12,11 +12,11 @@ namespace ray {
 ///
 /// How bright they are is what of the lamp's light arrives at the eye, times settings.flare, times the share of 64
 /// shadow rays that arrive; they come from a disc about the eye under which the lamp is seen as large as it glows, so
-/// that a lamp fades as it goes behind an edge. Nothing is random, and every pixel depends on the lamps alone: a crop has
-/// the pixels of the whole. Lamps outside of the image, and shapes that emit, give none. Only a pinhole camera knows where
-/// in the image a lamp is.
-///   source   Hullin, Eisemann, Seidel, Lee, Physically-based real-time lens flare rendering (2011), section 2, for what
-///            there is; where ghosts are, and their colors, is a choice of ours
+/// that a lamp fades as it goes behind an edge. Nothing is random, and every pixel depends on the lamps alone: a crop
+/// has the pixels of the whole. Lamps outside of the image, and shapes that emit, give none. Only a pinhole camera knows
+/// where in the image a lamp is.
+///   source   Hullin, Eisemann, Seidel, Lee, Physically-based real-time lens flare rendering (2011), section 2, for
+///            what there is; where ghosts are, and their colors, is a choice of ours
 void AddFlare(const World& world, const Accelerator& accelerator, const Camera& camera, const RenderSettings& settings,
               R2::Image& image);
 

@@ -14,17 +14,15 @@ namespace ray {
 /// The sample sequence of a pixel. sobol: Owen-scrambled, evenly distributed in all dimensions that belong together.
 /// random: independent. stratified: jittered in pairs of dimensions, for a number of samples known beforehand. grid:
 /// camera rays through the middles of n x n equal parts of the pixel, everything else as by sobol. rotated_grid: those
-/// n x n places turned about the pixel's middle by atan(1 / n), so that no two are in one row or column. poisson: camera
-/// rays through places of the pixel that keep a distance from each other, everything else as by sobol.
+/// n x n places turned about the pixel's middle by atan(1 / n), so that no two are in one row or column. poisson:
+/// camera rays through places of the pixel that keep a distance from each other, everything else as by sobol.
 enum class SamplerKind { sobol, random, stratified, grid, rotated_grid, poisson };
 inline constexpr std::array sampler_names{"sobol", "random", "stratified", "grid", "rotated_grid", "poisson"};
 constexpr const auto& NamesOf(SamplerKind) { return sampler_names; }
 /// Whether places in a pixel are laid out for a square number of them.
 constexpr bool IsGrid(SamplerKind kind) { return kind == SamplerKind::grid || kind == SamplerKind::rotated_grid; }
 /// Whether all random choices but places in a pixel are Sobol's.
-constexpr bool UsesSobol(SamplerKind kind) {
-  return kind == SamplerKind::sobol || kind == SamplerKind::poisson || IsGrid(kind);
-}
+constexpr bool UsesSobol(SamplerKind kind) { return kind != SamplerKind::random && kind != SamplerKind::stratified; }
 
 /// The points of the unit square, or hypercube, that one kind of random choice at one vertex of the tree of rays uses
 /// in the samples of one pixel. Point `index` is a function of (kind, key, index), and of `count` for stratified

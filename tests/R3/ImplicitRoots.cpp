@@ -1,4 +1,4 @@
-// That no root is missed on surfaces which make it hard, against a search in 113 bits that shares nothing with the shape.
+// That no root is missed on surfaces which make it hard, against a search in 113 bits that shares no code with it.
 
 #include <gtest/gtest.h>
 

@@ -71,7 +71,7 @@ class Hatching : public FirstHit {
 
 }  // namespace
 
-extern const IntegratorKind hatching_kind{"a drawing in ink: strokes where less light arrives, crossed where it is dark",
+extern const IntegratorKind hatching_kind{"a drawing in ink: strokes where less light arrives, crossed in the dark",
                                           [](const World& world, const Accelerator& accelerator,
                                              const TraceSettings& settings) -> std::unique_ptr<const Integrator> {
                                             return std::make_unique<Hatching>(world, accelerator,

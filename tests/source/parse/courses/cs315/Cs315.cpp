@@ -159,8 +159,8 @@ TEST(Cs315, ShapesOfOurOwnAreInLowerCase) {
   const Scene scene =
       WithSurface("{'shape': 'torus', 'position': [0, 0, 0], 'radius': 2, 'tube': 0.5, 'material': 0}").scene;
   EXPECT_NEAR(*Depth(scene, {{2, 0, 9}, {0, 0, -1}}), 8.5, 1e-9);
-  const Scene blob = WithSurface("{'shape': 'blob', 'threshold': 0.125, 'balls': [{'position': [0, 0, 0], 'radius': 3}], "
-                                 "'material': 0}")
+  const Scene blob = WithSurface("{'shape': 'blob', 'threshold': 0.125, 'material': 0, "
+                                 "'balls': [{'position': [0, 0, 0], 'radius': 3}]}")
                          .scene;
   EXPECT_NEAR(*Depth(blob, {{0, 0, 9}, {0, 0, -1}}), 9 - 3 * std::sqrt(0.5), 1e-9);
 }

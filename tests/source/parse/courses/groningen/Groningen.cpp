@@ -306,7 +306,8 @@ TEST(Groningen, ALightMayBeOfAnyKind) {
 }
 
 TEST(Groningen, WhatIsUnknownIsToldOnceAndTheRestIsRead) {
-  const ParsedScene parsed = WithKeys("'Sahdows': true", "{'type': 'waterfall', 'what': 1}, {'type': 'spher'}, " + red_ball);
+  const ParsedScene parsed =
+      WithKeys("'Sahdows': true", "{'type': 'waterfall', 'what': 1}, {'type': 'spher'}, " + red_ball);
   EXPECT_EQ(parsed.scene.root.children.size(), 1u);
   ASSERT_EQ(parsed.warnings.size(), 3u);
   EXPECT_TRUE(Contains(parsed.warnings[0], "type 'waterfall' is not supported; the object is left out"));
