@@ -66,6 +66,15 @@ class Misfit {
     return sum * steady / counted;
   }
 
+  /// What there is to explain: the difference to the reference, or to a black image if that is less. Else a mistake that
+  /// takes all light away would be named for whatever is dark.
+  double ToExplain() const {
+    const R2::Image& reference = images_.Reference();
+    const double of_reference = Of(reference).value_or(0);
+    const double of_black = Of(R2::Image(reference.Width(), reference.Height())).value_or(0);
+    return of_black > 0 ? std::min(of_reference, of_black) : of_reference;
+  }
+
  private:
   bool IsSteady(const R2::Image& cells, int x, int y) const {
     return images_.CellSide() > 1 || images_.Steady()[IndexOf(cells, x, y)];
@@ -95,13 +104,13 @@ class Misfit {
   R2::Image reference_;
 };
 
-std::optional<double> ShareWith(const Misfit& misfit, double of_reference, SceneImages& images,
-                                const MistakeList& mistakes) {
+///   all   misfit.ToExplain(); here and below
+std::optional<double> ShareWith(const Misfit& misfit, double all, SceneImages& images, const MistakeList& mistakes) {
   const R2::Image* made = images.With(mistakes);
-  if (!made || !(of_reference > 0)) return {};
+  if (!made || !(all > 0)) return {};
   const auto left = misfit.Of(*made);
   if (!left) return {};
-  return 1 - *left / of_reference;
+  return 1 - *left / all;
 }
 
 struct Candidate {
@@ -110,14 +119,13 @@ struct Candidate {
 };
 
 /// Every mistake behind those of `before`, the best first.
-std::vector<Candidate> Ranked(const Misfit& misfit, double of_reference, SceneImages& images,
-                              const MistakeList& before) {
+std::vector<Candidate> Ranked(const Misfit& misfit, double all, SceneImages& images, const MistakeList& before) {
   std::vector<Candidate> candidates;
   for (const Mistake* mistake : Mistakes()) {
     if (std::ranges::find(before, mistake) != before.end()) continue;
     MistakeList mistakes = before;
     mistakes.push_back(mistake);
-    if (const auto share = ShareWith(misfit, of_reference, images, mistakes)) candidates.push_back({mistakes, *share});
+    if (const auto share = ShareWith(misfit, all, images, mistakes)) candidates.push_back({mistakes, *share});
   }
   std::ranges::stable_sort(candidates, std::greater(), &Candidate::share);
   return candidates;
@@ -181,7 +189,7 @@ Comparison Compare(const Submission& student, const SceneImages& images) {
 
 std::optional<double> ShareExplained(const Submission& student, SceneImages& images, const MistakeList& mistakes) {
   const Misfit misfit(student, images);
-  return ShareWith(misfit, misfit.Of(images.Reference()).value_or(0), images, mistakes);
+  return ShareWith(misfit, misfit.ToExplain(), images, mistakes);
 }
 
 bool IsVisible(SceneImages& images, const MistakeList& mistakes) {
@@ -195,14 +203,14 @@ Explanation Explain(const Submission& student, SceneImages& images) {
   constexpr double nearly_all = 0.995, most_left_by_second = 0.4;
   constexpr std::size_t firsts = 3;  // that are tried with a second
   const Misfit misfit(student, images);
-  const double of_reference = misfit.Of(images.Reference()).value_or(0);
-  const std::vector<Candidate> singles = Ranked(misfit, of_reference, images, {});
+  const double all = misfit.ToExplain();
+  const std::vector<Candidate> singles = Ranked(misfit, all, images, {});
   if (singles.empty()) return {};
   const Candidate& best = singles[0];
   Explanation found{.mistakes = best.mistakes, .alternatives = Alternatives(singles), .share = best.share};
   if (best.share > nearly_all) return found;
   for (std::size_t i = 0; i < std::min(firsts, singles.size()) && singles[i].share > 0; ++i) {
-    const std::vector<Candidate> pairs = Ranked(misfit, of_reference, images, singles[i].mistakes);
+    const std::vector<Candidate> pairs = Ranked(misfit, all, images, singles[i].mistakes);
     if (pairs.empty() || pairs[0].share <= found.share) continue;
     const bool is_worth_naming = 1 - pairs[0].share < most_left_by_second * (1 - best.share);
     if (!is_worth_naming) continue;

@@ -46,8 +46,9 @@ inline constexpr double named_above = 0.8;
 /// difference over steady pixels, each with every other.
 Explanation Explain(const Submission& student, SceneImages& images);
 
-/// The share of the squared difference between student and reference that is gone where the reference is made with the
-/// mistakes; negative where they make it worse, nothing where they cannot be made in the scene or change nothing.
+/// The share of the squared difference between student and reference, or between student and black if that is less,
+/// that is gone where the reference is made with the mistakes; negative where they make it worse, nothing where they
+/// cannot be made in the scene or change nothing.
 std::optional<double> ShareExplained(const Submission& student, SceneImages& images, const MistakeList& mistakes);
 
 /// Whether the mistakes change more of the steady pixels than the suite allows.

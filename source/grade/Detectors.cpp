@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 #include "source/text/NumberText.h"
 
@@ -44,6 +45,11 @@ Specks SpecksOf(const Submission& student, const Comparison& found, const SceneI
   return specks;
 }
 
+/// A mistake of the table.
+const Mistake* Named(std::string_view name) {
+  return *std::ranges::find_if(Mistakes(), [&](const Mistake* mistake) { return mistake->name == name; });
+}
+
 std::string PercentOf(std::int64_t count, const Comparison& found) {
   return Rounded(100.0 * static_cast<double>(count) / static_cast<double>(std::max<std::int64_t>(1, found.steady)), 2) +
          "%";
@@ -71,6 +77,29 @@ std::vector<std::string> RemarksOn(const Submission& student, const Comparison& 
                       ") are too dark on lit, smooth surfaces. A shadow ray that starts on a surface meets it again "
                       "by rounding; start it a little off the surface.");
   return remarks;
+}
+
+std::optional<std::string> TerminatorRemark(const Submission& student, const Comparison& found, SceneImages& images) {
+  constexpr double most = 0.8;  // of what differs
+  const R2::Image *flat = images.With({Named("flat_shading")}), *open = images.With({Named("no_shadows")}),
+                  *closed = images.With({Named("no_diffuse"), Named("no_highlight")});
+  if (images.CellSide() > 1 || !flat || !open || !closed) return {};
+  const R2::Image& expected = images.Reference();
+  std::int64_t count = 0;
+  for (int y = 0; y < expected.Height(); ++y)
+    for (int x = 0; x < expected.Width(); ++x) {
+      const std::size_t i = static_cast<std::size_t>(y * expected.Width() + x);
+      const auto differ = [&](const R2::Image& a, const R2::Image& b) {
+        return LargestChannel(a.At(x, y) - b.At(x, y)) > student.tolerance[i];
+      };
+      const bool is_smooth = differ(*flat, expected);
+      const bool is_of_shadow = !differ(student.image, *closed) || !differ(student.image, *open);
+      count += found.differs[i] && is_smooth && is_of_shadow;
+    }
+  if (!(static_cast<double>(count) > most * static_cast<double>(found.differing))) return {};
+  return "Shadow terminator: what differs (" + PercentOf(count, found) +
+         ") lies where light grazes smooth meshes. There the blended normal faces the light though the triangle does "
+         "not: a shadow ray is tested against the triangles as they are, its own included.";
 }
 
 }  // namespace ray::grade

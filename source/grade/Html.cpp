@@ -12,10 +12,12 @@ namespace {
 constexpr const char* style =
     "body{font:16px/1.45 system-ui,sans-serif;max-width:60em;margin:1em auto;padding:0 1em;color:#222;background:#fff}"
     "h1{font-size:1.5em}h2{font-size:1.15em;margin:1.6em 0 .3em;border-top:1px solid #ccc;padding-top:.6em}"
+    "h3{font-size:1em;margin:1.2em 0 .2em}"
     "figure{display:inline-block;margin:.3em .6em .3em 0;vertical-align:top}figcaption{font-size:.85em;color:#555}"
     "img{image-rendering:pixelated;max-width:100%;min-width:8em;border:1px solid #ccc}"
+    ".third{width:30%;max-width:18em;margin-right:1.5%}.third>img{width:100%;min-width:0}"
     "table{border-collapse:collapse}td,th{border:1px solid #ccc;padding:.2em "
-    ".5em;text-align:left}td.n{text-align:right}"
+    ".5em;text-align:left}td.n{text-align:right;white-space:nowrap}"
     "pre{font-size:.8em;overflow-x:auto;background:#f6f6f6;padding:.5em;white-space:pre-wrap}"
     ".right{background:#dff0d8}.known{background:#fcf3cf}.different,.failed{background:#f8d7da}"
     ".over{position:relative;display:inline-block;max-width:100%;overflow:auto}"
@@ -23,7 +25,8 @@ constexpr const char* style =
     ".over>div{position:absolute;top:0;left:0;width:50%;height:100%;max-width:100%;overflow:hidden;resize:horizontal;"
     "border-right:2px solid #c00;box-sizing:border-box}"
     ".bar{background:#69c;height:.8em;display:inline-block}"
-    "@media print{body{max-width:none}h2,figure,tr{break-inside:avoid}"
+    "@media print{body{max-width:none;print-color-adjust:exact;-webkit-print-color-adjust:exact}"
+    "h2,h3,figure,tr{break-inside:avoid}h2,h3,h2~p{break-after:avoid}"
     ".over>div{position:static;width:auto;border:0}}";
 
 }  // namespace

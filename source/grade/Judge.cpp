@@ -71,6 +71,8 @@ void Judge(const std::vector<R2::Image>& runs, bool is_jpeg, const Suite& suite,
       result.outcome = SceneResult::Outcome::different;
       result.headline = Percent(result.percent / 100) + " of the pixels differ.";
       result.remarks = remarks;
+      if (remarks.empty())
+        if (const auto remark = TerminatorRemark(student, found, images)) result.remarks.push_back(*remark);
     }
   }
   result.score = ScoreOf(result, suite, images.scene());

@@ -24,7 +24,7 @@ bool LookAlike(SceneImages& images, const MistakeList& a, const MistakeList& b) 
   return share && *share > alike;
 }
 
-enum class Outcome { right, wrong, silent, invisible };
+enum class Outcome { by_name, right, wrong, silent, invisible };
 
 struct Tried {
   Outcome outcome;
@@ -38,9 +38,9 @@ Tried Try(SceneImages& images, const MistakeList& mistakes) {
   if (found.mistakes.empty()) return {Outcome::silent, "silent"};
   MistakeList any = found.alternatives;
   const bool is_among = mistakes.size() == 1 && std::ranges::find(any, mistakes[0]) != any.end();
+  if (std::ranges::is_permutation(mistakes, found.mistakes)) return {Outcome::by_name, "right"};
   if (is_among || LookAlike(images, mistakes, found.mistakes))
-    return {Outcome::right,
-            NamesOf(found.mistakes) == NamesOf(mistakes) ? "right" : "right, as " + NamesOf(found.mistakes)};
+    return {Outcome::right, "right, as " + NamesOf(found.mistakes)};
   return {Outcome::wrong, "WRONG: " + NamesOf(found.mistakes)};
 }
 
@@ -51,7 +51,8 @@ void TryInEach(std::vector<std::unique_ptr<SceneImages>>& scenes, const MistakeL
     const Tried tried = Try(*images, mistakes);
     line += "  " + images->scene().name + " " + tried.text;
     is_seen |= tried.outcome != Outcome::invisible;
-    counts.right += tried.outcome == Outcome::right;
+    counts.by_name += tried.outcome == Outcome::by_name;
+    counts.right += tried.outcome == Outcome::right || tried.outcome == Outcome::by_name;
     counts.wrong += tried.outcome == Outcome::wrong;
     counts.silent += tried.outcome == Outcome::silent;
   }

@@ -11,6 +11,7 @@ namespace ray::grade {
 /// of 8 bits.
 struct MatrixCounts {
   int right = 0;      // named, or one that looks the same in the scene
+  int by_name = 0;    // of these, named itself
   int wrong = 0;      // another one is named
   int silent = 0;     // visible, and none is named
   int invisible = 0;  // no scene shows it

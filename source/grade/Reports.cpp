@@ -21,7 +21,7 @@ const char* NameOf(SceneResult::Outcome outcome) { return outcome_names[static_c
 std::string PointsText(double points) { return Rounded(points, 4); }
 
 std::string Figure(const R2::Image& image, const std::string& caption) {
-  return "<figure>" + ImageTag(image, caption) + "<figcaption>" + HtmlOf(caption) + "</figcaption></figure>\n";
+  return "<figure class=\"third\">" + ImageTag(image, caption) + "<figcaption>" + HtmlOf(caption) + "</figcaption></figure>\n";
 }
 
 std::string Paragraphs(const std::vector<std::string>& sentences) {

@@ -222,7 +222,7 @@ RunResult RunWords(const std::vector<std::string>& words, const fs::path& folder
 /// Folders of a system that programs of any kind need.
 constexpr std::array system_folders{"/usr", "/bin", "/sbin", "/lib", "/lib32", "/lib64", "/opt"};
 constexpr std::array system_files{"/etc/alternatives", "/etc/ld.so.cache", "/etc/ld.so.conf", "/etc/ld.so.conf.d",
-                                  "/etc/localtime"};
+                                  "/etc/localtime", "/etc/ssl/openssl.cnf"};
 
 bool IsOfSystem(const fs::path& path) {
   return std::ranges::any_of(system_folders,
@@ -296,8 +296,9 @@ std::vector<std::string> Sandbox::Wrapped(const std::vector<std::string>& comman
     else
       add({"--ro-bind-try", system, system});
   }
+  // What bubblewrap makes on the way to a file is for its own user only, unless it is told otherwise.
+  add({"--perms", "0755", "--dir", "/etc", "--perms", "0755", "--dir", "/etc/ssl"});
   for (const char* file : system_files) add({"--ro-bind-try", file, file});
-  // What bubblewrap makes on the way to a folder is for its own user only, unless it is told otherwise.
   const auto bind = [&](const char* how, const fs::path& path) {
     fs::path parent;
     for (const fs::path& part : path.parent_path()) {
