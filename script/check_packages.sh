@@ -36,7 +36,8 @@ compare() {
 }
 
 all="$(of_setup needed) $(of_setup tests) $(of_setup formats) $(of_setup viewer)"
-compare script/setup.sh "$(echo "$all" | words)" "docs/building.md (Debian)" "$(of_docs Debian | words)"
+# What runs beside is no matter of building.
+compare script/setup.sh "$(echo "$all $(of_setup grader)" | words)" "docs/building.md (Debian)" "$(of_docs Debian | words)"
 for system in Fedora Arch Homebrew; do
   compare "script/setup.sh ($system)" "$(of_other_system $system | words)" docs/building.md "$(of_docs $system | words)"
 done

@@ -22,6 +22,9 @@ tests="libgtest-dev"
 formats="libopenexr-dev libyaml-cpp-dev"
 viewer="libepoxy-dev libglfw3-dev libosmesa6-dev libimgui-dev fonts-dejavu-core libegl-mesa0 libgl1-mesa-dri"
 
+# A sandbox for the programs that raygrade runs.
+grader="bubblewrap"
+
 is_debian() { command -v dpkg-query >/dev/null 2>&1 && command -v apt-get >/dev/null 2>&1; }
 
 is_installed() { dpkg-query -W -f '${Status}' "$1" 2>/dev/null | grep -q '^install ok installed$'; }
@@ -60,6 +63,7 @@ has() {
     libegl-mesa0|libgl1-mesa-dri) has_driver ;;
     libopenexr-dev) CPPFLAGS="${CPPFLAGS-} $(exr_flags)" has_header ImfOutputFile.h ;;
     libyaml-cpp-dev) has_header yaml-cpp/parser.h ;;
+    bubblewrap) command -v bwrap >/dev/null 2>&1 ;;
     *) return 1 ;;
   esac
 }
@@ -75,8 +79,8 @@ show_other_systems() {
   cat <<END
 This is not a Debian system. The packages are called:
   Fedora    dnf install gcc-c++ make libjpeg-turbo-devel libpng-devel tbb-devel highway-devel json-devel gtest-devel openexr-devel \\
-              yaml-cpp-devel libepoxy-devel glfw-devel mesa-compat-libOSMesa-devel mesa-dri-drivers
-  Arch      pacman -S gcc make libjpeg-turbo libpng onetbb highway nlohmann-json gtest openexr yaml-cpp libepoxy glfw imgui mesa
+              yaml-cpp-devel libepoxy-devel glfw-devel mesa-compat-libOSMesa-devel mesa-dri-drivers bubblewrap
+  Arch      pacman -S gcc make libjpeg-turbo libpng onetbb highway nlohmann-json gtest openexr yaml-cpp libepoxy glfw imgui mesa bubblewrap
   Homebrew  brew install jpeg-turbo libpng tbb highway nlohmann-json googletest openexr yaml-cpp libepoxy glfw imgui mesa
 Install them and run script/setup.sh again.
 END
@@ -142,7 +146,7 @@ build=${BUILD:-build}
 
 needed_missing=$(missing_of $needed $tests)
 now=$(missing_of $needed $formats)
-later=$(missing_of $tests $viewer)
+later=$(missing_of $tests $viewer $grader)
 if [ -n "$now$later" ]; then
   echo "missing:$now$later"
   if ! can_install $now $later; then
