@@ -100,6 +100,7 @@ void Viewer::Handle(const Event& event) {
     needs_redraw_ |= !std::holds_alternative<TickEvent>(event);
     const bool is_taken = panels_->Take(event, *this);
     const auto* button = std::get_if<ButtonEvent>(&event);
+    if (button && !button->is_pressed) editor_.DoHeld();
     // Whatever panels came up since the press: a drag that nobody ends would go on for ever.
     const bool ends_press = button && !button->is_pressed && press_ && press_->button == button->button;
     if (is_taken && !ends_press) return;

@@ -133,6 +133,7 @@ void SceneEditor::Forget() {
   texts_.reset(), copied_.reset();
   saved_.clear();
   light_.reset(), material_.reset(), drag_.reset();
+  held_ = nullptr;
   is_unsaved_ = was_asked_ = false;
 }
 
@@ -258,6 +259,7 @@ bool SceneEditor::Apply(Viewer& viewer, const TextEdits& edits, const std::optio
     return false;
   }
   texts_ = next;
+  held_ = nullptr;  // it was of the text before
   light_.reset();
   if (chosen) Choose(viewer, *chosen);
   if (had_material) node_of_material_ = viewer.ChosenNode();
@@ -268,8 +270,21 @@ void SceneEditor::SetField(Viewer& viewer, std::uint32_t statement, const ScnFie
                            const std::vector<double>& values, bool continues) {
   const auto place = PlaceOf(viewer, statement);
   const std::string key = place ? field.name + "@" + std::to_string(place->begin) + place->file : "";
-  Do(viewer, "set " + field.name + " of " + Name(viewer, statement) + " to" + InWords(values), key, continues,
-     [&] { return WithValues(PlacesOf(viewer), statement, field, values); });
+  const std::string what = "set " + field.name + " of " + Name(viewer, statement) + " to" + InWords(values);
+  DoOrHold(viewer, what, key, continues,
+           [=, &viewer] { return WithValues(PlacesOf(viewer), statement, field, values); });
+}
+
+void SceneEditor::DoOrHold(Viewer& viewer, const std::string& what, const std::string& key, bool continues,
+                           const std::function<TextEdits()>& make) {
+  const auto change = [=, this, &viewer] { Do(viewer, what, key, continues, make); };
+  if (!continues || seconds_of_reading_ <= slow) return change();
+  held_ = change;
+  viewer.Tell(what + ", once the button is let go");
+}
+
+void SceneEditor::DoHeld() {
+  if (const auto held = std::exchange(held_, nullptr)) held();
 }
 
 void SceneEditor::SetSetting(Viewer& viewer, const std::string& option, const std::string& value, bool continues) {
@@ -277,8 +292,8 @@ void SceneEditor::SetSetting(Viewer& viewer, const std::string& option, const st
   // An open lens needs a distance to focus on.
   const bool needs_focus = option == "aperture" && value != "0" && !(viewer.SettingsOfView().camera.focus > 0);
   if (needs_focus) settings.emplace_back("focus", FocusText(viewer, viewer.navigator().Center()));
-  Do(viewer, "set " + option + " " + value, option, continues,
-     [&] { return WithSettings(PlacesOf(viewer), settings); });
+  DoOrHold(viewer, "set " + option + " " + value, option, continues,
+           [=, &viewer] { return WithSettings(PlacesOf(viewer), settings); });
 }
 
 void SceneEditor::SetAxis(Viewer& viewer, MoveAxis axis) {
@@ -510,8 +525,8 @@ Lines SceneEditor::Marks(const Viewer& viewer, const DrawingSpace& space,
   const auto target = TargetOf(viewer);
   if (!target || target->box.IsEmpty()) return lines;
   const R3::Point at = target->box.Center();
-  constexpr double times_of_cross = 6;
-  const double size = times_of_cross * size_at(at);
+  constexpr double times_of_cross = 6, times_of_box = 1.3;  // so that it leads out of what it is in
+  const double size = std::max(times_of_cross * size_at(at), times_of_box * target->box.Radius());
   const auto arrows = [&](const R3::Vector& way) {
     Append(lines, ArrowAt(at, size * way, space, axis_color));
     Append(lines, ArrowAt(at, -size * way, space, axis_color));

@@ -64,6 +64,10 @@ class SceneEditor {
   /// Focuses on a point; opens the lens where the scene has none.
   void FocusOn(Viewer& viewer, const std::optional<R3::Point>& point);
 
+  /// A button was let go: what a slider or picker was dragged to is done now, where reading the scene takes too long to
+  /// follow it.
+  void DoHeld();
+
   // A drag of what is chosen. Rays are through the pointer.
   /// Whether there is something to drag.
   bool BeginDrag(Viewer& viewer, const R3::Ray& ray);
@@ -105,6 +109,9 @@ class SceneEditor {
   /// that continue. Returns whether it was done.
   bool Do(Viewer& viewer, const std::string& what, const std::string& key, bool continues,
           const std::function<TextEdits()>& make, const std::optional<EditPlace>& chosen_after = {});
+  /// The same, or once the button is let go: for what continues where reading the scene takes long.
+  void DoOrHold(Viewer& viewer, const std::string& what, const std::string& key, bool continues,
+                const std::function<TextEdits()>& make);
   bool Apply(Viewer& viewer, const TextEdits& edits, const std::optional<EditPlace>& chosen);
   void Move(Viewer& viewer, const R3::Vector& way, const std::string& key, bool continues);
   R3::Vector AxisVector(const Viewer& viewer) const;
@@ -121,6 +128,7 @@ class SceneEditor {
   std::optional<std::size_t> light_, material_;
   std::optional<std::size_t> node_of_material_;  // what was chosen when the material was
   std::optional<Drag> drag_;
+  std::function<void()> held_;     // a change for when the button is let go; empty for none
   double seconds_of_reading_ = 0;  // of the last edit
 };
 
