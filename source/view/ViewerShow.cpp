@@ -8,6 +8,7 @@
 #include "source/text/EnumNames.h"
 #include "source/text/NumberText.h"
 #include "source/text/Words.h"
+#include "source/view/AsciiText.h"
 #include "source/view/Viewer.h"
 #include "source/view/overlay/SceneLines.h"
 
@@ -119,6 +120,7 @@ R2::Color Viewer::BackgroundOfPreview() const {
     case RenderMode::flat:
     case RenderMode::gooch:
     case RenderMode::toon:
+    case RenderMode::hatching:
       break;
   }
   return scene_->parsed.scene.background;
@@ -276,7 +278,7 @@ std::vector<Label> Viewer::MakeLabels() const {
   const int columns = ColumnsOfText(std::min(ViewSize().width, WidthBesidePanels()));
   const double strength = StrengthOfMessage();
   if (!message_.empty() && strength > 0) {
-    const auto lines = InLines(message_, columns);
+    const auto lines = InLines(InAscii(message_), columns);
     for (std::size_t i = 0; i < lines.size(); ++i)
       labels.push_back({edge,
                         edge + static_cast<double>(lines.size() - 1 - i) * line_step,
@@ -297,12 +299,12 @@ std::vector<Label> Viewer::MakeLabels() const {
   }
   double y = size_.height - line_step - edge;
   if (!scene_problems_.empty())
-    for (const std::string& line : InLines(TextOfProblems(), columns)) {
+    for (const std::string& line : InLines(InAscii(TextOfProblems()), columns)) {
       labels.push_back({edge, y, line, problem_color});
       y -= line_step;
     }
   for (const std::string& text : upper)
-    for (const std::string& line : help_page_ > 0 ? std::vector{text} : InLines(text, columns)) {
+    for (const std::string& line : help_page_ > 0 ? std::vector{text} : InLines(InAscii(text), columns)) {
       labels.push_back({edge, y, line, text_color});
       y -= line_step;
     }

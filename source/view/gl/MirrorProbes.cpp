@@ -35,14 +35,14 @@ void UseLinear(const Texture2D& map) {
 }  // namespace
 
 ProbeSide SideOf(const MirrorProbe& probe, int side) {
-  constexpr double nearest = 2e-3, farthest = 8;  // radii of the scene; beyond, depths are clamped
+  constexpr double farthest = 8;  // radii of the scene; beyond, depths are clamped
   const Axes& axes = sides[static_cast<std::size_t>(side)];
   const R3::Vector eye{probe.at[0], probe.at[1], probe.at[2]};
   ProbeSide seen;
   seen.view.eye = probe.at;
   seen.view.directions = {AsFloats(axes.towards - axes.right - axes.up), AsFloats(2 * axes.right),
                           AsFloats(2 * axes.up)};
-  seen.clip_from_drawing = Perspective(eye, axes.towards, axes.right, axes.up, nearest, farthest);
+  seen.clip_from_drawing = Perspective(eye, axes.towards, axes.right, axes.up, probe.nearest, farthest);
   return seen;
 }
 

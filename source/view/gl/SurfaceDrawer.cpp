@@ -196,6 +196,14 @@ void UploadLights(const GpuSurfaces& surfaces) {
   glBufferData(GL_UNIFORM_BUFFER, Bytes(lights), lights.data(), GL_STATIC_DRAW);
 }
 
+/// So many that they are drawn within a second or two by a renderer in software, at least one.
+std::size_t MostShadowViews(const std::vector<SurfaceBatch>& batches) {
+  constexpr std::size_t most_triangles = 8'000'000;
+  std::size_t triangles = 1;
+  for (const SurfaceBatch& batch : batches) triangles += batch.count / 3;
+  return std::clamp<std::size_t>(most_triangles / triangles, 1, most_shadow_views);
+}
+
 void DrawOpaque(const SurfaceBatch& batch) {
   if (batch.material.one_sided) {
     glEnable(GL_CULL_FACE);
@@ -255,7 +263,7 @@ std::shared_ptr<GpuSurfaces> SurfaceDrawer::Upload(const ScenePicture& picture) 
 
 void SurfaceDrawer::SetShadows(GpuSurfaces& surfaces, bool is_on) const {
   if (is_on && !surfaces.shadows) {
-    surfaces.shadow_views = ShadowViewsOf(surfaces.preview_lights);
+    surfaces.shadow_views = ShadowViewsOf(surfaces.preview_lights, MostShadowViews(surfaces.batches));
     const auto& views = surfaces.shadow_views.clip_from_drawing;
     if (views.empty()) return;
     if (!depth_)

@@ -209,15 +209,17 @@ constexpr const char* probes = R"(
 uniform samplerCube probe;
 uniform int has_probe;
 uniform vec3 probe_at;
-float Behind(vec3 from_probe) { return length(from_probe) - textureLod(probe, from_probe, 0.0).a; }
+// How far a place is behind what the probe sees there, as a part of its distance from the probe.
+float Behind(vec3 from_probe) { return 1.0 - textureLod(probe, from_probe, 0.0).a / length(from_probe); }
 vec3 SeenFrom(vec3 at, vec3 direction, float spread) {
   if (has_probe == 0) return Seen(direction, spread);
-  // Radii of the scene. What lies further behind what the probe sees is hidden from it, and may be anything.
-  const float first_step = 0.02, growth = 1.25, tolerance = 0.002, thickness = 0.06;
+  // What lies further behind what the probe sees than `thickness` is hidden from it, and may be anything.
+  const float growth = 1.25, tolerance = 0.003, thickness = 0.06;
   vec3 d = normalize(direction), way = at - probe_at;
+  float first_step = 0.05 * length(way);
   float before = 0.0, last = Behind(way + 0.5 * first_step * d);
   float texel = 1.5707963 / float(textureSize(probe, 0).x), level = log2(max(spread / texel, 1e-6));
-  for (float t = first_step; t < 8.0; t *= growth) {
+  for (float t = first_step; t < 8.0 && t < 4e3 * first_step; t *= growth) {
     float behind = Behind(way + t * d);
     if (behind > tolerance && last <= tolerance) {
       float near = before, far = t;
@@ -537,6 +539,7 @@ const char* MainOf(RenderMode mode) {
     case RenderMode::heat:
     case RenderMode::rays:
     case RenderMode::id:
+    case RenderMode::hatching:
       break;
   }
   return nullptr;

@@ -76,10 +76,10 @@ std::vector<PreviewLight> PlacesOf(const PreviewLight& light) {
 
 }  // namespace
 
-ShadowViews ShadowViewsOf(const std::vector<PreviewLight>& lights) {
+ShadowViews ShadowViewsOf(const std::vector<PreviewLight>& lights, std::size_t most) {
   ShadowViews found;
   auto& views = found.clip_from_drawing;
-  const auto have_room = [&](std::size_t more) { return views.size() + more <= most_shadow_views; };
+  const auto have_room = [&](std::size_t more) { return views.size() + more <= most; };
   for (const PreviewLight& light : lights) {
     found.first.push_back(0);
     found.places.push_back(1);

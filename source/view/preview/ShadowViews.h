@@ -28,6 +28,7 @@ struct ShadowViews {
 /// come first, as far as there is room. What is nearer to a light than its own radius casts no shadow: it may be the
 /// lamp. Only what is in the scene's sphere does, whatever is drawn around it.
 ///   source   Williams, Casting curved shadows on curved surfaces (1978)
-ShadowViews ShadowViewsOf(const std::vector<PreviewLight>& lights);
+///   most   views, at most most_shadow_views
+ShadowViews ShadowViewsOf(const std::vector<PreviewLight>& lights, std::size_t most = most_shadow_views);
 
 }  // namespace ray

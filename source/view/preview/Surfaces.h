@@ -43,6 +43,7 @@ struct SurfaceBatch {
 /// Where the scene is looked at from, to all sides, so that mirrors and glass about that place can show it.
 struct MirrorProbe {
   std::array<float, 3> at{};  // in a DrawingSpace
+  double nearest = 2e-3;      // likewise: what is nearer is not seen
 };
 inline constexpr std::size_t most_mirror_probes = 16;
 

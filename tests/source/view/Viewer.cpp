@@ -132,7 +132,7 @@ TEST_F(ViewerTest, ASceneThatIsEditedIsReadAgainAndABrokenOneIsNot) {
 }
 
 /// A scene of its own that is written again and again.
-class EditedScene : public ViewerTest {
+class SceneOnDisk : public ViewerTest {
  protected:
   void SetUp() override {
     std::string name = (std::filesystem::temp_directory_path() / "rayview-test-XXXXXX").string();
@@ -154,7 +154,7 @@ class EditedScene : public ViewerTest {
 };
 
 // It faded after five seconds, and the scene from before looked as if it were the file's.
-TEST_F(EditedScene, AMistakeStaysToBeSeenUntilTheFileIsRight) {
+TEST_F(SceneOnDisk, AMistakeStaysToBeSeenUntilTheFileIsRight) {
   Do("resize 640 480\ntick 1");
   Write("sphere -1  0 0 0  1\nspere -1  0 0 0  1\n");
   Do("tick 1\ntick 60\ntick 60");
@@ -169,7 +169,7 @@ TEST_F(EditedScene, AMistakeStaysToBeSeenUntilTheFileIsRight) {
   EXPECT_EQ(viewer_->Title().find("mistakes in"), std::string::npos) << viewer_->Title();
 }
 
-TEST_F(EditedScene, AFileThatIsGoneIsToldButNotOneThatIsBeingSaved) {
+TEST_F(SceneOnDisk, AFileThatIsGoneIsToldButNotOneThatIsBeingSaved) {
   Do("resize 640 480\ntick 1");
   std::filesystem::remove(File());
   Do("tick 0.3");
@@ -187,7 +187,7 @@ TEST_F(EditedScene, AFileThatIsGoneIsToldButNotOneThatIsBeingSaved) {
 }
 
 // There was no window at all, so that one had to start over and over.
-TEST_F(EditedScene, ASceneThatIsWrongFromTheStartIsShownOnceItIsRight) {
+TEST_F(SceneOnDisk, ASceneThatIsWrongFromTheStartIsShownOnceItIsRight) {
   Write("camera 0 0 9  0 0 -1  0 1 0  0.3 1 100\nspere -1  0 0 0  1\n");
   ParsedScene nothing;
   nothing.scene.files = {File()};
@@ -211,7 +211,7 @@ TEST_F(EditedScene, ASceneThatIsWrongFromTheStartIsShownOnceItIsRight) {
   EXPECT_FALSE(IsSeen("spere"));
 }
 
-TEST_F(EditedScene, AMistakeOfADroppedFileGoesWithEscape) {
+TEST_F(SceneOnDisk, AMistakeOfADroppedFileGoesWithEscape) {
   Do("resize 640 480\ndrop no/such/file\ntick 60");
   EXPECT_TRUE(IsSeen("no/such/file"));
   Do("key Escape\ntick 60");

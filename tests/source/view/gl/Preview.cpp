@@ -1,5 +1,5 @@
 // The preview against the tracer: where no shadow falls and mirrors see nothing but what is around, they are one
-// picture.
+// picture; shadows, mirrors and glass come near to it.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -24,7 +24,10 @@ class Preview : public ray::testing::WithPainter {
     const auto surfaces = painter->surfaces.Upload(picture);
     painter->canvas.Begin(side, side, {});
     painter->surfaces.SetShadows(*surfaces, with_shadows);
-    const auto view = ray::ViewFrom(stage.scene->camera, space, {side, side}, exposure);
+    painter->surfaces.DrawProbes(*surfaces);
+    auto view = ray::ViewFrom(stage.scene->camera, space, {side, side}, exposure);
+    view.depths = {static_cast<float>(settings.trace.zbuffer.near / space.radius),
+                   static_cast<float>(settings.trace.zbuffer.far / space.radius)};
     const R2::Color background = stage.scene->background;
     painter->canvas.Begin(side, side, settings.srgb ? EncodeSrgb(background) : background);
     painter->surfaces.DrawSky(*surfaces, view);
@@ -196,6 +199,80 @@ TEST_P(Preview, HasTheShadowsOfTheTracerWhenAskedFor) {
     EXPECT_GT(without, 0.02) << light;
     EXPECT_LT(Differing(stage, 20, {}, true), without / 5) << light;  // less their edges
   }
+}
+
+// A room of mirrors was black.
+TEST_P(Preview, ShowsTheSceneInMirrorsAndMirrorsInThem) {
+  const std::string room = "camera  0 0 3.8  0 0 -1  0 1 0  0.5  0.01 100\nambient 1 1 1\n" +
+                           Material("0 0 0  0 0 0  0 0 0  0 0 0  20 1 0") +                    // 0.2 0.3 0.4
+                           "material 0 0 0  0 0 0  1 1 1  0 0 0  0 0 0  20 1 0\n"             // mirrors
+                           "box 0 -4 -4 -4  4 4 -3.9  box 0 -4 -4 -4  -3.9 4 4  box 0 3.9 -4 -4  4 4 4\n"
+                           "box 0 -4 -4 -4  4 -3.9 4  box 0 -4 3.9 -4  4 4 4  box 0 -4 -4 3.9  4 4 4\n";
+  const project::Stage one(project::FromText(room + "sphere 1  0 0 0  1\n"));
+  EXPECT_LT(Differing(one, 12), 2 * outline);  // that of the ball, and those of the room in it
+  const project::Stage two(project::FromText(room + "sphere 1  -1.1 0 0  1  sphere 1  1.1 0 0  1\n"));
+  EXPECT_LT(Differing(two, 25), 0.05);
+}
+
+TEST_P(Preview, ShowsTheModesOfTheTracer) {
+  const project::Stage stage(project::FromText(
+      "camera  0 1 6  0 -0.1 -1  0 1 0  0.3  0.01 100\nbackground 0.1 0.2 0.3\nambient 0.2 0.2 0.2\n"
+      "point_light 0.9 0.8 0.7  3 4 5  1 0 0\n" + Material("0.5 0.4 0.3  0.4 0.4 0.4  0 0 0  0 0 0  20 1 0") + ball));
+  using ray::RenderMode;
+  for (const RenderMode mode : {RenderMode::toon, RenderMode::gooch, RenderMode::flat, RenderMode::normal_color,
+                                RenderMode::zbuffer}) {
+    ray::RenderSettings settings;
+    settings.mode = mode;
+    settings.trace.zbuffer = {4, 7};
+    const auto surface_only = [&](const R2::Image& image) { return image.At(side / 2, side / 2); };
+    settings.width = settings.height = side;
+    settings.trace.sampler = ray::SamplerKind::grid;
+    const R2::Color traced = Clamped(surface_only(project::Render(stage, settings).image));
+    const R2::Color drawn = surface_only(Drawn(stage, settings));
+    EXPECT_NEAR(drawn.r, traced.r, 0.02) << static_cast<int>(mode);
+    EXPECT_NEAR(drawn.g, traced.g, 0.02) << static_cast<int>(mode);
+    EXPECT_NEAR(drawn.b, traced.b, 0.02) << static_cast<int>(mode);
+  }
+}
+
+// It ended before the horizon, with a black band below the sky.
+TEST_P(Preview, HasPlanesUpToTheHorizon) {
+  const project::Stage stage(project::FromText(
+      "camera  0 1 6  0 0 -1  0 1 0  0.3  0.01 100\nbackground 0 0 0\nambient 1 1 1\n" +
+      Material("0 0 0  0 0 0  0 0 0  0 0 0  20 1 0") + ball + "plane 0  0 -1 0  0 1 0\n"));
+  const R2::Image drawn = Drawn(stage, {});
+  for (int x = 0; x < side; ++x) EXPECT_NEAR(drawn.At(x, side / 2 - 2).b, 0.4, 0.01) << x;
+  for (int x = 0; x < side; ++x) EXPECT_EQ(drawn.At(x, side / 2 + 12).b, 0) << x;
+}
+
+TEST_P(Preview, HasSoftShadowsFromWideLights) {
+  const auto lit_by = [&](const std::string& light) {
+    return project::FromText("camera  0 5 6  0 -0.8 -1  0 1 0  0.35  0.01 100\n" + light +
+                             Material("0.7 0.6 0.5  0 0 0  0 0 0  0 0 0  20 1 0") +
+                             "box 0  -4 -1 -4  4 -0.9 4\nsphere 0  0 0.3 0  0.6\n");
+  };
+  const project::Stage soft(lit_by("area_light 0.9 0.9 0.9  0 4 0  0 -1 0  1  1 0 0\n"));
+  const double without = Differing(soft, 20, {}, false);
+  EXPECT_GT(without, 0.04);
+  EXPECT_LT(Differing(soft, 20, {}, true), without / 2);
+}
+
+TEST_P(Preview, HasSmoothEdges) {
+  const project::Stage stage(
+      project::FromText(camera + "ambient 1 1 1\n" + Material("0 0 0  0 0 0  0 0 0  0 0 0  20 1 0") + ball));
+  const auto space = ray::DrawingSpace::Of(stage.scene->root.bounds);
+  const auto surfaces = painter->surfaces.Upload(PictureOf(stage.world, {}, space));
+  painter->canvas.Begin(side, side, {});
+  painter->coarse.DrawSmoothly([&] {
+    painter->canvas.Fill({});
+    painter->surfaces.Draw(*surfaces,
+                           ray::ClipFromDrawing(stage.scene->camera, space, stage.scene->root.bounds, {side, side}),
+                           ray::ViewFrom(stage.scene->camera, space, {side, side}, {}));
+  });
+  int between = 0;
+  const R2::Image image = painter->canvas.Read();
+  for (const float channel : image.Channels()) between += channel > 0.05F && channel < 0.15F;
+  EXPECT_GT(between, 20);
 }
 
 TEST_P(Preview, FollowsSrgbAlsoWhereLightComesThrough) {

@@ -174,7 +174,7 @@ TEST_F(ViewerTest, AnImageDoesNotDifferFromItsOwnFileOfBytes) {
 // An hour of rendering was gone when the window was closed by mistake, and when it was stopped on purpose.
 TEST_F(ViewerTest, ARenderThatWasStoppedGoesOnWhereItWas) {
   RenderSettings slow;
-  slow.samples = 256;
+  slow.samples = 64;
   Open(project::Root() / "scenes/hello.scn", slow);
   const auto stop_after_some_rows = [&] {
     Do("key S");
