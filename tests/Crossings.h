@@ -1,17 +1,22 @@
 #pragma once
 
+#include <vector>
+
 #include "R3/Shape.h"
 #include "tests/Draw.h"
 
 /// What rays alone tell of a solid, whatever its shape.
 namespace crossings {
 
-/// How often a ray meets the surface, to its end.
-inline int Count(const R3::Shape& shape, R3::Ray ray) {
-  int count = 0;
-  for (auto hit = shape.Intersect(ray, 0); hit; hit = shape.Intersect(ray, 0)) ++count, ray.t_min = hit->t;
-  return count;
+/// Where a ray meets the surface, to its end, nearest first.
+inline std::vector<double> Along(const R3::Shape& shape, R3::Ray ray) {
+  std::vector<double> all;
+  while (const auto hit = shape.Intersect(ray, 0)) all.push_back(hit->t), ray.t_min = hit->t;
+  return all;
 }
+
+/// How often a ray meets the surface, to its end.
+inline int Count(const R3::Shape& shape, const R3::Ray& ray) { return static_cast<int>(Along(shape, ray).size()); }
 
 /// Whether no ray of many meets the surface more than twice.
 inline bool IsConvex(const R3::Shape& shape) {

@@ -6,18 +6,13 @@
 #include <vector>
 
 #include "R3/ShapeKind.h"
+#include "tests/Crossings.h"
 #include "tests/Draw.h"
 #include "tests/Quad.h"
 
 namespace {
 
 using Numbers = std::vector<double>;
-
-std::vector<double> CrossingsWith(const R3::Shape& shape, R3::Ray ray) {
-  std::vector<double> all;
-  while (const auto hit = shape.Intersect(ray, 0)) all.push_back(hit->t), ray.t_min = hit->t;
-  return all;
-}
 
 /// The field less the threshold.
 Quad FieldAt(const Numbers& numbers, const R3::Ray& ray, Quad t) {
@@ -62,7 +57,7 @@ std::string Fault(const Numbers& numbers, const R3::Ray& ray, const std::vector<
   return {};
 }
 
-R3::Ray RandomRay(Draw& draw) {
+R3::Ray RayThroughBlobs(Draw& draw) {
   const R3::Vector d = draw.Direction();
   return {R3::Point{} + draw.Between(0, 1.5) * draw.Direction() - 5 * d, d};
 }
@@ -94,8 +89,8 @@ TEST(Blob, IsHitWhereItsFieldCrossesTheThreshold) {
     const Numbers numbers = RandomBlob(draw);
     const auto blob = R3::MakeShape("blob", numbers);
     for (int k = 0; k < 10; ++k) {
-      const R3::Ray ray = RandomRay(draw);
-      const std::vector<double> found = CrossingsWith(*blob, ray);
+      const R3::Ray ray = RayThroughBlobs(draw);
+      const std::vector<double> found = crossings::Along(*blob, ray);
       crossings += static_cast<int>(found.size());
       ASSERT_EQ(Fault(numbers, ray, found, 500), "") << testing::PrintToString(numbers) << oracle::Hex(ray);
     }
@@ -110,9 +105,9 @@ TEST(Blob, AGapOfAMillionthIsSeen) {
     return R3::MakeShape("blob", {threshold, -0.5, 0, 0, 1, 1, 0.5, 0, 0, 1, 1});
   };
   const R3::Ray along{{-5, 0, 0}, {1, 0, 0}};
-  EXPECT_EQ(CrossingsWith(*blob(middle * (1 + 1e-12)), along).size(), 4u);
-  EXPECT_EQ(CrossingsWith(*blob(middle * (1 - 1e-12)), along).size(), 2u);
-  const std::vector<double> gap = CrossingsWith(*blob(middle * (1 + 1e-12)), along);
+  EXPECT_EQ(crossings::Along(*blob(middle * (1 + 1e-12)), along).size(), 4u);
+  EXPECT_EQ(crossings::Along(*blob(middle * (1 - 1e-12)), along).size(), 2u);
+  const std::vector<double> gap = crossings::Along(*blob(middle * (1 + 1e-12)), along);
   EXPECT_LT(gap[2] - gap[1], 4e-6);
   EXPECT_GT(gap[2] - gap[1], 1e-6);
 }
@@ -130,7 +125,7 @@ TEST(Blob, SmallBallsAreMetAsExactlyAsLargeOnes) {
   for (int i = 0; i < 1000; ++i) {
     const R3::Vector d = draw.Direction();
     const R3::Ray ray{R3::Point{3, 0, 0} - draw.Scale(-5, 1) * d, d, R3::infinity * -1};
-    const std::vector<double> found = CrossingsWith(*blob, {ray.origin, ray.direction});
+    const std::vector<double> found = crossings::Along(*blob, {ray.origin, ray.direction});
     int near = 0;
     for (const double t : found) near += std::abs(Length(ray.At(t) - R3::Point{3, 0, 0}) - radius) < 1e-14;
     EXPECT_EQ(near, 2);

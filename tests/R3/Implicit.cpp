@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "R3/ShapeKind.h"
+#include "tests/Crossings.h"
 #include "tests/Draw.h"
 
 namespace R3 {
@@ -15,13 +16,7 @@ const Box around_two{{-2, -2, -2}, {2, 2, 2}};
 
 Implicit SolidOf(const char* formula, const Box& box = around_two) { return Implicit(Expression(formula), box); }
 
-std::vector<double> CrossingsWith(const Shape& shape, Ray ray) {
-  std::vector<double> all;
-  while (const auto hit = shape.Intersect(ray, 0)) all.push_back(hit->t), ray.t_min = hit->t;
-  return all;
-}
-
-Ray RandomRay(Draw& draw) {
+Ray RayThroughSolid(Draw& draw) {
   const Vector d = draw.Direction();
   return {Point{} + 1.5 * draw.Direction() - draw.Scale(0.6, 2) * d, d};
 }
@@ -31,8 +26,8 @@ void ExpectTheSame(const Implicit& solid, const Shape& shape) {
   Draw draw(61);
   int differ = 0, hits = 0;
   for (int i = 0; i < Count(3000, 300'000); ++i) {
-    const Ray ray = RandomRay(draw);
-    const std::vector<double> found = CrossingsWith(solid, ray), expected = CrossingsWith(shape, ray);
+    const Ray ray = RayThroughSolid(draw);
+    const std::vector<double> found = crossings::Along(solid, ray), expected = crossings::Along(shape, ray);
     differ += found.size() != expected.size();
     if (found.size() != expected.size()) continue;
     for (std::size_t k = 0; k < found.size(); ++k) {
@@ -63,32 +58,32 @@ TEST(Implicit, BoxesOfMaximaAreThoseOfBoxes) {
 
 TEST(Implicit, ItsBoxCutsItOff) {
   ExpectTheSame(SolidOf("-1", {{-1, -1, -1}, {1, 1.5, 1}}), *MakeShape("box", {-1, -1, -1, 1, 1.5, 1}));
-  EXPECT_EQ(CrossingsWith(SolidOf("x^2 + y^2 - 1", {{-2, -2, -1}, {2, 2, 1}}), {{0.25, 0, 5}, {0, 0, -1}}),
+  EXPECT_EQ(crossings::Along(SolidOf("x^2 + y^2 - 1", {{-2, -2, -1}, {2, 2, 1}}), {{0.25, 0, 5}, {0, 0, -1}}),
             (std::vector<double>{4, 6}));
 }
 
 TEST(Implicit, SheetsAsThinAsAHairAreNotSteppedOver) {
   // Forty-one plates of 10^-9, one 0.1 behind the other.
   const Implicit plates = SolidOf("abs(sin(10 pi x)) - 3e-8");
-  const std::vector<double> hits = CrossingsWith(plates, {{-5.03, 0.1, 0.2}, {1, 0, 0}});
+  const std::vector<double> hits = crossings::Along(plates, {{-5.03, 0.1, 0.2}, {1, 0, 0}});
   ASSERT_EQ(hits.size(), 2u * 41);  // and one half plate at each end of the box
   for (std::size_t i = 1; i < 40; ++i) EXPECT_NEAR(hits[2 * i], 3.03 + 0.1 * static_cast<double>(i), 1e-8);
 }
 
 TEST(Implicit, WhatIsNotDefinedIsOutside) {
-  EXPECT_EQ(CrossingsWith(SolidOf("sqrt(x) - 1"), {{-5, 0, 0}, {1, 0, 0}}).size(), 2u);
-  EXPECT_NEAR(CrossingsWith(SolidOf("sqrt(x) - 1"), {{-5, 0, 0}, {1, 0, 0}})[0], 5, 1e-12);
-  EXPECT_NEAR(CrossingsWith(SolidOf("1 / x"), {{-5, 0, 0}, {1, 0, 0}})[1], 5, 1e-12);
-  EXPECT_TRUE(CrossingsWith(SolidOf("log(-1 - x^2)"), {{-5, 0, 0}, {1, 0, 0}}).empty());
+  EXPECT_EQ(crossings::Along(SolidOf("sqrt(x) - 1"), {{-5, 0, 0}, {1, 0, 0}}).size(), 2u);
+  EXPECT_NEAR(crossings::Along(SolidOf("sqrt(x) - 1"), {{-5, 0, 0}, {1, 0, 0}})[0], 5, 1e-12);
+  EXPECT_NEAR(crossings::Along(SolidOf("1 / x"), {{-5, 0, 0}, {1, 0, 0}})[1], 5, 1e-12);
+  EXPECT_TRUE(crossings::Along(SolidOf("log(-1 - x^2)"), {{-5, 0, 0}, {1, 0, 0}}).empty());
 }
 
 TEST(Implicit, CrossingsDoNotDependOnWhereARayBegins) {
   const Implicit gyroid = SolidOf("sin(4 x) cos(4 y) + sin(4 y) cos(4 z) + sin(4 z) cos(4 x)");
   Draw draw(67);
   for (int i = 0; i < 300; ++i) {
-    const Ray ray = RandomRay(draw);
-    const std::vector<double> all = CrossingsWith(gyroid, ray);
-    EXPECT_EQ(CrossingsWith(gyroid, {ray.origin, ray.direction, -infinity}).size() % 2, 0u);
+    const Ray ray = RayThroughSolid(draw);
+    const std::vector<double> all = crossings::Along(gyroid, ray);
+    EXPECT_EQ(crossings::Along(gyroid, {ray.origin, ray.direction, -infinity}).size() % 2, 0u);
     for (std::size_t k = 0; k < all.size(); ++k) {
       const auto hit = gyroid.Intersect({ray.origin, ray.direction, all[k] - 1e-3, NextUp(all[k])}, 0);
       EXPECT_TRUE(hit && hit->t <= all[k]);
@@ -98,8 +93,8 @@ TEST(Implicit, CrossingsDoNotDependOnWhereARayBegins) {
 }
 
 TEST(Implicit, ARayThatLiesInItsSurfaceEnds) {
-  EXPECT_LE(CrossingsWith(SolidOf("y (x^2 + 1)"), {{-5, 0, 0}, {1, 0, 0}}).size(), 2u);
-  EXPECT_LE(CrossingsWith(SolidOf("0 x"), {{-5, 0.3, 0}, {1, 0.1, 0}}).size(), 2u);
+  EXPECT_LE(crossings::Along(SolidOf("y (x^2 + 1)"), {{-5, 0, 0}, {1, 0, 0}}).size(), 2u);
+  EXPECT_LE(crossings::Along(SolidOf("0 x"), {{-5, 0.3, 0}, {1, 0.1, 0}}).size(), 2u);
 }
 
 }  // namespace

@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string>
 #include <vector>
 
 #include "R3/Implicit.h"
 #include "R3/ShapeKind.h"
+#include "tests/Crossings.h"
 #include "tests/Draw.h"
 #include "tests/Quad.h"
 
@@ -33,7 +35,6 @@ template <typename N>
 N Max(N a, N b) {
   return a > b ? a : b;
 }
-constexpr double pi = 3.14159265358979312;
 
 /// A formula as a scene says it, and once more as this file does, in doubles and in 113 bits.
 struct Nasty {
@@ -57,7 +58,7 @@ struct Nasty {
   }
 
 const Nasty surfaces[] = {
-    NASTY("plates of 2e-9", "abs(sin(10 pi x)) - 3e-8", Abs(Sin(N(10) * N(pi) * x)) - N(3e-8)),
+    NASTY("plates of 2e-9", "abs(sin(10 pi x)) - 3e-8", Abs(Sin(N(10) * N(std::numbers::pi) * x)) - N(3e-8)),
     NASTY("a shell of 1e-5", "(x^2 + y^2 + z^2 - 1)^2 - 1e-10",
           (x * x + y * y + z * z - 1) * (x * x + y * y + z * z - 1) - N(1e-10)),
     NASTY("a double root", "(x^2 + y^2 + z^2 - 1)^2",
@@ -139,14 +140,8 @@ int Misjudged(const Line& line, double enter, double leave, const std::vector<do
   return misjudged;
 }
 
-std::vector<double> CrossingsWith(const R3::Shape& shape, R3::Ray ray) {
-  std::vector<double> all;
-  while (const auto hit = shape.Intersect(ray, 0)) all.push_back(hit->t), ray.t_min = hit->t;
-  return all;
-}
-
 /// Half of the rays pass near the middle of the surfaces, where gradients vanish.
-R3::Ray RandomRay(Draw& draw) {
+R3::Ray RayNearMiddle(Draw& draw) {
   const R3::Vector d = draw.Direction();
   const R3::Vector aside = draw.Whole(0, 1) ? draw.Scale(-6, 0) * draw.Direction() : 1.5 * draw.Direction();
   return {R3::Point{} + aside - 5 * d, d};
@@ -160,10 +155,10 @@ TEST(Implicit, MissesNoRootOfTenNastySurfaces) {
     Draw draw(71);
     int misjudged = 0, met = 0;
     for (int i = 0; i < rays / 10; ++i) {
-      const R3::Ray ray = RandomRay(draw);
-      const auto around = CrossingsWith(*R3::MakeShape("box", {-2, -2, -2, 2, 2, 2}), ray);
+      const R3::Ray ray = RayNearMiddle(draw);
+      const auto around = crossings::Along(*R3::MakeShape("box", {-2, -2, -2, 2, 2, 2}), ray);
       if (around.size() != 2) continue;
-      const std::vector<double> found = CrossingsWith(solid, ray);
+      const std::vector<double> found = crossings::Along(solid, ray);
       const int wrong = Misjudged({surface, ray}, around[0], around[1], found, 256);
       EXPECT_EQ(wrong, 0) << surface.name << ' ' << oracle::Hex(ray);
       misjudged += wrong, met += !found.empty();

@@ -237,7 +237,7 @@ std::optional<R3::Ray> Refracted(const project::Stage& stage, const R3::Ray& fro
     if (points.empty()) return path.ray;
     const auto direction = ray::Refraction(points[0]);
     if (!direction) return {};
-    path = ray::Extend(points[0], *direction, Lobe::transmission, {1, 1, 1}, {});
+    path = ray::Extend(points[0], ray::SpawnRay(points[0], *direction), Lobe::transmission, {1, 1, 1}, {});
     const auto hit = tracer.Intersect(path, state);
     if (!hit) return path.ray;
     std::vector<ray::ShadingPoint> next{tracer.PointAt(path, *hit, state)};
