@@ -60,7 +60,10 @@ class EditorTest : public ScriptedViewer<WithOptions, 64, 48> {
   void Set(std::uint32_t statement, const std::string& name, const std::vector<double>& values,
            bool continues = false) {
     for (const ScnField& field : FieldsOf(Places(), statement))
-      if (field.name == name) return Editor().SetField(*viewer_, statement, field, values, continues);
+      if (field.name == name) {
+        Editor().SetField(*viewer_, statement, field, values, continues);
+        return Editor().DoHeld();  // where the machine is slow, what continues waits for the button
+      }
     FAIL() << "there is no field " << name;
   }
   std::uint32_t MaterialOfChosen() { return Places().materials[*Editor().ChosenMaterial(*viewer_)]; }
