@@ -16,6 +16,13 @@ bool Section(PanelFrame& frame, const char* name) {
   return is_open;
 }
 
+/// The next widget, with this label, goes beside the last one if there is room for it.
+void Beside(const char* label) {
+  const float square_and_gaps = ImGui::GetFrameHeight() + 2 * ImGui::GetStyle().FramePadding.x;  // of a check box
+  ImGui::SameLine();
+  if (ImGui::GetContentRegionAvail().x < ImGui::CalcTextSize(label).x + square_and_gaps) ImGui::NewLine();
+}
+
 class EditPanel : public Panel {
  public:
   void Draw(PanelFrame& frame) override {
@@ -40,11 +47,11 @@ class EditPanel : public Panel {
   static void DrawHistory(PanelFrame& frame) {
     const SceneEditor& editor = frame.viewer.Editor();
     if (frame.Button("undo")) frame.Ask([](Viewer& v) { v.Editor().Undo(v); });
-    ImGui::SameLine();
+    Beside("redo");
     if (frame.Button("redo")) frame.Ask([](Viewer& v) { v.Editor().Redo(v); });
-    ImGui::SameLine();
+    Beside("save");
     if (frame.Button("save")) frame.Ask([](Viewer& v) { v.Editor().Save(v); });
-    ImGui::SameLine();
+    Beside("save a copy");
     if (frame.Button("save a copy")) frame.Ask([](Viewer& v) { v.Editor().SaveCopy(v); });
     frame.Fact("changes", editor.Describe());
     if (const Change* last = editor.History().ToUndo()) frame.Fact("last", last->what);
@@ -63,18 +70,18 @@ class EditPanel : public Panel {
 
   static void DrawMoves(PanelFrame& frame) {
     if (frame.Button("duplicate")) frame.Ask([](Viewer& v) { v.Editor().Duplicate(v); });
-    ImGui::SameLine();
+    Beside("delete");
     if (frame.Button("delete")) frame.Ask([](Viewer& v) { v.Editor().Delete(v); });
-    ImGui::SameLine();
+    Beside("- move");
     if (frame.Button("- move")) frame.Ask([](Viewer& v) { v.Editor().MoveBySteps(v, -1); });
-    ImGui::SameLine();
+    Beside("+ move");
     if (frame.Button("+ move")) frame.Ask([](Viewer& v) { v.Editor().MoveBySteps(v, 1); });
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted("along");
     constexpr std::pair<const char*, MoveAxis> axes[] = {
         {"x", MoveAxis::x}, {"y", MoveAxis::y}, {"z", MoveAxis::z}, {"plane of view", MoveAxis::view}};
     for (const auto& [name, axis] : axes) {
-      ImGui::SameLine();
+      Beside(name);
       if (frame.Check(name, frame.viewer.Editor().Axis() == axis))
         frame.Ask([axis = axis](Viewer& v) { v.Editor().SetAxis(v, axis); });
     }
@@ -130,7 +137,7 @@ class EditPanel : public Panel {
       camera_fields_.Draw(frame, *camera);
     else
       frame.Say("the scene file has no camera");
-    if (frame.Button("make the view the scene's camera")) frame.Ask([](Viewer& v) { v.Editor().KeepCamera(v); });
+    if (frame.Button("view as scene camera")) frame.Ask([](Viewer& v) { v.Editor().KeepCamera(v); });
     const CameraEffects lens = viewer.SettingsOfView().camera;
     const double distance = Length(viewer.navigator().Center() - viewer.navigator().camera().eye);
     const auto set = [&frame](const char* option) {

@@ -120,7 +120,8 @@ TEST_F(PanelContrast, LettersOfEveryPanelAreReadInBothThemesWhateverIsBehindThem
     for (const char* item : {"Settings", "Layers", "live", "depth"}) Click(item);
     Do("wait trace");
     for (const char* item : {"Layers", "Statistics", "Accelerators", "compare all", "Accelerators", "Look", "larger",
-                             "smaller", "Look", "Help", "search"})
+                             "smaller", "Look", "Help", "search", "Help", "Image", "slide exposure", "Image", "Edit",
+                             "point_light", "pick color"})
       Click(item);
   }
 }
@@ -163,7 +164,8 @@ TEST_F(PanelContrast, NoLineOfAPanelIsCutOffAtItsEdgeInSmallAndLargeWindows) {
     Do("click right 100 250");
     for (const char* item :
          {"cone, line 18", "Scene", "camera ", "Pixel", "Settings", "light", "Settings", "Layers", "live", "heat",
-          "Statistics", "Layers", "Accelerators", "Statistics", "Look", "Accelerators", "Help", "Look"}) {
+          "Statistics", "Layers", "Accelerators", "Statistics", "Look", "Accelerators", "Help", "Look", "Edit", "Help",
+          "Image", "Edit"}) {
       Click(item);
       expect_whole(item);
     }
