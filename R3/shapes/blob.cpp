@@ -213,7 +213,7 @@ extern const ShapeKind blob_kind{
         if (!(std::abs(a[i] / a[0]) < 1e150)) throw ArgumentError(i, "strength must not exceed 1e150 thresholds");
       return std::make_unique<Blob>(a);
     },
-    {0.4, 0, -0.25, 0.5, 1.2, 1, 0.9, 0.25, 0.75, 1.2, 1, 0.4, 0.6, 1.2, 0.8, -0.4},
+    {0.5, 0, -0.25, 0.5, 1.2, 1, 1.1, 0.25, 0.75, 1.2, 1, 0.5, 0.6, 1.2, 0.8, -0.4},
     5,
 };
 

@@ -186,8 +186,8 @@ const std::map<std::string, std::function<double(const R3::Point&)>> off_surface
     {"blob",
      [](const R3::Point& p) {
        const std::array<std::array<double, 5>, 3> balls{
-           {{0, -0.25, 0.5, 1.2, 1}, {0.9, 0.25, 0.75, 1.2, 1}, {0.4, 0.6, 1.2, 0.8, -0.4}}};
-       double field = -0.4;
+           {{0, -0.25, 0.5, 1.2, 1}, {1.1, 0.25, 0.75, 1.2, 1}, {0.5, 0.6, 1.2, 0.8, -0.4}}};
+       double field = -0.5;
        R3::Vector slope;
        for (const auto& [x, y, z, radius, strength] : balls) {
          const R3::Vector d = (p - R3::Point{x, y, z}) / radius;
