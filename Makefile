@@ -206,7 +206,8 @@ test-binary: $(BUILD)/raytests
 unit:
 	@[ "$(T)" ] || { echo "which test? For tests/R3/Csg.cpp: make unit T=R3/Csg" >&2; exit 1; }
 	@[ -f tests/$(T).cpp ] || { echo "there is no tests/$(T).cpp" >&2; exit 1; }
-	@$(MAKE) $(if $(findstring jobserver,$(MAKEFLAGS)),,-j$(JOBS)) BUILD=$(BUILD)/unit/$(T) OPTIMIZE=-O0 \
+	@$(MAKE) $(if $(findstring jobserver,$(MAKEFLAGS)),,-j$(JOBS)) BUILD=$(BUILD)/unit/$(T) \
+	  OPTIMIZE=$(if $(findstring command,$(origin OPTIMIZE)),$(OPTIMIZE),-O0) \
 	  UNIT="$$(sh script/unit_sources.sh tests/$(T).cpp)" unit-program
 	$(FOR_TESTS) $(BUILD)/unit/$(T)/test $(GTEST)
 unit-program: $(BUILD)/test
