@@ -25,9 +25,9 @@ std::optional<SurfaceSample> Shape::Sample(const Point& from, const R2::Point& u
 
 void Shape::SampleEach(SurfaceSamples& samples, int element) const {
   for (std::uint32_t i = 0; i < samples.count; ++i) {
-    const auto drawn = Sample(samples.From(i), samples.Random(i), element);
+    const auto drawn = Sample(samples.from[i], samples.random[i], element);
     if (drawn)
-      samples.Set(i, drawn->at.position, drawn->at.error, AsVector(drawn->at.normal), drawn->pdf);
+      samples.Set(i, drawn->at.position, drawn->at.error, drawn->at.normal, drawn->pdf);
     else
       samples.Set(i, {}, {}, {}, 0);
   }

@@ -129,15 +129,15 @@ class Sphere : public Shape {
   R3_VECTORIZED bool SampleFromOutside(SurfaceSamples& samples) const {
     std::uint64_t are_outside = 1;
     for (std::uint32_t i = 0; i < samples.count; ++i) {
-      const Vector from_center = samples.From(i) - center_;
+      const Vector from_center = samples.from[i] - center_;
       const double distance = BranchlessLength(from_center), sine = radius_ / distance;
       const double one_minus_cosine = OneMinusCosine(distance, sine);
       are_outside &= sine < 1;
       are_outside &= one_minus_cosine > 0;
       const Vector outward =
-          BranchlessUnit(DrawInCone(BranchlessUnit(from_center), sine, one_minus_cosine, samples.Random(i)));
+          BranchlessUnit(DrawInCone(BranchlessUnit(from_center), sine, one_minus_cosine, samples.random[i]));
       const SurfacePlace place = PlaceOnSphere(center_, radius_, outward);
-      samples.Set(i, place.position, place.error, outward, UniformConePdf(one_minus_cosine));
+      samples.Set(i, place.position, place.error, AsNormal(outward), UniformConePdf(one_minus_cosine));
     }
     return are_outside != 0;
   }

@@ -93,8 +93,8 @@ void Path::SampleLight(int light, const PathFront& front, TraceState& state) con
   LightSamples samples;
   samples.count = static_cast<std::uint32_t>(front.points.size());
   for (std::uint32_t i = 0; i < samples.count; ++i) {
-    samples.SetFrom(i, front.points[i].free_point);
-    samples.u[i] = random.coordinates[0][i], samples.v[i] = random.coordinates[1][i];
+    samples.from.Set(i, front.points[i].free_point);
+    samples.random.Set(i, random.Get2D(i));
   }
   if (of_scene) {
     of_scene->IlluminateEach(samples);
@@ -107,11 +107,11 @@ void Path::SampleLight(int light, const PathFront& front, TraceState& state) con
   const bool is_infinite = source.IsInfinite();
   const std::int64_t reached = source.Reached();
   for (std::uint32_t i = 0; i < samples.count; ++i) {
-    const R2::Color reflected = samples.Color(i);
+    const R2::Color reflected = samples.color[i];
     if (IsBlack(reflected)) continue;
     constexpr R2::Color no_more{1, 1, 1};
     tracer_.AddShadowRay(
-        front.points[i], i, {.to_light = samples.ToLight(i), .is_infinite = is_infinite, .reaching = reached},
+        front.points[i], i, {.to_light = samples.to_light[i], .is_infinite = is_infinite, .reaching = reached},
         front.throughputs[i] * reflected, no_more, [&] { return source.Describe(); }, state);
   }
 }
@@ -127,14 +127,14 @@ void Path::SampleLamp(int lamp, const PathFront& front, const PointsOfEach<2>& r
 
 void Path::Reflect(const PathFront& front, const LightSamples::Each& pdfs, LightSamples& samples) const {
   if (!sampled_.lights) {
-    for (std::uint32_t i = 0; i < samples.count; ++i) samples.SetColor(i, {});
+    for (std::uint32_t i = 0; i < samples.count; ++i) samples.color.Set(i, {});
     return;
   }
   front.ReflectDiffusely(sampled_.bsdf ? 1 : 0, pdfs, samples);
   for (std::size_t k = 0; k < front.others.size(); ++k) {
     const std::uint32_t i = front.others[k];
-    const LightSample sample{samples.Color(i), samples.ToLight(i), false, pdfs[i]};
-    if (!IsBlack(sample.irradiance)) samples.SetColor(i, Reflected(front.points[i], front.bsdfs[k], sample));
+    const LightSample sample{samples.color[i], samples.to_light[i], false, pdfs[i]};
+    if (!IsBlack(sample.irradiance)) samples.color.Set(i, Reflected(front.points[i], front.bsdfs[k], sample));
   }
 }
 
@@ -142,8 +142,8 @@ void Path::ReflectByPhong(const PathFront& front, LightSamples& samples) const {
   front.ReflectByPhong(samples);
   for (const std::uint32_t i : front.others_by_phong) {
     const ShadingPoint& p = front.points[i];
-    const bool is_lit = p.HasReflectance() && !IsBlack(samples.Color(i));
-    samples.SetColor(i, is_lit ? PhongReflection(p, Unit(samples.ToLight(i)), samples.Color(i)) : R2::Color{});
+    const bool is_lit = p.HasReflectance() && !IsBlack(samples.color[i]);
+    samples.color.Set(i, is_lit ? PhongReflection(p, Unit(samples.to_light[i]), samples.color[i]) : R2::Color{});
   }
 }
 
@@ -288,7 +288,7 @@ void Path::AddBackgrounds(const PathFront& front, const PathFront::Scattered& sc
   environment->SeeEach(seen, pdfs);
   for (std::uint32_t i = 0; i < seen.count; ++i) {
     const Step step = StepFrom(front, scattered, escaping[i].from);
-    add(escaping[i], EnvironmentSeen({seen.Color(i), pdfs[i]}, step, escaping[i].throughput, state));
+    add(escaping[i], EnvironmentSeen({seen.color[i], pdfs[i]}, step, escaping[i].throughput, state));
   }
 }
 

@@ -20,8 +20,8 @@ R2::Color Chosen(bool first, const R2::Color& a, const R2::Color& b) {
 
 /// Makes cosines of N and the way to the light.
 R3_VECTORIZED
-void MakeCosines(const VectorOfEach& normals, const LightSamples& samples, Each& cosines) {
-  for (std::uint32_t i = 0; i < samples.count; ++i) cosines[i] = Dot(normals[i], BranchlessUnit(samples.ToLight(i)));
+void MakeCosines(const R1::Columns<R3::Vector>& normals, const LightSamples& samples, Each& cosines) {
+  for (std::uint32_t i = 0; i < samples.count; ++i) cosines[i] = Dot(normals[i], BranchlessUnit(samples.to_light[i]));
 }
 
 /// Makes R1::CosinePower of each highlight.
@@ -30,7 +30,7 @@ void RaiseLobes(const PathFront& front, const LightSamples& samples, Each& power
   alignas(64) Each lobe;
   alignas(64) std::array<std::uint64_t, LightSamples::most> exponents;
   for (std::uint32_t i = 0; i < samples.count; ++i) {
-    lobe[i] = LobeCosine(front.wo[i], front.normals[i], BranchlessUnit(samples.ToLight(i)));
+    lobe[i] = LobeCosine(front.wo[i], front.normals[i], BranchlessUnit(samples.to_light[i]));
     powers[i] = lobe[i] > 0 ? 1 : 0;
     exponents[i] = front.exponents[i];
   }
@@ -78,16 +78,16 @@ R3_VECTORIZED
 void PathFront::ReflectDiffusely(double most_weight, const Each& pdfs, LightSamples& samples) const {
   alignas(64) Each cosines;
   MakeCosines(normals, samples, cosines);
-  ColorOfEach colors;  // of its own, so that it is clear that nothing overlaps
+  R1::Columns<R2::Color> colors;  // of its own, so that it is clear that nothing overlaps
   for (std::uint32_t i = 0; i < samples.count; ++i) {
     const double cosine_pdf = R3::CosineHemispherePdf(cosines[i]);
     const double weight = 1 - std::min(most_weight, MisWeight(cosine_pdf, pdfs[i]));
-    const R2::Color color = samples.Color(i), eval = cosine_pdf * kd[i];
+    const R2::Color color = samples.color[i], eval = cosine_pdf * kd[i];
     const double cosine_if_sampled = pdfs[i] > 0 ? cosines[i] : 0;
     const R2::Color reflected = Chosen(cosine_if_sampled > 0, weight * eval * color, {});
     colors.Set(i, Chosen(are_diffuse[i] > 0, reflected, color));
   }
-  for (std::uint32_t i = 0; i < samples.count; ++i) samples.SetColor(i, colors[i]);
+  for (std::uint32_t i = 0; i < samples.count; ++i) samples.color.Set(i, colors[i]);
 }
 
 R3_VECTORIZED
@@ -95,15 +95,15 @@ void PathFront::ReflectByPhong(LightSamples& samples) const {
   alignas(64) Each cosines, powers{};
   MakeCosines(normals, samples, cosines);
   if (has_highlights) RaiseLobes(*this, samples, powers);
-  ColorOfEach colors;
+  R1::Columns<R2::Color> colors;
   for (std::uint32_t i = 0; i < samples.count; ++i) {
     const R2::Color both = kd[i] + ks[i];
     const double cosine_if_reflected = both.r + both.g + both.b > 0 ? cosines[i] : 0;
-    const R2::Color reflected = (cosines[i] * kd[i] + ks[i] * powers[i]) * samples.Color(i);
+    const R2::Color reflected = (cosines[i] * kd[i] + ks[i] * powers[i]) * samples.color[i];
     colors.Set(i, Chosen(cosine_if_reflected > 0, reflected, {}));
   }
-  for (const std::uint32_t i : others_by_phong) colors.Set(i, samples.Color(i));
-  for (std::uint32_t i = 0; i < samples.count; ++i) samples.SetColor(i, colors[i]);
+  for (const std::uint32_t i : others_by_phong) colors.Set(i, samples.color[i]);
+  for (std::uint32_t i = 0; i < samples.count; ++i) samples.color.Set(i, colors[i]);
 }
 
 R3_VECTORIZED

@@ -3,26 +3,11 @@
 #include <array>
 #include <vector>
 
+#include "R1/Columns.h"
 #include "source/integrate/shading/Bsdf.h"
 #include "source/sample/PointsOfEach.h"
 
 namespace ray {
-
-/// A vector of each of some paths.
-struct VectorOfEach {
-  alignas(64) LightSamples::Each x, y, z;
-
-  R3::Vector operator[](std::size_t i) const { return {x[i], y[i], z[i]}; }
-  void Set(std::size_t i, const R3::Vector& v) { x[i] = v.x, y[i] = v.y, z[i] = v.z; }
-};
-
-/// A color of each of some paths.
-struct ColorOfEach {
-  alignas(64) LightSamples::Each r, g, b;
-
-  R2::Color operator[](std::size_t i) const { return {r[i], g[i], b[i]}; }
-  void Set(std::size_t i, const R2::Color& c) { r[i] = c.r, g[i] = c.g, b[i] = c.b; }
-};
 
 /// The surfaces that paths have reached at one time, all after as many bounces. What loops over all of them need stands
 /// in columns, a number an array over the paths, so that loops become vector instructions.
@@ -34,15 +19,15 @@ struct PathFront {
   std::vector<std::uint32_t> paths, from;
   // Made of all points, once they are known.
   std::vector<SampleIndex> indices;
-  VectorOfEach normals;
-  ColorOfEach kd, throughputs;
+  R1::Columns<R3::Vector> normals;
+  R1::Columns<R2::Color> kd, throughputs;
   alignas(64) Each are_diffuse;       // 1 where the surface is diffuse alone, else 0
   std::vector<std::uint32_t> others;  // those that are not
   std::vector<Bsdf> bsdfs;            // of others
   // For lights of the scene language.
   bool has_highlights;
-  VectorOfEach wo;
-  ColorOfEach ks;
+  R1::Columns<R3::Vector> wo;
+  R1::Columns<R2::Color> ks;
   std::array<std::uint64_t, LightSamples::most> exponents;  // 0 where they are not whole
   std::uint64_t exponent_bits;                              // those that any of them has
   std::vector<std::uint32_t> others_by_phong;               // with a coat, a map, or no whole exponent
@@ -53,7 +38,9 @@ struct PathFront {
     paths.push_back(path), from.push_back(from_point);
     return points.emplace_back(make_path, hit);
   }
-  void Reserve(std::size_t most) { points.reserve(most), paths.reserve(most), from.reserve(most), indices.reserve(most); }
+  void Reserve(std::size_t most) {
+    points.reserve(most), paths.reserve(most), from.reserve(most), indices.reserve(most);
+  }
   void RemoveLast() { points.pop_back(), paths.pop_back(), from.pop_back(); }
   void Clear() { points.clear(), paths.clear(), from.clear(), indices.clear(), others.clear(), bsdfs.clear(); }
   /// Makes the columns, when all points are complete; those for lights of the scene language on demand.
@@ -69,9 +56,9 @@ struct PathFront {
 
   /// Where paths go on from the points: at most one way each.
   struct Scattered {
-    VectorOfEach directions;  // unit; diffuse ones where nothing else was chosen
-    ColorOfEach throughputs;  // what survives Russian roulette, 0 where nothing does
-    alignas(64) Each pdfs;    // of the directions, as of a BsdfSample
+    R1::Columns<R3::Vector> directions;  // unit; diffuse ones where nothing else was chosen
+    R1::Columns<R2::Color> throughputs;  // what survives Russian roulette, 0 where nothing does
+    alignas(64) Each pdfs;               // of the directions, as of a BsdfSample
     std::array<Lobe, LightSamples::most> lobe;
     /// The numbers of the points that scatter by each lobe. Rays of one lobe are traced together: they are of one kind,
     /// and those that mirrors and glass send on go nearly the same way.

@@ -100,8 +100,8 @@ class Tracer {
     const R3::Ray in_common = ShadowRay(p, {});
     const ShadowAim aim(p);
     for (std::uint32_t k = 0; k < samples.count; ++k) {
-      const R2::Color reflected = samples.Color(k);
-      const R3::Vector to_light = samples.ToLight(k);
+      const R2::Color reflected = samples.color[k];
+      const R3::Vector to_light = samples.to_light[k];
       if (IsBlack(reflected) || p.IsBehindSurface(to_light)) continue;
       R3::Ray& ray = state.shadows.Next();
       std::memcpy(&ray, &in_common, sizeof ray);  // takes half the instructions of an assignment, number by number

@@ -190,8 +190,8 @@ void Whitted::AddSamples(const LightSource& light, const ShadingPoint& p, std::s
   }
   LightSamples samples;
   samples.count = count;
-  random.GetEach2D(first, count, samples.u, samples.v);
-  samples.SetFrom(p.free_point);
+  random.GetEach2D(first, count, samples.random.column[0], samples.random.column[1]);
+  for (std::uint32_t i = 0; i < count; ++i) samples.from.Set(i, p.free_point);
   of_scene->IlluminateEach(samples);
   PhongReflectionOfEach(p, weight, samples);
   tracer_.AddShadowRays(

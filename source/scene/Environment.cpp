@@ -109,29 +109,24 @@ inline R3::Vector TowardsPlace(double low, double high, int column, const R2::Po
 // The same of many, in loops that become vector instructions.
 
 struct PlacesOfEach {
-  alignas(64) LightSamples::Each low, high, x, y;
+  alignas(64) LightSamples::Each low, high;
+  R1::Columns<R2::Point> shares;
   alignas(64) std::int32_t column[LightSamples::most];
 };
 
 R3_VECTORIZED
 void GoToEach(const PlacesOfEach& at, int rows, LightSamples& samples) {
   for (std::uint32_t i = 0; i < samples.count; ++i) {
-    const R3::Vector d = TowardsPlace(at.low[i], at.high[i], at.column[i], {at.x[i], at.y[i]}, rows);
-    samples.to_light_x[i] = d.x, samples.to_light_y[i] = d.y, samples.to_light_z[i] = d.z;
+    samples.to_light.Set(i, TowardsPlace(at.low[i], at.high[i], at.column[i], at.shares[i], rows));
   }
 }
 
-struct QuickPlaces {
-  alignas(64) LightSamples::Each column, row, margin;
-
-  QuickPlace operator[](std::size_t i) const { return {column[i], row[i], margin[i]}; }
-};
+using QuickPlaces = R1::Columns<QuickPlace>;
 
 R3_VECTORIZED
 void PlaceEachQuickly(const LightSamples& samples, int width, int height, QuickPlaces& places) {
   for (std::uint32_t i = 0; i < samples.count; ++i) {
-    const QuickPlace place = PlaceQuickly(samples.ToLight(i), width, height);
-    places.column[i] = place.column, places.row[i] = place.row, places.margin[i] = place.margin;
+    places.Set(i, PlaceQuickly(samples.to_light[i], width, height));
   }
 }
 
@@ -207,25 +202,25 @@ void Environment::DrawEach(LightSamples& samples, LightSamples::Each& pdfs) cons
   PlacesOfEach places;
   // The tables of large maps are in no cache; those of all samples come at once.
   for (std::uint32_t i = 0; i < samples.count; ++i) {
-    rows[i] = rows_.Draw(samples.v[i]);
+    rows[i] = rows_.Draw(samples.random[i].y);
     __builtin_prefetch(&columns_[rows[i].index]);
   }
   for (std::uint32_t i = 0; i < samples.count; ++i)
-    __builtin_prefetch(columns_[rows[i].index].FirstLookup(samples.u[i]));
+    __builtin_prefetch(columns_[rows[i].index].FirstLookup(samples.random[i].x));
   for (std::uint32_t i = 0; i < samples.count; ++i)
-    __builtin_prefetch(columns_[rows[i].index].NextLookup(samples.u[i]));
+    __builtin_prefetch(columns_[rows[i].index].NextLookup(samples.random[i].x));
   for (std::uint32_t i = 0; i < samples.count; ++i) {
-    drawn[i] = DrawInRow(rows[i], samples.u[i]);
+    drawn[i] = DrawInRow(rows[i], samples.random[i].x);
     map_.Prefetch(drawn[i].texel.column, drawn[i].texel.row);
     const auto row = static_cast<std::size_t>(drawn[i].texel.row);
     places.low[i] = sines_[row], places.high[i] = sines_[row + 1];
-    places.column[i] = drawn[i].texel.column, places.x[i] = drawn[i].shares.x, places.y[i] = drawn[i].shares.y;
+    places.column[i] = drawn[i].texel.column, places.shares.Set(i, drawn[i].shares);
   }
   GoToEach(places, map_.Height(), samples);
   for (std::uint32_t i = 0; i < samples.count; ++i) {
     const auto& [texel, shares, pdf] = drawn[i];
     pdfs[i] = pdf;
-    samples.Set(i, Kept(samples.ToLight(i), texel, shares), RadianceOf(texel) / pdf);
+    samples.Set(i, Kept(samples.to_light[i], texel, shares), RadianceOf(texel) / pdf);
   }
 }
 
@@ -234,7 +229,7 @@ void Environment::SeeEach(LightSamples& samples, LightSamples::Each& pdfs) const
   PlaceEachQuickly(samples, map_.Width(), map_.Height(), places);
   std::array<Texel, LightSamples::most> texels;
   for (std::uint32_t i = 0; i < samples.count; ++i) {
-    texels[i] = TexelOf(places[i], samples.ToLight(i));
+    texels[i] = TexelOf(places[i], samples.to_light[i]);
     map_.Prefetch(texels[i].column, texels[i].row);
     __builtin_prefetch(&columns_[static_cast<std::size_t>(texels[i].row)]);
   }
@@ -243,7 +238,7 @@ void Environment::SeeEach(LightSamples& samples, LightSamples::Each& pdfs) const
         columns_[static_cast<std::size_t>(texels[i].row)].LookupOf(static_cast<std::size_t>(texels[i].column)));
   for (std::uint32_t i = 0; i < samples.count; ++i) {
     pdfs[i] = Pdf(texels[i]);
-    samples.SetColor(i, RadianceOf(texels[i]));
+    samples.color.Set(i, RadianceOf(texels[i]));
   }
 }
 

@@ -10,7 +10,7 @@ namespace ray {
 
 void Light::IlluminateEach(LightSamples& samples) const {
   for (std::uint32_t i = 0; i < samples.count; ++i) {
-    const LightSample sample = Illuminate(samples.From(i), {samples.u[i], samples.v[i]}).value_or(LightSample{});
+    const LightSample sample = Illuminate(samples.from[i], samples.random[i]).value_or(LightSample{});
     samples.Set(i, sample.to_light, sample.irradiance);
   }
 }

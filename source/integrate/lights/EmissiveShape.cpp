@@ -80,8 +80,7 @@ void EmissiveShape::SampleEach(LightSamples& samples, LightSamples::Each& pdfs) 
   R3::SurfaceSamples places;
   places.count = samples.count;
   for (std::uint32_t i = 0; i < samples.count; ++i) {
-    places.from_x[i] = samples.from_x[i], places.from_y[i] = samples.from_y[i], places.from_z[i] = samples.from_z[i];
-    places.u[i] = samples.u[i], places.v[i] = samples.v[i];
+    places.from.Set(i, samples.from[i]), places.random.Set(i, samples.random[i]);
   }
   instance_->shape->SampleEach(places, element_);
   CutOff(places, samples, pdfs);
@@ -90,23 +89,21 @@ void EmissiveShape::SampleEach(LightSamples& samples, LightSamples::Each& pdfs) 
 R3_VECTORIZED
 void EmissiveShape::CutOff(const R3::SurfaceSamples& places, LightSamples& samples, LightSamples::Each& pdfs) const {
   const R2::Color emission = Emission();
-  struct {
-    alignas(64) LightSamples::Each x, y, z, r, g, b, pdf;
-  } drawn;  // of its own, so that it is clear that nothing overlaps
+  // Arrays of its own, so that it is clear that nothing overlaps.
+  R1::Columns<R3::Vector> ways;
+  R1::Columns<R2::Color> colors;
+  alignas(64) LightSamples::Each drawn_pdfs;
   for (std::uint32_t i = 0; i < samples.count; ++i) {
-    const R3::Vector way = places.Position(i) - places.From(i), normal = AsVector(places.NormalAt(i));
+    const R3::Vector way = places.position[i] - places.from[i], normal = AsVector(places.normal[i]);
     const double near = Nearness(BranchlessLength(way), size_);
-    const double share = ShareOutside(way, normal, places.Error(i) + R3::Vector{near, near, near});
+    const double share = ShareOutside(way, normal, places.error[i] + R3::Vector{near, near, near});
     const double pdf = share > 0 ? places.pdf[i] : 0;
-    const R2::Color color{emission.r / pdf, emission.g / pdf, emission.b / pdf};
-    drawn.pdf[i] = pdf;
-    drawn.x[i] = share * way.x, drawn.y[i] = share * way.y, drawn.z[i] = share * way.z;
-    drawn.r[i] = pdf > 0 ? color.r : 0, drawn.g[i] = pdf > 0 ? color.g : 0, drawn.b[i] = pdf > 0 ? color.b : 0;
+    const R2::Color color = emission / pdf;
+    drawn_pdfs[i] = pdf;
+    ways.Set(i, share * way);
+    colors.Set(i, {pdf > 0 ? color.r : 0, pdf > 0 ? color.g : 0, pdf > 0 ? color.b : 0});
   }
-  for (std::uint32_t i = 0; i < samples.count; ++i) {
-    samples.Set(i, {drawn.x[i], drawn.y[i], drawn.z[i]}, {drawn.r[i], drawn.g[i], drawn.b[i]});
-    pdfs[i] = drawn.pdf[i];
-  }
+  for (std::uint32_t i = 0; i < samples.count; ++i) samples.Set(i, ways[i], colors[i]), pdfs[i] = drawn_pdfs[i];
 }
 
 double EmissiveShape::Pdf(const R3::Point& seen_from, const R3::Vector& towards, const R3::Normal& normal,

@@ -56,7 +56,7 @@ void LightSampler::SampleEach(std::span<const ShadingPoint> points, int light, L
   if ((*this)[light].SampleEach(samples, pdfs)) return;
   for (std::uint32_t i = 0; i < samples.count; ++i) {
     const auto sample =
-        ReflectsLights(points[i], settings_) ? Sample(points[i], light, {samples.u[i], samples.v[i]}) : std::nullopt;
+        ReflectsLights(points[i], settings_) ? Sample(points[i], light, samples.random[i]) : std::nullopt;
     pdfs[i] = sample ? sample->pdf : 0;
     samples.Set(i, sample ? sample->to_light : R3::Vector{}, sample ? sample->irradiance : R2::Color{});
   }

@@ -63,19 +63,19 @@ void PhongReflectionOfEach(const ShadingPoint& p, double weight, LightSamples& s
   alignas(64) LightSamples::Each cosine, lobe, highlight;
   if (m.coat > 0 || m.specular_map) [[unlikely]] {
     for (std::uint32_t i = 0; i < count; ++i)
-      samples.SetColor(i, weight * PhongReflection(p, Unit(samples.ToLight(i)), samples.Color(i)));
+      samples.color.Set(i, weight * PhongReflection(p, Unit(samples.to_light[i]), samples.color[i]));
     return;
   }
   for (std::uint32_t i = 0; i < count; ++i) {
-    const R3::Vector L = BranchlessUnit(samples.ToLight(i));
+    const R3::Vector L = BranchlessUnit(samples.to_light[i]);
     cosine[i] = Dot(p.N, L);
     lobe[i] = LobeCosine(p, L);
     highlight[i] = 0;
   }
   if (!IsBlack(m.ks)) RaiseEach(lobe, count, m.n, highlight);
   for (std::uint32_t i = 0; i < count; ++i) {
-    const R2::Color reflected = weight * ((cosine[i] * p.kd + m.ks * highlight[i]) * samples.Color(i));
-    samples.SetColor(i, cosine[i] > 0 ? reflected : R2::Color{});
+    const R2::Color reflected = weight * ((cosine[i] * p.kd + m.ks * highlight[i]) * samples.color[i]);
+    samples.color.Set(i, cosine[i] > 0 ? reflected : R2::Color{});
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "R1/Columns.h"
 #include "R3/FlatTriangle.h"
 #include "R3/Numeric.h"
 #include "R3/Sphere.h"
@@ -9,27 +10,16 @@
 namespace ray {
 namespace {
 
-/// Some vectors, each coordinate an array.
-template <std::size_t most>
-struct Vectors {
-  alignas(64) double x[most], y[most], z[most];
-
-  R3::Vector operator[](std::size_t i) const { return {x[i], y[i], z[i]}; }
-  R3::Point At(std::size_t i) const { return {x[i], y[i], z[i]}; }
-  template <typename Xyz>
-  void Set(std::size_t i, const Xyz& v) {
-    x[i] = v.x, y[i] = v.y, z[i] = v.z;
-  }
-};
-
 constexpr std::size_t most = 16;  // so that all numbers of a surface fit into a core's first cache
+using PointColumns = R1::Columns<R3::Point, most>;
+using VectorColumns = R1::Columns<R3::Vector, most>;
 
 /// Surfaces that rays have hit, and what the points there become.
 struct Surfaces {
   std::size_t count = 0;
   std::array<ShadingPoint*, most> points;
-  Vectors<most> origin, direction, position, normal, shading_normal;
-  Vectors<most> N, wo, free_point;
+  PointColumns origin, position, free_point;
+  VectorColumns direction, normal, shading_normal, N, wo;
   alignas(64) double begin[most], t[most], error[most];  // of the rays, and of what they hit
   alignas(64) double facing[most], clearance[most];      // n . direction, and of departures
 
@@ -46,7 +36,8 @@ struct Surfaces {
 
 /// Those of flat triangles: one object, so that it is clear that no arrays overlap.
 struct FlatSurfaces : Surfaces {
-  Vectors<most> corners[3], weights;
+  PointColumns corners[3];
+  VectorColumns weights;
 
   void Add(ShadingPoint& p, const Instance& instance) {
     const auto places = instance.mesh->CornersInPlace(p.hit.element);
@@ -58,7 +49,7 @@ struct FlatSurfaces : Surfaces {
 
 /// Those of spheres of the world.
 struct RoundSurfaces : Surfaces {
-  Vectors<most> met, center;  // `met`: where the ray says that they meet
+  PointColumns met, center;  // `met`: where the ray says that they meet
   alignas(64) double radius[most];
 
   void Add(ShadingPoint& p, const Instance& instance, const R3::SphereData& sphere) {
@@ -71,7 +62,7 @@ struct RoundSurfaces : Surfaces {
 R3_VECTORIZED
 void PutInPlace(FlatSurfaces& all) {
   for (std::size_t i = 0; i < all.count; ++i) {
-    const R3::Point p = all.corners[0].At(i), q = all.corners[1].At(i), r = all.corners[2].At(i);
+    const R3::Point p = all.corners[0][i], q = all.corners[1][i], r = all.corners[2][i];
     const R3::SurfacePlace place = R3::PlaceOnTriangle(p, q, r, all.weights[i]);
     const R3::Vector normal = R3::FaceDirection(p, q, r);
     all.position.Set(i, place.position);
@@ -82,8 +73,8 @@ void PutInPlace(FlatSurfaces& all) {
 R3_VECTORIZED
 void PutInPlace(RoundSurfaces& all) {
   for (std::size_t i = 0; i < all.count; ++i) {
-    const R3::Vector outward = BranchlessUnit(all.met.At(i) - all.center.At(i));
-    const R3::SurfacePlace place = R3::PlaceOnSphere(all.center.At(i), all.radius[i], outward);
+    const R3::Vector outward = BranchlessUnit(all.met[i] - all.center[i]);
+    const R3::SurfacePlace place = R3::PlaceOnSphere(all.center[i], all.radius[i], outward);
     all.position.Set(i, place.position);
     all.normal.Set(i, outward), all.shading_normal.Set(i, outward);
   }
@@ -97,7 +88,7 @@ void FaceRays(Surfaces& all) {
     all.facing[i] = Dot(normal, direction);
     all.N.Set(i, all.facing[i] <= 0 ? shading_normal : -shading_normal);
     const R3::FreePoint free =
-        R3::FreePointBefore(all.origin.At(i), direction, all.begin[i], all.t[i], all.facing[i], all.error[i]);
+        R3::FreePointBefore(all.origin[i], direction, all.begin[i], all.t[i], all.facing[i], all.error[i]);
     all.free_point.Set(i, free.place), all.clearance[i] = free.clearance;
   }
 }
@@ -115,7 +106,7 @@ void Finish(const World& world, const Surfaces& all) {
     if (HasNotMoved(p.path.ray, p.hit.t)) [[unlikely]] {
       SetDeparture(world, p);
     } else {
-      p.free_point = all.free_point.At(i);
+      p.free_point = all.free_point[i];
       p.departure = {all.clearance[i], all.direction[i], nullptr};
       ForgetDeparture(p.path.ray);
     }
@@ -158,7 +149,7 @@ class Completion {
     FaceRays(surfaces);
     for (std::size_t i = 0; i < surfaces.count; ++i) {
       R3::Intersection& at = surfaces.points[i]->at;
-      at.position = surfaces.position.At(i);
+      at.position = surfaces.position[i];
       at.normal = at.shading_normal = AsNormal(surfaces.normal[i]);
     }
     Finish(world_, surfaces);
@@ -170,7 +161,7 @@ class Completion {
     p.at.error = {};
     const std::size_t i = others_.count;
     others_.position.Set(i, p.at.position);
-    others_.normal.Set(i, p.at.normal), others_.shading_normal.Set(i, p.at.shading_normal);
+    others_.normal.Set(i, AsVector(p.at.normal)), others_.shading_normal.Set(i, AsVector(p.at.shading_normal));
     others_.Add(p, instance);
     if (others_.IsFull()) CompleteOthers();
   }

@@ -48,12 +48,10 @@ class AreaLight : public Light {
   // Compiled for each instruction set, which a virtual function cannot be.
   R3_VECTORIZED void ReachEach(LightSamples& samples) const {
     const std::uint32_t count = samples.count;
+    R1::Columns<R2::Point> on_disc;
+    for (std::uint32_t i = 0; i < count; ++i) on_disc.Set(i, R3::SampleUniformDiskConcentric(samples.random[i]));
     for (std::uint32_t i = 0; i < count; ++i) {
-      const R2::Point on_disc = R3::SampleUniformDiskConcentric({samples.u[i], samples.v[i]});
-      samples.r[i] = on_disc.x, samples.g[i] = on_disc.y;
-    }
-    for (std::uint32_t i = 0; i < count; ++i) {
-      const R3::Vector to_light = ToPlace({samples.r[i], samples.g[i]}, samples.From(i));
+      const R3::Vector to_light = ToPlace(on_disc[i], samples.from[i]);
       const double distance = BranchlessLength(to_light), cosine = Cosine(to_light / distance);
       const R2::Color reaching = cosine * falloff_(color_, distance);
       samples.Set(i, to_light, cosine > 0 ? reaching : R2::Color{});

@@ -287,13 +287,13 @@ TEST(Environment, ManyDrawnTogetherAreThoseDrawnOneByOneBitForBit) {
       for (std::uint32_t i = 0; i < samples.count; ++i) {
         R2::Point u = Random(round * LightSamples::most + i);
         if (round == 35) u = {edges[i % 6], edges[i / 6]};
-        samples.u[i] = u.x, samples.v[i] = u.y;
+        samples.random.Set(i, u);
       }
       environment.DrawEach(samples, pdfs);
       for (std::uint32_t i = 0; i < samples.count; ++i) {
-        const Environment::Sample alone = environment.Draw({samples.u[i], samples.v[i]});
-        ASSERT_EQ(samples.ToLight(i), alone.direction);
-        ASSERT_EQ(samples.Color(i), alone.radiance / alone.pdf);
+        const Environment::Sample alone = environment.Draw(samples.random[i]);
+        ASSERT_EQ(samples.to_light[i], alone.direction);
+        ASSERT_EQ(samples.color[i], alone.radiance / alone.pdf);
         ASSERT_EQ(pdfs[i], alone.pdf);
       }
     }
@@ -318,7 +318,7 @@ TEST(Environment, ManySeenTogetherAreThoseSeenOneByOneBitForBit) {
     for (std::uint32_t i = 0; i < seen.count; ++i) {
       const R3::Vector& d = directions[first + i];
       const Environment::Seen alone = environment.SeenTowards(d);
-      ASSERT_EQ(seen.Color(i), alone.radiance) << d.x << " " << d.y << " " << d.z;
+      ASSERT_EQ(seen.color[i], alone.radiance) << d.x << " " << d.y << " " << d.z;
       ASSERT_EQ(pdfs[i], alone.pdf);
     }
   }

@@ -59,18 +59,17 @@ TEST(Lights, SamplesMadeTogetherAreThoseMadeOneByOneBitForBit) {
     for (const double y : {3.0, 2.9, 0.0, -1e6, -1e150, -1e200, 1e160}) {
       LightSamples samples;
       samples.count = 61;  // no multiple of what a vector instruction takes
-      samples.SetFrom({0.5, y, -1});
       for (std::uint32_t i = 0; i < samples.count; ++i) {
-        samples.u[i] = key.Child(i).Number(), samples.v[i] = key.Child(i).Child(1).Number();
-        if (i % 2 == 0) samples.SetFrom(i, {0.5 + i, y, -1});
+        samples.random.Set(i, {key.Child(i).Number(), key.Child(i).Child(1).Number()});
+        samples.from.Set(i, {i % 2 == 0 ? 0.5 + i : 0.5, y, -1});
       }
-      samples.u[7] = samples.v[7] = 0.5;  // the middle of a disc
+      samples.random.Set(7, {0.5, 0.5});  // the middle of a disc
       light->IlluminateEach(samples);
       for (std::uint32_t i = 0; i < samples.count; ++i) {
-        const auto alone = light->Illuminate(samples.From(i), {samples.u[i], samples.v[i]});
-        EXPECT_EQ(samples.Color(i), alone ? alone->irradiance : R2::Color{}) << kind->name << " at " << y;
+        const auto alone = light->Illuminate(samples.from[i], samples.random[i]);
+        EXPECT_EQ(samples.color[i], alone ? alone->irradiance : R2::Color{}) << kind->name << " at " << y;
         if (!alone) continue;
-        EXPECT_EQ(samples.ToLight(i), alone->to_light) << kind->name << " at " << y;
+        EXPECT_EQ(samples.to_light[i], alone->to_light) << kind->name << " at " << y;
       }
     }
   }

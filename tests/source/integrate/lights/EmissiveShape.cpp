@@ -255,16 +255,17 @@ TEST(EmissiveShape, ManySamplesTogetherAreThoseDrawnOneByOneToTheBit) {
       LightSamples samples;
       samples.count = LightSamples::most - 3;
       for (std::uint32_t i = 0; i < samples.count; ++i) {
-        samples.SetFrom(i, {draw.Between(-reach, reach), draw.Between(-reach, reach), draw.Between(-reach, reach)});
-        samples.u[i] = draw.Between(0, 1), samples.v[i] = draw.Between(0, 1);
+        samples.from.Set(i, {draw.Between(-reach, reach), draw.Between(-reach, reach), draw.Between(-reach, reach)});
+        const double u = draw.Between(0, 1), v = draw.Between(0, 1);
+        samples.random.Set(i, {u, v});
       }
       LightSamples::Each pdfs;
       shape.SampleEach(samples, pdfs);
       for (std::uint32_t i = 0; i < samples.count; ++i) {
-        const auto alone = shape.SampleTowards(samples.From(i), {samples.u[i], samples.v[i]}, 0);
+        const auto alone = shape.SampleTowards(samples.from[i], samples.random[i], 0);
         EXPECT_EQ(pdfs[i], alone ? alone->pdf : 0) << kind->name;
-        EXPECT_EQ(samples.Color(i), alone ? shape.Emission() / alone->pdf : R2::Color{}) << kind->name;
-        EXPECT_TRUE(!alone || samples.ToLight(i) == alone->towards) << kind->name;
+        EXPECT_EQ(samples.color[i], alone ? shape.Emission() / alone->pdf : R2::Color{}) << kind->name;
+        EXPECT_TRUE(!alone || samples.to_light[i] == alone->towards) << kind->name;
       }
     }
   }

@@ -72,7 +72,7 @@ TEST(Bsdf, PhongReflectsSamplesTogetherAsOneByOneBitForBit) {
         before = samples;
         PhongReflectionOfEach(p, 1, samples);
         for (std::uint32_t i = 0; i < samples.count; ++i)
-          EXPECT_EQ(samples.Color(i), PhongReflection(p, Unit(before.ToLight(i)), before.Color(i)))
+          EXPECT_EQ(samples.color[i], PhongReflection(p, Unit(before.to_light[i]), before.color[i]))
               << "exponent " << n << ", sample " << i;
       }
 }
