@@ -74,17 +74,17 @@ std::string ReadAll(const Handle& handle, const struct stat& status, const std::
   std::string bytes;
   // The size is a hint only: a file may grow or shrink while it is read.
   bytes.resize(std::min(static_cast<std::size_t>(status.st_size), Files::max_bytes) + 1);
-  std::size_t filled = 0;
+  std::size_t length = 0;
   for (;;) {
-    const ssize_t count = read(handle.Number(), bytes.data() + filled, bytes.size() - filled);
+    const ssize_t count = read(handle.Number(), bytes.data() + length, bytes.size() - length);
     if (count < 0 && errno == EINTR) continue;
     if (count < 0) throw FileError{"cannot read " + QuotedPath(shown) + ": " + Reason(errno), {}};
     if (count == 0) break;
-    filled += static_cast<std::size_t>(count);
-    if (filled > Files::max_bytes) throw FileError{QuotedPath(shown) + " exceeds the limit of 1 GiB", {}};
-    if (filled == bytes.size()) bytes.resize(std::min(2 * bytes.size(), Files::max_bytes + 1));
+    length += static_cast<std::size_t>(count);
+    if (length > Files::max_bytes) throw FileError{QuotedPath(shown) + " exceeds the limit of 1 GiB", {}};
+    if (length == bytes.size()) bytes.resize(std::min(2 * bytes.size(), Files::max_bytes + 1));
   }
-  bytes.resize(filled);
+  bytes.resize(length);
   return bytes;
 }
 
