@@ -10,20 +10,20 @@
 namespace ray {
 namespace {
 
-constexpr int width = 80, height = 60;
+constexpr int flare_width = 80, flare_height = 60;
 
 /// Looking down -z; tan(0.4) = 0.4228 to the sides.
-std::string Scene(const std::string& more) {
+std::string TextOf(const std::string& more) {
   return "camera 0 0 0  0 0 -1  0 1 0  .4  1 100 background 0 0 0 " + more + "\n";
 }
 
 R2::Image Picture(const std::string& more, double flare = 1, const char* accelerator = "auto",
                   std::optional<PixelRectangle> crop = {}) {
   RenderSettings settings;
-  settings.width = width, settings.height = height;
+  settings.width = flare_width, settings.height = flare_height;
   settings.flare = flare;
   settings.crop = crop;
-  return project::Render(project::Stage(project::FromText(Scene(more))), settings, {.name = accelerator}).image;
+  return project::Render(project::Stage(project::FromText(TextOf(more))), settings, {.name = accelerator}).image;
 }
 
 R2::Point Brightest(const R2::Image& image) {
