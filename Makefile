@@ -193,13 +193,13 @@ $(BUILD)/compile_commands.json: $(BUILD)/flags $(BUILD)/features
 	    "$$(cat $(BUILD)/flags $(BUILD)/features | tr '\n' ' ' | sed 's/[\"]/\\&/g')" $$file; done | sed '1s/,/[/; $$s/$$/\n]/' > $@
 
 # Compiles and runs on all cores, unless -j said on how many. Benchmarks that need no further package are compiled too,
-# lest nobody notice that they no longer do.
-test:
+# lest nobody notice that they no longer do. A page that was built is brought up to date and tested as well.
+test: $(if $(wildcard $(BUILD)/web/raypro.wasm),web)
 	$(MAKE) $(if $(findstring jobserver,$(MAKEFLAGS)),,-j$(JOBS)) check test-binary $(PROGRAMS) $(TINY) \
 	  $(patsubst %.cpp,$(BUILD)/obj/%.o,$(call present,bench/live.cpp bench/trade.cpp bench/view.cpp))
 	$(FOR_TESTS) JOBS=$(JOBS) sh script/run_tests.sh $(BUILD)/raytests $(GTEST)
 	$(FOR_TESTS) sh script/runray.sh -fast
-	$(if $(wildcard $(BUILD)/web/raypro.wasm),$(MAKE) web-test,@sh tests/web/run.sh $(BUILD))
+	@sh tests/web/run.sh $(BUILD)
 test-binary: $(BUILD)/raytests
 
 # One test file, in a program of its own with nothing but the sources that it needs, compiled for speed of compiling.
