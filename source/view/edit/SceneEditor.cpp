@@ -403,7 +403,7 @@ void SceneEditor::Duplicate(Viewer& viewer) {
 void SceneEditor::KeepCamera(Viewer& viewer) {
   if (!viewer.HasMovedCamera() && LastOf(PlacesOf(viewer), "camera"))
     return viewer.Tell("the view is the scene's camera already");
-  Do(viewer, "make the view the scene's camera", "", false,
+  Do(viewer, "the view becomes the scene's camera", "", false,
      [&] { return WithCamera(PlacesOf(viewer), viewer.navigator().camera()); });
 }
 

@@ -91,7 +91,7 @@ const List settings_of_all_kinds[] = {
     {"-samples", "4", "-sampler", "stratified", "-seed", "9"},
     {"-samples", "4", "-aperture", "0.3", "-focus", "5"},
     {"-samples", "7", "-motion", "0.1", "0", "0", "-filter", "gaussian"},
-    {"-mode", "path", "-samples", "9", "-motion", "0", "0.3", "0.1", "-sampler", "grid", "-shutter_samples", "2"},
+    {"-mode", "path", "-samples", "8", "-motion", "0", "0.3", "0.1", "-sampler", "grid", "-shutter_samples", "2"},
     {"-samples", "4", "-shadow_samples", "3"},
     {"-samples", "2", "-mode", "normal"},
     {"-samples", "2", "-mode", "toon"},
