@@ -189,8 +189,8 @@ const ProgramText& TextOf(Program program) {
       .names = "scene",
       .summary = "view a scene, and ray trace the view",
       .description =
-          "Shows a scene file in a window; key H there lists the keys and what the mouse does. Key S traces the "
-          "view. Scenes in .scn can be changed there, by the panel Edit of key Tab, and saved by Control+S.\n",
+          "Shows a scene file in a window; key H there lists the keys and what the mouse does. Key S traces the view.\n"
+          "Scenes in .scn can be changed there, by the panel Edit of key Tab, and saved by Control+S.\n",
       .examples =
           "  rayview scenes/hello.scn -image hello.png -samples 16\n"
           "  rayview scenes/hello.scn -headless -events tour.txt -screenshot end.png\n"

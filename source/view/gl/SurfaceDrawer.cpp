@@ -465,14 +465,17 @@ void SurfaceDrawer::DrawProbes(GpuSurfaces& surfaces) const {
   surfaces.probes_have_shadows = surfaces.features.shadows;
   surfaces.probe_maps.clear();
   SurfaceFeatures features = surfaces.features;
-  constexpr std::size_t few = 4;  // probes, for which there is time to be fine
-  const GLsizei texels = surfaces.probes.size() <= few ? 256 : 128;
-  // Mirrors of a later round show those of the one before.
+  // All probes together have some 400,000 texels: a software renderer shades them in about half a second.
+  const std::size_t count = surfaces.probes.size();
+  const GLsizei texels = count <= 1 ? 256 : count <= 4 ? 128 : 64;
+  // Mirrors of a later round show those of the one before, in which half of the texels a side will do.
   for (int bounce = 0; bounce < surfaces.mirror_bounces; ++bounce) {
     features.probes = bounce > 0;
+    const bool is_last = bounce + 1 == surfaces.mirror_bounces;
     std::vector<Texture2D> maps;
-    for (std::size_t i = 0; i < surfaces.probes.size(); ++i)
-      maps.push_back(FilledProbe(texels, [&](int side) { DrawSide(surfaces, features, i, side); }));
+    for (std::size_t i = 0; i < count; ++i)
+      maps.push_back(
+          FilledProbe(is_last ? texels : texels / 2, [&](int side) { DrawSide(surfaces, features, i, side); }));
     surfaces.probe_maps = std::move(maps);
   }
 }

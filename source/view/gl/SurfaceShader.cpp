@@ -214,7 +214,7 @@ float Behind(vec3 from_probe) { return 1.0 - textureLod(probe, from_probe, 0.0).
 vec3 SeenFrom(vec3 at, vec3 direction, float spread) {
   if (has_probe == 0) return Seen(direction, spread);
   // What lies further behind what the probe sees than `thickness` is hidden from it, and may be anything.
-  const float growth = 1.25, tolerance = 0.003, thickness = 0.06;
+  const float growth = 1.55, tolerance = 0.003, thickness = 0.06;
   vec3 d = normalize(direction), way = at - probe_at;
   float first_step = 0.05 * length(way);
   float before = 0.0, last = Behind(way + 0.5 * first_step * d);
@@ -223,7 +223,7 @@ vec3 SeenFrom(vec3 at, vec3 direction, float spread) {
     float behind = Behind(way + t * d);
     if (behind > tolerance && last <= tolerance) {
       float near = before, far = t;
-      for (int i = 0; i < 6; ++i) {
+      for (int i = 0; i < 5; ++i) {
         float middle = 0.5 * (near + far);
         if (Behind(way + middle * d) > tolerance) far = middle; else near = middle;
       }

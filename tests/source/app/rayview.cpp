@@ -273,7 +273,7 @@ TEST_F(Rayview, ARecordingOfPanelsEndsWithTheSameDrawing) {
   const std::string recorded = folder / "recorded.events";
   const std::string script =
       "resize 600 500\nkey Tab\npanel Scene\npanel Settings\npanel light\npanel -max_depth\nkey Control+A\ntype 7\n"
-      "key Enter\nclick right 100 100\npanel camera\nkey Tab\nkey Tab\n";
+      "key Enter\nclick right 100 250\npanel camera\nkey Tab\nkey Tab\n";
   const Finished first = Follow(Scene("hello.scn"), script, {"-record", recorded, "-screenshot", folder / "first.ppm"});
   ASSERT_EQ(first.status, 0) << first.error;
   const Finished again = Follow(Scene("hello.scn"), ReadFile(recorded), {"-screenshot", folder / "again.ppm"});

@@ -50,7 +50,7 @@ TEST(EventScript, EveryKeyHasANameOfItsOwn) {
     ++keys;
     ASSERT_EQ(KeyNamed(name), static_cast<Key>(k)) << name;
   }
-  EXPECT_EQ(keys, 26 + 10 + 12 + 10 + 20);
+  EXPECT_EQ(keys, 26 + 10 + 12 + 10 + 21);
   EXPECT_EQ(KeyNamed("s"), KeyNamed("S"));
   EXPECT_FALSE(KeyNamed("F13"));
 }
