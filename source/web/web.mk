@@ -13,7 +13,7 @@ WEB_SOURCES := $(filter-out %/jpeg.cpp %/png.cpp %/exr.cpp %/ReadFile.cpp %/Thre
                  $(wildcard R1/*.cpp R2/*.cpp R2/image_files/*.cpp R3/*.cpp R3/*/*.cpp \
                    $(foreach d,text sample scene parse accelerate integrate film render, \
                      source/$(d)/*.cpp source/$(d)/*/*.cpp source/$(d)/*/*/*.cpp) \
-                   source/app/options/*.cpp source/app/manual/Listing.cpp source/web/*.cpp source/web/shim/*.cpp)) \
+                   source/app/options/*.cpp source/app/manual/*.cpp source/web/*.cpp source/web/shim/*.cpp)) \
                $(foreach f,Check ContactCheck LampCheck SceneSummary Memory,source/app/report/$(f).cpp) \
                source/app/files/LayerPictures.cpp
 WEB_ALONE := $(filter $(ALONE),$(WEB_SOURCES))
