@@ -37,7 +37,8 @@ struct FrameState {
   std::shared_ptr<const ScenePicture> faces;
   bool shows_faces = true, shows_edges = false, shows_shadows = false;
   int pixel_step = 1;  // faces, and what is behind them, have one pixel for so many of the view, each way
-  bool is_smooth = true;  // faces have several samples per pixel, where they have every pixel
+  // Faces have several samples per pixel, where they have every pixel, and mirrors show the scene.
+  bool is_smooth = true;
   Rgba edge_color{};
   std::shared_ptr<const Lines> lines;
   std::shared_ptr<const Lines> marks;  // likewise, made anew for each view

@@ -94,7 +94,7 @@ void Drawer::DrawScene(const FrameState& state) {
   }
   const auto draw = [&] {
     surfaces.DrawSky(faces, state.seen_from);
-    if (state.shows_faces) surfaces.Draw(faces, state.clip_from_drawing, state.seen_from);
+    if (state.shows_faces) surfaces.Draw(faces, state.clip_from_drawing, state.seen_from, state.is_smooth);
   };
   const auto draw_all = [&] {
     painter_.canvas.Fill(state.background);

@@ -389,11 +389,11 @@ void SurfaceDrawer::UseLights(const ShaderProgram& program, const GpuSurfaces& s
   glUniform1i(program["light_count"], surfaces.head_light ? 1 : static_cast<GLint>(surfaces.preview_lights.size()));
 }
 
-void SurfaceDrawer::Draw(const GpuSurfaces& surfaces, const ClipMatrix& clip_from_drawing,
-                         const PreviewView& view) const {
+void SurfaceDrawer::Draw(const GpuSurfaces& surfaces, const ClipMatrix& clip_from_drawing, const PreviewView& view,
+                         bool shows_mirrors) const {
   if (surfaces.batches.empty()) return;
   SurfaceFeatures features = surfaces.features;
-  features.probes = !surfaces.probe_maps.empty();
+  features.probes = shows_mirrors && !surfaces.probe_maps.empty();
   const ShaderProgram& program = ProgramFor(features);
   Use(program, surfaces, view);
   SetMatrix(program["clip_from_drawing"], clip_from_drawing);

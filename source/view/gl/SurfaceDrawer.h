@@ -23,7 +23,9 @@ class SurfaceDrawer {
   /// The environment over all of the viewport, to be drawn first; nothing for a scene without one.
   void DrawSky(const GpuSurfaces& surfaces, const PreviewView& view, bool for_probe = false) const;
   /// Opaque surfaces first, then clear ones without writing depth.
-  void Draw(const GpuSurfaces& surfaces, const ClipMatrix& clip_from_drawing, const PreviewView& view) const;
+  ///   shows_mirrors   whether mirrors show the scene, which is most of the work, or only what surrounds it
+  void Draw(const GpuSurfaces& surfaces, const ClipMatrix& clip_from_drawing, const PreviewView& view,
+            bool shows_mirrors = true) const;
   /// Edges of triangles in one color, those of triangles that are small on the screen the fainter.
   void DrawEdges(const GpuSurfaces& surfaces, const ClipMatrix& clip_from_drawing, const Rgba& color) const;
 

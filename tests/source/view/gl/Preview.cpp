@@ -17,7 +17,8 @@ constexpr int side = 64;
 
 class Preview : public ray::testing::WithPainter {
  protected:
-  R2::Image Drawn(const project::Stage& stage, const ray::RenderSettings& settings, bool with_shadows = false) {
+  R2::Image Drawn(const project::Stage& stage, const ray::RenderSettings& settings, bool with_shadows = false,
+                  bool with_mirrors = true) {
     const auto space = ray::DrawingSpace::Of(stage.scene->root.bounds);
     const ray::Exposure exposure{1, settings.srgb};
     const auto picture = PictureOf(stage.world, settings, space);
@@ -32,7 +33,8 @@ class Preview : public ray::testing::WithPainter {
     painter->canvas.Begin(side, side, settings.srgb ? EncodeSrgb(background) : background);
     painter->surfaces.DrawSky(*surfaces, view);
     painter->surfaces.Draw(
-        *surfaces, ray::ClipFromDrawing(stage.scene->camera, space, stage.scene->root.bounds, {side, side}), view);
+        *surfaces, ray::ClipFromDrawing(stage.scene->camera, space, stage.scene->root.bounds, {side, side}), view,
+        with_mirrors);
     return painter->canvas.Read();
   }
 
@@ -212,6 +214,19 @@ TEST_P(Preview, ShowsTheSceneInMirrorsAndMirrorsInThem) {
   EXPECT_LT(Differing(one, 12), 2 * outline);  // that of the ball, and those of the room in it
   const project::Stage two(project::FromText(room + "sphere 1  -1.1 0 0  1  sphere 1  1.1 0 0  1\n"));
   EXPECT_LT(Differing(two, 25), 0.05);
+}
+
+// Where drawing is slow, mirrors show the background alone while the view moves.
+TEST_P(Preview, LeavesTheSceneOutOfMirrorsWhenTold) {
+  const project::Stage stage(
+      project::FromText("camera  0 0 3.8  0 0 -1  0 1 0  0.5  0.01 100\nambient 1 1 1\nbackground 0 0.5 0\n" +
+                        Material("0 0 0  0 0 0  0 0 0  0 0 0  20 1 0") +
+                        "material 0 0 0  0 0 0  1 1 1  0 0 0  0 0 0  20 1 0\n"
+                        "box 0 -4 -4 -4  4 4 -3.9  box 0 -4 -4 3.9  4 4 4  sphere 1  0 0 0  1\n"));
+  const auto middle = [&](bool with_mirrors) { return Drawn(stage, {}, false, with_mirrors).At(side / 2, side / 2); };
+  EXPECT_GT(middle(true).b, 0.3);   // the wall behind the camera
+  EXPECT_GT(middle(false).g, 0.4);  // the background
+  EXPECT_LT(middle(false).b, 0.1);
 }
 
 TEST_P(Preview, ShowsTheModesOfTheTracer) {
