@@ -6,7 +6,8 @@
 namespace R3 {
 namespace {
 
-// Of an element: no more than a formula has that the halvings of Implicit can tell apart. Each costs another search.
+// The most crossings of a ray with one element. The halvings of Implicit tell no more of a formula's apart, and each costs
+// another search.
 constexpr int most_crossings = 1 << 14;
 
 /// A crossing before it is known how it fits in with the others.

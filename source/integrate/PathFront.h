@@ -15,7 +15,7 @@ struct PathFront {
   using Each = LightSamples::Each;
 
   std::vector<ShadingPoint> points;
-  // Of each point: the numbers of its camera sample, and of the point that its path came from.
+  // For each point, the numbers of its camera sample and of the point that its path came from.
   std::vector<std::uint32_t> paths, from;
   // Made of all points, once they are known.
   std::vector<SampleIndex> indices;

@@ -44,7 +44,7 @@ class Tracer {
   void Arrive(PathState& path, std::optional<WorldHit>& hit, TraceState& state) const {
     if (media_.AreNeeded() && hit && !media_.IsPlain(path, *hit)) media_.Arrive(path, hit, state);
   }
-  /// The same of a point whose path and hit are known. False where it sees none.
+  /// A point whose path and hit are known becomes that of the surface it sees. Returns false where it sees none.
   bool Arrive(ShadingPoint& p, TraceState& state) const {
     if (!media_.AreNeeded() || media_.IsPlain(p.path, p.hit)) return true;
     std::optional<WorldHit> seen = p.hit;

@@ -352,7 +352,7 @@ class Viewer {
   std::optional<FrameState::Picture> CoveringPicture() const;
   /// The distances of the nearest and the farthest surface that the preview shows, as mode zbuffer or depth needs them.
   ZBufferRange DepthsOfPreview() const;
-  /// As the tracer's mode shows it.
+  /// The background in the colors that the tracer's mode gives it.
   R2::Color BackgroundOfPreview() const;
 
   ViewerSettings settings_;

@@ -40,7 +40,7 @@ Command LightCommand(const LightKind& kind);
 
 /// " cx cy cz radius"
 std::string ArgumentNames(std::span<const R3::Argument> arguments);
-/// Those of a kind of shape, with " ..." behind what may be repeated.
+/// The names of a shape's arguments, with " ..." behind what may be repeated.
 std::string ArgumentNames(const R3::ShapeKind& kind);
 
 }  // namespace ray

@@ -76,7 +76,7 @@ Range RangeOf(const ScnPlaces& places, std::uint32_t statement) {
   throw EditRefusal("its end is not in the file");
 }
 
-/// The same with whole lines, their ends included, where nothing but a comment is on them besides; `is_whole` says so.
+/// A range widened to whole lines, their ends included, where they hold nothing else but comments; `is_whole` says so.
 struct WholeLines {
   Range range;
   bool is_whole = false;

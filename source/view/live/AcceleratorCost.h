@@ -35,7 +35,7 @@ class AcceleratorComparison {
   /// No further kind is begun. Returns at once.
   void Stop() { stop_.store(true); }
   bool HasEnded() const { return has_ended_.load(std::memory_order_acquire); }
-  /// Those found so far.
+  /// The costs found so far.
   std::vector<AcceleratorCost> Costs() const;
   /// The kind that is being looked at; empty once it has ended.
   std::string Current() const;

@@ -43,7 +43,7 @@ R3::Vector NormalOf(SlicePlane plane) {
   return {};
 }
 
-/// Of what runs to the right and upward.
+/// The names of the axes that run to the right and upward.
 std::array<std::string, 2> NamesOfAxes(SlicePlane plane) {
   return {plane == SlicePlane::yz ? "z" : "x", plane == SlicePlane::xz ? "z" : "y"};
 }

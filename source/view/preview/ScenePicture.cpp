@@ -200,7 +200,7 @@ class Builder {
     return !IsBlack(m.kr) || bends || m.coat > 0;
   }
 
-  /// Of what has no end, the place nearest to the middle of the scene, and a little off its surface.
+  /// For an endless surface, the place nearest to the middle of the scene, a little off the surface.
   R3::Point MiddleOfEndless(const Instance& instance) const {
     constexpr double off_surface = 0.05;  // radii of the scene
     const R3::MeshData data = instance.shape->Tessellate(finenesses.back());

@@ -9,7 +9,7 @@ namespace ray {
 
 /// So many views of the scene at most: 96 MB of depths.
 inline constexpr std::size_t most_shadow_views = 24;
-/// Of a light that is no point: its middle, and six about it at two thirds of its area.
+/// Places on a light that has a size: its middle, and six about it at two thirds of its area.
 inline constexpr int places_of_light = 7;
 
 /// How lights see the scene, for shadow maps.
@@ -18,7 +18,7 @@ struct ShadowViews {
   /// Of each light: 0 where it casts no shadows, k + 1 where view k sees all that it lights, -k - 1 where six do from k
   /// on, towards +x, -x, +y, -y, +z, -z.
   std::vector<int> first;
-  /// Of each light: from how many places on it views look that see all that it lights, each one; 1 with six views.
+  /// For each light, the number of places on it from which a view sees all that it lights; 1 where six views do.
   std::vector<int> places;
 };
 
