@@ -46,7 +46,7 @@ ProbeSide SideOf(const MirrorProbe& probe, int side) {
   return seen;
 }
 
-Texture2D FilledProbe(GLsizei texels, const std::function<void(int side)>& draw) {
+Texture2D FilledProbe(GLsizei texels, const R2::Color& background, const std::function<void(int side)>& draw) {
   Texture2D map;
   UseLinear(map);
   for (GLenum i = 0; i < sides.size(); ++i)
@@ -62,10 +62,11 @@ Texture2D FilledProbe(GLsizei texels, const std::function<void(int side)>& draw)
   glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth.Name());
   glViewport(0, 0, texels, texels);
   glScissor(0, 0, texels, texels);
+  const auto clear = AsFloats(background);
   for (int side = 0; side < static_cast<int>(sides.size()); ++side) {
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0,
                            GL_TEXTURE_CUBE_MAP_POSITIVE_X + static_cast<GLenum>(side), map.Name(), 0);
-    glClearColor(0, 0, 0, endless);
+    glClearColor(clear[0], clear[1], clear[2], endless);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     draw(side);
   }

@@ -16,8 +16,9 @@ struct ProbeSide {
 };
 ProbeSide SideOf(const MirrorProbe& probe, int side);
 
-/// A cube map in half precision of so many texels a side, whose sides are each drawn by `draw(side)` over nothing,
-/// endlessly far away, with smaller levels. What was being drawn into goes on. Throws ContextError when memory is full.
-Texture2D FilledProbe(GLsizei texels, const std::function<void(int side)>& draw);
+/// A cube map in half precision of so many texels a side, whose sides are each drawn by `draw(side)` over the
+/// background, endlessly far away, with smaller levels. What was being drawn into goes on. Throws ContextError when
+/// memory is full.
+Texture2D FilledProbe(GLsizei texels, const R2::Color& background, const std::function<void(int side)>& draw);
 
 }  // namespace ray

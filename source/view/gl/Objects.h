@@ -27,6 +27,7 @@ class Object {
 using Buffer = Object<glGenBuffers, glDeleteBuffers>;
 using VertexArray = Object<glGenVertexArrays, glDeleteVertexArrays>;
 using Texture2D = Object<glGenTextures, glDeleteTextures>;
+using Sampler = Object<glGenSamplers, glDeleteSamplers>;
 using Framebuffer = Object<glGenFramebuffers, glDeleteFramebuffers>;
 using Renderbuffer = Object<glGenRenderbuffers, glDeleteRenderbuffers>;
 

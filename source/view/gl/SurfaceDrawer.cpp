@@ -5,6 +5,7 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "source/view/gl/Canvas.h"
 #include "source/view/gl/MirrorProbes.h"
@@ -57,11 +58,9 @@ void main() { color = vec4(ink, strength); }
 
 constexpr GLuint at_location = 0, normal_location = 1, uv_location = 2, color_location = 3, lights_binding = 0;
 constexpr GLint paint_unit = 0, relief_unit = 1, environment_unit = 2, shadows_unit = 3, normal_map_unit = 4,
-                specular_map_unit = 5, probe_unit = 6;
+                specular_map_unit = 5, probe_unit = 6, probe_depths_unit = 7;
 constexpr int most_texels = 2048;  // per side of a texture or environment: 24 MB in half precision
 constexpr double rim = 0.25;       // brightness at the rim of a full mirror that shows nothing
-
-constexpr int no_probe = -1;
 
 /// Whether a mode shows the background where there is no surface.
 bool ShowsBackground(RenderMode mode) {
@@ -142,6 +141,18 @@ SurfaceFeatures FeaturesOf(const ScenePicture& picture) {
   features.fresnel = picture.fresnel && features.clear;
   if (IsPreviewed(picture.look.mode) && picture.look.mode != RenderMode::path) features.mode = picture.look.mode;
   return features;
+}
+
+/// Whether a surface shows what is in another direction than straight behind it.
+bool Mirrors(const SurfaceMaterial& m, const SurfaceFeatures& features) {
+  const bool is_clear = !IsBlack(m.kt);
+  return features.mode == RenderMode::whitted && (!IsBlack(m.kr) || m.coat > 0 || (is_clear && m.ir != 1));
+}
+
+/// Whether what a surface mirrors changes few levels of what is seen.
+bool IsFaint(const SurfaceMaterial& m) {
+  constexpr double faint = 0.1;
+  return IsBlack(m.kt) && m.coat == 0 && std::max({m.kr.r, m.kr.g, m.kr.b}) <= faint;
 }
 
 void DrawTriangles(const SurfaceBatch& batch) {
@@ -230,6 +241,13 @@ void DrawClear(const SurfaceBatch& batch) {
 
 }  // namespace
 
+SurfaceDrawer::SurfaceDrawer() {
+  for (const GLenum name : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
+    glSamplerParameteri(largest_level_.Name(), name, GL_LINEAR);
+  for (const GLenum name : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R})
+    glSamplerParameteri(largest_level_.Name(), name, GL_CLAMP_TO_EDGE);
+}
+
 std::shared_ptr<GpuSurfaces> SurfaceDrawer::Upload(const ScenePicture& picture) const {
   auto uploaded = std::make_shared<GpuSurfaces>();
   uploaded->batches = picture.surfaces.batches;
@@ -239,6 +257,10 @@ std::shared_ptr<GpuSurfaces> SurfaceDrawer::Upload(const ScenePicture& picture) 
   uploaded->head_light = picture.lights.head_light;
   uploaded->preview_lights = picture.lights.lights;
   uploaded->probes = picture.surfaces.probes;
+  // Those of one program after each other.
+  std::ranges::stable_sort(uploaded->batches, {}, [&](const SurfaceBatch& batch) {
+    return std::pair(batch.is_clear, Mirrors(batch.material, uploaded->features));
+  });
   uploaded->mirror_bounces = picture.mirror_bounces;
   uploaded->look = picture.look;
   UploadTriangles(*uploaded, picture.surfaces);
@@ -293,6 +315,7 @@ const ShaderProgram& SurfaceDrawer::ProgramFor(const SurfaceFeatures& features) 
   glUniform1i(program["environment"], environment_unit);
   glUniform1i(program["shadow_maps"], shadows_unit);
   glUniform1i(program["probe"], probe_unit);
+  glUniform1i(program["probe_depths"], probe_depths_unit);
   glUniformBlockBinding(program.Name(), glGetUniformBlockIndex(program.Name(), "Lights"), lights_binding);
   return program;
 }
@@ -394,39 +417,48 @@ void SurfaceDrawer::Draw(const GpuSurfaces& surfaces, const ClipMatrix& clip_fro
   if (surfaces.batches.empty()) return;
   SurfaceFeatures features = surfaces.features;
   features.probes = shows_mirrors && !surfaces.probe_maps.empty();
-  const ShaderProgram& program = ProgramFor(features);
-  Use(program, surfaces, view);
-  SetMatrix(program["clip_from_drawing"], clip_from_drawing);
-  glUniform3fv(program["eye"], 1, view.eye.data());
-  UseLights(program, surfaces, features, view);
-  UseMode(program, surfaces, view);
   const bool encodes = view.exposure.srgb && CanEncodeSrgb();
-  if (encodes) {
-    glUniform1i(program["srgb"], 0);
-    glEnable(GL_FRAMEBUFFER_SRGB);
-  }
+  if (encodes) glEnable(GL_FRAMEBUFFER_SRGB);
 
   // Moved back a little, by their slope and the smallest step of depth, so that lines on them are seen.
   glEnable(GL_POLYGON_OFFSET_FILL);
   glPolygonOffset(1, 1);
-  DrawBatches(program, surfaces, features, no_probe);
+  DrawBatches({surfaces, features, clip_from_drawing, view, encodes});
   if (encodes) glDisable(GL_FRAMEBUFFER_SRGB);
   glDisable(GL_POLYGON_OFFSET_FILL);
   glEnable(GL_BLEND);
   UseAlpha();
 }
 
-void SurfaceDrawer::DrawBatches(const ShaderProgram& program, const GpuSurfaces& surfaces,
-                                const SurfaceFeatures& features, int left_out_probe) const {
-  glBindVertexArray(surfaces.shaded.Name());
+const ShaderProgram& SurfaceDrawer::UseFor(const SurfacePass& pass, bool mirrors) const {
+  SurfaceFeatures features = pass.features;
+  features.mirrors = mirrors;
+  features.probes = mirrors && features.probes;
+  const ShaderProgram& program = ProgramFor(features);
+  Use(program, pass.surfaces, pass.view, pass.probe != no_probe);
+  if (pass.is_encoded) glUniform1i(program["srgb"], 0);
+  SetMatrix(program["clip_from_drawing"], pass.clip_from_drawing);
+  glUniform3fv(program["eye"], 1, pass.view.eye.data());
+  UseLights(program, pass.surfaces, features, pass.view);
+  UseMode(program, pass.surfaces, pass.view);
+  return program;
+}
+
+void SurfaceDrawer::DrawBatches(const SurfacePass& pass) const {
+  glBindVertexArray(pass.surfaces.shaded.Name());
   glEnable(GL_DEPTH_CLAMP);  // what has no end goes on behind the farthest depth
   glDisable(GL_BLEND);
-  for (const SurfaceBatch& batch : surfaces.batches) {
-    if (left_out_probe != no_probe && batch.probe == left_out_probe && batch.owns_probe) continue;
-    UseMaterial(program, surfaces, batch.material);
-    glUniform1i(program["bends"], batch.material.ir != 1 && !batch.is_clear ? 1 : 0);
-    if (features.probes) UseProbe(program, surfaces, batch.probe);
-    if (batch.is_clear && features.mode == RenderMode::whitted)
+  const ShaderProgram* program = nullptr;
+  bool program_mirrors = false;
+  for (const SurfaceBatch& batch : pass.surfaces.batches) {
+    if (pass.probe != no_probe && batch.probe == pass.probe && batch.owns_probe) continue;
+    const bool mirrors = Mirrors(batch.material, pass.features);
+    if (!program || mirrors != program_mirrors) program = &UseFor(pass, mirrors);
+    program_mirrors = mirrors;
+    UseMaterial(*program, pass.surfaces, batch.material);
+    glUniform1i((*program)["bends"], batch.material.ir != 1 && !batch.is_clear ? 1 : 0);
+    if (mirrors && pass.features.probes) UseProbe(*program, pass.surfaces, batch);
+    if (batch.is_clear && pass.features.mode == RenderMode::whitted)
       DrawClear(batch);
     else
       DrawOpaque(batch);
@@ -434,13 +466,18 @@ void SurfaceDrawer::DrawBatches(const ShaderProgram& program, const GpuSurfaces&
   glDisable(GL_DEPTH_CLAMP);
 }
 
-void SurfaceDrawer::UseProbe(const ShaderProgram& program, const GpuSurfaces& surfaces, int probe) const {
-  glUniform1i(program["has_probe"], probe == no_probe ? 0 : 1);
-  if (probe == no_probe) return;
-  const auto i = static_cast<std::size_t>(probe);
+void SurfaceDrawer::UseProbe(const ShaderProgram& program, const GpuSurfaces& surfaces,
+                             const SurfaceBatch& batch) const {
+  glUniform1i(program["has_probe"], batch.probe == no_probe ? 0 : 1);
+  glUniform1i(program["is_faint"], IsFaint(batch.material) ? 1 : 0);
+  if (batch.probe == no_probe) return;
+  const auto i = static_cast<std::size_t>(batch.probe);
   glUniform3fv(program["probe_at"], 1, surfaces.probes[i].at.data());
-  glActiveTexture(GL_TEXTURE0 + probe_unit);
-  glBindTexture(GL_TEXTURE_CUBE_MAP, surfaces.probe_maps[i].Name());
+  for (const GLint unit : {probe_unit, probe_depths_unit}) {
+    glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+    glBindTexture(GL_TEXTURE_CUBE_MAP, surfaces.probe_maps[i].Name());
+  }
+  glBindSampler(probe_depths_unit, largest_level_.Name());
   glActiveTexture(GL_TEXTURE0);
 }
 
@@ -474,8 +511,8 @@ void SurfaceDrawer::DrawProbes(GpuSurfaces& surfaces) const {
     const bool is_last = bounce + 1 == surfaces.mirror_bounces;
     std::vector<Texture2D> maps;
     for (std::size_t i = 0; i < count; ++i)
-      maps.push_back(
-          FilledProbe(is_last ? texels : texels / 2, [&](int side) { DrawSide(surfaces, features, i, side); }));
+      maps.push_back(FilledProbe(is_last ? texels : texels / 2, surfaces.background,
+                                 [&](int side) { DrawSide(surfaces, features, i, side); }));
     surfaces.probe_maps = std::move(maps);
   }
 }
@@ -484,12 +521,7 @@ void SurfaceDrawer::DrawSide(const GpuSurfaces& surfaces, const SurfaceFeatures&
                              int side) const {
   const ProbeSide seen = SideOf(surfaces.probes[probe], side);
   DrawSky(surfaces, seen.view, true);
-  const ShaderProgram& program = ProgramFor(features);
-  Use(program, surfaces, seen.view, true);
-  SetMatrix(program["clip_from_drawing"], seen.clip_from_drawing);
-  glUniform3fv(program["eye"], 1, seen.view.eye.data());
-  UseLights(program, surfaces, features, seen.view);
-  DrawBatches(program, surfaces, features, static_cast<int>(probe));
+  DrawBatches({surfaces, features, seen.clip_from_drawing, seen.view, false, static_cast<int>(probe)});
 }
 
 void SurfaceDrawer::DrawEdges(const GpuSurfaces& surfaces, const ClipMatrix& clip_from_drawing,

@@ -10,9 +10,22 @@
 
 namespace ray {
 
+inline constexpr int no_probe = -1;
+
+/// What all materials of a drawing have in common.
+struct SurfacePass {
+  const GpuSurfaces& surfaces;
+  SurfaceFeatures features;
+  const ClipMatrix& clip_from_drawing;
+  const PreviewView& view;
+  bool is_encoded = false;  // by the framebuffer, so that the shader does not
+  int probe = no_probe;     // which sees this, but for what shows that probe
+};
+
 /// Scenes, shaded pixel by pixel.
 class SurfaceDrawer {
  public:
+  SurfaceDrawer();
   /// On the GPU until the pointer goes. Throws ContextError when its memory is full, or the driver rejects a shader.
   std::shared_ptr<GpuSurfaces> Upload(const ScenePicture& picture) const;
   /// Draws the shadow maps, once: from now on lights cast shadows where `is_on`. Throws ContextError when memory is
@@ -32,9 +45,10 @@ class SurfaceDrawer {
  private:
   /// One side of the scene as a probe sees it; but for what shows that probe.
   void DrawSide(const GpuSurfaces& surfaces, const SurfaceFeatures& features, std::size_t probe, int side) const;
-  /// All batches but those that show the probe, in the bound framebuffer.
-  void DrawBatches(const ShaderProgram& program, const GpuSurfaces& surfaces, const SurfaceFeatures& features,
-                   int left_out_probe) const;
+  /// All batches of a pass, in the bound framebuffer.
+  void DrawBatches(const SurfacePass& pass) const;
+  /// The program of a pass for surfaces that mirror or bend light, or for those that do not, ready but for a material.
+  const ShaderProgram& UseFor(const SurfacePass& pass, bool mirrors) const;
   void UseMode(const ShaderProgram& program, const GpuSurfaces& surfaces, const PreviewView& view) const;
   const ShaderProgram& ProgramFor(const SurfaceFeatures& features) const;
   void Use(const ShaderProgram& program, const GpuSurfaces& surfaces, const PreviewView& view,
@@ -42,9 +56,10 @@ class SurfaceDrawer {
   void UseLights(const ShaderProgram& program, const GpuSurfaces& surfaces, const SurfaceFeatures& features,
                  const PreviewView& view) const;
   void UseMaterial(const ShaderProgram& program, const GpuSurfaces& surfaces, const SurfaceMaterial& material) const;
-  void UseProbe(const ShaderProgram& program, const GpuSurfaces& surfaces, int probe) const;
+  void UseProbe(const ShaderProgram& program, const GpuSurfaces& surfaces, const SurfaceBatch& batch) const;
 
   VertexArray nothing_;
+  Sampler largest_level_;  // of a cube map
   // Made when a scene first asks for them, for to compile them all would take longer than to draw.
   struct Made {
     SurfaceFeatures features;

@@ -206,32 +206,42 @@ float AtNormal() { return pow((coat - 1.0) / (coat + 1.0), 2.0); }
 // meet.
 // source: Szirmay-Kalos, Aszodi, Lazanyi, Premecz, Approximate ray-tracing on the GPU with distance impostors (2005)
 constexpr const char* probes = R"(
-uniform samplerCube probe;
+uniform samplerCube probe, probe_depths;  // one map: filtered between its levels, or its largest alone, which is cheaper
 uniform int has_probe;
 uniform vec3 probe_at;
 // How far a place is behind what the probe sees there, as a part of its distance from the probe.
-float Behind(vec3 from_probe) { return 1.0 - textureLod(probe, from_probe, 0.0).a / length(from_probe); }
+float Behind(vec3 from_probe) { return 1.0 - textureLod(probe_depths, from_probe, 0.0).a / length(from_probe); }
+uniform int is_faint;  // mirrors so little that to follow the ray would cost more than it shows
 vec3 SeenFrom(vec3 at, vec3 direction, float spread) {
-  if (has_probe == 0) return Seen(direction, spread);
   // What lies further behind what the probe sees than `thickness` is hidden from it, and may be anything.
-  const float growth = 1.55, tolerance = 0.003, thickness = 0.06;
+  const float growth = 1.5, tolerance = 0.003, thickness = 0.06;
+  const int halvings = 5;
   vec3 d = normalize(direction), way = at - probe_at;
-  float first_step = 0.05 * length(way);
-  float before = 0.0, last = Behind(way + 0.5 * first_step * d);
-  float texel = 1.5707963 / float(textureSize(probe, 0).x), level = log2(max(spread / texel, 1e-6));
-  for (float t = first_step; t < 8.0 && t < 4e3 * first_step; t *= growth) {
+  float first_step = 0.05 * length(way), end = has_probe != 0 && is_faint == 0 ? min(8.0, 4e3 * first_step) : 0.0;
+  float near = 0.0, far = 0.0, t = 0.5 * first_step, found = 0.0;
+  bool was_behind = true;
+  int left = 0;  // of the halvings between `near` and `far`
+  // One lookup in each turn: where shaders are compiled for the processor, all of a loop's body costs, taken or not.
+  while (t < end) {
     float behind = Behind(way + t * d);
-    if (behind > tolerance && last <= tolerance) {
-      float near = before, far = t;
-      for (int i = 0; i < 5; ++i) {
-        float middle = 0.5 * (near + far);
-        if (Behind(way + middle * d) > tolerance) far = middle; else near = middle;
-      }
-      if (Behind(way + far * d) < thickness) return textureLod(probe, way + far * d, level).rgb;
+    bool is_behind = behind > tolerance;
+    if (left > 0) {
+      if (is_behind) far = t, found = behind; else near = t;
+      if (--left == 0 && found < thickness) break;
+      is_behind = true;
+    } else if (is_behind && !was_behind) {
+      far = t, found = behind, left = halvings;
+    } else {
+      near = far = t;
     }
-    before = t, last = behind;
+    was_behind = is_behind;
+    t = left > 0 ? 0.5 * (near + far) : growth * far;
   }
-  return Seen(direction, spread);
+  bool guesses = has_probe != 0 && is_faint != 0;
+  if (guesses) far = min(textureLod(probe_depths, d, 0.0).a, 8.0);
+  if (!guesses && !(t < end)) return Seen(direction, spread);
+  float texel = 1.5707963 / float(textureSize(probe, 0).x);
+  return textureLod(probe, way + far * d, log2(max(spread / texel, 1e-6))).rgb;
 }
 )";
 constexpr const char* no_probes = R"(
@@ -406,6 +416,7 @@ void main() {
 #ifdef DIFFUSE_LIGHT
   sum += left_by_coat * diffuse * LightFromAround(N);
 #endif
+#ifdef MIRRORS
   vec3 R = reflect(-V, N);
   if (mirrored != vec3(0)) sum += mirrored * SeenFrom(position, R, max(lobe, max(length(dFdx(R)), length(dFdy(R)))));
 #ifdef BENDING
@@ -418,6 +429,7 @@ void main() {
   // Mirrors and glass that show nothing are seen by their rim.
   float brightest = max(sum.r, max(sum.g, sum.b));
   sum += max(least_rim - brightest, 0.0) * pow(1.0 - towards_eye, 3.0);
+#endif
   color = for_probe != 0 ? vec4(min(sum, 6e4), distance(position, eye)) : vec4(Shown(sum), 1);
   behind = vec4(transmitted, 0);
 }
@@ -557,7 +569,6 @@ std::string SurfaceFragmentShader(const SurfaceFeatures& features) {
   text += material;
   text += screen;
   text += lights;
-  text += features.environment ? environment : background;
   add(features.textures, "TEXTURES", textures);
   add(features.vertex_colors, "VERTEX_COLORS", "in vec3 vertex_color;\n");
   add(features.bumps, "BUMPS", bumps);
@@ -570,11 +581,13 @@ std::string SurfaceFragmentShader(const SurfaceFeatures& features) {
   add(features.coats, "COATS", coats);
   add(features.fresnel, "FRESNEL", fresnel);
   add(features.shadows, "SHADOWS", shadows);
-  add(features.clear, "BENDING", bending);
+  add(features.clear && features.mirrors, "BENDING", bending);
   text += reflection;
   add(features.discs, "DISCS", discs);
   if (const char* main = MainOf(features.mode)) return text + lights_as_points + first_surface + main;
-  return text + (features.probes ? probes : no_probes) + all_lights + shading;
+  add(features.mirrors, "MIRRORS", features.environment ? environment : background);
+  if (features.mirrors) text += features.probes ? probes : no_probes;
+  return text + all_lights + shading;
 }
 
 std::string DepthVertexShader() { return std::string(version) + depth_vertex_shader; }

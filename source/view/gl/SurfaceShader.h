@@ -10,7 +10,7 @@ namespace ray {
 struct SurfaceFeatures {
   bool textures = false, vertex_colors = false, bumps = false, normal_maps = false, specular_maps = false,
        environment = false, diffuse_light = false, clear = false, coats = false, fresnel = false, shadows = false,
-       discs = false, probes = false;
+       discs = false, mirrors = true, probes = false;
   RenderMode mode = RenderMode::whitted;  // path and those that are not previewed are whitted
   friend bool operator==(const SurfaceFeatures&, const SurfaceFeatures&) = default;
 };
