@@ -17,7 +17,7 @@
 #   make install    PREFIX=/usr/local DESTDIR= bindir= datadir= mandir= docdir=; make uninstall undoes it
 #   make installcheck  both of them, tried in a folder for it
 #   make dist       what is committed, as build/raypro-VERSION.tar.gz
-# HAS_EXR=no, HAS_YAML=no, HAS_IMGUI=no and CONTEXTS= (or CONTEXTS="egl osmesa") leave out what could be built here.
+# HAS_EXR=no, HAS_YAML=no and CONTEXTS= (or CONTEXTS="egl osmesa") leave out what could be built here.
 # CXX, CXXFLAGS, CPPFLAGS and LDFLAGS given by the user come after ours and so win.
 
 ifeq ($(origin CXX),default)
@@ -59,7 +59,7 @@ OUR_CPPFLAGS += -DRAYPRO_YAML $(YAML_CFLAGS)
 endif
 # Only for files that draw, or say what can be drawn: the others need not be compiled again once the viewer's packages
 # are installed.
-FEATURE_CPPFLAGS := -DRAYPRO_FEATURES='"$(FEATURES)"' $(if $(filter yes,$(HAS_IMGUI)),-DRAYVIEW_PANELS $(IMGUI_CFLAGS)) \
+FEATURE_CPPFLAGS := -DRAYPRO_FEATURES='"$(FEATURES)"' $(if $(CONTEXTS),$(IMGUI_CFLAGS)) \
                     $(if $(filter glfw,$(CONTEXTS)),-DRAYVIEW_GLFW) $(if $(filter egl,$(CONTEXTS)),-DRAYVIEW_EGL) \
                     $(if $(filter osmesa,$(CONTEXTS)),-DRAYVIEW_OSMESA)
 OUR_CXXFLAGS := -std=c++20 $(OPTIMIZE) -g1 $(NUMERIC) $(WARNINGS) $(SANITIZE)
@@ -69,7 +69,7 @@ LIBS := -ljpeg -lpng -lz -ltbb -lhwy $(if $(filter yes,$(HAS_EXR)),$(EXR_LIBS)) 
 QUADMATH := $(if $(filter x86_64% i%86%,$(shell $(CXX) -dumpmachine 2>/dev/null)),-lquadmath)
 # For those that draw. OSMesa is loaded only when it is asked for: it brings a whole compiler along.
 VIEWER_LIBS := $(if $(CONTEXTS),-lepoxy) $(if $(filter glfw,$(CONTEXTS)),-lglfw) $(if $(filter osmesa,$(CONTEXTS)),-ldl) \
-               $(if $(filter yes,$(HAS_IMGUI)),$(IMGUI_LIBS))
+               $(if $(CONTEXTS),$(IMGUI_LIBS))
 
 ALL_PROGRAMS := raypro rayimg raygrade rayview
 # rayview is built where there is something to draw with.
@@ -84,10 +84,9 @@ FUZZ_SOURCES := $(wildcard fuzz/*.cpp)
 FUZZ_CXX ?= clang++
 # What this machine lacks leaves these out.
 ABSENT := $(if $(filter yes,$(HAS_EXR)),,R2/image_files/exr.cpp) \
-          $(if $(filter yes,$(HAS_IMGUI)),,source/view/panels/% tests/source/view/panels/%) \
           $(patsubst %,source/view/contexts/%.cpp,$(filter-out $(CONTEXTS),glfw egl osmesa)) \
-          $(if $(CONTEXTS),,source/view/gl/% source/view/contexts/% source/app/rayview/ViewSession.cpp tests/source/view/gl/% \
-                            tests/source/view/contexts/% bench/view.cpp)
+          $(if $(CONTEXTS),,source/view/gl/% source/view/contexts/% source/view/panels/% source/view/Viewer% \
+                            source/app/rayview/ViewSession.cpp source/app/rayview/PanelOptions.cpp tests/source/view/% bench/view.cpp)
 # The .cpp files of a folder are compiled as one, since most of what compiling takes is their headers. These are not:
 # files that use the same local names in the same folder, since they are variations of one thing, and files that
 # Highway includes once for each instruction set. JUMBO=no compiles each file by itself.

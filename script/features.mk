@@ -27,14 +27,12 @@ MISSING := $(if $(filter jpeg,$(FOUND)),,libjpeg-dev) $(if $(filter png,$(FOUND)
 ifneq ($(strip $(MISSING)),)
 $(error These packages are missing: $(strip $(MISSING)). Run script/setup.sh, or install them and try again)
 endif
-# The viewer needs libepoxy, which finds OpenGL, and at least one way to draw.
-CONTEXTS := $(if $(filter epoxy,$(FOUND)),$(filter $(FOUND),glfw egl osmesa))
-# Its panels need Dear ImGui.
-HAS_IMGUI := $(if $(CONTEXTS),$(call has,imgui),no)
+# The viewer needs libepoxy, which finds OpenGL, Dear ImGui, which lays out all that is written, and at least one way to
+# draw.
+CONTEXTS := $(if $(and $(filter epoxy,$(FOUND)),$(filter imgui,$(FOUND))),$(filter $(FOUND),glfw egl osmesa))
 empty :=
-VIEWER := $(or $(subst $(empty) ,+,$(CONTEXTS)),no (install libepoxy-dev and, for windows, libglfw3-dev))
+VIEWER := $(or $(subst $(empty) ,+,$(CONTEXTS)),no (install libepoxy-dev libimgui-dev and, for windows, libglfw3-dev))
 FEATURES := jpeg=yes png=yes exr=$(if $(filter yes,$(HAS_EXR)),yes,no (install libopenexr-dev)) \
-            yaml=$(if $(filter yes,$(HAS_YAML)),yes,no (install libyaml-cpp-dev)) rayview=$(VIEWER) \
-            panels=$(if $(filter yes,$(HAS_IMGUI)),yes,no (install libimgui-dev))
+            yaml=$(if $(filter yes,$(HAS_YAML)),yes,no (install libyaml-cpp-dev)) rayview=$(VIEWER)
 $(info features: $(FEATURES))
 endif

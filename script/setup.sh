@@ -17,8 +17,8 @@ esac
 needed="g++ make libjpeg-dev libpng-dev libtbb-dev libhwy-dev nlohmann-json3-dev"
 tests="libgtest-dev"
 # Without the others everything works but .exr images, .yaml scenes and the viewer. That needs libepoxy, which pulls
-# in EGL; GLFW opens windows, OSMesa is another way to draw without a display, Dear ImGui makes panels, in the letters of
-# DejaVu Sans Mono, and the last two packages are Mesa's software renderer.
+# in EGL, and Dear ImGui, which writes in the letters of DejaVu Sans Mono; GLFW opens windows, OSMesa is another way to
+# draw without a display; the last two packages are Mesa's software renderer.
 formats="libopenexr-dev libyaml-cpp-dev"
 viewer="libepoxy-dev libglfw3-dev libosmesa6-dev libimgui-dev fonts-dejavu-core libegl-mesa0 libgl1-mesa-dri"
 

@@ -55,10 +55,15 @@ using Lines = std::vector<Vertex>;
 void AddLine(Lines& lines, const std::array<float, 3>& from, const std::array<float, 3>& to, const Rgba& color);
 void Append(Lines& lines, const Lines& more);
 
+/// Of letters, all of one width, in pixels.
+struct LetterSize {
+  double width = 8, height = 16;  // the latter of a line
+};
+
 /// A line of text, its lower left corner in pixels from that of the drawing.
 struct Label {
   double x = 0, y = 0;
-  std::string text;  // ASCII; anything else is shown as a box
+  std::string text;  // UTF-8
   Rgba color{255, 255, 255, 255};
   /// Of the black behind it: letters as light as (208, 208, 208) keep 4.5 : 1, also where that covers white.
   static constexpr int ground_alpha = 170;

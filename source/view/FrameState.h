@@ -48,9 +48,9 @@ struct FrameState {
   std::optional<Picture> beside;         // an image; without one it is the preview, drawn at the place of the picture
   DrawingSize section_size;              // of the part to the right of that, with the cross section
   std::shared_ptr<const Lines> section;  // in the square from -1 to 1, which is that part; null for none
-  int letter_size = 1;                   // whole multiple of the letters of labels
+  int line_width = 1;                    // pixels
   std::vector<Label> labels;
-  std::shared_ptr<const PanelDrawing> panels;  // null for none
+  std::shared_ptr<const PanelDrawing> panels;  // labels among them; null for none
 };
 
 }  // namespace ray

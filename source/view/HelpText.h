@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace ray {
@@ -10,14 +12,13 @@ struct HelpRow {
   std::string keys, text;
 };
 
-/// The words in lines of at most `columns` letters; longer words are broken.
+/// Of UTF-8.
+std::size_t CountLetters(std::string_view text);
+
+/// The words of a text in UTF-8 in lines of at most `columns` letters; longer words are broken.
 std::vector<std::string> InLines(const std::string& text, int columns);
 
-/// In two columns, lines at most `columns` wide as far as words allow; no limit below 1.
-std::vector<std::string> HelpLines(const std::vector<HelpRow>& rows, int columns);
-
-/// The same on pages of at most `lines` lines, at least 2: groups are kept together where they fit, and the last line
-/// of each page says which one it is.
-std::vector<std::vector<std::string>> HelpPages(const std::vector<HelpRow>& rows, int columns, int lines);
+/// A line for each row, keys and texts below one another.
+std::vector<std::string> HelpLines(const std::vector<HelpRow>& rows);
 
 }  // namespace ray

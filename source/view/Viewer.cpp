@@ -34,8 +34,10 @@ Viewer::Viewer(ViewerSettings settings, std::shared_ptr<const LoadedScene> scene
       bookmarks_(settings_.scene),
       navigator_(scene_->parsed.scene.camera, scene_->parsed.scene.root.bounds,
                  {settings_.render.width, settings_.render.height}),
+      panels_(MakePanels()),
       size_{settings_.render.width, settings_.render.height},
       box_level_(all_levels) {
+  panels_->SetLook(settings_.panels);
   pictures_.SetReference(settings_.reference);
   TakeScene(scene_);
 }
@@ -96,7 +98,7 @@ void Viewer::ShowMessage(const std::string& message) {
 }
 
 void Viewer::Handle(const Event& event) {
-  if (DrawsPanels()) {
+  if (shows_panels_ || shows_help_) {
     needs_redraw_ |= !std::holds_alternative<TickEvent>(event);
     const bool is_taken = panels_->Take(event, *this);
     const auto* button = std::get_if<ButtonEvent>(&event);
@@ -208,11 +210,11 @@ void Viewer::On(const ScrollEvent& event) {
 void Viewer::On(const ResizeEvent& event) {
   const DrawingSize size{std::max(1, event.width), std::max(1, event.height)};
   scale_ = event.scale;
-  if (panels_) panels_->SetScale(scale_);
+  panels_->SetScale(scale_);
+  section_drawing_.reset();
   if (size == size_) return;
   size_ = size;
   pictures_.Touch();
-  section_drawing_.reset();
   InvalidateLines();
 }
 

@@ -96,6 +96,8 @@ class Viewer {
   /// "hello.scn 512x512 4 of 16 samples 31 % 0.5 Mrays/s 12 s left": as of the last Update, and changed by time alone
   /// a few times a second.
   std::string Title() const;
+  /// Of the image that is rendered: "4 of 16 samples 31 % 0.5 Mrays/s 12 s left"; empty without any.
+  const std::string& Status() const { return status_; }
   /// What it shows, in lines of words, for scripts.
   std::string State();
 
@@ -123,15 +125,14 @@ class Viewer {
   /// Another for each scene that was opened or read again, from 1.
   int SceneNumber() const { return scene_number_; }
   bool ShowsPanels() const { return shows_panels_; }
-  /// What the panels say, in lines; none where they are hidden.
-  std::string TextOfPanels() { return shows_panels_ ? panels_->Text(*this) : std::string(); }
+  /// What the panels and the help say, in lines; none where they are hidden.
+  std::string TextOfPanels() { return shows_panels_ || shows_help_ ? panels_->Text(*this) : std::string(); }
   /// What takes clicks in the panels, as last drawn.
   const std::vector<PanelItem>& ItemsOfPanels() const;
 
-  /// Makes them where they were never shown; nothing but a message where they are not built in.
   void ShowPanels(const PanelSettings& look);
   /// How they look, or will when they are shown.
-  PanelSettings PanelLook() const { return panels_ ? panels_->Look() : settings_.panels; }
+  const PanelSettings& PanelLook() const { return panels_->Look(); }
 
   /// The file of the settings has these mistakes, and the scene shown is another.
   void TellMistakes(const SceneErrors& mistakes) { TellProblems(settings_.scene, mistakes); }
@@ -276,10 +277,11 @@ class Viewer {
   void ToggleSection();
   void MoveSection(int by);
   /// The pieces of the drawing, from the left: the scene; the cross section, where it is shown; and the panels, where
-  /// they are. Each has the whole height.
+  /// they are, as high as all of it. Their status bar is above the former two.
   DrawingSize ViewSize() const;
   DrawingSize SectionSize() const;
-  int WidthBesidePanels() const;  // at least 1
+  int WidthBesidePanels() const;     // at least 1
+  int HeightBelowStatusBar() const;  // likewise
   bool IsOnSection(const R2::Point& position) const;
   /// A position in the drawing as one in the picture that SettingsOfPicture makes: beside a cross section there is less
   /// room for that, and the flat one is moved.
@@ -301,7 +303,8 @@ class Viewer {
   void TakeSettings(const Scene& scene);
   /// Of the file that was to be read.
   void TellProblems(const std::string& file, const std::exception& error);
-  void TurnHelpPage();
+  void ToggleHelp();
+  void TellPanelsTheirParts() { panels_->SetParts({shows_panels_, shows_help_}); }
   void TogglePanels();
   void Open(const std::string& file);
 
@@ -327,22 +330,14 @@ class Viewer {
   Lines MakeMarks() const;
   /// What is left of the message, from 1 to 0.
   double StrengthOfMessage() const;
-  std::vector<std::string> HelpPage() const;
-  /// The help takes their place while it is open.
-  bool DrawsPanels() const { return shows_panels_ && help_page_ == 0; }
   /// The pixel of the traced picture that is seen there on its quad.
   std::optional<std::pair<int, int>> PixelOnQuad(const R2::Point& position) const;
   bool ShowsQuad() const { return shows_quad_ && pictures_.Trace() && !pictures_.IsLive(); }
   /// Whether the view is that of the traced picture, whose frame would then be lines along the edges of the window.
   bool SeesAsTraced() const;
   Lines MakeLines() const;
-  /// Of messages and of the help, a whole number of times the usual, as the density of the screen asks for.
-  int LetterSize() const;
-  /// How many lines of text have room above one another, at least 1.
-  int LinesOfText() const;
-  /// How many letters have room side by side, at least 1: in the whole drawing, or in so many pixels.
-  int ColumnsOfText() const { return ColumnsOfText(size_.width); }
-  int ColumnsOfText(int width) const;
+  /// In pixels, as the density of the screen asks for.
+  int LineWidth() const;
   std::vector<Label> MakeLabels() const;
   /// What the preview does not show of the camera; empty where it shows all.
   std::string TextOfProjection() const;
@@ -372,9 +367,9 @@ class Viewer {
   std::shared_ptr<const R2::Image> shown_image_;  // of these; null for the current one
   std::optional<Pick> pick_;
   std::optional<std::size_t> chosen_node_;
-  std::unique_ptr<Panels> panels_;  // once they were shown
+  const std::unique_ptr<Panels> panels_;
   std::unique_ptr<AcceleratorComparison> accelerators_;
-  int accelerators_seen_ = 0;  // their version
+  int accelerators_seen_ = 0;                                               // their version
   std::vector<std::unique_ptr<AcceleratorComparison>> ending_comparisons_;  // of scenes from before
   int scene_number_ = 0, options_number_ = 0;  // other ones for each scene, and after each change of an option
   TracedAs traced_as_;                         // the picture of key S
@@ -384,10 +379,9 @@ class Viewer {
 
   DrawingSize size_;
   double scale_ = 1;  // of the screen
-  bool shows_panels_ = false, lists_scenes_ = false;
+  bool shows_panels_ = false, shows_help_ = false, lists_scenes_ = false;
   bool shows_faces_ = true, shows_edges_ = false, shows_camera_ = false, shows_lights_ = false;
   bool shows_quad_ = true, shows_shadows_ = true;  // the latter where the scene has any
-  int help_page_ = 0;  // from 1; 0 for none
   Boxes boxes_ = Boxes::none;
   int box_level_;
   double exposure_steps_ = 0;         // each doubles the light
@@ -401,7 +395,7 @@ class Viewer {
   double now_ = 0, last_look_at_files_ = 0, last_click_ = -1;  // seconds of ticks
   R2::Point last_click_at_, pointer_{-1, -1};
   std::uint64_t changes_seen_ = 0;
-  std::shared_ptr<const Lines> lines_;                // null when they must be rebuilt
+  std::shared_ptr<const Lines> lines_;  // null when they must be rebuilt
   bool lines_have_quad_frame_ = false;
   std::shared_ptr<const SliceAxes> section_drawing_;  // likewise
   DrawingSize section_size_;                          // of that

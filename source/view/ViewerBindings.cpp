@@ -1,4 +1,5 @@
 #include <array>
+#include <cctype>
 
 #include "source/view/Viewer.h"
 #include "source/view/overlay/SceneLines.h"
@@ -220,9 +221,9 @@ struct Viewer::BindingTable {
         {Key::digit_0, control, "reset the exposure", [](Viewer& v) { v.ChangeExposure(0); }},
         {Key::f1, plain, "save a screenshot", [](Viewer& v) { v.host_.SaveDrawing(); }},
         {Key::r, control, "reload the scene", [](Viewer& v) { v.ReadFromDisk(); }},
-        {Key::h, plain, "this help, page by page", [](Viewer& v) { v.TurnHelpPage(); }},
-        {Key::slash, plain, "", [](Viewer& v) { v.TurnHelpPage(); }},
-        {Key::slash, shift, "", [](Viewer& v) { v.TurnHelpPage(); }},
+        {Key::h, plain, "this help, which can be searched", [](Viewer& v) { v.ToggleHelp(); }},
+        {Key::slash, plain, "", [](Viewer& v) { v.ToggleHelp(); }},
+        {Key::slash, shift, "", [](Viewer& v) { v.ToggleHelp(); }},
     };
   }
 
@@ -297,12 +298,14 @@ std::vector<HelpRow> Viewer::HelpRows() {
     const std::string key = NameOf(binding.key, binding.modifiers);
     if (*binding.help)
       rows.push_back({key, binding.help});
+    else if (std::isdigit(static_cast<unsigned char>(key.back())))  // "Control+1-9"
+      rows.back().keys = rows.back().keys.substr(0, rows.back().keys.find('-')) + "-" + key.back();
     else
       rows.back().keys += " " + key;
   }
   return rows;
 }
 
-std::vector<std::string> Viewer::Help() { return HelpLines(HelpRows(), 0); }
+std::vector<std::string> Viewer::Help() { return HelpLines(HelpRows()); }
 
 }  // namespace ray

@@ -28,10 +28,7 @@ void Viewer::StartTrace() {
 }
 
 void Viewer::Peel() {
-  if (help_page_ > 0) {
-    help_page_ = 0;
-    return ShowMessage("help closed");
-  }
+  if (shows_help_) return ToggleHelp();
   if (flat_.IsShown()) return ToggleFlat();
   if (pick_) {
     pick_.reset();
@@ -211,16 +208,12 @@ void Viewer::Compare(TracedPictures::Comparing how) {
   ShowMessage(pictures_.HowCompared() == TracedPictures::Comparing::no ? "comparing off" : pictures_.Comparison());
 }
 
-void Viewer::ChangeExposure(double steps) {
-  SetExposure(steps == 0 ? 0 : exposure_steps_ + steps);
-}
+void Viewer::ChangeExposure(double steps) { SetExposure(steps == 0 ? 0 : exposure_steps_ + steps); }
 
-void Viewer::TurnHelpPage() {
-  const auto pages = static_cast<int>(HelpPages(HelpRows(), ColumnsOfText(), LinesOfText()).size());
-  help_page_ = help_page_ >= pages ? 0 : help_page_ + 1;
-  ShowMessage(help_page_ == 0 ? "help closed"
-                              : "help, page " + std::to_string(help_page_) + " of " + std::to_string(pages));
-  if (shows_panels_) panels_->LetGo();
+void Viewer::ToggleHelp() {
+  shows_help_ = !shows_help_;
+  TellPanelsTheirParts();
+  ShowMessage(shows_help_ ? "help; type to search it, Escape closes it" : "help closed");
 }
 
 }  // namespace ray

@@ -8,10 +8,6 @@
 /// What panels ask a viewer for.
 namespace ray {
 
-#ifndef RAYVIEW_PANELS
-std::unique_ptr<Panels> MakePanels() { return nullptr; }
-#endif
-
 ViewerSettings ViewerHost::ChangeOption(const std::string& name, const std::string&) {
   throw std::invalid_argument("there is no option " + name);
 }
@@ -45,32 +41,32 @@ void Viewer::ChangeOption(const std::string& name, const std::string& value) {
 }
 
 void Viewer::ShowPanels(const PanelSettings& look) {
-  if (!panels_) panels_ = MakePanels();
-  if (!panels_) return ShowMessage("panels are not built in; install libimgui-dev and rebuild");
-  panels_->SetScale(scale_);
   panels_->SetLook(look);
   shows_panels_ = true;
+  TellPanelsTheirParts();
+  section_drawing_.reset();
   InvalidateLines();
 }
 
 void Viewer::TogglePanels() {
   if (shows_panels_) {
     shows_panels_ = false;
-    panels_->LetGo();
+    TellPanelsTheirParts();
     InvalidateLines();
     return ShowMessage("panels off");
   }
   ShowPanels(PanelLook());
-  if (shows_panels_) ShowMessage("panels; Tab hides them");
+  ShowMessage("panels; Tab hides them");
 }
 
 const std::vector<PanelItem>& Viewer::ItemsOfPanels() const {
   static const std::vector<PanelItem> none;
-  return shows_panels_ ? panels_->Items() : none;
+  return shows_panels_ || shows_help_ ? panels_->Items() : none;
 }
 
 void Viewer::SetPanelLook(const PanelSettings& look) {
-  if (panels_) panels_->SetLook(look);
+  panels_->SetLook(look);
+  section_drawing_.reset();
   needs_redraw_ = true;
 }
 

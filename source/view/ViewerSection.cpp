@@ -6,20 +6,24 @@
 namespace ray {
 
 DrawingSize Viewer::ViewSize() const {
-  if (!section_.IsShown()) return {WidthBesidePanels(), size_.height};
-  return {std::max(1, WidthBesidePanels() / 2), size_.height};
+  const int width = section_.IsShown() ? std::max(1, WidthBesidePanels() / 2) : WidthBesidePanels();
+  return {width, HeightBelowStatusBar()};
 }
 
-DrawingSize Viewer::SectionSize() const { return {WidthBesidePanels() - ViewSize().width, size_.height}; }
+DrawingSize Viewer::SectionSize() const { return {WidthBesidePanels() - ViewSize().width, ViewSize().height}; }
 
 int Viewer::WidthBesidePanels() const {
   return std::max(1, size_.width - (shows_panels_ ? static_cast<int>(panels_->Width(*this)) : 0));
 }
 
+int Viewer::HeightBelowStatusBar() const {
+  return std::max(1, size_.height - (shows_panels_ ? static_cast<int>(panels_->HeightOfBar()) : 0));
+}
+
 bool Viewer::IsOnSection(const R2::Point& position) const {
   const double left = ViewSize().width;
   return section_.IsShown() && position.x >= left && position.x < left + SectionSize().width && position.y >= 0 &&
-         position.y < size_.height;
+         position.y < SectionSize().height;
 }
 
 R2::Point Viewer::InPicture(const R2::Point& position) const {
@@ -59,7 +63,7 @@ void Viewer::MakeSection() {
   section_size_ = SectionSize();
   section_.Cut(*scene_, SettingsOfView(), navigator_.Center(), section_size_, rays_.Counts());
   section_drawing_ =
-      std::make_shared<const SliceAxes>(section_.Drawing(*scene_, rays_.Look().WithoutChoice(), LetterSize()));
+      std::make_shared<const SliceAxes>(section_.Drawing(*scene_, rays_.Look().WithoutChoice(), panels_->Letters()));
 }
 
 std::string Viewer::TextOfSection() const {

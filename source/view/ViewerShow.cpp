@@ -8,7 +8,6 @@
 #include "source/text/EnumNames.h"
 #include "source/text/NumberText.h"
 #include "source/text/Words.h"
-#include "source/view/AsciiText.h"
 #include "source/view/Viewer.h"
 #include "source/view/overlay/SceneLines.h"
 
@@ -19,8 +18,8 @@ namespace {
 constexpr double quad_share_of_distance = 0.25;  // how far the traced picture hangs before its camera
 constexpr Rgba frustum_color{255, 255, 120, 255}, picked_color{255, 90, 90, 255}, chosen_color{255, 170, 60, 255},
     text_color{255, 255, 255, 255}, problem_color{255, 196, 186, 255};
-constexpr double line_height = 17, letter_width = 8, margin = 6;  // of text, in pixels, at letter size 1
-constexpr double cross_size = 8;                                  // pixels from the middle of a mark to its end
+constexpr double margin = 0.35;   // of text, in heights of its lines
+constexpr double cross_size = 8;  // pixels from the middle of a mark to its end
 constexpr double seconds_of_message = 5, seconds_of_fading = 1;
 
 R2::Color InverseOf(const R2::Color& c) { return {1 - c.r, 1 - c.g, 1 - c.b}; }
@@ -75,9 +74,9 @@ FrameState Viewer::Show() {
   }
   shown.picture = CoveringPicture();
   ShowFlat(shown);
-  shown.letter_size = LetterSize();
+  shown.line_width = LineWidth();
   shown.labels = MakeLabels();
-  if (DrawsPanels()) shown.panels = panels_->Draw(*this);
+  if (!shown.labels.empty() || shows_panels_ || shows_help_) shown.panels = panels_->Draw(*this, shown.labels);
   return shown;
 }
 
@@ -251,63 +250,46 @@ Lines Viewer::MakeMarks() const {
   return lines;
 }
 
-int Viewer::LinesOfText() const {
-  const double line = LetterSize() * line_height, edge = LetterSize() * margin;
-  const double room = size_.height - 2 * line - 2 * edge;  // above the message
-  return std::max(1, static_cast<int>(room / line));
-}
-
-int Viewer::ColumnsOfText(int width) const {
-  return std::max(1, static_cast<int>((width - 2 * LetterSize() * margin) / (LetterSize() * letter_width)));
-}
-
-int Viewer::LetterSize() const { return std::max(1, static_cast<int>(std::lround(scale_))); }
+int Viewer::LineWidth() const { return std::max(1, static_cast<int>(std::lround(scale_))); }
 
 double Viewer::StrengthOfMessage() const {
   return std::clamp((message_since_ + seconds_of_message - now_) / seconds_of_fading, 0.0, 1.0);
 }
 
-std::vector<std::string> Viewer::HelpPage() const {
-  const auto pages = HelpPages(HelpRows(), ColumnsOfText(), LinesOfText());
-  return pages[std::min(pages.size(), static_cast<std::size_t>(help_page_)) - 1];
-}
-
 std::vector<Label> Viewer::MakeLabels() const {
-  std::vector<Label> labels;
-  const double line_step = LetterSize() * line_height, edge = LetterSize() * margin;
-  const int columns = ColumnsOfText(std::min(ViewSize().width, WidthBesidePanels()));
   const double strength = StrengthOfMessage();
-  if (!message_.empty() && strength > 0) {
-    const auto lines = InLines(InAscii(message_), columns);
-    for (std::size_t i = 0; i < lines.size(); ++i)
-      labels.push_back({edge,
-                        edge + static_cast<double>(lines.size() - 1 - i) * line_step,
-                        lines[i],
-                        {255, 255, 255, static_cast<std::uint8_t>(255 * strength)}});
+  const bool has_message = !message_.empty() && strength > 0;
+  // Above the view, whole texts, and their colors.
+  std::vector<std::pair<std::string, Rgba>> upper;
+  if (!scene_problems_.empty()) upper.emplace_back(TextOfProblems(), problem_color);
+  if (section_.IsShown()) {
+    upper.emplace_back("cross section: " + section_.Describe(size_.height), text_color);
+    if (std::string text = TextOfSection(); !text.empty()) upper.emplace_back(std::move(text), text_color);
   }
-  std::vector<std::string> upper;
-  if (help_page_ > 0) {
-    upper = HelpPage();
-  } else if (pick_ && !shows_panels_) {
-    upper = pick_->text;
-  }
-  if (const std::string text = TextOfProjection(); !text.empty() && help_page_ == 0) upper.insert(upper.begin(), text);
-  if (section_.IsShown() && help_page_ == 0) {
+  if (std::string text = TextOfProjection(); !text.empty()) upper.emplace_back(std::move(text), text_color);
+  if (pick_ && !shows_panels_)
+    for (const std::string& text : pick_->text) upper.emplace_back(text, text_color);
+
+  std::vector<Label> labels;
+  if (upper.empty() && !has_message) return labels;
+  const LetterSize letters = panels_->Letters();
+  const double edge = letters.height * margin;
+  const int columns = static_cast<int>((ViewSize().width - 2 * edge) / letters.width);
+  if (section_.IsShown())
     for (Label label : section_drawing_->labels) label.x += ViewSize().width, labels.push_back(std::move(label));
-    if (const std::string text = TextOfSection(); !text.empty()) upper.insert(upper.begin(), text);
-    upper.insert(upper.begin(), "cross section: " + section_.Describe(size_.height));
+  double y = ViewSize().height - letters.height - edge;
+  for (const auto& [text, color] : upper)
+    for (const std::string& line : InLines(text, columns)) {
+      labels.push_back({edge, y, line, color});
+      y -= letters.height;
+    }
+  if (!has_message) return labels;
+  const auto lines = InLines(message_, columns);
+  y = edge + static_cast<double>(lines.size() - 1) * letters.height;
+  for (const std::string& line : lines) {
+    labels.push_back({edge, y, line, {255, 255, 255, static_cast<std::uint8_t>(255 * strength)}});
+    y -= letters.height;
   }
-  double y = size_.height - line_step - edge;
-  if (!scene_problems_.empty())
-    for (const std::string& line : InLines(InAscii(TextOfProblems()), columns)) {
-      labels.push_back({edge, y, line, problem_color});
-      y -= line_step;
-    }
-  for (const std::string& text : upper)
-    for (const std::string& line : help_page_ > 0 ? std::vector{text} : InLines(InAscii(text), columns)) {
-      labels.push_back({edge, y, line, text_color});
-      y -= line_step;
-    }
   return labels;
 }
 
@@ -382,12 +364,12 @@ std::string Viewer::State() {
   line("exposure", ToText(exposure_steps_));
   line("comparing", std::to_string(static_cast<int>(pictures_.HowCompared())));
   line("reference", yes_or_no(pictures_.Reference() != nullptr));
-  line("help", std::to_string(help_page_));
+  line("help", yes_or_no(shows_help_));
   line("problem", TextOfProblems());
   line("message", message_);
   line("edits", editor_.Describe());
   line("panels", yes_or_no(shows_panels_));
-  if (shows_panels_) text += TextOfPanels();
+  text += TextOfPanels();
   return text;
 }
 

@@ -145,7 +145,7 @@ void Drawer::Draw(const FrameState& state) {
     painter_.surfaces.DrawEdges(Upload(faces_, state.faces, painter_.surfaces), clip, state.edge_color);
   if (state.quad && !is_covered)
     painter_.pictures.Draw(Upload(quad_, *state.quad), *state.quad->corners, clip, LookOf(*state.quad));
-  const int width = state.letter_size;  // of lines, as of strokes of letters
+  const int width = state.line_width;
   lists.Draw(Upload(lines_, state.lines), clip, width, hidden_lines);
   if (state.marks) lists.Draw(Upload(marks_, state.marks), clip, width, hidden_lines);
   if (state.lit) lists.Draw(Upload(lit_, state.lit), clip, lit_width * width, hidden_lines);
@@ -154,7 +154,6 @@ void Drawer::Draw(const FrameState& state) {
     canvas.Fill(section_ground);
     lists.Draw(Upload(section_, state.section), as_it_is, 1, 1);
   }
-  painter_.text.Draw(state.labels, canvas, state.letter_size);
   if (state.panels) painter_.panels.Draw(*state.panels, canvas);
 }
 

@@ -6,7 +6,6 @@
 #include "source/view/gl/PanelDrawer.h"
 #include "source/view/gl/PictureDrawer.h"
 #include "source/view/gl/SurfaceDrawer.h"
-#include "source/view/gl/TextDrawer.h"
 
 namespace ray {
 
@@ -21,7 +20,6 @@ struct Painter {
   CoarseDrawer coarse;
   ListDrawer lists;
   PictureDrawer pictures;
-  TextDrawer text;
   PanelDrawer panels;
 };
 

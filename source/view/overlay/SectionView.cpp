@@ -14,8 +14,8 @@
 namespace ray {
 namespace {
 
-constexpr int cut_lines = 512;     // of the grid that searches, each way
-constexpr double step = 0.02;      // of the axis planes, in radii of the scene
+constexpr int cut_lines = 512;  // of the grid that searches, each way
+constexpr double step = 0.02;   // of the axis planes, in radii of the scene
 constexpr double crossing_normal_length = 0.03;
 constexpr Rgba crossing_normal_color{255, 120, 220, 160};
 constexpr double normal_spacing = 0.04;  // between neighbors of one outline, in half sides of the slice
@@ -24,7 +24,7 @@ constexpr int pieces_of_ray = 16;
 constexpr double near_plane = 0.02;  // half sides of the slice away, where a ray has lost half of its alpha
 constexpr double faintest_of_row = 0.12, faintest_of_axes = 0.35;  // of axis planes most rays are projected
 constexpr Rgba camera_color{255, 230, 120, 255}, screen_color{120, 255, 160, 255};
-constexpr double dot_radius = 4;          // pixels at letter size 1
+constexpr double dot_radius = 0.25;       // heights of a line of text
 constexpr double way_to_screen = 0.25;    // of the scene's radius, where no lens has a focus distance
 constexpr double room_behind_eye = 0.1;   // of its way from the middle of the scene
 constexpr double farthest_shown_eye = 5;  // radii from the middle of the scene; beyond, too little would be left of it
@@ -97,13 +97,13 @@ void SectionView::TraceLine(const LoadedScene& scene, const RenderSettings& sett
     rays_.push_back(line.is_column ? tracer.Trace(line.at, i, 1) : tracer.Trace(i, line.at, 1));
 }
 
-SliceAxes SectionView::Drawing(const LoadedScene& scene, const RayLook& look, int letter_size) const {
-  SliceAxes drawing = AxesOf(view_, coordinates_, letter_size);
+SliceAxes SectionView::Drawing(const LoadedScene& scene, const RayLook& look, const LetterSize& letters) const {
+  SliceAxes drawing = AxesOf(view_, coordinates_, letters);
   Append(drawing.lines, CutFilling(*cut_, scene.world, view_));
   Append(drawing.lines, CutLines(*cut_, scene.world, view_));
   AddNormals(drawing.lines);
   AddRays(drawing.lines, look);
-  if (mark_) AddMark(drawing.lines, letter_size);
+  if (mark_) AddMark(drawing.lines, dot_radius * letters.height);
   return drawing;
 }
 
@@ -146,8 +146,8 @@ void SectionView::AddRays(Lines& lines, const RayLook& look) const {
   }
 }
 
-SectionView::CameraMark SectionView::MarkOf(const Camera& camera, const PixelLine& line,
-                                            const RenderSettings& settings, const Slice& slice, double scene_radius) {
+SectionView::CameraMark SectionView::MarkOf(const Camera& camera, const PixelLine& line, const RenderSettings& settings,
+                                            const Slice& slice, double scene_radius) {
   const double way = settings.camera.HasLens() ? settings.camera.focus : way_to_screen * scene_radius;
   const double middle = line.at + 0.5;
   const auto on_screen = [&](double along) {
@@ -159,10 +159,9 @@ SectionView::CameraMark SectionView::MarkOf(const Camera& camera, const PixelLin
 }
 
 /// A dot, of a line for each row of pixels, and the line of the screen.
-void SectionView::AddMark(Lines& lines, int letter_size) const {
+void SectionView::AddMark(Lines& lines, double radius) const {
   AddLine(lines, view_.At(mark_->left), view_.At(mark_->right), screen_color);
   const R2::Point eye = view_.Pixel(mark_->eye);
-  const double radius = letter_size * dot_radius;
   const auto at = [&](double x, double y) { return view_.At(view_.InSlice({x, y})); };
   for (double y = -radius + 0.5; y < radius; ++y) {
     const double half = std::sqrt(radius * radius - y * y);
@@ -174,8 +173,8 @@ std::string SectionView::Tell(const R2::Point& pixel, const std::optional<R2::Po
   const auto length = [](const R2::Vector& v) { return Plain(R1::Hypot(v.x, v.y), 4); };
   const R2::Point at = view_.InSlice(pixel);
   const R2::Vector way = at - coordinates_.origin;
-  return coordinates_.names[0] + " " + Plain(way.x, 4) + ", " + coordinates_.names[1] + " " + Plain(way.y, 4) +
-         ": " + length(way) + " from " + coordinates_.origin_name +
+  return coordinates_.names[0] + " " + Plain(way.x, 4) + ", " + coordinates_.names[1] + " " + Plain(way.y, 4) + ": " +
+         length(way) + " from " + coordinates_.origin_name +
          (from ? ", " + length(at - view_.InSlice(*from)) + " from where the button went down" : "");
 }
 

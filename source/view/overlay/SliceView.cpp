@@ -12,8 +12,7 @@ namespace {
 constexpr double room_around = 1.05;  // of what is cut, so that its outline does not touch the edge
 constexpr Rgba grid_color{255, 255, 255, 28}, zero_color{255, 255, 255, 80}, scale_color{255, 255, 255, 255};
 constexpr Rgba number_color{210, 210, 220, 255};
-// Of labels, in pixels at letter size 1.
-constexpr double letter_wide = 8, letter_high = 16, gap = 4;
+constexpr double gap = 0.25;               // between text and an edge, in heights of a line
 constexpr double columns_of_a_number = 9;  // letters from one number to the next: "-12.345" and a space each side
 constexpr double rows_of_a_number = 3;
 
@@ -30,9 +29,7 @@ struct Ticks {
     return Fixed(value / unit, static_cast<int>(std::clamp(decimals, 0.0, most_decimals)));
   }
   /// "x", or "x, 10^6" where numbers are in millions.
-  std::string Name(const std::string& name) const {
-    return power == 0 ? name : name + ", 10^" + std::to_string(power);
-  }
+  std::string Name(const std::string& name) const { return power == 0 ? name : name + ", 10^" + std::to_string(power); }
 
  private:
   static constexpr double rounding = 1e-9;  // of a step's logarithm
@@ -62,8 +59,9 @@ Ticks TicksOf(double low, double high, double room_for) {
 }
 
 /// Nothing where there is no room for it to the right of `numbers_end`, a column of the drawing.
-void AddScale(SliceAxes& axes, const SliceView& view, const Ticks& ticks, int letter_size, double numbers_end) {
-  const double letter = letter_size * letter_wide, line = letter_size * letter_high, edge = letter_size * gap;
+void AddScale(SliceAxes& axes, const SliceView& view, const Ticks& ticks, const LetterSize& letters,
+              double numbers_end) {
+  const double letter = letters.width, line = letters.height, edge = gap * line;
   const std::string text = ticks.Text(ticks.step) + (ticks.power == 0 ? "" : " 10^" + std::to_string(ticks.power));
   const double right = view.size.width - edge, left = right - ticks.step / view.pixel, y = 2 * line;
   const double wide = letter * static_cast<double>(text.size());
@@ -101,9 +99,9 @@ double TickStep(double range, int most) {
       if (!(range / (digit * power) > most)) return digit * power;
 }
 
-SliceAxes AxesOf(const SliceView& view, const SliceCoordinates& coordinates, int letter_size) {
+SliceAxes AxesOf(const SliceView& view, const SliceCoordinates& coordinates, const LetterSize& letters) {
   SliceAxes axes;
-  const double letter = letter_size * letter_wide, line = letter_size * letter_high, edge = letter_size * gap;
+  const double letter = letters.width, line = letters.height, edge = gap * line;
   const R2::Point low = view.InSlice({0, 0}),
                   high = view.InSlice(R2::Point{double(view.size.width), double(view.size.height)});
   const R2::Point& origin = coordinates.origin;
@@ -135,7 +133,7 @@ SliceAxes AxesOf(const SliceView& view, const SliceCoordinates& coordinates, int
   if (across.at.empty() || upward.at.empty()) return axes;
   axes.labels.push_back({right_end, edge, right_name, scale_color});
   axes.labels.push_back({edge, view.size.height - line - edge, upward.Name(coordinates.names[1]), scale_color});
-  AddScale(axes, view, across, letter_size, numbers_end);
+  AddScale(axes, view, across, letters, numbers_end);
   return axes;
 }
 

@@ -45,8 +45,8 @@ struct SliceAxes {
 };
 
 /// Numbers along the lower and the left edge with faint lines through them, and a scale: a bar of the length that is
-/// written on it. `letter_size`: >= 1, as of labels.
-SliceAxes AxesOf(const SliceView& view, const SliceCoordinates& coordinates, int letter_size);
+/// written on it. `letters`: of labels.
+SliceAxes AxesOf(const SliceView& view, const SliceCoordinates& coordinates, const LetterSize& letters);
 
 /// The least of 1, 2, 5, 10 and so on times powers of ten that goes at most `most` (>= 1) times into `range` (> 0).
 double TickStep(double range, int most);

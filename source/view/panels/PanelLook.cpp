@@ -10,8 +10,6 @@
 namespace ray {
 namespace {
 
-constexpr double letter_height = 13;        // at scale 1: the height of Dear ImGui's own letters
-
 /// Where Debian, Fedora and Arch keep it.
 constexpr std::array letter_files{"/usr/share/fonts/truetype/dejavu/DejaVuSansMono.ttf",
                                   "/usr/share/fonts/dejavu-sans-mono-fonts/DejaVuSansMono.ttf",
@@ -77,7 +75,7 @@ std::shared_ptr<const InkSheet> UseLetters(double scale) {
     return std::filesystem::is_regular_file(name, error);
   });
   // Latin with its accents, Greek, Cyrillic, dashes and arrows.
-  static constexpr std::array<ImWchar, 13> letters{0x20,  0x24F,  0x370,  0x3FF,  0x400,  0x52F, 0x2010,
+  static constexpr std::array<ImWchar, 13> letters{0x20,   0x24F,  0x370,  0x3FF,  0x400,  0x52F, 0x2010,
                                                    0x205E, 0x2190, 0x21FF, 0x2200, 0x22FF, 0};
   if (file == letter_files.end() ||
       !atlas.AddFontFromFileTTF(*file, whole_pixels.SizePixels, &whole_pixels, letters.data())) {

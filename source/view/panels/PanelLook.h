@@ -7,6 +7,8 @@
 /// Letters and colors of panels, of the Dear ImGui context that is current.
 namespace ray {
 
+inline constexpr double letter_height = 13;  // units of length: the height of Dear ImGui's own letters
+
 /// Colors and distances. `scale` as of Panels.
 void UseLook(PanelTheme theme, double scale);
 

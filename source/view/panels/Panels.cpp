@@ -10,8 +10,11 @@
 #include <set>
 #include <utility>
 
+#include "source/view/panels/HelpSheet.h"
+#include "source/view/panels/Labels.h"
 #include "source/view/panels/Panel.h"
 #include "source/view/panels/PanelLook.h"
+#include "source/view/panels/StatusBar.h"
 
 namespace ray {
 
@@ -27,11 +30,16 @@ constexpr const PanelKind* panel_kinds[] = {
 #undef PANEL
 };
 
-constexpr double narrowest = 150;       // units: the titles, and short words
-constexpr double widest_share = 0.9;    // of the drawing: some of it stays to be clicked
-constexpr double column_width = 330;    // units at most, and at first
-constexpr double column_share = 0.49;   // of a drawing too narrow for that
-constexpr float shortest_time = 1e-3F;  // seconds; Dear ImGui wants some between frames
+constexpr double narrowest = 150;                      // units: the titles, and short words
+constexpr double widest_share = 0.9;                   // of the drawing: some of it stays to be clicked
+constexpr double column_width = 330;                   // units at most, and at first
+constexpr double column_share = 0.49;                  // of a drawing too narrow for that
+constexpr double bar_padding = 4;                      // units, above and below the text of the status bar
+constexpr double help_wide = 1240, help_share = 0.94;  // units at most; of the width that there is
+constexpr float shortest_time = 1e-3F;                 // seconds; Dear ImGui wants some between frames
+
+constexpr auto fixed_window =
+    ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav;
 
 /// Where it was asked for a position and no pointer is.
 constexpr float nowhere = -std::numeric_limits<float>::max();
@@ -116,24 +124,29 @@ class ImGuiPanels : public Panels {
 
   bool Take(const Event& event, Viewer& viewer) override {
     Use();
+    // What came up since the last frame is to be there; a field that was to get the keyboard tells so in the third.
+    if (std::exchange(has_new_parts_, false))
+      for (int i = 0; i < 3; ++i) MakeFrame(viewer);
     return std::visit([&](const auto& e) { return On(e, viewer); }, event);
   }
 
-  void LetGo() override {
-    Use();
-    ImGuiIO& io = ImGui::GetIO();
-    for (const Key key : std::exchange(keys_down_, {})) PutKey(key, false);
-    std::ranges::fill(io.MouseDown, false);
-    io.MousePos = {nowhere, nowhere};
-    ImGui::ClearActiveID();
-    holder_ = Holder::nobody;
+  void SetParts(const PanelParts& parts) override {
+    if ((parts_.column && !parts.column) || (parts_.help && !parts.help)) LetGo();
+    if (parts.help && !parts_.help) {
+      help_.Open();
+      ignores_text_ = true;
+    }
+    parts_ = parts;
+    has_new_parts_ = true;
   }
 
-  std::shared_ptr<const PanelDrawing> Draw(Viewer& viewer) override {
+  std::shared_ptr<const PanelDrawing> Draw(Viewer& viewer, const std::vector<Label>& labels) override {
     Use();
-    // Twice: what an event has changed may need another frame to find its size.
+    labels_ = labels;
     MakeFrame(viewer);
-    MakeFrame(viewer);
+    // Again: what an event has changed may need another frame to find its size.
+    if (parts_.column || parts_.help) MakeFrame(viewer);
+    labels_.clear();
     return AsDrawing(*ImGui::GetDrawData(), sheet_);
   }
 
@@ -150,6 +163,14 @@ class ImGuiPanels : public Panels {
     const double all = viewer.Size().width, widest = std::floor(widest_share * all);
     const double usual = std::min(Pixels(column_width), std::floor(column_share * all));
     return look_.width > 0 ? std::clamp(Pixels(look_.width), std::min(Pixels(narrowest), widest), widest) : usual;
+  }
+
+  double HeightOfBar() const override { return std::floor(letter_height * Scale() + 0.5) + 2 * Pixels(bar_padding); }
+
+  LetterSize Letters() override {
+    Use();
+    Dress();
+    return LettersOfLabels(Scale());
   }
 
   const std::vector<PanelItem>& Items() const override { return items_; }
@@ -169,10 +190,24 @@ class ImGuiPanels : public Panels {
  private:
   enum class Holder { nobody, panels, viewer };
 
+  void LetGo() {
+    Use();
+    ImGuiIO& io = ImGui::GetIO();
+    for (const Key key : std::exchange(keys_down_, {})) PutKey(key, false);
+    std::ranges::fill(io.MouseDown, false);
+    io.MousePos = {nowhere, nowhere};
+    ImGui::ClearActiveID();
+    holder_ = Holder::nobody;
+  }
+
   void Use() const { ImGui::SetCurrentContext(context_); }
 
   double Pixels(double units) const { return std::floor(units * Scale()); }
   double Scale() const { return screen_ * look_.letters; }
+  void Dress() {
+    if (!sheet_) sheet_ = UseLetters(Scale());
+    if (!std::exchange(is_dressed_, true)) UseLook(look_.theme, Scale());
+  }
   void Undress() {
     sheet_.reset();
     is_dressed_ = false;
@@ -211,7 +246,8 @@ class ImGuiPanels : public Panels {
 
   bool On(const KeyEvent& event, Viewer& viewer) {
     const Key key = event.key;
-    if (key == Key::tab) return false;
+    ignores_text_ = false;
+    if (key == Key::tab || (key == Key::escape && parts_.help)) return false;
     if (event.is_pressed ? !TakesText(viewer) : !keys_down_.contains(key)) return false;
     if (event.is_pressed && keys_down_.contains(key)) {  // it is held, and counts again
       PutKey(key, false);
@@ -231,7 +267,7 @@ class ImGuiPanels : public Panels {
 
   bool On(const TextEvent& event, Viewer& viewer) {
     ImGuiIO& io = ImGui::GetIO();
-    if (!TakesText(viewer)) return false;
+    if (ignores_text_ || !TakesText(viewer)) return false;
     io.AddInputCharactersUTF8(event.text.c_str());
     MakeFrame(viewer);
     return true;
@@ -295,15 +331,20 @@ class ImGuiPanels : public Panels {
 
   void MakeFrame(Viewer& viewer) {
     viewer_ = &viewer;
-    if (!sheet_) sheet_ = UseLetters(Scale());
-    if (!std::exchange(is_dressed_, true)) UseLook(look_.theme, Scale());
+    Dress();
     ImGuiIO& io = ImGui::GetIO();
     io.DisplaySize = {static_cast<float>(viewer.Size().width), static_cast<float>(viewer.Size().height)};
     io.DeltaTime = std::max(shortest_time, std::exchange(passed_, 0.0F));
     items_.clear();
     ImGui::NewFrame();
     PanelFrame frame(viewer, Scale(), items_);
-    DrawColumn(frame);
+    DrawLabels(labels_, Scale());
+    text_.clear();
+    if (parts_.column) {
+      DrawColumn(frame);
+      DrawBar(frame);
+    }
+    if (parts_.help) DrawHelp(frame);
     ImGui::Render();
     for (const auto& action : frame.Asked()) action(viewer);
   }
@@ -317,31 +358,75 @@ class ImGuiPanels : public Panels {
     ImGui::SetNextWindowPos({all.x, 0}, ImGuiCond_Always, {1, 0});
     ImGui::SetNextWindowSize({width, all.y}, ImGuiCond_Always);
     ImGui::SetNextWindowSizeConstraints({least, all.y}, {widest, all.y});
-    constexpr auto flags = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-                           ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoFocusOnAppearing;
-    ImGui::Begin("column", nullptr, flags);
+    ImGui::Begin("column", nullptr, fixed_window | ImGuiWindowFlags_NoFocusOnAppearing);
     // Its edge was dragged; what a small window leaves no room for is no choice of the user's.
     if (holder_ == Holder::panels && ImGui::GetWindowWidth() != width) look_.width = ImGui::GetWindowWidth() / Scale();
-    if (wants_text_) ImGui::LogToBuffer(0);
+    BeginText();
     for (std::size_t i = 0; i < panels_.size(); ++i) {
       if (!panels_[i]->IsOfUse(frame.viewer)) continue;
       ImGui::PushID(static_cast<int>(i));
       if (frame.Heading(panel_kinds[i]->title, panel_kinds[i]->is_open_at_first)) panels_[i]->Draw(frame);
       ImGui::PopID();
     }
-    if (wants_text_) {
-      text_ = context_->LogBuffer.c_str();
-      ImGui::LogFinish();
-    }
+    EndText();
     ImGui::End();
+  }
+
+  /// Above the view, as wide.
+  void DrawBar(PanelFrame& frame) {
+    const float wide = ImGui::GetIO().DisplaySize.x - static_cast<float>(Width(frame.viewer));
+    const auto high = static_cast<float>(HeightOfBar());
+    ImGui::SetNextWindowPos({0, 0}, ImGuiCond_Always);
+    ImGui::SetNextWindowSize({wide, high}, ImGuiCond_Always);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding,
+                        {2 * static_cast<float>(Pixels(bar_padding)), static_cast<float>(Pixels(bar_padding))});
+    ImGui::Begin(
+        "bar", nullptr,
+        fixed_window | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoFocusOnAppearing);
+    BeginText();
+    DrawStatusBar(frame);
+    EndText();
+    ImGui::End();
+    ImGui::PopStyleVar(2);
+  }
+
+  /// In the middle of the view.
+  void DrawHelp(PanelFrame& frame) {
+    const ImVec2 all = ImGui::GetIO().DisplaySize;
+    const float left = parts_.column ? all.x - static_cast<float>(Width(frame.viewer)) : all.x;
+    const auto line = static_cast<float>(LettersOfLabels(Scale()).height);
+    const float wide = std::min(static_cast<float>(help_share) * left, static_cast<float>(Pixels(help_wide)));
+    ImGui::SetNextWindowPos({std::floor((left - wide) / 2), line}, ImGuiCond_Always);
+    // Below it a message has room.
+    ImGui::SetNextWindowSize({std::floor(wide), std::max(line, all.y - 3 * line)}, ImGuiCond_Always);
+    ImGui::Begin("help", nullptr, fixed_window | ImGuiWindowFlags_NoResize);
+    BeginText();
+    help_.Draw(frame);
+    EndText();
+    ImGui::End();
+  }
+
+  /// What is drawn from here to EndText belongs to text_, where that is wanted.
+  void BeginText() const {
+    if (wants_text_) ImGui::LogToBuffer(0);
+  }
+  void EndText() {
+    if (!wants_text_) return;
+    text_ += context_->LogBuffer.c_str();
+    ImGui::LogFinish();
   }
 
   ImGuiContext* const context_;
   std::vector<std::unique_ptr<Panel>> panels_;
+  HelpSheet help_;
+  PanelParts parts_;
+  std::vector<Label> labels_;              // of the frame that is made
   std::shared_ptr<const InkSheet> sheet_;  // null when the letters are to be made
   PanelSettings look_;
   double screen_ = 1;  // pixels per unit of length
-  bool is_dressed_ = false, wants_text_ = false;
+  bool is_dressed_ = false, wants_text_ = false, has_new_parts_ = false;
+  bool ignores_text_ = false;       // that of the key which opened the help
   float passed_ = 0;                // seconds since the last frame
   std::set<Key> keys_down_;         // of those that panels have got
   Holder holder_ = Holder::nobody;  // who got the press of the buttons that are down

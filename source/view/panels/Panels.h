@@ -17,6 +17,12 @@ struct PanelItem {
   double x = 0, y = 0;  // its middle, in pixels from the lower left corner of the drawing
 };
 
+/// Of panels, what is shown.
+struct PanelParts {
+  bool column = false;  // and the status bar
+  bool help = false;
+};
+
 enum class PanelTheme { dark, light };
 inline constexpr double smallest_letters = 0.75, largest_letters = 3;  // times the usual: still read, and still useful
 
@@ -28,20 +34,25 @@ struct PanelSettings {
   friend bool operator==(const PanelSettings&, const PanelSettings&) = default;
 };
 
-/// What stands in a column beside the picture: facts about the scene and its rays, and what can be chosen. What they
-/// show depends on the events and on the viewer alone, never on how often they are drawn.
+/// All that is written: labels; where they are shown, a column beside the picture with facts about the scene and its
+/// rays, and what can be chosen, and a status bar above it; and the help. What they show depends on the events and on
+/// the viewer alone, never on how often they are drawn.
 class Panels {
  public:
   virtual ~Panels() = default;
   /// Whether they keep the event from the viewer: of the pointer, where it is over them; of keys, where text is being
   /// entered. What is asked of the viewer is done before this returns.
   virtual bool Take(const Event& event, Viewer& viewer) = 0;
-  /// Keys and buttons are let go, and text is not entered any more: they are hidden, and will not be told.
-  virtual void LetGo() = 0;
+  /// What is shown from now on. Where that is less, keys and buttons are let go, and text is not entered any more.
+  virtual void SetParts(const PanelParts& parts) = 0;
   /// Of the column, in pixels, when it is next drawn.
   virtual double Width(const Viewer& viewer) const = 0;
-  /// As they are now.
-  virtual std::shared_ptr<const PanelDrawing> Draw(Viewer& viewer) = 0;
+  /// Of the status bar, in pixels.
+  virtual double HeightOfBar() const = 0;
+  /// Of labels.
+  virtual LetterSize Letters() = 0;
+  /// As they are now, with these labels below them.
+  virtual std::shared_ptr<const PanelDrawing> Draw(Viewer& viewer, const std::vector<Label>& labels) = 0;
   /// What they say, in lines, hidden by scrolling or not; for scripts.
   virtual std::string Text(Viewer& viewer) = 0;
   /// What takes clicks, as last drawn.
@@ -52,7 +63,6 @@ class Panels {
   virtual void SetScale(double scale) = 0;
 };
 
-/// Null when they are not built in.
 std::unique_ptr<Panels> MakePanels();
 
 }  // namespace ray

@@ -20,9 +20,6 @@ class RayviewScripts : public ::testing::Test {
  protected:
   void SetUp() override {
     if (!testing::ProgramName("RAYVIEW")) GTEST_SKIP() << "rayview is not built here: nothing to draw with";
-#ifndef RAYVIEW_PANELS
-    GTEST_SKIP() << "panels are not built in";
-#endif
     std::filesystem::copy(project::Root() / "scenes/textures", folder.Path() / "textures");
     std::filesystem::copy(project::Root() / "scenes/meshes", folder.Path() / "meshes");
     before = ReadFile(project::Root() / "scenes/hello.scn");
@@ -63,8 +60,7 @@ TEST_F(RayviewScripts, TheRedConeTurnsGreenAndMovesAndIsSaved) {
   EXPECT_NE(changed[0].find("0.1 0.6 0.15"), std::string::npos) << changed[0];
   EXPECT_TRUE(changed[0].ends_with("# 3 red")) << changed[0];
   EXPECT_EQ(changed[1], "cone      3    2.5 0.9 -1.1   0.75 1.8");
-  ASSERT_EQ(
-      testing::RunProgram({scene, folder / "pro.png", "-width", "96", "-height", "64", "-quiet"}).status, 0);
+  ASSERT_EQ(testing::RunProgram({scene, folder / "pro.png", "-width", "96", "-height", "64", "-quiet"}).status, 0);
   EXPECT_EQ(testing::Decode(folder / "view.png").image, testing::Decode(folder / "pro.png").image);
 }
 

@@ -31,12 +31,6 @@ R2::Image Picture(const std::string& file) { return testing::Decode(file).image;
 // Of programs built to look for leaks: GLX and OSMesa keep memory of their own to the end. EGL does not.
 constexpr const char* drivers_leak = "detect_leaks=0";
 
-#ifdef RAYVIEW_PANELS
-constexpr bool has_panels = true;
-#else
-constexpr bool has_panels = false;
-#endif
-
 class Rayview : public ::testing::Test {
  protected:
   void SetUp() override {
@@ -269,7 +263,6 @@ TEST_F(Rayview, ARecordingDoesTheSameAgain) {
 
 // What had passed since the last event was forgotten, so that messages were back that had faded from the window.
 TEST_F(Rayview, ARecordingOfPanelsEndsWithTheSameDrawing) {
-  if (!has_panels) GTEST_SKIP() << "panels are not built in";
   const std::string recorded = folder / "recorded.events";
   const std::string script =
       "resize 600 500\nkey Tab\npanel Scene\npanel Settings\npanel light\npanel -max_depth\nkey Control+A\ntype 7\n"
@@ -282,7 +275,6 @@ TEST_F(Rayview, ARecordingOfPanelsEndsWithTheSameDrawing) {
 }
 
 TEST_F(Rayview, SettingsOfPanelsAreThoseOfTheSavedImage) {
-  if (!has_panels) GTEST_SKIP() << "panels are not built in";
   const std::string script =
       "resize 600 500\nkey Tab\npanel Scene\npanel Settings\npanel light\npanel -max_depth\nkey Control+A\ntype 1\n"
       "key Enter\nkey S\nwait trace\n";
@@ -388,7 +380,6 @@ class RayviewWindow : public Rayview {
 };
 
 TEST_F(RayviewWindow, KeepsHowThePanelsLookOnceThatIsChanged) {
-  if (!has_panels) GTEST_SKIP() << "panels are not built in";
   const std::string habits = folder / "config/raypro/rayview";
   // The edge of the panels, in units from the left.
   constexpr int window = 400, edge = window - 196, dragged_to = 150;

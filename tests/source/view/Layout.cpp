@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <string>
 
-#include "source/text/Font.h"
 #include "tests/source/view/Contrast.h"
 #include "tests/source/view/ScriptedViewer.h"
 #include "tests/source/view/WithOptions.h"
@@ -17,7 +16,6 @@ class Layout : public ScriptedViewer<WithOptions, 512, 512> {
   static constexpr const char* sizes[] = {"512 512", "1280 800", "3840 2160 2"};
   static constexpr const char* modes[] = {
       "",
-      "key H",
       "key H",
       "key Escape",
       "click left 150 260",
@@ -59,27 +57,30 @@ class Layout : public ScriptedViewer<WithOptions, 512, 512> {
   }
 };
 
-/// Where a label is drawn, in pixels.
-PixelBox BoxOf(const Label& label, int letter_size) {
-  return {label.x, label.y, static_cast<double>(label.text.size()) * glyph_width * letter_size,
-          static_cast<double>(glyph_height) * letter_size};
+/// Of labels on a screen of that density.
+LetterSize LettersAt(double scale) {
+  const auto panels = MakePanels();
+  panels->SetScale(scale);
+  return panels->Letters();
 }
 
-void ExpectWithin(const FrameState& shown) {
-  float right = static_cast<float>(shown.size.width);
-  if (shown.panels)
-    for (const PanelDrawing::Corner& corner : shown.panels->corners) right = std::min(right, corner.x);
+/// Where a label is drawn, in pixels.
+PixelBox BoxOf(const Label& label, const LetterSize& letters) {
+  return {label.x, label.y, static_cast<double>(CountLetters(label.text)) * letters.width, letters.height};
+}
+
+void ExpectWithin(const FrameState& shown, const LetterSize& letters) {
   for (const Label& label : shown.labels) {
-    const PixelBox box = BoxOf(label, shown.letter_size);
-    EXPECT_TRUE(box.left >= 0 && box.bottom >= 0 && box.bottom + box.height <= shown.size.height) << label.text;
-    EXPECT_LE(box.left + box.width, right) << label.text;
+    const PixelBox box = BoxOf(label, letters);
+    EXPECT_TRUE(box.left >= 0 && box.bottom >= 0 && box.bottom + box.height <= shown.view.height) << label.text;
+    EXPECT_LE(box.left + box.width, shown.view.width + shown.section_size.width) << label.text;
   }
 }
 
-void ExpectApart(const FrameState& shown) {
+void ExpectApart(const FrameState& shown, const LetterSize& letters) {
   for (std::size_t i = 0; i < shown.labels.size(); ++i)
-    for (std::size_t k = 0; k < i; ++k) {
-      const PixelBox a = BoxOf(shown.labels[i], shown.letter_size), b = BoxOf(shown.labels[k], shown.letter_size);
+    for (std::size_t k = i + 1; k < shown.labels.size(); ++k) {
+      const PixelBox a = BoxOf(shown.labels[i], letters), b = BoxOf(shown.labels[k], letters);
       const bool are_apart = a.left + a.width <= b.left || b.left + b.width <= a.left ||
                              a.bottom + a.height <= b.bottom || b.bottom + b.height <= a.bottom;
       EXPECT_TRUE(are_apart) << shown.labels[i].text << "\n" << shown.labels[k].text;
@@ -96,8 +97,9 @@ void ExpectRead(const FrameState& shown) {
 
 TEST_F(Layout, LinesOfTextAreInTheWindowBesideThePanelsApartAndReadOverAnything) {
   InEveryMode([](const FrameState& shown) {
-    ExpectWithin(shown);
-    ExpectApart(shown);
+    const LetterSize letters = LettersAt(shown.line_width);  // lines are as wide as the screen is dense
+    ExpectWithin(shown, letters);
+    ExpectApart(shown, letters);
     ExpectRead(shown);
   });
 }

@@ -156,7 +156,13 @@ TEST_F(WindowOnADisplay, DrawsTheSameAsAFramebufferOfItsOwn) {
     painter.canvas.Begin(window->Width(), window->Height(), {0.2, 0.3, 0.4});
     const Lines lines{{{-1, -0.7F, 0}, {255, 0, 0, 255}}, {{1, 0.8F, 0}, {0, 255, 0, 255}}};
     painter.lists.Draw(*painter.lists.Upload(lines), {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}, 3);
-    painter.text.Draw(std::vector<Label>{{10, 10, "a window", {255, 255, 255, 255}}}, painter.canvas);
+    PanelDrawing panels;
+    panels.sheet = std::make_shared<const InkSheet>(InkSheet{1, 1, {255}});
+    for (const auto& [x, y] : {std::pair{10.F, 10.F}, {40.F, 10.F}, {10.F, 30.F}})
+      panels.corners.push_back({x, y, 0.5F, 0.5F, {255, 255, 255, 200}});
+    panels.indices = {0, 1, 2};
+    panels.parts = {{0, 0, 50, 50, 0, 3}};
+    painter.panels.Draw(panels, painter.canvas);
     images.push_back(painter.canvas.Read());
     if (target == Canvas::Target::window) window->Show();
   }

@@ -27,7 +27,7 @@ class CoarseDrawing : public ray::testing::WithPainter {
         settings, std::make_shared<const ray::LoadedScene>(settings.scene, settings.parse, settings.accelerator), host);
     viewer.Handle(ray::KeyEvent{ray::Key::l, {}, true});  // lines
     ray::FrameState shown = viewer.Show();
-    shown.labels.clear();
+    shown.panels.reset();  // labels
     shown.pixel_step = step;
     ray::Drawer drawer(*painter);
     drawer.Draw(shown);

@@ -8,7 +8,6 @@
 #include <random>
 
 #include "R2/ImageFile.h"
-#include "source/text/Font.h"
 #include "tests/source/view/gl/WithPainter.h"
 
 namespace {
@@ -343,30 +342,30 @@ TEST_P(Painter, BlendsAPictureAndShowsWhatComesLaterBehindIt) {
   EXPECT_EQ(PixelOf(painter->canvas.Read(), 1, 1), red);
 }
 
-TEST_P(Painter, WritesEveryCharacterWhereItIsAskedToPixelByPixel) {
-  const auto sheet = ray::GlyphSheet();
-  std::string text;
-  for (char c = ' '; c < '~'; ++c) text += c;
-  text += "~\x01";
-  constexpr int left = 6, bottom = 3, width = ray::glyph_count * ray::glyph_width;
-  painter->canvas.Begin(width + 12, 24, {1, 1, 1});
-  painter->canvas.SetViewport(0, 0, 1, 1);  // which text does not keep to
-  painter->surfaces.Draw(*painter->surfaces.Upload(Wall(-1, white)), as_it_is, from_front);
-  const std::vector<ray::Label> labels{{left + 0.3, bottom - 0.3, text, green}};
-  painter->text.Draw(labels, painter->canvas);
+TEST_P(Painter, DrawsPanelsPixelByPixelWithinTheirParts) {
+  ray::PanelDrawing panels;
+  // Of ink all, none; and half.
+  panels.sheet = std::make_shared<const ray::InkSheet>(ray::InkSheet{3, 1, {255, 0, 128}});
+  const auto add = [&](float left, float top, float texel, const Rgba& color) {
+    const auto first = static_cast<std::uint32_t>(panels.corners.size());
+    for (const auto& [i, j] : {std::pair{0.F, 0.F}, {4.F, 0.F}, {4.F, 4.F}, {0.F, 4.F}})
+      panels.corners.push_back({left + i, top + j, (texel + 0.5F) / 3, 0.5F, color});
+    for (const std::uint32_t i : {0U, 1U, 2U, 0U, 2U, 3U}) panels.indices.push_back(first + i);
+  };
+  add(0, 0, 0, green);
+  add(4, 0, 1, green);
+  add(8, 0, 2, {0, 0, 0, 255});
+  add(0, 4, 0, red);
+  panels.parts = {{0, 0, 12, 8, 0, 18}, {0, 4, 2, 8, 18, 6}};
+  painter->canvas.Begin(12, 8, {1, 1, 1});
+  painter->canvas.SetViewport(0, 0, 1, 1);  // which panels do not keep to
+  painter->panels.Draw(panels, painter->canvas);
   const R2::Image image = painter->canvas.Read();
-  for (int y = 0; y < 24; ++y)
-    for (int x = 0; x < width + 12; ++x) {
-      const int i = x - left, j = y - bottom;
-      const bool in_row = j >= 0 && j < ray::glyph_height, in_cell = in_row && i >= 0 && i < width;
-      const bool is_ground = in_row && i >= -2 && i < width + 2;
-      const Rgba pixel = PixelOf(image, x, y);
-      if (in_cell && sheet[static_cast<std::size_t>(j * width + i)] != 0)
-        ASSERT_EQ(pixel, green) << x << ' ' << y;
-      else if (is_ground)
-        ASSERT_EQ(pixel, (Rgba{85, 85, 85, 255})) << x << ' ' << y;
-      else
-        ASSERT_EQ(pixel, white) << x << ' ' << y;
+  for (int x = 0; x < 12; ++x)
+    for (int y = 0; y < 8; ++y) {
+      const bool is_upper = y >= 4;  // rows are from the bottom
+      const Rgba expected = is_upper ? (x < 4 ? green : x < 8 ? white : Rgba{127, 127, 127, 255}) : x < 2 ? red : white;
+      EXPECT_EQ(PixelOf(image, x, y), expected) << x << ' ' << y;
     }
 }
 
@@ -377,7 +376,6 @@ TEST_P(Painter, DrawsEmptyListsAsNothing) {
   painter->surfaces.Draw(*triangles, as_it_is, from_front);
   painter->surfaces.DrawEdges(*triangles, as_it_is, red);
   painter->lists.Draw(*painter->lists.Upload(ray::Lines{}), as_it_is, 1, 0.5);
-  painter->text.Draw(std::vector<ray::Label>{{0, 0, "", red}}, painter->canvas);
   EXPECT_EQ(PixelOf(painter->canvas.Read(), 0, 0), white);
 }
 

@@ -24,7 +24,7 @@ Lines MarkFrom(double distance, const Rgba& color, const RenderSettings& setting
   section.Toggle();
   section.Cut(scene, settings, {}, {400, 400});
   Lines marks;
-  for (const Vertex& vertex : section.Drawing(scene, {}, 1).lines)
+  for (const Vertex& vertex : section.Drawing(scene, {}, LetterSize{}).lines)
     if (vertex.color == color) marks.push_back(vertex);
   return marks;
 }
@@ -88,7 +88,7 @@ SliceAxes CutOfBall(int plane, const DebugRayCounts& counts = {}) {
   section.Toggle();
   for (int i = 0; i < plane; ++i) section.NextPlane();
   section.Cut(scene, settings, {}, {400, 400}, counts);
-  return section.Drawing(scene, {}, 1);
+  return section.Drawing(scene, {}, LetterSize{});
 }
 
 std::vector<Vertex> OfColor(const SliceAxes& axes, const Rgba& color, bool with_alpha = true) {

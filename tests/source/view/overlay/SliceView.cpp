@@ -93,7 +93,7 @@ TEST(SliceView, HoldsAllOfTheSceneAndIsFilledByItOneWay) {
 
 TEST(SliceView, NumbersStandWhereTheySay) {
   const ray::SliceView view{{3, -7}, 0.01, {640, 480}};
-  const ray::SliceAxes axes = ray::AxesOf(view, {{"x", "z"}, {1, -6}, "the origin"}, 1);
+  const ray::SliceAxes axes = ray::AxesOf(view, {{"x", "z"}, {1, -6}, "the origin"}, ray::LetterSize{});
   int across = 0, upward = 0;
   for (const ray::Label& label : axes.labels) {
     char* end = nullptr;
@@ -113,7 +113,8 @@ TEST(SliceView, NumbersStandWhereTheySay) {
 
 TEST(SliceView, FarFromTheOriginNumbersStillDifferAndEnd) {
   for (const double far : {1e6, 1e12, 1e17, -1e300}) {
-    const ray::SliceAxes axes = ray::AxesOf({{0, 0}, 0.01, {640, 480}}, {{"x", "z"}, {far, far}, "the origin"}, 1);
+    const ray::SliceAxes axes =
+        ray::AxesOf({{0, 0}, 0.01, {640, 480}}, {{"x", "z"}, {far, far}, "the origin"}, ray::LetterSize{});
     EXPECT_LT(axes.lines.size(), 500u);
     if (std::abs(far) > 1e12) continue;  // no doubles are so near to each other
     std::map<double, int> across;
@@ -128,7 +129,8 @@ TEST(SliceView, FarFromTheOriginNumbersStillDifferAndEnd) {
 // "1.2e+02" stood for 120 and for 150.
 TEST(SliceView, NumbersAreNeverPowersAndNeverAlike) {
   for (const double pixel : {1e-12, 1e-6, 1e-3, 0.01, 0.4, 1.0, 30.0, 1e3, 1e7, 1e12}) {
-    const ray::SliceAxes axes = ray::AxesOf({{0, 0}, pixel, {640, 480}}, {{"x", "z"}, {0, 0}, "the origin"}, 1);
+    const ray::SliceAxes axes =
+        ray::AxesOf({{0, 0}, pixel, {640, 480}}, {{"x", "z"}, {0, 0}, "the origin"}, ray::LetterSize{});
     std::map<std::string, int> across;
     for (const ray::Label& label : axes.labels) {
       EXPECT_EQ(label.text.find('e'), std::string::npos) << label.text;

@@ -42,15 +42,20 @@ TEST_F(PanelTest, AreHiddenUntilTabShowsThem) {
   Do("key Tab");
   const auto panels = viewer_->Show().panels;
   ASSERT_TRUE(panels);
-  EXPECT_FALSE(panels->indices.empty());
-  Do("key Tab");
+  EXPECT_FALSE(viewer_->ItemsOfPanels().empty());
+  Do("key Tab\ntick 10");  // no message is left
   EXPECT_FALSE(viewer_->Show().panels);
+  EXPECT_TRUE(viewer_->ItemsOfPanels().empty());
 }
 
-TEST_F(PanelTest, LeaveHalfOfASmallDrawingToThePicture) {
-  Do("key Tab");
-  const auto panels = viewer_->Show().panels;
-  for (const PanelDrawing::Corner& corner : panels->corners) EXPECT_GE(corner.x, width / 2);
+TEST_F(PanelTest, LeaveHalfOfASmallDrawingToThePictureAndCoverNoneOfIt) {
+  Do("key Tab\ntick 10");  // no message is left
+  const FrameState shown = viewer_->Show();
+  EXPECT_GE(shown.view.width, width / 2);
+  const auto view_top = static_cast<float>(shown.size.height - shown.view.height) + 0.1F;
+  for (const PanelDrawing::Corner& corner : shown.panels->corners)
+    EXPECT_TRUE(corner.x >= static_cast<float>(shown.view.width) || corner.y <= view_top)
+        << corner.x << ' ' << corner.y;
 }
 
 TEST_F(PanelTest, StayInTheDrawingAndOnTheirSheet) {
@@ -78,20 +83,62 @@ TEST_F(PanelTest, HaveLargerLettersOnDenserScreens) {
 }
 
 TEST_F(PanelTest, HaveMessagesAsLargeAsTheirLetters) {
-  EXPECT_EQ(viewer_->Show().letter_size, 1);
+  const auto width_of_message = [&] {
+    Do("key E\nkey E");  // "edges off"
+    const FrameState shown = viewer_->Show();
+    float left = 1e6F, right = 0;
+    for (const PanelDrawing::Corner& corner : shown.panels->corners)
+      left = std::min(left, corner.x), right = std::max(right, corner.x);
+    return right - left;
+  };
+  const float usual = width_of_message();
   Do("resize 1024 1024 2");
-  EXPECT_EQ(viewer_->Show().letter_size, 2);
+  EXPECT_NEAR(width_of_message(), 2 * usual, 0.2 * usual);  // letters are whole pixels wide
+  viewer_->SetPanelLook({PanelTheme::dark, 2});
+  EXPECT_NEAR(width_of_message(), 4 * usual, 0.2 * usual);
+}
+
+TEST_F(PanelTest, LabelsStandWhereTheySayOverADarkGround) {
+  Do("key E");
+  const FrameState shown = viewer_->Show();
+  ASSERT_EQ(shown.labels.size(), 1u);
+  const Label& label = shown.labels[0];
+  const LetterSize letters = MakePanels()->Letters();
+  constexpr double margin = 2;
+  // The ground comes first, and letters within it.
+  double left = 1e6, right = 0, top = 1e6, bottom = 0;
+  for (const PanelDrawing::Corner& corner : shown.panels->corners) {
+    left = std::min<double>(left, corner.x), right = std::max<double>(right, corner.x);
+    top = std::min<double>(top, corner.y), bottom = std::max<double>(bottom, corner.y);
+  }
+  EXPECT_NEAR(left, label.x - margin, 0.5);
+  EXPECT_NEAR(right, label.x + letters.width * static_cast<double>(label.text.size()) + margin, 0.5);
+  EXPECT_NEAR(bottom, shown.size.height - label.y, 0.5);
+  EXPECT_NEAR(bottom - top, letters.height, 0.5);
+  EXPECT_EQ(shown.panels->corners.front().color, (Rgba{0, 0, 0, Label::ground_alpha}));
+}
+
+// Names of files have accents, dashes and other alphabets.
+TEST_F(PanelTest, LabelsHaveLettersOfTheirOwnForOtherAlphabets) {
+  const auto drawn = [&](const char* name) {
+    Do(std::string("drop ") + name);
+    std::vector<std::pair<float, float>> on_sheet;
+    for (const PanelDrawing::Corner& corner : viewer_->Show().panels->corners)
+      on_sheet.emplace_back(corner.u, corner.v);
+    return on_sheet;
+  };
+  const auto plain = drawn("u.png"), accent = drawn("\u00fc.png"), cyrillic = drawn("\u0443.png"),
+             dash = drawn("\u2013.png");
+  EXPECT_EQ(plain.size(), accent.size());
+  EXPECT_NE(plain, accent);
+  EXPECT_NE(accent, cyrillic);
+  EXPECT_NE(cyrillic, dash);
 }
 
 TEST_F(PanelTest, AreAsWideAsTheirEdgeIsDragged) {
-  const auto left_edge = [&] {
-    float edge = width;
-    const auto panels = viewer_->Show().panels;
-    for (const PanelDrawing::Corner& corner : panels->corners) edge = std::min(edge, corner.x);
-    return edge;
-  };
+  const auto left_edge = [&] { return viewer_->Show().view.width; };
   Do("key Tab");
-  const float before = left_edge();
+  const int before = left_edge();
   const std::string y = " 20", from = std::to_string(before + 1) + y;
   Do("drag left " + from + " " + std::to_string(before - 99) + y);
   EXPECT_NEAR(left_edge(), before - 100, 2);
@@ -104,12 +151,12 @@ TEST_F(PanelTest, AreAsWideAsTheirEdgeIsDragged) {
 TEST_F(PanelTest, AreAsWideAsBeforeOnceASmallWindowIsLargeAgain) {
   Do("resize 1000 700\nkey Tab");
   viewer_->Show();
-  const double before = viewer_->Show().panels->corners.front().x;
+  const int before = viewer_->Show().view.width;
   Do("resize 150 200");
   viewer_->Show();
   Do("resize 1000 700");
   viewer_->Show();
-  EXPECT_EQ(viewer_->Show().panels->corners.front().x, before);
+  EXPECT_EQ(viewer_->Show().view.width, before);
   EXPECT_EQ(viewer_->PanelLook().width, 0) << "nothing was dragged, and nothing is kept";
 }
 
@@ -138,10 +185,8 @@ TEST_F(PanelTest, AGroupOpensByItsArrow) {
   EXPECT_FALSE(HasItem("mesh of"));
   const auto group = Find("group of 1");
   ASSERT_TRUE(group);
-  float left = width;
-  const auto panels = viewer_->Show().panels;
-  for (const PanelDrawing::Corner& corner : panels->corners) left = std::min(left, corner.x);
-  constexpr float to_arrow = 29;  // pixels from the column's edge
+  const int left = viewer_->Show().view.width;
+  constexpr int to_arrow = 29;  // pixels from the column's edge
   Do("click left " + std::to_string(left + to_arrow) + " " + std::to_string(group->y));
   EXPECT_TRUE(HasItem("mesh of")) << viewer_->TextOfPanels();
 }
@@ -167,10 +212,11 @@ TEST_F(PanelTest, ADragThatBeganInThePictureMayEndOverThem) {
   Do("key Tab\ndrag left 100 100 400 100\ndrag left 100 100 400 100");
   EXPECT_FALSE(viewer_->navigator().IsDragging());
   const std::string turned = CameraLine(viewer_->navigator().camera());
-  const int view = viewer_->Show().view.width;
+  const DrawingSize view = viewer_->Show().view;
   Open(project::Root() / "scenes/hello.scn");
-  Do("resize " + std::to_string(view) + " 512\ndrag left 100 100 400 100\ndrag left 100 100 400 100");
-  EXPECT_EQ(CameraLine(viewer_->navigator().camera()), turned) << "as in a window as wide as the view beside them";
+  Do("resize " + std::to_string(view.width) + " " + std::to_string(view.height) +
+     "\ndrag left 100 100 400 100\ndrag left 100 100 400 100");
+  EXPECT_EQ(CameraLine(viewer_->navigator().camera()), turned) << "as in a window as large as the view beside them";
 }
 
 TEST_F(PanelTest, RaysOfAPixelAreListedWithWhatTheyContribute) {
@@ -384,6 +430,7 @@ TEST_F(PanelTest, HaveALightThemeAndLargerLetters) {
   Do("resize 512 1024\nkey Tab");
   Click("Scene");
   Click("Look");
+  Do("tick 10");  // no message is left
   const auto before = viewer_->Show().panels;
   Click("light");
   const auto light = viewer_->Show().panels;
@@ -396,25 +443,35 @@ TEST_F(PanelTest, HaveALightThemeAndLargerLetters) {
   EXPECT_EQ(viewer_->PanelLook().letters, smallest_letters);
 }
 
-TEST_F(PanelTest, TheHelpIsSearched) {
-  Do("resize 800 800\nkey Tab");
-  Click("Scene");
-  Click("Help");
-  const std::string all = viewer_->TextOfPanels();
-  for (const HelpRow& row : Viewer::HelpRows())
-    EXPECT_NE(all.find(row.text.substr(0, 20)), std::string::npos) << row.text;
-  Click("search");
-  Do("type EXPOS");
-  EXPECT_TRUE(Says("reset the exposure")) << viewer_->TextOfPanels();
-  EXPECT_FALSE(Says("bookmark")) << viewer_->TextOfPanels();
+TEST_F(PanelTest, TheHelpIsSearchedByTyping) {
+  for (const char* panels : {"tick 0.1", "key Tab"}) {
+    Do(std::string("resize 800 800\n") + panels);
+    Do("key H");
+    const std::string all = viewer_->TextOfPanels();
+    for (const HelpRow& row : Viewer::HelpRows())
+      EXPECT_NE(all.find(row.text.substr(0, 20)), std::string::npos) << row.text;
+    Do("type EXPOS");
+    EXPECT_TRUE(Says("reset the exposure")) << viewer_->TextOfPanels();
+    EXPECT_FALSE(Says("bookmark")) << viewer_->TextOfPanels();
+    Do("key Escape");
+    EXPECT_FALSE(Says("reset the exposure")) << viewer_->TextOfPanels();
+    Do("key H");
+    EXPECT_TRUE(Says("bookmark")) << "it opens whole again";
+    Do("key Escape");
+  }
+}
+
+// A window tells of the letter after the key, and that would be searched for.
+TEST_F(PanelTest, TheLetterThatOpensTheHelpIsNotSearchedFor) {
+  Do("press H\ntype h\nrelease H");
+  EXPECT_TRUE(Says("toggle faces")) << viewer_->TextOfPanels();
+  Do("type hh");
+  EXPECT_FALSE(Says("toggle faces")) << viewer_->TextOfPanels();
 }
 
 // A window tells of a key that is held as of one that is pressed again.
 TEST_F(PanelTest, AHeldKeyCountsAgainEachTimeItComes) {
-  Do("resize 800 800\nkey Tab");
-  Click("Scene");
-  Click("Help");
-  Click("search");
+  Do("resize 800 800\nkey H");
   Do("type exposqq\npress Backspace\npress Backspace");
   EXPECT_TRUE(Says("reset the exposure")) << viewer_->TextOfPanels();
   Do("tick 5");
@@ -424,11 +481,32 @@ TEST_F(PanelTest, AHeldKeyCountsAgainEachTimeItComes) {
   EXPECT_TRUE(Says("bookmark")) << viewer_->TextOfPanels();
 }
 
+TEST_F(PanelTest, TheStatusBarTellsTheSceneItsProgressAndThePixel) {
+  RenderSettings two;
+  two.samples = 2;
+  Open(project::Root() / "scenes/hello.scn", two);
+  Do("resize 1000 400\nkey Tab");
+  EXPECT_TRUE(Says("hello.scn 1000x400")) << viewer_->TextOfPanels();
+  Do("key S\nwait trace\nmove 100 100");
+  EXPECT_TRUE(Says(viewer_->Status())) << viewer_->TextOfPanels();
+  EXPECT_NE(viewer_->Status().find("2 samples"), std::string::npos) << viewer_->Status();
+  const R2::Point at = viewer_->Pointer();
+  const std::string pixel = std::to_string(static_cast<int>(at.x)) + " " + std::to_string(static_cast<int>(at.y));
+  EXPECT_TRUE(Says(pixel + "  ")) << viewer_->TextOfPanels();
+}
+
+// Keys that a sheet of help lies over still do what they say, but for those that are typed into it.
+TEST_F(PanelTest, TheHelpKeepsClicksFromThePictureBelow) {
+  Do("key H\nclick left 256 256");
+  EXPECT_FALSE(viewer_->Picked());
+  Do("key Escape\nclick left 256 256");
+  EXPECT_TRUE(viewer_->Picked());
+}
+
 TEST_F(PanelTest, LeaveTheCutBesideThem) {
   Do("resize 1000 600\nkey X\nkey Tab");
   const FrameState shown = viewer_->Show();
-  for (const PanelDrawing::Corner& corner : shown.panels->corners)
-    EXPECT_GE(corner.x, shown.view.width + shown.section_size.width);
+  EXPECT_LT(shown.view.width + shown.section_size.width, shown.size.width);
   EXPECT_NEAR(shown.view.width, shown.section_size.width, 1);
 }
 

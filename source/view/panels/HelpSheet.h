@@ -1,0 +1,32 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "source/view/HelpText.h"
+#include "source/view/panels/Panel.h"
+
+namespace ray {
+
+/// What mouse and keys do, to be searched: a sheet in the middle of the view.
+class HelpSheet {
+ public:
+  /// From now on what is typed is searched for, and nothing is yet.
+  void Open() { search_ = {}, takes_focus_ = true; }
+  /// In the window of Dear ImGui that is being made.
+  void Draw(PanelFrame& frame);
+
+ private:
+  /// Rows below a heading, those alone that have what is searched for.
+  struct Group {
+    const char* heading;
+    std::vector<const HelpRow*> rows;
+  };
+  std::vector<Group> Found() const;
+
+  const std::vector<HelpRow> rows_ = Viewer::HelpRows();
+  std::array<char, 64> search_{};  // longer than any word of the help
+  bool takes_focus_ = false;
+};
+
+}  // namespace ray

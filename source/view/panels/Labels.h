@@ -1,0 +1,16 @@
+#pragma once
+
+#include <span>
+
+#include "source/view/Drawing.h"
+
+namespace ray {
+
+/// Of what is written in the letters of panels.
+///   scale   pixels per unit of length
+LetterSize LettersOfLabels(double scale);
+
+/// Writes labels behind all panels, each over a dark ground, from where they say to where they end.
+void DrawLabels(std::span<const Label> labels, double scale);
+
+}  // namespace ray

@@ -1,0 +1,53 @@
+#include "source/view/panels/StatusBar.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "source/view/HelpText.h"
+#include "source/view/panels/Brief.h"
+
+namespace ray {
+namespace {
+
+constexpr float bar_letters = 10;  // of the bar of what is done
+
+std::string NameAndSize(const Viewer& viewer) {
+  return std::filesystem::path(viewer.SceneFile()).filename().string() + (viewer.Editor().HasUnsaved() ? "* " : " ") +
+         std::to_string(viewer.Size().width) + "x" + std::to_string(viewer.Size().height);
+}
+
+/// "120 45  0.31 0.2 0.9": of the image that is rendered; empty where the pointer is not on it.
+std::string PixelUnderPointer(const Viewer& viewer, const RenderJob& job) {
+  const R2::Point& pointer = viewer.Pointer();
+  const auto x = static_cast<int>(std::floor(pointer.x)), y = static_cast<int>(std::floor(pointer.y));
+  if (x < 0 || y < 0 || x >= job.frame().Width() || y >= job.frame().Height()) return {};
+  return std::to_string(x) + " " + std::to_string(y) + "  " + Brief(job.frame().At(x, y));
+}
+
+}  // namespace
+
+void DrawStatusBar(PanelFrame& frame) {
+  const Viewer& viewer = frame.viewer;
+  const float letter = ImGui::CalcTextSize("0").x, all = ImGui::GetContentRegionAvail().x,
+              from = ImGui::GetCursorPosX();
+  ImGui::TextUnformatted(NameAndSize(viewer).c_str());
+  const TracedPictures& pictures = viewer.Pictures();
+  const RenderJob* job = pictures.IsLive() ? pictures.Live() : pictures.Trace();
+  if (!job) return;
+  ImGui::SameLine();
+  if (const auto share = job->HasEnded() ? std::nullopt : job->Share()) {
+    ImGui::ProgressBar(static_cast<float>(*share), {bar_letters * letter, ImGui::GetTextLineHeight()}, "");
+    ImGui::SameLine();
+  }
+  const std::string pixel = PixelUnderPointer(viewer, *job);
+  const float pixel_at = from + all - letter * static_cast<float>(CountLetters(pixel));
+  ImGui::TextUnformatted(Fitting(viewer.Status(), pixel_at - letter - ImGui::GetCursorPosX()).c_str());
+  if (pixel.empty()) return;
+  ImGui::SameLine(std::max(from, pixel_at));
+  ImGui::TextUnformatted(pixel.c_str());
+}
+
+}  // namespace ray
