@@ -7,40 +7,17 @@
 #include "R3/Warp.h"
 #include "source/integrate/MisWeight.h"
 #include "source/integrate/RussianRoulette.h"
+#include "source/integrate/shading/PhongColumns.h"
 
 namespace ray {
 namespace {
 
 using Each = LightSamples::Each;
 
-/// Chooses by channel, since choosing between whole colors is a branch.
-R2::Color Chosen(bool first, const R2::Color& a, const R2::Color& b) {
-  return {first ? a.r : b.r, first ? a.g : b.g, first ? a.b : b.b};
-}
-
 /// Makes cosines of N and the way to the light.
 R3_VECTORIZED
 void MakeCosines(const R1::Columns<R3::Vector>& normals, const LightSamples& samples, Each& cosines) {
   for (std::uint32_t i = 0; i < samples.count; ++i) cosines[i] = Dot(normals[i], BranchlessUnit(samples.to_light[i]));
-}
-
-/// Makes R1::CosinePower of each highlight.
-R3_VECTORIZED
-void RaiseLobes(const PathFront& front, const LightSamples& samples, Each& powers) {
-  alignas(64) Each lobe;
-  alignas(64) std::array<std::uint64_t, LightSamples::most> exponents;
-  for (std::uint32_t i = 0; i < samples.count; ++i) {
-    lobe[i] = LobeCosine(front.wo[i], front.normals[i], BranchlessUnit(samples.to_light[i]));
-    powers[i] = lobe[i] > 0 ? 1 : 0;
-    exponents[i] = front.exponents[i];
-  }
-  for (std::uint64_t bits = front.exponent_bits; bits != 0; bits >>= 1) {
-    for (std::uint32_t i = 0; i < samples.count; ++i) {
-      powers[i] *= exponents[i] & 1 ? lobe[i] : 1;
-      lobe[i] *= lobe[i];
-      exponents[i] >>= 1;
-    }
-  }
 }
 
 }  // namespace
@@ -64,7 +41,7 @@ void PathFront::MakeColumnsOfHighlights() {
   others_by_phong.clear();
   for (std::uint32_t i = 0; i < points.size(); ++i) {
     const Material& m = *points[i].material;
-    const bool is_plain = m.coat == 0 && !m.specular_map && (IsBlack(m.ks) || R1::IsWholeExponent(m.n));
+    const bool is_plain = IsInPhongColumns(m) && !m.specular_map;
     has_highlights |= !IsBlack(m.ks);
     wo.Set(i, points[i].wo);
     ks.Set(i, m.ks);
@@ -87,22 +64,6 @@ void PathFront::ReflectDiffusely(double most_weight, const Each& pdfs, LightSamp
     const R2::Color reflected = Chosen(cosine_if_sampled > 0, weight * eval * color, {});
     colors.Set(i, Chosen(are_diffuse[i] > 0, reflected, color));
   }
-  for (std::uint32_t i = 0; i < samples.count; ++i) samples.color.Set(i, colors[i]);
-}
-
-R3_VECTORIZED
-void PathFront::ReflectByPhong(LightSamples& samples) const {
-  alignas(64) Each cosines, powers{};
-  MakeCosines(normals, samples, cosines);
-  if (has_highlights) RaiseLobes(*this, samples, powers);
-  R1::Columns<R2::Color> colors;
-  for (std::uint32_t i = 0; i < samples.count; ++i) {
-    const R2::Color both = kd[i] + ks[i];
-    const double cosine_if_reflected = both.r + both.g + both.b > 0 ? cosines[i] : 0;
-    const R2::Color reflected = (cosines[i] * kd[i] + ks[i] * powers[i]) * samples.color[i];
-    colors.Set(i, Chosen(cosine_if_reflected > 0, reflected, {}));
-  }
-  for (const std::uint32_t i : others_by_phong) colors.Set(i, samples.color[i]);
   for (std::uint32_t i = 0; i < samples.count; ++i) samples.color.Set(i, colors[i]);
 }
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "R1/Columns.h"
-#include "source/integrate/shading/Bsdf.h"
+#include "source/integrate/shading/PhongColumns.h"
 #include "source/sample/PointsOfEach.h"
 
 namespace ray {
@@ -50,9 +50,10 @@ struct PathFront {
   /// Makes of light samples with pdfs what surfaces that are diffuse alone reflect of them, one sample a point.
   ///   most_weight   of BSDF sampling: 0 where there is none
   void ReflectDiffusely(double most_weight, const Each& pdfs, LightSamples& samples) const;
-  /// Makes PhongReflection of samples of a light of the scene language, one a point, except of others_by_phong, which
-  /// stay as they were.
-  void ReflectByPhong(LightSamples& samples) const;
+  /// Makes PhongReflection of samples of a light of the scene language, one a point; that of others_by_phong is wrong.
+  void ReflectByPhong(LightSamples& samples) const {
+    ray::ReflectByPhong({normals, wo, kd, ks, exponents.data(), exponent_bits, has_highlights}, samples);
+  }
 
   /// Where paths go on from the points: at most one way each.
   struct Scattered {

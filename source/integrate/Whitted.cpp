@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "source/integrate/RussianRoulette.h"
-#include "source/integrate/shading/Bsdf.h"
+#include "source/integrate/shading/PhongColumns.h"
 
 namespace ray {
 namespace {
@@ -193,7 +193,7 @@ void Whitted::AddSamples(const LightSource& light, const ShadingPoint& p, std::s
   random.GetEach2D(first, count, samples.random.column[0], samples.random.column[1]);
   for (std::uint32_t i = 0; i < count; ++i) samples.from.Set(i, p.free_point);
   of_scene->IlluminateEach(samples);
-  PhongReflectionOfEach(p, weight, samples);
+  ReflectByPhong(p, weight, samples);
   tracer_.AddShadowRays(
       p, index, samples, p.path.throughput, [&] { return light.Describe(); }, state);
 }

@@ -39,48 +39,6 @@ double FresnelReflectance(double cosine, double eta) {
 
 namespace {
 
-/// R1::CosinePower of each, 0 of cosines that are not above 0. The exponent is the same for all, so that its bits are
-/// gone through once.
-inline void RaiseEach(LightSamples::Each& cosine, std::uint32_t count, double exponent, LightSamples::Each& power) {
-  if (!R1::IsWholeExponent(exponent)) {
-    for (std::uint32_t i = 0; i < count; ++i) power[i] = cosine[i] > 0 ? R1::Pow(cosine[i], exponent) : 0;
-    return;
-  }
-  for (std::uint32_t i = 0; i < count; ++i) power[i] = cosine[i] > 0 ? 1 : 0;
-  for (auto n = static_cast<std::uint32_t>(exponent); n != 0; n >>= 1) {
-    if (n & 1)
-      for (std::uint32_t i = 0; i < count; ++i) power[i] *= cosine[i];
-    for (std::uint32_t i = 0; i < count; ++i) cosine[i] *= cosine[i];
-  }
-}
-
-}  // namespace
-
-R3_VECTORIZED
-void PhongReflectionOfEach(const ShadingPoint& p, double weight, LightSamples& samples) {
-  const Material& m = *p.material;
-  const std::uint32_t count = samples.count;
-  alignas(64) LightSamples::Each cosine, lobe, highlight;
-  if (m.coat > 0 || m.specular_map) [[unlikely]] {
-    for (std::uint32_t i = 0; i < count; ++i)
-      samples.color.Set(i, weight * PhongReflection(p, Unit(samples.to_light[i]), samples.color[i]));
-    return;
-  }
-  for (std::uint32_t i = 0; i < count; ++i) {
-    const R3::Vector L = BranchlessUnit(samples.to_light[i]);
-    cosine[i] = Dot(p.N, L);
-    lobe[i] = LobeCosine(p, L);
-    highlight[i] = 0;
-  }
-  if (!IsBlack(m.ks)) RaiseEach(lobe, count, m.n, highlight);
-  for (std::uint32_t i = 0; i < count; ++i) {
-    const R2::Color reflected = weight * ((cosine[i] * p.kd + m.ks * highlight[i]) * samples.color[i]);
-    samples.color.Set(i, cosine[i] > 0 ? reflected : R2::Color{});
-  }
-}
-
-namespace {
-
 SpecularWeights WithoutCoat(const ShadingPoint& p, double cosine, const TraceSettings& settings) {
   const Material& m = *p.material;
   const R2::Color kr = p.Mapped(m.kr);

@@ -38,6 +38,11 @@ inline R2::Color DiffuseReflection(const ShadingPoint& p, const R3::Vector& L) {
   return cosine * DiffuseReflectance(p, cosine);
 }
 
+/// Chooses by channel, since choosing between whole colors is a branch.
+inline R2::Color Chosen(bool first, const R2::Color& a, const R2::Color& b) {
+  return {first ? a.r : b.r, first ? a.g : b.g, first ? a.b : b.b};
+}
+
 /// V.R of a light towards L.
 inline double LobeCosine(const R3::Vector& wo, const R3::Vector& N, const R3::Vector& L) {
   return Dot(wo, 2 * Dot(N, L) * N - L);
@@ -53,15 +58,21 @@ inline double LobeCosine(const ShadingPoint& p, const R3::Vector& L) { return Lo
 
 /// What a surface reflects of a light of the scene language, in its units (no 1/pi, no normalized lobe):
 ///     (kd (N.L) + ks (V.R)^n) I_L,   nothing when N.L <= 0, no lobe when V.R <= 0
-///   L        unit, towards the light; V is p.wo, R the mirror image of L about N
-///   source   Phong, Illumination for computer generated pictures (1975)
+///   cosine    N.L
+///   kd        what a coat leaves of it
+///   lobe      ks (V.R)^n
+///   source    Phong, Illumination for computer generated pictures (1975)
+inline R2::Color PhongSum(double cosine, const R2::Color& kd, const R2::Color& lobe, const R2::Color& irradiance) {
+  return Chosen(cosine > 0, (cosine * kd + lobe) * irradiance, {});
+}
+/// That of a point.
+///   L   unit, towards the light; V is p.wo, R the mirror image of L about N
 inline R2::Color PhongReflection(const ShadingPoint& p, const R3::Vector& L, const R2::Color& irradiance) {
-  if (!(Dot(p.N, L) > 0)) return {};
-  return (DiffuseReflection(p, L) + Highlight(p, L)) * irradiance;
+  const double cosine = Dot(p.N, L);
+  if (!(cosine > 0)) return {};
+  return PhongSum(cosine, DiffuseReflectance(p, cosine), Highlight(p, L), irradiance);
 }
 
-/// The same, bit for bit, of each of the samples, whose colors become that times the weight.
-void PhongReflectionOfEach(const ShadingPoint& p, double weight, LightSamples& samples);
 
 /// What a surface reflects and what goes through it, as shares of the radiance: kr and kt, or with Fresnel's equations
 /// a part of kt moved from the one to the other, all of it on total internal reflection. A coat mirrors its own share

@@ -55,12 +55,14 @@ struct ShadingPoint {
   }
   /// Whether a direction that N faces leads into the surface itself: from there no light can arrive.
   bool IsBehindSurface(const R3::Vector& direction) const { return is_smoothed && !(Dot(Outward(), direction) > 0); }
-  /// What the specular map leaves of what is specular.
-  R2::Color Mapped(const R2::Color& reflected) const {
+  /// What the specular map shows; white where there is none.
+  R2::Color Shown() const {
     if (material->specular_map) [[unlikely]]
-      return specular * reflected;
-    return reflected;
+      return specular;
+    return {1, 1, 1};
   }
+  /// What the specular map leaves of what is specular.
+  R2::Color Mapped(const R2::Color& reflected) const { return Shown() * reflected; }
   bool HasReflectance() const { return !IsBlack(kd) || !IsBlack(material->ks); }
   /// What it scatters of light from everywhere, about.
   R2::Color Albedo() const { return kd + Mapped(material->kr) + material->kt; }

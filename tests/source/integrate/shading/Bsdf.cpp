@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "source/integrate/shading/PhongColumns.h"
 #include "tests/Draw.h"
 
 namespace ray {
@@ -70,7 +71,7 @@ TEST(Bsdf, PhongReflectsSamplesTogetherAsOneByOneBitForBit) {
           samples.Set(i, length * Direction(0.06 * i, 2.4 * i), {1.0 + i, 0.5, i % 5 == 0 ? 0.0 : 2.0});
         samples.Set(3, length * (2 * Dot(p.N, p.wo) * p.N - p.wo), {1, 1, 1});  // in the middle of the highlight
         before = samples;
-        PhongReflectionOfEach(p, 1, samples);
+        ReflectByPhong(p, 1, samples);
         for (std::uint32_t i = 0; i < samples.count; ++i)
           EXPECT_EQ(samples.color[i], PhongReflection(p, Unit(before.to_light[i]), before.color[i]))
               << "exponent " << n << ", sample " << i;

@@ -1,0 +1,76 @@
+#include "source/integrate/shading/PhongColumns.h"
+
+#include "R3/Numeric.h"
+#include "R3/Vector.h"
+
+namespace ray {
+namespace {
+
+struct PhongSurface {
+  R3::Vector N, wo;
+  R2::Color kd, ks;
+  R2::Color shown{1, 1, 1};  // by a specular map
+};
+
+/// Makes of the color of each sample the weight times PhongReflection, bit for bit.
+///   surface_of, exponent_of   by the sample's number
+///   exponent_bits             those that any of the exponents has
+template <typename SurfaceOf, typename ExponentOf>
+[[gnu::always_inline]] inline void ReflectEach(const SurfaceOf& surface_of, const ExponentOf& exponent_of,
+                                               std::uint64_t exponent_bits, bool has_highlights, double weight,
+                                               LightSamples& __restrict samples) {
+  const std::uint32_t count = samples.count;
+  const double most = has_highlights ? 1 : 0;
+  alignas(64) LightSamples::Each cosine, mirrored, lobe;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const PhongSurface s = surface_of(i);
+    const R3::Vector L = BranchlessUnit(samples.to_light[i]);
+    cosine[i] = Dot(s.N, L);
+    mirrored[i] = LobeCosine(s.wo, s.N, L);
+    lobe[i] = mirrored[i] > 0 ? most : 0;
+  }
+  // R1::WholePower of all, a bit of the exponents after the other.
+  for (int bit = 0; exponent_bits >> bit != 0; ++bit)
+    for (std::uint32_t i = 0; i < count; ++i) {
+      lobe[i] *= exponent_of(i) >> bit & 1 ? mirrored[i] : 1;
+      mirrored[i] *= mirrored[i];
+    }
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const PhongSurface s = surface_of(i);
+    samples.color.Set(i, weight * PhongSum(cosine[i], s.kd, s.shown * (s.ks * lobe[i]), samples.color[i]));
+  }
+}
+
+R3_VECTORIZED
+void ReflectOne(const PhongSurface& surface, bool has_highlight, std::uint64_t exponent, double weight,
+                LightSamples& samples) {
+  const PhongSurface s = surface;
+  ReflectEach([&](std::uint32_t) { return s; }, [&](std::uint32_t) { return exponent; }, exponent, has_highlight,
+              weight, samples);
+}
+
+}  // namespace
+
+R3_VECTORIZED
+void ReflectByPhong(const PhongColumns& surfaces, LightSamples& samples) {
+  const auto surface_of = [&](std::uint32_t i) {
+    return PhongSurface{surfaces.N[i], surfaces.wo[i], surfaces.kd[i], surfaces.ks[i]};
+  };
+  ReflectEach(
+      surface_of, [&](std::uint32_t i) { return surfaces.exponents[i]; }, surfaces.exponent_bits,
+      surfaces.has_highlights, 1, samples);
+}
+
+void ReflectByPhong(const ShadingPoint& p, double weight, LightSamples& samples) {
+  const Material& m = *p.material;
+  if (IsInPhongColumns(m)) {
+    const bool has_highlight = !IsBlack(m.ks);
+    const std::uint64_t exponent = has_highlight ? static_cast<std::uint64_t>(m.n) : 0;
+    ReflectOne({p.N, p.wo, p.kd, m.ks, p.Shown()}, has_highlight, exponent, weight, samples);
+  } else {
+    for (std::uint32_t i = 0; i < samples.count; ++i)
+      samples.color.Set(i, weight * PhongReflection(p, Unit(samples.to_light[i]), samples.color[i]));
+  }
+}
+
+}  // namespace ray

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstdint>
+
+#include "source/integrate/shading/Bsdf.h"
+#include "source/scene/LightSamples.h"
+
+namespace ray {
+
+/// Whether PhongColumns know what a material is like; they have no coats.
+inline bool IsInPhongColumns(const Material& m) { return m.coat == 0 && (IsBlack(m.ks) || R1::IsWholeExponent(m.n)); }
+
+/// What Phong's formula asks of many surfaces, none with a coat or a specular map.
+struct PhongColumns {
+  const R1::Columns<R3::Vector>&N, &wo;
+  const R1::Columns<R2::Color>&kd, &ks;
+  const std::uint64_t* exponents;  // of those whose ks is not black
+  std::uint64_t exponent_bits;     // that any of them has
+  bool has_highlights;
+};
+
+/// Makes PhongReflection of the color of each sample, one of each surface.
+void ReflectByPhong(const PhongColumns& surfaces, LightSamples& samples);
+/// Makes of the color of each sample, all seen from one point, the weight times PhongReflection.
+void ReflectByPhong(const ShadingPoint& p, double weight, LightSamples& samples);
+
+}  // namespace ray
