@@ -59,7 +59,8 @@ struct Departure {
     return 2 * clearance + 32 * unit_roundoff * MaxComponent(Abs(FromOrigin(free_point)));
   }
   /// The t_min of a ray from here. Its line is beyond the surface from -clearance / (n . d) on, which is farther back.
-  double BeginTowards(const Vector& direction) const {
+  double BeginTowards(const Vector& direction) const { return BeginTowards(clearance, direction); }
+  static double BeginTowards(double clearance, const Vector& direction) {
     const Vector d = Abs(direction);
     return -clearance / (d.x + d.y + d.z);
   }

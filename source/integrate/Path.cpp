@@ -9,6 +9,7 @@ namespace ray {
 namespace {
 
 constexpr std::size_t most_paths = R1::batch_size;
+constexpr R2::Color no_more{1, 1, 1};  // throughput, of light that has all of it
 constexpr std::int64_t first_bounce_at_risk = 2;  // of Russian roulette
 
 }  // namespace
@@ -104,16 +105,13 @@ void Path::SampleLight(int light, const PathFront& front, TraceState& state) con
     lights_.SampleEach(front.points, light, samples, pdfs);
     Reflect(front, pdfs, samples);
   }
-  const bool is_infinite = source.IsInfinite();
-  const std::int64_t reached = source.Reached();
-  for (std::uint32_t i = 0; i < samples.count; ++i) {
-    const R2::Color reflected = samples.color[i];
-    if (IsBlack(reflected)) continue;
-    constexpr R2::Color no_more{1, 1, 1};
-    tracer_.AddShadowRay(
-        front.points[i], i, {.to_light = samples.to_light[i], .is_infinite = is_infinite, .reaching = reached},
-        front.throughputs[i] * reflected, no_more, [&] { return source.Describe(); }, state);
-  }
+  for (std::uint32_t i = 0; i < samples.count; ++i) samples.color.Set(i, front.throughputs[i] * samples.color[i]);
+  ShadowStarts starts;
+  MakeShadowStarts(front.normals, front.clearances, world_.scene().shadow_bias, samples, starts);
+  tracer_.AddShadowRays([&](std::uint32_t i) -> const ShadingPoint& { return front.points[i]; },
+                        [](std::uint32_t i) { return i; }, samples, starts,
+                        {.to_light = {}, .is_infinite = source.IsInfinite(), .reaching = source.Reached()}, no_more,
+                        [&] { return source.Describe(); }, state);
 }
 
 void Path::SampleLamp(int lamp, const PathFront& front, const PointsOfEach<2>& random, TraceState& state) const {
@@ -180,7 +178,6 @@ R2::Color Path::Reflected(const ShadingPoint& p, const Bsdf& bsdf, const LightSa
 void Path::AddLightSample(const ShadingPoint& p, const R2::Color& reflected, const LightSample& light,
                           std::size_t index, TraceState& state) const {
   if (IsBlack(reflected)) return;
-  constexpr R2::Color no_more{1, 1, 1};
   tracer_.AddShadowRay(
       p, index, light.Target(), p.path.throughput * reflected, no_more, [&] { return lights_[light.light].Describe(); },
       state);

@@ -29,6 +29,7 @@ void PathFront::MakeColumns(const TraceSettings& settings) {
     normals.Set(i, p.N);
     kd.Set(i, p.kd);
     throughputs.Set(i, p.path.throughput);
+    clearances[i] = p.departure.clearance;
     are_diffuse[i] = IsDiffuse(*p.material) ? 1 : 0;
     if (are_diffuse[i] != 0) continue;
     others.push_back(i);

@@ -21,6 +21,7 @@ struct PathFront {
   std::vector<SampleIndex> indices;
   R1::Columns<R3::Vector> normals;
   R1::Columns<R2::Color> kd, throughputs;
+  alignas(64) Each clearances;        // of their departures
   alignas(64) Each are_diffuse;       // 1 where the surface is diffuse alone, else 0
   std::vector<std::uint32_t> others;  // those that are not
   std::vector<Bsdf> bsdfs;            // of others

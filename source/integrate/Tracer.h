@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstring>
 #include <span>
 #include <vector>
 
@@ -9,6 +8,7 @@
 #include "source/integrate/debug/RayRecorder.h"
 #include "source/integrate/media/Media.h"
 #include "source/integrate/shading/ShadingPoint.h"
+#include "source/integrate/shading/ShadowStarts.h"
 #include "source/scene/Light.h"
 
 namespace ray {
@@ -93,20 +93,29 @@ class Tracer {
     new (&state.shadows.Next()) R3::Ray(ShadowRay(p, light));  // made in place
     AddReflected(p, index, reflected, throughput, describe, state);
   }
-  /// The same towards samples of one light as seen from the point, which are what it reflects of them.
-  template <typename Describe>
-  void AddShadowRays(const ShadingPoint& p, std::size_t index, const LightSamples& samples, const R2::Color& throughput,
+  /// Adds shadow rays towards samples of one light, whose colors are what is reflected of them.
+  ///   point_of   gives the point that sees a sample, by the sample's number, and `index_of` the number of that point
+  ///   light      says all but the way
+  template <typename PointOf, typename IndexOf, typename Describe>
+  void AddShadowRays(const PointOf& point_of, const IndexOf& index_of, const LightSamples& samples,
+                     const ShadowStarts& starts, const ShadowTarget& light, const R2::Color& throughput,
                      const Describe& describe, TraceState& state) const {
-    const R3::Ray in_common = ShadowRay(p, {});
-    const ShadowAim aim(p);
+    const double end = EndOf(light);
     for (std::uint32_t k = 0; k < samples.count; ++k) {
       const R2::Color reflected = samples.color[k];
+      if (IsBlack(reflected)) continue;
+      const ShadingPoint& p = point_of(k);
       const R3::Vector to_light = samples.to_light[k];
-      if (IsBlack(reflected) || p.IsBehindSurface(to_light)) continue;
-      R3::Ray& ray = state.shadows.Next();
-      std::memcpy(&ray, &in_common, sizeof ray);  // takes half the instructions of an assignment, number by number
-      aim.At(to_light, ray);
-      AddReflected(p, index, reflected, throughput, describe, state);
+      if (p.IsBehindSurface(to_light)) continue;
+      new (&state.shadows.Next()) R3::Ray{.origin = samples.from[k],
+                                          .direction = to_light,
+                                          .t_min = starts.begin[k],
+                                          .t_max = end,
+                                          .time = p.path.ray.time,
+                                          .leaving = LeavingTowards(p, starts.facing[k]),
+                                          .reaching = light.reaching,
+                                          .departure = &p.departure};
+      AddReflected(p, index_of(k), reflected, throughput, describe, state);
     }
   }
   void TraceShadowRays(TraceState& state) const;

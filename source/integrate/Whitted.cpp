@@ -194,8 +194,10 @@ void Whitted::AddSamples(const LightSource& light, const ShadingPoint& p, std::s
   for (std::uint32_t i = 0; i < count; ++i) samples.from.Set(i, p.free_point);
   of_scene->IlluminateEach(samples);
   ReflectByPhong(p, weight, samples);
-  tracer_.AddShadowRays(
-      p, index, samples, p.path.throughput, [&] { return light.Describe(); }, state);
+  ShadowStarts starts;
+  MakeShadowStarts(p, samples, starts);
+  tracer_.AddShadowRays([&](std::uint32_t) -> const ShadingPoint& { return p; }, [&](std::uint32_t) { return index; },
+                        samples, starts, {}, p.path.throughput, [&] { return light.Describe(); }, state);
 }
 
 void Whitted::AddArrived(std::span<ShadingPoint> points, TraceState& state) const {

@@ -119,37 +119,23 @@ inline double BeginTowards(const ShadingPoint& surface, const R3::Vector& direct
 
 /// A ray from the point in a new direction, on either side, in the same moment. It must not outlive the point.
 R3::Ray SpawnRay(const ShadingPoint& surface, const R3::Vector& direction);
-/// Sends rays from a point towards a light: a copy of what of the point matters to that, which compilers keep in
-/// registers while many rays are made.
-class ShadowAim {
- public:
-  explicit ShadowAim(const ShadingPoint& p)
-      : normal_(p.N), clearance_(p.departure.clearance), bias_(p.bias), leaving_(p.leaving) {}
-
-  void At(const R3::Vector& to_light, R3::Ray& ray) const {
-    // Number by number: a whole vector would be copied by way of the stack.
-    ray.direction.x = to_light.x, ray.direction.y = to_light.y, ray.direction.z = to_light.z;
-    ray.t_min = R3::Departure{.clearance = clearance_}.BeginTowards(to_light);
-    if (bias_ > 0) [[unlikely]]
-      ray.t_min = bias_ / Length(ray.direction);
-    ray.leaving = Dot(normal_, to_light) > 0 ? leaving_ : -1;
-  }
-
- private:
-  R3::Vector normal_;
-  double clearance_, bias_;
-  std::int64_t leaving_;
-};
+/// R3::Ray::leaving of a ray from the point towards a light; `facing` is N . to_light.
+inline std::int64_t LeavingTowards(const ShadingPoint& surface, double facing) {
+  return facing > 0 ? surface.leaving : -1;
+}
+/// The t_max of a ray towards a light.
+inline double EndOf(const ShadowTarget& light) {
+  return light.is_infinite ? R3::infinity : light.reaching < 0 ? 1 : beyond_target;
+}
 inline R3::Ray ShadowRay(const ShadingPoint& surface, const ShadowTarget& light) {
-  R3::Ray ray{.origin = surface.free_point,
-              .t_max = light.is_infinite    ? R3::infinity
-                       : light.reaching < 0 ? 1
-                                            : beyond_target,
-              .time = surface.path.ray.time,
-              .reaching = light.reaching,
-              .departure = &surface.departure};
-  ShadowAim(surface).At(light.to_light, ray);
-  return ray;
+  return {.origin = surface.free_point,
+          .direction = light.to_light,
+          .t_min = BeginTowards(surface, light.to_light),
+          .t_max = EndOf(light),
+          .time = surface.path.ray.time,
+          .leaving = LeavingTowards(surface, Dot(surface.N, light.to_light)),
+          .reaching = light.reaching,
+          .departure = &surface.departure};
 }
 
 }  // namespace ray
