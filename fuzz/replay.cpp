@@ -3,10 +3,12 @@
 #include "source/app/report/ReadReplay.h"
 
 int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size) {
-  ray::Options options = ray::Defaults(ray::Program::raypro);
-  options.replay = fuzz::FileOf("report.json", {data, size});
+  ray::RunStats run;
+  run.options = ray::Defaults(ray::Program::raypro);
+  run.scene.hash = "0123456789abcdef";
+  run.options.files.replay = fuzz::FileOf("report.json", {data, size});
   try {
-    ray::ReadReplay(options, "0123456789abcdef");
+    ray::ReadReplay(run);
   } catch (const ray::SceneErrors&) {
   } catch (const ray::UsageError&) {
   }

@@ -5,6 +5,7 @@
 #include "source/app/BuildAccelerator.h"
 #include "source/app/Interrupt.h"
 #include "source/app/Status.h"
+#include "source/app/files/Checkpoint.h"
 #include "source/app/files/Outputs.h"
 #include "source/app/files/PartFiles.h"
 #include "source/app/files/SceneHash.h"
@@ -27,10 +28,10 @@ namespace {
 /// A scene that is read, and the options once it has had its say.
 struct ReadScene {
   explicit ReadScene(const Options& asked)
-      : outputs(CheckOutputs(asked)),
-        parsed(Parse(asked.scene, asked.parse)),
+      : outputs(CheckOutputs(asked.files, RegionOf(asked.render))),
+        parsed(Parse(asked.files.scene, asked.parse)),
         options(WithSettingsOf(parsed.scene, asked)),
-        hash(SceneHash(parsed.scene.files)) {
+        identity(IdentityOf(options, SceneHash(parsed.scene.files))) {
     RefuseInputs(outputs, parsed.scene.files);
     RefuseSize(*outputs.format, options.render.width, options.render.height);
     for (const std::string& line : parsed.warnings) PrintError(line);
@@ -38,13 +39,13 @@ struct ReadScene {
   Outputs outputs;
   ParsedScene parsed;
   Options options;
-  std::string hash;
+  std::string identity;  // see IdentityOf
 };
 
 /// What the part begins with: the round, with what an earlier run left of it.
 RenderState BeginningOf(PartReader& reader, const Options& options, const std::string& name) {
   RenderState state = reader.Round();
-  if (options.restart || !IsThere(name)) return state;
+  if (options.checkpoint.restart || !IsThere(name)) return state;
   auto earlier = reader.Read(name);
   if (!earlier) return state;
   if (earlier->part != *options.render.part)
@@ -61,7 +62,7 @@ RenderState BeginningOf(PartReader& reader, const Options& options, const std::s
 RenderSettings SettingsInTime(const Options& options, double before_samples, bool filters) {
   constexpr double least = 1e-3;  // seconds; 0 would be no limit
   RenderSettings settings = options.render;
-  Budget& budget = settings.budget = BudgetWithFinish(settings, EncoderOf(options.picture, options.encoding));
+  Budget& budget = settings.budget = BudgetWithFinish(settings, EncoderOf(options.files.picture, options.encoding));
   const double kept = before_samples + (filters ? budget.seconds_to_filter : 0);
   if (budget.seconds > 0) budget.seconds = std::max(least, budget.seconds - kept);
   return settings;
@@ -78,7 +79,8 @@ bool HasTimeForRound(const Options& options, const PartReader& reader, const Ren
 std::optional<RenderState> PlannedRound(const ReadScene& scene, const PartReader& reader, RenderState&& round,
                                         const Stopwatch& watch) {
   const World world(scene.parsed.scene);
-  CheckMemory(world, scene.options);
+  CheckMemory(world, PictureBytes(scene.options.render, scene.options.files, scene.options.checkpoint.seconds > 0),
+              scene.options.memory);
   const auto accelerator = BuildAccelerator(world, scene.options.accelerator, scene.options.render);
   RenderMonitor monitor;
   monitor.seconds_before = reader.SecondsSinceBegin().value_or(0);
@@ -86,37 +88,36 @@ std::optional<RenderState> PlannedRound(const ReadScene& scene, const PartReader
 }
 
 std::string FilesOfParts(const Options& options) {
-  return options.parts.empty() ? options.picture + ".part-*-of-" + std::to_string(options.missing) : options.parts;
+  return options.parts.empty() ? options.files.picture + ".part-*-of-" + std::to_string(options.missing)
+                               : options.parts;
 }
-
-}  // namespace
 
 int RenderOnePart(const Options& asked) {
   const Stopwatch watch;
-  CheckMachine(asked);
+  CheckMachine(asked.render, asked.accelerator);
   const ReadScene scene(asked);
   const Options& options = scene.options;
-  const std::string name = PartName(options.picture, *options.render.part);
+  const std::string name = PartName(options.files.picture, *options.render.part);
   const World world(scene.parsed.scene);
   for (const std::string& line : world.Warnings()) PrintError(line);
-  CheckMemory(world, options);
+  CheckMemory(world, PictureBytes(options.render, options.files, options.checkpoint.seconds > 0), options.memory);
   CheckOutput(name, scene.parsed.scene.files);
-  PartReader reader(options, scene.hash);
-  if (options.render.budget.seconds > 0 && !IsThere(PlanName(options.picture)))
-    throw UsageError("-part with -time needs " + QuotedPath(PlanName(options.picture)) +
+  PartReader reader(options.render, options.files.picture, scene.identity);
+  if (options.render.budget.seconds > 0 && !IsThere(PlanName(options.files.picture)))
+    throw UsageError("-part with -time needs " + QuotedPath(PlanName(options.files.picture)) +
                      ", which says since when time counts; -missing n writes it");
   RenderState beginning = BeginningOf(reader, options, name);
   const auto accelerator = BuildAccelerator(world, options.accelerator, options.render);
 
   CatchInterrupts();
   Progress progress(ChooseProgressStyle(options.quiet));
-  const PartWriter writer(options, scene.hash);
+  const PartWriter writer(options.render, options.files, scene.identity);
   std::uint64_t rays = 0;
   RenderMonitor monitor;
   monitor.stop = StopRequested();
   monitor.seconds_before = reader.SecondsSinceBegin().value_or(0);
   monitor.tile_done = [&](const RenderProgress& now) { progress.Update(now); };
-  monitor.save_every = options.checkpoint;
+  monitor.save_every = options.checkpoint.seconds;
   monitor.resume = [&](const Film&) { return std::move(beginning); };
   monitor.save = [&](const RenderState& state) {
     rays = state.rays.Total();
@@ -134,8 +135,8 @@ void PrintMissingParts(const Options& asked) {
   const ReadScene scene(asked);
   const Options& options = scene.options;
   const bool is_timed = options.render.budget.seconds > 0;
-  PartReader reader(options, scene.hash);
-  const PartWriter writer(options, scene.hash);
+  PartReader reader(options.render, options.files.picture, scene.identity);
+  const PartWriter writer(options.render, options.files, scene.identity);
   if (is_timed && !reader.SecondsSinceBegin()) writer.WritePlan(reader.Round(), watch.Total());
   RenderState round = reader.Joined(FilesLike(FilesOfParts(options)), options.missing);
   const auto lines_of = [&](const RenderState& state) {
@@ -153,6 +154,14 @@ void PrintMissingParts(const Options& asked) {
   // Before anyone is told to follow it.
   writer.WritePlan(std::move(*next), is_timed ? reader.SecondsSinceBegin().value_or(0) : 0);
   WriteStandardOutput(of_next);
+}
+
+}  // namespace
+
+int DoShareOfImage(const Options& options) {
+  if (options.render.part) return RenderOnePart(options);
+  PrintMissingParts(options);
+  return status::done;
 }
 
 }  // namespace ray

@@ -6,14 +6,11 @@
 /// render that begins with the samples of the parts.
 namespace ray {
 
-/// Renders options.render.part into its file, for one round. The blocks that the file holds already are not rendered
-/// again.
+/// Where options.render.part is set, renders it into its file, for one round; the blocks that the file holds already
+/// are not rendered again. Otherwise prints the parts of options.missing that are to be rendered in this round, a
+/// number per line. Where none are, it decides on the next round and writes its plan; it prints nothing when all that
+/// is left is assembling. With -time the first call writes a plan, too, since time counts from then on.
 ///   returns   the exit status
-int RenderOnePart(const Options& options);
-
-/// Prints the parts that are to be rendered in this round, a number per line. Where none are, it decides on the next
-/// round and writes its plan; it prints nothing when all that is left is assembling. With -time the first call writes a
-/// plan, too, since time counts from then on.
-void PrintMissingParts(const Options& options);
+int DoShareOfImage(const Options& options);
 
 }  // namespace ray

@@ -22,8 +22,8 @@ namespace {
 
 /// Everything that rendering would do short of the first ray, and a look for likely mistakes.
 std::string CheckScene(const Options& asked) {
-  if (!asked.picture.empty()) CheckOutputs(asked);
-  const ParsedScene parsed = Parse(asked.scene, asked.parse);
+  if (!asked.files.picture.empty()) CheckOutputs(asked.files, RegionOf(asked.render));
+  const ParsedScene parsed = Parse(asked.files.scene, asked.parse);
   const Options options = WithSettingsOf(parsed.scene, asked);
   const World world(parsed.scene);
   std::vector<std::string> warnings = parsed.warnings;
@@ -39,24 +39,37 @@ std::string CheckScene(const Options& asked) {
 }
 
 std::string FilesOfScene(const Options& options) {
-  const ParsedScene parsed = Parse(options.scene, options.parse);
+  const ParsedScene parsed = Parse(options.files.scene, options.parse);
   TellAll(parsed.warnings);
   std::string lines;
   for (const std::string& file : parsed.scene.files) lines += file + "\n";  // as it is: for programs
   return lines;
 }
 
+std::string ConvertScene(const Options& options) {
+  const OutputFile scn = CheckScnOutput(options.subject, options.files.scene);
+  const ParsedScene parsed = Parse(options.files.scene, options.parse);
+  RefuseInputs(scn, parsed.scene.files);
+  WithSettingsOf(parsed.scene, options);  // a setting that is wrong is the original's mistake
+  TellAll(parsed.warnings);
+  return WriteSceneAsScn(parsed.scene, scn, options.quiet);
+}
+
 /// What `tell` says of a scene that is ready to be traced.
 template <typename Tell>
 std::string OfBuiltScene(const Options& asked, const Tell& tell) {
-  CheckMachine(asked);
-  const ParsedScene parsed = Parse(asked.scene, asked.parse);
+  CheckMachine(asked.render, asked.accelerator);
+  const ParsedScene parsed = Parse(asked.files.scene, asked.parse);
   const Options options = WithSettingsOf(parsed.scene, asked);
   const World world(parsed.scene);
   TellAll(parsed.warnings);
   TellAll(world.Warnings());
   const auto accelerator = FindAcceleratorKind(options.accelerator.name)->Make(world, options.accelerator);
   return tell(world, *accelerator, options);
+}
+
+std::string AdviceOn(const World& world, const Accelerator& accelerator, const Options& options) {
+  return Advice(world, accelerator, options.render);
 }
 
 std::string RaysOfPixel(const World& world, const Accelerator& accelerator, const Options& options) {
@@ -77,7 +90,7 @@ std::string ResultOf(const Options& options, const std::vector<std::string>& key
     case Task::files:
       return FilesOfScene(options);
     case Task::advise:
-      return OfBuiltScene(options, Advice);
+      return OfBuiltScene(options, AdviceOn);
     case Task::convert:
       return ConvertScene(options);
     case Task::debug_pixel:

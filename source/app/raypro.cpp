@@ -37,11 +37,11 @@ using Words = std::vector<std::string>;
 
 RenderResult RenderAndTell(const World& world, const Accelerator& accelerator, const Options& options, RunLog& account,
                            Checkpoint* checkpoint) {
-  const std::string& hash = account.stats().scene.hash;
+  const std::string identity = IdentityOf(options, account.stats().scene.hash);
   RenderSettings settings = options.render;
-  settings.replay = ReadReplay(options, hash);
+  settings.replay = ReadReplay(account.stats());
   RenderMonitor monitor;
-  monitor.encode = EncoderOf(options.picture, options.encoding);
+  monitor.encode = EncoderOf(options.files.picture, options.encoding);
   settings.budget = BudgetWithFinish(settings, monitor.encode);
   if (settings.budget.seconds > 0) account.WillFinishIn(settings.budget);
   Progress progress(ChooseProgressStyle(options.quiet));
@@ -49,19 +49,20 @@ RenderResult RenderAndTell(const World& world, const Accelerator& accelerator, c
   monitor.stop = StopRequested();
   monitor.tile_done = tile_done;
   monitor.seconds_before = account.SecondsSoFar();
+  const auto parts = [&] { return PartReader(options.render, options.files.picture, identity); };
   if (settings.budget.seconds > 0 && !options.parts.empty())
-    if (const auto since_begin = PartReader(options, hash).SecondsSinceBegin()) {
+    if (const auto since_begin = parts().SecondsSinceBegin()) {
       monitor.seconds_before = *since_begin;
       account.BeganTogether(*since_begin);
     }
-  if (checkpoint) monitor.save = [&](const RenderState& state) { checkpoint->Save(state, hash); };
-  monitor.save_every = options.checkpoint;
-  monitor.saves_finished = options.keep_checkpoint;
-  if (options.resume && checkpoint->Exists())
-    monitor.resume = [&](const Film& film) { return checkpoint->Load(film, settings, hash); };
+  if (checkpoint) monitor.save = [&](const RenderState& state) { checkpoint->Save(state, identity); };
+  monitor.save_every = options.checkpoint.seconds;
+  monitor.saves_finished = options.checkpoint.keep;
+  if (options.checkpoint.resume && checkpoint->Exists())
+    monitor.resume = [&](const Film& film) { return checkpoint->Load(film, settings, identity); };
   else if (!options.parts.empty())
-    monitor.resume = [&](const Film&) { return StateOfParts(options, hash); };
-  else if (options.resume && !options.quiet)
+    monitor.resume = [&](const Film&) { return StateOfParts(parts(), options.parts); };
+  else if (options.checkpoint.resume && !options.quiet)
     PrintError("raypro: nothing to resume, " + QuotedPath(checkpoint->Name()) +
                " does not exist: rendering from the start");
   return Render(world, accelerator, settings, monitor);
@@ -69,7 +70,7 @@ RenderResult RenderAndTell(const World& world, const Accelerator& accelerator, c
 
 std::vector<R2::Image> RenderLayers(const World& world, const Accelerator& accelerator, const Options& options) {
   std::vector<R2::Image> layers;
-  for (const Layer layer : options.layers)
+  for (const Layer layer : options.files.layers)
     layers.push_back(Render(world, accelerator, SettingsForLayer(options.render, layer)).image);
   return layers;
 }
@@ -84,23 +85,25 @@ void Compare(const RenderResult& result, const std::vector<R2::Image>& reference
 }
 
 int MakePicture(const Options& asked, const Words& words) {
-  CheckMachine(asked);
-  RunLog account(asked, words);
-  const Outputs outputs = CheckOutputs(asked);
-  const ParsedScene parsed = Parse(asked.scene, asked.parse);
+  CheckMachine(asked.render, asked.accelerator);
+  RunLog account(words);
+  const Outputs outputs = CheckOutputs(asked.files, RegionOf(asked.render));
+  const ParsedScene parsed = Parse(asked.files.scene, asked.parse);
   RefuseInputs(outputs, parsed.scene.files);
   const Options options = WithSettingsOf(parsed.scene, asked);
   RefuseSize(*outputs.format, options.render.width, options.render.height);
-  const auto checkpoint = outputs.picture.is_standard_output ? nullptr : std::make_unique<Checkpoint>(options);
-  const std::vector<R2::Image> references = ReadReferences(options.reference, RegionOf(options.render));
+  const auto checkpoint = outputs.picture.is_standard_output
+                              ? nullptr
+                              : std::make_unique<Checkpoint>(options.files, options.checkpoint, options.as_course);
+  const std::vector<R2::Image> references = ReadReferences(options.files.reference, RegionOf(options.render));
   account.Loaded(parsed, options);
 
   const World world(parsed.scene);
-  CheckMemory(world, options);
+  CheckMemory(world, PictureBytes(options.render, options.files, options.checkpoint.seconds > 0), options.memory);
   const auto accelerator = BuildAccelerator(world, options.accelerator, options.render);
   account.Built(world, *accelerator);
 
-  if (options.restart) checkpoint->Remove();
+  if (options.checkpoint.restart) checkpoint->Remove();
   CatchInterrupts();
   const RenderResult result = RenderAndTell(world, *accelerator, options, account, checkpoint.get());
   account.Rendered(result);
@@ -108,7 +111,7 @@ int MakePicture(const Options& asked, const Words& words) {
 
   const auto layers = result.IsComplete() ? RenderLayers(world, *accelerator, options) : std::vector<R2::Image>{};
   account.Written(WritePicture(outputs, result, layers, account.stats()).name);
-  if (result.IsComplete() && checkpoint) checkpoint->PictureIsFinished(options.keep_checkpoint);
+  if (result.IsComplete() && checkpoint) checkpoint->PictureIsFinished(options.checkpoint.keep);
   WriteReport(outputs, account.stats());
   account.Summarize();
   if (!result.IsComplete()) return status::killed_by + StopSignal();
@@ -120,10 +123,7 @@ int DoOne(const Options& options, const Words& words) {
     DoTask(options);
     return status::done;
   }
-  if (options.render.part) return RenderOnePart(options);
-  if (options.missing == 0) return MakePicture(options, words);
-  PrintMissingParts(options);
-  return status::done;
+  return options.render.part || options.missing > 0 ? DoShareOfImage(options) : MakePicture(options, words);
 }
 
 /// Every file that one of the scenes is read from. A scene that cannot be read says so in its turn.
@@ -154,7 +154,7 @@ class InputsOfBatch {
 
   /// Throws OutputError.
   void Protect(const Options& one) {
-    const Outputs outputs = CheckOutputs(one);
+    const Outputs outputs = CheckOutputs(one.files, RegionOf(one.render));
     if (!ReplacesAny(outputs)) return;
     if (!inputs_) inputs_ = InputsOfAll(all_);
     RefuseInputs(outputs, *inputs_);
@@ -173,8 +173,8 @@ int DoEach(const Options& all, const Words& words) {
   InputsOfBatch inputs(all);
   for (const std::string& scene : all.scenes) {
     Options one = all;
-    one.scene = scene;
-    one.picture = PictureInFolder(all.out_folder, scene, all.out_format);
+    one.files.scene = scene;
+    one.files.picture = PictureInFolder(all.out_folder, scene, all.out_format);
     const int ended = Guarded(Program::raypro, [&] {
       if (one.task == Task::render)
         inputs.Protect(one);

@@ -27,14 +27,14 @@ namespace {
 /// window what is wrong.
 std::shared_ptr<const LoadedScene> SceneFor(const Options& asked, std::optional<SceneErrors>& mistakes) {
   try {
-    return std::make_shared<const LoadedScene>(asked.scene, asked.parse, asked.accelerator);
+    return std::make_shared<const LoadedScene>(asked.files.scene, asked.parse, asked.accelerator);
   } catch (const SceneErrors& errors) {
     const bool is_looked_at = !asked.view.headless && asked.view.events.empty() && !asked.view.exit_immediately;
     std::error_code ignored;
-    if (!is_looked_at || !std::filesystem::is_regular_file(asked.scene, ignored)) throw;
+    if (!is_looked_at || !std::filesystem::is_regular_file(asked.files.scene, ignored)) throw;
     mistakes = errors;
     ParsedScene nothing;
-    nothing.scene.files = {asked.scene};
+    nothing.scene.files = {asked.files.scene};
     for (const SceneError& error : errors.All())
       if (std::ranges::find(nothing.scene.files, error.file) == nothing.scene.files.end())
         nothing.scene.files.push_back(error.file);
@@ -43,8 +43,8 @@ std::shared_ptr<const LoadedScene> SceneFor(const Options& asked, std::optional<
 }
 
 int ViewScene(const Options& asked) {
-  CheckMachine(asked);
-  const ViewOutputs outputs = CheckViewOutputs(asked);
+  CheckMachine(asked.render, asked.accelerator);
+  const ViewOutputs outputs = CheckViewOutputs(asked.files, asked.view, asked.render.width, asked.render.height);
   std::optional<SceneErrors> mistakes;
   const auto scene = SceneFor(asked, mistakes);
   const Options options = WithSettingsOf(scene->parsed.scene, asked);

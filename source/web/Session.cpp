@@ -83,7 +83,7 @@ std::vector<std::string> Lines(const char* all) {
 
 /// What asks for files, clocks or other machines has no meaning in a page, and yaml-cpp is not there.
 void RefuseOthers(const Options& options) {
-  if (options.scene.ends_with(".yaml") || options.scene.ends_with(".yml"))
+  if (options.files.scene.ends_with(".yaml") || options.files.scene.ends_with(".yml"))
     throw UsageError("a page does not read YAML; JSON with the same keys is read");
   if (options.task != Task::render) throw UsageError("a page takes the options of an image, not requests");
   for (const char* name : {"time", "part", "parts", "missing", "report", "replay", "reference", "layers", "out_folder",
@@ -101,12 +101,13 @@ int Open(const std::vector<std::string>& words) {
   auto opened = std::make_unique<Session>();
   const Options asked = ReadCommandLine(Program::raypro, words);
   RefuseOthers(asked);
-  CheckMachine(asked);
-  opened->parsed = Parse(asked.scene, asked.parse);
+  CheckMachine(asked.render, asked.accelerator);
+  opened->parsed = Parse(asked.files.scene, asked.parse);
   opened->options = WithSettingsOf(opened->parsed.scene, asked);
   Warn(opened->parsed.warnings);
   opened->world = std::make_unique<const World>(opened->parsed.scene);
-  CheckMemory(*opened->world, opened->options);
+  const Options& options = opened->options;
+  CheckMemory(*opened->world, PictureBytes(options.render, options.files, false), options.memory);
   Warn(opened->world->Warnings());
   Warn(PlainMistakes(*opened->world, opened->options.render));
   AcceleratorSettings structure = opened->options.accelerator;

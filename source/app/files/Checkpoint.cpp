@@ -27,31 +27,30 @@ std::string IdentityOf(const Options& options, const std::string& scene_hash) {
   for (const OptionKind& option : OptionTable(options.program)) {
     const bool shows = option.facts.HasAny({Fact::image, Fact::samples, Fact::budget});
     if (!shows || option.facts.Has(Fact::changes_on_resume)) continue;
-    text += "-" + std::string(option.name) + " " + Show(option, options) + "\n";
+    text += "-" + std::string(option.name) + " " + options.Show(option) + "\n";
   }
   return text;
 }
 
-Checkpoint::Checkpoint(const Options& options)
-    : options_(options),
-      has_picture_(IsFinishedPicture(options.picture)),
-      beside_(CheckOutput(options.picture + ".checkpoint", InputsOf(options))),
-      aside_(CheckOutput(PartialName(options.picture) + ".checkpoint", InputsOf(options))),
+Checkpoint::Checkpoint(const FileOptions& files, const CheckpointOptions& options, bool is_of_course)
+    : picture_(files.picture),
+      has_picture_(IsFinishedPicture(picture_)),
+      beside_(CheckOutput(picture_ + ".checkpoint", InputsOf(files))),
+      aside_(CheckOutput(PartialName(picture_) + ".checkpoint", InputsOf(files))),
       had_aside_(IsThere(aside_.target)) {
   if (const OutputFile* found = Found(); found && !options.resume && !options.restart)
     throw UsageError("there is a checkpoint of an earlier render, " + QuotedPath(found->name) + "; " +
-                     // The command line of a course has neither option.
-                     (options.as_course ? "remove it to render from the start"
-                                        : "-resume continues from it, -restart renders from the start and removes it"));
+                     (is_of_course ? "remove it to render from the start"
+                                   : "-resume continues from it, -restart renders from the start and removes it"));
 }
 
 const OutputFile* Checkpoint::Found() const {
   return IsThere(aside_.target) ? &aside_ : IsThere(beside_.target) ? &beside_ : nullptr;
 }
 
-void Checkpoint::Save(const RenderState& state, const std::string& scene_hash) {
+void Checkpoint::Save(const RenderState& state, const std::string& identity) {
   try {
-    WriteWhole(has_picture_ ? aside_ : beside_, Encoded(state, IdentityOf(options_, scene_hash)));
+    WriteWhole(has_picture_ ? aside_ : beside_, Encoded(state, identity));
     if (!has_picture_) RemoveFile(aside_.target);  // it went on from there, and must not go back to it
     RemoveCopy();
   } catch (const OutputError& error) {
@@ -60,14 +59,14 @@ void Checkpoint::Save(const RenderState& state, const std::string& scene_hash) {
   }
 }
 
-RenderState Checkpoint::Load(const Film& film, const RenderSettings& settings, const std::string& scene_hash) const {
+RenderState Checkpoint::Load(const Film& film, const RenderSettings& settings, const std::string& identity) const {
   const OutputFile* const found = Found();
   const std::string& name = found ? found->name : Name();
   try {
     const Files files(name, {});
     const std::string bytes = files.Read(files.Top());
-    RenderState state = DecodedState({reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()},
-                                     IdentityOf(options_, scene_hash), film);
+    RenderState state =
+        DecodedState({reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()}, identity, film);
     CheckPlan(state, settings);
     CheckState(state, film, settings);
     return state;
@@ -88,7 +87,7 @@ void Checkpoint::PictureIsFinished(bool keep) {
   std::error_code ignored;
   if (!keep) Remove();
   if (keep && has_picture_) std::filesystem::rename(aside_.target, beside_.target, ignored);
-  if (had_aside_) RemoveFile(PartialName(options_.picture));
+  if (had_aside_) RemoveFile(PartialName(picture_));
 }
 
 void Checkpoint::RemoveCopy() {

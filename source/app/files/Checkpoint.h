@@ -20,14 +20,16 @@ class Checkpoint {
  public:
   /// Throws OutputError when the file could not be written, UsageError when there is one and neither -resume nor
   /// -restart says what is to become of it.
-  explicit Checkpoint(const Options& options);
+  ///   is_of_course   the command line of a course has neither option
+  Checkpoint(const FileOptions& files, const CheckpointOptions& options, bool is_of_course);
 
   /// A failure is told and costs no picture: the state is kept in the temporary folder, until a later one is saved.
-  void Save(const RenderState& state, const std::string& scene_hash);
+  ///   identity   IdentityOf the image
+  void Save(const RenderState& state, const std::string& identity);
   bool Exists() const { return Found() != nullptr; }
-  /// Throws SceneErrors when there is none, or none of this scene, these settings and this version; but the samples may
-  /// have become more, see CheckPlan.
-  RenderState Load(const Film& film, const RenderSettings& settings, const std::string& scene_hash) const;
+  /// Throws SceneErrors when there is none, or none of this identity; but the samples may have become more, see
+  /// CheckPlan.
+  RenderState Load(const Film& film, const RenderSettings& settings, const std::string& identity) const;
   /// With the copy in the temporary folder, if there is one.
   void Remove();
   /// Once the picture is in its place: what is left of it unfinished goes, and with it the checkpoint unless it is to
@@ -39,7 +41,7 @@ class Checkpoint {
   const OutputFile* Found() const;
   void RemoveCopy();
 
-  const Options& options_;
+  const std::string picture_;
   bool has_picture_;           // a finished one had the name when the render began
   OutputFile beside_, aside_;  // the two names
   bool had_aside_;

@@ -16,11 +16,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-void CheckIsScn(const std::string& name) {
-  if (LowerCase(fs::path(name).extension().string()) != ".scn")
-    throw UsageError("-convert " + Quoted(name) + ": a scene is written as .scn, and the name must say so");
-}
-
 /// Where it really lies: what is found from there by a relative name depends on it.
 fs::path Canonical(const fs::path& target) {
   return fs::canonical(target.parent_path().empty() ? "." : target.parent_path()) / target.filename();
@@ -40,10 +35,10 @@ OutputFile CheckMesh(const fs::path& file, const std::string& content, std::span
   return output;
 }
 
-void TellOfText(const ScnText& text, const Options& options) {
-  const std::string warning = Escaped(options.subject) + ": warning: ";
+void TellOfText(const ScnText& text, const std::string& name, bool quiet) {
+  const std::string warning = Escaped(name) + ": warning: ";
   for (const std::string& what : text.warnings) PrintError(warning + what);
-  if (options.quiet) return;
+  if (quiet) return;
   for (const std::string& folder : text.other_folders)
     PrintError(warning + "it names files outside its folder; -allow_path " + Escaped(folder) +
                " lets them be read, wherever it is read from");
@@ -51,19 +46,18 @@ void TellOfText(const ScnText& text, const Options& options) {
 
 }  // namespace
 
-std::string ConvertScene(const Options& options) {
-  CheckIsScn(options.subject);
-  const std::string inputs[] = {options.scene};
-  const OutputFile output = CheckOutput(options.subject, inputs);
-  const ParsedScene parsed = Parse(options.scene, options.parse);
-  RefuseInputs(output, parsed.scene.files);
-  WithSettingsOf(parsed.scene, options);  // a setting that is wrong is the original's mistake
-  TellAll(parsed.warnings);
+OutputFile CheckScnOutput(const std::string& name, const std::string& scene) {
+  if (LowerCase(fs::path(name).extension().string()) != ".scn")
+    throw UsageError("-convert " + Quoted(name) + ": a scene is written as .scn, and the name must say so");
+  const std::string inputs[] = {scene};
+  return CheckOutput(name, inputs);
+}
 
-  const ScnText text = WriteScn(parsed.scene, Canonical(output.target));
+std::string WriteSceneAsScn(const Scene& scene, const OutputFile& output, bool quiet) {
+  const ScnText text = WriteScn(scene, Canonical(output.target));
   std::vector<OutputFile> meshes;
   for (const ScnText::Mesh& mesh : text.meshes)
-    meshes.push_back(CheckMesh(output.target.parent_path() / mesh.name, mesh.text, parsed.scene.files));
+    meshes.push_back(CheckMesh(output.target.parent_path() / mesh.name, mesh.text, scene.files));
   std::string told;
   const auto write = [&](const OutputFile& file, const std::string& content) {
     WriteWhole(file, BytesOfText(content));
@@ -71,8 +65,8 @@ std::string ConvertScene(const Options& options) {
   };
   for (std::size_t i = 0; i < meshes.size(); ++i) write(meshes[i], text.meshes[i].text);
   write(output, text.text);
-  TellOfText(text, options);
-  return options.quiet ? std::string() : told;
+  TellOfText(text, output.name, quiet);
+  return quiet ? std::string() : told;
 }
 
 }  // namespace ray

@@ -2,15 +2,20 @@
 
 #include <string>
 
-#include "source/app/options/Options.h"
+#include "source/app/files/OutputFile.h"
+#include "source/scene/Scene.h"
 
 namespace ray {
 
-/// Writes the scene as .scn into the file that is the options' subject, and meshes that came from no file beside it;
-/// the scene last, so that when it is there, what it names is too. Says on standard error what cannot be said in .scn,
-/// and what its reader must be allowed.
+/// The file that -convert writes the scene into. Throws UsageError when its name is not one of .scn, OutputError when
+/// it cannot be written or is the scene itself.
+OutputFile CheckScnOutput(const std::string& name, const std::string& scene);
+
+/// Writes the scene as .scn, and meshes that came from no file beside it; the scene last, so that when it is there,
+/// what it names is too. Says on standard error what cannot be said in .scn, and, unless quiet, what its reader must be
+/// allowed.
 ///   returns   which files were written, in lines; empty when quiet
-/// Throws UsageError, SceneErrors and OutputError.
-std::string ConvertScene(const Options& options);
+/// Throws SceneErrors and OutputError.
+std::string WriteSceneAsScn(const Scene& scene, const OutputFile& output, bool quiet);
 
 }  // namespace ray

@@ -47,10 +47,10 @@ PictureOutput StandardOutput() {
 }
 
 /// Besides the picture a render writes files whose names nobody typed.
-void RefuseOwnFile(const OutputFile& report, const Options& options) {
-  const std::string partial = PartialName(options.picture);
-  std::vector<std::string> names{partial, options.picture + ".checkpoint", partial + ".checkpoint"};
-  for (const Layer layer : options.layers) names.push_back(NameBeside(options.picture, NameOf(layer)));
+void RefuseOwnFile(const OutputFile& report, const FileOptions& files) {
+  const std::string partial = PartialName(files.picture);
+  std::vector<std::string> names{partial, files.picture + ".checkpoint", partial + ".checkpoint"};
+  for (const Layer layer : files.layers) names.push_back(NameBeside(files.picture, NameOf(layer)));
   for (const std::string& name : names)
     if (report.target.lexically_normal() == std::filesystem::path(name).lexically_normal())
       throw UsageError("the report cannot be " + Quoted(report.name) + ": the render has a file of that name");
@@ -87,35 +87,33 @@ void TellOfLink(Program program, const OutputFile& picture) {
                QuotedPath(picture.target.string()));
 }
 
-std::vector<std::string> InputsOf(const Options& options) {
-  std::vector<std::string> inputs = options.reference;
-  inputs.push_back(options.scene);
-  if (!options.replay.empty()) inputs.push_back(options.replay);
+std::vector<std::string> InputsOf(const FileOptions& files) {
+  std::vector<std::string> inputs = files.reference;
+  inputs.push_back(files.scene);
+  if (!files.replay.empty()) inputs.push_back(files.replay);
   return inputs;
 }
 
-Outputs CheckOutputs(const Options& options) {
-  const std::vector<std::string> inputs = InputsOf(options);
-  const bool is_standard_output = options.picture == standard_stream;
-  const PictureOutput picture = is_standard_output ? StandardOutput() : CheckPictureOutput(options.picture, inputs);
+Outputs CheckOutputs(const FileOptions& files, const PixelRectangle& part) {
+  const std::vector<std::string> inputs = InputsOf(files);
+  const bool is_standard_output = files.picture == standard_stream;
+  const PictureOutput picture = is_standard_output ? StandardOutput() : CheckPictureOutput(files.picture, inputs);
   Outputs outputs;
   outputs.format = picture.format;
   outputs.picture = picture.file;
-  if (!is_standard_output) outputs.partial = CheckOutput(PartialName(options.picture), inputs);
+  if (!is_standard_output) outputs.partial = CheckOutput(PartialName(files.picture), inputs);
 
-  const PixelRectangle whole{0, 0, options.render.width, options.render.height};
-  const PixelRectangle part = options.render.crop.value_or(whole);
-  RefuseSize(*outputs.format, part.x1 - part.x0, part.y1 - part.y0);
+  RefuseSize(*outputs.format, part.Width(), part.Height());
 
   if (!outputs.format->encode_layers)
-    for (const Layer layer : options.layers)
-      outputs.layers.push_back(CheckOutput(NameBeside(options.picture, NameOf(layer)), inputs));
+    for (const Layer layer : files.layers)
+      outputs.layers.push_back(CheckOutput(NameBeside(files.picture, NameOf(layer)), inputs));
 
-  if (options.report.empty()) return outputs;
-  outputs.report = CheckOutput(options.report, inputs);
+  if (files.report.empty()) return outputs;
+  outputs.report = CheckOutput(files.report, inputs);
   if (outputs.report->target == outputs.picture.target)
-    throw UsageError("the image and the report are the same file, " + Quoted(options.report));
-  if (!is_standard_output) RefuseOwnFile(*outputs.report, options);
+    throw UsageError("the image and the report are the same file, " + Quoted(files.report));
+  if (!is_standard_output) RefuseOwnFile(*outputs.report, files);
   return outputs;
 }
 
@@ -134,7 +132,7 @@ OutputFile WritePicture(const Outputs& outputs, const RenderResult& result, cons
   TellOfLink(record.options.program, picture);
   const R2::ImageFormat& format = *outputs.format;
   const R2::ImageSettings settings = SettingsInPicture(record);
-  const std::vector<Layer>& kinds = record.options.layers;
+  const std::vector<Layer>& kinds = record.options.files.layers;
   const auto encode = [&](RenderMode mode, const R2::Image& image) {
     const R2::ImageEncoding& encoding = record.options.encoding;
     if (format.is_linear || IsShownAsItIs(mode)) return format.encode(image, encoding, settings);  // without a copy

@@ -33,11 +33,12 @@ struct Outputs {
 };
 
 /// The files that the command line has the render read. What the scene names besides is known once it is read.
-std::vector<std::string> InputsOf(const Options& options);
+std::vector<std::string> InputsOf(const FileOptions& files);
 
-/// Before anything is read: the picture has a known kind, which can hold its size, and both files can be written.
+/// Before anything is read: the picture has a known kind, which can hold its size, and all files can be written.
+///   part   of the picture, that is rendered
 /// Throws UsageError and OutputError.
-Outputs CheckOutputs(const Options& options);
+Outputs CheckOutputs(const FileOptions& files, const PixelRectangle& part);
 
 /// Throws OutputError when one of them is a file the scene was read from.
 void RefuseInputs(const Outputs& outputs, std::span<const std::string> inputs);

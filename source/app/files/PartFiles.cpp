@@ -126,8 +126,8 @@ std::vector<std::string> FilesLike(const std::string& pattern) {
   return names;
 }
 
-PartReader::PartReader(const Options& options, const std::string& scene_hash)
-    : options_(options), identity_(IdentityOf(options, scene_hash)), film_(EmptyFilmOf(options.render)) {}
+PartReader::PartReader(const RenderSettings& settings, const std::string& picture, const std::string& identity)
+    : settings_(settings), picture_(picture), identity_(identity), film_(EmptyFilmOf(settings)) {}
 
 const std::vector<int>& PartReader::PartsOf(int of) {
   if (of != of_) parts_ = PartsOfBlocks(film_, of);
@@ -137,10 +137,10 @@ const std::vector<int>& PartReader::PartsOf(int of) {
 
 RenderState PartReader::Decoded(std::span<const unsigned char> bytes) const {
   RenderState state = DecodedState(bytes, identity_, film_);
-  if (state.planned_samples != PlannedSamples(options_.render))
+  if (state.planned_samples != PlannedSamples(settings_))
     throw OtherImageError("its samples were laid out for " + std::to_string(state.planned_samples) +
-                          " per pixel, not " + std::to_string(PlannedSamples(options_.render)));
-  CheckState(state, film_, options_.render);
+                          " per pixel, not " + std::to_string(PlannedSamples(settings_)));
+  CheckState(state, film_, settings_);
   return state;
 }
 
@@ -171,12 +171,12 @@ Plan PartReader::ReadPlan(const std::string& name) const {
 }
 
 RenderState PartReader::Round() const {
-  const std::string name = PlanName(options_.picture);
-  return IsThere(name) ? ReadPlan(name).state : FirstRound(options_.render, film_);
+  const std::string name = PlanName(picture_);
+  return IsThere(name) ? ReadPlan(name).state : FirstRound(settings_, film_);
 }
 
 std::optional<double> PartReader::SecondsSinceBegin() const {
-  const std::string name = PlanName(options_.picture);
+  const std::string name = PlanName(picture_);
   if (!IsThere(name)) return {};
   const std::chrono::duration<double> since =
       TemporaryFile(name).Time() - std::filesystem::last_write_time(name);
@@ -211,26 +211,27 @@ RenderState PartReader::Joined(const std::vector<std::string>& names, int of) {
   return round;
 }
 
-RenderState StateOfParts(const Options& options, const std::string& scene_hash) {
-  const std::vector<std::string> names = FilesLike(options.parts);
+RenderState StateOfParts(PartReader&& reader, const std::string& pattern) {
+  const std::vector<std::string> names = FilesLike(pattern);
   if (names.empty())
-    PrintError("raypro: warning: no file is named " + Quoted(options.parts) + "; the whole image is rendered here");
-  return PartReader(options, scene_hash).Joined(names, 0);
+    PrintError("raypro: warning: no file is named " + Quoted(pattern) + "; the whole image is rendered here");
+  return reader.Joined(names, 0);
 }
 
-PartWriter::PartWriter(const Options& options, const std::string& scene_hash)
-    : options_(options), identity_(IdentityOf(options, scene_hash)) {}
+PartWriter::PartWriter(const RenderSettings& settings, const FileOptions& files, const std::string& identity)
+    : settings_(settings), files_(files), identity_(identity) {}
 
 void PartWriter::WritePart(RenderState&& state) const {
-  const ImagePart& part = *options_.render.part;
-  WriteWhole(CheckOutput(PartName(options_.picture, part), InputsOf(options_)),
+  const ImagePart& part = *settings_.part;
+  WriteWhole(CheckOutput(PartName(files_.picture, part), InputsOf(files_)),
              Packed(TitleOf(part), Encoded(ForPartFile(std::move(state)), identity_)));
 }
 
 void PartWriter::WritePlan(RenderState&& state, double seconds) const {
-  const Film film = EmptyFilmOf(options_.render);
-  WriteWhole(CheckOutput(PlanName(options_.picture), InputsOf(options_)),
-             Packed(std::string(plan_title) + Fixed(seconds, 3) + " s", Encoded(WithoutSamples(std::move(state), film), identity_)));
+  const Film film = EmptyFilmOf(settings_);
+  WriteWhole(CheckOutput(PlanName(files_.picture), InputsOf(files_)),
+             Packed(std::string(plan_title) + Fixed(seconds, 3) + " s",
+                    Encoded(WithoutSamples(std::move(state), film), identity_)));
 }
 
 }  // namespace ray

@@ -30,10 +30,12 @@ struct Plan {
   RenderState state;
 };
 
-/// Reads parts of the image that the options ask for.
+/// Reads parts of an image.
+///   picture    its file name, as typed
+///   identity   see IdentityOf
 class PartReader {
  public:
-  PartReader(const Options& options, const std::string& scene_hash);
+  PartReader(const RenderSettings& settings, const std::string& picture, const std::string& identity);
 
   /// Nothing, and a warning, for a file that is damaged: its samples can be rendered again. Throws SceneErrors for one
   /// that cannot be read, or is of another scene, other settings or another version.
@@ -57,28 +59,30 @@ class PartReader {
   /// The file of that name; throws SceneErrors for one that is no plan.
   Plan ReadPlan(const std::string& name) const;
 
-  const Options& options_;
-  const std::string identity_;
+  const RenderSettings& settings_;
+  const std::string picture_, identity_;
   const Film film_;
   int of_ = 0;
   std::vector<int> parts_;  // of each block, where there are of_
 };
 
-/// What assembling begins with: the samples of all files that options.parts names. Where it names none, a message says
+/// What assembling begins with: the samples of all files whose names match the pattern. Where none does, a message says
 /// that all is rendered here. Throws SceneErrors.
-RenderState StateOfParts(const Options& options, const std::string& scene_hash);
+RenderState StateOfParts(PartReader&& reader, const std::string& pattern);
 
 /// Writes files of parts, each whole or not at all.
+///   identity   see IdentityOf
 class PartWriter {
  public:
-  PartWriter(const Options& options, const std::string& scene_hash);
+  PartWriter(const RenderSettings& settings, const FileOptions& files, const std::string& identity);
   /// Throws OutputError; the bytes are then kept elsewhere, see WriteWhole.
   void WritePart(RenderState&& state) const;
   ///   seconds   since the render began; some clock counts them only where -time is given
   void WritePlan(RenderState&& state, double seconds) const;
 
  private:
-  const Options& options_;
+  const RenderSettings& settings_;
+  const FileOptions& files_;
   const std::string identity_;
 };
 

@@ -25,7 +25,7 @@ constexpr std::size_t column_of_help = 26;
 
 /// "a whole number, at least 1 pixels; default 256"
 std::string RangeAndDefault(const OptionKind& option, const Options& defaults) {
-  const std::string range = Range(option), value = Show(option, defaults);
+  const std::string range = Range(option), value = defaults.Show(option);
   if (range.empty() || value.empty()) return range + value;
   return range + "; default " + value;
 }
@@ -104,7 +104,7 @@ std::string FullHelp(Program program) {
 }
 
 std::string MarkdownRow(const OptionKind& option, const Options& defaults) {
-  return "|" + MarkdownCell(MarkdownCode(Synopsis(option))) + MarkdownCell(MarkdownCode(Show(option, defaults))) +
+  return "|" + MarkdownCell(MarkdownCode(Synopsis(option))) + MarkdownCell(MarkdownCode(defaults.Show(option))) +
          MarkdownCell(Range(option)) + MarkdownCell(option.help) + "\n";
 }
 

@@ -30,7 +30,7 @@ namespace {
 
 std::string Entry(const OptionKind& option, const Options& defaults) {
   std::string entry = ".TP\n.B " + Roff(Synopsis(option)) + "\n" + Roff(option.help) + ".\n";
-  const std::string range = Range(option), value = Show(option, defaults);
+  const std::string range = Range(option), value = defaults.Show(option);
   if (!range.empty()) entry += "Values: " + Roff(range) + ".\n";
   if (!value.empty()) entry += "Default: " + Roff(value) + ".\n";
   return entry;

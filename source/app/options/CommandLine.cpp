@@ -114,8 +114,8 @@ void TakeName(const std::string& word, Options& options) {
     options.command = &KnownCommand(options.program, word);
   } else if (options.program == Program::raypro) {
     options.scenes.push_back(word);
-  } else if (options.scene.empty()) {
-    options.scene = word;
+  } else if (options.files.scene.empty()) {
+    options.files.scene = word;
   } else {
     RefuseName(word, UsageOf(options.program, options.command));
   }
@@ -173,7 +173,7 @@ void CheckCommand(const Options& options) {
 /// What only renders has no effect; what decides how the scene is read has.
 void CheckConvert(const Options& options) {
   if (options.task != Task::convert) return;
-  if (!options.picture.empty()) RefuseName(options.picture, "; -convert writes no image");
+  if (!options.files.picture.empty()) RefuseName(options.files.picture, "; -convert writes no image");
   for (const std::string& name : options.given) {
     const OptionKind& option = *FindOption(options.program, name);
     if (IsSetting(option) && !option.facts.Has(Fact::with_convert))
@@ -219,7 +219,7 @@ void CheckCrop(const RenderSettings& render) {
   const OptionKind& option = *FindOption(Program::raypro, "crop");
   Options given;
   given.render = render;
-  throw UsageError("-crop " + Show(option, given) + ": it must be " + Range(option) + " of " +
+  throw UsageError("-crop " + given.Show(option) + ": it must be " + Range(option) + " of " +
                    std::to_string(render.width) + " x " + std::to_string(render.height));
 }
 
@@ -234,7 +234,7 @@ void CheckDenoise(const Options& options) {
   if (render.mode != RenderMode::whitted && render.mode != RenderMode::path)
     throw UsageError(std::string("-denoise has no effect with -mode ") + NameOf(render.mode) +
                      "; it is for whitted and path");
-  if (render.samples < 2 && !render.budget.IsOpen() && options.replay.empty())
+  if (render.samples < 2 && !render.budget.IsOpen() && options.files.replay.empty())
     throw UsageError("-denoise needs -samples 2 or more, -error or -time");
 }
 
@@ -289,7 +289,8 @@ void CheckSubsampling(const RenderSettings& render) {
 
 void CheckBudget(const Options& options) {
   const Budget& budget = options.render.budget;
-  if (!options.replay.empty() && budget.IsOpen()) throw UsageError("-replay and -time or -error contradict each other");
+  if (!options.files.replay.empty() && budget.IsOpen())
+    throw UsageError("-replay and -time or -error contradict each other");
   if (ShowsCosts(options.render.mode) && budget.error)
     throw UsageError(std::string("-error has no effect with -mode ") + NameOf(options.render.mode) +
                      ", which shows costs");
@@ -298,7 +299,7 @@ void CheckBudget(const Options& options) {
 /// -part, -missing and -parts, with each other and with what only a finished image has.
 void CheckParts(const Options& options) {
   const bool is_part = options.render.part.has_value(), assembles = !options.parts.empty() && options.missing == 0;
-  if (assembles && options.resume)
+  if (assembles && options.checkpoint.resume)
     throw UsageError("-parts and -resume contradict each other: the checkpoint of an assembled image has the parts");
   if (!is_part && options.missing == 0) return;
   for (const std::string& name : options.given)
@@ -308,10 +309,7 @@ void CheckParts(const Options& options) {
 }
 
 /// Everything that is wrong together, though each word is right by itself.
-void CheckTogether(const Options& options, std::span<const std::string> words) {
-  if (options.task == Task::as_course) throw UsageError("-as " + options.subject + " must come before all else");
-  CheckCommand(options);
-  CheckNames(options, words);
+void CheckTogether(const Options& options) {
   CheckBudget(options);
   CheckSize(options.render);
   CheckConvert(options);
@@ -325,7 +323,7 @@ void Derive(Options& options) {
   RenderSettings& render = options.render;
   render.srgb = options.encoding.srgb;  // as displayed, though a format of light keeps light
   render.quantization = options.encoding.quantization;
-  render.wants_passes = !options.report.empty() && render.samples > 1;
+  render.wants_passes = !options.files.report.empty() && render.samples > 1;
   options.parse.problem_of = ProblemOf;
   options.parse.max_texture_bytes = MemoryLimit(options.memory);
   options.parse.aspect = static_cast<double>(options.render.width) / options.render.height;
@@ -361,8 +359,10 @@ Options ReadCommandLine(Program program, std::span<const std::string> words) {
 
   for (const OptionKind* option : seen) options.given.emplace_back(option->name);
   ApplyPreset(options);
-  ShareNames(options);
-  CheckTogether(options, words);
+  if (options.task == Task::as_course) throw UsageError("-as " + options.subject + " must come before all else");
+  CheckCommand(options);
+  ShareNames(options, words);
+  CheckTogether(options);
   Derive(options);
   return options;
 }
@@ -380,9 +380,9 @@ void CompleteForScene(Options& options) {
   Derive(options);
 }
 
-void CheckMachine(const Options& options) {
-  CheckDenoiser(options.render);
-  const std::string& name = options.accelerator.instruction_set;
+void CheckMachine(const RenderSettings& render, const AcceleratorSettings& accelerator) {
+  CheckDenoiser(render);
+  const std::string& name = accelerator.instruction_set;
   const std::vector<std::string> present = InstructionSets();
   if (name == "best" || std::find(present.begin(), present.end(), name) != present.end()) return;
   std::string list = "best";

@@ -16,7 +16,7 @@ Options ReadCommandLine(Program program, std::span<const std::string> words);
 /// UsageError for what contradicts them.
 void CompleteForScene(Options& options);
 
-/// Throws UsageError when this machine lacks what the options ask for.
-void CheckMachine(const Options& options);
+/// Throws UsageError when this machine lacks the denoiser or the instruction set that is asked for.
+void CheckMachine(const RenderSettings& render, const AcceleratorSettings& accelerator);
 
 }  // namespace ray

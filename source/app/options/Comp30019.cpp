@@ -125,7 +125,7 @@ Asked Read(std::span<const std::string> words) {
   }
   std::string missing;
   for (const OptionKind& option : CourseOptions())
-    if (IsFile(option) && Show(option, options).empty()) missing += (missing.empty() ? "" : " and ") + NamesOf(option);
+    if (IsFile(option) && options.Show(option).empty()) missing += (missing.empty() ? "" : " and ") + NamesOf(option);
   if (!missing.empty()) throw UsageError("missing: " + missing + " (--help lists all options)");
   const Asked& asked = options.course;
   if (asked.axis == R3::Vector{} && asked.angle != 0)
@@ -199,7 +199,7 @@ std::string Help() {
       "       raypro -as comp30019 -f scene.txt -o image.png [options]\n\n"
       "The command line of COMP30019, Graphics and Interaction.\n\noptions:\n";
   for (const OptionKind& option : CourseOptions()) {
-    const std::string names = "  " + Synopsis(option), standard = Show(option, {});
+    const std::string names = "  " + Synopsis(option), standard = Options().Show(option);
     constexpr std::size_t column_of_help = 34;
     text += names + std::string(column_of_help - names.size(), ' ') + option.help +
             (standard.empty() ? "" : " [" + standard + "]") + "\n";

@@ -25,12 +25,13 @@ bool NeedsScene(Task task) {
 
 /// What was probably meant: the words as typed, with a name for the picture behind the scene's.
 std::string LikelyCommand(const Options& options, std::span<const std::string> words) {
-  if (options.scene.empty()) return "raypro scenes/hello.scn hello.png -width 512";
+  const std::string& scene_name = options.files.scene;
+  if (scene_name.empty()) return "raypro scenes/hello.scn hello.png -width 512";
   std::vector<std::string> likely(words.begin(), words.end());
-  const auto scene = std::ranges::find(likely, options.scene);
-  const std::string picture = options.scene == standard_stream
+  const auto scene = std::ranges::find(likely, scene_name);
+  const std::string picture = scene_name == standard_stream
                                   ? "out.png"
-                                  : std::filesystem::path(options.scene).filename().replace_extension(".png").string();
+                                  : std::filesystem::path(scene_name).filename().replace_extension(".png").string();
   if (scene != likely.end()) likely.insert(scene + 1, picture);
   if (options.given.empty()) likely.insert(likely.end(), {"-width", "512"});
   return "raypro " + ShellLine(likely);
@@ -67,29 +68,29 @@ void CheckScenes(const Options& options) {
 
 /// Standard output holds one image, and nothing can be resumed from it.
 void CheckStandardOutput(const Options& options) {
-  if (options.picture != standard_stream) return;
+  if (options.files.picture != standard_stream) return;
   if (const OptionKind* option = FirstGiven(options, Fact::named_image))
     throw UsageError("-" + std::string(option->name) + " needs an image file, not standard output");
 }
 
 bool IsPicture(const std::string& name) { return R2::FormatForName(name) != nullptr; }
 
-void CheckSecondName(const Options& options) {
-  if (!options.picture.empty() && IsPicture(options.scene) && !IsPicture(options.picture))
-    throw UsageError("the scene is named first: raypro " + ShellLine(std::vector{options.picture, options.scene}));
-  if (IsScene(options.picture) && options.picture != options.scene)
-    throw UsageError(Quoted(options.picture) + " is a scene" + several_scenes);
+void CheckSecondName(const FileOptions& files) {
+  if (!files.picture.empty() && IsPicture(files.scene) && !IsPicture(files.picture))
+    throw UsageError("the scene is named first: raypro " + ShellLine(std::vector{files.picture, files.scene}));
+  if (IsScene(files.picture) && files.picture != files.scene)
+    throw UsageError(Quoted(files.picture) + " is a scene" + several_scenes);
 }
 
 void CheckPicture(const Options& options, std::span<const std::string> words) {
-  if (options.report == standard_stream) throw UsageError("-report needs the name of a file, not standard output");
-  if (options.picture == options.report && !options.picture.empty())
-    throw UsageError("the image and the report are the same file, " + Quoted(options.report));
-  if (!options.picture.empty()) return;
-  if (FindOption(options.program, options.scene))
-    throw UsageError("options begin with a dash: raypro -" + options.scene);
-  if (IsPicture(options.scene))
-    throw UsageError("no scene is named; for example: raypro scenes/hello.scn " + options.scene);
+  const FileOptions& files = options.files;
+  if (files.report == standard_stream) throw UsageError("-report needs the name of a file, not standard output");
+  if (files.picture == options.files.report && !files.picture.empty())
+    throw UsageError("the image and the report are the same file, " + Quoted(files.report));
+  if (!files.picture.empty()) return;
+  if (FindOption(options.program, files.scene)) throw UsageError("options begin with a dash: raypro -" + files.scene);
+  if (IsPicture(files.scene))
+    throw UsageError("no scene is named; for example: raypro scenes/hello.scn " + files.scene);
   throw UsageError("missing output file name; for example: " + LikelyCommand(options, words));
 }
 
@@ -104,9 +105,20 @@ bool IsOutputSentToAnImage() {
 /// says too little about what a file holds, and beside a mesh there may be its texture.
 void NamePictureOfLoneScene(Options& options) {
   constexpr std::array<std::string_view, 4> of_scenes_alone{".scn", ".yaml", ".yml", ".json"};
-  const bool is_alone = options.task == Task::render && options.picture.empty() && !IsOutputSentToAnImage();
-  if (is_alone && std::ranges::find(of_scenes_alone, ExtensionOf(options.scene)) != of_scenes_alone.end())
-    options.picture = std::filesystem::path(options.scene).replace_extension(".png").string();
+  const bool is_alone = options.task == Task::render && options.files.picture.empty() && !IsOutputSentToAnImage();
+  if (is_alone && std::ranges::find(of_scenes_alone, ExtensionOf(options.files.scene)) != of_scenes_alone.end())
+    options.files.picture = std::filesystem::path(options.files.scene).replace_extension(".png").string();
+}
+
+/// Gives each name its role.
+void Share(Options& options) {
+  if (!options.out_folder.empty() || options.scenes.empty()) return;
+  const std::vector<std::string> names = std::move(options.scenes);
+  options.scenes.clear();
+  if (names.size() > 2) RefuseName(names[2], IsScene(names[2]) ? several_scenes : UsageOf(options.program));
+  options.files.scene = names[0];
+  if (names.size() == 2) options.files.picture = names[1];
+  NamePictureOfLoneScene(options);
 }
 
 }  // namespace
@@ -117,29 +129,20 @@ void RefuseName(const std::string& word, const std::string& why) {
   throw UsageError("unexpected extra argument " + Quoted(word) + why);
 }
 
-void ShareNames(Options& options) {
-  if (!options.out_folder.empty() || options.scenes.empty()) return;
-  const std::vector<std::string> names = std::move(options.scenes);
-  options.scenes.clear();
-  if (names.size() > 2) RefuseName(names[2], IsScene(names[2]) ? several_scenes : UsageOf(options.program));
-  options.scene = names[0];
-  if (names.size() == 2) options.picture = names[1];
-  NamePictureOfLoneScene(options);
-}
-
-void CheckNames(const Options& options, std::span<const std::string> words) {
+void ShareNames(Options& options, std::span<const std::string> words) {
+  Share(options);
   if (!NeedsScene(options.task)) {
-    if (!options.scene.empty()) RefuseName(options.scene, "");
+    if (!options.files.scene.empty()) RefuseName(options.files.scene, "");
     if (!options.scenes.empty()) RefuseName(options.scenes[0], "");
     return;
   }
   if (!options.scenes.empty()) return CheckScenes(options);
   CheckStandardOutput(options);
-  if (options.scene.empty())
+  if (options.files.scene.empty())
     throw UsageError("no scene is named" + (options.task == Task::render
                                                 ? "; for example: " + LikelyCommand(options, words)
                                                 : UsageOf(options.program)));
-  CheckSecondName(options);
+  CheckSecondName(options.files);
   if (options.task == Task::render) CheckPicture(options, words);
 }
 

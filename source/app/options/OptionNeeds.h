@@ -8,8 +8,8 @@
 /// The conditions that rows of the option table name as their needs.
 namespace ray::needs {
 
-inline bool HasFormat(const Options& options, const std::string& name) {
-  const R2::ImageFormat* format = FormatOfPicture(options.picture);
+inline bool HasFormat(const std::string& picture, const std::string& name) {
+  const R2::ImageFormat* format = FormatOfPicture(picture);
   return format && format->name == name;
 }
 
@@ -17,20 +17,21 @@ inline bool HasColoredLamps(const RenderSettings& render) {
   return render.mode == RenderMode::whitted || (render.mode == RenderMode::path && !EmitsRadiance(render));
 }
 
-inline bool ReportsError(const Options& options) {
-  return options.render.budget.IsOpen() || options.render.denoise || options.stats || !options.report.empty() ||
-         !options.reference.empty();
+inline bool ReportsError(const RenderSettings& render, const FileOptions& files) {
+  return render.budget.IsOpen() || render.denoise || !files.report.empty() || !files.reference.empty();
 }
 
 template <RenderMode mode>
-bool HasMode(const Options& options) {
-  return options.render.mode == mode;
+constexpr OptionNeed InMode(const char* otherwise) {
+  return {[](const Options& o) { return o.render.mode == mode; }, otherwise};
 }
 
-inline constexpr OptionNeed png{[](const Options& o) { return HasFormat(o, "png"); }, "unless the image is a PNG"};
-inline constexpr OptionNeed jpeg{[](const Options& o) { return HasFormat(o, "jpeg"); }, "unless the image is a JPEG"};
+inline constexpr OptionNeed png{[](const Options& o) { return HasFormat(o.files.picture, "png"); },
+                                "unless the image is a PNG"};
+inline constexpr OptionNeed jpeg{[](const Options& o) { return HasFormat(o.files.picture, "jpeg"); },
+                                 "unless the image is a JPEG"};
 inline constexpr OptionNeed format_of_bytes{[](const Options& o) {
-                                              const R2::ImageFormat* format = FormatOfPicture(o.picture);
+                                              const R2::ImageFormat* format = FormatOfPicture(o.files.picture);
                                               return format && !format->is_linear;
                                             },
                                             "on an image of linear values, as EXR, HDR and PFM are"};
@@ -42,11 +43,11 @@ inline constexpr OptionNeed grid{[](const Options& o) { return IsGrid(o.render.t
                                  "without -sampler grid"};
 inline constexpr OptionNeed spiral{[](const Options& o) { return o.render.camera.lens != LensPattern::random; },
                                    "without -lens spiral"};
-inline constexpr OptionNeed mode_zbuffer{HasMode<RenderMode::zbuffer>, "without -mode zbuffer"};
-inline constexpr OptionNeed mode_gooch{HasMode<RenderMode::gooch>, "without -mode gooch"};
-inline constexpr OptionNeed mode_toon{HasMode<RenderMode::toon>, "without -mode toon"};
-inline constexpr OptionNeed mode_hatching{HasMode<RenderMode::hatching>, "without -mode hatching"};
-inline constexpr OptionNeed mode_path{HasMode<RenderMode::path>, "without -mode path"};
+inline constexpr OptionNeed mode_zbuffer = InMode<RenderMode::zbuffer>("without -mode zbuffer");
+inline constexpr OptionNeed mode_gooch = InMode<RenderMode::gooch>("without -mode gooch");
+inline constexpr OptionNeed mode_toon = InMode<RenderMode::toon>("without -mode toon");
+inline constexpr OptionNeed mode_hatching = InMode<RenderMode::hatching>("without -mode hatching");
+inline constexpr OptionNeed mode_path = InMode<RenderMode::path>("without -mode path");
 inline constexpr OptionNeed colored_lamps{[](const Options& o) { return HasColoredLamps(o.render); },
                                           "without -mode whitted or -emission color"};
 inline constexpr OptionNeed error_of_tiles{
@@ -58,7 +59,7 @@ inline constexpr OptionNeed samples_of_neighbors{
 inline constexpr OptionNeed samples_to_limit{
     [](const Options& o) { return o.render.samples > 1 || !o.render.budget.IsOpen(); },
     "with -time or -error unless it is 2 or more"};
-inline constexpr OptionNeed reported_error{ReportsError,
+inline constexpr OptionNeed reported_error{[](const Options& o) { return o.stats || ReportsError(o.render, o.files); },
                                            "without -error, -time, -denoise, -reference, -stats or -report"};
 inline constexpr OptionNeed out_folder{[](const Options& o) { return !o.out_folder.empty(); }, "without -out_folder"};
 inline constexpr OptionNeed structure{

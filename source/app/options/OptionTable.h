@@ -143,12 +143,6 @@ std::size_t FewestArguments(const OptionKind& option);
 std::size_t MostArguments(const OptionKind& option);
 bool MayBeRepeated(const OptionKind& option);
 
-/// The value in force, as it would be typed; empty when there is none.
-std::string Show(const OptionKind& option, const Options& options);
-/// The words that ask for the value in force: "-motion", "0", "1", "0"; none when there is none.
-std::vector<std::string> Typed(const OptionKind& option, const Options& options);
-/// The same, but none where the value is that of the defaults.
-std::vector<std::string> Typed(const OptionKind& option, const Options& options, const Options& defaults);
 /// What may be typed: "1..1073741824 pixels", "on or off"; empty when anything may, or nothing.
 std::string Range(const OptionKind& option);
 /// The words an argument can be; empty when they are not a short list.
@@ -163,8 +157,5 @@ std::string Synopsis(const OptionKind& option);
 bool IsSetting(const OptionKind& option);
 /// The names of all options of which the fact is true, in the order of the table.
 std::vector<std::string_view> OptionsWith(Program program, Fact fact);
-/// Ends the sentence that begins with "-focus has no effect": "without -aperture and -sampler grid". Empty where the
-/// option has an effect.
-std::string WhyWithoutEffect(const OptionKind& option, const Options& options);
 
 }  // namespace ray

@@ -182,11 +182,11 @@ std::vector<std::string_view> OptionsWith(Program program, Fact fact) {
   return names;
 }
 
-std::string WhyWithoutEffect(const OptionKind& option, const Options& options) {
+std::string Options::WhyWithoutEffect(const OptionKind& option) const {
   constexpr std::string_view without = "without ";
   std::string text;
   for (const auto& [is_met, otherwise] : option.facts.needs) {
-    if (is_met(options)) continue;
+    if (is_met(*this)) continue;
     const std::string_view why = otherwise;
     if (text.empty())
       text = why;
@@ -196,48 +196,45 @@ std::string WhyWithoutEffect(const OptionKind& option, const Options& options) {
   return text;
 }
 
-std::string Show(const OptionKind& option, const Options& options) {
+std::string Options::Show(const OptionKind& option) const {
   return std::visit(Overloaded{
-                        [&]<class T>(const Number<T>& number) { return ToText(number.member.read(options)); },
-                        [&](const Flag& flag) { return std::string(flag.member.read(options) ? "on" : ""); },
-                        [&](const OnOff& on_off) { return std::string(on_off.member.read(options) ? "on" : "off"); },
-                        [&](const OneNumberOf& one) { return ToText(one.member.read(options)); },
-                        [&](const OneNameOf& one) { return one.read(options); },
-                        [&](const FileName& file) { return file.member.read(options); },
-                        [&](const Word& word) { return word.show(options); },
-                        [&](const NumberList& list) {
+                        [this]<class T>(const Number<T>& number) { return ToText(number.member.read(*this)); },
+                        [this](const Flag& flag) { return std::string(flag.member.read(*this) ? "on" : ""); },
+                        [this](const OnOff& on_off) { return std::string(on_off.member.read(*this) ? "on" : "off"); },
+                        [this](const OneNumberOf& one) { return ToText(one.member.read(*this)); },
+                        [this](const OneNameOf& one) { return one.read(*this); },
+                        [this](const FileName& file) { return file.member.read(*this); },
+                        [this](const Word& word) { return word.show(*this); },
+                        [this](const NumberList& list) {
                           std::vector<std::string> texts;
-                          for (const double number : list.read(options)) texts.push_back(ToText(number));
+                          for (const double number : list.read(*this)) texts.push_back(ToText(number));
                           return Joined(texts);
                         },
-                        [&](const FileList& files) {
-                          const auto& list = files.member.read(options);
+                        [this](const FileList& pair) {
+                          const auto& list = pair.member.read(*this);
                           return list.empty() ? std::string() : list.size() == 1 ? list[0] : list[0] + "," + list[1];
                         },
-                        [&](const Repeated& list) { return Joined(list.member.read(options)); },
-                        [&](const Rectangle& rectangle) {
-                          const auto& crop = rectangle.member.read(options);
+                        [this](const Repeated& list) { return Joined(list.member.read(*this)); },
+                        [this](const Rectangle& rectangle) {
+                          const auto& crop = rectangle.member.read(*this);
                           if (!crop) return std::string();
                           return ToText(crop->x0) + " " + ToText(crop->y0) + " " + ToText(crop->x1) + " " +
                                  ToText(crop->y1);
                         },
-                        [&](const PixelRequest&) { return std::string(); },
-                        [&](const Request&) { return std::string(); },
+                        [this](const PixelRequest&) { return std::string(); },
+                        [this](const Request&) { return std::string(); },
                     },
                     option.value);
 }
 
-std::vector<std::string> Typed(const OptionKind& option, const Options& options, const Options& defaults) {
-  return Show(option, options) == Show(option, defaults) ? std::vector<std::string>() : Typed(option, options);
-}
-
-std::vector<std::string> Typed(const OptionKind& option, const Options& options) {
-  const std::string name = "-" + std::string(option.name), value = Show(option, options);
-  if (value.empty()) return {};
+std::vector<std::string> Options::TypedFor(Program reader, const OptionKind& option) const {
+  const std::string name = "-" + std::string(option.name), value = Show(option);
+  const bool goes_without_saying = !IsGiven(option.name) && value == Defaults(reader).Show(option);
+  if (value.empty() || goes_without_saying) return {};
   if (std::holds_alternative<Flag>(option.value)) return {name};
   std::vector<std::string> words;
   if (const auto* list = std::get_if<Repeated>(&option.value)) {
-    for (const auto& word : list->member.read(options)) words.push_back(name + "=" + word);
+    for (const auto& word : list->member.read(*this)) words.push_back(name + "=" + word);
     return words;
   }
   // Only "=" lets a value begin like an option.

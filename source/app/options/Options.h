@@ -18,6 +18,7 @@
 namespace ray {
 
 struct CommandKind;
+struct OptionKind;
 
 /// What the program is asked to do; `render` is what raypro is for, `view` what rayview is for, `command` what rayimg
 /// is, `grade` what raygrade is.
@@ -60,6 +61,21 @@ struct ViewOptions {
 inline constexpr std::array panel_themes{"off", "dark", "light"};
 inline constexpr std::array context_names{"auto", "egl", "osmesa"};
 
+/// The files that a render reads and writes, as typed; empty for none.
+struct FileOptions {
+  std::string scene, picture;          // empty where the task needs none, or where rayview is to choose a name
+  std::vector<std::string> reference;  // at most two files
+  std::vector<Layer> layers;           // beside the picture
+  std::string report;
+  std::string replay;  // a report
+};
+
+/// When the state of a render is saved, and what becomes of it.
+struct CheckpointOptions {
+  double seconds = 0;  // between two; 0: only when a signal ends the run
+  bool resume = false, restart = false, keep = false;
+};
+
 /// Everything the command line decides. Ranges, units and help are in the option table; the defaults are here.
 struct Options {
   Program program = Program::raypro;
@@ -67,8 +83,9 @@ struct Options {
   bool as_course = false;                      // typed in the words of a course, which say more than ours could
   std::vector<std::string> scenes;             // as typed, of a command that renders each into out_folder; else empty
   std::string out_folder, out_format = "png";  // an extension
-  std::string scene, picture;  // as typed; empty where the task needs none, or where rayview is to choose a name
 
+  FileOptions files;
+  CheckpointOptions checkpoint;
   RenderSettings render;
   AcceleratorSettings accelerator;
   ParseOptions parse;
@@ -80,24 +97,27 @@ struct Options {
   comp30019::Asked course;  // only while that course's command line is read
 
   bool quiet = false, verbose = false, stats = false, explain = false;
-  std::string report;       // file name; empty for no report
   bool keep_times = false;  // in the picture
   double memory = 0;        // GiB that the program may take; 0: three quarters of the machine's
 
-  std::string quality = "custom";      // a row of the presets, or none of them
-  std::vector<std::string> reference;  // at most two files
-  std::vector<Layer> layers;           // beside the picture
-  double checkpoint = 0;               // seconds between two; 0: only when a signal ends the run
-  bool resume = false, restart = false, keep_checkpoint = false;
-  std::string replay;  // file name of a report; empty for none
-  std::string parts;   // a pattern of file names, to assemble; empty for none
-  int missing = 0;     // of so many parts, those that are not rendered are printed; 0: render
+  std::string quality = "custom";  // a row of the presets, or none of them
+  std::string parts;               // a pattern of file names, to assemble; empty for none
+  int missing = 0;                 // of so many parts, those that are not rendered are printed; 0: render
 
   Task task = Task::render;
   std::string subject;         // of help, list, complete, info and manual; of convert the file to write
   std::optional<Pixel> pixel;  // of debug_pixel
 
   bool IsGiven(const std::string& option) const { return std::ranges::find(given, option) != given.end(); }
+  /// The value in force, as it would be typed; empty when there is none.
+  std::string Show(const OptionKind& option) const;
+  /// The words that ask a program for the value in force: "-motion", "0", "1", "0". None when there is no value, or
+  /// when it is the program's default and was not typed; what was typed may be the default, and a scene state another
+  /// value.
+  std::vector<std::string> TypedFor(Program reader, const OptionKind& option) const;
+  /// Ends the sentence that begins with "-focus has no effect": "without -aperture and -sampler grid". Empty where the
+  /// option has an effect.
+  std::string WhyWithoutEffect(const OptionKind& option) const;
 };
 
 /// What a program does unless told otherwise.

@@ -21,12 +21,10 @@ std::string AsName(const std::string& name) { return LooksLikeOption(name) || Is
 }  // namespace
 
 std::string RayproCommand(const Options& options) {
-  std::vector<std::string> words{"raypro", AsName(options.scene), AsName(options.picture)};
+  std::vector<std::string> words{"raypro", AsName(options.files.scene), AsName(options.files.picture)};
   for (const OptionKind& option : OptionTable(Program::raypro)) {
     if (!MakesTheImage(option)) continue;
-    // What was typed may be the default, and the scene may state another.
-    const auto typed =
-        options.IsGiven(option.name) ? Typed(option, options) : Typed(option, options, Defaults(Program::raypro));
+    const auto typed = options.TypedFor(Program::raypro, option);
     words.insert(words.end(), typed.begin(), typed.end());
   }
   return ShellLine(words);

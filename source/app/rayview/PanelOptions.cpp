@@ -25,18 +25,18 @@ std::vector<ShownOption> OptionsOfPanels(const Options& options) {
   std::vector<ShownOption> shown;
   for (const OptionKind& option : OptionTable(Program::rayview))
     if (IsInPanels(option))
-      shown.push_back({option.name, option.topic, option.help, Show(option, options), Range(option), Choices(option),
+      shown.push_back({option.name, option.topic, option.help, options.Show(option), Range(option), Choices(option),
                        std::holds_alternative<Flag>(option.value)});
   return shown;
 }
 
 Options WithOption(const Options& options, const std::string& name, const std::string& value) {
-  std::vector<std::string> words{options.scene};
+  std::vector<std::string> words{options.files.scene};
   const auto add = [&](const std::vector<std::string>& more) { words.insert(words.end(), more.begin(), more.end()); };
   for (const OptionKind& option : OptionTable(Program::rayview)) {
     if (!IsSetting(option)) continue;
     if (name != option.name) {
-      add(options.IsGiven(option.name) ? Typed(option, options) : Typed(option, options, Defaults(Program::rayview)));
+      add(options.TypedFor(Program::rayview, option));
     } else if (!value.empty()) {
       // Only "=" lets a value begin like an option.
       const std::vector<std::string> behind = WordsFor(option, value);
@@ -48,7 +48,7 @@ Options WithOption(const Options& options, const std::string& name, const std::s
   }
   Options changed = ReadCommandLine(Program::rayview, words);
   CompleteForScene(changed);
-  CheckMachine(changed);
+  CheckMachine(changed.render, changed.accelerator);
   return changed;
 }
 

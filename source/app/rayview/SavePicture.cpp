@@ -25,7 +25,7 @@ std::vector<std::string_view> TextsOf(const LoadedScene& scene) {
 RunStats RecordOf(const Options& options, const LoadedScene& scene, const RenderResult& result, double seconds) {
   RunStats record;
   record.options = options;
-  record.picture = options.picture;
+  record.picture = options.files.picture;
   record.scene.hash = SceneHash(scene.parsed.scene.files, TextsOf(scene));
   record.scene.settings = SettingsInForce(scene.parsed.scene, options);
   record.threads = ThreadsOf(options.render);
@@ -42,7 +42,7 @@ std::string SaveTraced(const PictureOutput* output, Options options, const Loade
   std::optional<Camera>& view = options.render.view;
   if (view && CameraLine(*view) == CameraLine(scene.parsed.scene.camera)) view.reset();
   const PictureOutput place = output ? *output : ClaimImageName("jpg");
-  options.picture = place.file.name;
+  options.files.picture = place.file.name;
   const RunStats record = RecordOf(options, scene, result, seconds);
   try {
     WritePicture({place.format, place.file, {}, {}, {}}, result, {}, record);

@@ -55,18 +55,17 @@ bool IsNew(const std::string& name) {
 
 }  // namespace
 
-ViewOutputs CheckViewOutputs(const Options& options) {
-  const ViewOptions& view = options.view;
-  std::vector<std::string> inputs{options.scene};
+ViewOutputs CheckViewOutputs(const FileOptions& files, const ViewOptions& view, int width, int height) {
+  std::vector<std::string> inputs{files.scene};
   if (!view.events.empty() && view.events != "-") inputs.push_back(view.events);
   if (!view.reference.empty()) inputs.push_back(view.reference);
   const auto picture = [&](const std::string& name) {
     return name.empty() ? std::nullopt : std::optional(CheckPictureOutput(name, inputs));
   };
-  ViewOutputs outputs{picture(options.picture), picture(view.output_image), picture(view.screenshot), {}};
+  ViewOutputs outputs{picture(files.picture), picture(view.output_image), picture(view.screenshot), {}};
   if (!view.record.empty()) outputs.record = CheckOutput(view.record, inputs);
   for (const auto* output : {&outputs.image, &outputs.output_image, &outputs.screenshot})
-    if (*output) RefuseSize(*(*output)->format, options.render.width, options.render.height);
+    if (*output) RefuseSize(*(*output)->format, width, height);
   RefuseEqualOutputs(outputs);
   return outputs;
 }

@@ -16,9 +16,9 @@ struct ViewOutputs {
   std::optional<OutputFile> record;           // what happened
 };
 
-/// Before anything is read: pictures have known kinds, everything can be written, no two outputs and no input are the
-/// same file. Throws UsageError and OutputError.
-ViewOutputs CheckViewOutputs(const Options& options);
+/// Before anything is read: pictures have known kinds that can hold `width` by `height` pixels, everything can be
+/// written, no two outputs and no input are the same file. Throws UsageError and OutputError.
+ViewOutputs CheckViewOutputs(const FileOptions& files, const ViewOptions& view, int width, int height);
 
 /// Throws OutputError when one of them is a file the scene was read from.
 void RefuseInputs(const ViewOutputs& outputs, std::span<const std::string> inputs);

@@ -78,7 +78,7 @@ std::string FreeRaysName() {
 bool IsLookedAt(const Options& options) { return !options.view.headless && options.view.events.empty(); }
 
 ViewerSettings SettingsFor(const Options& options) {
-  ViewerSettings settings{options.scene, options.parse, options.accelerator, options.render, {}};
+  ViewerSettings settings{options.files.scene, options.parse, options.accelerator, options.render, {}};
   settings.live_is_endless = IsLookedAt(options) && !options.IsGiven("samples") && options.render.samples == 1;
   return settings;
 }
@@ -146,9 +146,9 @@ class Session : public ViewerHost {
       : asked_(asked),
         options_(options),
         outputs_(outputs),
-        window_(options.view.headless
-                    ? nullptr
-                    : MakeWindow(options.render.width, options.render.height, "rayview " + NameOfFile(options.scene))),
+        window_(options.view.headless ? nullptr
+                                      : MakeWindow(options.render.width, options.render.height,
+                                                   "rayview " + NameOfFile(options.files.scene))),
         offscreen_(options.view.headless ? MakeOffscreenContext(options.view.context) : nullptr),
         painter_(window_ ? Canvas::Target::window : Canvas::Target::own),
         drawer_(painter_),
@@ -158,7 +158,7 @@ class Session : public ViewerHost {
                 *this),
         recorder_(outputs_.record),
         recent_(IsLookedAt(options) && options.view.record.empty() ? RecentScenesFile() : std::string()) {
-    recent_.Add(options.scene);
+    recent_.Add(options.files.scene);
     if (options.view.panels != "off") viewer_.ShowPanels(first_look_);
   }
 
@@ -255,7 +255,7 @@ class Session : public ViewerHost {
     options.render.threads = options_.render.threads;
     options.render.budget = WithoutLimits(settings.budget);  // key S takes all samples
     std::erase_if(options.given, IsOfBudget);
-    if (options.picture.empty()) options.picture = "image.png";
+    if (options.files.picture.empty()) options.files.picture = "image.png";
     return RayproCommand(options);
   }
 

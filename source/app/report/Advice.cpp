@@ -38,16 +38,16 @@ struct Knob {
   bool may_help;  // in this scene with these settings
 };
 
-bool IsWhitted(const Options& options) { return options.render.mode == RenderMode::whitted; }
+bool IsWhitted(const RenderSettings& render) { return render.mode == RenderMode::whitted; }
 
 /// Settings that change noise and time, and on average nothing else.
-std::vector<Knob> KnobsOfNoise(const World& world, const SceneFeatures& has, const Options& options) {
-  const TraceSettings& trace = options.render.trace;
-  const bool is_path = options.render.mode == RenderMode::path, takes_all = !has.choice_of_lights;
+std::vector<Knob> KnobsOfNoise(const World& world, const SceneFeatures& has, const RenderSettings& render) {
+  const TraceSettings& trace = render.trace;
+  const bool is_path = render.mode == RenderMode::path, takes_all = !has.choice_of_lights;
   return {
-      {{"shadow_samples", "1"}, IsWhitted(options) && has.area_lights && trace.shadow_samples > 1},
-      {{"shadow_samples", "4"}, IsWhitted(options) && has.area_lights && trace.shadow_samples == 1},
-      {{"lights", "one"}, takes_all && (is_path || IsWhitted(options)) && world.scene().lights.size() > 1},
+      {{"shadow_samples", "1"}, IsWhitted(render) && has.area_lights && trace.shadow_samples > 1},
+      {{"shadow_samples", "4"}, IsWhitted(render) && has.area_lights && trace.shadow_samples == 1},
+      {{"lights", "one"}, takes_all && (is_path || IsWhitted(render)) && world.scene().lights.size() > 1},
       {{"lights", "all"}, has.choice_of_lights},
       {{"sampler", "sobol"}, trace.sampler != SamplerKind::sobol},
       {{"strategy", "mis"}, is_path && trace.strategy != LightStrategy::mis},
@@ -55,14 +55,14 @@ std::vector<Knob> KnobsOfNoise(const World& world, const SceneFeatures& has, con
 }
 
 /// Settings that find light which the current ones cut away.
-std::vector<Knob> KnobsOfLight(const SceneFeatures& has, const Options& options) {
-  const TraceSettings& trace = options.render.trace;
-  const bool goes_on = options.render.mode == RenderMode::path || has.mirrors || has.clear;
+std::vector<Knob> KnobsOfLight(const SceneFeatures& has, const RenderSettings& render) {
+  const TraceSettings& trace = render.trace;
+  const bool goes_on = render.mode == RenderMode::path || has.mirrors || has.clear;
   const std::int64_t deeper = std::min<std::int64_t>(2 * trace.max_depth, most_bounces);
   return {
       {{"max_depth", std::to_string(deeper)}, goes_on && deeper > trace.max_depth},
       {{"min_luminance", "0"},
-       IsWhitted(options) && goes_on && trace.min_luminance > 0 && trace.roulette != Roulette::on},
+       IsWhitted(render) && goes_on && trace.min_luminance > 0 && trace.roulette != Roulette::on},
   };
 }
 
@@ -97,22 +97,22 @@ struct Forecast {
 
 class Advisor {
  public:
-  Advisor(const World& world, const Accelerator& accelerator, const Options& options)
+  Advisor(const World& world, const Accelerator& accelerator, const RenderSettings& render)
       : world_(world),
         accelerator_(accelerator),
-        options_(options),
-        target_(options.render.budget.error.value_or(usual_target)),
+        render_(render),
+        target_(render.budget.error.value_or(usual_target)),
         base_(Probe({})) {
     const Totals totals(base_);
-    const PixelRectangle whole = EmptyFilmOf(options.render).Region();
+    const PixelRectangle whole = EmptyFilmOf(render).Region();
     asked_.seconds = totals.seconds / totals.pixels * static_cast<double>(whole.Area());
     asked_.square = totals.squares / totals.pixels;
-    const ErrorMeasure measure{.unit = target_.unit, .srgb = options.render.srgb};
+    const ErrorMeasure measure{.unit = target_.unit, .srgb = render.srgb};
     target_square_ = SquaredTarget(target_.value, measure, totals.light / totals.pixels);
   }
 
   std::string Text() {
-    const SceneFeatures has = FeaturesOf(world_, options_.render);
+    const SceneFeatures has = FeaturesOf(world_, render_);
     std::string rows = Row(asked_);
     Forecast best = asked_;
     Settings helpful;
@@ -122,12 +122,12 @@ class Advisor {
       if (SecondsTo(forecast) < SecondsTo(best)) best = forecast;
       return forecast;
     };
-    for (const Knob& knob : KnobsOfNoise(world_, has, options_))
+    for (const Knob& knob : KnobsOfNoise(world_, has, render_))
       if (knob.may_help && IsNoticeablyFaster(probe({knob.setting}))) helpful.push_back(knob.setting);
     if (helpful.size() > 1) probe(helpful);
     if (!IsNoticeablyFaster(best)) best = asked_;
     std::string light;
-    for (const Knob& knob : KnobsOfLight(has, options_)) {
+    for (const Knob& knob : KnobsOfLight(has, render_)) {
       if (!knob.may_help) continue;
       const Forecast forecast = ForecastOf({knob.setting});
       rows += Row(forecast);
@@ -138,10 +138,11 @@ class Advisor {
 
  private:
   std::vector<ProbedSquare> Probe(const Settings& settings) const {
-    Options changed = options_;
+    Options changed;
+    changed.render = render_;
     changed.render.samples = probed_samples;
     for (const auto& [name, value] : settings)
-      Store(*FindOption(changed.program, name),
+      Store(*FindOption(Program::raypro, name),
             value.empty() ? std::vector<std::string>{} : std::vector<std::string>{value}, changed);
     return ProbeImage(world_, accelerator_, changed.render, seconds_a_probe, most_squares);
   }
@@ -198,7 +199,7 @@ class Advisor {
   std::string Conclusion(const Forecast& best) const {
     if (asked_.square == 0) return "No noise was found: one sample per pixel shows what there is.\n";
     std::string add = Typed(best.settings);
-    if (!options_.render.budget.error) add += (add.empty() ? "-error " : " -error ") + ShowErrorTarget(target_);
+    if (!render_.budget.error) add += (add.empty() ? "-error " : " -error ") + ShowErrorTarget(target_);
     const std::string target = ErrorText(target_.value, target_.unit);
     if (best.settings.empty())
       return "No other settings get to " + target + " noticeably faster" + (add.empty() ? "" : "; add: " + add) + "\n";
@@ -207,8 +208,8 @@ class Advisor {
   }
 
   std::string Denoising() const {
-    const bool can = options_.render.mode == RenderMode::whitted || options_.render.mode == RenderMode::path;
-    if (!can || options_.render.denoise || asked_.square == 0) return {};
+    const bool can = render_.mode == RenderMode::whitted || render_.mode == RenderMode::path;
+    if (!can || render_.denoise || asked_.square == 0) return {};
     const Forecast filtered = ForecastOf({{"denoise", ""}});
     return "With -denoise, " + std::to_string(probed_samples) + " samples leave an error of " +
            ErrorOf(filtered.square) + " instead of " + ErrorOf(asked_.square) + ", in " +
@@ -224,7 +225,7 @@ class Advisor {
 
   const World& world_;
   const Accelerator& accelerator_;
-  const Options& options_;
+  const RenderSettings& render_;
   const ErrorTarget target_;
   const std::vector<ProbedSquare> base_;
   double target_square_ = 0;
@@ -233,8 +234,8 @@ class Advisor {
 
 }  // namespace
 
-std::string Advice(const World& world, const Accelerator& accelerator, const Options& options) {
-  return Advisor(world, accelerator, options).Text();
+std::string Advice(const World& world, const Accelerator& accelerator, const RenderSettings& render) {
+  return Advisor(world, accelerator, render).Text();
 }
 
 }  // namespace ray

@@ -4,7 +4,7 @@
 
 #include "source/accelerate/Accelerator.h"
 #include "source/accelerate/World.h"
-#include "source/app/options/Options.h"
+#include "source/render/RenderSettings.h"
 
 namespace ray {
 
@@ -12,6 +12,6 @@ namespace ray {
 /// suit the scene, and tells of each how noisy the image would be at 16 samples per pixel, how long that takes and how
 /// long it takes to get below an error (that of -error, or 2/255); then which options to add. Errors are as those of
 /// MeasureError, over a few squares of 32x32 pixels, and taken to fall as the root of the samples.
-std::string Advice(const World& world, const Accelerator& accelerator, const Options& options);
+std::string Advice(const World& world, const Accelerator& accelerator, const RenderSettings& render);
 
 }  // namespace ray

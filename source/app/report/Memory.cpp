@@ -39,23 +39,22 @@ std::int64_t MemoryLimit(double gibibytes) {
   return gibibytes > 0 ? static_cast<std::int64_t>(gibibytes * gib) : MachineMemory() / 4 * 3;
 }
 
-std::int64_t PictureBytes(const Options& options) {
-  const RenderSettings& render = options.render;
+std::int64_t PictureBytes(const RenderSettings& render, const FileOptions& files, bool saves) {
   const PixelRectangle part = MadeRegionOf(render);
   // Sums of blocks reach as far as the filter, and a checkpoint needs them twice more: copied, and encoded.
   const std::int64_t side = Film::block_side, reach = side + 2 * Filter(render.filter).Apron();
   const std::int64_t blocks = (part.Width() / side + 3) * (part.Height() / side + 3);
   const std::int64_t block =
       std::int64_t{sizeof(Film::Block)} + Film::parts * reach * reach * std::int64_t{sizeof(WeightedSum)};
-  const std::int64_t copies = options.checkpoint > 0 ? 3 : 1;
+  const std::int64_t copies = saves ? 3 : 1;
   // The picture, one of each part for the error, layers and references.
-  const auto images = static_cast<std::int64_t>(1 + Film::parts + options.layers.size() + options.reference.size());
+  const auto images = static_cast<std::int64_t>(1 + Film::parts + files.layers.size() + files.reference.size());
   return copies * blocks * block +
          part.Area() * (images * image_bytes_per_pixel + encoded_bytes_per_pixel + DenoiseBytesPerPixel(render));
 }
 
-void CheckMemory(const World& world, const Options& options) {
-  const std::int64_t limit = MemoryLimit(options.memory), held = PeakMemory(), picture = PictureBytes(options),
+void CheckMemory(const World& world, std::int64_t picture, double gibibytes) {
+  const std::int64_t limit = MemoryLimit(gibibytes), held = PeakMemory(),
                      structure = bytes_per_primitive * world.Primitives();
   if (held + picture + structure <= limit) return;
   throw UsageError("rendering may take " + InGib(held + picture + structure) + " of memory, more than the limit of " +

@@ -45,8 +45,9 @@ bool MustAgree(const OptionKind& option, const Options& options) {
   return option.facts.Has(Fact::image) || (option.name == std::string("samples") && options.IsGiven("samples"));
 }
 
-void RequireSameSettings(const Json& settings, const Options& options) {
-  const Json ours = SettingsJson(options);
+void RequireSameSettings(const Json& settings, const RunStats& run) {
+  const Options& options = run.options;
+  const Json ours = SettingsJson(run);
   for (const OptionKind& option : OptionTable(options.program)) {
     const std::string name = option.name;
     if (!MustAgree(option, options)) continue;
@@ -59,10 +60,10 @@ void RequireSameSettings(const Json& settings, const Options& options) {
 bool IsDenoised(const Json& report) { return report.at("error").contains("denoised_by"); }
 
 /// Another version of a library may make other bits.
-void RequireSameDenoiser(const Json& report, const Options& options) {
-  if (!IsDenoised(report) || options.render.denoiser == Denoiser::regression) return;
+void RequireSameDenoiser(const Json& report, Denoiser denoiser) {
+  if (!IsDenoised(report) || denoiser == Denoiser::regression) return;
   const Json& then = report.at("error").at("denoised_by");
-  const std::string now = DenoiseFilters(options.render.denoiser).Name();
+  const std::string now = DenoiseFilters(denoiser).Name();
   if (then != now) throw UsageError("the report was made with " + Shown(then) + ", not " + Quoted(now));
 }
 
@@ -97,10 +98,10 @@ Replay SamplesOf(const Json& report, const std::string& file) {
   return replay;
 }
 
-void RequireSamplesOfAllBlocks(const Replay& replay, const Options& options) {
-  const auto refuse = [&](const std::string& why) { return Refusal(options.replay, why); };
+void RequireSamplesOfAllBlocks(const Replay& replay, const std::string& file, const RenderSettings& render) {
+  const auto refuse = [&](const std::string& why) { return Refusal(file, why); };
   if (replay.ends.empty()) throw refuse("it has no passes");
-  const auto blocks = static_cast<std::size_t>(EmptyFilmOf(options.render).Blocks());
+  const auto blocks = static_cast<std::size_t>(EmptyFilmOf(render).Blocks());
   for (const std::size_t size : {replay.samples.size(), replay.places.size()})
     if (size != 0 && size != blocks)
       throw refuse("it has " + std::to_string(size) + " blocks of pixels, the image " + std::to_string(blocks));
@@ -111,20 +112,21 @@ void RequireSamplesOfAllBlocks(const Replay& replay, const Options& options) {
 
 }  // namespace
 
-std::optional<Replay> ReadReplay(const Options& options, const std::string& scene_hash) {
-  if (options.replay.empty()) return {};
+std::optional<Replay> ReadReplay(const RunStats& run) {
+  const std::string& file = run.options.files.replay;
+  if (file.empty()) return {};
   try {
-    const Json report = ReadReport(options.replay);
-    if (report.at("scene").at("hash") != scene_hash) throw UsageError("the report is of another scene");
-    RequireSameSettings(report.at("settings"), options);
-    RequireSameDenoiser(report, options);
-    Replay replay = SamplesOf(report, options.replay);
-    RequireSamplesOfAllBlocks(replay, options);
+    const Json report = ReadReport(file);
+    if (report.at("scene").at("hash") != run.scene.hash) throw UsageError("the report is of another scene");
+    RequireSameSettings(report.at("settings"), run);
+    RequireSameDenoiser(report, run.options.render.denoiser);
+    Replay replay = SamplesOf(report, file);
+    RequireSamplesOfAllBlocks(replay, file, run.options.render);
     return replay;
   } catch (const Json::parse_error& error) {
-    throw Refusal(options.replay, "it is not JSON, by its byte " + std::to_string(error.byte));
+    throw Refusal(file, "it is not JSON, by its byte " + std::to_string(error.byte));
   } catch (const Json::exception&) {
-    throw Refusal(options.replay, "it is not a report that -report has written");
+    throw Refusal(file, "it is not a report that -report has written");
   }
 }
 

@@ -3,13 +3,13 @@
 #include <optional>
 #include <string>
 
-#include "source/app/options/Options.h"
+#include "source/app/report/RunStats.h"
 
 namespace ray {
 
 /// How the render that wrote the report shared its samples out; nothing without -replay. Throws SceneErrors when the
-/// file is no report of ours, UsageError when it tells of another picture: `scene_hash` or an option that chooses what
-/// the picture shows differs.
-std::optional<Replay> ReadReplay(const Options& options, const std::string& scene_hash);
+/// file is no report of ours, UsageError when it tells of another picture than the one of this run: the scene, or an
+/// option that chooses what the picture shows, differs.
+std::optional<Replay> ReadReplay(const RunStats& run);
 
 }  // namespace ray

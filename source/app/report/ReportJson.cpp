@@ -42,7 +42,8 @@ struct ValueIn {
 
 }  // namespace
 
-nlohmann::ordered_json SettingsJson(const Options& options) {
+nlohmann::ordered_json SettingsJson(const RunStats& record) {
+  const Options& options = record.options;
   Json settings;
   for (const OptionKind& option : OptionTable(options.program))
     if (IsSetting(option)) settings[option.name] = std::visit(ValueIn{options}, option.value);
@@ -143,13 +144,13 @@ std::string ReportJson(const RunStats& record) {
       {"version", RAYPRO_VERSION},
       {"command", record.command},
       {"scene",
-       {{"file", record.options.scene},
+       {{"file", record.options.files.scene},
         {"hash", scene.hash},
         {"nodes", scene.nodes},
         {"instances", scene.instances},
         {"primitives", scene.primitives},
         {"lights", scene.lights}}},
-      {"settings", SettingsJson(record.options)},
+      {"settings", SettingsJson(record)},
       {"rays", Rays(rays, record.guide_rays, record.refinement)},
       {"counts", CostJson(rays.Cost())},
       {"accelerator", record.accelerator},

@@ -11,6 +11,6 @@ namespace ray {
 std::string ReportJson(const RunStats& record);
 
 /// The part of it called settings.
-nlohmann::ordered_json SettingsJson(const Options& options);
+nlohmann::ordered_json SettingsJson(const RunStats& record);
 
 }  // namespace ray

@@ -29,7 +29,7 @@ namespace {
 std::vector<std::string> OptionsWithoutEffect(const Options& options) {
   std::vector<std::string> lines;
   for (const OptionKind& option : OptionTable(options.program))
-    if (const std::string why = WhyWithoutEffect(option, options); options.IsGiven(option.name) && !why.empty())
+    if (const std::string why = options.WhyWithoutEffect(option); options.IsGiven(option.name) && !why.empty())
       lines.push_back("-" + std::string(option.name) + " has no effect " + why);
   const RenderSettings& render = options.render;
   if (options.IsGiven("samples") && render.samples > 1 && render.samples % 2 == 1 && HasTwoStreams(render))
@@ -67,8 +67,8 @@ std::vector<std::string> ExplainRender(const World& world, const RunStats& stats
                                  "sources of bias: " + listed(stats.biased)};
   std::string settings;
   for (const OptionKind& option : OptionTable(stats.options.program))
-    if (IsSetting(option) && !option.facts.Has(Fact::messages) && !Show(option, stats.options).empty())
-      settings += " -" + std::string(option.name) + " " + Show(option, stats.options);
+    if (IsSetting(option) && !option.facts.Has(Fact::messages) && !stats.options.Show(option).empty())
+      settings += " -" + std::string(option.name) + " " + stats.options.Show(option);
   lines.push_back("all settings:" + settings);
   if (stats.options.render.crop) lines.push_back(CropLine(stats.options.render));
   if (world.scene().has_default_camera) lines.emplace_back("the scene names no camera: the default one is used");
@@ -95,15 +95,13 @@ std::string ExplainParts(const RunStats& stats) {
 
 }  // namespace
 
-RunLog::RunLog(const Options& options, std::span<const std::string> words) {
-  stats_.options = options;
-  stats_.picture = options.picture;
-  stats_.command = CommandAsTyped(words);
-  stats_.threads = ThreadsOf(options.render);
-}
+RunLog::RunLog(std::span<const std::string> words) { stats_.command = CommandAsTyped(words); }
 
-void RunLog::Loaded(const ParsedScene& parsed, const Options& options) {
-  stats_.options = options;
+void RunLog::Loaded(const ParsedScene& parsed, Options all) {
+  stats_.options = std::move(all);
+  const Options& options = stats_.options;
+  stats_.picture = options.files.picture;
+  stats_.threads = ThreadsOf(options.render);
   stats_.scene.settings = SettingsInForce(parsed.scene, options);
   stats_.seconds.load = watch_.Lap();
   if (options.render.trace.max_depth > most_bounces)
@@ -189,7 +187,7 @@ void RunLog::Rendered(const RenderResult& result) {
 
 void RunLog::Written(const std::string& picture) {
   stats_.picture = picture;
-  const bool has_file = stats_.options.picture != standard_stream;
+  const bool has_file = stats_.options.files.picture != standard_stream;
   stats_.seconds.write = watch_.Lap();
   stats_.seconds.wall = watch_.Total();
   if (shared_before_) stats_.seconds.shared = *shared_before_ + stats_.seconds.wall;
@@ -198,10 +196,10 @@ void RunLog::Written(const std::string& picture) {
   PrintStep("wrote the image", stats_.seconds.write);
   if (stats_.pixels_done == 0)
     PrintError("raypro: stopped before the first pixel; there is no image to save");
-  else if (!stats_.IsComplete() && has_file && picture != stats_.options.picture)
-    PrintError("raypro: " + QuotedPath(stats_.options.picture) + " is left as it was; the image so far is " +
+  else if (!stats_.IsComplete() && has_file && picture != stats_.options.files.picture)
+    PrintError("raypro: " + QuotedPath(stats_.options.files.picture) + " is left as it was; the image so far is " +
                QuotedPath(picture));
-  if (!stats_.IsComplete() && !stats_.options.layers.empty())
+  if (!stats_.IsComplete() && !stats_.options.files.layers.empty())
     PrintError("raypro: -layers are rendered once the image is complete; none are written");
   if (!stats_.IsComplete() && has_file) PrintError("raypro: progress saved; -resume continues from it");
 }
@@ -209,7 +207,7 @@ void RunLog::Written(const std::string& picture) {
 // The picture is safe by now, so the run fails only where what was asked for could not be told.
 void RunLog::Summarize() const {
   // Where the picture takes standard output, words go to standard error.
-  const auto write = stats_.options.picture == standard_stream ? TellPart : WriteStandardOutput;
+  const auto write = stats_.options.files.picture == standard_stream ? TellPart : WriteStandardOutput;
   if (stats_.options.stats) write(Statistics(stats_));
   try {
     if (!stats_.options.quiet && stats_.pixels_done > 0) write(FinalLine(stats_) + QualityLines(stats_));

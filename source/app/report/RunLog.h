@@ -12,10 +12,11 @@ namespace ray {
 /// always, steps with -verbose.
 class RunLog {
  public:
-  RunLog(const Options& options, std::span<const std::string> words);
+  /// `words`: the command line, as typed.
+  explicit RunLog(std::span<const std::string> words);
 
-  /// `options`: with the scene's own settings.
-  void Loaded(const ParsedScene& parsed, const Options& options);
+  /// `all`: the options, with the scene's own settings.
+  void Loaded(const ParsedScene& parsed, Options all);
   void Built(const World& world, const Accelerator& accelerator);
   /// Before the first sample of a render with a time limit: what its image takes without any, by the budget that the
   /// render has.

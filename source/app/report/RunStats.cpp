@@ -23,7 +23,7 @@ std::string PixelsText(const RunStats& record) {
            " pixels traced, the others interpolated";
   if (record.pixels_done < record.pixels_total)
     return std::to_string(record.pixels_done) + " of " + std::to_string(record.pixels_total) + " pixels done";
-  const bool is_known = !record.options.render.budget.IsOpen() && record.options.replay.empty();
+  const bool is_known = !record.options.render.budget.IsOpen() && record.options.files.replay.empty();
   const std::string wanted = is_known ? " of " + std::to_string(record.options.render.samples) : "";
   return ShortCountText(record.samples.mean) + wanted + " samples per pixel done";
 }
@@ -31,7 +31,7 @@ std::string PixelsText(const RunStats& record) {
 /// Per pixel: as asked for, where that decided; as they became, where a clock, an error or a signal did.
 double SamplesOf(const RunStats& record) {
   const RenderSettings& render = record.options.render;
-  const bool is_asked_for = !render.budget.IsOpen() && !render.denoise && record.options.replay.empty();
+  const bool is_asked_for = !render.budget.IsOpen() && !render.denoise && record.options.files.replay.empty();
   return is_asked_for && record.IsComplete() && !IsSubsampled(render) ? render.samples : record.samples.mean;
 }
 

@@ -12,6 +12,7 @@
 #include <random>
 #include <thread>
 
+#include "source/app/files/Checkpoint.h"
 #include "source/app/files/PartFiles.h"
 #include "source/app/files/SceneHash.h"
 #include "source/app/options/CommandLine.h"
@@ -225,16 +226,16 @@ TEST(Farm, PartsOfAnotherDivisionOrMachineTypeAreRefusedByName) {
   EXPECT_TRUE(Has(foreign.error, "another byte order")) << foreign.error;
 }
 
-/// Options as the program reads them, and the hash of the scene.
+/// Options as the program reads them, and what they and the scene make of a part's identity.
 struct Asked {
   explicit Asked(const PartsPlace& place, const List& more = {}) {
     const List words = With({place.Scene(), place / "out.png", "-width", "40", "-height", "30", "-part", "1/2"}, more);
     const ParsedScene parsed = Parse(place.Scene(), {});
     options = WithSettingsOf(parsed.scene, ReadCommandLine(Program::raypro, words));
-    hash = SceneHash(parsed.scene.files);
+    identity = IdentityOf(options, SceneHash(parsed.scene.files));
   }
   Options options;
-  std::string hash;
+  std::string identity;
 };
 
 TEST(Farm, APartThatIsThereTwiceMustHoldTheSameSums) {
@@ -247,11 +248,11 @@ TEST(Farm, APartThatIsThereTwiceMustHoldTheSameSums) {
   EXPECT_EQ(place.Assemble().status, 0);
   place.ExpectFiles(expected);
   const Asked asked(place);
-  auto part = PartReader(asked.options, asked.hash).Read(twin);
+  auto part = PartReader(asked.options.render, asked.options.files.picture, asked.identity).Read(twin);
   ASSERT_TRUE(part);
   for (Film::Block& block : part->state.blocks)
     if (block.Samples() > 0) block.sums[0].Sums()[0].color.r += 1e-9;
-  PartWriter(asked.options, asked.hash).WritePart(std::move(part->state));
+  PartWriter(asked.options.render, asked.options.files, asked.identity).WritePart(std::move(part->state));
   const Finished done = place.Assemble();
   EXPECT_EQ(done.status, 3);
   EXPECT_TRUE(Has(done.error, "out.png.part-1-of-2-again") && Has(done.error, "out.png.part-1-of-2'")) << done.error;
@@ -281,7 +282,7 @@ TEST(Farm, NoChangedByteOfAPartGoesUnnoticed) {
   const PartsPlace place;
   EXPECT_EQ(place.Part(1, 2).status, 0);
   const Asked asked(place);
-  PartReader reader(asked.options, asked.hash);
+  PartReader reader(asked.options.render, asked.options.files.picture, asked.identity);
   const std::string name = place / NameOfPart(1, 2), whole = ReadFile(name);
   const auto original = reader.Read(name);
   ASSERT_TRUE(original);

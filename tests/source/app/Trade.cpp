@@ -147,7 +147,7 @@ TEST(TradeWords, ContradictionsAreRefused) {
   EXPECT_NE(ErrorOf({"-aperture", "0.1"}), "");
   EXPECT_EQ(ErrorOf({"-aperture", "0.1", "-focus", "3"}), "");
   for (const char* word : {"", ",", "a,", ",a"}) EXPECT_NE(ErrorOf({"-reference", word}), "") << word;
-  EXPECT_EQ(Parsed({"-reference", "a.exr,b.exr"}).reference, (List{"a.exr", "b.exr"}));
+  EXPECT_EQ(Parsed({"-reference", "a.exr,b.exr"}).files.reference, (List{"a.exr", "b.exr"}));
   for (const char* word : {"0", "-1", "some", "1.5", ""}) EXPECT_NE(ErrorOf({"-lights", word}), "") << word;
 }
 

@@ -16,9 +16,9 @@ namespace fs = std::filesystem;
 TEST(Checkpoint, WhatWasKeptElsewhereIsRemovedOnceItIsSavedOrThePictureIsFinished) {
   const TemporaryFolder refuge, folder;
   setenv("TMPDIR", refuge.Path().c_str(), 1);
-  Options options;
-  options.picture = folder / "out.ppm";
-  Checkpoint checkpoint(options);
+  FileOptions files;
+  files.picture = folder / "out.ppm";
+  Checkpoint checkpoint(files, {}, false);
   const auto fail = [&] {
     fs::remove(folder / "out.ppm.checkpoint");
     fs::create_directories(fs::path(folder / "out.ppm.checkpoint") / "full");  // no file can take this name now

@@ -49,7 +49,7 @@ TEST(Help, NamesEveryOptionOnceWithItsDefaultAndFitsTheScreen) {
     const std::string help = Help(program, "");
     for (const OptionKind& option : OptionTable(program)) {
       EXPECT_EQ(Count(help, Entry(option)), 1u) << option.name;
-      const std::string value = Show(option, Defaults(program));
+      const std::string value = Defaults(program).Show(option);
       EXPECT_TRUE(value.empty() || Has(Help(program, option.name), "default " + value + ")")) << option.name;
     }
     for (const std::string& line : Lines(help)) EXPECT_LE(line.size(), 120u) << line;

@@ -35,7 +35,7 @@ Options ViewParsed(const Words& more) { return ReadCommandLine(Program::rayview,
 std::string ErrorOf(const Words& words, Program program = Program::raypro) {
   try {
     Options options = ReadCommandLine(program, words);
-    if (!options.scene.empty()) CompleteForScene(options);
+    if (!options.files.scene.empty()) CompleteForScene(options);
   } catch (const UsageError& error) {
     return error.what();
   }
@@ -79,12 +79,12 @@ TEST(CommandLine, EveryOptionGivenItsDefaultChangesNothing) {
   for (const Program program : scene_programs) {
     const Options defaults = Defaults(program);
     for (const OptionKind& option : OptionTable(program)) {
-      Words words = Split(Show(option, defaults));
+      Words words = Split(defaults.Show(option));
       if (words.empty()) continue;
       words.insert(words.begin(), "-" + std::string(option.name));
       const Options options = ReadCommandLine(program, Beside(program, words));
       for (const OptionKind& other : OptionTable(program))
-        EXPECT_EQ(Show(other, options), Show(other, defaults)) << option.name;
+        EXPECT_EQ(options.Show(other), defaults.Show(other)) << option.name;
     }
   }
 }
@@ -96,15 +96,15 @@ TEST(CommandLine, EveryOptionOfAShortListTakesEachOfItsChoices) {
       for (const std::string& choice : Choices(option)) {
         Words words{"-" + std::string(option.name), choice};
         if (words[0] == "-context") words.emplace_back("-headless");
-        EXPECT_EQ(Show(option, ReadCommandLine(program, Beside(program, words))), choice);
+        EXPECT_EQ(ReadCommandLine(program, Beside(program, words)).Show(option), choice);
       }
     }
 }
 
 TEST(CommandLine, DefaultsAreTheCoursesAndTheSpecifications) {
   const Options o = Parsed({"in.scn", "out.jpg"});
-  EXPECT_EQ(o.scene, "in.scn");
-  EXPECT_EQ(o.picture, "out.jpg");
+  EXPECT_EQ(o.files.scene, "in.scn");
+  EXPECT_EQ(o.files.picture, "out.jpg");
   EXPECT_EQ(o.task, Task::render);
   EXPECT_EQ(o.render.width, 256);
   EXPECT_EQ(o.render.height, 256);
@@ -132,8 +132,8 @@ TEST(CommandLine, OneDashTwoDashesAndAnEqualsSignMeanTheSame) {
 
 TEST(CommandLine, OptionsMayStandBeforeBetweenAndBehindTheNames) {
   const Options o = Parsed({"-width", "5", "in.scn", "-srgb", "out.ppm", "-crop", "1", "2", "3", "4"});
-  EXPECT_EQ(o.scene, "in.scn");
-  EXPECT_EQ(o.picture, "out.ppm");
+  EXPECT_EQ(o.files.scene, "in.scn");
+  EXPECT_EQ(o.files.picture, "out.ppm");
   EXPECT_EQ(o.render.width, 5);
   EXPECT_TRUE(o.encoding.srgb);
   EXPECT_EQ(o.render.crop->x0, 1);
@@ -142,8 +142,8 @@ TEST(CommandLine, OptionsMayStandBeforeBetweenAndBehindTheNames) {
 
 TEST(CommandLine, BehindTwoDashesEverythingIsAName) {
   const Options o = Parsed({"--", "-in.scn", "-width.ppm"});
-  EXPECT_EQ(o.scene, "-in.scn");
-  EXPECT_EQ(o.picture, "-width.ppm");
+  EXPECT_EQ(o.files.scene, "-in.scn");
+  EXPECT_EQ(o.files.picture, "-width.ppm");
 }
 
 TEST(CommandLine, SilentAliasesSetTheSameValue) {
@@ -348,8 +348,8 @@ TEST(CommandLine, HWithANumberWasToBeAHeight) {
 // "./+name" is a file.
 TEST(CommandLine, APlusBeginsAnOptionOfPovRay) {
   EXPECT_TRUE(Has(ErrorOf({"+Iscene.pov", "+Oout.png"}), "unknown option '+Iscene.pov'; the scene is named"));
-  EXPECT_EQ(Parsed({"./+a.scn", "+1.png"}).picture, "+1.png");
-  EXPECT_EQ(Parsed({"--", "+a.scn", "+b.png"}).scene, "+a.scn");
+  EXPECT_EQ(Parsed({"./+a.scn", "+1.png"}).files.picture, "+1.png");
+  EXPECT_EQ(Parsed({"--", "+a.scn", "+b.png"}).files.scene, "+a.scn");
 }
 
 TEST(CommandLine, TooFewArgumentsAreCounted) {
@@ -361,7 +361,7 @@ TEST(CommandLine, TooFewArgumentsAreCounted) {
 
 TEST(CommandLine, ThePictureOfALoneSceneLiesBesideIt) {
   const auto picture_of = [](std::vector<std::string> words) {
-    return ReadCommandLine(Program::raypro, words).picture;
+    return ReadCommandLine(Program::raypro, words).files.picture;
   };
   EXPECT_EQ(picture_of({"my/in.scn"}), "my/in.png");
   EXPECT_EQ(picture_of({"-width", "64", "In.SCN", "-srgb"}), "In.png");
@@ -390,8 +390,8 @@ TEST(CommandLine, NamesAreTwoAndNotEmpty) {
 }
 
 TEST(CommandLine, AnExtensionMayBeInCapitals) {
-  EXPECT_EQ(Parsed({"S.YAML"}).picture, "S.png");
-  EXPECT_EQ(Parsed({"s.Yml"}).picture, "s.png");
+  EXPECT_EQ(Parsed({"S.YAML"}).files.picture, "S.png");
+  EXPECT_EQ(Parsed({"s.Yml"}).files.picture, "s.png");
   EXPECT_TRUE(Has(ErrorOf({"a.scn", "B.SCN"}), "is a scene")) << ErrorOf({"a.scn", "B.SCN"});
 }
 
@@ -464,7 +464,7 @@ TEST(CommandLine, AnOptionOfTheOtherProgramIsCalledThat) {
 TEST(CommandLine, OptionsOfBothProgramsHaveOneDefaultButForTheSize) {
   for (const OptionKind& option : OptionTable(Program::rayview))
     EXPECT_TRUE(option.known_to == KnownTo::rayview ||
-                Show(option, Defaults(Program::rayview)) == Show(option, Defaults(Program::raypro)))
+                Defaults(Program::rayview).Show(option) == Defaults(Program::raypro).Show(option))
         << option.name;
   EXPECT_EQ(Defaults(Program::rayview).render.width, 512);
   EXPECT_EQ(Defaults(Program::rayview).render.height, 512);
@@ -476,8 +476,8 @@ TEST(CommandLine, RayviewTakesOneNameAndItsOwnOptions) {
                                 "-width", "640", "-v"});
   EXPECT_EQ(o.program, Program::rayview);
   EXPECT_EQ(o.task, Task::view);
-  EXPECT_EQ(o.scene, "in.scn");
-  EXPECT_EQ(o.picture, "s.png");
+  EXPECT_EQ(o.files.scene, "in.scn");
+  EXPECT_EQ(o.files.picture, "s.png");
   EXPECT_EQ(o.view.output_image, "w.png");
   EXPECT_TRUE(o.view.headless);
   EXPECT_FALSE(o.view.exit_immediately);
@@ -491,7 +491,7 @@ TEST(CommandLine, RayviewTakesOneNameAndItsOwnOptions) {
   EXPECT_EQ(o.render.height, 512);
   EXPECT_TRUE(o.verbose);
   EXPECT_TRUE(ViewParsed({"-exit_immediately"}).view.exit_immediately);
-  EXPECT_EQ(ViewParsed({}).picture, "");
+  EXPECT_EQ(ViewParsed({}).files.picture, "");
 }
 
 TEST(CommandLine, RayviewRefusesWhatCannotBeMeant) {
@@ -550,7 +550,7 @@ TEST(CommandLine, DebugpixelAndCheckMayBeAppendedToAnyRender) {
 /// A value for the option that is not its default.
 Words SomeValue(const OptionKind& option, const Options& defaults) {
   for (const std::string& choice : Choices(option))
-    if (choice != Show(option, defaults)) return {choice};
+    if (choice != defaults.Show(option)) return {choice};
   if (std::holds_alternative<Flag>(option.value)) return {};
   if (std::holds_alternative<NumberList>(option.value)) {
     const Words numbers{"1", "4.5", "1e-30", "2"};
@@ -570,17 +570,17 @@ TEST(CommandLine, WordsTypedForAValueLeadToIt) {
     for (const OptionKind& option : OptionTable(program)) {
       if (!IsSetting(option)) continue;
       const Options defaults = Defaults(program);
-      EXPECT_EQ(Typed(option, defaults, defaults), Words{}) << option.name;
+      EXPECT_EQ(defaults.TypedFor(program, option), Words{}) << option.name;
       Options given = defaults;
       Store(option, std::string(option.name) == "confidence" ? Words{"0.5"} : SomeValue(option, defaults), given);
-      const Words words = Typed(option, given, defaults);
+      const Words words = given.TypedFor(program, option);
       ASSERT_FALSE(words.empty()) << option.name;
       Options read = defaults;
       const auto equals = words[0].find('=');
       Store(option,
             equals == std::string::npos ? Words(words.begin() + 1, words.end()) : Words{words[0].substr(equals + 1)},
             read);
-      EXPECT_EQ(Show(option, read), Show(option, given)) << option.name;
+      EXPECT_EQ(read.Show(option), given.Show(option)) << option.name;
     }
 }
 

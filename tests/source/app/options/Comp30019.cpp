@@ -28,8 +28,8 @@ std::string CourseErrorOf(CourseWords words) {
 
 TEST(Comp30019CommandLine, EveryOptionHasItsDefault) {
   const Options options = AskedOfCourse({});
-  EXPECT_EQ(options.scene, "in.txt");
-  EXPECT_EQ(options.picture, "out.png");
+  EXPECT_EQ(options.files.scene, "in.txt");
+  EXPECT_EQ(options.files.picture, "out.png");
   EXPECT_EQ(options.render.width, 400);
   EXPECT_EQ(options.render.height, 400);
   EXPECT_EQ(options.render.samples, 1);

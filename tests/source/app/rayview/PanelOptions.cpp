@@ -35,8 +35,8 @@ TEST(PanelOptions, OneChangeLeavesTheOthersAsTheyAre) {
     if (shown.name != "mode") {
       EXPECT_EQ(ValueOf(changed, shown.name), shown.value) << shown.name;
     }
-  EXPECT_EQ(changed.picture, "x y.png");
-  EXPECT_EQ(changed.scene, "a b.scn");
+  EXPECT_EQ(changed.files.picture, "x y.png");
+  EXPECT_EQ(changed.files.scene, "a b.scn");
 }
 
 TEST(PanelOptions, EveryOneCanBeSetToItsOwnValueAndToItsDefault) {

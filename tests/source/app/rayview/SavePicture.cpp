@@ -47,7 +47,7 @@ Options ViewOf(const std::string& scene, const Words& more) {
 
 /// Traces and saves as rayview does at S; returns the settings that the picture holds.
 R2::ImageSettings TraceAndSave(const Options& options, const std::string& name) {
-  const LoadedScene scene(options.scene, options.parse, options.accelerator);
+  const LoadedScene scene(options.files.scene, options.parse, options.accelerator);
   const PictureOutput output = CheckPictureOutput(name, {});
   SaveTraced(&output, options, scene, Render(scene.world, *scene.accelerator, options.render), 1.5);
   return Decode(name).settings;
@@ -96,7 +96,7 @@ TEST(SavePicture, EveryFormatIsRayprosFileByteForByte) {
       Options options = ViewOf("in.scn", more);
       TraceAndSave(options, name);
       const std::string viewed = ReadFile(name);
-      options.picture = name;
+      options.files.picture = name;
       Words words = Split(RayproCommand(options));
       words.erase(words.begin());
       ASSERT_EQ(RunProgram(words).status, 0);
@@ -158,7 +158,7 @@ TEST(SavePicture, WithoutANameItTakesTheFirstThatIsFree) {
   WriteFile("image1.jpg", "mine");
   std::filesystem::create_symlink("nowhere", "image3.jpg");
   const Options options = ViewOf("in.scn", {});
-  const LoadedScene scene(options.scene, options.parse, options.accelerator);
+  const LoadedScene scene(options.files.scene, options.parse, options.accelerator);
   const RenderResult result = Render(scene.world, *scene.accelerator, options.render);
   EXPECT_TRUE(SaveTraced(nullptr, options, scene, result, 1).starts_with("image2.jpg 24x16 1 spp 1.00 s "));
   EXPECT_TRUE(SaveTraced(nullptr, options, scene, result, 1).starts_with("image4.jpg "));
@@ -172,7 +172,7 @@ TEST(SavePicture, ANameThatWasClaimedInVainIsFreeAgain) {
   const Inside inside(folder.Path());
   WriteFile("in.scn", "");
   const Options options = ViewOf("in.scn", {});
-  const LoadedScene scene(options.scene, options.parse, options.accelerator);
+  const LoadedScene scene(options.files.scene, options.parse, options.accelerator);
   RenderResult result;
   result.image = R2::Image(70'000, 1);  // more than a JPEG holds
   result.pixels_done = result.pixels_total = 70'000;
@@ -196,7 +196,10 @@ TEST(SavePicture, ADrawingKeepsTheValuesThatAreShown) {
 TEST(ViewOutputs, AreCheckedBeforeAnythingIsDone) {
   const TemporaryFolder folder;
   const std::string scene = WriteFile(folder / "in.scn", "");
-  const auto check = [&](const Words& more) { return CheckViewOutputs(ViewOf(scene, more)); };
+  const auto check = [&](const Words& more) {
+    const Options options = ViewOf(scene, more);
+    return CheckViewOutputs(options.files, options.view, options.render.width, options.render.height);
+  };
   const ViewOutputs none = check({});
   EXPECT_FALSE(none.image || none.output_image || none.screenshot || none.record);
   const ViewOutputs all = check({"-image", folder / "a.png", "-output_image", folder / "b.jpg", "-screenshot",

@@ -24,7 +24,7 @@ std::string AdviceOn(const std::string& scene, const std::vector<std::string>& w
   for (std::size_t i = 0; i + 1 < words.size(); i += 2)
     Store(*FindOption(Program::raypro, words[i]), std::vector{words[i + 1]}, options);
   const World world(parsed.scene);
-  return Advice(world, *FindAcceleratorKind("bvh")->Make(world, {}), options);
+  return Advice(world, *FindAcceleratorKind("bvh")->Make(world, {}), options.render);
 }
 
 TEST(Advice, OnlyKnobsThatTheSceneHasAreTried) {

@@ -45,12 +45,10 @@ TEST(Memory, TheLimitIsThreeQuartersOfTheMachineUnlessGiven) {
 }
 
 TEST(Memory, ALimitOfAFewBytesIsNotSaidToBeNone) {
-  Options options;
-  options.memory = 1e-8;
   const Scene nothing;
   const World world(nothing);
   try {
-    CheckMemory(world, options);
+    CheckMemory(world, PictureBytes({}, {}, false), 1e-8);
     FAIL() << "it was allowed";
   } catch (const UsageError& error) {
     EXPECT_NE(std::string(error.what()).find("more than the limit of 10 bytes:"), std::string::npos) << error.what();
@@ -66,11 +64,11 @@ TEST(Extremes, K13_APictureTakesNoMoreThanItsEstimate) {
   const Place place;
   const std::int64_t none = PeakOf(place, {"-width", "8", "-height", "8"});
   for (const auto& [filter, kind] : {std::pair{"box", FilterKind::box}, {"lanczos", FilterKind::lanczos}}) {
-    Options options;
-    options.render.width = options.render.height = 1500;
-    options.render.filter = kind;
+    RenderSettings render;
+    render.width = render.height = 1500;
+    render.filter = kind;
     const List words{"-width", "1500", "-height", "1500", "-samples", "2", "-filter", filter};
-    const std::int64_t estimate = PictureBytes(options), measured = PeakOf(place, words) - none;
+    const std::int64_t estimate = PictureBytes(render, {}, false), measured = PeakOf(place, words) - none;
     EXPECT_LE(measured, estimate) << filter;
     EXPECT_GE(2 * measured, estimate) << filter;  // nor is more refused than has to be
   }

@@ -12,8 +12,8 @@ namespace {
 
 RunStats ExampleStats() {
   RunStats record;
-  record.options.scene = "in.scn";
-  record.options.picture = record.picture = "out.png";
+  record.options.files.scene = "in.scn";
+  record.options.files.picture = record.picture = "out.png";
   record.options.render.crop = PixelRectangle{1, 2, 3, 4};
   record.options.render.seed = 18446744073709551615u;
   record.options.parse.allowed_folders = {"a", "b"};
@@ -58,7 +58,7 @@ TEST(ReportJson, HoldsEverySettingWithItsType) {
 
 TEST(ReportJson, SurvivesNamesThatAreNotUtf8) {
   RunStats record = ExampleStats();
-  record.options.scene = "\xff\xfe.scn";
+  record.options.files.scene = "\xff\xfe.scn";
   EXPECT_TRUE(nlohmann::json::accept(ReportJson(record)));
 }
 
