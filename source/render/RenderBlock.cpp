@@ -9,11 +9,13 @@ namespace {
 
 std::size_t PlaceOf(int column, int row) { return static_cast<std::size_t>(BlockOrder::PlaceOf(column, row)); }
 
-/// Keeps samples by the places of their pixels.
-auto KeepIn(std::vector<R2::Color>& looks) {
-  return [&looks](int column, int row, const CameraSample&, const R2::Color& radiance) {
-    looks[PlaceOf(column, row)] = radiance;
-  };
+/// Traces first samples, of one batch at most, and keeps them by the places of their pixels.
+bool TraceLooks(const SampleSource& source, TraceState& state, SampleBatch& batch, std::vector<R2::Color>& looks) {
+  static_assert(BlockOrder::places <= R1::batch_size);
+  if (!Trace(source, state, batch)) return false;
+  for (std::size_t i = 0; i < batch.due.size(); ++i)
+    looks[PlaceOf(batch.due[i].column, batch.due[i].row)] = batch.radiances[i];
+  return true;
 }
 
 template <class Function>
@@ -28,19 +30,16 @@ bool RenderAroundFirstSamples(const SampleSource& source, const SamplesDue& due,
   assert(due.stream == 0 && due.first == 0 && due.last == 1);
   std::vector<R2::Color> all(due.first_samples.begin(), due.first_samples.end());
   all.resize(BlockOrder::places);
-  BatchTracer tracer(source, state, KeepIn(all));
-  bool goes_on = true;
+  SampleBatch missing;
   ForPixels(due.pixels, [&](int column, int row) {
-    if (goes_on && PlaceOf(column, row) >= due.first_samples.size())
-      goes_on = tracer.Add(source.FirstSample(column, row));
+    if (PlaceOf(column, row) >= due.first_samples.size()) missing.due.push_back(source.FirstSample(column, row));
   });
-  if (!goes_on || !tracer.Finish()) return false;
+  if (!TraceLooks(source, state, missing, all)) return false;
   if (filter.IsBox()) {  // to which it makes no difference where a sample is in its pixel
     ForPixels(due.pixels,
               [&](int column, int row) { sums.Add(column, row, column, row, all[PlaceOf(column, row)], filter); });
     return true;
   }
-  static_assert(BlockOrder::places <= R1::batch_size);
   std::vector<PixelSample> of;
   ForPixels(due.pixels, [&](int column, int row) { of.push_back(source.FirstSample(column, row)); });
   std::vector<CameraSample> samples(of.size());
@@ -63,16 +62,26 @@ void TraceSamples(const SampleSource& source, std::span<const CameraSample> samp
   for (std::size_t i = 0; i < samples.size(); ++i) radiances[i] = samples[i].HasRay() ? *next++ : R2::Color{};
 }
 
+bool Trace(const SampleSource& source, TraceState& state, SampleBatch& batch) {
+  if (state.IsStopped()) return false;
+  batch.samples.resize(batch.due.size()), batch.radiances.resize(batch.due.size());
+  source.camera.MakeEach(batch.due, batch.samples);
+  TraceSamples(source, batch.samples, batch.radiances, state);
+  if (source.clamps_samples)
+    for (R2::Color& radiance : batch.radiances) radiance = Clamped(radiance);
+  return !state.IsStopped();
+}
+
 bool LookAtPlaces(const SampleSource& source, const PixelRectangle& pixels, int places, TraceState& state,
                   std::vector<R2::Color>& looks) {
   std::vector<R2::Color> all = looks;
   all.resize(static_cast<std::size_t>(places));
-  BatchTracer tracer(source, state, KeepIn(all));
+  SampleBatch batch;
   for (int place = static_cast<int>(looks.size()); place < places; ++place) {
     const auto [column, row] = BlockOrder::PixelAt(place, pixels);
-    if (pixels.Contains(column, row) && !tracer.Add(source.FirstSample(column, row))) return false;
+    if (pixels.Contains(column, row)) batch.due.push_back(source.FirstSample(column, row));
   }
-  if (!tracer.Finish()) return false;
+  if (!TraceLooks(source, state, batch, all)) return false;
   looks = std::move(all);
   return true;
 }
@@ -80,16 +89,27 @@ bool LookAtPlaces(const SampleSource& source, const PixelRectangle& pixels, int 
 bool RenderBlock(const SampleSource& source, const SamplesDue& due, const Filter& filter, TraceState& state,
                  BlockSums& sums) {
   if (!due.first_samples.empty()) return RenderAroundFirstSamples(source, due, filter, state, sums);
-  BatchTracer tracer(source, state, [&](int column, int row, const CameraSample& sample, const R2::Color& radiance) {
-    sums.Add(column, row, sample.x, sample.y, radiance, filter);
-  });
+  SampleBatch batch;
+  batch.due.reserve(R1::batch_size);  // growing step by step takes longer
+  const auto add_batch = [&source, &state, &sums, &filter, &batch] {
+    if (!Trace(source, state, batch)) return false;
+    const CameraSample* sample = batch.samples.data();
+    const R2::Color* radiance = batch.radiances.data();
+    for (const auto& [column, row, key, index] : batch.due)
+      sums.Add(column, row, sample->x, sample->y, *radiance, filter), ++sample, ++radiance;
+    batch.due.clear();
+    return true;
+  };
   for (int row = due.pixels.y0; row < due.pixels.y1; ++row)
     for (int column = due.pixels.x0; column < due.pixels.x1; ++column) {
       const RandomKey key = source.PixelKey(column, row, due.stream);
-      for (std::uint32_t index = due.first; index < due.last; ++index)
-        if (!tracer.Add({column, row, key, index})) return false;
+      for (std::uint32_t index = due.first; index < due.last; ++index) {
+        const PixelSample sample{column, row, key, index};  // named, since push_back is inlined then
+        batch.due.push_back(sample);
+        if (batch.due.size() == R1::batch_size && !add_batch()) return false;
+      }
     }
-  return tracer.Finish();
+  return batch.due.empty() || add_batch();
 }
 
 }  // namespace ray

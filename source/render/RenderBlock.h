@@ -30,14 +30,26 @@ struct SampleSource {
   PixelSample FirstSample(int column, int row) const { return {column, row, PixelKey(column, row), 0}; }
 };
 
-/// The radiances of a batch of samples, black for those without a ray.
+/// The radiances of some samples, black for those without a ray.
 void TraceSamples(const SampleSource& source, std::span<const CameraSample> samples, std::span<R2::Color> radiances,
                   TraceState& state);
 
-/// Traces camera rays a batch at a time, which integrators do faster than one by one, and gives each to
-/// splat(column, row, sample, radiance) in the order they were added. What a ray brings back depends on its pixel,
-/// stream and index alone, never on which others are in its batch or came before it, but for the modes that show costs,
-/// where an accelerator remembers the last hit.
+/// Samples of pixels that are traced together, which integrators do faster than one by one; R1::batch_size at most.
+struct SampleBatch {
+  std::vector<PixelSample> due;
+  std::vector<CameraSample> samples;  // of each, once it is traced
+  std::vector<R2::Color> radiances;   // clamped, where the source says so
+};
+
+/// Traces the samples that are due. What a ray brings back depends on its pixel, stream and index alone, never on which
+/// others are in its batch or came before it; except in the modes that show costs, where an accelerator remembers the
+/// last hit.
+///   returns   whether nobody asked to stop by state.stop, looked at before, when nothing is traced, and after, when
+///             integrators may have left off
+bool Trace(const SampleSource& source, TraceState& state, SampleBatch& batch);
+
+/// Traces camera rays a batch at a time, and gives each to splat(column, row, sample, radiance) in the order they were
+/// added.
 template <typename Splat>
 class BatchTracer {
  public:
@@ -45,36 +57,28 @@ class BatchTracer {
   BatchTracer(const SampleSource& source, TraceState& state, const Splat& splat)
       : source_(source), state_(state), splat_(splat) {}
 
-  /// Traces the batch once it is full. As Finish gives whether nobody asked to stop by state.stop, looked at before a
-  /// batch, which then is left as it is, and after it, when integrators may have left off.
+  /// Traces the batch once it is full. Returns what Finish does.
   bool Add(const PixelSample& sample) {
-    if (due_.empty()) due_.reserve(R1::batch_size);  // growing step by step takes longer
-    due_.push_back(sample);
-    return due_.size() < R1::batch_size || Finish();
+    batch_.due.push_back(sample);
+    return batch_.due.size() < R1::batch_size || Finish();
   }
-  /// Traces what has not been.
+  /// Traces what has not been. Returns whether nobody asked to stop, see Trace.
   bool Finish() {
     if (state_.IsStopped()) return false;
-    samples_.resize(due_.size()), radiances_.resize(due_.size());
-    source_.camera.MakeEach(due_, samples_);
-    TraceSamples(source_, samples_, radiances_, state_);
-    for (std::size_t i = 0; i < due_.size(); ++i)
-      splat_(due_[i].column, due_[i].row, samples_[i], source_.clamps_samples ? Clamped(radiances_[i]) : radiances_[i]);
-    due_.clear();
-    return !state_.IsStopped();
+    const bool goes_on = Trace(source_, state_, batch_);
+    for (std::size_t i = 0; i < batch_.due.size(); ++i)
+      splat_(batch_.due[i].column, batch_.due[i].row, batch_.samples[i], batch_.radiances[i]);
+    batch_.due.clear();
+    return goes_on;
   }
   /// Whether all that was added has been traced.
-  bool IsEmpty() const { return due_.empty(); }
+  bool IsEmpty() const { return batch_.due.empty(); }
 
  private:
   const SampleSource& source_;
   TraceState& state_;
   const Splat splat_;
-  // As long as batches are: a pass may take one sample of a block, and to fill arrays for more took a sixth of its
-  // time.
-  std::vector<PixelSample> due_;
-  std::vector<CameraSample> samples_;
-  std::vector<R2::Color> radiances_;
+  SampleBatch batch_;
 };
 
 /// Which samples of a block are due: from `first` to `last` - 1 of each pixel, of one stream.
@@ -91,7 +95,7 @@ bool RenderBlock(const SampleSource& source, const SamplesDue& due, const Filter
                  BlockSums& sums);
 
 /// Takes sample 0 of the first stream at more places of a block, from looks.size() to `places` - 1 of BlockOrder.
-///   returns   as above; `looks` then has `places` colors
+///   returns   whether nobody asked to stop, as RenderBlock does; `looks` then has `places` colors
 bool LookAtPlaces(const SampleSource& source, const PixelRectangle& pixels, int places, TraceState& state,
                   std::vector<R2::Color>& looks);
 
