@@ -228,7 +228,7 @@ std::uint64_t CheckExrBlocks(std::span<const unsigned char> bytes, const ExrLayo
   table.Need(8 * static_cast<std::uint64_t>(blocks), "the table of blocks");
 
   std::uint64_t last_end = layout.table;
-  // Of a file with smaller copies of the picture, the picture itself comes first.
+  // In a file with smaller copies of the picture, the picture itself comes first.
   for (int y = 0; y < height; y += rows_together) {
     for (int x = 0; x < width; x += columns_together) {
       const std::uint64_t low = table.Little32("the table of blocks"), high = table.Little32("the table of blocks");

@@ -91,8 +91,8 @@ class Film {
   struct Block {
     BlockSums sums[parts];
     std::uint32_t samples[parts] = {0, 0};  // per pixel
-    // As long as there are no samples: the first one of the first stream, at so many places of BlockOrder; black where
-    // the picture has no pixel.
+    // Sample 0 of the first stream at the first places of BlockOrder, until whole samples are added; black where the
+    // picture has no pixel.
     std::vector<R2::Color> first_samples;
 
     std::uint32_t Samples() const { return samples[0] + samples[1]; }

@@ -84,8 +84,8 @@ struct RenderSettings {
   int width = 256, height = 256;       // of the whole picture
   std::optional<PixelRectangle> crop;  // the part that is rendered: pixels of the whole, but for CropDifferences
   int samples = 1;                     // camera rays per pixel, >= 1; a ceiling where there is a budget, unless it is 1
-  // Of the 64 pixels of each block, in BlockOrder, how many are traced where `samples` is 1; the others are filled from
-  // those, see FillGaps. A power of two.
+  // How many of a block's 64 pixels are traced, in BlockOrder, where `samples` is 1; the others are filled from those,
+  // see FillGaps. A power of two.
   int places = BlockOrder::places;
   std::uint64_t seed = 0;
   RenderMode mode = RenderMode::whitted;

@@ -31,7 +31,7 @@ struct BlockGrid {
 /// What a pass is to reach.
 struct PassTargets {
   std::vector<std::uint32_t> samples;  // per pixel and stream, of each block
-  // Of blocks where that is 0: how many places of BlockOrder are looked at, by their first sample; empty for none.
+  // How many places of BlockOrder take their first sample, of each block whose entry in `samples` is 0; empty for none.
   std::vector<std::uint8_t> places{};
 
   int PlacesOf(int block) const { return places.empty() ? 0 : places[static_cast<std::size_t>(block)]; }

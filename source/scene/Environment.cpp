@@ -106,7 +106,7 @@ inline R3::Vector TowardsPlace(double low, double high, int column, const R2::Po
   return Towards(low + shares.y * (high - low), LongitudeOf(column, shares.x, rows));
 }
 
-// The same of many, in loops that become vector instructions.
+// Draw and SeenTowards for many samples, in loops that become vector instructions.
 
 struct PlacesOfEach {
   alignas(64) LightSamples::Each low, high;

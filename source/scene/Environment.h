@@ -44,7 +44,7 @@ class Environment {
     R2::Color radiance;
     double pdf;  // of Draw giving the direction, per solid angle
   };
-  /// The same, and how likely Draw is to go there: together, since finding a texel takes two arctangents.
+  /// Radiance, and how likely Draw is to give that direction: together, since finding a texel takes two arctangents.
   Seen SeenTowards(const R3::Vector& direction) const;
 
   struct Sample {
@@ -65,8 +65,8 @@ class Environment {
   ///            angle A, the pdf is (L A / sum of L A) / A, with no sine left in it.
   Sample Draw(const R2::Point& u) const;
 
-  /// The same, bit for bit, of many: of each sample's u and v the way to the light, radiance / pdf as its irradiance,
-  /// and the pdf.
+  /// Draw for many samples, bit for bit: from each sample's u and v the way to the light, radiance / pdf as its
+  /// irradiance, and the pdf.
   void DrawEach(LightSamples& samples, LightSamples::Each& pdfs) const;
   /// SeenTowards of each sample's way to the light, bit for bit: the radiance as its irradiance, and the pdf.
   void SeeEach(LightSamples& samples, LightSamples::Each& pdfs) const;

@@ -45,7 +45,8 @@ class Light {
   /// Light arriving at `p` from the place on the light that `random`, in [0, 1)^2, picks uniformly by area (point-like
   /// lights ignore it). Nothing where the light does not shine, and where p lies on the very place picked.
   virtual std::optional<LightSample> Illuminate(const R3::Point& p, const R2::Point& random) const = 0;
-  /// The same, bit for bit, at each of the points from each of the places that the samples' u and v pick.
+  /// Illuminate for many points at once, with bit-identical results: fills in what each sample's point gets from the
+  /// place that its u and v pick.
   virtual void IlluminateEach(LightSamples& samples) const;
 
   /// Whether it has an area, so that several samples are worth their rays.

@@ -21,8 +21,8 @@ struct HullMap {
 constexpr double thinnest = 0x1p-20;
 
 HullMap MapTo(const R3::Box& box, const R3::Matrix& local_from_world, const Coordinates& coordinates) {
-  // Of what cancels in double precision 2^-50 may be left: less than single precision, whose unit is 2^-24, loses of
-  // 2^-26 as much.
+  // A difference in double precision may be off by 2^-50 of the numbers that cancel. That is less than what single
+  // precision, whose unit is 2^-24, loses of this share of them.
   constexpr double share_of_cancelling = 0x1p-26;
   HullMap map;
   for (std::size_t i = 0; i < 3; ++i) {

@@ -34,8 +34,8 @@ struct Packet {
   alignas(64) DoubleEach per_t;
   // Primitives, as the world numbers them, that rays start and end on and do not meet; -1 for none.
   alignas(64) IdEach start_on, end_on;
-  // Of all rays: where they begin, moved outward, the side that is farther from near planes first; their inverse
-  // directions; and where in Node::planes the near ones begin.
+  // Bounds over all rays, rounded outward: of where they begin, the side that is farther from near planes first, and of
+  // their inverse directions; and where in Node::planes the near planes begin.
   float back[3], front[3], least_inverse[3], most_inverse[3];
   std::uint32_t planes[3];
 

@@ -286,7 +286,7 @@ HWY_INLINE bool SearchInline(const TwoLevel<Structure>& two_level, const Structu
   return visitor.is_answered;
 }
 
-/// The same, out of line: for the insides of shared meshes.
+/// SearchInline, out of line: for the insides of shared meshes.
 template <bool any, typename Structure>
 HWY_NOINLINE bool Search(const TwoLevel<Structure>& two_level, const Structure& structure, const R3::Ray& ray,
                          double distance_in_world, std::optional<std::uint32_t> instance, NearestHit& nearest,

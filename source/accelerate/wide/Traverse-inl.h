@@ -90,7 +90,7 @@ HWY_INLINE hn::Vec<D> SortKeys(D d, const float* HWY_RESTRICT distances, std::ui
 }
 
 HWY_INLINE void Prefetch(const Tree& tree, std::uint32_t child) {
-  // Of a primitive this is some other place in memory or none: harmless.
+  // For a primitive this is some other place in memory or none, which does no harm.
   const char* at = reinterpret_cast<const char*>(tree.memory.Data() + Child::Index(child));
   for (int line = 0; line < 4; ++line) __builtin_prefetch(at + 64 * line);
 }

@@ -13,8 +13,8 @@ using PixelGuide = std::array<float, 10>;
 /// The guides of a picture.
 struct Guides {
   Pixels<PixelGuide> of_stream[2];  // over the very camera rays that each stream's colors come from
-  // As exact as is known; where it matters, made without the other stream, so that this can tell how well the first was
-  // filtered.
+  // The most exact guides of each stream. Where it matters they are made without the other stream, whose colors then
+  // show how well this one was filtered.
   Pixels<PixelGuide> best[2];
 };
 

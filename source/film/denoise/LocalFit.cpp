@@ -25,8 +25,8 @@ inline constexpr float least_weight = 1e-4F;  // of a neighbor; all less than th
 // to about 1 over an edge, places by 1 from the middle of a window to its rim. From 1e-2 down to 5e-4 the error fell by
 // a tenth; 0.1 for places had 1% less error than 0.01.
 inline constexpr float ridge_of_guides = 5e-4F, ridge_of_places = 0.1F;
-// As much of its own sum of squares is added to each, so that what is wrong with sums of floats, some 1e-6 of them, is
-// less than what is added: then the fit is, but for a last bit or two of each, that of a ridge nearly the same.
+// Share of a regressor's sum of squares that is added to it as a ridge. Sums of floats are wrong by some 1e-6 of
+// themselves, which is less: so, but for a last bit or two, the fit is that of a slightly different ridge.
 //   source   Higham, Accuracy and Stability of Numerical Algorithms (2002), theorem 10.3
 inline constexpr float ridge_of_rounding = 1e-5F;
 inline constexpr float least_remainder = 1e-6F;  // of the sum of weights: below, elimination left but rounding
@@ -60,7 +60,7 @@ class FloatRows {
 struct FitWork {
   FitTile tile;
   std::array<FloatRows<FitTile::columns, FitTile::rows>, Neighborhood::size> weights;  // of each pixel
-  // Of a row and one pixel more at either end; and sums of three, of one row more below and above.
+  // Distances of a row and one pixel more at either end, and their sums of three for one row more below and above.
   FloatRows<FitTile::columns + 2, 1> distances;
   FloatRows<FitTile::columns, FitTile::rows + 2> row_sums;
   FloatRows<FitTile::columns, 3> fitted;  // of a row, by channel
@@ -295,7 +295,7 @@ class Fit {
       }
     }
     for (std::size_t k = 0; k < 3; ++k) {
-      // Of colors near the largest float sums may be no number.
+      // Sums of colors near the largest float may be NaN.
       const Floats sum = hn::IfThenElse(hn::Eq(sums[k], sums[k]), sums[k], low[k]);
       hn::StoreU(hn::Max(low[k], hn::Min(high[k], sum)), d, work.fitted.At(x, static_cast<int>(k)));
     }

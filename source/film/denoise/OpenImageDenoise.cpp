@@ -7,7 +7,7 @@
 namespace ray {
 namespace {
 
-// Of the library's C interface, the same in versions 1 and 2.
+// Constants of the library's C interface, which versions 1 and 2 share.
 constexpr int processor = 1;  // OIDN_DEVICE_TYPE_CPU
 constexpr int float3 = 3;     // OIDN_FORMAT_FLOAT3
 

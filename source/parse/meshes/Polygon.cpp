@@ -226,7 +226,8 @@ constexpr double flatness = 0.05;  // of the polygon's extent
 /// Newell's normal, but where the polygon crosses itself and turns about as much either way: then that of its largest
 /// triangle from the first corner.
 R3::Vector NormalOfAny(std::span<const R3::Point> polygon) {
-  // Of the square around it. Slivers of less have the normal of their largest triangle, which is theirs as well.
+  // Share of the area of the square around the polygon. Slivers of less take the normal of their largest triangle,
+  // which is theirs as well.
   constexpr double least = 1e-3;
   R3::Vector normal = NewellOf(polygon).normal;
   const double extent = Extent(polygon);

@@ -39,8 +39,9 @@ class Statement {
   /// Name and usage must outlive the statement.
   void BeginPart(std::string_view name, std::string_view usage) { name_ = name, usage_ = usage; }
 
+  /// Reads the arguments that are wanted, all numbers.
   Arguments Numbers(std::span<const R3::Argument> wanted);
-  /// The same, of which none is beyond what coordinates may be.
+  /// Reads numbers, none of them beyond what coordinates may be.
   Arguments Coordinates(std::span<const R3::Argument> wanted);
   /// The word of an argument that is no number.
   Token Word(const char* name);

@@ -106,7 +106,7 @@ void GroningenReader::ReadOutline(Mapping& gooch) {
 }
 
 void GroningenReader::ReadGooch(Mapping& scene) {
-  // Those of the course's example.
+  // The defaults are those of the course's example.
   double b = 0.55, y = 0.3, alpha = 0.25, beta = 0.5;
   const auto field = scene.Find({"GoochParameters", "gooch", "Gooch"});
   if (!field && mode_ != Mode::gooch) return;
