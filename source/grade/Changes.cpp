@@ -25,6 +25,36 @@ void FindBounds(Node& root) {
   for (auto node = all.rbegin(); node != all.rend(); ++node) SetBounds(**node);
 }
 
+// Without recursion, since graphs may be deep.
+Node Copied(const Node& root) {
+  struct Open {
+    const Node& from;
+    Node& to;
+  };
+  Node copy;
+  std::vector<Open> open{{root, copy}};
+  while (!open.empty()) {
+    const auto [from, to] = open.back();
+    open.pop_back();
+    const auto& [motion, transform, shape, line, material, operation, bounds, location, children] = from;
+    to.motion = motion;
+    to.transform = transform;
+    to.shape = shape;
+    if (line) to.line = std::make_unique<const R3::Segment>(*line);
+    to.material = material;
+    to.operation = operation;
+    to.bounds = bounds;
+    to.location = location;
+    to.children.resize(children.size());
+    for (std::size_t i = 0; i < children.size(); ++i) open.push_back({children[i], to.children[i]});
+  }
+  return copy;
+}
+
+std::unique_ptr<const Light> Made(const R3::Recipe& recipe) {
+  return FindLightKind(recipe.kind)->make(recipe.arguments);
+}
+
 R3::Matrix Product(const R3::Matrix& a, const R3::Matrix& b) {
   R3::Matrix product;
   for (std::size_t i = 0; i < 3; ++i)
@@ -61,6 +91,16 @@ std::vector<Leaf> LeavesOf(Node& root) {
 
 }  // namespace
 
+// The names of all members are listed, so that one that is added must be copied as well.
+Scene Copied(const Scene& scene) {
+  const auto& [root, materials, lights, camera, background, ambient, environment, has_default_camera,
+               has_default_lights, shadow_bias, settings, files] = scene;
+  std::vector<std::unique_ptr<const Light>> same_lights;
+  for (const auto& light : lights) same_lights.push_back(Made(light->MadeFrom()));
+  return {Copied(root), materials,          std::move(same_lights), camera,      background, ambient,
+          environment,  has_default_camera, has_default_lights,     shadow_bias, settings,   files};
+}
+
 void ChangeMaterials(Scene& scene, const std::function<void(Material&)>& change) {
   for (Material& material : scene.materials) change(material);
 }
@@ -77,7 +117,7 @@ void ChangeLights(Scene& scene, const std::function<void(LightArguments&)>& chan
     R3::Recipe recipe = light->MadeFrom();
     LightArguments arguments{recipe.kind, recipe};
     change(arguments);
-    light = FindLightKind(recipe.kind)->make(recipe.arguments);
+    light = Made(recipe);
   }
 }
 

@@ -12,6 +12,9 @@
 /// Small changes that mistakes are made of.
 namespace ray::grade {
 
+/// A scene of its own with the same shapes and textures, which are shared.
+Scene Copied(const Scene& scene);
+
 /// Applies `change` to each material.
 void ChangeMaterials(Scene& scene, const std::function<void(Material&)>& change);
 

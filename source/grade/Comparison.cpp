@@ -66,8 +66,8 @@ class Misfit {
     return sum * steady / counted;
   }
 
-  /// What there is to explain: the difference to the reference, or to a black image if that is less. Else a mistake that
-  /// takes all light away would be named for whatever is dark.
+  /// What there is to explain: the difference to the reference, or to a black image if that is less. Else a mistake
+  /// that takes all light away would be named for whatever is dark.
   double ToExplain() const {
     const R2::Image& reference = images_.Reference();
     const double of_reference = Of(reference).value_or(0);
@@ -106,7 +106,7 @@ class Misfit {
 
 ///   all   misfit.ToExplain(); here and below
 std::optional<double> ShareWith(const Misfit& misfit, double all, SceneImages& images, const MistakeList& mistakes) {
-  const R2::Image* made = images.With(mistakes);
+  const auto made = images.With(mistakes);
   if (!made || !(all > 0)) return {};
   const auto left = misfit.Of(*made);
   if (!left) return {};
@@ -193,7 +193,7 @@ std::optional<double> ShareExplained(const Submission& student, SceneImages& ima
 }
 
 bool IsVisible(SceneImages& images, const MistakeList& mistakes) {
-  const R2::Image* made = images.With(mistakes);
+  const auto made = images.With(mistakes);
   if (!made) return false;
   const Submission student = MakeSubmission({*made}, false, images);
   return Compare(student, images).Percent() > images.scene().allowed;

@@ -81,8 +81,8 @@ std::vector<std::string> RemarksOn(const Submission& student, const Comparison& 
 
 std::optional<std::string> TerminatorRemark(const Submission& student, const Comparison& found, SceneImages& images) {
   constexpr double most = 0.8;  // of what differs
-  const R2::Image *flat = images.With({Named("flat_shading")}), *open = images.With({Named("no_shadows")}),
-                  *closed = images.With({Named("no_diffuse"), Named("no_highlight")});
+  const auto flat = images.With({Named("flat_shading")}), open = images.With({Named("no_shadows")}),
+             closed = images.With({Named("no_diffuse"), Named("no_highlight")});
   if (images.CellSide() > 1 || !flat || !open || !closed) return {};
   const R2::Image& expected = images.Reference();
   std::int64_t count = 0;

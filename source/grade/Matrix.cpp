@@ -17,7 +17,7 @@ std::string NamesOf(const MistakeList& mistakes) {
 /// Whether the image with these mistakes is, to the grader's eye, that with the others.
 bool LookAlike(SceneImages& images, const MistakeList& a, const MistakeList& b) {
   if (std::ranges::is_permutation(a, b)) return true;
-  const R2::Image *first = images.With(a), *second = images.With(b);
+  const auto first = images.With(a), second = images.With(b);
   if (!first || !second) return false;
   constexpr double alike = 0.9;
   const auto share = ShareExplained(MakeSubmission({*first}, false, images), images, b);

@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "source/grade/Changes.h"
+
 namespace ray::grade {
 
 #define MISTAKE(name) extern const Mistake name##_mistake;
@@ -15,6 +17,11 @@ std::span<const Mistake* const> Mistakes() {
 #undef MISTAKE
   };
   return mistakes;
+}
+
+Scene& Variant::OwnScene() {
+  if (!own_) own_ = Copied(original_);
+  return *own_;
 }
 
 }  // namespace ray::grade

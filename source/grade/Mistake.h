@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -14,13 +15,23 @@ namespace ray::grade {
 /// What a mistake does to a finished image of light.
 using ImageFilter = R2::Image (*)(const R2::Image&);
 
-/// All that decides an image, for mistakes to change: a scene and settings of its own, the surface equation, and what
-/// is done to the image in the end.
-struct Variant {
-  Scene& scene;
-  RenderSettings& settings;
-  ShadingRules& rules;
-  std::vector<ImageFilter>& filters;
+/// All that decides an image of light, for mistakes to change: settings, the surface equation and the scene.
+class Variant {
+ public:
+  /// `scene` must outlive the variant.
+  Variant(const Scene& scene, const RenderSettings& reference) : settings(reference), original_(scene) {}
+
+  RenderSettings settings;
+  ShadingRules rules;
+  const Scene& scene() const { return own_ ? *own_ : original_; }
+  bool HasOwnScene() const { return own_.has_value(); }
+  /// The copy of the scene, made by the first call. A mistake that changes settings or rules alone does without
+  /// one, and is rendered with the accelerator of the original.
+  Scene& OwnScene();
+
+ private:
+  const Scene& original_;
+  std::optional<Scene> own_;
 };
 
 /// A mistake that students make: one file of mistakes/ and one line of mistakes.def. The engine knows of none; a

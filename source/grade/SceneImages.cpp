@@ -1,6 +1,7 @@
 #include "source/grade/SceneImages.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include "R2/ImageFile.h"
 #include "source/accelerate/Accelerator.h"
@@ -15,34 +16,55 @@ namespace {
 constexpr R2::Vector shifts[]{{-0.3, -0.3}, {0.3, -0.3}, {-0.3, 0.3}, {0.3, 0.3}};
 
 /// The camera seen from a little aside, so that the whole image moves by so many pixels.
-void Shift(Scene& scene, RenderSettings& settings, R2::Vector pixels) {
+void Shift(Variant& variant, R2::Vector pixels) {
   if (pixels == R2::Vector{}) return;
-  Camera& camera = settings.view ? *settings.view : scene.camera;
+  RenderSettings& settings = variant.settings;
+  if (!settings.view) settings.view = variant.scene().camera;
+  R2::Vector& shift = settings.view->shift;
   const double pixel = 2.0 / settings.width;
-  camera.shift = {camera.shift.x + pixel * pixels.x, camera.shift.y + pixel * pixels.y};
+  shift = {shift.x + pixel * pixels.x, shift.y + pixel * pixels.y};
 }
 
-R2::Image Shown(R2::Image image, std::span<const ImageFilter> filters) {
-  for (const ImageFilter filter : filters) image = filter(image);
+/// What the mistakes do to an image of light once it is rendered, and the values for a screen.
+R2::Image Shown(R2::Image image, const MistakeList& mistakes) {
+  for (const Mistake* mistake : mistakes)
+    if (!mistake->make) image = mistake->of_image(image);
   return Displayed(image, R2::Display::straight);
+}
+
+/// Those that are made before an image is rendered.
+MistakeList BeforeRendering(const MistakeList& mistakes) {
+  MistakeList made;
+  std::ranges::copy_if(mistakes, std::back_inserter(made), [](const Mistake* mistake) { return mistake->make; });
+  return made;
+}
+
+std::unique_ptr<const Accelerator> Accelerated(const World& world, const AcceleratorSettings& settings) {
+  return FindAcceleratorKind(settings.name)->Make(world, settings);
+}
+
+R2::Image Rendered(const Variant& variant, const World& world, const Accelerator& accelerator) {
+  const RenderSettings& settings = variant.settings;
+  if (variant.rules == ShadingRules()) return Render(world, accelerator, settings).image;
+  const TraceSettings trace = TraceSettingsOf(settings);
+  if (settings.mode != RenderMode::whitted || !RuledShading::CanShade(world, trace)) return {};
+  return Render(world, RuledShading(world, accelerator, trace, variant.rules), settings).image;
 }
 
 }  // namespace
 
-/// The reference, ready for single rays.
+/// The scene of the reference, ready for rays.
 struct SceneImages::Built {
   explicit Built(SceneToRender loaded)
-      : scene(std::move(loaded)),
-        world(scene.scene),
-        accelerator(FindAcceleratorKind(scene.accelerator.name)->Make(world, scene.accelerator)) {}
+      : scene(std::move(loaded)), world(scene.scene), accelerator(Accelerated(world, scene.accelerator)) {}
   SceneToRender scene;
   World world;
   std::unique_ptr<const Accelerator> accelerator;
 };
 
 SceneImages::SceneImages(const SuiteScene& scene, const std::string& file, const Loader& load)
-    : scene_(scene), file_(file), load_(load), built_(std::make_unique<Built>(load(scene, file))) {
-  reference_ = Render({}, {});
+    : scene_(scene), file_(file), built_(std::make_unique<Built>(load(scene, file))) {
+  reference_ = *With({});
   FindSteadyPixels();
   FindSmoothing();
 }
@@ -54,7 +76,7 @@ void SceneImages::FindSmoothing() {
   constexpr double factor = 2.5;
   smoothing_.assign(steady_.size(), 0.0);
   if (scene_.runs > 1) return;
-  const R2::Image smooth = Render({}, {}, many_samples);
+  const R2::Image smooth = Shown(Light({}, {}, many_samples), {});
   const int width = reference_.Width();
   for (int y = 0; y < reference_.Height(); ++y)
     for (int x = 0; x < width; ++x)
@@ -69,7 +91,7 @@ void SceneImages::FindSteadyPixels() {
   steady_.assign(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), true);
   if (scene_.runs > 1) return;  // blocks are compared, whose means an edge changes little
   for (const R2::Vector& shift : shifts) {
-    const R2::Image moved = Render({}, shift);
+    const R2::Image moved = Shown(Light({}, shift), {});
     for (int y = 0; y < height; ++y)
       for (int x = 0; x < width; ++x)
         if (LargestChannel(moved.At(x, y) - reference_.At(x, y)) > scene_.tolerance)
@@ -87,36 +109,27 @@ void SceneImages::FindSteadyPixels() {
     }
 }
 
-R2::Image SceneImages::Render(const MistakeList& mistakes, R2::Vector shift_in_pixels, int samples) const {
-  SceneToRender loaded = load_(scene_, file_);
-  ShadingRules rules;
-  std::vector<ImageFilter> filters;
-  Variant variant{loaded.scene, loaded.settings, rules, filters};
-  for (const Mistake* mistake : mistakes) {
-    if (mistake->make)
-      mistake->make(variant);
-    else
-      filters.push_back(mistake->of_image);
-  }
-  Shift(loaded.scene, loaded.settings, shift_in_pixels);
-  if (samples > 0) loaded.settings.samples = samples;
-  const World world(loaded.scene);
-  const auto accelerator = FindAcceleratorKind(loaded.accelerator.name)->Make(world, loaded.accelerator);
-  const TraceSettings trace = TraceSettingsOf(loaded.settings);
-  if (rules == ShadingRules()) return Shown(ray::Render(world, *accelerator, loaded.settings).image, filters);
-  if (loaded.settings.mode != RenderMode::whitted || !RuledShading::CanShade(world, trace)) return {};
-  const RuledShading integrator(world, *accelerator, trace, rules);
-  return Shown(ray::Render(world, integrator, loaded.settings).image, filters);
+R2::Image SceneImages::Light(const MistakeList& mistakes, R2::Vector shift_in_pixels, int samples) const {
+  const SceneToRender& scene = built_->scene;
+  Variant variant(scene.scene, scene.settings);
+  for (const Mistake* mistake : mistakes) mistake->make(variant);
+  Shift(variant, shift_in_pixels);
+  if (samples > 0) variant.settings.samples = samples;
+  if (!variant.HasOwnScene()) return Rendered(variant, built_->world, *built_->accelerator);
+  const World world(variant.scene());
+  return Rendered(variant, world, *Accelerated(world, scene.accelerator));
 }
 
-const R2::Image* SceneImages::With(const MistakeList& mistakes) {
-  auto& made = made_[mistakes];
-  if (!made) made = std::make_unique<const R2::Image>(Render(mistakes, {}));
-  return made->Width() > 0 ? made.get() : nullptr;
+std::optional<R2::Image> SceneImages::With(const MistakeList& mistakes) {
+  const MistakeList before = BeforeRendering(mistakes);
+  auto& light = light_[before];
+  if (!light) light = Light(before);
+  if (light->Width() == 0) return {};
+  return Shown(*light, mistakes);
 }
 
 R2::Image SceneImages::AsOfAnother(const MistakeList& mistakes) const {
-  R2::Image image = Render(mistakes, {0.11, -0.07});
+  R2::Image image = Shown(Light(BeforeRendering(mistakes), {0.11, -0.07}), mistakes);
   for (int y = 0; y < image.Height(); ++y)
     for (int x = 0; x < image.Width(); ++x) {
       const R2::Color c = image.At(x, y);

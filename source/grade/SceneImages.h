@@ -5,6 +5,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -23,7 +24,7 @@ struct SceneToRender {
   RenderSettings settings;
   AcceleratorSettings accelerator;
 };
-/// Reads a scene anew, each time it is called; throws SceneErrors. Which options there are is known above this layer.
+/// Reads a scene; throws SceneErrors. Which options there are is known above this layer.
 using Loader = std::function<SceneToRender(const SuiteScene& scene, const std::string& file)>;
 
 /// The largest |channel|.
@@ -48,8 +49,8 @@ class SceneImages {
   const std::vector<bool>& Steady() const { return steady_; }
   /// How far smoothed edges may be from the reference at each pixel: programs differ in where their samples lie.
   const std::vector<double>& Smoothing() const { return smoothing_; }
-  /// Null where the mistakes cannot be made in this scene.
-  const R2::Image* With(const MistakeList& mistakes);
+  /// Nothing where the mistakes cannot be made in this scene.
+  std::optional<R2::Image> With(const MistakeList& mistakes);
   /// With mistakes, as another program may show it: from a camera a tenth of a pixel aside, in bytes. Empty where the
   /// mistakes cannot be made.
   R2::Image AsOfAnother(const MistakeList& mistakes) const;
@@ -61,18 +62,20 @@ class SceneImages {
 
  private:
   struct Built;
-  R2::Image Render(const MistakeList& mistakes, R2::Vector shift_in_pixels, int samples = 0) const;
+  /// Empty where the mistakes, all of them made before an image is rendered, cannot be made; samples 0: as many as the
+  /// scene asks for.
+  R2::Image Light(const MistakeList& mistakes, R2::Vector shift_in_pixels = {}, int samples = 0) const;
   void FindSteadyPixels();
   void FindSmoothing();
 
   const SuiteScene& scene_;
   std::string file_;
-  Loader load_;
   std::unique_ptr<Built> built_;
   R2::Image reference_;
   std::vector<bool> steady_;
   std::vector<double> smoothing_;
-  std::map<MistakeList, std::unique_ptr<const R2::Image>> made_;
+  // What mistakes of the finished image begin with.
+  std::map<MistakeList, std::optional<R2::Image>> light_;
 };
 
 }  // namespace ray::grade

@@ -7,7 +7,7 @@ extern const Mistake aspect_ignored_mistake{
     .title = "the image is stretched: the aspect ratio is ignored",
     .expected = "Pixels are square: height and width of the image plane are in the proportion of the pixels.",
     .hint = "Are spheres round in an image that is not square?",
-    .make = [](Variant& v) { v.scene.camera.aspect = 1; },
+    .make = [](Variant& v) { v.OwnScene().camera.aspect = 1; },
 };
 
 }  // namespace ray::grade

@@ -10,7 +10,7 @@ extern const Mistake directional_reversed_mistake{
     .hint = "Which side of a sphere is lit?",
     .make =
         [](Variant& v) {
-          ChangeLights(v.scene, [](LightArguments& light) {
+          ChangeLights(v.OwnScene(), [](LightArguments& light) {
             for (const char* axis : {"dx", "dy", "dz"})
               if (double* value = light.At(axis); value && light.kind == "dir_light") *value = -*value;
           });

@@ -10,7 +10,7 @@ extern const Mistake divided_by_pi_mistake{
     .title = "light is divided by pi",
     .expected = "In this course's units a light of color 1 that falls straight on kd 1 gives 1.",
     .hint = "Is everything a third as bright?",
-    .make = [](Variant& v) { ChangeMaterials(v.scene, [](Material& m) { m.kd = m.kd / std::numbers::pi; }); },
+    .make = [](Variant& v) { ChangeMaterials(v.OwnScene(), [](Material& m) { m.kd = m.kd / std::numbers::pi; }); },
 };
 
 }  // namespace ray::grade

@@ -8,7 +8,7 @@ extern const Mistake exponent_ignored_mistake{
     .title = "the shininess exponent is ignored",
     .expected = "The highlight is (V.R) to the power of the material's exponent n.",
     .hint = "How large is the highlight as n grows?",
-    .make = [](Variant& v) { ChangeMaterials(v.scene, [](Material& m) { m.n = 1; }); },
+    .make = [](Variant& v) { ChangeMaterials(v.OwnScene(), [](Material& m) { m.n = 1; }); },
 };
 
 }  // namespace ray::grade

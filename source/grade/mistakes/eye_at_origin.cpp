@@ -7,7 +7,7 @@ extern const Mistake eye_at_origin_mistake{
     .title = "the camera is at the origin",
     .expected = "Rays start at the eye.",
     .hint = "Where do your camera rays start?",
-    .make = [](Variant& v) { v.scene.camera.eye = {}; },
+    .make = [](Variant& v) { v.OwnScene().camera.eye = {}; },
 };
 
 }  // namespace ray::grade

@@ -7,7 +7,7 @@ extern const Mistake field_of_view_halved_mistake{
     .title = "the field of view is half as wide",
     .expected = "The angle in the scene file is used as the course defines it: whole or half, horizontal or vertical.",
     .hint = "Is everything twice as large?",
-    .make = [](Variant& v) { v.scene.camera.xfov /= 2; },
+    .make = [](Variant& v) { v.OwnScene().camera.xfov /= 2; },
 };
 
 }  // namespace ray::grade

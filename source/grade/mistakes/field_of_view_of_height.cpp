@@ -11,8 +11,8 @@ extern const Mistake field_of_view_of_height_mistake{
     .hint = "Try a wide and a tall image of one scene.",
     .make =
         [](Variant& v) {
-          const double other = R1::Tan(v.scene.camera.xfov) * v.settings.width / v.settings.height;
-          v.scene.camera.xfov = R1::Atan(other);
+          double& angle = v.OwnScene().camera.xfov;
+          angle = R1::Atan(R1::Tan(angle) * v.settings.width / v.settings.height);
         },
 };
 

@@ -10,7 +10,7 @@ extern const Mistake half_a_pixel_mistake{
     .make =
         [](Variant& v) {
           const double half_pixel = 1.0 / v.settings.width;
-          R2::Vector& shift = v.scene.camera.shift;
+          R2::Vector& shift = v.OwnScene().camera.shift;
           shift = {shift.x - half_pixel, shift.y + half_pixel};
         },
 };

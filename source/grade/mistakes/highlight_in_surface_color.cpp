@@ -8,7 +8,7 @@ extern const Mistake highlight_in_surface_color_mistake{
     .title = "highlights tinted by the diffuse color",
     .expected = "The highlight is ks (V.R)^n IL; kd has no part in it.",
     .hint = "Compare the color of the highlight with that of the light.",
-    .make = [](Variant& v) { ChangeMaterials(v.scene, [](Material& m) { m.ks = m.ks * m.kd; }); },
+    .make = [](Variant& v) { ChangeMaterials(v.OwnScene(), [](Material& m) { m.ks = m.ks * m.kd; }); },
 };
 
 }  // namespace ray::grade

@@ -10,7 +10,7 @@ extern const Mistake inverse_square_always_mistake{
     .hint = "Which of the three coefficients does your program read?",
     .make =
         [](Variant& v) {
-          ChangeLights(v.scene, [](LightArguments& light) {
+          ChangeLights(v.OwnScene(), [](LightArguments& light) {
             if (double* ca = light.At("ca")) *ca = 0, *light.At("la") = 0, *light.At("qa") = 1;
           });
         },

@@ -10,7 +10,7 @@ extern const Mistake light_color_ignored_mistake{
     .hint = "Try one red light.",
     .make =
         [](Variant& v) {
-          ChangeLights(v.scene, [](LightArguments& light) {
+          ChangeLights(v.OwnScene(), [](LightArguments& light) {
             for (const char* channel : {"r", "g", "b"})
               if (double* value = light.At(channel); value && *value > 0) *value = 1;
           });

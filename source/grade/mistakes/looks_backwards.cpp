@@ -9,8 +9,9 @@ extern const Mistake looks_backwards_mistake{
     .hint = "What is behind the camera?",
     .make =
         [](Variant& v) {
-          v.scene.camera.towards = -v.scene.camera.towards;
-          v.scene.camera.right = -v.scene.camera.right;
+          Camera& camera = v.OwnScene().camera;
+          camera.towards = -camera.towards;
+          camera.right = -camera.right;
         },
 };
 

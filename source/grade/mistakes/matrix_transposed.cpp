@@ -10,7 +10,7 @@ extern const Mistake matrix_transposed_mistake{
     .hint = "Do things turn the other way round?",
     .make =
         [](Variant& v) {
-          ChangeTransforms(v.scene, [](const R3::Matrix& matrix) {
+          ChangeTransforms(v.OwnScene(), [](const R3::Matrix& matrix) {
             R3::Matrix transposed = matrix;
             for (std::size_t i = 0; i < 3; ++i)
               for (std::size_t j = 0; j < 3; ++j) transposed.m[i][j] = matrix.m[j][i];

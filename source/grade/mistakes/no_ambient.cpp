@@ -7,7 +7,7 @@ extern const Mistake no_ambient_mistake{
     .title = "no ambient light",
     .expected = "Every surface reflects ka Ia, lit or not: I = ka Ia + sum over the lights.",
     .hint = "Look at a place in full shadow: it should not be black.",
-    .make = [](Variant& v) { v.scene.ambient = {}; },
+    .make = [](Variant& v) { v.OwnScene().ambient = {}; },
 };
 
 }  // namespace ray::grade

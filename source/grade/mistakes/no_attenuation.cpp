@@ -10,7 +10,7 @@ extern const Mistake no_attenuation_mistake{
     .hint = "Move a point light away: the scene should darken.",
     .make =
         [](Variant& v) {
-          ChangeLights(v.scene, [](LightArguments& light) {
+          ChangeLights(v.OwnScene(), [](LightArguments& light) {
             if (light.kind == "dir_light") return;
             if (double* ca = light.At("ca")) *ca = 1, *light.At("la") = 0, *light.At("qa") = 0;
           });

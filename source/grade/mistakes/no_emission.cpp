@@ -8,7 +8,7 @@ extern const Mistake no_emission_mistake{
     .title = "emission is ignored",
     .expected = "A surface adds its own emission to what it reflects.",
     .hint = "Look at a surface that shines though no light reaches it.",
-    .make = [](Variant& v) { ChangeMaterials(v.scene, [](Material& m) { m.emission = {}; }); },
+    .make = [](Variant& v) { ChangeMaterials(v.OwnScene(), [](Material& m) { m.emission = {}; }); },
 };
 
 }  // namespace ray::grade

@@ -8,7 +8,7 @@ extern const Mistake no_reflection_mistake{
     .title = "no reflections",
     .expected = "What a mirror ray sees is added, weighted by the mirror's reflectance.",
     .hint = "Is a ray sent on from mirrors?",
-    .make = [](Variant& v) { ChangeMaterials(v.scene, [](Material& m) { m.kr = {}; }); },
+    .make = [](Variant& v) { ChangeMaterials(v.OwnScene(), [](Material& m) { m.kr = {}; }); },
 };
 
 }  // namespace ray::grade

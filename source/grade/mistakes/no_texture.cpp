@@ -8,7 +8,7 @@ extern const Mistake no_texture_mistake{
     .title = "textures are ignored",
     .expected = "A texture's color at (u, v) multiplies the diffuse color.",
     .hint = "Is the image file read?",
-    .make = [](Variant& v) { ChangeMaterials(v.scene, [](Material& m) { m.texture.reset(); }); },
+    .make = [](Variant& v) { ChangeMaterials(v.OwnScene(), [](Material& m) { m.texture.reset(); }); },
 };
 
 }  // namespace ray::grade

@@ -8,7 +8,7 @@ extern const Mistake no_transmission_mistake{
     .title = "nothing is seen through transparent surfaces",
     .expected = "What is seen through a surface is added, weighted by its transmittance.",
     .hint = "Is a ray sent on through glass?",
-    .make = [](Variant& v) { ChangeMaterials(v.scene, [](Material& m) { m.kt = {}; }); },
+    .make = [](Variant& v) { ChangeMaterials(v.OwnScene(), [](Material& m) { m.kt = {}; }); },
 };
 
 }  // namespace ray::grade

@@ -8,7 +8,7 @@ extern const Mistake reflection_in_surface_color_mistake{
     .title = "reflections tinted by the diffuse color",
     .expected = "What the mirror ray sees is multiplied by the mirror's reflectance only.",
     .hint = "Which color multiplies the reflection?",
-    .make = [](Variant& v) { ChangeMaterials(v.scene, [](Material& m) { m.kr = m.kr * m.kd; }); },
+    .make = [](Variant& v) { ChangeMaterials(v.OwnScene(), [](Material& m) { m.kr = m.kr * m.kd; }); },
 };
 
 }  // namespace ray::grade

@@ -10,7 +10,7 @@ extern const Mistake reflection_not_weighted_mistake{
     .hint = "What multiplies the color that the mirror ray returns?",
     .make =
         [](Variant& v) {
-          ChangeMaterials(v.scene, [](Material& m) {
+          ChangeMaterials(v.OwnScene(), [](Material& m) {
             if (!IsBlack(m.kr)) m.kr = {1, 1, 1};
           });
         },

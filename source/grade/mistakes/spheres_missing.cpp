@@ -9,7 +9,9 @@ extern const Mistake spheres_missing_mistake{
     .expected = "The camera ray meets a sphere where |o + t d - c| = r; the nearest t in front of the eye counts.",
     .hint = "Does the quadratic equation find a root for a ray through the middle?",
     .make =
-        [](Variant& v) { RemoveShapes(v.scene, [](const R3::Shape& shape) { return shape.AsSphere().has_value(); }); },
+        [](Variant& v) {
+          RemoveShapes(v.OwnScene(), [](const R3::Shape& shape) { return shape.AsSphere().has_value(); });
+        },
 };
 
 }  // namespace ray::grade

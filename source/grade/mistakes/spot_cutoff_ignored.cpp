@@ -12,7 +12,7 @@ extern const Mistake spot_cutoff_ignored_mistake{
     .hint = "Look for the rim of the cone on the floor.",
     .make =
         [](Variant& v) {
-          ChangeLights(v.scene, [](LightArguments& light) {
+          ChangeLights(v.OwnScene(), [](LightArguments& light) {
             if (double* cutoff = light.At("sc")) *cutoff = std::numbers::pi;
           });
         },

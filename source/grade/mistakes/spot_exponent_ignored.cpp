@@ -10,7 +10,7 @@ extern const Mistake spot_exponent_ignored_mistake{
     .hint = "How bright is the middle of the cone beside its rim?",
     .make =
         [](Variant& v) {
-          ChangeLights(v.scene, [](LightArguments& light) {
+          ChangeLights(v.OwnScene(), [](LightArguments& light) {
             if (double* exponent = light.At("sd")) *exponent = 0;
           });
         },

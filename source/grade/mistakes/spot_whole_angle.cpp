@@ -10,7 +10,7 @@ extern const Mistake spot_whole_angle_mistake{
     .hint = "Is the lit disc half as wide as expected?",
     .make =
         [](Variant& v) {
-          ChangeLights(v.scene, [](LightArguments& light) {
+          ChangeLights(v.OwnScene(), [](LightArguments& light) {
             if (double* cutoff = light.At("sc")) *cutoff /= 2;
           });
         },

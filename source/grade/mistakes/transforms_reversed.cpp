@@ -8,7 +8,7 @@ extern const Mistake transforms_reversed_mistake{
     .title = "nested transforms are multiplied in the wrong order",
     .expected = "A point goes through its own matrix first, then through its parent's: M = M_parent M_child.",
     .hint = "Which of two nested groups acts first?",
-    .make = [](Variant& v) { ReverseTransforms(v.scene); },
+    .make = [](Variant& v) { ReverseTransforms(v.OwnScene()); },
 };
 
 }  // namespace ray::grade

@@ -10,7 +10,7 @@ extern const Mistake triangles_missing_mistake{
     .hint = "Does your test depend on the order of the corners?",
     .make =
         [](Variant& v) {
-          RemoveShapes(v.scene, [](const R3::Shape& shape) { return !shape.IsSolid() && shape.IsBounded(); });
+          RemoveShapes(v.OwnScene(), [](const R3::Shape& shape) { return !shape.IsSolid() && shape.IsBounded(); });
         },
 };
 

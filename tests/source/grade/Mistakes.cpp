@@ -9,6 +9,7 @@
 
 #include "source/accelerate/Accelerator.h"
 #include "source/app/raygrade/LoadScene.h"
+#include "source/grade/Changes.h"
 #include "source/grade/Grader.h"
 #include "source/grade/Matrix.h"
 #include "source/grade/RuledShading.h"
@@ -57,13 +58,40 @@ TEST(Mistakes, RulesOfTheEquationGiveTheImageOfModeWhitted) {
   }
 }
 
+// Mistakes are made in copies of one scene: what a copy lost would be taken for a mistake of the student.
+TEST(Mistakes, ACopiedSceneIsRenderedAsTheOriginal) {
+  for (const char* course : {"cos426", "groningen", "cs315", "comp30019", "infogr"}) {
+    const grade::Suite suite = SmallSuite(course);
+    for (const grade::SuiteScene& of : suite.scenes) {
+      const grade::SceneToRender loaded = raygrade::LoadScene(of, of.file);
+      const Scene copy = grade::Copied(loaded.scene);
+      const auto rendered = [&](const Scene& scene) {
+        const World world(scene);
+        const auto accelerator = FindAcceleratorKind("auto")->Make(world, loaded.accelerator);
+        return Render(world, *accelerator, loaded.settings).image;
+      };
+      EXPECT_EQ(rendered(copy).Channels(), rendered(loaded.scene).Channels()) << of.file;
+    }
+  }
+}
+
+TEST(Mistakes, NoneChangesTheSceneItIsMadeOf) {
+  const grade::Suite suite = SmallSuite("cos426");
+  const grade::SuiteScene& of = suite.scenes.front();
+  const grade::SceneToRender loaded = raygrade::LoadScene(of, of.file);
+  grade::Variant variant(loaded.scene, loaded.settings);
+  EXPECT_EQ(&variant.scene(), &loaded.scene);
+  variant.OwnScene().materials.at(0).kd = {};
+  EXPECT_NE(&variant.scene(), &loaded.scene);
+  EXPECT_NE(loaded.scene.materials.at(0).kd, R2::Color());
+}
+
 class MistakesOfCourse : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(MistakesOfCourse, AreNeverNamedWronglyAndNearlyAlwaysNamed) {
   constexpr std::size_t most_scenes = 3;  // that take some seconds; raygrade -matrix tries all
   grade::Suite suite = SmallSuite(GetParam());
-  if (suite.scenes.size() > most_scenes)
-    suite.scenes.erase(suite.scenes.begin() + most_scenes, suite.scenes.end());
+  if (suite.scenes.size() > most_scenes) suite.scenes.erase(suite.scenes.begin() + most_scenes, suite.scenes.end());
   grade::Grader grader(suite, {}, raygrade::LoadScene);
   const grade::MatrixCounts counts = TryMistakes(grader.Scenes(), 0);
   std::string lines;
@@ -80,9 +108,8 @@ TEST(Mistakes, TheCos426SuiteShowsEachOfThem) {
   const grade::Suite suite = SuiteNamed("cos426");
   grade::Grader grader(suite, {}, raygrade::LoadScene);
   for (const grade::Mistake* mistake : grade::Mistakes())
-    EXPECT_TRUE(std::ranges::any_of(grader.Scenes(), [&](const auto& images) {
-      return IsVisible(*images, {mistake});
-    })) << mistake->name;
+    EXPECT_TRUE(std::ranges::any_of(grader.Scenes(), [&](const auto& images) { return IsVisible(*images, {mistake}); }))
+        << mistake->name;
 }
 
 /// What is said of an image in a scene of a suite.
@@ -121,8 +148,8 @@ TEST(Mistakes, ShadowsWhereLightGrazesASmoothMeshAreTold) {
   const auto named = [](std::string_view name) {
     return *std::ranges::find_if(grade::Mistakes(), [&](const auto* one) { return one->name == name; });
   };
-  const R2::Image *closed = scene.Images().With({named("no_diffuse"), named("no_highlight")}),
-                  *flat = scene.Images().With({named("flat_shading")});
+  const auto closed = scene.Images().With({named("no_diffuse"), named("no_highlight")}),
+             flat = scene.Images().With({named("flat_shading")});
   R2::Image student = scene.Images().Reference();
   for (int y = 0; y < student.Height(); ++y)
     for (int x = 0; x < student.Width(); ++x) {
