@@ -97,9 +97,11 @@ DecodedImage DecodeRows(std::span<const unsigned char> pixels, const Header& hea
   DecodedImage decoded{Image(header.size.width, header.size.height)};
   Image& image = decoded.image;
   AlphaRange alpha;
+  const auto stride = static_cast<std::size_t>(header.RowStride()),
+             length = static_cast<std::size_t>(header.RowBytes());
   for (int row = 0; row < image.Height(); ++row) {
     const int y = PictureRow(header, row);
-    const auto line = pixels.subspan(static_cast<std::size_t>(row) * header.RowStride(), header.RowBytes());
+    const auto line = pixels.subspan(static_cast<std::size_t>(row) * stride, length);
     if (is_bytes)
       SetRowOfBytes(image, y, line, static_cast<std::size_t>(header.bits / 8));
     else if (!header.HasPalette())
@@ -161,7 +163,7 @@ std::vector<unsigned char> Encode(const Image& image, const ImageEncoding& encod
   for (int y = 0; y < image.Height(); ++y) {
     const auto row = ByteRow(image, y, encoding);
     for (std::size_t i = 0; i < row.size(); i += 3) bytes.insert(bytes.end(), {row[i + 2], row[i + 1], row[i]});
-    bytes.resize(bytes.size() + (header.RowStride() - header.RowBytes()));
+    bytes.resize(bytes.size() + static_cast<std::size_t>(header.RowStride() - header.RowBytes()));
   }
   return bytes;
 }

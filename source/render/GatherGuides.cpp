@@ -238,11 +238,11 @@ class Gathering {
       const auto size = std::min<std::size_t>(samples.size(), count - first);
       for (std::uint32_t i = 0; i < size; ++i) due[i] = {column, row, key, first + i};
       camera.MakeEach(std::span(due).first(size), samples);
-      const auto unseen = std::ranges::remove_if(samples.begin(), samples.begin() + size,
+      const auto unseen = std::ranges::remove_if(std::span(samples).first(size),
                                                  [](const CameraSample& sample) { return !sample.HasRay(); });
       const std::size_t traced = size - unseen.size();
       if (traced > 0) tracer_.Trace(std::span(samples).first(traced), std::span(guides).first(traced), state);
-      std::fill(guides.begin() + static_cast<std::ptrdiff_t>(traced), guides.begin() + size, Guide{});
+      std::ranges::fill(std::span(guides).first(size).subspan(traced), Guide{});
       for (std::size_t i = 0; i < size; ++i) tally.Add(guides[i]);
     }
     return tally;

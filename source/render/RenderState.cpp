@@ -76,17 +76,17 @@ class Reader {
     values.resize(static_cast<std::size_t>(blocks));
     TakeAll(values);
   }
-  std::string TakeText(std::size_t length) {
+  std::string TakeText(std::uint64_t length) {
     const auto taken = TakeBytes(length);
     return {taken.begin(), taken.end()};
   }
   std::size_t Left() const { return rest_.size(); }
 
  private:
-  std::span<const unsigned char> TakeBytes(std::size_t count) {
+  std::span<const unsigned char> TakeBytes(std::uint64_t count) {
     if (count > rest_.size()) throw CheckpointError("it is truncated");
-    const auto taken = rest_.first(count);
-    rest_ = rest_.subspan(count);
+    const auto taken = rest_.first(static_cast<std::size_t>(count));
+    rest_ = rest_.subspan(taken.size());
     return taken;
   }
 

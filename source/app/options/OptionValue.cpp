@@ -113,7 +113,7 @@ int ReadChoice(const OptionKind& option, const OneNumberOf& one, const std::stri
 std::string ChosenName(const OptionKind& option, const OneNameOf& one, const std::string& word) {
   const auto choices = one.choices();
   const auto place = one.by_number ? Read<std::uint64_t>(word) : std::nullopt;
-  return place && *place < choices.size() ? choices[*place] : Choose(option, word, choices);
+  return place && *place < choices.size() ? choices[static_cast<std::size_t>(*place)] : Choose(option, word, choices);
 }
 
 void StoreRequest(const OptionKind& option, const Request& request, std::span<const std::string> words,

@@ -118,8 +118,9 @@ class CornerTree {
   }
 
   void Halve(std::uint32_t first, std::uint32_t middle, std::uint32_t last, double R2::Point::*axis) {
-    std::nth_element(sorted_.begin() + first, sorted_.begin() + middle, sorted_.begin() + last,
-                     [&](std::uint32_t a, std::uint32_t b) { return polygon_[a].*axis < polygon_[b].*axis; });
+    const auto part = std::span(sorted_).subspan(first, last - first);
+    std::ranges::nth_element(part, part.begin() + static_cast<std::ptrdiff_t>(middle - first), {},
+                             [&](std::uint32_t i) { return polygon_[i].*axis; });
   }
 
   bool AnyIn(const Node& node, const std::array<R2::Point, 3>& triangle, std::size_t& looks) const {

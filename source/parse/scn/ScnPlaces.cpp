@@ -22,7 +22,7 @@ std::size_t NextLine(std::string_view bytes, std::size_t at) {
 /// The offset at which the file goes on with another statement, or ends. Statements of other files may come between.
 std::size_t EndOf(const ScnPlaces& places, std::uint32_t statement) {
   const ScnPlaces::Statement& own = places.statements[statement];
-  const auto behind = places.statements.begin() + statement + 1;
+  const auto behind = places.statements.begin() + static_cast<std::ptrdiff_t>(statement) + 1;
   const auto next = std::find_if(behind, places.statements.end(),
                                  [&](const ScnPlaces::Statement& other) { return other.file == own.file; });
   // Where the file is read again from its start, this was its last statement.
