@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "source/app/Status.h"
-#include "source/app/options/CommandLine.h"
 #include "source/app/manual/Listing.h"
+#include "source/app/options/CommandLine.h"
 #include "source/app/options/SceneSettings.h"
 #include "source/app/report/Check.h"
 #include "source/app/report/Memory.h"
@@ -40,7 +40,7 @@ struct Session {
   std::unique_ptr<const World> world;
   std::unique_ptr<const Accelerator> accelerator;
   std::optional<Film> empty_film;
-  RenderState state;          // of the round: what is due, and the samples that are there
+  RenderState state;  // of the round: what is due, and the samples that are there
   bool has_looked = false;
   std::uint32_t pass_end = 0;  // samples per pixel and stream of the pass that is over
   std::optional<RenderResult> result;
@@ -81,10 +81,12 @@ std::vector<std::string> Lines(const char* all) {
   return lines;
 }
 
-/// What asks for files, clocks or other machines has no meaning in a page, and yaml-cpp is not there.
+/// What asks for files, clocks or other machines has no meaning in a page.
 void RefuseOthers(const Options& options) {
+#ifndef RAYPRO_YAML
   if (options.files.scene.ends_with(".yaml") || options.files.scene.ends_with(".yml"))
-    throw UsageError("a page does not read YAML; JSON with the same keys is read");
+    throw UsageError("this page was built without YAML; JSON with the same keys is read");
+#endif
   if (options.task != Task::render) throw UsageError("a page takes the options of an image, not requests");
   for (const char* name : {"time", "part", "parts", "missing", "report", "replay", "reference", "layers", "out_folder",
                            "resume", "restart", "checkpoint", "keep_checkpoint", "allow_path"})

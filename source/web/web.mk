@@ -2,10 +2,12 @@
 #   make web        build/web/, which any static file server can serve: python3 -m http.server -d build/web
 #   make site       build/site/: the page, the writeup, the gallery and the docs, with links between them
 #   make web-test   its tests in Node and, where it is found, in Chromium
-# WEB_CXX names another compiler that knows the target wasm32-wasi, WEB_HEADERS where hwy/ and nlohmann/ are.
+# WEB_CXX names another compiler that knows the target wasm32-wasi, WEB_HEADERS where hwy/ and nlohmann/ are, WEB_YAML the
+# sources of yaml-cpp, which script/web_yaml.sh fetches. Without those the page does not read YAML.
 
 WEB_CXX ?= $(firstword $(wildcard /usr/bin/clang++-22 /usr/bin/clang++-23) clang++-22)
 WEB_HEADERS ?= /usr/include
+WEB_YAML ?= $(BUILD)/yaml-cpp
 WEB := $(BUILD)/web-objects
 WEB_PAGE := $(BUILD)/web
 # Nothing of the programs but their options and what -check says.
@@ -19,12 +21,18 @@ WEB_SOURCES := $(filter-out %/jpeg.cpp %/png.cpp %/exr.cpp %/ReadFile.cpp %/Thre
 WEB_ALONE := $(filter $(ALONE),$(WEB_SOURCES))
 WEB_TOGETHER := $(filter-out $(WEB_ALONE),$(WEB_SOURCES))
 WEB_OBJECTS := $(WEB_ALONE:%.cpp=$(WEB)/obj/%.o) $(patsubst %,$(WEB)/obj/%all.o,$(sort $(dir $(WEB_TOGETHER))))
+# Of yaml-cpp the parser alone: what makes events of a text.
+YAML_PARSER := depthguard directives exceptions exp null parser regex_yaml scanner scanscalar scantag scantoken \
+               simplekey singledocparser stream tag
+HAS_WEB_YAML := $(if $(wildcard $(WEB_YAML)/src/parser.cpp),yes)
+WEB_OBJECTS += $(if $(HAS_WEB_YAML),$(YAML_PARSER:%=$(WEB)/yaml/%.o))
 # Exceptions in the older of two forms, which every browser since 2022 runs, and Node 20.
 WEB_TARGET := --target=wasm32-wasi -Wno-deprecated
 WEB_FLAGS := $(WEB_TARGET) -std=c++20 -O2 -ffp-contract=off -fno-math-errno -fno-trapping-math -fno-slp-vectorize \
              -msimd128 -fwasm-exceptions -mllvm -wasm-use-legacy-eh=true $(WARNINGS) -Wno-gnu-include-next
 WEB_CPPFLAGS := -MD -MP -I. -Isource/web/shim -isystem $(WEB)/include \
-                -DRAYPRO_VERSION='"$(VERSION)"' -DRAYPRO_FEATURES='"web"'
+                -DRAYPRO_VERSION='"$(VERSION)"' -DRAYPRO_FEATURES='"web"' \
+                $(if $(HAS_WEB_YAML),-DRAYPRO_YAML -isystem $(WEB_YAML)/include)
 WEB_LINK := -mexec-model=reactor -Wl,-z,stack-size=8388608 -Wl,--max-memory=4294967296 -Wl,--strip-all
 TBB_HEADERS := blocked_range enumerable_thread_specific global_control info parallel_for parallel_reduce task_arena \
                task_group
@@ -32,6 +40,7 @@ TBB_HEADERS := blocked_range enumerable_thread_specific global_control info para
 .PHONY: web web-test site
 WEB_FILES := $(filter-out package.json,$(notdir $(wildcard source/web/page/*)))
 web: $(WEB_PAGE)/raypro.wasm $(WEB_PAGE)/examples.json $(WEB_FILES:%=$(WEB_PAGE)/%)
+	@$(if $(HAS_WEB_YAML),true,echo "without YAML: script/web_yaml.sh fetches the sources of yaml-cpp")
 	@echo "$(WEB_PAGE): python3 -m http.server -d $(WEB_PAGE), then http://localhost:8000"
 $(WEB_PAGE)/%: source/web/page/%
 	@mkdir -p $(@D) && cp $< $@
@@ -68,6 +77,9 @@ $(WEB)/obj/%/all.o: $(WEB)/jumbo/%/all.cpp $(WEB)/include/ready
 	$(call web_compile,$*/*.cpp)
 $(WEB)/obj/%.o: %.cpp $(WEB)/include/ready
 	$(call web_compile,$<)
+$(WEB)/yaml/%.o: $(WEB_YAML)/src/%.cpp $(WEB)/flags
+	@mkdir -p $(@D) && echo "  wasm  yaml-cpp/src/$*.cpp" && \
+	  $(WEB_CXX) $(WEB_FLAGS) -w -I$(WEB_YAML)/include -I$(WEB_YAML)/src -c $< -o $@
 $(WEB_PAGE)/raypro.wasm: $(WEB_OBJECTS)
 	@mkdir -p $(@D) && echo "  link  $@" && $(WEB_CXX) $(WEB_TARGET) $(WEB_LINK) $^ -o $@
 -include $(shell find $(WEB)/obj -name '*.d' 2>/dev/null)

@@ -7,7 +7,7 @@ import { tmpdir } from "node:os";
 import test from "node:test";
 import { Engine, Mistake } from "../../source/web/page/engine.js";
 import { pngOfRgba, ppmOfPng } from "../../source/web/page/png.js";
-import { files, scenes, size } from "./scenes.mjs";
+import { files, scenes, size, yamlScenes } from "./scenes.mjs";
 
 const { RAYPRO, RAYIMG, WEB } = process.env;
 const folder = mkdtempSync(tmpdir() + "/raypro-web-");
@@ -60,12 +60,28 @@ async function mistakeIn(text, options = [], name = "scene.scn") {
 }
 
 const hashes = {};
-test("every scene has the bytes of raypro", async () => {
-  for (const { name, options } of scenes(examples)) {
+async function compareBytes(list) {
+  for (const { name, options } of list) {
     hashes[name] = sha(native(name, [...options, ...size]));
     assert.equal(sha(await inParts(name, [...options, ...size], 1)), hashes[name], name);
   }
   writeFileSync(WEB + "/hashes.json", JSON.stringify(hashes));
+}
+test("every scene has the bytes of raypro", () => compareBytes(scenes(examples)));
+
+const withoutYaml = (await mistakeIn("Eye: [0, 0, 1]", [], "scene.yaml")).includes("built without YAML");
+test("every scene in YAML has the bytes of raypro", { skip: withoutYaml && "built without YAML" }, async () => {
+  assert(yamlScenes(examples).length > 10);
+  await compareBytes(yamlScenes(examples));
+});
+
+test("a mistake in YAML is told in raypro's words", { skip: withoutYaml && "built without YAML" }, async () => {
+  for (const text of ["Eye: [0, 0, 1\nLights: 3\n", "Eye: [0, 0]\nObjects:\n  - {type: spere}\n"]) {
+    writeFileSync(folder + "/scene.yaml", text);
+    const said = spawnSync(RAYPRO, ["scene.yaml", "x.pfm"], { cwd: folder }).stderr.toString();
+    assert.match(said, /scene\.yaml:\d+:\d+/);
+    assert.equal((await mistakeIn(text, [], "scene.yaml")).trim(), said.trim());
+  }
 });
 
 test("three engines render what one does", async () => {
@@ -107,7 +123,6 @@ test("a wrong option is named", async () => {
   );
   assert.match(await mistakeIn("sphere -1 0 0 0 1", ["-time", "4"]), /-time has no meaning in a page/);
   assert.match(await mistakeIn("sphere -1 0 0 0 1", ["-check"]), /not requests/);
-  assert.match(await mistakeIn("Objects: []", [], "scene.yaml"), /does not read YAML/);
 });
 
 test("a file that is missing is named with the nearest", async () => {

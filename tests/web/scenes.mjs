@@ -2,8 +2,9 @@
 import { readFileSync, readdirSync, statSync } from "node:fs";
 import { isPng, ppmOfPng } from "../../source/web/page/png.js";
 
-// Scenes that take more than about a second with their own options, and YAML, which a page does not read.
-const leftOut = /thumbnails|README|\.ya?ml$|many_lights|depth\.txt/;
+// Scenes that take more than about a second with their own options.
+const leftOut = /thumbnails|README|many_lights|depth\.txt/;
+const isYaml = ({ name }) => /\.ya?ml$/.test(name);
 
 export const size = ["-width", "64", "-height", "48"];
 
@@ -20,11 +21,15 @@ async function read(folder, files) {
 /// All files of scenes/, images as PPM.
 export const files = () => read("scenes", new Map());
 
-/// At most 48 scenes with the options of their first comment: .scn, then JSON, then COMP30019's.
+/// At most 48 scenes with the options of their first comment: COMP30019's, then JSON, then .scn.
 export function scenes(examples) {
   const order = (name) => (name.endsWith(".txt") ? 0 : name.endsWith(".json") ? 1 : 2);
   return examples.scenes
-    .filter(({ name }) => !leftOut.test(name))
+    .filter((scene) => !leftOut.test(scene.name) && !isYaml(scene))
     .sort((a, b) => order(a.name) - order(b.name))
     .slice(0, 48);
 }
+
+/// Those of scenes/ in YAML, which a page reads only if it was built with yaml-cpp.
+export const yamlScenes = (examples) =>
+  examples.scenes.filter((scene) => scene.name.startsWith("scenes/") && isYaml(scene));
