@@ -274,6 +274,10 @@ class Viewer {
   bool TakesSlider(const ButtonEvent& event) const;
   void ZoomFlat(const ScrollEvent& event);
   void ShowFlat(FrameState& shown) const;
+  /// The sides of its slider, and what its pixels are where these are large enough.
+  void AddLabelsOfFlat(std::vector<Label>& labels, const LetterSize& letters) const;
+  ///   split   the column from which on the pixels are the reference's
+  void AddValuesOfPixels(std::vector<Label>& labels, const LetterSize& letters, double split) const;
   void ToggleSection();
   void MoveSection(int by);
   /// The pieces of the drawing, from the left: the scene; the cross section, where it is shown; and the panels, where

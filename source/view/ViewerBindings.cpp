@@ -211,6 +211,12 @@ struct Viewer::BindingTable {
          }},
         {Key::d, plain, "toggle the difference from the reference",
          [](Viewer& v) { v.Compare(TracedPictures::Comparing::difference); }},
+        {Key::d, shift, "the difference in false colors with their scale; pressed again, FLIP",
+         [](Viewer& v) {
+           v.Compare(v.pictures_.HowCompared() == TracedPictures::Comparing::false_colors
+                         ? TracedPictures::Comparing::flip
+                         : TracedPictures::Comparing::false_colors);
+         }},
         {Key::page_down, control, "flip through the images made so far: the next, or the current one",
          [](Viewer& v) { v.FlipImages(1); }},
         {Key::page_up, control, "the one before", [](Viewer& v) { v.FlipImages(-1); }},

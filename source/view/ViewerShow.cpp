@@ -156,6 +156,7 @@ std::optional<FrameState::Picture> Viewer::CoveringPicture() const {
   if (auto compared = pictures_.Compared()) {
     picture.image = std::move(compared);
     if (pictures_.ShowsEncodedDifference()) picture.exposure.srgb = false;
+    if (pictures_.ShowsFalseColors()) picture.exposure = {};
     return picture;
   }
   if (FlatJob() && !pictures_.IsLive()) {
@@ -266,17 +267,19 @@ std::vector<Label> Viewer::MakeLabels() const {
     upper.emplace_back("cross section: " + section_.Describe(size_.height), text_color);
     if (std::string text = TextOfSection(); !text.empty()) upper.emplace_back(std::move(text), text_color);
   }
+  if (std::string text = pictures_.ScaleOfComparison(); !text.empty()) upper.emplace_back(std::move(text), text_color);
   if (std::string text = TextOfProjection(); !text.empty()) upper.emplace_back(std::move(text), text_color);
   if (pick_ && !shows_panels_)
     for (const std::string& text : pick_->text) upper.emplace_back(text, text_color);
 
   std::vector<Label> labels;
-  if (upper.empty() && !has_message) return labels;
+  if (upper.empty() && !has_message && !FlatJob()) return labels;
   const LetterSize letters = panels_->Letters();
   const double edge = letters.height * margin;
   const int columns = static_cast<int>((ViewSize().width - 2 * edge) / letters.width);
   if (section_.IsShown())
     for (Label label : section_drawing_->labels) label.x += ViewSize().width, labels.push_back(std::move(label));
+  AddLabelsOfFlat(labels, letters);
   double y = ViewSize().height - letters.height - edge;
   for (const auto& [text, color] : upper)
     for (const std::string& line : InLines(text, columns)) {

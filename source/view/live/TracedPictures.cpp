@@ -1,14 +1,18 @@
 #include "source/view/live/TracedPictures.h"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include "R2/Ramp.h"
 #include "R2/compare/Difference.h"
+#include "R2/compare/Flip.h"
 #include "source/text/NumberText.h"
 
 namespace ray {
 namespace {
 
-constexpr double seconds_of_first_pass = 0.03;  // so that a move is answered within 40 ms
+constexpr double seconds_of_first_pass = 0.03;      // so that a move is answered within 40 ms
 constexpr double most_seconds_of_first_pass = 0.2;  // that a move waits for the pass of the one before
 
 /// The settings of a live picture in its mode.
@@ -101,8 +105,8 @@ const RenderJob* TracedPictures::ShownLive() const {
   if (!is_live_ || !Live()) return nullptr;
   if (Live()->Stride() > 0) return Live();
   const RenderJob* last = live_.Last();
-  const bool is_alike = last && last->frame().Width() == Live()->frame().Width() &&
-                        last->frame().Height() == Live()->frame().Height();
+  const bool is_alike =
+      last && last->frame().Width() == Live()->frame().Width() && last->frame().Height() == Live()->frame().Height();
   return is_alike ? last : nullptr;
 }
 
@@ -151,13 +155,15 @@ std::string TracedPictures::EncodedComparison(const R2::Image& current) const {
   const double bytes = 255;
   return std::to_string(different) + " of " + std::to_string(difference.pixels) +
          (reference_.levels == 255 ? " pixels differ as 8 bits" : " pixels differ as 16 bits") +
-         (different == 0 ? "" : ", RMSE " + Rounded(difference.display_rmse, 4) + " / 255, largest difference " +
-                                    Rounded(bytes * difference.largest.value, 4) + " / 255");
+         (different == 0 ? ""
+                         : ", RMSE " + Rounded(difference.display_rmse, 4) + " / 255, largest difference " +
+                               Rounded(bytes * difference.largest.value, 4) + " / 255");
 }
 
 std::shared_ptr<const R2::Image> TracedPictures::Compared() const {
   if (comparing_ == Comparing::no || !reference_) return nullptr;
   if (comparing_ == Comparing::reference) return reference_light_;
+  if (ShowsFalseColors()) return InFalseColors().image;
   const auto light = Current();
   const R2::Image& reference = *reference_.image;
   if (!light || light->Width() != reference.Width() || light->Height() != reference.Height()) return nullptr;
@@ -169,6 +175,48 @@ std::shared_ptr<const R2::Image> TracedPictures::Compared() const {
       difference->Set(x, y, {std::abs(d.r), std::abs(d.g), std::abs(d.b)});
     }
   return difference;
+}
+
+const TracedPictures::FalseColors& TracedPictures::InFalseColors() const {
+  FalseColors now;
+  if (const RenderJob* job = IsLive() ? Live() : Trace()) {
+    now.number = IsLive() ? LiveNumber() : TraceNumber();
+    now.samples = job->Samples(), now.rows = job->RowsDone(), now.stride = job->Stride();
+    now.has_ended = job->HasEnded();
+  }
+  now.how = comparing_;
+  now.reference = reference_.image;
+  FalseColors& known = false_colors_;
+  if (known.number == now.number && known.samples == now.samples && known.rows == now.rows &&
+      known.stride == now.stride && known.has_ended == now.has_ended && known.how == now.how &&
+      known.reference == now.reference)
+    return known;
+  known = std::move(now);
+  const auto light = Current();
+  const R2::Image& reference = *reference_.image;
+  if (!light || light->Width() != reference.Width() || light->Height() != reference.Height()) return known;
+  const R2::Image current = reference_.Comparable(*light, encoding_);
+  const auto display = reference_.IsLight() && encoding_.srgb ? R2::Display::srgb : R2::Display::straight;
+  R2::Plane numbers = comparing_ == Comparing::flip
+                          ? R2::Flip(R2::Displayed(current, display), R2::Displayed(reference, display))
+                          : R2::DisplayDifference(current, reference, display);
+  known.largest = static_cast<double>(*std::ranges::max_element(numbers.values));
+  known.mean = R2::Mean(numbers);
+  if (comparing_ == Comparing::false_colors && known.largest > 0)
+    for (float& number : numbers.values) number /= static_cast<float>(known.largest);
+  known.image = std::make_shared<const R2::Image>(R2::RampImage(numbers));
+  return known;
+}
+
+std::string TracedPictures::ScaleOfComparison() const {
+  if (!reference_ || !ShowsFalseColors()) return {};
+  const FalseColors& shown = InFalseColors();
+  if (!shown.image) return {};
+  if (comparing_ == Comparing::flip)
+    return "FLIP, black 0, white 1: mean " + Rounded(shown.mean, 3) + ", largest " + Rounded(shown.largest, 3);
+  constexpr double bytes = 255;
+  return "largest difference of a channel, black 0, white " + Rounded(bytes * shown.largest, 3) + " / 255: mean " +
+         Rounded(bytes * shown.mean, 3) + " / 255";
 }
 
 }  // namespace ray

@@ -14,7 +14,11 @@ namespace ray {
 /// Either may be compared with a reference.
 class TracedPictures {
  public:
-  enum class Comparing { no, reference, difference };
+  /// reference     the reference itself
+  /// difference    |x - r|, channel by channel
+  /// false_colors  the largest difference of a channel as displayed, from black (0) to white (the largest of all)
+  /// flip          how different both look, from black (0) to white (1); R2::Flip
+  enum class Comparing { no, reference, difference, false_colors, flip };
 
   // The picture of key S.
   void StartTrace(std::shared_ptr<const LoadedScene> scene, const RenderSettings& settings);
@@ -80,6 +84,10 @@ class TracedPictures {
   std::string Comparison() const;
   /// The image shown instead of the current picture while comparing; null when none is.
   std::shared_ptr<const R2::Image> Compared() const;
+  /// What false colors stand for, in words; empty where none are shown.
+  std::string ScaleOfComparison() const;
+  /// Whether Compared has colors that stand for numbers.
+  bool ShowsFalseColors() const { return comparing_ == Comparing::false_colors || comparing_ == Comparing::flip; }
   /// Whether Compared is a difference of values that are encoded already.
   bool ShowsEncodedDifference() const { return comparing_ == Comparing::difference && !reference_.IsLight(); }
 
@@ -88,6 +96,16 @@ class TracedPictures {
 
  private:
   std::string EncodedComparison(const R2::Image& current) const;
+  /// False colors of the images as they are now. Made once for all that looks at them.
+  struct FalseColors {
+    std::uint64_t number = 0;  // of the job, and how far it was
+    int samples = -1, rows = -1, stride = -1;
+    bool has_ended = false;
+    Comparing how = Comparing::no;
+    std::shared_ptr<const R2::Image> reference, image;  // the latter null where both cannot be compared
+    double largest = 0, mean = 0;
+  };
+  const FalseColors& InFalseColors() const;
 
   JobQueue trace_, live_;
   bool has_reported_end_ = true, has_reported_live_end_ = true;
@@ -99,6 +117,7 @@ class TracedPictures {
   std::shared_ptr<const R2::Image> reference_light_;
   ByteEncoding encoding_;
   Comparing comparing_ = Comparing::no;
+  mutable FalseColors false_colors_;
 };
 
 }  // namespace ray

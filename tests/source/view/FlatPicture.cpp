@@ -1,5 +1,9 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
+#include "source/text/NumberText.h"
 #include "source/view/Viewer.h"
 #include "tests/source/view/ScriptedViewer.h"
 
@@ -59,6 +63,37 @@ TEST_F(ViewerTest, TheSliderShowsThePreviewOrTheReferenceBesideTheFlatPicture) {
   EXPECT_NE(viewer_->Show().seen_from.eye, eye);
   Do("key I");
   EXPECT_EQ(viewer_->Show().seen_from.eye, eye);
+}
+
+TEST_F(ViewerTest, TheSidesOfTheSliderHaveNames) {
+  const auto is_named = [&](const std::string& name) {
+    const auto labels = viewer_->Show().labels;
+    return std::ranges::count(labels, name, &Label::text) == 1;
+  };
+  Do("resize 400 300\nkey S\nwait trace\nkey I\ntick 10");
+  EXPECT_FALSE(is_named("image")) << "there is one side";
+  Do("drag left 399 100 200 100 Shift");
+  EXPECT_TRUE(is_named("image") && is_named("preview"));
+  Do("key R");
+  EXPECT_TRUE(is_named("image") && is_named("reference"));
+}
+
+TEST_F(ViewerTest, LargePixelsTellTheirValues) {
+  Do("resize 400 300\nkey S\nwait trace\nkey I\nscroll 10 200 150\ntick 10");
+  EXPECT_TRUE(viewer_->Show().labels.empty()) << "they have no room";
+  Do("scroll 10 200 150\ntick 10\nmove 200 150");
+  const auto labels = viewer_->Show().labels;
+  ASSERT_FALSE(labels.empty());
+  const auto x = static_cast<int>(viewer_->Pointer().x), y = static_cast<int>(viewer_->Pointer().y);
+  const R2::Color value = viewer_->Pictures().Trace()->frame().At(x, y);
+  // The three that are nearest to the middle of that pixel, from the top.
+  const PixelBox place = viewer_->Show().picture->place;
+  const double side = place.width / 400;
+  std::string told;
+  for (const Label& label : labels)
+    if (std::floor((label.x + 4 - place.left) / side) == x && std::floor((label.y + 8 - place.bottom) / side) == y)
+      told += label.text + " ";
+  EXPECT_EQ(told, Fixed(value.r, 2) + " " + Fixed(value.g, 2) + " " + Fixed(value.b, 2) + " ");
 }
 
 }  // namespace

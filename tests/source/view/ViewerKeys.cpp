@@ -44,6 +44,7 @@ TEST_F(ViewerTest, EveryKeyIsInTheHelpAndDoesSomething) {
       {"R", "key P\nwait trace"},
       {"Shift+R", "key P\nwait trace\nkey R"},
       {"D", "key P\nwait trace\nkey R"},
+      {"Shift+D", "key P\nwait trace\nkey R"},
   };
   const CopiedScenes folder;
   for (const Viewer::Binding& binding : Viewer::Bindings()) {

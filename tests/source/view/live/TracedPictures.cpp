@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <map>
@@ -9,6 +10,8 @@
 #include <thread>
 
 #include "R2/compare/Difference.h"
+#include "R2/compare/Flip.h"
+#include "source/text/NumberText.h"
 #include "source/view/live/JobStatus.h"
 #include "tests/source/view/ScriptedViewer.h"
 
@@ -140,6 +143,34 @@ TEST_F(ViewerTest, ComparingTellsTheDifferenceOfThePictures) {
   ASSERT_TRUE(shown.picture && shown.picture->image);
   EXPECT_NEAR(shown.picture->image->At(10, 10).r,
               std::abs(current->At(10, 10).r - viewer_->Pictures().Reference()->At(10, 10).r), 1e-6);
+}
+
+// Most differences are too dark to be seen as they are.
+TEST_F(ViewerTest, FalseColorsRunFromNoDifferenceToTheLargest) {
+  Do("key P\nwait trace\nkey R\nkey [\nwait trace\nkey Shift+D");
+  const auto current = viewer_->Pictures().Current(), reference = viewer_->Pictures().Reference();
+  const R2::Plane numbers = R2::DisplayDifference(*current, *reference, R2::Display::straight);
+  const float largest = *std::ranges::max_element(numbers.values);
+  const auto shown = viewer_->Show().picture->image;
+  double brightest = 0;
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) {
+      const double expected = static_cast<double>(numbers.Row(y)[x] / largest);
+      EXPECT_NEAR(Luminance(shown->At(x, y)), expected, 2e-3) << x << ' ' << y;
+      brightest = std::max(brightest, Luminance(shown->At(x, y)));
+    }
+  EXPECT_NEAR(brightest, 1, 2e-3);
+  EXPECT_NE(viewer_->Pictures().ScaleOfComparison().find(Rounded(255 * static_cast<double>(largest), 3)),
+            std::string::npos);
+  Do("key Control+Up");
+  EXPECT_EQ(viewer_->Show().picture->exposure.factor, 1) << "it changes light, not what stands for a number";
+  Do("key Shift+D");
+  const double mean = R2::Mean(
+      R2::Flip(R2::Displayed(*current, R2::Display::straight), R2::Displayed(*reference, R2::Display::straight)));
+  EXPECT_NE(viewer_->Pictures().ScaleOfComparison().find("mean " + Rounded(mean, 3)), std::string::npos);
+  Do("key R");  // now the image is its own reference
+  EXPECT_NE(viewer_->Pictures().ScaleOfComparison().find("mean 0,"), std::string::npos)
+      << viewer_->Pictures().ScaleOfComparison();
 }
 
 // A student was told of an error that was not there: the file that raypro writes is clamped and rounded.
