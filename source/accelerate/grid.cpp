@@ -7,6 +7,7 @@
 #include "R1/Elementary.h"
 #include "R1/Targets.h"
 #include "source/accelerate/wide/ClippedPrimitive.h"
+#include "source/text/Words.h"
 
 // Highway compiles this file once for each instruction set. What does not depend on that is included before.
 #undef HWY_TARGET_INCLUDE
@@ -77,8 +78,8 @@ struct Grid : wide::Tree {
     if (levels.empty()) return "no cells";
     const auto& count = levels[0].count;
     return std::to_string(count[0]) + " x " + std::to_string(count[1]) + " x " + std::to_string(count[2]) +
-           " cells and " + std::to_string(levels.size() - 1) + " grids inside them, " + std::to_string(blocks) +
-           " blocks of triangles";
+           " cells and " + Counted(levels.size() - 1, "grid") + " inside them, " +
+           Counted(static_cast<std::uint64_t>(blocks), "block") + " of triangles";
   }
 };
 

@@ -9,6 +9,7 @@
 #include "source/accelerate/NearestHit.h"
 #include "source/accelerate/twolevel/InstructionSet.h"
 #include "source/accelerate/twolevel/PrimitiveSet.h"
+#include "source/text/Words.h"
 
 /// What structures that test eight triangles at a time have in common.
 namespace ray {
@@ -94,7 +95,7 @@ class TwoLevelAccelerator : public Accelerator {
     for (std::size_t i = 0; i < two_level_.structures.size(); ++i) {
       const Structure& structure = two_level_.structures[i];
       lines.push_back((i == 0 ? std::string("the world") : "shared mesh " + std::to_string(i)) + ": " +
-                      std::to_string(structure.primitives.Size()) + " primitives, " + structure.Explain() + ", " +
+                      Counted(structure.primitives.Size(), "primitive") + ", " + structure.Explain() + ", " +
                       std::to_string(structure.Bytes()) + " bytes");
     }
     return lines;

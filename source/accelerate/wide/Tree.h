@@ -7,6 +7,7 @@
 
 #include "source/accelerate/HugeArray.h"
 #include "source/accelerate/twolevel/TwoLevel.h"
+#include "source/text/Words.h"
 
 /// The wide tree of boxes (as Embree's BVH8) as data. Everything in it is in single precision and only ever culls: it
 /// decides what not to test, never what is hit.
@@ -66,8 +67,9 @@ struct Tree {
     return *reinterpret_cast<const T*>(memory.Data() + Child::Index(child));
   }
   std::string Explain() const {
-    return std::to_string(nodes) + " nodes in " + std::to_string(depth) + " levels, " + std::to_string(blocks) +
-           " blocks of triangles";
+    return Counted(static_cast<std::uint64_t>(nodes), "node") + " in " +
+           Counted(static_cast<std::uint64_t>(depth), "level") + ", " +
+           Counted(static_cast<std::uint64_t>(blocks), "block") + " of triangles";
   }
   /// Levels of boxes: the root's, then those of its children, and so on.
   int BoxLevels() const { return Child::IsNothing(root) ? 0 : depth + 1; }
