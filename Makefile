@@ -86,7 +86,9 @@ FUZZ_CXX ?= clang++
 ABSENT := $(if $(filter yes,$(HAS_EXR)),,R2/image_files/exr.cpp) \
           $(patsubst %,source/view/contexts/%.cpp,$(filter-out $(CONTEXTS),glfw egl osmesa)) \
           $(if $(CONTEXTS),,source/view/gl/% source/view/contexts/% source/view/panels/% source/view/Viewer% \
-                            source/app/rayview/ViewSession.cpp source/app/rayview/PanelOptions.cpp tests/source/view/% bench/view.cpp)
+                            source/app/rayview/ViewSession.cpp source/app/rayview/PanelOptions.cpp \
+                            source/app/rayview/LoadingWindow.cpp tests/source/app/rayview/% tests/source/view/% \
+                            bench/view.cpp)
 # The .cpp files of a folder are compiled as one, since most of what compiling takes is their headers. These are not:
 # files that use the same local names in the same folder, since they are variations of one thing, and files that
 # Highway includes once for each instruction set. JUMBO=no compiles each file by itself.

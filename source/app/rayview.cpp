@@ -1,6 +1,7 @@
 // rayview shows a scene and traces what is seen. Its options are in OptionTable.cpp, beside raypro's.
 #include <algorithm>
 #include <filesystem>
+#include <future>
 #include <memory>
 #include <optional>
 #include <string>
@@ -13,6 +14,7 @@
 #include "source/app/Tasks.h"
 #include "source/app/options/CommandLine.h"
 #include "source/app/options/SceneSettings.h"
+#include "source/app/rayview/LoadingWindow.h"
 #include "source/app/rayview/ViewOutputs.h"
 #include "source/app/rayview/ViewSession.h"
 #include "source/app/report/Messages.h"
@@ -23,15 +25,17 @@
 namespace ray {
 namespace {
 
+/// Whether a user sees a window, and not a script.
+bool IsLookedAt(const ViewOptions& view) { return !view.headless && view.events.empty() && !view.exit_immediately; }
+
 /// The scene; or nothing, with the files that are to be looked at again, where a user who edits them can see in a
 /// window what is wrong.
 std::shared_ptr<const LoadedScene> SceneFor(const Options& asked, std::optional<SceneErrors>& mistakes) {
   try {
     return std::make_shared<const LoadedScene>(asked.files.scene, asked.parse, asked.accelerator);
   } catch (const SceneErrors& errors) {
-    const bool is_looked_at = !asked.view.headless && asked.view.events.empty() && !asked.view.exit_immediately;
     std::error_code ignored;
-    if (!is_looked_at || !std::filesystem::is_regular_file(asked.files.scene, ignored)) throw;
+    if (!IsLookedAt(asked.view) || !std::filesystem::is_regular_file(asked.files.scene, ignored)) throw;
     mistakes = errors;
     ParsedScene nothing;
     nothing.scene.files = {asked.files.scene};
@@ -46,13 +50,17 @@ int ViewScene(const Options& asked) {
   CheckMachine(asked.render, asked.accelerator);
   const ViewOutputs outputs = CheckViewOutputs(asked.files, asked.view, asked.render.width, asked.render.height);
   std::optional<SceneErrors> mistakes;
-  const auto scene = SceneFor(asked, mistakes);
+  auto loading = std::async(std::launch::async, [&] { return SceneFor(asked, mistakes); });
+  std::unique_ptr<Window> window;
+  if (IsLookedAt(asked.view) && HasWindows())
+    window = WindowUntilLoaded(loading, asked.render.width, asked.render.height, asked.files.scene);
+  const auto scene = loading.get();
   const Options options = WithSettingsOf(scene->parsed.scene, asked);
   RefuseInputs(outputs, scene->parsed.scene.files);
   TellAll(scene->parsed.warnings);
   TellAll(scene->world.Warnings());
   try {
-    return View(asked, options, outputs, scene, mistakes ? &*mistakes : nullptr);
+    return View(asked, options, outputs, scene, mistakes ? &*mistakes : nullptr, std::move(window));
   } catch (const ContextError&) {
     if (mistakes) throw *mistakes;  // there is no window to show them in
     throw;

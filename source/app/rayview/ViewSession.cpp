@@ -142,13 +142,13 @@ class Recorder {
 class Session : public ViewerHost {
  public:
   Session(const Options& asked, const Options& options, const ViewOutputs& outputs,
-          std::shared_ptr<const LoadedScene> scene)
+          std::shared_ptr<const LoadedScene> scene, std::unique_ptr<Window> window)
       : asked_(asked),
         options_(options),
         outputs_(outputs),
-        window_(options.view.headless ? nullptr
-                                      : MakeWindow(options.render.width, options.render.height,
-                                                   "rayview " + NameOfFile(options.files.scene))),
+        window_(options.view.headless || window ? std::move(window)
+                                                : MakeWindow(options.render.width, options.render.height,
+                                                             "rayview " + NameOfFile(options.files.scene))),
         offscreen_(options.view.headless ? MakeOffscreenContext(options.view.context) : nullptr),
         painter_(window_ ? Canvas::Target::window : Canvas::Target::own),
         drawer_(painter_),
@@ -432,9 +432,11 @@ class Session : public ViewerHost {
 }  // namespace
 
 int View(const Options& asked, const Options& options, const ViewOutputs& outputs,
-         std::shared_ptr<const LoadedScene> scene, const SceneErrors* mistakes) {
+         std::shared_ptr<const LoadedScene> scene, const SceneErrors* mistakes, std::unique_ptr<Window> window) {
   CatchInterrupts();
-  Session session(asked, options, outputs, std::move(scene));
+  // What the scene says of the image's size is known only now.
+  if (options.render.width != asked.render.width || options.render.height != asked.render.height) window.reset();
+  Session session(asked, options, outputs, std::move(scene), std::move(window));
   if (mistakes) session.Tell(*mistakes);
   return session.Run();
 }

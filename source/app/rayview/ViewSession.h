@@ -5,6 +5,7 @@
 #include "source/app/options/Options.h"
 #include "source/app/rayview/ViewOutputs.h"
 #include "source/view/LoadedScene.h"
+#include "source/view/contexts/Context.h"
 
 namespace ray {
 
@@ -12,9 +13,11 @@ namespace ray {
 ///   asked     what was typed; it is combined again with the settings of a scene that is read again
 ///   options   that, with the settings of this scene
 ///   mistakes  why the scene is not the file's, to be shown; null where it is
+///   window    to be shown in; null to open one where there is to be any
 ///   returns   an exit status
 /// Throws ContextError when there is nothing to draw with.
 int View(const Options& asked, const Options& options, const ViewOutputs& outputs,
-         std::shared_ptr<const LoadedScene> scene, const SceneErrors* mistakes = nullptr);
+         std::shared_ptr<const LoadedScene> scene, const SceneErrors* mistakes = nullptr,
+         std::unique_ptr<Window> window = nullptr);
 
 }  // namespace ray
