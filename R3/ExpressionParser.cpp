@@ -80,7 +80,7 @@ std::size_t ExpressionParser::Power() {
   const std::size_t base = Primary();
   if (!Takes('^')) return base;
   const std::size_t power = Add(Operation::power, base, 0, Exponent());
-  if (Next() == '^') throw ExpressionError(at_, 1, "two powers need brackets", "(x^2)^3");
+  if (Next() == '^') throw ExpressionError(at_, 1, "a power of a power needs brackets", "(x^2)^3");
   return power;
 }
 
@@ -110,7 +110,7 @@ std::size_t ExpressionParser::Primary() {
 std::size_t ExpressionParser::Number() {
   double number = 0;
   const auto [end, error] = std::from_chars(text_.data() + at_, text_.data() + text_.size(), number);
-  if (error != std::errc()) throw ExpressionError(at_, 1, "this is no number that fits a double");
+  if (error != std::errc()) throw ExpressionError(at_, 1, "this number does not fit a double");
   at_ = static_cast<std::size_t>(end - text_.data());
   return Add(Operation::number, 0, 0, number);
 }

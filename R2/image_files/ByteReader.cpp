@@ -91,7 +91,7 @@ int ByteReader::WholeNumber(const char* what, int least, int most) {
 }
 
 void ByteReader::OneSpace() {
-  if (!IsSpace(Byte("the header"))) Fail("header lacks white space where it has to have some");
+  if (!IsSpace(Byte("the header"))) Fail("header lacks required white space");
 }
 
 void ByteReader::SpaceBefore(std::uint64_t pixel_bytes) {

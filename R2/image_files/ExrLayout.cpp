@@ -187,8 +187,8 @@ ExrLayout ReadExrLayout(std::span<const unsigned char> bytes) {
   reader.Take(4, "the magic number");
   const std::uint32_t version = reader.Little32("the version");
   if ((version & 0xff) != 2) reader.Fail("has a version other than 2");
-  if (version & deep_flag) reader.Fail("has deep pixels, of several samples each; flat ones are read");
-  if (version & multipart_flag) reader.Fail("has several parts, each an image of its own; files of one part are read");
+  if (version & deep_flag) reader.Fail("has deep pixels (several samples each), which are not supported");
+  if (version & multipart_flag) reader.Fail("has several parts, which are not supported");
 
   ExrLayout layout;
   layout.is_tiled = version & tiled_flag;

@@ -105,7 +105,7 @@ int RenderOnePart(const Options& asked) {
   PartReader reader(options.render, options.files.picture, scene.identity);
   if (options.render.budget.seconds > 0 && !IsThere(PlanName(options.files.picture)))
     throw UsageError("-part with -time needs " + QuotedPath(PlanName(options.files.picture)) +
-                     ", which says since when time counts; -missing n writes it");
+                     ", which records when the render began; -missing n writes it");
   RenderState beginning = BeginningOf(reader, options, name);
   const auto accelerator = BuildAccelerator(world, options.accelerator, options.render);
 

@@ -40,7 +40,7 @@ void LimitThreads(const std::string& program) {
   const int usual = tbb::info::default_concurrency(), threads = ThreadsAvailable(usual);
   if (threads == usual) return;
   PrintError(program + "warning: the system allows " + Counted(static_cast<std::uint64_t>(threads), "thread") +
-             " instead of " + std::to_string(usual) + "; going on with that");
+             " instead of " + std::to_string(usual) + "; continuing with that");
   // To the very end: once it is gone, oneTBB would make the threads that it then may.
   static const auto* const limit =
       new tbb::global_control(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));

@@ -43,7 +43,7 @@ Files::Files(const std::string& top_scene, const std::vector<std::string>& allow
     auto root = CanonicalFolder(folder);
     // Else it would be allowed without a word, and its files be refused.
     if (!root) throw FileError{"-allow_path " + QuotedPath(folder) + ": there is no such folder", {}};
-    if (!fs::is_directory(*root)) throw FileError{"-allow_path " + QuotedPath(folder) + ": it is no folder", {}};
+    if (!fs::is_directory(*root)) throw FileError{"-allow_path " + QuotedPath(folder) + ": it is not a folder", {}};
     roots_.push_back(std::move(*root));
   }
 }

@@ -139,7 +139,7 @@ class MaterialMaker {
     for (MtlMaterial& material : ReadMtl(text, report_)) {
       const std::string name = material.name, place = material.place;
       const bool is_new = known_.insert_or_assign(name, LibraryMaterial{std::move(material), file.shown}).second;
-      if (!is_new) report_.Warn(place, "material " + Quoted(name) + " is defined again; this one counts");
+      if (!is_new) report_.Warn(place, "material " + Quoted(name) + " is defined again; the last definition is used");
     }
   }
 

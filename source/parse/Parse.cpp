@@ -82,9 +82,9 @@ const SceneFormat& FormatByKeys(const std::vector<const SceneFormat*>& candidate
   }
   if (fitting.size() == 1) return *fitting.front();
   throw ErrorIn(document.Source().name,
-                fitting.empty() ? "no scene of a known format: it has none of their keys at the top"
-                                : "keys of several formats at the top",
-                known + "; -format name decides");
+                fitting.empty() ? "unknown scene format: it has none of the known top-level keys"
+                                : "ambiguous scene format: it has top-level keys of several",
+                known + "; -format name chooses one");
 }
 
 /// The extension of the scene. Standard input is in this program's own language, unless -format says otherwise.
@@ -164,7 +164,7 @@ void SetAngle(Camera& camera, double fov) {
 void Change(Camera& camera, const CameraChange& change, Report& report, const std::string& file) {
   const R3::Point eye = change.eye.value_or(camera.eye);
   if (change.target && *change.target == eye)
-    throw FileError{"the camera would stand at the point that -target names", "-eye moves it"};
+    throw FileError{"the camera is at the point given by -target", "-eye moves it"};
   if (change.eye || change.target || change.up) {
     AimedCamera aimed = Aim(eye, change.target ? *change.target - eye : camera.towards, change.up.value_or(camera.up));
     if (aimed.up_was_replaced)

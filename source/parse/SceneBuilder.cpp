@@ -51,21 +51,21 @@ std::optional<CsgFault> SceneBuilder::FaultOfCsg(const Node& node) {
   if (node.operation && open_operations >= most_operations)
     return CsgFault{"csg is nested deeper than 1000 levels", "a union takes any number of solids"};
   if (!IsBlack(MaterialOf(node.material).emission))
-    return CsgFault{"what csg combines cannot emit light, and its material does", "emission of 0 0 0 does not"};
+    return CsgFault{"solids of a csg cannot emit light, but this material does", "emission of 0 0 0 does not"};
   if (MaterialOf(node.material).has_vertex_colors)
-    return CsgFault{"what csg combines shows no colors of vertices, and its material asks for them",
+    return CsgFault{"solids of a csg cannot have vertex colors, but this material uses them",
                     "a material without vertex_colors"};
-  if (node.line) return CsgFault{"csg combines solids, and a line is none", ""};
+  if (node.line) return CsgFault{"csg combines solids, but this is a line", ""};
   if (!node.shape) return {};
   const auto* mesh = dynamic_cast<const R3::Mesh*>(node.shape.get());
   if (!mesh) {
     if (node.shape->IsBounded() && node.shape->IsSolid()) return {};
-    return CsgFault{"csg combines closed solids, and this shape is none", "a thin box has an inside"};
+    return CsgFault{"csg combines closed solids, but this shape is not closed", "a thin box has an inside"};
   }
   const auto [known, is_new] = are_closed.try_emplace(mesh, false);
   if (is_new) known->second = mesh->IsClosed();
   if (known->second) return {};
-  return CsgFault{"csg combines closed solids, and this mesh is open or turned inside out",
+  return CsgFault{"csg combines closed solids, but this mesh is open or inside out",
                   "every edge needs two triangles, their fronts outward"};
 }
 

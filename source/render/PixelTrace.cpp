@@ -56,7 +56,7 @@ class TreeWriter {
     for (; i < trace_.samples.size() && !trace_.samples[i].HasRay(); ++i) {
       const CameraSample& taken = trace_.samples[i];
       text_ += "sample " + std::to_string(i + 1) + " at " + text_of_(taken.x) + " " + text_of_(taken.y) +
-               ": outside of what the camera sees, so black without a ray\n";
+               ": outside the camera's view, so it is black and no ray is traced\n";
     }
     return i;
   }

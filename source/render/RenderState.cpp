@@ -273,7 +273,7 @@ RenderState DecodedState(std::span<const unsigned char> bytes, const std::string
   if (theirs != identity) {
     const std::string difference = FirstDifference(theirs, identity);
     const bool is_scene = difference.starts_with("scene ");  // whose hash would tell nobody anything
-    throw OtherImageError(is_scene ? "the checkpoint is of another scene"
+    throw OtherImageError(is_scene ? "the checkpoint belongs to a different scene"
                                    : "the checkpoint was made with " + difference);
   }
   RenderState state;
@@ -298,7 +298,7 @@ void CheckPlan(const RenderState& state, const RenderSettings& settings) {
     throw CheckpointError("the checkpoint is of " + std::to_string(due) + " samples per pixel, more than -samples " +
                           std::to_string(now) + ": samples can be added, not taken away");
   const auto refuse = [&](const std::string& why) {
-    throw CheckpointError("the checkpoint's samples were laid out for " + std::to_string(then) + " per pixel, not " +
+    throw CheckpointError("the checkpoint's samples were planned for " + std::to_string(then) + " per pixel, not " +
                           std::to_string(now) + ": " + why);
   };
   if (std::min(then, now) == 1) refuse("a single sample is in the middle of its pixel, the first of several is not");
@@ -306,7 +306,7 @@ void CheckPlan(const RenderState& state, const RenderSettings& settings) {
   const SamplerKind sampler = settings.trace.sampler;
   if (sampler == SamplerKind::stratified || IsGrid(sampler))
     refuse(std::string("the ") + sampler_names[static_cast<std::size_t>(sampler)] +
-           " sampler lays all samples out beforehand");
+           " sampler plans all samples in advance");
   if (settings.filter == FilterKind::box) return;
   // A filter that spreads samples adds up the pixels of a block step by step.
   for (const Film::Block& block : state.blocks)

@@ -49,8 +49,8 @@ TEST(Expression, MistakesAreWhereTheyAre) {
   EXPECT_EQ(FaultOf("min(x)"), "5+1: ',' is missing here");
   EXPECT_EQ(FaultOf("x^1.5"), "2+3: an exponent must be a whole number up to 64");
   EXPECT_EQ(FaultOf("x^y"), "2+1: an exponent must be a whole number up to 64");
-  EXPECT_EQ(FaultOf("x^2^3"), "3+1: two powers need brackets");
-  EXPECT_EQ(FaultOf("1e999"), "0+1: this is no number that fits a double");
+  EXPECT_EQ(FaultOf("x^2^3"), "3+1: a power of a power needs brackets");
+  EXPECT_EQ(FaultOf("1e999"), "0+1: this number does not fit a double");
 }
 
 TEST(Expression, EndlessOnesAreRefused) {

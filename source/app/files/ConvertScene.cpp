@@ -31,7 +31,7 @@ OutputFile CheckMesh(const fs::path& file, const std::string& content, std::span
   std::ifstream there(output.target, std::ios::binary);
   if (there && std::string(std::istreambuf_iterator<char>(there), {}) != content)
     throw OutputError(QuotedPath(file.string()) +
-                      " is there already, with something else in it; remove it, or give the scene another name");
+                      " already exists with different content; remove it, or give the scene another name");
   return output;
 }
 
@@ -40,15 +40,14 @@ void TellOfText(const ScnText& text, const std::string& name, bool quiet) {
   for (const std::string& what : text.warnings) PrintError(warning + what);
   if (quiet) return;
   for (const std::string& folder : text.other_folders)
-    PrintError(warning + "it names files outside its folder; -allow_path " + Escaped(folder) +
-               " lets them be read, wherever it is read from");
+    PrintError(warning + "it names files outside its folder; -allow_path " + Escaped(folder) + " allows reading them");
 }
 
 }  // namespace
 
 OutputFile CheckScnOutput(const std::string& name, const std::string& scene) {
   if (LowerCase(fs::path(name).extension().string()) != ".scn")
-    throw UsageError("-convert " + Quoted(name) + ": a scene is written as .scn, and the name must say so");
+    throw UsageError("-convert " + Quoted(name) + ": scenes are written as .scn, so the name must end in .scn");
   const std::string inputs[] = {scene};
   return CheckOutput(name, inputs);
 }

@@ -53,7 +53,7 @@ void RefuseOwnFile(const OutputFile& report, const FileOptions& files) {
   for (const Layer layer : files.layers) names.push_back(NameBeside(files.picture, NameOf(layer)));
   for (const std::string& name : names)
     if (report.target.lexically_normal() == std::filesystem::path(name).lexically_normal())
-      throw UsageError("the report cannot be " + Quoted(report.name) + ": the render has a file of that name");
+      throw UsageError("the report cannot be " + Quoted(report.name) + ": the render writes a file of that name");
 }
 
 }  // namespace

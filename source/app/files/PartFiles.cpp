@@ -102,12 +102,12 @@ double SecondsTitled(const std::string& title) {
   double seconds = 0;
   const auto [stop, error] = std::from_chars(begin, end, seconds);
   if (!is_plan || error != std::errc() || std::string_view(stop, end) != " s" || !(seconds >= 0))
-    throw CheckpointError("it is no plan of a round");
+    throw CheckpointError("it is not a plan of a round");
   return seconds;
 }
 
 [[noreturn]] void RefusePart(const std::string& name, const std::string& why) {
-  throw SceneErrors({ErrorIn(name, "cannot use it for this image: " + why)});
+  throw SceneErrors({ErrorIn(name, "cannot be used for this image: " + why)});
 }
 
 }  // namespace
@@ -138,8 +138,8 @@ const std::vector<int>& PartReader::PartsOf(int of) {
 RenderState PartReader::Decoded(std::span<const unsigned char> bytes) const {
   RenderState state = DecodedState(bytes, identity_, film_);
   if (state.planned_samples != PlannedSamples(settings_))
-    throw OtherImageError("its samples were laid out for " + std::to_string(state.planned_samples) +
-                          " per pixel, not " + std::to_string(PlannedSamples(settings_)));
+    throw OtherImageError("its samples were planned for " + std::to_string(state.planned_samples) + " per pixel, not " +
+                          std::to_string(PlannedSamples(settings_)));
   CheckState(state, film_, settings_);
   return state;
 }
@@ -148,7 +148,7 @@ std::optional<PartFile> PartReader::Read(const std::string& name) {
   try {
     const Unpacked unpacked = UnpackedFrom(Contents(name));
     const auto part = PartTitled(unpacked.title);
-    if (!part) throw CheckpointError("it is no part of an image");
+    if (!part) throw CheckpointError("it is not a part of an image");
     PartFile file{*part, Decoded(unpacked.bytes)};
     CheckPart(file.state, part->index, PartsOf(part->of));
     return file;

@@ -193,7 +193,7 @@ void CheckPixelIsInPicture(const Options& options) {
 
 void CheckView(const ViewOptions& view) {
   if (view.context != ViewOptions().context && !view.headless)
-    throw UsageError("-context has no effect without -headless; a window has its own");
+    throw UsageError("-context has no effect without -headless; a window has its own context");
 }
 
 void CheckContradictions(const Options& options) {

@@ -11,8 +11,8 @@
 namespace ray {
 namespace {
 
-constexpr const char* name_image = "the image is named behind the scene: raypro scene.scn out.png";
-constexpr const char* name_scene = "the scene is named without an option: raypro scene.scn out.png";
+constexpr const char* name_image = "the image's name follows the scene's: raypro scene.scn out.png";
+constexpr const char* name_scene = "the scene needs no option: raypro scene.scn out.png";
 constexpr const char* of_comp30019 =
     "raypro scene.scn out.png names both; '-as comp30019' before all else takes that course's options";
 constexpr const char* by_extension = "the extension of the image's name chooses its format";

@@ -91,14 +91,14 @@ bool Names(const std::string& message, const std::string& option) {
 
 void CheckLens(const Camera& camera, const Options& options) {
   if (options.render.camera.HasLens() && !camera.kind->has_lens)
-    throw UsageError("-aperture has no meaning with -projection " + std::string(camera.kind->name) +
+    throw UsageError("-aperture has no effect with -projection " + std::string(camera.kind->name) +
                      ", which has no lens");
 }
 
 void CheckFlare(const Camera& camera, const Options& options) {
   if (options.render.flare > 0 && !camera.IsPinhole())
-    throw UsageError("-flare has no meaning with -projection " + std::string(camera.kind->name) +
-                     ": it belongs to the lenses of a pinhole's image");
+    throw UsageError("-flare has no effect with -projection " + std::string(camera.kind->name) +
+                     "; only a pinhole camera's image has lens flares");
 }
 
 /// Settings that contradict each other are the scene's mistake where it makes all of them, and told at the first;

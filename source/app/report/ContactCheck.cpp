@@ -58,7 +58,7 @@ void AddPairsInOnePlane(std::vector<std::string>& mistakes, const World& world, 
   mistakes.push_back(PlaceOf(world, world.Instances()[second]) +
                      ": warning: this shape lies in one plane with that of " +
                      PlaceOf(world, world.Instances()[first]) +
-                     ", which comes first and hides it; they have different materials" + AndMore(pairs.size()));
+                     ", which comes first in the file and hides it; their materials differ" + AndMore(pairs.size()));
 }
 
 /// Reports lights that only the inside of a shape sees: those without extent, since others are seen where they stick
@@ -76,7 +76,7 @@ void AddLightsInSolids(std::vector<std::string>& mistakes, const World& world) {
   }
   if (count == 0) return;
   mistakes.push_back((world.scene().files.empty() ? "scene" : Escaped(world.scene().files[0])) + ": warning: the " +
-                     first + " is inside of a shape that light does not leave" + AndMore(count));
+                     first + " is inside a shape that no light leaves" + AndMore(count));
 }
 
 bool IsOpenGlass(const Instance& instance) {
@@ -95,7 +95,8 @@ void AddGlassOfOneSide(std::vector<std::string>& mistakes, const World& world) {
   const auto first = std::ranges::find_if(instances, is_glass);
   if (first == instances.end()) return;
   mistakes.push_back(PlaceOf(world, *first) +
-                     ": warning: this surface is clear or absorbs, but has one side: what enters it does not leave" +
+                     ": warning: this surface is transparent or absorbing, but one-sided: light that enters never "
+                     "leaves" +
                      AndMore(static_cast<std::size_t>(std::ranges::count_if(instances, is_glass))));
 }
 
@@ -151,11 +152,12 @@ std::string ContradictionOf(const World& world, const Instance& first, const Ins
     const Instance &lower = a.priority < b.priority ? first : second, &higher = &lower == &first ? second : first;
     if (!IsWithin(world, lower, higher)) return {};
     return PlaceOf(world, lower) + ": warning: this solid lies inside that of " + PlaceOf(world, higher) +
-           ", whose material has a higher priority and fills the place: nothing of it is seen";
+           ", whose material has a higher priority: nothing of it is seen";
   }
   if (a.ir == b.ir || !Overlap(world, first, second)) return {};
   return PlaceOf(world, second) + ": warning: this solid and that of " + PlaceOf(world, first) +
-         " overlap, refract differently and have the same priority; the one that comes first fills the place, unless a "
+         " overlap, refract differently and have the same priority; the one that comes first fills the overlap, unless "
+         "a "
          "priority says otherwise";
 }
 

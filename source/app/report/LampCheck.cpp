@@ -156,18 +156,18 @@ std::string DifferenceOfModes(const World& world, const RenderSettings& settings
   const ModeLight path = LightOfPath(world, places, around, counts_solids),
                   whitted = LightOfWhitted(world, places, around, settings.trace);
   if (scene.has_default_lights && whitted.all > 2 * path.all)
-    return "the scene names no light: two default lights shine in mode whitted, where it is " +
-           Times(whitted.all / path.all) + " as bright as in mode path, where only what emits lights it";
+    return "the scene has no lights: in mode whitted two default lights make it " + Times(whitted.all / path.all) +
+           " as bright as in mode path, where only its emissive surfaces light it";
   if (whitted.IsTwice(path))
     return "lamps light the scene " + Times(whitted.lamps / path.lamps) +
-           " as strongly in mode whitted, where each has its full color whatever its size and distance, as in mode "
-           "path, where emission is a radiance; -emission color makes mode path do as whitted does";
+           " as strongly in mode whitted, where each has its full color at any size and distance, as in mode path, "
+           "where emission is a radiance; -emission color makes mode path agree with whitted";
   if (path.IsTwice(whitted) && whitted.lamps == 0)
-    return "what emits lights the scene in mode path only; with -emissive_solids on it does in mode whitted too";
+    return "emissive solids light the scene in mode path only; with -emissive_solids on they do in mode whitted, too";
   if (path.IsTwice(whitted))
     return "lamps light the scene " + Times(path.lamps / whitted.lamps) +
-           " as strongly in mode path, where everything that emits is a lamp, as in mode whitted; -emissive_solids on "
-           "adds those that mode whitted leaves out";
+           " as strongly in mode path, where every emissive surface is a lamp, as in mode whitted; -emissive_solids on "
+           "adds the lamps that mode whitted leaves out";
   return {};
 }
 

@@ -117,14 +117,14 @@ std::optional<Replay> ReadReplay(const RunStats& run) {
   if (file.empty()) return {};
   try {
     const Json report = ReadReport(file);
-    if (report.at("scene").at("hash") != run.scene.hash) throw UsageError("the report is of another scene");
+    if (report.at("scene").at("hash") != run.scene.hash) throw UsageError("the report belongs to a different scene");
     RequireSameSettings(report.at("settings"), run);
     RequireSameDenoiser(report, run.options.render.denoiser);
     Replay replay = SamplesOf(report, file);
     RequireSamplesOfAllBlocks(replay, file, run.options.render);
     return replay;
   } catch (const Json::parse_error& error) {
-    throw Refusal(file, "it is not JSON, by its byte " + std::to_string(error.byte));
+    throw Refusal(file, "it is not JSON: syntax error at byte " + std::to_string(error.byte));
   } catch (const Json::exception&) {
     throw Refusal(file, "it is not a report that -report has written");
   }

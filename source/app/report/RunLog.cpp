@@ -71,11 +71,11 @@ std::vector<std::string> ExplainRender(const World& world, const RunStats& stats
       settings += " -" + std::string(option.name) + " " + stats.options.Show(option);
   lines.push_back("all settings:" + settings);
   if (stats.options.render.crop) lines.push_back(CropLine(stats.options.render));
-  if (world.scene().has_default_camera) lines.emplace_back("the scene names no camera: the default one is used");
+  if (world.scene().has_default_camera) lines.emplace_back("the scene has no camera: the default camera is used");
   if (world.scene().has_default_lights) {
     const bool is_lit_by_itself = stats.options.render.mode == RenderMode::path && LightsOfPath(world).empty();
-    lines.emplace_back(is_lit_by_itself ? "the scene names no light: what emits lights it"
-                                        : "the scene names no light: the default ones shine");
+    lines.emplace_back(is_lit_by_itself ? "the scene has no lights: its emissive surfaces light it"
+                                        : "the scene has no lights: the default lights are used");
   }
   for (const std::string& line : stats.scene.settings) lines.push_back("set by the scene: " + line);
   return lines;
@@ -87,8 +87,8 @@ std::string ExplainParts(const RunStats& stats) {
   constexpr double most_overhead = 0.05;
   const double again = stats.seconds.load + stats.seconds.build;
   const double parts = again > 0 ? most_overhead * stats.seconds.render / again : most_image_parts;
-  return "parts: each reads and builds for " + Rounded(again, 2) + " s again; " +
-         (parts < 2 ? "two of them already lose more than 5% to that"
+  return "parts: each repeats " + Rounded(again, 2) + " s of reading and building; " +
+         (parts < 2 ? "even two of them lose more than 5% to that"
                     : "up to " + Rounded(std::floor(std::min<double>(parts, most_image_parts)), 7) +
                           " lose less than 5% to that");
 }

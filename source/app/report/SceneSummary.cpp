@@ -44,7 +44,7 @@ std::string BoundsText(const R3::Box& box) {
 std::string LightLines(const World& world, RenderMode mode) {
   const Scene& scene = world.scene();
   if (scene.has_default_lights && mode == RenderMode::path && LightsOfPath(world).empty())
-    return Line("lights", "0 (the scene names none, and what emits lights it)");
+    return Line("lights", "0 (the scene has none; emissive surfaces light it)");
   const auto emitting = static_cast<std::uint64_t>(std::ranges::count_if(world.Instances(), &Instance::Emits));
   const std::string lamps =
       emitting > 0 ? ", and " + Counted(emitting, "shape") + " that emit" + (emitting == 1 ? "s" : "") : "";

@@ -92,7 +92,7 @@ void ReadMotion(ScnReader& reader, Statement& statement) {
   Node* group = reader.InnermostGroup();
   if (!group) statement.Error(statement.CommandWord(), "motion is only allowed inside a group, between begin and end");
   if (reader.Builder().IsInCsg())
-    return statement.Error(statement.CommandWord(), "what csg combines cannot move by itself",
+    return statement.Error(statement.CommandWord(), "solids of a csg cannot move on their own",
                            "motion of a group around all of the csg moves it");
   if (group && statement.IsGood()) group->motion = {read.values[0], read.values[1], read.values[2]};
 }

@@ -49,8 +49,8 @@ TEST(Convert, NonsenseIsRefusedWithTheReason) {
   } cases[] = {
       {{"-convert"}, "-convert needs a value"},
       {{"-convert", out}, "no scene is named"},
-      {{"-convert", place / "out.yaml", scene}, "a scene is written as .scn"},
-      {{"-convert", place / "out", scene}, "a scene is written as .scn"},
+      {{"-convert", place / "out.yaml", scene}, "scenes are written as .scn"},
+      {{"-convert", place / "out", scene}, "scenes are written as .scn"},
       {{"-convert", place / "no/out.scn", scene}, "does not exist"},
       {{"-convert", out, place / "absent.scn"}, "no such file"},
       {{"-convert", out, scene, "picture.png"}, "-convert writes no image"},
@@ -90,7 +90,7 @@ TEST(Convert, AMeshTakesNoFileFromItsPlace) {
   WriteFile(place / meshes[0], "mine\n");
   const Finished done = RunProgram({"-convert", place / "out.scn", scene});
   EXPECT_EQ(done.status, 4);
-  EXPECT_TRUE(Has(done.error, "is there already, with something else in it")) << done.error;
+  EXPECT_TRUE(Has(done.error, "already exists with different content")) << done.error;
   EXPECT_EQ(ReadFile(place / meshes[0]), "mine\n");
 }
 

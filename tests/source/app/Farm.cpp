@@ -187,7 +187,7 @@ TEST(Farm, PartsOfAnotherImageAreRefusedByName) {
     const char* reason;
   } cases[] = {
       {{"-samples", "4", "-seed", "4"}, "made with -seed 3"},
-      {{"-samples", "8", "-seed", "3"}, "laid out for 4 per pixel, not 8"},
+      {{"-samples", "8", "-seed", "3"}, "planned for 4 per pixel, not 8"},
       {{"-samples", "4", "-seed", "3", "-filter", "gaussian"}, "made with -filter box"},
       {{"-samples", "4", "-seed", "3", "-mode", "path"}, "made with -mode whitted"},
   };
@@ -205,7 +205,7 @@ TEST(Farm, PartsOfAnotherImageAreRefusedByName) {
   WriteFile(place.Scene(), soft_scene + "sphere -1  0 9 0  .1\n");
   const Finished done = place.Assemble(more);
   EXPECT_EQ(done.status, 3);
-  EXPECT_TRUE(Has(done.error, "of another scene")) << done.error;
+  EXPECT_TRUE(Has(done.error, "a different scene")) << done.error;
 }
 
 TEST(Farm, PartsOfAnotherDivisionOrMachineTypeAreRefusedByName) {

@@ -59,8 +59,8 @@ TEST(Resume, RefusesWhatWouldNotBeThePictureOfOneRun) {
     const char* reason;
   } cases[] = {
       {{"-samples", "4"}, {"-samples", "2"}, "samples can be added, not taken away"},
-      {{"-samples", "4", "-sampler", "stratified"}, {"-samples", "8", "-sampler", "stratified"}, "beforehand"},
-      {{"-samples", "4", "-sampler", "grid"}, {"-samples", "9", "-sampler", "grid"}, "beforehand"},
+      {{"-samples", "4", "-sampler", "stratified"}, {"-samples", "8", "-sampler", "stratified"}, "in advance"},
+      {{"-samples", "4", "-sampler", "grid"}, {"-samples", "9", "-sampler", "grid"}, "in advance"},
       {{"-samples", "6", "-filter", "mitchell"}, {"-samples", "8", "-filter", "mitchell"}, "1, 2, 4, ... 64, 128"},
       {{"-samples", "4", "-error", "100"}, {"-samples", "8", "-error", "100"}, "with -error"},
       {{"-samples", "4"}, {"-samples", "8", "-seed", "3"}, "-seed 0"},
@@ -81,7 +81,7 @@ TEST(Resume, RefusesWhatWouldNotBeThePictureOfOneRun) {
   WriteFile(scene, soft_shadow + std::string("sphere -1  0 9 0  .1\n"));
   const Finished other = RenderWith(scene, picture, {"-samples", "4", "-resume"});
   EXPECT_EQ(other.status, 3);
-  EXPECT_TRUE(Has(other.error, "cannot resume: the checkpoint is of another scene\n")) << other.error;
+  EXPECT_TRUE(Has(other.error, "cannot resume: the checkpoint belongs to a different scene\n")) << other.error;
 }
 
 /// A render of some seconds, and what it leaves when a signal ends it after half of one.

@@ -300,7 +300,7 @@ TEST(Replay, RefusesAnotherSceneOtherSettingsAndWhatIsNoReport) {
   WriteFile(place / "in.scn", soft_scene + "sphere -1  3 0 0  0.1\n");
   const Finished other = place.Run("c.ppm", {"-replay", place / "r.json"});
   EXPECT_NE(other.status, 0);
-  EXPECT_TRUE(Has(other.error, "another scene")) << other.error;
+  EXPECT_TRUE(Has(other.error, "different scene")) << other.error;
   EXPECT_EQ(place.Others({"in.scn", "a.ppm", "b.ppm", "r.json", "bad.json"}), List{});
 }
 

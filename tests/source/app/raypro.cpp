@@ -153,7 +153,7 @@ TEST(Raypro, OptionsOfTheCameraTakeThePlaceOfTheScenesAndAreReplayed) {
   const Finished inside =
       RunProgram({place / "asked.scn", place / "e.ppm", "-eye", "1", "1", "1", "-target", "1", "1", "1"});
   EXPECT_EQ(inside.status, 3);
-  EXPECT_TRUE(Has(inside.error, "the camera would stand at the point that -target names")) << inside.error;
+  EXPECT_TRUE(Has(inside.error, "the camera is at the point given by -target")) << inside.error;
 }
 
 TEST(Raypro, RendersSeveralScenesIntoAFolderAndOneThatFailsStopsNoOther) {
@@ -313,8 +313,8 @@ TEST(Raypro, SaysHowManySamplesItTakesWhereThatAreNotThoseAskedFor) {
   };
   const std::string no_effect = "-samples has no effect with -time or -error unless it is 2 or more";
   EXPECT_TRUE(Has(warnings({"-samples", "1", "-error", "8"}), no_effect));
-  EXPECT_TRUE(
-      Has(warnings({"-samples", "3", "-denoise"}), "-samples 3: the error estimate compares two halves of the samples, so 2 are"));
+  EXPECT_TRUE(Has(warnings({"-samples", "3", "-denoise"}),
+                  "-samples 3: the error estimate compares two halves of the samples, so 2 are"));
   EXPECT_FALSE(Has(warnings({"-samples", "3"}), "-samples"));
   EXPECT_FALSE(Has(warnings({"-samples", "4", "-error", "8"}), "-samples"));
 }

@@ -77,14 +77,14 @@ TEST(CsgOfObjects, WhatCannotBeCombinedIsAnErrorAtItsPlace) {
   };
   EXPECT_TRUE(Contains(
       report("groningen", Groningen("", "{'type': 'plane', 'position': [0, 0, 0], 'normal': [0, 1, 0], " + look + "}")),
-      "csg combines closed solids, and this shape is none"));
+      "csg combines closed solids, but this shape is not closed"));
   EXPECT_TRUE(
       Contains(report("cs315", Cs315("", "{'shape': 'Sphere', 'center': [0, 0, 0], 'radius': 1, 'material': 1}")),
-               "what csg combines cannot emit light"));
+               "solids of a csg cannot emit light"));
   EXPECT_TRUE(Contains(
       report("cs315",
              Cs315("", "{'shape': 'Sphere', 'center': [0, 0, 0], 'radius': 1, 'material': 0, 'velocity': [1, 0, 0]}")),
-      "what csg combines cannot move by itself"));
+      "solids of a csg cannot move on their own"));
   std::string misspelled = Groningen("");
   misspelled.replace(misspelled.find("difference"), 10, "diference");
   EXPECT_TRUE(Contains(report("groningen", misspelled), "did you mean 'difference'?"));

@@ -39,7 +39,7 @@ TEST(Files, AFolderThatIsAllowedIsThere) {
   const Folder folder;
   const std::string file = folder.Write("a.off", "top").string(), none = (folder / "none").string();
   EXPECT_EQ(ErrorOf([&] { Files("x.scn", {none}); }), "-allow_path '" + none + "': there is no such folder");
-  EXPECT_EQ(ErrorOf([&] { Files("x.scn", {file}); }), "-allow_path '" + file + "': it is no folder");
+  EXPECT_EQ(ErrorOf([&] { Files("x.scn", {file}); }), "-allow_path '" + file + "': it is not a folder");
   EXPECT_EQ(ErrorOf([&] { Files("x.scn", {(folder / ".").string()}); }), "(none)");
 }
 

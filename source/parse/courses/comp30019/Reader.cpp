@@ -217,7 +217,7 @@ void Reader::AddModel(Line& line, const Token& file, const R3::Point& offset, do
     model.bounds = boxed.bounds;
   } catch (const FileError& error) {
     line.Error(file, error.message,
-               error.hint.empty() ? "looked in the current folder, the scene's, and that one's parent" : error.hint);
+               error.hint.empty() ? "searched the current folder, the scene's folder and its parent" : error.hint);
   } catch (SceneError& error) {
     error.included_from.push_back(text_.name + ":" + std::to_string(file.line));
     report_.Error(std::move(error));

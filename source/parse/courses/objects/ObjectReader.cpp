@@ -86,7 +86,7 @@ bool ObjectReader::MayAdd(Mapping& object, const Node& node, const R3::Vector& m
   if (!builder_.IsInCsg() && !node.operation) return true;
   auto fault = builder_.FaultOfCsg(node);
   if (!fault && builder_.IsInCsg() && !(motion == R3::Vector{}))
-    fault = CsgFault{"what csg combines cannot move by itself", "velocity of all of the csg moves it"};
+    fault = CsgFault{"solids of a csg cannot move on their own", "velocity of all of the csg moves it"};
   if (fault) report_.Error(object.What(), std::string(": ") + fault->message, fault->hint);
   return !fault;
 }

@@ -347,7 +347,7 @@ TEST(CommandLine, HWithANumberWasToBeAHeight) {
 
 // "./+name" is a file.
 TEST(CommandLine, APlusBeginsAnOptionOfPovRay) {
-  EXPECT_TRUE(Has(ErrorOf({"+Iscene.pov", "+Oout.png"}), "unknown option '+Iscene.pov'; the scene is named"));
+  EXPECT_TRUE(Has(ErrorOf({"+Iscene.pov", "+Oout.png"}), "unknown option '+Iscene.pov'; the scene needs no option"));
   EXPECT_EQ(Parsed({"./+a.scn", "+1.png"}).files.picture, "+1.png");
   EXPECT_EQ(Parsed({"--", "+a.scn", "+b.png"}).files.scene, "+a.scn");
 }
@@ -500,7 +500,7 @@ TEST(CommandLine, RayviewRefusesWhatCannotBeMeant) {
   EXPECT_EQ(ErrorOf({"a", "b"}, rayview), "unexpected extra argument 'b' (usage: rayview scene [options])");
   EXPECT_EQ(ErrorOf({"a", "-version"}, rayview), "unexpected extra argument 'a'");
   EXPECT_EQ(ErrorBeside({"-context", "egl"}, rayview),
-            "-context has no effect without -headless; a window has its own");
+            "-context has no effect without -headless; a window has its own context");
   EXPECT_EQ(ErrorBeside({"-headless", "-context", "glx"}, rayview), "-context must be auto, egl or osmesa, got 'glx'");
   EXPECT_NE(ErrorBeside({"-exit_immediately", "-events", "e.txt"}, rayview), "");
   EXPECT_NE(ErrorBeside({"-image", ""}, rayview), "");

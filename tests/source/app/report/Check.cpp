@@ -194,7 +194,7 @@ TEST(Check, SaysThatNoDefaultLightsShineWherePathsFindWhatEmits) {
   const std::string lamp = "material 0 0 0  0 0 0  0 0 0  0 0 0  3 3 3  1 1 0\nsphere 0  0 0 0  1\n";
   const Example example(camera + lamp);
   const std::string path = SceneSummary(example.TheWorld(), Of(RenderMode::path));
-  EXPECT_TRUE(Has(path, "lights        0 (the scene names none, and what emits lights it)\n")) << path;
+  EXPECT_TRUE(Has(path, "lights        0 (the scene has none; emissive surfaces light it)\n")) << path;
   const std::string whitted = SceneSummary(example.TheWorld(), Of(RenderMode::whitted));
   EXPECT_TRUE(Has(whitted, "lights        2 (the default: the scene names none), and 1 shape that emits\n")) << whitted;
 }

@@ -43,7 +43,7 @@ TEST(ContactCheck, LetsGlassStandOnAFloor) {
 
 TEST(ContactCheck, PointsOutALightThatNothingSees) {
   EXPECT_TRUE(Has(Mistakes(matte + "point_light 1 1 1  0 0 0  1 0 0 sphere 0 0 0 0 1\n"),
-                  "inside of a shape that light does not leave"));
+                  "inside a shape that no light leaves"));
   EXPECT_EQ(Mistakes(clear_glass + "point_light 1 1 1  0 0 0  1 0 0 sphere 0 0 0 0 1\n"), "");
   EXPECT_EQ(Mistakes(matte + "point_light 1 1 1  0 0 0  1 0 0 sphere 0 0 0 0 50\n"), "");  // around the camera, too
 }
@@ -58,7 +58,7 @@ TEST(ContactCheck, PointsOutGlassWithHoles) {
 }
 
 TEST(ContactCheck, PointsOutGlassOfOneSide) {
-  EXPECT_TRUE(Has(Mistakes(clear_glass + "one_sided 0 sphere 0 0 0 0 1\n"), "has one side"));
+  EXPECT_TRUE(Has(Mistakes(clear_glass + "one_sided 0 sphere 0 0 0 0 1\n"), "one-sided"));
   EXPECT_EQ(Mistakes(matte + "one_sided 0 sphere 0 0 0 0 1\n"), "");
 }
 

@@ -37,8 +37,8 @@ const std::string half_a_unit = "tri 0  0 10 0  1 10 0  0 10 1 ";
 TEST(LampCheck, ASmallLampIsWeakerInModePathByItsSolidAngle) {
   // A / (pi d^2), a tenth of a percent less for the corners that are farther away.
   const std::string said = "scene.scn: warning: lamps light the scene about 630 times as strongly in mode whitted, "
-                           "where each has its full color whatever its size and distance, as in mode path, where "
-                           "emission is a radiance; -emission color makes mode path do as whitted does\n";
+                           "where each has its full color at any size and distance, as in mode path, where "
+                           "emission is a radiance; -emission color makes mode path agree with whitted\n";
   for (const RenderSettings& settings : {whitted, path}) {
     const std::string found = SaidOf(lamps_alone + grain + half_a_unit, settings);
     EXPECT_TRUE(Has(found, said)) << found;
@@ -90,8 +90,8 @@ TEST(LampCheck, WhereNothingIsToBeLitNothingIsSaid) {
 TEST(LampCheck, SolidsThatLightInModePathAloneAreToldThere) {
   const std::string lamp = "sphere 0  0 2 0  1 ";
   EXPECT_TRUE(Has(SaidOf(lamps_alone + grain + lamp, path),
-                  "what emits lights the scene in mode path only; with -emissive_solids on it does in mode whitted "
-                  "too"));
+                  "emissive solids light the scene in mode path only; with -emissive_solids on they do in mode "
+                  "whitted, too"));
   EXPECT_EQ(SaidOf(lamps_alone + grain + lamp, whitted), "") << "each is pointed out in that mode";
   EXPECT_EQ(SaidOf(lamps_alone + grain + lamp + "background 2 2 2", path), "") << "which lights more than the lamp";
   EXPECT_TRUE(Has(SaidOf(lamps_alone + grain + "plane 0  0 5 0  0 1 0", path), "in mode path only"));
@@ -99,7 +99,7 @@ TEST(LampCheck, SolidsThatLightInModePathAloneAreToldThere) {
   EXPECT_TRUE(Has(SaidOf(lamps_alone + grain + lamp +
                              "material 0 0 0  0 0 0  0 0 0  0 0 0  .3 .3 .3  1 1 0 tri 2  0 10 0  1 10 0  0 10 1",
                          path),
-                  " times as strongly in mode path, where everything that emits is a lamp, as in mode whitted"));
+                  " times as strongly in mode path, where every emissive surface is a lamp, as in mode whitted"));
 }
 
 TEST(LampCheck, ABackgroundThatLightsInModePathIsNotTakenForLamps) {
@@ -112,7 +112,7 @@ TEST(LampCheck, DefaultLightsThatShineInModeWhittedAloneAreTold) {
   const std::string no_light = lamps_alone.substr(lamps_alone.find("material"));
   for (const RenderSettings& settings : {whitted, path}) {
     const std::string found = SaidOf(no_light + grain + "sphere 0  0 10 0  1", settings);
-    EXPECT_TRUE(Has(found, "the scene names no light: two default lights shine in mode whitted, where it is about "))
+    EXPECT_TRUE(Has(found, "the scene has no lights: in mode whitted two default lights make it about "))
         << found;
   }
 }
