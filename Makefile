@@ -95,7 +95,7 @@ ABSENT := $(if $(filter yes,$(HAS_EXR)),,R2/image_files/exr.cpp) \
 JUMBO ?= yes
 ALONE := fuzz/% \
          source/view/gl/% source/view/contexts/% source/accelerate/grid.cpp source/accelerate/wide/Kernels.cpp \
-         source/film/denoise/LocalFit.cpp \
+         source/film/denoise/LocalFit.cpp source/app/manual/Version.cpp \
          $(if $(UNIT)$(filter-out file,$(origin TEST_SOURCES)),tests/%) $(if $(filter yes,$(JUMBO)),,%)
 present = $(filter-out $(ABSENT),$(1))
 alone = $(filter $(ALONE),$(call present,$(1)))
@@ -117,6 +117,12 @@ $(BUILD)/flags: FORCE
 	$(call write,'$(subst ','\'',$(FLAGS_LINE))')
 $(BUILD)/features: FORCE
 	$(call write,'$(subst ','\'',$(FEATURE_CPPFLAGS))')
+# The commit that -version names; empty where these files lie in nobody's checkout or in another project's. Images and
+# reports do not name it, so that they stay the same bytes.
+COMMIT = $(shell prefix=$$(git rev-parse --show-prefix 2>/dev/null) && [ -z "$$prefix" ] && \
+                 GIT_OPTIONAL_LOCKS=0 git describe --always --exclude='*' --abbrev=10 --dirty=-modified)
+$(BUILD)/commit: FORCE
+	$(call write,'$(COMMIT)')
 $(BUILD)/jumbo/%/all.cpp: FORCE
 	$(call write,$(patsubst %,'#include "%"',$(call together,$(filter-out $(ALL_PROGRAMS:%=source/app/%.cpp),\
 	  $(if $(UNIT),$(filter $(UNIT),$(wildcard $*/*.cpp)),$(wildcard $*/*.cpp))))))
@@ -135,6 +141,8 @@ OF_FEATURES := $(filter-out source/view/camera/%,$(filter source/app/manual/% so
 OF_FEATURES := $(call objects,$(OF_FEATURES)) $(BUILD)/obj/source/app/rayview.o $(BUILD)/obj/bench/view.o
 $(OF_FEATURES): FEATURES_HERE := $(FEATURE_CPPFLAGS)
 $(OF_FEATURES): $(BUILD)/features
+$(BUILD)/obj/source/app/manual/Version.o: FEATURES_HERE = $(FEATURE_CPPFLAGS) -DRAYPRO_COMMIT='"$(shell cat $(BUILD)/commit)"'
+$(BUILD)/obj/source/app/manual/Version.o: $(BUILD)/commit
 $(BUILD)/obj/%/all.o: $(BUILD)/jumbo/%/all.cpp $(BUILD)/flags
 	$(call compile,$*/*.cpp)
 $(BUILD)/obj/%.o: %.cpp $(BUILD)/flags

@@ -260,8 +260,4 @@ std::string Help(Program program, const std::string& subject) {
   return topic.empty() ? OptionHelp(*FindOption(program, WithoutDashes(subject)), Defaults(program)) : topic;
 }
 
-std::string NameAndVersion(Program program) { return NameOf(program) + " " RAYPRO_VERSION; }
-
-std::string Version(Program program) { return NameAndVersion(program) + "\nbuilt with: " RAYPRO_FEATURES "\n"; }
-
 }  // namespace ray

@@ -19,7 +19,7 @@ std::string Usage(Program program, const CommandKind* command = nullptr);
 
 /// "raypro 0.1.0"
 std::string NameAndVersion(Program program);
-/// What -version prints: name, version and the features that are built in.
+/// What -version prints: name and version, the commit where a checkout was built, and the features that are built in.
 std::string Version(Program program);
 
 /// What the help and the manual page say besides the options.

@@ -511,7 +511,7 @@ std::vector<OptionKind> AboutOptions() {
        {"h"}, {"topic"}, Request{Task::help, Request::perhaps, HelpSubjects<program>}, "", "about",
        "print this help, or that on one topic, command or option"},
       {"version", all, ElsewhereCalled{"V"},
-       {}, {}, Request{Task::version}, "", "about", "print the version and what is built in"},
+       {}, {}, Request{Task::version}, "", "about", "print the version, the commit it was built from and what is built in"},
       {"as", raypro, {}, {}, {"course"}, Request{Task::as_course, Request::always, CommandLinesOfCourses}, "", "about",
        "must come first: accept that course's command line (raypro -help comp30019)"},
       {"list", both, ElsewhereCalled{"l"},

@@ -1,0 +1,20 @@
+// Compiled by itself, since the Makefile says in its command which commit is built: a commit compiles no more than this.
+#include <string_view>
+
+#include "source/app/manual/Help.h"
+
+#ifndef RAYPRO_COMMIT
+#define RAYPRO_COMMIT ""
+#endif
+
+namespace ray {
+
+std::string NameAndVersion(Program program) { return NameOf(program) + " " RAYPRO_VERSION; }
+
+std::string Version(Program program) {
+  constexpr std::string_view commit = RAYPRO_COMMIT;
+  const std::string built_from = commit.empty() ? "" : "\nbuilt from: commit " + std::string(commit);
+  return NameAndVersion(program) + built_from + "\nbuilt with: " RAYPRO_FEATURES "\n";
+}
+
+}  // namespace ray
