@@ -34,7 +34,7 @@ class Mesh : public Shape {
   bool IsSolid() const override { return false; }  // whether it is closed is not looked at
   bool HasTextureCoordinates() const override { return !data_.uvs.empty(); }
   bool IsDegenerate() const override { return data_.triangles.empty(); }
-  /// Of a single triangle with the texture coordinates of a `tri`.
+  /// The recipe of a single triangle with the texture coordinates of a `tri`.
   std::optional<Recipe> MadeFrom() const override;
 
   /// A copy of a mesh without texture coordinates that has them: the place itself, seen along the axis that a triangle
@@ -71,7 +71,7 @@ class Mesh : public Shape {
     const auto& t = data_.triangles[static_cast<std::size_t>(element)];
     return {data_.positions[t[0]], data_.positions[t[1]], data_.positions[t[2]]};
   }
-  /// The same without copies; they live as long as the mesh.
+  /// Pointers to the corners, which live as long as the mesh.
   std::array<const Point*, 3> CornersInPlace(int element) const {
     const auto& t = data_.triangles[static_cast<std::size_t>(element)];
     return {&data_.positions[t[0]], &data_.positions[t[1]], &data_.positions[t[2]]};

@@ -31,7 +31,7 @@ constexpr double Gamma(int n) { return n * unit_roundoff / (1 - n * unit_roundof
 #endif
 #define R3_USES_FMA R3_COMPILED_FOR("arch=x86-64-v3")
 
-/// The same for loops over arrays, which become instructions on four or eight doubles at once instead of two. Bodies
+/// R3_USES_FMA for loops over arrays, whose instructions work on four or eight doubles at once instead of two. Bodies
 /// without branches, please: selections are fine.
 #define R3_VECTORIZED R3_COMPILED_FOR("arch=x86-64-v3", "arch=x86-64-v4")
 

@@ -84,7 +84,7 @@ class Shape {
   ///   u         in [0, 1)^2, uniform
   ///   returns   nothing where no place can be seen
   virtual std::optional<SurfaceSample> Sample(const Point& from, const R2::Point& u, int element) const;
-  /// The same, bit for bit, for each of the points and numbers.
+  /// Sample for many points and numbers, bit for bit.
   virtual void SampleEach(SurfaceSamples& samples, int element) const;
   /// Whether Sample never draws a place that the element itself hides.
   virtual bool DrawsInSight() const { return FormOfElements() == Form::flat; }
@@ -95,7 +95,7 @@ class Shape {
   /// A place of that area, uniformly.
   virtual Intersection DrawPlace(const Point& /*from*/, const R2::Point& /*u*/, int /*element*/) const { return {}; }
 
-  /// Of each of its elements.
+  /// The form that each element has.
   virtual Form FormOfElements() const { return Form::other; }
   /// Whether the shape bounds a volume that a point can be inside of.
   virtual bool IsSolid() const { return true; }

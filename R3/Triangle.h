@@ -91,8 +91,8 @@ inline std::optional<Hit> TriangleHit(const ShearedRay& ray, const EdgeFunctions
   return Hit{t, edges.v / sum, edges.w / sum, 0};
 }
 
-/// The same, compiled into its caller: for batches whose caller is itself compiled for an instruction set. Corners stay
-/// where they are in memory.
+/// IntersectTriangle, compiled into its caller: for batches, whose caller is compiled for an instruction set. Corners
+/// stay where they are in memory.
 inline std::optional<Hit> IntersectTriangleInline(const ShearedRay& ray, const std::array<const Point*, 3>& corners) {
   double x[3], y[3], z[3];
 #pragma GCC unroll 3

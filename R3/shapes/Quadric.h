@@ -38,7 +38,7 @@ inline bool IsCertainlyLeaving(const Vector& from_center, const Vector& directio
 ///             the better one, since b^2 and a c no longer cancel except at a tangent.
 std::optional<Roots> QuadricRoots(const Point& origin, const Vector& direction, const Point& center, double radius);
 
-/// The same for lengths whose squares leave the range of doubles, or nearly.
+/// QuadricRoots for lengths whose squares leave the range of doubles, or nearly.
 std::optional<Roots> ScaledQuadricRoots(const Point& origin, const Vector& direction, const Point& center,
                                         double radius);
 
@@ -46,7 +46,7 @@ std::optional<Roots> ScaledQuadricRoots(const Point& origin, const Vector& direc
 struct Quadratic {
   double a, b, c, discriminant;
 };
-/// Of a ray that begins near the surface.
+/// The equation of a ray that begins near the surface.
 Quadratic QuadraticNearby(const Point& origin, const Vector& direction, const Point& center, double radius);
 
 /// QuadricRoots, compiled into its caller: for callers that are themselves compiled for an instruction set.

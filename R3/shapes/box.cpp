@@ -103,7 +103,7 @@ class BoxShape : public Shape {
     return at;
   }
 
-  /// Of the faces, 0 for those that turn their backs; all of them from inside.
+  /// Areas of the faces that are seen: 0 for those that turn their backs, the whole areas from inside.
   std::array<double, 6> SeenAreas(const Point& from) const {
     const Vector size = box_.Size();
     const bool is_inside = box_.Contains(from);

@@ -133,7 +133,7 @@ class Cone : public Shape {
     return inside < 0 ? std::numbers::pi : 0;
   }
 
-  /// Of side and base, 0 for what turns its back; all of both from inside.
+  /// Areas of side and base that are seen: 0 for what turns its back, the whole areas from inside.
   std::array<double, 2> SeenAreas(const Point& from) const {
     const double half_angle = SeenHalfAngle(from);
     const bool is_below = from.y < low_, is_inside = !is_below && half_angle == 0;

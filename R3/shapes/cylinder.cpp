@@ -87,7 +87,7 @@ class Cylinder : public Shape {
  private:
   enum Part { side, bottom, top };
 
-  /// As most rays do that begin on the surface.
+  /// Whether the ray certainly leaves without a hit, as most rays do that begin on the surface.
   bool IsLeaving(const Ray& ray) const {
     const Vector across{ray.direction.x, 0, ray.direction.z};
     const auto leaves_from = [&](const Point& p) {
@@ -109,13 +109,13 @@ class Cylinder : public Shape {
     return low_ <= p.y && p.y <= high_ && R1::Hypot(p.x - center_.x, p.z - center_.z) <= radius_;
   }
 
-  /// Of the side that is seen along all its height, half the angle about the axis.
+  /// Half the angle about the axis of the part of the side that is seen.
   double SeenHalfAngle(const Vector& from_axis) const {
     const double distance = R1::Hypot(from_axis.x, from_axis.z);
     return distance > radius_ ? R1::Acos(radius_ / distance) : std::numbers::pi;
   }
 
-  /// Of the parts, 0 for those that turn their backs; all of them from inside.
+  /// Areas of the parts that are seen: 0 for those that turn their backs, the whole areas from inside.
   std::array<double, 3> SeenAreas(const Point& from) const {
     const Vector from_axis = from - center_;
     const bool is_inside = IsInside(from);

@@ -64,7 +64,7 @@ class Plane : public Shape {
  private:
   static double Fraction(double x) { return x - std::floor(x); }
   static Vector AnyPerpendicular(const Vector& n) { return Unit(Cross(LeastAxis(n), n)); }
-  /// Of a place from the plane, along the normal.
+  /// Distance of a place from the plane along the normal, times the length of the normal.
   double DistanceTimesLength(const Point& p) const {
     DoubleDouble sum;
     for (int i = 0; i < 3; ++i) sum = sum + ExactSum(p[i], -point_[i]) * DoubleDouble(normal_[i]);

@@ -109,7 +109,7 @@ class Sphere : public Shape {
     return at;
   }
 
-  /// Of half the angle that the sphere is seen under from outside, whose sine is radius / D: factored so that it is
+  /// 1 - cos of half the angle that the sphere is seen under from outside, whose sine is radius / D: factored, so
   /// exact for narrow cones and beside the surface alike.
   double OneMinusCosine(double D, double sine) const {
     return sine * sine / (1 + std::sqrt((D - radius_) / D * (1 + sine)));
@@ -142,10 +142,10 @@ class Sphere : public Shape {
     return are_outside != 0;
   }
 
-  // As the viewer's utility sphere draws it: poles on z, v from -z to +z, u = 0 at +y and 0.25 at +x.
+  // Agrees with the viewer's utility sphere: poles on z, v from -z to +z, u = 0 at +y and 0.25 at +x.
   static R2::Point TextureCoordinates(const Vector& outward) {
     const double u = R1::Atan2(outward.x, outward.y) / (2 * std::numbers::pi);
-    // Of both legs, since near a pole the arc cosine of z loses half of the digits.
+    // The arc tangent of both legs, since near a pole the arc cosine of z loses half of the digits.
     const double across = std::sqrt(outward.x * outward.x + outward.y * outward.y);
     const double v = 1 - R1::Atan2(across, outward.z) / std::numbers::pi;
     return {u < 0 ? u + 1 : u, v};

@@ -123,8 +123,8 @@ class Torus : public Shape {
     return 4 * std::numbers::pi * std::numbers::pi * major_ * minor_;
   }
 
-  /// Of two places of the tube at the same height, the outer one has more area in proportion to its radius about the
-  /// axis, and is chosen as much more often.
+  /// Chooses places of the tube in proportion to their area: the outer one of two at the same height has more, since
+  /// its radius about the axis is larger.
   Intersection DrawPlace(const Point&, const R2::Point& u, int) const override {
     const auto around_tube = R1::SinCosTurns(u.x);
     const double share = (1 + minor_ / major_ * around_tube.cosine) / 2;

@@ -32,7 +32,7 @@ R2::Image Shown(R2::Image image, const MistakeList& mistakes) {
   return Displayed(image, R2::Display::straight);
 }
 
-/// Those that are made before an image is rendered.
+/// Mistakes that are made before an image is rendered.
 MistakeList BeforeRendering(const MistakeList& mistakes) {
   MistakeList made;
   std::ranges::copy_if(mistakes, std::back_inserter(made), [](const Mistake* mistake) { return mistake->make; });

@@ -29,7 +29,7 @@ R2::Point OnGrid(std::uint32_t index, std::uint32_t side) {
   return {(index % side + 0.5) / side, (index / side % side + 0.5) / side};
 }
 
-/// The same, each place moved on by a part of the rows or columns beside it: a square grid again, turned by
+/// OnGrid, each place moved on by a part of the rows or columns beside it: a square grid again, turned by
 /// atan(1 / side), and every place in a row and a column of its own.
 ///   source   Akenine-Moeller, Haines and others, Real-time rendering (2018), section 5.4.2, where side is 2
 R2::Point OnRotatedGrid(std::uint32_t index, std::uint32_t side) {
@@ -54,7 +54,7 @@ void PutApart(std::span<const PixelSample> of, double* x, double* y) {
   }
 }
 
-/// Of the unit square to those of the unit disc.
+/// Moves places of the unit square to the unit disc.
 R3_VECTORIZED
 void PutOnDisks(std::size_t count, double* x, double* y) {
   for (std::size_t i = 0; i < count; ++i) {

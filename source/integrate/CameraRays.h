@@ -32,7 +32,7 @@ struct CameraEffects {
 
   bool HasMotion() const { return !(motion == R3::Vector{}); }
   bool HasLens() const { return aperture > 0; }
-  /// Of all camera rays of a pixel, how many go through the same place in it.
+  /// How many of a pixel's camera rays go through the same place in it.
   std::uint32_t SamplesOfOnePlace() const {
     const int on_lens = HasLens() && lens != LensPattern::random ? lens_samples : 1;
     constexpr std::int64_t most = std::numeric_limits<int>::max();
@@ -66,7 +66,7 @@ class CameraRays {
     MakeEach(std::span(&of, 1), std::span(&sample, 1));
     return sample;
   }
-  /// Those of at most R1::batch_size samples, which together take less time.
+  /// Makes the rays of at most R1::batch_size samples, which together take less time.
   void MakeEach(std::span<const PixelSample> of, std::span<CameraSample> samples) const {
     (this->*kernel_)(of, samples);
   }

@@ -59,7 +59,7 @@ class Path : public Integrator {
   struct Sampled {
     bool lights, bsdf;
 
-    /// Of BSDF sampling; light sampling has the rest.
+    /// MIS weight of a direction from BSDF sampling; light sampling has the rest.
     double WeightOfBsdf(double bsdf_pdf, double light_pdf) const {
       if (!bsdf) return 0;
       return lights ? MisWeight(bsdf_pdf, light_pdf) : 1;

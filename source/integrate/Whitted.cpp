@@ -18,7 +18,7 @@ enum WhittedKey : std::uint64_t {
   environment_key,
   first_light_key
 };
-// Of the rays that share a reflection, and of lights that are chosen; no surface has as many lights.
+// Keys of the rays that share a reflection, and of the choice of lights; no surface has lights up to these numbers.
 constexpr std::uint64_t gloss_key = camera_key - 1, chosen_lights_key = camera_key - 2;
 
 /// The environment, reflected by kd / pi.

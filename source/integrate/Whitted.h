@@ -26,7 +26,7 @@ class Whitted : public Integrator {
 
  protected:
   const World& world() const { return world_; }
-  /// Those that are not black.
+  /// The lights of the scene that are not black.
   std::span<const Light* const> Lights() const { return scene_lights_; }
 
  private:
@@ -39,7 +39,7 @@ class Whitted : public Integrator {
   void AddChosenLights(std::span<ShadingPoint> points, TraceState& state) const;
   void AddSample(const LightSource& light, const ShadingPoint& p, std::size_t index, const R2::Point& u, double weight,
                  TraceState& state) const;
-  /// Those that points number `first` and on pick, at most LightSamples::most.
+  /// AddSample for the numbers of `random` from `first` on, at most LightSamples::most of them.
   void AddSamples(const LightSource& light, const ShadingPoint& p, std::size_t index, const Points& random,
                   std::uint64_t first, std::uint32_t count, double weight, TraceState& state) const;
   void AddArrived(std::span<ShadingPoint> points, TraceState& state) const;

@@ -18,7 +18,7 @@ struct Caustics {
   bool Counts(const R2::Color& emission) const { return most > 0 && Luminance(emission) >= brightest / 2; }
 };
 
-/// Those that mode path can find.
+/// The caustics that mode path can find.
 Caustics CausticsOf(const World& world, const TraceSettings& settings);
 
 }  // namespace ray

@@ -64,7 +64,7 @@ double DivisorAt(double d, const FallingOff& f) {
   return divisor > 0 ? divisor : 1;
 }
 
-/// The same light; what does not fall off at all has the law 1.
+/// The light with its power divided by ca where it does not fall off, so that its law is 1.
 LightBound InUnitsOfItsLaw(LightBound light) {
   if (light.la > 0 || light.qa > 0) return light;
   if (light.ca > 0) light.power = Bounded(light.power / light.ca);

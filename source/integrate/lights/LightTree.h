@@ -48,7 +48,7 @@ class LightTree {
   ///   time   O(log lights), unless most lights are in the very plane of p, where each may be asked for its side
   std::optional<Choice> Choose(const R3::Point& p, const R3::Vector& N, double u) const;
 
-  /// Of Choose giving `light`, the same number to the bit; 0 for a light it never gives. The sum over all lights is 1
+  /// Probability that Choose gives `light`, bit for bit as in its Choice; 0 for one it never gives. The sum is 1
   /// within 1e-12, or 0 where Choose gives nothing.
   double Probability(const R3::Point& p, const R3::Vector& N, int light) const;
 
@@ -82,7 +82,7 @@ class LightTree {
   static double Importance(const Node& node, const R3::Vector& to_center, double height);
   bool IsLit(const Node& node, const R3::Point& p, const R3::Vector& N, double height) const;
   double ImportanceIfLit(const Node& node, const R3::Point& p, const R3::Vector& N) const;
-  /// Of the trees in order, and last of the infinite lights.
+  /// Weights of the trees in order, the last one that of the infinite lights.
   Weights OfTreesAndInfinite(const R3::Point& p, const R3::Vector& N) const;
   Weights OfChildren(const Node& node, const R3::Point& p, const R3::Vector& N) const;
   double ProbabilityOfNode(const R3::Point& p, const R3::Vector& N, int node) const;

@@ -107,7 +107,7 @@ std::optional<R3::Vector> SampleReflection(const ShadingPoint& p, bool glossy, c
 /// reflection. A smoothed normal that faces away from wo is taken to be at a right angle to it.
 std::optional<R3::Vector> Refraction(const ShadingPoint& p);
 
-/// Of the diffuse lobe about N.
+/// A direction of the diffuse lobe about N.
 inline R3::Vector DiffuseDirection(const R3::Vector& N, const R2::Point& u) {
   return R3::FromTangents(R3::SampleCosineHemisphere(u), N);
 }
@@ -152,7 +152,7 @@ class Bsdf {
 
   /// The non-specular lobes: radiance scattered to wo per radiance from wi and solid angle, the cosine included.
   R2::Color Eval(const R3::Vector& wi) const { return EvalWithPdf(wi).value; }
-  /// Of Sample giving wi by a non-specular lobe, per solid angle.
+  /// The pdf, per solid angle, with which Sample gives wi by a non-specular lobe.
   double Pdf(const R3::Vector& wi) const { return EvalWithPdf(wi).pdf; }
   /// Both, for the price of one: the glossy lobe takes a power.
   struct ValueAndPdf {
@@ -166,7 +166,7 @@ class Bsdf {
   std::optional<BsdfSample> Sample(const R2::Point& u, double choice) const {
     return Sample(u, choice, DiffuseDirection(p_.N, u));
   }
-  /// The same where DiffuseDirection(N, u) is known.
+  /// Sample for callers that know DiffuseDirection(N, u).
   std::optional<BsdfSample> Sample(const R2::Point& u, double choice, const R3::Vector& diffuse) const;
 
  private:

@@ -36,7 +36,7 @@ struct ShadingPoint {
   // primitive again where `is_met_again`.
   std::int64_t leaving = -1, leaving_behind = -1;
   bool is_met_again = false;
-  // Of a surface that light goes through, see Media: where rays start that have gone through it, what they are inside
+  // Set where light goes through the surface, see Media: where rays that have gone through start, what they are inside
   // of, and the index of refraction on this side over that on the other; 0: that of the material over 1, or 1 over it.
   const R3::Departure* beyond = nullptr;
   MediumSets::Number media_beyond = 0;
@@ -76,7 +76,7 @@ struct ShadingPoint {
 /// from the path's throughput, unless Media have done so.
 ShadingPoint ShadingPointAt(const World& world, const PathState& ray, const WorldHit& hit);
 
-/// Of a point whose hit and viewer's side are known, what rays from there leave.
+/// Sets what rays from the point leave; its hit and viewer's side must be known.
 inline void SetLeaving(const World& world, ShadingPoint& p) {
   const R3::Form form = world.Instances()[p.hit.instance].form;
   const std::int64_t primitive = world.PrimitiveId(p.hit);
@@ -87,7 +87,7 @@ inline void SetLeaving(const World& world, ShadingPoint& p) {
   p.leaving_behind = primitive, p.is_met_again = is_met(!p.entering);
 }
 
-/// Of a point whose normal is known, where rays from there start.
+/// Sets where rays from the point start; its normal must be known.
 void SetDeparture(const World& world, ShadingPoint& p);
 
 /// The colors of a mesh's vertices where a ray hits; white for other shapes.

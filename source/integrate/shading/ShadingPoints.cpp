@@ -34,7 +34,7 @@ struct Surfaces {
   }
 };
 
-/// Those of flat triangles: one object, so that it is clear that no arrays overlap.
+/// Surfaces of flat triangles: one object, so that it is clear that no arrays overlap.
 struct FlatSurfaces : Surfaces {
   PointColumns corners[3];
   VectorColumns weights;
@@ -47,7 +47,7 @@ struct FlatSurfaces : Surfaces {
   }
 };
 
-/// Those of spheres of the world.
+/// Surfaces of the world's spheres.
 struct RoundSurfaces : Surfaces {
   PointColumns met, center;  // `met`: where the ray says that they meet
   alignas(64) double radius[most];

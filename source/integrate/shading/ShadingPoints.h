@@ -6,7 +6,7 @@
 
 namespace ray {
 
-/// Of each point, whose path and hit are known, makes the rest: what ShadingPointAt gives, bit for bit, but for texture
+/// Completes points whose path and hit are known: to what ShadingPointAt gives, bit for bit, but for texture
 /// coordinates where the material has no use for them. What can be is made in loops over arrays: places on flat
 /// triangles, and of all surfaces the sides they turn to the rays.
 void CompleteShadingPoints(const World& world, std::span<ShadingPoint> points);
